@@ -1,0 +1,62 @@
+// The mission as the rest of the firmware sees it: tasks.cpp runs it, modes/auto.cpp enters and
+// leaves it, telemetry/ moves it up and down. Nothing here waits for the EEPROM: what answers
+// `busy` is asked again in a later frame.
+#pragma once
+#include <stdint.h>
+
+#include "core/rom.hpp"
+#include "core/status.hpp"
+
+namespace firmware {
+
+// One item in MAVLink's terms (MISSION_ITEM_INT); NaN in a parameter means "not given".
+struct MissionItem {
+    uint16_t command;
+    uint8_t frame;            // MAV_FRAME
+    float param1, param2, param3, param4;
+    int32_t x, y;             // latitude and longitude, 1e-7 degrees
+    float z;                  // altitude, metres, in the frame's sense
+};
+
+// MAV_MISSION_RESULT, and one value of our own that never goes on the wire.
+enum class MissionResult : uint8_t {
+    accepted = 0,
+    error = 1,
+    unsupported_frame = 2,
+    unsupported = 3,
+    no_space = 4,
+    invalid = 5,
+    invalid_param1 = 6,  // ... param7 = 12: 6 + the parameter's number - 1
+    invalid_sequence = 13,
+    denied = 14,
+    cancelled = 15,
+    busy = 0xFF,         // not yet: ask again in a later frame
+};
+
+void missionBoot();              // once: finds the stored mission
+void missionRun();               // 10 Hz: one pass while the mode is AUTO, background work always
+
+// AUTO. Entering fails when there is nothing to fly; why_not is then a flash text.
+bool missionEnter(core::RomText& why_not);
+void missionLeave();
+bool missionComplete();          // no NAV left: AUTO gives way to RTL (or stays after a LAND)
+void missionRestart();
+
+uint16_t missionCount();         // items stored, home (item 0) included; 0: none
+uint16_t missionCurrent();       // index of the NAV flown, 0 when none
+bool missionSetCurrent(uint16_t index);       // false: no such item, nothing changed
+bool takeReached(uint16_t& index);            // a NAV that finished and was not yet told
+
+MUST_USE core::Status missionItem(uint16_t index, MissionItem& to);  // busy, bad_argument, ok
+
+// An upload: begin, items in order, commit. Until commit answers `accepted` the old mission is
+// the mission. A part of the mission is replaced by the same three calls with `first` > 0 or
+// `last` short of the end. One at a time.
+MissionResult missionBeginUpload(uint16_t count);
+MissionResult missionBeginPartial(uint16_t first, uint16_t last);  // both inclusive
+MissionResult missionUploadItem(uint16_t index, const MissionItem& item);
+MissionResult missionCommit();
+void missionAbort();
+MissionResult missionClear();
+
+}  // namespace firmware

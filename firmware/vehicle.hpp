@@ -1,0 +1,161 @@
+// What the pieces of the flight program share: one struct, one section a writer. A section is
+// written by the file named above it and read by everyone.
+#pragma once
+#include <stdint.h>
+
+#include "core/maths.hpp"
+#include "geo/position.hpp"
+#include "hal/rc_input.hpp"
+#include "hal/servo_output.hpp"
+
+namespace firmware {
+
+// MAVLink custom_mode numbers of ArduPlane.
+enum class Mode : uint8_t {
+    manual = 0,
+    circle = 1,
+    stabilize = 2,
+    fbwa = 5,
+    automatic = 10,  // AUTO
+    rtl = 11,
+    loiter = 12,
+    guided = 15,
+    initialising = 16,
+};
+
+enum class GpsFix : uint8_t { no_gps = 0, none = 1, two_d = 2, three_d = 3 };
+
+// What is to be flown. A mode or a NAV command writes the demand; guidance.cpp flies it.
+enum class Path : uint8_t { none, leg, circle, takeoff, land };
+
+struct Vehicle {
+    // ---- sensors.cpp, every frame
+    struct {
+        core::Vector3 rate_rads;   // body axes: x forward, y right, z down; bias removed
+        core::Vector3 accel_mss;   // specific force: (0, 0, -g) at rest and level
+        float dt_s;                // covered by this frame's samples
+        bool healthy;
+        bool calibrated;           // gyro bias known
+    } imu;
+    struct {
+        float pressure_pa;
+        float temperature_c;
+        float ground_pressure_pa;  // zero of the height
+        float height_m;            // above where it was zeroed
+        bool fresh;                // a new reading in this frame
+        bool healthy;
+    } baro;
+    struct {
+        core::Vector3 field_mg;    // body axes, offsets added
+        bool fresh;
+        bool healthy;
+    } compass;
+    struct {
+        GpsFix fix;
+        uint8_t satellites;
+        uint16_t hdop_c;           // 0.01
+        geo::Position position;
+        int32_t altitude_cm;       // above sea level
+        core::Vector3 velocity_mps;  // north, east, down
+        float ground_speed_mps;
+        int32_t course_cd;
+        uint32_t received_ms;
+        bool fresh;
+        bool healthy;
+    } gps;
+    struct {
+        float pressure_pa;         // differential, offset removed
+        float speed_mps;           // indicated
+        float offset_v;            // zero, from start-up
+        bool healthy;              // fitted, used and sane
+    } airspeed;
+    struct {
+        uint16_t voltage_mv;
+        int16_t current_ca;        // 10 mA; -1 unknown
+        float consumed_mah;
+        uint16_t board_mv;         // Vcc
+    } battery;
+
+    // ---- estimator.cpp, every frame
+    struct {
+        float roll_rad, pitch_rad, yaw_rad;
+        float sin_roll, cos_roll, sin_pitch, cos_pitch;
+        core::Vector3 rate_rads;
+        bool aligned;
+    } attitude;
+    struct {
+        geo::Position position;    // between fixes carried on with the velocity
+        bool known;                // a fix has been seen and is not too old
+        core::Vector3 velocity_mps;  // north, east, down
+        float ground_speed_mps;
+        int32_t course_cd;
+        float height_m;            // above home
+        float climb_mps;
+        float airspeed_mps;        // true, measured or estimated from wind
+        float equivalent_airspeed_mps;
+        core::Vector3 wind_mps;    // where it blows to: north, east, 0
+        bool flying;
+    } estimate;
+
+    // ---- home.cpp: set at arming or by command
+    struct {
+        geo::Position position;
+        int32_t altitude_cm;       // above sea level
+        bool set;
+    } home;
+
+    // ---- radio.cpp, when a frame came
+    struct {
+        uint16_t pulse_us[hal::kRcChannels];
+        int16_t roll_cd, pitch_cd, yaw_cd;  // -4500..4500
+        int8_t throttle_pct;       // 0..100
+        bool lost;                 // no frames, or throttle below THR_FS_VALUE
+        uint32_t good_ms;          // when the sticks were last good
+    } radio;
+
+    // ---- modes.cpp / arming.cpp / failsafe.cpp
+    Mode mode;
+    bool armed;
+    bool failsafe_short, failsafe_long;
+
+    // ---- what is demanded: modes/ and the NAV commands write, guidance.cpp flies and reports
+    struct {
+        Path path;
+        geo::Position from;        // start of the leg
+        geo::Position to;          // end of the leg, centre of the circle, landing point
+        float from_height_m;       // above home: the slope of a leg begins here ...
+        float height_m;            // ... and ends here; of a circle the height throughout
+        bool sloped;               // false: the height changes at once
+        float radius_m;            // of a circle
+        bool counter_clockwise;
+        float takeoff_pitch_rad;
+        float climb_rate_mps;      // CONDITION_CHANGE_ALT moves the height at this rate; 0: no
+        float airspeed_mps;        // demanded cruise speed, set at mission start from TRIM_ARSPD_CM
+        int8_t throttle_pct;       // cruise throttle
+        bool new_path;             // set by the writer, cleared by guidance.cpp: begin afresh
+    } demand;
+    struct {
+        float distance_m;          // to the end of the leg or the centre
+        int32_t target_bearing_cd;
+        int32_t nav_bearing_cd;
+        float crosstrack_m;
+        float height_error_m;
+        float airspeed_error_mps;
+        bool passed;               // the line through `to` across the leg is behind
+        bool captured;             // on the circle
+        float turned_rad;          // along the circle since capture, always growing
+        bool flaring;
+        bool throttle_suppressed;
+    } progress;
+
+    // ---- guidance.cpp or a mode, for attitude_control.cpp
+    float roll_demand_rad, pitch_demand_rad;
+    float throttle_demand;         // 0..1
+
+    // ---- outputs.cpp
+    uint16_t servo_us[hal::kServos];
+};
+
+extern Vehicle vehicle;
+
+}  // namespace firmware

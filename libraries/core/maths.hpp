@@ -1,0 +1,67 @@
+// Small arithmetic that every room needs: limits, angle wrapping, unit conversion.
+#pragma once
+#include <math.h>
+#include <stdint.h>
+
+namespace core {
+
+constexpr float kPi = 3.14159265f;
+constexpr float kGravity_mss = 9.80665f;
+
+constexpr float radians(float degrees) { return degrees * (kPi / 180.0f); }
+constexpr float degrees(float radians) { return radians * (180.0f / kPi); }
+constexpr float radiansFromCentidegrees(float cd) { return cd * (kPi / 18000.0f); }
+constexpr float centidegrees(float radians) { return radians * (18000.0f / kPi); }
+
+template <class T>
+constexpr T limit(T value, T lowest, T highest) {
+    return value < lowest ? lowest : (highest < value ? highest : value);
+}
+
+template <class T>
+constexpr T square(T value) {
+    return value * value;
+}
+
+// -180..180 degrees
+constexpr int32_t wrap180_cd(int32_t angle_cd) {
+    while (angle_cd > 18000) angle_cd -= 36000;
+    while (angle_cd <= -18000) angle_cd += 36000;
+    return angle_cd;
+}
+// 0..360 degrees
+constexpr int32_t wrap360_cd(int32_t angle_cd) {
+    while (angle_cd >= 36000) angle_cd -= 36000;
+    while (angle_cd < 0) angle_cd += 36000;
+    return angle_cd;
+}
+// -pi..pi; for sums of a few such angles
+inline float wrapPi(float angle_rad) {
+    while (angle_rad > kPi) angle_rad -= 2 * kPi;
+    while (angle_rad < -kPi) angle_rad += 2 * kPi;
+    return angle_rad;
+}
+
+// Halves away from zero, as lroundf, without libm's 64-bit detour.
+constexpr int32_t rounded(float value) {
+    return static_cast<int32_t>(value < 0 ? value - 0.5f : value + 0.5f);
+}
+
+struct Vector3 {
+    float x, y, z;
+};
+constexpr Vector3 operator+(const Vector3& a, const Vector3& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+constexpr Vector3 operator-(const Vector3& a, const Vector3& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+constexpr Vector3 operator*(const Vector3& a, float s) { return {a.x * s, a.y * s, a.z * s}; }
+constexpr float dot(const Vector3& a, const Vector3& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+constexpr Vector3 cross(const Vector3& a, const Vector3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+}  // namespace core

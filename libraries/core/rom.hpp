@@ -1,0 +1,66 @@
+// Tables that stay in flash. On AVR a const object is copied to RAM at start-up unless it is
+// marked and read through the program-memory bus; on the host both words mean nothing. This
+// header is the only place in libraries/ that knows the difference.
+#pragma once
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __AVR__
+#include <avr/pgmspace.h>
+#define ROM PROGMEM
+#define ROM_COPY memcpy_P
+#define ROM_TEXT(text) PSTR(text)
+#else
+#include <string.h>
+#define ROM
+#define ROM_COPY memcpy
+#define ROM_TEXT(text) (text)
+#endif
+
+namespace core {
+
+// A text that lies in flash: made by ROM_TEXT("...") inside a function, read by romRead or
+// copyText. Never dereference it.
+using RomText = const char*;
+
+template <class T, size_t size = sizeof(T)>
+struct RomReader {
+    static T read(const T& in_flash) {
+        T copy;
+        ROM_COPY(&copy, &in_flash, size);
+        return copy;
+    }
+};
+
+#ifdef __AVR__
+template <class T>
+struct RomReader<T, 1> {
+    static T read(const T& in_flash) { return static_cast<T>(pgm_read_byte(&in_flash)); }
+};
+template <class F>
+struct RomReader<F*, 2> {
+    static F* read(F* const& in_flash) { return reinterpret_cast<F*>(pgm_read_word(&in_flash)); }
+};
+#endif
+
+// Reads one object out of flash. One byte and pointers are plain loads; the rest is copied.
+template <class T>
+inline T romRead(const T& in_flash) {
+    return RomReader<T>::read(in_flash);
+}
+
+// Copies a flash text into `to`, at most `size` characters, zero padded (MAVLink's char arrays
+// need no terminator when full). Returns the characters copied.
+inline uint8_t copyText(char* to, RomText text, uint8_t size) {
+    uint8_t length = 0;
+    for (char c; length < size && (c = romRead(text[length])) != 0; ++length) to[length] = c;
+    for (uint8_t i = length; i < size; ++i) to[i] = 0;
+    return length;
+}
+
+template <class T, size_t N>
+constexpr size_t count(const T (&)[N]) {
+    return N;
+}
+
+}  // namespace core

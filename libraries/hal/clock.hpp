@@ -1,0 +1,14 @@
+// Time and rest. Defined by hal_avr/clock.cpp, simulator/native and host_tests/fakes.
+#pragma once
+#include <stdint.h>
+
+namespace hal {
+
+uint32_t now_us();  // since reset; wraps after 71.6 minutes: compare differences only
+uint32_t now_ms();  // since reset; wraps after 49.7 days
+
+// Sleeps until the next interrupt unless `work_waits` says, asked with interrupts off, that
+// there is something to do: an interrupt between the question and the sleep is not slept over.
+void idle(bool (*work_waits)());
+
+}  // namespace hal

@@ -1,0 +1,19 @@
+// One I2C transfer at a time, carried out by interrupts.
+#pragma once
+#include <stdint.h>
+
+#include "core/status.hpp"
+
+namespace hal {
+
+constexpr uint8_t kI2cBytes = 8;  // the longest transfer each way
+
+// Starts: writes `out_size` bytes to the 7-bit address, then, after a repeated start, reads
+// `in_size` bytes (either may be 0). False: a transfer is under way.
+bool i2cStart(uint8_t address, const uint8_t* out, uint8_t out_size, uint8_t in_size);
+
+// `busy` while it runs; then once `ok` with the bytes read in `in`, or `timeout` when nobody
+// answered or the bus hung. A hung bus (no end after 5 ms) is freed by clocking SCL here.
+MUST_USE core::Status i2cResult(uint8_t* in, uint8_t in_size);
+
+}  // namespace hal

@@ -1,0 +1,15 @@
+// Marks for whoever measures from outside: one OUT instruction to GPIOR0, which nothing else uses.
+//   0x01..0x7F  task number + 1 begins        0x80  the task has ended
+//   0xF0        a frame begins                 0xF1  the frame's tasks are done
+#pragma once
+#include <stdint.h>
+
+namespace hal {
+
+constexpr uint8_t kMarkTaskEnd = 0x80;
+constexpr uint8_t kMarkFrameBegin = 0xF0;
+constexpr uint8_t kMarkFrameEnd = 0xF1;
+
+void mark(uint8_t value);
+
+}  // namespace hal

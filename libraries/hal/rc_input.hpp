@@ -1,0 +1,15 @@
+// The receiver's pulses, decoded from the PPM-sum of the on-board encoder.
+#pragma once
+#include <stdint.h>
+
+namespace hal {
+
+constexpr uint8_t kRcChannels = 8;
+
+// Copies the newest frame, 0.5 us steps halved to us, not clamped; channels the frame did not have
+// keep 0. Returns true once for every frame received.
+bool rcRead(uint16_t (&pulse_us)[kRcChannels]);
+
+uint32_t rcAge_us();  // since the last complete frame; large before the first
+
+}  // namespace hal

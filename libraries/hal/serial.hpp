@@ -1,0 +1,26 @@
+// The serial ports by the part they play. Both directions are buffered and driven by interrupts;
+// nothing here waits.
+#pragma once
+#include <stdint.h>
+
+namespace hal {
+
+enum class Port : uint8_t { link0, gps, link1 };  // link0: USB or telemetry, see usbConnected
+constexpr uint8_t kPorts = 3;
+
+// 8N1. Forgets what either buffer holds. May be called again at any time.
+void serialOpen(Port port, uint32_t baud);
+
+uint8_t serialAvailable(Port port);           // bytes received and not yet read
+bool serialRead(Port port, uint8_t& byte);    // false: none there
+uint8_t serialRoom(Port port);                // bytes that serialWrite would take now
+
+// Queues all `size` bytes and returns true, or queues none and returns false.
+bool serialWrite(Port port, const void* bytes, uint8_t size);
+
+uint16_t serialLost(Port port);  // received bytes dropped since reset: overrun or buffer full
+
+// True while a USB cable has taken link0 over from the telemetry connector.
+bool usbConnected();
+
+}  // namespace hal

@@ -1,0 +1,76 @@
+// Everything outside the board's pins: the airplane in its air, and the chips that sense it.
+// Both kinds of board, the emulated and the native one, hang on the same World.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace simulator {
+
+struct WorldOptions {
+    std::string airplane = "foam_trainer";
+    double latitude_deg = 47.3977, longitude_deg = 8.5456, altitude_m = 488.0;  // where it stands
+    double heading_deg = 0.0;
+    double wind_mps = 0.0, wind_from_deg = 0.0;  // mean wind at and above 10 m
+    bool gusts = false;                          // Dryden, 1 m/s RMS
+    uint64_t seed = 1;
+    bool sensor_errors = true;
+};
+
+// The truth, in SI units, NED at the start point. Never seen by the firmware.
+struct Truth {
+    uint64_t time_us;
+    double latitude_deg, longitude_deg, altitude_m;  // altitude above sea level
+    double north_m, east_m, height_m;                // from the start; height above the ground
+    double velocity_north_mps, velocity_east_mps, velocity_down_mps;
+    double roll_rad, pitch_rad, yaw_rad;
+    double roll_rate_rads, pitch_rate_rads, yaw_rate_rads;             // body
+    double force_x_mss, force_y_mss, force_z_mss;                      // specific force, body
+    double airspeed_mps;             // true
+    double equivalent_airspeed_mps;
+    double alpha_rad, beta_rad;
+    double wind_north_mps, wind_east_mps, wind_down_mps;               // air's velocity, gusts too
+    double throttle, aileron, elevator, rudder;      // 0..1, -1..1 after the servos' own motion
+    double motor_current_a, battery_v, battery_used_mah;
+    bool on_ground;
+    bool crashed;                    // hit the ground harder or steeper than the airframe stands
+};
+
+class Mpu6000;
+class Ms5611;
+class Hmc5883l;
+class UbloxGps;
+class PpmEncoder;
+
+class World {
+public:
+    explicit World(const WorldOptions& options);
+    ~World();
+
+    // Moves airplane, air and sensors on to `now_us`; calls with an earlier time do nothing.
+    void advanceTo(uint64_t now_us);
+    const Truth& truth() const;
+
+    // Servo output 1..8: the width of a pulse that has just ended. An output without a pulse for
+    // 100 ms lets its servo stand where it is and stops the motor.
+    void servoPulse(int output, double width_us, uint64_t now_us);
+    void relay(bool on);
+    bool relayOn() const;
+    double servoPulse_us(int output) const;  // last width, 0 when silent
+
+    Mpu6000& imu();
+    Ms5611& barometer();
+    Hmc5883l& compass();
+    UbloxGps& gps();
+    PpmEncoder& radio();
+
+    // What the ADC pin A0..A15 of the board sees, in volts; supply 5.00 V.
+    double analog_v(int pin, uint64_t now_us);
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace simulator

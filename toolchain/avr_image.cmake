@@ -1,0 +1,22 @@
+# The image for the board named by BOARD: firmware/ on hal_avr/ on libraries/.
+set(BOARD apm2 CACHE STRING "apm2")
+add_compile_options(-Os -flto -ffat-lto-objects -mrelax -mcall-prologues)
+add_link_options(-Os -flto -mrelax)
+link_libraries(m)
+
+file(GLOB hal_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp
+     ${CMAKE_SOURCE_DIR}/hal_avr/boards/${BOARD}/*.cpp)
+add_library(hal_avr STATIC ${hal_sources})
+set_target_properties(hal_avr PROPERTIES CXX_STANDARD 14)
+target_compile_options(hal_avr PRIVATE ${HOUSE_WARNINGS})
+target_include_directories(hal_avr PUBLIC ${CMAKE_SOURCE_DIR}/hal_avr
+                           ${CMAKE_SOURCE_DIR}/hal_avr/boards/${BOARD})
+target_link_libraries(hal_avr PUBLIC core hal)
+
+file(GLOB_RECURSE firmware_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/firmware/*.cpp)
+add_executable(firmware ${firmware_sources} ${hal_sources})
+set_target_properties(firmware PROPERTIES CXX_STANDARD 14 SUFFIX .elf)
+target_compile_options(firmware PRIVATE ${HOUSE_WARNINGS})
+target_include_directories(firmware PRIVATE ${CMAKE_SOURCE_DIR}/firmware
+                           ${CMAKE_SOURCE_DIR}/hal_avr ${CMAKE_SOURCE_DIR}/hal_avr/boards/${BOARD})
+target_link_libraries(firmware PRIVATE ${all_libraries})
