@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the pieces of the flight program share: one struct, one section a writer. A section is
 // written by the file named above it and read by everyone.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A board with firmware on it, as the programs around it see it: the emulated chip with an image
 // in its flash, or the same firmware compiled for this computer.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Everything outside the board's pins: the airplane in its air, and the chips that sense it.
 // Both kinds of board, the emulated and the native one, hang on the same World.
 #pragma once

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The image for the board named by BOARD: firmware/ on hal_avr/ on libraries/.
 set(BOARD apm2 CACHE STRING "apm2")
 add_compile_options(-Os -flto -ffat-lto-objects -mrelax -mcall-prologues)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The host's side: unit tests, the simulator, and the image for the simulator to fly.
 include(CTest)
 include(GoogleTest)

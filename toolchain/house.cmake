@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # house_library(NAME DEPENDENCY...): a folder of libraries/ as a target, and, on the host, its
 # tests in host_tests/NAME as NAME_test. The firmware's compiler takes C++14 and no more, so the
 # libraries are held to it on the host too.

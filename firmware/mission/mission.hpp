@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The mission as the rest of the firmware sees it: tasks.cpp runs it, modes/auto.cpp enters and
 // leaves it, telemetry/ moves it up and down. Nothing here waits for the EEPROM: what answers
 // `busy` is asked again in a later frame.

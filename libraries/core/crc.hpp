@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // CRC-16/MCRF4XX ("X.25" in MAVLink): polynomial 0x1021 reflected, start 0xFFFF, no final
 // inversion. Check value of "123456789": 0x6F91. Used on the ground link and for stored records.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small arithmetic that every room needs: limits, angle wrapping, unit conversion.
 #pragma once
 #include <math.h>

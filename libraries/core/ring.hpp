@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A byte queue between one producer and one consumer, one of them an interrupt. The indices are
 // single bytes, so each side reads the other's without a lock: 38 cycles a put on this chip.
 #pragma once

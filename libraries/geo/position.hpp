@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A place on the earth in whole 1e-7 degrees (about 11 mm), and differences of places in metres.
 // No float ever holds an absolute latitude or longitude.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Analogue inputs by the part they play, converted by interrupt when asked.
 #pragma once
 #include <stdint.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Time and rest. Defined by hal_avr/clock.cpp, simulator/native and host_tests/fakes.
 #pragma once
 #include <stdint.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One I2C transfer at a time, carried out by interrupts.
 #pragma once
 #include <stdint.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The one interrupt that runs firmware code: the inertial sensor has a sample ready.
 #pragma once
 

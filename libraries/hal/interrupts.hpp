@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A stretch of code that no interrupt enters; for what is wider than a byte and touched by both.
 #pragma once
 #include <stdint.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Marks for whoever measures from outside: one OUT instruction to GPIOR0, which nothing else uses.
 //   0x01..0x7F  task number + 1 begins        0x80  the task has ended
 //   0xF0        a frame begins                 0xF1  the frame's tasks are done

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The receiver's pulses, decoded from the PPM-sum of the on-board encoder.
 #pragma once
 #include <stdint.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The serial ports by the part they play. Both directions are buffered and driven by interrupts;
 // nothing here waits.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Eight servo outputs, refreshed by the timers alone.
 #pragma once
 #include <stdint.h>

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether the motor may turn.
+#pragma once
+#include <stdint.h>
+
+#include "core/rom.hpp"
+
+namespace firmware {
+
+enum class ArmReason : uint8_t { pilot, ground, landed, failsafe };
+
+// Arms after every check of ARMING_CHECK has passed (force: without them); false and the reason
+// told otherwise. Sets home.
+bool arm(ArmReason reason, bool force);
+// False in flight unless forced.
+bool disarm(ArmReason reason, bool force);
+
+// The first check that fails, as a flash text; nullptr when none does.
+core::RomText prearmFailure();
+bool prearmOk();
+
+void runArming();  // 10 Hz: rudder arming, tells why arming would fail, disarms after landing
+
+}  // namespace firmware

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which mode flies. Each mode is a file in modes/ with a start and a run function; the table in
+// modes.cpp joins them.
+#pragma once
+#include <stdint.h>
+
+#include "firmware/vehicle.hpp"
+
+namespace firmware {
+
+enum class ModeReason : uint8_t { pilot, ground, mission, failsafe, boot };
+
+// False: the number is no mode of this airplane, or the mode cannot be entered now (the reason
+// has been told). Setting the present mode again does nothing and is true.
+bool setMode(Mode mode, ModeReason reason);
+bool isMode(uint8_t custom_mode);
+
+void runMode();          // 20 Hz: the mode's own work, before guidance
+bool guidesItself();     // the present mode flies vehicle.demand (AUTO, RTL, LOITER ...)
+bool autoThrottle();     // the present mode owns the throttle
+
+}  // namespace firmware
