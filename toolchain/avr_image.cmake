@@ -18,6 +18,6 @@ file(GLOB_RECURSE firmware_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/firmwar
 add_executable(firmware ${firmware_sources} ${hal_sources})
 set_target_properties(firmware PROPERTIES CXX_STANDARD 14 SUFFIX .elf)
 target_compile_options(firmware PRIVATE ${HOUSE_WARNINGS})
-target_include_directories(firmware PRIVATE ${CMAKE_SOURCE_DIR}/firmware
+target_include_directories(firmware PRIVATE ${CMAKE_SOURCE_DIR}
                            ${CMAKE_SOURCE_DIR}/hal_avr ${CMAKE_SOURCE_DIR}/hal_avr/boards/${BOARD})
 target_link_libraries(firmware PRIVATE ${all_libraries})

@@ -7,6 +7,24 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(SIMAVR REQUIRED IMPORTED_TARGET simavr)
 set(CMAKE_CXX_STANDARD 17)
 
+option(SANITIZE "build with the address and undefined-behaviour sanitizers" OFF)
+if(SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all)
+    add_link_options(-fsanitize=address,undefined)
+endif()
+
+# ---- the image, by the cross compiler: always asked, rebuilds only what changed
+include(ExternalProject)
+set(IMAGE_ELF ${CMAKE_BINARY_DIR}/avr-apm2/firmware.elf)
+ExternalProject_Add(image
+    SOURCE_DIR ${CMAKE_SOURCE_DIR}
+    BINARY_DIR ${CMAKE_BINARY_DIR}/avr-apm2
+    CMAKE_ARGS -DCMAKE_TOOLCHAIN_FILE=${CMAKE_SOURCE_DIR}/toolchain/avr-gcc.cmake -DBOARD=apm2
+               -DCMAKE_BUILD_TYPE=MinSizeRel
+    BUILD_ALWAYS ON
+    BUILD_BYPRODUCTS ${IMAGE_ELF}
+    INSTALL_COMMAND "")
+
 foreach(library IN LISTS all_libraries)
     house_test(${library}_test ${CMAKE_SOURCE_DIR}/host_tests/${library} ${library})
 endforeach()

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shape of a parameter row and the proofs on a table of them. A parameter is stored at its
+// slot number, for ever: rows may be sorted or renamed, slots may not.
+#pragma once
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/rom.hpp"
+#include "core/status.hpp"
+
+namespace parameters {
+
+enum class Type : uint8_t { int8 = 2, int16 = 4, int32 = 6, real32 = 9 };  // MAV_PARAM_TYPE
+
+template <class T>
+struct TypeOf;
+template <>
+struct TypeOf<int8_t> {
+    static constexpr Type value = Type::int8;
+};
+template <>
+struct TypeOf<int16_t> {
+    static constexpr Type value = Type::int16;
+};
+template <>
+struct TypeOf<int32_t> {
+    static constexpr Type value = Type::int32;
+};
+template <>
+struct TypeOf<float> {
+    static constexpr Type value = Type::real32;
+};
+
+constexpr uint8_t kNameSize = 16;
+
+struct Row {
+    uint8_t slot;
+    char name[kNameSize + 1];  // MAVLink allows 16
+    Type type;
+    uint16_t offset;           // of the field in the struct in RAM
+    float initial, lowest, highest;
+};
+
+// One row for a field of Owner; the type follows from the field.
+#define PARAMETER(slot, name, Owner, field, initial, lowest, highest)                     \
+    {                                                                                     \
+        slot, name, ::parameters::TypeOf<decltype(Owner::field)>::value,                  \
+            static_cast<uint16_t>(offsetof(Owner, field)), initial, lowest, highest       \
+    }
+
+constexpr bool same(const char* a, const char* b) {
+    while (*a != 0 && *a == *b) {
+        ++a;
+        ++b;
+    }
+    return *a == *b;
+}
+
+template <size_t N>
+constexpr bool slotsAreUnique(const Row (&rows)[N]) {
+    bool taken[256] = {};
+    for (size_t i = 0; i < N; ++i) {
+        if (taken[rows[i].slot]) return false;
+        taken[rows[i].slot] = true;
+    }
+    return true;
+}
+
+template <size_t N>
+constexpr bool initialsAreInRange(const Row (&rows)[N]) {
+    for (size_t i = 0; i < N; ++i)
+        if (!(rows[i].initial >= rows[i].lowest && rows[i].initial <= rows[i].highest)) return false;
+    return true;
+}
+
+// A table of rows over one struct of fields.
+class Table {
+public:
+    constexpr Table(const Row* rows, uint8_t count, void* fields)
+        : rows_(rows), count_(count), fields_(fields) {}
+
+    uint8_t count() const { return count_; }
+    uint8_t slot(uint8_t index) const { return core::romRead(rows_[index].slot); }
+    Type type(uint8_t index) const { return core::romRead(rows_[index].type); }
+    void name(uint8_t index, char (&to)[kNameSize]) const;  // padded with zeros
+    float value(uint8_t index) const;
+
+    bool findName(const char (&name)[kNameSize], uint8_t& index) const;
+    bool findSlot(uint8_t slot, uint8_t& index) const;
+
+    // Finite and in the row's range.
+    bool fits(uint8_t index, float value) const;
+    // Assigns, whole numbers rounded; returns what the field now holds. The value must fit.
+    float assign(uint8_t index, float value) const;
+    void assignInitial(uint8_t index) const;
+
+private:
+    const Row* rows_;
+    uint8_t count_;
+    void* fields_;
+};
+
+}  // namespace parameters
