@@ -8,6 +8,76 @@
 
 namespace firmware {
 
+struct Channel {  // RCn_: one number for the stick that comes in and the servo that goes out
+    int16_t min_us, trim_us, max_us;
+    int8_t reverse;  // 1 or -1
+    uint8_t spare;
+    int16_t dead_zone_us;
+};
+
+struct StreamRates {  // SRn_, hertz
+    int8_t raw_sensors, extended_status, rc_channels, raw_controller, position, extra1, extra2,
+        extra3, params;
+};
+constexpr uint8_t kLinks = 2;
+
+struct Parameters {
+    // ground link
+    int16_t system_id, ground_system_id;
+    int16_t serial0_baud, serial1_baud, serial2_baud;  // thousands
+    StreamRates streams[kLinks];
+    // radio and servos
+    Channel channel[8];
+    int8_t map_roll, map_pitch, map_throttle, map_yaw;  // RCMAP_: 1..8
+    int8_t mode_channel;
+    int8_t switch_mode[6];
+    int8_t initial_mode;
+    int8_t throttle_failsafe;
+    int16_t throttle_failsafe_us;
+    int8_t stick_mixing, throttle_nudge;
+    float rudder_mix;
+    // limits
+    int16_t roll_limit_cd, pitch_max_cd, pitch_min_cd;
+    float level_roll_limit_deg;
+    float pitch_down_deg;      // STAB_PITCH_DOWN
+    int16_t trim_pitch_cd;
+    // speed and throttle
+    int16_t cruise_speed_cms;  // TRIM_ARSPD_CM
+    int8_t speed_min_mps, speed_max_mps;  // ARSPD_FBW_
+    float scaling_speed_mps;
+    int8_t cruise_throttle_pct, throttle_min_pct, throttle_max_pct, throttle_slew_pct;
+    // navigation
+    int16_t waypoint_radius_m, loiter_radius_m;
+    int32_t rtl_height_cm;
+    // take-off and landing
+    int8_t takeoff_throttle_max_pct;
+    float takeoff_min_speed_mps, takeoff_min_accel_mss;
+    int8_t takeoff_delay_ds;   // 0.1 s
+    float takeoff_rotate_mps;
+    int16_t land_pitch_cd;
+    float flare_height_m, flare_s;
+    int8_t land_disarm_delay_s;
+    // failsafes and arming
+    int8_t short_action, long_action;
+    float short_timeout_s, long_timeout_s;
+    int8_t arming_require;
+    int16_t arming_check;
+    // mission
+    int8_t mission_restart, mission_trailing, mission_set, altitude_absolute;
+    // sensors
+    int8_t airspeed_enable, airspeed_use;
+    float airspeed_ratio;
+    int8_t compass_use;
+    float compass_offset_mg[3];
+    float compass_declination_rad;
+    float accel_offset_mss[3], accel_scale[3];
+    float level_trim_rad[2];   // AHRS_TRIM_X, _Y
+    int8_t battery_monitor;
+    float battery_volt_multiplier, battery_amps_per_volt;
+    int32_t battery_capacity_mah;
+};
+extern Parameters parameters;
+
 constexpr uint16_t kNoParameter = 0xFFFF;
 
 // The table, by index 0 .. parameterCount() - 1 in a fixed order.
