@@ -29,6 +29,13 @@ enum class GpsFix : uint8_t { no_gps = 0, none = 1, two_d = 2, three_d = 3 };
 // What is to be flown. A mode or a NAV command writes the demand; guidance.cpp flies it.
 enum class Path : uint8_t { none, leg, circle, takeoff, land };
 
+// What the roll and pitch sticks do to the surfaces. The yaw stick is always added to the rudder.
+enum class Sticks : uint8_t {
+    nothing,   // the demands below are flown alone (plus pilot_roll_rad, pilot_pitch_rad)
+    on_top,    // STABILIZE: added to what stabilisation makes
+    direct,    // MANUAL: they are the surfaces, throttle_demand the throttle
+};
+
 struct Vehicle {
     // ---- sensors.cpp, every frame
     struct {
@@ -152,6 +159,9 @@ struct Vehicle {
     // ---- guidance.cpp or a mode, for attitude_control.cpp
     float roll_demand_rad, pitch_demand_rad;
     float throttle_demand;         // 0..1
+    // ---- modes/, every frame
+    Sticks sticks;
+    float pilot_roll_rad, pilot_pitch_rad;  // stick mixing: added to the demands, within the limits
 
     // ---- outputs.cpp
     uint16_t servo_us[hal::kServos];
