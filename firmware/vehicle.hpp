@@ -123,6 +123,7 @@ struct Vehicle {
 
     // ---- modes.cpp / arming.cpp / failsafe.cpp
     Mode mode;
+    bool mode_changed;             // in this frame: controllers start afresh; tasks.cpp clears it
     bool armed;
     bool failsafe_short, failsafe_long;
 
