@@ -4,7 +4,9 @@
 #pragma once
 #include <stdint.h>
 
+#include "control/settings.hpp"
 #include "core/status.hpp"
+#include "navigation/settings.hpp"
 
 namespace firmware {
 
@@ -46,7 +48,13 @@ struct Parameters {
     int8_t speed_min_mps, speed_max_mps;  // ARSPD_FBW_
     float scaling_speed_mps;
     int8_t cruise_throttle_pct, throttle_min_pct, throttle_max_pct, throttle_slew_pct;
+    // control loops
+    control::RollSettings roll;                // RLL2SRV_
+    control::PitchSettings pitch;              // PTCH2SRV_
+    control::YawSettings yaw;                  // YAW2SRV_
+    control::SpeedHeightSettings speed_height; // TECS_
     // navigation
+    navigation::LateralSettings lateral;       // NAVL1_
     int16_t waypoint_radius_m, loiter_radius_m;
     int32_t rtl_height_cm;
     // take-off and landing

@@ -50,13 +50,4 @@ struct SpeedHeightSettings {   // TECS
     float land_sink_mps;       // _LAND_SINK
 };
 
-struct ChannelSettings {   // RCn
-    int16_t min_us;        // _MIN
-    int16_t trim_us;       // _TRIM
-    int16_t max_us;        // _MAX
-    int16_t dead_zone_us;  // _DZ
-    int8_t reverse;        // _REV       1 or -1
-    int8_t function;       // _FUNCTION
-};
-
 }  // namespace control
