@@ -25,6 +25,16 @@ ExternalProject_Add(image
     BUILD_BYPRODUCTS ${IMAGE_ELF}
     INSTALL_COMMAND "")
 
+# ---- doubles of the hardware for the unit tests
+file(GLOB fakes_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/fakes/*.cpp)
+list(FILTER fakes_sources EXCLUDE REGEX _test\.cpp$)
+add_library(fakes STATIC ${fakes_sources})
+target_compile_options(fakes PRIVATE ${HOUSE_WARNINGS})
+target_include_directories(fakes PUBLIC ${CMAKE_SOURCE_DIR}/host_tests
+                           ${CMAKE_SOURCE_DIR}/host_tests/fakes)
+target_link_libraries(fakes PUBLIC core hal)
+house_test(fakes_test ${CMAKE_SOURCE_DIR}/host_tests/fakes)
+
 foreach(library IN LISTS all_libraries)
     house_test(${library}_test ${CMAKE_SOURCE_DIR}/host_tests/${library} ${library})
 endforeach()

@@ -26,7 +26,8 @@ function(house_library name)
     endif()
 endfunction()
 
-# house_test(NAME FOLDER LIBRARY...): every *_test.cpp of the folder in one GoogleTest program.
+# house_test(NAME FOLDER LIBRARY...): every *_test.cpp of the folder in one GoogleTest program,
+# with the doubles of the hardware behind whatever the libraries leave open.
 function(house_test name folder)
     file(GLOB sources CONFIGURE_DEPENDS ${folder}/*_test.cpp)
     if(NOT sources)
@@ -36,6 +37,6 @@ function(house_test name folder)
     target_compile_options(${name} PRIVATE ${HOUSE_WARNINGS})
     target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/host_tests)
     set_target_properties(${name} PROPERTIES CXX_STANDARD 17)
-    target_link_libraries(${name} PRIVATE ${ARGN} GTest::gmock GTest::gtest_main)
+    target_link_libraries(${name} PRIVATE ${ARGN} fakes GTest::gmock GTest::gtest_main)
     gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60)
 endfunction()

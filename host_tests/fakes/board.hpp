@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The roles of a board, played by doubles.
+#pragma once
+#include "fakes/bus.hpp"
+
+namespace board {
+
+using SensorBus = fakes::Bus;
+using ImuSelect = fakes::Pin<0>;
+using BarometerSelect = fakes::Pin<1>;
+
+using Relay = fakes::Switch<0>;
+using LedA = fakes::Switch<1>;
+using LedB = fakes::Switch<2>;
+using LedC = fakes::Switch<3>;
+
+constexpr char kName[] = "fake";
+
+inline void start() {}
+
+}  // namespace board

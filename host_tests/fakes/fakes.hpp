@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All doubles of the hardware at once, and one call that puts every one back as it was at start.
+#pragma once
+#include "fakes/board.hpp"
+#include "fakes/bus.hpp"
+#include "fakes/clock.hpp"
+#include "fakes/eeprom.hpp"
+#include "fakes/i2c.hpp"
+#include "fakes/io.hpp"
+#include "fakes/serial.hpp"
+
+namespace fakes {
+
+inline void reset() {
+    resetClock();
+    resetEeprom();
+    resetI2c();
+    resetSerial();
+    resetIo();
+    Bus::reset();
+    board::ImuSelect::level = board::BarometerSelect::level = true;
+}
+
+}  // namespace fakes
