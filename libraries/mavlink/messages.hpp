@@ -1,0 +1,970 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every message as a struct that is its payload: fields in wire order, little-endian.
+// Written by toolchain/mavlink/generate.mjs from mavlink-mappings 1.0.22-20260311. Do not edit.
+#pragma once
+
+#include <stdint.h>
+
+#include "mavlink/wire.hpp"
+
+// clang-format off
+namespace mavlink {
+
+struct MavType {
+    enum : uint8_t {
+        fixed_wing = 1,
+        gcs = 6,
+    };
+};
+
+struct MavAutopilot {
+    enum : uint8_t {
+        ardupilotmega = 3,
+        invalid = 8,
+    };
+};
+
+struct MavComponent {
+    enum : uint8_t {
+        autopilot1 = 1,
+    };
+};
+
+struct MavModeFlag {
+    enum : uint8_t {
+        safety_armed = 128,
+        manual_input_enabled = 64,
+        hil_enabled = 32,
+        stabilize_enabled = 16,
+        guided_enabled = 8,
+        auto_enabled = 4,
+        test_enabled = 2,
+        custom_mode_enabled = 1,
+    };
+};
+
+struct MavState {
+    enum : uint8_t {
+        uninit = 0,
+        boot = 1,
+        calibrating = 2,
+        standby = 3,
+        active = 4,
+        critical = 5,
+        emergency = 6,
+        poweroff = 7,
+        flight_termination = 8,
+    };
+};
+
+struct MavFrame {
+    enum : uint8_t {
+        global = 0,
+        mission = 2,
+        global_relative_alt = 3,
+        global_int = 5,
+        global_relative_alt_int = 6,
+        global_terrain_alt = 10,
+        global_terrain_alt_int = 11,
+    };
+};
+
+struct MavDataStream {
+    enum : uint8_t {
+        all = 0,
+        raw_sensors = 1,
+        extended_status = 2,
+        rc_channels = 3,
+        raw_controller = 4,
+        position = 6,
+        extra1 = 10,
+        extra2 = 11,
+        extra3 = 12,
+    };
+};
+
+struct MavResult {
+    enum : uint8_t {
+        accepted = 0,
+        temporarily_rejected = 1,
+        denied = 2,
+        unsupported = 3,
+        failed = 4,
+        in_progress = 5,
+        cancelled = 6,
+        command_long_only = 7,
+        command_int_only = 8,
+        command_unsupported_mav_frame = 9,
+    };
+};
+
+struct MavMissionResult {
+    enum : uint8_t {
+        accepted = 0,
+        error = 1,
+        unsupported_frame = 2,
+        unsupported = 3,
+        no_space = 4,
+        invalid = 5,
+        invalid_param1 = 6,
+        invalid_param2 = 7,
+        invalid_param3 = 8,
+        invalid_param4 = 9,
+        invalid_param5_x = 10,
+        invalid_param6_y = 11,
+        invalid_param7 = 12,
+        invalid_sequence = 13,
+        denied = 14,
+        operation_cancelled = 15,
+    };
+};
+
+struct MavMissionType {
+    enum : uint8_t {
+        mission = 0,
+        fence = 1,
+        rally = 2,
+        all = 255,
+    };
+};
+
+struct MavSeverity {
+    enum : uint8_t {
+        emergency = 0,
+        alert = 1,
+        critical = 2,
+        error = 3,
+        warning = 4,
+        notice = 5,
+        info = 6,
+        debug = 7,
+    };
+};
+
+struct MavSysStatusSensor {
+    enum : uint32_t {
+        sensor_3d_gyro = 1UL,
+        sensor_3d_accel = 2UL,
+        sensor_3d_mag = 4UL,
+        sensor_absolute_pressure = 8UL,
+        sensor_differential_pressure = 16UL,
+        sensor_gps = 32UL,
+        sensor_angular_rate_control = 1024UL,
+        sensor_attitude_stabilization = 2048UL,
+        sensor_yaw_position = 4096UL,
+        sensor_z_altitude_control = 8192UL,
+        sensor_xy_position_control = 16384UL,
+        sensor_motor_outputs = 32768UL,
+        sensor_rc_receiver = 65536UL,
+        geofence = 1048576UL,
+        ahrs = 2097152UL,
+        terrain = 4194304UL,
+        logging = 16777216UL,
+        sensor_battery = 33554432UL,
+        prearm_check = 268435456UL,
+    };
+};
+
+struct MavParamType {
+    enum : uint8_t {
+        int8 = 2,
+        int16 = 4,
+        int32 = 6,
+        real32 = 9,
+    };
+};
+
+struct MavProtocolCapability {
+    enum : uint32_t {
+        mission_float = 1UL,
+        param_float = 2UL,
+        mission_int = 4UL,
+        command_int = 8UL,
+        mavlink2 = 8192UL,
+        mission_fence = 16384UL,
+        mission_rally = 32768UL,
+        param_encode_c_cast = 131072UL,
+    };
+};
+
+struct MavPowerStatus {
+    enum : uint8_t {
+        brick_valid = 1,
+        servo_valid = 2,
+        usb_connected = 4,
+        periph_overcurrent = 8,
+        periph_hipower_overcurrent = 16,
+        changed = 32,
+    };
+};
+
+struct FirmwareVersionType {
+    enum : uint8_t {
+        dev = 0,
+        alpha = 64,
+        beta = 128,
+        rc = 192,
+        official = 255,
+    };
+};
+
+struct GpsFixType {
+    enum : uint8_t {
+        no_gps = 0,
+        no_fix = 1,
+        gps_fix_type_2d_fix = 2,
+        gps_fix_type_3d_fix = 3,
+    };
+};
+
+struct MavCmd {
+    enum : uint16_t {
+        nav_waypoint = 16,
+        nav_loiter_unlim = 17,
+        nav_loiter_turns = 18,
+        nav_loiter_time = 19,
+        nav_return_to_launch = 20,
+        nav_land = 21,
+        nav_takeoff = 22,
+        condition_delay = 112,
+        condition_change_alt = 113,
+        condition_distance = 114,
+        condition_yaw = 115,
+        do_set_mode = 176,
+        do_jump = 177,
+        do_change_speed = 178,
+        do_set_home = 179,
+        do_set_parameter = 180,
+        do_set_relay = 181,
+        do_repeat_relay = 182,
+        do_set_servo = 183,
+        do_repeat_servo = 184,
+        do_set_mission_current = 224,
+        preflight_calibration = 241,
+        preflight_reboot_shutdown = 246,
+        mission_start = 300,
+        component_arm_disarm = 400,
+        run_prearm_checks = 401,
+        get_home_position = 410,
+        get_message_interval = 510,
+        set_message_interval = 511,
+        request_message = 512,
+        request_protocol_version = 519,
+        request_autopilot_capabilities = 520,
+    };
+};
+
+struct __attribute__((packed)) Heartbeat {
+    uint32_t custom_mode;
+    uint8_t type;
+    uint8_t autopilot;
+    uint8_t base_mode;
+    uint8_t system_status;
+    uint8_t mavlink_version;
+};
+template <>
+struct Wire<Heartbeat> : Shape<0, 9, 9, 50> {};
+static_assert(sizeof(Heartbeat) == Wire<Heartbeat>::length_with_extensions, "HEARTBEAT");
+
+struct __attribute__((packed)) SysStatus {
+    uint32_t onboard_control_sensors_present;
+    uint32_t onboard_control_sensors_enabled;
+    uint32_t onboard_control_sensors_health;
+    uint16_t load;
+    uint16_t voltage_battery;
+    int16_t current_battery;
+    uint16_t drop_rate_comm;
+    uint16_t errors_comm;
+    uint16_t errors_count1;
+    uint16_t errors_count2;
+    uint16_t errors_count3;
+    uint16_t errors_count4;
+    int8_t battery_remaining;
+    // extensions: MAVLink 2 only
+    uint32_t onboard_control_sensors_present_extended;
+    uint32_t onboard_control_sensors_enabled_extended;
+    uint32_t onboard_control_sensors_health_extended;
+};
+template <>
+struct Wire<SysStatus> : Shape<1, 31, 43, 124> {};
+static_assert(sizeof(SysStatus) == Wire<SysStatus>::length_with_extensions, "SYS_STATUS");
+
+struct __attribute__((packed)) SystemTime {
+    uint64_t time_unix_usec;
+    uint32_t time_boot_ms;
+};
+template <>
+struct Wire<SystemTime> : Shape<2, 12, 12, 137> {};
+static_assert(sizeof(SystemTime) == Wire<SystemTime>::length_with_extensions, "SYSTEM_TIME");
+
+struct __attribute__((packed)) Ping {
+    uint64_t time_usec;
+    uint32_t seq;
+    uint8_t target_system;
+    uint8_t target_component;
+};
+template <>
+struct Wire<Ping> : Shape<4, 14, 14, 237> {};
+static_assert(sizeof(Ping) == Wire<Ping>::length_with_extensions, "PING");
+
+struct __attribute__((packed)) SetMode {
+    uint32_t custom_mode;
+    uint8_t target_system;
+    uint8_t base_mode;
+};
+template <>
+struct Wire<SetMode> : Shape<11, 6, 6, 89> {};
+static_assert(sizeof(SetMode) == Wire<SetMode>::length_with_extensions, "SET_MODE");
+
+struct __attribute__((packed)) ParamRequestRead {
+    int16_t param_index;
+    uint8_t target_system;
+    uint8_t target_component;
+    char param_id[16];
+};
+template <>
+struct Wire<ParamRequestRead> : Shape<20, 20, 20, 214> {};
+static_assert(sizeof(ParamRequestRead) == Wire<ParamRequestRead>::length_with_extensions, "PARAM_REQUEST_READ");
+
+struct __attribute__((packed)) ParamRequestList {
+    uint8_t target_system;
+    uint8_t target_component;
+};
+template <>
+struct Wire<ParamRequestList> : Shape<21, 2, 2, 159> {};
+static_assert(sizeof(ParamRequestList) == Wire<ParamRequestList>::length_with_extensions, "PARAM_REQUEST_LIST");
+
+struct __attribute__((packed)) ParamValue {
+    float param_value;
+    uint16_t param_count;
+    uint16_t param_index;
+    char param_id[16];
+    uint8_t param_type;
+};
+template <>
+struct Wire<ParamValue> : Shape<22, 25, 25, 220> {};
+static_assert(sizeof(ParamValue) == Wire<ParamValue>::length_with_extensions, "PARAM_VALUE");
+
+struct __attribute__((packed)) ParamSet {
+    float param_value;
+    uint8_t target_system;
+    uint8_t target_component;
+    char param_id[16];
+    uint8_t param_type;
+};
+template <>
+struct Wire<ParamSet> : Shape<23, 23, 23, 168> {};
+static_assert(sizeof(ParamSet) == Wire<ParamSet>::length_with_extensions, "PARAM_SET");
+
+struct __attribute__((packed)) GpsRawInt {
+    uint64_t time_usec;
+    int32_t lat;
+    int32_t lon;
+    int32_t alt;
+    uint16_t eph;
+    uint16_t epv;
+    uint16_t vel;
+    uint16_t cog;
+    uint8_t fix_type;
+    uint8_t satellites_visible;
+    // extensions: MAVLink 2 only
+    int32_t alt_ellipsoid;
+    uint32_t h_acc;
+    uint32_t v_acc;
+    uint32_t vel_acc;
+    uint32_t hdg_acc;
+    uint16_t yaw;
+};
+template <>
+struct Wire<GpsRawInt> : Shape<24, 30, 52, 24> {};
+static_assert(sizeof(GpsRawInt) == Wire<GpsRawInt>::length_with_extensions, "GPS_RAW_INT");
+
+struct __attribute__((packed)) RawImu {
+    uint64_t time_usec;
+    int16_t xacc;
+    int16_t yacc;
+    int16_t zacc;
+    int16_t xgyro;
+    int16_t ygyro;
+    int16_t zgyro;
+    int16_t xmag;
+    int16_t ymag;
+    int16_t zmag;
+    // extensions: MAVLink 2 only
+    uint8_t id;
+    int16_t temperature;
+};
+template <>
+struct Wire<RawImu> : Shape<27, 26, 29, 144> {};
+static_assert(sizeof(RawImu) == Wire<RawImu>::length_with_extensions, "RAW_IMU");
+
+struct __attribute__((packed)) ScaledPressure {
+    uint32_t time_boot_ms;
+    float press_abs;
+    float press_diff;
+    int16_t temperature;
+    // extensions: MAVLink 2 only
+    int16_t temperature_press_diff;
+};
+template <>
+struct Wire<ScaledPressure> : Shape<29, 14, 16, 115> {};
+static_assert(sizeof(ScaledPressure) == Wire<ScaledPressure>::length_with_extensions, "SCALED_PRESSURE");
+
+struct __attribute__((packed)) Attitude {
+    uint32_t time_boot_ms;
+    float roll;
+    float pitch;
+    float yaw;
+    float rollspeed;
+    float pitchspeed;
+    float yawspeed;
+};
+template <>
+struct Wire<Attitude> : Shape<30, 28, 28, 39> {};
+static_assert(sizeof(Attitude) == Wire<Attitude>::length_with_extensions, "ATTITUDE");
+
+struct __attribute__((packed)) GlobalPositionInt {
+    uint32_t time_boot_ms;
+    int32_t lat;
+    int32_t lon;
+    int32_t alt;
+    int32_t relative_alt;
+    int16_t vx;
+    int16_t vy;
+    int16_t vz;
+    uint16_t hdg;
+};
+template <>
+struct Wire<GlobalPositionInt> : Shape<33, 28, 28, 104> {};
+static_assert(sizeof(GlobalPositionInt) == Wire<GlobalPositionInt>::length_with_extensions, "GLOBAL_POSITION_INT");
+
+struct __attribute__((packed)) RcChannelsRaw {
+    uint32_t time_boot_ms;
+    uint16_t chan1_raw;
+    uint16_t chan2_raw;
+    uint16_t chan3_raw;
+    uint16_t chan4_raw;
+    uint16_t chan5_raw;
+    uint16_t chan6_raw;
+    uint16_t chan7_raw;
+    uint16_t chan8_raw;
+    uint8_t port;
+    uint8_t rssi;
+};
+template <>
+struct Wire<RcChannelsRaw> : Shape<35, 22, 22, 244> {};
+static_assert(sizeof(RcChannelsRaw) == Wire<RcChannelsRaw>::length_with_extensions, "RC_CHANNELS_RAW");
+
+struct __attribute__((packed)) ServoOutputRaw {
+    uint32_t time_usec;
+    uint16_t servo1_raw;
+    uint16_t servo2_raw;
+    uint16_t servo3_raw;
+    uint16_t servo4_raw;
+    uint16_t servo5_raw;
+    uint16_t servo6_raw;
+    uint16_t servo7_raw;
+    uint16_t servo8_raw;
+    uint8_t port;
+    // extensions: MAVLink 2 only
+    uint16_t servo9_raw;
+    uint16_t servo10_raw;
+    uint16_t servo11_raw;
+    uint16_t servo12_raw;
+    uint16_t servo13_raw;
+    uint16_t servo14_raw;
+    uint16_t servo15_raw;
+    uint16_t servo16_raw;
+};
+template <>
+struct Wire<ServoOutputRaw> : Shape<36, 21, 37, 222> {};
+static_assert(sizeof(ServoOutputRaw) == Wire<ServoOutputRaw>::length_with_extensions, "SERVO_OUTPUT_RAW");
+
+struct __attribute__((packed)) MissionRequestPartialList {
+    int16_t start_index;
+    int16_t end_index;
+    uint8_t target_system;
+    uint8_t target_component;
+    // extensions: MAVLink 2 only
+    uint8_t mission_type;
+};
+template <>
+struct Wire<MissionRequestPartialList> : Shape<37, 6, 7, 212> {};
+static_assert(sizeof(MissionRequestPartialList) == Wire<MissionRequestPartialList>::length_with_extensions, "MISSION_REQUEST_PARTIAL_LIST");
+
+struct __attribute__((packed)) MissionWritePartialList {
+    int16_t start_index;
+    int16_t end_index;
+    uint8_t target_system;
+    uint8_t target_component;
+    // extensions: MAVLink 2 only
+    uint8_t mission_type;
+};
+template <>
+struct Wire<MissionWritePartialList> : Shape<38, 6, 7, 9> {};
+static_assert(sizeof(MissionWritePartialList) == Wire<MissionWritePartialList>::length_with_extensions, "MISSION_WRITE_PARTIAL_LIST");
+
+struct __attribute__((packed)) MissionItem {
+    float param1;
+    float param2;
+    float param3;
+    float param4;
+    float x;
+    float y;
+    float z;
+    uint16_t seq;
+    uint16_t command;
+    uint8_t target_system;
+    uint8_t target_component;
+    uint8_t frame;
+    uint8_t current;
+    uint8_t autocontinue;
+    // extensions: MAVLink 2 only
+    uint8_t mission_type;
+};
+template <>
+struct Wire<MissionItem> : Shape<39, 37, 38, 254> {};
+static_assert(sizeof(MissionItem) == Wire<MissionItem>::length_with_extensions, "MISSION_ITEM");
+
+struct __attribute__((packed)) MissionRequest {
+    uint16_t seq;
+    uint8_t target_system;
+    uint8_t target_component;
+    // extensions: MAVLink 2 only
+    uint8_t mission_type;
+};
+template <>
+struct Wire<MissionRequest> : Shape<40, 4, 5, 230> {};
+static_assert(sizeof(MissionRequest) == Wire<MissionRequest>::length_with_extensions, "MISSION_REQUEST");
+
+struct __attribute__((packed)) MissionSetCurrent {
+    uint16_t seq;
+    uint8_t target_system;
+    uint8_t target_component;
+};
+template <>
+struct Wire<MissionSetCurrent> : Shape<41, 4, 4, 28> {};
+static_assert(sizeof(MissionSetCurrent) == Wire<MissionSetCurrent>::length_with_extensions, "MISSION_SET_CURRENT");
+
+struct __attribute__((packed)) MissionCurrent {
+    uint16_t seq;
+    // extensions: MAVLink 2 only
+    uint16_t total;
+    uint8_t mission_state;
+    uint8_t mission_mode;
+    uint32_t mission_id;
+    uint32_t fence_id;
+    uint32_t rally_points_id;
+};
+template <>
+struct Wire<MissionCurrent> : Shape<42, 2, 18, 28> {};
+static_assert(sizeof(MissionCurrent) == Wire<MissionCurrent>::length_with_extensions, "MISSION_CURRENT");
+
+struct __attribute__((packed)) MissionRequestList {
+    uint8_t target_system;
+    uint8_t target_component;
+    // extensions: MAVLink 2 only
+    uint8_t mission_type;
+};
+template <>
+struct Wire<MissionRequestList> : Shape<43, 2, 3, 132> {};
+static_assert(sizeof(MissionRequestList) == Wire<MissionRequestList>::length_with_extensions, "MISSION_REQUEST_LIST");
+
+struct __attribute__((packed)) MissionCount {
+    uint16_t count;
+    uint8_t target_system;
+    uint8_t target_component;
+    // extensions: MAVLink 2 only
+    uint8_t mission_type;
+    uint32_t opaque_id;
+};
+template <>
+struct Wire<MissionCount> : Shape<44, 4, 9, 221> {};
+static_assert(sizeof(MissionCount) == Wire<MissionCount>::length_with_extensions, "MISSION_COUNT");
+
+struct __attribute__((packed)) MissionClearAll {
+    uint8_t target_system;
+    uint8_t target_component;
+    // extensions: MAVLink 2 only
+    uint8_t mission_type;
+};
+template <>
+struct Wire<MissionClearAll> : Shape<45, 2, 3, 232> {};
+static_assert(sizeof(MissionClearAll) == Wire<MissionClearAll>::length_with_extensions, "MISSION_CLEAR_ALL");
+
+struct __attribute__((packed)) MissionItemReached {
+    uint16_t seq;
+};
+template <>
+struct Wire<MissionItemReached> : Shape<46, 2, 2, 11> {};
+static_assert(sizeof(MissionItemReached) == Wire<MissionItemReached>::length_with_extensions, "MISSION_ITEM_REACHED");
+
+struct __attribute__((packed)) MissionAck {
+    uint8_t target_system;
+    uint8_t target_component;
+    uint8_t type;
+    // extensions: MAVLink 2 only
+    uint8_t mission_type;
+    uint32_t opaque_id;
+};
+template <>
+struct Wire<MissionAck> : Shape<47, 3, 8, 153> {};
+static_assert(sizeof(MissionAck) == Wire<MissionAck>::length_with_extensions, "MISSION_ACK");
+
+struct __attribute__((packed)) MissionRequestInt {
+    uint16_t seq;
+    uint8_t target_system;
+    uint8_t target_component;
+    // extensions: MAVLink 2 only
+    uint8_t mission_type;
+};
+template <>
+struct Wire<MissionRequestInt> : Shape<51, 4, 5, 196> {};
+static_assert(sizeof(MissionRequestInt) == Wire<MissionRequestInt>::length_with_extensions, "MISSION_REQUEST_INT");
+
+struct __attribute__((packed)) NavControllerOutput {
+    float nav_roll;
+    float nav_pitch;
+    float alt_error;
+    float aspd_error;
+    float xtrack_error;
+    int16_t nav_bearing;
+    int16_t target_bearing;
+    uint16_t wp_dist;
+};
+template <>
+struct Wire<NavControllerOutput> : Shape<62, 26, 26, 183> {};
+static_assert(sizeof(NavControllerOutput) == Wire<NavControllerOutput>::length_with_extensions, "NAV_CONTROLLER_OUTPUT");
+
+struct __attribute__((packed)) RcChannels {
+    uint32_t time_boot_ms;
+    uint16_t chan1_raw;
+    uint16_t chan2_raw;
+    uint16_t chan3_raw;
+    uint16_t chan4_raw;
+    uint16_t chan5_raw;
+    uint16_t chan6_raw;
+    uint16_t chan7_raw;
+    uint16_t chan8_raw;
+    uint16_t chan9_raw;
+    uint16_t chan10_raw;
+    uint16_t chan11_raw;
+    uint16_t chan12_raw;
+    uint16_t chan13_raw;
+    uint16_t chan14_raw;
+    uint16_t chan15_raw;
+    uint16_t chan16_raw;
+    uint16_t chan17_raw;
+    uint16_t chan18_raw;
+    uint8_t chancount;
+    uint8_t rssi;
+};
+template <>
+struct Wire<RcChannels> : Shape<65, 42, 42, 118> {};
+static_assert(sizeof(RcChannels) == Wire<RcChannels>::length_with_extensions, "RC_CHANNELS");
+
+struct __attribute__((packed)) RequestDataStream {
+    uint16_t req_message_rate;
+    uint8_t target_system;
+    uint8_t target_component;
+    uint8_t req_stream_id;
+    uint8_t start_stop;
+};
+template <>
+struct Wire<RequestDataStream> : Shape<66, 6, 6, 148> {};
+static_assert(sizeof(RequestDataStream) == Wire<RequestDataStream>::length_with_extensions, "REQUEST_DATA_STREAM");
+
+struct __attribute__((packed)) RcChannelsOverride {
+    uint16_t chan1_raw;
+    uint16_t chan2_raw;
+    uint16_t chan3_raw;
+    uint16_t chan4_raw;
+    uint16_t chan5_raw;
+    uint16_t chan6_raw;
+    uint16_t chan7_raw;
+    uint16_t chan8_raw;
+    uint8_t target_system;
+    uint8_t target_component;
+    // extensions: MAVLink 2 only
+    uint16_t chan9_raw;
+    uint16_t chan10_raw;
+    uint16_t chan11_raw;
+    uint16_t chan12_raw;
+    uint16_t chan13_raw;
+    uint16_t chan14_raw;
+    uint16_t chan15_raw;
+    uint16_t chan16_raw;
+    uint16_t chan17_raw;
+    uint16_t chan18_raw;
+};
+template <>
+struct Wire<RcChannelsOverride> : Shape<70, 18, 38, 124> {};
+static_assert(sizeof(RcChannelsOverride) == Wire<RcChannelsOverride>::length_with_extensions, "RC_CHANNELS_OVERRIDE");
+
+struct __attribute__((packed)) MissionItemInt {
+    float param1;
+    float param2;
+    float param3;
+    float param4;
+    int32_t x;
+    int32_t y;
+    float z;
+    uint16_t seq;
+    uint16_t command;
+    uint8_t target_system;
+    uint8_t target_component;
+    uint8_t frame;
+    uint8_t current;
+    uint8_t autocontinue;
+    // extensions: MAVLink 2 only
+    uint8_t mission_type;
+};
+template <>
+struct Wire<MissionItemInt> : Shape<73, 37, 38, 38> {};
+static_assert(sizeof(MissionItemInt) == Wire<MissionItemInt>::length_with_extensions, "MISSION_ITEM_INT");
+
+struct __attribute__((packed)) VfrHud {
+    float airspeed;
+    float groundspeed;
+    float alt;
+    float climb;
+    int16_t heading;
+    uint16_t throttle;
+};
+template <>
+struct Wire<VfrHud> : Shape<74, 20, 20, 20> {};
+static_assert(sizeof(VfrHud) == Wire<VfrHud>::length_with_extensions, "VFR_HUD");
+
+struct __attribute__((packed)) CommandInt {
+    float param1;
+    float param2;
+    float param3;
+    float param4;
+    int32_t x;
+    int32_t y;
+    float z;
+    uint16_t command;
+    uint8_t target_system;
+    uint8_t target_component;
+    uint8_t frame;
+    uint8_t current;
+    uint8_t autocontinue;
+};
+template <>
+struct Wire<CommandInt> : Shape<75, 35, 35, 158> {};
+static_assert(sizeof(CommandInt) == Wire<CommandInt>::length_with_extensions, "COMMAND_INT");
+
+struct __attribute__((packed)) CommandLong {
+    float param1;
+    float param2;
+    float param3;
+    float param4;
+    float param5;
+    float param6;
+    float param7;
+    uint16_t command;
+    uint8_t target_system;
+    uint8_t target_component;
+    uint8_t confirmation;
+};
+template <>
+struct Wire<CommandLong> : Shape<76, 33, 33, 152> {};
+static_assert(sizeof(CommandLong) == Wire<CommandLong>::length_with_extensions, "COMMAND_LONG");
+
+struct __attribute__((packed)) CommandAck {
+    uint16_t command;
+    uint8_t result;
+    // extensions: MAVLink 2 only
+    uint8_t progress;
+    int32_t result_param2;
+    uint8_t target_system;
+    uint8_t target_component;
+};
+template <>
+struct Wire<CommandAck> : Shape<77, 3, 10, 143> {};
+static_assert(sizeof(CommandAck) == Wire<CommandAck>::length_with_extensions, "COMMAND_ACK");
+
+struct __attribute__((packed)) RadioStatus {
+    uint16_t rxerrors;
+    uint16_t fixed;
+    uint8_t rssi;
+    uint8_t remrssi;
+    uint8_t txbuf;
+    uint8_t noise;
+    uint8_t remnoise;
+};
+template <>
+struct Wire<RadioStatus> : Shape<109, 9, 9, 185> {};
+static_assert(sizeof(RadioStatus) == Wire<RadioStatus>::length_with_extensions, "RADIO_STATUS");
+
+struct __attribute__((packed)) Timesync {
+    int64_t tc1;
+    int64_t ts1;
+    // extensions: MAVLink 2 only
+    uint8_t target_system;
+    uint8_t target_component;
+};
+template <>
+struct Wire<Timesync> : Shape<111, 16, 18, 34> {};
+static_assert(sizeof(Timesync) == Wire<Timesync>::length_with_extensions, "TIMESYNC");
+
+struct __attribute__((packed)) LogRequestList {
+    uint16_t start;
+    uint16_t end;
+    uint8_t target_system;
+    uint8_t target_component;
+};
+template <>
+struct Wire<LogRequestList> : Shape<117, 6, 6, 128> {};
+static_assert(sizeof(LogRequestList) == Wire<LogRequestList>::length_with_extensions, "LOG_REQUEST_LIST");
+
+struct __attribute__((packed)) LogEntry {
+    uint32_t time_utc;
+    uint32_t size;
+    uint16_t id;
+    uint16_t num_logs;
+    uint16_t last_log_num;
+};
+template <>
+struct Wire<LogEntry> : Shape<118, 14, 14, 56> {};
+static_assert(sizeof(LogEntry) == Wire<LogEntry>::length_with_extensions, "LOG_ENTRY");
+
+struct __attribute__((packed)) PowerStatus {
+    uint16_t Vcc;
+    uint16_t Vservo;
+    uint16_t flags;
+};
+template <>
+struct Wire<PowerStatus> : Shape<125, 6, 6, 203> {};
+static_assert(sizeof(PowerStatus) == Wire<PowerStatus>::length_with_extensions, "POWER_STATUS");
+
+struct __attribute__((packed)) AutopilotVersion {
+    uint64_t capabilities;
+    uint64_t uid;
+    uint32_t flight_sw_version;
+    uint32_t middleware_sw_version;
+    uint32_t os_sw_version;
+    uint32_t board_version;
+    uint16_t vendor_id;
+    uint16_t product_id;
+    uint8_t flight_custom_version[8];
+    uint8_t middleware_custom_version[8];
+    uint8_t os_custom_version[8];
+    // extensions: MAVLink 2 only
+    uint8_t uid2[18];
+};
+template <>
+struct Wire<AutopilotVersion> : Shape<148, 60, 78, 178> {};
+static_assert(sizeof(AutopilotVersion) == Wire<AutopilotVersion>::length_with_extensions, "AUTOPILOT_VERSION");
+
+struct __attribute__((packed)) Meminfo {
+    uint16_t brkval;
+    uint16_t freemem;
+    // extensions: MAVLink 2 only
+    uint32_t freemem32;
+};
+template <>
+struct Wire<Meminfo> : Shape<152, 4, 8, 208> {};
+static_assert(sizeof(Meminfo) == Wire<Meminfo>::length_with_extensions, "MEMINFO");
+
+struct __attribute__((packed)) Ahrs {
+    float omegaIx;
+    float omegaIy;
+    float omegaIz;
+    float accel_weight;
+    float renorm_val;
+    float error_rp;
+    float error_yaw;
+};
+template <>
+struct Wire<Ahrs> : Shape<163, 28, 28, 127> {};
+static_assert(sizeof(Ahrs) == Wire<Ahrs>::length_with_extensions, "AHRS");
+
+struct __attribute__((packed)) Hwstatus {
+    uint16_t Vcc;
+    uint8_t I2Cerr;
+};
+template <>
+struct Wire<Hwstatus> : Shape<165, 3, 3, 21> {};
+static_assert(sizeof(Hwstatus) == Wire<Hwstatus>::length_with_extensions, "HWSTATUS");
+
+struct __attribute__((packed)) Radio {
+    uint16_t rxerrors;
+    uint16_t fixed;
+    uint8_t rssi;
+    uint8_t remrssi;
+    uint8_t txbuf;
+    uint8_t noise;
+    uint8_t remnoise;
+};
+template <>
+struct Wire<Radio> : Shape<166, 9, 9, 21> {};
+static_assert(sizeof(Radio) == Wire<Radio>::length_with_extensions, "RADIO");
+
+struct __attribute__((packed)) Wind {
+    float direction;
+    float speed;
+    float speed_z;
+};
+template <>
+struct Wire<Wind> : Shape<168, 12, 12, 1> {};
+static_assert(sizeof(Wind) == Wire<Wind>::length_with_extensions, "WIND");
+
+struct __attribute__((packed)) AutopilotVersionRequest {
+    uint8_t target_system;
+    uint8_t target_component;
+};
+template <>
+struct Wire<AutopilotVersionRequest> : Shape<183, 2, 2, 85> {};
+static_assert(sizeof(AutopilotVersionRequest) == Wire<AutopilotVersionRequest>::length_with_extensions, "AUTOPILOT_VERSION_REQUEST");
+
+struct __attribute__((packed)) HomePosition {
+    int32_t latitude;
+    int32_t longitude;
+    int32_t altitude;
+    float x;
+    float y;
+    float z;
+    float q[4];
+    float approach_x;
+    float approach_y;
+    float approach_z;
+    // extensions: MAVLink 2 only
+    uint64_t time_usec;
+};
+template <>
+struct Wire<HomePosition> : Shape<242, 52, 60, 104> {};
+static_assert(sizeof(HomePosition) == Wire<HomePosition>::length_with_extensions, "HOME_POSITION");
+
+struct __attribute__((packed)) MessageInterval {
+    int32_t interval_us;
+    uint16_t message_id;
+};
+template <>
+struct Wire<MessageInterval> : Shape<244, 6, 6, 95> {};
+static_assert(sizeof(MessageInterval) == Wire<MessageInterval>::length_with_extensions, "MESSAGE_INTERVAL");
+
+struct __attribute__((packed)) Statustext {
+    uint8_t severity;
+    char text[50];
+    // extensions: MAVLink 2 only
+    uint16_t id;
+    uint8_t chunk_seq;
+};
+template <>
+struct Wire<Statustext> : Shape<253, 51, 54, 83> {};
+static_assert(sizeof(Statustext) == Wire<Statustext>::length_with_extensions, "STATUSTEXT");
+
+struct __attribute__((packed)) ProtocolVersion {
+    uint16_t version;
+    uint16_t min_version;
+    uint16_t max_version;
+    uint8_t spec_version_hash[8];
+    uint8_t library_version_hash[8];
+};
+template <>
+struct Wire<ProtocolVersion> : Shape<300, 22, 22, 217> {};
+static_assert(sizeof(ProtocolVersion) == Wire<ProtocolVersion>::length_with_extensions, "PROTOCOL_VERSION");
+
+}  // namespace mavlink
+// clang-format on
