@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Honeywell HMC5883L on I2C (data sheet 900405), mounted as on the APM 2:
+// body x = -chip y, body y = -chip x, body z = -chip z.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "simulator/devices/errors.hpp"
+#include "simulator/devices/random.hpp"
+
+namespace simulator {
+
+class Hmc5883l {
+public:
+    static constexpr uint8_t kAddress = 0x1E;
+
+    explicit Hmc5883l(uint64_t seed = 1, const SensorErrors& errors = {});
+
+    // Answers whether it acknowledges: it does unless unplugged.
+    bool start(bool read, uint64_t now_us);
+    bool write(uint8_t byte, uint64_t now_us);
+    uint8_t read(bool ack, uint64_t now_us);
+    void stop(uint64_t now_us);
+
+    // The field it is in from now on, milligauss in body axes. World does that.
+    void sense(const std::array<double, 3>& body_mg) { body_mg_ = body_mg; }
+    const std::array<double, 3>& offset_mg() const { return offset_mg_; }  // body axes
+
+    void unplug(bool unplugged) { unplugged_ = unplugged; }
+
+private:
+    void advance(uint64_t now_us);
+    void begin(uint64_t now_us);
+    void measure();
+    std::array<double, 3> chipField_mg();
+    void writeRegister(uint8_t value, uint64_t now_us);
+    uint8_t readRegister();
+    uint64_t period_us() const;
+
+    const SensorErrors errors_;
+    Random random_;
+    std::array<double, 3> body_mg_{}, offset_mg_{};
+    std::array<uint8_t, 13> registers_{};
+    uint8_t pointer_ = 0;
+    bool pointer_next_ = false;
+    uint8_t read_mask_ = 0;              // data registers read since the last measurement
+    uint64_t measured_us_ = UINT64_MAX;  // when the running measurement ends
+    bool unplugged_ = false;
+};
+
+}  // namespace simulator
