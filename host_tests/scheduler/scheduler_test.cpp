@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scheduler/scheduler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "fakes/fakes.hpp"
+
+namespace {
+
+constexpr uint16_t kFrame_us = 10000;
+
+struct Fake {
+    uint32_t spends_us = 0;
+    std::vector<int> frames;  // in which it ran
+};
+Fake fast, medium, fifth, slow, twin;
+int frame;
+
+template <Fake& fake>
+void run() {
+    fake.frames.push_back(frame);
+    fakes::advance_us(fake.spends_us);
+}
+
+// clang-format off
+constexpr scheduler::Task kTasks[] ROM = {
+    // run         every in  budget us
+    { run<fast>,     1,  0,  4000 },
+    { run<medium>,  10,  3,  2000 },
+    { run<fifth>,    5,  3,  3000 },
+    { run<slow>,   100,  7,  5000 },
+    { run<twin>,   100,  7,  5000 },
+};
+// clang-format on
+
+static_assert(scheduler::phasesFit(kTasks), "");
+static_assert(scheduler::fastTierFirst(kTasks), "");
+static_assert(scheduler::fastTier_us(kTasks) == 4000, "");
+static_assert(scheduler::worstFrame_us(kTasks, 100) == 14000, "two slow tasks in frame 7");
+static_assert(scheduler::everyTaskFits(kTasks, 9000), "");
+static_assert(!scheduler::everyTaskFits(kTasks, 8999), "");
+
+constexpr scheduler::Task kBadPhase[] = {{run<fast>, 1, 0, 1}, {run<slow>, 5, 5, 1}};
+static_assert(!scheduler::phasesFit(kBadPhase), "");
+constexpr scheduler::Task kTooLong[] = {{run<fast>, 101, 0, 1}};
+static_assert(!scheduler::phasesFit(kTooLong), "");
+constexpr scheduler::Task kFastLast[] = {{run<slow>, 5, 0, 1}, {run<fast>, 1, 0, 1}};
+static_assert(!scheduler::fastTierFirst(kFastLast), "");
+
+class Schedule : public ::testing::Test {
+protected:
+    void SetUp() override {
+        fakes::reset();
+        for (Fake* fake : {&fast, &medium, &fifth, &slow, &twin}) *fake = Fake{};
+        frame = 0;
+        schedule.start();
+    }
+
+    // Frames begin when they are due, or at once when the one before ran into them.
+    void runFrames(int count) {
+        for (; count > 0; --count, ++frame) {
+            const uint64_t due_us = uint64_t{kFrame_us} * frame;
+            if (fakes::time_us() < due_us) fakes::setTime_us(due_us);
+            schedule.runFrame(static_cast<uint32_t>(due_us));
+        }
+    }
+
+    scheduler::Scheduler<5> schedule{kTasks, kFrame_us};
+};
+
+using Frames = std::vector<int>;
+
+TEST_F(Schedule, tasks_run_at_their_period_in_their_phase) {
+    runFrames(20);
+
+    EXPECT_EQ(fast.frames.size(), 20u);
+    EXPECT_EQ(medium.frames, (Frames{3, 13}));
+    EXPECT_EQ(fifth.frames, (Frames{3, 8, 13, 18}));
+    EXPECT_EQ(slow.frames, (Frames{7}));
+    EXPECT_EQ(schedule.deferrals(), 0);
+}
+
+TEST_F(Schedule, a_task_over_its_budget_is_counted_and_its_longest_time_kept) {
+    fifth.spends_us = 3001;
+    runFrames(10);
+    fifth.spends_us = 700;
+    runFrames(5);
+
+    EXPECT_EQ(schedule.overruns(), 2);
+    EXPECT_EQ(schedule.longest_us(2), 3001);
+    EXPECT_EQ(schedule.longest_us(0), 0);
+}
+
+TEST_F(Schedule, a_lower_task_that_does_not_fit_waits_for_a_later_frame_and_is_counted) {
+    fast.spends_us = 4000;
+    slow.spends_us = 1001;  // leaves 4999 us: the twin's budget does not fit
+    runFrames(8);
+    EXPECT_EQ(slow.frames, (Frames{7}));
+    EXPECT_TRUE(twin.frames.empty());
+    EXPECT_EQ(schedule.deferrals(), 1);
+
+    runFrames(1);
+    EXPECT_EQ(twin.frames, (Frames{8}));
+    EXPECT_EQ(schedule.deferrals(), 1);
+    EXPECT_EQ(schedule.lateFrames(), 0);
+}
+
+TEST_F(Schedule, the_phase_survives_a_deferral) {
+    fast.spends_us = 4000;
+    slow.spends_us = 1001;
+    runFrames(220);
+
+    EXPECT_EQ(twin.frames, (Frames{8, 108, 208}));
+}
+
+TEST_F(Schedule, the_task_that_has_waited_longest_goes_first) {
+    runFrames(7);
+    fast.spends_us = 6000;  // no slow task fits
+    runFrames(1);
+    fast.spends_us = 2000;  // frame 8: fifth is due as well, and only one more fits
+    slow.spends_us = 5000;
+    runFrames(1);
+
+    EXPECT_EQ(slow.frames, (Frames{8}));
+    EXPECT_EQ(fifth.frames, (Frames{3, 8}));
+    EXPECT_TRUE(twin.frames.empty());
+}
+
+TEST_F(Schedule, a_frame_that_begins_late_has_less_room) {
+    runFrames(3);
+    fakes::setTime_us(3 * kFrame_us + 8500);  // something else held the processor
+    runFrames(1);
+
+    EXPECT_TRUE(medium.frames.empty());
+    EXPECT_EQ(fast.frames.size(), 4u);
+    EXPECT_EQ(schedule.deferrals(), 2);
+}
+
+TEST_F(Schedule,
+       at_full_load_no_frame_is_late_and_every_task_runs_within_its_period_and_ten_frames) {
+    fast.spends_us = 4000;
+    medium.spends_us = 2000;
+    fifth.spends_us = 3000;
+    slow.spends_us = twin.spends_us = 5000;
+    runFrames(1000);
+
+    EXPECT_EQ(schedule.lateFrames(), 0);
+    const struct {
+        const Fake& fake;
+        int period;
+    } cases[] = {{medium, 10}, {fifth, 5}, {slow, 100}, {twin, 100}};
+    for (const auto& task : cases) {
+        int last = 0;
+        for (int ran : task.fake.frames) {
+            EXPECT_LE(ran - last, task.period + 10);
+            last = ran;
+        }
+        EXPECT_LE(1000 - last, task.period + 10);
+    }
+}
+
+TEST_F(Schedule, a_task_runs_at_last_even_when_the_fast_tier_leaves_no_room) {
+    fast.spends_us = 9999;
+    runFrames(40);
+
+    EXPECT_EQ(medium.frames, (Frames{13, 33}));
+    EXPECT_EQ(slow.frames, (Frames{17}));
+    EXPECT_GT(schedule.deferrals(), 20);
+}
+
+TEST_F(Schedule, a_frame_past_its_period_is_counted) {
+    fast.spends_us = 10001;
+    runFrames(1);
+
+    EXPECT_EQ(schedule.lateFrames(), 1);
+}
+
+TEST_F(Schedule, busy_time_is_the_time_in_frames) {
+    fast.spends_us = 1000;
+    medium.spends_us = 500;
+    runFrames(10);
+
+    EXPECT_EQ(schedule.busy_us(), 10500u);
+}
+
+TEST_F(Schedule, frames_and_tasks_are_marked_for_who_measures_from_outside) {
+    runFrames(3);
+    fakes::marks().clear();
+    runFrames(1);
+
+    EXPECT_EQ(fakes::marks(), (std::vector<uint8_t>{0xF0, 1, 0x80, 2, 0x80, 3, 0x80, 0xF1}));
+}
+
+TEST_F(Schedule, time_may_wrap) {
+    fakes::setTime_us(0xFFFFF000u);
+    fast.spends_us = 4000;
+    schedule.runFrame(0xFFFFF000u);
+    fakes::setTime_us(0x100000000u - 4096 + kFrame_us);
+    schedule.runFrame(0xFFFFF000u + kFrame_us);
+
+    EXPECT_EQ(schedule.lateFrames(), 0);
+    EXPECT_EQ(schedule.longest_us(0), 4000);
+}
+
+}  // namespace

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A cyclic executive. Time is cut in equal frames; each task runs every `period` frames, in frame
+// `phase` of that period, for at most `budget_us`. The table is the schedule, and the functions
+// here prove at compile time that no frame of it overflows. What runs over its budget all the
+// same costs only the lower tier: its tasks wait for a later frame, the one that waits longest
+// goes first.
+#pragma once
+#include <stdint.h>
+
+#include "core/rom.hpp"
+#include "hal/clock.hpp"
+#include "hal/mark.hpp"
+
+namespace scheduler {
+
+using TaskFunction = void (*)();
+
+struct Task {
+    TaskFunction run;
+    uint8_t period;  // frames; 1 is the fast tier, never put off
+    uint8_t phase;   // 0 .. period - 1
+    uint16_t budget_us;
+};
+
+constexpr uint8_t kLongestPeriod = 100;  // countdown and lateness share a signed byte
+constexpr int8_t kPatience = 10;  // frames a task waits before it runs whether it fits or not
+
+template <size_t N>
+constexpr bool phasesFit(const Task (&tasks)[N]) {
+    for (size_t i = 0; i < N; ++i)
+        if (tasks[i].period == 0 || tasks[i].period > kLongestPeriod ||
+            tasks[i].phase >= tasks[i].period)
+            return false;
+    return true;
+}
+
+// The fast tier stands first in the table and takes part in every frame.
+template <size_t N>
+constexpr bool fastTierFirst(const Task (&tasks)[N]) {
+    for (size_t i = 1; i < N; ++i)
+        if (tasks[i].period == 1 && tasks[i - 1].period != 1) return false;
+    return true;
+}
+
+template <size_t N>
+constexpr uint32_t fastTier_us(const Task (&tasks)[N]) {
+    uint32_t sum = 0;
+    for (size_t i = 0; i < N; ++i)
+        if (tasks[i].period == 1) sum += tasks[i].budget_us;
+    return sum;
+}
+
+// The fullest of the first `frames` frames; pass the hyper-period.
+template <size_t N>
+constexpr uint32_t worstFrame_us(const Task (&tasks)[N], uint16_t frames) {
+    uint32_t worst = 0;
+    for (uint16_t frame = 0; frame < frames; ++frame) {
+        uint32_t load = 0;
+        for (size_t i = 0; i < N; ++i)
+            if (frame % tasks[i].period == tasks[i].phase) load += tasks[i].budget_us;
+        if (load > worst) worst = load;
+    }
+    return worst;
+}
+
+// A put-off task that goes first in a frame fits beside the fast tier, so each frame serves at
+// least one: no task waits longer than there are tasks.
+template <size_t N>
+constexpr bool everyTaskFits(const Task (&tasks)[N], uint32_t frame_us) {
+    const uint32_t fast_us = fastTier_us(tasks);
+    for (size_t i = 0; i < N; ++i)
+        if (tasks[i].period != 1 && fast_us + tasks[i].budget_us > frame_us) return false;
+    return fast_us <= frame_us;
+}
+
+template <uint8_t N>
+class Scheduler {
+    static_assert(N <= 32, "the tasks of a frame are bits of one word");
+
+public:
+    constexpr Scheduler(const Task (&tasks)[N], uint16_t frame_us)
+        : tasks_(tasks), frame_us_(frame_us) {}
+
+    void start() {
+        for (uint8_t i = 0; i < N; ++i) wait_[i] = core::romRead(tasks_[i]).phase + 1;
+    }
+
+    // Runs the frame that was due at `due_us`; what is left of it is reckoned from there.
+    void runFrame(uint32_t due_us) {
+        hal::mark(hal::kMarkFrameBegin);
+        due_us_ = due_us;
+        const uint32_t began_us = now_us_ = hal::now_us();
+        uint32_t waiting = 0;
+        for (uint8_t i = 0; i < N; ++i) {
+            if (wait_[i] > -kPatience) --wait_[i];
+            if (wait_[i] > 0) continue;
+            const Task task = core::romRead(tasks_[i]);
+            if (task.period == 1)
+                runTimed(task, i);
+            else
+                waiting |= uint32_t{1} << i;
+        }
+        while (waiting != 0) {
+            const uint8_t next = oldest(waiting);
+            waiting &= ~(uint32_t{1} << next);
+            serve(next);
+        }
+        busy_us_ += now_us_ - began_us;
+        if (now_us_ - due_us > frame_us_) countUp(late_frames_);
+        hal::mark(hal::kMarkFrameEnd);
+    }
+
+    uint16_t longest_us(uint8_t task) const { return longest_us_[task]; }
+    uint16_t overruns() const { return overruns_; }       // a task took longer than its budget
+    uint16_t deferrals() const { return deferrals_; }     // a task was put off by a frame
+    uint16_t lateFrames() const { return late_frames_; }  // a frame ended after the next was due
+    uint32_t busy_us() const { return busy_us_; }         // in frames since start, wraps
+
+private:
+    static void countUp(uint16_t& count) {
+        if (count != 0xFFFF) ++count;
+    }
+
+    uint8_t oldest(uint32_t waiting) const {
+        uint8_t found = N;
+        for (uint8_t i = 0; i < N; ++i, waiting >>= 1)
+            if ((waiting & 1) && (found == N || wait_[i] < wait_[found])) found = i;
+        return found;
+    }
+
+    void serve(uint8_t i) {
+        const Task task = core::romRead(tasks_[i]);
+        const bool fits = now_us_ - due_us_ + task.budget_us <= frame_us_;
+        if (!fits && wait_[i] > -kPatience) {
+            countUp(deferrals_);
+            return;
+        }
+        runTimed(task, i);
+    }
+
+    void runTimed(const Task& task, uint8_t i) {
+        do wait_[i] += task.period;  // from when it was due, not from now: the phase is kept
+        while (wait_[i] <= 0);
+        const uint32_t start_us = now_us_;
+        hal::mark(i + 1);
+        task.run();
+        hal::mark(hal::kMarkTaskEnd);
+        now_us_ = hal::now_us();
+        const uint32_t taken_us = now_us_ - start_us;
+        if (taken_us > longest_us_[i]) longest_us_[i] = taken_us > 0xFFFF ? 0xFFFF : taken_us;
+        if (taken_us > task.budget_us) countUp(overruns_);
+    }
+
+    const Task (&tasks_)[N];
+    const uint16_t frame_us_;
+    int8_t wait_[N] = {};  // frames until due; 0 due, below 0 late by as many
+    uint16_t longest_us_[N] = {};
+    uint16_t overruns_ = 0, deferrals_ = 0, late_frames_ = 0;
+    uint32_t due_us_ = 0, now_us_ = 0, busy_us_ = 0;
+};
+
+}  // namespace scheduler
