@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ground links: what goes out when, and what happens on what comes in. link0 is the USB port
+// or the telemetry connector, link1 the second telemetry port; both speak MAVLink 1 until the
+// other end has sent a MAVLink 2 frame.
+#pragma once
+#include <stdint.h>
+
+namespace firmware {
+
+void telemetryStart();
+bool telemetryPump();  // received bytes, a few each call; false: there were none
+void telemetrySend();  // 50 Hz: whatever is due and fits in the ports' room
+
+// The pulse the ground station puts in the place of the receiver's (RC_CHANNELS_OVERRIDE);
+// channel 0..7. False: not overridden.
+bool rcOverride(uint8_t channel, uint16_t& pulse_us);
+void rcOverrideRelease();     // all channels back to the receiver
+uint32_t groundHeard_ms();    // when the ground station (SYSID_MYGCS) was last heard; 0: never
+
+}  // namespace firmware
