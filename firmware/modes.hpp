@@ -15,8 +15,8 @@ enum class ModeReason : uint8_t { pilot, ground, mission, failsafe, boot };
 bool setMode(Mode mode, ModeReason reason);
 bool isMode(uint8_t custom_mode);
 
-void runMode();          // 20 Hz: the mode's own work, before guidance
-bool guidesItself();     // the present mode flies vehicle.demand (AUTO, RTL, LOITER ...)
-bool autoThrottle();     // the present mode owns the throttle
+void runMode();       // 20 Hz: the mode's own work, before guidance
+bool guidesItself();  // the present mode flies vehicle.demand (AUTO, RTL, LOITER ...)
+bool autoThrottle();  // the present mode owns the throttle
 
 }  // namespace firmware

@@ -41,26 +41,26 @@ struct Parameters {
     // limits
     int16_t roll_limit_cd, pitch_max_cd, pitch_min_cd;
     float level_roll_limit_deg;
-    float pitch_down_deg;      // STAB_PITCH_DOWN
+    float pitch_down_deg;  // STAB_PITCH_DOWN
     int16_t trim_pitch_cd;
     // speed and throttle
-    int16_t cruise_speed_cms;  // TRIM_ARSPD_CM
+    int16_t cruise_speed_cms;             // TRIM_ARSPD_CM
     int8_t speed_min_mps, speed_max_mps;  // ARSPD_FBW_
     float scaling_speed_mps;
     int8_t cruise_throttle_pct, throttle_min_pct, throttle_max_pct, throttle_slew_pct;
     // control loops
-    control::RollSettings roll;                // RLL2SRV_
-    control::PitchSettings pitch;              // PTCH2SRV_
-    control::YawSettings yaw;                  // YAW2SRV_
-    control::SpeedHeightSettings speed_height; // TECS_
+    control::RollSettings roll;                 // RLL2SRV_
+    control::PitchSettings pitch;               // PTCH2SRV_
+    control::YawSettings yaw;                   // YAW2SRV_
+    control::SpeedHeightSettings speed_height;  // TECS_
     // navigation
-    navigation::LateralSettings lateral;       // NAVL1_
+    navigation::LateralSettings lateral;  // NAVL1_
     int16_t waypoint_radius_m, loiter_radius_m;
     int32_t rtl_height_cm;
     // take-off and landing
     int8_t takeoff_throttle_max_pct;
     float takeoff_min_speed_mps, takeoff_min_accel_mss;
-    int8_t takeoff_delay_ds;   // 0.1 s
+    int8_t takeoff_delay_ds;  // 0.1 s
     float takeoff_rotate_mps;
     int16_t land_pitch_cd;
     float flare_height_m, flare_s;
@@ -79,7 +79,7 @@ struct Parameters {
     float compass_offset_mg[3];
     float compass_declination_rad;
     float accel_offset_mss[3], accel_scale[3];
-    float level_trim_rad[2];   // AHRS_TRIM_X, _Y
+    float level_trim_rad[2];  // AHRS_TRIM_X, _Y
     int8_t battery_monitor;
     float battery_volt_multiplier, battery_amps_per_volt;
     int32_t battery_capacity_mah;

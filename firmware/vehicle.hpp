@@ -31,19 +31,19 @@ enum class Path : uint8_t { none, leg, circle, takeoff, land };
 
 // What the roll and pitch sticks do to the surfaces. The yaw stick is always added to the rudder.
 enum class Sticks : uint8_t {
-    nothing,   // the demands below are flown alone (plus pilot_roll_rad, pilot_pitch_rad)
-    on_top,    // STABILIZE: added to what stabilisation makes
-    direct,    // MANUAL: they are the surfaces, throttle_demand the throttle
+    nothing,  // the demands below are flown alone (plus pilot_roll_rad, pilot_pitch_rad)
+    on_top,   // STABILIZE: added to what stabilisation makes
+    direct,   // MANUAL: they are the surfaces, throttle_demand the throttle
 };
 
 struct Vehicle {
     // ---- sensors.cpp, every frame
     struct {
-        core::Vector3 rate_rads;   // body axes: x forward, y right, z down; bias removed
-        core::Vector3 accel_mss;   // specific force: (0, 0, -g) at rest and level
-        float dt_s;                // covered by this frame's samples
+        core::Vector3 rate_rads;  // body axes: x forward, y right, z down; bias removed
+        core::Vector3 accel_mss;  // specific force: (0, 0, -g) at rest and level
+        float dt_s;               // covered by this frame's samples
         bool healthy;
-        bool calibrated;           // gyro bias known
+        bool calibrated;  // gyro bias known
     } imu;
     struct {
         float pressure_pa;
@@ -54,16 +54,16 @@ struct Vehicle {
         bool healthy;
     } baro;
     struct {
-        core::Vector3 field_mg;    // body axes, offsets added
+        core::Vector3 field_mg;  // body axes, offsets added
         bool fresh;
         bool healthy;
     } compass;
     struct {
         GpsFix fix;
         uint8_t satellites;
-        uint16_t hdop_c;           // 0.01
+        uint16_t hdop_c;  // 0.01
         geo::Position position;
-        int32_t altitude_cm;       // above sea level
+        int32_t altitude_cm;         // above sea level
         core::Vector3 velocity_mps;  // north, east, down
         float ground_speed_mps;
         int32_t course_cd;
@@ -72,16 +72,16 @@ struct Vehicle {
         bool healthy;
     } gps;
     struct {
-        float pressure_pa;         // differential, offset removed
-        float speed_mps;           // indicated
-        float offset_v;            // zero, from start-up
-        bool healthy;              // fitted, used and sane
+        float pressure_pa;  // differential, offset removed
+        float speed_mps;    // indicated
+        float offset_v;     // zero, from start-up
+        bool healthy;       // fitted, used and sane
     } airspeed;
     struct {
         uint16_t voltage_mv;
-        int16_t current_ca;        // 10 mA; -1 unknown
+        int16_t current_ca;  // 10 mA; -1 unknown
         float consumed_mah;
-        uint16_t board_mv;         // Vcc
+        uint16_t board_mv;  // Vcc
     } battery;
 
     // ---- estimator.cpp, every frame
@@ -92,23 +92,23 @@ struct Vehicle {
         bool aligned;
     } attitude;
     struct {
-        geo::Position position;    // between fixes carried on with the velocity
-        bool known;                // a fix has been seen and is not too old
+        geo::Position position;      // between fixes carried on with the velocity
+        bool known;                  // a fix has been seen and is not too old
         core::Vector3 velocity_mps;  // north, east, down
         float ground_speed_mps;
         int32_t course_cd;
-        float height_m;            // above home
+        float height_m;  // above home
         float climb_mps;
-        float airspeed_mps;        // true, measured or estimated from wind
+        float airspeed_mps;  // true, measured or estimated from wind
         float equivalent_airspeed_mps;
-        core::Vector3 wind_mps;    // where it blows to: north, east, 0
+        core::Vector3 wind_mps;  // where it blows to: north, east, 0
         bool flying;
     } estimate;
 
     // ---- home.cpp: set at arming or by command
     struct {
         geo::Position position;
-        int32_t altitude_cm;       // above sea level
+        int32_t altitude_cm;  // above sea level
         bool set;
     } home;
 
@@ -116,50 +116,50 @@ struct Vehicle {
     struct {
         uint16_t pulse_us[hal::kRcChannels];
         int16_t roll_cd, pitch_cd, yaw_cd;  // -4500..4500
-        int8_t throttle_pct;       // 0..100
-        bool lost;                 // no frames, or throttle below THR_FS_VALUE
-        uint32_t good_ms;          // when the sticks were last good
+        int8_t throttle_pct;                // 0..100
+        bool lost;                          // no frames, or throttle below THR_FS_VALUE
+        uint32_t good_ms;                   // when the sticks were last good
     } radio;
 
     // ---- modes.cpp / arming.cpp / failsafe.cpp
     Mode mode;
-    bool mode_changed;             // in this frame: controllers start afresh; tasks.cpp clears it
+    bool mode_changed;  // in this frame: controllers start afresh; tasks.cpp clears it
     bool armed;
     bool failsafe_short, failsafe_long;
 
     // ---- what is demanded: modes/ and the NAV commands write, guidance.cpp flies and reports
     struct {
         Path path;
-        geo::Position from;        // start of the leg
-        geo::Position to;          // end of the leg, centre of the circle, landing point
-        float from_height_m;       // above home: the slope of a leg begins here ...
-        float height_m;            // ... and ends here; of a circle the height throughout
-        bool sloped;               // false: the height changes at once
-        float radius_m;            // of a circle
+        geo::Position from;   // start of the leg
+        geo::Position to;     // end of the leg, centre of the circle, landing point
+        float from_height_m;  // above home: the slope of a leg begins here ...
+        float height_m;       // ... and ends here; of a circle the height throughout
+        bool sloped;          // false: the height changes at once
+        float radius_m;       // of a circle
         bool counter_clockwise;
         float takeoff_pitch_rad;
-        float climb_rate_mps;      // CONDITION_CHANGE_ALT moves the height at this rate; 0: no
-        float airspeed_mps;        // demanded cruise speed, set at mission start from TRIM_ARSPD_CM
-        int8_t throttle_pct;       // cruise throttle
-        bool new_path;             // set by the writer, cleared by guidance.cpp: begin afresh
+        float climb_rate_mps;  // CONDITION_CHANGE_ALT moves the height at this rate; 0: no
+        float airspeed_mps;    // demanded cruise speed, set at mission start from TRIM_ARSPD_CM
+        int8_t throttle_pct;   // cruise throttle
+        bool new_path;         // set by the writer, cleared by guidance.cpp: begin afresh
     } demand;
     struct {
-        float distance_m;          // to the end of the leg or the centre
+        float distance_m;  // to the end of the leg or the centre
         int32_t target_bearing_cd;
         int32_t nav_bearing_cd;
         float crosstrack_m;
         float height_error_m;
         float airspeed_error_mps;
-        bool passed;               // the line through `to` across the leg is behind
-        bool captured;             // on the circle
-        float turned_rad;          // along the circle since capture, always growing
+        bool passed;       // the line through `to` across the leg is behind
+        bool captured;     // on the circle
+        float turned_rad;  // along the circle since capture, always growing
         bool flaring;
         bool throttle_suppressed;
     } progress;
 
     // ---- guidance.cpp or a mode, for attitude_control.cpp
     float roll_demand_rad, pitch_demand_rad;
-    float throttle_demand;         // 0..1
+    float throttle_demand;  // 0..1
     // ---- modes/, every frame
     Sticks sticks;
     float pilot_roll_rad, pilot_pitch_rad;  // stick mixing: added to the demands, within the limits

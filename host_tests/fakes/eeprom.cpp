@@ -111,7 +111,10 @@ uint8_t eepromCell(uint16_t address) {
 void setEepromSlow(bool slow) { chip.slow = slow; }
 void cutPowerAfter(uint32_t writes) { chip.writes_left = writes; }
 bool powerWasCut() { return chip.cut; }
-void restartEeprom() { chip.restart(); }
+void restartEeprom() {
+    chip.catchUp();
+    chip.restart();
+}
 
 uint32_t eepromWrites() {
     chip.catchUp();

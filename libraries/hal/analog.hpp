@@ -9,7 +9,7 @@ enum class Analog : uint8_t { airspeed, battery_voltage, battery_current, board_
 constexpr uint8_t kAnalogs = 4;
 
 struct AnalogSum {
-    uint16_t sum;    // of 10-bit readings
+    uint16_t sum;  // of 10-bit readings
     uint8_t count;
 };
 

@@ -5,7 +5,7 @@
 
 namespace hal {
 
-uint8_t lockInterrupts();                // returns what unlockInterrupts wants
+uint8_t lockInterrupts();  // returns what unlockInterrupts wants
 void unlockInterrupts(uint8_t previous);
 
 class Locked {

@@ -12,9 +12,9 @@ constexpr uint8_t kPorts = 3;
 // 8N1. Forgets what either buffer holds. May be called again at any time.
 void serialOpen(Port port, uint32_t baud);
 
-uint8_t serialAvailable(Port port);           // bytes received and not yet read
-bool serialRead(Port port, uint8_t& byte);    // false: none there
-uint8_t serialRoom(Port port);                // bytes that serialWrite would take now
+uint8_t serialAvailable(Port port);         // bytes received and not yet read
+bool serialRead(Port port, uint8_t& byte);  // false: none there
+uint8_t serialRoom(Port port);              // bytes that serialWrite would take now
 
 // Queues all `size` bytes and returns true, or queues none and returns false.
 bool serialWrite(Port port, const void* bytes, uint8_t size);

@@ -37,15 +37,15 @@ struct Row {
     uint8_t slot;
     char name[kNameSize + 1];  // MAVLink allows 16
     Type type;
-    uint16_t offset;           // of the field in the struct in RAM
+    uint16_t offset;  // of the field in the struct in RAM
     float initial, lowest, highest;
 };
 
 // One row for a field of Owner; the type follows from the field.
-#define PARAMETER(slot, name, Owner, field, initial, lowest, highest)                     \
-    {                                                                                     \
-        slot, name, ::parameters::TypeOf<decltype(Owner::field)>::value,                  \
-            static_cast<uint16_t>(offsetof(Owner, field)), initial, lowest, highest       \
+#define PARAMETER(slot, name, Owner, field, initial, lowest, highest)               \
+    {                                                                               \
+        slot, name, ::parameters::TypeOf<decltype(Owner::field)>::value,            \
+            static_cast<uint16_t>(offsetof(Owner, field)), initial, lowest, highest \
     }
 
 constexpr bool same(const char* a, const char* b) {
@@ -69,7 +69,8 @@ constexpr bool slotsAreUnique(const Row (&rows)[N]) {
 template <size_t N>
 constexpr bool initialsAreInRange(const Row (&rows)[N]) {
     for (size_t i = 0; i < N; ++i)
-        if (!(rows[i].initial >= rows[i].lowest && rows[i].initial <= rows[i].highest)) return false;
+        if (!(rows[i].initial >= rows[i].lowest && rows[i].initial <= rows[i].highest))
+            return false;
     return true;
 }
 

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/modes.hpp"
+
+#include "core/rom.hpp"
+#include "firmware/modes/modes_table.hpp"
+#include "firmware/telemetry/text.hpp"
+
+namespace firmware {
+namespace {
+
+using Start = Entry (*)();
+using Run = void (*)();
+
+enum class Throttle : uint8_t { pilot, automatic };
+enum class Guidance : uint8_t { none, height, path };  // what guidance.cpp flies of the demand
+
+struct ModeRow {
+    Mode mode;
+    Throttle throttle;
+    Guidance guidance;
+    Start start;
+    Run run;
+    Run stop;
+};
+
+void nothing() {}
+
+// clang-format off
+constexpr ModeRow kModes[] ROM = {
+    {Mode::manual,    Throttle::pilot,     Guidance::none,   startManual,    runManual,    nothing},
+    {Mode::circle,    Throttle::automatic, Guidance::height, startCircle,    runCircle,    nothing},
+    {Mode::stabilize, Throttle::pilot,     Guidance::none,   startStabilize, runStabilize, nothing},
+    {Mode::fbwa,      Throttle::pilot,     Guidance::none,   startFbwa,      runFbwa,      nothing},
+    {Mode::automatic, Throttle::automatic, Guidance::path,   startAuto,      runAuto,      stopAuto},
+    {Mode::rtl,       Throttle::automatic, Guidance::path,   startRtl,       runRtl,       nothing},
+    {Mode::loiter,    Throttle::automatic, Guidance::path,   startLoiter,    runLoiter,    nothing},
+};
+// clang-format on
+
+constexpr uint8_t kNoRow = 0xFF;
+uint8_t row = kNoRow;
+
+uint8_t find(Mode mode) {
+    for (uint8_t i = 0; i < core::count(kModes); ++i)
+        if (core::romRead(kModes[i].mode) == mode) return i;
+    return kNoRow;
+}
+
+}  // namespace
+
+bool isMode(uint8_t custom_mode) { return find(static_cast<Mode>(custom_mode)) != kNoRow; }
+
+bool setMode(Mode mode, ModeReason reason) {
+    if (row != kNoRow && mode == vehicle.mode) return true;
+    uint8_t wanted = find(mode);
+    if (wanted == kNoRow) {
+        tell(Severity::warning, ROM_TEXT("No such mode: #"), static_cast<uint8_t>(mode));
+        return false;
+    }
+    Entry entry = core::romRead(kModes[wanted].start)();
+    if (entry == Entry::home_instead) {
+        wanted = find(Mode::rtl);
+        entry = core::romRead(kModes[wanted].start)();
+    }
+    if (entry != Entry::entered) return false;
+    if (row != kNoRow) core::romRead(kModes[row].stop)();
+    row = wanted;
+    vehicle.mode = core::romRead(kModes[wanted].mode);
+    vehicle.sticks = Sticks::nothing;
+    vehicle.pilot_roll_rad = vehicle.pilot_pitch_rad = 0;
+    vehicle.mode_changed = true;
+    if (reason == ModeReason::failsafe)
+        tell(Severity::warning, ROM_TEXT("Failsafe: mode #"), static_cast<uint8_t>(mode));
+    return true;
+}
+
+void runMode() {
+    if (row != kNoRow) core::romRead(kModes[row].run)();
+}
+
+bool guidesItself() {
+    return row != kNoRow && core::romRead(kModes[row].guidance) != Guidance::none;
+}
+
+bool autoThrottle() {
+    return row != kNoRow && core::romRead(kModes[row].throttle) == Throttle::automatic;
+}
+
+}  // namespace firmware

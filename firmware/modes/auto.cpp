@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// AUTO: flies the mission; when none is left, gives way to RTL, or stands after a landing.
+#include "firmware/mission/mission.hpp"
+#include "firmware/modes/modes_table.hpp"
+#include "firmware/modes/sticks.hpp"
+#include "firmware/telemetry/text.hpp"
+#include "firmware/vehicle.hpp"
+
+namespace firmware {
+
+Entry startAuto() {
+    core::RomText why_not = nullptr;
+    if (missionEnter(why_not)) return Entry::entered;
+    if (why_not != nullptr) tell(Severity::warning, why_not);
+    // in the air an empty mission means home; on the ground nothing changes
+    return vehicle.armed && vehicle.estimate.flying ? Entry::home_instead : Entry::refused;
+}
+
+void runAuto() { mixSticks(); }
+
+void stopAuto() { missionLeave(); }
+
+}  // namespace firmware

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CIRCLE: a gentle turn that holds the height and needs no GPS; what a short failsafe flies.
+#include "firmware/guidance.hpp"
+#include "firmware/modes/modes_table.hpp"
+#include "firmware/modes/sticks.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/vehicle.hpp"
+
+#include "core/maths.hpp"
+
+namespace firmware {
+
+Entry startCircle() {
+    vehicle.demand.path = Path::none;  // guidance holds the height; the bank is ours
+    vehicle.demand.height_m = vehicle.estimate.height_m;
+    vehicle.demand.new_path = true;
+    return Entry::entered;
+}
+
+void runCircle() {
+    vehicle.roll_demand_rad = core::radiansFromCentidegrees(parameters.roll_limit_cd / 3);
+    mixSticks();
+}
+
+}  // namespace firmware

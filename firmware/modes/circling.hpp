@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "geo/position.hpp"
+
+namespace firmware {
+
+// Demands a circle of WP_LOITER_RAD (its sign is the direction) around the place, at the height.
+void demandCircle(const geo::Position& centre, float height_m);
+
+}  // namespace firmware

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// FBWA: the sticks demand bank and pitch within the limits; the throttle is the pilot's.
+#include "core/maths.hpp"
+#include "firmware/modes/modes_table.hpp"
+#include "firmware/modes/sticks.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/vehicle.hpp"
+
+namespace firmware {
+
+Entry startFbwa() { return Entry::entered; }
+
+void runFbwa() {
+    vehicle.roll_demand_rad = stickRoll_rad();
+    vehicle.throttle_demand = stickThrottle();
+    // nose down as the throttle closes, so that the speed stays (STAB_PITCH_DOWN)
+    const float closed =
+        core::limit(1.0f - vehicle.throttle_demand * 100.0f /
+                               core::limit<int8_t>(parameters.cruise_throttle_pct, 1, 100),
+                    0.0f, 1.0f);
+    vehicle.pitch_demand_rad = stickPitch_rad() - core::radians(parameters.pitch_down_deg) * closed;
+    if (vehicle.failsafe_short || vehicle.failsafe_long) {  // a glide, wings level
+        vehicle.roll_demand_rad = 0;
+        vehicle.throttle_demand = 0;
+    }
+}
+
+}  // namespace firmware

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// LOITER: circles the place where it was entered, at the height it had there.
+#include "firmware/modes/circling.hpp"
+#include "firmware/modes/modes_table.hpp"
+#include "firmware/modes/sticks.hpp"
+#include "firmware/telemetry/text.hpp"
+#include "firmware/vehicle.hpp"
+
+namespace firmware {
+
+Entry startLoiter() {
+    if (!vehicle.estimate.known) {
+        tell(Severity::warning, ROM_TEXT("LOITER needs a position"));
+        return Entry::refused;
+    }
+    demandCircle(vehicle.estimate.position, vehicle.estimate.height_m);
+    return Entry::entered;
+}
+
+void runLoiter() { mixSticks(); }
+
+}  // namespace firmware

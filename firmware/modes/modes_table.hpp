@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every mode's file provides, one pair a mode. start: enters or refuses, the reason told.
+// run: 100 Hz, after the sticks are read and before the attitude is controlled.
+#pragma once
+#include <stdint.h>
+
+namespace firmware {
+
+enum class Entry : uint8_t { entered, refused, home_instead };
+
+Entry startManual();
+void runManual();
+
+Entry startStabilize();
+void runStabilize();
+
+Entry startFbwa();
+void runFbwa();
+
+Entry startCircle();
+void runCircle();
+
+Entry startAuto();
+void runAuto();
+void stopAuto();
+
+Entry startRtl();
+void runRtl();
+
+Entry startLoiter();
+void runLoiter();
+
+}  // namespace firmware

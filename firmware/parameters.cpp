@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/parameters.hpp"
+
+#include <string.h>
+
+#include "parameters/store.hpp"
+#include "parameters/table.hpp"
+
+namespace firmware {
+
+Parameters parameters;
+
+namespace {
+
+#define P(slot, name, field, initial, lowest, highest) \
+    PARAMETER(slot, name, Parameters, field, initial, lowest, highest)
+
+// Five rows for channel n, slots 30 + 5 (n - 1) onwards; flight channels have a dead zone.
+#define CHANNEL(n, dead_zone)                                                    \
+    P(25 + 5 * n, "RC" #n "_MIN", channel[n - 1].min_us, 1100, 800, 2200),       \
+        P(26 + 5 * n, "RC" #n "_TRIM", channel[n - 1].trim_us, 1500, 800, 2200), \
+        P(27 + 5 * n, "RC" #n "_MAX", channel[n - 1].max_us, 1900, 800, 2200),   \
+        P(28 + 5 * n, "RC" #n "_REV", channel[n - 1].reverse, 1, -1, 1),         \
+        P(29 + 5 * n, "RC" #n "_DZ", channel[n - 1].dead_zone_us, dead_zone, 0, 200)
+
+// Nine rows for link n, slots 10 + 9 n onwards.
+#define STREAMS(n)                                                                \
+    P(10 + 9 * n, "SR" #n "_RAW_SENS", streams[n].raw_sensors, 1, 0, 50),         \
+        P(11 + 9 * n, "SR" #n "_EXT_STAT", streams[n].extended_status, 1, 0, 50), \
+        P(12 + 9 * n, "SR" #n "_RC_CHAN", streams[n].rc_channels, 1, 0, 50),      \
+        P(13 + 9 * n, "SR" #n "_RAW_CTRL", streams[n].raw_controller, 1, 0, 50),  \
+        P(14 + 9 * n, "SR" #n "_POSITION", streams[n].position, 1, 0, 50),        \
+        P(15 + 9 * n, "SR" #n "_EXTRA1", streams[n].extra1, 1, 0, 50),            \
+        P(16 + 9 * n, "SR" #n "_EXTRA2", streams[n].extra2, 1, 0, 50),            \
+        P(17 + 9 * n, "SR" #n "_EXTRA3", streams[n].extra3, 1, 0, 50),            \
+        P(18 + 9 * n, "SR" #n "_PARAMS", streams[n].params, 10, 0, 50)
+
+// clang-format off
+constexpr parameters::Row kRows[] ROM = {
+    // slot  name                field                         initial   lowest   highest
+    P(  0, "SYSID_THISMAV",     system_id,                         1,       1,      255),
+    P(  1, "SYSID_MYGCS",       ground_system_id,                255,       1,      255),
+    P(  2, "SERIAL0_BAUD",      serial0_baud,                    115,       1,      115),
+    P(  3, "SERIAL1_BAUD",      serial1_baud,                     57,       1,      115),
+    P(  4, "SERIAL2_BAUD",      serial2_baud,                     57,       1,      115),
+    STREAMS(0),
+    STREAMS(1),
+    CHANNEL(1, 30),
+    CHANNEL(2, 30),
+    CHANNEL(3, 30),
+    CHANNEL(4, 30),
+    CHANNEL(5, 0),
+    CHANNEL(6, 0),
+    CHANNEL(7, 0),
+    CHANNEL(8, 0),
+    P( 70, "RCMAP_ROLL",        map_roll,                          1,       1,        8),
+    P( 71, "RCMAP_PITCH",       map_pitch,                         2,       1,        8),
+    P( 72, "RCMAP_THROTTLE",    map_throttle,                      3,       1,        8),
+    P( 73, "RCMAP_YAW",         map_yaw,                           4,       1,        8),
+    P( 74, "FLTMODE_CH",        mode_channel,                      8,       1,        8),
+    P( 75, "FLTMODE1",          switch_mode[0],                   11,       0,       16),
+    P( 76, "FLTMODE2",          switch_mode[1],                   11,       0,       16),
+    P( 77, "FLTMODE3",          switch_mode[2],                    5,       0,       16),
+    P( 78, "FLTMODE4",          switch_mode[3],                    5,       0,       16),
+    P( 79, "FLTMODE5",          switch_mode[4],                    0,       0,       16),
+    P( 80, "FLTMODE6",          switch_mode[5],                    0,       0,       16),
+    P( 81, "INITIAL_MODE",      initial_mode,                      0,       0,       16),
+    P( 82, "THR_FAILSAFE",      throttle_failsafe,                 1,       0,        1),
+    P( 83, "THR_FS_VALUE",      throttle_failsafe_us,            950,     925,     1100),
+    P( 84, "STICK_MIXING",      stick_mixing,                      1,       0,        1),
+    P( 85, "THROTTLE_NUDGE",    throttle_nudge,                    1,       0,        1),
+    P( 86, "KFF_RDDRMIX",       rudder_mix,                     0.5f,       0,        1),
+    P( 87, "LIM_ROLL_CD",       roll_limit_cd,                  4500,     500,     7500),
+    P( 88, "LIM_PITCH_MAX",     pitch_max_cd,                   2000,     500,     4500),
+    P( 89, "LIM_PITCH_MIN",     pitch_min_cd,                  -2500,   -4500,     -500),
+    P( 90, "LEVEL_ROLL_LIMIT",  level_roll_limit_deg,              5,       0,       45),
+    P( 91, "STAB_PITCH_DOWN",   pitch_down_deg,                    2,       0,       15),
+    P( 92, "TRIM_PITCH_CD",     trim_pitch_cd,                     0,   -1500,     1500),
+    P( 93, "TRIM_ARSPD_CM",     cruise_speed_cms,               1300,     500,     5000),
+    P( 94, "ARSPD_FBW_MIN",     speed_min_mps,                     9,       5,      100),
+    P( 95, "ARSPD_FBW_MAX",     speed_max_mps,                    22,       5,      100),
+    P( 96, "SCALING_SPEED",     scaling_speed_mps,                15,       5,       50),
+    P( 97, "TRIM_THROTTLE",     cruise_throttle_pct,              45,       0,      100),
+    P( 98, "THR_MIN",           throttle_min_pct,                  0,       0,      100),
+    P( 99, "THR_MAX",           throttle_max_pct,                 75,      10,      100),
+    P(100, "THR_SLEWRATE",      throttle_slew_pct,               100,       0,      127),
+    P(101, "RLL2SRV_TCONST",    roll.axis.time_constant_s,      0.5f,    0.2f,        2),
+    P(102, "RLL2SRV_P",         roll.axis.p,                    0.4f,       0,        4),
+    P(103, "RLL2SRV_I",         roll.axis.i,                   0.04f,       0,        1),
+    P(104, "RLL2SRV_D",         roll.axis.d,                   0.02f,       0,     0.2f),
+    P(105, "RLL2SRV_IMAX",      roll.axis.integrator_max_cd,    3000,       0,     4500),
+    P(106, "RLL2SRV_RMAX",      roll.rate_max_dps,                 0,       0,      180),
+    P(107, "PTCH2SRV_TCONST",   pitch.axis.time_constant_s,     0.5f,    0.2f,        2),
+    P(108, "PTCH2SRV_P",        pitch.axis.p,                   0.4f,       0,        3),
+    P(109, "PTCH2SRV_I",        pitch.axis.i,                  0.04f,       0,        1),
+    P(110, "PTCH2SRV_D",        pitch.axis.d,                  0.02f,       0,     0.2f),
+    P(111, "PTCH2SRV_IMAX",     pitch.axis.integrator_max_cd,   3000,       0,     4500),
+    P(112, "PTCH2SRV_RMAX_UP",  pitch.rate_max_up_dps,             0,       0,      100),
+    P(113, "PTCH2SRV_RMAX_DN",  pitch.rate_max_down_dps,           0,       0,      100),
+    P(114, "PTCH2SRV_RLL",      pitch.turn_compensation,           1,    0.5f,     1.5f),
+    P(115, "YAW2SRV_SLIP",      yaw.slip,                          0,       0,        4),
+    P(116, "YAW2SRV_INT",       yaw.integral,                      0,       0,        2),
+    P(117, "YAW2SRV_DAMP",      yaw.damping,                       0,       0,        2),
+    P(118, "YAW2SRV_RLL",       yaw.coordination,                  1,    0.5f,     1.5f),
+    P(119, "YAW2SRV_IMAX",      yaw.integrator_max_cd,          1500,       0,     4500),
+    P(120, "TECS_CLMB_MAX",     speed_height.climb_max_mps,        5,    0.1f,       20),
+    P(121, "TECS_SINK_MIN",     speed_height.sink_min_mps,         2,    0.1f,       10),
+    P(122, "TECS_SINK_MAX",     speed_height.sink_max_mps,         5,    0.1f,       20),
+    P(123, "TECS_TIME_CONST",   speed_height.time_constant_s,      5,       1,       10),
+    P(124, "TECS_THR_DAMP",     speed_height.throttle_damping,  0.5f,       0,        2),
+    P(125, "TECS_INTEG_GAIN",   speed_height.integral_gain,     0.1f,       0,     0.5f),
+    P(126, "TECS_VERT_ACC",     speed_height.vertical_accel_mss,   7,       1,       10),
+    P(127, "TECS_SPD_OMEGA",    speed_height.speed_omega_rads,     2,    0.5f,        5),
+    P(128, "TECS_RLL2THR",      speed_height.roll_to_throttle,    10,       0,       40),
+    P(129, "TECS_SPDWEIGHT",    speed_height.speed_weight,         1,       0,        2),
+    P(130, "TECS_PTCH_DAMP",    speed_height.pitch_damping,        0,       0,        2),
+    P(131, "TECS_LAND_SINK",    speed_height.land_sink_mps,    0.25f,       0,        2),
+    P(132, "NAVL1_PERIOD",      lateral.period_s,                 20,       1,       60),
+    P(133, "NAVL1_DAMPING",     lateral.damping,               0.75f,    0.6f,        1),
+    P(134, "WP_RADIUS",         waypoint_radius_m,                30,       1,    32767),
+    P(135, "WP_LOITER_RAD",     loiter_radius_m,                  60,  -32767,    32767),
+    P(136, "ALT_HOLD_RTL",      rtl_height_cm,                 10000,      -1,   100000),
+    P(137, "TKOFF_THR_MAX",     takeoff_throttle_max_pct,        100,       0,      100),
+    P(138, "TKOFF_THR_MINSPD",  takeoff_min_speed_mps,             0,       0,       30),
+    P(139, "TKOFF_THR_MINACC",  takeoff_min_accel_mss,             0,       0,       30),
+    P(140, "TKOFF_THR_DELAY",   takeoff_delay_ds,                  2,       0,      127),
+    P(141, "TKOFF_ROTATE_SPD",  takeoff_rotate_mps,                0,       0,       30),
+    P(142, "LAND_PITCH_CD",     land_pitch_cd,                     0,   -1500,     2000),
+    P(143, "LAND_FLARE_ALT",    flare_height_m,                    3,       0,       30),
+    P(144, "LAND_FLARE_SEC",    flare_s,                           2,       0,       10),
+    P(145, "LAND_DISARMDELAY",  land_disarm_delay_s,              20,       0,      127),
+    P(146, "FS_SHORT_ACTN",     short_action,                      0,       0,        2),
+    P(147, "FS_LONG_ACTN",      long_action,                       0,       0,        2),
+    P(148, "FS_LONG_TIMEOUT",   long_timeout_s,                    5,       1,      300),
+    P(149, "ARMING_CHECK",      arming_check,                      1,       0,    32767),
+    P(150, "MIS_RESTART",       mission_restart,                   0,       0,        1),
+    P(151, "MIS_TRAILING",      mission_trailing,                  0,       0,        1),
+    P(152, "MIS_SET",           mission_set,                       2,       1,        2),
+    P(153, "ALT_ABS",           altitude_absolute,                 0,       0,        1),
+    P(154, "ARSPD_ENABLE",      airspeed_enable,                   1,       0,        1),
+    P(155, "ARSPD_USE",         airspeed_use,                      1,       0,        1),
+    P(156, "ARSPD_RATIO",       airspeed_ratio,              1.9936f,       1,        4),
+    P(157, "COMPASS_USE",       compass_use,                       1,       0,        1),
+    P(158, "COMPASS_OFS_X",     compass_offset_mg[0],              0,    -400,      400),
+    P(159, "COMPASS_OFS_Y",     compass_offset_mg[1],              0,    -400,      400),
+    P(160, "COMPASS_OFS_Z",     compass_offset_mg[2],              0,    -400,      400),
+    P(161, "COMPASS_DEC",       compass_declination_rad,           0, -3.142f,   3.142f),
+    P(162, "INS_ACCOFFS_X",     accel_offset_mss[0],               0,    -3.5f,    3.5f),
+    P(163, "INS_ACCOFFS_Y",     accel_offset_mss[1],               0,    -3.5f,    3.5f),
+    P(164, "INS_ACCOFFS_Z",     accel_offset_mss[2],               0,    -3.5f,    3.5f),
+    P(165, "INS_ACCSCAL_X",     accel_scale[0],                    1,    0.8f,     1.2f),
+    P(166, "INS_ACCSCAL_Y",     accel_scale[1],                    1,    0.8f,     1.2f),
+    P(167, "INS_ACCSCAL_Z",     accel_scale[2],                    1,    0.8f,     1.2f),
+    P(168, "AHRS_TRIM_X",       level_trim_rad[0],                 0, -0.1745f,  0.1745f),
+    P(169, "AHRS_TRIM_Y",       level_trim_rad[1],                 0, -0.1745f,  0.1745f),
+    P(170, "BATT_MONITOR",      battery_monitor,                   4,       0,        4),
+    P(171, "BATT_VOLT_MULT",    battery_volt_multiplier,       10.1f,       0,      100),
+    P(172, "BATT_AMP_PERVOLT",  battery_amps_per_volt,            17,       0,      200),
+    P(173, "BATT_CAPACITY",     battery_capacity_mah,           3300,       0,    60000),
+    // never to be used again: none yet
+};
+// clang-format on
+
+#undef P
+#undef CHANNEL
+#undef STREAMS
+
+static_assert(core::count(kRows) < 255, "an index is one byte");
+static_assert(parameters::slotsAreUnique(kRows), "a slot is used twice");
+static_assert(parameters::initialsAreInRange(kRows), "a default lies outside its range");
+
+const parameters::Table table(kRows, core::count(kRows), &firmware::parameters);
+
+}  // namespace
+
+uint16_t parameterCount() { return table.count(); }
+
+bool parameterAt(uint16_t index, char (&name)[16], float& value, uint8_t& mav_type) {
+    if (index >= table.count()) return false;
+    const uint8_t row = static_cast<uint8_t>(index);
+    table.name(row, name);
+    value = table.value(row);
+    mav_type = static_cast<uint8_t>(table.type(row));
+    return true;
+}
+
+bool parameterFind(const char (&name)[16], uint16_t& index) {
+    uint8_t row;
+    if (!table.findName(name, row)) return false;
+    index = row;
+    return true;
+}
+
+core::Status parameterSetAt(uint16_t index, float value) {
+    if (index >= table.count()) return core::Status::bad_argument;
+    const uint8_t row = static_cast<uint8_t>(index);
+    if (!table.fits(row, value)) return core::Status::bad_argument;
+    const core::Status saved = parameters::save(table, row, value);
+    if (saved == core::Status::ok) table.assign(row, value);
+    return saved;
+}
+
+bool parameterGet(uint8_t slot, float& value) {
+    uint8_t row;
+    if (!table.findSlot(slot, row)) return false;
+    value = table.value(row);
+    return true;
+}
+
+bool parameterSlotTakes(uint8_t slot, float value) {
+    uint8_t row;
+    return table.findSlot(slot, row) && table.fits(row, value);
+}
+
+bool parameterSet(uint8_t slot, float value) {
+    uint8_t row;
+    if (!table.findSlot(slot, row) || !table.fits(row, value)) return false;
+    table.assign(row, value);
+    parameters::saveLater(row);
+    return true;
+}
+
+core::Status parametersLoad() { return parameters::load(table); }
+
+void parametersRun() { parameters::saveWaiting(table); }
+
+}  // namespace firmware

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/radio.hpp"
+
+#include "core/maths.hpp"
+#include "core/rom.hpp"
+#include "firmware/modes.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/telemetry/telemetry.hpp"
+#include "firmware/vehicle.hpp"
+#include "hal/clock.hpp"
+#include "hal/rc_input.hpp"
+
+namespace firmware {
+namespace {
+
+// board encoder: a frame every 18.5 .. 26.5 ms; without one for a second the receiver is gone
+constexpr uint32_t kFramesGone_us = 1000000;
+constexpr uint8_t kBadReadings = 10;  // pulses below THR_FS_VALUE in a row that mean "lost"
+constexpr uint8_t kGoodReadings = 3;
+constexpr uint16_t kPulseLowest_us = 900;
+constexpr uint16_t kPulseHighest_us = 2100;
+
+uint8_t bad_readings;
+uint8_t good_readings;
+
+float deflection(const Channel& channel, uint16_t pulse_us) {
+    const int16_t from_trim = static_cast<int16_t>(pulse_us) - channel.trim_us;
+    int16_t span;
+    int16_t beyond;
+    if (from_trim > channel.dead_zone_us) {
+        beyond = from_trim - channel.dead_zone_us;
+        span = channel.max_us - channel.trim_us - channel.dead_zone_us;
+    } else if (from_trim < -channel.dead_zone_us) {
+        beyond = from_trim + channel.dead_zone_us;
+        span = channel.trim_us - channel.min_us - channel.dead_zone_us;
+    } else {
+        return 0;
+    }
+    if (span <= 0) return 0;
+    const float share = core::limit(static_cast<float>(beyond) / span, -1.0f, 1.0f);
+    return channel.reverse < 0 ? -share : share;
+}
+
+int8_t throttlePercent(const Channel& channel, uint16_t pulse_us) {
+    const int16_t lowest_us = channel.min_us + channel.dead_zone_us;
+    const int16_t span = channel.max_us - lowest_us;
+    if (span <= 0) return 0;
+    const int16_t above = core::limit<int16_t>(pulse_us - lowest_us, 0, span);
+    const int8_t percent = static_cast<int8_t>(static_cast<int32_t>(above) * 100 / span);
+    return channel.reverse < 0 ? 100 - percent : percent;
+}
+
+int16_t stick_cd(uint8_t number) {
+    return static_cast<int16_t>(core::rounded(
+        4500.0f * deflection(parameters.channel[number], vehicle.radio.pulse_us[number])));
+}
+
+bool overridden() {
+    bool any = false;
+    for (uint8_t i = 0; i < hal::kRcChannels; ++i) {
+        uint16_t us;
+        if (!rcOverride(i, us)) continue;
+        vehicle.radio.pulse_us[i] = core::limit(us, kPulseLowest_us, kPulseHighest_us);
+        any = true;
+    }
+    return any;
+}
+
+void judge(bool throttle_says_lost) {
+    if (throttle_says_lost) {
+        good_readings = 0;
+        if (bad_readings < kBadReadings) ++bad_readings;
+    } else {
+        if (good_readings < kGoodReadings) ++good_readings;
+        if (good_readings >= kGoodReadings) bad_readings = 0;
+    }
+}
+
+void scale() {
+    auto& radio = vehicle.radio;
+    radio.roll_cd = stick_cd(parameters.map_roll - 1);
+    radio.pitch_cd = stick_cd(parameters.map_pitch - 1);
+    radio.yaw_cd = stick_cd(parameters.map_yaw - 1);
+    const uint8_t throttle = parameters.map_throttle - 1;
+    radio.throttle_pct = throttlePercent(parameters.channel[throttle], radio.pulse_us[throttle]);
+}
+
+void centre() {
+    vehicle.radio.roll_cd = vehicle.radio.pitch_cd = vehicle.radio.yaw_cd = 0;
+    vehicle.radio.throttle_pct = 0;
+}
+
+struct SwitchReading {
+    uint8_t position;  // last seen
+    uint8_t settled;   // seen twice
+    uint8_t obeyed;
+};
+SwitchReading mode_switch;
+
+// upper ends of the six bands, us
+constexpr uint16_t kBands_us[] ROM = {1230, 1360, 1490, 1620, 1749, 2199};
+
+}  // namespace
+
+void runRadio() {
+    auto& radio = vehicle.radio;
+    uint16_t pulses[hal::kRcChannels];
+    const bool fresh = hal::rcRead(pulses);
+    if (fresh)
+        for (uint8_t i = 0; i < hal::kRcChannels; ++i)
+            if (pulses[i] != 0)
+                radio.pulse_us[i] = core::limit(pulses[i], kPulseLowest_us, kPulseHighest_us);
+    const bool ground_flies = overridden();
+    if (!fresh && !ground_flies && hal::rcAge_us() < kFramesGone_us) return;
+
+    const bool gone = !ground_flies && hal::rcAge_us() >= kFramesGone_us;
+    const uint16_t throttle_us = radio.pulse_us[parameters.map_throttle - 1];
+    if (fresh || ground_flies)
+        judge(parameters.throttle_failsafe != 0 && throttle_us < parameters.throttle_failsafe_us);
+    radio.lost = gone || bad_readings >= kBadReadings;
+    if (radio.lost) {
+        centre();
+        return;
+    }
+    radio.good_ms = hal::now_ms();
+    scale();
+}
+
+uint8_t modeSwitchPosition() {
+    if (vehicle.radio.lost || vehicle.radio.good_ms == 0) return 0;
+    const uint16_t pulse_us = vehicle.radio.pulse_us[parameters.mode_channel - 1];
+    if (pulse_us <= 900) return 0;
+    for (uint8_t i = 0; i < core::count(kBands_us); ++i)
+        if (pulse_us <= core::romRead(kBands_us[i])) return i + 1;
+    return 0;
+}
+
+void runModeSwitch() {
+    const uint8_t position = modeSwitchPosition();
+    if (position == mode_switch.position) mode_switch.settled = position;
+    mode_switch.position = position;
+    if (mode_switch.settled == 0 || mode_switch.settled == mode_switch.obeyed) return;
+    // a mode set from the ground stays until the pilot moves the switch
+    mode_switch.obeyed = mode_switch.settled;
+    setMode(static_cast<Mode>(parameters.switch_mode[mode_switch.settled - 1]), ModeReason::pilot);
+}
+
+}  // namespace firmware

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the parameters of a table live while the power is off: each value, as the four bytes of a
+// float, at its slot, written through the journal so that a cut leaves the old or the new value.
+#pragma once
+#include <stdint.h>
+
+#include "core/status.hpp"
+#include "parameters/table.hpp"
+
+namespace parameters {
+
+// At boot: redoes what a cut interrupted, then gives every field its stored value, or the row's
+// initial one where nothing is stored or what is stored is out of range. busy: call again.
+MUST_USE core::Status load(const Table& table);
+
+// Stores a value for the row; the field is the caller's. busy: no room yet, nothing was changed.
+MUST_USE core::Status save(const Table& table, uint8_t index, float value);
+
+// Stores the row's present value when there is room: saveWaiting carries it out.
+void saveLater(uint8_t index);
+void saveWaiting(const Table& table);
+
+}  // namespace parameters
