@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/mission_store.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "fakes/fakes.hpp"
+
+namespace {
+
+using core::Status;
+using storage::MissionStore;
+using Record = std::array<uint8_t, storage::kRecordSize>;
+using Mission = std::vector<Record>;
+
+Mission mission(uint8_t count, uint8_t seed) {
+    Mission made(count);
+    uint32_t random = seed * 2654435761u + 1;
+    for (Record& record : made)
+        for (uint8_t& byte : record)
+            byte = static_cast<uint8_t>((random = random * 1664525u + 1013904223u) >> 24);
+    return made;
+}
+
+template <class Call>
+Status whileBusy(Call call) {
+    for (int i = 0; i < 100000; ++i) {
+        const Status status = call();
+        if (status != Status::busy) return status;
+        fakes::advance_ms(10);
+    }
+    return Status::timeout;
+}
+
+Status open(MissionStore& store) {
+    return whileBusy([&] { return store.open(); });
+}
+
+Status upload(MissionStore& store, const Mission& mission, uint8_t set = 2) {
+    const Status begun = store.begin(static_cast<uint8_t>(mission.size()), set);
+    if (begun != Status::ok) return begun;
+    for (const Record& record : mission) {
+        const Status status = whileBusy([&] { return store.put(record.data()); });
+        if (status != Status::ok) return status;
+    }
+    return whileBusy([&] { return store.commit(); });
+}
+
+// Replaces the records first..last by those of `with`.
+Status partial(MissionStore& store, uint8_t first, uint8_t last, const Mission& with) {
+    const uint8_t count = store.count();
+    const Status begun = store.begin(count, store.set());
+    if (begun != Status::ok) return begun;
+    for (uint8_t i = 0; i < count; ++i) {
+        const bool changed = i >= first && i <= last;
+        const Status status =
+            whileBusy([&] { return changed ? store.put(with[i].data()) : store.copy(); });
+        if (status != Status::ok) return status;
+    }
+    return whileBusy([&] { return store.commit(); });
+}
+
+Mission stored(MissionStore& store) {
+    Mission found(store.count());
+    for (uint8_t i = 0; i < found.size(); ++i)
+        EXPECT_EQ(whileBusy([&] { return store.read(i, found[i].data()); }), Status::ok);
+    return found;
+}
+
+class MissionStoreTest : public testing::Test {
+protected:
+    void SetUp() override { fakes::reset(); }
+};
+
+TEST_F(MissionStoreTest, a_blank_eeprom_holds_an_empty_mission) {
+    MissionStore store;
+    EXPECT_EQ(open(store), Status::ok);
+    EXPECT_EQ(store.count(), 0);
+}
+
+TEST_F(MissionStoreTest, what_was_committed_is_there_after_a_restart_with_its_set) {
+    const Mission wanted = mission(171, 1);
+    MissionStore writer;
+    ASSERT_EQ(open(writer), Status::ok);
+    ASSERT_EQ(upload(writer, wanted, 1), Status::ok);
+
+    MissionStore reader;
+    ASSERT_EQ(open(reader), Status::ok);
+
+    EXPECT_EQ(reader.set(), 1);
+    EXPECT_EQ(stored(reader), wanted);
+}
+
+TEST_F(MissionStoreTest, a_mission_one_too_long_is_refused_before_anything_is_written) {
+    MissionStore store;
+    ASSERT_EQ(open(store), Status::ok);
+
+    EXPECT_EQ(store.begin(172, 2), Status::full);
+    EXPECT_EQ(fakes::eepromWrites(), 0u);
+}
+
+TEST_F(MissionStoreTest, a_mission_that_does_not_fit_beside_the_present_one_needs_a_clear_first) {
+    MissionStore store;
+    ASSERT_EQ(open(store), Status::ok);
+    ASSERT_EQ(upload(store, mission(100, 1)), Status::ok);
+    EXPECT_EQ(store.begin(72, 2), Status::full);
+    EXPECT_EQ(store.begin(71, 2), Status::ok);
+    store.abort();
+
+    ASSERT_EQ(upload(store, Mission()), Status::ok);
+
+    EXPECT_EQ(store.count(), 0);
+    EXPECT_EQ(upload(store, mission(171, 2)), Status::ok);
+}
+
+TEST_F(MissionStoreTest, a_full_mission_touches_neither_parameters_nor_fence) {
+    for (uint16_t at = 0; at < hal::kEepromSize; ++at) {
+        const bool missions = at >= storage::kMissionHead.begin && at < storage::kMission.end();
+        fakes::setEepromCell(at, missions ? 0xFF : 0xA5);
+    }
+    MissionStore store;
+    ASSERT_EQ(open(store), Status::ok);
+    ASSERT_EQ(upload(store, mission(171, 3)), Status::ok);
+
+    for (uint16_t at = 0; at < hal::kEepromSize; ++at) {
+        if (at >= storage::kMissionHead.begin && at < storage::kMission.end()) continue;
+        ASSERT_EQ(fakes::eepromCell(at), 0xA5) << at;
+    }
+}
+
+TEST_F(MissionStoreTest, an_aborted_upload_leaves_the_old_mission) {
+    const Mission old_mission = mission(20, 1), new_mission = mission(30, 2);
+    MissionStore store;
+    ASSERT_EQ(open(store), Status::ok);
+    ASSERT_EQ(upload(store, old_mission), Status::ok);
+    ASSERT_EQ(store.begin(30, 2), Status::ok);
+    for (int i = 0; i < 29; ++i) ASSERT_EQ(store.put(new_mission[i].data()), Status::ok);
+
+    EXPECT_EQ(store.commit(), Status::bad_argument);
+    store.abort();
+
+    EXPECT_EQ(stored(store), old_mission);
+    MissionStore again;
+    ASSERT_EQ(open(again), Status::ok);
+    EXPECT_EQ(stored(again), old_mission);
+}
+
+TEST_F(MissionStoreTest, the_old_mission_can_be_read_until_the_next_upload_begins) {
+    const Mission old_mission = mission(4, 1);
+    MissionStore store;
+    ASSERT_EQ(open(store), Status::ok);
+    ASSERT_EQ(upload(store, old_mission, 1), Status::ok);
+    ASSERT_EQ(upload(store, mission(6, 2), 2), Status::ok);
+
+    Record record;
+    EXPECT_EQ(store.previousCount(), 4);
+    EXPECT_EQ(store.previousSet(), 1);
+    for (uint8_t i = 0; i < 4; ++i) {
+        ASSERT_EQ(store.readPrevious(i, record.data()), Status::ok);
+        EXPECT_EQ(record, old_mission[i]);
+    }
+    ASSERT_EQ(store.begin(1, 2), Status::ok);
+    EXPECT_EQ(store.readPrevious(0, record.data()), Status::bad_argument);
+}
+
+TEST_F(MissionStoreTest, a_record_read_ahead_is_there_while_the_eeprom_is_busy) {
+    const Mission wanted = mission(6, 1);
+    MissionStore store;
+    ASSERT_EQ(open(store), Status::ok);
+    ASSERT_EQ(upload(store, wanted), Status::ok);
+    store.readAhead(3);
+    fakes::setEepromSlow(true);
+    const uint8_t other[] = {1, 2, 3, 4};
+    ASSERT_EQ(hal::eepromWrite(storage::kFence.begin, other, 4), Status::ok);
+
+    Record record;
+    EXPECT_EQ(store.read(0, record.data()), Status::busy);
+    EXPECT_EQ(store.read(3, record.data()), Status::ok);
+    EXPECT_EQ(record, wanted[3]);
+    EXPECT_EQ(store.read(4, record.data()), Status::ok);
+    EXPECT_EQ(record, wanted[4]);
+}
+
+TEST_F(MissionStoreTest, what_was_read_ahead_is_forgotten_when_the_mission_changes) {
+    const Mission new_mission = mission(6, 2);
+    MissionStore store;
+    ASSERT_EQ(open(store), Status::ok);
+    ASSERT_EQ(upload(store, mission(6, 1)), Status::ok);
+    store.readAhead(1);
+    ASSERT_EQ(upload(store, new_mission), Status::ok);
+
+    EXPECT_EQ(stored(store), new_mission);
+}
+
+TEST_F(MissionStoreTest, records_that_rot_are_noticed_and_the_mission_is_empty) {
+    MissionStore store;
+    ASSERT_EQ(open(store), Status::ok);
+    ASSERT_EQ(upload(store, mission(6, 1)), Status::ok);
+    const uint16_t at = storage::recordAddress(2) + 5;
+    fakes::setEepromCell(at, fakes::eepromCell(at) ^ 0x10);
+
+    MissionStore reader;
+    EXPECT_EQ(open(reader), Status::corrupt);
+    EXPECT_EQ(reader.count(), 0);
+    EXPECT_EQ(upload(reader, mission(6, 2)), Status::ok);
+    MissionStore again;
+    EXPECT_EQ(open(again), Status::ok);
+    EXPECT_EQ(stored(again), mission(6, 2));
+}
+
+TEST_F(MissionStoreTest, uploading_the_same_mission_again_to_the_same_place_writes_only_the_head) {
+    MissionStore store;
+    ASSERT_EQ(open(store), Status::ok);
+    const Mission same(57, mission(1, 9)[0]);  // three places of 57 fill the ring
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(upload(store, same), Status::ok);
+    const uint32_t before = fakes::eepromWrites();
+
+    ASSERT_EQ(upload(store, same), Status::ok);
+
+    EXPECT_LE(fakes::eepromWrites() - before, storage::kMissionHeadSize);
+}
+
+TEST_F(MissionStoreTest, the_number_of_a_commit_may_wrap) {
+    Mission last;
+    fakes::setEepromSlow(false);
+    MissionStore store;
+    ASSERT_EQ(open(store), Status::ok);
+    for (uint32_t i = 0; i < 65600; ++i) {
+        last = mission(1, static_cast<uint8_t>(i));
+        ASSERT_EQ(upload(store, last), Status::ok);
+        if (i % 64 != 0 && i < 65500) continue;
+        MissionStore reader;
+        ASSERT_EQ(open(reader), Status::ok);
+        ASSERT_EQ(stored(reader), last) << i;
+    }
+}
+
+// The chip, the queue and the reader's turns as slow as they are.
+TEST_F(MissionStoreTest, an_upload_through_the_slow_queue_arrives_whole) {
+    fakes::setEepromSlow(true);
+    const Mission wanted = mission(60, 7);
+    MissionStore store;
+    ASSERT_EQ(open(store), Status::ok);
+    ASSERT_EQ(upload(store, wanted), Status::ok);
+    EXPECT_TRUE(hal::eepromDrained());
+
+    fakes::restartEeprom();
+    MissionStore reader;
+    ASSERT_EQ(open(reader), Status::ok);
+    EXPECT_EQ(stored(reader), wanted);
+}
+
+struct Change {
+    const char* name;
+    Mission old_mission, new_mission;
+    Status (*make)(MissionStore&, const Mission&);
+};
+
+Status makeUpload(MissionStore& store, const Mission& mission) { return upload(store, mission); }
+Status makePartial(MissionStore& store, const Mission& mission) {
+    return partial(store, 3, 9, mission);
+}
+
+Mission withPart(Mission base, uint8_t first, uint8_t last, uint8_t seed) {
+    const Mission other = mission(static_cast<uint8_t>(base.size()), seed);
+    for (uint8_t i = first; i <= last; ++i) base[i] = other[i];
+    return base;
+}
+
+// Returns the number of cuts tried.
+int cutAtEveryWrite(const Change& change) {
+    fakes::resetEeprom();
+    {
+        MissionStore store;
+        EXPECT_EQ(open(store), Status::ok);
+        // a few missions before, so that neither head nor ring is fresh
+        EXPECT_EQ(upload(store, mission(40, 77)), Status::ok);
+        EXPECT_EQ(upload(store, mission(3, 78)), Status::ok);
+        EXPECT_EQ(upload(store, change.old_mission), Status::ok);
+    }
+    const auto before = fakes::eepromCells();
+    for (int cuts = 0;; ++cuts) {
+        fakes::setEepromCells(before);
+        MissionStore writer;
+        EXPECT_EQ(open(writer), Status::ok);
+        fakes::cutPowerAfter(static_cast<uint32_t>(cuts));
+        (void)change.make(writer, change.new_mission);
+        const bool cut = fakes::powerWasCut();
+        fakes::restartEeprom();
+
+        MissionStore reader;
+        EXPECT_EQ(open(reader), Status::ok) << change.name << ", cut " << cuts;
+        const Mission found = stored(reader);
+        if (!cut) {
+            EXPECT_EQ(found, change.new_mission) << change.name;
+            return cuts;
+        }
+        if (found != change.old_mission && found != change.new_mission) {
+            ADD_FAILURE() << change.name << ": a mixture after cut " << cuts;
+            return cuts;
+        }
+        // and life goes on
+        EXPECT_EQ(upload(reader, change.new_mission), Status::ok);
+    }
+}
+
+TEST_F(MissionStoreTest, a_power_cut_after_any_write_leaves_the_old_or_the_new_mission) {
+    const Change changes[] = {
+        {"upload of a longer mission", mission(30, 1), mission(80, 2), makeUpload},
+        {"upload of a shorter mission", mission(80, 1), mission(12, 2), makeUpload},
+        {"upload that wraps round the ring", mission(85, 1), mission(86, 2), makeUpload},
+        {"first upload", Mission(), mission(171, 2), makeUpload},
+        {"clear", mission(60, 1), Mission(), makeUpload},
+        {"partial write", mission(60, 1), withPart(mission(60, 1), 3, 9, 4), makePartial},
+    };
+    int cuts = 0;
+    for (const Change& change : changes) cuts += cutAtEveryWrite(change);
+    RecordProperty("cuts", cuts);
+    printf("%d power cuts survived\n", cuts);
+    EXPECT_GT(cuts, 4000);
+}
+
+}  // namespace

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where in the mission the airplane is, kept over a loss of power. One small entry a change, in
+// places used in turn, so that the EEPROM outlives the airplane.
+#pragma once
+#include <stdint.h>
+
+#include "core/status.hpp"
+
+namespace storage {
+
+class IndexStore {
+public:
+    // `generation`: the mission's; an index that belongs to another mission reads as 0.
+    MUST_USE core::Status open(uint8_t generation, uint8_t& index);
+    MUST_USE core::Status write(uint8_t generation, uint8_t index);
+
+private:
+    uint8_t newest_ = 0;
+    uint8_t sequence_ = 0;
+};
+
+}  // namespace storage

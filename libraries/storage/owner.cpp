@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/owner.hpp"
+
+#include <string.h>
+
+#include "core/crc.hpp"
+#include "core/rom.hpp"
+#include "storage/bytes.hpp"
+#include "storage/eeprom_map.hpp"
+
+namespace storage {
+namespace {
+
+using core::Status;
+
+// The mark, the layout version, the CRC of these five bytes.
+constexpr uint8_t kMark[] ROM = {0xB7, 'A', 'P', 'M'};
+constexpr uint8_t kMarkSize = sizeof kMark;
+constexpr uint8_t kOurSize = kMarkSize + 3;
+static_assert(kOurSize <= kHeader.size, "our mark is longer than the header");
+
+void ours(uint8_t (&header)[kOurSize], uint8_t version) {
+    for (uint8_t i = 0; i < kMarkSize; ++i) header[i] = core::romRead(kMark[i]);
+    header[kMarkSize] = version;
+    put16(header + kMarkSize + 1, core::crc16(core::kCrcStart, header, kMarkSize + 1));
+}
+
+bool blank(const uint8_t* bytes, uint8_t size) {
+    while (size-- > 0)
+        if (*bytes++ != 0xFF) return false;
+    return true;
+}
+
+// The first bytes of our mark and then nothing: the power went while it was being written.
+bool begun(const uint8_t (&header)[kOurSize], const uint8_t (&wanted)[kOurSize]) {
+    uint8_t same = 0;
+    while (same < kOurSize && header[same] == wanted[same]) ++same;
+    return blank(header + same, static_cast<uint8_t>(kOurSize - same));
+}
+
+Status restIsBlank(bool& is) {
+    is = true;
+    constexpr uint8_t kPart = 32;
+    for (uint16_t at = kHeader.end(); is && at < hal::kEepromSize; at += kPart) {
+        uint8_t bytes[kPart];
+        const uint16_t left = hal::kEepromSize - at;
+        const uint8_t size = left < kPart ? static_cast<uint8_t>(left) : kPart;
+        const Status status = hal::eepromRead(at, bytes, size);
+        if (status != Status::ok) return status;
+        is = blank(bytes, size);
+    }
+    return Status::ok;
+}
+
+}  // namespace
+
+Status findOwner(Owner& owner) {
+    uint8_t header[kOurSize];
+    const Status status = hal::eepromRead(kHeader.begin, header, sizeof header);
+    if (status != Status::ok) return status;
+    uint8_t wanted[kOurSize];
+    ours(wanted, header[kMarkSize]);
+    if (memcmp(header, wanted, sizeof header) == 0) {
+        owner = header[kMarkSize] == kLayoutVersion ? Owner::us : Owner::other_version;
+        return Status::ok;
+    }
+    ours(wanted, kLayoutVersion);
+    bool unused = false;
+    if (begun(header, wanted)) {
+        const Status scanned = restIsBlank(unused);
+        if (scanned != Status::ok) return scanned;
+    }
+    owner = unused ? Owner::nobody : Owner::stranger;
+    return Status::ok;
+}
+
+Status claim() {
+    uint8_t header[kOurSize];
+    ours(header, kLayoutVersion);
+    return hal::eepromWrite(kHeader.begin, header, sizeof header);
+}
+
+Status erase(uint16_t& at) {
+    uint8_t nothing[16];
+    memset(nothing, 0xFF, sizeof nothing);
+    while (at < hal::kEepromSize) {
+        const Status status = hal::eepromWrite(at, nothing, sizeof nothing);
+        if (status != Status::ok) return status;
+        at = static_cast<uint16_t>(at + sizeof nothing);
+    }
+    const Status status = claim();
+    if (status != Status::ok) return status;
+    return hal::eepromDrained() ? Status::ok : Status::busy;
+}
+
+}  // namespace storage

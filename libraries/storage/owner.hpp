@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whose EEPROM this is. What other firmware has written is recognised and left alone until its
+// owner asks for it to be erased.
+#pragma once
+#include <stdint.h>
+
+#include "core/status.hpp"
+
+namespace storage {
+
+enum class Owner : uint8_t {
+    nobody,         // blank
+    us,             // this layout
+    other_version,  // this firmware, another layout version
+    stranger,
+};
+
+MUST_USE core::Status findOwner(Owner& owner);  // busy: in a later frame
+MUST_USE core::Status claim();                  // writes our mark; of use on a blank EEPROM only
+
+// Erases everything, a part each call, and claims it; `at` starts at 0. A power cut on the way
+// leaves a stranger's EEPROM, never half of ours.
+MUST_USE core::Status erase(uint16_t& at);
+
+}  // namespace storage
