@@ -5,7 +5,7 @@
 #include "firmware/mission/mission.hpp"
 #include "firmware/modes.hpp"
 #include "firmware/parameters.hpp"
-#include "firmware/sensors.hpp"
+#include "firmware/sensors/sensors.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
 #include "hal/clock.hpp"

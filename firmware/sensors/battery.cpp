@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivers/battery.hpp"
+
+#include "firmware/parameters.hpp"
+#include "firmware/sensors/sensors.hpp"
+#include "firmware/vehicle.hpp"
+#include "hal/analog.hpp"
+#include "hal/clock.hpp"
+
+namespace firmware {
+namespace {
+
+drivers::Battery pack;
+uint32_t updated_ms;
+
+constexpr int8_t kVoltageAndCurrent = 4;  // BATT_MONITOR
+
+bool mean(hal::Analog input, float& reading) {
+    const hal::AnalogSum sum = hal::analogTake(input);
+    if (sum.count == 0) return false;
+    reading = static_cast<float>(sum.sum) / sum.count;
+    return true;
+}
+
+}  // namespace
+
+void runBattery() {
+    float volts = 0;
+    float amps = 0;
+    float band_gap = 0;
+    const bool whole = mean(hal::Analog::battery_voltage, volts) &
+                       mean(hal::Analog::battery_current, amps) &
+                       mean(hal::Analog::board_voltage, band_gap);
+    if (!whole) return;
+    auto& battery = vehicle.battery;
+    battery.board_mv = drivers::boardSupply_mv(static_cast<uint16_t>(band_gap + 0.5f));
+    const uint32_t now_ms = hal::now_ms();
+    const float dt_s = (now_ms - updated_ms) * 0.001f;
+    updated_ms = now_ms;
+    if (parameters.battery_monitor == 0) {
+        battery.voltage_mv = 0;
+        battery.current_ca = -1;
+        return;
+    }
+    drivers::BatterySettings settings;
+    settings.volts_per_volt = parameters.battery_volt_multiplier;
+    settings.amps_per_volt = parameters.battery_amps_per_volt;
+    pack.update(volts, amps, battery.board_mv, dt_s, settings);
+    battery.voltage_mv = static_cast<uint16_t>(pack.voltage_v() * 1000.0f);
+    battery.current_ca = parameters.battery_monitor == kVoltageAndCurrent
+                             ? static_cast<int16_t>(pack.current_a() * 100.0f)
+                             : -1;
+    battery.consumed_mah = pack.consumed_mah();
+}
+
+}  // namespace firmware

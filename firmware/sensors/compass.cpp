@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivers/hmc5883l.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/sensors/devices.hpp"
+#include "firmware/sensors/sensors.hpp"
+#include "firmware/vehicle.hpp"
+#include "hal/clock.hpp"
+
+namespace firmware {
+namespace {
+
+drivers::Hmc5883l compass;
+
+}  // namespace
+
+void startCompass() { compass.start(); }
+
+void runCompass() {
+    if (!compass.step(hal::now_ms())) {
+        vehicle.compass.healthy = compass.healthy();
+        return;
+    }
+    const float* offset = parameters.compass_offset_mg;
+    vehicle.compass.field_mg = compass.field_mg() + core::Vector3{offset[0], offset[1], offset[2]};
+    vehicle.compass.fresh = true;  // the estimator clears it
+    vehicle.compass.healthy = compass.healthy();
+}
+
+}  // namespace firmware

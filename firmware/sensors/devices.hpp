@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Between the files of this folder only.
+#pragma once
+
+namespace firmware {
+
+void startInertial();
+void startBarometer();
+void startCompass();
+void startGps();
+void zeroBarometer();
+void zeroAirspeed();
+
+}  // namespace firmware

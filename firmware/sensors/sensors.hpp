@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sensors of the board: each run function steps its driver and fills its section of vehicle.
+// None of them waits for its device.
+#pragma once
+#include <stdint.h>
+
+namespace firmware {
+
+void startSensors();
+
+void runInertial();   // every frame, first
+void runBarometer();  // every frame
+void runCompass();
+void runGps();
+void runAirspeed();
+void runBattery();
+
+uint8_t inertialSamplesWaiting();
+uint16_t inertialErrors();
+
+// Begins the zeroing of gyros, or of barometer and airspeed, again; the airplane must stand still.
+void calibrateGyros();
+void calibratePressures();
+
+}  // namespace firmware

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/tasks.hpp"
+
+#include "board.hpp"
+#include "firmware/arming.hpp"
+#include "firmware/attitude_control.hpp"
+#include "firmware/estimator.hpp"
+#include "firmware/failsafe.hpp"
+#include "firmware/guidance.hpp"
+#include "firmware/lights.hpp"
+#include "firmware/mission/events.hpp"
+#include "firmware/mission/mission.hpp"
+#include "firmware/modes.hpp"
+#include "firmware/outputs.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/radio.hpp"
+#include "firmware/sensors/sensors.hpp"
+#include "firmware/telemetry/telemetry.hpp"
+#include "firmware/vehicle.hpp"
+#include "hal/clock.hpp"
+#include "hal/watchdog.hpp"
+#include "scheduler/scheduler.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr uint16_t kFrame_us = 10000;
+// The inertial sensor's clock may be 1 % slow; without its samples a frame begins by the clock.
+constexpr uint16_t kSilentImu_us = 10400;
+constexpr uint8_t kSamplesPerFrame = 2;
+
+void endMode() { vehicle.mode_changed = false; }
+
+void measureLoad();
+
+// clang-format off
+constexpr scheduler::Task kTasks[] ROM = {
+    // run                 every  in     budget
+    //                     frames frame  us
+    { runInertial,           1,     0,     300 },
+    { runRadio,              1,     0,     250 },
+    { runEstimator,          1,     0,    1500 },
+    { runMode,               1,     0,     200 },
+    { runAttitudeControl,    1,     0,    1200 },
+    { runOutputs,            1,     0,     400 },
+    { endMode,               1,     0,      50 },
+    { runBarometer,          1,     0,     400 },
+    { runGps,                1,     0,     400 },
+    { telemetrySend,         2,     1,    1500 },
+    { runGuidance,           5,     2,    2500 },
+    { runCompass,            2,     0,     300 },
+    { runAirspeed,           2,     0,     400 },
+    { missionRun,           10,     3,    1500 },
+    { runModeSwitch,        10,     4,     200 },
+    { runEvents,            10,     5,     200 },
+    { runFailsafe,          10,     6,     200 },
+    { runArming,            10,     7,     500 },
+    { runBattery,           10,     8,     300 },
+    { parametersRun,        10,     9,     400 },
+    { runLights,            10,     0,     300 },
+    { measureLoad,         100,    51,     100 },
+};
+// clang-format on
+
+static_assert(scheduler::phasesFit(kTasks), "a phase must be smaller than its period");
+static_assert(scheduler::fastTierFirst(kTasks), "the fast tier stands first");
+static_assert(scheduler::everyTaskFits(kTasks, kFrame_us), "a task can never run");
+static_assert(scheduler::worstFrame_us(kTasks, 100) < kFrame_us * 8UL / 10,
+              "a frame is more than 80 % full");
+
+scheduler::Scheduler<core::count(kTasks)> schedule(kTasks, kFrame_us);
+
+uint32_t frame_us;
+uint16_t longest_frame_us;
+uint16_t load_permille;
+uint32_t load_from_us, load_busy_us;
+
+void measureLoad() {
+    const uint32_t now_us = hal::now_us();
+    const uint32_t span_us = now_us - load_from_us;
+    const uint32_t busy_us = schedule.busy_us() - load_busy_us;
+    load_from_us = now_us;
+    load_busy_us = schedule.busy_us();
+    if (span_us > 1000) load_permille = static_cast<uint16_t>(busy_us / (span_us / 1000));
+}
+
+bool frameDue() {
+    if (inertialSamplesWaiting() >= kSamplesPerFrame) return true;
+    return hal::now_us() - frame_us >= (vehicle.imu.healthy ? kSilentImu_us : kFrame_us);
+}
+
+bool workWaits() { return frameDue() || telemetryWaits(); }
+
+}  // namespace
+
+void start() {
+    board::start();
+    // at reset the queue is empty, so nothing is busy but what a cut left to be redone
+    while (parametersLoad() == core::Status::busy) {
+    }
+    startOutputs();
+    startSensors();
+    telemetryStart();
+    missionBoot();
+    vehicle.mode = Mode::initialising;
+    setMode(static_cast<Mode>(parameters.initial_mode), ModeReason::boot);
+    schedule.start();
+    frame_us = hal::now_us();
+}
+
+void turn() {
+    if (frameDue()) {
+        const uint32_t due_us = frame_us = hal::now_us();
+        schedule.runFrame(due_us);
+        const uint32_t taken_us = hal::now_us() - due_us;
+        if (taken_us > longest_frame_us)
+            longest_frame_us = taken_us > 0xFFFF ? 0xFFFF : static_cast<uint16_t>(taken_us);
+    } else if (!telemetryPump()) {
+        hal::idle(workWaits);
+    }
+}
+
+uint16_t loadPermille() { return load_permille; }
+uint16_t lateFrames() { return schedule.lateFrames(); }
+uint16_t longestFrame_us() { return longest_frame_us; }
+uint8_t taskCount() { return core::count(kTasks); }
+uint16_t taskLongest_us(uint8_t task) { return schedule.longest_us(task); }
+
+}  // namespace firmware
