@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivers/hmc5883l.hpp"
+
+#include "core/rom.hpp"
+#include "hal/i2c.hpp"
+
+namespace drivers {
+namespace {
+
+constexpr uint8_t kAddress = 0x1E;
+constexpr uint8_t kConfigA = 0, kData = 3, kIdentification = 10;
+
+// Configuration A, B and mode, written in one transfer; data sheet tables 3 to 11.
+constexpr uint8_t kSettings = 4;
+constexpr uint8_t kSelfTest[kSettings] ROM = {kConfigA, 0x11, 0x60,
+                                              0x01};  // + bias field, 660 LSB/G, single
+constexpr uint8_t kMeasure[kSettings] ROM = {kConfigA, 0x78, 0x20,
+                                             0x00};  // mean of 8, 75 Hz, 1090 LSB/G
+constexpr float kMilligaussPerCount = 1000.0f / 1090.0f;
+
+constexpr uint8_t kRead_ms = 20;
+constexpr uint8_t kReadsPerVerify = 50;
+constexpr uint8_t kExcite_ms = 50;
+constexpr uint16_t kRetry_ms = 1000;
+constexpr uint16_t kSilent_ms = 500;
+constexpr int16_t kOverflow = -4096;
+
+// The self-test strap's field is 1.16 G along x and y and 1.08 G along z, at 660 LSB/G.
+constexpr float kExpected[3] = {1.16f * 660.0f, 1.16f * 660.0f, 1.08f * 660.0f};
+constexpr float kLeastScale = 0.7f, kMostScale = 1.35f;
+constexpr uint8_t kDroppedTries = 2, kGoodTries = 5, kMostTries = 25;
+
+struct Counts {
+    int16_t axis[3];  // x, y, z of the chip
+};
+
+int16_t word(const uint8_t* bytes) {
+    return static_cast<int16_t>(static_cast<uint16_t>(bytes[0]) << 8 | bytes[1]);
+}
+Counts counts(const uint8_t* bytes) {  // the chip sends x, z, y
+    return {{word(bytes), word(bytes + 4), word(bytes + 2)}};
+}
+bool overflowed(const Counts& c) {
+    return c.axis[0] == kOverflow || c.axis[1] == kOverflow || c.axis[2] == kOverflow;
+}
+
+}  // namespace
+
+bool Hmc5883l::step(uint32_t now_ms) {
+    if (now_ms - good_ms_ > kSilent_ms) healthy_ = false;
+    if (under_way_) {
+        uint8_t bytes[hal::kI2cBytes];
+        const core::Status status = hal::i2cResult(bytes, expected_bytes_);
+        if (status == core::Status::busy) return false;
+        under_way_ = false;
+        if (status == core::Status::ok) {
+            errors_in_a_row_ = 0;
+            return finish(bytes, now_ms);
+        }
+        if (state_ != State::run || ++errors_in_a_row_ > 5) {
+            fail(now_ms);
+            return false;
+        }
+    }
+    if (now_ms - since_ms_ >= wait_ms_) begin();
+    return false;
+}
+
+void Hmc5883l::begin() {
+    uint8_t out[kSettings] = {kData};
+    uint8_t out_size = 1;
+    expected_bytes_ = 6;
+    if (state_ == State::excite || state_ == State::configure) {
+        ROM_COPY(out, state_ == State::excite ? kSelfTest : kMeasure, kSettings);
+        out_size = kSettings;
+        expected_bytes_ = 0;
+    } else if (state_ == State::identify || state_ == State::verify) {
+        out[0] = state_ == State::identify ? kIdentification : kConfigA;
+        expected_bytes_ = 3;
+    }
+    under_way_ = hal::i2cStart(kAddress, out, out_size, expected_bytes_);
+}
+
+bool Hmc5883l::finish(const uint8_t* bytes, uint32_t now_ms) {
+    switch (state_) {
+        case State::identify:
+            if (bytes[0] != 'H' || bytes[1] != '4' || bytes[2] != '3') {
+                fail(now_ms);
+                return false;
+            }
+            tries_ = good_tries_ = 0;
+            measured_[0] = measured_[1] = measured_[2] = 0;
+            enter(State::excite, now_ms, 0);
+            return false;
+        case State::excite:
+            enter(State::excited, now_ms, kExcite_ms);
+            return false;
+        case State::excited:
+            judgeSelfTest(bytes, now_ms);
+            return false;
+        case State::configure:
+            discard_ = 2;  // a new gain holds from the second measurement on
+            reads_ = 0;
+            good_ms_ = now_ms;
+            enter(State::run, now_ms, kRead_ms);
+            return false;
+        case State::run:
+            return takeField(bytes, now_ms);
+        case State::verify:  // a chip that lost its supply for a moment stands in single mode
+            if (bytes[0] != core::romRead(kMeasure[1]) || bytes[1] != core::romRead(kMeasure[2]) ||
+                (bytes[2] & 3) != core::romRead(kMeasure[3])) {
+                fail(now_ms);
+            } else {
+                enter(State::run, now_ms, kRead_ms);
+            }
+            return false;
+    }
+    return false;
+}
+
+void Hmc5883l::judgeSelfTest(const uint8_t* bytes, uint32_t now_ms) {
+    const Counts read = counts(bytes);
+    bool good = tries_ >= kDroppedTries && !overflowed(read);
+    for (uint8_t i = 0; good && i < 3; ++i) {
+        good =
+            read.axis[i] * kMostScale >= kExpected[i] && read.axis[i] * kLeastScale <= kExpected[i];
+    }
+    if (good) {
+        for (uint8_t i = 0; i < 3; ++i) measured_[i] += read.axis[i];
+        ++good_tries_;
+    }
+    if (good_tries_ == kGoodTries) {
+        for (uint8_t i = 0; i < 3; ++i) scale_[i] = kExpected[i] * kGoodTries / measured_[i];
+        enter(State::configure, now_ms, 0);
+    } else if (++tries_ >= kMostTries) {
+        fail(now_ms);
+    } else {
+        enter(State::excite, now_ms, 0);
+    }
+}
+
+bool Hmc5883l::takeField(const uint8_t* bytes, uint32_t now_ms) {
+    enter(++reads_ >= kReadsPerVerify ? State::verify : State::run, now_ms, kRead_ms);
+    if (state_ == State::verify) reads_ = 0;
+    const Counts read = counts(bytes);
+    if (overflowed(read)) {
+        if (saturated_ != UINT16_MAX) ++saturated_;
+        return false;
+    }
+    if (discard_ > 0) {
+        --discard_;
+        return false;
+    }
+    // All zeros is a chip that does not measure: the earth's field is nowhere below 200 mG.
+    if (read.axis[0] == 0 && read.axis[1] == 0 && read.axis[2] == 0) return false;
+    float chip[3];
+    for (uint8_t i = 0; i < 3; ++i) chip[i] = read.axis[i] * scale_[i] * kMilligaussPerCount;
+    // The chip lies on the board with its x to the left and its y to the rear, z up.
+    field_mg_ = {-chip[1], -chip[0], -chip[2]};
+    good_ms_ = now_ms;
+    healthy_ = true;
+    return true;
+}
+
+void Hmc5883l::fail(uint32_t now_ms) {
+    if (restarts_ != UINT16_MAX) ++restarts_;
+    healthy_ = false;
+    errors_in_a_row_ = 0;
+    enter(State::identify, now_ms, kRetry_ms);
+}
+
+}  // namespace drivers

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Honeywell HMC5883L compass on I2C: found, scaled by its own self-test field, then read at 50 Hz.
+// The bus works by interrupts, so a step only starts a transfer or fetches the end of one.
+#pragma once
+#include <stdint.h>
+
+#include "core/maths.hpp"
+
+namespace drivers {
+
+class Hmc5883l {
+public:
+    void start() { enter(State::identify, 0, 0); }
+    // Every frame. True: a new field is there.
+    bool step(uint32_t now_ms);
+
+    core::Vector3 field_mg() const { return field_mg_; }  // milligauss, body axes
+    bool healthy() const { return healthy_; }
+    uint16_t saturated() const { return saturated_; }  // samples in which an axis overflowed
+    uint16_t restarts() const { return restarts_; }
+    float scale(uint8_t axis) const { return scale_[axis]; }  // chip axes, from the self-test
+
+private:
+    enum class State : uint8_t { identify, excite, excited, configure, run, verify };
+
+    void enter(State state, uint32_t now_ms, uint16_t wait_ms) {
+        state_ = state;
+        since_ms_ = now_ms;
+        wait_ms_ = wait_ms;
+    }
+    void begin();
+    bool finish(const uint8_t* bytes, uint32_t now_ms);
+    void judgeSelfTest(const uint8_t* bytes, uint32_t now_ms);
+    bool takeField(const uint8_t* bytes, uint32_t now_ms);
+    void fail(uint32_t now_ms);
+
+    core::Vector3 field_mg_ = {0, 0, 0};
+    float scale_[3] = {1, 1, 1};
+    float measured_[3] = {};  // self-test sums
+    uint32_t since_ms_ = 0;
+    uint32_t good_ms_ = 0;
+    uint16_t wait_ms_ = 0;
+    uint16_t saturated_ = 0;
+    uint16_t restarts_ = 0;
+    State state_ = State::identify;
+    uint8_t tries_ = 0, good_tries_ = 0;  // of the self-test
+    uint8_t reads_ = 0;                   // since the configuration was last verified
+    uint8_t discard_ = 0;                 // fields still measured with another gain
+    uint8_t errors_in_a_row_ = 0;
+    uint8_t expected_bytes_ = 0;
+    bool under_way_ = false;
+    bool healthy_ = false;
+};
+
+}  // namespace drivers
