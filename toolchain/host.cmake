@@ -38,3 +38,23 @@ house_test(fakes_test ${CMAKE_SOURCE_DIR}/host_tests/fakes)
 foreach(library IN LISTS all_libraries)
     house_test(${library}_test ${CMAKE_SOURCE_DIR}/host_tests/${library} ${library})
 endforeach()
+
+# ---- the natively compiled firmware, the ground station, the report, the program that flies
+function(simulator_library name)
+    house_target(simulator_${name} ${CMAKE_SOURCE_DIR}/simulator/${name} ${ARGN})
+    target_include_directories(simulator_${name} ${HOUSE_SCOPE} ${CMAKE_SOURCE_DIR}
+                               ${CMAKE_SOURCE_DIR}/libraries)
+endfunction()
+simulator_library(ground mavlink)
+simulator_library(report simulator_ground)
+
+file(GLOB_RECURSE native_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/firmware/*.cpp)
+list(FILTER native_sources EXCLUDE REGEX /firmware/main\.cpp$)
+add_library(firmware_native STATIC ${native_sources})
+set_target_properties(firmware_native PROPERTIES CXX_STANDARD 14)
+target_compile_options(firmware_native PRIVATE ${HOUSE_WARNINGS})
+target_include_directories(firmware_native BEFORE PUBLIC ${CMAKE_SOURCE_DIR}/simulator/native
+                           ${CMAKE_SOURCE_DIR})
+target_link_libraries(firmware_native PUBLIC ${all_libraries})
+simulator_library(native firmware_native)
+target_include_directories(simulator_native BEFORE PRIVATE ${CMAKE_SOURCE_DIR}/simulator/native)

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/ground/scripted_flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/ground/plan.hpp"
+
+namespace simulator {
+
+using namespace mavlink;
+
+constexpr double kNever = 1e9;
+constexpr double kStanding_mps = 0.5, kNear_m = 60;
+constexpr double kDisarmWithin_s = 60;  // LAND_DISARMDELAY is 20 s
+constexpr double kSilence_s = 10;
+constexpr uint16_t kStreams_hz = 10;
+
+const ScriptedFlight::Stage ScriptedFlight::kStages[] = {
+    {&ScriptedFlight::connect, 60, "no heartbeat from the autopilot"},
+    {&ScriptedFlight::agreeOnFraming, 30, "the autopilot does not answer"},
+    {&ScriptedFlight::requestStreams, 20, "the autopilot sends no telemetry streams"},
+    {&ScriptedFlight::upload, 120, "the mission upload did not end"},
+    {&ScriptedFlight::waitReady, 120, "not ready to arm"},
+    {&ScriptedFlight::arm, 60, "arming is refused"},
+    {&ScriptedFlight::setAuto, 20, "AUTO is refused"},
+    {&ScriptedFlight::takeOff, 60, "the airplane did not leave the ground"},
+    {&ScriptedFlight::fly, kNever, ""},
+};
+
+void switchTransmitterOn(World& world) {
+    world.radio().sticks({1500, 1500, 1100, 1500, 1500, 1500, 1500, 1425}, true);
+}
+
+ScriptedFlight::ScriptedFlight(Board& board, int usart, const Waypoints& items, double time_limit_s)
+    : board_(board),
+      items_(items),
+      time_limit_s_(time_limit_s),
+      link_(board, usart, [this](const Frame& frame, uint64_t time_us) { take(frame, time_us); }),
+      upload_(link_, items_) {}
+
+void ScriptedFlight::take(const Frame& frame, uint64_t time_us) {
+    telemetry_.take(frame, time_us);
+    upload_.take(frame, time_us);
+    if (auto value = as<ParamValue>(frame)) {
+        if (std::strncmp(value->param_id, "TRIM_ARSPD_CM", 16) == 0) {
+            cruise_speed_mps_ = value->param_value * 0.01;
+        }
+    }
+    if (auto ack = as<CommandAck>(frame)) {
+        last_answer_ = "command " + std::to_string(ack->command) + " answered with result " +
+                       std::to_string(ack->result);
+    }
+}
+
+void ScriptedFlight::step(uint64_t now_us) {
+    if (over_) return;
+    heartbeat(now_us);
+    watch(now_us);
+    const Stage& stage = kStages[stage_];
+    if (!over_ && (this->*stage.run)(now_us)) {
+        if (&stage == &std::end(kStages)[-1]) {
+            checkLanding();
+            over_ = true;
+            return;
+        }
+        ++stage_;
+        tries_ = 0;
+        stage_us_ = now_us;
+    } else if (!over_ && static_cast<double>(now_us - stage_us_) * 1e-6 > stage.time_out_s) {
+        std::string why = stage.failure;
+        why += " within " + std::to_string(static_cast<int>(stage.time_out_s)) + " s";
+        if (!telemetry_.texts.empty()) why += "; it said: " + telemetry_.texts.back().text;
+        fail(why);
+    }
+}
+
+void ScriptedFlight::fail(const std::string& reason) {
+    over_ = true;
+    reason_ = reason;
+}
+
+void ScriptedFlight::heartbeat(uint64_t now_us) {
+    if (beat_us_ != 0 && now_us - beat_us_ < 1'000'000) return;
+    beat_us_ = now_us;
+    Heartbeat beat{};
+    beat.type = MavType::gcs;
+    beat.autopilot = MavAutopilot::invalid;
+    beat.system_status = MavState::active;
+    beat.mavlink_version = 3;
+    link_.send(beat);
+}
+
+// True at the first call of a stage and then once in `seconds`; counts in tries_.
+bool ScriptedFlight::every(double seconds, uint64_t now_us) {
+    if (tries_ > 0 && static_cast<double>(now_us - sent_us_) * 1e-6 < seconds) return false;
+    sent_us_ = now_us;
+    ++tries_;
+    return true;
+}
+
+void ScriptedFlight::command(uint16_t number, float param1, float param2) {
+    CommandLong message{};
+    message.command = number;
+    message.param1 = param1;
+    message.param2 = param2;
+    message.target_system = telemetry_.system;
+    message.target_component = telemetry_.component;
+    message.confirmation = static_cast<uint8_t>(tries_ - 1);
+    link_.send(message);
+}
+
+bool ScriptedFlight::connect(uint64_t) { return telemetry_.heard(); }
+
+// MAVLink 2 first, as today's ground stations do; an autopilot that stays silent is asked again
+// in MAVLink 1. The question is one whose answer is of use: the cruise speed.
+bool ScriptedFlight::agreeOnFraming(uint64_t now_us) {
+    if (cruise_speed_mps_) return true;
+    if (!every(1.5, now_us)) return tries_ > 8;
+    if (tries_ > 3) link_.setFraming(Framing::v1);
+    ParamRequestRead request{};
+    request.param_index = -1;
+    request.target_system = telemetry_.system;
+    request.target_component = telemetry_.component;
+    std::strncpy(request.param_id, "TRIM_ARSPD_CM", sizeof request.param_id);
+    link_.send(request);
+    return false;
+}
+
+bool ScriptedFlight::requestStreams(uint64_t now_us) {
+    if (telemetry_.hud && telemetry_.attitude && telemetry_.position) return true;
+    if (!every(2, now_us)) return false;
+    RequestDataStream request{};
+    request.req_message_rate = kStreams_hz;
+    request.target_system = telemetry_.system;
+    request.target_component = telemetry_.component;
+    request.req_stream_id = MavDataStream::all;
+    request.start_stop = 1;
+    link_.send(request);
+    return false;
+}
+
+bool ScriptedFlight::upload(uint64_t now_us) {
+    upload_.step(now_us, telemetry_.system, telemetry_.component);
+    if (!upload_.failure().empty()) fail(upload_.failure());
+    if (upload_.accepted()) telemetry_.note(now_us, "mission uploaded");
+    return upload_.accepted();
+}
+
+bool ScriptedFlight::waitReady(uint64_t) {
+    constexpr uint8_t kFix3d = 3;
+    return telemetry_.prearmOk() && telemetry_.gps && telemetry_.gps->fix_type >= kFix3d;
+}
+
+bool ScriptedFlight::arm(uint64_t now_us) {
+    if (telemetry_.armed()) return true;
+    if (every(3, now_us)) command(MavCmd::component_arm_disarm, 1, 0);
+    return false;
+}
+
+bool ScriptedFlight::setAuto(uint64_t now_us) {
+    if (telemetry_.mode() == kModeAuto) return true;
+    if (every(2, now_us)) {
+        command(MavCmd::do_set_mode, MavModeFlag::custom_mode_enabled, kModeAuto);
+    }
+    return false;
+}
+
+bool ScriptedFlight::takeOff(uint64_t) { return airborne_s_.has_value(); }
+
+// Over when it stands disarmed, or has stood long enough to have disarmed.
+bool ScriptedFlight::fly(uint64_t now_us) {
+    const double now_s = static_cast<double>(now_us) * 1e-6;
+    if (!standing_s_) return false;
+    if (!telemetry_.armed()) return now_s - *standing_s_ > 2;
+    if (now_s - *standing_s_ > kDisarmWithin_s) fail("it stands, but does not disarm");
+    return false;
+}
+
+void ScriptedFlight::watch(uint64_t now_us) {
+    constexpr double kAirborne_m = 2;
+    const Truth& truth = board_.world().truth();
+    const double now_s = static_cast<double>(now_us) * 1e-6;
+    watchServos(now_us);
+    if (truth.height_m > kAirborne_m && !truth.on_ground) {
+        if (!airborne_s_) telemetry_.note(now_us, "airborne");
+        if (!airborne_s_) airborne_s_ = now_s;
+        landed_s_.reset();
+    } else if (airborne_s_ && !landed_s_ && truth.on_ground) {
+        landed_s_ = now_s;
+        telemetry_.note(now_us, "touchdown");
+    }
+    const double speed = std::hypot(truth.velocity_north_mps, truth.velocity_east_mps);
+    if (!airborne_s_ || !truth.on_ground || speed > kStanding_mps) {
+        standing_s_.reset();
+    } else if (!standing_s_) {
+        standing_s_ = now_s;
+    }
+    const std::string where = " after item " + std::to_string(telemetry_.current());
+    if (truth.crashed) fail("crashed" + where);
+    if (now_s > time_limit_s_) fail("time limit reached" + where);
+    if (telemetry_.heard() &&
+        static_cast<double>(now_us - telemetry_.heartbeat_us) * 1e-6 > kSilence_s) {
+        fail("no heartbeat for 10 s" + where);
+    }
+}
+
+// Outputs 5..8 are the mission's to set; a jump of the pulse is an event.
+void ScriptedFlight::watchServos(uint64_t now_us) {
+    for (int output = 5; output <= 8; ++output) {
+        double& last = servo_us_[static_cast<size_t>(output - 1)];
+        const double pulse = std::round(board_.world().servoPulse_us(output));
+        if (telemetry_.mode() == kModeAuto && std::abs(pulse - last) > 5) {
+            telemetry_.note(now_us, "servo " + std::to_string(output) + " to " +
+                                        std::to_string(static_cast<int>(pulse)) + " us");
+        }
+        last = pulse;
+    }
+}
+
+// Says in reason_ what is missing for a completed mission; nothing when it is one.
+void ScriptedFlight::checkLanding() {
+    const Truth& truth = board_.world().truth();
+    const LocalFrame frame(items_[0].latitude_deg, items_[0].longitude_deg);
+    const Plan plan = makePlan(items_, frame);
+    std::vector<int> wanted;
+    for (const PlannedNav& nav : plan.navs) wanted.push_back(nav.item);
+    // Firmware that does not send MISSION_ITEM_REACHED shows its way by MISSION_CURRENT.
+    const auto& flown = telemetry_.reached.empty() ? telemetry_.visited : telemetry_.reached;
+    if (flown != wanted) {
+        const size_t same = static_cast<size_t>(
+            std::mismatch(wanted.begin(), wanted.end(), flown.begin(), flown.end()).first -
+            wanted.begin());
+        reason_ = same < wanted.size() ? "item " + std::to_string(wanted[same]) + " was not reached"
+                                       : "more items were reached than the mission has";
+        return;
+    }
+    if (!plan.landing()) {
+        reason_ = "the mission has no landing to judge";
+        return;
+    }
+    const double off =
+        distance_m(*plan.landing(), frame.at(truth.latitude_deg, truth.longitude_deg));
+    if (off > kNear_m) {
+        reason_ = "it stands " + std::to_string(static_cast<int>(off)) +
+                  " m from the landing point, more than 60 m";
+    }
+}
+
+}  // namespace simulator

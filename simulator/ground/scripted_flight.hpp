@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A flight from the ground station's chair: connect, send the mission up, arm, AUTO, watch until
+// the airplane stands again. What only an onlooker can know, where it stands and whether it is
+// whole, is read from the truth.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "simulator/ground/link.hpp"
+#include "simulator/ground/mission_upload.hpp"
+#include "simulator/ground/telemetry.hpp"
+#include "simulator/ground/waypoints.hpp"
+
+namespace simulator {
+
+// The pilot beside the runway: transmitter on, sticks centred, throttle closed, mode switch on
+// FBWA (third position of FLTMODE), ready to take over.
+void switchTransmitterOn(World& world);
+
+class ScriptedFlight {
+public:
+    ScriptedFlight(Board& board, int usart, const Waypoints& items, double time_limit_s);
+
+    void receive(uint8_t byte, uint64_t time_us) { link_.receive(byte, time_us); }
+    void step(uint64_t now_us);  // every 20 ms or so
+
+    bool over() const { return over_; }
+    bool completed() const { return over_ && reason_.empty(); }
+    const std::string& reason() const { return reason_; }  // why it was not completed, one line
+    const Telemetry& telemetry() const { return telemetry_; }
+    std::optional<double> cruise_speed_mps() const { return cruise_speed_mps_; }
+    std::optional<double> airborne_s() const { return airborne_s_; }  // first time off the ground
+    std::optional<double> landed_s() const { return landed_s_; }      // last touch-down
+
+private:
+    struct Stage {
+        bool (ScriptedFlight::*run)(uint64_t now_us);
+        double time_out_s;
+        const char* failure;
+    };
+    static const Stage kStages[];
+
+    bool connect(uint64_t now_us);
+    bool agreeOnFraming(uint64_t now_us);
+    bool requestStreams(uint64_t now_us);
+    bool upload(uint64_t now_us);
+    bool waitReady(uint64_t now_us);
+    bool arm(uint64_t now_us);
+    bool setAuto(uint64_t now_us);
+    bool takeOff(uint64_t now_us);
+    bool fly(uint64_t now_us);
+
+    void take(const mavlink::Frame& frame, uint64_t time_us);
+    void watch(uint64_t now_us);
+    void watchServos(uint64_t now_us);
+    void checkLanding();
+    void fail(const std::string& reason);
+    void heartbeat(uint64_t now_us);
+    bool every(double seconds, uint64_t now_us);
+    void command(uint16_t number, float param1, float param2);
+
+    Board& board_;
+    const Waypoints items_;
+    const double time_limit_s_;
+    Link link_;
+    Telemetry telemetry_;
+    MissionUpload upload_;
+    int stage_ = 0;
+    uint64_t stage_us_ = 0, sent_us_ = 0, beat_us_ = 0;
+    int tries_ = 0;
+    bool over_ = false;
+    std::string reason_, last_answer_;
+    std::optional<double> cruise_speed_mps_, airborne_s_, landed_s_, standing_s_;
+    std::array<double, 8> servo_us_{};
+};
+
+}  // namespace simulator

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mission files: "QGC WPL 110", the text form every ground station writes. One item a line, twelve
+// columns: index current frame command p1 p2 p3 p4 latitude longitude altitude autocontinue.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "mavlink/messages.hpp"
+
+namespace simulator {
+
+struct WaypointItem {
+    int index = 0;
+    bool current = false;
+    uint8_t frame = 0;     // MAV_FRAME
+    uint16_t command = 0;  // MAV_CMD
+    std::array<double, 4> params{};
+    double latitude_deg = 0, longitude_deg = 0, altitude_m = 0;  // altitude in the frame's sense
+    bool autocontinue = true;
+
+    bool isNav() const { return command < 96; }  // below MAV_CMD_NAV_LAST, 95
+    bool isCircle() const {
+        return command >= mavlink::MavCmd::nav_loiter_unlim &&
+               command <= mavlink::MavCmd::nav_loiter_time;
+    }
+    bool hasPlace() const {
+        return isNav() && command != mavlink::MavCmd::nav_takeoff &&
+               command != mavlink::MavCmd::nav_return_to_launch;
+    }
+    bool relative() const { return frame == 3 || frame == 6; }  // to home
+};
+using Waypoints = std::vector<WaypointItem>;
+
+// what() is "name:line:column: expected ...".
+class WaypointError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+Waypoints parseWaypoints(const std::string& text, const std::string& name);
+Waypoints readWaypoints(const std::string& path);  // throws WaypointError also when unreadable
+
+}  // namespace simulator

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The wiring of the native board: the roles firmware/ knows, joined to the device models of the
+// World that the running NativeBoard hangs on. No pins: a chip select chooses a model.
+#pragma once
+#include <stdint.h>
+
+namespace board {
+
+constexpr char kName[] = "APM 2 (native)";
+
+void start();
+
+struct SensorBus {
+    static uint8_t transfer(uint8_t mosi);
+    static void slow();
+    static void fast();
+    struct Lock {  // the data-ready interrupt waits until the last one is gone
+        Lock();
+        ~Lock();
+        Lock(const Lock&) = delete;
+        Lock& operator=(const Lock&) = delete;
+    };
+};
+
+struct ImuSelect {
+    static void low();
+    static void high();
+    static void output() {}
+};
+
+struct BarometerSelect {
+    static void low();
+    static void high();
+    static void output() {}
+};
+
+struct Relay {
+    static void low();
+    static void high();
+    static void output() {}
+};
+
+template <int number>
+struct Led {
+    static void on() {}
+    static void off() {}
+};
+using LedA = Led<0>;
+using LedB = Led<1>;
+using LedC = Led<2>;
+
+}  // namespace board

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The EEPROM and the queue before it, with the answers libraries/hal/eeprom.hpp promises.
+#pragma once
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "core/status.hpp"
+
+namespace simulator {
+
+class EepromChip {
+public:
+    explicit EepromChip(const uint64_t& now_us);
+
+    core::Status read(uint16_t address, void* to, uint8_t size);
+    core::Status write(uint16_t address, const void* from, uint8_t size);
+    bool drained() const { return queue_.empty(); }
+
+    const std::vector<uint8_t>& cells() const { return cells_; }
+    void setCells(const std::vector<uint8_t>& cells);
+
+    uint64_t due_us() const;
+    void run();
+
+private:
+    struct Write {
+        uint16_t address;
+        uint8_t value;
+    };
+    uint8_t seen(uint16_t address) const;  // as if the queue had been written
+    void begin();
+    bool writing() const { return written_us_ != UINT64_MAX; }
+
+    const uint64_t& now_us_;
+    std::vector<uint8_t> cells_;
+    std::deque<Write> queue_;           // the front is the one in flight while writing()
+    uint64_t written_us_ = UINT64_MAX;  // when the byte in flight is done
+    uint64_t rest_until_us_ = 0;        // a reader has been told to come back
+};
+
+}  // namespace simulator

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every contract of libraries/hal, answered by the native board that runs.
+#include "hal/analog.hpp"
+#include "hal/clock.hpp"
+#include "hal/eeprom.hpp"
+#include "hal/i2c.hpp"
+#include "hal/interrupts.hpp"
+#include "hal/mark.hpp"
+#include "hal/rc_input.hpp"
+#include "hal/serial.hpp"
+#include "hal/servo_output.hpp"
+#include "hal/watchdog.hpp"
+#include "simulator/native/native_board.hpp"
+
+namespace hal {
+
+static simulator::NativeBoard& board() { return simulator::NativeBoard::running(); }
+static int number(Port port) { return static_cast<int>(port); }
+
+// clock
+uint32_t now_us() { return static_cast<uint32_t>(board().time_us()); }
+uint32_t now_ms() { return static_cast<uint32_t>(board().time_us() / 1000); }
+void idle(bool (*work_waits)()) { board().idle(work_waits); }
+
+// serial
+void serialOpen(Port port, uint32_t baud) { board().serial().open(number(port), baud); }
+uint8_t serialAvailable(Port port) { return board().serial().available(number(port)); }
+bool serialRead(Port port, uint8_t& byte) { return board().serial().read(number(port), byte); }
+uint8_t serialRoom(Port port) { return board().serial().room(number(port)); }
+bool serialWrite(Port port, const void* bytes, uint8_t size) {
+    return board().serial().write(number(port), static_cast<const uint8_t*>(bytes), size);
+}
+uint16_t serialLost(Port port) { return board().serial().lost(number(port)); }
+bool usbConnected() { return board().usb(); }
+
+// EEPROM
+core::Status eepromRead(uint16_t address, void* to, uint8_t size) {
+    return board().eepromChip().read(address, to, size);
+}
+core::Status eepromWrite(uint16_t address, const void* from, uint8_t size) {
+    return board().eepromChip().write(address, from, size);
+}
+bool eepromDrained() { return board().eepromChip().drained(); }
+
+// I2C
+bool i2cStart(uint8_t address, const uint8_t* out, uint8_t out_size, uint8_t in_size) {
+    return board().i2c().start(address, out, out_size, in_size);
+}
+core::Status i2cResult(uint8_t* in, uint8_t in_size) { return board().i2c().result(in, in_size); }
+
+// analogue inputs
+void analogScan() { board().analog().scan(); }
+AnalogSum analogTake(Analog input) { return board().analog().take(input); }
+
+// receiver and servos
+bool rcRead(uint16_t (&pulse_us)[kRcChannels]) { return board().receiver().read(pulse_us); }
+uint32_t rcAge_us() { return board().receiver().age_us(); }
+void servoStart(uint16_t rate_hz) { board().servos().start(rate_hz); }
+void servoWrite(uint8_t output, uint16_t pulse_halfus) {
+    board().servos().write(output, pulse_halfus);
+}
+uint16_t servoRead(uint8_t output) { return board().servos().read(output); }
+
+// The only interrupt that runs firmware code is called between its turns: nothing to hold off.
+uint8_t lockInterrupts() { return 0; }
+void unlockInterrupts(uint8_t) {}
+
+// watchdog and marks
+ResetCause resetCause() { return ResetCause::power_on; }
+void watchdogStart() { board().watchdogStart(); }
+void watchdogFeed() { board().watchdogFeed(); }
+void reboot() { board().reboot(); }
+void mark(uint8_t value) { board().mark(value); }
+
+}  // namespace hal

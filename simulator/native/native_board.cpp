@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/native/native_board.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "firmware/tasks.hpp"
+#include "hal/imu_interrupt.hpp"
+#include "hal/mark.hpp"
+#include "simulator/devices/mpu6000.hpp"
+#include "simulator/devices/ms5611.hpp"
+
+namespace simulator {
+
+constexpr uint64_t kLongestRest_us = 1000;
+constexpr uint64_t kWatchdog_us = 250'000;
+
+static NativeBoard* running_board = nullptr;
+
+NativeBoard& NativeBoard::running() { return *running_board; }
+
+NativeBoard::NativeBoard(const WorldOptions& options)
+    : world_(options),
+      serial_(now_us_, world_.gps()),
+      eeprom_(now_us_),
+      i2c_(now_us_, world_.compass()),
+      analog_(now_us_, world_),
+      servos_(now_us_, world_),
+      receiver_(now_us_, world_.radio()) {
+    static bool used = false;
+    if (std::exchange(used, true)) {
+        throw std::logic_error("a process can have one native board: its firmware is global");
+    }
+    running_board = this;
+}
+
+NativeBoard::~NativeBoard() { running_board = nullptr; }
+
+bool NativeBoard::runUntil(uint64_t time_us) {
+    try {
+        if (fault_.empty() && !std::exchange(started_, true)) firmware::start();
+        while (fault_.empty() && now_us_ < time_us) {
+            firmware::turn();
+            if (fed_us_ != UINT64_MAX && now_us_ - fed_us_ > kWatchdog_us) {
+                fault_ = "the watchdog was not fed for 250 ms";
+            }
+        }
+    } catch (const Reboot&) {
+        fault_ = "the firmware asked for a reboot: natively compiled firmware cannot start twice";
+    }
+    return fault_.empty();
+}
+
+void NativeBoard::send(int usart, const uint8_t* bytes, size_t size) {
+    if (usart < SerialLines::kPorts) serial_.send(usart, bytes, size);
+}
+
+size_t NativeBoard::unsent(int usart) const {
+    return usart < SerialLines::kPorts ? serial_.unsent(usart) : 0;
+}
+
+void NativeBoard::idle(bool (*work_waits)()) {
+    const uint64_t wake_us = now_us_ + kLongestRest_us;
+    runDevices();
+    while (now_us_ < wake_us && !work_waits()) {
+        moveTo(std::min(nextEvent_us(), wake_us));
+        runDevices();
+    }
+}
+
+uint64_t NativeBoard::nextEvent_us() {
+    return std::min({world_.imu().nextSample_us(), serial_.due_us(), eeprom_.due_us(),
+                     i2c_.due_us(), analog_.due_us(), servos_.due_us(), receiver_.due_us()});
+}
+
+void NativeBoard::moveTo(uint64_t time_us) {
+    now_us_ = std::max(now_us_, time_us);
+    world_.advanceTo(now_us_);
+}
+
+void NativeBoard::runDevices() {
+    runImu();
+    serial_.run();
+    eeprom_.run();
+    i2c_.run();
+    analog_.run();
+    servos_.run();
+    receiver_.run();
+}
+
+// The rising edge of the data-ready pin is the interrupt; it stays up until the sample is read.
+void NativeBoard::runImu() {
+    const bool pin = world_.imu().interruptPin();
+    if (pin && !imu_pin_) imu_waits_ = true;
+    imu_pin_ = pin;
+    if (!imu_waits_ || imu_locks_ > 0) return;
+    imu_waits_ = false;
+    hal::imuDataReady();
+    imu_pin_ = world_.imu().interruptPin();
+}
+
+void NativeBoard::lockImu(bool lock) { imu_locks_ += lock ? 1 : -1; }
+
+void NativeBoard::select(bool imu, bool chosen) {
+    if (std::exchange(imu ? imu_chosen_ : barometer_chosen_, chosen) == chosen) return;
+    if (imu) {
+        world_.imu().select(chosen, now_us_);
+    } else {
+        world_.barometer().select(chosen, now_us_);
+    }
+}
+
+uint8_t NativeBoard::transfer(uint8_t mosi) {
+    spend_ns(byte_ns_);
+    uint8_t miso = 0xFF;
+    if (imu_chosen_) miso &= world_.imu().transfer(mosi, now_us_);
+    if (barometer_chosen_) miso &= world_.barometer().transfer(mosi, now_us_);
+    return miso;
+}
+
+void NativeBoard::spend_ns(uint32_t duration_ns) {
+    spent_ns_ += duration_ns;
+    now_us_ += spent_ns_ / 1000;
+    spent_ns_ %= 1000;
+}
+
+void NativeBoard::mark(uint8_t value) { frames_ += value == hal::kMarkFrameBegin; }
+
+void NativeBoard::watchdogFeed() {
+    if (fed_us_ != UINT64_MAX) fed_us_ = now_us_;
+}
+
+void NativeBoard::reboot() { throw Reboot{}; }
+
+BoardFigures NativeBoard::figures() const {
+    BoardFigures figures;
+    figures.frames = frames_;
+    return figures;
+}
+
+}  // namespace simulator

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/native/serial_lines.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "simulator/devices/ublox_gps.hpp"
+
+namespace simulator {
+
+// What the ring buffers of the chip's ports hold: a ring of 2^n bytes keeps one less.
+constexpr std::array<uint8_t, SerialLines::kPorts> kReceiveSize = {127, 127, 127};
+constexpr std::array<uint8_t, SerialLines::kPorts> kTransmitSize = {255, 63, 255};
+
+void SerialLines::open(int port, uint32_t baud) {
+    Line& line = lines_[port];
+    line.baud = baud;
+    line.received.clear();
+    line.outgoing.clear();
+    line.sent_ns = UINT64_MAX;
+    line.arrives_ns = line.incoming.empty() ? UINT64_MAX : after_ns(now_us_ * 1000, line);
+}
+
+uint64_t SerialLines::after_ns(uint64_t begin_ns, const Line& line) const {
+    return line.baud == 0 ? UINT64_MAX : begin_ns + 10'000'000'000ull / line.baud;
+}
+
+uint8_t SerialLines::available(int port) const {
+    return static_cast<uint8_t>(lines_[port].received.size());
+}
+
+bool SerialLines::read(int port, uint8_t& byte) {
+    Line& line = lines_[port];
+    if (line.received.empty()) return false;
+    byte = line.received.front();
+    line.received.pop_front();
+    return true;
+}
+
+uint8_t SerialLines::room(int port) const {
+    return static_cast<uint8_t>(kTransmitSize[port] - lines_[port].outgoing.size());
+}
+
+bool SerialLines::write(int port, const uint8_t* bytes, uint8_t size) {
+    Line& line = lines_[port];
+    if (room(port) < size) return false;
+    line.outgoing.insert(line.outgoing.end(), bytes, bytes + size);
+    if (line.sent_ns == UINT64_MAX) line.sent_ns = after_ns(now_us_ * 1000, line);
+    return true;
+}
+
+void SerialLines::send(int port, const uint8_t* bytes, size_t size) {
+    Line& line = lines_[port];
+    line.incoming.insert(line.incoming.end(), bytes, bytes + size);
+    if (line.arrives_ns == UINT64_MAX && size > 0) {
+        line.arrives_ns = after_ns(now_us_ * 1000, line);
+    }
+}
+
+uint64_t SerialLines::due_us() const {
+    uint64_t due_ns = UINT64_MAX;
+    for (const Line& line : lines_) due_ns = std::min({due_ns, line.sent_ns, line.arrives_ns});
+    const uint64_t due_us = due_ns == UINT64_MAX ? kNever : (due_ns + 999) / 1000;
+    return std::min(due_us, gps_.nextByte_us());
+}
+
+void SerialLines::run() {
+    for (int port = 0; port < kPorts; ++port) {
+        runOutgoing(port);
+        runIncoming(port);
+    }
+    runGps();
+}
+
+void SerialLines::runOutgoing(int port) {
+    Line& line = lines_[port];
+    while (line.sent_ns <= now_us_ * 1000) {
+        if (!line.outgoing.empty()) {
+            const uint8_t byte = line.outgoing.front();
+            line.outgoing.pop_front();
+            if (port == kGps) gps_.receive(byte, line.baud, now_us_);
+            if (listener_) listener_(port, byte, now_us_);
+        }
+        line.sent_ns = line.outgoing.empty() ? UINT64_MAX : after_ns(line.sent_ns, line);
+    }
+}
+
+void SerialLines::runIncoming(int port) {
+    Line& line = lines_[port];
+    while (line.arrives_ns <= now_us_ * 1000) {
+        take(line, line.incoming.front());
+        line.incoming.pop_front();
+        line.arrives_ns = line.incoming.empty() ? UINT64_MAX : after_ns(line.arrives_ns, line);
+    }
+}
+
+// A receiver at another rate samples the wrong places of the wrong bits: some bytes are dropped
+// for a missing stop bit, the others mean nothing.
+void SerialLines::runGps() {
+    Line& line = lines_[kGps];
+    while (auto byte = gps_.nextByte(now_us_)) {
+        if (line.baud == 0) continue;
+        const auto apart = std::abs(static_cast<int64_t>(line.baud) - gps_.baud());
+        if (apart * 25 <= gps_.baud()) {  // 4 %: the tenth bit is still sampled in its first half
+            take(line, *byte);
+            continue;
+        }
+        noise_ = noise_ * 1664525u + 1013904223u;
+        if (noise_ >> 31) take(line, static_cast<uint8_t>(*byte ^ (noise_ >> 16) ^ 0x55));
+    }
+}
+
+void SerialLines::take(Line& line, uint8_t byte) {
+    const auto port = &line - lines_.data();
+    if (line.received.size() >= kReceiveSize[port]) {
+        ++line.lost;
+    } else {
+        line.received.push_back(byte);
+    }
+}
+
+}  // namespace simulator
