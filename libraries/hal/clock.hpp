@@ -10,6 +10,7 @@ uint32_t now_ms();  // since reset; wraps after 49.7 days
 
 // Sleeps until the next interrupt unless `work_waits` says, asked with interrupts off, that
 // there is something to do: an interrupt between the question and the sleep is not slept over.
+// Returns after 2 ms at the latest, so that a silent sensor cannot stop the frames.
 void idle(bool (*work_waits)());
 
 }  // namespace hal
