@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Height and climb rate: the accelerometers for what is quick, the barometer for what is slow; a
+// third-order complementary filter, so that an accelerometer's bias leaves no trace in either.
+#pragma once
+#include <stdint.h>
+
+namespace estimation {
+
+struct HeightSettings {
+    float omega_rads = 2.0f;  // where barometer and accelerometer meet; TECS_HGT_OMEGA
+};
+
+class Height {
+public:
+    void start(float height_m);
+    // Every frame: acceleration over ground, up positive, gravity removed.
+    void propagate(float up_mss, float dt_s);
+    // Every good reading, dt_s since the one before. A single reading far off is left out; when
+    // they insist for half a second the filter follows.
+    void useBarometer(float height_m, float dt_s, const HeightSettings& settings);
+
+    float height_m() const { return height_m_; }
+    float climb_mps() const { return climb_mps_; }
+    bool healthy() const { return unfed_s_ < 2.0f; }  // a reading was used within 2 s
+    uint16_t glitches() const { return glitches_; }
+
+private:
+    float height_m_ = 0;
+    float climb_mps_ = 0;
+    float bias_mss_ = 0;
+    float unfed_s_ = 1e6f;
+    float off_s_ = 0;  // readings have been far off for this long
+    uint16_t glitches_ = 0;
+};
+
+}  // namespace estimation

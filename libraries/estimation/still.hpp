@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Zero of the gyros at start-up: the mean of a second in which the airplane was not moved. Moved,
+// it begins again, for as long as it takes.
+#pragma once
+#include <stdint.h>
+
+#include "core/maths.hpp"
+
+namespace estimation {
+
+class Still {
+public:
+    void start() { *this = Still(); }
+    // Every frame. True once, when the zero is known.
+    bool update(const core::Vector3& rate_rads, const core::Vector3& force_mss, float dt_s);
+
+    bool done() const { return done_; }
+    const core::Vector3& zero_rads() const { return zero_; }
+
+private:
+    core::Vector3 zero_ = {0, 0, 0};
+    core::Vector3 first_rate_ = {0, 0, 0}, force_ = {0, 0, 0};
+    float time_s_ = 0;
+    uint8_t count_ = 0;
+    bool done_ = false;
+};
+
+}  // namespace estimation

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The wind, and the airspeed where no sensor tells it. With a sensor and a heading wind is ground
+// velocity less air velocity, low-passed; without one it is found from how the ground velocity
+// changes when the airplane turns.
+#pragma once
+#include <stdint.h>
+
+#include "core/maths.hpp"
+
+namespace estimation {
+
+struct Pointing {  // where the nose points: sine and cosine of yaw, cosine of pitch
+    float sin_yaw, cos_yaw, cos_pitch;
+};
+
+class Wind {
+public:
+    void start();
+    // Every fix in flight. airspeed_mps: true, 0 when no sensor tells it.
+    void update(const core::Vector3& ground_mps, const Pointing& nose, float airspeed_mps,
+                float dt_s);
+
+    core::Vector3 wind_mps() const { return {north_mps_, east_mps_, 0}; }  // where it blows to
+    bool known() const { return known_; }
+
+    // True airspeed from ground velocity and the wind known so far.
+    float airspeed_mps(const core::Vector3& ground_mps) const;
+
+private:
+    float north_mps_ = 0, east_mps_ = 0;
+    float old_ground_north_ = 0, old_ground_east_ = 0;
+    float old_sin_yaw_ = 0, old_cos_yaw_ = 0;
+    bool seeded_ = false, known_ = false;
+};
+
+}  // namespace estimation
