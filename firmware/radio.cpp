@@ -116,7 +116,8 @@ void runRadio() {
     const bool gone = !ground_flies && hal::rcAge_us() >= kFramesGone_us;
     const uint16_t throttle_us = radio.pulse_us[parameters.map_throttle - 1];
     if (fresh || ground_flies)
-        judge(parameters.throttle_failsafe != 0 && throttle_us < parameters.throttle_failsafe_us);
+        judge(parameters.throttle_failsafe != 0 &&
+              static_cast<int16_t>(throttle_us) < parameters.throttle_failsafe_us);
     radio.lost = gone || bad_readings >= kBadReadings;
     if (radio.lost) {
         centre();

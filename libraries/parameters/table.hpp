@@ -31,6 +31,10 @@ struct TypeOf<float> {
     static constexpr Type value = Type::real32;
 };
 
+// an element of an array is seen by decltype as a reference
+template <class T>
+struct TypeOf<T&> : TypeOf<T> {};
+
 constexpr uint8_t kNameSize = 16;
 
 struct Row {
