@@ -16,13 +16,28 @@ public:
         const uint8_t next = (head_ + 1) & kMask;
         if (next == tail_) return false;
         bytes_[head_] = byte;
+        settle();
         head_ = next;
+        return true;
+    }
+    // All of them or none.
+    bool put(const void* bytes, uint8_t count) {
+        if (room() < count) return false;
+        const uint8_t* from = static_cast<const uint8_t*>(bytes);
+        uint8_t head = head_;
+        for (; count > 0; --count) {
+            bytes_[head] = *from++;
+            head = (head + 1) & kMask;
+        }
+        settle();
+        head_ = head;
         return true;
     }
     bool take(uint8_t& byte) {
         const uint8_t tail = tail_;
         if (tail == head_) return false;
         byte = bytes_[tail];
+        settle();
         tail_ = (tail + 1) & kMask;
         return true;
     }
@@ -33,6 +48,10 @@ public:
 
 private:
     static constexpr uint8_t kMask = static_cast<uint8_t>(size - 1);
+
+    // The compiler may not move the byte past the index that hands it over.
+    static void settle() { __asm__ volatile("" ::: "memory"); }
+
     uint8_t bytes_[size] = {};
     volatile uint8_t head_ = 0;
     volatile uint8_t tail_ = 0;

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One scan converts each input of the table in turn, by interrupt, and then the converter rests.
+// 125 kHz: 104 us a conversion, 1.4 ms a scan.
+#include <avr/interrupt.h>
+#include <avr/io.h>
+
+#include "core/rom.hpp"
+#include "hal/analog.hpp"
+#include "hal/interrupts.hpp"
+#include "start.hpp"
+
+namespace {
+
+struct Step {
+    uint8_t mux;   // MUX4..0, with MUX5 as bit 5
+    uint8_t drop;  // conversions thrown away after the switch to this input, until it has settled
+    uint8_t take;
+};
+
+constexpr Step kSteps[] ROM = {
+    // clang-format off
+    // input              mux  drop take
+    {/* airspeed A0  */  0x00,   1,   4},
+    {/* voltage A13  */  0x25,   1,   1},
+    {/* current A12  */  0x24,   1,   1},
+    {/* band gap     */  0x1E,   3,   1},  // a weak source: 1.1 V through the multiplexer
+    // clang-format on
+};
+static_assert(core::count(kSteps) == hal::kAnalogs, "one step for each input");
+
+constexpr uint8_t kMostReadings = 60;  // of 10 bits in 16
+constexpr uint8_t kEnabled = (1 << ADEN) | (1 << ADIE) | (1 << ADPS2) | (1 << ADPS1) | (1 << ADPS0);
+
+hal::AnalogSum sums[hal::kAnalogs];
+
+struct {
+    uint8_t step;
+    uint8_t drop, take;  // still to come in this step
+    volatile bool running;
+} scan;
+
+void begin(uint8_t step) {
+    const Step now = core::romRead(kSteps[step]);
+    scan.step = step;
+    scan.drop = now.drop;
+    scan.take = now.take;
+    ADMUX = static_cast<uint8_t>((1 << REFS0) | (now.mux & 0x1F));
+    ADCSRB = now.mux & 0x20 ? 1 << MUX5 : 0;
+}
+
+inline void add(hal::AnalogSum& to, uint16_t reading) {
+    if (to.count == kMostReadings) to = {0, 0};  // nobody takes them: newer is better
+    to.sum += reading;
+    ++to.count;
+}
+
+}  // namespace
+
+ISR(ADC_vect) {
+    const uint16_t reading = ADC;
+    if (scan.drop > 0) {
+        --scan.drop;
+    } else {
+        add(sums[scan.step], reading);
+        if (--scan.take == 0) {
+            if (scan.step + 1 == hal::kAnalogs) {
+                scan.running = false;
+                return;
+            }
+            begin(scan.step + 1);
+        }
+    }
+    ADCSRA = kEnabled | (1 << ADSC);
+}
+
+namespace avr {
+
+void adcStart() {
+    DIDR0 = 1 << ADC0D;
+    DIDR2 = (1 << ADC12D) | (1 << ADC13D);
+    ADCSRA = kEnabled;
+}
+
+}  // namespace avr
+
+namespace hal {
+
+void analogScan() {
+    if (scan.running) return;
+    scan.running = true;
+    begin(0);
+    ADCSRA = kEnabled | (1 << ADSC);
+}
+
+AnalogSum analogTake(Analog input) {
+    AnalogSum& sum = sums[static_cast<uint8_t>(input)];
+    Locked locked;
+    const AnalogSum taken = sum;
+    sum = {0, 0};
+    return taken;
+}
+
+}  // namespace hal

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ArduPilotMega 2.x: which part is wired to which pin. Roles on the left, silicon on the right;
+// the peripherals' own pins stand with them (servo outputs in pwm.cpp, serial lines in serial.cpp).
+#pragma once
+#include "pin.hpp"
+#include "spi.hpp"
+
+namespace board {
+
+using SensorBus = avr::Spi0;
+using ImuSelect = avr::Pin<avr::PortB, 0>;        // MPU-6000
+using BarometerSelect = avr::Pin<avr::PortG, 1>;  // MS5611
+using FlashSelect = avr::Pin<avr::PortA, 6>;      // DataFlash, on USART3
+
+using Relay = avr::Pin<avr::PortB, 7>;                    // the A9 pad
+using LedA = avr::ActiveLowLed<avr::Pin<avr::PortA, 5>>;  // red: armed
+using LedB = avr::ActiveLowLed<avr::Pin<avr::PortA, 4>>;  // yellow
+using LedC = avr::ActiveLowLed<avr::Pin<avr::PortA, 3>>;  // blue: GPS
+
+constexpr char kName[] = "APM 2";
+
+// Pins, clock, peripherals; interrupts are on afterwards, that of the inertial sensor too.
+void start();
+
+}  // namespace board

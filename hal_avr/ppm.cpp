@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The receiver's channels as one train of pulses on ICP5 (PL1): a channel's width is the time
+// from one rising edge to the next, and a gap of more than 2.7 ms begins a new frame.
+#include <avr/interrupt.h>
+#include <avr/io.h>
+#include <string.h>
+
+#include "hal/clock.hpp"
+#include "hal/interrupts.hpp"
+#include "hal/rc_input.hpp"
+#include "start.hpp"
+
+namespace {
+
+// in Timer5's counts of 0.5 us
+constexpr uint16_t kGap = 2 * 2700;
+constexpr uint16_t kShortest = 2 * 700;  // encoders send 900..2100 us; else it is noise
+constexpr uint16_t kLongest = 2 * 2500;
+
+constexpr uint8_t kFewestChannels = 5;
+constexpr uint8_t kNotInFrame = 0xFF;  // until the next gap
+
+constexpr uint32_t kForgotten_us = 0x7FFFFFFF;  // long before the clock has come round
+
+struct {
+    uint16_t frames[2][hal::kRcChannels];
+    uint16_t edge;           // of the last pulse
+    uint8_t edge_overflows;  // clock_overflows then
+    uint8_t channel;         // the next to come
+    uint8_t filling;         // which of the frames
+    bool fresh, received;
+    uint32_t received_us;
+} ppm = {{}, 0, 0, kNotInFrame, 0, false, false, 0};
+
+inline void accept() {
+    ppm.filling ^= 1;
+    ppm.fresh = ppm.received = true;
+    ppm.received_us = hal::now_us();
+}
+
+inline void gap() {
+    if (ppm.channel != kNotInFrame && ppm.channel >= kFewestChannels) {
+        while (ppm.channel < hal::kRcChannels) ppm.frames[ppm.filling][ppm.channel++] = 0;
+        accept();
+    }
+    ppm.channel = 0;
+}
+
+inline void pulse(uint16_t width) {
+    if (ppm.channel == kNotInFrame) return;
+    if (width < kShortest || width > kLongest) {
+        ppm.channel = kNotInFrame;
+        return;
+    }
+    ppm.frames[ppm.filling][ppm.channel] = width;
+    if (++ppm.channel == hal::kRcChannels) {
+        accept();
+        ppm.channel = kNotInFrame;
+    }
+}
+
+}  // namespace
+
+ISR(TIMER5_CAPT_vect) {
+    const uint16_t edge = ICR5;
+    uint8_t overflows = avr::clock_overflows;
+    if ((TIFR5 & (1 << TOV5)) && edge < 0x8000) ++overflows;
+    const uint16_t width = edge - ppm.edge;
+    const uint8_t turns = static_cast<uint8_t>(overflows - ppm.edge_overflows);
+    const bool too_long = turns > 1 || (turns == 1 && edge >= ppm.edge);
+    ppm.edge = edge;
+    ppm.edge_overflows = overflows;
+    if (too_long || width > kGap) {
+        gap();
+    } else {
+        pulse(width);
+    }
+}
+
+namespace avr {
+
+void ppmStart() {
+    TCCR5B |= (1 << ICNC5) | (1 << ICES5);  // a level counts when seen four cycles running
+    TIFR5 = 1 << ICF5;
+    TIMSK5 |= 1 << ICIE5;
+}
+
+}  // namespace avr
+
+namespace hal {
+
+bool rcRead(uint16_t (&pulse_us)[kRcChannels]) {
+    bool fresh;
+    {
+        Locked locked;
+        memcpy(pulse_us, ppm.frames[ppm.filling ^ 1], sizeof(pulse_us));
+        fresh = ppm.fresh;
+        ppm.fresh = false;
+    }
+    for (uint16_t& width : pulse_us) width /= 2;
+    return fresh;
+}
+
+uint32_t rcAge_us() {
+    Locked locked;
+    const uint32_t age_us = now_us() - ppm.received_us;
+    if (age_us > kForgotten_us) ppm.received = false;
+    return ppm.received ? age_us : UINT32_MAX;
+}
+
+}  // namespace hal

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The I2C master as a table of what the hardware reports (data sheet 24.7, tables 24-3 and 24-4)
+// and what is done next, one interrupt a byte.
+#include <avr/interrupt.h>
+#include <avr/io.h>
+#include <string.h>
+#include <util/delay.h>
+#include <util/twi.h>
+
+#include "hal/clock.hpp"
+#include "hal/i2c.hpp"
+#include "pin.hpp"
+#include "start.hpp"
+
+namespace {
+
+using Clock = avr::Pin<avr::PortD, 0>;
+using Data = avr::Pin<avr::PortD, 1>;
+
+constexpr uint8_t dividerFor(uint32_t hz) { return static_cast<uint8_t>((F_CPU / hz - 16) / 2); }
+constexpr uint8_t kFast = dividerFor(400000);
+constexpr uint8_t kSlow = dividerFor(100000);
+constexpr uint16_t kLongest_us = 5000;
+
+constexpr uint8_t kOn = 1 << TWEN;
+constexpr uint8_t kGo = (1 << TWINT) | (1 << TWEN) | (1 << TWIE);
+constexpr uint8_t kStart = kGo | (1 << TWSTA);
+constexpr uint8_t kStop = (1 << TWINT) | (1 << TWEN) | (1 << TWSTO);
+
+enum class State : uint8_t { idle, running, done, failed };
+
+struct {
+    uint8_t bytes[hal::kI2cBytes];  // first those to send, then those received
+    uint8_t address_rw;
+    uint8_t at, out_size, in_size;
+    volatile State state;
+    uint32_t started_us;
+} transfer;
+
+inline void finish(State how) {
+    transfer.state = how;
+    TWCR = kStop;
+}
+
+inline void sendNext() {
+    if (transfer.at < transfer.out_size) {
+        TWDR = transfer.bytes[transfer.at++];
+        TWCR = kGo;
+    } else if (transfer.in_size > 0) {
+        transfer.address_rw |= TW_READ;
+        TWCR = kStart;
+    } else {
+        finish(State::done);
+    }
+}
+
+// Every byte but the last is acknowledged.
+inline void receiveNext() {
+    const bool more = transfer.at + 1 < transfer.in_size;
+    TWCR = more ? kGo | (1 << TWEA) : kGo;
+}
+
+inline void keepByte() { transfer.bytes[transfer.at++] = TWDR; }
+
+// Nine clocks let a device that was cut off in the middle of a byte finish it; then a stop.
+void freeBus() {
+    constexpr double kHalf_us = 5;
+    TWCR = 0;
+    Data::input();
+    Data::high();
+    Clock::low();
+    for (uint8_t i = 0; i < 9; ++i) {
+        Clock::output();
+        _delay_us(kHalf_us);
+        Clock::input();
+        _delay_us(kHalf_us);
+    }
+    Clock::output();
+    Data::low();
+    Data::output();
+    _delay_us(kHalf_us);
+    Clock::input();
+    _delay_us(kHalf_us);
+    Data::input();
+    avr::twiStart();
+}
+
+}  // namespace
+
+ISR(TWI_vect) {
+    switch (TW_STATUS) {
+        case TW_START:
+        case TW_REP_START:
+            transfer.at = 0;
+            TWDR = transfer.address_rw;
+            TWCR = kGo;
+            break;
+        case TW_MT_SLA_ACK:
+        case TW_MT_DATA_ACK:
+            sendNext();
+            break;
+        case TW_MR_SLA_ACK:
+            receiveNext();
+            break;
+        case TW_MR_DATA_ACK:
+            keepByte();
+            receiveNext();
+            break;
+        case TW_MR_DATA_NACK:
+            keepByte();
+            finish(State::done);
+            break;
+        default:  // nobody answered, somebody else sends, or the bus is in disorder
+            finish(State::failed);
+            break;
+    }
+}
+
+namespace avr {
+
+void twiStart() {
+    Clock::high();
+    Data::high();
+    TWSR = 0;
+    if (TWBR != kSlow) TWBR = kFast;
+    TWCR = kOn;
+}
+
+}  // namespace avr
+
+namespace hal {
+
+bool i2cStart(uint8_t address, const uint8_t* out, uint8_t out_size, uint8_t in_size) {
+    if (transfer.state == State::running || (TWCR & (1 << TWSTO))) return false;
+    if (out_size > kI2cBytes || in_size > kI2cBytes) return false;
+    memcpy(transfer.bytes, out, out_size);
+    transfer.address_rw = static_cast<uint8_t>(address << 1);
+    if (out_size == 0) transfer.address_rw |= TW_READ;
+    transfer.out_size = out_size;
+    transfer.in_size = in_size;
+    transfer.state = State::running;
+    transfer.started_us = now_us();
+    TWCR = kStart;
+    return true;
+}
+
+core::Status i2cResult(uint8_t* in, uint8_t in_size) {
+    const State state = transfer.state;
+    if (state == State::idle) return core::Status::timeout;
+    if (state == State::running || (TWCR & (1 << TWSTO))) {
+        if (now_us() - transfer.started_us < kLongest_us) return core::Status::busy;
+        TWBR = kSlow;
+        freeBus();
+        transfer.state = State::idle;
+        return core::Status::timeout;
+    }
+    transfer.state = State::idle;
+    if (state == State::failed) {
+        TWBR = kSlow;
+        return core::Status::timeout;
+    }
+    memcpy(in, transfer.bytes, in_size);
+    return core::Status::ok;
+}
+
+}  // namespace hal
