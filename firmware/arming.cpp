@@ -74,6 +74,7 @@ constexpr uint32_t kRemind_ms = 30000;
 
 uint32_t rudder_since_ms;
 uint32_t reminded_ms;
+uint32_t landed_ms;
 
 void armNow() {
     vehicle.armed = true;
@@ -100,6 +101,16 @@ void remind() {
     if (why == nullptr || now_ms - reminded_ms < kRemind_ms) return;
     reminded_ms = now_ms;
     tell(Severity::warning, why);
+}
+
+// After a landing of AUTO: the motor is off and the airplane lies still for LAND_DISARMDELAY.
+void runLanded() {
+    const bool down = vehicle.demand.path == Path::land && vehicle.progress.flaring &&
+                      vehicle.mode == Mode::automatic && !vehicle.estimate.flying;
+    const uint32_t now_ms = hal::now_ms();
+    if (!down) landed_ms = now_ms;
+    if (now_ms - landed_ms > parameters.land_disarm_delay_s * 1000UL)
+        disarm(ArmReason::landed, false);
 }
 
 }  // namespace
@@ -138,7 +149,10 @@ bool disarm(ArmReason reason, bool force) {
 }
 
 void runArming() {
-    if (vehicle.armed) return;
+    if (vehicle.armed) {
+        runLanded();
+        return;
+    }
     runRudderArming();
     remind();
 }

@@ -128,7 +128,7 @@ constexpr parameters::Row kRows[] ROM = {
     P(142, "LAND_PITCH_CD",     land_pitch_cd,                     0,   -1500,     2000),
     P(143, "LAND_FLARE_ALT",    flare_height_m,                    3,       0,       30),
     P(144, "LAND_FLARE_SEC",    flare_s,                           2,       0,       10),
-    P(145, "LAND_DISARMDELAY",  land_disarm_delay_s,              20,       0,      127),
+    P(145, "LAND_DISARMDELAY",  land_disarm_delay_s,              10,       0,      127),
     P(146, "FS_SHORT_ACTN",     short_action,                      0,       0,        2),
     P(147, "FS_LONG_ACTN",      long_action,                       0,       0,        2),
     P(148, "FS_LONG_TIMEOUT",   long_timeout_s,                    5,       1,      300),

@@ -48,9 +48,10 @@ struct Vehicle {
     struct {
         float pressure_pa;
         float temperature_c;
-        float ground_pressure_pa;  // zero of the height
-        float height_m;            // above where it was zeroed
-        bool fresh;                // a new reading in this frame
+        float ground_pressure_pa;    // zero of the height
+        float ground_temperature_c;  // held from then on
+        float height_m;              // above where it was zeroed
+        bool fresh;                  // a new reading in this frame
         bool healthy;
     } baro;
     struct {

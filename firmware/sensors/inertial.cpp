@@ -4,6 +4,7 @@
 #include "board.hpp"
 #include "core/maths.hpp"
 #include "drivers/mpu6000.hpp"
+#include "estimation/still.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/sensors.hpp"
@@ -18,35 +19,12 @@ using core::Vector3;
 
 drivers::Mpu6000<board::SensorBus, board::ImuSelect> imu;
 
-constexpr uint8_t kStillFrames = 200;  // 2 s
-constexpr uint8_t kSettleFrames = 10;
-constexpr float kStillRate_rads = 0.035f;  // 2 deg/s about the running mean
-constexpr float kZeroLimit_rads = 0.52f;   // data sheet: zero within 20 deg/s; half as much again
+estimation::Still still;
 
-struct GyroZero {
-    Vector3 sum;
-    uint8_t frames;
-};
-GyroZero zeroing;
-Vector3 zero_rads;
-
-bool within(const Vector3& v, float limit) {
-    return fabsf(v.x) < limit && fabsf(v.y) < limit && fabsf(v.z) < limit;
-}
-
-void zeroGyros(const Vector3& rate_rads) {
-    if (zeroing.frames > kSettleFrames) {
-        const float frames = zeroing.frames - kSettleFrames;
-        const Vector3 mean = zeroing.sum * (1.0f / frames);
-        if (!within(rate_rads - mean, kStillRate_rads) || !within(mean, kZeroLimit_rads)) {
-            zeroing = {};
-            return;
-        }
-    }
-    if (zeroing.frames >= kSettleFrames) zeroing.sum = zeroing.sum + rate_rads;
-    if (++zeroing.frames < kStillFrames) return;
-    zero_rads = zeroing.sum * (1.0f / (kStillFrames - kSettleFrames));
-    vehicle.imu.calibrated = true;
+// AHRS_TRIM: how the board sits in the airplane, a small rotation taken back.
+Vector3 levelled(const Vector3& board) {
+    const Vector3 trim = {parameters.level_trim_rad[0], parameters.level_trim_rad[1], 0};
+    return trim.x == 0 && trim.y == 0 ? board : board + core::cross(trim, board);
 }
 
 Vector3 corrected(const Vector3& force_mss) {
@@ -63,7 +41,7 @@ void startInertial() { imu.start(); }
 void calibrateGyros() {
     if (vehicle.armed) return;
     vehicle.imu.calibrated = false;
-    zeroing = {};
+    still.start();
 }
 
 uint8_t inertialSamplesWaiting() { return imu.waiting(); }
@@ -78,9 +56,10 @@ void runInertial() {
         return;
     }
     vehicle.imu.dt_s = sample.periods * (imu.kPeriod_us * 1e-6f);
-    if (!vehicle.imu.calibrated) zeroGyros(sample.rate_rads);
-    vehicle.imu.rate_rads = sample.rate_rads - zero_rads;
-    vehicle.imu.accel_mss = corrected(sample.force_mss);
+    if (!still.done()) still.update(sample.rate_rads, sample.force_mss, vehicle.imu.dt_s);
+    vehicle.imu.calibrated = still.done();
+    vehicle.imu.rate_rads = levelled(sample.rate_rads - still.zero_rads());
+    vehicle.imu.accel_mss = levelled(corrected(sample.force_mss));
 }
 
 }  // namespace firmware

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/estimator.hpp"
+
+#include "core/maths.hpp"
+#include "estimation/atmosphere.hpp"
+#include "estimation/attitude.hpp"
+#include "estimation/height.hpp"
+#include "estimation/position.hpp"
+#include "estimation/wind.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/vehicle.hpp"
+#include "hal/clock.hpp"
+
+namespace firmware {
+namespace {
+
+using core::Vector3;
+
+estimation::Attitude attitude;
+estimation::Height height;
+estimation::Position position;
+estimation::Wind wind;
+
+bool started;
+bool height_started;
+float home_height_m;  // of home above where the barometer was zeroed
+float true_speed_ratio = 1.0f;
+uint32_t baro_us, fix_ms, unfixed_ms;
+
+constexpr uint16_t kGpsSilent_ms = 500;
+constexpr uint16_t kAirspeedHelps_ms = 200;
+constexpr uint8_t kBeginsFlying = 50;  // frames of speed: half a second
+constexpr uint16_t kEndsFlying = 300;  // frames without: three seconds
+constexpr float kFlyingGroundSpeed_mps = 5.0f;
+constexpr float kStandingSpeed_mps = 2.0f;
+
+estimation::AttitudeSettings attitudeSettings() {
+    estimation::AttitudeSettings settings;
+    settings.declination_rad = parameters.compass_declination_rad;
+    settings.use_compass = parameters.compass_use != 0;
+    return settings;
+}
+
+void useFix() {
+    auto& gps = vehicle.gps;
+    gps.fresh = false;
+    if (gps.fix != GpsFix::three_d) return;
+    const uint32_t now_ms = hal::now_ms();
+    const float since_s = (now_ms - fix_ms) * 0.001f;
+    fix_ms = now_ms;
+    const Vector3 gained_mps = attitude.gainedSinceFix_mps();
+    position.useGps(gps.position, gps.velocity_mps, gained_mps, estimation::PositionSettings());
+    attitude.useGps(gps.velocity_mps, attitudeSettings());
+    if (!vehicle.estimate.flying || since_s > 1.0f) return;
+    const auto& now = vehicle.attitude;
+    const estimation::Pointing nose = {sinf(now.yaw_rad), cosf(now.yaw_rad), now.cos_pitch};
+    const float airspeed_mps = vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f;
+    wind.update(gps.velocity_mps, nose, airspeed_mps, since_s);
+    vehicle.estimate.wind_mps = wind.wind_mps();
+}
+
+void useBarometer() {
+    const auto& baro = vehicle.baro;
+    const float reading_m = estimation::pressureHeight_m(baro.pressure_pa, baro.ground_pressure_pa,
+                                                         baro.ground_temperature_c);
+    vehicle.baro.height_m = reading_m;
+    const uint32_t now_us = hal::now_us();
+    if (height_started) {
+        height.useBarometer(reading_m, (now_us - baro_us) * 1e-6f, estimation::HeightSettings());
+    } else {
+        height.start(reading_m);
+        height_started = true;
+    }
+    baro_us = now_us;
+}
+
+void estimateAttitude() {
+    const auto& imu = vehicle.imu;
+    attitude.propagate(imu.rate_rads, imu.accel_mss, imu.dt_s);
+    if (vehicle.compass.fresh) {
+        vehicle.compass.fresh = false;
+        attitude.useCompass(vehicle.compass.field_mg, attitudeSettings());
+    }
+    const uint32_t now_ms = hal::now_ms();
+    if (now_ms - fix_ms > kGpsSilent_ms && now_ms - unfixed_ms >= kAirspeedHelps_ms) {
+        unfixed_ms = now_ms;
+        attitude.useAirspeed(vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f);
+    }
+}
+
+void publishAttitude() {
+    const estimation::Angles angles = attitude.angles();
+    auto& to = vehicle.attitude;
+    to.roll_rad = angles.roll_rad;
+    to.pitch_rad = angles.pitch_rad;
+    to.yaw_rad = angles.yaw_rad;
+    to.sin_roll = angles.sin_roll;
+    to.cos_roll = angles.cos_roll;
+    to.sin_pitch = angles.sin_pitch;
+    to.cos_pitch = angles.cos_pitch;
+    to.rate_rads = attitude.rate_rads();
+    to.aligned = attitude.aligned();
+}
+
+void publishMotion() {
+    auto& to = vehicle.estimate;
+    to.known = position.known();
+    to.velocity_mps = position.velocity_mps();
+    to.height_m = height.height_m() - home_height_m;
+    to.climb_mps = height.climb_mps();
+}
+
+// What costs a root or an arc tangent is worked out every fifth frame.
+void publishSlowly() {
+    static uint8_t frame;
+    if (++frame < 5) return;
+    frame = 0;
+    auto& to = vehicle.estimate;
+    to.position = position.position();
+    const Vector3& velocity = to.velocity_mps;
+    to.ground_speed_mps = sqrtf(core::square(velocity.x) + core::square(velocity.y));
+    to.course_cd =
+        core::wrap360_cd(core::rounded(core::centidegrees(atan2f(velocity.y, velocity.x))));
+    if (vehicle.airspeed.healthy) {
+        to.equivalent_airspeed_mps = vehicle.airspeed.speed_mps;
+        to.airspeed_mps = vehicle.airspeed.speed_mps * true_speed_ratio;
+    } else {
+        to.airspeed_mps = wind.airspeed_mps(velocity);
+        to.equivalent_airspeed_mps = to.airspeed_mps / true_speed_ratio;
+    }
+}
+
+// Flying: armed, and fast enough for half a second; standing: slow for three seconds.
+void judgeFlying() {
+    static uint16_t frames;
+    auto& estimate = vehicle.estimate;
+    const bool fast = vehicle.airspeed.healthy
+                          ? vehicle.airspeed.speed_mps > 0.75f * parameters.speed_min_mps
+                          : estimate.ground_speed_mps > kFlyingGroundSpeed_mps;
+    const bool slow =
+        estimate.ground_speed_mps < kStandingSpeed_mps && fabsf(estimate.climb_mps) < 0.5f;
+    const bool changes = estimate.flying ? slow || !vehicle.armed : fast && vehicle.armed;
+    frames = changes ? frames + 1 : 0;
+    if (frames < (estimate.flying ? kEndsFlying : kBeginsFlying)) return;
+    estimate.flying = !estimate.flying;
+    frames = 0;
+}
+
+}  // namespace
+
+void runEstimator() {
+    if (!vehicle.imu.calibrated || vehicle.imu.dt_s <= 0) return;
+    if (!started) {
+        attitude.start();
+        wind.start();
+        started = true;
+    }
+    estimateAttitude();
+    publishAttitude();
+    const Vector3& acceleration_mss = attitude.acceleration_mss();
+    position.propagate(acceleration_mss, vehicle.imu.dt_s);
+    height.propagate(-acceleration_mss.z, vehicle.imu.dt_s);
+    if (vehicle.baro.fresh) {
+        vehicle.baro.fresh = false;
+        useBarometer();
+    }
+    if (vehicle.gps.fresh) useFix();
+    publishMotion();
+    publishSlowly();
+    judgeFlying();
+}
+
+void zeroHeight() {
+    home_height_m = height.height_m();
+    vehicle.estimate.height_m = 0;
+    true_speed_ratio =
+        estimation::trueSpeedRatio(vehicle.baro.pressure_pa, vehicle.baro.temperature_c);
+}
+
+void shiftHeight(float by_m) { home_height_m -= by_m; }
+
+}  // namespace firmware
