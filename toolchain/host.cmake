@@ -56,5 +56,18 @@ target_compile_options(firmware_native PRIVATE ${HOUSE_WARNINGS})
 target_include_directories(firmware_native BEFORE PUBLIC ${CMAKE_SOURCE_DIR}/simulator/native
                            ${CMAKE_SOURCE_DIR})
 target_link_libraries(firmware_native PUBLIC ${all_libraries})
+# the same sources on the doubles, for the unit tests of firmware/
+add_library(firmware_on_fakes STATIC ${native_sources})
+set_target_properties(firmware_on_fakes PROPERTIES CXX_STANDARD 14)
+target_compile_options(firmware_on_fakes PRIVATE ${HOUSE_WARNINGS})
+target_include_directories(firmware_on_fakes BEFORE PUBLIC ${CMAKE_SOURCE_DIR}/host_tests/fakes
+                           ${CMAKE_SOURCE_DIR})
+target_link_libraries(firmware_on_fakes PUBLIC ${all_libraries} fakes)
+foreach(room firmware firmware_mission telemetry)
+    house_test(${room}_test ${CMAKE_SOURCE_DIR}/host_tests/${room} firmware_on_fakes)
+endforeach()
+
 simulator_library(native firmware_native)
 target_include_directories(simulator_native BEFORE PRIVATE ${CMAKE_SOURCE_DIR}/simulator/native)
+
+include(machine)
