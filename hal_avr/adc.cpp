@@ -39,13 +39,14 @@ struct {
     volatile bool running;
 } scan;
 
-void begin(uint8_t step) {
-    const Step now = core::romRead(kSteps[step]);
+// Inline and member by member: the interrupt shall call nothing, or it saves every register.
+inline __attribute__((always_inline)) void begin(uint8_t step) {
+    const uint8_t mux = core::romRead(kSteps[step].mux);
     scan.step = step;
-    scan.drop = now.drop;
-    scan.take = now.take;
-    ADMUX = static_cast<uint8_t>((1 << REFS0) | (now.mux & 0x1F));
-    ADCSRB = now.mux & 0x20 ? 1 << MUX5 : 0;
+    scan.drop = core::romRead(kSteps[step].drop);
+    scan.take = core::romRead(kSteps[step].take);
+    ADMUX = static_cast<uint8_t>((1 << REFS0) | (mux & 0x1F));
+    ADCSRB = mux & 0x20 ? 1 << MUX5 : 0;
 }
 
 inline void add(hal::AnalogSum& to, uint16_t reading) {

@@ -30,7 +30,7 @@ struct {
     uint8_t filling;         // which of the frames
     bool fresh, received;
     uint32_t received_us;
-} ppm = {{}, 0, 0, kNotInFrame, 0, false, false, 0};
+} ppm;
 
 inline void accept() {
     ppm.filling ^= 1;
@@ -81,6 +81,7 @@ namespace avr {
 
 void ppmStart() {
     TCCR5B |= (1 << ICNC5) | (1 << ICES5);  // a level counts when seen four cycles running
+    ppm.channel = kNotInFrame;
     TIFR5 = 1 << ICF5;
     TIMSK5 |= 1 << ICIE5;
 }

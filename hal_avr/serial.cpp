@@ -40,14 +40,47 @@ inline void received() {
     if (!channels[port].rx.put(byte)) ++channels[port].lost;
 }
 
+// Up to 11,520 times a second and port: by hand 49 cycles with entry and exit, compiled 70. Does
+//     if (tx.take(byte)) usart.data = byte; else usart.control = kReceiving;
 template <uint8_t port>
-inline void send() {
-    uint8_t byte;
-    if (channels[port].tx.take(byte)) {
-        usart(port).data = byte;
-    } else {
-        usart(port).control = kReceiving;
-    }
+inline __attribute__((always_inline)) void send() {
+    using Ring = decltype(Channel::tx);
+    static_assert(sizeof(Ring) == 130 && Ring::kTailAt == 129, "bytes, head, tail");
+    const uint8_t* const ring = reinterpret_cast<const uint8_t*>(&channels[port].tx);
+    __asm__ volatile(
+        "push r24                        \n"
+        "in   r24, __SREG__              \n"
+        "push r24                        \n"
+        "push r30                        \n"
+        "push r31                        \n"
+        "lds  r30, %[tail]               \n"
+        "lds  r24, %[head]               \n"
+        "cp   r24, r30                   \n"
+        "breq 1f                         \n"
+        "mov  r24, r30                   \n"
+        "inc  r24                        \n"
+        "andi r24, 0x7F                  \n"
+        "sts  %[tail], r24               \n"
+        "ldi  r31, 0                     \n"
+        "subi r30, lo8(-(%[bytes]))      \n"
+        "sbci r31, hi8(-(%[bytes]))      \n"
+        "ld   r24, Z                     \n"
+        "sts  %[data], r24               \n"
+        "0:                              \n"
+        "pop  r31                        \n"
+        "pop  r30                        \n"
+        "pop  r24                        \n"
+        "out  __SREG__, r24              \n"
+        "pop  r24                        \n"
+        "reti                            \n"
+        "1:                              \n"
+        "ldi  r24, %[receiving]          \n"
+        "sts  %[control], r24            \n"
+        "rjmp 0b                         \n"
+        :
+        : [bytes] "i"(ring), [head] "i"(ring + Ring::kHeadAt), [tail] "i"(ring + Ring::kTailAt),
+          [data] "i"(&usart(port).data), [control] "i"(&usart(port).control),
+          [receiving] "M"(static_cast<int>(kReceiving)));
 }
 
 // The line's bit in units of 8 cycles, the double-speed mode's step. Where it is even the normal
@@ -72,9 +105,9 @@ Divider dividerFor(uint32_t baud) {
 ISR(USART0_RX_vect) { received<0>(); }
 ISR(USART1_RX_vect) { received<1>(); }
 ISR(USART2_RX_vect) { received<2>(); }
-ISR(USART0_UDRE_vect) { send<0>(); }
-ISR(USART1_UDRE_vect) { send<1>(); }
-ISR(USART2_UDRE_vect) { send<2>(); }
+ISR(USART0_UDRE_vect, ISR_NAKED) { send<0>(); }
+ISR(USART1_UDRE_vect, ISR_NAKED) { send<1>(); }
+ISR(USART2_UDRE_vect, ISR_NAKED) { send<2>(); }
 
 namespace avr {
 

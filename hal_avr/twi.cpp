@@ -55,7 +55,7 @@ inline void sendNext() {
 }
 
 // Every byte but the last is acknowledged.
-inline void receiveNext() {
+inline __attribute__((always_inline)) void receiveNext() {
     const bool more = transfer.at + 1 < transfer.in_size;
     TWCR = more ? kGo | (1 << TWEA) : kGo;
 }

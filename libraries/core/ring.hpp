@@ -46,6 +46,10 @@ public:
     bool empty() const { return head_ == tail_; }
     void clear() { tail_ = head_; }  // the consumer's to call
 
+    // Where an interrupt in assembler finds the indices; the bytes come first.
+    static constexpr uint16_t kHeadAt = size;
+    static constexpr uint16_t kTailAt = size + 1;
+
 private:
     static constexpr uint8_t kMask = static_cast<uint8_t>(size - 1);
 
