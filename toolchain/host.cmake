@@ -38,6 +38,10 @@ house_test(fakes_test ${CMAKE_SOURCE_DIR}/host_tests/fakes)
 foreach(library IN LISTS all_libraries)
     house_test(${library}_test ${CMAKE_SOURCE_DIR}/host_tests/${library} ${library})
 endforeach()
+if(TARGET geo_test)  # measured against the geodesics of an independent library
+    find_library(GEOGRAPHICLIB NAMES GeographicLib Geographic REQUIRED)
+    target_link_libraries(geo_test PRIVATE ${GEOGRAPHICLIB})
+endif()
 
 # ---- the natively compiled firmware, the ground station, the report, the program that flies
 function(simulator_library name)

@@ -20,9 +20,8 @@ struct Offset {  // on the local tangent plane
     float east_m;
 };
 
-// From `from` to `to`, along the meridian and the parallel at the mean latitude of the two, with
-// the ellipsoid's radii of curvature there; right across the antimeridian.
-// Within 0.2 % or 5 cm up to 5 km, 85 S to 85 N; beyond 85 degrees only finite.
+// From `from` to `to`, in true directions at `from`, on the ellipsoid; right across the
+// antimeridian. Within 0.02 % or 5 cm up to 5 km, 85 S to 85 N; beyond 85 degrees only finite.
 Offset offset(const Position& from, const Position& to);
 Position moved(const Position& from, const Offset& by);
 
@@ -37,6 +36,7 @@ struct Track {
     float along_m;  // of `place` along the leg, from its start
     float cross_m;  // positive to the right of the leg
 };
+// On a leg of zero length: along 0, cross the distance.
 Track track(const Position& leg_start, const Position& leg_end, const Position& place);
 
 // True when `place` lies beyond the line through leg_end across the leg. A leg of zero length

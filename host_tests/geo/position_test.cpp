@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geo/position.hpp"
+
+#include <gtest/gtest.h>
+
+#include <GeographicLib/Geodesic.hpp>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "core/maths.hpp"
+
+namespace {
+
+using geo::Offset;
+using geo::Position;
+
+struct Geodesic {
+    double distance_m, azimuth_deg;
+};
+
+Geodesic geodesic(const Position& from, const Position& to) {
+    Geodesic g;
+    double back;
+    GeographicLib::Geodesic::WGS84().Inverse(from.latitude_e7 * 1e-7, from.longitude_e7 * 1e-7,
+                                             to.latitude_e7 * 1e-7, to.longitude_e7 * 1e-7,
+                                             g.distance_m, g.azimuth_deg, back);
+    return g;
+}
+
+int32_t e7(double degrees) { return static_cast<int32_t>(std::lround(degrees * 1e7)); }
+
+Position direct(const Position& from, double azimuth_deg, double distance_m) {
+    double latitude, longitude;
+    GeographicLib::Geodesic::WGS84().Direct(from.latitude_e7 * 1e-7, from.longitude_e7 * 1e-7,
+                                            azimuth_deg, distance_m, latitude, longitude);
+    return {e7(latitude), e7(longitude)};
+}
+
+double azimuthError_deg(double a, double b) { return std::abs(std::remainder(a - b, 360.0)); }
+
+// Pairs of places all over the earth, half of them hard on the antimeridian.
+template <class Check>
+void forManyPairs(double nearest_m, double farthest_m, Check check) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> latitude(-84.9, 84.9), longitude(-180, 180),
+        azimuth(-180, 180), log_distance(std::log(nearest_m), std::log(farthest_m));
+    for (int i = 0; i < 20000; ++i) {
+        double east =
+            i % 2 == 0 ? longitude(random) : std::remainder(180.0 + longitude(random) / 1e4, 360.0);
+        const Position from = {e7(latitude(random)), e7(east)};
+        const Position to = direct(from, azimuth(random), std::exp(log_distance(random)));
+        check(from, to);
+        if (::testing::Test::HasFailure()) return;
+    }
+}
+
+TEST(Position, distances_agree_with_the_geodesic_up_to_5_km) {
+    forManyPairs(0.1, 5000, [](const Position& from, const Position& to) {
+        const double truth_m = geodesic(from, to).distance_m;
+        EXPECT_NEAR(geo::distance_m(from, to), truth_m, std::max(0.05, 0.0002 * truth_m))
+            << from.latitude_e7 << " " << from.longitude_e7;
+    });
+}
+
+TEST(Position, bearings_agree_with_the_geodesic_beyond_20_m) {
+    forManyPairs(20, 5000, [](const Position& from, const Position& to) {
+        const double truth_deg = geodesic(from, to).azimuth_deg;
+        EXPECT_LT(azimuthError_deg(geo::bearing_cd(from, to) / 100.0, truth_deg), 0.05)
+            << from.latitude_e7 << " " << from.longitude_e7;
+    });
+}
+
+TEST(Position, offsets_as_vectors_agree_with_the_geodesic) {
+    forManyPairs(0.1, 5000, [](const Position& from, const Position& to) {
+        const Geodesic truth = geodesic(from, to);
+        const double azimuth_rad = truth.azimuth_deg * M_PI / 180;
+        const Offset offset = geo::offset(from, to);
+        const double error_m = std::hypot(offset.north_m - truth.distance_m * std::cos(azimuth_rad),
+                                          offset.east_m - truth.distance_m * std::sin(azimuth_rad));
+        EXPECT_LT(error_m, std::max(0.05, 0.0005 * truth.distance_m)) << from.latitude_e7;
+    });
+}
+
+TEST(Position, moving_by_an_offset_arrives_where_the_offset_was_measured) {
+    forManyPairs(0.1, 5000, [](const Position& from, const Position& to) {
+        const Position arrived = geo::moved(from, geo::offset(from, to));
+        EXPECT_LT(geodesic(arrived, to).distance_m,
+                  std::max(0.05, 0.0002 * geodesic(from, to).distance_m))
+            << from.latitude_e7;
+    });
+}
+
+TEST(Position, zero_distance_is_zero_and_has_bearing_zero) {
+    const Position here = {473977000, 85456000};
+
+    EXPECT_EQ(geo::distance_m(here, here), 0.0f);
+    EXPECT_EQ(geo::bearing_cd(here, here), 0);
+    EXPECT_EQ(geo::moved(here, {0, 0}), here);
+}
+
+TEST(Position, the_smallest_step_is_seen) {
+    const Position here = {-473977000, 1799999999};
+
+    EXPECT_NEAR(geo::distance_m(here, {here.latitude_e7 + 1, here.longitude_e7}), 0.0111f, 0.0001f);
+    EXPECT_NEAR(geo::offset(here, {here.latitude_e7, -1799999999}).east_m, 0.0151f, 0.0003f);
+    EXPECT_NEAR(geo::offset({0, 1800000000}, {0, -1800000000}).east_m, 0, 1e-6);
+}
+
+TEST(Position, moving_across_the_antimeridian_wraps_both_ways) {
+    EXPECT_EQ(geo::moved({0, 1799999000}, {0, 22.26f}).longitude_e7, -1799999000);
+    EXPECT_EQ(geo::moved({0, -1799999000}, {0, -22.26f}).longitude_e7, 1799999000);
+}
+
+TEST(Position, near_the_poles_everything_stays_finite) {
+    for (int32_t latitude : {-900000000, -899999999, 870000000, 899999999, 900000000}) {
+        const Position here = {latitude, 100000000}, there = {latitude / 90 * 89, -1700000000};
+        EXPECT_TRUE(std::isfinite(geo::distance_m(here, there)));
+        EXPECT_TRUE(std::isfinite(geo::track(here, there, there).cross_m));
+        const Position moved = geo::moved(here, {3000, 3000});
+        EXPECT_LE(std::abs(moved.latitude_e7), 900000000);
+        EXPECT_LE(std::abs(moved.longitude_e7), 1800000000);
+    }
+}
+
+TEST(Position, the_answer_does_not_depend_on_where_the_last_one_was_asked) {
+    const Position from = {473977000, 85456000}, to = {474077000, 85756000};
+    (void)geo::distance_m({472100000, 0}, {472200000, 0});  // leaves a neighbouring band behind
+    const float after_neighbour = geo::distance_m(from, to);
+    (void)geo::distance_m({-700000000, 0}, {-700100000, 0});
+
+    EXPECT_NEAR(geo::distance_m(from, to), after_neighbour, 0.02f);
+}
+
+TEST(Track, cross_is_positive_to_the_right) {
+    const Position start = {473977000, 85456000};
+    const Position end = direct(start, 30, 1000);
+    const Position place = direct(direct(start, 30, 400), 120, 25);
+
+    const geo::Track track = geo::track(start, end, place);
+
+    EXPECT_NEAR(track.along_m, 400, 0.1);
+    EXPECT_NEAR(track.cross_m, 25, 0.05);
+}
+
+TEST(Track, of_a_leg_without_length_is_the_distance) {
+    const Position start = {473977000, 85456000};
+
+    const geo::Track track = geo::track(start, start, direct(start, 200, 50));
+
+    EXPECT_EQ(track.along_m, 0);
+    EXPECT_NEAR(track.cross_m, 50, 0.05);
+}
+
+TEST(Passed, turns_true_where_the_line_across_the_end_is_crossed) {
+    const Position start = {-339000000, 1510000000};
+    const Position end = direct(start, 250, 800);
+
+    EXPECT_FALSE(geo::passed(start, end, direct(start, 250, 799)));
+    EXPECT_FALSE(geo::passed(start, end, direct(direct(start, 250, 798), 340, 300)));
+    EXPECT_TRUE(geo::passed(start, end, direct(start, 250, 801)));
+    EXPECT_TRUE(geo::passed(start, end, direct(direct(start, 250, 802), 160, 300)));
+}
+
+TEST(Passed, is_true_of_a_leg_without_length) {
+    const Position here = {473977000, 85456000};
+
+    EXPECT_TRUE(geo::passed(here, here, direct(here, 10, 100)));
+}
+
+}  // namespace
