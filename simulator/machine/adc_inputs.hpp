@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ADC's sixteen pins and its band gap, measured when the conversion starts. libsimavr keeps
+// the conversion times; its data registers know eight pins and look at them too late.
+#pragma once
+#include <simavr/avr_adc.h>
+
+#include <functional>
+
+#include "simulator/machine/hooks.hpp"
+
+namespace simulator {
+
+class AdcInputs : public Mend {
+public:
+    explicit AdcInputs(avr_t* avr);
+    void reset() override { result_ = 0; }
+
+    std::function<double(int pin)> volts;  // of A0..A15
+    double supply_v = 5.0;                 // AVcc, the reference of the boards
+
+private:
+    void sample(uint32_t);
+    uint8_t readLow(uint16_t);
+    uint8_t readHigh(uint16_t);
+    double inputVolts() const;
+
+    avr_t* avr_;
+    uint16_t result_ = 0;
+};
+
+}  // namespace simulator

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/machine/timer.hpp"
+
+namespace simulator {
+
+Timer::Timer(avr_t* avr, char name) : avr_(avr) {
+    io_ = findPeripheral<avr_timer_t>(avr, "timer", name);
+    write_control_[0] = hookWrite<&Timer::writeControl>(avr, io_->wgm[0].reg, this);
+    write_control_[1] = hookWrite<&Timer::writeControl>(avr, io_->cs[0].reg, this);
+    hookWrite<&Timer::writeCount>(avr, io_->r_tcnt, this);
+    hookRead<&Timer::readCount>(avr, io_->r_tcnt, this);
+    for (int i = 0; i < AVR_TIMER_COMP_COUNT; i++) {
+        const avr_timer_comp_t& compare = io_->comp[i];
+        if (!compare.r_ocr) continue;
+        compares_[i].write = hookWrite<&Timer::writeCompare>(avr, compare.r_ocr, this);
+        hookRead<&Timer::readCompare>(avr, compare.r_ocr, this);
+        if (!compare.r_ocrh) continue;
+        hookWrite<&Timer::writeHigh>(avr, compare.r_ocrh, this);
+        hookRead<&Timer::readCompare>(avr, compare.r_ocrh, this);
+    }
+    if (wide()) {
+        hookWrite<&Timer::writeHigh>(avr, io_->r_tcnth, this);
+        hookWrite<&Timer::writeHigh>(avr, io_->r_icrh, this);
+        hookWrite<&Timer::writeTop>(avr, io_->r_icr, this);
+    }
+    hookLine<&Timer::overflowed>(io_->overflow.irq + AVR_INT_IRQ_PENDING, this);
+}
+
+void Timer::reset() {
+    temp_ = 0;
+    for (Compare& compare : compares_) compare.waiting = false;
+}
+
+uint32_t Timer::prescaler() const {
+    if (!avr_regbit_get_array(avr_, const_cast<avr_regbit_t*>(io_->cs), 3)) return 0;
+    if (io_->ext_clock_flags || io_->tov_cycles <= 1) return 0;
+    return static_cast<uint32_t>(io_->tov_cycles / (io_->tov_top + 1u));
+}
+
+uint16_t Timer::count(uint64_t cycle) const {
+    const uint32_t clock = prescaler();
+    return static_cast<uint16_t>((cycle - io_->tov_base) / clock % (io_->tov_top + 1u));
+}
+
+// The library computes its events anew, from tov_base on, when a compare value changes.
+void Timer::reconfigure() {
+    const uint16_t low = io_->comp[AVR_TIMER_COMPA].r_ocr;
+    const uint8_t value = avr_->data[low];
+    avr_->data[low] = static_cast<uint8_t>(~value);
+    compares_[AVR_TIMER_COMPA].write(avr_, low, value);
+}
+
+void Timer::setCount(uint16_t count) {
+    const uint64_t clock = prescaler();
+    io_->tov_base = avr_->cycle - count % (io_->tov_top + 1u) * clock;
+    reconfigure();
+}
+
+// A change of clock or mode leaves the count as it is; the library begins at 0 again.
+void Timer::writeControl(uint16_t address, uint8_t value) {
+    const WriteChain& write = write_control_[address == io_->cs[0].reg];
+    const bool ran = prescaler() != 0;
+    const uint16_t stored = static_cast<uint16_t>(avr_->data[io_->r_tcnt] |
+                                                  (wide() ? avr_->data[io_->r_tcnth] << 8 : 0));
+    const uint16_t before = ran && countsUp() ? count(avr_->cycle) : stored;
+    write(avr_, address, value);
+    if (!countsUp()) return;
+    if (!prescaler()) {
+        avr_->data[io_->r_tcnt] = static_cast<uint8_t>(before);
+        if (wide()) avr_->data[io_->r_tcnth] = static_cast<uint8_t>(before >> 8);
+    } else if (count(avr_->cycle) != before) {
+        setCount(before);
+    }
+}
+
+void Timer::writeCount(uint16_t address, uint8_t value) {
+    avr_->data[address] = value;
+    if (wide()) avr_->data[io_->r_tcnth] = temp_;
+    if (prescaler()) setCount(static_cast<uint16_t>(wide() ? temp_ << 8 | value : value));
+}
+
+// Reading the low byte puts the high one aside, so that both belong together.
+uint8_t Timer::readCount(uint16_t address) {
+    if (prescaler()) {
+        const uint16_t now = count(avr_->cycle);
+        avr_->data[address] = static_cast<uint8_t>(now);
+        if (wide()) avr_->data[io_->r_tcnth] = static_cast<uint8_t>(now >> 8);
+    }
+    return avr_->data[address];
+}
+
+void Timer::writeTop(uint16_t address, uint8_t value) {
+    avr_->data[address] = value;
+    avr_->data[io_->r_icrh] = temp_;
+    if (io_->mode.top == avr_timer_wgm_reg_icr && prescaler()) reconfigure();
+}
+
+bool Timer::buffered(int compare) const {
+    const int kind = io_->wgm_op_mode_kind;
+    const bool pwm = kind == avr_timer_wgm_fast_pwm || kind == avr_timer_wgm_pwm;
+    const bool is_top = compare == AVR_TIMER_COMPA && io_->mode.top == avr_timer_wgm_reg_ocra;
+    return pwm && prescaler() && !is_top;
+}
+
+int Timer::compareAt(uint16_t address) const {
+    int i = 0;
+    while (io_->comp[i].r_ocr != address && io_->comp[i].r_ocrh != address) i++;
+    return i;
+}
+
+void Timer::writeCompare(uint16_t address, uint8_t value) {
+    const int i = compareAt(address);
+    Compare& compare = compares_[i];
+    compare.low = value;
+    compare.high = temp_;
+    compare.waiting = buffered(i);
+    if (compare.waiting) return;
+    if (wide()) avr_->data[io_->comp[i].r_ocrh] = compare.high;
+    compare.write(avr_, address, value);
+}
+
+uint8_t Timer::readCompare(uint16_t address) {
+    const int i = compareAt(address);
+    const Compare& compare = compares_[i];
+    if (!compare.waiting) return avr_->data[address];
+    return address == io_->comp[i].r_ocr ? compare.low : compare.high;
+}
+
+// Not at once: the library is in the middle of beginning its period.
+void Timer::overflowed(uint32_t raised) {
+    if (!raised) return;
+    for (const Compare& compare : compares_) {
+        if (!compare.waiting) continue;
+        startTimer<&Timer::takeOver>(avr_, 1, this);
+        return;
+    }
+}
+
+uint64_t Timer::takeOver(uint64_t) {
+    for (int i = 0; i < AVR_TIMER_COMP_COUNT; i++) {
+        Compare& compare = compares_[i];
+        if (!compare.waiting) continue;
+        compare.waiting = false;
+        if (wide()) avr_->data[io_->comp[i].r_ocrh] = compare.high;
+        compare.write(avr_, io_->comp[i].r_ocr, compare.low);
+    }
+    return 0;
+}
+
+void Timer::captureEdge(bool rising, uint64_t cycle) {
+    if (!wide() || !prescaler() || io_->mode.top == avr_timer_wgm_reg_icr) return;
+    if (bool(avr_regbit_get(avr_, io_->ices)) != rising) return;
+    const uint16_t captured = count(cycle);
+    avr_->data[io_->r_icr] = static_cast<uint8_t>(captured);
+    avr_->data[io_->r_icrh] = static_cast<uint8_t>(captured >> 8);
+    avr_raise_interrupt(avr_, &io_->icr);
+}
+
+}  // namespace simulator

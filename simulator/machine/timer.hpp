@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One of the six timers: exact counts where libsimavr's scaling loses a tick, starting from the
+// count that was written, compare values that wait for the end of the period and a TOP in ICRn
+// that counts at once (datasheet 17.3, 17.9.3 and table 17-2).
+#pragma once
+#include <simavr/avr_timer.h>
+
+#include <array>
+
+#include "simulator/machine/hooks.hpp"
+
+namespace simulator {
+
+class Timer : public Mend {
+public:
+    Timer(avr_t* avr, char name);
+    void reset() override;
+
+    uint32_t prescaler() const;  // 0: stopped, or clocked from a pin
+    uint16_t count(uint64_t cycle) const;
+    // An edge on the capture pin at this cycle, which may lie a few cycles back.
+    void captureEdge(bool rising, uint64_t cycle);
+
+private:
+    struct Compare {
+        WriteChain write;  // the library's own
+        bool waiting = false;
+        uint8_t low = 0, high = 0;
+    };
+
+    bool wide() const { return io_->r_tcnth != 0; }
+    bool countsUp() const { return io_->wgm_op_mode_kind != avr_timer_wgm_pwm; }
+    bool buffered(int compare) const;
+    int compareAt(uint16_t address) const;
+    void setCount(uint16_t count);
+    void reconfigure();
+
+    void writeControl(uint16_t address, uint8_t value);
+    void writeCount(uint16_t address, uint8_t value);
+    void writeHigh(uint16_t, uint8_t value) { temp_ = value; }
+    void writeTop(uint16_t address, uint8_t value);
+    void writeCompare(uint16_t address, uint8_t value);
+    uint8_t readCount(uint16_t address);
+    uint8_t readCompare(uint16_t address);
+    void overflowed(uint32_t raised);
+    uint64_t takeOver(uint64_t);
+
+    avr_t* avr_;
+    avr_timer_t* io_;
+    WriteChain write_control_[2];
+    std::array<Compare, AVR_TIMER_COMP_COUNT> compares_ = {};
+    uint8_t temp_ = 0;  // the high byte on its way, one for all 16-bit registers of a timer
+};
+
+}  // namespace simulator

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The two-wire interface as a bus master, in place of libsimavr's, which answers addresses with the
+// wrong status and ignores the bit rate (datasheet 24: figure 24-11, tables 24-2 and 24-3).
+#pragma once
+#include <simavr/avr_twi.h>
+
+#include <functional>
+#include <map>
+
+#include "simulator/machine/level_interrupt.hpp"
+
+namespace simulator {
+
+// A device on the bus; each call is one element of a transfer.
+struct TwiDevice {
+    std::function<bool(bool read)> start;  // its address was called: acknowledge?
+    std::function<bool(uint8_t)> write;    // acknowledge?
+    std::function<uint8_t(bool ack)> read;
+    std::function<void()> stop;
+};
+
+class TwiMaster : public Mend {
+public:
+    explicit TwiMaster(avr_t* avr);
+    void reset() override;
+
+    void connect(uint8_t address, TwiDevice device) { devices_[address] = std::move(device); }
+    // A device that has lost count holds SDA low: nothing is ever answered.
+    void hang(bool hung) { hung_ = hung; }
+    uint64_t bitCycles() const;
+
+private:
+    enum class Phase { idle, started, writing, reading };
+
+    bool flag() const { return avr_->data[io_->r_twcr] & 0x80; }
+    void control(uint16_t address, uint8_t value);
+    void store(uint16_t address, uint8_t value) { avr_->data[address] = value; }
+    void prescale(uint16_t address, uint8_t value);
+    uint8_t plain(uint16_t address) { return avr_->data[address]; }
+    void disable();
+    void stop();
+    void address(uint8_t value);
+    void proceed(uint8_t control);
+    void later(int bits, uint8_t status);
+    uint64_t happened(uint64_t);
+    uint64_t stopped(uint64_t);
+
+    avr_t* avr_;
+    avr_twi_t* io_;
+    LevelInterrupt<TwiMaster, &TwiMaster::flag> interrupt_;
+    std::map<uint8_t, TwiDevice> devices_;
+    TwiDevice* device_ = nullptr;
+    Phase phase_ = Phase::idle;
+    uint8_t next_status_ = 0;
+    bool stopping_ = false;
+    bool hung_ = false;
+};
+
+}  // namespace simulator

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The emulated chip and board, and the small AVR programs their tests run.
+pkg_check_modules(LIBELF REQUIRED IMPORTED_TARGET libelf)
+
+file(GLOB machine_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/machine/*.cpp)
+add_library(simulator_machine STATIC ${machine_sources})
+target_compile_options(simulator_machine PRIVATE ${HOUSE_WARNINGS})
+target_include_directories(simulator_machine PUBLIC ${CMAKE_SOURCE_DIR}
+                           ${CMAKE_SOURCE_DIR}/libraries)
+target_link_libraries(simulator_machine PUBLIC PkgConfig::SIMAVR PRIVATE PkgConfig::LIBELF)
+
+# chip_programs(TARGET FOLDER): every program of the folder as FOLDER's name/x.elf and x.hex in the
+# build directory, built before TARGET.
+find_program(AVR_GXX avr-g++ REQUIRED)
+find_program(AVR_OBJCOPY avr-objcopy REQUIRED)
+function(chip_programs target folder)
+    set(out ${CMAKE_CURRENT_BINARY_DIR}/chip_programs)
+    file(MAKE_DIRECTORY ${out})
+    file(GLOB programs CONFIGURE_DEPENDS ${folder}/*.cpp)
+    file(GLOB headers CONFIGURE_DEPENDS ${folder}/*.hpp)
+    foreach(program IN LISTS programs)
+        get_filename_component(name ${program} NAME_WE)
+        add_custom_command(OUTPUT ${out}/${name}.elf ${out}/${name}.hex
+            COMMAND ${AVR_GXX} -mmcu=atmega2560 -DF_CPU=16000000UL -std=c++14 -Os -Wall -Wextra
+                    -Werror -fno-exceptions -fno-threadsafe-statics -o ${out}/${name}.elf ${program}
+            COMMAND ${AVR_OBJCOPY} -O ihex -R .eeprom ${out}/${name}.elf ${out}/${name}.hex
+            DEPENDS ${program} ${headers} VERBATIM)
+        list(APPEND elves ${out}/${name}.elf)
+    endforeach()
+    add_custom_target(${target}_programs DEPENDS ${elves})
+    add_dependencies(${target} ${target}_programs)
+    target_compile_definitions(${target} PRIVATE CHIP_PROGRAMS="${out}")
+endfunction()
+
+house_test(machine_test ${CMAKE_SOURCE_DIR}/host_tests/machine simulator_machine)
+if(TARGET machine_test)
+    chip_programs(machine_test ${CMAKE_SOURCE_DIR}/host_tests/machine/programs)
+endif()
