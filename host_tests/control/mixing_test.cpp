@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "control/mixing.hpp"
+
+#include <gtest/gtest.h>
+
+#include "control/slew.hpp"
+
+namespace {
+
+using control::Pair;
+using control::ServoRange;
+
+constexpr ServoRange kServo{1100, 1450, 1900, 1};
+constexpr ServoRange kReversed{1100, 1450, 1900, -1};
+
+TEST(Servo, each_side_of_the_trim_has_its_own_scale) {
+    const struct {
+        float deflection;
+        uint16_t pulse_us;
+    } cases[] = {{-1, 1100}, {-0.5f, 1275}, {0, 1450}, {0.5f, 1675}, {1, 1900}};
+    for (const auto& c : cases)
+        EXPECT_EQ(surfacePulse_us(kServo, c.deflection), c.pulse_us) << c.deflection;
+}
+
+TEST(Servo, a_reversed_one_moves_the_other_way_within_the_same_ends) {
+    EXPECT_EQ(surfacePulse_us(kReversed, 1), 1100);
+    EXPECT_EQ(surfacePulse_us(kReversed, 0), 1450);
+    EXPECT_EQ(surfacePulse_us(kReversed, -1), 1900);
+}
+
+TEST(Servo, no_demand_leaves_its_ends) {
+    EXPECT_EQ(surfacePulse_us(kServo, 7), 1900);
+    EXPECT_EQ(surfacePulse_us(kServo, -7), 1100);
+    const ServoRange trimmed_beyond{1100, 2000, 1900, 1};
+    EXPECT_EQ(surfacePulse_us(trimmed_beyond, 0), 1900);
+}
+
+TEST(Throttle, lies_between_the_ends_and_knows_no_trim) {
+    EXPECT_EQ(throttlePulse_us(kServo, 0), 1100);
+    EXPECT_EQ(throttlePulse_us(kServo, 0.5f), 1500);
+    EXPECT_EQ(throttlePulse_us(kServo, 1.5f), 1900);
+    EXPECT_EQ(throttlePulse_us(kReversed, 0), 1900);
+    EXPECT_EQ(throttlePulse_us(kReversed, 1), 1100);
+}
+
+TEST(Pair, moves_both_for_the_common_control_and_apart_for_the_other) {
+    const struct {
+        Pair kind;
+        float common, apart, left, right;
+    } cases[] = {
+        {Pair::up_up, 0.4f, 0, 0.2f, 0.2f},      {Pair::up_up, 0, 0.4f, 0.2f, -0.2f},
+        {Pair::up_down, 0.4f, 0, 0.2f, -0.2f},   {Pair::down_up, 0.4f, 0, -0.2f, 0.2f},
+        {Pair::down_down, 0.4f, 0.4f, -0.4f, 0}, {Pair::none, 1, 1, 0, 0},
+    };
+    for (const auto& c : cases) {
+        const auto pair = mixPair(c.kind, c.common, c.apart, 0.5f);
+        EXPECT_NEAR(pair.left, c.left, 1e-6);
+        EXPECT_NEAR(pair.right, c.right, 1e-6);
+    }
+}
+
+TEST(Pair, pitch_is_kept_when_there_is_not_enough_surface_for_both) {
+    const auto pair = mixPair(Pair::up_up, 0.8f, 1, 1);
+    EXPECT_NEAR((pair.left + pair.right) / 2, 0.8f, 1e-6);
+    EXPECT_NEAR(pair.left, 1, 1e-6);
+}
+
+TEST(Slew, goes_no_faster_than_it_may_and_does_not_pass) {
+    EXPECT_FLOAT_EQ(control::slewed(0, 1, 0.1f), 0.1f);
+    EXPECT_FLOAT_EQ(control::slewed(0, -1, 0.1f), -0.1f);
+    EXPECT_FLOAT_EQ(control::slewed(0, 0.05f, 0.1f), 0.05f);
+}
+
+}  // namespace

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "control/speed_height.hpp"
+
+#include <math.h>
+
+#include "control/slew.hpp"
+#include "core/maths.hpp"
+
+namespace control {
+namespace {
+
+// The height demand is flown as a trajectory: it closes on the target in 1 / kApproach_hz and
+// turns with kHeightAccel_mss, which a trainer follows without losing speed in the pull-up.
+constexpr float kApproach_hz = 1.0f;
+constexpr float kHeightAccel_mss = 2.0f;
+constexpr float kPitchLead_s = 0.45f;      // from pitch demand to flight path: half a second
+constexpr float kSpeedDemandShare = 0.5f;  // of all energy, for a change of speed
+constexpr float kLowestSpeed_mps = 3.0f;   // nothing divides by less
+constexpr float kUnderspeed = 0.9f;        // of ARSPD_FBW_MIN
+constexpr float kRecovered = 1.05f;
+constexpr float kThrottleMargin = 0.1f;    // by which the integrator may stand beyond an end
+constexpr float kLoadFactorSpeed = 0.19f;  // stall speed grows by 19 % at 45 degrees of bank
+constexpr float kFastestPitchRate_rads = 1.0f;
+
+// Speed at which a distance may be closed: linear near the end, along a braking parabola before.
+float closingSpeed(float distance_m) {
+    constexpr float kLinear_m = kHeightAccel_mss / (kApproach_hz * kApproach_hz);
+    const float size_m = distance_m < 0 ? -distance_m : distance_m;
+    if (size_m <= kLinear_m) return distance_m * kApproach_hz;
+    const float speed_mps = sqrtf(2 * kHeightAccel_mss * (size_m - kLinear_m / 2));
+    return distance_m < 0 ? -speed_mps : speed_mps;
+}
+
+}  // namespace
+
+void SpeedHeight::start(const SpeedHeightMeasured& now, float pitch_rad, float throttle) {
+    height_m_ = now.height_m;
+    climb_mps_ = now.climb_mps;
+    climb_rate_mss_ = 0;
+    speed_mps_ = core::limit(now.airspeed_mps, kLowestSpeed_mps, 100.0f);
+    speed_demand_mps_ = speed_mps_;
+    speed_demand_rate_mss_ = speed_bias_mss_ = speed_rate_mss_ = 0;
+    pitch_rad_ = pitch_rad;
+    pitch_integral_rad_ = core::limit(pitch_rad - now.climb_mps / speed_mps_, -0.2f, 0.2f);
+    throttle_ = throttle;
+    throttle_integral_ = 0;
+    underspeed_ = false;
+}
+
+// Airspeed and its rate from the noisy sensor and the accelerometer; the loop between them also
+// learns what the accelerometer is off by.
+void SpeedHeight::filterSpeed(const SpeedHeightSettings& settings, const SpeedHeightMeasured& now,
+                              float dt_s) {
+    const float omega = settings.speed_omega_rads;
+    const float error_mps = now.airspeed_mps - speed_mps_;
+    speed_bias_mss_ += error_mps * core::square(omega) * 0.1f * dt_s;
+    speed_bias_mss_ = core::limit(speed_bias_mss_, -3.0f, 3.0f);
+    const float rate_mss = now.acceleration_mss + speed_bias_mss_;
+    speed_mps_ += (rate_mss + error_mps * omega) * dt_s;
+    speed_mps_ = core::limit(speed_mps_, kLowestSpeed_mps, 100.0f);
+    speed_rate_mss_ += (rate_mss - speed_rate_mss_) * core::limit(2 * omega * dt_s, 0.0f, 1.0f);
+}
+
+void SpeedHeight::shapeHeight(const SpeedHeightSettings& settings, const SpeedHeightDemand& demand,
+                              float dt_s) {
+    const float wanted_mps =
+        core::limit(demand.climb_mps + closingSpeed(demand.height_m - height_m_),
+                    -settings.sink_max_mps, settings.climb_max_mps);
+    const float before_mps = climb_mps_;
+    climb_mps_ = slewed(climb_mps_, wanted_mps, kHeightAccel_mss * dt_s);
+    climb_rate_mss_ = (climb_mps_ - before_mps) / dt_s;
+    height_m_ += climb_mps_ * dt_s;
+}
+
+void SpeedHeight::shapeSpeed(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
+                             float demand_mps, float dt_s) {
+    const float wanted_mps =
+        core::limit(demand_mps, limits.airspeed_min_mps, limits.airspeed_max_mps);
+    const bool faster = wanted_mps > speed_demand_mps_;
+    const float energy_mps = faster ? settings.climb_max_mps : settings.sink_min_mps;
+    const float rate_mss = kSpeedDemandShare * core::kGravity_mss * energy_mps / speed_mps_;
+    const float before_mps = speed_demand_mps_;
+    speed_demand_mps_ = slewed(speed_demand_mps_, wanted_mps, rate_mss * dt_s);
+    speed_demand_rate_mss_ = (speed_demand_mps_ - before_mps) / dt_s;
+}
+
+void SpeedHeight::watchUnderspeed(const SpeedHeightLimits& limits, Phase phase,
+                                  bool airspeed_known) {
+    if (phase != Phase::cruise || !airspeed_known)
+        underspeed_ = false;
+    else if (speed_mps_ < limits.airspeed_min_mps * kUnderspeed &&
+             throttle_ >= limits.throttle_max * 0.95f)
+        underspeed_ = true;
+    else if (speed_mps_ > limits.airspeed_min_mps * kRecovered)
+        underspeed_ = false;
+}
+
+SpeedHeight::Errors SpeedHeight::errors(const SpeedHeightMeasured& now) const {
+    Errors errors;
+    errors.potential_m = height_m_ - now.height_m;
+    errors.potential_mps = climb_mps_ - now.climb_mps;
+    if (!now.airspeed_known) {
+        errors.kinetic_m = errors.kinetic_mps = 0;
+        return errors;
+    }
+    errors.kinetic_m =
+        (core::square(speed_demand_mps_) - core::square(speed_mps_)) * (0.5f / core::kGravity_mss);
+    errors.kinetic_mps =
+        (speed_demand_mps_ * speed_demand_rate_mss_ - speed_mps_ * speed_rate_mss_) *
+        (1.0f / core::kGravity_mss);
+    return errors;
+}
+
+float SpeedHeight::throttle(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
+                            const SpeedHeightMeasured& now, const Errors& errors, float turn,
+                            float dt_s) {
+    // a turn costs induced drag: RLL2THR times 1/cos2(bank) - 1
+    float demand_mps = climb_mps_ + settings.roll_to_throttle * turn / core::kGravity_mss;
+    if (now.airspeed_known)
+        demand_mps += speed_demand_mps_ * speed_demand_rate_mss_ / core::kGravity_mss;
+    const float feed_forward =
+        limits.throttle_cruise +
+        (demand_mps > 0
+             ? demand_mps / settings.climb_max_mps * (limits.throttle_max - limits.throttle_cruise)
+             : demand_mps / settings.sink_min_mps * limits.throttle_cruise);
+    if (!now.airspeed_known) {
+        throttle_integral_ = 0;
+        return feed_forward;
+    }
+    const float per_mps = limits.throttle_max / (settings.climb_max_mps + settings.sink_min_mps);
+    const float per_m = per_mps / settings.time_constant_s;
+    const float energy_m = errors.potential_m + errors.kinetic_m;
+    const float energy_mps = errors.potential_mps + errors.kinetic_mps;
+    const float direct =
+        feed_forward + energy_m * per_m + energy_mps * per_mps * settings.throttle_damping;
+    throttle_integral_ += energy_m * per_m * settings.integral_gain * dt_s;
+    throttle_integral_ =
+        core::limit(throttle_integral_, limits.throttle_min - kThrottleMargin - direct,
+                    limits.throttle_max + kThrottleMargin - direct);
+    return direct + throttle_integral_;
+}
+
+float SpeedHeight::pitch(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
+                         const Errors& errors, float speed_weight, float dt_s) {
+    const float height_weight = 2.0f - speed_weight;
+    const float inverse_speed = 1.0f / speed_mps_;
+    const float per_m = inverse_speed / settings.time_constant_s;
+    const float balance_m = height_weight * errors.potential_m - speed_weight * errors.kinetic_m;
+    const float balance_mps =
+        height_weight * errors.potential_mps - speed_weight * errors.kinetic_mps;
+
+    float demand_rad = pitch_integral_rad_ + balance_m * per_m +
+                       balance_mps * inverse_speed * settings.pitch_damping;
+    if (height_weight > 0)
+        demand_rad += (climb_mps_ + climb_rate_mss_ * kPitchLead_s) * inverse_speed;
+    const float limited_rad = core::limit(demand_rad, limits.pitch_min_rad, limits.pitch_max_rad);
+    const float step_rad = balance_m * per_m * settings.integral_gain * dt_s;
+    const bool winds_up =
+        (demand_rad > limited_rad && step_rad > 0) || (demand_rad < limited_rad && step_rad < 0);
+    if (!winds_up) pitch_integral_rad_ = core::limit(pitch_integral_rad_ + step_rad, -0.35f, 0.35f);
+
+    const float rate_rads =
+        core::limit(settings.vertical_accel_mss * inverse_speed, 0.0f, kFastestPitchRate_rads);
+    return slewed(pitch_rad_, limited_rad, rate_rads * dt_s);
+}
+
+SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
+                                   const SpeedHeightLimits& limits, const SpeedHeightDemand& demand,
+                                   const SpeedHeightMeasured& now, Phase phase, float dt_s) {
+    if (now.airspeed_known)
+        filterSpeed(settings, now, dt_s);
+    else
+        speed_mps_ = core::limit(now.airspeed_mps, kLowestSpeed_mps, 100.0f);
+    watchUnderspeed(limits, phase, now.airspeed_known);
+
+    const bool height_given_up = phase == Phase::climb_out || underspeed_;
+    if (height_given_up) {
+        height_m_ = now.height_m;
+        climb_mps_ = now.climb_mps;
+        climb_rate_mss_ = 0;
+    } else if (phase == Phase::flare) {
+        height_m_ = demand.height_m;
+        climb_mps_ = demand.climb_mps;
+        climb_rate_mss_ = 0;
+    } else {
+        shapeHeight(settings, demand, dt_s);
+    }
+    const float cos2 = core::limit(core::square(now.cos_roll), 0.1f, 1.0f);
+    const float turn = 1.0f / cos2 - 1.0f;
+    SpeedHeightLimits turning = limits;
+    turning.airspeed_min_mps *= 1.0f + kLoadFactorSpeed * core::limit(turn, 0.0f, 2.0f);
+    shapeSpeed(settings, turning, demand.airspeed_mps, dt_s);
+
+    float speed_weight = core::limit(settings.speed_weight, 0.0f, 2.0f);
+    if (!now.airspeed_known || phase == Phase::flare) {
+        speed_weight = 0;
+    } else {
+        // on the way from the lowest speed to underspeed the height is given up for the speed
+        const float short_mps = turning.airspeed_min_mps - speed_mps_;
+        const float share =
+            height_given_up
+                ? 1.0f
+                : core::limit(short_mps / (turning.airspeed_min_mps * (1 - kUnderspeed)), 0.0f,
+                              1.0f);
+        speed_weight += (2 - speed_weight) * share;
+    }
+
+    const Errors errors = this->errors(now);
+    float wanted = throttle(settings, limits, now, errors, turn, dt_s);
+    if (height_given_up) wanted = limits.throttle_max;
+    if (phase == Phase::flare) wanted = 0;
+    wanted = core::limit(wanted, phase == Phase::flare ? 0.0f : limits.throttle_min,
+                         limits.throttle_max);
+    throttle_ = slewed(throttle_, wanted, limits.throttle_slew * dt_s);
+    pitch_rad_ = pitch(settings, limits, errors, speed_weight, dt_s);
+    return {pitch_rad_, throttle_};
+}
+
+}  // namespace control

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Holds height and airspeed by total energy: the throttle answers for the sum of potential and
+// kinetic energy, the pitch for the balance between the two (A. A. Lambregts, AIAA 83-2239).
+// Energies are heights: kinetic energy V2 / 2g. A demanded slope is fed forward, and the height
+// demand is shaped to what can be flown, so that neither begins with an error.
+#pragma once
+#include <stdint.h>
+
+#include "control/settings.hpp"
+
+namespace control {
+
+struct SpeedHeightLimits {
+    float pitch_min_rad, pitch_max_rad;
+    float throttle_min, throttle_max, throttle_cruise;  // 0..1
+    float throttle_slew;                                // a second
+    float airspeed_min_mps, airspeed_max_mps;
+};
+
+struct SpeedHeightDemand {
+    float height_m;
+    float climb_mps;  // at which height_m itself moves
+    float airspeed_mps;
+};
+
+struct SpeedHeightMeasured {
+    float height_m, climb_mps;
+    float airspeed_mps;      // noisy as it is, or an estimate
+    float acceleration_mss;  // along the flight path
+    float cos_roll;
+    bool airspeed_known;  // false: the throttle follows the pitch
+};
+
+enum class Phase : uint8_t {
+    cruise,
+    climb_out,  // all throttle; the pitch holds the speed, above pitch_min_rad
+    flare,      // no throttle; the pitch follows demand.climb_mps and height_m
+};
+
+struct SpeedHeightOutput {
+    float pitch_rad;
+    float throttle;
+};
+
+class SpeedHeight {
+public:
+    // Takes over from whoever flew, without a step.
+    void start(const SpeedHeightMeasured& now, float pitch_rad, float throttle);
+
+    SpeedHeightOutput run(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
+                          const SpeedHeightDemand& demand, const SpeedHeightMeasured& now,
+                          Phase phase, float dt_s);
+
+    float heightDemand_m() const { return height_m_; }  // shaped
+    float airspeed_mps() const { return speed_mps_; }   // filtered
+    bool underspeed() const { return underspeed_; }
+
+private:
+    struct Errors {  // as heights and climb rates
+        float potential_m, potential_mps;
+        float kinetic_m, kinetic_mps;
+    };
+    void filterSpeed(const SpeedHeightSettings& settings, const SpeedHeightMeasured& now,
+                     float dt_s);
+    void shapeHeight(const SpeedHeightSettings& settings, const SpeedHeightDemand& demand,
+                     float dt_s);
+    void shapeSpeed(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
+                    float demand_mps, float dt_s);
+    void watchUnderspeed(const SpeedHeightLimits& limits, Phase phase, bool airspeed_known);
+    Errors errors(const SpeedHeightMeasured& now) const;
+    float throttle(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
+                   const SpeedHeightMeasured& now, const Errors& errors, float turn, float dt_s);
+    float pitch(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
+                const Errors& errors, float speed_weight, float dt_s);
+
+    float height_m_ = 0, climb_mps_ = 0, climb_rate_mss_ = 0;  // the shaped height demand
+    float speed_demand_mps_ = 0, speed_demand_rate_mss_ = 0;   // the shaped speed demand
+    float speed_mps_ = 0, speed_bias_mss_ = 0, speed_rate_mss_ = 0;
+    float pitch_integral_rad_ = 0, throttle_integral_ = 0;
+    float pitch_rad_ = 0, throttle_ = 0;
+    bool underspeed_ = false;
+};
+
+}  // namespace control
