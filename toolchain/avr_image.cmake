@@ -21,3 +21,9 @@ target_compile_options(firmware PRIVATE ${HOUSE_WARNINGS})
 target_include_directories(firmware PRIVATE ${CMAKE_SOURCE_DIR}
                            ${CMAKE_SOURCE_DIR}/hal_avr ${CMAKE_SOURCE_DIR}/hal_avr/boards/${BOARD})
 target_link_libraries(firmware PRIVATE ${all_libraries})
+
+find_program(NODE node REQUIRED)
+add_custom_command(TARGET firmware POST_BUILD
+    COMMAND ${CMAKE_OBJCOPY} -O ihex -R .eeprom $<TARGET_FILE:firmware> firmware.hex
+    COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/blank_eeprom.mjs firmware.eep
+    VERBATIM)
