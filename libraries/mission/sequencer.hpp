@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Walks a mission by the rules of docs/mission.md: one NAV at a time, beside it its chain of
+// CONDITIONs and actions. Knows the order of execution of both sets and none of the commands.
+// Never waits: a record that is not there yet is asked for again at the next poll.
+#pragma once
+#include <stdint.h>
+
+#include "core/status.hpp"
+#include "mission/command_table.hpp"
+
+namespace mission {
+
+constexpr uint8_t kMostItems = 176;
+constexpr uint8_t kMostCounters = 15;
+constexpr uint8_t kRecordsPerPoll = 16;
+
+enum class Event : uint8_t {
+    started,   // index: the NAV that is flown from now on
+    reached,   // index: the NAV that finished
+    skipped,   // index: an unknown or impossible record was passed over
+    looped,    // index: the jump at which a pass had taken all the steps it may
+    hold,      // commands are left after the last NAV: circle its place meanwhile
+    complete,  // no NAV is left
+    landed,    // as complete, and the airplane stands on the ground
+    reset,     // from the first: everything a mission changed in flight goes back
+};
+
+// What the engine asks of its surroundings; lies in flash.
+struct Host {
+    core::Status (*read)(uint8_t index, uint8_t* to);  // 14 bytes; busy: ask again
+    uint8_t (*count)();
+    void (*event)(Event, uint8_t index);
+    void (*here)(Record&);  // fills in the airplane's place
+};
+
+// Everything the engine remembers, in one struct with one reset. Plain bytes: it may lie in
+// memory that a watchdog reset leaves alone, and the seal tells whether it did.
+struct Memory {
+    struct Counter {
+        uint8_t index;  // of the jump; 0: free
+        uint8_t left[2];
+    };
+    union {
+        Counter counters[kMostCounters];      // APM 2.0
+        struct {                              // APM 1.0, a bit an item
+            uint8_t visited[kMostItems / 8];  // jumps taken in this pass
+            uint8_t blocked[kMostItems / 8];  // passed over until the next NAV loads
+        } jumps;
+    };
+    Record nav_record, condition_record;
+    uint16_t generation;
+    uint8_t set;
+    uint8_t phase;
+    uint8_t flags;
+    uint8_t nav;  // index of the NAV loaded; 0: none
+    uint8_t nav_row;
+    uint8_t condition;  // index of the CONDITION that runs; 0: none
+    uint8_t condition_row;
+    uint8_t cursor;  // where a NAV is sought
+    uint8_t next;    // the next command of the chain
+    uint8_t chain_first;
+    uint8_t steps;  // taken in this pass
+    uint16_t seal;
+};
+
+class Sequencer {
+public:
+    Sequencer(const Table& table, const Host& host, Memory& memory)
+        : table_(table), host_(host), memory_(memory) {}
+
+    // After a reset. survived: memory may still hold what it held; it counts when its seal and the
+    // generation are right. Otherwise the mission begins at `index`, without the chain of that NAV
+    // (0: at its beginning).
+    void boot(Set set, uint16_t generation, bool survived, uint8_t index);
+
+    void enter(bool restart);  // AUTO; resumes, or begins when there is nothing to resume
+    void leave();
+    void poll(bool trailing);  // one pass, or the next part of one; trailing: MIS_TRAILING
+    bool active() const { return active_; }
+
+    bool setCurrent(uint8_t index);  // 0: from the first; false: no such item
+    uint8_t current() const;         // the NAV flown; before there is one, where AUTO will begin
+    uint8_t next() const { return memory_.next; }  // probably asked for soon
+    bool conditionRuns() const { return memory_.condition != 0; }
+    bool ended() const;
+
+    // Another mission has been committed; empty: it holds no NAV. same: what
+    // inFlight() names has not changed.
+    void changed(Set set, uint16_t generation, bool same, bool empty);
+
+    // The records that must be equal in the old and the new mission for what is in flight to go
+    // on: `nav`, and the run from `first` to the NAV that ends it (to_end: to the last record).
+    // The second run is another one only when an APM 1.0 jump has been taken.
+    struct InFlight {
+        uint8_t nav, first, second;
+        bool to_end;
+    };
+    bool inFlight(InFlight& items) const;  // false: nothing is
+
+private:
+    enum Phase : uint8_t { kFresh, kSeeking, kWalking, kFlying, kEnded };
+    enum Flag : uint8_t {
+        kStarted = 1,   // the NAV's begin() has been called
+        kFromHere = 2,  // the next leg begins at the airplane
+        kLanded = 4,
+        kTrailing = 8,  // the chain has no NAV
+        kChosen = 16,   // the ground said where AUTO begins
+        kDropped = 32,  // the chain is not run
+        kLoopTold = 64,
+    };
+    struct Item {
+        Record record;
+        uint8_t row;  // kNoRow: unknown or out of range
+    };
+
+    Set set() const { return static_cast<Set>(memory_.set); }
+    bool has(Flag flag) const { return (memory_.flags & flag) != 0; }
+    void put(Flag flag, bool on);
+    uint8_t count() const { return core::romRead(host_.count)(); }
+    void tell(Event event, uint8_t index) { core::romRead(host_.event)(event, index); }
+    core::Status read(uint8_t index, Item& item);
+
+    void reset(uint8_t phase);
+    void beginAt(uint8_t index);
+    void beginPass();
+    void resume();
+    bool lookAround();
+    void finishNav();
+    bool seek();
+    void load(uint8_t index, const Item& item);
+    void noNavLeft();
+    bool walk();
+    void endOfChain();
+    void startNav();
+    void startCondition(const Item& item);
+    void act(const Item& item);
+    void takeJump(const Item& item);
+    bool jumpApm1(uint8_t index, const Jump& jump);
+    bool jumpApm2(uint8_t index, const Jump& jump);
+    bool countDown(uint8_t index, int16_t times);
+    void abandon(uint8_t target);
+    void complete();
+    void refill();
+    void seal();
+    uint16_t sum() const;
+
+    const Table& table_;
+    const Host& host_;
+    Memory& memory_;
+    bool active_ = false;
+    bool resuming_ = false;
+    bool trailing_ = false;
+};
+
+}  // namespace mission
