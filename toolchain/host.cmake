@@ -25,6 +25,11 @@ ExternalProject_Add(image
     BUILD_BYPRODUCTS ${IMAGE_ELF}
     INSTALL_COMMAND "")
 
+# ---- the rules of the house
+find_program(NODE node REQUIRED)
+add_test(NAME house.include_rules COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/check_house.mjs)
+add_test(NAME house.formatting COMMAND ${CMAKE_SOURCE_DIR}/toolchain/check_format)
+
 # ---- doubles of the hardware for the unit tests
 file(GLOB fakes_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/fakes/*.cpp)
 list(FILTER fakes_sources EXCLUDE REGEX _test\.cpp$)
