@@ -35,7 +35,7 @@ bool usbConnected() { return board().usb(); }
 
 // EEPROM
 core::Status eepromRead(uint16_t address, void* to, uint8_t size) {
-    return board().eepromChip().read(address, to, size);
+    return board().eepromRead(address, to, size);
 }
 core::Status eepromWrite(uint16_t address, const void* from, uint8_t size) {
     return board().eepromChip().write(address, from, size);

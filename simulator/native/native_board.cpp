@@ -125,6 +125,16 @@ void NativeBoard::spend_ns(uint32_t duration_ns) {
     spent_ns_ %= 1000;
 }
 
+// At start-up the firmware asks until it is served: the asking must take time.
+core::Status NativeBoard::eepromRead(uint16_t address, void* to, uint8_t size) {
+    const core::Status status = eeprom_.read(address, to, size);
+    if (status == core::Status::busy) {
+        spend_ns(10'000);
+        eeprom_.run();
+    }
+    return status;
+}
+
 void NativeBoard::mark(uint8_t value) { frames_ += value == hal::kMarkFrameBegin; }
 
 void NativeBoard::watchdogFeed() {

@@ -40,13 +40,13 @@ public:
 
     // ---- for hal.cpp and board.cpp: what the firmware asks of the board that runs it
     static NativeBoard& running();
-    uint32_t firmware_us() const { return static_cast<uint32_t>(now_us_); }
     void idle(bool (*work_waits)());
     void select(bool imu, bool chosen);
     uint8_t transfer(uint8_t mosi);
     void setBusFast(bool fast) { byte_ns_ = fast ? 1000 : 16'000; }
     void lockImu(bool lock);
     void mark(uint8_t value);
+    core::Status eepromRead(uint16_t address, void* to, uint8_t size);
     void watchdogStart() { fed_us_ = now_us_; }
     void watchdogFeed();
     [[noreturn]] void reboot();

@@ -8,9 +8,8 @@
 
 namespace simulator {
 
-// What the ring buffers of the chip's ports hold: a ring of 2^n bytes keeps one less.
-constexpr std::array<uint8_t, SerialLines::kPorts> kReceiveSize = {127, 127, 127};
-constexpr std::array<uint8_t, SerialLines::kPorts> kTransmitSize = {255, 63, 255};
+// What the rings of the chip's ports hold: 128 bytes less one.
+constexpr size_t kRing = 127;
 
 void SerialLines::open(int port, uint32_t baud) {
     Line& line = lines_[port];
@@ -38,7 +37,7 @@ bool SerialLines::read(int port, uint8_t& byte) {
 }
 
 uint8_t SerialLines::room(int port) const {
-    return static_cast<uint8_t>(kTransmitSize[port] - lines_[port].outgoing.size());
+    return static_cast<uint8_t>(kRing - lines_[port].outgoing.size());
 }
 
 bool SerialLines::write(int port, const uint8_t* bytes, uint8_t size) {
@@ -111,8 +110,7 @@ void SerialLines::runGps() {
 }
 
 void SerialLines::take(Line& line, uint8_t byte) {
-    const auto port = &line - lines_.data();
-    if (line.received.size() >= kReceiveSize[port]) {
+    if (line.received.size() >= kRing) {
         ++line.lost;
     } else {
         line.received.push_back(byte);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The charts of a flight report. A chart whose data nobody told is an empty string.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "simulator/ground/plan.hpp"
+#include "simulator/report/chart.hpp"
+#include "simulator/report/recorder.hpp"
+
+namespace simulator {
+
+class FlightCharts {
+public:
+    FlightCharts(const std::vector<Sample>& samples, const Plan& plan);
+
+    std::string map() const;
+    std::string altitude() const;
+    std::string airspeed() const;
+    std::string crosstrack() const;
+    std::string roll() const;
+    std::string pitch() const;
+    std::string servos() const;
+    std::string frames() const;
+
+private:
+    using Value = std::function<std::optional<double>(const Sample&)>;
+    Points series(const Value& value) const;
+    Chart overTime(const std::string& y_label, bool items = true) const;
+
+    std::vector<Sample> flight_;  // from shortly before AUTO on
+    const Plan& plan_;
+};
+
+}  // namespace simulator

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/report/recorder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace simulator {
+
+constexpr double kDegrees = 180 / M_PI;
+
+void Recorder::watchFrame(std::optional<uint32_t> frame_us) {
+    if (frame_us) frame_us_ = std::max(frame_us_.value_or(0), static_cast<double>(*frame_us));
+}
+
+static void copyTold(Sample& sample, const Telemetry& told) {
+    if (told.heartbeat) sample.mode = static_cast<int>(told.mode());
+    sample.armed = told.armed();
+    if (told.mode() == kModeAuto) sample.item = told.current();
+    if (told.attitude) {
+        sample.roll_deg = told.attitude->roll * kDegrees;
+        sample.pitch_deg = told.attitude->pitch * kDegrees;
+        sample.yaw_deg = told.attitude->yaw * kDegrees;
+    }
+    if (told.position) sample.height_m = told.position->relative_alt * 0.001;
+    if (told.hud) sample.airspeed_mps = told.hud->airspeed;
+    if (told.navigation) {
+        sample.roll_demand_deg = told.navigation->nav_roll;
+        sample.pitch_demand_deg = told.navigation->nav_pitch;
+        sample.distance_m = told.navigation->wp_dist;
+    }
+}
+
+void Recorder::sample(Board& board, const Telemetry& telemetry,
+                      std::optional<double> cruise_speed_mps) {
+    const Truth& truth = board.world().truth();
+    Sample sample{};
+    sample.time_s = static_cast<double>(board.time_us()) * 1e-6;
+    sample.truth = truth;
+    sample.place = frame_.at(truth.latitude_deg, truth.longitude_deg);
+    sample.mode = -1;
+    copyTold(sample, telemetry);
+    metrics_.setCruiseSpeed(cruise_speed_mps);
+    sample.planned = metrics_.sample(sample.time_s, truth, sample.place, sample.item);
+    for (int i = 0; i < 8; ++i) {
+        sample.servo_us[static_cast<size_t>(i)] = board.world().servoPulse_us(i + 1);
+    }
+    sample.frame_us = frame_us_;
+    frame_us_.reset();
+    samples_.push_back(sample);
+}
+
+}  // namespace simulator

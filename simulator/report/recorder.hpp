@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The flight recorder: at 10 Hz the truth, what the autopilot says, the servo pulses and the
+// processor's load, in one row of time series.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulator/board.hpp"
+#include "simulator/ground/plan.hpp"
+#include "simulator/ground/telemetry.hpp"
+#include "simulator/report/metrics.hpp"
+
+namespace simulator {
+
+struct Sample {
+    double time_s;
+    Truth truth;
+    Point place;  // from home
+    Planned planned;
+    int mode = -1, item = 0;  // mode -1: not told yet
+    bool armed = false;
+    std::optional<double> roll_deg, pitch_deg, yaw_deg, height_m, airspeed_mps;  // as told
+    std::optional<double> roll_demand_deg, pitch_demand_deg, distance_m;
+    std::array<double, 8> servo_us{};  // 0: silent
+    std::optional<double> frame_us;    // the longest frame since the last sample
+};
+
+class Recorder {
+public:
+    Recorder(const Plan& plan, const LocalFrame& frame) : frame_(frame), metrics_(plan, {}) {}
+
+    void watchFrame(std::optional<uint32_t> frame_us);  // as often as there is one
+    void sample(Board& board, const Telemetry& telemetry, std::optional<double> cruise_speed_mps);
+
+    const std::vector<Sample>& samples() const { return samples_; }
+    const Metrics& metrics() const { return metrics_; }
+
+private:
+    const LocalFrame frame_;
+    Metrics metrics_;
+    std::vector<Sample> samples_;
+    std::optional<double> frame_us_;
+};
+
+std::string flightCsv(const std::vector<Sample>& samples);
+std::string trackKml(const std::vector<Sample>& samples, const Waypoints& items,
+                     const std::string& name);
+
+}  // namespace simulator

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/report/summary.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace simulator {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json orNull(const std::optional<T>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+// Three decimals say all there is to say of metres and seconds.
+Json orNull(const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? Json(std::round(*value * 1000) / 1000) : Json(nullptr);
+}
+
+Json list(const std::vector<Event>& events) {
+    Json json = Json::array();
+    for (const Event& event : events) {
+        json.push_back(
+            {{"time_s", orNull(std::optional<double>(event.time_s))}, {"text", event.text}});
+    }
+    return json;
+}
+
+void addFigures(Json& json, const BoardFigures& figures) {
+    json["cpu_load"] = orNull(figures.cpu_load);
+    json["interrupt_load"] = orNull(figures.interrupt_load);
+    json["frames"] = orNull(figures.frames);
+    json["frame_mean_us"] = orNull(figures.frame_mean_us);
+    json["frame_p99_us"] = orNull(figures.frame_p99_us);
+    json["frame_max_us"] = orNull(figures.frame_max_us);
+    json["frame_overruns"] = orNull(figures.frame_overruns);
+    json["flash_bytes"] = orNull(figures.flash_bytes);
+    json["ram_static_bytes"] = orNull(figures.ram_static_bytes);
+    json["stack_max_bytes"] = orNull(figures.stack_max_bytes);
+    json["tasks"] = Json::array();
+    for (const auto& task : figures.tasks) {
+        json["tasks"].push_back({{"number", task.number},
+                                 {"runs", task.runs},
+                                 {"mean_cycles", std::round(task.mean_cycles)},
+                                 {"max_cycles", task.max_cycles}});
+    }
+    json["interrupts"] = Json::array();
+    for (const auto& interrupt : figures.interrupts) {
+        json["interrupts"].push_back({{"vector", interrupt.vector},
+                                      {"runs", interrupt.runs},
+                                      {"cycles", interrupt.cycles},
+                                      {"max_cycles", interrupt.max_cycles}});
+    }
+}
+
+}  // namespace
+
+std::string summaryJson(const Summary& summary) {
+    Json json;
+    json["completed"] = summary.completed;
+    json["reason"] = summary.reason.empty() ? Json(nullptr) : Json(summary.reason);
+    json["mission"] = summary.mission;
+    json["firmware"] = summary.firmware;
+    json["board"] = summary.board;
+    json["wind_mps"] = summary.wind_mps;
+    json["wind_from_deg"] = summary.wind_from_deg;
+    json["gusts"] = summary.gusts;
+    json["seed"] = summary.seed;
+    json["landed_distance_m"] = orNull(summary.landed_distance_m);
+    json["flight_time_s"] = orNull(summary.flight_time_s);
+    json["emulated_s"] = orNull(std::optional<double>(summary.emulated_s));
+    json["speedup"] = orNull(std::optional<double>(summary.speedup));
+    json["crosstrack_rms_m"] = orNull(summary.crosstrack_rms_m);
+    json["crosstrack_max_m"] = orNull(summary.crosstrack_max_m);
+    json["altitude_rms_m"] = orNull(summary.altitude_rms_m);
+    json["altitude_max_m"] = orNull(summary.altitude_max_m);
+    json["airspeed_rms_mps"] = orNull(summary.airspeed_rms_mps);
+    json["items_reached"] = summary.items_reached;
+    json["items_planned"] = summary.items_planned;
+    addFigures(json, summary.figures);
+    json["events"] = list(summary.events);
+    json["texts"] = list(summary.texts);
+    // texts come from outside: a byte that is no UTF-8 is replaced, not thrown over
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace simulator

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a flight comes down to. Empty: not known, null in summary.json, absent from the report.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulator/board.hpp"
+#include "simulator/ground/telemetry.hpp"
+#include "simulator/report/metrics.hpp"
+
+namespace simulator {
+
+struct Summary {
+    std::string mission, firmware, board;  // as shown: file names, "apm2" or "native"
+    double wind_mps = 0, wind_from_deg = 0;
+    bool gusts = false;
+    uint64_t seed = 1;
+
+    bool completed = false;
+    std::string reason;  // empty when completed
+    std::optional<double> landed_distance_m, flight_time_s;
+    double emulated_s = 0, speedup = 0;
+    std::optional<double> crosstrack_rms_m, crosstrack_max_m, altitude_rms_m, altitude_max_m,
+        airspeed_rms_mps;
+    std::vector<int> items_reached, items_planned;
+    BoardFigures figures;
+    std::vector<Event> events, texts;
+};
+
+std::string summaryJson(const Summary& summary);
+
+}  // namespace simulator
