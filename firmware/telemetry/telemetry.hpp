@@ -7,14 +7,17 @@
 
 namespace firmware {
 
-void telemetryStart();
-bool telemetryPump();  // received bytes, a few each call; false: there were none
-void telemetrySend();  // 50 Hz: whatever is due and fits in the ports' room
+void telemetryStart();  // after the parameters have been read
+void telemetrySend();   // 50 Hz: finds what is due; the heartbeat and a little more go out here
+// In the rest of a frame: received bytes, then what is due; a little each call. False: nothing
+// was done, and telemetryWaits (to be asked with interrupts off) says whether there is now.
+bool telemetryPump();
+bool telemetryWaits();
 
 // The pulse the ground station puts in the place of the receiver's (RC_CHANNELS_OVERRIDE);
 // channel 0..7. False: not overridden.
 bool rcOverride(uint8_t channel, uint16_t& pulse_us);
-void rcOverrideRelease();     // all channels back to the receiver
-uint32_t groundHeard_ms();    // when the ground station (SYSID_MYGCS) was last heard; 0: never
+void rcOverrideRelease();   // all channels back to the receiver
+uint32_t groundHeard_ms();  // when the ground station (SYSID_MYGCS) was last heard; 0: never
 
 }  // namespace firmware

@@ -26,6 +26,7 @@ struct MavAutopilot {
 
 struct MavComponent {
     enum : uint8_t {
+        all = 0,
         autopilot1 = 1,
     };
 };

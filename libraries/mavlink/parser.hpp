@@ -76,8 +76,8 @@ private:
     // Looks at what is kept until a whole good frame stands at its beginning, or bytes are short.
     bool examine() {
         for (;;) {
-            if (row_ == kNoRow && !seekHeader()) return false;
-            if (row_ == kNoRow && !acceptHeader()) continue;
+            if (!accepted_ && !seekHeader()) return false;
+            if (!accepted_ && !acceptHeader()) continue;
             if (used_ < need_) return false;
             if (checksumFits()) break;
             ++rejected_;
@@ -95,7 +95,8 @@ private:
         return used_ > 0 && used_ >= need_;
     }
 
-    // True: row_ and need_ are those of the frame that begins here. False: it was left out.
+    // True: row_, crc_extra_ and need_ are those of the frame that begins here. False: it was left
+    // out.
     bool acceptHeader() {
         const uint8_t length = bytes_[1];
         const uint16_t size = static_cast<uint16_t>(headerSize() + length + kChecksum);
@@ -103,6 +104,7 @@ private:
         Accepted accepted;
         const uint8_t row = readable ? Table::find(id(), accepted) : kNoRow;
         if (row != kNoRow && size <= kCapacity && (!isV1() || length >= accepted.length)) {
+            accepted_ = true;
             row_ = row;
             crc_extra_ = accepted.crc_extra;
             need_ = static_cast<Index>(size);
@@ -132,17 +134,19 @@ private:
     void drop(Index count) {
         used_ = static_cast<Index>(used_ - count);
         memmove(bytes_, bytes_ + count, used_);
-        row_ = kNoRow;
+        accepted_ = false;
         need_ = kHeaderV1;
     }
 
+    // All zero at first, so that a static parser costs no start-up code.
     uint8_t bytes_[kCapacity] = {};
     Index used_ = 0;
-    Index need_ = kHeaderV1;  // bytes before there is something to look at
-    uint16_t skip_ = 0;
+    Index need_ = 0;     // bytes before there is something to look at
+    uint16_t skip_ = 0;  // of a frame that is left out
     uint16_t rejected_ = 0;
-    uint8_t peer_[2] = {};  // system and component of the last good frame
-    uint8_t row_ = kNoRow;  // known as soon as the header has been accepted
+    uint8_t peer_[2] = {};   // system and component of the last good frame
+    bool accepted_ = false;  // the header; what follows holds from then on
+    uint8_t row_ = 0;
     uint8_t crc_extra_ = 0;
 };
 

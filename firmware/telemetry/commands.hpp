@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command protocol: COMMAND_LONG, COMMAND_INT and SET_MODE. Every command is answered with
+// COMMAND_ACK, one we do not know with UNSUPPORTED. https://mavlink.io/en/services/command.html
+#pragma once
+#include "mavlink/frame.hpp"
+
+namespace firmware {
+
+struct Link;
+
+bool onCommandLong(Link& link, const mavlink::Frame& frame);
+bool onCommandInt(Link& link, const mavlink::Frame& frame);
+bool onSetMode(Link& link, const mavlink::Frame& frame);
+bool onAutopilotVersionRequest(Link& link, const mavlink::Frame& frame);
+
+void commandsTurn();  // a reboot that was ordered, once its answer is out
+
+}  // namespace firmware

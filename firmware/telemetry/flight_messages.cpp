@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the airplane is, how it lies in the air and where it is going.
+#include "core/maths.hpp"
+#include "firmware/mission/mission.hpp"
+#include "firmware/telemetry/messages.hpp"
+#include "firmware/telemetry/mission_transfer.hpp"
+#include "firmware/vehicle.hpp"
+#include "hal/clock.hpp"
+
+namespace firmware {
+namespace {
+
+int16_t centi(float value) { return static_cast<int16_t>(core::rounded(value * 100)); }
+
+uint16_t heading_cd() {
+    return static_cast<uint16_t>(
+        core::wrap360_cd(core::rounded(core::centidegrees(vehicle.attitude.yaw_rad))));
+}
+
+int32_t altitude_mm() {  // above sea level
+    if (!vehicle.home.set) return vehicle.gps.altitude_cm * 10;
+    return vehicle.home.altitude_cm * 10 + core::rounded(vehicle.estimate.height_m * 1000);
+}
+
+int16_t degreesOf(int32_t angle_cd) {
+    return static_cast<int16_t>(core::wrap180_cd(angle_cd) / 100);
+}
+
+}  // namespace
+
+bool fillIn(const Link&, mavlink::Attitude& to) {
+    to.time_boot_ms = hal::now_ms();
+    to.roll = vehicle.attitude.roll_rad;
+    to.pitch = vehicle.attitude.pitch_rad;
+    to.yaw = vehicle.attitude.yaw_rad;
+    to.rollspeed = vehicle.attitude.rate_rads.x;
+    to.pitchspeed = vehicle.attitude.rate_rads.y;
+    to.yawspeed = vehicle.attitude.rate_rads.z;
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::GlobalPositionInt& to) {
+    to.time_boot_ms = hal::now_ms();
+    to.lat = vehicle.estimate.position.latitude_e7;
+    to.lon = vehicle.estimate.position.longitude_e7;
+    to.alt = altitude_mm();
+    to.relative_alt = core::rounded(vehicle.estimate.height_m * 1000);
+    to.vx = centi(vehicle.estimate.velocity_mps.x);
+    to.vy = centi(vehicle.estimate.velocity_mps.y);
+    to.vz = centi(vehicle.estimate.velocity_mps.z);
+    to.hdg = heading_cd();
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::VfrHud& to) {
+    to.airspeed = vehicle.estimate.equivalent_airspeed_mps;
+    to.groundspeed = vehicle.estimate.ground_speed_mps;
+    to.alt = static_cast<float>(altitude_mm()) * 0.001f;
+    to.climb = vehicle.estimate.climb_mps;
+    to.heading = static_cast<int16_t>(heading_cd() / 100);
+    to.throttle = static_cast<uint16_t>(
+        core::rounded(core::limit(vehicle.throttle_demand, 0.0f, 1.0f) * 100));
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::Wind& to) {
+    const core::Vector3& wind_mps = vehicle.estimate.wind_mps;
+    // the message wants where the wind comes from
+    to.direction = core::degrees(atan2f(-wind_mps.y, -wind_mps.x));
+    to.speed = sqrtf(core::square(wind_mps.x) + core::square(wind_mps.y));
+    to.speed_z = wind_mps.z;
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::NavControllerOutput& to) {
+    to.nav_roll = core::degrees(vehicle.roll_demand_rad);
+    to.nav_pitch = core::degrees(vehicle.pitch_demand_rad);
+    to.nav_bearing = degreesOf(vehicle.progress.nav_bearing_cd);
+    to.target_bearing = degreesOf(vehicle.progress.target_bearing_cd);
+    to.wp_dist = static_cast<uint16_t>(core::limit(vehicle.progress.distance_m, 0.0f, 65535.0f));
+    to.alt_error = vehicle.progress.height_error_m;
+    to.aspd_error = vehicle.progress.airspeed_error_mps;
+    to.xtrack_error = vehicle.progress.crosstrack_m;
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::HomePosition& to) {
+    if (!vehicle.home.set) return false;
+    to.latitude = vehicle.home.position.latitude_e7;
+    to.longitude = vehicle.home.position.longitude_e7;
+    to.altitude = vehicle.home.altitude_cm * 10;
+    to.q[0] = 1;  // level ground
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::MissionCurrent& to) {
+    to.seq = missionCurrent();
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::MissionItemReached& to) {
+    to.seq = lastReached();
+    return true;
+}
+
+}  // namespace firmware

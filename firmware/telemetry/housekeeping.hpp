@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The small talk of the link: who is there, which streams, clocks, the radio's report, the
+// ground station's sticks.
+#pragma once
+#include "mavlink/frame.hpp"
+
+namespace firmware {
+
+struct Link;
+
+bool onHeartbeat(Link& link, const mavlink::Frame& frame);
+bool onPing(Link& link, const mavlink::Frame& frame);
+bool onTimesync(Link& link, const mavlink::Frame& frame);
+bool onRequestDataStream(Link& link, const mavlink::Frame& frame);
+bool onRadioStatus(Link& link, const mavlink::Frame& frame);
+bool onLogRequestList(Link& link, const mavlink::Frame& frame);
+bool onRcChannelsOverride(Link& link, const mavlink::Frame& frame);
+
+}  // namespace firmware

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The mission protocol: up, down, in part, clear, set current.
+// https://mavlink.io/en/services/mission.html
+// One upload at a time, on either link; until its last item has been stored the old mission stays.
+// Fences and rally points (mission_type 1 and 2) do not exist here, and are answered so.
+#pragma once
+#include "mavlink/frame.hpp"
+
+namespace firmware {
+
+struct Link;
+
+bool onMissionCount(Link& link, const mavlink::Frame& frame);
+bool onMissionWritePartialList(Link& link, const mavlink::Frame& frame);
+bool onMissionItem(Link& link, const mavlink::Frame& frame);
+bool onMissionItemInt(Link& link, const mavlink::Frame& frame);
+bool onMissionAck(Link& link, const mavlink::Frame& frame);  // the ground station gives up
+bool onMissionRequestList(Link& link, const mavlink::Frame& frame);
+bool onMissionRequest(Link& link, const mavlink::Frame& frame);
+bool onMissionRequestInt(Link& link, const mavlink::Frame& frame);
+bool onMissionClearAll(Link& link, const mavlink::Frame& frame);
+bool onMissionSetCurrent(Link& link, const mavlink::Frame& frame);
+
+void missionTransferStart();
+void missionTransferTurn();  // asks again, gives up, stores, tells what was reached
+uint16_t lastReached();      // the item of MISSION_ITEM_REACHED
+
+}  // namespace firmware

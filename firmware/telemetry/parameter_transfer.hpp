@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parameter protocol: list, read, set. https://mavlink.io/en/services/parameter.html
+// Values travel as numbers cast to float, whatever the field's type.
+#pragma once
+#include "mavlink/frame.hpp"
+
+namespace firmware {
+
+struct Link;
+
+bool onParamRequestList(Link& link, const mavlink::Frame& frame);
+bool onParamRequestRead(Link& link, const mavlink::Frame& frame);
+bool onParamSet(Link& link, const mavlink::Frame& frame);
+
+bool parameterListSend(Link& link);  // the next of a list; false: no list, or no room
+
+}  // namespace firmware

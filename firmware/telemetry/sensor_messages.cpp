@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the sensors and the receiver say, and what goes to the servos.
+#include <stddef.h>
+#include <string.h>
+
+#include "core/maths.hpp"
+#include "firmware/telemetry/messages.hpp"
+#include "firmware/vehicle.hpp"
+#include "hal/clock.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr uint8_t kUnknownRssi = 255;
+
+int16_t milli(float value) { return static_cast<int16_t>(core::rounded(value * 1000)); }
+
+}  // namespace
+
+bool fillIn(const Link&, mavlink::RawImu& to) {
+    // as ArduPilot sends it: mg, mrad/s, mgauss
+    constexpr float kOneG = 1 / core::kGravity_mss;
+    to.time_usec = hal::now_us();
+    to.xacc = milli(vehicle.imu.accel_mss.x * kOneG);
+    to.yacc = milli(vehicle.imu.accel_mss.y * kOneG);
+    to.zacc = milli(vehicle.imu.accel_mss.z * kOneG);
+    to.xgyro = milli(vehicle.imu.rate_rads.x);
+    to.ygyro = milli(vehicle.imu.rate_rads.y);
+    to.zgyro = milli(vehicle.imu.rate_rads.z);
+    to.xmag = static_cast<int16_t>(vehicle.compass.field_mg.x);
+    to.ymag = static_cast<int16_t>(vehicle.compass.field_mg.y);
+    to.zmag = static_cast<int16_t>(vehicle.compass.field_mg.z);
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::ScaledPressure& to) {
+    to.time_boot_ms = hal::now_ms();
+    to.press_abs = vehicle.baro.pressure_pa * 0.01f;
+    to.press_diff = vehicle.airspeed.pressure_pa * 0.01f;
+    to.temperature = static_cast<int16_t>(vehicle.baro.temperature_c * 100);
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::GpsRawInt& to) {
+    to.time_usec = uint64_t{1000} * vehicle.gps.received_ms;
+    to.fix_type = static_cast<uint8_t>(vehicle.gps.fix);
+    to.lat = vehicle.gps.position.latitude_e7;
+    to.lon = vehicle.gps.position.longitude_e7;
+    to.alt = vehicle.gps.altitude_cm * 10;
+    to.eph = vehicle.gps.hdop_c;
+    to.epv = UINT16_MAX;
+    to.vel = static_cast<uint16_t>(core::rounded(vehicle.gps.ground_speed_mps * 100));
+    to.cog = static_cast<uint16_t>(vehicle.gps.course_cd);
+    to.satellites_visible = vehicle.gps.satellites;
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::RcChannelsRaw& to) {
+    to.time_boot_ms = hal::now_ms();
+    memcpy(&to.chan1_raw, vehicle.radio.pulse_us, sizeof vehicle.radio.pulse_us);
+    to.rssi = kUnknownRssi;
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::RcChannels& to) {
+    to.time_boot_ms = hal::now_ms();
+    constexpr uint8_t kChannels = (offsetof(mavlink::RcChannels, chancount) - 4) / 2;
+    memset(&to.chan1_raw, 0xFF, 2 * kChannels);  // UINT16_MAX: no such channel
+    memcpy(&to.chan1_raw, vehicle.radio.pulse_us, sizeof vehicle.radio.pulse_us);
+    to.chancount = hal::kRcChannels;
+    to.rssi = kUnknownRssi;
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::ServoOutputRaw& to) {
+    to.time_usec = hal::now_us();
+    memcpy(&to.servo1_raw, vehicle.servo_us, sizeof vehicle.servo_us);
+    return true;
+}
+
+}  // namespace firmware

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/telemetry/streams.hpp"
+
+#include "core/maths.hpp"
+#include "core/rom.hpp"
+#include "firmware/telemetry/link.hpp"
+#include "firmware/telemetry/messages.hpp"
+
+namespace firmware {
+namespace {
+
+using mavlink::MavDataStream;
+
+// In the order of StreamRates; then what no rate parameter governs.
+enum class Stream : uint8_t {
+    raw_sensors,
+    extended_status,
+    rc_channels,
+    raw_controller,
+    position,
+    extra1,
+    extra2,
+    extra3,
+    always,      // once a second, whatever was asked for
+    on_request,  // when asked for, or by an event
+};
+constexpr uint8_t kAlwaysRate = 4;  // quarters of a hertz
+
+struct OutgoingRow {
+    Stream stream;
+    uint16_t id;
+    bool (*send)(Link& link);
+};
+
+template <class Message>
+bool fillAndSend(Link& link) {
+    Message message = {};
+    if (!fillIn(link, message)) return true;
+    return send(link, message);
+}
+
+template <class Message>
+constexpr OutgoingRow row(Stream stream) {
+    // no row makes use of extension fields
+    static_assert(
+        mavlink::kHeaderV2 + mavlink::Wire<Message>::length + mavlink::kChecksum <= kLargestFrame,
+        "larger than kLargestFrame");
+    return {stream, mavlink::Wire<Message>::id, fillAndSend<Message>};
+}
+
+constexpr OutgoingRow kOutgoing[] ROM = {
+    row<mavlink::Heartbeat>(Stream::always),
+    row<mavlink::SysStatus>(Stream::extended_status),
+    row<mavlink::PowerStatus>(Stream::extended_status),
+    row<mavlink::GpsRawInt>(Stream::extended_status),
+    row<mavlink::NavControllerOutput>(Stream::extended_status),
+    row<mavlink::MissionCurrent>(Stream::extended_status),
+    row<mavlink::MissionItemReached>(Stream::on_request),
+    row<mavlink::Attitude>(Stream::extra1),
+    row<mavlink::GlobalPositionInt>(Stream::position),
+    row<mavlink::VfrHud>(Stream::extra2),
+    row<mavlink::RawImu>(Stream::raw_sensors),
+    row<mavlink::ScaledPressure>(Stream::raw_sensors),
+    row<mavlink::ServoOutputRaw>(Stream::rc_channels),
+    row<mavlink::RcChannelsRaw>(Stream::rc_channels),
+    row<mavlink::RcChannels>(Stream::rc_channels),
+    row<mavlink::Wind>(Stream::extra3),
+    row<mavlink::Hwstatus>(Stream::extra3),
+    row<mavlink::SystemTime>(Stream::extra3),
+    row<mavlink::HomePosition>(Stream::on_request),
+    row<mavlink::AutopilotVersion>(Stream::on_request),
+    row<mavlink::ProtocolVersion>(Stream::on_request),
+};
+static_assert(core::count(kOutgoing) == kOutgoingRows, "kOutgoingRows does not fit the table");
+static_assert(kOutgoingRows <= 32, "the bits of Streams::due");
+
+constexpr uint16_t kFullPhase = 4 * kTurns_hz;
+constexpr uint8_t kHeartbeatRow = 0;
+
+constexpr uint32_t bit(uint8_t row) { return uint32_t{1} << row; }
+
+uint8_t rate(const Link& link, uint8_t row) {
+    const uint8_t own = link.streams.own_rate[row];
+    if (own == kNever) return 0;
+    if (own != kFollowStream) return own;
+    const Stream stream = core::romRead(kOutgoing[row].stream);
+    if (stream == Stream::always) return kAlwaysRate;
+    if (stream == Stream::on_request) return 0;
+    const int8_t* rates_hz = &parameters.streams[linkNumber(link)].raw_sensors;
+    const int8_t rate_hz = rates_hz[static_cast<uint8_t>(stream)];
+    return rate_hz <= 0 ? 0 : static_cast<uint8_t>(4 * core::limit<int8_t>(rate_hz, 0, kTurns_hz));
+}
+
+// The part of a turn the radio leaves to the streams; true when they have a whole turn together.
+bool turnIsDue(Link& link) {
+    Streams& streams = link.streams;
+    streams.credit_pct = static_cast<uint8_t>(streams.credit_pct + 100 - link.slowdown_pct);
+    if (streams.credit_pct < 100) return false;
+    streams.credit_pct = static_cast<uint8_t>(streams.credit_pct - 100);
+    return true;
+}
+
+bool sendRow(Link& link, uint8_t row) {
+    if (!core::romRead(kOutgoing[row].send)(link)) return false;
+    link.streams.due &= ~bit(row);
+    return true;
+}
+
+}  // namespace
+
+void streamsStart(Link& link) {
+    for (uint8_t row = 0; row < kOutgoingRows; ++row) {
+        link.streams.own_rate[row] = kFollowStream;
+        // spread, so that messages of one rate do not all fall into one turn
+        link.streams.phase[row] = static_cast<uint8_t>(row * 77U % kFullPhase);
+    }
+    link.streams.due = bit(kHeartbeatRow);
+}
+
+void streamsTick(Link& link) {
+    const bool whole_turn = turnIsDue(link);
+    for (uint8_t row = 0; row < kOutgoingRows; ++row) {
+        if (!whole_turn && row != kHeartbeatRow) continue;
+        uint16_t phase = static_cast<uint16_t>(link.streams.phase[row] + rate(link, row));
+        if (phase >= kFullPhase) {
+            phase -= kFullPhase;
+            link.streams.due |= bit(row);
+        }
+        link.streams.phase[row] = static_cast<uint8_t>(phase);
+    }
+}
+
+bool heartbeatDue(const Link& link) { return (link.streams.due & bit(kHeartbeatRow)) != 0; }
+
+bool streamsSend(Link& link) {
+    Streams& streams = link.streams;
+    if (streams.due == 0) return false;
+    if (heartbeatDue(link)) return sendRow(link, kHeartbeatRow);
+    do {
+        if (++streams.last_row >= kOutgoingRows) streams.last_row = 0;
+    } while ((streams.due & bit(streams.last_row)) == 0);
+    return sendRow(link, streams.last_row);
+}
+
+uint8_t outgoingRow(uint16_t message_id) {
+    for (uint8_t row = 0; row < kOutgoingRows; ++row)
+        if (core::romRead(kOutgoing[row].id) == message_id) return row;
+    return kNoMessage;
+}
+
+void requestOnce(Link& link, uint16_t message_id) {
+    const uint8_t row = outgoingRow(message_id);
+    if (row != kNoMessage) link.streams.due |= bit(row);
+}
+
+bool isDue(const Link& link, uint16_t message_id) {
+    const uint8_t row = outgoingRow(message_id);
+    return row != kNoMessage && (link.streams.due & bit(row)) != 0;
+}
+
+bool setStreamRate(Link& link, uint8_t mav_data_stream, uint16_t rate_hz) {
+    // the place of each MAV_DATA_STREAM in StreamRates
+    static constexpr uint8_t kOrder[] ROM = {
+        MavDataStream::raw_sensors,    MavDataStream::extended_status, MavDataStream::rc_channels,
+        MavDataStream::raw_controller, MavDataStream::position,        MavDataStream::extra1,
+        MavDataStream::extra2,         MavDataStream::extra3,
+    };
+    int8_t* rates_hz = &parameters.streams[linkNumber(link)].raw_sensors;
+    bool known = false;
+    for (uint8_t i = 0; i < core::count(kOrder); ++i) {
+        if (mav_data_stream != MavDataStream::all && mav_data_stream != core::romRead(kOrder[i]))
+            continue;
+        rates_hz[i] = static_cast<int8_t>(rate_hz < kTurns_hz ? rate_hz : kTurns_hz);
+        known = true;
+    }
+    return known;
+}
+
+bool setInterval(Link& link, uint8_t row, int32_t interval_us) {
+    constexpr int32_t kSecond_us = 1000000;
+    if (row == kHeartbeatRow) return interval_us == 0 || interval_us == kSecond_us;  // always
+    uint8_t& own = link.streams.own_rate[row];
+    if (interval_us == 0) {
+        own = kFollowStream;
+    } else if (interval_us < 0) {
+        own = kNever;
+    } else {
+        const int32_t quarters = (4000000 + interval_us / 2) / interval_us;
+        if (quarters < 1) return false;  // slower than one in eight seconds
+        own = static_cast<uint8_t>(quarters < kFullPhase ? quarters : kFullPhase);
+    }
+    return true;
+}
+
+int32_t interval_us(const Link& link, uint8_t row) {
+    const uint8_t quarters = rate(link, row);
+    return quarters == 0 ? -1 : 4000000 / quarters;
+}
+
+}  // namespace firmware

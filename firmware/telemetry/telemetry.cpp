@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/telemetry/telemetry.hpp"
+
+#include "firmware/telemetry/commands.hpp"
+#include "firmware/telemetry/link.hpp"
+#include "firmware/telemetry/mission_transfer.hpp"
+#include "firmware/telemetry/parameter_transfer.hpp"
+#include "firmware/telemetry/text.hpp"
+#include "firmware/telemetry/text_queue.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr uint8_t kBytesAtOnce = 16;
+constexpr uint8_t kHoldTurns = 25;  // 0.5 s: then the frame is given up, its sender asks again
+
+bool usb;  // as link0 was opened
+
+// As the parameters give it: thousands, where the usual rates are named by their first digits.
+uint32_t lineRate(int16_t thousands) {
+    struct Row {
+        int16_t thousands;
+        uint32_t rate;
+    };
+    static constexpr Row kRates[] ROM = {{1, 1200},   {2, 2400},   {4, 4800},   {9, 9600},
+                                         {19, 19200}, {38, 38400}, {57, 57600}, {115, 115200}};
+    for (const Row& in_flash : kRates) {
+        const Row row = core::romRead(in_flash);
+        if (row.thousands == thousands) return row.rate;
+    }
+    return uint32_t{1000} * static_cast<uint16_t>(thousands);
+}
+
+void open(Link& link, int16_t thousands) {
+    hal::serialOpen(portOf(link), lineRate(thousands));
+    link.framing = mavlink::Framing::v1;
+    link.slowdown_pct = 0;
+    link.next_parameter = kNoParameter;
+}
+
+void openLink0() { open(links[0], usb ? parameters.serial0_baud : parameters.serial1_baud); }
+
+void followUsb() {
+    if (hal::usbConnected() == usb) return;
+    usb = !usb;
+    openLink0();
+}
+
+// Handles the frame the parser holds; false: not done, it stays there.
+bool handleWhole(Link& link) {
+    const mavlink::Frame frame = link.parser.frame();
+    if (frame.framing == mavlink::Framing::v2) link.framing = mavlink::Framing::v2;
+    if (!handleFrame(link, frame) && link.held_turns < kHoldTurns) return false;
+    link.held_turns = 0;
+    link.whole = link.parser.next();
+    return true;
+}
+
+bool canReceive(const Link& link) { return hasRoom(link, kLongestTalk); }
+
+bool receive(Link& link) {
+    if (!canReceive(link)) return false;
+    if (link.whole) return handleWhole(link);
+    uint8_t byte;
+    for (uint8_t i = 0; i < kBytesAtOnce; ++i) {
+        if (!hal::serialRead(portOf(link), byte)) return i > 0;
+        if (!link.parser.put(byte)) continue;
+        link.whole = true;
+        handleWhole(link);
+        break;
+    }
+    return true;
+}
+
+bool hasSomething(const Link& link) {
+    return link.streams.due != 0 || link.next_parameter != kNoParameter || textWaits(link);
+}
+
+// One message, of what goes out by itself.
+bool sendOne(Link& link) {
+    if (!hasRoom(link, kLargestFrame)) return false;
+    if (heartbeatDue(link)) return streamsSend(link);
+    if (textSend(link)) return true;
+    link.parameter_is_next = !link.parameter_is_next;
+    if (link.parameter_is_next) return parameterListSend(link) || streamsSend(link);
+    return streamsSend(link) || parameterListSend(link);
+}
+
+}  // namespace
+
+void telemetryStart() {
+    textsStart();
+    missionTransferStart();
+    usb = hal::usbConnected();
+    openLink0();
+    open(links[1], parameters.serial2_baud);
+    for (Link& link : links) streamsStart(link);
+    tell(Severity::info, ROM_TEXT("ArduPilotMega autopilot, airplane"));
+}
+
+void telemetrySend() {
+    followUsb();
+    for (Link& link : links) {
+        if (link.whole && link.held_turns < kHoldTurns) ++link.held_turns;
+        streamsTick(link);
+        sendOne(link);
+    }
+    missionTransferTurn();
+    commandsTurn();
+}
+
+bool telemetryPump() {
+    bool done = false;
+    for (Link& link : links) done |= receive(link) || sendOne(link);
+    return done;
+}
+
+bool telemetryWaits() {
+    for (const Link& link : links) {
+        if (!link.whole && hal::serialAvailable(portOf(link)) > 0 && canReceive(link)) return true;
+        if (hasSomething(link) && hasRoom(link, kLargestFrame)) return true;
+    }
+    return false;
+}
+
+}  // namespace firmware

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The links' side of text.hpp.
+#pragma once
+#include <stdint.h>
+
+namespace firmware {
+
+struct Link;
+
+constexpr uint8_t kTextSize = 50;  // of STATUSTEXT
+
+void textsStart();
+bool textSend(Link& link);  // the oldest text this link has not had; false: none, or no room
+bool textWaits(const Link& link);
+uint8_t textsLost();  // not yet told
+
+}  // namespace firmware
