@@ -17,6 +17,9 @@ struct WorldOptions {
     bool gusts = false;                          // Dryden, 1 m/s RMS
     uint64_t seed = 1;
     bool sensor_errors = true;
+    double declination_deg = 2.5, inclination_deg = 63.0, magnetic_field_mg = 480.0;
+    double gps_acquire_s = 3.0;      // from power-on to the first fix
+    uint32_t gps_baud = 9600;        // the module's rate at power-on
 };
 
 // The truth, in SI units, NED at the start point. Never seen by the firmware.

@@ -48,6 +48,20 @@ if(TARGET geo_test)  # measured against the geodesics of an independent library
     target_link_libraries(geo_test PRIVATE ${GEOGRAPHICLIB})
 endif()
 
+# ---- everything outside the board's pins
+find_package(nlohmann_json REQUIRED)
+file(GLOB world_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/world.cpp
+     ${CMAKE_SOURCE_DIR}/simulator/devices/*.cpp ${CMAKE_SOURCE_DIR}/simulator/airplane/*.cpp)
+add_library(simulator_world STATIC ${world_sources})
+target_compile_options(simulator_world PRIVATE ${HOUSE_WARNINGS})
+target_compile_definitions(simulator_world PRIVATE
+                           SIMULATOR_AIRPLANES="${CMAKE_SOURCE_DIR}/simulator/airplanes")
+target_include_directories(simulator_world PUBLIC ${CMAKE_SOURCE_DIR})
+target_link_libraries(simulator_world PUBLIC nlohmann_json::nlohmann_json)
+foreach(room devices airplane)
+    house_test(${room}_test ${CMAKE_SOURCE_DIR}/host_tests/${room} simulator_world)
+endforeach()
+
 # ---- the natively compiled firmware, the ground station, the report, the program that flies
 function(simulator_library name)
     house_target(simulator_${name} ${CMAKE_SOURCE_DIR}/simulator/${name} ${ARGN})

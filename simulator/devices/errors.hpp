@@ -21,6 +21,7 @@ struct SensorErrors {
     double baro_drift_pa = 4;
     double baro_drift_s = 300;
     double airspeed_noise_v = 0.003;
+    double airspeed_offset_v = 0.02;
     double airspeed_ratio = 0.02;  // relative, of the pressure
     double gps_horizontal_m = 0.6;
     double gps_vertical_m = 1.5;
@@ -39,7 +40,7 @@ constexpr SensorErrors SensorErrors::none() {
     errors.accel_bias_g = errors.accel_noise_g = errors.accel_vibration_g = 0;
     errors.compass_noise_mg = errors.compass_offset_mg = 0;
     errors.baro_noise_pa = errors.baro_drift_pa = 0;
-    errors.airspeed_noise_v = errors.airspeed_ratio = 0;
+    errors.airspeed_noise_v = errors.airspeed_offset_v = errors.airspeed_ratio = 0;
     errors.gps_horizontal_m = errors.gps_vertical_m = errors.gps_velocity_mps = 0;
     return errors;
 }
@@ -59,11 +60,12 @@ constexpr ErrorRow kErrorRows[] = {
     {"Accelerometer noise",                       &SensorErrors::accel_noise_g,      "g"},
     {"Accelerometer vibration at full throttle",  &SensorErrors::accel_vibration_g,  "g"},
     {"Compass noise",                             &SensorErrors::compass_noise_mg,   "mG"},
-    {"Compass offset, 1 sigma",                   &SensorErrors::compass_offset_mg,  "mG"},
+    {"Compass offset, each axis either way",      &SensorErrors::compass_offset_mg,  "mG"},
     {"Barometer noise",                           &SensorErrors::baro_noise_pa,      "Pa"},
     {"Barometer drift",                           &SensorErrors::baro_drift_pa,      "Pa"},
     {"Barometer drift, correlation time",         &SensorErrors::baro_drift_s,       "s"},
     {"Airspeed noise",                            &SensorErrors::airspeed_noise_v,   "V"},
+    {"Airspeed zero offset, 1 sigma",             &SensorErrors::airspeed_offset_v,  "V"},
     {"Airspeed ratio error, 1 sigma",             &SensorErrors::airspeed_ratio,     ""},
     {"GPS wander, horizontal",                    &SensorErrors::gps_horizontal_m,   "m"},
     {"GPS wander, vertical",                      &SensorErrors::gps_vertical_m,     "m"},

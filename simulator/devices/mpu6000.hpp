@@ -55,6 +55,7 @@ private:
     Random random_;
     std::array<double, kAxes> bias_{};   // m/s2 and rad/s: as the input of the filters
     std::array<double, kAxes> input_{};  // the truth at the last sample
+    std::array<double, kAxes> filtered_axes_{};
     std::array<LowPass, kAxes> low_pass_;
     std::array<uint8_t, kRegisters> registers_{};
     std::array<uint8_t, 14>

@@ -46,7 +46,7 @@ private:
     uint32_t result_ = 0;
     std::array<uint8_t, 3> answer_{};
     unsigned answered_ = 0, answer_size_ = 0;
-    bool first_byte_ = false;
+    bool chosen_ = false, first_byte_ = false;
 };
 
 }  // namespace simulator

@@ -12,6 +12,7 @@
 #include "simulator/devices/errors.hpp"
 #include "simulator/devices/random.hpp"
 #include "simulator/devices/ublox_parser.hpp"
+#include "simulator/devices/ublox_reports.hpp"
 
 namespace simulator {
 
@@ -23,14 +24,6 @@ struct UbloxOptions {
     bool ubx = false;      // POSLLH, STATUS, SOL and VELNED at start, at 5 Hz
     double acquire_s = 3;  // from power-on to the first fix
     int satellites = 9;
-};
-
-// One measurement, errors included; the units of the truth.
-struct GpsFix {
-    uint64_t time_us;  // of the measurement
-    bool valid;
-    double latitude_deg, longitude_deg, altitude_m;  // above sea level
-    double velocity_north_mps, velocity_east_mps, velocity_down_mps;
 };
 
 class UbloxGps {
@@ -48,28 +41,27 @@ public:
     uint64_t nextByte_us() const;  // when that is; UINT64_MAX: nothing to send yet
     uint32_t baud() const { return baud_; }
 
-    // When measure() wants to be called next. World does that.
-    uint64_t nextMeasurement_us() const { return next_measurement_us_; }
-    void measure(const Truth& truth, uint64_t now_us);
+    // When run() wants to be called next, to measure or to report. World does that.
+    uint64_t nextEvent_us() const;
+    void run(const Truth& truth, uint64_t now_us);
 
     // Antenna covered: no fix until uncovered, and then at once.
     void cover(bool covered) { covered_ = covered; }
 
 private:
-    friend struct UbloxMessages;
-
-    void handle(const UbxFrame& frame, uint64_t now_us);
-    void handle(const std::string& sentence, uint64_t now_us);
-    bool configurePort(const UbxFrame& frame);
+    void measure(const Truth& truth, uint64_t now_us);
+    void report(const GpsFix& fix, uint64_t now_us);
+    void obey(const UbxFrame& frame, uint64_t now_us);
+    void obey(const std::string& sentence, uint64_t now_us);
+    bool configure(const UbxFrame& frame, uint64_t now_us);
+    bool configurePort(const UbxFrame& frame, uint64_t now_us);
     bool configureMessage(const UbxFrame& frame);
     bool configureRate(const UbxFrame& frame, uint64_t now_us);
     bool configureNavigation(const UbxFrame& frame);
-    void report(const GpsFix& fix, uint64_t now_us);
+    bool poll(const UbxFrame& frame, uint64_t now_us);
+    void setPort(uint32_t baud, uint16_t protocols_out, uint64_t now_us);
     void send(const std::vector<uint8_t>& bytes, uint64_t now_us);
-    void sendUbx(uint8_t message_class, uint8_t id, const std::vector<uint8_t>& payload,
-                 uint64_t now_us);
-    void setBaud(uint32_t baud, uint64_t now_us);
-    uint64_t byte_us(uint64_t bytes) const;
+    uint64_t byteEnd_us(uint64_t bytes) const;
 
     const SensorErrors errors_;
     const UbloxOptions options_;
@@ -79,12 +71,10 @@ private:
     uint32_t baud_;
     uint16_t protocols_out_;  // bit 0 UBX, bit 1 NMEA
     uint16_t period_ms_;
-    std::array<uint8_t, 36> navigation_;  // CFG-NAV5
-    struct MessageRate {
-        uint8_t message_class, id, rate, countdown;
-    };
-    std::vector<MessageRate> rates_;
-    uint64_t next_measurement_us_, last_measurement_us_ = 0;
+    std::array<uint8_t, 36> navigation_;         // CFG-NAV5
+    std::array<uint8_t, kReportCount> rates_{};  // every how many fixes; 0 never
+    std::array<uint8_t, kReportCount> countdown_{};
+    uint64_t next_measurement_us_ = 0, last_measurement_us_ = 0;
     std::deque<GpsFix> waiting_;  // measured, not yet old enough to be sent
     std::deque<uint8_t> line_;
     uint64_t line_start_us_ = 0;  // the first byte of line_ started then

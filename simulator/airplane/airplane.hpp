@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The airplane as a rigid body in moving air over flat ground: quaternion attitude, six degrees of
+// freedom, Runge and Kutta's fourth-order method at a fixed 400 Hz.
+#pragma once
+#include <cstdint>
+
+#include "simulator/airplane/aerodynamics.hpp"
+#include "simulator/airplane/atmosphere.hpp"
+#include "simulator/airplane/ground.hpp"
+#include "simulator/airplane/propulsion.hpp"
+#include "simulator/airplane/servos.hpp"
+#include "simulator/airplane/wind.hpp"
+#include "simulator/world.hpp"
+
+namespace simulator {
+
+class Airplane {
+public:
+    static constexpr uint64_t kStep_us = 2500;
+    static constexpr double kStep_s = kStep_us * 1e-6;
+
+    Airplane(const AirplaneParameters& parameters, const WorldOptions& options, double gust_mps);
+    Airplane(const Airplane&) = delete;
+    Airplane& operator=(const Airplane&) = delete;
+
+    void step(const Controls& demand);
+    const Truth& truth() const { return truth_; }
+    Vec3 toBody(const Vec3& earth) const { return Rotation(motion_.attitude).toBody(earth); }
+    const AirplaneParameters& parameters() const { return p_; }
+
+    // For tests: puts it somewhere, moving, with these control surfaces.
+    void place(const Motion& motion, const Controls& controls);
+
+private:
+    struct Derivative {
+        Vec3 velocity, acceleration, angular;
+        Quaternion turning;
+    };
+    Flow flow(const Motion& motion, const Rotation& rotation) const;
+    Loads loads(const Motion& motion, const Rotation& rotation) const;
+    Derivative derivative(const Motion& motion, Vec3* specific_force = nullptr) const;
+    void integrate();
+    void moveAir();
+    void tell();
+    void settle();
+
+    const AirplaneParameters p_;
+    const WorldOptions options_;
+    Servos servos_;
+    Propulsion propulsion_;
+    Ground ground_;
+    Dryden dryden_;
+    Motion motion_;
+    Derivative now_;  // at motion_
+    Vec3 specific_force_;
+    Controls controls_;
+    Vec3 air_mps_, air_rates_rads_;  // of the air: north, east, down; body
+    double density_kgm3_ = kSeaLevelDensity_kgm3;
+    double standing_m_;  // height of the centre of gravity on its wheels
+    uint64_t steps_ = 0;
+    Truth truth_{};
+};
+
+}  // namespace simulator

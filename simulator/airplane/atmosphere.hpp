@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The standard atmosphere up to 11 km (ISO 2533).
+#pragma once
+
+namespace simulator {
+
+constexpr double kGravity_mss = 9.80665;
+constexpr double kSeaLevelDensity_kgm3 = 1.225;
+
+struct Atmosphere {
+    double pressure_pa, temperature_k, density_kgm3;
+};
+Atmosphere atmosphere(double altitude_m);
+
+}  // namespace simulator

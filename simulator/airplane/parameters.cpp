@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/airplane/parameters.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace simulator {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Field {
+    const char* key;
+    double* to;
+};
+
+// clang-format off
+std::vector<Field> fields(AirplaneParameters& p) {
+    return {
+        {"/mass_kg", &p.mass_kg},
+        {"/inertia_kgm2/xx", &p.inertia_kgm2.xx}, {"/inertia_kgm2/yy", &p.inertia_kgm2.yy},
+        {"/inertia_kgm2/zz", &p.inertia_kgm2.zz}, {"/inertia_kgm2/xz", &p.inertia_kgm2.xz},
+        {"/wing/area_m2", &p.area_m2}, {"/wing/span_m", &p.span_m}, {"/wing/chord_m", &p.chord_m},
+
+        {"/lift/at_zero", &p.lift.at_zero}, {"/lift/alpha", &p.lift.alpha},
+        {"/lift/pitch_rate", &p.lift.pitch_rate}, {"/lift/elevator", &p.lift.elevator},
+        {"/lift/stall_alpha_rad", &p.lift.stall_alpha_rad},
+        {"/lift/stall_sharpness", &p.lift.stall_sharpness},
+        {"/drag/parasite", &p.drag.parasite}, {"/drag/induced", &p.drag.induced},
+        {"/drag/beta2", &p.drag.beta2}, {"/drag/plate", &p.drag.plate},
+        {"/side/beta", &p.side.beta}, {"/side/roll_rate", &p.side.roll_rate},
+        {"/side/yaw_rate", &p.side.yaw_rate}, {"/side/rudder", &p.side.rudder},
+
+        {"/roll/at_zero", &p.roll.at_zero}, {"/roll/beta", &p.roll.beta},
+        {"/roll/roll_rate", &p.roll.roll_rate}, {"/roll/yaw_rate", &p.roll.yaw_rate},
+        {"/roll/aileron", &p.roll.aileron}, {"/roll/rudder", &p.roll.rudder},
+        {"/roll/stall_loss", &p.roll.stall_loss},
+        {"/pitch/at_zero", &p.pitch.at_zero}, {"/pitch/alpha", &p.pitch.alpha},
+        {"/pitch/pitch_rate", &p.pitch.pitch_rate}, {"/pitch/elevator", &p.pitch.elevator},
+        {"/pitch/stall", &p.pitch.stall},
+        {"/yaw/beta", &p.yaw.beta}, {"/yaw/roll_rate", &p.yaw.roll_rate},
+        {"/yaw/yaw_rate", &p.yaw.yaw_rate}, {"/yaw/aileron", &p.yaw.aileron},
+        {"/yaw/rudder", &p.yaw.rudder},
+
+        {"/controls/aileron_deg", &p.controls.aileron_deg},
+        {"/controls/elevator_deg", &p.controls.elevator_deg},
+        {"/controls/rudder_deg", &p.controls.rudder_deg},
+        {"/controls/nose_wheel_deg", &p.controls.nose_wheel_deg},
+        {"/controls/rate_per_s", &p.controls.rate_per_s}, {"/controls/lag_s", &p.controls.lag_s},
+
+        {"/propeller/diameter_m", &p.propeller.diameter_m},
+        {"/propeller/inertia_kgm2", &p.propeller.inertia_kgm2},
+        {"/propeller/thrust/0", &p.propeller.thrust0},
+        {"/propeller/thrust/1", &p.propeller.thrust1},
+        {"/propeller/thrust/2", &p.propeller.thrust2},
+        {"/propeller/torque/0", &p.propeller.torque0},
+        {"/propeller/torque/1", &p.propeller.torque1},
+        {"/propeller/torque/2", &p.propeller.torque2},
+        {"/propeller/slipstream", &p.propeller.slipstream},
+        {"/motor/volts_per_rads", &p.motor.volts_per_rads},
+        {"/motor/resistance_ohm", &p.motor.resistance_ohm}, {"/motor/idle_a", &p.motor.idle_a},
+        {"/motor/throttle_exponent", &p.motor.throttle_exponent}, {"/motor/lag_s", &p.motor.lag_s},
+        {"/battery/cells", &p.battery.cells}, {"/battery/capacity_mah", &p.battery.capacity_mah},
+        {"/battery/resistance_ohm", &p.battery.resistance_ohm},
+        {"/battery/avionics_a", &p.battery.avionics_a},
+        {"/battery/full_v", &p.battery.full_v}, {"/battery/knee_v", &p.battery.knee_v},
+        {"/battery/empty_v", &p.battery.empty_v}, {"/battery/knee_charge", &p.battery.knee_charge},
+
+        {"/grip/stiffness_nm", &p.grip.stiffness_nm}, {"/grip/damping_nsm", &p.grip.damping_nsm},
+    };
+}
+// clang-format on
+
+Contact contact(const Json& from) {
+    Contact to;
+    to.name = from.at("name").get<std::string>();
+    const auto& place = from.at("place_m");
+    to.place_m = {place.at(0).get<double>(), place.at(1).get<double>(), place.at(2).get<double>()};
+    to.wheel = from.value("wheel", false);
+    to.steered = from.value("steered", false);
+    to.stiffness_nm = from.at("stiffness_nm").get<double>();
+    to.damping_nsm = from.at("damping_nsm").get<double>();
+    to.sliding = from.at("sliding").get<double>();
+    to.rolling = from.value("rolling", to.sliding);
+    to.breaks_at_mps = from.at("breaks_at_mps").get<double>();
+    return to;
+}
+
+AirplaneParameters parse(Json json) {
+    AirplaneParameters out;
+    for (const Json& one : json.at("contacts")) out.contacts.push_back(contact(one));
+    json.erase("contacts");
+    json.erase("about");
+    Json flat = json.flatten();
+    for (const Field& field : fields(out)) {
+        if (!flat.contains(field.key)) throw std::runtime_error(std::string("lacks ") + field.key);
+        *field.to = flat[field.key].get<double>();
+        flat.erase(field.key);
+    }
+    if (!flat.empty()) throw std::runtime_error("does not know " + flat.begin().key());
+    return out;
+}
+
+std::string pathOf(const std::string& name) {
+    const bool path =
+        name.find('/') != std::string::npos || name.find(".json") != std::string::npos;
+    return path ? name : std::string(SIMULATOR_AIRPLANES) + "/" + name + ".json";
+}
+
+}  // namespace
+
+AirplaneParameters loadAirplane(const std::string& name) {
+    const std::string path = pathOf(name);
+    std::ifstream file(path);
+    if (!file) throw std::runtime_error(path + ": no such airplane");
+    try {
+        return parse(Json::parse(file));
+    } catch (const std::exception& error) {
+        throw std::runtime_error(path + ": " + error.what());
+    }
+}
+
+}  // namespace simulator

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/devices/ublox_reports.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "simulator/airplane/earth.hpp"
+#include "simulator/devices/ublox_parser.hpp"
+
+namespace simulator {
+namespace {
+
+// Emulated time 0 is Monday 2024-06-03 10:00:00 UTC: GPS week 2317, 18 leap seconds.
+constexpr uint16_t kWeek = 2317;
+constexpr uint32_t kStart_ms = (24 + 10) * 3'600'000u + 18'000u, kWeek_ms = 604'800'000u;
+constexpr uint32_t kLeap_ms = 18'000, kDay_ms = 86'400'000;
+constexpr int kYear = 2024, kMonth = 6, kSunday = 2;
+constexpr double kGeoid_m = 47.0;  // height of the geoid over the ellipsoid
+
+constexpr uint32_t kHorizontal_mm = 1500, kVertical_mm = 2500, kSpeed_mms = 300;
+constexpr uint32_t kUnknown_mm = 4'000'000;
+constexpr uint16_t kDop = 180, kNoDop = 9999;
+
+class Payload {
+public:
+    Payload& u8(uint32_t value) { return put(value, 1); }
+    Payload& u16(uint32_t value) { return put(value, 2); }
+    Payload& u32(uint32_t value) { return put(value, 4); }
+    Payload& i32(double value) {
+        return put(static_cast<uint32_t>(static_cast<int32_t>(std::lround(value))), 4);
+    }
+    Payload& zeros(int count) { return put(0, count); }
+    std::vector<uint8_t> frame(uint8_t id) const { return ubxBytes({0x01, id, bytes_}); }
+
+private:
+    Payload& put(uint32_t value, int size) {
+        for (int i = 0; i < size; ++i)
+            bytes_.push_back(i < 4 ? static_cast<uint8_t>(value >> 8 * i) : 0);
+        return *this;
+    }
+    std::vector<uint8_t> bytes_;
+};
+
+uint32_t towMs(const GpsFix& fix) {
+    return static_cast<uint32_t>((fix.time_us / 1000 + kStart_ms) % kWeek_ms);
+}
+uint32_t dop(const GpsFix& fix) { return fix.valid ? kDop : kNoDop; }
+uint32_t fixType(const GpsFix& fix) { return fix.valid ? 3 : 0; }
+double groundSpeed_mps(const GpsFix& fix) {
+    return std::hypot(fix.velocity_north_mps, fix.velocity_east_mps);
+}
+double course_deg(const GpsFix& fix) {
+    const double course = std::atan2(fix.velocity_east_mps, fix.velocity_north_mps) * 180 / M_PI;
+    return course < 0 ? course + 360 : course;
+}
+
+std::vector<uint8_t> posllh(const GpsFix& fix) {
+    return Payload()
+        .u32(towMs(fix))
+        .i32(fix.longitude_deg * 1e7)
+        .i32(fix.latitude_deg * 1e7)
+        .i32((fix.altitude_m + kGeoid_m) * 1e3)
+        .i32(fix.altitude_m * 1e3)
+        .u32(fix.valid ? kHorizontal_mm : kUnknown_mm)
+        .u32(fix.valid ? kVertical_mm : kUnknown_mm)
+        .frame(0x02);
+}
+
+std::vector<uint8_t> status(const GpsFix& fix) {
+    return Payload()
+        .u32(towMs(fix))
+        .u8(fixType(fix))
+        .u8(fix.valid ? 0x0D : 0x00)  // fix OK, week and time of week valid
+        .u8(0)
+        .u8(0)
+        .u32(0)
+        .u32(static_cast<uint32_t>(fix.time_us / 1000))
+        .frame(0x03);
+}
+
+std::vector<uint8_t> solution(const GpsFix& fix) {
+    const auto ecef =
+        ecefPosition_m(fix.latitude_deg, fix.longitude_deg, fix.altitude_m + kGeoid_m);
+    const auto velocity =
+        ecefVelocity_mps(fix.latitude_deg, fix.longitude_deg, fix.velocity_north_mps,
+                         fix.velocity_east_mps, fix.velocity_down_mps);
+    Payload payload;
+    payload.u32(towMs(fix)).i32(0).u16(kWeek).u8(fixType(fix)).u8(fix.valid ? 0x0D : 0x00);
+    for (double metres : {ecef.x, ecef.y, ecef.z}) payload.i32(metres * 100);
+    payload.u32((fix.valid ? kVertical_mm : kUnknown_mm) / 10);
+    for (double mps : {velocity.x, velocity.y, velocity.z}) payload.i32(mps * 100);
+    return payload.u32(kSpeed_mms / 10)
+        .u16(dop(fix))
+        .u8(0)
+        .u8(static_cast<uint32_t>(fix.satellites))
+        .u32(0)
+        .frame(0x06);
+}
+
+std::vector<uint8_t> velned(const GpsFix& fix) {
+    return Payload()
+        .u32(towMs(fix))
+        .i32(fix.velocity_north_mps * 100)
+        .i32(fix.velocity_east_mps * 100)
+        .i32(fix.velocity_down_mps * 100)
+        .i32(std::hypot(groundSpeed_mps(fix), fix.velocity_down_mps) * 100)
+        .i32(groundSpeed_mps(fix) * 100)
+        .i32(course_deg(fix) * 1e5)
+        .u32(kSpeed_mms / 10)
+        .u32(50'000)
+        .frame(0x12);
+}
+
+struct Utc {
+    uint32_t year, month, day, hour, minute, second, ms;
+};
+Utc utc(const GpsFix& fix) {
+    const uint32_t ms = towMs(fix) - kLeap_ms, of_day = ms % kDay_ms;
+    return {kYear,
+            kMonth,
+            kSunday + ms / kDay_ms,
+            of_day / 3'600'000,
+            of_day / 60'000 % 60,
+            of_day / 1000 % 60,
+            of_day % 1000};
+}
+
+std::vector<uint8_t> pvt(const GpsFix& fix) {
+    const Utc time = utc(fix);
+    return Payload()
+        .u32(towMs(fix))
+        .u16(time.year)
+        .u8(time.month)
+        .u8(time.day)
+        .u8(time.hour)
+        .u8(time.minute)
+        .u8(time.second)
+        .u8(0x07)
+        .u32(50)
+        .i32(time.ms * 1e6)
+        .u8(fixType(fix))
+        .u8(fix.valid)
+        .u8(0)
+        .u8(static_cast<uint32_t>(fix.satellites))
+        .i32(fix.longitude_deg * 1e7)
+        .i32(fix.latitude_deg * 1e7)
+        .i32((fix.altitude_m + kGeoid_m) * 1e3)
+        .i32(fix.altitude_m * 1e3)
+        .u32(fix.valid ? kHorizontal_mm : kUnknown_mm)
+        .u32(fix.valid ? kVertical_mm : kUnknown_mm)
+        .i32(fix.velocity_north_mps * 1e3)
+        .i32(fix.velocity_east_mps * 1e3)
+        .i32(fix.velocity_down_mps * 1e3)
+        .i32(groundSpeed_mps(fix) * 1e3)
+        .i32(course_deg(fix) * 1e5)
+        .u32(kSpeed_mms)
+        .u32(50'000)
+        .u16(dop(fix))
+        .zeros(6)
+        .frame(0x07);
+}
+
+// ddmm.mmmmm,N
+std::string nmeaAngle(double degrees, int digits, char positive, char negative) {
+    const double size = std::fabs(degrees);
+    const int whole = static_cast<int>(size);
+    char text[32];
+    std::snprintf(text, sizeof text, "%0*d%08.5f,%c", digits, whole, (size - whole) * 60,
+                  degrees < 0 ? negative : positive);
+    return text;
+}
+std::string nmeaPlace(const GpsFix& fix) {
+    if (!fix.valid) return ",,,";
+    return nmeaAngle(fix.latitude_deg, 2, 'N', 'S') + "," +
+           nmeaAngle(fix.longitude_deg, 3, 'E', 'W');
+}
+std::string nmeaTime(const GpsFix& fix) {
+    const Utc time = utc(fix);
+    char text[48];
+    std::snprintf(text, sizeof text, "%02u%02u%02u.%02u", time.hour, time.minute, time.second,
+                  time.ms / 10);
+    return text;
+}
+std::vector<uint8_t> sentence(const std::string& body) {
+    const std::string text = nmeaSentence(body);
+    return {text.begin(), text.end()};
+}
+
+std::vector<uint8_t> gga(const GpsFix& fix) {
+    char rest[64] = "0,00,99.99,,,,,,";
+    if (fix.valid)
+        std::snprintf(rest, sizeof rest, "1,%02d,%.2f,%.1f,M,%.1f,M,,", fix.satellites,
+                      kDop / 100.0, fix.altitude_m, kGeoid_m);
+    return sentence("GPGGA," + nmeaTime(fix) + "," + nmeaPlace(fix) + "," + rest);
+}
+
+std::vector<uint8_t> rmc(const GpsFix& fix) {
+    const Utc time = utc(fix);
+    char motion[48] = ",", date[48];
+    if (fix.valid)
+        std::snprintf(motion, sizeof motion, "%.3f,%.2f", groundSpeed_mps(fix) * 3600 / 1852,
+                      course_deg(fix));
+    std::snprintf(date, sizeof date, "%02u%02u%02u", time.day, time.month, time.year % 100);
+    return sentence("GPRMC," + nmeaTime(fix) + (fix.valid ? ",A," : ",V,") + nmeaPlace(fix) + "," +
+                    motion + "," + date + ",,," + (fix.valid ? "A" : "N"));
+}
+
+}  // namespace
+
+const UbloxReport kReports[kReportCount] = {
+    {0x01, 0x02, posllh}, {0x01, 0x03, status},    {0x01, 0x06, solution},  {0x01, 0x12, velned},
+    {0x01, 0x07, pvt},    {kNmeaClass, 0x00, gga}, {kNmeaClass, 0x04, rmc},
+};
+
+}  // namespace simulator

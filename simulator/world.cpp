@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/world.hpp"
+
+#include <algorithm>
+
+#include "simulator/airplane/airplane.hpp"
+#include "simulator/airplane/earth.hpp"
+#include "simulator/devices/analog_sensors.hpp"
+#include "simulator/devices/hmc5883l.hpp"
+#include "simulator/devices/mpu6000.hpp"
+#include "simulator/devices/ms5611.hpp"
+#include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/devices/ublox_gps.hpp"
+
+namespace simulator {
+namespace {
+
+constexpr int kOutputs = 8;
+constexpr uint64_t kSilent_us = 100'000;
+constexpr double kCentre_us = 1500, kTravel_us = 400, kIdle_us = 1100, kFull_us = 1900;
+constexpr double kBoardWarmth_c = 10;  // the board in its box is warmer than the air
+
+SensorErrors errorsFor(const WorldOptions& options) {
+    return options.sensor_errors ? SensorErrors{} : SensorErrors::none();
+}
+
+UbloxOptions gpsFor(const WorldOptions& options) {
+    UbloxOptions gps;
+    gps.baud = options.gps_baud;
+    gps.acquire_s = options.gps_acquire_s;
+    return gps;
+}
+
+}  // namespace
+
+struct World::Parts {
+    explicit Parts(const WorldOptions& options)
+        : errors(errorsFor(options)),
+          field_mg(northEastDown_mg(
+              {options.declination_deg, options.inclination_deg, options.magnetic_field_mg})),
+          airplane(loadAirplane(options.airplane), options, errors.gust_mps),
+          imu(options.seed, errors),
+          barometer(options.seed, errors),
+          compass(options.seed, errors),
+          gps(options.seed, errors, gpsFor(options)),
+          analog(options.seed, errors) {
+        sense();
+    }
+
+    Controls demand();
+    void sense();
+
+    const SensorErrors errors;
+    const Vec3 field_mg;
+    Airplane airplane;
+    Mpu6000 imu;
+    Ms5611 barometer;
+    Hmc5883l compass;
+    UbloxGps gps;
+    AnalogSensors analog;
+    PpmEncoder radio;
+    struct Servo {
+        double width_us = 0;
+        uint64_t time_us = 0;
+        double standing_us = kCentre_us;  // where it stands without pulses
+    };
+    std::array<Servo, kOutputs> servos;
+    uint64_t now_us = 0;
+    bool relay = false;
+
+    bool silent(const Servo& servo) const {
+        return servo.width_us == 0 || now_us > servo.time_us + kSilent_us;
+    }
+};
+
+Controls World::Parts::demand() {
+    const auto deflection = [this](int output) {
+        return std::clamp((servos[output].standing_us - kCentre_us) / kTravel_us, -1.0, 1.0);
+    };
+    Controls out;
+    out.aileron = deflection(0);
+    out.elevator = deflection(1);
+    out.rudder = deflection(3);
+    const Servo& motor = servos[2];
+    if (!silent(motor))
+        out.throttle = std::clamp((motor.width_us - kIdle_us) / (kFull_us - kIdle_us), 0.0, 1.0);
+    return out;
+}
+
+void World::Parts::sense() {
+    const Atmosphere air = atmosphere(airplane.truth().altitude_m);
+    barometer.sense(air.pressure_pa, air.temperature_k - 273.15 + kBoardWarmth_c);
+    const Vec3 field = airplane.toBody(field_mg);
+    compass.sense({field.x, field.y, field.z});
+}
+
+World::World(const WorldOptions& options) : parts_(std::make_unique<Parts>(options)) {}
+World::~World() = default;
+
+void World::advanceTo(uint64_t now_us) {
+    Parts& p = *parts_;
+    for (;;) {
+        const uint64_t step_us = p.airplane.truth().time_us + Airplane::kStep_us;
+        const uint64_t imu_us = p.imu.nextSample_us(), gps_us = p.gps.nextEvent_us();
+        const uint64_t next_us = std::min({step_us, imu_us, gps_us});
+        if (next_us > now_us) break;
+        p.now_us = std::max(p.now_us, next_us);
+        if (next_us == step_us) {
+            p.airplane.step(p.demand());
+            p.sense();
+        } else if (next_us == imu_us) {
+            p.imu.sample(p.airplane.truth(), next_us);
+        } else {
+            p.gps.run(p.airplane.truth(), next_us);
+        }
+    }
+    p.now_us = std::max(p.now_us, now_us);
+    p.radio.advanceTo(p.now_us);
+}
+
+const Truth& World::truth() const { return parts_->airplane.truth(); }
+
+void World::servoPulse(int output, double width_us, uint64_t now_us) {
+    if (output < 1 || output > kOutputs || width_us <= 0) return;
+    parts_->servos[output - 1] = {width_us, now_us, width_us};
+}
+
+double World::servoPulse_us(int output) const {
+    if (output < 1 || output > kOutputs) return 0;
+    const auto& servo = parts_->servos[output - 1];
+    return parts_->silent(servo) ? 0 : servo.width_us;
+}
+
+void World::relay(bool on) { parts_->relay = on; }
+bool World::relayOn() const { return parts_->relay; }
+
+Mpu6000& World::imu() { return parts_->imu; }
+Ms5611& World::barometer() { return parts_->barometer; }
+Hmc5883l& World::compass() { return parts_->compass; }
+UbloxGps& World::gps() { return parts_->gps; }
+PpmEncoder& World::radio() { return parts_->radio; }
+
+double World::analog_v(int pin, uint64_t now_us) {
+    advanceTo(now_us);
+    return parts_->analog.volts(pin, truth());
+}
+
+}  // namespace simulator
