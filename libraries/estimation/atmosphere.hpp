@@ -4,8 +4,8 @@
 
 namespace estimation {
 
-// Height of the pressure above where `ground_pa` was measured, in air that has the ground's
-// temperature throughout (hypsometric equation). Within 0.1 m of it up to 3000 m; no logarithm.
+// Height of the pressure above where `ground_pa` was measured, in air that cools from the ground's
+// temperature as the standard atmosphere does. Within 0.1 % of it up to 3000 m; no logarithm.
 float pressureHeight_m(float pressure_pa, float ground_pa, float ground_temperature_c);
 
 // True airspeed / equivalent airspeed.

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "core/maths.hpp"
+#include "estimation/velocity_history.hpp"
 
 namespace estimation {
 
@@ -22,39 +23,62 @@ struct Angles {
 
 class Attitude {
 public:
-    void start();
+    void start() { *this = Attitude(); }
 
     // Every frame: the mean rate and specific force over the last dt_s, body axes.
     void propagate(const core::Vector3& rate_rads, const core::Vector3& force_mss, float dt_s);
 
-    // A compass reading in body axes with its offsets removed; only directions count.
+    // Every compass reading: body axes, offsets removed; only its direction counts.
     void useCompass(const core::Vector3& field_mg, const AttitudeSettings& settings);
 
-    // Once for every fix: north, east, down. Without a compass its course gives the heading.
+    // Once for every fix: north, east, down. Without a compass its course gives the first heading.
     void useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings);
 
-    // While there is no GPS, five times a second: with the true airspeed (0: unknown) the
-    // turn's centripetal acceleration is known well enough to stay upright.
+    // While there is no GPS, five times a second: with the true airspeed (0: unknown, or standing)
+    // the turn's centripetal acceleration is known well enough to stay upright.
     void useAirspeed(float true_airspeed_mps);
 
-    bool aligned() const { return aligned_; }  // upright and, with a compass, pointed
+    bool aligned() const { return phase_ == Phase::pointed; }  // upright and pointed
 
     // To be asked once a frame; works them out. Yaw clockwise from true north, -pi..pi.
     Angles angles() const;
-    core::Vector3 rate_rads() const;  // the last frame's, the estimated bias removed
-    core::Vector3 bias_rads() const { return bias_; }
+    // Where the nose points, for the wind: the first column of the matrix.
+    float noseNorth() const { return north_.x; }
+    float noseEast() const { return down_.y * north_.z - down_.z * north_.y; }
 
-    // Acceleration over ground of the last frame, gravity removed: north, east, down.
+    const core::Vector3& rate_rads() const { return rate_; }  // the last, the bias removed
+    const core::Vector3& bias_rads() const { return bias_; }
+
+    // Acceleration over ground of the last frames, gravity removed: north, east, down.
     const core::Vector3& acceleration_mss() const { return acceleration_; }
-    // Velocity gained since the time of the last fix given to useGps, as the accelerometers have
-    // it.
+    // Gained by the accelerometers since the time of the last fix given to useGps.
     core::Vector3 gainedSinceFix_mps() const;
 
 private:
-    core::Vector3 north_, down_;  // unit vectors in body axes
-    core::Vector3 bias_;
-    core::Vector3 acceleration_;
-    bool aligned_ = false;
+    enum class Phase : uint8_t { falling, upright, pointed };
+
+    void alignUpright(const core::Vector3& force_mss);
+    void rotate(const core::Vector3& by_rad);
+    void turnTo(float sine, float cosine);
+    void keepUnit();
+    void accelerate(float dt_s);
+    void correct(const core::Vector3& missing_mss, float time_s);
+
+    core::Vector3 north_ = {1, 0, 0}, down_ = {0, 0, 1};  // unit vectors in body axes
+    core::Vector3 bias_ = {0, 0, 0};                      // of the gyros
+    core::Vector3 rate_ = {0, 0, 0};
+    core::Vector3 force_sum_ = {0, 0, 0};
+    core::Vector3 acceleration_ = {0, 0, 0};
+    VelocityHistory history_;
+    VelocityHistory::Moment fix_ = {};         // the accelerometers' velocity at the last fix
+    VelocityHistory::Moment fix_ground_ = {};  // and the GPS's
+    float since_fix_s_ = 1e6f;
+    float force_time_s_ = 0;
+    float yaw_rad_ = 0;
+    float settling_ = 1;  // 1 at start, 0 when settled: how much quicker corrections are taken over
+    Phase phase_ = Phase::falling;
+    uint8_t frame_ = 0;
+    uint8_t compass_reading_ = 0;
 };
 
 }  // namespace estimation

@@ -18,10 +18,13 @@ public:
     const core::Vector3& zero_rads() const { return zero_; }
 
 private:
-    core::Vector3 zero_ = {0, 0, 0};
-    core::Vector3 first_rate_ = {0, 0, 0}, force_ = {0, 0, 0};
-    float time_s_ = 0;
-    uint8_t count_ = 0;
+    bool usePart();
+
+    core::Vector3 zero_ = {0, 0, 0};   // mean of the still parts
+    core::Vector3 force_ = {0, 0, 0};  // of the first
+    core::Vector3 rate_sum_ = {0, 0, 0}, force_sum_ = {0, 0, 0};
+    float part_s_ = 0;  // summed up
+    float time_s_ = 0;  // still for this long
     bool done_ = false;
 };
 

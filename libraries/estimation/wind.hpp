@@ -27,9 +27,12 @@ public:
     float airspeed_mps(const core::Vector3& ground_mps) const;
 
 private:
+    bool fromTurn(const core::Vector3& ground_mps, const Pointing& nose, float& airspeed_mps);
+
     float north_mps_ = 0, east_mps_ = 0;
     float old_ground_north_ = 0, old_ground_east_ = 0;
     float old_sin_yaw_ = 0, old_cos_yaw_ = 0;
+    float heard_s_ = 0;  // of readings, up to the filter's time
     bool seeded_ = false, known_ = false;
 };
 

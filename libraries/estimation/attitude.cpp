@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimation/attitude.hpp"
+
+#include "estimation/arc.hpp"
+
+namespace estimation {
+namespace {
+
+constexpr float kGravity = core::kGravity_mss;
+constexpr uint8_t kAlignFrames = 25;
+
+// Time constants of the corrections, settled. The gyros are good for a minute, so the references'
+// noise may be averaged for long; an accelerometer's bias then even averages out over a circle.
+constexpr float kTilt_s = 8.0f;
+constexpr float kCompass_s = 6.0f;
+constexpr float kBiasShare = 1.0f / 60.0f;  // bias taken over, per second of tilt corrected
+constexpr float kQuick = 8.0f;              // so much faster at first
+constexpr float kSettle_s = 10.0f;
+
+// In a turn a small error of heading or of the fix's age shows as acceleration along the path, not
+// towards the centre: beyond this horizontal acceleration the part along the path counts less.
+constexpr float kTurning_mss = 2.5f;
+constexpr float kYawFromTurn = 0.03f;  // of the heading error a turn shows, each fix
+
+constexpr float kMostBias_rads = 0.05f;      // 3 deg/s beyond the start-up zero
+constexpr float kMostBiasStep_rads = 2e-4f;  // in one correction
+constexpr float kMostTime_s = 1.1f;          // between two fixes that are compared
+constexpr uint8_t kCompassEvery = 5;         // 10 Hz of 50
+constexpr float kCompassStep_s = 0.1f;
+constexpr float kFarOff = 0.5f;  // sine of a compass error that means: turned unseen
+
+core::Vector3 unit(const core::Vector3& v) { return v * (1.0f / sqrtf(core::dot(v, v))); }
+// One step of Newton's for 1 / |v|: exact enough for what grew by a thousandth.
+void renormalise(core::Vector3& v) { v = v * (1.5f - 0.5f * core::dot(v, v)); }
+
+}  // namespace
+
+void Attitude::propagate(const core::Vector3& rate_rads, const core::Vector3& force_mss,
+                         float dt_s) {
+    force_sum_ = force_sum_ + force_mss * dt_s;
+    force_time_s_ += dt_s;
+    since_fix_s_ = core::limit(since_fix_s_ + dt_s, 0.0f, 1e6f);
+    rate_ = rate_rads - bias_;
+    if (phase_ == Phase::falling) {
+        if (++frame_ == kAlignFrames) alignUpright(force_sum_);
+        return;
+    }
+    const core::Vector3 turned = rate_ * dt_s;
+    north_ = north_ + core::cross(north_, turned);
+    down_ = down_ + core::cross(down_, turned);
+    // The dearer work is spread over four frames.
+    frame_ = (frame_ + 1) & 3;
+    if (frame_ & 1) {
+        accelerate(dt_s);
+    } else {
+        keepUnit();
+    }
+}
+
+void Attitude::alignUpright(const core::Vector3& force_sum) {
+    frame_ = 0;
+    const float squared = core::dot(force_sum, force_sum);
+    force_sum_ = {0, 0, 0};
+    force_time_s_ = 0;
+    if (squared < 1e-6f) return;  // no accelerometer, or falling indeed: look again
+    down_ = unit(force_sum * -1.0f);
+    const core::Vector3 along = {1, 0, 0}, below = {0, 0, 1};
+    const core::Vector3& level = fabsf(down_.x) < 0.9f ? along : below;
+    north_ = unit(level - down_ * core::dot(level, down_));
+    phase_ = Phase::upright;
+}
+
+void Attitude::keepUnit() {
+    if (frame_ == 0) {
+        renormalise(down_);
+        const float east = noseEast();
+        const float inverse = 1.0f / sqrtf(north_.x * north_.x + east * east + 1e-12f);
+        yaw_rad_ = arc_rad(east * inverse, north_.x * inverse);
+    } else {
+        north_ = north_ - down_ * core::dot(north_, down_);
+        renormalise(north_);
+    }
+}
+
+// The force of the last two frames, turned into north, east, down.
+void Attitude::accelerate(float) {
+    const float time_s = force_time_s_;
+    if (time_s <= 0) return;
+    const core::Vector3 east = core::cross(down_, north_);
+    core::Vector3 gain = {core::dot(north_, force_sum_), core::dot(east, force_sum_),
+                          core::dot(down_, force_sum_) + kGravity * time_s};
+    acceleration_ = gain * (1.0f / time_s);
+    history_.add(gain, time_s);
+    force_sum_ = {0, 0, 0};
+    force_time_s_ = 0;
+}
+
+// By a small angle about north, east and down.
+void Attitude::rotate(const core::Vector3& by_rad) {
+    const core::Vector3 east = core::cross(down_, north_);
+    const core::Vector3 old_north = north_;
+    north_ = north_ - east * by_rad.z + down_ * by_rad.y;
+    down_ = down_ - old_north * by_rad.y + east * by_rad.x;
+}
+
+// About the vertical, by any angle.
+void Attitude::turnTo(float sine, float cosine) {
+    const core::Vector3 east = core::cross(down_, north_);
+    north_ = north_ * cosine - east * sine;
+    if (phase_ == Phase::upright) phase_ = Phase::pointed;
+}
+
+// `missing`: acceleration the reference saw and the accelerometers did not, over time_s. A tilt of
+// one radian would turn gravity into one g of it.
+void Attitude::correct(const core::Vector3& missing_mss, float time_s) {
+    const float quick = 1.0f + (kQuick - 1.0f) * settling_;
+    settling_ = core::limit(settling_ - time_s / kSettle_s, 0.0f, 1.0f);
+    const core::Vector3& a = acceleration_;
+    const float horizontal = a.x * a.x + a.y * a.y;
+    // Split into towards the centre (along a) and along the path.
+    core::Vector3 used = missing_mss;
+    float yaw = 0;
+    if (horizontal > 0.25f) {
+        const float inverse = 1.0f / horizontal;
+        const float path = (a.x * missing_mss.y - a.y * missing_mss.x) * inverse;
+        const float doubt = horizontal / (horizontal + kTurning_mss * kTurning_mss);
+        used.x += a.y * path * doubt;
+        used.y -= a.x * path * doubt;
+        yaw = path * doubt * kYawFromTurn * quick;
+    }
+    const float gain = quick * core::limit(time_s / kTilt_s, 0.0f, 0.1f) / kGravity;
+    const core::Vector3 turn = {used.y * gain, -used.x * gain, core::limit(yaw, -0.05f, 0.05f)};
+    rotate(turn);
+    const core::Vector3 east = core::cross(down_, north_);
+    const core::Vector3 body = north_ * turn.x + east * turn.y + down_ * turn.z;
+    const float share = kBiasShare;
+    bias_.x =
+        core::limit(bias_.x - core::limit(body.x * share, -kMostBiasStep_rads, kMostBiasStep_rads),
+                    -kMostBias_rads, kMostBias_rads);
+    bias_.y =
+        core::limit(bias_.y - core::limit(body.y * share, -kMostBiasStep_rads, kMostBiasStep_rads),
+                    -kMostBias_rads, kMostBias_rads);
+    bias_.z =
+        core::limit(bias_.z - core::limit(body.z * share, -kMostBiasStep_rads, kMostBiasStep_rads),
+                    -kMostBias_rads, kMostBias_rads);
+}
+
+void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings) {
+    const VelocityHistory::Moment then = history_.ago(settings.gps_age_s);
+    const VelocityHistory::Moment ground = VelocityHistory::moment(velocity_mps.x, velocity_mps.y);
+    const float time_s = since_fix_s_;
+    if (phase_ != Phase::falling && time_s < kMostTime_s && time_s > 0.05f) {
+        const core::Vector3 seen = VelocityHistory::difference_mps(ground, fix_ground_);
+        const core::Vector3 felt = VelocityHistory::difference_mps(then, fix_);
+        correct((seen - felt) * (1.0f / time_s), time_s);
+    }
+    fix_ = then;
+    fix_ground_ = ground;
+    since_fix_s_ = 0;
+    const float fast = velocity_mps.x * velocity_mps.x + velocity_mps.y * velocity_mps.y;
+    if (phase_ == Phase::upright && !settings.use_compass && fast > 25.0f) {
+        const float inverse = 1.0f / sqrtf(fast);
+        const float east = velocity_mps.y * inverse, north = velocity_mps.x * inverse;
+        const float nose_inverse =
+            1.0f / sqrtf(north_.x * north_.x + noseEast() * noseEast() + 1e-6f);
+        const float nose_north = north_.x * nose_inverse, nose_east = noseEast() * nose_inverse;
+        turnTo(east * nose_north - north * nose_east, north * nose_north + east * nose_east);
+    }
+}
+
+core::Vector3 Attitude::gainedSinceFix_mps() const {
+    return VelocityHistory::difference_mps(history_.now(), fix_);
+}
+
+void Attitude::useAirspeed(float true_airspeed_mps) {
+    if (phase_ == Phase::falling) return;
+    // Its own velocity swings round with the nose; changes of speed are not known.
+    const core::Vector3 east = core::cross(down_, north_);
+    const float yaw_rate = core::dot(down_, rate_);
+    const float north_mps = true_airspeed_mps * north_.x, east_mps = true_airspeed_mps * east.x;
+    const core::Vector3 swung = {-yaw_rate * east_mps, yaw_rate * north_mps, 0};
+    core::Vector3 missing = swung - acceleration_;
+    missing.z = 0;
+    correct(missing, 0.2f);
+}
+
+void Attitude::useCompass(const core::Vector3& field_mg, const AttitudeSettings& settings) {
+    if (phase_ == Phase::falling || !settings.use_compass) return;
+    if (phase_ == Phase::pointed && ++compass_reading_ < kCompassEvery) return;
+    compass_reading_ = 0;
+    const core::Vector3 east = core::cross(down_, north_);
+    const float m_north = core::dot(north_, field_mg), m_east = core::dot(east, field_mg);
+    const float length = sqrtf(m_north * m_north + m_east * m_east);
+    if (length < 30.0f) return;  // near a magnetic pole, or no field at all: no direction
+    const float inverse = 1.0f / length;
+    // Declination is small enough on every inhabited place for its cosine's second order.
+    const float d = settings.declination_rad;
+    const float sin_d = d * (1.0f - d * d * (1.0f / 6.0f)), cos_d = 1.0f - 0.5f * d * d;
+    const float sine = (m_north * sin_d - m_east * cos_d) * inverse;
+    const float cosine = (m_north * cos_d + m_east * sin_d) * inverse;
+    if (phase_ == Phase::upright) return turnTo(sine, cosine);
+    const float quick = 1.0f + (kQuick - 1.0f) * settling_;
+    const float error = cosine > 0 ? sine : (sine > 0 ? 1.0f : -1.0f);
+    const core::Vector3 turn = {
+        0, 0, error * core::limit(quick * kCompassStep_s / kCompass_s, 0.0f, 0.5f)};
+    rotate(turn);
+    bias_ =
+        bias_ - down_ * core::limit(turn.z * kBiasShare, -kMostBiasStep_rads, kMostBiasStep_rads);
+}
+
+Angles Attitude::angles() const {
+    Angles a;
+    a.sin_pitch = core::limit(-down_.x, -1.0f, 1.0f);
+    a.cos_pitch = sqrtf(down_.y * down_.y + down_.z * down_.z);
+    const float inverse = a.cos_pitch > 1e-3f ? 1.0f / a.cos_pitch : 1e3f;
+    a.sin_roll = down_.y * inverse;
+    a.cos_roll = down_.z * inverse;
+    a.roll_rad = arc_rad(a.sin_roll, a.cos_roll);
+    a.pitch_rad = arc_rad(a.sin_pitch, a.cos_pitch);
+    a.yaw_rad = yaw_rad_;
+    return a;
+}
+
+}  // namespace estimation

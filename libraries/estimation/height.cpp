@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimation/height.hpp"
+
+#include "core/maths.hpp"
+
+namespace estimation {
+namespace {
+
+constexpr float kGlitch_m = 15.0f;  // a reading farther off than this is left out ...
+constexpr float kInsist_s = 0.5f;   // ... unless they all are, this long
+constexpr float kMostBias_mss = 2.0f;
+constexpr float kSinking_s = 1.0f;  // without readings the climb rate dies away with this
+
+}  // namespace
+
+void Height::start(float height_m) {
+    *this = Height();
+    height_m_ = height_m;
+    unfed_s_ = 0;
+}
+
+void Height::propagate(float up_mss, float dt_s) {
+    unfed_s_ = core::limit(unfed_s_ + dt_s, 0.0f, 1e6f);
+    if (unfed_s_ > kSinking_s) {  // nothing holds the accelerations' errors any more
+        climb_mps_ -= climb_mps_ * (dt_s / kSinking_s);
+        return;
+    }
+    const float gain_mps = (up_mss + bias_mss_) * dt_s;
+    height_m_ += (climb_mps_ + 0.5f * gain_mps) * dt_s;
+    climb_mps_ += gain_mps;
+}
+
+void Height::useBarometer(float height_m, float dt_s, const HeightSettings& settings) {
+    const float error_m = height_m - height_m_;
+    if (!healthy()) {
+        start(height_m);
+        return;
+    }
+    if (error_m > kGlitch_m || error_m < -kGlitch_m) {
+        if (glitches_ != UINT16_MAX) ++glitches_;
+        off_s_ += dt_s;
+        if (off_s_ > kInsist_s) start(height_m);
+        return;
+    }
+    off_s_ = 0;
+    unfed_s_ = 0;
+    // An observer with its three poles at omega: (s + omega)^3.
+    const float omega = settings.omega_rads;
+    const float step = error_m * omega * core::limit(dt_s, 0.0f, 0.1f);
+    height_m_ += 3.0f * step;
+    climb_mps_ += 3.0f * omega * step;
+    bias_mss_ = core::limit(bias_mss_ + omega * omega * step, -kMostBias_mss, kMostBias_mss);
+}
+
+}  // namespace estimation

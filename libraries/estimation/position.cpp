@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimation/position.hpp"
+
+namespace estimation {
+namespace {
+
+constexpr float kPositionShare = 0.25f;  // of the difference, taken over with each fix
+constexpr float kVelocityShare = 0.4f;
+constexpr float kFar_m = 60.0f;    // a fix this far off is doubted ...
+constexpr uint8_t kDoubts = 5;     // ... unless five agree
+constexpr float kStale_s = 2.0f;   // after this a fix is simply believed
+constexpr float kFold_m = 200.0f;  // the offset is folded into the anchor beyond this
+
+}  // namespace
+
+void Position::propagate(const core::Vector3& acceleration_mss, float dt_s) {
+    if (age_s_ < 1e6f) age_s_ += dt_s;
+    // Without fixes the accelerations' errors grow with the square of time: only the velocity is
+    // carried on.
+    const float share = age_s_ < 1.0f ? dt_s : 0.0f;
+    const core::Vector3 gain = acceleration_mss * share;
+    since_.north_m += (velocity_.x + 0.5f * gain.x) * dt_s;
+    since_.east_m += (velocity_.y + 0.5f * gain.y) * dt_s;
+    velocity_ = velocity_ + gain;
+}
+
+void Position::useGps(const geo::Position& position, const core::Vector3& velocity_mps,
+                      const core::Vector3& gained_mps, const PositionSettings& settings) {
+    const core::Vector3 velocity = velocity_mps + gained_mps;  // now
+    const core::Vector3 mean = velocity_mps + gained_mps * 0.5f;
+    const geo::Offset carried = {mean.x * settings.gps_age_s, mean.y * settings.gps_age_s};
+    if (age_s_ > kStale_s) {
+        anchor_ = position;
+        since_ = carried;
+        velocity_ = velocity;
+        age_s_ = 0;
+        refused_ = 0;
+        return;
+    }
+    const geo::Offset fix = geo::offset(anchor_, position);
+    const float north_m = fix.north_m + carried.north_m - since_.north_m;
+    const float east_m = fix.east_m + carried.east_m - since_.east_m;
+    const bool far = north_m * north_m + east_m * east_m > kFar_m * kFar_m;
+    if (far && ++refused_ < kDoubts) return;
+    const bool jump = far;
+    refused_ = 0;
+    age_s_ = 0;
+    since_.north_m += north_m * (jump ? 1.0f : kPositionShare);
+    since_.east_m += east_m * (jump ? 1.0f : kPositionShare);
+    velocity_ = jump ? velocity : velocity_ + (velocity - velocity_) * kVelocityShare;
+    if (since_.north_m * since_.north_m + since_.east_m * since_.east_m > kFold_m * kFold_m) {
+        const geo::Position folded = geo::moved(anchor_, since_);
+        const geo::Offset kept = geo::offset(anchor_, folded);  // the rest of a 1e-7 degree stays
+        since_ = {since_.north_m - kept.north_m, since_.east_m - kept.east_m};
+        anchor_ = folded;
+    }
+}
+
+geo::Position Position::position() const { return geo::moved(anchor_, since_); }
+
+core::Vector3 Position::velocity_mps() const { return velocity_; }
+
+}  // namespace estimation

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimation/velocity_history.hpp"
+
+namespace estimation {
+namespace {
+
+// 2^16 mm/s: taking it off changes no difference.
+constexpr float kWrap_mps = 65.536f;
+
+uint16_t wrapped(float mps) { return static_cast<uint16_t>(static_cast<int32_t>(mps * 1000.0f)); }
+float difference(uint16_t later, uint16_t earlier) {
+    return static_cast<int16_t>(static_cast<uint16_t>(later - earlier)) * 0.001f;
+}
+uint16_t between(uint16_t from, uint16_t to, float share) {
+    const int16_t rise = static_cast<int16_t>(static_cast<uint16_t>(to - from));
+    return static_cast<uint16_t>(from + static_cast<int16_t>(rise * share));
+}
+void bound(float& mps) {
+    if (mps > kWrap_mps) mps -= kWrap_mps;
+    if (mps < -kWrap_mps) mps += kWrap_mps;
+}
+
+}  // namespace
+
+VelocityHistory::Moment VelocityHistory::moment(float north_mps, float east_mps) {
+    return {wrapped(north_mps), wrapped(east_mps)};
+}
+
+core::Vector3 VelocityHistory::difference_mps(const Moment& later, const Moment& earlier) {
+    return {difference(later.north, earlier.north), difference(later.east, earlier.east), 0};
+}
+
+void VelocityHistory::add(const core::Vector3& gain_mps, float dt_s) {
+    north_mps_ += gain_mps.x;
+    east_mps_ += gain_mps.y;
+    since_entry_s_ += dt_s;
+    if (since_entry_s_ < kStep_s - 0.001f) return;
+    bound(north_mps_);
+    bound(east_mps_);
+    since_entry_s_ = 0;
+    newest_ = newest_ + 1 < kEntries ? newest_ + 1 : 0;
+    entries_[newest_] = now();
+}
+
+VelocityHistory::Moment VelocityHistory::ago(float age_s) const {
+    const float back_s = age_s - since_entry_s_;  // before the newest entry
+    if (back_s <= 0) return now();
+    float steps = core::limit(back_s * (1.0f / kStep_s), 0.0f, kEntries - 1.001f);
+    const uint8_t whole = static_cast<uint8_t>(steps);
+    const float share = steps - whole;
+    const uint8_t later = newest_ >= whole ? newest_ - whole : newest_ + kEntries - whole;
+    const uint8_t earlier = later > 0 ? later - 1 : kEntries - 1;
+    return {between(entries_[later].north, entries_[earlier].north, share),
+            between(entries_[later].east, entries_[earlier].east, share)};
+}
+
+}  // namespace estimation

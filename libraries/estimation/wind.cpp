@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimation/wind.hpp"
+
+namespace estimation {
+namespace {
+
+constexpr float kSlow_s = 15.0f;  // the mean wind, not its gusts
+constexpr float kTurn = 0.5f;     // change of the nose's direction that tells enough
+constexpr float kMostWind_mps = 50.0f;
+constexpr float kLeastAirspeed_mps = 4.0f;
+
+}  // namespace
+
+void Wind::start() { *this = Wind(); }
+
+// With the airspeed the wind is ground less air; without it, the airspeed itself follows from two
+// headings: in a steady wind the ground velocity changes as the air velocity does.
+void Wind::update(const core::Vector3& ground_mps, const Pointing& nose, float airspeed_mps,
+                  float dt_s) {
+    float speed_mps = airspeed_mps * nose.cos_pitch;
+    float share = dt_s / kSlow_s;
+    if (airspeed_mps < kLeastAirspeed_mps) {
+        if (!fromTurn(ground_mps, nose, speed_mps)) return;
+        share = 0.3f;
+    }
+    const float north_mps = ground_mps.x - speed_mps * nose.cos_yaw;
+    const float east_mps = ground_mps.y - speed_mps * nose.sin_yaw;
+    // Quick at first, so that the wind is known soon after takeoff.
+    heard_s_ = heard_s_ < kSlow_s ? heard_s_ + dt_s : kSlow_s;
+    if (airspeed_mps >= kLeastAirspeed_mps) share = dt_s / heard_s_;
+    north_mps_ =
+        core::limit(north_mps_ + (north_mps - north_mps_) * share, -kMostWind_mps, kMostWind_mps);
+    east_mps_ =
+        core::limit(east_mps_ + (east_mps - east_mps_) * share, -kMostWind_mps, kMostWind_mps);
+    known_ = known_ || airspeed_mps < kLeastAirspeed_mps || heard_s_ > 2.0f;
+}
+
+// True when the nose has turned far enough since the last time to tell the airspeed.
+bool Wind::fromTurn(const core::Vector3& ground_mps, const Pointing& nose, float& airspeed_mps) {
+    const float north = nose.cos_yaw - old_cos_yaw_, east = nose.sin_yaw - old_sin_yaw_;
+    const float squared = north * north + east * east;
+    if (seeded_ && squared < kTurn * kTurn) return false;
+    bool told = false;
+    if (seeded_) {
+        airspeed_mps = (north * (ground_mps.x - old_ground_north_) +
+                        east * (ground_mps.y - old_ground_east_)) /
+                       squared;
+        told = airspeed_mps > kLeastAirspeed_mps && airspeed_mps < kMostWind_mps;
+    }
+    seeded_ = true;
+    old_cos_yaw_ = nose.cos_yaw;
+    old_sin_yaw_ = nose.sin_yaw;
+    old_ground_north_ = ground_mps.x;
+    old_ground_east_ = ground_mps.y;
+    return told;
+}
+
+float Wind::airspeed_mps(const core::Vector3& ground_mps) const {
+    const float north = ground_mps.x - north_mps_, east = ground_mps.y - east_mps_;
+    return sqrtf(north * north + east * east + ground_mps.z * ground_mps.z);
+}
+
+}  // namespace estimation
