@@ -68,7 +68,7 @@ function(simulator_library name)
     target_include_directories(simulator_${name} ${HOUSE_SCOPE} ${CMAKE_SOURCE_DIR}
                                ${CMAKE_SOURCE_DIR}/libraries)
 endfunction()
-simulator_library(ground mavlink)
+simulator_library(ground mavlink simulator_world)
 simulator_library(report simulator_ground)
 
 file(GLOB_RECURSE native_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/firmware/*.cpp)
@@ -90,7 +90,29 @@ foreach(room firmware firmware_mission telemetry)
     house_test(${room}_test ${CMAKE_SOURCE_DIR}/host_tests/${room} firmware_on_fakes)
 endforeach()
 
-simulator_library(native firmware_native)
+simulator_library(native firmware_native simulator_world)
 target_include_directories(simulator_native BEFORE PRIVATE ${CMAKE_SOURCE_DIR}/simulator/native)
 
 include(machine)
+
+find_package(CLI11 REQUIRED)
+add_executable(fly simulator/fly.cpp simulator/fly_options.cpp)
+target_compile_options(fly PRIVATE ${HOUSE_WARNINGS})
+target_compile_definitions(fly PRIVATE FLY_IMAGE="${IMAGE_ELF}"
+    FLY_MISSION="${CMAKE_SOURCE_DIR}/simulator/missions/first_flight.waypoints"
+    FLY_OUT="${CMAKE_SOURCE_DIR}/build/flight")
+target_link_libraries(fly PRIVATE simulator_report simulator_ground simulator_machine
+                      simulator_native simulator_world CLI11::CLI11)
+
+# ---- the hardware layer, by small programs of its own on the emulated chip
+ExternalProject_Add(hal_programs
+    SOURCE_DIR ${CMAKE_SOURCE_DIR}
+    BINARY_DIR ${CMAKE_BINARY_DIR}/avr-hal
+    CMAKE_ARGS -DCMAKE_TOOLCHAIN_FILE=${CMAKE_SOURCE_DIR}/toolchain/avr-gcc.cmake -DBOARD=apm2
+               -DCMAKE_BUILD_TYPE=MinSizeRel
+    BUILD_COMMAND ${CMAKE_COMMAND} --build <BINARY_DIR> --target hal_programs
+    BUILD_ALWAYS ON
+    INSTALL_COMMAND "")
+house_test(hal_avr_test ${CMAKE_SOURCE_DIR}/host_tests/hal_avr simulator_machine)
+add_dependencies(hal_avr_test hal_programs)
+target_compile_definitions(hal_avr_test PRIVATE CHIP_PROGRAMS="${CMAKE_BINARY_DIR}/avr-hal")

@@ -25,6 +25,8 @@ public:
     void receive(uint8_t byte, uint64_t time_us) { link_.receive(byte, time_us); }
     void step(uint64_t now_us);  // every 20 ms or so
 
+    void stop(const std::string& reason) { fail(reason); }  // it cannot go on
+
     bool over() const { return over_; }
     bool completed() const { return over_ && reason_.empty(); }
     const std::string& reason() const { return reason_; }  // why it was not completed, one line

@@ -2,7 +2,6 @@
 #include "simulator/native/serial_lines.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "simulator/devices/ublox_gps.hpp"
 
@@ -93,19 +92,11 @@ void SerialLines::runIncoming(int port) {
     }
 }
 
-// A receiver at another rate samples the wrong places of the wrong bits: some bytes are dropped
-// for a missing stop bit, the others mean nothing.
 void SerialLines::runGps() {
     Line& line = lines_[kGps];
-    while (auto byte = gps_.nextByte(now_us_)) {
+    while (auto sent = gps_.nextByte(now_us_)) {
         if (line.baud == 0) continue;
-        const auto apart = std::abs(static_cast<int64_t>(line.baud) - gps_.baud());
-        if (apart * 25 <= gps_.baud()) {  // 4 %: the tenth bit is still sampled in its first half
-            take(line, *byte);
-            continue;
-        }
-        noise_ = noise_ * 1664525u + 1013904223u;
-        if (noise_ >> 31) take(line, static_cast<uint8_t>(*byte ^ (noise_ >> 16) ^ 0x55));
+        if (auto byte = noise_.through(*sent, gps_.baud(), line.baud)) take(line, *byte);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <deque>
 
 #include "simulator/board.hpp"
+#include "simulator/line_noise.hpp"
 
 namespace simulator {
 
@@ -54,7 +55,7 @@ private:
     UbloxGps& gps_;
     Board::Listener listener_;
     std::array<Line, kPorts> lines_;
-    uint32_t noise_ = 1;
+    LineNoise noise_;
 };
 
 }  // namespace simulator

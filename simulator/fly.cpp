@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program: puts a board into a world, and either flies a mission from the ground station's
+// chair and reports on it, or serves the board to ground stations.
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "simulator/fly_options.hpp"
+#include "simulator/ground/scripted_flight.hpp"
+#include "simulator/ground/server.hpp"
+#include "simulator/machine/apm2_board.hpp"
+#include "simulator/native/native_board.hpp"
+#include "simulator/report/page.hpp"
+#include "simulator/report/recorder.hpp"
+#include "simulator/report/status_line.hpp"
+#include "simulator/report/summary.hpp"
+
+namespace simulator {
+namespace {
+
+constexpr uint64_t kStep_us = 20'000;
+constexpr int kStepsPerSample = 5;
+constexpr size_t kEepromBytes = 4096;
+
+volatile std::sig_atomic_t interrupted = 0;
+
+// What the user gave and we cannot use: one line, exit 2.
+class WrongInput : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+class WallClock {
+public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// The runway points at the first place of the mission.
+double runwayHeading_deg(const Waypoints& items) {
+    const LocalFrame frame(items[0].latitude_deg, items[0].longitude_deg);
+    for (const PlannedNav& nav : makePlan(items, frame).navs) {
+        if (!nav.place || std::hypot(nav.place->east_m, nav.place->north_m) < 1) continue;
+        const double bearing = std::atan2(nav.place->east_m, nav.place->north_m) * 180 / M_PI;
+        return bearing < 0 ? bearing + 360 : bearing;
+    }
+    return 0;
+}
+
+WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
+    WorldOptions world;
+    world.latitude_deg = items[0].latitude_deg;
+    world.longitude_deg = items[0].longitude_deg;
+    world.altitude_m = items[0].altitude_m;
+    world.heading_deg = runwayHeading_deg(items);
+    world.wind_mps = options.wind_mps;
+    world.wind_from_deg = options.wind_from_deg;
+    world.gusts = options.gusts;
+    world.seed = options.seed;
+    return world;
+}
+
+void loadEeprom(Board& board, const std::string& path) {
+    if (path.empty() || !std::filesystem::exists(path)) return;
+    std::ifstream file(path, std::ios::binary);
+    const std::vector<uint8_t> image(std::istreambuf_iterator<char>(file), {});
+    if (image.size() != kEepromBytes) {
+        throw WrongInput("--eeprom " + path + ": expected 4096 bytes, found " +
+                         std::to_string(image.size()));
+    }
+    board.setEeprom(image);
+}
+
+void writeFile(const std::filesystem::path& path, const std::string& text) {
+    std::ofstream file(path, std::ios::binary);
+    file << text;
+    if (!file.flush()) throw WrongInput(path.string() + ": cannot be written");
+}
+
+void saveEeprom(const Board& board, const std::string& path) {
+    if (path.empty()) return;
+    const auto image = board.eeprom();
+    writeFile(path, std::string(image.begin(), image.end()));
+}
+
+std::unique_ptr<Board> makeBoard(const FlyOptions& options, const WorldOptions& world) {
+    if (options.native) return std::make_unique<NativeBoard>(world);
+    if (!std::filesystem::exists(options.firmware)) {
+        throw WrongInput("--firmware " + options.firmware + ": no such file");
+    }
+    try {
+        auto board = std::make_unique<AvrBoard>(options.firmware, world);
+        if (!options.vcd.empty()) board->traceTo(options.vcd);
+        if (options.gdb != 0) board->serveGdb(options.gdb);
+        return board;
+    } catch (const std::runtime_error& error) {
+        throw WrongInput(error.what());
+    }
+}
+
+Summary summarize(const FlyOptions& options, const Board& board, const ScriptedFlight& flight,
+                  const Recorder& recorder, const Plan& plan) {
+    Summary s;
+    s.mission = std::filesystem::path(options.mission).filename();
+    s.firmware = options.native ? "natively compiled"
+                                : std::filesystem::path(options.firmware).filename().string();
+    s.board = options.native ? "native" : "apm2";
+    s.wind_mps = options.wind_mps;
+    s.wind_from_deg = options.wind_from_deg;
+    s.gusts = options.gusts;
+    s.seed = options.seed;
+    s.completed = flight.completed();
+    s.reason = flight.over() ? flight.reason() : "interrupted";
+    if (flight.airborne_s() && flight.landed_s()) {
+        s.flight_time_s = *flight.landed_s() - *flight.airborne_s();
+        if (plan.landing() && !recorder.samples().empty()) {
+            s.landed_distance_m = distance_m(*plan.landing(), recorder.samples().back().place);
+        }
+    }
+    s.crosstrack_rms_m = recorder.metrics().crosstrack.rms();
+    s.crosstrack_max_m = recorder.metrics().crosstrack.max();
+    s.altitude_rms_m = recorder.metrics().altitude.rms();
+    s.altitude_max_m = recorder.metrics().altitude.max();
+    s.airspeed_rms_mps = recorder.metrics().airspeed.rms();
+    s.items_reached = flight.telemetry().reached;
+    for (const PlannedNav& nav : plan.navs) s.items_planned.push_back(nav.item);
+    s.figures = board.figures();
+    s.events = flight.telemetry().events;
+    s.texts = flight.telemetry().texts;
+    return s;
+}
+
+void writeReport(const FlyOptions& options, const Summary& summary, const Recorder& recorder,
+                 const Plan& plan, const Waypoints& items) {
+    const std::filesystem::path folder(options.out);
+    writeFile(folder / "summary.json", summaryJson(summary));
+    writeFile(folder / "flight.csv", flightCsv(recorder.samples()));
+    writeFile(folder / "track.kml", trackKml(recorder.samples(), items, summary.mission));
+    writeFile(folder / "report.html", reportPage(summary, recorder.samples(), plan));
+}
+
+int flyScript(const FlyOptions& options, const Waypoints& items) {
+    std::error_code ignored;
+    std::filesystem::create_directories(options.out, ignored);
+    if (!std::filesystem::is_directory(options.out)) {
+        throw WrongInput("--out " + options.out + ": no such folder and none can be made");
+    }
+    const LocalFrame frame(items[0].latitude_deg, items[0].longitude_deg);
+    const Plan plan = makePlan(items, frame);
+    const auto board = makeBoard(options, worldFor(options, items));
+    loadEeprom(*board, options.eeprom);
+    const int usart = options.telemetry_on_uart0 ? 0 : 2;
+    ScriptedFlight flight(*board, usart, items, options.time_limit_s);
+    board->listen([&](int from, uint8_t byte, uint64_t time_us) {
+        if (from == usart) flight.receive(byte, time_us);
+    });
+    board->setUsb(false);
+    switchTransmitterOn(board->world());
+    Recorder recorder(plan, frame);
+    StatusLine status(isatty(STDOUT_FILENO) != 0);
+    const WallClock clock;
+    for (int step = 1; !flight.over() && interrupted == 0; ++step) {
+        if (!board->runUntil(static_cast<uint64_t>(step) * kStep_us)) {
+            flight.stop("the firmware stopped: " + board->fault());
+        }
+        flight.step(board->time_us());
+        recorder.watchFrame(board->lastFrame_us());
+        if (step % kStepsPerSample != 0 && !flight.over()) continue;
+        recorder.sample(*board, flight.telemetry(), flight.cruise_speed_mps());
+        status.show(*board, flight.telemetry(), recorder.samples().back(), items.size() - 1,
+                    clock.seconds());
+    }
+    status.end();
+    saveEeprom(*board, options.eeprom);
+    Summary summary = summarize(options, *board, flight, recorder, plan);
+    summary.emulated_s = static_cast<double>(board->time_us()) * 1e-6;
+    summary.speedup = summary.emulated_s / clock.seconds();
+    writeReport(options, summary, recorder, plan, items);
+    std::cout << closingWords(summary, options.out);
+    return summary.completed ? 0 : 1;
+}
+
+int serve(const FlyOptions& options, const Waypoints& items) {
+    const auto board = makeBoard(options, worldFor(options, items));
+    loadEeprom(*board, options.eeprom);
+    const int telemetry = options.telemetry_on_uart0 ? 0 : 2;
+    Server server(*board, options.listen, {telemetry, 2 - telemetry}, options.lock_step);
+    board->listen([&](int usart, uint8_t byte, uint64_t) { server.fromBoard(usart, byte); });
+    board->setUsb(!options.telemetry_on_uart0);
+    switchTransmitterOn(board->world());
+    std::cout << "telemetry (USART" << telemetry << ") on TCP port " << server.port()
+              << (telemetry == 2 ? ", USB (USART0) on " : ", USART2 on ") << server.secondPort();
+    if (options.lock_step) std::cout << ", time is granted on " << server.controlPort();
+    std::cout << "; Ctrl-C ends" << std::endl;
+    const auto stop = [] { return interrupted != 0; };
+    if (options.lock_step) {
+        server.runLockStep(stop);
+    } else {
+        server.runRealTime(stop);
+    }
+    saveEeprom(*board, options.eeprom);
+    if (board->fault().empty()) return 0;
+    std::cerr << "fly: the firmware stopped: " << board->fault() << "\n";
+    return 1;
+}
+
+int fly(const FlyOptions& options) {
+    std::signal(SIGINT, [](int) { interrupted = 1; });
+    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    try {
+        const Waypoints items = readWaypoints(options.mission);
+        return options.serve ? serve(options, items) : flyScript(options, items);
+    } catch (const WrongInput& error) {
+        std::cerr << "fly: " << error.what() << "\n";
+    } catch (const WaypointError& error) {
+        std::cerr << "fly: " << error.what() << "\n";
+    } catch (const TcpError& error) {
+        std::cerr << "fly: " << error.what() << "\n";
+    }
+    return 2;
+}
+
+}  // namespace
+}  // namespace simulator
+
+int main(int count, char** words) {
+    const simulator::Parsed parsed = simulator::parseFlyOptions(count, words);
+    return parsed.exit_status ? *parsed.exit_status : simulator::fly(parsed.options);
+}

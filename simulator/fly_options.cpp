@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/fly_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+
+namespace simulator {
+namespace {
+
+constexpr char kWhat[] =
+    "Flies a mission with the autopilot's firmware on a simulated APM 2 in a simulated airplane.";
+constexpr char kFooter[] =
+    "Exit status: 0 when the mission was flown and the airplane stands at its landing point,\n"
+    "1 when not (the reason in one line), 2 when the command line or a file is wrong.\n"
+    "The folder of --out receives report.html, flight.csv, track.kml and summary.json.";
+
+// SPEED,FROM_DEGREES: 0..30 m/s, 0..360 degrees.
+bool parseWind(const std::string& text, FlyOptions& options) {
+    char* rest = nullptr;
+    options.wind_mps = std::strtod(text.c_str(), &rest);
+    if (rest == text.c_str() || *rest != ',') return false;
+    const char* from = rest + 1;
+    options.wind_from_deg = std::strtod(from, &rest);
+    return rest != from && *rest == 0 && options.wind_mps >= 0 && options.wind_mps <= 30 &&
+           options.wind_from_deg >= 0 && options.wind_from_deg <= 360;
+}
+
+// Empty: all is well together.
+std::string contradiction(const FlyOptions& options, bool firmware_given, bool mission_given) {
+    if (options.native && firmware_given) return "--native flies no --firmware file";
+    if (options.native && !options.vcd.empty()) return "--vcd needs the emulated chip: no --native";
+    if (options.native && options.gdb != 0) return "--gdb needs the emulated chip: no --native";
+    if (options.serve && mission_given) return "--serve flies no script: leave out MISSION";
+    return "";
+}
+
+void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& wind,
+                std::string& telemetry) {
+    app.add_option("MISSION", o.mission, "mission file, QGC WPL 110")->capture_default_str();
+    app.add_option("--board", board, "board to simulate: apm2")
+        ->check(CLI::IsMember({"apm2"}))
+        ->capture_default_str();
+    app.add_flag("--native", o.native,
+                 "the same firmware compiled for this computer, on the same device models");
+    app.add_option("--firmware", o.firmware, ".elf or .hex for this board, ours or not")
+        ->capture_default_str();
+    app.add_option("--eeprom", o.eeprom,
+                   "4096-byte file: contents at power-on if it exists, rewritten at the end");
+    app.add_option("--wind", wind, "SPEED,FROM_DEGREES: mean wind in m/s and where it comes from");
+    app.add_flag("--gusts", o.gusts, "Dryden gusts of 1 m/s RMS");
+    app.add_option("--seed", o.seed, "of every random error; the same seed gives the same flight")
+        ->capture_default_str();
+    app.add_option("--time-limit", o.time_limit_s, "emulated seconds until the flight is given up")
+        ->check(CLI::Range(1.0, 100'000.0))
+        ->capture_default_str();
+    app.add_option("--out", o.out, "folder for the report")->capture_default_str();
+    app.add_flag("--serve", o.serve,
+                 "no script: real time for a ground station, until Ctrl-C; TCP port 5760 is the "
+                 "telemetry on USART2, 5761 is USB on USART0 with the USB sense pin PA1 low");
+    app.add_option("--telemetry", telemetry,
+                   "uart2, or uart0: the factory wiring, telemetry on USART0 with PA1 high")
+        ->check(CLI::IsMember({"uart0", "uart2"}))
+        ->capture_default_str();
+    app.add_flag("--lock-step", o.lock_step,
+                 "serve, but the client grants emulated time on a third TCP port (5762): "
+                 "'advance MS', 'state'; simulator/ground/server.hpp has the protocol");
+    app.add_option("--listen", o.listen, "first TCP port instead of 5760; 0: any, told at start")
+        ->capture_default_str();
+    app.add_option("--vcd", o.vcd, "write servos, PPM, data ready and marks as a VCD file");
+    app.add_option("--gdb", o.gdb, "wait for avr-gdb on this TCP port")
+        ->check(CLI::Range(1, 65535));
+}
+
+}  // namespace
+
+Parsed parseFlyOptions(int count, char** words) {
+    Parsed parsed;
+    FlyOptions& options = parsed.options;
+    options.mission = FLY_MISSION;
+    options.firmware = FLY_IMAGE;
+    options.out = FLY_OUT;
+    std::string board = "apm2", wind, telemetry = "uart2";
+    CLI::App app(kWhat, "fly");
+    app.footer(kFooter);
+    addOptions(app, options, board, wind, telemetry);
+    std::string wrong;
+    try {
+        app.parse(count, words);
+        if (!wind.empty() && !parseWind(wind, options)) {
+            wrong = "--wind: expected SPEED,FROM_DEGREES, like 5,270, not '" + wind + "'";
+        } else {
+            wrong = contradiction(options, app.count("--firmware") > 0, app.count("MISSION") > 0);
+        }
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help();
+        parsed.exit_status = 0;
+    } catch (const CLI::ParseError& error) {
+        wrong = error.what();
+    }
+    if (!wrong.empty()) {
+        std::cerr << "fly: " << wrong << " (--help explains)\n";
+        parsed.exit_status = 2;
+    }
+    options.telemetry_on_uart0 = telemetry == "uart0";
+    options.serve = options.serve || options.lock_step;
+    return parsed;
+}
+
+}  // namespace simulator

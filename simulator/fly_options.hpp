@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line of the fly program.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace simulator {
+
+struct FlyOptions {
+    std::string mission, firmware, eeprom, out, vcd;
+    bool native = false;
+    double wind_mps = 0, wind_from_deg = 0;
+    bool gusts = false;
+    uint64_t seed = 1;
+    double time_limit_s = 1200;
+    bool serve = false, lock_step = false;
+    bool telemetry_on_uart0 = false;
+    uint16_t listen = 5760;
+    int gdb = 0;
+};
+
+// The options, or the status to end with: 0 after --help, 2 after one line about what is wrong.
+struct Parsed {
+    FlyOptions options;
+    std::optional<int> exit_status;
+};
+Parsed parseFlyOptions(int count, char** words);
+
+}  // namespace simulator

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/ground/server.hpp"
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "simulator/devices/ppm_encoder.hpp"
+
+namespace simulator {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr uint64_t kStep_us = 10'000;
+constexpr auto kInputWithin = std::chrono::seconds(5);
+
+static uint16_t following(uint16_t base, int offset) {
+    return base == 0 ? 0 : static_cast<uint16_t>(base + offset);
+}
+
+Server::Server(Board& board, uint16_t base, std::array<int, kLines> usarts, bool lock_step)
+    : board_(board), lines_{Line(base, usarts[0]), Line(following(base, 1), usarts[1])} {
+    if (lock_step) control_ = std::make_unique<TcpPort>(following(base, 2));
+}
+
+std::vector<TcpPort*> Server::ports() {
+    std::vector<TcpPort*> all = {&lines_[0].tcp, &lines_[1].tcp};
+    if (control_) all.push_back(control_.get());
+    return all;
+}
+
+void Server::fromBoard(int usart, uint8_t byte) {
+    for (Line& line : lines_) {
+        if (line.usart == usart) line.from_board.push_back(byte);
+    }
+}
+
+void Server::takeInput() {
+    for (Line& line : lines_) {
+        const auto bytes = line.tcp.receive();
+        line.in += bytes.size();
+        if (!bytes.empty()) board_.send(line.usart, bytes.data(), bytes.size());
+    }
+}
+
+void Server::giveOutput() {
+    for (Line& line : lines_) {
+        line.out += line.from_board.size();
+        line.tcp.send(line.from_board.data(), line.from_board.size());
+        line.from_board.clear();
+    }
+}
+
+bool Server::advance(uint64_t until_us) {
+    bool goes_on = true;
+    while (goes_on && board_.time_us() < until_us) {
+        goes_on = board_.runUntil(std::min(board_.time_us() + kStep_us, until_us));
+    }
+    giveOutput();
+    return goes_on;
+}
+
+void Server::runRealTime(const std::function<bool()>& stop) {
+    const auto start = Clock::now();
+    const uint64_t start_us = board_.time_us();
+    uint64_t until_us = start_us;
+    do {
+        takeInput();
+        until_us += kStep_us;
+        const auto due = start + std::chrono::microseconds(until_us - start_us);
+        std::this_thread::sleep_until(due);
+    } while (!stop() && advance(until_us));
+}
+
+void Server::runLockStep(const std::function<bool()>& stop) {
+    granted_us_ = board_.time_us();
+    while (!stop() && board_.fault().empty()) {
+        TcpPort::waitForInput({control_.get()}, 200);
+        for (const uint8_t byte : control_->receive()) {
+            if (byte != '\n') {
+                command_ += static_cast<char>(byte);
+                continue;
+            }
+            control_->send(answer(command_) + "\n");
+            command_.clear();
+        }
+    }
+}
+
+std::string Server::answer(const std::string& line) {
+    std::istringstream words(line);
+    std::string verb, rest;
+    words >> verb;
+    std::getline(words, rest);
+    while (!rest.empty() && (rest.back() == '\r' || rest.back() == ' ')) rest.pop_back();
+    if (verb == "advance") return answerAdvance(rest);
+    if (verb == "state" && rest.empty()) return truthJson(board_.world().truth());
+    if (verb == "sticks") return answerSticks(rest);
+    if (verb == "usb" && (rest == " in" || rest == " out")) {
+        board_.setUsb(rest == " in");
+        return "ok";
+    }
+    return "error: expected 'advance MS [BYTES0 [BYTES1]]', 'state', 'sticks ...' or 'usb in|out'";
+}
+
+std::string Server::answerAdvance(const std::string& rest) {
+    constexpr uint64_t kMost_ms = 3'600'000;
+    std::istringstream numbers(rest);
+    uint64_t grant_ms = 0;
+    std::array<uint64_t, kLines> wanted{};
+    if (rest.find('-') != std::string::npos || !(numbers >> grant_ms) || grant_ms > kMost_ms) {
+        return "error: advance takes milliseconds, 0 to 3600000";
+    }
+    for (uint64_t& bytes : wanted) {
+        if (!(numbers >> bytes)) break;
+    }
+    awaitInput(wanted);
+    granted_us_ += grant_ms * 1000;
+    if (!advance(granted_us_)) return "error: " + board_.fault();
+    return "at " + std::to_string(granted_us_ / 1000) + " " + std::to_string(lines_[0].out) + " " +
+           std::to_string(lines_[1].out);
+}
+
+void Server::awaitInput(const std::array<uint64_t, kLines>& wanted) {
+    const auto give_up = Clock::now() + kInputWithin;
+    takeInput();
+    while ((lines_[0].in < wanted[0] || lines_[1].in < wanted[1]) && Clock::now() < give_up) {
+        TcpPort::waitForInput({&lines_[0].tcp, &lines_[1].tcp}, 20);
+        takeInput();
+    }
+}
+
+std::string Server::answerSticks(const std::string& rest) {
+    std::array<uint16_t, PpmEncoder::kChannels> pulses{};
+    if (rest == " off") {
+        board_.world().radio().sticks(pulses, false);
+        return "ok";
+    }
+    std::istringstream numbers(rest);
+    for (uint16_t& pulse : pulses) {
+        if (!(numbers >> pulse) || pulse < 800 || pulse > 2200) {
+            return "error: sticks takes eight pulses of 800 to 2200 us, or 'off'";
+        }
+    }
+    board_.world().radio().sticks(pulses, true);
+    return "ok";
+}
+
+std::string truthJson(const Truth& truth) {
+    return nlohmann::ordered_json({{"time_us", truth.time_us},
+                                   {"latitude_deg", truth.latitude_deg},
+                                   {"longitude_deg", truth.longitude_deg},
+                                   {"altitude_m", truth.altitude_m},
+                                   {"height_m", truth.height_m},
+                                   {"north_m", truth.north_m},
+                                   {"east_m", truth.east_m},
+                                   {"velocity_north_mps", truth.velocity_north_mps},
+                                   {"velocity_east_mps", truth.velocity_east_mps},
+                                   {"velocity_down_mps", truth.velocity_down_mps},
+                                   {"roll_rad", truth.roll_rad},
+                                   {"pitch_rad", truth.pitch_rad},
+                                   {"yaw_rad", truth.yaw_rad},
+                                   {"airspeed_mps", truth.airspeed_mps},
+                                   {"throttle", truth.throttle},
+                                   {"on_ground", truth.on_ground},
+                                   {"crashed", truth.crashed}})
+        .dump();
+}
+
+}  // namespace simulator

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A board for ground stations: its serial lines as TCP ports, at real time or in lock step.
+//
+// Lock step, a text protocol on a third port (base + 2), one line each way; emulated time stands
+// still but for what is granted:
+//   advance MS [BYTES0 [BYTES1]]   runs MS milliseconds, then answers "at MS BYTES0 BYTES1": the
+//                                  time since power-on and how many bytes have been sent so far
+//                                  on the base port and on base + 1. The optional counts say how
+//                                  many bytes the client has written there so far; the run waits
+//                                  (for at most 5 s of real time) until they have come.
+//   state                          answers one line of JSON: the truth of this moment
+//   sticks P1 ... P8 | sticks off  the transmitter's pulses in us, or switched off; answers "ok"
+//   usb in | usb out               the USB sense pin PA1; answers "ok"
+// Anything else is answered "error: ...".
+#pragma once
+#include <array>
+#include <functional>
+#include <string>
+
+#include "simulator/board.hpp"
+#include "simulator/ground/tcp_port.hpp"
+
+namespace simulator {
+
+class Server {
+public:
+    static constexpr int kLines = 2;
+
+    // `usarts`: which USART stands behind the base port and behind base + 1.
+    Server(Board& board, uint16_t base, std::array<int, kLines> usarts, bool lock_step);
+
+    uint16_t port() const { return lines_[0].tcp.port(); }
+    uint16_t secondPort() const { return lines_[1].tcp.port(); }
+    uint16_t controlPort() const { return control_->port(); }
+
+    // For the board's listener; sent on when the present step ends.
+    void fromBoard(int usart, uint8_t byte);
+
+    // Until `stop` says so or the board cannot go on.
+    void runRealTime(const std::function<bool()>& stop);
+    void runLockStep(const std::function<bool()>& stop);
+
+private:
+    struct Line {
+        Line(uint16_t port, int number) : tcp(port), usart(number) {}
+        TcpPort tcp;
+        int usart;
+        std::vector<uint8_t> from_board;
+        uint64_t in = 0, out = 0;  // bytes so far
+    };
+
+    void takeInput();
+    void giveOutput();
+    bool advance(uint64_t until_us);
+    std::string answer(const std::string& line);
+    std::string answerAdvance(const std::string& rest);
+    std::string answerSticks(const std::string& rest);
+    void awaitInput(const std::array<uint64_t, kLines>& wanted);
+    std::vector<TcpPort*> ports();
+
+    Board& board_;
+    std::array<Line, kLines> lines_;
+    std::unique_ptr<TcpPort> control_;
+    std::string command_;      // a line not yet whole
+    uint64_t granted_us_ = 0;  // the sum of what was granted
+};
+
+std::string truthJson(const Truth& truth);
+
+}  // namespace simulator
