@@ -108,6 +108,8 @@ void Chip::settle() {
     avr_->run_cycle_limit = debugging_ ? 1 : kRunLimit;
     // A low INTn pin in the level mode of reset is looked at every cycle: 25 times slower.
     for (uint8_t i = 0; i < 8; i++) avr_extint_set_strict_lvl_trig(avr_, i, 0);
+    for (avr_ioport_t* port : ports_)
+        if (port) avr_->data[port->r_pin] = port->external.pull_value;  // still driven
     for (auto& mend : mends_) mend->reset();
     if (on_reset) on_reset();
 }

@@ -33,7 +33,8 @@ void Timer::reset() {
 
 uint32_t Timer::prescaler() const {
     if (!avr_regbit_get_array(avr_, const_cast<avr_regbit_t*>(io_->cs), 3)) return 0;
-    if (io_->ext_clock_flags || io_->tov_cycles <= 1) return 0;
+    constexpr uint8_t kFromPin = AVR_TIMER_EXTCLK_FLAG_TN | AVR_TIMER_EXTCLK_FLAG_AS2;
+    if (io_->ext_clock_flags & kFromPin || io_->tov_cycles <= 1) return 0;
     return static_cast<uint32_t>(io_->tov_cycles / (io_->tov_top + 1u));
 }
 

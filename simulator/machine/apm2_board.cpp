@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/machine/apm2_board.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "simulator/devices/hmc5883l.hpp"
+#include "simulator/devices/mpu6000.hpp"
+#include "simulator/devices/ms5611.hpp"
+#include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/devices/ublox_gps.hpp"
+
+namespace simulator {
+namespace {
+
+struct Pin {
+    char port;
+    int bit;
+};
+constexpr Pin kImuSelect = {'B', 0}, kBarometerSelect = {'G', 1}, kDataReady = {'E', 6};
+constexpr Pin kRelay = {'B', 7}, kUsbSense = {'A', 1}, kPpm = {'L', 1};
+constexpr Pin kLeds[] = {{'A', 5}, {'A', 4}, {'A', 3}};  // A red, B yellow, C blue
+constexpr char kPpmTimer = '5';
+constexpr int kGpsUsart = 1;
+
+struct ServoWire {
+    Pin pin;
+    char timer;
+    int compare;
+    const char* name;
+};
+constexpr ServoWire kServos[] = {
+    {{'B', 6}, '1', 1, "servo1"}, {{'B', 5}, '1', 0, "servo2"}, {{'H', 5}, '4', 2, "servo3"},
+    {{'H', 4}, '4', 1, "servo4"}, {{'H', 3}, '4', 0, "servo5"}, {{'E', 5}, '3', 2, "servo6"},
+    {{'E', 4}, '3', 1, "servo7"}, {{'E', 3}, '3', 0, "servo8"},
+};
+constexpr uint64_t kLongestPulse = 10000 * kCyclesPer_us;
+
+// The airplane moves on at least this often, however quiet its sensors are.
+constexpr uint64_t kLongestWait_us = 5000;
+
+enum TraceSignal : size_t { kTracePpm = 8, kTraceDataReady, kTraceMark };
+
+}  // namespace
+
+AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options)
+    : world_(options), image_(readImage(firmware)), chip_(image_) {
+    for (int usart = 0; usart < 4; usart++) feeds_.emplace_back(chip_, usart);
+    wireSensorBus();
+    wireCompass();
+    wireSerial();
+    wireServos();
+    wireMeasurements();
+    chip_.adc().volts = [this](int pin) {
+        world_.advanceTo(time_us());
+        return world_.analog_v(pin, time_us());
+    };
+    chip_.on_reset = [this] { restart(); };
+    chip_.drive(kDataReady.port, kDataReady.bit, false);
+    chip_.drive(kPpm.port, kPpm.bit, false);
+    setUsb(false);
+    restart();
+}
+
+AvrBoard::~AvrBoard() = default;
+
+void AvrBoard::wireSensorBus() {
+    chip_.onPort('B', [this] { portChanged(); });
+    chip_.onPort('G', [this] { portChanged(); });
+    chip_.spi().on_exchange = [this](uint8_t mosi) { return exchange(mosi); };
+}
+
+void AvrBoard::wireCompass() {
+    TwiDevice compass;
+    compass.start = [this](bool read) {
+        world_.advanceTo(time_us());
+        return world_.compass().start(read, time_us());
+    };
+    compass.write = [this](uint8_t byte) { return world_.compass().write(byte, time_us()); };
+    compass.read = [this](bool ack) { return world_.compass().read(ack, time_us()); };
+    compass.stop = [this] { world_.compass().stop(time_us()); };
+    chip_.twi().connect(Hmc5883l::kAddress, compass);
+}
+
+void AvrBoard::wireSerial() {
+    for (int usart = 0; usart < 4; usart++)
+        chip_.usart(usart).on_sent = [this, usart](uint8_t byte, uint64_t cycle) {
+            sent(usart, byte, cycle);
+        };
+}
+
+void AvrBoard::wireServos() {
+    for (int i = 0; i < 8; i++)
+        chip_.onCompareOutput(kServos[i].timer, kServos[i].compare,
+                              [this, i](bool high) { servoChanged(i, high); });
+}
+
+void AvrBoard::wireMeasurements() {
+    chip_.on_mark = [this](uint8_t value) {
+        work_.mark(value, {chip_.cycle(), chip_.asleepCycles(), chip_.interrupts().cycles()});
+        trace(kTraceMark, value);
+    };
+}
+
+// The chip has been reset and all its timers are gone; the world has not noticed.
+void AvrBoard::restart() {
+    work_.reset();
+    wake_cycle_ = edge_cycle_ = UINT64_MAX;
+    planWake();
+    planEdge();
+    for (SerialFeed& feed : feeds_) feed.resume();
+    portChanged();
+}
+
+bool AvrBoard::runUntil(uint64_t time_us) {
+    planEdge();  // the transmitter may have been switched on meanwhile
+    const bool running = chip_.run(time_us * kCyclesPer_us);
+    world_.advanceTo(this->time_us());
+    return running;
+}
+
+void AvrBoard::send(int usart, const uint8_t* bytes, size_t size) {
+    feeds_.at(usart).send(bytes, size);
+}
+
+void AvrBoard::setUsb(bool plugged) { chip_.drive(kUsbSense.port, kUsbSense.bit, !plugged); }
+
+void AvrBoard::setEeprom(const std::vector<uint8_t>& image) { chip_.eeprom().setContents(image); }
+
+bool AvrBoard::ledOn(Led led) const {
+    const Pin& pin = kLeds[static_cast<int>(led)];  // lit by a low level
+    return chip_.isOutput(pin.port, pin.bit) && !chip_.outputHigh(pin.port, pin.bit);
+}
+
+void AvrBoard::portChanged() {
+    selectSensors();
+    const bool relay = chip_.outputHigh(kRelay.port, kRelay.bit);
+    if (relay != world_.relayOn()) world_.relay(relay);
+}
+
+// A chip is selected by an output that is low; inputs are pulled up on the board.
+void AvrBoard::selectSensors() {
+    const auto chosen = [this](const Pin& pin) {
+        return chip_.isOutput(pin.port, pin.bit) && !chip_.outputHigh(pin.port, pin.bit);
+    };
+    if (std::exchange(imu_chosen_, chosen(kImuSelect)) != imu_chosen_) {
+        world_.advanceTo(time_us());
+        world_.imu().select(imu_chosen_, time_us());
+    }
+    if (std::exchange(barometer_chosen_, chosen(kBarometerSelect)) == barometer_chosen_) return;
+    world_.advanceTo(time_us());
+    // The MS5611 does not come up on a bus whose MPU6000 is not held deselected.
+    if (barometer_chosen_) barometer_deaf_ = !chip_.outputHigh(kImuSelect.port, kImuSelect.bit);
+    if (!barometer_deaf_) world_.barometer().select(barometer_chosen_, time_us());
+}
+
+uint8_t AvrBoard::exchange(uint8_t mosi) {
+    const bool barometer = barometer_chosen_ && !barometer_deaf_;
+    if (imu_chosen_ && barometer_chosen_) contentions_++;
+    uint8_t miso = 0xFF;
+    if (imu_chosen_) miso &= world_.imu().transfer(mosi, time_us());
+    if (barometer) miso &= world_.barometer().transfer(mosi, time_us());
+    if (imu_chosen_) {
+        showDataReady();
+        planWake();  // its sample rate may have been set
+    }
+    return miso;
+}
+
+void AvrBoard::showDataReady() {
+    const bool ready = world_.imu().interruptPin();
+    if (std::exchange(data_ready_, ready) == ready) return;
+    chip_.drive(kDataReady.port, kDataReady.bit, ready);
+    trace(kTraceDataReady, ready);
+}
+
+void AvrBoard::servoChanged(int output, bool high) {
+    const Pin& pin = kServos[output].pin;
+    if (!chip_.isOutput(pin.port, pin.bit)) return;
+    Servo& servo = servos_[output];
+    const bool ended = servo.high && !high;
+    const uint64_t width = chip_.cycle() - servo.since;
+    servo = {high, chip_.cycle()};
+    trace(output, high);
+    if (!ended || width > kLongestPulse) return;
+    world_.servoPulse(output + 1, static_cast<double>(width) / kCyclesPer_us, time_us());
+}
+
+void AvrBoard::sent(int usart, uint8_t byte, uint64_t cycle) {
+    const uint64_t at_us = cycle / kCyclesPer_us;
+    if (usart == kGpsUsart) {
+        world_.advanceTo(at_us);
+        world_.gps().receive(byte, chip_.usart(usart).baud(), at_us);
+        planWake();
+    }
+    if (listener_) listener_(usart, byte, at_us);
+}
+
+void AvrBoard::feedGps() {
+    Usart& usart = chip_.usart(kGpsUsart);
+    UbloxGps& gps = world_.gps();
+    while (const auto byte = gps.nextByte(time_us())) {
+        if (const auto heard = gps_noise_.through(*byte, gps.baud(), usart.baud()))
+            usart.receive(*heard);
+    }
+}
+
+uint64_t AvrBoard::nextEvent() const {
+    auto& world = const_cast<World&>(world_);
+    const uint64_t event = std::min(
+        {world.imu().nextSample_us(), world.gps().nextByte_us(), time_us() + kLongestWait_us});
+    return std::max(event * kCyclesPer_us, chip_.cycle() + 1);
+}
+
+void AvrBoard::planWake() {
+    const uint64_t next = nextEvent();
+    if (next >= wake_cycle_) return;
+    wake_cycle_ = next;
+    startTimerAt<&AvrBoard::wake>(chip_.avr(), wake_cycle_, this);
+}
+
+uint64_t AvrBoard::wake(uint64_t) {
+    world_.advanceTo(time_us());
+    showDataReady();
+    feedGps();
+    planEdge();
+    wake_cycle_ = nextEvent();
+    return wake_cycle_;
+}
+
+void AvrBoard::planEdge() {
+    const uint64_t next = world_.radio().nextEdge_us_x2();
+    if (next == UINT64_MAX || edge_cycle_ != UINT64_MAX) return;
+    edge_cycle_ = next * kCyclesPer_us / 2;
+    startTimerAt<&AvrBoard::radioEdge>(chip_.avr(), edge_cycle_, this);
+}
+
+uint64_t AvrBoard::radioEdge(uint64_t due) {
+    chip_.drive(kPpm.port, kPpm.bit, true);
+    chip_.captureEdge(kPpmTimer, true, due);
+    trace(kTracePpm, 1);
+    startTimerAt<&AvrBoard::radioFall>(chip_.avr(), due + PpmEncoder::kPulse_us * kCyclesPer_us,
+                                       this);
+    world_.radio().passEdge();
+    edge_cycle_ = UINT64_MAX;
+    planEdge();
+    return 0;
+}
+
+uint64_t AvrBoard::radioFall(uint64_t due) {
+    chip_.drive(kPpm.port, kPpm.bit, false);
+    chip_.captureEdge(kPpmTimer, false, due);
+    trace(kTracePpm, 0);
+    return 0;
+}
+
+void AvrBoard::traceTo(const std::string& path) {
+    std::vector<VcdTrace::Signal> signals;
+    for (const ServoWire& servo : kServos) signals.push_back({servo.name, 1});
+    signals.push_back({"ppm", 1});
+    signals.push_back({"data_ready", 1});
+    signals.push_back({"mark", 8});
+    trace_ = std::make_unique<VcdTrace>(path, signals);
+}
+
+void AvrBoard::trace(size_t signal, unsigned value) {
+    if (trace_) trace_->change(signal, value, chip_.cycle());
+}
+
+BoardFigures AvrBoard::figures() const {
+    BoardFigures figures;
+    figures.flash_bytes = image_.flash_bytes;
+    figures.ram_static_bytes = image_.ram_static_bytes;
+    figures.stack_max_bytes = chip_.stack().maxBytes();
+    work_.report(figures);
+    const auto cycles = static_cast<double>(chip_.cycle());
+    if (chip_.cycle() == 0) return figures;
+    figures.cpu_load = 1 - static_cast<double>(chip_.asleepCycles()) / cycles;
+    figures.interrupt_load = static_cast<double>(chip_.interrupts().cycles()) / cycles;
+    for (int vector = 1; vector < Interrupts::kVectors; vector++) {
+        const Interrupts::Count& count = chip_.interrupts().count(vector);
+        if (count.runs)
+            figures.interrupts.push_back({vector, count.runs, count.max_cycles, count.cycles});
+    }
+    return figures;
+}
+
+}  // namespace simulator

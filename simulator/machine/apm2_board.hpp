@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An APM 2.x: the emulated ATmega2560 with any firmware in its flash, and the World's chips on its
+// pins. It knows the wiring, nothing of the firmware.
+#pragma once
+#include <array>
+#include <memory>
+
+#include "simulator/board.hpp"
+#include "simulator/line_noise.hpp"
+#include "simulator/machine/chip.hpp"
+#include "simulator/machine/serial_feed.hpp"
+#include "simulator/machine/vcd_trace.hpp"
+#include "simulator/machine/work_meter.hpp"
+
+namespace simulator {
+
+class AvrBoard : public Board {
+public:
+    // `firmware`: an .elf or .hex file; throws std::runtime_error that says what is wrong with it.
+    AvrBoard(const std::string& firmware, const WorldOptions& options);
+    ~AvrBoard() override;
+
+    bool runUntil(uint64_t time_us) override;
+    uint64_t time_us() const override { return chip_.cycle() / kCyclesPer_us; }
+    std::string fault() const override { return chip_.fault(); }
+    void listen(Listener listener) override { listener_ = std::move(listener); }
+    void send(int usart, const uint8_t* bytes, size_t size) override;
+    size_t unsent(int usart) const override { return feeds_.at(usart).unsent(); }
+    void setUsb(bool plugged) override;
+    void reset() override { chip_.reset(Reset::external); }
+    std::vector<uint8_t> eeprom() const override { return chip_.eeprom().contents(); }
+    void setEeprom(const std::vector<uint8_t>& image) override;
+    World& world() override { return world_; }
+    BoardFigures figures() const override;
+    std::optional<uint32_t> lastFrame_us() const override { return work_.lastFrame_us(); }
+
+    enum class Led { a, b, c };
+    bool ledOn(Led led) const;
+    // SPI bytes that went to both sensors at once: a fault of the firmware.
+    uint64_t busContentions() const { return contentions_; }
+
+    void traceTo(const std::string& path);             // servos, PPM, data ready, marks as VCD
+    void serveGdb(int port) { chip_.serveGdb(port); }  // the CPU waits for the debugger
+    Chip& chip() { return chip_; }
+
+private:
+    struct Servo {
+        bool high = false;
+        uint64_t since = 0;
+    };
+
+    void wireSensorBus();
+    void wireCompass();
+    void wireSerial();
+    void wireServos();
+    void wireMeasurements();
+    void restart();
+
+    void portChanged();
+    void selectSensors();
+    uint8_t exchange(uint8_t mosi);
+    void servoChanged(int output, bool high);
+    void sent(int usart, uint8_t byte, uint64_t cycle);
+    void feedGps();
+    void showDataReady();
+
+    uint64_t nextEvent() const;
+    void planWake();
+    void planEdge();
+    uint64_t wake(uint64_t due);
+    uint64_t radioEdge(uint64_t due);
+    uint64_t radioFall(uint64_t due);
+    void trace(size_t signal, unsigned value);
+
+    World world_;
+    Image image_;
+    Chip chip_;
+    std::vector<SerialFeed> feeds_;
+    Listener listener_;
+    LineNoise gps_noise_;
+    std::array<Servo, 8> servos_ = {};
+    WorkMeter work_;
+    std::unique_ptr<VcdTrace> trace_;
+    uint64_t wake_cycle_ = 0, edge_cycle_ = UINT64_MAX;
+    bool imu_chosen_ = false, barometer_chosen_ = false, barometer_deaf_ = false;
+    bool data_ready_ = false;
+    uint64_t contentions_ = 0;
+};
+
+}  // namespace simulator

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the firmware's marks (hal/mark.hpp) tell about its frames and tasks, in cycles. A frame is
+// counted from its begin to the next one's: its tasks, the interrupts in it and what is done in
+// the rest of it, all that is not sleep. Tasks are counted without interrupts.
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "simulator/board.hpp"
+
+namespace simulator {
+
+class WorkMeter {
+public:
+    struct Counters {
+        uint64_t cycle, asleep, interrupts;
+    };
+
+    void mark(uint8_t value, const Counters& now);
+    void reset();  // the firmware starts again: what was under way never ends
+
+    void report(BoardFigures& figures) const;
+    std::optional<uint32_t> lastFrame_us() const;
+
+private:
+    struct Task {
+        uint32_t runs = 0, max_cycles = 0;
+        uint64_t cycles = 0;
+    };
+
+    void beginFrame(const Counters& now);
+    void endFrame(const Counters& now);
+    void endTask(const Counters& now);
+
+    std::optional<Counters> frame_, task_;  // at the beginning of the one under way
+    size_t task_number_ = 0;
+    bool late_ = false;  // the frame under way is already counted as overrun
+    std::vector<uint32_t> busy_;
+    uint32_t frames_ = 0, overruns_ = 0;
+    std::array<Task, 0x7F> tasks_ = {};
+};
+
+}  // namespace simulator
