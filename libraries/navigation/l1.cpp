@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "navigation/l1.hpp"
+
+#include <math.h>
+
+#include "core/maths.hpp"
+
+namespace navigation {
+namespace {
+
+using geo::Offset;
+
+constexpr float kSlowest_mps = 3.0f;   // below, a course means nothing
+constexpr float kMostCrab_cos = 0.5f;  // 60 degrees
+constexpr float kCaptured_m = 5.0f;
+constexpr float kSmallestRadius_m = 5.0f;
+constexpr float kShortestLeg_m = 1.0f;  // shorter ones have no direction: straight to the end
+
+Offset operator+(const Offset& a, const Offset& b) {
+    return {a.north_m + b.north_m, a.east_m + b.east_m};
+}
+Offset operator-(const Offset& a, const Offset& b) {
+    return {a.north_m - b.north_m, a.east_m - b.east_m};
+}
+Offset operator*(const Offset& a, float s) { return {a.north_m * s, a.east_m * s}; }
+float dot(const Offset& a, const Offset& b) { return a.north_m * b.north_m + a.east_m * b.east_m; }
+float cross(const Offset& a, const Offset& b) {
+    return a.north_m * b.east_m - a.east_m * b.north_m;
+}
+// North where there is none.
+Offset directionOf(const Offset& a) {
+    const float length_m = geo::length_m(a);
+    return length_m > 0.1f ? a * (1 / length_m) : Offset{1, 0};
+}
+Offset rightOf(const Offset& a) { return {-a.east_m, a.north_m}; }
+
+struct Gains {
+    float closing_hz;  // closing speed for a metre of crosstrack
+    float turning_hz;  // acceleration for a metre per second across the demanded course
+};
+Gains gainsOf(const LateralSettings& settings) {
+    const float omega = 2 * core::kPi / core::limit(settings.period_s, 1.0f, 60.0f);
+    const float damping = core::limit(settings.damping, 0.4f, 2.0f);
+    return {omega / (2 * damping), omega * 2 * damping};
+}
+
+// Where the present bank will have brought the airplane when a new one takes effect.
+struct Ahead {
+    Offset moved_m;
+    Offset velocity_mps;
+    float speed_mps;
+    float crab_cos;  // between the course over ground and through the air
+};
+Ahead lookAhead(const Motion& motion) {
+    const Offset air = motion.velocity_mps - motion.wind_mps;
+    const float airspeed = core::limit(geo::length_m(air), kSlowest_mps, 200.0f);
+    const Offset accel = rightOf(air) * (motion.bank_accel_mss / airspeed);
+    Ahead ahead;
+    ahead.velocity_mps = motion.velocity_mps + accel * motion.bank_lag_s;
+    ahead.moved_m = (motion.velocity_mps + ahead.velocity_mps) * (0.5f * motion.bank_lag_s);
+    ahead.speed_mps = core::limit(geo::length_m(ahead.velocity_mps), kSlowest_mps, 200.0f);
+    const Offset air_ahead = ahead.velocity_mps - motion.wind_mps;
+    ahead.crab_cos = core::limit(dot(air_ahead, ahead.velocity_mps) / (airspeed * ahead.speed_mps),
+                                 kMostCrab_cos, 1.0f);
+    return ahead;
+}
+
+// Sine of the angle at which the path is closed from `away_m`: linear near it, and where that
+// would ask for too sharp a turn, the course of the arc that ends on it.
+float closingSine(const Gains& gains, float away_m, float speed_mps, float accel_mss) {
+    const float linear_m = accel_mss / core::square(gains.closing_hz);
+    if (away_m <= linear_m) {
+        const float sine = away_m * gains.closing_hz / speed_mps;
+        if (sine < 0.5f) return sine;
+    }
+    const float begins_m = core::limit(linear_m * 0.5f, 0.0f, away_m * 0.5f);
+    const float share = (away_m - begins_m) * accel_mss / core::square(speed_mps);
+    if (share >= 1) return 1;
+    const float arc = sqrtf(share * (2 - share));
+    const float straight = away_m * gains.closing_hz / speed_mps;
+    return arc < straight ? arc : core::limit(straight, 0.0f, 1.0f);
+}
+
+// The acceleration that turns the velocity towards `course`; all of it beyond a right angle.
+float turnTowards(const Gains& gains, const Ahead& ahead, const Offset& course) {
+    float sine = cross(ahead.velocity_mps, course);
+    if (dot(ahead.velocity_mps, course) < 0) sine = sine < 0 ? -ahead.speed_mps : ahead.speed_mps;
+    return sine * gains.turning_hz;
+}
+
+float along(float sine) { return sqrtf(core::limit(1 - sine * sine, 0.0f, 1.0f)); }
+
+}  // namespace
+
+Lateral followLeg(const LateralSettings& settings, const Motion& motion, const geo::Position& from,
+                  const geo::Position& to) {
+    const Offset leg = geo::offset(from, to);
+    const Offset way = geo::offset(from, motion.position);
+    Lateral out;
+    out.length_m = geo::length_m(leg);
+    out.distance_m = geo::length_m(leg - way);
+    if (out.length_m < kShortestLeg_m) {
+        out.along_m = out.length_m - out.distance_m;
+        out.crosstrack_m = 0;
+        out.course = directionOf(leg - way);
+        out.bank_accel_mss = followCourse(settings, motion, out.course).bank_accel_mss;
+        return out;
+    }
+    const Offset forward = leg * (1 / out.length_m);
+    out.along_m = dot(forward, way);
+    out.crosstrack_m = cross(forward, way);
+
+    const Gains gains = gainsOf(settings);
+    const Ahead ahead = lookAhead(motion);
+    const Offset there = way + ahead.moved_m;
+    const float off_m = cross(forward, there);
+    const float away_m = off_m < 0 ? -off_m : off_m;
+    float sine = closingSine(gains, away_m, ahead.speed_mps, motion.turn_accel_mss);
+    if (dot(forward, there) < 0) {
+        const float to_start = away_m / core::limit(geo::length_m(there), 1.0f, 1e6f);
+        if (to_start < sine) sine = to_start;
+    }
+    const float rightwards = off_m > 0 ? -sine : sine;
+    out.course = forward * along(sine) + rightOf(forward) * rightwards;
+    out.bank_accel_mss = turnTowards(gains, ahead, out.course) / ahead.crab_cos;
+    return out;
+}
+
+Lateral followCircle(const LateralSettings& settings, const Motion& motion, const Circle& circle) {
+    const Gains gains = gainsOf(settings);
+    const Ahead ahead = lookAhead(motion);
+    const Offset from_centre = geo::offset(circle.centre, motion.position);
+    const float radius_m = core::limit(circle.radius_m, kSmallestRadius_m, 1e5f);
+    const Offset there = from_centre + ahead.moved_m;
+    const float distance_m = geo::length_m(there);
+    // in the very centre every way out is as good as the present one
+    const Offset out_unit =
+        distance_m > 1 ? there * (1 / distance_m) : ahead.velocity_mps * (1 / ahead.speed_mps);
+    const float turn = circle.counter_clockwise ? -1.0f : 1.0f;
+    const Offset along_unit = rightOf(out_unit) * turn;
+
+    Lateral out;
+    out.distance_m = geo::length_m(from_centre);
+    out.crosstrack_m = out.distance_m - radius_m;
+    out.along_m = out.length_m = 0;
+    const float off_m = distance_m - radius_m;
+    float sine =
+        closingSine(gains, off_m < 0 ? -off_m : off_m, ahead.speed_mps, motion.turn_accel_mss);
+    bool on_tangent = false;
+    if (off_m > 0) {
+        const float tangent = along(radius_m / distance_m);
+        on_tangent = tangent < sine;
+        if (on_tangent) sine = tangent;
+    }
+    const float outward = off_m > 0 ? -sine : sine;
+    out.course = along_unit * along(sine) + out_unit * outward;
+
+    float accel_mss = turnTowards(gains, ahead, out.course);
+    const float along_mps = dot(ahead.velocity_mps, along_unit);
+    if (!on_tangent && along_mps > 0) {
+        const float bend_m = core::limit(distance_m, radius_m * 0.5f, 1e6f);
+        accel_mss += turn * core::square(along_mps) / bend_m;
+    }
+    out.bank_accel_mss = accel_mss / ahead.crab_cos;
+    return out;
+}
+
+Lateral followCourse(const LateralSettings& settings, const Motion& motion, const Offset& course) {
+    const Ahead ahead = lookAhead(motion);
+    Lateral out;
+    out.crosstrack_m = out.distance_m = out.along_m = out.length_m = 0;
+    out.course = course;
+    out.bank_accel_mss = turnTowards(gainsOf(settings), ahead, course) / ahead.crab_cos;
+    return out;
+}
+
+float bankFor_rad(float bank_accel_mss) {
+    const float x = bank_accel_mss * (1.0f / core::kGravity_mss);
+    const float size = x < 0 ? -x : x;
+    const bool steep = size > 1;
+    const float t = steep ? 1.0f / size : size;
+    // minimax of atan on 0..1: Rajan et al., IEEE Signal Processing Magazine 23(3), 2006
+    const float low = t * (core::kPi / 4 + 0.273f * (1 - t));
+    const float angle = steep ? core::kPi / 2 - low : low;
+    return x < 0 ? -angle : angle;
+}
+
+void TurnCount::update(const Circle& circle, const Offset& from_centre, float crosstrack_m) {
+    if (!captured_) {
+        captured_ = crosstrack_m < kCaptured_m && crosstrack_m > -kCaptured_m;
+        last_ = from_centre;
+        return;
+    }
+    const float distance2 = dot(from_centre, from_centre);
+    if (distance2 < 1) return;
+    // a twentieth of a second is a small angle: it is its own sine
+    const float step_rad = cross(last_, from_centre) / distance2;
+    turned_rad_ += circle.counter_clockwise ? -step_rad : step_rad;
+    last_ = from_centre;
+}
+
+}  // namespace navigation

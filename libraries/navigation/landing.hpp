@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The last leg: a straight glide slope, bent in the flare into the parabola that touches the
+// ground at the landing point. The parabola is twice as long as the stretch of slope it replaces,
+// so the slope aims short of the point by that much, whatever the wind.
+#pragma once
+#include <stdint.h>
+
+#include "navigation/slope.hpp"
+
+namespace navigation {
+
+struct LandingSettings {
+    float flare_height_m;      // LAND_FLARE_ALT: the flare begins no lower than this ...
+    float flare_time_s;        // LAND_FLARE_SEC: ... nor later than this before the ground
+    float touchdown_sink_mps;  // TECS_LAND_SINK: never sinks slower than this in the flare
+};
+
+struct Approach {
+    float from_height_m;  // where the leg begins, above the landing point
+    float length_m;
+    float along_m;
+    float along_mps;
+    float height_m;  // now, above the landing point
+    float sink_mps;  // now
+};
+
+class Landing {
+public:
+    void start() { flaring_ = false; }
+    HeightDemand run(const LandingSettings& settings, const Approach& approach);
+    bool flaring() const { return flaring_; }
+
+private:
+    HeightDemand flare(const LandingSettings& settings, const Approach& approach) const;
+
+    float flare_sink_mps_ = 0;  // with which the flare began
+    bool flaring_ = false;
+};
+
+}  // namespace navigation
