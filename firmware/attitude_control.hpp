@@ -4,7 +4,7 @@
 
 namespace firmware {
 
-struct Surfaces {    // -1..1: right wing down, nose up, nose right
+struct Surfaces {  // -1..1: right wing down, nose up, nose right
     float aileron, elevator, rudder;
     float throttle;  // 0..1
 };
