@@ -7,7 +7,8 @@ add_library(simulator_machine STATIC ${machine_sources})
 target_compile_options(simulator_machine PRIVATE ${HOUSE_WARNINGS})
 target_include_directories(simulator_machine PUBLIC ${CMAKE_SOURCE_DIR}
                            ${CMAKE_SOURCE_DIR}/libraries)
-target_link_libraries(simulator_machine PUBLIC PkgConfig::SIMAVR PRIVATE PkgConfig::LIBELF)
+target_link_libraries(simulator_machine PUBLIC simulator_world PkgConfig::SIMAVR
+                      PRIVATE PkgConfig::LIBELF)
 
 # chip_programs(TARGET FOLDER): every program of the folder as FOLDER's name/x.elf and x.hex in the
 # build directory, built before TARGET.
