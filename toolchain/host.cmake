@@ -48,6 +48,17 @@ if(TARGET geo_test)  # measured against the geodesics of an independent library
     target_link_libraries(geo_test PRIVATE ${GEOGRAPHICLIB})
 endif()
 
+# ---- MAVLink against an independent implementation (npm node-mavlink, see toolchain/node)
+add_executable(mavlink_repeat ${CMAKE_SOURCE_DIR}/host_tests/mavlink/repeat.cpp)
+target_compile_options(mavlink_repeat PRIVATE ${HOUSE_WARNINGS})
+target_link_libraries(mavlink_repeat PRIVATE mavlink)
+add_test(NAME mavlink.definitions
+         COMMAND ${NODE} --test ${CMAKE_SOURCE_DIR}/host_tests/mavlink/definitions.test.mjs)
+add_test(NAME mavlink.vectors
+         COMMAND ${NODE} --test ${CMAKE_SOURCE_DIR}/host_tests/mavlink/vectors.test.mjs)
+set_tests_properties(mavlink.vectors PROPERTIES ENVIRONMENT
+                     MAVLINK_REPEAT=$<TARGET_FILE:mavlink_repeat>)
+
 # ---- everything outside the board's pins
 find_package(nlohmann_json REQUIRED)
 file(GLOB world_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/world.cpp
@@ -116,3 +127,5 @@ ExternalProject_Add(hal_programs
 house_test(hal_avr_test ${CMAKE_SOURCE_DIR}/host_tests/hal_avr simulator_machine)
 add_dependencies(hal_avr_test hal_programs)
 target_compile_definitions(hal_avr_test PRIVATE CHIP_PROGRAMS="${CMAKE_BINARY_DIR}/avr-hal")
+house_test(simulator_test ${CMAKE_SOURCE_DIR}/host_tests/simulator simulator_report
+           simulator_ground simulator_native simulator_world)

@@ -69,6 +69,10 @@ private:
     uint8_t signatureSize() const {
         return !isV1() && (bytes_[2] & kSignedFlag) != 0 ? kSignature : 0;
     }
+    // No flag that we do not know, and no id that no dialect uses.
+    bool readable() const {
+        return isV1() || ((bytes_[2] & ~kSignedFlag & 0xFF) == 0 && bytes_[9] == 0);
+    }
     uint16_t id() const {
         return isV1() ? bytes_[5] : static_cast<uint16_t>(bytes_[7] | (bytes_[8] << 8));
     }
@@ -91,8 +95,9 @@ private:
         Index start = 0;
         while (start < used_ && !isMagic(bytes_[start])) ++start;
         if (start > 0) drop(start);
+        if (used_ == 0) return false;
         need_ = headerSize();
-        return used_ > 0 && used_ >= need_;
+        return used_ >= need_;
     }
 
     // True: row_, crc_extra_ and need_ are those of the frame that begins here. False: it was left
@@ -100,9 +105,8 @@ private:
     bool acceptHeader() {
         const uint8_t length = bytes_[1];
         const uint16_t size = static_cast<uint16_t>(headerSize() + length + kChecksum);
-        const bool readable = isV1() || ((bytes_[2] & ~kSignedFlag & 0xFF) == 0 && bytes_[9] == 0);
         Accepted accepted;
-        const uint8_t row = readable ? Table::find(id(), accepted) : kNoRow;
+        const uint8_t row = readable() ? Table::find(id(), accepted) : kNoRow;
         if (row != kNoRow && size <= kCapacity && (!isV1() || length >= accepted.length)) {
             accepted_ = true;
             row_ = row;
@@ -110,9 +114,10 @@ private:
             need_ = static_cast<Index>(size);
             return true;
         }
-        // What we cannot check is skipped whole only when it comes from who sent the last good
+        // What cannot be checked is skipped whole only when it comes from who sent the last good
         // frame; else it may be noise, and its length would swallow good frames.
-        const bool from_peer = memcmp(peer_, bytes_ + (isV1() ? 3 : 5), sizeof peer_) == 0;
+        const bool from_peer = readable() && peer_[0] != 0 &&
+                               memcmp(peer_, bytes_ + (isV1() ? 3 : 5), sizeof peer_) == 0;
         leaveOut(from_peer ? static_cast<uint16_t>(size + signatureSize()) : 1);
         return false;
     }

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mavlink/parser.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "wire_bytes.hpp"
+
+using mavlink::Framing;
+using test::Bytes;
+using test::operator+;
+
+namespace {
+
+// As a vehicle would: few messages, and room for the longest of them.
+struct VehicleTable {
+    static uint8_t find(uint16_t id, mavlink::Accepted& to) {
+        constexpr mavlink::Accepted kRows[] = {mavlink::accepts<mavlink::Heartbeat>(),
+                                               mavlink::accepts<mavlink::SetMode>(),
+                                               mavlink::accepts<mavlink::MissionItemInt>(),
+                                               mavlink::accepts<mavlink::MissionRequestList>()};
+        for (uint8_t row = 0; row < 4; ++row) {
+            to = kRows[row];
+            if (to.id == id) return row;
+        }
+        return mavlink::kNoRow;
+    }
+};
+using VehicleParser = mavlink::Parser<VehicleTable, 50>;
+static_assert(sizeof(VehicleParser) <= 64, "the parser's share of 8 KiB");
+
+struct Received {
+    uint16_t id;
+    Framing framing;
+    uint8_t row, sequence, system, component;
+    Bytes payload;
+};
+
+template <class Parser>
+std::vector<Received> feed(Parser& parser, const Bytes& bytes) {
+    std::vector<Received> frames;
+    for (const uint8_t byte : bytes)
+        for (bool whole = parser.put(byte); whole; whole = parser.next()) {
+            const mavlink::Frame frame = parser.frame();
+            frames.push_back({frame.id, frame.framing, frame.row, frame.sequence, frame.system,
+                              frame.component, Bytes(frame.payload, frame.payload + frame.length)});
+        }
+    return frames;
+}
+
+// The message of the one frame that `bytes` ends with.
+template <class Message, class Parser>
+Message readOnly(Parser& parser, const Bytes& bytes) {
+    bool whole = false;
+    for (const uint8_t byte : bytes) whole = parser.put(byte);
+    EXPECT_TRUE(whole);
+    return parser.frame().template read<Message>();
+}
+
+std::vector<uint8_t> sequences(const std::vector<Received>& frames) {
+    std::vector<uint8_t> all;
+    for (const Received& frame : frames) all.push_back(frame.sequence);
+    return all;
+}
+using Sequences = std::vector<uint8_t>;
+
+Bytes heartbeat(uint8_t sequence, Framing framing = Framing::v1, uint8_t system = 255) {
+    mavlink::Heartbeat message = {};
+    message.type = mavlink::MavType::gcs;
+    message.mavlink_version = 3;
+    return test::frame({framing, sequence, system, 190}, message);
+}
+
+Bytes setMode(uint8_t sequence) {
+    mavlink::SetMode message = {};
+    message.custom_mode = 11;
+    message.base_mode = 1;
+    return test::frame({Framing::v1, sequence, 255, 190}, message);
+}
+
+TEST(Parser, reads_both_versions_mixed) {
+    VehicleParser parser;
+
+    const auto frames = feed(parser, heartbeat(1) + heartbeat(2, Framing::v2) + setMode(3));
+
+    ASSERT_EQ(sequences(frames), (Sequences{1, 2, 3}));
+    EXPECT_EQ(frames[0].framing, Framing::v1);
+    EXPECT_EQ(frames[1].framing, Framing::v2);
+    EXPECT_EQ(frames[0].payload, frames[1].payload);
+    EXPECT_EQ(frames[2].id, mavlink::Wire<mavlink::SetMode>::id);
+    EXPECT_EQ(frames[2].row, 1);
+    EXPECT_EQ(frames[2].system, 255);
+    EXPECT_EQ(frames[2].component, 190);
+}
+
+TEST(Parser, gives_zeros_for_what_the_sender_left_out) {
+    mavlink::PeerParser parser;
+    mavlink::MissionItemInt message = {};
+    message.command = 16;  // everything after it is zero
+    const Bytes bytes = test::frame({Framing::v2, 0, 255, 190}, message);
+    ASSERT_LT(bytes.size(), sizeof message + 12);
+
+    const auto read = readOnly<mavlink::MissionItemInt>(parser, bytes);
+
+    EXPECT_EQ(memcmp(&read, &message, sizeof read), 0);
+}
+
+TEST(Parser, refuses_a_frame_with_any_bit_wrong) {
+    const Bytes good = heartbeat(1);
+    for (size_t at = 0; at < good.size(); ++at)
+        for (int bit = 0; bit < 8; ++bit) {
+            Bytes bad = good;
+            bad[at] = static_cast<uint8_t>(bad[at] ^ (1 << bit));
+            VehicleParser parser;
+
+            EXPECT_TRUE(feed(parser, bad).empty()) << "byte " << at << " bit " << bit;
+        }
+}
+
+TEST(Parser, takes_a_signed_frame_and_leaves_out_its_signature) {
+    mavlink::SetMode mode = {};
+    mode.custom_mode = 5;
+    Bytes bytes = test::frame({Framing::v2, 4, 255, 190}, mode);
+    bytes.resize(bytes.size() - 2);
+    bytes[2] = mavlink::kSignedFlag;
+    bytes = test::sealed(bytes, mavlink::Wire<mavlink::SetMode>::crc_extra);
+    const Bytes signature(13, 0xFE);  // looks like the start of thirteen frames
+    VehicleParser parser;
+
+    const auto frames = feed(parser, bytes + signature + heartbeat(5));
+
+    EXPECT_EQ(sequences(frames), (Sequences{4, 5}));
+    EXPECT_EQ(parser.rejected(), 0);
+}
+
+TEST(Parser, drops_a_frame_with_an_incompatibility_it_does_not_know) {
+    mavlink::SetMode mode = {};
+    mode.custom_mode = 5;
+    Bytes bytes = test::frame({Framing::v2, 4, 255, 190}, mode);
+    bytes.resize(bytes.size() - 2);
+    bytes[2] = 0x02;
+    bytes = test::sealed(bytes, mavlink::Wire<mavlink::SetMode>::crc_extra);
+    VehicleParser parser;
+
+    EXPECT_EQ(sequences(feed(parser, bytes + heartbeat(5))), (Sequences{5}));
+}
+
+TEST(Parser, ignores_compatibility_flags) {
+    mavlink::SetMode mode = {};
+    mode.custom_mode = 5;
+    Bytes bytes = test::frame({Framing::v2, 4, 255, 190}, mode);
+    bytes.resize(bytes.size() - 2);
+    bytes[3] = 0xFF;
+    bytes = test::sealed(bytes, mavlink::Wire<mavlink::SetMode>::crc_extra);
+    VehicleParser parser;
+
+    EXPECT_EQ(sequences(feed(parser, bytes)), (Sequences{4}));
+}
+
+TEST(Parser, tolerates_extension_bytes_in_a_mavlink_1_frame) {
+    const Bytes bytes = test::sealed({0xFE, 3, 9, 255, 190, 43, 1, 1, 2},
+                                     mavlink::Wire<mavlink::MissionRequestList>::crc_extra);
+    VehicleParser parser;
+
+    const auto frames = feed(parser, bytes);
+
+    ASSERT_EQ(frames.size(), 1u);
+    EXPECT_EQ(frames[0].payload, (Bytes{1, 1, 2}));
+}
+
+TEST(Parser, refuses_a_mavlink_1_frame_that_is_too_short) {
+    const Bytes bytes = test::sealed({0xFE, 1, 9, 255, 190, 43, 1},
+                                     mavlink::Wire<mavlink::MissionRequestList>::crc_extra);
+    VehicleParser parser;
+
+    EXPECT_TRUE(feed(parser, bytes).empty());
+}
+
+TEST(Parser, skips_whole_what_its_peer_says_in_messages_it_does_not_know) {
+    // a frame carried inside another message's payload is data, not an order
+    Bytes carrier = {0xFD, 0, 0, 0, 8, 255, 190, 110, 0, 0};
+    const Bytes payload = Bytes(3, 0) + setMode(66) + Bytes(100, 0xFE);
+    carrier[1] = static_cast<uint8_t>(payload.size());
+    VehicleParser parser;
+
+    const auto frames =
+        feed(parser, heartbeat(7) + test::sealed(carrier + payload, 84) + heartbeat(9));
+
+    EXPECT_EQ(sequences(frames), (Sequences{7, 9}));
+}
+
+TEST(Parser, loses_no_good_frame_to_what_looks_like_the_start_of_a_long_one) {
+    const Bytes false_starts[] = {
+        {0xFE, 37, 0, 255, 190, 73},              // a known message, its payload missing
+        {0xFD, 38, 0, 0, 0, 255, 190, 73, 0, 0},  //
+        {0xFE, 255, 0, 3, 4, 110},                // an unknown one of nobody we know
+        {0xFD, 255, 0, 0, 0, 3, 4, 110, 0, 0},    //
+        {0xFE},
+        {0xFD},
+        {0xFE, 0xFD, 0xFE, 0xFD, 0xFE},
+        {0xFD, 9, 0xFF, 0, 0, 0, 0, 0, 0, 0},
+    };
+    for (const Bytes& start : false_starts) {
+        VehicleParser parser;
+
+        // frames that all fit into the false one's length, and then silence until the next
+        const auto frames = feed(
+            parser, start + setMode(1) + setMode(2) + heartbeat(3) + heartbeat(4) + heartbeat(5));
+
+        EXPECT_EQ(sequences(frames), (Sequences{1, 2, 3, 4, 5}))
+            << int(start[0]) << " " << start.size();
+    }
+}
+
+TEST(Parser, finds_the_good_frame_after_one_that_was_cut_short) {
+    const Bytes whole = heartbeat(1);
+    for (size_t kept = 1; kept < whole.size(); ++kept) {
+        VehicleParser parser;
+        const Bytes cut(whole.begin(), whole.begin() + static_cast<long>(kept));
+
+        // three more, as the cut one's length may reach that far
+        const auto frames = feed(parser, cut + heartbeat(2) + heartbeat(3) + heartbeat(4));
+
+        EXPECT_EQ(sequences(frames), (Sequences{2, 3, 4})) << kept << " bytes kept";
+    }
+}
+
+TEST(Parser, loses_no_good_frame_in_noise) {
+    std::mt19937 random(1);
+    VehicleParser parser;
+    uint32_t sent = 0, heard = 0;
+    for (uint32_t round = 0; round < 20000; ++round) {
+        Bytes noise(random() % 40);
+        for (uint8_t& byte : noise) {
+            byte = static_cast<uint8_t>(random());
+            if (random() % 4 == 0) byte = random() % 2 ? 0xFE : 0xFD;
+        }
+        ++sent;
+        heard += static_cast<uint32_t>(feed(parser, noise + heartbeat(1)).size());
+    }
+    // what is still held back comes out with the next bytes
+    heard += static_cast<uint32_t>(feed(parser, Bytes(64, 0)).size());
+
+    EXPECT_EQ(heard, sent);
+}
+
+TEST(Parser, a_frame_too_long_for_its_buffer_is_left_out) {
+    // a younger dialect's MISSION_ITEM_INT, longer than ours by twenty bytes
+    Bytes bytes = {0xFD, 58, 0, 0, 8, 255, 190, 73, 0, 0};
+    bytes = test::sealed(bytes + Bytes(58, 1), mavlink::Wire<mavlink::MissionItemInt>::crc_extra);
+    VehicleParser parser;
+
+    EXPECT_EQ(sequences(feed(parser, bytes + heartbeat(2))), (Sequences{2}));
+}
+
+TEST(Parser, drops_extension_bytes_younger_than_ours) {
+    Bytes bytes = {0xFD, 12, 0, 0, 8, 255, 190, 43, 0, 0};
+    bytes =
+        test::sealed(bytes + Bytes(12, 1), mavlink::Wire<mavlink::MissionRequestList>::crc_extra);
+    VehicleParser parser;
+
+    const auto read = readOnly<mavlink::MissionRequestList>(parser, bytes);
+
+    EXPECT_EQ(read.mission_type, 1);
+}
+
+TEST(Parser, a_peer_that_wants_everything_reads_every_message_at_full_length) {
+    mavlink::PeerParser parser;
+    for (const mavlink::Accepted& accepted : mavlink::kAllMessages) {
+        Bytes bytes = {0xFD,
+                       255,
+                       0,
+                       0,
+                       8,
+                       1,
+                       1,
+                       static_cast<uint8_t>(accepted.id),
+                       static_cast<uint8_t>(accepted.id >> 8),
+                       0};
+        bytes = test::sealed(bytes + Bytes(255, 0xFE), accepted.crc_extra);
+
+        const auto frames = feed(parser, bytes);
+
+        ASSERT_EQ(frames.size(), 1u) << accepted.id;
+        EXPECT_EQ(frames[0].id, accepted.id);
+        EXPECT_EQ(frames[0].payload, Bytes(255, 0xFE));
+    }
+}
+
+}  // namespace
