@@ -9,10 +9,6 @@
 #include "hal/interrupts.hpp"
 #include "start.hpp"
 
-namespace avr {
-volatile uint8_t clock_overflows;
-}
-
 namespace {
 
 constexpr uint16_t kOverflow_us = 32768;
@@ -74,7 +70,7 @@ void clockStart() {
 ISR(TIMER5_OVF_vect) {
     base.us += kOverflow_us;
     carry(base.ms, base.us_past_ms);
-    avr::clock_overflows = static_cast<uint8_t>(avr::clock_overflows + 1);
+    avr::ppmTick();
     avr::eepromTick();
 }
 

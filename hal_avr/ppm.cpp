@@ -18,6 +18,11 @@ constexpr uint16_t kShortest = 2 * 700;  // encoders send 900..2100 us; else it 
 constexpr uint16_t kLongest = 2 * 2500;
 
 constexpr uint8_t kFewestChannels = 5;
+// Overflows of the timer since an edge. An edge just after an overflow whose interrupt has still
+// to run begins one below 0, so that it counts from 0 on.
+constexpr uint8_t kOwnOverflow = 0xFF;
+constexpr uint8_t kManyOverflows = 0xF0;  // the count stays here
+
 constexpr uint8_t kNotInFrame = 0xFF;  // until the next gap
 
 constexpr uint32_t kForgotten_us = 0x7FFFFFFF;  // long before the clock has come round
@@ -25,7 +30,7 @@ constexpr uint32_t kForgotten_us = 0x7FFFFFFF;  // long before the clock has com
 struct {
     uint16_t frames[2][hal::kRcChannels];
     uint16_t edge;           // of the last pulse
-    uint8_t edge_overflows;  // clock_overflows then
+    uint8_t edge_overflows;  // of the timer since that edge, see kOwnOverflow
     uint8_t channel;         // the next to come
     uint8_t filling;         // which of the frames
     bool fresh, received;
@@ -63,13 +68,12 @@ inline void pulse(uint16_t width) {
 
 ISR(TIMER5_CAPT_vect) {
     const uint16_t edge = ICR5;
-    uint8_t overflows = avr::clock_overflows;
-    if ((TIFR5 & (1 << TOV5)) && edge < 0x8000) ++overflows;
+    const bool overflow_pending = (TIFR5 & (1 << TOV5)) && edge < 0x8000;
     const uint16_t width = edge - ppm.edge;
-    const uint8_t turns = static_cast<uint8_t>(overflows - ppm.edge_overflows);
-    const bool too_long = turns > 1 || (turns == 1 && edge >= ppm.edge);
+    const uint8_t overflows = static_cast<uint8_t>(ppm.edge_overflows + overflow_pending);
+    const bool too_long = overflows > 1 || (overflows == 1 && edge >= ppm.edge);
     ppm.edge = edge;
-    ppm.edge_overflows = overflows;
+    ppm.edge_overflows = overflow_pending ? kOwnOverflow : 0;
     if (too_long || width > kGap) {
         gap();
     } else {
@@ -78,6 +82,10 @@ ISR(TIMER5_CAPT_vect) {
 }
 
 namespace avr {
+
+void ppmTick() {
+    if (ppm.edge_overflows != kManyOverflows) ++ppm.edge_overflows;
+}
 
 void ppmStart() {
     TCCR5B |= (1 << ICNC5) | (1 << ICES5);  // a level counts when seen four cycles running

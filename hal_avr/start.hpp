@@ -13,9 +13,8 @@ void twiStart();
 void adcStart();
 void imuInterruptStart();  // INT6
 
-// For other interrupts: how often Timer5 has overflowed (every 32.768 ms), low byte.
-extern volatile uint8_t clock_overflows;
-// Called at every overflow: lets the EEPROM queue go on when a reader has not come back.
-void eepromTick();
+// Called by the clock's interrupt at every overflow of Timer5, which is every 32.768 ms.
+void ppmTick();     // counts how long the receiver has been silent
+void eepromTick();  // lets the queue go on when a reader has not come back
 
 }  // namespace avr

@@ -62,26 +62,35 @@ inline __attribute__((always_inline)) void receiveNext() {
 
 inline void keepByte() { transfer.bytes[transfer.at++] = TWDR; }
 
+// An open-collector line: pulled low, or left to its pull-ups.
+template <class Line>
+void pull() {
+    Line::low();
+    Line::output();
+}
+template <class Line>
+void release() {
+    Line::input();
+    Line::high();
+}
+
 // Nine clocks let a device that was cut off in the middle of a byte finish it; then a stop.
 void freeBus() {
     constexpr double kHalf_us = 5;
     TWCR = 0;
-    Data::input();
-    Data::high();
-    Clock::low();
     for (uint8_t i = 0; i < 9; ++i) {
-        Clock::output();
+        pull<Clock>();
         _delay_us(kHalf_us);
-        Clock::input();
+        release<Clock>();
         _delay_us(kHalf_us);
     }
-    Clock::output();
-    Data::low();
-    Data::output();
+    pull<Clock>();
+    pull<Data>();
     _delay_us(kHalf_us);
-    Clock::input();
+    release<Clock>();
     _delay_us(kHalf_us);
-    Data::input();
+    release<Data>();
+    _delay_us(kHalf_us);
     avr::twiStart();
 }
 

@@ -35,6 +35,7 @@ void watchdogFeed() { wdt_reset(); }
 void reboot() {
     cli();
     wdt_enable(WDTO_15MS);
+    wdt_reset();  // the 15 ms count from here, whatever it counted before
     for (;;) {
     }
 }

@@ -27,3 +27,15 @@ add_custom_command(TARGET firmware POST_BUILD
     COMMAND ${CMAKE_OBJCOPY} -O ihex -R .eeprom $<TARGET_FILE:firmware> firmware.hex
     COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/blank_eeprom.mjs firmware.eep
     VERBATIM)
+
+# ---- programs on the hardware layer alone, which host_tests/hal_avr runs on the emulated chip
+file(GLOB hal_programs CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/hal_avr/programs/*.cpp)
+add_custom_target(hal_programs)
+foreach(program IN LISTS hal_programs)
+    get_filename_component(name ${program} NAME_WE)
+    add_executable(hal_${name} EXCLUDE_FROM_ALL ${program})
+    set_target_properties(hal_${name} PROPERTIES CXX_STANDARD 14 SUFFIX .elf)
+    target_compile_options(hal_${name} PRIVATE ${HOUSE_WARNINGS})
+    target_link_libraries(hal_${name} PRIVATE hal_avr)
+    add_dependencies(hal_programs hal_${name})
+endforeach()

@@ -84,7 +84,7 @@ simulator_library(report simulator_ground)
 
 file(GLOB_RECURSE native_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/firmware/*.cpp)
 list(FILTER native_sources EXCLUDE REGEX /firmware/main\.cpp$)
-add_library(firmware_native STATIC ${native_sources})
+add_library(firmware_native OBJECT ${native_sources})
 set_target_properties(firmware_native PROPERTIES CXX_STANDARD 14)
 target_compile_options(firmware_native PRIVATE ${HOUSE_WARNINGS})
 target_include_directories(firmware_native BEFORE PUBLIC ${CMAKE_SOURCE_DIR}/simulator/native
@@ -101,7 +101,7 @@ foreach(room firmware firmware_mission telemetry)
     house_test(${room}_test ${CMAKE_SOURCE_DIR}/host_tests/${room} firmware_on_fakes)
 endforeach()
 
-simulator_library(native firmware_native simulator_world)
+simulator_library(native simulator_world core hal)
 target_include_directories(simulator_native BEFORE PRIVATE ${CMAKE_SOURCE_DIR}/simulator/native)
 
 include(machine)
@@ -112,8 +112,8 @@ target_compile_options(fly PRIVATE ${HOUSE_WARNINGS})
 target_compile_definitions(fly PRIVATE FLY_IMAGE="${IMAGE_ELF}"
     FLY_MISSION="${CMAKE_SOURCE_DIR}/simulator/missions/first_flight.waypoints"
     FLY_OUT="${CMAKE_SOURCE_DIR}/build/flight")
-target_link_libraries(fly PRIVATE simulator_report simulator_ground simulator_machine
-                      simulator_native simulator_world CLI11::CLI11)
+target_link_libraries(fly PRIVATE firmware_native simulator_native simulator_report
+                      simulator_ground simulator_machine simulator_world CLI11::CLI11)
 
 # ---- the hardware layer, by small programs of its own on the emulated chip
 ExternalProject_Add(hal_programs
