@@ -9,12 +9,13 @@ namespace {
 constexpr float kGravity = core::kGravity_mss;
 constexpr uint8_t kAlignFrames = 25;
 
-// Time constants of the corrections, settled. The gyros are good for a minute, so the references'
-// noise may be averaged for long; an accelerometer's bias then even averages out over a circle.
-constexpr float kTilt_s = 8.0f;
-constexpr float kCompass_s = 6.0f;
-constexpr float kBiasShare = 1.0f / 60.0f;  // bias taken over, per second of tilt corrected
-constexpr float kQuick = 8.0f;              // so much faster at first
+// Time constants of the corrections, settled; found by flying host_tests/estimation/flight.hpp.
+// The gyros are good for a minute, so the references may be averaged for long; an accelerometer's
+// bias shows when the airplane turns, because its tilt stays behind over the ground.
+constexpr float kTilt_s = 12.0f;
+constexpr float kCompass_s = 10.0f;
+constexpr float kBiasShare = 1.0f / 100.0f;  // bias taken over, per second of tilt corrected
+constexpr float kQuick = 8.0f;               // so much faster at first
 constexpr float kSettle_s = 10.0f;
 
 // In a turn a small error of heading or of the fix's age shows as acceleration along the path, not
@@ -24,12 +25,17 @@ constexpr float kYawFromTurn = 0.03f;  // of the heading error a turn shows, eac
 
 constexpr float kMostBias_rads = 0.05f;      // 3 deg/s beyond the start-up zero
 constexpr float kMostBiasStep_rads = 2e-4f;  // in one correction
-constexpr float kMostTime_s = 1.1f;          // between two fixes that are compared
-constexpr uint8_t kCompassEvery = 5;         // 10 Hz of 50
+constexpr float kForceBias_s = 40.0f;        // an accelerometer's bias is learnt in this time
+constexpr float kMostForceBias_mss = 0.3f;   // 0.03 g
+constexpr float kMostForceStep_mss = 0.005f;
+constexpr float kMostTime_s = 1.1f;   // between two fixes that are compared
+constexpr uint8_t kCompassEvery = 5;  // 10 Hz of 50
 constexpr float kCompassStep_s = 0.1f;
-constexpr float kFarOff = 0.5f;  // sine of a compass error that means: turned unseen
 
 core::Vector3 unit(const core::Vector3& v) { return v * (1.0f / sqrtf(core::dot(v, v))); }
+float nudged(float bias, float by, float step, float most) {
+    return core::limit(bias + core::limit(by, -step, step), -most, most);
+}
 // One step of Newton's for 1 / |v|: exact enough for what grew by a thousandth.
 void renormalise(core::Vector3& v) { v = v * (1.5f - 0.5f * core::dot(v, v)); }
 
@@ -42,7 +48,7 @@ void Attitude::propagate(const core::Vector3& rate_rads, const core::Vector3& fo
     since_fix_s_ = core::limit(since_fix_s_ + dt_s, 0.0f, 1e6f);
     rate_ = rate_rads - bias_;
     if (phase_ == Phase::falling) {
-        if (++frame_ == kAlignFrames) alignUpright(force_sum_);
+        if (++frame_ == kAlignFrames) alignUpright();
         return;
     }
     const core::Vector3 turned = rate_ * dt_s;
@@ -51,13 +57,14 @@ void Attitude::propagate(const core::Vector3& rate_rads, const core::Vector3& fo
     // The dearer work is spread over four frames.
     frame_ = (frame_ + 1) & 3;
     if (frame_ & 1) {
-        accelerate(dt_s);
+        accelerate();
     } else {
         keepUnit();
     }
 }
 
-void Attitude::alignUpright(const core::Vector3& force_sum) {
+void Attitude::alignUpright() {
+    const core::Vector3 force_sum = force_sum_;
     frame_ = 0;
     const float squared = core::dot(force_sum, force_sum);
     force_sum_ = {0, 0, 0};
@@ -72,10 +79,13 @@ void Attitude::alignUpright(const core::Vector3& force_sum) {
 
 void Attitude::keepUnit() {
     if (frame_ == 0) {
+        const float squared = core::dot(down_, down_);
+        if (!(squared > 0.5f && squared < 2.0f)) return start();  // no matrix any more: begin again
         renormalise(down_);
         const float east = noseEast();
         const float inverse = 1.0f / sqrtf(north_.x * north_.x + east * east + 1e-12f);
         yaw_rad_ = arc_rad(east * inverse, north_.x * inverse);
+        yaw_rate_ = core::dot(down_, rate_);
     } else {
         north_ = north_ - down_ * core::dot(north_, down_);
         renormalise(north_);
@@ -83,12 +93,14 @@ void Attitude::keepUnit() {
 }
 
 // The force of the last two frames, turned into north, east, down.
-void Attitude::accelerate(float) {
+void Attitude::accelerate() {
     const float time_s = force_time_s_;
     if (time_s <= 0) return;
     const core::Vector3 east = core::cross(down_, north_);
-    core::Vector3 gain = {core::dot(north_, force_sum_), core::dot(east, force_sum_),
-                          core::dot(down_, force_sum_) + kGravity * time_s};
+    force_sum_.x -= force_bias_x_ * time_s;
+    force_sum_.y -= force_bias_y_ * time_s;
+    const core::Vector3 gain = {core::dot(north_, force_sum_), core::dot(east, force_sum_),
+                                core::dot(down_, force_sum_) + kGravity * time_s};
     acceleration_ = gain * (1.0f / time_s);
     history_.add(gain, time_s);
     force_sum_ = {0, 0, 0};
@@ -112,10 +124,11 @@ void Attitude::turnTo(float sine, float cosine) {
 
 // `missing`: acceleration the reference saw and the accelerometers did not, over time_s. A tilt of
 // one radian would turn gravity into one g of it.
-void Attitude::correct(const core::Vector3& missing_mss, float time_s) {
+void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& felt_mss,
+                       float time_s) {
     const float quick = 1.0f + (kQuick - 1.0f) * settling_;
     settling_ = core::limit(settling_ - time_s / kSettle_s, 0.0f, 1.0f);
-    const core::Vector3& a = acceleration_;
+    const core::Vector3& a = felt_mss;
     const float horizontal = a.x * a.x + a.y * a.y;
     // Split into towards the centre (along a) and along the path.
     core::Vector3 used = missing_mss;
@@ -131,18 +144,22 @@ void Attitude::correct(const core::Vector3& missing_mss, float time_s) {
     const float gain = quick * core::limit(time_s / kTilt_s, 0.0f, 0.1f) / kGravity;
     const core::Vector3 turn = {used.y * gain, -used.x * gain, core::limit(yaw, -0.05f, 0.05f)};
     rotate(turn);
+    learn(turn, used, time_s);
+}
+
+// What had to be corrected again and again is the sensors' own.
+void Attitude::learn(const core::Vector3& turn_rad, const core::Vector3& missing_mss,
+                     float time_s) {
     const core::Vector3 east = core::cross(down_, north_);
-    const core::Vector3 body = north_ * turn.x + east * turn.y + down_ * turn.z;
-    const float share = kBiasShare;
-    bias_.x =
-        core::limit(bias_.x - core::limit(body.x * share, -kMostBiasStep_rads, kMostBiasStep_rads),
-                    -kMostBias_rads, kMostBias_rads);
-    bias_.y =
-        core::limit(bias_.y - core::limit(body.y * share, -kMostBiasStep_rads, kMostBiasStep_rads),
-                    -kMostBias_rads, kMostBias_rads);
-    bias_.z =
-        core::limit(bias_.z - core::limit(body.z * share, -kMostBiasStep_rads, kMostBiasStep_rads),
-                    -kMostBias_rads, kMostBias_rads);
+    const core::Vector3 turn = north_ * turn_rad.x + east * turn_rad.y + down_ * turn_rad.z;
+    bias_.x = nudged(bias_.x, -turn.x * kBiasShare, kMostBiasStep_rads, kMostBias_rads);
+    bias_.y = nudged(bias_.y, -turn.y * kBiasShare, kMostBiasStep_rads, kMostBias_rads);
+    bias_.z = nudged(bias_.z, -turn.z * kBiasShare, kMostBiasStep_rads, kMostBias_rads);
+    const float share = core::limit(time_s / kForceBias_s, 0.0f, 0.01f);
+    const float x = north_.x * missing_mss.x + east.x * missing_mss.y;
+    const float y = north_.y * missing_mss.x + east.y * missing_mss.y;
+    force_bias_x_ = nudged(force_bias_x_, -x * share, kMostForceStep_mss, kMostForceBias_mss);
+    force_bias_y_ = nudged(force_bias_y_, -y * share, kMostForceStep_mss, kMostForceBias_mss);
 }
 
 void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings) {
@@ -152,7 +169,8 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
     if (phase_ != Phase::falling && time_s < kMostTime_s && time_s > 0.05f) {
         const core::Vector3 seen = VelocityHistory::difference_mps(ground, fix_ground_);
         const core::Vector3 felt = VelocityHistory::difference_mps(then, fix_);
-        correct((seen - felt) * (1.0f / time_s), time_s);
+        const float inverse = 1.0f / time_s;
+        correct((seen - felt) * inverse, felt * inverse, time_s);
     }
     fix_ = then;
     fix_ground_ = ground;
@@ -181,31 +199,39 @@ void Attitude::useAirspeed(float true_airspeed_mps) {
     const core::Vector3 swung = {-yaw_rate * east_mps, yaw_rate * north_mps, 0};
     core::Vector3 missing = swung - acceleration_;
     missing.z = 0;
-    correct(missing, 0.2f);
+    correct(missing, acceleration_, 0.2f);
 }
 
-void Attitude::useCompass(const core::Vector3& field_mg, const AttitudeSettings& settings) {
+void Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSettings& settings) {
     if (phase_ == Phase::falling || !settings.use_compass) return;
     if (phase_ == Phase::pointed && ++compass_reading_ < kCompassEvery) return;
     compass_reading_ = 0;
+    const core::Vector3 field_mg = field_.earths(reading_mg);
     const core::Vector3 east = core::cross(down_, north_);
     const float m_north = core::dot(north_, field_mg), m_east = core::dot(east, field_mg);
     const float length = sqrtf(m_north * m_north + m_east * m_east);
     if (length < 30.0f) return;  // near a magnetic pole, or no field at all: no direction
-    const float inverse = 1.0f / length;
     // Declination is small enough on every inhabited place for its cosine's second order.
     const float d = settings.declination_rad;
     const float sin_d = d * (1.0f - d * d * (1.0f / 6.0f)), cos_d = 1.0f - 0.5f * d * d;
-    const float sine = (m_north * sin_d - m_east * cos_d) * inverse;
-    const float cosine = (m_north * cos_d + m_east * sin_d) * inverse;
-    if (phase_ == Phase::upright) return turnTo(sine, cosine);
+    const float along_mg = m_north * cos_d + m_east * sin_d;
+    const float across_mg = m_east * cos_d - m_north * sin_d;
+    const float inverse = 1.0f / length;
+    if (phase_ == Phase::upright) {
+        field_.start(length, core::dot(down_, field_mg));
+        return turnTo(-across_mg * inverse, along_mg * inverse);
+    }
+    if (along_mg > 0) {
+        field_.learn({along_mg, across_mg, core::dot(down_, field_mg)},
+                     north_ * cos_d + east * sin_d, east * cos_d - north_ * sin_d, down_,
+                     kCompassStep_s);
+    }
+    const float error = along_mg > 0 ? -across_mg * inverse : (across_mg < 0 ? 1.0f : -1.0f);
     const float quick = 1.0f + (kQuick - 1.0f) * settling_;
-    const float error = cosine > 0 ? sine : (sine > 0 ? 1.0f : -1.0f);
-    const core::Vector3 turn = {
-        0, 0, error * core::limit(quick * kCompassStep_s / kCompass_s, 0.0f, 0.5f)};
-    rotate(turn);
-    bias_ =
-        bias_ - down_ * core::limit(turn.z * kBiasShare, -kMostBiasStep_rads, kMostBiasStep_rads);
+    const float turn = error * core::limit(quick * kCompassStep_s / kCompass_s, 0.0f, 0.5f);
+    rotate({0, 0, turn});
+    const float step = core::limit(turn * kBiasShare, -kMostBiasStep_rads, kMostBiasStep_rads);
+    bias_ = bias_ - down_ * step;
 }
 
 Angles Attitude::angles() const {
@@ -217,7 +243,7 @@ Angles Attitude::angles() const {
     a.cos_roll = down_.z * inverse;
     a.roll_rad = arc_rad(a.sin_roll, a.cos_roll);
     a.pitch_rad = arc_rad(a.sin_pitch, a.cos_pitch);
-    a.yaw_rad = yaw_rad_;
+    a.yaw_rad = core::wrapPi(yaw_rad_ + yaw_rate_ * (0.01f * frame_));
     return a;
 }
 

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "core/maths.hpp"
+#include "estimation/compass_field.hpp"
 #include "estimation/velocity_history.hpp"
 
 namespace estimation {
@@ -29,13 +30,13 @@ public:
     void propagate(const core::Vector3& rate_rads, const core::Vector3& force_mss, float dt_s);
 
     // Every compass reading: body axes, offsets removed; only its direction counts.
-    void useCompass(const core::Vector3& field_mg, const AttitudeSettings& settings);
+    void useCompass(const core::Vector3& reading_mg, const AttitudeSettings& settings);
 
     // Once for every fix: north, east, down. Without a compass its course gives the first heading.
     void useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings);
 
-    // While there is no GPS, five times a second: with the true airspeed (0: unknown, or standing)
-    // the turn's centripetal acceleration is known well enough to stay upright.
+    // While there is no GPS, five times a second: with the true airspeed, or in flight a guess of
+    // it (0: standing), the turn's centripetal acceleration is known well enough to stay upright.
     void useAirspeed(float true_airspeed_mps);
 
     bool aligned() const { return phase_ == Phase::pointed; }  // upright and pointed
@@ -49,6 +50,9 @@ public:
     const core::Vector3& rate_rads() const { return rate_; }  // the last, the bias removed
     const core::Vector3& bias_rads() const { return bias_; }
 
+    // What the compass reads of the airplane itself, learnt in turns; body axes.
+    const core::Vector3& compassOffset_mg() const { return field_.own_mg(); }
+
     // Acceleration over ground of the last frames, gravity removed: north, east, down.
     const core::Vector3& acceleration_mss() const { return acceleration_; }
     // Gained by the accelerometers since the time of the last fix given to useGps.
@@ -57,24 +61,27 @@ public:
 private:
     enum class Phase : uint8_t { falling, upright, pointed };
 
-    void alignUpright(const core::Vector3& force_mss);
+    void alignUpright();
     void rotate(const core::Vector3& by_rad);
     void turnTo(float sine, float cosine);
     void keepUnit();
-    void accelerate(float dt_s);
-    void correct(const core::Vector3& missing_mss, float time_s);
+    void accelerate();
+    void correct(const core::Vector3& missing_mss, const core::Vector3& felt_mss, float time_s);
+    void learn(const core::Vector3& turn_rad, const core::Vector3& missing_mss, float time_s);
 
     core::Vector3 north_ = {1, 0, 0}, down_ = {0, 0, 1};  // unit vectors in body axes
     core::Vector3 bias_ = {0, 0, 0};                      // of the gyros
+    float force_bias_x_ = 0, force_bias_y_ = 0;           // of the accelerometers
     core::Vector3 rate_ = {0, 0, 0};
     core::Vector3 force_sum_ = {0, 0, 0};
     core::Vector3 acceleration_ = {0, 0, 0};
+    CompassField field_;
     VelocityHistory history_;
     VelocityHistory::Moment fix_ = {};         // the accelerometers' velocity at the last fix
     VelocityHistory::Moment fix_ground_ = {};  // and the GPS's
     float since_fix_s_ = 1e6f;
     float force_time_s_ = 0;
-    float yaw_rad_ = 0;
+    float yaw_rad_ = 0, yaw_rate_ = 0;
     float settling_ = 1;  // 1 at start, 0 when settled: how much quicker corrections are taken over
     Phase phase_ = Phase::falling;
     uint8_t frame_ = 0;

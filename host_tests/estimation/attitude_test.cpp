@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimation/attitude.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "estimation/still.hpp"
+#include "flight.hpp"
+
+namespace {
+
+using estimation::Angles;
+using estimation::Attitude;
+using estimation::AttitudeSettings;
+using flight::Errors;
+using flight::Flight;
+
+struct Figures {
+    double roll = 0, pitch = 0, yaw = 0;  // squares summed, then RMS degrees
+    double worst_roll = 0, worst_pitch = 0, worst_yaw = 0;
+    int n = 0;
+
+    void add(const Angles& a, const flight::Truth& t) {
+        const double r = std::remainder(a.roll_rad - t.roll, 2 * M_PI) / flight::kDegree,
+                     p = (a.pitch_rad - t.pitch) / flight::kDegree,
+                     y = std::remainder(a.yaw_rad - t.yaw, 2 * M_PI) / flight::kDegree;
+        roll += r * r;
+        pitch += p * p;
+        yaw += y * y;
+        worst_roll = std::max(worst_roll, std::abs(r));
+        worst_pitch = std::max(worst_pitch, std::abs(p));
+        worst_yaw = std::max(worst_yaw, std::abs(y));
+        ++n;
+    }
+    Figures rms() const {
+        Figures f = *this;
+        f.roll = sqrt(roll / n);
+        f.pitch = sqrt(pitch / n);
+        f.yaw = sqrt(yaw / n);
+        return f;
+    }
+};
+
+struct Sources {
+    bool compass = true, gps = true, airspeed = false;
+    double gps_lost_s = 1e9;  // from this time on
+    double scored_s = 12;     // from this time on
+};
+
+// The estimator fed as the firmware feeds it: 100 Hz of pairs of samples, compass 50 Hz, GPS 5 Hz.
+Figures fly(Flight& flight, const Sources& sources, Attitude& attitude) {
+    AttitudeSettings settings;
+    settings.use_compass = sources.compass;
+    estimation::Still still;
+    Figures figures;
+    attitude.start();
+    for (int frame = 0;; ++frame) {
+        flight::V3 rate, force;
+        for (int i = 0; i < 2; ++i) {
+            if (!flight.step()) return figures;
+            rate = rate + flight.gyro() * 0.5;
+            force = force + flight.accel() * 0.5;
+        }
+        still.update(flight::single(rate), flight::single(force), 0.01f);
+        if (!still.done()) continue;
+        attitude.propagate(flight::single(rate) - still.zero_rads(), flight::single(force), 0.01f);
+        if (frame % 2 == 0 && sources.compass) {
+            attitude.useCompass(flight::single(flight.compass()), settings);
+        }
+        const bool gps = sources.gps && flight.truth().time_s < sources.gps_lost_s;
+        if (frame % 20 == 7 && gps) {
+            attitude.useGps(flight::single(flight.gps().velocity), settings);
+        }
+        if (frame % 20 == 7 && !gps) {
+            attitude.useAirspeed(sources.airspeed ? static_cast<float>(flight.airspeed_mps()) : 0);
+        }
+        if (flight.truth().time_s > sources.scored_s)
+            figures.add(attitude.angles(), flight.truth());
+        if (std::getenv("TRACE") && frame % 100 == 0) {
+            const Angles a = attitude.angles();
+            const flight::Truth& t = flight.truth();
+            printf(
+                "%6.1f roll %6.2f %6.2f pitch %6.2f %6.2f yaw %7.2f %6.2f bias %6.3f %6.3f %6.3f\n",
+                t.time_s, t.roll / flight::kDegree, (a.roll_rad - t.roll) / flight::kDegree,
+                t.pitch / flight::kDegree, (a.pitch_rad - t.pitch) / flight::kDegree,
+                std::remainder(t.yaw, 2 * M_PI) / flight::kDegree,
+                std::remainder(a.yaw_rad - t.yaw, 2 * M_PI) / flight::kDegree,
+                attitude.bias_rads().x / flight::kDegree, attitude.bias_rads().y / flight::kDegree,
+                attitude.bias_rads().z / flight::kDegree);
+        }
+    }
+}
+
+Figures overSeeds(const Errors& errors, const Sources& sources, int seeds) {
+    Figures sum;
+    for (int seed = 1; seed <= seeds; ++seed) {
+        Flight flight(flight::wholeFlight(), errors, seed, 37.0 * seed);
+        Attitude attitude;
+        const Figures f = fly(flight, sources, attitude);
+        const Figures r = f.rms();
+        printf("seed %2d RMS roll %.2f pitch %.2f yaw %.2f worst %.2f %.2f %.2f\n", seed, r.roll,
+               r.pitch, r.yaw, r.worst_roll, r.worst_pitch, r.worst_yaw);
+        sum.roll += f.roll;
+        sum.pitch += f.pitch;
+        sum.yaw += f.yaw;
+        sum.n += f.n;
+        sum.worst_roll = std::max(sum.worst_roll, r.worst_roll);
+        sum.worst_pitch = std::max(sum.worst_pitch, r.worst_pitch);
+        sum.worst_yaw = std::max(sum.worst_yaw, r.worst_yaw);
+    }
+    const Figures rms = sum.rms();
+    printf("RMS roll %.3f pitch %.3f yaw %.3f worst %.2f %.2f %.2f\n", rms.roll, rms.pitch, rms.yaw,
+           rms.worst_roll, rms.worst_pitch, rms.worst_yaw);
+    return rms;
+}
+
+TEST(Attitude, holds_four_tenths_of_a_degree_over_whole_flights_with_every_error) {
+    const Figures rms = overSeeds(Errors(), Sources(), 12);
+
+    EXPECT_LT(rms.roll, 0.4);
+    EXPECT_LT(rms.pitch, 0.3);
+    EXPECT_LT(rms.yaw, 1.0);
+}
+
+TEST(Attitude, bears_a_fix_that_is_older_than_believed) {
+    Errors errors;
+    errors.gps_age_s = 0.25;
+    const Figures rms = overSeeds(errors, Sources(), 6);
+
+    EXPECT_LT(rms.roll, 0.5);
+    EXPECT_LT(rms.pitch, 0.5);
+    EXPECT_LT(rms.yaw, 1.5);
+}
+
+TEST(Attitude, bears_a_compass_whose_offsets_are_20_mG_wrong) {
+    Errors errors;
+    errors.compass_offset_mg = 20;
+    const Figures rms = overSeeds(errors, Sources(), 6);
+
+    EXPECT_LT(rms.roll, 0.5);
+    EXPECT_LT(rms.pitch, 0.5);
+}
+
+TEST(Attitude, stays_upright_for_two_minutes_without_gps) {
+    Sources sources;
+    sources.gps_lost_s = 180;
+    sources.airspeed = true;
+    const Figures rms = overSeeds(Errors(), sources, 6);
+
+    EXPECT_LT(rms.roll, 1.5);
+    EXPECT_LT(rms.pitch, 1.5);
+    EXPECT_LT(rms.worst_roll, 6);
+}
+
+TEST(Attitude, stays_upright_with_neither_gps_nor_airspeed) {
+    Sources sources;
+    sources.gps = false;
+    const Figures rms = overSeeds(Errors(), sources, 6);
+
+    EXPECT_LT(rms.roll, 10);
+    EXPECT_LT(rms.pitch, 10);
+}
+
+TEST(Attitude, finds_its_heading_without_a_compass) {
+    Sources sources;
+    sources.compass = false;
+    sources.scored_s = 40;
+    const Figures rms = overSeeds(Errors(), sources, 6);
+
+    EXPECT_LT(rms.roll, 0.5);
+    EXPECT_LT(rms.pitch, 0.5);
+    EXPECT_LT(rms.yaw, 3);
+}
+
+}  // namespace
