@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/native/eeprom_chip.hpp"
+
+#include <gtest/gtest.h>
+
+using core::Status;
+using simulator::EepromChip;
+
+namespace {
+
+class EepromChipTest : public testing::Test {
+protected:
+    void pass(uint64_t us) {
+        now_us += us;
+        chip.run();
+    }
+    Status write(uint16_t address, std::vector<uint8_t> bytes) {
+        return chip.write(address, bytes.data(), static_cast<uint8_t>(bytes.size()));
+    }
+
+    uint64_t now_us = 1000;
+    EepromChip chip{now_us};
+    uint8_t byte = 0;
+};
+
+}  // namespace
+
+TEST_F(EepromChipTest, writes_a_byte_in_3400_us) {
+    ASSERT_EQ(write(7, {1, 2}), Status::ok);
+    pass(3399);
+    EXPECT_EQ(chip.cells()[7], 0xFF);
+    pass(1);
+    EXPECT_EQ(chip.cells()[7], 1);
+    EXPECT_FALSE(chip.drained());
+    pass(3400);
+    EXPECT_TRUE(chip.drained());
+}
+
+TEST_F(EepromChipTest, rests_for_a_reader_who_was_told_to_come_back) {
+    ASSERT_EQ(write(7, {1, 2}), Status::ok);
+    EXPECT_EQ(chip.read(8, &byte, 1), Status::busy);
+    pass(3400);
+    pass(9000);
+
+    EXPECT_EQ(chip.read(8, &byte, 1), Status::ok);
+    EXPECT_EQ(byte, 2);  // still in the queue, and seen as if written
+    EXPECT_EQ(chip.cells()[8], 0xFF);
+    pass(3400);
+    EXPECT_EQ(chip.cells()[8], 2);
+}
+
+TEST_F(EepromChipTest, goes_on_when_the_reader_stays_away) {
+    ASSERT_EQ(write(7, {1, 2}), Status::ok);
+    EXPECT_EQ(chip.read(8, &byte, 1), Status::busy);
+    pass(3400);
+    now_us = chip.due_us();
+    chip.run();
+    pass(3400);
+
+    EXPECT_TRUE(chip.drained());
+}
+
+TEST_F(EepromChipTest, does_not_write_what_is_there_already) {
+    EXPECT_EQ(write(0, {0xFF, 0xFF}), Status::ok);
+    EXPECT_TRUE(chip.drained());
+}
+
+TEST_F(EepromChipTest, queues_all_bytes_of_a_call_or_none) {
+    ASSERT_EQ(write(0, std::vector<uint8_t>(30, 1)), Status::ok);
+    EXPECT_EQ(write(100, {1, 2, 3}), Status::busy);
+    EXPECT_EQ(write(100, {1, 2}), Status::ok);
+    EXPECT_EQ(write(200, std::vector<uint8_t>(33, 1)), Status::bad_argument);
+    EXPECT_EQ(write(4095, {1, 2}), Status::bad_argument);
+}
