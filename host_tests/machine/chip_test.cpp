@@ -57,6 +57,15 @@ TEST(Image, refuses_what_is_no_firmware_in_one_line) {
                 HasSubstr("larger than"));
 }
 
+TEST(Image, refuses_an_elf_for_another_avr) {
+    std::ifstream original(program("stack.elf"), std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(original), {}};
+    constexpr size_t kFlags = 0x24;  // e_flags: 5 is the ATmega328P's family
+    bytes[kFlags] = static_cast<char>((bytes[kFlags] & ~0x7F) | 5);
+    EXPECT_THAT(refusal(fileOf("other.elf", bytes)), HasSubstr("another AVR"));
+    EXPECT_THAT(refusal(fileOf("cut.elf", bytes.substr(0, 20))), HasSubstr("not a whole ELF"));
+}
+
 TEST(Chip, stops_at_the_cycle_asked_for) {
     Machine machine("stack");
     for (uint64_t until : {1000u, 1001u, 123456u}) {

@@ -18,6 +18,7 @@ Usart::Usart(avr_t* avr, char name)
       receive_interrupt_(avr, &io_->rxc, this),
       empty_interrupt_(avr, &io_->udrc, this) {
     hookWrite<&Usart::status>(avr, io_->r_ucsra, this);
+    hookRead<&Usart::plain>(avr, io_->r_ucsra, this);  // the library's lets the host sleep here
     hookWrite<&Usart::control>(avr, io_->r_ucsrb, this);
     hookWrite<&Usart::load>(avr, io_->r_udr, this);
     hookRead<&Usart::take>(avr, io_->r_udr, this);

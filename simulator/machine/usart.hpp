@@ -35,6 +35,7 @@ private:
     void status(uint16_t, uint8_t value);
     void load(uint16_t, uint8_t value);
     uint8_t take(uint16_t);
+    uint8_t plain(uint16_t address) { return avr_->data[address]; }
     void showStatus();
     void begin(uint8_t byte);
     uint64_t shifted(uint64_t due);
