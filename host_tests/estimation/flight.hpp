@@ -51,7 +51,7 @@ struct Errors {
     double gyro_bias_dps = 0.6, gyro_noise_dps = 0.12, gyro_vibration_dps = 0.8;
     double accel_bias_g = 0.004, accel_noise_g = 0.006, accel_vibration_g = 0.08;
     double compass_noise_mg = 2, compass_offset_mg = 0;
-    double gps_noise_mps = 0.05, gps_wander_m = 0.6, gps_wander_up_m = 1.5, gps_age_s = 0.2;
+    double gps_noise_mps = 0.05, gps_wander_m = 0.6, gps_wander_up_m = 1.5, gps_age_s = 0.243;
     double baro_noise_pa = 2, baro_drift_pa = 4;
     double airspeed_noise_mps = 0.15, airspeed_ratio = 0.02;
     double gust_mps = 1, wind_north_mps = 0, wind_east_mps = 0;

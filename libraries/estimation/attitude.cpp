@@ -13,7 +13,7 @@ constexpr uint8_t kAlignFrames = 25;
 // The gyros are good for a minute, so the references may be averaged for long; an accelerometer's
 // bias shows when the airplane turns, because its tilt stays behind over the ground.
 constexpr float kTilt_s = 12.0f;
-constexpr float kCompass_s = 10.0f;
+constexpr float kCompass_s = 15.0f;
 constexpr float kBiasShare = 1.0f / 100.0f;  // bias taken over, per second of tilt corrected
 constexpr float kQuick = 8.0f;               // so much faster at first
 constexpr float kSettle_s = 10.0f;
@@ -21,7 +21,7 @@ constexpr float kSettle_s = 10.0f;
 // In a turn a small error of heading or of the fix's age shows as acceleration along the path, not
 // towards the centre: beyond this horizontal acceleration the part along the path counts less.
 constexpr float kTurning_mss = 2.5f;
-constexpr float kYawFromTurn = 0.03f;  // of the heading error a turn shows, each fix
+constexpr float kYawFromTurn = 0.04f;  // of the heading error a turn shows, each fix
 
 constexpr float kMostBias_rads = 0.05f;      // 3 deg/s beyond the start-up zero
 constexpr float kMostBiasStep_rads = 2e-4f;  // in one correction
@@ -125,7 +125,7 @@ void Attitude::turnTo(float sine, float cosine) {
 // `missing`: acceleration the reference saw and the accelerometers did not, over time_s. A tilt of
 // one radian would turn gravity into one g of it.
 void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& felt_mss,
-                       float time_s) {
+                       float time_s, float yaw_share) {
     const float quick = 1.0f + (kQuick - 1.0f) * settling_;
     settling_ = core::limit(settling_ - time_s / kSettle_s, 0.0f, 1.0f);
     const core::Vector3& a = felt_mss;
@@ -139,7 +139,7 @@ void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& fe
         const float doubt = horizontal / (horizontal + kTurning_mss * kTurning_mss);
         used.x += a.y * path * doubt;
         used.y -= a.x * path * doubt;
-        yaw = path * doubt * kYawFromTurn * quick;
+        yaw = path * doubt * yaw_share * quick;
     }
     const float gain = quick * core::limit(time_s / kTilt_s, 0.0f, 0.1f) / kGravity;
     const core::Vector3 turn = {used.y * gain, -used.x * gain, core::limit(yaw, -0.05f, 0.05f)};
@@ -170,7 +170,7 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
         const core::Vector3 seen = VelocityHistory::difference_mps(ground, fix_ground_);
         const core::Vector3 felt = VelocityHistory::difference_mps(then, fix_);
         const float inverse = 1.0f / time_s;
-        correct((seen - felt) * inverse, felt * inverse, time_s);
+        correct((seen - felt) * inverse, felt * inverse, time_s, kYawFromTurn);
     }
     fix_ = then;
     fix_ground_ = ground;
@@ -199,7 +199,7 @@ void Attitude::useAirspeed(float true_airspeed_mps) {
     const core::Vector3 swung = {-yaw_rate * east_mps, yaw_rate * north_mps, 0};
     core::Vector3 missing = swung - acceleration_;
     missing.z = 0;
-    correct(missing, acceleration_, 0.2f);
+    correct(missing, acceleration_, 0.2f, 0);
 }
 
 void Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSettings& settings) {

@@ -10,7 +10,7 @@
 namespace estimation {
 
 struct PositionSettings {
-    float gps_age_s = 0.2f;
+    float gps_age_s = 0.243f;  // of a fix when it is given to useGps
 };
 
 class Position {
