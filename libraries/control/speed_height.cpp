@@ -20,6 +20,7 @@ constexpr float kUnderspeed = 0.9f;        // of ARSPD_FBW_MIN
 constexpr float kRecovered = 1.05f;
 constexpr float kThrottleMargin = 0.1f;    // by which the integrator may stand beyond an end
 constexpr float kLoadFactorSpeed = 0.19f;  // stall speed grows by 19 % at 45 degrees of bank
+constexpr float kFlareSmoothing = 0.2f;    // share of a new rate taken each step
 constexpr float kFastestPitchRate_rads = 1.0f;
 
 // Speed at which a distance may be closed: linear near the end, along a braking parabola before.
@@ -179,9 +180,10 @@ SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
         climb_mps_ = now.climb_mps;
         climb_rate_mss_ = 0;
     } else if (phase == Phase::flare) {
+        const float rate_mss = (demand.climb_mps - climb_mps_) / dt_s;
+        climb_rate_mss_ += (rate_mss - climb_rate_mss_) * kFlareSmoothing;
         height_m_ = demand.height_m;
         climb_mps_ = demand.climb_mps;
-        climb_rate_mss_ = 0;
     } else {
         shapeHeight(settings, demand, dt_s);
     }

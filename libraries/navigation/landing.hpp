@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The last leg: a straight glide slope, bent in the flare into the parabola that touches the
-// ground at the landing point. The parabola is twice as long as the stretch of slope it replaces,
-// so the slope aims short of the point by that much, whatever the wind.
+// The last leg: a straight glide slope, bent in the flare into a parabola whose sink falls evenly
+// to the one of the touchdown, which is at the landing point. The parabola is longer than the
+// stretch of slope it replaces, so the slope aims short of the point by the difference.
 #pragma once
 #include <stdint.h>
 
