@@ -200,6 +200,13 @@ core::Status parameterSetAt(uint16_t index, float value) {
     return saved;
 }
 
+bool parameterOfSlot(uint8_t slot, uint16_t& index) {
+    uint8_t row;
+    if (!table.findSlot(slot, row)) return false;
+    index = row;
+    return true;
+}
+
 bool parameterGet(uint8_t slot, float& value) {
     uint8_t row;
     if (!table.findSlot(slot, row)) return false;

@@ -99,6 +99,7 @@ bool parameterFind(const char (&name)[16], uint16_t& index);
 MUST_USE core::Status parameterSetAt(uint16_t index, float value);
 
 // The same by the eternal slot number, as stored missions name a parameter.
+bool parameterOfSlot(uint8_t slot, uint16_t& index);
 bool parameterGet(uint8_t slot, float& value);
 bool parameterSlotTakes(uint8_t slot, float value);  // exists, and the value is in its range
 bool parameterSet(uint8_t slot, float value);        // false: refused; stored in the background

@@ -13,10 +13,10 @@ namespace firmware {
 // One item in MAVLink's terms (MISSION_ITEM_INT); NaN in a parameter means "not given".
 struct MissionItem {
     uint16_t command;
-    uint8_t frame;            // MAV_FRAME
+    uint8_t frame;  // MAV_FRAME
     float param1, param2, param3, param4;
-    int32_t x, y;             // latitude and longitude, 1e-7 degrees
-    float z;                  // altitude, metres, in the frame's sense
+    int32_t x, y;  // latitude and longitude, 1e-7 degrees
+    float z;       // altitude, metres, in the frame's sense
 };
 
 // MAV_MISSION_RESULT, and one value of our own that never goes on the wire.
@@ -31,22 +31,24 @@ enum class MissionResult : uint8_t {
     invalid_sequence = 13,
     denied = 14,
     cancelled = 15,
-    busy = 0xFF,         // not yet: ask again in a later frame
+    busy = 0xFF,  // not yet: ask again in a later frame
 };
 
-void missionBoot();              // once: finds the stored mission
-void missionRun();               // 10 Hz: one pass while the mode is AUTO, background work always
+void missionBoot();  // once: finds the stored mission
+void missionRun();   // 10 Hz: one pass while the mode is AUTO, background work always
 
 // AUTO. Entering fails when there is nothing to fly; why_not is then a flash text.
 bool missionEnter(core::RomText& why_not);
 void missionLeave();
-bool missionComplete();          // no NAV left: AUTO gives way to RTL (or stays after a LAND)
+bool missionComplete();  // no NAV left: AUTO gives way to RTL (or stays after a LAND)
 void missionRestart();
 
-uint16_t missionCount();         // items stored, home (item 0) included; 0: none
-uint16_t missionCurrent();       // index of the NAV flown, 0 when none
-bool missionSetCurrent(uint16_t index);       // false: no such item, nothing changed
-bool takeReached(uint16_t& index);            // a NAV that finished and was not yet told
+uint16_t missionCount();                 // items stored, home (item 0) included; 0: none
+uint16_t missionCurrent();               // index of the NAV flown, 0 when none
+bool missionSetCurrent(uint16_t index);  // false: no such item, nothing changed
+bool takeReached(uint16_t& index);       // a NAV that finished and was not yet told
+
+uint16_t missionSkipped();  // records passed over at run time since reset
 
 MUST_USE core::Status missionItem(uint16_t index, MissionItem& to);  // busy, bad_argument, ok
 
@@ -58,6 +60,11 @@ MissionResult missionBeginPartial(uint16_t first, uint16_t last);  // both inclu
 MissionResult missionUploadItem(uint16_t index, const MissionItem& item);
 MissionResult missionCommit();
 void missionAbort();
-MissionResult missionClear();
+MissionResult missionClear();  // until it is not busy
+
+// An APM 1.0 command may switch off all that is sent on the telemetry ports, never on USB. A valid
+// packet addressed to the airplane switches it on again.
+bool radioSilenced();
+void radioHeard();
 
 }  // namespace firmware

@@ -65,7 +65,7 @@ struct Memory {
 
 class Sequencer {
 public:
-    Sequencer(const Table& table, const Host& host, Memory& memory)
+    constexpr Sequencer(const Table& table, const Host& host, Memory& memory)
         : table_(table), host_(host), memory_(memory) {}
 
     // After a reset. survived: memory may still hold what it held; it counts when its seal and the

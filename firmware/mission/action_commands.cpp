@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// DO commands of the APM 2.0 set: done at once.
+#include <string.h>
+
+#include "firmware/home.hpp"
+#include "firmware/mission/events.hpp"
+#include "firmware/mission/handlers.hpp"
+#include "firmware/mission/speed.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/relay.hpp"
+#include "firmware/telemetry/text.hpp"
+
+namespace firmware {
+
+Jump jumpCounted(const Record& record) { return {record.p1, static_cast<int16_t>(record.p3)}; }
+
+void changeSpeed(const Record& record) {
+    const int32_t speed_cms = record.p4 != 0 ? record.p4 : record.p2 * 100;
+    if (record.p2 >= 0) record.p1 == 0 ? setAirSpeed(speed_cms) : setGroundSpeed(speed_cms);
+    if (record.p3 >= 0) setCruiseThrottle(static_cast<int8_t>(record.p3));
+}
+
+void setHomeAction(const Record& record) {
+    if (record.p1 == 0)
+        setHome({record.p3, record.p4}, record.p2);
+    else if (!setHomeHere())
+        tell(Severity::warning, ROM_TEXT("Mission: no fix, home not set"));
+}
+
+float parameterValue(const Record& record) {
+    if (record.p3 == 0) return static_cast<float>(record.p2);
+    float exact;
+    memcpy(&exact, &record.p3, sizeof exact);
+    return exact;
+}
+
+void setParameterAction(const Record& record) {
+    if (!parameterSet(record.p1, parameterValue(record)))
+        tell(Severity::warning, ROM_TEXT("Mission: parameter # not set"), record.p1);
+}
+
+void setRelay(const Record& record) { relaySet(record.p2 != 0); }
+
+void repeatRelay(const Record& record) {
+    repeatCycles(kRelayOutput, 0, static_cast<uint16_t>(record.p2),
+                 static_cast<uint8_t>(record.p3));
+}
+
+void setServo(const Record& record) { holdOutput(record.p1, servoPulse_us(record.p1, record.p2)); }
+
+void repeatServo(const Record& record) {
+    const int32_t pulse_us = record.p4 != 0 ? record.p4 : 1;
+    repeatCycles(record.p1, servoPulse_us(record.p1, pulse_us), static_cast<uint16_t>(record.p2),
+                 static_cast<uint8_t>(record.p3));
+}
+
+}  // namespace firmware

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of firmware/mission/ as they see one another: the engine and the store behind it.
+#pragma once
+#include "firmware/mission/mission.hpp"
+#include "mission/sequencer.hpp"
+#include "storage/mission_store.hpp"
+
+namespace firmware {
+
+extern storage::MissionStore mission_store;
+extern mission::Sequencer mission_engine;
+
+// The set of the stored mission; of an empty one, MIS_SET.
+mission::Set missionSet();
+
+// ---- survey.cpp: what a mission holds, found by looking at a few records each call
+struct Survey {
+    uint8_t next;       // record to look at
+    uint8_t first_nav;  // 0: none
+    uint8_t last_nav;
+    uint8_t counters;  // jumps that need one
+};
+using ReadRecord = core::Status (*)(uint8_t index, uint8_t* to);
+MUST_USE core::Status surveyStep(Survey& survey, mission::Set set, uint8_t count, ReadRecord read);
+void tellWarnings(const Survey& survey, mission::Set set, uint8_t count);
+
+// ---- change.cpp: whether what is in flight is the same in the mission just committed
+void compareBegin();
+MUST_USE core::Status compareStep(bool& same);
+
+// ---- upload.cpp
+void uploadRun();              // carries a commit on; 10 Hz
+bool missionChanging();        // the engine must not run now
+extern Survey mission_survey;  // of the present mission
+
+}  // namespace firmware

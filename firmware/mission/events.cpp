@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/mission/events.hpp"
+
+#include "firmware/mission/handlers.hpp"
+#include "firmware/outputs.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/relay.hpp"
+#include "firmware/telemetry/text.hpp"
+#include "firmware/vehicle.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr uint8_t kTicks = 10;  // a second's
+constexpr uint16_t kForEver = 0xFFFF;
+
+struct {
+    uint8_t output;    // 0: none
+    bool drives_back;  // between two actions it is driven to `before`; else let go
+    uint16_t pulse_us;
+    uint16_t before_us;   // what was read; of the relay 0 or 1
+    uint32_t period, on;  // ticks
+    uint32_t tick;        // since this action began
+    uint16_t left;        // actions still to begin
+} event;
+
+uint8_t held;  // a bit an output
+Mode held_in;  // the mode they are held in
+bool was_armed;
+
+bool isHeld(uint8_t output) { return ((held >> (output - 1)) & 1) != 0; }
+
+void override(uint8_t output, uint16_t pulse_us) {
+    if (!outputOverride(output, pulse_us))
+        tell(Severity::warning, ROM_TEXT("Mission: output # refused"), output);
+}
+
+void moveOut() {
+    if (event.output == kRelayOutput)
+        relaySet(event.before_us == 0);
+    else
+        override(event.output, event.pulse_us);
+}
+
+void moveBack(bool for_good) {
+    if (event.output == kRelayOutput)
+        relaySet(event.before_us != 0);
+    else if (isHeld(event.output) || (event.drives_back && !for_good))
+        override(event.output, event.before_us);
+    else
+        outputRelease(event.output);
+}
+
+void begin(uint8_t output, uint16_t pulse_us, uint16_t count, uint32_t period, uint32_t on) {
+    stopEvents();
+    if (count == 0) return;
+    event.output = output;
+    event.pulse_us = pulse_us;
+    event.before_us = output == kRelayOutput ? relayGet() : outputPulse_us(output);
+    event.period = period;
+    event.on = on;
+    event.tick = 0;
+    event.left = count;
+    moveOut();
+}
+
+void forgetHeldOfOtherModes() {
+    if (held_in == vehicle.mode) return;
+    held_in = vehicle.mode;
+    held = 0;
+}
+
+}  // namespace
+
+void holdOutput(uint8_t output, uint16_t pulse_us) {
+    forgetHeldOfOtherModes();
+    if (!outputOverride(output, pulse_us)) {
+        tell(Severity::warning, ROM_TEXT("Mission: output # refused"), output);
+        return;
+    }
+    held = static_cast<uint8_t>(held | (1u << (output - 1)));
+}
+
+uint16_t servoPulse_us(uint8_t output, int32_t value) {
+    const Channel& channel = parameters.channel[output - 1];
+    if (value > 1) return static_cast<uint16_t>(value);
+    return static_cast<uint16_t>(value == 1 ? channel.max_us : channel.min_us);
+}
+
+void repeatCycles(uint8_t output, uint16_t pulse_us, uint16_t cycles, uint8_t cycle_s) {
+    const uint16_t period = static_cast<uint16_t>(cycle_s * kTicks);
+    begin(output, pulse_us, cycles, period, period / 2);
+    event.drives_back = true;
+}
+
+void repeatToggles(uint8_t output, uint16_t pulse_us, uint16_t count, uint16_t delay_s) {
+    constexpr uint16_t kShortest_s = 2;
+    const uint32_t delay = delay_s < kShortest_s ? kShortest_s : delay_s;
+    begin(output, pulse_us, count == 0 ? kForEver : count, delay * kTicks, kTicks);
+    event.drives_back = false;
+}
+
+void stopEvents() {
+    if (event.output == 0) return;
+    moveBack(true);
+    event.output = 0;
+}
+
+bool eventRuns() { return event.output != 0; }
+
+void runEvents() {
+    tellVariables();
+    forgetHeldOfOtherModes();
+    if (was_armed && !vehicle.armed) stopEvents();
+    was_armed = vehicle.armed;
+    if (event.output == 0) return;
+    ++event.tick;
+    if (event.tick < event.on) {
+        // a change of mode has let go of it: it goes on
+        if (event.output != kRelayOutput) outputOverride(event.output, event.pulse_us);
+    } else if (event.tick == event.on) {
+        const bool last = event.left == 1;
+        moveBack(last);
+        if (last) event.output = 0;
+    } else if (event.tick >= event.period) {
+        event.tick = 0;
+        if (event.left != kForEver) --event.left;
+        moveOut();
+    }
+}
+
+}  // namespace firmware

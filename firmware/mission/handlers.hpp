@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the command table's rows point at: range checks, starts, checks. Grouped by class in
+// navigation_, condition_, action_ and tuning_commands.cpp; ranges in ranges.cpp.
+#pragma once
+#include "geo/position.hpp"
+#include "mission/command_table.hpp"
+
+namespace firmware {
+
+using mission::Entry;
+using mission::Jump;
+using mission::Progress;
+using mission::Record;
+using mission::Site;
+
+// ---- ranges.cpp: 0 or a MissionResult
+uint8_t anything(const Record&, Site);
+uint8_t placeInRange(const Record&, Site);
+uint8_t takeoffInRange(const Record&, Site);
+uint8_t delayInRange(const Record&, Site);
+uint8_t changeAltitudeInRange(const Record&, Site);
+uint8_t distanceInRange(const Record&, Site);
+uint8_t jumpInRange(const Record&, Site);
+uint8_t changeSpeedInRange(const Record&, Site);
+uint8_t setHomeInRange(const Record&, Site);
+uint8_t setParameterInRange(const Record&, Site);
+uint8_t setRelayInRange(const Record&, Site);
+uint8_t repeatRelayInRange(const Record&, Site);
+uint8_t setServoInRange(const Record&, Site);
+uint8_t repeatServoInRange(const Record&, Site);
+// APM 1.0
+uint8_t modeInRange(const Record&, Site);
+uint8_t firstInRange(const Record&, Site);
+uint8_t indexInRange(const Record&, Site);
+uint8_t variableInRange(const Record&, Site);
+uint8_t onOffInRange(const Record&, Site);
+uint8_t cruiseSpeedInRange(const Record&, Site);
+uint8_t cruiseThrottleInRange(const Record&, Site);
+uint8_t resetHomeInRange(const Record&, Site);
+uint8_t gainInRange(const Record&, Site);
+uint8_t channelInRange(const Record&, Site);
+uint8_t otherRadioInRange(const Record&, Site);
+uint8_t eventInRange(const Record&, Site);
+uint8_t pulseInRange(const Record&, Site);
+
+// ---- navigation_commands.cpp
+void startWaypoint(const Record&, Entry);
+Progress waypointDone(const Record&);
+void startCircle(const Record&, Entry);
+Progress never(const Record&);
+Progress turnsDone(const Record&);
+Progress timeDone(const Record&);
+void startReturn(const Record&, Entry);
+void startLand(const Record&, Entry);
+Progress landDone(const Record&);
+void startTakeoff(const Record&, Entry);
+Progress takeoffDone(const Record&);
+
+void here(Record& record);  // the airplane's place
+void rememberPlace();       // of the NAV that has just finished: the next leg begins there
+void holdPlace();           // circles the place remembered
+void forgetPlace();         // nothing has finished yet
+
+// ---- condition_commands.cpp
+void startDelay(const Record&);
+Progress delayDoneP1(const Record&);  // APM 1.0
+Progress delayDoneP3(const Record&);  // APM 2.0
+void startChangeAltitude(const Record&);
+Progress changeAltitudeDone(const Record&);
+void startDistance(const Record&);
+Progress distanceDone(const Record&);
+int32_t climbRate_cms(const Record&);
+
+// ---- action_commands.cpp
+Jump jumpCounted(const Record&);
+void changeSpeed(const Record&);
+void setHomeAction(const Record&);
+void setParameterAction(const Record&);
+float parameterValue(const Record&);
+void setRelay(const Record&);
+void repeatRelay(const Record&);
+void setServo(const Record&);
+void repeatServo(const Record&);
+
+// ---- tuning_commands.cpp: APM 1.0 only
+Jump jumpToFirst(const Record&);
+Jump jumpToIndex(const Record&);
+void changeMode(const Record&);
+void queryVariable(const Record&);
+void broadcastVariable(const Record&);
+void switchRadio(const Record&);
+void cruiseSpeed(const Record&);
+void cruiseThrottle(const Record&);
+void resetHome(const Record&);
+void setGain(const Record&);
+void setChannel(const Record&);
+void setOtherRadio(const Record&);
+void repeatEvent(const Record&);
+void setRelayP1(const Record&);
+void setPulse(const Record&);
+// The slot of the parameter that plays the part; kNoSlot: none does.
+constexpr uint8_t kNoSlot = 0xFF;
+uint8_t gainSlot(uint8_t id, uint8_t index);
+uint8_t channelSlot(uint8_t id, uint8_t index);
+uint8_t otherRadioSlot(uint8_t index);
+float gain(const Record&);
+void tellVariables();  // sends what could not be sent at once
+
+// Above home, whatever the record's altitude is measured from.
+float heightOf_m(const Record&);
+
+}  // namespace firmware

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/mission/item.hpp"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/maths.hpp"
+#include "firmware/mission/command_table.hpp"
+#include "firmware/parameters.hpp"
+
+namespace firmware {
+namespace {
+
+using mission::Record;
+using mission::Set;
+
+constexpr MissionResult kFine = MissionResult::accepted;
+constexpr MissionResult wrong(uint8_t parameter) {
+    return static_cast<MissionResult>(static_cast<uint8_t>(MissionResult::invalid_param1) - 1 +
+                                      parameter);
+}
+
+// https://mavlink.io/en/messages/common.html#MAV_FRAME
+enum Frame : uint8_t {
+    kGlobal = 0,
+    kMission = 2,
+    kGlobalRelative = 3,
+    kGlobalInt = 5,
+    kGlobalRelativeInt = 6,
+    kGlobalTerrain = 10,
+};
+
+enum Part : uint8_t {
+    kAltitude = 1,
+    kPlace = 2 + kAltitude,
+    kDirection = 4,  // the sign of param3, which is the radius of a loiter
+};
+
+// Encodes the fields that need more than rounding; what it used of param1..4 is added to `used`.
+struct Special;
+using EncodeSpecial = MissionResult (*)(const float* parameter, Record&, Notes&);
+using DecodeSpecial = void (*)(const Record&, float* parameter);
+
+struct FormRow {
+    uint8_t from[4];  // which of param1..4 is p1 .. p4; 0: none, or the special has it
+    uint8_t parts;
+    uint8_t special_uses;  // a bit a parameter
+    EncodeSpecial encode;
+    DecodeSpecial decode;
+};
+
+// parameter[1] .. parameter[4]; unset ones are NaN
+
+float orZero(float value) { return isnan(value) ? 0 : value; }
+
+// Out of what an int32 holds becomes the end of it, which no field takes.
+int32_t whole(float value) {
+    if (!(fabsf(value) < 2147483520.0f)) return value < 0 ? INT32_MIN : INT32_MAX;
+    return core::rounded(value);
+}
+
+void noteRounding(float value, float stored, Notes& notes) {
+    if (value != stored) notes.rounded = true;
+}
+
+// One unit of the stored byte is 10 s.
+MissionResult encodeTime(const float* parameter, Record& record, Notes& notes) {
+    const float seconds = orZero(parameter[1]);
+    if (!(seconds >= 0 && seconds <= 2550)) return wrong(1);
+    record.p1 = static_cast<uint8_t>(core::rounded(seconds / 10));
+    if (record.p1 == 0 && seconds > 0) record.p1 = 1;
+    noteRounding(seconds, record.p1 * 10.0f, notes);
+    return kFine;
+}
+void decodeTime(const Record& record, float* parameter) { parameter[1] = record.p1 * 10.0f; }
+
+MissionResult encodeClimb(const float* parameter, Record& record, Notes& notes) {
+    const float rate_mps = orZero(parameter[1]);
+    if (!(rate_mps > 0 && rate_mps < 1000)) return wrong(1);
+    const int32_t rate_cms = core::rounded(rate_mps * 100);
+    record.p1 = rate_cms > 255 ? 255 : static_cast<uint8_t>(rate_cms);
+    record.p3 = rate_cms > 255 ? rate_cms : 0;
+    noteRounding(rate_mps, static_cast<float>(rate_cms) / 100, notes);
+    return kFine;
+}
+void decodeClimb(const Record& record, float* parameter) {
+    parameter[1] = static_cast<float>(record.p3 != 0 ? record.p3 : record.p1) / 100;
+}
+
+MissionResult encodeSpeed(const float* parameter, Record& record, Notes& notes) {
+    const float speed_mps = isnan(parameter[2]) ? -1 : parameter[2];
+    const float throttle_pct = isnan(parameter[3]) ? -1 : parameter[3];
+    if (!(speed_mps == -1 || (speed_mps > 0 && speed_mps < 1000))) return wrong(2);
+    if (!(throttle_pct >= -1 && throttle_pct <= 100)) return wrong(3);
+    record.p2 = core::rounded(speed_mps);
+    const int32_t speed_cms = core::rounded(speed_mps * 100);
+    if (static_cast<float>(record.p2) != speed_mps) {
+        record.p4 = speed_cms;
+        noteRounding(speed_mps, static_cast<float>(speed_cms) / 100, notes);
+    }
+    record.p3 = core::rounded(throttle_pct);
+    noteRounding(throttle_pct, static_cast<float>(record.p3), notes);
+    return kFine;
+}
+void decodeSpeed(const Record& record, float* parameter) {
+    parameter[2] =
+        record.p4 != 0 ? static_cast<float>(record.p4) / 100 : static_cast<float>(record.p2);
+    parameter[3] = static_cast<float>(record.p3);
+}
+
+MissionResult encodeParameter(const float* parameter, Record& record, Notes&) {
+    const float value = orZero(parameter[2]);
+    if (!isfinite(value)) return wrong(2);
+    const float nearest = core::limit(value, -8388608.0f, 8388607.0f);
+    record.p2 = core::rounded(nearest);
+    if (static_cast<float>(record.p2) != value) memcpy(&record.p3, &value, sizeof value);
+    return kFine;
+}
+void decodeParameter(const Record& record, float* parameter) {
+    parameter[2] = static_cast<float>(record.p2);
+    if (record.p3 != 0) memcpy(&parameter[2], &record.p3, sizeof record.p3);
+}
+
+constexpr uint8_t use(uint8_t parameter) { return static_cast<uint8_t>(1u << parameter); }
+
+// clang-format off
+constexpr FormRow kFormRows[] ROM = {
+    //             p1 p2 p3 p4  parts               special
+    /* none */      {{0, 0, 0, 0}, 0,                  0,               nullptr,         nullptr},
+    /* waypoint */  {{2, 0, 0, 0}, kPlace,             0,               nullptr,         nullptr},
+    /* unlimited */ {{0, 0, 0, 0}, kPlace | kDirection, 0,              nullptr,         nullptr},
+    /* turns */     {{1, 0, 0, 0}, kPlace | kDirection, 0,              nullptr,         nullptr},
+    /* time */      {{0, 0, 0, 0}, kPlace | kDirection, use(1),         encodeTime,      decodeTime},
+    /* place */     {{0, 0, 0, 0}, kPlace,             0,               nullptr,         nullptr},
+    /* takeoff */   {{1, 0, 0, 0}, kAltitude,          0,               nullptr,         nullptr},
+    /* climb */     {{0, 0, 0, 0}, kAltitude,          use(1),          encodeClimb,     decodeClimb},
+    /* seconds */   {{0, 0, 1, 0}, 0,                  0,               nullptr,         nullptr},
+    /* jump */      {{1, 0, 2, 0}, 0,                  0,               nullptr,         nullptr},
+    /* speed */     {{1, 0, 0, 0}, 0,                  use(2) | use(3), encodeSpeed,     decodeSpeed},
+    /* home */      {{1, 0, 0, 0}, kPlace,             0,               nullptr,         nullptr},
+    /* parameter */ {{1, 0, 0, 0}, 0,                  use(2),          encodeParameter, decodeParameter},
+    /* two */       {{1, 2, 0, 0}, 0,                  0,               nullptr,         nullptr},
+    /* three */     {{1, 2, 3, 0}, 0,                  0,               nullptr,         nullptr},
+    /* repeat */    {{1, 3, 4, 2}, 0,                  0,               nullptr,         nullptr},
+};
+// clang-format on
+static_assert(core::count(kFormRows) == FormOf::kForms, "a form has no row");
+
+int32_t field(const Record& record, uint8_t number) {
+    const int32_t fields[] = {record.p1, record.p2, record.p3, record.p4};
+    return fields[number];
+}
+bool setField(Record& record, uint8_t number, int32_t value) {
+    switch (number) {
+        case 0:
+            record.p1 = static_cast<uint8_t>(value);
+            return value >= 0 && value <= 255;
+        case 1:
+            record.p2 = value;
+            break;
+        case 2:
+            record.p3 = value;
+            break;
+        default:
+            record.p4 = value;
+            break;
+    }
+    return value != INT32_MIN && value != INT32_MAX;
+}
+
+// To the centimetre; of a place below or above the globe's air nothing fits.
+MissionResult encodeAltitude(const MissionItem& item, Record& record) {
+    if (!(fabsf(item.z) <= 83886.0f)) return wrong(7);
+    // in two steps: a float has no room for a hundredth beyond 1,300 m otherwise
+    const int32_t metres = static_cast<int32_t>(item.z);
+    record.p2 = metres * 100 + core::rounded((item.z - static_cast<float>(metres)) * 100);
+    return kFine;
+}
+
+bool relativeFrame(uint8_t frame) {
+    return frame == kGlobalRelative || frame == kGlobalRelativeInt;
+}
+bool knownFrame(uint8_t frame) {
+    return relativeFrame(frame) || frame == kGlobal || frame == kGlobalInt || frame == kMission;
+}
+
+// Does not fit: the answer names the parameter that p2 came from.
+MissionResult layoutHolds(Set set, const Record& record, const FormRow& form) {
+    if (mission::fits(set, record)) return kFine;
+    if ((form.parts & kAltitude) != 0) return wrong(7);
+    return form.from[1] != 0 ? wrong(form.from[1]) : MissionResult::invalid;
+}
+
+MissionResult encodeDirection(const float* parameter, Record& record, Notes& notes) {
+    const float radius_m = orZero(parameter[3]);
+    if (!isfinite(radius_m)) return wrong(3);
+    if (radius_m < 0) record.options |= mission::kCounterClockwise;
+    if (fabsf(radius_m) > 1) notes.dropped = true;
+    return kFine;
+}
+
+MissionResult encodeApm2(const MissionItem& item, const float* parameter, const FormRow& form,
+                         Record& record, Notes& notes) {
+    uint8_t used = form.special_uses;
+    for (uint8_t i = 0; i < 4; ++i) {
+        const uint8_t from = form.from[i];
+        if (from == 0) continue;
+        used = static_cast<uint8_t>(used | use(from));
+        const float value = orZero(parameter[from]);
+        const int32_t stored = whole(value);
+        if (!setField(record, i, stored)) return wrong(from);
+        noteRounding(value, static_cast<float>(stored), notes);
+    }
+    if ((form.parts & kDirection) != 0) {
+        used = static_cast<uint8_t>(used | use(3));
+        const MissionResult result = encodeDirection(parameter, record, notes);
+        if (result != kFine) return result;
+    }
+    if (form.encode != nullptr) {
+        const MissionResult result = form.encode(parameter, record, notes);
+        if (result != kFine) return result;
+    }
+    for (uint8_t i = 1; i <= 4; ++i)
+        if ((used & use(i)) == 0 && orZero(parameter[i]) != 0) notes.dropped = true;
+    if (form.parts == kAltitude && (item.x != 0 || item.y != 0)) notes.dropped = true;
+    return kFine;
+}
+
+// The record's own numbers; what a float cannot carry exactly is refused.
+MissionResult encodeApm1(const float* parameter, uint8_t fields, Record& record) {
+    constexpr float kExact = 16777216.0f;  // 2 to the 24th
+    for (uint8_t i = 0; i < fields; ++i) {
+        const float value = orZero(parameter[i + 1]);
+        if (!(fabsf(value) <= kExact)) return wrong(i + 1);
+        const int32_t stored = core::rounded(value);
+        if (static_cast<float>(stored) != value || !setField(record, i, stored))
+            return wrong(i + 1);
+    }
+    return kFine;
+}
+
+bool isNav(uint8_t row) { return kCommandTable.kind(row) == mission::Class::nav; }
+
+FormRow formOf(Set set, uint8_t row) {
+    FormRow form = core::romRead(kFormRows[kCommandTable.form(row)]);
+    if (set == Set::apm1) form.parts = isNav(row) || form.parts == kPlace ? kPlace : 0;
+    return form;
+}
+
+}  // namespace
+
+MissionResult encodeItem(Set set, mission::Site site, const MissionItem& item, Record& record,
+                         Notes& notes) {
+    const uint8_t row = item.command > 0xFF
+                            ? mission::kNoRow
+                            : kCommandTable.find(set, static_cast<uint8_t>(item.command));
+    if (row == mission::kNoRow) return MissionResult::unsupported;
+    if (!knownFrame(item.frame)) return MissionResult::unsupported_frame;
+    const bool relative = relativeFrame(item.frame);
+    const FormRow form = formOf(set, row);
+    record = {};
+    record.id = static_cast<uint8_t>(item.command);
+    const float parameter[] = {0, item.param1, item.param2, item.param3, item.param4};
+    MissionResult result;
+    if (set == Set::apm2) {
+        if (relative) record.options = mission::kRelativeAltitude;
+        result = encodeApm2(item, parameter, form, record, notes);
+    } else {
+        if (isNav(row) && relative != (parameters.altitude_absolute == 0))
+            return MissionResult::unsupported_frame;
+        result = encodeApm1(parameter, form.parts == kPlace ? 1 : 4, record);
+    }
+    if (result != kFine) return result;
+    if ((form.parts & kAltitude) != 0) {
+        result = encodeAltitude(item, record);
+        if (result != kFine) return result;
+    }
+    if (form.parts >= kPlace && (form.parts & kPlace) == kPlace) {
+        record.p3 = item.x;
+        record.p4 = item.y;
+    }
+    result = layoutHolds(set, record, form);
+    if (result != kFine) return result;
+    return static_cast<MissionResult>(kCommandTable.valid(row, record, site));
+}
+
+namespace {
+
+uint8_t frameOf(Set set, uint8_t row, const Record& record, uint8_t parts) {
+    if (set == Set::apm1) {
+        if (isNav(row)) return parameters.altitude_absolute != 0 ? kGlobal : kGlobalRelative;
+        return parts == kPlace ? kGlobal : kMission;
+    }
+    if ((record.options & mission::kAboveTerrain) != 0) return kGlobalTerrain;
+    if ((record.options & mission::kRelativeAltitude) != 0) return kGlobalRelative;
+    return (parts & kAltitude) != 0 ? kGlobal : kMission;
+}
+
+}  // namespace
+
+void decodeItem(Set set, const Record& record, MissionItem& item) {
+    item = {};
+    item.command = record.id;
+    item.frame = kMission;
+    const uint8_t row = kCommandTable.find(set, record.id);
+    if (row == mission::kNoRow) return;
+    const FormRow form = formOf(set, row);
+    item.frame = frameOf(set, row, record, form.parts);
+    float parameter[5] = {};
+    if (set == Set::apm1) {
+        const uint8_t fields = form.parts == kPlace ? 1 : 4;
+        for (uint8_t i = 0; i < fields; ++i)
+            parameter[i + 1] = static_cast<float>(field(record, i));
+    } else {
+        for (uint8_t i = 0; i < 4; ++i)
+            if (form.from[i] != 0) parameter[form.from[i]] = static_cast<float>(field(record, i));
+        if ((form.parts & kDirection) != 0 && (record.options & mission::kCounterClockwise) != 0)
+            parameter[3] = -1;
+        if (form.decode != nullptr) form.decode(record, parameter);
+    }
+    item.param1 = parameter[1];
+    item.param2 = parameter[2];
+    item.param3 = parameter[3];
+    item.param4 = parameter[4];
+    if ((form.parts & kAltitude) != 0) item.z = static_cast<float>(record.p2) / 100;
+    if ((form.parts & kPlace) == kPlace) {
+        item.x = record.p3;
+        item.y = record.p4;
+    }
+}
+
+}  // namespace firmware

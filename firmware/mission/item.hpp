@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Between the ground link's mission items and stored records, both ways. A record read back gives
+// the item that would store it again.
+#pragma once
+#include "firmware/mission/mission.hpp"
+#include "mission/command_table.hpp"
+
+namespace firmware {
+
+// How the parameters of an APM 2.0 command stand in an item. (APM 1.0 commands all travel alike.)
+namespace FormOf {
+enum Form : uint8_t {
+    none,  // not in the set
+    waypoint,
+    unlimited,
+    turns,
+    time,
+    place,
+    takeoff,
+    climb,
+    seconds,  // or metres
+    jump,
+    speed,
+    home,
+    parameter,
+    two,
+    three,
+    repeat,
+    kForms,
+};
+}
+using Form = FormOf::Form;
+
+struct Notes {     // what the ground should be told once an upload
+    bool rounded;  // a value was
+    bool dropped;  // a parameter has no field, or was not needed
+};
+
+MissionResult encodeItem(mission::Set set, mission::Site site, const MissionItem& item,
+                         mission::Record& record, Notes& notes);
+void decodeItem(mission::Set set, const mission::Record& record, MissionItem& item);
+
+}  // namespace firmware

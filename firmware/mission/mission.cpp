@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The engine among the rest of the firmware: boot, AUTO, what its events mean.
+#include "firmware/mission/mission.hpp"
+
+#include "firmware/mission/command_table.hpp"
+#include "firmware/mission/engine.hpp"
+#include "firmware/mission/events.hpp"
+#include "firmware/mission/handlers.hpp"
+#include "firmware/mission/speed.hpp"
+#include "firmware/modes.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/telemetry/text.hpp"
+#include "firmware/vehicle.hpp"
+#include "hal/watchdog.hpp"
+#include "storage/index_store.hpp"
+#include "storage/owner.hpp"
+
+namespace firmware {
+
+static_assert(storage::kRecordSlots <= mission::kMostItems, "the engine has too few jump bits");
+static_assert(storage::kRecordSize == mission::kRecordSize, "a slot holds a record");
+
+storage::MissionStore mission_store;
+Survey mission_survey;
+
+namespace {
+
+using core::Status;
+using mission::Event;
+
+enum class Boot : uint8_t { owner, store, index, survey, done, foreign };
+Boot boot = Boot::owner;
+storage::IndexStore index_store;
+
+uint8_t index_wanted;  // to be kept over a loss of power
+bool index_waits;
+uint8_t reached;
+bool reached_waits;
+bool is_complete;
+uint16_t skipped;
+
+Status readRecord(uint8_t index, uint8_t* to) { return mission_store.read(index, to); }
+uint8_t countRecords() { return mission_store.count(); }
+
+uint8_t generation() { return static_cast<uint8_t>(mission_store.generation()); }
+
+void keepIndex(uint8_t index) {
+    index_wanted = index;
+    index_waits = true;
+}
+
+void ended(bool landed) {
+    is_complete = true;
+    resetSpeed();
+    keepIndex(0);
+    tell(Severity::notice, ROM_TEXT("Mission complete"));
+    if (landed || setMode(Mode::rtl, ModeReason::mission)) return;
+    forgetPlace();
+    holdPlace();
+}
+
+void onReset() {
+    is_complete = false;
+    resetSpeed();
+    stopEvents();
+    forgetPlace();
+}
+
+void onEvent(Event event, uint8_t index) {
+    switch (event) {
+        case Event::started:
+            keepIndex(index);
+            tell(Severity::info, ROM_TEXT("Mission item #"), index);
+            break;
+        case Event::reached:
+            rememberPlace();
+            reached = index;
+            reached_waits = true;
+            break;
+        case Event::skipped:
+            ++skipped;
+            tell(Severity::warning, ROM_TEXT("Mission item # skipped"), index);
+            break;
+        case Event::looped:
+            tell(Severity::warning, ROM_TEXT("Mission: jumps go round at item #"), index);
+            break;
+        case Event::hold:
+            holdPlace();
+            break;
+        case Event::complete:
+            ended(false);
+            break;
+        case Event::landed:
+            ended(true);
+            break;
+        case Event::reset:
+            onReset();
+            break;
+    }
+}
+
+constexpr mission::Host kHost ROM = {readRecord, countRecords, onEvent, here};
+
+// Left alone by a watchdog or brown-out reset; the engine's seal tells whether it still holds.
+mission::Memory memory __attribute__((section(".noinit")));
+
+bool memoryMayHaveSurvived() {
+    const hal::ResetCause cause = hal::resetCause();
+    return cause == hal::ResetCause::watchdog || cause == hal::ResetCause::brown_out;
+}
+
+Status findStoredMission() {
+    storage::Owner owner;
+    const Status status = storage::findOwner(owner);
+    if (status != Status::ok) return status;
+    if (owner == storage::Owner::nobody) return storage::claim();
+    if (owner == storage::Owner::us) return Status::ok;
+    tell(Severity::error, ROM_TEXT("EEPROM belongs to other firmware"));
+    boot = Boot::foreign;
+    return Status::unsupported;
+}
+
+Status bootStep() {
+    Status status = Status::ok;
+    uint8_t index = 0;
+    switch (boot) {
+        case Boot::owner:
+            status = findStoredMission();
+            break;
+        case Boot::store:
+            status = mission_store.open();
+            if (status == Status::corrupt) {
+                tell(Severity::error, ROM_TEXT("Stored mission is damaged"));
+                status = Status::ok;
+            }
+            break;
+        case Boot::index:
+            status = index_store.open(generation(), index);
+            if (status == Status::ok)
+                mission_engine.boot(missionSet(), mission_store.generation(),
+                                    memoryMayHaveSurvived(),
+                                    index < mission_store.count() ? index : 0);
+            break;
+        case Boot::survey:
+            status = surveyStep(mission_survey, missionSet(), mission_store.count(), readRecord);
+            break;
+        default:
+            break;
+    }
+    if (status == Status::ok && boot < Boot::done)
+        boot = static_cast<Boot>(static_cast<uint8_t>(boot) + 1);
+    return status;
+}
+
+void background() {
+    uploadRun();
+    mission_store.readAhead(mission_engine.next());
+    if (index_waits) index_waits = index_store.write(generation(), index_wanted) != Status::ok;
+}
+
+}  // namespace
+
+mission::Sequencer mission_engine(kCommandTable, kHost, memory);
+
+mission::Set missionSet() {
+    const uint8_t set = mission_store.set() != 0 ? mission_store.set()
+                                                 : static_cast<uint8_t>(parameters.mission_set);
+    return static_cast<mission::Set>(set);
+}
+
+void missionBoot() {
+    mission_store = storage::MissionStore();
+    mission_survey = {};
+    boot = Boot::owner;
+    // enough for the largest mission; what a busy EEPROM keeps waiting is left to missionRun
+    for (uint8_t i = 0; i < 40 && boot < Boot::done; ++i) (void)bootStep();
+}
+
+bool missionReady() { return boot == Boot::done; }
+bool missionStorable() { return boot != Boot::foreign; }
+
+void missionRun() {
+    if (boot < Boot::done) {
+        (void)bootStep();
+        return;
+    }
+    if (boot == Boot::foreign) return;
+    if (mission_engine.active() && !missionChanging()) {
+        mission_engine.poll(parameters.mission_trailing != 0);
+        if (mission_engine.active()) stepSpeed();
+    }
+    background();
+}
+
+bool missionEnter(core::RomText& why_not) {
+    why_not = nullptr;
+    if (boot == Boot::foreign)
+        why_not = ROM_TEXT("AUTO: EEPROM belongs to other firmware");
+    else if (boot != Boot::done || missionChanging())
+        why_not = ROM_TEXT("AUTO: mission is being read");
+    else if (mission_survey.first_nav == 0)
+        why_not = ROM_TEXT("AUTO: mission has no NAV command");
+    if (why_not != nullptr) return false;
+    is_complete = false;
+    mission_engine.enter(parameters.mission_restart != 0);
+    return true;
+}
+
+void missionLeave() { mission_engine.leave(); }
+bool missionComplete() { return is_complete; }
+void missionRestart() { (void)mission_engine.setCurrent(0); }
+
+uint16_t missionCount() { return mission_store.count(); }
+uint16_t missionCurrent() { return mission_engine.current(); }
+uint16_t missionSkipped() { return skipped; }
+
+bool missionSetCurrent(uint16_t index) {
+    return boot == Boot::done && !missionChanging() && index < mission_store.count() &&
+           mission_engine.setCurrent(static_cast<uint8_t>(index));
+}
+
+bool takeReached(uint16_t& index) {
+    if (!reached_waits) return false;
+    reached_waits = false;
+    index = reached;
+    return true;
+}
+
+}  // namespace firmware

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// NAV: what the airplane flies to. A start writes vehicle.demand, a check reads vehicle.progress.
+#include "core/maths.hpp"
+#include "firmware/arming.hpp"
+#include "firmware/mission/engine.hpp"
+#include "firmware/mission/handlers.hpp"
+#include "firmware/mission/speed.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/vehicle.hpp"
+#include "hal/clock.hpp"
+
+namespace firmware {
+namespace {
+
+struct Place {
+    geo::Position position;
+    float height_m;  // above home
+};
+Place last;  // of the NAV that last finished
+bool have_last;
+
+float acceptance_m;
+bool leg_counts;  // it is longer than the acceptance radius
+
+// Of a loiter: radians or seconds since capture. `before`: until the last resume.
+float loitered_before, loitered;
+uint16_t loiter_ms;
+bool captured;
+
+uint32_t still_ms;
+
+geo::Position placeOf(const Record& record) { return {record.p3, record.p4}; }
+
+Place airplane() { return {vehicle.estimate.position, vehicle.estimate.height_m}; }
+
+float loiterRadius_m() {
+    const int16_t radius_m = parameters.loiter_radius_m;
+    return static_cast<float>(radius_m < 0 ? -radius_m : radius_m);
+}
+
+bool counterClockwise(const Record& record) {
+    return missionSet() == mission::Set::apm1 ? parameters.loiter_radius_m < 0
+                                              : (record.options & mission::kCounterClockwise) != 0;
+}
+
+void demand(Path path, const Place& to, Entry entry) {
+    auto& demand = vehicle.demand;
+    const Place from = entry.from_here || !have_last ? airplane() : last;
+    demand.path = path;
+    demand.from = from.position;
+    demand.from_height_m = from.height_m;
+    demand.to = to.position;
+    demand.height_m = to.height_m;
+    demand.sloped = path == Path::leg || path == Path::land;
+    demand.radius_m = loiterRadius_m();
+    demand.counter_clockwise = false;
+    demand.climb_rate_mps = 0;
+    demandSpeed();
+    demand.new_path = true;
+}
+
+void demandLeg(const Place& to, float radius_m, Entry entry) {
+    demand(Path::leg, to, entry);
+    acceptance_m = radius_m;
+    leg_counts = geo::distance_m(vehicle.demand.from, to.position) > radius_m;
+    if (!leg_counts) vehicle.demand.sloped = false;
+}
+
+Progress done(bool is) { return is ? Progress::done : Progress::running; }
+
+// What guidance reports is about this path only after it has seen it.
+bool progressIsOld() { return vehicle.demand.new_path; }
+
+// Captured once is captured, until the loiter is started again.
+bool onCircle() {
+    if (progressIsOld()) return false;
+    captured = captured || vehicle.progress.captured;
+    return captured;
+}
+
+}  // namespace
+
+float heightOf_m(const Record& record) {
+    const bool relative = missionSet() == mission::Set::apm1
+                              ? parameters.altitude_absolute == 0
+                              : (record.options & mission::kRelativeAltitude) != 0;
+    const int32_t zero_cm = relative ? 0 : vehicle.home.altitude_cm;
+    return static_cast<float>(record.p2 - zero_cm) * 0.01f;
+}
+
+void here(Record& record) {
+    record.p3 = vehicle.estimate.position.latitude_e7;
+    record.p4 = vehicle.estimate.position.longitude_e7;
+}
+
+void rememberPlace() {
+    const auto& demand = vehicle.demand;
+    last = demand.path == Path::takeoff ? airplane() : Place{demand.to, demand.height_m};
+    have_last = true;
+}
+
+void forgetPlace() { have_last = false; }
+
+void holdPlace() {
+    if (!have_last) {
+        last = airplane();
+        have_last = true;
+    }
+    demand(Path::circle, last, {false, true});
+    vehicle.demand.counter_clockwise = parameters.loiter_radius_m < 0;
+}
+
+void startWaypoint(const Record& record, Entry entry) {
+    const float radius_m = record.p1 != 0 ? record.p1 : parameters.waypoint_radius_m;
+    demandLeg({placeOf(record), heightOf_m(record)}, radius_m, entry);
+}
+
+Progress waypointDone(const Record&) {
+    if (progressIsOld()) return Progress::running;
+    const auto& progress = vehicle.progress;
+    return done(progress.distance_m <= acceptance_m || (leg_counts && progress.passed));
+}
+
+void startCircle(const Record& record, Entry entry) {
+    demand(Path::circle, {placeOf(record), heightOf_m(record)}, entry);
+    vehicle.demand.counter_clockwise = counterClockwise(record);
+    loitered_before = entry.resumed ? loitered : 0;
+    loitered = loitered_before;
+    loiter_ms = static_cast<uint16_t>(hal::now_ms());
+    captured = false;
+}
+
+Progress never(const Record&) { return Progress::running; }
+
+Progress turnsDone(const Record& record) {
+    if (!onCircle()) return Progress::running;
+    loitered = loitered_before + vehicle.progress.turned_rad;
+    return done(loitered >= record.p1 * (2 * core::kPi));
+}
+
+Progress timeDone(const Record& record) {
+    const uint16_t now_ms = static_cast<uint16_t>(hal::now_ms());
+    const uint16_t passed_ms = static_cast<uint16_t>(now_ms - loiter_ms);
+    loiter_ms = now_ms;
+    const bool counts = captured;
+    if (!onCircle()) return Progress::running;
+    if (counts) loitered += passed_ms * 0.001f;
+    return done(loitered >= record.p1 * 10.0f);
+}
+
+void startReturn(const Record& record, Entry entry) {
+    Place home = {vehicle.home.position, vehicle.estimate.height_m};
+    if (record.p2 != 0)
+        home.height_m = heightOf_m(record);
+    else if (parameters.rtl_height_cm >= 0)
+        home.height_m = static_cast<float>(parameters.rtl_height_cm) * 0.01f;
+    demandLeg(home, parameters.waypoint_radius_m, entry);
+}
+
+void startLand(const Record& record, Entry entry) {
+    demand(Path::land, {placeOf(record), heightOf_m(record)}, entry);
+    still_ms = hal::now_ms();
+}
+
+// Finished when down and disarmed; disarms itself when the airplane has stood long enough.
+Progress landDone(const Record&) {
+    const uint32_t now_ms = hal::now_ms();
+    const bool down = !vehicle.estimate.flying;
+    if (down && !vehicle.armed) return Progress::done;
+    if (!down || !vehicle.progress.flaring) still_ms = now_ms;
+    const uint16_t delay_s = static_cast<uint8_t>(parameters.land_disarm_delay_s);
+    if (delay_s != 0 && now_ms - still_ms >= delay_s * 1000UL) disarm(ArmReason::landed, false);
+    return Progress::running;
+}
+
+void startTakeoff(const Record& record, Entry entry) {
+    entry.from_here = true;
+    demand(Path::takeoff, {vehicle.estimate.position, heightOf_m(record)}, entry);
+    vehicle.demand.takeoff_pitch_rad = core::radians(record.p1);
+}
+
+Progress takeoffDone(const Record&) {
+    constexpr float kNear_m = 1;  // the height demand is approached ever more slowly
+    return done(vehicle.armed && vehicle.estimate.height_m >= vehicle.demand.height_m - kNear_m);
+}
+
+}  // namespace firmware

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/mission/speed.hpp"
+
+#include "core/maths.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/vehicle.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr float kStep_s = 0.1f;
+constexpr float kGroundSpeedGain = 0.3f;  // of the error, each second: slower than the throttle
+
+struct {
+    int16_t air_cms;      // 0: the parameter's
+    int16_t ground_cms;   // 0: none demanded
+    int8_t throttle_pct;  // -1: the parameter's
+} speed = {0, 0, -1};
+
+float cruise_mps() {
+    return static_cast<float>(speed.air_cms != 0 ? speed.air_cms : parameters.cruise_speed_cms) *
+           0.01f;
+}
+
+}  // namespace
+
+void resetSpeed() {
+    speed.air_cms = speed.ground_cms = 0;
+    speed.throttle_pct = -1;
+}
+
+void setAirSpeed(int32_t speed_cms) {
+    speed.air_cms = static_cast<int16_t>(speed_cms);
+    speed.ground_cms = 0;
+    demandSpeed();
+}
+
+void setGroundSpeed(int32_t speed_cms) { speed.ground_cms = static_cast<int16_t>(speed_cms); }
+
+void setCruiseThrottle(int8_t throttle_pct) {
+    speed.throttle_pct = throttle_pct;
+    demandSpeed();
+}
+
+void demandSpeed() {
+    auto& demand = vehicle.demand;
+    // a ground speed goes on from the air speed it had come to
+    if (speed.ground_cms == 0 || demand.airspeed_mps <= 0) demand.airspeed_mps = cruise_mps();
+    demand.throttle_pct =
+        speed.throttle_pct >= 0 ? speed.throttle_pct : parameters.cruise_throttle_pct;
+}
+
+void stepSpeed() {
+    if (speed.ground_cms == 0) return;
+    const float error_mps = speed.ground_cms * 0.01f - vehicle.estimate.ground_speed_mps;
+    float& demand_mps = vehicle.demand.airspeed_mps;
+    demand_mps = core::limit(demand_mps + error_mps * (kGroundSpeedGain * kStep_s),
+                             static_cast<float>(parameters.speed_min_mps),
+                             static_cast<float>(parameters.speed_max_mps));
+}
+
+}  // namespace firmware

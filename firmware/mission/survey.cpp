@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/mission/command_table.hpp"
+#include "firmware/mission/engine.hpp"
+#include "firmware/mission/handlers.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/telemetry/text.hpp"
+
+namespace firmware {
+
+core::Status surveyStep(Survey& survey, mission::Set set, uint8_t count, ReadRecord read) {
+    if (survey.next == 0) survey = {1, 0, 0, 0};
+    for (uint8_t n = 0; n < mission::kRecordsPerPoll && survey.next < count; ++n) {
+        uint8_t bytes[mission::kRecordSize];
+        const core::Status status = read(survey.next, bytes);
+        if (status != core::Status::ok) return status;
+        const uint8_t index = survey.next++;
+        const Record record = mission::unpack(set, bytes);
+        const uint8_t row = kCommandTable.find(set, record.id);
+        if (row == mission::kNoRow || kCommandTable.valid(row, record, {index, count}) != 0)
+            continue;
+        const mission::Class kind = kCommandTable.kind(row);
+        if (kind == mission::Class::nav) {
+            if (survey.first_nav == 0) survey.first_nav = index;
+            survey.last_nav = index;
+        }
+        if (set == mission::Set::apm2 && kind == mission::Class::jump &&
+            record.p3 != mission::kForEver)
+            ++survey.counters;
+    }
+    return survey.next >= count ? core::Status::ok : core::Status::busy;
+}
+
+void tellWarnings(const Survey& survey, mission::Set set, uint8_t count) {
+    if (count < 2) return;
+    if (survey.first_nav == 0)
+        tell(Severity::warning, ROM_TEXT("Mission has no NAV command"));
+    else if (set == mission::Set::apm1 && survey.first_nav > 1)
+        tell(Severity::warning, ROM_TEXT("Mission: nothing before item # is run"),
+             survey.first_nav);
+    else if (set == mission::Set::apm2 && survey.last_nav + 1 < count &&
+             parameters.mission_trailing == 0)
+        tell(Severity::warning, ROM_TEXT("Mission: nothing after item # is run"), survey.last_nav);
+}
+
+}  // namespace firmware

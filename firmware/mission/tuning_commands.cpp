@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The level 3 commands that only the APM 1.0 set has.
+#include "firmware/home.hpp"
+#include "firmware/mission/engine.hpp"
+#include "firmware/mission/events.hpp"
+#include "firmware/mission/handlers.hpp"
+#include "firmware/mission/mission.hpp"
+#include "firmware/mission/speed.hpp"
+#include "firmware/modes.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/relay.hpp"
+#include "firmware/telemetry/link.hpp"
+#include "firmware/telemetry/text.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr uint8_t kGainKinds = 5;
+constexpr uint8_t kGainIndices = 8;
+constexpr uint8_t kFirstGainId = 0x60;
+constexpr uint8_t n = kNoSlot;
+
+// Which parameter plays the part: its slot. The loops of this firmware are not those of APM 1.0;
+// where a gain has no counterpart, the command is refused.
+// clang-format off
+constexpr uint8_t kGainSlots[kGainKinds][kGainIndices] ROM = {
+    // servo  servo  servo    nav   pitch by  pitch by  throttle by  throttle by
+    // roll   pitch  rudder   roll  airspeed  altitude  energy       altitude
+    {  102,   108,   n,       n,    n,        n,        n,           n},         // Kp
+    {  103,   109,   116,     n,    n,        n,        125,         n},         // Ki
+    {  104,   110,   117,     133,  n,        130,      124,         n},         // Kd
+    {  105,   111,   119,     n,    n,        n,        n,           n},         // integrator max
+    // pitch comp, rudder mix, pitch to throttle
+    {  114,   86,    n,       n,    n,        n,        n,           n},         // Kff
+};
+// clang-format on
+
+constexpr uint8_t kFirstChannelSlot = 30;  // RC1_MIN, _TRIM, _MAX, _REV, _DZ, then RC2_
+constexpr uint8_t kSlotsPerChannel = 5;
+constexpr uint8_t kThrottleFailsafeSlot = 83;
+
+bool radio_off;
+
+struct {
+    bool asked[kLinks];
+    uint8_t slot;
+} variable;
+
+bool sendVariable(Link& link) {
+    uint16_t index;
+    if (!parameterOfSlot(variable.slot, index)) return true;
+    mavlink::ParamValue message = {};
+    char name[16];
+    parameterAt(index, name, message.param_value, message.param_type);
+    for (uint8_t i = 0; i < sizeof name; ++i) message.param_id[i] = name[i];
+    message.param_count = parameterCount();
+    message.param_index = index;
+    return send(link, message);
+}
+
+void setSlot(uint8_t slot, float value) {
+    if (slot == kNoSlot || !parameterSet(slot, value))
+        tell(Severity::warning, ROM_TEXT("Mission: parameter # not set"), slot);
+}
+
+}  // namespace
+
+Jump jumpToFirst(const Record&) { return {1, mission::kForEver}; }
+
+// The index stands in p2; the 1.0 firmware had it in p1.
+Jump jumpToIndex(const Record& record) {
+    const int32_t target = record.p2 != 0 ? record.p2 : record.p1;
+    return {static_cast<uint8_t>(target), mission::kForEver};
+}
+
+void changeMode(const Record& record) {
+    const Mode mode = static_cast<Mode>(record.p1);
+    if (mode != Mode::automatic) setMode(mode, ModeReason::mission);
+}
+
+void queryVariable(const Record& record) {
+    variable.slot = record.p1;
+    variable.asked[0] = true;
+    tellVariables();
+}
+
+void broadcastVariable(const Record& record) {
+    for (bool& asked : variable.asked) asked = true;
+    variable.slot = record.p1;
+    tellVariables();
+}
+
+void tellVariables() {
+    for (uint8_t i = 0; i < kLinks; ++i)
+        if (variable.asked[i] && sendVariable(links[i])) variable.asked[i] = false;
+}
+
+void switchRadio(const Record& record) { radio_off = record.p1 == 0; }
+bool radioSilenced() { return radio_off; }
+void radioHeard() { radio_off = false; }
+
+void cruiseSpeed(const Record& record) { setAirSpeed(record.p1 * 100); }
+void cruiseThrottle(const Record& record) { setCruiseThrottle(static_cast<int8_t>(record.p1)); }
+
+void resetHome(const Record& record) {
+    if (record.p2 != 0 || record.p3 != 0 || record.p4 != 0)
+        setHome({record.p3, record.p4}, record.p2);
+    else if (!setHomeHere())
+        tell(Severity::warning, ROM_TEXT("Mission: no fix, home not set"));
+}
+
+uint8_t gainSlot(uint8_t id, uint8_t index) {
+    const uint8_t kind = static_cast<uint8_t>(id - kFirstGainId);
+    if (kind >= kGainKinds || index >= kGainIndices) return kNoSlot;
+    return core::romRead(kGainSlots[kind][index]);
+}
+
+float gain(const Record& record) { return static_cast<float>(record.p2) / 100000.0f; }
+
+void setGain(const Record& record) { setSlot(gainSlot(record.id, record.p1), gain(record)); }
+
+uint8_t channelSlot(uint8_t id, uint8_t index) {
+    if (index >= 8) return kNoSlot;
+    const uint8_t part = id == 0x70 ? 1 : id == 0x71 ? 2 : 0;  // trim, maximum, minimum
+    return static_cast<uint8_t>(kFirstChannelSlot + index * kSlotsPerChannel + part);
+}
+
+void setChannel(const Record& record) {
+    setSlot(channelSlot(record.id, record.p1), static_cast<float>(record.p2));
+}
+
+// The elevon trims (0, 1) have no counterpart: this firmware mixes after the channels' trims.
+uint8_t otherRadioSlot(uint8_t index) { return index == 2 ? kThrottleFailsafeSlot : kNoSlot; }
+
+void setOtherRadio(const Record& record) {
+    setSlot(otherRadioSlot(record.p1), static_cast<float>(record.p2));
+}
+
+void repeatEvent(const Record& record) {
+    constexpr uint8_t kRelayEvent = 6;
+    constexpr uint8_t kFirstServo = 4;  // event 1 is CH_4_TOGGLE
+    if (record.p1 == 0 || record.p1 == 10) return stopEvents();
+    const bool relay = record.p1 == kRelayEvent;
+    const uint8_t output = relay ? kRelayOutput : static_cast<uint8_t>(record.p1 - 1 + kFirstServo);
+    repeatToggles(output, static_cast<uint16_t>(record.p2), static_cast<uint16_t>(record.p4),
+                  static_cast<uint16_t>(record.p3));
+}
+
+void setRelayP1(const Record& record) { relaySet(record.p1 != 0); }
+
+void setPulse(const Record& record) {
+    constexpr uint16_t kShortest_us = 800;
+    const uint16_t pulse_us = static_cast<uint16_t>(record.p2);
+    holdOutput(static_cast<uint8_t>(record.p1 + 1),
+               pulse_us != 0 && pulse_us < kShortest_us ? kShortest_us : pulse_us);
+}
+
+}  // namespace firmware
