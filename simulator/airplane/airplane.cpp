@@ -7,6 +7,7 @@ namespace simulator {
 namespace {
 
 constexpr double kRadians = M_PI / 180;
+constexpr int kSpinUpSteps = 800;
 constexpr double kOnItsSide = 0.5;  // cosine of the steepest bank on the ground that is no crash
 
 }  // namespace
@@ -43,8 +44,13 @@ void Airplane::settle() {
 
 void Airplane::place(const Motion& motion, const Controls& controls) {
     motion_ = motion;
+    density_kgm3_ =
+        atmosphere(options_.altitude_m - motion.position_m.z - standing_m_).density_kgm3;
     servos_.put(controls);
     controls_ = controls;
+    const double ahead = flow(motion_, Rotation(motion_.attitude)).velocity_mps.x;
+    for (int i = 0; i < kSpinUpSteps; ++i)
+        propulsion_.advance(kStep_s, controls.throttle, ahead, density_kgm3_);
     ground_.advance(motion_, controls.rudder);
     now_ = derivative(motion_, &specific_force_);
     tell();

@@ -28,7 +28,8 @@ public:
     Vec3 toBody(const Vec3& earth) const { return Rotation(motion_.attitude).toBody(earth); }
     const AirplaneParameters& parameters() const { return p_; }
 
-    // For tests: puts it somewhere, moving, with these control surfaces.
+    // For tests: puts it somewhere, moving, with these control surfaces and the propeller at
+    // the speed that belongs to this throttle.
     void place(const Motion& motion, const Controls& controls);
 
 private:

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/devices/random.hpp"
+
+#include <gtest/gtest.h>
+
+#include "devices/statistics.hpp"
+#include "simulator/devices/errors.hpp"
+
+using simulator::Random;
+using simulator::Wander;
+
+TEST(Random, gives_the_same_bits_for_the_same_seed_and_stream) {
+    Random a(7, 3), b(7, 3);
+    for (int i = 0; i < 100; ++i) EXPECT_EQ(a.bits(), b.bits());
+}
+
+TEST(Random, gives_other_bits_for_another_seed_or_stream) {
+    Random a(7, 3), seed(8, 3), stream(7, 4), shifted(6, 4);
+    const uint64_t first = a.bits();
+    EXPECT_NE(first, seed.bits());
+    EXPECT_NE(first, stream.bits());
+    EXPECT_NE(first, shifted.bits());
+}
+
+TEST(Random, draws_a_standard_normal_distribution) {
+    Random random(1);
+    Statistics drawn;
+    int beyond_two_sigma = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        drawn.add(random.normal());
+        if (std::fabs(drawn.values.back()) > 2) ++beyond_two_sigma;
+    }
+    EXPECT_NEAR(drawn.mean(), 0, 0.01);
+    EXPECT_NEAR(drawn.deviation(), 1, 0.01);
+    EXPECT_NEAR(beyond_two_sigma / 100'000.0, 0.0455, 0.002);
+}
+
+TEST(Random, streams_of_one_seed_do_not_resemble_each_other) {
+    Random a(1, 1), b(1, 2);
+    Statistics first, second;
+    for (int i = 0; i < 20'000; ++i) {
+        first.add(a.normal());
+        second.add(b.normal());
+    }
+    EXPECT_NEAR(correlation(first, second), 0, 0.02);
+}
+
+TEST(Wander, has_its_deviation_and_correlation_time_whatever_the_step) {
+    for (double step_s : {0.5, 10.0}) {
+        Statistics before, after;
+        for (uint64_t seed = 1; seed <= 5000; ++seed) {
+            Random random(seed);
+            Wander wander(4, 300, random);
+            before.add(wander.value());
+            for (double t = 0; t < 300; t += step_s) wander.advance(step_s, random);
+            after.add(wander.value());
+        }
+        EXPECT_NEAR(before.deviation(), 4, 0.2);
+        EXPECT_NEAR(after.deviation(), 4, 0.2);
+        EXPECT_NEAR(correlation(before, after), std::exp(-1), 0.05);
+    }
+}
+
+TEST(SensorErrors, are_all_in_the_table_for_reports) {
+    EXPECT_EQ(sizeof(simulator::SensorErrors) / sizeof(double),
+              static_cast<size_t>(simulator::kErrorCount));
+    for (int i = 0; i < simulator::kErrorCount; ++i)
+        for (int j = 0; j < i; ++j)
+            EXPECT_NE(simulator::kErrorRows[i].value, simulator::kErrorRows[j].value);
+}
