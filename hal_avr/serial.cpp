@@ -21,7 +21,7 @@ struct Usart {
 
 struct Channel {
     core::Ring<128> rx, tx;
-    uint16_t lost;
+    uint16_t lost = 0;  // given, or the array would be constructed at start
 };
 
 Channel channels[hal::kPorts];

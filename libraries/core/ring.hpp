@@ -13,11 +13,11 @@ class Ring {
 
 public:
     bool put(uint8_t byte) {
-        const uint8_t next = (head_ + 1) & kMask;
-        if (next == tail_) return false;
-        bytes_[head_] = byte;
-        settle();
-        head_ = next;
+        const uint8_t head = head_;
+        const uint8_t next = (head + 1) & kMask;
+        if (next == seen(tail_)) return false;
+        bytes_[head] = byte;
+        hand(head_, next);
         return true;
     }
     // All of them or none.
@@ -29,22 +29,20 @@ public:
             bytes_[head] = *from++;
             head = (head + 1) & kMask;
         }
-        settle();
-        head_ = head;
+        hand(head_, head);
         return true;
     }
     bool take(uint8_t& byte) {
         const uint8_t tail = tail_;
-        if (tail == head_) return false;
+        if (tail == seen(head_)) return false;
         byte = bytes_[tail];
-        settle();
-        tail_ = (tail + 1) & kMask;
+        hand(tail_, (tail + 1) & kMask);
         return true;
     }
-    uint8_t used() const { return (head_ - tail_) & kMask; }
+    uint8_t used() const { return (seen(head_) - seen(tail_)) & kMask; }
     uint8_t room() const { return kMask - used(); }
-    bool empty() const { return head_ == tail_; }
-    void clear() { tail_ = head_; }  // the consumer's to call
+    bool empty() const { return seen(head_) == seen(tail_); }
+    void clear() { tail_ = seen(head_); }  // the consumer's to call
 
     // Where an interrupt in assembler finds the indices; the bytes come first.
     static constexpr uint16_t kHeadAt = size;
@@ -53,12 +51,17 @@ public:
 private:
     static constexpr uint8_t kMask = static_cast<uint8_t>(size - 1);
 
-    // The compiler may not move the byte past the index that hands it over.
-    static void settle() { __asm__ volatile("" ::: "memory"); }
+    // The other side's index, read anew; and one's own, which hands the bytes before it over. Not
+    // volatile members: those would make a constructor that runs at start.
+    static uint8_t seen(const uint8_t& index) { return const_cast<const volatile uint8_t&>(index); }
+    static void hand(uint8_t& index, uint8_t value) {
+        __asm__ volatile("" ::: "memory");
+        const_cast<volatile uint8_t&>(index) = value;
+    }
 
     uint8_t bytes_[size] = {};
-    volatile uint8_t head_ = 0;
-    volatile uint8_t tail_ = 0;
+    uint8_t head_ = 0;
+    uint8_t tail_ = 0;
 };
 
 }  // namespace core
