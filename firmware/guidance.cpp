@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "control/slew.hpp"
 #include "control/speed_height.hpp"
 #include "core/rom.hpp"
 #include "firmware/modes.hpp"
@@ -100,9 +101,19 @@ void tellLateral(const navigation::Lateral& lateral) {
     tellBearings(lateral);
 }
 
-Plan levelPlan(float height_m) {
-    return {
-        {height_m, 0}, control::Phase::cruise, cruisePitchMin_rad(), vehicle.demand.airspeed_mps};
+// CONDITION_CHANGE_ALT: from_height_m is what moves, as long as there is a rate.
+navigation::HeightDemand changingHeight() {
+    auto& demand = vehicle.demand;
+    if (demand.climb_rate_mps <= 0) return {demand.height_m, 0};
+    const float before_m = demand.from_height_m;
+    demand.from_height_m =
+        control::slewed(before_m, demand.height_m, demand.climb_rate_mps * kPeriod_s);
+    return {demand.from_height_m, (demand.from_height_m - before_m) / kPeriod_s};
+}
+
+Plan levelPlan() {
+    return {changingHeight(), control::Phase::cruise, cruisePitchMin_rad(),
+            vehicle.demand.airspeed_mps};
 }
 
 navigation::Lateral fliesLeg(const navigation::Motion& now) {
@@ -123,7 +134,7 @@ Plan flyLeg() {
     const auto now = motion();
     const auto lateral = fliesLeg(now);
     bank(lateral.bank_accel_mss, false);
-    Plan plan = levelPlan(demand.height_m);
+    Plan plan = levelPlan();
     if (demand.sloped)
         plan.height =
             navigation::heightOnSlope(demand.from_height_m, demand.height_m, lateral.length_m,
@@ -141,7 +152,7 @@ Plan flyCircle() {
                  lateral.crosstrack_m);
     vehicle.progress.captured = turns.captured();
     vehicle.progress.turned_rad = turns.turned_rad();
-    return levelPlan(demand.height_m);
+    return levelPlan();
 }
 
 Plan flyTakeoff() {
@@ -159,7 +170,7 @@ Plan flyTakeoff() {
     const navigation::TakeoffPitch pitch = {
         vehicle.demand.takeoff_pitch_rad, parameters.takeoff_rotate_mps,
         static_cast<float>(parameters.speed_min_mps), vehicle.demand.airspeed_mps};
-    Plan plan = levelPlan(vehicle.demand.height_m);
+    Plan plan = levelPlan();
     plan.phase = control::Phase::climb_out;
     plan.pitch_min_rad = navigation::takeoffPitch_rad(pitch, speed_mps, measured);
     return plan;
@@ -180,7 +191,7 @@ Plan flyLanding() {
     const auto height = landing.run(settings, approach);
     vehicle.progress.flaring = landing.flaring();
     bank(lateral.bank_accel_mss, landing.flaring());
-    Plan plan = levelPlan(0);
+    Plan plan = levelPlan();
     plan.height = {height.height_m + demand.height_m, height.climb_mps};
     // between the lowest speed and cruise: short enough to land, fast enough to flare
     plan.airspeed_mps = 0.5f * (parameters.speed_min_mps + plan.airspeed_mps);
@@ -191,11 +202,9 @@ Plan flyLanding() {
     return plan;
 }
 
-Plan holdHeight() { return levelPlan(vehicle.demand.height_m); }
-
 // In the order of Path.
 using Flight = Plan (*)();
-constexpr Flight kFlights[] ROM = {holdHeight, flyLeg, flyCircle, flyTakeoff, flyLanding};
+constexpr Flight kFlights[] ROM = {levelPlan, flyLeg, flyCircle, flyTakeoff, flyLanding};
 
 // Along the path, from what the accelerometer feels: lift acts across the path, so only the angle
 // of attack's share of it is left, and gravity's.
