@@ -72,6 +72,10 @@ target_link_libraries(simulator_world PUBLIC nlohmann_json::nlohmann_json)
 foreach(room devices airplane)
     house_test(${room}_test ${CMAKE_SOURCE_DIR}/host_tests/${room} simulator_world)
 endforeach()
+if(TARGET airplane_test)
+    target_compile_definitions(airplane_test PRIVATE
+                               AIRPLANES="${CMAKE_SOURCE_DIR}/simulator/airplanes")
+endif()
 
 # ---- the natively compiled firmware, the ground station, the report, the program that flies
 function(simulator_library name)
@@ -92,7 +96,7 @@ target_include_directories(firmware_native BEFORE PUBLIC ${CMAKE_SOURCE_DIR}/sim
 target_link_libraries(firmware_native PUBLIC ${all_libraries})
 # the same sources on the doubles, for the unit tests of firmware/
 add_library(firmware_on_fakes STATIC ${native_sources})
-set_target_properties(firmware_on_fakes PROPERTIES CXX_STANDARD 14)
+set_target_properties(firmware_on_fakes PROPERTIES CXX_STANDARD 17)  # the doubles want it
 target_compile_options(firmware_on_fakes PRIVATE ${HOUSE_WARNINGS})
 target_include_directories(firmware_on_fakes BEFORE PUBLIC ${CMAKE_SOURCE_DIR}/host_tests/fakes
                            ${CMAKE_SOURCE_DIR})
@@ -129,3 +133,5 @@ add_dependencies(hal_avr_test hal_programs)
 target_compile_definitions(hal_avr_test PRIVATE CHIP_PROGRAMS="${CMAKE_BINARY_DIR}/avr-hal")
 house_test(simulator_test ${CMAKE_SOURCE_DIR}/host_tests/simulator simulator_report
            simulator_ground simulator_native simulator_world)
+
+include(flights)

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The fly program as a user meets it.
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Outcome {
+    int status;
+    std::string output;  // both streams
+};
+
+Outcome fly(const std::string& arguments) {
+    const std::string command = std::string(FLY_PROGRAM) + " " + arguments + " 2>&1 </dev/null";
+    FILE* pipe = popen(command.c_str(), "r");
+    Outcome run{0, ""};
+    std::array<char, 256> part;
+    while (fgets(part.data(), part.size(), pipe)) run.output += part.data();
+    run.status = WEXITSTATUS(pclose(pipe));
+    return run;
+}
+
+fs::path folder(const std::string& name) {
+    const fs::path path = fs::temp_directory_path() / ("fly_test_" + std::to_string(getpid()));
+    fs::create_directories(path);
+    return path / name;
+}
+
+std::string contents(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+struct Wrong {
+    const char* arguments;
+    const char* says;
+};
+
+class WrongCommandLine : public testing::TestWithParam<Wrong> {};
+
+}  // namespace
+
+TEST_P(WrongCommandLine, gets_one_line_and_exit_2) {
+    const Outcome run = fly(GetParam().arguments);
+
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1) << run.output;
+    EXPECT_THAT(run.output, HasSubstr(GetParam().says));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, WrongCommandLine,
+    testing::Values(
+        Wrong{"--no-such-option", "--no-such-option"}, Wrong{"--board apm9", "--board"},
+        Wrong{"--wind 5", "SPEED,FROM_DEGREES"}, Wrong{"--wind 5,400", "SPEED,FROM_DEGREES"},
+        Wrong{"--wind -1,0", "SPEED,FROM_DEGREES"}, Wrong{"--wind x,y", "--wind"},
+        Wrong{"--seed many", "--seed"}, Wrong{"--time-limit 0", "--time-limit"},
+        Wrong{"--telemetry uart7", "--telemetry"}, Wrong{"--listen 70000 --serve", "--listen"},
+        Wrong{"--gdb 0", "--gdb"}, Wrong{"--native --gdb 1234", "--native"},
+        Wrong{"--native --vcd /tmp/x.vcd", "--native"},
+        Wrong{"--native --firmware x.elf", "--native"}, Wrong{"--serve some.waypoints", "--serve"},
+        Wrong{"/no/such/mission.waypoints", "/no/such/mission.waypoints"},
+        Wrong{"--firmware /no/such.elf", "/no/such.elf"},
+        Wrong{"--firmware /etc/passwd", "/etc/passwd"},
+        Wrong{"--native --out /proc/nowhere", "/proc/nowhere"},
+        Wrong{"--native --eeprom /etc/passwd", "4096 bytes"}, Wrong{"a b", "b"}));
+
+TEST(Help, names_every_option) {
+    const Outcome run = fly("--help");
+
+    EXPECT_EQ(run.status, 0);
+    for (const char* option : {"MISSION", "--board", "--native", "--firmware", "--eeprom", "--wind",
+                               "--gusts", "--seed", "--time-limit", "--out", "--serve",
+                               "--telemetry", "--lock-step", "--listen", "--vcd", "--gdb"}) {
+        EXPECT_THAT(run.output, HasSubstr(option));
+    }
+}
+
+TEST(WrongMission, is_shown_with_line_and_column) {
+    const fs::path path = folder("bad.waypoints");
+    std::ofstream(path)
+        << "QGC WPL 110\n0 1 0 16 0 0 0 0 47 8 488 1\n1 0 3 16 0 0 0 0 here 8 9 1\n";
+
+    const Outcome run = fly(path.string());
+
+    EXPECT_EQ(run.status, 2);
+    EXPECT_THAT(run.output, HasSubstr("bad.waypoints:3:18: expected a latitude"));
+}
+
+TEST(TimeLimit, ends_the_flight_with_its_reason) {
+    const Outcome run = fly("--native --time-limit 30 --out " + folder("limit").string());
+
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.output, HasSubstr("not completed: time limit reached"));
+    EXPECT_THAT(contents(folder("limit") / "report.html"), HasSubstr("time limit reached"));
+}
+
+TEST(Seed, makes_the_same_flight_again_bit_by_bit) {
+    const std::string flight = "--native --gusts --wind 4,300 --time-limit 60 --out ";
+    fly(flight + folder("a").string() + " --seed 7");
+    fly(flight + folder("b").string() + " --seed 7");
+    fly(flight + folder("c").string() + " --seed 8");
+
+    const std::string a = contents(folder("a") / "flight.csv");
+    EXPECT_GT(a.size(), 10'000u);
+    EXPECT_EQ(a, contents(folder("b") / "flight.csv"));
+    EXPECT_NE(a, contents(folder("c") / "flight.csv"));
+}
+
+TEST(Eeprom, keeps_what_the_autopilot_stored) {
+    const fs::path image = folder("eeprom.bin");
+    const std::string flight =
+        "--native --time-limit 10 --out " + folder("e").string() + " --eeprom " + image.string();
+    fly(flight);
+    const std::string first = contents(image);
+    fly(flight);
+
+    EXPECT_EQ(first.size(), 4096u);
+    EXPECT_NE(first, std::string(4096, '\xff'));  // the mission is in it
+    EXPECT_EQ(contents(image).size(), 4096u);
+}

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Whole flights as tests: the image on the emulated board and the same firmware natively, in calm
+# air and in wind with gusts, three seeds each, with limits.
+add_executable(flight host_tests/on_board/flight.cpp)
+target_compile_options(flight PRIVATE ${HOUSE_WARNINGS})
+target_link_libraries(flight PRIVATE nlohmann_json::nlohmann_json)
+
+set(flights ${CMAKE_BINARY_DIR}/flights)
+set(minutes ${CMAKE_BINARY_DIR}/flights/minutes)
+
+# flight_test(NAME LABEL CROSSTRACK_M ALTITUDE_M TOUCHDOWN_M ARGUMENT...)
+function(flight_test name label crosstrack_m altitude_m touchdown_m)
+    set(counted ${flights}/native_minutes)
+    if(label STREQUAL simavr)
+        set(counted ${minutes})
+    endif()
+    add_test(NAME flight.${name}
+             COMMAND flight fly ${flights}/${name} ${counted} ${crosstrack_m} ${altitude_m}
+                     ${touchdown_m} $<TARGET_FILE:fly> ${ARGN})
+    set_tests_properties(flight.${name} PROPERTIES LABELS ${label} TIMEOUT 900
+                         FIXTURES_SETUP ${name})
+    if(label STREQUAL simavr)
+        set_tests_properties(flight.${name} PROPERTIES FIXTURES_REQUIRED image_minutes)
+    endif()
+endfunction()
+
+set(windy --wind 5,320 --gusts)
+foreach(seed 1 2 3)
+    set(wiring)
+    if(seed EQUAL 2)  # one flight of three on the factory's wiring
+        set(wiring --telemetry uart0)
+    endif()
+    flight_test(elf_calm_${seed} simavr 3 2 30 --seed ${seed} ${wiring})
+    flight_test(elf_wind_${seed} simavr 5 3 60 --seed ${seed} ${windy} ${wiring})
+    flight_test(native_calm_${seed} native 3 2 30 --native --seed ${seed} ${wiring})
+    flight_test(native_wind_${seed} native 5 3 60 --native --seed ${seed} ${windy} ${wiring})
+    foreach(air calm wind)
+        add_test(NAME flight.same_events_${air}_${seed}
+                 COMMAND flight same ${flights}/elf_${air}_${seed}/summary.json
+                         ${flights}/native_${air}_${seed}/summary.json)
+        set_tests_properties(flight.same_events_${air}_${seed} PROPERTIES LABELS simavr
+                             FIXTURES_REQUIRED "elf_${air}_${seed};native_${air}_${seed}")
+    endforeach()
+endforeach()
+
+add_test(NAME flight.minutes_begin COMMAND ${CMAKE_COMMAND} -E rm -rf ${minutes})
+set_tests_properties(flight.minutes_begin PROPERTIES FIXTURES_SETUP image_minutes LABELS simavr)
+add_test(NAME flight.minutes_of_the_image COMMAND flight minutes ${minutes})
+set_tests_properties(flight.minutes_of_the_image PROPERTIES FIXTURES_CLEANUP image_minutes
+                     LABELS simavr)
+
+house_test(on_board_test ${CMAKE_SOURCE_DIR}/host_tests/on_board)
+if(TARGET on_board_test)
+    add_dependencies(on_board_test fly)
+    target_compile_definitions(on_board_test PRIVATE FLY_PROGRAM="$<TARGET_FILE:fly>")
+endif()
