@@ -7,7 +7,6 @@
 #include "simulator/devices/hmc5883l.hpp"
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
-#include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/devices/ublox_gps.hpp"
 
 namespace simulator {
@@ -18,46 +17,36 @@ struct Pin {
     int bit;
 };
 constexpr Pin kImuSelect = {'B', 0}, kBarometerSelect = {'G', 1}, kDataReady = {'E', 6};
-constexpr Pin kRelay = {'B', 7}, kUsbSense = {'A', 1}, kPpm = {'L', 1};
+constexpr Pin kRelay = {'B', 7}, kUsbSense = {'A', 1};
 constexpr Pin kLeds[] = {{'A', 5}, {'A', 4}, {'A', 3}};  // A red, B yellow, C blue
-constexpr char kPpmTimer = '5';
 constexpr int kGpsUsart = 1;
-
-struct ServoWire {
-    Pin pin;
-    char timer;
-    int compare;
-    const char* name;
-};
-constexpr ServoWire kServos[] = {
-    {{'B', 6}, '1', 1, "servo1"}, {{'B', 5}, '1', 0, "servo2"}, {{'H', 5}, '4', 2, "servo3"},
-    {{'H', 4}, '4', 1, "servo4"}, {{'H', 3}, '4', 0, "servo5"}, {{'E', 5}, '3', 2, "servo6"},
-    {{'E', 4}, '3', 1, "servo7"}, {{'E', 3}, '3', 0, "servo8"},
-};
-constexpr uint64_t kLongestPulse = 10000 * kCyclesPer_us;
 
 // The airplane moves on at least this often, however quiet its sensors are.
 constexpr uint64_t kLongestWait_us = 5000;
 
-enum TraceSignal : size_t { kTracePpm = 8, kTraceDataReady, kTraceMark };
+// Signals of the trace, after the eight servos.
+enum TraceSignal : size_t { kTracePpm = ServoPulses::kOutputs, kTraceDataReady, kTraceMark };
 
 }  // namespace
 
 AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options)
-    : world_(options), image_(readImage(firmware)), chip_(image_) {
+    : world_(options),
+      image_(readImage(firmware)),
+      chip_(image_),
+      servos_(chip_),
+      radio_(chip_, world_.radio()) {
     for (int usart = 0; usart < 4; usart++) feeds_.emplace_back(chip_, usart);
     wireSensorBus();
     wireCompass();
     wireSerial();
-    wireServos();
-    wireMeasurements();
+    wireOutputs();
+    wireMarks();
     chip_.adc().volts = [this](int pin) {
         world_.advanceTo(time_us());
         return world_.analog_v(pin, time_us());
     };
     chip_.on_reset = [this] { restart(); };
     chip_.drive(kDataReady.port, kDataReady.bit, false);
-    chip_.drive(kPpm.port, kPpm.bit, false);
     setUsb(false);
     restart();
 }
@@ -89,13 +78,15 @@ void AvrBoard::wireSerial() {
         };
 }
 
-void AvrBoard::wireServos() {
-    for (int i = 0; i < 8; i++)
-        chip_.onCompareOutput(kServos[i].timer, kServos[i].compare,
-                              [this, i](bool high) { servoChanged(i, high); });
+void AvrBoard::wireOutputs() {
+    servos_.on_pulse = [this](int output, double width_us) {
+        world_.servoPulse(output, width_us, time_us());
+    };
+    servos_.on_level = [this](int output, bool high) { trace(output - 1, high); };
+    radio_.on_level = [this](bool high) { trace(kTracePpm, high); };
 }
 
-void AvrBoard::wireMeasurements() {
+void AvrBoard::wireMarks() {
     chip_.on_mark = [this](uint8_t value) {
         work_.mark(value, {chip_.cycle(), chip_.asleepCycles(), chip_.interrupts().cycles()});
         trace(kTraceMark, value);
@@ -105,15 +96,15 @@ void AvrBoard::wireMeasurements() {
 // The chip has been reset and all its timers are gone; the world has not noticed.
 void AvrBoard::restart() {
     work_.reset();
-    wake_cycle_ = edge_cycle_ = UINT64_MAX;
+    wake_cycle_ = UINT64_MAX;
     planWake();
-    planEdge();
+    radio_.restart();
     for (SerialFeed& feed : feeds_) feed.resume();
     portChanged();
 }
 
 bool AvrBoard::runUntil(uint64_t time_us) {
-    planEdge();  // the transmitter may have been switched on meanwhile
+    radio_.plan();
     const bool running = chip_.run(time_us * kCyclesPer_us);
     world_.advanceTo(this->time_us());
     return running;
@@ -174,18 +165,6 @@ void AvrBoard::showDataReady() {
     trace(kTraceDataReady, ready);
 }
 
-void AvrBoard::servoChanged(int output, bool high) {
-    const Pin& pin = kServos[output].pin;
-    if (!chip_.isOutput(pin.port, pin.bit)) return;
-    Servo& servo = servos_[output];
-    const bool ended = servo.high && !high;
-    const uint64_t width = chip_.cycle() - servo.since;
-    servo = {high, chip_.cycle()};
-    trace(output, high);
-    if (!ended || width > kLongestPulse) return;
-    world_.servoPulse(output + 1, static_cast<double>(width) / kCyclesPer_us, time_us());
-}
-
 void AvrBoard::sent(int usart, uint8_t byte, uint64_t cycle) {
     const uint64_t at_us = cycle / kCyclesPer_us;
     if (usart == kGpsUsart) {
@@ -205,10 +184,9 @@ void AvrBoard::feedGps() {
     }
 }
 
-uint64_t AvrBoard::nextEvent() const {
-    auto& world = const_cast<World&>(world_);
+uint64_t AvrBoard::nextEvent() {
     const uint64_t event = std::min(
-        {world.imu().nextSample_us(), world.gps().nextByte_us(), time_us() + kLongestWait_us});
+        {world_.imu().nextSample_us(), world_.gps().nextByte_us(), time_us() + kLongestWait_us});
     return std::max(event * kCyclesPer_us, chip_.cycle() + 1);
 }
 
@@ -223,40 +201,15 @@ uint64_t AvrBoard::wake(uint64_t) {
     world_.advanceTo(time_us());
     showDataReady();
     feedGps();
-    planEdge();
+    radio_.plan();
     wake_cycle_ = nextEvent();
     return wake_cycle_;
 }
 
-void AvrBoard::planEdge() {
-    const uint64_t next = world_.radio().nextEdge_us_x2();
-    if (next == UINT64_MAX || edge_cycle_ != UINT64_MAX) return;
-    edge_cycle_ = next * kCyclesPer_us / 2;
-    startTimerAt<&AvrBoard::radioEdge>(chip_.avr(), edge_cycle_, this);
-}
-
-uint64_t AvrBoard::radioEdge(uint64_t due) {
-    chip_.drive(kPpm.port, kPpm.bit, true);
-    chip_.captureEdge(kPpmTimer, true, due);
-    trace(kTracePpm, 1);
-    startTimerAt<&AvrBoard::radioFall>(chip_.avr(), due + PpmEncoder::kPulse_us * kCyclesPer_us,
-                                       this);
-    world_.radio().passEdge();
-    edge_cycle_ = UINT64_MAX;
-    planEdge();
-    return 0;
-}
-
-uint64_t AvrBoard::radioFall(uint64_t due) {
-    chip_.drive(kPpm.port, kPpm.bit, false);
-    chip_.captureEdge(kPpmTimer, false, due);
-    trace(kTracePpm, 0);
-    return 0;
-}
-
 void AvrBoard::traceTo(const std::string& path) {
     std::vector<VcdTrace::Signal> signals;
-    for (const ServoWire& servo : kServos) signals.push_back({servo.name, 1});
+    for (int i = 1; i <= ServoPulses::kOutputs; i++)
+        signals.push_back({"servo" + std::to_string(i), 1});
     signals.push_back({"ppm", 1});
     signals.push_back({"data_ready", 1});
     signals.push_back({"mark", 8});

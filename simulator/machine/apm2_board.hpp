@@ -2,13 +2,14 @@
 // An APM 2.x: the emulated ATmega2560 with any firmware in its flash, and the World's chips on its
 // pins. It knows the wiring, nothing of the firmware.
 #pragma once
-#include <array>
 #include <memory>
 
 #include "simulator/board.hpp"
 #include "simulator/line_noise.hpp"
 #include "simulator/machine/chip.hpp"
+#include "simulator/machine/radio_line.hpp"
 #include "simulator/machine/serial_feed.hpp"
+#include "simulator/machine/servo_pulses.hpp"
 #include "simulator/machine/vcd_trace.hpp"
 #include "simulator/machine/work_meter.hpp"
 
@@ -44,32 +45,23 @@ public:
     Chip& chip() { return chip_; }
 
 private:
-    struct Servo {
-        bool high = false;
-        uint64_t since = 0;
-    };
-
     void wireSensorBus();
     void wireCompass();
     void wireSerial();
-    void wireServos();
-    void wireMeasurements();
+    void wireOutputs();
+    void wireMarks();
     void restart();
 
     void portChanged();
     void selectSensors();
     uint8_t exchange(uint8_t mosi);
-    void servoChanged(int output, bool high);
     void sent(int usart, uint8_t byte, uint64_t cycle);
     void feedGps();
     void showDataReady();
 
-    uint64_t nextEvent() const;
+    uint64_t nextEvent();
     void planWake();
-    void planEdge();
     uint64_t wake(uint64_t due);
-    uint64_t radioEdge(uint64_t due);
-    uint64_t radioFall(uint64_t due);
     void trace(size_t signal, unsigned value);
 
     World world_;
@@ -78,10 +70,11 @@ private:
     std::vector<SerialFeed> feeds_;
     Listener listener_;
     LineNoise gps_noise_;
-    std::array<Servo, 8> servos_ = {};
+    ServoPulses servos_;
+    RadioLine radio_;
     WorkMeter work_;
     std::unique_ptr<VcdTrace> trace_;
-    uint64_t wake_cycle_ = 0, edge_cycle_ = UINT64_MAX;
+    uint64_t wake_cycle_ = UINT64_MAX;
     bool imu_chosen_ = false, barometer_chosen_ = false, barometer_deaf_ = false;
     bool data_ready_ = false;
     uint64_t contentions_ = 0;

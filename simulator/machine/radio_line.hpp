@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The encoder's PPM-sum on the capture pin ICP5 (PL1), its edges to the half microsecond.
+#pragma once
+#include <functional>
+
+#include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/machine/chip.hpp"
+
+namespace simulator {
+
+class RadioLine {
+public:
+    RadioLine(Chip& chip, PpmEncoder& encoder) : chip_(chip), encoder_(encoder) { level(false, 0); }
+
+    // To be called now and then: the transmitter may have been switched on.
+    void plan() {
+        const uint64_t next = encoder_.nextEdge_us_x2();
+        if (next == UINT64_MAX || planned_) return;
+        planned_ = true;
+        startTimerAt<&RadioLine::rise>(chip_.avr(), next * kCyclesPer_us / 2, this);
+    }
+    void restart() {  // after a reset, which drops the timers
+        planned_ = false;
+        plan();
+    }
+
+    std::function<void(bool high)> on_level;
+
+private:
+    uint64_t rise(uint64_t due) {
+        level(true, due);
+        startTimerAt<&RadioLine::fall>(chip_.avr(), due + PpmEncoder::kPulse_us * kCyclesPer_us,
+                                       this);
+        encoder_.passEdge();
+        restart();
+        return 0;
+    }
+    uint64_t fall(uint64_t due) {
+        level(false, due);
+        return 0;
+    }
+    void level(bool high, uint64_t cycle) {
+        chip_.drive('L', 1, high);
+        chip_.captureEdge('5', high, cycle);
+        if (on_level) on_level(high);
+    }
+
+    Chip& chip_;
+    PpmEncoder& encoder_;
+    bool planned_ = false;
+};
+
+}  // namespace simulator
