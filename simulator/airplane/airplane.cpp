@@ -44,8 +44,7 @@ void Airplane::settle() {
 
 void Airplane::place(const Motion& motion, const Controls& controls) {
     motion_ = motion;
-    density_kgm3_ =
-        atmosphere(options_.altitude_m - motion.position_m.z - standing_m_).density_kgm3;
+    moveAir();
     servos_.put(controls);
     controls_ = controls;
     const double ahead = flow(motion_, Rotation(motion_.attitude)).velocity_mps.x;

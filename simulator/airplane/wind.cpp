@@ -27,6 +27,10 @@ Vec3 meanWind_mps(double wind_mps, double from_deg, double height_m) {
 Dryden::Dryden(double deviation_mps, double span_m, uint64_t seed)
     : deviation_mps_(deviation_mps), span_m_(span_m), random_(seed, 6) {}
 
+// The second lag has half the first's variance, and half of it in common.
+Dryden::Lags::Lags(Random& random)
+    : first(random.normal()), second(0.5 * first + 0.5 * random.normal()) {}
+
 // Both lags together give the spectrum of the standard's second-order forms:
 // (1 + sqrt(3) T s) / (1 + T s)^2 = sqrt(3) / (1 + T s) + (1 - sqrt(3)) / (1 + T s)^2.
 void Dryden::Lags::advance(double dt_s, double time_s, Random& random) {

@@ -28,13 +28,14 @@ public:
 private:
     // A white-noise-driven lag, and a second lag behind it.
     struct Lags {
-        double first = 0, second = 0;
+        double first, second;
+        explicit Lags(Random& random);  // as after a long time
         void advance(double dt_s, double time_s, Random& random);
     };
 
     double deviation_mps_, span_m_;
     Random random_;
-    Lags forward_, right_, down_, roll_;
+    Lags forward_{random_}, right_{random_}, down_{random_}, roll_{random_};
     double right_lag_ = 0, down_lag_ = 0;
     Gust gust_;
 };

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "simulator/devices/hmc5883l.hpp"
+#include "simulator/devices/mpu6000.hpp"
+#include "simulator/devices/ms5611.hpp"
+#include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/devices/ublox_gps.hpp"
+
+using namespace simulator;
+
+namespace {
+
+void writeImu(World& world, uint8_t reg, uint8_t value, uint64_t now_us) {
+    world.imu().select(true, now_us);
+    world.imu().transfer(reg, now_us);
+    world.imu().transfer(value, now_us);
+    world.imu().select(false, now_us);
+}
+
+uint32_t askBarometer(World& world, uint8_t command, int size, uint64_t now_us) {
+    uint32_t value = 0;
+    world.barometer().select(true, now_us);
+    world.barometer().transfer(command, now_us);
+    for (int i = 0; i < size; ++i) value = value << 8 | world.barometer().transfer(0, now_us);
+    world.barometer().select(false, now_us);
+    return value;
+}
+
+}  // namespace
+
+TEST(World, moves_the_airplane_in_steps_of_two_and_a_half_milliseconds) {
+    World world({});
+    world.advanceTo(2499);
+    EXPECT_EQ(world.truth().time_us, 0u);
+    world.advanceTo(1'000'000);
+    EXPECT_EQ(world.truth().time_us, 1'000'000u);
+    world.advanceTo(500'000);
+    EXPECT_EQ(world.truth().time_us, 1'000'000u);
+}
+
+TEST(World, does_not_depend_on_the_steps_in_which_it_is_moved) {
+    WorldOptions options;
+    options.gusts = true;
+    options.wind_mps = 5;
+    World coarse(options), fine(options);
+    for (World* world : {&coarse, &fine}) {
+        world->advanceTo(20'000);
+        writeImu(*world, 0x6B, 0x03, 20'000);
+    }
+    coarse.advanceTo(3'000'000);
+    for (uint64_t t = 20'000; t <= 3'000'000; t += 777) fine.advanceTo(t);
+    fine.advanceTo(3'000'000);
+    EXPECT_EQ(coarse.truth().airspeed_mps, fine.truth().airspeed_mps);
+    EXPECT_EQ(coarse.imu().samples().made, fine.imu().samples().made);
+    EXPECT_EQ(coarse.imu().nextSample_us(), fine.imu().nextSample_us());
+}
+
+TEST(World, samples_the_imu_at_the_imus_own_times) {
+    World world({});
+    world.advanceTo(100'000);
+    writeImu(world, 0x6B, 0x03, 100'000);
+    writeImu(world, 0x1A, 0x03, 100'000);
+    writeImu(world, 0x19, 4, 100'000);
+    const uint64_t first_us = world.imu().nextSample_us();
+    world.advanceTo(first_us - 1);
+    EXPECT_EQ(world.imu().samples().made, 0u);
+    world.advanceTo(first_us + 995'000);
+    EXPECT_EQ(world.imu().samples().made, 200u);
+}
+
+TEST(World, shows_the_barometer_the_air_at_its_height) {
+    WorldOptions options;
+    options.sensor_errors = false;
+    options.altitude_m = 500;
+    World world(options);
+    world.advanceTo(10'000);
+    askBarometer(world, 0x58, 0, 10'000);
+    const double d2 = askBarometer(world, 0, 3, 20'000);
+    askBarometer(world, 0x48, 0, 20'000);
+    const double d1 = askBarometer(world, 0, 3, 30'000);
+    const auto& c = world.barometer().prom();
+    const double dt = d2 - c[5] * 256.0;
+    const double pressure_pa =
+        (d1 * (c[1] * 0x1p15 + c[3] * dt / 256) / 0x1p21 - (c[2] * 0x1p16 + c[4] * dt / 128)) /
+        0x1p15;
+    EXPECT_NEAR(pressure_pa, 95461, 3);
+}
+
+TEST(World, turns_the_compass_with_the_airplane) {
+    WorldOptions options;
+    options.sensor_errors = false;
+    options.heading_deg = 92.5;  // magnetic east
+    World world(options);
+    world.advanceTo(10'000);
+    Hmc5883l& compass = world.compass();
+    compass.start(false, 10'000);
+    for (uint8_t byte : {0, 0x78, 0x20, 0x00}) compass.write(byte, 10'000);
+    compass.stop(10'000);
+    world.advanceTo(100'000);
+    compass.start(false, 100'000);
+    compass.write(3, 100'000);
+    compass.start(true, 100'000);
+    uint8_t bytes[6];
+    for (uint8_t& byte : bytes) byte = compass.read(true, 100'000);
+    const auto chip_x = static_cast<int16_t>(bytes[0] << 8 | bytes[1]);
+    const double level_counts = 480 * std::cos(63 * M_PI / 180) * 1.09;
+    EXPECT_NEAR(-chip_x, -level_counts, 3) << "body y, to the right, looks south";
+}
+
+TEST(World, moves_servos_by_pulses_and_stops_the_motor_without_them) {
+    World world({});
+    uint64_t t = 0;
+    for (; t < 1'000'000; t += 20'000) {
+        world.advanceTo(t);
+        world.servoPulse(1, 1900, t);
+        world.servoPulse(3, 1500, t);
+    }
+    world.advanceTo(t);
+    EXPECT_NEAR(world.truth().aileron, 1, 0.01);
+    EXPECT_NEAR(world.truth().throttle, 0.5, 0.01);
+    EXPECT_EQ(world.servoPulse_us(3), 1500);
+    EXPECT_EQ(world.servoPulse_us(5), 0);
+    world.advanceTo(t + 1'000'000);
+    EXPECT_NEAR(world.truth().aileron, 1, 0.01) << "stands where it is";
+    EXPECT_NEAR(world.truth().throttle, 0, 0.01);
+    EXPECT_EQ(world.servoPulse_us(3), 0);
+}
+
+TEST(World, has_the_motor_off_at_the_idle_pulse_and_full_at_1900) {
+    for (auto [pulse, throttle] : {std::pair{1100.0, 0.0}, {900.0, 0.0}, {1900.0, 1.0}}) {
+        World world({});
+        for (uint64_t t = 0; t < 500'000; t += 20'000) {
+            world.advanceTo(t);
+            world.servoPulse(3, pulse, t);
+        }
+        EXPECT_NEAR(world.truth().throttle, throttle, 0.01);
+    }
+}
+
+TEST(World, feeds_the_analogue_pins) {
+    WorldOptions options;
+    options.sensor_errors = false;
+    World world(options);
+    EXPECT_NEAR(world.analog_v(13, 1'000'000) * 10.1, 12.6, 0.05);
+    EXPECT_NEAR(world.analog_v(12, 1'000'000) * 17, 0.3, 0.01);
+    EXPECT_NEAR(world.analog_v(0, 1'000'000), 2.5, 1e-6);
+    EXPECT_EQ(world.truth().time_us, 1'000'000u);
+}
+
+TEST(World, lets_the_gps_find_its_place) {
+    World world({});
+    uint64_t first_us = 0;
+    for (uint64_t t = 0; t < 2'000'000 && first_us == 0; t += 1000) {
+        world.advanceTo(t);
+        if (world.gps().nextByte(t)) first_us = t;
+    }
+    EXPECT_NEAR(static_cast<double>(first_us), 1'201'000, 2000);
+}
+
+TEST(World, starts_the_radio_at_its_own_time) {
+    World world({});
+    world.advanceTo(777'000);
+    world.radio().sticks({1500, 1500, 1100, 1500, 1500, 1500, 1500, 1500}, true);
+    EXPECT_EQ(world.radio().nextEdge_us_x2(), 2 * (777'000u + PpmEncoder::kGap_us));
+}
+
+TEST(World, refuses_an_airplane_it_does_not_have) {
+    WorldOptions options;
+    options.airplane = "concorde";
+    EXPECT_THROW(World{options}, std::runtime_error);
+}
+
+TEST(World, remembers_the_relay) {
+    World world({});
+    EXPECT_FALSE(world.relayOn());
+    world.relay(true);
+    EXPECT_TRUE(world.relayOn());
+}
