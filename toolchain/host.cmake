@@ -72,6 +72,9 @@ target_link_libraries(simulator_world PUBLIC nlohmann_json::nlohmann_json)
 foreach(room devices airplane)
     house_test(${room}_test ${CMAKE_SOURCE_DIR}/host_tests/${room} simulator_world)
 endforeach()
+if(TARGET drivers_test)  # the drivers are tried on the simulator's chips
+    target_link_libraries(drivers_test PRIVATE simulator_world)
+endif()
 if(TARGET airplane_test)
     target_compile_definitions(airplane_test PRIVATE
                                AIRPLANES="${CMAKE_SOURCE_DIR}/simulator/airplanes")

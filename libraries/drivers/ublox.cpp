@@ -20,7 +20,7 @@ constexpr uint8_t kQuestionSize = ubloxQuestion().size;
 constexpr uint32_t kBaud = 38400;
 constexpr uint32_t kBauds[] ROM = {38400, 9600, 57600, 115200, 4800, 19200};
 
-constexpr uint16_t kGreet_ms = 160;    // 61 bytes at 4800 baud are 127 ms on the line
+constexpr uint16_t kGreet_ms = 160;    // 63 bytes at 4800 baud are 131 ms on the line
 constexpr uint16_t kListen_ms = 1200;  // a receiver as delivered has one epoch a second
 constexpr uint16_t kSilent_ms = 1200;
 constexpr uint16_t kWrongRate_ms = 15000;

@@ -40,11 +40,15 @@ struct UbloxScript {
     }
 };
 
+// What was sent at another rate may have looked like the beginning of a sentence.
+constexpr char kUbloxEndOfNoise[] = "\r\n";
+
 // Sent at every rate the receiver may listen at: talk UBX at 38400 from now on. Once as UBX
 // (CFG-PRT: UART 1, 8N1, in UBX and NMEA, out UBX) and once for those that only take text.
 constexpr UbloxScript ubloxGreeting() {
     UbloxScript script;
     constexpr uint8_t port[] = {1, 0, 0, 0, 0xD0, 0x08, 0, 0, 0x00, 0x96, 0, 0, 3, 0, 1};
+    script.text(kUbloxEndOfNoise);
     script.message(0x06, 0x00, 20, port);
     script.text("$PUBX,41,1,0003,0001,38400,0*26\r\n");
     return script;
@@ -59,6 +63,7 @@ constexpr UbloxScript ubloxConfiguration() {
     constexpr uint8_t position[] = {0x01, 0x02, 1}, status[] = {0x01, 0x03, 1};
     constexpr uint8_t solution[] = {0x01, 0x06, 1}, velocity[] = {0x01, 0x12, 1};
     constexpr uint8_t model[] = {0x01, 0, kUbloxAirborne4g};  // mask: the model alone
+    script.text(kUbloxEndOfNoise);
     script.message(0x06, 0x08, 6, rate);
     script.message(0x06, 0x01, 3, position);
     script.message(0x06, 0x01, 3, status);

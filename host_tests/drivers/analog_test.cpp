@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drivers/airspeed.hpp"
+#include "drivers/battery.hpp"
+
+namespace {
+
+using drivers::Airspeed;
+using drivers::AirspeedSettings;
+using drivers::Battery;
+using drivers::BatterySettings;
+
+// Four readings of the sensor at this pressure.
+uint16_t readings(double pressure_pa, double zero_v = 2.5) {
+    return static_cast<uint16_t>(std::lround(4 * 1024 * (zero_v + pressure_pa / 1000) / 5));
+}
+void feed(Airspeed& airspeed, uint16_t sum, double for_s, AirspeedSettings settings = {}) {
+    for (double t = 0; t < for_s; t += 0.02) airspeed.update(sum, 4, 0.02f, settings);
+}
+double pressure(double speed_mps) { return 0.5 * 1.225 * speed_mps * speed_mps; }
+
+TEST(Airspeed, reads_equivalent_airspeed_after_a_second_in_still_air) {
+    Airspeed airspeed;
+    feed(airspeed, readings(0, 2.43), 1.2);
+    ASSERT_TRUE(airspeed.calibrated());
+    for (double speed_mps : {8.0, 12.0, 25.0, 50.0}) {
+        feed(airspeed, readings(pressure(speed_mps), 2.43), 2);
+        EXPECT_NEAR(airspeed.speed_mps(), speed_mps, 0.15);
+    }
+    EXPECT_NEAR(airspeed.offset_v(), 2.43, 0.002);
+    EXPECT_TRUE(airspeed.healthy());
+}
+
+TEST(Airspeed, is_unhealthy_until_its_zero_is_known) {
+    Airspeed airspeed;
+    feed(airspeed, readings(0), 0.5);
+    EXPECT_FALSE(airspeed.healthy());
+
+    feed(airspeed, readings(0), 0.7);
+    EXPECT_TRUE(airspeed.healthy());
+}
+
+TEST(Airspeed, takes_no_zero_from_an_input_with_nothing_on_it) {
+    Airspeed airspeed;
+    feed(airspeed, 0, 5);
+    feed(airspeed, 4 * 1023, 5);
+
+    EXPECT_FALSE(airspeed.calibrated());
+    EXPECT_FALSE(airspeed.healthy());
+}
+
+TEST(Airspeed, a_zero_that_is_known_is_not_measured_again) {
+    AirspeedSettings settings;
+    settings.keep_offset = true;
+    settings.offset_v = 2.45f;
+    Airspeed airspeed;
+    feed(airspeed, readings(pressure(15), 2.45), 2, settings);
+
+    EXPECT_NEAR(airspeed.speed_mps(), 15, 0.15);
+}
+
+TEST(Airspeed, a_hose_gone_or_a_wire_broken_shows_within_two_seconds) {
+    for (uint16_t sum : {readings(-60), uint16_t{0}, uint16_t{4 * 1023}}) {
+        Airspeed airspeed;
+        feed(airspeed, readings(0), 1.2);
+        feed(airspeed, readings(100), 3);
+        feed(airspeed, sum, 2);
+        EXPECT_FALSE(airspeed.healthy()) << sum;
+        feed(airspeed, readings(100), 3);
+        EXPECT_TRUE(airspeed.healthy()) << sum;
+    }
+}
+
+TEST(Airspeed, with_hoses_either_way_round_the_sign_does_not_matter) {
+    AirspeedSettings settings;
+    settings.either_tube = true;
+    Airspeed airspeed;
+    feed(airspeed, readings(0), 1.2, settings);
+    feed(airspeed, readings(-pressure(15)), 2, settings);
+
+    EXPECT_NEAR(airspeed.speed_mps(), 15, 0.15);
+    EXPECT_TRUE(airspeed.healthy());
+}
+
+TEST(Airspeed, nothing_new_changes_nothing) {
+    Airspeed airspeed;
+    airspeed.update(0, 0, 0.02f, {});
+
+    EXPECT_FALSE(airspeed.calibrated());
+}
+
+TEST(Battery, tells_volts_and_amperes_through_the_power_module) {
+    Battery battery;
+    const double volts_in = 11.1 / 10.1, amps_in = 8.5 / 17;
+    battery.update(static_cast<float>(volts_in / 5 * 1024), static_cast<float>(amps_in / 5 * 1024),
+                   5000, 0.1f, BatterySettings());
+
+    EXPECT_NEAR(battery.voltage_v(), 11.1, 0.01);
+    EXPECT_NEAR(battery.current_a(), 8.5, 0.01);
+}
+
+TEST(Battery, sums_up_the_charge_and_leaves_gaps_out) {
+    Battery battery;
+    const float reading = static_cast<float>(10.0 / 17 / 5 * 1024);
+    for (int i = 0; i < 3600; ++i) battery.update(225, reading, 5000, 0.1f, BatterySettings());
+    EXPECT_NEAR(battery.consumed_mah(), 1000, 1);
+
+    battery.update(225, reading, 5000, 3.0f, BatterySettings());
+    EXPECT_NEAR(battery.consumed_mah(), 1000, 1);
+}
+
+TEST(Battery, the_boards_own_supply_is_taken_into_account_and_kept_sane) {
+    EXPECT_EQ(drivers::boardSupply_mv(225), 5006);
+    EXPECT_EQ(drivers::boardSupply_mv(0), 5000);
+    EXPECT_EQ(drivers::boardSupply_mv(1), 6000);
+    EXPECT_EQ(drivers::boardSupply_mv(1023), 4000);
+}
+
+}  // namespace
