@@ -124,9 +124,8 @@ Summary summarize(const FlyOptions& options, const Board& board, const ScriptedF
     s.reason = flight.over() ? flight.reason() : "interrupted";
     if (flight.airborne_s() && flight.landed_s()) {
         s.flight_time_s = *flight.landed_s() - *flight.airborne_s();
-        if (plan.landing() && !recorder.samples().empty()) {
-            s.landed_distance_m = distance_m(*plan.landing(), recorder.samples().back().place);
-        }
+        s.landed_distance_m = flight.touchdown_distance_m();
+        s.standing_distance_m = flight.standing_distance_m();
     }
     s.crosstrack_rms_m = recorder.metrics().crosstrack.rms();
     s.crosstrack_max_m = recorder.metrics().crosstrack.max();

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "simulator/devices/ppm_encoder.hpp"
-#include "simulator/ground/plan.hpp"
 
 namespace simulator {
 
@@ -15,6 +14,7 @@ using namespace mavlink;
 constexpr double kNever = 1e9;
 constexpr double kStanding_mps = 0.5, kNear_m = 60;
 constexpr double kDisarmWithin_s = 60;  // LAND_DISARMDELAY is 20 s
+constexpr double kLastWords_s = 3;
 constexpr double kSilence_s = 10;
 constexpr uint16_t kStreams_hz = 10;
 
@@ -37,6 +37,8 @@ void switchTransmitterOn(World& world) {
 ScriptedFlight::ScriptedFlight(Board& board, int usart, const Waypoints& items, double time_limit_s)
     : board_(board),
       items_(items),
+      frame_(items[0].latitude_deg, items[0].longitude_deg),
+      plan_(makePlan(items, frame_)),
       time_limit_s_(time_limit_s),
       link_(board, usart, [this](const Frame& frame, uint64_t time_us) { take(frame, time_us); }),
       upload_(link_, items_) {}
@@ -62,7 +64,7 @@ void ScriptedFlight::step(uint64_t now_us) {
     const Stage& stage = kStages[stage_];
     if (!over_ && (this->*stage.run)(now_us)) {
         if (&stage == &std::end(kStages)[-1]) {
-            checkLanding();
+            judge();
             over_ = true;
             return;
         }
@@ -170,13 +172,17 @@ bool ScriptedFlight::setAuto(uint64_t now_us) {
 
 bool ScriptedFlight::takeOff(uint64_t) { return airborne_s_.has_value(); }
 
-// Over when it stands disarmed, or has stood long enough to have disarmed.
+// Over when it stands disarmed and has had the time to tell of it.
 bool ScriptedFlight::fly(uint64_t now_us) {
     const double now_s = static_cast<double>(now_us) * 1e-6;
+    if (!standing_s_ || telemetry_.armed()) disarmed_s_.reset();
     if (!standing_s_) return false;
-    if (!telemetry_.armed()) return now_s - *standing_s_ > 2;
-    if (now_s - *standing_s_ > kDisarmWithin_s) fail("it stands, but does not disarm");
-    return false;
+    if (telemetry_.armed()) {
+        if (now_s - *standing_s_ > kDisarmWithin_s) fail("it stands, but does not disarm");
+        return false;
+    }
+    if (!disarmed_s_) disarmed_s_ = now_s;
+    return now_s - *disarmed_s_ > kLastWords_s;
 }
 
 void ScriptedFlight::watch(uint64_t now_us) {
@@ -190,6 +196,7 @@ void ScriptedFlight::watch(uint64_t now_us) {
         landed_s_.reset();
     } else if (airborne_s_ && !landed_s_ && truth.on_ground) {
         landed_s_ = now_s;
+        touchdown_m_ = fromLanding_m();
         telemetry_.note(now_us, "touchdown");
     }
     const double speed = std::hypot(truth.velocity_north_mps, truth.velocity_east_mps);
@@ -220,31 +227,31 @@ void ScriptedFlight::watchServos(uint64_t now_us) {
     }
 }
 
-// Says in reason_ what is missing for a completed mission; nothing when it is one.
-void ScriptedFlight::checkLanding() {
+std::optional<double> ScriptedFlight::fromLanding_m() const {
+    if (!plan_.landing()) return std::nullopt;
     const Truth& truth = board_.world().truth();
-    const LocalFrame frame(items_[0].latitude_deg, items_[0].longitude_deg);
-    const Plan plan = makePlan(items_, frame);
+    return distance_m(*plan_.landing(), frame_.at(truth.latitude_deg, truth.longitude_deg));
+}
+
+std::optional<double> ScriptedFlight::standing_distance_m() const {
+    return standing_s_ ? fromLanding_m() : std::nullopt;
+}
+
+// Says in reason_ what is missing for a completed mission; nothing when it is one.
+void ScriptedFlight::judge() {
     std::vector<int> wanted;
-    for (const PlannedNav& nav : plan.navs) wanted.push_back(nav.item);
+    for (const PlannedNav& nav : plan_.navs) wanted.push_back(nav.item);
     // Firmware that does not send MISSION_ITEM_REACHED shows its way by MISSION_CURRENT.
     const auto& flown = telemetry_.reached.empty() ? telemetry_.visited : telemetry_.reached;
     if (flown != wanted) {
-        const size_t same = static_cast<size_t>(
-            std::mismatch(wanted.begin(), wanted.end(), flown.begin(), flown.end()).first -
-            wanted.begin());
-        reason_ = same < wanted.size() ? "item " + std::to_string(wanted[same]) + " was not reached"
-                                       : "more items were reached than the mission has";
-        return;
-    }
-    if (!plan.landing()) {
+        const auto differ = std::mismatch(wanted.begin(), wanted.end(), flown.begin(), flown.end());
+        reason_ = differ.first == wanted.end()
+                      ? "more items were reached than the mission has"
+                      : "item " + std::to_string(*differ.first) + " was not reached in its turn";
+    } else if (!plan_.landing()) {
         reason_ = "the mission has no landing to judge";
-        return;
-    }
-    const double off =
-        distance_m(*plan.landing(), frame.at(truth.latitude_deg, truth.longitude_deg));
-    if (off > kNear_m) {
-        reason_ = "it stands " + std::to_string(static_cast<int>(off)) +
+    } else if (*fromLanding_m() > kNear_m) {
+        reason_ = "it stands " + std::to_string(std::lround(*fromLanding_m())) +
                   " m from the landing point, more than 60 m";
     }
 }

@@ -9,6 +9,7 @@
 
 #include "simulator/ground/link.hpp"
 #include "simulator/ground/mission_upload.hpp"
+#include "simulator/ground/plan.hpp"
 #include "simulator/ground/telemetry.hpp"
 #include "simulator/ground/waypoints.hpp"
 
@@ -33,7 +34,9 @@ public:
     const Telemetry& telemetry() const { return telemetry_; }
     std::optional<double> cruise_speed_mps() const { return cruise_speed_mps_; }
     std::optional<double> airborne_s() const { return airborne_s_; }  // first time off the ground
-    std::optional<double> landed_s() const { return landed_s_; }      // last touch-down
+    std::optional<double> landed_s() const { return landed_s_; }      // touched down for good
+    std::optional<double> touchdown_distance_m() const { return touchdown_m_; }
+    std::optional<double> standing_distance_m() const;  // of where it is now
 
 private:
     struct Stage {
@@ -56,7 +59,8 @@ private:
     void take(const mavlink::Frame& frame, uint64_t time_us);
     void watch(uint64_t now_us);
     void watchServos(uint64_t now_us);
-    void checkLanding();
+    void judge();
+    std::optional<double> fromLanding_m() const;
     void fail(const std::string& reason);
     void heartbeat(uint64_t now_us);
     bool every(double seconds, uint64_t now_us);
@@ -64,6 +68,8 @@ private:
 
     Board& board_;
     const Waypoints items_;
+    const LocalFrame frame_;
+    const Plan plan_;
     const double time_limit_s_;
     Link link_;
     Telemetry telemetry_;
@@ -73,7 +79,8 @@ private:
     int tries_ = 0;
     bool over_ = false;
     std::string reason_, last_answer_;
-    std::optional<double> cruise_speed_mps_, airborne_s_, landed_s_, standing_s_;
+    std::optional<double> cruise_speed_mps_, airborne_s_, landed_s_, standing_s_, disarmed_s_;
+    std::optional<double> touchdown_m_;
     std::array<double, 8> servo_us_{};
 };
 

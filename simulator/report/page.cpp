@@ -70,7 +70,7 @@ std::string cards(const Summary& s) {
     std::optional<double> load;
     if (s.figures.cpu_load) load = *s.figures.cpu_load * 100;
     return "<div class=\"cards\">" + card("flight time", s.flight_time_s, "%.0f s") +
-           card("from the landing point", s.landed_distance_m, "%.1f m") +
+           card("touch-down from the point", s.landed_distance_m, "%.1f m") +
            card("crosstrack, RMS", s.crosstrack_rms_m, "%.2f m") +
            card("altitude, RMS", s.altitude_rms_m, "%.2f m") +
            card("airspeed, RMS", s.airspeed_rms_mps, "%.2f m/s") +

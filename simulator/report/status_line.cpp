@@ -56,7 +56,9 @@ std::string closingWords(const Summary& s, const std::string& folder) {
     words += "\n";
     if (s.flight_time_s) words += print("  flight time     %.0f s\n", *s.flight_time_s);
     if (s.landed_distance_m) {
-        words += print("  it stands       %.1f m from the landing point\n", *s.landed_distance_m);
+        words += print("  touch-down      %.1f m from the landing point", *s.landed_distance_m);
+        if (s.standing_distance_m) words += print(", stands at %.1f m", *s.standing_distance_m);
+        words += "\n";
     }
     if (s.crosstrack_rms_m) {
         words += print("  crosstrack      %.2f m RMS, %.2f m at most\n", *s.crosstrack_rms_m,

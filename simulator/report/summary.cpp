@@ -69,6 +69,7 @@ std::string summaryJson(const Summary& summary) {
     json["gusts"] = summary.gusts;
     json["seed"] = summary.seed;
     json["landed_distance_m"] = orNull(summary.landed_distance_m);
+    json["standing_distance_m"] = orNull(summary.standing_distance_m);
     json["flight_time_s"] = orNull(summary.flight_time_s);
     json["emulated_s"] = orNull(std::optional<double>(summary.emulated_s));
     json["speedup"] = orNull(std::optional<double>(summary.speedup));

@@ -18,8 +18,10 @@ struct Summary {
     uint64_t seed = 1;
 
     bool completed = false;
-    std::string reason;  // empty when completed
-    std::optional<double> landed_distance_m, flight_time_s;
+    std::string reason;                         // empty when completed
+    std::optional<double> landed_distance_m;    // of the touch-down from the landing point
+    std::optional<double> standing_distance_m;  // of where it came to rest
+    std::optional<double> flight_time_s;
     double emulated_s = 0, speedup = 0;
     std::optional<double> crosstrack_rms_m, crosstrack_max_m, altitude_rms_m, altitude_max_m,
         airspeed_rms_mps;

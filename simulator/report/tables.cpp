@@ -105,7 +105,8 @@ std::string summaryTable(const Summary& s) {
     const BoardFigures& f = s.figures;
     // clang-format off
     const Row rows[] = {
-        {"Landed from the landing point",   s.landed_distance_m,     "m",    1},
+        {"Touch-down from landing point",   s.landed_distance_m,     "m",    1},
+        {"Stands from landing point",       s.standing_distance_m,   "m",    1},
         {"Flight time",                     s.flight_time_s,         "s",    1},
         {"Crosstrack, RMS",                 s.crosstrack_rms_m,      "m",    2},
         {"Crosstrack, largest",             s.crosstrack_max_m,      "m",    2},
