@@ -265,6 +265,8 @@ bool onAutopilotVersionRequest(Link& link, const mavlink::Frame&) {
     return true;
 }
 
+void commandsStart() { turns_to_reboot = 0; }
+
 void commandsTurn() {
     if (turns_to_reboot == 0) return;
     if (turns_to_reboot > 1) {

@@ -13,6 +13,7 @@ bool onCommandInt(Link& link, const mavlink::Frame& frame);
 bool onSetMode(Link& link, const mavlink::Frame& frame);
 bool onAutopilotVersionRequest(Link& link, const mavlink::Frame& frame);
 
+void commandsStart();
 void commandsTurn();  // a reboot that was ordered, once its answer is out
 
 }  // namespace firmware

@@ -91,6 +91,7 @@ bool sendOne(Link& link) {
 void telemetryStart() {
     textsStart();
     missionTransferStart();
+    commandsStart();
     usb = hal::usbConnected();
     openLink0();
     open(links[1], parameters.serial2_baud);

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ground.hpp"
+
+using firmware::Severity;
+using firmware::tell;
+using ground::Framing;
+using ground::Telemetry;
+
+namespace {
+
+TEST_F(Telemetry, speaks_mavlink_1_until_it_hears_mavlink_2) {
+    run_ms(1000);
+    EXPECT_EQ(station.everything().at(0).framing, Framing::v1);
+
+    station.framing = Framing::v2;
+    station.send(mavlink::Heartbeat{});
+    run_ms(1000);
+
+    EXPECT_EQ(station.everything().at(0).framing, Framing::v2);
+    for (const auto& heard : second.everything()) EXPECT_EQ(heard.framing, Framing::v1);
+}
+
+TEST_F(Telemetry, a_message_that_mavlink_1_cannot_number_goes_out_in_mavlink_2) {
+    EXPECT_EQ(command(mavlink::MavCmd::request_protocol_version), 0);
+
+    const auto versions = station.all<mavlink::ProtocolVersion>();
+    ASSERT_EQ(versions.size(), 1u);
+    EXPECT_EQ(versions[0].max_version, 200);
+    run_ms(1000);
+    EXPECT_EQ(station.everything().at(0).framing, Framing::v1);
+}
+
+TEST_F(Telemetry, obeys_nothing_that_is_meant_for_another) {
+    mavlink::CommandLong message = {};
+    message.command = mavlink::MavCmd::component_arm_disarm;
+    message.param1 = 1;
+    message.target_component = 1;
+    message.target_system = 2;
+    EXPECT_TRUE(ask<mavlink::CommandAck>(message).empty());
+    message.target_system = 1;
+    message.target_component = 154;  // a gimbal's
+    EXPECT_TRUE(ask<mavlink::CommandAck>(message).empty());
+    EXPECT_FALSE(firmware::vehicle.armed);
+
+    message.target_system = message.target_component = 0;  // everybody
+    EXPECT_EQ(ask<mavlink::CommandAck>(message).size(), 1u);
+    EXPECT_TRUE(firmware::vehicle.armed);
+}
+
+TEST_F(Telemetry, link0_follows_the_usb_cable) {
+    EXPECT_EQ(fakes::serial(hal::Port::link0).baud, 57600u);
+    EXPECT_EQ(fakes::serial(hal::Port::link1).baud, 57600u);
+
+    fakes::setUsb(true);
+    run_ms(20);
+    EXPECT_EQ(fakes::serial(hal::Port::link0).baud, 115200u);
+
+    fakes::setUsb(false);
+    run_ms(20);
+    EXPECT_EQ(fakes::serial(hal::Port::link0).baud, 57600u);
+    EXPECT_EQ(fakes::serial(hal::Port::link1).opened.size(), 1u);
+}
+
+TEST_F(Telemetry, rests_only_when_there_is_nothing_to_do) {
+    rest();
+    EXPECT_FALSE(firmware::telemetryWaits());
+
+    station.send(mavlink::Ping{});
+    EXPECT_TRUE(firmware::telemetryWaits());
+    rest();
+    EXPECT_FALSE(firmware::telemetryWaits());
+
+    tell(Severity::info, ROM_TEXT("news"));
+    EXPECT_TRUE(firmware::telemetryWaits());
+}
+
+TEST_F(Telemetry, leaves_questions_in_the_port_until_the_answer_has_room) {
+    station.line().room = 20;
+    station.line().endless = false;
+
+    station.send(mavlink::Ping{});
+    run_ms(200);
+    EXPECT_TRUE(station.all<mavlink::Ping>().empty());
+    EXPECT_FALSE(station.line().in.empty());
+
+    station.line().room = 127;
+    run_ms(20);
+    EXPECT_EQ(station.all<mavlink::Ping>().size(), 1u);
+}
+
+TEST_F(Telemetry, answers_a_ping_and_a_timesync_question) {
+    mavlink::Ping ping = {};
+    ping.seq = 77;
+    ping.time_usec = 123456789;
+    const auto pings = ask<mavlink::Ping>(ping);
+    ASSERT_EQ(pings.size(), 1u);
+    EXPECT_EQ(pings[0].seq, 77u);
+    EXPECT_EQ(pings[0].time_usec, 123456789u);
+    EXPECT_EQ(pings[0].target_system, 255);
+
+    mavlink::Timesync sync = {};
+    sync.ts1 = 42;
+    const auto syncs = ask<mavlink::Timesync>(sync);
+    ASSERT_EQ(syncs.size(), 1u);
+    EXPECT_EQ(syncs[0].ts1, 42);
+    EXPECT_GT(syncs[0].tc1, 0);
+}
+
+TEST_F(Telemetry, has_no_logs_and_says_so) {
+    mavlink::LogRequestList message = {};
+    message.target_system = message.target_component = 1;
+    message.end = 0xFFFF;
+
+    const auto entries = ask<mavlink::LogEntry>(message);
+
+    ASSERT_EQ(entries.size(), 1u);
+    EXPECT_EQ(entries[0].num_logs, 0);
+}
+
+TEST_F(Telemetry, texts_reach_both_links_with_their_number) {
+    tell(Severity::warning, ROM_TEXT("Item # refused"), -17);
+    tell(Severity::info, ROM_TEXT("12345678901234567890123456789012345678901234567890"));
+
+    run_ms(100);
+
+    for (ground::Station* each : {&station, &second}) {
+        const auto texts = each->texts();
+        ASSERT_EQ(texts.size(), 2u);
+        EXPECT_EQ(texts[0], "Item -17 refused");
+        EXPECT_EQ(texts[1].size(), 50u);
+    }
+}
+
+TEST_F(Telemetry, a_text_carries_its_severity) {
+    tell(Severity::critical, ROM_TEXT("down"));
+    run_ms(20);
+    EXPECT_EQ(station.all<mavlink::Statustext>().at(0).severity, mavlink::MavSeverity::critical);
+}
+
+TEST_F(Telemetry, texts_that_found_no_room_are_counted_and_told) {
+    for (int i = 0; i < 12; ++i) tell(Severity::info, ROM_TEXT("text #"), i);
+
+    run_ms(500);
+
+    const auto texts = station.texts();
+    const size_t kept = texts.size() - 1;
+    ASSERT_GE(kept, 4u);
+    for (size_t i = 0; i < kept; ++i) EXPECT_EQ(texts[i], "text " + std::to_string(i));
+    EXPECT_EQ(texts.back(), std::to_string(12 - kept) + " texts lost");
+}
+
+TEST_F(Telemetry, the_most_negative_number_is_spelled) {
+    tell(Severity::info, ROM_TEXT("#"), INT32_MIN);
+    run_ms(20);
+    EXPECT_EQ(station.texts().at(0), "-2147483648");
+}
+
+mavlink::RcChannelsOverride sticks(uint16_t first, uint16_t second) {
+    mavlink::RcChannelsOverride message = {};
+    message.target_system = message.target_component = 1;
+    message.chan1_raw = first;
+    message.chan2_raw = second;
+    return message;
+}
+
+TEST_F(Telemetry, the_ground_stations_sticks_replace_and_release_channels) {
+    uint16_t pulse_us = 0;
+    station.send(sticks(1200, 1800));
+    run_ms(20);
+    ASSERT_TRUE(firmware::rcOverride(0, pulse_us));
+    EXPECT_EQ(pulse_us, 1200);
+    ASSERT_TRUE(firmware::rcOverride(1, pulse_us));
+    EXPECT_EQ(pulse_us, 1800);
+    EXPECT_FALSE(firmware::rcOverride(2, pulse_us));
+
+    station.send(sticks(65535, 0));  // as it is, and given back
+    run_ms(20);
+    ASSERT_TRUE(firmware::rcOverride(0, pulse_us));
+    EXPECT_EQ(pulse_us, 1200);
+    EXPECT_FALSE(firmware::rcOverride(1, pulse_us));
+}
+
+TEST_F(Telemetry, sticks_of_a_stranger_are_ignored) {
+    uint16_t pulse_us = 0;
+    station.system = 254;
+    station.send(sticks(1200, 1800));
+    run_ms(20);
+    EXPECT_FALSE(firmware::rcOverride(0, pulse_us));
+}
+
+TEST_F(Telemetry, sticks_that_are_no_longer_repeated_are_released) {
+    uint16_t pulse_us = 0;
+    station.send(sticks(1200, 1800));
+    run_ms(2900);
+    EXPECT_TRUE(firmware::rcOverride(0, pulse_us));
+    run_ms(200);
+    EXPECT_FALSE(firmware::rcOverride(0, pulse_us));
+}
+
+TEST_F(Telemetry, knows_when_the_ground_station_was_last_heard) {
+    mavlink::Heartbeat message = {};
+    station.system = 42;
+    station.send(message);
+    run_ms(100);
+    const uint32_t before_ms = firmware::groundHeard_ms();
+
+    station.system = 255;
+    station.send(message);
+    run_ms(100);
+
+    EXPECT_GT(firmware::groundHeard_ms(), before_ms);
+}
+
+}  // namespace

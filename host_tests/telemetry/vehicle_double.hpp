@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rest of the flight program as telemetry sees it: does what the test says and remembers
+// what it was asked to do.
+#pragma once
+#include <stdint.h>
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "firmware/arming.hpp"
+#include "firmware/mission/mission.hpp"
+#include "firmware/modes.hpp"
+#include "geo/position.hpp"
+
+namespace doubles {
+
+struct Mission {
+    std::vector<firmware::MissionItem> items;
+    std::vector<firmware::MissionItem> staged;
+    bool uploading = false;
+    uint16_t first = 0;
+    uint16_t room = 170;
+    int busy = 0;  // so many more calls are answered with busy
+    uint16_t current = 0;
+    std::vector<uint16_t> reached;
+    std::optional<uint16_t> unsupported;  // a command the vehicle does not know
+    int aborts = 0;
+};
+extern Mission mission;
+
+struct Vehicle {
+    std::vector<std::pair<firmware::Mode, firmware::ModeReason>> modes;  // asked for
+    bool mode_can_be_entered = true;
+    bool can_arm = true;
+    bool force = false;  // of the last arm or disarm
+    bool home_can_be_set = true;
+    std::optional<geo::Position> home;
+    int32_t home_altitude_cm = 0;
+    int gyro_calibrations = 0;
+    int pressure_calibrations = 0;
+};
+extern Vehicle vehicle;
+
+void reset();
+
+}  // namespace doubles
