@@ -30,7 +30,7 @@ Scale cached = {INT32_MIN, 0, 0, 0, 0};
 Scale scaleAt(int32_t latitude_e7) {
     const float latitude_rad = static_cast<float>(latitude_e7) * kRadiansPerE7;
     const float sine = sinf(latitude_rad);
-    const float cosine = core::limit(cosf(latitude_rad), 1e-3f, 1.0f);
+    const float cosine = core::limit<float>(cosf(latitude_rad), 1e-3f, 1.0f);
     const float flattening = 1.0f - kEccentricitySquared * sine * sine;
     const float across_m = kEquatorRadius_m / sqrtf(flattening);  // radius of the parallel's arc
     const float along_m = across_m * (1.0f - kEccentricitySquared) / flattening;
