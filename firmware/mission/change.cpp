@@ -18,12 +18,8 @@ struct {
     uint8_t runs_left;  // the NAV, the first run, the second
 } compare;
 
-// Where the present run ends: an APM 1.0 one before the next NAV.
-bool endsRun(const uint8_t* record) {
-    if (compare.items.to_end) return false;
-    const mission::Set set = missionSet();
-    if (set == mission::Set::apm2) return compare.at == compare.items.nav;
-    const uint8_t row = kCommandTable.find(set, record[0]);
+bool isNav(const uint8_t* record) {
+    const uint8_t row = kCommandTable.find(missionSet(), record[0]);
     return row != mission::kNoRow && kCommandTable.kind(row) == mission::Class::nav;
 }
 
@@ -39,6 +35,15 @@ bool nextRun() {
     return compare.runs_left == 1 && apm1 && compare.items.second != compare.items.first;
 }
 
+// An APM 1.0 run ends before the next NAV, which need not be the same one.
+bool endsBefore(const uint8_t* now, const uint8_t* before, bool& same) {
+    if (compare.runs_left == 3 || missionSet() == mission::Set::apm2) return false;
+    const bool nav = isNav(now);
+    if (!nav && !isNav(before)) return false;
+    same = nav && isNav(before);
+    return true;
+}
+
 // One pair. `ends`: the run is over and was the same.
 core::Status comparePair(bool& same, bool& ends) {
     const uint8_t count = mission_store.count();
@@ -52,8 +57,15 @@ core::Status comparePair(bool& same, bool& ends) {
     if (status != core::Status::ok) return status;
     status = mission_store.readPrevious(compare.at, before);
     if (status == core::Status::busy) return status;
-    same = status == core::Status::ok && memcmp(now, before, sizeof now) == 0;
-    ends = compare.runs_left == 3 || endsRun(now);
+    if (status != core::Status::ok) {
+        same = false;
+        return core::Status::ok;
+    }
+    ends = endsBefore(now, before, same);
+    if (ends) return core::Status::ok;
+    same = memcmp(now, before, sizeof now) == 0;
+    const bool to_nav = missionSet() == mission::Set::apm2 && !compare.items.to_end;
+    ends = compare.runs_left == 3 || (to_nav && compare.at == compare.items.nav);
     ++compare.at;
     return core::Status::ok;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CONDITIONs: what the commands behind them wait for.
+#include "core/maths.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/vehicle.hpp"
 #include "hal/clock.hpp"
@@ -8,7 +9,13 @@ namespace firmware {
 namespace {
 
 uint32_t since_ms;
-bool from_below;
+
+// A height that a CHANGE_ALT demands until the next NAV loads.
+struct {
+    float goal_m;
+    float rate_mps;  // 0: none
+    bool from_below;
+} climb;
 
 Progress delayed(uint32_t delay_s) {
     return (hal::now_ms() - since_ms) / 1000 >= delay_s ? Progress::done : Progress::running;
@@ -22,22 +29,37 @@ Progress delayDoneP3(const Record& record) { return delayed(static_cast<uint32_t
 
 int32_t climbRate_cms(const Record& record) { return record.p3 != 0 ? record.p3 : record.p1; }
 
-// The target starts at the airplane and moves at the rate; guidance moves it.
 void startChangeAltitude(const Record& record) {
-    auto& demand = vehicle.demand;
-    demand.from_height_m = vehicle.estimate.height_m;
-    demand.height_m = heightOf_m(record);
-    demand.sloped = false;
-    demand.climb_rate_mps = static_cast<float>(climbRate_cms(record)) * 0.01f;
-    from_below = demand.from_height_m < demand.height_m;
+    climb.goal_m = heightOf_m(record);
+    climb.rate_mps = static_cast<float>(climbRate_cms(record)) * 0.01f;
+    climb.from_below = vehicle.estimate.height_m < climb.goal_m;
+    goOnClimbing();
 }
 
 Progress changeAltitudeDone(const Record&) {
     constexpr float kNear_m = 2;
-    const float left_m = vehicle.demand.height_m - vehicle.estimate.height_m;
-    return (from_below ? left_m <= kNear_m : left_m >= -kNear_m) ? Progress::done
-                                                                 : Progress::running;
+    const float left_m = climb.goal_m - vehicle.estimate.height_m;
+    return (climb.from_below ? left_m <= kNear_m : left_m >= -kNear_m) ? Progress::done
+                                                                       : Progress::running;
 }
+
+// Not in a landing: the demanded height is the ground's there.
+void goOnClimbing() {
+    auto& demand = vehicle.demand;
+    if (climb.rate_mps == 0 || demand.path == Path::land) return;
+    demand.height_m = vehicle.estimate.height_m;
+    demand.sloped = false;
+    demand.climb_rate_mps = climb.rate_mps;
+}
+
+void stepClimb() {
+    auto& demand = vehicle.demand;
+    const float step_m = demand.climb_rate_mps * 0.1f;
+    if (step_m == 0) return;
+    demand.height_m += core::limit(climb.goal_m - demand.height_m, -step_m, step_m);
+}
+
+void forgetClimb() { climb.rate_mps = 0; }
 
 void startDistance(const Record&) {}
 

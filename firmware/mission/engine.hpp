@@ -29,6 +29,7 @@ void compareBegin();
 MUST_USE core::Status compareStep(bool& same);
 
 // ---- upload.cpp
+void uploadStart();
 void uploadRun();              // carries a commit on; 10 Hz
 bool missionChanging();        // the engine must not run now
 extern Survey mission_survey;  // of the present mission

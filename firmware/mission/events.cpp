@@ -30,23 +30,24 @@ bool was_armed;
 
 bool isHeld(uint8_t output) { return ((held >> (output - 1)) & 1) != 0; }
 
-void override(uint8_t output, uint16_t pulse_us) {
-    if (!outputOverride(output, pulse_us))
-        tell(Severity::warning, ROM_TEXT("Mission: output # refused"), output);
+bool refused(uint8_t output, uint16_t pulse_us) {
+    if (outputOverride(output, pulse_us)) return false;
+    tell(Severity::warning, ROM_TEXT("Mission: output # refused"), output);
+    return true;
 }
 
 void moveOut() {
     if (event.output == kRelayOutput)
         relaySet(event.before_us == 0);
-    else
-        override(event.output, event.pulse_us);
+    else if (refused(event.output, event.pulse_us))
+        event.output = 0;
 }
 
 void moveBack(bool for_good) {
     if (event.output == kRelayOutput)
         relaySet(event.before_us != 0);
     else if (isHeld(event.output) || (event.drives_back && !for_good))
-        override(event.output, event.before_us);
+        outputOverride(event.output, event.before_us);
     else
         outputRelease(event.output);
 }
@@ -74,10 +75,7 @@ void forgetHeldOfOtherModes() {
 
 void holdOutput(uint8_t output, uint16_t pulse_us) {
     forgetHeldOfOtherModes();
-    if (!outputOverride(output, pulse_us)) {
-        tell(Severity::warning, ROM_TEXT("Mission: output # refused"), output);
-        return;
-    }
+    if (refused(output, pulse_us)) return;
     held = static_cast<uint8_t>(held | (1u << (output - 1)));
 }
 

@@ -70,6 +70,9 @@ Progress changeAltitudeDone(const Record&);
 void startDistance(const Record&);
 Progress distanceDone(const Record&);
 int32_t climbRate_cms(const Record&);
+void stepClimb();     // 10 Hz in AUTO: moves the demanded height
+void goOnClimbing();  // after a resume: from the airplane's height to the one demanded before
+void forgetClimb();   // a NAV begins: its own height counts
 
 // ---- action_commands.cpp
 Jump jumpCounted(const Record&);

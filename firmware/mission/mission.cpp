@@ -171,7 +171,10 @@ mission::Set missionSet() {
 void missionBoot() {
     mission_store = storage::MissionStore();
     mission_survey = {};
+    uploadStart();
+    index_waits = reached_waits = false;
     boot = Boot::owner;
+    onReset();
     // enough for the largest mission; what a busy EEPROM keeps waiting is left to missionRun
     for (uint8_t i = 0; i < 40 && boot < Boot::done; ++i) (void)bootStep();
 }
@@ -187,7 +190,10 @@ void missionRun() {
     if (boot == Boot::foreign) return;
     if (mission_engine.active() && !missionChanging()) {
         mission_engine.poll(parameters.mission_trailing != 0);
-        if (mission_engine.active()) stepSpeed();
+        if (mission_engine.active()) {
+            stepSpeed();
+            stepClimb();
+        }
     }
     background();
 }

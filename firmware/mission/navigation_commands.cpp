@@ -55,8 +55,10 @@ void demand(Path path, const Place& to, Entry entry) {
     demand.radius_m = loiterRadius_m();
     demand.counter_clockwise = false;
     demand.climb_rate_mps = 0;
+    if (!entry.resumed) forgetClimb();
     demandSpeed();
     demand.new_path = true;
+    if (entry.resumed) goOnClimbing();
 }
 
 void demandLeg(const Place& to, float radius_m, Entry entry) {
@@ -149,7 +151,8 @@ Progress timeDone(const Record& record) {
 }
 
 void startReturn(const Record& record, Entry entry) {
-    Place home = {vehicle.home.position, vehicle.estimate.height_m};
+    Place home = airplane();
+    if (vehicle.home.set) home.position = vehicle.home.position;
     if (record.p2 != 0)
         home.height_m = heightOf_m(record);
     else if (parameters.rtl_height_cm >= 0)
@@ -167,7 +170,7 @@ Progress landDone(const Record&) {
     const uint32_t now_ms = hal::now_ms();
     const bool down = !vehicle.estimate.flying;
     if (down && !vehicle.armed) return Progress::done;
-    if (!down || !vehicle.progress.flaring) still_ms = now_ms;
+    if (!down) still_ms = now_ms;
     const uint16_t delay_s = static_cast<uint8_t>(parameters.land_disarm_delay_s);
     if (delay_s != 0 && now_ms - still_ms >= delay_s * 1000UL) disarm(ArmReason::landed, false);
     return Progress::running;
@@ -179,9 +182,9 @@ void startTakeoff(const Record& record, Entry entry) {
     vehicle.demand.takeoff_pitch_rad = core::radians(record.p1);
 }
 
-Progress takeoffDone(const Record&) {
-    constexpr float kNear_m = 1;  // the height demand is approached ever more slowly
-    return done(vehicle.armed && vehicle.estimate.height_m >= vehicle.demand.height_m - kNear_m);
+Progress takeoffDone(const Record& record) {
+    constexpr float kNear_m = 1;  // the demanded height is approached ever more slowly
+    return done(vehicle.armed && vehicle.estimate.height_m >= heightOf_m(record) - kNear_m);
 }
 
 }  // namespace firmware

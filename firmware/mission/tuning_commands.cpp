@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The level 3 commands that only the APM 1.0 set has.
+#include <string.h>
+
 #include "firmware/home.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/events.hpp"
@@ -50,9 +52,13 @@ bool sendVariable(Link& link) {
     uint16_t index;
     if (!parameterOfSlot(variable.slot, index)) return true;
     mavlink::ParamValue message = {};
-    char name[16];
-    parameterAt(index, name, message.param_value, message.param_type);
-    for (uint8_t i = 0; i < sizeof name; ++i) message.param_id[i] = name[i];
+    char name[sizeof message.param_id];
+    float value;
+    uint8_t type;
+    if (!parameterAt(index, name, value, type)) return true;
+    memcpy(message.param_id, name, sizeof name);
+    message.param_value = value;
+    message.param_type = type;
     message.param_count = parameterCount();
     message.param_index = index;
     return send(link, message);

@@ -117,6 +117,12 @@ void compare() {
 
 }  // namespace
 
+void uploadStart() {
+    step = Step::none;
+    outcome = MissionResult::error;
+    clearing = false;
+}
+
 bool missionChanging() { return step == Step::comparing; }
 
 void uploadRun() {
