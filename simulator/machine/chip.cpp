@@ -6,6 +6,7 @@
 
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "simulator/machine/flag_registers.hpp"
@@ -102,7 +103,16 @@ void Chip::joinResets() {
     last->next = &reset_hook_->io;
 }
 
-Chip::~Chip() { avr_terminate(avr_); }
+// avr_terminate leaves behind the lines of the interrupts, the list of all lines and the core.
+Chip::~Chip() {
+    avr_int_table_t& table = avr_->interrupts;
+    for (int i = 0; i < table.vector_count; i++)
+        avr_free_irq(table.vector[i]->irq, AVR_INT_IRQ_COUNT);
+    avr_free_irq(table.irq, AVR_INT_IRQ_COUNT);
+    avr_terminate(avr_);
+    free(avr_->irq_pool.irq);
+    free(avr_);
+}
 
 void Chip::settle() {
     avr_->run_cycle_limit = debugging_ ? 1 : kRunLimit;
