@@ -18,8 +18,8 @@ struct WorldOptions {
     uint64_t seed = 1;
     bool sensor_errors = true;
     double declination_deg = 2.5, inclination_deg = 63.0, magnetic_field_mg = 480.0;
-    double gps_acquire_s = 3.0;      // from power-on to the first fix
-    uint32_t gps_baud = 9600;        // the module's rate at power-on
+    double gps_acquire_s = 3.0;  // from power-on to the first fix
+    uint32_t gps_baud = 9600;    // the module's rate at power-on
 };
 
 // The truth, in SI units, NED at the start point. Never seen by the firmware.
@@ -29,16 +29,16 @@ struct Truth {
     double north_m, east_m, height_m;                // from the start; height above the ground
     double velocity_north_mps, velocity_east_mps, velocity_down_mps;
     double roll_rad, pitch_rad, yaw_rad;
-    double roll_rate_rads, pitch_rate_rads, yaw_rate_rads;             // body
-    double force_x_mss, force_y_mss, force_z_mss;                      // specific force, body
-    double airspeed_mps;             // true
+    double roll_rate_rads, pitch_rate_rads, yaw_rate_rads;  // body
+    double force_x_mss, force_y_mss, force_z_mss;           // specific force, body
+    double airspeed_mps;                                    // true
     double equivalent_airspeed_mps;
     double alpha_rad, beta_rad;
-    double wind_north_mps, wind_east_mps, wind_down_mps;               // air's velocity, gusts too
-    double throttle, aileron, elevator, rudder;      // 0..1, -1..1 after the servos' own motion
+    double wind_north_mps, wind_east_mps, wind_down_mps;  // air's velocity, gusts too
+    double throttle, aileron, elevator, rudder;  // 0..1, -1..1 after the servos' own motion
     double motor_current_a, battery_v, battery_used_mah;
     bool on_ground;
-    bool crashed;                    // hit the ground harder or steeper than the airframe stands
+    bool crashed;  // hit the ground harder or steeper than the airframe stands
 };
 
 class Mpu6000;

@@ -60,7 +60,7 @@ TEST(Trim, is_at_about_45_percent_throttle_and_little_elevator_in_cruise) {
 TEST(Stall, comes_at_about_8_metres_a_second) {
     double most = 0;
     for (double alpha = 0; alpha < 0.5; alpha += 0.001)
-        most = std::max(most, liftCoefficient(kTrainer, alpha));
+        most = std::max(most, polar(kTrainer, alpha).lift);
     EXPECT_NEAR(std::sqrt(kTrainer.mass_kg * kGravity_mss / pressureArea(1) / most), 7.8, 0.3);
 }
 
@@ -91,11 +91,11 @@ TEST(Stall, is_left_by_letting_the_nose_down) {
         [](const Truth&) {
             return Controls{0, 1, 0, 0};
         },
-        [&](const Truth& t) { deepest = std::max(deepest, stalled(kTrainer, t.alpha_rad)); });
+        [&](const Truth& t) { deepest = std::max(deepest, polar(kTrainer, t.alpha_rad).stalled); });
     EXPECT_GT(deepest, 0.8);
     fly(airplane, 3, [](const Truth& t) { return holdAttitude(t, -0.6, 0.5); });
     fly(airplane, 8, [](const Truth& t) { return holdAttitude(t, 0, 0.5); });
-    EXPECT_LT(stalled(kTrainer, airplane.truth().alpha_rad), 0.05);
+    EXPECT_LT(polar(kTrainer, airplane.truth().alpha_rad).stalled, 0.05);
     EXPECT_NEAR(airplane.truth().roll_rad, 0, 0.1);
     EXPECT_GT(airplane.truth().airspeed_mps, 10);
 }

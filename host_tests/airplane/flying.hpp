@@ -33,7 +33,7 @@ inline Trim trimmed(const AirplaneParameters& p, double speed_mps, double densit
     for (int i = 0; i < 50; ++i) {
         trim.lift_coefficient =
             (p.mass_kg * kGravity_mss - trim.thrust_n * std::sin(trim.alpha_rad)) / pressure;
-        trim.drag_coefficient = dragCoefficient(p, trim.alpha_rad);
+        trim.drag_coefficient = polar(p, trim.alpha_rad).drag;
         trim.thrust_n = trim.drag_coefficient * pressure / std::cos(trim.alpha_rad);
         Propulsion blower(p);
         const double blown = 1 + blower.slipstream_pa(trim.thrust_n) / (pressure / p.area_m2);

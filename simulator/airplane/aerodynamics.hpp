@@ -29,9 +29,12 @@ struct Flow {
     }
 };
 
-double stalled(const AirplaneParameters& p, double alpha_rad);          // 0..1
-double liftCoefficient(const AirplaneParameters& p, double alpha_rad);  // rates and elevator 0
-double dragCoefficient(const AirplaneParameters& p, double alpha_rad);
+// Of the whole airplane by its angle of attack, rates and elevator 0.
+struct Polar {
+    double stalled;  // 0..1
+    double lift, drag;
+};
+Polar polar(const AirplaneParameters& p, double alpha_rad);
 
 Loads aerodynamics(const AirplaneParameters& p, const Flow& flow, const Controls& controls);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "simulator/airplane/atmosphere.hpp"
+
 namespace simulator {
 namespace {
 
@@ -33,7 +35,7 @@ double Ground::standingHeight_m() const {
         stiffness += contact.stiffness_nm;
         lowest_m = std::max(lowest_m, contact.place_m.z);
     }
-    return lowest_m - p_.mass_kg * 9.80665 / stiffness;
+    return lowest_m - p_.mass_kg * kGravity_mss / stiffness;
 }
 
 bool Ground::touch(size_t index, const Motion& motion, const Rotation& rotation, double rudder,
@@ -50,8 +52,9 @@ bool Ground::touch(size_t index, const Motion& motion, const Rotation& rotation,
     out.normal_n = std::max(0.0, contact.stiffness_nm * depth_m + damping * velocity.z);
 
     const double steer = contact.steered ? rudder * p_.controls.nose_wheel_deg * kRadians : 0;
-    const Vec3 ahead = rotation.toEarth({std::cos(steer), std::sin(steer), 0});
-    const double level = std::max(1e-6, std::hypot(ahead.x, ahead.y));
+    const Vec3 ahead =
+        rotation.toEarth(steer == 0 ? Vec3{1, 0, 0} : Vec3{std::cos(steer), std::sin(steer), 0});
+    const double level = std::max(1e-6, std::sqrt(ahead.x * ahead.x + ahead.y * ahead.y));
     out.along = {ahead.x / level, ahead.y / level, 0};
     out.across = {-out.along.y, out.along.x, 0};
 
