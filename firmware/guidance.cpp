@@ -49,7 +49,7 @@ float bankLimit_rad(bool level) {
 // The bank whose load the wings still carry at this speed: lift grows with its square.
 float carriedBank_mss() {
     if (!vehicle.airspeed.healthy) return 1e3f;
-    const float ratio = vehicle.estimate.airspeed_mps / parameters.speed_min_mps;
+    const float ratio = vehicle.estimate.equivalent_airspeed_mps / parameters.speed_min_mps;
     const float load = core::square(ratio);
     const float tangent2 = load * load - 1;
     const float accel_mss = tangent2 > 0 ? core::kGravity_mss * sqrtf(tangent2) : 0;
@@ -166,7 +166,7 @@ Plan flyTakeoff() {
     bank(accel_mss, true);
     const bool measured = vehicle.airspeed.healthy;
     const float speed_mps =
-        measured ? vehicle.estimate.airspeed_mps : vehicle.estimate.ground_speed_mps;
+        measured ? vehicle.estimate.equivalent_airspeed_mps : vehicle.estimate.ground_speed_mps;
     const navigation::TakeoffPitch pitch = {
         vehicle.demand.takeoff_pitch_rad, parameters.takeoff_rotate_mps,
         static_cast<float>(parameters.speed_min_mps), vehicle.demand.airspeed_mps};
@@ -228,7 +228,14 @@ control::SpeedHeightMeasured measured() {
             vehicle.airspeed.healthy};
 }
 
-control::SpeedHeightLimits limits(const Plan& plan) {
+// Airspeeds are demanded as the wing feels them; energy is made of true ones.
+float trueFromEquivalent() {
+    const auto& estimate = vehicle.estimate;
+    if (estimate.equivalent_airspeed_mps < kFlyingSpeed_mps) return 1;
+    return core::limit(estimate.airspeed_mps / estimate.equivalent_airspeed_mps, 0.8f, 2.0f);
+}
+
+control::SpeedHeightLimits limits(const Plan& plan, float true_speed) {
     const bool climb_out = plan.phase == control::Phase::climb_out;
     const int8_t most_pct = climb_out && parameters.takeoff_throttle_max_pct > 0
                                 ? parameters.takeoff_throttle_max_pct
@@ -244,8 +251,8 @@ control::SpeedHeightLimits limits(const Plan& plan) {
     limits.throttle_cruise = vehicle.demand.throttle_pct * 0.01f;
     limits.throttle_slew =
         parameters.throttle_slew_pct > 0 ? parameters.throttle_slew_pct * 0.01f : 100.0f;
-    limits.airspeed_min_mps = parameters.speed_min_mps;
-    limits.airspeed_max_mps = parameters.speed_max_mps;
+    limits.airspeed_min_mps = parameters.speed_min_mps * true_speed;
+    limits.airspeed_max_mps = parameters.speed_max_mps * true_speed;
     return limits;
 }
 
@@ -319,15 +326,17 @@ void runGuidance() {
         vehicle.pitch_demand_rad = plan.phase == control::Phase::climb_out ? plan.pitch_min_rad : 0;
         vehicle.throttle_demand = 0;
     } else {
+        const float true_speed = trueFromEquivalent();
         const control::SpeedHeightDemand demand = {plan.height.height_m, plan.height.climb_mps,
-                                                   nudged_mps(plan.airspeed_mps)};
-        const auto out = speed_height.run(parameters.speed_height, limits(plan), demand, now,
-                                          plan.phase, kPeriod_s);
+                                                   nudged_mps(plan.airspeed_mps) * true_speed};
+        const auto out = speed_height.run(parameters.speed_height, limits(plan, true_speed), demand,
+                                          now, plan.phase, kPeriod_s);
         vehicle.pitch_demand_rad = out.pitch_rad;
         vehicle.throttle_demand = out.throttle;
     }
     vehicle.progress.height_error_m = plan.height.height_m - now.height_m;
-    vehicle.progress.airspeed_error_mps = plan.airspeed_mps - now.airspeed_mps;
+    vehicle.progress.airspeed_error_mps =
+        plan.airspeed_mps - vehicle.estimate.equivalent_airspeed_mps;
 }
 
 }  // namespace firmware
