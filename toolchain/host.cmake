@@ -107,6 +107,8 @@ target_link_libraries(firmware_on_fakes PUBLIC ${all_libraries} fakes)
 foreach(room firmware firmware_mission telemetry)
     house_test(${room}_test ${CMAKE_SOURCE_DIR}/host_tests/${room} firmware_on_fakes)
 endforeach()
+# telemetry's own double of the vehicle stands before what the library has of it
+target_sources(telemetry_test PRIVATE ${CMAKE_SOURCE_DIR}/host_tests/telemetry/vehicle_double.cpp)
 
 simulator_library(native simulator_world core hal)
 target_include_directories(simulator_native BEFORE PRIVATE ${CMAKE_SOURCE_DIR}/simulator/native)
