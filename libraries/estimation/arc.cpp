@@ -34,14 +34,16 @@ constexpr Table makeTable() {
 }
 constexpr Table kTable ROM = makeTable();
 
-// 0 <= x <= 0.75
+// The smaller of a sine and its cosine, both positive.
 float tableArcsine(float x) {
-    const uint16_t fixed = static_cast<uint16_t>(x * 16384.0f);  // 64 steps of 256
+    uint16_t fixed = static_cast<uint16_t>(x * 16384.0f);  // 64 steps of 256
+    if (fixed > kSteps * 256U) fixed = kSteps * 256U;
     const uint8_t step = static_cast<uint8_t>(fixed >> 8);
     const uint8_t part = static_cast<uint8_t>(fixed);
     const uint16_t low = core::romRead(kTable.arc[step]);
     const uint16_t rise = core::romRead(kTable.arc[step + 1]) - low;  // below 1024
-    const uint16_t between = static_cast<uint16_t>((static_cast<uint32_t>(rise) * part + 128) >> 8);
+    const uint16_t between =
+        static_cast<uint16_t>((static_cast<uint32_t>(rise) * static_cast<uint16_t>(part)) >> 8);
     return static_cast<float>(static_cast<uint16_t>(low + between)) * (1.0f / 32768.0f);
 }
 
@@ -49,8 +51,7 @@ float tableArcsine(float x) {
 
 float arc_rad(float sine, float cosine) {
     const float rise = fabsf(sine), run = fabsf(cosine);
-    float angle = rise < run ? tableArcsine(core::limit(rise, 0.0f, 0.75f))
-                             : core::kPi / 2 - tableArcsine(core::limit(run, 0.0f, 0.75f));
+    float angle = rise < run ? tableArcsine(rise) : core::kPi / 2 - tableArcsine(run);
     if (cosine < 0) angle = core::kPi - angle;
     return sine < 0 ? -angle : angle;
 }

@@ -30,89 +30,117 @@ constexpr float kMostForceBias_mss = 0.3f;   // 0.03 g
 constexpr float kMostForceStep_mss = 0.005f;
 constexpr float kMostTime_s = 1.1f;   // between two fixes that are compared
 constexpr uint8_t kCompassEvery = 5;  // 10 Hz of 50
-constexpr float kCompassStep_s = 0.1f;
+constexpr float kCompassStep_s = 0.2f;
 
+void add(core::Vector3& to, const core::Vector3& v) {
+    to.x += v.x;
+    to.y += v.y;
+    to.z += v.z;
+}
+void stretch(core::Vector3& v, float by) {
+    v.x *= by;
+    v.y *= by;
+    v.z *= by;
+}
+// What stands still over the ground, seen from a body that has turned by a small angle.
+void turn(core::Vector3& v, const core::Vector3& by_rad) {
+    const float x = v.x, y = v.y, z = v.z;
+    v.x = x + (y * by_rad.z - z * by_rad.y);
+    v.y = y + (z * by_rad.x - x * by_rad.z);
+    v.z = z + (x * by_rad.y - y * by_rad.x);
+}
 core::Vector3 unit(const core::Vector3& v) { return v * (1.0f / sqrtf(core::dot(v, v))); }
 float nudged(float bias, float by, float step, float most) {
     return core::limit(bias + core::limit(by, -step, step), -most, most);
 }
-// One step of Newton's for 1 / |v|: exact enough for what grew by a thousandth.
-void renormalise(core::Vector3& v) { v = v * (1.5f - 0.5f * core::dot(v, v)); }
-
 }  // namespace
 
 void Attitude::propagate(const core::Vector3& rate_rads, const core::Vector3& force_mss,
                          float dt_s) {
-    force_sum_ = force_sum_ + force_mss * dt_s;
-    force_time_s_ += dt_s;
-    since_fix_s_ = core::limit(since_fix_s_ + dt_s, 0.0f, 1e6f);
-    rate_ = rate_rads - bias_;
+    add(force_sum_, force_mss);
+    ++forces_;
+    time_s_ += dt_s;
+    rate_.x = rate_rads.x - bias_.x;
+    rate_.y = rate_rads.y - bias_.y;
+    rate_.z = rate_rads.z - bias_.z;
     if (phase_ == Phase::falling) {
-        if (++frame_ == kAlignFrames) alignUpright();
+        if (forces_ == kAlignFrames) alignUpright();
         return;
     }
-    const core::Vector3 turned = rate_ * dt_s;
-    north_ = north_ + core::cross(north_, turned);
-    down_ = down_ + core::cross(down_, turned);
-    // The dearer work is spread over four frames.
-    frame_ = (frame_ + 1) & 3;
-    if (frame_ & 1) {
-        accelerate();
-    } else {
-        keepUnit();
-    }
+    const core::Vector3 turned = {rate_.x * dt_s, rate_.y * dt_s, rate_.z * dt_s};
+    turn(down_, turned);
+    add(turned_, turned);
+    // What need not be done every frame is spread over eight.
+    frame_ = (frame_ + 1) & 7;
+    if (frame_ & 1) turnNorth();
+    if ((frame_ & 3) == 1) return accelerate();
+    if (frame_ == 2) return keepUpright();
+    if (frame_ == 3) return keepSquare();
+    if (frame_ == 7) pointYaw();
+}
+
+// Half as often as down: no angle that is flown at 100 Hz comes from it.
+void Attitude::turnNorth() {
+    turn(north_, turned_);
+    turned_ = {0, 0, 0};
 }
 
 void Attitude::alignUpright() {
     const core::Vector3 force_sum = force_sum_;
-    frame_ = 0;
     const float squared = core::dot(force_sum, force_sum);
-    force_sum_ = {0, 0, 0};
-    force_time_s_ = 0;
-    if (squared < 1e-6f) return;  // no accelerometer, or falling indeed: look again
+    forgetForces();
+    if (squared < kGravity) return;  // no accelerometer, or falling indeed: look again
     down_ = unit(force_sum * -1.0f);
     const core::Vector3 along = {1, 0, 0}, below = {0, 0, 1};
     const core::Vector3& level = fabsf(down_.x) < 0.9f ? along : below;
     north_ = unit(level - down_ * core::dot(level, down_));
+    turned_ = {0, 0, 0};
     phase_ = Phase::upright;
 }
 
-void Attitude::keepUnit() {
-    if (frame_ == 0) {
-        const float squared = core::dot(down_, down_);
-        if (!(squared > 0.5f && squared < 2.0f)) return start();  // no matrix any more: begin again
-        renormalise(down_);
-        const float east = noseEast();
-        const float inverse = 1.0f / sqrtf(north_.x * north_.x + east * east + 1e-12f);
-        yaw_rad_ = arc_rad(east * inverse, north_.x * inverse);
-        yaw_rate_ = core::dot(down_, rate_);
-    } else {
-        north_ = north_ - down_ * core::dot(north_, down_);
-        renormalise(north_);
-    }
-}
-
-// The force of the last two frames, turned into north, east, down.
-void Attitude::accelerate() {
-    const float time_s = force_time_s_;
-    if (time_s <= 0) return;
-    const core::Vector3 east = core::cross(down_, north_);
-    force_sum_.x -= force_bias_x_ * time_s;
-    force_sum_.y -= force_bias_y_ * time_s;
-    const core::Vector3 gain = {core::dot(north_, force_sum_), core::dot(east, force_sum_),
-                                core::dot(down_, force_sum_) + kGravity * time_s};
-    acceleration_ = gain * (1.0f / time_s);
-    history_.add(gain, time_s);
+void Attitude::forgetForces() {
     force_sum_ = {0, 0, 0};
-    force_time_s_ = 0;
+    forces_ = 0;
+    time_s_ = 0;
 }
 
-// By a small angle about north, east and down.
-void Attitude::rotate(const core::Vector3& by_rad) {
-    const core::Vector3 east = core::cross(down_, north_);
-    const core::Vector3 old_north = north_;
-    north_ = north_ - east * by_rad.z + down_ * by_rad.y;
-    down_ = down_ - old_north * by_rad.y + east * by_rad.x;
+void Attitude::keepUpright() {
+    const float squared = core::dot(down_, down_);
+    if (!(squared > 0.5f && squared < 2.0f)) return start();  // no matrix any more: begin again
+    stretch(down_, 1.5f - 0.5f * squared);
+}
+
+void Attitude::keepSquare() {
+    const float skew = core::dot(north_, down_);
+    north_.x -= down_.x * skew;
+    north_.y -= down_.y * skew;
+    north_.z -= down_.z * skew;
+    stretch(north_, 1.5f - 0.5f * core::dot(north_, north_));
+}
+
+void Attitude::pointYaw() {
+    const float east = noseEast();
+    const float inverse = 1.0f / sqrtf(north_.x * north_.x + east * east + 1e-12f);
+    yaw_rad_ = arc_rad(east * inverse, north_.x * inverse);
+    yaw_rate_ = core::dot(down_, rate_);
+}
+
+// The mean force of the last four frames, turned into north, east, down.
+void Attitude::accelerate() {
+    if (forces_ == 0) return;
+    const float share = forces_ == 4 ? 0.25f : 1.0f / forces_;
+    const core::Vector3 force = {force_sum_.x * share - force_bias_x_,
+                                 force_sum_.y * share - force_bias_y_, force_sum_.z * share};
+    const float north = core::dot(north_, force);
+    const float east = core::dot(core::cross(down_, north_), force);
+    // They were felt, on the mean, while the nose was this much behind where it points now.
+    const float behind_rad = 0.5f * yaw_rate_ * time_s_;
+    acceleration_.x = north + behind_rad * east;
+    acceleration_.y = east - behind_rad * north;
+    acceleration_.z = core::dot(down_, force) + kGravity;
+    history_.add(acceleration_.x * time_s_, acceleration_.y * time_s_, time_s_);
+    since_fix_s_ = since_fix_s_ < 1e3f ? since_fix_s_ + time_s_ : 1e3f;
+    forgetForces();
 }
 
 // About the vertical, by any angle.
@@ -127,7 +155,7 @@ void Attitude::turnTo(float sine, float cosine) {
 void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& felt_mss,
                        float time_s, float yaw_share) {
     const float quick = 1.0f + (kQuick - 1.0f) * settling_;
-    settling_ = core::limit(settling_ - time_s / kSettle_s, 0.0f, 1.0f);
+    settling_ = core::limit(settling_ - time_s * (1.0f / kSettle_s), 0.0f, 1.0f);
     const core::Vector3& a = felt_mss;
     const float horizontal = a.x * a.x + a.y * a.y;
     // Split into towards the centre (along a) and along the path.
@@ -141,21 +169,23 @@ void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& fe
         used.y -= a.x * path * doubt;
         yaw = path * doubt * yaw_share * quick;
     }
-    const float gain = quick * core::limit(time_s / kTilt_s, 0.0f, 0.1f) / kGravity;
-    const core::Vector3 turn = {used.y * gain, -used.x * gain, core::limit(yaw, -0.05f, 0.05f)};
-    rotate(turn);
-    learn(turn, used, time_s);
+    const float gain =
+        quick * core::limit(time_s * (1.0f / kTilt_s), 0.0f, 0.1f) * (1.0f / kGravity);
+    const core::Vector3 east = core::cross(down_, north_);
+    const core::Vector3 by =
+        north_ * (used.y * gain) - east * (used.x * gain) + down_ * core::limit(yaw, -0.05f, 0.05f);
+    learn(by, used, east, time_s);
+    turn(north_, by);
+    turn(down_, by);
 }
 
 // What had to be corrected again and again is the sensors' own.
 void Attitude::learn(const core::Vector3& turn_rad, const core::Vector3& missing_mss,
-                     float time_s) {
-    const core::Vector3 east = core::cross(down_, north_);
-    const core::Vector3 turn = north_ * turn_rad.x + east * turn_rad.y + down_ * turn_rad.z;
-    bias_.x = nudged(bias_.x, -turn.x * kBiasShare, kMostBiasStep_rads, kMostBias_rads);
-    bias_.y = nudged(bias_.y, -turn.y * kBiasShare, kMostBiasStep_rads, kMostBias_rads);
-    bias_.z = nudged(bias_.z, -turn.z * kBiasShare, kMostBiasStep_rads, kMostBias_rads);
-    const float share = core::limit(time_s / kForceBias_s, 0.0f, 0.01f);
+                     const core::Vector3& east, float time_s) {
+    bias_.x = nudged(bias_.x, -turn_rad.x * kBiasShare, kMostBiasStep_rads, kMostBias_rads);
+    bias_.y = nudged(bias_.y, -turn_rad.y * kBiasShare, kMostBiasStep_rads, kMostBias_rads);
+    bias_.z = nudged(bias_.z, -turn_rad.z * kBiasShare, kMostBiasStep_rads, kMostBias_rads);
+    const float share = core::limit(time_s * (1.0f / kForceBias_s), 0.0f, 0.01f);
     const float x = north_.x * missing_mss.x + east.x * missing_mss.y;
     const float y = north_.y * missing_mss.x + east.y * missing_mss.y;
     force_bias_x_ = nudged(force_bias_x_, -x * share, kMostForceStep_mss, kMostForceBias_mss);
@@ -163,6 +193,7 @@ void Attitude::learn(const core::Vector3& turn_rad, const core::Vector3& missing
 }
 
 void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings) {
+    turnNorth();
     const VelocityHistory::Moment then = history_.ago(settings.gps_age_s);
     const VelocityHistory::Moment ground = VelocityHistory::moment(velocity_mps.x, velocity_mps.y);
     const float time_s = since_fix_s_;
@@ -192,6 +223,7 @@ core::Vector3 Attitude::gainedSinceFix_mps() const {
 
 void Attitude::useAirspeed(float true_airspeed_mps) {
     if (phase_ == Phase::falling) return;
+    turnNorth();
     // Its own velocity swings round with the nose; changes of speed are not known.
     const core::Vector3 east = core::cross(down_, north_);
     const float yaw_rate = core::dot(down_, rate_);
@@ -206,6 +238,7 @@ void Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
     if (phase_ == Phase::falling || !settings.use_compass) return;
     if (phase_ == Phase::pointed && ++compass_reading_ < kCompassEvery) return;
     compass_reading_ = 0;
+    turnNorth();
     const core::Vector3 field_mg = field_.earths(reading_mg);
     const core::Vector3 east = core::cross(down_, north_);
     const float m_north = core::dot(north_, field_mg), m_east = core::dot(east, field_mg);
@@ -222,28 +255,44 @@ void Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
         return turnTo(-across_mg * inverse, along_mg * inverse);
     }
     if (along_mg > 0) {
-        field_.learn({along_mg, across_mg, core::dot(down_, field_mg)},
-                     north_ * cos_d + east * sin_d, east * cos_d - north_ * sin_d, down_,
-                     kCompassStep_s);
+        const core::Vector3 odd =
+            field_.unexpected({along_mg, across_mg, core::dot(down_, field_mg)}, kCompassStep_s);
+        const float odd_north = odd.x * cos_d - odd.y * sin_d;
+        const float odd_east = odd.y * cos_d + odd.x * sin_d;
+        field_.learn(north_ * odd_north + east * odd_east + down_ * odd.z, kCompassStep_s);
     }
     const float error = along_mg > 0 ? -across_mg * inverse : (across_mg < 0 ? 1.0f : -1.0f);
     const float quick = 1.0f + (kQuick - 1.0f) * settling_;
-    const float turn = error * core::limit(quick * kCompassStep_s / kCompass_s, 0.0f, 0.5f);
-    rotate({0, 0, turn});
-    const float step = core::limit(turn * kBiasShare, -kMostBiasStep_rads, kMostBiasStep_rads);
-    bias_ = bias_ - down_ * step;
+    const float by = error * core::limit(quick * (kCompassStep_s / kCompass_s), 0.0f, 0.5f);
+    north_.x -= east.x * by;
+    north_.y -= east.y * by;
+    north_.z -= east.z * by;
+    const float step = core::limit(by * kBiasShare, -kMostBiasStep_rads, kMostBiasStep_rads);
+    bias_.x -= down_.x * step;
+    bias_.y -= down_.y * step;
+    bias_.z -= down_.z * step;
 }
 
+// sqrt(1 - sine^2) of an angle below 20 degrees is quicker by its series, and so is its inverse.
 Angles Attitude::angles() const {
     Angles a;
     a.sin_pitch = core::limit(-down_.x, -1.0f, 1.0f);
-    a.cos_pitch = sqrtf(down_.y * down_.y + down_.z * down_.z);
-    const float inverse = a.cos_pitch > 1e-3f ? 1.0f / a.cos_pitch : 1e3f;
+    const float squared = a.sin_pitch * a.sin_pitch;
+    float inverse;
+    if (squared < 0.1f) {
+        const float half = 0.5f * squared;
+        const float fourth = half * half;
+        a.cos_pitch = 1.0f - half - 0.5f * fourth;
+        inverse = 1.0f + half + 1.5f * fourth;
+    } else {
+        a.cos_pitch = sqrtf(down_.y * down_.y + down_.z * down_.z);
+        inverse = a.cos_pitch > 1e-3f ? 1.0f / a.cos_pitch : 1e3f;
+    }
     a.sin_roll = down_.y * inverse;
     a.cos_roll = down_.z * inverse;
     a.roll_rad = arc_rad(a.sin_roll, a.cos_roll);
     a.pitch_rad = arc_rad(a.sin_pitch, a.cos_pitch);
-    a.yaw_rad = core::wrapPi(yaw_rad_ + yaw_rate_ * (0.01f * frame_));
+    a.yaw_rad = core::wrapPi(yaw_rad_ + yaw_rate_ * (0.01f * ((frame_ + 1) & 7)));
     return a;
 }
 

@@ -63,30 +63,35 @@ private:
     enum class Phase : uint8_t { falling, upright, pointed };
 
     void alignUpright();
-    void rotate(const core::Vector3& by_rad);
     void turnTo(float sine, float cosine);
-    void keepUnit();
+    void turnNorth();
+    void keepUpright();
+    void keepSquare();
+    void pointYaw();
     void accelerate();
+    void forgetForces();
     void correct(const core::Vector3& missing_mss, const core::Vector3& felt_mss, float time_s,
                  float yaw_share);
-    void learn(const core::Vector3& turn_rad, const core::Vector3& missing_mss, float time_s);
+    void learn(const core::Vector3& turn_rad, const core::Vector3& missing_mss,
+               const core::Vector3& east, float time_s);
 
     core::Vector3 north_ = {1, 0, 0}, down_ = {0, 0, 1};  // unit vectors in body axes
     core::Vector3 bias_ = {0, 0, 0};                      // of the gyros
     float force_bias_x_ = 0, force_bias_y_ = 0;           // of the accelerometers
     core::Vector3 rate_ = {0, 0, 0};
-    core::Vector3 force_sum_ = {0, 0, 0};
+    core::Vector3 turned_ = {0, 0, 0};     // since north_ was last turned
+    core::Vector3 force_sum_ = {0, 0, 0};  // of forces_ frames that took time_s_
     core::Vector3 acceleration_ = {0, 0, 0};
     CompassField field_;
     VelocityHistory history_;
     VelocityHistory::Moment fix_ = {};         // the accelerometers' velocity at the last fix
     VelocityHistory::Moment fix_ground_ = {};  // and the GPS's
     float since_fix_s_ = 1e6f;
-    float force_time_s_ = 0;
+    float time_s_ = 0;
     float yaw_rad_ = 0, yaw_rate_ = 0;
     float settling_ = 1;  // 1 at start, 0 when settled: how much quicker corrections are taken over
     Phase phase_ = Phase::falling;
-    uint8_t frame_ = 0;
+    uint8_t frame_ = 0, forces_ = 0;
     uint8_t compass_reading_ = 0;
 };
 

@@ -15,16 +15,19 @@ void CompassField::start(float horizontal_mg, float down_mg) {
     down_mg_ = down_mg;
 }
 
-void CompassField::learn(const core::Vector3& field_mg, const core::Vector3& north,
-                         const core::Vector3& east, const core::Vector3& down, float dt_s) {
+core::Vector3 CompassField::unexpected(const core::Vector3& field_mg, float dt_s) {
     const core::Vector3 odd = {field_mg.x - horizontal_mg_, field_mg.y, field_mg.z - down_mg_};
-    horizontal_mg_ += odd.x * (dt_s / kEarth_s);
-    down_mg_ += odd.z * (dt_s / kEarth_s);
-    const core::Vector3 body = north * odd.x + east * odd.y + down * odd.z;
-    own_mg_ = own_mg_ + body * (dt_s / kOwn_s);
-    own_mg_ = {core::limit(own_mg_.x, -kMostOwn_mg, kMostOwn_mg),
-               core::limit(own_mg_.y, -kMostOwn_mg, kMostOwn_mg),
-               core::limit(own_mg_.z, -kMostOwn_mg, kMostOwn_mg)};
+    const float share = dt_s * (1.0f / kEarth_s);
+    horizontal_mg_ += odd.x * share;
+    down_mg_ += odd.z * share;
+    return odd;
+}
+
+void CompassField::learn(const core::Vector3& odd_mg, float dt_s) {
+    const float share = dt_s * (1.0f / kOwn_s);
+    own_mg_.x = core::limit(own_mg_.x + odd_mg.x * share, -kMostOwn_mg, kMostOwn_mg);
+    own_mg_.y = core::limit(own_mg_.y + odd_mg.y * share, -kMostOwn_mg, kMostOwn_mg);
+    own_mg_.z = core::limit(own_mg_.z + odd_mg.z * share, -kMostOwn_mg, kMostOwn_mg);
 }
 
 }  // namespace estimation

@@ -13,11 +13,11 @@ public:
     const core::Vector3& own_mg() const { return own_mg_; }  // body axes
 
     void start(float horizontal_mg, float down_mg);
-    // The field now, own part taken off: along magnetic north, magnetic east and down, with those
-    // three directions in body axes. What is unexpected goes to the earth's part slowly, to the
-    // airplane's own quickly: flying straight nothing is unexpected for long.
-    void learn(const core::Vector3& field_mg, const core::Vector3& north, const core::Vector3& east,
-               const core::Vector3& down, float dt_s);
+    // What of the field, own part taken off, along magnetic north, magnetic east and down was not
+    // expected. The earth's part follows it slowly, the airplane's own, by learn(), quickly: flying
+    // straight nothing is unexpected for long, and a turn tells the two apart.
+    core::Vector3 unexpected(const core::Vector3& field_mg, float dt_s);
+    void learn(const core::Vector3& unexpected_body_mg, float dt_s);
 
 private:
     core::Vector3 own_mg_ = {0, 0, 0};

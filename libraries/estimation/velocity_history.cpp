@@ -30,9 +30,9 @@ core::Vector3 VelocityHistory::difference_mps(const Moment& later, const Moment&
     return {difference(later.north, earlier.north), difference(later.east, earlier.east), 0};
 }
 
-void VelocityHistory::add(const core::Vector3& gain_mps, float dt_s) {
-    north_mps_ += gain_mps.x;
-    east_mps_ += gain_mps.y;
+void VelocityHistory::add(float north_mps, float east_mps, float dt_s) {
+    north_mps_ += north_mps;
+    east_mps_ += east_mps;
     since_entry_s_ += dt_s;
     if (since_entry_s_ < kStep_s - 0.001f) return;
     bound(north_mps_);

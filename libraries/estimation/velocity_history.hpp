@@ -17,7 +17,7 @@ public:
     static Moment moment(float north_mps, float east_mps);
     static core::Vector3 difference_mps(const Moment& later, const Moment& earlier);
 
-    void add(const core::Vector3& gain_mps, float dt_s);
+    void add(float north_mps, float east_mps, float dt_s);
     Moment now() const { return moment(north_mps_, east_mps_); }
     Moment ago(float age_s) const;  // 0 .. kLongest_s, between two entries by their share
 
