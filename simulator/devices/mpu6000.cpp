@@ -167,6 +167,7 @@ void Mpu6000::sample(const Truth& truth, uint64_t now_us) {
     next_sample_us_ += period_us();
     measure(truth.throttle);
     ++count_.made;
+    if (waiting_) ++count_.lost;  // a burst longer than a sample period
     waiting_ = true;
     if (!(chosen_ && addressed_ && reading_)) publish();
 }
