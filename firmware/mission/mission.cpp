@@ -176,7 +176,7 @@ void missionBoot() {
     boot = Boot::owner;
     onReset();
     // enough for the largest mission; what a busy EEPROM keeps waiting is left to missionRun
-    for (uint8_t i = 0; i < 40 && boot < Boot::done; ++i) (void)bootStep();
+    for (uint8_t i = 0; i < 80 && boot < Boot::done; ++i) (void)bootStep();
 }
 
 bool missionReady() { return boot == Boot::done; }

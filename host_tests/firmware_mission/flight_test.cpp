@@ -479,6 +479,7 @@ TEST_F(Apm1Flight, cruise_speed_throttle_gains_and_channels_are_set) {
     fly({waypoint(500), command(0x40, 15), command(0x41, 70), command(0x60, 0, 45000),
          command(0x61, 6, 20000), command(0x64, 1, 70000), command(0x70, 4, 1510),
          command(0x71, 7, 1950), command(0x72, 0, 1050), command(0x73, 2, 960)});
+    pass();  // more than the engine looks at in one
     EXPECT_FLOAT_EQ(vehicle.demand.airspeed_mps, 15);
     EXPECT_EQ(vehicle.demand.throttle_pct, 70);
     EXPECT_FLOAT_EQ(parameters.roll.axis.p, 0.45f);

@@ -5,6 +5,9 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <string.h>
+
+#include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
@@ -158,14 +161,14 @@ public:
     }
     // One pass to its end, however many polls the engine makes of it.
     Flight& pass() {
-        for (int i = 0; i < 40; ++i) {
+        Memory before;
+        do {
+            memcpy(&before, &memory, sizeof memory);
             world.reads = 0;
             engine.poll(trailing_);
             world.most_reads = std::max(world.most_reads, world.reads);
-            const bool full = world.reads >= kRecordsPerPoll;
             world.nav_done = world.condition_done = false;
-            if (!full) break;
-        }
+        } while (memcmp(&before, &memory, sizeof memory) != 0);
         return *this;
     }
     Flight& reach() {

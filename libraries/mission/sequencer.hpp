@@ -12,7 +12,7 @@ namespace mission {
 
 constexpr uint8_t kMostItems = 176;
 constexpr uint8_t kMostCounters = 15;
-constexpr uint8_t kRecordsPerPoll = 16;
+constexpr uint8_t kRecordsPerPoll = 8;  // about 1,200 cycles each
 
 enum class Event : uint8_t {
     started,   // index: the NAV that is flown from now on
