@@ -10,6 +10,7 @@
 #include "hal/mark.hpp"
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
+#include "simulator/devices/ublox_gps.hpp"
 
 namespace simulator {
 
@@ -70,8 +71,9 @@ void NativeBoard::idle(bool (*work_waits)()) {
 }
 
 uint64_t NativeBoard::nextEvent_us() {
-    return std::min({world_.imu().nextSample_us(), serial_.due_us(), eeprom_.due_us(),
-                     i2c_.due_us(), analog_.due_us(), servos_.due_us(), receiver_.due_us()});
+    return std::min({world_.imu().nextSample_us(), world_.gps().nextEvent_us(), serial_.due_us(),
+                     eeprom_.due_us(), i2c_.due_us(), analog_.due_us(), servos_.due_us(),
+                     receiver_.due_us()});
 }
 
 void NativeBoard::moveTo(uint64_t time_us) {
