@@ -7,7 +7,7 @@
 namespace estimation {
 
 struct HeightSettings {
-    float omega_rads = 2.0f;  // where barometer and accelerometer meet; TECS_HGT_OMEGA
+    float omega_rads = 1.5f;  // where barometer and accelerometer meet; TECS_HGT_OMEGA
 };
 
 class Height {

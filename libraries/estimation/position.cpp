@@ -30,8 +30,7 @@ void Position::useGps(const geo::Position& position, const core::Vector3& veloci
     const core::Vector3 mean = velocity_mps + gained_mps * 0.5f;
     const geo::Offset carried = {mean.x * settings.gps_age_s, mean.y * settings.gps_age_s};
     if (age_s_ > kStale_s) {
-        anchor_ = position;
-        since_ = carried;
+        anchorAt(position, carried);
         velocity_ = velocity;
         age_s_ = 0;
         refused_ = 0;
@@ -42,22 +41,43 @@ void Position::useGps(const geo::Position& position, const core::Vector3& veloci
     const float east_m = fix.east_m + carried.east_m - since_.east_m;
     const bool far = north_m * north_m + east_m * east_m > kFar_m * kFar_m;
     if (far && ++refused_ < kDoubts) return;
-    const bool jump = far;
     refused_ = 0;
     age_s_ = 0;
-    since_.north_m += north_m * (jump ? 1.0f : kPositionShare);
-    since_.east_m += east_m * (jump ? 1.0f : kPositionShare);
-    velocity_ = jump ? velocity : velocity_ + (velocity - velocity_) * kVelocityShare;
+    since_.north_m += north_m * (far ? 1.0f : kPositionShare);
+    since_.east_m += east_m * (far ? 1.0f : kPositionShare);
+    velocity_ = far ? velocity : velocity_ + (velocity - velocity_) * kVelocityShare;
     if (since_.north_m * since_.north_m + since_.east_m * since_.east_m > kFold_m * kFold_m) {
-        const geo::Position folded = geo::moved(anchor_, since_);
-        const geo::Offset kept = geo::offset(anchor_, folded);  // the rest of a 1e-7 degree stays
-        since_ = {since_.north_m - kept.north_m, since_.east_m - kept.east_m};
-        anchor_ = folded;
+        const geo::Position here = this->position();
+        const geo::Offset whole = geo::offset(anchor_, here);  // the rest of a 1e-7 degree stays
+        anchorAt(here, {since_.north_m - whole.north_m, since_.east_m - whole.east_m});
     }
 }
 
-geo::Position Position::position() const { return geo::moved(anchor_, since_); }
+// Within a few hundred metres of the anchor a metre is the same number of 1e-7 degrees.
+void Position::anchorAt(const geo::Position& anchor, const geo::Offset& since) {
+    constexpr float kSpan_m = 1000.0f;
+    const geo::Position corner = geo::moved(anchor, {kSpan_m, 0});
+    // A step away from the antimeridian, wherever the anchor is.
+    const int32_t step_e7 = anchor.longitude_e7 > 0 ? -100000 : 100000;
+    const geo::Position beside = {anchor.latitude_e7, anchor.longitude_e7 + step_e7};
+    const float across_m = geo::offset(anchor, beside).east_m;
+    anchor_ = anchor;
+    since_ = since;
+    north_e7_per_m_ =
+        static_cast<float>(corner.latitude_e7 - anchor.latitude_e7) * (1.0f / kSpan_m);
+    east_e7_per_m_ = static_cast<float>(step_e7) / across_m;
+}
 
-core::Vector3 Position::velocity_mps() const { return velocity_; }
+geo::Position Position::position() const {
+    constexpr int32_t kHalfTurn_e7 = 1800000000;
+    geo::Position here = {anchor_.latitude_e7 + core::rounded(since_.north_m * north_e7_per_m_),
+                          anchor_.longitude_e7 + core::rounded(since_.east_m * east_e7_per_m_)};
+    if (here.longitude_e7 > kHalfTurn_e7) {
+        here.longitude_e7 = (here.longitude_e7 - kHalfTurn_e7) - kHalfTurn_e7;
+    } else if (here.longitude_e7 < -kHalfTurn_e7) {
+        here.longitude_e7 = (here.longitude_e7 + kHalfTurn_e7) + kHalfTurn_e7;
+    }
+    return here;
+}
 
 }  // namespace estimation

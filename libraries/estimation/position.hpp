@@ -22,13 +22,16 @@ public:
                 const core::Vector3& gained_mps, const PositionSettings& settings);
 
     geo::Position position() const;
-    core::Vector3 velocity_mps() const;           // north, east, down
-    bool known() const { return age_s_ < 5.0f; }  // a fix was used within 5 s
-    float age_s() const { return age_s_; }        // since the last fix was used
+    const core::Vector3& velocity_mps() const { return velocity_; }  // north, east, down
+    bool known() const { return age_s_ < 5.0f; }                     // a fix was used within 5 s
+    float age_s() const { return age_s_; }                           // since the last fix was used
 
 private:
+    void anchorAt(const geo::Position& anchor, const geo::Offset& since);
+
     geo::Position anchor_ = {0, 0};
     geo::Offset since_ = {0, 0};  // from the anchor to where the airplane is now
+    float north_e7_per_m_ = 0, east_e7_per_m_ = 0;
     core::Vector3 velocity_ = {0, 0, 0};
     float age_s_ = 1e6f;
     uint8_t refused_ = 0;  // fixes in a row that lay too far off

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimation/position.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "flight.hpp"
+
+namespace {
+
+using estimation::Position;
+using estimation::PositionSettings;
+
+constexpr geo::Position kStart = {473977000, 85456000};
+
+geo::Position place(const flight::V3& ned, const geo::Position& start = kStart) {
+    return geo::moved(start, {static_cast<float>(ned.x), static_cast<float>(ned.y)});
+}
+
+struct Figures {
+    double position_m, velocity_mps, worst_m;
+};
+
+// True accelerations with a bias; the sum since the fix's time comes as from the attitude's.
+Figures fly(const geo::Position& start, uint32_t seed) {
+    flight::Errors errors;
+    errors.gps_wander_m = 0;  // no filter can know it
+    flight::Flight flight(flight::wholeFlight(), errors, seed);
+    Position position;
+    std::deque<flight::V3> velocities;
+    double place_square = 0, velocity_square = 0, worst = 0;
+    int n = 0;
+    for (int sample = 1; flight.step(); ++sample) {
+        const flight::Truth& t = flight.truth();
+        velocities.push_back(t.velocity);
+        if (velocities.size() > 50) velocities.pop_front();
+        if (sample % 2 == 0) {
+            const flight::V3 a =
+                (t.velocity - velocities[velocities.size() > 2 ? velocities.size() - 3 : 0]) * 100;
+            position.propagate(flight::single(a + flight::V3{0.05, -0.05, 0}), 0.01f);
+        }
+        if (sample % 40 == 7) {
+            const flight::Flight::Fix fix = flight.gps();
+            const flight::V3 gained = t.velocity - velocities.front();
+            position.useGps(place(fix.position, start), flight::single(fix.velocity),
+                            flight::single(gained), PositionSettings());
+        }
+        if (sample < 1000) continue;
+        const geo::Offset off = geo::offset(place(t.position, start), position.position());
+        const double error = std::hypot(off.north_m, off.east_m);
+        place_square += error * error;
+        worst = std::max(worst, error);
+        const core::Vector3& v = position.velocity_mps();
+        velocity_square += std::pow(v.x - t.velocity.x, 2) + std::pow(v.y - t.velocity.y, 2);
+        ++n;
+    }
+    return {std::sqrt(place_square / n), std::sqrt(velocity_square / n), worst};
+}
+
+TEST(Position, makes_up_for_the_age_of_the_fixes_through_steep_turns) {
+    for (uint32_t seed = 1; seed <= 3; ++seed) {
+        const Figures figures = fly(kStart, seed);
+        EXPECT_LT(figures.position_m, 0.25);
+        EXPECT_LT(figures.velocity_mps, 0.15);
+        EXPECT_LT(figures.worst_m, 1.5);
+    }
+}
+
+TEST(Position, works_across_the_antimeridian) {
+    const Figures figures = fly({-170000000, 1799999000}, 1);
+
+    EXPECT_LT(figures.position_m, 0.25);
+}
+
+TEST(Position, is_not_known_before_a_fix_nor_long_after_the_last) {
+    Position position;
+    EXPECT_FALSE(position.known());
+
+    position.useGps(kStart, {10, 0, 0}, {0, 0, 0}, PositionSettings());
+    EXPECT_TRUE(position.known());
+    for (int i = 0; i < 510; ++i) position.propagate({0, 0, 0}, 0.01f);
+    EXPECT_FALSE(position.known());
+}
+
+TEST(Position, carries_on_with_the_velocity_when_fixes_stop) {
+    Position position;
+    position.useGps(kStart, {10, -5, 0}, {0, 0, 0}, PositionSettings());
+    for (int i = 0; i < 400; ++i) position.propagate({0.05f, 0, 0}, 0.01f);
+
+    const geo::Offset off = geo::offset(kStart, position.position());
+    EXPECT_NEAR(off.north_m, 42.4, 0.5);
+    EXPECT_NEAR(off.east_m, -21.2, 0.3);
+}
+
+TEST(Position, one_fix_far_off_is_not_followed_but_five_are) {
+    Position position;
+    const geo::Position far = geo::moved(kStart, {500, 0});
+    auto fix = [&](const geo::Position& at) {
+        position.useGps(at, {0, 0, 0}, {0, 0, 0}, PositionSettings());
+        for (int i = 0; i < 20; ++i) position.propagate({0, 0, 0}, 0.01f);
+    };
+    for (int i = 0; i < 5; ++i) fix(kStart);
+    fix(far);
+    EXPECT_LT(geo::distance_m(position.position(), kStart), 0.1);
+    fix(kStart);
+    for (int i = 0; i < 5; ++i) fix(far);
+    EXPECT_LT(geo::distance_m(position.position(), far), 0.5);
+}
+
+TEST(Position, no_step_is_too_small_to_add_up) {
+    Position position;
+    position.useGps(kStart, {0.1f, 0, 0}, {0, 0, 0}, PositionSettings());
+    for (int n = 0; n < 5000; ++n) {
+        for (int i = 0; i < 20; ++i) position.propagate({0, 0, 0}, 0.01f);
+        const geo::Position here = geo::moved(kStart, {0.02f * n, 0});
+        position.useGps(here, {0.1f, 0, 0}, {0, 0, 0}, PositionSettings());
+    }
+
+    EXPECT_NEAR(geo::offset(kStart, position.position()).north_m, 100.0, 0.1);
+}
+
+}  // namespace

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimation/wind.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "estimation/arc.hpp"
+#include "estimation/still.hpp"
+#include "flight.hpp"
+
+namespace {
+
+using estimation::Pointing;
+using estimation::Wind;
+
+struct Air {
+    double north = 4, east = -3, speed = 13;
+    core::Vector3 ground(double yaw) const {
+        return flight::single({north + speed * std::cos(yaw), east + speed * std::sin(yaw), 0});
+    }
+};
+Pointing pointing(double yaw) {
+    return {static_cast<float>(std::sin(yaw)), static_cast<float>(std::cos(yaw)), 1};
+}
+
+TEST(Wind, is_ground_less_air_within_half_a_minute) {
+    Wind wind;
+    const Air air;
+    for (int i = 0; i < 150; ++i) wind.update(air.ground(1), pointing(1), 13, 0.2f);
+
+    EXPECT_TRUE(wind.known());
+    EXPECT_NEAR(wind.wind_mps().x, 4, 0.1);
+    EXPECT_NEAR(wind.wind_mps().y, -3, 0.1);
+}
+
+TEST(Wind, without_an_airspeed_sensor_shows_in_turns) {
+    Wind wind;
+    const Air air;
+    for (int i = 0; i < 300; ++i) {
+        const double yaw = i * 0.2 * 0.3;
+        wind.update(air.ground(yaw), pointing(yaw), 0, 0.2f);
+    }
+
+    EXPECT_NEAR(wind.wind_mps().x, 4, 0.2);
+    EXPECT_NEAR(wind.wind_mps().y, -3, 0.2);
+    EXPECT_NEAR(wind.airspeed_mps(air.ground(2)), 13, 0.3);
+}
+
+TEST(Wind, straight_ahead_without_a_sensor_nothing_is_claimed) {
+    Wind wind;
+    const Air air;
+    for (int i = 0; i < 300; ++i) wind.update(air.ground(1), pointing(1), 0, 0.2f);
+
+    EXPECT_FALSE(wind.known());
+    EXPECT_EQ(wind.wind_mps().x, 0);
+}
+
+TEST(Wind, gusts_do_not_move_it_much) {
+    Wind wind;
+    flight::Errors errors;
+    errors.wind_north_mps = 3;
+    errors.wind_east_mps = -4;
+    flight::Flight flight(flight::wholeFlight(), errors, 5);
+    double worst = 0;
+    for (int sample = 1; flight.step(); ++sample) {
+        const flight::Truth& t = flight.truth();
+        if (sample % 40 != 0 || t.airspeed < 8) continue;
+        const Pointing nose = {static_cast<float>(std::sin(t.yaw)),
+                               static_cast<float>(std::cos(t.yaw)),
+                               static_cast<float>(std::cos(t.pitch))};
+        wind.update(flight::single(flight.gps().velocity), nose,
+                    static_cast<float>(flight.airspeed_mps()), 0.2f);
+        if (t.time_s < 60) continue;
+        worst = std::max<double>(worst, std::hypot(wind.wind_mps().x - 3, wind.wind_mps().y + 4));
+    }
+
+    EXPECT_LT(worst, 2.0);
+}
+
+// ---- the smaller pieces
+
+TEST(Arc, agrees_with_atan2_all_round) {
+    for (double angle = -M_PI + 1e-4; angle < M_PI; angle += 0.0007) {
+        EXPECT_NEAR(estimation::arc_rad(static_cast<float>(std::sin(angle)),
+                                        static_cast<float>(std::cos(angle))),
+                    angle, 1.5e-4);
+    }
+}
+
+TEST(Arc, bears_a_sine_and_cosine_that_are_a_percent_out) {
+    for (double angle = -3; angle < 3; angle += 0.1) {
+        for (double factor : {0.99, 1.01}) {
+            EXPECT_NEAR(estimation::arc_rad(static_cast<float>(factor * std::sin(angle)),
+                                            static_cast<float>(factor * std::cos(angle))),
+                        angle, 0.012);
+        }
+    }
+}
+
+const core::Vector3 kRest = {0, 0, -9.81f};
+
+TEST(Still, a_second_of_rest_gives_the_gyros_zero) {
+    estimation::Still still;
+    int frames = 0;
+    while (!still.update({0.01f, -0.02f, 0.005f}, kRest, 0.01f) && frames < 1000) ++frames;
+
+    EXPECT_NEAR(frames, 105, 8);
+    EXPECT_NEAR(still.zero_rads().x, 0.01, 1e-5);
+    EXPECT_NEAR(still.zero_rads().y, -0.02, 1e-5);
+    EXPECT_NEAR(still.zero_rads().z, 0.005, 1e-5);
+}
+
+TEST(Still, moved_it_begins_again) {
+    estimation::Still still;
+    for (int i = 0; i < 3000; ++i) {
+        const float rate = 0.1f * std::sin(i * 0.05f);
+        still.update({rate, 0, 0}, kRest, 0.01f);
+    }
+    EXPECT_FALSE(still.done());
+    for (int i = 0; i < 140; ++i) still.update({0.01f, 0, 0}, kRest, 0.01f);
+    EXPECT_TRUE(still.done());
+}
+
+TEST(Still, carried_about_without_turning_is_not_still) {
+    estimation::Still still;
+    for (int i = 0; i < 3000; ++i)
+        still.update({0, 0, 0}, {2 * std::sin(i * 0.05f), 0, -9.81f}, 0.01f);
+
+    EXPECT_FALSE(still.done());
+}
+
+TEST(Still, a_broken_gyros_zero_is_not_taken) {
+    estimation::Still still;
+    for (int i = 0; i < 1000; ++i) still.update({0.6f, 0, 0}, kRest, 0.01f);
+
+    EXPECT_FALSE(still.done());
+}
+
+}  // namespace
