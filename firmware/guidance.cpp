@@ -22,6 +22,7 @@ constexpr float kTurnShare = 0.7f;   // of the bank limit, for planned turns
 constexpr float kSlowBank_mss = 0.4663f * core::kGravity_mss;  // 25 degrees below flying speed
 constexpr float kUnlaunchedHeight_m = 10;  // farther from home's height the airplane must fly
 constexpr float kFlyingSpeed_mps = 5;
+constexpr float kMostForHeadwind_mps = 3;
 constexpr uint8_t kBearingEvery = 4;  // two arc tangents for the ground, 5 times a second
 
 control::SpeedHeight speed_height;
@@ -176,6 +177,14 @@ Plan flyTakeoff() {
     return plan;
 }
 
+// Between the lowest speed and cruise: short enough to land, fast enough to flare. Half the
+// headwind is added, for near the ground it is gone.
+float approachSpeed_mps(float cruise_mps, float along_mps) {
+    const float headwind_mps = vehicle.estimate.airspeed_mps - along_mps;
+    return 0.5f * (parameters.speed_min_mps + cruise_mps) +
+           core::limit(0.5f * headwind_mps, 0.0f, kMostForHeadwind_mps);
+}
+
 Plan flyLanding() {
     const auto& demand = vehicle.demand;
     const auto now = motion();
@@ -193,8 +202,8 @@ Plan flyLanding() {
     bank(lateral.bank_accel_mss, landing.flaring());
     Plan plan = levelPlan();
     plan.height = {height.height_m + demand.height_m, height.climb_mps};
-    // between the lowest speed and cruise: short enough to land, fast enough to flare
-    plan.airspeed_mps = 0.5f * (parameters.speed_min_mps + plan.airspeed_mps);
+    plan.airspeed_mps = approachSpeed_mps(plan.airspeed_mps, approach.along_mps);
+    plan.phase = control::Phase::approach;
     if (landing.flaring()) {
         plan.phase = control::Phase::flare;
         plan.pitch_min_rad = core::radiansFromCentidegrees(parameters.land_pitch_cd);

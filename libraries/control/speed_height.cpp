@@ -87,7 +87,7 @@ void SpeedHeight::shapeSpeed(const SpeedHeightSettings& settings, const SpeedHei
 
 void SpeedHeight::watchUnderspeed(const SpeedHeightLimits& limits, Phase phase,
                                   bool airspeed_known) {
-    if (phase != Phase::cruise || !airspeed_known)
+    if (phase == Phase::climb_out || phase == Phase::flare || !airspeed_known)
         underspeed_ = false;
     else if (speed_mps_ < limits.airspeed_min_mps * kUnderspeed &&
              throttle_ >= limits.throttle_max * 0.95f)
@@ -193,7 +193,8 @@ SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
     turning.airspeed_min_mps *= 1.0f + kLoadFactorSpeed * core::limit(turn, 0.0f, 2.0f);
     shapeSpeed(settings, turning, demand.airspeed_mps, dt_s);
 
-    float speed_weight = core::limit(settings.speed_weight, 0.0f, 2.0f);
+    float speed_weight =
+        phase == Phase::approach ? 0.0f : core::limit(settings.speed_weight, 0.0f, 2.0f);
     if (!now.airspeed_known || phase == Phase::flare) {
         speed_weight = 0;
     } else {

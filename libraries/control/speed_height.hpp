@@ -33,6 +33,7 @@ struct SpeedHeightMeasured {
 
 enum class Phase : uint8_t {
     cruise,
+    approach,   // as cruise, but the pitch holds the height alone and the throttle the speed
     climb_out,  // all throttle; the pitch holds the speed, above pitch_min_rad
     flare,      // no throttle; the pitch follows demand.climb_mps and height_m
 };
