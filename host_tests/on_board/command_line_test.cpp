@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <ostream>
 
 using testing::HasSubstr;
 namespace fs = std::filesystem;
@@ -44,6 +45,8 @@ struct Wrong {
     const char* arguments;
     const char* says;
 };
+
+void PrintTo(const Wrong& wrong, std::ostream* to) { *to << wrong.arguments; }
 
 class WrongCommandLine : public testing::TestWithParam<Wrong> {};
 
