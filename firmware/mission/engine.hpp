@@ -13,6 +13,13 @@ extern mission::Sequencer mission_engine;
 // The set of the stored mission; of an empty one, MIS_SET.
 mission::Set missionSet();
 
+bool missionReady();     // the stored one has been found and checked
+bool missionStorable();  // the EEPROM is ours
+
+// Fetches the record that the last poll found in the way of a write: the EEPROM rests for a
+// reader that comes back soon, and the next missionRun would be too late.
+void missionCatchUp();
+
 // ---- survey.cpp: what a mission holds, found by looking at a few records each call
 struct Survey {
     uint8_t next;       // record to look at

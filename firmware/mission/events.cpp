@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/mission/events.hpp"
 
+#include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/outputs.hpp"
 #include "firmware/parameters.hpp"
@@ -107,6 +108,7 @@ void stopEvents() {
 bool eventRuns() { return event.output != 0; }
 
 void runEvents() {
+    missionCatchUp();
     tellVariables();
     forgetHeldOfOtherModes();
     if (was_armed && !vehicle.armed) stopEvents();

@@ -182,6 +182,10 @@ void missionBoot() {
 bool missionReady() { return boot == Boot::done; }
 bool missionStorable() { return boot != Boot::foreign; }
 
+void missionCatchUp() {
+    if (mission_engine.starved()) mission_store.readAhead(mission_engine.next());
+}
+
 void missionRun() {
     if (boot < Boot::done) {
         (void)bootStep();

@@ -9,9 +9,6 @@
 
 namespace firmware {
 
-bool missionReady();
-bool missionStorable();
-
 namespace {
 
 using core::Status;

@@ -689,6 +689,33 @@ TEST_F(MissionFlight, an_upload_elsewhere_in_the_mission_does_not_disturb_the_fl
     expectTo(waypoint(7000));
 }
 
+TEST_F(MissionFlight, the_flight_goes_on_while_an_upload_keeps_the_eeprom_busy) {
+    Items items = {waypoint(500)};
+    for (int i = 0; i < 10; ++i) items.push_back(command(181, 0, 1 - i % 2));
+    items.push_back(command(181, 0, 1));
+    items.push_back(waypoint(900));
+    fly(items);
+    fakes::setEepromSlow(true);
+    ASSERT_EQ(missionBeginUpload(60), MissionResult::accepted);
+    uint16_t next = 0;
+    const auto uploadOn = [&] {
+        while (next < 60 && missionUploadItem(next, waypoint(7 * next)) == MissionResult::accepted)
+            ++next;
+    };
+    uploadOn();
+    reach();
+    EXPECT_NE(missionCurrent(), 2);
+    int tenths = 0;
+    while (vehicle.demand.to.latitude_e7 != waypoint(900).x && tenths < 30) {
+        uploadOn();
+        pass();
+        ++tenths;
+    }
+    EXPECT_LT(tenths, 20) << "eleven commands and a NAV behind a busy EEPROM";
+    EXPECT_LT(next, 60) << "the upload was under way all the time";
+    EXPECT_TRUE(relayGet());
+}
+
 TEST_F(MissionFlight, a_change_of_the_nav_or_its_chain_restarts_the_mission) {
     const Items base = {waypoint(500), command(112, 5), waypoint(900), waypoint(1500)};
     for (int changed : {1, 2}) {

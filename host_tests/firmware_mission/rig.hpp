@@ -167,6 +167,7 @@ protected:
             if (vehicle.mode_changed) outputReleaseAll();
             vehicle.mode_changed = false;
             missionRun();
+            fakes::advance_ms(20);  // as in the task table
             runEvents();
             if (vehicle.demand.new_path) {
                 vehicle.demand.new_path = false;
@@ -174,7 +175,7 @@ protected:
                 vehicle.progress.distance_m = 5000;
             }
             runOutputs();
-            fakes::advance_ms(100);
+            fakes::advance_ms(80);
         }
     }
     static void seconds(int count) { pass(count * 10); }

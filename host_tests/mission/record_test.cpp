@@ -32,14 +32,14 @@ TEST(Record, the_apm2_layout_has_options_p1_and_a_24_bit_p2) {
 TEST(Record, what_is_packed_is_unpacked_in_both_layouts_to_the_ends_of_the_range) {
     for (int32_t p2 : {0, 1, -1, 8388607, -8388608}) {
         for (int32_t p3 : {0, INT32_MAX, INT32_MIN}) {
-            const Record record = {22, 1, 255, p2, p3, -p3 / 2};
+            const Record record = {22, 1, 255, p2, p3, -(p3 / 2)};
             const Record found = mission::unpack(Set::apm2, packed(Set::apm2, record).data());
             EXPECT_EQ(found.id, 22);
             EXPECT_EQ(found.options, 1);
             EXPECT_EQ(found.p1, 255);
             EXPECT_EQ(found.p2, p2);
             EXPECT_EQ(found.p3, p3);
-            EXPECT_EQ(found.p4, -p3 / 2);
+            EXPECT_EQ(found.p4, -(p3 / 2));
         }
     }
     for (int32_t p2 : {0, INT32_MAX, INT32_MIN}) {

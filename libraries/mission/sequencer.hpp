@@ -77,10 +77,13 @@ public:
     void leave();
     void poll(bool trailing);  // one pass, or the next part of one; trailing: MIS_TRAILING
     bool active() const { return active_; }
+    bool starved() const { return starved_; }  // the last poll ended at a record not there yet
 
     bool setCurrent(uint8_t index);  // 0: from the first; false: no such item
     uint8_t current() const;         // the NAV flown; before there is one, where AUTO will begin
-    uint8_t next() const { return memory_.next; }  // probably asked for soon
+    uint8_t next() const {           // the record it will probably ask for
+        return memory_.phase == kSeeking ? memory_.cursor : memory_.next;
+    }
     bool conditionRuns() const { return memory_.condition != 0; }
     bool ended() const;
 
@@ -150,6 +153,7 @@ private:
     bool active_ = false;
     bool resuming_ = false;
     bool trailing_ = false;
+    bool starved_ = false;
 };
 
 }  // namespace mission

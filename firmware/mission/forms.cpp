@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/mission/forms.hpp"
+
+#include <string.h>
+
+#include "core/maths.hpp"
+#include "core/rom.hpp"
+
+namespace firmware {
+namespace {
+
+using mission::Record;
+
+// One unit of the stored byte is 10 s.
+MissionResult encodeTime(const float* parameter, Record& record, Notes& notes) {
+    const float seconds = orZero(parameter[1]);
+    if (!(seconds >= 0 && seconds <= 2550)) return wrong(1);
+    record.p1 = static_cast<uint8_t>(core::rounded(seconds / 10));
+    if (record.p1 == 0 && seconds > 0) record.p1 = 1;
+    noteRounding(seconds, record.p1 * 10.0f, notes);
+    return kFine;
+}
+void decodeTime(const Record& record, float* parameter) { parameter[1] = record.p1 * 10.0f; }
+
+MissionResult encodeClimb(const float* parameter, Record& record, Notes& notes) {
+    const float rate_mps = orZero(parameter[1]);
+    if (!(rate_mps > 0 && rate_mps < 1000)) return wrong(1);
+    const int32_t rate_cms = core::rounded(rate_mps * 100);
+    record.p1 = rate_cms > 255 ? 255 : static_cast<uint8_t>(rate_cms);
+    record.p3 = rate_cms > 255 ? rate_cms : 0;
+    noteRounding(rate_mps, static_cast<float>(rate_cms) / 100, notes);
+    return kFine;
+}
+void decodeClimb(const Record& record, float* parameter) {
+    parameter[1] = static_cast<float>(record.p3 != 0 ? record.p3 : record.p1) / 100;
+}
+
+MissionResult encodeSpeed(const float* parameter, Record& record, Notes& notes) {
+    const float speed_mps = isnan(parameter[2]) ? -1 : parameter[2];
+    const float throttle_pct = isnan(parameter[3]) ? -1 : parameter[3];
+    if (!(speed_mps == -1 || (speed_mps > 0 && speed_mps < 1000))) return wrong(2);
+    if (!(throttle_pct >= -1 && throttle_pct <= 100)) return wrong(3);
+    record.p2 = core::rounded(speed_mps);
+    const int32_t speed_cms = core::rounded(speed_mps * 100);
+    if (static_cast<float>(record.p2) != speed_mps) {
+        record.p4 = speed_cms;
+        noteRounding(speed_mps, static_cast<float>(speed_cms) / 100, notes);
+    }
+    record.p3 = core::rounded(throttle_pct);
+    noteRounding(throttle_pct, static_cast<float>(record.p3), notes);
+    return kFine;
+}
+void decodeSpeed(const Record& record, float* parameter) {
+    parameter[2] =
+        record.p4 != 0 ? static_cast<float>(record.p4) / 100 : static_cast<float>(record.p2);
+    parameter[3] = static_cast<float>(record.p3);
+}
+
+MissionResult encodeParameter(const float* parameter, Record& record, Notes&) {
+    const float value = orZero(parameter[2]);
+    if (!isfinite(value)) return wrong(2);
+    const float nearest = core::limit(value, -8388608.0f, 8388607.0f);
+    record.p2 = core::rounded(nearest);
+    if (static_cast<float>(record.p2) != value) memcpy(&record.p3, &value, sizeof value);
+    return kFine;
+}
+void decodeParameter(const Record& record, float* parameter) {
+    parameter[2] = static_cast<float>(record.p2);
+    if (record.p3 != 0) memcpy(&parameter[2], &record.p3, sizeof record.p3);
+}
+
+// clang-format off
+constexpr FormRow kFormRows[] ROM = {
+    //             p1 p2 p3 p4  parts               special
+    /* none */      {{0, 0, 0, 0}, 0,                  0,               nullptr,         nullptr},
+    /* waypoint */  {{2, 0, 0, 0}, kPlace,             0,               nullptr,         nullptr},
+    /* unlimited */ {{0, 0, 0, 0}, kPlace | kDirection, 0,              nullptr,         nullptr},
+    /* turns */     {{1, 0, 0, 0}, kPlace | kDirection, 0,              nullptr,         nullptr},
+    /* time */      {{0, 0, 0, 0}, kPlace | kDirection, use(1),         encodeTime,      decodeTime},
+    /* place */     {{0, 0, 0, 0}, kPlace,             0,               nullptr,         nullptr},
+    /* takeoff */   {{1, 0, 0, 0}, kAltitude,          0,               nullptr,         nullptr},
+    /* climb */     {{0, 0, 0, 0}, kAltitude,          use(1),          encodeClimb,     decodeClimb},
+    /* seconds */   {{0, 0, 1, 0}, 0,                  0,               nullptr,         nullptr},
+    /* jump */      {{1, 0, 2, 0}, 0,                  0,               nullptr,         nullptr},
+    /* speed */     {{1, 0, 0, 0}, 0,                  use(2) | use(3), encodeSpeed,     decodeSpeed},
+    /* home */      {{1, 0, 0, 0}, kPlace,             0,               nullptr,         nullptr},
+    /* parameter */ {{1, 0, 0, 0}, 0,                  use(2),          encodeParameter, decodeParameter},
+    /* two */       {{1, 2, 0, 0}, 0,                  0,               nullptr,         nullptr},
+    /* three */     {{1, 2, 3, 0}, 0,                  0,               nullptr,         nullptr},
+    /* repeat */    {{1, 3, 4, 2}, 0,                  0,               nullptr,         nullptr},
+};
+// clang-format on
+static_assert(core::count(kFormRows) == FormOf::kForms, "a form has no row");
+
+}  // namespace
+
+FormRow formRow(uint8_t form) { return core::romRead(kFormRows[form]); }
+
+}  // namespace firmware

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One pass of the engine: what has finished, what comes next. sequencer.cpp has the rest.
+#include <string.h>
+
+#include "mission/sequencer.hpp"
+#include "storage/bytes.hpp"
+
+namespace mission {
+namespace {
+
+using core::Status;
+
+bool bit(const uint8_t* bits, uint8_t index) { return (bits[index / 8] >> (index % 8)) & 1; }
+void setBit(uint8_t* bits, uint8_t index) {
+    bits[index / 8] = static_cast<uint8_t>(bits[index / 8] | (1u << (index % 8)));
+}
+
+}  // namespace
+
+void Sequencer::poll(bool trailing) {
+    if (!active_) return;
+    trailing_ = trailing;
+    starved_ = false;
+    if (resuming_) {
+        resume();
+        if (memory_.phase == kFlying) return;
+    } else if (memory_.phase == kFlying && !lookAround()) {
+        return;
+    }
+    for (uint8_t n = 0; n < kRecordsPerPoll && active_; ++n) {
+        const bool goes_on = memory_.phase == kSeeking   ? seek()
+                             : memory_.phase == kWalking ? walk()
+                                                         : false;
+        if (!goes_on) break;
+    }
+    seal();
+}
+
+// The NAV first, then the CONDITION beside it. True when one of them has finished.
+bool Sequencer::lookAround() {
+    if (!has(kTrailing) && table_.check(memory_.nav_row)(memory_.nav_record) == Progress::done) {
+        finishNav();
+        return true;
+    }
+    if (memory_.condition == 0) return false;
+    if (table_.check(memory_.condition_row)(memory_.condition_record) != Progress::done)
+        return false;
+    memory_.condition = 0;
+    beginPass();
+    memory_.phase = kWalking;
+    return true;
+}
+
+void Sequencer::finishNav() {
+    const uint8_t traits = table_.traits(memory_.nav_row);
+    put(kFromHere, (traits & kEndsNowhere) != 0);
+    put(kLanded, (traits & kEndsFlight) != 0);
+    put(kDropped, false);
+    put(kStarted, false);
+    memory_.condition = 0;
+    memory_.chain_first = static_cast<uint8_t>(memory_.nav + 1);
+    memory_.cursor = set() == Set::apm1 ? memory_.next : memory_.chain_first;
+    memory_.phase = kSeeking;
+    beginPass();
+    tell(Event::reached, memory_.nav);
+}
+
+Status Sequencer::read(uint8_t index, Item& item) {
+    uint8_t bytes[kRecordSize];
+    const Status status = core::romRead(host_.read)(index, bytes);
+    starved_ = status != Status::ok;
+    if (starved_) return status;
+    item.record = unpack(set(), bytes);
+    item.row = table_.find(set(), item.record.id);
+    if (item.row != kNoRow && table_.valid(item.row, item.record, {index, count()}) != 0)
+        item.row = kNoRow;
+    return Status::ok;
+}
+
+// One record towards the next NAV. False: not now.
+bool Sequencer::seek() {
+    if (memory_.cursor >= count()) {
+        noNavLeft();
+        return true;
+    }
+    Item item;
+    if (read(memory_.cursor, item) != Status::ok) return false;
+    if (item.row != kNoRow && table_.kind(item.row) == Class::nav) {
+        load(memory_.cursor, item);
+    } else {
+        ++memory_.cursor;
+    }
+    return true;
+}
+
+void Sequencer::load(uint8_t index, const Item& item) {
+    const uint8_t traits = table_.traits(item.row);
+    if (has(kLanded) && (traits & kBeginsFlight) == 0) return complete();
+    memory_.nav = index;
+    memory_.nav_row = item.row;
+    memory_.nav_record = item.record;
+    if ((traits & kPlaced) != 0 && item.record.p3 == 0 && item.record.p4 == 0)
+        core::romRead(host_.here)(memory_.nav_record);
+    if (set() == Set::apm1) {
+        memory_.chain_first = static_cast<uint8_t>(index + 1);
+        memset(memory_.jumps.blocked, 0, sizeof memory_.jumps.blocked);
+    }
+    memory_.next = memory_.chain_first;
+    memory_.phase = kWalking;
+}
+
+void Sequencer::noNavLeft() {
+    const bool commands_left = set() == Set::apm2 && memory_.chain_first < count();
+    if (!trailing_ || !commands_left || has(kLanded)) return complete();
+    put(kTrailing, true);
+    memory_.next = memory_.chain_first;
+    memory_.phase = kWalking;
+    tell(Event::hold, memory_.nav);
+}
+
+void Sequencer::complete() {
+    const Event event = has(kLanded) ? Event::landed : Event::complete;
+    const uint8_t last = memory_.nav;
+    reset(kEnded);
+    seal();
+    tell(event, last);
+}
+
+// One command of the chain. False: not now, or the pass is over.
+bool Sequencer::walk() {
+    const bool to_nav = set() == Set::apm2 && !has(kTrailing);
+    const uint8_t end = to_nav ? memory_.nav : count();
+    if (has(kDropped) || memory_.next >= end) {
+        endOfChain();
+        return false;
+    }
+    Item item;
+    if (read(memory_.next, item) != Status::ok) return false;
+    const bool known = item.row != kNoRow;
+    const Class kind = known ? table_.kind(item.row) : Class::action;
+    if (kind == Class::nav) {  // APM 1.0: it waits for the one being flown
+        endOfChain();
+        return false;
+    }
+    if (kind == Class::jump) {
+        takeJump(item);
+    } else if (kind == Class::condition) {
+        startCondition(item);
+    } else {
+        act(item);
+    }
+    return memory_.phase != kFlying;
+}
+
+void Sequencer::endOfChain() {
+    if (has(kTrailing)) return complete();
+    startNav();
+    memory_.phase = kFlying;
+}
+
+// Only now is it certain that no jump abandons the NAV in the pass that loaded it.
+void Sequencer::startNav() {
+    if (has(kStarted) || has(kTrailing)) return;
+    put(kStarted, true);
+    put(kLanded, false);
+    core::romRead(table_.rows[memory_.nav_row].begin)(memory_.nav_record, {false, has(kFromHere)});
+    tell(Event::started, memory_.nav);
+}
+
+void Sequencer::startCondition(const Item& item) {
+    startNav();
+    memory_.condition = memory_.next++;
+    memory_.condition_row = item.row;
+    memory_.condition_record = item.record;
+    memory_.phase = kFlying;
+    core::romRead(table_.rows[item.row].act)(item.record);
+}
+
+// The step counts as taken before the handler runs: a handler may change the mode and so stop
+// the engine in the middle of its pass.
+void Sequencer::act(const Item& item) {
+    const uint8_t index = memory_.next++;
+    if (memory_.steps < count()) ++memory_.steps;
+    if (item.row == kNoRow) return tell(Event::skipped, index);
+    core::romRead(table_.rows[item.row].act)(item.record);
+}
+
+void Sequencer::takeJump(const Item& item) {
+    const uint8_t index = memory_.next;
+    if (memory_.steps >= count()) {
+        if (!has(kLoopTold)) tell(Event::looped, index);
+        put(kLoopTold, true);
+        ++memory_.next;
+        return;
+    }
+    ++memory_.steps;
+    const Jump jump = core::romRead(table_.rows[item.row].target)(item.record);
+    const bool taken = set() == Set::apm1 ? jumpApm1(index, jump) : jumpApm2(index, jump);
+    if (!taken) ++memory_.next;
+}
+
+// The NAV being flown goes on; only the place from where commands are taken changes.
+bool Sequencer::jumpApm1(uint8_t index, const Jump& jump) {
+    if (index >= kMostItems || bit(memory_.jumps.blocked, index)) return false;
+    if (bit(memory_.jumps.visited, index)) {
+        setBit(memory_.jumps.blocked, index);
+        return false;
+    }
+    setBit(memory_.jumps.visited, index);
+    memory_.next = memory_.chain_first = jump.target;
+    return true;
+}
+
+bool Sequencer::jumpApm2(uint8_t index, const Jump& jump) {
+    if (jump.times != kForEver && !countDown(index, jump.times)) return false;
+    abandon(jump.target);
+    return true;
+}
+
+bool Sequencer::countDown(uint8_t index, int16_t times) {
+    for (Memory::Counter& counter : memory_.counters) {
+        if (counter.index == 0) {
+            counter.index = index;
+            storage::put16(counter.left, static_cast<uint16_t>(times));
+        }
+        if (counter.index != index) continue;
+        const uint16_t left = storage::get16(counter.left);
+        if (left == 0) return false;
+        storage::put16(counter.left, static_cast<uint16_t>(left - 1));
+        return true;
+    }
+    tell(Event::skipped, index);  // more counted jumps than an upload would have let through
+    return false;
+}
+
+void Sequencer::abandon(uint8_t target) {
+    if (has(kStarted)) put(kFromHere, true);
+    put(kStarted, false);
+    put(kTrailing, false);
+    memory_.condition = 0;
+    memory_.chain_first = memory_.cursor = target;
+    memory_.phase = kSeeking;
+}
+
+}  // namespace mission
