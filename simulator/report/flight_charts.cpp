@@ -105,24 +105,25 @@ std::string FlightCharts::crosstrack() const {
     return any(chart.lines[0].points) ? drawChart(chart) : "";
 }
 
-std::string FlightCharts::roll() const {
-    Chart chart = overTime("roll, degrees", false);
+std::string FlightCharts::attitude(const char* label, const Value& truth,
+                                   const Value& demand) const {
+    Chart chart = overTime(label, false);
     chart.width = 560;
-    chart.lines = {
-        {"truth", kTruth, Stroke::solid,
-         series([](auto& s) { return s.truth.roll_rad * kDegrees; })},
-        {"demand", kDemand, Stroke::thin, series([](auto& s) { return s.roll_demand_deg; })}};
+    chart.lines = {{"demand", kDemand, Stroke::thin, series(demand)},
+                   {"truth", kTruth, Stroke::solid, series(truth)}};
     return drawChart(chart);
 }
 
+std::string FlightCharts::roll() const {
+    return attitude(
+        "roll, degrees", [](const Sample& s) { return s.truth.roll_rad * kDegrees; },
+        [](const Sample& s) { return s.roll_demand_deg; });
+}
+
 std::string FlightCharts::pitch() const {
-    Chart chart = overTime("pitch, degrees", false);
-    chart.width = 560;
-    chart.lines = {
-        {"truth", kTruth, Stroke::solid,
-         series([](auto& s) { return s.truth.pitch_rad * kDegrees; })},
-        {"demand", kDemand, Stroke::thin, series([](auto& s) { return s.pitch_demand_deg; })}};
-    return drawChart(chart);
+    return attitude(
+        "pitch, degrees", [](const Sample& s) { return s.truth.pitch_rad * kDegrees; },
+        [](const Sample& s) { return s.pitch_demand_deg; });
 }
 
 std::string FlightCharts::servos() const {

@@ -27,6 +27,7 @@ public:
 private:
     using Value = std::function<std::optional<double>(const Sample&)>;
     Points series(const Value& value) const;
+    std::string attitude(const char* label, const Value& truth, const Value& demand) const;
     Chart overTime(const std::string& y_label, bool items = true) const;
 
     std::vector<Sample> flight_;  // from shortly before AUTO on

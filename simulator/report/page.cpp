@@ -26,10 +26,10 @@ h2{font-size:17px;margin:0 0 10px}
 .sub{color:var(--soft);margin:0 0 20px}
 .verdict{font-weight:600;padding:2px 12px;border-radius:999px;color:#fff;background:var(--good)}
 .verdict.bad{background:var(--bad)}
-.cards{display:grid;grid-template-columns:repeat(auto-fit,minmax(150px,1fr));gap:12px;margin-bottom:18px}
+.cards{display:grid;grid-template-columns:repeat(auto-fit,minmax(128px,1fr));gap:12px;margin-bottom:18px}
 .card,section{background:var(--paper);border:1px solid var(--edge);border-radius:10px}
 .card{padding:12px 14px}
-.card b{display:block;font-size:22px;font-weight:600;font-variant-numeric:tabular-nums}
+.card b{display:block;font-size:21px;font-weight:600;font-variant-numeric:tabular-nums}
 .card span{color:var(--soft);font-size:13px}
 section{padding:18px 18px 14px;margin-bottom:18px}
 .pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,440px),1fr));gap:18px}
@@ -108,7 +108,9 @@ std::string reportPage(const Summary& summary, const std::vector<Sample>& sample
            section("Pitch against demand", charts.pitch(), "") + "</div>" +
            section("Servos", charts.servos(), "") +
            section("Processor load", charts.frames(),
-                   "The longest frame in every tenth of a second; a frame has 10,000 µs.") +
+                   "Time awake in the busiest frame of every tenth of a second, handling received "
+                   "bytes "
+                   "included; a frame has 10,000 µs.") +
            "<div class=\"pair\">" + section("Summary", summaryTable(summary), "") +
            section("Events", eventTable(summary), "") + "</div>" + "<div class=\"pair\">" +
            section("Tasks", taskTable(summary.figures),
