@@ -32,6 +32,14 @@ struct Spi0 {
         return SPDR;
     }
 
+    // The same in two halves, for work to be done while the byte is on its way.
+    static void begin(uint8_t out) { SPDR = out; }
+    __attribute__((always_inline)) static uint8_t end() {
+        while (!(SPSR & (1 << SPIF))) {
+        }
+        return SPDR;
+    }
+
     // Keeps the inertial sensor's interrupt, and no other, away from the bus. Its edge is
     // remembered by the hardware and served at the end.
     class Lock {

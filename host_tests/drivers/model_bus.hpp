@@ -79,6 +79,9 @@ struct Bus {
         b.advance_us(2);
         return in;
     }
+    static inline uint8_t held = 0;
+    static void begin(uint8_t out) { held = transfer(out); }
+    static uint8_t end() { return held; }
     struct Lock {
         Lock() { ++Bench::current->locks; }
         ~Lock() {

@@ -20,6 +20,9 @@ struct Transaction {
 
 struct Bus {
     static uint8_t transfer(uint8_t out);
+    static void begin(uint8_t out) { held = transfer(out); }
+    static uint8_t end() { return held; }
+    static inline uint8_t held = 0;
     static void slow() { is_fast = false; }
     static void fast() { is_fast = true; }
 

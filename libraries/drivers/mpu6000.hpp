@@ -36,13 +36,10 @@ public:
 
     // The mean since the last take; false when no sample came.
     bool take(ImuSample& sample);
-    uint8_t waiting() const { return sums_.periods; }  // samples since the last take
+    uint8_t waiting() const { return sums_.count + sums_.dead; }  // samples since the last take
 
     bool healthy() const { return healthy_; }
-    uint32_t samples() const {
-        const hal::Locked locked;
-        return samples_;
-    }
+    uint32_t samples() const { return samples_; }  // taken since start
     uint16_t badReads() const {
         const hal::Locked locked;
         return bad_reads_;
@@ -54,15 +51,18 @@ private:
     struct Setting {
         uint8_t address, value;
     };
+    static constexpr uint8_t kAccel = 0, kTemperature = 3, kGyro = 4, kWords = 7;
     struct Sums {
-        int32_t gyro[3], accel[3];  // chip axes
-        uint8_t count, periods;
+        int32_t chip[kWords];  // in the chip's order and axes
+        uint8_t count, dead;   // samples summed; interrupts that found no chip
     };
+
     static const Setting kSettings[];
 
     static constexpr uint8_t kRead = 0x80;
     static constexpr uint8_t kProductId = 0x0C, kAccelConfig = 0x1C, kIntStatus = 0x3A,
                              kPowerManagement1 = 0x6B, kWhoAmI = 0x75;
+    static constexpr uint8_t kDataReady = 0x01;
     static constexpr uint8_t kLastSetting = 9;
 
     void enter(State state, uint32_t now_ms) {
@@ -79,24 +79,19 @@ private:
     static void writeRegister(uint8_t address, uint8_t value);
     static uint8_t readRegister(uint8_t address);
     static uint8_t accelRange();
-    static int16_t word(uint8_t& any) {
-        const uint8_t high = Bus::transfer(0);
-        const uint8_t low = Bus::transfer(0);
-        any |= high | low;
-        return static_cast<int16_t>(static_cast<uint16_t>(high) << 8 | low);
-    }
+    void refuse(bool dead);
 
     // Shared with the interrupt.
     Sums sums_ = {};
-    int16_t temperature_ = 0;
-    uint32_t samples_ = 0;
     uint16_t bad_reads_ = 0;
+    volatile uint8_t beat_ = 0;  // goes on with every good sample
     volatile uint8_t bad_in_a_row_ = 0;
     volatile State state_ = State::reset;
 
+    uint32_t samples_ = 0;
     uint32_t since_ms_ = 0;
     uint8_t setting_ = 0;
-    uint8_t seen_ = 0;  // low byte of samples_ at the last step
+    uint8_t seen_ = 0;  // beat_ at the last step
     bool healthy_ = false;
     uint16_t restarts_ = 0;
 };
@@ -194,9 +189,9 @@ void Mpu6000<Bus, Select>::configureNext(uint32_t now_ms) {
 template <class Bus, class Select>
 void Mpu6000<Bus, Select>::watch(uint32_t now_ms) {
     if (bad_in_a_row_ > 4) return fail(now_ms);
-    const uint8_t now_seen = static_cast<uint8_t>(samples());
-    if (now_seen != seen_) {
-        seen_ = now_seen;
+    const uint8_t beat = beat_;
+    if (beat != seen_) {
+        seen_ = beat;
         since_ms_ = now_ms;
         healthy_ = true;
         return;
@@ -208,60 +203,73 @@ void Mpu6000<Bus, Select>::watch(uint32_t now_ms) {
     if (silent_ms > 20) readRegister(kIntStatus);
 }
 
+// The longest stretch with interrupts off: every byte is added up while the next is on its way.
+// The one begun last is read for nobody.
 template <class Bus, class Select>
 void Mpu6000<Bus, Select>::onDataReady() {
     if (state_ != State::run) return;
-    uint8_t any = 0;
     Select::low();
-    Bus::transfer(kIntStatus | kRead);
-    const uint8_t status = Bus::transfer(0);
-    const int16_t ax = word(any), ay = word(any), az = word(any);
-    const int16_t temperature = word(any);
-    const int16_t gx = word(any), gy = word(any), gz = word(any);
-    Select::high();
-
-    if (sums_.periods == 255) return;  // nobody takes: keep what there is
-    // A bus without a chip reads all zeros or all ones. Without the data-ready bit the sample is
-    // one that was read before.
-    if (any == 0 || status == 0xFF || !(status & 0x01)) {
-        if (any == 0 || status == 0xFF) ++sums_.periods;
-        ++bad_reads_;
-        ++bad_in_a_row_;
-        return;
+    Bus::begin(kIntStatus | kRead);
+    Bus::end();
+    Bus::begin(0);
+    const uint8_t full = sums_.count + sums_.dead;
+    const uint8_t status = Bus::end();
+    if (!(status & kDataReady) || status == 0xFF || full == 255) {
+        Select::high();
+        return refuse(status == 0 || status == 0xFF);
     }
-    sums_.accel[0] += ax;
-    sums_.accel[1] += ay;
-    sums_.accel[2] += az;
-    sums_.gyro[0] += gx;
-    sums_.gyro[1] += gy;
-    sums_.gyro[2] += gz;
-    temperature_ = temperature;
+    Bus::begin(0);
+    int32_t* const last = sums_.chip + kWords;
+    for (int32_t* sum = sums_.chip; sum != last; ++sum) {
+        union {
+            uint8_t bytes[2];  // the chip sends the high one first; this processor keeps it last
+            int16_t value;
+        } word;
+        word.bytes[1] = Bus::end();
+        Bus::begin(0);
+        const int32_t so_far = *sum;
+        word.bytes[0] = Bus::end();
+        Bus::begin(0);
+        *sum = so_far + word.value;
+    }
     ++sums_.count;
-    ++sums_.periods;
-    ++samples_;
+    ++beat_;
     bad_in_a_row_ = 0;
+    Bus::end();
+    Select::high();
+}
+
+// A bus without a chip reads all zeros or all ones; without the data-ready bit the sample is one
+// that was read before. When nobody has taken anything for a second, what there is, is kept.
+template <class Bus, class Select>
+void Mpu6000<Bus, Select>::refuse(bool dead) {
+    if (sums_.count + sums_.dead == 255) return;
+    if (dead) ++sums_.dead;
+    ++bad_reads_;
+    ++bad_in_a_row_;
 }
 
 template <class Bus, class Select>
 bool Mpu6000<Bus, Select>::take(ImuSample& sample) {
     Sums sums;
-    int16_t temperature;
     {
         const hal::Locked locked;
         sums = sums_;
         sums_ = {};
-        temperature = temperature_;
     }
     if (sums.count == 0) return false;
     const float share = sums.count == 2 ? 0.5f : 1.0f / sums.count;
     const float gyro = share * (core::kPi / 180.0f / 16.4f);  // 16.4 LSB per deg/s
     const float accel = share * (core::kGravity_mss / 4096.0f);
     // On this board body x is the chip's y, body y its x, body z its -z.
-    sample.rate_rads = {gyro * sums.gyro[1], gyro * sums.gyro[0], -gyro * sums.gyro[2]};
-    sample.force_mss = {accel * sums.accel[1], accel * sums.accel[0], -accel * sums.accel[2]};
-    sample.temperature_c = temperature * (1.0f / 340.0f) + 36.53f;
+    const int32_t* const a = sums.chip + kAccel;
+    const int32_t* const g = sums.chip + kGyro;
+    sample.rate_rads = {gyro * g[1], gyro * g[0], -gyro * g[2]};
+    sample.force_mss = {accel * a[1], accel * a[0], -accel * a[2]};
+    sample.temperature_c = share * sums.chip[kTemperature] * (1.0f / 340.0f) + 36.53f;
     sample.count = sums.count;
-    sample.periods = sums.periods;
+    sample.periods = sums.count + sums.dead;
+    samples_ += sums.count;
     return true;
 }
 

@@ -13,6 +13,7 @@ void start() {
     Relay::low();
 }
 
+uint8_t SensorBus::held = 0;
 uint8_t SensorBus::transfer(uint8_t mosi) { return NativeBoard::running().transfer(mosi); }
 void SensorBus::slow() { NativeBoard::running().setBusFast(false); }
 void SensorBus::fast() { NativeBoard::running().setBusFast(true); }

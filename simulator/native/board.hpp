@@ -12,6 +12,9 @@ void start();
 
 struct SensorBus {
     static uint8_t transfer(uint8_t mosi);
+    static void begin(uint8_t mosi) { held = transfer(mosi); }
+    static uint8_t end() { return held; }
+    static uint8_t held;
     static void slow();
     static void fast();
     struct Lock {  // the data-ready interrupt waits until the last one is gone
