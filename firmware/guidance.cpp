@@ -23,7 +23,9 @@ constexpr float kSlowBank_mss = 0.4663f * core::kGravity_mss;  // 25 degrees bel
 constexpr float kUnlaunchedHeight_m = 10;  // farther from home's height the airplane must fly
 constexpr float kFlyingSpeed_mps = 5;
 constexpr float kMostForHeadwind_mps = 3;
-constexpr uint8_t kBearingEvery = 4;  // two arc tangents for the ground, 5 times a second
+constexpr float kApproachShare = 0.65f;    // of the way from the lowest speed to cruise
+constexpr float kLandingAlpha_rad = 0.2f;  // no more angle of attack near the ground
+constexpr uint8_t kBearingEvery = 4;       // two arc tangents for the ground, 5 times a second
 
 control::SpeedHeight speed_height;
 navigation::Landing landing;
@@ -177,11 +179,11 @@ Plan flyTakeoff() {
     return plan;
 }
 
-// Between the lowest speed and cruise: short enough to land, fast enough to flare. Half the
-// headwind is added, for near the ground it is gone.
+// Between the lowest speed and cruise: slow enough to land, fast enough to flare. Half the headwind
+// is added, for near the ground it is gone.
 float approachSpeed_mps(float cruise_mps, float along_mps) {
     const float headwind_mps = vehicle.estimate.airspeed_mps - along_mps;
-    return 0.5f * (parameters.speed_min_mps + cruise_mps) +
+    return parameters.speed_min_mps + kApproachShare * (cruise_mps - parameters.speed_min_mps) +
            core::limit(0.5f * headwind_mps, 0.0f, kMostForHeadwind_mps);
 }
 
@@ -215,11 +217,17 @@ Plan flyLanding() {
 using Flight = Plan (*)();
 constexpr Flight kFlights[] ROM = {levelPlan, flyLeg, flyCircle, flyTakeoff, flyLanding};
 
+float pathAngle_rad() {
+    const auto& estimate = vehicle.estimate;
+    const float airspeed_mps = core::limit(estimate.airspeed_mps, 3.0f, 100.0f);
+    return core::limit(estimate.climb_mps / airspeed_mps, -0.8f, 0.8f);
+}
+
 // Along the path, from what the accelerometer feels: lift acts across the path, so only the angle
 // of attack's share of it is left, and gravity's.
-float pathAcceleration_mss(float airspeed_mps) {
+float pathAcceleration_mss() {
     const auto& attitude = vehicle.attitude;
-    const float path_rad = core::limit(vehicle.estimate.climb_mps / airspeed_mps, -0.8f, 0.8f);
+    const float path_rad = pathAngle_rad();
     const float cosine = core::limit(attitude.cos_roll, 0.3f, 1.0f);
     const float alpha_rad = core::limit((attitude.pitch_rad - path_rad) / cosine, -0.3f, 0.3f);
     return vehicle.imu.accel_mss.x + vehicle.imu.accel_mss.z * alpha_rad -
@@ -228,13 +236,8 @@ float pathAcceleration_mss(float airspeed_mps) {
 
 control::SpeedHeightMeasured measured() {
     const auto& estimate = vehicle.estimate;
-    const float airspeed_mps = core::limit(estimate.airspeed_mps, 3.0f, 100.0f);
-    return {estimate.height_m,
-            estimate.climb_mps,
-            airspeed_mps,
-            pathAcceleration_mss(airspeed_mps),
-            vehicle.attitude.cos_roll,
-            vehicle.airspeed.healthy};
+    return {estimate.height_m,      estimate.climb_mps,        estimate.airspeed_mps,
+            pathAcceleration_mss(), vehicle.attitude.cos_roll, vehicle.airspeed.healthy};
 }
 
 // Airspeeds are demanded as the wing feels them; energy is made of true ones.
@@ -252,6 +255,11 @@ control::SpeedHeightLimits limits(const Plan& plan, float true_speed) {
     control::SpeedHeightLimits limits;
     limits.pitch_min_rad = plan.pitch_min_rad;
     limits.pitch_max_rad = core::radiansFromCentidegrees(parameters.pitch_max_cd);
+    const bool landing_now =
+        plan.phase == control::Phase::approach || plan.phase == control::Phase::flare;
+    if (landing_now)
+        limits.pitch_max_rad =
+            core::limit(pathAngle_rad() + kLandingAlpha_rad, 0.0f, limits.pitch_max_rad);
     if (limits.pitch_max_rad < limits.pitch_min_rad) limits.pitch_max_rad = limits.pitch_min_rad;
     // without the sensor there is no speed to fly: the pitch is the one of the take-off
     if (climb_out && !vehicle.airspeed.healthy) limits.pitch_max_rad = plan.pitch_min_rad;

@@ -110,7 +110,7 @@ constexpr parameters::Row kRows[] ROM = {
     P(124, "TECS_THR_DAMP",     speed_height.throttle_damping,  0.7f,       0,        2),
     P(125, "TECS_INTEG_GAIN",   speed_height.integral_gain,     0.3f,       0,     0.5f),
     P(126, "TECS_VERT_ACC",     speed_height.vertical_accel_mss,   7,       1,       10),
-    P(127, "TECS_SPD_OMEGA",    speed_height.speed_omega_rads,     2,    0.5f,        5),
+    P(127, "TECS_SPD_OMEGA",    speed_height.speed_omega_rads,     3,    0.5f,        5),
     P(128, "TECS_RLL2THR",      speed_height.roll_to_throttle,    10,       0,       40),
     P(129, "TECS_SPDWEIGHT",    speed_height.speed_weight,      0.5f,       0,        2),
     P(130, "TECS_PTCH_DAMP",    speed_height.pitch_damping,     0.5f,       0,        2),

@@ -18,7 +18,6 @@ constexpr float kSpeedDemandShare = 0.5f;  // of all energy, for a change of spe
 constexpr float kLowestSpeed_mps = 3.0f;   // nothing divides by less
 constexpr float kUnderspeed = 0.9f;        // of ARSPD_FBW_MIN
 constexpr float kRecovered = 1.05f;
-constexpr float kThrottleMargin = 0.1f;    // by which the integrator may stand beyond an end
 constexpr float kLoadFactorSpeed = 0.19f;  // stall speed grows by 19 % at 45 degrees of bank
 constexpr float kFlareSmoothing = 0.2f;    // share of a new rate taken each step
 constexpr float kFastestPitchRate_rads = 1.0f;
@@ -96,6 +95,15 @@ void SpeedHeight::watchUnderspeed(const SpeedHeightLimits& limits, Phase phase,
         underspeed_ = false;
 }
 
+// 0 at the lowest speed and above, 1 at underspeed: the share in which height is given up for
+// speed and the throttle opened.
+float SpeedHeight::slowness(const SpeedHeightLimits& limits, bool airspeed_known,
+                            Phase phase) const {
+    if (!airspeed_known || phase == Phase::flare) return 0;
+    const float short_mps = limits.airspeed_min_mps - speed_mps_;
+    return core::limit(short_mps / (limits.airspeed_min_mps * (1 - kUnderspeed)), 0.0f, 1.0f);
+}
+
 SpeedHeight::Errors SpeedHeight::errors(const SpeedHeightMeasured& now) const {
     Errors errors;
     errors.potential_m = height_m_ - now.height_m;
@@ -134,10 +142,13 @@ float SpeedHeight::throttle(const SpeedHeightSettings& settings, const SpeedHeig
     const float energy_mps = errors.potential_mps + errors.kinetic_mps;
     const float direct =
         feed_forward + energy_m * per_m + energy_mps * per_mps * settings.throttle_damping;
-    throttle_integral_ += energy_m * per_m * settings.integral_gain * dt_s;
-    throttle_integral_ =
-        core::limit(throttle_integral_, limits.throttle_min - kThrottleMargin - direct,
-                    limits.throttle_max + kThrottleMargin - direct);
+    const float step = energy_m * per_m * settings.integral_gain * dt_s;
+    const float wanted = direct + throttle_integral_;
+    const bool winds_up =
+        (wanted > limits.throttle_max && step > 0) || (wanted < limits.throttle_min && step < 0);
+    if (!winds_up)
+        throttle_integral_ =
+            core::limit(throttle_integral_ + step, -limits.throttle_max, limits.throttle_max);
     return direct + throttle_integral_;
 }
 
@@ -193,24 +204,19 @@ SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
     turning.airspeed_min_mps *= 1.0f + kLoadFactorSpeed * core::limit(turn, 0.0f, 2.0f);
     shapeSpeed(settings, turning, demand.airspeed_mps, dt_s);
 
+    const float haste = height_given_up ? 1.0f : slowness(turning, now.airspeed_known, phase);
     float speed_weight =
         phase == Phase::approach ? 0.0f : core::limit(settings.speed_weight, 0.0f, 2.0f);
-    if (!now.airspeed_known || phase == Phase::flare) {
+    // near the ground even the stall is met with power first
+    const float most_weight = phase == Phase::approach ? 1.0f : 2.0f;
+    if (!now.airspeed_known || phase == Phase::flare)
         speed_weight = 0;
-    } else {
-        // on the way from the lowest speed to underspeed the height is given up for the speed
-        const float short_mps = turning.airspeed_min_mps - speed_mps_;
-        const float share =
-            height_given_up
-                ? 1.0f
-                : core::limit(short_mps / (turning.airspeed_min_mps * (1 - kUnderspeed)), 0.0f,
-                              1.0f);
-        speed_weight += (2 - speed_weight) * share;
-    }
+    else if (speed_weight < most_weight)
+        speed_weight += (most_weight - speed_weight) * haste;
 
     const Errors errors = this->errors(now);
     float wanted = throttle(settings, limits, now, errors, turn, dt_s);
-    if (height_given_up) wanted = limits.throttle_max;
+    wanted += (limits.throttle_max - wanted) * haste;
     if (phase == Phase::flare) wanted = 0;
     wanted = core::limit(wanted, phase == Phase::flare ? 0.0f : limits.throttle_min,
                          limits.throttle_max);

@@ -68,6 +68,7 @@ private:
     void shapeSpeed(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
                     float demand_mps, float dt_s);
     void watchUnderspeed(const SpeedHeightLimits& limits, Phase phase, bool airspeed_known);
+    float slowness(const SpeedHeightLimits& limits, bool airspeed_known, Phase phase) const;
     Errors errors(const SpeedHeightMeasured& now) const;
     float throttle(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
                    const SpeedHeightMeasured& now, const Errors& errors, float turn, float dt_s);
