@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// After linking: one line for each memory, and a failure when one is past its budget.
+//   node toolchain/check_image.mjs FILE.elf [BUDGETS.json]
+// Also fails when the image reaches the bootloader, constructs a global object at start-up, or
+// has tables in flash where the short load instruction does not reach. The interrupts' budget in
+// cycles is held by the simulated flight, which measures it.
+import { readFileSync } from 'node:fs';
+
+import { readElf } from './image/elf.mjs';
+import { describe, stackBound } from './stack_bound.mjs';
+
+const kBootloader = 0x3e000;  // of the APM 2: the top 8 KiB
+const kNearFlash = 0x10000;
+
+export function checkImage(path, budgets) {
+  const elf = readElf(path);
+  const lines = [], faults = [];
+  const weigh = (name, bytes, budget, more = '') => {
+    const percent = (100 * bytes / budget).toFixed(1);
+    lines.push(`${name.padEnd(11)} ${String(bytes).padStart(6)} of ${String(budget).padStart(6)} (${percent} %)${more}`);
+    if (bytes > budget) faults.push(`${name}: ${bytes} bytes are ${bytes - budget} past the budget of ${budget}`);
+  };
+
+  const flash = elf.length('.text') + elf.length('.data');
+  const ram = elf.length('.data') + elf.length('.bss') + elf.length('.noinit');
+  const stack = stackBound(path);
+  weigh('flash', flash, budgets.flash);
+  weigh('ram', ram, budgets.ram_static, `  data ${elf.length('.data')}, bss ${elf.length('.bss')}, noinit ${elf.length('.noinit')}`);
+  weigh('stack', stack.bytes, budgets.stack, `  ${describe(stack)}`);
+  weigh('ram + stack', ram + stack.bytes, budgets.ram_static_and_stack);
+
+  if (flash > kBootloader) faults.push(`the image ends at 0x${flash.toString(16)}, behind the bootloader's 0x${kBootloader.toString(16)}`);
+  const tables = elf.symbol('__ctors_start')?.value ?? 0;
+  if (tables >= kNearFlash) faults.push(`tables in flash reach 0x${tables.toString(16)}, past 64 KiB`);
+  const constructors = elf.symbols.filter((symbol) => symbol.name.startsWith('_GLOBAL__sub_I'));
+  for (const symbol of constructors) faults.push(`a global object is constructed at start-up: ${symbol.name}`);
+  if (elf.symbol('__ctors_end')?.value !== elf.symbol('__ctors_start')?.value) faults.push('.ctors is not empty');
+  return { lines, faults };
+}
+
+function run([path, budgets = new URL('budgets.json', import.meta.url)]) {
+  if (!path) throw new Error('usage: check_image.mjs FILE.elf [BUDGETS.json]');
+  const { lines, faults } = checkImage(path, JSON.parse(readFileSync(budgets)));
+  for (const line of lines) console.log(line);
+  for (const fault of faults) console.error(`check_image: ${fault}`);
+  if (faults.length > 0) process.exitCode = 1;
+}
+
+if (process.argv[1]?.endsWith('check_image.mjs')) {
+  try {
+    run(process.argv.slice(2));
+  } catch (error) {
+    console.error(`check_image: ${error.message}`);
+    process.exitCode = 1;
+  }
+}
