@@ -89,7 +89,8 @@ bool frameDue() {
     return hal::now_us() - frame_us >= (vehicle.imu.healthy ? kSilentImu_us : kFrame_us);
 }
 
-bool workWaits() { return frameDue() || telemetryWaits(); }
+// The clock is looked at when the rest has ended, not at every interrupt.
+bool workWaits() { return inertialSamplesWaiting() >= kSamplesPerFrame || telemetryWaits(); }
 
 }  // namespace
 

@@ -21,6 +21,8 @@ struct {
     uint16_t us_past_ms;  // 0..999
 } base;
 
+volatile bool rest_is_over;
+
 struct Reading {
     uint16_t us;      // since the overflow `overflowed` tells of
     bool overflowed;  // the interrupt for it has still to run
@@ -74,7 +76,7 @@ ISR(TIMER5_OVF_vect) {
     avr::eepromTick();
 }
 
-EMPTY_INTERRUPT(TIMER5_COMPA_vect)  // only ends a rest
+ISR(TIMER5_COMPA_vect) { rest_is_over = true; }
 
 namespace hal {
 
@@ -107,12 +109,14 @@ uint32_t now_ms() {
 void idle(bool (*work_waits)()) {
     set_sleep_mode(SLEEP_MODE_IDLE);
     cli();
-    if (!work_waits()) {
-        OCR5A = TCNT5 + kLongestRest;
+    OCR5A = TCNT5 + kLongestRest;
+    rest_is_over = false;
+    while (!rest_is_over && !work_waits()) {
         sleep_enable();
         sei();  // takes effect after the next instruction: nothing comes in before the sleep
         sleep_cpu();
         sleep_disable();
+        cli();
     }
     sei();
 }

@@ -300,7 +300,7 @@ TEST_F(UbloxBytes, silence_turns_it_unhealthy_and_the_search_begins_at_38400) {
     EXPECT_EQ(port().opened.front(), 38400u);
 }
 
-TEST_F(UbloxBytes, fifteen_seconds_without_five_fixes_a_second_bring_the_configuration_again) {
+TEST_F(UbloxBytes, three_seconds_without_five_fixes_a_second_bring_the_configuration_again) {
     receive(status(1000));
     for (int i = 0; i < 20; ++i) step();
     port().out.clear();

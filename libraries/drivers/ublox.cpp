@@ -23,7 +23,7 @@ constexpr uint32_t kBauds[] ROM = {38400, 9600, 57600, 115200, 4800, 19200};
 constexpr uint16_t kGreet_ms = 160;    // 63 bytes at 4800 baud are 131 ms on the line
 constexpr uint16_t kListen_ms = 1200;  // a receiver as delivered has one epoch a second
 constexpr uint16_t kSilent_ms = 1200;
-constexpr uint16_t kWrongRate_ms = 15000;
+constexpr uint16_t kWrongRate_ms = 3000;
 constexpr uint16_t kQuestion_ms = 20000;
 constexpr uint16_t kEpoch_ms = 200;
 constexpr uint16_t kLongestPayload = 512;  // more is noise that looked like a header
@@ -209,7 +209,6 @@ bool Ublox::handle(uint32_t now_ms) {
 bool Ublox::part(uint8_t parts, uint32_t now_ms) {
     const uint32_t time_ms = load<uint32_t>(payload_);
     if (time_ms != fix_.time_ms || parts_ == 0) {
-        if (time_ms - fix_.time_ms == kEpoch_ms) stepped_ms_ = now_ms;
         fix_.time_ms = time_ms;
         parts_ = 0;
     }
@@ -225,6 +224,9 @@ bool Ublox::part(uint8_t parts, uint32_t now_ms) {
     if (parts & kHasVelocity) takeVelocity(is_pvt);
     if (parts_ != (kHasPosition | kHasVelocity)) return false;
     parts_ |= kReported;
+    // a receiver that missed one of the messages of its configuration never makes a whole epoch
+    if (time_ms - whole_ms_ == kEpoch_ms) stepped_ms_ = now_ms;
+    whole_ms_ = time_ms;
     fix_.type = plausible(fix_) ? status_type_ : GpsFixType::none;
     return true;
 }

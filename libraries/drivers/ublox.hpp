@@ -60,6 +60,7 @@ private:
     uint8_t payload_[kBuffer] = {};
     const uint8_t* script_ = nullptr;  // in flash, still to be sent
     uint32_t since_ms_ = 0;            // the state was entered or a message heard
+    uint32_t whole_ms_ = 0;            // GPS time of the last whole epoch
     uint32_t stepped_ms_ = 0;          // an epoch came 200 ms after the one before
     uint32_t asked_ms_ = 0;            // the dynamic model was last asked for
     uint16_t length_ = 0, received_ = 0;

@@ -8,9 +8,10 @@ namespace hal {
 uint32_t now_us();  // since reset; wraps after 71.6 minutes: compare differences only
 uint32_t now_ms();  // since reset; wraps after 49.7 days
 
-// Sleeps until the next interrupt unless `work_waits` says, asked with interrupts off, that
-// there is something to do: an interrupt between the question and the sleep is not slept over.
-// Returns after 2 ms at the latest, so that a silent sensor cannot stop the frames.
+// Sleeps through interrupts until `work_waits`, asked with interrupts off after each of them, says
+// that there is something to do: nothing that comes between the question and the sleep is slept
+// over. It is asked some thousand times a second and must be quick. Returns after 2 ms at the
+// latest, so that a silent sensor cannot stop the frames.
 void idle(bool (*work_waits)());
 
 }  // namespace hal

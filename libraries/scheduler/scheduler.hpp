@@ -75,14 +75,17 @@ constexpr bool everyTaskFits(const Task (&tasks)[N], uint32_t frame_us) {
 
 template <uint8_t N>
 class Scheduler {
-    static_assert(N <= 32, "the tasks of a frame are bits of one word");
-
 public:
     constexpr Scheduler(const Task (&tasks)[N], uint16_t frame_us)
         : tasks_(tasks), frame_us_(frame_us) {}
 
     void start() {
-        for (uint8_t i = 0; i < N; ++i) wait_[i] = core::romRead(tasks_[i]).phase + 1;
+        fast_ = 0;
+        for (uint8_t i = 0; i < N; ++i) {
+            const Task task = core::romRead(tasks_[i]);
+            wait_[i] = task.phase + 1;
+            if (task.period == 1) ++fast_;
+        }
     }
 
     // Runs the frame that was due at `due_us`; what is left of it is reckoned from there.
@@ -90,21 +93,20 @@ public:
         hal::mark(hal::kMarkFrameBegin);
         due_us_ = due_us;
         const uint32_t began_us = now_us_ = hal::now_us();
-        uint32_t waiting = 0;
+        int8_t latest = 1;
         for (uint8_t i = 0; i < N; ++i) {
             if (wait_[i] > -kPatience) --wait_[i];
             if (wait_[i] > 0) continue;
-            const Task task = core::romRead(tasks_[i]);
-            if (task.period == 1)
-                runTimed(task, i);
-            else
-                waiting |= uint32_t{1} << i;
+            if (i < fast_) {
+                runTimed(core::romRead(tasks_[i]), i);
+            } else if (wait_[i] < latest) {
+                latest = wait_[i];
+            }
         }
-        while (waiting != 0) {
-            const uint8_t next = oldest(waiting);
-            waiting &= ~(uint32_t{1} << next);
-            serve(next);
-        }
+        // those that have waited longest first; a frame in which none was put off is one round
+        for (int8_t late = latest; late <= 0; ++late)
+            for (uint8_t i = fast_; i < N; ++i)
+                if (wait_[i] == late) serve(i);
         busy_us_ += now_us_ - began_us;
         if (now_us_ - due_us > frame_us_) countUp(late_frames_);
         hal::mark(hal::kMarkFrameEnd);
@@ -119,13 +121,6 @@ public:
 private:
     static void countUp(uint16_t& count) {
         if (count != 0xFFFF) ++count;
-    }
-
-    uint8_t oldest(uint32_t waiting) const {
-        uint8_t found = N;
-        for (uint8_t i = 0; i < N; ++i, waiting >>= 1)
-            if ((waiting & 1) && (found == N || wait_[i] < wait_[found])) found = i;
-        return found;
     }
 
     void serve(uint8_t i) {
@@ -153,6 +148,7 @@ private:
 
     const Task (&tasks_)[N];
     const uint16_t frame_us_;
+    uint8_t fast_ = 0;     // tasks of the fast tier: they stand first
     int8_t wait_[N] = {};  // frames until due; 0 due, below 0 late by as many
     uint16_t longest_us_[N] = {};
     uint16_t overruns_ = 0, deferrals_ = 0, late_frames_ = 0;
