@@ -32,6 +32,7 @@ navigation::Landing landing;
 navigation::Launch launch;
 navigation::TakeoffCourse takeoff_course;
 navigation::TurnCount turns;
+navigation::BankTrim bank_trim;
 bool guiding;  // in the run before as well
 uint8_t bearing_turn;
 
@@ -70,7 +71,7 @@ navigation::Motion motion() {
     motion.position = estimate.position;
     motion.velocity_mps = {estimate.velocity_mps.x, estimate.velocity_mps.y};
     motion.wind_mps = {estimate.wind_mps.x, estimate.wind_mps.y};
-    motion.bank_accel_mss = presentBank_mss();
+    motion.bank_accel_mss = presentBank_mss() - bank_trim.accel_mss();
     motion.bank_lag_s = parameters.roll.axis.time_constant_s + kBankLoop_s;
     motion.turn_accel_mss = kTurnShare * core::kGravity_mss * tanf(bankLimit_rad(false));
     return motion;
@@ -83,7 +84,8 @@ float dot(const geo::Offset& a, const geo::Offset& b) {
 void bank(float bank_accel_mss, bool level) {
     const float carried_mss = carriedBank_mss();
     const float limit_rad = bankLimit_rad(level);
-    const float accel_mss = core::limit(bank_accel_mss, -carried_mss, carried_mss);
+    const float accel_mss =
+        core::limit(bank_accel_mss + bank_trim.accel_mss(), -carried_mss, carried_mss);
     vehicle.roll_demand_rad =
         core::limit(navigation::bankFor_rad(accel_mss), -limit_rad, limit_rad);
 }
@@ -124,6 +126,7 @@ navigation::Lateral fliesLeg(const navigation::Motion& now) {
     const auto lateral = navigation::followLeg(parameters.lateral, now, demand.from, demand.to);
     tellLateral(lateral);
     vehicle.progress.passed = lateral.along_m >= lateral.length_m;
+    if (!landing.flaring()) bank_trim.learn(-lateral.crosstrack_m, kPeriod_s);
     return lateral;
 }
 
@@ -153,6 +156,8 @@ Plan flyCircle() {
     bank(lateral.bank_accel_mss, false);
     turns.update(circle, geo::offset(circle.centre, vehicle.estimate.position),
                  lateral.crosstrack_m);
+    const float outside_m = lateral.crosstrack_m;
+    bank_trim.learn(circle.counter_clockwise ? -outside_m : outside_m, kPeriod_s);
     vehicle.progress.captured = turns.captured();
     vehicle.progress.turned_rad = turns.turned_rad();
     return levelPlan();
@@ -313,6 +318,7 @@ void beginPath() {
 
 void takeOver() {
     speed_height.start(measured(), vehicle.attitude.pitch_rad, vehicle.throttle_demand);
+    bank_trim.start();
     vehicle.progress.throttle_suppressed = true;
 }
 

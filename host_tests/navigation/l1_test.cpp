@@ -225,6 +225,35 @@ TEST(TurnCount, begins_at_the_capture_and_grows_in_the_circles_direction) {
     EXPECT_NEAR(turns.turned_rad(), 4 * 3.14159265, 0.01);
 }
 
+TEST(BankTrim, takes_away_what_a_false_level_leaves_beside_the_path) {
+    Pilot pilot;
+    navigation::BankTrim trim;
+    trim.start();
+    const float false_level_mss = 0.35f;  // two degrees
+    const auto law = [&](Motion motion) {
+        motion.bank_accel_mss += false_level_mss - trim.accel_mss();
+        auto lateral = followLeg(kSettings, motion, at(0, 0), at(3000, 0));
+        trim.learn(-lateral.crosstrack_m, 0.05f);
+        lateral.bank_accel_mss += trim.accel_mss() - false_level_mss;
+        return lateral;
+    };
+    pilot.fly(10, law, [](const Lateral&) { return true; });
+    EXPECT_LT(pilot.plane.east, -0.05);
+    pilot.fly(60, law, [](const Lateral&) { return true; });
+
+    EXPECT_NEAR(pilot.plane.east, 0, 0.15);
+    EXPECT_NEAR(trim.accel_mss(), false_level_mss, 0.1);
+}
+
+TEST(BankTrim, does_not_learn_from_a_capture_and_has_a_limit) {
+    navigation::BankTrim trim;
+    trim.start();
+    for (int i = 0; i < 100; ++i) trim.learn(5, 0.05f);
+    EXPECT_EQ(trim.accel_mss(), 0);
+    for (int i = 0; i < 10000; ++i) trim.learn(1, 0.05f);
+    EXPECT_FLOAT_EQ(trim.accel_mss(), 0.6f);
+}
+
 TEST(Course, is_held_across_the_wind) {
     Pilot pilot({0, 5, 0, 1});
     const auto law = [&](const Motion& motion) { return followCourse(kSettings, motion, {1, 0}); };

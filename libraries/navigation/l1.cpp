@@ -13,6 +13,9 @@ using geo::Offset;
 constexpr float kSlowest_mps = 3.0f;   // below, a course means nothing
 constexpr float kMostCrab_cos = 0.5f;  // 60 degrees
 constexpr float kCaptured_m = 5.0f;
+constexpr float kTrimReach_m = 3;      // farther from the path it is being captured, not trimmed
+constexpr float kTrimRate = 0.08f;     // m/s2 a second for a metre: learned in ten seconds
+constexpr float kMostTrim_mss = 0.6f;  // 3.5 degrees
 constexpr float kSmallestRadius_m = 5.0f;
 constexpr float kShortestLeg_m = 1.0f;  // shorter ones have no direction: straight to the end
 
@@ -183,6 +186,12 @@ float bankFor_rad(float bank_accel_mss) {
     const float low = t * (core::kPi / 4 + 0.273f * (1 - t));
     const float angle = steep ? core::kPi / 2 - low : low;
     return x < 0 ? -angle : angle;
+}
+
+void BankTrim::learn(float left_of_path_m, float dt_s) {
+    if (left_of_path_m > kTrimReach_m || left_of_path_m < -kTrimReach_m) return;  // a capture
+    const float step = core::limit(left_of_path_m, -1.0f, 1.0f) * kTrimRate * dt_s;
+    accel_mss_ = core::limit(accel_mss_ + step, -kMostTrim_mss, kMostTrim_mss);
 }
 
 void TurnCount::update(const Circle& circle, const Offset& from_centre, float crosstrack_m) {

@@ -48,6 +48,18 @@ Lateral followCourse(const LateralSettings& settings, const Motion& motion,
 
 float bankFor_rad(float bank_accel_mss);  // atan(a / g) within 0.3 degrees
 
+// The part of the bank that turns nothing: a level not quite true, a wing not quite straight. It is
+// learned from what stays beside the path, and kept from one path to the next.
+class BankTrim {
+public:
+    void start() { accel_mss_ = 0; }
+    void learn(float left_of_path_m, float dt_s);
+    float accel_mss() const { return accel_mss_; }  // to be added to what a law demands
+
+private:
+    float accel_mss_ = 0;
+};
+
 // How far round a circle the airplane has come since it was on it.
 class TurnCount {
 public:
