@@ -74,6 +74,13 @@ void useBarometer() {
     baro_us = now_us;
 }
 
+// On the ground before the first fix 0 lets the filter settle; in flight it would hold the turn's
+// acceleration for gravity.
+float knownAirspeed_mps() {
+    if (vehicle.airspeed.healthy) return vehicle.estimate.airspeed_mps;
+    return vehicle.estimate.flying ? parameters.cruise_speed_cms * 0.01f : 0.0f;
+}
+
 void estimateAttitude() {
     const auto& imu = vehicle.imu;
     attitude.propagate(imu.rate_rads, imu.accel_mss, imu.dt_s);
@@ -84,8 +91,21 @@ void estimateAttitude() {
     const uint32_t now_ms = hal::now_ms();
     if (now_ms - fix_ms > kGpsSilent_ms && now_ms - unfixed_ms >= kAirspeedHelps_ms) {
         unfixed_ms = now_ms;
-        attitude.useAirspeed(vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f);
+        attitude.useAirspeed(knownAirspeed_mps());
     }
+}
+
+// The attitude gives a new acceleration every fourth frame.
+void propagateMotion() {
+    static uint8_t frames;
+    static float gathered_s;
+    gathered_s += vehicle.imu.dt_s;
+    if (++frames < 4) return;
+    frames = 0;
+    const Vector3& acceleration_mss = attitude.acceleration_mss();
+    position.propagate(acceleration_mss, gathered_s);
+    height.propagate(-acceleration_mss.z, gathered_s);
+    gathered_s = 0;
 }
 
 void publishAttitude() {
@@ -157,9 +177,7 @@ void runEstimator() {
     }
     estimateAttitude();
     publishAttitude();
-    const Vector3& acceleration_mss = attitude.acceleration_mss();
-    position.propagate(acceleration_mss, vehicle.imu.dt_s);
-    height.propagate(-acceleration_mss.z, vehicle.imu.dt_s);
+    propagateMotion();
     if (vehicle.baro.fresh) {
         vehicle.baro.fresh = false;
         useBarometer();
