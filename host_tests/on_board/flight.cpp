@@ -60,24 +60,31 @@ int fly(const std::vector<std::string>& words) {
     return ok ? 0 : 1;
 }
 
-// What the mission did, without the announcements of what comes next, whose place between two
-// other messages is a matter of the stream's phase.
-std::vector<std::string> missionEvents(const Json& summary) {
-    std::vector<std::string> events;
+// Modes and arming are told by a heartbeat once a second, the mission's progress when it happens:
+// each is a sequence of its own. What comes next is announced in a stream's phase and left out.
+std::vector<std::string> events(const Json& summary, bool by_heartbeat) {
+    std::vector<std::string> found;
     for (const Json& event : summary.at("events")) {
         const std::string text = event.at("text");
-        if (text.rfind("flies item", 0) != 0) events.push_back(text);
+        const bool beat = text.rfind("mode ", 0) == 0 || text == "armed" || text == "disarmed";
+        if (beat == by_heartbeat && text.rfind("flies item", 0) != 0) found.push_back(text);
     }
-    return events;
+    return found;
 }
 
-int same(const std::vector<std::string>& words) {
-    const auto a = missionEvents(readJson(words.at(0))), b = missionEvents(readJson(words.at(1)));
+bool sameSequence(const std::vector<std::string>& a, const std::vector<std::string>& b) {
     for (size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
         const std::string left = i < a.size() ? a[i] : "-", right = i < b.size() ? b[i] : "-";
         std::cout << (left == right ? "  " : "! ") << left << " | " << right << '\n';
     }
-    return a == b && !a.empty() ? 0 : 1;
+    return a == b && !a.empty();
+}
+
+int same(const std::vector<std::string>& words) {
+    const Json a = readJson(words.at(0)), b = readJson(words.at(1));
+    const bool modes = sameSequence(events(a, true), events(b, true));
+    const bool mission = sameSequence(events(a, false), events(b, false));
+    return modes && mission ? 0 : 1;
 }
 
 int minutes(const std::vector<std::string>& words) {
