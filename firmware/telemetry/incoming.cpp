@@ -18,23 +18,27 @@ struct Incoming {
     mavlink::Accepted accepted;
     uint8_t target;  // where in the payload target_system and target_component stand
     Handler handle;
+    Handler refuse;  // says that it could not be done in time
 };
 
+// For messages that are never refused, or whose sender is asked again anyway.
+bool silently(Link&, const mavlink::Frame&) { return true; }
+
 template <class Message>
-constexpr Incoming row(uint8_t target, Handler handle) {
+constexpr Incoming row(uint8_t target, Handler handle, Handler refuse) {
     static_assert(mavlink::kHeaderV2 + sizeof(Message) + mavlink::kChecksum <= kLongestTalk,
                   "longer than the parser's buffer");
-    return {mavlink::accepts<Message>(), target, handle};
+    return {mavlink::accepts<Message>(), target, handle, refuse};
 }
 
 template <class Message>
 constexpr Incoming toAll(Handler handle) {
-    return row<Message>(kNotAddressed, handle);
+    return row<Message>(kNotAddressed, handle, silently);
 }
 
 template <class Message>
-constexpr Incoming toUs(Handler handle) {
-    return row<Message>(offsetof(Message, target_system), handle);
+constexpr Incoming toUs(Handler handle, Handler refuse = silently) {
+    return row<Message>(offsetof(Message, target_system), handle, refuse);
 }
 
 // clang-format off
@@ -52,16 +56,16 @@ constexpr Incoming kIncoming[] ROM = {
     toUs<mavlink::AutopilotVersionRequest>(onAutopilotVersionRequest),
     toUs<mavlink::ParamRequestList>(onParamRequestList),
     toUs<mavlink::ParamRequestRead>(onParamRequestRead),
-    toUs<mavlink::ParamSet>(onParamSet),
+    toUs<mavlink::ParamSet>(onParamSet, refuseParamSet),
     toUs<mavlink::MissionRequestList>(onMissionRequestList),
-    toUs<mavlink::MissionRequest>(onMissionRequest),
-    toUs<mavlink::MissionRequestInt>(onMissionRequestInt),
-    toUs<mavlink::MissionCount>(onMissionCount),
-    toUs<mavlink::MissionWritePartialList>(onMissionWritePartialList),
+    toUs<mavlink::MissionRequest>(onMissionRequest, refuseMission),
+    toUs<mavlink::MissionRequestInt>(onMissionRequestInt, refuseMission),
+    toUs<mavlink::MissionCount>(onMissionCount, refuseMission),
+    toUs<mavlink::MissionWritePartialList>(onMissionWritePartialList, refuseMission),
     toUs<mavlink::MissionItem>(onMissionItem),
     toUs<mavlink::MissionItemInt>(onMissionItemInt),
     toUs<mavlink::MissionAck>(onMissionAck),
-    toUs<mavlink::MissionClearAll>(onMissionClearAll),
+    toUs<mavlink::MissionClearAll>(onMissionClearAll, refuseMission),
     toUs<mavlink::MissionSetCurrent>(onMissionSetCurrent),
     toUs<mavlink::LogRequestList>(onLogRequestList),
 };
@@ -93,6 +97,10 @@ uint8_t IncomingTable::find(uint16_t id, mavlink::Accepted& to) {
 bool handleFrame(Link& link, const mavlink::Frame& frame) {
     const Incoming row = core::romRead(kIncoming[frame.row]);
     return !meantForUs(frame, row) || row.handle(link, frame);
+}
+
+void refuseFrame(Link& link, const mavlink::Frame& frame) {
+    core::romRead(kIncoming[frame.row].refuse)(link, frame);
 }
 
 }  // namespace firmware

@@ -59,9 +59,10 @@ bool send(Link& link, const Message& message) {
 }
 
 // What the handlers of incoming frames share. A handler that returns false is called again with
-// the same frame in a later turn.
+// the same frame in a later turn; when that has lasted too long the frame is refused.
 using Handler = bool (*)(Link& link, const mavlink::Frame& frame);
 bool handleFrame(Link& link, const mavlink::Frame& frame);
+void refuseFrame(Link& link, const mavlink::Frame& frame);
 
 constexpr uint8_t kComponent = mavlink::MavComponent::autopilot1;
 

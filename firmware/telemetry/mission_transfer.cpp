@@ -296,6 +296,10 @@ bool onMissionSetCurrent(Link& link, const mavlink::Frame& frame) {
     return true;
 }
 
+bool refuseMission(Link& link, const mavlink::Frame& frame) {
+    return acknowledge(link, peerOf(frame), MissionResult::error);
+}
+
 void missionTransferStart() { upload.state = Upload::none; }
 
 void missionTransferTurn() {

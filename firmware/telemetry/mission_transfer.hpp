@@ -21,6 +21,8 @@ bool onMissionRequestInt(Link& link, const mavlink::Frame& frame);
 bool onMissionClearAll(Link& link, const mavlink::Frame& frame);
 bool onMissionSetCurrent(Link& link, const mavlink::Frame& frame);
 
+bool refuseMission(Link& link, const mavlink::Frame& frame);  // the store stayed busy
+
 void missionTransferStart();
 void missionTransferTurn();  // asks again, gives up, stores, tells what was reached
 uint16_t lastReached();      // the item of MISSION_ITEM_REACHED

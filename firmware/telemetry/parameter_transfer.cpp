@@ -57,4 +57,11 @@ bool onParamSet(Link& link, const mavlink::Frame& frame) {
     return sendValue(link, index);
 }
 
+bool refuseParamSet(Link& link, const mavlink::Frame& frame) {
+    const auto wanted = frame.read<mavlink::ParamSet>();
+    uint16_t index;
+    tell(Severity::warning, ROM_TEXT("Parameter not set: store busy"));
+    return !parameterFind(wanted.param_id, index) || sendValue(link, index);
+}
+
 }  // namespace firmware

@@ -11,6 +11,7 @@ struct Link;
 bool onParamRequestList(Link& link, const mavlink::Frame& frame);
 bool onParamRequestRead(Link& link, const mavlink::Frame& frame);
 bool onParamSet(Link& link, const mavlink::Frame& frame);
+bool refuseParamSet(Link& link, const mavlink::Frame& frame);  // the store stayed busy
 
 bool parameterListSend(Link& link);  // the next of a list; false: no list, or no room
 

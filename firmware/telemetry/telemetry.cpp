@@ -12,7 +12,7 @@ namespace firmware {
 namespace {
 
 constexpr uint8_t kBytesAtOnce = 16;
-constexpr uint8_t kHoldTurns = 25;  // 0.5 s: then the frame is given up, its sender asks again
+constexpr uint8_t kHoldTurns = kTurns_hz;  // a second, then the frame is refused
 
 bool usb;  // as link0 was opened
 
@@ -50,7 +50,10 @@ void followUsb() {
 bool handleWhole(Link& link) {
     const mavlink::Frame frame = link.parser.frame();
     if (frame.framing == mavlink::Framing::v2) link.framing = mavlink::Framing::v2;
-    if (!handleFrame(link, frame) && link.held_turns < kHoldTurns) return false;
+    if (!handleFrame(link, frame)) {
+        if (link.held_turns < kHoldTurns) return false;
+        refuseFrame(link, frame);
+    }
     link.held_turns = 0;
     link.whole = link.parser.next();
     return true;

@@ -5,7 +5,7 @@ import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { registry } from './node_mavlink.mjs';
+import { registry } from '../ground/node_mavlink.mjs';
 
 const root = new URL('../../', import.meta.url);
 

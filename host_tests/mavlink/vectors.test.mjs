@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { messages, nodeMavlink } from './node_mavlink.mjs';
+import { messages, nodeMavlink } from '../ground/node_mavlink.mjs';
 
 const repeat = process.env.MAVLINK_REPEAT;
 const list = JSON.parse(readFileSync(

@@ -330,6 +330,20 @@ TEST_F(MissionTransfer, an_item_that_is_still_being_read_comes_later) {
     EXPECT_EQ(ask<mavlink::MissionItemInt>(request<mavlink::MissionRequestInt>(0), 100).size(), 1u);
 }
 
+TEST_F(MissionTransfer, a_store_that_stays_busy_is_no_silence) {
+    mission.items = {stored(0)};
+    mission.busy = 1000000;
+    give(count(3));
+    run_ms(1500);
+    EXPECT_EQ(acks(), Results{MavMissionResult::error});
+
+    give(request<mavlink::MissionRequestInt>(0));
+    run_ms(1500);
+    EXPECT_EQ(acks(), Results{MavMissionResult::error});
+
+    EXPECT_EQ(command(mavlink::MavCmd::component_arm_disarm, 0), 0);  // the link lives on
+}
+
 TEST_F(MissionTransfer, clears_the_mission) {
     mission.items = {stored(0)};
     mavlink::MissionClearAll message = {};

@@ -3,12 +3,12 @@
 import { createRequire } from 'node:module';
 
 const require = createRequire(new URL('../../toolchain/node/package.json', import.meta.url));
-export const nodeMavlink = require('node-mavlink');
-const { minimal, common, standard, ardupilotmega } = require('mavlink-mappings');
+const mappings = require('mavlink-mappings');
+const dialects = [mappings.minimal, mappings.common, mappings.standard, mappings.ardupilotmega];
 
-export const registry = { ...minimal.REGISTRY, ...common.REGISTRY, ...standard.REGISTRY,
-  ...ardupilotmega.REGISTRY };
+export const nodeMavlink = require('node-mavlink');
+export const { x25crc } = mappings;
+
+export const registry = Object.assign({}, ...dialects.map((dialect) => dialect.REGISTRY));
 export const messages = Object.fromEntries(
   Object.values(registry).map((type) => [type.MSG_NAME, type]));
-
-export const enums = { ...minimal, ...common, ...standard, ...ardupilotmega };
