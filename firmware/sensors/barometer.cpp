@@ -13,6 +13,10 @@ namespace {
 
 drivers::Ms5611<board::SensorBus, board::BarometerSelect> barometer;
 
+// The sensor sits on a board that warms it by about this much over the air around the airplane;
+// taken for the air's, its temperature would make every height 3 % too large.
+constexpr float kBoardWarmth_c = 10.0f;
+
 constexpr uint8_t kSettleReadings = 20;
 constexpr uint8_t kZeroReadings = 100;
 
@@ -27,7 +31,7 @@ void takeZero(float pressure_pa) {
     zero.sum_pa += pressure_pa;
     if (zero.readings < kSettleReadings + kZeroReadings) return;
     vehicle.baro.ground_pressure_pa = zero.sum_pa / kZeroReadings;
-    vehicle.baro.ground_temperature_c = vehicle.baro.temperature_c;
+    vehicle.baro.ground_temperature_c = vehicle.baro.temperature_c - kBoardWarmth_c;
 }
 
 }  // namespace
