@@ -139,4 +139,5 @@ target_compile_definitions(hal_avr_test PRIVATE CHIP_PROGRAMS="${CMAKE_BINARY_DI
 house_test(simulator_test ${CMAKE_SOURCE_DIR}/host_tests/simulator simulator_report
            simulator_ground simulator_native simulator_world)
 
+include(ground)
 include(flights)

@@ -26,7 +26,6 @@ test('AUTO without a mission is refused and the reason told', withVehicle({}, as
 
 test('arming before the sensors are ready is refused and the reason told',
   withVehicle({}, async (vehicle) => {
-    await vehicle.expect('HEARTBEAT');
     assert.equal(await vehicle.command(400, [1]), 4);
     const { text } = await vehicle.expect('STATUSTEXT', { where: (data) => /PreArm/.test(data.text) });
     assert.match(text, /^PreArm: .+/);

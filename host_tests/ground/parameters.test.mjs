@@ -54,11 +54,13 @@ test('a value that was set is there after the next power-on', async () => {
   const options = ['--eeprom', join(folder, 'eeprom.bin')];
   try {
     const first = await Vehicle.start({ options });
+    await first.boot();
     set(first, 'WP_RADIUS', 42);
     await first.expect('PARAM_VALUE');
-    await first.wait(1000);
+    await first.wait(3000);  // the store is busy reading the mission at first
     await first.stop();
     const second = await Vehicle.start({ options });
+    await second.boot();
     assert.equal(await read(second, 'WP_RADIUS'), 42);
     await second.stop();
   } finally {

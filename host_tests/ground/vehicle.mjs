@@ -94,6 +94,12 @@ export class Vehicle {
     return vehicle;
   }
 
+  async boot() {
+    await this.expect('HEARTBEAT');
+    await this.wait(2 * kStep_ms);
+    this.forget();
+  }
+
   async stop() {
     this.program.kill();
     await this.gone.catch(() => {});
@@ -167,10 +173,11 @@ export class Vehicle {
   }
 }
 
-// A test with a vehicle of its own, whatever becomes of it.
-export const withVehicle = (options, body) => async () => {
+// A test with a vehicle of its own, whatever becomes of it; `booted`: both its lines are open.
+export const withVehicle = ({ booted = true, ...options }, body) => async () => {
   const vehicle = await Vehicle.start(options);
   try {
+    if (booted) await vehicle.boot();
     await body(vehicle);
   } finally {
     await vehicle.stop();
