@@ -7,27 +7,18 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(SIMAVR REQUIRED IMPORTED_TARGET simavr)
 set(CMAKE_CXX_STANDARD 17)
 
+# With SANITIZE only what runs on the host alone is built, and twice as carefully.
 option(SANITIZE "build with the address and undefined-behaviour sanitizers" OFF)
 if(SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all)
     add_link_options(-fsanitize=address,undefined)
 endif()
 
-# ---- the image, by the cross compiler: always asked, rebuilds only what changed
-include(ExternalProject)
-set(IMAGE_ELF ${CMAKE_BINARY_DIR}/avr-apm2/firmware.elf)
-ExternalProject_Add(image
-    SOURCE_DIR ${CMAKE_SOURCE_DIR}
-    BINARY_DIR ${CMAKE_BINARY_DIR}/avr-apm2
-    CMAKE_ARGS -DCMAKE_TOOLCHAIN_FILE=${CMAKE_SOURCE_DIR}/toolchain/avr-gcc.cmake -DBOARD=apm2
-               -DCMAKE_BUILD_TYPE=MinSizeRel
-    BUILD_ALWAYS ON
-    BUILD_BYPRODUCTS ${IMAGE_ELF}
-    INSTALL_COMMAND "")
-
 # ---- the rules of the house
 find_program(NODE node REQUIRED)
 add_test(NAME house.include_rules COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/check_house.mjs)
+add_test(NAME toolchain.image_tools
+         COMMAND ${NODE} --test ${CMAKE_SOURCE_DIR}/host_tests/toolchain)
 add_test(NAME house.formatting COMMAND ${CMAKE_SOURCE_DIR}/toolchain/check_format)
 
 # ---- doubles of the hardware for the unit tests
@@ -113,6 +104,25 @@ target_sources(telemetry_test PRIVATE ${CMAKE_SOURCE_DIR}/host_tests/telemetry/v
 simulator_library(native simulator_world core hal)
 target_include_directories(simulator_native BEFORE PRIVATE ${CMAKE_SOURCE_DIR}/simulator/native)
 
+house_test(simulator_test ${CMAKE_SOURCE_DIR}/host_tests/simulator simulator_report
+           simulator_ground simulator_native simulator_world)
+
+if(SANITIZE)
+    return()
+endif()
+
+# ---- the image, by the cross compiler: always asked, rebuilds only what changed
+include(ExternalProject)
+set(IMAGE_ELF ${CMAKE_BINARY_DIR}/avr-apm2/firmware.elf)
+ExternalProject_Add(image
+    SOURCE_DIR ${CMAKE_SOURCE_DIR}
+    BINARY_DIR ${CMAKE_BINARY_DIR}/avr-apm2
+    CMAKE_ARGS -DCMAKE_TOOLCHAIN_FILE=${CMAKE_SOURCE_DIR}/toolchain/avr-gcc.cmake -DBOARD=apm2
+               -DCMAKE_BUILD_TYPE=MinSizeRel
+    BUILD_ALWAYS ON
+    BUILD_BYPRODUCTS ${IMAGE_ELF}
+    INSTALL_COMMAND "")
+
 include(machine)
 
 find_package(CLI11 REQUIRED)
@@ -135,9 +145,18 @@ ExternalProject_Add(hal_programs
     INSTALL_COMMAND "")
 house_test(hal_avr_test ${CMAKE_SOURCE_DIR}/host_tests/hal_avr simulator_machine)
 add_dependencies(hal_avr_test hal_programs)
-target_compile_definitions(hal_avr_test PRIVATE CHIP_PROGRAMS="${CMAKE_BINARY_DIR}/avr-hal")
-house_test(simulator_test ${CMAKE_SOURCE_DIR}/host_tests/simulator simulator_report
-           simulator_ground simulator_native simulator_world)
+target_compile_definitions(hal_avr_test PRIVATE CHIP_PROGRAMS="${CMAKE_BINARY_DIR}/avr-hal"
+    STACK_BOUND="${NODE} ${CMAKE_SOURCE_DIR}/toolchain/stack_bound.mjs")
+# ---- the same tests again with the sanitizers watching
+ExternalProject_Add(sanitized
+    SOURCE_DIR ${CMAKE_SOURCE_DIR}
+    BINARY_DIR ${CMAKE_BINARY_DIR}/sanitized
+    CMAKE_ARGS -DSANITIZE=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
+    BUILD_ALWAYS ON
+    INSTALL_COMMAND "")
+add_test(NAME sanitizers
+         COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${CMAKE_BINARY_DIR}/sanitized --output-on-failure)
+set_tests_properties(sanitizers PROPERTIES TIMEOUT 1200)
 
 include(ground)
 include(flights)
