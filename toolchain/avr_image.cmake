@@ -2,7 +2,7 @@
 # The image for the board named by BOARD: firmware/ on hal_avr/ on libraries/.
 set(BOARD apm2 CACHE STRING "apm2")
 add_compile_options(-Os -flto -ffat-lto-objects -mrelax -mcall-prologues)
-add_link_options(-Os -flto -mrelax)
+add_link_options(-Os -flto -mrelax -Wl,--emit-relocs)  # the stack bound wants to know addresses
 link_libraries(m)
 
 file(GLOB hal_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp
@@ -27,6 +27,10 @@ add_custom_command(TARGET firmware POST_BUILD
     COMMAND ${CMAKE_OBJCOPY} -O ihex -R .eeprom $<TARGET_FILE:firmware> firmware.hex
     COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/blank_eeprom.mjs firmware.eep
     VERBATIM)
+# what judges the image is part of it
+file(GLOB image_checks ${CMAKE_SOURCE_DIR}/toolchain/*.mjs ${CMAKE_SOURCE_DIR}/toolchain/image/*.mjs
+     ${CMAKE_SOURCE_DIR}/toolchain/budgets.json)
+set_target_properties(firmware PROPERTIES LINK_DEPENDS "${image_checks}")
 
 # ---- programs on the hardware layer alone, which host_tests/hal_avr runs on the emulated chip
 file(GLOB hal_programs CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/hal_avr/programs/*.cpp)

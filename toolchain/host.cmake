@@ -17,8 +17,10 @@ endif()
 # ---- the rules of the house
 find_program(NODE node REQUIRED)
 add_test(NAME house.include_rules COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/check_house.mjs)
-add_test(NAME toolchain.image_tools
-         COMMAND ${NODE} --test ${CMAKE_SOURCE_DIR}/host_tests/toolchain)
+file(GLOB tool_tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/toolchain/*.test.mjs)
+add_test(NAME toolchain.image_tools COMMAND ${NODE} --test ${tool_tests})
+add_test(NAME image.budgets
+         COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/check_image.mjs ${IMAGE_ELF})
 add_test(NAME house.formatting COMMAND ${CMAKE_SOURCE_DIR}/toolchain/check_format)
 
 # ---- doubles of the hardware for the unit tests

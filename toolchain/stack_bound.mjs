@@ -27,7 +27,7 @@ const kRam = 0x800000;  // where the ELF file puts it
 function readableNames(raw) {
   try {
     const text = execFileSync('avr-c++filt', { input: raw.join('\n'), encoding: 'utf8' });
-    const nice = text.trimEnd().split('\n').map((name) => name.replaceAll('(anonymous namespace)::', '').replace(/\(.*/, ''));
+    const nice = text.trimEnd().split('\n').map((name) => name.replaceAll('(anonymous namespace)::', '').replace(/\((unsigned )?\w+\)(?=\d)/g, '').replace(/\(.*/, ''));
     return new Map(raw.map((name, i) => [name, nice[i]]));
   } catch {
     return new Map(raw.map((name) => [name, name]));

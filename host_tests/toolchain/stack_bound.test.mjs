@@ -119,6 +119,26 @@ test('a table is found through the pointer in RAM that leads to it', () => {
   assert.equal(result.unresolved, 0);
 });
 
+test('a row copied from flash into a frame and handed on still leads to its table', () => {
+  const result = bound(`
+    #include <string.h>
+    extern "C" ASM large() { asm("push r2\\n push r3\\n pop r3\\n pop r2\\n ret"); }
+    extern "C" ASM huge() { asm("push r2\\n push r3\\n push r4\\n pop r4\\n pop r3\\n pop r2\\n ret"); }
+    struct Row { void (*run)(); void (*other)(); uint8_t a, b, c; };
+    const Row kRows[] PROGMEM = {{large, huge, 1, 2, 3}, {large, huge, 1, 2, 3}, {large, huge, 4, 5, 6}};
+    PLAIN void run(const Row& row) { row.run(); PORTA = row.a; }
+    __attribute__((OS_main)) int main() {
+      for (uint8_t i = 0;; i = PINA % 3) {
+        Row row;
+        memcpy_P(&row, &kRows[i], sizeof row);
+        run(row);
+      }
+    }`);
+
+  assert.equal(result.unresolved, 0);
+  assert.deepEqual(result.indirect[0].targets, ['large']);
+});
+
 test('a function given as an argument is looked for in the callers', () => {
   const result = bound(`
     extern "C" ASM asked() { asm("push r2\\n push r3\\n pop r3\\n pop r2\\n ret"); }

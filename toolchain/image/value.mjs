@@ -39,12 +39,14 @@ export function either(a, b) {
   return make(a.root, a.off, gcd(gcd(a.stride, b.stride), a.off - b.off));
 }
 
-// A register holds one half of such a value, or a byte of memory, or (null) anything.
+// A register holds one half of such a value (and may be known itself, as c), or a byte of memory,
+// or (null) anything.
 export const half = (value, which) => (isUnknown(value) ? null : { value, which });
 export const byteAt = (space, at) => ({ space, at });
 export const constantByte = (c) => ({ value: number(c & 0xff), which: 0 });
 
 export const byteOf = (byte) => {
+  if (byte?.c !== undefined) return byte.c;
   if (!byte?.value || !isNumber(byte.value)) return undefined;
   return byte.which === 0 ? byte.value.off & 0xff : byte.value.off >> 8;
 };
@@ -57,20 +59,25 @@ export function pair(low, high) {
 }
 export const byteKey = (byte) => {
   if (!byte) return '';
+  if (byte.c !== undefined) return `#${byte.c} ${keyOf(byte.value)}`;
   const c = byteOf(byte);
   if (c !== undefined) return `#${c}`;
   return byte.value ? `${keyOf(byte.value)}.${byte.which}` : `${byte.space}[${keyOf(byte.at)}]`;
 };
+const isSameByte = (a, b) => byteKey(a) === byteKey(b) || (byteOf(a) !== undefined && byteOf(a) === byteOf(b));
+
 // The same for a whole pair, whose halves may be constants that only together are an address.
 export function eitherPair([lowA, highA], [lowB, highB]) {
-  if (byteKey(lowA) !== byteKey(lowB)) {
+  if (!isSameByte(lowA, lowB)) {
     const both = either(pair(lowA, highA), pair(lowB, highB));
-    if (!isUnknown(both)) return [half(both, 0), half(both, 1)];
+    const high = byteOf(highA) === byteOf(highB) ? byteOf(highA) : undefined;
+    if (!isUnknown(both)) return [half(both, 0), high === undefined ? half(both, 1) : { value: both, which: 1, c: high }];
   }
   return [eitherByte(lowA, lowB), eitherByte(highA, highB)];
 }
 export function eitherByte(a, b) {
   if (a === b || byteKey(a) === byteKey(b)) return a;
+  if (isSameByte(a, b)) return constantByte(byteOf(a));
   if (a?.value && b?.value && a.which === b.which) return half(either(a.value, b.value), a.which);
   if (a?.space && a.space === b?.space) {
     const at = either(a.at, b.at);
