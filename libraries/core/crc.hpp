@@ -8,11 +8,17 @@ namespace core {
 
 constexpr uint16_t kCrcStart = 0xFFFF;
 
+// In bytes and by swapping their halves, as the chip can; of 16-bit shifts the compiler makes
+// loops.
 constexpr uint16_t crc16(uint16_t crc, uint8_t byte) {
-    uint8_t t = static_cast<uint8_t>(byte ^ (crc & 0xFF));
-    t = static_cast<uint8_t>(t ^ (t << 4));
-    return static_cast<uint16_t>((crc >> 8) ^ (static_cast<uint16_t>(t) << 8) ^
-                                 (static_cast<uint16_t>(t) << 3) ^ (t >> 4));
+    uint8_t t = static_cast<uint8_t>(byte ^ crc);
+    t = static_cast<uint8_t>(t ^ static_cast<uint8_t>(t << 4));
+    const uint8_t swapped = static_cast<uint8_t>(t << 4 | t >> 4);
+    const uint8_t down_4 = swapped & 0x0F;
+    const uint8_t up_3 = static_cast<uint8_t>(t << 3);
+    const uint8_t low = static_cast<uint8_t>(static_cast<uint8_t>(crc >> 8) ^ up_3 ^ down_4);
+    const uint8_t high = static_cast<uint8_t>(t ^ static_cast<uint8_t>(down_4 >> 1));
+    return static_cast<uint16_t>(low | static_cast<uint16_t>(high) << 8);
 }
 
 inline uint16_t crc16(uint16_t crc, const void* bytes, uint16_t size) {
