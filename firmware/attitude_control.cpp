@@ -12,21 +12,24 @@ Surfaces surfaces;
 
 namespace {
 
-constexpr float kFullStick_cd = 4500.0f;
-constexpr float kSlowest_mps = 3.0f;  // nothing divides by less
+constexpr float kPerFullStick = 1.0f / 4500.0f;
+constexpr uint8_t kPrepareEvery = 5;  // frames between looks at airspeed, turn and parameters
 
 control::AxisState roll_state, pitch_state;
 control::YawState yaw_state;
-
-float stick(int16_t deflection_cd) { return deflection_cd * (1.0f / kFullStick_cd); }
+control::AxisGains roll_gains, pitch_gains;
+control::AirFlow air;
+control::TurnRates turn;
+uint8_t prepared;  // frames ago
 
 // Without a sensor the estimated airspeed serves: it is the cruise speed until the wind is known.
-control::AirFlow airFlow() {
-    const float airspeed_mps =
-        core::limit(vehicle.estimate.equivalent_airspeed_mps, kSlowest_mps, 100.0f);
-    const float inverse = 1.0f / airspeed_mps;
-    return {control::speedScale(parameters.scaling_speed_mps, inverse), airspeed_mps, inverse,
-            airspeed_mps < parameters.speed_min_mps, vehicle.imu.dt_s};
+void prepare() {
+    const auto& attitude = vehicle.attitude;
+    air = control::airFlow(parameters.scaling_speed_mps, vehicle.estimate.equivalent_airspeed_mps,
+                           parameters.speed_min_mps);
+    turn = control::turnRates(air, attitude.sin_roll, attitude.cos_roll, attitude.cos_pitch);
+    roll_gains = control::axisGains(parameters.roll.axis);
+    pitch_gains = control::axisGains(parameters.pitch.axis);
 }
 
 float limitedRoll_rad() {
@@ -43,17 +46,21 @@ float limitedPitch_rad() {
 
 void stabilise() {
     const auto& attitude = vehicle.attitude;
-    const control::AirFlow air = airFlow();
-    const control::Bank bank = {attitude.sin_roll, attitude.cos_roll, attitude.cos_pitch};
-    const float roll_error_rad = core::wrapPi(limitedRoll_rad() - attitude.roll_rad);
-    surfaces.aileron = control::rollDeflection(parameters.roll, roll_state, air, roll_error_rad,
-                                               attitude.rate_rads.x);
-    surfaces.elevator =
-        control::pitchDeflection(parameters.pitch, pitch_state, air, bank,
-                                 limitedPitch_rad() - attitude.pitch_rad, attitude.rate_rads.y);
-    surfaces.rudder = control::yawDeflection(parameters.yaw, yaw_state, air, bank,
-                                             attitude.rate_rads.z, vehicle.imu.accel_mss.y) +
+    const float dt_s = vehicle.imu.dt_s;
+    surfaces.aileron = control::rollDeflection(parameters.roll, roll_gains, roll_state, air,
+                                               core::wrapPi(limitedRoll_rad() - attitude.roll_rad),
+                                               attitude.rate_rads.x, dt_s);
+    surfaces.elevator = control::pitchDeflection(parameters.pitch, pitch_gains, pitch_state, air,
+                                                 turn, limitedPitch_rad() - attitude.pitch_rad,
+                                                 attitude.rate_rads.y, dt_s);
+    surfaces.rudder = control::yawDeflection(parameters.yaw, yaw_state, air, turn,
+                                             attitude.rate_rads.z, vehicle.imu.accel_mss.y, dt_s) +
                       surfaces.aileron * parameters.rudder_mix;
+}
+
+void addSticks() {
+    surfaces.aileron += vehicle.radio.roll_cd * kPerFullStick;
+    surfaces.elevator += vehicle.radio.pitch_cd * kPerFullStick;
 }
 
 }  // namespace
@@ -63,18 +70,16 @@ void runAttitudeControl() {
         roll_state = pitch_state = control::AxisState();
         yaw_state = control::YawState();
     }
-    const float aileron_stick = stick(vehicle.radio.roll_cd);
-    const float elevator_stick = stick(vehicle.radio.pitch_cd);
-    if (vehicle.sticks == Sticks::direct) {
-        surfaces = {aileron_stick, elevator_stick, 0, 0};
-    } else {
-        stabilise();
-        if (vehicle.sticks == Sticks::on_top) {
-            surfaces.aileron += aileron_stick;
-            surfaces.elevator += elevator_stick;
-        }
+    if (vehicle.mode_changed || ++prepared >= kPrepareEvery) {
+        prepared = 0;
+        prepare();
     }
-    surfaces.rudder += stick(vehicle.radio.yaw_cd);
+    if (vehicle.sticks == Sticks::direct)
+        surfaces = {0, 0, 0, 0};
+    else
+        stabilise();
+    if (vehicle.sticks != Sticks::nothing) addSticks();
+    surfaces.rudder += vehicle.radio.yaw_cd * kPerFullStick;
     surfaces.throttle = vehicle.throttle_demand;
 }
 

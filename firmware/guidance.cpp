@@ -16,9 +16,10 @@
 namespace firmware {
 namespace {
 
-constexpr float kPeriod_s = 0.05f;   // 20 Hz
-constexpr float kBankLoop_s = 0.1f;  // what servo and airframe add to RLL2SRV_TCONST
-constexpr float kTurnShare = 0.7f;   // of the bank limit, for planned turns
+constexpr float kPeriod_s = 0.05f;       // 20 Hz
+constexpr float kHeightPeriod_s = 0.1f;  // 10 Hz
+constexpr float kBankLoop_s = 0.1f;      // what servo and airframe add to RLL2SRV_TCONST
+constexpr float kTurnShare = 0.7f;       // of the bank limit, for planned turns
 constexpr float kSlowBank_mss = 0.4663f * core::kGravity_mss;  // 25 degrees below flying speed
 constexpr float kUnlaunchedHeight_m = 10;  // farther from home's height the airplane must fly
 constexpr float kFlyingSpeed_mps = 5;
@@ -35,6 +36,7 @@ navigation::TurnCount turns;
 navigation::BankTrim bank_trim;
 bool guiding;  // in the run before as well
 uint8_t bearing_turn;
+float turn_accel_mss;  // of planned turns
 
 struct Plan {  // what lateral guidance leaves for the height
     navigation::HeightDemand height;
@@ -42,6 +44,8 @@ struct Plan {  // what lateral guidance leaves for the height
     float pitch_min_rad;
     float airspeed_mps;
 };
+
+Plan plan;  // of the last runGuidance
 
 float cruisePitchMin_rad() { return core::radiansFromCentidegrees(parameters.pitch_min_cd); }
 
@@ -73,7 +77,7 @@ navigation::Motion motion() {
     motion.wind_mps = {estimate.wind_mps.x, estimate.wind_mps.y};
     motion.bank_accel_mss = presentBank_mss() - bank_trim.accel_mss();
     motion.bank_lag_s = parameters.roll.axis.time_constant_s + kBankLoop_s;
-    motion.turn_accel_mss = kTurnShare * core::kGravity_mss * tanf(bankLimit_rad(false));
+    motion.turn_accel_mss = turn_accel_mss;
     return motion;
 }
 
@@ -91,12 +95,13 @@ void bank(float bank_accel_mss, bool level) {
 }
 
 void tellBearings(const navigation::Lateral& lateral) {
-    if (++bearing_turn < kBearingEvery) return;
-    bearing_turn = 0;
     auto& progress = vehicle.progress;
-    progress.nav_bearing_cd =
-        core::wrap360_cd(core::rounded(core::centidegrees(geo::bearing_rad(lateral.course))));
-    progress.target_bearing_cd = geo::bearing_cd(vehicle.estimate.position, vehicle.demand.to);
+    bearing_turn = (bearing_turn + 1) % kBearingEvery;
+    if (bearing_turn == 0)
+        progress.target_bearing_cd = geo::bearing_cd(vehicle.estimate.position, vehicle.demand.to);
+    else if (bearing_turn == kBearingEvery / 2)
+        progress.nav_bearing_cd =
+            core::wrap360_cd(core::rounded(core::centidegrees(geo::bearing_rad(lateral.course))));
 }
 
 void tellLateral(const navigation::Lateral& lateral) {
@@ -140,12 +145,12 @@ Plan flyLeg() {
     const auto now = motion();
     const auto lateral = fliesLeg(now);
     bank(lateral.bank_accel_mss, false);
-    Plan plan = levelPlan();
+    Plan to_fly = levelPlan();
     if (demand.sloped)
-        plan.height =
+        to_fly.height =
             navigation::heightOnSlope(demand.from_height_m, demand.height_m, lateral.length_m,
                                       lateral.along_m, along_mps(lateral, now));
-    return plan;
+    return to_fly;
 }
 
 Plan flyCircle() {
@@ -178,10 +183,10 @@ Plan flyTakeoff() {
     const navigation::TakeoffPitch pitch = {
         vehicle.demand.takeoff_pitch_rad, parameters.takeoff_rotate_mps,
         static_cast<float>(parameters.speed_min_mps), vehicle.demand.airspeed_mps};
-    Plan plan = levelPlan();
-    plan.phase = control::Phase::climb_out;
-    plan.pitch_min_rad = navigation::takeoffPitch_rad(pitch, speed_mps, measured);
-    return plan;
+    Plan to_fly = levelPlan();
+    to_fly.phase = control::Phase::climb_out;
+    to_fly.pitch_min_rad = navigation::takeoffPitch_rad(pitch, speed_mps, measured);
+    return to_fly;
 }
 
 // Between the lowest speed and cruise: slow enough to land, fast enough to flare. Half the headwind
@@ -207,15 +212,15 @@ Plan flyLanding() {
     const auto height = landing.run(settings, approach);
     vehicle.progress.flaring = landing.flaring();
     bank(lateral.bank_accel_mss, landing.flaring());
-    Plan plan = levelPlan();
-    plan.height = {height.height_m + demand.height_m, height.climb_mps};
-    plan.airspeed_mps = approachSpeed_mps(plan.airspeed_mps, approach.along_mps);
-    plan.phase = control::Phase::approach;
+    Plan to_fly = levelPlan();
+    to_fly.height = {height.height_m + demand.height_m, height.climb_mps};
+    to_fly.airspeed_mps = approachSpeed_mps(to_fly.airspeed_mps, approach.along_mps);
+    to_fly.phase = control::Phase::approach;
     if (landing.flaring()) {
-        plan.phase = control::Phase::flare;
-        plan.pitch_min_rad = core::radiansFromCentidegrees(parameters.land_pitch_cd);
+        to_fly.phase = control::Phase::flare;
+        to_fly.pitch_min_rad = core::radiansFromCentidegrees(parameters.land_pitch_cd);
     }
-    return plan;
+    return to_fly;
 }
 
 // In the order of Path.
@@ -252,7 +257,7 @@ float trueFromEquivalent() {
     return core::limit(estimate.airspeed_mps / estimate.equivalent_airspeed_mps, 0.8f, 2.0f);
 }
 
-control::SpeedHeightLimits limits(const Plan& plan, float true_speed) {
+control::SpeedHeightLimits limits(float true_speed) {
     const bool climb_out = plan.phase == control::Phase::climb_out;
     const int8_t most_pct = climb_out && parameters.takeoff_throttle_max_pct > 0
                                 ? parameters.takeoff_throttle_max_pct
@@ -309,6 +314,7 @@ void beginPath() {
     vehicle.demand.new_path = false;
     vehicle.progress.passed = vehicle.progress.captured = vehicle.progress.flaring = false;
     vehicle.progress.turned_rad = 0;
+    turn_accel_mss = kTurnShare * core::kGravity_mss * tanf(bankLimit_rad(false));
     turns.start();
     landing.start();
     if (vehicle.demand.path != Path::takeoff) return;
@@ -323,11 +329,10 @@ void takeOver() {
 }
 
 // The motor waits for the launch: it does not start on the ground because a mode was chosen.
-bool waitsForLaunch() {
+void waitForLaunch() {
     auto& suppressed = vehicle.progress.throttle_suppressed;
     if (!vehicle.armed) suppressed = true;
     if (suppressed && vehicle.armed && launched()) suppressed = false;
-    return suppressed;
 }
 
 }  // namespace
@@ -341,25 +346,29 @@ void runGuidance() {
     if (!guiding) takeOver();
     guiding = true;
     if (vehicle.demand.new_path) beginPath();
+    plan = core::romRead(kFlights[static_cast<uint8_t>(vehicle.demand.path)])();
+    waitForLaunch();
+    vehicle.progress.height_error_m = plan.height.height_m - vehicle.estimate.height_m;
+    vehicle.progress.airspeed_error_mps =
+        plan.airspeed_mps - vehicle.estimate.equivalent_airspeed_mps;
+}
 
-    const Plan plan = core::romRead(kFlights[static_cast<uint8_t>(vehicle.demand.path)])();
+void runSpeedHeight() {
+    if (!guiding || !guidesItself()) return;
     const auto now = measured();
-    if (waitsForLaunch()) {
+    if (vehicle.progress.throttle_suppressed) {
         speed_height.start(now, 0, 0);
         vehicle.pitch_demand_rad = plan.phase == control::Phase::climb_out ? plan.pitch_min_rad : 0;
         vehicle.throttle_demand = 0;
-    } else {
-        const float true_speed = trueFromEquivalent();
-        const control::SpeedHeightDemand demand = {plan.height.height_m, plan.height.climb_mps,
-                                                   nudged_mps(plan.airspeed_mps) * true_speed};
-        const auto out = speed_height.run(parameters.speed_height, limits(plan, true_speed), demand,
-                                          now, plan.phase, kPeriod_s);
-        vehicle.pitch_demand_rad = out.pitch_rad;
-        vehicle.throttle_demand = out.throttle;
+        return;
     }
-    vehicle.progress.height_error_m = plan.height.height_m - now.height_m;
-    vehicle.progress.airspeed_error_mps =
-        plan.airspeed_mps - vehicle.estimate.equivalent_airspeed_mps;
+    const float true_speed = trueFromEquivalent();
+    const control::SpeedHeightDemand demand = {plan.height.height_m, plan.height.climb_mps,
+                                               nudged_mps(plan.airspeed_mps) * true_speed};
+    const auto out = speed_height.run(parameters.speed_height, limits(true_speed), demand, now,
+                                      plan.phase, kHeightPeriod_s);
+    vehicle.pitch_demand_rad = out.pitch_rad;
+    vehicle.throttle_demand = out.throttle;
 }
 
 }  // namespace firmware

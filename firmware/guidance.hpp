@@ -5,7 +5,8 @@
 
 namespace firmware {
 
-// 20 Hz, after the mode has run. Does nothing in a mode that does not guide itself.
-void runGuidance();
+// Both after the mode has run; neither does anything in a mode that does not guide itself.
+void runGuidance();     // 20 Hz: the path, the bank, and which height and speed belong to it
+void runSpeedHeight();  // 10 Hz: that height and speed with pitch and throttle
 
 }  // namespace firmware

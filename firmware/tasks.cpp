@@ -48,6 +48,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { runGps,                1,     0,     400 },
     { telemetrySend,         2,     1,    1500 },
     { runGuidance,           5,     2,    2200 },
+    { runSpeedHeight,       10,     4,    2200 },
     { runCompass,            2,     0,     300 },
     { runAirspeed,           2,     0,     400 },
     { missionRun,           10,     3,    1500 },

@@ -9,24 +9,35 @@ namespace {
 
 using control::AirFlow;
 using control::AxisState;
-using control::Bank;
 
 constexpr float kDegree = 3.14159265f / 180;
-constexpr Bank kLevel{0, 1, 1};
+constexpr control::TurnRates kStraight{0, 0};
+constexpr float kFrame_s = 0.01f;
 
-AirFlow at(float airspeed_mps, bool too_slow = false) {
-    return {control::speedScale(15, 1 / airspeed_mps), airspeed_mps, 1 / airspeed_mps, too_slow,
-            0.01f};
+AirFlow at(float airspeed_mps) { return control::airFlow(15, airspeed_mps, 9); }
+
+float deflect(const control::RollSettings& settings, AxisState& state, const AirFlow& air,
+              float error_rad, float rate_rads) {
+    return rollDeflection(settings, axisGains(settings.axis), state, air, error_rad, rate_rads,
+                          kFrame_s);
+}
+float deflect(const control::PitchSettings& settings, AxisState& state, const AirFlow& air,
+              const control::TurnRates& turn, float error_rad, float rate_rads) {
+    return pitchDeflection(settings, axisGains(settings.axis), state, air, turn, error_rad,
+                           rate_rads, kFrame_s);
 }
 
 control::RollSettings roll() { return {{0.5f, 0.4f, 0.04f, 0.02f, 3000}, 0}; }
 control::PitchSettings pitch() { return {{0.5f, 0.4f, 0.04f, 0.02f, 3000}, 0, 0, 1.0f}; }
 
-TEST(SpeedScale, is_the_scaling_speed_over_the_airspeed_within_half_and_twice) {
-    EXPECT_FLOAT_EQ(control::speedScale(15, 1 / 15.0f), 1.0f);
-    EXPECT_FLOAT_EQ(control::speedScale(15, 1 / 10.0f), 1.5f);
-    EXPECT_FLOAT_EQ(control::speedScale(15, 1 / 60.0f), 0.5f);
-    EXPECT_FLOAT_EQ(control::speedScale(15, 1 / 3.0f), 2.0f);
+TEST(AirFlow, scales_by_the_scaling_speed_over_the_airspeed_within_half_and_twice) {
+    EXPECT_FLOAT_EQ(at(15).speed_scale, 1.0f);
+    EXPECT_FLOAT_EQ(at(10).speed_scale, 1.5f);
+    EXPECT_FLOAT_EQ(at(60).speed_scale, 0.5f);
+    EXPECT_FLOAT_EQ(at(3).speed_scale, 2.0f);
+    EXPECT_FLOAT_EQ(at(0).inverse_airspeed_spm, 1 / 3.0f);
+    EXPECT_TRUE(at(8.9f).too_slow);
+    EXPECT_FALSE(at(9).too_slow);
 }
 
 TEST(Roll, p_degrees_of_surface_answer_a_degree_of_angle_at_the_scaling_speed) {
@@ -35,7 +46,7 @@ TEST(Roll, p_degrees_of_surface_answer_a_degree_of_angle_at_the_scaling_speed) {
     settings.axis.i = 0;
 
     // feed-forward (P*T - D) of the rate E/T, and D of it: P*E in all, of 45 degrees
-    const float deflection = rollDeflection(settings, state, at(15), 10 * kDegree, 0);
+    const float deflection = deflect(settings, state, at(15), 10 * kDegree, 0);
     EXPECT_NEAR(deflection, 0.4f * 10 / 45, 1e-4);
 }
 
@@ -44,20 +55,20 @@ TEST(Roll, rate_is_damped) {
     auto settings = roll();
     settings.axis.i = 0;
 
-    EXPECT_NEAR(rollDeflection(settings, state, at(15), 0, 90 * kDegree), -0.02f * 90 / 45, 1e-4);
-    EXPECT_NEAR(rollDeflection(settings, state, at(10), 0, 90 * kDegree),
-                -0.02f * 90 / 45 * 1.5f * 1.5f, 1e-4);
+    EXPECT_NEAR(deflect(settings, state, at(15), 0, 90 * kDegree), -0.02f * 90 / 45, 1e-4);
+    EXPECT_NEAR(deflect(settings, state, at(10), 0, 90 * kDegree), -0.02f * 90 / 45 * 1.5f * 1.5f,
+                1e-4);
 }
 
 TEST(Roll, the_demanded_rate_is_limited_when_a_limit_is_set) {
     AxisState free, limited;
     auto settings = roll();
-    const float without = rollDeflection(settings, free, at(15), 60 * kDegree, 0);
+    const float without = deflect(settings, free, at(15), 60 * kDegree, 0);
     settings.rate_max_dps = 60;
-    const float with = rollDeflection(settings, limited, at(15), 60 * kDegree, 0);
+    const float with = deflect(settings, limited, at(15), 60 * kDegree, 0);
 
     EXPECT_NEAR(with / without, 0.5f, 1e-3);
-    EXPECT_NEAR(rollDeflection(settings, limited, at(15), -60 * kDegree, 0), -with, 1e-3);
+    EXPECT_NEAR(deflect(settings, limited, at(15), -60 * kDegree, 0), -with, 1e-3);
 }
 
 TEST(Roll, the_integrator_takes_a_lasting_error_away_and_stays_within_its_limit) {
@@ -65,9 +76,9 @@ TEST(Roll, the_integrator_takes_a_lasting_error_away_and_stays_within_its_limit)
     auto settings = roll();
     settings.axis.i = 0.2f;
     settings.axis.integrator_max_cd = 900;
-    for (int i = 0; i < 100; ++i) rollDeflection(settings, state, at(15), 5 * kDegree, 0);
+    for (int i = 0; i < 100; ++i) deflect(settings, state, at(15), 5 * kDegree, 0);
     EXPECT_NEAR(state.integrator, 0.2f * 5 / 45, 2e-3);
-    for (int i = 0; i < 5000; ++i) rollDeflection(settings, state, at(15), 5 * kDegree, 0);
+    for (int i = 0; i < 5000; ++i) deflect(settings, state, at(15), 5 * kDegree, 0);
     EXPECT_FLOAT_EQ(state.integrator, 0.2f);
 }
 
@@ -76,19 +87,19 @@ TEST(Roll, the_integrator_does_not_wind_up_behind_a_full_surface) {
     auto settings = roll();
     settings.axis.integrator_max_cd = 4500;
     for (int i = 0; i < 1000; ++i) {
-        const float deflection = rollDeflection(settings, state, at(15), 170 * kDegree, 0);
+        const float deflection = deflect(settings, state, at(15), 170 * kDegree, 0);
         ASSERT_LE(deflection, 1.0f);
     }
     EXPECT_LT(state.integrator, 0.05f);
-    rollDeflection(settings, state, at(15), -30 * kDegree, 0);
+    deflect(settings, state, at(15), -30 * kDegree, 0);
     const float before = state.integrator;
-    rollDeflection(settings, state, at(15), -30 * kDegree, 0);
+    deflect(settings, state, at(15), -30 * kDegree, 0);
     EXPECT_LT(state.integrator, before) << "and it comes back at once";
 }
 
 TEST(Roll, the_integrator_rests_below_flying_speed) {
     AxisState state;
-    for (int i = 0; i < 500; ++i) rollDeflection(roll(), state, at(4, true), 20 * kDegree, 0);
+    for (int i = 0; i < 500; ++i) deflect(roll(), state, at(4), 20 * kDegree, 0);
     EXPECT_FLOAT_EQ(state.integrator, 0);
 }
 
@@ -98,8 +109,8 @@ TEST(Pitch, up_and_down_rates_have_limits_of_their_own) {
     settings.rate_max_up_dps = 10;
     settings.rate_max_down_dps = 5;
     AxisState up, down;
-    const float raise = pitchDeflection(settings, up, at(15), kLevel, 1, 0);
-    const float lower = pitchDeflection(settings, down, at(15), kLevel, -1, 0);
+    const float raise = deflect(settings, up, at(15), kStraight, 1, 0);
+    const float lower = deflect(settings, down, at(15), kStraight, -1, 0);
 
     EXPECT_NEAR(raise / lower, -2, 1e-3);
 }
@@ -108,37 +119,37 @@ TEST(Pitch, a_turn_adds_the_rate_that_holds_the_nose_on_the_horizon) {
     auto settings = pitch();
     settings.axis.i = 0;
     const float bank = 45 * kDegree;
-    const Bank banked{std::sin(bank), std::cos(bank), 1};
-    const float turn_rads = 9.80665f / 15 * std::tan(bank) * std::sin(bank);
-    AxisState one, two, three;
+    const auto turn = turnRates(at(15), std::sin(bank), std::cos(bank), 1);
+    EXPECT_NEAR(turn.pitch_rads, 9.80665f / 15 * std::tan(bank) * std::sin(bank), 1e-5);
+    AxisState state;
 
     // at exactly that rate there is nothing to correct: feed-forward is all
     const float feed_forward = 0.4f * 0.5f - 0.02f;
-    EXPECT_NEAR(pitchDeflection(settings, one, at(15), banked, 0, turn_rads),
-                feed_forward * turn_rads * 4 / 3.14159265f, 1e-4);
-    const Bank other_way{-std::sin(bank), std::cos(bank), 1};
-    EXPECT_GT(pitchDeflection(settings, two, at(15), other_way, 0, 0), 0);
-    const Bank inverted{0.1f, -0.9f, 1};
-    EXPECT_FLOAT_EQ(pitchDeflection(settings, three, at(15), inverted, 0, 0), 0);
+    EXPECT_NEAR(deflect(settings, state, at(15), turn, 0, turn.pitch_rads),
+                feed_forward * turn.pitch_rads * 4 / 3.14159265f, 1e-4);
+    EXPECT_FLOAT_EQ(turnRates(at(15), -std::sin(bank), std::cos(bank), 1).pitch_rads,
+                    turn.pitch_rads);
+    EXPECT_FLOAT_EQ(turnRates(at(15), 0.1f, -0.9f, 1).pitch_rads, 0) << "inverted";
 }
 
 TEST(Yaw, a_coordinated_turn_needs_no_rudder_and_a_swing_is_damped) {
     const control::YawSettings settings{0, 0, 0.3f, 1, 1500};
     const float bank = 30 * kDegree;
-    const Bank banked{std::sin(bank), std::cos(bank), 1};
+    const auto turn = turnRates(at(12), std::sin(bank), std::cos(bank), 1);
     const float turn_rads = 9.80665f / 12 * std::sin(bank);
     control::YawState state;
 
-    EXPECT_NEAR(yawDeflection(settings, state, at(12), banked, turn_rads, 0), 0, 1e-6);
-    EXPECT_LT(yawDeflection(settings, state, at(12), banked, turn_rads + 0.3f, 0), -0.05f);
+    EXPECT_NEAR(yawDeflection(settings, state, at(12), turn, turn_rads, 0, kFrame_s), 0, 1e-6);
+    EXPECT_LT(yawDeflection(settings, state, at(12), turn, turn_rads + 0.3f, 0, kFrame_s), -0.05f);
 }
 
 TEST(Yaw, what_lasts_is_not_damped) {
     const control::YawSettings settings{0, 0, 0.5f, 1, 1500};
     control::YawState state;
-    const float first = yawDeflection(settings, state, at(12), kLevel, 0.2f, 0);
+    const float first = yawDeflection(settings, state, at(12), kStraight, 0.2f, 0, kFrame_s);
     float last = first;
-    for (int i = 0; i < 3000; ++i) last = yawDeflection(settings, state, at(12), kLevel, 0.2f, 0);
+    for (int i = 0; i < 3000; ++i)
+        last = yawDeflection(settings, state, at(12), kStraight, 0.2f, 0, kFrame_s);
 
     EXPECT_LT(first, -0.05f);
     EXPECT_GT(last, first * 0.01f);
@@ -148,7 +159,7 @@ TEST(Yaw, the_nose_is_turned_into_the_slip) {
     const control::YawSettings settings{1, 0, 0, 1, 1500};
     control::YawState state;
 
-    EXPECT_LT(yawDeflection(settings, state, at(12), kLevel, 0, 3.0f), 0);
+    EXPECT_LT(yawDeflection(settings, state, at(12), kStraight, 0, 3.0f, kFrame_s), 0);
 }
 
 }  // namespace

@@ -8,17 +8,20 @@
 namespace control {
 
 // Right wing down is positive.
-float rollDeflection(const RollSettings& settings, AxisState& state, const AirFlow& air,
-                     float error_rad, float rate_rads);
+float rollDeflection(const RollSettings& settings, const AxisGains& gains, AxisState& state,
+                     const AirFlow& air, float error_rad, float rate_rads, float dt_s);
 
-struct Bank {
-    float sin_roll, cos_roll, cos_pitch;
+// The body rates of a coordinated turn with the present bank. In it the nose has to come up along
+// the horizon without the pitch angle changing.
+struct TurnRates {
+    float pitch_rads, yaw_rads;
 };
+TurnRates turnRates(const AirFlow& air, float sin_roll, float cos_roll, float cos_pitch);
 
-// Nose up is positive. In a turn the nose has to come up along the horizon without the pitch
-// angle changing: that body rate is added to the demand.
-float pitchDeflection(const PitchSettings& settings, AxisState& state, const AirFlow& air,
-                      const Bank& bank, float error_rad, float rate_rads);
+// Nose up is positive.
+float pitchDeflection(const PitchSettings& settings, const AxisGains& gains, AxisState& state,
+                      const AirFlow& air, const TurnRates& turn, float error_rad, float rate_rads,
+                      float dt_s);
 
 struct YawState {
     float high_passed_rads = 0;
@@ -26,8 +29,9 @@ struct YawState {
     float integrator = 0;
 };
 
-// Nose right is positive. Damps what the turn does not ask for, and takes side-slip away.
+// Nose right is positive. Damps what the turn does not ask for, and takes side-slip away. Costs
+// nothing while its gains are 0.
 float yawDeflection(const YawSettings& settings, YawState& state, const AirFlow& air,
-                    const Bank& bank, float rate_rads, float lateral_accel_mss);
+                    const TurnRates& turn, float rate_rads, float lateral_accel_mss, float dt_s);
 
 }  // namespace control

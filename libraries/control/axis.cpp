@@ -9,33 +9,38 @@ namespace {
 // Gains are degrees of surface for degrees of angle, and 45 degrees are all of a surface.
 constexpr float kFullPerRadian = 4.0f / core::kPi;
 constexpr float kFullPerCentidegree = 1.0f / 4500.0f;
+constexpr float kSlowest_mps = 3.0f;  // nothing divides by less
 
 }  // namespace
 
-float speedScale(float scaling_speed_mps, float inverse_airspeed_spm) {
-    return core::limit(scaling_speed_mps * inverse_airspeed_spm, 0.5f, 2.0f);
+AirFlow airFlow(float scaling_speed_mps, float airspeed_mps, float lowest_flying_mps) {
+    const float inverse = 1.0f / core::limit(airspeed_mps, kSlowest_mps, 200.0f);
+    return {core::limit(scaling_speed_mps * inverse, 0.5f, 2.0f), inverse,
+            airspeed_mps < lowest_flying_mps};
 }
 
-float axisDeflection(const AxisSettings& settings, AxisState& state, const AirFlow& air,
-                     float rate_demand_rads, float rate_rads) {
-    const float i = settings.i * settings.time_constant_s;
-    const float feed_forward = (settings.p - i) * settings.time_constant_s - settings.d;
-    const float scale = air.speed_scale * kFullPerRadian;
-    const float error_rads = (rate_demand_rads - rate_rads) * air.speed_scale;
+AxisGains axisGains(const AxisSettings& settings) {
+    const float time_constant_s = core::limit(settings.time_constant_s, 0.1f, 10.0f);
+    const float integral = settings.i * time_constant_s;
+    const float feed_forward = (settings.p - integral) * time_constant_s - settings.d;
+    return {1.0f / time_constant_s, feed_forward > 0 ? feed_forward * kFullPerRadian : 0.0f,
+            settings.d * kFullPerRadian, integral * kFullPerRadian};
+}
 
-    if (i <= 0) {
+float axisDeflection(const AxisGains& gains, int16_t integrator_max_cd, AxisState& state,
+                     const AirFlow& air, float rate_demand_rads, float rate_rads, float dt_s) {
+    const float error_rads = (rate_demand_rads - rate_rads) * air.speed_scale;
+    if (gains.integral <= 0) {
         state.integrator = 0;
     } else if (!air.too_slow) {
-        const float step = error_rads * i * scale * air.dt_s;
+        const float step = error_rads * gains.integral * air.speed_scale * dt_s;
         const bool winds_up =
             (state.last_output > 1 && step > 0) || (state.last_output < -1 && step < 0);
-        const float limit = settings.integrator_max_cd * kFullPerCentidegree;
+        const float limit = integrator_max_cd * kFullPerCentidegree;
         if (!winds_up) state.integrator = core::limit(state.integrator + step, -limit, limit);
     }
-
-    float output = settings.d * error_rads;
-    if (feed_forward > 0) output += feed_forward * rate_demand_rads;
-    state.last_output = output * scale + state.integrator;
+    const float direct = gains.damping * error_rads + gains.feed_forward * rate_demand_rads;
+    state.last_output = direct * air.speed_scale + state.integrator;
     return core::limit(state.last_output, -1.0f, 1.0f);
 }
 
