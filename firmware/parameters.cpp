@@ -3,8 +3,11 @@
 
 #include <string.h>
 
+#include "firmware/telemetry/text.hpp"
+#include "firmware/vehicle.hpp"
 #include "parameters/store.hpp"
 #include "parameters/table.hpp"
+#include "storage/owner.hpp"
 
 namespace firmware {
 
@@ -171,6 +174,16 @@ static_assert(parameters::initialsAreInRange(kRows), "a default lies outside its
 
 const parameters::Table table(kRows, core::count(kRows), &firmware::parameters);
 
+bool locked;  // the EEPROM is another firmware's
+bool erasing;
+uint16_t erased_to;
+
+void erase() {
+    if (storage::erase(erased_to) != core::Status::ok) return;
+    erasing = locked = false;
+    tell(Severity::notice, ROM_TEXT("Erased: restart the board"));
+}
+
 }  // namespace
 
 uint16_t parameterCount() { return table.count(); }
@@ -195,9 +208,15 @@ core::Status parameterSetAt(uint16_t index, float value) {
     if (index >= table.count()) return core::Status::bad_argument;
     const uint8_t row = static_cast<uint8_t>(index);
     if (!table.fits(row, value)) return core::Status::bad_argument;
-    const core::Status saved = parameters::save(table, row, value);
-    if (saved == core::Status::ok) table.assign(row, value);
-    return saved;
+    if (erasing) return core::Status::busy;
+    if (locked) {
+        tell(Severity::warning, ROM_TEXT("Not stored: another firmware's EEPROM"));
+    } else {
+        const core::Status saved = parameters::save(table, row, value);
+        if (saved != core::Status::ok) return saved;
+    }
+    table.assign(row, value);
+    return core::Status::ok;
 }
 
 bool parameterOfSlot(uint8_t slot, uint16_t& index) {
@@ -227,8 +246,30 @@ bool parameterSet(uint8_t slot, float value) {
     return true;
 }
 
-core::Status parametersLoad() { return parameters::load(table); }
+core::Status parametersLoad() {
+    storage::Owner owner;
+    const core::Status status = storage::findOwner(owner);
+    if (status != core::Status::ok) return status;
+    // what another firmware left is not read as ours, and not written over unless asked for
+    locked = owner == storage::Owner::stranger || owner == storage::Owner::other_version;
+    if (!locked) return parameters::load(table);
+    for (uint8_t row = 0; row < table.count(); ++row) table.assignInitial(row);
+    return core::Status::ok;
+}
 
-void parametersRun() { parameters::saveWaiting(table); }
+void parametersRun() {
+    if (erasing) {
+        erase();
+    } else if (!locked) {
+        parameters::saveWaiting(table);
+    }
+}
+
+bool parametersErase() {
+    if (vehicle.armed) return false;
+    erasing = true;
+    erased_to = 0;
+    return true;
+}
 
 }  // namespace firmware

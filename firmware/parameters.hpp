@@ -107,4 +107,8 @@ bool parameterSet(uint8_t slot, float value);        // false: refused; stored i
 MUST_USE core::Status parametersLoad();  // at boot, a part each call: busy until all are read
 void parametersRun();                    // 10 Hz: background stores
 
+// Begins to erase the whole EEPROM, parameters and mission, ours or another firmware's; told when
+// done, in force after a restart. False: armed.
+bool parametersErase();
+
 }  // namespace firmware

@@ -2,7 +2,7 @@
 # The image for the board named by BOARD: firmware/ on hal_avr/ on libraries/.
 set(BOARD apm2 CACHE STRING "apm2")
 add_compile_options(-Os -flto -ffat-lto-objects -mrelax -mcall-prologues)
-add_link_options(-Os -flto -mrelax -Wl,--emit-relocs)  # the stack bound wants to know addresses
+add_link_options(-Os -flto -mrelax -mcall-prologues -Wl,--emit-relocs)  # the stack bound wants to know addresses
 link_libraries(m)
 
 file(GLOB hal_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp

@@ -121,6 +121,14 @@ uint8_t calibrate(Link&, const Order& order) {
     return MavResult::accepted;
 }
 
+// Values are stored as they are set: reading and writing "all" has nothing to do.
+uint8_t eraseStorage(Link&, const Order& order) {
+    constexpr float kErase = 2;
+    if (is(order.param1, 0) || is(order.param1, 1)) return MavResult::accepted;
+    if (!is(order.param1, kErase)) return MavResult::unsupported;
+    return whenTrue(parametersErase(), MavResult::temporarily_rejected);
+}
+
 constexpr uint8_t kRebootTurns = 15;  // 0.3 s for the answer to get out
 uint8_t turns_to_reboot;
 
@@ -192,6 +200,7 @@ constexpr CommandRow kCommands[] ROM = {
     {MavCmd::do_set_home,                    doSetHome},
     {MavCmd::do_set_mission_current,         setCurrentItem},
     {MavCmd::preflight_calibration,          calibrate},
+    {MavCmd::preflight_storage,              eraseStorage},
     {MavCmd::preflight_reboot_shutdown,      reboot},
     {MavCmd::mission_start,                  missionStart},
     {MavCmd::component_arm_disarm,           armOrDisarm},

@@ -242,6 +242,7 @@ struct MavCmd {
         do_repeat_servo = 184,
         do_set_mission_current = 224,
         preflight_calibration = 241,
+        preflight_storage = 245,
         preflight_reboot_shutdown = 246,
         mission_start = 300,
         component_arm_disarm = 400,
