@@ -1,10 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The image for the board named by BOARD: firmware/ on hal_avr/ on libraries/.
 set(BOARD apm2 CACHE STRING "apm2")
-add_compile_options(-Os -flto -ffat-lto-objects -mrelax -mcall-prologues)
-add_link_options(-Os -flto -mrelax -mcall-prologues -Wl,--emit-relocs)  # the stack bound wants to know addresses
-link_libraries(m)
-
 file(GLOB hal_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp
      ${CMAKE_SOURCE_DIR}/hal_avr/boards/${BOARD}/*.cpp)
 add_library(hal_avr STATIC ${hal_sources})
@@ -26,6 +22,7 @@ find_program(NODE node REQUIRED)
 add_custom_command(TARGET firmware POST_BUILD
     COMMAND ${CMAKE_OBJCOPY} -O ihex -R .eeprom $<TARGET_FILE:firmware> firmware.hex
     COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/blank_eeprom.mjs firmware.eep
+    COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/check_image.mjs $<TARGET_FILE:firmware>
     VERBATIM)
 # what judges the image is part of it
 file(GLOB image_checks ${CMAKE_SOURCE_DIR}/toolchain/*.mjs ${CMAKE_SOURCE_DIR}/toolchain/image/*.mjs

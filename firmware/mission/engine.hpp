@@ -2,6 +2,7 @@
 // The parts of firmware/mission/ as they see one another: the engine and the store behind it.
 #pragma once
 #include "firmware/mission/mission.hpp"
+#include "firmware/vehicle.hpp"
 #include "mission/sequencer.hpp"
 #include "storage/mission_store.hpp"
 
@@ -40,5 +41,8 @@ void uploadStart();
 void uploadRun();              // carries a commit on; 10 Hz
 bool missionChanging();        // the engine must not run now
 extern Survey mission_survey;  // of the present mission
+
+// Leaves AUTO for this mode once the pass that runs is over.
+void wishMode(Mode mode);
 
 }  // namespace firmware

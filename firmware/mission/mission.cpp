@@ -37,6 +37,7 @@ bool index_waits;
 uint8_t reached;
 bool reached_waits;
 bool is_complete;
+Mode mode_wish = Mode::automatic;  // of a command or the end; AUTO: none
 uint16_t skipped;
 
 Status readRecord(uint8_t index, uint8_t* to) { return mission_store.read(index, to); }
@@ -54,9 +55,20 @@ void ended(bool landed) {
     resetSpeed();
     keepIndex(0);
     tell(Severity::notice, ROM_TEXT("Mission complete"));
-    if (landed || setMode(Mode::rtl, ModeReason::mission)) return;
-    forgetPlace();
-    holdPlace();
+    if (!landed) mode_wish = Mode::rtl;
+}
+
+// At the end of a run: entering a mode leaves AUTO, and the engine may be in the middle of a pass.
+void grantModeWish() {
+    const Mode wish = mode_wish;
+    mode_wish = Mode::automatic;
+    if (wish == Mode::automatic || setMode(wish, ModeReason::mission)) return;
+    if (is_complete) {  // RTL without a home
+        forgetPlace();
+        holdPlace();
+    } else {
+        mission_engine.enter(false);
+    }
 }
 
 void onReset() {
@@ -200,6 +212,7 @@ void missionRun() {
         }
     }
     background();
+    grantModeWish();
 }
 
 bool missionEnter(core::RomText& why_not) {
@@ -217,6 +230,11 @@ bool missionEnter(core::RomText& why_not) {
 }
 
 void missionLeave() { mission_engine.leave(); }
+
+void wishMode(Mode mode) {
+    mode_wish = mode;
+    mission_engine.leave();  // what follows waits until AUTO is entered again
+}
 bool missionComplete() { return is_complete; }
 void missionRestart() { (void)mission_engine.setCurrent(0); }
 

@@ -81,7 +81,7 @@ Jump jumpToIndex(const Record& record) {
 
 void changeMode(const Record& record) {
     const Mode mode = static_cast<Mode>(record.p1);
-    if (mode != Mode::automatic) setMode(mode, ModeReason::mission);
+    if (mode != Mode::automatic) wishMode(mode);
 }
 
 void queryVariable(const Record& record) {

@@ -17,6 +17,7 @@ struct Arming : bench::Bench {
     void SetUp() override {
         Bench::SetUp();
         makeReady();
+        firmware::runArming();  // the rudder's time begins anew
     }
     static void makeReady() {
         vehicle.imu.healthy = vehicle.imu.calibrated = true;
@@ -109,6 +110,7 @@ TEST_F(Arming, refuses_to_disarm_in_flight_unless_forced) {
 
 TEST_F(Arming, disarms_by_itself_some_seconds_after_a_landing) {
     ASSERT_TRUE(firmware::arm(ArmReason::ground, false));
+    firmware::runArming();
     vehicle.mode = Mode::automatic;
     vehicle.demand.path = firmware::Path::land;
     vehicle.progress.flaring = true;
