@@ -26,7 +26,6 @@ constexpr float kFlyingSpeed_mps = 5;
 constexpr float kMostForHeadwind_mps = 3;
 constexpr float kApproachShare = 0.65f;    // of the way from the lowest speed to cruise
 constexpr float kLandingAlpha_rad = 0.2f;  // no more angle of attack near the ground
-constexpr uint8_t kBearingEvery = 4;       // two arc tangents for the ground, 5 times a second
 
 control::SpeedHeight speed_height;
 navigation::Landing landing;
@@ -35,8 +34,10 @@ navigation::TakeoffCourse takeoff_course;
 navigation::TurnCount turns;
 navigation::BankTrim bank_trim;
 bool guiding;  // in the run before as well
-uint8_t bearing_turn;
-float turn_accel_mss;  // of planned turns
+bool bearing_turn;
+geo::Offset nav_course;
+float carried_bank_mss;  // see carriedBank_mss
+float turn_accel_mss;    // of planned turns
 
 struct Plan {  // what lateral guidance leaves for the height
     navigation::HeightDemand height;
@@ -86,29 +87,29 @@ float dot(const geo::Offset& a, const geo::Offset& b) {
 }
 
 void bank(float bank_accel_mss, bool level) {
-    const float carried_mss = carriedBank_mss();
     const float limit_rad = bankLimit_rad(level);
     const float accel_mss =
-        core::limit(bank_accel_mss + bank_trim.accel_mss(), -carried_mss, carried_mss);
+        core::limit(bank_accel_mss + bank_trim.accel_mss(), -carried_bank_mss, carried_bank_mss);
     vehicle.roll_demand_rad =
         core::limit(navigation::bankFor_rad(accel_mss), -limit_rad, limit_rad);
 }
 
-void tellBearings(const navigation::Lateral& lateral) {
+// In turns, each five times a second.
+void tellBearings() {
     auto& progress = vehicle.progress;
-    bearing_turn = (bearing_turn + 1) % kBearingEvery;
-    if (bearing_turn == 0)
+    bearing_turn = !bearing_turn;
+    if (bearing_turn)
         progress.target_bearing_cd = geo::bearing_cd(vehicle.estimate.position, vehicle.demand.to);
-    else if (bearing_turn == kBearingEvery / 2)
+    else
         progress.nav_bearing_cd =
-            core::wrap360_cd(core::rounded(core::centidegrees(geo::bearing_rad(lateral.course))));
+            core::wrap360_cd(core::rounded(core::centidegrees(geo::bearing_rad(nav_course))));
 }
 
 void tellLateral(const navigation::Lateral& lateral) {
     auto& progress = vehicle.progress;
     progress.distance_m = lateral.distance_m;
     progress.crosstrack_m = lateral.crosstrack_m;
-    tellBearings(lateral);
+    nav_course = lateral.course;
 }
 
 // CONDITION_CHANGE_ALT: from_height_m is what moves, as long as there is a rate.
@@ -325,6 +326,7 @@ void beginPath() {
 void takeOver() {
     speed_height.start(measured(), vehicle.attitude.pitch_rad, vehicle.throttle_demand);
     bank_trim.start();
+    carried_bank_mss = carriedBank_mss();
     vehicle.progress.throttle_suppressed = true;
 }
 
@@ -355,6 +357,8 @@ void runGuidance() {
 
 void runSpeedHeight() {
     if (!guiding || !guidesItself()) return;
+    if (vehicle.demand.path != Path::none) tellBearings();
+    carried_bank_mss = carriedBank_mss();
     const auto now = measured();
     if (vehicle.progress.throttle_suppressed) {
         speed_height.start(now, 0, 0);
