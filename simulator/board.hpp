@@ -15,11 +15,11 @@ namespace simulator {
 
 // What only the chip can tell; empty where the firmware or its kind does not say.
 struct BoardFigures {
-    std::optional<double> cpu_load;              // 0..1, cycles not asleep
-    std::optional<double> interrupt_load;        // 0..1
+    std::optional<double> cpu_load;        // 0..1, cycles not asleep
+    std::optional<double> interrupt_load;  // 0..1
     std::optional<uint32_t> frames;
     std::optional<uint32_t> frame_max_us, frame_mean_us, frame_p99_us;
-    std::optional<uint32_t> frame_overruns;      // frames not done before the next was due
+    std::optional<uint32_t> frame_overruns;  // frames not done before the next was due
     std::optional<uint32_t> flash_bytes, ram_static_bytes, stack_max_bytes;
     struct Task {
         int number;
@@ -52,10 +52,10 @@ public:
     using Listener = std::function<void(int usart, uint8_t byte, uint64_t time_us)>;
     virtual void listen(Listener listener) = 0;
     virtual void send(int usart, const uint8_t* bytes, size_t size) = 0;
-    virtual size_t unsent(int usart) const = 0;      // bytes still waiting for the line
-    virtual void setUsb(bool plugged) = 0;           // PA1 low when plugged
+    virtual size_t unsent(int usart) const = 0;  // bytes still waiting for the line
+    virtual void setUsb(bool plugged) = 0;       // PA1 low when plugged
 
-    virtual void reset() = 0;                        // the reset button
+    virtual void reset() = 0;  // the reset button
     virtual std::vector<uint8_t> eeprom() const = 0;
     virtual void setEeprom(const std::vector<uint8_t>& image) = 0;  // before the first runUntil
     virtual World& world() = 0;

@@ -48,7 +48,8 @@ struct RomReader<F*, 2> {
 };
 #endif
 
-// Reads one object out of flash. One byte, uint16_t and pointers are plain loads; the rest is copied.
+// Reads one object out of flash. One byte, uint16_t and pointers are plain loads; the rest is
+// copied.
 template <class T>
 inline T romRead(const T& in_flash) {
     return RomReader<T>::read(in_flash);

@@ -185,9 +185,8 @@ void AvrBoard::feedGps() {
 }
 
 uint64_t AvrBoard::nextEvent() {
-    const uint64_t event = std::min(
-        {world_.imu().nextSample_us(), world_.gps().nextByte_us(), world_.gps().nextEvent_us(),
-         time_us() + kLongestWait_us});
+    const uint64_t event = std::min({world_.imu().nextSample_us(), world_.gps().nextByte_us(),
+                                     world_.gps().nextEvent_us(), time_us() + kLongestWait_us});
     return std::max(event * kCyclesPer_us, chip_.cycle() + 1);
 }
 
