@@ -24,6 +24,8 @@ enum class Stream : uint8_t {
     always,      // once a second, whatever was asked for
     on_request,  // when asked for, or by an event
 };
+constexpr uint8_t kRatedStreams = 8;
+constexpr uint8_t kStreams = 10;
 constexpr uint8_t kAlwaysRate = 4;  // quarters of a hertz
 
 struct OutgoingRow {
@@ -72,23 +74,37 @@ constexpr OutgoingRow kOutgoing[] ROM = {
     row<mavlink::ProtocolVersion>(Stream::on_request),
 };
 static_assert(core::count(kOutgoing) == kOutgoingRows, "kOutgoingRows does not fit the table");
-static_assert(kOutgoingRows <= 32, "the bits of Streams::due");
 
-constexpr uint16_t kFullPhase = 4 * kTurns_hz;
+constexpr uint8_t kDue = 4 * kTurns_hz;
 constexpr uint8_t kHeartbeatRow = 0;
 
-constexpr uint32_t bit(uint8_t row) { return uint32_t{1} << row; }
+struct Rates {
+    uint8_t of[kStreams];  // by Stream
+};
 
-uint8_t rate(const Link& link, uint8_t row) {
-    const uint8_t own = link.streams.own_rate[row];
-    if (own == kNever) return 0;
-    if (own != kFollowStream) return own;
-    const Stream stream = core::romRead(kOutgoing[row].stream);
-    if (stream == Stream::always) return kAlwaysRate;
-    if (stream == Stream::on_request) return 0;
+Rates ratesOf(const Link& link) {
+    Rates rates;
     const int8_t* rates_hz = &parameters.streams[linkNumber(link)].raw_sensors;
-    const int8_t rate_hz = rates_hz[static_cast<uint8_t>(stream)];
-    return rate_hz <= 0 ? 0 : static_cast<uint8_t>(4 * core::limit<int8_t>(rate_hz, 0, kTurns_hz));
+    for (uint8_t i = 0; i < kRatedStreams; ++i) {
+        const int8_t rate_hz = core::limit<int8_t>(rates_hz[i], 0, kTurns_hz);
+        rates.of[i] = static_cast<uint8_t>(4 * rate_hz);
+    }
+    rates.of[static_cast<uint8_t>(Stream::always)] = kAlwaysRate;
+    rates.of[static_cast<uint8_t>(Stream::on_request)] = 0;
+    return rates;
+}
+
+inline uint8_t rate(uint8_t own_rate, const Rates& rates, uint8_t row) {
+    if (own_rate == kNever) return 0;
+    if (own_rate != kFollowStream) return own_rate;
+    return rates.of[static_cast<uint8_t>(core::romRead(kOutgoing[row].stream))];
+}
+
+// Time that passes while a message waits for room counts for its next one.
+void age(Streams& streams, uint8_t row, uint8_t by) {
+    uint8_t& phase = streams.phase[row];
+    if (phase < kDue && by >= kDue - phase) ++streams.due;
+    phase = by > 0xFF - phase ? 0xFF : static_cast<uint8_t>(phase + by);
 }
 
 // The part of a turn the radio leaves to the streams; true when they have a whole turn together.
@@ -102,7 +118,8 @@ bool turnIsDue(Link& link) {
 
 bool sendRow(Link& link, uint8_t row) {
     if (!core::romRead(kOutgoing[row].send)(link)) return false;
-    link.streams.due &= ~bit(row);
+    link.streams.phase[row] = static_cast<uint8_t>(link.streams.phase[row] - kDue);
+    --link.streams.due;
     return true;
 }
 
@@ -112,25 +129,22 @@ void streamsStart(Link& link) {
     for (uint8_t row = 0; row < kOutgoingRows; ++row) {
         link.streams.own_rate[row] = kFollowStream;
         // spread, so that messages of one rate do not all fall into one turn
-        link.streams.phase[row] = static_cast<uint8_t>(row * 77U % kFullPhase);
+        link.streams.phase[row] = static_cast<uint8_t>(row * 77U % kDue);
     }
-    link.streams.due = bit(kHeartbeatRow);
+    link.streams.phase[kHeartbeatRow] = kDue;
+    link.streams.due = 1;
 }
 
 void streamsTick(Link& link) {
-    const bool whole_turn = turnIsDue(link);
+    if (!turnIsDue(link)) return age(link.streams, kHeartbeatRow, kAlwaysRate);
+    const Rates rates = ratesOf(link);
     for (uint8_t row = 0; row < kOutgoingRows; ++row) {
-        if (!whole_turn && row != kHeartbeatRow) continue;
-        uint16_t phase = static_cast<uint16_t>(link.streams.phase[row] + rate(link, row));
-        if (phase >= kFullPhase) {
-            phase -= kFullPhase;
-            link.streams.due |= bit(row);
-        }
-        link.streams.phase[row] = static_cast<uint8_t>(phase);
+        const uint8_t by = rate(link.streams.own_rate[row], rates, row);
+        if (by != 0) age(link.streams, row, by);
     }
 }
 
-bool heartbeatDue(const Link& link) { return (link.streams.due & bit(kHeartbeatRow)) != 0; }
+bool heartbeatDue(const Link& link) { return link.streams.phase[kHeartbeatRow] >= kDue; }
 
 bool streamsSend(Link& link) {
     Streams& streams = link.streams;
@@ -138,7 +152,7 @@ bool streamsSend(Link& link) {
     if (heartbeatDue(link)) return sendRow(link, kHeartbeatRow);
     do {
         if (++streams.last_row >= kOutgoingRows) streams.last_row = 0;
-    } while ((streams.due & bit(streams.last_row)) == 0);
+    } while (streams.phase[streams.last_row] < kDue);
     return sendRow(link, streams.last_row);
 }
 
@@ -150,12 +164,12 @@ uint8_t outgoingRow(uint16_t message_id) {
 
 void requestOnce(Link& link, uint16_t message_id) {
     const uint8_t row = outgoingRow(message_id);
-    if (row != kNoMessage) link.streams.due |= bit(row);
+    if (row != kNoMessage) age(link.streams, row, kDue);
 }
 
 bool isDue(const Link& link, uint16_t message_id) {
     const uint8_t row = outgoingRow(message_id);
-    return row != kNoMessage && (link.streams.due & bit(row)) != 0;
+    return row != kNoMessage && link.streams.phase[row] >= kDue;
 }
 
 bool setStreamRate(Link& link, uint8_t mav_data_stream, uint16_t rate_hz) {
@@ -187,13 +201,13 @@ bool setInterval(Link& link, uint8_t row, int32_t interval_us) {
     } else {
         const int32_t quarters = (4000000 + interval_us / 2) / interval_us;
         if (quarters < 1) return false;  // slower than one in eight seconds
-        own = static_cast<uint8_t>(quarters < kFullPhase ? quarters : kFullPhase);
+        own = static_cast<uint8_t>(quarters < kDue ? quarters : kDue);
     }
     return true;
 }
 
 int32_t interval_us(const Link& link, uint8_t row) {
-    const uint8_t quarters = rate(link, row);
+    const uint8_t quarters = rate(link.streams.own_rate[row], ratesOf(link), row);
     return quarters == 0 ? -1 : 4000000 / quarters;
 }
 

@@ -16,9 +16,9 @@ constexpr uint8_t kFollowStream = 0;
 constexpr uint8_t kNever = 0xFF;
 
 struct Streams {
-    uint32_t due = 0;                      // a bit a row: to be sent as soon as it fits
     uint8_t own_rate[kOutgoingRows] = {};  // kFollowStream, kNever, or the row's own rate
-    uint8_t phase[kOutgoingRows] = {};     // grows by the rate each turn; due at 4 * kTurns_hz
+    uint8_t phase[kOutgoingRows] = {};     // grows by the rate each turn; due from kDue on
+    uint8_t due = 0;                       // how many rows are
     uint8_t last_row = 0;                  // the one sent last, so that no row starves another
     uint8_t credit_pct = 0;                // of a turn, while slowed down
 };

@@ -14,7 +14,10 @@ namespace {
 constexpr uint8_t kBytesAtOnce = 16;
 constexpr uint8_t kHoldTurns = kTurns_hz;  // a second, then the frame is refused
 
-bool usb;  // as link0 was opened
+constexpr uint8_t kNoRoomWakes = 0xFF;
+
+bool usb;     // as link0 was opened
+bool rested;  // telemetryPump has been called since the last turn
 
 // As the parameters give it: thousands, where the usual rates are named by their first digits.
 uint32_t lineRate(int16_t thousands) {
@@ -81,12 +84,22 @@ bool hasSomething(const Link& link) {
 
 // One message, of what goes out by itself.
 bool sendOne(Link& link) {
-    if (!hasRoom(link, kLargestFrame)) return false;
+    if (!hasSomething(link) || !hasRoom(link, kLargestFrame)) return false;
     if (heartbeatDue(link)) return streamsSend(link);
     if (textSend(link)) return true;
     link.parameter_is_next = !link.parameter_is_next;
     if (link.parameter_is_next) return parameterListSend(link) || streamsSend(link);
     return streamsSend(link) || parameterListSend(link);
+}
+
+// Only interrupts run between telemetryPump's false and this.
+template <uint8_t number>
+inline bool waits() {
+    const Link& link = links[number];
+    constexpr hal::Port kPort = number == 0 ? hal::Port::link0 : hal::Port::link1;
+    const uint8_t room = hal::serialRoom(kPort);
+    if (room >= link.wake_room) return true;
+    return hal::serialAvailable(kPort) > 0 && !link.whole && room >= kLongestTalk;
 }
 
 }  // namespace
@@ -107,24 +120,26 @@ void telemetrySend() {
     for (Link& link : links) {
         if (link.whole && link.held_turns < kHoldTurns) ++link.held_turns;
         streamsTick(link);
-        sendOne(link);
+        if (!rested) sendOne(link);
     }
+    rested = false;
     missionTransferTurn();
     commandsTurn();
 }
 
 bool telemetryPump() {
+    rested = true;
     bool done = false;
-    for (Link& link : links) done |= receive(link) || sendOne(link);
+    for (Link& link : links) {
+        if (receive(link) || sendOne(link)) {
+            done = true;
+        } else {
+            link.wake_room = hasSomething(link) ? kLargestFrame : kNoRoomWakes;
+        }
+    }
     return done;
 }
 
-bool telemetryWaits() {
-    for (const Link& link : links) {
-        if (!link.whole && hal::serialAvailable(portOf(link)) > 0 && canReceive(link)) return true;
-        if (hasSomething(link) && hasRoom(link, kLargestFrame)) return true;
-    }
-    return false;
-}
+bool telemetryWaits() { return waits<0>() || waits<1>(); }
 
 }  // namespace firmware

@@ -8,11 +8,11 @@
 namespace firmware {
 
 void telemetryStart();  // after the parameters have been read
-void telemetrySend();   // 50 Hz: finds what is due; the heartbeat and a little more go out here
-// In the rest of a frame: received bytes, then what is due; a little each call. False: nothing
-// was done, and telemetryWaits (to be asked with interrupts off) says whether there is now.
+void telemetrySend();   // 50 Hz: finds what is due
+// In the rest of a frame: handles received bytes, then sends what is due, a little each call.
+// False: nothing is left to do until an interrupt makes telemetryWaits true.
 bool telemetryPump();
-bool telemetryWaits();
+bool telemetryWaits();  // asked with interrupts off, often: 60 cycles
 
 // The pulse the ground station puts in the place of the receiver's (RC_CHANNELS_OVERRIDE);
 // channel 0..7. False: not overridden.

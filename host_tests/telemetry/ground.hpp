@@ -98,6 +98,7 @@ class Telemetry : public testing::Test {
 protected:
     void SetUp() override {
         fakes::reset();
+        station.line().room = second.line().room = 127;  // as the real ports, and never less
         doubles::reset();
         firmware::vehicle = {};
         firmware::vehicle.mode = firmware::Mode::manual;

@@ -61,17 +61,38 @@ TEST_F(Telemetry, link0_follows_the_usb_cable) {
     EXPECT_EQ(fakes::serial(hal::Port::link1).opened.size(), 1u);
 }
 
-TEST_F(Telemetry, rests_only_when_there_is_nothing_to_do) {
+TEST_F(Telemetry, rests_until_bytes_come) {
     rest();
+    EXPECT_FALSE(firmware::telemetryPump());
     EXPECT_FALSE(firmware::telemetryWaits());
 
-    station.send(mavlink::Ping{});
+    second.send(mavlink::Ping{});
     EXPECT_TRUE(firmware::telemetryWaits());
+    EXPECT_TRUE(firmware::telemetryPump());
     rest();
     EXPECT_FALSE(firmware::telemetryWaits());
+}
 
+TEST_F(Telemetry, rests_until_there_is_room_for_what_it_has_to_say) {
+    rest();
+    station.line().room = 30;
     tell(Severity::info, ROM_TEXT("news"));
+    rest();
+    EXPECT_FALSE(firmware::telemetryWaits());
+
+    station.line().room = 100;
     EXPECT_TRUE(firmware::telemetryWaits());
+    rest();
+    EXPECT_EQ(station.texts().size(), 1u);
+    EXPECT_FALSE(firmware::telemetryWaits());
+}
+
+TEST_F(Telemetry, beats_when_the_frames_leave_no_rest) {
+    for (uint32_t ms = 0; ms < 10000; ms += 20) {
+        firmware::telemetrySend();
+        fakes::advance_ms(20);
+    }
+    EXPECT_NEAR(station.all<mavlink::Heartbeat>().size(), 10, 1);
 }
 
 TEST_F(Telemetry, leaves_questions_in_the_port_until_the_answer_has_room) {
