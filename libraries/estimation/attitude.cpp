@@ -63,24 +63,26 @@ void Attitude::propagate(const core::Vector3& rate_rads, const core::Vector3& fo
     rate_.x = rate_rads.x - bias_.x;
     rate_.y = rate_rads.y - bias_.y;
     rate_.z = rate_rads.z - bias_.z;
+    frame_ = (frame_ + 1) & 7;
     if (phase_ == Phase::falling) {
         if (forces_ == kAlignFrames) alignUpright();
         return;
     }
     const core::Vector3 turned = {rate_.x * dt_s, rate_.y * dt_s, rate_.z * dt_s};
-    turn(down_, turned);
     add(turned_, turned);
+    if (!(frame_ & 1)) {
+        turnMatrix();
+        return workOutAngles();
+    }
+    carryAnglesOn(turned);
     // What need not be done every frame is spread over eight.
-    frame_ = (frame_ + 1) & 7;
-    if (frame_ & 1) turnNorth();
-    if ((frame_ & 3) == 1) return accelerate();
-    if (frame_ == 2) return keepUpright();
-    if (frame_ == 3) return keepSquare();
-    if (frame_ == 7) pointYaw();
+    if (frame_ == 3) return keepUpright();
+    if (frame_ == 7) return pointYaw();
+    accelerate();
 }
 
-// Half as often as down: no angle that is flown at 100 Hz comes from it.
-void Attitude::turnNorth() {
+void Attitude::turnMatrix() {
+    turn(down_, turned_);
     turn(north_, turned_);
     turned_ = {0, 0, 0};
 }
@@ -104,13 +106,11 @@ void Attitude::forgetForces() {
     time_s_ = 0;
 }
 
+// Both rows of length one and square to each other.
 void Attitude::keepUpright() {
     const float squared = core::dot(down_, down_);
     if (!(squared > 0.5f && squared < 2.0f)) return start();  // no matrix any more: begin again
     stretch(down_, 1.5f - 0.5f * squared);
-}
-
-void Attitude::keepSquare() {
     const float skew = core::dot(north_, down_);
     north_.x -= down_.x * skew;
     north_.y -= down_.y * skew;
@@ -133,8 +133,9 @@ void Attitude::accelerate() {
                                  force_sum_.y * share - force_bias_y_, force_sum_.z * share};
     const float north = core::dot(north_, force);
     const float east = core::dot(core::cross(down_, north_), force);
-    // They were felt, on the mean, while the nose was this much behind where it points now.
-    const float behind_rad = 0.5f * yaw_rate_ * time_s_;
+    // They were felt, on the mean, two frames ago, and the matrix is one frame old: the nose was
+    // this much behind it.
+    const float behind_rad = 0.25f * yaw_rate_ * time_s_;
     acceleration_.x = north + behind_rad * east;
     acceleration_.y = east - behind_rad * north;
     acceleration_.z = core::dot(down_, force) + kGravity;
@@ -193,7 +194,7 @@ void Attitude::learn(const core::Vector3& turn_rad, const core::Vector3& missing
 }
 
 void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings) {
-    turnNorth();
+    catchUp();
     const VelocityHistory::Moment then = history_.ago(settings.gps_age_s);
     const VelocityHistory::Moment ground = VelocityHistory::moment(velocity_mps.x, velocity_mps.y);
     const float time_s = since_fix_s_;
@@ -223,7 +224,7 @@ core::Vector3 Attitude::gainedSinceFix_mps() const {
 
 void Attitude::useAirspeed(float true_airspeed_mps) {
     if (phase_ == Phase::falling) return;
-    turnNorth();
+    catchUp();
     // Its own velocity swings round with the nose; changes of speed are not known.
     const core::Vector3 east = core::cross(down_, north_);
     const float yaw_rate = core::dot(down_, rate_);
@@ -238,7 +239,7 @@ void Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
     if (phase_ == Phase::falling || !settings.use_compass) return;
     if (phase_ == Phase::pointed && ++compass_reading_ < kCompassEvery) return;
     compass_reading_ = 0;
-    turnNorth();
+    catchUp();
     const core::Vector3 field_mg = field_.earths(reading_mg);
     const core::Vector3 east = core::cross(down_, north_);
     const float m_north = core::dot(north_, field_mg), m_east = core::dot(east, field_mg);
@@ -274,8 +275,8 @@ void Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
 }
 
 // sqrt(1 - sine^2) of an angle below 20 degrees is quicker by its series, and so is its inverse.
-Angles Attitude::angles() const {
-    Angles a;
+void Attitude::workOutAngles() {
+    Angles& a = angles_;
     a.sin_pitch = core::limit(-down_.x, -1.0f, 1.0f);
     const float squared = a.sin_pitch * a.sin_pitch;
     float inverse;
@@ -292,8 +293,18 @@ Angles Attitude::angles() const {
     a.cos_roll = down_.z * inverse;
     a.roll_rad = arc_rad(a.sin_roll, a.cos_roll);
     a.pitch_rad = arc_rad(a.sin_pitch, a.cos_pitch);
-    a.yaw_rad = core::wrapPi(yaw_rad_ + yaw_rate_ * (0.01f * ((frame_ + 1) & 7)));
-    return a;
+    // pointYaw() saw the matrix of the sixth frame
+    a.yaw_rad = core::wrapPi(yaw_rad_ + yaw_rate_ * (0.01f * (frame_ + 2)));
+    tan_pitch_ = a.sin_pitch * inverse;
+}
+
+// One frame on, by the rates of Euler's angles. Near the vertical roll has no rate of its own.
+void Attitude::carryAnglesOn(const core::Vector3& turned_rad) {
+    Angles& a = angles_;
+    a.roll_rad += turned_rad.x;
+    a.pitch_rad += turned_rad.y * a.cos_roll - turned_rad.z * a.sin_roll;
+    if (fabsf(tan_pitch_) < 5.0f)
+        a.roll_rad += tan_pitch_ * (turned_rad.y * a.sin_roll + turned_rad.z * a.cos_roll);
 }
 
 }  // namespace estimation

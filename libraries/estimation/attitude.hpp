@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Attitude from gyros, held upright by comparing what the accelerometers say the airplane gained
 // in speed with what the GPS says, and pointed north by the compass. Two rows of the direction
-// cosine matrix are the state: north and down as the body sees them.
+// cosine matrix are the state: north and down as the body sees them. The matrix is turned every
+// second frame, by the turns of both; in between the angles are carried on by their rates.
 #pragma once
 #include <stdint.h>
 
@@ -42,8 +43,12 @@ public:
 
     bool aligned() const { return phase_ == Phase::pointed; }  // upright and pointed
 
-    // To be asked once a frame; works them out. Yaw clockwise from true north, -pi..pi.
-    Angles angles() const;
+    // Counts the frames, 0..7. propagate() costs least in the even ones: corrections belong there.
+    uint8_t frame() const { return frame_; }
+
+    // Yaw clockwise from true north, -pi..pi. Roll and pitch are new in every frame, the rest in
+    // the even ones.
+    const Angles& angles() const { return angles_; }
     // Where the nose points, for the wind: the first column of the matrix.
     float noseNorth() const { return north_.x; }
     float noseEast() const { return down_.y * north_.z - down_.z * north_.y; }
@@ -64,9 +69,13 @@ private:
 
     void alignUpright();
     void turnTo(float sine, float cosine);
-    void turnNorth();
+    void turnMatrix();
+    void catchUp() {
+        if (frame_ & 1) turnMatrix();
+    }
+    void workOutAngles();
+    void carryAnglesOn(const core::Vector3& turned_rad);
     void keepUpright();
-    void keepSquare();
     void pointYaw();
     void accelerate();
     void forgetForces();
@@ -79,9 +88,11 @@ private:
     core::Vector3 bias_ = {0, 0, 0};                      // of the gyros
     float force_bias_x_ = 0, force_bias_y_ = 0;           // of the accelerometers
     core::Vector3 rate_ = {0, 0, 0};
-    core::Vector3 turned_ = {0, 0, 0};     // since north_ was last turned
+    core::Vector3 turned_ = {0, 0, 0};     // since the matrix was last turned
     core::Vector3 force_sum_ = {0, 0, 0};  // of forces_ frames that took time_s_
     core::Vector3 acceleration_ = {0, 0, 0};
+    Angles angles_ = {0, 0, 0, 0, 1, 0, 1};
+    float tan_pitch_ = 0;
     CompassField field_;
     VelocityHistory history_;
     VelocityHistory::Moment fix_ = {};         // the accelerometers' velocity at the last fix
