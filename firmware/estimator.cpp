@@ -2,6 +2,7 @@
 #include "firmware/estimator.hpp"
 
 #include "core/maths.hpp"
+#include "estimation/arc.hpp"
 #include "estimation/atmosphere.hpp"
 #include "estimation/attitude.hpp"
 #include "estimation/height.hpp"
@@ -26,11 +27,14 @@ bool height_started;
 float home_height_m;  // of home above where the barometer was zeroed
 float true_speed_ratio = 1.0f;
 uint32_t baro_us, fix_ms, unfixed_ms;
+float gathered_s;   // since motion was last carried on
+float baro_sum_pa;  // of baro_readings
+uint8_t baro_readings;
 
 constexpr uint16_t kGpsSilent_ms = 500;
 constexpr uint16_t kAirspeedHelps_ms = 200;
-constexpr uint8_t kBeginsFlying = 50;  // frames of speed: half a second
-constexpr uint16_t kEndsFlying = 300;  // frames without: three seconds
+constexpr uint8_t kBeginsFlying = 13;  // looks of 40 ms at speed: half a second
+constexpr uint8_t kEndsFlying = 75;    // looks without: three seconds
 constexpr float kFlyingGroundSpeed_mps = 5.0f;
 constexpr float kStandingSpeed_mps = 2.0f;
 
@@ -41,28 +45,60 @@ estimation::AttitudeSettings attitudeSettings() {
     return settings;
 }
 
-void useFix() {
-    auto& gps = vehicle.gps;
-    gps.fresh = false;
-    if (gps.fix != GpsFix::three_d) return;
+// A fix costs too much for one frame: each of its uses gets one.
+enum class FixUse : uint8_t { move, feel_wind, done };
+FixUse fix_use = FixUse::done;
+float since_fix_s;  // from the fix before
+
+// Since its bytes arrived a fix has aged.
+float gpsAge_s(float when_received_s) {
+    return when_received_s + (hal::now_ms() - vehicle.gps.received_ms) * 0.001f;
+}
+
+void alignToFix() {
+    vehicle.gps.fresh = false;
+    if (vehicle.gps.fix != GpsFix::three_d) return;
     const uint32_t now_ms = hal::now_ms();
-    const float since_s = (now_ms - fix_ms) * 0.001f;
+    since_fix_s = (now_ms - fix_ms) * 0.001f;
     fix_ms = now_ms;
-    const Vector3 gained_mps = attitude.gainedSinceFix_mps();
-    position.useGps(gps.position, gps.velocity_mps, gained_mps, estimation::PositionSettings());
-    attitude.useGps(gps.velocity_mps, attitudeSettings());
-    if (!vehicle.estimate.flying || since_s > 1.0f) return;
-    const auto& now = vehicle.attitude;
-    const estimation::Pointing nose = {sinf(now.yaw_rad), cosf(now.yaw_rad), now.cos_pitch};
+    estimation::AttitudeSettings settings = attitudeSettings();
+    settings.gps_age_s = gpsAge_s(settings.gps_age_s);
+    attitude.useGps(vehicle.gps.velocity_mps, settings);
+    fix_use = FixUse::move;
+}
+
+void moveToFix() {
+    fix_use = FixUse::feel_wind;
+    estimation::PositionSettings settings;
+    settings.gps_age_s = gpsAge_s(settings.gps_age_s);
+    position.useGps(vehicle.gps.position, vehicle.gps.velocity_mps, attitude.gainedSinceFix_mps(),
+                    settings);
+}
+
+void feelWind() {
+    fix_use = FixUse::done;
+    if (!vehicle.estimate.flying || since_fix_s > 1.0f) return;
     const float airspeed_mps = vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f;
-    wind.update(gps.velocity_mps, nose, airspeed_mps, since_s);
+    wind.update(vehicle.gps.velocity_mps, {attitude.noseNorth(), attitude.noseEast()}, airspeed_mps,
+                since_fix_s);
     vehicle.estimate.wind_mps = wind.wind_mps();
 }
 
+void gatherBarometer() {
+    if (!vehicle.baro.fresh) return;
+    vehicle.baro.fresh = false;
+    baro_sum_pa += vehicle.baro.pressure_pa;
+    ++baro_readings;
+}
+
+// The mean of what came in four frames.
 void useBarometer() {
+    if (baro_readings == 0) return;
     const auto& baro = vehicle.baro;
-    const float reading_m = estimation::pressureHeight_m(baro.pressure_pa, baro.ground_pressure_pa,
-                                                         baro.ground_temperature_c);
+    const float reading_m = estimation::pressureHeight_m(
+        baro_sum_pa / baro_readings, baro.ground_pressure_pa, baro.ground_temperature_c);
+    baro_sum_pa = 0;
+    baro_readings = 0;
     vehicle.baro.height_m = reading_m;
     const uint32_t now_us = hal::now_us();
     if (height_started) {
@@ -81,15 +117,19 @@ float knownAirspeed_mps() {
     return vehicle.estimate.flying ? parameters.cruise_speed_cms * 0.01f : 0.0f;
 }
 
-void estimateAttitude() {
-    const auto& imu = vehicle.imu;
-    attitude.propagate(imu.rate_rads, imu.accel_mss, imu.dt_s);
-    if (vehicle.compass.fresh) {
+// One a frame.
+void useReference() {
+    const uint32_t now_ms = hal::now_ms();
+    if (vehicle.gps.fresh) {
+        alignToFix();
+    } else if (fix_use == FixUse::move) {
+        moveToFix();
+    } else if (fix_use == FixUse::feel_wind) {
+        feelWind();
+    } else if (vehicle.compass.fresh) {
         vehicle.compass.fresh = false;
         attitude.useCompass(vehicle.compass.field_mg, attitudeSettings());
-    }
-    const uint32_t now_ms = hal::now_ms();
-    if (now_ms - fix_ms > kGpsSilent_ms && now_ms - unfixed_ms >= kAirspeedHelps_ms) {
+    } else if (now_ms - fix_ms > kGpsSilent_ms && now_ms - unfixed_ms >= kAirspeedHelps_ms) {
         unfixed_ms = now_ms;
         attitude.useAirspeed(knownAirspeed_mps());
     }
@@ -97,11 +137,6 @@ void estimateAttitude() {
 
 // The attitude gives a new acceleration every fourth frame.
 void propagateMotion() {
-    static uint8_t frames;
-    static float gathered_s;
-    gathered_s += vehicle.imu.dt_s;
-    if (++frames < 4) return;
-    frames = 0;
     const Vector3& acceleration_mss = attitude.acceleration_mss();
     position.propagate(acceleration_mss, gathered_s);
     height.propagate(-acceleration_mss.z, gathered_s);
@@ -109,7 +144,7 @@ void propagateMotion() {
 }
 
 void publishAttitude() {
-    const estimation::Angles angles = attitude.angles();
+    const estimation::Angles& angles = attitude.angles();
     auto& to = vehicle.attitude;
     to.roll_rad = angles.roll_rad;
     to.pitch_rad = angles.pitch_rad;
@@ -130,17 +165,16 @@ void publishMotion() {
     to.climb_mps = height.climb_mps();
 }
 
-// What costs a root or an arc tangent is worked out every fifth frame.
-void publishSlowly() {
-    static uint8_t frame;
-    if (++frame < 5) return;
-    frame = 0;
+void publishSpeeds() {
     auto& to = vehicle.estimate;
     to.position = position.position();
     const Vector3& velocity = to.velocity_mps;
     to.ground_speed_mps = sqrtf(core::square(velocity.x) + core::square(velocity.y));
-    to.course_cd =
-        core::wrap360_cd(core::rounded(core::centidegrees(atan2f(velocity.y, velocity.x))));
+    if (to.ground_speed_mps > 0.01f) {
+        const float inverse = 1.0f / to.ground_speed_mps;
+        to.course_cd = core::wrap360_cd(core::rounded(
+            core::centidegrees(estimation::arc_rad(velocity.y * inverse, velocity.x * inverse))));
+    }
     if (vehicle.airspeed.healthy) {
         to.equivalent_airspeed_mps = vehicle.airspeed.speed_mps;
         to.airspeed_mps = vehicle.airspeed.speed_mps * true_speed_ratio;
@@ -152,7 +186,7 @@ void publishSlowly() {
 
 // Flying: armed, and fast enough for half a second; standing: slow for three seconds.
 void judgeFlying() {
-    static uint16_t frames;
+    static uint8_t looks;
     auto& estimate = vehicle.estimate;
     const bool fast = vehicle.airspeed.healthy
                           ? vehicle.airspeed.speed_mps > 0.75f * parameters.speed_min_mps
@@ -160,10 +194,10 @@ void judgeFlying() {
     const bool slow =
         estimate.ground_speed_mps < kStandingSpeed_mps && fabsf(estimate.climb_mps) < 0.5f;
     const bool changes = estimate.flying ? slow || !vehicle.armed : fast && vehicle.armed;
-    frames = changes ? frames + 1 : 0;
-    if (frames < (estimate.flying ? kEndsFlying : kBeginsFlying)) return;
+    looks = changes ? looks + 1 : 0;
+    if (looks < (estimate.flying ? kEndsFlying : kBeginsFlying)) return;
     estimate.flying = !estimate.flying;
-    frames = 0;
+    looks = 0;
 }
 
 }  // namespace
@@ -175,17 +209,25 @@ void runEstimator() {
         wind.start();
         started = true;
     }
-    estimateAttitude();
+    const auto& imu = vehicle.imu;
+    attitude.propagate(imu.rate_rads, imu.accel_mss, imu.dt_s);
     publishAttitude();
-    propagateMotion();
-    if (vehicle.baro.fresh) {
-        vehicle.baro.fresh = false;
-        useBarometer();
+    gathered_s += imu.dt_s;
+    gatherBarometer();
+    switch (attitude.frame() & 3) {
+        case 1:
+            propagateMotion();
+            publishMotion();
+            break;
+        case 3:
+            useBarometer();
+            publishMotion();
+            publishSpeeds();
+            judgeFlying();
+            break;
+        default:
+            useReference();
     }
-    if (vehicle.gps.fresh) useFix();
-    publishMotion();
-    publishSlowly();
-    judgeFlying();
 }
 
 void zeroHeight() {

@@ -21,7 +21,7 @@ struct Air {
     }
 };
 Pointing pointing(double yaw) {
-    return {static_cast<float>(std::sin(yaw)), static_cast<float>(std::cos(yaw)), 1};
+    return {static_cast<float>(std::cos(yaw)), static_cast<float>(std::sin(yaw))};
 }
 
 TEST(Wind, is_ground_less_air_within_half_a_minute) {
@@ -66,9 +66,8 @@ TEST(Wind, gusts_do_not_move_it_much) {
     for (int sample = 1; flight.step(); ++sample) {
         const flight::Truth& t = flight.truth();
         if (sample % 40 != 0 || t.airspeed < 8) continue;
-        const Pointing nose = {static_cast<float>(std::sin(t.yaw)),
-                               static_cast<float>(std::cos(t.yaw)),
-                               static_cast<float>(std::cos(t.pitch))};
+        const Pointing nose = {static_cast<float>(std::cos(t.yaw) * std::cos(t.pitch)),
+                               static_cast<float>(std::sin(t.yaw) * std::cos(t.pitch))};
         wind.update(flight::single(flight.gps().velocity), nose,
                     static_cast<float>(flight.airspeed_mps()), 0.2f);
         if (t.time_s < 60) continue;

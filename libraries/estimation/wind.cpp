@@ -17,14 +17,14 @@ void Wind::start() { *this = Wind(); }
 // headings: in a steady wind the ground velocity changes as the air velocity does.
 void Wind::update(const core::Vector3& ground_mps, const Pointing& nose, float airspeed_mps,
                   float dt_s) {
-    float speed_mps = airspeed_mps * nose.cos_pitch;
+    float speed_mps = airspeed_mps;
     float share = dt_s / kSlow_s;
     if (airspeed_mps < kLeastAirspeed_mps) {
         if (!fromTurn(ground_mps, nose, speed_mps)) return;
         share = 0.3f;
     }
-    const float north_mps = ground_mps.x - speed_mps * nose.cos_yaw;
-    const float east_mps = ground_mps.y - speed_mps * nose.sin_yaw;
+    const float north_mps = ground_mps.x - speed_mps * nose.north;
+    const float east_mps = ground_mps.y - speed_mps * nose.east;
     // Quick at first, so that the wind is known soon after takeoff.
     heard_s_ = heard_s_ < kSlow_s ? heard_s_ + dt_s : kSlow_s;
     if (airspeed_mps >= kLeastAirspeed_mps) share = dt_s / heard_s_;
@@ -37,7 +37,7 @@ void Wind::update(const core::Vector3& ground_mps, const Pointing& nose, float a
 
 // True when the nose has turned far enough since the last time to tell the airspeed.
 bool Wind::fromTurn(const core::Vector3& ground_mps, const Pointing& nose, float& airspeed_mps) {
-    const float north = nose.cos_yaw - old_cos_yaw_, east = nose.sin_yaw - old_sin_yaw_;
+    const float north = nose.north - old_nose_.north, east = nose.east - old_nose_.east;
     const float squared = north * north + east * east;
     if (seeded_ && squared < kTurn * kTurn) return false;
     bool told = false;
@@ -48,8 +48,7 @@ bool Wind::fromTurn(const core::Vector3& ground_mps, const Pointing& nose, float
         told = airspeed_mps > kLeastAirspeed_mps && airspeed_mps < kMostWind_mps;
     }
     seeded_ = true;
-    old_cos_yaw_ = nose.cos_yaw;
-    old_sin_yaw_ = nose.sin_yaw;
+    old_nose_ = nose;
     old_ground_north_ = ground_mps.x;
     old_ground_east_ = ground_mps.y;
     return told;

@@ -9,8 +9,8 @@
 
 namespace estimation {
 
-struct Pointing {  // where the nose points: sine and cosine of yaw, cosine of pitch
-    float sin_yaw, cos_yaw, cos_pitch;
+struct Pointing {  // the level part of the nose's direction
+    float north, east;
 };
 
 class Wind {
@@ -31,7 +31,7 @@ private:
 
     float north_mps_ = 0, east_mps_ = 0;
     float old_ground_north_ = 0, old_ground_east_ = 0;
-    float old_sin_yaw_ = 0, old_cos_yaw_ = 0;
+    Pointing old_nose_ = {0, 0};
     float heard_s_ = 0;  // of readings, up to the filter's time
     bool seeded_ = false, known_ = false;
 };
