@@ -9,6 +9,7 @@
 #include "firmware/telemetry/text_queue.hpp"
 #include "firmware/vehicle.hpp"
 #include "hal/clock.hpp"
+#include "hal/memory.hpp"
 
 namespace firmware {
 namespace {
@@ -123,6 +124,11 @@ bool fillIn(const Link&, mavlink::PowerStatus& to) {
 bool fillIn(const Link&, mavlink::Hwstatus& to) {
     to.Vcc = vehicle.battery.board_mv;
     return true;
+}
+
+bool fillIn(const Link&, mavlink::Meminfo& to) {
+    to.freemem = hal::freeMemory();
+    return to.freemem != 0;
 }
 
 bool fillIn(const Link&, mavlink::SystemTime& to) {

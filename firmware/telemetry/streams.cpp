@@ -54,6 +54,7 @@ constexpr OutgoingRow kOutgoing[] ROM = {
     row<mavlink::Heartbeat>(Stream::always),
     row<mavlink::SysStatus>(Stream::extended_status),
     row<mavlink::PowerStatus>(Stream::extended_status),
+    row<mavlink::Meminfo>(Stream::extended_status),
     row<mavlink::GpsRawInt>(Stream::extended_status),
     row<mavlink::NavControllerOutput>(Stream::extended_status),
     row<mavlink::MissionCurrent>(Stream::extended_status),

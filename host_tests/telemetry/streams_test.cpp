@@ -93,7 +93,7 @@ TEST_F(Telemetry, a_stream_comes_at_the_rate_it_was_asked_for) {
 TEST_F(Telemetry, all_streams_start_and_stop_together) {
     station.send(streamRequest(MavDataStream::all, 10));
     run_ms(2000);
-    for (const uint16_t id : {1, 24, 27, 29, 30, 33, 35, 36, 42, 62, 65, 74, 125, 165, 168}) {
+    for (const uint16_t id : {1, 24, 27, 29, 30, 33, 35, 36, 42, 62, 65, 74, 125, 152, 165, 168}) {
         station.forget();
         run_ms(1000);
         size_t count = 0;
