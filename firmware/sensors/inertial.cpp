@@ -22,16 +22,17 @@ drivers::Mpu6000<board::SensorBus, board::ImuSelect> imu;
 estimation::Still still;
 
 // AHRS_TRIM: how the board sits in the airplane, a small rotation taken back.
-Vector3 levelled(const Vector3& board) {
+void level(Vector3& v) {
     const Vector3 trim = {parameters.level_trim_rad[0], parameters.level_trim_rad[1], 0};
-    return trim.x == 0 && trim.y == 0 ? board : board + core::cross(trim, board);
+    if (trim.x != 0 || trim.y != 0) v = v + core::cross(trim, v);
 }
 
-Vector3 corrected(const Vector3& force_mss) {
+void correct(Vector3& force_mss) {
     const float* offset = parameters.accel_offset_mss;
     const float* scale = parameters.accel_scale;
-    return {(force_mss.x - offset[0]) * scale[0], (force_mss.y - offset[1]) * scale[1],
-            (force_mss.z - offset[2]) * scale[2]};
+    force_mss.x = (force_mss.x - offset[0]) * scale[0];
+    force_mss.y = (force_mss.y - offset[1]) * scale[1];
+    force_mss.z = (force_mss.z - offset[2]) * scale[2];
 }
 
 }  // namespace
@@ -48,18 +49,22 @@ uint8_t inertialSamplesWaiting() { return imu.waiting(); }
 uint16_t inertialErrors() { return imu.badReads(); }
 
 void runInertial() {
+    auto& to = vehicle.imu;
     imu.step(hal::now_ms());
-    vehicle.imu.healthy = imu.healthy();
+    to.healthy = imu.healthy();
     drivers::ImuSample sample;
     if (!imu.take(sample)) {
-        vehicle.imu.dt_s = 0;
+        to.dt_s = 0;
         return;
     }
-    vehicle.imu.dt_s = sample.periods * (imu.kPeriod_us * 1e-6f);
-    if (!still.done()) still.update(sample.rate_rads, sample.force_mss, vehicle.imu.dt_s);
-    vehicle.imu.calibrated = still.done();
-    vehicle.imu.rate_rads = levelled(sample.rate_rads - still.zero_rads());
-    vehicle.imu.accel_mss = levelled(corrected(sample.force_mss));
+    to.dt_s = sample.periods * (imu.kPeriod_us * 1e-6f);
+    if (!still.done()) still.update(sample.rate_rads, sample.force_mss, to.dt_s);
+    to.calibrated = still.done();
+    to.rate_rads = sample.rate_rads - still.zero_rads();
+    to.accel_mss = sample.force_mss;
+    correct(to.accel_mss);
+    level(to.rate_rads);
+    level(to.accel_mss);
 }
 
 }  // namespace firmware

@@ -13,8 +13,7 @@ namespace drivers {
 struct ImuSample {
     core::Vector3 rate_rads;  // body axes: x forward, y right, z down
     core::Vector3 force_mss;  // specific force: (0, 0, -g) at rest and level
-    float temperature_c;
-    uint8_t count;    // samples averaged
+    uint8_t count;            // samples averaged
     uint8_t periods;  // sample periods since the last take, unreadable ones too: the time covered
 };
 
@@ -51,7 +50,7 @@ private:
     struct Setting {
         uint8_t address, value;
     };
-    static constexpr uint8_t kAccel = 0, kTemperature = 3, kGyro = 4, kWords = 7;
+    static constexpr uint8_t kAccel = 0, kGyro = 4, kWords = 7;  // the temperature between them
     struct Sums {
         int32_t chip[kWords];  // in the chip's order and axes
         uint8_t count, dead;   // samples summed; interrupts that found no chip
@@ -258,15 +257,16 @@ bool Mpu6000<Bus, Select>::take(ImuSample& sample) {
         sums_ = {};
     }
     if (sums.count == 0) return false;
-    const float share = sums.count == 2 ? 0.5f : 1.0f / sums.count;
-    const float gyro = share * (core::kPi / 180.0f / 16.4f);  // 16.4 LSB per deg/s
-    const float accel = share * (core::kGravity_mss / 4096.0f);
+    constexpr float kGyro_rads = core::kPi / 180.0f / 16.4f;  // 16.4 LSB per deg/s
+    constexpr float kAccel_mss = core::kGravity_mss / 4096.0f;
+    // nearly always two
+    const float gyro = sums.count == 2 ? kGyro_rads / 2 : kGyro_rads / sums.count;
+    const float accel = sums.count == 2 ? kAccel_mss / 2 : kAccel_mss / sums.count;
     // On this board body x is the chip's y, body y its x, body z its -z.
     const int32_t* const a = sums.chip + kAccel;
     const int32_t* const g = sums.chip + kGyro;
     sample.rate_rads = {gyro * g[1], gyro * g[0], -gyro * g[2]};
     sample.force_mss = {accel * a[1], accel * a[0], -accel * a[2]};
-    sample.temperature_c = share * sums.chip[kTemperature] * (1.0f / 340.0f) + 36.53f;
     sample.count = sums.count;
     sample.periods = sums.count + sums.dead;
     samples_ += sums.count;
