@@ -20,6 +20,7 @@ control::YawState yaw_state;
 control::AxisGains roll_gains, pitch_gains;
 control::AirFlow air;
 control::TurnRates turn;
+float roll_limit_rad, pitch_min_rad, pitch_max_rad, trim_pitch_rad;
 uint8_t prepared;  // frames ago
 
 // Without a sensor the estimated airspeed serves: it is the cruise speed until the wind is known.
@@ -30,18 +31,21 @@ void prepare() {
     turn = control::turnRates(air, attitude.sin_roll, attitude.cos_roll, attitude.cos_pitch);
     roll_gains = control::axisGains(parameters.roll.axis);
     pitch_gains = control::axisGains(parameters.pitch.axis);
+    roll_limit_rad = core::radiansFromCentidegrees(parameters.roll_limit_cd);
+    pitch_min_rad = core::radiansFromCentidegrees(parameters.pitch_min_cd);
+    pitch_max_rad = core::radiansFromCentidegrees(parameters.pitch_max_cd);
+    trim_pitch_rad = core::radiansFromCentidegrees(parameters.trim_pitch_cd);
 }
 
 float limitedRoll_rad() {
-    const float limit_rad = core::radiansFromCentidegrees(parameters.roll_limit_cd);
-    return core::limit(vehicle.roll_demand_rad + vehicle.pilot_roll_rad, -limit_rad, limit_rad);
+    return core::limit(vehicle.roll_demand_rad + vehicle.pilot_roll_rad, -roll_limit_rad,
+                       roll_limit_rad);
 }
 
 float limitedPitch_rad() {
-    return core::limit(vehicle.pitch_demand_rad + vehicle.pilot_pitch_rad,
-                       core::radiansFromCentidegrees(parameters.pitch_min_cd),
-                       core::radiansFromCentidegrees(parameters.pitch_max_cd)) +
-           core::radiansFromCentidegrees(parameters.trim_pitch_cd);
+    return core::limit(vehicle.pitch_demand_rad + vehicle.pilot_pitch_rad, pitch_min_rad,
+                       pitch_max_rad) +
+           trim_pitch_rad;
 }
 
 void stabilise() {
