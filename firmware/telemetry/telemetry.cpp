@@ -105,7 +105,6 @@ inline bool waits() {
 }  // namespace
 
 void telemetryStart() {
-    textsStart();
     missionTransferStart();
     commandsStart();
     usb = hal::usbConnected();

@@ -71,8 +71,6 @@ void tell(Severity severity, core::RomText text, int32_t number) {
     texts[used++] = {text, number, static_cast<uint8_t>(severity), kEveryLink};
 }
 
-void textsStart() { used = lost = 0; }
-
 uint8_t textsLost() { return lost; }
 
 bool textWaits(const Link& link) {

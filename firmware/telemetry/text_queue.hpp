@@ -9,7 +9,6 @@ struct Link;
 
 constexpr uint8_t kTextSize = 50;  // of STATUSTEXT
 
-void textsStart();
 bool textSend(Link& link);  // the oldest text this link has not had; false: none, or no room
 bool textWaits(const Link& link);
 uint8_t textsLost();  // not yet told

@@ -48,11 +48,12 @@ test('the checksum routine gives the published check value', () => {
   assert.equal(crc16(Buffer.from('123456789')), 0x6f91);
 });
 
-test('what is committed is what the generator writes', () => {
-  const generator = fileURLToPath(new URL('toolchain/mavlink/generate.mjs', root));
-  const run = spawnSync(process.execPath, [generator, '--check'], { encoding: 'utf8' });
-  assert.equal(run.status, 0, run.stderr);
-});
+for (const [program, what] of [['generate', 'the header'], ['document', 'the manual']])
+  test(`${what} is what its generator writes`, () => {
+    const path = fileURLToPath(new URL(`toolchain/mavlink/${program}.mjs`, root));
+    const run = spawnSync(process.execPath, [path, '--check'], { encoding: 'utf8' });
+    assert.equal(run.status, 0, run.stderr);
+  });
 
 test('every message of the list is in the header', () => {
   const list = JSON.parse(readFileSync(new URL('toolchain/mavlink/messages.json', root), 'utf8'));

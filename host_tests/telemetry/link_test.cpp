@@ -152,6 +152,13 @@ TEST_F(Telemetry, texts_reach_both_links_with_their_number) {
     }
 }
 
+TEST_F(Telemetry, texts_told_before_the_links_are_open_are_told_after) {
+    tell(Severity::info, ROM_TEXT("early"));
+    firmware::telemetryStart();
+    run_ms(100);
+    EXPECT_EQ(station.texts().at(0), "early");
+}
+
 TEST_F(Telemetry, a_text_carries_its_severity) {
     tell(Severity::critical, ROM_TEXT("down"));
     run_ms(20);

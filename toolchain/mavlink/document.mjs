@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes the tables of docs/mavlink.md from the tables of firmware/telemetry.
+//   node toolchain/mavlink/document.mjs           writes
+//   node toolchain/mavlink/document.mjs --check   exit 1 when what is there differs
+import { readFileSync, writeFileSync } from 'node:fs';
+import { enums, messages } from './definitions.mjs';
+
+const root = new URL('../../', import.meta.url);
+const read = (path) => readFileSync(new URL(path, root), 'utf8');
+
+const spelled = new Map(messages().map(({ name, id }) => [name.replaceAll('_', '').toLowerCase(), { name, id }]));
+const message = (struct) => {
+  const found = spelled.get(struct.toLowerCase());
+  if (!found) throw new Error(`no message is spelled ${struct}`);
+  return found;
+};
+const table = (head, rows) =>
+  [head, head.map(() => '---'), ...rows].map((row) => `| ${row.join(' | ')} |`).join('\n');
+
+const parameters = { raw_sensors: '`SRn_RAW_SENS`', extended_status: '`SRn_EXT_STAT`',
+  rc_channels: '`SRn_RC_CHAN`', raw_controller: '`SRn_RAW_CTRL`', position: '`SRn_POSITION`',
+  extra1: '`SRn_EXTRA1`', extra2: '`SRn_EXTRA2`', extra3: '`SRn_EXTRA3`',
+  always: 'once a second, always', on_request: 'when asked for, or when it happens' };
+
+function sent() {
+  const rows = [...read('firmware/telemetry/streams.cpp')
+    .matchAll(/row<mavlink::(\w+)>\(Stream::(\w+)\)/g)];
+  return table(['id', 'message', 'rate'], rows.map(([, struct, stream]) =>
+    [message(struct).id, message(struct).name, parameters[stream]]));
+}
+
+function understood() {
+  const rows = [...read('firmware/telemetry/incoming.cpp')
+    .matchAll(/to(?:All|Us)<mavlink::(\w+)>\(on/g)].map(([, struct]) => message(struct));
+  return rows.sort((a, b) => a.id - b.id).map(({ id, name }) => `\`${name}\` (${id})`).join(', ') + '.';
+}
+
+const remarks = {
+  do_set_mode: 'p1 = 1: p2 is the mode\'s number; or the older base modes',
+  do_set_home: 'p1 = 1: here; else p5, p6, p7',
+  do_set_mission_current: 'p1 = item',
+  preflight_calibration: 'p1 = 1 gyros, p3 = 1 barometer and airspeed; on the ground, disarmed',
+  preflight_storage: 'p1 = 2: erases parameters and mission; not armed',
+  preflight_reboot_shutdown: 'p1 = 1: restart; not armed, unless p6 = 20190226',
+  component_arm_disarm: 'p1 = 1 arm, 0 disarm; p2 = 2989 / 21196: without the checks',
+  run_prearm_checks: 'FAILED and a text when one fails',
+  get_message_interval: 'p1 = message',
+  set_message_interval: 'p1 = message, p2 = µs, 0 as its stream, -1 never',
+  request_message: 'p1 = message, one of those above',
+};
+
+function commands() {
+  const numbers = Object.fromEntries(enums().find(({ name }) => name === 'MavCmd').entries
+    .map(({ key, value }) => [key.toLowerCase(), value]));
+  const rows = [...read('firmware/telemetry/commands.cpp').matchAll(/\{MavCmd::(\w+),/g)];
+  return table(['id', 'command', ''], rows.map(([, key]) =>
+    [numbers[key], key.toUpperCase(), remarks[key] ?? '']));
+}
+
+const before = read('docs/mavlink.md');
+let after = before;
+for (const [name, text] of Object.entries({ sent: sent(), understood: understood(), commands: commands() })) {
+  const place = new RegExp(`(<!-- ${name}: .*? -->\\n)[^]*?(<!-- end -->)`);
+  if (!place.test(after)) throw new Error(`docs/mavlink.md has no place for ${name}`);
+  after = after.replace(place, (_, begin, end) => `${begin}${text}\n${end}`);
+}
+if (!process.argv.includes('--check')) {
+  writeFileSync(new URL('docs/mavlink.md', root), after);
+} else if (after !== before) {
+  console.error('docs/mavlink.md is not what toolchain/mavlink/document.mjs writes');
+  process.exitCode = 1;
+}
