@@ -22,6 +22,8 @@ find_program(NODE node REQUIRED)
 add_custom_command(TARGET firmware POST_BUILD
     COMMAND ${CMAKE_OBJCOPY} -O ihex -R .eeprom $<TARGET_FILE:firmware> firmware.hex
     COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/blank_eeprom.mjs firmware.eep
+    COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/task_names.mjs
+            ${CMAKE_SOURCE_DIR}/firmware/tasks.cpp tasks.json
     COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/check_image.mjs $<TARGET_FILE:firmware>
     VERBATIM)
 # what judges the image is part of it

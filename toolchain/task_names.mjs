@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rows of the schedule as JSON, for whoever shows what the tasks took: number, name, period in
+// frames and budget.
+//   node toolchain/task_names.mjs firmware/tasks.cpp TASKS.json
+import { readFileSync, writeFileSync } from 'node:fs';
+
+export function taskRows(source) {
+  const table = /constexpr scheduler::Task kTasks\[\][^=]*=\s*\{([\s\S]*?)\n\};/.exec(source)?.[1];
+  if (table === undefined) throw new Error('there is no table kTasks');
+  const bare = table.replace(/\/\/.*$/gm, '');
+  const rows = [...bare.matchAll(/\{\s*(\w+)\s*,\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*\}/g)];
+  const opened = bare.split('{').length - 1;
+  if (rows.length === 0 || rows.length !== opened)
+    throw new Error(`of ${opened} rows only ${rows.length} could be read`);
+  return rows.map(([, name, period, , budget], number) => (
+    { number, name, period: Number(period), budget_us: Number(budget) }));
+}
+
+if (process.argv[1]?.endsWith('task_names.mjs')) {
+  const [source, target] = process.argv.slice(2);
+  try {
+    writeFileSync(target, `${JSON.stringify(taskRows(readFileSync(source, 'utf8')), null, 1)}\n`);
+  } catch (error) {
+    console.error(`task_names: ${source}: ${error.message}`);
+    process.exitCode = 1;
+  }
+}
