@@ -51,26 +51,25 @@ FixUse fix_use = FixUse::done;
 float since_fix_s;  // from the fix before
 
 // Since its bytes arrived a fix has aged.
-float gpsAge_s(float when_received_s) {
-    return when_received_s + (hal::now_ms() - vehicle.gps.received_ms) * 0.001f;
+float gpsAge_s(float when_received_s, uint32_t now_ms) {
+    return when_received_s + (now_ms - vehicle.gps.received_ms) * 0.001f;
 }
 
-void alignToFix() {
+void alignToFix(uint32_t now_ms) {
     vehicle.gps.fresh = false;
     if (vehicle.gps.fix != GpsFix::three_d) return;
-    const uint32_t now_ms = hal::now_ms();
     since_fix_s = (now_ms - fix_ms) * 0.001f;
     fix_ms = now_ms;
     estimation::AttitudeSettings settings = attitudeSettings();
-    settings.gps_age_s = gpsAge_s(settings.gps_age_s);
+    settings.gps_age_s = gpsAge_s(settings.gps_age_s, now_ms);
     attitude.useGps(vehicle.gps.velocity_mps, settings);
     fix_use = FixUse::move;
 }
 
-void moveToFix() {
+void moveToFix(uint32_t now_ms) {
     fix_use = FixUse::feel_wind;
     estimation::PositionSettings settings;
-    settings.gps_age_s = gpsAge_s(settings.gps_age_s);
+    settings.gps_age_s = gpsAge_s(settings.gps_age_s, now_ms);
     position.useGps(vehicle.gps.position, vehicle.gps.velocity_mps, attitude.gainedSinceFix_mps(),
                     settings);
 }
@@ -121,9 +120,9 @@ float knownAirspeed_mps() {
 void useReference() {
     const uint32_t now_ms = hal::now_ms();
     if (vehicle.gps.fresh) {
-        alignToFix();
+        alignToFix(now_ms);
     } else if (fix_use == FixUse::move) {
-        moveToFix();
+        moveToFix(now_ms);
     } else if (fix_use == FixUse::feel_wind) {
         feelWind();
     } else if (vehicle.compass.fresh) {

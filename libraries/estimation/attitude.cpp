@@ -176,8 +176,7 @@ void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& fe
     const core::Vector3 by =
         north_ * (used.y * gain) - east * (used.x * gain) + down_ * core::limit(yaw, -0.05f, 0.05f);
     learn(by, used, east, time_s);
-    turn(north_, by);
-    turn(down_, by);
+    add(turned_, by);  // taken over when the matrix is turned next
 }
 
 // What had to be corrected again and again is the sensors' own.
@@ -207,15 +206,18 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
     fix_ = then;
     fix_ground_ = ground;
     since_fix_s_ = 0;
+    if (phase_ == Phase::upright && !settings.use_compass) pointAlong(velocity_mps);
+}
+
+// The first heading where there is no compass: the course, when there is one.
+void Attitude::pointAlong(const core::Vector3& velocity_mps) {
     const float fast = velocity_mps.x * velocity_mps.x + velocity_mps.y * velocity_mps.y;
-    if (phase_ == Phase::upright && !settings.use_compass && fast > 25.0f) {
-        const float inverse = 1.0f / sqrtf(fast);
-        const float east = velocity_mps.y * inverse, north = velocity_mps.x * inverse;
-        const float nose_inverse =
-            1.0f / sqrtf(north_.x * north_.x + noseEast() * noseEast() + 1e-6f);
-        const float nose_north = north_.x * nose_inverse, nose_east = noseEast() * nose_inverse;
-        turnTo(east * nose_north - north * nose_east, north * nose_north + east * nose_east);
-    }
+    if (fast <= 25.0f) return;
+    const float inverse = 1.0f / sqrtf(fast);
+    const float east = velocity_mps.y * inverse, north = velocity_mps.x * inverse;
+    const float nose_inverse = 1.0f / sqrtf(north_.x * north_.x + noseEast() * noseEast() + 1e-6f);
+    const float nose_north = north_.x * nose_inverse, nose_east = noseEast() * nose_inverse;
+    turnTo(east * nose_north - north * nose_east, north * nose_north + east * nose_east);
 }
 
 core::Vector3 Attitude::gainedSinceFix_mps() const {

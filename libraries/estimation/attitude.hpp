@@ -77,6 +77,7 @@ private:
     void carryAnglesOn(const core::Vector3& turned_rad);
     void keepUpright();
     void pointYaw();
+    void pointAlong(const core::Vector3& velocity_mps);
     void accelerate();
     void forgetForces();
     void correct(const core::Vector3& missing_mss, const core::Vector3& felt_mss, float time_s,
