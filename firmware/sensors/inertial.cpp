@@ -22,9 +22,12 @@ drivers::Mpu6000<board::SensorBus, board::ImuSelect> imu;
 estimation::Still still;
 
 // AHRS_TRIM: how the board sits in the airplane, a small rotation taken back.
-void level(Vector3& v) {
-    const Vector3 trim = {parameters.level_trim_rad[0], parameters.level_trim_rad[1], 0};
-    if (trim.x != 0 || trim.y != 0) v = v + core::cross(trim, v);
+void level(Vector3& rate_rads, Vector3& force_mss) {
+    const float* by_rad = parameters.level_trim_rad;
+    if (by_rad[0] == 0 && by_rad[1] == 0) return;
+    const Vector3 trim = {by_rad[0], by_rad[1], 0};
+    rate_rads = rate_rads + core::cross(trim, rate_rads);
+    force_mss = force_mss + core::cross(trim, force_mss);
 }
 
 void correct(Vector3& force_mss) {
@@ -63,8 +66,7 @@ void runInertial() {
     to.rate_rads = sample.rate_rads - still.zero_rads();
     to.accel_mss = sample.force_mss;
     correct(to.accel_mss);
-    level(to.rate_rads);
-    level(to.accel_mss);
+    level(to.rate_rads, to.accel_mss);
 }
 
 }  // namespace firmware
