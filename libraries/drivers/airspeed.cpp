@@ -10,7 +10,7 @@ namespace {
 constexpr float kPascalsPerSupply = 5000.0f;
 constexpr float kPascalsPerUnit = 1000.0f / 819.0f;  // the unit that ratio is given for
 constexpr float kCalibration_s = 1.0f;
-constexpr float kFilter_s = 0.15f;
+constexpr float kFilter_s = 0.17f;
 // Zero is at half the supply within 2.5 % of 4 V (data sheet), with the board's own share 0.3 V.
 constexpr float kLeastZero = 0.44f, kMostZero = 0.56f;
 constexpr float kLowRail = 0.02f, kHighRail = 0.98f;
@@ -48,7 +48,7 @@ void Airspeed::update(uint16_t sum, uint8_t count, float dt_s, const AirspeedSet
     const float raw_pa = (ratio_of_supply - offset_) * kPascalsPerSupply;
     judge(raw_pa, ratio_of_supply, dt_s, settings.either_tube);
     // The pressure is filtered, not its root: noise about zero then gives no speed.
-    pressure_pa_ += (raw_pa - pressure_pa_) * (dt_s / (dt_s + kFilter_s));
+    pressure_pa_ += (raw_pa - pressure_pa_) * core::limit(dt_s * (1.0f / kFilter_s), 0.0f, 1.0f);
     const float head_pa = settings.either_tube ? fabsf(pressure_pa_) : pressure_pa_;
     const float squared = head_pa * settings.ratio * (1.0f / kPascalsPerUnit);
     speed_mps_ = squared > 0 ? sqrtf(squared) : 0;
