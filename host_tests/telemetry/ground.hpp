@@ -39,6 +39,13 @@ public:
             mavlink::encode({framing, sequence_++, system, component}, message, bytes);
         line().receive(std::vector<uint8_t>(bytes, bytes + size));
     }
+    void sendRaw(const mavlink::Outgoing& message) {
+        mavlink::writeFrame(
+            [this](const uint8_t* bytes, uint8_t size) {
+                line().receive(std::vector<uint8_t>(bytes, bytes + size));
+            },
+            {Framing::v2, sequence_++, system, component}, message);
+    }
     // Everything heard since the last call that is a Message.
     template <class Message>
     std::vector<Message> all() {

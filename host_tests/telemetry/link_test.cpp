@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <random>
+
 #include "ground.hpp"
 
 using firmware::Severity;
@@ -237,6 +239,27 @@ TEST_F(Telemetry, knows_when_the_ground_station_was_last_heard) {
     run_ms(100);
 
     EXPECT_GT(firmware::groundHeard_ms(), before_ms);
+}
+
+TEST_F(Telemetry, survives_whatever_stands_in_a_frame) {
+    std::mt19937 random(1);
+    const uint8_t odd[] = {0, 1, 0x7F, 0x80, 0xFF};
+    for (int round = 0; round < 300; ++round) {
+        for (const mavlink::Accepted& accepted : mavlink::kAllMessages) {
+            uint8_t payload[255];
+            for (uint8_t& byte : payload)
+                byte = random() % 3 == 0 ? odd[random() % 5] : static_cast<uint8_t>(random());
+            const uint8_t length = static_cast<uint8_t>(accepted.length + random() % 3);
+            station.sendRaw({payload, accepted.id, length, accepted.crc_extra});
+        }
+        run_ms(20);
+        station.line().in.clear();
+        station.forget();
+    }
+
+    run_ms(12000);  // an upload may have begun
+    station.forget();
+    EXPECT_EQ(ask<mavlink::Ping>(mavlink::Ping{}).size(), 1u);
 }
 
 }  // namespace
