@@ -25,7 +25,7 @@
 namespace simulator {
 namespace {
 
-constexpr uint64_t kStep_us = 20'000;
+constexpr uint64_t kFrame_us = 10'000, kStep_us = 2 * kFrame_us;
 constexpr int kStepsPerSample = 5;
 constexpr size_t kEepromBytes = 4096;
 
@@ -94,6 +94,14 @@ void saveEeprom(const Board& board, const std::string& path) {
     writeFile(path, std::string(image.begin(), image.end()));
 }
 
+// A stopped chip never comes back to look at a flag: Ctrl-C ends the program at once.
+void serveGdb(AvrBoard& board, int port) {
+    board.serveGdb(port);
+    std::signal(SIGINT, SIG_DFL);
+    std::cout << "the chip waits for avr-gdb: target remote :" << port << "; Ctrl-C ends"
+              << std::endl;
+}
+
 std::unique_ptr<Board> makeBoard(const FlyOptions& options, const WorldOptions& world) {
     if (options.native) return std::make_unique<NativeBoard>(world);
     if (!std::filesystem::exists(options.firmware)) {
@@ -102,7 +110,7 @@ std::unique_ptr<Board> makeBoard(const FlyOptions& options, const WorldOptions& 
     try {
         auto board = std::make_unique<AvrBoard>(options.firmware, world);
         if (!options.vcd.empty()) board->traceTo(options.vcd);
-        if (options.gdb != 0) board->serveGdb(options.gdb);
+        if (options.gdb != 0) serveGdb(*board, options.gdb);
         return board;
     } catch (const std::runtime_error& error) {
         throw WrongInput(error.what());
@@ -132,11 +140,19 @@ Summary summarize(const FlyOptions& options, const Board& board, const ScriptedF
     s.altitude_rms_m = recorder.metrics().altitude.rms();
     s.altitude_max_m = recorder.metrics().altitude.max();
     s.airspeed_rms_mps = recorder.metrics().airspeed.rms();
-    s.items_reached = flight.telemetry().reached;
+    const Telemetry& told = flight.telemetry();
+    // firmware that flies from item to item and never says that it reached one does not tell it
+    if (!told.reached.empty() || told.visited.size() < 2) s.items_reached = told.reached;
+    if (const auto imu = recorder.imuSamples()) {
+        s.imu_samples = imu->made;
+        s.imu_samples_lost = imu->lost;
+        s.imu_samples_repeated = imu->repeated;
+    }
     for (const PlannedNav& nav : plan.navs) s.items_planned.push_back(nav.item);
     s.figures = board.figures();
-    s.events = flight.telemetry().events;
-    s.texts = flight.telemetry().texts;
+    if (!options.native) s.task_names = readTaskNames(options.firmware);
+    s.events = told.events;
+    s.texts = told.texts;
     return s;
 }
 
@@ -147,6 +163,17 @@ void writeReport(const FlyOptions& options, const Summary& summary, const Record
     writeFile(folder / "flight.csv", flightCsv(recorder.samples()));
     writeFile(folder / "track.kml", trackKml(recorder.samples(), items, summary.mission));
     writeFile(folder / "report.html", reportPage(summary, recorder.samples(), plan));
+}
+
+// No frame passes unseen.
+bool runStep(Board& board, uint64_t until_us, Recorder& recorder) {
+    bool goes_on = true;
+    for (uint64_t rest_us = kStep_us; goes_on && rest_us > 0;) {
+        rest_us -= kFrame_us;
+        goes_on = board.runUntil(until_us - rest_us);
+        recorder.watchFrame(board.lastFrame_us());
+    }
+    return goes_on;
 }
 
 int flyScript(const FlyOptions& options, const Waypoints& items) {
@@ -170,11 +197,10 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
     StatusLine status(isatty(STDOUT_FILENO) != 0);
     const WallClock clock;
     for (int step = 1; !flight.over() && interrupted == 0; ++step) {
-        if (!board->runUntil(static_cast<uint64_t>(step) * kStep_us)) {
+        if (!runStep(*board, static_cast<uint64_t>(step) * kStep_us, recorder)) {
             flight.stop("the firmware stopped: " + board->fault());
         }
         flight.step(board->time_us());
-        recorder.watchFrame(board->lastFrame_us());
         if (step % kStepsPerSample != 0 && !flight.over()) continue;
         recorder.sample(*board, flight.telemetry(), flight.cruise_speed_mps());
         status.show(*board, flight.telemetry(), recorder.samples().back(), items.size() - 1,
@@ -217,6 +243,7 @@ int serve(const FlyOptions& options, const Waypoints& items) {
 int fly(const FlyOptions& options) {
     std::signal(SIGINT, [](int) { interrupted = 1; });
     std::signal(SIGTERM, [](int) { interrupted = 1; });
+    std::signal(SIGPIPE, SIG_IGN);  // a debugger or ground station that has gone
     try {
         const Waypoints items = readWaypoints(options.mission);
         return options.serve ? serve(options, items) : flyScript(options, items);

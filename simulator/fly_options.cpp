@@ -2,6 +2,7 @@
 #include "simulator/fly_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -26,13 +27,36 @@ bool parseWind(const std::string& text, FlyOptions& options) {
            options.wind_from_deg >= 0 && options.wind_from_deg <= 360;
 }
 
+// Two things that cannot both be had, and why.
+struct Contradiction {
+    bool has;
+    std::string why;
+};
+
 // Empty: all is well together.
-std::string contradiction(const FlyOptions& options, bool firmware_given, bool mission_given) {
-    if (options.native && firmware_given) return "--native flies no --firmware file";
-    if (options.native && !options.vcd.empty()) return "--vcd needs the emulated chip: no --native";
-    if (options.native && options.gdb != 0) return "--gdb needs the emulated chip: no --native";
-    if (options.serve && mission_given) return "--serve flies no script: leave out MISSION";
+std::string contradiction(const FlyOptions& options, const CLI::App& app) {
+    const auto given = [&](const char* name) { return app.count(name) > 0; };
+    const char* server = given("--lock-step") ? "--lock-step" : "--serve";
+    const Contradiction all[] = {
+        {options.native && given("--firmware"), "--native flies no --firmware file"},
+        {options.native && given("--vcd"), "--vcd needs the emulated chip: no --native"},
+        {options.native && given("--gdb"), "--gdb needs the emulated chip: no --native"},
+        {!options.serve && given("--listen"), "--listen needs --serve or --lock-step"},
+        {options.serve && given("MISSION"), " flies no script: leave out MISSION"},
+        {options.serve && given("--time-limit"), " has no --time-limit"},
+        {options.serve && given("--out"), " writes no report: leave out --out"},
+    };
+    for (const auto& [has, why] : all) {
+        if (has) return why[0] == ' ' ? server + why : why;
+    }
     return "";
+}
+
+// strtoull would take -1 for the largest of all numbers.
+std::string wholeNumber(const std::string& text) {
+    const bool digits = !text.empty() && std::all_of(text.begin(), text.end(),
+                                                     [](char c) { return c >= '0' && c <= '9'; });
+    return digits ? "" : "expected a whole number, not '" + text + "'";
 }
 
 void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& wind,
@@ -50,6 +74,7 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
     app.add_option("--wind", wind, "SPEED,FROM_DEGREES: mean wind in m/s and where it comes from");
     app.add_flag("--gusts", o.gusts, "Dryden gusts of 1 m/s RMS");
     app.add_option("--seed", o.seed, "of every random error; the same seed gives the same flight")
+        ->check(wholeNumber)
         ->capture_default_str();
     app.add_option("--time-limit", o.time_limit_s, "emulated seconds until the flight is given up")
         ->check(CLI::Range(1.0, 100'000.0))
@@ -66,6 +91,7 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
                  "serve, but the client grants emulated time on a third TCP port (5762): "
                  "'advance MS', 'state'; simulator/ground/server.hpp has the protocol");
     app.add_option("--listen", o.listen, "first TCP port instead of 5760; 0: any, told at start")
+        ->check(wholeNumber)
         ->capture_default_str();
     app.add_option("--vcd", o.vcd, "write servos, PPM, data ready and marks as a VCD file");
     app.add_option("--gdb", o.gdb, "wait for avr-gdb on this TCP port")
@@ -90,7 +116,8 @@ Parsed parseFlyOptions(int count, char** words) {
         if (!wind.empty() && !parseWind(wind, options)) {
             wrong = "--wind: expected SPEED,FROM_DEGREES, like 5,270, not '" + wind + "'";
         } else {
-            wrong = contradiction(options, app.count("--firmware") > 0, app.count("MISSION") > 0);
+            options.serve = options.serve || options.lock_step;
+            wrong = contradiction(options, app);
         }
     } catch (const CLI::CallForHelp&) {
         std::cout << app.help();
@@ -103,7 +130,6 @@ Parsed parseFlyOptions(int count, char** words) {
         parsed.exit_status = 2;
     }
     options.telemetry_on_uart0 = telemetry == "uart0";
-    options.serve = options.serve || options.lock_step;
     return parsed;
 }
 

@@ -59,6 +59,7 @@ const Column kColumns[] = {
     {"servo8_us",               1, [](const Sample& s) { return s.servo_us[7]; }},
     {"battery_v",               2, [](const Sample& s) { return s.truth.battery_v; }},
     {"motor_current_a",         2, [](const Sample& s) { return s.truth.motor_current_a; }},
+    {"mean_frame_us",           0, [](const Sample& s) { return s.frame_mean_us; }},
     {"longest_frame_us",        0, [](const Sample& s) { return s.frame_us; }},
 };
 // clang-format on

@@ -113,9 +113,7 @@ std::string reportPage(const Summary& summary, const std::vector<Sample>& sample
                    "included; a frame has 10,000 µs.") +
            "<div class=\"pair\">" + section("Summary", summaryTable(summary), "") +
            section("Events", eventTable(summary), "") + "</div>" + "<div class=\"pair\">" +
-           section("Tasks", taskTable(summary.figures),
-                   "Numbers as in firmware/tasks.cpp, counted from 0; interrupts within a task "
-                   "are not counted to it.") +
+           section("Tasks", taskTable(summary), "Interrupts within a task are not counted to it.") +
            section("Interrupts", interruptTable(summary.figures, summary.emulated_s), "") +
            "</div>" +
            section("Sensor errors of this flight", errorTable(),

@@ -7,9 +7,19 @@
 namespace simulator {
 
 constexpr double kDegrees = 180 / M_PI;
+constexpr double kSetUp_s = 1;
 
 void Recorder::watchFrame(std::optional<uint32_t> frame_us) {
-    if (frame_us) frame_us_ = std::max(frame_us_.value_or(0), static_cast<double>(*frame_us));
+    if (!frame_us) return;
+    frame_us_ = std::max(frame_us_, static_cast<double>(*frame_us));
+    frames_us_ += *frame_us;
+    ++frames_;
+}
+
+std::optional<SampleCount> Recorder::imuSamples() const {
+    if (!imu_from_ || imu_.made == imu_from_->made) return std::nullopt;
+    return SampleCount{imu_.made - imu_from_->made, imu_.read - imu_from_->read,
+                       imu_.lost - imu_from_->lost, imu_.repeated - imu_from_->repeated};
 }
 
 static void copyTold(Sample& sample, const Telemetry& told) {
@@ -44,8 +54,14 @@ void Recorder::sample(Board& board, const Telemetry& telemetry,
     for (int i = 0; i < 8; ++i) {
         sample.servo_us[static_cast<size_t>(i)] = board.world().servoPulse_us(i + 1);
     }
-    sample.frame_us = frame_us_;
-    frame_us_.reset();
+    if (frames_ > 0) {
+        sample.frame_us = frame_us_;
+        sample.frame_mean_us = frames_us_ / frames_;
+    }
+    frame_us_ = frames_us_ = 0;
+    frames_ = 0;
+    imu_ = board.world().imu().samples();
+    if (!imu_from_ && sample.time_s >= kSetUp_s) imu_from_ = imu_;
     samples_.push_back(sample);
 }
 

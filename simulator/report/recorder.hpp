@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "simulator/board.hpp"
+#include "simulator/devices/mpu6000.hpp"
 #include "simulator/ground/plan.hpp"
 #include "simulator/ground/telemetry.hpp"
 #include "simulator/report/metrics.hpp"
@@ -24,7 +25,8 @@ struct Sample {
     std::optional<double> roll_deg, pitch_deg, yaw_deg, height_m, airspeed_mps;  // as told
     std::optional<double> roll_demand_deg, pitch_demand_deg, distance_m;
     std::array<double, 8> servo_us{};  // 0: silent
-    std::optional<double> frame_us;    // the longest frame since the last sample
+    // of the frames since the last sample
+    std::optional<double> frame_us, frame_mean_us;
 };
 
 class Recorder {
@@ -36,12 +38,18 @@ public:
 
     const std::vector<Sample>& samples() const { return samples_; }
     const Metrics& metrics() const { return metrics_; }
+    // What became of the inertial sensor's samples since the first second, in which the firmware
+    // sets it up; empty when it made none.
+    std::optional<SampleCount> imuSamples() const;
 
 private:
     const LocalFrame frame_;
     Metrics metrics_;
     std::vector<Sample> samples_;
-    std::optional<double> frame_us_;
+    double frame_us_ = 0, frames_us_ = 0;  // longest and sum since the last sample
+    int frames_ = 0;
+    std::optional<SampleCount> imu_from_;
+    SampleCount imu_;
 };
 
 std::string flightCsv(const std::vector<Sample>& samples);

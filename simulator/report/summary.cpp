@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "simulator/report/vectors.hpp"
+
 namespace simulator {
 namespace {
 
@@ -28,7 +30,7 @@ Json list(const std::vector<Event>& events) {
     return json;
 }
 
-void addFigures(Json& json, const BoardFigures& figures) {
+void addFigures(Json& json, const BoardFigures& figures, const std::vector<TaskName>& names) {
     json["cpu_load"] = orNull(figures.cpu_load);
     json["interrupt_load"] = orNull(figures.interrupt_load);
     json["frames"] = orNull(figures.frames);
@@ -41,14 +43,20 @@ void addFigures(Json& json, const BoardFigures& figures) {
     json["stack_max_bytes"] = orNull(figures.stack_max_bytes);
     json["tasks"] = Json::array();
     for (const auto& task : figures.tasks) {
-        json["tasks"].push_back({{"number", task.number},
-                                 {"runs", task.runs},
-                                 {"mean_cycles", std::round(task.mean_cycles)},
-                                 {"max_cycles", task.max_cycles}});
+        Json row = {{"number", task.number}};
+        if (const TaskName* named = find(names, task.number)) {
+            row["name"] = named->name;
+            row["budget_us"] = named->budget_us;
+        }
+        row["runs"] = task.runs;
+        row["mean_cycles"] = std::round(task.mean_cycles);
+        row["max_cycles"] = task.max_cycles;
+        json["tasks"].push_back(row);
     }
     json["interrupts"] = Json::array();
     for (const auto& interrupt : figures.interrupts) {
         json["interrupts"].push_back({{"vector", interrupt.vector},
+                                      {"name", vectorName(interrupt.vector)},
                                       {"runs", interrupt.runs},
                                       {"cycles", interrupt.cycles},
                                       {"max_cycles", interrupt.max_cycles}});
@@ -78,9 +86,12 @@ std::string summaryJson(const Summary& summary) {
     json["altitude_rms_m"] = orNull(summary.altitude_rms_m);
     json["altitude_max_m"] = orNull(summary.altitude_max_m);
     json["airspeed_rms_mps"] = orNull(summary.airspeed_rms_mps);
-    json["items_reached"] = summary.items_reached;
+    json["items_reached"] = orNull(summary.items_reached);
     json["items_planned"] = summary.items_planned;
-    addFigures(json, summary.figures);
+    json["imu_samples"] = orNull(summary.imu_samples);
+    json["imu_samples_lost"] = orNull(summary.imu_samples_lost);
+    json["imu_samples_repeated"] = orNull(summary.imu_samples_repeated);
+    addFigures(json, summary.figures, summary.task_names);
     json["events"] = list(summary.events);
     json["texts"] = list(summary.texts);
     // texts come from outside: a byte that is no UTF-8 is replaced, not thrown over

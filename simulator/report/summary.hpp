@@ -8,6 +8,7 @@
 #include "simulator/board.hpp"
 #include "simulator/ground/telemetry.hpp"
 #include "simulator/report/metrics.hpp"
+#include "simulator/report/task_names.hpp"
 
 namespace simulator {
 
@@ -25,8 +26,11 @@ struct Summary {
     double emulated_s = 0, speedup = 0;
     std::optional<double> crosstrack_rms_m, crosstrack_max_m, altitude_rms_m, altitude_max_m,
         airspeed_rms_mps;
-    std::vector<int> items_reached, items_planned;
+    std::optional<std::vector<int>> items_reached;
+    std::vector<int> items_planned;
+    std::optional<uint64_t> imu_samples, imu_samples_lost, imu_samples_repeated;
     BoardFigures figures;
+    std::vector<TaskName> task_names;  // empty: numbers must do
     std::vector<Event> events, texts;
 };
 

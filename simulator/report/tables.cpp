@@ -7,11 +7,12 @@
 
 #include "simulator/devices/errors.hpp"
 #include "simulator/report/chart.hpp"
+#include "simulator/report/vectors.hpp"
 
 namespace simulator {
 namespace {
 
-constexpr double kCycles_s = 16e6;
+constexpr double kCycles_us = 16;
 
 class Table {
 public:
@@ -40,95 +41,84 @@ std::string number(double value, int decimals) {
     return text;
 }
 
-// Vectors of the ATmega2560, datasheet table 14-1, counted from 0 = reset.
-struct Vector {
-    int number;
-    const char* name;
-};
-constexpr Vector kVectors[] = {{1, "INT0"},
-                               {7, "INT6 data ready"},
-                               {12, "watchdog"},
-                               {13, "timer 2 compare A"},
-                               {14, "timer 2 compare B"},
-                               {15, "timer 2 overflow"},
-                               {16, "timer 1 capture"},
-                               {17, "timer 1 compare A"},
-                               {20, "timer 1 overflow"},
-                               {21, "timer 0 compare A"},
-                               {22, "timer 0 compare B"},
-                               {23, "timer 0 overflow"},
-                               {24, "SPI"},
-                               {25, "USART0 receive"},
-                               {26, "USART0 transmit"},
-                               {27, "USART0 sent"},
-                               {29, "ADC"},
-                               {30, "EEPROM ready"},
-                               {31, "timer 3 capture"},
-                               {32, "timer 3 compare A"},
-                               {35, "timer 3 overflow"},
-                               {36, "USART1 receive"},
-                               {37, "USART1 transmit"},
-                               {38, "USART1 sent"},
-                               {39, "TWI"},
-                               {41, "timer 4 capture"},
-                               {42, "timer 4 compare A"},
-                               {45, "timer 4 overflow"},
-                               {46, "timer 5 capture"},
-                               {47, "timer 5 compare A"},
-                               {48, "timer 5 compare B"},
-                               {49, "timer 5 compare C"},
-                               {50, "timer 5 overflow"},
-                               {51, "USART2 receive"},
-                               {52, "USART2 transmit"},
-                               {53, "USART2 sent"}};
-
-std::string vectorName(int vector) {
-    const auto found = std::find_if(std::begin(kVectors), std::end(kVectors),
-                                    [&](const Vector& v) { return v.number == vector; });
-    return found == std::end(kVectors) ? "vector " + std::to_string(vector) : found->name;
-}
-
 struct Row {
     const char* name;
     std::optional<double> value;
     const char* unit;
     int decimals;
+    std::optional<double> most;  // the limit, where there is one
 };
 
 std::optional<double> share(const std::optional<double>& value) {
     return value ? std::optional<double>(*value * 100) : std::nullopt;
 }
 
+std::optional<double> longestInterrupt_us(const BoardFigures& figures) {
+    if (figures.interrupts.empty()) return std::nullopt;
+    uint32_t longest = 0;
+    for (const auto& i : figures.interrupts) longest = std::max(longest, i.max_cycles);
+    return longest / kCycles_us;
+}
+
+std::optional<double> memory(const BoardFigures& f) {
+    if (!f.ram_static_bytes || !f.stack_max_bytes) return std::nullopt;
+    return *f.ram_static_bytes + *f.stack_max_bytes;
+}
+
+// What the flights of the tests are held to, by the air they are flown in.
+struct FlightLimits {
+    double crosstrack_rms_m, altitude_rms_m, touchdown_m;
+};
+FlightLimits limitsIn(const Summary& s) {
+    const bool calm = s.wind_mps <= 0 && !s.gusts;
+    return calm ? FlightLimits{3, 2, 30} : FlightLimits{5, 3, 60};
+}
+
+std::vector<std::string> cells(const Row& row) {
+    const bool kept = !row.most || *row.value <= *row.most;
+    return {row.name, number(*row.value, row.decimals), row.most ? "≤ " + number(*row.most, 0) : "",
+            row.unit,
+            !row.most ? ""
+            : kept    ? "✓"
+                      : "✗"};
+}
+
 }  // namespace
 
 std::string summaryTable(const Summary& s) {
     const BoardFigures& f = s.figures;
+    const FlightLimits most = limitsIn(s);
+    constexpr double kFrame_us = 10'000, kFlash = 0x3E000, kRam = 8192;
     // clang-format off
     const Row rows[] = {
-        {"Touch-down from landing point",   s.landed_distance_m,     "m",    1},
-        {"Stands from landing point",       s.standing_distance_m,   "m",    1},
-        {"Flight time",                     s.flight_time_s,         "s",    1},
-        {"Crosstrack, RMS",                 s.crosstrack_rms_m,      "m",    2},
-        {"Crosstrack, largest",             s.crosstrack_max_m,      "m",    2},
-        {"Altitude, RMS",                   s.altitude_rms_m,        "m",    2},
-        {"Altitude, largest",               s.altitude_max_m,        "m",    2},
-        {"Airspeed, RMS",                   s.airspeed_rms_mps,      "m/s",  2},
-        {"Processor load",                  share(f.cpu_load),       "%",    1},
-        {"of it interrupts",                share(f.interrupt_load), "%",    1},
-        {"Frame, mean",                     f.frame_mean_us,         "µs",   0},
-        {"Frame, 99 of 100",                f.frame_p99_us,          "µs",   0},
-        {"Frame, longest",                  f.frame_max_us,          "µs",   0},
-        {"Frames late",                     f.frame_overruns,        "",     0},
-        {"Flash",                           f.flash_bytes,           "bytes", 0},
-        {"Static RAM",                      f.ram_static_bytes,      "bytes", 0},
-        {"Deepest stack seen",              f.stack_max_bytes,       "bytes", 0},
-        {"Emulated time",                   s.emulated_s,            "s",    1},
-        {"Speed over real time",            s.speedup,               "times", 1},
+        {"Touch-down from landing point",   s.landed_distance_m,     "m",    1, most.touchdown_m},
+        {"Stands from landing point",       s.standing_distance_m,   "m",    1, {}},
+        {"Flight time",                     s.flight_time_s,         "s",    1, {}},
+        {"Crosstrack, RMS",                 s.crosstrack_rms_m,      "m",    2, most.crosstrack_rms_m},
+        {"Crosstrack, largest",             s.crosstrack_max_m,      "m",    2, {}},
+        {"Altitude, RMS",                   s.altitude_rms_m,        "m",    2, most.altitude_rms_m},
+        {"Altitude, largest",               s.altitude_max_m,        "m",    2, {}},
+        {"Airspeed, RMS",                   s.airspeed_rms_mps,      "m/s",  2, {}},
+        {"Processor load",                  share(f.cpu_load),       "%",    1, 60},
+        {"of it interrupts",                share(f.interrupt_load), "%",    1, 8},
+        {"Frame, mean",                     f.frame_mean_us,         "µs",   0, {}},
+        {"Frame, 99 of 100",                f.frame_p99_us,          "µs",   0, {}},
+        {"Frame, longest",                  f.frame_max_us,          "µs",   0, kFrame_us},
+        {"Frames late",                     f.frame_overruns,        "",     0, 0},
+        {"Longest interrupt",               longestInterrupt_us(f),  "µs",   1, 40},
+        {"Inertial samples lost",           s.imu_samples_lost,      "",     0, 0},
+        {"Inertial samples read twice",     s.imu_samples_repeated,  "",     0, 0},
+        {"Flash",                           f.flash_bytes,           "bytes", 0, kFlash},
+        {"Static RAM",                      f.ram_static_bytes,      "bytes", 0, {}},
+        {"Deepest stack seen",              f.stack_max_bytes,       "bytes", 0, {}},
+        {"RAM and stack",                   memory(f),               "bytes", 0, kRam},
+        {"Emulated time",                   s.emulated_s,            "s",    1, {}},
+        {"Speed over real time",            s.speedup,               "times", 1, {}},
     };
     // clang-format on
-    Table table({"", "value", "unit"});
+    Table table({"", "value", "limit", "unit", ""});
     for (const Row& row : rows) {
-        if (row.value) table.row({row.name, number(*row.value, row.decimals), row.unit});
+        if (row.value) table.row(cells(row));
     }
     return table.done();
 }
@@ -140,12 +130,16 @@ std::string eventTable(const Summary& summary) {
     return table.done();
 }
 
-std::string taskTable(const BoardFigures& figures) {
-    if (figures.tasks.empty()) return "";
-    Table table({"task", "runs", "mean, µs", "longest, µs"});
-    for (const auto& task : figures.tasks) {
-        table.row({std::to_string(task.number), std::to_string(task.runs),
-                   number(task.mean_cycles / 16, 1), number(task.max_cycles / 16.0, 1)});
+std::string taskTable(const Summary& summary) {
+    if (summary.figures.tasks.empty()) return "";
+    Table table({"task", "every, frames", "runs", "mean, µs", "longest, µs", "budget, µs"});
+    for (const auto& task : summary.figures.tasks) {
+        const TaskName* named = find(summary.task_names, task.number);
+        table.row({named ? named->name : std::to_string(task.number),
+                   named ? std::to_string(named->period) : "", std::to_string(task.runs),
+                   number(task.mean_cycles / kCycles_us, 1),
+                   number(task.max_cycles / kCycles_us, 1),
+                   named ? std::to_string(named->budget_us) : ""});
     }
     return table.done();
 }
@@ -154,12 +148,11 @@ std::string interruptTable(const BoardFigures& figures, double emulated_s) {
     if (figures.interrupts.empty()) return "";
     Table table({"interrupt", "runs", "mean, µs", "longest, µs", "load, %"});
     for (const auto& i : figures.interrupts) {
-        if (i.runs == 0) continue;
         const auto cycles = static_cast<double>(i.cycles);
         table.row({vectorName(i.vector), std::to_string(i.runs),
-                   number(cycles / static_cast<double>(i.runs) / 16, 1),
-                   number(i.max_cycles / 16.0, 1),
-                   number(cycles / (emulated_s * kCycles_s) * 100, 2)});
+                   number(cycles / static_cast<double>(i.runs) / kCycles_us, 1),
+                   number(i.max_cycles / kCycles_us, 1),
+                   number(cycles / (emulated_s * 1e6 * kCycles_us) * 100, 2)});
     }
     return table.done();
 }
