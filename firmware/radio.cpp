@@ -19,26 +19,21 @@ constexpr uint8_t kBadReadings = 10;  // pulses below THR_FS_VALUE in a row that
 constexpr uint8_t kGoodReadings = 3;
 constexpr uint16_t kPulseLowest_us = 900;
 constexpr uint16_t kPulseHighest_us = 2100;
+constexpr int32_t kFullStick_cd = 4500;
 
 uint8_t bad_readings;
 uint8_t good_readings;
 
-float deflection(const Channel& channel, uint16_t pulse_us) {
+int16_t deflection_cd(const Channel& channel, uint16_t pulse_us) {
     const int16_t from_trim = static_cast<int16_t>(pulse_us) - channel.trim_us;
-    int16_t span;
-    int16_t beyond;
-    if (from_trim > channel.dead_zone_us) {
-        beyond = from_trim - channel.dead_zone_us;
-        span = channel.max_us - channel.trim_us - channel.dead_zone_us;
-    } else if (from_trim < -channel.dead_zone_us) {
-        beyond = from_trim + channel.dead_zone_us;
-        span = channel.trim_us - channel.min_us - channel.dead_zone_us;
-    } else {
-        return 0;
-    }
-    if (span <= 0) return 0;
-    const float share = core::limit(static_cast<float>(beyond) / span, -1.0f, 1.0f);
-    return channel.reverse < 0 ? -share : share;
+    const bool above = from_trim > 0;
+    const int16_t beyond = (above ? from_trim : -from_trim) - channel.dead_zone_us;
+    const int16_t span =
+        (above ? channel.max_us - channel.trim_us : channel.trim_us - channel.min_us) -
+        channel.dead_zone_us;
+    if (beyond <= 0 || span <= 0) return 0;
+    const int32_t cd = beyond < span ? (kFullStick_cd * beyond + span / 2) / span : kFullStick_cd;
+    return static_cast<int16_t>(above == (channel.reverse < 0) ? -cd : cd);
 }
 
 int8_t throttlePercent(const Channel& channel, uint16_t pulse_us) {
@@ -51,8 +46,7 @@ int8_t throttlePercent(const Channel& channel, uint16_t pulse_us) {
 }
 
 int16_t stick_cd(uint8_t number) {
-    return static_cast<int16_t>(core::rounded(
-        4500.0f * deflection(parameters.channel[number], vehicle.radio.pulse_us[number])));
+    return deflection_cd(parameters.channel[number], vehicle.radio.pulse_us[number]);
 }
 
 bool overridden() {
