@@ -43,6 +43,28 @@ foreach(seed 1 2 3)
     endforeach()
 endforeach()
 
+# what a quiet mission never shows
+add_executable(rough_flight host_tests/on_board/rough_flight.cpp)
+target_compile_options(rough_flight PRIVATE ${HOUSE_WARNINGS})
+target_link_libraries(rough_flight PRIVATE simulator_report simulator_ground simulator_machine)
+add_test(NAME flight.elf_rough
+         COMMAND rough_flight ${IMAGE_ELF} ${CMAKE_SOURCE_DIR}/simulator/missions/first_flight.waypoints
+                 ${flights}/elf_rough)
+set_tests_properties(flight.elf_rough PROPERTIES LABELS simavr TIMEOUT 900
+                     FIXTURES_SETUP elf_rough)
+
+# what all these flights of the image took of the processor
+set(elf_flights elf_calm_1 elf_calm_2 elf_calm_3 elf_wind_1 elf_wind_2 elf_wind_3 elf_rough)
+list(TRANSFORM elf_flights PREPEND ${flights}/ OUTPUT_VARIABLE elf_folders)
+set(work_report ${NODE} ${CMAKE_SOURCE_DIR}/host_tests/on_board/work_report.mjs)
+set(image_folder ${CMAKE_BINARY_DIR}/avr-apm2)
+add_test(NAME on_board.task_budgets
+         COMMAND ${work_report} budgets ${image_folder}/tasks.json ${elf_folders})
+add_test(NAME on_board.cycles
+         COMMAND ${work_report} cycles ${CMAKE_SOURCE_DIR}/toolchain/budgets.json ${elf_folders})
+set_tests_properties(on_board.task_budgets on_board.cycles PROPERTIES LABELS simavr
+                     FIXTURES_REQUIRED "${elf_flights}")
+
 add_test(NAME flight.minutes_begin COMMAND ${CMAKE_COMMAND} -E rm -rf ${minutes})
 set_tests_properties(flight.minutes_begin PROPERTIES FIXTURES_SETUP image_minutes LABELS simavr)
 add_test(NAME flight.minutes_of_the_image COMMAND flight minutes ${minutes})
