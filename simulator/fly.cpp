@@ -139,6 +139,7 @@ Summary summarize(const FlyOptions& options, const Board& board, const ScriptedF
     s.crosstrack_max_m = recorder.metrics().crosstrack.max();
     s.altitude_rms_m = recorder.metrics().altitude.rms();
     s.altitude_max_m = recorder.metrics().altitude.max();
+    s.loiter_radius_m = flight.loiter_radius_m();
     s.airspeed_rms_mps = recorder.metrics().airspeed.rms();
     const Telemetry& told = flight.telemetry();
     // firmware that flies from item to item and never says that it reached one does not tell it

@@ -17,6 +17,7 @@ constexpr double kDisarmWithin_s = 60;  // LAND_DISARMDELAY is 20 s
 constexpr double kLastWords_s = 3;
 constexpr double kSilence_s = 10;
 constexpr uint16_t kStreams_hz = 10;
+constexpr char kCruiseSpeed[] = "TRIM_ARSPD_CM", kLoiterRadius[] = "WP_LOITER_RAD";
 
 const ScriptedFlight::Stage ScriptedFlight::kStages[] = {
     {&ScriptedFlight::connect, 60, "no heartbeat from the autopilot"},
@@ -47,9 +48,9 @@ void ScriptedFlight::take(const Frame& frame, uint64_t time_us) {
     telemetry_.take(frame, time_us);
     upload_.take(frame, time_us);
     if (auto value = as<ParamValue>(frame)) {
-        if (std::strncmp(value->param_id, "TRIM_ARSPD_CM", 16) == 0) {
-            cruise_speed_mps_ = value->param_value * 0.01;
-        }
+        const std::string name(value->param_id, strnlen(value->param_id, sizeof value->param_id));
+        if (name == kCruiseSpeed) cruise_speed_mps_ = value->param_value * 0.01;
+        if (name == kLoiterRadius) loiter_radius_m_ = std::abs(value->param_value);
     }
     if (auto ack = as<CommandAck>(frame)) {
         last_answer_ = "command " + std::to_string(ack->command) + " answered with result " +
@@ -122,13 +123,17 @@ bool ScriptedFlight::agreeOnFraming(uint64_t now_us) {
     if (cruise_speed_mps_) return true;
     if (!every(1.5, now_us)) return tries_ > 8;
     if (tries_ > 3) link_.setFraming(Framing::v1);
+    askFor(kCruiseSpeed);
+    return false;
+}
+
+void ScriptedFlight::askFor(const char* parameter) {
     ParamRequestRead request{};
     request.param_index = -1;
     request.target_system = telemetry_.system;
     request.target_component = telemetry_.component;
-    std::strncpy(request.param_id, "TRIM_ARSPD_CM", sizeof request.param_id);
+    std::memcpy(request.param_id, parameter, strnlen(parameter, sizeof request.param_id));
     link_.send(request);
-    return false;
 }
 
 bool ScriptedFlight::requestStreams(uint64_t now_us) {
@@ -151,8 +156,10 @@ bool ScriptedFlight::upload(uint64_t now_us) {
     return upload_.accepted();
 }
 
-bool ScriptedFlight::waitReady(uint64_t) {
+// Meanwhile the radius of circles is asked for, which the report draws.
+bool ScriptedFlight::waitReady(uint64_t now_us) {
     constexpr uint8_t kFix3d = 3;
+    if (!loiter_radius_m_ && tries_ < 3 && every(1, now_us)) askFor(kLoiterRadius);
     return telemetry_.prearmOk() && telemetry_.gps && telemetry_.gps->fix_type >= kFix3d;
 }
 

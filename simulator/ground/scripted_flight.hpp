@@ -33,6 +33,7 @@ public:
     const std::string& reason() const { return reason_; }  // why it was not completed, one line
     const Telemetry& telemetry() const { return telemetry_; }
     std::optional<double> cruise_speed_mps() const { return cruise_speed_mps_; }
+    std::optional<double> loiter_radius_m() const { return loiter_radius_m_; }
     std::optional<double> airborne_s() const { return airborne_s_; }  // first time off the ground
     std::optional<double> landed_s() const { return landed_s_; }      // touched down for good
     std::optional<double> touchdown_distance_m() const { return touchdown_m_; }
@@ -65,6 +66,7 @@ private:
     void heartbeat(uint64_t now_us);
     bool every(double seconds, uint64_t now_us);
     void command(uint16_t number, float param1, float param2);
+    void askFor(const char* parameter);
 
     Board& board_;
     const Waypoints items_;
@@ -80,7 +82,7 @@ private:
     bool over_ = false;
     std::string reason_, last_answer_;
     std::optional<double> cruise_speed_mps_, airborne_s_, landed_s_, standing_s_, disarmed_s_;
-    std::optional<double> touchdown_m_;
+    std::optional<double> touchdown_m_, loiter_radius_m_;
     std::array<double, 8> servo_us_{};
 };
 

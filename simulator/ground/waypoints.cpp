@@ -26,6 +26,7 @@ public:
     double number(const char* what, double lowest, double highest) {
         const size_t begin = text_.find_first_not_of(kSpace, at_);
         at_ = begin == std::string::npos ? text_.size() : begin;
+        columns_.at(numbers_) = static_cast<int>(at_) + 1;
         const size_t end = std::min(text_.find_first_of(kSpace, at_), text_.size());
         const std::string word = text_.substr(at_, end - at_);
         char* rest = nullptr;
@@ -35,6 +36,7 @@ public:
             fail(what, word);
         }
         at_ = end;
+        ++numbers_;
         return value;
     }
 
@@ -53,6 +55,9 @@ public:
         if (at_ != std::string::npos) fail("the end of the line", text_.substr(at_));
     }
 
+    int line() const { return line_; }
+    const std::array<int, 12>& columns() const { return columns_; }
+
     [[noreturn]] void fail(const std::string& expected, const std::string& found) const {
         std::ostringstream message;
         message << name_ << ':' << line_ << ':' << at_ + 1 << ": expected " << expected
@@ -65,6 +70,8 @@ private:
     const std::string& name_;
     int line_;
     size_t at_ = 0;
+    size_t numbers_ = 0;
+    std::array<int, 12> columns_{};
 };
 
 WaypointItem parseRow(Row& row, int index) {
@@ -80,6 +87,8 @@ WaypointItem parseRow(Row& row, int index) {
     item.altitude_m = row.number("an altitude in metres", -100'000, 100'000);
     item.autocontinue = row.whole("autocontinue: 0 or 1", 0, 1) != 0;
     row.end();
+    item.line = row.line();
+    item.columns = row.columns();
     return item;
 }
 

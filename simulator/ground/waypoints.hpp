@@ -20,6 +20,8 @@ struct WaypointItem {
     std::array<double, 4> params{};
     double latitude_deg = 0, longitude_deg = 0, altitude_m = 0;  // altitude in the frame's sense
     bool autocontinue = true;
+    int line = 0;                   // of the file, from 1
+    std::array<int, 12> columns{};  // where each number begins, from 1
 
     bool isNav() const { return command < 96; }  // below MAV_CMD_NAV_LAST, 95
     bool isCircle() const {

@@ -61,6 +61,7 @@ public:
         for (const Mark& mark : chart_.uprights) upright(mark);
         for (const Line& line : chart_.lines) path(line);
         for (const Mark& mark : chart_.places) dot(mark);
+        if (chart_.wind) wind(*chart_.wind);
         legend();
         return svg_ + "</svg>\n";
     }
@@ -131,6 +132,20 @@ private:
         text(px(mark.x) + 7, py(mark.y) - 6, "start", "name", mark.text);
     }
 
+    // A compass rose with the wind blowing through it.
+    void wind(const Wind& wind) {
+        constexpr double kRadius = 24;
+        const double x = kLeft + inner() - 48, y = kTop + 50;
+        const std::string at = "translate(" + number(x) + " " + number(y) + ")";
+        svg_ += "<circle cx=\"" + number(x) + "\" cy=\"" + number(y) + "\" r=\"" + number(kRadius) +
+                "\" class=\"rose\"/>\n";
+        text(x, y - kRadius - 5, "middle", "name", "N");
+        text(x, y + kRadius + 18, "middle", "label", wind.text);
+        if (wind.calm) return;
+        svg_ += "<path transform=\"" + at + " rotate(" + number(wind.from_deg) +
+                ")\" d=\"M0 -20V12M-6 6L0 19L6 6Z\" class=\"wind\"/>\n";
+    }
+
     void path(const Line& line) {
         std::string points;
         double last_x = -1e9, last_y = -1e9;
@@ -152,9 +167,8 @@ private:
                 kind(line.stroke) + "\"/>\n";
     }
     static const char* kind(Stroke stroke) {
-        return stroke == Stroke::solid    ? "line"
-               : stroke == Stroke::dashed ? "line dashed"
-                                          : "line thin";
+        static const char* const kKinds[] = {"line", "line dashed", "line thin", "line band"};
+        return kKinds[static_cast<size_t>(stroke)];
     }
 
     void legend() {

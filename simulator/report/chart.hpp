@@ -10,7 +10,7 @@ namespace simulator {
 
 using Points = std::vector<std::pair<double, double>>;  // a NaN y breaks the line
 
-enum class Stroke { solid, dashed, thin };
+enum class Stroke { solid, dashed, thin, band };
 
 struct Line {
     std::string name;  // in the legend; empty: not there
@@ -24,6 +24,12 @@ struct Mark {
     std::string text;
 };
 
+struct Wind {
+    double from_deg;
+    std::string text;
+    bool calm;
+};
+
 struct Chart {
     std::string x_label, y_label;
     std::vector<Line> lines;
@@ -31,7 +37,8 @@ struct Chart {
     std::vector<Mark> places;            // named dots
     std::optional<double> y_from, y_to;  // else from the lines, with a margin
     double width = 960, height = 260;
-    bool map = false;  // same scale both ways
+    bool map = false;          // same scale both ways
+    std::optional<Wind> wind;  // as an arrow in the corner
 };
 
 std::string drawChart(const Chart& chart);

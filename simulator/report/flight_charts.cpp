@@ -3,18 +3,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace simulator {
 namespace {
 
 constexpr char kTruth[] = "#1f6ab0", kDemand[] = "#d9771f", kTold[] = "#7fb2d9",
-               kPlan[] = "#8793a1", kLoad[] = "#6b4fa3";
+               kLoad[] = "#6b4fa3", kBand[] = "#f3c892";
 constexpr double kDegrees = 180 / M_PI;
 constexpr double kBefore_s = 5;
 
 std::string place(const PlannedNav& nav) {
     const bool land = nav.command == mavlink::MavCmd::nav_land;
     return std::to_string(nav.item) + (land ? " land" : "");
+}
+
+std::string windText(const Summary& summary) {
+    if (summary.wind_mps <= 0) return summary.gusts ? "gusts only" : "calm air";
+    char text[48];
+    std::snprintf(text, sizeof text, "%.1f m/s%s", summary.wind_mps,
+                  summary.gusts ? ", gusts" : "");
+    return text;
 }
 
 bool any(const Points& points) {
@@ -24,7 +33,9 @@ bool any(const Points& points) {
 
 }  // namespace
 
-FlightCharts::FlightCharts(const std::vector<Sample>& samples, const Plan& plan) : plan_(plan) {
+FlightCharts::FlightCharts(const Summary& summary, const std::vector<Sample>& samples,
+                           const Plan& plan)
+    : summary_(summary), plan_(plan) {
     const auto first = std::find_if(samples.begin(), samples.end(), [](const Sample& s) {
         return s.mode == static_cast<int>(kModeAuto);
     });
@@ -53,22 +64,48 @@ Chart FlightCharts::overTime(const std::string& y_label, bool items) const {
     return chart;
 }
 
+// From the place where it stands to the first place, and on from place to place.
+Points FlightCharts::legs() const {
+    Points legs = {{0, 0}};
+    for (const PlannedNav& nav : plan_.navs) {
+        if (nav.place) legs.push_back({nav.place->east_m, nav.place->north_m});
+    }
+    return legs;
+}
+
+Points FlightCharts::circles() const {
+    constexpr int kSides = 72;
+    Points points;
+    for (const PlannedNav& nav : plan_.navs) {
+        if (!nav.place || !nav.circle_m) continue;
+        const double radius =
+            *nav.circle_m > 0 ? *nav.circle_m : summary_.loiter_radius_m.value_or(0);
+        for (int side = 0; side <= kSides && radius > 0; ++side) {
+            const double angle = side * 2 * M_PI / kSides;
+            points.push_back({nav.place->east_m + radius * std::sin(angle),
+                              nav.place->north_m + radius * std::cos(angle)});
+        }
+        points.push_back({NAN, NAN});
+    }
+    return points;
+}
+
 std::string FlightCharts::map() const {
     Chart chart;
     chart.map = true;
-    chart.height = 620;
+    chart.width = 620;
+    chart.height = 700;
     chart.x_label = "east of home, m";
     chart.y_label = "north of home, m";
-    Points planned, flown;
     for (const PlannedNav& nav : plan_.navs) {
-        if (!nav.place) continue;
-        if (!nav.from) planned.push_back({NAN, NAN});
-        planned.push_back({nav.place->east_m, nav.place->north_m});
-        chart.places.push_back({nav.place->east_m, nav.place->north_m, place(nav)});
+        if (nav.place) chart.places.push_back({nav.place->east_m, nav.place->north_m, place(nav)});
     }
+    Points flown;
     for (const Sample& s : flight_) flown.push_back({s.place.east_m, s.place.north_m});
-    chart.lines = {{"planned legs", kPlan, Stroke::dashed, planned},
-                   {"flown (truth)", kTruth, Stroke::solid, flown}};
+    chart.lines = {{"planned", kBand, Stroke::band, legs()},
+                   {"", kBand, Stroke::band, circles()},
+                   {"flown", kTruth, Stroke::solid, flown}};
+    chart.wind = Wind{summary_.wind_from_deg, windText(summary_), summary_.wind_mps <= 0};
     return drawChart(chart);
 }
 
@@ -107,8 +144,7 @@ std::string FlightCharts::crosstrack() const {
 
 std::string FlightCharts::attitude(const char* label, const Value& truth,
                                    const Value& demand) const {
-    Chart chart = overTime(label, false);
-    chart.width = 560;
+    Chart chart = overTime(label);
     chart.lines = {{"demand", kDemand, Stroke::thin, series(demand)},
                    {"truth", kTruth, Stroke::solid, series(truth)}};
     return drawChart(chart);
@@ -126,27 +162,37 @@ std::string FlightCharts::pitch() const {
         [](const Sample& s) { return s.pitch_demand_deg; });
 }
 
-std::string FlightCharts::servos() const {
+std::string FlightCharts::servos(const std::vector<size_t>& outputs, const char* label) const {
     static const std::pair<const char*, const char*> kOutputs[] = {
         {"1 aileron", "#1f6ab0"}, {"2 elevator", "#d9771f"}, {"3 throttle", "#b42318"},
         {"4 rudder", "#18794e"},  {"5", "#6b4fa3"},          {"6", "#0f8b8d"},
         {"7", "#a3762f"},         {"8", "#8793a1"}};
-    Chart chart = overTime("pulse, µs");
-    for (size_t i = 0; i < std::size(kOutputs); ++i) {
+    Chart chart = overTime(label);
+    for (const size_t i : outputs) {
         const Points points = series([i](const Sample& s) {
             return s.servo_us[i] > 0 ? std::optional<double>(s.servo_us[i]) : std::nullopt;
         });
-        if (!any(points)) continue;
-        chart.lines.push_back(
-            {kOutputs[i].first, kOutputs[i].second, i < 4 ? Stroke::solid : Stroke::thin, points});
+        if (any(points))
+            chart.lines.push_back({kOutputs[i].first, kOutputs[i].second, Stroke::thin, points});
     }
     return chart.lines.empty() ? "" : drawChart(chart);
 }
 
+std::string FlightCharts::surfaces() const { return servos({0, 1, 3}, "pulse, µs"); }
+
+std::string FlightCharts::otherServos() const { return servos({2, 4, 5, 6, 7}, "pulse, µs"); }
+
 std::string FlightCharts::frames() const {
-    Chart chart = overTime("longest frame, µs");
-    chart.lines = {{"", kLoad, Stroke::thin, series([](auto& s) { return s.frame_us; })}};
+    constexpr double kFrame_us = 10'000;
+    const auto share = [](const std::optional<double>& us) {
+        return us ? std::optional<double>(*us / kFrame_us * 100) : std::nullopt;
+    };
+    Chart chart = overTime("share of a frame, %");
+    chart.lines = {
+        {"busiest frame", kTold, Stroke::thin, series([&](auto& s) { return share(s.frame_us); })},
+        {"mean", kLoad, Stroke::solid, series([&](auto& s) { return share(s.frame_mean_us); })}};
     chart.y_from = 0;
+    chart.y_to = 100;
     return any(chart.lines[0].points) ? drawChart(chart) : "";
 }
 

@@ -8,12 +8,13 @@
 #include "simulator/ground/plan.hpp"
 #include "simulator/report/chart.hpp"
 #include "simulator/report/recorder.hpp"
+#include "simulator/report/summary.hpp"
 
 namespace simulator {
 
 class FlightCharts {
 public:
-    FlightCharts(const std::vector<Sample>& samples, const Plan& plan);
+    FlightCharts(const Summary& summary, const std::vector<Sample>& samples, const Plan& plan);
 
     std::string map() const;
     std::string altitude() const;
@@ -21,7 +22,8 @@ public:
     std::string crosstrack() const;
     std::string roll() const;
     std::string pitch() const;
-    std::string servos() const;
+    std::string surfaces() const;
+    std::string otherServos() const;
     std::string frames() const;
 
 private:
@@ -30,6 +32,11 @@ private:
     std::string attitude(const char* label, const Value& truth, const Value& demand) const;
     Chart overTime(const std::string& y_label, bool items = true) const;
 
+    std::string servos(const std::vector<size_t>& outputs, const char* label) const;
+    Points legs() const;
+    Points circles() const;
+
+    const Summary& summary_;
     std::vector<Sample> flight_;  // from shortly before AUTO on
     const Plan& plan_;
 };

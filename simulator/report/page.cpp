@@ -33,7 +33,10 @@ h2{font-size:17px;margin:0 0 10px}
 .card span{color:var(--soft);font-size:13px}
 section{padding:18px 18px 14px;margin-bottom:18px}
 .pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,440px),1fr));gap:18px}
-.pair section{margin:0}.pair{margin-bottom:18px}
+.map{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,400px),1fr));gap:18px;align-items:start}
+.map section{margin:0}.map{margin-bottom:18px}
+@media(min-width:900px){.map{grid-template-columns:3fr 2fr}}
+.pair section{margin:0}.pair{margin-bottom:18px;align-items:start}
 .wide{overflow-x:auto}
 table{border-collapse:collapse;width:100%;font-size:14px;font-variant-numeric:tabular-nums}
 th,td{text-align:left;padding:5px 12px 5px 0;border-bottom:1px solid var(--edge)}
@@ -48,6 +51,8 @@ svg.chart{width:100%;height:auto;display:block}
 .chart .name{fill:#1c2430;font-weight:600}
 .chart .line{fill:none;stroke-width:1.7;stroke-linejoin:round}
 .chart .dashed{stroke-dasharray:6 4;stroke-width:1.5}.chart .thin{stroke-width:1}
+.chart .band{stroke-width:7;stroke-linecap:round}
+.chart .rose{fill:#fff;stroke:#c4ccd6}.chart .wind{stroke:#b42318;fill:#b42318;stroke-width:2}
 .chart .place{fill:#fff;stroke:#5d6b7c;stroke-width:1.5}
 @media print{body{background:#fff}section,.card{break-inside:avoid}}
 </style></head><body><main>
@@ -90,32 +95,33 @@ std::string wind(const Summary& s) {
 
 std::string reportPage(const Summary& summary, const std::vector<Sample>& samples,
                        const Plan& plan) {
-    const FlightCharts charts(samples, plan);
+    const FlightCharts charts(summary, samples, plan);
     const std::string verdict = summary.completed ? "mission completed" : summary.reason;
     return std::string(kHead) + "<header><h1>Flight report</h1><span class=\"verdict" +
            (summary.completed ? "" : " bad") + "\">" + escaped(verdict) + "</span></header>\n" +
            "<p class=\"sub\">" + escaped(summary.mission) + " · " + escaped(summary.firmware) +
            " on " + escaped(summary.board) + " · " + escaped(wind(summary)) + " · seed " +
-           std::to_string(summary.seed) + "</p>\n" + cards(summary) +
+           std::to_string(summary.seed) + "</p>\n" + cards(summary) + "<div class=\"map\">" +
            section("Ground track", charts.map(),
-                   "Dashed: the legs of the mission. Dots: the places of its NAV commands.") +
+                   "Dots: the places of the mission's NAV commands. The flown line is the truth, "
+                   "not the autopilot's estimate.") +
+           section("Summary", summaryTable(summary), "") + "</div>" +
            section("Altitude", charts.altitude(),
                    "Above the take-off point. Upright lines: the item flown from there on.") +
            section("Airspeed", charts.airspeed(), "Equivalent airspeed.") +
            section("Crosstrack", charts.crosstrack(),
                    "Distance from the straight leg, positive to the right.") +
-           "<div class=\"pair\">" + section("Roll against demand", charts.roll(), "") +
-           section("Pitch against demand", charts.pitch(), "") + "</div>" +
-           section("Servos", charts.servos(), "") +
+           section("Roll against demand", charts.roll(), "") +
+           section("Pitch against demand", charts.pitch(), "") +
+           section("Control surfaces", charts.surfaces(), "") +
+           section("Throttle and outputs 5 to 8", charts.otherServos(), "") +
            section("Processor load", charts.frames(),
-                   "Time awake in the busiest frame of every tenth of a second, handling received "
-                   "bytes "
-                   "included; a frame has 10,000 µs.") +
-           "<div class=\"pair\">" + section("Summary", summaryTable(summary), "") +
-           section("Events", eventTable(summary), "") + "</div>" + "<div class=\"pair\">" +
+                   "Time awake in the frames of every tenth of a second, interrupts and the "
+                   "handling of received bytes included; a frame has 10,000 µs.") +
            section("Tasks", taskTable(summary), "Interrupts within a task are not counted to it.") +
+           "<div class=\"pair\">" +
            section("Interrupts", interruptTable(summary.figures, summary.emulated_s), "") +
-           "</div>" +
+           section("Events", eventTable(summary), "") + "</div>" +
            section("Sensor errors of this flight", errorTable(),
                    "Deviations are one sigma, drawn from the seed.") +
            "</main></body></html>\n";

@@ -28,6 +28,7 @@ struct Summary {
         airspeed_rms_mps;
     std::optional<std::vector<int>> items_reached;
     std::vector<int> items_planned;
+    std::optional<double> loiter_radius_m;  // the autopilot's own
     std::optional<uint64_t> imu_samples, imu_samples_lost, imu_samples_repeated;
     BoardFigures figures;
     std::vector<TaskName> task_names;  // empty: numbers must do
