@@ -6,7 +6,7 @@
 #include "firmware/attitude_control.hpp"
 #include "firmware/estimator.hpp"
 #include "firmware/failsafe.hpp"
-#include "firmware/guidance.hpp"
+#include "firmware/guidance/guidance.hpp"
 #include "firmware/lights.hpp"
 #include "firmware/mission/events.hpp"
 #include "firmware/mission/mission.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CIRCLE: a gentle turn that holds the height and needs no GPS; what a short failsafe flies.
-#include "firmware/guidance.hpp"
+#include "firmware/guidance/guidance.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
 #include "firmware/parameters.hpp"

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/guidance/bank.hpp"
+
+#include <math.h>
+
+#include "core/maths.hpp"
+#include "firmware/guidance/plan.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/vehicle.hpp"
+#include "navigation/l1.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr float kTurnShare = 0.7f;  // of the bank limit, for planned turns
+constexpr float kSlowBank_mss = 0.4663f * core::kGravity_mss;  // 25 degrees below flying speed
+
+navigation::BankTrim trim;
+float carried_mss;  // see carriedBank_mss
+float turn_accel_mss;
+
+float limit_rad(BankLimit limit) {
+    return limit == BankLimit::level ? core::radians(parameters.level_roll_limit_deg)
+                                     : core::radiansFromCentidegrees(parameters.roll_limit_cd);
+}
+
+// The bank whose load the wings still carry at this speed: lift grows with its square.
+float carriedBank_mss() {
+    if (!vehicle.airspeed.healthy) return 1e3f;
+    const float ratio = vehicle.estimate.equivalent_airspeed_mps / parameters.speed_min_mps;
+    const float load = core::square(ratio);
+    const float tangent2 = load * load - 1;
+    const float accel_mss = tangent2 > 0 ? core::kGravity_mss * sqrtf(tangent2) : 0;
+    return accel_mss > kSlowBank_mss ? accel_mss : kSlowBank_mss;
+}
+
+}  // namespace
+
+void beginBanking() {
+    trim.start();
+    weighBank();
+}
+
+void weighBank() { carried_mss = carriedBank_mss(); }
+
+void learnBankTrim(float left_of_path_m) { trim.learn(left_of_path_m, kGuidancePeriod_s); }
+
+void planTurns() {
+    turn_accel_mss = kTurnShare * core::kGravity_mss * tanf(limit_rad(BankLimit::flying));
+}
+
+float turnAccel_mss() { return turn_accel_mss; }
+
+float presentBank_mss() {
+    const float cosine = core::limit(vehicle.attitude.cos_roll, 0.3f, 1.0f);
+    const float tangent = core::limit(vehicle.attitude.sin_roll / cosine, -2.0f, 2.0f);
+    return core::kGravity_mss * tangent - trim.accel_mss();
+}
+
+void demandBank(float bank_accel_mss, BankLimit limit) {
+    const float most_rad = limit_rad(limit);
+    const float accel_mss =
+        core::limit(bank_accel_mss + trim.accel_mss(), -carried_mss, carried_mss);
+    vehicle.roll_demand_rad = core::limit(navigation::bankFor_rad(accel_mss), -most_rad, most_rad);
+}
+
+}  // namespace firmware

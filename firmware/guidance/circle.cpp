@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/guidance/bank.hpp"
+#include "firmware/guidance/flights.hpp"
+#include "firmware/guidance/lateral.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/vehicle.hpp"
+
+namespace firmware {
+namespace {
+
+navigation::TurnCount turns;
+
+}  // namespace
+
+void beginCircling() { turns.start(); }
+
+Plan flyCircle() {
+    const auto& demand = vehicle.demand;
+    const navigation::Circle circle = {demand.to, demand.radius_m, demand.counter_clockwise};
+    const auto lateral = navigation::followCircle(parameters.lateral, motion(), circle);
+    tellLateral(lateral);
+    demandBank(lateral.bank_accel_mss, BankLimit::flying);
+    turns.update(circle, geo::offset(circle.centre, vehicle.estimate.position),
+                 lateral.crosstrack_m);
+    const float outside_m = lateral.crosstrack_m;
+    learnBankTrim(circle.counter_clockwise ? -outside_m : outside_m);
+    vehicle.progress.captured = turns.captured();
+    vehicle.progress.turned_rad = turns.turned_rad();
+    return levelPlan();
+}
+
+}  // namespace firmware

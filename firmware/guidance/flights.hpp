@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One flight for each kind of path: it demands the bank, tells the progress and returns what is
+// left to be done with pitch and throttle. 20 Hz. What has a memory begins afresh with a path.
+#pragma once
+#include "firmware/guidance/plan.hpp"
+
+namespace firmware {
+
+Plan flyLeg();
+
+void beginCircling();
+Plan flyCircle();
+
+void beginTakeoff();
+Plan flyTakeoff();
+
+void beginLanding();
+Plan flyLanding();
+
+}  // namespace firmware

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/guidance/guidance.hpp"
+
+#include "core/rom.hpp"
+#include "firmware/guidance/bank.hpp"
+#include "firmware/guidance/flights.hpp"
+#include "firmware/guidance/height.hpp"
+#include "firmware/guidance/lateral.hpp"
+#include "firmware/guidance/launch.hpp"
+#include "firmware/guidance/plan.hpp"
+#include "firmware/modes.hpp"
+#include "firmware/vehicle.hpp"
+
+namespace firmware {
+namespace {
+
+Plan plan;     // of the last runGuidance
+bool guiding;  // in the run before as well
+
+// In the order of Path.
+using Flight = Plan (*)();
+constexpr Flight kFlights[] ROM = {levelPlan, flyLeg, flyCircle, flyTakeoff, flyLanding};
+
+void takeOver() {
+    beginHeight();
+    beginBanking();
+    suppressThrottle();
+}
+
+void beginPath() {
+    auto& progress = vehicle.progress;
+    vehicle.demand.new_path = false;
+    progress.passed = progress.captured = progress.flaring = false;
+    progress.turned_rad = 0;
+    planTurns();
+    beginCircling();
+    beginLanding();
+    if (vehicle.demand.path != Path::takeoff) return;
+    beginLaunch();
+    beginTakeoff();
+}
+
+}  // namespace
+
+void runGuidance() {
+    if (!guidesItself()) {
+        guiding = false;
+        vehicle.progress.throttle_suppressed = false;
+        return;
+    }
+    if (!guiding) takeOver();
+    guiding = true;
+    if (vehicle.demand.new_path) beginPath();
+    plan = core::romRead(kFlights[static_cast<uint8_t>(vehicle.demand.path)])();
+    waitForLaunch();
+    vehicle.progress.height_error_m = plan.height.height_m - vehicle.estimate.height_m;
+    vehicle.progress.airspeed_error_mps =
+        plan.airspeed_mps - vehicle.estimate.equivalent_airspeed_mps;
+}
+
+void runSpeedHeight() {
+    if (!guiding || !guidesItself()) return;
+    if (vehicle.demand.path != Path::none) tellBearings();
+    weighBank();
+    if (vehicle.progress.throttle_suppressed)
+        waitWithHeight(plan);
+    else
+        flyHeight(plan);
+}
+
+}  // namespace firmware

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/guidance/height.hpp"
+
+#include "core/maths.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/vehicle.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr float kPeriod_s = 0.1f;  // 10 Hz
+constexpr float kFlyingSpeed_mps = 5;
+constexpr float kLandingAlpha_rad = 0.2f;  // no more angle of attack near the ground
+
+control::SpeedHeight speed_height;
+
+float pathAngle_rad() {
+    const auto& estimate = vehicle.estimate;
+    const float airspeed_mps = core::limit(estimate.airspeed_mps, 3.0f, 100.0f);
+    return core::limit(estimate.climb_mps / airspeed_mps, -0.8f, 0.8f);
+}
+
+// Along the path, from what the accelerometer feels: lift acts across the path, so only the angle
+// of attack's share of it is left, and gravity's.
+float pathAcceleration_mss() {
+    const auto& attitude = vehicle.attitude;
+    const float path_rad = pathAngle_rad();
+    const float cosine = core::limit(attitude.cos_roll, 0.3f, 1.0f);
+    const float alpha_rad = core::limit((attitude.pitch_rad - path_rad) / cosine, -0.3f, 0.3f);
+    return vehicle.imu.accel_mss.x + vehicle.imu.accel_mss.z * alpha_rad -
+           core::kGravity_mss * path_rad;
+}
+
+control::SpeedHeightMeasured measured() {
+    const auto& estimate = vehicle.estimate;
+    return {estimate.height_m,      estimate.climb_mps,        estimate.airspeed_mps,
+            pathAcceleration_mss(), vehicle.attitude.cos_roll, vehicle.airspeed.healthy};
+}
+
+// Airspeeds are demanded as the wing feels them; energy is made of true ones.
+float trueFromEquivalent() {
+    const auto& estimate = vehicle.estimate;
+    if (estimate.equivalent_airspeed_mps < kFlyingSpeed_mps) return 1;
+    return core::limit(estimate.airspeed_mps / estimate.equivalent_airspeed_mps, 0.8f, 2.0f);
+}
+
+// The highest angle of attack is kept away from the stall near the ground; without an airspeed
+// sensor there is no speed to climb at, and the pitch is the take-off's own.
+float pitchMax_rad(const Plan& plan) {
+    float most_rad = core::radiansFromCentidegrees(parameters.pitch_max_cd);
+    if (plan.phase == control::Phase::approach || plan.phase == control::Phase::flare)
+        most_rad = core::limit(pathAngle_rad() + kLandingAlpha_rad, 0.0f, most_rad);
+    const bool pitch_given = plan.phase == control::Phase::climb_out && !vehicle.airspeed.healthy;
+    return pitch_given || most_rad < plan.pitch_min_rad ? plan.pitch_min_rad : most_rad;
+}
+
+int8_t throttleMax_pct(control::Phase phase) {
+    const bool taking_off =
+        phase == control::Phase::climb_out && parameters.takeoff_throttle_max_pct > 0;
+    return taking_off ? parameters.takeoff_throttle_max_pct : parameters.throttle_max_pct;
+}
+
+control::SpeedHeightLimits limits(const Plan& plan, float true_speed) {
+    control::SpeedHeightLimits limits;
+    limits.pitch_min_rad = plan.pitch_min_rad;
+    limits.pitch_max_rad = pitchMax_rad(plan);
+    limits.throttle_min = parameters.throttle_min_pct * 0.01f;
+    limits.throttle_max = throttleMax_pct(plan.phase) * 0.01f;
+    limits.throttle_cruise = vehicle.demand.throttle_pct * 0.01f;
+    limits.throttle_slew =
+        parameters.throttle_slew_pct > 0 ? parameters.throttle_slew_pct * 0.01f : 100.0f;
+    limits.airspeed_min_mps = parameters.speed_min_mps * true_speed;
+    limits.airspeed_max_mps = parameters.speed_max_mps * true_speed;
+    return limits;
+}
+
+// A stick above its middle asks for more speed, all of it for the highest.
+float nudged_mps(float airspeed_mps) {
+    const int8_t above_pct = vehicle.radio.throttle_pct - 50;
+    if (parameters.throttle_nudge == 0 || vehicle.radio.lost || above_pct <= 0) return airspeed_mps;
+    return airspeed_mps + (parameters.speed_max_mps - airspeed_mps) * (above_pct * 0.02f);
+}
+
+}  // namespace
+
+void beginHeight() {
+    speed_height.start(measured(), vehicle.attitude.pitch_rad, vehicle.throttle_demand);
+}
+
+void waitWithHeight(const Plan& plan) {
+    speed_height.start(measured(), 0, 0);
+    vehicle.pitch_demand_rad = plan.phase == control::Phase::climb_out ? plan.pitch_min_rad : 0;
+    vehicle.throttle_demand = 0;
+}
+
+void flyHeight(const Plan& plan) {
+    const float true_speed = trueFromEquivalent();
+    const control::SpeedHeightDemand demand = {plan.height.height_m, plan.height.climb_mps,
+                                               nudged_mps(plan.airspeed_mps) * true_speed};
+    const auto out = speed_height.run(parameters.speed_height, limits(plan, true_speed), demand,
+                                      measured(), plan.phase, kPeriod_s);
+    vehicle.pitch_demand_rad = out.pitch_rad;
+    vehicle.throttle_demand = out.throttle;
+}
+
+}  // namespace firmware

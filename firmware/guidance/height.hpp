@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Flies a plan's height and speed with vehicle.pitch_demand_rad and vehicle.throttle_demand.
+#pragma once
+#include "firmware/guidance/plan.hpp"
+
+namespace firmware {
+
+void beginHeight();                     // taking over from whoever flew, without a step
+void flyHeight(const Plan& plan);       // 10 Hz
+void waitWithHeight(const Plan& plan);  // 10 Hz, instead: the motor stands
+
+}  // namespace firmware

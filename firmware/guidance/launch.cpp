@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/guidance/launch.hpp"
+
+#include "core/maths.hpp"
+#include "firmware/guidance/plan.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/vehicle.hpp"
+#include "navigation/takeoff.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr float kUnlaunchedHeight_m = 10;  // farther from home's height the airplane must fly
+constexpr float kFlyingSpeed_mps = 5;
+
+navigation::Launch launch;
+
+bool flies() {
+    const auto& estimate = vehicle.estimate;
+    const bool fast = vehicle.gps.fix >= GpsFix::two_d &&
+                      estimate.ground_speed_mps >= kFlyingSpeed_mps &&
+                      (!vehicle.airspeed.healthy || estimate.airspeed_mps >= kFlyingSpeed_mps);
+    return fast || estimate.height_m > kUnlaunchedHeight_m ||
+           estimate.height_m < -kUnlaunchedHeight_m;
+}
+
+bool launched() {
+    if (vehicle.gps.fix != GpsFix::three_d) return false;
+    const navigation::LaunchSettings settings = {parameters.takeoff_min_speed_mps,
+                                                 parameters.takeoff_min_accel_mss,
+                                                 parameters.takeoff_delay_ds};
+    const navigation::LaunchState now = {
+        vehicle.imu.accel_mss.x - core::kGravity_mss * vehicle.attitude.sin_pitch,
+        vehicle.estimate.ground_speed_mps, vehicle.attitude.roll_rad, vehicle.attitude.pitch_rad,
+        kGuidancePeriod_s};
+    return launch.run(settings, now);
+}
+
+}  // namespace
+
+void suppressThrottle() { vehicle.progress.throttle_suppressed = true; }
+
+void beginLaunch() { launch.start(); }
+
+void waitForLaunch() {
+    auto& suppressed = vehicle.progress.throttle_suppressed;
+    if (!vehicle.armed) suppressed = true;
+    if (!suppressed || !vehicle.armed) return;
+    if (vehicle.demand.path == Path::takeoff ? launched() : flies()) suppressed = false;
+}
+
+}  // namespace firmware

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/guidance/bank.hpp"
+#include "firmware/guidance/flights.hpp"
+#include "firmware/guidance/lateral.hpp"
+#include "firmware/vehicle.hpp"
+
+namespace firmware {
+
+Plan flyLeg() {
+    const auto& demand = vehicle.demand;
+    const auto now = motion();
+    const auto lateral = followDemandedLeg(now, true);
+    demandBank(lateral.bank_accel_mss, BankLimit::flying);
+    Plan to_fly = levelPlan();
+    if (demand.sloped)
+        to_fly.height =
+            navigation::heightOnSlope(demand.from_height_m, demand.height_m, lateral.length_m,
+                                      lateral.along_m, along_mps(lateral, now));
+    return to_fly;
+}
+
+}  // namespace firmware

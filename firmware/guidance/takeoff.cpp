@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "navigation/takeoff.hpp"
+
+#include "firmware/guidance/bank.hpp"
+#include "firmware/guidance/flights.hpp"
+#include "firmware/guidance/lateral.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/vehicle.hpp"
+
+namespace firmware {
+namespace {
+
+navigation::TakeoffCourse course;
+
+float pitch_rad() {
+    const bool measured = vehicle.airspeed.healthy;
+    const float speed_mps =
+        measured ? vehicle.estimate.equivalent_airspeed_mps : vehicle.estimate.ground_speed_mps;
+    const navigation::TakeoffPitch pitch = {
+        vehicle.demand.takeoff_pitch_rad, parameters.takeoff_rotate_mps,
+        static_cast<float>(parameters.speed_min_mps), vehicle.demand.airspeed_mps};
+    return navigation::takeoffPitch_rad(pitch, speed_mps, measured);
+}
+
+}  // namespace
+
+void beginTakeoff() { course.start(vehicle.attitude.yaw_rad); }
+
+Plan flyTakeoff() {
+    const auto now = motion();
+    course.run(now.velocity_mps, vehicle.estimate.ground_speed_mps, vehicle.attitude.yaw_rad,
+               kGuidancePeriod_s);
+    float accel_mss = 0;
+    if (course.locked())
+        accel_mss =
+            navigation::followCourse(parameters.lateral, now, course.course()).bank_accel_mss;
+    demandBank(accel_mss, BankLimit::level);
+    Plan to_fly = levelPlan();
+    to_fly.phase = control::Phase::climb_out;
+    to_fly.pitch_min_rad = pitch_rad();
+    return to_fly;
+}
+
+}  // namespace firmware
