@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "simulator/report/chart.hpp"
+#include "simulator/report/flight_charts.hpp"
 #include "simulator/report/page.hpp"
 #include "simulator/report/recorder.hpp"
 #include "simulator/report/status_line.hpp"
@@ -62,7 +63,8 @@ TEST(Summary, is_null_where_nothing_is_known) {
         EXPECT_TRUE(json[key].is_null()) << key;
     }
     EXPECT_EQ(json["completed"], false);
-    EXPECT_TRUE(json["items_reached"].is_array());
+    EXPECT_TRUE(json["items_reached"].is_null());
+    EXPECT_TRUE(json["imu_samples_lost"].is_null());
 }
 
 TEST(Summary, says_what_is_known) {
@@ -70,13 +72,48 @@ TEST(Summary, says_what_is_known) {
     summary.completed = true;
     summary.figures.cpu_load = 0.25;
     summary.figures.frame_overruns = 0;
-    summary.items_reached = {1, 3};
+    summary.items_reached = std::vector<int>{1, 3};
     const auto json = nlohmann::json::parse(summaryJson(summary));
 
     EXPECT_TRUE(json["reason"].is_null());
     EXPECT_EQ(json["cpu_load"], 0.25);
     EXPECT_EQ(json["frame_overruns"], 0);
     EXPECT_EQ(json["items_reached"], (std::vector<int>{1, 3}));
+}
+
+TEST(Summary, names_the_tasks_whose_names_are_known) {
+    Summary summary;
+    summary.figures.tasks = {{0, 10, 1600, 800}, {1, 5, 160, 80}};
+    summary.task_names = {{1, "runRadio", 2, 250}};
+    const auto json = nlohmann::json::parse(summaryJson(summary));
+
+    EXPECT_FALSE(json["tasks"][0].contains("name"));
+    EXPECT_EQ(json["tasks"][1]["name"], "runRadio");
+    EXPECT_THAT(reportPage(summary, {Sample{}, Sample{}}, Plan()), HasSubstr("runRadio"));
+}
+
+TEST(TaskNames, are_absent_beside_foreign_firmware) {
+    EXPECT_TRUE(readTaskNames("/no/such/folder/other.elf").empty());
+}
+
+TEST(SummaryTable, marks_what_is_past_its_limit) {
+    Summary calm, windy;
+    calm.crosstrack_rms_m = windy.crosstrack_rms_m = 4;
+    windy.wind_mps = 5;
+
+    EXPECT_THAT(summaryTable(calm), HasSubstr("✗"));
+    EXPECT_THAT(summaryTable(windy), Not(HasSubstr("✗")));
+}
+
+TEST(FlightCharts, draw_the_circle_with_the_autopilots_own_radius) {
+    Plan plan;
+    plan.navs = {{1, 18, Point{0, 300}, 60, {}, 0, false, {}, 0.0}};
+    Summary unknown, known;
+    known.loiter_radius_m = 60;
+    const std::vector<Sample> samples = {Sample{}, Sample{}};
+
+    EXPECT_GT(FlightCharts(known, samples, plan).map().size(),
+              FlightCharts(unknown, samples, plan).map().size() + 500);
 }
 
 TEST(Summary, survives_text_that_is_no_utf8) {

@@ -68,7 +68,7 @@ Plan makePlan(const Waypoints& items, const LocalFrame& frame) {
         const double height = item.altitude_m - (item.relative() ? 0 : items[0].altitude_m);
         PlannedNav nav{item.index,    item.command, {},       height, last,
                        last_height_m, loose,        airspeed, {}};
-        if (item.isCircle()) nav.circle_m = std::abs(item.params[2]);
+        if (item.isCircle()) nav.circle_m = item.params[2];
         if (item.hasPlace() && (item.latitude_deg != 0 || item.longitude_deg != 0)) {
             nav.place = frame.at(item.latitude_deg, item.longitude_deg);
         }

@@ -41,7 +41,7 @@ struct PlannedNav {
     double from_height_m;
     bool from_circle;  // the leg leaves a circle, or the take-off run, at any bearing
     std::optional<double> airspeed_mps;  // demanded by a DO_CHANGE_SPEED before it
-    std::optional<double> circle_m;      // radius; 0: the autopilot's own. Empty: no circle
+    std::optional<double> circle_m;      // radius, below 0 to the left; 0: the autopilot's own
 };
 
 struct Plan {

@@ -50,7 +50,7 @@ void ScriptedFlight::take(const Frame& frame, uint64_t time_us) {
     if (auto value = as<ParamValue>(frame)) {
         const std::string name(value->param_id, strnlen(value->param_id, sizeof value->param_id));
         if (name == kCruiseSpeed) cruise_speed_mps_ = value->param_value * 0.01;
-        if (name == kLoiterRadius) loiter_radius_m_ = std::abs(value->param_value);
+        if (name == kLoiterRadius) loiter_radius_m_ = double{value->param_value};
     }
     if (auto ack = as<CommandAck>(frame)) {
         last_answer_ = "command " + std::to_string(ack->command) + " answered with result " +

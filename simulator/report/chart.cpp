@@ -177,7 +177,7 @@ private:
             if (line.name.empty()) continue;
             svg_ += "<path d=\"M" + number(x) + " 16h22\" stroke=\"" + line.colour + "\" class=\"" +
                     kind(line.stroke) + "\"/>\n";
-            text(x + 27, 20, "start", "legend", line.name);
+            text(x + 29, 20, "start", "legend", line.name);
             x += 46 + 6.6 * static_cast<double>(line.name.size());
         }
     }

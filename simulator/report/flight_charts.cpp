@@ -26,6 +26,24 @@ std::string windText(const Summary& summary) {
     return text;
 }
 
+double bearing(const Point& from, const Point& to) {
+    return std::atan2(to.east_m - from.east_m, to.north_m - from.north_m);
+}
+
+Point onCircle(const Point& centre, double radius, double bearing_rad) {
+    return {centre.north_m + radius * std::cos(bearing_rad),
+            centre.east_m + radius * std::sin(bearing_rad)};
+}
+
+// Where the way from `from` touches a circle flown to the right, or below 0 to the left.
+Point tangentPoint(const Point& from, const Point& centre, double radius) {
+    const double away = distance_m(from, centre);
+    if (away <= std::abs(radius)) return centre;
+    const double opening = std::acos(std::abs(radius) / away);
+    return onCircle(centre, std::abs(radius),
+                    bearing(centre, from) + std::copysign(opening, radius));
+}
+
 bool any(const Points& points) {
     return std::any_of(points.begin(), points.end(),
                        [](auto& p) { return std::isfinite(p.second); });
@@ -64,11 +82,26 @@ Chart FlightCharts::overTime(const std::string& y_label, bool items) const {
     return chart;
 }
 
-// From the place where it stands to the first place, and on from place to place.
+double FlightCharts::radius_m(const PlannedNav& nav) const {
+    if (!nav.circle_m) return 0;
+    return *nav.circle_m != 0 ? *nav.circle_m : summary_.loiter_radius_m.value_or(0);
+}
+
+// From the place where it stands to the first place, and on from place to place; to a circle along
+// its tangent, from a circle on the line from its centre.
 Points FlightCharts::legs() const {
-    Points legs = {{0, 0}};
+    Points legs;
+    Point from;
+    double from_radius = 0;
     for (const PlannedNav& nav : plan_.navs) {
-        if (nav.place) legs.push_back({nav.place->east_m, nav.place->north_m});
+        if (!nav.place) continue;
+        const Point begin = onCircle(from, from_radius, bearing(from, *nav.place));
+        const Point end = tangentPoint(begin, *nav.place, radius_m(nav));
+        legs.push_back({begin.east_m, begin.north_m});
+        legs.push_back({end.east_m, end.north_m});
+        legs.push_back({NAN, NAN});
+        from = *nav.place;
+        from_radius = std::abs(radius_m(nav));
     }
     return legs;
 }
@@ -77,13 +110,10 @@ Points FlightCharts::circles() const {
     constexpr int kSides = 72;
     Points points;
     for (const PlannedNav& nav : plan_.navs) {
-        if (!nav.place || !nav.circle_m) continue;
-        const double radius =
-            *nav.circle_m > 0 ? *nav.circle_m : summary_.loiter_radius_m.value_or(0);
-        for (int side = 0; side <= kSides && radius > 0; ++side) {
-            const double angle = side * 2 * M_PI / kSides;
-            points.push_back({nav.place->east_m + radius * std::sin(angle),
-                              nav.place->north_m + radius * std::cos(angle)});
+        if (!nav.place || radius_m(nav) == 0) continue;
+        for (int side = 0; side <= kSides; ++side) {
+            const Point at = onCircle(*nav.place, radius_m(nav), side * 2 * M_PI / kSides);
+            points.push_back({at.east_m, at.north_m});
         }
         points.push_back({NAN, NAN});
     }
@@ -94,7 +124,7 @@ std::string FlightCharts::map() const {
     Chart chart;
     chart.map = true;
     chart.width = 620;
-    chart.height = 700;
+    chart.height = 830;
     chart.x_label = "east of home, m";
     chart.y_label = "north of home, m";
     for (const PlannedNav& nav : plan_.navs) {

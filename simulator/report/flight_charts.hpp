@@ -33,6 +33,7 @@ private:
     Chart overTime(const std::string& y_label, bool items = true) const;
 
     std::string servos(const std::vector<size_t>& outputs, const char* label) const;
+    double radius_m(const PlannedNav& nav) const;  // of its circle, 0: none known
     Points legs() const;
     Points circles() const;
 

@@ -41,7 +41,7 @@ section{padding:18px 18px 14px;margin-bottom:18px}
 table{border-collapse:collapse;width:100%;font-size:14px;font-variant-numeric:tabular-nums}
 th,td{text-align:left;padding:5px 12px 5px 0;border-bottom:1px solid var(--edge)}
 th{font-weight:600;color:var(--soft)}
-td.n,th.n{text-align:right}
+td.n,th.n{text-align:right;white-space:nowrap}
 .note{color:var(--soft);font-size:13px;margin:8px 0 0}
 svg.chart{width:100%;height:auto;display:block}
 .chart .grid{stroke:#e9edf2;stroke-width:1}.chart .axis{stroke:#9aa7b5;stroke-width:1}

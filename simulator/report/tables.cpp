@@ -74,10 +74,14 @@ FlightLimits limitsIn(const Summary& s) {
     return calm ? FlightLimits{3, 2, 30} : FlightLimits{5, 3, 60};
 }
 
+std::string limitText(const std::optional<double>& most) {
+    if (!most) return "";
+    return *most == 0 ? "none" : "≤ " + number(*most, 0);
+}
+
 std::vector<std::string> cells(const Row& row) {
     const bool kept = !row.most || *row.value <= *row.most;
-    return {row.name, number(*row.value, row.decimals), row.most ? "≤ " + number(*row.most, 0) : "",
-            row.unit,
+    return {row.name, number(*row.value, row.decimals), limitText(row.most), row.unit,
             !row.most ? ""
             : kept    ? "✓"
                       : "✗"};
