@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/attitude_control.hpp"
+
+#include "firmware/bench.hpp"
+
+namespace {
+
+using firmware::Mode;
+using firmware::parameters;
+using firmware::surfaces;
+using firmware::vehicle;
+
+class AttitudeControl : public bench::Bench {
+protected:
+    void SetUp() override {
+        Bench::SetUp();
+        vehicle.imu.dt_s = 0.01f;
+        vehicle.estimate.equivalent_airspeed_mps = parameters.scaling_speed_mps;
+        level();
+    }
+    void level(float roll_rad = 0, float pitch_rad = 0) {
+        auto& attitude = vehicle.attitude;
+        attitude.roll_rad = roll_rad;
+        attitude.pitch_rad = pitch_rad;
+        attitude.sin_roll = std::sin(roll_rad);
+        attitude.cos_roll = std::cos(roll_rad);
+        attitude.sin_pitch = std::sin(pitch_rad);
+        attitude.cos_pitch = std::cos(pitch_rad);
+    }
+    void run() {
+        firmware::runMode();
+        firmware::runAttitudeControl();
+        vehicle.mode_changed = false;
+    }
+    // Afresh, so that no integrator remembers the case before.
+    firmware::Surfaces surfacesIn(Mode mode, const std::vector<uint16_t>& sticks) {
+        settle(sticks);
+        vehicle.mode_changed = true;
+        firmware::setMode(mode, firmware::ModeReason::ground);
+        run();
+        return surfaces;
+    }
+};
+
+TEST_F(AttitudeControl, leaves_the_airplane_alone_in_manual) {
+    level(0.5f, -0.3f);
+    vehicle.attitude.rate_rads = {1, 1, 1};
+    surfacesIn(Mode::manual, bench::kCentred);
+    EXPECT_EQ(surfaces.aileron, 0);
+    EXPECT_EQ(surfaces.elevator, 0);
+    EXPECT_EQ(surfaces.rudder, 0);
+}
+
+TEST_F(AttitudeControl, turns_back_to_level_and_damps) {
+    firmware::setMode(Mode::fbwa, firmware::ModeReason::ground);
+    level(0.3f, 0.2f);
+    surfacesIn(Mode::fbwa, with(3, 1900));
+    EXPECT_LT(surfaces.aileron, -0.05f);
+    EXPECT_LT(surfaces.elevator, -0.05f);
+
+    level();
+    vehicle.attitude.rate_rads = {0.5f, 0.5f, 0};
+    surfacesIn(Mode::fbwa, with(3, 1900));
+    EXPECT_LT(surfaces.aileron, 0);
+    EXPECT_LT(surfaces.elevator, 0);
+}
+
+TEST_F(AttitudeControl, needs_less_surface_the_faster_it_flies) {
+    level(0.3f);
+    vehicle.estimate.equivalent_airspeed_mps = 10;
+    const float slow = surfacesIn(Mode::fbwa, bench::kCentred).aileron;
+    firmware::setMode(Mode::manual, firmware::ModeReason::ground);
+    vehicle.estimate.equivalent_airspeed_mps = 20;
+    const float fast = surfacesIn(Mode::fbwa, bench::kCentred).aileron;
+    EXPECT_LT(slow, 1.5f * fast);
+    EXPECT_LT(fast, 0);
+}
+
+TEST_F(AttitudeControl, demands_no_more_than_the_limits) {
+    surfacesIn(Mode::fbwa, {1900, 1900, 1900, 1500, 1500, 1500, 1500, 1815});
+    const auto full_stick = surfaces;
+    ASSERT_GT(full_stick.aileron, 0.1f);
+    firmware::setMode(Mode::manual, firmware::ModeReason::ground);
+    vehicle.roll_demand_rad = 3;
+    vehicle.pitch_demand_rad = 1;
+    settle(bench::kCentred);
+    vehicle.sticks = firmware::Sticks::nothing;
+    vehicle.mode_changed = true;
+    firmware::runAttitudeControl();
+    EXPECT_NEAR(surfaces.aileron, full_stick.aileron, 1e-4);
+    EXPECT_NEAR(surfaces.elevator, full_stick.elevator, 1e-4);
+}
+
+TEST_F(AttitudeControl, adds_the_sticks_to_what_stabilises) {
+    const auto centred = surfacesIn(Mode::stabilize, bench::kCentred);
+    const auto moved =
+        surfacesIn(Mode::stabilize, {1900, 1100, 1100, 1500, 1500, 1500, 1500, 1815});
+    EXPECT_NEAR(moved.aileron - centred.aileron, 1, 0.01);
+    EXPECT_NEAR(moved.elevator - centred.elevator, -1, 0.01);
+}
+
+TEST_F(AttitudeControl, moves_the_rudder_with_the_yaw_stick_in_every_mode) {
+    for (Mode mode : {Mode::manual, Mode::stabilize, Mode::fbwa}) {
+        const float centred = surfacesIn(mode, bench::kCentred).rudder;
+        EXPECT_NEAR(surfacesIn(mode, with(4, 1900)).rudder - centred, 1, 0.01)
+            << static_cast<int>(mode);
+    }
+}
+
+TEST_F(AttitudeControl, mixes_aileron_into_the_rudder_when_it_stabilises) {
+    level(0.3f);
+    surfacesIn(Mode::fbwa, bench::kCentred);
+    EXPECT_NEAR(surfaces.rudder, surfaces.aileron * parameters.rudder_mix, 1e-4);
+    ASSERT_LT(surfaces.rudder, -0.01f);
+}
+
+TEST_F(AttitudeControl, lets_the_pilot_bend_an_automatic_mode_if_stick_mixing_is_on) {
+    fly(Mode::loiter);
+    const float unmoved = surfacesIn(Mode::loiter, bench::kCentred).aileron;
+    const float bent = surfacesIn(Mode::loiter, with(1, 1900)).aileron;
+    EXPECT_GT(bent, unmoved + 0.2f);
+
+    parameters.stick_mixing = 0;
+    EXPECT_EQ(surfacesIn(Mode::loiter, with(1, 1900)).aileron, unmoved);
+}
+
+TEST_F(AttitudeControl, does_not_mix_the_sticks_of_a_lost_radio) {
+    fly(Mode::loiter);
+    const float unmoved = surfacesIn(Mode::loiter, bench::kCentred).aileron;
+    settle(with(1, 1900));
+    loseRadio(1500);
+    vehicle.mode_changed = true;
+    run();
+    ASSERT_TRUE(vehicle.radio.lost);
+    EXPECT_EQ(surfaces.aileron, unmoved);
+}
+
+TEST_F(AttitudeControl, the_bend_stays_within_the_bank_limit) {
+    fly(Mode::loiter);
+    vehicle.roll_demand_rad = core::radiansFromCentidegrees(parameters.roll_limit_cd);
+    const float at_limit = surfacesIn(Mode::loiter, bench::kCentred).aileron;
+    EXPECT_EQ(surfacesIn(Mode::loiter, with(1, 1900)).aileron, at_limit);
+}
+
+}  // namespace

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/guidance/guidance.hpp"
+
+#include "firmware/bench.hpp"
+
+namespace {
+
+using firmware::Mode;
+using firmware::parameters;
+using firmware::Path;
+using firmware::vehicle;
+
+constexpr geo::Position kHere = {470000000, 80000000};
+
+class Guidance : public bench::Bench {
+protected:
+    void SetUp() override {
+        Bench::SetUp();
+        firmware::runGuidance();  // in MANUAL: whoever guided before has let go
+        vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = 1;
+        vehicle.imu.accel_mss = {0, 0, -core::kGravity_mss};
+        vehicle.home.position = vehicle.estimate.position = kHere;
+        vehicle.gps.fix = firmware::GpsFix::three_d;
+        vehicle.airspeed.healthy = true;
+    }
+    void standing() {
+        move(0, 0);
+        vehicle.estimate.airspeed_mps = vehicle.estimate.equivalent_airspeed_mps = 0;
+    }
+    void cruising() {
+        move(13, 0);
+        vehicle.estimate.airspeed_mps = vehicle.estimate.equivalent_airspeed_mps = 13;
+    }
+    void move(float north_mps, float east_mps) {
+        vehicle.estimate.velocity_mps = {north_mps, east_mps, 0};
+        vehicle.estimate.ground_speed_mps = std::hypot(north_mps, east_mps);
+    }
+    void bank(float roll_rad) {
+        vehicle.attitude.roll_rad = roll_rad;
+        vehicle.attitude.sin_roll = std::sin(roll_rad);
+        vehicle.attitude.cos_roll = std::cos(roll_rad);
+    }
+    void place(float north_m, float east_m) {
+        vehicle.estimate.position = geo::moved(kHere, {north_m, east_m});
+    }
+    // Tenths of a second, as the schedule runs the two.
+    void guide(int tenths = 1) {
+        for (int i = 0; i < tenths; ++i) {
+            firmware::runMode();
+            firmware::runGuidance();
+            firmware::runSpeedHeight();
+            firmware::runGuidance();
+        }
+    }
+    // LOITER lends its automatic throttle and guidance to any path.
+    void demand(Path path) {
+        auto& to_fly = vehicle.demand;
+        to_fly.path = path;
+        to_fly.from = kHere;
+        to_fly.to = geo::moved(kHere, {500, 0});
+        to_fly.from_height_m = to_fly.height_m = vehicle.estimate.height_m;
+        to_fly.takeoff_pitch_rad = core::radians(15);
+        to_fly.airspeed_mps = 13;
+        to_fly.new_path = true;
+    }
+    void onTheGround(Mode mode) {
+        fly(mode);
+        vehicle.estimate.flying = false;
+        vehicle.estimate.height_m = 0;
+        standing();
+    }
+    void inTheAir() {
+        cruising();
+        fly(Mode::loiter);
+        vehicle.demand.height_m = 80;
+        guide(20);
+        ASSERT_FALSE(vehicle.progress.throttle_suppressed);
+    }
+    // On a final of 300 m from 30 m, `left_m` before its end.
+    void onFinal(float height_m, float left_m, float crosstrack_m = 0) {
+        demand(Path::land);
+        vehicle.demand.to = geo::moved(kHere, {300, 0});
+        vehicle.demand.from_height_m = 30;
+        vehicle.demand.height_m = 0;
+        vehicle.estimate.height_m = height_m;
+        vehicle.estimate.climb_mps = -1;
+        place(300 - left_m, crosstrack_m);
+    }
+};
+
+TEST_F(Guidance, does_nothing_in_a_mode_that_does_not_guide_itself) {
+    vehicle.roll_demand_rad = 0.1f;
+    vehicle.throttle_demand = 0.2f;
+    demand(Path::leg);
+    firmware::runGuidance();
+    firmware::runSpeedHeight();
+    EXPECT_EQ(vehicle.roll_demand_rad, 0.1f);
+    EXPECT_EQ(vehicle.throttle_demand, 0.2f);
+    EXPECT_TRUE(vehicle.demand.new_path);
+}
+
+TEST_F(Guidance, holds_the_motor_on_the_ground_though_an_automatic_mode_is_chosen) {
+    onTheGround(Mode::loiter);
+    vehicle.demand.height_m = 50;
+    guide(50);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+    EXPECT_EQ(vehicle.throttle_demand, 0);
+}
+
+TEST_F(Guidance, lets_the_motor_turn_once_it_is_thrown) {
+    onTheGround(Mode::loiter);
+    vehicle.demand.height_m = 50;
+    guide(5);
+    cruising();
+    guide(1);
+    EXPECT_FALSE(vehicle.progress.throttle_suppressed);
+    guide(30);
+    EXPECT_GT(vehicle.throttle_demand, 0.3f);
+}
+
+TEST_F(Guidance, does_not_take_a_fast_position_alone_for_a_launch) {
+    onTheGround(Mode::loiter);
+    move(9, 0);  // carried, or the receiver's mistake: no air flows
+    guide(20);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+    cruising();
+    vehicle.gps.fix = firmware::GpsFix::none;
+    guide(20);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+}
+
+TEST_F(Guidance, never_lets_the_motor_turn_while_disarmed) {
+    inTheAir();
+    ASSERT_GT(vehicle.throttle_demand, 0);
+    vehicle.armed = false;
+    guide(1);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+    guide(30);
+    EXPECT_EQ(vehicle.throttle_demand, 0);
+}
+
+TEST_F(Guidance, takes_off_with_all_its_throttle_and_the_nose_up) {
+    onTheGround(Mode::loiter);
+    demand(Path::takeoff);
+    vehicle.demand.height_m = 50;
+    guide(2);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed) << "TKOFF_THR_DELAY has not passed";
+    guide(20);
+    EXPECT_FALSE(vehicle.progress.throttle_suppressed);
+    EXPECT_FLOAT_EQ(vehicle.throttle_demand, 1);
+    EXPECT_EQ(vehicle.roll_demand_rad, 0);
+    cruising();
+    guide(20);
+    EXPECT_GE(vehicle.pitch_demand_rad, core::radians(14.9f));
+}
+
+TEST_F(Guidance, waits_for_a_three_dimensional_fix_before_a_take_off) {
+    onTheGround(Mode::loiter);
+    demand(Path::takeoff);
+    vehicle.gps.fix = firmware::GpsFix::two_d;
+    guide(30);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+    EXPECT_EQ(vehicle.throttle_demand, 0);
+}
+
+TEST_F(Guidance, banks_towards_the_leg) {
+    inTheAir();
+    for (float side_m : {-40.0f, 40.0f}) {
+        demand(Path::leg);
+        place(100, side_m);
+        guide();
+        EXPECT_GT(vehicle.roll_demand_rad * -side_m, 0) << side_m;
+        EXPECT_NEAR(vehicle.progress.crosstrack_m, side_m, 0.2);
+    }
+}
+
+TEST_F(Guidance, tells_when_the_leg_is_passed_and_begins_the_next_one_afresh) {
+    inTheAir();
+    demand(Path::leg);
+    place(499, 0);
+    guide();
+    EXPECT_FALSE(vehicle.progress.passed);
+    place(501, 0);
+    guide();
+    EXPECT_TRUE(vehicle.progress.passed);
+    demand(Path::leg);
+    vehicle.demand.to = geo::moved(kHere, {1000, 0});
+    guide();
+    EXPECT_FALSE(vehicle.progress.passed);
+}
+
+TEST_F(Guidance, circles_to_the_side_it_is_told) {
+    const float tangent = 13 * 13 / 60.0f / core::kGravity_mss;
+    for (bool counter_clockwise : {false, true}) {
+        inTheAir();
+        bank(counter_clockwise ? -std::atan(tangent) : std::atan(tangent));
+        demand(Path::circle);
+        vehicle.demand.to = kHere;
+        vehicle.demand.radius_m = 60;
+        vehicle.demand.counter_clockwise = counter_clockwise;
+        place(0, counter_clockwise ? 60 : -60);  // so that north is along the circle
+        guide();
+        EXPECT_NEAR(vehicle.roll_demand_rad, vehicle.attitude.roll_rad, 0.05);
+        firmware::setMode(Mode::manual, firmware::ModeReason::ground);
+    }
+}
+
+TEST_F(Guidance, the_sign_of_the_loiter_radius_is_its_direction) {
+    for (int16_t radius_m : {60, -60}) {
+        parameters.loiter_radius_m = radius_m;
+        fly(Mode::loiter);
+        EXPECT_EQ(vehicle.demand.counter_clockwise, radius_m < 0);
+        EXPECT_EQ(vehicle.demand.radius_m, 60);
+        firmware::setMode(Mode::manual, firmware::ModeReason::ground);
+    }
+}
+
+TEST_F(Guidance, counts_turns_from_the_moment_it_is_on_the_circle) {
+    inTheAir();
+    demand(Path::circle);
+    vehicle.demand.to = kHere;
+    vehicle.demand.radius_m = 60;
+    place(-120, 0);
+    guide();
+    EXPECT_FALSE(vehicle.progress.captured);
+    for (int degrees = 0; degrees <= 450; degrees += 3) {
+        const float angle_rad = core::radians(degrees);
+        place(60 * std::cos(angle_rad), 60 * std::sin(angle_rad));
+        move(-13 * std::sin(angle_rad), 13 * std::cos(angle_rad));
+        guide();
+    }
+    EXPECT_TRUE(vehicle.progress.captured);
+    EXPECT_NEAR(vehicle.progress.turned_rad, core::radians(450), 0.05);
+}
+
+TEST_F(Guidance, flares_without_throttle_and_with_level_wings) {
+    inTheAir();
+    onFinal(20, 200, 10);
+    guide(10);
+    ASSERT_FALSE(vehicle.progress.flaring);
+    EXPECT_LT(vehicle.roll_demand_rad, -core::radians(parameters.level_roll_limit_deg));
+
+    vehicle.estimate.height_m = 1;
+    place(290, 10);
+    guide(11);
+    EXPECT_TRUE(vehicle.progress.flaring);
+    EXPECT_EQ(vehicle.throttle_demand, 0);
+    EXPECT_FLOAT_EQ(vehicle.roll_demand_rad, -core::radians(parameters.level_roll_limit_deg));
+    EXPECT_GE(vehicle.pitch_demand_rad, core::radiansFromCentidegrees(parameters.land_pitch_cd));
+}
+
+TEST_F(Guidance, gives_up_height_and_opens_the_throttle_below_the_lowest_speed) {
+    inTheAir();
+    guide(50);
+    const float level_rad = vehicle.pitch_demand_rad;
+    vehicle.estimate.airspeed_mps = vehicle.estimate.equivalent_airspeed_mps = 7;
+    vehicle.imu.accel_mss.x = -2;
+    guide(30);
+    EXPECT_LT(vehicle.pitch_demand_rad, level_rad - 0.1f);
+    EXPECT_NEAR(vehicle.throttle_demand, parameters.throttle_max_pct * 0.01f, 0.01);
+}
+
+TEST_F(Guidance, banks_no_more_than_the_wings_carry_when_it_is_slow) {
+    inTheAir();
+    demand(Path::leg);
+    place(100, -200);
+    guide();
+    const float most_rad = core::radiansFromCentidegrees(parameters.roll_limit_cd);
+    EXPECT_FLOAT_EQ(vehicle.roll_demand_rad, most_rad);
+    vehicle.estimate.equivalent_airspeed_mps = parameters.speed_min_mps;
+    guide();
+    EXPECT_NEAR(vehicle.roll_demand_rad, core::radians(25), 0.01);
+}
+
+TEST_F(Guidance, lets_the_throttle_follow_the_pitch_without_an_airspeed_sensor) {
+    vehicle.airspeed.healthy = false;
+    inTheAir();
+    vehicle.demand.height_m = 80;
+    guide(50);
+    EXPECT_NEAR(vehicle.throttle_demand, parameters.cruise_throttle_pct * 0.01f, 0.1);
+    vehicle.demand.height_m = 120;
+    guide(20);
+    EXPECT_GT(vehicle.pitch_demand_rad, 0.1f);
+    EXPECT_GT(vehicle.throttle_demand, 0.6f);
+}
+
+TEST_F(Guidance, a_stick_above_its_middle_asks_for_more_speed_if_nudging_is_on) {
+    inTheAir();
+    guide(50);
+    const float unmoved = vehicle.throttle_demand;
+    vehicle.radio.throttle_pct = 100;
+    parameters.throttle_nudge = 0;
+    guide(5);
+    EXPECT_NEAR(vehicle.throttle_demand, unmoved, 0.05);
+    parameters.throttle_nudge = 1;
+    guide(20);
+    EXPECT_GT(vehicle.throttle_demand, unmoved + 0.1f);
+}
+
+TEST_F(Guidance, moves_the_height_at_the_rate_a_condition_asks_for) {
+    inTheAir();
+    demand(Path::leg);
+    vehicle.demand.height_m = 100;
+    vehicle.demand.climb_rate_mps = 2;
+    guide(30);
+    EXPECT_NEAR(vehicle.demand.from_height_m, 80 + 6, 0.2);
+}
+
+}  // namespace
