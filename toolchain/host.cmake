@@ -109,6 +109,8 @@ target_include_directories(simulator_native BEFORE PRIVATE ${CMAKE_SOURCE_DIR}/s
 house_test(simulator_test ${CMAKE_SOURCE_DIR}/host_tests/simulator simulator_report
            simulator_ground simulator_native simulator_world)
 
+include(mission_tool)
+
 if(SANITIZE)
     return()
 endif()

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// EEPROMs of ArduPlane: told apart, and those of 2.x boards carried over.
+#include "toolchain/mission_tool/arduplane.hpp"
+#include "mission_tool/rig.hpp"
+#include "toolchain/mission_tool/waypoint_form.hpp"
+
+namespace mission_tool {
+namespace {
+
+using testing::HasSubstr;
+using Bytes = std::vector<uint8_t>;
+
+// As such a board holds it: items of 15 bytes from 0x500 on, home first.
+Image boardOf2(const std::vector<Bytes>& items) {
+    Image image = blankImage();
+    const Bytes mark = {0x50, 0x41, 6, 0};
+    std::copy(mark.begin(), mark.end(), image.begin());
+    for (size_t i = 0; i < items.size(); ++i)
+        std::copy(items[i].begin(), items[i].end(),
+                  image.begin() + static_cast<ptrdiff_t>(0x500 + 15 * i));
+    return image;
+}
+const Bytes kHome = {0x10, 0,    0,    0x40, 0x9C, 0x00, 0x00, 0x80,
+                     0xA1, 0x03, 0x1C, 0x00, 0xB4, 0xC4, 0x04};
+// 60 m above home, radius 30 m
+const Bytes kNorth = {0x10, 1,    30,   0x70, 0x17, 0x00, 0x00, 0x20,
+                      0x28, 0x05, 0x1C, 0x00, 0xB4, 0xC4, 0x04};
+// servo 6, 1900 us, 3 times, every 4 s
+const Bytes kRepeatServo = {0xB8, 0, 6, 0x6C, 0x07, 0, 0, 3, 0, 0, 0, 4, 0, 0, 0};
+
+class ArduPlane : public Tool {};
+
+TEST_F(ArduPlane, its_images_are_recognised_and_the_way_to_read_them_told) {
+    const std::string image = file("old.bin", rawOf(boardOf2({kHome, kNorth})));
+    EXPECT_EQ(tool({"show", image}), 1);
+    EXPECT_EQ(err_,
+              image + ": ArduPlane's EEPROM: --records 15 reads the mission of a 2.x board\n");
+    EXPECT_EQ(tool({"compile", file("m", kTwoWaypoints), "--onto", image, "-o", path("x.eep")}), 1);
+    EXPECT_THAT(err_, HasSubstr("ArduPlane's EEPROM"));
+}
+
+TEST_F(ArduPlane, a_later_version_is_told_apart) {
+    const std::string image = file("3.bin", rawOf(boardOf2({{0xAE, 0x65, 0, 0}})));
+    for (const char* records : {"14", "15"}) {
+        EXPECT_EQ(tool({"show", "--records", records, image}), 1);
+        EXPECT_THAT(err_, HasSubstr("3.0 or later"));
+    }
+}
+
+TEST_F(ArduPlane, a_board_of_2_decodes_with_its_servo_repeats_in_our_order) {
+    const std::string image = file("old.bin", rawOf(boardOf2({kHome, kRepeatServo, kNorth})));
+    ASSERT_EQ(tool({"decode", "--records", "15", image}), 0) << err_;
+    EXPECT_THAT(out_, HasSubstr("1\t0\t2\t184\t6\t1900\t3\t4\t"));
+    EXPECT_THAT(out_, HasSubstr("2\t0\t3\t16\t0\t30\t0\t0\t47.0100000\t8.0000000\t60\t1\n"));
+}
+
+TEST_F(ArduPlane, a_board_of_2_is_carried_over_in_one_step) {
+    const std::string image = file("old.bin", rawOf(boardOf2({kHome, kRepeatServo, kNorth})));
+    ASSERT_EQ(tool({"compile", "--records", "15", image, "-o", path("new.eep")}), 0) << err_;
+    const Document stored = storedMission(parseHex(readFile(path("new.eep")), ""), "");
+    ASSERT_EQ(stored.entries.size(), 3u);
+    EXPECT_EQ(stored.entries[1].record.p2, 3);
+    EXPECT_EQ(stored.entries[1].record.p3, 4);
+    EXPECT_EQ(stored.entries[1].record.p4, 1900);
+}
+
+TEST_F(ArduPlane, a_second_parameter_beyond_24_bits_refuses_the_image_and_names_the_item) {
+    Bytes high = kNorth;
+    high[6] = 1;
+    const std::string image = file("old.bin", rawOf(boardOf2({kHome, kNorth, high})));
+    EXPECT_EQ(tool({"decode", "--records", "15", image}), 1);
+    EXPECT_EQ(err_, image +
+                        ": item 2: expected a second parameter of at most 24 bits, found "
+                        "16783216\n");
+}
+
+TEST_F(ArduPlane, the_count_that_the_board_knows_ends_the_mission_where_older_records_follow) {
+    const std::string image = file("old.bin", rawOf(boardOf2({kHome, kNorth, kNorth, kNorth})));
+    ASSERT_EQ(tool({"show", "--records", "15", image}), 0);
+    EXPECT_THAT(out_, HasSubstr("4 of 171 items"));
+    ASSERT_EQ(tool({"show", "--records", "15", "--count", "2", image}), 0);
+    EXPECT_THAT(out_, HasSubstr("2 of 171 items"));
+    EXPECT_EQ(tool({"show", "--records", "15", "--count", "178", image}), 1);
+}
+
+TEST_F(ArduPlane, writing_15_byte_records_gives_back_what_was_read) {
+    const Image old = boardOf2({kHome, kRepeatServo, kNorth});
+    const std::string image = file("old.bin", rawOf(old));
+    ASSERT_EQ(tool({"decode", "--records", "15", image, "-o", path("text")}), 0) << err_;
+    ASSERT_EQ(tool({"compile", "--records", "15", path("text"), "--onto", image, "-o",
+                    path("again.bin")}),
+              0)
+        << err_;
+    EXPECT_THAT(err_, HasSubstr("set CMD_TOTAL to 2"));
+    const Image again = imageOf(readFile(path("again.bin")), "");
+    EXPECT_EQ(again, old);
+}
+
+TEST_F(ArduPlane, boards_of_2_do_not_know_the_first_set) {
+    const std::string text = file("m", apm1("0x10 0 6000 470100000 80000000\n"));
+    EXPECT_EQ(tool({"compile", "--records", "15", text, "-o", path("x.bin")}), 1);
+    EXPECT_THAT(err_, HasSubstr("APM 2.0 set only"));
+}
+
+}  // namespace
+}  // namespace mission_tool

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "toolchain/mission_tool/legs.hpp"
+
+#include "firmware/parameters.hpp"
+#include "geo/position.hpp"
+
+namespace mission_tool {
+namespace {
+
+constexpr uint8_t kReturn = 0x14, kSetHome = 0xB3, kResetHome = 0x42;
+
+geo::Position placeOf(const Entry& entry) { return {entry.record.p3, entry.record.p4}; }
+
+}  // namespace
+
+std::vector<Leg> legsOf(const Document& document) {
+    std::vector<Leg> legs(document.entries.size());
+    const geo::Position home = placeOf(document.entries[0]);
+    geo::Position from = home;
+    bool about = true;
+    for (size_t i = 1; i < legs.size(); ++i) {
+        const Entry& entry = document.entries[i];
+        if (!entry.is(mission::Class::nav)) continue;
+        const bool returns = entry.record.id == kReturn;
+        if (!hasPlace(entry) && !returns) {  // TAKEOFF, or "here"
+            about = true;
+            continue;
+        }
+        const geo::Position to = returns ? home : placeOf(entry);
+        legs[i] = {true, about, geo::distance_m(from, to), geo::bearing_cd(from, to)};
+        from = to;
+        about = false;
+    }
+    return legs;
+}
+
+bool aboveHome(const Document& document, size_t index) {
+    const mission::Record& record = document.entries[index].record;
+    if (index == 0) return false;
+    if (document.set == mission::Set::apm1)
+        return record.id != kResetHome && firmware::parameters.altitude_absolute == 0;
+    return record.id != kSetHome && (record.options & mission::kRelativeAltitude) != 0;
+}
+
+}  // namespace mission_tool

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "toolchain/mission_tool/load.hpp"
+
+#include <fstream>
+#include <sstream>
+
+#include "toolchain/mission_tool/arduplane.hpp"
+#include "toolchain/mission_tool/board.hpp"
+#include "toolchain/mission_tool/expectations.hpp"
+#include "toolchain/mission_tool/text_form.hpp"
+#include "toolchain/mission_tool/waypoint_form.hpp"
+#include "toolchain/mission_tool/wrong_input.hpp"
+
+namespace mission_tool {
+namespace {
+
+Document fromImage(const std::string& contents, const std::string& name, const Reading& reading) {
+    const Image image = imageOf(contents, name);
+    Document document;
+    if (reading.records15) {
+        document = readRecords15(image, name, reading.count);
+        powerUp(reading.onto);
+    } else {
+        document = storedMission(image, name);
+    }
+    judgeAll(document);
+    return document;
+}
+
+}  // namespace
+
+std::string readFile(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream contents;
+    // an empty file is read, too, though nothing comes of it
+    if (file && file.peek() == std::ifstream::traits_type::eof() && !file.bad()) return "";
+    if (!file || !(contents << file.rdbuf())) throw WrongInput(path + ": cannot be read");
+    return contents.str();
+}
+
+bool isImage(const std::string& contents) {
+    return looksLikeHex(contents) || (contents.size() == blankImage().size() &&
+                                      !looksLikeWaypoints(contents) && !looksLikeRecords(contents));
+}
+
+Image imageOf(const std::string& contents, const std::string& name) {
+    if (looksLikeHex(contents)) return parseHex(contents, name);
+    if (contents.size() != blankImage().size()) {
+        throw WrongInput(name + ": expected an image of 4096 bytes or Intel hex, found " +
+                         std::to_string(contents.size()) + " bytes");
+    }
+    return {contents.begin(), contents.end()};
+}
+
+Document load(const std::string& contents, const std::string& name, const Reading& reading) {
+    Document document;
+    powerUp(reading.onto);
+    if (isImage(contents)) {
+        document = fromImage(contents, name, reading);
+    } else if (looksLikeWaypoints(contents)) {
+        document = parseWaypointFile(contents, name, reading.set.value_or(mission::Set::apm2));
+    } else if (looksLikeRecords(contents)) {
+        document = parseRecords(contents, name);
+    } else {
+        throw WrongInput(
+            placed(name, 1, 1,
+                   expected("'QGC WPL 110', 'APM 1.0', 'APM 2.0', Intel hex or a 4096-byte image",
+                            contents.substr(0, contents.find_first_of("\r\n")))));
+    }
+    if (reading.set && *reading.set != document.set) {
+        throw WrongInput(name + ": expected the set that --set names, found the other");
+    }
+    return document;
+}
+
+}  // namespace mission_tool

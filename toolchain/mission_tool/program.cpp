@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "toolchain/mission_tool/program.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fstream>
+
+#include "toolchain/mission_tool/arduplane.hpp"
+#include "toolchain/mission_tool/board.hpp"
+#include "toolchain/mission_tool/findings.hpp"
+#include "toolchain/mission_tool/load.hpp"
+#include "toolchain/mission_tool/table.hpp"
+#include "toolchain/mission_tool/text_form.hpp"
+#include "toolchain/mission_tool/waypoint_form.hpp"
+#include "toolchain/mission_tool/wrong_input.hpp"
+
+namespace mission_tool {
+namespace {
+
+constexpr char kWhat[] = "Missions as files and as EEPROM images for the board.";
+constexpr char kFooter[] =
+    "FILE is a QGC WPL 110 file, the text form of docs/mission.md, or an image: Intel hex or 4096\n"
+    "raw bytes. Exit status: 0 when all is well (warnings may be told), 1 when the mission is\n"
+    "wrong, 2 when the command line is.";
+
+struct Options {
+    std::string file, out, set, onto;
+    int records = 14;
+    size_t count = 0;
+    bool raw = false;
+};
+
+class Program {
+public:
+    Program(const Options& options, std::ostream& out, std::ostream& err)
+        : options_(options), out_(out), err_(err) {}
+
+    int check() {
+        load();
+        return tellFindings() ? 1 : 0;
+    }
+
+    int compile() {
+        const std::string contents = load();
+        encodedFor(options_.out, blankImage());  // a name that cannot be is told first
+        if (tellFindings()) return 1;
+        const bool to_arduplane = options_.records == 15 && !isImage(contents);
+        const Image image = to_arduplane ? writeRecords15(document_, reading_.onto)
+                                         : uploaded(document_, reading_.onto, reading_.onto_name);
+        write(options_.out, encodedFor(options_.out, image));
+        if (options_.onto.empty())
+            err_ << options_.out
+                 << ": a whole EEPROM: flashed, it sets every parameter to its default; --onto "
+                    "keeps a board's\n";
+        if (to_arduplane)
+            err_ << options_.out << ": set CMD_TOTAL to " << document_.entries.size() - 1
+                 << " on that board\n";
+        return 0;
+    }
+
+    int decode() {
+        if (!isImage(load())) throw WrongInput(options_.file + ": expected an image of an EEPROM");
+        (void)tellFindings();
+        std::string text = options_.raw ? "" : recordsAsWaypoints(document_);
+        if (text.empty()) {
+            if (!options_.raw && document_.set == mission::Set::apm2)
+                err_ << options_.file
+                     << ": holds what a waypoint file cannot say; written record by record\n";
+            text = recordsAsText(document_);
+        }
+        if (options_.out.empty()) {
+            out_ << text;
+        } else {
+            write(options_.out, text);
+        }
+        return 0;
+    }
+
+    int show() {
+        load();
+        out_ << tableOf(document_);
+        for (const Finding& finding : findings(document_))
+            out_ << (finding.error ? "refused: item " : "warning: item ") << finding.index << ": "
+                 << finding.text << '\n';
+        return 0;
+    }
+
+private:
+    std::string load() {
+        reading_.onto = blankImage();
+        reading_.records15 = options_.records == 15;
+        reading_.count = options_.count;
+        if (!options_.onto.empty()) {
+            reading_.onto = imageOf(readFile(options_.onto), options_.onto);
+            reading_.onto_name = options_.onto;
+        }
+        if (!options_.set.empty())
+            reading_.set = options_.set == "apm1" ? mission::Set::apm1 : mission::Set::apm2;
+        const std::string contents = readFile(options_.file);
+        document_ = mission_tool::load(contents, options_.file, reading_);
+        return contents;
+    }
+
+    bool tellFindings() {
+        const std::vector<Finding> all = findings(document_);
+        for (const Finding& finding : all)
+            err_ << document_.at(finding.index, (finding.error ? "" : "warning: ") + finding.text)
+                 << '\n';
+        return std::any_of(all.begin(), all.end(), [](const Finding& f) { return f.error; });
+    }
+
+    static void write(const std::string& path, const std::string& contents) {
+        std::ofstream file(path, std::ios::binary);
+        file << contents;
+        if (!file.flush()) throw WrongInput(path + ": cannot be written");
+    }
+
+    const Options& options_;
+    std::ostream& out_;
+    std::ostream& err_;
+    Reading reading_;
+    Document document_;
+};
+
+struct Command {
+    const char* name;
+    const char* what;
+    int (Program::*run)();
+};
+constexpr Command kCommands[] = {
+    {"check", "tells whether the firmware takes a mission, and what it would never run",
+     &Program::check},
+    {"compile", "makes an EEPROM image that the board boots with", &Program::compile},
+    {"decode", "writes the mission in an image as text", &Program::decode},
+    {"show", "prints a table to be read before the flight", &Program::show},
+};
+
+void addOptions(CLI::App& app, const Command& command, Options& o) {
+    app.add_option(command.run == &Program::decode ? "IMAGE" : "FILE", o.file, "what to read")
+        ->required();
+    app.add_option("--set", o.set, "apm1 or apm2: the set FILE is in")
+        ->check(CLI::IsMember({"apm1", "apm2"}));
+    app.add_option("--records", o.records,
+                   "15: FILE, or OUT when FILE is text, is the image of an ArduPlane 2.x board")
+        ->check(CLI::IsMember({14, 15}));
+    app.add_option("--count", o.count, "items in such an image: the board's CMD_TOTAL, plus home");
+    app.add_option("--onto", o.onto,
+                   "image of the board the mission is for: everything else in it stays, and its "
+                   "parameters set the ranges; else a blank EEPROM");
+    if (command.run == &Program::compile)
+        app.add_option("-o,--out", o.out, "image to write: .eep or .hex (Intel hex), .bin (raw)")
+            ->required();
+    if (command.run == &Program::decode) {
+        app.add_option("-o,--out", o.out, "file to write instead of the standard output");
+        app.add_flag("--raw", o.raw, "a stored record a line, whatever the set");
+    }
+}
+
+}  // namespace
+
+int run(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
+    Options options;
+    CLI::App app(kWhat, "mission");
+    app.footer(kFooter);
+    app.require_subcommand(1);
+    for (const Command& command : kCommands)
+        addOptions(*app.add_subcommand(command.name, command.what), command, options);
+    try {
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+        for (const Command& command : kCommands)
+            if (app.got_subcommand(command.name))
+                return (Program(options, out, err).*command.run)();
+    } catch (const CLI::CallForHelp&) {
+        const auto chosen = app.get_subcommands();
+        out << (chosen.empty() ? app.help() : chosen[0]->help());
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        err << "mission: " << error.what() << " (--help explains)\n";
+        return 2;
+    } catch (const WrongInput& error) {
+        err << error.what() << '\n';
+        return 1;
+    }
+    return 2;
+}
+
+}  // namespace mission_tool

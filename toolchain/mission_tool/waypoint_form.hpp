@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Missions as ground stations write them (QGC WPL 110), by the firmware's own mapping of items to
+// records.
+#pragma once
+#include "toolchain/mission_tool/document.hpp"
+
+namespace mission_tool {
+
+bool looksLikeWaypoints(const std::string& contents);
+
+// Throws WrongInput for what cannot be read; what the firmware would refuse is in the entries.
+Document parseWaypointFile(const std::string& contents, const std::string& name, mission::Set set);
+
+// Only when reading it back would give the same records; else empty: some stored values have no
+// place in an item.
+std::string recordsAsWaypoints(const Document& document);
+
+}  // namespace mission_tool
