@@ -10,14 +10,20 @@ namespace {
 
 constexpr float kPeriod_s = 0.1f;  // 10 Hz
 constexpr float kFlyingSpeed_mps = 5;
-constexpr float kLandingAlpha_rad = 0.2f;  // no more angle of attack near the ground
+// No more angle of attack near the ground, nor anywhere without a sensor for the speed.
+constexpr float kMostAlpha_rad = 0.2f;
 
 control::SpeedHeight speed_height;
 
+// Until the wind is known the estimate is the ground speed, which in a headwind is no airspeed: no
+// airplane in the air flies slower than its lowest.
+float airspeed_mps() {
+    const float least_mps = vehicle.airspeed.healthy ? 3.0f : parameters.speed_min_mps;
+    return core::limit(vehicle.estimate.airspeed_mps, least_mps, 100.0f);
+}
+
 float pathAngle_rad() {
-    const auto& estimate = vehicle.estimate;
-    const float airspeed_mps = core::limit(estimate.airspeed_mps, 3.0f, 100.0f);
-    return core::limit(estimate.climb_mps / airspeed_mps, -0.8f, 0.8f);
+    return core::limit(vehicle.estimate.climb_mps / airspeed_mps(), -0.8f, 0.8f);
 }
 
 // Along the path, from what the accelerometer feels: lift acts across the path, so only the angle
@@ -33,7 +39,7 @@ float pathAcceleration_mss() {
 
 control::SpeedHeightMeasured measured() {
     const auto& estimate = vehicle.estimate;
-    return {estimate.height_m,      estimate.climb_mps,        estimate.airspeed_mps,
+    return {estimate.height_m,      estimate.climb_mps,        airspeed_mps(),
             pathAcceleration_mss(), vehicle.attitude.cos_roll, vehicle.airspeed.healthy};
 }
 
@@ -48,8 +54,10 @@ float trueFromEquivalent() {
 // sensor there is no speed to climb at, and the pitch is the take-off's own.
 float pitchMax_rad(const Plan& plan) {
     float most_rad = core::radiansFromCentidegrees(parameters.pitch_max_cd);
-    if (plan.phase == control::Phase::approach || plan.phase == control::Phase::flare)
-        most_rad = core::limit(pathAngle_rad() + kLandingAlpha_rad, 0.0f, most_rad);
+    const bool landing =
+        plan.phase == control::Phase::approach || plan.phase == control::Phase::flare;
+    if (landing || !vehicle.airspeed.healthy)
+        most_rad = core::limit(pathAngle_rad() + kMostAlpha_rad, 0.0f, most_rad);
     const bool pitch_given = plan.phase == control::Phase::climb_out && !vehicle.airspeed.healthy;
     return pitch_given || most_rad < plan.pitch_min_rad ? plan.pitch_min_rad : most_rad;
 }

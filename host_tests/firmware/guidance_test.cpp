@@ -284,6 +284,46 @@ TEST_F(Guidance, lets_the_throttle_follow_the_pitch_without_an_airspeed_sensor) 
     EXPECT_GT(vehicle.throttle_demand, 0.6f);
 }
 
+TEST_F(Guidance, keeps_away_from_the_stall_without_an_airspeed_sensor) {
+    vehicle.airspeed.healthy = false;
+    inTheAir();
+    vehicle.estimate.height_m = 65;  // far too low: all the pitch there is is asked for
+    guide(40);
+    EXPECT_NEAR(vehicle.pitch_demand_rad, 0.2f, 0.001) << "of angle of attack, on a level path";
+    EXPECT_NEAR(vehicle.throttle_demand, parameters.throttle_max_pct * 0.01f, 0.01);
+
+    vehicle.estimate.climb_mps = -1.3f;  // and sinking on: the path itself points down
+    guide(20);
+    EXPECT_NEAR(vehicle.pitch_demand_rad, 0.1f, 0.001);
+}
+
+TEST_F(Guidance, closes_the_throttle_little_on_a_gentle_descent_without_an_airspeed_sensor) {
+    vehicle.airspeed.healthy = false;
+    inTheAir();
+    demand(Path::leg);
+    vehicle.demand.height_m = 60;
+    vehicle.demand.climb_rate_mps = 0.8f;
+    vehicle.estimate.climb_mps = -0.8f;
+    for (int i = 0; i < 100; ++i) {
+        vehicle.estimate.height_m = vehicle.demand.from_height_m;
+        guide();
+    }
+    EXPECT_GT(vehicle.throttle_demand, 0.25f);
+    EXPECT_LT(vehicle.throttle_demand, parameters.cruise_throttle_pct * 0.01f);
+}
+
+TEST_F(Guidance, is_not_misled_by_a_low_ground_speed_without_an_airspeed_sensor) {
+    vehicle.airspeed.healthy = false;
+    inTheAir();
+    guide(20);
+    const float pitch_rad = vehicle.pitch_demand_rad;
+    move(4, 0);  // into the wind: flying all the same
+    vehicle.estimate.airspeed_mps = vehicle.estimate.equivalent_airspeed_mps = 4;
+    vehicle.estimate.climb_mps = 0.3f;
+    guide(20);
+    EXPECT_NEAR(vehicle.pitch_demand_rad, pitch_rad, 0.06);
+}
+
 TEST_F(Guidance, a_stick_above_its_middle_asks_for_more_speed_if_nudging_is_on) {
     inTheAir();
     guide(50);

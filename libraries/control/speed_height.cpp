@@ -21,6 +21,9 @@ constexpr float kRecovered = 1.05f;
 constexpr float kLoadFactorSpeed = 0.19f;  // stall speed grows by 19 % at 45 degrees of bank
 constexpr float kFlareSmoothing = 0.2f;    // share of a new rate taken each step
 constexpr float kFastestPitchRate_rads = 1.0f;
+constexpr float kGlideShare =
+    0.25f;  // of what a descent spares, taken where the speed is not known
+constexpr float kSmallestPitch_rad = 0.05f;  // nothing divides by less
 
 // Speed at which a distance may be closed: linear near the end, along a braking parabola before.
 float closingSpeed(float distance_m) {
@@ -120,22 +123,39 @@ SpeedHeight::Errors SpeedHeight::errors(const SpeedHeightMeasured& now) const {
     return errors;
 }
 
+// Where no sensor tells the speed the angle of attack does: the slower, the more of it holds the
+// path. The throttle opens with the pitch, all of it at the highest, and hardly closes below level.
+float SpeedHeight::throttleForPitch(const SpeedHeightLimits& limits) const {
+    const float cruise = limits.throttle_cruise;
+    if (pitch_rad_ > 0) {
+        const float most_rad = core::limit(limits.pitch_max_rad, kSmallestPitch_rad, 1.6f);
+        return cruise +
+               (limits.throttle_max - cruise) * core::limit(pitch_rad_ / most_rad, 0.0f, 1.0f);
+    }
+    const float least_rad = core::limit(limits.pitch_min_rad, -1.6f, -kSmallestPitch_rad);
+    return cruise +
+           (limits.throttle_min - cruise) * core::limit(pitch_rad_ / least_rad, 0.0f, 1.0f);
+}
+
 float SpeedHeight::throttle(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
                             const SpeedHeightMeasured& now, const Errors& errors, float turn,
                             float dt_s) {
     // a turn costs induced drag: RLL2THR times 1/cos2(bank) - 1
-    float demand_mps = climb_mps_ + settings.roll_to_throttle * turn / core::kGravity_mss;
-    if (now.airspeed_known)
-        demand_mps += speed_demand_mps_ * speed_demand_rate_mss_ / core::kGravity_mss;
+    const float turn_mps = settings.roll_to_throttle * turn / core::kGravity_mss;
+    if (!now.airspeed_known) {
+        throttle_integral_ = 0;
+        const float spare = limits.throttle_max - limits.throttle_cruise;
+        const float sink_mps = core::limit(-climb_mps_, 0.0f, settings.sink_max_mps);
+        return throttleForPitch(limits) + turn_mps / settings.climb_max_mps * spare -
+               kGlideShare * sink_mps / settings.sink_min_mps * limits.throttle_cruise;
+    }
+    const float demand_mps =
+        climb_mps_ + turn_mps + speed_demand_mps_ * speed_demand_rate_mss_ / core::kGravity_mss;
     const float feed_forward =
         limits.throttle_cruise +
         (demand_mps > 0
              ? demand_mps / settings.climb_max_mps * (limits.throttle_max - limits.throttle_cruise)
              : demand_mps / settings.sink_min_mps * limits.throttle_cruise);
-    if (!now.airspeed_known) {
-        throttle_integral_ = 0;
-        return feed_forward;
-    }
     const float per_mps = limits.throttle_max / (settings.climb_max_mps + settings.sink_min_mps);
     const float per_m = per_mps / settings.time_constant_s;
     const float energy_m = errors.potential_m + errors.kinetic_m;

@@ -70,6 +70,7 @@ private:
     void watchUnderspeed(const SpeedHeightLimits& limits, Phase phase, bool airspeed_known);
     float slowness(const SpeedHeightLimits& limits, bool airspeed_known, Phase phase) const;
     Errors errors(const SpeedHeightMeasured& now) const;
+    float throttleForPitch(const SpeedHeightLimits& limits) const;
     float throttle(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
                    const SpeedHeightMeasured& now, const Errors& errors, float turn, float dt_s);
     float pitch(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
