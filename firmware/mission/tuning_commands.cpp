@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The level 3 commands that only the APM 1.0 set has.
-#include <string.h>
-
 #include "firmware/home.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/events.hpp"
@@ -12,6 +10,7 @@
 #include "firmware/parameters.hpp"
 #include "firmware/relay.hpp"
 #include "firmware/telemetry/link.hpp"
+#include "firmware/telemetry/parameter_transfer.hpp"
 #include "firmware/telemetry/text.hpp"
 
 namespace firmware {
@@ -50,18 +49,7 @@ struct {
 
 bool sendVariable(Link& link) {
     uint16_t index;
-    if (!parameterOfSlot(variable.slot, index)) return true;
-    mavlink::ParamValue message = {};
-    char name[sizeof message.param_id];
-    float value;
-    uint8_t type;
-    if (!parameterAt(index, name, value, type)) return true;
-    memcpy(message.param_id, name, sizeof name);
-    message.param_value = value;
-    message.param_type = type;
-    message.param_count = parameterCount();
-    message.param_index = index;
-    return send(link, message);
+    return !parameterOfSlot(variable.slot, index) || parameterSend(link, index);
 }
 
 void setSlot(uint8_t slot, float value) {

@@ -6,9 +6,7 @@
 #include "firmware/telemetry/text.hpp"
 
 namespace firmware {
-namespace {
-
-bool sendValue(Link& link, uint16_t index) {
+bool parameterSend(Link& link, uint16_t index) {
     mavlink::ParamValue message = {};
     char name[sizeof message.param_id];
     float value;
@@ -22,15 +20,14 @@ bool sendValue(Link& link, uint16_t index) {
     return send(link, message);
 }
 
-}  // namespace
-
 bool onParamRequestList(Link& link, const mavlink::Frame&) {
     link.next_parameter = 0;
     return true;
 }
 
 bool parameterListSend(Link& link) {
-    if (link.next_parameter == kNoParameter || !sendValue(link, link.next_parameter)) return false;
+    if (link.next_parameter == kNoParameter || !parameterSend(link, link.next_parameter))
+        return false;
     if (++link.next_parameter >= parameterCount()) link.next_parameter = kNoParameter;
     return true;
 }
@@ -39,7 +36,7 @@ bool onParamRequestRead(Link& link, const mavlink::Frame& frame) {
     const auto asked = frame.read<mavlink::ParamRequestRead>();
     uint16_t index = static_cast<uint16_t>(asked.param_index);
     if (asked.param_index < 0 && !parameterFind(asked.param_id, index)) return true;
-    return sendValue(link, index);
+    return parameterSend(link, index);
 }
 
 // Whatever comes of it, the answer is the value that is now in force.
@@ -54,14 +51,14 @@ bool onParamSet(Link& link, const mavlink::Frame& frame) {
     if (status == core::Status::busy) return false;
     if (status != core::Status::ok)
         tell(Severity::warning, ROM_TEXT("Parameter value refused: out of range"));
-    return sendValue(link, index);
+    return parameterSend(link, index);
 }
 
 bool refuseParamSet(Link& link, const mavlink::Frame& frame) {
     const auto wanted = frame.read<mavlink::ParamSet>();
     uint16_t index;
     tell(Severity::warning, ROM_TEXT("Parameter not set: store busy"));
-    return !parameterFind(wanted.param_id, index) || sendValue(link, index);
+    return !parameterFind(wanted.param_id, index) || parameterSend(link, index);
 }
 
 }  // namespace firmware

@@ -13,6 +13,8 @@ bool onParamRequestRead(Link& link, const mavlink::Frame& frame);
 bool onParamSet(Link& link, const mavlink::Frame& frame);
 bool refuseParamSet(Link& link, const mavlink::Frame& frame);  // the store stayed busy
 
+// The value now; false: no room. No such index: nothing to send, true.
+bool parameterSend(Link& link, uint16_t index);
 bool parameterListSend(Link& link);  // the next of a list; false: no list, or no room
 
 }  // namespace firmware
