@@ -319,6 +319,17 @@ TEST(Sequencer, a_handler_that_ends_auto_in_the_middle_of_a_pass_is_not_run_twic
     EXPECT_EQ(f.enter().trace(), "a3 W1!");
 }
 
+TEST(Sequencer, coming_back_begins_a_new_pass_so_a_jump_taken_before_is_taken_again) {
+    Flight one(k1, {waypoint(), action1(), jump1(2)});
+    world.leave_at_action = true;
+    EXPECT_EQ(one.enter().trace(), "a2");
+    EXPECT_EQ(one.enter().trace(), "a2");
+    EXPECT_EQ(one.enter().trace(), "a2");
+    Flight two(k2, {action2(), jump2(1, -1), waypoint()});
+    world.leave_at_action = true;
+    for (int i = 0; i < 6; ++i) EXPECT_EQ(two.enter().trace(), "a1");
+}
+
 TEST(Sequencer, memory_that_survived_a_reset_resumes_with_counters_and_chain_position) {
     Flight f(k2, {waypoint(), jump2(1, 1), action2(), condition2(), action2(), waypoint()});
     f.enter().reach().reach();
@@ -377,6 +388,13 @@ TEST(Sequencer, a_change_elsewhere_leaves_the_flight_alone_but_refills_the_jumps
     EXPECT_EQ(f.trace(), "W1! +1 W1");
 }
 
+TEST(Sequencer, after_a_change_elsewhere_an_apm1_jump_that_came_round_stays_passed_over) {
+    Flight f(k1, {waypoint(), action1(), jump1(2), condition1(), jump1(2)});
+    EXPECT_EQ(f.enter().trace(), "a2 a2 W1! c4");
+    f.engine.changed(k1, 2, true, false);
+    EXPECT_EQ(f.over().trace(), "a2 c4") << "no other NAV has been loaded";
+}
+
 TEST(Sequencer, a_change_in_flight_restarts_the_mission) {
     Flight f(k2, {waypoint(), waypoint(), waypoint()});
     f.enter().reach();
@@ -393,6 +411,15 @@ TEST(Sequencer, a_clear_in_flight_completes_the_mission) {
     f.store(k2, {action2()});
     f.engine.changed(k2, 2, false, true);
     EXPECT_EQ(f.pass().trace(), "RTL") << "a mission without a NAV is empty whatever it holds";
+}
+
+TEST(Sequencer, a_clear_after_a_land_leaves_the_airplane_landed) {
+    Flight f(k2, {land()});
+    f.enter();
+    EXPECT_EQ(f.reach().trace(), "W1! +1 landed");
+    f.store(k2, {});
+    f.engine.changed(k2, 2, false, true);
+    EXPECT_EQ(f.pass().trace(), "landed") << "not RTL: it stands on the ground";
 }
 
 TEST(Sequencer, nothing_in_flight_has_nothing_to_compare) {

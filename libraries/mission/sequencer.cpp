@@ -79,6 +79,7 @@ void Sequencer::enter(bool restart) {
             tell(Event::reset, 0);
         }
         put(kFromHere, true);
+        beginPass();
         resuming_ = true;
     }
     put(kChosen, false);
@@ -136,7 +137,9 @@ void Sequencer::changed(Set set, uint16_t generation, bool same, bool empty) {
     seal();
 }
 
-void Sequencer::refill() { memset(memory_.counters, 0, sizeof memory_.counters); }
+void Sequencer::refill() {
+    if (set() == Set::apm2) memset(memory_.counters, 0, sizeof memory_.counters);
+}
 
 bool Sequencer::inFlight(InFlight& items) const {
     if (memory_.phase != kWalking && memory_.phase != kFlying) return false;

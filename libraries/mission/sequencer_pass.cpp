@@ -122,6 +122,7 @@ void Sequencer::complete() {
     const Event event = has(kLanded) ? Event::landed : Event::complete;
     const uint8_t last = memory_.nav;
     reset(kEnded);
+    put(kLanded, event == Event::landed);
     seal();
     tell(event, last);
 }
