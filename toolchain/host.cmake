@@ -36,6 +36,12 @@ house_test(fakes_test ${CMAKE_SOURCE_DIR}/host_tests/fakes)
 foreach(library IN LISTS all_libraries)
     house_test(${library}_test ${CMAKE_SOURCE_DIR}/host_tests/${library} ${library})
 endforeach()
+# the mission engine against an independent reading of its rules
+house_test(mission_oracle_test ${CMAKE_SOURCE_DIR}/host_tests/mission_oracle mission)
+target_sources(mission_oracle_test PRIVATE ${CMAKE_SOURCE_DIR}/host_tests/mission_oracle/oracle.cpp
+               ${CMAKE_SOURCE_DIR}/host_tests/mission_oracle/rig.cpp
+               ${CMAKE_SOURCE_DIR}/host_tests/mission_oracle/trial.cpp
+               ${CMAKE_SOURCE_DIR}/host_tests/mission_oracle/random_trial.cpp)
 if(TARGET geo_test)  # measured against the geodesics of an independent library
     find_library(GEOGRAPHICLIB NAMES GeographicLib Geographic REQUIRED)
     target_link_libraries(geo_test PRIVATE ${GEOGRAPHICLIB})
