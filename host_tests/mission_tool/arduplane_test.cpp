@@ -78,8 +78,10 @@ TEST_F(ArduPlane, the_count_that_the_board_knows_ends_the_mission_where_older_re
     const std::string image = file("old.bin", rawOf(boardOf2({kHome, kNorth, kNorth, kNorth})));
     ASSERT_EQ(tool({"show", "--records", "15", image}), 0);
     EXPECT_THAT(out_, HasSubstr("4 of 171 items"));
+    EXPECT_THAT(err_, HasSubstr("taken as 4 items"));
     ASSERT_EQ(tool({"show", "--records", "15", "--count", "2", image}), 0);
     EXPECT_THAT(out_, HasSubstr("2 of 171 items"));
+    EXPECT_EQ(err_, "");
     EXPECT_EQ(tool({"show", "--records", "15", "--count", "178", image}), 1);
 }
 

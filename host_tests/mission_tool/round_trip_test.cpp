@@ -161,6 +161,34 @@ TEST_F(RoundTrip, the_board_that_boots_with_the_image_answers_with_the_same_item
     EXPECT_EQ(item.param4, 4);
 }
 
+std::string projectFile(const std::string& name) {
+    std::string path = __FILE__;
+    path.resize(path.rfind("host_tests/"));
+    return path + name;
+}
+
+TEST_F(RoundTrip, every_mission_that_comes_with_the_simulator_gives_the_same_image_again) {
+    int files = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(projectFile("simulator/missions"))) {
+        if (entry.path().extension() != ".waypoints") continue;
+        expectSame(readFile(entry.path()), "QGC WPL 110");
+        ++files;
+    }
+    EXPECT_GT(files, 0);
+}
+
+TEST_F(RoundTrip, the_example_in_the_manual_is_a_mission_without_a_warning) {
+    std::istringstream manual(readFile(projectFile("docs/mission.md")));
+    std::string example;
+    for (std::string line; std::getline(manual, line);)
+        if (line.rfind("    ", 0) == 0 && (line == "    APM 1.0" || !example.empty()))
+            example += line.substr(4) + '\n';
+    EXPECT_EQ(loaded(example).entries.size(), 6u) << example;
+    EXPECT_EQ(warningsOf(example), "");
+    expectSame(example, "APM 1.0");
+}
+
 TEST_F(RoundTrip, a_waypoint_file_may_be_in_the_first_set) {
     const std::string text =
         "QGC WPL 110\n0 1 0 16 0 0 0 0 47 8 400 1\n1 0 3 16 30 0 0 0 47.01 8 60 1\n"

@@ -12,6 +12,7 @@ namespace mission_tool {
 
 struct Entry {
     mission::Record record{};
+    uint16_t command = 0;  // of an item whose command no record could hold; else 0
     uint8_t row = mission::kNoRow;
     firmware::MissionResult result = firmware::MissionResult::accepted;
     int line = 0, column = 0;        // of what is wrong, or of the line's first word; 0: an image

@@ -37,7 +37,9 @@ public:
 
     int check() {
         load();
-        return tellFindings() ? 1 : 0;
+        if (tellFindings()) return 1;
+        out_ << options_.file << ": the firmware takes it\n";
+        return 0;
     }
 
     int compile() {
@@ -98,6 +100,9 @@ private:
             reading_.set = options_.set == "apm1" ? mission::Set::apm1 : mission::Set::apm2;
         const std::string contents = readFile(options_.file);
         document_ = mission_tool::load(contents, options_.file, reading_);
+        if (reading_.records15 && reading_.count == 0 && isImage(contents))
+            err_ << options_.file << ": taken as " << document_.entries.size()
+                 << " items, up to the first never written; --count tells for certain\n";
         return contents;
     }
 

@@ -33,6 +33,11 @@ std::string classOf(size_t index, const Entry& entry) {
     return kNames[static_cast<uint8_t>(firmware::kCommandTable.kind(entry.row))];
 }
 
+std::string commandOf(const Entry& entry) {
+    if (entry.row != mission::kNoRow) return nameOf(entry);
+    return entry.command != 0 ? std::to_string(entry.command) : format("0x%02X", entry.record.id);
+}
+
 bool hasAltitude(const Document& document, size_t index) {
     const Entry& entry = document.entries[index];
     if (index == 0 || entry.is(Class::nav)) return true;
@@ -73,12 +78,10 @@ std::string valuesOf(const Document& document, size_t index) {
 
 Line lineOf(const Document& document, size_t index, const Leg& leg, size_t nav) {
     const Entry& entry = document.entries[index];
-    const std::string name =
-        entry.row == mission::kNoRow ? format("0x%02X", entry.record.id) : nameOf(entry);
     const bool alone = index == 0 || entry.is(Class::nav) || !entry.good();
     return {std::to_string(index),
             classOf(index, entry),
-            index == 0 ? "" : name,
+            index == 0 ? "" : commandOf(entry),
             alone      ? ""
             : nav == 0 ? "never run"
                        : std::to_string(nav),

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "firmware/mission/command_table.hpp"
 #include "firmware/mission/item.hpp"
 #include "firmware/parameters.hpp"
 #include "simulator/ground/waypoints.hpp"
@@ -64,11 +65,11 @@ Entry entryOf(const WaypointItem& from, Set set, size_t index, size_t count) {
     if (entry.result == MissionResult::accepted) {
         entry.result = judge(set, index, count, entry);
     } else {
-        Entry known;
-        known.record.id = static_cast<uint8_t>(from.command);
-        (void)judge(set, index, count, known);
-        entry.record.id = known.record.id;
-        if (from.command <= 0xFF) entry.row = known.row;
+        // what can be said of it although it has no record
+        const bool is_byte = from.command <= 0xFF;
+        if (!is_byte) entry.command = from.command;
+        entry.record.id = is_byte ? static_cast<uint8_t>(from.command) : mission::kNoId;
+        entry.row = firmware::kCommandTable.find(set, entry.record.id);
     }
     if (notes.rounded) entry.notes.push_back("a value is rounded to what the record can hold");
     if (notes.dropped)
