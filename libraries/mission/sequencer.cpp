@@ -51,12 +51,11 @@ void Sequencer::reset(uint8_t phase) {
     memory_.flags = kFromHere;  // nothing has finished yet
 }
 
-// From here on as a jump of the APM 2.0 set would: the first NAV at or after `index`.
+// After a reset, as a jump of the APM 2.0 set would go: the first NAV at or after `index`.
 void Sequencer::beginAt(uint8_t index) {
     memory_.nav = memory_.condition = 0;
     memory_.chain_first = memory_.cursor = index;
     memory_.phase = kSeeking;
-    beginPass();
 }
 
 void Sequencer::beginPass() {
