@@ -71,8 +71,21 @@ WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
     return world;
 }
 
+// Said before the flight, not after it: the file is written at the end.
+void mustBeWritable(const std::string& path) {
+    std::error_code ignored;
+    const bool before = std::filesystem::exists(path, ignored);
+    const bool writable = std::ofstream(path, std::ios::app).is_open();
+    if (!before) std::filesystem::remove(path, ignored);
+    if (!writable) throw WrongInput("--eeprom " + path + ": cannot be written");
+}
+
 void loadEeprom(Board& board, const std::string& path) {
-    if (path.empty() || !std::filesystem::exists(path)) return;
+    if (path.empty()) return;
+    if (!std::filesystem::exists(path)) return mustBeWritable(path);
+    if (!std::filesystem::is_regular_file(path))
+        throw WrongInput("--eeprom " + path + ": is no file");
+    mustBeWritable(path);
     std::ifstream file(path, std::ios::binary);
     const std::vector<uint8_t> image(std::istreambuf_iterator<char>(file), {});
     if (image.size() != kEepromBytes) {
@@ -98,6 +111,7 @@ void saveEeprom(const Board& board, const std::string& path) {
 void serveGdb(AvrBoard& board, int port) {
     board.serveGdb(port);
     std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
     std::cout << "the chip waits for avr-gdb: target remote :" << port << "; Ctrl-C ends"
               << std::endl;
 }

@@ -52,11 +52,30 @@ std::string contradiction(const FlyOptions& options, const CLI::App& app) {
     return "";
 }
 
-// strtoull would take -1 for the largest of all numbers.
-std::string wholeNumber(const std::string& text) {
-    const bool digits = !text.empty() && std::all_of(text.begin(), text.end(),
-                                                     [](char c) { return c >= '0' && c <= '9'; });
-    return digits ? "" : "expected a whole number, not '" + text + "'";
+// strtoull would take -1 for the largest of all numbers, and any that is too large as well.
+CLI::Validator wholeNumber(const std::string& most) {
+    const auto check = [most](const std::string& text) {
+        const bool digits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+        const std::string value = text.substr(std::min(text.find_first_not_of('0'), text.size()));
+        const bool fits =
+            value.size() < most.size() || (value.size() == most.size() && value <= most);
+        if (digits && fits) return std::string();
+        return "expected a whole number up to " + most + ", not '" + text + "'";
+    };
+    return CLI::Validator(check, "0.." + most);
+}
+
+// A forgotten value would take the next option for a file.
+std::string fileName(const std::string& text) {
+    return !text.empty() && text[0] != '-' ? "" : "expected a path, not '" + text + "'";
+}
+
+std::string seconds(const std::string& text) {
+    constexpr double kLongest_s = 100'000;
+    char* rest = nullptr;
+    const double value = std::strtod(text.c_str(), &rest);
+    if (rest != text.c_str() && *rest == 0 && value >= 1 && value <= kLongest_s) return "";
+    return "expected 1 to 100000 seconds, not '" + text + "'";
 }
 
 void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& wind,
@@ -66,35 +85,42 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
         ->check(CLI::IsMember({"apm2"}))
         ->capture_default_str();
     app.add_flag("--native", o.native,
-                 "the same firmware compiled for this computer, on the same device models");
+                 "the same firmware compiled for this computer, on the same device models")
+        ->disable_flag_override();
     app.add_option("--firmware", o.firmware, ".elf or .hex for this board, ours or not")
+        ->check(fileName)
         ->capture_default_str();
     app.add_option("--eeprom", o.eeprom,
-                   "4096-byte file: contents at power-on if it exists, rewritten at the end");
+                   "4096-byte file: contents at power-on if it exists, rewritten at the end")
+        ->check(fileName);
     app.add_option("--wind", wind, "SPEED,FROM_DEGREES: mean wind in m/s and where it comes from");
-    app.add_flag("--gusts", o.gusts, "Dryden gusts of 1 m/s RMS");
+    app.add_flag("--gusts", o.gusts, "Dryden gusts of 1 m/s RMS")->disable_flag_override();
     app.add_option("--seed", o.seed, "of every random error; the same seed gives the same flight")
-        ->check(wholeNumber)
+        ->check(wholeNumber("18446744073709551615"))
         ->capture_default_str();
     app.add_option("--time-limit", o.time_limit_s, "emulated seconds until the flight is given up")
-        ->check(CLI::Range(1.0, 100'000.0))
+        ->check(seconds)
         ->capture_default_str();
-    app.add_option("--out", o.out, "folder for the report")->capture_default_str();
+    app.add_option("--out", o.out, "folder for the report")->check(fileName)->capture_default_str();
     app.add_flag("--serve", o.serve,
                  "no script: real time for a ground station, until Ctrl-C; TCP port 5760 is the "
-                 "telemetry on USART2, 5761 is USB on USART0 with the USB sense pin PA1 low");
+                 "telemetry on USART2, 5761 is USB on USART0 with the USB sense pin PA1 low")
+        ->disable_flag_override();
     app.add_option("--telemetry", telemetry,
                    "uart2, or uart0: the factory wiring, telemetry on USART0 with PA1 high")
         ->check(CLI::IsMember({"uart0", "uart2"}))
         ->capture_default_str();
     app.add_flag("--lock-step", o.lock_step,
                  "serve, but the client grants emulated time on a third TCP port (5762): "
-                 "'advance MS', 'state'; simulator/ground/server.hpp has the protocol");
+                 "'advance MS', 'state'; simulator/ground/server.hpp has the protocol")
+        ->disable_flag_override();
     app.add_option("--listen", o.listen, "first TCP port instead of 5760; 0: any, told at start")
-        ->check(wholeNumber)
+        ->check(wholeNumber("65535"))
         ->capture_default_str();
-    app.add_option("--vcd", o.vcd, "write servos, PPM, data ready and marks as a VCD file");
+    app.add_option("--vcd", o.vcd, "write servos, PPM, data ready and marks as a VCD file")
+        ->check(fileName);
     app.add_option("--gdb", o.gdb, "wait for avr-gdb on this TCP port")
+        ->check(wholeNumber("65535"))
         ->check(CLI::Range(1, 65535));
 }
 

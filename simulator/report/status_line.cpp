@@ -21,10 +21,12 @@ std::string statusText(const Telemetry& telemetry, const Sample& sample, size_t 
                        double speedup, std::optional<double> cpu_load) {
     std::string line = print("%6.1f s  x%-5.1f", sample.time_s, speedup);
     if (!telemetry.heard()) return line + " no heartbeat yet";
-    line += print(" %-10s item %2d/%-2zu  %5.1f m  %4.1f m/s", modeName(telemetry.mode()).c_str(),
-                  telemetry.current(), items, sample.height_m.value_or(0),
-                  sample.airspeed_mps.value_or(0));
-    if (sample.item > 0 && sample.distance_m) line += print("  %4.0f m to go", *sample.distance_m);
+    line += print(" %-10s item %2d/%-2zu", modeName(telemetry.mode()).c_str(), telemetry.current(),
+                  items);
+    if (sample.height_m) line += print("  %5.1f m", *sample.height_m);
+    if (sample.airspeed_mps) line += print("  %4.1f m/s", *sample.airspeed_mps);
+    const bool under_way = sample.item > 0 && sample.distance_m.value_or(0) > 0;  // not a take-off
+    if (under_way) line += print("  %4.0f m to go", *sample.distance_m);
     if (cpu_load) line += print("  CPU %4.1f %%", *cpu_load * 100);
     return line;
 }
@@ -73,8 +75,8 @@ std::string closingWords(const Summary& s, const std::string& folder) {
         if (s.figures.frame_overruns) words += print(", %u late", *s.figures.frame_overruns);
         words += "\n";
     }
-    words +=
-        print("  emulated        %.1f min at %.1f times real time\n", s.emulated_s / 60, s.speedup);
+    words += print("  emulated        %.1f min at %.1f times real time\n", s.emulated_s / 60,
+                   s.speedup.value_or(0));
     return words + "  report          " + folder + "/report.html\n";
 }
 

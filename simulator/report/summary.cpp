@@ -80,7 +80,7 @@ std::string summaryJson(const Summary& summary) {
     json["standing_distance_m"] = orNull(summary.standing_distance_m);
     json["flight_time_s"] = orNull(summary.flight_time_s);
     json["emulated_s"] = orNull(std::optional<double>(summary.emulated_s));
-    json["speedup"] = orNull(std::optional<double>(summary.speedup));
+    json["speedup"] = orNull(summary.speedup);
     json["crosstrack_rms_m"] = orNull(summary.crosstrack_rms_m);
     json["crosstrack_max_m"] = orNull(summary.crosstrack_max_m);
     json["altitude_rms_m"] = orNull(summary.altitude_rms_m);

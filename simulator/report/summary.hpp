@@ -23,7 +23,8 @@ struct Summary {
     std::optional<double> landed_distance_m;    // of the touch-down from the landing point
     std::optional<double> standing_distance_m;  // of where it came to rest
     std::optional<double> flight_time_s;
-    double emulated_s = 0, speedup = 0;
+    double emulated_s = 0;
+    std::optional<double> speedup;  // over real time
     std::optional<double> crosstrack_rms_m, crosstrack_max_m, altitude_rms_m, altitude_max_m,
         airspeed_rms_mps;
     std::optional<std::vector<int>> items_reached;
