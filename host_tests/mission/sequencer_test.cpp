@@ -413,6 +413,15 @@ TEST(Sequencer, a_clear_in_flight_completes_the_mission) {
     EXPECT_EQ(f.pass().trace(), "RTL") << "a mission without a NAV is empty whatever it holds";
 }
 
+TEST(Sequencer, a_mission_without_a_nav_ends_the_flight_though_what_trails_is_the_same) {
+    Flight f(k2, {waypoint(), condition2(), action2()}, true);
+    f.engine.setCurrent(2);
+    EXPECT_EQ(f.enter().trace(), "hold0 c2");
+    f.store(k2, {action2(), condition2(), action2()});
+    f.engine.changed(k2, 2, true, true);
+    EXPECT_EQ(f.pass().trace(), "RTL");
+}
+
 TEST(Sequencer, a_clear_after_a_land_leaves_the_airplane_landed) {
     Flight f(k2, {land()});
     f.enter();

@@ -172,7 +172,7 @@ bool Interpreter::sameInFlight(CommandSet set, const Mission& mission) const {
 }
 
 void Interpreter::commit(CommandSet set, Mission mission) {
-    const bool same = sameInFlight(set, mission);
+    const bool same = holdsNav(set, mission) && sameInFlight(set, mission);
     set_ = set;
     mission_ = std::move(mission);
     if (same) {

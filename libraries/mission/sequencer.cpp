@@ -119,7 +119,7 @@ bool Sequencer::setCurrent(uint8_t index) {
 
 void Sequencer::changed(Set set, uint16_t generation, bool same, bool empty) {
     memory_.generation = generation;
-    if (same) {
+    if (same && !empty) {
         refill();
         return seal();
     }
