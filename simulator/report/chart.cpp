@@ -102,7 +102,7 @@ private:
     void grid() {
         const double bottom = kTop + tall();
         const auto across = ticks(x_.from, x_.to, static_cast<int>(inner() / 90));
-        const auto up = ticks(y_.from, y_.to, static_cast<int>(tall() / 26));
+        const auto up = ticks(y_.from, y_.to, static_cast<int>(tall() / (chart_.map ? 90 : 26)));
         for (const double x : across) {
             segment(px(x), kTop, px(x), bottom, "grid");
             text(px(x), bottom + 16, "middle", "tick", label(x, step(across)));
