@@ -2,7 +2,6 @@
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
 #include "firmware/guidance/lateral.hpp"
-#include "firmware/parameters.hpp"
 #include "firmware/vehicle.hpp"
 
 namespace firmware {
@@ -16,12 +15,12 @@ void beginCircling() { turns.start(); }
 
 Plan flyCircle() {
     const auto& demand = vehicle.demand;
-    const navigation::Circle circle = {demand.to, demand.radius_m, demand.counter_clockwise};
-    const auto lateral = navigation::followCircle(parameters.lateral, motion(), circle);
-    tellLateral(lateral);
+    const navigation::Circle circle = {demand.radius_m, demand.counter_clockwise};
+    const geo::Offset from_centre = geo::offset(demand.to, vehicle.estimate.position);
+    const auto lateral = navigation::followCircle(lateralGains(), motion(), circle, from_centre);
+    tellLateral(lateral, from_centre);
     demandBank(lateral.bank_accel_mss, BankLimit::flying);
-    turns.update(circle, geo::offset(circle.centre, vehicle.estimate.position),
-                 lateral.crosstrack_m);
+    turns.update(circle, from_centre, lateral.crosstrack_m);
     const float outside_m = lateral.crosstrack_m;
     learnBankTrim(circle.counter_clockwise ? -outside_m : outside_m);
     vehicle.progress.captured = turns.captured();

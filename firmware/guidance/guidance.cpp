@@ -32,7 +32,7 @@ void beginPath() {
     vehicle.demand.new_path = false;
     progress.passed = progress.captured = progress.flaring = false;
     progress.turned_rad = 0;
-    planTurns();
+    planLateral();
     beginCircling();
     beginLanding();
     if (vehicle.demand.path != Path::takeoff) return;
@@ -60,7 +60,7 @@ void runGuidance() {
 
 void runSpeedHeight() {
     if (!guiding || !guidesItself()) return;
-    if (vehicle.demand.path != Path::none) tellBearings();
+    if (vehicle.demand.path != Path::none) lookAround();
     weighBank();
     if (vehicle.progress.throttle_suppressed)
         waitWithHeight(plan);

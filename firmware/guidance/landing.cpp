@@ -29,7 +29,7 @@ navigation::HeightDemand height(const navigation::Lateral& lateral, float along_
     const navigation::LandingSettings settings = {parameters.flare_height_m, parameters.flare_s,
                                                   parameters.speed_height.land_sink_mps};
     const navigation::Approach approach = {demand.from_height_m - demand.height_m,
-                                           lateral.length_m,
+                                           legLength_m(),
                                            lateral.along_m,
                                            along_mps,
                                            vehicle.estimate.height_m - demand.height_m,

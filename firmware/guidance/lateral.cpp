@@ -2,6 +2,8 @@
 #include "firmware/guidance/lateral.hpp"
 
 #include "core/maths.hpp"
+#include "core/rom.hpp"
+#include "estimation/arc.hpp"
 #include "firmware/guidance/bank.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/vehicle.hpp"
@@ -11,28 +13,66 @@ namespace {
 
 constexpr float kBankLoop_s = 0.1f;  // what servo and airframe add to RLL2SRV_TCONST
 
-bool target_told;  // by the last tellBearings
-geo::Offset course;
+navigation::LateralGains gains;
+navigation::Leg leg;
+geo::Offset course, place;  // place: from the leg's start or the circle's centre
+
+void takeGains() { gains = navigation::lateralGains(parameters.lateral, turnAccel_mss()); }
+
+int32_t bearing_cd(const geo::Offset& direction) {
+    const float angle_rad = estimation::arc_rad(direction.east_m, direction.north_m);
+    return core::wrap360_cd(core::rounded(core::centidegrees(angle_rad)));
+}
+
+void tellTargetBearing() {
+    const float distance_m = vehicle.progress.distance_m;
+    if (distance_m < 1) return;  // over it every bearing is as true
+    const float share = 1 / distance_m;
+    const float ahead_m = vehicle.demand.path == Path::circle ? 0 : leg.length_m;
+    vehicle.progress.target_bearing_cd =
+        bearing_cd({(leg.forward.north_m * ahead_m - place.north_m) * share,
+                    (leg.forward.east_m * ahead_m - place.east_m) * share});
+}
+
+void tellCourse() { vehicle.progress.nav_bearing_cd = bearing_cd(course); }
+
+// A gain tuned in flight is felt at once, not with the next path.
+using Look = void (*)();
+constexpr Look kLooks[] ROM = {tellTargetBearing, tellCourse, tellTargetBearing, takeGains};
+uint8_t look;
 
 }  // namespace
+
+void planLateral() {
+    planTurns();
+    takeGains();
+    leg = navigation::legAlong(geo::offset(vehicle.demand.from, vehicle.demand.to));
+    // a take-off tells no more than this
+    vehicle.progress.distance_m = leg.length_m;
+    course = leg.forward;
+    place = {0, 0};
+}
 
 navigation::Motion motion() {
     const auto& estimate = vehicle.estimate;
     navigation::Motion motion;
-    motion.position = estimate.position;
     motion.velocity_mps = {estimate.velocity_mps.x, estimate.velocity_mps.y};
     motion.wind_mps = {estimate.wind_mps.x, estimate.wind_mps.y};
+    motion.airspeed_mps = estimate.airspeed_mps;
     motion.bank_accel_mss = presentBank_mss();
     motion.bank_lag_s = parameters.roll.axis.time_constant_s + kBankLoop_s;
-    motion.turn_accel_mss = turnAccel_mss();
     return motion;
 }
 
+const navigation::LateralGains& lateralGains() { return gains; }
+
+float legLength_m() { return leg.length_m; }
+
 navigation::Lateral followDemandedLeg(const navigation::Motion& now, bool learning) {
-    const auto& demand = vehicle.demand;
-    const auto lateral = navigation::followLeg(parameters.lateral, now, demand.from, demand.to);
-    tellLateral(lateral);
-    vehicle.progress.passed = lateral.along_m >= lateral.length_m;
+    const geo::Offset from_start = geo::offset(vehicle.demand.from, vehicle.estimate.position);
+    const auto lateral = navigation::followLeg(gains, now, leg, from_start);
+    tellLateral(lateral, from_start);
+    vehicle.progress.passed = lateral.along_m >= leg.length_m;
     if (learning) learnBankTrim(-lateral.crosstrack_m);
     return lateral;
 }
@@ -44,22 +84,17 @@ float along_mps(const navigation::Lateral& lateral, const navigation::Motion& no
     return core::limit(along_mps, 0.0f, 100.0f);
 }
 
-void tellLateral(const navigation::Lateral& lateral) {
+void tellLateral(const navigation::Lateral& lateral, const geo::Offset& from_datum) {
     auto& progress = vehicle.progress;
     progress.distance_m = lateral.distance_m;
     progress.crosstrack_m = lateral.crosstrack_m;
     course = lateral.course;
+    place = from_datum;
 }
 
-// In turns, each five times a second.
-void tellBearings() {
-    auto& progress = vehicle.progress;
-    target_told = !target_told;
-    if (target_told)
-        progress.target_bearing_cd = geo::bearing_cd(vehicle.estimate.position, vehicle.demand.to);
-    else
-        progress.nav_bearing_cd =
-            core::wrap360_cd(core::rounded(core::centidegrees(geo::bearing_rad(course))));
+void lookAround() {
+    look = (look + 1) % core::count(kLooks);
+    core::romRead(kLooks[look])();
 }
 
 }  // namespace firmware

@@ -6,13 +6,18 @@
 
 namespace firmware {
 
+void planLateral();  // with a path: its leg and the gains
+
 navigation::Motion motion();
+const navigation::LateralGains& lateralGains();
 
 // Flies demand.from to demand.to but for the bank; `learning`: the bank's trim, too.
 navigation::Lateral followDemandedLeg(const navigation::Motion& now, bool learning);
 float along_mps(const navigation::Lateral& lateral, const navigation::Motion& now);
+float legLength_m();
 
-void tellLateral(const navigation::Lateral& lateral);
-void tellBearings();  // 10 Hz
+// `from_datum`: where the airplane is, seen from the leg's start or the circle's centre.
+void tellLateral(const navigation::Lateral& lateral, const geo::Offset& from_datum);
+void lookAround();  // 10 Hz: the bearings, and whether gains were changed
 
 }  // namespace firmware

@@ -14,7 +14,7 @@ Plan flyLeg() {
     Plan to_fly = levelPlan();
     if (demand.sloped)
         to_fly.height =
-            navigation::heightOnSlope(demand.from_height_m, demand.height_m, lateral.length_m,
+            navigation::heightOnSlope(demand.from_height_m, demand.height_m, legLength_m(),
                                       lateral.along_m, along_mps(lateral, now));
     return to_fly;
 }

@@ -32,8 +32,7 @@ Plan flyTakeoff() {
                kGuidancePeriod_s);
     float accel_mss = 0;
     if (course.locked())
-        accel_mss =
-            navigation::followCourse(parameters.lateral, now, course.course()).bank_accel_mss;
+        accel_mss = navigation::followCourse(lateralGains(), now, course.course()).bank_accel_mss;
     demandBank(accel_mss, BankLimit::level);
     Plan to_fly = levelPlan();
     to_fly.phase = control::Phase::climb_out;

@@ -16,7 +16,13 @@ using flight_model::Wind;
 using navigation::Lateral;
 using navigation::Motion;
 
-constexpr navigation::LateralSettings kSettings{7, 0.75f};
+const navigation::LateralGains kGains = navigation::lateralGains({7, 0.75f}, 6.9f);
+
+Lateral alongLeg(const Motion& motion, const geo::Position& place, const geo::Position& from,
+                 const geo::Position& to) {
+    return followLeg(kGains, motion, navigation::legAlong(geo::offset(from, to)),
+                     geo::offset(from, place));
+}
 constexpr Wind kCalm{};
 Wind breeze(unsigned seed) { return {3, 4, 1, seed}; }
 
@@ -48,8 +54,8 @@ BoxFigures flyBox(const Wind& wind, double side_m = 600) {
     for (int leg = 0; leg < 8; ++leg) {
         const Place to = corners[leg % 4];
         const double start = pilot.time;
-        const auto law = [&](const Motion& motion) {
-            return followLeg(kSettings, motion, at(from.north, from.east), at(to.north, to.east));
+        const auto law = [&](const Motion& motion, const geo::Position& place) {
+            return alongLeg(motion, place, at(from.north, from.east), at(to.north, to.east));
         };
         pilot.fly(300, law, [&](const Lateral& lateral) {
             const OnLeg truth = onLeg(from, to, pilot);
@@ -83,8 +89,8 @@ TEST(Leg, is_captured_from_far_with_hardly_any_overshoot) {
         Pilot pilot;
         pilot.plane.east = east;
         double beyond = 0, captured_s = 0;
-        const auto law = [&](const Motion& motion) {
-            return followLeg(kSettings, motion, at(0, 0), at(3000, 0));
+        const auto law = [&](const Motion& motion, const geo::Position& place) {
+            return alongLeg(motion, place, at(0, 0), at(3000, 0));
         };
         pilot.fly(90, law, [&](const Lateral&) {
             const double side = pilot.plane.east * (east > 0 ? 1 : -1);
@@ -106,8 +112,8 @@ TEST(Leg, is_captured_flying_away_from_it_and_flying_backwards) {
         const double angle = heading * 3.14159265 / 180;
         pilot.plane.velocity_n = 12 * std::cos(angle);
         pilot.plane.velocity_e = 12 * std::sin(angle);
-        const auto law = [&](const Motion& motion) {
-            return followLeg(kSettings, motion, at(0, 0), at(3000, 0));
+        const auto law = [&](const Motion& motion, const geo::Position& place) {
+            return alongLeg(motion, place, at(0, 0), at(3000, 0));
         };
         pilot.fly(40, law, [](const Lateral&) { return true; });
 
@@ -121,8 +127,8 @@ TEST(Leg, begun_behind_its_start_is_not_closed_more_steeply_than_straight_to_the
     pilot.plane.north = -400;
     pilot.plane.east = 200;
     double steepest = 0;
-    const auto law = [&](const Motion& motion) {
-        return followLeg(kSettings, motion, at(0, 0), at(1000, 0));
+    const auto law = [&](const Motion& motion, const geo::Position& place) {
+        return alongLeg(motion, place, at(0, 0), at(1000, 0));
     };
     pilot.fly(50, law, [&](const Lateral& lateral) {
         if (pilot.time > 4) steepest = std::max<double>(steepest, -lateral.course.east_m);
@@ -135,14 +141,12 @@ TEST(Leg, begun_behind_its_start_is_not_closed_more_steeply_than_straight_to_the
 
 TEST(Leg, tells_place_along_and_beside) {
     Motion motion{};
-    motion.position = at(100, 20);
     motion.velocity_mps = {12, 0};
-    motion.turn_accel_mss = 7;
-    const auto lateral = followLeg(kSettings, motion, at(0, 0), at(500, 0));
+    motion.airspeed_mps = 12;
+    const auto lateral = alongLeg(motion, at(100, 20), at(0, 0), at(500, 0));
 
     EXPECT_NEAR(lateral.along_m, 100, 0.1);
     EXPECT_NEAR(lateral.crosstrack_m, 20, 0.1);
-    EXPECT_NEAR(lateral.length_m, 500, 0.6);
     EXPECT_NEAR(lateral.distance_m, std::hypot(400, 20), 0.6);
     EXPECT_LT(lateral.bank_accel_mss, 0) << "right of the leg: to the left";
 }
@@ -150,8 +154,8 @@ TEST(Leg, tells_place_along_and_beside) {
 TEST(Leg, without_a_length_is_flown_straight_to_its_end) {
     Pilot pilot;
     double nearest = 1e9;
-    const auto law = [&](const Motion& motion) {
-        return followLeg(kSettings, motion, at(200, 150), at(200, 150));
+    const auto law = [&](const Motion& motion, const geo::Position& place) {
+        return alongLeg(motion, place, at(200, 150), at(200, 150));
     };
     pilot.fly(40, law, [&](const Lateral& lateral) {
         nearest = std::min<double>(nearest, lateral.distance_m);
@@ -167,16 +171,18 @@ struct CircleFigures {
 };
 
 CircleFigures flyCircle(const Wind& wind, const Place& start, bool counter_clockwise) {
-    const navigation::Circle circle{at(0, 0), 60, counter_clockwise};
+    const navigation::Circle circle{60, counter_clockwise};
     Pilot pilot(wind);
     pilot.plane.north = start.north;
     pilot.plane.east = start.east;
     navigation::TurnCount turns;
     turns.start();
     CircleFigures figures{};
-    const auto law = [&](const Motion& motion) { return followCircle(kSettings, motion, circle); };
+    const auto law = [&](const Motion& motion, const geo::Position& place) {
+        return followCircle(kGains, motion, circle, geo::offset(at(0, 0), place));
+    };
     pilot.fly(180, law, [&](const Lateral& lateral) {
-        turns.update(circle, geo::offset(circle.centre, at(pilot.plane.north, pilot.plane.east)),
+        turns.update(circle, geo::offset(at(0, 0), at(pilot.plane.north, pilot.plane.east)),
                      lateral.crosstrack_m);
         if (turns.captured() && figures.captured_s == 0) figures.captured_s = pilot.time;
         if (turns.captured() && pilot.time > figures.captured_s + 3)
@@ -212,7 +218,7 @@ TEST(Circle, is_reached_from_its_centre) {
 }
 
 TEST(TurnCount, begins_at_the_capture_and_grows_in_the_circles_direction) {
-    const navigation::Circle circle{at(0, 0), 50, true};
+    const navigation::Circle circle{50, true};
     navigation::TurnCount turns;
     turns.start();
     turns.update(circle, {90, 0}, 40);
@@ -230,9 +236,9 @@ TEST(BankTrim, takes_away_what_a_false_level_leaves_beside_the_path) {
     navigation::BankTrim trim;
     trim.start();
     const float false_level_mss = 0.35f;  // two degrees
-    const auto law = [&](Motion motion) {
+    const auto law = [&](Motion motion, const geo::Position& place) {
         motion.bank_accel_mss += false_level_mss - trim.accel_mss();
-        auto lateral = followLeg(kSettings, motion, at(0, 0), at(3000, 0));
+        auto lateral = alongLeg(motion, place, at(0, 0), at(3000, 0));
         trim.learn(-lateral.crosstrack_m, 0.05f);
         lateral.bank_accel_mss += trim.accel_mss() - false_level_mss;
         return lateral;
@@ -256,7 +262,9 @@ TEST(BankTrim, does_not_learn_from_a_capture_and_has_a_limit) {
 
 TEST(Course, is_held_across_the_wind) {
     Pilot pilot({0, 5, 0, 1});
-    const auto law = [&](const Motion& motion) { return followCourse(kSettings, motion, {1, 0}); };
+    const auto law = [&](const Motion& motion, const geo::Position&) {
+        return followCourse(kGains, motion, {1, 0});
+    };
     pilot.fly(20, law, [](const Lateral&) { return true; });
 
     EXPECT_NEAR(pilot.plane.velocity_e, 0, 0.3);

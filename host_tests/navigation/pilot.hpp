@@ -31,23 +31,29 @@ inline geo::Position at(double north_m, double east_m) {
 
 class Pilot {
 public:
-    using Law = std::function<navigation::Lateral(const navigation::Motion&)>;
+    using Law = std::function<navigation::Lateral(const navigation::Motion&, const geo::Position&)>;
 
     explicit Pilot(const Wind& wind = {}) : plane(wind), wind_(wind), noise_(wind.seed + 100) {
         plane.height = 100;
+    }
+
+    // As an estimator tells it.
+    geo::Position place() {
+        std::normal_distribution<double> normal;
+        const auto jitter = [&](double sigma) { return errors ? sigma * normal(noise_) : 0; };
+        return at(plane.north + jitter(0.1), plane.east + jitter(0.1));
     }
 
     navigation::Motion motion() {
         std::normal_distribution<double> normal;
         const auto jitter = [&](double sigma) { return errors ? sigma * normal(noise_) : 0; };
         navigation::Motion m{};
-        m.position = at(plane.north + jitter(0.1), plane.east + jitter(0.1));
+        m.airspeed_mps = static_cast<float>(plane.airspeed);
         m.velocity_mps = {static_cast<float>(plane.velocity_n + jitter(0.08)),
                           static_cast<float>(plane.velocity_e + jitter(0.08))};
         m.wind_mps = {static_cast<float>(wind_.north_mps), static_cast<float>(wind_.east_mps)};
         m.bank_accel_mss = static_cast<float>(9.80665 * std::tan(plane.roll + jitter(0.008)));
         m.bank_lag_s = 0.6f;
-        m.turn_accel_mss = 6.9f;
         return m;
     }
 
@@ -55,7 +61,7 @@ public:
     void fly(double seconds, const Law& law,
              const std::function<bool(const navigation::Lateral&)>& each) {
         for (double end = time + seconds; time < end;) {
-            const auto lateral = law(motion());
+            const auto lateral = law(motion(), place());
             const double limit = 45 * 3.14159265 / 180;
             plane.roll_demand =
                 std::clamp<double>(navigation::bankFor_rad(lateral.bank_accel_mss), -limit, limit);

@@ -37,102 +37,107 @@ Offset directionOf(const Offset& a) {
 }
 Offset rightOf(const Offset& a) { return {-a.east_m, a.north_m}; }
 
-struct Gains {
-    float closing_hz;  // closing speed for a metre of crosstrack
-    float turning_hz;  // acceleration for a metre per second across the demanded course
-};
-Gains gainsOf(const LateralSettings& settings) {
-    const float omega = 2 * core::kPi / core::limit(settings.period_s, 1.0f, 60.0f);
-    const float damping = core::limit(settings.damping, 0.4f, 2.0f);
-    return {omega / (2 * damping), omega * 2 * damping};
-}
-
 // Where the present bank will have brought the airplane when a new one takes effect.
 struct Ahead {
     Offset moved_m;
     Offset velocity_mps;
     float speed_mps;
-    float crab_cos;  // between the course over ground and through the air
+    float per_crab;  // 1 / cos of the angle between the course over ground and through the air
 };
 Ahead lookAhead(const Motion& motion) {
     const Offset air = motion.velocity_mps - motion.wind_mps;
-    const float airspeed = core::limit(geo::length_m(air), kSlowest_mps, 200.0f);
-    const Offset accel = rightOf(air) * (motion.bank_accel_mss / airspeed);
+    const float airspeed = core::limit(motion.airspeed_mps, kSlowest_mps, 200.0f);
+    const float gained_mps = motion.bank_accel_mss * motion.bank_lag_s;
+    const Offset gained = rightOf(air) * (gained_mps / airspeed);
     Ahead ahead;
-    ahead.velocity_mps = motion.velocity_mps + accel * motion.bank_lag_s;
+    ahead.velocity_mps = motion.velocity_mps + gained;
     ahead.moved_m = (motion.velocity_mps + ahead.velocity_mps) * (0.5f * motion.bank_lag_s);
     ahead.speed_mps = core::limit(geo::length_m(ahead.velocity_mps), kSlowest_mps, 200.0f);
-    const Offset air_ahead = ahead.velocity_mps - motion.wind_mps;
-    ahead.crab_cos = core::limit(dot(air_ahead, ahead.velocity_mps) / (airspeed * ahead.speed_mps),
-                                 kMostCrab_cos, 1.0f);
+    const float together = dot(air + gained, ahead.velocity_mps);
+    const float product = airspeed * ahead.speed_mps;
+    ahead.per_crab = together > product * kMostCrab_cos
+                         ? core::limit(product / together, 1.0f, 1 / kMostCrab_cos)
+                         : 1 / kMostCrab_cos;
     return ahead;
 }
 
 // Sine of the angle at which the path is closed from `away_m`: linear near it, and where that
 // would ask for too sharp a turn, the course of the arc that ends on it.
-float closingSine(const Gains& gains, float away_m, float speed_mps, float accel_mss) {
-    const float linear_m = accel_mss / core::square(gains.closing_hz);
-    if (away_m <= linear_m) {
-        const float sine = away_m * gains.closing_hz / speed_mps;
-        if (sine < 0.5f) return sine;
-    }
-    const float begins_m = core::limit(linear_m * 0.5f, 0.0f, away_m * 0.5f);
-    const float share = (away_m - begins_m) * accel_mss / core::square(speed_mps);
+float closingSine(const LateralGains& gains, float away_m, float speed_mps) {
+    const float straight_mps = away_m * gains.closing_hz;
+    if (away_m <= gains.linear_m && straight_mps < 0.5f * speed_mps)
+        return straight_mps / speed_mps;
+    const float begins_m = 0.5f * core::limit(gains.linear_m, 0.0f, away_m);
+    const float share = (away_m - begins_m) * gains.turn_accel_mss / core::square(speed_mps);
     if (share >= 1) return 1;
     const float arc = sqrtf(share * (2 - share));
-    const float straight = away_m * gains.closing_hz / speed_mps;
+    const float straight = straight_mps / speed_mps;
     return arc < straight ? arc : core::limit(straight, 0.0f, 1.0f);
 }
 
 // The acceleration that turns the velocity towards `course`; all of it beyond a right angle.
-float turnTowards(const Gains& gains, const Ahead& ahead, const Offset& course) {
+float turnTowards(const LateralGains& gains, const Ahead& ahead, const Offset& course) {
     float sine = cross(ahead.velocity_mps, course);
     if (dot(ahead.velocity_mps, course) < 0) sine = sine < 0 ? -ahead.speed_mps : ahead.speed_mps;
     return sine * gains.turning_hz;
 }
 
-float along(float sine) { return sqrtf(core::limit(1 - sine * sine, 0.0f, 1.0f)); }
+float cosineOf(float sine) {
+    const float squared = sine * sine;
+    if (squared < 0.06f) return 1 - 0.5f * squared;  // within 5e-4
+    return sqrtf(core::limit(1 - squared, 0.0f, 1.0f));
+}
+
+float sizeOf(float value) { return value < 0 ? -value : value; }
 
 }  // namespace
 
-Lateral followLeg(const LateralSettings& settings, const Motion& motion, const geo::Position& from,
-                  const geo::Position& to) {
-    const Offset leg = geo::offset(from, to);
-    const Offset way = geo::offset(from, motion.position);
-    Lateral out;
-    out.length_m = geo::length_m(leg);
-    out.distance_m = geo::length_m(leg - way);
-    if (out.length_m < kShortestLeg_m) {
-        out.along_m = out.length_m - out.distance_m;
-        out.crosstrack_m = 0;
-        out.course = directionOf(leg - way);
-        out.bank_accel_mss = followCourse(settings, motion, out.course).bank_accel_mss;
+LateralGains lateralGains(const LateralSettings& settings, float turn_accel_mss) {
+    const float omega = 2 * core::kPi / core::limit(settings.period_s, 1.0f, 60.0f);
+    const float twice_damping = 2 * core::limit(settings.damping, 0.4f, 2.0f);
+    const float closing_hz = omega / twice_damping;
+    return {closing_hz, omega * twice_damping, turn_accel_mss,
+            turn_accel_mss / core::square(closing_hz)};
+}
+
+Leg legAlong(const Offset& start_to_end) {
+    const float length_m = geo::length_m(start_to_end);
+    if (length_m < kShortestLeg_m) return {{0, 0}, length_m};
+    return {start_to_end * (1 / length_m), length_m};
+}
+
+Lateral followLeg(const LateralGains& gains, const Motion& motion, const Leg& leg,
+                  const Offset& from_start) {
+    if (leg.length_m < kShortestLeg_m) {
+        const Offset back = from_start * -1.0f;
+        Lateral out = followCourse(gains, motion, directionOf(back));
+        out.distance_m = geo::length_m(back);
+        out.along_m = leg.length_m - out.distance_m;
         return out;
     }
-    const Offset forward = leg * (1 / out.length_m);
-    out.along_m = dot(forward, way);
-    out.crosstrack_m = cross(forward, way);
+    Lateral out;
+    out.along_m = dot(leg.forward, from_start);
+    out.crosstrack_m = cross(leg.forward, from_start);
+    out.distance_m = geo::length_m({leg.length_m - out.along_m, out.crosstrack_m});
 
-    const Gains gains = gainsOf(settings);
     const Ahead ahead = lookAhead(motion);
-    const Offset there = way + ahead.moved_m;
-    const float off_m = cross(forward, there);
-    const float away_m = off_m < 0 ? -off_m : off_m;
-    float sine = closingSine(gains, away_m, ahead.speed_mps, motion.turn_accel_mss);
-    if (dot(forward, there) < 0) {
+    const Offset there = from_start + ahead.moved_m;
+    const float off_m = cross(leg.forward, there);
+    const float away_m = sizeOf(off_m);
+    float sine = closingSine(gains, away_m, ahead.speed_mps);
+    if (dot(leg.forward, there) < 0) {
         const float to_start = away_m / core::limit(geo::length_m(there), 1.0f, 1e6f);
         if (to_start < sine) sine = to_start;
     }
     const float rightwards = off_m > 0 ? -sine : sine;
-    out.course = forward * along(sine) + rightOf(forward) * rightwards;
-    out.bank_accel_mss = turnTowards(gains, ahead, out.course) / ahead.crab_cos;
+    out.course = leg.forward * cosineOf(sine) + rightOf(leg.forward) * rightwards;
+    out.bank_accel_mss = turnTowards(gains, ahead, out.course) * ahead.per_crab;
     return out;
 }
 
-Lateral followCircle(const LateralSettings& settings, const Motion& motion, const Circle& circle) {
-    const Gains gains = gainsOf(settings);
+Lateral followCircle(const LateralGains& gains, const Motion& motion, const Circle& circle,
+                     const Offset& from_centre) {
     const Ahead ahead = lookAhead(motion);
-    const Offset from_centre = geo::offset(circle.centre, motion.position);
     const float radius_m = core::limit(circle.radius_m, kSmallestRadius_m, 1e5f);
     const Offset there = from_centre + ahead.moved_m;
     const float distance_m = geo::length_m(there);
@@ -145,18 +150,17 @@ Lateral followCircle(const LateralSettings& settings, const Motion& motion, cons
     Lateral out;
     out.distance_m = geo::length_m(from_centre);
     out.crosstrack_m = out.distance_m - radius_m;
-    out.along_m = out.length_m = 0;
+    out.along_m = 0;
     const float off_m = distance_m - radius_m;
-    float sine =
-        closingSine(gains, off_m < 0 ? -off_m : off_m, ahead.speed_mps, motion.turn_accel_mss);
+    float sine = closingSine(gains, sizeOf(off_m), ahead.speed_mps);
     bool on_tangent = false;
     if (off_m > 0) {
-        const float tangent = along(radius_m / distance_m);
+        const float tangent = cosineOf(radius_m / distance_m);
         on_tangent = tangent < sine;
         if (on_tangent) sine = tangent;
     }
     const float outward = off_m > 0 ? -sine : sine;
-    out.course = along_unit * along(sine) + out_unit * outward;
+    out.course = along_unit * cosineOf(sine) + out_unit * outward;
 
     float accel_mss = turnTowards(gains, ahead, out.course);
     const float along_mps = dot(ahead.velocity_mps, along_unit);
@@ -164,16 +168,16 @@ Lateral followCircle(const LateralSettings& settings, const Motion& motion, cons
         const float bend_m = core::limit(distance_m, radius_m * 0.5f, 1e6f);
         accel_mss += turn * core::square(along_mps) / bend_m;
     }
-    out.bank_accel_mss = accel_mss / ahead.crab_cos;
+    out.bank_accel_mss = accel_mss * ahead.per_crab;
     return out;
 }
 
-Lateral followCourse(const LateralSettings& settings, const Motion& motion, const Offset& course) {
+Lateral followCourse(const LateralGains& gains, const Motion& motion, const Offset& course) {
     const Ahead ahead = lookAhead(motion);
     Lateral out;
-    out.crosstrack_m = out.distance_m = out.along_m = out.length_m = 0;
+    out.crosstrack_m = out.distance_m = out.along_m = 0;
     out.course = course;
-    out.bank_accel_mss = turnTowards(gainsOf(settings), ahead, course) / ahead.crab_cos;
+    out.bank_accel_mss = turnTowards(gains, ahead, course) * ahead.per_crab;
     return out;
 }
 

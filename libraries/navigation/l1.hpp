@@ -11,40 +11,52 @@
 
 namespace navigation {
 
+// Places are offsets from the leg's start or the circle's centre.
 struct Motion {
-    geo::Position position;
     geo::Offset velocity_mps;  // over ground
     geo::Offset wind_mps;      // where it blows to
+    float airspeed_mps;        // true
     float bank_accel_mss;      // gravity times tan(bank): what the present bank makes
     float bank_lag_s;          // from demanded to flown bank
-    float turn_accel_mss;      // of turns; at most what the bank limit makes
 };
+
+struct LateralGains {      // worked out once for many steps
+    float closing_hz;      // closing speed for a metre of crosstrack
+    float turning_hz;      // acceleration for a metre per second across the demanded course
+    float turn_accel_mss;  // of turns; at most what the bank limit makes
+    float linear_m;        // so near the path the closing speed grows with the distance
+};
+LateralGains lateralGains(const LateralSettings& settings, float turn_accel_mss);
 
 struct Lateral {
     float bank_accel_mss;  // demanded, positive to the right; not limited
     float crosstrack_m;    // positive: right of the leg, outside the circle
     float distance_m;      // to the end of the leg, to the centre
     float along_m;         // from the leg's start; 0 on a circle
-    float length_m;        // of the leg
     geo::Offset course;    // demanded, over ground, of length 1
 };
 
+struct Leg {
+    geo::Offset forward;  // of length 1; nought when the leg is too short to have a direction
+    float length_m;
+};
+Leg legAlong(const geo::Offset& start_to_end);
+
 // The whole line through both ends is flown; coming from behind its start, no steeper than
-// straight to the start.
-Lateral followLeg(const LateralSettings& settings, const Motion& motion, const geo::Position& from,
-                  const geo::Position& to);
+// straight to the start. A leg without a direction is flown straight to its start.
+Lateral followLeg(const LateralGains& gains, const Motion& motion, const Leg& leg,
+                  const geo::Offset& from_start);
 
 struct Circle {
-    geo::Position centre;
     float radius_m;
     bool counter_clockwise;
 };
 // From outside it is joined along a tangent.
-Lateral followCircle(const LateralSettings& settings, const Motion& motion, const Circle& circle);
+Lateral followCircle(const LateralGains& gains, const Motion& motion, const Circle& circle,
+                     const geo::Offset& from_centre);
 
 // The course over ground is held, wherever that leads. `course` is of length 1.
-Lateral followCourse(const LateralSettings& settings, const Motion& motion,
-                     const geo::Offset& course);
+Lateral followCourse(const LateralGains& gains, const Motion& motion, const geo::Offset& course);
 
 float bankFor_rad(float bank_accel_mss);  // atan(a / g) within 0.3 degrees
 
