@@ -16,6 +16,6 @@ void demandBank(float bank_accel_mss, BankLimit limit);
 
 float presentBank_mss();  // gravity times tan(bank), less the bank that turns nothing
 float turnAccel_mss();    // what planned turns are flown with
-void planTurns();         // the bank limit may have changed since the last path
+void planTurns();         // after the bank limit may have changed
 
 }  // namespace firmware

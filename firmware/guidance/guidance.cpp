@@ -24,6 +24,7 @@ constexpr Flight kFlights[] ROM = {levelPlan, flyLeg, flyCircle, flyTakeoff, fly
 void takeOver() {
     beginHeight();
     beginBanking();
+    beginLateral();
     suppressThrottle();
 }
 

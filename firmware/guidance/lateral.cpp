@@ -17,7 +17,10 @@ navigation::LateralGains gains;
 navigation::Leg leg;
 geo::Offset course, place;  // place: from the leg's start or the circle's centre
 
-void takeGains() { gains = navigation::lateralGains(parameters.lateral, turnAccel_mss()); }
+void takeGains() {
+    planTurns();
+    gains = navigation::lateralGains(parameters.lateral, turnAccel_mss());
+}
 
 int32_t bearing_cd(const geo::Offset& direction) {
     const float angle_rad = estimation::arc_rad(direction.east_m, direction.north_m);
@@ -36,16 +39,16 @@ void tellTargetBearing() {
 
 void tellCourse() { vehicle.progress.nav_bearing_cd = bearing_cd(course); }
 
-// A gain tuned in flight is felt at once, not with the next path.
+// A gain tuned in flight is felt within half a second.
 using Look = void (*)();
 constexpr Look kLooks[] ROM = {tellTargetBearing, tellCourse, tellTargetBearing, takeGains};
 uint8_t look;
 
 }  // namespace
 
+void beginLateral() { takeGains(); }
+
 void planLateral() {
-    planTurns();
-    takeGains();
     leg = navigation::legAlong(geo::offset(vehicle.demand.from, vehicle.demand.to));
     // a take-off tells no more than this
     vehicle.progress.distance_m = leg.length_m;

@@ -6,7 +6,8 @@
 
 namespace firmware {
 
-void planLateral();  // with a path: its leg and the gains
+void beginLateral();  // taking over from whoever flew
+void planLateral();   // a new path
 
 navigation::Motion motion();
 const navigation::LateralGains& lateralGains();

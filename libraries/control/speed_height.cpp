@@ -65,26 +65,27 @@ void SpeedHeight::filterSpeed(const SpeedHeightSettings& settings, const SpeedHe
 }
 
 void SpeedHeight::shapeHeight(const SpeedHeightSettings& settings, const SpeedHeightDemand& demand,
-                              float dt_s) {
+                              const Step& step) {
     const float wanted_mps =
         core::limit(demand.climb_mps + closingSpeed(demand.height_m - height_m_),
                     -settings.sink_max_mps, settings.climb_max_mps);
     const float before_mps = climb_mps_;
-    climb_mps_ = slewed(climb_mps_, wanted_mps, kHeightAccel_mss * dt_s);
-    climb_rate_mss_ = (climb_mps_ - before_mps) / dt_s;
-    height_m_ += climb_mps_ * dt_s;
+    climb_mps_ = slewed(climb_mps_, wanted_mps, kHeightAccel_mss * step.dt_s);
+    climb_rate_mss_ = (climb_mps_ - before_mps) * step.rate_hz;
+    height_m_ += climb_mps_ * step.dt_s;
 }
 
 void SpeedHeight::shapeSpeed(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
-                             float demand_mps, float dt_s) {
+                             float demand_mps, const Step& step) {
     const float wanted_mps =
         core::limit(demand_mps, limits.airspeed_min_mps, limits.airspeed_max_mps);
     const bool faster = wanted_mps > speed_demand_mps_;
     const float energy_mps = faster ? settings.climb_max_mps : settings.sink_min_mps;
-    const float rate_mss = kSpeedDemandShare * core::kGravity_mss * energy_mps / speed_mps_;
+    const float rate_mss =
+        kSpeedDemandShare * core::kGravity_mss * energy_mps * step.inverse_speed_spm;
     const float before_mps = speed_demand_mps_;
-    speed_demand_mps_ = slewed(speed_demand_mps_, wanted_mps, rate_mss * dt_s);
-    speed_demand_rate_mss_ = (speed_demand_mps_ - before_mps) / dt_s;
+    speed_demand_mps_ = slewed(speed_demand_mps_, wanted_mps, rate_mss * step.dt_s);
+    speed_demand_rate_mss_ = (speed_demand_mps_ - before_mps) * step.rate_hz;
 }
 
 void SpeedHeight::watchUnderspeed(const SpeedHeightLimits& limits, Phase phase,
@@ -104,6 +105,7 @@ float SpeedHeight::slowness(const SpeedHeightLimits& limits, bool airspeed_known
                             Phase phase) const {
     if (!airspeed_known || phase == Phase::flare) return 0;
     const float short_mps = limits.airspeed_min_mps - speed_mps_;
+    if (short_mps <= 0) return 0;
     return core::limit(short_mps / (limits.airspeed_min_mps * (1 - kUnderspeed)), 0.0f, 1.0f);
 }
 
@@ -139,9 +141,9 @@ float SpeedHeight::throttleForPitch(const SpeedHeightLimits& limits) const {
 
 float SpeedHeight::throttle(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
                             const SpeedHeightMeasured& now, const Errors& errors, float turn,
-                            float dt_s) {
+                            const Step& step) {
     // a turn costs induced drag: RLL2THR times 1/cos2(bank) - 1
-    const float turn_mps = settings.roll_to_throttle * turn / core::kGravity_mss;
+    const float turn_mps = settings.roll_to_throttle * turn * (1.0f / core::kGravity_mss);
     if (!now.airspeed_known) {
         throttle_integral_ = 0;
         const float spare = limits.throttle_max - limits.throttle_cruise;
@@ -150,33 +152,34 @@ float SpeedHeight::throttle(const SpeedHeightSettings& settings, const SpeedHeig
                kGlideShare * sink_mps / settings.sink_min_mps * limits.throttle_cruise;
     }
     const float demand_mps =
-        climb_mps_ + turn_mps + speed_demand_mps_ * speed_demand_rate_mss_ / core::kGravity_mss;
+        climb_mps_ + turn_mps +
+        speed_demand_mps_ * speed_demand_rate_mss_ * (1.0f / core::kGravity_mss);
     const float feed_forward =
         limits.throttle_cruise +
         (demand_mps > 0
              ? demand_mps / settings.climb_max_mps * (limits.throttle_max - limits.throttle_cruise)
              : demand_mps / settings.sink_min_mps * limits.throttle_cruise);
     const float per_mps = limits.throttle_max / (settings.climb_max_mps + settings.sink_min_mps);
-    const float per_m = per_mps / settings.time_constant_s;
+    const float per_m = per_mps * step.inverse_time_constant_hz;
     const float energy_m = errors.potential_m + errors.kinetic_m;
     const float energy_mps = errors.potential_mps + errors.kinetic_mps;
     const float direct =
         feed_forward + energy_m * per_m + energy_mps * per_mps * settings.throttle_damping;
-    const float step = energy_m * per_m * settings.integral_gain * dt_s;
+    const float gain = energy_m * per_m * settings.integral_gain * step.dt_s;
     const float wanted = direct + throttle_integral_;
     const bool winds_up =
-        (wanted > limits.throttle_max && step > 0) || (wanted < limits.throttle_min && step < 0);
+        (wanted > limits.throttle_max && gain > 0) || (wanted < limits.throttle_min && gain < 0);
     if (!winds_up)
         throttle_integral_ =
-            core::limit(throttle_integral_ + step, -limits.throttle_max, limits.throttle_max);
+            core::limit(throttle_integral_ + gain, -limits.throttle_max, limits.throttle_max);
     return direct + throttle_integral_;
 }
 
 float SpeedHeight::pitch(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
-                         const Errors& errors, float speed_weight, float dt_s) {
+                         const Errors& errors, float speed_weight, const Step& step) {
     const float height_weight = 2.0f - speed_weight;
-    const float inverse_speed = 1.0f / speed_mps_;
-    const float per_m = inverse_speed / settings.time_constant_s;
+    const float inverse_speed = step.inverse_speed_spm;
+    const float per_m = inverse_speed * step.inverse_time_constant_hz;
     const float balance_m = height_weight * errors.potential_m - speed_weight * errors.kinetic_m;
     const float balance_mps =
         height_weight * errors.potential_mps - speed_weight * errors.kinetic_mps;
@@ -186,14 +189,14 @@ float SpeedHeight::pitch(const SpeedHeightSettings& settings, const SpeedHeightL
     if (height_weight > 0)
         demand_rad += (climb_mps_ + climb_rate_mss_ * kPitchLead_s) * inverse_speed;
     const float limited_rad = core::limit(demand_rad, limits.pitch_min_rad, limits.pitch_max_rad);
-    const float step_rad = balance_m * per_m * settings.integral_gain * dt_s;
+    const float step_rad = balance_m * per_m * settings.integral_gain * step.dt_s;
     const bool winds_up =
         (demand_rad > limited_rad && step_rad > 0) || (demand_rad < limited_rad && step_rad < 0);
     if (!winds_up) pitch_integral_rad_ = core::limit(pitch_integral_rad_ + step_rad, -0.35f, 0.35f);
 
     const float rate_rads =
         core::limit(settings.vertical_accel_mss * inverse_speed, 0.0f, kFastestPitchRate_rads);
-    return slewed(pitch_rad_, limited_rad, rate_rads * dt_s);
+    return slewed(pitch_rad_, limited_rad, rate_rads * step.dt_s);
 }
 
 SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
@@ -204,6 +207,7 @@ SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
     else
         speed_mps_ = core::limit(now.airspeed_mps, kLowestSpeed_mps, 100.0f);
     watchUnderspeed(limits, phase, now.airspeed_known);
+    const Step step = {dt_s, 1.0f / dt_s, 1.0f / speed_mps_, 1.0f / settings.time_constant_s};
 
     const bool height_given_up = phase == Phase::climb_out || underspeed_;
     if (height_given_up) {
@@ -211,18 +215,18 @@ SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
         climb_mps_ = now.climb_mps;
         climb_rate_mss_ = 0;
     } else if (phase == Phase::flare) {
-        const float rate_mss = (demand.climb_mps - climb_mps_) / dt_s;
+        const float rate_mss = (demand.climb_mps - climb_mps_) * step.rate_hz;
         climb_rate_mss_ += (rate_mss - climb_rate_mss_) * kFlareSmoothing;
         height_m_ = demand.height_m;
         climb_mps_ = demand.climb_mps;
     } else {
-        shapeHeight(settings, demand, dt_s);
+        shapeHeight(settings, demand, step);
     }
     const float cos2 = core::limit(core::square(now.cos_roll), 0.1f, 1.0f);
     const float turn = 1.0f / cos2 - 1.0f;
     SpeedHeightLimits turning = limits;
     turning.airspeed_min_mps *= 1.0f + kLoadFactorSpeed * core::limit(turn, 0.0f, 2.0f);
-    shapeSpeed(settings, turning, demand.airspeed_mps, dt_s);
+    shapeSpeed(settings, turning, demand.airspeed_mps, step);
 
     const float haste = height_given_up ? 1.0f : slowness(turning, now.airspeed_known, phase);
     float speed_weight =
@@ -235,13 +239,13 @@ SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
         speed_weight += (most_weight - speed_weight) * haste;
 
     const Errors errors = this->errors(now);
-    float wanted = throttle(settings, limits, now, errors, turn, dt_s);
+    float wanted = throttle(settings, limits, now, errors, turn, step);
     wanted += (limits.throttle_max - wanted) * haste;
     if (phase == Phase::flare) wanted = 0;
     wanted = core::limit(wanted, phase == Phase::flare ? 0.0f : limits.throttle_min,
                          limits.throttle_max);
     throttle_ = slewed(throttle_, wanted, limits.throttle_slew * dt_s);
-    pitch_rad_ = pitch(settings, limits, errors, speed_weight, dt_s);
+    pitch_rad_ = pitch(settings, limits, errors, speed_weight, step);
     return {pitch_rad_, throttle_};
 }
 

@@ -61,20 +61,25 @@ private:
         float potential_m, potential_mps;
         float kinetic_m, kinetic_mps;
     };
+    struct Step {  // what several of the parts below would divide by
+        float dt_s, rate_hz;
+        float inverse_speed_spm, inverse_time_constant_hz;
+    };
     void filterSpeed(const SpeedHeightSettings& settings, const SpeedHeightMeasured& now,
                      float dt_s);
     void shapeHeight(const SpeedHeightSettings& settings, const SpeedHeightDemand& demand,
-                     float dt_s);
+                     const Step& step);
     void shapeSpeed(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
-                    float demand_mps, float dt_s);
+                    float demand_mps, const Step& step);
     void watchUnderspeed(const SpeedHeightLimits& limits, Phase phase, bool airspeed_known);
     float slowness(const SpeedHeightLimits& limits, bool airspeed_known, Phase phase) const;
     Errors errors(const SpeedHeightMeasured& now) const;
     float throttleForPitch(const SpeedHeightLimits& limits) const;
     float throttle(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
-                   const SpeedHeightMeasured& now, const Errors& errors, float turn, float dt_s);
+                   const SpeedHeightMeasured& now, const Errors& errors, float turn,
+                   const Step& step);
     float pitch(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
-                const Errors& errors, float speed_weight, float dt_s);
+                const Errors& errors, float speed_weight, const Step& step);
 
     float height_m_ = 0, climb_mps_ = 0, climb_rate_mss_ = 0;  // the shaped height demand
     float speed_demand_mps_ = 0, speed_demand_rate_mss_ = 0;   // the shaped speed demand
