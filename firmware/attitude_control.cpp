@@ -59,7 +59,7 @@ void stabilise() {
                                                  attitude.rate_rads.y, dt_s);
     surfaces.rudder = control::yawDeflection(parameters.yaw, yaw_state, air, turn,
                                              attitude.rate_rads.z, vehicle.imu.accel_mss.y, dt_s) +
-                      surfaces.aileron * parameters.rudder_mix;
+                      surfaces.aileron * parameters.rudder_mix + vehicle.rudder_demand;
 }
 
 void addSticks() {

@@ -161,6 +161,7 @@ struct Vehicle {
     // ---- guidance.cpp or a mode, for attitude_control.cpp
     float roll_demand_rad, pitch_demand_rad;
     float throttle_demand;  // 0..1
+    float rudder_demand;    // -1..1, added by what stabilises: steers on the runway
     // ---- modes/, every frame
     Sticks sticks;
     float pilot_roll_rad, pilot_pitch_rad;  // stick mixing: added to the demands, within the limits

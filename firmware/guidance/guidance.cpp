@@ -8,6 +8,7 @@
 #include "firmware/guidance/lateral.hpp"
 #include "firmware/guidance/launch.hpp"
 #include "firmware/guidance/plan.hpp"
+#include "firmware/guidance/steering.hpp"
 #include "firmware/modes.hpp"
 #include "firmware/vehicle.hpp"
 
@@ -46,12 +47,14 @@ void beginPath() {
 void runGuidance() {
     if (!guidesItself()) {
         guiding = false;
+        steerNowhere();
         vehicle.progress.throttle_suppressed = false;
         return;
     }
     if (!guiding) takeOver();
     guiding = true;
     if (vehicle.demand.new_path) beginPath();
+    steerNowhere();
     plan = core::romRead(kFlights[static_cast<uint8_t>(vehicle.demand.path)])();
     waitForLaunch();
     vehicle.progress.height_error_m = plan.height.height_m - vehicle.estimate.height_m;

@@ -5,6 +5,7 @@
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
 #include "firmware/guidance/lateral.hpp"
+#include "firmware/guidance/steering.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/vehicle.hpp"
 
@@ -13,6 +14,8 @@ namespace {
 
 constexpr float kMostForHeadwind_mps = 3;
 constexpr float kApproachShare = 0.65f;  // of the way from the lowest speed to cruise
+
+constexpr float kMiddle_radpm = 0.03f, kMostToMiddle_rad = 0.1f;
 
 navigation::Landing landing;
 
@@ -38,6 +41,11 @@ navigation::HeightDemand height(const navigation::Lateral& lateral, float along_
     return {above_point.height_m + demand.height_m, above_point.climb_mps};
 }
 
+// Back to the middle of the runway.
+float runwayError_rad(float crosstrack_m) {
+    return core::limit(crosstrack_m * kMiddle_radpm, -kMostToMiddle_rad, kMostToMiddle_rad);
+}
+
 }  // namespace
 
 void beginLanding() { landing.start(); }
@@ -53,6 +61,7 @@ Plan flyLanding() {
     if (landing.flaring()) {
         to_fly.phase = control::Phase::flare;
         to_fly.pitch_min_rad = core::radiansFromCentidegrees(parameters.land_pitch_cd);
+        steerTowards(legHeading_rad() - runwayError_rad(lateral.crosstrack_m));
     }
     vehicle.progress.flaring = landing.flaring();
     demandBank(lateral.bank_accel_mss, landing.flaring() ? BankLimit::level : BankLimit::flying);

@@ -71,6 +71,8 @@ const navigation::LateralGains& lateralGains() { return gains; }
 
 float legLength_m() { return leg.length_m; }
 
+float legHeading_rad() { return estimation::arc_rad(leg.forward.east_m, leg.forward.north_m); }
+
 navigation::Lateral followDemandedLeg(const navigation::Motion& now, bool learning) {
     const geo::Offset from_start = geo::offset(vehicle.demand.from, vehicle.estimate.position);
     const auto lateral = navigation::followLeg(gains, now, leg, from_start);

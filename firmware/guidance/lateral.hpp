@@ -16,6 +16,7 @@ const navigation::LateralGains& lateralGains();
 navigation::Lateral followDemandedLeg(const navigation::Motion& now, bool learning);
 float along_mps(const navigation::Lateral& lateral, const navigation::Motion& now);
 float legLength_m();
+float legHeading_rad();
 
 // `from_datum`: where the airplane is, seen from the leg's start or the circle's centre.
 void tellLateral(const navigation::Lateral& lateral, const geo::Offset& from_datum);

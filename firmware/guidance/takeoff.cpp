@@ -4,11 +4,14 @@
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
 #include "firmware/guidance/lateral.hpp"
+#include "firmware/guidance/steering.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/vehicle.hpp"
 
 namespace firmware {
 namespace {
+
+constexpr float kRunway_m = 1.5f;  // the barometer is not more certain of the ground
 
 navigation::TakeoffCourse course;
 
@@ -34,6 +37,7 @@ Plan flyTakeoff() {
     if (course.locked())
         accel_mss = navigation::followCourse(lateralGains(), now, course.course()).bank_accel_mss;
     demandBank(accel_mss, BankLimit::level);
+    if (vehicle.estimate.height_m < kRunway_m) steadyNose();
     Plan to_fly = levelPlan();
     to_fly.phase = control::Phase::climb_out;
     to_fly.pitch_min_rad = pitch_rad();

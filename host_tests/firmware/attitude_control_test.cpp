@@ -114,6 +114,12 @@ TEST_F(AttitudeControl, mixes_aileron_into_the_rudder_when_it_stabilises) {
     ASSERT_LT(surfaces.rudder, -0.01f);
 }
 
+TEST_F(AttitudeControl, adds_the_demanded_rudder_but_not_in_manual) {
+    vehicle.rudder_demand = 0.2f;
+    EXPECT_NEAR(surfacesIn(Mode::fbwa, bench::kCentred).rudder, 0.2f, 0.01);
+    EXPECT_EQ(surfacesIn(Mode::manual, bench::kCentred).rudder, 0);
+}
+
 TEST_F(AttitudeControl, lets_the_pilot_bend_an_automatic_mode_if_stick_mixing_is_on) {
     fly(Mode::loiter);
     const float unmoved = surfacesIn(Mode::loiter, bench::kCentred).aileron;

@@ -249,6 +249,52 @@ TEST_F(Guidance, flares_without_throttle_and_with_level_wings) {
     EXPECT_GE(vehicle.pitch_demand_rad, core::radiansFromCentidegrees(parameters.land_pitch_cd));
 }
 
+TEST_F(Guidance, steers_along_the_runway_from_the_flare_on) {
+    inTheAir();
+    onFinal(20, 200);
+    vehicle.attitude.yaw_rad = 0.2f;
+    guide(5);
+    EXPECT_EQ(vehicle.rudder_demand, 0) << "in the air the wings do that";
+
+    vehicle.estimate.height_m = 0.5f;
+    guide(2);
+    EXPECT_LT(vehicle.rudder_demand, -0.05f) << "the nose points right of the runway";
+    vehicle.attitude.yaw_rad = -0.2f;
+    guide();
+    EXPECT_GT(vehicle.rudder_demand, 0.05f);
+    vehicle.attitude.yaw_rad = 0;
+    place(290, 3);
+    guide();
+    EXPECT_LT(vehicle.rudder_demand, -0.02f) << "beside its middle";
+    vehicle.attitude.yaw_rad = 3;
+    guide();
+    EXPECT_GE(vehicle.rudder_demand, -0.35f) << "a wheel at full lock overturns the airplane";
+}
+
+TEST_F(Guidance, keeps_the_nose_from_swinging_in_the_take_off_run) {
+    onTheGround(Mode::loiter);
+    demand(Path::takeoff);
+    guide(20);
+    EXPECT_EQ(vehicle.rudder_demand, 0);
+    vehicle.attitude.rate_rads.z = 0.5f;
+    guide();
+    EXPECT_LT(vehicle.rudder_demand, -0.05f);
+    vehicle.estimate.height_m = 5;
+    guide();
+    EXPECT_EQ(vehicle.rudder_demand, 0) << "airborne";
+}
+
+TEST_F(Guidance, steers_no_more_once_the_pilot_has_the_airplane) {
+    inTheAir();
+    onFinal(0.5f, 10);
+    vehicle.attitude.yaw_rad = 0.2f;
+    guide(2);
+    ASSERT_NE(vehicle.rudder_demand, 0);
+    firmware::setMode(Mode::fbwa, firmware::ModeReason::ground);
+    guide();
+    EXPECT_EQ(vehicle.rudder_demand, 0);
+}
+
 TEST_F(Guidance, gives_up_height_and_opens_the_throttle_below_the_lowest_speed) {
     inTheAir();
     guide(50);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/guidance/steering.hpp"
+
+#include "core/maths.hpp"
+#include "firmware/vehicle.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr float kPerRadian = 0.6f;
+constexpr float kPerRate_s = 0.15f;
+constexpr float kMost = 0.35f;  // a wheel at full lock overturns the airplane
+
+void steer(float error_rad) {
+    const float wanted = error_rad * kPerRadian - vehicle.attitude.rate_rads.z * kPerRate_s;
+    vehicle.rudder_demand = core::limit(wanted, -kMost, kMost);
+}
+
+}  // namespace
+
+void steerNowhere() { vehicle.rudder_demand = 0; }
+
+// While the airplane gains speed the compass heading is not steady enough to be held.
+void steadyNose() { steer(0); }
+
+void steerTowards(float heading_rad) {
+    steer(core::wrapPi(heading_rad - vehicle.attitude.yaw_rad));
+}
+
+}  // namespace firmware
