@@ -62,7 +62,10 @@ add_test(NAME on_board.task_budgets
          COMMAND ${work_report} budgets ${image_folder}/tasks.json ${elf_folders})
 add_test(NAME on_board.cycles
          COMMAND ${work_report} cycles ${CMAKE_SOURCE_DIR}/toolchain/budgets.json ${elf_folders})
-set_tests_properties(on_board.task_budgets on_board.cycles PROPERTIES LABELS simavr
+add_test(NAME on_board.stack_bound
+         COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/host_tests/on_board/stack_used.mjs ${IMAGE_ELF}
+                 ${elf_folders})
+set_tests_properties(on_board.task_budgets on_board.cycles on_board.stack_bound PROPERTIES LABELS simavr
                      FIXTURES_REQUIRED "${elf_flights}")
 
 add_test(NAME flight.minutes_begin COMMAND ${CMAKE_COMMAND} -E rm -rf ${minutes})
