@@ -19,8 +19,6 @@ find_program(NODE node REQUIRED)
 add_test(NAME house.include_rules COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/check_house.mjs)
 file(GLOB tool_tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/toolchain/*.test.mjs)
 add_test(NAME toolchain.image_tools COMMAND ${NODE} --test ${tool_tests})
-add_test(NAME image.budgets
-         COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/check_image.mjs ${IMAGE_ELF})
 add_test(NAME house.formatting COMMAND ${CMAKE_SOURCE_DIR}/toolchain/check_format)
 
 # ---- doubles of the hardware for the unit tests
@@ -132,6 +130,8 @@ ExternalProject_Add(image
     BUILD_ALWAYS ON
     BUILD_BYPRODUCTS ${IMAGE_ELF}
     INSTALL_COMMAND "")
+add_test(NAME image.budgets
+         COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/check_image.mjs ${IMAGE_ELF})
 
 include(machine)
 
