@@ -134,16 +134,75 @@ TEST(Parser, takes_a_signed_frame_and_leaves_out_its_signature) {
     EXPECT_EQ(parser.rejected(), 0);
 }
 
-TEST(Parser, drops_a_frame_with_an_incompatibility_it_does_not_know) {
+// A SET_MODE with these incompatibility flags; `payload` is what else it carries.
+Bytes flagged(uint8_t flags, uint8_t sequence, const Bytes& more = {}) {
     mavlink::SetMode mode = {};
     mode.custom_mode = 5;
-    Bytes bytes = test::frame({Framing::v2, 4, 255, 190}, mode);
+    mode.base_mode = 1;
+    Bytes bytes = test::frame({Framing::v2, sequence, 255, 190}, mode);
     bytes.resize(bytes.size() - 2);
-    bytes[2] = 0x02;
-    bytes = test::sealed(bytes, mavlink::Wire<mavlink::SetMode>::crc_extra);
+    bytes[1] = static_cast<uint8_t>(bytes[1] + more.size());
+    bytes[2] = flags;
+    return test::sealed(bytes + more, mavlink::Wire<mavlink::SetMode>::crc_extra);
+}
+
+TEST(Parser, drops_a_frame_with_an_incompatibility_it_does_not_know) {
+    VehicleParser parser;
+    EXPECT_EQ(sequences(feed(parser, flagged(0x02, 4) + heartbeat(5))), (Sequences{5}));
+}
+
+TEST(Parser, drops_it_whole_whatever_it_carries) {
     VehicleParser parser;
 
-    EXPECT_EQ(sequences(feed(parser, bytes + heartbeat(5))), (Sequences{5}));
+    const auto frames = feed(parser, flagged(0x80, 4, setMode(66)) + heartbeat(5));
+
+    EXPECT_EQ(sequences(frames), (Sequences{5}));
+    EXPECT_EQ(parser.rejected(), 0);
+}
+
+TEST(Parser, drops_it_with_its_signature) {
+    VehicleParser parser;
+    const Bytes signature(13, 0xFD);
+
+    const auto frames = feed(parser, heartbeat(3) + flagged(0x03, 4) + signature + heartbeat(5));
+
+    EXPECT_EQ(sequences(frames), (Sequences{3, 5}));
+}
+
+TEST(Parser, what_looks_like_an_incompatible_frame_swallows_nothing) {
+    VehicleParser parser;
+    Bytes cut = flagged(0x02, 4);
+    cut.resize(cut.size() - 3);
+
+    const auto frames = feed(parser, cut + heartbeat(5) + heartbeat(6));
+
+    EXPECT_EQ(sequences(frames), (Sequences{5, 6}));
+}
+
+TEST(Parser, loses_no_good_frame_to_a_signature_that_was_cut_short) {
+    for (uint8_t kept = 0; kept < 13; ++kept) {
+        VehicleParser parser;
+        const Bytes signature(kept, 0xFE);
+
+        const auto frames =
+            feed(parser, flagged(0x01, 4) + signature + heartbeat(5) + heartbeat(6) + heartbeat(7));
+
+        EXPECT_EQ(sequences(frames), (Sequences{4, 5, 6, 7})) << int(kept) << " bytes kept";
+    }
+}
+
+TEST(Parser, takes_nothing_in_a_signature_for_a_frame) {
+    std::mt19937 random(2);
+    VehicleParser parser;
+    for (int round = 0; round < 20000; ++round) {
+        Bytes signature(13);
+        for (uint8_t& byte : signature) byte = static_cast<uint8_t>(random());
+
+        const auto frames = feed(parser, flagged(0x01, 4) + signature + heartbeat(5));
+
+        ASSERT_EQ(sequences(frames), (Sequences{4, 5})) << round;
+    }
+    EXPECT_EQ(parser.rejected(), 0);
 }
 
 TEST(Parser, ignores_compatibility_flags) {
@@ -177,17 +236,41 @@ TEST(Parser, refuses_a_mavlink_1_frame_that_is_too_short) {
     EXPECT_TRUE(feed(parser, bytes).empty());
 }
 
+// FILE_TRANSFER_PROTOCOL, which the vehicle does not know.
+Bytes unknown(uint8_t sequence, const Bytes& payload, uint8_t crc_extra = 84) {
+    Bytes bytes = {0xFD, 0, 0, 0, sequence, 255, 190, 110, 0, 0};
+    bytes[1] = static_cast<uint8_t>(payload.size());
+    return test::sealed(bytes + payload, crc_extra);
+}
+
 TEST(Parser, skips_whole_what_its_peer_says_in_messages_it_does_not_know) {
     // a frame carried inside another message's payload is data, not an order
-    Bytes carrier = {0xFD, 0, 0, 0, 8, 255, 190, 110, 0, 0};
-    const Bytes payload = Bytes(3, 0) + setMode(66) + Bytes(100, 0xFE);
-    carrier[1] = static_cast<uint8_t>(payload.size());
-    VehicleParser parser;
+    const Bytes payload = Bytes(3, 0) + setMode(66) + Bytes(5, 0xFE);
+    for (int crc_extra = 0; crc_extra < 256; ++crc_extra) {
+        VehicleParser parser;
 
-    const auto frames =
-        feed(parser, heartbeat(7) + test::sealed(carrier + payload, 84) + heartbeat(9));
+        const auto frames =
+            feed(parser, heartbeat(7) + unknown(8, payload, static_cast<uint8_t>(crc_extra)) +
+                             heartbeat(9));
 
-    EXPECT_EQ(sequences(frames), (Sequences{7, 9}));
+        ASSERT_EQ(sequences(frames), (Sequences{7, 9})) << crc_extra;
+        ASSERT_EQ(parser.rejected(), 0);
+    }
+}
+
+TEST(Parser, finds_the_good_frame_after_an_unknown_one_of_its_peer_that_was_cut_short) {
+    for (const size_t size : {size_t{30}, size_t{200}}) {
+        const Bytes whole = unknown(8, Bytes(size, 0x55));
+        for (size_t kept = 1; kept < whole.size(); ++kept) {
+            VehicleParser parser;
+            const Bytes cut(whole.begin(), whole.begin() + static_cast<long>(kept));
+
+            const auto frames =
+                feed(parser, heartbeat(1) + cut + heartbeat(2) + heartbeat(3) + heartbeat(4));
+
+            EXPECT_EQ(sequences(frames), (Sequences{1, 2, 3, 4})) << kept << " bytes of " << size;
+        }
+    }
 }
 
 TEST(Parser, loses_no_good_frame_to_what_looks_like_the_start_of_a_long_one) {

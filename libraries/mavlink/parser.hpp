@@ -30,17 +30,16 @@ class Parser {
 public:
     // for (bool whole = parser.put(byte); whole; whole = parser.next()) use(parser.frame());
     bool put(uint8_t byte) {
-        if (skip_ > 0) {
-            --skip_;
+        if (used_ == 0 && !isMagic(byte)) {
+            if (signature_ > 0) --signature_;
             return false;
         }
-        if (used_ == 0 && !isMagic(byte)) return false;
         bytes_[used_++] = byte;
         return used_ >= need_ && examine();
     }
 
     bool next() {
-        leaveOut(static_cast<uint16_t>(need_ + signatureSize()));
+        leaveOut();
         return examine();
     }
 
@@ -69,10 +68,10 @@ private:
     uint8_t signatureSize() const {
         return !isV1() && (bytes_[2] & kSignedFlag) != 0 ? kSignature : 0;
     }
-    // No flag that we do not know, and no id that no dialect uses.
-    bool readable() const {
-        return isV1() || ((bytes_[2] & ~kSignedFlag & 0xFF) == 0 && bytes_[9] == 0);
-    }
+    // What an incompatibility flag that we do not know makes of a frame, we cannot know.
+    bool compatible() const { return isV1() || (bytes_[2] & ~kSignedFlag & 0xFF) == 0; }
+    const uint8_t* address() const { return bytes_ + (isV1() ? 3 : 5); }
+    bool fromPeer() const { return memcmp(peer_, address(), sizeof peer_) == 0; }
     uint16_t id() const {
         return isV1() ? bytes_[5] : static_cast<uint16_t>(bytes_[7] | (bytes_[8] << 8));
     }
@@ -80,15 +79,22 @@ private:
     // Looks at what is kept until a whole good frame stands at its beginning, or bytes are short.
     bool examine() {
         for (;;) {
-            if (!accepted_ && !seekHeader()) return false;
-            if (!accepted_ && !acceptHeader()) continue;
+            if (!measured_ && !seekHeader()) return false;
+            if (!measured_ && !measure()) {
+                drop(1);
+                continue;
+            }
             if (used_ < need_) return false;
-            if (checksumFits()) break;
-            ++rejected_;
-            drop(1);
+            if (row_ == kNoRow ? !someSeedFits() : checksum(crc_extra_) != received()) {
+                ++rejected_;
+                drop(1);
+            } else if (row_ != kNoRow && compatible()) {
+                memcpy(peer_, address(), sizeof peer_);
+                return true;
+            } else {
+                leaveOut();
+            }
         }
-        memcpy(peer_, bytes_ + (isV1() ? 3 : 5), sizeof peer_);
-        return true;
     }
 
     bool seekHeader() {
@@ -100,57 +106,68 @@ private:
         return used_ >= need_;
     }
 
-    // True: row_, crc_extra_ and need_ are those of the frame that begins here. False: it was left
-    // out.
-    bool acceptHeader() {
+    // True: need_, row_ and crc_extra_ are those of the frame that may begin here. False: it could
+    // not be kept until its checksum, or is taken for noise.
+    bool measure() {
         const uint8_t length = bytes_[1];
         const uint16_t size = static_cast<uint16_t>(headerSize() + length + kChecksum);
-        Accepted accepted;
-        const uint8_t row = readable() ? Table::find(id(), accepted) : kNoRow;
-        if (row != kNoRow && size <= kCapacity && (!isV1() || length >= accepted.length)) {
-            accepted_ = true;
-            row_ = row;
-            crc_extra_ = accepted.crc_extra;
-            need_ = static_cast<Index>(size);
-            return true;
-        }
-        // What cannot be checked is skipped whole only when it comes from who sent the last good
-        // frame; else it may be noise, and its length would swallow good frames.
-        const bool from_peer = readable() && peer_[0] != 0 &&
-                               memcmp(peer_, bytes_ + (isV1() ? 3 : 5), sizeof peer_) == 0;
-        leaveOut(from_peer ? static_cast<uint16_t>(size + signatureSize()) : 1);
-        return false;
+        if (size > kCapacity) return false;
+        Accepted accepted = {0, 0, 0};
+        // no dialect uses an id of more than 16 bits
+        row_ = isV1() || bytes_[9] == 0 ? Table::find(id(), accepted) : kNoRow;
+        if (row_ == kNoRow ? !fromPeer() : isV1() && length < accepted.length) return false;
+        // a signature is as good as noise; only its sender's next frame can tell that it was cut
+        if (signature_ > 0 && !(fromPeer() && compatible())) return false;
+        crc_extra_ = accepted.crc_extra;
+        measured_ = true;
+        need_ = static_cast<Index>(size);
+        return true;
     }
 
-    bool checksumFits() const {
-        uint16_t crc =
+    uint16_t received() const {
+        return static_cast<uint16_t>(bytes_[need_ - 2] | bytes_[need_ - 1] << 8);
+    }
+    uint16_t checksum(uint8_t crc_extra) const {
+        const uint16_t crc =
             core::crc16(core::kCrcStart, bytes_ + 1, static_cast<uint16_t>(need_ - 1 - kChecksum));
-        crc = core::crc16(crc, crc_extra_);
-        return bytes_[need_ - 2] == static_cast<uint8_t>(crc) &&
-               bytes_[need_ - 1] == static_cast<uint8_t>(crc >> 8);
+        return core::crc16(crc, crc_extra);
     }
 
-    void leaveOut(uint16_t count) {
-        const Index kept = count < used_ ? static_cast<Index>(count) : used_;
-        skip_ = static_cast<uint16_t>(count - kept);
-        drop(kept);
+    // For a message we do not know, whose seed we do not know either. But a seed is 8 bits and a
+    // checksum 16: one in 256 can have been made with any seed at all. A frame whose checksum can
+    // is left out whole: what its payload carries is not meant for us.
+    bool someSeedFits() const {
+        // a seed enters the last step of the checksum alone, and that is linear: its trace in the
+        // high byte gives away what it must have done to the low one (t as in core::crc16)
+        const uint16_t trace = checksum(0) ^ received();
+        const uint8_t high = static_cast<uint8_t>(trace >> 8);
+        const uint8_t t = static_cast<uint8_t>(high ^ high >> 5);
+        const uint8_t low = static_cast<uint8_t>(static_cast<uint8_t>(t << 3) ^ t >> 4);
+        return low == static_cast<uint8_t>(trace);
+    }
+
+    void leaveOut() {
+        const uint8_t signature = signatureSize();
+        drop(need_);
+        signature_ = signature;
     }
 
     void drop(Index count) {
         used_ = static_cast<Index>(used_ - count);
         memmove(bytes_, bytes_ + count, used_);
-        accepted_ = false;
+        signature_ = count < signature_ ? static_cast<uint8_t>(signature_ - count) : 0;
+        measured_ = false;
         need_ = kHeaderV1;
     }
 
     // All zero at first, so that a static parser costs no start-up code.
     uint8_t bytes_[kCapacity] = {};
     Index used_ = 0;
-    Index need_ = 0;     // bytes before there is something to look at
-    uint16_t skip_ = 0;  // of a frame that is left out
+    Index need_ = 0;  // bytes before there is something to look at
     uint16_t rejected_ = 0;
     uint8_t peer_[2] = {};   // system and component of the last good frame
-    bool accepted_ = false;  // the header; what follows holds from then on
+    uint8_t signature_ = 0;  // bytes of its signature that are still to come
+    bool measured_ = false;  // the header has been read; what follows holds from then on
     uint8_t row_ = 0;
     uint8_t crc_extra_ = 0;
 };
