@@ -14,11 +14,10 @@ namespace {
 
 constexpr uint16_t kRefresh_hz = 50;
 constexpr uint8_t kFirstFree = 4;  // outputs 5..8, counted from 0
-constexpr uint8_t kFree = hal::kServos - kFirstFree;
+constexpr uint8_t kThrottle = 3;   // numbered as on the board
 constexpr uint16_t kShortest_us = 800, kLongest_us = 2200;
-constexpr uint16_t kFollowsReceiver = 0xFFFF;
 
-uint16_t held_us[kFree];  // kFollowsReceiver: nobody holds it; 0: silent
+uint8_t held;  // a bit an output: its pulse stays as it is
 
 control::ServoRange range(uint8_t output) {
     const Channel& channel = parameters.channel[output];
@@ -34,8 +33,6 @@ using Pulse = uint16_t (*)();
 constexpr Pulse kPulses[kFirstFree] ROM = {aileron_us, elevator_us, throttle_us, rudder_us};
 
 uint16_t freePulse_us(uint8_t output) {
-    const uint16_t held = held_us[output - kFirstFree];
-    if (held != kFollowsReceiver) return held;
     const uint16_t received = vehicle.radio.pulse_us[output];
     return received != 0 ? core::limit(received, kShortest_us, kLongest_us)
                          : static_cast<uint16_t>(parameters.channel[output].trim_us);
@@ -47,12 +44,13 @@ void put(uint8_t output, uint16_t pulse_us) {
     hal::servoWrite(output, pulse_us * 2);
 }
 
-bool isFree(uint8_t output) { return output > kFirstFree && output <= hal::kServos; }
+bool isOutput(uint8_t output) { return output >= 1 && output <= hal::kServos; }
+uint8_t bit(uint8_t output) { return static_cast<uint8_t>(1u << (output - 1)); }
 
 }  // namespace
 
 void startOutputs() {
-    for (uint16_t& held : held_us) held = kFollowsReceiver;
+    held = 0;
     for (uint16_t& pulse_us : vehicle.servo_us) pulse_us = 0;
     surfaces = {};
     hal::servoStart(kRefresh_hz);
@@ -61,27 +59,28 @@ void startOutputs() {
 
 void runOutputs() {
     if (vehicle.mode_changed) outputReleaseAll();
-    for (uint8_t i = 0; i < kFirstFree; ++i) put(i, core::romRead(kPulses[i])());
-    for (uint8_t i = kFirstFree; i < hal::kServos; ++i) put(i, freePulse_us(i));
+    if (vehicle.armed) outputRelease(kThrottle);
+    for (uint8_t i = 0; i < hal::kServos; ++i) {
+        if ((held & bit(i + 1)) != 0) continue;
+        put(i, i < kFirstFree ? core::romRead(kPulses[i])() : freePulse_us(i));
+    }
 }
 
 bool outputOverride(uint8_t output, uint16_t pulse_us) {
-    if (!isFree(output)) return false;
-    held_us[output - 1 - kFirstFree] =
-        pulse_us == 0 ? 0 : core::limit(pulse_us, kShortest_us, kLongest_us);
+    if (!isOutput(output) || (output == kThrottle && vehicle.armed)) return false;
+    held |= bit(output);
+    put(output - 1, pulse_us == 0 ? 0 : core::limit(pulse_us, kShortest_us, kLongest_us));
     return true;
 }
 
 void outputRelease(uint8_t output) {
-    if (isFree(output)) held_us[output - 1 - kFirstFree] = kFollowsReceiver;
+    if (isOutput(output)) held &= static_cast<uint8_t>(~bit(output));
 }
 
-void outputReleaseAll() {
-    for (uint16_t& held : held_us) held = kFollowsReceiver;
-}
+void outputReleaseAll() { held = 0; }
 
 uint16_t outputPulse_us(uint8_t output) {
-    return output >= 1 && output <= hal::kServos ? vehicle.servo_us[output - 1] : 0;
+    return isOutput(output) ? vehicle.servo_us[output - 1] : 0;
 }
 
 }  // namespace firmware

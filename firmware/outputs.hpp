@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the surfaces to the servo pulses. Outputs 1..4 are aileron, elevator, throttle, rudder;
-// 5..8 follow the receiver unless a mission command holds them.
+// 5..8 follow the receiver. A mission command may hold any of them, but never the throttle of an
+// armed airplane.
 #pragma once
 #include <stdint.h>
 
@@ -11,7 +12,7 @@ void runOutputs();    // 100 Hz, after runAttitudeControl
 
 // Outputs are numbered 1..8 as on the board. The output belongs to the caller until it is
 // released; 0 us: no pulse. False: not an output that can be given away (the throttle while
-// armed, a flight surface), nothing changed.
+// armed), nothing changed. Arming takes the throttle back.
 bool outputOverride(uint8_t output, uint16_t pulse_us);
 void outputRelease(uint8_t output);
 void outputReleaseAll();  // at a change of mode

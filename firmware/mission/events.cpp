@@ -14,6 +14,8 @@ namespace {
 
 constexpr uint8_t kTicks = 10;  // a second's
 constexpr uint16_t kForEver = 0xFFFF;
+// An action begins in the engine's pass, 20 ms before the next tick, which must not count.
+constexpr uint32_t kBeforeFirst = 0xFFFFFFFF;
 
 struct {
     uint8_t output;    // 0: none
@@ -61,7 +63,7 @@ void begin(uint8_t output, uint16_t pulse_us, uint16_t count, uint32_t period, u
     event.before_us = output == kRelayOutput ? relayGet() : outputPulse_us(output);
     event.period = period;
     event.on = on;
-    event.tick = 0;
+    event.tick = kBeforeFirst;
     event.left = count;
     moveOut();
 }

@@ -116,16 +116,34 @@ TEST_F(Outputs, hold_no_pulse_a_servo_cannot_take) {
     EXPECT_EQ(outputPulse_us(8), 800);
 }
 
-TEST_F(Outputs, do_not_give_away_surfaces_throttle_or_what_is_not_there) {
+TEST_F(Outputs, give_away_surfaces_too_but_nothing_that_is_not_there) {
     run();
-    for (uint8_t output : {0, 1, 2, 3, 4, 9, 255}) {
+    for (uint8_t output : {1, 2, 4}) {
+        EXPECT_TRUE(firmware::outputOverride(output, 1850)) << int{output};
+        run();
+        EXPECT_EQ(outputPulse_us(output), 1850);
+        firmware::outputRelease(output);
+        run();
+        EXPECT_EQ(outputPulse_us(output), 1500);
+    }
+    for (uint8_t output : {0, 9, 255}) {
         EXPECT_FALSE(firmware::outputOverride(output, 1850)) << int{output};
         firmware::outputRelease(output);
+        EXPECT_EQ(outputPulse_us(output), 0);
     }
+}
+
+TEST_F(Outputs, the_throttle_is_given_away_only_while_disarmed) {
+    ASSERT_TRUE(firmware::outputOverride(3, 1300));
     run();
-    EXPECT_EQ(outputPulse_us(1), 1500);
-    EXPECT_EQ(outputPulse_us(3), 1100);
-    EXPECT_EQ(outputPulse_us(9), 0);
+    EXPECT_EQ(outputPulse_us(3), 1300);
+    firmware::vehicle.armed = true;
+    run();
+    EXPECT_NE(outputPulse_us(3), 1300) << "arming takes it back";
+    EXPECT_FALSE(firmware::outputOverride(3, 1300));
+    firmware::vehicle.armed = false;
+    run();
+    EXPECT_EQ(outputPulse_us(3), 1100) << "and it stays back";
 }
 
 TEST_F(Outputs, are_written_only_when_they_change) {
