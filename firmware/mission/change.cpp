@@ -18,11 +18,6 @@ struct {
     uint8_t runs_left;  // the NAV, the first run, the second
 } compare;
 
-bool isNav(const uint8_t* record) {
-    const uint8_t row = kCommandTable.find(missionSet(), record[0]);
-    return row != mission::kNoRow && kCommandTable.kind(row) == mission::Class::nav;
-}
-
 // The next run; false: there is none.
 bool nextRun() {
     --compare.runs_left;
@@ -35,35 +30,46 @@ bool nextRun() {
     return compare.runs_left == 1 && apm1 && compare.items.second != compare.items.first;
 }
 
+// What one of the two missions has at this place of a run.
+struct Side {
+    uint8_t record[storage::kRecordSize];
+    bool over;  // the run ends before this place
+};
+
+bool isNav(const uint8_t* bytes, uint8_t count) {
+    const Record record = mission::unpack(missionSet(), bytes);
+    const uint8_t row = kCommandTable.find(missionSet(), record.id);
+    return row != mission::kNoRow && kCommandTable.kind(row) == mission::Class::nav &&
+           kCommandTable.valid(row, record, {compare.at, count}) == 0;
+}
+
 // An APM 1.0 run ends before the next NAV, which need not be the same one.
-bool endsBefore(const uint8_t* now, const uint8_t* before, bool& same) {
-    if (compare.runs_left == 3 || missionSet() == mission::Set::apm2) return false;
-    const bool nav = isNav(now);
-    if (!nav && !isNav(before)) return false;
-    same = nav && isNav(before);
-    return true;
+core::Status look(ReadRecord read, uint8_t count, Side& side) {
+    side.over = compare.at >= count;
+    if (side.over) return core::Status::ok;
+    const core::Status status = read(compare.at, side.record);
+    if (status == core::Status::ok)
+        side.over = compare.runs_left != 3 && missionSet() == mission::Set::apm1 &&
+                    isNav(side.record, count);
+    return status;
+}
+
+core::Status readNow(uint8_t index, uint8_t* to) { return mission_store.read(index, to); }
+core::Status readBefore(uint8_t index, uint8_t* to) {
+    return mission_store.readPrevious(index, to);
 }
 
 // One pair. `ends`: the run is over and was the same.
 core::Status comparePair(bool& same, bool& ends) {
-    const uint8_t count = mission_store.count();
-    ends = compare.at >= count;
-    if (ends) {
-        same = count == mission_store.previousCount();
-        return core::Status::ok;
-    }
-    uint8_t now[storage::kRecordSize], before[storage::kRecordSize];
-    core::Status status = mission_store.read(compare.at, now);
+    Side now, before;
+    core::Status status = look(readNow, mission_store.count(), now);
     if (status != core::Status::ok) return status;
-    status = mission_store.readPrevious(compare.at, before);
+    status = look(readBefore, mission_store.previousCount(), before);
     if (status == core::Status::busy) return status;
-    if (status != core::Status::ok) {
-        same = false;
-        return core::Status::ok;
-    }
-    ends = endsBefore(now, before, same);
-    if (ends) return core::Status::ok;
-    same = memcmp(now, before, sizeof now) == 0;
+    same = status == core::Status::ok && now.over == before.over;
+    ends = now.over;
+    if (!same || ends) return core::Status::ok;
+    same = memcmp(now.record, before.record, sizeof now.record) == 0;
     const bool to_nav = missionSet() == mission::Set::apm2 && !compare.items.to_end;
     ends = compare.runs_left == 3 || (to_nav && compare.at == compare.items.nav);
     ++compare.at;

@@ -150,7 +150,8 @@ MissionResult encodeItem(Set set, mission::Site site, const MissionItem& item, R
         if (relative) record.options = mission::kRelativeAltitude;
         result = encodeApm2(item, parameter, form, record, notes);
     } else {
-        if (isNav(row) && relative != (parameters.altitude_absolute == 0))
+        // home lies above the sea
+        if (isNav(row) && site.index != 0 && relative != (parameters.altitude_absolute == 0))
             return MissionResult::unsupported_frame;
         result = encodeApm1(parameter, form.parts == kPlace ? 1 : 4, record);
     }
@@ -170,9 +171,10 @@ MissionResult encodeItem(Set set, mission::Site site, const MissionItem& item, R
 
 namespace {
 
-uint8_t frameOf(Set set, uint8_t row, const Record& record, uint8_t parts) {
+uint8_t frameOf(Set set, uint8_t row, const Record& record, uint8_t index, uint8_t parts) {
     if (set == Set::apm1) {
-        if (isNav(row)) return parameters.altitude_absolute != 0 ? kGlobal : kGlobalRelative;
+        if (isNav(row) && index != 0)
+            return parameters.altitude_absolute != 0 ? kGlobal : kGlobalRelative;
         return parts == kPlace ? kGlobal : kMission;
     }
     if ((record.options & mission::kAboveTerrain) != 0) return kGlobalTerrain;
@@ -182,14 +184,14 @@ uint8_t frameOf(Set set, uint8_t row, const Record& record, uint8_t parts) {
 
 }  // namespace
 
-void decodeItem(Set set, const Record& record, MissionItem& item) {
+void decodeItem(Set set, uint8_t index, const Record& record, MissionItem& item) {
     item = {};
     item.command = record.id;
     item.frame = kMission;
     const uint8_t row = kCommandTable.find(set, record.id);
     if (row == mission::kNoRow) return;
     const FormRow form = formOf(set, row);
-    item.frame = frameOf(set, row, record, form.parts);
+    item.frame = frameOf(set, row, record, index, form.parts);
     float parameter[5] = {};
     if (set == Set::apm1) {
         const uint8_t fields = form.parts == kPlace ? 1 : 4;

@@ -38,6 +38,6 @@ struct Notes {     // what the ground should be told once an upload
 
 MissionResult encodeItem(mission::Set set, mission::Site site, const MissionItem& item,
                          mission::Record& record, Notes& notes);
-void decodeItem(mission::Set set, const mission::Record& record, MissionItem& item);
+void decodeItem(mission::Set set, uint8_t index, const mission::Record& record, MissionItem& item);
 
 }  // namespace firmware

@@ -243,8 +243,8 @@ uint16_t missionCurrent() { return mission_engine.current(); }
 uint16_t missionSkipped() { return skipped; }
 
 bool missionSetCurrent(uint16_t index) {
-    return boot == Boot::done && !missionChanging() && index < mission_store.count() &&
-           mission_engine.setCurrent(static_cast<uint8_t>(index));
+    return boot == Boot::done && !missionChanging() && mission_survey.first_nav != 0 &&
+           index < mission_store.count() && mission_engine.setCurrent(static_cast<uint8_t>(index));
 }
 
 bool takeReached(uint16_t& index) {

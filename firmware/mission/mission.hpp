@@ -45,7 +45,7 @@ void missionRestart();
 
 uint16_t missionCount();                 // items stored, home (item 0) included; 0: none
 uint16_t missionCurrent();               // index of the NAV flown, 0 when none
-bool missionSetCurrent(uint16_t index);  // false: no such item, nothing changed
+bool missionSetCurrent(uint16_t index);  // false: no such item or no NAV
 bool takeReached(uint16_t& index);       // a NAV that finished and was not yet told
 
 uint16_t missionSkipped();  // records passed over at run time since reset

@@ -140,7 +140,7 @@ core::Status missionItem(uint16_t index, MissionItem& to) {
     uint8_t bytes[mission::kRecordSize];
     const Status status = mission_store.read(static_cast<uint8_t>(index), bytes);
     if (status != Status::ok) return status;
-    decodeItem(missionSet(), mission::unpack(missionSet(), bytes), to);
+    decodeItem(missionSet(), static_cast<uint8_t>(index), mission::unpack(missionSet(), bytes), to);
     return Status::ok;
 }
 

@@ -19,6 +19,20 @@ protected:
         uint16_t index = 0;
         return takeReached(index) ? index : -1;
     }
+    // What an upload would have refused may still come with a flashed image.
+    static void storeImage(uint8_t set, const std::vector<mission::Record>& records) {
+        ASSERT_EQ(mission_store.begin(uint8_t(records.size()), set), core::Status::ok);
+        for (const auto& record : records) {
+            uint8_t bytes[mission::kRecordSize];
+            mission::pack(static_cast<mission::Set>(set), record, bytes);
+            ASSERT_EQ(mission_store.put(bytes), core::Status::ok);
+        }
+        core::Status status;
+        while ((status = mission_store.commit()) == core::Status::busy) {
+        }
+        ASSERT_EQ(status, core::Status::ok);
+        missionBoot();
+    }
     static void expectTo(const MissionItem& item) {
         EXPECT_EQ(vehicle.demand.to.latitude_e7, item.x);
         EXPECT_EQ(vehicle.demand.to.longitude_e7, item.y);
@@ -606,6 +620,26 @@ TEST_F(Apm1Flight, the_throttle_is_never_taken_while_armed) {
     EXPECT_TRUE(tells("output 3 refused"));
 }
 
+TEST_F(Apm1Flight, a_servo_pulse_may_be_set_on_every_other_output_until_the_mode_changes) {
+    for (uint8_t output : {1, 2, 4, 5, 6, 7, 8}) {
+        setMode(Mode::loiter, ModeReason::pilot);
+        run(command(0x82, float(output - 1), 1300));
+        EXPECT_EQ(outputPulse_us(output), 1300) << int(output);
+        setMode(Mode::loiter, ModeReason::pilot);
+        pass();
+        EXPECT_NE(outputPulse_us(output), 1300) << int(output);
+    }
+}
+
+TEST_F(Apm1Flight, the_throttle_of_a_disarmed_airplane_may_be_set_and_arming_takes_it_back) {
+    vehicle.armed = vehicle.estimate.flying = false;
+    run(command(0x82, 2, 1300));
+    EXPECT_EQ(outputPulse_us(3), 1300);
+    vehicle.armed = true;
+    runOutputs();
+    EXPECT_NE(outputPulse_us(3), 1300);
+}
+
 TEST_F(Apm1Flight, jumps_to_one_fly_round_and_round) {
     fly({waypoint(500), waypoint(900), command(0x31)});
     int flown[4];
@@ -752,6 +786,49 @@ TEST_F(MissionFlight, in_apm1_the_chain_is_what_follows_the_nav) {
     EXPECT_EQ(missionCurrent(), 1);
 }
 
+TEST_F(MissionFlight,
+       in_apm1_a_waypoint_appended_behind_the_last_chain_does_not_disturb_the_flight) {
+    parameters.mission_set = 1;
+    const Items base = {waypoint(500), waypoint(900), command(0x20, 9), command(0x81, 1)};
+    Items longer = base;
+    longer.push_back(waypoint(1500));
+    fly(base);
+    reach();
+    pass(20);
+    ASSERT_EQ(upload(longer), MissionResult::accepted);
+    pass();
+    EXPECT_EQ(missionCurrent(), 2);
+    EXPECT_FALSE(vehicle.demand.new_path);
+    ASSERT_EQ(upload(base), MissionResult::accepted) << "and taken away again";
+    pass();
+    EXPECT_EQ(missionCurrent(), 2);
+    longer[4] = command(0x81, 0);
+    ASSERT_EQ(upload(longer), MissionResult::accepted) << "the chain itself is longer";
+    pass();
+    EXPECT_EQ(missionCurrent(), 1);
+}
+
+TEST_F(MissionFlight, a_nav_out_of_range_is_no_end_of_a_chain) {
+    parameters.mission_set = 1;
+    const mission::Record beyond_the_pole = {16, 0, 0, 5000, 910000000, 80000000};
+    storeImage(1, {{16, 0, 0, 0, 0, 0},
+                   {16, 0, 0, 5000, waypoint(500).x, waypoint(500).y},
+                   beyond_the_pole,
+                   {0x81, 0, 1, 0, 0, 0},
+                   {16, 0, 0, 5000, waypoint(1900).x, waypoint(1900).y}});
+    ASSERT_TRUE(enterAuto());
+    EXPECT_TRUE(relayGet());
+    relaySet(false);
+    ASSERT_EQ(upload({waypoint(500), waypoint(900), command(0x81, 1), waypoint(1900)}),
+              MissionResult::accepted);
+    pass();
+    EXPECT_TRUE(vehicle.demand.from_height_m == vehicle.estimate.height_m);
+    EXPECT_FALSE(relayGet()) << "it belongs to the second waypoint now";
+    vehicle.estimate.height_m = 51;
+    reach();
+    EXPECT_TRUE(relayGet());
+}
+
 TEST_F(MissionFlight, a_clear_in_auto_goes_home_and_is_told) {
     fly({waypoint(500), waypoint(900)});
     (void)told();
@@ -781,6 +858,12 @@ TEST_F(MissionFlight, set_current_outside_auto_sets_where_auto_begins) {
     EXPECT_EQ(missionCurrent(), 2);
 }
 
+TEST_F(MissionFlight, no_item_can_be_chosen_in_a_mission_without_a_nav) {
+    ASSERT_EQ(upload({command(181, 0, 1), command(112, 5)}), MissionResult::accepted);
+    for (uint16_t item : {0, 1, 2}) EXPECT_FALSE(missionSetCurrent(item)) << item;
+    EXPECT_EQ(missionCurrent(), 0);
+}
+
 TEST_F(MissionFlight, trailing_commands_circle_the_last_place_at_its_altitude) {
     parameters.mission_trailing = 1;
     fly({waypoint(500, 66), command(112, 5), command(181, 0, 1)});
@@ -800,21 +883,10 @@ TEST_F(MissionFlight, trailing_commands_circle_the_last_place_at_its_altitude) {
 
 TEST_F(MissionFlight, a_record_out_of_range_in_an_image_is_skipped_told_and_counted) {
     const uint16_t before = missionSkipped();
-    ASSERT_EQ(mission_store.begin(4, 2), core::Status::ok);
-    const mission::Record records[] = {{16, 1, 0, 0, 0, 0},
-                                       {16, 1, 0, 5000, 470090000, 80000000},
-                                       {181, 0, 0, 7, 0, 0},
-                                       {16, 1, 0, 5000, 470190000, 80000000}};
-    for (const auto& record : records) {
-        uint8_t bytes[mission::kRecordSize];
-        mission::pack(mission::Set::apm2, record, bytes);
-        ASSERT_EQ(mission_store.put(bytes), core::Status::ok);
-    }
-    core::Status status;
-    while ((status = mission_store.commit()) == core::Status::busy) {
-    }
-    ASSERT_EQ(status, core::Status::ok);
-    missionBoot();
+    storeImage(2, {{16, 1, 0, 0, 0, 0},
+                   {16, 1, 0, 5000, 470090000, 80000000},
+                   {181, 0, 0, 7, 0, 0},
+                   {16, 1, 0, 5000, 470190000, 80000000}});
     ASSERT_TRUE(enterAuto());
     (void)told();
     reach();

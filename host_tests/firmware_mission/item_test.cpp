@@ -210,7 +210,7 @@ TEST_F(Item, speeds_rates_and_parameter_values_are_exact_over_their_whole_range)
         ASSERT_EQ(encodeItem(mission::Set::apm2, {1, 4}, item, r, notes), MissionResult::accepted);
         EXPECT_FALSE(notes.rounded) << cms;
         MissionItem back;
-        decodeItem(mission::Set::apm2, r, back);
+        decodeItem(mission::Set::apm2, 1, r, back);
         EXPECT_EQ(back.param2, item.param2);
     }
     for (int cms = 11; cms <= 2000; ++cms) {
@@ -221,7 +221,7 @@ TEST_F(Item, speeds_rates_and_parameter_values_are_exact_over_their_whole_range)
         ASSERT_EQ(encodeItem(mission::Set::apm2, {1, 4}, item, r, notes), MissionResult::accepted);
         EXPECT_EQ(int(r.p1), cms > 255 ? 255 : cms);
         MissionItem back;
-        decodeItem(mission::Set::apm2, r, back);
+        decodeItem(mission::Set::apm2, 1, r, back);
         EXPECT_EQ(back, item);
     }
 }
@@ -253,14 +253,14 @@ TEST_F(Item, every_valid_apm2_record_survives_the_way_down_and_up) {
         const uint8_t row = kCommandTable.find(mission::Set::apm2, r.id);
         if (kCommandTable.valid(row, r, {1, 20}) != 0) continue;
         MissionItem item;
-        decodeItem(mission::Set::apm2, r, item);
+        decodeItem(mission::Set::apm2, 1, r, item);
         mission::Record again;
         Notes notes = {};
         ASSERT_EQ(encodeItem(mission::Set::apm2, {1, 20}, item, again, notes),
                   MissionResult::accepted)
             << testing::PrintToString(item);
         MissionItem item_again;
-        decodeItem(mission::Set::apm2, again, item_again);
+        decodeItem(mission::Set::apm2, 1, again, item_again);
         ASSERT_EQ(item, item_again);
         ++tried;
     }
@@ -370,6 +370,18 @@ TEST_F(Apm1Item, every_command_refuses_what_is_out_of_range) {
     };
     for (const auto& c : cases)
         EXPECT_EQ(answer(c.item), c.answer) << testing::PrintToString(c.item);
+}
+
+TEST_F(Apm1Item, home_lies_above_the_sea_whatever_alt_abs_says) {
+    const MissionItem home = {16, kGlobalFrame, 0, 0, 0, 0, kLatitude, kLongitude, 488.25f};
+    for (const int8_t absolute : {0, 1}) {
+        parameters.altitude_absolute = absolute;
+        MissionItem flown = at(0x10);
+        flown.frame = absolute != 0 ? kGlobalFrame : kRelativeFrame;
+        EXPECT_EQ(uploadRaw({home, flown}), MissionResult::accepted) << int(absolute);
+        EXPECT_EQ(stored(0), home);
+        EXPECT_EQ(stored(1), flown);
+    }
 }
 
 TEST_F(Apm1Item, a_frame_that_disagrees_with_alt_abs_is_refused) {

@@ -146,7 +146,8 @@ std::string recordsAsWaypoints(const Document& document) {
     std::string text = std::string(kHeader) + '\n';
     for (size_t i = 0; i < document.entries.size(); ++i) {
         MissionItem item = {};
-        firmware::decodeItem(document.set, document.entries[i].record, item);
+        firmware::decodeItem(document.set, static_cast<uint8_t>(i), document.entries[i].record,
+                             item);
         text += lineOf(i, item);
     }
     try {
