@@ -5,8 +5,8 @@
 
 #include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
+#include "parameters/packed.hpp"
 #include "parameters/store.hpp"
-#include "parameters/table.hpp"
 #include "storage/owner.hpp"
 
 namespace firmware {
@@ -39,7 +39,7 @@ namespace {
         P(18 + 9 * n, "SR" #n "_PARAMS", streams[n].params, 10, 0, 50)
 
 // clang-format off
-constexpr parameters::Row kRows[] ROM = {
+constexpr parameters::Row kRows[] = {
     // slot  name                field                         initial   lowest   highest
     P(  0, "SYSID_THISMAV",     system_id,                         1,       1,      255),
     P(  1, "SYSID_MYGCS",       ground_system_id,                255,       1,      255),
@@ -172,7 +172,11 @@ static_assert(core::count(kRows) < 255, "an index is one byte");
 static_assert(parameters::slotsAreUnique(kRows), "a slot is used twice");
 static_assert(parameters::initialsAreInRange(kRows), "a default lies outside its range");
 
-const parameters::Table table(kRows, core::count(kRows), &firmware::parameters);
+static_assert(parameters::namesAreUnique(kRows), "a name is used twice");
+static_assert(parameters::offsetsFit(kRows), "a field lies too far from the first");
+
+constexpr auto kPacked ROM = PACK_PARAMETERS(kRows);
+const parameters::Table table(kPacked.row, core::count(kRows), &firmware::parameters);
 
 bool locked;  // the EEPROM is another firmware's
 bool erasing;

@@ -9,7 +9,7 @@
 
 #include "fakes/clock.hpp"
 #include "fakes/eeprom.hpp"
-#include "parameters/table.hpp"
+#include "parameters/packed.hpp"
 #include "storage/eeprom_map.hpp"
 
 namespace {
@@ -46,7 +46,8 @@ static_assert(parameters::initialsAreInRange(kRows), "");
 static_assert(!parameters::initialsAreInRange(kInitialOutside), "");
 
 constexpr uint8_t kSmall = 0, kMiddle = 1, kLarge = 2, kReal = 3;
-const Table table(kRows, 4, &fields);
+constexpr auto kPacked = PACK_PARAMETERS(kRows);
+const Table table(kPacked.row, 4, &fields);
 
 void loadAll() {
     for (int i = 0; i < 100; ++i) {

@@ -4,16 +4,59 @@
 #include <string.h>
 
 #include "core/maths.hpp"
+#include "parameters/packed.hpp"
 
 namespace parameters {
 
+uint8_t Table::slot(uint8_t index) const { return core::romRead(rows_[index].slot); }
+
+Type Table::type(uint8_t index) const {
+    return static_cast<Type>(core::romRead(rows_[index].field) >> kTypeShift);
+}
+
+uint8_t* Table::field(uint8_t index) const {
+    return static_cast<uint8_t*>(fields_) + (core::romRead(rows_[index].field) & kOffsetMask);
+}
+
+// The pool follows the rows.
+float Table::number(uint8_t place) const {
+    return core::romRead(reinterpret_cast<const float*>(rows_ + count_)[place]);
+}
+
+float Table::initial(uint8_t index) const { return number(core::romRead(rows_[index].initial)); }
+float Table::lowest(uint8_t index) const { return number(core::romRead(rows_[index].lowest)); }
+float Table::highest(uint8_t index) const { return number(core::romRead(rows_[index].highest)); }
+
+const uint8_t* Table::letters(uint8_t index) const {
+    return reinterpret_cast<const uint8_t*>(rows_) + core::romRead(rows_[index].name);
+}
+
 void Table::name(uint8_t index, char (&to)[kNameSize]) const {
-    core::copyText(to, rows_[index].name, kNameSize);
+    const uint8_t* letter = letters(index);
+    uint8_t byte = 0;
+    for (char& c : to) {
+        if ((byte & kLastLetter) == 0) {
+            byte = core::romRead(*letter++);
+            c = static_cast<char>(byte & ~kLastLetter);
+        } else {
+            c = 0;
+        }
+    }
+}
+
+// Most rows differ in their first letters: a whole search is 12,000 cycles at most.
+bool Table::isNamed(uint8_t index, const char (&name)[kNameSize]) const {
+    const uint8_t* letter = letters(index);
+    for (uint8_t i = 0; i < kNameSize; ++i) {
+        const uint8_t byte = core::romRead(*letter++);
+        if (static_cast<char>(byte & ~kLastLetter) != name[i]) return false;
+        if ((byte & kLastLetter) != 0) return i + 1 == kNameSize || name[i + 1] == 0;
+    }
+    return false;
 }
 
 float Table::value(uint8_t index) const {
-    const uint8_t* field =
-        static_cast<const uint8_t*>(fields_) + core::romRead(rows_[index].offset);
+    const uint8_t* field = this->field(index);
     switch (type(index)) {
         case Type::int8:
             return static_cast<float>(static_cast<int8_t>(*field));
@@ -37,13 +80,9 @@ float Table::value(uint8_t index) const {
 
 bool Table::findName(const char (&name)[kNameSize], uint8_t& index) const {
     for (uint8_t i = 0; i < count_; ++i) {
-        uint8_t at = 0;
-        char c = 0;
-        while (at < kNameSize && (c = core::romRead(rows_[i].name[at])) == name[at] && c != 0) ++at;
-        if (at == kNameSize || (c == 0 && name[at] == 0)) {
-            index = i;
-            return true;
-        }
+        if (!isNamed(i, name)) continue;
+        index = i;
+        return true;
     }
     return false;
 }
@@ -59,12 +98,11 @@ bool Table::findSlot(uint8_t slot, uint8_t& index) const {
 
 bool Table::fits(uint8_t index, float value) const {
     // NaN fails both comparisons
-    return value >= core::romRead(rows_[index].lowest) &&
-           value <= core::romRead(rows_[index].highest);
+    return value >= lowest(index) && value <= highest(index);
 }
 
 float Table::assign(uint8_t index, float value) const {
-    uint8_t* field = static_cast<uint8_t*>(fields_) + core::romRead(rows_[index].offset);
+    uint8_t* field = this->field(index);
     const Type type = this->type(index);
     if (type == Type::real32) {
         memcpy(field, &value, sizeof value);
@@ -75,10 +113,6 @@ float Table::assign(uint8_t index, float value) const {
         memcpy(field, &whole, width);
     }
     return this->value(index);
-}
-
-void Table::assignInitial(uint8_t index) const {
-    assign(index, core::romRead(rows_[index].initial));
 }
 
 }  // namespace parameters

@@ -52,6 +52,16 @@ struct Row {
             static_cast<uint16_t>(offsetof(Owner, field)), initial, lowest, highest \
     }
 
+template <size_t N>
+constexpr bool slotsAreUnique(const Row (&rows)[N]) {
+    bool taken[256] = {};
+    for (size_t i = 0; i < N; ++i) {
+        if (taken[rows[i].slot]) return false;
+        taken[rows[i].slot] = true;
+    }
+    return true;
+}
+
 constexpr bool same(const char* a, const char* b) {
     while (*a != 0 && *a == *b) {
         ++a;
@@ -61,12 +71,10 @@ constexpr bool same(const char* a, const char* b) {
 }
 
 template <size_t N>
-constexpr bool slotsAreUnique(const Row (&rows)[N]) {
-    bool taken[256] = {};
-    for (size_t i = 0; i < N; ++i) {
-        if (taken[rows[i].slot]) return false;
-        taken[rows[i].slot] = true;
-    }
+constexpr bool namesAreUnique(const Row (&rows)[N]) {
+    for (size_t i = 0; i < N; ++i)
+        for (size_t j = 0; j < i; ++j)
+            if (same(rows[i].name, rows[j].name)) return false;
     return true;
 }
 
@@ -78,15 +86,16 @@ constexpr bool initialsAreInRange(const Row (&rows)[N]) {
     return true;
 }
 
-// A table of rows over one struct of fields.
+// A table of packed rows (packed.hpp) over one struct of fields.
+struct PackedRow;
 class Table {
 public:
-    constexpr Table(const Row* rows, uint8_t count, void* fields)
+    constexpr Table(const PackedRow* rows, uint8_t count, void* fields)
         : rows_(rows), count_(count), fields_(fields) {}
 
     uint8_t count() const { return count_; }
-    uint8_t slot(uint8_t index) const { return core::romRead(rows_[index].slot); }
-    Type type(uint8_t index) const { return core::romRead(rows_[index].type); }
+    uint8_t slot(uint8_t index) const;
+    Type type(uint8_t index) const;
     void name(uint8_t index, char (&to)[kNameSize]) const;  // padded with zeros
     float value(uint8_t index) const;
 
@@ -95,12 +104,20 @@ public:
 
     // Finite and in the row's range.
     bool fits(uint8_t index, float value) const;
+    float initial(uint8_t index) const;
+    float lowest(uint8_t index) const;
+    float highest(uint8_t index) const;
     // Assigns, whole numbers rounded; returns what the field now holds. The value must fit.
     float assign(uint8_t index, float value) const;
-    void assignInitial(uint8_t index) const;
+    void assignInitial(uint8_t index) const { assign(index, initial(index)); }
 
 private:
-    const Row* rows_;
+    float number(uint8_t place) const;
+    uint8_t* field(uint8_t index) const;
+    const uint8_t* letters(uint8_t index) const;
+    bool isNamed(uint8_t index, const char (&name)[kNameSize]) const;
+
+    const PackedRow* rows_;
     uint8_t count_;
     void* fields_;
 };
