@@ -4,6 +4,7 @@
 #include "board.hpp"
 #include "firmware/arming.hpp"
 #include "firmware/attitude_control.hpp"
+#include "firmware/dataflash.hpp"
 #include "firmware/estimator.hpp"
 #include "firmware/failsafe.hpp"
 #include "firmware/guidance/guidance.hpp"
@@ -30,6 +31,12 @@ constexpr uint16_t kSilentImu_us = 10400;
 constexpr uint8_t kSamplesPerFrame = 2;
 
 void endMode() { vehicle.mode_changed = false; }
+
+// both small and in no hurry
+void runLightsAndFlash() {
+    runLights();
+    dataflashStep();
+}
 
 void measureLoad();
 
@@ -60,7 +67,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { runArming,            10,     1,     100 },
     { runBattery,           10,     8,     460 },
     { parametersRun,        10,     9,      32 },
-    { runLights,            10,     0,      75 },
+    { runLightsAndFlash,    10,     0,      95 },
     { measureLoad,         100,    51,     110 },
 };
 // clang-format on
@@ -73,8 +80,7 @@ static_assert(scheduler::worstFrame_us(kTasks, 100) < kFrame_us * 19UL / 20,
 
 scheduler::Scheduler<core::count(kTasks)> schedule(kTasks, kFrame_us);
 
-uint32_t frame_us;
-uint16_t longest_frame_us;
+uint16_t frame_began;  // ticks
 uint16_t load_permille;
 uint32_t load_from_us, load_busy_us;
 
@@ -89,7 +95,8 @@ void measureLoad() {
 
 bool frameDue() {
     if (inertialSamplesWaiting() >= kSamplesPerFrame) return true;
-    return hal::now_us() - frame_us >= (vehicle.imu.healthy ? kSilentImu_us : kFrame_us);
+    const uint16_t passed = hal::ticks() - frame_began;
+    return passed >= hal::kTicksPerUs * (vehicle.imu.healthy ? kSilentImu_us : kFrame_us);
 }
 
 // The clock is looked at when the rest has ended, not at every interrupt.
@@ -99,6 +106,7 @@ bool workWaits() { return inertialSamplesWaiting() >= kSamplesPerFrame || teleme
 
 void start() {
     board::start();
+    dataflashStart();
     // at reset the queue is empty, so nothing is busy but what a cut left to be redone
     while (parametersLoad() == core::Status::busy) {
     }
@@ -109,16 +117,13 @@ void start() {
     vehicle.mode = Mode::initialising;
     setMode(static_cast<Mode>(parameters.initial_mode), ModeReason::boot);
     schedule.start();
-    frame_us = hal::now_us();
+    frame_began = hal::ticks();
 }
 
 void turn() {
     if (frameDue()) {
-        const uint32_t due_us = frame_us = hal::now_us();
-        schedule.runFrame(due_us);
-        const uint32_t taken_us = hal::now_us() - due_us;
-        if (taken_us > longest_frame_us)
-            longest_frame_us = taken_us > 0xFFFF ? 0xFFFF : static_cast<uint16_t>(taken_us);
+        frame_began = hal::ticks();
+        schedule.runFrame(hal::now_us());
     } else if (!telemetryPump()) {
         hal::idle(workWaits);
     }
@@ -126,7 +131,7 @@ void turn() {
 
 uint16_t loadPermille() { return load_permille; }
 uint16_t lateFrames() { return schedule.lateFrames(); }
-uint16_t longestFrame_us() { return longest_frame_us; }
+uint16_t longestFrame_us() { return schedule.longestFrame_us(); }
 uint8_t taskCount() { return core::count(kTasks); }
 uint16_t taskLongest_us(uint8_t task) { return schedule.longest_us(task); }
 

@@ -6,7 +6,6 @@
 #include <avr/io.h>
 #include <avr/sleep.h>
 
-#include "hal/interrupts.hpp"
 #include "start.hpp"
 
 namespace {
@@ -23,20 +22,25 @@ struct {
 
 volatile bool rest_is_over;
 
-struct Reading {
-    uint16_t us;      // since the overflow `overflowed` tells of
-    bool overflowed;  // the interrupt for it has still to run
-};
-
-// With interrupts off. A pending flag belongs to a count that is small again.
-inline Reading readTimer() {
+// The timer and `base` belong together. A pending flag belongs to a count that is small again: the
+// interrupt for that overflow has still to run.
+template <class Take>
+__attribute__((always_inline)) inline uint16_t readTimer(bool& overflowed, Take take) {
+    const uint8_t previous = SREG;
+    cli();
     const uint16_t count = TCNT5;
-    return {static_cast<uint16_t>(count / 2), (TIFR5 & (1 << TOV5)) && count < 0x8000};
+    overflowed = (TIFR5 & (1 << TOV5)) && count < 0x8000;
+    take();
+    __asm__ volatile("" ::: "memory");
+    SREG = previous;
+    return count;
 }
 
-// Without the 220 cycles of a division; exact for what two summands below can reach.
+// Without the 220 cycles of a division; exact for what two summands below can reach. The product's
+// upper half costs no shift.
 constexpr uint8_t thousands(uint16_t us) {
-    return static_cast<uint8_t>((static_cast<uint32_t>(us >> 3) * 4195) >> 19);
+    return static_cast<uint8_t>(
+        static_cast<uint16_t>((static_cast<uint32_t>(us / 8) * 33555U) >> 16) >> 6);
 }
 
 constexpr bool thousandsIsExact() {
@@ -80,30 +84,32 @@ ISR(TIMER5_COMPA_vect) { rest_is_over = true; }
 
 namespace hal {
 
+uint16_t ticks() {
+    const uint8_t previous = SREG;
+    cli();  // the two halves are read through a register that interrupts use as well
+    const uint16_t count = TCNT5;
+    SREG = previous;
+    return count;
+}
+
 uint32_t now_us() {
-    Reading now;
+    bool overflowed;
     uint32_t us;
-    {
-        Locked locked;
-        now = readTimer();
-        us = base.us;
-    }
-    if (now.overflowed) us += kOverflow_us;
-    return us + now.us;
+    const uint16_t count = readTimer(overflowed, [&] { us = base.us; });
+    if (overflowed) us += kOverflow_us;
+    return us + count / 2;
 }
 
 uint32_t now_ms() {
-    Reading now;
+    bool overflowed;
     uint32_t ms;
     uint16_t us_past_ms;
-    {
-        Locked locked;
-        now = readTimer();
+    const uint16_t count = readTimer(overflowed, [&] {
         ms = base.ms;
         us_past_ms = base.us_past_ms;
-    }
-    if (now.overflowed) carry(ms, us_past_ms);
-    return ms + thousands(us_past_ms + now.us);
+    });
+    if (overflowed) carry(ms, us_past_ms);
+    return ms + thousands(us_past_ms + count / 2);
 }
 
 void idle(bool (*work_waits)()) {

@@ -25,6 +25,7 @@ void resetClock() {
 namespace hal {
 
 uint32_t now_us() { return static_cast<uint32_t>(now); }
+uint16_t ticks() { return static_cast<uint16_t>(now * kTicksPerUs); }
 uint32_t now_ms() { return static_cast<uint32_t>(now / 1000); }
 
 void idle(bool (*work_waits)()) {

@@ -8,6 +8,10 @@ namespace hal {
 uint32_t now_us();  // since reset; wraps after 71.6 minutes: compare differences only
 uint32_t now_ms();  // since reset; wraps after 49.7 days
 
+// For what is timed often and takes less than 32 ms, after which it wraps.
+uint16_t ticks();
+constexpr uint8_t kTicksPerUs = 2;
+
 // Sleeps through interrupts until `work_waits`, asked with interrupts off after each of them, says
 // that there is something to do: nothing that comes between the question and the sleep is slept
 // over. It is asked some thousand times a second and must be quick. Returns after 2 ms at the

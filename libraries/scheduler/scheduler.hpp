@@ -3,7 +3,7 @@
 // `phase` of that period, for at most `budget_us`. The table is the schedule, and the functions
 // here prove at compile time that no frame of it overflows. What runs over its budget all the
 // same costs only the lower tier: its tasks wait for a later frame, the one that waits longest
-// goes first.
+// goes first. Tasks are timed in the clock's ticks, which tell apart what ends within 32 ms.
 #pragma once
 #include <stdint.h>
 
@@ -82,23 +82,24 @@ public:
     void start() {
         fast_ = 0;
         for (uint8_t i = 0; i < N; ++i) {
-            const Task task = core::romRead(tasks_[i]);
-            wait_[i] = task.phase + 1;
-            if (task.period == 1) ++fast_;
+            wait_[i] = core::romRead(tasks_[i].phase) + 1;
+            if (core::romRead(tasks_[i].period) == 1) ++fast_;
         }
     }
 
     // Runs the frame that was due at `due_us`; what is left of it is reckoned from there.
     void runFrame(uint32_t due_us) {
         hal::mark(hal::kMarkFrameBegin);
-        due_us_ = due_us;
-        const uint32_t began_us = now_us_ = hal::now_us();
+        const uint32_t began_us = hal::now_us();
+        const uint32_t late_us = began_us - due_us;
+        began_ = now_ = hal::ticks();
+        room_ = late_us < frame_us_ ? ticks(frame_us_ - static_cast<uint16_t>(late_us)) : 0;
         int8_t latest = 1;
         for (uint8_t i = 0; i < N; ++i) {
             if (wait_[i] > -kPatience) --wait_[i];
             if (wait_[i] > 0) continue;
             if (i < fast_) {
-                runTimed(core::romRead(tasks_[i]), i);
+                runTimed(i, core::romRead(tasks_[i].budget_us));
             } else if (wait_[i] < latest) {
                 latest = wait_[i];
             }
@@ -107,12 +108,14 @@ public:
         for (int8_t late = latest; late <= 0; ++late)
             for (uint8_t i = fast_; i < N; ++i)
                 if (wait_[i] == late) serve(i);
-        busy_us_ += now_us_ - began_us;
-        if (now_us_ - due_us > frame_us_) countUp(late_frames_);
+        const uint32_t ended_us = hal::now_us();
+        busy_us_ += ended_us - began_us;
+        judge(ended_us - due_us);
         hal::mark(hal::kMarkFrameEnd);
     }
 
-    uint16_t longest_us(uint8_t task) const { return longest_us_[task]; }
+    uint16_t longest_us(uint8_t task) const { return longest_[task] / hal::kTicksPerUs; }
+    uint16_t longestFrame_us() const { return longest_frame_us_; }  // since it was due
     uint16_t overruns() const { return overruns_; }       // a task took longer than its budget
     uint16_t deferrals() const { return deferrals_; }     // a task was put off by a frame
     uint16_t lateFrames() const { return late_frames_; }  // a frame ended after the next was due
@@ -123,36 +126,49 @@ private:
         if (count != 0xFFFF) ++count;
     }
 
+    static constexpr uint16_t ticks(uint16_t us) { return us * hal::kTicksPerUs; }
+
+    void judge(uint32_t frame_us) {
+        if (frame_us > longest_frame_us_)
+            longest_frame_us_ = frame_us > 0xFFFF ? 0xFFFF : static_cast<uint16_t>(frame_us);
+        if (frame_us > frame_us_) countUp(late_frames_);
+    }
+
     void serve(uint8_t i) {
-        const Task task = core::romRead(tasks_[i]);
-        const bool fits = now_us_ - due_us_ + task.budget_us <= frame_us_;
+        const uint16_t budget_us = core::romRead(tasks_[i].budget_us);
+        const uint16_t spent = now_ - began_;
+        const bool fits = spent <= room_ && ticks(budget_us) <= room_ - spent;
         if (!fits && wait_[i] > -kPatience) {
             countUp(deferrals_);
             return;
         }
-        runTimed(task, i);
+        runTimed(i, budget_us);
     }
 
-    void runTimed(const Task& task, uint8_t i) {
-        do wait_[i] += task.period;  // from when it was due, not from now: the phase is kept
+    void runTimed(uint8_t i, uint16_t budget_us) {
+        const uint8_t period = core::romRead(tasks_[i].period);
+        do wait_[i] += period;  // from when it was due, not from now: the phase is kept
         while (wait_[i] <= 0);
-        const uint32_t start_us = now_us_;
         hal::mark(i + 1);
-        task.run();
+        core::romRead(tasks_[i].run)();
         hal::mark(hal::kMarkTaskEnd);
-        now_us_ = hal::now_us();
-        const uint32_t taken_us = now_us_ - start_us;
-        if (taken_us > longest_us_[i]) longest_us_[i] = taken_us > 0xFFFF ? 0xFFFF : taken_us;
-        if (taken_us > task.budget_us) countUp(overruns_);
+        const uint16_t ended = hal::ticks();
+        const uint16_t taken = ended - now_;
+        now_ = ended;
+        if (taken > longest_[i]) longest_[i] = taken;
+        if (taken > ticks(budget_us)) countUp(overruns_);
     }
 
     const Task (&tasks_)[N];
     const uint16_t frame_us_;
-    uint8_t fast_ = 0;     // tasks of the fast tier: they stand first
-    int8_t wait_[N] = {};  // frames until due; 0 due, below 0 late by as many
-    uint16_t longest_us_[N] = {};
+    uint8_t fast_ = 0;          // tasks of the fast tier: they stand first
+    int8_t wait_[N] = {};       // frames until due; 0 due, below 0 late by as many
+    uint16_t longest_[N] = {};  // in ticks, as the next three
+    uint16_t began_ = 0, now_ = 0;
+    uint16_t room_ = 0;  // that the frame had when it began
     uint16_t overruns_ = 0, deferrals_ = 0, late_frames_ = 0;
-    uint32_t due_us_ = 0, now_us_ = 0, busy_us_ = 0;
+    uint16_t longest_frame_us_ = 0;
+    uint32_t busy_us_ = 0;
 };
 
 }  // namespace scheduler

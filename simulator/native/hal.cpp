@@ -19,6 +19,7 @@ static int number(Port port) { return static_cast<int>(port); }
 
 // clock
 uint32_t now_us() { return static_cast<uint32_t>(board().time_us()); }
+uint16_t ticks() { return static_cast<uint16_t>(board().time_us() * kTicksPerUs); }
 uint32_t now_ms() { return static_cast<uint32_t>(board().time_us() / 1000); }
 void idle(bool (*work_waits)()) { board().idle(work_waits); }
 
