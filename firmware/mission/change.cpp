@@ -10,7 +10,7 @@
 namespace firmware {
 namespace {
 
-constexpr uint8_t kPairsPerCall = 8;
+constexpr uint8_t kPairsPerCall = kRecordsPerCall / 2;
 
 struct {
     mission::Sequencer::InFlight items;

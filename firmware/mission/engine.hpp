@@ -17,9 +17,12 @@ mission::Set missionSet();
 bool missionReady();     // the stored one has been found and checked
 bool missionStorable();  // the EEPROM is ours
 
-// Fetches the record that the last poll found in the way of a write: the EEPROM rests for a
-// reader that comes back soon, and the next missionRun would be too late.
+// Between two missionRuns: the next part of a long pass; or fetches the record that the last poll
+// found in the way of a write, for the EEPROM rests only for a reader that comes back soon.
 void missionCatchUp();
+
+// Records that background work looks at in one call: with the engine's, 16 a frame.
+constexpr uint8_t kRecordsPerCall = 8;
 
 // ---- survey.cpp: what a mission holds, found by looking at a few records each call
 struct Survey {

@@ -11,6 +11,7 @@
 #include "firmware/parameters.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
+#include "hal/mark.hpp"
 #include "hal/watchdog.hpp"
 #include "storage/index_store.hpp"
 #include "storage/owner.hpp"
@@ -79,6 +80,7 @@ void onReset() {
 }
 
 void onEvent(Event event, uint8_t index) {
+    hal::markItem(static_cast<uint8_t>(hal::kMarkMission + static_cast<uint8_t>(event)), index);
     switch (event) {
         case Event::started:
             keepIndex(index);
@@ -107,6 +109,8 @@ void onEvent(Event event, uint8_t index) {
             break;
         case Event::reset:
             onReset();
+            break;
+        default:
             break;
     }
 }
@@ -164,8 +168,8 @@ Status bootStep() {
     return status;
 }
 
-void background() {
-    uploadRun();
+void background(bool there_is_time) {
+    if (there_is_time) uploadRun();
     mission_store.readAhead(mission_engine.next());
     if (index_waits) index_waits = index_store.write(generation(), index_wanted) != Status::ok;
 }
@@ -195,7 +199,11 @@ bool missionReady() { return boot == Boot::done; }
 bool missionStorable() { return boot != Boot::foreign; }
 
 void missionCatchUp() {
-    if (mission_engine.starved()) mission_store.readAhead(mission_engine.next());
+    if (!mission_engine.active() || missionChanging()) return;
+    if (mission_engine.starved())
+        mission_store.readAhead(mission_engine.next());
+    else if (mission_engine.midPass())
+        (void)mission_engine.poll(parameters.mission_trailing != 0);
 }
 
 void missionRun() {
@@ -204,14 +212,15 @@ void missionRun() {
         return;
     }
     if (boot == Boot::foreign) return;
+    uint8_t records = 0;
     if (mission_engine.active() && !missionChanging()) {
-        mission_engine.poll(parameters.mission_trailing != 0);
+        records = mission_engine.poll(parameters.mission_trailing != 0);
         if (mission_engine.active()) {
             stepSpeed();
             stepClimb();
         }
     }
-    background();
+    background(records <= mission::kRecordsPerPoll - kRecordsPerCall);
     grantModeWish();
 }
 

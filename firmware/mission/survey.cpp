@@ -9,7 +9,7 @@ namespace firmware {
 
 core::Status surveyStep(Survey& survey, mission::Set set, uint8_t count, ReadRecord read) {
     if (survey.next == 0) survey = {1, 0, 0, 0};
-    for (uint8_t n = 0; n < mission::kRecordsPerPoll && survey.next < count; ++n) {
+    for (uint8_t n = 0; n < kRecordsPerCall && survey.next < count; ++n) {
         uint8_t bytes[mission::kRecordSize];
         const core::Status status = read(survey.next, bytes);
         if (status != core::Status::ok) return status;

@@ -57,7 +57,7 @@ MissionResult begin(uint8_t count, uint8_t set) {
 
 // The parts of a partial write that stay come from the present mission.
 Status copyUpTo(uint8_t index) {
-    for (uint8_t n = 0; n < mission::kRecordsPerPoll && mission_store.staged() < index; ++n) {
+    for (uint8_t n = 0; n < kRecordsPerCall && mission_store.staged() < index; ++n) {
         const Status status = mission_store.copy();
         if (status != Status::ok) return status;
     }

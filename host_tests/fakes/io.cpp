@@ -111,6 +111,7 @@ void watchdogFeed() {
 void reboot() { throw fakes::Rebooted(); }
 
 void mark(uint8_t value) { io.marks.push_back(value); }
+void markItem(uint8_t value, uint8_t) { io.marks.push_back(value); }
 
 uint8_t lockInterrupts() {
     ++io.locks;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Missions in flight: what the commands of both sets do to the airplane.
+#include <algorithm>
+
 #include "core/maths.hpp"
 #include "firmware/mission/handlers.hpp"
+#include "hal/mark.hpp"
 #include "rig.hpp"
 
 namespace firmware {
@@ -439,6 +442,34 @@ TEST_F(MissionFlight, set_parameter_sets_the_one_in_the_slot) {
     reach();
     EXPECT_FLOAT_EQ(parameters.roll.axis.p, 0.75f);
     EXPECT_EQ(parameters.waypoint_radius_m, 45);
+}
+
+TEST_F(MissionFlight,
+       an_advance_over_168_actions_takes_several_frames_of_16_records_and_loses_none) {
+    Items items = {waypoint(500)};
+    for (int i = 0; i < 168; ++i) items.push_back(command(181, 0, float(i % 2)));
+    items.push_back(waypoint(900));
+    fly(items);
+    const auto actions = [] {
+        const auto& marks = fakes::marks();
+        return std::count(marks.begin(), marks.end(),
+                          hal::kMarkMission + static_cast<int>(mission::Event::runs));
+    };
+    const auto before = actions();
+    vehicle.progress.distance_m = 0;
+    int tenths = 0;
+    for (auto seen = before; missionCurrent() != 170 ||
+                             vehicle.demand.to != geo::Position{waypoint(900).x, waypoint(900).y};
+         ++tenths) {
+        ASSERT_LT(tenths, 20);
+        pass();
+        EXPECT_LE(actions() - seen, 2 * 16) << "two frames in a tenth of a second";
+        seen = actions();
+    }
+    EXPECT_EQ(actions() - before, 168);
+    // looked at once for the NAV behind them and once to be run, 32 records in a tenth
+    EXPECT_EQ(tenths, (169 + 168 + 31) / 32);
+    EXPECT_TRUE(relayGet());
 }
 
 TEST_F(MissionFlight, set_servo_holds_the_output_until_the_mode_changes) {

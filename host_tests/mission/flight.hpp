@@ -129,6 +129,8 @@ inline void tellEvent(Event event, uint8_t index) {
             break;
         case Event::reset:
             break;
+        default:
+            break;
     }
 }
 inline void whereItIs(Record& record) { record.p3 = world.here; }

@@ -161,6 +161,8 @@ void tell(mission::Event event, uint8_t index) {
         case mission::Event::reset:
             say("reset");
             break;
+        default:
+            break;
     }
 }
 void whereItIs(Record& record) { record.p3 = world.here; }

@@ -92,10 +92,10 @@ void Sequencer::resume() {
     if (has(kTrailing)) {
         tell(Event::hold, memory_.nav);
     } else if (has(kStarted)) {
+        tell(Event::resumed, memory_.nav);
         core::romRead(table_.rows[memory_.nav_row].begin)(memory_.nav_record, {true, true});
     }
-    if (memory_.condition != 0)
-        core::romRead(table_.rows[memory_.condition_row].act)(memory_.condition_record);
+    if (memory_.condition != 0) wait();
 }
 
 bool Sequencer::setCurrent(uint8_t index) {

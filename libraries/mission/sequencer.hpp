@@ -12,11 +12,15 @@ namespace mission {
 
 constexpr uint8_t kMostItems = 176;
 constexpr uint8_t kMostCounters = 15;
-constexpr uint8_t kRecordsPerPoll = 8;  // about 1,200 cycles each
+constexpr uint8_t kRecordsPerPoll = 16;
 
 enum class Event : uint8_t {
     started,   // index: the NAV that is flown from now on
+    resumed,   // index: the NAV that is flown on
     reached,   // index: the NAV that finished
+    waits,     // index: the CONDITION that begins
+    waited,    // index: the CONDITION that ended
+    runs,      // index: the action that is done now
     skipped,   // index: an unknown or impossible record was passed over
     looped,    // index: the jump at which a pass had taken all the steps it may
     hold,      // commands are left after the last NAV: circle its place meanwhile
@@ -75,7 +79,9 @@ public:
 
     void enter(bool restart);  // AUTO; resumes, or begins when there is nothing to resume
     void leave();
-    void poll(bool trailing);  // one pass, or the next part of one; trailing: MIS_TRAILING
+    // One pass, or the next part of one; trailing: MIS_TRAILING. Returns how many records it took.
+    uint8_t poll(bool trailing);
+    bool midPass() const { return memory_.phase == kSeeking || memory_.phase == kWalking; }
     bool active() const { return active_; }
     bool starved() const { return starved_; }  // the last poll ended at a record not there yet
 
@@ -136,6 +142,7 @@ private:
     void endOfChain();
     void startNav();
     void startCondition(const Item& item);
+    void wait();
     void act(const Item& item);
     void takeJump(const Item& item);
     bool jumpApm1(uint8_t index, const Jump& jump);

@@ -17,23 +17,23 @@ void setBit(uint8_t* bits, uint8_t index) {
 
 }  // namespace
 
-void Sequencer::poll(bool trailing) {
-    if (!active_) return;
+uint8_t Sequencer::poll(bool trailing) {
+    if (!active_) return 0;
     trailing_ = trailing;
     starved_ = false;
     if (resuming_) {
         resume();
-        if (memory_.phase == kFlying) return;
+        if (memory_.phase == kFlying) return 0;
     } else if (memory_.phase == kFlying && !lookAround()) {
-        return;
+        return 0;
     }
-    for (uint8_t n = 0; n < kRecordsPerPoll && active_; ++n) {
-        const bool goes_on = memory_.phase == kSeeking   ? seek()
-                             : memory_.phase == kWalking ? walk()
-                                                         : false;
-        if (!goes_on) break;
+    uint8_t records = 0;
+    while (records < kRecordsPerPoll && active_ && midPass()) {
+        ++records;
+        if (!(memory_.phase == kSeeking ? seek() : walk())) break;
     }
     seal();
+    return records;
 }
 
 // The NAV first, then the CONDITION beside it. True when one of them has finished.
@@ -45,6 +45,7 @@ bool Sequencer::lookAround() {
     if (memory_.condition == 0) return false;
     if (table_.check(memory_.condition_row)(memory_.condition_record) != Progress::done)
         return false;
+    tell(Event::waited, memory_.condition);
     memory_.condition = 0;
     beginPass();
     memory_.phase = kWalking;
@@ -174,7 +175,12 @@ void Sequencer::startCondition(const Item& item) {
     memory_.condition_row = item.row;
     memory_.condition_record = item.record;
     memory_.phase = kFlying;
-    core::romRead(table_.rows[item.row].act)(item.record);
+    wait();
+}
+
+void Sequencer::wait() {
+    tell(Event::waits, memory_.condition);
+    core::romRead(table_.rows[memory_.condition_row].act)(memory_.condition_record);
 }
 
 // The step counts as taken before the handler runs: a handler may change the mode and so stop
@@ -183,6 +189,7 @@ void Sequencer::act(const Item& item) {
     const uint8_t index = memory_.next++;
     if (memory_.steps < count()) ++memory_.steps;
     if (item.row == kNoRow) return tell(Event::skipped, index);
+    tell(Event::runs, index);
     core::romRead(table_.rows[item.row].act)(item.record);
 }
 

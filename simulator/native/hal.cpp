@@ -72,5 +72,6 @@ void watchdogStart() { board().watchdogStart(); }
 void watchdogFeed() { board().watchdogFeed(); }
 void reboot() { board().reboot(); }
 void mark(uint8_t value) { board().mark(value); }
+void markItem(uint8_t value, uint8_t) { board().mark(value); }
 
 }  // namespace hal
