@@ -23,9 +23,9 @@ struct Entry {
 struct Chip {
     std::array<uint8_t, hal::kEepromSize> cells, seen;  // seen: with all that was queued
     std::deque<Entry> queue;
-    bool slow, in_flight, reader_waits, cut;
+    bool slow, in_flight, reader_waits;
     uint64_t done_us, reader_since_us;
-    uint32_t writes, writes_left;
+    uint32_t writes;
 
     Chip() { erase(); }
 
@@ -39,17 +39,16 @@ struct Chip {
     void restart() {
         seen = cells;
         queue.clear();
-        in_flight = reader_waits = cut = false;
-        writes_left = UINT32_MAX;
+        in_flight = reader_waits = false;
+        fakes::restorePower();
     }
 
     // Writes one cell, or loses it with the power.
     void program(const Entry& entry) {
-        if (cut) return;
+        const fakes::Fate fate = fakes::beginWrite();
+        if (fate == fakes::Fate::lost) return;
         ++writes;
-        if (writes_left == 0) cut = true;
-        if (writes_left != UINT32_MAX && writes_left > 0) --writes_left;
-        cells[entry.address] = cut ? 0xFF : entry.value;
+        cells[entry.address] = fate == fakes::Fate::done ? entry.value : 0xFF;
     }
 
     // The interrupt's part: begins the next byte that differs.
@@ -109,8 +108,6 @@ uint8_t eepromCell(uint16_t address) {
 }
 
 void setEepromSlow(bool slow) { chip.slow = slow; }
-void cutPowerAfter(uint32_t writes) { chip.writes_left = writes; }
-bool powerWasCut() { return chip.cut; }
 void restartEeprom() {
     chip.catchUp();
     chip.restart();

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tests' EEPROM: quick by default, on request as slow as the real one, and its power can be
-// cut in the middle of a byte.
+// cut in the middle of a byte, which then reads 0xFF.
 #pragma once
 #include <stdint.h>
 
 #include <vector>
+
+#include "fakes/power.hpp"
 
 namespace fakes {
 
@@ -20,11 +22,6 @@ uint8_t eepromCell(uint16_t address);
 // Slow: a byte takes 3.4 ms of the fake clock, the queue holds hal::kEepromQueue bytes, and reads
 // and writes answer busy by the contract's rules. Quick: everything is in its cell at once.
 void setEepromSlow(bool slow);
-
-// After `writes` more cell writes the power fails: the byte then in flight reads 0xFF and no
-// later one arrives. The program under test notices nothing and goes on with what it wrote.
-void cutPowerAfter(uint32_t writes);
-bool powerWasCut();
 
 // Power back on, as after a reset: what had not reached the cells is gone, no further cut.
 void restartEeprom();

@@ -34,8 +34,15 @@ Status whileBusy(Call call) {
     return Status::timeout;
 }
 
+// The first that was wrong with any of the lists.
 Status open(MissionStore& store) {
-    return whileBusy([&] { return store.open(); });
+    Status found = Status::ok;
+    for (;;) {
+        storage::ListKind which;
+        const Status status = whileBusy([&] { return store.open(which); });
+        if (found == Status::ok) found = status;
+        if (status == Status::ok) return found;
+    }
 }
 
 Status upload(MissionStore& store, const Mission& mission, uint8_t set = 2) {
@@ -118,7 +125,8 @@ TEST_F(MissionStoreTest, a_mission_that_does_not_fit_beside_the_present_one_need
 TEST_F(MissionStoreTest, a_full_mission_touches_neither_parameters_nor_fence) {
     for (uint16_t at = 0; at < hal::kEepromSize; ++at) {
         const bool missions = at >= storage::kMissionHead.begin && at < storage::kMission.end();
-        fakes::setEepromCell(at, missions ? 0xFF : 0xA5);
+        const bool heads = at >= storage::kFenceHead.begin && at < storage::kRallyHead.end();
+        fakes::setEepromCell(at, missions || heads ? 0xFF : 0xA5);
     }
     MissionStore store;
     ASSERT_EQ(open(store), Status::ok);
@@ -126,6 +134,7 @@ TEST_F(MissionStoreTest, a_full_mission_touches_neither_parameters_nor_fence) {
 
     for (uint16_t at = 0; at < hal::kEepromSize; ++at) {
         if (at >= storage::kMissionHead.begin && at < storage::kMission.end()) continue;
+        if (at >= storage::kFenceHead.begin && at < storage::kRallyHead.end()) continue;
         ASSERT_EQ(fakes::eepromCell(at), 0xA5) << at;
     }
 }
@@ -161,8 +170,6 @@ TEST_F(MissionStoreTest, the_old_mission_can_be_read_until_the_next_upload_begin
         ASSERT_EQ(store.readPrevious(i, record.data()), Status::ok);
         EXPECT_EQ(record, old_mission[i]);
     }
-    ASSERT_EQ(store.begin(1, 2), Status::ok);
-    EXPECT_EQ(store.readPrevious(0, record.data()), Status::bad_argument);
 }
 
 TEST_F(MissionStoreTest, a_record_read_ahead_is_there_while_the_eeprom_is_busy) {
@@ -219,7 +226,7 @@ TEST_F(MissionStoreTest, uploading_the_same_mission_again_to_the_same_place_writ
 
     ASSERT_EQ(upload(store, same), Status::ok);
 
-    EXPECT_LE(fakes::eepromWrites() - before, storage::kMissionHeadSize);
+    EXPECT_LE(fakes::eepromWrites() - before, storage::kHeadSize);
 }
 
 TEST_F(MissionStoreTest, the_number_of_a_commit_may_wrap) {

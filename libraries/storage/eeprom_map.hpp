@@ -23,10 +23,12 @@ constexpr uint8_t kParameterSize = 4;
 constexpr uint16_t kParameterSlots = 272;
 constexpr uint8_t kJournalEntrySize = 8;
 constexpr uint8_t kJournalEntries = 8;
-constexpr uint8_t kMissionHeadSize = 16;
+constexpr uint8_t kHeadSize = 16;
 constexpr uint8_t kRecordSize = 14;
 constexpr uint8_t kRecordSlots = 171;  // home and 170 commands
+constexpr uint8_t kFenceSize = 10;
 constexpr uint8_t kFencePoints = 20;
+constexpr uint8_t kRallySize = 11;
 constexpr uint8_t kRallyPoints = 10;
 constexpr uint8_t kIndexEntrySize = 3;
 constexpr uint8_t kIndexEntries = 21;
@@ -35,20 +37,26 @@ constexpr uint8_t kIndexEntries = 21;
 constexpr Region kHeader      = {0, 16};                                 // magic, layout version
 constexpr Region kParameters  = after(kHeader,      kParameterSlots * kParameterSize);
 constexpr Region kJournal     = after(kParameters,  kJournalEntries * kJournalEntrySize);
-constexpr Region kMissionHead = after(kJournal,     2 * kMissionHeadSize);
+constexpr Region kMissionHead = after(kJournal,     2 * kHeadSize);
 constexpr Region kMission     = after(kMissionHead, kRecordSlots * kRecordSize);
-constexpr Region kFence       = after(kMission,     8 + kFencePoints * 8);
-constexpr Region kRally       = after(kFence,       kRallyPoints * 12);
-constexpr Region kIndex       = after(kRally,       64);                 // the mission's, wear spread
+constexpr Region kFence       = after(kMission,     kFencePoints * kFenceSize);
+constexpr Region kFenceHead   = after(kFence,       2 * kHeadSize);
+constexpr Region kRallyHead   = after(kFenceHead,   2 * kHeadSize);
+constexpr Region kGap         = after(kRallyHead,   24);
+constexpr Region kIndex       = after(kGap,         64);                 // the mission's, wear spread
 constexpr Region kHomeAndLog  = after(kIndex,       32);
-constexpr Region kSpare       = after(kHomeAndLog,  hal::kEepromSize - kHomeAndLog.end());
+constexpr Region kRally       = after(kHomeAndLog,  kRallyPoints * kRallySize);
+constexpr Region kSpare       = after(kRally,       hal::kEepromSize - kRally.end());
 // clang-format on
 
-static_assert(kHomeAndLog.end() <= hal::kEepromSize, "the EEPROM map is larger than the EEPROM");
+static_assert(kRally.end() <= hal::kEepromSize, "the EEPROM map is larger than the EEPROM");
 static_assert(kSpare.end() == hal::kEepromSize, "the EEPROM map must account for every byte");
 static_assert(!overlap(kParameters, kMission), "a full mission must not reach the parameters");
 static_assert(kIndexEntries * kIndexEntrySize <= kIndex.size, "index entries do not fit");
-static_assert(kMissionHeadSize <= hal::kEepromQueue, "a head is queued in one piece");
+static_assert(kHeadSize <= hal::kEepromQueue, "a head is queued in one piece");
+// Fence and rally points came later, into places that were blank until then.
+static_assert(kMission.begin == 1200 && kIndex.begin == 3882 && kHomeAndLog.begin == 3946,
+              "layout 1 has these where its first boards have them");
 
 constexpr uint16_t parameterAddress(uint16_t slot) {
     return static_cast<uint16_t>(kParameters.begin + slot * kParameterSize);

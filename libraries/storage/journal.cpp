@@ -89,4 +89,10 @@ Status readSlot(uint16_t slot, uint32_t& value) {
     return status;
 }
 
+Status clearSlot(uint16_t slot) {
+    if (slot >= kParameterSlots) return Status::bad_argument;
+    constexpr uint8_t kBlank[kParameterSize] = {0xFF, 0xFF, 0xFF, 0xFF};
+    return hal::eepromWrite(parameterAddress(slot), kBlank, sizeof kBlank);
+}
+
 }  // namespace storage

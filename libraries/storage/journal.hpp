@@ -31,5 +31,6 @@ private:
 
 // The four bytes in a slot; all ones where nothing was ever written.
 MUST_USE core::Status readSlot(uint16_t slot, uint32_t& value);
+MUST_USE core::Status clearSlot(uint16_t slot);
 
 }  // namespace storage

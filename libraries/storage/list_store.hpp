@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lists of fixed-size records, each of which changes as a whole: a power cut at any moment leaves
+// the old or the new one. A new list is staged where the present one is not (in the DataFlash, or
+// without one in the free part of the EEPROM's ring), read back, and made the present one by a
+// single small write, its head. What is in the DataFlash is copied to the EEPROM when there is
+// time, and has another head after that. Knows nothing of what is in the records.
+#pragma once
+#include <stdint.h>
+
+#include "core/status.hpp"
+#include "storage/lists.hpp"
+
+namespace storage {
+
+class ListStore {
+public:
+    // At start, until it is ok: finds and checks the lists, a part each call. corrupt: something
+    // was stored as `which` and is not whole; unsupported: it is in a DataFlash that does not
+    // answer. That list is then empty until one is committed.
+    MUST_USE core::Status open(ListKind& which);
+
+    uint8_t count(ListKind kind) const { return of(kind).count; }
+    uint8_t set(ListKind kind) const { return of(kind).set; }
+    uint8_t generation(ListKind kind) const { return of(kind).generation; }  // differs after commit
+
+    // busy: in a later frame. bad_argument: no such record.
+    MUST_USE core::Status read(ListKind kind, uint8_t index, uint8_t* to) {
+        return readRecord(kind, of(kind), index, to);
+    }
+
+    // A new list; what was staged before is forgotten. full: no room beside the present one.
+    // busy: a commit is not yet done.
+    MUST_USE core::Status begin(ListKind kind, uint8_t count, uint8_t set);
+    MUST_USE core::Status put(const uint8_t* record);  // in order; busy: again later
+    MUST_USE core::Status copy();                      // puts the present list's record
+    uint8_t staged() const { return put_; }
+    uint8_t stagedCount() const { return other_.count; }
+    uint8_t stagedSet() const { return other_.set; }
+    bool staging(ListKind kind) const { return phase_ == Phase::filling && kind_ == kind; }
+    MUST_USE core::Status readStaged(uint8_t index, uint8_t* to) {
+        return index < put_ ? readRecord(kind_, other_, index, to) : core::Status::bad_argument;
+    }
+    // Until it is not busy. ok: the new list is the list and would survive a power cut. corrupt:
+    // what was read back is not what was put; the old list stays.
+    MUST_USE core::Status commit();
+    void abort();  // without effect once the head is being written
+
+    // The list before the last commit, until the next begin() or settle().
+    uint8_t previousCount() const { return other_.count; }
+    uint8_t previousSet() const { return other_.set; }
+    MUST_USE core::Status readPrevious(uint8_t index, uint8_t* to) {
+        return readRecord(kind_, other_, index, to);
+    }
+
+    // Carries the copying on. ok: nothing is to be done. corrupt, once: the EEPROM does not keep
+    // what is written; the list stays in the DataFlash.
+    MUST_USE core::Status settle();
+
+    // Whether new lists are staged in the DataFlash.
+    bool flashWorks() const;
+
+private:
+    enum class Phase : uint8_t {
+        finding,
+        checking,  // open()
+        idle,
+        copying,
+        summing_copy,
+        settling,  // settle()
+        filling,
+        storing,
+        verifying,
+        heading  // a new list
+    };
+
+    const Extent& of(ListKind kind) const { return present_[static_cast<uint8_t>(kind)]; }
+    Extent& present() { return present_[static_cast<uint8_t>(kind_)]; }
+    bool inFlash() const { return other_.place != Place::eeprom; }
+
+    core::Status find();
+    void sumFromStart();
+    core::Status sum(const Extent& extent, uint8_t end, uint8_t most);
+    core::Status sumMatches(const Extent& extent);
+    core::Status place(Extent& staged, const Extent& now, uint8_t slots) const;
+    core::Status storePages();
+    core::Status failed(core::Status status);
+    core::Status makeDurable();
+    bool findUnsettled();
+    core::Status copyHome();
+    core::Status head(const Extent& target, Phase writing);
+
+    Extent present_[kListKinds] = {};
+    Extent other_ = {};  // while opening a candidate, then the staged list, then the previous one
+    uint16_t crc_ = 0;   // of the records summed so far
+    uint8_t summed_ = 0;
+    uint8_t put_ = 0;                    // records staged, or copied
+    uint8_t stored_ = 0;                 // pages handed to the DataFlash
+    ListKind kind_ = ListKind::mission;  // being worked on
+    Phase phase_ = Phase::finding;
+    bool last_head_ = false;  // no older one is left to try
+    bool flash_bad_ = false;  // it has not kept what was written
+    bool eeprom_bad_ = false;
+};
+
+}  // namespace storage
