@@ -229,6 +229,8 @@ void runEstimator() {
     }
 }
 
+const Vector3& gyroDrift_rads() { return attitude.bias_rads(); }
+
 void zeroHeight() {
     home_height_m = height.height_m();
     vehicle.estimate.height_m = 0;

@@ -4,6 +4,7 @@
 #include "core/rom.hpp"
 #include "firmware/modes.hpp"
 #include "firmware/parameters.hpp"
+#include "firmware/telemetry/telemetry.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
 #include "hal/clock.hpp"
@@ -11,8 +12,8 @@
 namespace firmware {
 namespace {
 
-enum class State : uint8_t { none, brief, lasting };
-enum class Trigger : uint8_t { radio_lost, lost_for_long, radio_back };
+enum class State : uint8_t { none, brief, lasting, ground };
+enum class Trigger : uint8_t { radio_lost, lost_for_long, radio_back, ground_lost, ground_back };
 
 struct Memory {
     State state;
@@ -45,9 +46,9 @@ void goBrief() {
 }
 
 // FS_LONG_ACTN: 0 and 1 return, 2 glides in FBWA; AUTO and its like go on when 0.
-void goLasting() {
+void goHome() {
     vehicle.failsafe_long = true;
-    tell(Severity::critical, ROM_TEXT("Radio lost: long failsafe"));
+    rcOverrideRelease();
     if (vehicle.mode == Mode::rtl) return;
     if (keepsFlying() && parameters.long_action == 0) return;
     if (parameters.long_action == 2) {
@@ -58,12 +59,28 @@ void goLasting() {
     if (vehicle.mode != Mode::rtl) enter(Mode::circle);  // no home, no GPS: circle and wait
 }
 
-void goBack() {
-    const bool may_return = memory.state == State::brief && vehicle.mode == memory.mode_entered;
-    vehicle.failsafe_short = vehicle.failsafe_long = false;
-    tell(Severity::notice, ROM_TEXT("Radio back"));
-    if (may_return) setMode(memory.mode_before, ModeReason::failsafe);
+void goLasting() {
+    tell(Severity::critical, ROM_TEXT("Radio lost: long failsafe"));
+    goHome();
 }
+
+void goGround() {
+    tell(Severity::critical, ROM_TEXT("Ground station lost: long failsafe"));
+    goHome();
+}
+
+void end(core::RomText text) {
+    vehicle.failsafe_short = vehicle.failsafe_long = false;
+    tell(Severity::notice, text);
+}
+
+void goBack() {
+    end(ROM_TEXT("Radio back"));
+    if (memory.state == State::brief && vehicle.mode == memory.mode_entered)
+        setMode(memory.mode_before, ModeReason::failsafe);
+}
+
+void groundBack() { end(ROM_TEXT("Ground station back")); }
 
 struct Transition {
     State from;
@@ -79,8 +96,20 @@ constexpr Transition kTransitions[] ROM = {
     {State::brief,   Trigger::radio_back,    State::none,    goBack},
     {State::brief,   Trigger::lost_for_long, State::lasting, goLasting},
     {State::lasting, Trigger::radio_back,    State::none,    goBack},
+    {State::none,    Trigger::ground_lost,   State::ground,  goGround},
+    {State::ground,  Trigger::ground_back,   State::none,    groundBack},
 };
 // clang-format on
+
+bool longSince(uint32_t time_ms) {
+    return hal::now_ms() - time_ms >= static_cast<uint32_t>(parameters.long_timeout_s * 1000.0f);
+}
+
+// One that was never there is not missed.
+bool groundLost() {
+    return parameters.ground_failsafe != 0 && vehicle.armed && groundHeard_ms() != 0 &&
+           longSince(groundHeard_ms());
+}
 
 bool holds(Trigger trigger) {
     switch (trigger) {
@@ -89,8 +118,11 @@ bool holds(Trigger trigger) {
         case Trigger::radio_back:
             return !vehicle.radio.lost || !vehicle.armed;
         case Trigger::lost_for_long:
-            return hal::now_ms() - memory.began_ms >=
-                   static_cast<uint32_t>(parameters.long_timeout_s * 1000.0f);
+            return longSince(memory.began_ms);
+        case Trigger::ground_lost:
+            return groundLost();
+        case Trigger::ground_back:
+            return !groundLost();
     }
     return false;
 }

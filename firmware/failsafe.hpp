@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happens when the pilot's radio is lost: a table of transitions between three states.
+// What happens when the pilot's radio or the ground station is lost: a table of transitions
+// between four states.
 #pragma once
 
 namespace firmware {

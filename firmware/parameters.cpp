@@ -135,6 +135,7 @@ constexpr parameters::Row kRows[] = {
     P(146, "FS_SHORT_ACTN",     short_action,                      0,       0,        2),
     P(147, "FS_LONG_ACTN",      long_action,                       0,       0,        2),
     P(148, "FS_LONG_TIMEOUT",   long_timeout_s,                    5,       1,      300),
+    P(190, "FS_GCS_ENABL",      ground_failsafe,                   0,       0,        1),
     P(149, "ARMING_CHECK",      arming_check,                      1,       0,    32767),
     P(150, "MIS_RESTART",       mission_restart,                   0,       0,        1),
     P(151, "MIS_TRAILING",      mission_trailing,                  0,       0,        1),

@@ -68,6 +68,7 @@ struct Parameters {
     // failsafes and arming
     int8_t short_action, long_action;
     float short_timeout_s, long_timeout_s;
+    int8_t ground_failsafe;  // FS_GCS_ENABL
     int8_t arming_require;
     int16_t arming_check;
     // mission

@@ -49,15 +49,20 @@ int16_t stick_cd(uint8_t number) {
     return deflection_cd(parameters.channel[number], vehicle.radio.pulse_us[number]);
 }
 
-bool overridden() {
-    bool any = false;
+// True: the ground station holds all that steers and may stand in for a receiver that is gone. Of
+// one channel alone it may not: the other sticks would stay where they were.
+bool groundFlies() {
+    uint8_t held = 0;
     for (uint8_t i = 0; i < hal::kRcChannels; ++i) {
         uint16_t us;
         if (!rcOverride(i, us)) continue;
         vehicle.radio.pulse_us[i] = core::limit(us, kPulseLowest_us, kPulseHighest_us);
-        any = true;
+        held |= static_cast<uint8_t>(1 << i);
     }
-    return any;
+    const uint8_t wanted =
+        static_cast<uint8_t>(1 << (parameters.map_roll - 1) | 1 << (parameters.map_pitch - 1) |
+                             1 << (parameters.map_throttle - 1));
+    return (held & wanted) == wanted;
 }
 
 void judge(bool throttle_says_lost) {
@@ -104,7 +109,7 @@ void runRadio() {
         for (uint8_t i = 0; i < hal::kRcChannels; ++i)
             if (pulses[i] != 0)
                 radio.pulse_us[i] = core::limit(pulses[i], kPulseLowest_us, kPulseHighest_us);
-    const bool ground_flies = overridden();
+    const bool ground_flies = groundFlies();
     if (!fresh && !ground_flies && hal::rcAge_us() < kFramesGone_us) return;
 
     const bool gone = !ground_flies && hal::rcAge_us() >= kFramesGone_us;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the airplane is, how it lies in the air and where it is going.
 #include "core/maths.hpp"
+#include "firmware/estimator.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/telemetry/messages.hpp"
 #include "firmware/telemetry/mission_transfer.hpp"
@@ -36,6 +37,14 @@ bool fillIn(const Link&, mavlink::Attitude& to) {
     to.rollspeed = vehicle.attitude.rate_rads.x;
     to.pitchspeed = vehicle.attitude.rate_rads.y;
     to.yawspeed = vehicle.attitude.rate_rads.z;
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::Ahrs& to) {
+    const core::Vector3& drift_rads = gyroDrift_rads();
+    to.omegaIx = drift_rads.x;
+    to.omegaIy = drift_rads.y;
+    to.omegaIz = drift_rads.z;
     return true;
 }
 

@@ -7,6 +7,7 @@
 #include "core/maths.hpp"
 #include "firmware/telemetry/link.hpp"
 #include "firmware/telemetry/telemetry.hpp"
+#include "firmware/telemetry/text.hpp"
 #include "hal/clock.hpp"
 #include "hal/rc_input.hpp"
 
@@ -26,6 +27,11 @@ bool fromGround(const mavlink::Frame& frame) {
 }
 
 }  // namespace
+
+void housekeepingStart() {
+    heard_ms = 0;
+    rcOverrideRelease();
+}
 
 uint32_t groundHeard_ms() { return heard_ms; }
 
@@ -79,6 +85,22 @@ bool onLogRequestList(Link& link, const mavlink::Frame&) {
     const mavlink::LogEntry none = {};  // of no logs
     return send(link, none);
 }
+
+// Data of no bytes is where a log ends; one that does not exist ends where it is asked for.
+bool onLogRequestData(Link& link, const mavlink::Frame& frame) {
+    const auto asked = frame.read<mavlink::LogRequestData>();
+    mavlink::LogData message = {};
+    message.id = asked.id;
+    message.ofs = asked.ofs;
+    return send(link, message);
+}
+
+bool onLogErase(Link&, const mavlink::Frame&) {
+    tell(Severity::notice, ROM_TEXT("No logs to erase"));
+    return true;
+}
+
+bool onLogRequestEnd(Link&, const mavlink::Frame&) { return true; }
 
 // 0 gives a channel back to the receiver, 65535 leaves it as it is.
 bool onRcChannelsOverride(Link&, const mavlink::Frame& frame) {

@@ -68,6 +68,9 @@ constexpr Incoming kIncoming[] ROM = {
     toUs<mavlink::MissionClearAll>(onMissionClearAll, refuseMission),
     toUs<mavlink::MissionSetCurrent>(onMissionSetCurrent),
     toUs<mavlink::LogRequestList>(onLogRequestList),
+    toUs<mavlink::LogRequestData>(onLogRequestData),
+    toUs<mavlink::LogErase>(onLogErase),
+    toUs<mavlink::LogRequestEnd>(onLogRequestEnd),
 };
 // clang-format on
 

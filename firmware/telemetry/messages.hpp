@@ -25,6 +25,7 @@ bool fillIn(const Link& link, mavlink::RcChannels& to);
 bool fillIn(const Link& link, mavlink::ServoOutputRaw& to);
 
 bool fillIn(const Link& link, mavlink::Attitude& to);
+bool fillIn(const Link& link, mavlink::Ahrs& to);
 bool fillIn(const Link& link, mavlink::GlobalPositionInt& to);
 bool fillIn(const Link& link, mavlink::VfrHud& to);
 bool fillIn(const Link& link, mavlink::Wind& to);

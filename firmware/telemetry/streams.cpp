@@ -67,6 +67,7 @@ constexpr OutgoingRow kOutgoing[] ROM = {
     row<mavlink::ServoOutputRaw>(Stream::rc_channels),
     row<mavlink::RcChannelsRaw>(Stream::rc_channels),
     row<mavlink::RcChannels>(Stream::rc_channels),
+    row<mavlink::Ahrs>(Stream::extra3),
     row<mavlink::Wind>(Stream::extra3),
     row<mavlink::Hwstatus>(Stream::extra3),
     row<mavlink::SystemTime>(Stream::extra3),

@@ -2,6 +2,7 @@
 #include "firmware/telemetry/telemetry.hpp"
 
 #include "firmware/telemetry/commands.hpp"
+#include "firmware/telemetry/housekeeping.hpp"
 #include "firmware/telemetry/link.hpp"
 #include "firmware/telemetry/mission_transfer.hpp"
 #include "firmware/telemetry/parameter_transfer.hpp"
@@ -105,6 +106,7 @@ inline bool waits() {
 }  // namespace
 
 void telemetryStart() {
+    housekeepingStart();
     missionTransferStart();
     commandsStart();
     usb = hal::usbConnected();

@@ -138,6 +138,49 @@ TEST_F(Telemetry, has_no_logs_and_says_so) {
 
     ASSERT_EQ(entries.size(), 1u);
     EXPECT_EQ(entries[0].num_logs, 0);
+    EXPECT_EQ(entries[0].last_log_num, 0);
+    EXPECT_EQ(entries[0].size, 0u);
+}
+
+TEST_F(Telemetry, a_log_that_does_not_exist_ends_where_it_is_asked_for) {
+    for (const Framing framing : {Framing::v1, Framing::v2}) {
+        station.framing = framing;
+        mavlink::LogRequestData message = {};
+        message.target_system = message.target_component = 1;
+        message.id = 7;
+        message.ofs = 900;
+        message.count = 0xFFFFFFFF;
+
+        const auto parts = ask<mavlink::LogData>(message);
+
+        ASSERT_EQ(parts.size(), 1u);
+        EXPECT_EQ(parts[0].count, 0);
+        EXPECT_EQ(parts[0].id, 7);
+        EXPECT_EQ(parts[0].ofs, 900u);
+    }
+}
+
+TEST_F(Telemetry, a_log_s_end_waits_for_room) {
+    mavlink::LogRequestData message = {};
+    message.target_system = message.target_component = 1;
+    station.line().room = 60;  // enough for most answers, not for this
+    EXPECT_TRUE(ask<mavlink::LogData>(message, 200).empty());
+
+    station.line().room = 127;
+    run_ms(20);
+    EXPECT_EQ(station.all<mavlink::LogData>().size(), 1u);
+}
+
+TEST_F(Telemetry, erasing_logs_that_do_not_exist_is_answered_by_a_text) {
+    mavlink::LogErase message = {};
+    message.target_system = message.target_component = 1;
+    station.send(message);
+    mavlink::LogRequestEnd end = {};
+    end.target_system = end.target_component = 1;
+    station.send(end);
+    run_ms(20);
+    EXPECT_EQ(station.texts().at(0), "No logs to erase");
+    EXPECT_TRUE(station.everything().empty());
 }
 
 TEST_F(Telemetry, texts_reach_both_links_with_their_number) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <map>
 
 #include "core/maths.hpp"
 #include "ground.hpp"
@@ -93,7 +94,8 @@ TEST_F(Telemetry, a_stream_comes_at_the_rate_it_was_asked_for) {
 TEST_F(Telemetry, all_streams_start_and_stop_together) {
     station.send(streamRequest(MavDataStream::all, 10));
     run_ms(2000);
-    for (const uint16_t id : {1, 24, 27, 29, 30, 33, 35, 36, 42, 62, 65, 74, 125, 152, 165, 168}) {
+    for (const uint16_t id :
+         {1, 24, 27, 29, 30, 33, 35, 36, 42, 62, 65, 74, 125, 152, 163, 165, 168}) {
         station.forget();
         run_ms(1000);
         size_t count = 0;
@@ -152,8 +154,28 @@ TEST_F(Telemetry, the_heartbeat_cannot_be_turned_off) {
     EXPECT_EQ(station.all<mavlink::Heartbeat>().size(), 3u);
 }
 
+TEST_F(Telemetry, two_links_have_rates_of_their_own) {
+    station.send(streamRequest(MavDataStream::all, 2));
+    second.send(streamRequest(MavDataStream::all, 10));
+    run_ms(2000);
+    station.forget();
+    second.forget();
+
+    run_ms(5000);
+
+    std::map<uint16_t, int> slow, fast;
+    for (const auto& heard : station.everything()) ++slow[heard.id];
+    for (const auto& heard : second.everything()) ++fast[heard.id];
+    for (const uint16_t id : {1, 24, 27, 30, 33, 36, 74, 163}) {
+        EXPECT_EQ(slow[id], 10) << id;
+        EXPECT_EQ(fast[id], 50) << id;
+    }
+    EXPECT_EQ(slow[0], 5);
+    EXPECT_EQ(fast[0], 5);
+}
+
 TEST_F(Telemetry, sends_whole_frames_only_and_beats_on_a_slow_line) {
-    firmware::parameters.streams[0] = {10, 10, 10, 10, 10, 10, 10, 10, 10};
+    memset(&firmware::parameters.streams[0], 10, sizeof firmware::parameters.streams[0]);
     station.line().endless = false;
     for (int i = 0; i < 1000; ++i) {  // 960 bytes a second: 9600 baud, a fifth of what is asked
         station.line().room = static_cast<uint8_t>(std::min(station.line().room + 9.6, 127.0));

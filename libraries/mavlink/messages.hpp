@@ -831,6 +831,43 @@ template <>
 struct Wire<LogEntry> : Shape<118, 14, 14, 56> {};
 static_assert(sizeof(LogEntry) == Wire<LogEntry>::length_with_extensions, "LOG_ENTRY");
 
+struct __attribute__((packed)) LogRequestData {
+    uint32_t ofs;
+    uint32_t count;
+    uint16_t id;
+    uint8_t target_system;
+    uint8_t target_component;
+};
+template <>
+struct Wire<LogRequestData> : Shape<119, 12, 12, 116> {};
+static_assert(sizeof(LogRequestData) == Wire<LogRequestData>::length_with_extensions, "LOG_REQUEST_DATA");
+
+struct __attribute__((packed)) LogData {
+    uint32_t ofs;
+    uint16_t id;
+    uint8_t count;
+    uint8_t data[90];
+};
+template <>
+struct Wire<LogData> : Shape<120, 97, 97, 134> {};
+static_assert(sizeof(LogData) == Wire<LogData>::length_with_extensions, "LOG_DATA");
+
+struct __attribute__((packed)) LogErase {
+    uint8_t target_system;
+    uint8_t target_component;
+};
+template <>
+struct Wire<LogErase> : Shape<121, 2, 2, 237> {};
+static_assert(sizeof(LogErase) == Wire<LogErase>::length_with_extensions, "LOG_ERASE");
+
+struct __attribute__((packed)) LogRequestEnd {
+    uint8_t target_system;
+    uint8_t target_component;
+};
+template <>
+struct Wire<LogRequestEnd> : Shape<122, 2, 2, 203> {};
+static_assert(sizeof(LogRequestEnd) == Wire<LogRequestEnd>::length_with_extensions, "LOG_REQUEST_END");
+
 struct __attribute__((packed)) PowerStatus {
     uint16_t Vcc;
     uint16_t Vservo;
