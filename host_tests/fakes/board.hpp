@@ -2,12 +2,17 @@
 // The roles of a board, played by doubles.
 #pragma once
 #include "fakes/bus.hpp"
+#include "fakes/flash_bus.hpp"
 
 namespace board {
 
 using SensorBus = fakes::Bus;
 using ImuSelect = fakes::Pin<0>;
 using BarometerSelect = fakes::Pin<1>;
+
+using FlashBus = fakes::FlashBus;
+using FlashSelect = fakes::FlashSelect;
+using FlashReset = fakes::FlashReset;
 
 using Relay = fakes::Switch<0>;
 using LedA = fakes::Switch<1>;

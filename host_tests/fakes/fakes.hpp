@@ -5,6 +5,7 @@
 #include "fakes/bus.hpp"
 #include "fakes/clock.hpp"
 #include "fakes/eeprom.hpp"
+#include "fakes/flash_bus.hpp"
 #include "fakes/i2c.hpp"
 #include "fakes/io.hpp"
 #include "fakes/serial.hpp"
@@ -18,6 +19,7 @@ inline void reset() {
     resetSerial();
     resetIo();
     Bus::reset();
+    FlashBus::reset();
     board::ImuSelect::level = board::BarometerSelect::level = true;
 }
 
