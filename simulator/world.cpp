@@ -6,6 +6,7 @@
 #include "simulator/airplane/airplane.hpp"
 #include "simulator/airplane/earth.hpp"
 #include "simulator/devices/analog_sensors.hpp"
+#include "simulator/devices/at45db.hpp"
 #include "simulator/devices/hmc5883l.hpp"
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
@@ -31,6 +32,12 @@ UbloxOptions gpsFor(const WorldOptions& options) {
     return gps;
 }
 
+At45dbOptions dataflashFor(const WorldOptions& options) {
+    At45dbOptions dataflash;
+    dataflash.fitted = options.dataflash;
+    return dataflash;
+}
+
 }  // namespace
 
 struct World::Parts {
@@ -43,7 +50,8 @@ struct World::Parts {
           barometer(options.seed, errors),
           compass(options.seed, errors),
           gps(options.seed, errors, gpsFor(options)),
-          analog(options.seed, errors) {
+          analog(options.seed, errors),
+          dataflash(options.seed, dataflashFor(options)) {
         sense();
     }
 
@@ -58,6 +66,7 @@ struct World::Parts {
     Hmc5883l compass;
     UbloxGps gps;
     AnalogSensors analog;
+    At45db dataflash;
     PpmEncoder radio;
     struct Servo {
         double width_us = 0;
@@ -139,6 +148,8 @@ Ms5611& World::barometer() { return parts_->barometer; }
 Hmc5883l& World::compass() { return parts_->compass; }
 UbloxGps& World::gps() { return parts_->gps; }
 PpmEncoder& World::radio() { return parts_->radio; }
+At45db& World::dataflash() { return parts_->dataflash; }
+const At45db& World::dataflash() const { return parts_->dataflash; }
 
 double World::analog_v(int pin, uint64_t now_us) {
     advanceTo(now_us);

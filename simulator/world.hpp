@@ -20,6 +20,7 @@ struct WorldOptions {
     double declination_deg = 2.5, inclination_deg = 63.0, magnetic_field_mg = 480.0;
     double gps_acquire_s = 3.0;  // from power-on to the first fix
     uint32_t gps_baud = 9600;    // the module's rate at power-on
+    bool dataflash = true;       // the board has one
 };
 
 // The truth, in SI units, NED at the start point. Never seen by the firmware.
@@ -46,6 +47,7 @@ class Ms5611;
 class Hmc5883l;
 class UbloxGps;
 class PpmEncoder;
+class At45db;
 
 class World {
 public:
@@ -68,6 +70,8 @@ public:
     Hmc5883l& compass();
     UbloxGps& gps();
     PpmEncoder& radio();
+    At45db& dataflash();
+    const At45db& dataflash() const;
 
     // What the ADC pin A0..A15 of the board sees, in volts; supply 5.00 V.
     double analog_v(int pin, uint64_t now_us);

@@ -20,9 +20,16 @@ struct FlashShape {
     uint16_t page_size;  // 528, or 512 where the chip was set to powers of two
 };
 
-// Known once the chip has been asked, in the first frames after start; until then `known` is false.
+// Why there is no chip that works: nobody answered at start; it stayed busy longer than it may; it
+// no longer says what it is.
+enum class FlashTrouble : uint8_t { none, absent, stuck, lost };
+
+// Known once the chip has been asked, in the first frames after start: asking takes it further.
+// Until then every flash function answers busy; once there is trouble, unsupported. Trouble may
+// also come later and stays until the next start.
 bool flashKnown();
 FlashShape flashShape();
+FlashTrouble flashTrouble();
 
 // Reads from a page, past the buffers. busy: a page is being erased or programmed (at most 40 ms,
 // a block 100 ms; datasheet "tEP", "tBE"). bad_argument: past the end of the chip or of the page.
@@ -37,9 +44,11 @@ MUST_USE core::Status flashFill(FlashUser user, uint16_t offset, const void* fro
 // in any state, the others untouched. bad_argument: not a page of this user's.
 MUST_USE core::Status flashStore(FlashUser user, uint16_t page);
 
-// Erases the block of eight pages which `page` begins; ok: begun.
+// Erases the block of eight pages which `page` begins; ok: begun. bad_argument: it begins none, or
+// not a page of this user's.
 MUST_USE core::Status flashErase(FlashUser user, uint16_t page);
 
+// Also while the chip is not yet known.
 bool flashBusy();
 
 // The user wants the chip next: the log's flashStore and flashErase are told busy while the

@@ -37,6 +37,23 @@ struct BarometerSelect {
     static void output() {}
 };
 
+struct FlashBus {
+    static void send(const uint8_t* bytes, uint8_t size);
+    static void receive(uint8_t* to, uint8_t size);
+};
+
+struct FlashSelect {
+    static void low();
+    static void high();
+    static void output() {}
+};
+
+struct FlashReset {
+    static void low();
+    static void high();
+    static void output() {}
+};
+
 struct Relay {
     static void low();
     static void high();

@@ -8,6 +8,7 @@
 #include "firmware/tasks.hpp"
 #include "hal/imu_interrupt.hpp"
 #include "hal/mark.hpp"
+#include "simulator/devices/at45db.hpp"
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
 #include "simulator/devices/ublox_gps.hpp"
@@ -119,6 +120,11 @@ uint8_t NativeBoard::transfer(uint8_t mosi) {
     if (imu_chosen_) miso &= world_.imu().transfer(mosi, now_us_);
     if (barometer_chosen_) miso &= world_.barometer().transfer(mosi, now_us_);
     return miso;
+}
+
+uint8_t NativeBoard::flashTransfer(uint8_t mosi) {
+    spend_ns(1000);  // 8 MHz
+    return world_.dataflash().transfer(mosi, now_us_);
 }
 
 void NativeBoard::spend_ns(uint32_t duration_ns) {

@@ -43,6 +43,7 @@ public:
     void idle(bool (*work_waits)());
     void select(bool imu, bool chosen);
     uint8_t transfer(uint8_t mosi);
+    uint8_t flashTransfer(uint8_t mosi);
     void setBusFast(bool fast) { byte_ns_ = fast ? 1000 : 16'000; }
     void lockImu(bool lock);
     void mark(uint8_t value);

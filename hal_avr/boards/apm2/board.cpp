@@ -30,6 +30,7 @@ void start() {
     LedB::output();
     LedC::output();
     SensorBus::start();
+    FlashBus::start();
     avr::clockStart();
     avr::ppmStart();
     avr::serialStart();

@@ -4,13 +4,17 @@
 #pragma once
 #include "pin.hpp"
 #include "spi.hpp"
+#include "usart_spi.hpp"
 
 namespace board {
 
 using SensorBus = avr::Spi0;
 using ImuSelect = avr::Pin<avr::PortB, 0>;        // MPU-6000
 using BarometerSelect = avr::Pin<avr::PortG, 1>;  // MS5611
-using FlashSelect = avr::Pin<avr::PortA, 6>;      // DataFlash, on USART3
+
+using FlashBus = avr::Usart3Spi;
+using FlashSelect = avr::Pin<avr::PortA, 6>;  // AT45DB161D or AT45DB321D
+using FlashReset = avr::Pin<avr::PortG, 0>;
 
 using Relay = avr::Pin<avr::PortB, 7>;                    // the A9 pad
 using LedA = avr::ActiveLowLed<avr::Pin<avr::PortA, 5>>;  // red: armed
