@@ -31,6 +31,7 @@ struct Survey {
     uint8_t last_nav;
     uint8_t counters;  // jumps that need one
 };
+void surveyRecord(Survey& survey, mission::Set set, const uint8_t* bytes, mission::Site at);
 using ReadRecord = core::Status (*)(uint8_t index, uint8_t* to);
 MUST_USE core::Status surveyStep(Survey& survey, mission::Set set, uint8_t count, ReadRecord read);
 void tellWarnings(const Survey& survey, mission::Set set, uint8_t count);
@@ -41,7 +42,9 @@ MUST_USE core::Status compareStep(bool& same);
 
 // ---- upload.cpp
 void uploadStart();
-void uploadRun();              // carries a commit on; 10 Hz
+void uploadRun();  // carries a commit on, copies what was committed; 10 Hz
+// The next item of an upload as it is stored.
+MUST_USE core::Status missionUploadRecord(const uint8_t* bytes);
 bool missionChanging();        // the engine must not run now
 extern Survey mission_survey;  // of the present mission
 

@@ -136,6 +136,21 @@ Status findStoredMission() {
     return Status::unsupported;
 }
 
+// Nothing is wiped: what a silent DataFlash holds may be there at the next start.
+Status openLists() {
+    storage::ListKind which;
+    const Status status = mission_store.open(which);
+    if (status == Status::ok || status == Status::busy) return status;
+    tell(Severity::error, status == Status::unsupported
+                              ? ROM_TEXT("DataFlash does not answer")
+                              : ROM_TEXT("Memory has not kept what was stored"));
+    tell(Severity::error,
+         which == storage::ListKind::mission ? ROM_TEXT("No mission: cannot be read")
+         : which == storage::ListKind::fence ? ROM_TEXT("No fence: cannot be read")
+                                             : ROM_TEXT("No rally points: cannot be read"));
+    return Status::busy;
+}
+
 Status bootStep() {
     Status status = Status::ok;
     uint8_t index = 0;
@@ -144,11 +159,7 @@ Status bootStep() {
             status = findStoredMission();
             break;
         case Boot::store:
-            status = mission_store.open();
-            if (status == Status::corrupt) {
-                tell(Severity::error, ROM_TEXT("Stored mission is damaged"));
-                status = Status::ok;
-            }
+            status = openLists();
             break;
         case Boot::index:
             status = index_store.open(generation(), index);

@@ -7,25 +7,26 @@
 
 namespace firmware {
 
+void surveyRecord(Survey& survey, mission::Set set, const uint8_t* bytes, mission::Site at) {
+    if (at.index == 0) return;  // home
+    const Record record = mission::unpack(set, bytes);
+    const uint8_t row = kCommandTable.find(set, record.id);
+    if (row == mission::kNoRow || kCommandTable.valid(row, record, at) != 0) return;
+    const mission::Class kind = kCommandTable.kind(row);
+    if (kind == mission::Class::nav) {
+        if (survey.first_nav == 0) survey.first_nav = at.index;
+        survey.last_nav = at.index;
+    }
+    if (set == mission::Set::apm2 && kind == mission::Class::jump && record.p3 != mission::kForEver)
+        ++survey.counters;
+}
+
 core::Status surveyStep(Survey& survey, mission::Set set, uint8_t count, ReadRecord read) {
-    if (survey.next == 0) survey = {1, 0, 0, 0};
-    for (uint8_t n = 0; n < kRecordsPerCall && survey.next < count; ++n) {
+    for (uint8_t n = 0; n < kRecordsPerCall && survey.next < count; ++n, ++survey.next) {
         uint8_t bytes[mission::kRecordSize];
         const core::Status status = read(survey.next, bytes);
         if (status != core::Status::ok) return status;
-        const uint8_t index = survey.next++;
-        const Record record = mission::unpack(set, bytes);
-        const uint8_t row = kCommandTable.find(set, record.id);
-        if (row == mission::kNoRow || kCommandTable.valid(row, record, {index, count}) != 0)
-            continue;
-        const mission::Class kind = kCommandTable.kind(row);
-        if (kind == mission::Class::nav) {
-            if (survey.first_nav == 0) survey.first_nav = index;
-            survey.last_nav = index;
-        }
-        if (set == mission::Set::apm2 && kind == mission::Class::jump &&
-            record.p3 != mission::kForEver)
-            ++survey.counters;
+        surveyRecord(survey, set, bytes, {survey.next, count});
     }
     return survey.next >= count ? core::Status::ok : core::Status::busy;
 }

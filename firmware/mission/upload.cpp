@@ -6,6 +6,7 @@
 #include "firmware/mission/item.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/telemetry/text.hpp"
+#include "hal/page_flash.hpp"
 
 namespace firmware {
 
@@ -13,8 +14,8 @@ namespace {
 
 using core::Status;
 
-// surveying .. comparing: a commit is under way; it goes on even when nobody asks any more.
-enum class Step : uint8_t { none, filling, surveying, storing, comparing };
+// storing, comparing: a commit is under way; it goes on even when nobody asks any more.
+enum class Step : uint8_t { none, filling, storing, comparing };
 Step step;
 MissionResult outcome = MissionResult::error;  // of the last commit
 Survey staged_survey;
@@ -22,8 +23,6 @@ Notes notes;
 bool clearing;
 uint8_t partial_last;  // last item of a partial write; 0xFF: all items come from the ground
 constexpr uint8_t kWhole = 0xFF;
-
-Status readStaged(uint8_t index, uint8_t* to) { return mission_store.readStaged(index, to); }
 
 MissionResult answer(Status status) {
     switch (status) {
@@ -44,13 +43,14 @@ mission::Set stagedSet() { return static_cast<mission::Set>(mission_store.staged
 
 MissionResult begin(uint8_t count, uint8_t set) {
     if (!missionStorable()) return MissionResult::denied;
-    if (!missionReady() || step > Step::filling) return MissionResult::busy;
+    if (!missionReady() || !hal::flashKnown() || step > Step::filling) return MissionResult::busy;
     const Status status = mission_store.begin(count, set);
     if (status == Status::full)
-        tell(Severity::warning, ROM_TEXT("No room beside the present mission: clear it"));
+        tell(Severity::warning, ROM_TEXT("DataFlash does not work: clear the mission first"));
     if (status != Status::ok) return answer(status);
     step = Step::filling;
     notes = {};
+    staged_survey = {};
     partial_last = kWhole;
     return MissionResult::accepted;
 }
@@ -58,7 +58,9 @@ MissionResult begin(uint8_t count, uint8_t set) {
 // The parts of a partial write that stay come from the present mission.
 Status copyUpTo(uint8_t index) {
     for (uint8_t n = 0; n < kRecordsPerCall && mission_store.staged() < index; ++n) {
-        const Status status = mission_store.copy();
+        uint8_t bytes[mission::kRecordSize];
+        Status status = mission_store.read(mission_store.staged(), bytes);
+        if (status == Status::ok) status = missionUploadRecord(bytes);
         if (status != Status::ok) return status;
     }
     return mission_store.staged() < index ? Status::busy : Status::ok;
@@ -75,31 +77,23 @@ void tellNotes() {
     if (notes.dropped) tell(Severity::notice, ROM_TEXT("Mission: unused parameters dropped"));
 }
 
-void survey() {
-    const uint8_t count = mission_store.stagedCount();
-    if (count > 0) {
-        const Status status = surveyStep(staged_survey, stagedSet(), count, readStaged);
-        if (status == Status::busy) return;
-        if (status != Status::ok) return finish(MissionResult::error);
-    }
-    if (staged_survey.counters > mission::kMostCounters) {
-        tell(Severity::warning, ROM_TEXT("Mission: more than # counted jumps"),
-             mission::kMostCounters);
-        return finish(MissionResult::no_space);
-    }
-    step = Step::storing;
-}
-
 void store() {
     const Status status = mission_store.commit();
     if (status == Status::busy) return;
     if (status != Status::ok) {
-        tell(Severity::error, ROM_TEXT("Mission not stored: EEPROM error"));
+        tell(Severity::error, ROM_TEXT("Mission not stored: memory error"));
         return finish(MissionResult::error);
     }
     mission_survey = staged_survey;
     compareBegin();
     step = Step::comparing;
+}
+
+// What was committed in the DataFlash goes home to the EEPROM when nothing else is to be done.
+void settle() {
+    const Status status = mission_store.settle();
+    if (status != Status::ok && status != Status::busy)
+        tell(Severity::error, ROM_TEXT("EEPROM is worn: mission stays in the DataFlash"));
 }
 
 void compare() {
@@ -124,14 +118,12 @@ bool missionChanging() { return step == Step::comparing; }
 
 void uploadRun() {
     switch (step) {
-        case Step::surveying:
-            return survey();
         case Step::storing:
             return store();
         case Step::comparing:
             return compare();
         default:
-            return;
+            return settle();
     }
 }
 
@@ -159,6 +151,13 @@ MissionResult missionBeginPartial(uint16_t first, uint16_t last) {
     return result;
 }
 
+Status missionUploadRecord(const uint8_t* bytes) {
+    const mission::Site at = {mission_store.staged(), mission_store.stagedCount()};
+    const Status status = mission_store.put(bytes);
+    if (status == Status::ok) surveyRecord(staged_survey, stagedSet(), bytes, at);
+    return status;
+}
+
 MissionResult missionUploadItem(uint16_t index, const MissionItem& item) {
     if (step != Step::filling || !mission_store.staging()) return MissionResult::error;
     const uint8_t count = mission_store.stagedCount();
@@ -175,7 +174,7 @@ MissionResult missionUploadItem(uint16_t index, const MissionItem& item) {
     if (result != MissionResult::accepted) return result;
     uint8_t bytes[mission::kRecordSize];
     mission::pack(stagedSet(), record, bytes);
-    const Status status = mission_store.put(bytes);
+    const Status status = missionUploadRecord(bytes);
     if (status != Status::ok) return answer(status);
     notes.rounded |= item_notes.rounded;
     notes.dropped |= item_notes.dropped;
@@ -191,15 +190,20 @@ MissionResult missionCommit() {
         }
         if (mission_store.staged() != mission_store.stagedCount())
             return MissionResult::invalid_sequence;
-        staged_survey = {};
-        step = Step::surveying;
+        if (staged_survey.counters > mission::kMostCounters) {
+            tell(Severity::warning, ROM_TEXT("Mission: more than # counted jumps"),
+                 mission::kMostCounters);
+            finish(MissionResult::no_space);
+            return outcome;
+        }
+        step = Step::storing;
     }
     uploadRun();
     return step == Step::none ? outcome : MissionResult::busy;
 }
 
 void missionAbort() {
-    if (step == Step::filling || step == Step::surveying) finish(MissionResult::cancelled);
+    if (step == Step::filling) finish(MissionResult::cancelled);
 }
 
 MissionResult missionClear() {

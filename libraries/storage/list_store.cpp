@@ -104,7 +104,7 @@ Status ListStore::place(Extent& staged, const Extent& now, uint8_t slots) const 
 Status ListStore::begin(ListKind kind, uint8_t count, uint8_t set) {
     abort();
     if (phase_ == Phase::copying || phase_ == Phase::summing_copy) phase_ = Phase::idle;
-    if (phase_ != Phase::idle || !hal::flashKnown()) return Status::busy;
+    if (phase_ != Phase::idle) return Status::busy;
     if (set == 0) return Status::bad_argument;
     Extent staged = of(kind);
     staged.count = count;

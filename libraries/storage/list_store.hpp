@@ -28,8 +28,8 @@ public:
         return readRecord(kind, of(kind), index, to);
     }
 
-    // A new list; what was staged before is forgotten. full: no room beside the present one.
-    // busy: a commit is not yet done.
+    // A new list, once hal::flashKnown(); what was staged before is forgotten. full: no room beside
+    // the present one. busy: a commit is not yet done.
     MUST_USE core::Status begin(ListKind kind, uint8_t count, uint8_t set);
     MUST_USE core::Status put(const uint8_t* record);  // in order; busy: again later
     MUST_USE core::Status copy();                      // puts the present list's record
@@ -37,9 +37,6 @@ public:
     uint8_t stagedCount() const { return other_.count; }
     uint8_t stagedSet() const { return other_.set; }
     bool staging(ListKind kind) const { return phase_ == Phase::filling && kind_ == kind; }
-    MUST_USE core::Status readStaged(uint8_t index, uint8_t* to) {
-        return index < put_ ? readRecord(kind_, other_, index, to) : core::Status::bad_argument;
-    }
     // Until it is not busy. ok: the new list is the list and would survive a power cut. corrupt:
     // what was read back is not what was put; the old list stays.
     MUST_USE core::Status commit();

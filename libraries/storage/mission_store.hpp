@@ -20,15 +20,8 @@ public:
     MUST_USE core::Status read(uint8_t index, uint8_t* to);
     void readAhead(uint8_t index);
 
-    // Of all lists, for who does not ask which.
-    MUST_USE core::Status open() {
-        ListKind which;
-        return ListStore::open(which);
-    }
-
     using ListStore::begin;
     using ListStore::count;
-    using ListStore::open;
     using ListStore::read;
     using ListStore::staging;
 

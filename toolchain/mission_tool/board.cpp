@@ -55,7 +55,6 @@ void require(MissionResult result, const std::string& name, const char* what) {
 // As a ground station uploads, except that the records come as they are stored: an item's floats
 // do not hold every value of the APM 1.0 set.
 void upload(const Document& document) {
-    using firmware::mission_store;
     const auto count = static_cast<uint16_t>(document.entries.size());
     if (firmware::missionCount() > 0) {
         require(whileBusy<MissionResult>(firmware::missionClear), document.name, "clear");
@@ -66,7 +65,7 @@ void upload(const Document& document) {
     for (const Entry& entry : document.entries) {
         uint8_t bytes[mission::kRecordSize];
         mission::pack(document.set, entry.record, bytes);
-        if (whileBusy<Status>([&] { return mission_store.put(bytes); }) != Status::ok) {
+        if (whileBusy<Status>([&] { return firmware::missionUploadRecord(bytes); }) != Status::ok) {
             throw WrongInput(document.name + ": the firmware's store refuses a record");
         }
     }
@@ -86,8 +85,18 @@ Document storedMission(const Image& image, const std::string& name) {
     powerUp(image);
     refuseForeign(image, name);
     storage::MissionStore store;
-    if (whileBusy<Status>([&] { return store.open(); }) == Status::corrupt) {
-        throw WrongInput(name + ": the stored mission is damaged: its CRC does not match");
+    for (Status status = Status::busy; status != Status::ok;) {
+        storage::ListKind which;
+        status = whileBusy<Status>([&] { return store.open(which); });
+        if (which != storage::ListKind::mission) continue;
+        if (status == Status::unsupported) {
+            throw WrongInput(name +
+                             ": the mission is still in the board's DataFlash: leave the "
+                             "board on for half a minute and read its EEPROM again");
+        }
+        if (status != Status::ok) {
+            throw WrongInput(name + ": the stored mission is damaged: its CRC does not match");
+        }
     }
     if (store.count() == 0) throw WrongInput(name + ": no mission is stored in it");
     Document document;
