@@ -103,14 +103,15 @@ void remind() {
     tell(Severity::warning, why);
 }
 
-// After a landing of AUTO: the motor is off and the airplane lies still for LAND_DISARMDELAY.
+// After a landing of AUTO: the motor is off and the airplane lies still for LAND_DISARMDELAY;
+// 0: it stays armed.
 void runLanded() {
     const bool down = vehicle.demand.path == Path::land && vehicle.progress.flaring &&
                       vehicle.mode == Mode::automatic && !vehicle.estimate.flying;
     const uint32_t now_ms = hal::now_ms();
     if (!down) landed_ms = now_ms;
-    if (now_ms - landed_ms > parameters.land_disarm_delay_s * 1000UL)
-        disarm(ArmReason::landed, false);
+    const uint8_t delay_s = static_cast<uint8_t>(parameters.land_disarm_delay_s);
+    if (delay_s != 0 && now_ms - landed_ms > delay_s * 1000UL) disarm(ArmReason::landed, false);
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/parameters.hpp"
 
-#include <string.h>
+#include <math.h>
 
+#include "core/maths.hpp"
+#include "firmware/modes.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
 #include "parameters/packed.hpp"
@@ -26,7 +28,7 @@ namespace {
         P(28 + 5 * n, "RC" #n "_REV", channel[n - 1].reverse, 1, -1, 1),         \
         P(29 + 5 * n, "RC" #n "_DZ", channel[n - 1].dead_zone_us, dead_zone, 0, 200)
 
-// Nine rows for link n, slots 10 + 9 n onwards.
+// Eight rows for link n, slots 10 + 9 n onwards.
 #define STREAMS(n)                                                                \
     P(10 + 9 * n, "SR" #n "_RAW_SENS", streams[n].raw_sensors, 1, 0, 50),         \
         P(11 + 9 * n, "SR" #n "_EXT_STAT", streams[n].extended_status, 1, 0, 50), \
@@ -35,12 +37,12 @@ namespace {
         P(14 + 9 * n, "SR" #n "_POSITION", streams[n].position, 1, 0, 50),        \
         P(15 + 9 * n, "SR" #n "_EXTRA1", streams[n].extra1, 1, 0, 50),            \
         P(16 + 9 * n, "SR" #n "_EXTRA2", streams[n].extra2, 1, 0, 50),            \
-        P(17 + 9 * n, "SR" #n "_EXTRA3", streams[n].extra3, 1, 0, 50),            \
-        P(18 + 9 * n, "SR" #n "_PARAMS", streams[n].params, 10, 0, 50)
+        P(17 + 9 * n, "SR" #n "_EXTRA3", streams[n].extra3, 1, 0, 50)
 
 // clang-format off
 constexpr parameters::Row kRows[] = {
     // slot  name                field                         initial   lowest   highest
+    P(178, "FORMAT_VERSION",    format_version,                    1,       0,        1),
     P(  0, "SYSID_THISMAV",     system_id,                         1,       1,      255),
     P(  1, "SYSID_MYGCS",       ground_system_id,                255,       1,      255),
     P(  2, "SERIAL0_BAUD",      serial0_baud,                    115,       1,      115),
@@ -79,6 +81,7 @@ constexpr parameters::Row kRows[] = {
     P( 90, "LEVEL_ROLL_LIMIT",  level_roll_limit_deg,              5,       0,       45),
     P( 91, "STAB_PITCH_DOWN",   pitch_down_deg,                    2,       0,       15),
     P( 92, "TRIM_PITCH_CD",     trim_pitch_cd,                     0,   -1500,     1500),
+    P(177, "STALL_PREVENTION",  stall_prevention,                  1,       0,        1),
     P( 93, "TRIM_ARSPD_CM",     cruise_speed_cms,               1300,     500,     5000),
     P( 94, "ARSPD_FBW_MIN",     speed_min_mps,                     9,       5,      100),
     P( 95, "ARSPD_FBW_MAX",     speed_max_mps,                    22,       5,      100),
@@ -149,6 +152,7 @@ constexpr parameters::Row kRows[] = {
     P(159, "COMPASS_OFS_Y",     compass_offset_mg[1],              0,    -400,      400),
     P(160, "COMPASS_OFS_Z",     compass_offset_mg[2],              0,    -400,      400),
     P(161, "COMPASS_DEC",       compass_declination_rad,           0, -3.142f,   3.142f),
+    P(175, "COMPASS_AUTODEC",   compass_auto_declination,          1,       0,        1),
     P(162, "INS_ACCOFFS_X",     accel_offset_mss[0],               0,    -3.5f,    3.5f),
     P(163, "INS_ACCOFFS_Y",     accel_offset_mss[1],               0,    -3.5f,    3.5f),
     P(164, "INS_ACCOFFS_Z",     accel_offset_mss[2],               0,    -3.5f,    3.5f),
@@ -160,8 +164,9 @@ constexpr parameters::Row kRows[] = {
     P(170, "BATT_MONITOR",      battery_monitor,                   4,       0,        4),
     P(171, "BATT_VOLT_MULT",    battery_volt_multiplier,       10.1f,       0,      100),
     P(172, "BATT_AMP_PERVOLT",  battery_amps_per_volt,            17,       0,      200),
+    P(176, "BATT_AMP_OFFSET",   battery_amps_offset_v,             0,       0,        5),
     P(173, "BATT_CAPACITY",     battery_capacity_mah,           3300,       0,    60000),
-    // never to be used again: none yet
+    // never to be used again: 18, 27 (SRn_PARAMS)
 };
 // clang-format on
 
@@ -179,14 +184,52 @@ static_assert(parameters::offsetsFit(kRows), "a field lies too far from the firs
 constexpr auto kPacked ROM = PACK_PARAMETERS(kRows);
 const parameters::Table table(kPacked.row, core::count(kRows), &firmware::parameters);
 
-bool locked;  // the EEPROM is another firmware's
-bool erasing;
-uint16_t erased_to;
+constexpr uint8_t kFormatRow = 0;
+static_assert(parameters::same(kRows[kFormatRow].name, "FORMAT_VERSION"), "the row of the format");
 
-void erase() {
-    if (storage::erase(erased_to) != core::Status::ok) return;
-    erasing = locked = false;
+enum class Store : uint8_t {
+    ours,
+    foreign,  // another firmware's: neither read nor written
+    forgetting,
+    erasing,
+};
+Store store;
+uint16_t done;  // so far, of forgetting or erasing
+
+// The format goes last, through the journal: after a cut on the way the next start goes on.
+core::Status forget() {
+    for (; done + 1 < table.count(); ++done) {
+        const core::Status status = parameters::forget(table, static_cast<uint8_t>(done + 1));
+        if (status != core::Status::ok) return status;
+    }
+    return parameters::save(table, kFormatRow, NAN);
+}
+
+void runForgetting() {
+    if (forget() != core::Status::ok) return;
+    store = Store::ours;
+    tell(Severity::notice, ROM_TEXT("All parameters are the defaults"));
+}
+
+void runErasing() {
+    if (storage::erase(done) != core::Status::ok) return;
+    store = Store::ours;
     tell(Severity::notice, ROM_TEXT("Erased: restart the board"));
+}
+
+void assignInitials() {
+    for (uint8_t row = 0; row < table.count(); ++row) table.assignInitial(row);
+}
+
+// In range, and not without a meaning or a danger.
+bool takes(uint8_t row, float value) {
+    constexpr uint8_t kFirstMode = 75, kLastMode = 81;  // slots of FLTMODE1 .. INITIAL_MODE
+    if (!table.fits(row, value)) return false;
+    // a restart in the air must find the values it had
+    if (row == kFormatRow) return !vehicle.armed;
+    const uint8_t slot = table.slot(row);
+    if (slot < kFirstMode || slot > kLastMode) return true;
+    return isMode(static_cast<uint8_t>(core::rounded(value)));
 }
 
 }  // namespace
@@ -209,14 +252,21 @@ bool parameterFind(const char (&name)[16], uint16_t& index) {
     return true;
 }
 
+bool parameterLimits(uint16_t index, ParameterLimits& limits) {
+    if (index >= table.count()) return false;
+    const uint8_t row = static_cast<uint8_t>(index);
+    limits = {table.initial(row), table.lowest(row), table.highest(row)};
+    return true;
+}
+
 core::Status parameterSetAt(uint16_t index, float value) {
     if (index >= table.count()) return core::Status::bad_argument;
     const uint8_t row = static_cast<uint8_t>(index);
-    if (!table.fits(row, value)) return core::Status::bad_argument;
-    if (erasing) return core::Status::busy;
-    if (locked) {
+    if (!takes(row, value)) return core::Status::bad_argument;
+    if (store == Store::foreign) {
         tell(Severity::warning, ROM_TEXT("Not stored: another firmware's EEPROM"));
     } else {
+        if (store != Store::ours) return core::Status::busy;
         const core::Status saved = parameters::save(table, row, value);
         if (saved != core::Status::ok) return saved;
     }
@@ -240,12 +290,12 @@ bool parameterGet(uint8_t slot, float& value) {
 
 bool parameterSlotTakes(uint8_t slot, float value) {
     uint8_t row;
-    return table.findSlot(slot, row) && table.fits(row, value);
+    return table.findSlot(slot, row) && takes(row, value);
 }
 
 bool parameterSet(uint8_t slot, float value) {
     uint8_t row;
-    if (!table.findSlot(slot, row) || !table.fits(row, value)) return false;
+    if (!table.findSlot(slot, row) || !takes(row, value)) return false;
     table.assign(row, value);
     parameters::saveLater(row);
     return true;
@@ -253,27 +303,49 @@ bool parameterSet(uint8_t slot, float value) {
 
 core::Status parametersLoad() {
     storage::Owner owner;
-    const core::Status status = storage::findOwner(owner);
+    core::Status status = storage::findOwner(owner);
     if (status != core::Status::ok) return status;
     // what another firmware left is not read as ours, and not written over unless asked for
-    locked = owner == storage::Owner::stranger || owner == storage::Owner::other_version;
-    if (!locked) return parameters::load(table);
-    for (uint8_t row = 0; row < table.count(); ++row) table.assignInitial(row);
+    if (owner == storage::Owner::stranger || owner == storage::Owner::other_version) {
+        store = Store::foreign;
+        assignInitials();
+        return core::Status::ok;
+    }
+    status = parameters::load(table);
+    if (status != core::Status::ok) return status;
+    store = Store::ours;
+    if (firmware::parameters.format_version != 0) return core::Status::ok;
+    store = Store::forgetting;
+    done = 0;
+    assignInitials();
     return core::Status::ok;
 }
 
 void parametersRun() {
-    if (erasing) {
-        erase();
-    } else if (!locked) {
-        parameters::saveWaiting(table);
+    switch (store) {
+        case Store::ours:
+            return parameters::saveWaiting(table);
+        case Store::forgetting:
+            return runForgetting();
+        case Store::erasing:
+            return runErasing();
+        case Store::foreign:
+            return;
     }
+}
+
+bool parametersReset() {
+    if (vehicle.armed) return false;
+    if (store == Store::foreign) return parametersErase();
+    if (parameterSetAt(kFormatRow, 0) != core::Status::ok) return false;
+    tell(Severity::notice, ROM_TEXT("Parameters: the defaults after a restart"));
+    return true;
 }
 
 bool parametersErase() {
     if (vehicle.armed) return false;
-    erasing = true;
-    erased_to = 0;
+    store = Store::erasing;
+    done = 0;
     return true;
 }
 

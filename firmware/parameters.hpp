@@ -13,17 +13,17 @@ namespace firmware {
 struct Channel {  // RCn_: one number for the stick that comes in and the servo that goes out
     int16_t min_us, trim_us, max_us;
     int8_t reverse;  // 1 or -1
-    uint8_t spare;
     int16_t dead_zone_us;
 };
 
 struct StreamRates {  // SRn_, hertz
     int8_t raw_sensors, extended_status, rc_channels, raw_controller, position, extra1, extra2,
-        extra3, params;
+        extra3;
 };
 constexpr uint8_t kLinks = 2;
 
 struct Parameters {
+    int8_t format_version;  // 0: forget every stored value at the next start
     // ground link
     int16_t system_id, ground_system_id;
     int16_t serial0_baud, serial1_baud, serial2_baud;  // thousands
@@ -43,6 +43,7 @@ struct Parameters {
     float level_roll_limit_deg;
     float pitch_down_deg;  // STAB_PITCH_DOWN
     int16_t trim_pitch_cd;
+    int8_t stall_prevention;
     // speed and throttle
     int16_t cruise_speed_cms;             // TRIM_ARSPD_CM
     int8_t speed_min_mps, speed_max_mps;  // ARSPD_FBW_
@@ -76,13 +77,13 @@ struct Parameters {
     // sensors
     int8_t airspeed_enable, airspeed_use;
     float airspeed_ratio;
-    int8_t compass_use;
+    int8_t compass_use, compass_auto_declination;
     float compass_offset_mg[3];
-    float compass_declination_rad;
+    float compass_declination_rad;  // the table's while compass_auto_declination is 1
     float accel_offset_mss[3], accel_scale[3];
     float level_trim_rad[2];  // AHRS_TRIM_X, _Y
     int8_t battery_monitor;
-    float battery_volt_multiplier, battery_amps_per_volt;
+    float battery_volt_multiplier, battery_amps_per_volt, battery_amps_offset_v;
     int32_t battery_capacity_mah;
 };
 extern Parameters parameters;
@@ -94,9 +95,14 @@ uint16_t parameterCount();
 // MAV_PARAM_TYPE 2 int8, 4 int16, 6 int32, 9 real32; the name is padded with zeros.
 bool parameterAt(uint16_t index, char (&name)[16], float& value, uint8_t& mav_type);
 bool parameterFind(const char (&name)[16], uint16_t& index);
+struct ParameterLimits {
+    float initial, lowest, highest;
+};
+bool parameterLimits(uint16_t index, ParameterLimits& limits);
 
-// Sets, rounds to the field's type and stores. bad_argument: no such index, not finite or out of
-// range, nothing changed. busy: the store has no room yet, nothing changed: ask again later.
+// Sets, rounds to the field's type and stores. bad_argument: no such index, not finite, out of
+// range or without a meaning, nothing changed. busy: the store has no room yet, nothing changed:
+// ask again later.
 MUST_USE core::Status parameterSetAt(uint16_t index, float value);
 
 // The same by the eternal slot number, as stored missions name a parameter.
@@ -108,6 +114,8 @@ bool parameterSet(uint8_t slot, float value);        // false: refused; stored i
 MUST_USE core::Status parametersLoad();  // at boot, a part each call: busy until all are read
 void parametersRun();                    // 10 Hz: background stores
 
+// Lets the next start forget every stored value; the mission stays. False: armed, or no room yet.
+bool parametersReset();
 // Begins to erase the whole EEPROM, parameters and mission, ours or another firmware's; told when
 // done, in force after a restart. False: armed.
 bool parametersErase();

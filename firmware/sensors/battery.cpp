@@ -45,6 +45,7 @@ void runBattery() {
     drivers::BatterySettings settings;
     settings.volts_per_volt = parameters.battery_volt_multiplier;
     settings.amps_per_volt = parameters.battery_amps_per_volt;
+    settings.amps_offset_v = parameters.battery_amps_offset_v;
     pack.update(volts, amps, battery.board_mv, dt_s, settings);
     battery.voltage_mv = static_cast<uint16_t>(pack.voltage_v() * 1000.0f);
     battery.current_ca = parameters.battery_monitor == kVoltageAndCurrent

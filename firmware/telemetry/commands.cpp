@@ -121,12 +121,17 @@ uint8_t calibrate(Link&, const Order& order) {
     return MavResult::accepted;
 }
 
-// Values are stored as they are set: reading and writing "all" has nothing to do.
-uint8_t eraseStorage(Link&, const Order& order) {
-    constexpr float kErase = 2;
-    if (is(order.param1, 0) || is(order.param1, 1)) return MavResult::accepted;
-    if (!is(order.param1, kErase)) return MavResult::unsupported;
-    return whenTrue(parametersErase(), MavResult::temporarily_rejected);
+// Values are stored as they are set: reading and writing "all" has nothing to do. Parameters may be
+// reset alone, missions only with them: then everything is erased.
+uint8_t resetStorage(Link&, const Order& order) {
+    constexpr uint16_t kReset = 2;
+    const bool missions = is(order.param2, kReset);
+    if (!is(order.param1, kReset)) {
+        const bool nothing = !missions && (is(order.param1, 0) || is(order.param1, 1));
+        return whenTrue(nothing, MavResult::unsupported);
+    }
+    return whenTrue(missions ? parametersErase() : parametersReset(),
+                    MavResult::temporarily_rejected);
 }
 
 constexpr uint8_t kRebootTurns = 15;  // 0.3 s for the answer to get out
@@ -200,7 +205,7 @@ constexpr CommandRow kCommands[] ROM = {
     {MavCmd::do_set_home,                    doSetHome},
     {MavCmd::do_set_mission_current,         setCurrentItem},
     {MavCmd::preflight_calibration,          calibrate},
-    {MavCmd::preflight_storage,              eraseStorage},
+    {MavCmd::preflight_storage,              resetStorage},
     {MavCmd::preflight_reboot_shutdown,      reboot},
     {MavCmd::mission_start,                  missionStart},
     {MavCmd::component_arm_disarm,           armOrDisarm},

@@ -51,6 +51,8 @@ bool onParamSet(Link& link, const mavlink::Frame& frame) {
     if (status == core::Status::busy) return false;
     if (status != core::Status::ok)
         tell(Severity::warning, ROM_TEXT("Parameter value refused: out of range"));
+    for (Link& other : links)  // who has no room now asks again some day
+        if (&other != &link) parameterSend(other, index);
     return parameterSend(link, index);
 }
 

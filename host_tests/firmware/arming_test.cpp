@@ -108,6 +108,20 @@ TEST_F(Arming, refuses_to_disarm_in_flight_unless_forced) {
     EXPECT_FALSE(vehicle.armed);
 }
 
+TEST_F(Arming, stays_armed_after_a_landing_when_the_delay_is_0) {
+    ASSERT_TRUE(firmware::arm(ArmReason::ground, false));
+    parameters.land_disarm_delay_s = 0;
+    vehicle.mode = Mode::automatic;
+    vehicle.demand.path = firmware::Path::land;
+    vehicle.progress.flaring = true;
+    for (int tenth = 0; tenth < 600; ++tenth) {
+        firmware::runArming();
+        fakes::advance_ms(100);
+    }
+    EXPECT_TRUE(vehicle.armed);
+    vehicle.mode = Mode::manual;
+}
+
 TEST_F(Arming, disarms_by_itself_some_seconds_after_a_landing) {
     ASSERT_TRUE(firmware::arm(ArmReason::ground, false));
     firmware::runArming();

@@ -179,10 +179,11 @@ TEST_F(Telemetry, the_current_item_is_set_by_command) {
 TEST_F(Telemetry, erases_its_storage_on_the_ground_only) {
     EXPECT_EQ(command(MavCmd::preflight_storage, 1), MavResult::accepted);  // nothing to do
     EXPECT_EQ(command(MavCmd::preflight_storage, 9), MavResult::unsupported);
+    EXPECT_EQ(command(MavCmd::preflight_storage, 0, 2), MavResult::unsupported);
     firmware::vehicle.armed = true;
-    EXPECT_EQ(command(MavCmd::preflight_storage, 2), MavResult::temporarily_rejected);
+    EXPECT_EQ(command(MavCmd::preflight_storage, 2, 2), MavResult::temporarily_rejected);
     firmware::vehicle.armed = false;
-    EXPECT_EQ(command(MavCmd::preflight_storage, 2), MavResult::accepted);
+    EXPECT_EQ(command(MavCmd::preflight_storage, 2, 2), MavResult::accepted);
     for (int i = 0; i < 1000; ++i) firmware::parametersRun();
     run_ms(100);
     EXPECT_EQ(station.texts().at(0), "Erased: restart the board");

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "ground.hpp"
+#include "storage/owner.hpp"
 
 using ground::Telemetry;
 
@@ -40,7 +41,7 @@ TEST_F(Telemetry, the_parameter_list_is_complete_and_in_order) {
         EXPECT_EQ(values[i].param_index, i);
         EXPECT_EQ(values[i].param_count, values.size());
     }
-    EXPECT_EQ(nameOf(values[0]), "SYSID_THISMAV");
+    EXPECT_EQ(nameOf(values[0]), "FORMAT_VERSION");
     EXPECT_EQ(values[0].param_value, 1);
 }
 
@@ -62,7 +63,7 @@ TEST_F(Telemetry, the_parameter_list_takes_what_the_line_has_to_give) {
 }
 
 TEST_F(Telemetry, streams_and_the_parameter_list_share_the_line) {
-    firmware::parameters.streams[0] = {10, 10, 10, 10, 10, 10, 10, 10, 10};
+    firmware::parameters.streams[0] = {10, 10, 10, 10, 10, 10, 10, 10};
     station.line().endless = false;
     station.line().room = 127;
     station.send(list());
@@ -134,6 +135,163 @@ TEST_F(Telemetry, many_settings_wait_for_a_slow_store_and_none_is_lost) {
     const auto values = station.all<mavlink::ParamValue>();
     ASSERT_EQ(values.size(), 6u);
     for (int i = 0; i < 6; ++i) EXPECT_EQ(values[i].param_value, 1501 + i);
+}
+
+// What the vehicle's first start does to a blank EEPROM.
+void claim() { ASSERT_EQ(storage::claim(), core::Status::ok); }
+
+// A restart with what the EEPROM then holds.
+void restart() {
+    fakes::restartEeprom();
+    while (firmware::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
+}
+
+TEST_F(Telemetry, a_mode_that_does_not_exist_is_no_mode_of_the_switch) {
+    constexpr float kTraining = 3;
+    const float before = firmware::parameters.switch_mode[0];
+    const auto values = ask<mavlink::ParamValue>(setting("FLTMODE1", kTraining));
+
+    EXPECT_EQ(values.at(0).param_value, before);
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("FLTMODE1", 10)).at(0).param_value, 10);
+}
+
+TEST_F(Telemetry, a_format_of_0_makes_the_next_start_forget_what_was_stored) {
+    claim();
+    ask<mavlink::ParamValue>(setting("WP_RADIUS", 42));
+    ask<mavlink::ParamValue>(setting("FORMAT_VERSION", 0));
+    restart();
+    EXPECT_EQ(firmware::parameters.waypoint_radius_m, 30);
+
+    for (int i = 0; i < 100; ++i) firmware::parametersRun();
+    restart();
+
+    EXPECT_EQ(firmware::parameters.waypoint_radius_m, 30);
+    EXPECT_EQ(firmware::parameters.format_version, 1);
+    run_ms(100);
+    const auto texts = station.texts();
+    ASSERT_EQ(texts.size(), 1u);
+    EXPECT_EQ(texts[0], "All parameters are the defaults");
+    const auto values = ask<mavlink::ParamValue>(setting("WP_RADIUS", 43));
+    ASSERT_EQ(values.size(), 1u);
+    EXPECT_EQ(values[0].param_value, 43);
+}
+
+TEST_F(Telemetry, parameters_are_reset_by_command_and_on_the_ground_only) {
+    claim();
+    ask<mavlink::ParamValue>(setting("WP_RADIUS", 42));
+    firmware::vehicle.armed = true;
+    EXPECT_EQ(command(mavlink::MavCmd::preflight_storage, 2),
+              mavlink::MavResult::temporarily_rejected);
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("FORMAT_VERSION", 0)).at(0).param_value, 1);
+    firmware::vehicle.armed = false;
+    EXPECT_EQ(command(mavlink::MavCmd::preflight_storage, 2), mavlink::MavResult::accepted);
+    EXPECT_EQ(firmware::parameters.waypoint_radius_m, 42);  // until the restart
+    restart();
+    EXPECT_EQ(firmware::parameters.waypoint_radius_m, 30);
+    for (int i = 0; i < 100; ++i) firmware::parametersRun();
+    restart();
+
+    EXPECT_EQ(firmware::parameters.waypoint_radius_m, 30);
+}
+
+TEST_F(Telemetry, a_reset_cut_short_anywhere_is_finished_by_the_next_start) {
+    claim();
+    for (const char* name : {"SYSID_MYGCS", "WP_RADIUS", "BATT_CAPACITY"})
+        ask<mavlink::ParamValue>(setting(name, 101));
+    ask<mavlink::ParamValue>(setting("FORMAT_VERSION", 0));
+    const auto before = fakes::eepromCells();
+    bool in_between = false;
+
+    for (uint32_t cut = 0; cut < 30; ++cut) {
+        fakes::resetEeprom();
+        fakes::setEepromCells(before);
+        restart();
+        fakes::cutPowerAfter(cut);
+        for (int i = 0; i < 10; ++i) firmware::parametersRun();
+        in_between |= fakes::powerWasCut();
+        for (int starts = 0; starts < 2; ++starts) {
+            restart();
+            for (int i = 0; i < 10; ++i) firmware::parametersRun();
+        }
+        ASSERT_EQ(firmware::parameters.ground_system_id, 255) << cut;
+        ASSERT_EQ(firmware::parameters.waypoint_radius_m, 30) << cut;
+        ASSERT_EQ(firmware::parameters.battery_capacity_mah, 3300) << cut;
+        ASSERT_EQ(firmware::parameters.format_version, 1) << cut;
+    }
+    EXPECT_TRUE(in_between);
+}
+
+TEST_F(Telemetry, two_links_fetch_the_list_at_once_and_each_gets_all_of_it) {
+    station.send(list());
+    second.send(list());
+    run_ms(3000);
+
+    for (auto* each : {&station, &second}) {
+        const auto values = each->all<mavlink::ParamValue>();
+        ASSERT_EQ(values.size(), firmware::parameterCount());
+        for (size_t i = 0; i < values.size(); ++i) ASSERT_EQ(values[i].param_index, i);
+    }
+}
+
+TEST_F(Telemetry, a_list_asked_for_again_begins_again) {
+    station.line().endless = false;
+    station.line().room = 127;
+    station.send(list());
+    run_ms(100);
+    ASSERT_FALSE(station.all<mavlink::ParamValue>().empty());
+    station.line().endless = true;
+    station.line().room = 127;
+    const auto values = ask<mavlink::ParamValue>(list(), 3000);
+
+    ASSERT_GE(values.size(), firmware::parameterCount());
+    const auto first = values.end() - firmware::parameterCount();
+    for (auto value = first; value != values.end(); ++value)
+        ASSERT_EQ(value->param_index, value - first);
+}
+
+TEST_F(Telemetry, a_setting_during_a_list_is_answered_and_the_list_goes_on) {
+    station.line().endless = false;
+    station.line().room = 127;
+    station.send(list());
+    size_t answered = 0, listed = 0;
+    for (uint32_t ms = 0; ms < 3000; ms += 10) {
+        if (ms == 200) station.send(setting("BATT_CAPACITY", 2200));
+        station.line().room = static_cast<uint8_t>(std::min(station.line().room + 57, 127));
+        run_ms(10);
+        for (const auto& value : station.all<mavlink::ParamValue>()) {
+            if (value.param_index == listed) {
+                ++listed;
+                if (nameOf(value) == "BATT_CAPACITY") {
+                    EXPECT_EQ(value.param_value, 2200);
+                }
+            } else {
+                EXPECT_EQ(nameOf(value), "BATT_CAPACITY");
+                EXPECT_EQ(value.param_value, 2200);
+                ++answered;
+            }
+        }
+    }
+    EXPECT_EQ(answered, 1u);
+    EXPECT_EQ(listed, firmware::parameterCount());
+}
+
+TEST_F(Telemetry, the_other_link_hears_of_a_new_value) {
+    station.send(setting("WP_RADIUS", 55));
+    run_ms(20);
+
+    const auto heard = second.all<mavlink::ParamValue>();
+    ASSERT_EQ(heard.size(), 1u);
+    EXPECT_EQ(nameOf(heard[0]), "WP_RADIUS");
+    EXPECT_EQ(heard[0].param_value, 55);
+}
+
+TEST_F(Telemetry, whole_numbers_travel_as_floats_and_say_their_type) {
+    auto request = named<mavlink::ParamRequestRead>("ALT_HOLD_RTL");
+    request.param_index = -1;
+    const auto value = ask<mavlink::ParamValue>(request).at(0);
+
+    EXPECT_EQ(value.param_type, mavlink::MavParamType::int32);
+    EXPECT_EQ(value.param_value, 10000.0f);
 }
 
 }  // namespace

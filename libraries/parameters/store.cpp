@@ -61,6 +61,8 @@ Status save(const Table& table, uint8_t index, float value) {
     return journal.write(table.slot(index), bitsOf(value));
 }
 
+Status forget(const Table& table, uint8_t index) { return storage::clearSlot(table.slot(index)); }
+
 void saveLater(uint8_t index) {
     waiting[index / 8] = static_cast<uint8_t>(waiting[index / 8] | (1 << (index % 8)));
     any_waiting = true;

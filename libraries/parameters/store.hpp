@@ -16,6 +16,10 @@ MUST_USE core::Status load(const Table& table);
 // Stores a value for the row; the field is the caller's. busy: no room yet, nothing was changed.
 MUST_USE core::Status save(const Table& table, uint8_t index, float value);
 
+// Leaves nothing stored for the row, so that the next load finds its initial value; the field
+// stays. Past the journal: what a cut leaves is forgotten by asking again.
+MUST_USE core::Status forget(const Table& table, uint8_t index);
+
 // Stores the row's present value when there is room: saveWaiting carries it out.
 void saveLater(uint8_t index);
 void saveWaiting(const Table& table);
