@@ -170,3 +170,4 @@ set_tests_properties(sanitizers PROPERTIES TIMEOUT 1200)
 
 include(ground)
 include(flights)
+include(storing)

@@ -206,6 +206,7 @@ void missionBoot() {
     for (uint8_t i = 0; i < 80 && boot < Boot::done; ++i) (void)bootStep();
 }
 
+bool missionKnown() { return boot >= Boot::done; }
 bool missionReady() { return boot == Boot::done; }
 bool missionStorable() { return boot != Boot::foreign; }
 

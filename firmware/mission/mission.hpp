@@ -43,6 +43,7 @@ void missionLeave();
 bool missionComplete();  // no NAV left: AUTO gives way to RTL (or stays after a LAND)
 void missionRestart();
 
+bool missionKnown();                     // the stored one has been looked for
 uint16_t missionCount();                 // items stored, home (item 0) included; 0: none
 uint16_t missionCurrent();               // index of the NAV flown, 0 when none
 bool missionSetCurrent(uint16_t index);  // false: no such item or no NAV

@@ -128,6 +128,7 @@ void uploadRun() {
 }
 
 core::Status missionItem(uint16_t index, MissionItem& to) {
+    if (!missionKnown()) return Status::busy;
     if (index >= mission_store.count()) return Status::bad_argument;
     uint8_t bytes[mission::kRecordSize];
     const Status status = mission_store.read(static_cast<uint8_t>(index), bytes);

@@ -247,6 +247,7 @@ bool onMissionRequestList(Link& link, const mavlink::Frame& frame) {
     message.target_system = frame.system;
     message.target_component = frame.component;
     message.mission_type = asked.mission_type;
+    if (!missionKnown()) return false;
     if (asked.mission_type == MavMissionType::mission) message.count = missionCount();
     return send(link, message);
 }

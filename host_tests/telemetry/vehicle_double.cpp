@@ -30,6 +30,7 @@ namespace firmware {
 using doubles::isBusy;
 using doubles::mission;
 
+bool missionKnown() { return !isBusy(); }
 uint16_t missionCount() { return static_cast<uint16_t>(mission.items.size()); }
 uint16_t missionCurrent() { return mission.current; }
 bool missionSetCurrent(uint16_t index) {
