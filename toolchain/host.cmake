@@ -168,6 +168,6 @@ add_test(NAME sanitizers
          COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${CMAKE_BINARY_DIR}/sanitized --output-on-failure)
 set_tests_properties(sanitizers PROPERTIES TIMEOUT 1200)
 
+include(flash)
 include(ground)
 include(flights)
-include(storing)
