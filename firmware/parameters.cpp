@@ -174,7 +174,7 @@ constexpr parameters::Row kRows[] = {
 #undef CHANNEL
 #undef STREAMS
 
-static_assert(core::count(kRows) < 255, "an index is one byte");
+static_assert(core::count(kRows) <= parameters::kMostRows, "more rows than the store knows");
 static_assert(parameters::slotsAreUnique(kRows), "a slot is used twice");
 static_assert(parameters::initialsAreInRange(kRows), "a default lies outside its range");
 
@@ -182,7 +182,7 @@ static_assert(parameters::namesAreUnique(kRows), "a name is used twice");
 static_assert(parameters::offsetsFit(kRows), "a field lies too far from the first");
 
 constexpr auto kPacked ROM = PACK_PARAMETERS(kRows);
-const parameters::Table table(kPacked.row, core::count(kRows), &firmware::parameters);
+constexpr parameters::Table table ROM(kPacked, &firmware::parameters);
 
 constexpr uint8_t kFormatRow = 0;
 static_assert(parameters::same(kRows[kFormatRow].name, "FORMAT_VERSION"), "the row of the format");

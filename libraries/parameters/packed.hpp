@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A table of rows as it lies in flash, a third of its size as written: the numbers of all rows
-// stand once each in a pool, the names one behind the other, the last letter of each marked.
-//   constexpr Row kRows[] = {...};                       // for the compiler
+// A table of rows as it lies in flash, half its size as written: the numbers of all rows stand once
+// each in a pool, the names one behind the other, the last letter of each marked.
+//   constexpr Row kRows[] = {...};                        // for the compiler
 //   constexpr auto kPacked ROM = PACK_PARAMETERS(kRows);  // for the chip
 #pragma once
 #include "parameters/table.hpp"
 
 namespace parameters {
 
-struct PackedRow {
-    uint16_t field;  // the type in the highest four bits, the field's offset below
-    uint16_t name;   // where it begins, in bytes from the first row
-    uint8_t slot;
-    uint8_t initial, lowest, highest;  // places in the pool
-};
-
 constexpr uint8_t kTypeShift = 12;
 constexpr uint16_t kOffsetMask = (1u << kTypeShift) - 1;
 constexpr uint8_t kLastLetter = 0x80;
+constexpr uint8_t kGroup = 16;  // rows: where the name of the first begins is kept
+
+constexpr size_t groupsOf(size_t rows) { return (rows + kGroup - 1) / kGroup; }
 
 template <size_t rows, size_t numbers, size_t letters>
 struct Packed {
-    PackedRow row[rows];
     float number[numbers];
+    PackedRow row[rows];
+    uint16_t group[groupsOf(rows)];
     uint8_t letter[letters];
 };
 
@@ -68,7 +65,7 @@ constexpr To packed(const Row (&rows)[N]) {
         PackedRow& row = to.row[i];
         row.field = static_cast<uint16_t>((static_cast<uint16_t>(rows[i].type) << kTypeShift) |
                                           rows[i].offset);
-        row.name = static_cast<uint16_t>(N * sizeof(PackedRow) + sizeof to.number + letter);
+        if (i % kGroup == 0) to.group[i / kGroup] = static_cast<uint16_t>(letter);
         row.slot = rows[i].slot;
         row.initial = static_cast<uint8_t>(placeOf(rows[i].initial, to.number, used));
         row.lowest = static_cast<uint8_t>(placeOf(rows[i].lowest, to.number, used));

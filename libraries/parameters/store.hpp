@@ -9,6 +9,8 @@
 
 namespace parameters {
 
+constexpr uint8_t kMostRows = 200;
+
 // At boot: redoes what a cut interrupted, then gives every field its stored value, or the row's
 // initial one where nothing is stored or what is stored is out of range. busy: call again.
 MUST_USE core::Status load(const Table& table);

@@ -7,28 +7,46 @@
 #include "parameters/packed.hpp"
 
 namespace parameters {
+namespace {
 
-uint8_t Table::slot(uint8_t index) const { return core::romRead(rows_[index].slot); }
+void skipName(const uint8_t*& letter) {
+    while ((core::romRead(*letter++) & kLastLetter) == 0) {
+    }
+}
+
+bool isName(const char (&name)[kNameSize], const uint8_t* letter) {
+    for (uint8_t i = 0; i < kNameSize; ++i) {
+        const uint8_t byte = core::romRead(*letter++);
+        if (static_cast<char>(byte & ~kLastLetter) != name[i]) return false;
+        if ((byte & kLastLetter) != 0) return i + 1 == kNameSize || name[i + 1] == 0;
+    }
+    return false;
+}
+
+}  // namespace
+
+uint8_t Table::slot(uint8_t index) const { return core::romRead(row(index).slot); }
 
 Type Table::type(uint8_t index) const {
-    return static_cast<Type>(core::romRead(rows_[index].field) >> kTypeShift);
+    return static_cast<Type>(core::romRead(row(index).field) >> kTypeShift);
 }
 
 uint8_t* Table::field(uint8_t index) const {
-    return static_cast<uint8_t*>(fields_) + (core::romRead(rows_[index].field) & kOffsetMask);
+    return static_cast<uint8_t*>(core::romRead(fields_)) +
+           (core::romRead(row(index).field) & kOffsetMask);
 }
 
-// The pool follows the rows.
-float Table::number(uint8_t place) const {
-    return core::romRead(reinterpret_cast<const float*>(rows_ + count_)[place]);
-}
+float Table::number(uint8_t place) const { return core::romRead(core::romRead(numbers_)[place]); }
 
-float Table::initial(uint8_t index) const { return number(core::romRead(rows_[index].initial)); }
-float Table::lowest(uint8_t index) const { return number(core::romRead(rows_[index].lowest)); }
-float Table::highest(uint8_t index) const { return number(core::romRead(rows_[index].highest)); }
+float Table::initial(uint8_t index) const { return number(core::romRead(row(index).initial)); }
+float Table::lowest(uint8_t index) const { return number(core::romRead(row(index).lowest)); }
+float Table::highest(uint8_t index) const { return number(core::romRead(row(index).highest)); }
 
 const uint8_t* Table::letters(uint8_t index) const {
-    return reinterpret_cast<const uint8_t*>(rows_) + core::romRead(rows_[index].name);
+    const uint8_t* letter =
+        core::romRead(letters_) + core::romRead(core::romRead(groups_)[index / kGroup]);
+    for (uint8_t names = index % kGroup; names > 0; --names) skipName(letter);
+    return letter;
 }
 
 void Table::name(uint8_t index, char (&to)[kNameSize]) const {
@@ -42,17 +60,6 @@ void Table::name(uint8_t index, char (&to)[kNameSize]) const {
             c = 0;
         }
     }
-}
-
-// Most rows differ in their first letters: a whole search is 12,000 cycles at most.
-bool Table::isNamed(uint8_t index, const char (&name)[kNameSize]) const {
-    const uint8_t* letter = letters(index);
-    for (uint8_t i = 0; i < kNameSize; ++i) {
-        const uint8_t byte = core::romRead(*letter++);
-        if (static_cast<char>(byte & ~kLastLetter) != name[i]) return false;
-        if ((byte & kLastLetter) != 0) return i + 1 == kNameSize || name[i + 1] == 0;
-    }
-    return false;
 }
 
 float Table::value(uint8_t index) const {
@@ -79,16 +86,21 @@ float Table::value(uint8_t index) const {
 }
 
 bool Table::findName(const char (&name)[kNameSize], uint8_t& index) const {
-    for (uint8_t i = 0; i < count_; ++i) {
-        if (!isNamed(i, name)) continue;
-        index = i;
-        return true;
+    const uint8_t* letter = core::romRead(letters_);
+    const uint8_t rows = count();
+    for (uint8_t i = 0; i < rows; ++i) {
+        if (isName(name, letter)) {
+            index = i;
+            return true;
+        }
+        skipName(letter);
     }
     return false;
 }
 
 bool Table::findSlot(uint8_t slot, uint8_t& index) const {
-    for (uint8_t i = 0; i < count_; ++i) {
+    const uint8_t rows = count();
+    for (uint8_t i = 0; i < rows; ++i) {
         if (this->slot(i) != slot) continue;
         index = i;
         return true;

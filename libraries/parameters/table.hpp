@@ -86,14 +86,25 @@ constexpr bool initialsAreInRange(const Row (&rows)[N]) {
     return true;
 }
 
-// A table of packed rows (packed.hpp) over one struct of fields.
-struct PackedRow;
+struct PackedRow {
+    uint16_t field;  // the type in the highest four bits, the field's offset below
+    uint8_t slot;
+    uint8_t initial, lowest, highest;  // places in the pool
+};
+
+// A table of packed rows (packed.hpp) over one struct of fields. It lies in flash itself: ROM.
 class Table {
 public:
-    constexpr Table(const PackedRow* rows, uint8_t count, void* fields)
-        : rows_(rows), count_(count), fields_(fields) {}
+    template <class Packed>
+    constexpr Table(const Packed& packed, void* fields)
+        : rows_(packed.row),
+          groups_(packed.group),
+          letters_(packed.letter),
+          numbers_(packed.number),
+          count_(core::count(packed.row)),
+          fields_(fields) {}
 
-    uint8_t count() const { return count_; }
+    uint8_t count() const { return core::romRead(count_); }
     uint8_t slot(uint8_t index) const;
     Type type(uint8_t index) const;
     void name(uint8_t index, char (&to)[kNameSize]) const;  // padded with zeros
@@ -112,12 +123,15 @@ public:
     void assignInitial(uint8_t index) const { assign(index, initial(index)); }
 
 private:
+    const PackedRow& row(uint8_t index) const { return core::romRead(rows_)[index]; }
     float number(uint8_t place) const;
     uint8_t* field(uint8_t index) const;
     const uint8_t* letters(uint8_t index) const;
-    bool isNamed(uint8_t index, const char (&name)[kNameSize]) const;
 
     const PackedRow* rows_;
+    const uint16_t* groups_;
+    const uint8_t* letters_;
+    const float* numbers_;
     uint8_t count_;
     void* fields_;
 };
