@@ -188,9 +188,11 @@ public:
     }
 
     Bytes wrap(const Bytes& body) const {
-        Bytes all = {kStart, sequence_, static_cast<uint8_t>(body.size() >> 8),
-                     static_cast<uint8_t>(body.size()), kToken};
-        all.insert(all.end(), body.begin(), body.end());
+        Bytes all;
+        for (size_t each : {size_t{kStart}, size_t{sequence_}, body.size() >> 8, body.size() & 255,
+                            size_t{kToken}})
+            all.push_back(static_cast<uint8_t>(each));
+        for (uint8_t each : body) all.push_back(each);
         uint8_t sum = 0;
         for (uint8_t each : all) sum ^= each;
         all.push_back(sum);
