@@ -12,6 +12,7 @@
 #include <iostream>
 #include <iterator>
 
+#include "simulator/devices/at45db.hpp"
 #include "simulator/fly_options.hpp"
 #include "simulator/ground/scripted_flight.hpp"
 #include "simulator/ground/server.hpp"
@@ -68,31 +69,45 @@ WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
     world.wind_from_deg = options.wind_from_deg;
     world.gusts = options.gusts;
     world.seed = options.seed;
+    world.dataflash = !options.no_dataflash;
     return world;
 }
 
 // Said before the flight, not after it: the file is written at the end.
-void mustBeWritable(const std::string& path) {
+void mustBeWritable(const std::string& what, const std::string& path) {
     std::error_code ignored;
     const bool before = std::filesystem::exists(path, ignored);
     const bool writable = std::ofstream(path, std::ios::app).is_open();
     if (!before) std::filesystem::remove(path, ignored);
-    if (!writable) throw WrongInput("--eeprom " + path + ": cannot be written");
+    if (!writable) throw WrongInput(what + " " + path + ": cannot be written");
 }
 
-void loadEeprom(Board& board, const std::string& path) {
-    if (path.empty()) return;
-    if (!std::filesystem::exists(path)) return mustBeWritable(path);
-    if (!std::filesystem::is_regular_file(path))
-        throw WrongInput("--eeprom " + path + ": is no file");
-    mustBeWritable(path);
+// A memory's contents at power-on; nothing where the file is still to be made.
+std::optional<std::vector<uint8_t>> readMemory(const std::string& what, const std::string& path) {
+    if (path.empty()) return std::nullopt;
+    const bool exists = std::filesystem::exists(path);
+    if (exists && !std::filesystem::is_regular_file(path))
+        throw WrongInput(what + " " + path + ": is no file");
+    mustBeWritable(what, path);
+    if (!exists) return std::nullopt;
     std::ifstream file(path, std::ios::binary);
-    const std::vector<uint8_t> image(std::istreambuf_iterator<char>(file), {});
-    if (image.size() != kEepromBytes) {
-        throw WrongInput("--eeprom " + path + ": expected 4096 bytes, found " +
-                         std::to_string(image.size()));
+    return std::vector<uint8_t>(std::istreambuf_iterator<char>(file), {});
+}
+
+void loadMemories(Board& board, const FlyOptions& options) {
+    const auto wrong = [](const std::string& of, const std::string& expected, size_t found) {
+        return WrongInput(of + ": expected " + expected + " bytes, found " + std::to_string(found));
+    };
+    if (const auto eeprom = readMemory("--eeprom", options.eeprom)) {
+        if (eeprom->size() != kEepromBytes)
+            throw wrong("--eeprom " + options.eeprom, "4096", eeprom->size());
+        board.setEeprom(*eeprom);
     }
-    board.setEeprom(image);
+    if (const auto pages = readMemory("--dataflash", options.dataflash)) {
+        if (!board.world().dataflash().setImage(*pages))
+            throw wrong("--dataflash " + options.dataflash, "8192 or 4096 pages of 528 or 512",
+                        pages->size());
+    }
 }
 
 void writeFile(const std::filesystem::path& path, const std::string& text) {
@@ -101,10 +116,12 @@ void writeFile(const std::filesystem::path& path, const std::string& text) {
     if (!file.flush()) throw WrongInput(path.string() + ": cannot be written");
 }
 
-void saveEeprom(const Board& board, const std::string& path) {
-    if (path.empty()) return;
-    const auto image = board.eeprom();
-    writeFile(path, std::string(image.begin(), image.end()));
+void saveMemories(Board& board, const FlyOptions& options) {
+    const auto save = [](const std::string& path, const std::vector<uint8_t>& image) {
+        if (!path.empty()) writeFile(path, std::string(image.begin(), image.end()));
+    };
+    save(options.eeprom, board.eeprom());
+    save(options.dataflash, board.world().dataflash().image(board.time_us()));
 }
 
 // A stopped chip never comes back to look at a flag: Ctrl-C ends the program at once.
@@ -200,7 +217,7 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
     const LocalFrame frame(items[0].latitude_deg, items[0].longitude_deg);
     const Plan plan = makePlan(items, frame);
     const auto board = makeBoard(options, worldFor(options, items));
-    loadEeprom(*board, options.eeprom);
+    loadMemories(*board, options);
     const int usart = options.telemetry_on_uart0 ? 0 : 2;
     ScriptedFlight flight(*board, usart, items, options.time_limit_s);
     board->listen([&](int from, uint8_t byte, uint64_t time_us) {
@@ -222,7 +239,7 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
                     clock.seconds());
     }
     status.end();
-    saveEeprom(*board, options.eeprom);
+    saveMemories(*board, options);
     Summary summary = summarize(options, *board, flight, recorder, plan);
     summary.emulated_s = static_cast<double>(board->time_us()) * 1e-6;
     summary.speedup = summary.emulated_s / clock.seconds();
@@ -233,7 +250,7 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
 
 int serve(const FlyOptions& options, const Waypoints& items) {
     const auto board = makeBoard(options, worldFor(options, items));
-    loadEeprom(*board, options.eeprom);
+    loadMemories(*board, options);
     const int telemetry = options.telemetry_on_uart0 ? 0 : 2;
     Server server(*board, options.listen, {telemetry, 2 - telemetry}, options.lock_step);
     board->listen([&](int usart, uint8_t byte, uint64_t) { server.fromBoard(usart, byte); });
@@ -249,7 +266,7 @@ int serve(const FlyOptions& options, const Waypoints& items) {
     } else {
         server.runRealTime(stop);
     }
-    saveEeprom(*board, options.eeprom);
+    saveMemories(*board, options);
     if (board->fault().empty()) return 0;
     std::cerr << "fly: the firmware stopped: " << board->fault() << "\n";
     return 1;

@@ -41,6 +41,8 @@ std::string contradiction(const FlyOptions& options, const CLI::App& app) {
         {options.native && given("--firmware"), "--native flies no --firmware file"},
         {options.native && given("--vcd"), "--vcd needs the emulated chip: no --native"},
         {options.native && given("--gdb"), "--gdb needs the emulated chip: no --native"},
+        {options.no_dataflash && given("--dataflash"),
+         "--dataflash needs the chip: no --no-dataflash"},
         {!options.serve && given("--listen"), "--listen needs --serve or --lock-step"},
         {options.serve && given("MISSION"), " flies no script: leave out MISSION"},
         {options.serve && given("--time-limit"), " has no --time-limit"},
@@ -93,6 +95,11 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
     app.add_option("--eeprom", o.eeprom,
                    "4096-byte file: contents at power-on if it exists, rewritten at the end")
         ->check(fileName);
+    app.add_option("--dataflash", o.dataflash,
+                   "file of all pages of the AT45DB321D (or 161D): as --eeprom is of the EEPROM")
+        ->check(fileName);
+    app.add_flag("--no-dataflash", o.no_dataflash, "a board without that chip")
+        ->disable_flag_override();
     app.add_option("--wind", wind, "SPEED,FROM_DEGREES: mean wind in m/s and where it comes from");
     app.add_flag("--gusts", o.gusts, "Dryden gusts of 1 m/s RMS")->disable_flag_override();
     app.add_option("--seed", o.seed, "of every random error; the same seed gives the same flight")

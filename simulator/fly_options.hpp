@@ -8,8 +8,9 @@
 namespace simulator {
 
 struct FlyOptions {
-    std::string mission, firmware, eeprom, out, vcd;
+    std::string mission, firmware, eeprom, dataflash, out, vcd;
     bool native = false;
+    bool no_dataflash = false;
     double wind_mps = 0, wind_from_deg = 0;
     bool gusts = false;
     uint64_t seed = 1;

@@ -67,6 +67,13 @@ TEST_F(BoardTest, the_battery_is_on_A13) {
     EXPECT_NEAR(told(6) * 5.0 / 1024 * 10.1, board.world().truth().battery_v, 0.1);
 }
 
+TEST_F(BoardTest, the_dataflash_answers_on_usart3_unless_it_is_held_in_reset) {
+    run_s(1);
+    EXPECT_EQ(told(13), 0x1F27);
+    EXPECT_EQ(told(14), 0xFFFF);
+    EXPECT_EQ(told(15), 0x1F27);
+}
+
 TEST_F(BoardTest, the_gps_is_heard_at_its_own_rate_and_is_garbage_at_another) {
     run_s(6);
     EXPECT_GT(told(7), 2) << "NMEA sentences";

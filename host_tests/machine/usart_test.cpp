@@ -80,3 +80,32 @@ TEST_F(UsartTest, a_reset_empties_it) {
     ASSERT_FALSE(sent.empty());
     EXPECT_EQ(sent[0].byte, 0);
 }
+
+class UsartSpiTest : public testing::Test {
+protected:
+    UsartSpiTest() {
+        machine.chip.usart(2).on_exchange = [this](uint8_t) { return unclocked++; };
+        machine.chip.usart(3).on_exchange = [this](uint8_t out) {
+            exchanged.push_back(out);
+            return static_cast<uint8_t>(out + 1);
+        };
+        machine.run_ms(1);
+    }
+    Machine machine{"usart_spi"};
+    std::vector<uint8_t> exchanged;
+    uint8_t unclocked = 0;
+};
+
+TEST_F(UsartSpiTest, nothing_moves_while_the_clock_pin_is_no_output) {
+    EXPECT_EQ(machine.report(1).low & 0xC0, 0) << "neither received nor sent";
+    EXPECT_EQ(unclocked, 0);
+    EXPECT_EQ(machine.report(2).low & 0xC0, 0xC0);
+}
+
+TEST_F(UsartSpiTest, the_receiver_holds_three_bytes_that_nobody_reads) {
+    EXPECT_EQ(exchanged, (std::vector<uint8_t>{0x11, 0x22, 0x33, 0x44}));
+    std::vector<int> read;
+    for (const Report& each : machine.reports)
+        if (each.number == 3 && each.high & 0x80) read.push_back(each.low);
+    EXPECT_EQ(read, (std::vector<int>{0x12, 0x23, 0x34}));
+}

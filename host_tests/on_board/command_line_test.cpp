@@ -82,15 +82,19 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"--firmware /no/such.elf", "/no/such.elf"},
         Wrong{"--firmware /etc/passwd", "/etc/passwd"},
         Wrong{"--native --out /proc/nowhere", "/proc/nowhere"},
-        Wrong{"--native --eeprom /etc/passwd", "4096 bytes"}, Wrong{"a b", "b"}));
+        Wrong{"--native --eeprom /etc/passwd", "4096 bytes"},
+        Wrong{"--native --dataflash /etc/passwd", "8192 or 4096 pages"},
+        Wrong{"--native --dataflash /no/such/folder/d.bin", "--dataflash"},
+        Wrong{"--no-dataflash --dataflash d.bin", "--no-dataflash"}, Wrong{"a b", "b"}));
 
 TEST(Help, names_every_option) {
     const Outcome run = fly("--help");
 
     EXPECT_EQ(run.status, 0);
-    for (const char* option : {"MISSION", "--board", "--native", "--firmware", "--eeprom", "--wind",
-                               "--gusts", "--seed", "--time-limit", "--out", "--serve",
-                               "--telemetry", "--lock-step", "--listen", "--vcd", "--gdb"}) {
+    for (const char* option :
+         {"MISSION", "--board", "--native", "--firmware", "--eeprom", "--dataflash",
+          "--no-dataflash", "--wind", "--gusts", "--seed", "--time-limit", "--out", "--serve",
+          "--telemetry", "--lock-step", "--listen", "--vcd", "--gdb"}) {
         EXPECT_THAT(run.output, HasSubstr(option));
     }
 }
@@ -125,6 +129,35 @@ TEST(Seed, makes_the_same_flight_again_bit_by_bit) {
     EXPECT_EQ(a, contents(folder("b") / "flight.csv"));
     EXPECT_NE(a, contents(folder("c") / "flight.csv"));
 }
+
+TEST(Dataflash, keeps_its_pages_over_power_off) {
+    const fs::path image = folder("dataflash.bin");
+    std::string pages(8192 * 528, '\xff');
+    pages.replace(1000 * 528, 5, "pages");
+    std::ofstream(image, std::ios::binary) << pages;
+    const Outcome run = fly("--native --time-limit 2 --out " + folder("d").string() +
+                            " --dataflash " + image.string());
+
+    EXPECT_EQ(run.status, 1) << run.output;  // the time limit
+    EXPECT_EQ(contents(image).size(), pages.size());
+    EXPECT_EQ(contents(image).substr(1000 * 528, 6), "pages\xff");
+}
+
+class EitherBoard : public testing::TestWithParam<const char*> {};
+
+TEST_P(EitherBoard, finds_its_dataflash_or_says_that_there_is_none) {
+    const auto texts = [](const std::string& options, const char* name) {
+        const fs::path out = folder(name);
+        fs::remove_all(out);
+        fly(std::string(GetParam()) + options + " --time-limit 5 --out " + out.string());
+        return contents(out / "summary.json");
+    };
+
+    EXPECT_THAT(texts(" --no-dataflash", "without"), HasSubstr("DataFlash: none found"));
+    EXPECT_THAT(texts("", "with"), testing::Not(HasSubstr("DataFlash")));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EitherBoard, testing::Values("--native", "--board apm2"));
 
 TEST(Eeprom, keeps_what_the_autopilot_stored) {
     const fs::path image = folder("eeprom.bin");

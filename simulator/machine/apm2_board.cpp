@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "simulator/devices/at45db.hpp"
 #include "simulator/devices/hmc5883l.hpp"
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
@@ -17,9 +18,10 @@ struct Pin {
     int bit;
 };
 constexpr Pin kImuSelect = {'B', 0}, kBarometerSelect = {'G', 1}, kDataReady = {'E', 6};
+constexpr Pin kFlashSelect = {'A', 6}, kFlashReset = {'G', 0};
 constexpr Pin kRelay = {'B', 7}, kUsbSense = {'A', 1};
 constexpr Pin kLeds[] = {{'A', 5}, {'A', 4}, {'A', 3}};  // A red, B yellow, C blue
-constexpr int kGpsUsart = 1;
+constexpr int kGpsUsart = 1, kFlashUsart = 3;
 
 // The airplane moves on at least this often, however quiet its sensors are.
 constexpr uint64_t kLongestWait_us = 5000;
@@ -37,6 +39,7 @@ AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options)
       radio_(chip_, world_.radio()) {
     for (int usart = 0; usart < 4; usart++) feeds_.emplace_back(chip_, usart);
     wireSensorBus();
+    wireFlash();
     wireCompass();
     wireSerial();
     wireOutputs();
@@ -57,6 +60,14 @@ void AvrBoard::wireSensorBus() {
     chip_.onPort('B', [this] { portChanged(); });
     chip_.onPort('G', [this] { portChanged(); });
     chip_.spi().on_exchange = [this](uint8_t mosi) { return exchange(mosi); };
+}
+
+void AvrBoard::wireFlash() {
+    chip_.onPort('A', [this] { selectFlash(); });
+    chip_.onPort('G', [this] { selectFlash(); });
+    chip_.usart(kFlashUsart).on_exchange = [this](uint8_t mosi) {
+        return world_.dataflash().transfer(mosi, time_us());
+    };
 }
 
 void AvrBoard::wireCompass() {
@@ -101,6 +112,7 @@ void AvrBoard::restart() {
     radio_.restart();
     for (SerialFeed& feed : feeds_) feed.resume();
     portChanged();
+    selectFlash();
 }
 
 bool AvrBoard::runUntil(uint64_t time_us) {
@@ -118,9 +130,13 @@ void AvrBoard::setUsb(bool plugged) { chip_.drive(kUsbSense.port, kUsbSense.bit,
 
 void AvrBoard::setEeprom(const std::vector<uint8_t>& image) { chip_.eeprom().setContents(image); }
 
+bool AvrBoard::pulledLow(char port, int bit) const {
+    return chip_.isOutput(port, bit) && !chip_.outputHigh(port, bit);
+}
+
 bool AvrBoard::ledOn(Led led) const {
     const Pin& pin = kLeds[static_cast<int>(led)];  // lit by a low level
-    return chip_.isOutput(pin.port, pin.bit) && !chip_.outputHigh(pin.port, pin.bit);
+    return pulledLow(pin.port, pin.bit);
 }
 
 void AvrBoard::portChanged() {
@@ -131,9 +147,7 @@ void AvrBoard::portChanged() {
 
 // A chip is selected by an output that is low; inputs are pulled up on the board.
 void AvrBoard::selectSensors() {
-    const auto chosen = [this](const Pin& pin) {
-        return chip_.isOutput(pin.port, pin.bit) && !chip_.outputHigh(pin.port, pin.bit);
-    };
+    const auto chosen = [this](const Pin& pin) { return pulledLow(pin.port, pin.bit); };
     if (std::exchange(imu_chosen_, chosen(kImuSelect)) != imu_chosen_) {
         world_.advanceTo(time_us());
         world_.imu().select(imu_chosen_, time_us());
@@ -143,6 +157,15 @@ void AvrBoard::selectSensors() {
     // The MS5611 does not come up on a bus whose MPU6000 is not held deselected.
     if (barometer_chosen_) barometer_deaf_ = !chip_.outputHigh(kImuSelect.port, kImuSelect.bit);
     if (!barometer_deaf_) world_.barometer().select(barometer_chosen_, time_us());
+}
+
+void AvrBoard::selectFlash() {
+    const bool chosen = pulledLow(kFlashSelect.port, kFlashSelect.bit);
+    const bool in_reset = pulledLow(kFlashReset.port, kFlashReset.bit);
+    if (std::exchange(flash_in_reset_, in_reset) != in_reset)
+        world_.dataflash().resetPin(in_reset, time_us());
+    if (std::exchange(flash_chosen_, chosen) != chosen)
+        world_.dataflash().select(chosen, time_us());
 }
 
 uint8_t AvrBoard::exchange(uint8_t mosi) {

@@ -46,6 +46,7 @@ public:
 
 private:
     void wireSensorBus();
+    void wireFlash();
     void wireCompass();
     void wireSerial();
     void wireOutputs();
@@ -54,6 +55,8 @@ private:
 
     void portChanged();
     void selectSensors();
+    void selectFlash();
+    bool pulledLow(char port, int bit) const;
     uint8_t exchange(uint8_t mosi);
     void sent(int usart, uint8_t byte, uint64_t cycle);
     void feedGps();
@@ -76,6 +79,7 @@ private:
     std::unique_ptr<VcdTrace> trace_;
     uint64_t wake_cycle_ = UINT64_MAX;
     bool imu_chosen_ = false, barometer_chosen_ = false, barometer_deaf_ = false;
+    bool flash_chosen_ = false, flash_in_reset_ = false;
     bool data_ready_ = false;
     uint64_t contentions_ = 0;
 };

@@ -10,10 +10,19 @@ enum : uint8_t { kRxc = 0x80, kTxc = 0x40, kUdre = 0x20, kDor = 0x08, kU2x = 0x0
 enum : uint8_t { kRxen = 0x10, kTxen = 0x08, kNinthBit = 0x04 };
 constexpr uint8_t kOwnBits = kU2x | kMpcm;
 
+// Where the clock pins XCK0..3 are made outputs: PE2, PD5, PH2, PJ2.
+struct ClockPin {
+    uint16_t direction;
+    uint8_t mask;
+};
+constexpr ClockPin kClockPins[] = {
+    {0x2D, 1 << 2}, {0x2A, 1 << 5}, {0x101, 1 << 2}, {0x104, 1 << 2}};
+
 }  // namespace
 
 Usart::Usart(avr_t* avr, char name)
     : avr_(avr),
+      number_(name - '0'),
       io_(findPeripheral<avr_uart_t>(avr, "uart", name)),
       receive_interrupt_(avr, &io_->rxc, this),
       empty_interrupt_(avr, &io_->udrc, this) {
@@ -34,6 +43,12 @@ void Usart::reset() {
 }
 
 bool Usart::spiMaster() const { return avr_->data[io_->r_ucsrc] >> 6 == 3; }
+
+// Datasheet 22.3 and 23.2: with XCK an input the clock is to come from outside.
+bool Usart::clockGiven() const {
+    return avr_->data[kClockPins[number_].direction] & kClockPins[number_].mask;
+}
+
 bool Usart::receiving() const { return avr_->data[io_->r_ucsrb] & kRxen; }
 
 // Datasheet tables 22-1 and 23-1: clocks per bit; 22.4: the frame's bits.
@@ -109,6 +124,7 @@ void Usart::load(uint16_t, uint8_t value) {
 void Usart::begin(uint8_t byte) {
     shift_ = byte;
     shifting_ = true;
+    if (spiMaster() && !clockGiven()) return;  // for ever
     startTimer<&Usart::shifted>(avr_, byteCycles(), this);
 }
 

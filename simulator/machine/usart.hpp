@@ -29,6 +29,7 @@ public:
 
 private:
     bool spiMaster() const;
+    bool clockGiven() const;
     bool received() const { return fifo_used_ > 0; }
     bool roomToSend() const { return !buffer_full_; }
     void control(uint16_t, uint8_t value);
@@ -41,6 +42,7 @@ private:
     uint64_t shifted(uint64_t due);
 
     avr_t* avr_;
+    int number_;
     avr_uart_t* io_;
     LevelInterrupt<Usart, &Usart::received> receive_interrupt_;
     LevelInterrupt<Usart, &Usart::roomToSend> empty_interrupt_;

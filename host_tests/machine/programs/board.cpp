@@ -125,6 +125,32 @@ static uint16_t analog(uint8_t channel) {
     return ADC;
 }
 
+static uint8_t flash(uint8_t byte) {
+    UDR3 = byte;
+    while (!(UCSR3A & _BV(RXC3))) {
+    }
+    return UDR3;
+}
+static uint16_t flashIdentity() {
+    PORTA &= ~_BV(6);
+    flash(0x9F);
+    const uint8_t maker = flash(0), family = flash(0);
+    PORTA |= _BV(6);
+    return static_cast<uint16_t>(maker << 8 | family);
+}
+static void dataflash() {
+    PORTA |= _BV(6);
+    DDRA |= _BV(6);
+    DDRJ = _BV(2);
+    UCSR3C = _BV(UMSEL31) | _BV(UMSEL30);
+    UCSR3B = _BV(RXEN3) | _BV(TXEN3);
+    tell(13, flashIdentity());
+    DDRG |= _BV(0);  // reset, low
+    tell(14, flashIdentity());
+    PORTG |= _BV(0);
+    tell(15, flashIdentity());
+}
+
 static void gps() {
     UCSR1A = _BV(U2X1);
     UBRR1 = 207;  // 9600
@@ -189,6 +215,7 @@ int main() {
     outputs();
     sensorBus();
     compass();
+    dataflash();
     tell(6, analog(13));
     tell(11, PINA & _BV(1));
     gps();
