@@ -40,12 +40,17 @@ void tellWarnings(const Survey& survey, mission::Set set, uint8_t count);
 void compareBegin();
 MUST_USE core::Status compareStep(bool& same);
 
+// ---- lists.cpp
+void listsStart();
+void listsRun();         // carries a commit on, copies what was committed; 10 Hz
+bool missionChanging();  // the engine must not run now
+MissionResult resultOf(core::Status status);
+
 // ---- upload.cpp
-void uploadStart();
-void uploadRun();  // carries a commit on, copies what was committed; 10 Hz
 // The next item of an upload as it is stored.
 MUST_USE core::Status missionUploadRecord(const uint8_t* bytes);
-bool missionChanging();        // the engine must not run now
+void missionCommitted();
+bool missionCompared();        // then until it is true
 extern Survey mission_survey;  // of the present mission
 
 // Leaves AUTO for this mode once the pass that runs is over.

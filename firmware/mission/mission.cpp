@@ -180,7 +180,7 @@ Status bootStep() {
 }
 
 void background(bool there_is_time) {
-    if (there_is_time) uploadRun();
+    if (there_is_time) listsRun();
     mission_store.readAhead(mission_engine.next());
     if (index_waits) index_waits = index_store.write(generation(), index_wanted) != Status::ok;
 }
@@ -198,7 +198,7 @@ mission::Set missionSet() {
 void missionBoot() {
     mission_store = storage::MissionStore();
     mission_survey = {};
-    uploadStart();
+    listsStart();
     index_waits = reached_waits = false;
     boot = Boot::owner;
     onReset();

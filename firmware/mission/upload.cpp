@@ -4,9 +4,9 @@
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/item.hpp"
+#include "firmware/mission/lists.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/telemetry/text.hpp"
-#include "hal/page_flash.hpp"
 
 namespace firmware {
 
@@ -14,45 +14,20 @@ namespace {
 
 using core::Status;
 
-// storing, comparing: a commit is under way; it goes on even when nobody asks any more.
-enum class Step : uint8_t { none, filling, storing, comparing };
-Step step;
-MissionResult outcome = MissionResult::error;  // of the last commit
 Survey staged_survey;
 Notes notes;
-bool clearing;
 uint8_t partial_last;  // last item of a partial write; 0xFF: all items come from the ground
 constexpr uint8_t kWhole = 0xFF;
 
-MissionResult answer(Status status) {
-    switch (status) {
-        case Status::ok:
-            return MissionResult::accepted;
-        case Status::busy:
-            return MissionResult::busy;
-        case Status::full:
-            return MissionResult::no_space;
-        case Status::bad_argument:
-            return MissionResult::invalid_sequence;
-        default:
-            return MissionResult::error;
-    }
-}
-
 mission::Set stagedSet() { return static_cast<mission::Set>(mission_store.stagedSet()); }
 
-MissionResult begin(uint8_t count, uint8_t set) {
-    if (!missionStorable()) return MissionResult::denied;
-    if (!missionReady() || !hal::flashKnown() || step > Step::filling) return MissionResult::busy;
-    const Status status = mission_store.begin(count, set);
-    if (status == Status::full)
-        tell(Severity::warning, ROM_TEXT("DataFlash does not work: clear the mission first"));
-    if (status != Status::ok) return answer(status);
-    step = Step::filling;
+MissionResult begin(uint16_t count, uint8_t set) {
+    const MissionResult result = listBegin(ListKind::mission, count, set);
+    if (result != MissionResult::accepted) return result;
     notes = {};
     staged_survey = {};
     partial_last = kWhole;
-    return MissionResult::accepted;
+    return result;
 }
 
 // The parts of a partial write that stay come from the present mission.
@@ -66,65 +41,27 @@ Status copyUpTo(uint8_t index) {
     return mission_store.staged() < index ? Status::busy : Status::ok;
 }
 
-void finish(MissionResult result) {
-    if (result != MissionResult::accepted) mission_store.abort();
-    step = Step::none;
-    outcome = result;
-}
-
 void tellNotes() {
     if (notes.rounded) tell(Severity::notice, ROM_TEXT("Mission: values were rounded"));
     if (notes.dropped) tell(Severity::notice, ROM_TEXT("Mission: unused parameters dropped"));
 }
 
-void store() {
-    const Status status = mission_store.commit();
-    if (status == Status::busy) return;
-    if (status != Status::ok) {
-        tell(Severity::error, ROM_TEXT("Mission not stored: memory error"));
-        return finish(MissionResult::error);
-    }
-    mission_survey = staged_survey;
-    compareBegin();
-    step = Step::comparing;
-}
-
-// What was committed in the DataFlash goes home to the EEPROM when nothing else is to be done.
-void settle() {
-    const Status status = mission_store.settle();
-    if (status != Status::ok && status != Status::busy)
-        tell(Severity::error, ROM_TEXT("EEPROM is worn: mission stays in the DataFlash"));
-}
-
-void compare() {
-    bool same = false;
-    if (compareStep(same) == Status::busy) return;
-    const bool empty = mission_survey.first_nav == 0;
-    tellNotes();
-    tellWarnings(mission_survey, missionSet(), mission_store.count());
-    finish(MissionResult::accepted);
-    mission_engine.changed(missionSet(), mission_store.generation(), same && !empty, empty);
-}
-
 }  // namespace
 
-void uploadStart() {
-    step = Step::none;
-    outcome = MissionResult::error;
-    clearing = false;
+void missionCommitted() {
+    if (mission_store.count() == 0) staged_survey = {};
+    mission_survey = staged_survey;
+    compareBegin();
 }
 
-bool missionChanging() { return step == Step::comparing; }
-
-void uploadRun() {
-    switch (step) {
-        case Step::storing:
-            return store();
-        case Step::comparing:
-            return compare();
-        default:
-            return settle();
-    }
+bool missionCompared() {
+    bool same = false;
+    if (compareStep(same) == Status::busy) return false;
+    const bool empty = mission_survey.first_nav == 0;
+    if (mission_store.count() > 0) tellNotes();
+    tellWarnings(mission_survey, missionSet(), mission_store.count());
+    mission_engine.changed(missionSet(), mission_store.generation(), same && !empty, empty);
+    return true;
 }
 
 core::Status missionItem(uint16_t index, MissionItem& to) {
@@ -138,8 +75,7 @@ core::Status missionItem(uint16_t index, MissionItem& to) {
 }
 
 MissionResult missionBeginUpload(uint16_t count) {
-    if (count > storage::kRecordSlots) return MissionResult::no_space;
-    return begin(static_cast<uint8_t>(count), static_cast<uint8_t>(parameters.mission_set));
+    return begin(count, static_cast<uint8_t>(parameters.mission_set));
 }
 
 MissionResult missionBeginPartial(uint16_t first, uint16_t last) {
@@ -160,13 +96,13 @@ Status missionUploadRecord(const uint8_t* bytes) {
 }
 
 MissionResult missionUploadItem(uint16_t index, const MissionItem& item) {
-    if (step != Step::filling || !mission_store.staging()) return MissionResult::error;
+    if (!mission_store.staging()) return MissionResult::error;
     const uint8_t count = mission_store.stagedCount();
     if (index >= count) return MissionResult::invalid_sequence;
     const uint8_t place = static_cast<uint8_t>(index);
     if (partial_last != kWhole) {
         const Status status = copyUpTo(place);
-        if (status != Status::ok) return answer(status);
+        if (status != Status::ok) return resultOf(status);
     }
     if (place != mission_store.staged()) return MissionResult::invalid_sequence;
     Record record;
@@ -176,49 +112,32 @@ MissionResult missionUploadItem(uint16_t index, const MissionItem& item) {
     uint8_t bytes[mission::kRecordSize];
     mission::pack(stagedSet(), record, bytes);
     const Status status = missionUploadRecord(bytes);
-    if (status != Status::ok) return answer(status);
+    if (status != Status::ok) return resultOf(status);
     notes.rounded |= item_notes.rounded;
     notes.dropped |= item_notes.dropped;
     return MissionResult::accepted;
 }
 
 MissionResult missionCommit() {
-    if (step == Step::none) return outcome;
-    if (step == Step::filling) {
+    if (mission_store.staging()) {
         if (partial_last != kWhole && mission_store.staged() > partial_last) {
             const Status status = copyUpTo(mission_store.stagedCount());
-            if (status != Status::ok) return answer(status);
+            if (status != Status::ok) return resultOf(status);
         }
-        if (mission_store.staged() != mission_store.stagedCount())
-            return MissionResult::invalid_sequence;
         if (staged_survey.counters > mission::kMostCounters) {
             tell(Severity::warning, ROM_TEXT("Mission: more than # counted jumps"),
                  mission::kMostCounters);
-            finish(MissionResult::no_space);
-            return outcome;
+            listAbort();
+            return MissionResult::no_space;
         }
-        step = Step::storing;
     }
-    uploadRun();
-    return step == Step::none ? outcome : MissionResult::busy;
+    return listCommit();
 }
 
-void missionAbort() {
-    if (step == Step::filling) finish(MissionResult::cancelled);
-}
+void missionAbort() { listAbort(); }
 
 MissionResult missionClear() {
-    if (clearing && step == Step::none) {  // done since the last call
-        clearing = false;
-        return outcome;
-    }
-    if (!clearing) {
-        const MissionResult begun = begin(0, static_cast<uint8_t>(parameters.mission_set));
-        if (begun != MissionResult::accepted) return begun;
-    }
-    const MissionResult result = missionCommit();
-    clearing = result == MissionResult::busy;
-    return result;
+    return listClear(ListKind::mission, static_cast<uint8_t>(parameters.mission_set));
 }
 
 }  // namespace firmware

@@ -30,7 +30,7 @@ TEST_F(Upload, what_does_not_fit_beside_the_present_mission_needs_a_clear_and_is
     ASSERT_EQ(upload(many(100)), MissionResult::accepted);
     (void)told();
     EXPECT_EQ(upload(many(100)), MissionResult::no_space);
-    EXPECT_TRUE(tells("clear the mission first"));
+    EXPECT_TRUE(tells("DataFlash does not work: clear the old one first"));
     EXPECT_EQ(missionCount(), 101);
     EXPECT_EQ(whileBusy(missionClear), MissionResult::accepted);
     EXPECT_EQ(missionCount(), 0);

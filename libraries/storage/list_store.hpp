@@ -36,6 +36,7 @@ public:
     uint8_t staged() const { return put_; }
     uint8_t stagedCount() const { return other_.count; }
     uint8_t stagedSet() const { return other_.set; }
+    ListKind kind() const { return kind_; }  // of what is staged, or was committed last
     bool staging(ListKind kind) const { return phase_ == Phase::filling && kind_ == kind; }
     // Until it is not busy. ok: the new list is the list and would survive a power cut. corrupt:
     // what was read back is not what was put; the old list stays.

@@ -22,7 +22,9 @@ public:
 
     using ListStore::begin;
     using ListStore::count;
+    using ListStore::generation;
     using ListStore::read;
+    using ListStore::set;
     using ListStore::staging;
 
 private:

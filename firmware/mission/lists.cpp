@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/mission/lists.hpp"
+
+#include "firmware/mission/engine.hpp"
+#include "firmware/telemetry/text.hpp"
+#include "hal/page_flash.hpp"
+
+namespace firmware {
+namespace {
+
+using core::Status;
+
+// storing, comparing: a commit is under way; it goes on even when nobody asks any more.
+enum class Step : uint8_t { none, filling, storing, comparing };
+Step step;
+MissionResult outcome;  // of the last commit
+uint8_t clearing;       // 1 + the kind; 0: none
+
+void finish(MissionResult result) {
+    if (result != MissionResult::accepted) mission_store.abort();
+    step = Step::none;
+    outcome = result;
+}
+
+void store() {
+    const Status status = mission_store.commit();
+    if (status == Status::busy) return;
+    if (status != Status::ok) {
+        tell(Severity::error, ROM_TEXT("Not stored: memory error"));
+        return finish(MissionResult::error);
+    }
+    if (mission_store.kind() != ListKind::mission) return finish(MissionResult::accepted);
+    missionCommitted();
+    step = Step::comparing;
+}
+
+// What was committed in the DataFlash goes home to the EEPROM when nothing else is to be done.
+void settle() {
+    const Status status = mission_store.settle();
+    if (status != Status::ok && status != Status::busy)
+        tell(Severity::error, ROM_TEXT("EEPROM is worn: lists stay in the DataFlash"));
+}
+
+}  // namespace
+
+MissionResult resultOf(Status status) {
+    switch (status) {
+        case Status::ok:
+            return MissionResult::accepted;
+        case Status::busy:
+            return MissionResult::busy;
+        case Status::full:
+            return MissionResult::no_space;
+        case Status::bad_argument:
+            return MissionResult::invalid_sequence;
+        default:
+            return MissionResult::error;
+    }
+}
+
+void listsStart() {
+    step = Step::none;
+    outcome = MissionResult::error;
+    clearing = 0;
+}
+
+void listsRun() {
+    switch (step) {
+        case Step::storing:
+            return store();
+        case Step::comparing:
+            if (missionCompared()) finish(MissionResult::accepted);
+            return;
+        default:
+            return settle();
+    }
+}
+
+bool missionChanging() { return step == Step::comparing; }
+
+uint8_t listCapacity(ListKind kind) { return storage::shapeOf(kind).slots; }
+uint8_t listCount(ListKind kind) { return mission_store.count(kind); }
+uint8_t listSet(ListKind kind) { return mission_store.set(kind); }
+uint8_t listGeneration(ListKind kind) { return mission_store.generation(kind); }
+bool listStaging(ListKind kind) { return mission_store.staging(kind); }
+
+Status listRead(ListKind kind, uint8_t index, uint8_t* to) {
+    return missionKnown() ? mission_store.read(kind, index, to) : Status::busy;
+}
+
+MissionResult listBegin(ListKind kind, uint16_t count, uint8_t set) {
+    if (!missionStorable()) return MissionResult::denied;
+    if (count > listCapacity(kind)) return MissionResult::no_space;
+    if (!missionReady() || !hal::flashKnown() || step > Step::filling) return MissionResult::busy;
+    const Status status = mission_store.begin(kind, static_cast<uint8_t>(count), set);
+    if (status == Status::full)
+        tell(Severity::warning, ROM_TEXT("DataFlash does not work: clear the old one first"));
+    if (status == Status::ok) {
+        step = Step::filling;
+        clearing = 0;
+    }
+    return resultOf(status);
+}
+
+MissionResult listPut(const uint8_t* record) { return resultOf(mission_store.put(record)); }
+MissionResult listKeep() { return resultOf(mission_store.copy()); }
+
+MissionResult listCommit() {
+    if (step == Step::none) return outcome;
+    if (step == Step::filling) {
+        if (mission_store.staged() != mission_store.stagedCount())
+            return MissionResult::invalid_sequence;
+        step = Step::storing;
+    }
+    listsRun();
+    return step == Step::none ? outcome : MissionResult::busy;
+}
+
+void listAbort() {
+    if (step == Step::filling) finish(MissionResult::cancelled);
+}
+
+MissionResult listClear(ListKind kind, uint8_t set) {
+    const uint8_t this_one = static_cast<uint8_t>(1 + static_cast<uint8_t>(kind));
+    if (clearing != this_one) {
+        const MissionResult begun = listBegin(kind, 0, set);
+        if (begun != MissionResult::accepted) return begun;
+        clearing = this_one;
+    }
+    const MissionResult result = listCommit();
+    if (result != MissionResult::busy) clearing = 0;
+    return result;
+}
+
+}  // namespace firmware
