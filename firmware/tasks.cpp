@@ -38,7 +38,7 @@ void runLightsAndFlash() {
     dataflashStep();
 }
 
-void measureLoad();
+void everySecond();
 
 // The budgets are what the flights of the tests have measured and a little more; the tests hold
 // each task's longest time between half its budget and all of it.
@@ -66,9 +66,9 @@ constexpr scheduler::Task kTasks[] ROM = {
     { runFailsafe,          10,     6,     160 },
     { runArming,            10,     1,     100 },
     { runBattery,           10,     8,     460 },
-    { parametersRun,        10,     9,      32 },
+    { parametersRun,        10,     9,      22 },
     { runLightsAndFlash,    10,     0,      95 },
-    { measureLoad,         100,    51,     110 },
+    { everySecond,         100,    51,     300 },
 };
 // clang-format on
 
@@ -91,6 +91,11 @@ void measureLoad() {
     load_from_us = now_us;
     load_busy_us = schedule.busy_us();
     if (span_us > 1000) load_permille = static_cast<uint16_t>(busy_us / (span_us / 1000));
+}
+
+void everySecond() {
+    measureLoad();
+    runDeclination();
 }
 
 bool frameDue() {

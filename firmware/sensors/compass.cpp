@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/maths.hpp"
 #include "drivers/hmc5883l.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/vehicle.hpp"
+#include "geo/declination.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
@@ -24,6 +26,13 @@ void runCompass() {
     vehicle.compass.field_mg = compass.field_mg() + core::Vector3{offset[0], offset[1], offset[2]};
     vehicle.compass.fresh = true;  // the estimator clears it
     vehicle.compass.healthy = compass.healthy();
+}
+
+// Into the parameter, where the heading is worked out from; what is stored there stays.
+void runDeclination() {
+    if (parameters.compass_auto_declination == 0 || vehicle.gps.fix != GpsFix::three_d) return;
+    parameters.compass_declination_rad =
+        core::radiansFromCentidegrees(geo::declination_cd(vehicle.gps.position));
 }
 
 }  // namespace firmware

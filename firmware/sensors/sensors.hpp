@@ -11,6 +11,7 @@ void startSensors();
 void runInertial();   // every frame, first
 void runBarometer();  // every frame
 void runCompass();
+void runDeclination();  // 1 Hz
 void runGps();
 void runAirspeed();
 void runBattery();

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geo/declination.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "toolchain/declination/table.hpp"
+
+namespace {
+
+using declination::Model;
+
+const Model& model() {
+    static const Model wmm = [] {
+        std::ifstream file(WMM_COEFFICIENTS);
+        return Model(file);
+    }();
+    return wmm;
+}
+
+geo::Position place(double latitude_deg, double longitude_deg) {
+    return {static_cast<int32_t>(std::lround(latitude_deg * 1e7)),
+            static_cast<int32_t>(std::lround(longitude_deg * 1e7))};
+}
+
+// How far from the table's declination the model's is, as an angle.
+double error_deg(double latitude_deg, double longitude_deg) {
+    const double is_deg = geo::declination_cd(place(latitude_deg, longitude_deg)) * 0.01;
+    const double true_deg =
+        model().at(latitude_deg, longitude_deg, 0, declination::kTableYear).declination_deg();
+    return std::abs(std::remainder(is_deg - true_deg, 360));
+}
+
+// The southern magnetic pole of 2025, by the model's authors: 63.85 S, 135.08 E.
+double fromPole_deg(double latitude_deg, double longitude_deg) {
+    constexpr double kRadians = 3.14159265358979 / 180;
+    const double a = -63.85 * kRadians, b = latitude_deg * kRadians;
+    const double cosine = std::sin(a) * std::sin(b) +
+                          std::cos(a) * std::cos(b) * std::cos((longitude_deg - 135.08) * kRadians);
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) / kRadians;
+}
+
+template <class Visit>
+void everywhere(Visit visit) {
+    for (double latitude = -60; latitude <= 60; latitude += 0.5)
+        for (double longitude = -180; longitude <= 180; longitude += 0.75)
+            visit(latitude, longitude);
+}
+
+// WMM2025_TestValues.txt, published with the model by NOAA NCEI: every third of its rows.
+TEST(MagneticModel, gives_the_test_values_published_with_it) {
+    struct Row {
+        double year, height_km, latitude_deg, longitude_deg, declination_deg;
+    };
+    constexpr Row kRows[] = {
+        {2025.0, 28, 89, -121, -99.77}, {2025.0, 65, 43, 93, 0.50},
+        {2025.0, 3, -50, -103, 27.96},  {2025.0, 18, 0, 21, 1.29},
+        {2025.5, 69, 38, -144, 12.93},  {2025.5, 8, -66, 17, -33.14},
+        {2025.5, 44, 33, -118, 11.10},  {2026.0, 46, -24, -122, 14.01},
+        {2026.0, 47, -72, -22, -6.32},  {2026.0, 82, -64, 87, -81.74},
+        {2026.5, 12, -82, -68, 29.79},  {2026.5, 64, 10, 78, -1.53},
+        {2026.5, 14, -33, -114, 18.12},
+    };
+    for (const Row& row : kRows)
+        EXPECT_NEAR(model()
+                        .at(row.latitude_deg, row.longitude_deg, row.height_km, row.year)
+                        .declination_deg(),
+                    row.declination_deg, 0.006)
+            << row.latitude_deg << ' ' << row.longitude_deg;
+}
+
+TEST(MagneticModel, refuses_a_file_that_is_no_model) {
+    for (const char* text :
+         {"", "2025.0 WMM\n", "2025.0 WMM\n 1 0 1 2 3 4\n", "2025.0\n13 0 1 2 3 4"}) {
+        std::istringstream file(text);
+        EXPECT_THROW(Model{file}, std::runtime_error) << text;
+    }
+}
+
+TEST(DeclinationTable, is_what_its_generator_writes) {
+    std::ifstream file(DECLINATION_TABLE);
+    std::ostringstream text;
+    text << file.rdbuf();
+    EXPECT_EQ(text.str(), declination::tableHeader(model()));
+}
+
+TEST(DeclinationTable, is_within_a_degree_away_from_the_magnetic_pole) {
+    double worst_deg = 0;
+    everywhere([&](double latitude, double longitude) {
+        if (fromPole_deg(latitude, longitude) < 30) return;
+        worst_deg = std::max(worst_deg, error_deg(latitude, longitude));
+    });
+    EXPECT_LT(worst_deg, 1.0);
+    EXPECT_GT(worst_deg, 0.2);
+}
+
+// Where the horizontal field is strong enough for a compass: 6000 nT, the edge of what the model's
+// authors call the caution zone.
+TEST(DeclinationTable, is_of_use_wherever_a_compass_is) {
+    double worst_deg = 0;
+    everywhere([&](double latitude, double longitude) {
+        const auto field = model().at(latitude, longitude, 0, declination::kTableYear);
+        if (field.horizontal_nt() < 6000) return;
+        worst_deg = std::max(worst_deg, error_deg(latitude, longitude));
+    });
+    EXPECT_LT(worst_deg, 10.0);
+}
+
+TEST(DeclinationTable, has_no_seam_and_no_step) {
+    everywhere([&](double latitude, double longitude) {
+        if (fromPole_deg(latitude, longitude) < 30) return;
+        const int here_cd = geo::declination_cd(place(latitude, longitude));
+        const double east = longitude + 0.01 > 180 ? longitude - 359.99 : longitude + 0.01;
+        ASSERT_NEAR(geo::declination_cd(place(latitude, east)), here_cd, 15);
+        const double north = std::min(latitude + 0.01, 59.99);
+        ASSERT_NEAR(geo::declination_cd(place(north, longitude)), here_cd, 15);
+    });
+}
+
+TEST(DeclinationTable, goes_on_with_its_last_row_beyond_60_degrees) {
+    for (const double longitude : {-180.0, -71.3, 0.0, 12.5, 180.0}) {
+        EXPECT_NEAR(geo::declination_cd(place(90, longitude)),
+                    geo::declination_cd(place(59.999, longitude)), 2);
+        EXPECT_EQ(geo::declination_cd(place(-90, longitude)),
+                  geo::declination_cd(place(-60, longitude)));
+    }
+}
+
+TEST(DeclinationTable, knows_some_towns) {
+    struct Row {
+        const char* town;
+        double latitude_deg, longitude_deg, declination_deg;
+    };
+    // by the model itself, mid-2027
+    constexpr Row kRows[] = {{"Zurich", 47.4, 8.5, 3.8},        {"Boulder", 40.0, -105.3, 7.6},
+                             {"Canberra", -35.3, 149.1, 12.6},  {"Cape Town", -33.9, 18.4, -26.0},
+                             {"Reykjavik", 60.0, -21.9, -10.0}, {"Suva", -18.1, 178.4, 12.6}};
+    for (const Row& row : kRows)
+        EXPECT_NEAR(geo::declination_cd(place(row.latitude_deg, row.longitude_deg)) * 0.01,
+                    row.declination_deg, 1.0)
+            << row.town;
+}
+
+}  // namespace

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Magnetic declination from a small table of the World Magnetic Model, east of north positive.
+// Between 60 S and 60 N within 0.8 degrees, but for the seas south of Australia: towards the
+// magnetic pole there (64 S, 135 E) it is as uncertain as a compass itself becomes. Beyond 60
+// degrees the declination of the 60th parallel.
+#pragma once
+#include <stdint.h>
+
+#include "geo/position.hpp"
+
+namespace geo {
+
+int16_t declination_cd(const Position& position);
+
+}  // namespace geo

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "toolchain/declination/table.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace declination {
+namespace {
+
+constexpr int kStep_deg = 10, kMost_deg = 60;
+constexpr double kPerDegree = 8.0 / 5;  // one byte holds +-79 degrees
+
+constexpr char kAbove[] =
+    R"(// SPDX-License-Identifier: GPL-3.0-or-later
+// Magnetic declination in 5/8 degrees every 10 degrees, from 60 S northwards and from 180 W
+// eastwards, at sea level in mid-2027. Made by toolchain/declination from the World Magnetic Model
+// 2025 of NOAA NCEI and the British Geological Survey: do not edit.
+#pragma once
+#include <stdint.h>
+
+#include "core/rom.hpp"
+
+namespace geo {
+
+constexpr uint8_t kDeclinationRows = 13, kDeclinationColumns = 36;
+
+// clang-format off
+constexpr int8_t kDeclinations[] ROM = {
+)";
+constexpr char kBelow[] = R"(};
+// clang-format on
+static_assert(sizeof kDeclinations == kDeclinationRows * kDeclinationColumns, "");
+
+}  // namespace geo
+)";
+
+}  // namespace
+
+std::string tableHeader(const Model& model) {
+    std::string text = kAbove;
+    for (int latitude = -kMost_deg; latitude <= kMost_deg; latitude += kStep_deg) {
+        text += "    // " + std::to_string(latitude);
+        for (int longitude = -180; longitude < 180; longitude += kStep_deg) {
+            const double declination_deg =
+                model.at(latitude, longitude, 0, kTableYear).declination_deg();
+            const long number = std::lround(declination_deg * kPerDegree);
+            if (number < -128 || number > 127) throw std::runtime_error("no byte holds it");
+            text += ((longitude + 180) % 120 == 0 ? "\n    " : " ") + std::to_string(number) + ',';
+        }
+        text += '\n';
+    }
+    return text + kBelow;
+}
+
+}  // namespace declination
