@@ -169,6 +169,7 @@ add_test(NAME sanitizers
          COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${CMAKE_BINARY_DIR}/sanitized --output-on-failure)
 set_tests_properties(sanitizers PROPERTIES TIMEOUT 1200)
 
+include(fuzz)
 include(flash)
 include(ground)
 include(flights)

@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The fuzzers, by clang for its libFuzzer: the flight program on the doubles of the hardware, with
+# the sanitizers. Configured by fuzz.cmake with -DFUZZ=ON.
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g1")
+file(GLOB_RECURSE fuzzed_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/libraries/*.cpp
+     ${CMAKE_SOURCE_DIR}/firmware/*.cpp ${CMAKE_SOURCE_DIR}/host_tests/fakes/*.cpp)
+list(FILTER fuzzed_sources EXCLUDE REGEX "(_test|/firmware/main)\\.cpp$")
+add_library(fuzzed OBJECT ${fuzzed_sources})
+target_include_directories(fuzzed PUBLIC ${CMAKE_SOURCE_DIR}/host_tests/fakes ${CMAKE_SOURCE_DIR}
+                           ${CMAKE_SOURCE_DIR}/libraries ${CMAKE_SOURCE_DIR}/host_tests)
+target_compile_options(fuzzed PUBLIC -fsanitize=fuzzer-no-link,address,undefined
+                       -fno-sanitize-recover=all)
+foreach(target parser handler conversation)
+    add_executable(${target}_fuzz ${CMAKE_SOURCE_DIR}/host_tests/fuzz/${target}_fuzz.cpp)
+    target_link_libraries(${target}_fuzz PRIVATE fuzzed)
+    target_link_options(${target}_fuzz PRIVATE -fsanitize=fuzzer,address,undefined)
+endforeach()
