@@ -1,84 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/mission_store.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <vector>
-
-#include "fakes/fakes.hpp"
+#include "rig.hpp"
 
 namespace {
 
-using core::Status;
-using storage::MissionStore;
-using Record = std::array<uint8_t, storage::kRecordSize>;
-using Mission = std::vector<Record>;
-
-Mission mission(uint8_t count, uint8_t seed) {
-    Mission made(count);
-    uint32_t random = seed * 2654435761u + 1;
-    for (Record& record : made)
-        for (uint8_t& byte : record)
-            byte = static_cast<uint8_t>((random = random * 1664525u + 1013904223u) >> 24);
-    return made;
-}
-
-template <class Call>
-Status whileBusy(Call call) {
-    for (int i = 0; i < 100000; ++i) {
-        const Status status = call();
-        if (status != Status::busy) return status;
-        fakes::advance_ms(10);
-    }
-    return Status::timeout;
-}
-
-// The first that was wrong with any of the lists.
-Status open(MissionStore& store) {
-    Status found = Status::ok;
-    for (;;) {
-        storage::ListKind which;
-        const Status status = whileBusy([&] { return store.open(which); });
-        if (found == Status::ok) found = status;
-        if (status == Status::ok) return found;
-    }
-}
-
-Status upload(MissionStore& store, const Mission& mission, uint8_t set = 2) {
-    const Status begun = store.begin(static_cast<uint8_t>(mission.size()), set);
-    if (begun != Status::ok) return begun;
-    for (const Record& record : mission) {
-        const Status status = whileBusy([&] { return store.put(record.data()); });
-        if (status != Status::ok) return status;
-    }
-    return whileBusy([&] { return store.commit(); });
-}
-
-// Replaces the records first..last by those of `with`.
-Status partial(MissionStore& store, uint8_t first, uint8_t last, const Mission& with) {
-    const uint8_t count = store.count();
-    const Status begun = store.begin(count, store.set());
-    if (begun != Status::ok) return begun;
-    for (uint8_t i = 0; i < count; ++i) {
-        const bool changed = i >= first && i <= last;
-        const Status status =
-            whileBusy([&] { return changed ? store.put(with[i].data()) : store.copy(); });
-        if (status != Status::ok) return status;
-    }
-    return whileBusy([&] { return store.commit(); });
-}
-
-Mission stored(MissionStore& store) {
-    Mission found(store.count());
-    for (uint8_t i = 0; i < found.size(); ++i)
-        EXPECT_EQ(whileBusy([&] { return store.read(i, found[i].data()); }), Status::ok);
-    return found;
-}
-
 class MissionStoreTest : public testing::Test {
 protected:
-    void SetUp() override { fakes::reset(); }
+    void SetUp() override {
+        fakes::reset();
+        fakes::resetPageFlash();
+    }
 };
 
 TEST_F(MissionStoreTest, a_blank_eeprom_holds_an_empty_mission) {
@@ -257,76 +189,6 @@ TEST_F(MissionStoreTest, an_upload_through_the_slow_queue_arrives_whole) {
     MissionStore reader;
     ASSERT_EQ(open(reader), Status::ok);
     EXPECT_EQ(stored(reader), wanted);
-}
-
-struct Change {
-    const char* name;
-    Mission old_mission, new_mission;
-    Status (*make)(MissionStore&, const Mission&);
-};
-
-Status makeUpload(MissionStore& store, const Mission& mission) { return upload(store, mission); }
-Status makePartial(MissionStore& store, const Mission& mission) {
-    return partial(store, 3, 9, mission);
-}
-
-Mission withPart(Mission base, uint8_t first, uint8_t last, uint8_t seed) {
-    const Mission other = mission(static_cast<uint8_t>(base.size()), seed);
-    for (uint8_t i = first; i <= last; ++i) base[i] = other[i];
-    return base;
-}
-
-// Returns the number of cuts tried.
-int cutAtEveryWrite(const Change& change) {
-    fakes::resetEeprom();
-    {
-        MissionStore store;
-        EXPECT_EQ(open(store), Status::ok);
-        // a few missions before, so that neither head nor ring is fresh
-        EXPECT_EQ(upload(store, mission(40, 77)), Status::ok);
-        EXPECT_EQ(upload(store, mission(3, 78)), Status::ok);
-        EXPECT_EQ(upload(store, change.old_mission), Status::ok);
-    }
-    const auto before = fakes::eepromCells();
-    for (int cuts = 0;; ++cuts) {
-        fakes::setEepromCells(before);
-        MissionStore writer;
-        EXPECT_EQ(open(writer), Status::ok);
-        fakes::cutPowerAfter(static_cast<uint32_t>(cuts));
-        (void)change.make(writer, change.new_mission);
-        const bool cut = fakes::powerWasCut();
-        fakes::restartEeprom();
-
-        MissionStore reader;
-        EXPECT_EQ(open(reader), Status::ok) << change.name << ", cut " << cuts;
-        const Mission found = stored(reader);
-        if (!cut) {
-            EXPECT_EQ(found, change.new_mission) << change.name;
-            return cuts;
-        }
-        if (found != change.old_mission && found != change.new_mission) {
-            ADD_FAILURE() << change.name << ": a mixture after cut " << cuts;
-            return cuts;
-        }
-        // and life goes on
-        EXPECT_EQ(upload(reader, change.new_mission), Status::ok);
-    }
-}
-
-TEST_F(MissionStoreTest, a_power_cut_after_any_write_leaves_the_old_or_the_new_mission) {
-    const Change changes[] = {
-        {"upload of a longer mission", mission(30, 1), mission(80, 2), makeUpload},
-        {"upload of a shorter mission", mission(80, 1), mission(12, 2), makeUpload},
-        {"upload that wraps round the ring", mission(85, 1), mission(86, 2), makeUpload},
-        {"first upload", Mission(), mission(171, 2), makeUpload},
-        {"clear", mission(60, 1), Mission(), makeUpload},
-        {"partial write", mission(60, 1), withPart(mission(60, 1), 3, 9, 4), makePartial},
-    };
-    int cuts = 0;
-    for (const Change& change : changes) cuts += cutAtEveryWrite(change);
-    RecordProperty("cuts", cuts);
-    printf("%d power cuts survived\n", cuts);
-    EXPECT_GT(cuts, 4000);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ using core::Status;
 
 namespace {
 
-constexpr uint8_t kSummedPerCall = 16;
+constexpr uint8_t kSummedPerCall = 8;
 constexpr uint8_t kSummedPerPut = 2;
 
 }  // namespace
