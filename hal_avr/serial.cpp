@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// USART0..2, alike but for their numbers. The rings have one size, so that the three ports are
-// one piece of code; 127 bytes are 11 ms of line at 115,200 baud, more than a frame.
+// USART0..2, alike but for their numbers and the size of their rings. 127 bytes of a link are 11 ms
+// of line at 115,200 baud, more than a frame. The GPS is read out in every frame and talks at
+// 38,400 baud: 63 bytes are 16.4 ms of it, against 13 ms between two readings at the worst (a late
+// sample, and the tasks before the reader at their longest). Its driver leaves what follows a
+// whole fix for the next frame: 54 bytes at most, the answer to its question. What it sends looks
+// for room first.
 #include "hal/serial.hpp"
 
 #include <avr/interrupt.h>
@@ -19,34 +23,54 @@ struct Usart {
     volatile uint8_t data, reserved2;
 };
 
+template <uint16_t rx_size, uint16_t tx_size>
 struct Channel {
-    core::Ring<128> rx, tx;
-    uint16_t lost = 0;  // given, or the array would be constructed at start
+    core::Ring<rx_size> rx;
+    core::Ring<tx_size> tx;
+    uint16_t lost = 0;  // given, or it would be constructed at start
 };
 
-Channel channels[hal::kPorts];
+Channel<128, 128> links[2];
+Channel<64, 32> gps;
+static_assert(hal::kPorts == 3, "each port has its channel");
+
+template <uint8_t port>
+struct ChannelOf {
+    static constexpr Channel<128, 128>& get() { return links[port / 2]; }
+};
+template <>
+struct ChannelOf<static_cast<uint8_t>(hal::Port::gps)> {
+    static constexpr Channel<64, 32>& get() { return gps; }
+};
+
+template <class Act>
+inline auto at(hal::Port port, Act act) {
+    return port == hal::Port::gps ? act(gps) : act(links[static_cast<uint8_t>(port) / 2]);
+}
 
 constexpr uint8_t kReceiving = (1 << RXCIE0) | (1 << RXEN0) | (1 << TXEN0);
 constexpr uint8_t kSendingToo = kReceiving | (1 << UDRIE0);
 
 inline Usart& usart(uint8_t port) { return reinterpret_cast<Usart*>(0xC0)[port]; }
-inline Channel& channel(hal::Port port) { return channels[static_cast<uint8_t>(port)]; }
 
 template <uint8_t port>
 inline void received() {
     const bool overrun = usart(port).status & (1 << DOR0);  // to be read before the data
     const uint8_t byte = usart(port).data;
-    if (overrun) ++channels[port].lost;
-    if (!channels[port].rx.put(byte)) ++channels[port].lost;
+    auto& channel = ChannelOf<port>::get();
+    if (overrun) ++channel.lost;
+    if (!channel.rx.put(byte)) ++channel.lost;
 }
 
 // Up to 11,520 times a second and port: by hand 49 cycles with entry and exit, compiled 70. Does
 //     if (tx.take(byte)) usart.data = byte; else usart.control = kReceiving;
 template <uint8_t port>
 inline __attribute__((always_inline)) void send() {
-    using Ring = decltype(Channel::tx);
-    static_assert(sizeof(Ring) == 130 && Ring::kTailAt == 129, "bytes, head, tail");
-    const uint8_t* const ring = reinterpret_cast<const uint8_t*>(&channels[port].tx);
+    auto& tx = ChannelOf<port>::get().tx;
+    using Ring = core::Ring<port == static_cast<uint8_t>(hal::Port::gps) ? 32 : 128>;
+    static_assert(sizeof(Ring) == sizeof(tx) && sizeof(Ring) == Ring::kTailAt + 1,
+                  "bytes, indices");
+    const uint8_t* const ring = reinterpret_cast<const uint8_t*>(&tx);
     __asm__ volatile(
         "push r24                        \n"
         "in   r24, __SREG__              \n"
@@ -59,7 +83,7 @@ inline __attribute__((always_inline)) void send() {
         "breq 1f                         \n"
         "mov  r24, r30                   \n"
         "inc  r24                        \n"
-        "andi r24, 0x7F                  \n"
+        "andi r24, %[mask]               \n"
         "sts  %[tail], r24               \n"
         "ldi  r31, 0                     \n"
         "subi r30, lo8(-(%[bytes]))      \n"
@@ -80,6 +104,7 @@ inline __attribute__((always_inline)) void send() {
         :
         : [bytes] "i"(ring), [head] "i"(ring + Ring::kHeadAt), [tail] "i"(ring + Ring::kTailAt),
           [data] "i"(&usart(port).data), [control] "i"(&usart(port).control),
+          [mask] "M"(static_cast<int>(Ring::kHeadAt - 1)),
           [receiving] "M"(static_cast<int>(kReceiving)));
 }
 
@@ -128,27 +153,35 @@ void serialOpen(Port port, uint32_t baud) {
     Usart& line = usart(static_cast<uint8_t>(port));
     Locked locked;
     line.control = 0;  // also empties the receiver
-    channel(port).rx.clear();
-    channel(port).tx.clear();
+    at(port, [](auto& channel) {
+        channel.rx.clear();
+        channel.tx.clear();
+    });
     line.status = divider.status;
     line.divider = divider.divider;
     line.format = (1 << UCSZ01) | (1 << UCSZ00);
     line.control = kReceiving;
 }
 
-uint8_t serialAvailable(Port port) { return channel(port).rx.used(); }
-bool serialRead(Port port, uint8_t& byte) { return channel(port).rx.take(byte); }
-uint8_t serialRoom(Port port) { return channel(port).tx.room(); }
+uint8_t serialAvailable(Port port) {
+    return at(port, [](auto& channel) { return channel.rx.used(); });
+}
+bool serialRead(Port port, uint8_t& byte) {
+    return at(port, [&byte](auto& channel) { return channel.rx.take(byte); });
+}
+uint8_t serialRoom(Port port) {
+    return at(port, [](auto& channel) { return channel.tx.room(); });
+}
 
 bool serialWrite(Port port, const void* bytes, uint8_t size) {
-    if (!channel(port).tx.put(bytes, size)) return false;
+    if (!at(port, [=](auto& channel) { return channel.tx.put(bytes, size); })) return false;
     usart(static_cast<uint8_t>(port)).control = kSendingToo;
     return true;
 }
 
 uint16_t serialLost(Port port) {
     Locked locked;
-    return channel(port).lost;
+    return at(port, [](auto& channel) { return channel.lost; });
 }
 
 bool usbConnected() { return !avr::Pin<avr::PortA, 1>::isHigh(); }

@@ -106,6 +106,18 @@ TEST(HalSerial, counts_what_a_full_buffer_had_to_drop_and_keeps_the_oldest) {
     EXPECT_EQ(bench.report(0x21).word(), 200 - 127);
 }
 
+TEST(HalSerial, the_gps_has_a_smaller_buffer_of_its_own) {
+    Lines bench;
+    bench.runTo(2);
+    bench.line[1].to_send = bytes(80, 9);
+    bench.run(110);
+
+    EXPECT_EQ(bench.report(0x23).word(), 63);
+    EXPECT_EQ(bench.report(0x24).word(), 80 - 63);
+    EXPECT_EQ(bench.report(0x25).word(), 31);
+    EXPECT_EQ(bench.report(0x21).word(), 0);
+}
+
 TEST(HalSerial, counts_an_overrun_of_the_receiver) {
     Lines bench;
     bench.runTo(0x21);

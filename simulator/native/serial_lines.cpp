@@ -7,8 +7,11 @@
 
 namespace simulator {
 
-// What the rings of the chip's ports hold: 128 bytes less one.
-constexpr size_t kRing = 127;
+// What the rings of the chip's ports hold.
+struct Rings {
+    size_t rx, tx;
+};
+constexpr Rings kRings[SerialLines::kPorts] = {{127, 127}, {63, 31}, {127, 127}};
 
 void SerialLines::open(int port, uint32_t baud) {
     Line& line = lines_[port];
@@ -36,7 +39,7 @@ bool SerialLines::read(int port, uint8_t& byte) {
 }
 
 uint8_t SerialLines::room(int port) const {
-    return static_cast<uint8_t>(kRing - lines_[port].outgoing.size());
+    return static_cast<uint8_t>(kRings[port].tx - lines_[port].outgoing.size());
 }
 
 bool SerialLines::write(int port, const uint8_t* bytes, uint8_t size) {
@@ -86,7 +89,7 @@ void SerialLines::runOutgoing(int port) {
 void SerialLines::runIncoming(int port) {
     Line& line = lines_[port];
     while (line.arrives_ns <= now_us_ * 1000) {
-        take(line, line.incoming.front());
+        take(port, line.incoming.front());
         line.incoming.pop_front();
         line.arrives_ns = line.incoming.empty() ? UINT64_MAX : after_ns(line.arrives_ns, line);
     }
@@ -96,12 +99,13 @@ void SerialLines::runGps() {
     Line& line = lines_[kGps];
     while (auto sent = gps_.nextByte(now_us_)) {
         if (line.baud == 0) continue;
-        if (auto byte = noise_.through(*sent, gps_.baud(), line.baud)) take(line, *byte);
+        if (auto byte = noise_.through(*sent, gps_.baud(), line.baud)) take(kGps, *byte);
     }
 }
 
-void SerialLines::take(Line& line, uint8_t byte) {
-    if (line.received.size() >= kRing) {
+void SerialLines::take(int port, uint8_t byte) {
+    Line& line = lines_[port];
+    if (line.received.size() >= kRings[port].rx) {
         ++line.lost;
     } else {
         line.received.push_back(byte);

@@ -48,7 +48,7 @@ private:
     void runOutgoing(int port);
     void runIncoming(int port);
     void runGps();
-    void take(Line& line, uint8_t byte);
+    void take(int port, uint8_t byte);
     uint64_t after_ns(uint64_t begin_ns, const Line& line) const;
 
     const uint64_t& now_us_;

@@ -50,6 +50,9 @@ int main() {
     wait_ms(100);  // 200 bytes come and nobody reads
     report(3, hal::serialAvailable(Port::link0));
     report(0x21, hal::serialLost(Port::link0));
+    report(0x23, hal::serialAvailable(Port::gps));
+    report(0x24, hal::serialLost(Port::gps));
+    report(0x25, hal::serialRoom(Port::gps));
     {
         hal::Locked locked;
         const uint16_t start = TCNT5;
