@@ -238,6 +238,9 @@ void zeroHeight() {
         estimation::trueSpeedRatio(vehicle.baro.pressure_pa, vehicle.baro.temperature_c);
 }
 
-void shiftHeight(float by_m) { home_height_m -= by_m; }
+void shiftHeight(float by_m) {
+    home_height_m -= by_m;
+    vehicle.estimate.height_m += by_m;
+}
 
 }  // namespace firmware

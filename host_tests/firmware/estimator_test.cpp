@@ -96,9 +96,9 @@ TEST_F(Estimator, feels_no_step_when_home_is_moved) {
 
     firmware::setHome(geo::moved(kStart, {100, 50}), 53000);
 
+    EXPECT_NEAR(vehicle.estimate.height_m, before_m - 30, 0.01) << "for what runs in this frame";
     for (int i = 0; i < 100; ++i) {
         frame(0);
-        if (i < 4) continue;  // published every second frame
         ASSERT_NEAR(vehicle.estimate.height_m, before_m - 30, 0.1) << i;
         ASSERT_NEAR(vehicle.estimate.climb_mps, climb_mps, 0.1) << i;
     }
