@@ -3,6 +3,7 @@
 #include <stddef.h>
 
 #include "core/rom.hpp"
+#include "firmware/mission/mission.hpp"
 #include "firmware/telemetry/commands.hpp"
 #include "firmware/telemetry/housekeeping.hpp"
 #include "firmware/telemetry/link.hpp"
@@ -99,7 +100,9 @@ uint8_t IncomingTable::find(uint16_t id, mavlink::Accepted& to) {
 
 bool handleFrame(Link& link, const mavlink::Frame& frame) {
     const Incoming row = core::romRead(kIncoming[frame.row]);
-    return !meantForUs(frame, row) || row.handle(link, frame);
+    if (!meantForUs(frame, row)) return true;
+    if (row.target != kNotAddressed) radioHeard();
+    return row.handle(link, frame);
 }
 
 void refuseFrame(Link& link, const mavlink::Frame& frame) {

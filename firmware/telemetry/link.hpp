@@ -48,7 +48,8 @@ inline bool hasRoom(const Link& link, uint8_t frame_size) {
     return hal::serialRoom(portOf(link)) >= frame_size;
 }
 
-// False: the whole frame does not fit now, nothing was sent.
+// False: the whole frame does not fit now, nothing was sent. While a mission has switched the radio
+// off, what does not go over USB is dropped.
 bool sendMessage(Link& link, mavlink::Framing framing, const mavlink::Outgoing& message);
 
 template <class Message>

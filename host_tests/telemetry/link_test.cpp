@@ -63,6 +63,41 @@ TEST_F(Telemetry, link0_follows_the_usb_cable) {
     EXPECT_EQ(fakes::serial(hal::Port::link1).opened.size(), 1u);
 }
 
+TEST_F(Telemetry, a_radio_switched_off_is_silent_until_someone_speaks_to_the_airplane) {
+    run_ms(1000);
+    (void)station.everything();
+    (void)second.everything();
+    doubles::mission.radio_off = true;
+    tell(Severity::notice, ROM_TEXT("Nobody hears this"));
+    for (int i = 0; i < 3; ++i) {
+        second.send(mavlink::Heartbeat{});  // to everyone, which is not to the airplane
+        run_ms(1000);
+    }
+    EXPECT_TRUE(station.everything().empty());
+    EXPECT_TRUE(second.everything().empty()) << "the heartbeat included";
+
+    mavlink::ParamRequestRead question = {};
+    question.target_system = question.target_component = 1;
+    second.send(question);
+    run_ms(1500);
+    EXPECT_FALSE(second.all<mavlink::ParamValue>().empty());
+    run_ms(1500);
+    EXPECT_FALSE(second.all<mavlink::Heartbeat>().empty());
+    EXPECT_FALSE(station.all<mavlink::Heartbeat>().empty());
+}
+
+TEST_F(Telemetry, usb_is_never_switched_off) {
+    fakes::setUsb(true);
+    run_ms(1000);
+    doubles::mission.radio_off = true;
+    (void)station.everything();
+    (void)second.everything();
+    run_ms(2000);
+    EXPECT_FALSE(station.all<mavlink::Heartbeat>().empty());
+    EXPECT_TRUE(second.everything().empty());
+    fakes::setUsb(false);
+}
+
 TEST_F(Telemetry, rests_until_bytes_come) {
     rest();
     EXPECT_FALSE(firmware::telemetryPump());

@@ -31,6 +31,9 @@ using doubles::isBusy;
 using doubles::mission;
 
 bool missionKnown() { return !isBusy(); }
+bool radioSilenced() { return mission.radio_off; }
+void radioHeard() { mission.radio_off = false; }
+
 uint16_t missionCount() { return static_cast<uint16_t>(mission.items.size()); }
 uint16_t missionCurrent() { return mission.current; }
 bool missionSetCurrent(uint16_t index) {

@@ -17,6 +17,7 @@
 namespace doubles {
 
 struct Mission {
+    bool radio_off = false;
     std::vector<firmware::MissionItem> items;
     std::vector<firmware::MissionItem> staged;
     bool uploading = false;
