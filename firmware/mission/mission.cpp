@@ -11,6 +11,7 @@
 #include "firmware/parameters.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
+#include "hal/clock.hpp"
 #include "hal/mark.hpp"
 #include "hal/watchdog.hpp"
 #include "storage/index_store.hpp"
@@ -115,7 +116,15 @@ void onEvent(Event event, uint8_t index) {
     }
 }
 
-constexpr mission::Host kHost ROM = {readRecord, countRecords, onEvent, here};
+// What a record costs depends on what it does: 50 us to look at, 400 to set a gain.
+uint16_t poll_began;  // ticks
+
+bool enough() {
+    constexpr uint16_t kLongest = 1500 * hal::kTicksPerUs;
+    return static_cast<uint16_t>(hal::ticks() - poll_began) > kLongest;
+}
+
+constexpr mission::Host kHost ROM = {readRecord, countRecords, onEvent, here, enough};
 
 // Left alone by a watchdog or brown-out reset; the engine's seal tells whether it still holds.
 mission::Memory memory __attribute__((section(".noinit")));
@@ -195,6 +204,15 @@ mission::Set missionSet() {
     return static_cast<mission::Set>(set);
 }
 
+namespace {
+
+uint8_t poll() {
+    poll_began = hal::ticks();
+    return mission_engine.poll(parameters.mission_trailing != 0);
+}
+
+}  // namespace
+
 void missionBoot() {
     mission_store = storage::MissionStore();
     mission_survey = {};
@@ -215,7 +233,7 @@ void missionCatchUp() {
     if (mission_engine.starved())
         mission_store.readAhead(mission_engine.next());
     else if (mission_engine.midPass())
-        (void)mission_engine.poll(parameters.mission_trailing != 0);
+        (void)poll();
 }
 
 void missionRun() {
@@ -226,7 +244,7 @@ void missionRun() {
     if (boot == Boot::foreign) return;
     uint8_t records = 0;
     if (mission_engine.active() && !missionChanging()) {
-        records = mission_engine.poll(parameters.mission_trailing != 0);
+        records = poll();
         if (mission_engine.active()) {
             stepSpeed();
             stepClimb();

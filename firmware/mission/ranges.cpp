@@ -35,9 +35,10 @@ uint8_t airSpeed(int32_t speed_cms, uint8_t parameter) {
 }
 
 uint8_t slotTakes(uint8_t slot, float value) {
+    if (slot == kNoSlot) return wrong(1);
+    if (parameterSlotTakes(slot, value)) return kFine;
     float present;
-    if (slot == kNoSlot || !parameterGet(slot, present)) return wrong(1);
-    return parameterSlotTakes(slot, value) ? kFine : wrong(2);
+    return parameterGet(slot, present) ? wrong(2) : wrong(1);
 }
 
 }  // namespace

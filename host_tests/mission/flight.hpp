@@ -134,7 +134,8 @@ inline void tellEvent(Event event, uint8_t index) {
     }
 }
 inline void whereItIs(Record& record) { record.p3 = world.here; }
-constexpr Host kHost ROM = {readStored, countStored, tellEvent, whereItIs};
+inline bool never() { return false; }
+constexpr Host kHost ROM = {readStored, countStored, tellEvent, whereItIs, never};
 
 // One flight: AUTO is entered, passes are made, NAVs and CONDITIONs finish when told.
 class Flight {

@@ -19,6 +19,7 @@ struct {
     std::string trace;
     std::string broken;
     bool nav_done, condition_done;
+    uint32_t chance = 1;
     uint32_t busy;  // the seed; 0: never
     int asked, read, here, begun;
 } world;
@@ -166,7 +167,12 @@ void tell(mission::Event event, uint8_t index) {
     }
 }
 void whereItIs(Record& record) { record.p3 = world.here; }
-constexpr mission::Host kHost = {readStored, countStored, tell, whereItIs};
+// Where a pass is divided must not be seen.
+bool nowAndThen() {
+    world.chance = world.chance * 1664525u + 1013904223u;
+    return (world.chance >> 16) % 5 == 0;
+}
+constexpr mission::Host kHost = {readStored, countStored, tell, whereItIs, nowAndThen};
 
 mission::Set engineSet(CommandSet set) {
     return set == CommandSet::apm1 ? mission::Set::apm1 : mission::Set::apm2;

@@ -35,6 +35,7 @@ struct Host {
     uint8_t (*count)();
     void (*event)(Event, uint8_t index);
     void (*here)(Record&);  // fills in the airplane's place
+    bool (*enough)();       // true: the rest of the pass waits for the next poll
 };
 
 // Everything the engine remembers, in one struct with one reset. Plain bytes: it may lie in
@@ -127,7 +128,7 @@ private:
     void put(Flag flag, bool on);
     uint8_t count() const { return core::romRead(host_.count)(); }
     void tell(Event event, uint8_t index) { core::romRead(host_.event)(event, index); }
-    core::Status read(uint8_t index, Item& item);
+    core::Status read(uint8_t index, bool nav_only, Item& item);
 
     void reset(uint8_t phase);
     void beginAt(uint8_t index);

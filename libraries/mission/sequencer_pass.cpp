@@ -31,6 +31,7 @@ uint8_t Sequencer::poll(bool trailing) {
     while (records < kRecordsPerPoll && active_ && midPass()) {
         ++records;
         if (!(memory_.phase == kSeeking ? seek() : walk())) break;
+        if (core::romRead(host_.enough)()) break;
     }
     seal();
     return records;
@@ -66,15 +67,17 @@ void Sequencer::finishNav() {
     tell(Event::reached, memory_.nav);
 }
 
-Status Sequencer::read(uint8_t index, Item& item) {
+// One that is not used is not looked into: a range may be a parameter's, which must be sought.
+Status Sequencer::read(uint8_t index, bool nav_only, Item& item) {
     uint8_t bytes[kRecordSize];
     const Status status = core::romRead(host_.read)(index, bytes);
     starved_ = status != Status::ok;
     if (starved_) return status;
     item.record = unpack(set(), bytes);
     item.row = table_.find(set(), item.record.id);
-    if (item.row != kNoRow && table_.valid(item.row, item.record, {index, count()}) != 0)
-        item.row = kNoRow;
+    if (item.row == kNoRow) return Status::ok;
+    const bool used = !nav_only || table_.kind(item.row) == Class::nav;
+    if (used && table_.valid(item.row, item.record, {index, count()}) != 0) item.row = kNoRow;
     return Status::ok;
 }
 
@@ -85,7 +88,7 @@ bool Sequencer::seek() {
         return true;
     }
     Item item;
-    if (read(memory_.cursor, item) != Status::ok) return false;
+    if (read(memory_.cursor, true, item) != Status::ok) return false;
     if (item.row != kNoRow && table_.kind(item.row) == Class::nav) {
         load(memory_.cursor, item);
     } else {
@@ -137,7 +140,7 @@ bool Sequencer::walk() {
         return false;
     }
     Item item;
-    if (read(memory_.next, item) != Status::ok) return false;
+    if (read(memory_.next, false, item) != Status::ok) return false;
     const bool known = item.row != kNoRow;
     const Class kind = known ? table_.kind(item.row) : Class::action;
     if (kind == Class::nav) {  // APM 1.0: it waits for the one being flown
