@@ -53,8 +53,26 @@ add_test(NAME flight.elf_rough
 set_tests_properties(flight.elf_rough PROPERTIES LABELS simavr TIMEOUT 900
                      FIXTURES_SETUP elf_rough)
 
+# every CONDITION and DO of each set, beside the oracle
+file(GLOB command_flight_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/command_flights/*.cpp)
+add_executable(command_flight ${command_flight_sources}
+               ${CMAKE_SOURCE_DIR}/host_tests/mission_oracle/oracle.cpp)
+target_compile_options(command_flight PRIVATE ${HOUSE_WARNINGS})
+target_include_directories(command_flight PRIVATE ${CMAKE_SOURCE_DIR}/host_tests)
+target_link_libraries(command_flight PRIVATE simulator_report simulator_ground simulator_machine
+                      mission_tool_parts)
+foreach(set 1 2)
+    file(GLOB every_command ${CMAKE_SOURCE_DIR}/simulator/missions/every_command_${set}.*)
+    add_test(NAME flight.elf_commands_${set}
+             COMMAND command_flight ${IMAGE_ELF} ${every_command} ${flights}/elf_commands_${set}
+                     ${minutes})
+    set_tests_properties(flight.elf_commands_${set} PROPERTIES LABELS simavr TIMEOUT 900
+                         FIXTURES_SETUP elf_commands_${set} FIXTURES_REQUIRED image_minutes)
+endforeach()
+
 # what all these flights of the image took of the processor
-set(elf_flights elf_calm_1 elf_calm_2 elf_calm_3 elf_wind_1 elf_wind_2 elf_wind_3 elf_rough)
+set(elf_flights elf_calm_1 elf_calm_2 elf_calm_3 elf_wind_1 elf_wind_2 elf_wind_3 elf_rough
+    elf_commands_1 elf_commands_2)
 list(TRANSFORM elf_flights PREPEND ${flights}/ OUTPUT_VARIABLE elf_folders)
 set(work_report ${NODE} ${CMAKE_SOURCE_DIR}/host_tests/on_board/work_report.mjs)
 set(image_folder ${CMAKE_BINARY_DIR}/avr-apm2)

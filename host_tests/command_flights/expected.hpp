@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the commands of the two missions must do to the board's pins and to what it tells.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mission/record.hpp"
+
+enum Channel {
+    kOutput1,  // pulse, us; 0: silent
+    kOutput8 = kOutput1 + 7,
+    kRelay,           // 0, 1
+    kHeight,          // above home as told, m
+    kTelemetryBytes,  // in the last second
+    kUsbBytes,
+    kTelemetryTold,  // PARAM_VALUE of WP_RADIUS since the start
+    kUsbTold,
+    kChannels,
+};
+constexpr Channel output(int number) { return static_cast<Channel>(kOutput1 + number - 1); }
+
+struct Expected {
+    const char* what;
+    std::string word;  // of the log, its first time
+    double after_s;
+    Channel channel;
+    double lowest, highest;
+};
+
+struct ExpectedParameter {
+    const char* name;
+    double value;
+};
+
+const std::vector<Expected>& expectedOf(mission::Set set);
+const std::vector<ExpectedParameter>& parametersOf(mission::Set set);
