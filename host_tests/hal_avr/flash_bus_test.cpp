@@ -117,6 +117,16 @@ TEST(HalFlashBus, carries_the_driver_to_a_chip_and_back) {
     EXPECT_EQ(bench.flash.ignored(), 0u);
 }
 
+TEST(HalFlashBus, a_look_at_a_chip_at_work_takes_15_us) {
+    FlashBench bench;
+    bench.runTo(kDone, 2000);
+
+    EXPECT_EQ(bench.report(19).word(), 1);
+    EXPECT_LE(bench.cyclesBetween(18, 19), 15 * 16);
+    ::testing::Test::RecordProperty("cycles_of_a_look",
+                                    static_cast<int>(bench.cyclesBetween(18, 19)));
+}
+
 TEST(HalFlashBus, a_record_of_14_bytes_is_read_within_50_us) {
     FlashBench bench;
     bench.runTo(kDone, 2000);

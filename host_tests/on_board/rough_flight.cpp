@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "simulator/devices/at45db.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/ground/scripted_flight.hpp"
 #include "simulator/machine/apm2_board.hpp"
@@ -215,6 +216,9 @@ bool RoughFlight::judge() {
         {"the mode switch led to MANUAL", happened("mode MANUAL")},
         {"the short failsafe was told", said("short failsafe")},
         {"the long failsafe was told", said("long failsafe")},
+        {"the missions went through the DataFlash", board_.world().dataflash().programs(0) > 0},
+        {"the DataFlash was never asked for what it cannot do then",
+         board_.world().dataflash().ignored() == 0},
         {"the radio came back", said("Radio back")},
         {"the mission was taken in flight", upload_.accepted()},
         {"it is armed and in AUTO again", told().armed() && told().mode() == kModeAuto},

@@ -69,6 +69,12 @@ private:
     static constexpr uint8_t kStore_ms = 40, kErasePage_ms = 35, kEraseBlock_ms = 100;
 
     static void command(uint8_t opcode, uint8_t size, uint16_t page_bits, uint16_t offset);
+    static void ask(uint8_t opcode, uint8_t* answer, uint8_t size) {
+        Select::low();
+        Bus::send(&opcode, 1);
+        Bus::receive(answer, size);
+        Select::high();
+    }
     static uint8_t status();
     void identify();
     bool inTime(uint16_t now_ms, uint8_t longest_ms) const {
@@ -105,9 +111,7 @@ void At45db<Bus, Select, Reset>::command(uint8_t opcode, uint8_t size, uint16_t 
 template <class Bus, class Select, class Reset>
 uint8_t At45db<Bus, Select, Reset>::status() {
     uint8_t status;
-    command(kStatus, 1, 0, 0);
-    Bus::receive(&status, 1);
-    Select::high();
+    ask(kStatus, &status, 1);
     return status;
 }
 
@@ -149,9 +153,7 @@ void At45db<Bus, Select, Reset>::step(uint16_t now_ms) {
 template <class Bus, class Select, class Reset>
 void At45db<Bus, Select, Reset>::identify() {
     uint8_t identity[2];
-    command(kIdentity, 1, 0, 0);
-    Bus::receive(identity, sizeof identity);
-    Select::high();
+    ask(kIdentity, identity, sizeof identity);
     shape_ = status() & kShape;
     const uint8_t density = identity[1] == kFamily161d   ? k161d
                             : identity[1] == kFamily321d ? k321d

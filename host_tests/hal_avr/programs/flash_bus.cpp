@@ -67,6 +67,11 @@ static void useChip() {
     const uint16_t from_ms = now_ms();
     report(12, static_cast<uint16_t>(chip.store(1, 8191, from_ms)));
     report(13, static_cast<uint16_t>(chip.read(8191, 400, bytes, 14, now_ms())));
+    cli();
+    report(18, 0);
+    const bool busy = chip.busy(from_ms);
+    report(19, busy);
+    sei();
     while (chip.busy(now_ms())) {
     }
     report(14, now_ms() - from_ms);
