@@ -85,6 +85,23 @@ TEST_F(Upgrade, from_the_first_version_whose_power_was_cut_in_an_upload) {
     expectMission(60, 30, 60);
 }
 
+// Written when fence and rally points had come into what was blank before.
+TEST_F(Upgrade, from_a_board_with_fence_and_rally_points) {
+    boot("layout1_lists.hex");
+    expectParameters(2);
+    expectMission(60, 30, 60);
+    for (const ListKind kind : {ListKind::fence, ListKind::rally}) {
+        ASSERT_EQ(listCount(kind), listCapacity(kind));
+        const int size = storage::shapeOf(kind).record_size;
+        for (int i = 0; i < listCount(kind); ++i) {
+            uint8_t record[storage::kLargestRecord];
+            ASSERT_EQ(listRead(kind, static_cast<uint8_t>(i), record), core::Status::ok);
+            for (int k = 0; k < size; ++k)
+                ASSERT_EQ(record[k], static_cast<uint8_t>(i * 31 + k * 7 + static_cast<int>(kind)));
+        }
+    }
+}
+
 TEST_F(Upgrade, and_nothing_that_the_first_version_stored_is_in_the_way_of_the_lists) {
     boot("layout1_ring.hex");
     const std::vector<uint8_t> record(storage::kLargestRecord, 0x5A);
