@@ -135,6 +135,7 @@ add_test(NAME image.budgets
          COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/check_image.mjs ${IMAGE_ELF})
 
 include(machine)
+include(on_chip)
 
 find_package(CLI11 REQUIRED)
 add_executable(fly simulator/fly.cpp simulator/fly_options.cpp)

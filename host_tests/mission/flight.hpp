@@ -47,7 +47,7 @@ struct World {
     bool leave_at_action = false;
     Sequencer* engine = nullptr;
 };
-inline World world;
+static World world;
 
 inline void say(const std::string& word) { world.trace += (world.trace.empty() ? "" : " ") + word; }
 inline std::string number(const Record& record) {
@@ -95,7 +95,7 @@ constexpr Row kRows[] ROM = {
 static_assert(idsAreUnique(kRows), "");
 static_assert(traitsMakeSense(kRows), "");
 static_assert(idsIn(kRows, Set::apm1) == 7 && idsIn(kRows, Set::apm2) == 6, "");
-inline const Table table = {kRows, static_cast<uint8_t>(core::count(kRows))};
+const Table table = {kRows, static_cast<uint8_t>(core::count(kRows))};
 
 inline core::Status readStored(uint8_t index, uint8_t* to) {
     ++world.reads;

@@ -30,8 +30,9 @@ TEST(Record, the_apm2_layout_has_options_p1_and_a_24_bit_p2) {
 }
 
 TEST(Record, what_is_packed_is_unpacked_in_both_layouts_to_the_ends_of_the_range) {
-    for (int32_t p2 : {0, 1, -1, 8388607, -8388608}) {
-        for (int32_t p3 : {0, INT32_MAX, INT32_MIN}) {
+    const int32_t ends24[] = {0, 1, -1, 8388607, -8388608}, ends32[] = {0, INT32_MAX, INT32_MIN};
+    for (int32_t p2 : ends24) {
+        for (int32_t p3 : ends32) {
             const Record record = {22, 1, 255, p2, p3, -(p3 / 2)};
             const Record found = mission::unpack(Set::apm2, packed(Set::apm2, record).data());
             EXPECT_EQ(found.id, 22);
@@ -42,7 +43,7 @@ TEST(Record, what_is_packed_is_unpacked_in_both_layouts_to_the_ends_of_the_range
             EXPECT_EQ(found.p4, -(p3 / 2));
         }
     }
-    for (int32_t p2 : {0, INT32_MAX, INT32_MIN}) {
+    for (int32_t p2 : ends32) {
         const Record record = {0x60, 0, 255, p2, -7, 9};
         const Record found = mission::unpack(Set::apm1, packed(Set::apm1, record).data());
         EXPECT_EQ(found.options, 0);

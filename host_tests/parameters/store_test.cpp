@@ -46,8 +46,8 @@ static_assert(parameters::initialsAreInRange(kRows), "");
 static_assert(!parameters::initialsAreInRange(kInitialOutside), "");
 
 constexpr uint8_t kSmall = 0, kMiddle = 1, kLarge = 2, kReal = 3;
-constexpr auto kPacked = PACK_PARAMETERS(kRows);
-const Table table(kPacked, &fields);
+constexpr auto kPacked ROM = PACK_PARAMETERS(kRows);
+constexpr Table table ROM(kPacked, &fields);
 
 void loadAll() {
     for (int i = 0; i < 100; ++i) {

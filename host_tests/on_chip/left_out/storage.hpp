@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What takes more than half a minute of the chip.
+// clang-format off
+LEFT_OUT(JournalTest, a_power_cut_at_any_byte_leaves_the_old_or_the_new_value, "2,500 power cuts")
+LEFT_OUT(IndexStoreTest, a_power_cut_at_any_byte_leaves_the_old_or_the_new_index, "2,500 power cuts")
