@@ -100,8 +100,9 @@ bool Table::findName(const char (&name)[kNameSize], uint8_t& index) const {
 
 bool Table::findSlot(uint8_t slot, uint8_t& index) const {
     const uint8_t rows = count();
-    for (uint8_t i = 0; i < rows; ++i) {
-        if (this->slot(i) != slot) continue;
+    const uint8_t* at = &row(0).slot;  // a mission may seek a dozen in one pass
+    for (uint8_t i = 0; i < rows; ++i, at += sizeof(PackedRow)) {
+        if (core::romRead(*at) != slot) continue;
         index = i;
         return true;
     }
