@@ -64,6 +64,23 @@ TEST(Position, distances_agree_with_the_geodesic_up_to_5_km) {
     });
 }
 
+TEST(Position, distances_agree_with_the_geodesic_up_to_10_km) {
+    forManyPairs(5000, 10000, [](const Position& from, const Position& to) {
+        const double truth_m = geodesic(from, to).distance_m;
+        EXPECT_NEAR(geo::distance_m(from, to), truth_m, 0.002 * truth_m)
+            << from.latitude_e7 << " " << from.longitude_e7;
+    });
+}
+
+TEST(Position, a_step_that_a_float_of_degrees_does_not_see_is_seen) {
+    const Position here = {473977000, 1794559880};
+    const Position there = {here.latitude_e7, here.longitude_e7 + 60};
+
+    EXPECT_EQ(static_cast<float>(here.longitude_e7 * 1e-7),
+              static_cast<float>(there.longitude_e7 * 1e-7));
+    EXPECT_NEAR(geo::distance_m(here, there), geodesic(here, there).distance_m, 0.001);
+}
+
 TEST(Position, bearings_agree_with_the_geodesic_beyond_20_m) {
     forManyPairs(20, 5000, [](const Position& from, const Position& to) {
         const double truth_deg = geodesic(from, to).azimuth_deg;
@@ -111,6 +128,30 @@ TEST(Track, cross_is_positive_to_the_right) {
     EXPECT_NEAR(track.cross_m, 25, 0.05);
 }
 
+// A place so far along the geodesic of the leg and so far off it, at a right angle.
+Position besideLeg(const Position& start, double azimuth_deg, double along_m, double cross_m) {
+    double latitude, longitude, there_deg;
+    GeographicLib::Geodesic::WGS84().Direct(start.latitude_e7 * 1e-7, start.longitude_e7 * 1e-7,
+                                            azimuth_deg, along_m, latitude, longitude, there_deg);
+    return direct({e7(latitude), e7(longitude)}, there_deg + 90, cross_m);
+}
+
+TEST(Track, along_and_across_agree_with_the_geodesic) {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> share(-0.2, 1.2), cross(-500, 500);
+    forManyPairs(100, 5000, [&](const Position& start, const Position& end) {
+        const Geodesic leg = geodesic(start, end);
+        const double along_m = share(random) * leg.distance_m, cross_m = cross(random);
+        const Position place = besideLeg(start, leg.azimuth_deg, along_m, cross_m);
+
+        const geo::Track track = geo::track(start, end, place);
+
+        const double most_m = std::max(0.05, 0.002 * std::hypot(along_m, cross_m));
+        EXPECT_NEAR(track.along_m, along_m, most_m) << start.latitude_e7;
+        EXPECT_NEAR(track.cross_m, cross_m, most_m) << start.latitude_e7;
+    });
+}
+
 TEST(Track, of_a_leg_without_length_is_the_distance) {
     const Position start = {473977000, 85456000};
 
@@ -128,6 +169,21 @@ TEST(Passed, turns_true_where_the_line_across_the_end_is_crossed) {
     EXPECT_FALSE(geo::passed(start, end, direct(direct(start, 250, 798), 340, 300)));
     EXPECT_TRUE(geo::passed(start, end, direct(start, 250, 801)));
     EXPECT_TRUE(geo::passed(start, end, direct(direct(start, 250, 802), 160, 300)));
+}
+
+TEST(Passed, agrees_with_the_geodesic_to_half_a_per_cent_of_what_is_off_the_leg) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> beyond(-50, 50), cross(-500, 500);
+    forManyPairs(100, 5000, [&](const Position& start, const Position& end) {
+        const Geodesic leg = geodesic(start, end);
+        const double beyond_m = beyond(random), cross_m = cross(random);
+        if (std::abs(beyond_m) < 0.1 + 0.005 * std::abs(cross_m)) return;
+        const Position place =
+            besideLeg(start, leg.azimuth_deg, leg.distance_m + beyond_m, cross_m);
+
+        EXPECT_EQ(geo::passed(start, end, place), beyond_m > 0)
+            << start.latitude_e7 << " " << beyond_m << " " << cross_m;
+    });
 }
 
 TEST(Passed, is_true_of_a_leg_without_length) {
