@@ -28,12 +28,11 @@ namespace {
         P(28 + 5 * n, "RC" #n "_REV", channel[n - 1].reverse, 1, -1, 1),         \
         P(29 + 5 * n, "RC" #n "_DZ", channel[n - 1].dead_zone_us, dead_zone, 0, 200)
 
-// Eight rows for link n, slots 10 + 9 n onwards.
+// Seven rows for link n, slots 10 + 9 n onwards.
 #define STREAMS(n)                                                                \
     P(10 + 9 * n, "SR" #n "_RAW_SENS", streams[n].raw_sensors, 1, 0, 50),         \
         P(11 + 9 * n, "SR" #n "_EXT_STAT", streams[n].extended_status, 1, 0, 50), \
         P(12 + 9 * n, "SR" #n "_RC_CHAN", streams[n].rc_channels, 1, 0, 50),      \
-        P(13 + 9 * n, "SR" #n "_RAW_CTRL", streams[n].raw_controller, 1, 0, 50),  \
         P(14 + 9 * n, "SR" #n "_POSITION", streams[n].position, 1, 0, 50),        \
         P(15 + 9 * n, "SR" #n "_EXTRA1", streams[n].extra1, 1, 0, 50),            \
         P(16 + 9 * n, "SR" #n "_EXTRA2", streams[n].extra2, 1, 0, 50),            \
@@ -166,7 +165,7 @@ constexpr parameters::Row kRows[] = {
     P(172, "BATT_AMP_PERVOLT",  battery_amps_per_volt,            17,       0,      200),
     P(176, "BATT_AMP_OFFSET",   battery_amps_offset_v,             0,       0,        5),
     P(173, "BATT_CAPACITY",     battery_capacity_mah,           3300,       0,    60000),
-    // never to be used again: 18, 27 (SRn_PARAMS)
+    // never to be used again: 13, 22 (SRn_RAW_CTRL), 18, 27 (SRn_PARAMS)
 };
 // clang-format on
 
@@ -228,8 +227,10 @@ bool takes(uint8_t row, float value) {
     // a restart in the air must find the values it had
     if (row == kFormatRow) return !vehicle.armed;
     const uint8_t slot = table.slot(row);
-    if (slot < kFirstMode || slot > kLastMode) return true;
-    return isMode(static_cast<uint8_t>(core::rounded(value)));
+    const int32_t whole = core::rounded(value);
+    if (slot >= kFirstMode && slot <= kLastMode) return isMode(static_cast<uint8_t>(whole));
+    const bool turns = slot >= 30 && slot < 70 && slot % 5 == 3;  // RCn_REV
+    return !turns || whole != 0;
 }
 
 }  // namespace

@@ -17,8 +17,7 @@ struct Channel {  // RCn_: one number for the stick that comes in and the servo 
 };
 
 struct StreamRates {  // SRn_, hertz
-    int8_t raw_sensors, extended_status, rc_channels, raw_controller, position, extra1, extra2,
-        extra3;
+    int8_t raw_sensors, extended_status, rc_channels, position, extra1, extra2, extra3;
 };
 constexpr uint8_t kLinks = 2;
 

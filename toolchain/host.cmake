@@ -114,6 +114,7 @@ house_test(simulator_test ${CMAKE_SOURCE_DIR}/host_tests/simulator simulator_rep
            simulator_ground simulator_native simulator_world)
 
 include(mission_tool)
+include(param_tool)
 include(declination)
 
 if(SANITIZE)

@@ -16,7 +16,6 @@ enum class Stream : uint8_t {
     raw_sensors,
     extended_status,
     rc_channels,
-    raw_controller,
     position,
     extra1,
     extra2,
@@ -24,8 +23,8 @@ enum class Stream : uint8_t {
     always,      // once a second, whatever was asked for
     on_request,  // when asked for, or by an event
 };
-constexpr uint8_t kRatedStreams = 8;
-constexpr uint8_t kStreams = 10;
+constexpr uint8_t kRatedStreams = 7;
+constexpr uint8_t kStreams = 9;
 constexpr uint8_t kAlwaysRate = 4;  // quarters of a hertz
 
 struct OutgoingRow {
@@ -177,9 +176,9 @@ bool isDue(const Link& link, uint16_t message_id) {
 bool setStreamRate(Link& link, uint8_t mav_data_stream, uint16_t rate_hz) {
     // the place of each MAV_DATA_STREAM in StreamRates
     static constexpr uint8_t kOrder[] ROM = {
-        MavDataStream::raw_sensors,    MavDataStream::extended_status, MavDataStream::rc_channels,
-        MavDataStream::raw_controller, MavDataStream::position,        MavDataStream::extra1,
-        MavDataStream::extra2,         MavDataStream::extra3,
+        MavDataStream::raw_sensors, MavDataStream::extended_status, MavDataStream::rc_channels,
+        MavDataStream::position,    MavDataStream::extra1,          MavDataStream::extra2,
+        MavDataStream::extra3,
     };
     int8_t* rates_hz = &parameters.streams[linkNumber(link)].raw_sensors;
     bool known = false;

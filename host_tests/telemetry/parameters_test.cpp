@@ -63,7 +63,7 @@ TEST_F(Telemetry, the_parameter_list_takes_what_the_line_has_to_give) {
 }
 
 TEST_F(Telemetry, streams_and_the_parameter_list_share_the_line) {
-    firmware::parameters.streams[0] = {10, 10, 10, 10, 10, 10, 10, 10};
+    firmware::parameters.streams[0] = {10, 10, 10, 10, 10, 10, 10};
     station.line().endless = false;
     station.line().room = 127;
     station.send(list());
@@ -153,6 +153,12 @@ TEST_F(Telemetry, a_mode_that_does_not_exist_is_no_mode_of_the_switch) {
 
     EXPECT_EQ(values.at(0).param_value, before);
     EXPECT_EQ(ask<mavlink::ParamValue>(setting("FLTMODE1", 10)).at(0).param_value, 10);
+}
+
+TEST_F(Telemetry, a_direction_is_1_or_minus_1) {
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("RC2_REV", 0)).at(0).param_value, 1);
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("RC2_REV", -1)).at(0).param_value, -1);
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("RC2_TRIM", 1510)).at(0).param_value, 1510);
 }
 
 TEST_F(Telemetry, a_format_of_0_makes_the_next_start_forget_what_was_stored) {

@@ -81,6 +81,12 @@ void powerUp(const Image& image) {
     firmware::missionBoot();
 }
 
+void boot(const Image& image, const std::string& name) {
+    powerUp(image);
+    refuseForeign(image, name);
+    waitForBoot();
+}
+
 Document storedMission(const Image& image, const std::string& name) {
     powerUp(image);
     refuseForeign(image, name);
@@ -115,9 +121,7 @@ Document storedMission(const Image& image, const std::string& name) {
 }
 
 Image uploaded(const Document& document, const Image& onto, const std::string& onto_name) {
-    powerUp(onto);
-    refuseForeign(onto, onto_name);
-    waitForBoot();
+    boot(onto, onto_name);
     upload(document);
     return fakes::eepromCells();
 }

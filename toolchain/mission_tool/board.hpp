@@ -10,6 +10,9 @@ namespace mission_tool {
 
 // Power on with this EEPROM: parameters are loaded, so that ranges are this airplane's.
 void powerUp(const Image& image);
+// The same, and on until the firmware has found its mission. Throws WrongInput when the EEPROM is
+// neither blank nor this firmware's.
+void boot(const Image& image, const std::string& name);
 
 // The mission stored in the image. Throws WrongInput when it is not this firmware's, or holds none.
 Document storedMission(const Image& image, const std::string& name);
