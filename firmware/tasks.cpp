@@ -60,7 +60,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { runSpeedHeight,       10,     4,    2400 },
     { runCompass,            2,     0,     300 },
     { runAirspeed,           2,     0,     280 },
-    { missionRun,           10,     3,    2300 },
+    { missionRun,           10,     3,    2600 },
     { runModeSwitch,        10,     5,      75 },
     { runEvents,            10,     5,    2200 },
     { runFailsafe,          10,     6,     160 },

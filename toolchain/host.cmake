@@ -160,6 +160,16 @@ house_test(hal_avr_test ${CMAKE_SOURCE_DIR}/host_tests/hal_avr simulator_machine
 add_dependencies(hal_avr_test hal_programs)
 target_compile_definitions(hal_avr_test PRIVATE CHIP_PROGRAMS="${CMAKE_BINARY_DIR}/avr-hal"
     STACK_BOUND="${NODE} ${CMAKE_SOURCE_DIR}/toolchain/stack_bound.mjs")
+# ---- what geodesy and the mission engine take on the chip
+add_executable(costs ${CMAKE_SOURCE_DIR}/host_tests/costs/costs.cpp)
+target_compile_options(costs PRIVATE ${HOUSE_WARNINGS})
+target_include_directories(costs PRIVATE ${CMAKE_SOURCE_DIR}/host_tests)
+target_link_libraries(costs PRIVATE simulator_machine nlohmann_json::nlohmann_json)
+add_dependencies(costs hal_programs)
+add_test(NAME on_board.costs
+         COMMAND costs ${CMAKE_BINARY_DIR}/avr-hal ${CMAKE_SOURCE_DIR}/toolchain/budgets.json)
+set_tests_properties(on_board.costs PROPERTIES LABELS simavr)
+
 # ---- the same tests again with the sanitizers watching
 ExternalProject_Add(sanitized
     SOURCE_DIR ${CMAKE_SOURCE_DIR}
