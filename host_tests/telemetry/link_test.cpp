@@ -319,6 +319,27 @@ TEST_F(Telemetry, knows_when_the_ground_station_was_last_heard) {
     EXPECT_GT(firmware::groundHeard_ms(), before_ms);
 }
 
+TEST_F(Telemetry, ten_megabytes_of_noise_change_nothing) {
+    std::mt19937 random(3);
+    const firmware::Parameters before = firmware::parameters;
+    for (uint32_t sent = 0; sent < 10000000; sent += 1000) {
+        std::vector<uint8_t> noise(1000);
+        for (uint8_t& byte : noise) byte = static_cast<uint8_t>(random());
+        station.line().receive(noise);
+        for (int i = 0; i < 70; ++i) firmware::telemetryPump();
+        if (sent % 100000 == 0) run_ms(1000);
+        ASSERT_TRUE(station.line().in.empty());
+    }
+
+    station.forget();
+    EXPECT_EQ(station.broken(), 0);
+    EXPECT_EQ(memcmp(&before, &firmware::parameters, sizeof before), 0);
+    EXPECT_FALSE(firmware::vehicle.armed);
+    // what the last bytes may have promised is known to be false after one frame more
+    station.send(mavlink::CommandLong{});
+    EXPECT_EQ(ask<mavlink::Ping>(mavlink::Ping{}).size(), 1u);
+}
+
 TEST_F(Telemetry, survives_whatever_stands_in_a_frame) {
     std::mt19937 random(1);
     const uint8_t odd[] = {0, 1, 0x7F, 0x80, 0xFF};

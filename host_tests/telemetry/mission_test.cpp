@@ -128,7 +128,7 @@ TEST_F(MissionTransfer, asks_again_for_an_item_that_was_lost_and_of_both_kinds) 
     give(count(2));
     EXPECT_EQ(asked(), 0);
 
-    run_ms(800);
+    run_ms(400);
     const auto old_kind = station.all<mavlink::MissionRequest>();
     ASSERT_EQ(old_kind.size(), 1u);  // for a ground station that knows no other
     EXPECT_EQ(old_kind[0].seq, 0);
@@ -142,7 +142,7 @@ TEST_F(MissionTransfer, an_upload_that_dies_ends_with_the_truth_and_the_old_miss
     give(count(9));
     give(itemInt(0));
 
-    run_ms(9000);
+    run_ms(10000);
 
     EXPECT_EQ(acks(), Results{MavMissionResult::operation_cancelled});
     EXPECT_EQ(mission.aborts, 1);
@@ -153,7 +153,7 @@ TEST_F(MissionTransfer, an_upload_that_dies_ends_with_the_truth_and_the_old_miss
 TEST_F(MissionTransfer, asks_again_for_the_last_item_too) {
     give(count(1));
     station.forget();
-    run_ms(1500);
+    run_ms(700);
     EXPECT_EQ(asked(), 0);
 
     give(itemInt(0));
@@ -168,7 +168,10 @@ TEST_F(MissionTransfer, an_item_that_comes_twice_is_taken_once) {
 
     give(itemInt(0));
 
-    EXPECT_EQ(asked(), 1);
+    // asked for twice, item 1 would come twice, and so would all that follow
+    EXPECT_TRUE(station.everything().empty());
+    run_ms(700);
+    EXPECT_EQ(asked(), 1);  // but the question itself may have been lost
     EXPECT_EQ(mission.aborts, 0);
 }
 
