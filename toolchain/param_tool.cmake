@@ -19,3 +19,14 @@ if(TARGET param_tool_test)
 endif()
 add_test(NAME param_tool.every_parameter_has_an_effect
          COMMAND ${NODE} --test ${CMAKE_SOURCE_DIR}/host_tests/param_tool/effect.test.mjs)
+
+# an image that the tool has made, on the natively compiled board and on the emulated one
+if(NOT SANITIZE)
+    foreach(vehicle native elf)
+        add_test(NAME param_tool.boots_a_compiled_image_${vehicle}
+                 COMMAND ${NODE} --test ${CMAKE_SOURCE_DIR}/host_tests/param_tool/board.test.mjs)
+        set_tests_properties(param_tool.boots_a_compiled_image_${vehicle} PROPERTIES TIMEOUT 600
+            ENVIRONMENT "FLY=$<TARGET_FILE:fly>;FLY_BOARD=${vehicle};PARAM_TOOL=$<TARGET_FILE:param_tool>")
+    endforeach()
+    set_tests_properties(param_tool.boots_a_compiled_image_elf PROPERTIES LABELS simavr)
+endif()
