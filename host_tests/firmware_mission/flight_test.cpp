@@ -912,6 +912,19 @@ TEST_F(MissionFlight, trailing_commands_circle_the_last_place_at_its_altitude) {
     EXPECT_EQ(vehicle.mode, Mode::rtl);
 }
 
+TEST_F(MissionFlight, a_trailing_distance_is_measured_to_the_last_navs_place) {
+    parameters.mission_trailing = 1;
+    fly({waypoint(500), command(114, 200), command(181, 0, 1)});
+    reach();
+    vehicle.progress.distance_m = 201;
+    pass();
+    EXPECT_FALSE(relayGet());
+    EXPECT_EQ(vehicle.demand.to.latitude_e7, waypoint(500).x);
+    vehicle.progress.distance_m = 199;
+    pass();
+    EXPECT_TRUE(relayGet());
+}
+
 TEST_F(MissionFlight, a_record_out_of_range_in_an_image_is_skipped_told_and_counted) {
     const uint16_t before = missionSkipped();
     storeImage(2, {{16, 1, 0, 0, 0, 0},

@@ -85,76 +85,75 @@ TEST_F(Item, every_apm2_command_stands_in_its_fields_and_comes_back_as_it_went_u
     }
 }
 
+struct Refusal {
+    MissionItem item;
+    MissionResult answer;
+};
+constexpr MissionResult wrong(int parameter) { return static_cast<MissionResult>(5 + parameter); }
+MissionItem placedAt(int32_t latitude_e7, int32_t longitude_e7, float z) {
+    return {16, kRelativeFrame, 0, 0, 0, 0, latitude_e7, longitude_e7, z};
+}
+MissionItem climbing(float rate_mps) { return {113, kRelativeFrame, rate_mps, 0, 0, 0, 0, 0, 0}; }
+
+const Refusal kApm2Refusals[] = {
+    {at(16, 0, 256), wrong(2)},
+    {at(16, 0, -1), wrong(2)},
+    {at(16, 0, INFINITY), wrong(2)},
+    {placedAt(kLatitude, kLongitude, NAN), wrong(7)},
+    {placedAt(kLatitude, kLongitude, 83887), wrong(7)},
+    {placedAt(-900000001, kLongitude, 60), wrong(5)},
+    {placedAt(kLatitude, 1800000001, 60), wrong(6)},
+    {at(17, 0, 0, INFINITY), wrong(3)},
+    {at(18, 256), wrong(1)},
+    {at(18, -1), wrong(1)},
+    {at(19, 2551), wrong(1)},
+    {at(19, -10), wrong(1)},
+    {at(22, 61), wrong(1)},
+    {command(112, -1), wrong(1)},
+    {command(112, 1e9f), wrong(1)},
+    {climbing(0.1f), wrong(1)},
+    {climbing(-2), wrong(1)},
+    {command(114, -1), wrong(1)},
+    {command(177, 0, 1), wrong(1)},
+    {command(177, 4, 1), wrong(1)},
+    {command(177, 1, 1), wrong(1)},
+    {command(177, 2, 0), wrong(2)},
+    {command(177, 2, -2), wrong(2)},
+    {command(177, 2, 32768), wrong(2)},
+    {command(178, 2, 12), wrong(1)},
+    {command(178, 0, 0), wrong(2)},
+    {command(178, 0, -2), wrong(2)},
+    {command(178, 0, 5), wrong(2)},
+    {command(178, 0, 23), wrong(2)},
+    {command(178, 0, 12, 101), wrong(3)},
+    {command(178, 0, 12, -2), wrong(3)},
+    {command(179, 2), wrong(1)},
+    {command(180, 5, 1), wrong(1)},
+    {command(180, 256, 1), wrong(1)},
+    {command(180, 134, 0), wrong(2)},
+    {command(180, 102, INFINITY), wrong(2)},
+    {command(181, 1, 1), wrong(1)},
+    {command(181, 0, 2), wrong(2)},
+    {command(182, 0, -1, 4), wrong(2)},
+    {command(182, 0, 10, 61), wrong(3)},
+    {command(182, 0, 10, 0), wrong(3)},
+    {command(183, 4, 1500), wrong(1)},
+    {command(183, 9, 1500), wrong(1)},
+    {command(183, 5, 799), wrong(2)},
+    {command(183, 5, 2201), wrong(2)},
+    {command(184, 4, 1500, 1, 2), wrong(1)},
+    {command(184, 5, 799, 1, 2), wrong(2)},
+    {command(184, 5, 1500, -1, 2), wrong(3)},
+    {command(184, 5, 1500, 1, 61), wrong(4)},
+    {command(15, 0), MissionResult::unsupported},
+    {command(189, 0), MissionResult::unsupported},
+    {command(0x116, 0), MissionResult::unsupported},
+    {command(0x40, 12), MissionResult::unsupported},
+};
+
 TEST_F(Item, every_apm2_command_refuses_what_is_out_of_range_and_names_the_parameter) {
-    const auto wrong = [](int n) { return static_cast<MissionResult>(5 + n); };
-    const float nan = NAN, inf = INFINITY;
-    MissionItem no_altitude = at(16), south = at(16), east = at(16), high = at(16);
-    no_altitude.z = nan;
-    south.x = -900000001;
-    east.y = 1800000001;
-    high.z = 83887;
-    MissionItem too_slow = command(113, 0.1f), negative = command(113, -2);
-    too_slow.frame = negative.frame = kRelativeFrame;
-    struct {
-        MissionItem item;
-        MissionResult answer;
-    } const cases[] = {
-        {at(16, 0, 256), wrong(2)},
-        {at(16, 0, -1), wrong(2)},
-        {at(16, 0, inf), wrong(2)},
-        {no_altitude, wrong(7)},
-        {high, wrong(7)},
-        {south, wrong(5)},
-        {east, wrong(6)},
-        {at(17, 0, 0, inf), wrong(3)},
-        {at(18, 256), wrong(1)},
-        {at(18, -1), wrong(1)},
-        {at(19, 2551), wrong(1)},
-        {at(19, -10), wrong(1)},
-        {at(22, 61), wrong(1)},
-        {command(112, -1), wrong(1)},
-        {command(112, 1e9f), wrong(1)},
-        {too_slow, wrong(1)},
-        {negative, wrong(1)},
-        {command(114, -1), wrong(1)},
-        {command(177, 0, 1), wrong(1)},
-        {command(177, 4, 1), wrong(1)},
-        {command(177, 1, 1), wrong(1)},
-        {command(177, 2, 0), wrong(2)},
-        {command(177, 2, -2), wrong(2)},
-        {command(177, 2, 32768), wrong(2)},
-        {command(178, 2, 12), wrong(1)},
-        {command(178, 0, 0), wrong(2)},
-        {command(178, 0, -2), wrong(2)},
-        {command(178, 0, 5), wrong(2)},
-        {command(178, 0, 23), wrong(2)},
-        {command(178, 0, 12, 101), wrong(3)},
-        {command(178, 0, 12, -2), wrong(3)},
-        {command(179, 2), wrong(1)},
-        {command(180, 5, 1), wrong(1)},
-        {command(180, 256, 1), wrong(1)},
-        {command(180, 134, 0), wrong(2)},
-        {command(180, 102, inf), wrong(2)},
-        {command(181, 1, 1), wrong(1)},
-        {command(181, 0, 2), wrong(2)},
-        {command(182, 0, -1, 4), wrong(2)},
-        {command(182, 0, 10, 61), wrong(3)},
-        {command(182, 0, 10, 0), wrong(3)},
-        {command(183, 4, 1500), wrong(1)},
-        {command(183, 9, 1500), wrong(1)},
-        {command(183, 5, 799), wrong(2)},
-        {command(183, 5, 2201), wrong(2)},
-        {command(184, 4, 1500, 1, 2), wrong(1)},
-        {command(184, 5, 799, 1, 2), wrong(2)},
-        {command(184, 5, 1500, -1, 2), wrong(3)},
-        {command(184, 5, 1500, 1, 61), wrong(4)},
-        {command(15, 0), MissionResult::unsupported},
-        {command(189, 0), MissionResult::unsupported},
-        {command(0x116, 0), MissionResult::unsupported},
-        {command(0x40, 12), MissionResult::unsupported},
-    };
-    for (const auto& c : cases)
-        EXPECT_EQ(answer(c.item), c.answer) << testing::PrintToString(c.item);
+    for (const Refusal& refusal : kApm2Refusals)
+        EXPECT_EQ(answer(refusal.item), refusal.answer) << testing::PrintToString(refusal.item);
 }
 
 TEST_F(Item, only_frames_whose_altitude_is_understood_are_taken) {
@@ -330,11 +329,7 @@ TEST_F(Apm1Item, every_command_stands_in_its_fields_and_comes_back_as_it_went_up
 }
 
 TEST_F(Apm1Item, every_command_refuses_what_is_out_of_range) {
-    const auto wrong = [](int n) { return static_cast<MissionResult>(5 + n); };
-    struct {
-        MissionItem item;
-        MissionResult answer;
-    } const cases[] = {
+    const Refusal cases[] = {
         {at(0x12, 256), wrong(1)},
         {at(0x12, 1.5f), wrong(1)},
         {at(0x16, 61), wrong(1)},
