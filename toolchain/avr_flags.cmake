@@ -1,6 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # How the image is compiled; what each flag gained stands in docs/measurements.md.
-set(AVR_OPTIMISATION -Os -flto -mrelax -mcall-prologues)
+set(AVR_OPTIMISATION -Os -flto -mrelax -mcall-prologues -mstrict-X)
 add_compile_options(${AVR_OPTIMISATION})
 add_link_options(${AVR_OPTIMISATION} -Wl,--emit-relocs)  # the stack bound wants to know addresses
 link_libraries(m)
+
+# What no control loop waits for is made small, not fast.
+set(firmware ${CMAKE_SOURCE_DIR}/firmware)
+set(libraries ${CMAKE_SOURCE_DIR}/libraries)
+file(GLOB unhurried CONFIGURE_DEPENDS ${firmware}/telemetry/*.cpp ${firmware}/mission/*.cpp
+     ${firmware}/modes/*.cpp ${firmware}/modes.cpp ${firmware}/arming.cpp ${firmware}/home.cpp
+     ${firmware}/lights.cpp ${firmware}/failsafe.cpp ${firmware}/parameters.cpp
+     ${firmware}/sensors/battery.cpp ${libraries}/mission/*.cpp ${libraries}/storage/*.cpp
+     ${libraries}/parameters/*.cpp ${libraries}/mavlink/*.cpp)
+set_source_files_properties(${unhurried} PROPERTIES COMPILE_OPTIONS -fno-inline-small-functions)
