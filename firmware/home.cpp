@@ -3,6 +3,8 @@
 
 #include "core/maths.hpp"
 #include "firmware/estimator.hpp"
+#include "firmware/guidance/guidance.hpp"
+#include "firmware/mission/mission.hpp"
 #include "firmware/vehicle.hpp"
 
 namespace firmware {
@@ -23,7 +25,13 @@ bool setHomeHere() {
 
 void setHome(const geo::Position& position, int32_t altitude_cm) {
     auto& home = vehicle.home;
-    if (home.set) shiftHeight((home.altitude_cm - altitude_cm) * 0.01f);
+    if (home.set) {
+        // what is being flown stays where it is
+        const float by_m = (home.altitude_cm - altitude_cm) * 0.01f;
+        shiftHeight(by_m);
+        shiftDemands(by_m);
+        missionShiftHeights(by_m);
+    }
     home.position = position;
     home.altitude_cm = altitude_cm;
     home.set = true;

@@ -72,4 +72,11 @@ void runSpeedHeight() {
         flyHeight(plan);
 }
 
+void shiftDemands(float by_m) {
+    static constexpr float* kHeights[] ROM = {&vehicle.demand.from_height_m,
+                                              &vehicle.demand.height_m, &plan.height.height_m};
+    for (float* const& height_m : kHeights) *core::romRead(height_m) += by_m;
+    shiftHeightFlown(by_m);
+}
+
 }  // namespace firmware

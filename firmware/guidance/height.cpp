@@ -95,6 +95,8 @@ void beginHeight() {
     speed_height.start(measured(), vehicle.attitude.pitch_rad, vehicle.throttle_demand);
 }
 
+void shiftHeightFlown(float by_m) { speed_height.shift(by_m); }
+
 void waitWithHeight(const Plan& plan) {
     speed_height.start(measured(), 0, 0);
     vehicle.pitch_demand_rad = plan.phase == control::Phase::climb_out ? plan.pitch_min_rad : 0;

@@ -59,6 +59,8 @@ void stepClimb() {
     demand.height_m += core::limit(climb.goal_m - demand.height_m, -step_m, step_m);
 }
 
+void shiftClimb(float by_m) { climb.goal_m += by_m; }
+
 void forgetClimb() { climb.rate_mps = 0; }
 
 void startDistance(const Record&) {}

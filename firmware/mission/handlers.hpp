@@ -73,6 +73,7 @@ int32_t climbRate_cms(const Record&);
 void stepClimb();     // 10 Hz in AUTO: moves the demanded height
 void goOnClimbing();  // after a resume: from the airplane's height to the one demanded before
 void forgetClimb();   // a NAV begins: its own height counts
+void shiftClimb(float by_m);
 
 // ---- action_commands.cpp
 Jump jumpCounted(const Record&);

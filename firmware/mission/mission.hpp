@@ -49,6 +49,8 @@ uint16_t missionCurrent();               // index of the NAV flown, 0 when none
 bool missionSetCurrent(uint16_t index);  // false: no such item or no NAV
 bool takeReached(uint16_t& index);       // a NAV that finished and was not yet told
 
+void missionShiftHeights(float by_m);  // home is elsewhere: what is flown stays where it is
+
 uint16_t missionSkipped();  // records passed over at run time since reset
 
 MUST_USE core::Status missionItem(uint16_t index, MissionItem& to);  // busy, bad_argument, ok

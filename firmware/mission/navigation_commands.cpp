@@ -103,6 +103,11 @@ void rememberPlace() {
 
 void forgetPlace() { have_last = false; }
 
+void missionShiftHeights(float by_m) {
+    last.height_m += by_m;
+    shiftClimb(by_m);
+}
+
 void holdPlace() {
     if (!have_last) {
         last = airplane();

@@ -52,6 +52,8 @@ public:
                           const SpeedHeightDemand& demand, const SpeedHeightMeasured& now,
                           Phase phase, float dt_s);
 
+    void shift(float by_m) { height_m_ += by_m; }  // heights are measured from elsewhere
+
     float heightDemand_m() const { return height_m_; }  // shaped
     float airspeed_mps() const { return speed_mps_; }   // filtered
     bool underspeed() const { return underspeed_; }
