@@ -34,6 +34,7 @@ constexpr ModeRow kModes[] ROM = {
     {Mode::automatic, Throttle::automatic, Guidance::path,   startAuto,      runAuto,      stopAuto},
     {Mode::rtl,       Throttle::automatic, Guidance::path,   startRtl,       runRtl,       nothing},
     {Mode::loiter,    Throttle::automatic, Guidance::path,   startLoiter,    runLoiter,    nothing},
+    {Mode::guided,    Throttle::automatic, Guidance::path,   startGuided,    runGuided,    nothing},
 };
 // clang-format on
 

@@ -250,6 +250,7 @@ void missionRun() {
             stepClimb();
         }
     }
+    if (vehicle.mode == Mode::guided) stepSpeed();
     background(records <= mission::kRecordsPerPoll - kRecordsPerCall);
     grantModeWish();
 }

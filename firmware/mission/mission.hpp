@@ -65,6 +65,9 @@ MissionResult missionCommit();
 void missionAbort();
 MissionResult missionClear();  // until it is not busy
 
+// Does at once what an action (DO command) of the APM 2.0 set does in a mission.
+MissionResult missionAct(const MissionItem& item);
+
 // An APM 1.0 command may switch off all that is sent on the telemetry ports, never on USB. A valid
 // packet addressed to the airplane switches it on again.
 bool radioSilenced();

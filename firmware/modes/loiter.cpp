@@ -10,7 +10,7 @@ namespace firmware {
 
 Entry startLoiter() {
     if (!vehicle.estimate.known) {
-        tell(Severity::warning, ROM_TEXT("LOITER needs a position"));
+        tell(Severity::warning, ROM_TEXT("Circling needs a position"));
         return Entry::refused;
     }
     demandCircle(vehicle.estimate.position, vehicle.estimate.height_m);

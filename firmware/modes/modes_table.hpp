@@ -30,4 +30,7 @@ void runRtl();
 Entry startLoiter();
 void runLoiter();
 
+Entry startGuided();
+void runGuided();
+
 }  // namespace firmware

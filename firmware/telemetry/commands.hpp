@@ -8,12 +8,11 @@ namespace firmware {
 
 struct Link;
 
-bool onCommandLong(Link& link, const mavlink::Frame& frame);
-bool onCommandInt(Link& link, const mavlink::Frame& frame);
+bool onCommand(Link& link, const mavlink::Frame& frame);  // both messages
 bool onSetMode(Link& link, const mavlink::Frame& frame);
 bool onAutopilotVersionRequest(Link& link, const mavlink::Frame& frame);
 
 void commandsStart();
-void commandsTurn();  // a reboot that was ordered, once its answer is out
+void commandsTurn();  // 50 Hz: what takes its time
 
 }  // namespace firmware

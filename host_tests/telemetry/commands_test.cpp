@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "firmware/mission/speed.hpp"
 #include "ground.hpp"
 
 using firmware::Mode;
 using ground::Telemetry;
 using mavlink::MavCmd;
+using mavlink::MavFrame;
 using mavlink::MavResult;
 
 namespace {
@@ -131,20 +133,41 @@ TEST_F(Telemetry, gives_its_home_when_it_has_one) {
     EXPECT_EQ(station.all<mavlink::HomePosition>().size(), 1u);
 }
 
-TEST_F(Telemetry, home_is_set_to_the_last_digit_by_command_int) {
+mavlink::CommandInt commandInt(uint16_t id, uint8_t frame, int32_t x, int32_t y, float z) {
     mavlink::CommandInt message = {};
     message.target_system = message.target_component = 1;
-    message.command = MavCmd::do_set_home;
-    message.x = -353632611;
-    message.y = 1491652303;
-    message.z = 584.1f;
-    EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::accepted);
-    EXPECT_EQ(*doubles::vehicle.home, (geo::Position{-353632611, 1491652303}));
-    EXPECT_EQ(doubles::vehicle.home_altitude_cm, 58410);
+    message.command = id;
+    message.frame = frame;
+    message.x = x;
+    message.y = y;
+    message.z = z;
+    return message;
+}
 
-    message.x = 910000000;
-    EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::denied);
-    EXPECT_EQ(command(MavCmd::do_set_home, 0), MavResult::denied);  // no place given
+TEST_F(Telemetry, home_is_set_to_the_last_digit_by_command_int) {
+    auto message =
+        commandInt(MavCmd::do_set_home, MavFrame::global, -353632611, 1491652303, 584.1f);
+    EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::accepted);
+    const auto& act = doubles::mission.acts.at(0);
+    EXPECT_EQ(act.command, MavCmd::do_set_home);
+    EXPECT_EQ(act.x, -353632611);
+    EXPECT_EQ(act.y, 1491652303);
+    EXPECT_EQ(act.z, 584.1f);
+
+    message.frame = MavFrame::global_relative_alt;
+    message.z = 10;
+    EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::temporarily_rejected)
+        << "relative to no home";
+    firmware::vehicle.home.set = true;
+    firmware::vehicle.home.altitude_cm = 58400;
+    EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::accepted);
+    EXPECT_EQ(doubles::mission.acts.at(1).z, 594);
+    EXPECT_EQ(doubles::mission.acts.at(1).frame, MavFrame::global);
+}
+
+TEST_F(Telemetry, home_is_set_here_or_not_without_a_place) {
+    EXPECT_EQ(command(MavCmd::do_set_home, 0), MavResult::denied);
+    EXPECT_TRUE(doubles::mission.acts.empty());
     EXPECT_EQ(command(MavCmd::do_set_home, 1), MavResult::accepted);
     doubles::vehicle.home_can_be_set = false;
     EXPECT_EQ(command(MavCmd::do_set_home, 1), MavResult::temporarily_rejected);
@@ -173,7 +196,7 @@ TEST_F(Telemetry, the_current_item_is_set_by_command) {
     EXPECT_EQ(command(MavCmd::do_set_mission_current, 3), MavResult::accepted);
     EXPECT_EQ(station.all<mavlink::MissionCurrent>().at(0).seq, 3);
     EXPECT_EQ(command(MavCmd::do_set_mission_current, 4), MavResult::denied);
-    EXPECT_EQ(command(MavCmd::do_set_mission_current, -1), MavResult::denied);
+    EXPECT_EQ(command(MavCmd::do_set_mission_current, -2), MavResult::denied);
 }
 
 TEST_F(Telemetry, erases_its_storage_on_the_ground_only) {
@@ -189,14 +212,232 @@ TEST_F(Telemetry, erases_its_storage_on_the_ground_only) {
     EXPECT_EQ(station.texts().at(0), "Erased: restart the board");
 }
 
+// ---- every row of the table, and what it answers to parameters it cannot have
+
+struct Case {
+    const char* what;
+    uint16_t command;
+    std::vector<float> params;
+    uint8_t result;
+};
+const float kNan = NAN;
+const Case kCases[] = {
+    {"a part of a mission", MavCmd::mission_start, {2, 5}, MavResult::denied},
+    {"no parts given", MavCmd::mission_start, {kNan, kNan}, MavResult::accepted},
+    {"a mode and a half", MavCmd::do_set_mode, {1, 5.5f}, MavResult::denied},
+    {"no base mode", MavCmd::do_set_mode, {kNan, 5}, MavResult::denied},
+    {"no such item", MavCmd::do_set_mission_current, {kNan}, MavResult::denied},
+    {"half an item", MavCmd::do_set_mission_current, {0.5f}, MavResult::denied},
+    {"too large a frame", MavCmd::do_change_altitude, {50, 256}, MavResult::denied},
+    {"no frame", MavCmd::do_change_altitude, {50, kNan}, MavResult::denied},
+    {"faster than anything", MavCmd::do_reposition, {1000, 1}, MavResult::denied},
+    {"magnetometer calibration", MavCmd::preflight_calibration, {0, 1}, MavResult::unsupported},
+    {"six sides", MavCmd::preflight_calibration, {0, 0, 0, 0, 1}, MavResult::unsupported},
+    {"gyros and six sides", MavCmd::preflight_calibration, {1, 0, 0, 0, 1}, MavResult::unsupported},
+    {"temperature", MavCmd::preflight_calibration, {3}, MavResult::unsupported},
+    {"the motor's compass",
+     MavCmd::preflight_calibration,
+     {0, 0, 0, 0, 0, 1},
+     MavResult::unsupported},
+    {"nothing at all", MavCmd::preflight_calibration, {}, MavResult::unsupported},
+    {"another sensor's offsets",
+     MavCmd::preflight_set_sensor_offsets,
+     {0, 1, 2, 3},
+     MavResult::unsupported},
+    {"offsets too large",
+     MavCmd::preflight_set_sensor_offsets,
+     {2, 10, 401, 30},
+     MavResult::failed},
+    {"no offsets", MavCmd::preflight_set_sensor_offsets, {2, kNan, 1, 2}, MavResult::failed},
+    {"no storage action", MavCmd::preflight_storage, {kNan}, MavResult::unsupported},
+    {"shut down", MavCmd::preflight_reboot_shutdown, {2}, MavResult::denied},
+    {"do nothing", MavCmd::preflight_reboot_shutdown, {0}, MavResult::accepted},
+    {"restart what", MavCmd::preflight_reboot_shutdown, {kNan}, MavResult::denied},
+    {"an interval of nothing", MavCmd::set_message_interval, {30, kNan}, MavResult::denied},
+    {"an interval of no message", MavCmd::get_message_interval, {-1}, MavResult::denied},
+    {"a landing from here", MavCmd::nav_land, {}, MavResult::unsupported},
+    {"a fence", 207, {1}, MavResult::unsupported},
+    {"a parachute", 208, {2}, MavResult::unsupported},
+    {"a go-around", 191, {30}, MavResult::unsupported},
+    {"a jump outside of a mission", MavCmd::do_jump, {1, 2}, MavResult::unsupported},
+    {"a parameter by its slot", MavCmd::do_set_parameter, {87, 4000}, MavResult::unsupported},
+};
+
+TEST_F(Telemetry, what_cannot_be_had_is_answered_and_changes_nothing) {
+    const firmware::Parameters before = firmware::parameters;
+    for (const Case& c : kCases) {
+        float p[7] = {};
+        std::copy(c.params.begin(), c.params.end(), p);
+        EXPECT_EQ(command(c.command, p[0], p[1], p[2], p[3], p[4], p[5], p[6]), c.result) << c.what;
+    }
+    EXPECT_EQ(memcmp(&before, &firmware::parameters, sizeof before), 0);
+    EXPECT_EQ(doubles::vehicle.gyro_calibrations, 0);
+    EXPECT_NO_THROW(run_ms(1000));
+}
+
+TEST_F(Telemetry, what_a_mission_does_at_once_is_done_on_command) {
+    for (const uint16_t id : {MavCmd::do_set_relay, MavCmd::do_repeat_relay, MavCmd::do_set_servo,
+                              MavCmd::do_repeat_servo, MavCmd::do_change_speed}) {
+        EXPECT_EQ(command(id, 0, 1500, 3, 4), MavResult::accepted);
+        const auto& act = doubles::mission.acts.back();
+        EXPECT_EQ(act.command, id);
+        EXPECT_EQ(act.frame, MavFrame::mission);
+        EXPECT_EQ(act.param1, 0);
+        EXPECT_EQ(act.param2, 1500);
+        EXPECT_EQ(act.param3, 3);
+        EXPECT_EQ(act.param4, 4);
+    }
+    doubles::mission.answer = firmware::MissionResult::invalid_param1;
+    EXPECT_EQ(command(MavCmd::do_set_servo, 3, 1500), MavResult::denied);
+}
+
+TEST_F(Telemetry, a_ground_speed_is_taken_only_by_who_follows_one) {
+    EXPECT_EQ(command(MavCmd::do_change_speed, 1, 15), MavResult::temporarily_rejected);
+    firmware::vehicle.mode = Mode::guided;
+    EXPECT_EQ(command(MavCmd::do_change_speed, 1, 15), MavResult::accepted);
+}
+
+TEST_F(Telemetry, guides_to_a_place_to_the_last_digit) {
+    auto message = commandInt(MavCmd::do_reposition, MavFrame::global_relative_alt_int, 473977001,
+                              85456003, 70);
+    message.param1 = -1;
+    message.param3 = 80;
+    message.param4 = 1;
+    EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::temporarily_rejected)
+        << "not in GUIDED, and not asked to enter it";
+    message.param2 = 1;
+    EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::accepted);
+    const auto& target = doubles::vehicle.targets.at(0);
+    EXPECT_EQ(target.command, MavCmd::nav_waypoint);
+    EXPECT_EQ(target.frame, MavFrame::global_relative_alt_int);
+    EXPECT_EQ(target.x, 473977001);
+    EXPECT_EQ(target.y, 85456003);
+    EXPECT_EQ(target.z, 70);
+    EXPECT_EQ(target.param3, 80);
+    EXPECT_EQ(target.param4, 1);
+
+    firmware::vehicle.mode = Mode::guided;
+    message.param2 = 0;
+    EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::accepted);
+    doubles::mission.answer = firmware::MissionResult::unsupported_frame;
+    EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result,
+              MavResult::command_unsupported_mav_frame);
+    doubles::mission.answer = firmware::MissionResult::error;
+    EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::temporarily_rejected);
+}
+
+TEST_F(Telemetry, a_place_left_out_is_told_from_one_off_the_globe) {
+    EXPECT_EQ(command(MavCmd::do_reposition, -1, 1, 0, 0, kNan, kNan, kNan), MavResult::accepted);
+    EXPECT_EQ(doubles::vehicle.targets.at(0).x, INT32_MAX);
+    EXPECT_TRUE(std::isnan(doubles::vehicle.targets.at(0).z));
+    EXPECT_EQ(command(MavCmd::do_reposition, -1, 1, 0, 0, 500, 500, 50), MavResult::accepted);
+    EXPECT_EQ(doubles::vehicle.targets.at(1).x, INT32_MIN);  // which no range holds
+    EXPECT_EQ(command(MavCmd::do_reposition, -1, 1, 0, 0, 47.5f, 8.5f, 50), MavResult::accepted);
+    EXPECT_EQ(doubles::vehicle.targets.at(2).x, 475000000);
+    EXPECT_EQ(doubles::vehicle.targets.at(2).frame, MavFrame::global);
+}
+
+TEST_F(Telemetry, changes_the_height_alone) {
+    EXPECT_EQ(command(MavCmd::do_change_altitude, 120, 3), MavResult::accepted);
+    EXPECT_EQ(doubles::vehicle.heights.at(0).z, 120);
+    EXPECT_EQ(doubles::vehicle.heights.at(0).frame, MavFrame::global_relative_alt);
+    EXPECT_EQ(doubles::vehicle.heights.at(0).command, MavCmd::nav_waypoint);
+}
+
+TEST_F(Telemetry, a_mission_begins_anew_when_asked_to) {
+    doubles::mission.items.resize(4);
+    doubles::mission.current = 2;
+    EXPECT_EQ(command(MavCmd::do_set_mission_current, 3, 1), MavResult::accepted);
+    EXPECT_EQ(doubles::mission.restarts, 1);
+    EXPECT_EQ(doubles::mission.current, 3);
+    EXPECT_EQ(command(MavCmd::do_set_mission_current, -1, 1), MavResult::accepted);
+    EXPECT_EQ(doubles::mission.restarts, 2);
+    EXPECT_EQ(doubles::mission.current, 3);
+    EXPECT_EQ(command(MavCmd::do_set_mission_current, 9, 1), MavResult::denied);
+    EXPECT_EQ(doubles::mission.restarts, 2);
+}
+
+TEST_F(Telemetry, restarts_for_the_bootloader_as_well) {
+    EXPECT_EQ(command(MavCmd::preflight_reboot_shutdown, 3), MavResult::accepted);
+    EXPECT_THROW(run_ms(1000), fakes::Rebooted);
+}
+
 TEST_F(Telemetry, calibrates_on_the_ground_only) {
-    EXPECT_EQ(command(MavCmd::preflight_calibration, 1, 0, 0), MavResult::accepted);
-    EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 1), MavResult::accepted);
-    EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 1, 0), MavResult::unsupported);
     firmware::vehicle.armed = true;
-    EXPECT_EQ(command(MavCmd::preflight_calibration, 1, 0, 0), MavResult::temporarily_rejected);
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 1), MavResult::temporarily_rejected);
+    firmware::vehicle.estimate.flying = true;
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 1), MavResult::denied);
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::denied);
+    EXPECT_EQ(doubles::vehicle.gyro_calibrations, 0);
+}
+
+TEST_F(Telemetry, a_calibration_is_in_progress_until_it_is_done) {
+    station.framing = ground::Framing::v2;
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 1, 0, 1), MavResult::in_progress);
     EXPECT_EQ(doubles::vehicle.gyro_calibrations, 1);
     EXPECT_EQ(doubles::vehicle.pressure_calibrations, 1);
+    run_ms(3000);
+    EXPECT_GE(station.all<mavlink::CommandAck>().size(), 2u) << "still at it, once a second";
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 1, 0, 1), MavResult::in_progress);
+    EXPECT_EQ(doubles::vehicle.gyro_calibrations, 1) << "asked again, not begun again";
+
+    firmware::vehicle.imu.calibrated = true;
+    firmware::vehicle.baro.ground_pressure_pa = 95000;
+    run_ms(40);
+    const auto acks = station.all<mavlink::CommandAck>();
+    ASSERT_EQ(acks.size(), 1u);
+    EXPECT_EQ(acks[0].command, MavCmd::preflight_calibration);
+    EXPECT_EQ(acks[0].result, MavResult::accepted);
+    EXPECT_EQ(acks[0].target_system, 255);
+    EXPECT_EQ(acks[0].target_component, 190);
+    run_ms(3000);
+    EXPECT_TRUE(station.all<mavlink::CommandAck>().empty());
+    EXPECT_TRUE(second.all<mavlink::CommandAck>().empty());
+}
+
+TEST_F(Telemetry, a_calibration_that_never_ends_has_failed) {
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 1), MavResult::in_progress);
+    run_ms(32000);
+    const auto acks = station.all<mavlink::CommandAck>();
+    ASSERT_GE(acks.size(), 20u);
+    EXPECT_EQ(acks.back().result, MavResult::failed);
+    run_ms(3000);
+    EXPECT_TRUE(station.all<mavlink::CommandAck>().empty());
+}
+
+TEST_F(Telemetry, the_sticks_and_the_board_find_their_middle) {
+    auto& vehicle = firmware::vehicle;
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 1), MavResult::failed) << "no radio";
+    vehicle.radio.good_ms = 1;
+    vehicle.radio.pulse_us[0] = 1512;
+    vehicle.radio.pulse_us[1] = 1488;
+    vehicle.radio.pulse_us[2] = 1100;
+    vehicle.radio.pulse_us[3] = 1503;
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 1), MavResult::accepted);
+    EXPECT_EQ(firmware::parameters.channel[0].trim_us, 1512);
+    EXPECT_EQ(firmware::parameters.channel[1].trim_us, 1488);
+    EXPECT_EQ(firmware::parameters.channel[2].trim_us, 1500);
+    EXPECT_EQ(firmware::parameters.channel[3].trim_us, 1503);
+
+    vehicle.attitude.roll_rad = 0.02f;
+    vehicle.attitude.pitch_rad = -0.03f;
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::failed)
+        << "not aligned";
+    vehicle.attitude.aligned = true;
+    firmware::parameters.level_trim_rad[0] = 0.01f;
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::accepted);
+    EXPECT_FLOAT_EQ(firmware::parameters.level_trim_rad[0], 0.03f);
+    EXPECT_FLOAT_EQ(firmware::parameters.level_trim_rad[1], -0.03f);
+    vehicle.attitude.roll_rad = 0.5f;
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::failed);
+    EXPECT_FLOAT_EQ(firmware::parameters.level_trim_rad[0], 0.03f);
+}
+
+TEST_F(Telemetry, the_compass_is_given_its_offsets) {
+    EXPECT_EQ(command(MavCmd::preflight_set_sensor_offsets, 2, 10, -20, 30), MavResult::accepted);
+    EXPECT_EQ(firmware::parameters.compass_offset_mg[0], 10);
+    EXPECT_EQ(firmware::parameters.compass_offset_mg[1], -20);
+    EXPECT_EQ(firmware::parameters.compass_offset_mg[2], 30);
 }
 
 }  // namespace

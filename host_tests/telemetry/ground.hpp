@@ -136,12 +136,17 @@ protected:
         run_ms(wait_ms);
         return station.all<Answer>();
     }
-    uint8_t command(uint16_t id, float param1 = 0, float param2 = 0, float param3 = 0) {
+    uint8_t command(uint16_t id, float param1 = 0, float param2 = 0, float param3 = 0,
+                    float param4 = 0, float param5 = 0, float param6 = 0, float param7 = 0) {
         mavlink::CommandLong message = {};
         message.command = id;
         message.param1 = param1;
         message.param2 = param2;
         message.param3 = param3;
+        message.param4 = param4;
+        message.param5 = param5;
+        message.param6 = param6;
+        message.param7 = param7;
         message.target_system = 1;
         message.target_component = 1;
         const auto acks = ask<mavlink::CommandAck>(message);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "firmware/home.hpp"
+#include "firmware/modes/guided.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/tasks.hpp"
 #include "firmware/telemetry/text.hpp"
@@ -89,8 +90,22 @@ MissionResult missionClear() {
     return MissionResult::accepted;
 }
 
+void missionRestart() { ++mission.restarts; }
+MissionResult missionAct(const MissionItem& item) {
+    mission.acts.push_back(item);
+    return mission.answer;
+}
+MissionResult guideTo(MissionItem& item) {
+    doubles::vehicle.targets.push_back(item);
+    return mission.answer;
+}
+MissionResult guideToHeight(MissionItem& item) {
+    doubles::vehicle.heights.push_back(item);
+    return mission.answer;
+}
+
 bool isMode(uint8_t custom_mode) {
-    return std::set<int>{0, 1, 2, 5, 10, 11, 12}.count(custom_mode) != 0;
+    return std::set<int>{0, 1, 2, 5, 10, 11, 12, 15}.count(custom_mode) != 0;
 }
 bool setMode(Mode mode, ModeReason reason) {
     doubles::vehicle.modes.emplace_back(mode, reason);

@@ -28,6 +28,9 @@ struct Mission {
     std::vector<uint16_t> reached;
     std::optional<uint16_t> unsupported;  // a command the vehicle does not know
     int aborts = 0;
+    int restarts = 0;
+    std::vector<firmware::MissionItem> acts;                             // ordered from the ground
+    firmware::MissionResult answer = firmware::MissionResult::accepted;  // to every order
 };
 extern Mission mission;
 
@@ -39,6 +42,7 @@ struct Vehicle {
     bool home_can_be_set = true;
     std::optional<geo::Position> home;
     int32_t home_altitude_cm = 0;
+    std::vector<firmware::MissionItem> targets, heights;  // of GUIDED
     int gyro_calibrations = 0;
     int pressure_calibrations = 0;
 };

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Actions that are ordered from the ground: the mission's own rows, outside of a mission.
+#include "firmware/mission/command_table.hpp"
+#include "firmware/mission/item.hpp"
+#include "firmware/mission/mission.hpp"
+
+namespace firmware {
+
+MissionResult missionAct(const MissionItem& item) {
+    mission::Record record;
+    Notes notes;
+    const MissionResult result = encodeItem(mission::Set::apm2, {1, 2}, item, record, notes);
+    if (result != MissionResult::accepted) return result;
+    const uint8_t row = kCommandTable.find(mission::Set::apm2, record.id);
+    if (kCommandTable.kind(row) != mission::Class::action) return MissionResult::unsupported;
+    core::romRead(kCommandTable.rows[row].act)(record);
+    return result;
+}
+
+}  // namespace firmware

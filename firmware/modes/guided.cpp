@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// GUIDED: flies to the place the ground has given and circles it; until one is given, the place
+// where it was entered.
+#include "firmware/modes/guided.hpp"
+
+#include <math.h>
+
+#include "core/maths.hpp"
+#include "firmware/mission/item.hpp"
+#include "firmware/mission/speed.hpp"
+#include "firmware/modes.hpp"
+#include "firmware/modes/circling.hpp"
+#include "firmware/modes/modes_table.hpp"
+#include "mavlink/messages.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr MissionResult kRadiusWrong =
+    static_cast<MissionResult>(static_cast<uint8_t>(MissionResult::invalid_param1) + 2);
+
+// What is left out stays as it is: as demanded, where that is what is flown. 0, 0 is where we are.
+void complete(MissionItem& item) {
+    const bool same_place = item.x == INT32_MAX && item.y == INT32_MAX;
+    if (same_place || (item.x == 0 && item.y == 0)) {
+        const bool keep = same_place && vehicle.mode == Mode::guided;
+        const geo::Position& place = keep ? vehicle.demand.to : vehicle.estimate.position;
+        item.x = place.latitude_e7;
+        item.y = place.longitude_e7;
+    }
+    if (!isnan(item.z)) return;
+    item.z = guidesItself() ? vehicle.demand.height_m : vehicle.estimate.height_m;
+    item.frame = mavlink::MavFrame::global_relative_alt;
+}
+
+// By the rules of a mission's waypoint: its frames and ranges. z becomes the height above home.
+MissionResult understand(MissionItem& item) {
+    if (item.command != mavlink::MavCmd::nav_waypoint) return MissionResult::unsupported;
+    if (!vehicle.home.set) return MissionResult::error;
+    complete(item);
+    item.param2 = 0;  // how near is near enough: it circles
+    mission::Record record;
+    Notes notes;
+    const MissionResult result = encodeItem(mission::Set::apm2, {1, 2}, item, record, notes);
+    if (result != MissionResult::accepted) return result;
+    const bool relative = (record.options & mission::kRelativeAltitude) != 0;
+    item.z = (record.p2 - (relative ? 0 : vehicle.home.altitude_cm)) * 0.01f;
+    return result;
+}
+
+}  // namespace
+
+Entry startGuided() {
+    const Entry entry = startLoiter();
+    if (entry == Entry::entered) demandSpeed();
+    return entry;
+}
+
+void runGuided() { runLoiter(); }
+
+MissionResult guideTo(MissionItem& item) {
+    const float radius_m = isnan(item.param3) ? 0 : item.param3;
+    if (!(radius_m >= 0 && radius_m <= INT16_MAX)) return kRadiusWrong;
+    const MissionResult result = understand(item);
+    if (result != MissionResult::accepted) return result;
+    if (!setMode(Mode::guided, ModeReason::ground)) return MissionResult::error;
+    demandCircle({item.x, item.y}, item.z);
+    demandSpeed();
+    if (radius_m == 0) return result;
+    vehicle.demand.radius_m = radius_m;
+    vehicle.demand.counter_clockwise = item.param4 == 1;
+    return result;
+}
+
+MissionResult guideToHeight(MissionItem& item) {
+    item.x = item.y = 0;
+    const MissionResult result = understand(item);
+    if (result != MissionResult::accepted) return result;
+    if (!guidesItself() || vehicle.mode == Mode::automatic) return MissionResult::error;
+    vehicle.demand.height_m = item.z;
+    vehicle.demand.climb_rate_mps = 0;
+    return result;
+}
+
+}  // namespace firmware

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// GUIDED, from the ground's side: where to fly, in the terms of a mission item.
+#pragma once
+#include "firmware/mission/mission.hpp"
+
+namespace firmware {
+
+// Enters GUIDED and circles the place, param3 metres around it (0: as WP_LOITER_RAD says, which
+// also gives the direction), counter-clockwise when param4 is 1. Both leave everything as it is
+// when they do not answer `accepted`; `error`: not now. They use the item up.
+MissionResult guideTo(MissionItem& target);
+// The height alone, in every mode that holds one by itself but AUTO.
+MissionResult guideToHeight(MissionItem& target);
+
+}  // namespace firmware
