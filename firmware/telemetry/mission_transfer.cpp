@@ -2,6 +2,7 @@
 #include "firmware/telemetry/mission_transfer.hpp"
 
 #include "firmware/mission/mission.hpp"
+#include "firmware/modes/guided.hpp"
 #include "firmware/telemetry/degrees.hpp"
 #include "firmware/telemetry/link.hpp"
 #include "firmware/telemetry/text.hpp"
@@ -88,10 +89,16 @@ bool uploadElsewhere(const Link& link) {
     return upload.state != Upload::none && upload.link != linkNumber(link);
 }
 
+// Not an item but an order: 2 is a place to fly to, 3 a height.
+MissionResult guide(uint8_t current, MissionItem& item) {
+    item.param3 = 0;  // an item's is no radius
+    if (current == 2) return guideTo(item);
+    return current == 3 ? guideToHeight(item) : MissionResult::unsupported;
+}
+
 bool takeItem(Link& link, const mavlink::Frame& frame, uint16_t index, uint8_t current,
-              const MissionItem& item) {
-    // 2 and 3 are not items but orders for GUIDED
-    if (current > 1) return acknowledge(link, peerOf(frame), MissionResult::unsupported);
+              MissionItem& item) {
+    if (current > 1) return acknowledge(link, peerOf(frame), guide(current, item));
     if (upload.state != Upload::items || upload.link != linkNumber(link))
         return upload.state == Upload::commit ||
                acknowledge(link, peerOf(frame), MissionResult::error);

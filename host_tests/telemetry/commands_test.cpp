@@ -337,6 +337,28 @@ TEST_F(Telemetry, a_place_left_out_is_told_from_one_off_the_globe) {
     EXPECT_EQ(doubles::vehicle.targets.at(2).frame, MavFrame::global);
 }
 
+TEST_F(Telemetry, a_mission_item_that_is_an_order_for_guided_is_acknowledged_as_an_item) {
+    mavlink::MissionItemInt item = {};
+    item.target_system = item.target_component = 1;
+    item.command = MavCmd::nav_waypoint;
+    item.frame = MavFrame::global_relative_alt;
+    item.current = 2;
+    item.param3 = 15;  // of a waypoint: how far beside it to pass, no radius
+    item.x = 473977001;
+    item.y = 85456003;
+    item.z = 70;
+    EXPECT_EQ(ask<mavlink::MissionAck>(item).at(0).type, 0);
+    EXPECT_EQ(doubles::vehicle.targets.at(0).x, 473977001);
+    EXPECT_EQ(doubles::vehicle.targets.at(0).param3, 0);
+    item.current = 3;
+    EXPECT_EQ(ask<mavlink::MissionAck>(item).at(0).type, 0);
+    EXPECT_EQ(doubles::vehicle.heights.at(0).z, 70);
+    doubles::mission.answer = firmware::MissionResult::unsupported_frame;
+    EXPECT_EQ(ask<mavlink::MissionAck>(item).at(0).type, 2);
+    item.current = 4;
+    EXPECT_EQ(ask<mavlink::MissionAck>(item).at(0).type, 3);
+}
+
 TEST_F(Telemetry, changes_the_height_alone) {
     EXPECT_EQ(command(MavCmd::do_change_altitude, 120, 3), MavResult::accepted);
     EXPECT_EQ(doubles::vehicle.heights.at(0).z, 120);

@@ -217,7 +217,9 @@ TEST_F(MissionTransfer, an_order_for_guided_dressed_as_an_item_is_not_taken_for_
 
     give(message);
 
-    EXPECT_EQ(acks(), Results{MavMissionResult::unsupported});
+    EXPECT_EQ(acks(), Results{MavMissionResult::accepted});
+    EXPECT_EQ(doubles::vehicle.targets.size(), 1u);
+    EXPECT_TRUE(mission.uploading);
     EXPECT_EQ(mission.aborts, 0);
 }
 
