@@ -181,6 +181,7 @@ add_test(NAME sanitizers
          COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${CMAKE_BINARY_DIR}/sanitized --output-on-failure)
 set_tests_properties(sanitizers PROPERTIES TIMEOUT 1200)
 
+include(mavlink_costs)
 include(fuzz)
 include(flash)
 include(ground)
