@@ -30,9 +30,9 @@ struct {
 
 uint16_t reached;
 
-// A question that was lost is asked again after 0.3 s, alternately of both kinds, for 9 s: so that a
-// link on which every second frame is damaged brings a long mission up, and no longer than MAVProxy
-// is ready to answer.
+// A question that was lost is asked again after 0.3 s, alternately of both kinds, for 9 s: so that
+// a link on which every second frame is damaged brings a long mission up, and no longer than
+// MAVProxy is ready to answer.
 constexpr uint8_t kAskAgainTurns = 15;
 constexpr uint8_t kTries = 30;
 

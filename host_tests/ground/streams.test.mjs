@@ -10,7 +10,7 @@ const streams = {
   6: ['GLOBAL_POSITION_INT'],
   10: ['ATTITUDE'],
   11: ['VFR_HUD'],
-  12: ['WIND', 'HWSTATUS', 'SYSTEM_TIME'],
+  12: ['AHRS', 'WIND', 'HWSTATUS', 'SYSTEM_TIME'],
 };
 
 const request = (vehicle, stream, rate) => vehicle.send('REQUEST_DATA_STREAM',
