@@ -55,19 +55,6 @@ const Scale& scaleFor(int32_t latitude_e7, float& east_m) {
     return cached;
 }
 
-// The short way round, whole: the difference of two longitudes can be 360 degrees, more than an
-// int32_t holds.
-int32_t eastward_e7(int32_t from_e7, int32_t to_e7) {
-    constexpr uint32_t kTurn_e7 = 3600000000UL;
-    uint32_t difference = static_cast<uint32_t>(to_e7) - static_cast<uint32_t>(from_e7);
-    if (to_e7 >= from_e7) {
-        if (difference > static_cast<uint32_t>(kHalfTurn_e7)) difference -= kTurn_e7;
-    } else if (0 - difference > static_cast<uint32_t>(kHalfTurn_e7)) {
-        difference += kTurn_e7;
-    }
-    return static_cast<int32_t>(difference);
-}
-
 int32_t wrappedSum_e7(int32_t longitude_e7, int32_t by_e7) {
     constexpr uint32_t kTurn_e7 = 3600000000UL;
     const uint32_t sum = static_cast<uint32_t>(longitude_e7) + static_cast<uint32_t>(by_e7);
@@ -84,6 +71,19 @@ float squaredLength(const Offset& offset) {
 }
 
 }  // namespace
+
+// The difference of two longitudes can be 360 degrees, more than an
+// int32_t holds.
+int32_t eastward_e7(int32_t from_e7, int32_t to_e7) {
+    constexpr uint32_t kTurn_e7 = 3600000000UL;
+    uint32_t difference = static_cast<uint32_t>(to_e7) - static_cast<uint32_t>(from_e7);
+    if (to_e7 >= from_e7) {
+        if (difference > static_cast<uint32_t>(kHalfTurn_e7)) difference -= kTurn_e7;
+    } else if (0 - difference > static_cast<uint32_t>(kHalfTurn_e7)) {
+        difference += kTurn_e7;
+    }
+    return static_cast<int32_t>(difference);
+}
 
 // Middle-latitude sailing, turned from the frame of the middle into that of `from`: on the way to
 // the middle the meridians turn by half their convergence.

@@ -25,6 +25,9 @@ struct Offset {  // on the local tangent plane
 Offset offset(const Position& from, const Position& to);
 Position moved(const Position& from, const Offset& by);
 
+// The short way round, west negative.
+int32_t eastward_e7(int32_t from_e7, int32_t to_e7);
+
 float length_m(const Offset& offset);
 float distance_m(const Position& from, const Position& to);
 

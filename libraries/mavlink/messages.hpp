@@ -199,6 +199,15 @@ struct MavPowerStatus {
     };
 };
 
+struct FenceBreach {
+    enum : uint8_t {
+        none = 0,
+        minalt = 1,
+        maxalt = 2,
+        boundary = 3,
+    };
+};
+
 struct FirmwareVersionType {
     enum : uint8_t {
         dev = 0,
@@ -227,6 +236,10 @@ struct MavCmd {
         nav_return_to_launch = 20,
         nav_land = 21,
         nav_takeoff = 22,
+        nav_fence_return_point = 5000,
+        nav_fence_polygon_vertex_inclusion = 5001,
+        nav_rally_point = 5100,
+        do_fence_enable = 207,
         condition_delay = 112,
         condition_change_alt = 113,
         condition_distance = 114,
@@ -909,6 +922,39 @@ template <>
 struct Wire<Meminfo> : Shape<152, 4, 8, 208> {};
 static_assert(sizeof(Meminfo) == Wire<Meminfo>::length_with_extensions, "MEMINFO");
 
+struct __attribute__((packed)) FencePoint {
+    float lat;
+    float lng;
+    uint8_t target_system;
+    uint8_t target_component;
+    uint8_t idx;
+    uint8_t count;
+};
+template <>
+struct Wire<FencePoint> : Shape<160, 12, 12, 78> {};
+static_assert(sizeof(FencePoint) == Wire<FencePoint>::length_with_extensions, "FENCE_POINT");
+
+struct __attribute__((packed)) FenceFetchPoint {
+    uint8_t target_system;
+    uint8_t target_component;
+    uint8_t idx;
+};
+template <>
+struct Wire<FenceFetchPoint> : Shape<161, 3, 3, 68> {};
+static_assert(sizeof(FenceFetchPoint) == Wire<FenceFetchPoint>::length_with_extensions, "FENCE_FETCH_POINT");
+
+struct __attribute__((packed)) FenceStatus {
+    uint32_t breach_time;
+    uint16_t breach_count;
+    uint8_t breach_status;
+    uint8_t breach_type;
+    // extensions: MAVLink 2 only
+    uint8_t breach_mitigation;
+};
+template <>
+struct Wire<FenceStatus> : Shape<162, 8, 9, 189> {};
+static_assert(sizeof(FenceStatus) == Wire<FenceStatus>::length_with_extensions, "FENCE_STATUS");
+
 struct __attribute__((packed)) Ahrs {
     float omegaIx;
     float omegaIy;
@@ -951,6 +997,31 @@ struct __attribute__((packed)) Wind {
 template <>
 struct Wire<Wind> : Shape<168, 12, 12, 1> {};
 static_assert(sizeof(Wind) == Wire<Wind>::length_with_extensions, "WIND");
+
+struct __attribute__((packed)) RallyPoint {
+    int32_t lat;
+    int32_t lng;
+    int16_t alt;
+    int16_t break_alt;
+    uint16_t land_dir;
+    uint8_t target_system;
+    uint8_t target_component;
+    uint8_t idx;
+    uint8_t count;
+    uint8_t flags;
+};
+template <>
+struct Wire<RallyPoint> : Shape<175, 19, 19, 138> {};
+static_assert(sizeof(RallyPoint) == Wire<RallyPoint>::length_with_extensions, "RALLY_POINT");
+
+struct __attribute__((packed)) RallyFetchPoint {
+    uint8_t target_system;
+    uint8_t target_component;
+    uint8_t idx;
+};
+template <>
+struct Wire<RallyFetchPoint> : Shape<176, 3, 3, 234> {};
+static_assert(sizeof(RallyFetchPoint) == Wire<RallyFetchPoint>::length_with_extensions, "RALLY_FETCH_POINT");
 
 struct __attribute__((packed)) AutopilotVersionRequest {
     uint8_t target_system;
