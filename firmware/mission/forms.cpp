@@ -51,8 +51,8 @@ MissionResult encodeSpeed(const float* parameter, Record& record, Notes& notes) 
     return kFine;
 }
 void decodeSpeed(const Record& record, float* parameter) {
-    parameter[2] =
-        record.p4 != 0 ? static_cast<float>(record.p4) / 100 : static_cast<float>(record.p2);
+    const bool exact = record.p2 >= 0 && record.p4 != 0;  // below 0: no change, whatever p4 holds
+    parameter[2] = exact ? static_cast<float>(record.p4) / 100 : static_cast<float>(record.p2);
     parameter[3] = static_cast<float>(record.p3);
 }
 

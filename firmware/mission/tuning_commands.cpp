@@ -47,7 +47,7 @@ struct {
     uint8_t slot;
 } variable;
 
-bool sendVariable(Link& link) {
+bool sendVariableOn(Link& link) {
     uint16_t index;
     return !parameterOfSlot(variable.slot, index) || parameterSend(link, index);
 }
@@ -72,13 +72,8 @@ void changeMode(const Record& record) {
     if (mode != Mode::automatic) wishMode(mode);
 }
 
-void queryVariable(const Record& record) {
-    variable.slot = record.p1;
-    variable.asked[0] = true;
-    tellVariables();
-}
-
-void broadcastVariable(const Record& record) {
+// A query goes to every link, as a broadcast does: the ground station may be on any of them.
+void sendVariable(const Record& record) {
     for (bool& asked : variable.asked) asked = true;
     variable.slot = record.p1;
     tellVariables();
@@ -86,7 +81,7 @@ void broadcastVariable(const Record& record) {
 
 void tellVariables() {
     for (uint8_t i = 0; i < kLinks; ++i)
-        if (variable.asked[i] && sendVariable(links[i])) variable.asked[i] = false;
+        if (variable.asked[i] && sendVariableOn(links[i])) variable.asked[i] = false;
 }
 
 void switchRadio(const Record& record) { radio_off = record.p1 == 0; }

@@ -162,6 +162,24 @@ protected:
         pass();
         return entered;
     }
+    static void fly(const Items& items) {
+        ASSERT_EQ(upload(items), MissionResult::accepted);
+        ASSERT_TRUE(enterAuto());
+    }
+    // What an upload would have refused may still come with a flashed image.
+    static void storeImage(uint8_t set, const std::vector<mission::Record>& records) {
+        ASSERT_EQ(mission_store.begin(uint8_t(records.size()), set), core::Status::ok);
+        for (const auto& record : records) {
+            uint8_t bytes[mission::kRecordSize];
+            mission::pack(static_cast<mission::Set>(set), record, bytes);
+            ASSERT_EQ(mission_store.put(bytes), core::Status::ok);
+        }
+        core::Status status;
+        while ((status = mission_store.commit()) == core::Status::busy) {
+        }
+        ASSERT_EQ(status, core::Status::ok);
+        missionBoot();
+    }
     // A tenth of a second; guidance has seen the new path and is far from its end.
     static void pass(int times = 1) {
         for (int i = 0; i < times; ++i) {
