@@ -3,14 +3,20 @@
 # the sanitizers. Configured by fuzz.cmake with -DFUZZ=ON.
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g1")
+add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all)
+include_directories(${CMAKE_SOURCE_DIR}/host_tests/fakes ${CMAKE_SOURCE_DIR}
+                    ${CMAKE_SOURCE_DIR}/libraries ${CMAKE_SOURCE_DIR}/host_tests)
+
 file(GLOB_RECURSE fuzzed_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/libraries/*.cpp
-     ${CMAKE_SOURCE_DIR}/firmware/*.cpp ${CMAKE_SOURCE_DIR}/host_tests/fakes/*.cpp)
-list(FILTER fuzzed_sources EXCLUDE REGEX "(_test|/firmware/main)\\.cpp$")
-add_library(fuzzed OBJECT ${fuzzed_sources})
-target_include_directories(fuzzed PUBLIC ${CMAKE_SOURCE_DIR}/host_tests/fakes ${CMAKE_SOURCE_DIR}
-                           ${CMAKE_SOURCE_DIR}/libraries ${CMAKE_SOURCE_DIR}/host_tests)
-target_compile_options(fuzzed PUBLIC -fsanitize=fuzzer-no-link,address,undefined
-                       -fno-sanitize-recover=all)
+     ${CMAKE_SOURCE_DIR}/firmware/*.cpp)
+list(FILTER fuzzed_sources EXCLUDE REGEX /firmware/main\\.cpp$)
+add_library(fuzzed STATIC ${fuzzed_sources})
+file(GLOB fakes_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/fakes/*.cpp)
+list(FILTER fakes_sources EXCLUDE REGEX _test\\.cpp$)
+# behind what the firmware has itself
+add_library(fuzz_fakes STATIC ${fakes_sources})
+target_link_libraries(fuzzed PUBLIC fuzz_fakes)
+
 foreach(target parser handler conversation)
     add_executable(${target}_fuzz ${CMAKE_SOURCE_DIR}/host_tests/fuzz/${target}_fuzz.cpp)
     target_link_libraries(${target}_fuzz PRIVATE fuzzed)
