@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the demanded bank and pitch to the surfaces.
 #pragma once
+#include "core/fixed.hpp"
 
 namespace firmware {
 
 struct Surfaces {  // -1..1: right wing down, nose up, nose right
-    float aileron, elevator, rudder;
-    float throttle;  // 0..1
+    core::Fixed<14> aileron, elevator, rudder;
+    core::Fixed<14> throttle;  // 0..1
 };
 extern Surfaces surfaces;
 

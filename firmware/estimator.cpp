@@ -27,7 +27,7 @@ bool height_started;
 float home_height_m;  // of home above where the barometer was zeroed
 float true_speed_ratio = 1.0f;
 uint32_t baro_us, fix_ms, unfixed_ms;
-float gathered_s;   // since motion was last carried on
+uint8_t gathered;   // sample periods since motion was last carried on
 float baro_sum_pa;  // of baro_readings
 uint8_t baro_readings;
 
@@ -137,9 +137,10 @@ void useReference() {
 // The attitude gives a new acceleration every fourth frame.
 void propagateMotion() {
     const Vector3& acceleration_mss = attitude.acceleration_mss();
-    position.propagate(acceleration_mss, gathered_s);
-    height.propagate(-acceleration_mss.z, gathered_s);
-    gathered_s = 0;
+    const float dt_s = gathered * estimation::kSamplePeriod_s;
+    position.propagate(acceleration_mss, dt_s);
+    height.propagate(-acceleration_mss.z, dt_s);
+    gathered = 0;
 }
 
 void publishAttitude() {
@@ -202,16 +203,16 @@ void judgeFlying() {
 }  // namespace
 
 void runEstimator() {
-    if (!vehicle.imu.calibrated || vehicle.imu.dt_s <= 0) return;
+    if (!vehicle.imu.calibrated || vehicle.imu.periods == 0) return;
     if (!started) {
         attitude.start();
         wind.start();
         started = true;
     }
     const auto& imu = vehicle.imu;
-    attitude.propagate(imu.rate_rads, imu.accel_mss, imu.dt_s);
+    attitude.propagate({imu.turned, imu.rate_rads, imu.accel_mss, imu.periods});
     publishAttitude();
-    gathered_s += imu.dt_s;
+    gathered = imu.periods > 0xFF - gathered ? 0xFF : gathered + imu.periods;
     gatherBarometer();
     switch (attitude.frame() & 3) {
         case 1:
@@ -229,7 +230,7 @@ void runEstimator() {
     }
 }
 
-const Vector3& gyroDrift_rads() { return attitude.bias_rads(); }
+Vector3 gyroDrift_rads() { return attitude.bias_rads(); }
 
 void zeroHeight() {
     home_height_m = height.height_m();

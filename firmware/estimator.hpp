@@ -7,7 +7,7 @@ namespace firmware {
 
 void runEstimator();  // every frame, after the sensors
 
-const core::Vector3& gyroDrift_rads();  // learnt in flight, on top of the calibration
+core::Vector3 gyroDrift_rads();  // learnt in flight, on top of the calibration
 
 void zeroHeight();             // the airplane stands at height 0 now
 void shiftHeight(float by_m);  // added to every height from now on

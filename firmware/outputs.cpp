@@ -26,7 +26,10 @@ control::ServoRange range(uint8_t output) {
 
 uint16_t aileron_us() { return surfacePulse_us(range(0), surfaces.aileron); }
 uint16_t elevator_us() { return surfacePulse_us(range(1), surfaces.elevator); }
-uint16_t throttle_us() { return throttlePulse_us(range(2), vehicle.armed ? surfaces.throttle : 0); }
+uint16_t throttle_us() {
+    return throttlePulse_us(range(2),
+                            vehicle.armed ? surfaces.throttle : core::Fixed<14>::fromRaw(0));
+}
 uint16_t rudder_us() { return surfacePulse_us(range(3), surfaces.rudder); }
 
 using Pulse = uint16_t (*)();

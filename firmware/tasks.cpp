@@ -46,12 +46,12 @@ void everySecond();
 constexpr scheduler::Task kTasks[] ROM = {
     // run                 every  in     budget
     //                     frames frame  us
-    { runInertial,           1,     0,     850 },
+    { runInertial,           1,     0,    1050 },
     { runRadio,              1,     0,     200 },
-    { runEstimator,          1,     0,    2050 },
-    { runMode,               1,     0,     110 },
-    { runAttitudeControl,    1,     0,     950 },
-    { runOutputs,            1,     0,     280 },
+    { runEstimator,          1,     0,    2250 },
+    { runMode,               1,     0,     190 },
+    { runAttitudeControl,    1,     0,     800 },
+    { runOutputs,            1,     0,     200 },
     { endMode,               1,     0,       2 },
     { runBarometer,          1,     0,     200 },
     { runGps,                1,     0,     550 },

@@ -4,7 +4,9 @@
 #pragma once
 #include <stdint.h>
 
+#include "core/fixed.hpp"
 #include "core/maths.hpp"
+#include "estimation/motion.hpp"
 #include "geo/position.hpp"
 #include "hal/rc_input.hpp"
 #include "hal/servo_output.hpp"
@@ -39,9 +41,10 @@ enum class Sticks : uint8_t {
 struct Vehicle {
     // ---- sensors.cpp, every frame
     struct {
-        core::Vector3 rate_rads;  // body axes: x forward, y right, z down; bias removed
-        core::Vector3 accel_mss;  // specific force: (0, 0, -g) at rest and level
-        float dt_s;               // covered by this frame's samples
+        estimation::Turn turned;          // body axes: x forward, y right, z down; bias removed
+        core::FixedVector<10> rate_rads;  // the same, by the time
+        core::FixedVector<8> accel_mss;   // specific force: (0, 0, -g) at rest and level
+        uint8_t periods;                  // of estimation::kSamplePeriod_s in this frame's samples
         bool healthy;
         bool calibrated;  // gyro bias known
     } imu;
@@ -87,9 +90,9 @@ struct Vehicle {
 
     // ---- estimator.cpp, every frame
     struct {
-        float roll_rad, pitch_rad, yaw_rad;
-        float sin_roll, cos_roll, sin_pitch, cos_pitch;
-        core::Vector3 rate_rads;
+        core::Angle roll_rad, pitch_rad, yaw_rad;
+        core::Fixed<14> sin_roll, cos_roll, sin_pitch, cos_pitch;
+        core::FixedVector<10> rate_rads;
         bool aligned;
     } attitude;
     struct {
@@ -159,12 +162,13 @@ struct Vehicle {
     } progress;
 
     // ---- guidance.cpp or a mode, for attitude_control.cpp
-    float roll_demand_rad, pitch_demand_rad;
-    float throttle_demand;  // 0..1
-    float rudder_demand;    // -1..1, added by what stabilises: steers on the runway
+    core::Angle roll_demand_rad, pitch_demand_rad;
+    core::Fixed<14> throttle_demand;  // 0..1
+    core::Fixed<14> rudder_demand;    // -1..1, added by what stabilises: steers on the runway
     // ---- modes/, every frame
     Sticks sticks;
-    float pilot_roll_rad, pilot_pitch_rad;  // stick mixing: added to the demands, within the limits
+    core::Angle pilot_roll_rad,
+        pilot_pitch_rad;  // stick mixing: added to the demands, within the limits
 
     // ---- outputs.cpp
     uint16_t servo_us[hal::kServos];

@@ -52,7 +52,7 @@ void planTurns() {
 float turnAccel_mss() { return turn_accel_mss; }
 
 float presentBank_mss() {
-    const float cosine = core::limit(vehicle.attitude.cos_roll, 0.3f, 1.0f);
+    const float cosine = core::limit<float>(vehicle.attitude.cos_roll, 0.3f, 1.0f);
     const float tangent = core::limit(vehicle.attitude.sin_roll / cosine, -2.0f, 2.0f);
     return core::kGravity_mss * tangent - trim.accel_mss();
 }

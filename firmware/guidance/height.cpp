@@ -31,7 +31,7 @@ float pathAngle_rad() {
 float pathAcceleration_mss() {
     const auto& attitude = vehicle.attitude;
     const float path_rad = pathAngle_rad();
-    const float cosine = core::limit(attitude.cos_roll, 0.3f, 1.0f);
+    const float cosine = core::limit<float>(attitude.cos_roll, 0.3f, 1.0f);
     const float alpha_rad = core::limit((attitude.pitch_rad - path_rad) / cosine, -0.3f, 0.3f);
     return vehicle.imu.accel_mss.x + vehicle.imu.accel_mss.z * alpha_rad -
            core::kGravity_mss * path_rad;

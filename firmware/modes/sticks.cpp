@@ -13,15 +13,15 @@ constexpr float kPerFullStick = 1.0f / 4500.0f;
 
 }  // namespace
 
-float stickRoll_rad() {
+core::Angle stickRoll_rad() {
     const int16_t stick_cd = vehicle.radio.roll_cd;
-    if (stick_cd == 0) return 0;
+    if (stick_cd == 0) return core::Angle::fromRaw(0);
     return core::radiansFromCentidegrees(stick_cd * kPerFullStick * parameters.roll_limit_cd);
 }
 
-float stickPitch_rad() {
+core::Angle stickPitch_rad() {
     const int16_t stick_cd = vehicle.radio.pitch_cd;
-    if (stick_cd == 0) return 0;
+    if (stick_cd == 0) return core::Angle::fromRaw(0);
     const int16_t limit_cd = stick_cd > 0 ? parameters.pitch_max_cd : -parameters.pitch_min_cd;
     return core::radiansFromCentidegrees(stick_cd * kPerFullStick * limit_cd);
 }
@@ -30,8 +30,8 @@ float stickThrottle() { return vehicle.radio.throttle_pct * 0.01f; }
 
 void mixSticks() {
     const bool mixing = parameters.stick_mixing != 0 && !vehicle.radio.lost;
-    vehicle.pilot_roll_rad = mixing ? stickRoll_rad() : 0;
-    vehicle.pilot_pitch_rad = mixing ? stickPitch_rad() : 0;
+    vehicle.pilot_roll_rad = mixing ? stickRoll_rad() : core::Angle::fromRaw(0);
+    vehicle.pilot_pitch_rad = mixing ? stickPitch_rad() : core::Angle::fromRaw(0);
 }
 
 }  // namespace firmware

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the pilot's sticks demand in the modes that stabilise.
 #pragma once
+#include "core/fixed.hpp"
 
 namespace firmware {
 
-float stickRoll_rad();   // full stick: LIM_ROLL_CD
-float stickPitch_rad();  // full stick: LIM_PITCH_MAX or LIM_PITCH_MIN
-float stickThrottle();   // 0..1
+core::Angle stickRoll_rad();   // full stick: LIM_ROLL_CD
+core::Angle stickPitch_rad();  // full stick: LIM_PITCH_MAX or LIM_PITCH_MIN
+float stickThrottle();         // 0..1
 
 // Lets the pilot bend what an automatic mode demands: STICK_MIXING 1, off in a failsafe.
 void mixSticks();

@@ -2,7 +2,9 @@
 // Gyros and accelerometers. The gyros' zero is measured once at start while the airplane stands
 // still: moved, the measurement begins again.
 #include "board.hpp"
+#include "core/fixed.hpp"
 #include "core/maths.hpp"
+#include "core/rom.hpp"
 #include "drivers/mpu6000.hpp"
 #include "estimation/still.hpp"
 #include "firmware/parameters.hpp"
@@ -15,37 +17,133 @@
 namespace firmware {
 namespace {
 
-using core::Vector3;
+using estimation::Turn;
 
 drivers::Mpu6000<board::SensorBus, board::ImuSelect> imu;
 
 estimation::Still still;
+Turn zero;  // of the gyros, in a sample period
 
-// AHRS_TRIM: how the board sits in the airplane, a small rotation taken back.
-void level(Vector3& rate_rads, Vector3& force_mss) {
-    const float* by_rad = parameters.level_trim_rad;
-    if (by_rad[0] == 0 && by_rad[1] == 0) return;
-    const Vector3 trim = {by_rad[0], by_rad[1], 0};
-    rate_rads = rate_rads + core::cross(trim, rate_rads);
-    force_mss = force_mss + core::cross(trim, force_mss);
+// How an axis of the accelerometers reads: from twice the sum of two samples to 2^-9 m/s2.
+struct Reading {
+    int16_t factor, offset;
+};
+Reading readings[3];
+int16_t trim_x, trim_y;  // AHRS_TRIM in 2^-15 rad
+uint8_t refreshed;
+
+int16_t trim(float rad) {
+    constexpr float kMost_rad = 0.2f;
+    return static_cast<int16_t>(core::limit(rad, -kMost_rad, kMost_rad) * 32768);
+}
+void takeTrim() {
+    trim_x = trim(parameters.level_trim_rad[0]);
+    trim_y = trim(parameters.level_trim_rad[1]);
 }
 
-void correct(Vector3& force_mss) {
-    const float* offset = parameters.accel_offset_mss;
-    const float* scale = parameters.accel_scale;
-    force_mss.x = (force_mss.x - offset[0]) * scale[0];
-    force_mss.y = (force_mss.y - offset[1]) * scale[1];
-    force_mss.z = (force_mss.z - offset[2]) * scale[2];
+// A parameter is felt within a third of a second.
+void refreshReading() {
+    constexpr float kFactor = drivers::kForceStep_mss / 4 * 512 * 65536;
+    refreshed = (refreshed + 1) & 31;
+    if (refreshed == core::count(readings)) return takeTrim();
+    if (refreshed > core::count(readings)) return;
+    const float scale = core::limit(parameters.accel_scale[refreshed], -1.5f, 1.5f);
+    const core::Fixed<9> offset = parameters.accel_offset_mss[refreshed] * scale;
+    readings[refreshed] = {static_cast<int16_t>(core::rounded(scale * kFactor)), offset.raw};
+}
+
+// In two periods.
+int32_t turned(int32_t two, int32_t zero_here) {
+    constexpr float kFactor = drivers::kRateStep_rads * estimation::kSamplePeriod_s * Turn::kSteps;
+    return two * static_cast<int32_t>(kFactor + 0.5f) - zero_here * 2;
+}
+
+__attribute__((noinline)) core::Fixed<10> rate_rads(int32_t turned_in_two) {
+    constexpr float kFactor = 1024 / (2 * estimation::kSamplePeriod_s) / Turn::kSteps * 4096;
+    constexpr int32_t kMost = 0x7FF0000;
+    const int32_t rate = core::times16(turned_in_two, static_cast<int16_t>(kFactor * 65536 + 0.5f));
+    return core::Fixed<10>::fromRaw(core::upper(16 * core::limit(rate, -kMost, kMost)));
+}
+
+// 2^-9 m/s2
+int32_t force(int32_t two, const Reading& reading) {
+    return core::times16(two * 2, reading.factor) - reading.offset;
+}
+
+__attribute__((noinline)) core::Fixed<8> force_mss(int32_t force) {
+    return core::Fixed<8>::fromRaw((force + 1) >> 1);
+}
+
+// AHRS_TRIM: how the board sits in the airplane, a small rotation taken back.
+__attribute__((noinline)) void level(Turn& v) {
+    if (trim_x == 0 && trim_y == 0) return;
+    const Turn old = v;
+    v.of[0] += 2 * core::times16(old.of[2], trim_y);
+    v.of[1] -= 2 * core::times16(old.of[2], trim_x);
+    v.of[2] += 2 * (core::times16(old.of[1], trim_x) - core::times16(old.of[0], trim_y));
+}
+
+// Of two samples, as there nearly always are.
+void makeTwo(drivers::ImuSums& sums) {
+    if (sums.count == 2) return;
+    for (uint8_t i = 0; i < 3; ++i) {
+        sums.rate[i] = sums.rate[i] * 2 / sums.count;
+        sums.force[i] = sums.force[i] * 2 / sums.count;
+    }
+}
+
+// After a longer gap nobody knows.
+void stretch(Turn& turn, uint8_t periods) {
+    constexpr uint8_t kMost = 4;
+    if (periods == 2) return;
+    if (periods > kMost) periods = kMost;
+    for (int32_t& axis : turn.of) axis = axis / 2 * periods;
+}
+
+core::Vector3 mean(const int32_t (&sums)[3], float a_step) {
+    return core::Vector3{static_cast<float>(sums[0]), static_cast<float>(sums[1]),
+                         static_cast<float>(sums[2])} *
+           a_step;
+}
+
+void findZero(const drivers::ImuSums& sums) {
+    const bool found = still.update(mean(sums.rate, drivers::kRateStep_rads / sums.count),
+                                    mean(sums.force, drivers::kForceStep_mss / sums.count),
+                                    sums.periods * estimation::kSamplePeriod_s);
+    if (!found) return;
+    const core::Vector3 in_period =
+        still.zero_rads() * (estimation::kSamplePeriod_s * Turn::kSteps);
+    zero = {{core::rounded(in_period.x), core::rounded(in_period.y), core::rounded(in_period.z)}};
+}
+
+void use(drivers::ImuSums& sums) {
+    auto& to = vehicle.imu;
+    makeTwo(sums);
+    Turn felt;
+    for (uint8_t i = 0; i < 3; ++i) {
+        to.turned.of[i] = turned(sums.rate[i], zero.of[i]);
+        felt.of[i] = force(sums.force[i], readings[i]);
+    }
+    level(to.turned);
+    to.rate_rads = {rate_rads(to.turned.of[0]), rate_rads(to.turned.of[1]),
+                    rate_rads(to.turned.of[2])};
+    stretch(to.turned, sums.periods);
+    level(felt);
+    to.accel_mss = {force_mss(felt.of[0]), force_mss(felt.of[1]), force_mss(felt.of[2])};
 }
 
 }  // namespace
 
-void startInertial() { imu.start(); }
+void startInertial() {
+    imu.start();
+    for (refreshed = 31; refreshed != core::count(readings);) refreshReading();
+}
 
 void calibrateGyros() {
     if (vehicle.armed) return;
     vehicle.imu.calibrated = false;
     still.start();
+    zero = {};
 }
 
 uint8_t inertialSamplesWaiting() { return imu.waiting(); }
@@ -55,18 +153,16 @@ void runInertial() {
     auto& to = vehicle.imu;
     imu.step(hal::now_ms());
     to.healthy = imu.healthy();
-    drivers::ImuSample sample;
-    if (!imu.take(sample)) {
-        to.dt_s = 0;
+    drivers::ImuSums sums;
+    if (!imu.take(sums)) {
+        to.periods = 0;
         return;
     }
-    to.dt_s = sample.periods * (imu.kPeriod_us * 1e-6f);
-    if (!still.done()) still.update(sample.rate_rads, sample.force_mss, to.dt_s);
+    to.periods = sums.periods;
+    if (!still.done()) findZero(sums);
     to.calibrated = still.done();
-    to.rate_rads = sample.rate_rads - still.zero_rads();
-    to.accel_mss = sample.force_mss;
-    correct(to.accel_mss);
-    level(to.rate_rads, to.accel_mss);
+    refreshReading();
+    use(sums);
 }
 
 }  // namespace firmware

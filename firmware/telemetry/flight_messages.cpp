@@ -68,7 +68,7 @@ bool fillIn(const Link&, mavlink::VfrHud& to) {
     to.climb = vehicle.estimate.climb_mps;
     to.heading = static_cast<int16_t>(heading_cd() / 100);
     to.throttle = static_cast<uint16_t>(
-        core::rounded(core::limit(vehicle.throttle_demand, 0.0f, 1.0f) * 100));
+        core::rounded(core::limit<float>(vehicle.throttle_demand, 0.0f, 1.0f) * 100));
     return true;
 }
 

@@ -141,6 +141,7 @@ bool telemetryPump() {
     return done;
 }
 
-bool telemetryWaits() { return waits<0>() || waits<1>(); }
+// asked some thousand times a second: nothing in it is called
+__attribute__((flatten)) bool telemetryWaits() { return waits<0>() || waits<1>(); }
 
 }  // namespace firmware

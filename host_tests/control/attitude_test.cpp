@@ -13,18 +13,20 @@ using control::AxisState;
 constexpr float kDegree = 3.14159265f / 180;
 constexpr control::TurnRates kStraight{0, 0};
 constexpr float kFrame_s = 0.01f;
+constexpr uint8_t kPeriods = 2;
+constexpr float kSteps = 2e-4f;  // what the fixed point of gains and rates loses
+
+float integrator(const AxisState& state) { return std::ldexp(float(state.integrator), -30); }
 
 AirFlow at(float airspeed_mps) { return control::airFlow(15, airspeed_mps, 9); }
 
 float deflect(const control::RollSettings& settings, AxisState& state, const AirFlow& air,
               float error_rad, float rate_rads) {
-    return rollDeflection(settings, axisGains(settings.axis), state, air, error_rad, rate_rads,
-                          kFrame_s);
+    return rollDeflection(rollGains(settings), state, air, error_rad, rate_rads, kPeriods);
 }
 float deflect(const control::PitchSettings& settings, AxisState& state, const AirFlow& air,
               const control::TurnRates& turn, float error_rad, float rate_rads) {
-    return pitchDeflection(settings, axisGains(settings.axis), state, air, turn, error_rad,
-                           rate_rads, kFrame_s);
+    return pitchDeflection(pitchGains(settings), state, air, turn, error_rad, rate_rads, kPeriods);
 }
 
 control::RollSettings roll() { return {{0.5f, 0.4f, 0.04f, 0.02f, 3000}, 0}; }
@@ -34,7 +36,7 @@ TEST(AirFlow, scales_by_the_scaling_speed_over_the_airspeed_within_half_and_twic
     EXPECT_FLOAT_EQ(at(15).speed_scale, 1.0f);
     EXPECT_FLOAT_EQ(at(10).speed_scale, 1.5f);
     EXPECT_FLOAT_EQ(at(60).speed_scale, 0.5f);
-    EXPECT_FLOAT_EQ(at(3).speed_scale, 2.0f);
+    EXPECT_NEAR(at(3).speed_scale, 2.0f, 1e-4);
     EXPECT_FLOAT_EQ(at(0).inverse_airspeed_spm, 1 / 3.0f);
     EXPECT_TRUE(at(8.9f).too_slow);
     EXPECT_FALSE(at(9).too_slow);
@@ -47,7 +49,7 @@ TEST(Roll, p_degrees_of_surface_answer_a_degree_of_angle_at_the_scaling_speed) {
 
     // feed-forward (P*T - D) of the rate E/T, and D of it: P*E in all, of 45 degrees
     const float deflection = deflect(settings, state, at(15), 10 * kDegree, 0);
-    EXPECT_NEAR(deflection, 0.4f * 10 / 45, 1e-4);
+    EXPECT_NEAR(deflection, 0.4f * 10 / 45, kSteps);
 }
 
 TEST(Roll, rate_is_damped) {
@@ -55,9 +57,9 @@ TEST(Roll, rate_is_damped) {
     auto settings = roll();
     settings.axis.i = 0;
 
-    EXPECT_NEAR(deflect(settings, state, at(15), 0, 90 * kDegree), -0.02f * 90 / 45, 1e-4);
+    EXPECT_NEAR(deflect(settings, state, at(15), 0, 90 * kDegree), -0.02f * 90 / 45, kSteps);
     EXPECT_NEAR(deflect(settings, state, at(10), 0, 90 * kDegree), -0.02f * 90 / 45 * 1.5f * 1.5f,
-                1e-4);
+                2 * kSteps);
 }
 
 TEST(Roll, the_demanded_rate_is_limited_when_a_limit_is_set) {
@@ -77,9 +79,9 @@ TEST(Roll, the_integrator_takes_a_lasting_error_away_and_stays_within_its_limit)
     settings.axis.i = 0.2f;
     settings.axis.integrator_max_cd = 900;
     for (int i = 0; i < 100; ++i) deflect(settings, state, at(15), 5 * kDegree, 0);
-    EXPECT_NEAR(state.integrator, 0.2f * 5 / 45, 2e-3);
+    EXPECT_NEAR(integrator(state), 0.2f * 5 / 45, 2e-3);
     for (int i = 0; i < 5000; ++i) deflect(settings, state, at(15), 5 * kDegree, 0);
-    EXPECT_FLOAT_EQ(state.integrator, 0.2f);
+    EXPECT_NEAR(integrator(state), 0.2f, kSteps);
 }
 
 TEST(Roll, the_integrator_does_not_wind_up_behind_a_full_surface) {
@@ -90,17 +92,17 @@ TEST(Roll, the_integrator_does_not_wind_up_behind_a_full_surface) {
         const float deflection = deflect(settings, state, at(15), 170 * kDegree, 0);
         ASSERT_LE(deflection, 1.0f);
     }
-    EXPECT_LT(state.integrator, 0.05f);
+    EXPECT_LT(integrator(state), 0.05f);
     deflect(settings, state, at(15), -30 * kDegree, 0);
-    const float before = state.integrator;
+    const float before = integrator(state);
     deflect(settings, state, at(15), -30 * kDegree, 0);
-    EXPECT_LT(state.integrator, before) << "and it comes back at once";
+    EXPECT_LT(integrator(state), before) << "and it comes back at once";
 }
 
 TEST(Roll, the_integrator_rests_below_flying_speed) {
     AxisState state;
     for (int i = 0; i < 500; ++i) deflect(roll(), state, at(4), 20 * kDegree, 0);
-    EXPECT_FLOAT_EQ(state.integrator, 0);
+    EXPECT_FLOAT_EQ(integrator(state), 0);
 }
 
 TEST(Pitch, up_and_down_rates_have_limits_of_their_own) {
@@ -112,7 +114,7 @@ TEST(Pitch, up_and_down_rates_have_limits_of_their_own) {
     const float raise = deflect(settings, up, at(15), kStraight, 1, 0);
     const float lower = deflect(settings, down, at(15), kStraight, -1, 0);
 
-    EXPECT_NEAR(raise / lower, -2, 1e-3);
+    EXPECT_NEAR(raise / lower, -2, 1e-2);
 }
 
 TEST(Pitch, a_turn_adds_the_rate_that_holds_the_nose_on_the_horizon) {
@@ -120,7 +122,7 @@ TEST(Pitch, a_turn_adds_the_rate_that_holds_the_nose_on_the_horizon) {
     settings.axis.i = 0;
     const float bank = 45 * kDegree;
     const auto turn = turnRates(at(15), std::sin(bank), std::cos(bank), 1);
-    EXPECT_NEAR(turn.pitch_rads, 9.80665f / 15 * std::tan(bank) * std::sin(bank), 1e-5);
+    EXPECT_NEAR(turn.pitch_rads, 9.80665f / 15 * std::tan(bank) * std::sin(bank), 1e-3);
     AxisState state;
 
     // at exactly that rate there is nothing to correct: feed-forward is all

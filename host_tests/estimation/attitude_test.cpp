@@ -48,6 +48,16 @@ struct Sources {
     double scored_s = 12;     // from this time on
 };
 
+estimation::Motion motion(const core::Vector3& rate_rads, const core::Vector3& force_mss) {
+    const auto turned = [](float rate) {
+        return static_cast<int32_t>(rate * 0.01f * estimation::Turn::kSteps);
+    };
+    return {{{turned(rate_rads.x), turned(rate_rads.y), turned(rate_rads.z)}},
+            {rate_rads.x, rate_rads.y, rate_rads.z},
+            {force_mss.x, force_mss.y, force_mss.z},
+            2};
+}
+
 // The estimator fed as the firmware feeds it: 100 Hz of pairs of samples, compass 50 Hz, GPS 5 Hz.
 Figures fly(Flight& flight, const Sources& sources, Attitude& attitude) {
     AttitudeSettings settings;
@@ -64,7 +74,7 @@ Figures fly(Flight& flight, const Sources& sources, Attitude& attitude) {
         }
         still.update(flight::single(rate), flight::single(force), 0.01f);
         if (!still.done()) continue;
-        attitude.propagate(flight::single(rate) - still.zero_rads(), flight::single(force), 0.01f);
+        attitude.propagate(motion(flight::single(rate) - still.zero_rads(), flight::single(force)));
         if (frame % 2 == 0 && sources.compass) {
             attitude.useCompass(flight::single(flight.compass()), settings);
         }

@@ -34,7 +34,7 @@ protected:
     void frame(float acceleration_mss) {
         speed_mps_ += acceleration_mss * 0.01f;
         travelled_m_ += speed_mps_ * 0.01f;
-        vehicle.imu.dt_s = 0.01f;
+        vehicle.imu.periods = 2;
         vehicle.imu.accel_mss = {acceleration_mss, 0, -core::kGravity_mss};
         ++frame_;
         if (frame_ % 2 == 0) {

@@ -94,8 +94,8 @@ TEST_F(Guidance, does_nothing_in_a_mode_that_does_not_guide_itself) {
     demand(Path::leg);
     firmware::runGuidance();
     firmware::runSpeedHeight();
-    EXPECT_EQ(vehicle.roll_demand_rad, 0.1f);
-    EXPECT_EQ(vehicle.throttle_demand, 0.2f);
+    EXPECT_NEAR(vehicle.roll_demand_rad, 0.1f, 1e-4);
+    EXPECT_NEAR(vehicle.throttle_demand, 0.2f, 1e-4);
     EXPECT_TRUE(vehicle.demand.new_path);
 }
 
@@ -245,7 +245,7 @@ TEST_F(Guidance, flares_without_throttle_and_with_level_wings) {
     guide(11);
     EXPECT_TRUE(vehicle.progress.flaring);
     EXPECT_EQ(vehicle.throttle_demand, 0);
-    EXPECT_FLOAT_EQ(vehicle.roll_demand_rad, -core::radians(parameters.level_roll_limit_deg));
+    EXPECT_NEAR(vehicle.roll_demand_rad, -core::radians(parameters.level_roll_limit_deg), 1e-4);
     EXPECT_GE(vehicle.pitch_demand_rad, core::radiansFromCentidegrees(parameters.land_pitch_cd));
 }
 
@@ -312,7 +312,7 @@ TEST_F(Guidance, banks_no_more_than_the_wings_carry_when_it_is_slow) {
     place(100, -200);
     guide();
     const float most_rad = core::radiansFromCentidegrees(parameters.roll_limit_cd);
-    EXPECT_FLOAT_EQ(vehicle.roll_demand_rad, most_rad);
+    EXPECT_NEAR(vehicle.roll_demand_rad, most_rad, 1e-4);
     vehicle.estimate.equivalent_airspeed_mps = parameters.speed_min_mps;
     guide();
     EXPECT_NEAR(vehicle.roll_demand_rad, core::radians(25), 0.01);

@@ -448,11 +448,11 @@ TEST_F(Telemetry, the_sticks_and_the_board_find_their_middle) {
     vehicle.attitude.aligned = true;
     firmware::parameters.level_trim_rad[0] = 0.01f;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::accepted);
-    EXPECT_FLOAT_EQ(firmware::parameters.level_trim_rad[0], 0.03f);
-    EXPECT_FLOAT_EQ(firmware::parameters.level_trim_rad[1], -0.03f);
+    EXPECT_NEAR(firmware::parameters.level_trim_rad[0], 0.03f, 1e-4);
+    EXPECT_NEAR(firmware::parameters.level_trim_rad[1], -0.03f, 1e-4);
     vehicle.attitude.roll_rad = 0.5f;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::failed);
-    EXPECT_FLOAT_EQ(firmware::parameters.level_trim_rad[0], 0.03f);
+    EXPECT_NEAR(firmware::parameters.level_trim_rad[0], 0.03f, 1e-4);
 }
 
 TEST_F(Telemetry, the_compass_is_given_its_offsets) {

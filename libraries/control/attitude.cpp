@@ -10,43 +10,39 @@ constexpr float kSteepest_cos = 0.17f;  // 80 degrees: beyond, the turn's rate i
 constexpr float kYawHighPass_rads = 0.2f;
 constexpr float kSlipPerAccel = 0.01f;  // deflection for a m/s2 at SLIP 1, INT 1
 
-float limited_rads(float rate_rads, int16_t up_dps, int16_t down_dps) {
-    if (up_dps > 0 && rate_rads > core::radians(up_dps)) return core::radians(up_dps);
-    if (down_dps > 0 && rate_rads < -core::radians(down_dps)) return -core::radians(down_dps);
-    return rate_rads;
-}
-
 }  // namespace
 
-float rollDeflection(const RollSettings& settings, const AxisGains& gains, AxisState& state,
-                     const AirFlow& air, float error_rad, float rate_rads, float dt_s) {
-    const float demand_rads = limited_rads(error_rad * gains.rate_per_error, settings.rate_max_dps,
-                                           settings.rate_max_dps);
-    return axisDeflection(gains, settings.axis.integrator_max_cd, state, air, demand_rads,
-                          rate_rads, dt_s);
+core::Fixed<14> rollDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
+                               core::Angle error_rad, core::Fixed<10> rate_rads, uint8_t periods) {
+    return axisDeflection(gains, state, air, demandedRate_rads(gains, error_rad), rate_rads,
+                          periods);
 }
 
 TurnRates turnRates(const AirFlow& air, float sin_roll, float cos_roll, float cos_pitch) {
     // g / V * tan(bank) about the vertical, sin(bank) of it about the wing
     const float yaw_rads = core::kGravity_mss * air.inverse_airspeed_spm * cos_pitch * sin_roll;
     // inverted the nose must not be pulled through
-    if (cos_roll <= 0) return {0, yaw_rads};
+    if (cos_roll <= 0) return {0.0f, yaw_rads};
     return {yaw_rads * sin_roll / core::limit(cos_roll, kSteepest_cos, 1.0f), yaw_rads};
 }
 
-float pitchDeflection(const PitchSettings& settings, const AxisGains& gains, AxisState& state,
-                      const AirFlow& air, const TurnRates& turn, float error_rad, float rate_rads,
-                      float dt_s) {
-    const float demand_rads = limited_rads(error_rad * gains.rate_per_error,
-                                           settings.rate_max_up_dps, settings.rate_max_down_dps) +
-                              settings.turn_compensation * turn.pitch_rads;
-    return axisDeflection(gains, settings.axis.integrator_max_cd, state, air, demand_rads,
-                          rate_rads, dt_s);
+core::Fixed<14> pitchDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
+                                const TurnRates& turn, core::Angle error_rad,
+                                core::Fixed<10> rate_rads, uint8_t periods) {
+    const int16_t held =
+        core::upper(16 * core::product(gains.turn_compensation.raw, turn.pitch_rads.raw));
+    const auto demand_rads =
+        core::Fixed<10>::fromRaw(int32_t{demandedRate_rads(gains, error_rad).raw} + held);
+    return axisDeflection(gains, state, air, demand_rads, rate_rads, periods);
+}
+
+bool yawUsed(const YawSettings& settings) {
+    return settings.damping > 0 || settings.slip > 0 || settings.integral > 0;
 }
 
 float yawDeflection(const YawSettings& settings, YawState& state, const AirFlow& air,
                     const TurnRates& turn, float rate_rads, float lateral_accel_mss, float dt_s) {
-    if (settings.damping <= 0 && settings.slip <= 0 && settings.integral <= 0) return 0;
+    if (!yawUsed(settings)) return 0;
     const float error_rads = turn.yaw_rads * settings.coordination - rate_rads;
     // high pass: what stays is the turn's or the gyro's, not to be damped
     state.high_passed_rads += error_rads - state.last_error_rads;
@@ -64,7 +60,7 @@ float yawDeflection(const YawSettings& settings, YawState& state, const AirFlow&
         state.integrator = core::limit(state.integrator + step * dt_s, -limit, limit);
     }
     const float output =
-        (state.high_passed_rads * settings.damping - slip) * core::square(air.speed_scale) +
+        (state.high_passed_rads * settings.damping - slip) * core::square<float>(air.speed_scale) +
         state.integrator;
     return core::limit(output, -1.0f, 1.0f);
 }

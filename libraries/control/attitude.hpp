@@ -8,20 +8,21 @@
 namespace control {
 
 // Right wing down is positive.
-float rollDeflection(const RollSettings& settings, const AxisGains& gains, AxisState& state,
-                     const AirFlow& air, float error_rad, float rate_rads, float dt_s);
+core::Fixed<14> rollDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
+                               core::Angle error_rad, core::Fixed<10> rate_rads, uint8_t periods);
 
 // The body rates of a coordinated turn with the present bank. In it the nose has to come up along
 // the horizon without the pitch angle changing.
 struct TurnRates {
-    float pitch_rads, yaw_rads;
+    core::Fixed<10> pitch_rads;
+    float yaw_rads;
 };
 TurnRates turnRates(const AirFlow& air, float sin_roll, float cos_roll, float cos_pitch);
 
 // Nose up is positive.
-float pitchDeflection(const PitchSettings& settings, const AxisGains& gains, AxisState& state,
-                      const AirFlow& air, const TurnRates& turn, float error_rad, float rate_rads,
-                      float dt_s);
+core::Fixed<14> pitchDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
+                                const TurnRates& turn, core::Angle error_rad,
+                                core::Fixed<10> rate_rads, uint8_t periods);
 
 struct YawState {
     float high_passed_rads = 0;
@@ -29,8 +30,8 @@ struct YawState {
     float integrator = 0;
 };
 
-// Nose right is positive. Damps what the turn does not ask for, and takes side-slip away. Costs
-// nothing while its gains are 0.
+bool yawUsed(const YawSettings& settings);  // yawDeflection is always 0 otherwise
+// Nose right is positive. Damps what the turn does not ask for, and takes side-slip away.
 float yawDeflection(const YawSettings& settings, YawState& state, const AirFlow& air,
                     const TurnRates& turn, float rate_rads, float lateral_accel_mss, float dt_s);
 

@@ -9,7 +9,43 @@ namespace {
 // Gains are degrees of surface for degrees of angle, and 45 degrees are all of a surface.
 constexpr float kFullPerRadian = 4.0f / core::kPi;
 constexpr float kFullPerCentidegree = 1.0f / 4500.0f;
+constexpr float kTwoPeriods_s = 0.01f;
 constexpr float kSlowest_mps = 3.0f;  // nothing divides by less
+
+constexpr int16_t kMostRate = 15872;       // 15.5 rad/s; times 2 it fills 16 bits
+constexpr int32_t kMostDirect = 1L << 24;  // four times full deflection
+
+core::Fixed<10> limit_rads(int16_t dps) {
+    return dps > 0 ? core::radians(dps) : kMostRate * (1.0f / 1024);
+}
+
+AxisGains axisGains(const AxisSettings& settings) {
+    const float time_constant_s = core::limit(settings.time_constant_s, 0.1f, 10.0f);
+    const float integral = settings.i * time_constant_s;
+    const float feed_forward = (settings.p - integral) * time_constant_s - settings.d;
+    AxisGains gains;
+    constexpr float kRateSteps = 1024 / core::Angle::kSteps * 32768;
+    gains.rate_per_error = static_cast<int16_t>(kRateSteps / time_constant_s);
+    gains.turn_compensation = 0;
+    gains.feed_forward = feed_forward > 0 ? feed_forward * kFullPerRadian : 0.0f;
+    gains.damping = settings.d * kFullPerRadian;
+    gains.integral = integral * (kFullPerRadian * kTwoPeriods_s);
+    gains.integrator_max =
+        core::limit(settings.integrator_max_cd * kFullPerCentidegree, 0.0f, 1.0f);
+    return gains;
+}
+
+// `felt`: the rate's error at the scaling speed, 2^-10 rad/s.
+void integrate(const AxisGains& gains, AxisState& state, const AirFlow& air, int16_t felt,
+               uint8_t periods) {
+    int32_t step = core::product(felt, core::times14(gains.integral.raw, air.speed_scale.raw));
+    if (periods != 2) step = step / 8 * core::limit<uint8_t>(periods, 0, 8) * 4;
+    constexpr int32_t kFull = 1L << 20;
+    if ((state.last_output > kFull && step > 0) || (state.last_output < -kFull && step < 0))
+        return;  // it would wind up
+    const int32_t most = int32_t{gains.integrator_max.raw} * 65536;
+    state.integrator = core::limit(state.integrator + step, -most, most);
+}
 
 }  // namespace
 
@@ -19,29 +55,45 @@ AirFlow airFlow(float scaling_speed_mps, float airspeed_mps, float lowest_flying
             airspeed_mps < lowest_flying_mps};
 }
 
-AxisGains axisGains(const AxisSettings& settings) {
-    const float time_constant_s = core::limit(settings.time_constant_s, 0.1f, 10.0f);
-    const float integral = settings.i * time_constant_s;
-    const float feed_forward = (settings.p - integral) * time_constant_s - settings.d;
-    return {1.0f / time_constant_s, feed_forward > 0 ? feed_forward * kFullPerRadian : 0.0f,
-            settings.d * kFullPerRadian, integral * kFullPerRadian};
+AxisGains rollGains(const RollSettings& settings) {
+    AxisGains gains = axisGains(settings.axis);
+    gains.most_up_rads = gains.most_down_rads = limit_rads(settings.rate_max_dps);
+    return gains;
 }
 
-float axisDeflection(const AxisGains& gains, int16_t integrator_max_cd, AxisState& state,
-                     const AirFlow& air, float rate_demand_rads, float rate_rads, float dt_s) {
-    const float error_rads = (rate_demand_rads - rate_rads) * air.speed_scale;
-    if (gains.integral <= 0) {
+AxisGains pitchGains(const PitchSettings& settings) {
+    AxisGains gains = axisGains(settings.axis);
+    gains.most_up_rads = limit_rads(settings.rate_max_up_dps);
+    gains.most_down_rads = limit_rads(settings.rate_max_down_dps);
+    gains.turn_compensation = settings.turn_compensation;
+    return gains;
+}
+
+core::Fixed<10> demandedRate_rads(const AxisGains& gains, core::Angle error_rad) {
+    const int16_t rate = core::upper(2 * core::product(error_rad.raw, gains.rate_per_error));
+    return core::Fixed<10>::fromRaw(
+        core::limit<int16_t>(rate, -gains.most_down_rads.raw, gains.most_up_rads.raw));
+}
+
+core::Fixed<14> axisDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
+                               core::Fixed<10> demand_rads, core::Fixed<10> rate_rads,
+                               uint8_t periods) {
+    const int16_t scale = air.speed_scale.raw;
+    const int16_t demand = core::limit<int16_t>(demand_rads.raw, -kMostRate, kMostRate);
+    const int16_t error = static_cast<int16_t>(
+        core::limit<int32_t>(int32_t{demand} - rate_rads.raw, -kMostRate, kMostRate));
+    const int16_t felt = core::times14(error, scale);
+    if (gains.integral.raw <= 0) {
         state.integrator = 0;
     } else if (!air.too_slow) {
-        const float step = error_rads * gains.integral * air.speed_scale * dt_s;
-        const bool winds_up =
-            (state.last_output > 1 && step > 0) || (state.last_output < -1 && step < 0);
-        const float limit = integrator_max_cd * kFullPerCentidegree;
-        if (!winds_up) state.integrator = core::limit(state.integrator + step, -limit, limit);
+        integrate(gains, state, air, felt, periods);
     }
-    const float direct = gains.damping * error_rads + gains.feed_forward * rate_demand_rads;
-    state.last_output = direct * air.speed_scale + state.integrator;
-    return core::limit(state.last_output, -1.0f, 1.0f);
+    const int32_t direct =
+        core::product(gains.damping.raw, felt) + core::product(gains.feed_forward.raw, demand);
+    state.last_output = core::times16(core::limit(direct, -kMostDirect, kMostDirect), scale) +
+                        (state.integrator >> 10);
+    constexpr int32_t kFull = 1L << 20;
+    return core::Fixed<14>::fromRaw((core::limit(state.last_output, -kFull, kFull) + 32) >> 6);
 }
 
 }  // namespace control

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The loop that roll and pitch share: from a demanded rate to a deflection of -1..1. Feed-forward
 // falls with the airspeed, damping with its square, as the airplane's own moments grow.
-// What changes slowly is prepared at a lower rate: a division costs as much as four products.
+// What changes slowly is prepared in floats at a lower rate; the loop itself is fixed point.
 #pragma once
 #include "control/settings.hpp"
+#include "core/fixed.hpp"
 
 namespace control {
 
 // How the air is felt: the same for all loops.
 struct AirFlow {
-    float speed_scale;  // SCALING_SPEED over airspeed, within 0.5 .. 2
+    core::Fixed<14> speed_scale;  // SCALING_SPEED over airspeed, within 0.5 .. 2
     float inverse_airspeed_spm;
     bool too_slow;  // below the lowest flying speed integrators rest
 };
@@ -17,20 +18,27 @@ AirFlow airFlow(float scaling_speed_mps, float airspeed_mps, float lowest_flying
 
 // Of full deflection and radians, at the scaling speed.
 struct AxisGains {
-    float rate_per_error;
-    float feed_forward;
-    float damping;
-    float integral;
+    int16_t rate_per_error;  // from an Angle's steps to a rate's, in 2^-15
+    core::Fixed<10> most_up_rads, most_down_rads;
+    core::Fixed<12> turn_compensation;
+    core::Fixed<12> feed_forward, damping;
+    core::Fixed<20> integral;  // in two sample periods
+    core::Fixed<14> integrator_max;
 };
-AxisGains axisGains(const AxisSettings& settings);
+AxisGains rollGains(const RollSettings& settings);
+AxisGains pitchGains(const PitchSettings& settings);
 
 struct AxisState {
-    float integrator = 0;   // of full deflection
-    float last_output = 0;  // before it was limited
+    int32_t integrator = 0;   // of full deflection, 2^-30
+    int32_t last_output = 0;  // before it was limited, 2^-20
 };
 
-// `rate_demand_rads` includes the error times rate_per_error. Limited to -1..1.
-float axisDeflection(const AxisGains& gains, int16_t integrator_max_cd, AxisState& state,
-                     const AirFlow& air, float rate_demand_rads, float rate_rads, float dt_s);
+// The rate that takes an error away, within the limits.
+core::Fixed<10> demandedRate_rads(const AxisGains& gains, core::Angle error_rad);
+
+// `periods` of 5 ms. Limited to -1..1.
+core::Fixed<14> axisDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
+                               core::Fixed<10> demand_rads, core::Fixed<10> rate_rads,
+                               uint8_t periods);
 
 }  // namespace control

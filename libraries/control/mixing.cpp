@@ -20,29 +20,22 @@ constexpr Signs kPairs[kPairKinds] ROM = {
 };
 // clang-format on
 
-// -1..1 in steps of 2^-14
-int16_t fixed(float value) { return static_cast<int16_t>(value * 16384.0f); }
-// Rounded. Times four, the result lies in the upper half, which costs no shift.
-int16_t share(int16_t whole, int16_t of_fixed) {
-    const int32_t product = static_cast<int32_t>(whole) * of_fixed;
-    return static_cast<int16_t>((product * 4 + 0x8000) >> 16);
-}
+constexpr int16_t kFull = 16384;
 
 }  // namespace
 
-// Pulses are reckoned in integers, a float costs ten times as much.
-uint16_t surfacePulse_us(const ServoRange& range, float deflection) {
-    int16_t wanted = fixed(core::limit(deflection, -1.0f, 1.0f));
+uint16_t surfacePulse_us(const ServoRange& range, core::Fixed<14> deflection) {
+    int16_t wanted = core::limit<int16_t>(deflection.raw, -kFull, kFull);
     if (range.reverse < 0) wanted = -wanted;
     const int16_t span_us =
         wanted > 0 ? range.max_us - range.trim_us : range.trim_us - range.min_us;
-    const int16_t pulse_us = range.trim_us + share(span_us, wanted);
+    const int16_t pulse_us = range.trim_us + core::times14(span_us, wanted);
     return static_cast<uint16_t>(core::limit(pulse_us, range.min_us, range.max_us));
 }
 
-uint16_t throttlePulse_us(const ServoRange& range, float throttle) {
-    const int16_t wanted = fixed(core::limit(throttle, 0.0f, 1.0f));
-    const int16_t above_us = share(range.max_us - range.min_us, wanted);
+uint16_t throttlePulse_us(const ServoRange& range, core::Fixed<14> throttle) {
+    const int16_t wanted = core::limit<int16_t>(throttle.raw, 0, kFull);
+    const int16_t above_us = core::times14(range.max_us - range.min_us, wanted);
     return range.reverse < 0 ? range.max_us - above_us : range.min_us + above_us;
 }
 

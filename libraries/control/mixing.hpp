@@ -4,6 +4,8 @@
 #pragma once
 #include <stdint.h>
 
+#include "core/fixed.hpp"
+
 namespace control {
 
 struct ServoRange {
@@ -12,9 +14,9 @@ struct ServoRange {
 };
 
 // -1 .. 0 .. 1 lies on min .. trim .. max, or max .. trim .. min when reversed.
-uint16_t surfacePulse_us(const ServoRange& range, float deflection);
+uint16_t surfacePulse_us(const ServoRange& range, core::Fixed<14> deflection);
 // 0 .. 1 lies on min .. max, trim plays no part.
-uint16_t throttlePulse_us(const ServoRange& range, float throttle);
+uint16_t throttlePulse_us(const ServoRange& range, core::Fixed<14> throttle);
 
 // A pair of surfaces, each moved by two controls. The parameters' kinds 1..4 are the four ways
 // the linkages can be turned.

@@ -6,16 +6,10 @@
 
 #include "core/maths.hpp"
 #include "core/rom.hpp"
+#include "drivers/imu_sample.hpp"
 #include "hal/interrupts.hpp"
 
 namespace drivers {
-
-struct ImuSample {
-    core::Vector3 rate_rads;  // body axes: x forward, y right, z down
-    core::Vector3 force_mss;  // specific force: (0, 0, -g) at rest and level
-    uint8_t count;            // samples averaged
-    uint8_t periods;  // sample periods since the last take, unreadable ones too: the time covered
-};
 
 template <class Bus, class Select>
 class Mpu6000 {
@@ -35,6 +29,7 @@ public:
 
     // The mean since the last take; false when no sample came.
     bool take(ImuSample& sample);
+    bool take(ImuSums& sums);
     uint8_t waiting() const { return sums_.count + sums_.dead; }  // samples since the last take
 
     bool healthy() const { return healthy_; }
@@ -249,7 +244,7 @@ void Mpu6000<Bus, Select>::refuse(bool dead) {
 }
 
 template <class Bus, class Select>
-bool Mpu6000<Bus, Select>::take(ImuSample& sample) {
+bool Mpu6000<Bus, Select>::take(ImuSums& to) {
     Sums sums;
     {
         const hal::Locked locked;
@@ -257,19 +252,26 @@ bool Mpu6000<Bus, Select>::take(ImuSample& sample) {
         sums_ = {};
     }
     if (sums.count == 0) return false;
-    constexpr float kGyro_rads = core::kPi / 180.0f / 16.4f;  // 16.4 LSB per deg/s
-    constexpr float kAccel_mss = core::kGravity_mss / 4096.0f;
-    // nearly always two
-    const float gyro = sums.count == 2 ? kGyro_rads / 2 : kGyro_rads / sums.count;
-    const float accel = sums.count == 2 ? kAccel_mss / 2 : kAccel_mss / sums.count;
     // On this board body x is the chip's y, body y its x, body z its -z.
     const int32_t* const a = sums.chip + kAccel;
     const int32_t* const g = sums.chip + kGyro;
-    sample.rate_rads = {gyro * g[1], gyro * g[0], -gyro * g[2]};
-    sample.force_mss = {accel * a[1], accel * a[0], -accel * a[2]};
-    sample.count = sums.count;
-    sample.periods = sums.count + sums.dead;
+    to = {{g[1], g[0], -g[2]},
+          {a[1], a[0], -a[2]},
+          sums.count,
+          static_cast<uint8_t>(sums.count + sums.dead)};
     samples_ += sums.count;
+    return true;
+}
+
+template <class Bus, class Select>
+bool Mpu6000<Bus, Select>::take(ImuSample& sample) {
+    ImuSums sums;
+    if (!take(sums)) return false;
+    const float rate = kRateStep_rads / sums.count, force = kForceStep_mss / sums.count;
+    sample.rate_rads = {rate * sums.rate[0], rate * sums.rate[1], rate * sums.rate[2]};
+    sample.force_mss = {force * sums.force[0], force * sums.force[1], force * sums.force[2]};
+    sample.count = sums.count;
+    sample.periods = sums.periods;
     return true;
 }
 

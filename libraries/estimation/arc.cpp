@@ -34,26 +34,47 @@ constexpr Table makeTable() {
 }
 constexpr Table kTable ROM = makeTable();
 
-// The smaller of a sine and its cosine, both positive.
-float tableArcsine(float x) {
-    uint16_t fixed = static_cast<uint16_t>(x * 16384.0f);  // 64 steps of 256
-    if (fixed > kSteps * 256U) fixed = kSteps * 256U;
-    const uint8_t step = static_cast<uint8_t>(fixed >> 8);
-    const uint8_t part = static_cast<uint8_t>(fixed);
+// In 2^-15 rad, of the smaller of a sine and its cosine, both positive, in 2^-14.
+uint16_t tableArcsine(uint16_t x) {  // 64 steps of 256
+    if (x > kSteps * 256U) x = kSteps * 256U;
+    const uint8_t step = static_cast<uint8_t>(x >> 8);
+    const uint8_t part = static_cast<uint8_t>(x);
     const uint16_t low = core::romRead(kTable.arc[step]);
     const uint16_t rise = core::romRead(kTable.arc[step + 1]) - low;  // below 1024
-    const uint16_t between =
-        static_cast<uint16_t>((static_cast<uint32_t>(rise) * static_cast<uint16_t>(part)) >> 8);
-    return static_cast<float>(static_cast<uint16_t>(low + between)) * (1.0f / 32768.0f);
+    // in two parts, as 16 bits hold no product of both
+    const uint16_t between = static_cast<uint16_t>((rise >> 8) * part) +
+                             (static_cast<uint16_t>(static_cast<uint8_t>(rise) * part) >> 8);
+    return low + between;
+}
+
+float tableArcsine_rad(float x) {
+    return static_cast<float>(tableArcsine(static_cast<uint16_t>(x * 16384.0f))) *
+           (1.0f / 32768.0f);
+}
+
+// In 2^-15 of half a turn.
+uint16_t tableArcsine_turn(uint16_t x) {
+    constexpr uint16_t kInversePi = 20861;  // 2^16 / pi
+    return static_cast<uint16_t>((static_cast<uint32_t>(tableArcsine(x)) * kInversePi + 0x8000) >>
+                                 16);
 }
 
 }  // namespace
 
 float arc_rad(float sine, float cosine) {
     const float rise = fabsf(sine), run = fabsf(cosine);
-    float angle = rise < run ? tableArcsine(rise) : core::kPi / 2 - tableArcsine(run);
+    float angle = rise < run ? tableArcsine_rad(rise) : core::kPi / 2 - tableArcsine_rad(run);
     if (cosine < 0) angle = core::kPi - angle;
     return sine < 0 ? -angle : angle;
+}
+
+core::Angle arc(core::Fixed<14> sine, core::Fixed<14> cosine) {
+    const uint16_t rise = static_cast<uint16_t>(sine.raw < 0 ? -sine.raw : sine.raw);
+    const uint16_t run = static_cast<uint16_t>(cosine.raw < 0 ? -cosine.raw : cosine.raw);
+    uint16_t angle = rise < run ? tableArcsine_turn(rise) : 0x4000 - tableArcsine_turn(run);
+    if (cosine.raw < 0) angle = 0x8000 - angle;
+    if (sine.raw < 0) angle = -angle;
+    return core::Angle::fromRaw(static_cast<int16_t>(angle));
 }
 
 }  // namespace estimation

@@ -32,123 +32,226 @@ constexpr float kMostTime_s = 1.1f;   // between two fixes that are compared
 constexpr uint8_t kCompassEvery = 5;  // 10 Hz of 50
 constexpr float kCompassStep_s = 0.2f;
 
-void add(core::Vector3& to, const core::Vector3& v) {
-    to.x += v.x;
-    to.y += v.y;
-    to.z += v.z;
-}
-void stretch(core::Vector3& v, float by) {
-    v.x *= by;
-    v.y *= by;
-    v.z *= by;
-}
-// What stands still over the ground, seen from a body that has turned by a small angle.
-void turn(core::Vector3& v, const core::Vector3& by_rad) {
-    const float x = v.x, y = v.y, z = v.z;
-    v.x = x + (y * by_rad.z - z * by_rad.y);
-    v.y = y + (z * by_rad.x - x * by_rad.z);
-    v.z = z + (x * by_rad.y - y * by_rad.x);
-}
+constexpr int32_t kMostTurn = 214748365;     // 0.2 rad; more at once would lengthen the rows
+constexpr int32_t kMostTurned = 1073741824;  // 1 rad
+constexpr int32_t kMostStep = 0x7FF0000;     // leaves room to be taken 16 times
+
 core::Vector3 unit(const core::Vector3& v) { return v * (1.0f / sqrtf(core::dot(v, v))); }
-float nudged(float bias, float by, float step, float most) {
-    return core::limit(bias + core::limit(by, -step, step), -most, most);
+
+__attribute__((noinline)) int32_t steps(float value, float most, float a_unit) {
+    return static_cast<int32_t>(core::limit(value, -most, most) * a_unit);
+}
+__attribute__((noinline)) void grow(int32_t& sum, int32_t by, int32_t most) {
+    sum = core::limit(sum + by, -most, most);
+}
+// In 2^-15 rad what can be turned at once; the rest stays for the next time.
+int16_t taken(int32_t& turned) {
+    const int16_t now = core::upper(2 * core::limit(turned, -kMostTurn, kMostTurn));
+    turned -= now * 32768L;
+    return now;
+}
+// In 2^-15 of half a turn.
+int16_t inTurns(int32_t rad_q30) {
+    constexpr int16_t kTwoOverPi = 20861;  // in 2^-15
+    return core::upper(2 * core::times16(rad_q30, kTwoOverPi));
 }
 }  // namespace
 
-void Attitude::propagate(const core::Vector3& rate_rads, const core::Vector3& force_mss,
-                         float dt_s) {
-    add(force_sum_, force_mss);
+// A row in 2^-14, for what is not summed up.
+struct Attitude::Row16 {
+    int16_t x, y, z;
+
+    explicit Row16(const Row& row)
+        : x(core::upper(row.of[0])), y(core::upper(row.of[1])), z(core::upper(row.of[2])) {}
+    Row16(int32_t east_x, int32_t east_y, int32_t east_z)  // from products of two
+        : x(core::upper(4 * east_x)), y(core::upper(4 * east_y)), z(core::upper(4 * east_z)) {}
+
+    Row16 cross(const Row16& v) const {
+        return Row16(core::product(y, v.z) - core::product(z, v.y),
+                     core::product(z, v.x) - core::product(x, v.z),
+                     core::product(x, v.y) - core::product(y, v.x));
+    }
+    int32_t dot(int16_t a, int16_t b, int16_t c) const {
+        return core::product(x, a) + core::product(y, b) + core::product(z, c);
+    }
+};
+
+float Attitude::real(int32_t component) {
+    return static_cast<float>(component) * (1.0f / Turn::kSteps);
+}
+core::Vector3 Attitude::real(const Row& row) {
+    return {real(row.of[0]), real(row.of[1]), real(row.of[2])};
+}
+Attitude::Row Attitude::row(const core::Vector3& unit) {
+    constexpr float kMost = 1.5f;
+    return {{steps(unit.x, kMost, Turn::kSteps), steps(unit.y, kMost, Turn::kSteps),
+             steps(unit.z, kMost, Turn::kSteps)}};
+}
+
+void Attitude::propagate(const Motion& motion) {
+    force_sum_[0] += motion.force_mss.x.raw;
+    force_sum_[1] += motion.force_mss.y.raw;
+    force_sum_[2] += motion.force_mss.z.raw;
     ++forces_;
-    time_s_ += dt_s;
-    rate_.x = rate_rads.x - bias_.x;
-    rate_.y = rate_rads.y - bias_.y;
-    rate_.z = rate_rads.z - bias_.z;
+    periods_ = motion.periods > 0xFF - periods_ ? 0xFF : periods_ + motion.periods;
+    using Rate = core::Fixed<10>;
+    rate_.x = Rate::fromRaw(int32_t{motion.rate_rads.x.raw} - rate_bias_.x.raw);
+    rate_.y = Rate::fromRaw(int32_t{motion.rate_rads.y.raw} - rate_bias_.y.raw);
+    rate_.z = Rate::fromRaw(int32_t{motion.rate_rads.z.raw} - rate_bias_.z.raw);
     frame_ = (frame_ + 1) & 7;
     if (phase_ == Phase::falling) {
         if (forces_ == kAlignFrames) alignUpright();
         return;
     }
-    const core::Vector3 turned = {rate_.x * dt_s, rate_.y * dt_s, rate_.z * dt_s};
-    add(turned_, turned);
+    Turn turned;
+    for (uint8_t i = 0; i < 3; ++i) {
+        turned.of[i] = motion.turned.of[i] - bias_.of[i] * motion.periods;
+        grow(turned_.of[i], turned.of[i], kMostTurned);
+    }
     if (!(frame_ & 1)) {
         turnMatrix();
         return workOutAngles();
     }
-    carryAnglesOn(turned);
+    const Turn16 by = {{inTurns(turned.of[0]), inTurns(turned.of[1]), inTurns(turned.of[2])}};
+    carryAnglesOn(by);
     // What need not be done every frame is spread over eight.
     if (frame_ == 3) return keepUpright();
-    if (frame_ == 7) return pointYaw();
+    if (frame_ == 7) return pointYaw(by);
     accelerate();
 }
 
-void Attitude::turnMatrix() {
-    turn(down_, turned_);
-    turn(north_, turned_);
-    turned_ = {0, 0, 0};
+// What stands still over the ground, seen from a body that has turned by a small angle.
+void Attitude::turn(Row& row, const Turn16& by) {
+    const Row old = row;
+    for (uint8_t i = 0, next = 1, last = 2; i < 3; last = i++, next = next < 2 ? next + 1 : 0)
+        row.of[i] += 2 * (core::times16(old.of[next], by.of[last]) -
+                          core::times16(old.of[last], by.of[next]));
 }
 
+void Attitude::turnMatrix() {
+    Turn16 by;
+    for (uint8_t i = 0; i < 3; ++i) by.of[i] = taken(turned_.of[i]);
+    turn(down_, by);
+    turn(north_, by);
+}
+
+void Attitude::start() { *this = Attitude(); }
+
 void Attitude::alignUpright() {
-    const core::Vector3 force_sum = force_sum_;
-    const float squared = core::dot(force_sum, force_sum);
+    // in 2^-8 m/s2
+    const core::Vector3 force_sum = {static_cast<float>(force_sum_[0]),
+                                     static_cast<float>(force_sum_[1]),
+                                     static_cast<float>(force_sum_[2])};
+    const float squared = core::dot(force_sum, force_sum) * (1.0f / 65536.0f);
     forgetForces();
     if (squared < kGravity) return;  // no accelerometer, or falling indeed: look again
-    down_ = unit(force_sum * -1.0f);
+    const core::Vector3 down = unit(force_sum * -1.0f);
     const core::Vector3 along = {1, 0, 0}, below = {0, 0, 1};
-    const core::Vector3& level = fabsf(down_.x) < 0.9f ? along : below;
-    north_ = unit(level - down_ * core::dot(level, down_));
-    turned_ = {0, 0, 0};
+    const core::Vector3& level = fabsf(down.x) < 0.9f ? along : below;
+    down_ = row(down);
+    north_ = row(unit(level - down * core::dot(level, down)));
+    turned_ = {};
     phase_ = Phase::upright;
 }
 
 void Attitude::forgetForces() {
-    force_sum_ = {0, 0, 0};
+    for (int32_t& sum : force_sum_) sum = 0;
     forces_ = 0;
-    time_s_ = 0;
+    periods_ = 0;
+}
+
+// In 2^-28.
+int32_t Attitude::dot(const Row& a, const Row& b) {
+    int32_t sum = 0;
+    for (uint8_t i = 0; i < 3; ++i) sum += core::timesUpper(a.of[i], b.of[i]);
+    return sum;
+}
+
+// A share of another row in 2^-14 is added.
+void Attitude::add(Row& row, const Row& other, int16_t share) {
+    for (uint8_t i = 0; i < 3; ++i) row.of[i] += 4 * core::times16(other.of[i], share);
+}
+
+// By half of what the square of its length lacks.
+void Attitude::stretchToUnit(Row& row, int32_t squared) {
+    add(row, row, core::upper(((kOne >> 2) - squared) * 2));
 }
 
 // Both rows of length one and square to each other.
 void Attitude::keepUpright() {
-    const float squared = core::dot(down_, down_);
-    if (!(squared > 0.5f && squared < 2.0f)) return start();  // no matrix any more: begin again
-    stretch(down_, 1.5f - 0.5f * squared);
-    const float skew = core::dot(north_, down_);
-    north_.x -= down_.x * skew;
-    north_.y -= down_.y * skew;
-    north_.z -= down_.z * skew;
-    stretch(north_, 1.5f - 0.5f * core::dot(north_, north_));
+    const int32_t squared = dot(down_, down_), along = dot(north_, north_);
+    constexpr int32_t kHalf = kOne >> 3, kDouble = kOne >> 1;
+    if (squared < kHalf || squared > kDouble || along < kHalf || along > kDouble)
+        return start();  // no matrix any more: begin again
+    stretchToUnit(down_, squared);
+    const int16_t skew = core::upper(dot(north_, down_) * 4);  // in 2^-14
+    add(north_, down_, static_cast<int16_t>(-skew));
+    stretchToUnit(north_, dot(north_, north_));
 }
 
-void Attitude::pointYaw() {
-    const float east = noseEast();
-    const float inverse = 1.0f / sqrtf(north_.x * north_.x + east * east + 1e-12f);
-    yaw_rad_ = arc_rad(east * inverse, north_.x * inverse);
-    yaw_rate_ = core::dot(down_, rate_);
+// What the nose has of north and east is as long as the pitch's cosine.
+void Attitude::pointYaw(const Turn16& turned) {
+    const Row16 n(north_), d(down_);
+    yaw_rad_ = arc(levelled(d.cross(n).x), levelled(n.x));
+    const int32_t step = d.dot(turned.of[0], turned.of[1], turned.of[2]);
+    yaw_step_ = core::upper(16 * core::limit(step, -kMostStep, kMostStep));
+}
+
+// Of a row in the level: over the pitch's cosine.
+core::Fixed<14> Attitude::levelled(int16_t component) const {
+    constexpr int32_t kMost = 0x7FF0000;  // below 2
+    const int32_t share = core::product(component, inverse_cos_pitch_.raw);
+    return core::Fixed<14>::fromRaw(core::upper(16 * core::limit(share, -kMost, kMost)));
 }
 
 // The mean force of the last four frames, turned into north, east, down.
 void Attitude::accelerate() {
     if (forces_ == 0) return;
-    const float share = forces_ == 4 ? 0.25f : 1.0f / forces_;
-    const core::Vector3 force = {force_sum_.x * share - force_bias_x_,
-                                 force_sum_.y * share - force_bias_y_, force_sum_.z * share};
-    const float north = core::dot(north_, force);
-    const float east = core::dot(core::cross(down_, north_), force);
+    const auto mean = [this](int32_t sum, int32_t bias) {
+        const int32_t doubled = forces_ == 4 ? (sum + 1) >> 1 : sum * 2 / forces_;
+        return core::narrowed(doubled - core::upper(bias));  // 2^-9 m/s2
+    };
+    const int16_t x = mean(force_sum_[0], force_bias_x_), y = mean(force_sum_[1], force_bias_y_),
+                  z = mean(force_sum_[2], 0);
+    const Row16 n(north_), d(down_);
+    const Row16 e = d.cross(n);
+    const int32_t north = n.dot(x, y, z), east = e.dot(x, y, z);  // 2^-23 m/s2
     // They were felt, on the mean, two frames ago, and the matrix is one frame old: the nose was
-    // this much behind it.
-    const float behind_rad = 0.25f * yaw_rate_ * time_s_;
-    acceleration_.x = north + behind_rad * east;
-    acceleration_.y = east - behind_rad * north;
-    acceleration_.z = core::dot(down_, force) + kGravity;
-    history_.add(acceleration_.x * time_s_, acceleration_.y * time_s_, time_s_);
-    since_fix_s_ = since_fix_s_ < 1e3f ? since_fix_s_ + time_s_ : 1e3f;
+    // this much behind it, in 2^-15 rad.
+    const int16_t behind = static_cast<int16_t>(
+        core::limit<int32_t>(core::times16(int32_t{yaw_step_} * periods_, 6434), -8192, 8192));
+    const int32_t then_north = north + 2 * core::times16(east, behind);
+    const int32_t then_east = east - 2 * core::times16(north, behind);
+    constexpr float kStep_mss = 1.0f / 8388608.0f;
+    acceleration_.x = static_cast<float>(then_north) * kStep_mss;
+    acceleration_.y = static_cast<float>(then_east) * kStep_mss;
+    acceleration_.z = static_cast<float>(d.dot(x, y, z)) * kStep_mss + kGravity;
+    history_.add(then_north, then_east, periods_);
+    since_fix_ = periods_ > 0xFFFF - since_fix_ ? 0xFFFF : since_fix_ + periods_;
     forgetForces();
+}
+
+core::Vector3 Attitude::east() const { return core::cross(real(down_), real(north_)); }
+
+core::Vector3 Attitude::bias_rads() const {
+    constexpr float kPerPeriod = 1.0f / kSamplePeriod_s;
+    return core::Vector3{real(bias_.of[0]), real(bias_.of[1]), real(bias_.of[2])} * kPerPeriod;
 }
 
 // About the vertical, by any angle.
 void Attitude::turnTo(float sine, float cosine) {
-    const core::Vector3 east = core::cross(down_, north_);
-    north_ = north_ * cosine - east * sine;
+    north_ = row(real(north_) * cosine - east() * sine);
     if (phase_ == Phase::upright) phase_ = Phase::pointed;
+}
+
+// Taken over when the matrix is turned next.
+void Attitude::turnBy(const core::Vector3& by_rad) {
+    turnBy(turned_.of[0], by_rad.x);
+    turnBy(turned_.of[1], by_rad.y);
+    turnBy(turned_.of[2], by_rad.z);
+}
+void Attitude::turnBy(int32_t& turned, float by_rad) {
+    grow(turned, steps(by_rad, 0.5f, Turn::kSteps), kMostTurned);
 }
 
 // `missing`: acceleration the reference saw and the accelerometers did not, over time_s. A tilt of
@@ -172,31 +275,44 @@ void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& fe
     }
     const float gain =
         quick * core::limit(time_s * (1.0f / kTilt_s), 0.0f, 0.1f) * (1.0f / kGravity);
-    const core::Vector3 east = core::cross(down_, north_);
+    const core::Vector3 north = real(north_), down = real(down_);
+    const core::Vector3 east = core::cross(down, north);
     const core::Vector3 by =
-        north_ * (used.y * gain) - east * (used.x * gain) + down_ * core::limit(yaw, -0.05f, 0.05f);
-    learn(by, used, east, time_s);
-    add(turned_, by);  // taken over when the matrix is turned next
+        north * (used.y * gain) - east * (used.x * gain) + down * core::limit(yaw, -0.05f, 0.05f);
+    learnRates(by);
+    const float share = core::limit(time_s * (1.0f / kForceBias_s), 0.0f, 0.01f);
+    used = used * share;
+    learnForce(force_bias_x_, north.x * used.x + east.x * used.y);
+    learnForce(force_bias_y_, north.y * used.x + east.y * used.y);
+    turnBy(by);
 }
 
 // What had to be corrected again and again is the sensors' own.
-void Attitude::learn(const core::Vector3& turn_rad, const core::Vector3& missing_mss,
-                     const core::Vector3& east, float time_s) {
-    bias_.x = nudged(bias_.x, -turn_rad.x * kBiasShare, kMostBiasStep_rads, kMostBias_rads);
-    bias_.y = nudged(bias_.y, -turn_rad.y * kBiasShare, kMostBiasStep_rads, kMostBias_rads);
-    bias_.z = nudged(bias_.z, -turn_rad.z * kBiasShare, kMostBiasStep_rads, kMostBias_rads);
-    const float share = core::limit(time_s * (1.0f / kForceBias_s), 0.0f, 0.01f);
-    const float x = north_.x * missing_mss.x + east.x * missing_mss.y;
-    const float y = north_.y * missing_mss.x + east.y * missing_mss.y;
-    force_bias_x_ = nudged(force_bias_x_, -x * share, kMostForceStep_mss, kMostForceBias_mss);
-    force_bias_y_ = nudged(force_bias_y_, -y * share, kMostForceStep_mss, kMostForceBias_mss);
+void Attitude::learnRates(const core::Vector3& turn_rad) {
+    learnRate(bias_.of[0], rate_bias_.x, turn_rad.x);
+    learnRate(bias_.of[1], rate_bias_.y, turn_rad.y);
+    learnRate(bias_.of[2], rate_bias_.z, turn_rad.z);
+}
+
+void Attitude::learnRate(int32_t& bias, core::Fixed<10>& rate, float turned_rad) {
+    constexpr float kPeriod = Turn::kSteps * kSamplePeriod_s;
+    constexpr int32_t kMost = static_cast<int32_t>(kMostBias_rads * kPeriod);
+    grow(bias, -steps(turned_rad * kBiasShare, kMostBiasStep_rads, kPeriod), kMost);
+    // 200 periods a second; from 2^-30 to 2^-10
+    rate.raw = static_cast<int16_t>((core::times16(bias, 200 * 64) + 512) >> 10);
+}
+
+void Attitude::learnForce(int32_t& bias, float missing_mss) {
+    constexpr float kSteps = 33554432.0f;
+    constexpr int32_t kMost = static_cast<int32_t>(kMostForceBias_mss * kSteps);
+    grow(bias, -steps(missing_mss, kMostForceStep_mss, kSteps), kMost);
 }
 
 void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings) {
     catchUp();
     const VelocityHistory::Moment then = history_.ago(settings.gps_age_s);
     const VelocityHistory::Moment ground = VelocityHistory::moment(velocity_mps.x, velocity_mps.y);
-    const float time_s = since_fix_s_;
+    const float time_s = since_fix_ * kSamplePeriod_s;
     if (phase_ != Phase::falling && time_s < kMostTime_s && time_s > 0.05f) {
         const core::Vector3 seen = VelocityHistory::difference_mps(ground, fix_ground_);
         const core::Vector3 felt = VelocityHistory::difference_mps(then, fix_);
@@ -205,7 +321,7 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
     }
     fix_ = then;
     fix_ground_ = ground;
-    since_fix_s_ = 0;
+    since_fix_ = 0;
     if (phase_ == Phase::upright && !settings.use_compass) pointAlong(velocity_mps);
 }
 
@@ -215,8 +331,11 @@ void Attitude::pointAlong(const core::Vector3& velocity_mps) {
     if (fast <= 25.0f) return;
     const float inverse = 1.0f / sqrtf(fast);
     const float east = velocity_mps.y * inverse, north = velocity_mps.x * inverse;
-    const float nose_inverse = 1.0f / sqrtf(north_.x * north_.x + noseEast() * noseEast() + 1e-6f);
-    const float nose_north = north_.x * nose_inverse, nose_east = noseEast() * nose_inverse;
+    float nose_north = noseNorth(), nose_east = noseEast();
+    const float inverse_nose =
+        1.0f / sqrtf(nose_north * nose_north + nose_east * nose_east + 1e-6f);
+    nose_north *= inverse_nose;
+    nose_east *= inverse_nose;
     turnTo(east * nose_north - north * nose_east, north * nose_north + east * nose_east);
 }
 
@@ -228,9 +347,9 @@ void Attitude::useAirspeed(float true_airspeed_mps) {
     if (phase_ == Phase::falling) return;
     catchUp();
     // Its own velocity swings round with the nose; changes of speed are not known.
-    const core::Vector3 east = core::cross(down_, north_);
-    const float yaw_rate = core::dot(down_, rate_);
-    const float north_mps = true_airspeed_mps * north_.x, east_mps = true_airspeed_mps * east.x;
+    const float yaw_rate = core::dot(real(down_), {rate_.x, rate_.y, rate_.z});
+    const float north_mps = true_airspeed_mps * noseNorth();
+    const float east_mps = true_airspeed_mps * noseEast();
     const core::Vector3 swung = {-yaw_rate * east_mps, yaw_rate * north_mps, 0};
     core::Vector3 missing = swung - acceleration_;
     missing.z = 0;
@@ -243,8 +362,9 @@ void Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
     compass_reading_ = 0;
     catchUp();
     const core::Vector3 field_mg = field_.earths(reading_mg);
-    const core::Vector3 east = core::cross(down_, north_);
-    const float m_north = core::dot(north_, field_mg), m_east = core::dot(east, field_mg);
+    const core::Vector3 north = real(north_), down = real(down_);
+    const core::Vector3 east = core::cross(down, north);
+    const float m_north = core::dot(north, field_mg), m_east = core::dot(east, field_mg);
     const float length = sqrtf(m_north * m_north + m_east * m_east);
     if (length < 30.0f) return;  // near a magnetic pole, or no field at all: no direction
     // Declination is small enough on every inhabited place for its cosine's second order.
@@ -254,59 +374,65 @@ void Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
     const float across_mg = m_east * cos_d - m_north * sin_d;
     const float inverse = 1.0f / length;
     if (phase_ == Phase::upright) {
-        field_.start(length, core::dot(down_, field_mg));
+        field_.start(length, core::dot(down, field_mg));
         return turnTo(-across_mg * inverse, along_mg * inverse);
     }
     if (along_mg > 0) {
         const core::Vector3 odd =
-            field_.unexpected({along_mg, across_mg, core::dot(down_, field_mg)}, kCompassStep_s);
+            field_.unexpected({along_mg, across_mg, core::dot(down, field_mg)}, kCompassStep_s);
         const float odd_north = odd.x * cos_d - odd.y * sin_d;
         const float odd_east = odd.y * cos_d + odd.x * sin_d;
-        field_.learn(north_ * odd_north + east * odd_east + down_ * odd.z, kCompassStep_s);
+        field_.learn(north * odd_north + east * odd_east + down * odd.z, kCompassStep_s);
     }
     const float error = along_mg > 0 ? -across_mg * inverse : (across_mg < 0 ? 1.0f : -1.0f);
     const float quick = 1.0f + (kQuick - 1.0f) * settling_;
     const float by = error * core::limit(quick * (kCompassStep_s / kCompass_s), 0.0f, 0.5f);
-    north_.x -= east.x * by;
-    north_.y -= east.y * by;
-    north_.z -= east.z * by;
-    const float step = core::limit(by * kBiasShare, -kMostBiasStep_rads, kMostBiasStep_rads);
-    bias_.x -= down_.x * step;
-    bias_.y -= down_.y * step;
-    bias_.z -= down_.z * step;
+    const core::Vector3 turn_rad = down * by;
+    learnRates(turn_rad);
+    turnBy(turn_rad);
 }
 
 // sqrt(1 - sine^2) of an angle below 20 degrees is quicker by its series, and so is its inverse.
 void Attitude::workOutAngles() {
+    using Part = core::Fixed<14>;
     Angles& a = angles_;
-    a.sin_pitch = core::limit(-down_.x, -1.0f, 1.0f);
-    const float squared = a.sin_pitch * a.sin_pitch;
-    float inverse;
-    if (squared < 0.1f) {
-        const float half = 0.5f * squared;
-        const float fourth = half * half;
-        a.cos_pitch = 1.0f - half - 0.5f * fourth;
-        inverse = 1.0f + half + 1.5f * fourth;
+    a.sin_pitch = Part::fromRaw(core::limit<int16_t>(-core::upper(down_.of[0]), -16384, 16384));
+    const int16_t squared = core::times14(a.sin_pitch.raw, a.sin_pitch.raw);
+    if (squared < 1638) {
+        const int16_t half = squared >> 1;
+        const int16_t fourth = core::times14(half, half);
+        a.cos_pitch = Part::fromRaw(16384 - half - (fourth >> 1));
+        inverse_cos_pitch_.raw = (16384 + half + fourth + (fourth >> 1) + 2) >> 2;
     } else {
-        a.cos_pitch = sqrtf(down_.y * down_.y + down_.z * down_.z);
-        inverse = a.cos_pitch > 1e-3f ? 1.0f / a.cos_pitch : 1e3f;
+        const float sine = a.sin_pitch;
+        const float cosine = sqrtf(core::limit(1.0f - sine * sine, 1e-6f, 1.0f));
+        a.cos_pitch = cosine;
+        inverse_cos_pitch_ = 1.0f / cosine;
     }
-    a.sin_roll = down_.y * inverse;
-    a.cos_roll = down_.z * inverse;
-    a.roll_rad = arc_rad(a.sin_roll, a.cos_roll);
-    a.pitch_rad = arc_rad(a.sin_pitch, a.cos_pitch);
+    a.sin_roll = levelled(core::upper(down_.of[1]));
+    a.cos_roll = levelled(core::upper(down_.of[2]));
+    a.roll_rad = arc(a.sin_roll, a.cos_roll);
+    a.pitch_rad = arc(a.sin_pitch, a.cos_pitch);
     // pointYaw() saw the matrix of the sixth frame
-    a.yaw_rad = core::wrapPi(yaw_rad_ + yaw_rate_ * (0.01f * (frame_ + 2)));
-    tan_pitch_ = a.sin_pitch * inverse;
+    const int32_t since = core::product(yaw_step_, frame_ + 2) >> 2;
+    a.yaw_rad.raw = static_cast<int16_t>(static_cast<uint16_t>(yaw_rad_.raw + since));
+    tan_pitch_.raw = core::times14(inverse_cos_pitch_.raw, a.sin_pitch.raw);
 }
 
 // One frame on, by the rates of Euler's angles. Near the vertical roll has no rate of its own.
-void Attitude::carryAnglesOn(const core::Vector3& turned_rad) {
+void Attitude::carryAnglesOn(const Turn16& turned) {
     Angles& a = angles_;
-    a.roll_rad += turned_rad.x;
-    a.pitch_rad += turned_rad.y * a.cos_roll - turned_rad.z * a.sin_roll;
-    if (fabsf(tan_pitch_) < 5.0f)
-        a.roll_rad += tan_pitch_ * (turned_rad.y * a.sin_roll + turned_rad.z * a.cos_roll);
+    const int16_t sine = a.sin_roll.raw, cosine = a.cos_roll.raw;
+    const int16_t up =
+        core::upper(4 * (core::product(turned.of[1], cosine) - core::product(turned.of[2], sine)));
+    int16_t over = turned.of[0];
+    if (tan_pitch_.raw < 5 * 4096 && tan_pitch_.raw > -5 * 4096) {
+        const int16_t along = core::upper(
+            4 * (core::product(turned.of[1], sine) + core::product(turned.of[2], cosine)));
+        over += core::upper(16 * core::product(tan_pitch_.raw, along));
+    }
+    a.roll_rad.raw = static_cast<int16_t>(static_cast<uint16_t>(a.roll_rad.raw) + over);
+    a.pitch_rad.raw = static_cast<int16_t>(static_cast<uint16_t>(a.pitch_rad.raw) + up);
 }
 
 }  // namespace estimation

@@ -2,12 +2,14 @@
 // Attitude from gyros, held upright by comparing what the accelerometers say the airplane gained
 // in speed with what the GPS says, and pointed north by the compass. Two rows of the direction
 // cosine matrix are the state: north and down as the body sees them. The matrix is turned every
-// second frame, by the turns of both; in between the angles are carried on by their rates.
+// second frame, by the turns of both; in between the angles are carried on by their rates. What is
+// done in every frame is fixed point; the corrections, five and ten times a second, are floats.
 #pragma once
 #include <stdint.h>
 
 #include "core/maths.hpp"
 #include "estimation/compass_field.hpp"
+#include "estimation/motion.hpp"
 #include "estimation/velocity_history.hpp"
 
 namespace estimation {
@@ -20,16 +22,15 @@ struct AttitudeSettings {
 };
 
 struct Angles {
-    float roll_rad, pitch_rad, yaw_rad;
-    float sin_roll, cos_roll, sin_pitch, cos_pitch;
+    core::Angle roll_rad, pitch_rad, yaw_rad;
+    core::Fixed<14> sin_roll, cos_roll, sin_pitch, cos_pitch;
 };
 
 class Attitude {
 public:
-    void start() { *this = Attitude(); }
+    void start();
 
-    // Every frame: the mean rate and specific force over the last dt_s, body axes.
-    void propagate(const core::Vector3& rate_rads, const core::Vector3& force_mss, float dt_s);
+    void propagate(const Motion& motion);  // every frame
 
     // Every compass reading: body axes, offsets removed; only its direction counts.
     void useCompass(const core::Vector3& reading_mg, const AttitudeSettings& settings);
@@ -50,11 +51,11 @@ public:
     // the even ones.
     const Angles& angles() const { return angles_; }
     // Where the nose points, for the wind: the first column of the matrix.
-    float noseNorth() const { return north_.x; }
-    float noseEast() const { return down_.y * north_.z - down_.z * north_.y; }
+    float noseNorth() const { return real(north_.of[0]); }
+    float noseEast() const { return east().x; }
 
-    const core::Vector3& rate_rads() const { return rate_; }  // the last, the bias removed
-    const core::Vector3& bias_rads() const { return bias_; }
+    const core::FixedVector<10>& rate_rads() const { return rate_; }  // the last, the bias removed
+    core::Vector3 bias_rads() const;                                  // of the gyros
 
     // What the compass reads of the airplane itself, learnt in turns; body axes.
     const core::Vector3& compassOffset_mg() const { return field_.own_mg(); }
@@ -66,45 +67,69 @@ public:
 
 private:
     enum class Phase : uint8_t { falling, upright, pointed };
+    struct Row {  // a unit vector in body axes, in 2^-30
+        int32_t of[3];
+    };
+    struct Turn16 {  // in 2^-15 of a radian for the matrix, of half a turn for the angles
+        int16_t of[3];
+    };
 
+    struct Row16;
+
+    static float real(int32_t component);
+    static core::Vector3 real(const Row& row);
+    static Row row(const core::Vector3& unit);
+    static void turn(Row& row, const Turn16& by);
+    static void add(Row& row, const Row& other, int16_t share);
+    static void stretchToUnit(Row& row, int32_t squared);
+    static int32_t dot(const Row& a, const Row& b);
+
+    core::Vector3 east() const;
     void alignUpright();
     void turnTo(float sine, float cosine);
+    void turnBy(const core::Vector3& by_rad);
+    static void turnBy(int32_t& turned, float by_rad);
     void turnMatrix();
     void catchUp() {
         if (frame_ & 1) turnMatrix();
     }
     void workOutAngles();
-    void carryAnglesOn(const core::Vector3& turned_rad);
+    void carryAnglesOn(const Turn16& turned);
     void keepUpright();
-    void pointYaw();
+    void pointYaw(const Turn16& turned);
+    core::Fixed<14> levelled(int16_t component) const;
     void pointAlong(const core::Vector3& velocity_mps);
     void accelerate();
     void forgetForces();
     void correct(const core::Vector3& missing_mss, const core::Vector3& felt_mss, float time_s,
                  float yaw_share);
-    void learn(const core::Vector3& turn_rad, const core::Vector3& missing_mss,
-               const core::Vector3& east, float time_s);
+    void learnRates(const core::Vector3& turn_rad);
+    static void learnRate(int32_t& bias, core::Fixed<10>& rate, float turned_rad);
+    static void learnForce(int32_t& bias, float missing_mss);
 
-    core::Vector3 north_ = {1, 0, 0}, down_ = {0, 0, 1};  // unit vectors in body axes
-    core::Vector3 bias_ = {0, 0, 0};                      // of the gyros
-    float force_bias_x_ = 0, force_bias_y_ = 0;           // of the accelerometers
-    core::Vector3 rate_ = {0, 0, 0};
-    core::Vector3 turned_ = {0, 0, 0};     // since the matrix was last turned
-    core::Vector3 force_sum_ = {0, 0, 0};  // of forces_ frames that took time_s_
+    Row north_ = {{kOne, 0, 0}}, down_ = {{0, 0, kOne}};
+    Turn bias_ = {};                               // of the gyros, in a sample period
+    core::FixedVector<10> rate_bias_ = {0, 0, 0};  // the same
+    int32_t force_bias_x_ = 0, force_bias_y_ = 0;  // of the accelerometers, 2^-25 m/s2
+    core::FixedVector<10> rate_ = {0, 0, 0};
+    Turn turned_ = {};           // since the matrix was last turned
+    int32_t force_sum_[3] = {};  // of forces_ frames that took periods_
     core::Vector3 acceleration_ = {0, 0, 0};
     Angles angles_ = {0, 0, 0, 0, 1, 0, 1};
-    float tan_pitch_ = 0;
+    core::Fixed<12> inverse_cos_pitch_ = 1, tan_pitch_ = 0;
+    core::Angle yaw_rad_ = 0;  // when pointYaw looked
+    int16_t yaw_step_ = 0;     // in a frame, in a quarter of an Angle's step
     CompassField field_;
     VelocityHistory history_;
     VelocityHistory::Moment fix_ = {};         // the accelerometers' velocity at the last fix
     VelocityHistory::Moment fix_ground_ = {};  // and the GPS's
-    float since_fix_s_ = 1e6f;
-    float time_s_ = 0;
-    float yaw_rad_ = 0, yaw_rate_ = 0;
+    uint16_t since_fix_ = 0xFFFF;              // periods
     float settling_ = 1;  // 1 at start, 0 when settled: how much quicker corrections are taken over
     Phase phase_ = Phase::falling;
-    uint8_t frame_ = 0, forces_ = 0;
+    uint8_t frame_ = 0, forces_ = 0, periods_ = 0;
     uint8_t compass_reading_ = 0;
+
+    static constexpr int32_t kOne = 1L << 30;
 };
 
 }  // namespace estimation

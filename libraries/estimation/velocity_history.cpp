@@ -4,9 +4,6 @@
 namespace estimation {
 namespace {
 
-// 2^16 mm/s: taking it off changes no difference.
-constexpr float kWrap_mps = 65.536f;
-
 uint16_t wrapped(float mps) { return static_cast<uint16_t>(static_cast<int32_t>(mps * 1000.0f)); }
 float difference(uint16_t later, uint16_t earlier) {
     return static_cast<int16_t>(static_cast<uint16_t>(later - earlier)) * 0.001f;
@@ -15,9 +12,9 @@ uint16_t between(uint16_t from, uint16_t to, float share) {
     const int16_t rise = static_cast<int16_t>(static_cast<uint16_t>(to - from));
     return static_cast<uint16_t>(from + static_cast<int16_t>(rise * share));
 }
-void bound(float& mps) {
-    if (mps > kWrap_mps) mps -= kWrap_mps;
-    if (mps < -kWrap_mps) mps += kWrap_mps;
+// 2^-23 m/s2 for 5 ms are 5 / 128 of 2^-16 mm/s.
+uint32_t gain(int32_t acceleration, uint8_t periods) {
+    return static_cast<uint32_t>(acceleration >> 7) * (5U * periods);
 }
 
 }  // namespace
@@ -30,20 +27,18 @@ core::Vector3 VelocityHistory::difference_mps(const Moment& later, const Moment&
     return {difference(later.north, earlier.north), difference(later.east, earlier.east), 0};
 }
 
-void VelocityHistory::add(float north_mps, float east_mps, float dt_s) {
-    north_mps_ += north_mps;
-    east_mps_ += east_mps;
-    since_entry_s_ += dt_s;
-    if (since_entry_s_ < kStep_s - 0.001f) return;
-    bound(north_mps_);
-    bound(east_mps_);
-    since_entry_s_ = 0;
+void VelocityHistory::add(int32_t north, int32_t east, uint8_t periods) {
+    north_ += gain(north, periods);
+    east_ += gain(east, periods);
+    since_entry_ = periods > 0xFF - since_entry_ ? 0xFF : since_entry_ + periods;
+    if (since_entry_ < kStepPeriods) return;
+    since_entry_ = 0;
     newest_ = newest_ + 1 < kEntries ? newest_ + 1 : 0;
     entries_[newest_] = now();
 }
 
 VelocityHistory::Moment VelocityHistory::ago(float age_s) const {
-    const float back_s = age_s - since_entry_s_;  // before the newest entry
+    const float back_s = age_s - since_entry_ * kSamplePeriod_s;  // before the newest entry
     if (back_s <= 0) return now();
     float steps = core::limit(back_s * (1.0f / kStep_s), 0.0f, kEntries - 1.001f);
     const uint8_t whole = static_cast<uint8_t>(steps);

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "core/maths.hpp"
+#include "estimation/motion.hpp"
 
 namespace estimation {
 
@@ -17,18 +18,22 @@ public:
     static Moment moment(float north_mps, float east_mps);
     static core::Vector3 difference_mps(const Moment& later, const Moment& earlier);
 
-    void add(float north_mps, float east_mps, float dt_s);
-    Moment now() const { return moment(north_mps_, east_mps_); }
+    // Accelerations in 2^-23 m/s2, for so many sample periods.
+    void add(int32_t north, int32_t east, uint8_t periods);
+    Moment now() const {
+        return {static_cast<uint16_t>(north_ >> 16), static_cast<uint16_t>(east_ >> 16)};
+    }
     Moment ago(float age_s) const;  // 0 .. kLongest_s, between two entries by their share
 
-    static constexpr float kStep_s = 0.04f;
+    static constexpr uint8_t kStepPeriods = 8;
+    static constexpr float kStep_s = kStepPeriods * kSamplePeriod_s;
     static constexpr uint8_t kEntries = 9;
     static constexpr float kLongest_s = kStep_s * (kEntries - 1);
 
 private:
     Moment entries_[kEntries] = {};
-    float north_mps_ = 0, east_mps_ = 0;
-    float since_entry_s_ = 0;
+    uint32_t north_ = 0, east_ = 0;  // 2^-16 mm/s, wrapping where a Moment does
+    uint8_t since_entry_ = 0;        // periods
     uint8_t newest_ = 0;
 };
 

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fixed point for what runs in every frame: on this chip a product of floats costs as much as five
+// of these. Numbers that others read are kept in 16 bits and read as floats.
+#pragma once
+#include <math.h>
+#include <stdint.h>
+
+namespace core {
+
+constexpr int16_t narrowed(int32_t value) {
+    return static_cast<int16_t>(value > INT16_MAX ? INT16_MAX
+                                                  : (value < INT16_MIN ? INT16_MIN : value));
+}
+
+// The upper half, rounded; of values that leave half a bit of room.
+constexpr int16_t upper(int32_t value) { return static_cast<int16_t>((value + 0x8000) >> 16); }
+
+constexpr int32_t product(int16_t a, int16_t b) { return static_cast<int32_t>(a) * b; }
+
+// The upper 32 of the 48 bits of a product; what is cut off is lost towards the lower number. In
+// two of the chip's own products of 16 bits: one of 64 takes five times as long.
+__attribute__((noinline)) constexpr int32_t times16(int32_t a, int16_t b) {
+    const uint16_t low = static_cast<uint16_t>(a);
+    const uint32_t below = static_cast<uint32_t>(low) * static_cast<uint16_t>(b);
+    const int32_t above = static_cast<int32_t>(static_cast<int16_t>(a >> 16)) * b;
+    return above + static_cast<uint16_t>(below >> 16) - (b < 0 ? low : 0);  // b was taken unsigned
+}
+
+// The product of two numbers one of which has 14 bits behind the point, in the form of the other;
+// below 1 in size when the other may be any.
+inline int16_t times14(int16_t a, int16_t b) { return upper(product(a, b) * 4); }
+
+// The upper half of 64 bits, three of its last steps uncertain.
+inline int32_t timesUpper(int32_t a, int32_t b) {
+    const int16_t low = static_cast<int16_t>(static_cast<uint16_t>(b) >> 1);
+    return times16(a, static_cast<int16_t>(b >> 16)) + (times16(a, low) >> 15);
+}
+
+// Conversions in one place each, as they are long; what the compiler can work out, it does.
+constexpr int32_t steps(float value, float twice) {
+    return (static_cast<int32_t>(value * twice) + (value < 0 ? -1 : 1)) / 2;
+}
+constexpr float kManySteps = 65536;  // more than 16 bits hold
+__attribute__((noinline)) inline int16_t toFixed(float value, float twice) {
+    const float doubled = value * twice;
+    if (!(fabsf(doubled) < kManySteps)) return value < 0 ? INT16_MIN : INT16_MAX;
+    return narrowed((static_cast<int32_t>(doubled) + 1) >> 1);
+}
+__attribute__((noinline)) inline int16_t toAngle(float rad, float twice) {
+    return static_cast<int16_t>(
+        static_cast<uint16_t>((static_cast<int32_t>(rad * twice) + 1) >> 1));
+}
+__attribute__((noinline)) inline float fromSteps(int16_t raw, float a_step) {
+    return static_cast<float>(raw) * a_step;
+}
+
+// -2^(15 - fraction) .. 2^(15 - fraction), in steps of 2^-fraction; what is beyond stays at the
+// end.
+template <uint8_t kFraction>
+class Fixed {
+public:
+    static constexpr float kSteps = 1UL << kFraction;
+
+    Fixed() = default;
+    constexpr Fixed(float value)  // as numbers are written
+        : raw(__builtin_constant_p(value) ? narrowed(steps(value, 2 * kSteps))
+                                          : toFixed(value, 2 * kSteps)) {}
+    static constexpr Fixed fromRaw(int32_t raw) { return Fixed(narrowed(raw), 0); }
+    operator float() const { return fromSteps(raw, 1.0f / kSteps); }
+
+    int16_t raw;
+
+private:
+    constexpr Fixed(int16_t steps, int) : raw(steps) {}
+};
+
+// An angle whose 16 bits are a whole turn: it wraps by itself.
+class Angle {
+public:
+    static constexpr float kSteps = 32768.0f / 3.14159265f;  // a radian's
+
+    Angle() = default;
+    constexpr Angle(float rad)  // a few turns at most
+        : raw(__builtin_constant_p(rad) ? static_cast<int16_t>(steps(rad, 2 * kSteps))
+                                        : toAngle(rad, 2 * kSteps)) {}
+    static constexpr Angle fromRaw(int16_t raw) { return Angle(raw, 0); }
+    operator float() const { return fromSteps(raw, 1.0f / kSteps); }
+
+    int16_t raw;
+
+private:
+    constexpr Angle(int16_t steps, int) : raw(steps) {}
+};
+
+// The way from one to the other, at most half a turn.
+constexpr Angle between(Angle from, Angle to) {
+    return Angle::fromRaw(static_cast<int16_t>(
+        static_cast<uint16_t>(static_cast<uint16_t>(to.raw) - static_cast<uint16_t>(from.raw))));
+}
+
+template <uint8_t kFraction>
+struct FixedVector {
+    Fixed<kFraction> x, y, z;
+};
+
+}  // namespace core
