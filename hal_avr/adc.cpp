@@ -8,25 +8,11 @@
 #include "hal/analog.hpp"
 #include "hal/interrupts.hpp"
 #include "start.hpp"
+#include "wiring.hpp"
 
 namespace {
 
-struct Step {
-    uint8_t mux;   // MUX4..0, with MUX5 as bit 5
-    uint8_t drop;  // conversions thrown away after the switch to this input, until it has settled
-    uint8_t take;
-};
-
-constexpr Step kSteps[] ROM = {
-    // clang-format off
-    // input              mux  drop take
-    {/* airspeed A0  */  0x00,   1,   4},
-    {/* voltage A13  */  0x25,   1,   1},
-    {/* current A12  */  0x24,   1,   1},
-    {/* band gap     */  0x1E,   3,   1},  // a weak source: 1.1 V through the multiplexer
-    // clang-format on
-};
-static_assert(core::count(kSteps) == hal::kAnalogs, "one step for each input");
+static_assert(core::count(wiring::kAnalogSteps) == hal::kAnalogs, "one step for each input");
 
 constexpr uint8_t kMostReadings = 60;  // of 10 bits in 16
 constexpr uint8_t kEnabled = (1 << ADEN) | (1 << ADIE) | (1 << ADPS2) | (1 << ADPS1) | (1 << ADPS0);
@@ -41,10 +27,10 @@ struct {
 
 // Inline and member by member: the interrupt shall call nothing, or it saves every register.
 inline __attribute__((always_inline)) void begin(uint8_t step) {
-    const uint8_t mux = core::romRead(kSteps[step].mux);
+    const uint8_t mux = core::romRead(wiring::kAnalogSteps[step].mux);
     scan.step = step;
-    scan.drop = core::romRead(kSteps[step].drop);
-    scan.take = core::romRead(kSteps[step].take);
+    scan.drop = core::romRead(wiring::kAnalogSteps[step].drop);
+    scan.take = core::romRead(wiring::kAnalogSteps[step].take);
     ADMUX = static_cast<uint8_t>((1 << REFS0) | (mux & 0x1F));
     ADCSRB = mux & 0x20 ? 1 << MUX5 : 0;
 }
@@ -77,8 +63,8 @@ ISR(ADC_vect) {
 namespace avr {
 
 void adcStart() {
-    DIDR0 = 1 << ADC0D;
-    DIDR2 = (1 << ADC12D) | (1 << ADC13D);
+    DIDR0 = wiring::kAnalogPins0;
+    DIDR2 = wiring::kAnalogPins2;
     ADCSRA = kEnabled;
 }
 
@@ -89,11 +75,12 @@ namespace hal {
 void analogScan() {
     if (scan.running) return;
     scan.running = true;
-    begin(0);
+    begin(wiring::kFirstAnalogStep);
     ADCSRA = kEnabled | (1 << ADSC);
 }
 
 AnalogSum analogTake(Analog input) {
+    if (wiring::kFirstAnalogStep > 0 && input == Analog::airspeed) return wiring::airspeed();
     AnalogSum& sum = sums[static_cast<uint8_t>(input)];
     Locked locked;
     const AnalogSum taken = sum;

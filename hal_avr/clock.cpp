@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Timer5 runs freely at 0.5 us a count; its overflow, every 32.768 ms, carries into RAM.
+// The clock's timer runs freely at 0.5 us a count; its overflow, every 32.768 ms, carries into RAM.
 #include "hal/clock.hpp"
 
 #include <avr/interrupt.h>
@@ -7,8 +7,14 @@
 #include <avr/sleep.h>
 
 #include "start.hpp"
+#include "timer.hpp"
+#include "wiring.hpp"
 
 namespace {
+
+inline __attribute__((always_inline)) avr::Timer& counter() {
+    return avr::timer<wiring::kClockTimer>();
+}
 
 constexpr uint16_t kOverflow_us = 32768;
 constexpr uint16_t kLongestRest = 4000;  // 2 ms in counts
@@ -28,8 +34,8 @@ template <class Take>
 __attribute__((always_inline)) inline uint16_t readTimer(bool& overflowed, Take take) {
     const uint8_t previous = SREG;
     cli();
-    const uint16_t count = TCNT5;
-    overflowed = (TIFR5 & (1 << TOV5)) && count < 0x8000;
+    const uint16_t count = counter().count;
+    overflowed = (avr::interruptFlags(wiring::kClockTimer) & (1 << TOV1)) && count < 0x8000;
     take();
     __asm__ volatile("" ::: "memory");
     SREG = previous;
@@ -66,28 +72,28 @@ void carry(uint32_t& ms, uint16_t& us_past_ms) {
 namespace avr {
 
 void clockStart() {
-    TCCR5A = 0;
-    TCCR5B = 1 << CS51;
-    TIMSK5 = (1 << TOIE5) | (1 << OCIE5A);
+    counter().control_a = 0;
+    counter().control_b = 1 << CS11;
+    interruptMask(wiring::kClockTimer) = (1 << TOIE1) | (1 << OCIE1A);
 }
 
 }  // namespace avr
 
-ISR(TIMER5_OVF_vect) {
+ISR(CLOCK_OVERFLOW_vect) {
     base.us += kOverflow_us;
     carry(base.ms, base.us_past_ms);
     avr::ppmTick();
     avr::eepromTick();
 }
 
-ISR(TIMER5_COMPA_vect) { rest_is_over = true; }
+ISR(CLOCK_COMPARE_A_vect) { rest_is_over = true; }
 
 namespace hal {
 
 uint16_t ticks() {
     const uint8_t previous = SREG;
     cli();  // the two halves are read through a register that interrupts use as well
-    const uint16_t count = TCNT5;
+    const uint16_t count = counter().count;
     SREG = previous;
     return count;
 }
@@ -115,7 +121,7 @@ uint32_t now_ms() {
 void idle(bool (*work_waits)()) {
     set_sleep_mode(SLEEP_MODE_IDLE);
     cli();
-    OCR5A = TCNT5 + kLongestRest;
+    counter().compare[0] = counter().count + kLongestRest;
     rest_is_over = false;
     while (!rest_is_over && !work_waits()) {
         sleep_enable();

@@ -72,4 +72,15 @@ struct ActiveLowLed {
     static void off() { LedPin::high(); }
 };
 
+// A light between its pin and ground.
+template <class LedPin>
+struct ActiveHighLed {
+    static void output() {
+        LedPin::low();
+        LedPin::output();
+    }
+    static void on() { LedPin::high(); }
+    static void off() { LedPin::low(); }
+};
+
 }  // namespace avr

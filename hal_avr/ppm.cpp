@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The receiver's channels as one train of pulses on ICP5 (PL1): a channel's width is the time
-// from one rising edge to the next, and a gap of more than 2.7 ms begins a new frame.
+// The receiver's channels as one train of pulses on the capture pin of the clock's timer: a
+// channel's width is the time from one rising edge to the next, and a gap of more than 2.7 ms
+// begins a new frame.
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <string.h>
@@ -9,10 +10,12 @@
 #include "hal/interrupts.hpp"
 #include "hal/rc_input.hpp"
 #include "start.hpp"
+#include "timer.hpp"
+#include "wiring.hpp"
 
 namespace {
 
-// in Timer5's counts of 0.5 us
+// in the clock's counts of 0.5 us
 constexpr uint16_t kGap = 2 * 2700;
 constexpr uint16_t kShortest = 2 * 700;  // encoders send 900..2100 us; else it is noise
 constexpr uint16_t kLongest = 2 * 2500;
@@ -66,9 +69,10 @@ inline void pulse(uint16_t width) {
 
 }  // namespace
 
-ISR(TIMER5_CAPT_vect) {
-    const uint16_t edge = ICR5;
-    const bool overflow_pending = (TIFR5 & (1 << TOV5)) && edge < 0x8000;
+ISR(CLOCK_CAPTURE_vect) {
+    const uint16_t edge = avr::timer<wiring::kClockTimer>().capture;
+    const bool overflow_pending =
+        (avr::interruptFlags(wiring::kClockTimer) & (1 << TOV1)) && edge < 0x8000;
     const uint16_t width = edge - ppm.edge;
     const uint8_t overflows = static_cast<uint8_t>(ppm.edge_overflows + overflow_pending);
     const bool too_long = overflows > 1 || (overflows == 1 && edge >= ppm.edge);
@@ -88,10 +92,11 @@ void ppmTick() {
 }
 
 void ppmStart() {
-    TCCR5B |= (1 << ICNC5) | (1 << ICES5);  // a level counts when seen four cycles running
+    // a level counts when seen four cycles running
+    timer<wiring::kClockTimer>().control_b |= (1 << ICNC1) | (1 << ICES1);
     ppm.channel = kNotInFrame;
-    TIFR5 = 1 << ICF5;
-    TIMSK5 |= 1 << ICIE5;
+    interruptFlags(wiring::kClockTimer) = 1 << ICF1;
+    interruptMask(wiring::kClockTimer) |= 1 << ICIE1;
 }
 
 }  // namespace avr

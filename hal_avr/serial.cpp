@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// USART0..2, alike but for their numbers and the size of their rings. 127 bytes of a link are 11 ms
-// of line at 115,200 baud, more than a frame. The GPS is read out in every frame and talks at
-// 38,400 baud: 63 bytes are 16.4 ms of it, against 13 ms between two readings at the worst (a late
-// sample, and the tasks before the reader at their longest). Its driver leaves what follows a
-// whole fix for the next frame: 54 bytes at most, the answer to its question. What it sends looks
+// The USARTs of the ports, alike but for their numbers and the size of their rings. 127 bytes of a
+// link are 11 ms of line at 115,200 baud, more than a frame. The GPS is read out in every frame and
+// talks at 38,400 baud: 63 bytes are 16.4 ms of it, against 13 ms between two readings at the worst
+// (a late sample, and the tasks before the reader at their longest). Its driver leaves what follows
+// a whole fix for the next frame: 54 bytes at most, the answer to its question. What it sends looks
 // for room first.
 #include "hal/serial.hpp"
 
@@ -14,6 +14,7 @@
 #include "hal/interrupts.hpp"
 #include "pin.hpp"
 #include "start.hpp"
+#include "wiring.hpp"
 
 namespace {
 
@@ -51,7 +52,12 @@ inline auto at(hal::Port port, Act act) {
 constexpr uint8_t kReceiving = (1 << RXCIE0) | (1 << RXEN0) | (1 << TXEN0);
 constexpr uint8_t kSendingToo = kReceiving | (1 << UDRIE0);
 
-inline Usart& usart(uint8_t port) { return reinterpret_cast<Usart*>(0xC0)[port]; }
+constexpr uint16_t usartAddress(uint8_t number) { return number == 3 ? 0x130 : 0xC0 + 8 * number; }
+
+inline Usart& usart(uint8_t port) {
+    const bool link1 = port == static_cast<uint8_t>(hal::Port::link1);
+    return *reinterpret_cast<Usart*>(usartAddress(link1 ? wiring::kLink1Usart : port));
+}
 
 template <uint8_t port>
 inline void received() {
@@ -129,10 +135,10 @@ Divider dividerFor(uint32_t baud) {
 
 ISR(USART0_RX_vect) { received<0>(); }
 ISR(USART1_RX_vect) { received<1>(); }
-ISR(USART2_RX_vect) { received<2>(); }
+ISR(LINK1_RECEIVED_vect) { received<2>(); }
 ISR(USART0_UDRE_vect, ISR_NAKED) { send<0>(); }
 ISR(USART1_UDRE_vect, ISR_NAKED) { send<1>(); }
-ISR(USART2_UDRE_vect, ISR_NAKED) { send<2>(); }
+ISR(LINK1_EMPTY_vect, ISR_NAKED) { send<2>(); }
 
 namespace avr {
 
@@ -140,8 +146,8 @@ namespace avr {
 void serialStart() {
     Pin<PortE, 0>::high();
     Pin<PortD, 2>::high();
-    Pin<PortH, 0>::high();
-    Pin<PortA, 1>::high();  // the USB sense, should its processor not drive it: no USB
+    wiring::Link1Receive::high();
+    wiring::UsbSense::high();  // the USB sense, should its processor not drive it: no USB
 }
 
 }  // namespace avr
@@ -184,6 +190,6 @@ uint16_t serialLost(Port port) {
     return at(port, [](auto& channel) { return channel.lost; });
 }
 
-bool usbConnected() { return !avr::Pin<avr::PortA, 1>::isHigh(); }
+bool usbConnected() { return !wiring::UsbSense::isHigh(); }
 
 }  // namespace hal

@@ -6,14 +6,14 @@
 
 namespace avr {
 
-void clockStart();   // Timer5 runs; first, the others take times from it
+void clockStart();   // its timer runs; first, the others take times from it
 void ppmStart();     // input capture of the same timer
 void serialStart();  // pull-ups on the receive pins
 void twiStart();
 void adcStart();
 void imuInterruptStart();  // INT6
 
-// Called by the clock's interrupt at every overflow of Timer5, which is every 32.768 ms.
+// Called by the clock's interrupt at every overflow of its timer, which is every 32.768 ms.
 void ppmTick();     // counts how long the receiver has been silent
 void eepromTick();  // lets the queue go on when a reader has not come back
 

@@ -11,6 +11,7 @@
 #include "hal/i2c.hpp"
 #include "pin.hpp"
 #include "start.hpp"
+#include "wiring.hpp"
 
 namespace {
 
@@ -29,20 +30,26 @@ constexpr uint8_t kStop = (1 << TWINT) | (1 << TWEN) | (1 << TWSTO);
 
 enum class State : uint8_t { idle, running, done, failed };
 
-struct {
+struct Transfer {
     uint8_t bytes[hal::kI2cBytes];  // first those to send, then those received
     uint8_t address_rw;
     uint8_t at, out_size, in_size;
     volatile State state;
     uint32_t started_us;
-} transfer;
+};
+Transfer transfers[wiring::kI2cUsers];
+uint8_t on_the_bus;  // whose transfer is running, or was the last
 
-inline void finish(State how) {
+inline __attribute__((always_inline)) Transfer& transferOf(uint8_t user) {
+    return transfers[wiring::kI2cUsers == 1 ? 0 : user];
+}
+
+inline void finish(Transfer& transfer, State how) {
     transfer.state = how;
     TWCR = kStop;
 }
 
-inline void sendNext() {
+inline void sendNext(Transfer& transfer) {
     if (transfer.at < transfer.out_size) {
         TWDR = transfer.bytes[transfer.at++];
         TWCR = kGo;
@@ -50,17 +57,17 @@ inline void sendNext() {
         transfer.address_rw |= TW_READ;
         TWCR = kStart;
     } else {
-        finish(State::done);
+        finish(transfer, State::done);
     }
 }
 
 // Every byte but the last is acknowledged.
-inline __attribute__((always_inline)) void receiveNext() {
+inline __attribute__((always_inline)) void receiveNext(const Transfer& transfer) {
     const bool more = transfer.at + 1 < transfer.in_size;
     TWCR = more ? kGo | (1 << TWEA) : kGo;
 }
 
-inline void keepByte() { transfer.bytes[transfer.at++] = TWDR; }
+inline void keepByte(Transfer& transfer) { transfer.bytes[transfer.at++] = TWDR; }
 
 // An open-collector line: pulled low, or left to its pull-ups.
 template <class Line>
@@ -97,6 +104,7 @@ void freeBus() {
 }  // namespace
 
 ISR(TWI_vect) {
+    Transfer& transfer = transferOf(on_the_bus);
     switch (TW_STATUS) {
         case TW_START:
         case TW_REP_START:
@@ -106,21 +114,21 @@ ISR(TWI_vect) {
             break;
         case TW_MT_SLA_ACK:
         case TW_MT_DATA_ACK:
-            sendNext();
+            sendNext(transfer);
             break;
         case TW_MR_SLA_ACK:
-            receiveNext();
+            receiveNext(transfer);
             break;
         case TW_MR_DATA_ACK:
-            keepByte();
-            receiveNext();
+            keepByte(transfer);
+            receiveNext(transfer);
             break;
         case TW_MR_DATA_NACK:
-            keepByte();
-            finish(State::done);
+            keepByte(transfer);
+            finish(transfer, State::done);
             break;
         default:  // nobody answered, somebody else sends, or the bus is in disorder
-            finish(State::failed);
+            finish(transfer, State::failed);
             break;
     }
 }
@@ -139,9 +147,12 @@ void twiStart() {
 
 namespace hal {
 
-bool i2cStart(uint8_t address, const uint8_t* out, uint8_t out_size, uint8_t in_size) {
-    if (transfer.state == State::running || (TWCR & (1 << TWSTO))) return false;
+bool i2cStart(I2cUser user, uint8_t address, const uint8_t* out, uint8_t out_size,
+              uint8_t in_size) {
+    if (transferOf(on_the_bus).state == State::running || (TWCR & (1 << TWSTO))) return false;
     if (out_size > kI2cBytes || in_size > kI2cBytes) return false;
+    if (wiring::kI2cUsers > 1) on_the_bus = static_cast<uint8_t>(user);
+    Transfer& transfer = transferOf(static_cast<uint8_t>(user));
     memcpy(transfer.bytes, out, out_size);
     transfer.address_rw = static_cast<uint8_t>(address << 1);
     if (out_size == 0) transfer.address_rw |= TW_READ;
@@ -153,10 +164,12 @@ bool i2cStart(uint8_t address, const uint8_t* out, uint8_t out_size, uint8_t in_
     return true;
 }
 
-core::Status i2cResult(uint8_t* in, uint8_t in_size) {
+core::Status i2cResult(I2cUser user, uint8_t* in, uint8_t in_size) {
+    Transfer& transfer = transferOf(static_cast<uint8_t>(user));
     const State state = transfer.state;
     if (state == State::idle) return core::Status::timeout;
-    if (state == State::running || (TWCR & (1 << TWSTO))) {
+    const bool stopping = (TWCR & (1 << TWSTO)) && &transfer == &transferOf(on_the_bus);
+    if (state == State::running || stopping) {
         if (now_us() - transfer.started_us < kLongest_us) return core::Status::busy;
         TWBR = kSlow;
         freeBus();

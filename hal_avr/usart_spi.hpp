@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// USART3 as SPI master in mode 0 at 8 MHz (ATmega2560 data sheet 23). Its transmitter and receiver
-// are buffered, so the next byte is handed over while one is on the wire; never more than two are
-// under way, which is what the receiver holds: an interrupt in between costs time, not bytes.
+// USARTs as SPI masters (ATmega2560 data sheet 23). USART3 in mode 0 at 8 MHz: its transmitter and
+// receiver are buffered, so the next byte is handed over while one is on the wire; never more than
+// two are under way, which is what the receiver holds: an interrupt in between costs time, not
+// bytes.
 #pragma once
 #include <avr/io.h>
 
@@ -42,6 +43,27 @@ private:
         while (!(UCSR3A & (1 << RXC3))) {
         }
         return UDR3;
+    }
+};
+
+// USART2 as SPI master in mode 0 at 2.67 MHz for a converter that is asked in pairs of bytes: as
+// many as transmitter and receiver hold, so one interrupt serves two, however late it comes.
+struct Usart2Pairs {
+    static void start() {
+        UBRR2 = 0;
+        Pin<PortH, 2>::output();  // XCK2
+        UCSR2C = (1 << UMSEL21) | (1 << UMSEL20);
+        UCSR2B = (1 << RXEN2) | (1 << TXEN2) | (1 << TXCIE2);
+        UBRR2 = 2;  // the converter's clock is 3.2 MHz at most, ADS7844 data sheet
+    }
+    static void begin(uint8_t first, uint8_t second) {
+        UDR2 = first;
+        UDR2 = second;
+    }
+    static void beginLast(uint8_t byte) { UDR2 = byte; }
+    static uint8_t received() { return UDR2; }
+    static void flush() {
+        while (UCSR2A & (1 << RXC2)) UDR2;
     }
 };
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The image for the board named by BOARD: firmware/ on hal_avr/ on libraries/.
-set(BOARD apm2 CACHE STRING "apm2")
+set(BOARD apm2 CACHE STRING "apm1 or apm2")
 file(GLOB hal_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp
      ${CMAKE_SOURCE_DIR}/hal_avr/boards/${BOARD}/*.cpp)
 add_library(hal_avr STATIC ${hal_sources})
@@ -25,6 +25,7 @@ add_custom_command(TARGET firmware POST_BUILD
     COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/task_names.mjs
             ${CMAKE_SOURCE_DIR}/firmware/tasks.cpp tasks.json
     COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/check_image.mjs $<TARGET_FILE:firmware>
+            ${CMAKE_SOURCE_DIR}/toolchain/budgets.json ${BOARD}
     VERBATIM)
 # what judges the image is part of it
 file(GLOB image_checks ${CMAKE_SOURCE_DIR}/toolchain/*.mjs ${CMAKE_SOURCE_DIR}/toolchain/image/*.mjs

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // After linking: one line for each memory, and a failure when one is past its budget.
-//   node toolchain/check_image.mjs FILE.elf [BUDGETS.json]
+//   node toolchain/check_image.mjs FILE.elf [BUDGETS.json [BOARD]]
+// A board has the budgets of all but for those that stand under its name.
 // Also fails when the image reaches the bootloader, constructs a global object at start-up, or
 // has tables in flash where the short load instruction does not reach. The interrupts' budget in
 // cycles is held by the simulated flight, which measures it.
@@ -9,7 +10,7 @@ import { readFileSync } from 'node:fs';
 import { readElf } from './image/elf.mjs';
 import { describe, stackBound } from './stack_bound.mjs';
 
-const kBootloader = 0x3e000;  // of the APM 2: the top 8 KiB
+const kBootloader = 0x3e000;  // of both boards: the top 8 KiB
 const kNearFlash = 0x10000;
 
 export function checkImage(path, budgets) {
@@ -38,9 +39,10 @@ export function checkImage(path, budgets) {
   return { lines, faults };
 }
 
-function run([path, budgets = new URL('budgets.json', import.meta.url)]) {
-  if (!path) throw new Error('usage: check_image.mjs FILE.elf [BUDGETS.json]');
-  const { lines, faults } = checkImage(path, JSON.parse(readFileSync(budgets)));
+function run([path, file = new URL('budgets.json', import.meta.url), board]) {
+  if (!path) throw new Error('usage: check_image.mjs FILE.elf [BUDGETS.json [BOARD]]');
+  const budgets = JSON.parse(readFileSync(file));
+  const { lines, faults } = checkImage(path, { ...budgets, ...budgets[board] });
   for (const line of lines) console.log(line);
   for (const fault of faults) console.error(`check_image: ${fault}`);
   if (faults.length > 0) process.exitCode = 1;

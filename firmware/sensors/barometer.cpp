@@ -2,7 +2,6 @@
 // Static pressure. The zero of its height is where the airplane stood when it was switched on; the
 // temperature on the ground is held, as the sun on the board would else lift the airplane.
 #include "board.hpp"
-#include "drivers/ms5611.hpp"
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/vehicle.hpp"
@@ -11,7 +10,7 @@
 namespace firmware {
 namespace {
 
-drivers::Ms5611<board::SensorBus, board::BarometerSelect> barometer;
+board::Barometer barometer;
 
 // The sensor sits on a board that warms it by about this much over the air around the airplane;
 // taken for the air's, its temperature would make every height 3 % too large.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "board.hpp"
 #include "core/maths.hpp"
 #include "drivers/hmc5883l.hpp"
 #include "firmware/parameters.hpp"
@@ -22,8 +23,10 @@ void runCompass() {
         vehicle.compass.healthy = compass.healthy();
         return;
     }
+    core::Vector3 field_mg = compass.field_mg();
+    if (board::kCompassUpsideDown) field_mg = {field_mg.x, -field_mg.y, -field_mg.z};
     const float* offset = parameters.compass_offset_mg;
-    vehicle.compass.field_mg = compass.field_mg() + core::Vector3{offset[0], offset[1], offset[2]};
+    vehicle.compass.field_mg = field_mg + core::Vector3{offset[0], offset[1], offset[2]};
     vehicle.compass.fresh = true;  // the estimator clears it
     vehicle.compass.healthy = compass.healthy();
 }

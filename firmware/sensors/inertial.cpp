@@ -5,7 +5,6 @@
 #include "core/fixed.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
-#include "drivers/mpu6000.hpp"
 #include "estimation/still.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/sensors/devices.hpp"
@@ -19,7 +18,7 @@ namespace {
 
 using estimation::Turn;
 
-drivers::Mpu6000<board::SensorBus, board::ImuSelect> imu;
+board::Inertial imu;
 
 estimation::Still still;
 Turn zero;  // of the gyros, in a sample period

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The roles of a board, played by doubles.
 #pragma once
+#include "drivers/mpu6000.hpp"
+#include "drivers/ms5611.hpp"
 #include "fakes/bus.hpp"
 #include "fakes/flash_bus.hpp"
 
@@ -9,6 +11,10 @@ namespace board {
 using SensorBus = fakes::Bus;
 using ImuSelect = fakes::Pin<0>;
 using BarometerSelect = fakes::Pin<1>;
+
+using Inertial = drivers::Mpu6000<SensorBus, ImuSelect>;
+using Barometer = drivers::Ms5611<SensorBus, BarometerSelect>;
+constexpr bool kCompassUpsideDown = false;
 
 using FlashBus = fakes::FlashBus;
 using FlashSelect = fakes::FlashSelect;

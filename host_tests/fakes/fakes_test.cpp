@@ -105,9 +105,9 @@ TEST_F(Fakes, an_i2c_bus_without_a_device_times_out) {
     const uint8_t out = 0;
     uint8_t in = 0;
 
-    ASSERT_TRUE(hal::i2cStart(0x1E, &out, 1, 1));
+    ASSERT_TRUE(hal::i2cStart(hal::I2cUser::compass, 0x1E, &out, 1, 1));
 
-    EXPECT_EQ(hal::i2cResult(&in, 1), Status::timeout);
+    EXPECT_EQ(hal::i2cResult(hal::I2cUser::compass, &in, 1), Status::timeout);
 }
 
 TEST_F(Fakes, the_receiver_ages_with_the_clock) {

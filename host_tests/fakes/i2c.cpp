@@ -22,7 +22,7 @@ void resetI2c() {
 
 namespace hal {
 
-bool i2cStart(uint8_t address, const uint8_t* out, uint8_t out_size, uint8_t in_size) {
+bool i2cStart(I2cUser, uint8_t address, const uint8_t* out, uint8_t out_size, uint8_t in_size) {
     if (running || out_size > kI2cBytes || in_size > kI2cBytes) return false;
     bus.transfers.push_back({address, std::vector<uint8_t>(out, out + out_size), in_size});
     running = true;
@@ -30,7 +30,7 @@ bool i2cStart(uint8_t address, const uint8_t* out, uint8_t out_size, uint8_t in_
     return true;
 }
 
-core::Status i2cResult(uint8_t* in, uint8_t in_size) {
+core::Status i2cResult(I2cUser, uint8_t* in, uint8_t in_size) {
     if (!running) return core::Status::timeout;
     if (polls_left > 0) {
         --polls_left;

@@ -50,7 +50,7 @@ bool Hmc5883l::step(uint32_t now_ms) {
     if (now_ms - good_ms_ > kSilent_ms) healthy_ = false;
     if (under_way_) {
         uint8_t bytes[hal::kI2cBytes];
-        const core::Status status = hal::i2cResult(bytes, expected_bytes_);
+        const core::Status status = hal::i2cResult(hal::I2cUser::compass, bytes, expected_bytes_);
         if (status == core::Status::busy) return false;
         under_way_ = false;
         if (status == core::Status::ok) {
@@ -78,7 +78,7 @@ void Hmc5883l::begin() {
         out[0] = state_ == State::identify ? kIdentification : kConfigA;
         expected_bytes_ = 3;
     }
-    under_way_ = hal::i2cStart(kAddress, out, out_size, expected_bytes_);
+    under_way_ = hal::i2cStart(hal::I2cUser::compass, kAddress, out, out_size, expected_bytes_);
 }
 
 bool Hmc5883l::finish(const uint8_t* bytes, uint32_t now_ms) {

@@ -4,6 +4,9 @@
 #pragma once
 #include <stdint.h>
 
+#include "drivers/mpu6000.hpp"
+#include "drivers/ms5611.hpp"
+
 namespace board {
 
 constexpr char kName[] = "APM 2 (native)";
@@ -36,6 +39,10 @@ struct BarometerSelect {
     static void high();
     static void output() {}
 };
+
+using Inertial = drivers::Mpu6000<SensorBus, ImuSelect>;
+using Barometer = drivers::Ms5611<SensorBus, BarometerSelect>;
+constexpr bool kCompassUpsideDown = false;
 
 struct FlashBus {
     static void send(const uint8_t* bytes, uint8_t size);

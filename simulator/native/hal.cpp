@@ -44,10 +44,12 @@ core::Status eepromWrite(uint16_t address, const void* from, uint8_t size) {
 bool eepromDrained() { return board().eepromChip().drained(); }
 
 // I2C
-bool i2cStart(uint8_t address, const uint8_t* out, uint8_t out_size, uint8_t in_size) {
+bool i2cStart(I2cUser, uint8_t address, const uint8_t* out, uint8_t out_size, uint8_t in_size) {
     return board().i2c().start(address, out, out_size, in_size);
 }
-core::Status i2cResult(uint8_t* in, uint8_t in_size) { return board().i2c().result(in, in_size); }
+core::Status i2cResult(I2cUser, uint8_t* in, uint8_t in_size) {
+    return board().i2c().result(in, in_size);
+}
 
 // analogue inputs
 void analogScan() { board().analog().scan(); }

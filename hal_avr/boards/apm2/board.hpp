@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ArduPilotMega 2.x: which part is wired to which pin. Roles on the left, silicon on the right;
-// the peripherals' own pins stand with them (servo outputs in pwm.cpp, serial lines in serial.cpp).
+// the peripherals' own pins stand in wiring.hpp.
 #pragma once
+#include "drivers/mpu6000.hpp"
+#include "drivers/ms5611.hpp"
 #include "pin.hpp"
 #include "spi.hpp"
 #include "usart_spi.hpp"
@@ -11,6 +13,9 @@ namespace board {
 using SensorBus = avr::Spi0;
 using ImuSelect = avr::Pin<avr::PortB, 0>;        // MPU-6000
 using BarometerSelect = avr::Pin<avr::PortG, 1>;  // MS5611
+using Inertial = drivers::Mpu6000<SensorBus, ImuSelect>;
+using Barometer = drivers::Ms5611<SensorBus, BarometerSelect>;
+constexpr bool kCompassUpsideDown = false;
 
 using FlashBus = avr::Usart3Spi;
 using FlashSelect = avr::Pin<avr::PortA, 6>;  // AT45DB161D or AT45DB321D

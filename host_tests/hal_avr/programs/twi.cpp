@@ -11,10 +11,10 @@ void imuDataReady() {}
 static void transfer(uint8_t address, const uint8_t* out, uint8_t out_size, uint8_t in_size) {
     uint8_t in[hal::kI2cBytes] = {};
     const uint32_t start_us = hal::now_us();
-    report(1, hal::i2cStart(address, out, out_size, in_size));
+    report(1, hal::i2cStart(hal::I2cUser::compass, address, out, out_size, in_size));
     core::Status status;
     do {
-        status = hal::i2cResult(in, in_size);
+        status = hal::i2cResult(hal::I2cUser::compass, in, in_size);
     } while (status == core::Status::busy);
     report(2, static_cast<uint16_t>(status));
     report(3, static_cast<uint16_t>(hal::now_us() - start_us));
@@ -30,13 +30,13 @@ int main() {
     transfer(0x1E, configure, 4, 0);
     transfer(0x1E, data, 1, 6);
     transfer(0x1E, data, 0, 1);
-    report(5, hal::i2cStart(0x1E, data, 1, 9));
-    report(6, hal::i2cStart(0x1E, data, 1, 6));
-    report(6, hal::i2cStart(0x1E, data, 1, 6));
+    report(5, hal::i2cStart(hal::I2cUser::compass, 0x1E, data, 1, 9));
+    report(6, hal::i2cStart(hal::I2cUser::compass, 0x1E, data, 1, 6));
+    report(6, hal::i2cStart(hal::I2cUser::compass, 0x1E, data, 1, 6));
     wait_ms(2);
     uint8_t in[6];
-    report(7, static_cast<uint16_t>(hal::i2cResult(in, 6)));
-    report(7, static_cast<uint16_t>(hal::i2cResult(in, 6)));
+    report(7, static_cast<uint16_t>(hal::i2cResult(hal::I2cUser::compass, in, 6)));
+    report(7, static_cast<uint16_t>(hal::i2cResult(hal::I2cUser::compass, in, 6)));
     transfer(0x55, data, 1, 6);  // nobody there
     for (;;) {
         wait_ms(10);
