@@ -13,6 +13,7 @@
 // Needs the relocations in the file: link with -Wl,--emit-relocs.
 import { execFileSync } from 'node:child_process';
 
+import { decode } from './image/decode.mjs';
 import { readElf } from './image/elf.mjs';
 import { Routine } from './image/routine.mjs';
 import { isNumber, isUnknown, keyOf, number, pair, plus, sum } from './image/value.mjs';
@@ -21,6 +22,7 @@ const kVectorBytes = 4, kVectors = 57;
 const kWordOfData = 4, kWordOfCode = 5;                // R_AVR_16, R_AVR_16_PM
 const kCodeAddresses = new Set([12, 13, 15, 16, 24, 25]);  // LDI of a code address, either half
 const kReturnAddress = 3;
+const kTrampolineBytes = 4, kPointerReach = 0x1ffff;
 const kRam = 0x800000;  // where the ELF file puts it
 
 // From the linker's names to those in the source, without arguments.
@@ -51,7 +53,18 @@ class Image {
     this.words = new Map(elf.relocations.filter((r) => r.type === kWordOfCode).map((r) => [r.at, r.target]));
     const isAddress = (r) => r.type === kWordOfCode || r.type === kWordOfData;
     this.addresses = new Map(elf.relocations.filter(isAddress).map((r) => [r.at, r]));
+    this.trampolines = this.findTrampolines();
   }
+
+  // A pointer has 16 bits and reaches the first 128 KiB; for functions above, the linker makes it
+  // point to a jump to them.
+  findTrampolines() {
+    const begin = this.elf.symbol('__trampolines_start')?.value ?? 0, end = this.elf.symbol('__trampolines_end')?.value ?? 0;
+    const found = new Map();
+    for (let at = begin; at < end; at += kTrampolineBytes) found.set(decode(this.text, at).to, at);
+    return found;
+  }
+  pointerTo(target) { return (target > kPointerReach ? this.trampolines.get(target) ?? target : target) / 2; }
 
   startOf(address) {
     let low = 0, high = this.starts.length;
@@ -79,7 +92,7 @@ class Image {
   // undefined: not known.
   wordsAt(space, { off, stride }) {
     const base = space === 'ram' ? kRam + off : off;
-    const valueOf = (r) => number(r.type === kWordOfCode ? r.target / 2 : r.target);
+    const valueOf = (r) => number(r.type === kWordOfCode ? this.pointerTo(r.target) : r.target);
     if (stride === 0) {
       const r = this.addresses.get(base);
       return r ? [valueOf(r)] : space === 'flash' ? [] : undefined;

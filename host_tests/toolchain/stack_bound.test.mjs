@@ -215,6 +215,22 @@ test('recursion through a table fails too', () => {
   assert.throws(() => bound(program), /recursion: again > again/);
 });
 
+test('a table reaches functions above 128 KiB by way of the linker\'s trampolines', () => {
+  const result = bound(`
+    typedef void (*Run)();
+    extern "C" ASM farAway() { asm("push r2\\n push r3\\n pop r3\\n pop r2\\n ret\\n"); }
+    const Run kRows[] PROGMEM = {farAway};
+    extern "C" ASM filler() { asm(".space 0x1f000\\n .space 0x1000"); }
+    volatile uint8_t i;
+    __attribute__((OS_main)) int main() {
+      reinterpret_cast<Run>(pgm_read_word(&kRows[i]))();
+      for (;;) {}
+    }`);
+
+  assert.ok(result.indirect[0].resolved);
+  assert.equal(result.bytes, kMain + 3 + 2);
+});
+
 test('a stack that grows in a loop fails', () => {
   assert.throws(() => bound(`
     __attribute__((naked)) int main() { asm("1: push r2\\n rjmp 1b"); }`), /grows in a loop/);
