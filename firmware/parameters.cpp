@@ -165,6 +165,7 @@ constexpr parameters::Row kRows[] = {
     P(172, "BATT_AMP_PERVOLT",  battery_amps_per_volt,            17,       0,      200),
     P(176, "BATT_AMP_OFFSET",   battery_amps_offset_v,             0,       0,        5),
     P(173, "BATT_CAPACITY",     battery_capacity_mah,           3300,       0,    60000),
+    P(220, "LOG_BITMASK",       log_bitmask,                   16382,       0,  1048575),
     // never to be used again: 13, 22 (SRn_RAW_CTRL), 18, 27 (SRn_PARAMS)
 };
 // clang-format on

@@ -73,6 +73,8 @@ struct Parameters {
     int16_t arming_check;
     // mission
     int8_t mission_restart, mission_trailing, mission_set, altitude_absolute;
+    // log
+    int32_t log_bitmask;
     // sensors
     int8_t airspeed_enable, airspeed_use;
     float airspeed_ratio;

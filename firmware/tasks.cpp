@@ -9,6 +9,7 @@
 #include "firmware/failsafe.hpp"
 #include "firmware/guidance/guidance.hpp"
 #include "firmware/lights.hpp"
+#include "firmware/log/log.hpp"
 #include "firmware/mission/events.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/modes.hpp"
@@ -58,6 +59,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { telemetrySend,         2,     1,    1250 },
     { runGuidance,           5,     2,    2700 },
     { runSpeedHeight,       10,     4,    2400 },
+    { runLog,                2,     0,     900 },
     { runCompass,            2,     0,     300 },
     { runAirspeed,           2,     0,     280 },
     { missionRun,           10,     3,    2600 },
@@ -112,6 +114,7 @@ bool workWaits() { return inertialSamplesWaiting() >= kSamplesPerFrame || teleme
 void start() {
     board::start();
     dataflashStart();
+    logStart();
     // at reset the queue is empty, so nothing is busy but what a cut left to be redone
     while (parametersLoad() == core::Status::busy) {
     }
@@ -129,7 +132,7 @@ void turn() {
     if (frameDue()) {
         frame_began = hal::ticks();
         schedule.runFrame(hal::now_us());
-    } else if (!telemetryPump()) {
+    } else if (!telemetryPump() && !logFind()) {
         hal::idle(workWaits);
     }
 }

@@ -21,6 +21,7 @@ const libraries = {
   scheduler: ['core', 'hal'],
   mavlink: ['core'],
   drivers: ['core', 'hal'],
+  logging: ['core', 'hal'],
 };
 const allLibraries = Object.keys(libraries);
 const rules = [

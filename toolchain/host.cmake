@@ -72,6 +72,10 @@ endforeach()
 if(TARGET drivers_test)  # the drivers are tried on the simulator's chips
     target_link_libraries(drivers_test PRIVATE simulator_world)
 endif()
+if(TARGET logging_test)  # the logs lie in the simulator's chip
+    target_sources(logging_test PRIVATE ${CMAKE_SOURCE_DIR}/host_tests/logging/chip.cpp)
+    target_link_libraries(logging_test PRIVATE simulator_world)
+endif()
 if(TARGET airplane_test)
     target_compile_definitions(airplane_test PRIVATE
                                AIRPLANES="${CMAKE_SOURCE_DIR}/simulator/airplanes")

@@ -2,6 +2,7 @@
 // The engine among the rest of the firmware: boot, AUTO, what its events mean.
 #include "firmware/mission/mission.hpp"
 
+#include "firmware/log/log.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/events.hpp"
@@ -82,6 +83,7 @@ void onReset() {
 
 void onEvent(Event event, uint8_t index) {
     hal::markItem(static_cast<uint8_t>(hal::kMarkMission + static_cast<uint8_t>(event)), index);
+    if (event == Event::started || event == Event::waits || event == Event::runs) logCommand(index);
     switch (event) {
         case Event::started:
             keepIndex(index);

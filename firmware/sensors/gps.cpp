@@ -27,6 +27,8 @@ void take(const drivers::GpsFix& fix) {
 
 }  // namespace
 
+const drivers::GpsFix& gpsFix() { return receiver.fix(); }
+
 void startGps() { receiver.start(); }
 
 void runGps() {

@@ -4,6 +4,8 @@
 #pragma once
 #include <stdint.h>
 
+#include "drivers/ublox.hpp"
+
 namespace firmware {
 
 void startSensors();
@@ -15,6 +17,8 @@ void runDeclination();  // 1 Hz
 void runGps();
 void runAirspeed();
 void runBattery();
+
+const drivers::GpsFix& gpsFix();  // the newest as it came: its time and week
 
 uint8_t inertialSamplesWaiting();
 uint16_t inertialErrors();

@@ -81,27 +81,6 @@ bool onRadioStatus(Link& link, const mavlink::Frame& frame) {
     return true;
 }
 
-bool onLogRequestList(Link& link, const mavlink::Frame&) {
-    const mavlink::LogEntry none = {};  // of no logs
-    return send(link, none);
-}
-
-// Data of no bytes is where a log ends; one that does not exist ends where it is asked for.
-bool onLogRequestData(Link& link, const mavlink::Frame& frame) {
-    const auto asked = frame.read<mavlink::LogRequestData>();
-    mavlink::LogData message = {};
-    message.id = asked.id;
-    message.ofs = asked.ofs;
-    return send(link, message);
-}
-
-bool onLogErase(Link&, const mavlink::Frame&) {
-    tell(Severity::notice, ROM_TEXT("No logs to erase"));
-    return true;
-}
-
-bool onLogRequestEnd(Link&, const mavlink::Frame&) { return true; }
-
 // 0 gives a channel back to the receiver, 65535 leaves it as it is.
 bool onRcChannelsOverride(Link&, const mavlink::Frame& frame) {
     if (!fromGround(frame)) return true;

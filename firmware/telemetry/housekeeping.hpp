@@ -15,10 +15,6 @@ bool onPing(Link& link, const mavlink::Frame& frame);
 bool onTimesync(Link& link, const mavlink::Frame& frame);
 bool onRequestDataStream(Link& link, const mavlink::Frame& frame);
 bool onRadioStatus(Link& link, const mavlink::Frame& frame);
-bool onLogRequestList(Link& link, const mavlink::Frame& frame);
-bool onLogRequestData(Link& link, const mavlink::Frame& frame);
-bool onLogErase(Link& link, const mavlink::Frame& frame);
-bool onLogRequestEnd(Link& link, const mavlink::Frame& frame);
 bool onRcChannelsOverride(Link& link, const mavlink::Frame& frame);
 
 }  // namespace firmware

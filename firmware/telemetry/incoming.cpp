@@ -7,6 +7,7 @@
 #include "firmware/telemetry/commands.hpp"
 #include "firmware/telemetry/housekeeping.hpp"
 #include "firmware/telemetry/link.hpp"
+#include "firmware/telemetry/logs.hpp"
 #include "firmware/telemetry/mission_transfer.hpp"
 #include "firmware/telemetry/parameter_transfer.hpp"
 

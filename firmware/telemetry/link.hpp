@@ -35,6 +35,7 @@ struct Link {
     uint8_t slowdown_pct = 0;        // of the streams, asked for by the radio
     uint8_t wake_room = 0;           // free bytes in the port at which there is something to send
     bool parameter_is_next = false;  // while a list is sent, streams and list take turns
+    bool log_is_next = false;        // likewise a log and all else
     uint16_t next_parameter = 0;     // of the list being sent; kNoParameter: none
     Streams streams;
 };

@@ -4,6 +4,7 @@
 #include "firmware/telemetry/commands.hpp"
 #include "firmware/telemetry/housekeeping.hpp"
 #include "firmware/telemetry/link.hpp"
+#include "firmware/telemetry/logs.hpp"
 #include "firmware/telemetry/mission_transfer.hpp"
 #include "firmware/telemetry/parameter_transfer.hpp"
 #include "firmware/telemetry/text.hpp"
@@ -83,8 +84,12 @@ bool hasSomething(const Link& link) {
     return link.streams.due != 0 || link.next_parameter != kNoParameter || textWaits(link);
 }
 
-// One message, of what goes out by itself.
+// One message, of what goes out by itself. A log takes turns with all the rest.
 bool sendOne(Link& link) {
+    if (logsWait(link)) {
+        link.log_is_next = !link.log_is_next;
+        if (link.log_is_next && !heartbeatDue(link) && logsSend(link)) return true;
+    }
     if (!hasSomething(link) || !hasRoom(link, kLargestFrame)) return false;
     if (heartbeatDue(link)) return streamsSend(link);
     if (textSend(link)) return true;
@@ -109,6 +114,7 @@ void telemetryStart() {
     housekeepingStart();
     missionTransferStart();
     commandsStart();
+    logsStart();
     usb = hal::usbConnected();
     openLink0();
     open(links[1], parameters.serial2_baud);
@@ -135,7 +141,9 @@ bool telemetryPump() {
         if (receive(link) || sendOne(link)) {
             done = true;
         } else {
-            link.wake_room = hasSomething(link) ? kLargestFrame : kNoRoomWakes;
+            link.wake_room = hasSomething(link) ? kLargestFrame
+                             : logsWait(link)   ? kLogFrame
+                                                : kNoRoomWakes;
         }
     }
     return done;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/telemetry/text.hpp"
 
+#include "firmware/log/log.hpp"
 #include "firmware/telemetry/link.hpp"
 #include "firmware/telemetry/text_queue.hpp"
 
@@ -11,11 +12,12 @@ struct Text {
     core::RomText text;
     int32_t number;
     uint8_t severity : 4;
-    uint8_t waiting : 4;  // a bit a link that has not taken it yet
+    uint8_t waiting : 4;  // a bit a link, and one for the log, that has not taken it yet
 };
 
 constexpr uint8_t kTexts = 5;
 constexpr uint8_t kEveryLink = (1 << kLinks) - 1;
+constexpr uint8_t kLog = 1 << kLinks;
 Text texts[kTexts];
 uint8_t used;
 uint8_t lost;
@@ -23,7 +25,8 @@ uint8_t lost;
 uint8_t bitOf(const Link& link) { return static_cast<uint8_t>(1 << linkNumber(link)); }
 
 void forgetTaken() {
-    while (used > 0 && texts[0].waiting == 0) {
+    const uint8_t takers = logOpen() ? kEveryLink | kLog : kEveryLink;
+    while (used > 0 && (texts[0].waiting & takers) == 0) {
         --used;
         memmove(texts, texts + 1, used * sizeof texts[0]);
     }
@@ -43,7 +46,7 @@ uint8_t decimal(int32_t number, char (&to)[11]) {
     return length;
 }
 
-void spell(const Text& from, char (&to)[kTextSize]) {
+void spell(const Text& from, char* to) {
     char number[11];
     uint8_t length = 0;
     for (core::RomText c = from.text; length < kTextSize; ++c) {
@@ -68,7 +71,8 @@ void tell(Severity severity, core::RomText text, int32_t number) {
         if (lost < 0xFF) ++lost;
         return;
     }
-    texts[used++] = {text, number, static_cast<uint8_t>(severity), kEveryLink};
+    texts[used++] = {text, number, static_cast<uint8_t>(severity),
+                     static_cast<uint8_t>(kEveryLink | (logOpen() ? kLog : 0))};
 }
 
 uint8_t textsLost() { return lost; }
@@ -77,6 +81,23 @@ bool textWaits(const Link& link) {
     for (uint8_t i = 0; i < used; ++i)
         if ((texts[i].waiting & bitOf(link)) != 0) return true;
     return false;
+}
+
+bool textForLog(char* to) {
+    for (uint8_t i = 0; i < used; ++i) {
+        if ((texts[i].waiting & kLog) == 0) continue;
+        spell(texts[i], to);
+        return true;
+    }
+    return false;
+}
+
+void textLogged() {
+    uint8_t i = 0;
+    while (i < used && (texts[i].waiting & kLog) == 0) ++i;
+    if (i == used) return;
+    texts[i].waiting &= static_cast<uint8_t>(~kLog & 0xF);
+    forgetTaken();
 }
 
 bool textSend(Link& link) {

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/log/log.hpp"
+
+#include <string.h>
+
+#include "core/rom.hpp"
+#include "firmware/log/records.hpp"
+#include "firmware/log/sources.hpp"
+#include "firmware/mission/mission.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/telemetry/text.hpp"
+#include "firmware/vehicle.hpp"
+#include "hal/eeprom.hpp"
+#include "hal/page_flash.hpp"
+#include "storage/eeprom_map.hpp"
+#include "storage/owner.hpp"
+
+namespace firmware {
+
+logging::Book flight_logs;
+
+namespace {
+
+// Bits of LOG_BITMASK as ArduPlane counts them.
+namespace Bit {
+enum : uint8_t {
+    attitude_fast = 0,
+    attitude = 1,
+    gps = 2,
+    performance = 3,
+    control = 4,
+    navigation = 5,
+    mode = 6,
+    inertial = 7,
+    command = 8,
+    current = 9,
+    compass = 10,
+    radio = 13,
+    disarmed = 16,
+    inertial_fast = 19,
+};
+}
+
+struct Source {
+    uint8_t bit;
+    uint8_t every;  // runs
+    uint8_t phase;  // spread, so that they do not all come at once
+    bool (*put)();
+};
+
+// clang-format off
+constexpr Source kSources[] ROM = {
+    // bit                 every phase
+    {Bit::attitude_fast,     1,    0, putAttitude},
+    {Bit::inertial_fast,     1,    0, putInertial},
+    {Bit::attitude,          5,    0, putAttitude},
+    {Bit::inertial,          5,    1, putInertial},
+    {Bit::control,           5,    2, putControl},
+    {Bit::navigation,       10,    3, putNavigation},
+    {Bit::control,          10,    4, putBarometer},
+    {Bit::compass,          10,    8, putCompass},
+    {Bit::current,          10,    9, putCurrent},
+    {Bit::radio,            10,    0, putRadioIn},
+    {Bit::radio,            10,    5, putServoOut},
+    {Bit::performance,      50,    6, putPerformance},
+    {Bit::gps,               0,    0, putGps},  // each fix
+};
+// clang-format on
+constexpr uint8_t kSourceCount = core::count(kSources);
+constexpr uint8_t kRound = 50;  // runs: a multiple of every period
+constexpr uint8_t kRecordsPerRun = 3;
+static_assert(kSourceCount <= 16, "a bit each");
+
+// What begins or ends is an event or an error with its code 1 or 0.
+enum class Told : uint8_t { event, error };
+struct State {
+    bool (*holds)();
+    Told as;
+    uint8_t begins, ends;  // of an error: its subsystem, twice
+};
+
+bool armed() { return vehicle.armed; }
+bool flying() { return vehicle.estimate.flying; }
+bool radioLost() { return vehicle.radio.lost; }
+bool failsafeShort() { return vehicle.failsafe_short; }
+bool failsafeLong() { return vehicle.failsafe_long; }
+bool gpsLost() { return vehicle.gps.fix < GpsFix::three_d; }
+bool compassAils() { return !vehicle.compass.healthy; }
+bool barometerAils() { return !vehicle.baro.healthy; }
+
+// Numbers as ArduCopter's logs have them, ArduPlane's have none.
+// clang-format off
+constexpr State kStates[] ROM = {
+    {armed,         Told::event, 10, 11},
+    {flying,        Told::event, 28, 18},
+    {radioLost,     Told::error,  2,  2},
+    {failsafeShort, Told::error,  5,  5},
+    {failsafeLong,  Told::error,  8,  8},
+    {gpsLost,       Told::error, 11, 11},
+    {compassAils,   Told::error,  3,  3},
+    {barometerAils, Told::error, 18, 18},
+};
+// clang-format on
+static_assert(core::count(kStates) <= 8, "a bit each");
+
+constexpr uint8_t kCommands = 4;
+constexpr uint8_t kNoMode = 0xFF;
+
+uint16_t prelude;  // formats, banner, parameters, mission items already logged
+uint16_t due;      // a bit a source
+uint16_t dropped;
+uint8_t run;     // 0 .. kRound - 1
+uint8_t states;  // as logged
+uint8_t mode = kNoMode;
+uint8_t gps_seen;  // when the newest fix came, roughly
+uint8_t commands[kCommands];
+uint8_t commands_waiting;
+uint8_t dropped_told;
+enum class Request : uint8_t { none, pause, erase } request;
+
+uint32_t wantedKinds() {
+    uint32_t kinds = static_cast<uint32_t>(parameters.log_bitmask);
+    if (kinds & 1UL << Bit::attitude_fast) kinds &= ~(1UL << Bit::attitude);
+    if (kinds & 1UL << Bit::inertial_fast) kinds &= ~(1UL << Bit::inertial);
+    return kinds;
+}
+
+bool wants(uint8_t bit) { return (static_cast<uint32_t>(parameters.log_bitmask) >> bit & 1) != 0; }
+
+void drop() {
+    if (dropped != 0xFFFF) ++dropped;
+}
+
+bool comesNow(const Source& source) {
+    if (source.every != 0) return run % source.every == source.phase;
+    const uint8_t came = static_cast<uint8_t>(vehicle.gps.received_ms / 4);
+    if (came == gps_seen) return false;
+    gps_seen = came;
+    return true;
+}
+
+void findDue() {
+    if (++run == kRound) run = 0;
+    const uint32_t kinds = wantedKinds();
+    uint16_t bit = 1;
+    for (const Source& in_flash : kSources) {
+        const Source source = core::romRead(in_flash);
+        if ((kinds >> source.bit & 1) != 0 && comesNow(source)) {
+            if ((due & bit) != 0) drop();
+            due |= bit;
+        }
+        bit <<= 1;
+    }
+}
+
+bool putDue() {
+    for (uint8_t i = 0; i < kSourceCount; ++i) {
+        const uint16_t bit = static_cast<uint16_t>(1u << i);
+        if ((due & bit) == 0) continue;
+        if (!core::romRead(kSources[i].put)()) return false;
+        due &= static_cast<uint16_t>(~bit);
+        return true;
+    }
+    return false;
+}
+
+// The next part of what every log begins with; false: it is whole, or has to wait.
+bool putPrelude() {
+    uint16_t at = prelude;
+    bool ok;
+    if (at < kFormats) {
+        ok = putFormat(static_cast<uint8_t>(at));
+    } else if ((at -= kFormats) == 0) {
+        ok = putBanner();
+    } else if (--at < parameterCount()) {
+        ok = putParameter(static_cast<uint8_t>(at));
+    } else if ((at -= parameterCount()) < missionCount() && wants(Bit::command)) {
+        ok = putCommand(static_cast<uint8_t>(at));
+    } else {
+        return false;
+    }
+    if (ok) ++prelude;
+    return ok;
+}
+
+bool putState() {
+    uint8_t bit = 1;
+    for (const State& in_flash : kStates) {
+        const State state = core::romRead(in_flash);
+        const bool holds = state.holds();
+        if (holds != ((states & bit) != 0)) {
+            const bool ok = state.as == Told::event ? putEvent(holds ? state.begins : state.ends)
+                                                    : putError(state.begins, holds);
+            if (ok) states ^= bit;
+            return ok;
+        }
+        bit = static_cast<uint8_t>(bit << 1);
+    }
+    return false;
+}
+
+bool putChange() {
+    const uint8_t now = static_cast<uint8_t>(vehicle.mode);
+    if (now != mode && wants(Bit::mode)) {
+        if (!putMode()) return false;
+        mode = now;
+        return true;
+    }
+    if (commands_waiting == 0) return false;
+    if (!putCommand(commands[0])) return false;
+    --commands_waiting;
+    memmove(commands, commands + 1, commands_waiting);
+    return true;
+}
+
+// What happened goes first, then what is measured, and beside it the rest of the prelude.
+bool putOne() {
+    if (prelude < kFormats) return putPrelude();
+    return putState() || putChange() || putText() || putDue();
+}
+
+void begin() {
+    if (flight_logs.begin() != core::Status::ok) return;
+    prelude = due = 0;
+    states = commands_waiting = 0;
+    mode = kNoMode;
+}
+
+void end() {
+    while (putState() || putChange() || putText()) {
+    }
+    const core::Status status = flight_logs.end();
+    (void)status;  // busy: in the next run
+}
+
+void tellDropped() {
+    if (run != 0 || static_cast<uint8_t>(dropped) == dropped_told) return;
+    dropped_told = static_cast<uint8_t>(dropped);
+    tell(Severity::warning, ROM_TEXT("Log: # records dropped"), dropped);
+}
+
+// Where the ring begins, kept in the EEPROM beside its complement.
+struct Base {
+    uint16_t base, complement;
+};
+constexpr uint16_t kBaseAddress = storage::kHomeAndLog.end() - sizeof(Base);
+
+uint16_t readBase() {
+    Base stored;
+    while (hal::eepromRead(kBaseAddress, &stored, sizeof stored) == core::Status::busy) {
+    }
+    return (stored.base ^ stored.complement) == 0xFFFF ? stored.base : 0;
+}
+
+bool keepBase(uint16_t base) {
+    storage::Owner owner;
+    if (storage::findOwner(owner) != core::Status::ok) return false;
+    if (owner != storage::Owner::us) return true;  // not to be written to
+    const Base stored = {base, static_cast<uint16_t>(~base)};
+    return hal::eepromWrite(kBaseAddress, &stored, sizeof stored) == core::Status::ok;
+}
+
+void eraseMore() {
+    if (!flight_logs.erasing()) {
+        (void)flight_logs.erase();
+    } else if (flight_logs.eraseStep() && keepBase(flight_logs.nextBase())) {
+        flight_logs.finishErase();
+        request = Request::none;
+        tell(Severity::notice, ROM_TEXT("Logs erased"));
+    }
+}
+
+void armedMeanwhile() {
+    if (request == Request::erase) tell(Severity::warning, ROM_TEXT("Erasing logs stopped"));
+    request = Request::none;
+}
+
+}  // namespace
+
+void logStart() {
+    flight_logs.start(readBase());
+    due = dropped = prelude = 0;
+    run = dropped_told = 0;
+    request = Request::none;
+}
+
+void logPause(bool pause) { request = pause ? Request::pause : Request::none; }
+
+void logErase() {
+    if (vehicle.armed) return tell(Severity::error, ROM_TEXT("Disarm to erase logs"));
+    if (!flight_logs.usable()) return tell(Severity::error, ROM_TEXT("No logs to erase"));
+    request = Request::erase;
+    tell(Severity::notice, ROM_TEXT("Erasing logs"));
+}
+
+uint16_t logDropped() { return dropped; }
+
+void logCommand(uint8_t index) {
+    if (!logOpen() || !wants(Bit::command)) return;
+    if (commands_waiting == kCommands) return drop();
+    commands[commands_waiting++] = index;
+}
+
+void runLog() {
+    if (vehicle.armed && request != Request::none) armedMeanwhile();
+    const bool wanted = parameters.log_bitmask != 0 && request == Request::none &&
+                        (vehicle.armed || wants(Bit::disarmed));
+    if (!flight_logs.writing()) {
+        if (wanted) begin();
+        if (request == Request::erase) eraseMore();
+        return;
+    }
+    if (!wanted) return end();
+    if (hal::flashTrouble() != hal::FlashTrouble::none) return flight_logs.start(0);
+    if (prelude >= kFormats) findDue();
+    for (uint8_t i = 0; i < kRecordsPerRun && putOne(); ++i) {
+    }
+    (void)putPrelude();
+    tellDropped();
+}
+
+}  // namespace firmware

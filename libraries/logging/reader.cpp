@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logging/reader.hpp"
+
+#include <string.h>
+
+namespace logging {
+
+using core::Status;
+
+namespace {
+
+uint32_t sizeOf(const Formats& formats) {
+    return static_cast<uint32_t>(formats.count * sizeof(FormatRecord));
+}
+
+uint8_t formatByte(const Formats& formats, uint16_t at) {
+    const uint16_t row = at / sizeof(FormatRecord);
+    const uint16_t within = at % sizeof(FormatRecord);
+    if (within >= sizeof(RecordHead))
+        return core::romRead((&formats.rows[row].type)[within - sizeof(RecordHead)]);
+    return within == 0 ? kHead1 : within == 1 ? kHead2 : kFormatType;
+}
+
+bool holds(const PageHead& head, const Key& key) {
+    return head.key.log == key.log && key.offset >= head.key.offset &&
+           key.offset - head.key.offset < head.used;
+}
+
+}  // namespace
+
+Status oldestKey(const Book& book, Key& key) {
+    PageHead head;
+    Status status = Status::corrupt;
+    for (uint8_t page = 0; page < 3 && status == Status::corrupt; ++page)
+        status = book.readHead(page, head);
+    key = head.key;
+    return status;
+}
+
+// Of the beginning of this log.
+Status Reader::missing(const Book& book, uint32_t& bytes) const {
+    Key key;
+    const Status status = oldestKey(book, key);
+    bytes = key.log == log_ ? key.offset : 0;
+    return status;
+}
+
+Status Reader::size(const Book& book, const Formats& formats, uint32_t& bytes) {
+    Status status = book.seek({log_, UINT32_MAX}, found_);
+    if (status != Status::ok) return status;
+    PageHead head;
+    uint32_t cut;
+    status = book.readHead(found_.first, head);
+    if (status == Status::ok) status = missing(book, cut);
+    if (status != Status::ok) return status;
+    if (head.key.log != log_) return Status::corrupt;
+    bytes = head.key.offset + head.used - cut + (cut > 0 ? sizeOf(formats) : 0);
+    open(book, log_);
+    return Status::ok;
+}
+
+// The page that holds this byte, or, where it is lost, the last before it.
+Status Reader::findPage(const Book& book, uint32_t offset, PageHead& head) {
+    const Key key = {log_, offset};
+    Status status = book.seek(key, found_);
+    if (status != Status::ok) return status;
+    status = book.readHead(found_.first, head);
+    if (status == Status::busy || (status == Status::ok && holds(head, key))) return status;
+    PageHead after;
+    Status next = Status::corrupt;
+    if (found_.first + 1u < book.pages()) next = book.readHead(found_.first + 1, after);
+    if (next == Status::busy) return next;
+    if (next == Status::ok && holds(after, key)) {
+        ++found_.first;
+        found_.end = found_.first + 1;
+        head = after;
+        return Status::ok;
+    }
+    // neither: lost, unless this is the page of an earlier question
+    const bool lies_between = status == Status::ok && !before(key, head.key) &&
+                              (next != Status::ok || before(key, after.key));
+    if (lies_between && head.key.log == log_) return Status::ok;
+    open(book, log_);
+    return Status::busy;
+}
+
+Status Reader::read(const Book& book, const Formats& formats, uint32_t at, uint8_t* to,
+                    uint8_t& size) {
+    uint32_t cut;
+    Status status = missing(book, cut);
+    if (status != Status::ok) return status;
+    if (cut > 0) {
+        uint8_t done = 0;
+        for (; done < size && at + done < sizeOf(formats); ++done)
+            to[done] = formatByte(formats, static_cast<uint16_t>(at + done));
+        if (done > 0) {
+            size = done;
+            return Status::ok;
+        }
+        at += cut - sizeOf(formats);
+    }
+    PageHead head;
+    status = findPage(book, at, head);
+    if (status != Status::ok) return status;
+    const uint32_t from = at - head.key.offset;
+    if (from >= head.used) {
+        memset(to, 0, size);
+        return Status::ok;
+    }
+    const uint16_t rest = head.used - static_cast<uint16_t>(from);
+    if (size > rest) size = static_cast<uint8_t>(rest);
+    return book.read(found_.first, static_cast<uint16_t>(from), to, size);
+}
+
+}  // namespace logging
