@@ -218,7 +218,7 @@ test('recursion through a table fails too', () => {
 test('a table reaches functions above 128 KiB by way of the linker\'s trampolines', () => {
   const result = bound(`
     typedef void (*Run)();
-    extern "C" ASM farAway() { asm("push r2\\n push r3\\n pop r3\\n pop r2\\n ret\\n"); }
+    extern "C" __attribute__((section(".text.far"))) ASM farAway() { asm("push r2\\n push r3\\n pop r3\\n pop r2\\n ret\\n"); }
     const Run kRows[] PROGMEM = {farAway};
     extern "C" ASM filler() { asm(".space 0x1f000\\n .space 0x1000"); }
     volatile uint8_t i;
