@@ -220,7 +220,7 @@ test('a table reaches functions above 128 KiB by way of the linker\'s trampoline
     typedef void (*Run)();
     extern "C" __attribute__((section(".text.far"))) ASM farAway() { asm("push r2\\n push r3\\n pop r3\\n pop r2\\n ret\\n"); }
     const Run kRows[] PROGMEM = {farAway};
-    extern "C" ASM filler() { asm(".space 0x1f000\\n .space 0x1000"); }
+    extern "C" ASM filler() { asm(".fill 0x10000, 2, 0x9508"); }
     volatile uint8_t i;
     __attribute__((OS_main)) int main() {
       reinterpret_cast<Run>(pgm_read_word(&kRows[i]))();
