@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/arming.hpp"
 
+#include "firmware/fence.hpp"
 #include "firmware/home.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/modes.hpp"
@@ -20,6 +21,7 @@ enum CheckBit : uint16_t {
     kCompass = 4,
     kGps = 8,
     kInertial = 16,
+    kParameters = 32,
     kRadio = 64,
     kBoardVoltage = 128,
     kBattery = 256,
@@ -65,6 +67,7 @@ constexpr Check kChecks[] ROM = {
     {kRadio,        throttleUp,      "PreArm: throttle is up"},
     {kBoardVoltage, boardVoltageBad, "PreArm: board voltage"},
     {kBattery,      batteryBad,      "PreArm: battery low"},
+    {kParameters,   fenceBad,        "PreArm: fence not fit"},
 };
 // clang-format on
 

@@ -5,6 +5,7 @@
 
 #include "core/maths.hpp"
 #include "firmware/modes.hpp"
+#include "firmware/telemetry/legacy_points.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
 #include "parameters/packed.hpp"
@@ -19,6 +20,9 @@ namespace {
 
 #define P(slot, name, field, initial, lowest, highest) \
     PARAMETER(slot, name, Parameters, field, initial, lowest, highest)
+
+// These two say how long a list is, and are not stored themselves.
+constexpr uint8_t kFenceTotal = 231, kRallyTotal = 237;
 
 // Five rows for channel n, slots 30 + 5 (n - 1) onwards; flight channels have a dead zone.
 #define CHANNEL(n, dead_zone)                                                    \
@@ -139,6 +143,15 @@ constexpr parameters::Row kRows[] = {
     P(148, "FS_LONG_TIMEOUT",   long_timeout_s,                    5,       1,      300),
     P(190, "FS_GCS_ENABL",      ground_failsafe,                   0,       0,        1),
     P(149, "ARMING_CHECK",      arming_check,                      1,       0,    32767),
+    P(230, "FENCE_ACTION",      fence_action,                      0,       0,        3),
+    P(kFenceTotal, "FENCE_TOTAL", fence_total,                     0,       0,       21),
+    P(232, "FENCE_CHANNEL",     fence_channel,                     0,       0,        8),
+    P(233, "FENCE_MINALT",      fence_min_m,                       0,       0,    32767),
+    P(234, "FENCE_MAXALT",      fence_max_m,                       0,       0,    32767),
+    P(235, "FENCE_RETALT",      fence_return_m,                    0,       0,    32767),
+    P(236, "FENCE_AUTOENABLE",  fence_auto_enable,                 0,       0,        1),
+    P(kRallyTotal, "RALLY_TOTAL", rally_total,                     0,       0,       10),
+    P(238, "RALLY_LIMIT_KM",    rally_limit_km,                 0.3f,       0,      100),
     P(150, "MIS_RESTART",       mission_restart,                   0,       0,        1),
     P(151, "MIS_TRAILING",      mission_trailing,                  0,       0,        1),
     P(152, "MIS_SET",           mission_set,                       2,       1,        2),
@@ -217,6 +230,19 @@ void runErasing() {
     tell(Severity::notice, ROM_TEXT("Erased: restart the board"));
 }
 
+bool isListLength(uint8_t row) {
+    const uint8_t slot = table.slot(row);
+    return slot == kFenceTotal || slot == kRallyTotal;
+}
+
+core::Status setListLength(uint8_t row, float value) {
+    const uint8_t total = static_cast<uint8_t>(core::rounded(value));
+    const ListKind kind = table.slot(row) == kFenceTotal ? ListKind::fence : ListKind::rally;
+    const core::Status status = resizePoints(kind, total);
+    if (status == core::Status::ok) table.assign(row, value);
+    return status;
+}
+
 void assignInitials() {
     for (uint8_t row = 0; row < table.count(); ++row) table.assignInitial(row);
 }
@@ -230,6 +256,7 @@ bool takes(uint8_t row, float value) {
     const uint8_t slot = table.slot(row);
     const int32_t whole = core::rounded(value);
     if (slot >= kFirstMode && slot <= kLastMode) return isMode(static_cast<uint8_t>(whole));
+    if (slot == kFenceTotal) return fenceTakesTotal(static_cast<uint8_t>(whole));
     const bool turns = slot >= 30 && slot < 70 && slot % 5 == 3;  // RCn_REV
     return !turns || whole != 0;
 }
@@ -265,6 +292,7 @@ core::Status parameterSetAt(uint16_t index, float value) {
     if (index >= table.count()) return core::Status::bad_argument;
     const uint8_t row = static_cast<uint8_t>(index);
     if (!takes(row, value)) return core::Status::bad_argument;
+    if (isListLength(row)) return setListLength(row, value);
     if (store == Store::foreign) {
         tell(Severity::warning, ROM_TEXT("Not stored: another firmware's EEPROM"));
     } else {
@@ -292,12 +320,12 @@ bool parameterGet(uint8_t slot, float& value) {
 
 bool parameterSlotTakes(uint8_t slot, float value) {
     uint8_t row;
-    return table.findSlot(slot, row) && takes(row, value);
+    return table.findSlot(slot, row) && !isListLength(row) && takes(row, value);
 }
 
 bool parameterSet(uint8_t slot, float value) {
     uint8_t row;
-    if (!table.findSlot(slot, row) || !takes(row, value)) return false;
+    if (!parameterSlotTakes(slot, value) || !table.findSlot(slot, row)) return false;
     table.assign(row, value);
     parameters::saveLater(row);
     return true;

@@ -86,6 +86,11 @@ struct Parameters {
     int8_t battery_monitor;
     float battery_volt_multiplier, battery_amps_per_volt, battery_amps_offset_v;
     int32_t battery_capacity_mah;
+    // fence and rally points
+    int8_t fence_action, fence_channel, fence_auto_enable;
+    int16_t fence_min_m, fence_max_m, fence_return_m;  // above home
+    float rally_limit_km;
+    int8_t fence_total, rally_total;  // what is stored, in the terms of FENCE_POINT, RALLY_POINT
 };
 extern Parameters parameters;
 

@@ -7,6 +7,7 @@
 #include "firmware/dataflash.hpp"
 #include "firmware/estimator.hpp"
 #include "firmware/failsafe.hpp"
+#include "firmware/fence.hpp"
 #include "firmware/guidance/guidance.hpp"
 #include "firmware/lights.hpp"
 #include "firmware/log/log.hpp"
@@ -16,6 +17,7 @@
 #include "firmware/outputs.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/radio.hpp"
+#include "firmware/rally.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/telemetry/telemetry.hpp"
 #include "firmware/vehicle.hpp"
@@ -37,6 +39,11 @@ void endMode() { vehicle.mode_changed = false; }
 void runLightsAndFlash() {
     runLights();
     dataflashStep();
+}
+
+void runPoints() {
+    runFence();
+    rallyFollow();
 }
 
 void everySecond();
@@ -65,6 +72,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { missionRun,           10,     3,    2600 },
     { runModeSwitch,        10,     5,      75 },
     { runEvents,            10,     5,    2200 },
+    { runPoints,            10,     6,     800 },
     { runFailsafe,          10,     6,     160 },
     { runArming,            10,     1,     100 },
     { runBattery,           10,     8,     460 },
@@ -120,6 +128,7 @@ void start() {
     }
     startOutputs();
     startSensors();
+    fenceStart();
     telemetryStart();
     missionBoot();
     vehicle.mode = Mode::initialising;

@@ -25,7 +25,9 @@ MUST_USE core::Status listRead(ListKind kind, uint8_t index, uint8_t* to);
 // room beside the present list, which only is so without a DataFlash, and told.
 MissionResult listBegin(ListKind kind, uint16_t count, uint8_t set);
 MissionResult listPut(const uint8_t* record);
-MissionResult listKeep();  // the record that the present list has in this place
+MissionResult listKeep();   // the record that the present list has in this place
+uint8_t listStaged();       // records put or kept so far ...
+uint8_t listStagedCount();  // ... of so many
 MissionResult listCommit();
 void listAbort();
 MissionResult listClear(ListKind kind, uint8_t set);  // until it is not busy

@@ -6,11 +6,13 @@
 #include <math.h>
 
 #include "core/maths.hpp"
+#include "firmware/fence.hpp"
 #include "firmware/mission/item.hpp"
 #include "firmware/mission/speed.hpp"
 #include "firmware/modes.hpp"
 #include "firmware/modes/circling.hpp"
 #include "firmware/modes/modes_table.hpp"
+#include "firmware/modes/sticks.hpp"
 #include "mavlink/messages.hpp"
 
 namespace firmware {
@@ -56,7 +58,10 @@ Entry startGuided() {
     return entry;
 }
 
-void runGuided() { runLoiter(); }
+void runGuided() {
+    runLoiter();
+    if (fenceThrottle()) vehicle.throttle_demand = stickThrottle();
+}
 
 MissionResult guideTo(MissionItem& item) {
     const float radius_m = isnan(item.param3) ? 0 : item.param3;

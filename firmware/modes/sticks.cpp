@@ -2,6 +2,7 @@
 #include "firmware/modes/sticks.hpp"
 
 #include "core/maths.hpp"
+#include "firmware/fence.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/vehicle.hpp"
 
@@ -29,7 +30,7 @@ core::Angle stickPitch_rad() {
 float stickThrottle() { return vehicle.radio.throttle_pct * 0.01f; }
 
 void mixSticks() {
-    const bool mixing = parameters.stick_mixing != 0 && !vehicle.radio.lost;
+    const bool mixing = parameters.stick_mixing != 0 && !vehicle.radio.lost && !fenceHolds();
     vehicle.pilot_roll_rad = mixing ? stickRoll_rad() : core::Angle::fromRaw(0);
     vehicle.pilot_pitch_rad = mixing ? stickPitch_rad() : core::Angle::fromRaw(0);
 }

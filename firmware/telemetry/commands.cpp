@@ -33,6 +33,7 @@ constexpr CommandRow kCommands[] ROM = {
     {MavCmd::do_repeat_servo,                actNow},
     {MavCmd::do_change_altitude,             changeAltitude},
     {MavCmd::do_reposition,                  reposition},
+    {MavCmd::do_fence_enable,                enableFence},
     {MavCmd::do_set_mission_current,         setCurrentItem},
     {MavCmd::preflight_calibration,          calibrate},
     {MavCmd::preflight_set_sensor_offsets,   setSensorOffsets},

@@ -5,6 +5,7 @@
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/arming.hpp"
+#include "firmware/fence.hpp"
 #include "firmware/home.hpp"
 #include "firmware/mission/speed.hpp"
 #include "firmware/modes.hpp"
@@ -126,6 +127,10 @@ uint8_t changeSpeedNow(Link& link, Order& order) {
     if (number(order.item.param1) == 1 && !followsGroundSpeed())
         return MavResult::temporarily_rejected;
     return actNow(link, order);
+}
+
+uint8_t enableFence(Link&, Order& order) {
+    return whenTrue(fenceEnable(number(order.item.param1)), MavResult::denied);
 }
 
 uint8_t armOrDisarm(Link&, Order& order) {

@@ -38,6 +38,7 @@ uint8_t reposition(Link&, Order&);
 uint8_t changeAltitude(Link&, Order&);
 uint8_t changeSpeedNow(Link&, Order&);
 uint8_t actNow(Link&, Order&);  // what a mission does at once
+uint8_t enableFence(Link&, Order&);
 uint8_t armOrDisarm(Link&, Order&);
 uint8_t runPrearmChecks(Link&, Order&);
 uint8_t doSetHome(Link&, Order&);

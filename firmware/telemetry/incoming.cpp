@@ -6,6 +6,7 @@
 #include "firmware/mission/mission.hpp"
 #include "firmware/telemetry/commands.hpp"
 #include "firmware/telemetry/housekeeping.hpp"
+#include "firmware/telemetry/legacy_points.hpp"
 #include "firmware/telemetry/link.hpp"
 #include "firmware/telemetry/logs.hpp"
 #include "firmware/telemetry/mission_transfer.hpp"
@@ -60,6 +61,7 @@ constexpr Incoming kIncoming[] ROM = {
     toUs<mavlink::ParamRequestRead>(onParamRequestRead),
     toUs<mavlink::ParamSet>(onParamSet, refuseParamSet),
     toUs<mavlink::MissionRequestList>(onMissionRequestList),
+    toUs<mavlink::MissionRequestPartialList>(onMissionRequestPartialList, refuseMission),
     toUs<mavlink::MissionRequest>(onMissionRequest, refuseMission),
     toUs<mavlink::MissionRequestInt>(onMissionRequestInt, refuseMission),
     toUs<mavlink::MissionCount>(onMissionCount, refuseMission),
@@ -69,6 +71,10 @@ constexpr Incoming kIncoming[] ROM = {
     toUs<mavlink::MissionAck>(onMissionAck),
     toUs<mavlink::MissionClearAll>(onMissionClearAll, refuseMission),
     toUs<mavlink::MissionSetCurrent>(onMissionSetCurrent),
+    toUs<mavlink::FencePoint>(onFencePoint),
+    toUs<mavlink::FenceFetchPoint>(onFenceFetchPoint),
+    toUs<mavlink::RallyPoint>(onRallyPoint),
+    toUs<mavlink::RallyFetchPoint>(onRallyFetchPoint),
     toUs<mavlink::LogRequestList>(onLogRequestList),
     toUs<mavlink::LogRequestData>(onLogRequestData),
     toUs<mavlink::LogErase>(onLogErase),

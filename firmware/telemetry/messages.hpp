@@ -11,6 +11,7 @@ struct Link;
 bool fillIn(const Link& link, mavlink::Heartbeat& to);
 bool fillIn(const Link& link, mavlink::SysStatus& to);
 bool fillIn(const Link& link, mavlink::PowerStatus& to);
+bool fillIn(const Link& link, mavlink::FenceStatus& to);
 bool fillIn(const Link& link, mavlink::Hwstatus& to);
 bool fillIn(const Link& link, mavlink::Meminfo& to);
 bool fillIn(const Link& link, mavlink::SystemTime& to);

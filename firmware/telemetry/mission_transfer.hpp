@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mission protocol: up, down, in part, clear, set current.
-// https://mavlink.io/en/services/mission.html
-// One upload at a time, on either link; until its last item has been stored the old mission stays.
-// Fences and rally points (mission_type 1 and 2) do not exist here, and are answered so.
+// The mission protocol, for the mission, the fence and the rally points: up, down, in part, clear,
+// set current. https://mavlink.io/en/services/mission.html
+// One upload at a time, whichever list, link or ground station; others are denied theirs. Until
+// its last item has been stored the old list stays.
 #pragma once
 #include "mavlink/frame.hpp"
 
@@ -16,6 +16,7 @@ bool onMissionItem(Link& link, const mavlink::Frame& frame);
 bool onMissionItemInt(Link& link, const mavlink::Frame& frame);
 bool onMissionAck(Link& link, const mavlink::Frame& frame);  // the ground station gives up
 bool onMissionRequestList(Link& link, const mavlink::Frame& frame);
+bool onMissionRequestPartialList(Link& link, const mavlink::Frame& frame);
 bool onMissionRequest(Link& link, const mavlink::Frame& frame);
 bool onMissionRequestInt(Link& link, const mavlink::Frame& frame);
 bool onMissionClearAll(Link& link, const mavlink::Frame& frame);

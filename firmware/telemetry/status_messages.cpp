@@ -2,6 +2,7 @@
 // How the vehicle is and what it is.
 #include "core/maths.hpp"
 #include "firmware/arming.hpp"
+#include "firmware/fence.hpp"
 #include "firmware/modes.hpp"
 #include "firmware/tasks.hpp"
 #include "firmware/telemetry/link.hpp"
@@ -48,6 +49,7 @@ uint32_t fittedSensors() {
     if (parameters.compass_use != 0) bits |= Sensor::sensor_3d_mag;
     if (parameters.airspeed_enable != 0) bits |= Sensor::sensor_differential_pressure;
     if (parameters.battery_monitor != 0) bits |= Sensor::sensor_battery;
+    if (fenceThere()) bits |= Sensor::geofence;
     return bits;
 }
 
@@ -59,6 +61,7 @@ uint32_t unusedSensors() {
         bits |= Sensor::sensor_yaw_position | Sensor::sensor_z_altitude_control |
                 Sensor::sensor_xy_position_control;
     if (!vehicle.armed) bits |= Sensor::sensor_motor_outputs;
+    if (!fenceOn()) bits |= Sensor::geofence;
     return bits;
 }
 
@@ -72,6 +75,7 @@ uint32_t ailingSensors() {
     if (!vehicle.airspeed.healthy) bits |= Sensor::sensor_differential_pressure;
     if (!vehicle.gps.healthy) bits |= Sensor::sensor_gps;
     if (vehicle.radio.lost) bits |= Sensor::sensor_rc_receiver;
+    if (fenceReport().breach != Breach::none || fenceBad()) bits |= Sensor::geofence;
     if (!vehicle.armed && !prearmOk()) bits |= Sensor::prearm_check;
     return bits;
 }
@@ -115,6 +119,15 @@ bool fillIn(const Link& link, mavlink::SysStatus& to) {
     return true;
 }
 
+bool fillIn(const Link&, mavlink::FenceStatus& to) {
+    const FenceReport report = fenceReport();
+    to.breach_time = report.breach_ms;
+    to.breach_count = report.breaches;
+    to.breach_status = report.breach != Breach::none;
+    to.breach_type = report.breach;
+    return fenceThere();
+}
+
 bool fillIn(const Link&, mavlink::PowerStatus& to) {
     to.Vcc = vehicle.battery.board_mv;
     if (hal::usbConnected()) to.flags = mavlink::MavPowerStatus::usb_connected;
@@ -139,7 +152,8 @@ bool fillIn(const Link&, mavlink::SystemTime& to) {
 bool fillIn(const Link&, mavlink::AutopilotVersion& to) {
     using Can = mavlink::MavProtocolCapability;
     to.capabilities = Can::mission_float | Can::mission_int | Can::param_float |
-                      Can::param_encode_c_cast | Can::command_int | Can::mavlink2;
+                      Can::mission_fence | Can::mission_rally | Can::param_encode_c_cast |
+                      Can::command_int | Can::mavlink2;
     to.flight_sw_version = kVersion;
     return true;
 }

@@ -57,6 +57,7 @@ constexpr OutgoingRow kOutgoing[] ROM = {
     row<mavlink::GpsRawInt>(Stream::extended_status),
     row<mavlink::NavControllerOutput>(Stream::extended_status),
     row<mavlink::MissionCurrent>(Stream::extended_status),
+    row<mavlink::FenceStatus>(Stream::extended_status),
     row<mavlink::MissionItemReached>(Stream::on_request),
     row<mavlink::Attitude>(Stream::extra1),
     row<mavlink::GlobalPositionInt>(Stream::position),

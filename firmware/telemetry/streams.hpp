@@ -8,7 +8,7 @@ namespace firmware {
 
 struct Link;
 
-constexpr uint8_t kOutgoingRows = 23;
+constexpr uint8_t kOutgoingRows = 24;
 constexpr uint8_t kTurns_hz = 50;  // of telemetrySend for each link
 
 // Rates are kept in quarters of a hertz.

@@ -184,9 +184,9 @@ TEST_F(Telemetry, describes_itself_in_every_way_it_can_be_asked) {
     const auto versions = station.all<mavlink::AutopilotVersion>();
     ASSERT_EQ(versions.size(), 3u);
     using Can = mavlink::MavProtocolCapability;
-    EXPECT_EQ(versions[0].capabilities, Can::mission_float | Can::mission_int | Can::param_float |
-                                            Can::param_encode_c_cast | Can::command_int |
-                                            Can::mavlink2);
+    EXPECT_EQ(versions[0].capabilities,
+              Can::mission_float | Can::mission_int | Can::mission_fence | Can::mission_rally |
+                  Can::param_float | Can::param_encode_c_cast | Can::command_int | Can::mavlink2);
     EXPECT_EQ(command(MavCmd::request_message, 9999), MavResult::unsupported);
     EXPECT_EQ(command(MavCmd::request_message, NAN), MavResult::unsupported);
 }
@@ -256,7 +256,6 @@ const Case kCases[] = {
     {"an interval of nothing", MavCmd::set_message_interval, {30, kNan}, MavResult::denied},
     {"an interval of no message", MavCmd::get_message_interval, {-1}, MavResult::denied},
     {"a landing from here", MavCmd::nav_land, {}, MavResult::unsupported},
-    {"a fence", 207, {1}, MavResult::unsupported},
     {"a parachute", 208, {2}, MavResult::unsupported},
     {"a go-around", 191, {30}, MavResult::unsupported},
     {"a jump outside of a mission", MavCmd::do_jump, {1, 2}, MavResult::unsupported},

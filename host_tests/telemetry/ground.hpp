@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fakes/fakes.hpp"
+#include "firmware/fence.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/telemetry/telemetry.hpp"
 #include "firmware/telemetry/text.hpp"
@@ -112,6 +113,7 @@ protected:
         while (firmware::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
         for (auto& rates : firmware::parameters.streams) rates = {};  // silence but for heartbeats
         firmware::rcOverrideRelease();
+        firmware::fenceStart();
         firmware::telemetryStart();
         run_ms(100);
         station.forget();

@@ -147,7 +147,7 @@ TEST_F(MissionTransfer, an_upload_that_dies_ends_with_the_truth_and_the_old_miss
     EXPECT_EQ(acks(), Results{MavMissionResult::operation_cancelled});
     EXPECT_EQ(mission.aborts, 1);
     EXPECT_EQ(mission.items.size(), 2u);
-    EXPECT_EQ(station.texts().at(0), "Mission upload given up at item 1");
+    EXPECT_EQ(station.texts().at(0), "Upload given up at item 1");
 }
 
 TEST_F(MissionTransfer, asks_again_for_the_last_item_too) {
@@ -365,33 +365,6 @@ TEST_F(MissionTransfer, a_count_of_nothing_clears_the_mission) {
     give(count(0));
     EXPECT_EQ(acks(), Results{MavMissionResult::accepted});
     EXPECT_TRUE(mission.items.empty());
-}
-
-TEST_F(MissionTransfer, there_are_no_fences_and_no_rally_points) {
-    station.framing = Framing::v2;
-    mission.items = {stored(0), stored(1)};
-    for (const uint8_t type : {MavMissionType::fence, MavMissionType::rally}) {
-        mavlink::MissionRequestList list = {};
-        list.target_system = list.target_component = 1;
-        list.mission_type = type;
-        const auto counts = ask<mavlink::MissionCount>(list);
-        ASSERT_EQ(counts.size(), 1u);
-        EXPECT_EQ(counts[0].count, 0);
-        EXPECT_EQ(counts[0].mission_type, type);
-
-        give(count(3, type));
-        const auto refused = station.all<mavlink::MissionAck>();
-        ASSERT_EQ(refused.size(), 1u);
-        EXPECT_EQ(refused[0].type, MavMissionResult::unsupported);
-        EXPECT_EQ(refused[0].mission_type, type);
-
-        mavlink::MissionClearAll clear = {};
-        clear.target_system = clear.target_component = 1;
-        clear.mission_type = type;
-        give(clear);
-        EXPECT_EQ(acks(), Results{MavMissionResult::unsupported});
-        EXPECT_EQ(mission.items.size(), 2u);
-    }
 }
 
 TEST_F(MissionTransfer, set_current_is_answered_with_the_current_item) {

@@ -13,7 +13,9 @@
 namespace doubles {
 Mission mission;
 Vehicle vehicle;
+Lists lists;
 void reset() {
+    lists = Lists();
     mission = Mission();
     vehicle = Vehicle();
 }
@@ -82,6 +84,7 @@ MissionResult missionCommit() {
 }
 void missionAbort() {
     ++mission.aborts;
+    doubles::lists.staging = false;
     mission.uploading = false;
 }
 MissionResult missionClear() {
@@ -102,6 +105,55 @@ MissionResult guideTo(MissionItem& item) {
 MissionResult guideToHeight(MissionItem& item) {
     doubles::vehicle.heights.push_back(item);
     return mission.answer;
+}
+
+using doubles::lists;
+
+namespace {
+constexpr uint8_t kCapacity[] = {171, 20, 10}, kRecordSize[] = {14, 10, 11};
+const std::vector<doubles::Lists::Record>& records(ListKind kind) {
+    return lists.now[static_cast<int>(kind)];
+}
+}  // namespace
+
+uint8_t listCapacity(ListKind kind) { return kCapacity[static_cast<int>(kind)]; }
+uint8_t listCount(ListKind kind) { return static_cast<uint8_t>(records(kind).size()); }
+uint8_t listGeneration(ListKind kind) { return lists.generation[static_cast<int>(kind)]; }
+core::Status listRead(ListKind kind, uint8_t index, uint8_t* to) {
+    if (isBusy()) return core::Status::busy;
+    if (index >= records(kind).size()) return core::Status::bad_argument;
+    memcpy(to, records(kind)[index].data(), records(kind)[index].size());
+    return core::Status::ok;
+}
+MissionResult listBegin(ListKind kind, uint16_t count, uint8_t) {
+    if (isBusy()) return MissionResult::busy;
+    if (count > listCapacity(kind)) return MissionResult::no_space;
+    lists.kind = kind;
+    lists.count = static_cast<uint8_t>(count);
+    lists.staged.clear();
+    lists.staging = true;
+    return MissionResult::accepted;
+}
+MissionResult listPut(const uint8_t* record) {
+    if (isBusy() || lists.slow-- > 0) return MissionResult::busy;
+    lists.staged.emplace_back(record, record + kRecordSize[static_cast<int>(lists.kind)]);
+    return MissionResult::accepted;
+}
+MissionResult listKeep() { return listPut(records(lists.kind).at(lists.staged.size()).data()); }
+uint8_t listStaged() { return static_cast<uint8_t>(lists.staged.size()); }
+uint8_t listStagedCount() { return lists.count; }
+bool listStaging(ListKind kind) { return lists.staging && lists.kind == kind; }
+MissionResult listCommit() {
+    if (isBusy()) return MissionResult::busy;
+    if (lists.staged.size() != lists.count) return MissionResult::invalid_sequence;
+    lists.now[static_cast<int>(lists.kind)] = lists.staged;
+    ++lists.generation[static_cast<int>(lists.kind)];
+    lists.staging = false;
+    return MissionResult::accepted;
+}
+MissionResult listClear(ListKind kind, uint8_t set) {
+    const MissionResult result = listBegin(kind, 0, set);
+    return result == MissionResult::accepted ? listCommit() : result;
 }
 
 bool isMode(uint8_t custom_mode) {

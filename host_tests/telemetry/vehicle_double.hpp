@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "firmware/arming.hpp"
+#include "firmware/mission/lists.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/modes.hpp"
 #include "geo/position.hpp"
@@ -33,6 +34,18 @@ struct Mission {
     firmware::MissionResult answer = firmware::MissionResult::accepted;  // to every order
 };
 extern Mission mission;
+
+// The fence and the rally points, as records.
+struct Lists {
+    using Record = std::vector<uint8_t>;
+    std::vector<Record> now[3], staged;
+    uint8_t generation[3] = {};
+    firmware::ListKind kind = firmware::ListKind::mission;  // of what is staged
+    uint8_t count = 0;
+    bool staging = false;
+    int slow = 0;  // so many more puts are answered with busy
+};
+extern Lists lists;
 
 struct Vehicle {
     std::vector<std::pair<firmware::Mode, firmware::ModeReason>> modes;  // asked for

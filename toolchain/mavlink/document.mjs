@@ -45,6 +45,7 @@ const remarks = {
   do_repeat_servo: 'p1 = output 5..8, p2 µs, p3 times, p4 seconds each',
   do_change_altitude: 'p1 m in frame p2 (global or relative); in modes that hold a height, but not in AUTO',
   do_reposition: 'GUIDED: p2 bit 0 enters it, p1 > 0 ground speed, p3 > 0 radius with p4 = 1 to the left; what is NaN stays as it is',
+  do_fence_enable: 'p1 = 1 on, 0 off, 2 the floor off; DENIED without a fence that is fit',
   do_set_mission_current: 'p1 = item, -1 the present one; p2 = 1: jumps count anew',
   preflight_calibration: 'p1 = 1 gyros, p3 = 1 barometer and airspeed (IN_PROGRESS, then how it went), p4 = 1 the sticks\' middle, p5 = 2 this is level; disarmed, DENIED in flight',
   preflight_set_sensor_offsets: 'p1 = 2: the compass\'s, p2..p4 mgauss',
