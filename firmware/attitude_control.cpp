@@ -56,19 +56,31 @@ constexpr Look kLooks[] ROM = {feelAir, takeRoll,  lookAway, lookAway, lookAway,
                                feelAir, takePitch, lookAway, takeRest, lookAway};
 uint8_t look;
 
+// Where TRAINING's bounds begin to count: far enough ahead to stop the fastest of rolls.
+int16_t soon(core::Angle angle_rad, core::Fixed<10> rate_rads) {
+    constexpr int16_t kLead = 2;  // 0.2 s, from the one's steps to the other's
+    return core::narrowed(angle_rad.raw + core::product(kLead, rate_rads.raw));
+}
+
+// How far to turn: to what is demanded, or in TRAINING to the bound that is nearer.
+core::Angle error(core::Angle now_rad, core::Fixed<10> rate_rads, core::Angle demand_rad,
+                  core::Angle pilot_rad, int16_t low, int16_t high, int16_t trim) {
+    if (vehicle.sticks == Sticks::rates) return demand_rad;
+    int16_t wanted = core::narrowed(int32_t{demand_rad.raw} + pilot_rad.raw);
+    if (vehicle.sticks == Sticks::bounded)
+        wanted = soon(now_rad, rate_rads) > 0 ? INT16_MAX : INT16_MIN;
+    const uint16_t limited = static_cast<uint16_t>(core::limit(wanted, low, high));
+    return core::between(now_rad, core::Angle::fromRaw(static_cast<int16_t>(limited + trim)));
+}
+
 core::Angle rollError() {
-    const int16_t wanted = static_cast<int16_t>(
-        core::limit<int32_t>(int32_t{vehicle.roll_demand_rad.raw} + vehicle.pilot_roll_rad.raw,
-                             -roll_limit, roll_limit));
-    return core::between(vehicle.attitude.roll_rad, core::Angle::fromRaw(wanted));
+    return error(vehicle.attitude.roll_rad, vehicle.attitude.rate_rads.x, vehicle.roll_demand_rad,
+                 vehicle.pilot_roll_rad, -roll_limit, roll_limit, 0);
 }
 
 core::Angle pitchError() {
-    const int16_t wanted = static_cast<int16_t>(core::limit<int32_t>(
-        int32_t{vehicle.pitch_demand_rad.raw} + vehicle.pilot_pitch_rad.raw, pitch_min, pitch_max));
-    return core::between(
-        vehicle.attitude.pitch_rad,
-        core::Angle::fromRaw(static_cast<int16_t>(static_cast<uint16_t>(wanted) + trim_pitch)));
+    return error(vehicle.attitude.pitch_rad, vehicle.attitude.rate_rads.y, vehicle.pitch_demand_rad,
+                 vehicle.pilot_pitch_rad, pitch_min, pitch_max, trim_pitch);
 }
 
 Deflection yaw() {
@@ -82,13 +94,41 @@ void addStick(Deflection& to, int16_t stick_cd) {
     if (stick_cd != 0) add(to, core::upper(16 * core::product(stick_cd, kPerCentidegree)));
 }
 
+// The stick, but where it would soon leave the bounds no further than what holds them.
+void bind(Deflection& surface, int16_t stick_cd, int16_t soon, int16_t low, int16_t high,
+          control::AxisState& state) {
+    Deflection stick = Deflection::fromRaw(0);
+    addStick(stick, stick_cd);
+    if (soon > high && surface.raw < stick.raw) return;
+    if (soon < low && surface.raw > stick.raw) return;
+    surface = stick;
+    state = control::AxisState();
+}
+
+void bindSticks() {
+    const auto& attitude = vehicle.attitude;
+    bind(surfaces.aileron, vehicle.radio.roll_cd, soon(attitude.roll_rad, attitude.rate_rads.x),
+         -roll_limit, roll_limit, roll_state);
+    bind(surfaces.elevator, vehicle.radio.pitch_cd, soon(attitude.pitch_rad, attitude.rate_rads.y),
+         pitch_min, pitch_max, pitch_state);
+}
+
+// A rate of the pilot's own is not that of a turn.
+control::TurnRates turnToFly() {
+    const bool turns = vehicle.sticks == Sticks::rates &&
+                       (vehicle.radio.pitch_cd != 0 || parameters.acro_locking == 0);
+    if (!turns) return turn;
+    return {core::Fixed<10>::fromRaw(0), turn.yaw_rads};
+}
+
 void stabilise() {
     const auto& rate_rads = vehicle.attitude.rate_rads;
     const uint8_t periods = vehicle.imu.periods;
     surfaces.aileron =
         control::rollDeflection(roll_gains, roll_state, air, rollError(), rate_rads.x, periods);
-    surfaces.elevator = control::pitchDeflection(pitch_gains, pitch_state, air, turn, pitchError(),
-                                                 rate_rads.y, periods);
+    surfaces.elevator = control::pitchDeflection(pitch_gains, pitch_state, air, turnToFly(),
+                                                 pitchError(), rate_rads.y, periods);
+    if (vehicle.sticks == Sticks::bounded) bindSticks();
     surfaces.rudder = control::yawUsed(parameters.yaw) ? yaw() : Deflection::fromRaw(0);
     add(surfaces.rudder, core::times14(surfaces.aileron.raw, rudder_mix.raw));
     add(surfaces.rudder, vehicle.rudder_demand.raw);
@@ -112,7 +152,7 @@ void runAttitudeControl() {
         surfaces = {0, 0, 0, 0};
     else
         stabilise();
-    if (vehicle.sticks != Sticks::nothing) addSticks();
+    if (vehicle.sticks == Sticks::direct || vehicle.sticks == Sticks::on_top) addSticks();
     addStick(surfaces.rudder, vehicle.radio.yaw_cd);
     surfaces.throttle = vehicle.throttle_demand;
 }

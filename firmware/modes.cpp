@@ -11,8 +11,8 @@ namespace {
 using Start = Entry (*)();
 using Run = void (*)();
 
-enum class Throttle : uint8_t { pilot, automatic };
-enum class Guidance : uint8_t { none, height, path };  // what guidance.cpp flies of the demand
+enum class Throttle : uint8_t { pilot, automatic, speed };  // speed: as the stick asks for
+enum class Guidance : uint8_t { none, height, path };       // what guidance.cpp flies of the demand
 
 struct ModeRow {
     Mode mode;
@@ -20,6 +20,7 @@ struct ModeRow {
     Guidance guidance;
     Start start;
     Run run;
+    Run demand;
     Run stop;
 };
 
@@ -27,14 +28,18 @@ void nothing() {}
 
 // clang-format off
 constexpr ModeRow kModes[] ROM = {
-    {Mode::manual,    Throttle::pilot,     Guidance::none,   startManual,    runManual,    nothing},
-    {Mode::circle,    Throttle::automatic, Guidance::height, startCircle,    runCircle,    nothing},
-    {Mode::stabilize, Throttle::pilot,     Guidance::none,   startStabilize, runStabilize, nothing},
-    {Mode::fbwa,      Throttle::pilot,     Guidance::none,   startFbwa,      runFbwa,      nothing},
-    {Mode::automatic, Throttle::automatic, Guidance::path,   startAuto,      runAuto,      stopAuto},
-    {Mode::rtl,       Throttle::automatic, Guidance::path,   startRtl,       runRtl,       nothing},
-    {Mode::loiter,    Throttle::automatic, Guidance::path,   startLoiter,    runLoiter,    nothing},
-    {Mode::guided,    Throttle::automatic, Guidance::path,   startGuided,    runGuided,    nothing},
+    {Mode::manual,    Throttle::pilot,     Guidance::none,   startManual,    runManual,    nothing,      nothing},
+    {Mode::circle,    Throttle::automatic, Guidance::height, startCircle,    runCircle,    nothing,      nothing},
+    {Mode::stabilize, Throttle::pilot,     Guidance::none,   startStabilize, runStabilize, nothing,      nothing},
+    {Mode::training,  Throttle::pilot,     Guidance::none,   startTraining,  runTraining,  nothing,      nothing},
+    {Mode::acro,      Throttle::pilot,     Guidance::none,   startAcro,      runAcro,      nothing,      nothing},
+    {Mode::fbwa,      Throttle::pilot,     Guidance::none,   startFbwa,      runFbwa,      nothing,      nothing},
+    {Mode::fbwb,      Throttle::speed,     Guidance::height, startFbwb,      runFbwb,      demandFbwb,   nothing},
+    {Mode::cruise,    Throttle::speed,     Guidance::path,   startCruise,    runCruise,    demandCruise, nothing},
+    {Mode::automatic, Throttle::automatic, Guidance::path,   startAuto,      runAuto,      nothing,      stopAuto},
+    {Mode::rtl,       Throttle::automatic, Guidance::path,   startRtl,       runRtl,       nothing,      nothing},
+    {Mode::loiter,    Throttle::automatic, Guidance::path,   startLoiter,    runLoiter,    nothing,      nothing},
+    {Mode::guided,    Throttle::automatic, Guidance::path,   startGuided,    runGuided,    nothing,      nothing},
 };
 // clang-format on
 
@@ -79,12 +84,20 @@ void runMode() {
     if (row != kNoRow) core::romRead(kModes[row].run)();
 }
 
+void demandOfMode() {
+    if (row != kNoRow) core::romRead(kModes[row].demand)();
+}
+
 bool guidesItself() {
     return row != kNoRow && core::romRead(kModes[row].guidance) != Guidance::none;
 }
 
 bool autoThrottle() {
-    return row != kNoRow && core::romRead(kModes[row].throttle) == Throttle::automatic;
+    return row != kNoRow && core::romRead(kModes[row].throttle) != Throttle::pilot;
+}
+
+bool stickSetsSpeed() {
+    return row != kNoRow && core::romRead(kModes[row].throttle) == Throttle::speed;
 }
 
 }  // namespace firmware

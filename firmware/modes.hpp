@@ -15,8 +15,10 @@ enum class ModeReason : uint8_t { pilot, ground, mission, failsafe, boot };
 bool setMode(Mode mode, ModeReason reason);
 bool isMode(uint8_t custom_mode);
 
-void runMode();       // 20 Hz: the mode's own work, before guidance
-bool guidesItself();  // the present mode flies vehicle.demand (AUTO, RTL, LOITER ...)
-bool autoThrottle();  // the present mode owns the throttle
+void runMode();         // 100 Hz: the mode's own work
+void demandOfMode();    // 20 Hz, of guidance
+bool guidesItself();    // the present mode flies vehicle.demand (AUTO, RTL, LOITER ...)
+bool autoThrottle();    // the present mode owns the throttle
+bool stickSetsSpeed();  // ... and the throttle stick tells it the airspeed (FBWB, CRUISE)
 
 }  // namespace firmware

@@ -13,8 +13,9 @@ namespace firmware {
 namespace {
 
 constexpr uint16_t kRefresh_hz = 50;
-constexpr uint8_t kFirstFree = 4;  // outputs 5..8, counted from 0
-constexpr uint8_t kThrottle = 3;   // numbered as on the board
+constexpr uint8_t kFirstFree = 4;                            // outputs 5..8, counted from 0
+constexpr uint8_t kAileron = 0, kElevator = 1, kRudder = 3;  // counted from 0
+constexpr uint8_t kThrottle = 3;                             // numbered as on the board
 constexpr uint16_t kShortest_us = 800, kLongest_us = 2200;
 
 uint8_t held;  // a bit an output: its pulse stays as it is
@@ -24,13 +25,45 @@ control::ServoRange range(uint8_t output) {
     return {channel.min_us, channel.trim_us, channel.max_us, channel.reverse};
 }
 
-uint16_t aileron_us() { return surfacePulse_us(range(0), surfaces.aileron); }
-uint16_t elevator_us() { return surfacePulse_us(range(1), surfaces.elevator); }
+// RCn_REV turns the control of a pair, with its stick; the kind of the pair turns the servos.
+core::Fixed<14> upright(uint8_t output, core::Fixed<14> control) {
+    return parameters.channel[output].reverse < 0 ? core::Fixed<14>::fromRaw(-control.raw)
+                                                  : control;
+}
+
+uint16_t paired_us(int8_t kind, uint8_t output, uint8_t other, core::Fixed<14> differential) {
+    const auto pair =
+        control::mixPair(static_cast<control::Pair>(kind), upright(kElevator, surfaces.elevator),
+                         -upright(other, differential), parameters.mixing_gain);
+    control::ServoRange servo = range(output);
+    servo.reverse = 1;
+    return surfacePulse_us(servo, output == kElevator ? pair.left : pair.right);
+}
+
+uint16_t elevon_us(uint8_t output) {
+    return paired_us(parameters.elevon_output, output, kAileron, surfaces.aileron);
+}
+uint16_t tail_us(uint8_t output) {
+    return paired_us(parameters.vtail_output, output, kRudder, surfaces.rudder);
+}
+
+uint16_t aileron_us() {
+    if (parameters.elevon_output != 0) return elevon_us(kAileron);
+    return surfacePulse_us(range(kAileron), surfaces.aileron);
+}
+uint16_t elevator_us() {
+    if (parameters.elevon_output != 0) return elevon_us(kElevator);
+    if (parameters.vtail_output != 0) return tail_us(kElevator);
+    return surfacePulse_us(range(kElevator), surfaces.elevator);
+}
 uint16_t throttle_us() {
     return throttlePulse_us(range(2),
                             vehicle.armed ? surfaces.throttle : core::Fixed<14>::fromRaw(0));
 }
-uint16_t rudder_us() { return surfacePulse_us(range(3), surfaces.rudder); }
+uint16_t rudder_us() {
+    const bool alone = parameters.vtail_output == 0 || parameters.elevon_output != 0;
+    return alone ? surfacePulse_us(range(kRudder), surfaces.rudder) : tail_us(kRudder);
+}
 
 using Pulse = uint16_t (*)();
 constexpr Pulse kPulses[kFirstFree] ROM = {aileron_us, elevator_us, throttle_us, rudder_us};

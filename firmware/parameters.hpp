@@ -37,12 +37,20 @@ struct Parameters {
     int16_t throttle_failsafe_us;
     int8_t stick_mixing, throttle_nudge;
     float rudder_mix;
+    int8_t elevon_output, vtail_output;  // control::Pair
+    float mixing_gain;
     // limits
     int16_t roll_limit_cd, pitch_max_cd, pitch_min_cd;
     float level_roll_limit_deg;
     float pitch_down_deg;  // STAB_PITCH_DOWN
     int16_t trim_pitch_cd;
     int8_t stall_prevention;
+    // modes
+    int16_t acro_roll_rate_dps, acro_pitch_rate_dps;
+    int8_t acro_locking;
+    float fbwb_climb_mps;
+    int8_t fbwb_elevator_reverse;
+    int16_t fbwb_lowest_cm;  // ALT_HOLD_FBWCM
     // speed and throttle
     int16_t cruise_speed_cms;             // TRIM_ARSPD_CM
     int8_t speed_min_mps, speed_max_mps;  // ARSPD_FBW_
@@ -57,8 +65,10 @@ struct Parameters {
     navigation::LateralSettings lateral;  // NAVL1_
     int16_t waypoint_radius_m, loiter_radius_m;
     int32_t rtl_height_cm;
+    int16_t glide_slope_min_m;
     // take-off and landing
     int8_t takeoff_throttle_max_pct;
+    int8_t suppressed_manual;  // THR_SUPP_MAN
     float takeoff_min_speed_mps, takeoff_min_accel_mss;
     int8_t takeoff_delay_ds;  // 0.1 s
     float takeoff_rotate_mps;
@@ -67,9 +77,8 @@ struct Parameters {
     int8_t land_disarm_delay_s;
     // failsafes and arming
     int8_t short_action, long_action;
-    float short_timeout_s, long_timeout_s;
+    float long_timeout_s;
     int8_t ground_failsafe;  // FS_GCS_ENABL
-    int8_t arming_require;
     int16_t arming_check;
     // mission
     int8_t mission_restart, mission_trailing, mission_set, altitude_absolute;

@@ -18,7 +18,11 @@ enum class Mode : uint8_t {
     manual = 0,
     circle = 1,
     stabilize = 2,
+    training = 3,
+    acro = 4,
     fbwa = 5,
+    fbwb = 6,
+    cruise = 7,
     automatic = 10,  // AUTO
     rtl = 11,
     loiter = 12,
@@ -36,6 +40,8 @@ enum class Sticks : uint8_t {
     nothing,  // the demands below are flown alone (plus pilot_roll_rad, pilot_pitch_rad)
     on_top,   // STABILIZE: added to what stabilisation makes
     direct,   // MANUAL: they are the surfaces, throttle_demand the throttle
+    bounded,  // TRAINING: they are the surfaces, up to the limits of bank and pitch
+    rates,    // ACRO: roll_demand_rad and pitch_demand_rad are what is left to turn
 };
 
 struct Vehicle {

@@ -16,8 +16,9 @@ void beginCircling() { turns.start(); }
 Plan flyCircle() {
     const auto& demand = vehicle.demand;
     const navigation::Circle circle = {demand.radius_m, demand.counter_clockwise};
+    const auto now = motion();
     const geo::Offset from_centre = geo::offset(demand.to, vehicle.estimate.position);
-    const auto lateral = navigation::followCircle(lateralGains(), motion(), circle, from_centre);
+    const auto lateral = navigation::followCircle(lateralGains(), now, circle, from_centre);
     tellLateral(lateral, from_centre);
     demandBank(lateral.bank_accel_mss, BankLimit::flying);
     turns.update(circle, from_centre, lateral.crosstrack_m);
@@ -25,7 +26,12 @@ Plan flyCircle() {
     learnBankTrim(circle.counter_clockwise ? -outside_m : outside_m);
     vehicle.progress.captured = turns.captured();
     vehicle.progress.turned_rad = turns.turned_rad();
-    return levelPlan();
+    Plan to_fly = levelPlan();
+    if (demand.sloped && !turns.captured())
+        to_fly.height = navigation::heightOnSlope(
+            demand.from_height_m, demand.height_m, legLength_m() - demand.radius_m,
+            legLength_m() - lateral.distance_m, along_mps(lateral, now));
+    return to_fly;
 }
 
 }  // namespace firmware

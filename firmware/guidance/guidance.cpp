@@ -53,6 +53,7 @@ void runGuidance() {
     }
     if (!guiding) takeOver();
     guiding = true;
+    demandOfMode();
     if (vehicle.demand.new_path) beginPath();
     steerNowhere();
     plan = core::romRead(kFlights[static_cast<uint8_t>(vehicle.demand.path)])();

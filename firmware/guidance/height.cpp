@@ -2,6 +2,7 @@
 #include "firmware/guidance/height.hpp"
 
 #include "core/maths.hpp"
+#include "firmware/modes.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/vehicle.hpp"
 
@@ -12,6 +13,7 @@ constexpr float kPeriod_s = 0.1f;  // 10 Hz
 constexpr float kFlyingSpeed_mps = 5;
 // No more angle of attack near the ground, nor anywhere without a sensor for the speed.
 constexpr float kMostAlpha_rad = 0.2f;
+constexpr float kNudgedDown = 0.3f;  // of the cruise throttle, which still flies
 
 control::SpeedHeight speed_height;
 
@@ -68,25 +70,39 @@ int8_t throttleMax_pct(control::Phase phase) {
     return taking_off ? parameters.takeoff_throttle_max_pct : parameters.throttle_max_pct;
 }
 
+// -1..1: how far the throttle stick is from its middle, where that counts. Above it asks for more,
+// all of it for the most.
+float nudge() {
+    const int8_t above_pct = vehicle.radio.throttle_pct - 50;
+    const bool counts = stickSetsSpeed() || (parameters.throttle_nudge != 0 && above_pct > 0);
+    return counts && !vehicle.radio.lost ? above_pct * 0.02f : 0;
+}
+
+float nudged_mps(float airspeed_mps) {
+    if (stickSetsSpeed()) return airspeed_mps;
+    return airspeed_mps + (parameters.speed_max_mps - airspeed_mps) * nudge();
+}
+
+// Without a sensor the stick moves the throttle itself.
+float cruiseThrottle(float most) {
+    const float cruise = vehicle.demand.throttle_pct * 0.01f;
+    if (vehicle.airspeed.healthy) return cruise;
+    const float share = nudge();
+    return cruise + share * (share > 0 ? most - cruise : cruise * kNudgedDown);
+}
+
 control::SpeedHeightLimits limits(const Plan& plan, float true_speed) {
     control::SpeedHeightLimits limits;
     limits.pitch_min_rad = plan.pitch_min_rad;
     limits.pitch_max_rad = pitchMax_rad(plan);
     limits.throttle_min = parameters.throttle_min_pct * 0.01f;
     limits.throttle_max = throttleMax_pct(plan.phase) * 0.01f;
-    limits.throttle_cruise = vehicle.demand.throttle_pct * 0.01f;
+    limits.throttle_cruise = cruiseThrottle(limits.throttle_max);
     limits.throttle_slew =
         parameters.throttle_slew_pct > 0 ? parameters.throttle_slew_pct * 0.01f : 100.0f;
     limits.airspeed_min_mps = parameters.speed_min_mps * true_speed;
     limits.airspeed_max_mps = parameters.speed_max_mps * true_speed;
     return limits;
-}
-
-// A stick above its middle asks for more speed, all of it for the highest.
-float nudged_mps(float airspeed_mps) {
-    const int8_t above_pct = vehicle.radio.throttle_pct - 50;
-    if (parameters.throttle_nudge == 0 || vehicle.radio.lost || above_pct <= 0) return airspeed_mps;
-    return airspeed_mps + (parameters.speed_max_mps - airspeed_mps) * (above_pct * 0.02f);
 }
 
 }  // namespace
@@ -100,7 +116,8 @@ void shiftHeightFlown(float by_m) { speed_height.shift(by_m); }
 void waitWithHeight(const Plan& plan) {
     speed_height.start(measured(), 0, 0);
     vehicle.pitch_demand_rad = plan.phase == control::Phase::climb_out ? plan.pitch_min_rad : 0;
-    vehicle.throttle_demand = 0;
+    vehicle.throttle_demand =
+        parameters.suppressed_manual != 0 ? vehicle.radio.throttle_pct * 0.01f : 0;
 }
 
 void flyHeight(const Plan& plan) {

@@ -6,6 +6,7 @@
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/speed.hpp"
 #include "firmware/parameters.hpp"
+#include "firmware/rally.hpp"
 #include "firmware/vehicle.hpp"
 #include "hal/clock.hpp"
 
@@ -29,6 +30,8 @@ bool captured;
 
 uint32_t still_ms;
 
+bool height_given;  // of a way home
+
 geo::Position placeOf(const Record& record) { return {record.p3, record.p4}; }
 
 Place airplane() { return {vehicle.estimate.position, vehicle.estimate.height_m}; }
@@ -43,6 +46,14 @@ bool counterClockwise(const Record& record) {
                                               : (record.options & mission::kCounterClockwise) != 0;
 }
 
+// A climb near the ground is not put off, and a small step is flown at once.
+bool worthASlope() {
+    constexpr float kLow_m = 20;
+    const float up_m = vehicle.demand.height_m - vehicle.demand.from_height_m;
+    return fabsf(up_m) >= parameters.glide_slope_min_m &&
+           (up_m < 0 || vehicle.estimate.height_m > kLow_m);
+}
+
 void demand(Path path, const Place& to, Entry entry) {
     auto& demand = vehicle.demand;
     const Place from = entry.from_here || !have_last ? airplane() : last;
@@ -51,7 +62,7 @@ void demand(Path path, const Place& to, Entry entry) {
     demand.from_height_m = from.height_m;
     demand.to = to.position;
     demand.height_m = to.height_m;
-    demand.sloped = path == Path::leg || path == Path::land;
+    demand.sloped = path == Path::land || (path == Path::leg && worthASlope());
     demand.radius_m = loiterRadius_m();
     demand.counter_clockwise = false;
     demand.climb_rate_mps = 0;
@@ -163,6 +174,23 @@ void startReturn(const Record& record, Entry entry) {
     else if (parameters.rtl_height_cm >= 0)
         home.height_m = static_cast<float>(parameters.rtl_height_cm) * 0.01f;
     demandLeg(home, parameters.waypoint_radius_m, entry);
+    height_given = record.p2 != 0;
+    rallyBegin();
+}
+
+namespace {
+
+// A climb that has begun goes on.
+void returnTo(const geo::Position& place, float height_m) {
+    if (height_given) height_m = vehicle.demand.height_m;
+    demandLeg({place, height_m}, parameters.waypoint_radius_m, {true, true});
+}
+
+}  // namespace
+
+Progress returnDone(const Record& record) {
+    rallyLook(returnTo);
+    return waypointDone(record);
 }
 
 void startLand(const Record& record, Entry entry) {

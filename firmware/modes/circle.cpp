@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CIRCLE: a gentle turn that holds the height and needs no GPS; what a short failsafe flies.
-#include "firmware/guidance/guidance.hpp"
+#include "firmware/modes/circling.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
 #include "firmware/parameters.hpp"
@@ -11,9 +11,7 @@
 namespace firmware {
 
 Entry startCircle() {
-    vehicle.demand.path = Path::none;  // guidance holds the height; the bank is ours
-    vehicle.demand.height_m = vehicle.estimate.height_m;
-    vehicle.demand.new_path = true;
+    demandLevel(vehicle.estimate.height_m);
     return Entry::entered;
 }
 

@@ -6,21 +6,29 @@
 
 namespace firmware {
 
+void demandLevel(float height_m) {
+    auto& demand = vehicle.demand;
+    demand.path = Path::none;
+    demand.height_m = height_m;
+    demand.sloped = false;
+    demand.climb_rate_mps = 0;
+    demand.airspeed_mps = parameters.cruise_speed_cms * 0.01f;
+    demand.throttle_pct = parameters.cruise_throttle_pct;
+    demand.new_path = true;
+}
+
+// Down to a lower place goes a slope, which ends where the circle begins; up it goes at once.
 void demandCircle(const geo::Position& centre, float height_m) {
+    demandLevel(height_m);
     auto& demand = vehicle.demand;
     const int16_t radius_m = parameters.loiter_radius_m;
     demand.path = Path::circle;
     demand.from = vehicle.estimate.position;
     demand.to = centre;
     demand.from_height_m = vehicle.estimate.height_m;
-    demand.height_m = height_m;
-    demand.sloped = false;
+    demand.sloped = demand.from_height_m - height_m > parameters.glide_slope_min_m;
     demand.radius_m = radius_m < 0 ? -radius_m : radius_m;
     demand.counter_clockwise = radius_m < 0;
-    demand.climb_rate_mps = 0;
-    demand.airspeed_mps = parameters.cruise_speed_cms * 0.01f;
-    demand.throttle_pct = parameters.cruise_throttle_pct;
-    demand.new_path = true;
 }
 
 }  // namespace firmware

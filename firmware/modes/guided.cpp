@@ -83,6 +83,7 @@ MissionResult guideToHeight(MissionItem& item) {
     if (result != MissionResult::accepted) return result;
     if (!guidesItself() || vehicle.mode == Mode::automatic) return MissionResult::error;
     vehicle.demand.height_m = item.z;
+    vehicle.demand.sloped = false;
     vehicle.demand.climb_rate_mps = 0;
     return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What every mode's file provides, one pair a mode. start: enters or refuses, the reason told.
-// run: 100 Hz, after the sticks are read and before the attitude is controlled.
+// run: 100 Hz, after the sticks are read and before the attitude is controlled. demand: 20 Hz,
+// before guidance flies it.
 #pragma once
 #include <stdint.h>
 
@@ -14,8 +15,22 @@ void runManual();
 Entry startStabilize();
 void runStabilize();
 
+Entry startTraining();
+void runTraining();
+
+Entry startAcro();
+void runAcro();
+
 Entry startFbwa();
 void runFbwa();
+
+Entry startFbwb();
+void runFbwb();
+void demandFbwb();
+
+Entry startCruise();
+void runCruise();
+void demandCruise();
 
 Entry startCircle();
 void runCircle();

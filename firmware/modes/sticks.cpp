@@ -30,9 +30,10 @@ core::Angle stickPitch_rad() {
 float stickThrottle() { return vehicle.radio.throttle_pct * 0.01f; }
 
 void mixSticks() {
-    const bool mixing = parameters.stick_mixing != 0 && !vehicle.radio.lost && !fenceHolds();
-    vehicle.pilot_roll_rad = mixing ? stickRoll_rad() : core::Angle::fromRaw(0);
-    vehicle.pilot_pitch_rad = mixing ? stickPitch_rad() : core::Angle::fromRaw(0);
+    const int8_t mixing = vehicle.radio.lost || fenceHolds() ? 0 : parameters.stick_mixing;
+    vehicle.pilot_roll_rad = mixing == 1 ? stickRoll_rad() : core::Angle::fromRaw(0);
+    vehicle.pilot_pitch_rad = mixing == 1 ? stickPitch_rad() : core::Angle::fromRaw(0);
+    vehicle.sticks = mixing == 2 ? Sticks::on_top : Sticks::nothing;
 }
 
 }  // namespace firmware

@@ -9,7 +9,8 @@ core::Angle stickRoll_rad();   // full stick: LIM_ROLL_CD
 core::Angle stickPitch_rad();  // full stick: LIM_PITCH_MAX or LIM_PITCH_MIN
 float stickThrottle();         // 0..1
 
-// Lets the pilot bend what an automatic mode demands: STICK_MIXING 1, off in a failsafe.
+// Lets the pilot bend what an automatic mode demands, or move the surfaces: STICK_MIXING 1 and 2,
+// off in a failsafe.
 void mixSticks();
 
 }  // namespace firmware

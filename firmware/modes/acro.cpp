@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ACRO: the sticks demand rates of roll and pitch, and there are no limits. With centred sticks the
+// airplane stops turning; with ACRO_LOCKING it keeps the attitude it has then, whatever pushes it.
+#include "control/settings.hpp"
+#include "core/maths.hpp"
+#include "firmware/modes/modes_table.hpp"
+#include "firmware/modes/sticks.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/vehicle.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr float kFullStick_cd = 4500;
+constexpr core::Angle kMost_rad(3.1f);                           // an angle has no more
+constexpr core::Fixed<10> kStill_rads(0.2f);                     // slow enough to stop here
+constexpr core::Angle kLoose = core::Angle::fromRaw(INT16_MIN);  // held is nothing
+
+core::Angle held_roll_rad, held_pitch_rad;
+
+// The angle whose loop makes this rate: error over time constant is what it demands.
+core::Angle forRate(int16_t stick_cd, int16_t full_dps, float time_constant_s) {
+    const float rate_rads = stick_cd * (core::radians(1) / kFullStick_cd) * full_dps;
+    const float most_rad = kMost_rad;
+    return core::limit(rate_rads * time_constant_s, -most_rad, most_rad);
+}
+
+core::Angle toHold(core::Angle& held_rad, core::Angle now_rad, core::Fixed<10> rate_rads) {
+    if (held_rad.raw == kLoose.raw) {
+        const bool still = rate_rads.raw < kStill_rads.raw && rate_rads.raw > -kStill_rads.raw;
+        if (!still) return core::Angle::fromRaw(0);
+        held_rad = now_rad;
+    }
+    return core::between(now_rad, held_rad);
+}
+
+core::Angle rollToTurn() {
+    const auto& attitude = vehicle.attitude;
+    const int16_t stick_cd = vehicle.radio.roll_cd;
+    if (stick_cd == 0 && parameters.acro_locking != 0)
+        return toHold(held_roll_rad, attitude.roll_rad, attitude.rate_rads.x);
+    held_roll_rad = kLoose;
+    return forRate(stick_cd, parameters.acro_roll_rate_dps, parameters.roll.axis.time_constant_s);
+}
+
+// Inverted the elevator raises the nose the other way, on the side not at all.
+core::Angle pitchToTurn() {
+    const auto& attitude = vehicle.attitude;
+    const int16_t stick_cd = vehicle.radio.pitch_cd;
+    if (stick_cd == 0 && parameters.acro_locking != 0)
+        return core::Angle::fromRaw(
+            core::times14(toHold(held_pitch_rad, attitude.pitch_rad, attitude.rate_rads.y).raw,
+                          attitude.cos_roll.raw));
+    held_pitch_rad = kLoose;
+    return forRate(stick_cd, parameters.acro_pitch_rate_dps, parameters.pitch.axis.time_constant_s);
+}
+
+}  // namespace
+
+Entry startAcro() {
+    held_roll_rad = held_pitch_rad = kLoose;
+    return Entry::entered;
+}
+
+void runAcro() {
+    vehicle.sticks = Sticks::rates;
+    vehicle.roll_demand_rad = rollToTurn();
+    vehicle.pitch_demand_rad = pitchToTurn();
+    vehicle.throttle_demand = stickThrottle();
+}
+
+}  // namespace firmware

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// TRAINING: MANUAL as long as the airplane keeps within the limits of bank and pitch; no stick
+// moves it beyond them. The throttle is the pilot's.
+#include "firmware/modes/modes_table.hpp"
+#include "firmware/modes/sticks.hpp"
+#include "firmware/vehicle.hpp"
+
+namespace firmware {
+
+Entry startTraining() { return Entry::entered; }
+
+void runTraining() {
+    vehicle.sticks = Sticks::bounded;
+    vehicle.throttle_demand = stickThrottle();
+}
+
+}  // namespace firmware
