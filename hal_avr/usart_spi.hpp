@@ -60,7 +60,6 @@ struct Usart2Pairs {
         UDR2 = first;
         UDR2 = second;
     }
-    static void beginLast(uint8_t byte) { UDR2 = byte; }
     static uint8_t received() { return UDR2; }
     static void flush() {
         while (UCSR2A & (1 << RXC2)) UDR2;

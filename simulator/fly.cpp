@@ -133,13 +133,21 @@ void serveGdb(AvrBoard& board, int port) {
               << std::endl;
 }
 
+const BoardWiring& wiringOf(const FlyOptions& options) {
+    return options.apm1 ? kApm1Wiring : kApm2Wiring;
+}
+
+int telemetryUsart(const FlyOptions& options) {
+    return options.telemetry_on_uart0 ? 0 : wiringOf(options).telemetry_usart;
+}
+
 std::unique_ptr<Board> makeBoard(const FlyOptions& options, const WorldOptions& world) {
     if (options.native) return std::make_unique<NativeBoard>(world);
     if (!std::filesystem::exists(options.firmware)) {
         throw WrongInput("--firmware " + options.firmware + ": no such file");
     }
     try {
-        auto board = std::make_unique<AvrBoard>(options.firmware, world);
+        auto board = std::make_unique<AvrBoard>(options.firmware, world, wiringOf(options));
         if (!options.vcd.empty()) board->traceTo(options.vcd);
         if (options.gdb != 0) serveGdb(*board, options.gdb);
         return board;
@@ -154,7 +162,7 @@ Summary summarize(const FlyOptions& options, const Board& board, const ScriptedF
     s.mission = std::filesystem::path(options.mission).filename();
     s.firmware = options.native ? "natively compiled"
                                 : std::filesystem::path(options.firmware).filename().string();
-    s.board = options.native ? "native" : "apm2";
+    s.board = options.native ? "native" : wiringOf(options).name;
     s.wind_mps = options.wind_mps;
     s.wind_from_deg = options.wind_from_deg;
     s.gusts = options.gusts;
@@ -218,7 +226,7 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
     const Plan plan = makePlan(items, frame);
     const auto board = makeBoard(options, worldFor(options, items));
     loadMemories(*board, options);
-    const int usart = options.telemetry_on_uart0 ? 0 : 2;
+    const int usart = telemetryUsart(options);
     ScriptedFlight flight(*board, usart, items, options.time_limit_s);
     board->listen([&](int from, uint8_t byte, uint64_t time_us) {
         if (from == usart) flight.receive(byte, time_us);
@@ -251,13 +259,14 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
 int serve(const FlyOptions& options, const Waypoints& items) {
     const auto board = makeBoard(options, worldFor(options, items));
     loadMemories(*board, options);
-    const int telemetry = options.telemetry_on_uart0 ? 0 : 2;
-    Server server(*board, options.listen, {telemetry, 2 - telemetry}, options.lock_step);
+    const int telemetry = telemetryUsart(options);
+    const int other = telemetry == 0 ? wiringOf(options).telemetry_usart : 0;
+    Server server(*board, options.listen, {telemetry, other}, options.lock_step);
     board->listen([&](int usart, uint8_t byte, uint64_t) { server.fromBoard(usart, byte); });
     board->setUsb(!options.telemetry_on_uart0);
     switchTransmitterOn(board->world());
     std::cout << "telemetry (USART" << telemetry << ") on TCP port " << server.port()
-              << (telemetry == 2 ? ", USB (USART0) on " : ", USART2 on ") << server.secondPort();
+              << (other == 0 ? ", USB (USART0) on " : ", USART2 on ") << server.secondPort();
     if (options.lock_step) std::cout << ", time is granted on " << server.controlPort();
     std::cout << "; Ctrl-C ends" << std::endl;
     const auto stop = [] { return interrupted != 0; };

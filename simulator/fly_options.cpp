@@ -10,7 +10,7 @@ namespace simulator {
 namespace {
 
 constexpr char kWhat[] =
-    "Flies a mission with the autopilot's firmware on a simulated APM 2 in a simulated airplane.";
+    "Flies a mission with the autopilot's firmware on a simulated board in a simulated airplane.";
 constexpr char kFooter[] =
     "Exit status: 0 when the mission was flown and the airplane stands at its landing point,\n"
     "1 when not (the reason in one line), 2 when the command line or a file is wrong.\n"
@@ -38,6 +38,8 @@ std::string contradiction(const FlyOptions& options, const CLI::App& app) {
     const auto given = [&](const char* name) { return app.count(name) > 0; };
     const char* server = given("--lock-step") ? "--lock-step" : "--serve";
     const Contradiction all[] = {
+        {options.native && options.apm1, "--native is an APM 2: no --board apm1"},
+        {options.apm1 && given("--telemetry"), "--telemetry is a choice of the APM 2's alone"},
         {options.native && given("--firmware"), "--native flies no --firmware file"},
         {options.native && given("--vcd"), "--vcd needs the emulated chip: no --native"},
         {options.native && given("--gdb"), "--gdb needs the emulated chip: no --native"},
@@ -83,15 +85,15 @@ std::string seconds(const std::string& text) {
 void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& wind,
                 std::string& telemetry) {
     app.add_option("MISSION", o.mission, "mission file, QGC WPL 110")->capture_default_str();
-    app.add_option("--board", board, "board to simulate: apm2")
-        ->check(CLI::IsMember({"apm2"}))
+    app.add_option("--board", board, "board to simulate")
+        ->check(CLI::IsMember({"apm1", "apm2"}))
         ->capture_default_str();
     app.add_flag("--native", o.native,
                  "the same firmware compiled for this computer, on the same device models")
         ->disable_flag_override();
-    app.add_option("--firmware", o.firmware, ".elf or .hex for this board, ours or not")
-        ->check(fileName)
-        ->capture_default_str();
+    app.add_option("--firmware", o.firmware,
+                   ".elf or .hex for this board, ours or not; if not given the image of this build")
+        ->check(fileName);
     app.add_option("--eeprom", o.eeprom,
                    "4096-byte file: contents at power-on if it exists, rewritten at the end")
         ->check(fileName);
@@ -111,7 +113,8 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
     app.add_option("--out", o.out, "folder for the report")->check(fileName)->capture_default_str();
     app.add_flag("--serve", o.serve,
                  "no script: real time for a ground station, until Ctrl-C; TCP port 5760 is the "
-                 "telemetry on USART2, 5761 is USB on USART0 with the USB sense pin PA1 low")
+                 "telemetry on USART2 (APM 1: USART3), 5761 is USB on USART0 with the USB sense "
+                 "pin PA1 low")
         ->disable_flag_override();
     app.add_option("--telemetry", telemetry,
                    "uart2, or uart0: the factory wiring, telemetry on USART0 with PA1 high")
@@ -137,7 +140,6 @@ Parsed parseFlyOptions(int count, char** words) {
     Parsed parsed;
     FlyOptions& options = parsed.options;
     options.mission = FLY_MISSION;
-    options.firmware = FLY_IMAGE;
     options.out = FLY_OUT;
     std::string board = "apm2", wind, telemetry = "uart2";
     CLI::App app(kWhat, "fly");
@@ -150,6 +152,8 @@ Parsed parseFlyOptions(int count, char** words) {
             wrong = "--wind: expected SPEED,FROM_DEGREES, like 5,270, not '" + wind + "'";
         } else {
             options.serve = options.serve || options.lock_step;
+            options.apm1 = board == "apm1";
+            if (options.firmware.empty()) options.firmware = options.apm1 ? FLY_IMAGE_1 : FLY_IMAGE;
             wrong = contradiction(options, app);
         }
     } catch (const CLI::CallForHelp&) {

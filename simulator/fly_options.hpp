@@ -9,6 +9,7 @@ namespace simulator {
 
 struct FlyOptions {
     std::string mission, firmware, eeprom, dataflash, out, vcd;
+    bool apm1 = false;  // the first board, not an APM 2
     bool native = false;
     bool no_dataflash = false;
     double wind_mps = 0, wind_from_deg = 0;

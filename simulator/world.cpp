@@ -5,8 +5,11 @@
 
 #include "simulator/airplane/airplane.hpp"
 #include "simulator/airplane/earth.hpp"
+#include "simulator/devices/ads7844.hpp"
+#include "simulator/devices/analog_imu.hpp"
 #include "simulator/devices/analog_sensors.hpp"
 #include "simulator/devices/at45db.hpp"
+#include "simulator/devices/bmp085.hpp"
 #include "simulator/devices/hmc5883l.hpp"
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
@@ -38,6 +41,13 @@ At45dbOptions dataflashFor(const WorldOptions& options) {
     return dataflash;
 }
 
+CompassMount compassFor(const WorldOptions& options) {
+    CompassMount compass;
+    compass.kind = options.hmc5843 ? CompassKind::hmc5843 : CompassKind::hmc5883l;
+    compass.upside_down = options.compass_upside_down;
+    return compass;
+}
+
 }  // namespace
 
 struct World::Parts {
@@ -48,10 +58,18 @@ struct World::Parts {
           airplane(loadAirplane(options.airplane), options, errors.gust_mps),
           imu(options.seed, errors),
           barometer(options.seed, errors),
-          compass(options.seed, errors),
+          compass(options.seed, errors, compassFor(options)),
           gps(options.seed, errors, gpsFor(options)),
           analog(options.seed, errors),
+          analog_imu(options.seed, errors),
+          i2c_barometer(options.seed, errors),
           dataflash(options.seed, dataflashFor(options)) {
+        converter.volts = [this](int input) {
+            constexpr int kPitot = 7;
+            const Truth& truth = airplane.truth();
+            return input == kPitot ? analog.volts(AnalogSensors::kAirspeedPin, truth)
+                                   : analog_imu.volts(input, truth);
+        };
         sense();
     }
 
@@ -66,6 +84,9 @@ struct World::Parts {
     Hmc5883l compass;
     UbloxGps gps;
     AnalogSensors analog;
+    AnalogImu analog_imu;
+    Ads7844 converter;
+    Bmp085 i2c_barometer;
     At45db dataflash;
     PpmEncoder radio;
     struct Servo {
@@ -98,7 +119,9 @@ Controls World::Parts::demand() {
 
 void World::Parts::sense() {
     const Atmosphere air = atmosphere(airplane.truth().altitude_m);
-    barometer.sense(air.pressure_pa, air.temperature_k - 273.15 + kBoardWarmth_c);
+    const double board_c = air.temperature_k - 273.15 + kBoardWarmth_c;
+    barometer.sense(air.pressure_pa, board_c);
+    i2c_barometer.sense(air.pressure_pa, board_c);
     const Vec3 field = airplane.toBody(field_mg);
     compass.sense({field.x, field.y, field.z});
 }
@@ -150,6 +173,9 @@ UbloxGps& World::gps() { return parts_->gps; }
 PpmEncoder& World::radio() { return parts_->radio; }
 At45db& World::dataflash() { return parts_->dataflash; }
 const At45db& World::dataflash() const { return parts_->dataflash; }
+
+Ads7844& World::converter() { return parts_->converter; }
+Bmp085& World::barometerOnI2c() { return parts_->i2c_barometer; }
 
 double World::analog_v(int pin, uint64_t now_us) {
     advanceTo(now_us);

@@ -18,9 +18,11 @@ struct WorldOptions {
     uint64_t seed = 1;
     bool sensor_errors = true;
     double declination_deg = 2.5, inclination_deg = 63.0, magnetic_field_mg = 480.0;
-    double gps_acquire_s = 3.0;  // from power-on to the first fix
-    uint32_t gps_baud = 9600;    // the module's rate at power-on
-    bool dataflash = true;       // the board has one
+    double gps_acquire_s = 3.0;        // from power-on to the first fix
+    uint32_t gps_baud = 9600;          // the module's rate at power-on
+    bool dataflash = true;             // the board has one
+    bool hmc5843 = false;              // instead of its successor
+    bool compass_upside_down = false;  // on the first board's shield
 };
 
 // The truth, in SI units, NED at the start point. Never seen by the firmware.
@@ -48,6 +50,8 @@ class Hmc5883l;
 class UbloxGps;
 class PpmEncoder;
 class At45db;
+class Ads7844;
+class Bmp085;
 
 class World {
 public:
@@ -72,6 +76,10 @@ public:
     PpmEncoder& radio();
     At45db& dataflash();
     const At45db& dataflash() const;
+    // Of the first board: the converter with its gyros, accelerometer and pitot sensor, and the
+    // barometer. They sense whether a board asks them or not.
+    Ads7844& converter();
+    Bmp085& barometerOnI2c();
 
     // What the ADC pin A0..A15 of the board sees, in volts; supply 5.00 V.
     double analog_v(int pin, uint64_t now_us);

@@ -25,6 +25,7 @@ function(flight_test name label crosstrack_m altitude_m touchdown_m)
 endfunction()
 
 set(windy --wind 5,320 --gusts)
+include(first_board)
 foreach(seed 1 2 3)
     set(wiring)
     if(seed EQUAL 2)  # one flight of three on the factory's wiring

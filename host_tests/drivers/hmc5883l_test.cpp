@@ -132,10 +132,11 @@ TEST_F(Hmc5883l, whatever_is_not_that_chip_is_refused) {
 struct Scripted {
     double factor;
     bool testing = false;
+    uint8_t configuration = 0x78;
     std::vector<uint8_t> operator()(const fakes::I2cTransfer& t) {
         if (t.out[0] == 10) return {'H', '4', '3'};
         if (t.out.size() == 4) testing = t.out[1] == 0x11;
-        if (t.out[0] == 0) return {0x78, 0x20, 0x00};
+        if (t.out[0] == 0) return {configuration, 0x20, 0x00};
         auto put = [](std::vector<uint8_t>& to, double counts) {
             const int16_t value = static_cast<int16_t>(counts);
             to.push_back(static_cast<uint8_t>(value >> 8));
@@ -163,6 +164,43 @@ TEST_F(Hmc5883l, a_self_test_far_out_is_a_broken_chip) {
 
     EXPECT_FALSE(driver.healthy());
     EXPECT_GE(driver.restarts(), 1);
+}
+
+TEST_F(Hmc5883l, a_chip_that_keeps_another_configuration_is_neither_of_the_two) {
+    Scripted other{1.0};
+    other.configuration = 0x58;
+    fakes::i2c().device = other;
+    fly(6000);
+
+    EXPECT_FALSE(driver.healthy());
+    EXPECT_EQ(readings, 0);
+}
+
+struct Hmc5843 : Hmc5883l {
+    Hmc5843() {
+        simulator::CompassMount mount;
+        mount.kind = simulator::CompassKind::hmc5843;
+        chip = std::make_unique<simulator::Hmc5883l>(1, simulator::SensorErrors::none(), mount);
+        chip->sense({200, -50, 430});
+    }
+};
+
+TEST_F(Hmc5843, is_told_apart_and_reads_milligauss_in_the_airplanes_axes) {
+    fly(1500);
+
+    EXPECT_TRUE(driver.healthy());
+    EXPECT_EQ(driver.restarts(), 0);
+    EXPECT_NEAR(driver.field_mg().x, 200, 2);
+    EXPECT_NEAR(driver.field_mg().y, -50, 2);
+    EXPECT_NEAR(driver.field_mg().z, 430, 2);
+    for (uint8_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(driver.scale(axis), 1, 0.01);
+}
+
+TEST_F(Hmc5843, is_verified_by_what_it_keeps_of_its_configuration) {
+    fly(20000);
+
+    EXPECT_TRUE(driver.healthy());
+    EXPECT_EQ(driver.restarts(), 0);
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Burr-Brown ADS7844, 8 channels of 12 bits (data sheet SBAS100), read by interrupts: a timer's
-// begins a set of all channels, the bus's own takes it from one channel to the next, and what was
-// read is summed up until somebody takes it. Nothing waits for the converter.
+// Burr-Brown ADS7844, 12 bits (data sheet SBAS100), read by interrupts: a timer's begins a set of
+// the channels, the bus's own takes it from one channel to the next, and what was read is summed up
+// until somebody takes it. Nothing waits for the converter. Of its eight channels the fourth, the
+// temperature of the gyros, is not asked for.
 #pragma once
 #include <stdint.h>
 #include <string.h>
@@ -12,15 +13,15 @@
 namespace drivers {
 
 struct Ads7844Sums {
-    static constexpr uint8_t kChannels = 8;
+    static constexpr uint8_t kChannels = 7;
     uint16_t sum[kChannels];   // of readings 0..4095
     uint8_t count[kChannels];  // which may differ by one: a set was under way
     uint8_t periods;           // over since the last time, the ones without readings too
     bool spoiled;              // there was an answer that the converter does not give
 };
 
-// Bus::begin(first, second) sends two bytes and has an interrupt at their end, beginLast(byte) one
-// byte; Bus::received() fetches what came back, in order; Bus::flush() forgets it.
+// Bus::begin(first, second) sends two bytes and has an interrupt at their end; Bus::received()
+// fetches the two that came back, one by one; Bus::flush() forgets them.
 template <class Bus, class Select>
 class Ads7844 {
 public:
@@ -39,8 +40,7 @@ public:
 
 private:
     static constexpr uint8_t kIdle = 0xFF, kLast = Ads7844Sums::kChannels;
-    static constexpr uint8_t kMostSets = 15;          // and one under way: 16 * 4095 are 16 bits
-    static constexpr uint16_t kNotInAnswer = 0x8007;  // the busy bit and those after the last
+    static constexpr uint8_t kMostSets = 15;  // and one under way: 16 * 4095 are 16 bits
 
     struct State {
         uint16_t sum[Ads7844Sums::kChannels];
@@ -56,7 +56,7 @@ private:
     static void pass() {
         if (state_.periods != 255) ++state_.periods;
     }
-    static void add(uint8_t channel, uint8_t low);
+    static void add(uint16_t& sum, uint8_t high, uint8_t low);
 
     static const uint8_t kAsk[];
     static State state_;
@@ -64,7 +64,7 @@ private:
 
 // S, the channel's address (single-ended: A0 comes first), SGL, always powered; table I.
 template <class Bus, class Select>
-const uint8_t Ads7844<Bus, Select>::kAsk[] ROM = {0x87, 0xC7, 0x97, 0xD7, 0xA7, 0xE7, 0xB7, 0xF7};
+const uint8_t Ads7844<Bus, Select>::kAsk[] ROM = {0x87, 0xC7, 0x97, 0xA7, 0xE7, 0xB7, 0xF7, 0};
 
 template <class Bus, class Select>
 typename Ads7844<Bus, Select>::State Ads7844<Bus, Select>::state_;
@@ -86,36 +86,34 @@ void Ads7844<Bus, Select>::beginSet() {
 }
 
 // 16 clocks a conversion: the answer begins with the byte after the question, in its second bit,
-// and ends in the byte of the next question (figure 5).
+// and ends in the byte of the next question (figure 5). Seven thousand times a second.
 template <class Bus, class Select>
 inline __attribute__((always_inline)) void Ads7844<Bus, Select>::onSent() {
     const uint8_t ended = state_.next;
     if (ended == kIdle) return;
     const uint8_t low = Bus::received();
-    if (ended == kLast) {
+    const uint8_t next_high = Bus::received();
+    const uint8_t high = state_.high;
+    if (ended != kLast) {
+        const uint8_t next = ended + 1;
+        Bus::begin(core::romRead(kAsk[next]), 0);
+        state_.next = next;
+        state_.high = next_high;
+    } else {
         Select::high();
         state_.next = kIdle;
         ++state_.sets;
         pass();
-        return add(kLast - 1, low);
     }
-    const uint8_t high = Bus::received();
-    const uint8_t next = ended + 1;
-    if (next == kLast) {
-        Bus::beginLast(0);
-    } else {
-        Bus::begin(core::romRead(kAsk[next]), 0);
-    }
-    if (ended != 0) add(ended - 1, low);
-    state_.high = high;
-    state_.next = next;
+    if (ended != 0) add(state_.sum[static_cast<uint8_t>(ended - 1)], high, low);
 }
 
+// A zero, twelve bits, three zeros.
 template <class Bus, class Select>
-inline __attribute__((always_inline)) void Ads7844<Bus, Select>::add(uint8_t channel, uint8_t low) {
-    const uint16_t word = static_cast<uint16_t>(state_.high) << 8 | low;
-    if (word & kNotInAnswer) state_.spoiled = true;
-    state_.sum[channel] += word >> 3;
+inline __attribute__((always_inline)) void Ads7844<Bus, Select>::add(uint16_t& sum, uint8_t high,
+                                                                     uint8_t low) {
+    if ((low & 0x07) | (high & 0x80)) state_.spoiled = true;
+    sum += static_cast<uint16_t>(high * 32U) + static_cast<uint8_t>(low * 32U >> 8);
 }
 
 template <class Bus, class Select>

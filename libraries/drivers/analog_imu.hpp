@@ -60,7 +60,7 @@ private:
     static constexpr int16_t kForceFactor =
         static_cast<int16_t>(256 * core::kGravity_mss / 424.0f / kForceStep_mss + 0.5f);
     static const Axis kAxes[];
-    static constexpr uint8_t kAirspeed = 7;
+    static constexpr uint8_t kAirspeed = 6;
     // 3.3 V in 4096 steps seen as 5 V in 1024, in 1/65536
     static constexpr uint32_t kTenBits = 10813;
     static constexpr uint8_t kMostReadings = 60;  // of 10 bits in 16
@@ -90,9 +90,9 @@ const typename AnalogImu<Converter>::Axis AnalogImu<Converter>::kAxes[] ROM = {
     {1, 1658,  rateFactor(0.40f)},
     {2, 1658, -rateFactor(0.41f)},
     {0, 1658, -rateFactor(0.41f)},
-    {4, 2041,  kForceFactor},
+    {3, 2041,  kForceFactor},
+    {4, 2041, -kForceFactor},
     {5, 2041, -kForceFactor},
-    {6, 2041, -kForceFactor},
 };
 // clang-format on
 

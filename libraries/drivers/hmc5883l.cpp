@@ -14,9 +14,16 @@ constexpr uint8_t kConfigA = 0, kData = 3, kIdentification = 10;
 constexpr uint8_t kSettings = 4;
 constexpr uint8_t kSelfTest[kSettings] ROM = {kConfigA, 0x11, 0x60,
                                               0x01};  // + bias field, 660 LSB/G, single
-constexpr uint8_t kMeasure[kSettings] ROM = {kConfigA, 0x78, 0x20,
+constexpr uint8_t kConfiguration = 0x78, kGain = 0x20;
+constexpr uint8_t kMeasure[kSettings] ROM = {kConfigA, kConfiguration, kGain,
                                              0x00};  // mean of 8, 75 Hz, 1090 LSB/G
 constexpr float kMilligaussPerCount = 1000.0f / 1090.0f;
+
+// The HMC5843 has no averaging: those bits of configuration A stay 0. Its rate for the same bits is
+// 50 Hz; the strap's field is 0.55 G on every axis, measured at the 1300 LSB/G of gain 0x20.
+constexpr uint8_t kOldConfiguration = 0x18;
+constexpr float kOldMilligaussPerCount = 1000.0f / 1300.0f;
+constexpr float kOldExpected = 0.55f * 1300.0f;
 
 constexpr uint8_t kRead_ms = 10;  // and 10 ms on the bus: 50 Hz of the 75 measured
 constexpr uint8_t kReadsPerVerify = 50;
@@ -37,8 +44,9 @@ struct Counts {
 int16_t word(const uint8_t* bytes) {
     return static_cast<int16_t>(static_cast<uint16_t>(bytes[0]) << 8 | bytes[1]);
 }
-Counts counts(const uint8_t* bytes) {  // the chip sends x, z, y
-    return {{word(bytes), word(bytes + 4), word(bytes + 2)}};
+Counts counts(const uint8_t* bytes, bool old) {  // the chip sends x, z, y, the old one x, y, z
+    const uint8_t y = old ? 2 : 4;
+    return {{word(bytes), word(bytes + y), word(bytes + 6 - y)}};
 }
 bool overflowed(const Counts& c) {
     return c.axis[0] == kOverflow || c.axis[1] == kOverflow || c.axis[2] == kOverflow;
@@ -72,9 +80,15 @@ void Hmc5883l::begin() {
     expected_bytes_ = 6;
     if (state_ == State::excite || state_ == State::configure) {
         ROM_COPY(out, state_ == State::excite ? kSelfTest : kMeasure, kSettings);
+        if (old_) out[2] = kGain;
         out_size = kSettings;
         expected_bytes_ = 0;
-    } else if (state_ == State::identify || state_ == State::verify) {
+    } else if (state_ == State::probe) {
+        out[0] = kConfigA;
+        out[1] = kConfiguration;
+        out_size = 2;
+        expected_bytes_ = 0;
+    } else if (state_ != State::excited && state_ != State::run) {
         out[0] = state_ == State::identify ? kIdentification : kConfigA;
         expected_bytes_ = 3;
     }
@@ -88,9 +102,13 @@ bool Hmc5883l::finish(const uint8_t* bytes, uint32_t now_ms) {
                 fail(now_ms);
                 return false;
             }
-            tries_ = good_tries_ = 0;
-            measured_[0] = measured_[1] = measured_[2] = 0;
-            enter(State::excite, now_ms, 0);
+            enter(State::probe, now_ms, 0);
+            return false;
+        case State::probe:
+            enter(State::probed, now_ms, 0);
+            return false;
+        case State::probed:
+            tellApart(bytes[0], now_ms);
             return false;
         case State::excite:
             enter(State::excited, now_ms, kExcite_ms);
@@ -107,8 +125,8 @@ bool Hmc5883l::finish(const uint8_t* bytes, uint32_t now_ms) {
         case State::run:
             return takeField(bytes, now_ms);
         case State::verify:  // a chip that lost its supply for a moment stands in single mode
-            if (bytes[0] != core::romRead(kMeasure[1]) || bytes[1] != core::romRead(kMeasure[2]) ||
-                (bytes[2] & 3) != core::romRead(kMeasure[3])) {
+            if (bytes[0] != (old_ ? kOldConfiguration : kConfiguration) || bytes[1] != kGain ||
+                (bytes[2] & 3) != 0) {
                 fail(now_ms);
             } else {
                 enter(State::run, now_ms, kRead_ms);
@@ -118,19 +136,29 @@ bool Hmc5883l::finish(const uint8_t* bytes, uint32_t now_ms) {
     return false;
 }
 
+void Hmc5883l::tellApart(uint8_t configuration, uint32_t now_ms) {
+    old_ = configuration == kOldConfiguration;
+    if (!old_ && configuration != kConfiguration) return fail(now_ms);
+    tries_ = good_tries_ = 0;
+    measured_[0] = measured_[1] = measured_[2] = 0;
+    enter(State::excite, now_ms, 0);
+}
+
 void Hmc5883l::judgeSelfTest(const uint8_t* bytes, uint32_t now_ms) {
-    const Counts read = counts(bytes);
+    const Counts read = counts(bytes, old_);
     bool good = tries_ >= kDroppedTries && !overflowed(read);
     for (uint8_t i = 0; good && i < 3; ++i) {
-        good =
-            read.axis[i] * kMostScale >= kExpected[i] && read.axis[i] * kLeastScale <= kExpected[i];
+        const float expected = old_ ? kOldExpected : kExpected[i];
+        good = read.axis[i] * kMostScale >= expected && read.axis[i] * kLeastScale <= expected;
     }
     if (good) {
         for (uint8_t i = 0; i < 3; ++i) measured_[i] += read.axis[i];
         ++good_tries_;
     }
     if (good_tries_ == kGoodTries) {
-        for (uint8_t i = 0; i < 3; ++i) scale_[i] = kExpected[i] * kGoodTries / measured_[i];
+        for (uint8_t i = 0; i < 3; ++i) {
+            scale_[i] = (old_ ? kOldExpected : kExpected[i]) * kGoodTries / measured_[i];
+        }
         enter(State::configure, now_ms, 0);
     } else if (++tries_ >= kMostTries) {
         fail(now_ms);
@@ -142,7 +170,7 @@ void Hmc5883l::judgeSelfTest(const uint8_t* bytes, uint32_t now_ms) {
 bool Hmc5883l::takeField(const uint8_t* bytes, uint32_t now_ms) {
     enter(++reads_ >= kReadsPerVerify ? State::verify : State::run, now_ms, kRead_ms);
     if (state_ == State::verify) reads_ = 0;
-    const Counts read = counts(bytes);
+    const Counts read = counts(bytes, old_);
     if (overflowed(read)) {
         if (saturated_ != UINT16_MAX) ++saturated_;
         return false;
@@ -154,9 +182,12 @@ bool Hmc5883l::takeField(const uint8_t* bytes, uint32_t now_ms) {
     // All zeros is a chip that does not measure: the earth's field is nowhere below 200 mG.
     if (read.axis[0] == 0 && read.axis[1] == 0 && read.axis[2] == 0) return false;
     float chip[3];
-    for (uint8_t i = 0; i < 3; ++i) chip[i] = read.axis[i] * scale_[i] * kMilligaussPerCount;
-    // The chip lies on the board with its x to the left and its y to the rear, z up.
+    const float milligauss = old_ ? kOldMilligaussPerCount : kMilligaussPerCount;
+    for (uint8_t i = 0; i < 3; ++i) chip[i] = read.axis[i] * scale_[i] * milligauss;
+    // The chip lies on the board with its x to the left and its y to the rear, z up; the old one
+    // with its x to the rear and its y to the right.
     field_mg_ = {-chip[1], -chip[0], -chip[2]};
+    if (old_) field_mg_ = {-chip[0], chip[1], -chip[2]};
     good_ms_ = now_ms;
     healthy_ = true;
     return true;

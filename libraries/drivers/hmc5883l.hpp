@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Honeywell HMC5883L compass on I2C: found, scaled by its own self-test field, then read at 50 Hz.
-// The bus works by interrupts, so a step only starts a transfer or fetches the end of one.
+// Honeywell HMC5883L compass on I2C, or its predecessor HMC5843: found, told apart, scaled by its
+// own self-test field, then read at 50 Hz. The bus works by interrupts, so a step only starts a
+// transfer or fetches the end of one.
 #pragma once
 #include <stdint.h>
 
@@ -21,7 +22,7 @@ public:
     float scale(uint8_t axis) const { return scale_[axis]; }  // chip axes, from the self-test
 
 private:
-    enum class State : uint8_t { identify, excite, excited, configure, run, verify };
+    enum class State : uint8_t { identify, probe, probed, excite, excited, configure, run, verify };
 
     void enter(State state, uint32_t now_ms, uint16_t wait_ms) {
         state_ = state;
@@ -30,6 +31,7 @@ private:
     }
     void begin();
     bool finish(const uint8_t* bytes, uint32_t now_ms);
+    void tellApart(uint8_t configuration, uint32_t now_ms);
     void judgeSelfTest(const uint8_t* bytes, uint32_t now_ms);
     bool takeField(const uint8_t* bytes, uint32_t now_ms);
     void fail(uint32_t now_ms);
@@ -50,6 +52,7 @@ private:
     uint8_t expected_bytes_ = 0;
     bool under_way_ = false;
     bool healthy_ = false;
+    bool old_ = false;  // an HMC5843
 };
 
 }  // namespace drivers

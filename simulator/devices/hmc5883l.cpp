@@ -18,6 +18,12 @@ constexpr double kRate_hz[8] = {0.75, 1.5, 3, 7.5, 15, 30, 75, 75};  // the last
 constexpr double kBias_mg[3] = {1160, 1160, 1080};  // self-test field, chip x, y, z
 constexpr int kDataOrder[3] = {0, 2, 1};            // chip x, z, y
 
+// The HMC5843's.
+constexpr double kOldCountsPerGauss[8] = {1620, 1300, 970, 780, 530, 460, 390, 280};
+constexpr double kOldRate_hz[8] = {0.5, 1, 2, 5, 10, 20, 50, 50};
+constexpr double kOldBias_mg = 550;
+constexpr uint8_t kAveraging = 0x60;  // of configuration A, which it has not
+
 uint16_t asCounts(double value) {
     const double counts = std::round(value);
     const bool overflow = counts < -2048 || counts > 2047;
@@ -26,8 +32,8 @@ uint16_t asCounts(double value) {
 
 }  // namespace
 
-Hmc5883l::Hmc5883l(uint64_t seed, const SensorErrors& errors)
-    : errors_(errors), random_(seed, 3), registers_{0x10, 0x20, kIdle} {
+Hmc5883l::Hmc5883l(uint64_t seed, const SensorErrors& errors, CompassMount mount)
+    : errors_(errors), mount_(mount), random_(seed, 3), registers_{0x10, 0x20, kIdle} {
     registers_[kIdentity] = 'H';
     registers_[kIdentity + 1] = '4';
     registers_[kIdentity + 2] = '3';
@@ -66,6 +72,7 @@ void Hmc5883l::writeRegister(uint8_t value, uint64_t now_us) {
     pointer_ = static_cast<uint8_t>((pointer_ + 1) % kRegisters);
     if (at > kMode) return;
     registers_[at] = value;
+    if (at == kConfigA && old()) registers_[at] &= static_cast<uint8_t>(~kAveraging);
     read_mask_ = 0;  // any write to a configuration register ends a lock
     registers_[kStatus] &= static_cast<uint8_t>(~kLock);
     if (at == kMode) begin(now_us);
@@ -94,7 +101,8 @@ void Hmc5883l::begin(uint64_t now_us) {
 }
 
 uint64_t Hmc5883l::period_us() const {
-    return static_cast<uint64_t>(1e6 / kRate_hz[registers_[kConfigA] >> 2 & 7]);
+    return static_cast<uint64_t>(1e6 /
+                                 (old() ? kOldRate_hz : kRate_hz)[registers_[kConfigA] >> 2 & 7]);
 }
 
 void Hmc5883l::advance(uint64_t now_us) {
@@ -116,9 +124,10 @@ void Hmc5883l::measure() {
     const auto field_mg = chipField_mg();
     const bool locked = registers_[kStatus] & kLock;
     if (!locked) {
-        const double gain = kCountsPerGauss[registers_[kConfigB] >> 5] / 1000;
+        const double* const gains = old() ? kOldCountsPerGauss : kCountsPerGauss;
+        const double gain = gains[registers_[kConfigB] >> 5] / 1000;
         for (int i = 0; i < 3; ++i) {
-            const uint16_t counts = asCounts(field_mg[kDataOrder[i]] * gain);
+            const uint16_t counts = asCounts(field_mg[old() ? i : kDataOrder[i]] * gain);
             registers_[kData + 2 * i] = static_cast<uint8_t>(counts >> 8);
             registers_[kData + 2 * i + 1] = static_cast<uint8_t>(counts);
         }
@@ -126,15 +135,22 @@ void Hmc5883l::measure() {
     registers_[kStatus] |= kReady;
 }
 
+std::array<double, 3> Hmc5883l::chipAxes() const {
+    std::array<double, 3> body;
+    for (size_t i = 0; i < 3; ++i) body[i] = body_mg_[i] + offset_mg_[i];
+    if (mount_.upside_down) body = {body[0], -body[1], -body[2]};
+    if (old()) return {-body[0], body[1], -body[2]};
+    return {-body[1], -body[0], -body[2]};
+}
+
 // In self-test the outside field cancels (set and reset pulses), the coil's is left.
 std::array<double, 3> Hmc5883l::chipField_mg() {
-    std::array<double, 3> body, chip;
-    for (int i = 0; i < 3; ++i) body[i] = body_mg_[i] + offset_mg_[i];
-    chip = {-body[1], -body[0], -body[2]};
+    std::array<double, 3> chip = chipAxes();
     const int test = registers_[kConfigA] & 3;
     for (int i = 0; i < 3; ++i) {
-        if (test == 1) chip[i] = kBias_mg[i];
-        if (test == 2) chip[i] = -kBias_mg[i];
+        const double bias_mg = old() ? kOldBias_mg : kBias_mg[i];
+        if (test == 1) chip[i] = bias_mg;
+        if (test == 2) chip[i] = -bias_mg;
         chip[i] += errors_.compass_noise_mg * random_.normal();
     }
     return chip;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Honeywell HMC5883L on I2C (data sheet 900405), mounted as on the APM 2:
-// body x = -chip y, body y = -chip x, body z = -chip z.
+// Honeywell HMC5883L on I2C (data sheet 900405), or its predecessor HMC5843 (900367), mounted as on
+// the APM 2, body x = -chip y, body y = -chip x, body z = -chip z, or as on the APM 1's shield.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -10,11 +10,17 @@
 
 namespace simulator {
 
+enum class CompassKind { hmc5883l, hmc5843 };
+struct CompassMount {
+    CompassKind kind = CompassKind::hmc5883l;
+    bool upside_down = false;  // as on the APM 1: rolled over
+};
+
 class Hmc5883l {
 public:
     static constexpr uint8_t kAddress = 0x1E;
 
-    explicit Hmc5883l(uint64_t seed = 1, const SensorErrors& errors = {});
+    explicit Hmc5883l(uint64_t seed = 1, const SensorErrors& errors = {}, CompassMount mount = {});
 
     // Answers whether it acknowledges: it does unless unplugged.
     bool start(bool read, uint64_t now_us);
@@ -37,7 +43,11 @@ private:
     uint8_t readRegister();
     uint64_t period_us() const;
 
+    bool old() const { return mount_.kind == CompassKind::hmc5843; }
+    std::array<double, 3> chipAxes() const;
+
     const SensorErrors errors_;
+    const CompassMount mount_;
     Random random_;
     std::array<double, 3> body_mg_{}, offset_mg_{};
     std::array<uint8_t, 13> registers_{};

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "simulator/devices/ads7844.hpp"
 #include "simulator/devices/at45db.hpp"
+#include "simulator/devices/bmp085.hpp"
 #include "simulator/devices/hmc5883l.hpp"
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
@@ -13,73 +15,93 @@
 namespace simulator {
 namespace {
 
-struct Pin {
-    char port;
-    int bit;
-};
-constexpr Pin kImuSelect = {'B', 0}, kBarometerSelect = {'G', 1}, kDataReady = {'E', 6};
-constexpr Pin kFlashSelect = {'A', 6}, kFlashReset = {'G', 0};
-constexpr Pin kRelay = {'B', 7}, kUsbSense = {'A', 1};
-constexpr Pin kLeds[] = {{'A', 5}, {'A', 4}, {'A', 3}};  // A red, B yellow, C blue
-constexpr int kGpsUsart = 1, kFlashUsart = 3;
+constexpr int kGpsUsart = 1;
 
 // The airplane moves on at least this often, however quiet its sensors are.
 constexpr uint64_t kLongestWait_us = 5000;
+
+// The shield of the first board carries the compass face down.
+WorldOptions worldFor(WorldOptions options, const BoardWiring& wiring) {
+    options.compass_upside_down = wiring.converter_select.has_value();
+    return options;
+}
 
 // Signals of the trace, after the eight servos.
 enum TraceSignal : size_t { kTracePpm = ServoPulses::kOutputs, kTraceDataReady, kTraceMark };
 
 }  // namespace
 
-AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options)
-    : world_(options),
+AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options,
+                   const BoardWiring& wiring)
+    : wiring_(wiring),
+      world_(worldFor(options, wiring)),
       image_(readImage(firmware)),
       chip_(image_),
-      servos_(chip_),
-      radio_(chip_, world_.radio()) {
+      servos_(chip_, wiring_),
+      radio_(chip_, world_.radio(), wiring_) {
     for (int usart = 0; usart < 4; usart++) feeds_.emplace_back(chip_, usart);
     wireSensorBus();
     wireFlash();
-    wireCompass();
+    wireConverter();
+    wireTwoWire(world_.compass());
+    if (wiring_.converter_select) wireTwoWire(world_.barometerOnI2c());
     wireSerial();
     wireOutputs();
     wireMarks();
-    chip_.adc().volts = [this](int pin) {
-        world_.advanceTo(time_us());
-        return world_.analog_v(pin, time_us());
-    };
+    chip_.adc().volts = [this](int pin) { return volts(pin); };
     chip_.on_reset = [this] { restart(); };
-    chip_.drive(kDataReady.port, kDataReady.bit, false);
+    if (wiring_.data_ready) chip_.drive(wiring_.data_ready->port, wiring_.data_ready->bit, false);
     setUsb(false);
     restart();
 }
 
 AvrBoard::~AvrBoard() = default;
 
+// Of the pins of a board's parts; each port is listened to once.
 void AvrBoard::wireSensorBus() {
-    chip_.onPort('B', [this] { portChanged(); });
-    chip_.onPort('G', [this] { portChanged(); });
+    for (const char port : {'A', 'B', 'C', 'G', 'L'})
+        chip_.onPort(port, [this] {
+            portChanged();
+            selectFlash();
+            selectConverter();
+        });
     chip_.spi().on_exchange = [this](uint8_t mosi) { return exchange(mosi); };
 }
 
 void AvrBoard::wireFlash() {
-    chip_.onPort('A', [this] { selectFlash(); });
-    chip_.onPort('G', [this] { selectFlash(); });
-    chip_.usart(kFlashUsart).on_exchange = [this](uint8_t mosi) {
+    if (!wiring_.flash_usart) return;
+    chip_.usart(*wiring_.flash_usart).on_exchange = [this](uint8_t mosi) {
         return world_.dataflash().transfer(mosi, time_us());
     };
 }
 
-void AvrBoard::wireCompass() {
-    TwiDevice compass;
-    compass.start = [this](bool read) {
-        world_.advanceTo(time_us());
-        return world_.compass().start(read, time_us());
+void AvrBoard::wireConverter() {
+    if (!wiring_.converter_usart) return;
+    chip_.usart(*wiring_.converter_usart).on_exchange = [this](uint8_t mosi) {
+        return world_.converter().transfer(mosi);
     };
-    compass.write = [this](uint8_t byte) { return world_.compass().write(byte, time_us()); };
-    compass.read = [this](bool ack) { return world_.compass().read(ack, time_us()); };
-    compass.stop = [this] { world_.compass().stop(time_us()); };
-    chip_.twi().connect(Hmc5883l::kAddress, compass);
+}
+
+template <class Device>
+void AvrBoard::wireTwoWire(Device& device) {
+    TwiDevice on_bus;
+    on_bus.start = [this, &device](bool read) {
+        world_.advanceTo(time_us());
+        return device.start(read, time_us());
+    };
+    on_bus.write = [this, &device](uint8_t byte) { return device.write(byte, time_us()); };
+    on_bus.read = [this, &device](bool ack) { return device.read(ack, time_us()); };
+    on_bus.stop = [this, &device] { device.stop(time_us()); };
+    chip_.twi().connect(Device::kAddress, on_bus);
+}
+
+double AvrBoard::volts(int pin) {
+    world_.advanceTo(time_us());
+    for (const AnalogWire& wire : wiring_.analog) {
+        if (wire.pin != pin) continue;
+        return wire.factor * world_.analog_v(wire.source, time_us());
+    }
+    return 0;
 }
 
 void AvrBoard::wireSerial() {
@@ -113,6 +135,7 @@ void AvrBoard::restart() {
     for (SerialFeed& feed : feeds_) feed.resume();
     portChanged();
     selectFlash();
+    selectConverter();
 }
 
 bool AvrBoard::runUntil(uint64_t time_us) {
@@ -126,49 +149,60 @@ void AvrBoard::send(int usart, const uint8_t* bytes, size_t size) {
     feeds_.at(usart).send(bytes, size);
 }
 
-void AvrBoard::setUsb(bool plugged) { chip_.drive(kUsbSense.port, kUsbSense.bit, !plugged); }
+void AvrBoard::setUsb(bool plugged) {
+    if (wiring_.usb_sense) chip_.drive(wiring_.usb_sense->port, wiring_.usb_sense->bit, !plugged);
+}
 
 void AvrBoard::setEeprom(const std::vector<uint8_t>& image) { chip_.eeprom().setContents(image); }
 
-bool AvrBoard::pulledLow(char port, int bit) const {
-    return chip_.isOutput(port, bit) && !chip_.outputHigh(port, bit);
+bool AvrBoard::pulledLow(const PinName& pin) const {
+    return chip_.isOutput(pin.port, pin.bit) && !chip_.outputHigh(pin.port, pin.bit);
 }
 
 bool AvrBoard::ledOn(Led led) const {
-    const Pin& pin = kLeds[static_cast<int>(led)];  // lit by a low level
-    return pulledLow(pin.port, pin.bit);
+    const PinName& pin = wiring_.leds[static_cast<size_t>(led)];
+    return wiring_.leds_active_low ? pulledLow(pin) : chip_.outputHigh(pin.port, pin.bit);
 }
 
 void AvrBoard::portChanged() {
     selectSensors();
-    const bool relay = chip_.outputHigh(kRelay.port, kRelay.bit);
+    const bool relay = chip_.outputHigh(wiring_.relay.port, wiring_.relay.bit);
     if (relay != world_.relayOn()) world_.relay(relay);
 }
 
 // A chip is selected by an output that is low; inputs are pulled up on the board.
 void AvrBoard::selectSensors() {
-    const auto chosen = [this](const Pin& pin) { return pulledLow(pin.port, pin.bit); };
-    if (std::exchange(imu_chosen_, chosen(kImuSelect)) != imu_chosen_) {
+    if (std::exchange(imu_chosen_, chosen(wiring_.imu_select)) != imu_chosen_) {
         world_.advanceTo(time_us());
         world_.imu().select(imu_chosen_, time_us());
     }
-    if (std::exchange(barometer_chosen_, chosen(kBarometerSelect)) == barometer_chosen_) return;
+    if (std::exchange(barometer_chosen_, chosen(wiring_.barometer_select)) == barometer_chosen_)
+        return;
     world_.advanceTo(time_us());
     // The MS5611 does not come up on a bus whose MPU6000 is not held deselected.
-    if (barometer_chosen_) barometer_deaf_ = !chip_.outputHigh(kImuSelect.port, kImuSelect.bit);
+    const PinName& imu = *wiring_.imu_select;
+    if (barometer_chosen_) barometer_deaf_ = !chip_.outputHigh(imu.port, imu.bit);
     if (!barometer_deaf_) world_.barometer().select(barometer_chosen_, time_us());
 }
 
 void AvrBoard::selectFlash() {
-    const bool chosen = pulledLow(kFlashSelect.port, kFlashSelect.bit);
-    const bool in_reset = pulledLow(kFlashReset.port, kFlashReset.bit);
+    const bool chosen = pulledLow(wiring_.flash_select);
+    const bool in_reset = pulledLow(wiring_.flash_reset);
     if (std::exchange(flash_in_reset_, in_reset) != in_reset)
         world_.dataflash().resetPin(in_reset, time_us());
     if (std::exchange(flash_chosen_, chosen) != chosen)
         world_.dataflash().select(chosen, time_us());
 }
 
+void AvrBoard::selectConverter() {
+    const bool is_chosen = chosen(wiring_.converter_select);
+    if (std::exchange(converter_chosen_, is_chosen) == is_chosen) return;
+    world_.advanceTo(time_us());
+    world_.converter().select(is_chosen);
+}
+
 uint8_t AvrBoard::exchange(uint8_t mosi) {
+    if (!wiring_.flash_usart) return world_.dataflash().transfer(mosi, time_us());
     const bool barometer = barometer_chosen_ && !barometer_deaf_;
     if (imu_chosen_ && barometer_chosen_) contentions_++;
     uint8_t miso = 0xFF;
@@ -184,7 +218,7 @@ uint8_t AvrBoard::exchange(uint8_t mosi) {
 void AvrBoard::showDataReady() {
     const bool ready = world_.imu().interruptPin();
     if (std::exchange(data_ready_, ready) == ready) return;
-    chip_.drive(kDataReady.port, kDataReady.bit, ready);
+    if (wiring_.data_ready) chip_.drive(wiring_.data_ready->port, wiring_.data_ready->bit, ready);
     trace(kTraceDataReady, ready);
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An APM 2.x: the emulated ATmega2560 with any firmware in its flash, and the World's chips on its
-// pins. It knows the wiring, nothing of the firmware.
+// An APM 1 or 2.x: the emulated ATmega2560 with any firmware in its flash, and the World's chips on
+// its pins. It knows the wiring, nothing of the firmware.
 #pragma once
 #include <memory>
 
 #include "simulator/board.hpp"
 #include "simulator/line_noise.hpp"
+#include "simulator/machine/board_wiring.hpp"
 #include "simulator/machine/chip.hpp"
 #include "simulator/machine/radio_line.hpp"
 #include "simulator/machine/serial_feed.hpp"
@@ -18,7 +19,8 @@ namespace simulator {
 class AvrBoard : public Board {
 public:
     // `firmware`: an .elf or .hex file; throws std::runtime_error that says what is wrong with it.
-    AvrBoard(const std::string& firmware, const WorldOptions& options);
+    AvrBoard(const std::string& firmware, const WorldOptions& options,
+             const BoardWiring& wiring = kApm2Wiring);
     ~AvrBoard() override;
 
     bool runUntil(uint64_t time_us) override;
@@ -47,7 +49,10 @@ public:
 private:
     void wireSensorBus();
     void wireFlash();
-    void wireCompass();
+    void wireConverter();
+    template <class Device>
+    void wireTwoWire(Device& device);
+    double volts(int pin);
     void wireSerial();
     void wireOutputs();
     void wireMarks();
@@ -56,7 +61,9 @@ private:
     void portChanged();
     void selectSensors();
     void selectFlash();
-    bool pulledLow(char port, int bit) const;
+    void selectConverter();
+    bool pulledLow(const PinName& pin) const;
+    bool chosen(const std::optional<PinName>& pin) const { return pin && pulledLow(*pin); }
     uint8_t exchange(uint8_t mosi);
     void sent(int usart, uint8_t byte, uint64_t cycle);
     void feedGps();
@@ -67,6 +74,7 @@ private:
     uint64_t wake(uint64_t due);
     void trace(size_t signal, unsigned value);
 
+    const BoardWiring wiring_;
     World world_;
     Image image_;
     Chip chip_;
@@ -80,6 +88,7 @@ private:
     uint64_t wake_cycle_ = UINT64_MAX;
     bool imu_chosen_ = false, barometer_chosen_ = false, barometer_deaf_ = false;
     bool flash_chosen_ = false, flash_in_reset_ = false;
+    bool converter_chosen_ = false;
     bool data_ready_ = false;
     uint64_t contentions_ = 0;
 };

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The encoder's PPM-sum on the capture pin ICP5 (PL1), its edges to the half microsecond.
+// The encoder's PPM-sum on the board's capture pin, its edges to the half microsecond.
 #pragma once
 #include <functional>
 
 #include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/machine/board_wiring.hpp"
 #include "simulator/machine/chip.hpp"
 
 namespace simulator {
 
 class RadioLine {
 public:
-    RadioLine(Chip& chip, PpmEncoder& encoder) : chip_(chip), encoder_(encoder) { level(false, 0); }
+    RadioLine(Chip& chip, PpmEncoder& encoder, const BoardWiring& wiring)
+        : chip_(chip), encoder_(encoder), pin_(wiring.radio), timer_(wiring.radio_timer) {
+        level(false, 0);
+    }
 
     // To be called now and then: the transmitter may have been switched on.
     void plan() {
@@ -40,13 +44,15 @@ private:
         return 0;
     }
     void level(bool high, uint64_t cycle) {
-        chip_.drive('L', 1, high);
-        chip_.captureEdge('5', high, cycle);
+        chip_.drive(pin_.port, pin_.bit, high);
+        chip_.captureEdge(timer_, high, cycle);
         if (on_level) on_level(high);
     }
 
     Chip& chip_;
     PpmEncoder& encoder_;
+    const PinName pin_;
+    const char timer_;
     bool planned_ = false;
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The eight servo outputs of an APM 2.x: widths of the pulses as they leave the timers' pins.
+// The eight servo outputs of a board: widths of the pulses as they leave the timers' pins.
 #pragma once
 #include <array>
 #include <functional>
 
+#include "simulator/machine/board_wiring.hpp"
 #include "simulator/machine/chip.hpp"
 
 namespace simulator {
@@ -13,7 +14,7 @@ public:
     static constexpr int kOutputs = 8;
 
     // Listens to the chip for good. Outputs are numbered 1..8.
-    explicit ServoPulses(Chip& chip);
+    explicit ServoPulses(Chip& chip, const BoardWiring& wiring = kApm2Wiring);
 
     std::function<void(int output, double width_us)> on_pulse;
     std::function<void(int output, bool high)> on_level;
@@ -27,6 +28,7 @@ private:
     void changed(int index, bool high);
 
     Chip& chip_;
+    const std::array<ServoWire, kOutputs> wires_;
     std::array<Level, kOutputs> levels_ = {};
 };
 

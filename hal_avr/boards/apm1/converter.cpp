@@ -8,8 +8,9 @@
 #include "board.hpp"
 #include "wiring.hpp"
 
-ISR(TIMER2_COMPA_vect) { board::Converter::beginSet(); }
-ISR(USART2_TX_vect) { board::Converter::onSent(); }
+// Flat: with a call in it an interrupt saves every register.
+ISR(TIMER2_COMPA_vect, __attribute__((flatten))) { board::Converter::beginSet(); }
+ISR(USART2_TX_vect, __attribute__((flatten))) { board::Converter::onSent(); }
 
 namespace board {
 
