@@ -119,6 +119,7 @@ house_test(simulator_test ${CMAKE_SOURCE_DIR}/host_tests/simulator simulator_rep
 
 include(mission_tool)
 include(param_tool)
+include(log_tool)
 include(declination)
 
 if(SANITIZE)

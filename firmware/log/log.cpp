@@ -10,6 +10,7 @@
 #include "firmware/parameters.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
+#include "hal/clock.hpp"
 #include "hal/eeprom.hpp"
 #include "hal/page_flash.hpp"
 #include "storage/eeprom_map.hpp"
@@ -41,35 +42,44 @@ enum : uint8_t {
 };
 }
 
+// When a source is due: at a place in a round of so many runs of 20 ms, or with each fix.
+enum Round : uint8_t { always, of_5, of_10, of_50, with_fix, kRounds };
+
 struct Source {
-    uint8_t bit;
-    uint8_t every;  // runs
-    uint8_t phase;  // spread, so that they do not all come at once
+    uint32_t kinds;
+    uint8_t round;
+    uint8_t place;  // spread, so that they do not all come at once
     bool (*put)();
 };
 
+constexpr Source source(uint8_t bit, Round round, uint8_t place, bool (*put)()) {
+    return {static_cast<uint32_t>(1) << bit, round, place, put};
+}
+
 // clang-format off
 constexpr Source kSources[] ROM = {
-    // bit                 every phase
-    {Bit::attitude_fast,     1,    0, putAttitude},
-    {Bit::inertial_fast,     1,    0, putInertial},
-    {Bit::attitude,          5,    0, putAttitude},
-    {Bit::inertial,          5,    1, putInertial},
-    {Bit::control,           5,    2, putControl},
-    {Bit::navigation,       10,    3, putNavigation},
-    {Bit::control,          10,    4, putBarometer},
-    {Bit::compass,          10,    8, putCompass},
-    {Bit::current,          10,    9, putCurrent},
-    {Bit::radio,            10,    0, putRadioIn},
-    {Bit::radio,            10,    5, putServoOut},
-    {Bit::performance,      50,    6, putPerformance},
-    {Bit::gps,               0,    0, putGps},  // each fix
+    source(Bit::attitude_fast, always,   0, putAttitude),
+    source(Bit::inertial_fast, always,   0, putInertial),
+    source(Bit::attitude,      of_5,     0, putAttitude),
+    source(Bit::inertial,      of_5,     1, putInertial),
+    source(Bit::control,       of_5,     2, putControl),
+    source(Bit::navigation,    of_10,    3, putNavigation),
+    source(Bit::control,       of_10,    4, putBarometer),
+    source(Bit::compass,       of_10,    8, putCompass),
+    source(Bit::current,       of_10,    9, putCurrent),
+    source(Bit::radio,         of_10,    0, putRadioIn),
+    source(Bit::radio,         of_10,    5, putServoOut),
+    source(Bit::performance,   of_50,    6, putPerformance),
+    source(Bit::gps,           with_fix, 0, putGps),
 };
 // clang-format on
 constexpr uint8_t kSourceCount = core::count(kSources);
-constexpr uint8_t kRound = 50;  // runs: a multiple of every period
-constexpr uint8_t kRecordsPerRun = 3;
+constexpr uint8_t kRound = 50;
 static_assert(kSourceCount <= 16, "a bit each");
+
+// A run stops beginning records after so long: what is left comes in the next.
+constexpr uint16_t kSpend = 400 * hal::kTicksPerUs;
+constexpr uint8_t kMostRecords = 4;
 
 // What begins or ends is an event or an error with its code 1 or 0.
 enum class Told : uint8_t { event, error };
@@ -131,21 +141,27 @@ void drop() {
     if (dropped != 0xFFFF) ++dropped;
 }
 
-bool comesNow(const Source& source) {
-    if (source.every != 0) return run % source.every == source.phase;
+// In which place of its round each kind is now.
+struct Places {
+    uint8_t of[kRounds];
+};
+
+Places places() {
+    Places now = {{0, static_cast<uint8_t>(run % 5), static_cast<uint8_t>(run % 10), run, 1}};
     const uint8_t came = static_cast<uint8_t>(vehicle.gps.received_ms / 4);
-    if (came == gps_seen) return false;
+    if (came != gps_seen) now.of[with_fix] = 0;
     gps_seen = came;
-    return true;
+    return now;
 }
 
 void findDue() {
     if (++run == kRound) run = 0;
     const uint32_t kinds = wantedKinds();
+    const Places now = places();
     uint16_t bit = 1;
     for (const Source& in_flash : kSources) {
-        const Source source = core::romRead(in_flash);
-        if ((kinds >> source.bit & 1) != 0 && comesNow(source)) {
+        if (now.of[core::romRead(in_flash.round)] == core::romRead(in_flash.place) &&
+            (kinds & core::romRead(in_flash.kinds)) != 0) {
             if ((due & bit) != 0) drop();
             due |= bit;
         }
@@ -154,12 +170,14 @@ void findDue() {
 }
 
 bool putDue() {
-    for (uint8_t i = 0; i < kSourceCount; ++i) {
-        const uint16_t bit = static_cast<uint16_t>(1u << i);
-        if ((due & bit) == 0) continue;
-        if (!core::romRead(kSources[i].put)()) return false;
-        due &= static_cast<uint16_t>(~bit);
-        return true;
+    uint16_t bit = 1;
+    for (const Source& in_flash : kSources) {
+        if ((due & bit) != 0) {
+            if (!core::romRead(in_flash.put)()) return false;
+            due &= static_cast<uint16_t>(~bit);
+            return true;
+        }
+        bit <<= 1;
     }
     return false;
 }
@@ -213,10 +231,18 @@ bool putChange() {
     return true;
 }
 
+bool putEvents() { return putState() || putChange() || putText(); }
+
 // What happened goes first, then what is measured, and beside it the rest of the prelude.
-bool putOne() {
-    if (prelude < kFormats) return putPrelude();
-    return putState() || putChange() || putText() || putDue();
+void putSome() {
+    const uint16_t began = hal::ticks();
+    const auto inTime = [began] { return static_cast<uint16_t>(hal::ticks() - began) < kSpend; };
+    uint8_t records = 0;
+    if (prelude >= kFormats) {
+        while (records < kMostRecords && inTime() && putEvents()) ++records;
+        while (records < kMostRecords && inTime() && putDue()) ++records;
+    }
+    if (inTime()) (void)putPrelude();
 }
 
 void begin() {
@@ -227,7 +253,7 @@ void begin() {
 }
 
 void end() {
-    while (putState() || putChange() || putText()) {
+    while (putEvents()) {
     }
     const core::Status status = flight_logs.end();
     (void)status;  // busy: in the next run
@@ -313,9 +339,7 @@ void runLog() {
     if (!wanted) return end();
     if (hal::flashTrouble() != hal::FlashTrouble::none) return flight_logs.start(0);
     if (prelude >= kFormats) findDue();
-    for (uint8_t i = 0; i < kRecordsPerRun && putOne(); ++i) {
-    }
-    (void)putPrelude();
+    putSome();
     tellDropped();
 }
 

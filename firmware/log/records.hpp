@@ -15,7 +15,7 @@ namespace firmware {
 
 struct __attribute__((packed)) TimedRecord {
     logging::RecordHead head;
-    uint64_t time_us;
+    uint32_t time_us, time_upper;  // one number of 64 bits
 };
 
 RECORD(Parameter) {
@@ -55,8 +55,11 @@ RECORD(NavigationTuning) {
     float crosstrack_m, height_error_m, airspeed_error_mps, ground_speed_mps;
     int32_t latitude_e7, longitude_e7;
 };
-RECORD(Inertial) { float gyro_rads[3], accel_mss[3]; };
-RECORD(Compass) { int16_t field_mg[3], offset_mg[3]; };
+RECORD(Inertial) {
+    float gyro_x_rads, gyro_y_rads, gyro_z_rads;
+    float accel_x_mss, accel_y_mss, accel_z_mss;
+};
+RECORD(Compass) { int16_t field_x_mg, field_y_mg, field_z_mg, offset_mg[3]; };
 RECORD(Barometer) {
     float height_m, pressure_pa;
     int16_t temperature_cdeg;

@@ -19,11 +19,14 @@
 namespace firmware {
 namespace {
 
-// now_us wraps after 71 minutes, now_ms after 49 days
-uint64_t sinceStart_us() {
+// now_us is the lower half; the upper one follows from now_ms, which wraps after 49 days.
+void stamp(TimedRecord& record) {
     const uint32_t now_ms = hal::now_ms();
-    const uint32_t within_us = hal::now_us() - 1000 * now_ms;
-    return uint64_t{1000} * now_ms + within_us;
+    const uint32_t low = (now_ms & 0xFFFF) * 1000;
+    const uint32_t high = (now_ms >> 16) * 1000 + (low >> 16);
+    const uint32_t whole_ms_us = high << 16 | (low & 0xFFFF);
+    record.time_us = hal::now_us();
+    record.time_upper = (high >> 16) + (record.time_us < whole_ms_us);
 }
 
 template <class Record>
@@ -32,9 +35,7 @@ bool log(RecordType type, Record& record) {
 }
 
 int16_t centi(float value) { return static_cast<int16_t>(core::rounded(value * 100)); }
-int16_t centidegrees(core::Angle angle) {
-    return core::upper(angle.raw * 36000L);
-}
+int16_t centidegrees(core::Angle angle) { return core::upper(angle.raw * 36000L); }
 uint16_t heading_cd() {
     return static_cast<uint16_t>(
         core::wrap360_cd(core::rounded(core::centidegrees(vehicle.attitude.yaw_rad))));
@@ -49,7 +50,7 @@ int16_t throttle_pct() {
 bool logRecord(void* record, uint8_t type, uint8_t size) {
     TimedRecord& timed = *static_cast<TimedRecord*>(record);
     timed.head = {logging::kHead1, logging::kHead2, type};
-    timed.time_us = sinceStart_us();
+    stamp(timed);
     return flight_logs.put(record, size) == core::Status::ok;
 }
 
@@ -71,10 +72,10 @@ bool putParameter(uint8_t index) {
     return log(RecordType::parameter, record);
 }
 
-bool putCommand(uint8_t index) {
-    MissionItem item;
-    const core::Status status = missionItem(index, item);
-    if (status != core::Status::ok) return status != core::Status::busy;
+namespace {
+
+// A function of its own: fetching an item is deep enough without this record on the stack.
+__attribute__((noinline)) bool logItem(uint8_t index, const MissionItem& item) {
     CommandRecord record;
     record.count = missionCount();
     record.index = index;
@@ -88,6 +89,14 @@ bool putCommand(uint8_t index) {
     record.altitude_m = item.z;
     record.frame = item.frame;
     return log(RecordType::command, record);
+}
+
+}  // namespace
+
+bool putCommand(uint8_t index) {
+    MissionItem item;
+    const core::Status status = missionItem(index, item);
+    return status == core::Status::ok ? logItem(index, item) : status != core::Status::busy;
 }
 
 bool putMode() {
@@ -182,19 +191,26 @@ bool putNavigation() {
 }
 
 bool putInertial() {
+    const auto& rate = vehicle.imu.rate_rads;
+    const auto& accel = vehicle.imu.accel_mss;
     InertialRecord record;
-    memcpy(record.gyro_rads, &vehicle.imu.rate_rads, sizeof record.gyro_rads);
-    memcpy(record.accel_mss, &vehicle.imu.accel_mss, sizeof record.accel_mss);
+    record.gyro_x_rads = rate.x;
+    record.gyro_y_rads = rate.y;
+    record.gyro_z_rads = rate.z;
+    record.accel_x_mss = accel.x;
+    record.accel_y_mss = accel.y;
+    record.accel_z_mss = accel.z;
     return log(RecordType::inertial, record);
 }
 
 bool putCompass() {
+    const core::Vector3& field = vehicle.compass.field_mg;
     CompassRecord record;
-    const float* field = &vehicle.compass.field_mg.x;
-    for (uint8_t i = 0; i < 3; ++i) {
-        record.field_mg[i] = static_cast<int16_t>(field[i]);
+    record.field_x_mg = static_cast<int16_t>(field.x);
+    record.field_y_mg = static_cast<int16_t>(field.y);
+    record.field_z_mg = static_cast<int16_t>(field.z);
+    for (uint8_t i = 0; i < 3; ++i)
         record.offset_mg[i] = static_cast<int16_t>(parameters.compass_offset_mg[i]);
-    }
     return log(RecordType::compass, record);
 }
 

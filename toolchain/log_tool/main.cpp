@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+
+#include "toolchain/log_tool/program.hpp"
+
+int main(int count, char** words) {
+    return log_tool::run({words + 1, words + count}, std::cout, std::cerr);
+}
