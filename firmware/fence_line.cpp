@@ -20,8 +20,8 @@ uint8_t generation;  // of the list that `line` is said of
 uint8_t way_back;    // which record
 struct {
     geo::Position place;
-    uint8_t next;  // edge
-    bool inside;   // as far as has been looked; anew when next is 0
+    uint8_t next : 7;  // edge
+    bool inside : 1;   // as far as has been looked; anew when next is 0
 } lap;
 
 uint8_t points() { return listCount(ListKind::fence); }
@@ -45,7 +45,7 @@ Status goOn() {
         if (status != Status::ok) break;
         if (geo::crossesEdge(origin, from, to, lap.place)) lap.inside = !lap.inside;
         from = to;
-        lap.next = end;
+        lap.next = end & 0x7F;
         if (end == 0) return Status::ok;
     }
     return Status::busy;

@@ -66,7 +66,7 @@ MissionResult rewrite(uint8_t link, Peer peer, ListKind kind, uint8_t count, uin
         const MissionResult begun = listBegin(kind, count, kPointSet);
         if (begun != MissionResult::accepted) return begun;
         transfer.state = Upload::points;
-        transfer.type = static_cast<uint8_t>(kind);
+        transfer.type = static_cast<uint8_t>(kind) & 3;
         transfer.link = link;
         transfer.peer = peer;
     } else if (transfer.state != Upload::points || transfer.link != link ||
@@ -113,8 +113,10 @@ Status resizePoints(ListKind kind, uint8_t total) {
     const bool fence = kind == ListKind::fence;
     if (!missionKnown() || (fence && fenceLine() == Line::unknown)) return Status::busy;
     const uint8_t present = fence ? static_cast<uint8_t>(parameters.fence_total) : listCount(kind);
-    if (present == total) return Status::ok;
-    if (fence && fenceOn()) {
+    // the list may have been stored, and looked at, since the last call
+    const bool under_way = transfer.state == Upload::points && transfer.link == kNoLink;
+    if (present == total && !under_way) return Status::ok;
+    if (fence && fenceOn() && !under_way) {
         tell(Severity::warning, ROM_TEXT("The fence is on"));
         return Status::bad_argument;
     }

@@ -12,7 +12,13 @@ bool begin(Link& link, const mavlink::Frame& frame, uint8_t type, MissionResult 
            uint16_t first, uint16_t last) {
     if (result == MissionResult::busy) return false;
     if (result != MissionResult::accepted) return answerAck(link, peerOf(frame), result, type);
-    transfer = {Upload::items, type, linkNumber(link), peerOf(frame), false, first, last, 0, 0};
+    transfer = {};
+    transfer.state = Upload::items;
+    transfer.type = type & 3;
+    transfer.link = linkNumber(link);
+    transfer.peer = peerOf(frame);
+    transfer.next = static_cast<uint8_t>(first);  // no list is longer
+    transfer.last = static_cast<uint8_t>(last);
     return ask();
 }
 
@@ -40,7 +46,7 @@ bool onMissionCount(Link& link, const mavlink::Frame& frame) {
     const uint8_t type = message.mission_type;
     if (refusedBeginning(link, frame, type)) return true;
     if (transfer.state == Upload::items && transfer.type == type && transfer.next == 0 &&
-        transfer.last + 1 == message.count)
+        transfer.last + 1U == message.count)
         return ask();  // said twice
     forgetTransfer();
     if (message.count == 0) return clearInstead(link, frame, type);

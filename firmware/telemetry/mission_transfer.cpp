@@ -55,7 +55,7 @@ bool takeItem(Link& link, const mavlink::Frame& frame, uint16_t index, uint8_t c
     if (transfer.state != Upload::items || transfer.type != type)
         return answerAck(link, peerOf(frame), MissionResult::error, type);
     // come twice: the next has been asked for, and asking again would double all that follow
-    if (index + 1 == transfer.next) return true;
+    if (index + 1U == transfer.next) return true;
     if (index != transfer.next) return ask();
     const MissionResult result = planPut(type, index, item);
     if (result == MissionResult::busy) return false;

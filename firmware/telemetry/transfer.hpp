@@ -23,11 +23,11 @@ constexpr uint8_t kNoLink = 0xFF;  // owned by a parameter that is being set
 
 struct Transfer {
     Upload state;
-    uint8_t type;  // MAV_MISSION_TYPE
+    uint8_t type : 2;        // MAV_MISSION_TYPE
+    bool whole_degrees : 1;  // asks with MISSION_REQUEST, for MISSION_ITEM
     uint8_t link;
     Peer peer;
-    bool whole_degrees;  // asks with MISSION_REQUEST, for MISSION_ITEM
-    uint16_t next, last;
+    uint8_t next, last;
     uint8_t turns;  // since the last question
     uint8_t tries;
 };

@@ -108,15 +108,3 @@ test('the current item is set by message and by command', withVehicle({}, async 
   await vehicle.expect('MISSION_CURRENT', { where: ({ seq }) => seq === 2 });
   assert.notEqual(await vehicle.command(224, [99]), 0);
 }));
-
-test('fences and rally points are not claimed to exist', withVehicle({}, async (vehicle) => {
-  vehicle.line.version = 2;
-  for (const missionType of [1, 2]) {
-    vehicle.send('MISSION_REQUEST_LIST', { missionType });
-    const answer = await vehicle.expect('MISSION_COUNT');
-    assert.equal(answer.count, 0);
-    assert.equal(answer.missionType, missionType);
-    vehicle.send('MISSION_COUNT', { count: 3, missionType });
-    assert.equal((await vehicle.expect('MISSION_ACK')).type, 3);
-  }
-}));

@@ -6,6 +6,7 @@
 // air, a frame is late, or something asked for was not done.
 //   rough_flight FIRMWARE MISSION OUT
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -29,6 +30,7 @@ constexpr int kTelemetry = 2, kUsb = 0;
 constexpr uint64_t kStep_us = 10'000;
 constexpr double kFrom_s = 25;  // in the air and past the take-off
 constexpr double kEnd_s = 175;
+constexpr uint16_t kFencePoints = 20;
 constexpr uint16_t kManual = 1815, kFbwa = 1425, kRtl = 1165;  // pulses of FLTMODE_CH
 
 class RoughFlight {
@@ -97,6 +99,9 @@ private:
         ++usb_messages_;
         upload_.take(frame, at_us);
         if (as<mavlink::ParamValue>(frame)) ++parameters_told_;
+        const auto asked = as<mavlink::MissionRequestInt>(frame);
+        if (asked && asked->mission_type == mavlink::MavMissionType::fence)
+            sendFencePoint(asked->seq);
         if (as<mavlink::MissionCount>(frame)) asked_for_mission_ = false;
     }
 
@@ -137,6 +142,28 @@ private:
         uploading_ = true;
         modes_.push_back(told().mode());
     }
+    // The largest there is, around all of the flight, and only to be told of.
+    void sendFence() {
+        set("FENCE_ACTION", 2);
+        auto count = addressed<mavlink::MissionCount>();
+        count.count = kFencePoints;
+        count.mission_type = mavlink::MavMissionType::fence;
+        usb_.send(count);
+    }
+    void sendFencePoint(uint16_t seq) {
+        auto item = addressed<mavlink::MissionItemInt>();
+        const double angle = 2 * M_PI * seq / (kFencePoints - 1);
+        const double away_deg = seq == 0 ? 0 : 0.05;  // 4 km and more
+        item.seq = seq;
+        item.command =
+            seq == 0 ? MavCmd::nav_fence_return_point : MavCmd::nav_fence_polygon_vertex_inclusion;
+        item.param1 = kFencePoints - 1;
+        item.x = static_cast<int32_t>((items_[0].latitude_deg + away_deg * std::cos(angle)) * 1e7);
+        item.y = static_cast<int32_t>((items_[0].longitude_deg + away_deg * std::sin(angle)) * 1e7);
+        item.mission_type = mavlink::MavMissionType::fence;
+        usb_.send(item);
+    }
+    void fenceOn() { command(MavCmd::do_fence_enable, 1, 0); }
     void command(uint16_t number, float param1, float param2) {
         auto message = addressed<mavlink::CommandLong>();
         message.command = number;
@@ -181,6 +208,8 @@ private:
 
 const std::vector<RoughFlight::Trouble> RoughFlight::kTroubles = {
     {2, "all streams on USB too", &RoughFlight::streams},
+    {5, "a fence is sent up", &RoughFlight::sendFence},
+    {15, "and switched on", &RoughFlight::fenceOn},
     {kFrom_s, "parameters are asked for", &RoughFlight::listParameters},
     {kFrom_s + 15, "parameters are set", &RoughFlight::setParameters},
     {kFrom_s + 20, "the mission is asked for", &RoughFlight::listMission},
@@ -212,6 +241,8 @@ bool RoughFlight::judge() {
         {"USB told all its streams", usb_messages_ > 1000},
         {"every parameter was told", parameters_told_ > 200},
         {"the mission was told", !asked_for_mission_},
+        {"the fence was stored", said("Fence stored: 20 points")},
+        {"the fence was on, and never broken", said("Fence on") && !said("Fence breach")},
         {"the mode switch led to RTL", happened("mode RTL")},
         {"the mode switch led to MANUAL", happened("mode MANUAL")},
         {"the short failsafe was told", said("short failsafe")},
