@@ -27,3 +27,11 @@ foreach(row IN LISTS handled)
     string(REGEX REPLACE ".*<mavlink::([A-Za-z]+)>.*" "\\1" message "${row}")
     fuzz_test(${message} handler ${message})
 endforeach()
+
+# the mission tool: any bytes into each of its readers
+foreach(reader waypoints records image eeprom)
+    add_test(NAME fuzz.mission_tool.${reader}
+             COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/host_tests/mission_tool/fuzz.mjs
+                     ${CMAKE_BINARY_DIR}/fuzz/mission_tool_fuzz ${reader})
+    set_tests_properties(fuzz.mission_tool.${reader} PROPERTIES TIMEOUT 600 LABELS fuzz)
+endforeach()

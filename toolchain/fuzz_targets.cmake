@@ -22,3 +22,11 @@ foreach(target parser handler conversation)
     target_link_libraries(${target}_fuzz PRIVATE fuzzed)
     target_link_options(${target}_fuzz PRIVATE -fsanitize=fuzzer,address,undefined)
 endforeach()
+
+# the readers of the mission tool, without its command line
+file(GLOB tool_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/toolchain/mission_tool/*.cpp)
+list(FILTER tool_sources EXCLUDE REGEX "/(main|program)\\.cpp$")
+add_executable(mission_tool_fuzz ${CMAKE_SOURCE_DIR}/host_tests/mission_tool/readers_fuzz.cpp
+               ${tool_sources} ${CMAKE_SOURCE_DIR}/simulator/ground/waypoints.cpp)
+target_link_libraries(mission_tool_fuzz PRIVATE fuzzed)
+target_link_options(mission_tool_fuzz PRIVATE -fsanitize=fuzzer,address,undefined)

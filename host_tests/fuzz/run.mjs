@@ -3,11 +3,9 @@
 // node-mavlink writes them, and says how many there were; fewer, or a crash, is a failure.
 //   node run.mjs PROGRAM parser|conversation
 //   node run.mjs PROGRAM handler MESSAGE_STRUCT
-import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { readFileSync } from 'node:fs';
 import { messages, nodeMavlink } from '../ground/node_mavlink.mjs';
+import { fuzz } from './libfuzzer.mjs';
 
 const wanted = 1_000_000;
 const [program, kind, struct] = process.argv.slice(2);
@@ -57,19 +55,6 @@ function seeds() {
 const spelled = (name) => name.replaceAll('_', '').toLowerCase();
 const subject = known.find(({ MSG_NAME }) => spelled(MSG_NAME) === struct?.toLowerCase());
 const name = kind === 'handler' ? subject.MSG_NAME : kind;
-const folder = mkdtempSync(join(tmpdir(), 'fuzz-'));
-for (const [i, seed] of seeds().entries()) writeFileSync(join(folder, `seed_${i}`), seed);
-
 const lengths = { parser: 120, conversation: 120, handler: 64 };
-const run = spawnSync(program, [folder, `-runs=${wanted}`, '-seed=1', `-max_len=${lengths[kind]}`,
-  '-print_final_stats=1', '-detect_leaks=0', `-artifact_prefix=${folder}/`, '-verbosity=0'],
-  { encoding: 'utf8', maxBuffer: 1 << 26, env: { ...process.env, FUZZ_MESSAGE: `${subject?.MSG_ID}` } });
-const count = +(/stat::number_of_executed_units: (\d+)/.exec(run.stderr)?.[1] ?? 0);
-console.log(`${name}: ${count.toLocaleString('en')} executions`);
-if (run.status !== 0 || count < wanted) {
-  console.error(run.stderr.slice(-20_000));
-  console.error(`fuzz: ${name} ended with status ${run.status}; what it found is in ${folder}`);
-  process.exitCode = 1;
-} else {
-  rmSync(folder, { recursive: true });
-}
+fuzz({ program, name, seeds: seeds(), wanted, longest: lengths[kind],
+  environment: { FUZZ_MESSAGE: `${subject?.MSG_ID}` } });

@@ -5,7 +5,9 @@
 namespace mission_tool {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr char kHome2[] = "APM 2.0\n0x10 0 0 40000 470000000 80000000\n";
 constexpr char kNear2[] = "0x10 1 0 6000 470010000 80000000\n";
@@ -93,6 +95,14 @@ TEST(Table, has_class_altitude_length_and_bearing_of_every_leg) {
     EXPECT_THAT(lineWith(table, "LOITER_TURNS"), HasSubstr("1001 m      090"));
     EXPECT_THAT(lineWith(table, "RETURN"), HasSubstr("ALT_HOLD_RTL   1496 m      222"));
     EXPECT_THAT(table, HasSubstr("APM 2.0 set, 5 of 171 items, legs of 3.6 km in all"));
+}
+
+TEST(Table, has_no_leg_from_or_to_a_home_that_is_no_place) {
+    const std::string table = tableOf(loaded("APM 2.0\n0x10 0 0 40000 2147483647 -2147483648\n" +
+                                             std::string(kNorth2) + "0x14 1 0 0 0 0\n"));
+    EXPECT_THAT(lineWith(table, "WAYPOINT"), Not(HasSubstr("~")));
+    EXPECT_THAT(lineWith(table, "RETURN"), EndsWith("ALT_HOLD_RTL"));
+    EXPECT_THAT(table, HasSubstr("legs of 0.0 km in all"));
 }
 
 class Show : public Tool {};

@@ -11,24 +11,34 @@ constexpr uint8_t kReturn = 0x14, kSetHome = 0xB3, kResetHome = 0x42;
 
 geo::Position placeOf(const Entry& entry) { return {entry.record.p3, entry.record.p4}; }
 
+// Item 0 may be anything, refused or not a place at all.
+bool onEarth(const geo::Position& place) {
+    constexpr int32_t kPole_e7 = 900000000, kHalfTurn_e7 = 1800000000;
+    return place.latitude_e7 >= -kPole_e7 && place.latitude_e7 <= kPole_e7 &&
+           place.longitude_e7 >= -kHalfTurn_e7 && place.longitude_e7 <= kHalfTurn_e7;
+}
+
 }  // namespace
 
 std::vector<Leg> legsOf(const Document& document) {
     std::vector<Leg> legs(document.entries.size());
     const geo::Position home = placeOf(document.entries[0]);
+    const bool home_known = onEarth(home);
     geo::Position from = home;
-    bool about = true;
+    bool about = true, from_known = home_known;
     for (size_t i = 1; i < legs.size(); ++i) {
         const Entry& entry = document.entries[i];
         if (!entry.is(mission::Class::nav)) continue;
         const bool returns = entry.record.id == kReturn;
-        if (!hasPlace(entry) && !returns) {  // TAKEOFF, or "here"
+        if ((!hasPlace(entry) && !returns) || (returns && !home_known)) {  // TAKEOFF, or "here"
             about = true;
             continue;
         }
         const geo::Position to = returns ? home : placeOf(entry);
-        legs[i] = {true, about, geo::distance_m(from, to), geo::bearing_cd(from, to)};
+        if (from_known)
+            legs[i] = {true, about, geo::distance_m(from, to), geo::bearing_cd(from, to)};
         from = to;
+        from_known = true;
         about = false;
     }
     return legs;
