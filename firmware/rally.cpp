@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/rally.hpp"
 
-#include "firmware/modes/circling.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/points.hpp"
 #include "firmware/telemetry/text.hpp"
@@ -27,7 +26,7 @@ void rallyFollow() { parameters.rally_total = static_cast<int8_t>(listCount(List
 
 void rallyBegin() { next = 0; }
 
-void rallyLook() {
+void rallyLook(FlyTo fly_to) {
     if (next >= listCount(ListKind::rally)) return;
     uint8_t record[storage::kLargestRecord];
     const core::Status status = listRead(ListKind::rally, next, record);
@@ -35,7 +34,7 @@ void rallyLook() {
     ++next;
     const geo::Position place = placeOf(record);
     if (status != core::Status::ok || !isPlace(place) || !better(place)) return;
-    demandCircle(place, rallyHeight_m(record));
+    fly_to(place, rallyHeight_m(record));
     tell(Severity::info, ROM_TEXT("Going to rally point #"), next - 1);
 }
 

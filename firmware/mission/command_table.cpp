@@ -25,7 +25,7 @@ constexpr mission::Row kRows[] ROM = {
     nav(      0x11,   0x11, "LOITER_UNLIM",         F::unlimited,  placeInRange,          startCircle,    never,         kPlaced),
     nav(      0x12,   0x12, "LOITER_TURNS",         F::turns,      placeInRange,          startCircle,    turnsDone,     kPlaced),
     nav(      0x13,   0x13, "LOITER_TIME",          F::time,       placeInRange,          startCircle,    timeDone,      kPlaced),
-    nav(      0x14,   0x14, "RETURN_TO_LAUNCH",     F::place,      placeInRange,          startReturn,    waypointDone,  0),
+    nav(      0x14,   0x14, "RETURN_TO_LAUNCH",     F::place,      placeInRange,          startReturn,    returnDone,    0),
     nav(      0x15,   0x15, "LAND",                 F::place,      placeInRange,          startLand,      landDone,      kPlaced | kEndsFlight),
     nav(      0x16,   0x16, "TAKEOFF",              F::takeoff,    takeoffInRange,        startTakeoff,   takeoffDone,   kTakeoff),
     nav(      none,   0x17, "TARGET",               F::waypoint,   placeInRange,          startWaypoint,  waypointDone,  kPlaced),

@@ -51,6 +51,7 @@ Progress never(const Record&);
 Progress turnsDone(const Record&);
 Progress timeDone(const Record&);
 void startReturn(const Record&, Entry);
+Progress returnDone(const Record&);
 void startLand(const Record&, Entry);
 Progress landDone(const Record&);
 void startTakeoff(const Record&, Entry);

@@ -6,6 +6,7 @@
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/speed.hpp"
 #include "firmware/parameters.hpp"
+#include "firmware/rally.hpp"
 #include "firmware/vehicle.hpp"
 #include "hal/clock.hpp"
 
@@ -28,6 +29,8 @@ uint16_t loiter_ms;
 bool captured;
 
 uint32_t still_ms;
+
+bool height_given;  // of a way home
 
 geo::Position placeOf(const Record& record) { return {record.p3, record.p4}; }
 
@@ -171,6 +174,23 @@ void startReturn(const Record& record, Entry entry) {
     else if (parameters.rtl_height_cm >= 0)
         home.height_m = static_cast<float>(parameters.rtl_height_cm) * 0.01f;
     demandLeg(home, parameters.waypoint_radius_m, entry);
+    height_given = record.p2 != 0;
+    rallyBegin();
+}
+
+namespace {
+
+// A climb that has begun goes on.
+void returnTo(const geo::Position& place, float height_m) {
+    if (height_given) height_m = vehicle.demand.height_m;
+    demandLeg({place, height_m}, parameters.waypoint_radius_m, {true, true});
+}
+
+}  // namespace
+
+Progress returnDone(const Record& record) {
+    rallyLook(returnTo);
+    return waypointDone(record);
 }
 
 void startLand(const Record& record, Entry entry) {

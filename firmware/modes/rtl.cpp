@@ -24,7 +24,7 @@ Entry startRtl() {
 }
 
 void runRtl() {
-    rallyLook();
+    rallyLook(demandCircle);
     mixSticks();
 }
 

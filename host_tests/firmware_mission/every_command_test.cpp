@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the commands of both sets share, command by command: places, altitudes, ends.
 #include "core/maths.hpp"
+#include "firmware/mission/lists.hpp"
+#include "firmware/points.hpp"
 #include "hal/watchdog.hpp"
 #include "rig.hpp"
 
@@ -97,6 +99,54 @@ TEST_F(EveryCommand, takeoff_above_the_sea_ends_at_its_altitude) {
     vehicle.estimate.height_m = 39.1f;  // within a metre
     pass();
     EXPECT_EQ(missionCurrent(), 2);
+}
+
+// ---- rally points
+
+class WayHome : public EveryCommand {
+protected:
+    // Two of them, the second nearer than home; at 85 m.
+    void SetUp() override {
+        EveryCommand::SetUp();
+        vehicle.estimate.position = {waypoint(4000).x, waypoint(4000).y};
+        ASSERT_EQ(whileBusy([] { return listBegin(ListKind::rally, 2, kPointSet); }),
+                  MissionResult::accepted);
+        for (const int32_t north_m : {-9000, 3000}) {
+            uint8_t record[storage::kLargestRecord] = {};
+            setPlace(record, {waypoint(north_m).x, waypoint(north_m).y});
+            setRallyHeight(record, 85, true);
+            ASSERT_EQ(whileBusy([&] { return listPut(record); }), MissionResult::accepted);
+        }
+        ASSERT_EQ(whileBusy(listCommit), MissionResult::accepted);
+        pass(5);
+    }
+};
+
+TEST_F(WayHome, leads_to_the_rally_point_that_is_nearer_and_ends_there) {
+    for (const int set : {1, 2}) {
+        flyAnew(set, {placed(20, 0, 0, 0), waypoint(900)});
+        seconds(1);
+        EXPECT_EQ(vehicle.demand.path, Path::leg);
+        EXPECT_EQ(vehicle.demand.to.latitude_e7, waypoint(3000).x) << set;
+        EXPECT_FLOAT_EQ(vehicle.demand.height_m, 85) << "the point's own";
+        reach();
+        EXPECT_EQ(missionCurrent(), 2);
+        EXPECT_EQ(vehicle.demand.from.latitude_e7, waypoint(3000).x);
+    }
+}
+
+TEST_F(WayHome, keeps_the_altitude_that_the_command_gives) {
+    fly({placed(20, 0, 0, 120), waypoint(900)});
+    seconds(1);
+    EXPECT_EQ(vehicle.demand.to.latitude_e7, waypoint(3000).x);
+    EXPECT_FLOAT_EQ(vehicle.demand.height_m, 120);
+}
+
+TEST_F(WayHome, leads_home_where_home_is_nearer) {
+    vehicle.estimate.position = {waypoint(1000).x, waypoint(1000).y};
+    fly({placed(20, 0, 0, 0), waypoint(900)});
+    seconds(1);
+    EXPECT_EQ(vehicle.demand.to, vehicle.home.position);
 }
 
 // ---- loiters
