@@ -66,7 +66,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { telemetrySend,         2,     1,    1250 },
     { runGuidance,           5,     2,    2700 },
     { runSpeedHeight,       10,     4,    2400 },
-    { runLog,                2,     0,     900 },
+    { runLog,                2,     0,    1000 },
     { runCompass,            2,     0,     300 },
     { runAirspeed,           2,     0,     280 },
     { missionRun,           10,     3,    2600 },

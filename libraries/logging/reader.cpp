@@ -21,6 +21,9 @@ uint8_t formatByte(const Formats& formats, uint16_t at) {
     return within == 0 ? kHead1 : within == 1 ? kHead2 : kFormatType;
 }
 
+// Spoilt pages in a row that are looked past.
+constexpr uint8_t kSpoilt = 2;
+
 bool holds(const PageHead& head, const Key& key) {
     return head.key.log == key.log && key.offset >= head.key.offset &&
            key.offset - head.key.offset < head.used;
@@ -31,7 +34,7 @@ bool holds(const PageHead& head, const Key& key) {
 Status oldestKey(const Book& book, Key& key) {
     PageHead head;
     Status status = Status::corrupt;
-    for (uint8_t page = 0; page < 3 && status == Status::corrupt; ++page)
+    for (uint8_t page = 0; page <= kSpoilt && status == Status::corrupt; ++page)
         status = book.readHead(page, head);
     key = head.key;
     return status;
@@ -68,11 +71,12 @@ Status Reader::findPage(const Book& book, uint32_t offset, PageHead& head) {
     if (status == Status::busy || (status == Status::ok && holds(head, key))) return status;
     PageHead after;
     Status next = Status::corrupt;
-    if (found_.first + 1u < book.pages()) next = book.readHead(found_.first + 1, after);
+    uint16_t page = found_.first;
+    while (next == Status::corrupt && ++page < book.pages() && page <= found_.first + kSpoilt + 1)
+        next = book.readHead(page, after);
     if (next == Status::busy) return next;
     if (next == Status::ok && holds(after, key)) {
-        ++found_.first;
-        found_.end = found_.first + 1;
+        found_ = {page, static_cast<uint16_t>(page + 1)};
         head = after;
         return Status::ok;
     }
