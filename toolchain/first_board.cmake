@@ -16,3 +16,16 @@ add_test(NAME image.budgets_apm1
 
 flight_test(apm1_calm simavr 3 2 30 --board apm1 --seed 1)
 flight_test(apm1_wind simavr 5 3 60 --board apm1 --seed 2 ${windy})
+
+# ---- its hardware layer, by the programs that also try the APM 2's
+ExternalProject_Add(hal_programs_apm1
+    SOURCE_DIR ${CMAKE_SOURCE_DIR}
+    BINARY_DIR ${CMAKE_BINARY_DIR}/avr-hal-apm1
+    CMAKE_ARGS -DCMAKE_TOOLCHAIN_FILE=${CMAKE_SOURCE_DIR}/toolchain/avr-gcc.cmake -DBOARD=apm1
+               -DCMAKE_BUILD_TYPE=MinSizeRel
+    BUILD_COMMAND ${CMAKE_COMMAND} --build <BINARY_DIR> --target hal_pwm hal_ppm
+    BUILD_ALWAYS ON
+    INSTALL_COMMAND "")
+house_test(hal_apm1_test ${CMAKE_SOURCE_DIR}/host_tests/hal_apm1 simulator_machine)
+add_dependencies(hal_apm1_test hal_programs_apm1)
+target_compile_definitions(hal_apm1_test PRIVATE CHIP_PROGRAMS="${CMAKE_BINARY_DIR}/avr-hal-apm1")

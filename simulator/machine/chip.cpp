@@ -33,11 +33,12 @@ void keepError(avr_t* avr, const int level, const char* format, va_list argument
 struct Chip::Listener {
     std::function<void()> port_changed;
     std::function<void(bool)> pin_changed;
+    std::function<bool(bool)> from_match;
     bool high = false;
 
     void port(uint32_t) { port_changed(); }
     void pin(uint32_t value) {  // raised for every event, changed or not
-        if (bool(value & 1) == high) return;
+        if (bool(value & 1) == high || !from_match(value & 1)) return;
         high = value & 1;
         pin_changed(high);
     }
@@ -169,6 +170,8 @@ void Chip::onPort(char port, std::function<void()> changed) {
 void Chip::onCompareOutput(char timer, int compare, std::function<void(bool)> changed) {
     listeners_.push_back(std::make_unique<Listener>());
     listeners_.back()->pin_changed = std::move(changed);
+    listeners_.back()->from_match = [of = timers_.at(static_cast<size_t>(timer - '0')),
+                                     compare](bool high) { return of->fromMatch(compare, high); };
     avr_irq_t* line =
         avr_io_getirq(avr_, AVR_IOCTL_TIMER_GETIRQ(timer), TIMER_IRQ_OUT_COMP + compare);
     hookLine<&Listener::pin>(line, listeners_.back().get());

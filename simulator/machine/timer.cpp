@@ -148,6 +148,13 @@ uint64_t Timer::takeOver(uint64_t) {
     return 0;
 }
 
+bool Timer::fromMatch(int compare, bool high) const {
+    const int kind = io_->wgm_op_mode_kind;
+    if (kind != avr_timer_wgm_normal && kind != avr_timer_wgm_ctc) return true;
+    const uint8_t mode = avr_regbit_get(avr_, io_->comp[compare].com);
+    return mode < avr_timer_com_clear || high == (mode == avr_timer_com_set);
+}
+
 void Timer::captureEdge(bool rising, uint64_t cycle) {
     if (!wide() || !prescaler() || io_->mode.top == avr_timer_wgm_reg_icr) return;
     if (bool(avr_regbit_get(avr_, io_->ices)) != rising) return;

@@ -18,6 +18,9 @@ public:
 
     uint32_t prescaler() const;  // 0: stopped, or clocked from a pin
     uint16_t count(uint64_t cycle) const;
+    // Whether a level the library gives a compare's pin comes from a match. Outside PWM it also
+    // does at each new computing of its events what PWM does at the end of a period.
+    bool fromMatch(int compare, bool high) const;
     // An edge on the capture pin at this cycle, which may lie a few cycles back.
     void captureEdge(bool rising, uint64_t cycle);
 
