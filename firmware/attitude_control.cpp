@@ -56,9 +56,10 @@ constexpr Look kLooks[] ROM = {feelAir, takeRoll,  lookAway, lookAway, lookAway,
                                feelAir, takePitch, lookAway, takeRest, lookAway};
 uint8_t look;
 
-// Where TRAINING's bounds begin to count: far enough ahead to stop the fastest of rolls.
+// Where TRAINING's bounds begin to count: farther ahead than the loop that holds them needs to stop,
+// or stick and loop would take turns.
 int16_t soon(core::Angle angle_rad, core::Fixed<10> rate_rads) {
-    constexpr int16_t kLead = 2;  // 0.2 s, from the one's steps to the other's
+    constexpr int16_t kLead = 6;  // 0.6 s, from the one's steps to the other's
     return core::narrowed(angle_rad.raw + core::product(kLead, rate_rads.raw));
 }
 

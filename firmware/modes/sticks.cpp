@@ -9,22 +9,20 @@
 namespace firmware {
 namespace {
 
-// 100 Hz: multiplied, as a division costs four times as much, and not at all for a stick at rest.
-constexpr float kPerFullStick = 1.0f / 4500.0f;
+// 100 Hz: in integers, a float costs ten times as much.
+core::Angle angle(int16_t stick_cd, int16_t full_cd) {
+    constexpr int16_t kSteps = 27149;  // 65536 / 36000 / 4500 in 2^-26
+    return core::Angle::fromRaw(static_cast<int16_t>(
+        (core::times16(core::product(stick_cd, full_cd), kSteps) + 512) >> 10));
+}
 
 }  // namespace
 
-core::Angle stickRoll_rad() {
-    const int16_t stick_cd = vehicle.radio.roll_cd;
-    if (stick_cd == 0) return core::Angle::fromRaw(0);
-    return core::radiansFromCentidegrees(stick_cd * kPerFullStick * parameters.roll_limit_cd);
-}
+core::Angle stickRoll_rad() { return angle(vehicle.radio.roll_cd, parameters.roll_limit_cd); }
 
 core::Angle stickPitch_rad() {
     const int16_t stick_cd = vehicle.radio.pitch_cd;
-    if (stick_cd == 0) return core::Angle::fromRaw(0);
-    const int16_t limit_cd = stick_cd > 0 ? parameters.pitch_max_cd : -parameters.pitch_min_cd;
-    return core::radiansFromCentidegrees(stick_cd * kPerFullStick * limit_cd);
+    return angle(stick_cd, stick_cd > 0 ? parameters.pitch_max_cd : -parameters.pitch_min_cd);
 }
 
 float stickThrottle() { return vehicle.radio.throttle_pct * 0.01f; }

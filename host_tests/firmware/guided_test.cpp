@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "firmware/bench.hpp"
+#include "firmware/guidance/guidance.hpp"
 #include "firmware/mission/speed.hpp"
 #include "firmware/outputs.hpp"
 #include "firmware/relay.hpp"
@@ -189,6 +190,31 @@ TEST_F(Guided, is_left_for_home_by_a_long_failsafe_only_if_the_pilot_wants_that)
     parameters.long_action = 1;
     loseRadio(12000);
     EXPECT_EQ(vehicle.mode, Mode::rtl);
+}
+
+TEST_F(Guided, comes_down_on_a_slope_that_ends_at_the_circle_and_climbs_at_once) {
+    const auto planned_m = [] {
+        firmware::runMode();
+        firmware::runGuidance();
+        return vehicle.progress.height_error_m + vehicle.estimate.height_m;
+    };
+    vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = 1;
+    const geo::Position there = geo::moved(kHome, {1060, 0});
+    ASSERT_EQ(orderTo(to(there, 30)), MissionResult::accepted);
+    EXPECT_NEAR(planned_m(), 80, 0.1);
+    vehicle.estimate.position = geo::moved(kHome, {500, 0});
+    EXPECT_NEAR(planned_m(), 55, 0.5);
+    EXPECT_EQ(orderHeight(to(there, 50)), MissionResult::accepted);
+    EXPECT_NEAR(planned_m(), 50, 0.01) << "a height alone is flown at once";
+
+    ASSERT_EQ(orderTo(to(there, 130)), MissionResult::accepted);
+    EXPECT_NEAR(planned_m(), 130, 0.01);
+
+    ASSERT_EQ(orderTo(to(kThere, 60)), MissionResult::accepted);
+    EXPECT_NEAR(planned_m(), 80, 0.1);
+    parameters.glide_slope_min_m = 25;
+    ASSERT_EQ(orderTo(to(kThere, 60)), MissionResult::accepted);
+    EXPECT_NEAR(planned_m(), 60, 0.01) << "not worth a slope";
 }
 
 }  // namespace

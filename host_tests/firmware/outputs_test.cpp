@@ -156,4 +156,76 @@ TEST_F(Outputs, are_written_only_when_they_change) {
     EXPECT_EQ(fakes::servos().writes, writes + 1);
 }
 
+// Stick and deflection of a pair, in shares of the servo's way.
+class Pairs : public Outputs {
+protected:
+    void SetUp() override {
+        Outputs::SetUp();
+        vehicle.armed = true;
+    }
+    struct Moved {
+        int first, second;
+    };
+    Moved moved(const std::vector<uint16_t>& sticks, uint8_t first, uint8_t second) {
+        settle(sticks);
+        run();
+        return {outputPulse_us(first) - 1500, outputPulse_us(second) - 1500};
+    }
+};
+
+TEST_F(Pairs, elevons_go_together_for_pitch_and_apart_for_roll) {
+    const struct {
+        int8_t kind;
+        int first, second;  // the way each servo turns
+    } kinds[] = {{1, 1, 1}, {2, -1, 1}, {3, 1, -1}, {4, -1, -1}};
+    for (const auto& each : kinds) {
+        parameters.elevon_output = each.kind;
+        const Moved pulled = moved(with(2, 1900), 1, 2);
+        EXPECT_NEAR(pulled.first, each.first * 200, 1) << int{each.kind};
+        EXPECT_NEAR(pulled.second, each.second * 200, 1);
+        const Moved right = moved(with(1, 1900), 1, 2);
+        EXPECT_NEAR(right.first, each.first * 200, 1);
+        EXPECT_NEAR(right.second, -each.second * 200, 1);
+        EXPECT_EQ(moved(with(4, 1900), 1, 2).first, 0) << "the rudder is its own";
+        EXPECT_GT(outputPulse_us(4), 1890);
+    }
+}
+
+TEST_F(Pairs, both_sides_of_a_v_tail_take_elevator_and_rudder) {
+    parameters.vtail_output = 1;
+    const Moved pulled = moved(with(2, 1900), 2, 4);
+    EXPECT_NEAR(pulled.first, 200, 1);
+    EXPECT_NEAR(pulled.second, 200, 1);
+    const Moved right = moved(with(4, 1900), 2, 4);
+    EXPECT_NEAR(right.first, -200, 1);
+    EXPECT_NEAR(right.second, 200, 1);
+    EXPECT_GT(moved(with(1, 1900), 1, 2).first, 390) << "the aileron is its own";
+}
+
+TEST_F(Pairs, full_sticks_together_are_all_a_surface_has) {
+    parameters.elevon_output = 1;
+    const Moved both = moved({1900, 1900, 1100, 1500, 1500, 1500, 1500, 1815}, 1, 2);
+    EXPECT_NEAR(both.first, 400, 1);
+    EXPECT_NEAR(both.second, 0, 1);
+    parameters.mixing_gain = 1.2f;
+    EXPECT_NEAR(moved(with(2, 1700), 1, 2).first, 400 * 1.2f * 170 / 370, 2);
+}
+
+// As on a plain airplane: in MANUAL the servos follow the sticks, and what stabilises is reversed.
+TEST_F(Pairs, a_reversed_channel_reverses_the_control_on_both_surfaces) {
+    parameters.elevon_output = 1;
+    const Moved plain = moved(with(1, 1800), 1, 2);
+    parameters.channel[0].reverse = -1;
+    const Moved reversed = moved(with(1, 1800), 1, 2);
+    EXPECT_EQ(reversed.first, plain.first);
+    EXPECT_EQ(reversed.second, plain.second);
+    firmware::setMode(Mode::fbwa, firmware::ModeReason::ground);
+    vehicle.attitude.roll_rad = 0.5f;
+    vehicle.imu.periods = 2;
+    for (int i = 0; i < 12; ++i) run();
+    ASSERT_LT(firmware::surfaces.aileron, -0.05f);
+    const Moved levelling = moved(bench::kCentred, 1, 2);
+    EXPECT_GT(levelling.first, levelling.second);
+}
+
 }  // namespace
