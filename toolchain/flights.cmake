@@ -54,6 +54,20 @@ add_test(NAME flight.elf_rough
 set_tests_properties(flight.elf_rough PROPERTIES LABELS simavr TIMEOUT 900
                      FIXTURES_SETUP elf_rough)
 
+# every mode, entered by the switch, in wind
+add_executable(modes_flight host_tests/on_board/modes_flight.cpp)
+target_compile_options(modes_flight PRIVATE ${HOUSE_WARNINGS})
+target_link_libraries(modes_flight PRIVATE firmware_native simulator_native simulator_report
+                      simulator_ground simulator_machine simulator_world)
+set(first_flight ${CMAKE_SOURCE_DIR}/simulator/missions/first_flight.waypoints)
+add_test(NAME flight.native_modes COMMAND modes_flight native ${first_flight}
+         ${flights}/native_modes 32 ${flights}/native_minutes)
+add_test(NAME flight.elf_modes COMMAND modes_flight ${IMAGE_ELF} ${first_flight}
+         ${flights}/elf_modes 15 ${minutes})
+set_tests_properties(flight.native_modes PROPERTIES LABELS native TIMEOUT 900)
+set_tests_properties(flight.elf_modes PROPERTIES LABELS simavr TIMEOUT 900
+                     FIXTURES_SETUP elf_modes FIXTURES_REQUIRED image_minutes)
+
 # every CONDITION and DO of each set, beside the oracle
 file(GLOB command_flight_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/command_flights/*.cpp)
 add_executable(command_flight ${command_flight_sources}
@@ -73,7 +87,7 @@ endforeach()
 
 # what all these flights of the image took of the processor
 set(elf_flights elf_calm_1 elf_calm_2 elf_calm_3 elf_wind_1 elf_wind_2 elf_wind_3 elf_rough
-    elf_commands_1 elf_commands_2)
+    elf_modes elf_commands_1 elf_commands_2)
 list(TRANSFORM elf_flights PREPEND ${flights}/ OUTPUT_VARIABLE elf_folders)
 set(work_report ${NODE} ${CMAKE_SOURCE_DIR}/host_tests/on_board/work_report.mjs)
 set(image_folder ${CMAKE_BINARY_DIR}/avr-apm2)
