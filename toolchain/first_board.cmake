@@ -27,5 +27,6 @@ ExternalProject_Add(hal_programs_apm1
     BUILD_ALWAYS ON
     INSTALL_COMMAND "")
 house_test(hal_apm1_test ${CMAKE_SOURCE_DIR}/host_tests/hal_apm1 simulator_machine)
-add_dependencies(hal_apm1_test hal_programs_apm1)
-target_compile_definitions(hal_apm1_test PRIVATE CHIP_PROGRAMS="${CMAKE_BINARY_DIR}/avr-hal-apm1")
+add_dependencies(hal_apm1_test hal_programs_apm1 image_apm1)
+target_compile_definitions(hal_apm1_test PRIVATE CHIP_PROGRAMS="${CMAKE_BINARY_DIR}/avr-hal-apm1"
+                           IMAGE_APM1="${IMAGE_APM1_ELF}")
