@@ -72,7 +72,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { missionRun,           10,     3,    2600 },
     { runModeSwitch,        10,     5,      75 },
     { runEvents,            10,     5,    2200 },
-    { runPoints,            10,     6,     800 },
+    { runPoints,            10,     6,    1800 },
     { runFailsafe,          10,     6,     160 },
     { runArming,            10,     1,     100 },
     { runBattery,           10,     8,     460 },

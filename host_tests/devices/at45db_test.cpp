@@ -232,6 +232,23 @@ TEST(At45dbModel, hears_only_status_identity_and_the_other_buffer_while_busy) {
     EXPECT_EQ(bench.exchange(bench.at(0xD6, 0, 0, {0}), 1), (Bytes{8}));
 }
 
+TEST(At45dbModel, the_other_buffer_may_be_filled_bit_by_bit_while_busy) {
+    Bench bench;
+    bench.fill(0, Bytes(528, 1));
+    const uint64_t before = bench.chip.ignored();
+    bench.store(0, 6);
+
+    bench.fill(1, {7});
+    bench.fill(1, {8}, 1);
+    EXPECT_EQ(bench.chip.ignored() - before, 0u);
+    bench.fill(0, {9});
+    EXPECT_EQ(bench.chip.ignored() - before, 1u);
+
+    bench.busy_us();
+    EXPECT_EQ(bench.exchange(bench.at(0xD6, 0, 0, {0}), 2), (Bytes{7, 8}));
+    EXPECT_EQ(bench.whole(6), Bytes(528, 1));
+}
+
 TEST(At45dbModel, does_nothing_with_half_a_command) {
     Bench bench;
     bench.exchange({0x83, 0, 0});

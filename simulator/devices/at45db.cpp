@@ -276,7 +276,7 @@ uint8_t At45db::exchange(uint8_t mosi, unsigned at, uint64_t now_us) {
 // The work begins when the select rises.
 void At45db::execute(const Command& command, uint64_t now_us) {
     const unsigned page = addressedPage();
-    busy_buffer_ = command.buffer;
+    if (!busy(now_us)) busy_buffer_ = command.buffer;  // what goes beside the work is none itself
     switch (command.does) {
         case Does::store:
         case Does::write_through:
