@@ -56,8 +56,7 @@ constexpr Look kLooks[] ROM = {feelAir, takeRoll,  lookAway, lookAway, lookAway,
                                feelAir, takePitch, lookAway, takeRest, lookAway};
 uint8_t look;
 
-// Where TRAINING's bounds begin to count: farther ahead than the loop that holds them needs to stop,
-// or stick and loop would take turns.
+// Where it turns to: farther ahead than the loop that holds TRAINING's bounds needs to stop.
 int16_t soon(core::Angle angle_rad, core::Fixed<10> rate_rads) {
     constexpr int16_t kLead = 6;  // 0.6 s, from the one's steps to the other's
     return core::narrowed(angle_rad.raw + core::product(kLead, rate_rads.raw));
@@ -95,22 +94,26 @@ void addStick(Deflection& to, int16_t stick_cd) {
     if (stick_cd != 0) add(to, core::upper(16 * core::product(stick_cd, kPerCentidegree)));
 }
 
-// The stick, but where it would soon leave the bounds no further than what holds them.
-void bind(Deflection& surface, int16_t stick_cd, int16_t soon, int16_t low, int16_t high,
-          control::AxisState& state) {
+// The stick, but where it leads out of the bounds no further than what holds them. Close to them
+// that counts whichever way it turns, or stick and loop would take turns.
+void bind(Deflection& surface, int16_t stick_cd, core::Angle now_rad, core::Fixed<10> rate_rads,
+          int16_t low, int16_t high, control::AxisState& state) {
+    constexpr core::Angle kClose_rad = core::radians(3);
     Deflection stick = Deflection::fromRaw(0);
     addStick(stick, stick_cd);
-    if (soon > high && surface.raw < stick.raw) return;
-    if (soon < low && surface.raw > stick.raw) return;
+    const int16_t soon_rad = soon(now_rad, rate_rads);
+    const bool over = soon_rad > high || now_rad.raw > high - kClose_rad.raw;
+    const bool under = soon_rad < low || now_rad.raw < low + kClose_rad.raw;
+    if ((over && surface.raw < stick.raw) || (under && surface.raw > stick.raw)) return;
     surface = stick;
     state = control::AxisState();
 }
 
 void bindSticks() {
     const auto& attitude = vehicle.attitude;
-    bind(surfaces.aileron, vehicle.radio.roll_cd, soon(attitude.roll_rad, attitude.rate_rads.x),
+    bind(surfaces.aileron, vehicle.radio.roll_cd, attitude.roll_rad, attitude.rate_rads.x,
          -roll_limit, roll_limit, roll_state);
-    bind(surfaces.elevator, vehicle.radio.pitch_cd, soon(attitude.pitch_rad, attitude.rate_rads.y),
+    bind(surfaces.elevator, vehicle.radio.pitch_cd, attitude.pitch_rad, attitude.rate_rads.y,
          pitch_min, pitch_max, pitch_state);
 }
 

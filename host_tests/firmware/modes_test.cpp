@@ -100,6 +100,15 @@ TEST_F(Training, begins_to_hold_before_a_fast_roll_is_at_the_limit) {
     EXPECT_LT(surfaces.aileron, 0.3f);
 }
 
+TEST_F(Training, goes_on_holding_while_the_bank_comes_back_to_the_limit) {
+    fly(Mode::training);
+    attitude(core::radians(50), 0);
+    vehicle.attitude.rate_rads = {core::radians(-10), 0, 0};
+    settle(with(1, 1900));
+    frame();
+    EXPECT_LT(surfaces.aileron, 0.2f);
+}
+
 TEST_F(Training, holds_the_pitch_within_its_limits_too) {
     fly(Mode::training);
     attitude(0, core::radians(21));

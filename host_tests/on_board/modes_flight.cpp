@@ -26,7 +26,7 @@ constexpr int kTelemetry = 2, kUsb = 0;
 constexpr uint64_t kStep_us = 20'000;
 constexpr double kFrom_s = 20;  // in the air and past the take-off
 constexpr double kDegree = M_PI / 180;
-constexpr double kLimLimit_deg = 45;
+constexpr double kBankLimit_deg = 45;
 
 struct Moment {
     double t_s, roll_deg, north_m, east_m, height_m, airspeed_mps;
@@ -113,7 +113,9 @@ bool controlled(const Flown& flown) {
 }
 bool heldAtTheLimit(const Flown& flown) {
     const double most_deg = range(flown, &Moment::roll_deg, 1, 6).highest;
-    return std::abs(most_deg - kLimLimit_deg) < 7 && straight({flown.end() - 20, flown.end()});
+    const double held_deg = range(flown, &Moment::roll_deg, 3, 5).mean();
+    return most_deg < kBankLimit_deg + 6 && std::abs(held_deg - kBankLimit_deg) < 3 &&
+           straight({flown.end() - 20, flown.end()});
 }
 bool stoppedWhereLetGo(const Flown& flown) {
     const Range bank = range(flown, &Moment::roll_deg, 4, 6);
@@ -122,7 +124,7 @@ bool stoppedWhereLetGo(const Flown& flown) {
 }
 bool bankedAsDemanded(const Flown& flown) {
     const Range bank = range(flown, &Moment::roll_deg, 3.5, 5);
-    return std::abs(bank.mean() - kLimLimit_deg) < 5 && bank.highest < kLimLimit_deg + 8;
+    return std::abs(bank.mean() - kBankLimit_deg) < 5 && bank.highest < kBankLimit_deg + 8;
 }
 bool heldAndClimbed(const Flown& flown) {
     const double end_s = flown.back().t_s;
@@ -137,7 +139,7 @@ bool heldTrackAndHeight(const Flown& flown) {
 }
 bool circledGently(const Flown& flown) {
     const Range bank = range(flown, &Moment::roll_deg, 4, 99);
-    return std::abs(bank.mean() - kLimLimit_deg / 3) < 4 &&
+    return std::abs(bank.mean() - kBankLimit_deg / 3) < 4 &&
            range(flown, &Moment::height_m, 4, 99).span() < 6;
 }
 bool stayedNear(const Flown& flown) {
