@@ -327,6 +327,8 @@ void logCommand(uint8_t index) {
     commands[commands_waiting++] = index;
 }
 
+bool logParameter(uint8_t row) { return !logOpen() || (prelude >= kFormats && putParameter(row)); }
+
 void runLog() {
     if (vehicle.armed && request != Request::none) armedMeanwhile();
     const bool wanted = parameters.log_bitmask != 0 && request == Request::none &&

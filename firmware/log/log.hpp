@@ -26,6 +26,9 @@ void logErase();  // in the background, told when done; arming stops it
 // The mission's engine has begun this item.
 void logCommand(uint8_t index);
 
+// The parameter as it is now. False: not yet, ask again.
+bool logParameter(uint8_t row);
+
 uint16_t logDropped();  // records since start
 
 }  // namespace firmware

@@ -46,8 +46,8 @@ constexpr mission::Row kRows[] ROM = {
 
     action(   0x30,   none, "CHANGE_MODE",          F::none,       modeInRange,           changeMode),
     jump(     0x31,   none, "RESET_INDEX",          F::none,       firstInRange,          jumpToFirst),
-    action(   0x32,   none, "QUERY_VARIABLE",       F::none,       variableInRange,       sendVariable),
-    action(   0x33,   none, "BROADCAST_VARIABLE",   F::none,       variableInRange,       sendVariable),
+    action(   0x32,   none, "QUERY_VARIABLE",       F::none,       variableInRange,       queryVariable),
+    action(   0x33,   none, "BROADCAST_VARIABLE",   F::none,       variableInRange,       broadcastVariable),
     action(   0x34,   none, "RADIO",                F::none,       onOffInRange,          switchRadio),
     action(   0x40,   none, "CRUISE_AIRSPEED",      F::none,       cruiseSpeedInRange,    cruiseSpeed),
     action(   0x41,   none, "CRUISE_THROTTLE",      F::none,       cruiseThrottleInRange, cruiseThrottle),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The level 3 commands that only the APM 1.0 set has.
 #include "firmware/home.hpp"
+#include "firmware/log/log.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/events.hpp"
 #include "firmware/mission/handlers.hpp"
@@ -43,13 +44,17 @@ constexpr uint8_t kThrottleFailsafeSlot = 83;
 bool radio_off;
 
 struct {
-    bool asked[kLinks];
+    uint8_t waiting;  // for it: a bit a link, and the log's
     uint8_t slot;
 } variable;
+constexpr uint8_t kLog = 1u << kLinks, kEveryLink = kLog - 1;
 
-bool sendVariableOn(Link& link) {
-    uint16_t index;
-    return !parameterOfSlot(variable.slot, index) || parameterSend(link, index);
+void sendVariable(uint8_t slot, uint8_t to) {
+    if (variable.waiting != 0 && variable.slot != slot)
+        tell(Severity::warning, ROM_TEXT("Mission: parameter # not sent"), variable.slot);
+    variable.slot = slot;
+    variable.waiting = to;
+    tellVariables();
 }
 
 void setSlot(uint8_t slot, float value) {
@@ -72,16 +77,20 @@ void changeMode(const Record& record) {
     if (mode != Mode::automatic) wishMode(mode);
 }
 
-// A query goes to every link, as a broadcast does: the ground station may be on any of them.
-void sendVariable(const Record& record) {
-    for (bool& asked : variable.asked) asked = true;
-    variable.slot = record.p1;
-    tellVariables();
-}
+// To every link, as a broadcast: the ground station may be on any of them.
+void queryVariable(const Record& record) { sendVariable(record.p1, kEveryLink); }
+void broadcastVariable(const Record& record) { sendVariable(record.p1, kEveryLink | kLog); }
 
 void tellVariables() {
-    for (uint8_t i = 0; i < kLinks; ++i)
-        if (variable.asked[i] && sendVariableOn(links[i])) variable.asked[i] = false;
+    uint16_t row;
+    if (variable.waiting == 0 || !parameterOfSlot(variable.slot, row)) return;
+    uint8_t bit = 1;
+    for (Link& link : links) {
+        if ((variable.waiting & bit) != 0 && parameterSend(link, row)) variable.waiting ^= bit;
+        bit = static_cast<uint8_t>(bit << 1);
+    }
+    if ((variable.waiting & kLog) != 0 && logParameter(static_cast<uint8_t>(row)))
+        variable.waiting ^= kLog;
 }
 
 void switchRadio(const Record& record) { radio_off = record.p1 == 0; }

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/maths.hpp"
+#include "firmware/dataflash.hpp"
+#include "firmware/log/log.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "hal/mark.hpp"
 #include "rig.hpp"
@@ -601,6 +603,77 @@ TEST_F(Apm1Flight, a_queried_or_broadcast_variable_is_told_once_on_every_link) {
         EXPECT_TRUE(told(hal::Port::link0)) << id;
         EXPECT_TRUE(told(hal::Port::link1)) << id;
     }
+}
+
+// A DataFlash that is never busy; what is written into its buffers goes by as text.
+class LoggedFlight : public Apm1Flight {
+protected:
+    void SetUp() override {
+        Apm1Flight::SetUp();
+        fakes::FlashBus::device = [](uint8_t) -> uint8_t {
+            const std::vector<uint8_t>& sent = fakes::FlashBus::sent;
+            if (sent.size() < 2) return 0xFF;
+            if (sent[0] == 0x9F) return sent.size() == 2 ? 0x1F : 0x26;
+            return sent[0] == 0xD7 ? 0xAC : 0xFF;
+        };
+        fakes::FlashBus::on_select = [this](bool low) {
+            std::vector<uint8_t>& sent = fakes::FlashBus::sent;
+            const bool into_buffer = !low && !sent.empty() && (sent[0] == 0x84 || sent[0] == 0x87);
+            if (into_buffer && sent.size() > 4) written.append(sent.begin() + 4, sent.end());
+            sent.clear();
+        };
+        dataflashStart();
+        for (int i = 0; i < 4; ++i) {
+            fakes::advance_ms(100);
+            dataflashStep();
+        }
+        parameters.log_bitmask = 4;
+        logStart();
+        while (logFind()) {
+        }
+        writeOn();  // what every log begins with, all parameters among it
+    }
+    static void writeOn() {
+        for (int i = 0; i < 600; ++i) {
+            runLog();
+            fakes::advance_ms(20);
+        }
+    }
+    void TearDown() override {
+        fakes::reset();
+        dataflashStart();  // no chip any more
+        for (int i = 0; i < 40; ++i) {
+            fakes::advance_ms(100);
+            dataflashStep();
+        }
+        logStart();
+    }
+    // The chip keeps nothing, so there is no mission: the row itself is run.
+    bool logs(uint8_t id) {
+        written.clear();
+        const uint8_t row = kCommandTable.find(mission::Set::apm1, id);
+        kCommandTable.rows[row].act({id, 0, 134, 0, 0, 0});
+        pass(3);
+        writeOn();
+        return written.find("WP_RADIUS") != std::string::npos;
+    }
+    std::string written;
+};
+
+TEST_F(LoggedFlight, a_broadcast_variable_is_written_to_the_log_and_a_queried_one_is_not) {
+    ASSERT_TRUE(logOpen());
+    EXPECT_FALSE(logs(0x32));
+    EXPECT_TRUE(logs(0x33));
+}
+
+TEST_F(Apm1Flight, a_variable_that_another_one_overtakes_is_told) {
+    auto& port = fakes::serial(hal::Port::link0);
+    port.endless = false;
+    port.room = 0;
+    fly({waypoint(500), command(0x32, 134), command(0x32, 102), waypoint(900)});
+    port.endless = true;
+    port.room = 255;
+    EXPECT_TRUE(tells("parameter 134 not sent"));
 }
 
 TEST_F(Apm1Flight, a_variable_that_finds_no_room_is_sent_later) {

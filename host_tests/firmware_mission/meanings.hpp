@@ -58,7 +58,7 @@ constexpr Meaning kMeanings[] = {
     {kSet1, 0x30, {"number of the mode", nullptr, nullptr, nullptr}, "changes the mode; AUTO does nothing"},
     {kSet1, 0x31, {nullptr, nullptr, nullptr, nullptr}, "goes on at item 1; cannot be item 1"},
     {kSet1, 0x32, {"slot of the parameter", nullptr, nullptr, nullptr}, "sends it to the ground, on every link"},
-    {kSet1, 0x33, {"slot of the parameter", nullptr, nullptr, nullptr}, "sends it on every link"},
+    {kSet1, 0x33, {"slot of the parameter", nullptr, nullptr, nullptr}, "sends it on every link and writes it to the log"},
     {kSet1, 0x34, {"0 off, 1 on", nullptr, nullptr, nullptr}, "silences the telemetry ports, never USB, until it is on again or the airplane is spoken to"},
     {kSet1, 0x40, {"m/s, within `ARSPD_FBW_MIN` and `_MAX`", nullptr, nullptr, nullptr}, "until the mission restarts or ends"},
     {kSet1, 0x41, {"%", nullptr, nullptr, nullptr}, "until the mission restarts or ends"},
