@@ -5,7 +5,7 @@ list(FILTER log_tool_sources EXCLUDE REGEX /main\.cpp$)
 add_library(log_tool_parts STATIC ${log_tool_sources})
 target_compile_options(log_tool_parts PRIVATE ${HOUSE_WARNINGS})
 target_include_directories(log_tool_parts PUBLIC ${CMAKE_SOURCE_DIR})
-target_link_libraries(log_tool_parts PUBLIC logging PRIVATE CLI11::CLI11)
+target_link_libraries(log_tool_parts PUBLIC logging simulator_report PRIVATE CLI11::CLI11)
 
 add_executable(log_tool ${CMAKE_SOURCE_DIR}/toolchain/log_tool/main.cpp)
 target_compile_options(log_tool PRIVATE ${HOUSE_WARNINGS})

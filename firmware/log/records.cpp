@@ -35,7 +35,7 @@ constexpr Shape kShapes[] = {
     row<CompassRecord>(RecordType::compass, "MAG", "Qhhhhhh",
         "TimeUS,MagX,MagY,MagZ,OfsX,OfsY,OfsZ"),
     row<BarometerRecord>(RecordType::barometer, "BARO", "Qffcf", "TimeUS,Alt,Press,Temp,CRt"),
-    row<CurrentRecord>(RecordType::current, "CURR", "QhhhHf",
+    row<CurrentRecord>(RecordType::current, "CURR", "QhccHf",
         "TimeUS,Throttle,Volt,Curr,Vcc,CurrTot"),
     row<RadioInRecord>(RecordType::radio_in, "RCIN", "QHHHHHHHH", "TimeUS,C1,C2,C3,C4,C5,C6,C7,C8"),
     row<ServoOutRecord>(RecordType::servo_out, "RCOU", "QHHHHHHHH",

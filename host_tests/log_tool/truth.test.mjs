@@ -109,3 +109,19 @@ test('the tool lists, summarises and tabulates it', () => {
   assert.equal(+rows[500].Roll, att[500].Roll);
   assert.equal(tool('summary', join(folder, 'log.bin')), tool('summary', image));
 });
+
+test('the report made of the log alone says what the simulator\'s says', () => {
+  const page = join(folder, 'report.html');
+  tool('report', image, '-o', page);
+  const html = readFileSync(page, 'utf8');
+  const summary = JSON.parse(readFileSync(join(folder, 'flight', 'summary.json'), 'utf8'));
+  const told = (name) => +new RegExp(`<td>${name}</td><td[^>]*>([\\d.]+)`).exec(html)[1];
+  for (const [name, truly, within] of [['Crosstrack, RMS', summary.crosstrack_rms_m, 0.5],
+    ['Altitude, RMS', summary.altitude_rms_m, 0.5], ['Flight time', summary.flight_time_s, 20]]) {
+    console.log(`${name}: logged ${told(name)}, truly ${truly}`);
+    assert.ok(Math.abs(told(name) - truly) < within, name);
+  }
+  for (const word of ['mission completed', 'Ground track', 'mode AUTO', 'Control surfaces', 'as the airplane has logged it'])
+    assert.ok(html.includes(word), word);
+  assert.ok(!html.includes('truth'), 'a log does not know it');
+});

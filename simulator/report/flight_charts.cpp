@@ -135,26 +135,29 @@ std::string FlightCharts::map() const {
     chart.lines = {{"planned", kBand, Stroke::band, legs()},
                    {"", kBand, Stroke::band, circles()},
                    {"flown", kTruth, Stroke::solid, flown}};
-    chart.wind = Wind{summary_.wind_from_deg, windText(summary_), summary_.wind_mps <= 0};
+    if (!summary_.from_log)
+        chart.wind = Wind{summary_.wind_from_deg, windText(summary_), summary_.wind_mps <= 0};
     return drawChart(chart);
 }
 
 std::string FlightCharts::altitude() const {
     Chart chart = overTime("altitude above home, m");
     chart.lines = {
-        {"as the autopilot tells", kTold, Stroke::thin, series([](auto& s) { return s.height_m; })},
+        {summary_.from_log ? "" : "as the autopilot tells", kTold, Stroke::thin,
+         series([](auto& s) { return s.height_m; })},
         {"planned", kDemand, Stroke::dashed, series([](auto& s) { return s.planned.height_m; })},
-        {"truth", kTruth, Stroke::solid, series([](auto& s) { return s.truth.height_m; })}};
+        {summary_.from_log ? "logged" : "truth", kTruth, Stroke::solid,
+         series([](auto& s) { return s.truth.height_m; })}};
     return drawChart(chart);
 }
 
 std::string FlightCharts::airspeed() const {
     Chart chart = overTime("airspeed, m/s");
-    chart.lines = {{"as the autopilot tells", kTold, Stroke::thin,
+    chart.lines = {{summary_.from_log ? "" : "as the autopilot tells", kTold, Stroke::thin,
                     series([](auto& s) { return s.airspeed_mps; })},
                    {"demanded", kDemand, Stroke::dashed,
                     series([](auto& s) { return s.planned.airspeed_mps; })},
-                   {"truth", kTruth, Stroke::solid,
+                   {summary_.from_log ? "logged" : "truth", kTruth, Stroke::solid,
                     series([](auto& s) { return s.truth.equivalent_airspeed_mps; })}};
     return drawChart(chart);
 }
@@ -176,7 +179,7 @@ std::string FlightCharts::attitude(const char* label, const Value& truth,
                                    const Value& demand) const {
     Chart chart = overTime(label);
     chart.lines = {{"demand", kDemand, Stroke::thin, series(demand)},
-                   {"truth", kTruth, Stroke::solid, series(truth)}};
+                   {summary_.from_log ? "logged" : "truth", kTruth, Stroke::solid, series(truth)}};
     return drawChart(chart);
 }
 

@@ -83,12 +83,13 @@ std::string cards(const Summary& s) {
            "</div>\n";
 }
 
-std::string wind(const Summary& s) {
-    if (s.wind_mps <= 0 && !s.gusts) return "calm air";
+std::string conditions(const Summary& s) {
+    if (s.from_log) return "as the airplane has logged it";
+    if (s.wind_mps <= 0 && !s.gusts) return "calm air · seed " + std::to_string(s.seed);
     char text[80];
     std::snprintf(text, sizeof text, "wind %.1f m/s from %.0f°%s", s.wind_mps, s.wind_from_deg,
                   s.gusts ? " with gusts" : "");
-    return text;
+    return text + (" · seed " + std::to_string(s.seed));
 }
 
 }  // namespace
@@ -100,11 +101,13 @@ std::string reportPage(const Summary& summary, const std::vector<Sample>& sample
     return std::string(kHead) + "<header><h1>Flight report</h1><span class=\"verdict" +
            (summary.completed ? "" : " bad") + "\">" + escaped(verdict) + "</span></header>\n" +
            "<p class=\"sub\">" + escaped(summary.mission) + " · " + escaped(summary.firmware) +
-           " on " + escaped(summary.board) + " · " + escaped(wind(summary)) + " · seed " +
-           std::to_string(summary.seed) + "</p>\n" + cards(summary) + "<div class=\"map\">" +
+           " on " + escaped(summary.board) + " · " + escaped(conditions(summary)) + "</p>\n" +
+           cards(summary) + "<div class=\"map\">" +
            section("Ground track", charts.map(),
-                   "Dots: the places of the mission's NAV commands. The flown line is the truth, "
-                   "not the autopilot's estimate.") +
+                   std::string("Dots: the places of the mission's NAV commands. ") +
+                       (summary.from_log
+                            ? "The flown line is where the airplane took itself to be."
+                            : "The flown line is the truth, not the autopilot's estimate.")) +
            section("Summary", summaryTable(summary), "") + "</div>" +
            section("Altitude", charts.altitude(),
                    "Above the take-off point. Upright lines: the item flown from there on.") +
@@ -122,7 +125,7 @@ std::string reportPage(const Summary& summary, const std::vector<Sample>& sample
            "<div class=\"pair\">" +
            section("Interrupts", interruptTable(summary.figures, summary.emulated_s), "") +
            section("Events", eventTable(summary), "") + "</div>" +
-           section("Sensor errors of this flight", errorTable(),
+           section("Sensor errors of this flight", summary.from_log ? "" : errorTable(),
                    "Deviations are one sigma, drawn from the seed.") +
            "</main></body></html>\n";
 }

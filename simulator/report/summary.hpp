@@ -18,6 +18,7 @@ struct Summary {
     bool gusts = false;
     uint64_t seed = 1;
 
+    bool from_log = false;  // all that is known is what the airplane has logged: no truth
     bool completed = false;
     std::string reason;                         // empty when completed
     std::optional<double> landed_distance_m;    // of the touch-down from the landing point

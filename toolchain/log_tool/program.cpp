@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "toolchain/log_tool/image.hpp"
+#include "toolchain/log_tool/report.hpp"
 
 namespace log_tool {
 namespace {
@@ -115,6 +116,12 @@ void writeCsv(const Options& options, std::ostream& out) {
     }
 }
 
+void writeReport(const Options& options, std::ostream&) {
+    const std::string page =
+        report(LogFile(load(options)), std::filesystem::path(options.file).filename().string());
+    writeFile(options.out, page.data(), page.size());
+}
+
 struct Command {
     const char *name, *what;
     const char* out;  // what -o names; nullptr: it has none
@@ -124,6 +131,7 @@ constexpr Command kCommands[] = {
     {"list", "tells which logs an image holds", nullptr, list},
     {"summary", "tells what happened in a log", nullptr, tellSummary},
     {"csv", "writes one table for each kind of record", "the folder they go into", writeCsv},
+    {"report", "draws the page that a simulated flight gets", "the .html file", writeReport},
     {"extract", "writes a log as the .bin that other programs read", "the file", extract},
 };
 
