@@ -23,7 +23,7 @@ ExternalProject_Add(hal_programs_apm1
     BINARY_DIR ${CMAKE_BINARY_DIR}/avr-hal-apm1
     CMAKE_ARGS -DCMAKE_TOOLCHAIN_FILE=${CMAKE_SOURCE_DIR}/toolchain/avr-gcc.cmake -DBOARD=apm1
                -DCMAKE_BUILD_TYPE=MinSizeRel
-    BUILD_COMMAND ${CMAKE_COMMAND} --build <BINARY_DIR> --target hal_pwm hal_ppm
+    BUILD_COMMAND ${CMAKE_COMMAND} --build <BINARY_DIR> --target hal_pwm hal_ppm hal_watchdog
     BUILD_ALWAYS ON
     INSTALL_COMMAND "")
 house_test(hal_apm1_test ${CMAKE_SOURCE_DIR}/host_tests/hal_apm1 simulator_machine)

@@ -9,6 +9,6 @@ enum class ResetCause : uint8_t { power_on, external, brown_out, watchdog, unkno
 ResetCause resetCause();  // of the reset this run began with
 void watchdogStart();     // resets the chip when not fed for 250 ms
 void watchdogFeed();
-[[noreturn]] void reboot();  // through the watchdog, so that the bootloader passes on at once
+[[noreturn]] void reboot();  // past a bootloader that would wait
 
 }  // namespace hal

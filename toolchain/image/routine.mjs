@@ -117,7 +117,9 @@ export class Routine {
         return on();
       }
       case 'out': return on(next, this.moved(at, code, state));
-      case 'jump': return this.jump(at, code.to, registers, on);
+      case 'jump':
+        if (code.to === 0) return undefined;  // begins the program anew, with an empty stack
+        return this.jump(at, code.to, registers, on);
       case 'branch': on(); return on(code.to);
       case 'skip': on(); return on(next + 2 * decode(this.image.text, next).words);
       case 'call': return this.call(at, code.to, next, state, on);

@@ -27,6 +27,9 @@ constexpr uint8_t kLink1Usart = 3;
 using Link1Receive = avr::Pin<avr::PortJ, 0>;
 using UsbSense = AlwaysUsb;
 
+// Its bootloader leaves the watchdog on after such a reset and would be reset for ever.
+constexpr bool kWatchdogResets = false;
+
 constexpr uint8_t kI2cUsers = 2;  // compass and barometer
 
 // clang-format off
