@@ -293,7 +293,9 @@ TEST_F(EveryCommand, event_0_or_10_stops_what_repeats) {
         flyAnew(1, {waypoint(500), command(0x80, 3, 1700, 2, 0), command(0x20, 4),
                     command(0x80, float(stop)), waypoint(900)});
         EXPECT_EQ(outputPulse_us(6), 1700) << stop;
+        (void)told();
         seconds(5);
+        EXPECT_FALSE(tells("refused")) << stop;
         EXPECT_FALSE(eventRuns()) << stop;
         EXPECT_EQ(outputPulse_us(6), 1500) << stop;
     }
@@ -359,13 +361,17 @@ TEST_F(EveryCommand, written_in_part_in_flight_leaves_the_flight_alone_or_restar
     EXPECT_EQ(missionCurrent(), 1);
 }
 
-TEST_F(EveryCommand, of_the_other_set_restarts_the_mission) {
-    const Items items = {waypoint(500), waypoint(900)};
-    fly(items);
+// 60 m above the sea in one set is 15,360 m above home in the other, byte for byte.
+TEST_F(EveryCommand, of_the_other_set_restarts_the_mission_though_its_bytes_are_the_same) {
+    fly({absolute(waypoint(500), 60), absolute(waypoint(900), 60)});
     reach();
     EXPECT_EQ(missionCurrent(), 2);
+    uint8_t before[mission::kRecordSize], after[mission::kRecordSize];
+    ASSERT_EQ(mission_store.read(2, before), core::Status::ok);
     parameters.mission_set = 1;
-    ASSERT_EQ(upload(items), MissionResult::accepted);
+    ASSERT_EQ(upload({waypoint(500, 15360), waypoint(900, 15360)}), MissionResult::accepted);
+    ASSERT_EQ(mission_store.read(2, after), core::Status::ok);
+    EXPECT_EQ(memcmp(before, after, sizeof before), 0);
     pass();
     EXPECT_EQ(missionCurrent(), 1);
 }
