@@ -76,7 +76,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"--lock-step some.waypoints", "--lock-step"}, Wrong{"--time-limit 0", "--time-limit"},
         Wrong{"--telemetry uart7", "--telemetry"}, Wrong{"--listen 70000 --serve", "--listen"},
         Wrong{"--gdb 0", "--gdb"}, Wrong{"--native --gdb 1234", "--native"},
-        Wrong{"--native --vcd /tmp/x.vcd", "--native"},
+        Wrong{"--native --vcd /tmp/x.vcd", "--native"}, Wrong{"--native --board apm1", "--native"},
+        Wrong{"--board apm1 --telemetry uart0", "--telemetry"},
         Wrong{"--native --firmware x.elf", "--native"}, Wrong{"--serve some.waypoints", "--serve"},
         Wrong{"/no/such/mission.waypoints", "/no/such/mission.waypoints"},
         Wrong{"--firmware /no/such.elf", "/no/such.elf"},
@@ -157,7 +158,8 @@ TEST_P(EitherBoard, finds_its_dataflash_or_says_that_there_is_none) {
     EXPECT_THAT(texts("", "with"), testing::Not(HasSubstr("DataFlash")));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EitherBoard, testing::Values("--native", "--board apm2"));
+INSTANTIATE_TEST_SUITE_P(All, EitherBoard,
+                         testing::Values("--native", "--board apm1", "--board apm2"));
 
 TEST(Eeprom, keeps_what_the_autopilot_stored) {
     const fs::path image = folder("eeprom.bin");
