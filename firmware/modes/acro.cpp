@@ -12,7 +12,7 @@ namespace firmware {
 namespace {
 
 constexpr float kFullStick_cd = 4500;
-constexpr core::Angle kMost_rad(3.1f);                           // an angle has no more
+constexpr float kMost_rad = 3.1f;                                // an angle has no more
 constexpr core::Fixed<10> kStill_rads(0.2f);                     // slow enough to stop here
 constexpr core::Angle kLoose = core::Angle::fromRaw(INT16_MIN);  // held is nothing
 
@@ -20,9 +20,9 @@ core::Angle held_roll_rad, held_pitch_rad;
 
 // The angle whose loop makes this rate: error over time constant is what it demands.
 core::Angle forRate(int16_t stick_cd, int16_t full_dps, float time_constant_s) {
+    if (stick_cd == 0) return core::Angle::fromRaw(0);
     const float rate_rads = stick_cd * (core::radians(1) / kFullStick_cd) * full_dps;
-    const float most_rad = kMost_rad;
-    return core::limit(rate_rads * time_constant_s, -most_rad, most_rad);
+    return core::limit(rate_rads * time_constant_s, -kMost_rad, kMost_rad);
 }
 
 core::Angle toHold(core::Angle& held_rad, core::Angle now_rad, core::Fixed<10> rate_rads) {

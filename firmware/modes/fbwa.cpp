@@ -12,13 +12,16 @@ Entry startFbwa() { return Entry::entered; }
 
 void runFbwa() {
     vehicle.roll_demand_rad = stickRoll_rad();
+    vehicle.pitch_demand_rad = stickPitch_rad();
     vehicle.throttle_demand = stickThrottle();
     // nose down as the throttle closes, so that the speed stays (STAB_PITCH_DOWN)
-    const float closed =
-        core::limit(1.0f - vehicle.throttle_demand * 100.0f /
-                               core::limit<int8_t>(parameters.cruise_throttle_pct, 1, 100),
-                    0.0f, 1.0f);
-    vehicle.pitch_demand_rad = stickPitch_rad() - core::radians(parameters.pitch_down_deg) * closed;
+    const int8_t cruise_pct = core::limit<int8_t>(parameters.cruise_throttle_pct, 1, 100);
+    const int8_t closed_pct = cruise_pct - vehicle.radio.throttle_pct;
+    if (closed_pct > 0) {
+        const core::Angle down_rad =
+            core::radians(parameters.pitch_down_deg) * closed_pct / cruise_pct;
+        vehicle.pitch_demand_rad = core::between(down_rad, vehicle.pitch_demand_rad);
+    }
     if (vehicle.failsafe_short || vehicle.failsafe_long) {  // a glide, wings level
         vehicle.roll_demand_rad = 0;
         vehicle.throttle_demand = 0;

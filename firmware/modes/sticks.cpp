@@ -25,7 +25,10 @@ core::Angle stickPitch_rad() {
     return angle(stick_cd, stick_cd > 0 ? parameters.pitch_max_cd : -parameters.pitch_min_cd);
 }
 
-float stickThrottle() { return vehicle.radio.throttle_pct * 0.01f; }
+core::Fixed<14> stickThrottle() {
+    constexpr int16_t kSteps = 10486;  // 16384 / 100 in 2^-6
+    return core::Fixed<14>::fromRaw(core::product(vehicle.radio.throttle_pct, kSteps) >> 6);
+}
 
 void mixSticks() {
     const int8_t mixing = vehicle.radio.lost || fenceHolds() ? 0 : parameters.stick_mixing;

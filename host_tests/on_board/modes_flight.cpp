@@ -111,10 +111,14 @@ bool controlled(const Flown& flown) {
     return range(flown, &Moment::roll_deg, 3, 99).highest < 40 &&
            range(flown, &Moment::roll_deg, 3, 99).lowest > -40;
 }
+bool withinTheLimit(const Flown& flown) {
+    const Range bank = range(flown, &Moment::roll_deg, 0, 99);
+    return bank.highest < kBankLimit_deg + 6 && bank.lowest > -kBankLimit_deg - 6;
+}
 bool heldAtTheLimit(const Flown& flown) {
     const double most_deg = range(flown, &Moment::roll_deg, 1, 6).highest;
     const double held_deg = range(flown, &Moment::roll_deg, 3, 5).mean();
-    return most_deg < kBankLimit_deg + 6 && std::abs(held_deg - kBankLimit_deg) < 3 &&
+    return most_deg < kBankLimit_deg + 8 && std::abs(held_deg - kBankLimit_deg) < 3 &&
            straight({flown.end() - 20, flown.end()});
 }
 bool stoppedWhereLetGo(const Flown& flown) {
@@ -176,7 +180,7 @@ constexpr Leg kLegs[] = {
     {"LOITER", 12, hands_off, stayedNear, "stayed near"},
     {"GUIDED", 15, hands_off, stayedNear, "stayed near"},
     {"RTL", 11, hands_off, cameNearer, "came nearer"},
-    {"AUTO", 10, hands_off, controlled, "went on"},
+    {"AUTO", 10, hands_off, withinTheLimit, "went on"},
 };
 
 class ModesFlight {
