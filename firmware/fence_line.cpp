@@ -5,14 +5,15 @@
 #include "firmware/points.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "geo/polygon.hpp"
+#include "hal/eeprom.hpp"
 
 namespace firmware {
 namespace {
 
 using core::Status;
 
-// Enough for most fences to be gone round at once; the largest take two calls.
-constexpr uint8_t kEdgesAtOnce = 10;
+// Enough for most fences to be gone round at once; the largest take three calls.
+constexpr uint8_t kAtOnce = 7;
 constexpr uint8_t kNoWayBack = 0xFF;
 
 Line line;
@@ -20,7 +21,8 @@ uint8_t generation;  // of the list that `line` is said of
 uint8_t way_back;    // which record
 struct {
     geo::Position place;
-    uint8_t next : 7;  // edge
+    uint8_t next : 6;  // edge
+    bool waits : 1;    // for the EEPROM to be at rest
     bool inside : 1;   // as far as has been looked; anew when next is 0
 } lap;
 
@@ -34,47 +36,58 @@ Status readCorner(uint8_t number, geo::Position& to) {
     return status;
 }
 
+// Who reads while something is being written holds the writing up for a tenth of a second, at every
+// byte: many records are read only when nothing is.
+bool mayRead() {
+    lap.waits = !hal::eepromDrained();
+    return !lap.waits;
+}
+
 // Some of the edges; ok: that was the last.
 Status goOn() {
+    if (!mayRead()) return Status::busy;
     geo::Position origin, from, to;
     Status status = readCorner(0, origin);
     if (status == Status::ok) status = readCorner(lap.next, from);
-    for (uint8_t n = 0; n < kEdgesAtOnce && status == Status::ok; ++n) {
+    for (uint8_t n = 0; n < kAtOnce && status == Status::ok; ++n) {
         const uint8_t end = lap.next + 1 < fenceCorners() ? lap.next + 1 : 0;
         status = readCorner(end, to);
         if (status != Status::ok) break;
         if (geo::crossesEdge(origin, from, to, lap.place)) lap.inside = !lap.inside;
         from = to;
-        lap.next = end & 0x7F;
+        lap.next = end & 0x3F;
         if (end == 0) return Status::ok;
     }
     return Status::busy;
 }
 
-// What the records say by themselves.
-Status survey(Line& is) {
-    uint8_t found = kNoWayBack, count = points();
-    is = count == 0 ? Line::none : Line::fit;
-    for (uint8_t index = 0; index < count; ++index) {
-        uint8_t record[storage::kLargestRecord];
-        const Status status = listRead(ListKind::fence, index, record);
-        if (status != Status::ok) return status;
-        const bool second = found != kNoWayBack && fencePoint(record) == FencePoint::way_back;
-        if (second || !isPlace(placeOf(record))) is = Line::unfit;
-        if (fencePoint(record) == FencePoint::way_back) found = index;
-    }
-    way_back = found;
-    if (count != 0 && fenceCorners() < 3) is = Line::unfit;
-    return Status::ok;
+void restart() {
+    line = Line::unknown;
+    generation = listGeneration(ListKind::fence);
+    way_back = kNoWayBack;
+    lap.next = 0;
+    lap.inside = true;  // here: none is blank, and no more than one the way back
 }
 
-void examine() {
-    Line is;
-    if (survey(is) != Status::ok) return;
+void conclude() {
     parameters.fence_total = static_cast<int8_t>(points() == 0 ? 0 : fenceCorners() + 2);
+    line = Line::unfit;
+    if (lap.inside && fenceCorners() >= 3) line = fenceHasWayBack() ? Line::checking : Line::fit;
+    if (points() == 0) line = Line::none;
     lap.next = 0;
-    line = is == Line::fit && fenceHasWayBack() ? Line::checking : is;
-    generation = listGeneration(ListKind::fence);
+}
+
+// What the records say by themselves.
+void survey() {
+    for (uint8_t n = 0; n < kAtOnce && lap.next < points(); ++n) {
+        uint8_t record[storage::kLargestRecord];
+        if (listRead(ListKind::fence, lap.next, record) != Status::ok) return;
+        const bool is_way_back = fencePoint(record) == FencePoint::way_back;
+        if ((is_way_back && fenceHasWayBack()) || !isPlace(placeOf(record))) lap.inside = false;
+        if (is_way_back) way_back = lap.next;
+        ++lap.next;
+    }
+    if (lap.next == points()) conclude();
 }
 
 void check() {
@@ -88,16 +101,20 @@ void check() {
 
 }  // namespace
 
-void fenceLineStart() { line = Line::unknown; }
+void fenceLineStart() { restart(); }
 
 void fenceLineFollow() {
+    lap.waits = false;
     if (!missionKnown()) return;
-    if (line == Line::unknown || generation != listGeneration(ListKind::fence)) {
-        examine();
+    if (generation != listGeneration(ListKind::fence)) restart();
+    if (line == Line::unknown) {
+        if (mayRead()) survey();
     } else if (line == Line::checking) {
         check();
     }
 }
+
+bool fenceLineWaits() { return lap.waits; }
 
 Line fenceLine() { return generation == listGeneration(ListKind::fence) ? line : Line::unknown; }
 

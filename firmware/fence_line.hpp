@@ -22,6 +22,8 @@ enum class Side : uint8_t { unknown, inside, outside };
 void fenceLineStart();
 void fenceLineFollow();  // looks at what is stored when it has changed
 
+bool fenceLineWaits();  // who writes much into the EEPROM in the background lets it look
+
 Line fenceLine();
 // Where a place lies: to be asked until it is known; the place of the first call counts.
 Side fenceSide(const geo::Position& place);

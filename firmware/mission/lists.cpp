@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/mission/lists.hpp"
 
+#include "firmware/fence_line.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "hal/page_flash.hpp"
@@ -36,6 +37,7 @@ void store() {
 
 // What was committed in the DataFlash goes home to the EEPROM when nothing else is to be done.
 void settle() {
+    if (fenceLineWaits()) return;
     const Status status = mission_store.settle();
     if (status != Status::ok && status != Status::busy)
         tell(Severity::error, ROM_TEXT("EEPROM is worn: lists stay in the DataFlash"));

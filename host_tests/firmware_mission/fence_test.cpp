@@ -61,7 +61,7 @@ protected:
     }
     static void raise(const Items& items = square()) {
         ASSERT_EQ(store(MavMissionType::fence, items), MissionResult::accepted);
-        tenths(5);
+        tenths(8);
         ASSERT_EQ(fenceLine(), Line::fit);
         ASSERT_TRUE(fenceEnable(1));
         tenths(2);
@@ -69,7 +69,7 @@ protected:
     }
     static void goTo(const geo::Position& place) {
         vehicle.estimate.position = place;
-        tenths(3);
+        tenths(6);
     }
     static void leave() { goTo(beside(kSide_e7 + 10, 0)); }
     static void comeBack() { goTo(beside(0, 0)); }
