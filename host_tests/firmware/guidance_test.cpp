@@ -154,6 +154,27 @@ TEST_F(Guidance, takes_off_with_all_its_throttle_and_the_nose_up) {
     EXPECT_GE(vehicle.pitch_demand_rad, core::radians(14.9f));
 }
 
+TEST_F(Guidance,
+       takes_the_pitch_of_a_take_off_for_the_least_with_an_airspeed_sensor_else_as_it_is) {
+    for (const bool sensor : {true, false}) {
+        onTheGround(Mode::loiter);
+        demand(Path::takeoff);
+        vehicle.demand.height_m = 50;
+        guide(22);
+        cruising();
+        vehicle.estimate.height_m = 10;
+        vehicle.airspeed.healthy = sensor;
+        vehicle.estimate.equivalent_airspeed_mps = vehicle.estimate.airspeed_mps = 19;
+        guide(60);  // far too fast: the nose may come up more
+        const float pitch_deg = vehicle.pitch_demand_rad * 180 / core::kPi;
+        if (sensor) {
+            EXPECT_GT(pitch_deg, 16);
+        } else {
+            EXPECT_NEAR(pitch_deg, 15, 0.1);
+        }
+    }
+}
+
 TEST_F(Guidance, waits_for_a_three_dimensional_fix_before_a_take_off) {
     onTheGround(Mode::loiter);
     demand(Path::takeoff);
