@@ -271,6 +271,15 @@ TEST(AnalogImu, leaves_a_spoiled_reading_out_and_its_time_in) {
     EXPECT_NEAR(s.force_mss(2), -9.80665, 0.03);
 }
 
+TEST(AnalogImu, what_it_refuses_makes_no_frame_due_before_its_time) {
+    Sensors<17> s;
+    s.chip.unplug(true);
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_FALSE(s.frame());
+        EXPECT_EQ(s.imu.waiting(), 0);
+    }
+}
+
 TEST(AnalogImu, without_its_converter_turns_unhealthy_and_comes_back) {
     Sensors<14> s;
     for (int i = 0; i < 3; ++i) s.frame();

@@ -28,7 +28,8 @@ public:
     // The mean since the last take; false when nothing came that can be trusted.
     bool take(ImuSums& to);
     uint8_t waiting() const {
-        return static_cast<uint8_t>((Converter::waiting() + rest_) / kSetsPerSample);
+        uint8_t sets = static_cast<uint8_t>(Converter::waiting() + rest_);
+        return wholeSamples(sets);
     }
 
     bool healthy() const { return healthy_; }
@@ -67,6 +68,12 @@ private:
     // No sensor of these swings to within 50 mV of the supply.
     static constexpr uint16_t kLowest = 60, kHighest = 4035;
 
+    // Asked after every interrupt: two rounds as a rule, where a division takes 200 cycles.
+    static uint8_t wholeSamples(uint8_t& sets) {
+        uint8_t samples = 0;
+        for (; sets >= kSetsPerSample; sets -= kSetsPerSample) ++samples;
+        return samples;
+    }
     static bool plausible(const Ads7844Sums& sums);
     static void keepAirspeed(const Ads7844Sums& sums);
 
@@ -77,7 +84,8 @@ private:
     uint32_t samples_ = 0;
     uint32_t good_ms_ = 0;
     uint16_t bad_reads_ = 0;
-    uint8_t rest_ = 0;    // sets that are no whole sample yet, or were refused
+    uint8_t rest_ = 0;    // sets that are no whole sample yet
+    uint8_t lost_ = 0;    // samples that were refused
     bool fresh_ = false;  // since the last step
     bool healthy_ = false;
 };
@@ -134,10 +142,12 @@ void AnalogImu<Converter>::keepAirspeed(const Ads7844Sums& sums) {
 // Six divisions would take a quarter of a millisecond: the reciprocal is worked out once.
 template <class Converter>
 bool AnalogImu<Converter>::take(ImuSums& to) {
-    Ads7844Sums sums;
+    Ads7844Sums sums = {};
     const bool taken = Converter::take(sums);
     const uint16_t sets = rest_ + sums.periods;
     rest_ = sets > 255 ? 255 : static_cast<uint8_t>(sets);
+    const uint16_t periods = lost_ + wholeSamples(rest_);
+    lost_ = periods > 255 ? 255 : static_cast<uint8_t>(periods);
     if (!taken) return false;
     if (!plausible(sums)) {
         if (bad_reads_ != UINT16_MAX) ++bad_reads_;
@@ -156,8 +166,8 @@ bool AnalogImu<Converter>::take(ImuSums& to) {
         (i < 3 ? to.rate[i] : to.force[i - 3]) = steps;
     }
     to.count = 2;
-    to.periods = rest_ / kSetsPerSample;
-    rest_ %= kSetsPerSample;
+    to.periods = lost_;
+    lost_ = 0;
     samples_ += count;
     fresh_ = true;
     keepAirspeed(sums);
