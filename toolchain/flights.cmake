@@ -50,9 +50,9 @@ target_compile_options(rough_flight PRIVATE ${HOUSE_WARNINGS})
 target_link_libraries(rough_flight PRIVATE simulator_report simulator_ground simulator_machine)
 add_test(NAME flight.elf_rough
          COMMAND rough_flight ${IMAGE_ELF} ${CMAKE_SOURCE_DIR}/simulator/missions/first_flight.waypoints
-                 ${flights}/elf_rough)
+                 ${flights}/elf_rough ${minutes})
 set_tests_properties(flight.elf_rough PROPERTIES LABELS simavr TIMEOUT 900
-                     FIXTURES_SETUP elf_rough)
+                     FIXTURES_SETUP elf_rough FIXTURES_REQUIRED image_minutes)
 
 # every mode, entered by the switch, in wind
 add_executable(modes_flight host_tests/on_board/modes_flight.cpp)

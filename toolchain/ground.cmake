@@ -11,5 +11,8 @@ foreach(file IN LISTS ground_tests)
         set_tests_properties(${name} PROPERTIES TIMEOUT 600
                              ENVIRONMENT "FLY=$<TARGET_FILE:fly>;FLY_BOARD=${vehicle}")
     endforeach()
-    set_tests_properties(ground.${subject}.elf PROPERTIES LABELS simavr)
+    set_property(TEST ground.${subject}.elf APPEND PROPERTY ENVIRONMENT
+                 "MINUTES=${CMAKE_BINARY_DIR}/flights/minutes/ground_${subject}")
+    set_tests_properties(ground.${subject}.elf PROPERTIES LABELS simavr
+                         FIXTURES_REQUIRED image_minutes)
 endforeach()

@@ -2,11 +2,13 @@
 // The simulated vehicle as a ground station meets it: MAVLink over TCP, written and read by npm
 // node-mavlink. Emulated time passes only while a test waits (fly --lock-step), so that every
 // time in these tests is the vehicle's own and none is the computer's.
-// FLY names the program, FLY_BOARD is `native` or `elf`.
+// FLY names the program, FLY_BOARD is `native` or `elf`, MINUTES a file for the emulated minutes.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
+import { appendFileSync, mkdirSync } from 'node:fs';
 import { connect } from 'node:net';
+import { dirname } from 'node:path';
 import { messages, nodeMavlink, registry, x25crc } from './node_mavlink.mjs';
 
 const { MavLinkProtocolV1, MavLinkProtocolV2 } = nodeMavlink;
@@ -101,10 +103,18 @@ export class Vehicle {
   }
 
   async stop() {
+    this.countMinutes();
     this.program.kill();
     await this.gone.catch(() => {});
     for (const line of this.lines) line.socket.destroy();
     this.control.destroy();
+  }
+
+  // What the image may take of emulated time is counted over all tests.
+  countMinutes() {
+    if (!process.env.MINUTES) return;
+    mkdirSync(dirname(process.env.MINUTES), { recursive: true });
+    appendFileSync(process.env.MINUTES, `${this.now_ms / 60000}\n`);
   }
 
   async order(text) {

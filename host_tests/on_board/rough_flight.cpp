@@ -297,17 +297,19 @@ Summary RoughFlight::summary(const std::string& firmware) const {
 }  // namespace
 
 int main(int count, char** words) {
-    if (count != 4) {
-        std::cerr << "usage: rough_flight FIRMWARE MISSION OUT\n";
+    if (count != 5) {
+        std::cerr << "usage: rough_flight FIRMWARE MISSION OUT MINUTES_FOLDER\n";
         return 2;
     }
     const std::string firmware = words[1];
-    const fs::path out = words[3];
+    const fs::path out = words[3], minutes = words[4];
     fs::remove_all(out);
     fs::create_directories(out);
     RoughFlight flight(firmware, readWaypoints(words[2]));
     flight.fly();
     const bool kept = flight.judge();
     std::ofstream(out / "summary.json") << summaryJson(flight.summary(firmware));
+    fs::create_directories(minutes);
+    std::ofstream(minutes / out.filename()) << flight.seconds() / 60 << '\n';
     return kept ? 0 : 1;
 }
