@@ -68,6 +68,8 @@ public:
     bool judge();
     Summary summary(const std::string& firmware) const;
 
+    double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
+
 private:
     struct Trouble {
         double at_s;  // after take-off
@@ -90,7 +92,6 @@ private:
     }
 
     const Telemetry& told() const { return flight_.telemetry(); }
-    double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
     double sinceAirborne_s() const {
         return flight_.airborne_s() ? seconds() - *flight_.airborne_s() : -1;
     }
