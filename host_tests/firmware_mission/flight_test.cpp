@@ -49,6 +49,18 @@ TEST_F(MissionFlight, a_waypoint_is_a_leg_from_the_airplane_then_from_waypoint_t
     expectTo(waypoint(1000, 80));
 }
 
+TEST_F(MissionFlight, a_climb_near_the_ground_and_a_small_step_are_flown_at_once) {
+    fly({waypoint(500, 60), waypoint(1000, 80), waypoint(1500, 40), waypoint(2000, 20)});
+    vehicle.estimate.height_m = 10;
+    reach();
+    EXPECT_FALSE(vehicle.demand.sloped) << "up";
+    reach();
+    EXPECT_TRUE(vehicle.demand.sloped) << "down";
+    firmware::parameters.glide_slope_min_m = 25;
+    reach();
+    EXPECT_FALSE(vehicle.demand.sloped) << "not worth a slope";
+}
+
 TEST_F(MissionFlight, a_waypoint_finishes_within_its_radius_or_past_its_line) {
     MissionItem near = waypoint(500);
     near.param2 = 12;

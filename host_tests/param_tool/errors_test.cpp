@@ -38,8 +38,8 @@ TEST_F(ParamTool, says_where_it_is_wrong_and_what_was_expected) {
         {",2\n", "f.param:1:1: expected the name of a parameter, found ','"},
         {"WP_RADIUS,0\n", "f.param:1:11: expected a number from 1 to 32767, found '0'"},
         {"WP_RADIUS,1e300\n", "f.param:1:11: expected a number from 1 to 32767, found 'inf'"},
-        {"FLTMODE1,3\n",
-         "f.param:1:10: expected a value that means something to this firmware, found '3'"},
+        {"FLTMODE1,9\n",
+         "f.param:1:10: expected a value that means something to this firmware, found '9'"},
         {"WP_RADIU,3\n", "f.param:1:1: expected a parameter of this firmware, found 'WP_RADIU'"},
         {"wp_radius,3\n", "f.param:1:1: expected a parameter of this firmware, found 'wp_radius'"},
         {"A_NAME_OF_MORE_THAN_16,3\n", "f.param:1:1: expected a parameter of this firmware"},
@@ -62,7 +62,7 @@ TEST_F(ParamTool, tells_everything_that_is_wrong_line_by_line) {
 }
 
 TEST_F(ParamTool, skips_what_another_vehicle_has_when_told_to) {
-    const std::string arduplane = file("a.param", "ACRO_LOCKING,0\nWP_RADIUS,42\n");
+    const std::string arduplane = file("a.param", "RUDDER_ONLY,0\nWP_RADIUS,42\n");
     EXPECT_EQ(param({"compile", arduplane, "-o", path("a.bin")}), 1);
     EXPECT_FALSE(std::filesystem::exists(path("a.bin")));
     EXPECT_EQ(param({"compile", arduplane, "--skip-unknown", "-o", path("a.bin")}), 0);
