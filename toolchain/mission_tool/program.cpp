@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toolchain/mission_tool/program.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
 
 #include "toolchain/mission_tool/arduplane.hpp"
 #include "toolchain/mission_tool/board.hpp"
+#include "toolchain/mission_tool/command_line.hpp"
 #include "toolchain/mission_tool/findings.hpp"
 #include "toolchain/mission_tool/load.hpp"
 #include "toolchain/mission_tool/table.hpp"
@@ -49,7 +48,7 @@ public:
         const bool to_arduplane = options_.records == 15 && !isImage(contents);
         const Image image = to_arduplane ? writeRecords15(document_, reading_.onto)
                                          : uploaded(document_, reading_.onto, reading_.onto_name);
-        write(options_.out, encodedFor(options_.out, image));
+        writeFile(options_.out, encodedFor(options_.out, image));
         if (options_.onto.empty())
             err_ << options_.out
                  << ": a whole EEPROM: flashed, it sets every parameter to its default; --onto "
@@ -73,7 +72,7 @@ public:
         if (options_.out.empty()) {
             out_ << text;
         } else {
-            write(options_.out, text);
+            writeFile(options_.out, text);
         }
         return 0;
     }
@@ -112,12 +111,6 @@ private:
             err_ << document_.at(finding.index, (finding.error ? "" : "warning: ") + finding.text)
                  << '\n';
         return std::any_of(all.begin(), all.end(), [](const Finding& f) { return f.error; });
-    }
-
-    static void write(const std::string& path, const std::string& contents) {
-        std::ofstream file(path, std::ios::binary);
-        file << contents;
-        if (!file.flush()) throw WrongInput(path + ": cannot be written");
     }
 
     const Options& options_;
@@ -165,28 +158,12 @@ void addOptions(CLI::App& app, const Command& command, Options& o) {
 
 int run(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
     Options options;
-    CLI::App app(kWhat, "mission");
-    app.footer(kFooter);
-    app.require_subcommand(1);
+    CommandLine line = {"mission", kWhat, kFooter, {}};
     for (const Command& command : kCommands)
-        addOptions(*app.add_subcommand(command.name, command.what), command, options);
-    try {
-        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-        for (const Command& command : kCommands)
-            if (app.got_subcommand(command.name))
-                return (Program(options, out, err).*command.run)();
-    } catch (const CLI::CallForHelp&) {
-        const auto chosen = app.get_subcommands();
-        out << (chosen.empty() ? app.help() : chosen[0]->help());
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        err << "mission: " << error.what() << " (--help explains)\n";
-        return 2;
-    } catch (const WrongInput& error) {
-        err << error.what() << '\n';
-        return 1;
-    }
-    return 2;
+        line.subcommands.push_back({command.name, command.what,
+                                    [&](CLI::App& app) { addOptions(app, command, options); },
+                                    [&] { return (Program(options, out, err).*command.run)(); }});
+    return runCommandLine(line, words, out, err);
 }
 
 }  // namespace mission_tool

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toolchain/param_tool/program.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
 
+#include "toolchain/mission_tool/command_line.hpp"
 #include "toolchain/mission_tool/load.hpp"
 #include "toolchain/mission_tool/wrong_input.hpp"
 #include "toolchain/param_tool/board.hpp"
@@ -47,7 +46,7 @@ public:
         encodedFor(options_.out, blankImage());  // a name that cannot be is told first
         load(options_.file);
         if (tellFindings()) return 1;
-        write(options_.out, encodedFor(options_.out, image()));
+        mission_tool::writeFile(options_.out, encodedFor(options_.out, image()));
         if (options_.onto.empty())
             err_ << options_.out
                  << ": a whole EEPROM: flashed, it leaves no mission on the board and sets every "
@@ -62,7 +61,7 @@ public:
         if (options_.out.empty()) {
             out_ << text;
         } else {
-            write(options_.out, text);
+            mission_tool::writeFile(options_.out, text);
         }
         return 0;
     }
@@ -117,12 +116,6 @@ private:
                            [](const Finding& f) { return f.error; });
     }
 
-    static void write(const std::string& path, const std::string& contents) {
-        std::ofstream file(path, std::ios::binary);
-        file << contents;
-        if (!file.flush()) throw WrongInput(path + ": cannot be written");
-    }
-
     const Options& options_;
     std::ostream& out_;
     std::ostream& err_;
@@ -166,28 +159,12 @@ void addOptions(CLI::App& app, const Command& command, Options& o) {
 
 int run(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
     Options options;
-    CLI::App app(kWhat, "param");
-    app.footer(kFooter);
-    app.require_subcommand(1);
+    mission_tool::CommandLine line = {"param", kWhat, kFooter, {}};
     for (const Command& command : kCommands)
-        addOptions(*app.add_subcommand(command.name, command.what), command, options);
-    try {
-        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-        for (const Command& command : kCommands)
-            if (app.got_subcommand(command.name))
-                return (Program(options, out, err).*command.run)();
-    } catch (const CLI::CallForHelp&) {
-        const auto chosen = app.get_subcommands();
-        out << (chosen.empty() ? app.help() : chosen[0]->help());
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        err << "param: " << error.what() << " (--help explains)\n";
-        return 2;
-    } catch (const WrongInput& error) {
-        err << error.what() << '\n';
-        return 1;
-    }
-    return 2;
+        line.subcommands.push_back({command.name, command.what,
+                                    [&](CLI::App& app) { addOptions(app, command, options); },
+                                    [&] { return (Program(options, out, err).*command.run)(); }});
+    return mission_tool::runCommandLine(line, words, out, err);
 }
 
 }  // namespace param_tool
