@@ -47,7 +47,7 @@ Progress changeAltitudeDone(const Record&) {
 void goOnClimbing() {
     auto& demand = vehicle.demand;
     if (climb.rate_mps == 0 || demand.path == Path::land) return;
-    demand.height_m = vehicle.estimate.height_m;
+    demand.from_height_m = demand.height_m = vehicle.estimate.height_m;
     demand.sloped = false;
     demand.climb_rate_mps = climb.rate_mps;
 }

@@ -352,6 +352,7 @@ TEST_F(MissionFlight, change_alt_moves_the_target_at_its_rate_from_the_airplane_
     vehicle.estimate.height_m = 55;
     reach();
     EXPECT_FALSE(vehicle.demand.sloped);
+    EXPECT_FLOAT_EQ(vehicle.demand.from_height_m, 55) << "guidance moves this one, not the leg's";
     EXPECT_NEAR(vehicle.demand.height_m, 55.2, 0.01);
     seconds(5);
     EXPECT_NEAR(vehicle.demand.height_m, 65.2, 0.1);
