@@ -58,6 +58,7 @@ constexpr Source source(uint8_t bit, Round round, uint8_t place, bool (*put)()) 
 
 // clang-format off
 constexpr Source kSources[] ROM = {
+    source(Bit::gps,           with_fix, 0, putGps),
     source(Bit::attitude_fast, always,   0, putAttitude),
     source(Bit::inertial_fast, always,   0, putInertial),
     source(Bit::attitude,      of_5,     0, putAttitude),
@@ -70,7 +71,6 @@ constexpr Source kSources[] ROM = {
     source(Bit::radio,         of_10,    0, putRadioIn),
     source(Bit::radio,         of_10,    5, putServoOut),
     source(Bit::performance,   of_50,    6, putPerformance),
-    source(Bit::gps,           with_fix, 0, putGps),
 };
 // clang-format on
 constexpr uint8_t kSourceCount = core::count(kSources);
@@ -80,6 +80,7 @@ static_assert(kSourceCount <= 16, "a bit each");
 // A run stops beginning records after so long: what is left comes in the next.
 constexpr uint16_t kSpend = 400 * hal::kTicksPerUs;
 constexpr uint8_t kMostRecords = 4;
+constexpr uint16_t kSpendBeforePrelude = 520 * hal::kTicksPerUs;
 
 // What begins or ends is an event or an error with its code 1 or 0.
 enum class Told : uint8_t { event, error };
@@ -236,18 +237,22 @@ bool putEvents() { return putState() || putChange() || putText(); }
 // What happened goes first, then what is measured, and beside it the rest of the prelude.
 void putSome() {
     const uint16_t began = hal::ticks();
-    const auto inTime = [began] { return static_cast<uint16_t>(hal::ticks() - began) < kSpend; };
-    uint8_t records = 0;
+    const auto within = [began](uint16_t spend) {
+        return static_cast<uint16_t>(hal::ticks() - began) < spend;
+    };
     if (prelude >= kFormats) {
-        while (records < kMostRecords && inTime() && putEvents()) ++records;
-        while (records < kMostRecords && inTime() && putDue()) ++records;
+        (void)putEvents();
+        (void)putDue();  // however long the event took, or a mission's changes would hold it up
+        for (uint8_t i = 2; i < kMostRecords && within(kSpend); ++i)
+            if (!putEvents() && !putDue()) break;
     }
-    if (inTime()) (void)putPrelude();
+    if (within(kSpendBeforePrelude)) (void)putPrelude();
 }
 
 void begin() {
     if (flight_logs.begin() != core::Status::ok) return;
     prelude = due = 0;
+    (void)places();  // a fix from before is none of this log's
     states = commands_waiting = 0;
     mode = kNoMode;
 }
@@ -255,6 +260,7 @@ void begin() {
 void end() {
     while (putEvents()) {
     }
+    if (hal::flashBusy()) return;  // it may have kept one out
     const core::Status status = flight_logs.end();
     (void)status;  // busy: in the next run
 }

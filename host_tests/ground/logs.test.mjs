@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Flight logs as ground stations get them: list, download, gaps asked for again, erase. Over USB.
 import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { named, readLog } from '../log_tool/bin.mjs';
 import { withVehicle } from './vehicle.mjs';
@@ -128,3 +131,91 @@ test('a flood of requests on both lines and an erase do not hurt', withVehicle({
   const entries = await list(vehicle);
   readLog(await download(vehicle, entries.at(-1)));
 }));
+
+// A chip full of logs of 500 pages, the newest ending at page `end` of the ring, by the words of
+// docs/log.md and not by the firmware's own code.
+function fullChip(end) {
+  const kPages = 8192, kSize = 528, kFirst = 16, kRing = kPages - kFirst, kUsed = 516;
+  const image = Buffer.alloc(kPages * kSize, 0xff);
+  for (let place = 0; place < kRing; ++place) {
+    const index = place <= end ? place + kRing : place;  // the ring has gone round once
+    const page = image.subarray((kFirst + place) * kSize, (kFirst + place + 1) * kSize);
+    page.fill(index & 0xff, 12);
+    page.writeUInt16LE(1 + Math.floor(index / 500), 0);
+    page.writeUInt32LE((index % 500) * kUsed, 2);
+    page.writeUInt16LE(kUsed, 6);
+    page.writeUInt16LE(crc(page.subarray(12)), 8);
+    page.writeUInt16LE(crc(page.subarray(0, 10)), 10);
+  }
+  return { image, last: 1 + Math.floor((end + kRing) / 500), first: 1 + Math.floor((end + 2) / 500) };
+}
+
+// CRC-16/MCRF4XX
+function crc(bytes) {
+  let sum = 0xffff;
+  for (const byte of bytes) {
+    sum ^= byte;
+    for (let i = 0; i < 8; ++i) sum = sum & 1 ? (sum >> 1) ^ 0x8408 : sum >> 1;
+  }
+  return sum;
+}
+
+async function withImage(image, body) {
+  const folder = mkdtempSync(join(tmpdir(), 'flight-logs-'));
+  try {
+    const path = join(folder, 'flash.bin');
+    if (image) writeFileSync(path, image);
+    await body(['--dataflash', path]);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+for (const end of [0, 4711, 8175])
+  test(`a full chip's logs are known at the first heartbeat, and the next goes on at page ${end} of the ring`, async () => {
+    const { image, last, first } = fullChip(end);
+    await withImage(image, (options) => withVehicle({ line: kUsb, options }, async (vehicle) => {
+      const entries = await list(vehicle);
+      assert.equal(entries[0].id, first);
+      assert.equal(entries[0].numLogs, last - first + 1);
+      assert.deepEqual(entries.map(({ id }) => id), Array.from({ length: last - first + 1 }, (_, i) => first + i));
+      assert.equal(entries[2].size, 500 * 516, 'of a whole one');
+      await vehicle.wait(4000);
+      await makeLog(vehicle, 2000);
+      const now = await list(vehicle);
+      assert.equal(now.at(-1).id, last + 1);
+      const records = readLog(await download(vehicle, now.at(-1)));
+      assert.equal(named(records, 'PM').at(-1).Drop, 0);
+    })());
+  });
+
+test('logs outlast the power; a bit of LOG_BITMASK has one from the start on', async () => {
+  await withImage(null, async (options) => {
+    await withVehicle({ line: kUsb, options }, async (vehicle) => {
+      await vehicle.wait(4000);
+      await makeLog(vehicle, 1000);
+      vehicle.send('PARAM_SET', { paramId: 'LOG_BITMASK', paramValue: 16382 + 65536, paramType: 6 });
+      await vehicle.wait(3000);
+      // the log being written ends while one is read, and the next begins after that
+      const [first, second] = await list(vehicle);
+      assert.equal(second.id, 2);
+      readLog(await download(vehicle, first));
+      await vehicle.wait(1000);
+      const ended = await list(vehicle);
+      await vehicle.wait(1000);
+      assert.deepEqual(await list(vehicle), ended, 'none is written meanwhile');
+      const att = named(readLog(await download(vehicle, ended[1])), 'ATT');
+      assert.ok(att.length > 15, `${att.length} ATT without arming`);
+      vehicle.send('LOG_REQUEST_END', {});
+      await vehicle.wait(2000);
+      assert.equal((await list(vehicle)).at(-1).id, 3);
+    })();
+    await withVehicle({ line: kUsb, options }, async (vehicle) => {
+      await vehicle.wait(500);
+      const entries = await list(vehicle);
+      assert.deepEqual(entries.map(({ id }) => id), [1, 2, 3], 'what was in the buffer is gone, the stored pages are not');
+      readLog(await download(vehicle, entries[1]));
+      readLog(await download(vehicle, entries[2]));
+    })();
+  });
+});
