@@ -295,7 +295,7 @@ bool parameterFind(const char (&name)[16], uint16_t& index) {
 bool parameterLimits(uint16_t index, ParameterLimits& limits) {
     if (index >= table.count()) return false;
     const uint8_t row = static_cast<uint8_t>(index);
-    limits = {table.initial(row), table.lowest(row), table.highest(row)};
+    limits = {table.initial(row), table.lowest(row), table.highest(row), !isListLength(row)};
     return true;
 }
 

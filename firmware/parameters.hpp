@@ -112,6 +112,7 @@ bool parameterAt(uint16_t index, char (&name)[16], float& value, uint8_t& mav_ty
 bool parameterFind(const char (&name)[16], uint16_t& index);
 struct ParameterLimits {
     float initial, lowest, highest;
+    bool stored;  // false: the length of a list, which is stored with the list
 };
 bool parameterLimits(uint16_t index, ParameterLimits& limits);
 

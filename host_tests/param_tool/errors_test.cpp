@@ -52,6 +52,14 @@ TEST_F(ParamTool, says_where_it_is_wrong_and_what_was_expected) {
     }
 }
 
+TEST_F(ParamTool, leaves_out_the_lengths_of_lists_that_travel_by_themselves) {
+    EXPECT_THAT(toldOf("FENCE_TOTAL,6\nRALLY_TOTAL,0\nWP_RADIUS,42\n"),
+                testing::StartsWith("f.param:1:1: warning: FENCE_TOTAL is left out"));
+    EXPECT_EQ(status_, 0);
+    ASSERT_EQ(param({"compile", path("f.param"), "-o", path("f.bin")}), 0);
+    EXPECT_EQ(valueIn(path("f.bin"), "WP_RADIUS"), "42");
+}
+
 TEST_F(ParamTool, tells_everything_that_is_wrong_line_by_line) {
     const std::string told = toldOf("A,1\nTHR_MAX,x\nTHR_MIN,101\nWP_RADIUS,30.4\n");
     EXPECT_EQ(told,

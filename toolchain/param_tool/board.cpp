@@ -39,6 +39,7 @@ Parameter at(uint16_t index) {
     parameter.initial = limits.initial;
     parameter.lowest = limits.lowest;
     parameter.highest = limits.highest;
+    parameter.stored = limits.stored;
     parameter.whole = type != kReal32;
     return parameter;
 }
@@ -88,6 +89,12 @@ void set(const std::vector<Setting>& settings, const std::string& file, const Ru
         } else if (!indexOf(setting.name, index)) {
             tell(!rules.skip_unknown, setting.name_column,
                  expected("a parameter of this firmware", setting.name));
+        } else if (!at(index).stored) {
+            if (setting.value != 0)
+                tell(false, setting.name_column,
+                     setting.name +
+                         " is left out: it is as long as the list of points, which "
+                         "goes up by itself");
         } else {
             const float value = static_cast<float>(setting.value);
             const Status status = setAt(index, value);

@@ -13,6 +13,7 @@ struct Parameter {
     std::string name;
     float value, initial, lowest, highest;
     bool whole;
+    bool stored;  // false: the length of a list of points, which no file of parameters makes
 };
 
 // Boots the board with this EEPROM; throws WrongInput when it is not this firmware's.

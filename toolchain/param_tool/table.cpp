@@ -26,14 +26,15 @@ Line lineOf(const Parameter& p) {
 std::string settingsOf(const std::vector<Parameter>& parameters, bool changed) {
     std::string text;
     for (const Parameter& p : parameters)
-        if (!changed || p.value != p.initial) text += p.name + ',' + spelled(p.value) + '\n';
+        if (p.stored && (!changed || p.value != p.initial))
+            text += p.name + ',' + spelled(p.value) + '\n';
     return text;
 }
 
 std::string tableOf(const std::vector<Parameter>& parameters, bool changed) {
     std::vector<Line> lines = {{"  name", "value", "unit", "default", "range", "meaning"}};
     for (const Parameter& p : parameters)
-        if (!changed || p.value != p.initial) lines.push_back(lineOf(p));
+        if (p.stored && (!changed || p.value != p.initial)) lines.push_back(lineOf(p));
     std::array<size_t, 6> widths{};
     for (const Line& line : lines)
         for (size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
