@@ -81,7 +81,8 @@ MissionResult guideToHeight(MissionItem& item) {
     item.x = item.y = 0;
     const MissionResult result = understand(item);
     if (result != MissionResult::accepted) return result;
-    if (!guidesItself() || vehicle.mode == Mode::automatic) return MissionResult::error;
+    if (!guidesItself() || stickSetsSpeed() || vehicle.mode == Mode::automatic)
+        return MissionResult::error;
     vehicle.demand.height_m = item.z;
     vehicle.demand.sloped = false;
     vehicle.demand.climb_rate_mps = 0;

@@ -27,7 +27,7 @@ uint8_t baseMode() {
     if (vehicle.armed) flags |= MavModeFlag::safety_armed;
     if (manual || parameters.stick_mixing != 0) flags |= MavModeFlag::manual_input_enabled;
     if (!manual && vehicle.mode != Mode::initialising) flags |= MavModeFlag::stabilize_enabled;
-    if (guidesItself()) flags |= MavModeFlag::guided_enabled;
+    if (guidesItself() && !stickSetsSpeed()) flags |= MavModeFlag::guided_enabled;
     return flags;
 }
 

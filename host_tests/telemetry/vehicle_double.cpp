@@ -165,6 +165,7 @@ bool setMode(Mode mode, ModeReason reason) {
     return doubles::vehicle.mode_can_be_entered;
 }
 bool guidesItself() { return vehicle.mode >= Mode::automatic; }
+bool stickSetsSpeed() { return false; }  // none of the modes there are here
 
 bool arm(ArmReason, bool force) {
     doubles::vehicle.force = force;
