@@ -101,8 +101,8 @@ void Hmc5883l::begin(uint64_t now_us) {
 }
 
 uint64_t Hmc5883l::period_us() const {
-    return static_cast<uint64_t>(1e6 /
-                                 (old() ? kOldRate_hz : kRate_hz)[registers_[kConfigA] >> 2 & 7]);
+    const double* const rates_hz = old() ? kOldRate_hz : kRate_hz;
+    return static_cast<uint64_t>(1e6 / rates_hz[registers_[kConfigA] >> 2 & 7]);
 }
 
 void Hmc5883l::advance(uint64_t now_us) {
