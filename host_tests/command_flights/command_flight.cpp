@@ -17,6 +17,7 @@
 #include "command_flights/expected.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/item.hpp"
+#include "simulator/devices/mpu6000.hpp"
 #include "simulator/ground/scripted_flight.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "simulator/report/summary.hpp"
@@ -30,6 +31,7 @@ namespace {
 
 constexpr int kTelemetry = 2, kUsb = 0;
 constexpr uint64_t kStep_us = 10'000;
+constexpr double kSetUp_s = 1;  // until then the sensor is being set up
 constexpr double kTimeLimit_s = 360;
 constexpr double kInOtherMode_s = 3;
 
@@ -110,7 +112,7 @@ public:
     }
 
     bool judge();
-    Summary summary(const std::string& firmware, const std::string& mission) const;
+    Summary summary(const std::string& firmware, const std::string& mission);
     double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
 
 private:
@@ -148,6 +150,7 @@ private:
 
     void step() {
         if (!board_.runUntil(++steps_ * kStep_us)) flight_.stop(board_.fault());
+        if (seconds() < kSetUp_s) imu_from_ = board_.world().imu().samples();
         Sample sample;
         for (int i = 1; i <= 8; ++i)
             sample[output(i)] = static_cast<float>(board_.world().servoPulse_us(i));
@@ -227,6 +230,7 @@ private:
     CommandLog log_;
     bool kept_all_ = false;
     uint64_t steps_ = 0;
+    SampleCount imu_from_;
     double left_s_ = 0;
     std::array<uint64_t, 2> bytes_{};
     std::array<int, 2> variable_told_{};
@@ -307,7 +311,7 @@ bool CommandFlight::judge() {
     return false;
 }
 
-Summary CommandFlight::summary(const std::string& firmware, const std::string& mission) const {
+Summary CommandFlight::summary(const std::string& firmware, const std::string& mission) {
     Summary s;
     s.mission = fs::path(mission).filename();
     s.firmware = fs::path(firmware).filename();
@@ -315,6 +319,10 @@ Summary CommandFlight::summary(const std::string& firmware, const std::string& m
     s.completed = kept_all_;
     s.reason = flight_.reason();
     s.emulated_s = seconds();
+    const SampleCount imu = board_.world().imu().samples();
+    s.imu_samples = imu.made - imu_from_.made;
+    s.imu_samples_lost = imu.lost - imu_from_.lost;
+    s.imu_samples_repeated = imu.repeated - imu_from_.repeated;
     s.figures = board_.figures();
     s.task_names = readTaskNames(firmware);
     s.events = told().events;

@@ -100,7 +100,7 @@ TEST_F(Lists, a_clear_empties_its_own_list_alone) {
 }
 
 TEST_F(Lists, a_fence_begun_ends_a_mission_upload_that_was_open) {
-    ASSERT_EQ(missionBeginUpload(3), MissionResult::accepted);
+    ASSERT_EQ(whileBusy([] { return missionBeginUpload(3); }), MissionResult::accepted);
     ASSERT_EQ(missionUploadItem(0, waypoint(1)), MissionResult::accepted);
     ASSERT_EQ(listBegin(ListKind::fence, 1, 1), MissionResult::accepted);
     EXPECT_EQ(missionUploadItem(1, waypoint(1)), MissionResult::error);

@@ -59,7 +59,7 @@ TEST_F(Upload, a_refused_item_leaves_the_old_mission) {
 }
 
 TEST_F(Upload, items_out_of_order_are_refused) {
-    ASSERT_EQ(missionBeginUpload(3), MissionResult::accepted);
+    ASSERT_EQ(whileBusy([] { return missionBeginUpload(3); }), MissionResult::accepted);
     EXPECT_EQ(missionUploadItem(1, waypoint(1)), MissionResult::invalid_sequence);
     EXPECT_EQ(missionUploadItem(3, waypoint(1)), MissionResult::invalid_sequence);
     EXPECT_EQ(missionUploadItem(0, waypoint(1)), MissionResult::accepted);
