@@ -317,7 +317,7 @@ TEST_F(Points, an_owner_that_is_gone_does_not_lock_the_others_out) {
 // ---- one by one
 
 mavlink::FencePoint fencePoint(uint8_t index, uint8_t total) {
-    const auto& corner = kSquare[(index - 1) % 4];
+    const auto& corner = kSquare[(index + 3) % 4];
     auto message = toVehicle<mavlink::FencePoint>();
     message.idx = index;
     message.count = total;
