@@ -122,7 +122,7 @@ void onEvent(Event event, uint8_t index) {
 uint16_t poll_began;  // ticks
 
 bool enough() {
-    constexpr uint16_t kLongest = 1500 * hal::kTicksPerUs;
+    constexpr uint16_t kLongest = 1300 * hal::kTicksPerUs;
     return static_cast<uint16_t>(hal::ticks() - poll_began) > kLongest;
 }
 
