@@ -24,13 +24,20 @@ constexpr int32_t kFullStick_cd = 4500;
 uint8_t bad_readings;
 uint8_t good_readings;
 
+// Where the stick is the surface it is so from the middle on: a dead zone is for what holds an
+// attitude while the stick is let go.
+int16_t deadZone_us(const Channel& channel) {
+    return vehicle.mode == Mode::manual ? 0 : channel.dead_zone_us;
+}
+
 int16_t deflection_cd(const Channel& channel, uint16_t pulse_us) {
+    const int16_t dead_zone_us = deadZone_us(channel);
     const int16_t from_trim = static_cast<int16_t>(pulse_us) - channel.trim_us;
     const bool above = from_trim > 0;
-    const int16_t beyond = (above ? from_trim : -from_trim) - channel.dead_zone_us;
+    const int16_t beyond = (above ? from_trim : -from_trim) - dead_zone_us;
     const int16_t span =
         (above ? channel.max_us - channel.trim_us : channel.trim_us - channel.min_us) -
-        channel.dead_zone_us;
+        dead_zone_us;
     if (beyond <= 0 || span <= 0) return 0;
     const int32_t cd = beyond < span ? (kFullStick_cd * beyond + span / 2) / span : kFullStick_cd;
     return static_cast<int16_t>(above == (channel.reverse < 0) ? -cd : cd);

@@ -52,10 +52,9 @@ TEST_F(Outputs, keep_a_reversed_throttle_closed_at_its_longest_pulse) {
 TEST_F(Outputs, pass_the_sticks_through_in_manual) {
     settle({1700, 1350, 1100, 1900, 1500, 1500, 1500, 1815});
     run();
-    const float sticks[] = {170 / 370.0f, -120 / 370.0f, 1};  // beyond the dead zone of 30 us
-    EXPECT_NEAR(outputPulse_us(1), 1500 + 400 * sticks[0], 1);
-    EXPECT_NEAR(outputPulse_us(2), 1500 + 400 * sticks[1], 1);
-    EXPECT_NEAR(outputPulse_us(4), 1500 + 400 * sticks[2], 1);
+    EXPECT_NEAR(outputPulse_us(1), 1700, 1);
+    EXPECT_NEAR(outputPulse_us(2), 1350, 1);
+    EXPECT_NEAR(outputPulse_us(4), 1900, 1);
 }
 
 // The stick is reversed by the same parameter, so that it moves the surface the same way.
@@ -208,7 +207,7 @@ TEST_F(Pairs, full_sticks_together_are_all_a_surface_has) {
     EXPECT_NEAR(both.first, 400, 1);
     EXPECT_NEAR(both.second, 0, 1);
     parameters.mixing_gain = 1.2f;
-    EXPECT_NEAR(moved(with(2, 1700), 1, 2).first, 400 * 1.2f * 170 / 370, 2);
+    EXPECT_NEAR(moved(with(2, 1700), 1, 2).first, 1.2f * 200, 2);
 }
 
 // As on a plain airplane: in MANUAL the servos follow the sticks, and what stabilises is reversed.
