@@ -149,6 +149,7 @@ std::unique_ptr<Board> makeBoard(const FlyOptions& options, const WorldOptions& 
     try {
         auto board = std::make_unique<AvrBoard>(options.firmware, world, wiringOf(options));
         if (!options.vcd.empty()) board->traceTo(options.vcd);
+        if (!options.profile.empty()) board->profileTo(options.profile);
         if (options.gdb != 0) serveGdb(*board, options.gdb);
         return board;
     } catch (const std::runtime_error& error) {

@@ -42,6 +42,7 @@ std::string contradiction(const FlyOptions& options, const CLI::App& app) {
         {options.apm1 && given("--telemetry"), "--telemetry is a choice of the APM 2's alone"},
         {options.native && given("--firmware"), "--native flies no --firmware file"},
         {options.native && given("--vcd"), "--vcd needs the emulated chip: no --native"},
+        {options.native && given("--profile"), "--profile needs the emulated chip: no --native"},
         {options.native && given("--gdb"), "--gdb needs the emulated chip: no --native"},
         {options.no_dataflash && given("--dataflash"),
          "--dataflash needs the chip: no --no-dataflash"},
@@ -128,6 +129,9 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
         ->check(wholeNumber("65535"))
         ->capture_default_str();
     app.add_option("--vcd", o.vcd, "write servos, PPM, data ready and marks as a VCD file")
+        ->check(fileName);
+    app.add_option("--profile", o.profile,
+                   "write where the cycles went, for toolchain/profile; slower by half")
         ->check(fileName);
     app.add_option("--gdb", o.gdb, "wait for avr-gdb on this TCP port")
         ->check(wholeNumber("65535"))

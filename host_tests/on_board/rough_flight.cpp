@@ -4,7 +4,7 @@
 // lists are asked for, the mission is sent up again in the air. Writes OUT/summary.json, so that
 // what the tasks took is known for these cases too. Fails when the airplane does not stay in the
 // air, a frame is late, or something asked for was not done.
-//   rough_flight FIRMWARE MISSION OUT
+//   rough_flight FIRMWARE MISSION OUT MINUTES_FOLDER [PROFILE]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -51,6 +51,8 @@ public:
         board_.setUsb(true);
         switchTransmitterOn(board_.world());
     }
+
+    void profileTo(const std::string& path) { board_.profileTo(path); }
 
     void fly() {
         size_t next = 0;
@@ -298,8 +300,8 @@ Summary RoughFlight::summary(const std::string& firmware) const {
 }  // namespace
 
 int main(int count, char** words) {
-    if (count != 5) {
-        std::cerr << "usage: rough_flight FIRMWARE MISSION OUT MINUTES_FOLDER\n";
+    if (count != 5 && count != 6) {
+        std::cerr << "usage: rough_flight FIRMWARE MISSION OUT MINUTES_FOLDER [PROFILE]\n";
         return 2;
     }
     const std::string firmware = words[1];
@@ -307,6 +309,7 @@ int main(int count, char** words) {
     fs::remove_all(out);
     fs::create_directories(out);
     RoughFlight flight(firmware, readWaypoints(words[2]));
+    if (count == 6) flight.profileTo(words[5]);
     flight.fly();
     const bool kept = flight.judge();
     std::ofstream(out / "summary.json") << summaryJson(flight.summary(firmware));

@@ -2,6 +2,7 @@
 #include "simulator/machine/apm2_board.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <utility>
 
 #include "simulator/devices/ads7844.hpp"
@@ -55,7 +56,10 @@ AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options,
     restart();
 }
 
-AvrBoard::~AvrBoard() = default;
+AvrBoard::~AvrBoard() {
+    if (profile_path_.empty()) return;
+    std::ofstream(profile_path_) << chip_.profile()->json(chip_.cycle());
+}
 
 // Of the pins of a board's parts; each port is listened to once.
 void AvrBoard::wireSensorBus() {
@@ -271,6 +275,11 @@ void AvrBoard::traceTo(const std::string& path) {
     signals.push_back({"data_ready", 1});
     signals.push_back({"mark", 8});
     trace_ = std::make_unique<VcdTrace>(path, signals);
+}
+
+void AvrBoard::profileTo(const std::string& path) {
+    profile_path_ = path;
+    chip_.startProfile();
 }
 
 void AvrBoard::trace(size_t signal, unsigned value) {

@@ -43,6 +43,7 @@ public:
     uint64_t busContentions() const { return contentions_; }
 
     void traceTo(const std::string& path);             // servos, PPM, data ready, marks as VCD
+    void profileTo(const std::string& path);           // written at the end of the board's life
     void serveGdb(int port) { chip_.serveGdb(port); }  // the CPU waits for the debugger
     Chip& chip() { return chip_; }
 
@@ -85,6 +86,7 @@ private:
     RadioLine radio_;
     WorkMeter work_;
     std::unique_ptr<VcdTrace> trace_;
+    std::string profile_path_;
     uint64_t wake_cycle_ = UINT64_MAX;
     bool imu_chosen_ = false, barometer_chosen_ = false, barometer_deaf_ = false;
     bool flash_chosen_ = false, flash_in_reset_ = false;

@@ -116,12 +116,13 @@ Chip::~Chip() {
 }
 
 void Chip::settle() {
-    avr_->run_cycle_limit = debugging_ ? 1 : kRunLimit;
+    avr_->run_cycle_limit = single() ? 1 : kRunLimit;
     // A low INTn pin in the level mode of reset is looked at every cycle: 25 times slower.
     for (uint8_t i = 0; i < 8; i++) avr_extint_set_strict_lvl_trig(avr_, i, 0);
     for (avr_ioport_t* port : ports_)
         if (port) avr_->data[port->r_pin] = port->external.pull_value;  // still driven
     for (auto& mend : mends_) mend->reset();
+    if (profile_) profile_->reset();
     if (on_reset) on_reset();
 }
 
@@ -135,7 +136,7 @@ bool Chip::run(uint64_t until) {
     // So that sleep ends in time; a reset drops the timer, and is over before the next event.
     if (until > avr_->cycle) startTimerAt<&Chip::stop>(avr_, until, this);
     while (avr_->cycle < until) {
-        const int state = avr_run(avr_);
+        const int state = profile_ ? runProfiled() : avr_run(avr_);
         if (state != cpu_Done && state != cpu_Crashed) continue;
         char place[32];
         snprintf(place, sizeof place, " at 0x%05x", avr_->pc);
@@ -145,6 +146,33 @@ bool Chip::run(uint64_t until) {
         return false;
     }
     return true;
+}
+
+void Chip::startProfile() {
+    profile_ = std::make_unique<Profile>(kFlashSize);
+    avr_->run_cycle_limit = 1;
+}
+
+// One instruction, and the interrupt that comes after it.
+int Chip::runProfiled() {
+    const auto stack = [this] {
+        return static_cast<uint16_t>(avr_->data[kSpl] | avr_->data[kSph] << 8);
+    };
+    Profile::Step step = {};
+    step.address = avr_->pc;
+    const auto code = static_cast<uint16_t>(avr_->flash[avr_->pc] | avr_->flash[avr_->pc + 1] << 8);
+    // RCALL, CALL, ICALL and EICALL
+    step.calls =
+        (code & 0xF000) == 0xD000 || (code & 0xFE0E) == 0x940E || (code & 0xFFEF) == 0x9509;
+    const uint64_t began = avr_->cycle, asleep = asleep_;
+    const size_t entered = interrupts_->entered();
+    const int state = avr_run(avr_);
+    step.cycles = avr_->cycle - began - (asleep_ - asleep);
+    step.next = avr_->pc;
+    step.stack = stack();
+    step.interrupted = interrupts_->entered() != entered;
+    profile_->add(step);
+    return state;
 }
 
 void Chip::reset(Reset cause) {

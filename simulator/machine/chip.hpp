@@ -14,6 +14,7 @@
 #include "simulator/machine/eeprom.hpp"
 #include "simulator/machine/image.hpp"
 #include "simulator/machine/interrupts.hpp"
+#include "simulator/machine/profile.hpp"
 #include "simulator/machine/registers.hpp"
 #include "simulator/machine/spi_master.hpp"
 #include "simulator/machine/stack_watch.hpp"
@@ -66,6 +67,8 @@ public:
     const StackWatch& stack() const { return *stack_; }
 
     void serveGdb(int port);  // stops until a debugger has come
+    void startProfile();      // from here on, at a tenth of the speed
+    const Profile* profile() const { return profile_.get(); }
     void noteError(const std::string& text) { last_error_ = text; }
 
 private:
@@ -80,6 +83,8 @@ private:
     void slept(uint64_t cycles);
     void mark(uint16_t address, uint8_t value);
     uint64_t stop(uint64_t) { return 0; }
+    int runProfiled();
+    bool single() const { return debugging_ || profile_; }
     avr_ioport_t& io(char port) const { return *ports_[port - 'A']; }
 
     avr_t* avr_ = nullptr;
@@ -97,6 +102,7 @@ private:
     StackWatch* stack_ = nullptr;
     uint64_t asleep_ = 0;
     bool debugging_ = false;
+    std::unique_ptr<Profile> profile_;
     std::string fault_, last_error_;
 };
 

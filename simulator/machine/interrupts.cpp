@@ -17,6 +17,7 @@ Interrupts::Interrupts(avr_t* avr) : avr_(avr) {
 }
 
 void Interrupts::enter(int vector) {
+    ++entered_;
     nesting_.push_back({vector, avr_->cycle, 0});
     const uint64_t cost = kEntry + (from_sleep_ ? kWakeUp : 0);
     from_sleep_ = false;

@@ -24,6 +24,7 @@ public:
     const Count& count(int vector) const { return counts_[vector]; }
     uint64_t cycles() const { return cycles_; }  // of all that have ended
     bool running() const { return !nesting_.empty(); }
+    uint64_t entered() const { return entered_; }
 
     static constexpr int kVectors = 57;
 
@@ -50,7 +51,7 @@ private:
 
     avr_t* avr_;
     bool from_sleep_ = false;
-    uint64_t cycles_ = 0;
+    uint64_t cycles_ = 0, entered_ = 0;
     std::array<Vector, kVectors> vectors_ = {};
     std::array<Count, kVectors> counts_ = {};
     std::vector<Running> nesting_;
