@@ -10,9 +10,25 @@ target_include_directories(simulator_machine PUBLIC ${CMAKE_SOURCE_DIR}
 target_link_libraries(simulator_machine PUBLIC simulator_world PkgConfig::SIMAVR
                       PRIVATE PkgConfig::LIBELF)
 
+# What every reset of a board begins with, in place of its bootloader.
+find_program(AVR_GXX avr-g++ REQUIRED)
+set(boot_sections ${CMAKE_CURRENT_BINARY_DIR}/boot)
+file(MAKE_DIRECTORY ${boot_sections})
+foreach(board apm1 apm2)
+    set(source ${CMAKE_SOURCE_DIR}/simulator/machine/boot/${board}.cpp)
+    add_custom_command(OUTPUT ${boot_sections}/${board}.elf
+        COMMAND ${AVR_GXX} -mmcu=atmega2560 -DF_CPU=16000000UL -std=c++14 -Os -Wall -Wextra -Werror
+                -nostdlib -Wl,--section-start=.text=0x3e000 -I${CMAKE_SOURCE_DIR}
+                -o ${boot_sections}/${board}.elf ${source}
+        DEPENDS ${source} ${CMAKE_SOURCE_DIR}/simulator/machine/boot/boot.hpp VERBATIM)
+    list(APPEND boot_programs ${boot_sections}/${board}.elf)
+endforeach()
+add_custom_target(boot_programs DEPENDS ${boot_programs})
+add_dependencies(simulator_machine boot_programs)
+target_compile_definitions(simulator_machine PUBLIC SIMULATOR_BOOT="${boot_sections}")
+
 # chip_programs(TARGET FOLDER): every program of the folder as FOLDER's name/x.elf and x.hex in the
 # build directory, built before TARGET.
-find_program(AVR_GXX avr-g++ REQUIRED)
 find_program(AVR_OBJCOPY avr-objcopy REQUIRED)
 function(chip_programs target folder)
     set(out ${CMAKE_CURRENT_BINARY_DIR}/chip_programs)

@@ -106,7 +106,7 @@ TEST_F(BoardTest, the_sense_pin_is_low_while_usb_is_plugged) {
 }
 
 TEST_F(BoardTest, bytes_go_both_ways_at_the_rate_of_the_line) {
-    run_s(0.01);
+    run_s(0.08);  // past the bootloader
     const std::string text(100, 'a');
     board.send(0, reinterpret_cast<const uint8_t*>(text.data()), text.size());
     EXPECT_EQ(board.unsent(0), 100u);

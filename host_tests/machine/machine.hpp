@@ -30,6 +30,9 @@ public:
         };
     }
 
+    void boot(const std::string& board) {
+        chip.setBootSection(simulator::readImage(std::string(SIMULATOR_BOOT "/") + board + ".elf"));
+    }
     void run_ms(double ms) {
         ASSERT_TRUE(chip.run(chip.cycle() + static_cast<uint64_t>(ms * 16000))) << chip.fault();
     }

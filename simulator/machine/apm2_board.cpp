@@ -40,6 +40,7 @@ AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options,
       chip_(image_),
       servos_(chip_, wiring_),
       radio_(chip_, world_.radio(), wiring_) {
+    chip_.setBootSection(readImage(std::string(SIMULATOR_BOOT "/") + wiring_.name + ".elf"));
     for (int usart = 0; usart < 4; usart++) feeds_.emplace_back(chip_, usart);
     wireSensorBus();
     wireFlash();

@@ -25,7 +25,7 @@ struct AnalogWire {
 };
 
 struct BoardWiring {
-    const char* name;
+    const char* name;  // and of its program in simulator/machine/boot
     std::array<ServoWire, 8> servos;
     PinName radio;
     char radio_timer;

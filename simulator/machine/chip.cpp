@@ -4,6 +4,7 @@
 #include <simavr/avr_extint.h>
 #include <simavr/sim_gdb.h>
 
+#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -181,6 +182,12 @@ void Chip::reset(Reset cause) {
     avr_->data[kMcusr] = flags;
     avr_regbit_set(avr_,
                    cause == Reset::external ? avr_->reset_flags.extrf : avr_->reset_flags.borf);
+}
+
+void Chip::setBootSection(const Image& program) {
+    std::copy(program.flash.begin() + kBootSection, program.flash.end(),
+              avr_->flash + kBootSection);
+    avr_->reset_pc = avr_->pc = kBootSection;
 }
 
 void Chip::mark(uint16_t address, uint8_t value) {

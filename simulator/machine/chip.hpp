@@ -39,6 +39,8 @@ public:
     uint64_t asleepCycles() const { return asleep_; }
     const std::string& fault() const { return fault_; }
     void reset(Reset cause);
+    // From now on every reset begins there, as the fuse BOOTRST has it. To be called at once.
+    void setBootSection(const Image& program);
 
     // Called after every reset, the watchdog's too, when all cycle timers are gone.
     std::function<void()> on_reset;

@@ -9,6 +9,7 @@ namespace simulator {
 constexpr uint32_t kClock_hz = 16000000;
 constexpr uint64_t kCyclesPer_us = kClock_hz / 1000000;
 constexpr uint32_t kFlashSize = 0x40000;
+constexpr uint32_t kBootSection = 0x3E000;  // of 4096 words, as the boards are fused
 constexpr uint16_t kRamEnd = 0x21FF;
 constexpr uint16_t kEepromBytes = 4096;
 
