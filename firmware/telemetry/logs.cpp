@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/rom.hpp"
 #include "firmware/log/log.hpp"
 #include "firmware/log/records.hpp"
 #include "firmware/telemetry/link.hpp"
@@ -18,7 +19,7 @@ using core::Status;
 using mavlink::LogData;
 using mavlink::LogEntry;
 
-enum class Doing : uint8_t { nothing, list, measure, data };
+enum class Doing : uint8_t { nothing, list, date, measure, data };
 
 constexpr logging::Formats kFormatsInFront = {kFormatTable, kFormats};
 
@@ -26,8 +27,9 @@ Doing doing;
 uint8_t to_link;
 bool shorter;  // the log ends before what was asked for
 logging::Reader reader;
-uint32_t offset;  // of the next byte
-uint32_t left;    // bytes; of a list: the last log
+uint32_t offset;    // of the next byte; of a list: the log's size
+uint32_t left;      // bytes; of a list: the last log
+uint16_t searched;  // of a list: the log's bytes in which there was no date
 
 bool anyLogs() { return flight_logs.ready() && !flight_logs.erasing() && flight_logs.last() != 0; }
 
@@ -44,22 +46,59 @@ bool sendEnd(Link& link, uint16_t log, uint32_t at) {
     return send(link, message);
 }
 
-bool listStep(Link& link) {
-    uint32_t size = 0;
+bool sizeStep() {
+    offset = 0;
+    if (reader.size(flight_logs, kFormatsInFront, offset) == Status::busy) return false;
+    searched = kFormats * sizeof(logging::FormatRecord);
+    doing = Doing::date;
+    return true;
+}
+
+bool entryStep(Link& link, uint32_t time_utc) {
     logging::Key oldest;
-    const Status status = reader.size(flight_logs, kFormatsInFront, size);
-    if (status == Status::busy || logging::oldestKey(flight_logs, oldest) != Status::ok)
-        return false;
+    if (logging::oldestKey(flight_logs, oldest) != Status::ok) return false;
     LogEntry entry = {};
-    entry.size = size;
+    entry.time_utc = time_utc;
+    entry.size = offset;
     entry.id = reader.log();
     entry.last_log_num = flight_logs.last();
     entry.num_logs = static_cast<uint16_t>(entry.last_log_num - oldest.log + 1);
-    const bool sent = send(link, entry);
+    if (!send(link, entry)) return false;
     const bool more = entry.id < static_cast<uint16_t>(left);
-    reader.open(flight_logs, static_cast<uint16_t>(entry.id + (sent && more ? 1 : 0)));
-    if (sent && !more) doing = Doing::nothing;
-    return sent;
+    doing = more ? Doing::list : Doing::nothing;
+    reader.open(flight_logs, static_cast<uint16_t>(entry.id + more));
+    return true;
+}
+
+// 0: not a record.
+uint8_t lengthOf(const logging::RecordHead& head) {
+    if (head.head1 != logging::kHead1 || head.head2 != logging::kHead2) return 0;
+    for (const logging::Format& format : kFormatTable)
+        if (core::romRead(format.type) == head.type) return core::romRead(format.length);
+    return 0;
+}
+
+// Of a record with the time that a receiver told; GPS time has no leap seconds: 18 since 2017.
+uint32_t utc_s(const GpsRecord& record) {
+    constexpr uint32_t kGpsBegan_s = 315964800, kWeek_s = 604800, kLeap_s = 18;
+    if (record.head.type != static_cast<uint8_t>(RecordType::gps) || record.week == 0) return 0;
+    return kGpsBegan_s - kLeap_s + record.week * kWeek_s + record.time_ms / 1000;
+}
+
+// A record each call, until one has the date or the log's beginning is over.
+bool dateStep(Link& link) {
+    constexpr uint16_t kBeginning = 8000;
+    if (searched >= kBeginning || searched >= offset) return entryStep(link, 0);
+    GpsRecord record = {};
+    uint8_t size = sizeof record;
+    const Status status = reader.read(flight_logs, kFormatsInFront, searched,
+                                      reinterpret_cast<uint8_t*>(&record), size);
+    if (status == Status::busy) return false;
+    const uint8_t length = status == Status::ok ? lengthOf(record.head) : 0;
+    const uint32_t time_utc = utc_s(record);
+    if (length == 0 || time_utc != 0) return entryStep(link, time_utc);
+    searched += length;
+    return true;
 }
 
 bool measureStep() {
@@ -153,10 +192,12 @@ bool logsWait(const Link& link) { return doing != Doing::nothing && to_link == l
 
 bool logsSend(Link& link) {
     if (!logsWait(link) || !mayTalk(link) || !hasRoom(link, kLogFrame)) return false;
-    if (doing != Doing::list && vehicle.armed) doing = Doing::nothing;
+    if (doing > Doing::date && vehicle.armed) doing = Doing::nothing;
     switch (doing) {
         case Doing::list:
-            return listStep(link);
+            return sizeStep();
+        case Doing::date:
+            return dateStep(link);
         case Doing::measure:
             return measureStep();
         case Doing::data:

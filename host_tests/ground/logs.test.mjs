@@ -57,6 +57,8 @@ test('a log is downloaded at the speed of the line beside heartbeats, whole and 
     await makeLog(vehicle, 12_000);
     const entries = await list(vehicle);
     assert.deepEqual(entries.map(({ id }) => id), [1]);
+    const kBegan_s = Date.UTC(2024, 5, 3, 10) / 1000;  // the simulator's beginning of time
+    assert.ok(Math.abs(entries[0].timeUtc - kBegan_s - 4) < 3, `begun ${entries[0].timeUtc - kBegan_s} s after start`);
     vehicle.forget();
     const began_ms = vehicle.now_ms;
     const bytes = await download(vehicle, entries[0]);

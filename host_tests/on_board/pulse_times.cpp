@@ -87,20 +87,9 @@ private:
         board_.world().radio().sticks(channels, true);
     }
 
-    void set(const char* name, float value) {
-        mavlink::ParamSet message{};
-        message.target_system = station_.system();
-        message.target_component = 1;
-        message.param_value = value;
-        std::memcpy(message.param_id, name, strnlen(name, sizeof message.param_id));
-        message.param_type = mavlink::MavParamType::real32;
-        station_.link().send(message);
-        station_.run_us(200'000);
-    }
-
     void makeBusy() {
-        set("FLTMODE1", 0);
-        set("LOG_BITMASK", 65536 + 16382 + 1);  // while disarmed, attitude at 50 Hz
+        station_.set("FLTMODE1", 0);
+        station_.set("LOG_BITMASK", 65536 + 16382 + 1);  // while disarmed, attitude at 50 Hz
         mavlink::RequestDataStream all{};
         all.target_system = station_.system();
         all.target_component = 1;

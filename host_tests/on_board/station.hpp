@@ -49,6 +49,28 @@ public:
     }
     void clear() { change(mavlink::MissionClearAll{}, {}); }
 
+    void set(const char* parameter, float value) {
+        mavlink::ParamSet message{};
+        message.target_system = system_;
+        message.target_component = 1;
+        message.param_value = value;
+        std::memcpy(message.param_id, parameter, strnlen(parameter, sizeof message.param_id));
+        message.param_type = mavlink::MavParamType::real32;
+        link_.send(message);
+        run_us(200'000);
+    }
+    // Whatever the checks say.
+    void arm(bool armed) {
+        constexpr float kForce = 21196;
+        mavlink::CommandLong message{};
+        message.command = mavlink::MavCmd::component_arm_disarm;
+        message.target_system = system_;
+        message.target_component = 1;
+        message.param1 = armed;
+        message.param2 = kForce;
+        link_.send(message);
+    }
+
     // Of the last one: from its first byte to the last of the last request, and of the answer.
     uint64_t asked_us() const { return request_us_ - began_us_; }
     uint64_t answered_us() const { return answer_us_ - began_us_; }

@@ -283,6 +283,10 @@ void At45db::execute(const Command& command, uint64_t now_us) {
             return store(command, true, now_us);
         case Does::add:
             return store(command, false, now_us);
+        case Does::read_page:
+        case Does::read_array:
+            if (on_read) on_read(static_cast<uint16_t>(page), now_us);
+            return;
         case Does::fetch:
         case Does::rewrite:
             std::copy_n(cells(page), pageSize(), buffers_[command.buffer].begin());

@@ -36,6 +36,7 @@ public:
         uint64_t begin_us, end_us;
     };
     std::function<void(const Operation&)> on_operation;
+    std::function<void(uint16_t page, uint64_t now_us)> on_read;  // of the array, when it ends
 
     // The power fails and comes back: pages being written are garbage, so are the buffers.
     void cutPower(uint64_t now_us);
