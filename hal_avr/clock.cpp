@@ -17,7 +17,9 @@ inline __attribute__((always_inline)) avr::Timer& counter() {
 }
 
 constexpr uint16_t kOverflow_us = 32768;
-constexpr uint16_t kLongestRest = 4000;  // 2 ms in counts
+// In counts. What drains by itself, a line, is looked at this often, not at each of its bytes.
+constexpr uint16_t kRest = 2000;         // 1 ms
+constexpr uint16_t kLongestRest = 3900;  // two of them
 
 // At the last overflow.
 struct {
@@ -25,8 +27,6 @@ struct {
     uint32_t ms;
     uint16_t us_past_ms;  // 0..999
 } base;
-
-volatile bool rest_is_over;
 
 // The timer and `base` belong together. A pending flag belongs to a count that is small again: the
 // interrupt for that overflow has still to run.
@@ -71,6 +71,8 @@ void carry(uint32_t& ms, uint16_t& us_past_ms) {
 
 namespace avr {
 
+volatile bool woken;
+
 void clockStart() {
     counter().control_a = 0;
     counter().control_b = 1 << CS11;
@@ -86,7 +88,7 @@ ISR(CLOCK_OVERFLOW_vect) {
     avr::eepromTick();
 }
 
-ISR(CLOCK_COMPARE_A_vect) { rest_is_over = true; }
+ISR(CLOCK_COMPARE_A_vect) { avr::woken = true; }
 
 namespace hal {
 
@@ -119,18 +121,24 @@ uint32_t now_ms() {
 }
 
 void idle(bool (*work_waits)()) {
+    const uint16_t began = ticks();
     set_sleep_mode(SLEEP_MODE_IDLE);
-    cli();
-    counter().compare[0] = counter().count + kLongestRest;
-    rest_is_over = false;
-    while (!rest_is_over && !work_waits()) {
-        sleep_enable();
-        sei();  // takes effect after the next instruction: nothing comes in before the sleep
-        sleep_cpu();
-        sleep_disable();
+    sleep_enable();
+    do {
         cli();
-    }
+        counter().compare[0] = counter().count + kRest;
+        avr::woken = false;
+        if (work_waits()) break;
+        while (!avr::woken) {
+            sei();  // takes effect after the next instruction: nothing comes in before the sleep
+            sleep_cpu();
+            __asm__ volatile("nop");  // what was pending and so kept it awake comes in here
+            cli();
+        }
+        sei();
+    } while (static_cast<uint16_t>(ticks() - began) < kLongestRest);
     sei();
+    sleep_disable();
 }
 
 }  // namespace hal

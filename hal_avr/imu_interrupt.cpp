@@ -17,4 +17,7 @@ void imuInterruptStart() {
 
 }  // namespace avr
 
-ISR(INT6_vect) { hal::imuDataReady(); }
+ISR(INT6_vect) {
+    hal::imuDataReady();
+    avr::woken = true;
+}

@@ -66,6 +66,7 @@ inline void received() {
     auto& channel = ChannelOf<port>::get();
     if (overrun) ++channel.lost;
     if (!channel.rx.put(byte)) ++channel.lost;
+    if (port != static_cast<uint8_t>(hal::Port::gps)) avr::woken = true;
 }
 
 // Up to 11,520 times a second and port: by hand 49 cycles with entry and exit, compiled 70. Does

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The peripherals' own start-up, called by the board in the order it needs. All with interrupts
-// off; none waits.
+// off; none waits. And what their interrupts tell one another.
 #pragma once
 #include <stdint.h>
 
@@ -12,6 +12,9 @@ void serialStart();  // pull-ups on the receive pins
 void twiStart();
 void adcStart();
 void imuInterruptStart();  // INT6
+
+// Set by the interrupts that may bring work, so that hal::idle looks.
+extern volatile bool woken;
 
 // Called by the clock's interrupt at every overflow of its timer, which is every 32.768 ms.
 void ppmTick();     // counts how long the receiver has been silent
