@@ -5,6 +5,13 @@ add_compile_options(${AVR_OPTIMISATION})
 add_link_options(${AVR_OPTIMISATION} -Wl,--emit-relocs)  # the stack bound wants to know addresses
 link_libraries(m)
 
+# Float arithmetic of our own instead of the library's, in every program for the chip.
+enable_language(ASM)
+file(GLOB arithmetic CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/arithmetic/*.S)
+set_source_files_properties(${arithmetic} PROPERTIES COMPILE_OPTIONS "-mmcu=atmega2560;-mrelax")
+add_library(arithmetic OBJECT ${arithmetic})
+link_libraries($<TARGET_OBJECTS:arithmetic>)
+
 # What no control loop waits for is made small, not fast.
 set(firmware ${CMAKE_SOURCE_DIR}/firmware)
 set(libraries ${CMAKE_SOURCE_DIR}/libraries)

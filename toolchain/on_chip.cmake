@@ -14,7 +14,7 @@ target_link_libraries(run_on_chip PRIVATE simulator_machine)
 add_dependencies(run_on_chip on_chip_programs)
 
 foreach(library core geo control estimation navigation storage parameters mission scheduler mavlink
-                std)
+                floats std)
     add_test(NAME on_chip.${library}
              COMMAND run_on_chip ${CMAKE_BINARY_DIR}/avr-on-chip/on_chip_${library}.elf)
     set_tests_properties(on_chip.${library} PROPERTIES LABELS simavr TIMEOUT 300)

@@ -46,6 +46,7 @@ on_chip_program(storage index_and_owner_test.cpp journal_test.cpp mission_store_
 on_chip_program(mavlink frame_test.cpp parser_test.cpp)
 on_chip_program(estimation attitude_test.cpp height_test.cpp position_test.cpp wind_test.cpp)
 
+on_chip_program(floats floats_test.cpp)
 on_chip_program(std std_test.cpp)
 on_chip_program(failing failing_test.cpp)
 on_chip_program(stopping stopping_test.cpp)

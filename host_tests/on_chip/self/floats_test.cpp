@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// hal_avr/arithmetic gives every bit as the library's routines do, which are still there under
+// these names.
+#include <gtest/gtest.h>
+#include <string.h>
+
+namespace {
+
+#define LIBRARY(name, code) \
+    __attribute__((naked, noinline)) float name(float, float) { __asm__ volatile(code); }
+LIBRARY(librarysSum, "clr r26\n clr r27\n call __addsf3x\n jmp __fp_round")
+LIBRARY(librarysProduct, "call __mulsf3x\n jmp __fp_round")
+__attribute__((naked, noinline)) int8_t librarysOrder(float, float) {
+    __asm__ volatile("call __fp_cmp\n brcc 1f\n ldi r24, 1\n 1: ret");
+}
+
+uint32_t bitsOf(float value) {
+    uint32_t bits;
+    memcpy(&bits, &value, 4);
+    return bits;
+}
+// What is no number may say so in any way.
+bool same(float a, float b) { return bitsOf(a) == bitsOf(b) || (a != a && b != b); }
+float floatOf(uint32_t bits) {
+    float value;
+    memcpy(&value, &bits, 4);
+    return value;
+}
+
+uint32_t random_state = 2463534242;
+uint32_t random32() {
+    random_state ^= random_state << 13;
+    random_state ^= random_state >> 17;
+    random_state ^= random_state << 5;
+    return random_state;
+}
+
+// Where the special cases of a sum lie: mantissas that carry or cancel, close exponents.
+uint32_t besides(uint32_t bits) {
+    const uint32_t other = random32();
+    switch (other >> 29) {
+        case 0:
+            return other * 8;  // any bits, also no number
+        case 1:
+            return bits ^ 0x80000000 ^ (other & 3);
+        case 2:
+            return (bits & 0xFF800000) | (other & 1 ? 0x7FFFFF : 0);
+        case 3:
+            return (bits ^ (other & 0x80000000) ^ (other & 0xFF)) + (other & 0x0F000000);
+        default: {
+            const uint32_t exponent = (bits >> 23 & 0xFF) + (other >> 23 & 0x3F) - 32;
+            return (other & 0x807FFFFF) | (exponent & 0xFF) << 23;
+        }
+    }
+}
+
+constexpr uint32_t kEdges[] = {
+    0,          0x80000000, 1,          0x80000001, 0x007FFFFF, 0x00800000, 0x80800000,
+    0x00FFFFFF, 0x0CFFFFFF, 0x0D000000, 0x0D7FFFFF, 0x3F800000, 0xBF800000, 0x3FFFFFFF,
+    0x3F7FFFFF, 0x34000000, 0x33800000, 0x33800001, 0xB3000000, 0x7E800000, 0x7EFFFFFF,
+    0x7F000000, 0x7F7FFFFF, 0xFF7FFFFF, 0x7F800000, 0xFF800000, 0x7F800001, 0x7FC00000};
+
+template <class Agree>
+int differences(Agree agree) {
+    int found = 0;
+    for (const uint32_t a : kEdges)
+        for (const uint32_t b : kEdges) found += !agree(floatOf(a), floatOf(b));
+    for (uint16_t i = 0; i < 20000; ++i) {
+        const uint32_t a = random32();
+        found += !agree(floatOf(a), floatOf(besides(a)));
+    }
+    return found;
+}
+
+TEST(Arithmetic, sums_have_the_librarys_bits) {
+    EXPECT_EQ(differences([](float a, float b) { return same(a + b, librarysSum(a, b)); }), 0);
+}
+TEST(Arithmetic, differences_have_the_librarys_bits) {
+    EXPECT_EQ(differences([](float a, float b) {
+                  return same(a - b, librarysSum(a, floatOf(bitsOf(b) ^ 0x80000000)));
+              }),
+              0);
+}
+TEST(Arithmetic, products_have_the_librarys_bits) {
+    EXPECT_EQ(differences([](float a, float b) { return same(a * b, librarysProduct(a, b)); }), 0);
+}
+TEST(Arithmetic, comparisons_say_what_the_librarys_do) {
+    EXPECT_EQ(differences([](float a, float b) {
+                  const int8_t order = librarysOrder(a, b);
+                  const bool number = a == a && b == b;
+                  return (a < b) == (order < 0) && (a == b) == (order == 0) &&
+                         (a != b) == (order != 0) && (a <= b) == (order <= 0) &&
+                         (a > b) == (number && order > 0) && (a >= b) == (number && order >= 0);
+              }),
+              0);
+}
+
+}  // namespace
