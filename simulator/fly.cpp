@@ -12,12 +12,15 @@
 #include <iostream>
 #include <iterator>
 
+#include "simulator/airplane/parameters.hpp"
 #include "simulator/devices/at45db.hpp"
 #include "simulator/fly_options.hpp"
 #include "simulator/ground/scripted_flight.hpp"
 #include "simulator/ground/server.hpp"
+#include "simulator/ground/thrower.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "simulator/native/native_board.hpp"
+#include "simulator/parameter_file.hpp"
 #include "simulator/report/page.hpp"
 #include "simulator/report/recorder.hpp"
 #include "simulator/report/status_line.hpp"
@@ -61,6 +64,7 @@ double runwayHeading_deg(const Waypoints& items) {
 
 WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
     WorldOptions world;
+    world.airplane = options.airplane;
     world.latitude_deg = items[0].latitude_deg;
     world.longitude_deg = items[0].longitude_deg;
     world.altitude_m = items[0].altitude_m;
@@ -71,6 +75,13 @@ WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
     world.seed = options.seed;
     world.dataflash = !options.no_dataflash;
     return world;
+}
+
+ParameterSettings parametersFor(const FlyOptions& options) {
+    if (!options.parameters.empty()) return readParameterFile(options.parameters);
+    const std::filesystem::path beside =
+        std::filesystem::path(airplanePath(options.airplane)).replace_extension(".param");
+    return std::filesystem::exists(beside) ? readParameterFile(beside) : ParameterSettings{};
 }
 
 // Said before the flight, not after it: the file is written at the end.
@@ -228,7 +239,7 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
     const auto board = makeBoard(options, worldFor(options, items));
     loadMemories(*board, options);
     const int usart = telemetryUsart(options);
-    ScriptedFlight flight(*board, usart, items, options.time_limit_s);
+    ScriptedFlight flight(*board, usart, items, options.time_limit_s, parametersFor(options));
     board->listen([&](int from, uint8_t byte, uint64_t time_us) {
         if (from == usart) flight.receive(byte, time_us);
     });
@@ -257,15 +268,36 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
     return summary.completed ? 0 : 1;
 }
 
+// Whoever connects finds the airplane's parameters set.
+void setByWire(Board& board, int usart, const ParameterSettings& settings) {
+    constexpr uint8_t kAnyone = 0;
+    ParameterUpload* upload = nullptr;
+    Link link(board, usart, [&](const mavlink::Frame& frame, uint64_t) { upload->take(frame); });
+    ParameterUpload setting(link, settings);
+    upload = &setting;
+    board.listen([&](int from, uint8_t byte, uint64_t time_us) {
+        if (from == usart) link.receive(byte, time_us);
+    });
+    while (!setting.done() && board.runUntil(board.time_us() + kStep_us)) {
+        setting.step(board.time_us(), kAnyone, kAnyone);
+        if (!setting.failure().empty()) throw WrongInput(setting.failure());
+    }
+}
+
 int serve(const FlyOptions& options, const Waypoints& items) {
     const auto board = makeBoard(options, worldFor(options, items));
     loadMemories(*board, options);
     const int telemetry = telemetryUsart(options);
     const int other = telemetry == 0 ? wiringOf(options).telemetry_usart : 0;
     Server server(*board, options.listen, {telemetry, other}, options.lock_step);
-    board->listen([&](int usart, uint8_t byte, uint64_t) { server.fromBoard(usart, byte); });
     board->setUsb(!options.telemetry_on_uart0);
     switchTransmitterOn(board->world());
+    setByWire(*board, telemetry, parametersFor(options));
+    Thrower thrower(*board, telemetry);
+    board->listen([&](int usart, uint8_t byte, uint64_t time_us) {
+        server.fromBoard(usart, byte);
+        if (usart == telemetry) thrower.receive(byte, time_us);
+    });
     std::cout << "telemetry (USART" << telemetry << ") on TCP port " << server.port()
               << (other == 0 ? ", USB (USART0) on " : ", USART2 on ") << server.secondPort();
     if (options.lock_step) std::cout << ", time is granted on " << server.controlPort();
@@ -290,6 +322,10 @@ int fly(const FlyOptions& options) {
         const Waypoints items = readWaypoints(options.mission);
         return options.serve ? serve(options, items) : flyScript(options, items);
     } catch (const WrongInput& error) {
+        std::cerr << "fly: " << error.what() << "\n";
+    } catch (const AirplaneError& error) {
+        std::cerr << "fly: " << error.what() << "\n";
+    } catch (const ParameterFileError& error) {
         std::cerr << "fly: " << error.what() << "\n";
     } catch (const WaypointError& error) {
         std::cerr << "fly: " << error.what() << "\n";

@@ -95,6 +95,13 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
     app.add_option("--firmware", o.firmware,
                    ".elf or .hex for this board, ours or not; if not given the image of this build")
         ->check(fileName);
+    app.add_option("--airplane", o.airplane,
+                   "what flies: foam_trainer, trainer_6kg or flying_wing of simulator/airplanes, "
+                   "or the path of such a .json file; the .param file beside it is set by wire")
+        ->check(fileName)
+        ->capture_default_str();
+    app.add_option("--param", o.parameters, ".param file to set by wire instead of the airplane's")
+        ->check(fileName);
     app.add_option("--eeprom", o.eeprom,
                    "4096-byte file: contents at power-on if it exists, rewritten at the end")
         ->check(fileName);

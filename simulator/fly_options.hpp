@@ -8,6 +8,7 @@
 namespace simulator {
 
 struct FlyOptions {
+    std::string airplane = "foam_trainer", parameters;
     std::string mission, firmware, eeprom, dataflash, out, vcd, profile;
     bool apm1 = false;  // the first board, not an APM 2
     bool native = false;

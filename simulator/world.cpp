@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "simulator/airplane/airplane.hpp"
+#include "simulator/airplane/atmosphere.hpp"
 #include "simulator/airplane/earth.hpp"
 #include "simulator/devices/ads7844.hpp"
 #include "simulator/devices/analog_imu.hpp"
@@ -15,13 +15,14 @@
 #include "simulator/devices/ms5611.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/devices/ublox_gps.hpp"
+#include "simulator/own_airplane.hpp"
 
 namespace simulator {
 namespace {
 
 constexpr int kOutputs = 8;
 constexpr uint64_t kSilent_us = 100'000;
-constexpr double kCentre_us = 1500, kTravel_us = 400, kIdle_us = 1100, kFull_us = 1900;
+constexpr double kCentre_us = 1500;
 constexpr double kBoardWarmth_c = 10;  // the board in its box is warmer than the air
 
 SensorErrors errorsFor(const WorldOptions& options) {
@@ -55,7 +56,7 @@ struct World::Parts {
         : errors(errorsFor(options)),
           field_mg(northEastDown_mg(
               {options.declination_deg, options.inclination_deg, options.magnetic_field_mg})),
-          airplane(loadAirplane(options.airplane), options, errors.gust_mps),
+          model(std::make_unique<OwnAirplane>(options, errors.gust_mps)),
           imu(options.seed, errors),
           barometer(options.seed, errors),
           compass(options.seed, errors, compassFor(options)),
@@ -66,19 +67,19 @@ struct World::Parts {
           dataflash(options.seed, dataflashFor(options)) {
         converter.volts = [this](int input) {
             constexpr int kPitot = 7;
-            const Truth& truth = airplane.truth();
+            const Truth& truth = model->truth();
             return input == kPitot ? analog.volts(AnalogSensors::kAirspeedPin, truth)
                                    : analog_imu.volts(input, truth);
         };
         sense();
     }
 
-    Controls demand();
+    ServoPulses pulses() const;
     void sense();
 
     const SensorErrors errors;
     const Vec3 field_mg;
-    Airplane airplane;
+    const std::unique_ptr<FlightModel> model;
     Mpu6000 imu;
     Ms5611 barometer;
     Hmc5883l compass;
@@ -103,26 +104,21 @@ struct World::Parts {
     }
 };
 
-Controls World::Parts::demand() {
-    const auto deflection = [this](int output) {
-        return std::clamp((servos[output].standing_us - kCentre_us) / kTravel_us, -1.0, 1.0);
-    };
-    Controls out;
-    out.aileron = deflection(0);
-    out.elevator = deflection(1);
-    out.rudder = deflection(3);
-    const Servo& motor = servos[2];
-    if (!silent(motor))
-        out.throttle = std::clamp((motor.width_us - kIdle_us) / (kFull_us - kIdle_us), 0.0, 1.0);
+ServoPulses World::Parts::pulses() const {
+    ServoPulses out;
+    for (size_t i = 0; i < servos.size(); ++i) {
+        out.width_us[i] = silent(servos[i]) ? 0 : servos[i].width_us;
+        out.standing_us[i] = servos[i].standing_us;
+    }
     return out;
 }
 
 void World::Parts::sense() {
-    const Atmosphere air = atmosphere(airplane.truth().altitude_m);
+    const Atmosphere air = atmosphere(model->truth().altitude_m);
     const double board_c = air.temperature_k - 273.15 + kBoardWarmth_c;
     barometer.sense(air.pressure_pa, board_c);
     i2c_barometer.sense(air.pressure_pa, board_c);
-    const Vec3 field = airplane.toBody(field_mg);
+    const Vec3 field = model->toBody(field_mg);
     compass.sense({field.x, field.y, field.z});
 }
 
@@ -132,25 +128,27 @@ World::~World() = default;
 void World::advanceTo(uint64_t now_us) {
     Parts& p = *parts_;
     for (;;) {
-        const uint64_t step_us = p.airplane.truth().time_us + Airplane::kStep_us;
+        const uint64_t step_us = p.model->truth().time_us + Airplane::kStep_us;
         const uint64_t imu_us = p.imu.nextSample_us(), gps_us = p.gps.nextEvent_us();
         const uint64_t next_us = std::min({step_us, imu_us, gps_us});
         if (next_us > now_us) break;
         p.now_us = std::max(p.now_us, next_us);
         if (next_us == step_us) {
-            p.airplane.step(p.demand());
+            p.model->step(p.pulses());
             p.sense();
         } else if (next_us == imu_us) {
-            p.imu.sample(p.airplane.truth(), next_us);
+            p.imu.sample(p.model->truth(), next_us);
         } else {
-            p.gps.run(p.airplane.truth(), next_us);
+            p.gps.run(p.model->truth(), next_us);
         }
     }
     p.now_us = std::max(p.now_us, now_us);
     p.radio.advanceTo(p.now_us);
 }
 
-const Truth& World::truth() const { return parts_->airplane.truth(); }
+const Truth& World::truth() const { return parts_->model->truth(); }
+void World::launch() { parts_->model->launch(); }
+std::string World::fault() const { return parts_->model->fault(); }
 
 void World::servoPulse(int output, double width_us, uint64_t now_us) {
     if (output < 1 || output > kOutputs || width_us <= 0) return;

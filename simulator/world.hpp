@@ -61,6 +61,8 @@ public:
     // Moves airplane, air and sensors on to `now_us`; calls with an earlier time do nothing.
     void advanceTo(uint64_t now_us);
     const Truth& truth() const;
+    void launch();              // lets an airplane go that is thrown
+    std::string fault() const;  // why the flight model cannot go on; empty when it can
 
     // Servo output 1..8: the width of a pulse that has just ended. An output without a pulse for
     // 100 ms lets its servo stand where it is and stops the motor.

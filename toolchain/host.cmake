@@ -59,6 +59,7 @@ set_tests_properties(mavlink.vectors PROPERTIES ENVIRONMENT
 # ---- everything outside the board's pins
 find_package(nlohmann_json REQUIRED)
 file(GLOB world_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/world.cpp
+     ${CMAKE_SOURCE_DIR}/simulator/own_airplane.cpp ${CMAKE_SOURCE_DIR}/simulator/fdm/*.cpp
      ${CMAKE_SOURCE_DIR}/simulator/devices/*.cpp ${CMAKE_SOURCE_DIR}/simulator/airplane/*.cpp)
 add_library(simulator_world STATIC ${world_sources})
 target_compile_options(simulator_world PRIVATE ${HOUSE_WARNINGS})
@@ -144,7 +145,8 @@ include(machine)
 include(on_chip)
 
 find_package(CLI11 REQUIRED)
-add_executable(fly simulator/fly.cpp simulator/fly_options.cpp)
+add_executable(fly simulator/fly.cpp simulator/fly_options.cpp simulator/parameter_file.cpp
+               toolchain/param_tool/settings.cpp toolchain/mission_tool/wrong_input.cpp)
 target_compile_options(fly PRIVATE ${HOUSE_WARNINGS})
 target_compile_definitions(fly PRIVATE FLY_IMAGE="${IMAGE_ELF}"
     FLY_MISSION="${CMAKE_SOURCE_DIR}/simulator/missions/first_flight.waypoints"

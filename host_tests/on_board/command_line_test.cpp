@@ -78,6 +78,10 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"--gdb 0", "--gdb"}, Wrong{"--native --gdb 1234", "--native"},
         Wrong{"--native --vcd /tmp/x.vcd", "--native"}, Wrong{"--native --board apm1", "--native"},
         Wrong{"--board apm1 --telemetry uart0", "--telemetry"},
+        Wrong{"--native --airplane no_such", "no_such.json: no such airplane"},
+        Wrong{"--native --airplane /etc/passwd", "/etc/passwd"},
+        Wrong{"--native --param /no/such.param", "/no/such.param: cannot be read"},
+        Wrong{"--native --param /etc/passwd", "passwd:1:"},
         Wrong{"--native --firmware x.elf", "--native"}, Wrong{"--serve some.waypoints", "--serve"},
         Wrong{"/no/such/mission.waypoints", "/no/such/mission.waypoints"},
         Wrong{"--firmware /no/such.elf", "/no/such.elf"},
@@ -93,9 +97,10 @@ TEST(Help, names_every_option) {
 
     EXPECT_EQ(run.status, 0);
     for (const char* option :
-         {"MISSION", "--board", "--native", "--firmware", "--eeprom", "--dataflash",
-          "--no-dataflash", "--wind", "--gusts", "--seed", "--time-limit", "--out", "--serve",
-          "--telemetry", "--lock-step", "--listen", "--vcd", "--gdb"}) {
+         {"MISSION",     "--board",     "--native",     "--airplane",     "--param",
+          "--firmware",  "--eeprom",    "--dataflash",  "--no-dataflash", "--wind",
+          "--gusts",     "--seed",      "--time-limit", "--out",          "--serve",
+          "--telemetry", "--lock-step", "--listen",     "--vcd",          "--gdb"}) {
         EXPECT_THAT(run.output, HasSubstr(option));
     }
 }

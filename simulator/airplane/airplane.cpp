@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kRadians = M_PI / 180;
 constexpr int kSpinUpSteps = 800;
+constexpr double kPulling = 0.5;
+constexpr int kThrowAfterSteps = 400;
 constexpr double kOnItsSide = 0.5;  // cosine of the steepest bank on the ground that is no crash
 
 }  // namespace
@@ -26,8 +28,9 @@ Airplane::Airplane(const AirplaneParameters& parameters, const WorldOptions& opt
     density_kgm3_ = atmosphere(options.altitude_m).density_kgm3;
     ground_.advance(motion_, 0);
     settle();
+    if (p_.launch.speed_mps > 0) standReady();
     moveAir();
-    now_ = derivative(motion_, &specific_force_);
+    if (launch_ == Launch::gone) now_ = derivative(motion_, &specific_force_);
     tell();
 }
 
@@ -42,7 +45,35 @@ void Airplane::settle() {
     standing_m_ = -motion_.position_m.z;
 }
 
+// In the thrower's hand or on the ramp.
+void Airplane::standReady() {
+    launch_ = Launch::ready;
+    motion_ = {};
+    motion_.position_m = {0, 0, -standing_m_ - p_.launch.height_m};
+    motion_.attitude =
+        quaternion(0, p_.launch.pitch_deg * kRadians, options_.heading_deg * kRadians);
+    specific_force_ = Rotation(motion_.attitude).toBody({0, 0, -kGravity_mss});
+}
+
+void Airplane::launch() {
+    if (launch_ == Launch::ready) launch_ = Launch::running;
+}
+
+// Along the airplane's own axis, held straight, until it is let go.
+void Airplane::runUp(const Controls& demand) {
+    pulling_steps_ = demand.throttle > kPulling ? pulling_steps_ + 1 : 0;
+    if (pulling_steps_ >= kThrowAfterSteps) launch();
+    if (launch_ != Launch::running) return;
+    const Vec3 along = Rotation(motion_.attitude).toEarth({1, 0, 0});
+    const Vec3 acceleration = along * p_.launch.acceleration_mss;
+    motion_.position_m += motion_.velocity_mps * kStep_s + acceleration * (kStep_s * kStep_s / 2);
+    motion_.velocity_mps += acceleration * kStep_s;
+    specific_force_ = Rotation(motion_.attitude).toBody(acceleration - Vec3{0, 0, kGravity_mss});
+    if (length(motion_.velocity_mps) >= p_.launch.speed_mps) launch_ = Launch::gone;
+}
+
 void Airplane::place(const Motion& motion, const Controls& controls) {
+    launch_ = Launch::gone;
     motion_ = motion;
     moveAir();
     servos_.put(controls);
@@ -128,7 +159,9 @@ void Airplane::moveAir() {
 }
 
 void Airplane::step(const Controls& demand) {
-    integrate();
+    const bool flies = launch_ == Launch::gone;
+    if (flies) integrate();
+    if (!flies) runUp(demand);
     ++steps_;
     moveAir();
     servos_.advance(kStep_s, demand);
@@ -136,7 +169,7 @@ void Airplane::step(const Controls& demand) {
     propulsion_.advance(kStep_s, truth_.crashed ? 0 : demand.throttle, ahead, density_kgm3_);
     controls_ = servos_.at();
     controls_.throttle = propulsion_.throttle();
-    now_ = derivative(motion_, &specific_force_);
+    if (launch_ == Launch::gone) now_ = derivative(motion_, flies ? &specific_force_ : nullptr);
     tell();
 }
 
@@ -179,7 +212,7 @@ void Airplane::tell() {
     t.motor_current_a = propulsion_.battery_a();
     t.battery_v = propulsion_.battery_v();
     t.battery_used_mah = propulsion_.used_mah();
-    t.on_ground = ground_.touching();
+    t.on_ground = ground_.touching() || launch_ != Launch::gone;
     const bool tipped = t.on_ground && rotation.toEarth({0, 0, 1}).z < kOnItsSide;
     t.crashed = t.crashed || ground_.broken() || tipped;
 }

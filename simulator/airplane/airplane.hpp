@@ -24,6 +24,9 @@ public:
     Airplane& operator=(const Airplane&) = delete;
 
     void step(const Controls& demand);
+    // One that is thrown stands still until this is called, or until its motor has pulled hard for
+    // a second, as one throws a model whose motor runs. Nothing to one on wheels.
+    void launch();
     const Truth& truth() const { return truth_; }
     Vec3 toBody(const Vec3& earth) const { return Rotation(motion_.attitude).toBody(earth); }
     const AirplaneParameters& parameters() const { return p_; }
@@ -44,6 +47,8 @@ private:
     void moveAir();
     void tell();
     void settle();
+    void standReady();
+    void runUp(const Controls& demand);
 
     const AirplaneParameters p_;
     const WorldOptions options_;
@@ -59,6 +64,8 @@ private:
     double density_kgm3_ = kSeaLevelDensity_kgm3;
     double standing_m_;  // height of the centre of gravity on its wheels
     uint64_t steps_ = 0;
+    enum class Launch { ready, running, gone } launch_ = Launch::gone;
+    int pulling_steps_ = 0;
     Truth truth_{};
 };
 

@@ -29,9 +29,11 @@ Ground::Ground(const AirplaneParameters& p) : p_(p), anchors_(p.contacts.size())
 }
 
 double Ground::standingHeight_m() const {
+    const bool wheels = std::any_of(p_.contacts.begin(), p_.contacts.end(),
+                                    [](const Contact& contact) { return contact.wheel; });
     double stiffness = 0, lowest_m = 0;
     for (const Contact& contact : p_.contacts) {
-        if (!contact.wheel) continue;
+        if (wheels && !contact.wheel) continue;
         stiffness += contact.stiffness_nm;
         lowest_m = std::max(lowest_m, contact.place_m.z);
     }

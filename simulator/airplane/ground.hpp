@@ -29,7 +29,7 @@ public:
 
     bool touching() const { return touching_; }
     bool broken() const { return broken_; }
-    double standingHeight_m() const;  // of the centre of gravity, on the wheels
+    double standingHeight_m() const;  // of the centre of gravity, on wheels or skids
 
 private:
     struct Touch;  // one contact at one moment

@@ -3,7 +3,6 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 namespace simulator {
 namespace {
@@ -72,6 +71,18 @@ std::vector<Field> fields(AirplaneParameters& p) {
 }
 // clang-format on
 
+void readLaunch(Json& json, AirplaneParameters& out) {
+    out.elevons = json.value("elevons", false);
+    json.erase("elevons");
+    if (!json.contains("launch")) return;
+    const Json launch = json["launch"];
+    json.erase("launch");
+    out.launch = {launch.at("speed_mps").get<double>(), launch.at("acceleration_mss").get<double>(),
+                  launch.at("pitch_deg").get<double>(), launch.at("height_m").get<double>()};
+    if (out.launch.speed_mps <= 0 || out.launch.acceleration_mss <= 0)
+        throw std::runtime_error("/launch needs a speed and an acceleration above 0");
+}
+
 Contact contact(const Json& from) {
     Contact to;
     to.name = from.at("name").get<std::string>();
@@ -92,6 +103,7 @@ AirplaneParameters parse(Json json) {
     for (const Json& one : json.at("contacts")) out.contacts.push_back(contact(one));
     json.erase("contacts");
     json.erase("about");
+    readLaunch(json, out);
     Json flat = json.flatten();
     for (const Field& field : fields(out)) {
         if (!flat.contains(field.key)) throw std::runtime_error(std::string("lacks ") + field.key);
@@ -102,22 +114,22 @@ AirplaneParameters parse(Json json) {
     return out;
 }
 
-std::string pathOf(const std::string& name) {
+}  // namespace
+
+std::string airplanePath(const std::string& name) {
     const bool path =
         name.find('/') != std::string::npos || name.find(".json") != std::string::npos;
     return path ? name : std::string(SIMULATOR_AIRPLANES) + "/" + name + ".json";
 }
 
-}  // namespace
-
 AirplaneParameters loadAirplane(const std::string& name) {
-    const std::string path = pathOf(name);
+    const std::string path = airplanePath(name);
     std::ifstream file(path);
-    if (!file) throw std::runtime_error(path + ": no such airplane");
+    if (!file) throw AirplaneError(path + ": no such airplane");
     try {
         return parse(Json::parse(file));
     } catch (const std::exception& error) {
-        throw std::runtime_error(path + ": " + error.what());
+        throw AirplaneError(path + ": " + error.what());
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An airplane as data: simulator/airplanes/*.json, every value required, none unknown.
+// An airplane as data: simulator/airplanes/*.json, every value required but "launch" and
+// "elevons", none unknown.
 #pragma once
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,7 @@ struct Contact {
 
 // Derivatives are per radian and dimensionless as in textbooks: rates by b/2V (roll, yaw) and c/2V.
 // A positive aileron rolls right, a positive elevator pitches up, a positive rudder yaws right.
+// Of elevons the aileron is half their difference and the elevator half their sum.
 struct AirplaneParameters {
     double mass_kg = 0;
     struct {
@@ -50,6 +53,7 @@ struct AirplaneParameters {
         double aileron_deg = 0, elevator_deg = 0, rudder_deg = 0, nose_wheel_deg = 0;
         double rate_per_s = 0, lag_s = 0;  // of a servo whose full travel is -1..1
     } controls;
+    bool elevons = false;  // output 1 moves the right one, output 2 the left one; no rudder
     struct {
         double diameter_m = 0, inertia_kgm2 = 0;
         double thrust0 = 0, thrust1 = 0, thrust2 = 0;  // CT = thrust0 + thrust1 J + thrust2 J^2
@@ -69,10 +73,20 @@ struct AirplaneParameters {
         double stiffness_nm = 0, damping_nsm = 0;  // along the ground, before a contact slips
     } grip;
     std::vector<Contact> contacts;
+    // Thrown or shot from a ramp instead of rolling on wheels; speed 0: it has wheels.
+    struct {
+        double speed_mps = 0, acceleration_mss = 0, pitch_deg = 0, height_m = 0;
+    } launch;
 };
 
 // `name` is a file in simulator/airplanes without its .json, or the path of a .json file.
-// Throws std::runtime_error with one line that names the file and what is wrong with it.
+// Throws AirplaneError with one line that names the file and what is wrong with it.
 AirplaneParameters loadAirplane(const std::string& name);
+std::string airplanePath(const std::string& name);
+
+class AirplaneError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
 
 }  // namespace simulator

@@ -61,6 +61,9 @@ void MissionUpload::take(const Frame& frame, uint64_t time_us) {
     if (auto ack = as<MissionAck>(frame)) {
         accepted_ = ack->type == MavMissionResult::accepted;
         if (accepted_) return;
+        // its store is busy with the parameters: announced again, as a user would
+        const bool early = ack->type == MavMissionResult::error && last_item_ < 0;
+        if (early && announcements_ < kAnnouncements) return;
         failure_ = "mission refused: " + resultName(ack->type);
         if (last_item_ >= 0) failure_ += " at item " + std::to_string(last_item_);
     }

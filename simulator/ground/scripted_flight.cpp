@@ -22,11 +22,13 @@ constexpr char kCruiseSpeed[] = "TRIM_ARSPD_CM", kLoiterRadius[] = "WP_LOITER_RA
 const ScriptedFlight::Stage ScriptedFlight::kStages[] = {
     {&ScriptedFlight::connect, 60, "no heartbeat from the autopilot"},
     {&ScriptedFlight::agreeOnFraming, 30, "the autopilot does not answer"},
+    {&ScriptedFlight::setParameters, 120, "the parameters were not set"},
     {&ScriptedFlight::requestStreams, 20, "the autopilot sends no telemetry streams"},
     {&ScriptedFlight::upload, 120, "the mission upload did not end"},
     {&ScriptedFlight::waitReady, 120, "not ready to arm"},
     {&ScriptedFlight::arm, 60, "arming is refused"},
     {&ScriptedFlight::setAuto, 20, "AUTO is refused"},
+    {&ScriptedFlight::release, 10, ""},
     {&ScriptedFlight::takeOff, 60, "the airplane did not leave the ground"},
     {&ScriptedFlight::fly, kNever, ""},
 };
@@ -35,17 +37,20 @@ void switchTransmitterOn(World& world) {
     world.radio().sticks({1500, 1500, 1100, 1500, 1500, 1500, 1500, 1425}, true);
 }
 
-ScriptedFlight::ScriptedFlight(Board& board, int usart, const Waypoints& items, double time_limit_s)
+ScriptedFlight::ScriptedFlight(Board& board, int usart, const Waypoints& items, double time_limit_s,
+                               const ParameterSettings& settings)
     : board_(board),
       items_(items),
       frame_(items[0].latitude_deg, items[0].longitude_deg),
       plan_(makePlan(items, frame_)),
       time_limit_s_(time_limit_s),
       link_(board, usart, [this](const Frame& frame, uint64_t time_us) { take(frame, time_us); }),
+      parameters_(link_, settings),
       upload_(link_, items_) {}
 
 void ScriptedFlight::take(const Frame& frame, uint64_t time_us) {
     telemetry_.take(frame, time_us);
+    parameters_.take(frame);
     upload_.take(frame, time_us);
     if (auto value = as<ParamValue>(frame)) {
         const std::string name(value->param_id, strnlen(value->param_id, sizeof value->param_id));
@@ -136,6 +141,12 @@ void ScriptedFlight::askFor(const char* parameter) {
     link_.send(request);
 }
 
+bool ScriptedFlight::setParameters(uint64_t now_us) {
+    parameters_.step(now_us, telemetry_.system, telemetry_.component);
+    if (!parameters_.failure().empty()) fail(parameters_.failure());
+    return parameters_.done();
+}
+
 bool ScriptedFlight::requestStreams(uint64_t now_us) {
     if (telemetry_.hud && telemetry_.attitude && telemetry_.position) return true;
     if (!every(2, now_us)) return false;
@@ -175,6 +186,14 @@ bool ScriptedFlight::setAuto(uint64_t now_us) {
         command(MavCmd::do_set_mode, MavModeFlag::custom_mode_enabled, kModeAuto);
     }
     return false;
+}
+
+// A thrower waits a moment; an airplane on wheels rolls without him.
+bool ScriptedFlight::release(uint64_t now_us) {
+    constexpr uint64_t kMoment_us = 1'000'000;
+    if (now_us - stage_us_ < kMoment_us) return false;
+    board_.world().launch();
+    return true;
 }
 
 bool ScriptedFlight::takeOff(uint64_t) { return airborne_s_.has_value(); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A flight from the ground station's chair: connect, send the mission up, arm, AUTO, watch until
-// the airplane stands again. What only an onlooker can know, where it stands and whether it is
-// whole, is read from the truth.
+// A flight from the ground station's chair: connect, set the airplane's parameters, send the
+// mission up, arm, AUTO, let go of what is thrown, watch until the airplane stands again. What only
+// an onlooker can know, where it stands and whether it is whole, is read from the truth.
 #pragma once
 #include <memory>
 #include <optional>
@@ -9,6 +9,7 @@
 
 #include "simulator/ground/link.hpp"
 #include "simulator/ground/mission_upload.hpp"
+#include "simulator/ground/parameter_upload.hpp"
 #include "simulator/ground/plan.hpp"
 #include "simulator/ground/telemetry.hpp"
 #include "simulator/ground/waypoints.hpp"
@@ -21,7 +22,8 @@ void switchTransmitterOn(World& world);
 
 class ScriptedFlight {
 public:
-    ScriptedFlight(Board& board, int usart, const Waypoints& items, double time_limit_s);
+    ScriptedFlight(Board& board, int usart, const Waypoints& items, double time_limit_s,
+                   const ParameterSettings& settings = {});
 
     void receive(uint8_t byte, uint64_t time_us) { link_.receive(byte, time_us); }
     void step(uint64_t now_us);  // every 20 ms or so
@@ -50,10 +52,12 @@ private:
     bool connect(uint64_t now_us);
     bool agreeOnFraming(uint64_t now_us);
     bool requestStreams(uint64_t now_us);
+    bool setParameters(uint64_t now_us);
     bool upload(uint64_t now_us);
     bool waitReady(uint64_t now_us);
     bool arm(uint64_t now_us);
     bool setAuto(uint64_t now_us);
+    bool release(uint64_t now_us);
     bool takeOff(uint64_t now_us);
     bool fly(uint64_t now_us);
 
@@ -75,6 +79,7 @@ private:
     const double time_limit_s_;
     Link link_;
     Telemetry telemetry_;
+    ParameterUpload parameters_;
     MissionUpload upload_;
     int stage_ = 0;
     uint64_t stage_us_ = 0, sent_us_ = 0, beat_us_ = 0;

@@ -101,7 +101,12 @@ std::string Server::answer(const std::string& line) {
         board_.setUsb(rest == " in");
         return "ok";
     }
-    return "error: expected 'advance MS [BYTES0 [BYTES1]]', 'state', 'sticks ...' or 'usb in|out'";
+    if (verb == "launch" && rest.empty()) {
+        board_.world().launch();
+        return "ok";
+    }
+    return "error: expected 'advance MS [BYTES0 [BYTES1]]', 'state', 'sticks ...', 'usb in|out' or "
+           "'launch'";
 }
 
 std::string Server::answerAdvance(const std::string& rest) {

@@ -11,6 +11,7 @@
 //   state                          answers one line of JSON: the truth of this moment
 //   sticks P1 ... P8 | sticks off  the transmitter's pulses in us, or switched off; answers "ok"
 //   usb in | usb out               the USB sense pin PA1; answers "ok"
+//   launch                         throws an airplane that has no wheels; answers "ok"
 // Anything else is answered "error: ...".
 #pragma once
 #include <array>

@@ -6,40 +6,13 @@
 #include <cstdio>
 
 #include "simulator/devices/errors.hpp"
-#include "simulator/report/chart.hpp"
+#include "simulator/report/html.hpp"
 #include "simulator/report/vectors.hpp"
 
 namespace simulator {
 namespace {
 
 constexpr double kCycles_us = 16;
-
-class Table {
-public:
-    explicit Table(const std::vector<std::string>& heads) {
-        text_ = "<div class=\"wide\"><table><thead><tr>";
-        for (const auto& head : heads) cell("th", head, &head != &heads.front());
-        text_ += "</tr></thead><tbody>\n";
-    }
-    void row(const std::vector<std::string>& cells) {
-        text_ += "<tr>";
-        for (const auto& words : cells) cell("td", words, &words != &cells.front());
-        text_ += "</tr>\n";
-    }
-    std::string done() const { return text_ + "</tbody></table></div>\n"; }
-
-private:
-    void cell(const std::string& tag, const std::string& words, bool number) {
-        text_ += "<" + tag + (number ? " class=\"n\">" : ">") + escaped(words) + "</" + tag + ">";
-    }
-    std::string text_;
-};
-
-std::string number(double value, int decimals) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
-}
 
 struct Row {
     const char* name;
@@ -76,12 +49,12 @@ FlightLimits limitsIn(const Summary& s) {
 
 std::string limitText(const std::optional<double>& most) {
     if (!most) return "";
-    return *most == 0 ? "none" : "≤ " + number(*most, 0);
+    return *most == 0 ? "none" : "≤ " + fixed(*most, 0);
 }
 
 std::vector<std::string> cells(const Row& row) {
     const bool kept = !row.most || *row.value <= *row.most;
-    return {row.name, number(*row.value, row.decimals), limitText(row.most), row.unit,
+    return {row.name, fixed(*row.value, row.decimals), limitText(row.most), row.unit,
             !row.most ? ""
             : kept    ? "✓"
                       : "✗"};
@@ -133,7 +106,7 @@ std::string summaryTable(const Summary& s) {
 std::string eventTable(const Summary& summary) {
     if (summary.events.empty()) return "";
     Table table({"event", "time, s"});
-    for (const Event& event : summary.events) table.row({event.text, number(event.time_s, 1)});
+    for (const Event& event : summary.events) table.row({event.text, fixed(event.time_s, 1)});
     return table.done();
 }
 
@@ -144,8 +117,7 @@ std::string taskTable(const Summary& summary) {
         const TaskName* named = find(summary.task_names, task.number);
         table.row({named ? named->name : std::to_string(task.number),
                    named ? std::to_string(named->period) : "", std::to_string(task.runs),
-                   number(task.mean_cycles / kCycles_us, 1),
-                   number(task.max_cycles / kCycles_us, 1),
+                   fixed(task.mean_cycles / kCycles_us, 1), fixed(task.max_cycles / kCycles_us, 1),
                    named ? std::to_string(named->budget_us) : ""});
     }
     return table.done();
@@ -157,9 +129,9 @@ std::string interruptTable(const BoardFigures& figures, double emulated_s) {
     for (const auto& i : figures.interrupts) {
         const auto cycles = static_cast<double>(i.cycles);
         table.row({vectorName(i.vector), std::to_string(i.runs),
-                   number(cycles / static_cast<double>(i.runs) / kCycles_us, 1),
-                   number(i.max_cycles / kCycles_us, 1),
-                   number(cycles / (emulated_s * 1e6 * kCycles_us) * 100, 2)});
+                   fixed(cycles / static_cast<double>(i.runs) / kCycles_us, 1),
+                   fixed(i.max_cycles / kCycles_us, 1),
+                   fixed(cycles / (emulated_s * 1e6 * kCycles_us) * 100, 2)});
     }
     return table.done();
 }

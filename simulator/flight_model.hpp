@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What flies in the World: the simulator's own airplane, or a flight model in another program.
+#pragma once
+#include <array>
+#include <string>
+
+#include "simulator/airplane/vector.hpp"
+#include "simulator/world.hpp"
+
+namespace simulator {
+
+struct ServoPulses {
+    std::array<double, 8> width_us{};     // 0: the output is silent
+    std::array<double, 8> standing_us{};  // where the servo stands all the same
+};
+
+class FlightModel {
+public:
+    virtual ~FlightModel() = default;
+
+    virtual void step(const ServoPulses& pulses) = 0;  // moves truth().time_us on
+    virtual const Truth& truth() const = 0;
+    virtual Vec3 toBody(const Vec3& earth) const = 0;
+    virtual void launch() {}
+    virtual std::string fault() const { return ""; }  // why it stands still for good
+};
+
+}  // namespace simulator

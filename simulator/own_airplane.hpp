@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The simulator's own airplane behind the board's servo outputs.
+#pragma once
+#include "simulator/airplane/airplane.hpp"
+#include "simulator/flight_model.hpp"
+
+namespace simulator {
+
+class OwnAirplane : public FlightModel {
+public:
+    OwnAirplane(const WorldOptions& options, double gust_mps)
+        : airplane_(loadAirplane(options.airplane), options, gust_mps) {}
+
+    void step(const ServoPulses& pulses) override {
+        airplane_.step(controlsOf(pulses, airplane_.parameters().elevons));
+    }
+    const Truth& truth() const override { return airplane_.truth(); }
+    Vec3 toBody(const Vec3& earth) const override { return airplane_.toBody(earth); }
+    void launch() override { airplane_.launch(); }
+
+    // Outputs 1..4 are aileron, elevator, throttle, rudder; 1 and 2 the right and left elevon.
+    static Controls controlsOf(const ServoPulses& pulses, bool elevons);
+
+private:
+    Airplane airplane_;
+};
+
+}  // namespace simulator
