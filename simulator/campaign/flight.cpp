@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/campaign/flight.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+extern char** environ;
+
+namespace simulator {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr double kFrames_hz = 100;
+constexpr double kStartFrames = 5;  // before the first frame is due
+// What is given to a flight, or does not tell how well it was flown.
+constexpr const char* kNoFigures[] = {"wind_mps", "wind_from_deg", "emulated_s", "flight_time_s"};
+constexpr const char* kUnits[] = {"_m", "_mps", "_deg", "_ms"};
+
+std::string contents(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+bool endsWith(const std::string& text, const std::string& end) {
+    return text.size() >= end.size() &&
+           text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+// Whatever is measured in a length, a speed, an angle or a time.
+bool isFigure(const std::string& name, const Json& value) {
+    if (!value.is_number()) return false;
+    const auto is = [&name](const char* other) { return name == other; };
+    if (std::any_of(std::begin(kNoFigures), std::end(kNoFigures), is)) return false;
+    return std::any_of(std::begin(kUnits), std::end(kUnits),
+                       [&name](const char* unit) { return endsWith(name, unit); });
+}
+
+std::string shown(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+std::string brokenFrames(const Json& summary) {
+    const auto number = [&summary](const char* key) {
+        const Json value = summary.value(key, Json());
+        return value.is_number() ? value.get<double>() : -1;
+    };
+    if (number("frame_overruns") > 0) return shown(number("frame_overruns")) + " frames were late";
+    const double due = number("emulated_s") * kFrames_hz - kStartFrames;
+    if (number("frames") >= 0 && number("frames") < due)
+        return "only " + shown(number("frames")) + " of " + shown(due) + " frames were begun";
+    if (number("imu_samples_lost") > 0)
+        return shown(number("imu_samples_lost")) + " inertial samples were lost";
+    return "";
+}
+
+struct Ending {
+    int status = 0, signal = 0;
+};
+
+Ending run(const std::string& program, const std::vector<std::string>& words, const fs::path& log) {
+    std::vector<char*> arguments = {const_cast<char*>(program.c_str())};
+    for (const auto& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    posix_spawn_file_actions_adddup2(&files, 1, 2);
+    pid_t child = 0;
+    const int failed =
+        posix_spawn(&child, program.c_str(), &files, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    if (failed != 0) throw std::runtime_error(program + ": " + std::strerror(failed));
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (WIFSIGNALED(status)) return {0, WTERMSIG(status)};
+    return {WEXITSTATUS(status), 0};
+}
+
+}  // namespace
+
+std::string CampaignWind::name() const {
+    return calm() ? "calm" : shown(mps) + "," + shown(from_deg);
+}
+
+std::string CampaignFlight::missionName() const { return fs::path(mission).stem(); }
+std::string CampaignFlight::airplaneName() const { return fs::path(airplane).stem(); }
+
+std::string CampaignFlight::group() const {
+    return airplaneName() + " " + missionName() + " " + wind.name();
+}
+
+std::vector<std::string> CampaignFlight::arguments() const {
+    std::vector<std::string> words = {"--airplane", airplane};
+    if (!wind.calm()) words.insert(words.end(), {"--wind", wind.name(), "--gusts"});
+    words.insert(words.end(), {"--seed", std::to_string(seed), mission});
+    return words;
+}
+
+std::string CampaignFlight::replay(bool native) const {
+    std::string line = native ? "toolchain/fly --native" : "toolchain/fly";
+    for (const auto& word : arguments())
+        line += word.find(' ') == std::string::npos ? " " + word : " '" + word + "'";
+    return line;
+}
+
+CampaignResult judged(const CampaignFlight& flight, const std::string& summary_json) {
+    CampaignResult result{flight, "", {}, 0};
+    const Json summary = Json::parse(summary_json, nullptr, false);
+    if (!summary.is_object()) {
+        result.failure = "no summary was written";
+        return result;
+    }
+    result.emulated_s = summary.value("emulated_s", 0.0);
+    if (!summary.value("completed", false)) {
+        const Json reason = summary.value("reason", Json());
+        result.failure = reason.is_string() ? reason.get<std::string>() : "not completed";
+    } else {
+        result.failure = brokenFrames(summary);
+    }
+    for (const auto& [name, value] : summary.items())
+        if (isFigure(name, value)) result.figures[name] = value.get<double>();
+    return result;
+}
+
+CampaignResult flyOne(const std::string& program, const CampaignFlight& flight,
+                      const std::string& folder) {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    std::vector<std::string> words = {"--native", "--out", folder};
+    for (const auto& word : flight.arguments()) words.push_back(word);
+    const fs::path log = fs::path(folder) / "fly.log";
+    const Ending ending = run(program, words, log);
+    CampaignResult result = judged(flight, contents(fs::path(folder) / "summary.json"));
+    if (ending.signal != 0) {
+        result.failure = "the program died of signal " + std::to_string(ending.signal);
+    } else if (ending.status > 1) {
+        const std::string said = contents(log);
+        result.failure = said.substr(0, said.find('\n'));
+    }
+    for (const char* large : {"report.html", "flight.csv", "track.kml"})
+        fs::remove(fs::path(folder) / large);
+    return result;
+}
+
+}  // namespace simulator

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One flight of a campaign: what is flown, how it is flown again, what came of it. Every flight is
+// a run of the fly program, so that one that dies takes no other with it.
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace simulator {
+
+struct CampaignWind {
+    double mps = 0, from_deg = 0;  // with gusts where it blows at all
+
+    bool calm() const { return mps <= 0; }
+    std::string name() const;  // as on the command line: "calm" or "5,320"
+};
+
+struct CampaignFlight {
+    std::string airplane, mission;
+    CampaignWind wind;
+    uint64_t seed = 1;
+
+    std::string missionName() const;  // without folder and ending
+    std::string airplaneName() const;
+    std::string group() const;  // all but the seed
+    std::vector<std::string> arguments() const;
+    std::string replay(bool native) const;  // the command line that flies it again
+};
+
+struct CampaignResult {
+    CampaignFlight flight;
+    std::string failure;  // one line; empty: all is well
+    std::map<std::string, double> figures;
+    double emulated_s = 0;
+};
+
+// Flies it in `folder`, which afterwards holds summary.json and fly.log.
+CampaignResult flyOne(const std::string& program, const CampaignFlight& flight,
+                      const std::string& folder);
+
+// What the summary says of the flight, on its own.
+CampaignResult judged(const CampaignFlight& flight, const std::string& summary_json);
+
+}  // namespace simulator

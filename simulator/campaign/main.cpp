@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program: flies all flights of a campaign, as many at a time as there are cores.
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <mutex>
+#include <thread>
+
+#include "simulator/airplane/parameters.hpp"
+#include "simulator/campaign/options.hpp"
+#include "simulator/campaign/progress.hpp"
+#include "simulator/campaign/statistics.hpp"
+#include "simulator/ground/waypoints.hpp"
+
+namespace simulator {
+namespace {
+
+namespace fs = std::filesystem;
+
+volatile std::sig_atomic_t interrupted = 0;
+constexpr size_t kMostTold = 10;
+
+// Said before the first flight, not by each of a thousand.
+void mustBeUsable(const CampaignOptions& options) {
+    for (const auto& mission : options.missions) readWaypoints(mission);
+    for (const auto& airplane : options.airplanes) loadAirplane(airplane);
+    std::error_code ignored;
+    fs::create_directories(fs::path(options.out) / "flights", ignored);
+    if (!std::ofstream(fs::path(options.out) / "campaign.html", std::ios::app).is_open())
+        throw std::runtime_error("--out " + options.out + ": cannot be written");
+}
+
+std::string folderOf(const CampaignOptions& options, const CampaignFlight& flight) {
+    std::string name = flight.group() + " " + std::to_string(flight.seed);
+    for (char& letter : name)
+        if (letter == ' ' || letter == ',') letter = '-';
+    return fs::path(options.out) / "flights" / name;
+}
+
+std::vector<CampaignResult> flyAll(const CampaignOptions& options,
+                                   const std::vector<CampaignFlight>& flights) {
+    std::vector<CampaignResult> results(flights.size());
+    std::atomic<size_t> next{0};
+    std::mutex at_once;
+    Progress progress(flights.size(), isatty(STDOUT_FILENO) != 0);
+    const auto work = [&] {
+        for (size_t i; interrupted == 0 && (i = next++) < flights.size();) {
+            results[i] = flyOne(CAMPAIGN_FLY, flights[i], folderOf(options, flights[i]));
+            const std::lock_guard<std::mutex> lock(at_once);
+            progress.flown(results[i].failure.empty());
+        }
+    };
+    std::vector<std::thread> workers;
+    for (unsigned i = 0; i < options.jobs; ++i) workers.emplace_back(work);
+    for (auto& worker : workers) worker.join();
+    progress.end();
+    results.resize(std::min(next.load(), flights.size()));
+    return results;
+}
+
+// The flights that did not go well; how many.
+size_t tellFailures(const std::vector<CampaignResult>& results) {
+    size_t failed = 0;
+    for (const auto& result : results) {
+        if (result.failure.empty() || failed++ >= kMostTold) continue;
+        std::cout << "\nfailed: " << result.flight.group() << ", seed " << result.flight.seed
+                  << ": " << result.failure << "\n  " << result.flight.replay(true) << "\n  "
+                  << result.flight.replay(false) << "\n";
+    }
+    if (failed > kMostTold) std::cout << "\nand " << failed - kMostTold << " more\n";
+    return failed;
+}
+
+int campaign(const CampaignOptions& options) {
+    try {
+        mustBeUsable(options);
+    } catch (const std::runtime_error& error) {
+        std::cerr << "campaign: " << error.what() << "\n";
+        return 2;
+    }
+    std::signal(SIGINT, [](int) { interrupted = 1; });
+    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    const auto begun = std::chrono::steady_clock::now();
+    const auto results = flyAll(options, flightsOf(options));
+    const double wall_s =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    const fs::path page = fs::path(options.out) / "campaign.html";
+    std::ofstream(page, std::ios::binary) << campaignPage(results, wall_s);
+    std::cout << tableText(results);
+    const size_t failed = tellFailures(results);
+    std::cout << "\n"
+              << results.size() << " flights, " << failed << " failed; " << page.string()
+              << "\nany again: " << (results.empty() ? "" : results.front().flight.replay(true))
+              << "\n";
+    return failed == 0 && interrupted == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace simulator
+
+int main(int count, char** words) {
+    const auto parsed = simulator::parseCampaignOptions(count, words);
+    return parsed.exit_status ? *parsed.exit_status : simulator::campaign(parsed.options);
+}

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The campaign's page: a verdict, the distribution and the table of every figure, and the flights
+// that failed.
+#include <algorithm>
+
+#include "simulator/campaign/statistics.hpp"
+#include "simulator/report/chart.hpp"
+#include "simulator/report/html.hpp"
+
+namespace simulator {
+namespace {
+
+constexpr const char* kColours[] = {"#1f6feb", "#b42318", "#18794e", "#b4690e",
+                                    "#6f42c1", "#0e7490", "#be185d", "#4d5d6c",
+                                    "#7c8a00", "#1c2430", "#e07b39", "#5b8def"};
+constexpr size_t kMostFailures = 50;
+
+long failures(const std::vector<CampaignResult>& results) {
+    return std::count_if(results.begin(), results.end(),
+                         [](const CampaignResult& r) { return !r.failure.empty(); });
+}
+
+// The share of the flights that stay at or below each value, a step at each flight.
+Points distribution(const std::vector<double>& sorted) {
+    Points points;
+    const auto count = static_cast<double>(sorted.size());
+    for (size_t i = 0; i < sorted.size(); ++i) {
+        points.emplace_back(sorted[i], 100 * static_cast<double>(i) / count);
+        points.emplace_back(sorted[i], 100 * static_cast<double>(i + 1) / count);
+    }
+    return points;
+}
+
+// One chart for a mission, a line for every airplane and wind.
+std::string chartOf(const std::vector<CampaignResult>& results, const std::string& figure,
+                    const std::string& mission) {
+    Chart chart;
+    chart.x_label = mission + ": " + figure;
+    chart.y_label = "flights, %";
+    chart.y_from = 0;
+    chart.y_to = 100;
+    std::vector<std::string> done;
+    for (const auto& result : results) {
+        const std::string group = result.flight.group();
+        if (result.flight.missionName() != mission ||
+            std::find(done.begin(), done.end(), group) != done.end())
+            continue;
+        const bool calm = result.flight.wind.calm();
+        const auto values = valuesOf(results, group, figure);
+        if (!values.empty())
+            chart.lines.push_back({result.flight.airplaneName() + " " + result.flight.wind.name(),
+                                   kColours[done.size() % std::size(kColours)],
+                                   calm ? Stroke::dashed : Stroke::solid, distribution(values)});
+        done.push_back(group);
+    }
+    return chart.lines.empty() ? "" : drawChart(chart);
+}
+
+std::string tableOf(const std::vector<Spread95>& spreads, const std::string& figure) {
+    Table table({"", "flights", "median", "95 of 100", "worst", "its seed"});
+    for (const Spread95& s : spreads)
+        if (s.figure == figure)
+            table.row({s.group, std::to_string(s.flights), fixed(s.median, 2), fixed(s.p95, 2),
+                       fixed(s.worst, 2), std::to_string(s.worst_flight.seed)});
+    return table.done();
+}
+
+std::string failureTable(const std::vector<CampaignResult>& results) {
+    if (failures(results) == 0) return "";
+    Table table({"flight", "what happened", "flown again by"});
+    size_t rows = 0;
+    for (const auto& result : results)
+        if (!result.failure.empty() && rows++ < kMostFailures)
+            table.row({result.flight.group() + ", seed " + std::to_string(result.flight.seed),
+                       result.failure, result.flight.replay(true)});
+    return table.done();
+}
+
+std::string cards(const std::vector<CampaignResult>& results, double wall_s) {
+    double emulated_s = 0;
+    for (const auto& result : results) emulated_s += result.emulated_s;
+    return "<div class=\"cards\">" + htmlCard("flights", std::to_string(results.size())) +
+           htmlCard("not as they should be", std::to_string(failures(results))) +
+           htmlCard("emulated", fixed(emulated_s / 3600, 1) + " h") +
+           htmlCard("took", fixed(wall_s / 60, 1) + " min") +
+           htmlCard("times real time", fixed(emulated_s / std::max(wall_s, 1e-3), 0)) + "</div>\n";
+}
+
+}  // namespace
+
+std::string campaignPage(const std::vector<CampaignResult>& results, double wall_s) {
+    const long bad = failures(results);
+    std::vector<std::string> missions;
+    for (const auto& result : results) {
+        const std::string name = result.flight.missionName();
+        if (std::find(missions.begin(), missions.end(), name) == missions.end())
+            missions.push_back(name);
+    }
+    std::string page =
+        htmlHead("Campaign") + "<header><h1>Campaign</h1><span class=\"verdict" +
+        (bad == 0 ? "\">every flight completed"
+                  : " bad\">" + std::to_string(bad) + " flights failed") +
+        "</span></header>\n<p class=\"sub\">natively compiled firmware · sensor errors and gusts "
+        "drawn from each seed</p>\n" +
+        cards(results, wall_s) + htmlSection("Flights that failed", failureTable(results));
+    const auto spreads = spreadsOf(results);
+    for (const auto& figure : figuresOf(results)) {
+        std::string body;
+        for (const auto& mission : missions) body += chartOf(results, figure, mission);
+        page += htmlSection(figure, body + tableOf(spreads, figure),
+                            "Of all flights of a line, so many per cent are at or below the "
+                            "value. Dashed: calm air. Wind: m/s, from degrees, with gusts.");
+    }
+    if (!results.empty())
+        page += htmlSection(
+            "A flight again",
+            "<p>" + escaped(results.front().flight.replay(true)) + "</p><p>" +
+                escaped(results.front().flight.replay(false)) + "</p>",
+            "Natively, and the image on the emulated chip; with the airplane, wind, seed and "
+            "mission of the flight.");
+    return page + kHtmlEnd;
+}
+
+}  // namespace simulator

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Many flights at once, natively: the program, its tests, and a slice of a campaign as a test.
+file(GLOB campaign_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/campaign/*.cpp)
+list(FILTER campaign_sources EXCLUDE REGEX /main\.cpp$)
+add_library(campaign_parts STATIC ${campaign_sources})
+target_compile_options(campaign_parts PRIVATE ${HOUSE_WARNINGS})
+target_compile_definitions(campaign_parts PRIVATE CAMPAIGN_OUT="${CMAKE_SOURCE_DIR}/build/campaign"
+                           CAMPAIGN_MISSIONS="${CMAKE_SOURCE_DIR}/simulator/missions")
+target_link_libraries(campaign_parts PUBLIC simulator_report simulator_world PRIVATE CLI11::CLI11)
+
+add_executable(campaign ${CMAKE_SOURCE_DIR}/simulator/campaign/main.cpp)
+target_compile_options(campaign PRIVATE ${HOUSE_WARNINGS})
+target_compile_definitions(campaign PRIVATE CAMPAIGN_FLY="$<TARGET_FILE:fly>")
+find_package(Threads REQUIRED)
+target_link_libraries(campaign PRIVATE campaign_parts Threads::Threads)
+add_dependencies(campaign fly)
+
+house_test(campaign_test ${CMAKE_SOURCE_DIR}/host_tests/campaign campaign_parts)
+if(TARGET campaign_test)
+    add_dependencies(campaign_test campaign)
+    target_compile_definitions(campaign_test PRIVATE CAMPAIGN_PROGRAM="$<TARGET_FILE:campaign>"
+        MISSIONS="${CMAKE_SOURCE_DIR}/simulator/missions")
+endif()
+
+# three airplanes, two missions, calm and wind: whoever crashes, gets lost or breaks a frame fails
+add_test(NAME campaign.slice COMMAND campaign --seeds 2 --out ${CMAKE_BINARY_DIR}/campaign)
+set_tests_properties(campaign.slice PROPERTIES LABELS native TIMEOUT 600)
