@@ -5,6 +5,7 @@
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/attitude_control.hpp"
+#include "firmware/camera.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/vehicle.hpp"
 #include "hal/servo_output.hpp"
@@ -69,6 +70,7 @@ using Pulse = uint16_t (*)();
 constexpr Pulse kPulses[kFirstFree] ROM = {aileron_us, elevator_us, throttle_us, rudder_us};
 
 uint16_t freePulse_us(uint8_t output) {
+    if (parameters.output_function[output - kFirstFree] == kCameraFunction) return cameraPulse_us();
     const uint16_t received = vehicle.radio.pulse_us[output];
     return received != 0 ? core::limit(received, kShortest_us, kLongest_us)
                          : static_cast<uint16_t>(parameters.channel[output].trim_us);

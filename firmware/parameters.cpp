@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "core/maths.hpp"
+#include "firmware/camera.hpp"
 #include "firmware/modes.hpp"
 #include "firmware/telemetry/legacy_points.hpp"
 #include "firmware/telemetry/text.hpp"
@@ -61,6 +62,10 @@ constexpr parameters::Row kRows[] = {
     CHANNEL(6, 0),
     CHANNEL(7, 0),
     CHANNEL(8, 0),
+    P(216, "RC5_FUNCTION",      output_function[0],                0,       0,       10),
+    P(217, "RC6_FUNCTION",      output_function[1],                0,       0,       10),
+    P(218, "RC7_FUNCTION",      output_function[2],                0,       0,       10),
+    P(219, "RC8_FUNCTION",      output_function[3],                0,       0,       10),
     P( 70, "RCMAP_ROLL",        map_roll,                          1,       1,        8),
     P( 71, "RCMAP_PITCH",       map_pitch,                         2,       1,        8),
     P( 72, "RCMAP_THROTTLE",    map_throttle,                      3,       1,        8),
@@ -138,6 +143,7 @@ constexpr parameters::Row kRows[] = {
     P(134, "WP_RADIUS",         waypoint_radius_m,                30,       1,    32767),
     P(135, "WP_LOITER_RAD",     loiter_radius_m,                  60,  -32767,    32767),
     P(136, "ALT_HOLD_RTL",      rtl_height_cm,                 10000,      -1,   100000),
+    P(211, "RTL_AUTOLAND",      rtl_landing,                       0,       0,        2),
     P(209, "GLIDE_SLOPE_MIN",   glide_slope_min_m,                 0,       0,     1000),
     P(137, "TKOFF_THR_MAX",     takeoff_throttle_max_pct,        100,       0,      100),
     P(138, "TKOFF_THR_MINSPD",  takeoff_min_speed_mps,             0,       0,       30),
@@ -154,6 +160,10 @@ constexpr parameters::Row kRows[] = {
     P(148, "FS_LONG_TIMEOUT",   long_timeout_s,                    5,       1,      300),
     P(190, "FS_GCS_ENABL",      ground_failsafe,                   0,       0,        1),
     P(149, "ARMING_CHECK",      arming_check,                      1,       0,    32767),
+    P(212, "CAM_TRIGG_TYPE",    camera_on_relay,                   0,       0,        1),
+    P(213, "CAM_DURATION",      camera_duration_ds,               10,       0,       50),
+    P(214, "CAM_SERVO_ON",      camera_on_us,                   1300,    1000,     2000),
+    P(215, "CAM_SERVO_OFF",     camera_off_us,                  1100,    1000,     2000),
     P(230, "FENCE_ACTION",      fence_action,                      0,       0,        3),
     P(kFenceTotal, "FENCE_TOTAL", fence_total,                     0,       0,       21),
     P(232, "FENCE_CHANNEL",     fence_channel,                     0,       0,        8),
@@ -268,6 +278,9 @@ bool takes(uint8_t row, float value) {
     const int32_t whole = core::rounded(value);
     if (slot >= kFirstMode && slot <= kLastMode) return isMode(static_cast<uint8_t>(whole));
     if (slot == kFenceTotal) return fenceTakesTotal(static_cast<uint8_t>(whole));
+    constexpr uint8_t kFirstFunction = 216, kLastFunction = 219;
+    if (slot >= kFirstFunction && slot <= kLastFunction)
+        return whole == 0 || whole == kCameraFunction;
     const bool turns = slot >= 30 && slot < 70 && slot % 5 == 3;  // RCn_REV
     return !turns || whole != 0;
 }

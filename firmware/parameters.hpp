@@ -29,6 +29,7 @@ struct Parameters {
     StreamRates streams[kLinks];
     // radio and servos
     Channel channel[8];
+    int8_t output_function[4];  // RC5_FUNCTION to RC8_FUNCTION: 0 or the camera's
     int8_t map_roll, map_pitch, map_throttle, map_yaw;  // RCMAP_: 1..8
     int8_t mode_channel;
     int8_t switch_mode[6];
@@ -65,6 +66,7 @@ struct Parameters {
     navigation::LateralSettings lateral;  // NAVL1_
     int16_t waypoint_radius_m, loiter_radius_m;
     int32_t rtl_height_cm;
+    int8_t rtl_landing;  // RTL_AUTOLAND
     int16_t glide_slope_min_m;
     // take-off and landing
     int8_t takeoff_throttle_max_pct;
@@ -95,6 +97,9 @@ struct Parameters {
     int8_t battery_monitor;
     float battery_volt_multiplier, battery_amps_per_volt, battery_amps_offset_v;
     int32_t battery_capacity_mah;
+    // camera
+    int8_t camera_on_relay, camera_duration_ds;
+    int16_t camera_on_us, camera_off_us;
     // fence and rally points
     int8_t fence_action, fence_channel, fence_auto_enable;
     int16_t fence_min_m, fence_max_m, fence_return_m;  // above home

@@ -2,6 +2,8 @@
 // DO commands of the APM 2.0 set: done at once.
 #include <string.h>
 
+#include "firmware/camera.hpp"
+#include "firmware/fence.hpp"
 #include "firmware/home.hpp"
 #include "firmware/mission/events.hpp"
 #include "firmware/mission/handlers.hpp"
@@ -53,5 +55,17 @@ void repeatServo(const Record& record) {
     repeatCycles(record.p1, servoPulse_us(record.p1, pulse_us), static_cast<uint16_t>(record.p2),
                  static_cast<uint8_t>(record.p3));
 }
+
+// A mark for whoever looks for it, or what this board has no hardware for.
+void nothingToDo(const Record&) {}
+
+void takePicture(const Record&) { cameraTrigger(); }
+
+int32_t pictureEvery_cm(const Record& record) {
+    return record.p3 != 0 ? record.p3 : record.p2 * 100;
+}
+void pictureEvery(const Record& record) { cameraEvery(pictureEvery_cm(record)); }
+
+void enableFence(const Record& record) { (void)fenceEnable(record.p1); }
 
 }  // namespace firmware

@@ -66,10 +66,8 @@ void forgetClimb() { climb.rate_mps = 0; }
 void startDistance(const Record&) {}
 
 Progress distanceDone(const Record& record) {
-    const bool has_place =
-        vehicle.demand.path != Path::takeoff && vehicle.demand.path != Path::none;
     // a path that guidance has not seen has no distance yet
-    if (!has_place || vehicle.demand.new_path) return Progress::running;
+    if (placeless() || vehicle.demand.new_path) return Progress::running;
     return vehicle.progress.distance_m < static_cast<float>(record.p3) ? Progress::done
                                                                        : Progress::running;
 }

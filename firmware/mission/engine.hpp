@@ -29,7 +29,8 @@ struct Survey {
     uint8_t next;       // record to look at
     uint8_t first_nav;  // 0: none
     uint8_t last_nav;
-    uint8_t counters;  // jumps that need one
+    uint8_t counters;           // jumps that need one
+    uint8_t land_start, mount;  // the first of them; 0: none
 };
 void surveyRecord(Survey& survey, mission::Set set, const uint8_t* bytes, mission::Site at);
 using ReadRecord = core::Status (*)(uint8_t index, uint8_t* to);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/mission/events.hpp"
 
+#include "firmware/camera.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/outputs.hpp"
@@ -112,6 +113,7 @@ bool eventRuns() { return event.output != 0; }
 void runEvents() {
     missionCatchUp();
     tellVariables();
+    runCamera();
     forgetHeldOfOtherModes();
     if (was_armed && !vehicle.armed) stopEvents();
     was_armed = vehicle.armed;

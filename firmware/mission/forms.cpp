@@ -69,6 +69,21 @@ void decodeParameter(const Record& record, float* parameter) {
     if (record.p3 != 0) memcpy(&parameter[2], &record.p3, sizeof record.p3);
 }
 
+MissionResult encodeDistance(const float* parameter, Record& record, Notes& notes) {
+    constexpr float kFarthest_m = 10000;
+    const float distance_m = orZero(parameter[1]);
+    if (!(distance_m >= 0 && distance_m <= kFarthest_m)) return wrong(1);
+    record.p2 = core::rounded(distance_m);
+    if (static_cast<float>(record.p2) == distance_m) return kFine;
+    record.p3 = core::rounded(distance_m * 100);
+    noteRounding(distance_m, static_cast<float>(record.p3) / 100, notes);
+    return record.p3 != 0 ? kFine : wrong(1);  // 0 would be none
+}
+void decodeDistance(const Record& record, float* parameter) {
+    parameter[1] =
+        record.p3 != 0 ? static_cast<float>(record.p3) / 100 : static_cast<float>(record.p2);
+}
+
 // clang-format off
 constexpr FormRow kFormRows[] ROM = {
     //             p1 p2 p3 p4  parts               special
@@ -83,11 +98,16 @@ constexpr FormRow kFormRows[] ROM = {
     /* seconds */   {{0, 0, 1, 0}, 0,                  0,               nullptr,         nullptr},
     /* jump */      {{1, 0, 2, 0}, 0,                  0,               nullptr,         nullptr},
     /* speed */     {{1, 0, 0, 0}, 0,                  use(2) | use(3), encodeSpeed,     decodeSpeed},
-    /* home */      {{1, 0, 0, 0}, kPlace,             0,               nullptr,         nullptr},
+    /* marked */    {{1, 0, 0, 0}, kPlace,             0,               nullptr,         nullptr},
     /* parameter */ {{1, 0, 0, 0}, 0,                  use(2),          encodeParameter, decodeParameter},
     /* two */       {{1, 2, 0, 0}, 0,                  0,               nullptr,         nullptr},
     /* three */     {{1, 2, 3, 0}, 0,                  0,               nullptr,         nullptr},
     /* repeat */    {{1, 3, 4, 2}, 0,                  0,               nullptr,         nullptr},
+    /* one */       {{1, 0, 0, 0}, 0,                  0,               nullptr,         nullptr},
+    /* four */      {{1, 2, 3, 4}, 0,                  0,               nullptr,         nullptr},
+    /* to_height */ {{1, 0, 0, 0}, kPlace | kDirectionInTwo, 0,         nullptr,         nullptr},
+    /* mount */     {{0, 1, 2, 3}, kNumberInAltitude,  0,               nullptr,         nullptr},
+    /* distance */  {{0, 0, 0, 0}, 0,                  use(1),          encodeDistance,  decodeDistance},
 };
 // clang-format on
 static_assert(core::count(kFormRows) == FormOf::kForms, "a form has no row");

@@ -16,7 +16,9 @@ constexpr MissionResult wrong(uint8_t parameter) {
 enum Part : uint8_t {
     kAltitude = 1,
     kPlace = 2 + kAltitude,
-    kDirection = 4,  // the sign of param3, which is the radius of a loiter
+    kDirection = 4,          // the sign of param3, which is the radius of a loiter
+    kDirectionInTwo = 8,     // ... of param2
+    kNumberInAltitude = 16,  // p1 is z
 };
 
 // For fields that need more than rounding. parameter[1] .. parameter[4]; unset ones are NaN.

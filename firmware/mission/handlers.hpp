@@ -2,6 +2,7 @@
 // What the command table's rows point at: range checks, starts, checks. Grouped by class in
 // navigation_, condition_, action_ and tuning_commands.cpp; ranges in ranges.cpp.
 #pragma once
+#include "core/status.hpp"
 #include "geo/position.hpp"
 #include "mission/command_table.hpp"
 
@@ -28,6 +29,13 @@ uint8_t setRelayInRange(const Record&, Site);
 uint8_t repeatRelayInRange(const Record&, Site);
 uint8_t setServoInRange(const Record&, Site);
 uint8_t repeatServoInRange(const Record&, Site);
+uint8_t continueInRange(const Record&, Site);
+uint8_t toHeightInRange(const Record&, Site);
+uint8_t interestInRange(const Record&, Site);
+uint8_t mountInRange(const Record&, Site);
+uint8_t pictureEveryInRange(const Record&, Site);
+uint8_t fenceInRange(const Record&, Site);
+uint8_t uprightInRange(const Record&, Site);
 // APM 1.0
 uint8_t modeInRange(const Record&, Site);
 uint8_t firstInRange(const Record&, Site);
@@ -56,11 +64,19 @@ void startLand(const Record&, Entry);
 Progress landDone(const Record&);
 void startTakeoff(const Record&, Entry);
 Progress takeoffDone(const Record&);
+void startContinue(const Record&, Entry);
+Progress continueDone(const Record&);
+Progress toHeightDone(const Record&);
 
 void here(Record& record);  // the airplane's place
+bool placeless();           // the NAV flown has no place
 void rememberPlace();       // of the NAV that has just finished: the next leg begins there
 void holdPlace();           // circles the place remembered
 void forgetPlace();         // nothing has finished yet
+
+// ---- landing.cpp
+void landAgain();    // from the nearest DO_LAND_START; without one the landing itself
+void stepLanding();  // 10 Hz
 
 // ---- condition_commands.cpp
 void startDelay(const Record&);
@@ -86,6 +102,18 @@ void setRelay(const Record&);
 void repeatRelay(const Record&);
 void setServo(const Record&);
 void repeatServo(const Record&);
+void nothingToDo(const Record&);
+void takePicture(const Record&);
+void pictureEvery(const Record&);
+int32_t pictureEvery_cm(const Record&);
+void enableFence(const Record&);
+
+// ---- places.cpp
+// False: no NAV, or none with a place that is known before it loads.
+bool placeOfNav(const Record&, Site, geo::Position& place);
+// Of the NAV behind the one flown, whatever jumps there are. busy: not found yet; bad_argument:
+// there is none, or it has no place.
+MUST_USE core::Status nextPlace(geo::Position& place);
 
 // ---- tuning_commands.cpp: APM 1.0 only
 Jump jumpToFirst(const Record&);

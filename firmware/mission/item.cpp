@@ -75,9 +75,16 @@ MissionResult layoutHolds(Set set, const Record& record, const FormRow& form) {
     return form.from[1] != 0 ? wrong(form.from[1]) : MissionResult::invalid;
 }
 
-MissionResult encodeDirection(const float* parameter, Record& record, Notes& notes) {
-    const float radius_m = orZero(parameter[3]);
-    if (!isfinite(radius_m)) return wrong(3);
+// Which parameter is a radius whose sign is the direction; 0: none.
+uint8_t radiusIn(uint8_t parts) {
+    if ((parts & kDirection) != 0) return 3;
+    return (parts & kDirectionInTwo) != 0 ? 2 : 0;
+}
+
+MissionResult encodeDirection(const float* parameter, uint8_t radius, Record& record,
+                              Notes& notes) {
+    const float radius_m = orZero(parameter[radius]);
+    if (!isfinite(radius_m)) return wrong(radius);
     if (radius_m < 0) record.options |= mission::kCounterClockwise;
     if (fabsf(radius_m) > 1) notes.dropped = true;
     return kFine;
@@ -95,18 +102,22 @@ MissionResult encodeApm2(const MissionItem& item, const float* parameter, const 
         if (!setField(record, i, stored)) return wrong(from);
         noteRounding(value, static_cast<float>(stored), notes);
     }
-    if ((form.parts & kDirection) != 0) {
-        used = static_cast<uint8_t>(used | use(3));
-        const MissionResult result = encodeDirection(parameter, record, notes);
+    const uint8_t radius = radiusIn(form.parts);
+    if (radius != 0) {
+        used = static_cast<uint8_t>(used | use(radius));
+        const MissionResult result = encodeDirection(parameter, radius, record, notes);
         if (result != kFine) return result;
     }
+    if ((form.parts & kNumberInAltitude) != 0 && !setField(record, 0, whole(orZero(item.z))))
+        return wrong(7);
     if (form.encode != nullptr) {
         const MissionResult result = form.encode(parameter, record, notes);
         if (result != kFine) return result;
     }
     for (uint8_t i = 1; i <= 4; ++i)
         if ((used & use(i)) == 0 && orZero(parameter[i]) != 0) notes.dropped = true;
-    if (form.parts == kAltitude && (item.x != 0 || item.y != 0)) notes.dropped = true;
+    const bool alone = form.parts == kAltitude || form.parts == kNumberInAltitude;
+    if (alone && (item.x != 0 || item.y != 0)) notes.dropped = true;
     return kFine;
 }
 
@@ -200,8 +211,10 @@ void decodeItem(Set set, uint8_t index, const Record& record, MissionItem& item)
     } else {
         for (uint8_t i = 0; i < 4; ++i)
             if (form.from[i] != 0) parameter[form.from[i]] = static_cast<float>(field(record, i));
-        if ((form.parts & kDirection) != 0 && (record.options & mission::kCounterClockwise) != 0)
-            parameter[3] = -1;
+        const uint8_t radius = radiusIn(form.parts);
+        if (radius != 0 && (record.options & mission::kCounterClockwise) != 0)
+            parameter[radius] = -1;
+        if ((form.parts & kNumberInAltitude) != 0) item.z = record.p1;
         if (form.decode != nullptr) form.decode(record, parameter);
     }
     item.param1 = parameter[1];

@@ -21,11 +21,16 @@ enum Form : uint8_t {
     seconds,  // or metres
     jump,
     speed,
-    home,
+    marked,  // a place with a number
     parameter,
     two,
     three,
     repeat,
+    one,
+    four,
+    to_height,
+    mount,
+    distance,
     kForms,
 };
 }

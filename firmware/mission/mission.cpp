@@ -2,6 +2,7 @@
 // The engine among the rest of the firmware: boot, AUTO, what its events mean.
 #include "firmware/mission/mission.hpp"
 
+#include "firmware/camera.hpp"
 #include "firmware/log/log.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
@@ -78,6 +79,7 @@ void onReset() {
     is_complete = false;
     resetSpeed();
     stopEvents();
+    cameraEvery(0);
     forgetPlace();
 }
 
@@ -191,7 +193,10 @@ Status bootStep() {
 }
 
 void background(bool there_is_time) {
-    if (there_is_time) listsRun();
+    if (there_is_time) {
+        listsRun();
+        stepLanding();
+    }
     mission_store.readAhead(mission_engine.next());
     if (index_waits) index_waits = index_store.write(generation(), index_wanted) != Status::ok;
 }

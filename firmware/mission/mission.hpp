@@ -49,6 +49,13 @@ uint16_t missionCurrent();               // index of the NAV flown, 0 when none
 bool missionSetCurrent(uint16_t index);  // false: no such item or no NAV
 bool takeReached(uint16_t& index);       // a NAV that finished and was not yet told
 
+// AUTO goes on at the nearest DO_LAND_START, as soon as it is found. False: there is none.
+bool missionLand();
+// The landing that is being flown is broken off: climbs straight on to the height above home, at
+// least to one that is safe to turn at, then goes on at the nearest DO_LAND_START, or lands again.
+// False: none is flown, or the airplane is down.
+bool missionGoAround(float height_m);
+
 void missionShiftHeights(float by_m);  // home is elsewhere: what is flown stays where it is
 
 uint16_t missionSkipped();  // records passed over at run time since reset

@@ -19,6 +19,7 @@ struct Place {
 };
 Place last;  // of the NAV that last finished
 bool have_last;
+bool no_place;  // what is flown ends where the airplane is
 
 float acceptance_m;
 bool leg_counts;  // it is longer than the acceptance radius
@@ -57,6 +58,7 @@ bool worthASlope() {
 void demand(Path path, const Place& to, Entry entry) {
     auto& demand = vehicle.demand;
     const Place from = entry.from_here || !have_last ? airplane() : last;
+    no_place = path == Path::takeoff;
     demand.path = path;
     demand.from = from.position;
     demand.from_height_m = from.height_m;
@@ -106,9 +108,11 @@ void here(Record& record) {
     record.p4 = vehicle.estimate.position.longitude_e7;
 }
 
+bool placeless() { return no_place || vehicle.demand.path == Path::none; }
+
 void rememberPlace() {
     const auto& demand = vehicle.demand;
-    last = demand.path == Path::takeoff ? airplane() : Place{demand.to, demand.height_m};
+    last = no_place ? airplane() : Place{demand.to, demand.height_m};
     have_last = true;
 }
 
@@ -198,8 +202,20 @@ void startLand(const Record& record, Entry entry) {
     still_ms = hal::now_ms();
 }
 
+namespace {
+
+// The landing was broken off.
+Progress climbAway() {
+    constexpr float kNear_m = 1;
+    if (vehicle.estimate.height_m >= vehicle.demand.height_m - kNear_m) landAgain();
+    return Progress::running;
+}
+
+}  // namespace
+
 // Finished when down and disarmed; disarms itself when the airplane has stood long enough.
 Progress landDone(const Record&) {
+    if (vehicle.demand.path == Path::leg) return climbAway();
     const uint32_t now_ms = hal::now_ms();
     const bool down = !vehicle.estimate.flying;
     if (down && !vehicle.armed) return Progress::done;
@@ -218,6 +234,62 @@ void startTakeoff(const Record& record, Entry entry) {
 Progress takeoffDone(const Record& record) {
     constexpr float kNear_m = 1;  // the demanded height is approached ever more slowly
     return done(vehicle.armed && vehicle.estimate.height_m >= heightOf_m(record) - kNear_m);
+}
+
+namespace {
+
+// As long as a place far ahead can be true.
+geo::Position straightAhead() {
+    constexpr float kAhead_m = 5000, kSlowest_mps = 3;  // a slower course is noise
+    const auto& now = vehicle.estimate;
+    if (now.ground_speed_mps >= kSlowest_mps) {
+        const float share = kAhead_m / now.ground_speed_mps;
+        return geo::moved(now.position, {now.velocity_mps.x * share, now.velocity_mps.y * share});
+    }
+    const float heading_rad = vehicle.attitude.yaw_rad;
+    return geo::moved(now.position, {cosf(heading_rad) * kAhead_m, sinf(heading_rad) * kAhead_m});
+}
+
+// Of 1 to 2 ends of the way at most as much is left as of a take-off's.
+constexpr float kNear_m = 5, kAlmost_m = 1;
+
+}  // namespace
+
+// The whole line is flown, also beyond its end.
+void startContinue(const Record& record, Entry entry) {
+    entry.from_here = true;
+    demand(Path::leg, {straightAhead(), heightOf_m(record)}, entry);
+    vehicle.demand.sloped = false;
+    no_place = true;
+}
+
+Progress continueDone(const Record& record) {
+    const float left_m = heightOf_m(record) - vehicle.estimate.height_m;
+    constexpr uint8_t kClimb = 1, kDescend = 2;
+    if (record.p1 == kClimb) return done(left_m <= kAlmost_m);
+    if (record.p1 == kDescend) return done(left_m >= -kAlmost_m);
+    return done(fabsf(left_m) <= kNear_m);
+}
+
+namespace {
+
+// The course over ground is that of the next leg, which begins at the circle's centre.
+bool headsForNext() {
+    constexpr int32_t kNear_cd = 1000;
+    geo::Position place;
+    const core::Status status = nextPlace(place);
+    if (status != core::Status::ok) return status == core::Status::bad_argument;
+    const int32_t off_cd =
+        core::wrap180_cd(vehicle.estimate.course_cd - geo::bearing_cd(vehicle.demand.to, place));
+    return off_cd >= -kNear_cd && off_cd <= kNear_cd;
+}
+
+}  // namespace
+
+Progress toHeightDone(const Record& record) {
+    if (!onCircle()) return Progress::running;
+    if (fabsf(heightOf_m(record) - vehicle.estimate.height_m) > kNear_m) return Progress::running;
+    return done(record.p1 == 0 || headsForNext());
 }
 
 }  // namespace firmware

@@ -122,6 +122,39 @@ uint8_t repeatServoInRange(const Record& record, Site) {
     return record.p4 == 0 ? kFine : pulse(record.p4, 2);
 }
 
+uint8_t continueInRange(const Record& record, Site site) {
+    return record.p1 <= 2 ? placeInRange(record, site) : wrong(1);
+}
+
+uint8_t toHeightInRange(const Record& record, Site site) {
+    return record.p1 <= 1 ? placeInRange(record, site) : wrong(1);
+}
+
+// https://mavlink.io/en/messages/common.html#MAV_ROI
+uint8_t interestInRange(const Record& record, Site site) {
+    constexpr uint8_t kTarget = 4;
+    return record.p1 <= kTarget ? placeInRange(record, site) : wrong(1);
+}
+
+// https://mavlink.io/en/messages/common.html#MAV_MOUNT_MODE
+uint8_t mountInRange(const Record& record, Site) {
+    constexpr uint8_t kToHome = 6;
+    if (!within(record.p2, -360, 360)) return wrong(1);
+    if (!within(record.p3, -360, 360)) return wrong(2);
+    if (!within(record.p4, -360, 360)) return wrong(3);
+    return record.p1 <= kToHome ? kFine : wrong(7);
+}
+
+uint8_t pictureEveryInRange(const Record& record, Site) {
+    constexpr int32_t kFarthest_m = 10000;
+    return within(record.p2, 0, kFarthest_m) && within(record.p3, 0, kFarthest_m * 100) ? kFine
+                                                                                        : wrong(1);
+}
+
+uint8_t fenceInRange(const Record& record, Site) { return record.p1 <= 2 ? kFine : wrong(1); }
+
+uint8_t uprightInRange(const Record& record, Site) { return record.p1 == 0 ? kFine : wrong(1); }
+
 uint8_t modeInRange(const Record& record, Site) { return isMode(record.p1) ? kFine : wrong(1); }
 
 uint8_t firstInRange(const Record&, Site site) {

@@ -12,6 +12,12 @@ void surveyRecord(Survey& survey, mission::Set set, const uint8_t* bytes, missio
     const Record record = mission::unpack(set, bytes);
     const uint8_t row = kCommandTable.find(set, record.id);
     if (row == mission::kNoRow || kCommandTable.valid(row, record, at) != 0) return;
+    constexpr uint8_t kLandStart = 0xBD, kInterest = 0xC9, kMount = 0xCD;
+    if (set == mission::Set::apm2) {
+        if (record.id == kLandStart && survey.land_start == 0) survey.land_start = at.index;
+        if ((record.id == kInterest || record.id == kMount) && survey.mount == 0)
+            survey.mount = at.index;
+    }
     const mission::Class kind = kCommandTable.kind(row);
     if (kind == mission::Class::nav) {
         if (survey.first_nav == 0) survey.first_nav = at.index;
@@ -33,6 +39,8 @@ core::Status surveyStep(Survey& survey, mission::Set set, uint8_t count, ReadRec
 
 void tellWarnings(const Survey& survey, mission::Set set, uint8_t count) {
     if (count < 2) return;
+    if (survey.mount != 0)
+        tell(Severity::warning, ROM_TEXT("Mission: no mount for item #"), survey.mount);
     if (survey.first_nav == 0)
         tell(Severity::warning, ROM_TEXT("Mission has no NAV command"));
     else if (set == mission::Set::apm1 && survey.first_nav > 1)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // RTL: home, and circles there at ALT_HOLD_RTL above it (negative: at the height it has); or to a
-// rally point at its own height.
+// rally point at its own height. With RTL_AUTOLAND it gives way to the landing of the mission.
+#include <math.h>
+
+#include "firmware/mission/mission.hpp"
 #include "firmware/modes/circling.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
@@ -10,6 +13,25 @@
 #include "firmware/vehicle.hpp"
 
 namespace firmware {
+namespace {
+
+bool lands;  // sooner or later
+
+bool there() {
+    constexpr float kNear_m = 10;
+    const auto& demand = vehicle.demand;
+    return !demand.new_path && vehicle.progress.captured &&
+           fabsf(demand.height_m - vehicle.estimate.height_m) < kNear_m;
+}
+
+void land() {
+    constexpr int8_t kAtOnce = 2;
+    if (parameters.rtl_landing != kAtOnce && !there()) return;
+    lands = false;
+    if (!missionLand()) tell(Severity::warning, ROM_TEXT("RTL: the mission has no DO_LAND_START"));
+}
+
+}  // namespace
 
 Entry startRtl() {
     if (!vehicle.home.set) {
@@ -20,12 +42,14 @@ Entry startRtl() {
         parameters.rtl_height_cm < 0 ? vehicle.estimate.height_m : parameters.rtl_height_cm * 0.01f;
     demandCircle(vehicle.home.position, height_m);
     rallyBegin();
+    lands = parameters.rtl_landing != 0;
     return Entry::entered;
 }
 
 void runRtl() {
     rallyLook(demandCircle);
     mixSticks();
+    if (lands && vehicle.estimate.flying) land();
 }
 
 }  // namespace firmware

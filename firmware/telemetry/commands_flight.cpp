@@ -133,6 +133,15 @@ uint8_t enableFence(Link&, Order& order) {
     return whenTrue(fenceEnable(number(order.item.param1)), MavResult::denied);
 }
 
+uint8_t startLanding(Link&, Order&) {
+    if (!vehicle.estimate.flying) return MavResult::temporarily_rejected;
+    return whenTrue(missionLand(), MavResult::denied);
+}
+
+uint8_t goAround(Link&, Order& order) {
+    return whenTrue(missionGoAround(order.item.param1), MavResult::temporarily_rejected);
+}
+
 uint8_t armOrDisarm(Link&, Order& order) {
     constexpr uint16_t kForceArm = 2989, kForceDisarm = 21196;  // as MAVLink documents them
     const uint16_t magic = number(order.item.param2);

@@ -39,6 +39,8 @@ uint8_t changeAltitude(Link&, Order&);
 uint8_t changeSpeedNow(Link&, Order&);
 uint8_t actNow(Link&, Order&);  // what a mission does at once
 uint8_t enableFence(Link&, Order&);
+uint8_t startLanding(Link&, Order&);
+uint8_t goAround(Link&, Order&);
 uint8_t armOrDisarm(Link&, Order&);
 uint8_t runPrearmChecks(Link&, Order&);
 uint8_t doSetHome(Link&, Order&);

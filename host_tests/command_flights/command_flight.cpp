@@ -271,7 +271,7 @@ bool CommandFlight::everyCommandRan() const {
             const char* letter = kind == mission::Class::condition ? "c" : "a";
             ran |= kind == mission::Class::jump || log_.time_s(letter + std::to_string(i));
         }
-        if (!ran) say(false, std::string(firmware::kCommandTable.rows[row].name) + " did not run");
+        if (!ran) say(false, std::string(firmware::commandName(row)) + " did not run");
         all = all && ran;
     }
     return all;

@@ -54,12 +54,14 @@ std::string idOf(Set set, uint8_t row) {
     return number == mission::kNoId ? "" : hex(number) + " (" + std::to_string(number) + ")";
 }
 
-std::string rowsAsTable() {
+// Those of the two documents, or those beyond them.
+std::string rowsAsTable(uint8_t beyond) {
     const char* const kinds[] = {"NAV", "CONDITION", "DO", "jump"};
     std::string table =
         "| command | APM 2.0 | APM 1.0 | class | |\n| --- | --- | --- | --- | --- |\n";
     for (uint8_t row = 0; row < kCommandTable.count; ++row) {
         const uint8_t traits = kCommandTable.traits(row);
+        if ((traits & mission::kBeyond) != beyond) continue;
         std::string notes;
         const auto note = [&](uint8_t trait, const char* text) {
             if ((traits & trait) != 0) notes += (notes.empty() ? "" : "; ") + std::string(text);
@@ -68,9 +70,9 @@ std::string rowsAsTable() {
         note(mission::kEndsFlight, "ends a flight");
         note(mission::kBeginsFlight, "begins a flight");
         note(mission::kEndsNowhere, "the next leg begins at the airplane");
-        table += "| " + std::string(kCommandTable.rows[row].name) + " | " + idOf(kSet2, row) +
-                 " | " + idOf(kSet1, row) + " | " +
-                 kinds[static_cast<uint8_t>(kCommandTable.kind(row))] + " | " + notes + " |\n";
+        table += "| " + std::string(commandName(row)) + " | " + idOf(kSet2, row) + " | " +
+                 idOf(kSet1, row) + " | " + kinds[static_cast<uint8_t>(kCommandTable.kind(row))] +
+                 " | " + notes + " |\n";
     }
     return table;
 }
@@ -118,6 +120,7 @@ std::string rangeCell(Set set, const mission::Record& sample, int field) {
 std::string sourceOf(Set set, const mission::Record& sample, int field) {
     mission::Record one = sample;
     if (set == kSet2 && field > 2 && sample.id == 0x71) one = with(one, field, 450);
+    if (set == kSet2 && field > 2 && sample.id == 0xCE) one = with(one, field, 1250);
     if (set == kSet2 && field > 3 && sample.id == 0xB2) one = with(one, field, 1250);
     const int32_t before[] = {0, one.p1, one.p2, one.p3, one.p4};
     mission::Record other = with(one, field, before[field] + 1);
@@ -158,16 +161,17 @@ std::string cell(Set set, const mission::Record& sample, int field, const char* 
     return std::string(meaning) + " (" + rangeCell(set, sample, field) + ") ← " + from;
 }
 
-std::string fieldsAsTable(Set set) {
+std::string fieldsAsTable(Set set, uint8_t beyond) {
     std::string table =
         "| id | command | p1 | p2 | p3 | p4 | |\n| --- | --- | --- | --- | --- | --- | --- |\n";
     for (uint8_t row = 0; row < kCommandTable.count; ++row) {
         const uint8_t id = kCommandTable.id(set, row);
-        if (id == mission::kNoId) continue;
+        if (id == mission::kNoId || (kCommandTable.traits(row) & mission::kBeyond) != beyond)
+            continue;
         const Meaning* meaning = meaningOf(set, id);
         EXPECT_NE(meaning, nullptr) << hex(id);
         if (meaning == nullptr) continue;
-        table += "| " + hex(id) + " | " + kCommandTable.rows[row].name;
+        table += "| " + hex(id) + " | " + commandName(row);
         for (int field = 1; field <= 4; ++field)
             table += " | " + cell(set, sampleOf(set, id), field, meaning->field[field - 1]);
         table += " | " + std::string(meaning->does) + " |\n";
@@ -210,14 +214,18 @@ std::string gainsAsTable() {
     return table;
 }
 
-TEST_F(MissionManual, lists_the_commands_of_the_table) { expectPart("rows", rowsAsTable()); }
+TEST_F(MissionManual, lists_the_commands_of_the_table) {
+    expectPart("rows", rowsAsTable(0));
+    expectPart("beyond rows", rowsAsTable(mission::kBeyond));
+}
 
 TEST_F(MissionManual, has_meaning_range_and_origin_of_every_field_of_apm2) {
-    expectPart("apm2", fieldsAsTable(kSet2));
+    expectPart("apm2", fieldsAsTable(kSet2, 0));
+    expectPart("beyond", fieldsAsTable(kSet2, mission::kBeyond));
 }
 
 TEST_F(MissionManual, has_meaning_range_and_origin_of_every_field_of_apm1) {
-    expectPart("apm1", fieldsAsTable(kSet1));
+    expectPart("apm1", fieldsAsTable(kSet1, 0));
 }
 
 TEST_F(MissionManual, lists_the_parameters_that_the_gains_go_to) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every row of both command tables: its class, the ranges of its fields, its way up and down.
+#include <set>
+
 #include "firmware/mission/handlers.hpp"
 #include "rig.hpp"
 #include "samples.hpp"
@@ -28,6 +30,17 @@ TEST_F(Rows, have_a_good_record_each_and_no_id_is_without_a_row) {
     });
     for (const Sample& sample : kSamples)
         EXPECT_NE(kCommandTable.find(sample.set, sample.record.id), mission::kNoRow);
+}
+
+// The two documents that name the sets, and what missions of this board hold besides.
+TEST_F(Rows, beyond_the_documents_are_marked_as_such) {
+    std::set<int> beyond;
+    forEveryRow([&](Set set, uint8_t row) {
+        if ((kCommandTable.traits(row) & mission::kBeyond) == 0) return;
+        EXPECT_EQ(set, kSet2);
+        beyond.insert(kCommandTable.id(set, row));
+    });
+    EXPECT_EQ(beyond, (std::set<int>{30, 31, 189, 201, 203, 205, 206, 207, 210}));
 }
 
 TEST_F(Rows, are_of_the_class_that_their_id_says) {
@@ -81,6 +94,17 @@ std::vector<Ends> everyEnd() {
         {kSet2, 0xB8, 2, {{0, 32767}}, 3},
         {kSet2, 0xB8, 3, {{1, 60}}, 4},
         {kSet2, 0xB8, 4, {{0, 0}, {800, 2200}}, 2},
+        {kSet2, 0x1E, 1, {{0, 2}}, 1},
+        {kSet2, 0x1F, 1, {{0, 1}}, 1},
+        {kSet2, 0xC9, 1, {{0, 4}}, 1},
+        {kSet2, 0xCD, 1, {{0, 6}}, 7},
+        {kSet2, 0xCD, 2, {{-360, 360}}, 1},
+        {kSet2, 0xCD, 3, {{-360, 360}}, 2},
+        {kSet2, 0xCD, 4, {{-360, 360}}, 3},
+        {kSet2, 0xCE, 2, {{0, 10000}}, 1},
+        {kSet2, 0xCE, 3, {{0, 1000000}}, 1},
+        {kSet2, 0xCF, 1, {{0, 2}}, 1},
+        {kSet2, 0xD2, 1, {{0, 0}}, 1},
         {kSet1, 0x16, 1, {{0, 60}}, 1},
         {kSet1, 0x21, 1, {{11, 255}}, 1},
         {kSet1, 0x21, 3, {{0, 0}, {11, 10000}}, 1},
@@ -104,7 +128,8 @@ std::vector<Ends> everyEnd() {
         {kSet1, 0x82, 2, {{0, 2000}}, 2},
     };
     // clang-format on
-    for (const uint8_t id : {0x10, 0x11, 0x12, 0x13, 0x14, 0x15, 0x17, 0xB3}) {
+    for (const uint8_t id :
+         {0x10, 0x11, 0x12, 0x13, 0x14, 0x15, 0x17, 0x1E, 0x1F, 0xB3, 0xBD, 0xC9}) {
         ends.push_back({kSet2, id, 3, {kLatitudes}, 5});
         ends.push_back({kSet2, id, 4, {kLongitudes}, 6});
     }
@@ -251,8 +276,9 @@ TEST_F(Rows, come_back_from_the_ground_as_they_were_stored) {
 TEST_F(Rows, above_terrain_is_refused_of_every_command_with_an_altitude) {
     for (const Sample& sample : kSamples) {
         if (sample.set == kSet1) continue;
-        const bool altitude =
-            sample.record.id < 0x20 || sample.record.id == 0x71 || sample.record.id == 0xB3;
+        MissionItem item;
+        decodeItem(kSet2, kSampleSite.index, sample.record, item);
+        const bool altitude = item.z != 0 && sample.record.id != 0xCD;  // a mount's z is a number
         mission::Record record = sample.record;
         record.options = mission::kAboveTerrain;
         EXPECT_EQ(answerTo(kSet2, record), altitude ? 2 : 0) << int(record.id);

@@ -81,20 +81,20 @@ inline Jump first(const Record&) { return {1, kForEver}; }
 inline Jump anywhere(const Record& record) { return {static_cast<uint8_t>(record.p2), kForEver}; }
 
 constexpr Row kRows[] ROM = {
-    nav(0x10, 16, "WAYPOINT", 0, inRange, begin, navDone, kPlaced),
-    nav(0x15, 21, "LAND", 0, inRange, begin, navDone, kPlaced | kEndsFlight),
-    nav(0x16, 22, "TAKEOFF", 0, inRange, begin, navDone, kEndsNowhere | kBeginsFlight),
-    condition(0x20, kNoId, "DELAY", 0, inRange, wait, waited),
-    condition(kNoId, 112, "DELAY", 0, inRange, wait, waited),
-    action(0x81, kNoId, "RELAY", 0, inRange, doIt),
-    action(kNoId, 181, "RELAY", 0, inRange, doIt),
-    jump(kNoId, 177, "JUMP", 0, jumpInRange, counted),
-    jump(0x31, kNoId, "TO ONE", 0, inRange, first),
-    jump(0x75, kNoId, "JUMP", 0, inRange, anywhere),
+    nav(0x10, 16, 0, inRange, begin, navDone, kPlaced),
+    nav(0x15, 21, 0, inRange, begin, navDone, kPlaced | kEndsFlight),
+    nav(0x16, 22, 0, inRange, begin, navDone, kEndsNowhere | kBeginsFlight),
+    condition(0x20, kNoId, 0, inRange, wait, waited),
+    condition(kNoId, 112, 0, inRange, wait, waited),
+    action(0x81, kNoId, 0, inRange, doIt),
+    action(kNoId, 181, 0, inRange, doIt),
+    jump(kNoId, 177, 0, jumpInRange, counted),
+    jump(0x31, kNoId, 0, inRange, first),
+    jump(0x75, kNoId, 0, inRange, anywhere),
 };
 static_assert(idsAreUnique(kRows), "");
 static_assert(traitsMakeSense(kRows), "");
-static_assert(idsIn(kRows, Set::apm1) == 7 && idsIn(kRows, Set::apm2) == 6, "");
+static_assert(idsIn(kRows, Set::apm1, 0) == 7 && idsIn(kRows, Set::apm2, 0) == 6, "");
 const Table table = {kRows, static_cast<uint8_t>(core::count(kRows))};
 
 inline core::Status readStored(uint8_t index, uint8_t* to) {

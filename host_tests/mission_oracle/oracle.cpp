@@ -4,7 +4,7 @@
 namespace oracle {
 namespace {
 
-constexpr int kLand = 0x15, kTakeoff = 0x16;
+constexpr int kLand = 0x15, kTakeoff = 0x16, kContinue = 0x1E, kToHeight = 0x1F;
 constexpr int kDoJump = 0xB1, kToFirst = 0x31, kToIndex = 0x75;
 constexpr int kForEver = -1;
 
@@ -26,10 +26,12 @@ Kind kindApm1(int id) {
 }
 
 Kind kindApm2(int id) {
-    if (id >= 0x10 && id <= 0x17) return Kind::nav;
+    if ((id >= 0x10 && id <= 0x17) || id == kContinue || id == kToHeight) return Kind::nav;
     if (id >= 0x70 && id <= 0x72) return Kind::condition;
     if (id == kDoJump) return Kind::jump;
-    return id > kDoJump && id <= 0xB8 ? Kind::action : Kind::nothing;
+    static const std::set<int> beyond = {0xBD, 0xC9, 0xCB, 0xCD, 0xCE, 0xCF, 0xD2};
+    const bool action = (id > kDoJump && id <= 0xB8) || beyond.count(id) != 0;
+    return action ? Kind::action : Kind::nothing;
 }
 
 int64_t targetOf(const Command& jump) {
@@ -47,8 +49,10 @@ bool inRange(const Command& command, int index, int count) {
     return target != index && (command.p3 == kForEver || (command.p3 >= 1 && command.p3 <= 32767));
 }
 
-// TAKEOFF and RETURN_TO_LAUNCH have no place of their own that could mean "here".
-bool hasPlace(int id) { return id != 0x14 && id != kTakeoff; }
+// These have no place of their own that could mean "here".
+bool hasPlace(int id) { return id != 0x14 && id != kTakeoff && id != kContinue; }
+// The next leg begins at the airplane.
+bool endsNowhere(int id) { return id == kTakeoff || id == kContinue; }
 
 std::string parameters(const Command& command) {
     return "(" + std::to_string(command.p1) + "," + std::to_string(command.p2) + "," +
@@ -298,7 +302,7 @@ void Interpreter::startNav(bool resumed) {
 void Interpreter::finishNav() {
     say("+" + std::to_string(nav_));
     condition_ = 0;
-    from_here_ = nav_command_.id == kTakeoff;
+    from_here_ = endsNowhere(nav_command_.id);
     on_ground_ = nav_command_.id == kLand;
     // 1.0: the queue stands where the chain came to; what is left of the chain is dropped.
     go(set_ == CommandSet::apm1 ? chain_ : nav_ + 1, true);

@@ -26,13 +26,16 @@ int randomNavId(Random& random, CommandSet set) {
     const int dice = random.below(100);
     if (dice < 10) return 0x15;
     if (dice < 22) return 0x16;
+    if (dice < 32 && set == CommandSet::apm2) return random.from(0x1E, 0x1F);
     return dice < 70 ? 0x10 : random.from(0x10, set == CommandSet::apm1 ? 0x16 : 0x17);
 }
 
 int randomActionId(Random& random, CommandSet set) {
     static constexpr int kApm1[] = {0x30, 0x32, 0x33, 0x34, 0x40, 0x41, 0x42, 0x60,
                                     0x61, 0x64, 0x70, 0x72, 0x73, 0x80, 0x81, 0x82};
-    return set == CommandSet::apm1 ? oneOf(random, kApm1) : random.from(0xB2, 0xB8);
+    static constexpr int kBeyond[] = {0xBD, 0xC9, 0xCB, 0xCD, 0xCE, 0xCF, 0xD2};
+    if (set == CommandSet::apm1) return oneOf(random, kApm1);
+    return random.percent(30) ? oneOf(random, kBeyond) : random.from(0xB2, 0xB8);
 }
 
 Bytes randomJump(Random& random, CommandSet set, int count, int& counters) {

@@ -79,25 +79,28 @@ std::vector<mission::Row> makeRows() {
     const auto range = [&](int first, int last, auto add) {
         for (int id = first; id <= last; ++id) add(static_cast<uint8_t>(id));
     };
-    range(0x10, 0x17, [&](uint8_t id) {
-        const uint8_t traits = id == 0x15   ? mission::kPlaced | mission::kEndsFlight
+    const auto addNav = [&](uint8_t id) {
+        const uint8_t traits = id == 0x1E   ? mission::kEndsNowhere
+                               : id == 0x15 ? mission::kPlaced | mission::kEndsFlight
                                : id == 0x16 ? mission::kEndsNowhere | mission::kBeginsFlight
                                : id == 0x14 ? 0
                                             : mission::kPlaced;
         rows.push_back(
-            mission::nav(id == 0x17 ? kNone : id, id, "NAV", 0, inRange, begin, navDone, traits));
-    });
+            mission::nav(id >= 0x17 ? kNone : id, id, 0, inRange, begin, navDone, traits));
+    };
+    range(0x10, 0x17, addNav);
+    range(0x1E, 0x1F, addNav);
     const auto condition1 = [&](uint8_t id) {
-        rows.push_back(mission::condition(id, kNone, "CONDITION", 0, inRange, wait, waited));
+        rows.push_back(mission::condition(id, kNone, 0, inRange, wait, waited));
     };
     const auto condition2 = [&](uint8_t id) {
-        rows.push_back(mission::condition(kNone, id, "CONDITION", 0, inRange, wait, waited));
+        rows.push_back(mission::condition(kNone, id, 0, inRange, wait, waited));
     };
     const auto action1 = [&](uint8_t id) {
-        rows.push_back(mission::action(id, kNone, "DO", 0, inRange, act));
+        rows.push_back(mission::action(id, kNone, 0, inRange, act));
     };
     const auto action2 = [&](uint8_t id) {
-        rows.push_back(mission::action(kNone, id, "DO", 0, inRange, act));
+        rows.push_back(mission::action(kNone, id, 0, inRange, act));
     };
     range(0x20, 0x21, condition1);
     range(0x70, 0x72, condition2);
@@ -109,9 +112,10 @@ std::vector<mission::Row> makeRows() {
                             {0x80, 0x82}})
         range(ids.first, ids.second, action1);
     range(0xB2, 0xB8, action2);
-    rows.push_back(mission::jump(kNone, 0xB1, "JUMP", 0, jumpInRange, jumpOf));
-    rows.push_back(mission::jump(0x31, kNone, "TO 1", 0, always, toFirst));
-    rows.push_back(mission::jump(0x75, kNone, "JUMP", 0, indexInRange, toIndex));
+    for (const uint8_t id : {0xBD, 0xC9, 0xCB, 0xCD, 0xCE, 0xCF, 0xD2}) action2(id);
+    rows.push_back(mission::jump(kNone, 0xB1, 0, jumpInRange, jumpOf));
+    rows.push_back(mission::jump(0x31, kNone, 0, always, toFirst));
+    rows.push_back(mission::jump(0x75, kNone, 0, indexInRange, toIndex));
     return rows;
 }
 const std::vector<mission::Row> kRows = makeRows();

@@ -19,7 +19,7 @@ TEST(Refusals, name_file_line_column_and_what_was_expected) {
     const struct {
         const char *item, *refusal;
     } cases[] = {
-        {"3 201 0 0 0 0 0 0 0", "m:4:7: expected a command of the APM 2.0 set, found '201'"},
+        {"3 202 0 0 0 0 0 0 0", "m:4:7: expected a command of the APM 2.0 set, found '202'"},
         {"10 16 0 0 0 0 47 8 9",
          "m:4:5: expected an altitude above the sea or above home, not "
          "above terrain, found '10'"},

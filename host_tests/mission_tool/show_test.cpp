@@ -114,8 +114,8 @@ TEST_F(Show, prints_files_and_images_alike_and_what_would_be_refused) {
     const std::string of_file = out_;
     ASSERT_EQ(tool({"show", path("i.eep")}), 0);
     EXPECT_EQ(out_, of_file);
-    ASSERT_EQ(tool({"show", file("bad", between("3 201 0 0 0 0 0 0 0"))}), 0);
-    EXPECT_THAT(out_, HasSubstr("0xC9"));
+    ASSERT_EQ(tool({"show", file("bad", between("3 202 0 0 0 0 0 0 0"))}), 0);
+    EXPECT_THAT(out_, HasSubstr("0xCA"));
     ASSERT_EQ(tool({"show", file("wide", between("3 2000 0 0 0 0 0 0 0"))}), 0);
     EXPECT_THAT(out_, HasSubstr(" 2000\n"));
     EXPECT_THAT(out_, HasSubstr("refused: item 2: expected a command of the APM 2.0 set"));

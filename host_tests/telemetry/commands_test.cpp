@@ -257,7 +257,8 @@ const Case kCases[] = {
     {"an interval of no message", MavCmd::get_message_interval, {-1}, MavResult::denied},
     {"a landing from here", MavCmd::nav_land, {}, MavResult::unsupported},
     {"a parachute", 208, {2}, MavResult::unsupported},
-    {"a go-around", 191, {30}, MavResult::unsupported},
+    {"a go-around of nothing", MavCmd::do_go_around, {30}, MavResult::temporarily_rejected},
+    {"a landing on the ground", MavCmd::do_land_start, {}, MavResult::temporarily_rejected},
     {"a jump outside of a mission", MavCmd::do_jump, {1, 2}, MavResult::unsupported},
     {"a parameter by its slot", MavCmd::do_set_parameter, {87, 4000}, MavResult::unsupported},
 };
@@ -288,6 +289,22 @@ TEST_F(Telemetry, what_a_mission_does_at_once_is_done_on_command) {
     }
     doubles::mission.answer = firmware::MissionResult::invalid_param1;
     EXPECT_EQ(command(MavCmd::do_set_servo, 3, 1500), MavResult::denied);
+}
+
+TEST_F(Telemetry, starts_the_landing_of_the_mission_and_breaks_it_off) {
+    firmware::vehicle.estimate.flying = true;
+    EXPECT_EQ(command(MavCmd::do_land_start), MavResult::denied) << "the mission has none";
+    doubles::mission.land_start = doubles::mission.landing = true;
+    EXPECT_EQ(command(MavCmd::do_land_start), MavResult::accepted);
+    EXPECT_EQ(command(MavCmd::do_go_around, 45), MavResult::accepted);
+    EXPECT_EQ(doubles::mission.around_m, std::vector<float>{45});
+}
+
+TEST_F(Telemetry, takes_pictures_on_command) {
+    EXPECT_EQ(command(MavCmd::do_digicam_control, 0, 0, 0, 0, 1), MavResult::accepted);
+    EXPECT_EQ(command(MavCmd::do_set_cam_trigg_dist, 12.5f), MavResult::accepted);
+    ASSERT_EQ(doubles::mission.acts.size(), 2u);
+    EXPECT_EQ(doubles::mission.acts[1].param1, 12.5f);
 }
 
 TEST_F(Telemetry, a_ground_speed_is_taken_only_by_who_follows_one) {

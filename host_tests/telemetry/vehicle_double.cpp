@@ -94,6 +94,14 @@ MissionResult missionClear() {
 }
 
 void missionRestart() { ++mission.restarts; }
+bool missionLand() {
+    ++mission.landings;
+    return mission.land_start;
+}
+bool missionGoAround(float height_m) {
+    mission.around_m.push_back(height_m);
+    return mission.landing;
+}
 MissionResult missionAct(const MissionItem& item) {
     mission.acts.push_back(item);
     return mission.answer;

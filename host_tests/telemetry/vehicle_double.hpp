@@ -30,6 +30,9 @@ struct Mission {
     std::optional<uint16_t> unsupported;  // a command the vehicle does not know
     int aborts = 0;
     int restarts = 0;
+    bool land_start = false, landing = false;  // there is one to go to; one is flown
+    int landings = 0;
+    std::vector<float> around_m;
     std::vector<firmware::MissionItem> acts;                             // ordered from the ground
     firmware::MissionResult answer = firmware::MissionResult::accepted;  // to every order
 };

@@ -21,6 +21,7 @@ enum Trait : uint8_t {
     kEndsNowhere = 2,  // the next leg begins at the airplane, not at this command's place
     kEndsFlight = 4,   // only a command that begins a flight can follow
     kBeginsFlight = 8,
+    kBeyond = 16,  // in neither of the two sets' documents
 };
 
 struct Entry {
@@ -56,44 +57,28 @@ struct Row {
     Act act;        // condition, action
     Check check;    // nav, condition
     Target target;  // jump
-    char name[24];
 };
 
 // A row is written with the word for its class, so a NAV or CONDITION cannot be written without
 // its check, nor an action with one.
-template <size_t N>
-constexpr Row named(Row row, const char (&name)[N]) {
-    static_assert(N <= sizeof row.name, "the name of a command is too long");
-    for (size_t i = 0; i < N; ++i) row.name[i] = name[i];
+constexpr Row nav(uint8_t apm1_id, uint8_t apm2_id, uint8_t form, Valid valid, Begin begin,
+                  Check check, uint8_t traits) {
+    return {apm1_id, apm2_id, Class::nav, traits, form, valid, begin, nullptr, check, nullptr};
+}
+constexpr Row condition(uint8_t apm1_id, uint8_t apm2_id, uint8_t form, Valid valid, Act act,
+                        Check check) {
+    return {apm1_id, apm2_id, Class::condition, 0, form, valid, nullptr, act, check, nullptr};
+}
+constexpr Row action(uint8_t apm1_id, uint8_t apm2_id, uint8_t form, Valid valid, Act act) {
+    return {apm1_id, apm2_id, Class::action, 0, form, valid, nullptr, act, nullptr, nullptr};
+}
+constexpr Row jump(uint8_t apm1_id, uint8_t apm2_id, uint8_t form, Valid valid, Target target) {
+    return {apm1_id, apm2_id, Class::jump, 0, form, valid, nullptr, nullptr, nullptr, target};
+}
+
+constexpr Row beyond(Row row) {
+    row.traits = static_cast<uint8_t>(row.traits | kBeyond);
     return row;
-}
-template <size_t N>
-constexpr Row nav(uint8_t apm1_id, uint8_t apm2_id, const char (&name)[N], uint8_t form,
-                  Valid valid, Begin begin, Check check, uint8_t traits) {
-    return named(
-        {apm1_id, apm2_id, Class::nav, traits, form, valid, begin, nullptr, check, nullptr, {}},
-        name);
-}
-template <size_t N>
-constexpr Row condition(uint8_t apm1_id, uint8_t apm2_id, const char (&name)[N], uint8_t form,
-                        Valid valid, Act act, Check check) {
-    return named(
-        {apm1_id, apm2_id, Class::condition, 0, form, valid, nullptr, act, check, nullptr, {}},
-        name);
-}
-template <size_t N>
-constexpr Row action(uint8_t apm1_id, uint8_t apm2_id, const char (&name)[N], uint8_t form,
-                     Valid valid, Act act) {
-    return named(
-        {apm1_id, apm2_id, Class::action, 0, form, valid, nullptr, act, nullptr, nullptr, {}},
-        name);
-}
-template <size_t N>
-constexpr Row jump(uint8_t apm1_id, uint8_t apm2_id, const char (&name)[N], uint8_t form,
-                   Valid valid, Target target) {
-    return named(
-        {apm1_id, apm2_id, Class::jump, 0, form, valid, nullptr, nullptr, nullptr, target, {}},
-        name);
 }
 
 template <size_t N>
@@ -111,16 +96,18 @@ constexpr bool idsAreUnique(const Row (&rows)[N]) {
 template <size_t N>
 constexpr bool traitsMakeSense(const Row (&rows)[N]) {
     for (size_t i = 0; i < N; ++i)
-        if (rows[i].kind != Class::nav && rows[i].traits != 0) return false;
+        if (rows[i].kind != Class::nav && (rows[i].traits & ~kBeyond) != 0) return false;
     return true;
 }
 
+// How many ids of the set its document has (traits 0), or are beyond it (kBeyond).
 template <size_t N>
-constexpr uint8_t idsIn(const Row (&rows)[N], Set set) {
+constexpr uint8_t idsIn(const Row (&rows)[N], Set set, uint8_t traits) {
     uint8_t found = 0;
     for (size_t i = 0; i < N; ++i)
         found = static_cast<uint8_t>(
-            found + ((set == Set::apm1 ? rows[i].apm1_id : rows[i].apm2_id) != kNoId));
+            found + ((rows[i].traits & kBeyond) == traits &&
+                     (set == Set::apm1 ? rows[i].apm1_id : rows[i].apm2_id) != kNoId));
     return found;
 }
 

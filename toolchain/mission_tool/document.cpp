@@ -34,7 +34,7 @@ MissionResult judge(mission::Set set, size_t index, size_t count, Entry& entry) 
 }
 
 const char* nameOf(const Entry& entry) {
-    return entry.row == mission::kNoRow ? "?" : kCommandTable.rows[entry.row].name;
+    return entry.row == mission::kNoRow ? "?" : firmware::commandName(entry.row);
 }
 
 bool hasPlace(const Entry& entry) {

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// AUTO goes on at the nearest DO_LAND_START: for RTL_AUTOLAND, for the ground, and for a landing
+// that is flown again. It is looked for a few records at a time.
+#include "firmware/mission/command_table.hpp"
+#include "firmware/mission/engine.hpp"
+#include "firmware/mission/handlers.hpp"
+#include "firmware/modes.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr uint8_t kLandStart = 0xBD;
+
+struct {
+    uint8_t next;      // record to look at; 0: nothing is looked for
+    uint8_t unplaced;  // a start at 0, 0: it lies where the next NAV does; 0: none
+    uint8_t best;      // so far
+    uint8_t landing;   // to be flown again, at least from the place before it; 0: none
+    uint8_t generation;
+    float best_m;  // below 0: no start so far
+    Mode mode;     // in which it was wished for
+} search;
+
+void consider(uint8_t index, const geo::Position& place) {
+    const float distance_m = geo::distance_m(vehicle.estimate.position, place);
+    if (search.best_m >= 0 && distance_m >= search.best_m) return;
+    search.best = index;
+    search.best_m = distance_m;
+}
+
+void look(const Record& record, Site site) {
+    geo::Position place = {record.p3, record.p4};
+    if (record.id != kLandStart) {
+        if (!placeOfNav(record, site, place)) return;
+        if (search.unplaced != 0) consider(search.unplaced, place);
+        if (search.best_m < 0 && site.index < search.landing) search.best = site.index;
+        search.unplaced = 0;
+    } else if (record.p3 == 0 && record.p4 == 0) {
+        search.unplaced = site.index;
+    } else {
+        consider(site.index, place);
+    }
+}
+
+void begin(uint8_t otherwise, uint8_t landing) {
+    search = {1, 0, otherwise, landing, mission_store.generation(), -1, vehicle.mode};
+}
+
+bool landing() { return vehicle.mode == Mode::automatic && vehicle.demand.path == Path::land; }
+
+void goThere() {
+    if (missionSetCurrent(search.best)) (void)setMode(Mode::automatic, ModeReason::mission);
+}
+
+}  // namespace
+
+bool missionLand() {
+    if (mission_survey.land_start == 0 || !missionReady()) return false;
+    if (landing()) return missionGoAround(0);
+    begin(mission_survey.land_start, 0);
+    return true;
+}
+
+// What comes first is a climb straight on, which landDone() ends.
+bool missionGoAround(float height_m) {
+    constexpr float kClear_m = 30;  // above the landing point: the least to turn at
+    if (!landing() || !vehicle.estimate.flying) return false;
+    auto& demand = vehicle.demand;
+    const float least_m = demand.height_m + kClear_m;
+    demand.path = Path::leg;  // the whole line is flown, also beyond its end
+    demand.height_m = height_m > least_m ? height_m : least_m;
+    demand.sloped = false;
+    demand.new_path = true;
+    return true;
+}
+
+void landAgain() {
+    const uint8_t landing = mission_engine.current();
+    if (search.next == 0) begin(landing, landing);
+}
+
+void stepLanding() {
+    if (search.next == 0) return;
+    const bool other = search.generation != mission_store.generation() || missionChanging();
+    if (other || vehicle.mode != search.mode) search.next = 0;
+    for (uint8_t n = 0; n < kRecordsPerCall && search.next != 0; ++n) {
+        const Site site = {search.next, mission_store.count()};
+        uint8_t bytes[mission::kRecordSize];
+        if (mission_store.read(site.index, bytes) != core::Status::ok) return;
+        look(mission::unpack(missionSet(), bytes), site);
+        if (++search.next < site.count) continue;
+        search.next = 0;
+        goThere();
+    }
+}
+
+}  // namespace firmware
