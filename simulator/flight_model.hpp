@@ -2,6 +2,8 @@
 // What flies in the World: the simulator's own airplane, or a flight model in another program.
 #pragma once
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "simulator/airplane/vector.hpp"
@@ -22,6 +24,8 @@ public:
     virtual const Truth& truth() const = 0;
     virtual Vec3 toBody(const Vec3& earth) const = 0;
     virtual void launch() {}
+    // Of a model that has a transmitter of its own.
+    virtual std::optional<std::array<uint16_t, 8>> radio_us() const { return std::nullopt; }
     virtual std::string fault() const { return ""; }  // why it stands still for good
 };
 

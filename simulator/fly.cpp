@@ -14,6 +14,7 @@
 
 #include "simulator/airplane/parameters.hpp"
 #include "simulator/devices/at45db.hpp"
+#include "simulator/fdm/udp_peer.hpp"
 #include "simulator/fly_options.hpp"
 #include "simulator/ground/scripted_flight.hpp"
 #include "simulator/ground/server.hpp"
@@ -65,6 +66,8 @@ double runwayHeading_deg(const Waypoints& items) {
 WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
     WorldOptions world;
     world.airplane = options.airplane;
+    world.fdm = options.fdm;
+    world.fdm_wait_s = options.fdm_wait_s;
     world.latitude_deg = items[0].latitude_deg;
     world.longitude_deg = items[0].longitude_deg;
     world.altitude_m = items[0].altitude_m;
@@ -252,6 +255,7 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
         if (!runStep(*board, static_cast<uint64_t>(step) * kStep_us, recorder)) {
             flight.stop("the firmware stopped: " + board->fault());
         }
+        if (!board->world().fault().empty()) flight.stop(board->world().fault());
         flight.step(board->time_us());
         if (step % kStepsPerSample != 0 && !flight.over()) continue;
         recorder.sample(*board, flight.telemetry(), flight.cruise_speed_mps());
@@ -302,16 +306,18 @@ int serve(const FlyOptions& options, const Waypoints& items) {
               << (other == 0 ? ", USB (USART0) on " : ", USART2 on ") << server.secondPort();
     if (options.lock_step) std::cout << ", time is granted on " << server.controlPort();
     std::cout << "; Ctrl-C ends" << std::endl;
-    const auto stop = [] { return interrupted != 0; };
+    const auto stop = [&board] { return interrupted != 0 || !board->world().fault().empty(); };
     if (options.lock_step) {
         server.runLockStep(stop);
     } else {
         server.runRealTime(stop);
     }
     saveMemories(*board, options);
-    if (board->fault().empty()) return 0;
-    std::cerr << "fly: the firmware stopped: " << board->fault() << "\n";
-    return 1;
+    if (!board->fault().empty())
+        std::cerr << "fly: the firmware stopped: " << board->fault() << "\n";
+    const std::string fault = interrupted != 0 ? "" : board->world().fault();
+    if (!fault.empty()) std::cerr << "fly: " << fault << "\n";
+    return board->fault().empty() && fault.empty() ? 0 : 1;
 }
 
 int fly(const FlyOptions& options) {
@@ -322,6 +328,8 @@ int fly(const FlyOptions& options) {
         const Waypoints items = readWaypoints(options.mission);
         return options.serve ? serve(options, items) : flyScript(options, items);
     } catch (const WrongInput& error) {
+        std::cerr << "fly: " << error.what() << "\n";
+    } catch (const UdpError& error) {
         std::cerr << "fly: " << error.what() << "\n";
     } catch (const AirplaneError& error) {
         std::cerr << "fly: " << error.what() << "\n";

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iostream>
 
+#include "simulator/fdm/json_model.hpp"
+
 namespace simulator {
 namespace {
 
@@ -44,6 +46,9 @@ std::string contradiction(const FlyOptions& options, const CLI::App& app) {
         {options.native && given("--vcd"), "--vcd needs the emulated chip: no --native"},
         {options.native && given("--profile"), "--profile needs the emulated chip: no --native"},
         {options.native && given("--gdb"), "--gdb needs the emulated chip: no --native"},
+        {!options.fdm.empty() && given("--wind"), "--fdm brings its own air: no --wind"},
+        {!options.fdm.empty() && given("--gusts"), "--fdm brings its own air: no --gusts"},
+        {options.fdm.empty() && given("--fdm-wait"), "--fdm-wait needs --fdm"},
         {options.no_dataflash && given("--dataflash"),
          "--dataflash needs the chip: no --no-dataflash"},
         {!options.serve && given("--listen"), "--listen needs --serve or --lock-step"},
@@ -68,6 +73,10 @@ CLI::Validator wholeNumber(const std::string& most) {
         return "expected a whole number up to " + most + ", not '" + text + "'";
     };
     return CLI::Validator(check, "0.." + most);
+}
+
+std::string flightModel(const std::string& text) {
+    return modelAddress(text) ? "" : "expected json:PORT or json:HOST:PORT, not '" + text + "'";
 }
 
 // A forgotten value would take the next option for a file.
@@ -102,6 +111,15 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
         ->capture_default_str();
     app.add_option("--param", o.parameters, ".param file to set by wire instead of the airplane's")
         ->check(fileName);
+    app.add_option(
+           "--fdm", o.fdm,
+           "json:PORT or json:HOST:PORT: a flight model elsewhere, which speaks ArduPilot's "
+           "JSON SITL protocol on that UDP port (9002 as a rule; ours is the next one); of "
+           "--airplane only the parameters count")
+        ->check(flightModel);
+    app.add_option("--fdm-wait", o.fdm_wait_s, "seconds for the flight model to answer first")
+        ->check(seconds)
+        ->capture_default_str();
     app.add_option("--eeprom", o.eeprom,
                    "4096-byte file: contents at power-on if it exists, rewritten at the end")
         ->check(fileName);

@@ -17,6 +17,8 @@ struct FlyOptions {
     bool gusts = false;
     uint64_t seed = 1;
     double time_limit_s = 1200;
+    std::string fdm;  // "json:PORT"; empty: the airplane is the simulator's own
+    double fdm_wait_s = 30;
     bool serve = false, lock_step = false;
     bool telemetry_on_uart0 = false;
     uint16_t listen = 5760;

@@ -15,6 +15,7 @@
 #include "simulator/devices/ms5611.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/devices/ublox_gps.hpp"
+#include "simulator/fdm/json_model.hpp"
 #include "simulator/own_airplane.hpp"
 
 namespace simulator {
@@ -42,6 +43,11 @@ At45dbOptions dataflashFor(const WorldOptions& options) {
     return dataflash;
 }
 
+std::unique_ptr<FlightModel> modelFor(const WorldOptions& options, const SensorErrors& errors) {
+    if (!options.fdm.empty()) return std::make_unique<JsonModel>(options);
+    return std::make_unique<OwnAirplane>(options, errors.gust_mps);
+}
+
 CompassMount compassFor(const WorldOptions& options) {
     CompassMount compass;
     compass.kind = options.hmc5843 ? CompassKind::hmc5843 : CompassKind::hmc5883l;
@@ -56,7 +62,7 @@ struct World::Parts {
         : errors(errorsFor(options)),
           field_mg(northEastDown_mg(
               {options.declination_deg, options.inclination_deg, options.magnetic_field_mg})),
-          model(std::make_unique<OwnAirplane>(options, errors.gust_mps)),
+          model(modelFor(options, errors)),
           imu(options.seed, errors),
           barometer(options.seed, errors),
           compass(options.seed, errors, compassFor(options)),
@@ -136,6 +142,7 @@ void World::advanceTo(uint64_t now_us) {
         if (next_us == step_us) {
             p.model->step(p.pulses());
             p.sense();
+            if (const auto pulses = p.model->radio_us()) p.radio.sticks(*pulses, true);
         } else if (next_us == imu_us) {
             p.imu.sample(p.model->truth(), next_us);
         } else {

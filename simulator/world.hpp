@@ -11,6 +11,8 @@ namespace simulator {
 
 struct WorldOptions {
     std::string airplane = "foam_trainer";
+    std::string fdm;         // a flight model elsewhere instead: "json:PORT"
+    double fdm_wait_s = 30;  // how long it may take to answer first
     double latitude_deg = 47.3977, longitude_deg = 8.5456, altitude_m = 488.0;  // where it stands
     double heading_deg = 0.0;
     double wind_mps = 0.0, wind_from_deg = 0.0;  // mean wind at and above 10 m

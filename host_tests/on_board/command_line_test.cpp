@@ -81,7 +81,12 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"--native --airplane no_such", "no_such.json: no such airplane"},
         Wrong{"--native --airplane /etc/passwd", "/etc/passwd"},
         Wrong{"--native --param /no/such.param", "/no/such.param: cannot be read"},
-        Wrong{"--native --param /etc/passwd", "passwd:1:"},
+        Wrong{"--native --param /etc/passwd", "passwd:1:"}, Wrong{"--fdm 9002", "json:PORT"},
+        Wrong{"--fdm json:", "json:PORT"}, Wrong{"--fdm json:0", "json:PORT"},
+        Wrong{"--fdm json:65535", "json:PORT"}, Wrong{"--fdm json:9002x", "json:PORT"},
+        Wrong{"--fdm json:9002 --wind 5,1", "own air"}, Wrong{"--fdm json:9002 --gusts", "own air"},
+        Wrong{"--fdm-wait 3", "--fdm"}, Wrong{"--fdm json:9002 --fdm-wait 0", "--fdm-wait"},
+        Wrong{"--native --fdm json:no.such.host.invalid:9002", "no.such.host.invalid"},
         Wrong{"--native --firmware x.elf", "--native"}, Wrong{"--serve some.waypoints", "--serve"},
         Wrong{"/no/such/mission.waypoints", "/no/such/mission.waypoints"},
         Wrong{"--firmware /no/such.elf", "/no/such.elf"},
@@ -97,10 +102,11 @@ TEST(Help, names_every_option) {
 
     EXPECT_EQ(run.status, 0);
     for (const char* option :
-         {"MISSION",     "--board",     "--native",     "--airplane",     "--param",
-          "--firmware",  "--eeprom",    "--dataflash",  "--no-dataflash", "--wind",
-          "--gusts",     "--seed",      "--time-limit", "--out",          "--serve",
-          "--telemetry", "--lock-step", "--listen",     "--vcd",          "--gdb"}) {
+         {"MISSION",        "--board", "--native",    "--airplane",  "--fdm",
+          "--fdm-wait",     "--param", "--firmware",  "--eeprom",    "--dataflash",
+          "--no-dataflash", "--wind",  "--gusts",     "--seed",      "--time-limit",
+          "--out",          "--serve", "--telemetry", "--lock-step", "--listen",
+          "--vcd",          "--gdb"}) {
         EXPECT_THAT(run.output, HasSubstr(option));
     }
 }

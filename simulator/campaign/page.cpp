@@ -2,6 +2,8 @@
 // The campaign's page: a verdict, the distribution and the table of every figure, and the flights
 // that failed.
 #include <algorithm>
+#include <cctype>
+#include <regex>
 
 #include "simulator/campaign/statistics.hpp"
 #include "simulator/report/chart.hpp"
@@ -31,29 +33,50 @@ Points distribution(const std::vector<double>& sorted) {
     return points;
 }
 
-// One chart for a mission, a line for every airplane and wind.
+// "crosstrack_rms_m" as "Crosstrack rms, m".
+std::string spelled(std::string figure) {
+    const size_t unit = figure.rfind('_');
+    figure[0] = static_cast<char>(std::toupper(figure[0]));
+    std::string words = figure.substr(0, unit) + ", " + figure.substr(unit + 1);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return std::regex_replace(words, std::regex(" mps$"), " m/s");
+}
+
+template <class Of>
+std::vector<std::string> different(const std::vector<CampaignResult>& results, Of of) {
+    std::vector<std::string> names;
+    for (const auto& result : results) {
+        const std::string name = of(result.flight);
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    return names;
+}
+std::vector<std::string> airplanesOf(const std::vector<CampaignResult>& results) {
+    return different(results, [](const CampaignFlight& f) { return f.airplaneName(); });
+}
+// Each mission in each wind.
+std::vector<std::string> placesOf(const std::vector<CampaignResult>& results) {
+    return different(results,
+                     [](const CampaignFlight& f) { return f.missionName() + " " + f.wind.name(); });
+}
+
+// A mission in a wind: a line for every airplane.
 std::string chartOf(const std::vector<CampaignResult>& results, const std::string& figure,
-                    const std::string& mission) {
+                    const std::string& place) {
     Chart chart;
-    chart.x_label = mission + ": " + figure;
+    chart.x_label = place + ": " + spelled(figure);
     chart.y_label = "flights, %";
     chart.y_from = 0;
     chart.y_to = 100;
-    std::vector<std::string> done;
-    for (const auto& result : results) {
-        const std::string group = result.flight.group();
-        if (result.flight.missionName() != mission ||
-            std::find(done.begin(), done.end(), group) != done.end())
-            continue;
-        const bool calm = result.flight.wind.calm();
-        const auto values = valuesOf(results, group, figure);
+    chart.width = 520;
+    const auto airplanes = airplanesOf(results);
+    for (size_t i = 0; i < airplanes.size(); ++i) {
+        const auto values = valuesOf(results, airplanes[i] + " " + place, figure);
         if (!values.empty())
-            chart.lines.push_back({result.flight.airplaneName() + " " + result.flight.wind.name(),
-                                   kColours[done.size() % std::size(kColours)],
-                                   calm ? Stroke::dashed : Stroke::solid, distribution(values)});
-        done.push_back(group);
+            chart.lines.push_back({airplanes[i], kColours[i % std::size(kColours)], Stroke::solid,
+                                   distribution(values)});
     }
-    return chart.lines.empty() ? "" : drawChart(chart);
+    return chart.lines.empty() ? "" : "<div>" + drawChart(chart) + "</div>";
 }
 
 std::string tableOf(const std::vector<Spread95>& spreads, const std::string& figure) {
@@ -90,12 +113,6 @@ std::string cards(const std::vector<CampaignResult>& results, double wall_s) {
 
 std::string campaignPage(const std::vector<CampaignResult>& results, double wall_s) {
     const long bad = failures(results);
-    std::vector<std::string> missions;
-    for (const auto& result : results) {
-        const std::string name = result.flight.missionName();
-        if (std::find(missions.begin(), missions.end(), name) == missions.end())
-            missions.push_back(name);
-    }
     std::string page =
         htmlHead("Campaign") + "<header><h1>Campaign</h1><span class=\"verdict" +
         (bad == 0 ? "\">every flight completed"
@@ -106,10 +123,11 @@ std::string campaignPage(const std::vector<CampaignResult>& results, double wall
     const auto spreads = spreadsOf(results);
     for (const auto& figure : figuresOf(results)) {
         std::string body;
-        for (const auto& mission : missions) body += chartOf(results, figure, mission);
-        page += htmlSection(figure, body + tableOf(spreads, figure),
-                            "Of all flights of a line, so many per cent are at or below the "
-                            "value. Dashed: calm air. Wind: m/s, from degrees, with gusts.");
+        for (const auto& place : placesOf(results)) body += chartOf(results, figure, place);
+        page += htmlSection(spelled(figure),
+                            "<div class=\"pair\">" + body + "</div>" + tableOf(spreads, figure),
+                            "Of an airplane's flights so many per cent are at or below the value. "
+                            "Wind: m/s, from degrees, with gusts.");
     }
     if (!results.empty())
         page += htmlSection(
