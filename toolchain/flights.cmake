@@ -68,6 +68,16 @@ set_tests_properties(flight.native_modes PROPERTIES LABELS native TIMEOUT 900)
 set_tests_properties(flight.elf_modes PROPERTIES LABELS simavr TIMEOUT 900
                      FIXTURES_SETUP elf_modes FIXTURES_REQUIRED image_minutes)
 
+# what stands beyond the sets' documents
+add_executable(beyond_flight host_tests/command_flights/beyond/beyond_flight.cpp)
+target_compile_options(beyond_flight PRIVATE ${HOUSE_WARNINGS})
+target_link_libraries(beyond_flight PRIVATE firmware_native simulator_native simulator_ground
+                      simulator_world)
+add_test(NAME flight.native_beyond
+         COMMAND beyond_flight ${CMAKE_SOURCE_DIR}/simulator/missions/beyond.waypoints
+                 ${flights}/native_minutes)
+set_tests_properties(flight.native_beyond PROPERTIES LABELS native TIMEOUT 300)
+
 # every CONDITION and DO of each set, beside the oracle
 file(GLOB command_flight_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/command_flights/*.cpp)
 add_executable(command_flight ${command_flight_sources}

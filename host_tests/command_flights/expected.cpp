@@ -44,6 +44,14 @@ const std::vector<Expected> kApm2 = {
     {"SET_HOME here: it flies at 0 m",          "a12",  1.0, kHeight, -6, 6},
     {"SET_HOME as given: 488 m again",          "a14",  1.0, kHeight, 45, 75},
     {"CHANGE_ALT ends near 50 m",               "-16",  0.3, kHeight, 47, 53},
+    pulse("RC7_FUNCTION 10: before",            "a29", -0.05, 7, 1500),
+    pulse("DIGICAM_CONTROL: the shutter",       "a36",  0.15, 7, 1300),
+    pulse("for CAM_DURATION",                   "a36",  0.9, 7, 1300),
+    pulse("and let go",                         "a36",  1.4, 7, 1100),
+    pulse("SET_CAM_TRIGG_DIST: after 25 m",     "a35",  2.6, 7, 1300),
+    pulse("and let go",                         "a35",  3.4, 7, 1100),
+    pulse("SET_CAM_TRIGG_DIST 0: no more",      "a38",  4.0, 7, 1100),
+    pulse("SET_CAM_TRIGG_DIST 0: no more",      "a38",  7.0, 7, 1100),
 };
 
 const std::vector<Expected> kApm1 = {
@@ -96,7 +104,8 @@ const std::vector<Expected> kApm1 = {
 };
 // clang-format on
 
-const std::vector<ExpectedParameter> kApm2Parameters = {{"WP_RADIUS", 35}, {"YAW2SRV_DAMP", 0.35}};
+const std::vector<ExpectedParameter> kApm2Parameters = {
+    {"WP_RADIUS", 35}, {"YAW2SRV_DAMP", 0.35}, {"RC7_FUNCTION", 10}};
 const std::vector<ExpectedParameter> kApm1Parameters = {
     {"RLL2SRV_P", 0.8},    {"RLL2SRV_I", 0.25},  {"PTCH2SRV_D", 0.04},
     {"YAW2SRV_IMAX", 125}, {"KFF_RDDRMIX", 0.4}, {"RC5_TRIM", 1510},

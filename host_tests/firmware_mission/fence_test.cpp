@@ -75,6 +75,34 @@ protected:
     static void comeBack() { goTo(beside(0, 0)); }
 };
 
+TEST_F(Fence, a_mission_switches_it) {
+    raise();
+    ASSERT_TRUE(fenceEnable(0));
+    fly({command(207, 1), waypoint(500), command(207, 0), waypoint(900)});
+    EXPECT_TRUE(fenceOn());
+    tenths(2);
+    EXPECT_EQ(fenceReport().breach, Breach::none);
+    reach();
+    EXPECT_FALSE(fenceOn());
+}
+
+TEST_F(Fence, a_mission_takes_its_floor_away) {
+    parameters.fence_min_m = 40;
+    parameters.fence_max_m = 100;
+    raise();
+    tenths(2);  // above the floor
+    fly({command(207, 2), waypoint(500)});
+    vehicle.estimate.height_m = 20;
+    tenths(2);
+    EXPECT_EQ(fenceReport().breach, Breach::none);
+    ASSERT_TRUE(fenceEnable(1));
+    vehicle.estimate.height_m = 50;
+    tenths(2);
+    vehicle.estimate.height_m = 20;
+    tenths(2);
+    EXPECT_EQ(fenceReport().breach, Breach::minalt);
+}
+
 TEST_F(Fence, whoever_leaves_it_is_flown_to_the_return_point) {
     raise();
     setMode(Mode::fbwa, ModeReason::pilot);

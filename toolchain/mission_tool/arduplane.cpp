@@ -54,7 +54,7 @@ void pack15(Record record, uint8_t* to) {
 std::string arduPlaneIn(const Image& image) {
     if (image[0] != 'P' || image[1] != 'A') return "";  // the mark of its parameters
     if (get32(image.data() + kFirst) == kVersionOf3) {
-        return "ArduPlane's EEPROM, 3.0 or later: download its mission with a ground station";
+        return "ArduPlane's EEPROM, 3.0 or later: --records 15 reads its mission";
     }
     return "ArduPlane's EEPROM: --records 15 reads the mission of a 2.x board";
 }
@@ -63,8 +63,7 @@ Document readRecords15(const Image& image, const std::string& name, size_t count
     if (count > kMost) {
         throw WrongInput(name + ": --count: expected at most " + std::to_string(kMost));
     }
-    if (get32(image.data() + kFirst) == kVersionOf3)
-        throw WrongInput(name + ": " + arduPlaneIn(image));
+    if (get32(image.data() + kFirst) == kVersionOf3) return readMissionOf3(image, name, count);
     Document document;
     document.name = name;
     for (size_t index = 0; index < (count != 0 ? count : kMost); ++index) {
@@ -87,6 +86,9 @@ Document readRecords15(const Image& image, const std::string& name, size_t count
 Image writeRecords15(const Document& document, const Image& onto) {
     if (document.set != mission::Set::apm2) {
         throw WrongInput(document.name + ": 15-byte records hold the APM 2.0 set only");
+    }
+    if (get32(onto.data() + kFirst) == kVersionOf3) {
+        throw WrongInput("a board of ArduPlane 3.0 or later: only a ground station writes to it");
     }
     if (document.entries.size() > kMost) {
         throw WrongInput(document.name + ": expected at most " + std::to_string(kMost) + " items");

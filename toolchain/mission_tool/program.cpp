@@ -139,9 +139,11 @@ void addOptions(CLI::App& app, const Command& command, Options& o) {
     app.add_option("--set", o.set, "apm1 or apm2: the set FILE is in")
         ->check(CLI::IsMember({"apm1", "apm2"}));
     app.add_option("--records", o.records,
-                   "15: FILE, or OUT when FILE is text, is the image of an ArduPlane 2.x board")
+                   "15: FILE, or OUT when FILE is text, is the image of an ArduPlane 2.x board; "
+                   "FILE of 3.x, too")
         ->check(CLI::IsMember({14, 15}));
-    app.add_option("--count", o.count, "items in such an image: the board's CMD_TOTAL, plus home");
+    app.add_option("--count", o.count,
+                   "items in such an image: the board's CMD_TOTAL, plus home, or MIS_TOTAL");
     app.add_option("--onto", o.onto,
                    "image of the board the mission is for: everything else in it stays, and its "
                    "parameters set the ranges; else a blank EEPROM");

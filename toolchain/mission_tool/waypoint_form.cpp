@@ -141,15 +141,19 @@ Document parseWaypointFile(const std::string& contents, const std::string& name,
     return document;
 }
 
+std::string itemsAsWaypoints(const std::vector<MissionItem>& items) {
+    std::string text = std::string(kHeader) + '\n';
+    for (size_t i = 0; i < items.size(); ++i) text += lineOf(i, items[i]);
+    return text;
+}
+
 std::string recordsAsWaypoints(const Document& document) {
     if (document.set != Set::apm2) return "";
-    std::string text = std::string(kHeader) + '\n';
-    for (size_t i = 0; i < document.entries.size(); ++i) {
-        MissionItem item = {};
+    std::vector<MissionItem> items(document.entries.size());
+    for (size_t i = 0; i < items.size(); ++i)
         firmware::decodeItem(document.set, static_cast<uint8_t>(i), document.entries[i].record,
-                             item);
-        text += lineOf(i, item);
-    }
+                             items[i]);
+    const std::string text = itemsAsWaypoints(items);
     try {
         const Document again = parseWaypointFile(text, document.name, document.set);
         for (const Entry& entry : again.entries)
