@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/arming.hpp"
 
+#include "board.hpp"
+#include "firmware/calibration/calibration.hpp"
+#include "firmware/calibration/compass.hpp"
 #include "firmware/fence.hpp"
 #include "firmware/home.hpp"
+#include "firmware/log/log.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/modes.hpp"
 #include "firmware/parameters.hpp"
@@ -14,7 +18,7 @@
 namespace firmware {
 namespace {
 
-// ARMING_CHECK: bit 0 asks for all of them
+// ARMING_CHECK: bit 0 asks for all of them; what is kAlways nothing leaves out.
 enum CheckBit : uint16_t {
     kAll = 1,
     kBarometer = 2,
@@ -26,15 +30,62 @@ enum CheckBit : uint16_t {
     kBoardVoltage = 128,
     kBattery = 256,
     kAirspeed = 512,
+    kLogging = 1024,
+    kMission = 16384,
+    kAlways = 0xFFFF,
 };
 
-bool inertialBad() { return !vehicle.imu.healthy || !vehicle.imu.calibrated; }
+uint8_t number;  // that takes the place of '#'
+
+bool boardBad() {
+    number = board::kModel;
+    return wrongBoard();
+}
+bool calibrationRuns() { return calibrating() > Calibrating::rest; }
+bool inertialBad() { return !vehicle.imu.healthy; }
+bool gyrosUnknown() { return !vehicle.imu.calibrated; }
+
+// At rest it feels the earth and nothing else: 0.8 to 1.2 g, held or rocked by the wind too.
+bool accelerometersBad() {
+    const auto square = [](core::Fixed<8> axis) {
+        const int16_t tenths = axis.raw / 26;  // 0.1 m/s2
+        return core::product(tenths, tenths);
+    };
+    const auto& force = vehicle.imu.accel_mss;
+    const int32_t length = square(force.x) + square(force.y) + square(force.z);
+    return length < 78L * 78 || length > 118L * 118;
+}
 bool attitudeBad() { return !vehicle.attitude.aligned; }
 bool barometerBad() { return !vehicle.baro.healthy; }
+
 bool compassBad() { return parameters.compass_use != 0 && !vehicle.compass.healthy; }
+// The earth's field is 230 to 670 milligauss; what is far from that is a magnet or a motor's wire.
+bool fieldBad() {
+    constexpr float kLeast_mg = 185, kMost_mg = 875;
+    const float square = core::dot(vehicle.compass.field_mg, vehicle.compass.field_mg);
+    return parameters.compass_use != 0 &&
+           (square < kLeast_mg * kLeast_mg || square > kMost_mg * kMost_mg);
+}
+
 bool gpsBad() { return vehicle.gps.fix != GpsFix::three_d || !vehicle.estimate.known; }
+bool dilutionBad() { return vehicle.gps.hdop_c > 350; }
+
 bool radioBad() { return vehicle.radio.lost || vehicle.radio.good_ms == 0; }
 bool throttleUp() { return !radioBad() && vehicle.radio.throttle_pct > 3; }
+// Of the four that fly: a way of less than 200 us to either side has not been set, it is a mistake.
+bool radioUncalibrated() {
+    const int8_t flown[] = {parameters.map_roll, parameters.map_pitch, parameters.map_throttle,
+                            parameters.map_yaw};
+    for (const int8_t flown_by : flown) {
+        const Channel& range = parameters.channel[flown_by - 1];
+        number = static_cast<uint8_t>(flown_by);
+        if (range.min_us > 1300 || range.max_us < 1700 || range.trim_us < range.min_us ||
+            range.trim_us > range.max_us)
+            return true;
+    }
+    return false;
+}
+
 bool airspeedBad() {
     return parameters.airspeed_enable != 0 && parameters.airspeed_use != 0 &&
            !vehicle.airspeed.healthy;
@@ -48,36 +99,50 @@ bool batteryBad() {
     return parameters.battery_monitor != 0 && vehicle.battery.voltage_mv > 6000 &&
            vehicle.battery.voltage_mv < 9900;
 }
+bool missionBad() { return !missionKnown(); }
+bool loggingBad() { return parameters.log_bitmask != 0 && !flight_logs.usable(); }
 
 struct Check {
     uint16_t bit;
     bool (*fails)();
-    char reason[25];
+    char reason[33];
 };
 
+// The first that fails is told.
 // clang-format off
 constexpr Check kChecks[] ROM = {
-    {kInertial,     inertialBad,     "PreArm: gyros not ready"},
-    {kInertial,     attitudeBad,     "PreArm: attitude"},
-    {kBarometer,    barometerBad,    "PreArm: barometer"},
-    {kCompass,      compassBad,      "PreArm: compass"},
-    {kGps,          gpsBad,          "PreArm: no GPS fix"},
-    {kAirspeed,     airspeedBad,     "PreArm: airspeed sensor"},
-    {kRadio,        radioBad,        "PreArm: no radio"},
-    {kRadio,        throttleUp,      "PreArm: throttle is up"},
-    {kBoardVoltage, boardVoltageBad, "PreArm: board voltage"},
-    {kBattery,      batteryBad,      "PreArm: battery low"},
-    {kParameters,   fenceBad,        "PreArm: fence not fit"},
+    {kAlways,       boardBad,          "Wrong board: made for an APM #"},
+    {kAlways,       calibrationRuns,   "PreArm: calibrating"},
+    {kInertial,     inertialBad,       "PreArm: gyros not healthy"},
+    {kInertial,     gyrosUnknown,      "PreArm: gyros not ready"},
+    {kInertial,     accelerometersBad, "PreArm: accelerometers"},
+    {kInertial,     attitudeBad,       "PreArm: attitude"},
+    {kBarometer,    barometerBad,      "PreArm: barometer"},
+    {kCompass,      compassBad,        "PreArm: compass"},
+    {kCompass,      fieldBad,          "PreArm: compass: check mag field"},
+    {kGps,          gpsBad,            "PreArm: no GPS fix"},
+    {kGps,          dilutionBad,       "PreArm: high GPS HDOP"},
+    {kAirspeed,     airspeedBad,       "PreArm: airspeed sensor"},
+    {kRadio,        radioBad,          "PreArm: no radio"},
+    {kRadio,        radioUncalibrated, "PreArm: RC# not calibrated"},
+    {kRadio,        throttleUp,        "PreArm: throttle is up"},
+    {kBoardVoltage, boardVoltageBad,   "PreArm: board voltage"},
+    {kBattery,      batteryBad,        "PreArm: battery low"},
+    {kMission,      missionBad,        "PreArm: mission not readable"},
+    {kParameters,   fenceBad,          "PreArm: fence not fit"},
+    {kLogging,      loggingBad,        "PreArm: no log chip"},
 };
 // clang-format on
 
 constexpr uint32_t kRudderArms_ms = 3000;
 constexpr int16_t kFullRudder_cd = 4000;
-constexpr uint32_t kRemind_ms = 30000;
+constexpr uint16_t kRemind_ms = 30000, kRemindSoon_ms = 5000;
+constexpr uint32_t kNotBefore_ms = 10000;  // the sensors need a while
 
 uint32_t rudder_since_ms;
-uint32_t reminded_ms;
+uint32_t reminded_ms = kNotBefore_ms - kRemind_ms;
 uint32_t landed_ms;
+bool ready;  // as runArming found it
 
 void armNow() {
     vehicle.armed = true;
@@ -85,25 +150,35 @@ void armNow() {
     tell(Severity::notice, ROM_TEXT("Throttle armed"));
 }
 
-// Right rudder for three seconds with the throttle closed, in a mode where the pilot has it.
+// Full rudder for three seconds with the throttle closed, in a mode where the pilot has it: to the
+// right arms, to the left, on the ground, disarms. ARMING_RUDDER: 0 neither, 1 arms only, 2 both.
 void runRudderArming() {
-    const bool asks = !vehicle.armed && !vehicle.radio.lost && !autoThrottle() &&
-                      vehicle.radio.throttle_pct == 0 && vehicle.radio.yaw_cd > kFullRudder_cd;
+    const auto& radio = vehicle.radio;
+    const int16_t rudder_cd = vehicle.armed ? -radio.yaw_cd : radio.yaw_cd;
+    const bool asks = parameters.arming_rudder > vehicle.armed && !radio.lost && !autoThrottle() &&
+                      !vehicle.estimate.flying && radio.throttle_pct == 0 &&
+                      rudder_cd > kFullRudder_cd;
     const uint32_t now_ms = hal::now_ms();
     if (!asks) {
         rudder_since_ms = now_ms;
     } else if (now_ms - rudder_since_ms >= kRudderArms_ms) {
         rudder_since_ms = now_ms;
-        arm(ArmReason::pilot, false);
+        if (vehicle.armed) {
+            disarm(ArmReason::pilot, false);
+        } else {
+            arm(ArmReason::pilot, false);
+        }
     }
 }
 
 void remind() {
     const core::RomText why = prearmFailure();
+    ready = why == nullptr;
     const uint32_t now_ms = hal::now_ms();
-    if (why == nullptr || now_ms - reminded_ms < kRemind_ms) return;
+    const uint16_t pause_ms = wrongBoard() ? kRemindSoon_ms : kRemind_ms;
+    if (ready || now_ms - reminded_ms < pause_ms) return;
     reminded_ms = now_ms;
-    tell(Severity::warning, why);
+    tell(Severity::warning, why, number);
 }
 
 // After a landing of AUTO: the motor is off and the airplane lies still for LAND_DISARMDELAY;
@@ -122,21 +197,24 @@ void runLanded() {
 core::RomText prearmFailure() {
     for (const Check& check : kChecks) {
         const uint16_t bit = core::romRead(check.bit);
-        if ((parameters.arming_check & (bit | kAll)) == 0) continue;
+        if (bit != kAlways && (parameters.arming_check & (bit | kAll)) == 0) continue;
         if (core::romRead(check.fails)()) return check.reason;
     }
     return nullptr;
 }
 
-bool prearmOk() { return prearmFailure() == nullptr; }
+bool prearmTells(Severity severity) {
+    const core::RomText why = prearmFailure();
+    if (why != nullptr) tell(severity, why, number);
+    return why != nullptr;
+}
 
+bool prearmOk() { return ready; }
+
+// Nothing makes up for a board whose pins are others.
 bool arm(ArmReason, bool force) {
     if (vehicle.armed) return true;
-    const core::RomText why = prearmFailure();
-    if (why != nullptr && !force) {
-        tell(Severity::error, why);
-        return false;
-    }
+    if ((!force || wrongBoard()) && prearmTells(Severity::error)) return false;
     armNow();
     return true;
 }
@@ -148,17 +226,18 @@ bool disarm(ArmReason reason, bool force) {
         return false;
     }
     vehicle.armed = false;
+    keepLearntCompass();
     tell(Severity::notice, ROM_TEXT("Throttle disarmed"));
     return true;
 }
 
 void runArming() {
+    runRudderArming();
     if (vehicle.armed) {
         runLanded();
-        return;
+    } else {
+        remind();
     }
-    runRudderArming();
-    remind();
 }
 
 }  // namespace firmware

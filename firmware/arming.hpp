@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "core/rom.hpp"
+#include "firmware/telemetry/text.hpp"
 
 namespace firmware {
 
@@ -17,8 +18,10 @@ bool disarm(ArmReason reason, bool force);
 
 // The first check that fails, as a flash text; nullptr when none does.
 core::RomText prearmFailure();
-bool prearmOk();
+bool prearmTells(Severity severity);  // the same as a text to the pilot; false: none fails
+bool prearmOk();                      // as runArming found it last
 
-void runArming();  // 10 Hz: rudder arming, tells why arming would fail, disarms after landing
+// 10 Hz: arming and disarming by rudder, tells why arming would fail, disarms after landing
+void runArming();
 
 }  // namespace firmware

@@ -7,6 +7,7 @@
 #include "firmware/attitude_control.hpp"
 #include "firmware/camera.hpp"
 #include "firmware/parameters.hpp"
+#include "firmware/sensors/sensors.hpp"
 #include "firmware/vehicle.hpp"
 #include "hal/servo_output.hpp"
 
@@ -57,9 +58,15 @@ uint16_t elevator_us() {
     if (parameters.vtail_output != 0) return tail_us(kElevator);
     return surfacePulse_us(range(kElevator), surfaces.elevator);
 }
+// While disarmed the motor stands, whatever is just being put into RC3_MIN.
 uint16_t throttle_us() {
-    return throttlePulse_us(range(2),
-                            vehicle.armed ? surfaces.throttle : core::Fixed<14>::fromRaw(0));
+    constexpr int16_t kIdle_us = 1300;  // a motor controller's lower end lies below
+    control::ServoRange servo = range(kThrottle - 1);
+    if (!vehicle.armed) {
+        if (servo.min_us > kIdle_us) servo.min_us = kIdle_us;
+        if (servo.max_us < 3000 - kIdle_us) servo.max_us = 3000 - kIdle_us;
+    }
+    return throttlePulse_us(servo, vehicle.armed ? surfaces.throttle : core::Fixed<14>::fromRaw(0));
 }
 uint16_t rudder_us() {
     const bool alone = parameters.vtail_output == 0 || parameters.elevon_output != 0;
@@ -91,13 +98,13 @@ void startOutputs() {
     held = 0;
     for (uint16_t& pulse_us : vehicle.servo_us) pulse_us = 0;
     surfaces = {};
-    hal::servoStart(kRefresh_hz);
+    if (!wrongBoard()) hal::servoStart(kRefresh_hz);
     runOutputs();
 }
 
 void runOutputs() {
+    if (wrongBoard()) return;
     if (vehicle.mode_changed) outputReleaseAll();
-    if (vehicle.armed) outputRelease(kThrottle);
     for (uint8_t i = 0; i < hal::kServos; ++i) {
         if ((held & bit(i + 1)) != 0) continue;
         put(i, i < kFirstFree ? core::romRead(kPulses[i])() : freePulse_us(i));
@@ -105,7 +112,7 @@ void runOutputs() {
 }
 
 bool outputOverride(uint8_t output, uint16_t pulse_us) {
-    if (!isOutput(output) || (output == kThrottle && vehicle.armed)) return false;
+    if (!isOutput(output) || output == kThrottle || wrongBoard()) return false;
     held |= bit(output);
     put(output - 1, pulse_us == 0 ? 0 : core::limit(pulse_us, kShortest_us, kLongest_us));
     return true;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the surfaces to the servo pulses. Outputs 1..4 are aileron, elevator, throttle, rudder;
-// 5..8 follow the receiver. A mission command may hold any of them, but never the throttle of an
-// armed airplane.
+// 5..8 follow the receiver. A mission command may hold any of them, but never the throttle.
 #pragma once
 #include <stdint.h>
 
@@ -11,8 +10,7 @@ void startOutputs();  // all eight at rest
 void runOutputs();    // 100 Hz, after runAttitudeControl
 
 // Outputs are numbered 1..8 as on the board. The output belongs to the caller until it is
-// released; 0 us: no pulse. False: not an output that can be given away (the throttle while
-// armed), nothing changed. Arming takes the throttle back.
+// released; 0 us: no pulse. False: not an output that can be given away, nothing changed.
 bool outputOverride(uint8_t output, uint16_t pulse_us);
 void outputRelease(uint8_t output);
 void outputReleaseAll();  // at a change of mode

@@ -82,6 +82,7 @@ struct Parameters {
     float long_timeout_s;
     int8_t ground_failsafe;  // FS_GCS_ENABL
     int16_t arming_check;
+    int8_t arming_rudder;
     // mission
     int8_t mission_restart, mission_trailing, mission_set, altitude_absolute;
     // log
@@ -89,7 +90,7 @@ struct Parameters {
     // sensors
     int8_t airspeed_enable, airspeed_use;
     float airspeed_ratio;
-    int8_t compass_use, compass_auto_declination;
+    int8_t compass_use, compass_auto_declination, compass_learn;
     float compass_offset_mg[3];
     float compass_declination_rad;  // the table's while compass_auto_declination is 1
     float accel_offset_mss[3], accel_scale[3];

@@ -121,6 +121,7 @@ bool workWaits() { return inertialSamplesWaiting() >= kSamplesPerFrame || teleme
 
 void start() {
     board::start();
+    findBoard();
     dataflashStart();
     logStart();
     // at reset the queue is empty, so nothing is busy but what a cut left to be redone

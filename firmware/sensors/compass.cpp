@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/calibration/compass.hpp"
 #include "board.hpp"
 #include "core/maths.hpp"
 #include "drivers/hmc5883l.hpp"
@@ -25,6 +26,7 @@ void runCompass() {
     }
     core::Vector3 field_mg = compass.field_mg();
     if (board::kCompassUpsideDown) field_mg = {field_mg.x, -field_mg.y, -field_mg.z};
+    learnCompass(field_mg);
     const float* offset = parameters.compass_offset_mg;
     vehicle.compass.field_mg = field_mg + core::Vector3{offset[0], offset[1], offset[2]};
     vehicle.compass.fresh = true;  // the estimator clears it

@@ -145,6 +145,8 @@ void calibrateGyros() {
     zero = {};
 }
 
+core::Vector3 restForce_mss() { return still.force_mss(); }
+
 uint8_t inertialSamplesWaiting() { return imu.waiting(); }
 uint16_t inertialErrors() { return imu.badReads(); }
 

@@ -4,9 +4,15 @@
 #pragma once
 #include <stdint.h>
 
+#include "core/maths.hpp"
 #include "drivers/ublox.hpp"
 
 namespace firmware {
+
+// First of all: which board this is. Where it is another than the one this firmware is made for the
+// pins lead elsewhere, a servo's to a motor: nothing may be put out.
+void findBoard();
+bool wrongBoard();
 
 void startSensors();
 
@@ -26,5 +32,7 @@ uint16_t inertialErrors();
 // Begins the zeroing of gyros, or of barometer and airspeed, again; the airplane must stand still.
 void calibrateGyros();
 void calibratePressures();
+// What the accelerometers read while the gyros' zero was found, nothing taken off.
+core::Vector3 restForce_mss();
 
 }  // namespace firmware

@@ -52,6 +52,10 @@ constexpr CommandRow kCommands[] ROM = {
     {MavCmd::request_message,                requestMessage},
     {MavCmd::request_protocol_version,       protocolVersion},
     {MavCmd::request_autopilot_capabilities, autopilotVersion},
+    {MavCmd::do_start_mag_cal,               calibrateCompass},
+    {MavCmd::do_accept_mag_cal,              acceptCompass},
+    {MavCmd::do_cancel_mag_cal,              cancelCalibration},
+    {MavCmd::accelcal_vehicle_pos,           sideIsReady},
 };
 // clang-format on
 

@@ -11,6 +11,7 @@ struct Link;
 bool onCommand(Link& link, const mavlink::Frame& frame);  // both messages
 bool onSetMode(Link& link, const mavlink::Frame& frame);
 bool onAutopilotVersionRequest(Link& link, const mavlink::Frame& frame);
+bool onCommandAck(Link& link, const mavlink::Frame& frame);
 
 void commandsStart();
 void commandsTurn();  // 50 Hz: what takes its time

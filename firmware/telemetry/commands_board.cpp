@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Commands for the board on the ground: calibration, storage, restart.
+#include <stdlib.h>
 #include <string.h>
 
+#include "core/maths.hpp"
 #include "core/rom.hpp"
+#include "firmware/calibration/accelerometers.hpp"
+#include "firmware/calibration/calibration.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/telemetry/commands.hpp"
 #include "firmware/telemetry/commands_orders.hpp"
 #include "firmware/telemetry/link.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
-#include "hal/clock.hpp"
 #include "hal/eeprom.hpp"
 #include "hal/watchdog.hpp"
 
@@ -21,25 +24,7 @@ using mavlink::MavResult;
 constexpr uint8_t kRebootTurns = 15;  // 0.3 s for the answer to get out
 uint8_t turns_to_reboot;
 
-// One that takes its time, and who is told how it went.
-constexpr uint8_t kCalibration_s = 30;
-struct {
-    uint8_t left_s;  // 0: none runs
-    uint8_t second;  // of the clock
-    uint8_t link, system, component;
-} calibration;
-
-// Parameters are named by their slots, as stored missions name them.
-constexpr uint8_t kCompassOffsets = 158, kLevelTrim = 168;
 uint8_t trimSlot(int8_t channel) { return static_cast<uint8_t>(26 + 5 * channel); }
-
-uint8_t setAll(uint8_t slot, const float* values, uint8_t count) {
-    for (uint8_t i = 0; i < count; ++i)
-        if (!parameterSlotTakes(static_cast<uint8_t>(slot + i), values[i]))
-            return MavResult::failed;
-    for (uint8_t i = 0; i < count; ++i) parameterSet(static_cast<uint8_t>(slot + i), values[i]);
-    return MavResult::accepted;
-}
 
 // The sticks' present places become their centres.
 uint8_t trimRadio() {
@@ -52,48 +37,101 @@ uint8_t trimRadio() {
 
 // The board's present lie becomes the airplane's level; small angles add up.
 uint8_t trimLevel() {
-    if (!vehicle.attitude.aligned) return MavResult::failed;
+    constexpr int16_t kStill = core::Fixed<10>(core::radians(4)).raw;
+    const auto& rate = vehicle.attitude.rate_rads;
+    const bool still = abs(rate.x.raw) < kStill && abs(rate.y.raw) < kStill;
+    if (!still) tell(Severity::error, ROM_TEXT("Level: keep it still"));
+    if (!still || !vehicle.attitude.aligned) return MavResult::failed;
     const float lie_rad[] = {parameters.level_trim_rad[0] + vehicle.attitude.roll_rad,
                              parameters.level_trim_rad[1] + vehicle.attitude.pitch_rad};
-    return setAll(kLevelTrim, lie_rad, 2);
+    return whenTrue(storeAll(kLevelTrim, lie_rad, 2), MavResult::failed);
 }
 
-enum Wish : uint8_t { kGyros = 1, kPressures = 4, kRadio = 8, kLevel = 16 };
+// Bits of what a command asks for.
+enum Wish : uint8_t {
+    kGyros = 1,
+    kCompass = 2,
+    kPressures = 4,
+    kRadio = 8,
+    kLevel = 16,
+    kSixSides = 32,
+    kOneSide = 64,
+};
+struct WishRow {
+    uint8_t param, value;  // param 1: 0
+    uint8_t wish;
+};
+// clang-format off
+constexpr WishRow kWishes[] ROM = {
+    {0, 1, kGyros},
+    {1, 1, kCompass},
+    {2, 1, kPressures},
+    {3, 1, kRadio},
+    {3, 2, kRadio},
+    {4, 1, kSixSides},
+    {4, 2, kLevel},
+    {4, 4, kOneSide},
+    {5, 2, kPressures},
+};
+// clang-format on
+constexpr uint8_t kParams = 7;
 
-// A bit a parameter; false: there is something in it that cannot be had here.
+uint8_t wishOf(uint8_t param, float value) {
+    for (const WishRow& in_flash : kWishes) {
+        const WishRow row = core::romRead(in_flash);
+        if (row.param == param && number(value) == row.value) return row.wish;
+    }
+    return 0;
+}
+
+// False: there is something in it that cannot be had here.
 bool wishesOf(const Order& order, uint8_t& wishes) {
-    static constexpr uint8_t kValues[] ROM = {1, 0, 1, 1, 2, 0, 0};
-    float param[7];
+    float param[kParams];
     memcpy(param, &order.item.param1, 4 * sizeof(float));
     param[4] = order.param5;
     param[5] = order.param6;
     param[6] = order.item.z;
     wishes = 0;
-    for (uint8_t i = 0; i < core::count(kValues); ++i) {
+    for (uint8_t i = 0; i < kParams; ++i) {
         if (!isGiven(param[i])) continue;
-        if (number(param[i]) != core::romRead(kValues[i])) return false;
-        wishes = static_cast<uint8_t>(wishes | 1u << i);
+        const uint8_t wish = wishOf(i, param[i]);
+        if (wish == 0) return false;
+        wishes |= wish;
     }
-    return wishes != 0;
+    // "ground start" of some ground stations: the compass needs more than standing still
+    if ((wishes & kGyros) != 0) wishes &= static_cast<uint8_t>(~kCompass);
+    return true;
 }
 
-bool calibrated() { return vehicle.imu.calibrated && vehicle.baro.ground_pressure_pa > 0; }
+// Accepted: it stands on the ground, disarmed.
+uint8_t mayCalibrate() {
+    if (!vehicle.armed && !vehicle.estimate.flying) return MavResult::accepted;
+    tell(Severity::error, ROM_TEXT("Calibration refused: disarm first"));
+    if (vehicle.estimate.flying) return MavResult::denied;
+    return MavResult::temporarily_rejected;
+}
 
-void calibrationTurn() {
-    if (calibration.left_s == 0) return;
-    const bool done = calibrated();
-    const uint8_t second = static_cast<uint8_t>(hal::now_ms() / 1024);
-    if (!done && second == calibration.second && calibration.left_s > 1) return;
-    if (second != calibration.second && calibration.left_s > 1) --calibration.left_s;
-    calibration.second = second;
-    Order order;
-    order.command = mavlink::MavCmd::preflight_calibration;
-    order.system = calibration.system;
-    order.component = calibration.component;
-    const uint8_t unfinished = calibration.left_s > 1 ? MavResult::in_progress : MavResult::failed;
-    const uint8_t result = whenTrue(done, unfinished);
-    if (acknowledge(links[calibration.link], order, result) && result != MavResult::in_progress)
-        calibration.left_s = 0;
+uint8_t begin(Calibrating what, Link& link, const Order& order, uint8_t answer) {
+    if (calibrationBegin(what, {linkNumber(link), order.system, order.component})) return answer;
+    tell(Severity::error, ROM_TEXT("Calibration refused: another runs"));
+    return MavResult::temporarily_rejected;
+}
+
+uint8_t beginRest(Link& link, const Order& order, uint8_t wishes) {
+    const bool again = calibrating() == Calibrating::rest;
+    const uint8_t result = begin(Calibrating::rest, link, order, MavResult::in_progress);
+    if (again || result != MavResult::in_progress) return result;
+    if ((wishes & kGyros) != 0) calibrateGyros();
+    if ((wishes & kPressures) != 0) calibratePressures();
+    return result;
+}
+
+uint8_t beginCompass(Link& link, const Order& order) {
+    if (!vehicle.compass.healthy) {
+        tell(Severity::error, ROM_TEXT("Calibration refused: no compass"));
+        return MavResult::failed;
+    }
+    return begin(Calibrating::compass, link, order, MavResult::accepted);
 }
 
 void rebootTurn() {
@@ -110,27 +148,51 @@ void rebootTurn() {
 uint8_t calibrate(Link& link, Order& order) {
     uint8_t wishes;
     if (!wishesOf(order, wishes)) return MavResult::unsupported;
-    if (vehicle.estimate.flying) return MavResult::denied;
-    if (vehicle.armed) return MavResult::temporarily_rejected;
-    uint8_t result = MavResult::accepted;
+    if (wishes == 0) {
+        if (calibrating() == Calibrating::nothing) return MavResult::unsupported;
+        return cancelCalibration(link, order);
+    }
+    uint8_t result = mayCalibrate();
+    if (result != MavResult::accepted) return result;
+    if (wishes == kSixSides) return begin(Calibrating::sides, link, order, MavResult::accepted);
+    if (wishes == kOneSide) return begin(Calibrating::level, link, order, MavResult::in_progress);
+    if (wishes == kCompass) return beginCompass(link, order);
+    if ((wishes & (kSixSides | kOneSide | kCompass)) != 0) return MavResult::unsupported;
     if ((wishes & kRadio) != 0) result = trimRadio();
     if ((wishes & kLevel) != 0) result = trimLevel();
     if (result != MavResult::accepted || (wishes & (kGyros | kPressures)) == 0) return result;
-    calibration.link = linkNumber(link);
-    calibration.system = order.system;
-    calibration.component = order.component;
-    if (calibration.left_s != 0) return MavResult::in_progress;  // asked again
-    calibration.left_s = kCalibration_s;
-    if ((wishes & kGyros) != 0) calibrateGyros();
-    if ((wishes & kPressures) != 0) calibratePressures();
-    return MavResult::in_progress;
+    return beginRest(link, order, wishes);
+}
+
+uint8_t calibrateCompass(Link& link, Order& order) {
+    const uint8_t result = mayCalibrate();
+    return result == MavResult::accepted ? beginCompass(link, order) : result;
+}
+
+// What fits is kept without being asked.
+uint8_t acceptCompass(Link&, Order&) { return MavResult::accepted; }
+
+uint8_t cancelCalibration(Link&, Order&) {
+    calibrationCancel();
+    return MavResult::accepted;
+}
+
+uint8_t sideIsReady(Link&, Order& order) {
+    return whenTrue(calibrationSideIsReady(number(order.item.param1)), MavResult::denied);
+}
+
+// A key that was pressed on the ground reaches the airplane as the answer to a command that never
+// was: of number 0, 1 or how many keys have been.
+bool onCommandAck(Link&, const mavlink::Frame& frame) {
+    if (frame.read<mavlink::CommandAck>().command <= kSides) calibrationSideIsReady();
+    return true;
 }
 
 uint8_t setSensorOffsets(Link&, Order& order) {
     constexpr uint8_t kCompass = 2;
     if (order.item.param1 != kCompass) return MavResult::unsupported;
     const float offsets_mg[] = {order.item.param2, order.item.param3, order.item.param4};
-    return setAll(kCompassOffsets, offsets_mg, 3);
+    return whenTrue(storeAll(kCompassOffsets, offsets_mg, 3), MavResult::failed);
 }
 
 // Values are stored as they are set: reading and writing "all" has nothing to do. Parameters may be
@@ -156,7 +218,10 @@ uint8_t reboot(Link&, Order& order) {
     return MavResult::accepted;
 }
 
-void commandsStart() { turns_to_reboot = calibration.left_s = 0; }
+void commandsStart() {
+    turns_to_reboot = 0;
+    calibrationReset();
+}
 
 void commandsTurn() {
     calibrationTurn();

@@ -157,10 +157,7 @@ uint8_t armOrDisarm(Link&, Order& order) {
 }
 
 uint8_t runPrearmChecks(Link&, Order&) {
-    const core::RomText why = prearmFailure();
-    if (why == nullptr) return MavResult::accepted;
-    tell(Severity::error, why);
-    return MavResult::failed;
+    return whenTrue(!prearmTells(Severity::error), MavResult::failed);
 }
 
 // MAVLink leaves roll, pitch and yaw of the ground there to whoever has use for them.

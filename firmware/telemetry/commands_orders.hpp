@@ -55,6 +55,10 @@ uint8_t protocolVersion(Link&, Order&);
 
 // ---- commands_board.cpp
 uint8_t calibrate(Link&, Order&);
+uint8_t calibrateCompass(Link&, Order&);
+uint8_t acceptCompass(Link&, Order&);
+uint8_t cancelCalibration(Link&, Order&);
+uint8_t sideIsReady(Link&, Order&);
 uint8_t setSensorOffsets(Link&, Order&);
 uint8_t resetStorage(Link&, Order&);
 uint8_t reboot(Link&, Order&);

@@ -56,6 +56,7 @@ constexpr Incoming kIncoming[] ROM = {
     toUs<mavlink::SetMode>(onSetMode),
     toUs<mavlink::CommandLong>(onCommand),
     toUs<mavlink::CommandInt>(onCommand),
+    toAll<mavlink::CommandAck>(onCommandAck),
     toUs<mavlink::AutopilotVersionRequest>(onAutopilotVersionRequest),
     toUs<mavlink::ParamRequestList>(onParamRequestList),
     toUs<mavlink::ParamRequestRead>(onParamRequestRead),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/telemetry/telemetry.hpp"
 
+#include "firmware/sensors/sensors.hpp"
 #include "firmware/telemetry/commands.hpp"
 #include "firmware/telemetry/housekeeping.hpp"
 #include "firmware/telemetry/link.hpp"
@@ -45,8 +46,11 @@ void open(Link& link, int16_t thousands) {
 
 void openLink0() { open(links[0], usb ? parameters.serial0_baud : parameters.serial1_baud); }
 
+// Another board's sense pin says nothing: it is to be heard on USB.
+bool usbThere() { return hal::usbConnected() || wrongBoard(); }
+
 void followUsb() {
-    if (hal::usbConnected() == usb) return;
+    if (usbThere() == usb) return;
     usb = !usb;
     openLink0();
 }
@@ -115,7 +119,7 @@ void telemetryStart() {
     missionTransferStart();
     commandsStart();
     logsStart();
-    usb = hal::usbConnected();
+    usb = usbThere();
     openLink0();
     open(links[1], parameters.serial2_baud);
     for (Link& link : links) streamsStart(link);

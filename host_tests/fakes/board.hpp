@@ -26,6 +26,9 @@ using LedB = fakes::Switch<2>;
 using LedC = fakes::Switch<3>;
 
 constexpr char kName[] = "fake";
+constexpr uint8_t kModel = 2;
+using ProbeBus = SensorBus;
+using ProbeSelect = ImuSelect;
 
 inline void start() {}
 

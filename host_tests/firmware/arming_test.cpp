@@ -4,7 +4,11 @@
 #include <functional>
 #include <string>
 
+#include "core/maths.hpp"
 #include "firmware/bench.hpp"
+#include "firmware/mission/mission.hpp"
+#include "firmware/telemetry/link.hpp"
+#include "firmware/telemetry/text_queue.hpp"
 
 namespace {
 
@@ -17,19 +21,49 @@ struct Arming : bench::Bench {
     void SetUp() override {
         Bench::SetUp();
         makeReady();
+        parameters.log_bitmask = 0;
+        firmware::missionBoot();
+        for (int i = 0; i < 500 && !firmware::missionKnown(); ++i) {
+            firmware::missionRun();
+            fakes::advance_ms(10);
+        }
         firmware::runArming();  // the rudder's time begins anew
     }
     static void makeReady() {
         vehicle.imu.healthy = vehicle.imu.calibrated = true;
+        vehicle.imu.accel_mss = {0, 0, -core::kGravity_mss};
         vehicle.attitude.aligned = true;
         vehicle.baro.healthy = vehicle.compass.healthy = vehicle.airspeed.healthy = true;
         vehicle.gps.healthy = true;
         vehicle.gps.fix = firmware::GpsFix::three_d;
         vehicle.gps.altitude_cm = 48800;
+        vehicle.gps.hdop_c = 180;
+        vehicle.compass.field_mg = {220, 30, 430};
         vehicle.estimate.known = true;
         vehicle.estimate.position = {473977000, 85456000};
         vehicle.battery.board_mv = 5000;
         vehicle.battery.voltage_mv = 12000;
+    }
+    // Among what both links have been told since the last call.
+    static bool tells(const std::string& part) {
+        std::vector<uint8_t>& out = fakes::serial(hal::Port::link0).out;
+        out.clear();
+        for (firmware::Link& link : firmware::links)
+            while (firmware::textSend(link)) {
+            }
+        const std::string said(out.begin(), out.end());
+        return said.find(part) != std::string::npos;
+    }
+    uint16_t throttle_us = 1100;
+    void holdRudder(uint16_t pulse_us, int tenths) {
+        for (int tenth = 0; tenth < tenths; ++tenth) {
+            std::vector<uint16_t> sticks = with(4, pulse_us);
+            sticks[2] = throttle_us;
+            fakes::receiveRc(sticks);
+            firmware::runRadio();
+            firmware::runArming();
+            fakes::advance_ms(100);
+        }
     }
 };
 
@@ -57,17 +91,41 @@ TEST_P(Check, refuses_to_arm_and_says_why) {
 }
 INSTANTIATE_TEST_SUITE_P(
     Faults, Check,
-    testing::Values(Fault{"PreArm: gyros not ready", [] { vehicle.imu.calibrated = false; }},
-                    Fault{"PreArm: gyros not ready", [] { vehicle.imu.healthy = false; }},
-                    Fault{"PreArm: attitude", [] { vehicle.attitude.aligned = false; }},
-                    Fault{"PreArm: barometer", [] { vehicle.baro.healthy = false; }},
-                    Fault{"PreArm: compass", [] { vehicle.compass.healthy = false; }},
-                    Fault{"PreArm: no GPS fix", [] { vehicle.gps.fix = firmware::GpsFix::two_d; }},
-                    Fault{"PreArm: airspeed sensor", [] { vehicle.airspeed.healthy = false; }},
-                    Fault{"PreArm: no radio", [] { vehicle.radio.lost = true; }},
-                    Fault{"PreArm: throttle is up", [] { vehicle.radio.throttle_pct = 10; }},
-                    Fault{"PreArm: board voltage", [] { vehicle.battery.board_mv = 4100; }},
-                    Fault{"PreArm: battery low", [] { vehicle.battery.voltage_mv = 9000; }}));
+    testing::Values(
+        Fault{"PreArm: gyros not ready", [] { vehicle.imu.calibrated = false; }},
+        Fault{"PreArm: gyros not healthy", [] { vehicle.imu.healthy = false; }},
+        Fault{"PreArm: accelerometers",
+              [] {
+                  vehicle.imu.accel_mss = {0, 0, -7.5f};
+              }},
+        Fault{"PreArm: accelerometers",
+              [] {
+                  vehicle.imu.accel_mss = {8, 3, -9};
+              }},
+        Fault{"PreArm: attitude", [] { vehicle.attitude.aligned = false; }},
+        Fault{"PreArm: barometer", [] { vehicle.baro.healthy = false; }},
+        Fault{"PreArm: compass", [] { vehicle.compass.healthy = false; }},
+        Fault{"PreArm: compass: check mag field",
+              [] {
+                  vehicle.compass.field_mg = {90, 90, 90};
+              }},
+        Fault{"PreArm: compass: check mag field",
+              [] {
+                  vehicle.compass.field_mg = {0, 900, 0};
+              }},
+        Fault{"PreArm: no GPS fix", [] { vehicle.gps.fix = firmware::GpsFix::two_d; }},
+        Fault{"PreArm: no GPS fix", [] { vehicle.estimate.known = false; }},
+        Fault{"PreArm: high GPS HDOP", [] { vehicle.gps.hdop_c = 400; }},
+        Fault{"PreArm: airspeed sensor", [] { vehicle.airspeed.healthy = false; }},
+        Fault{"PreArm: no radio", [] { vehicle.radio.lost = true; }},
+        Fault{"PreArm: no radio", [] { vehicle.radio.good_ms = 0; }},
+        Fault{"PreArm: RC# not calibrated", [] { parameters.channel[1].min_us = 1400; }},
+        Fault{"PreArm: RC# not calibrated", [] { parameters.channel[3].max_us = 1600; }},
+        Fault{"PreArm: RC# not calibrated", [] { parameters.channel[0].trim_us = 1950; }},
+        Fault{"PreArm: throttle is up", [] { vehicle.radio.throttle_pct = 10; }},
+        Fault{"PreArm: board voltage", [] { vehicle.battery.board_mv = 4100; }},
+        Fault{"PreArm: battery low", [] { vehicle.battery.voltage_mv = 9000; }},
+        Fault{"PreArm: no log chip", [] { parameters.log_bitmask = 1; }}));
 
 TEST_F(Arming, can_be_forced) {
     vehicle.baro.healthy = false;
@@ -77,26 +135,67 @@ TEST_F(Arming, can_be_forced) {
 TEST_F(Arming, leaves_out_the_checks_not_asked_for) {
     parameters.arming_check = 8;  // GPS alone
     vehicle.baro.healthy = false;
+    firmware::runArming();
     EXPECT_TRUE(firmware::prearmOk());
     vehicle.gps.fix = firmware::GpsFix::none;
+    firmware::runArming();
     EXPECT_FALSE(firmware::prearmOk());
 }
 
 TEST_F(Arming, takes_three_seconds_of_full_right_rudder) {
-    for (int tenth = 0; tenth < 28; ++tenth) {
-        fakes::receiveRc(with(4, 1900));
-        firmware::runRadio();
-        firmware::runArming();
-        fakes::advance_ms(100);
-    }
+    holdRudder(1900, 28);
     EXPECT_FALSE(vehicle.armed);
-    for (int tenth = 0; tenth < 5; ++tenth) {
-        fakes::receiveRc(with(4, 1900));
-        firmware::runRadio();
+    holdRudder(1900, 5);
+    EXPECT_TRUE(vehicle.armed);
+}
+
+TEST_F(Arming, by_rudder_says_why_not) {
+    vehicle.gps.fix = firmware::GpsFix::none;
+    holdRudder(1900, 33);
+    EXPECT_FALSE(vehicle.armed);
+    EXPECT_TRUE(tells("PreArm: no GPS fix"));
+}
+
+TEST_F(Arming, by_rudder_wants_the_throttle_closed_and_arming_rudder) {
+    throttle_us = 1250;
+    holdRudder(1900, 40);
+    EXPECT_FALSE(vehicle.armed);
+    throttle_us = 1100;
+    parameters.arming_rudder = 0;
+    holdRudder(1900, 40);
+    EXPECT_FALSE(vehicle.armed);
+}
+
+TEST_F(Arming, left_rudder_disarms_on_the_ground_when_arming_rudder_is_2) {
+    ASSERT_TRUE(firmware::arm(ArmReason::ground, false));
+    holdRudder(1100, 40);
+    EXPECT_TRUE(vehicle.armed) << "1 arms only";
+    parameters.arming_rudder = 2;
+    vehicle.estimate.flying = true;
+    holdRudder(1100, 40);
+    EXPECT_TRUE(vehicle.armed) << "gliding";
+    vehicle.estimate.flying = false;
+    holdRudder(1100, 28);
+    EXPECT_TRUE(vehicle.armed);
+    holdRudder(1100, 5);
+    EXPECT_FALSE(vehicle.armed);
+}
+
+TEST_F(Arming, names_the_channel_that_is_not_calibrated) {
+    parameters.channel[3].max_us = 1600;
+    EXPECT_FALSE(firmware::arm(ArmReason::ground, false));
+    EXPECT_TRUE(tells("PreArm: RC4 not calibrated"));
+}
+
+TEST_F(Arming, reminds_twice_a_minute_of_what_is_missing) {
+    vehicle.baro.healthy = false;
+    int told = 0;
+    for (int tenth = 0; tenth < 1200; ++tenth) {
         firmware::runArming();
+        if (tells("PreArm: barometer")) ++told;
         fakes::advance_ms(100);
     }
-    EXPECT_TRUE(vehicle.armed);
+    EXPECT_EQ(told, 4);
 }
 
 TEST_F(Arming, refuses_to_disarm_in_flight_unless_forced) {

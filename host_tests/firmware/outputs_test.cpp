@@ -132,17 +132,22 @@ TEST_F(Outputs, give_away_surfaces_too_but_nothing_that_is_not_there) {
     }
 }
 
-TEST_F(Outputs, the_throttle_is_given_away_only_while_disarmed) {
-    ASSERT_TRUE(firmware::outputOverride(3, 1300));
+TEST_F(Outputs, the_throttle_is_never_given_away) {
+    for (const bool armed : {false, true}) {
+        firmware::vehicle.armed = armed;
+        EXPECT_FALSE(firmware::outputOverride(3, 1300));
+        run();
+        EXPECT_EQ(outputPulse_us(3), 1100);
+    }
+}
+
+TEST_F(Outputs, a_disarmed_motor_stands_whatever_its_channel_is_told) {
+    firmware::parameters.channel[2] = {1700, 1800, 1900, 1, 30};
     run();
-    EXPECT_EQ(outputPulse_us(3), 1300);
-    firmware::vehicle.armed = true;
+    EXPECT_LE(outputPulse_us(3), 1300);
+    firmware::parameters.channel[2] = {1100, 1200, 1300, -1, 30};  // its idle is the long pulse
     run();
-    EXPECT_NE(outputPulse_us(3), 1300) << "arming takes it back";
-    EXPECT_FALSE(firmware::outputOverride(3, 1300));
-    firmware::vehicle.armed = false;
-    run();
-    EXPECT_EQ(outputPulse_us(3), 1100) << "and it stays back";
+    EXPECT_GE(outputPulse_us(3), 1700);
 }
 
 TEST_F(Outputs, are_written_only_when_they_change) {

@@ -189,7 +189,10 @@ bool disarm(ArmReason, bool force) {
     vehicle.armed = false;
     return true;
 }
-core::RomText prearmFailure() { return doubles::vehicle.can_arm ? nullptr : "PreArm: no GPS fix"; }
+bool prearmTells(Severity severity) {
+    if (!doubles::vehicle.can_arm) tell(severity, "PreArm: no GPS fix");
+    return !doubles::vehicle.can_arm;
+}
 bool prearmOk() { return doubles::vehicle.can_arm; }
 
 bool setHomeHere() {
@@ -201,7 +204,12 @@ void setHome(const geo::Position& position, int32_t altitude_cm) {
     doubles::vehicle.home_altitude_cm = altitude_cm;
 }
 
-void calibrateGyros() { ++doubles::vehicle.gyro_calibrations; }
+core::Vector3 restForce_mss() { return doubles::vehicle.rest_force_mss; }
+bool wrongBoard() { return doubles::vehicle.wrong_board; }
+void calibrateGyros() {
+    ++doubles::vehicle.gyro_calibrations;
+    vehicle.imu.calibrated = false;
+}
 void calibratePressures() { ++doubles::vehicle.pressure_calibrations; }
 
 uint16_t loadPermille() { return 250; }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/maths.hpp"
 #include "firmware/arming.hpp"
 #include "firmware/mission/lists.hpp"
 #include "firmware/mission/mission.hpp"
@@ -59,6 +60,8 @@ struct Vehicle {
     std::optional<geo::Position> home;
     int32_t home_altitude_cm = 0;
     std::vector<firmware::MissionItem> targets, heights;  // of GUIDED
+    core::Vector3 rest_force_mss = {0, 0, -core::kGravity_mss};
+    bool wrong_board = false;
     int gyro_calibrations = 0;
     int pressure_calibrations = 0;
 };

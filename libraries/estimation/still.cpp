@@ -43,7 +43,9 @@ bool Still::usePart() {
         return false;
     }
     time_s_ += part_s;
-    zero_ = zero_ + (rate - zero_) * (part_s / time_s_);
+    const float share = part_s / time_s_;
+    zero_ = zero_ + (rate - zero_) * share;
+    force_ = force_ + (force - force_) * share;
     done_ = time_s_ >= kTime_s;
     return done_;
 }

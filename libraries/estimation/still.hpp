@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Zero of the gyros at start-up: the mean of a second in which the airplane was not moved. Moved,
+// Zero of the gyros, at start-up: the mean of a second in which the airplane was not moved. Moved,
 // it begins again, for as long as it takes.
 #pragma once
 #include <stdint.h>
@@ -16,12 +16,13 @@ public:
 
     bool done() const { return done_; }
     const core::Vector3& zero_rads() const { return zero_; }
+    const core::Vector3& force_mss() const { return force_; }  // the mean of the same time
 
 private:
     bool usePart();
 
-    core::Vector3 zero_ = {0, 0, 0};   // mean of the still parts
-    core::Vector3 force_ = {0, 0, 0};  // of the first
+    core::Vector3 zero_ = {0, 0, 0};  // mean of the still parts
+    core::Vector3 force_ = {0, 0, 0};
     core::Vector3 rate_sum_ = {0, 0, 0}, force_sum_ = {0, 0, 0};
     float part_s_ = 0;  // summed up
     float time_s_ = 0;  // still for this long

@@ -68,6 +68,8 @@ constexpr Accepted kAllMessages[] ROM = {
     accepts<RallyPoint>(),
     accepts<RallyFetchPoint>(),
     accepts<AutopilotVersionRequest>(),
+    accepts<MagCalProgress>(),
+    accepts<MagCalReport>(),
     accepts<HomePosition>(),
     accepts<MessageInterval>(),
     accepts<Statustext>(),

@@ -208,6 +208,32 @@ struct FenceBreach {
     };
 };
 
+struct MagCalStatus {
+    enum : uint8_t {
+        not_started = 0,
+        waiting_to_start = 1,
+        running_step_one = 2,
+        running_step_two = 3,
+        success = 4,
+        failed = 5,
+        bad_orientation = 6,
+        bad_radius = 7,
+    };
+};
+
+struct AccelcalVehiclePos {
+    enum : uint32_t {
+        level = 1UL,
+        left = 2UL,
+        right = 3UL,
+        nosedown = 4UL,
+        noseup = 5UL,
+        back = 6UL,
+        success = 16777215UL,
+        failed = 16777216UL,
+    };
+};
+
 struct FirmwareVersionType {
     enum : uint8_t {
         dev = 0,
@@ -274,6 +300,10 @@ struct MavCmd {
         request_message = 512,
         request_protocol_version = 519,
         request_autopilot_capabilities = 520,
+        do_start_mag_cal = 42424,
+        do_accept_mag_cal = 42425,
+        do_cancel_mag_cal = 42426,
+        accelcal_vehicle_pos = 42429,
     };
 };
 
@@ -1035,6 +1065,46 @@ struct __attribute__((packed)) AutopilotVersionRequest {
 template <>
 struct Wire<AutopilotVersionRequest> : Shape<183, 2, 2, 85> {};
 static_assert(sizeof(AutopilotVersionRequest) == Wire<AutopilotVersionRequest>::length_with_extensions, "AUTOPILOT_VERSION_REQUEST");
+
+struct __attribute__((packed)) MagCalProgress {
+    float direction_x;
+    float direction_y;
+    float direction_z;
+    uint8_t compass_id;
+    uint8_t cal_mask;
+    uint8_t cal_status;
+    uint8_t attempt;
+    uint8_t completion_pct;
+    uint8_t completion_mask[10];
+};
+template <>
+struct Wire<MagCalProgress> : Shape<191, 27, 27, 92> {};
+static_assert(sizeof(MagCalProgress) == Wire<MagCalProgress>::length_with_extensions, "MAG_CAL_PROGRESS");
+
+struct __attribute__((packed)) MagCalReport {
+    float fitness;
+    float ofs_x;
+    float ofs_y;
+    float ofs_z;
+    float diag_x;
+    float diag_y;
+    float diag_z;
+    float offdiag_x;
+    float offdiag_y;
+    float offdiag_z;
+    uint8_t compass_id;
+    uint8_t cal_mask;
+    uint8_t cal_status;
+    uint8_t autosaved;
+    // extensions: MAVLink 2 only
+    float orientation_confidence;
+    uint8_t old_orientation;
+    uint8_t new_orientation;
+    float scale_factor;
+};
+template <>
+struct Wire<MagCalReport> : Shape<192, 44, 54, 36> {};
+static_assert(sizeof(MagCalReport) == Wire<MagCalReport>::length_with_extensions, "MAG_CAL_REPORT");
 
 struct __attribute__((packed)) HomePosition {
     int32_t latitude;

@@ -10,6 +10,7 @@
 namespace board {
 
 constexpr char kName[] = "APM 2 (native)";
+constexpr uint8_t kModel = 2;
 
 void start();
 
@@ -40,6 +41,8 @@ struct BarometerSelect {
     static void output() {}
 };
 
+using ProbeBus = SensorBus;
+using ProbeSelect = ImuSelect;
 using Inertial = drivers::Mpu6000<SensorBus, ImuSelect>;
 using Barometer = drivers::Ms5611<SensorBus, BarometerSelect>;
 constexpr bool kCompassUpsideDown = false;

@@ -32,6 +32,11 @@ using SlideSwitch = avr::Pin<avr::PortG, 1>;
 using PushButton = avr::Pin<avr::PortG, 0>;
 
 constexpr char kName[] = "APM 1";
+constexpr uint8_t kModel = 1;
+struct ProbeBus : avr::Spi0 {  // to whatever is at PB0
+    static void fast() { FlashBus::start(); }
+};
+using ProbeSelect = FlashSelect;
 
 // Pins, clock, peripherals; interrupts are on afterwards, the converter's timer runs.
 void start();

@@ -27,6 +27,9 @@ using LedB = avr::ActiveLowLed<avr::Pin<avr::PortA, 4>>;  // yellow
 using LedC = avr::ActiveLowLed<avr::Pin<avr::PortA, 3>>;  // blue: GPS
 
 constexpr char kName[] = "APM 2";
+constexpr uint8_t kModel = 2;
+using ProbeBus = SensorBus;  // to whatever is at PB0
+using ProbeSelect = ImuSelect;
 
 // Pins, clock, peripherals; interrupts are on afterwards, that of the inertial sensor too.
 void start();

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The boards have the same chip, but at PB0, a chip select of SPI0 on both, an APM 2 has its
+// MPU-6000 and an APM 1 its DataFlash. Both are asked who they are. One that is silent, on the
+// right board, does not make it the wrong one: only the other's answer does.
+#include "board.hpp"
+#include "core/rom.hpp"
+#include "firmware/sensors/sensors.hpp"
+
+namespace firmware {
+namespace {
+
+struct Chip {
+    uint8_t question, answer;
+};
+constexpr Chip kChips[] ROM = {
+    {0x9F, 0x1F},  // the DataFlash: who made it (data sheet 3500, 10.1)
+    {0xF5, 0x68},  // the MPU-6000: its register 117
+};
+
+// Both answer 20 ms after power-on at the latest; a question takes 40 us at least.
+constexpr uint16_t kTries = 500;
+
+bool wrong;
+
+bool isThere(uint8_t model) {
+    const Chip chip = core::romRead(kChips[model - 1]);
+    const board::ProbeBus::Lock lock;
+    board::ProbeBus::slow();
+    board::ProbeSelect::low();
+    board::ProbeBus::transfer(chip.question);
+    const uint8_t answer = board::ProbeBus::transfer(0);
+    board::ProbeSelect::high();
+    board::ProbeBus::fast();
+    return answer == chip.answer;
+}
+
+}  // namespace
+
+bool wrongBoard() { return wrong; }
+
+void findBoard() {
+    wrong = false;
+    for (uint16_t i = 0; i < kTries && !wrong; ++i) {
+        if (isThere(board::kModel)) return;
+        wrong = isThere(3 - board::kModel);
+    }
+}
+
+}  // namespace firmware
