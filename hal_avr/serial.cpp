@@ -10,6 +10,7 @@
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
+#include "core/crc.hpp"
 #include "core/ring.hpp"
 #include "hal/interrupts.hpp"
 #include "pin.hpp"
@@ -69,7 +70,8 @@ inline void received() {
     if (port != static_cast<uint8_t>(hal::Port::gps)) avr::woken = true;
 }
 
-// Up to 11,520 times a second and port: by hand 49 cycles with entry and exit, compiled 70. Does
+// Up to 11,520 times a second and port: by hand 43 cycles with entry and exit, compiled 70. Keeps
+// a register where no other interrupt looks. Does
 //     if (tx.take(byte)) usart.data = byte; else usart.control = kReceiving;
 template <uint8_t port>
 inline __attribute__((always_inline)) void send() {
@@ -79,40 +81,65 @@ inline __attribute__((always_inline)) void send() {
                   "bytes, indices");
     const uint8_t* const ring = reinterpret_cast<const uint8_t*>(&tx);
     __asm__ volatile(
-        "push r24                        \n"
-        "in   r24, __SREG__              \n"
-        "push r24                        \n"
+        "out  %[keep], r30               \n"
+        "in   r30, __SREG__              \n"
         "push r30                        \n"
         "push r31                        \n"
         "lds  r30, %[tail]               \n"
-        "lds  r24, %[head]               \n"
-        "cp   r24, r30                   \n"
+        "lds  r31, %[head]               \n"
+        "cp   r31, r30                   \n"
         "breq 1f                         \n"
-        "mov  r24, r30                   \n"
-        "inc  r24                        \n"
-        "andi r24, %[mask]               \n"
-        "sts  %[tail], r24               \n"
+        "mov  r31, r30                   \n"
+        "inc  r31                        \n"
+        "andi r31, %[mask]               \n"
+        "sts  %[tail], r31               \n"
         "ldi  r31, 0                     \n"
         "subi r30, lo8(-(%[bytes]))      \n"
         "sbci r31, hi8(-(%[bytes]))      \n"
-        "ld   r24, Z                     \n"
-        "sts  %[data], r24               \n"
+        "ld   r30, Z                     \n"
+        "sts  %[data], r30               \n"
         "0:                              \n"
         "pop  r31                        \n"
         "pop  r30                        \n"
-        "pop  r24                        \n"
-        "out  __SREG__, r24              \n"
-        "pop  r24                        \n"
+        "out  __SREG__, r30              \n"
+        "in   r30, %[keep]               \n"
         "reti                            \n"
         "1:                              \n"
-        "ldi  r24, %[receiving]          \n"
-        "sts  %[control], r24            \n"
+        "ldi  r30, %[receiving]          \n"
+        "sts  %[control], r30            \n"
         "rjmp 0b                         \n"
         :
         : [bytes] "i"(ring), [head] "i"(ring + Ring::kHeadAt), [tail] "i"(ring + Ring::kTailAt),
           [data] "i"(&usart(port).data), [control] "i"(&usart(port).control),
           [mask] "M"(static_cast<int>(Ring::kHeadAt - 1)),
-          [receiving] "M"(static_cast<int>(kReceiving)));
+          [receiving] "M"(static_cast<int>(kReceiving)), [keep] "I"(_SFR_IO_ADDR(GPIOR2)));
+}
+
+// Three products make the shifts of core::crc16 for a byte in the time of one.
+inline __attribute__((always_inline)) void copySummed(uint8_t* to, const uint8_t*& from,
+                                                      uint8_t size, uint16_t& crc) {
+    uint8_t byte;
+    __asm__ volatile(
+        "1:                              \n"
+        "ld   %[byte], %a[from]+         \n"
+        "st   %a[to]+, %[byte]           \n"
+        "eor  %[byte], %A[crc]           \n"
+        "mul  %[byte], %[up_4]           \n"
+        "eor  %[byte], r0                \n"
+        "mul  %[byte], %[up_4]           \n"
+        "eor  %B[crc], r1                \n"
+        "mul  %[byte], %[up_3]           \n"
+        "eor  %B[crc], r0                \n"
+        "mov  %A[crc], %B[crc]           \n"
+        "eor  %[byte], r1                \n"
+        "mov  %B[crc], %[byte]           \n"
+        "dec  %[size]                    \n"
+        "brne 1b                         \n"
+        "clr  r1                         \n"
+        :
+        [byte] "=&r"(byte), [from] "+&e"(from), [to] "+&e"(to), [crc] "+&r"(crc), [size] "+&r"(size)
+        : [up_4] "r"(static_cast<uint8_t>(1 << 4)), [up_3] "r"(static_cast<uint8_t>(1 << 3))
+        : "r0", "memory");
 }
 
 // The line's bit in units of 8 cycles, the double-speed mode's step. Where it is even the normal
@@ -184,6 +211,41 @@ bool serialWrite(Port port, const void* bytes, uint8_t size) {
     if (!at(port, [=](auto& channel) { return channel.tx.put(bytes, size); })) return false;
     usart(static_cast<uint8_t>(port)).control = kSendingToo;
     return true;
+}
+
+void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t crc, uint8_t extra) {
+    const bool first = link == Port::link0;
+    core::Ring<128>& tx = links[first ? 0 : 1].tx;
+    uint8_t checksum[2];
+    const uint8_t* from = head.bytes;
+    uint8_t size = head.size;
+    for (uint8_t piece = 0;; ++piece) {
+        uint8_t run = tx.runOf(size);
+        copySummed(tx.end(), from, run, crc);
+        tx.added(run);
+        if (run < size) {
+            size = static_cast<uint8_t>(size - run);
+            copySummed(tx.begin(), from, size, crc);
+            tx.added(size);
+        }
+        if (piece == 0) {
+            from = body.bytes;
+            size = body.size;
+        } else if (piece == 1) {
+            crc = core::crc16(crc, extra);
+            checksum[0] = static_cast<uint8_t>(crc);
+            checksum[1] = static_cast<uint8_t>(crc >> 8);
+            from = checksum;
+            size = sizeof checksum;
+        } else {
+            break;
+        }
+    }
+    if (first) {
+        usart(static_cast<uint8_t>(Port::link0)).control = kSendingToo;
+    } else {
+        usart(static_cast<uint8_t>(Port::link1)).control = kSendingToo;
+    }
 }
 
 uint16_t serialLost(Port port) {

@@ -21,9 +21,10 @@ bool sendMessage(Link& link, mavlink::Framing framing, const mavlink::Outgoing& 
     if (hal::serialRoom(port) < mavlink::frameSize(framing, message.length)) return false;
     const mavlink::Sender sender = {framing, link.sequence++,
                                     static_cast<uint8_t>(parameters.system_id), kComponent};
-    mavlink::writeFrame(
-        [port](const uint8_t* bytes, uint8_t size) { hal::serialWrite(port, bytes, size); }, sender,
-        message);
+    uint8_t header[mavlink::kHeaderV2];
+    const uint8_t header_size = mavlink::writeHeader(sender, message, header);
+    hal::linkWriteFrame(port, {header, header_size}, {message.payload, message.length},
+                        mavlink::crcBefore(header[0]), message.crc_extra);
     return true;
 }
 

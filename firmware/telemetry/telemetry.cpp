@@ -88,6 +88,12 @@ bool hasSomething(const Link& link) {
     return link.streams.due != 0 || link.next_parameter != kNoParameter || textWaits(link);
 }
 
+// Free bytes in the port at which there is something to send by itself.
+uint8_t roomToSend(const Link& link) {
+    if (hasSomething(link)) return kLargestFrame;
+    return logsWait(link) ? kLogFrame : kNoRoomWakes;
+}
+
 // One message, of what goes out by itself. A log takes turns with all the rest.
 bool sendOne(Link& link) {
     if (logsWait(link)) {
@@ -142,13 +148,8 @@ bool telemetryPump() {
     rested = true;
     bool done = false;
     for (Link& link : links) {
-        if (receive(link) || sendOne(link)) {
-            done = true;
-        } else {
-            link.wake_room = hasSomething(link) ? kLargestFrame
-                             : logsWait(link)   ? kLogFrame
-                                                : kNoRoomWakes;
-        }
+        link.wake_room = roomToSend(link);
+        if (receive(link) || (hasRoom(link, link.wake_room) && sendOne(link))) done = true;
     }
     return done;
 }

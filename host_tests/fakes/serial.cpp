@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/crc.hpp"
+
 namespace {
 fakes::Serial ports[hal::kPorts];
 bool usb = false;
@@ -50,6 +52,14 @@ bool serialWrite(Port port, const void* bytes, uint8_t size) {
     s.out.insert(s.out.end(), from, from + size);
     if (!s.endless) s.room = static_cast<uint8_t>(s.room - size);
     return true;
+}
+
+void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t crc, uint8_t extra) {
+    crc = core::crc16(crc, head.bytes, head.size);
+    crc = core::crc16(core::crc16(crc, body.bytes, body.size), extra);
+    serialWrite(link, head.bytes, head.size);
+    serialWrite(link, body.bytes, body.size);
+    serialWrite(link, &crc, sizeof crc);  // least byte first
 }
 
 uint16_t serialLost(Port port) { return fakes::serial(port).lost; }

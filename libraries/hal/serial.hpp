@@ -19,6 +19,15 @@ uint8_t serialRoom(Port port);              // bytes that serialWrite would take
 // Queues all `size` bytes and returns true, or queues none and returns false.
 bool serialWrite(Port port, const void* bytes, uint8_t size);
 
+// Queues a frame on a link that has room for it: head, body and their checksum (core/crc.hpp),
+// which was `crc` before them and counts the byte `extra` after them. Costs less than to go through
+// the bytes twice.
+struct Piece {
+    const uint8_t* bytes;
+    uint8_t size;
+};
+void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t crc, uint8_t extra);
+
 uint16_t serialLost(Port port);  // received bytes dropped since reset: overrun or buffer full
 
 // True while a USB cable has taken link0 over from the telemetry connector.

@@ -4,18 +4,23 @@
 namespace mavlink {
 
 uint8_t writeHeader(const Sender& sender, const Outgoing& message, uint8_t (&to)[kHeaderV2]) {
-    const uint8_t id_low = static_cast<uint8_t>(message.id);
+    to[1] = message.length;
     if (sender.framing == Framing::v1) {
-        const uint8_t header[kHeaderV1] = {kMagicV1,      message.length,   sender.sequence,
-                                           sender.system, sender.component, id_low};
-        memcpy(to, header, sizeof header);
+        to[0] = kMagicV1;
+        to[2] = sender.sequence;
+        to[3] = sender.system;
+        to[4] = sender.component;
+        to[5] = static_cast<uint8_t>(message.id);
         return kHeaderV1;
     }
-    const uint8_t id_high = static_cast<uint8_t>(message.id >> 8);
-    const uint8_t header[kHeaderV2] = {
-        kMagicV2,      message.length,   0,      0,       sender.sequence,
-        sender.system, sender.component, id_low, id_high, 0};
-    memcpy(to, header, sizeof header);
+    to[0] = kMagicV2;
+    to[2] = to[3] = 0;  // no flags
+    to[4] = sender.sequence;
+    to[5] = sender.system;
+    to[6] = sender.component;
+    to[7] = static_cast<uint8_t>(message.id);
+    to[8] = static_cast<uint8_t>(message.id >> 8);
+    to[9] = 0;
     return kHeaderV2;
 }
 

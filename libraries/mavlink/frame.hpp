@@ -61,12 +61,17 @@ inline uint16_t frameSize(Framing framing, uint8_t payload_length) {
 // Fills in the header; returns its length.
 uint8_t writeHeader(const Sender& sender, const Outgoing& message, uint8_t (&to)[kHeaderV2]);
 
+// Of a checksum that is not touched by the byte a frame begins with, which does not count.
+constexpr uint16_t crcBefore(uint8_t magic) { return static_cast<uint16_t>(0x3078 ^ magic); }
+static_assert(core::crc16(crcBefore(kMagicV1), kMagicV1) == core::kCrcStart, "MAVLink 1");
+static_assert(core::crc16(crcBefore(kMagicV2), kMagicV2) == core::kCrcStart, "MAVLink 2");
+
 // Three calls of sink(const uint8_t* bytes, uint8_t size): header, payload, checksum.
 template <class Sink>
 void writeFrame(Sink&& sink, const Sender& sender, const Outgoing& message) {
     uint8_t header[kHeaderV2];
     const uint8_t header_size = writeHeader(sender, message, header);
-    uint16_t crc = core::crc16(core::kCrcStart, header + 1, static_cast<uint16_t>(header_size - 1));
+    uint16_t crc = core::crc16(crcBefore(header[0]), header, header_size);
     crc = core::crc16(crc, message.payload, message.length);
     crc = core::crc16(crc, message.crc_extra);
     sink(header, header_size);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every contract of libraries/hal, answered by the native board that runs.
+#include "core/crc.hpp"
 #include "hal/analog.hpp"
 #include "hal/clock.hpp"
 #include "hal/eeprom.hpp"
@@ -30,6 +31,13 @@ bool serialRead(Port port, uint8_t& byte) { return board().serial().read(number(
 uint8_t serialRoom(Port port) { return board().serial().room(number(port)); }
 bool serialWrite(Port port, const void* bytes, uint8_t size) {
     return board().serial().write(number(port), static_cast<const uint8_t*>(bytes), size);
+}
+void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t crc, uint8_t extra) {
+    crc = core::crc16(crc, head.bytes, head.size);
+    crc = core::crc16(core::crc16(crc, body.bytes, body.size), extra);
+    serialWrite(link, head.bytes, head.size);
+    serialWrite(link, body.bytes, body.size);
+    serialWrite(link, &crc, sizeof crc);  // least byte first
 }
 uint16_t serialLost(Port port) { return board().serial().lost(number(port)); }
 bool usbConnected() { return board().usb(); }
