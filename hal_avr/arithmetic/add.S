@@ -9,7 +9,7 @@
     .type   __subsf3, @function
     .global __addsf3
     .type   __addsf3, @function
-exchange:
+.Lexchange:
     neg  r31
     movw r0, r22
     movw r22, r18
@@ -18,15 +18,15 @@ exchange:
     movw r24, r20
     movw r20, r0
     clr  r1
-    rjmp larger_first
+    rjmp .Llarger_first
 
-library:
+.Llibrary:
     clr  r26
     clr  r27
     call __addsf3x
     jmp  __fp_round
 
-far:
+.Lfar:
     or   r0, r30
     mov  r30, r18
     mov  r18, r19
@@ -34,9 +34,9 @@ far:
     clr  r20
     subi r31, 8
     cpi  r31, 8
-    brsh far
+    brsh .Lfar
     tst  r31
-    breq aligned
+    breq .Laligned
 4:  lsr  r20
     ror  r19
     ror  r18
@@ -45,7 +45,7 @@ far:
     mov  r0, r25        ; anything but 0
 5:  dec  r31
     brne 4b
-    rjmp aligned
+    rjmp .Laligned
 
 __subsf3:
     subi r21, 0x80
@@ -59,14 +59,14 @@ __addsf3:
     mov  r30, r31
     subi r30, 26        ; 10^-30 and more, so that no difference but 0 is too small
     cpi  r30, 228       ; and the sum not too large
-    brsh library
+    brsh .Llibrary
     mov  r30, r27
     subi r30, 26
     cpi  r30, 228
-    brsh library
+    brsh .Llibrary
     sub  r31, r27
-    brlo exchange
-larger_first:
+    brlo .Lexchange
+.Llarger_first:
     cpi  r31, 26
     brsh 9f             ; less than half of the last place
     bst  r25, 7
@@ -80,22 +80,22 @@ larger_first:
     clr  r30            ; what falls out below, and in r0 whether there was more
     clr  r0
     cpi  r31, 8
-    brsh far
+    brsh .Lfar
     tst  r31
-    breq aligned
+    breq .Laligned
 1:  lsr  r20
     ror  r19
     ror  r18
     ror  r30
     dec  r31
     brne 1b
-aligned:
+.Laligned:
     sbrc r26, 7
-    rjmp difference
+    rjmp .Ldifference
     add  r22, r18
     adc  r23, r19
     adc  r24, r20
-    brcc rounded
+    brcc .Lrounded
     ror  r24
     ror  r23
     ror  r22
@@ -103,7 +103,7 @@ aligned:
     brcc 3f
     mov  r0, r25
 3:  inc  r25
-rounded:
+.Lrounded:
     lsl  r24
     lsr  r25
     ror  r24
@@ -120,36 +120,36 @@ rounded:
     sbci r25, -1
 9:  ret
 
-difference:
+.Ldifference:
     neg  r30
     cpse r0, r1
-    rjmp inexact
-borrowed:
+    rjmp .Linexact
+.Lborrowed:
     sbc  r22, r18
     sbc  r23, r19
     sbc  r24, r20
-    brlo negative
-    brmi rounded
+    brlo .Lnegative
+    brmi .Lrounded
     mov  r26, r22
     or   r26, r23
     or   r26, r24
     or   r26, r30
-    breq zero
-shift:
+    breq .Lzero
+.Lshift:
     dec  r25
     lsl  r30
     rol  r22
     rol  r23
     rol  r24
-    brpl shift
-    rjmp rounded
+    brpl .Lshift
+    rjmp .Lrounded
 
-inexact:
+.Linexact:
     dec  r30            ; there is more below
     sec
-    rjmp borrowed
+    rjmp .Lborrowed
 
-negative:               ; of equal exponents, so nothing is below
+.Lnegative:               ; of equal exponents, so nothing is below
     com  r24
     com  r23
     neg  r22
@@ -159,10 +159,10 @@ negative:               ; of equal exponents, so nothing is below
     com  r26
     bst  r26, 0
     tst  r24
-    brmi rounded
-    rjmp shift
+    brmi .Lrounded
+    rjmp .Lshift
 
-zero:
+.Lzero:
     clr  r25
     ret
     .size __addsf3, . - __addsf3

@@ -7,12 +7,12 @@
     .section .text.libgcc.float_product, "ax", @progbits
     .global __mulsf3
     .type   __mulsf3, @function
-large:
+.Llarge:
     subi r31, 127
-    brcc library        ; too large
+    brcc .Llibrary        ; too large
     cpi  r31, 254
-    brlo finite
-library:
+    brlo .Lfinite
+.Llibrary:
     call __mulsf3x
     jmp  __fp_round
 
@@ -26,17 +26,17 @@ __mulsf3:
     mov  r26, r31
     dec  r26
     cpi  r26, 254
-    brsh library        ; 0 and 255
+    brsh .Llibrary        ; 0 and 255
     mov  r26, r27
     dec  r26
     cpi  r26, 254
-    brsh library
+    brsh .Llibrary
     add  r31, r27
-    brcs large
+    brcs .Llarge
     subi r31, 127
-    brlo library        ; too small for a normal number
-    breq library
-finite:
+    brlo .Llibrary        ; too small for a normal number
+    breq .Llibrary
+.Lfinite:
     mov  r0, r25
     eor  r0, r21
     bst  r0, 7
@@ -81,9 +81,9 @@ finite:
     adc  r23, r21
     eor  r1, r1
     tst  r23
-    brpl below_two
+    brpl .Lbelow_two
     inc  r25
-normal:
+.Lnormal:
     or   r26, r27
     mov  r24, r23
     mov  r23, r22
@@ -104,11 +104,11 @@ normal:
     sbci r25, -1
 2:  ret
 
-below_two:
+.Lbelow_two:
     lsl  r27
     rol  r30
     rol  r31
     rol  r22
     rol  r23
-    rjmp normal
+    rjmp .Lnormal
     .size __mulsf3, . - __mulsf3

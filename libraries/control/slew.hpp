@@ -5,7 +5,7 @@
 
 namespace control {
 
-constexpr float slewed(float value, float towards, float step) {
+inline float slewed(float value, float towards, float step) {
     return core::limit(towards, value - step, value + step);
 }
 

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "core/multiply.hpp"
+
 namespace core {
 
 constexpr int16_t narrowed(int32_t value) {
@@ -14,17 +16,6 @@ constexpr int16_t narrowed(int32_t value) {
 
 // The upper half, rounded; of values that leave half a bit of room.
 constexpr int16_t upper(int32_t value) { return static_cast<int16_t>((value + 0x8000) >> 16); }
-
-constexpr int32_t product(int16_t a, int16_t b) { return static_cast<int32_t>(a) * b; }
-
-// The upper 32 of the 48 bits of a product; what is cut off is lost towards the lower number. In
-// two of the chip's own products of 16 bits: one of 64 takes five times as long.
-__attribute__((noinline)) constexpr int32_t times16(int32_t a, int16_t b) {
-    const uint16_t low = static_cast<uint16_t>(a);
-    const uint32_t below = static_cast<uint32_t>(low) * static_cast<uint16_t>(b);
-    const int32_t above = static_cast<int32_t>(static_cast<int16_t>(a >> 16)) * b;
-    return above + static_cast<uint16_t>(below >> 16) - (b < 0 ? low : 0);  // b was taken unsigned
-}
 
 // The product of two numbers one of which has 14 bits behind the point, in the form of the other;
 // below 1 in size when the other may be any.

@@ -3,6 +3,7 @@
 #pragma once
 #include <math.h>
 #include <stdint.h>
+#include <string.h>
 
 namespace core {
 
@@ -19,10 +20,20 @@ constexpr T limit(T value, T lowest, T highest) {
     return value < lowest ? lowest : (highest < value ? highest : value);
 }
 
-// Two comparisons of floats are 60 bytes: in one place.
+// In the order of the numbers, for all that are numbers.
+inline int32_t orderOf(float value) {
+    int32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits < 0 ? bits ^ INT32_MAX : bits;
+}
+
+// Comparing floats takes five times as long as comparing their bits. What is no number becomes one
+// of the two.
 template <>
-__attribute__((noinline)) constexpr float limit(float value, float lowest, float highest) {
-    return value < lowest ? lowest : (highest < value ? highest : value);
+__attribute__((noinline)) inline float limit(float value, float lowest, float highest) {
+    const int32_t order = orderOf(value);
+    if (order < orderOf(lowest)) return lowest;
+    return orderOf(highest) < order ? highest : value;
 }
 
 template <class T>

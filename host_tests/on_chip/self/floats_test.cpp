@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// hal_avr/arithmetic gives every bit as the library's routines do, which are still there under
-// these names.
+// hal_avr/arithmetic: floats get every bit as from the library's routines, which are still there
+// under these names.
 #include <gtest/gtest.h>
 #include <string.h>
+
+#include "core/multiply.hpp"
 
 namespace {
 
@@ -83,6 +85,22 @@ TEST(Arithmetic, differences_have_the_librarys_bits) {
 }
 TEST(Arithmetic, products_have_the_librarys_bits) {
     EXPECT_EQ(differences([](float a, float b) { return same(a * b, librarysProduct(a, b)); }), 0);
+}
+int wrongTimes16(int32_t a, int16_t b) {
+    return core::times16(a, b) != static_cast<int32_t>(static_cast<int64_t>(a) * b >> 16);
+}
+TEST(Arithmetic, times16_is_the_upper_part_of_the_whole_product) {
+    constexpr int32_t kLong[] = {0,     1,     -1,     255,       256,      -256,
+                                 65535, 65536, -65536, INT32_MAX, INT32_MIN};
+    constexpr int16_t kShort[] = {0, 1, -1, 127, 128, 255, 256, -128, -256, INT16_MAX, INT16_MIN};
+    int wrong = 0;
+    for (const int32_t a : kLong)
+        for (const int16_t b : kShort) wrong += wrongTimes16(a, b);
+    for (uint16_t i = 0; i < 5000; ++i) {
+        const int32_t a = static_cast<int32_t>(random32() >> (i & 15));
+        wrong += wrongTimes16(a, static_cast<int16_t>(random32()));
+    }
+    EXPECT_EQ(wrong, 0);
 }
 TEST(Arithmetic, comparisons_say_what_the_librarys_do) {
     EXPECT_EQ(differences([](float a, float b) {
