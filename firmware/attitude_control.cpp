@@ -4,6 +4,7 @@
 #include "control/attitude.hpp"
 #include "core/rom.hpp"
 #include "firmware/modes.hpp"
+#include "firmware/modes/autotune.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/vehicle.hpp"
 
@@ -128,10 +129,15 @@ control::TurnRates turnToFly() {
 void stabilise() {
     const auto& rate_rads = vehicle.attitude.rate_rads;
     const uint8_t periods = vehicle.imu.periods;
+    const core::Angle roll_error = rollError(), pitch_error = pitchError();
     surfaces.aileron =
-        control::rollDeflection(roll_gains, roll_state, air, rollError(), rate_rads.x, periods);
+        control::rollDeflection(roll_gains, roll_state, air, roll_error, rate_rads.x, periods);
     surfaces.elevator = control::pitchDeflection(pitch_gains, pitch_state, air, turnToFly(),
-                                                 pitchError(), rate_rads.y, periods);
+                                                 pitch_error, rate_rads.y, periods);
+    if (vehicle.mode == Mode::autotune) {
+        tune(kTunedRoll, roll_gains, roll_state, air, roll_error, rate_rads.x);
+        tune(kTunedPitch, pitch_gains, pitch_state, air, pitch_error, rate_rads.y);
+    }
     if (vehicle.sticks == Sticks::bounded) bindSticks();
     surfaces.rudder = control::yawUsed(parameters.yaw) ? yaw() : Deflection::fromRaw(0);
     add(surfaces.rudder, core::times14(surfaces.aileron.raw, rudder_mix.raw));

@@ -36,6 +36,7 @@ constexpr ModeRow kModes[] ROM = {
     {Mode::fbwa,      Throttle::pilot,     Guidance::none,   startFbwa,      runFbwa,      nothing,      nothing},
     {Mode::fbwb,      Throttle::speed,     Guidance::height, startFbwb,      runFbwb,      demandFbwb,   nothing},
     {Mode::cruise,    Throttle::speed,     Guidance::path,   startCruise,    runCruise,    demandCruise, nothing},
+    {Mode::autotune,  Throttle::pilot,     Guidance::none,   startAutotune,  runFbwa,      nothing,      nothing},
     {Mode::automatic, Throttle::automatic, Guidance::path,   startAuto,      runAuto,      nothing,      stopAuto},
     {Mode::rtl,       Throttle::automatic, Guidance::path,   startRtl,       runRtl,       nothing,      nothing},
     {Mode::loiter,    Throttle::automatic, Guidance::path,   startLoiter,    runLoiter,    nothing,      nothing},

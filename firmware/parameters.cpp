@@ -96,6 +96,7 @@ constexpr parameters::Row kRows[] = {
     P(203, "ACRO_ROLL_RATE",    acro_roll_rate_dps,              180,      10,      500),
     P(204, "ACRO_PITCH_RATE",   acro_pitch_rate_dps,             180,      10,      500),
     P(205, "ACRO_LOCKING",      acro_locking,                      0,       0,        1),
+    P(240, "AUTOTUNE_LEVEL",    autotune_level,                    6,       0,       10),
     P(206, "FBWB_CLIMB_RATE",   fbwb_climb_mps,                    2,       1,       10),
     P(207, "FBWB_ELEV_REV",     fbwb_elevator_reverse,             0,       0,        1),
     P(208, "ALT_HOLD_FBWCM",    fbwb_lowest_cm,                    0,       0,    32767),

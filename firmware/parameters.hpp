@@ -49,6 +49,7 @@ struct Parameters {
     // modes
     int16_t acro_roll_rate_dps, acro_pitch_rate_dps;
     int8_t acro_locking;
+    int8_t autotune_level;
     float fbwb_climb_mps;
     int8_t fbwb_elevator_reverse;
     int16_t fbwb_lowest_cm;  // ALT_HOLD_FBWCM

@@ -23,6 +23,7 @@ enum class Mode : uint8_t {
     fbwa = 5,
     fbwb = 6,
     cruise = 7,
+    autotune = 8,
     automatic = 10,  // AUTO
     rtl = 11,
     loiter = 12,

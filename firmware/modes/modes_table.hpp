@@ -24,6 +24,8 @@ void runAcro();
 Entry startFbwa();
 void runFbwa();
 
+Entry startAutotune();
+
 Entry startFbwb();
 void runFbwb();
 void demandFbwb();

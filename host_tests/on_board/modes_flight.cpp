@@ -92,6 +92,10 @@ Sticks bankHard(double t_s, const Truth& truth) {
     return {400, pull(0.1, truth.pitch_rad, 500), 60};
 }
 Sticks bankByFbw(double t_s, const Truth&) { return {t_s > 1 && t_s < 5 ? 400 : 0, 30, 60}; }
+Sticks bankBothWays(double t_s, const Truth&) {
+    if (t_s < 1 || t_s > 13) return {0, 30, 60};
+    return {std::fmod(t_s, 6) < 3 ? 400 : -400, 30, 60};
+}
 Sticks rollAndStop(double t_s, const Truth& truth) {
     static bool out;  // on the way to the bank, and back
     if (t_s < 1) out = false;
@@ -129,6 +133,11 @@ bool stoppedWhereLetGo(const Flown& flown) {
 bool bankedAsDemanded(const Flown& flown) {
     const Range bank = range(flown, &Moment::roll_deg, 3.5, 5);
     return std::abs(bank.mean() - kBankLimit_deg) < 5 && bank.highest < kBankLimit_deg + 8;
+}
+bool bankedBothWays(const Flown& flown) {
+    const Range bank = range(flown, &Moment::roll_deg, 1, 13);
+    return std::abs(bank.highest - kBankLimit_deg) < 8 &&
+           std::abs(bank.lowest + kBankLimit_deg) < 8;
 }
 bool heldAndClimbed(const Flown& flown) {
     const double end_s = flown.back().t_s;
@@ -174,6 +183,7 @@ constexpr Leg kLegs[] = {
     {"TRAINING", 3, bankHard, heldAtTheLimit, "banked to the limit and no further"},
     {"ACRO", 4, rollAndStop, stoppedWhereLetGo, "stayed where the stick was let go"},
     {"FBWA", 5, bankByFbw, bankedAsDemanded, "banked as demanded"},
+    {"AUTOTUNE", 8, bankBothWays, bankedBothWays, "banked both ways"},
     {"FBWB", 6, climbAWhile, heldAndClimbed, "held height and speed, climbed as demanded"},
     {"CRUISE", 7, hands_off, heldTrackAndHeight, "held track and height"},
     {"CIRCLE", 1, hands_off, circledGently, "circled at a third of the bank"},

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// AUTOTUNE: FBWA that multiplies the gains of roll and pitch by what it finds in the pilot's turns.
+#pragma once
+#include "control/axis.hpp"
+
+namespace firmware {
+
+enum TunedAxis : uint8_t { kTunedRoll, kTunedPitch };
+
+// While AUTOTUNE flies, after the loop of that axis has run with these.
+void tune(TunedAxis which, const control::AxisGains& gains, const control::AxisState& state,
+          const control::AirFlow& air, core::Angle error_rad, core::Fixed<10> rate_rads);
+
+}  // namespace firmware

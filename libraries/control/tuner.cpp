@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "control/tuner.hpp"
+
+#include "core/maths.hpp"
+
+namespace control {
+namespace {
+
+// 2^-10 rad/s
+constexpr int16_t kBegins = 410, kRest = 120, kFastEnough = 310, kSwing = 260;
+constexpr uint16_t kLongest = 400;  // frames
+constexpr uint8_t kSwingLasts = 60, kMostSwings = 6;
+
+constexpr int32_t kFull = 1L << 20;
+
+int16_t size(int16_t value) { return value < 0 ? static_cast<int16_t>(-value) : value; }
+
+// Of full deflection, 2^-14; as far as the surface goes.
+int16_t surface(const AxisState& state) {
+    return static_cast<int16_t>(core::limit(state.last_output, -kFull, kFull) >> 6);
+}
+
+int16_t expected(const AxisGains& gains, const AirFlow& air, int16_t rate) {
+    const int32_t direct = core::product(gains.feed_forward.raw, rate) >> 8;
+    return core::times14(core::narrowed(direct), air.speed_scale.raw);
+}
+
+}  // namespace
+
+// A swing is a rate that comes back with the other sign soon.
+AxisTuner::Finding AxisTuner::swing(int16_t rate) {
+    if (since_ < kSwingLasts) ++since_;
+    if (since_ == kSwingLasts) swings_ = 0;
+    const int8_t side = rate > kSwing ? 1 : (rate < -kSwing ? -1 : 0);
+    if (side == 0 || side == side_) return Finding::nothing;
+    side_ = side;
+    since_ = 0;
+    if (++swings_ < kMostSwings) return Finding::nothing;
+    swings_ = 0;
+    return Finding::shakes;
+}
+
+AxisTuner::Finding AxisTuner::watch(const AxisGains& gains, const AxisState& state,
+                                    const AirFlow& air, core::Fixed<10> demand_rads,
+                                    core::Fixed<10> rate_rads) {
+    const int16_t rate = rate_rads.raw;
+    const bool rests = size(rate) < kRest;
+    if (frames_ == 0) {
+        if (size(demand_rads.raw) < kBegins) return swing(rate);
+        if (!rests || air.too_slow) return Finding::nothing;
+        crossed_ = squared_ = 0;
+        fastest_ = 0;
+        rest_ = static_cast<int16_t>(state.integrator >> 16);
+    }
+    const int16_t wanted = expected(gains, air, rate);
+    crossed_ += core::product(core::narrowed(int32_t{surface(state)} - rest_), wanted) >> 8;
+    squared_ += core::product(wanted, wanted) >> 8;
+    fastest_ = core::limit<int16_t>(size(rate), fastest_, INT16_MAX);
+    const bool over = rests && size(demand_rads.raw) < kRest;
+    if (!over && ++frames_ < kLongest) return Finding::nothing;
+    frames_ = 0;
+    return over && fastest_ >= kFastEnough ? Finding::measured : Finding::nothing;
+}
+
+float AxisTuner::factor() const {
+    if (squared_ <= 0) return 1;
+    return core::limit(static_cast<float>(crossed_) / static_cast<float>(squared_), kLeast, kMost);
+}
+
+}  // namespace control

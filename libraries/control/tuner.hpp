@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Learns from the turns of one axis, from rest to rest, how strong its surface is: over such a turn
+// the surface that was used, against the one that the feed-forward expects for the rates that
+// came, is a ratio in which the axis's inertia has no part (what it takes at the beginning it gives
+// back at the end). The gains of a loop want to be multiplied by that ratio.
+#pragma once
+#include "control/axis.hpp"
+
+namespace control {
+
+class AxisTuner {
+public:
+    enum class Finding : uint8_t {
+        nothing,
+        measured,  // factor() holds
+        shakes,    // the airplane swings about where it is to be: the gains are too high
+    };
+
+    constexpr AxisTuner() {}
+
+    // Every frame, after axisDeflection with the same arguments.
+    Finding watch(const AxisGains& gains, const AxisState& state, const AirFlow& air,
+                  core::Fixed<10> demand_rads, core::Fixed<10> rate_rads);
+    // What lasted so far counts no more.
+    void drop() { frames_ = 0; }
+
+    // For the gains; within 0.8 .. 1.25, so that one bad turn spoils little.
+    float factor() const;
+    static constexpr float kLeast = 0.8f, kMost = 1.25f;
+
+private:
+    Finding swing(int16_t rate);
+
+    int32_t crossed_ = 0, squared_ = 0;
+    int16_t rest_ = 0;     // the surface before the turn, 2^-14
+    int16_t fastest_ = 0;  // 2^-10 rad/s
+    uint16_t frames_ = 0;  // of the turn under way; 0: none
+    int8_t side_ = 0;      // which way it swung last
+    uint8_t swings_ = 0, since_ = 0;
+};
+
+}  // namespace control
