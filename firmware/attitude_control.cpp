@@ -158,12 +158,13 @@ void runAttitudeControl() {
     }
     look = (look + 1) % core::count(kLooks);
     core::romRead(kLooks[look])();
-    if (vehicle.sticks == Sticks::direct)
+    const bool at_trim = vehicle.mode == Mode::initialising;
+    if (at_trim || vehicle.sticks == Sticks::direct)
         surfaces = {0, 0, 0, 0};
     else
         stabilise();
     if (vehicle.sticks == Sticks::direct || vehicle.sticks == Sticks::on_top) addSticks();
-    addStick(surfaces.rudder, vehicle.radio.yaw_cd);
+    if (!at_trim) addStick(surfaces.rudder, vehicle.radio.yaw_cd);
     surfaces.throttle = vehicle.throttle_demand;
 }
 

@@ -143,6 +143,9 @@ void propagateMotion() {
     gathered = 0;
 }
 
+int16_t centimetres(float metres) { return core::narrowed(core::rounded(metres * 100.0f)); }
+float metres(int16_t centimetres) { return centimetres * 0.01f; }
+
 void publishAttitude() {
     const estimation::Angles& angles = attitude.angles();
     auto& to = vehicle.attitude;
@@ -242,6 +245,49 @@ void zeroHeight() {
 void shiftHeight(float by_m) {
     home_height_m -= by_m;
     vehicle.estimate.height_m += by_m;
+}
+
+// A place without a fix since then counts as one that is as old as the record.
+void resumeEstimate(const SteadyRecord& steady, const MovingRecord& moving, float lost_s) {
+    const auto& rate = moving.rate_rads;
+    const Vector3 rate_rads = {rate.x, rate.y, rate.z};
+    attitude.resume(moving.pose, steady.learnt, rate_rads * lost_s);
+    home_height_m = steady.home_height_m;
+    height.resume(home_height_m + moving.height_m, metres(moving.velocity_cms[2]));
+    height_started = started = true;
+    baro_us = hal::now_us();
+    true_speed_ratio =
+        estimation::trueSpeedRatio(steady.ground_pressure_pa, steady.ground_temperature_c);
+    if (moving.wind_known) wind.resume(metres(steady.wind_cms[0]), metres(steady.wind_cms[1]));
+    vehicle.estimate.wind_mps = wind.wind_mps();
+    vehicle.estimate.flying = true;
+    if (!moving.place_known) return;
+    estimation::PositionSettings settings;
+    settings.gps_age_s = lost_s;
+    position.useGps(moving.position,
+                    {metres(moving.velocity_cms[0]), metres(moving.velocity_cms[1]), 0}, {0, 0, 0},
+                    settings);
+}
+
+void keepEstimate(SteadyRecord& to) {
+    attitude.keep(to.learnt);
+    to.home_height_m = home_height_m;
+    const Vector3 wind_mps = wind.wind_mps();
+    to.wind_cms[0] = centimetres(wind_mps.x);
+    to.wind_cms[1] = centimetres(wind_mps.y);
+}
+
+void keepEstimate(MovingRecord& to) {
+    const auto& estimate = vehicle.estimate;
+    attitude.keep(to.pose);
+    to.rate_rads = attitude.rate_rads();
+    to.position = estimate.position;
+    to.place_known = estimate.known;
+    to.wind_known = wind.known();
+    to.velocity_cms[0] = centimetres(estimate.velocity_mps.x);
+    to.velocity_cms[1] = centimetres(estimate.velocity_mps.y);
+    to.velocity_cms[2] = centimetres(estimate.climb_mps);
+    to.height_m = estimate.height_m;
 }
 
 }  // namespace firmware

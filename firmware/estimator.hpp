@@ -2,12 +2,18 @@
 // Joins the sensors to what is flown by: attitude, place, height, speed, wind.
 #pragma once
 #include "core/maths.hpp"
+#include "firmware/restart/record.hpp"
 
 namespace firmware {
 
 void runEstimator();  // every frame, after the sensors
 
 core::Vector3 gyroDrift_rads();  // learnt in flight, on top of the calibration
+
+// For flying on after a restart: what is known, and the same again `lost_s` later.
+void keepEstimate(SteadyRecord& to);
+void keepEstimate(MovingRecord& to);
+void resumeEstimate(const SteadyRecord& steady, const MovingRecord& moving, float lost_s);
 
 void zeroHeight();             // the airplane stands at height 0 now
 void shiftHeight(float by_m);  // added to every height from now on

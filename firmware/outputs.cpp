@@ -9,6 +9,7 @@
 #include "firmware/parameters.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/vehicle.hpp"
+#include "hal/guard.hpp"
 #include "hal/servo_output.hpp"
 
 namespace firmware {
@@ -103,6 +104,7 @@ void startOutputs() {
 }
 
 void runOutputs() {
+    hal::guardTouch();
     if (wrongBoard()) return;
     if (vehicle.mode_changed) outputReleaseAll();
     for (uint8_t i = 0; i < hal::kServos; ++i) {

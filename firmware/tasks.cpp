@@ -18,10 +18,13 @@
 #include "firmware/parameters.hpp"
 #include "firmware/radio.hpp"
 #include "firmware/rally.hpp"
+#include "firmware/restart/restart.hpp"
+#include "firmware/restart/supervisor.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/telemetry/telemetry.hpp"
 #include "firmware/vehicle.hpp"
 #include "hal/clock.hpp"
+#include "hal/guard.hpp"
 #include "hal/watchdog.hpp"
 #include "scheduler/scheduler.hpp"
 
@@ -67,6 +70,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { runGuidance,           5,     2,    2450 },
     { runSpeedHeight,       10,     4,    2400 },
     { runLog,                2,     0,    1150 },
+    { runRestart,            2,     1,     150 },
     { runCompass,            2,     0,     310 },
     { runAirspeed,           2,     0,     280 },
     { runPoints,            10,     6,    1000 },
@@ -89,6 +93,7 @@ static_assert(scheduler::worstFrame_us(kTasks, 100) < kFrame_us * 19UL / 20,
               "a frame is more than 95 % full though everything in it takes its longest");
 
 scheduler::Scheduler<core::count(kTasks)> schedule(kTasks, kFrame_us);
+Supervisor supervisor;
 
 uint16_t frame_began;  // ticks
 uint16_t load_permille;
@@ -106,6 +111,7 @@ void measureLoad() {
 void everySecond() {
     measureLoad();
     runDeclination();
+    runRestartSlowly();
 }
 
 bool frameDue() {
@@ -120,6 +126,7 @@ bool workWaits() { return inertialSamplesWaiting() >= kSamplesPerFrame || teleme
 }  // namespace
 
 void start() {
+    restartJudge();
     board::start();
     findBoard();
     dataflashStart();
@@ -133,15 +140,19 @@ void start() {
     telemetryStart();
     missionBoot();
     vehicle.mode = Mode::initialising;
-    setMode(static_cast<Mode>(parameters.initial_mode), ModeReason::boot);
+    restartResume();
+    if (!flyingOn()) setMode(static_cast<Mode>(parameters.initial_mode), ModeReason::boot);
     schedule.start();
     frame_began = hal::ticks();
+    hal::guardStart();
+    hal::watchdogStart();
 }
 
 void turn() {
     if (frameDue()) {
         frame_began = hal::ticks();
         schedule.runFrame(hal::now_us());
+        if (supervisor.wellAfter(schedule.takeServed())) hal::watchdogFeed();
     } else if (!telemetryPump() && !logFind()) {
         hal::idle(workWaits);
     }

@@ -7,6 +7,7 @@
 #include "core/rom.hpp"
 #include "hal/analog.hpp"
 #include "hal/interrupts.hpp"
+#include "restart.hpp"
 #include "start.hpp"
 #include "wiring.hpp"
 
@@ -62,6 +63,16 @@ ISR(ADC_vect) {
 
 namespace avr {
 
+// A scan ends with the band gap, and the multiplexer stays there: one conversion after the other
+// until the next scan, read 4 ms later instead of by an interrupt.
+bool supplyLow() {
+    constexpr uint16_t kMostReading = 1126400 / 4200;
+    if (scan.running || scan.step + 1 != hal::kAnalogs || (ADCSRA & (1 << ADSC))) return false;
+    const uint16_t reading = ADC;
+    ADCSRA = static_cast<uint8_t>(kEnabled & ~(1 << ADIE)) | (1 << ADIF) | (1 << ADSC);
+    return reading > kMostReading;
+}
+
 void adcStart() {
     DIDR0 = wiring::kAnalogPins0;
     DIDR2 = wiring::kAnalogPins2;
@@ -76,7 +87,9 @@ void analogScan() {
     if (scan.running) return;
     scan.running = true;
     begin(wiring::kFirstAnalogStep);
-    ADCSRA = kEnabled | (1 << ADSC);
+    // One of supplyLow() that is under way ends as the first to be dropped; the end of another is
+    // forgotten.
+    ADCSRA = kEnabled | (1 << ADIF) | (1 << ADSC);
 }
 
 AnalogSum analogTake(Analog input) {

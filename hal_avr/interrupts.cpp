@@ -4,7 +4,7 @@
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
-#include "hal/watchdog.hpp"
+#include "restart.hpp"
 
 namespace hal {
 
@@ -23,4 +23,4 @@ void unlockInterrupts(uint8_t previous) {
 
 // An interrupt without a handler: the library's own answer is a jump to 0, which would start the
 // program on peripherals in any state.
-ISR(BADISR_vect) { hal::reboot(); }
+ISR(BADISR_vect) { avr::restart(hal::ResetCause::fault); }

@@ -115,6 +115,8 @@ bool rcRead(uint16_t (&pulse_us)[kRcChannels]) {
     return fresh;
 }
 
+uint16_t rcPulse_us(uint8_t channel) { return ppm.frames[ppm.filling ^ 1][channel] / 2; }
+
 uint32_t rcAge_us() {
     Locked locked;
     const uint32_t age_us = now_us() - ppm.received_us;

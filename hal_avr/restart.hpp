@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "hal/watchdog.hpp"
 
 namespace avr {
 
-// Begins anew through address 0, for a board whose bootloader does not survive a watchdog's reset.
-[[noreturn]] void restart();
+// Ends this run, leaves a note why, and begins anew: by the watchdog's reset, or through address 0
+// on a board whose bootloader does not survive one.
+[[noreturn]] void restart(hal::ResetCause why);
+
+// While the supply is below what the board needs, and for a quarter of a second afterwards; called
+// every 4 ms. A run that then ends without a note ended by a brown-out.
+void noteSupply(bool low);
+
+// Below 4.2 V, by a conversion between two scans of the analogue inputs; called likewise.
+bool supplyLow();
 
 }  // namespace avr

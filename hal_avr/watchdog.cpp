@@ -5,39 +5,71 @@
 #include <avr/io.h>
 #include <avr/wdt.h>
 
+#include "hal/clock.hpp"
 #include "hal/interrupts.hpp"
 #include "restart.hpp"
 #include "wiring.hpp"
 
+using hal::ResetCause;
+
 namespace {
-uint8_t reset_flags __attribute__((section(".noinit")));
 
-// Left by a restart through address 0, of which the hardware knows nothing.
-constexpr uint16_t kRestarted = 0x5AC3;
-uint16_t restarted __attribute__((section(".noinit")));
-}  // namespace
+// Of this run once it ends; until then of the last one, and without a seal.
+struct Note {
+    hal::LastRun run;
+    uint16_t seal;  // of chance contents it is wrong
+};
+Note note __attribute__((section(".noinit")));
 
-// Runs before RAM is prepared: after a watchdog reset the watchdog is still on, at 15 ms, and its
-// enable bit is held by WDRF (data sheet 12.4).
-extern "C" void saveResetFlags() __attribute__((naked, used, section(".init3")));
-void saveResetFlags() {
-    reset_flags = MCUSR;
-    if (!wiring::kWatchdogResets) {
-        if (reset_flags == 0 && restarted == kRestarted) reset_flags = 1 << WDRF;
-        restarted = 0;
-    }
-    MCUSR = 0;
-    wdt_disable();
+struct {
+    uint8_t low, high;  // how long a low supply is still remembered, and its complement
+} supply __attribute__((section(".noinit")));
+
+constexpr uint8_t kBite_ms = 15;
+constexpr uint8_t kSupplyRemembered = 60;  // times 4 ms
+
+uint16_t sealOf(const hal::LastRun& run) {
+    constexpr uint16_t kSeal = 0x5AC3;
+    return static_cast<uint16_t>(kSeal ^ run.ended_ms ^ (run.mark << 8 | uint8_t(run.ended)));
 }
 
-namespace avr {
+ResetCause causeOf(uint8_t flags) {
+    // The supply's rise sets other flags along with its own.
+    if (flags & (1 << PORF)) return ResetCause::power_on;
+    if (note.seal == sealOf(note.run)) return note.run.ended;
+    if (flags & (1 << WDRF)) return ResetCause::watchdog;
+    if (flags & (1 << BORF)) return ResetCause::brown_out;
+    if (flags & (1 << EXTRF)) return ResetCause::external;
+    const bool sagged = supply.low != 0 && (supply.low ^ supply.high) == 0xFF;
+    return sagged ? ResetCause::brown_out : ResetCause::unknown;
+}
+
+// After a watchdog reset the watchdog is still on, at 15 ms, and its enable bit is held by WDRF
+// (data sheet 12.4).
+__attribute__((noinline)) void judgeLastRun() {
+    const uint8_t flags = MCUSR;
+    MCUSR = 0;
+    wdt_disable();
+    hal::LastRun& run = note.run;
+    run.ended = causeOf(flags);
+    run.restart_ms = wiring::kStartUp_ms;
+    if (run.ended == ResetCause::watchdog || run.ended == ResetCause::fault)
+        run.restart_ms = wiring::kWatchdogResets ? kBite_ms + wiring::kStartUp_ms : 0;
+    note.seal = static_cast<uint16_t>(~sealOf(note.run));
+    supply.low = 0;
+}
+
+void leaveNote(ResetCause why) {
+    note.run.ended = why;
+    note.run.mark = GPIOR0;
+    note.run.ended_ms = static_cast<uint16_t>(hal::now_ms());
+    note.seal = sealOf(note.run);
+}
 
 // Everything that could still act or interrupt is as after a reset: all of the extended registers
 // from the pin change control on (OSCCAL and the clock's divider lie before it), the ports, and
 // the few below; then the flags.
-void restart() {
-    cli();
-    restarted = kRestarted;
+[[noreturn]] void beginThroughZero() {
     for (uint16_t at = 0x68; at <= 0x136; ++at) *reinterpret_cast<volatile uint8_t*>(at) = 0;
     for (uint16_t at = 0x20; at <= 0x34; ++at) *reinterpret_cast<volatile uint8_t*>(at) = 0;
     EIMSK = SPCR = EECR = TCCR0A = TCCR0B = 0;
@@ -46,38 +78,50 @@ void restart() {
     __builtin_unreachable();
 }
 
-}  // namespace avr
+}  // namespace
 
-namespace hal {
+// Before RAM is prepared.
+extern "C" void saveResetFlags() __attribute__((naked, used, section(".init3")));
+void saveResetFlags() { judgeLastRun(); }
 
-ResetCause resetCause() {
-    // The supply's rise sets other flags along with its own. A bootloader may have cleared all.
-    if (reset_flags & (1 << PORF)) return ResetCause::power_on;
-    if (reset_flags & (1 << WDRF)) return ResetCause::watchdog;
-    if (reset_flags & (1 << BORF)) return ResetCause::brown_out;
-    if (reset_flags & (1 << EXTRF)) return ResetCause::external;
-    return ResetCause::unknown;
-}
+// Where a reset may follow, it does so as well when interrupts are off for too long.
+ISR(WDT_vect) { avr::restart(ResetCause::watchdog); }
 
-void watchdogStart() {
-    if (wiring::kWatchdogResets) {
-        wdt_enable(WDTO_250MS);
-        return;
-    }
-    Locked locked;
-    wdt_reset();
-    WDTCSR = (1 << WDCE) | (1 << WDE);
-    WDTCSR = (1 << WDIE) | WDTO_250MS;  // its interrupt, no reset
-}
-void watchdogFeed() { wdt_reset(); }
+namespace avr {
 
-void reboot() {
-    if (!wiring::kWatchdogResets) avr::restart();
+void restart(ResetCause why) {
     cli();
+    leaveNote(why);
+    if (!wiring::kWatchdogResets) beginThroughZero();
     wdt_enable(WDTO_15MS);
     wdt_reset();  // the 15 ms count from here, whatever it counted before
     for (;;) {
     }
 }
+
+void noteSupply(bool low) {
+    if (low)
+        supply.low = kSupplyRemembered;
+    else if (supply.low != 0)
+        --supply.low;
+    supply.high = static_cast<uint8_t>(~supply.low);
+}
+
+}  // namespace avr
+
+namespace hal {
+
+const LastRun& lastRun() { return note.run; }
+
+void watchdogStart() {
+    constexpr uint8_t kMode = (1 << WDIE) | (wiring::kWatchdogResets ? 1 << WDE : 0);
+    const Locked locked;
+    wdt_reset();
+    WDTCSR = (1 << WDCE) | (1 << WDE);
+    WDTCSR = kMode | WDTO_250MS;
+}
+void watchdogFeed() { wdt_reset(); }
+
+void reboot() { avr::restart(ResetCause::asked); }
 
 }  // namespace hal

@@ -13,6 +13,7 @@
 #include "hal/clock.hpp"
 #include "hal/eeprom.hpp"
 #include "hal/page_flash.hpp"
+#include "hal/watchdog.hpp"
 #include "storage/eeprom_map.hpp"
 #include "storage/owner.hpp"
 
@@ -114,6 +115,8 @@ constexpr State kStates[] ROM = {
 // clang-format on
 static_assert(core::count(kStates) <= 8, "a bit each");
 
+constexpr uint8_t kProcessor = 19;  // with the cause of its last reset
+
 constexpr uint8_t kCommands = 4;
 constexpr uint8_t kNoMode = 0xFF;
 
@@ -191,6 +194,8 @@ bool putPrelude() {
         ok = putFormat(static_cast<uint8_t>(at));
     } else if ((at -= kFormats) == 0) {
         ok = putBanner();
+    } else if (--at == 0) {
+        ok = putError(kProcessor, static_cast<uint8_t>(hal::resetCause()));
     } else if (--at < parameterCount()) {
         ok = putParameter(static_cast<uint8_t>(at));
     } else if ((at -= parameterCount()) < missionCount() && wants(Bit::command)) {

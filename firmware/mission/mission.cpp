@@ -11,11 +11,11 @@
 #include "firmware/mission/speed.hpp"
 #include "firmware/modes.hpp"
 #include "firmware/parameters.hpp"
+#include "firmware/restart/restart.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
 #include "hal/clock.hpp"
 #include "hal/mark.hpp"
-#include "hal/watchdog.hpp"
 #include "storage/index_store.hpp"
 #include "storage/owner.hpp"
 
@@ -133,11 +133,6 @@ constexpr mission::Host kHost ROM = {readRecord, countRecords, onEvent, here, en
 // Left alone by a watchdog or brown-out reset; the engine's seal tells whether it still holds.
 mission::Memory memory __attribute__((section(".noinit")));
 
-bool memoryMayHaveSurvived() {
-    const hal::ResetCause cause = hal::resetCause();
-    return cause == hal::ResetCause::watchdog || cause == hal::ResetCause::brown_out;
-}
-
 Status findStoredMission() {
     storage::Owner owner;
     const Status status = storage::findOwner(owner);
@@ -177,8 +172,7 @@ Status bootStep() {
         case Boot::index:
             status = index_store.open(generation(), index);
             if (status == Status::ok)
-                mission_engine.boot(missionSet(), mission_store.generation(),
-                                    memoryMayHaveSurvived(),
+                mission_engine.boot(missionSet(), mission_store.generation(), runSurvives(),
                                     index < mission_store.count() ? index : 0);
             break;
         case Boot::survey:
@@ -272,7 +266,8 @@ bool missionEnter(core::RomText& why_not) {
         why_not = ROM_TEXT("AUTO: mission has no NAV command");
     if (why_not != nullptr) return false;
     is_complete = false;
-    mission_engine.enter(parameters.mission_restart != 0);
+    const bool flies_on = flyingOn() && vehicle.mode == Mode::initialising;
+    mission_engine.enter(parameters.mission_restart != 0 && !flies_on);
     return true;
 }
 

@@ -17,6 +17,7 @@ uint32_t updated_us;
 }  // namespace
 
 void zeroAirspeed() { pitot.startCalibration(); }
+void resumeAirspeed(float offset_v) { pitot.resume(offset_v); }
 
 void runAirspeed() {
     const hal::AnalogSum reading = hal::analogTake(hal::Analog::airspeed);

@@ -133,9 +133,21 @@ void use(drivers::ImuSums& sums) {
 
 }  // namespace
 
+constexpr int32_t kKeptStep = 64;
+
 void startInertial() {
     imu.start();
     for (refreshed = 31; refreshed != core::count(readings);) refreshReading();
+}
+
+void keepGyroZero(int16_t (&to)[3]) {
+    for (uint8_t i = 0; i < 3; ++i) to[i] = core::narrowed(zero.of[i] / kKeptStep);
+}
+
+void resumeInertial(const int16_t (&gyro_zero)[3]) {
+    imu.resume();
+    for (uint8_t i = 0; i < 3; ++i) zero.of[i] = gyro_zero[i] * kKeptStep;
+    still.forgo();
 }
 
 void calibrateGyros() {

@@ -16,6 +16,12 @@ bool wrongBoard();
 
 void startSensors();
 
+// The gyros' zero, in 2^-24 of a radian a sample period; and how to go on with one from before a
+// restart, without bringing up a sensor that is up already.
+void keepGyroZero(int16_t (&to)[3]);
+void resumeInertial(const int16_t (&gyro_zero)[3]);
+void resumeAirspeed(float offset_v);
+
 void runInertial();   // every frame, first
 void runBarometer();  // every frame
 void runCompass();

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "fakes/clock.hpp"
+#include "hal/guard.hpp"
 #include "hal/interrupts.hpp"
 #include "hal/mark.hpp"
 
@@ -83,6 +84,8 @@ bool rcRead(uint16_t (&pulse_us)[kRcChannels]) {
     return fresh;
 }
 
+uint16_t rcPulse_us(uint8_t channel) { return io.rc.at(channel); }
+
 uint32_t rcAge_us() {
     if (!io.rc_ever) return UINT32_MAX;
     return static_cast<uint32_t>(std::min<uint64_t>(fakes::time_us() - io.rc_us, UINT32_MAX));
@@ -100,7 +103,9 @@ void servoWrite(uint8_t output, uint16_t pulse_halfus) {
 
 uint16_t servoRead(uint8_t output) { return io.servos.pulse_halfus.at(output); }
 
-ResetCause resetCause() { return io.watchdog.cause; }
+const LastRun& lastRun() { return io.watchdog.last_run; }
+void guardStart() {}
+void guardTouch() { io.watchdog.guarded_us = fakes::time_us(); }
 void watchdogStart() { io.watchdog.started = true; }
 
 void watchdogFeed() {

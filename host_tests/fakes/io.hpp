@@ -30,10 +30,11 @@ struct Servos {
 Servos& servos();
 
 struct Watchdog {
-    hal::ResetCause cause = hal::ResetCause::power_on;
+    hal::LastRun last_run = {hal::ResetCause::power_on, 0, 0, 0};
     bool started = false;
     uint32_t feeds = 0;
     uint64_t fed_us = 0;
+    uint64_t guarded_us = 0;  // when the guard was last touched
 };
 Watchdog& watchdog();
 struct Rebooted : std::exception {};  // thrown by hal::reboot

@@ -13,7 +13,7 @@ TEST_F(MissionFlight, a_watchdog_reset_in_the_air_resumes_where_it_was) {
     reach();
     EXPECT_EQ(missionCurrent(), 5);
     pass(3);
-    fakes::watchdog().cause = hal::ResetCause::watchdog;
+    fakes::watchdog().last_run.ended = hal::ResetCause::watchdog;
     relaySet(false);
     missionBoot();
     setMode(Mode::loiter, ModeReason::boot);

@@ -319,7 +319,7 @@ TEST_F(EveryCommand, chain_survives_a_brown_out_as_it_does_the_watchdog) {
         reach();
         reach();
         EXPECT_EQ(missionCurrent(), 4);
-        fakes::watchdog().cause = cause;
+        fakes::watchdog().last_run.ended = cause;
         missionBoot();
         setMode(Mode::loiter, ModeReason::boot);
         enterAuto();

@@ -16,6 +16,11 @@ struct AirspeedSettings {
 class Airspeed {
 public:
     void startCalibration() { *this = Airspeed(); }
+    void resume(float offset_v) {  // the zero is known already
+        startCalibration();
+        offset_ = offset_v / kSupply_v;
+        calibrated_ = true;
+    }
     // `sum` of `count` 10-bit readings, ratiometric to the sensor's supply; count 0 changes
     // nothing.
     void update(uint16_t sum, uint8_t count, float dt_s, const AirspeedSettings& settings);

@@ -21,6 +21,7 @@ public:
     static constexpr uint16_t kPeriod_us = 5000;  // of a sample, as everywhere
 
     void start() { Converter::start(); }
+    void resume() {}
     // Every frame.
     void step(uint32_t now_ms);
     void onDataReady() {}  // these sensors have no such line

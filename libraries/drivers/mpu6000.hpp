@@ -21,6 +21,9 @@ public:
         Select::high();
         enter(State::reset, 0);
     }
+    // After start(), when only the processor was reset: goes on at once with a chip that is up,
+    // which takes 2 ms of writing its registers again.
+    void resume();
     // Every frame. Brings the chip up, and up again when it falls silent or talks nonsense.
     void step(uint32_t now_ms);
 
@@ -57,6 +60,7 @@ private:
     static constexpr uint8_t kProductId = 0x0C, kAccelConfig = 0x1C, kIntStatus = 0x3A,
                              kPowerManagement1 = 0x6B, kWhoAmI = 0x75;
     static constexpr uint8_t kDataReady = 0x01;
+    static constexpr uint8_t kAwake = 0x03;
     static constexpr uint8_t kLastSetting = 9;
 
     void enter(State state, uint32_t now_ms) {
@@ -96,7 +100,7 @@ private:
 // clang-format off
 template <class Bus, class Select>
 const typename Mpu6000<Bus, Select>::Setting Mpu6000<Bus, Select>::kSettings[] ROM = {
-    {kPowerManagement1, 0x03},  // awake, clock from the Z gyro
+    {kPowerManagement1, kAwake},  // awake, clock from the Z gyro
     {0x6C, 0x00},               // every axis on
     {0x6A, 0x10},               // no I2C
     {0x1A, 0x03},               // low-pass 42 Hz, base rate 1 kHz
@@ -178,6 +182,14 @@ void Mpu6000<Bus, Select>::configureNext(uint32_t now_ms) {
     if (readRegister(setting.address) != value) return fail(now_ms);
     ++setting_;
     since_ms_ = now_ms;
+}
+
+template <class Bus, class Select>
+void Mpu6000<Bus, Select>::resume() {
+    if (readRegister(kWhoAmI) != 0x68 || readRegister(kPowerManagement1) != kAwake) return;
+    setting_ = 0;
+    enter(State::configure, 0);
+    while (state_ == State::configure) configureNext(0);
 }
 
 template <class Bus, class Select>

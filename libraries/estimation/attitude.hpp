@@ -26,9 +26,24 @@ struct Angles {
     core::Fixed<14> sin_roll, cos_roll, sin_pitch, cos_pitch;
 };
 
+// What it takes to go on after a restart: how the airplane stood, in 2^-14, and what was learnt of
+// the sensors, of the gyros in 2^-24 of a radian a sample period.
+struct Pose {
+    int16_t north[3], down[3];
+};
+struct Learnt {
+    int16_t bias[3];
+    CompassField::Known field;
+};
+
 class Attitude {
 public:
     void start();
+
+    void keep(Pose& pose) const;
+    void keep(Learnt& learnt) const;
+    // Instead of start(): as it was, and turned on since then, as quick as `turned_rad` says.
+    void resume(const Pose& pose, const Learnt& learnt, const core::Vector3& turned_rad);
 
     void propagate(const Motion& motion);  // every frame
 

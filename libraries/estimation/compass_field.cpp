@@ -30,4 +30,17 @@ void CompassField::learn(const core::Vector3& odd_mg, float dt_s) {
     own_mg_.z = core::limit(own_mg_.z + odd_mg.z * share, -kMostOwn_mg, kMostOwn_mg);
 }
 
+void CompassField::keep(Known& known) const {
+    const auto whole = [](float mg) { return static_cast<int16_t>(core::rounded(mg)); };
+    known = {{whole(own_mg_.x), whole(own_mg_.y), whole(own_mg_.z)},
+             whole(horizontal_mg_),
+             whole(down_mg_)};
+}
+
+void CompassField::resume(const Known& known) {
+    own_mg_ = {static_cast<float>(known.own[0]), static_cast<float>(known.own[1]),
+               static_cast<float>(known.own[2])};
+    start(known.horizontal, known.down);
+}
+
 }  // namespace estimation

@@ -2,6 +2,7 @@
 // What the earth's field is here and what of the compass's reading is the airplane's own: the one
 // keeps its direction over the ground when the airplane turns, the other turns along.
 #pragma once
+#include <stdint.h>
 
 #include "core/maths.hpp"
 
@@ -13,6 +14,14 @@ public:
     const core::Vector3& own_mg() const { return own_mg_; }  // body axes
 
     void start(float horizontal_mg, float down_mg);
+
+    // In whole milligauss.
+    struct Known {
+        int16_t own[3], horizontal, down;
+    };
+    void keep(Known& known) const;
+    void resume(const Known& known);
+
     // What of the field, own part taken off, along magnetic north, magnetic east and down was not
     // expected. The earth's part follows it slowly, the airplane's own, by learn(), quickly: flying
     // straight nothing is unexpected for long, and a turn tells the two apart.

@@ -13,6 +13,10 @@ struct HeightSettings {
 class Height {
 public:
     void start(float height_m);
+    void resume(float height_m, float climb_mps) {
+        start(height_m);
+        climb_mps_ = climb_mps;
+    }
     // Every frame: acceleration over ground, up positive, gravity removed.
     void propagate(float up_mss, float dt_s);
     // Every good reading, dt_s since the one before. A single reading far off is left out; when

@@ -14,6 +14,8 @@ public:
     // Every frame. True once, when the zero is known.
     bool update(const core::Vector3& rate_rads, const core::Vector3& force_mss, float dt_s);
 
+    void forgo() { done_ = true; }  // the zero is known already
+
     bool done() const { return done_; }
     const core::Vector3& zero_rads() const { return zero_; }
     const core::Vector3& force_mss() const { return force_; }  // the mean of the same time

@@ -13,6 +13,14 @@ constexpr float kLeastAirspeed_mps = 4.0f;
 
 void Wind::start() { *this = Wind(); }
 
+void Wind::resume(float north_mps, float east_mps) {
+    start();
+    north_mps_ = north_mps;
+    east_mps_ = east_mps;
+    heard_s_ = kSlow_s;
+    known_ = true;
+}
+
 // With the airspeed the wind is ground less air; without it, the airspeed itself follows from two
 // headings: in a steady wind the ground velocity changes as the air velocity does.
 void Wind::update(const core::Vector3& ground_mps, const Pointing& nose, float airspeed_mps,

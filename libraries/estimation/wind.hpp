@@ -16,6 +16,7 @@ struct Pointing {  // the level part of the nose's direction
 class Wind {
 public:
     void start();
+    void resume(float north_mps, float east_mps);  // known before a restart
     // Every fix in flight. airspeed_mps: true, 0 when no sensor tells it.
     void update(const core::Vector3& ground_mps, const Pointing& nose, float airspeed_mps,
                 float dt_s);

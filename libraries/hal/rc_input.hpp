@@ -11,6 +11,9 @@ constexpr uint8_t kRcChannels = 8;
 // keep 0. Returns true once for every frame received.
 bool rcRead(uint16_t (&pulse_us)[kRcChannels]);
 
+// Of the newest frame, for whoever is in an interrupt; 0: the frame did not have it.
+uint16_t rcPulse_us(uint8_t channel);
+
 uint32_t rcAge_us();  // since the last complete frame; large before the first
 
 }  // namespace hal

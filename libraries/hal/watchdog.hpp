@@ -1,13 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The watchdog, and why this run began. The chip's own flags are a hint, for a bootloader may clear
+// them: what ends a run knowingly leaves a note in memory that survives.
 #pragma once
 #include <stdint.h>
 
 namespace hal {
 
-enum class ResetCause : uint8_t { power_on, external, brown_out, watchdog, unknown };
+// fault: an interrupt nobody handles; asked: by reboot(); unknown: nobody has left anything, which
+// is how a reset button looks behind a bootloader.
+enum class ResetCause : uint8_t { power_on, external, brown_out, watchdog, unknown, fault, asked };
 
-ResetCause resetCause();  // of the reset this run began with
-void watchdogStart();     // resets the chip when not fed for 250 ms
+struct LastRun {
+    ResetCause ended;    // why
+    uint8_t mark;        // the last one (mark.hpp), of a watchdog's reset and a fault
+    uint16_t ended_ms;   // likewise: now_ms() then, its lower half
+    uint8_t restart_ms;  // from its end to the application's first instruction
+};
+const LastRun& lastRun();
+inline ResetCause resetCause() { return lastRun().ended; }
+
+void watchdogStart();  // begins anew when not fed for 250 ms
 void watchdogFeed();
 [[noreturn]] void reboot();  // past a bootloader that would wait
 

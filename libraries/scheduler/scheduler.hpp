@@ -22,6 +22,13 @@ struct Task {
     uint16_t budget_us;
 };
 
+// The tiers, a bit each.
+enum Tier : uint8_t { kFast = 1, kMedium = 2, kSlow = 4 };
+constexpr uint8_t kLongestMediumPeriod = 10;
+constexpr uint8_t tierOf(uint8_t period) {
+    return period == 1 ? kFast : (period <= kLongestMediumPeriod ? kMedium : kSlow);
+}
+
 constexpr uint8_t kLongestPeriod = 100;  // countdown and lateness share a signed byte
 constexpr int8_t kPatience = 10;  // frames a task waits before it runs whether it fits or not
 
@@ -114,6 +121,13 @@ public:
         hal::mark(hal::kMarkFrameEnd);
     }
 
+    // The tiers that have run something since this was asked last.
+    uint8_t takeServed() {
+        const uint8_t served = served_;
+        served_ = 0;
+        return served;
+    }
+
     uint16_t longest_us(uint8_t task) const { return longest_[task] / hal::kTicksPerUs; }
     uint16_t longestFrame_us() const { return longest_frame_us_; }  // since it was due
     uint16_t overruns() const { return overruns_; }       // a task took longer than its budget
@@ -151,6 +165,7 @@ private:
         while (wait_[i] <= 0);
         hal::mark(i + 1);
         core::romRead(tasks_[i].run)();
+        served_ |= tierOf(period);
         hal::mark(hal::kMarkTaskEnd);
         const uint16_t ended = hal::ticks();
         const uint16_t taken = ended - now_;
@@ -161,6 +176,7 @@ private:
 
     const Task (&tasks_)[N];
     const uint16_t frame_us_;
+    uint8_t served_ = 0;
     uint8_t fast_ = 0;          // tasks of the fast tier: they stand first
     int8_t wait_[N] = {};       // frames until due; 0 due, below 0 late by as many
     uint16_t longest_[N] = {};  // in ticks, as the next three

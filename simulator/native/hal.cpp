@@ -4,6 +4,7 @@
 #include "hal/analog.hpp"
 #include "hal/clock.hpp"
 #include "hal/eeprom.hpp"
+#include "hal/guard.hpp"
 #include "hal/i2c.hpp"
 #include "hal/interrupts.hpp"
 #include "hal/mark.hpp"
@@ -65,6 +66,7 @@ AnalogSum analogTake(Analog input) { return board().analog().take(input); }
 
 // receiver and servos
 bool rcRead(uint16_t (&pulse_us)[kRcChannels]) { return board().receiver().read(pulse_us); }
+uint16_t rcPulse_us(uint8_t channel) { return board().receiver().newest_us(channel); }
 uint32_t rcAge_us() { return board().receiver().age_us(); }
 void servoStart(uint16_t rate_hz) { board().servos().start(rate_hz); }
 void servoWrite(uint8_t output, uint16_t pulse_halfus) {
@@ -77,7 +79,12 @@ uint8_t lockInterrupts() { return 0; }
 void unlockInterrupts(uint8_t) {}
 
 // watchdog and marks
-ResetCause resetCause() { return ResetCause::power_on; }
+const LastRun& lastRun() {
+    static constexpr LastRun kPowerOn = {ResetCause::power_on, 0, 0, 0};
+    return kPowerOn;
+}
+void guardStart() {}
+void guardTouch() {}  // its interrupt never runs: the firmware always comes round here
 void watchdogStart() { board().watchdogStart(); }
 void watchdogFeed() { board().watchdogFeed(); }
 void reboot() { board().reboot(); }

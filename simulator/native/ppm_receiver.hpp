@@ -16,6 +16,7 @@ public:
 
     bool read(uint16_t (&pulse_us)[hal::kRcChannels]);
     uint32_t age_us() const;
+    uint16_t newest_us(uint8_t channel) const { return frame_halfus_.at(channel) / 2; }
 
     uint64_t due_us() const;
     void run();

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Between the files of this folder only: the records themselves.
+#pragma once
+#include "firmware/restart/record.hpp"
+
+namespace firmware {
+
+extern SteadyRecord steady;
+extern MovingRecord moving[2];
+extern const MovingRecord* last;  // to go on with; nullptr: nothing
+
+}  // namespace firmware

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/restart/record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace {
+
+using namespace firmware;
+
+MovingRecord movingRecord(uint8_t number) {
+    MovingRecord record = {};
+    record.position = {473977000, 85456000};
+    record.at_ms = 1234;
+    record.mode = 10;
+    record.in_the_air = 1;
+    record.number = number;
+    seal(record);
+    return record;
+}
+
+}  // namespace
+
+TEST(Record, memory_that_holds_anything_is_no_record) {
+    for (int value = 0; value < 256; ++value) {
+        SteadyRecord steady;
+        MovingRecord moving[2];
+        std::memset(static_cast<void*>(&steady), value, sizeof steady);
+        std::memset(static_cast<void*>(moving), value, sizeof moving);
+        EXPECT_FALSE(whole(steady)) << value;
+        EXPECT_EQ(newest(moving), nullptr) << value;
+    }
+}
+
+TEST(Record, any_bit_that_changes_breaks_the_seal) {
+    MovingRecord record = movingRecord(1);
+    ASSERT_TRUE(whole(record));
+    unsigned char* bytes = reinterpret_cast<unsigned char*>(&record);
+    for (size_t bit = 0; bit < 8 * offsetof(MovingRecord, seal); ++bit) {
+        bytes[bit / 8] ^= 1 << bit % 8;
+        EXPECT_FALSE(whole(record)) << bit;
+        bytes[bit / 8] ^= 1 << bit % 8;
+    }
+}
+
+TEST(Record, a_reset_while_one_is_written_leaves_the_one_before) {
+    MovingRecord two[2] = {movingRecord(7), movingRecord(8)};
+    EXPECT_EQ(newest(two), &two[1]);
+    spoil(two[0]);  // the older one is being written
+    EXPECT_EQ(newest(two), &two[1]);
+    two[0] = movingRecord(9);
+    EXPECT_EQ(newest(two), &two[0]);
+    spoil(two[1]);
+    EXPECT_EQ(newest(two), &two[0]);
+    spoil(two[0]);
+    EXPECT_EQ(newest(two), nullptr);
+}
+
+TEST(Record, numbers_go_round) {
+    const MovingRecord two[2] = {movingRecord(255), movingRecord(0)};
+    EXPECT_EQ(newest(two), &two[1]);
+}
+
+TEST(Record, a_spoilt_record_is_whole_only_after_it_was_sealed_again) {
+    SteadyRecord record = {};
+    seal(record);
+    EXPECT_TRUE(whole(record));
+    spoil(record);
+    EXPECT_FALSE(whole(record));
+    record.home_altitude_cm = 48800;
+    EXPECT_FALSE(whole(record));
+    seal(record);
+    EXPECT_TRUE(whole(record));
+}
+
+TEST(Record, in_the_air_means_armed_fast_and_high_or_over_the_ground) {
+    struct {
+        FlightSigns signs;
+        bool in_the_air;
+        const char* what;
+    } const cases[] = {
+        {{true, true, 14, 40}, true, "cruising"},
+        {{true, true, 1, 40}, true, "against a wind as fast as it is"},
+        {{true, true, 14, -30}, true, "below where it started, over a valley"},
+        {{true, true, 12, 1}, true, "just off the ground"},
+        {{true, true, 0, 0}, false, "standing armed in a gale"},
+        {{true, false, 4, 0}, false, "rolling"},
+        {{true, false, 0, 0}, false, "standing armed"},
+        {{false, true, 14, 40}, false, "disarmed in the air"},
+    };
+    for (const auto& each : cases) EXPECT_EQ(inTheAir(each.signs), each.in_the_air) << each.what;
+}
+
+TEST(Record, the_time_lost_is_from_the_record_to_now_over_both_clocks) {
+    EXPECT_NEAR(lost_s(1000, 1250, 80 + 60), 0.39f, 1e-4f);
+    EXPECT_NEAR(lost_s(65500, 100, 0), 0.136f, 1e-4f) << "the lower half goes round";
+    EXPECT_EQ(lost_s(1000, 900, 50), 1.0f) << "nobody knows: a second";
+}

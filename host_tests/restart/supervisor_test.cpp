@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/restart/supervisor.hpp"
+
+#include <gtest/gtest.h>
+
+#include "scheduler/scheduler.hpp"
+
+namespace {
+
+// Frames until the dog is no longer fed when these tiers run as often as they do, and `silent`
+// stops after a while; 0: never in ten seconds.
+int fedFor(uint8_t silent) {
+    firmware::Supervisor supervisor;
+    constexpr int kFrom = 300;
+    for (int frame = 0; frame < kFrom + 1000; ++frame) {
+        uint8_t served = scheduler::kFast;
+        if (frame % 2 == 0) served |= scheduler::kMedium;
+        if (frame % 100 == 51) served |= scheduler::kSlow;
+        if (frame >= kFrom) served &= static_cast<uint8_t>(~silent);
+        if (!supervisor.wellAfter(served)) return frame - kFrom;
+    }
+    return 0;
+}
+
+}  // namespace
+
+TEST(Supervisor, feeds_while_every_tier_runs) { EXPECT_EQ(fedFor(0), 0); }
+
+TEST(Supervisor, stops_soon_after_one_tier_has_stopped) {
+    EXPECT_EQ(fedFor(scheduler::kFast), 2);
+    EXPECT_NEAR(fedFor(scheduler::kMedium), 30, 2);
+    EXPECT_NEAR(fedFor(scheduler::kSlow), 80, 2);
+}
+
+TEST(Supervisor, does_not_starve_the_dog_for_a_tier_that_is_only_put_off) {
+    firmware::Supervisor supervisor;
+    for (int frame = 0; frame < 1000; ++frame) {
+        uint8_t served = scheduler::kFast;
+        if (frame % 20 == 0) served |= scheduler::kMedium;
+        if (frame % 110 == 0) served |= scheduler::kSlow;
+        EXPECT_TRUE(supervisor.wellAfter(served)) << frame;
+    }
+}
