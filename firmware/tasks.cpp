@@ -125,7 +125,8 @@ bool workWaits() { return inertialSamplesWaiting() >= kSamplesPerFrame || teleme
 
 }  // namespace
 
-void start() {
+// Inlined it would keep its variables on the stack of everything that runs later.
+__attribute__((noinline)) void start() {
     restartJudge();
     board::start();
     findBoard();
