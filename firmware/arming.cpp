@@ -142,6 +142,7 @@ constexpr uint32_t kNotBefore_ms = 10000;  // the sensors need a while
 uint32_t rudder_since_ms;
 uint32_t reminded_ms = kNotBefore_ms - kRemind_ms;
 uint32_t landed_ms;
+uint8_t looked_at;
 bool ready;  // as runArming found it
 
 void armNow() {
@@ -171,14 +172,33 @@ void runRudderArming() {
     }
 }
 
-void remind() {
-    const core::RomText why = prearmFailure();
-    ready = why == nullptr;
+bool fails(const Check& check) {
+    const uint16_t bit = core::romRead(check.bit);
+    if (bit != kAlways && (parameters.arming_check & (bit | kAll)) == 0) return false;
+    return core::romRead(check.fails)();
+}
+
+void remind(core::RomText why) {
     const uint32_t now_ms = hal::now_ms();
     const uint16_t pause_ms = wrongBoard() ? kRemindSoon_ms : kRemind_ms;
-    if (ready || now_ms - reminded_ms < pause_ms) return;
+    if (now_ms - reminded_ms < pause_ms) return;
     reminded_ms = now_ms;
     tell(Severity::warning, why, number);
+}
+
+// A few at a time, so that they are through in a second; at one that fails it stays.
+void look() {
+    constexpr uint8_t kAtOnce = 3;
+    for (uint8_t i = 0; i < kAtOnce; ++i) {
+        const Check& check = kChecks[looked_at];
+        if (fails(check)) {
+            ready = false;
+            return remind(check.reason);
+        }
+        if (++looked_at < core::count(kChecks)) continue;
+        looked_at = 0;
+        ready = true;
+    }
 }
 
 // After a landing of AUTO: the motor is off and the airplane lies still for LAND_DISARMDELAY;
@@ -195,11 +215,8 @@ void runLanded() {
 }  // namespace
 
 core::RomText prearmFailure() {
-    for (const Check& check : kChecks) {
-        const uint16_t bit = core::romRead(check.bit);
-        if (bit != kAlways && (parameters.arming_check & (bit | kAll)) == 0) continue;
-        if (core::romRead(check.fails)()) return check.reason;
-    }
+    for (const Check& check : kChecks)
+        if (fails(check)) return check.reason;
     return nullptr;
 }
 
@@ -236,7 +253,7 @@ void runArming() {
     if (vehicle.armed) {
         runLanded();
     } else {
-        remind();
+        look();
     }
 }
 

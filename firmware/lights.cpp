@@ -19,8 +19,6 @@ constexpr uint16_t kFast = 0x5555;
 constexpr uint16_t kBetween = 0xAAAA;  // while what is kFast is dark
 constexpr uint16_t kSlow = 0x3333;
 
-enum class Light : uint8_t { a, b, c };  // red, yellow, blue
-
 bool broken() { return wrongBoard() || !vehicle.imu.healthy; }
 bool armed() { return vehicle.armed; }
 bool gyrosUnknown() { return !vehicle.imu.calibrated; }
@@ -31,44 +29,44 @@ bool flatFix() { return vehicle.gps.fix == GpsFix::two_d; }
 bool always() { return true; }
 
 struct Row {
-    Light light;
     bool (*holds)();
     uint16_t pattern;
 };
 
-// Of each light the first row that holds.
+// Of each light the first row that holds; the last one always does.
 // clang-format off
-constexpr Row kRows[] ROM = {
-    {Light::a, broken,       kFast},        // all three together
-    {Light::a, armed,        kOn},
-    {Light::a, gyrosUnknown, kFast},        // red and blue in turn: keep it still
-    {Light::a, prearmOk,     kOneFlash},
-    {Light::a, always,       kTwoFlashes},
-    {Light::b, broken,       kFast},
-    {Light::b, radioLost,    kTwoFlashes},
-    {Light::b, always,       kOff},
-    {Light::c, broken,       kFast},
-    {Light::c, gyrosUnknown, kBetween},
-    {Light::c, noGps,        kOff},
-    {Light::c, noFix,        kFast},
-    {Light::c, flatFix,      kSlow},
-    {Light::c, always,       kOn},
+constexpr Row kRed[] ROM = {
+    {broken,       kFast},        // all three together
+    {armed,        kOn},
+    {gyrosUnknown, kFast},        // red and blue in turn: keep it still
+    {prearmOk,     kOneFlash},
+    {always,       kTwoFlashes},
+};
+constexpr Row kYellow[] ROM = {
+    {broken,       kFast},
+    {radioLost,    kTwoFlashes},
+    {always,       kOff},
+};
+constexpr Row kBlue[] ROM = {
+    {broken,       kFast},
+    {gyrosUnknown, kBetween},
+    {noGps,        kOff},
+    {noFix,        kFast},
+    {flatFix,      kSlow},
+    {always,       kOn},
 };
 // clang-format on
 
 uint8_t tenth;
 
-bool lit(Light light) {
-    for (const Row& in_flash : kRows) {
-        const Row row = core::romRead(in_flash);
-        if (row.light == light && row.holds()) return (row.pattern >> tenth & 1) != 0;
-    }
-    return false;
+bool lit(const Row* row) {
+    while (!core::romRead(row->holds)()) ++row;
+    return (core::romRead(row->pattern) >> tenth & 1) != 0;
 }
 
 template <class Led>
-void show(Light light) {
-    if (lit(light)) {
+void show(const Row* rows) {
+    if (lit(rows)) {
         Led::on();
     } else {
         Led::off();
@@ -79,9 +77,9 @@ void show(Light light) {
 
 void runLights() {
     tenth = (tenth + 1) % 16;
-    show<board::LedA>(Light::a);
-    show<board::LedB>(Light::b);
-    show<board::LedC>(Light::c);
+    show<board::LedA>(kRed);
+    show<board::LedB>(kYellow);
+    show<board::LedC>(kBlue);
 }
 
 }  // namespace firmware

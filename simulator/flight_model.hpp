@@ -24,6 +24,9 @@ public:
     virtual const Truth& truth() const = 0;
     virtual Vec3 toBody(const Vec3& earth) const = 0;
     virtual void launch() {}
+    // Of one that is held in hands: lays it that way, or turns it at these body rates.
+    virtual void turnTo(double /*roll_rad*/, double /*pitch_rad*/, double /*yaw_rad*/) {}
+    virtual void turn(double /*roll_rads*/, double /*pitch_rads*/, double /*yaw_rads*/) {}
     // Of a model that has a transmitter of its own.
     virtual std::optional<std::array<uint16_t, 8>> radio_us() const { return std::nullopt; }
     virtual std::string fault() const { return ""; }  // why it stands still for good

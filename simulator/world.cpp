@@ -5,6 +5,7 @@
 
 #include "simulator/airplane/atmosphere.hpp"
 #include "simulator/airplane/earth.hpp"
+#include "simulator/airplane/hand_held.hpp"
 #include "simulator/devices/ads7844.hpp"
 #include "simulator/devices/analog_imu.hpp"
 #include "simulator/devices/analog_sensors.hpp"
@@ -27,7 +28,11 @@ constexpr double kCentre_us = 1500;
 constexpr double kBoardWarmth_c = 10;  // the board in its box is warmer than the air
 
 SensorErrors errorsFor(const WorldOptions& options) {
-    return options.sensor_errors ? SensorErrors{} : SensorErrors::none();
+    if (!options.sensor_errors) return SensorErrors::none();
+    SensorErrors errors;
+    errors.accel_bias_g = options.accel_bias_g;
+    errors.accel_scale = options.accel_scale;
+    return errors;
 }
 
 UbloxOptions gpsFor(const WorldOptions& options) {
@@ -44,6 +49,7 @@ At45dbOptions dataflashFor(const WorldOptions& options) {
 }
 
 std::unique_ptr<FlightModel> modelFor(const WorldOptions& options, const SensorErrors& errors) {
+    if (options.hand_held) return std::make_unique<HandHeld>(options);
     if (!options.fdm.empty()) return std::make_unique<JsonModel>(options);
     return std::make_unique<OwnAirplane>(options, errors.gust_mps);
 }
@@ -154,6 +160,12 @@ void World::advanceTo(uint64_t now_us) {
 }
 
 const Truth& World::truth() const { return parts_->model->truth(); }
+void World::turnTo(double roll_rad, double pitch_rad, double yaw_rad) {
+    parts_->model->turnTo(roll_rad, pitch_rad, yaw_rad);
+}
+void World::turn(double roll_rads, double pitch_rads, double yaw_rads) {
+    parts_->model->turn(roll_rads, pitch_rads, yaw_rads);
+}
 void World::launch() { parts_->model->launch(); }
 std::string World::fault() const { return parts_->model->fault(); }
 

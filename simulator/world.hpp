@@ -19,6 +19,9 @@ struct WorldOptions {
     bool gusts = false;                          // Dryden, 1 m/s RMS
     uint64_t seed = 1;
     bool sensor_errors = true;
+    bool hand_held = false;       // it does not fly, it is held on the bench
+    double accel_bias_g = 0.004;  // and how wrong its accelerometers are, one sigma
+    double accel_scale = 0;
     double declination_deg = 2.5, inclination_deg = 63.0, magnetic_field_mg = 480.0;
     double gps_acquire_s = 3.0;        // from power-on to the first fix
     uint32_t gps_baud = 9600;          // the module's rate at power-on
@@ -63,7 +66,10 @@ public:
     // Moves airplane, air and sensors on to `now_us`; calls with an earlier time do nothing.
     void advanceTo(uint64_t now_us);
     const Truth& truth() const;
-    void launch();              // lets an airplane go that is thrown
+    void launch();  // lets an airplane go that is thrown
+    // With hand_held: lays it that way, or turns it about at these body rates.
+    void turnTo(double roll_rad, double pitch_rad, double yaw_rad);
+    void turn(double roll_rads, double pitch_rads, double yaw_rads);
     std::string fault() const;  // why the flight model cannot go on; empty when it can
 
     // Servo output 1..8: the width of a pulse that has just ended. An output without a pulse for

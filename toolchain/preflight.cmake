@@ -15,3 +15,11 @@ endfunction()
 bench_program(wrong_board)
 bench_test(apm2_image_on_an_apm1 wrong_board ${IMAGE_ELF} apm1 ${minutes}/wrong_board_1)
 bench_test(apm1_image_on_an_apm2 wrong_board ${IMAGE_APM1_ELF} apm2 ${minutes}/wrong_board_2)
+
+bench_program(calibration)
+target_link_libraries(calibration PRIVATE firmware_native simulator_native simulator_world)
+bench_test(elf_calibration_1 calibration ${IMAGE_APM1_ELF} apm1 ${minutes}/calibration_1)
+bench_test(elf_calibration_2 calibration ${IMAGE_ELF} apm2 ${minutes}/calibration_2)
+add_test(NAME preflight.native_calibration
+         COMMAND calibration native apm2 ${flights}/native_minutes/calibration)
+set_tests_properties(preflight.native_calibration PROPERTIES LABELS native TIMEOUT 600)

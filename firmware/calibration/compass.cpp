@@ -7,6 +7,7 @@
 #include "firmware/calibration/calibration.hpp"
 #include "firmware/calibration/scratch.hpp"
 #include "firmware/parameters.hpp"
+#include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
 
 namespace firmware {
@@ -27,6 +28,12 @@ bool learnsInFlight() {
 }
 
 float field_mg() { return sqrtf(core::dot(vehicle.compass.field_mg, vehicle.compass.field_mg)); }
+
+bool makesSense() {
+    for (const float offset_mg : parameters.compass_offset_mg)
+        if (fabsf(offset_mg) >= kMostOffset_mg) return false;
+    return field_mg() > 185 && field_mg() < 875;
+}
 
 void widen(const int16_t (&reading_mg)[3]) {
     CompassTurns& turns = scratch.turns;
@@ -85,12 +92,7 @@ uint8_t compassTurns_pct() {
 
 float compassMiss_mg() { return scratch.turns.miss_mg; }
 
-bool compassFits(uint8_t within_mg) {
-    if (!(scratch.turns.miss_mg < within_mg)) return false;
-    for (const float offset_mg : parameters.compass_offset_mg)
-        if (fabsf(offset_mg) >= kMostOffset_mg) return false;
-    return field_mg() > 185 && field_mg() < 875;
-}
+bool compassFits(uint8_t within_mg) { return scratch.turns.miss_mg < within_mg && makesSense(); }
 
 void learnCompass(const core::Vector3& reading_mg) {
     const bool turned = calibrating() == Calibrating::compass;
@@ -126,7 +128,9 @@ void learnCompass(const core::Vector3& reading_mg) {
 }
 
 void keepLearntCompass() {
-    if (parameters.compass_learn != 0) storeAll(kCompassOffsets, parameters.compass_offset_mg, 3);
+    if (parameters.compass_learn == 0) return;
+    if (!makesSense() || !storeAll(kCompassOffsets, parameters.compass_offset_mg, 3))
+        tell(Severity::warning, ROM_TEXT("Compass: what it learnt is not kept"));
 }
 
 }  // namespace firmware

@@ -22,9 +22,12 @@ struct Lights : bench::Bench {
         for (uint8_t i = 0; i < 16; ++i) firmware::runLights();
         align();
     }
+    static void look() {
+        for (int tenth = 0; tenth < 10; ++tenth) firmware::runArming();
+    }
     void align() {
         vehicle.armed = false;
-        firmware::runArming();
+        look();
         for (int i = 0; i < 40; ++i) {  // to where a flash begins
             const bool was = board::LedA::lit;
             firmware::runLights();
@@ -52,7 +55,7 @@ TEST_F(Lights, red_flashes_once_when_ready_and_twice_when_not_and_shines_armed) 
     EXPECT_EQ(shown<board::LedA>(), kOneFlash);
     parameters.arming_check = 1;
     vehicle.baro.healthy = false;
-    firmware::runArming();
+    look();
     EXPECT_EQ(shown<board::LedA>(), kTwoFlashes);
     vehicle.armed = true;
     EXPECT_EQ(shown<board::LedA>(), kOn);

@@ -3,7 +3,9 @@
 // what it was told.
 #pragma once
 #include <cmath>
+#include <cstring>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -82,12 +84,24 @@ public:
         return count;
     }
 
+    void stream(uint8_t which, uint16_t rate_hz) {
+        mavlink::RequestDataStream request{};
+        request.target_system = 1;
+        request.target_component = 1;
+        request.req_stream_id = which;
+        request.req_message_rate = rate_hz;
+        request.start_stop = 1;
+        link_.send(request);
+    }
+
     Telemetry telemetry;
+    std::optional<mavlink::RawImu> raw_imu;
     int wanted_side = 0;  // of the accelerometers' calibration, as the vehicle last asked for it
 
 private:
     void take(const mavlink::Frame& frame, uint64_t at_us) {
         telemetry.take(frame, at_us);
+        if (const auto imu = as<mavlink::RawImu>(frame)) raw_imu = imu;
         if (const auto ack = as<mavlink::CommandAck>(frame)) results_[ack->command] = ack->result;
         if (const auto asked = as<mavlink::CommandLong>(frame))
             if (asked->command == 42429) wanted_side = static_cast<int>(asked->param1);

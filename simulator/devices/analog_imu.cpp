@@ -23,6 +23,8 @@ AnalogImu::AnalogImu(uint64_t seed, const SensorErrors& errors)
     : errors_(errors), random_(seed, 7) {
     for (size_t i = 0; i < bias_.size(); ++i)
         bias_[i] = (i < 4 ? errors_.gyro_bias_dps : errors_.accel_bias_g) * random_.normal();
+    Random of_scale(seed, 12);
+    for (double& scale : scale_) scale = 1 + errors_.accel_scale * of_scale.normal();
 }
 
 // How they lie on the shield: only the roll rate and the forward axis have the airplane's sign.
@@ -55,8 +57,9 @@ double AnalogImu::rate_v(int input, double rate_rads, double throttle) {
 
 double AnalogImu::force_v(int input, double force_mss, double throttle) {
     const double noise_g = std::hypot(errors_.accel_noise_g, errors_.accel_vibration_g * throttle);
+    const auto i = static_cast<size_t>(input);
     const double force_g =
-        force_mss / kGravity_mss + bias_[static_cast<size_t>(input)] + noise_g * random_.normal();
+        force_mss / kGravity_mss * scale_[i] + bias_[i] + noise_g * random_.normal();
     return kForceZero_v + force_g * kPerG_v;
 }
 

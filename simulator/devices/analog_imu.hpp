@@ -25,7 +25,8 @@ private:
 
     const SensorErrors errors_;
     Random random_;
-    std::array<double, 7> bias_{};  // deg/s and g
+    std::array<double, 7> bias_{};   // deg/s and g
+    std::array<double, 7> scale_{};  // of the accelerometers
 };
 
 }  // namespace simulator

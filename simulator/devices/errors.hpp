@@ -13,6 +13,7 @@ struct SensorErrors {
     double gyro_noise_dps = 0.12;
     double gyro_vibration_dps = 0.8;  // at full throttle
     double accel_bias_g = 0.004;
+    double accel_scale = 0;  // relative
     double accel_noise_g = 0.006;
     double accel_vibration_g = 0.08;  // at full throttle
     double compass_noise_mg = 2;
@@ -37,7 +38,7 @@ struct SensorErrors {
 constexpr SensorErrors SensorErrors::none() {
     SensorErrors errors{};
     errors.gyro_bias_dps = errors.gyro_noise_dps = errors.gyro_vibration_dps = 0;
-    errors.accel_bias_g = errors.accel_noise_g = errors.accel_vibration_g = 0;
+    errors.accel_bias_g = errors.accel_scale = errors.accel_noise_g = errors.accel_vibration_g = 0;
     errors.compass_noise_mg = errors.compass_offset_mg = 0;
     errors.baro_noise_pa = errors.baro_drift_pa = 0;
     errors.airspeed_noise_v = errors.airspeed_offset_v = errors.airspeed_ratio = 0;
@@ -57,6 +58,7 @@ constexpr ErrorRow kErrorRows[] = {
     {"Gyro noise",                                &SensorErrors::gyro_noise_dps,     "deg/s"},
     {"Gyro vibration at full throttle",           &SensorErrors::gyro_vibration_dps, "deg/s"},
     {"Accelerometer bias, 1 sigma",               &SensorErrors::accel_bias_g,       "g"},
+    {"Accelerometer scale, 1 sigma",              &SensorErrors::accel_scale,        ""},
     {"Accelerometer noise",                       &SensorErrors::accel_noise_g,      "g"},
     {"Accelerometer vibration at full throttle",  &SensorErrors::accel_vibration_g,  "g"},
     {"Compass noise",                             &SensorErrors::compass_noise_mg,   "mG"},

@@ -77,6 +77,9 @@ Mpu6000::Mpu6000(uint64_t seed, const SensorErrors& errors, uint8_t product_id)
             axis < 3 ? errors_.accel_bias_g * kGravity_mss : errors_.gyro_bias_dps * kRadians;
         bias_[axis] = deviation * random_.normal();
     }
+    Random of_scale(seed, 11);
+    for (int axis = 0; axis < kAxes; ++axis)
+        scale_[axis] = axis < 3 ? 1 + errors_.accel_scale * of_scale.normal() : 1;
     powerOn(0);
 }
 
@@ -205,7 +208,7 @@ void Mpu6000::measure(double throttle) {
     const double per_rads = 131.2 / (1 << gyro_range) / kRadians;  // 16.4 at 2000 deg/s
     for (int axis = 0; axis < kAxes; ++axis) {
         const bool accel = axis < 3;
-        const double value = filtered_axes_[axis] + bias_[axis] +
+        const double value = filtered_axes_[axis] * scale_[axis] + bias_[axis] +
                              (accel ? accel_deviation : gyro_deviation) * random_.normal();
         const int at = accel ? 2 * axis : 2 * axis + 2;
         putWord(&measured_[at], value * (accel ? per_mss : per_rads));

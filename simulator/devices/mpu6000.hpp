@@ -53,7 +53,8 @@ private:
     const SensorErrors errors_;
     const uint8_t product_id_;
     Random random_;
-    std::array<double, kAxes> bias_{};   // m/s2 and rad/s: as the input of the filters
+    std::array<double, kAxes> bias_{};  // m/s2 and rad/s: as the input of the filters
+    std::array<double, kAxes> scale_{};
     std::array<double, kAxes> input_{};  // the truth at the last sample
     std::array<double, kAxes> filtered_axes_{};
     std::array<LowPass, kAxes> low_pass_;
