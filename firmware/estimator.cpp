@@ -8,6 +8,7 @@
 #include "estimation/height.hpp"
 #include "estimation/position.hpp"
 #include "estimation/wind.hpp"
+#include "firmware/failsafe/health.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/vehicle.hpp"
 #include "hal/clock.hpp"
@@ -27,10 +28,16 @@ bool height_started;
 float home_height_m;  // of home above where the barometer was zeroed
 float true_speed_ratio = 1.0f;
 uint32_t baro_us, fix_ms, unfixed_ms;
+uint8_t imu_gap;    // frames without its samples
+float gps_above_m;  // the receiver's heights over the estimate's
 uint8_t gathered;   // sample periods since motion was last carried on
 float baro_sum_pa;  // of baro_readings
 uint8_t baro_readings;
 
+constexpr uint8_t kDead = 20;         // frames: after a longer gap the attitude is lost
+constexpr uint8_t kFramePeriods = 2;  // of a sample
+constexpr float kOddAirspeed_mps = 4, kOddAirspeed = 0.3f;  // and this share of what is expected
+constexpr float kOddHeight_m = 20;
 constexpr uint16_t kGpsSilent_ms = 500;
 constexpr uint16_t kAirspeedHelps_ms = 200;
 constexpr uint8_t kBeginsFlying = 13;  // looks of 40 ms at speed: half a second
@@ -41,12 +48,12 @@ constexpr float kStandingSpeed_mps = 2.0f;
 estimation::AttitudeSettings attitudeSettings() {
     estimation::AttitudeSettings settings;
     settings.declination_rad = parameters.compass_declination_rad;
-    settings.use_compass = parameters.compass_use != 0;
+    settings.use_compass = parameters.compass_use != 0 && vehicle.compass.healthy;
     return settings;
 }
 
 // A fix costs too much for one frame: each of its uses gets one.
-enum class FixUse : uint8_t { move, feel_wind, done };
+enum class FixUse : uint8_t { move, feel_wind, feel_height, done };
 FixUse fix_use = FixUse::done;
 float since_fix_s;  // from the fix before
 
@@ -55,9 +62,18 @@ float gpsAge_s(float when_received_s, uint32_t now_ms) {
     return when_received_s + (now_ms - vehicle.gps.received_ms) * 0.001f;
 }
 
+// The last bits of the place change even while the velocity does not.
+bool fixIsGood() {
+    const auto& gps = vehicle.gps;
+    const float sum_cms = (gps.velocity_mps.x + gps.velocity_mps.y) * 100;
+    const int16_t reading =
+        static_cast<int16_t>(static_cast<int32_t>(sum_cms) + (gps.position.latitude_e7 & 3));
+    return gps.fix == GpsFix::three_d && believe(Sensor::gps, reading, true) && !ails(Sensor::gps);
+}
+
 void alignToFix(uint32_t now_ms) {
     vehicle.gps.fresh = false;
-    if (vehicle.gps.fix != GpsFix::three_d) return;
+    if (!fixIsGood()) return;
     since_fix_s = (now_ms - fix_ms) * 0.001f;
     fix_ms = now_ms;
     estimation::AttitudeSettings settings = attitudeSettings();
@@ -74,13 +90,53 @@ void moveToFix(uint32_t now_ms) {
                     settings);
 }
 
+// Without its compass the airplane points where it flies to through the air, as the wind was.
+bool pointsByCourse() {
+    if (parameters.compass_use == 0 || vehicle.compass.healthy) return false;
+    attitude.useCourse(position.velocity_mps() - wind.wind_mps());
+    return true;
+}
+
+// The sensor against ground speed and wind: false when they contradict each other.
+bool airspeedFits() {
+    const float expected_mps = wind.airspeed_mps(vehicle.gps.velocity_mps);
+    const float odd_mps = fabsf(vehicle.airspeed.speed_mps * true_speed_ratio - expected_mps);
+    if (!wind.known() || odd_mps < kOddAirspeed_mps + expected_mps * kOddAirspeed) return true;
+    doubt(Sensor::airspeed);
+    return false;
+}
+
 void feelWind() {
-    fix_use = FixUse::done;
-    if (!vehicle.estimate.flying || since_fix_s > 1.0f) return;
-    const float airspeed_mps = vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f;
+    fix_use = FixUse::feel_height;
+    if (!vehicle.estimate.flying || since_fix_s > 1.0f || pointsByCourse()) return;
+    const bool measured = airspeedFits() && vehicle.airspeed.healthy;
+    const float airspeed_mps = measured ? vehicle.estimate.airspeed_mps : 0.0f;
     wind.update(vehicle.gps.velocity_mps, {attitude.noseNorth(), attitude.noseEast()}, airspeed_mps,
                 since_fix_s);
     vehicle.estimate.wind_mps = wind.wind_mps();
+}
+
+bool near(float a_m, float b_m) { return fabsf(a_m - b_m) < kOddHeight_m; }
+
+// The receiver's height stands in for the barometer's, whose zero it learns before; and says which
+// of barometer and estimate is wrong where they differ.
+void feelHeight() {
+    fix_use = FixUse::done;
+    const auto& baro = vehicle.baro;
+    const float height_m = height.height_m();
+    const float fix_m = vehicle.gps.altitude_cm * 0.01f - gps_above_m;
+    if (!baro.healthy) {
+        if (!height_started) return;
+        if (!near(baro.height_m, height_m)) doubt(Sensor::barometer);
+        estimation::HeightSettings slow;
+        slow.omega_rads = 0.7f;  // of five fixes a second
+        return height.useBarometer(fix_m, 0.1f, slow);
+    }
+    if (height.doubts()) {
+        if (near(fix_m, height_m)) doubt(Sensor::barometer);
+        return;
+    }
+    gps_above_m += (fix_m - height_m) * (vehicle.estimate.flying ? 0.01f : 0.2f);
 }
 
 void gatherBarometer() {
@@ -99,6 +155,7 @@ void useBarometer() {
     baro_sum_pa = 0;
     baro_readings = 0;
     vehicle.baro.height_m = reading_m;
+    if (!baro.healthy) return;
     const uint32_t now_us = hal::now_us();
     if (height_started) {
         height.useBarometer(reading_m, (now_us - baro_us) * 1e-6f, estimation::HeightSettings());
@@ -125,9 +182,13 @@ void useReference() {
         moveToFix(now_ms);
     } else if (fix_use == FixUse::feel_wind) {
         feelWind();
+    } else if (fix_use == FixUse::feel_height) {
+        feelHeight();
     } else if (vehicle.compass.fresh) {
         vehicle.compass.fresh = false;
-        attitude.useCompass(vehicle.compass.field_mg, attitudeSettings());
+        if (parameters.compass_use != 0 &&
+            !attitude.useCompass(vehicle.compass.field_mg, attitudeSettings()))
+            doubt(Sensor::compass);
     } else if (now_ms - fix_ms > kGpsSilent_ms && now_ms - unfixed_ms >= kAirspeedHelps_ms) {
         unfixed_ms = now_ms;
         attitude.useAirspeed(knownAirspeed_mps());
@@ -136,7 +197,8 @@ void useReference() {
 
 // The attitude gives a new acceleration every fourth frame.
 void propagateMotion() {
-    const Vector3& acceleration_mss = attitude.acceleration_mss();
+    const Vector3 acceleration_mss =
+        imu_gap < kDead ? attitude.acceleration_mss() : Vector3{0, 0, 0};
     const float dt_s = gathered * estimation::kSamplePeriod_s;
     position.propagate(acceleration_mss, dt_s);
     height.propagate(-acceleration_mss.z, dt_s);
@@ -163,6 +225,8 @@ void publishAttitude() {
 void publishMotion() {
     auto& to = vehicle.estimate;
     to.known = position.known();
+    to.reckoned = position.reckoned();
+    to.fix_refused = position.refuses();
     to.velocity_mps = position.velocity_mps();
     to.height_m = height.height_m() - home_height_m;
     to.climb_mps = height.climb_mps();
@@ -182,9 +246,19 @@ void publishSpeeds() {
         to.equivalent_airspeed_mps = vehicle.airspeed.speed_mps;
         to.airspeed_mps = vehicle.airspeed.speed_mps * true_speed_ratio;
     } else {
-        to.airspeed_mps = wind.airspeed_mps(velocity);
+        to.airspeed_mps =
+            position.reckoned() ? parameters.cruise_speed_cms * 0.01f : wind.airspeed_mps(velocity);
         to.equivalent_airspeed_mps = to.airspeed_mps / true_speed_ratio;
     }
+}
+
+// Where no fix tells, the nose and the wind do.
+void reckon() {
+    if (position.age_s() < 1.0f) return;
+    const float airspeed_mps = vehicle.estimate.airspeed_mps;
+    const Vector3 wind_mps = wind.wind_mps();
+    position.reckon(attitude.noseNorth() * airspeed_mps + wind_mps.x,
+                    attitude.noseEast() * airspeed_mps + wind_mps.y);
 }
 
 // Flying: armed, and fast enough for half a second; standing: slow for three seconds.
@@ -203,21 +277,39 @@ void judgeFlying() {
     looks = 0;
 }
 
+// Without an inertial sensor the attitude stands, and is found anew when it is back.
+void feelInertial() {
+    const auto& imu = vehicle.imu;
+    if (imu_gap >= kDead) attitude.start();
+    imu_gap = 0;
+    attitude.propagate({imu.turned, imu.rate_rads, imu.accel_mss, imu.periods});
+    publishAttitude();
+}
+
+// In which quarter of the round this frame is.
+uint8_t quarter() {
+    if (vehicle.imu.periods != 0) {
+        feelInertial();
+        return attitude.frame() & 3;
+    }
+    imu_gap = imu_gap < kDead + 3 ? imu_gap + 1 : kDead;
+    vehicle.attitude.aligned = imu_gap < kDead && vehicle.attitude.aligned;
+    return imu_gap & 3;
+}
+
 }  // namespace
 
 void runEstimator() {
-    if (!vehicle.imu.calibrated || vehicle.imu.periods == 0) return;
+    if (!vehicle.imu.calibrated || (vehicle.imu.periods == 0 && imu_gap == 0 && !started)) return;
     if (!started) {
         attitude.start();
         wind.start();
         started = true;
     }
-    const auto& imu = vehicle.imu;
-    attitude.propagate({imu.turned, imu.rate_rads, imu.accel_mss, imu.periods});
-    publishAttitude();
-    gathered = imu.periods > 0xFF - gathered ? 0xFF : gathered + imu.periods;
+    const uint8_t periods = vehicle.imu.periods != 0 ? vehicle.imu.periods : kFramePeriods;
+    gathered = periods > 0xFF - gathered ? 0xFF : gathered + periods;
     gatherBarometer();
-    switch (attitude.frame() & 3) {
+    switch (quarter()) {
         case 1:
             propagateMotion();
             publishMotion();
@@ -226,6 +318,7 @@ void runEstimator() {
             useBarometer();
             publishMotion();
             publishSpeeds();
+            reckon();
             judgeFlying();
             break;
         default:

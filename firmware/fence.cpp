@@ -74,20 +74,6 @@ float returnHeight_m() {
 
 Mode returnMode() { return fenceHasWayBack() ? Mode::guided : Mode::rtl; }
 
-// To the return point; without one, home. False: it could not yet be read.
-bool turnBack() {
-    geo::Position place = vehicle.home.position;
-    if (fenceHasWayBack() && fenceWayBack(place) != core::Status::ok) return false;
-    if (!fence.took_over) fence.mode_before = vehicle.mode;
-    fence.took_over = setMode(returnMode(), ModeReason::failsafe);
-    if (vehicle.mode == Mode::guided) demandCircle(place, returnHeight_m());
-    return true;
-}
-
-bool turnsBack() {
-    return parameters.fence_action == kGuided || parameters.fence_action == kGuidedThrottle;
-}
-
 void tellBreach(uint8_t breach) {
     switch (breach) {
         case Breach::minalt:
@@ -101,10 +87,8 @@ void tellBreach(uint8_t breach) {
     }
 }
 
-// It acts when the fence is broken, not while it is: the pilot may take over outside.
 void judge(uint8_t breach) {
     const bool begins = fence.breach == Breach::none && breach != Breach::none;
-    if (begins && turnsBack() && !turnBack()) return;
     if (begins) {
         fence.breach_ms = hal::now_ms();
         if (fence.breaches < 0xFF) ++fence.breaches;
@@ -126,6 +110,20 @@ void rest() {
 }
 
 }  // namespace
+
+bool fenceTurnsBack() {
+    return parameters.fence_action == kGuided || parameters.fence_action == kGuidedThrottle;
+}
+
+// To the return point; without one, home. It may first have to be read.
+bool fenceTurnBack() {
+    geo::Position place = vehicle.home.position;
+    if (fenceHasWayBack() && fenceWayBack(place) != core::Status::ok) return false;
+    if (!fence.took_over) fence.mode_before = vehicle.mode;
+    fence.took_over = setMode(returnMode(), ModeReason::failsafe);
+    if (vehicle.mode == Mode::guided) demandCircle(place, returnHeight_m());
+    return true;
+}
 
 void fenceStart() {
     fence = {};

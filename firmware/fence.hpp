@@ -13,6 +13,9 @@ using Breach = mavlink::FenceBreach;
 void fenceStart();
 void runFence();  // 10 Hz
 
+bool fenceTurnsBack();  // FENCE_ACTION asks for it
+bool fenceTurnBack();   // what the failsafes do when it is broken; false: not yet
+
 // As DO_FENCE_ENABLE gives it: 0 off, 1 on, 2 the floor off. False: not one of them, or there is no
 // fence to switch on.
 bool fenceEnable(uint16_t how);

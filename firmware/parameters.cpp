@@ -160,6 +160,8 @@ constexpr parameters::Row kRows[] = {
     P(147, "FS_LONG_ACTN",      long_action,                       0,       0,        2),
     P(148, "FS_LONG_TIMEOUT",   long_timeout_s,                    5,       1,      300),
     P(190, "FS_GCS_ENABL",      ground_failsafe,                   0,       0,        1),
+    P(191, "FS_BATT_VOLTAGE",   battery_low_v,                     0,       0,       60),
+    P(192, "FS_BATT_MAH",       battery_low_mah,                   0,       0,    32000),
     P(149, "ARMING_CHECK",      arming_check,                      1,       0,    32767),
     P(185, "ARMING_RUDDER",     arming_rudder,                     1,       0,        2),
     P(212, "CAM_TRIGG_TYPE",    camera_on_relay,                   0,       0,        1),

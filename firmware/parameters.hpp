@@ -82,6 +82,8 @@ struct Parameters {
     int8_t short_action, long_action;
     float long_timeout_s;
     int8_t ground_failsafe;  // FS_GCS_ENABL
+    float battery_low_v;
+    int16_t battery_low_mah;  // left in the pack
     int16_t arming_check;
     int8_t arming_rudder;
     // mission

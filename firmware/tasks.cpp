@@ -6,7 +6,7 @@
 #include "firmware/attitude_control.hpp"
 #include "firmware/dataflash.hpp"
 #include "firmware/estimator.hpp"
-#include "firmware/failsafe.hpp"
+#include "firmware/failsafe/failsafe.hpp"
 #include "firmware/fence.hpp"
 #include "firmware/guidance/guidance.hpp"
 #include "firmware/lights.hpp"

@@ -105,6 +105,8 @@ struct Vehicle {
     struct {
         geo::Position position;      // between fixes carried on with the velocity
         bool known;                  // a fix has been seen and is not too old
+        bool reckoned;               // without fixes for a while: by air and wind
+        bool fix_refused;            // the last one lay too far off
         core::Vector3 velocity_mps;  // north, east, down
         float ground_speed_mps;
         int32_t course_cd;
@@ -136,6 +138,7 @@ struct Vehicle {
     Mode mode;
     bool mode_changed;  // in this frame: controllers start afresh; tasks.cpp clears it
     bool armed;
+    uint16_t failing;  // a bit for each Cause of failsafe/table.hpp
     bool failsafe_short, failsafe_long;
 
     // ---- what is demanded: modes/ and the NAV commands write, guidance.cpp flies and reports

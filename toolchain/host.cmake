@@ -109,6 +109,9 @@ target_link_libraries(firmware_on_fakes PUBLIC ${all_libraries} fakes)
 foreach(room firmware firmware_mission telemetry)
     house_test(${room}_test ${CMAKE_SOURCE_DIR}/host_tests/${room} firmware_on_fakes)
 endforeach()
+if(TARGET firmware_test)
+    target_compile_definitions(firmware_test PRIVATE FAILSAFE_MANUAL="${CMAKE_SOURCE_DIR}/docs/failsafes.md")
+endif()
 # telemetry's own double of the vehicle stands before what the library has of it
 target_sources(telemetry_test PRIVATE ${CMAKE_SOURCE_DIR}/host_tests/telemetry/vehicle_double.cpp)
 

@@ -2,6 +2,7 @@
 #include "firmware/guidance/height.hpp"
 
 #include "core/maths.hpp"
+#include "firmware/failsafe/failsafe.hpp"
 #include "firmware/modes.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/vehicle.hpp"
@@ -122,8 +123,11 @@ void waitWithHeight(const Plan& plan) {
 
 void flyHeight(const Plan& plan) {
     const float true_speed = trueFromEquivalent();
-    const control::SpeedHeightDemand demand = {plan.height.height_m, plan.height.climb_mps,
-                                               nudged_mps(plan.airspeed_mps) * true_speed};
+    // a height that is not known is held as it is: pitch and throttle stay
+    const bool blind = failing(Cause::no_height);
+    const control::SpeedHeightDemand demand = {
+        blind ? vehicle.estimate.height_m : plan.height.height_m, blind ? 0 : plan.height.climb_mps,
+        nudged_mps(plan.airspeed_mps) * true_speed};
     const auto out = speed_height.run(parameters.speed_height, limits(plan, true_speed), demand,
                                       measured(), plan.phase, kPeriod_s);
     vehicle.pitch_demand_rad = out.pitch_rad;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/rom.hpp"
+#include "firmware/failsafe/table.hpp"
 #include "firmware/log/records.hpp"
 #include "firmware/log/sources.hpp"
 #include "firmware/mission/mission.hpp"
@@ -83,34 +84,20 @@ constexpr uint16_t kSpend = 400 * hal::kTicksPerUs;
 constexpr uint8_t kMostRecords = 4;
 constexpr uint16_t kSpendBeforePrelude = 520 * hal::kTicksPerUs;
 
-// What begins or ends is an event or an error with its code 1 or 0.
-enum class Told : uint8_t { event, error };
+// What begins or ends is an event; what fails, an error with its code, or 0 when it is over.
 struct State {
     bool (*holds)();
-    Told as;
-    uint8_t begins, ends;  // of an error: its subsystem, twice
+    uint8_t begins, ends;
 };
 
 bool armed() { return vehicle.armed; }
 bool flying() { return vehicle.estimate.flying; }
-bool radioLost() { return vehicle.radio.lost; }
-bool failsafeShort() { return vehicle.failsafe_short; }
-bool failsafeLong() { return vehicle.failsafe_long; }
-bool gpsLost() { return vehicle.gps.fix < GpsFix::three_d; }
-bool compassAils() { return !vehicle.compass.healthy; }
-bool barometerAils() { return !vehicle.baro.healthy; }
 
 // Numbers as ArduCopter's logs have them, ArduPlane's have none.
 // clang-format off
 constexpr State kStates[] ROM = {
-    {armed,         Told::event, 10, 11},
-    {flying,        Told::event, 28, 18},
-    {radioLost,     Told::error,  2,  2},
-    {failsafeShort, Told::error,  5,  5},
-    {failsafeLong,  Told::error,  8,  8},
-    {gpsLost,       Told::error, 11, 11},
-    {compassAils,   Told::error,  3,  3},
-    {barometerAils, Told::error, 18, 18},
+    {armed,  10, 11},
+    {flying, 28, 18},
 };
 // clang-format on
 static_assert(core::count(kStates) <= 8, "a bit each");
@@ -123,8 +110,9 @@ constexpr uint8_t kNoMode = 0xFF;
 uint16_t prelude;  // formats, banner, parameters, mission items already logged
 uint16_t due;      // a bit a source
 uint16_t dropped;
-uint8_t run;     // 0 .. kRound - 1
-uint8_t states;  // as logged
+uint8_t run;       // 0 .. kRound - 1
+uint8_t states;    // as logged
+uint16_t failing;  // as logged
 uint8_t mode = kNoMode;
 uint8_t gps_seen;  // when the newest fix came, roughly
 uint8_t commands[kCommands];
@@ -213,12 +201,25 @@ bool putState() {
         const State state = core::romRead(in_flash);
         const bool holds = state.holds();
         if (holds != ((states & bit) != 0)) {
-            const bool ok = state.as == Told::event ? putEvent(holds ? state.begins : state.ends)
-                                                    : putError(state.begins, holds);
+            const bool ok = putEvent(holds ? state.begins : state.ends);
             if (ok) states ^= bit;
             return ok;
         }
         bit = static_cast<uint8_t>(bit << 1);
+    }
+    return false;
+}
+
+bool putFailure() {
+    uint16_t bit = 1;
+    for (const CauseRow& cause : kCauseTable) {
+        if (((vehicle.failing ^ failing) & bit) != 0) {
+            const uint8_t code = (vehicle.failing & bit) != 0 ? core::romRead(cause.code) : 0;
+            const bool ok = putError(core::romRead(cause.subsystem), code);
+            if (ok) failing ^= bit;
+            return ok;
+        }
+        bit = static_cast<uint16_t>(bit << 1);
     }
     return false;
 }
@@ -237,7 +238,7 @@ bool putChange() {
     return true;
 }
 
-bool putEvents() { return putState() || putChange() || putText(); }
+bool putEvents() { return putState() || putFailure() || putChange() || putText(); }
 
 // What happened goes first, then what is measured, and beside it the rest of the prelude.
 void putSome() {
@@ -259,6 +260,7 @@ void begin() {
     prelude = due = 0;
     (void)places();  // a fix from before is none of this log's
     states = commands_waiting = 0;
+    failing = 0;
     mode = kNoMode;
 }
 

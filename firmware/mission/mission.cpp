@@ -3,6 +3,7 @@
 #include "firmware/mission/mission.hpp"
 
 #include "firmware/camera.hpp"
+#include "firmware/failsafe/failsafe.hpp"
 #include "firmware/log/log.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
@@ -267,7 +268,7 @@ bool missionEnter(core::RomText& why_not) {
     if (why_not != nullptr) return false;
     is_complete = false;
     const bool flies_on = flyingOn() && vehicle.mode == Mode::initialising;
-    mission_engine.enter(parameters.mission_restart != 0 && !flies_on);
+    mission_engine.enter(parameters.mission_restart != 0 && !flies_on && !failsafeGivesBack());
     return true;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // FBWA: the sticks demand bank and pitch within the limits; the throttle is the pilot's.
 #include "core/maths.hpp"
+#include "firmware/failsafe/failsafe.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
 #include "firmware/parameters.hpp"
@@ -22,7 +23,7 @@ void runFbwa() {
             core::radians(parameters.pitch_down_deg) * closed_pct / cruise_pct;
         vehicle.pitch_demand_rad = core::between(down_rad, vehicle.pitch_demand_rad);
     }
-    if (vehicle.failsafe_short || vehicle.failsafe_long) {  // a glide, wings level
+    if (failsafeGlides()) {
         vehicle.roll_demand_rad = 0;
         vehicle.throttle_demand = 0;
     }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// LOITER: circles the place where it was entered, at the height it had there.
+// LOITER: circles the place where it was entered, at the height it had there; after an
+// interruption by a failsafe the same place.
+#include "firmware/failsafe/failsafe.hpp"
 #include "firmware/modes/circling.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
@@ -13,7 +15,9 @@ Entry startLoiter() {
         tell(Severity::warning, ROM_TEXT("Circling needs a position"));
         return Entry::refused;
     }
-    demandCircle(vehicle.estimate.position, vehicle.estimate.height_m);
+    const geo::Position& place =
+        failsafeGivesBack() ? vehicle.demand.to : vehicle.estimate.position;
+    demandCircle(place, vehicle.estimate.height_m);
     return Entry::entered;
 }
 

@@ -2,6 +2,7 @@
 // Static pressure. The zero of its height is where the airplane stood when it was switched on; the
 // temperature on the ground is held, as the sun on the board would else lift the airplane.
 #include "board.hpp"
+#include "firmware/failsafe/health.hpp"
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/vehicle.hpp"
@@ -46,10 +47,11 @@ void runBarometer() {
     auto& baro = vehicle.baro;
     baro.fresh = barometer.step(hal::now_us());
     const bool zeroed = baro.ground_pressure_pa > 0;
-    baro.healthy = barometer.healthy() && zeroed;
+    baro.healthy = barometer.healthy() && zeroed && !ails(Sensor::barometer);
     if (!baro.fresh) return;
     baro.pressure_pa = barometer.pressure_pa();
     baro.temperature_c = barometer.temperature_cc() * 0.01f;
+    baro.fresh = believe(Sensor::barometer, static_cast<int16_t>(barometer.pressure_pa()), true);
     if (!zeroed) {
         takeZero(baro.pressure_pa);
         baro.fresh = false;

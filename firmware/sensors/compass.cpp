@@ -3,6 +3,7 @@
 #include "board.hpp"
 #include "core/maths.hpp"
 #include "drivers/hmc5883l.hpp"
+#include "firmware/failsafe/health.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/sensors.hpp"
@@ -15,22 +16,32 @@ namespace {
 
 drivers::Hmc5883l compass;
 
+// The earth's field is 220 to 670 mG; the airplane's own comes on top, or takes off.
+bool plausible(const core::Vector3& field_mg) {
+    constexpr float kLeast_mg = 100, kMost_mg = 1000;
+    const float squared = core::dot(field_mg, field_mg);
+    const bool possible = squared > kLeast_mg * kLeast_mg && squared < kMost_mg * kMost_mg;
+    return believe(Sensor::compass, static_cast<int16_t>(field_mg.x + field_mg.y + field_mg.z),
+                   possible);
+}
+
 }  // namespace
 
 void startCompass() { compass.start(); }
 
 void runCompass() {
     if (!compass.step(hal::now_ms())) {
-        vehicle.compass.healthy = compass.healthy();
+        vehicle.compass.healthy = compass.healthy() && !ails(Sensor::compass);
         return;
     }
     core::Vector3 field_mg = compass.field_mg();
     if (board::kCompassUpsideDown) field_mg = {field_mg.x, -field_mg.y, -field_mg.z};
     learnCompass(field_mg);
     const float* offset = parameters.compass_offset_mg;
-    vehicle.compass.field_mg = field_mg + core::Vector3{offset[0], offset[1], offset[2]};
-    vehicle.compass.fresh = true;  // the estimator clears it
-    vehicle.compass.healthy = compass.healthy();
+    field_mg = field_mg + core::Vector3{offset[0], offset[1], offset[2]};
+    vehicle.compass.field_mg = field_mg;
+    vehicle.compass.fresh = plausible(field_mg);  // the estimator clears it
+    vehicle.compass.healthy = compass.healthy() && !ails(Sensor::compass);
 }
 
 // Into the parameter, where the heading is worked out from; what is stored there stays.

@@ -6,6 +6,7 @@
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "estimation/still.hpp"
+#include "firmware/failsafe/health.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/sensors.hpp"
@@ -115,8 +116,15 @@ void findZero(const drivers::ImuSums& sums) {
     zero = {{core::rounded(in_period.x), core::rounded(in_period.y), core::rounded(in_period.z)}};
 }
 
+bool possible() {
+    const auto& rate = vehicle.imu.rate_rads;
+    const int32_t sum = int32_t{rate.x.raw} + rate.y.raw + rate.z.raw;
+    return believe(Sensor::inertial, static_cast<int16_t>(sum), true);
+}
+
 void use(drivers::ImuSums& sums) {
     auto& to = vehicle.imu;
+    const auto before = to;
     makeTwo(sums);
     Turn felt;
     for (uint8_t i = 0; i < 3; ++i) {
@@ -129,6 +137,14 @@ void use(drivers::ImuSums& sums) {
     stretch(to.turned, sums.periods);
     level(felt);
     to.accel_mss = {force_mss(felt.of[0]), force_mss(felt.of[1]), force_mss(felt.of[2])};
+    if (!possible()) to = before;
+}
+
+// A chip that talks nonsense is started anew, once a second.
+void heal() {
+    if ((hal::now_ms() & 1023) < 10) imu.start();
+    vehicle.imu.healthy = false;
+    vehicle.imu.periods = 0;
 }
 
 }  // namespace
@@ -176,6 +192,7 @@ void runInertial() {
     to.calibrated = still.done();
     refreshReading();
     use(sums);
+    if (ails(Sensor::inertial)) heal();
 }
 
 }  // namespace firmware

@@ -2,6 +2,7 @@
 // How the vehicle is and what it is.
 #include "core/maths.hpp"
 #include "firmware/arming.hpp"
+#include "firmware/failsafe/failsafe.hpp"
 #include "firmware/fence.hpp"
 #include "firmware/modes.hpp"
 #include "firmware/tasks.hpp"
@@ -73,7 +74,8 @@ uint32_t ailingSensors() {
     if (!vehicle.compass.healthy) bits |= Sensor::sensor_3d_mag;
     if (!vehicle.baro.healthy) bits |= Sensor::sensor_absolute_pressure;
     if (!vehicle.airspeed.healthy) bits |= Sensor::sensor_differential_pressure;
-    if (!vehicle.gps.healthy) bits |= Sensor::sensor_gps;
+    if (!vehicle.gps.healthy || failing(Cause::gps)) bits |= Sensor::sensor_gps;
+    if (failing(Cause::battery)) bits |= Sensor::sensor_battery;
     if (vehicle.radio.lost) bits |= Sensor::sensor_rc_receiver;
     if (fenceReport().breach != Breach::none || fenceBad()) bits |= Sensor::geofence;
     if (!vehicle.armed && !prearmOk()) bits |= Sensor::prearm_check;

@@ -66,12 +66,13 @@ TEST(Height, a_single_wild_reading_is_left_out) {
     EXPECT_NEAR(height.height_m(), 100, 0.01);
 }
 
-TEST(Height, readings_that_insist_for_half_a_second_are_followed) {
+TEST(Height, readings_that_insist_for_two_seconds_are_followed) {
     Bench bench;
     bench.height.start(0);
     bench.glitch_m = 40;
-    bench.fly(0.4, [](double) { return 0.0; });
+    bench.fly(1.9, [](double) { return 0.0; });
     EXPECT_NEAR(bench.height.height_m(), 0, 0.01);
+    EXPECT_TRUE(bench.height.doubts());
 
     bench.fly(0.6, [](double) { return 0.0; });
     EXPECT_NEAR(bench.height.height_m(), 40, 0.01);

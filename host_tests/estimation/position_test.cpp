@@ -79,7 +79,10 @@ TEST(Position, is_not_known_before_a_fix_nor_long_after_the_last) {
 
     position.useGps(kStart, {10, 0, 0}, {0, 0, 0}, PositionSettings());
     EXPECT_TRUE(position.known());
-    for (int i = 0; i < 510; ++i) position.propagate({0, 0, 0}, 0.01f);
+    for (int i = 0; i < 1990; ++i) position.propagate({0, 0, 0}, 0.01f);
+    EXPECT_TRUE(position.known());
+    EXPECT_TRUE(position.reckoned());
+    for (int i = 0; i < 20; ++i) position.propagate({0, 0, 0}, 0.01f);
     EXPECT_FALSE(position.known());
 }
 
@@ -93,19 +96,54 @@ TEST(Position, carries_on_with_the_velocity_when_fixes_stop) {
     EXPECT_NEAR(off.east_m, -21.2, 0.3);
 }
 
-TEST(Position, one_fix_far_off_is_not_followed_but_five_are) {
+struct Jumping {
     Position position;
-    const geo::Position far = geo::moved(kStart, {500, 0});
-    auto fix = [&](const geo::Position& at) {
+    void fix(const geo::Position& at) {
         position.useGps(at, {0, 0, 0}, {0, 0, 0}, PositionSettings());
         for (int i = 0; i < 20; ++i) position.propagate({0, 0, 0}, 0.01f);
-    };
-    for (int i = 0; i < 5; ++i) fix(kStart);
-    fix(far);
-    EXPECT_LT(geo::distance_m(position.position(), kStart), 0.1);
-    fix(kStart);
-    for (int i = 0; i < 5; ++i) fix(far);
-    EXPECT_LT(geo::distance_m(position.position(), far), 0.5);
+    }
+    float from_m(const geo::Position& place) const {
+        return geo::distance_m(position.position(), place);
+    }
+};
+
+TEST(Position, a_jump_is_refused_until_nobody_knows_better) {
+    Jumping gps;
+    const geo::Position far = geo::moved(kStart, {500, 0});
+    for (int i = 0; i < 5; ++i) gps.fix(kStart);
+    for (int i = 0; i < 90; ++i) {
+        gps.fix(far);
+        ASSERT_LT(gps.from_m(kStart), 0.1) << i;
+        ASSERT_TRUE(gps.position.refuses());
+    }
+    gps.fix(kStart);
+    EXPECT_FALSE(gps.position.refuses());
+    for (int i = 0; i < 102; ++i) gps.fix(far);
+    EXPECT_LT(gps.from_m(far), 0.5);
+    EXPECT_FALSE(gps.position.refuses());
+}
+
+TEST(Position, a_jump_within_reach_since_the_last_fix_is_believed) {
+    Jumping gps;
+    for (int i = 0; i < 5; ++i) gps.fix(kStart);
+    for (int i = 0; i < 600; ++i) gps.position.propagate({0, 0, 0}, 0.01f);
+    const geo::Position drifted = geo::moved(kStart, {100, 0});
+    gps.fix(drifted);
+    EXPECT_LT(gps.from_m(drifted), 0.5);
+}
+
+TEST(Position, reckons_with_the_velocity_it_is_given_once_fixes_are_missing) {
+    Position position;
+    position.useGps(kStart, {10, 0, 0}, {0, 0, 0}, PositionSettings());
+    position.reckon(0, 10);  // too early
+    EXPECT_EQ(position.velocity_mps().x, 10);
+    for (int i = 0; i < 150; ++i) position.propagate({0, 0, 0}, 0.01f);
+    position.reckon(0, 10);
+    for (int i = 0; i < 1000; ++i) position.propagate({0, 0, 0}, 0.01f);
+
+    const geo::Offset off = geo::offset(kStart, position.position());
+    EXPECT_NEAR(off.north_m, 17.4, 0.5);
+    EXPECT_NEAR(off.east_m, 100, 0.5);
 }
 
 TEST(Position, no_step_is_too_small_to_add_up) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fakes/fakes.hpp"
-#include "firmware/failsafe.hpp"
+#include "firmware/failsafe/failsafe.hpp"
 #include "firmware/modes.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/radio.hpp"
@@ -61,6 +61,8 @@ protected:
     void fly(firmware::Mode mode) {
         auto& vehicle = firmware::vehicle;
         vehicle.armed = true;
+        vehicle.imu.healthy = vehicle.baro.healthy = vehicle.compass.healthy = true;
+        vehicle.gps.healthy = vehicle.attitude.aligned = true;
         vehicle.estimate.flying = vehicle.estimate.known = vehicle.home.set = true;
         vehicle.estimate.height_m = 80;
         firmware::setMode(mode, firmware::ModeReason::ground);

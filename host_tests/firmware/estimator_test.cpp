@@ -18,6 +18,7 @@ protected:
     void SetUp() override {
         Bench::SetUp();
         vehicle.imu.healthy = vehicle.imu.calibrated = vehicle.gps.healthy = true;
+        vehicle.baro.healthy = vehicle.compass.healthy = true;
         vehicle.baro.ground_pressure_pa = vehicle.baro.pressure_pa = 101325;
         vehicle.baro.ground_temperature_c = 15;
         firmware::parameters.compass_use = 1;

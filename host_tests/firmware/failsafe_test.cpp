@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/failsafe.hpp"
+#include "firmware/failsafe/failsafe.hpp"
 
 #include <string.h>
 

@@ -2,6 +2,7 @@
 // What the fence and the rally points do to the flight, through the store they really lie in.
 #include "firmware/fence.hpp"
 
+#include "firmware/failsafe/failsafe.hpp"
 #include "firmware/fence_line.hpp"
 #include "firmware/rally.hpp"
 #include "firmware/telemetry/plans.hpp"
@@ -37,6 +38,7 @@ protected:
     static void tenths(int count) {
         for (int i = 0; i < count; ++i) {
             runFence();
+            runFailsafe();
             runMode();
             fakes::advance_ms(100);
         }

@@ -82,6 +82,7 @@ protected:
         vehicle.home.altitude_cm = 40000;
         vehicle.home.set = true;
         vehicle.armed = true;
+        vehicle.imu.healthy = vehicle.attitude.aligned = true;
         vehicle.estimate.flying = true;
         vehicle.estimate.height_m = 50;
         missionBoot();

@@ -203,8 +203,7 @@ void Mpu6000<Bus, Select>::watch(uint32_t now_ms) {
         return;
     }
     const uint32_t silent_ms = now_ms - since_ms_;
-    if (silent_ms > 50) healthy_ = false;
-    if (silent_ms > 200) return fail(now_ms);
+    if (silent_ms > 50) return fail(now_ms);
     // The pin is held until a read: an edge once missed would be the last one.
     if (silent_ms > 20) readRegister(kIntStatus);
 }

@@ -31,6 +31,8 @@ constexpr float kMostForceStep_mss = 0.005f;
 constexpr float kMostTime_s = 1.1f;   // between two fixes that are compared
 constexpr uint8_t kCompassEvery = 5;  // 10 Hz of 50
 constexpr float kCompassStep_s = 0.2f;
+constexpr float kOdd = 0.7f;       // cosine: a compass 45 degrees off is not followed
+constexpr float kSlow_mps = 5.0f;  // a slower course is noise
 
 constexpr int32_t kMostTurn = 214748365;     // 0.2 rad; more at once would lengthen the rows
 constexpr int32_t kMostTurned = 1073741824;  // 1 rad
@@ -356,9 +358,28 @@ void Attitude::useAirspeed(float true_airspeed_mps) {
     correct(missing, acceleration_, 0.2f, 0);
 }
 
-void Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSettings& settings) {
-    if (phase_ == Phase::falling || !settings.use_compass) return;
-    if (phase_ == Phase::pointed && ++compass_reading_ < kCompassEvery) return;
+// By a share of the sine of the angle that is missing.
+void Attitude::pointBy(float error) {
+    const float quick = 1.0f + (kQuick - 1.0f) * settling_;
+    const float by = error * core::limit(quick * (kCompassStep_s / kCompass_s), 0.0f, 0.5f);
+    const core::Vector3 turn_rad = real(down_) * by;
+    learnRates(turn_rad);
+    turnBy(turn_rad);
+}
+
+void Attitude::useCourse(const core::Vector3& air_mps) {
+    const float squared = core::square(air_mps.x) + core::square(air_mps.y);
+    if (phase_ != Phase::pointed || squared < kSlow_mps * kSlow_mps) return;
+    catchUp();
+    const float north = noseNorth(), east = noseEast();
+    const float across = north * air_mps.y - east * air_mps.x;
+    const bool ahead = north * air_mps.x + east * air_mps.y > 0;
+    pointBy(ahead ? across / sqrtf(squared) : across < 0 ? -1.0f : 1.0f);
+}
+
+bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSettings& settings) {
+    if (phase_ == Phase::falling) return true;
+    if (phase_ == Phase::pointed && ++compass_reading_ < kCompassEvery) return true;
     compass_reading_ = 0;
     catchUp();
     const core::Vector3 field_mg = field_.earths(reading_mg);
@@ -366,7 +387,7 @@ void Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
     const core::Vector3 east = core::cross(down, north);
     const float m_north = core::dot(north, field_mg), m_east = core::dot(east, field_mg);
     const float length = sqrtf(m_north * m_north + m_east * m_east);
-    if (length < 30.0f) return;  // near a magnetic pole, or no field at all: no direction
+    if (length < 30.0f) return true;  // near a magnetic pole, or no field at all: no direction
     // Declination is small enough on every inhabited place for its cosine's second order.
     const float d = settings.declination_rad;
     const float sin_d = d * (1.0f - d * d * (1.0f / 6.0f)), cos_d = 1.0f - 0.5f * d * d;
@@ -374,9 +395,13 @@ void Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
     const float across_mg = m_east * cos_d - m_north * sin_d;
     const float inverse = 1.0f / length;
     if (phase_ == Phase::upright) {
+        if (!settings.use_compass) return true;
         field_.start(length, core::dot(down, field_mg));
-        return turnTo(-across_mg * inverse, along_mg * inverse);
+        turnTo(-across_mg * inverse, along_mg * inverse);
+        return true;
     }
+    const bool elsewhere = settling_ <= 0 && along_mg * inverse < kOdd;
+    if (elsewhere || !settings.use_compass) return !elsewhere;
     if (along_mg > 0) {
         const core::Vector3 odd =
             field_.unexpected({along_mg, across_mg, core::dot(down, field_mg)}, kCompassStep_s);
@@ -385,11 +410,8 @@ void Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
         field_.learn(north * odd_north + east * odd_east + down * odd.z, kCompassStep_s);
     }
     const float error = along_mg > 0 ? -across_mg * inverse : (across_mg < 0 ? 1.0f : -1.0f);
-    const float quick = 1.0f + (kQuick - 1.0f) * settling_;
-    const float by = error * core::limit(quick * (kCompassStep_s / kCompass_s), 0.0f, 0.5f);
-    const core::Vector3 turn_rad = down * by;
-    learnRates(turn_rad);
-    turnBy(turn_rad);
+    pointBy(error);
+    return true;
 }
 
 // sqrt(1 - sine^2) of an angle below 20 degrees is quicker by its series, and so is its inverse.

@@ -18,7 +18,7 @@ struct AttitudeSettings {
     // Of a fix when it is given to useGps: 0.2 s in the receiver and 43 ms on the line.
     float gps_age_s = 0.243f;
     float declination_rad = 0;  // east positive
-    bool use_compass = true;
+    bool use_compass = true;    // false: it is looked at, but not followed
 };
 
 struct Angles {
@@ -47,11 +47,16 @@ public:
 
     void propagate(const Motion& motion);  // every frame
 
-    // Every compass reading: body axes, offsets removed; only its direction counts.
-    void useCompass(const core::Vector3& reading_mg, const AttitudeSettings& settings);
+    // Every compass reading: body axes, offsets removed; only its direction counts. False: it
+    // points far from where the airplane is known to point, and is not followed.
+    bool useCompass(const core::Vector3& reading_mg, const AttitudeSettings& settings);
 
     // Once for every fix: north, east, down. Without a compass its course gives the first heading.
     void useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings);
+
+    // While the compass is lost, with every fix: the velocity through the air, which is along the
+    // nose.
+    void useCourse(const core::Vector3& air_mps);
 
     // While there is no GPS, five times a second: with the true airspeed, or in flight a guess of
     // it (0: standing), the turn's centripetal acceleration is known well enough to stay upright.
@@ -103,6 +108,7 @@ private:
     void alignUpright();
     void turnTo(float sine, float cosine);
     void turnBy(const core::Vector3& by_rad);
+    void pointBy(float error);
     static void turnBy(int32_t& turned, float by_rad);
     void turnMatrix();
     void catchUp() {

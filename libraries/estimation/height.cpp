@@ -7,7 +7,7 @@ namespace estimation {
 namespace {
 
 constexpr float kGlitch_m = 15.0f;  // a reading farther off than this is left out ...
-constexpr float kInsist_s = 0.5f;   // ... unless they all are, this long
+constexpr float kInsist_s = 2.0f;   // ... unless they all are, this long
 constexpr float kMostBias_mss = 2.0f;
 constexpr float kSinking_s = 1.0f;  // without readings the climb rate dies away with this
 

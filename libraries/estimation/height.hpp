@@ -26,6 +26,7 @@ public:
     float height_m() const { return height_m_; }
     float climb_mps() const { return climb_mps_; }
     bool healthy() const { return unfed_s_ < 2.0f; }  // a reading was used within 2 s
+    bool doubts() const { return off_s_ > 0; }        // the last reading lay far off
     uint16_t glitches() const { return glitches_; }
 
 private:

@@ -6,10 +6,10 @@ namespace {
 
 constexpr float kPositionShare = 0.25f;  // of the difference, taken over with each fix
 constexpr float kVelocityShare = 0.4f;
-constexpr float kFar_m = 60.0f;    // a fix this far off is doubted ...
-constexpr uint8_t kDoubts = 5;     // ... unless five agree
-constexpr float kStale_s = 2.0f;   // after this a fix is simply believed
-constexpr float kFold_m = 200.0f;  // the offset is folded into the anchor beyond this
+constexpr float kFar_m = 30.0f;        // a fix this far off is refused ...
+constexpr float kFarther_mps = 15.0f;  // ... and farther with the age of the last one used
+constexpr float kCarries_s = 1.0f;     // without a fix the accelerations are carried on
+constexpr float kFold_m = 200.0f;      // the offset is folded into the anchor beyond this
 
 }  // namespace
 
@@ -17,11 +17,17 @@ void Position::propagate(const core::Vector3& acceleration_mss, float dt_s) {
     if (age_s_ < 1e6f) age_s_ += dt_s;
     // Without fixes the accelerations' errors grow with the square of time: only the velocity is
     // carried on.
-    const float share = age_s_ < 1.0f ? dt_s : 0.0f;
+    const float share = age_s_ < kCarries_s ? dt_s : 0.0f;
     const core::Vector3 gain = acceleration_mss * share;
     since_.north_m += (velocity_.x + 0.5f * gain.x) * dt_s;
     since_.east_m += (velocity_.y + 0.5f * gain.y) * dt_s;
     velocity_ = velocity_ + gain;
+}
+
+void Position::reckon(float north_mps, float east_mps) {
+    if (age_s_ < kCarries_s) return;
+    velocity_.x = north_mps;
+    velocity_.y = east_mps;
 }
 
 void Position::useGps(const geo::Position& position, const core::Vector3& velocity_mps,
@@ -29,23 +35,24 @@ void Position::useGps(const geo::Position& position, const core::Vector3& veloci
     const core::Vector3 velocity = velocity_mps + gained_mps;  // now
     const core::Vector3 mean = velocity_mps + gained_mps * 0.5f;
     const geo::Offset carried = {mean.x * settings.gps_age_s, mean.y * settings.gps_age_s};
-    if (age_s_ > kStale_s) {
+    if (!known()) {
         anchorAt(position, carried);
         velocity_ = velocity;
         age_s_ = 0;
-        refused_ = 0;
+        refuses_ = false;
         return;
     }
     const geo::Offset fix = geo::offset(anchor_, position);
     const float north_m = fix.north_m + carried.north_m - since_.north_m;
     const float east_m = fix.east_m + carried.east_m - since_.east_m;
-    const bool far = north_m * north_m + east_m * east_m > kFar_m * kFar_m;
-    if (far && ++refused_ < kDoubts) return;
-    refused_ = 0;
+    const float far_m = kFar_m + kFarther_mps * age_s_;
+    refuses_ = north_m * north_m + east_m * east_m > far_m * far_m;
+    if (refuses_) return;
+    const bool late = reckoned();
     age_s_ = 0;
-    since_.north_m += north_m * (far ? 1.0f : kPositionShare);
-    since_.east_m += east_m * (far ? 1.0f : kPositionShare);
-    velocity_ = far ? velocity : velocity_ + (velocity - velocity_) * kVelocityShare;
+    since_.north_m += north_m * (late ? 1.0f : kPositionShare);
+    since_.east_m += east_m * (late ? 1.0f : kPositionShare);
+    velocity_ = late ? velocity : velocity_ + (velocity - velocity_) * kVelocityShare;
     if (since_.north_m * since_.north_m + since_.east_m * since_.east_m > kFold_m * kFold_m) {
         const geo::Position here = this->position();
         const geo::Offset whole = geo::offset(anchor_, here);  // the rest of a 1e-7 degree stays

@@ -15,16 +15,23 @@ struct PositionSettings {
 
 class Position {
 public:
+    static constexpr float kReckoned_s = 20.0f;  // after so long without a fix nobody knows
+    static constexpr float kMissed_s = 2.0f;
+
     // Every frame. When the accelerations cannot be trusted, give zeros.
     void propagate(const core::Vector3& acceleration_mss, float dt_s);
+    // Without fixes, with the velocity that air and wind give.
+    void reckon(float north_mps, float east_mps);
     // Every fix, with what was gained since its time (Attitude::gainedSinceFix_mps).
     void useGps(const geo::Position& position, const core::Vector3& velocity_mps,
                 const core::Vector3& gained_mps, const PositionSettings& settings);
 
     geo::Position position() const;
     const core::Vector3& velocity_mps() const { return velocity_; }  // north, east, down
-    bool known() const { return age_s_ < 5.0f; }                     // a fix was used within 5 s
-    float age_s() const { return age_s_; }                           // since the last fix was used
+    bool known() const { return age_s_ < kReckoned_s; }
+    bool reckoned() const { return age_s_ > kMissed_s; }  // no fix was used for a while
+    bool refuses() const { return refuses_; }             // the last fix lay too far off
+    float age_s() const { return age_s_; }                // since the last fix was used
 
 private:
     void anchorAt(const geo::Position& anchor, const geo::Offset& since);
@@ -34,7 +41,7 @@ private:
     float north_e7_per_m_ = 0, east_e7_per_m_ = 0;
     core::Vector3 velocity_ = {0, 0, 0};
     float age_s_ = 1e6f;
-    uint8_t refused_ = 0;  // fixes in a row that lay too far off
+    bool refuses_ = false;
 };
 
 }  // namespace estimation
