@@ -25,3 +25,14 @@ endif()
 # three airplanes, two missions, calm and wind: whoever crashes, gets lost or breaks a frame fails
 add_test(NAME campaign.slice COMMAND campaign --seeds 2 --out ${CMAKE_BINARY_DIR}/campaign)
 set_tests_properties(campaign.slice PROPERTIES LABELS native TIMEOUT 600)
+add_test(NAME campaign.replay_on_the_image
+         COMMAND ${NODE} --test ${CMAKE_SOURCE_DIR}/host_tests/campaign/replay.test.mjs)
+set_tests_properties(campaign.replay_on_the_image PROPERTIES LABELS simavr TIMEOUT 600
+    FIXTURES_REQUIRED image_minutes
+    ENVIRONMENT "FLY=$<TARGET_FILE:fly>;MINUTES=${CMAKE_BINARY_DIR}/flights/minutes/campaign")
+
+file(GLOB airplane_parameters CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/airplanes/*.param)
+foreach(file IN LISTS airplane_parameters)
+    get_filename_component(airplane ${file} NAME_WE)
+    add_test(NAME airplanes.param.${airplane} COMMAND param_tool check ${file})
+endforeach()

@@ -74,9 +74,12 @@ struct Words {
 void addOptions(CLI::App& app, CampaignOptions& o, Words& words) {
     app.add_option("MISSION", o.missions, "mission files; if not given first_flight and box_600");
     app.add_option("--airplane", o.airplanes,
-                   "of simulator/airplanes, or .json files; if not given all three");
+                   "one of simulator/airplanes, or a .json file; several times for several; if not "
+                   "given all three")
+        ->allow_extra_args(false);
     app.add_option("--wind", words.winds,
-                   "calm, or SPEED,FROM_DEGREES with gusts; several make several winds")
+                   "calm, or SPEED,FROM_DEGREES with gusts; several times for several winds")
+        ->allow_extra_args(false)
         ->capture_default_str();
     app.add_option("--seeds", words.seeds, "how many, or a range FIRST-LAST")
         ->capture_default_str();

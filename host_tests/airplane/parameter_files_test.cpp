@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The .param files beside the airplanes. That the firmware takes what they say is tried by
+// toolchain/param in airplanes.param.*.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+constexpr int kMostChanged = 10;
+
+int settingsIn(const fs::path& path) {
+    std::ifstream file(path);
+    int settings = 0;
+    for (std::string line; std::getline(file, line);) settings += !line.empty() && line[0] != '#';
+    return settings;
+}
+
+}  // namespace
+
+TEST(ParameterFiles, stand_beside_every_airplane_and_change_little) {
+    int airplanes = 0;
+    for (const auto& entry : fs::directory_iterator(AIRPLANES)) {
+        if (entry.path().extension() != ".json") continue;
+        ++airplanes;
+        const fs::path beside = fs::path(entry.path()).replace_extension(".param");
+        ASSERT_TRUE(fs::exists(beside)) << beside;
+        EXPECT_LE(settingsIn(beside), kMostChanged) << beside;
+    }
+    EXPECT_GE(airplanes, 3);
+}
+
+TEST(ParameterFiles, leave_the_foam_trainer_on_the_firmwares_defaults) {
+    EXPECT_EQ(settingsIn(AIRPLANES "/foam_trainer.param"), 0);
+    EXPECT_GT(settingsIn(AIRPLANES "/flying_wing.param"), 0);
+}
