@@ -75,6 +75,8 @@ WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
     world.wind_mps = options.wind_mps;
     world.wind_from_deg = options.wind_from_deg;
     world.gusts = options.gusts;
+    world.gps = options.gps;
+    world.gps_baud = options.gps_baud;
     world.seed = options.seed;
     world.dataflash = !options.no_dataflash;
     return world;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "simulator/devices/gps_kinds.hpp"
 #include "simulator/fdm/json_model.hpp"
 
 namespace simulator {
@@ -130,6 +131,11 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
         ->disable_flag_override();
     app.add_option("--wind", wind, "SPEED,FROM_DEGREES: mean wind in m/s and where it comes from");
     app.add_flag("--gusts", o.gusts, "Dryden gusts of 1 m/s RMS")->disable_flag_override();
+    app.add_option("--gps", o.gps, "the receiver on the GPS port, as delivered")
+        ->check(CLI::IsMember(gpsKinds()))
+        ->capture_default_str();
+    app.add_option("--gps-baud", o.gps_baud, "the GPS's rate at power-on instead")
+        ->check(CLI::IsMember({4800, 9600, 19200, 38400, 57600, 115200}));
     app.add_option("--seed", o.seed, "of every random error; the same seed gives the same flight")
         ->check(wholeNumber("18446744073709551615"))
         ->capture_default_str();

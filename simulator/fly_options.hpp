@@ -15,6 +15,8 @@ struct FlyOptions {
     bool no_dataflash = false;
     double wind_mps = 0, wind_from_deg = 0;
     bool gusts = false;
+    std::string gps = "ublox";
+    uint32_t gps_baud = 0;
     uint64_t seed = 1;
     double time_limit_s = 1200;
     std::string fdm;  // "json:PORT"; empty: the airplane is the simulator's own

@@ -11,11 +11,11 @@
 #include "simulator/devices/analog_sensors.hpp"
 #include "simulator/devices/at45db.hpp"
 #include "simulator/devices/bmp085.hpp"
+#include "simulator/devices/gps_kinds.hpp"
 #include "simulator/devices/hmc5883l.hpp"
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
-#include "simulator/devices/ublox_gps.hpp"
 #include "simulator/fdm/json_model.hpp"
 #include "simulator/own_airplane.hpp"
 
@@ -35,11 +35,10 @@ SensorErrors errorsFor(const WorldOptions& options) {
     return errors;
 }
 
-UbloxOptions gpsFor(const WorldOptions& options) {
-    UbloxOptions gps;
-    gps.baud = options.gps_baud;
+std::unique_ptr<GpsReceiver> gpsFor(const WorldOptions& options, const SensorErrors& errors) {
+    GpsOptions gps;
     gps.acquire_s = options.gps_acquire_s;
-    return gps;
+    return makeGps(options.gps, options.gps_baud, options.seed, errors, gps);
 }
 
 At45dbOptions dataflashFor(const WorldOptions& options) {
@@ -72,7 +71,7 @@ struct World::Parts {
           imu(options.seed, errors),
           barometer(options.seed, errors),
           compass(options.seed, errors, compassFor(options)),
-          gps(options.seed, errors, gpsFor(options)),
+          gps(gpsFor(options, errors)),
           analog(options.seed, errors),
           analog_imu(options.seed, errors),
           i2c_barometer(options.seed, errors),
@@ -95,7 +94,7 @@ struct World::Parts {
     Mpu6000 imu;
     Ms5611 barometer;
     Hmc5883l compass;
-    UbloxGps gps;
+    std::unique_ptr<GpsReceiver> gps;
     AnalogSensors analog;
     AnalogImu analog_imu;
     Ads7844 converter;
@@ -141,7 +140,7 @@ void World::advanceTo(uint64_t now_us) {
     Parts& p = *parts_;
     for (;;) {
         const uint64_t step_us = p.model->truth().time_us + Airplane::kStep_us;
-        const uint64_t imu_us = p.imu.nextSample_us(), gps_us = p.gps.nextEvent_us();
+        const uint64_t imu_us = p.imu.nextSample_us(), gps_us = p.gps->nextEvent_us();
         const uint64_t next_us = std::min({step_us, imu_us, gps_us});
         if (next_us > now_us) break;
         p.now_us = std::max(p.now_us, next_us);
@@ -152,7 +151,7 @@ void World::advanceTo(uint64_t now_us) {
         } else if (next_us == imu_us) {
             p.imu.sample(p.model->truth(), next_us);
         } else {
-            p.gps.run(p.model->truth(), next_us);
+            p.gps->run(p.model->truth(), next_us);
         }
     }
     p.now_us = std::max(p.now_us, now_us);
@@ -186,7 +185,13 @@ bool World::relayOn() const { return parts_->relay; }
 Mpu6000& World::imu() { return parts_->imu; }
 Ms5611& World::barometer() { return parts_->barometer; }
 Hmc5883l& World::compass() { return parts_->compass; }
-UbloxGps& World::gps() { return parts_->gps; }
+GpsReceiver& World::gps() { return *parts_->gps; }
+void World::plugGps(const std::string& kind, uint32_t baud) {
+    GpsOptions options;
+    options.acquire_s = 1;
+    options.powered_us = parts_->now_us;
+    parts_->gps = makeGps(kind, baud, 1, parts_->errors, options);
+}
 PpmEncoder& World::radio() { return parts_->radio; }
 At45db& World::dataflash() { return parts_->dataflash; }
 const At45db& World::dataflash() const { return parts_->dataflash; }

@@ -24,7 +24,8 @@ struct WorldOptions {
     double accel_scale = 0;
     double declination_deg = 2.5, inclination_deg = 63.0, magnetic_field_mg = 480.0;
     double gps_acquire_s = 3.0;        // from power-on to the first fix
-    uint32_t gps_baud = 9600;          // the module's rate at power-on
+    std::string gps = "ublox";         // one of gpsKinds(), as delivered
+    uint32_t gps_baud = 0;             // its rate at power-on; 0: the one it comes with
     bool dataflash = true;             // the board has one
     bool hmc5843 = false;              // instead of its successor
     bool compass_upside_down = false;  // on the first board's shield
@@ -52,7 +53,7 @@ struct Truth {
 class Mpu6000;
 class Ms5611;
 class Hmc5883l;
-class UbloxGps;
+class GpsReceiver;
 class PpmEncoder;
 class At45db;
 class Ads7844;
@@ -82,7 +83,10 @@ public:
     Mpu6000& imu();
     Ms5611& barometer();
     Hmc5883l& compass();
-    UbloxGps& gps();
+    GpsReceiver& gps();
+    // Another receiver in the GPS's place, switched on now and with a fix in a second; none where
+    // the kind has no name.
+    void plugGps(const std::string& kind, uint32_t baud = 0);
     PpmEncoder& radio();
     At45db& dataflash();
     const At45db& dataflash() const;

@@ -2,11 +2,7 @@
 #include "simulator/devices/ublox_gps.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
-
-#include "simulator/airplane/earth.hpp"
-#include "simulator/world.hpp"
 
 namespace simulator {
 namespace {
@@ -17,8 +13,6 @@ constexpr uint8_t kPort = 0x00, kMessage = 0x01, kRate = 0x08, kSave = 0x09, kSb
 constexpr uint16_t kUbx = 1, kNmea = 2;  // protocol mask
 constexpr uint8_t kUart1 = 1;
 constexpr uint16_t kFactoryPeriod_ms = 1000;
-constexpr size_t kLineLimit = 1024;  // the module drops what its buffer does not hold
-constexpr double kBaudTolerance = 0.04;
 
 // CFG-NAV5 as shipped: portable model, automatic 2D/3D.
 constexpr std::array<uint8_t, 36> kFactoryNavigation = {
@@ -32,70 +26,28 @@ constexpr MaskedField kNavigationFields[] = {
     {0x01, 2, 1}, {0x02, 12, 1}, {0x04, 3, 1}, {0x10, 14, 8}, {0x20, 22, 1}, {0x40, 23, 1},
 };
 
-bool sameRate(double a, double b) { return std::fabs(a / b - 1) < kBaudTolerance; }
-
-uint64_t microseconds(double seconds) { return static_cast<uint64_t>(seconds * 1e6); }
-
 }  // namespace
 
 UbloxGps::UbloxGps(uint64_t seed, const SensorErrors& errors, const UbloxOptions& options)
-    : errors_(errors),
-      options_(options),
-      random_(seed, 5),
-      wander_{Wander(errors.gps_horizontal_m, errors.gps_wander_s, random_),
-              Wander(errors.gps_horizontal_m, errors.gps_wander_s, random_),
-              Wander(errors.gps_vertical_m, errors.gps_wander_s, random_)},
-      baud_(options.baud),
+    : GpsReceiver(
+          seed, errors, options, options.baud,
+          options.ubx ? static_cast<uint16_t>(1000 / errors.gps_rate_hz) : kFactoryPeriod_ms),
       protocols_out_(kUbx | kNmea),
-      period_ms_(options.ubx ? static_cast<uint16_t>(1000 / errors.gps_rate_hz)
-                             : kFactoryPeriod_ms),
       navigation_(kFactoryNavigation) {
     for (int i = 0; i < kReportCount; ++i) {
         const bool nmea = kReports[i].message_class == kNmeaClass;
         const bool pvt = kReports[i].id == 0x07;  // not of the u-blox 6
         rates_[i] = nmea ? options.nmea : options.ubx && !pvt;
     }
-    next_measurement_us_ = period_ms_ * 1000u;
-}
-
-// ---- the line
-
-uint64_t UbloxGps::byteEnd_us(uint64_t bytes) const {
-    return line_start_us_ + (bytes * 10 * 1'000'000 + baud_ - 1) / baud_;
-}
-
-uint64_t UbloxGps::nextByte_us() const {
-    return line_.empty() ? UINT64_MAX : byteEnd_us(line_sent_ + 1);
-}
-
-std::optional<uint8_t> UbloxGps::nextByte(uint64_t now_us) {
-    if (now_us < nextByte_us()) return std::nullopt;
-    const uint8_t byte = line_.front();
-    line_.pop_front();
-    ++line_sent_;
-    return byte;
-}
-
-void UbloxGps::send(const std::vector<uint8_t>& bytes, uint64_t now_us) {
-    if (line_.size() + bytes.size() > kLineLimit) return;
-    if (line_.empty()) {
-        line_start_us_ = std::max(now_us, byteEnd_us(line_sent_));
-        line_sent_ = 0;
-    }
-    line_.insert(line_.end(), bytes.begin(), bytes.end());
 }
 
 void UbloxGps::setPort(uint32_t baud, uint16_t protocols_out, uint64_t now_us) {
     protocols_out_ = protocols_out;
-    if (baud == baud_) return;
-    line_start_us_ = std::max(now_us, byteEnd_us(line_sent_));
-    line_sent_ = 0;
-    baud_ = baud;
+    setBaud(baud, now_us);
 }
 
-void UbloxGps::receive(uint8_t byte, uint32_t baud, uint64_t now_us) {
-    // Sampled at the wrong times, the bits of a byte are as good as random.
-    parser_.take(sameRate(baud, baud_) ? byte : static_cast<uint8_t>(random_.bits()));
+void UbloxGps::take(uint8_t byte, uint64_t now_us) {
+    parser_.take(byte);
     if (const auto frame = parser_.frame()) obey(*frame, now_us);
     if (const auto sentence = parser_.sentence()) obey(*sentence, now_us);
 }
@@ -133,7 +85,7 @@ bool UbloxGps::poll(const UbxFrame& frame, uint64_t now_us) {
     if (frame.id == kSbas) answer = {1, 3, 3, 0, 0x51, 0x08, 0, 0};
     if (frame.id == kRate)
         answer = {
-            static_cast<uint8_t>(period_ms_), static_cast<uint8_t>(period_ms_ >> 8), 1, 0, 1, 0};
+            static_cast<uint8_t>(period_ms()), static_cast<uint8_t>(period_ms() >> 8), 1, 0, 1, 0};
     if (answer.empty()) return false;
     send(ubxBytes({kConfigure, frame.id, answer}), now_us);
     return true;
@@ -166,9 +118,7 @@ bool UbloxGps::configureMessage(const UbxFrame& frame) {
 
 bool UbloxGps::configureRate(const UbxFrame& frame, uint64_t now_us) {
     if (frame.payload.size() != 6 || frame.u16(0) * errors_.gps_rate_hz < 1000) return false;
-    period_ms_ = frame.u16(0);
-    const uint64_t period_us = period_ms_ * 1000u;
-    next_measurement_us_ = (now_us / period_us + 1) * period_us;
+    setPeriod(frame.u16(0), now_us);
     return true;
 }
 
@@ -197,48 +147,6 @@ void UbloxGps::obey(const std::string& sentence, uint64_t now_us) {
     } catch (const std::exception&) {
         // Not a number: the module ignores the sentence.
     }
-}
-
-// ---- navigation
-
-uint64_t UbloxGps::nextEvent_us() const {
-    const uint64_t report_us =
-        waiting_.empty() ? UINT64_MAX : waiting_.front().time_us + microseconds(errors_.gps_age_s);
-    return std::min(report_us, next_measurement_us_);
-}
-
-void UbloxGps::run(const Truth& truth, uint64_t now_us) {
-    while (!waiting_.empty() &&
-           waiting_.front().time_us + microseconds(errors_.gps_age_s) <= now_us) {
-        report(waiting_.front(), now_us);
-        waiting_.pop_front();
-    }
-    if (now_us < next_measurement_us_) return;
-    measure(truth, next_measurement_us_);
-    next_measurement_us_ += period_ms_ * 1000u;
-}
-
-void UbloxGps::measure(const Truth& truth, uint64_t now_us) {
-    const double dt_s = static_cast<double>(now_us - last_measurement_us_) * 1e-6;
-    last_measurement_us_ = now_us;
-    const double north_m = wander_[0].advance(dt_s, random_);
-    const double east_m = wander_[1].advance(dt_s, random_);
-    const double up_m = wander_[2].advance(dt_s, random_);
-    const auto noise = [this] { return errors_.gps_velocity_mps * random_.normal(); };
-    GpsFix fix{};
-    fix.time_us = now_us;
-    fix.valid = !covered_ && now_us >= microseconds(options_.acquire_s);
-    fix.satellites = fix.valid ? options_.satellites : 0;
-    const Place place =
-        moved({truth.latitude_deg, truth.longitude_deg}, truth.altitude_m, north_m, east_m);
-    fix.latitude_deg = place.latitude_deg;
-    fix.longitude_deg = place.longitude_deg;
-    fix.altitude_m = truth.altitude_m + up_m;
-    fix.velocity_north_mps = truth.velocity_north_mps + noise();
-    fix.velocity_east_mps = truth.velocity_east_mps + noise();
-    fix.velocity_down_mps = truth.velocity_down_mps + noise();
-    if (!fix.valid) fix = {now_us, false, 0, 0, 0, 0, 0, 0, 0};
-    waiting_.push_back(fix);
 }
 
 void UbloxGps::report(const GpsFix& fix, uint64_t now_us) {

@@ -2,25 +2,16 @@
 #include "simulator/devices/ublox_reports.hpp"
 
 #include <cmath>
-#include <cstdio>
-#include <string>
 
 #include "simulator/airplane/earth.hpp"
+#include "simulator/devices/nmea_reports.hpp"
 #include "simulator/devices/ublox_parser.hpp"
 
 namespace simulator {
 namespace {
 
-// Emulated time 0 is Monday 2024-06-03 10:00:00 UTC: GPS week 2317, 18 leap seconds.
-constexpr uint16_t kWeek = 2317;
-constexpr uint32_t kStart_ms = (24 + 10) * 3'600'000u + 18'000u, kWeek_ms = 604'800'000u;
-constexpr uint32_t kLeap_ms = 18'000, kDay_ms = 86'400'000;
-constexpr int kYear = 2024, kMonth = 6, kSunday = 2;
-constexpr double kGeoid_m = 47.0;  // height of the geoid over the ellipsoid
-
 constexpr uint32_t kHorizontal_mm = 1500, kVertical_mm = 2500, kSpeed_mms = 300;
 constexpr uint32_t kUnknown_mm = 4'000'000;
-constexpr uint16_t kDop = 180, kNoDop = 9999;
 
 class Payload {
 public:
@@ -42,22 +33,11 @@ private:
     std::vector<uint8_t> bytes_;
 };
 
-uint32_t towMs(const GpsFix& fix) {
-    return static_cast<uint32_t>((fix.time_us / 1000 + kStart_ms) % kWeek_ms);
-}
 uint32_t dop(const GpsFix& fix) { return fix.valid ? kDop : kNoDop; }
 uint32_t fixType(const GpsFix& fix) { return fix.valid ? 3 : 0; }
-double groundSpeed_mps(const GpsFix& fix) {
-    return std::hypot(fix.velocity_north_mps, fix.velocity_east_mps);
-}
-double course_deg(const GpsFix& fix) {
-    const double course = std::atan2(fix.velocity_east_mps, fix.velocity_north_mps) * 180 / M_PI;
-    return course < 0 ? course + 360 : course;
-}
-
 std::vector<uint8_t> posllh(const GpsFix& fix) {
     return Payload()
-        .u32(towMs(fix))
+        .u32(timeOfWeek_ms(fix))
         .i32(fix.longitude_deg * 1e7)
         .i32(fix.latitude_deg * 1e7)
         .i32((fix.altitude_m + kGeoid_m) * 1e3)
@@ -69,7 +49,7 @@ std::vector<uint8_t> posllh(const GpsFix& fix) {
 
 std::vector<uint8_t> status(const GpsFix& fix) {
     return Payload()
-        .u32(towMs(fix))
+        .u32(timeOfWeek_ms(fix))
         .u8(fixType(fix))
         .u8(fix.valid ? 0x0D : 0x00)  // fix OK, week and time of week valid
         .u8(0)
@@ -86,7 +66,11 @@ std::vector<uint8_t> solution(const GpsFix& fix) {
         ecefVelocity_mps(fix.latitude_deg, fix.longitude_deg, fix.velocity_north_mps,
                          fix.velocity_east_mps, fix.velocity_down_mps);
     Payload payload;
-    payload.u32(towMs(fix)).i32(0).u16(kWeek).u8(fixType(fix)).u8(fix.valid ? 0x0D : 0x00);
+    payload.u32(timeOfWeek_ms(fix))
+        .i32(0)
+        .u16(kGpsWeek)
+        .u8(fixType(fix))
+        .u8(fix.valid ? 0x0D : 0x00);
     for (double metres : {ecef.x, ecef.y, ecef.z}) payload.i32(metres * 100);
     payload.u32((fix.valid ? kVertical_mm : kUnknown_mm) / 10);
     for (double mps : {velocity.x, velocity.y, velocity.z}) payload.i32(mps * 100);
@@ -100,7 +84,7 @@ std::vector<uint8_t> solution(const GpsFix& fix) {
 
 std::vector<uint8_t> velned(const GpsFix& fix) {
     return Payload()
-        .u32(towMs(fix))
+        .u32(timeOfWeek_ms(fix))
         .i32(fix.velocity_north_mps * 100)
         .i32(fix.velocity_east_mps * 100)
         .i32(fix.velocity_down_mps * 100)
@@ -112,24 +96,10 @@ std::vector<uint8_t> velned(const GpsFix& fix) {
         .frame(0x12);
 }
 
-struct Utc {
-    uint32_t year, month, day, hour, minute, second, ms;
-};
-Utc utc(const GpsFix& fix) {
-    const uint32_t ms = towMs(fix) - kLeap_ms, of_day = ms % kDay_ms;
-    return {kYear,
-            kMonth,
-            kSunday + ms / kDay_ms,
-            of_day / 3'600'000,
-            of_day / 60'000 % 60,
-            of_day / 1000 % 60,
-            of_day % 1000};
-}
-
 std::vector<uint8_t> pvt(const GpsFix& fix) {
     const Utc time = utc(fix);
     return Payload()
-        .u32(towMs(fix))
+        .u32(timeOfWeek_ms(fix))
         .u16(time.year)
         .u8(time.month)
         .u8(time.day)
@@ -161,50 +131,8 @@ std::vector<uint8_t> pvt(const GpsFix& fix) {
         .frame(0x07);
 }
 
-// ddmm.mmmmm,N
-std::string nmeaAngle(double degrees, int digits, char positive, char negative) {
-    const double size = std::fabs(degrees);
-    const int whole = static_cast<int>(size);
-    char text[32];
-    std::snprintf(text, sizeof text, "%0*d%08.5f,%c", digits, whole, (size - whole) * 60,
-                  degrees < 0 ? negative : positive);
-    return text;
-}
-std::string nmeaPlace(const GpsFix& fix) {
-    if (!fix.valid) return ",,,";
-    return nmeaAngle(fix.latitude_deg, 2, 'N', 'S') + "," +
-           nmeaAngle(fix.longitude_deg, 3, 'E', 'W');
-}
-std::string nmeaTime(const GpsFix& fix) {
-    const Utc time = utc(fix);
-    char text[48];
-    std::snprintf(text, sizeof text, "%02u%02u%02u.%02u", time.hour, time.minute, time.second,
-                  time.ms / 10);
-    return text;
-}
-std::vector<uint8_t> sentence(const std::string& body) {
-    const std::string text = nmeaSentence(body);
-    return {text.begin(), text.end()};
-}
-
-std::vector<uint8_t> gga(const GpsFix& fix) {
-    char rest[64] = "0,00,99.99,,,,,,";
-    if (fix.valid)
-        std::snprintf(rest, sizeof rest, "1,%02d,%.2f,%.1f,M,%.1f,M,,", fix.satellites,
-                      kDop / 100.0, fix.altitude_m, kGeoid_m);
-    return sentence("GPGGA," + nmeaTime(fix) + "," + nmeaPlace(fix) + "," + rest);
-}
-
-std::vector<uint8_t> rmc(const GpsFix& fix) {
-    const Utc time = utc(fix);
-    char motion[48] = ",", date[48];
-    if (fix.valid)
-        std::snprintf(motion, sizeof motion, "%.3f,%.2f", groundSpeed_mps(fix) * 3600 / 1852,
-                      course_deg(fix));
-    std::snprintf(date, sizeof date, "%02u%02u%02u", time.day, time.month, time.year % 100);
-    return sentence("GPRMC," + nmeaTime(fix) + (fix.valid ? ",A," : ",V,") + nmeaPlace(fix) + "," +
-                    motion + "," + date + ",,," + (fix.valid ? "A" : "N"));
-}
+std::vector<uint8_t> gga(const GpsFix& fix) { return nmeaGga(fix, "GP"); }
+std::vector<uint8_t> rmc(const GpsFix& fix) { return nmeaRmc(fix, "GP"); }
 
 }  // namespace
 

@@ -4,16 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace simulator {
+#include "simulator/devices/gps_fix.hpp"
 
-// One measurement, errors included.
-struct GpsFix {
-    uint64_t time_us;  // of the measurement
-    bool valid;
-    int satellites;
-    double latitude_deg, longitude_deg, altitude_m;  // above sea level
-    double velocity_north_mps, velocity_east_mps, velocity_down_mps;
-};
+namespace simulator {
 
 struct UbloxReport {
     uint8_t message_class, id;

@@ -8,10 +8,10 @@
 #include "simulator/devices/ads7844.hpp"
 #include "simulator/devices/at45db.hpp"
 #include "simulator/devices/bmp085.hpp"
+#include "simulator/devices/gps_receiver.hpp"
 #include "simulator/devices/hmc5883l.hpp"
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
-#include "simulator/devices/ublox_gps.hpp"
 
 namespace simulator {
 namespace {
@@ -239,7 +239,7 @@ void AvrBoard::sent(int usart, uint8_t byte, uint64_t cycle) {
 
 void AvrBoard::feedGps() {
     Usart& usart = chip_.usart(kGpsUsart);
-    UbloxGps& gps = world_.gps();
+    GpsReceiver& gps = world_.gps();
     while (const auto byte = gps.nextByte(time_us())) {
         if (const auto heard = gps_noise_.through(*byte, gps.baud(), usart.baud()))
             usart.receive(*heard);

@@ -9,9 +9,9 @@
 #include "hal/imu_interrupt.hpp"
 #include "hal/mark.hpp"
 #include "simulator/devices/at45db.hpp"
+#include "simulator/devices/gps_receiver.hpp"
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
-#include "simulator/devices/ublox_gps.hpp"
 
 namespace simulator {
 
@@ -24,7 +24,7 @@ NativeBoard& NativeBoard::running() { return *running_board; }
 
 NativeBoard::NativeBoard(const WorldOptions& options)
     : world_(options),
-      serial_(now_us_, world_.gps()),
+      serial_(now_us_, world_),
       eeprom_(now_us_),
       i2c_(now_us_, world_.compass()),
       analog_(now_us_, world_),

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "simulator/devices/ublox_gps.hpp"
+#include "simulator/devices/gps_receiver.hpp"
+#include "simulator/world.hpp"
 
 namespace simulator {
 
@@ -62,7 +63,7 @@ uint64_t SerialLines::due_us() const {
     uint64_t due_ns = UINT64_MAX;
     for (const Line& line : lines_) due_ns = std::min({due_ns, line.sent_ns, line.arrives_ns});
     const uint64_t due_us = due_ns == UINT64_MAX ? kNever : (due_ns + 999) / 1000;
-    return std::min(due_us, gps_.nextByte_us());
+    return std::min(due_us, world_.gps().nextByte_us());
 }
 
 void SerialLines::run() {
@@ -79,7 +80,7 @@ void SerialLines::runOutgoing(int port) {
         if (!line.outgoing.empty()) {
             const uint8_t byte = line.outgoing.front();
             line.outgoing.pop_front();
-            if (port == kGps) gps_.receive(byte, line.baud, now_us_);
+            if (port == kGps) world_.gps().receive(byte, line.baud, now_us_);
             if (listener_) listener_(port, byte, now_us_);
         }
         line.sent_ns = line.outgoing.empty() ? UINT64_MAX : after_ns(line.sent_ns, line);
@@ -97,9 +98,9 @@ void SerialLines::runIncoming(int port) {
 
 void SerialLines::runGps() {
     Line& line = lines_[kGps];
-    while (auto sent = gps_.nextByte(now_us_)) {
+    while (auto sent = world_.gps().nextByte(now_us_)) {
         if (line.baud == 0) continue;
-        if (auto byte = noise_.through(*sent, gps_.baud(), line.baud)) take(kGps, *byte);
+        if (auto byte = noise_.through(*sent, world_.gps().baud(), line.baud)) take(kGps, *byte);
     }
 }
 

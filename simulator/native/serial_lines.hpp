@@ -11,7 +11,7 @@
 
 namespace simulator {
 
-class UbloxGps;
+class World;
 
 class SerialLines {
 public:
@@ -19,7 +19,7 @@ public:
     static constexpr int kGps = 1;
     static constexpr uint64_t kNever = UINT64_MAX;
 
-    SerialLines(const uint64_t& now_us, UbloxGps& gps) : now_us_(now_us), gps_(gps) {}
+    SerialLines(const uint64_t& now_us, World& world) : now_us_(now_us), world_(world) {}
 
     // ---- the firmware's side
     void open(int port, uint32_t baud);
@@ -52,7 +52,7 @@ private:
     uint64_t after_ns(uint64_t begin_ns, const Line& line) const;
 
     const uint64_t& now_us_;
-    UbloxGps& gps_;
+    World& world_;
     Board::Listener listener_;
     std::array<Line, kPorts> lines_;
     LineNoise noise_;
