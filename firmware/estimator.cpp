@@ -58,8 +58,8 @@ FixUse fix_use = FixUse::done;
 float since_fix_s;  // from the fix before
 
 // Since its bytes arrived a fix has aged.
-float gpsAge_s(float when_received_s, uint32_t now_ms) {
-    return when_received_s + (now_ms - vehicle.gps.received_ms) * 0.001f;
+float gpsAge_s(uint32_t now_ms) {
+    return (now_ms - vehicle.gps.received_ms + vehicle.gps.age_ms) * 0.001f;
 }
 
 // The last bits of the place change even while the velocity does not.
@@ -77,7 +77,7 @@ void alignToFix(uint32_t now_ms) {
     since_fix_s = (now_ms - fix_ms) * 0.001f;
     fix_ms = now_ms;
     estimation::AttitudeSettings settings = attitudeSettings();
-    settings.gps_age_s = gpsAge_s(settings.gps_age_s, now_ms);
+    settings.gps_age_s = gpsAge_s(now_ms);
     attitude.useGps(vehicle.gps.velocity_mps, settings);
     fix_use = FixUse::move;
 }
@@ -85,7 +85,7 @@ void alignToFix(uint32_t now_ms) {
 void moveToFix(uint32_t now_ms) {
     fix_use = FixUse::feel_wind;
     estimation::PositionSettings settings;
-    settings.gps_age_s = gpsAge_s(settings.gps_age_s, now_ms);
+    settings.gps_age_s = gpsAge_s(now_ms);
     position.useGps(vehicle.gps.position, vehicle.gps.velocity_mps, attitude.gainedSinceFix_mps(),
                     settings);
 }

@@ -184,6 +184,7 @@ constexpr parameters::Row kRows[] = {
     P(154, "ARSPD_ENABLE",      airspeed_enable,                   1,       0,        1),
     P(155, "ARSPD_USE",         airspeed_use,                      1,       0,        1),
     P(156, "ARSPD_RATIO",       airspeed_ratio,              1.9936f,       1,        4),
+    P(225, "GPS_TYPE",          gps_type,                          1,       0,        5),
     P(157, "COMPASS_USE",       compass_use,                       1,       0,        1),
     P(158, "COMPASS_OFS_X",     compass_offset_mg[0],              0,    -400,      400),
     P(159, "COMPASS_OFS_Y",     compass_offset_mg[1],              0,    -400,      400),

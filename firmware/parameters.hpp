@@ -93,6 +93,7 @@ struct Parameters {
     // sensors
     int8_t airspeed_enable, airspeed_use;
     float airspeed_ratio;
+    int8_t gps_type;
     int8_t compass_use, compass_auto_declination, compass_learn;
     float compass_offset_mg[3];
     float compass_declination_rad;  // the table's while compass_auto_declination is 1

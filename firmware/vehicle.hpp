@@ -79,6 +79,7 @@ struct Vehicle {
         float ground_speed_mps;
         int32_t course_cd;
         uint32_t received_ms;
+        uint16_t age_ms;  // when it was received
         bool fresh;
         bool healthy;
     } gps;

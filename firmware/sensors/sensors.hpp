@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #include "core/maths.hpp"
-#include "drivers/ublox.hpp"
+#include "drivers/gps_fix.hpp"
 
 namespace firmware {
 
@@ -27,6 +27,7 @@ void runBarometer();  // every frame
 void runCompass();
 void runDeclination();  // 1 Hz
 void runGps();
+bool gpsWaits();  // so much that runGps should not be kept waiting for the next frame
 void runAirspeed();
 void runBattery();
 

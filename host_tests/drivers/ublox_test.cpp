@@ -1,158 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/ublox.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <cstring>
 
-#include "drivers/ublox_script.hpp"
-#include "fakes/fakes.hpp"
-#include "simulator/devices/ublox_gps.hpp"
-#include "simulator/world.hpp"
+#include "drivers/gps_line.hpp"
+#include "drivers/gps_script.hpp"
 
 namespace {
 
 using drivers::GpsFix;
 using drivers::GpsFixType;
-
-fakes::Serial& port() { return fakes::serial(hal::Port::gps); }
-
-struct Ublox : ::testing::Test {
-    drivers::Ublox driver;
-    uint32_t now_ms = 0;
-    int fixes = 0;
-
-    Ublox() {
-        fakes::reset();
-        driver.start();
-    }
-    bool step() {
-        now_ms += 10;
-        const bool fresh = driver.step(now_ms);
-        fixes += fresh;
-        return fresh;
-    }
-};
-
-// ---- against the simulator's receiver, on a line with rates
-
-struct UbloxOnItsLine : Ublox {
-    simulator::Truth truth{};
-    std::unique_ptr<simulator::UbloxGps> gps;
-
-    UbloxOnItsLine() {
-        truth.latitude_deg = -33.9;
-        truth.longitude_deg = 151.2;
-        truth.altitude_m = 57.3;
-        truth.velocity_north_mps = 3;
-        truth.velocity_east_mps = -4;
-        truth.velocity_down_mps = 0.5;
-    }
-    void power(uint32_t baud, bool ubx = false) {
-        simulator::UbloxOptions options;
-        options.baud = baud;
-        options.ubx = ubx;
-        options.nmea = !ubx;
-        options.acquire_s = 0.5;
-        gps = std::make_unique<simulator::UbloxGps>(1, simulator::SensorErrors::none(), options);
-        power_us = now_ms * 1000ull;
-    }
-    uint64_t power_us = 0;
-    double sent = 0;  // bytes the line has had time for
-
-    void fly(uint32_t for_ms) {
-        for (uint32_t ms = 0; ms < for_ms; ms += 10) {
-            for (int i = 1; i <= 10; ++i) exchange(now_ms * 1000ull + i * 1000ull - power_us);
-            step();
-        }
-    }
-    void exchange(uint64_t now_us) {
-        truth.time_us = now_us;
-        if (gps->nextEvent_us() <= now_us) gps->run(truth, now_us);
-        sent = port().out.empty() ? 0 : sent + port().baud / 10000.0;
-        while (sent >= 1 && !port().out.empty()) {
-            gps->receive(port().out.front(), port().baud, now_us);
-            port().out.erase(port().out.begin());
-            sent -= 1;
-        }
-        while (const auto byte = gps->nextByte(now_us)) {
-            const bool heard = std::abs(gps->baud() / double(port().baud) - 1) < 0.04;
-            port().in.push_back(heard ? *byte : static_cast<uint8_t>(*byte * 7 + 3));
-        }
-    }
-};
-
-struct UbloxAtEveryRate : UbloxOnItsLine, ::testing::WithParamInterface<uint32_t> {};
-
-TEST_P(UbloxAtEveryRate, is_found_and_set_to_five_fixes_a_second) {
-    power(GetParam());
-    fly(12000);
-    ASSERT_TRUE(driver.healthy());
-    fixes = 0;
-
-    fly(10000);
-
-    EXPECT_NEAR(fixes, 50, 1);
-    EXPECT_EQ(port().baud, 38400u);
-    EXPECT_EQ(driver.fix().type, GpsFixType::three_d);
-}
-INSTANTIATE_TEST_SUITE_P(Rates, UbloxAtEveryRate,
-                         ::testing::Values(4800, 9600, 19200, 38400, 57600, 115200));
-
-TEST_F(UbloxOnItsLine, as_delivered_by_the_factory_has_a_fix_within_5_s) {
-    power(9600);
-    fly(5000);
-
-    EXPECT_GT(fixes, 0);
-}
-
-TEST_F(UbloxOnItsLine, tells_place_and_velocity_in_our_units) {
-    power(38400, true);
-    fly(4000);
-
-    const GpsFix& fix = driver.fix();
-    EXPECT_NEAR(fix.latitude_e7, -339000000, 2);
-    EXPECT_NEAR(fix.longitude_e7, 1512000000, 2);
-    EXPECT_NEAR(fix.altitude_cm, 5730, 2);
-    EXPECT_NEAR(fix.velocity_mps.x, 3, 0.011);
-    EXPECT_NEAR(fix.velocity_mps.y, -4, 0.011);
-    EXPECT_NEAR(fix.velocity_mps.z, 0.5, 0.011);
-    EXPECT_NEAR(fix.ground_speed_mps, 5, 0.011);
-    EXPECT_NEAR(fix.course_cd, 30687, 5);
-    EXPECT_EQ(fix.satellites, 9);
-    EXPECT_GT(fix.hdop_c, 0);
-}
-
-TEST_F(UbloxOnItsLine, says_when_the_fix_is_lost_and_when_it_is_back) {
-    power(38400, true);
-    fly(3000);
-    gps->cover(true);
-    fly(2000);
-    EXPECT_TRUE(driver.healthy());
-    EXPECT_EQ(driver.fix().type, GpsFixType::none);
-
-    gps->cover(false);
-    fly(2000);
-    EXPECT_EQ(driver.fix().type, GpsFixType::three_d);
-}
-
-TEST_F(UbloxOnItsLine, is_found_again_after_its_supply_broke_down) {
-    power(9600);
-    fly(8000);
-    ASSERT_TRUE(driver.healthy());
-
-    power(9600);  // everything forgotten
-    fly(2000);
-    EXPECT_FALSE(driver.healthy());
-    fly(8000);
-    EXPECT_TRUE(driver.healthy());
-    fixes = 0;
-    fly(2000);
-    EXPECT_NEAR(fixes, 10, 1);
-}
-
-// ---- byte by byte
+using drivers::GpsProtocol;
+using gps_line::port;
 
 std::vector<uint8_t> frame(uint8_t of_class, uint8_t id, const std::vector<uint8_t>& payload) {
     std::vector<uint8_t> bytes;
@@ -185,24 +44,19 @@ std::vector<uint8_t> status(uint32_t time_ms, uint8_t type = 3, uint8_t flags = 
     p[5] = flags;
     return frame(1, 3, p);
 }
-std::vector<uint8_t> velned(uint32_t time_ms) {
+std::vector<uint8_t> velned(uint32_t time_ms, int32_t north_cms = 1234) {
     std::vector<uint8_t> p(36);
     put<uint32_t>(p, 0, time_ms);
-    put<int32_t>(p, 4, 1234);
+    put<int32_t>(p, 4, north_cms);
     return frame(1, 0x12, p);
 }
 
-struct UbloxBytes : Ublox {
+struct UbloxBytes : gps_line::Bytes {
     UbloxBytes() {
-        for (int i = 0; i < 40; ++i) step();  // past the greeting
+        receive(status(100));
+        receive(status(100));
+        EXPECT_EQ(driver.protocol(), GpsProtocol::ublox);
         port().out.clear();
-    }
-    int receive(const std::vector<uint8_t>& bytes) {
-        port().receive(bytes);
-        const int before = fixes;
-        while (!port().in.empty()) step();
-        step();
-        return fixes - before;
     }
 };
 
@@ -225,7 +79,7 @@ TEST_F(UbloxBytes, a_wrong_checksum_is_counted_and_nothing_else) {
         receive(posllh(1000));
         EXPECT_EQ(receive(bad), 0) << i;
     }
-    EXPECT_EQ(driver.checksumErrors(), 40);
+    EXPECT_EQ(driver.refused(), 40);
     EXPECT_EQ(receive(velned(1000)), 1);
 }
 
@@ -235,7 +89,7 @@ TEST_F(UbloxBytes, noise_before_and_between_frames_is_stepped_over) {
     receive(status(1000));
     receive(noise);
     receive(posllh(1000));
-    receive({0xB5});
+    receive(std::vector<uint8_t>{0xB5});
     EXPECT_EQ(receive(velned(1000)), 1);
 }
 
@@ -279,9 +133,9 @@ TEST_F(UbloxBytes, the_one_message_of_newer_receivers_does_as_well) {
         EXPECT_EQ(fix.longitude_e7, -1225000000);
         EXPECT_EQ(fix.latitude_e7, 377000000);
         EXPECT_EQ(fix.altitude_cm, 1234);
-        EXPECT_FLOAT_EQ(fix.velocity_mps.x, 1.5f);
-        EXPECT_FLOAT_EQ(fix.velocity_mps.y, -2.5f);
-        EXPECT_FLOAT_EQ(fix.ground_speed_mps, 2.915f);
+        EXPECT_EQ(fix.north_cms, 150);
+        EXPECT_EQ(fix.east_cms, -250);
+        EXPECT_EQ(fix.speed_cms, 291);
         EXPECT_EQ(fix.course_cd, 30096);
         EXPECT_EQ(fix.satellites, 11);
         EXPECT_EQ(fix.hdop_c, 180);
@@ -330,30 +184,41 @@ TEST_F(UbloxBytes, another_model_than_airborne_4g_brings_the_configuration_again
     EXPECT_TRUE(port().out.empty());
 }
 
-TEST_F(UbloxBytes, reads_no_more_than_its_share_a_step) {
-    port().receive(std::vector<uint8_t>(500, 0));
-    step();
-
-    EXPECT_EQ(port().in.size(), 500u - drivers::Ublox::kBytesPerStep);
-}
-
-TEST_F(Ublox, a_line_that_takes_nothing_stops_nobody) {
-    port().room = 0;
-    for (int i = 0; i < 1000; ++i) step();
-
+TEST_F(UbloxBytes, one_message_alone_finds_nothing) {
+    driver.start();
+    for (int i = 0; i < 60; ++i) step();
+    receive(status(1000));
     EXPECT_FALSE(driver.healthy());
+    receive(status(1200));
+    EXPECT_TRUE(driver.healthy());
 }
 
-TEST(UbloxScript, carries_the_checksums_of_the_receiver_description) {
-    const drivers::UbloxScript greeting = drivers::ubloxGreeting();
-    const drivers::UbloxScript script = drivers::ubloxConfiguration();
+TEST_F(UbloxBytes, text_between_its_messages_is_not_listened_to) {
+    for (int i = 0; i < 5; ++i) {
+        receive(std::string("$GPGSA,A,3,,,,,,,,,,,,,1,1,1*1D\r\n"));
+        receive(status(1000));
+    }
+    EXPECT_EQ(driver.protocol(), GpsProtocol::ublox);
+}
 
-    EXPECT_EQ(greeting.bytes[2 + 26], 0x8D);
-    EXPECT_EQ(greeting.bytes[2 + 27], 0x64);
-    EXPECT_EQ(script.bytes[2 + 12], 0xDD);
-    EXPECT_EQ(script.bytes[2 + 13], 0x68);
-    EXPECT_EQ(script.bytes[16 + 9], 0x0E);
-    EXPECT_EQ(script.bytes[16 + 10], 0x47);
+TEST_F(UbloxBytes, a_message_cut_short_costs_no_other) {
+    receive(status(1000));
+    const std::vector<uint8_t> cut = posllh(1000);
+    for (size_t size = 1; size < cut.size(); ++size) {
+        const uint32_t time_ms = 2000 + 200 * static_cast<uint32_t>(size);
+        receive(std::vector<uint8_t>(cut.begin(), cut.begin() + static_cast<long>(size)));
+        receive(posllh(time_ms));
+        EXPECT_EQ(receive(velned(time_ms)), 1) << size;
+    }
+}
+
+TEST_F(UbloxBytes, a_speed_no_airplane_flies_is_no_fix) {
+    receive(status(1000));
+    receive(posllh(1000));
+    EXPECT_EQ(receive(velned(1000, 40000)), 1);
+
+    EXPECT_EQ(driver.fix().type, GpsFixType::none);
+    EXPECT_EQ(driver.refused(), 1);
 }
 
 }  // namespace

@@ -55,6 +55,7 @@ protected:
         gps.position = geo::moved(kStart, {then_m, 0});
         gps.velocity_mps = {then_mps, 0, 0};
         gps.received_ms = hal::now_ms();
+        gps.age_ms = static_cast<uint16_t>(kGpsAge_s * 1000);
         gps.fresh = true;
     }
 
