@@ -94,10 +94,12 @@ bool airspeedBad() {
 bool boardVoltageBad() {
     return vehicle.battery.board_mv < 4300 || vehicle.battery.board_mv > 5800;
 }
-// a pack that is there (over 6 V) and below 3.3 V a cell of three
+// A pack that is there (over 6 V) and below what would bring it home at once; where that is not
+// said, below 3.3 V a cell of three.
 bool batteryBad() {
+    const float least_mv = parameters.battery_low_v > 0 ? parameters.battery_low_v * 1000 : 9900;
     return parameters.battery_monitor != 0 && vehicle.battery.voltage_mv > 6000 &&
-           vehicle.battery.voltage_mv < 9900;
+           vehicle.battery.voltage_mv < least_mv;
 }
 bool missionBad() { return !missionKnown(); }
 bool loggingBad() { return parameters.log_bitmask != 0 && !flight_logs.usable(); }
@@ -105,7 +107,7 @@ bool loggingBad() { return parameters.log_bitmask != 0 && !flight_logs.usable();
 struct Check {
     uint16_t bit;
     bool (*fails)();
-    char reason[33];
+    char reason[31];
 };
 
 // The first that fails is told.
@@ -119,7 +121,7 @@ constexpr Check kChecks[] ROM = {
     {kInertial,     attitudeBad,       "PreArm: attitude"},
     {kBarometer,    barometerBad,      "PreArm: barometer"},
     {kCompass,      compassBad,        "PreArm: compass"},
-    {kCompass,      fieldBad,          "PreArm: compass: check mag field"},
+    {kCompass,      fieldBad,          "PreArm: check mag field"},
     {kGps,          gpsBad,            "PreArm: no GPS fix"},
     {kGps,          dilutionBad,       "PreArm: high GPS HDOP"},
     {kAirspeed,     airspeedBad,       "PreArm: airspeed sensor"},

@@ -108,11 +108,11 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"PreArm: attitude", [] { vehicle.attitude.aligned = false; }},
         Fault{"PreArm: barometer", [] { vehicle.baro.healthy = false; }},
         Fault{"PreArm: compass", [] { vehicle.compass.healthy = false; }},
-        Fault{"PreArm: compass: check mag field",
+        Fault{"PreArm: check mag field",
               [] {
                   vehicle.compass.field_mg = {90, 90, 90};
               }},
-        Fault{"PreArm: compass: check mag field",
+        Fault{"PreArm: check mag field",
               [] {
                   vehicle.compass.field_mg = {0, 900, 0};
               }},
@@ -129,6 +129,16 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"PreArm: board voltage", [] { vehicle.battery.board_mv = 4100; }},
         Fault{"PreArm: battery low", [] { vehicle.battery.voltage_mv = 9000; }},
         Fault{"PreArm: no log chip", [] { parameters.log_bitmask = 1; }}));
+
+TEST_F(Arming, takes_the_pack_that_the_battery_failsafe_takes) {
+    vehicle.battery.voltage_mv = 7400;
+    parameters.battery_low_v = 7.0f;
+    EXPECT_TRUE(firmware::arm(ArmReason::ground, false));
+    vehicle.armed = false;
+    vehicle.battery.voltage_mv = 6900;
+    EXPECT_FALSE(firmware::arm(ArmReason::ground, false));
+    EXPECT_TRUE(tells("PreArm: battery low"));
+}
 
 TEST_F(Arming, can_be_forced) {
     vehicle.baro.healthy = false;
