@@ -78,6 +78,7 @@ WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
     world.gps = options.gps;
     world.gps_baud = options.gps_baud;
     world.seed = options.seed;
+    world.faults = options.faults;
     world.dataflash = !options.no_dataflash;
     return world;
 }

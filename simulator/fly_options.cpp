@@ -93,6 +93,12 @@ std::string seconds(const std::string& text) {
     return "expected 1 to 100000 seconds, not '" + text + "'";
 }
 
+std::string fault(const std::string& text) {
+    return parseFault(text)
+               ? ""
+               : "expected SENSOR:HOW@FROM[-TO], like gps:lost@60-90, not '" + text + "'";
+}
+
 void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& wind,
                 std::string& telemetry) {
     app.add_option("MISSION", o.mission, "mission file, QGC WPL 110")->capture_default_str();
@@ -139,6 +145,14 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
     app.add_option("--seed", o.seed, "of every random error; the same seed gives the same flight")
         ->check(wholeNumber("18446744073709551615"))
         ->capture_default_str();
+    app.add_option_function<std::vector<std::string>>(
+           "--fault",
+           [&o](const std::vector<std::string>& all) {
+               for (const std::string& each : all) o.faults.push_back(*parseFault(each));
+           },
+           "SENSOR:HOW@FROM[-TO], more than once if wanted: imu, baro, airspeed, compass, gps or "
+           "radio is lost, stuck, noisy, nonsense or jump (radio: lost) in these seconds")
+        ->check(fault);
     app.add_option("--time-limit", o.time_limit_s, "emulated seconds until the flight is given up")
         ->check(seconds)
         ->capture_default_str();

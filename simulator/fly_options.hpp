@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "simulator/devices/faults.hpp"
 
 namespace simulator {
 
@@ -18,6 +21,7 @@ struct FlyOptions {
     std::string gps = "ublox";
     uint32_t gps_baud = 0;
     uint64_t seed = 1;
+    std::vector<Fault> faults;
     double time_limit_s = 1200;
     std::string fdm;  // "json:PORT"; empty: the airplane is the simulator's own
     double fdm_wait_s = 30;

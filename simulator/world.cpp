@@ -65,6 +65,7 @@ CompassMount compassFor(const WorldOptions& options) {
 struct World::Parts {
     explicit Parts(const WorldOptions& options)
         : errors(errorsFor(options)),
+          faults(options.faults),
           field_mg(northEastDown_mg(
               {options.declination_deg, options.inclination_deg, options.magnetic_field_mg})),
           model(modelFor(options, errors)),
@@ -87,8 +88,10 @@ struct World::Parts {
 
     ServoPulses pulses() const;
     void sense();
+    void fail();
 
     const SensorErrors errors;
+    const std::vector<Fault> faults;
     const Vec3 field_mg;
     const std::unique_ptr<FlightModel> model;
     Mpu6000 imu;
@@ -133,6 +136,25 @@ void World::Parts::sense() {
     compass.sense({field.x, field.y, field.z});
 }
 
+// Two faults of a sensor at once are the later one's.
+void World::Parts::fail() {
+    if (faults.empty()) return;
+    std::array<FaultKind, kFaulty> now{};
+    const double now_s = static_cast<double>(now_us) * 1e-6;
+    for (const Fault& fault : faults)
+        if (now_s >= fault.from_s && now_s < fault.to_s)
+            now[static_cast<size_t>(fault.sensor)] = fault.kind;
+    const auto of = [&](Faulty sensor) { return now[static_cast<size_t>(sensor)]; };
+    imu.fail(of(Faulty::imu), now_us);
+    analog_imu.fail(of(Faulty::imu));
+    barometer.fail(of(Faulty::barometer));
+    i2c_barometer.fail(of(Faulty::barometer));
+    analog.fail(of(Faulty::airspeed));
+    compass.fail(of(Faulty::compass));
+    gps->fail(of(Faulty::gps));
+    radio.jam(of(Faulty::radio) == FaultKind::lost);
+}
+
 World::World(const WorldOptions& options) : parts_(std::make_unique<Parts>(options)) {}
 World::~World() = default;
 
@@ -145,6 +167,7 @@ void World::advanceTo(uint64_t now_us) {
         if (next_us > now_us) break;
         p.now_us = std::max(p.now_us, next_us);
         if (next_us == step_us) {
+            p.fail();
             p.model->step(p.pulses());
             p.sense();
             if (const auto pulses = p.model->radio_us()) p.radio.sticks(*pulses, true);

@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
+
+#include "simulator/devices/faults.hpp"
 
 namespace simulator {
 
@@ -29,6 +32,7 @@ struct WorldOptions {
     bool dataflash = true;             // the board has one
     bool hmc5843 = false;              // instead of its successor
     bool compass_upside_down = false;  // on the first board's shield
+    std::vector<Fault> faults;         // of sensors in flight
 };
 
 // The truth, in SI units, NED at the start point. Never seen by the firmware.

@@ -78,6 +78,25 @@ add_test(NAME flight.native_beyond
                  ${flights}/native_minutes)
 set_tests_properties(flight.native_beyond PROPERTIES LABELS native TIMEOUT 300)
 
+# sensors that fail, each in every way and every two of them; a sample on the image
+add_executable(fault_flight host_tests/on_board/fault_flight.cpp)
+target_compile_options(fault_flight PRIVATE ${HOUSE_WARNINGS})
+target_link_libraries(fault_flight PRIVATE firmware_native simulator_native simulator_ground
+                      simulator_machine simulator_world)
+foreach(what singles pairs)
+    add_test(NAME flight.native_fault_${what} COMMAND fault_flight native ${first_flight}
+             ${flights}/native_minutes ${what})
+    set_tests_properties(flight.native_fault_${what} PROPERTIES LABELS native TIMEOUT 1800)
+endforeach()
+set(elf_faults gps:lost baro:nonsense imu:lost)
+foreach(fault IN LISTS elf_faults)
+    string(REPLACE ":" "_" name ${fault})
+    add_test(NAME flight.elf_fault_${name}
+             COMMAND fault_flight ${IMAGE_ELF} ${first_flight} ${minutes} ${fault})
+    set_tests_properties(flight.elf_fault_${name} PROPERTIES LABELS simavr TIMEOUT 900
+                         FIXTURES_REQUIRED image_minutes)
+endforeach()
+
 # every CONDITION and DO of each set, beside the oracle
 file(GLOB command_flight_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/command_flights/*.cpp)
 add_executable(command_flight ${command_flight_sources}

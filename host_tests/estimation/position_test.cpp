@@ -111,7 +111,7 @@ TEST(Position, a_jump_is_refused_until_nobody_knows_better) {
     Jumping gps;
     const geo::Position far = geo::moved(kStart, {500, 0});
     for (int i = 0; i < 5; ++i) gps.fix(kStart);
-    for (int i = 0; i < 90; ++i) {
+    for (int i = 0; i < 85; ++i) {
         gps.fix(far);
         ASSERT_LT(gps.from_m(kStart), 0.1) << i;
         ASSERT_TRUE(gps.position.refuses());

@@ -8,6 +8,7 @@ constexpr float kPositionShare = 0.25f;  // of the difference, taken over with e
 constexpr float kVelocityShare = 0.4f;
 constexpr float kFar_m = 30.0f;        // a fix this far off is refused ...
 constexpr float kFarther_mps = 15.0f;  // ... and farther with the age of the last one used
+constexpr float kBelieved_s = 18.0f;   // after so long a fix is believed wherever it is
 constexpr float kCarries_s = 1.0f;     // without a fix the accelerations are carried on
 constexpr float kFold_m = 200.0f;      // the offset is folded into the anchor beyond this
 
@@ -35,7 +36,7 @@ void Position::useGps(const geo::Position& position, const core::Vector3& veloci
     const core::Vector3 velocity = velocity_mps + gained_mps;  // now
     const core::Vector3 mean = velocity_mps + gained_mps * 0.5f;
     const geo::Offset carried = {mean.x * settings.gps_age_s, mean.y * settings.gps_age_s};
-    if (!known()) {
+    if (age_s_ > kBelieved_s) {
         anchorAt(position, carried);
         velocity_ = velocity;
         age_s_ = 0;

@@ -28,7 +28,7 @@ AnalogImu::AnalogImu(uint64_t seed, const SensorErrors& errors)
 }
 
 // How they lie on the shield: only the roll rate and the forward axis have the airplane's sign.
-double AnalogImu::volts(int input, const Truth& t) {
+double AnalogImu::good_v(int input, const Truth& t) {
     switch (input) {
         case 0:
             return rate_v(input, -t.yaw_rate_rads, t.throttle);
@@ -45,6 +45,11 @@ double AnalogImu::volts(int input, const Truth& t) {
         default:
             return kTemperature_v;
     }
+}
+
+double AnalogImu::volts(int input, const Truth& truth) {
+    FaultyValue& fault = faults_[static_cast<size_t>(input)];
+    return fault.lost() ? 0 : fault.of(good_v(input, truth), {0.5, 0.1, 3.2, 0}, random_);
 }
 
 double AnalogImu::rate_v(int input, double rate_rads, double throttle) {

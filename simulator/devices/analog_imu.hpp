@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "simulator/devices/errors.hpp"
+#include "simulator/devices/faults.hpp"
 #include "simulator/devices/random.hpp"
 
 namespace simulator {
@@ -17,9 +18,14 @@ class AnalogImu {
 public:
     explicit AnalogImu(uint64_t seed = 1, const SensorErrors& errors = {});
 
+    void fail(FaultKind kind) {
+        for (FaultyValue& fault : faults_) fault.fail(kind);
+    }
     double volts(int input, const Truth& truth);  // noisy at every call
 
 private:
+    std::array<FaultyValue, 8> faults_;
+    double good_v(int input, const Truth& truth);
     double rate_v(int input, double rate_rads, double throttle);
     double force_v(int input, double force_mss, double throttle);
 

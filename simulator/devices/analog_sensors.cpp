@@ -33,10 +33,14 @@ double AnalogSensors::volts(int pin, const Truth& truth) {
 double AnalogSensors::airspeed_v(const Truth& truth) {
     const double ahead = std::max(0.0, std::cos(truth.alpha_rad) * std::cos(truth.beta_rad));
     const double seen = std::min(1.0, 1.2 * ahead);
+    if (fault_.lost()) return 0;
+    if (fault_.kind() == FaultKind::jump)
+        return zero_v_ + errors_.airspeed_noise_v * random_.normal();
     const double pressure_pa = 0.5 * kSeaLevelDensity_kgm3 * truth.equivalent_airspeed_mps *
                                truth.equivalent_airspeed_mps * seen;
-    return zero_v_ + pressure_pa * ratio_ * kVoltsPerPascal +
-           errors_.airspeed_noise_v * random_.normal();
+    const double good_v = zero_v_ + pressure_pa * ratio_ * kVoltsPerPascal +
+                          errors_.airspeed_noise_v * random_.normal();
+    return fault_.of(good_v, {0.7, 0, kSupply_v, 0}, random_);
 }
 
 }  // namespace simulator

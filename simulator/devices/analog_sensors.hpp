@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "simulator/devices/errors.hpp"
+#include "simulator/devices/faults.hpp"
 #include "simulator/devices/random.hpp"
 
 namespace simulator {
@@ -18,6 +19,9 @@ public:
 
     explicit AnalogSensors(uint64_t seed = 1, const SensorErrors& errors = {});
 
+    // Jumping, its tube is off: it reads still air.
+    void fail(FaultKind kind) { fault_.fail(kind); }
+
     double volts(int pin, const Truth& truth);  // pins A0..A15; unused ones are at 0
 
 private:
@@ -25,7 +29,8 @@ private:
 
     const SensorErrors errors_;
     Random random_;
-    double ratio_;   // of the pressure, about 1
+    double ratio_;  // of the pressure, about 1
+    FaultyValue fault_;
     double zero_v_;  // the sensor's own offset
 };
 

@@ -130,7 +130,8 @@ uint32_t Bmp085::rawPressure(double pressure, int oversampling) const {
 double Bmp085::wrongPressure_pa(uint64_t now_us) {
     const double drift = drift_.advance(static_cast<double>(now_us - drift_us_) * 1e-6, random_);
     drift_us_ = now_us;
-    return pressure_pa_ + drift + errors_.baro_noise_pa * random_.normal();
+    const double pressure_pa = pressure_pa_ + drift + errors_.baro_noise_pa * random_.normal();
+    return fault_.of(pressure_pa, kBarometerFaults, random_);
 }
 
 }  // namespace simulator

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "simulator/devices/errors.hpp"
+#include "simulator/devices/faults.hpp"
 #include "simulator/devices/random.hpp"
 
 namespace simulator {
@@ -28,6 +29,11 @@ public:
     // The air at its port from now on, and the chip's own temperature. World does that.
     void sense(double pressure_pa, double temperature_c);
 
+    void fail(FaultKind kind) {
+        fault_.fail(kind);
+        unplug(fault_.lost());
+    }
+
     Words& words() { return words_; }  // for tests to damage
     void unplug(bool unplugged) { unplugged_ = unplugged; }
 
@@ -44,6 +50,7 @@ private:
     const SensorErrors errors_;
     Random random_;
     Wander drift_;
+    FaultyValue fault_;
     Words words_;
     double pressure_pa_ = 101325, temperature_c_ = 25;
     uint64_t drift_us_ = 0, converted_us_ = UINT64_MAX;

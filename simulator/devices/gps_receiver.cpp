@@ -51,6 +51,7 @@ std::optional<uint8_t> GpsReceiver::nextByte(uint64_t now_us) {
 }
 
 void GpsReceiver::send(const std::vector<uint8_t>& bytes, uint64_t now_us) {
+    if (fault_ == FaultKind::lost) return;
     if (line_.size() + bytes.size() > kLineLimit) return;
     if (line_.empty()) {
         line_start_us_ = std::max(now_us, byteEnd_us(line_sent_));
@@ -116,7 +117,32 @@ void GpsReceiver::measure(const Truth& truth, uint64_t now_us) {
     fix.velocity_east_mps = truth.velocity_east_mps + noise();
     fix.velocity_down_mps = truth.velocity_down_mps + noise();
     if (!fix.valid) fix = {now_us, false, 0, 0, 0, 0, 0, 0, 0};
+    if (fault_ == FaultKind::none)
+        held_.reset();
+    else
+        spoil(fix);
     waiting_.push_back(fix);
+}
+
+void GpsReceiver::spoil(GpsFix& fix) {
+    if (fault_ == FaultKind::stuck) {
+        if (!held_) held_ = fix;
+        held_->time_us = fix.time_us;
+        fix = *held_;
+    }
+    if (fault_ == FaultKind::jump) fix.latitude_deg += 0.005;
+    if (fault_ == FaultKind::noisy) {
+        fix.latitude_deg += 1e-3 * random_.normal();
+        fix.longitude_deg += 1e-3 * random_.normal();
+        fix.velocity_north_mps += 20 * random_.normal();
+        fix.velocity_east_mps += 20 * random_.normal();
+    }
+    if (fault_ != FaultKind::nonsense) return;
+    const auto random = [this](double most) { return most * (2 * random_.uniform() - 1); };
+    fix.latitude_deg = random(90);
+    fix.longitude_deg = random(180);
+    fix.velocity_north_mps = random(200);
+    fix.velocity_east_mps = random(200);
 }
 
 }  // namespace simulator

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "simulator/devices/errors.hpp"
+#include "simulator/devices/faults.hpp"
 #include "simulator/devices/gps_fix.hpp"
 #include "simulator/devices/random.hpp"
 
@@ -45,6 +46,8 @@ public:
 
     // Antenna covered: no fix until uncovered, and then at once.
     void cover(bool covered) { covered_ = covered; }
+    // Lost, its line is silent.
+    void fail(FaultKind kind) { fault_ = kind; }
 
 protected:
     virtual void take(uint8_t, uint64_t) {}          // a byte it heard
@@ -59,6 +62,7 @@ protected:
 
 private:
     void measure(const Truth& truth, uint64_t now_us);
+    void spoil(GpsFix& fix);
     uint64_t byteEnd_us(uint64_t bytes) const;
 
     const GpsOptions options_;
@@ -71,6 +75,8 @@ private:
     std::deque<uint8_t> line_;
     uint64_t line_start_us_ = 0;  // the first byte of line_ started then
     uint64_t line_sent_ = 0;      // bytes sent since line_start_us_
+    FaultKind fault_ = FaultKind::none;
+    std::optional<GpsFix> held_;  // while it is stuck
     bool covered_ = false;
 };
 

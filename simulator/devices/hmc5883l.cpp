@@ -135,9 +135,15 @@ void Hmc5883l::measure() {
     registers_[kStatus] |= kReady;
 }
 
+void Hmc5883l::fail(FaultKind kind) {
+    for (FaultyValue& fault : faults_) fault.fail(kind);
+    unplug(kind == FaultKind::lost);
+}
+
 std::array<double, 3> Hmc5883l::chipAxes() const {
     std::array<double, 3> body;
     for (size_t i = 0; i < 3; ++i) body[i] = body_mg_[i] + offset_mg_[i];
+    if (faults_[0].kind() == FaultKind::jump) body = {-body[1], body[0], body[2]};
     if (mount_.upside_down) body = {body[0], -body[1], -body[2]};
     if (old()) return {-body[0], body[1], -body[2]};
     return {-body[1], -body[0], -body[2]};
@@ -152,6 +158,7 @@ std::array<double, 3> Hmc5883l::chipField_mg() {
         if (test == 1) chip[i] = bias_mg;
         if (test == 2) chip[i] = -bias_mg;
         chip[i] += errors_.compass_noise_mg * random_.normal();
+        if (test == 0) chip[i] = faults_[i].of(chip[i], {250, -900, 900, 0}, random_);
     }
     return chip;
 }

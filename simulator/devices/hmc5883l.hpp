@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "simulator/devices/errors.hpp"
+#include "simulator/devices/faults.hpp"
 #include "simulator/devices/random.hpp"
 
 namespace simulator {
@@ -33,6 +34,7 @@ public:
     const std::array<double, 3>& offset_mg() const { return offset_mg_; }  // body axes
 
     void unplug(bool unplugged) { unplugged_ = unplugged; }
+    void fail(FaultKind kind);
 
 private:
     void advance(uint64_t now_us);
@@ -56,6 +58,7 @@ private:
     uint8_t read_mask_ = 0;              // data registers read since the last measurement
     uint64_t measured_us_ = UINT64_MAX;  // when the running measurement ends
     bool unplugged_ = false;
+    std::array<FaultyValue, 3> faults_;
 };
 
 }  // namespace simulator

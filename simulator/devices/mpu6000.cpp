@@ -102,6 +102,7 @@ void Mpu6000::select(bool chosen, uint64_t) {
 
 uint8_t Mpu6000::transfer(uint8_t mosi, uint64_t now_us) {
     if (!chosen_) return 0xFF;
+    if (fault_ == FaultKind::lost) return 0;
     if (!addressed_) {
         addressed_ = true;
         reading_ = mosi & 0x80;
@@ -196,7 +197,22 @@ void Mpu6000::filter(const Truth& truth, uint64_t now_us) {
     filtered_ = true;
 }
 
+void Mpu6000::fail(FaultKind kind, uint64_t now_us) {
+    if (kind == fault_) return;
+    if (kind == FaultKind::lost || fault_ == FaultKind::lost) powerOn(now_us);
+    fault_ = kind;
+}
+
+// In steps of the registers: 4096 are 250 deg/s or 1 g as the firmware sets the ranges.
+double Mpu6000::asFailing(double counts) {
+    constexpr double kNoise = 6000, kFull = 32767;
+    if (fault_ == FaultKind::noisy) return counts + kNoise * random_.normal();
+    if (fault_ == FaultKind::nonsense) return kFull * (2 * random_.uniform() - 1);
+    return counts;
+}
+
 void Mpu6000::measure(double throttle) {
+    if (fault_ == FaultKind::stuck) return;
     const double accel_deviation =
         kGravity_mss * combined(errors_.accel_noise_g, errors_.accel_vibration_g * throttle);
     const double gyro_deviation =
@@ -211,7 +227,7 @@ void Mpu6000::measure(double throttle) {
         const double value = filtered_axes_[axis] * scale_[axis] + bias_[axis] +
                              (accel ? accel_deviation : gyro_deviation) * random_.normal();
         const int at = accel ? 2 * axis : 2 * axis + 2;
-        putWord(&measured_[at], value * (accel ? per_mss : per_rads));
+        putWord(&measured_[at], asFailing(value * (accel ? per_mss : per_rads)));
     }
     putWord(&measured_[6], (kTemperature_c - 36.53) * 340);
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "simulator/devices/errors.hpp"
+#include "simulator/devices/faults.hpp"
 #include "simulator/devices/low_pass.hpp"
 #include "simulator/devices/random.hpp"
 
@@ -37,6 +38,9 @@ public:
 
     SampleCount samples() const { return count_; }
 
+    // Lost, it has no supply: it answers nothing, and has forgotten everything when it is back.
+    void fail(FaultKind kind, uint64_t now_us);
+
 private:
     static constexpr int kRegisters = 128, kAxes = 6;  // accelerometer, then gyro, chip axes
 
@@ -48,6 +52,7 @@ private:
     uint64_t period_us() const;
     void filter(const Truth& truth, uint64_t now_us);
     void measure(double throttle);
+    double asFailing(double counts);
     void publish();
 
     const SensorErrors errors_;
@@ -65,6 +70,7 @@ private:
     uint64_t ready_us_ = 0;  // registers answer from here on
     uint64_t next_sample_us_ = UINT64_MAX, last_sample_us_ = 0;
     uint64_t pulse_end_us_ = UINT64_MAX;
+    FaultKind fault_ = FaultKind::none;
     uint8_t address_ = 0;
     bool chosen_ = false, addressed_ = false, reading_ = false;
     bool pin_ = false, unread_ = false, waiting_ = false, filtered_ = false;

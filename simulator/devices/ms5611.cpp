@@ -73,6 +73,7 @@ void Ms5611::select(bool chosen, uint64_t) {
 
 uint8_t Ms5611::transfer(uint8_t mosi, uint64_t now_us) {
     if (!chosen_) return 0xFF;
+    if (fault_.lost()) return 0;
     if (first_byte_) {
         first_byte_ = false;
         if (now_us >= ready_us_) command(mosi, now_us);
@@ -123,7 +124,8 @@ double Ms5611::rawPressure(double pressure_pa) const {
 double Ms5611::wrongPressure_pa(uint64_t now_us) {
     const double drift = drift_.advance(static_cast<double>(now_us - drift_us_) * 1e-6, random_);
     drift_us_ = now_us;
-    return pressure_pa_ + drift + errors_.baro_noise_pa * random_.normal();
+    const double pressure_pa = pressure_pa_ + drift + errors_.baro_noise_pa * random_.normal();
+    return fault_.of(pressure_pa, kBarometerFaults, random_);
 }
 
 }  // namespace simulator

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "simulator/devices/errors.hpp"
+#include "simulator/devices/faults.hpp"
 #include "simulator/devices/random.hpp"
 
 namespace simulator {
@@ -22,6 +23,8 @@ public:
 
     // The air at its port from now on, and the chip's own temperature. World does that.
     void sense(double pressure_pa, double temperature_c);
+
+    void fail(FaultKind kind) { fault_.fail(kind); }
 
     Prom& prom() { return prom_; }  // for tests to damage
     static uint8_t crc4(Prom prom);
@@ -39,6 +42,7 @@ private:
     const SensorErrors errors_;
     Random random_;
     Wander drift_;
+    FaultyValue fault_;
     Prom prom_;
     double pressure_pa_ = 101325, temperature_c_ = 25;
     uint64_t drift_us_ = 0;

@@ -17,19 +17,26 @@ void PpmEncoder::sticks(const std::array<uint16_t, kChannels>& us, bool transmit
         sticks_ = us;
         ever_ = true;
     }
-    if (next_edge_ == UINT64_MAX && sending()) {
-        next_edge_ = 2 * (now_us_ + kGap_us);
-        channel_ = 0;
-    }
+    begin();
 }
 
-bool PpmEncoder::sending() const {
-    return transmitting_ || (ever_ && loss_ == Loss::failsafe_values);
+void PpmEncoder::jam(bool jammed) {
+    if (jammed_ == jammed) return;
+    jammed_ = jammed;
+    begin();
 }
+
+void PpmEncoder::begin() {
+    if (next_edge_ != UINT64_MAX || !sending()) return;
+    next_edge_ = 2 * (now_us_ + kGap_us);
+    channel_ = 0;
+}
+
+bool PpmEncoder::sending() const { return heard() || (ever_ && loss_ == Loss::failsafe_values); }
 
 std::array<uint16_t, PpmEncoder::kChannels> PpmEncoder::sentChannels() const {
     auto channels = sticks_;
-    if (!transmitting_) std::copy(std::begin(kLost_us), std::end(kLost_us), channels.begin());
+    if (!heard()) std::copy(std::begin(kLost_us), std::end(kLost_us), channels.begin());
     for (uint16_t& width : channels) width = std::clamp(width, kShortest_us, kLongest_us);
     return channels;
 }

@@ -32,14 +32,18 @@ public:
     void advanceTo(uint64_t now_us) { now_us_ = now_us; }
 
     void setLoss(Loss loss) { loss_ = loss; }
+    void jam(bool jammed);  // nothing of the transmitter arrives
 
 private:
+    void begin();
     bool sending() const;
     std::array<uint16_t, kChannels> sentChannels() const;
 
     Loss loss_;
     std::array<uint16_t, kChannels> sticks_{}, frame_{};
-    bool transmitting_ = false, ever_ = false;
+    bool heard() const { return transmitting_ && !jammed_; }
+
+    bool transmitting_ = false, ever_ = false, jammed_ = false;
     int channel_ = 0;  // whose width follows the next edge; kChannels: the gap
     uint64_t next_edge_ = UINT64_MAX;
     uint64_t now_us_ = 0;

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Flights of a mission in wind during which sensors fail, alone or in pairs, and come back. Fails
+// when the airplane does not stay in the air and in hand, when it is not told what
+// docs/failsafes.md says, or when the mission is not flown on afterwards. Without an inertial
+// sensor a pilot flies, who sees the airplane. Natively each flight has a process of its own.
+//   fault_flight native MISSION MINUTES singles|pairs
+//   fault_flight FIRMWARE MISSION MINUTES SENSOR:HOW...
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/ground/scripted_flight.hpp"
+#include "simulator/machine/apm2_board.hpp"
+#include "simulator/native/native_board.hpp"
+
+using namespace simulator;
+
+namespace {
+
+constexpr int kTelemetry = 2;
+constexpr uint64_t kStep_us = 20'000;
+constexpr double kFrom_s = 42, kTo_s = 72, kJumpTo_s = 56;  // of the faults, since power-on
+constexpr double kAgain_s = 12;                             // by then everything is as before
+constexpr uint32_t kModeManual = 0, kModeCircle = 1;
+constexpr double kDegree = M_PI / 180;
+
+struct Expected {
+    Faulty sensor;
+    const char* begins;  // what is told
+    const char* ends;
+};
+constexpr Expected kExpected[] = {
+    {Faulty::imu, "Inertial sensor lost", "Inertial back"},
+    {Faulty::barometer, "Barometer lost", "Barometer back"},
+    {Faulty::airspeed, "Airspeed lost", "Airspeed back"},
+    {Faulty::compass, "Compass lost", "Compass back"},
+    {Faulty::gps, "GPS lost", "GPS back"},
+};
+
+using Faults = std::vector<Fault>;
+
+bool has(const Faults& faults, Faulty sensor) {
+    return std::any_of(faults.begin(), faults.end(),
+                       [&](const Fault& fault) { return fault.sensor == sensor; });
+}
+
+std::string nameOf(const Faults& faults) {
+    std::string name;
+    for (const Fault& fault : faults)
+        name += (name.empty() ? "" : " ") + std::string(nameOf(fault.sensor)) + ":" +
+                nameOf(fault.kind);
+    return name;
+}
+
+class FaultFlight {
+public:
+    FaultFlight(Board& board, const Waypoints& items, const Faults& faults)
+        : faults_(faults), board_(board), flight_(board, kTelemetry, items, 900) {
+        board_.listen([this](int usart, uint8_t byte, uint64_t at_us) {
+            if (usart == kTelemetry) flight_.receive(byte, at_us);
+        });
+        board_.setUsb(false);
+        switchTransmitterOn(board_.world());
+        for (const Fault& fault : faults) over_s_ = std::max(over_s_, fault.to_s);
+    }
+
+    // Nothing when all is well.
+    std::string fly() {
+        const double end_s = over_s_ + kAgain_s;
+        for (uint64_t step = 1; !flight_.over() && seconds() < end_s; ++step) {
+            if (!board_.runUntil(step * kStep_us)) flight_.stop(board_.fault());
+            flight_.step(board_.time_us());
+            if (flight_.telemetry().mode() == kModeManual && seconds() > kFrom_s) steer();
+            watch();
+        }
+        return judge();
+    }
+
+    double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
+    void tellAll() const {
+        for (const Event& event : flight_.telemetry().events)
+            std::printf("%8.1f s  %s\n", event.time_s, event.text.c_str());
+        for (const Event& text : flight_.telemetry().texts)
+            std::printf("%8.1f s  said: %s\n", text.time_s, text.text.c_str());
+    }
+
+private:
+    // Wings level at the height where he took over.
+    void steer() {
+        const Truth& t = board_.world().truth();
+        if (seconds() - steered_s_ > 1) height_m_ = std::max(60.0, t.height_m);
+        steered_s_ = seconds();
+        const auto pull = [](double wanted, double is, double gain) {
+            return static_cast<int>(std::clamp((wanted - is) * gain, -300.0, 300.0));
+        };
+        const double climb_rad = std::clamp((height_m_ - t.height_m) * 0.01, -0.1, 0.15);
+        const int roll = pull(0, t.roll_rad + 0.3 * t.roll_rate_rads, 350);
+        const int pitch = pull(climb_rad + 0.03, t.pitch_rad + 0.3 * t.pitch_rate_rads, 500);
+        const auto us = [](int by) { return static_cast<uint16_t>(1500 + by); };
+        board_.world().radio().sticks({us(roll), us(pitch), us(40), 1500, 1500, 1500, 1500, 1425},
+                                      true);
+    }
+
+    void watch() {
+        const Truth& t = board_.world().truth();
+        if (seconds() < kFrom_s) return;
+        lowest_m_ = std::min(lowest_m_, t.height_m);
+        highest_m_ = std::max(highest_m_, t.height_m);
+        most_bank_deg_ = std::max(most_bank_deg_, std::abs(t.roll_rad) / kDegree);
+        circled_ = circled_ || flight_.telemetry().mode() == kModeCircle;
+        by_hand_ = by_hand_ || flight_.telemetry().mode() == kModeManual;
+    }
+
+    bool told(const std::string& text) const {
+        const auto& texts = flight_.telemetry().texts;
+        return std::any_of(texts.begin(), texts.end(), [&](const Event& each) {
+            return each.text.find(text) != each.text.npos;
+        });
+    }
+
+    std::string judge() const {
+        char text[160];
+        if (!flight_.reason().empty()) return flight_.reason();
+        std::snprintf(text, sizeof text, "height %.0f to %.0f m, bank up to %.0f deg", lowest_m_,
+                      highest_m_, most_bank_deg_);
+        // an airplane that turns over while nobody knows is still in hand when it is caught
+        const double most_deg = has(faults_, Faulty::imu) ? 100 : 65;
+        if (lowest_m_ < 20 || highest_m_ > 180 || most_bank_deg_ > most_deg) return text;
+        for (const Expected& each : kExpected) {
+            if (!has(faults_, each.sensor) || isJumpOfGps()) continue;
+            if (!told(each.begins)) return std::string("not told: ") + each.begins;
+            if (!told(each.ends)) return std::string("not told: ") + each.ends;
+        }
+        if (isJumpOfGps() && !told("GPS jump refused")) return "the jump was not refused";
+        if (by_hand_ != has(faults_, Faulty::imu)) return by_hand_ ? "MANUAL" : "no MANUAL";
+        if (has(faults_, Faulty::gps) && !isJumpOfGps() && !by_hand_ && !circled_)
+            return "no CIRCLE";
+        if (flight_.telemetry().mode() != kModeAuto) return "AUTO was not gone back to";
+        return "";
+    }
+    bool isJumpOfGps() const {
+        return std::any_of(faults_.begin(), faults_.end(), [](const Fault& fault) {
+            return fault.sensor == Faulty::gps && fault.kind == FaultKind::jump;
+        });
+    }
+
+    const Faults faults_;
+    Board& board_;
+    ScriptedFlight flight_;
+    double over_s_ = 0, steered_s_ = -10, height_m_ = 0;
+    double lowest_m_ = 1e9, highest_m_ = 0, most_bank_deg_ = 0;
+    bool circled_ = false, by_hand_ = false;
+};
+
+Fault faultOf(Faulty sensor, FaultKind kind) {
+    return {sensor, kind, kFrom_s, kind == FaultKind::jump ? kJumpTo_s : kTo_s};
+}
+
+std::vector<Faults> singles() {
+    std::vector<Faults> all;
+    for (const Expected& each : kExpected)
+        for (int kind = 1; kind < kFaultKinds; ++kind)
+            if (each.sensor != Faulty::imu || static_cast<FaultKind>(kind) != FaultKind::jump)
+                all.push_back({faultOf(each.sensor, static_cast<FaultKind>(kind))});
+    return all;
+}
+
+std::vector<Faults> pairs() {
+    constexpr FaultKind kKinds[] = {FaultKind::lost, FaultKind::stuck, FaultKind::noisy,
+                                    FaultKind::nonsense};
+    std::vector<Faults> all;
+    for (const Expected& one : kExpected)
+        for (const Expected* other = &one + 1; other != std::end(kExpected); ++other)
+            for (FaultKind a : kKinds)
+                for (FaultKind b : kKinds)
+                    all.push_back({faultOf(one.sensor, a), faultOf(other->sensor, b)});
+    return all;
+}
+
+WorldOptions worldOf(const Waypoints& items, const Faults& faults) {
+    WorldOptions world;
+    world.latitude_deg = items[0].latitude_deg;
+    world.longitude_deg = items[0].longitude_deg;
+    world.altitude_m = items[0].altitude_m;
+    world.heading_deg = 340;
+    world.wind_mps = 4;
+    world.wind_from_deg = 320;
+    world.gusts = true;
+    world.seed = 7;
+    world.faults = faults;
+    return world;
+}
+
+bool flyAndTell(Board& board, const Waypoints& items, const Faults& faults, double& seconds) {
+    FaultFlight flight(board, items, faults);
+    const std::string why = flight.fly();
+    seconds = flight.seconds();
+    std::printf("%s  %s%s%s\n", why.empty() ? "ok    " : "FAILED", nameOf(faults).c_str(),
+                why.empty() ? "" : ": ", why.c_str());
+    if (!why.empty()) flight.tellAll();
+    std::fflush(stdout);
+    return why.empty();
+}
+
+int flyNatively(const Waypoints& items, const std::vector<Faults>& flights) {
+    constexpr int kAtOnce = 2;
+    int failed = 0, running = 0;
+    const auto wait = [&] {
+        int status = 0;
+        ::wait(&status);
+        --running;
+        failed += status != 0;
+    };
+    for (const Faults& faults : flights) {
+        if (running == kAtOnce) wait();
+        ++running;
+        if (fork() != 0) continue;
+        NativeBoard board(worldOf(items, faults));
+        double seconds;
+        _exit(flyAndTell(board, items, faults, seconds) ? 0 : 1);
+    }
+    while (running > 0) wait();
+    std::printf("%zu flights, %d failed\n", flights.size(), failed);
+    return failed == 0 ? 0 : 1;
+}
+
+int flyImage(const std::string& firmware, const Waypoints& items, const Faults& faults,
+             const std::filesystem::path& minutes) {
+    AvrBoard board(firmware, worldOf(items, faults), kApm2Wiring);
+    double seconds = 0;
+    const bool well = flyAndTell(board, items, faults, seconds);
+    const uint32_t late = board.figures().frame_overruns.value_or(0);
+    if (late != 0) std::printf("FAILED  a frame was late\n");
+    std::filesystem::create_directories(minutes);
+    std::string name = "fault_" + nameOf(faults);
+    std::replace(name.begin(), name.end(), ' ', '_');
+    std::ofstream(minutes / name) << seconds / 60 << '\n';
+    std::printf("emulated minutes: %.2f\n", seconds / 60);
+    return well && late == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    if (count < 5) {
+        std::cerr << "usage: fault_flight native|FIRMWARE MISSION MINUTES singles|pairs|FAULT...\n";
+        return 2;
+    }
+    const std::string what = words[4];
+    const Waypoints items = readWaypoints(words[2]);
+    if (what == "singles") return flyNatively(items, singles());
+    if (what == "pairs") return flyNatively(items, pairs());
+    Faults faults;
+    for (int i = 4; i < count; ++i) {
+        const auto fault = parseFault(std::string(words[i]) + "@1");
+        if (!fault) return 2;
+        faults.push_back(faultOf(fault->sensor, fault->kind));
+    }
+    if (std::string(words[1]) == "native") return flyNatively(items, {faults});
+    return flyImage(words[1], items, faults, words[3]);
+}
