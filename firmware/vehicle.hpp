@@ -106,8 +106,8 @@ struct Vehicle {
     struct {
         geo::Position position;      // between fixes carried on with the velocity
         bool known;                  // a fix has been seen and is not too old
-        bool reckoned;               // without fixes for a while: by air and wind
-        bool fix_refused;            // the last one lay too far off
+        bool reckoned : 1;           // without fixes for a while: by air and wind
+        bool fix_refused : 1;        // the last one lay too far off
         core::Vector3 velocity_mps;  // north, east, down
         float ground_speed_mps;
         int32_t course_cd;

@@ -2,6 +2,7 @@
 #include "firmware/failsafe/causes.hpp"
 
 #include "firmware/failsafe/failsafe.hpp"
+#include "firmware/failsafe/health.hpp"
 #include "firmware/fence.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/telemetry/telemetry.hpp"
@@ -49,7 +50,8 @@ void watchCauses() {
 
 // Back, the attitude is found anew first.
 bool inertialLost() {
-    return inertial_lost >= kRestarted || (failing(Cause::inertial) && !vehicle.attitude.aligned);
+    return inertial_lost >= kRestarted || ails(Sensor::inertial) ||
+           (failing(Cause::inertial) && !vehicle.attitude.aligned);
 }
 bool fenceBroken() { return fenceReport().breach != Breach::none; }
 bool batteryLow() { return battery_low >= kBatterySags; }

@@ -18,10 +18,10 @@ struct Limits {
 // clang-format off
 constexpr Limits kLimits[kSensors] ROM = {
     // jump           still doubt trust
-    {4 * 1024,           3,   20,    1},  // inertial: rates of all axes, 4 rad/s, 100 Hz
+    {4 * 1024,           2,   20,    1},  // inertial: rates of all axes, 4 rad/s, 100 Hz
     { 120,              10,   12,    1},  // barometer: 120 Pa, 80 Hz
     { 160,              20,   12,    1},  // airspeed: 0.1 V in eighths of a count, 50 Hz
-    { 150,              20,   10,    1},  // compass: mG of all axes, 50 Hz
+    { 150,              20,   20,    2},  // compass: mG of all axes, 50 Hz
     {1200,              20,   40,   12},  // GPS: 12 m/s of north and east, 5 Hz
 };
 // clang-format on

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/guidance/height.hpp"
 
+#include <math.h>
+
 #include "core/maths.hpp"
 #include "firmware/failsafe/failsafe.hpp"
 #include "firmware/modes.hpp"
@@ -17,6 +19,7 @@ constexpr float kMostAlpha_rad = 0.2f;
 constexpr float kNudgedDown = 0.3f;  // of the cruise throttle, which still flies
 
 control::SpeedHeight speed_height;
+core::Angle level_pitch_rad;  // of flight that neither climbs nor sinks, learnt in ten seconds
 
 // Until the wind is known the estimate is the ground speed, which in a headwind is no airspeed: no
 // airplane in the air flies slower than its lowest.
@@ -106,6 +109,20 @@ control::SpeedHeightLimits limits(const Plan& plan, float true_speed) {
     return limits;
 }
 
+void learnLevel() {
+    constexpr float kLevel_mps = 1;
+    if (!vehicle.baro.healthy || fabsf(vehicle.estimate.climb_mps) > kLevel_mps) return;
+    const int16_t pitch = vehicle.attitude.pitch_rad.raw;
+    level_pitch_rad.raw =
+        static_cast<int16_t>(level_pitch_rad.raw + ((pitch - level_pitch_rad.raw) >> 6));
+}
+
+// With neither barometer nor GPS, a little above level: nobody sees the ground coming.
+core::Angle blindPitch_rad() {
+    constexpr core::Angle kAbove_rad = core::radians(0.7f);
+    return core::Angle::fromRaw(static_cast<int16_t>(level_pitch_rad.raw + kAbove_rad.raw));
+}
+
 }  // namespace
 
 void beginHeight() {
@@ -123,14 +140,15 @@ void waitWithHeight(const Plan& plan) {
 
 void flyHeight(const Plan& plan) {
     const float true_speed = trueFromEquivalent();
-    // a height that is not known is held as it is: pitch and throttle stay
-    const bool blind = failing(Cause::no_height);
+    const bool blind = failing(Cause::no_height) && plan.phase == control::Phase::cruise;
     const control::SpeedHeightDemand demand = {
-        blind ? vehicle.estimate.height_m : plan.height.height_m, blind ? 0 : plan.height.climb_mps,
+        blind ? vehicle.estimate.height_m : plan.height.height_m, plan.height.climb_mps,
         nudged_mps(plan.airspeed_mps) * true_speed};
-    const auto out = speed_height.run(parameters.speed_height, limits(plan, true_speed), demand,
-                                      measured(), plan.phase, kPeriod_s);
-    vehicle.pitch_demand_rad = out.pitch_rad;
+    const auto out =
+        speed_height.run(parameters.speed_height, limits(plan, true_speed), demand, measured(),
+                         blind ? control::Phase::approach : plan.phase, kPeriod_s);
+    learnLevel();
+    vehicle.pitch_demand_rad = blind ? blindPitch_rad() : core::Angle(out.pitch_rad);
     vehicle.throttle_demand = out.throttle;
 }
 

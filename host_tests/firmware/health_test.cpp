@@ -98,7 +98,7 @@ TEST_P(Health, it_is_well_again_after_some_seconds_of_sense) {
     ASSERT_TRUE(ails());
     tenths(10, 0);
     EXPECT_TRUE(ails()) << "not at once";
-    tenths(60, 0);
+    tenths(70, 0);
     EXPECT_FALSE(ails());
 }
 

@@ -27,7 +27,7 @@ namespace {
 constexpr int kTelemetry = 2;
 constexpr uint64_t kStep_us = 20'000;
 constexpr double kFrom_s = 42, kTo_s = 72, kJumpTo_s = 56;  // of the faults, since power-on
-constexpr double kAgain_s = 12;                             // by then everything is as before
+constexpr double kAgain_s = 20;                             // by then everything is as before
 constexpr uint32_t kModeManual = 0, kModeCircle = 1;
 constexpr double kDegree = M_PI / 180;
 
