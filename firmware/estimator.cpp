@@ -341,10 +341,9 @@ void shiftHeight(float by_m) {
 }
 
 // A place without a fix since then counts as one that is as old as the record.
-void resumeEstimate(const SteadyRecord& steady, const MovingRecord& moving, float lost_s) {
-    const auto& rate = moving.rate_rads;
-    const Vector3 rate_rads = {rate.x, rate.y, rate.z};
-    attitude.resume(moving.pose, steady.learnt, rate_rads * lost_s);
+void resumeEstimate(const SteadyRecord& steady, const MovingRecord& moving,
+                    const Vector3& turned_rad, float lost_s) {
+    attitude.resume(moving.pose, steady.learnt, turned_rad);
     home_height_m = steady.home_height_m;
     height.resume(home_height_m + moving.height_m, metres(moving.velocity_cms[2]));
     height_started = started = true;

@@ -10,10 +10,12 @@ void runEstimator();  // every frame, after the sensors
 
 core::Vector3 gyroDrift_rads();  // learnt in flight, on top of the calibration
 
-// For flying on after a restart: what is known, and the same again `lost_s` later.
+// For flying on after a restart: what is known, and the same again `lost_s` later, when the
+// airplane has turned on.
 void keepEstimate(SteadyRecord& to);
 void keepEstimate(MovingRecord& to);
-void resumeEstimate(const SteadyRecord& steady, const MovingRecord& moving, float lost_s);
+void resumeEstimate(const SteadyRecord& steady, const MovingRecord& moving,
+                    const core::Vector3& turned_rad, float lost_s);
 
 void zeroHeight();             // the airplane stands at height 0 now
 void shiftHeight(float by_m);  // added to every height from now on

@@ -118,7 +118,7 @@ void watchdogStart() {
     const Locked locked;
     wdt_reset();
     WDTCSR = (1 << WDCE) | (1 << WDE);
-    WDTCSR = kMode | WDTO_250MS;
+    WDTCSR = kMode | WDTO_120MS;
 }
 void watchdogFeed() { wdt_reset(); }
 

@@ -138,7 +138,11 @@ Status findStoredMission() {
     storage::Owner owner;
     const Status status = storage::findOwner(owner);
     if (status != Status::ok) return status;
-    if (owner == storage::Owner::nobody) return storage::claim();
+    if (owner == storage::Owner::nobody) {
+        const Status claimed = storage::claim();
+        if (claimed == Status::ok) tell(Severity::notice, ROM_TEXT("EEPROM blank: defaults"));
+        return claimed;
+    }
     if (owner == storage::Owner::us) return Status::ok;
     tell(Severity::error, ROM_TEXT("EEPROM belongs to other firmware"));
     boot = Boot::foreign;

@@ -10,6 +10,8 @@ using hal::ResetCause;
 
 SteadyRecord steady __attribute__((section(".noinit")));
 MovingRecord moving[2] __attribute__((section(".noinit")));
+BlindRecord blind __attribute__((section(".noinit")));
+uint8_t number;
 const MovingRecord* last;  // to go on with; nullptr: nothing
 
 bool runSurvives() {

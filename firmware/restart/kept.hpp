@@ -7,6 +7,8 @@ namespace firmware {
 
 extern SteadyRecord steady;
 extern MovingRecord moving[2];
+extern BlindRecord blind;
+extern uint8_t number;            // of the moving record written last, at moving[number & 1]
 extern const MovingRecord* last;  // to go on with; nullptr: nothing
 
 }  // namespace firmware

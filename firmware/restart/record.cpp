@@ -20,6 +20,13 @@ uint16_t sum(const Record& record) {
 
 }  // namespace
 
+void seal(BlindRecord& blind, const MovingRecord& after) {
+    blind.seal = core::crc16(after.seal, &blind.turn, sizeof blind.turn);
+}
+bool whole(const BlindRecord& blind, const MovingRecord& after) {
+    return blind.seal == core::crc16(after.seal, &blind.turn, sizeof blind.turn);
+}
+
 void seal(SteadyRecord& record) { record.seal = sum(record); }
 void seal(MovingRecord& record) { record.seal = sum(record); }
 bool whole(const SteadyRecord& record) { return record.seal == sum(record); }

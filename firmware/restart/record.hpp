@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "estimation/attitude.hpp"
+#include "firmware/sensors/sensors.hpp"
 #include "geo/position.hpp"
 
 namespace firmware {
@@ -35,6 +36,14 @@ struct MovingRecord {
     uint8_t number;  // counts up
     uint16_t seal;
 };
+
+// What came after a moving record; sealed together with it.
+struct BlindRecord {
+    BlindTurn turn;
+    uint16_t seal;
+};
+void seal(BlindRecord& blind, const MovingRecord& after);
+bool whole(const BlindRecord& blind, const MovingRecord& after);
 
 void seal(SteadyRecord& record);
 void seal(MovingRecord& record);

@@ -31,9 +31,9 @@ constexpr char kCauses[][32] ROM = {"Started by the supply",       "Started by t
 bool told;
 bool home_kept;  // in the EEPROM, by this run or the one it goes on with
 uint8_t faults_told;
-uint8_t number;  // of the record last written
 
-constexpr uint8_t kLooks = 3;  // at the mode switch, 20 ms apart
+constexpr uint8_t kFewPeriods = 10;  // of blind samples that tell a rate
+constexpr uint8_t kLooks = 3;        // at the mode switch, 20 ms apart
 constexpr uint16_t kSwitchComesWithin_ms = 200, kSensorsComeWithin_ms = 500;
 struct {
     uint8_t position, looks;
@@ -142,6 +142,15 @@ float lostSoFar_s() {
     return lost_s(last->at_ms, ended_ms, static_cast<uint16_t>(hal::now_ms()) + run.restart_ms);
 }
 
+// As an interrupt has watched it while the program hung; the rest as quick as before.
+core::Vector3 turnedSince_rad(float since_s) {
+    const auto& rate = last->rate_rads;
+    const core::Vector3 rate_rads = {rate.x, rate.y, rate.z};
+    if (!whole(blind, *last) || blind.turn.periods < kFewPeriods) return rate_rads * since_s;
+    const float seen_s = blind.turn.periods * estimation::kSamplePeriod_s;
+    return blindTurn_rad(blind.turn) * (since_s / seen_s);
+}
+
 }  // namespace
 
 void restartResume() {
@@ -150,7 +159,8 @@ void restartResume() {
     number = last != nullptr ? last->number : 0;
     if (last == nullptr) return takeKeptHome();
     resumeInertial(steady.gyro_zero);
-    resumeEstimate(steady, *last, lostSoFar_s());
+    const float lost_for_s = lostSoFar_s();
+    resumeEstimate(steady, *last, turnedSince_rad(lost_for_s), lost_for_s);
     vehicle.baro.ground_pressure_pa = steady.ground_pressure_pa;
     vehicle.baro.ground_temperature_c = steady.ground_temperature_c;
     resumeAirspeed(steady.airspeed_offset_v);

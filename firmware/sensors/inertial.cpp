@@ -160,6 +160,15 @@ void keepGyroZero(int16_t (&to)[3]) {
     for (uint8_t i = 0; i < 3; ++i) to[i] = core::narrowed(zero.of[i] / kKeptStep);
 }
 
+void keepBlindTurn(BlindTurn& to) { to.periods = imu.peek(to.turned); }
+
+core::Vector3 blindTurn_rad(const BlindTurn& turn) {
+    constexpr float kStep = 1.0f / Turn::kSteps;
+    const core::Vector3 zeros = {static_cast<float>(zero.of[0]), static_cast<float>(zero.of[1]),
+                                 static_cast<float>(zero.of[2])};
+    return board::Inertial::peeked(turn.turned) - zeros * (kStep * turn.periods);
+}
+
 void resumeInertial(const int16_t (&gyro_zero)[3]) {
     imu.resume();
     for (uint8_t i = 0; i < 3; ++i) zero.of[i] = gyro_zero[i] * kKeptStep;

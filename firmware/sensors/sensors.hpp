@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "core/maths.hpp"
+#include "core/maths.hpp"
 #include "drivers/gps_fix.hpp"
 
 namespace firmware {
@@ -15,6 +16,15 @@ void findBoard();
 bool wrongBoard();
 
 void startSensors();
+
+// How far the airplane has turned, and in how many sample periods, since the program hangs: kept
+// by an interrupt, made radians of after the restart, when the zero is known again.
+struct BlindTurn {
+    int16_t turned[3];
+    uint8_t periods;
+};
+void keepBlindTurn(BlindTurn& to);
+core::Vector3 blindTurn_rad(const BlindTurn& turn);
 
 // The gyros' zero, in 2^-24 of a radian a sample period; and how to go on with one from before a
 // restart, without bringing up a sensor that is up already.

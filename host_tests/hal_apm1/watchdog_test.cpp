@@ -26,7 +26,7 @@ TEST(Apm1Watchdog, starts_a_program_that_hangs_again_through_address_0) {
     EXPECT_THAT(bench.words(1), ElementsAre(kPowerOn, kWatchdog));
     EXPECT_EQ(bench.resets, 0);
     const double bitten_ms = static_cast<double>(bench.reports[2].cycle - bench.reports[1].cycle);
-    EXPECT_NEAR(bitten_ms / 16000, 250, 25);
+    EXPECT_NEAR(bitten_ms / 16000, 125, 13);
 }
 
 TEST(Apm1Watchdog, reboot_comes_back_at_once_without_a_reset) {

@@ -9,13 +9,13 @@ namespace {
 constexpr int kPowerOn = 0, kExternal = 1, kBrownOut = 2, kWatchdog = 3, kAsked = 6;
 }
 
-TEST(HalWatchdog, lets_a_fed_program_run_and_bites_one_that_hangs_after_250_ms) {
+TEST(HalWatchdog, lets_a_fed_program_run_and_bites_one_that_hangs_after_125_ms) {
     Bench bench("watchdog");
     bench.run_ms(1500);
 
     ASSERT_THAT(bench.words(1), ElementsAre(kPowerOn, kWatchdog));
     const double bitten_ms = static_cast<double>(bench.reports[2].cycle - bench.reports[1].cycle);
-    EXPECT_NEAR(bitten_ms / 16000, 250, 25);
+    EXPECT_NEAR(bitten_ms / 16000, 125, 13);
 }
 
 TEST(HalWatchdog, reboot_comes_back_in_15_ms_and_the_watchdog_is_off_then) {

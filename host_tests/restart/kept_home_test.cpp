@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/restart/kept_home.hpp"
 
+#include <cstring>
+
 #include "fakes/fakes.hpp"
 #include "firmware/bench.hpp"
 #include "storage/eeprom_map.hpp"

@@ -22,6 +22,9 @@ public:
 
     void start() { Converter::start(); }
     void resume() {}
+    // Its converter stops when nobody takes what it has.
+    uint8_t peek(int16_t (&)[3]) const { return 0; }
+    static core::Vector3 peeked(const int16_t (&)[3]) { return {0, 0, 0}; }
     // Every frame.
     void step(uint32_t now_ms);
     void onDataReady() {}  // these sensors have no such line

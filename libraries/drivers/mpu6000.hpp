@@ -4,6 +4,7 @@
 #pragma once
 #include <stdint.h>
 
+#include "core/fixed.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "drivers/imu_sample.hpp"
@@ -33,6 +34,10 @@ public:
     // The mean since the last take; false when no sample came.
     bool take(ImuSample& sample);
     bool take(ImuSums& sums);
+    // From an interrupt: how far the airplane has turned since the last take(), and in how many
+    // periods; for peeked(), which makes radians of it, the gyros' zero still in them.
+    uint8_t peek(int16_t (&turned)[3]) const;
+    static core::Vector3 peeked(const int16_t (&turned)[3]);
     uint8_t waiting() const { return sums_.count + sums_.dead; }  // samples since the last take
 
     bool healthy() const { return healthy_; }
@@ -61,6 +66,7 @@ private:
                              kPowerManagement1 = 0x6B, kWhoAmI = 0x75;
     static constexpr uint8_t kDataReady = 0x01;
     static constexpr uint8_t kAwake = 0x03;
+    static constexpr int8_t kPeekSteps = 8;  // 1.4 rad in 16 bits
     static constexpr uint8_t kLastSetting = 9;
 
     void enter(State state, uint32_t now_ms) {
@@ -272,6 +278,21 @@ bool Mpu6000<Bus, Select>::take(ImuSums& to) {
           static_cast<uint8_t>(sums.count + sums.dead)};
     samples_ += sums.count;
     return true;
+}
+
+template <class Bus, class Select>
+uint8_t Mpu6000<Bus, Select>::peek(int16_t (&turned)[3]) const {
+    for (uint8_t i = 0; i < 3; ++i)
+        turned[i] = core::narrowed(sums_.chip[kGyro + i] / kPeekSteps);
+    return waiting();
+}
+
+template <class Bus, class Select>
+core::Vector3 Mpu6000<Bus, Select>::peeked(const int16_t (&turned)[3]) {
+    constexpr float kStep = kRateStep_rads * kPeriod_us * 1e-6f * kPeekSteps;
+    return core::Vector3{static_cast<float>(turned[1]), static_cast<float>(turned[0]),
+                         -static_cast<float>(turned[2])} *
+           kStep;
 }
 
 template <class Bus, class Select>

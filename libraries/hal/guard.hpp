@@ -6,7 +6,7 @@
 namespace hal {
 
 void guardStart();
-void guardTouch();  // every frame, by whoever drives the servos; within 100 ms
+void guardTouch();  // every frame, by whoever drives the servos; within 49 ms
 
 // Defined by the firmware: called every 4 ms while nobody touches the guard, interrupts off; at
 // most 40 us.

@@ -19,7 +19,7 @@ struct LastRun {
 const LastRun& lastRun();
 inline ResetCause resetCause() { return lastRun().ended; }
 
-void watchdogStart();  // begins anew when not fed for 250 ms
+void watchdogStart();  // begins anew when not fed for 125 ms
 void watchdogFeed();
 [[noreturn]] void reboot();  // past a bootloader that would wait
 
