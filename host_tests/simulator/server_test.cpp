@@ -118,6 +118,7 @@ TEST_F(LockStep, sets_usb_and_sticks) {
     EXPECT_TRUE(board.usb);
     EXPECT_EQ(control.ask("sticks 1500 1500 1100 1500 1500 1500 1500 1800"), "ok");
     EXPECT_EQ(control.ask("sticks off"), "ok");
+    EXPECT_EQ(control.ask("launch"), "ok");
 }
 
 TEST_F(LockStep, refuses_what_it_does_not_understand) {
