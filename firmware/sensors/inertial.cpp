@@ -140,9 +140,9 @@ void use(drivers::ImuSums& sums) {
     if (!possible()) to = before;
 }
 
-// A chip that talks nonsense is started anew, once a second.
+// A chip that talks nonsense is started anew, but has time to win trust before that comes again.
 void heal() {
-    if ((hal::now_ms() & 1023) < 10) imu.start();
+    if ((hal::now_ms() & 4095) < 10) imu.start();
     vehicle.imu.healthy = false;
     vehicle.imu.periods = 0;
 }
