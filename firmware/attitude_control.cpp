@@ -23,6 +23,8 @@ control::YawState yaw_state;
 control::AxisGains roll_gains, pitch_gains;
 control::AirFlow air;
 control::TurnRates turn;
+bool inverted;                                         // with loops that began so
+bool rolls;                                            // that, or on the way back from it
 int16_t roll_limit, pitch_min, pitch_max, trim_pitch;  // of an Angle
 Deflection rudder_mix;
 
@@ -31,7 +33,11 @@ void feelAir() {
     const auto& attitude = vehicle.attitude;
     air = control::airFlow(parameters.scaling_speed_mps, vehicle.estimate.equivalent_airspeed_mps,
                            parameters.speed_min_mps);
-    turn = control::turnRates(air, attitude.sin_roll, attitude.cos_roll, attitude.cos_pitch);
+    // upside down both turn the other way about the airplane's own axes
+    const float side = inverted ? -1 : 1;
+    turn = control::turnRates(air, attitude.sin_roll * side, attitude.cos_roll * side,
+                              attitude.cos_pitch);
+    if (inverted) turn = {-turn.pitch_rads, -turn.yaw_rads};
 }
 
 int16_t angle(int16_t cd) {
@@ -74,14 +80,41 @@ core::Angle error(core::Angle now_rad, core::Fixed<10> rate_rads, core::Angle de
     return core::between(now_rad, core::Angle::fromRaw(static_cast<int16_t>(limited + trim)));
 }
 
+// How far the wings are from level, whichever way up they are wanted: 1 there.
+int16_t righted() {
+    const int16_t cosine = vehicle.attitude.cos_roll.raw;
+    return inverted ? static_cast<int16_t>(-cosine) : cosine;
+}
+
+// Half a roll goes to the right and asks nobody where to turn.
 core::Angle rollError() {
-    return error(vehicle.attitude.roll_rad, vehicle.attitude.rate_rads.x, vehicle.roll_demand_rad,
-                 vehicle.pilot_roll_rad, -roll_limit, roll_limit, 0);
+    constexpr core::Fixed<14> kOver = 0.5f;
+    const int16_t upside = inverted ? INT16_MIN : 0;
+    const auto& attitude = vehicle.attitude;
+    if (!rolls || righted() > kOver.raw)
+        return error(attitude.roll_rad, attitude.rate_rads.x, vehicle.roll_demand_rad,
+                     vehicle.pilot_roll_rad, -roll_limit, roll_limit, upside);
+    const core::Angle left = core::between(attitude.roll_rad, core::Angle::fromRaw(upside));
+    constexpr int16_t kQuarter = 16384;
+    return left.raw < -kQuarter ? core::Angle::fromRaw(INT16_MAX) : left;
+}
+
+// The nose goes up by as much of the elevator as the wing is level, upside down by pushing; and no
+// harder than a wing bears that was made for the other side.
+core::Angle aboutWing(core::Angle up_rad) {
+    constexpr core::Angle kMost_rad = core::radians(14);
+    constexpr core::Fixed<14> kThere = 0.8f;
+    const int16_t limited =
+        core::limit<int16_t>(up_rad.raw, static_cast<int16_t>(-kMost_rad.raw), kMost_rad.raw);
+    if (!inverted && righted() > kThere.raw && limited == up_rad.raw) rolls = false;
+    return core::Angle::fromRaw(core::times14(limited, vehicle.attitude.cos_roll.raw));
 }
 
 core::Angle pitchError() {
-    return error(vehicle.attitude.pitch_rad, vehicle.attitude.rate_rads.y, vehicle.pitch_demand_rad,
-                 vehicle.pilot_pitch_rad, pitch_min, pitch_max, trim_pitch);
+    const core::Angle up_rad =
+        error(vehicle.attitude.pitch_rad, vehicle.attitude.rate_rads.y, vehicle.pitch_demand_rad,
+              vehicle.pilot_pitch_rad, pitch_min, pitch_max, trim_pitch);
+    return rolls ? aboutWing(up_rad) : up_rad;
 }
 
 Deflection yaw() {
@@ -152,10 +185,13 @@ void addSticks() {
 }  // namespace
 
 void runAttitudeControl() {
-    if (vehicle.mode_changed) {
+    if (vehicle.mode_changed || inverted != vehicle.inverted) {
+        rolls = rolls || vehicle.inverted;
+        inverted = vehicle.inverted;
         roll_state = pitch_state = control::AxisState();
         yaw_state = control::YawState();
     }
+    if (vehicle.sticks > Sticks::on_top) rolls = false;  // the pilot's own
     look = (look + 1) % core::count(kLooks);
     core::romRead(kLooks[look])();
     const bool at_trim = vehicle.mode == Mode::initialising;

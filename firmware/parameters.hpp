@@ -47,6 +47,7 @@ struct Parameters {
     int16_t trim_pitch_cd;
     int8_t stall_prevention;
     // modes
+    int8_t inverted_channel;  // INVERTEDFLT_CH
     int16_t acro_roll_rate_dps, acro_pitch_rate_dps;
     int8_t acro_locking;
     int8_t autotune_level;

@@ -181,6 +181,9 @@ struct Vehicle {
     core::Angle pilot_roll_rad,
         pilot_pitch_rad;  // stick mixing: added to the demands, within the limits
 
+    // ---- inverted.cpp
+    bool inverted;  // bank is counted from upside down
+
     // ---- outputs.cpp
     uint16_t servo_us[hal::kServos];
 };

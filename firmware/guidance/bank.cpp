@@ -12,7 +12,8 @@
 namespace firmware {
 namespace {
 
-constexpr float kTurnShare = 0.7f;  // of the bank limit, for planned turns
+constexpr float kTurnShare = 0.7f;      // of the bank limit, for planned turns
+constexpr float kInvertedShare = 0.5f;  // of the bank limit, for a wing the wrong way up
 constexpr float kSlowBank_mss = 0.4663f * core::kGravity_mss;  // 25 degrees below flying speed
 
 navigation::BankTrim trim;
@@ -20,8 +21,9 @@ float carried_mss;  // see carriedBank_mss
 float turn_accel_mss;
 
 float limit_rad(BankLimit limit) {
-    return limit == BankLimit::level ? core::radians(parameters.level_roll_limit_deg)
-                                     : core::radiansFromCentidegrees(parameters.roll_limit_cd);
+    if (limit == BankLimit::level) return core::radians(parameters.level_roll_limit_deg);
+    const float most_rad = core::radiansFromCentidegrees(parameters.roll_limit_cd);
+    return vehicle.inverted ? kInvertedShare * most_rad : most_rad;
 }
 
 // The bank whose load the wings still carry at this speed: lift grows with its square.
@@ -52,8 +54,9 @@ void planTurns() {
 float turnAccel_mss() { return turn_accel_mss; }
 
 float presentBank_mss() {
-    const float cosine = core::limit<float>(vehicle.attitude.cos_roll, 0.3f, 1.0f);
-    const float tangent = core::limit(vehicle.attitude.sin_roll / cosine, -2.0f, 2.0f);
+    const float side = vehicle.inverted ? -1 : 1;
+    const float cosine = core::limit(vehicle.attitude.cos_roll * side, 0.3f, 1.0f);
+    const float tangent = core::limit(vehicle.attitude.sin_roll * side / cosine, -2.0f, 2.0f);
     return core::kGravity_mss * tangent - trim.accel_mss();
 }
 

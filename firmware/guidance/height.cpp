@@ -32,21 +32,28 @@ float pathAngle_rad() {
     return core::limit(vehicle.estimate.climb_mps / airspeed_mps(), -0.8f, 0.8f);
 }
 
+// Of the bank, counted from upside down where that is flown.
+float cosRoll() {
+    const float cosine = vehicle.attitude.cos_roll;
+    return vehicle.inverted ? -cosine : cosine;
+}
+
 // Along the path, from what the accelerometer feels: lift acts across the path, so only the angle
 // of attack's share of it is left, and gravity's.
 float pathAcceleration_mss() {
     const auto& attitude = vehicle.attitude;
     const float path_rad = pathAngle_rad();
-    const float cosine = core::limit<float>(attitude.cos_roll, 0.3f, 1.0f);
-    const float alpha_rad = core::limit((attitude.pitch_rad - path_rad) / cosine, -0.3f, 0.3f);
+    const float cosine = core::limit(cosRoll(), 0.3f, 1.0f);
+    float alpha_rad = core::limit((attitude.pitch_rad - path_rad) / cosine, -0.3f, 0.3f);
+    if (vehicle.inverted) alpha_rad = -alpha_rad;
     return vehicle.imu.accel_mss.x + vehicle.imu.accel_mss.z * alpha_rad -
            core::kGravity_mss * path_rad;
 }
 
 control::SpeedHeightMeasured measured() {
     const auto& estimate = vehicle.estimate;
-    return {estimate.height_m,      estimate.climb_mps,        airspeed_mps(),
-            pathAcceleration_mss(), vehicle.attitude.cos_roll, vehicle.airspeed.healthy};
+    return {estimate.height_m,      estimate.climb_mps, airspeed_mps(),
+            pathAcceleration_mss(), cosRoll(),          vehicle.airspeed.healthy};
 }
 
 // Airspeeds are demanded as the wing feels them; energy is made of true ones.

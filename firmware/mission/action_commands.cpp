@@ -5,6 +5,7 @@
 #include "firmware/camera.hpp"
 #include "firmware/fence.hpp"
 #include "firmware/home.hpp"
+#include "firmware/inverted.hpp"
 #include "firmware/mission/events.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/speed.hpp"
@@ -67,5 +68,7 @@ int32_t pictureEvery_cm(const Record& record) {
 void pictureEvery(const Record& record) { cameraEvery(pictureEvery_cm(record)); }
 
 void enableFence(const Record& record) { (void)fenceEnable(record.p1); }
+
+void flyInverted(const Record& record) { orderInverted(record.p1 != 0); }
 
 }  // namespace firmware

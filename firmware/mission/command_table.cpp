@@ -83,7 +83,7 @@ constexpr Named kNamed[] ROM = {
     {"MOUNT_CONTROL",       beyond(action(   none, 0xCD, F::mount,     mountInRange,           nothingToDo))},
     {"SET_CAM_TRIGG_DIST",  beyond(action(   none, 0xCE, F::distance,  pictureEveryInRange,    pictureEvery))},
     {"FENCE_ENABLE",        beyond(action(   none, 0xCF, F::one,       fenceInRange,           enableFence))},
-    {"INVERTED_FLIGHT",     beyond(action(   none, 0xD2, F::one,       uprightInRange,         nothingToDo))},
+    {"INVERTED_FLIGHT",     beyond(action(   none, 0xD2, F::one,       onOffInRange,           flyInverted))},
 };
 // clang-format on
 

@@ -2,6 +2,7 @@
 #include "firmware/mission/events.hpp"
 
 #include "firmware/camera.hpp"
+#include "firmware/inverted.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/outputs.hpp"
@@ -114,6 +115,7 @@ void runEvents() {
     missionCatchUp();
     tellVariables();
     runCamera();
+    runInverted();
     forgetHeldOfOtherModes();
     if (was_armed && !vehicle.armed) stopEvents();
     was_armed = vehicle.armed;

@@ -35,7 +35,6 @@ uint8_t interestInRange(const Record&, Site);
 uint8_t mountInRange(const Record&, Site);
 uint8_t pictureEveryInRange(const Record&, Site);
 uint8_t fenceInRange(const Record&, Site);
-uint8_t uprightInRange(const Record&, Site);
 // APM 1.0
 uint8_t modeInRange(const Record&, Site);
 uint8_t firstInRange(const Record&, Site);
@@ -107,6 +106,7 @@ void takePicture(const Record&);
 void pictureEvery(const Record&);
 int32_t pictureEvery_cm(const Record&);
 void enableFence(const Record&);
+void flyInverted(const Record&);
 
 // ---- places.cpp
 // False: no NAV, or none with a place that is known before it loads.

@@ -4,6 +4,7 @@
 
 #include "firmware/camera.hpp"
 #include "firmware/failsafe/failsafe.hpp"
+#include "firmware/inverted.hpp"
 #include "firmware/log/log.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
@@ -81,6 +82,7 @@ void onReset() {
     resetSpeed();
     stopEvents();
     cameraEvery(0);
+    orderInverted(false);
     forgetPlace();
 }
 

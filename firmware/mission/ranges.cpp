@@ -153,8 +153,6 @@ uint8_t pictureEveryInRange(const Record& record, Site) {
 
 uint8_t fenceInRange(const Record& record, Site) { return record.p1 <= 2 ? kFine : wrong(1); }
 
-uint8_t uprightInRange(const Record& record, Site) { return record.p1 == 0 ? kFine : wrong(1); }
-
 uint8_t modeInRange(const Record& record, Site) { return isMode(record.p1) ? kFine : wrong(1); }
 
 uint8_t firstInRange(const Record&, Site site) {

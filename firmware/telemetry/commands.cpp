@@ -37,6 +37,7 @@ constexpr CommandRow kCommands[] ROM = {
     {MavCmd::do_reposition,                  reposition},
     {MavCmd::do_digicam_control,             actNow},
     {MavCmd::do_set_cam_trigg_dist,          actNow},
+    {MavCmd::do_inverted_flight,             actNow},
     {MavCmd::do_fence_enable,                enableFence},
     {MavCmd::do_set_mission_current,         setCurrentItem},
     {MavCmd::preflight_calibration,          calibrate},

@@ -242,13 +242,11 @@ TEST_F(Apm1Flight, a_servo_pulse_may_be_set_on_every_other_output_until_the_mode
     }
 }
 
-TEST_F(Apm1Flight, the_throttle_of_a_disarmed_airplane_may_be_set_and_arming_takes_it_back) {
+TEST_F(Apm1Flight, the_throttle_is_not_taken_even_from_a_disarmed_airplane) {
     vehicle.armed = vehicle.estimate.flying = false;
     run(command(0x82, 2, 1300));
-    EXPECT_EQ(outputPulse_us(3), 1300);
-    vehicle.armed = true;
-    runOutputs();
     EXPECT_NE(outputPulse_us(3), 1300);
+    EXPECT_TRUE(tells("Mission: output 3 refused"));
 }
 
 TEST_F(Apm1Flight, jumps_to_one_fly_round_and_round) {

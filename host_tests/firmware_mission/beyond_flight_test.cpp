@@ -451,6 +451,39 @@ TEST_F(Camera, an_output_of_another_function_goes_on_following_the_receiver) {
 
 // ---- the rest
 
+TEST_F(Beyond, inverted_flight_lasts_until_0_or_a_change_of_mode) {
+    fly({waypoint(500), command(210, 1), waypoint(900), command(210, 0), waypoint(1500)});
+    pass();
+    EXPECT_FALSE(vehicle.inverted);
+    reach();
+    pass();
+    EXPECT_TRUE(vehicle.inverted);
+    reach();
+    pass();
+    EXPECT_FALSE(vehicle.inverted);
+    missionRestart();
+    pass(2);
+    reach();
+    pass();
+    EXPECT_TRUE(vehicle.inverted);
+    setMode(Mode::loiter, ModeReason::pilot);
+    pass();
+    EXPECT_FALSE(vehicle.inverted);
+    enterAuto();
+    pass();
+    EXPECT_FALSE(vehicle.inverted) << "what has run is not run again";
+}
+
+TEST_F(Beyond, a_restart_turns_the_airplane_upright) {
+    fly({waypoint(500), command(210, 1), waypoint(900)});
+    reach();
+    pass();
+    EXPECT_TRUE(vehicle.inverted);
+    missionRestart();
+    pass();
+    EXPECT_FALSE(vehicle.inverted);
+}
+
 TEST_F(Beyond, fence_enable_tells_what_keeps_the_fence_off) {
     fly({command(207, 1), waypoint(500)});
     EXPECT_TRUE(tells("No fence that is fit"));

@@ -161,7 +161,7 @@ const Refusal kApm2Refusals[] = {
     {command(206, 10001), wrong(1)},
     {command(206, INFINITY), wrong(1)},
     {command(207, 3), wrong(1)},
-    {command(210, 1), wrong(1)},
+    {command(210, 2), wrong(1)},
     {command(190, 0), MissionResult::unsupported},
     {command(0x116, 0), MissionResult::unsupported},
     {command(0x40, 12), MissionResult::unsupported},

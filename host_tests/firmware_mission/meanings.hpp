@@ -54,7 +54,7 @@ constexpr Meaning kMeanings[] = {
     {kSet2, 0xCD, {"MAV_MOUNT_MODE", "pitch, degrees", "roll, degrees", "yaw, degrees"}, "kept, and told at the upload: there is no mount"},
     {kSet2, 0xCE, {nullptr, "metres, rounded", "exact, cm; 0: as p2", nullptr}, "takes a picture whenever so much is flown over the ground; 0 ends that, and so do disarming and a restart of the mission"},
     {kSet2, 0xCF, {"0 off, 1 on, 2 the floor off", nullptr, nullptr, nullptr}, "switches the fence"},
-    {kSet2, 0xD2, {"0 upright; 1, inverted, is refused", nullptr, nullptr, nullptr}, "it flies upright"},
+    {kSet2, 0xD2, {"1 inverted, 0 upright", nullptr, nullptr, nullptr}, "upside down until 0 or a change of mode; above 30 m, and upright below 15 m and in take-off and landing"},
     {kSet1, 0x10, {kRadius_, kAltitude_, kLatitude_, kLongitude_}, kPassed},
     {kSet1, 0x11, {nullptr, kAltitude_, kLatitude_, kLongitude_}, kEndless},
     {kSet1, 0x12, {"turns", kAltitude_, kLatitude_, kLongitude_}, kTurns},

@@ -49,7 +49,7 @@ constexpr Sample kSamples[] = {
     {kSet2, {0xCD, 0,   2, -45, 10, 180}},
     {kSet2, {0xCE, 0,   0, 25, 0, 0}},
     {kSet2, {0xCF, 0,   2, 0, 0, 0}},
-    {kSet2, {0xD2, 0,   0, 0, 0, 0}},
+    {kSet2, {0xD2, 0,   1, 0, 0, 0}},
     {kSet1, {0x10, 0,  25, 12345, kNorth, kEast}},
     {kSet1, {0x11, 0,   0, 12345, kNorth, kEast}},
     {kSet1, {0x12, 0,   3, 12345, kNorth, kEast}},

@@ -48,6 +48,7 @@ const remarks = {
   do_go_around: 'breaks off AUTO\'s landing; p1: the height above home to climb to first',
   do_digicam_control: 'takes a picture',
   do_set_cam_trigg_dist: 'p1 = metres from picture to picture, 0: no more',
+  do_inverted_flight: 'p1 = 1 upside down, 0 upright; until the mode changes',
   do_reposition: 'GUIDED: p2 bit 0 enters it, p1 > 0 ground speed, p3 > 0 radius with p4 = 1 to the left; what is NaN stays as it is',
   do_fence_enable: 'p1 = 1 on, 0 off, 2 the floor off; DENIED without a fence that is fit',
   do_set_mission_current: 'p1 = item, -1 the present one; p2 = 1: jumps count anew',

@@ -68,7 +68,7 @@ constexpr Row kRows[] = {
     {kApm2, 0xCD,   7, "a MAV_MOUNT_MODE of 0 to 6"},
     {kApm2, 0xCE,   1, "0, or a distance of 0.01 to 10000 m"},
     {kApm2, 0xCF,   1, "0 (off), 1 (on) or 2 (the floor off)"},
-    {kApm2, 0xD2,   1, "0, upright"},
+    {kApm2, 0xD2,   1, "0 or 1"},
     {kApm1, 0x16,   1, "a pitch of 0 to 60 degrees"},
     {kApm1, 0x21,   1, "a rate of 11 to 10000 cm/s"},
     {kApm1, 0x30,   1, "the number of a flight mode"},

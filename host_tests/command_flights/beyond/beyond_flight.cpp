@@ -26,11 +26,11 @@ constexpr uint64_t kStep_us = 20'000;
 constexpr double kDegree = M_PI / 180, kTimeLimit_s = 420;
 constexpr uint8_t kAuto = 10, kRtl = 11;
 // of the mission
-constexpr int kContinue = 2, kPictures = 4, kToHeight = 6, kBeforeRtl = 8, kApproach = 13,
-              kLanding = 14;
+constexpr int kContinue = 2, kPictures = 4, kToHeight = 6, kBeforeRtl = 12, kApproach = 17,
+              kLanding = 18;
 
 struct Moment {
-    double t_s, north_m, east_m, height_m, course_deg;
+    double t_s, north_m, east_m, height_m, course_deg, roll_deg;
     int item;
 };
 
@@ -71,7 +71,7 @@ private:
         const Truth& now = truth();
         flown_.push_back({seconds(), now.north_m, now.east_m, now.height_m,
                           std::atan2(now.velocity_east_mps, now.velocity_north_mps) / kDegree,
-                          firmware::missionCurrent()});
+                          now.roll_rad / kDegree, firmware::missionCurrent()});
         const bool held = std::abs(board_.world().servoPulse_us(kShutter) - 1300) < 3;
         if (held && !held_) pictures_.push_back(flown_.back());
         held_ = held;
@@ -81,7 +81,7 @@ private:
     void act() {
         const Moment& now = flown_.back();
         const bool flying = flight_.airborne_s().has_value();
-        if (flying && rtl_s_ < 0 && now.item == kBeforeRtl && now.north_m < 500) {
+        if (flying && rtl_s_ < 0 && now.item == kBeforeRtl && now.north_m < 150) {
             rtl_s_ = now.t_s;
             command(mavlink::MavCmd::do_set_mode, 1, kRtl);
         }
@@ -142,6 +142,24 @@ private:
         return std::abs(static_cast<double>(pictures_.size()) - wanted) < 2 && nearest_m > 21 &&
                farthest_m < 29 && pictures_.size() == firmware::picturesTaken();
     }
+    // From the tenth second on, for fifteen.
+    bool flewInverted() const {
+        const auto flown = during(kBeforeRtl);
+        if (flown.empty()) return false;
+        double lowest_m = 1e9, highest_m = 0, aside_m = 0, least_deg = 180;
+        for (const Moment& each : flown) {
+            const double at_s = each.t_s - flown.front().t_s;
+            if (at_s < 10) continue;
+            lowest_m = std::min(lowest_m, each.height_m);
+            highest_m = std::max(highest_m, each.height_m);
+            aside_m = std::max(aside_m, std::abs(each.east_m - 600));
+            if (at_s > 13 && at_s < 25) least_deg = std::min(least_deg, std::abs(each.roll_deg));
+        }
+        std::printf("          %.1f to %.1f m, up to %.1f m aside, bank at least %.0f degrees\n",
+                    lowest_m, highest_m, aside_m, least_deg);
+        return lowest_m > 62 && highest_m < 78 && aside_m < 12 && least_deg > 150 &&
+               std::abs(flown.back().roll_deg) < 30;
+    }
     bool cameHomeToLand() const {
         const auto approach = during(kApproach);
         return rtl_s_ > 0 && !approach.empty() && approach.front().t_s < rtl_s_ + 4 &&
@@ -170,6 +188,7 @@ private:
             {straightOn(), "CONTINUE_CHANGE_ALT: straight on, up to its altitude"},
             {photographed(), "SET_CAM_TRIGG_DIST: a picture each 25 m, none before or after"},
             {leftOnCourse(), "LOITER_TO_ALT: left at its altitude on the next leg's course"},
+            {flewInverted(), "INVERTED_FLIGHT: upside down along its leg, and back"},
             {cameHomeToLand(), "RTL_AUTOLAND: at the nearest DO_LAND_START"},
             {wentAround(), "DO_GO_AROUND: up before it turns, and the landing again"},
             {flight_.landed_s() && !truth().crashed && seconds() < kTimeLimit_s, "it landed"},

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/inverted.hpp"
+
+#include "firmware/modes.hpp"
+#include "firmware/parameters.hpp"
+#include "firmware/vehicle.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr uint16_t kSwitchOn_us = 1750;
+// Half a roll costs height, and so does a wing that was not made for it.
+constexpr float kLowestToRoll_m = 30, kLowest_m = 15;
+
+bool ordered;
+Mode ordered_in;
+
+bool wanted() {
+    if (ordered_in != vehicle.mode) ordered = false;
+    const int8_t channel = parameters.inverted_channel;
+    return ordered || (channel != 0 && !vehicle.radio.lost &&
+                       vehicle.radio.pulse_us[channel - 1] > kSwitchOn_us);
+}
+
+bool possible() {
+    const bool holds_attitude =
+        vehicle.sticks == Sticks::nothing || vehicle.sticks == Sticks::on_top;
+    const Path path = guidesItself() ? vehicle.demand.path : Path::none;
+    const float lowest_m = vehicle.inverted ? kLowest_m : kLowestToRoll_m;
+    return vehicle.armed && vehicle.estimate.flying && holds_attitude && path != Path::takeoff &&
+           path != Path::land && vehicle.mode != Mode::manual && vehicle.mode != Mode::autotune &&
+           vehicle.estimate.height_m > lowest_m;
+}
+
+}  // namespace
+
+void orderInverted(bool on) {
+    ordered = on;
+    ordered_in = vehicle.mode;
+}
+
+void runInverted() { vehicle.inverted = wanted() && possible(); }
+
+}  // namespace firmware
