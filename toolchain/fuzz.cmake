@@ -28,6 +28,10 @@ foreach(row IN LISTS handled)
     fuzz_test(${message} handler ${message})
 endforeach()
 
+add_test(NAME fuzz.gps COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/host_tests/fuzz/gps.mjs
+         ${CMAKE_BINARY_DIR}/fuzz/gps_fuzz)
+set_tests_properties(fuzz.gps PROPERTIES TIMEOUT 600 LABELS fuzz)
+
 # the mission tool: any bytes into each of its readers
 foreach(reader waypoints records image eeprom)
     add_test(NAME fuzz.mission_tool.${reader}

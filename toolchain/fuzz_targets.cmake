@@ -17,7 +17,7 @@ list(FILTER fakes_sources EXCLUDE REGEX _test\\.cpp$)
 add_library(fuzz_fakes STATIC ${fakes_sources})
 target_link_libraries(fuzzed PUBLIC fuzz_fakes)
 
-foreach(target parser handler conversation)
+foreach(target parser handler conversation gps)
     add_executable(${target}_fuzz ${CMAKE_SOURCE_DIR}/host_tests/fuzz/${target}_fuzz.cpp)
     target_link_libraries(${target}_fuzz PRIVATE fuzzed)
     target_link_options(${target}_fuzz PRIVATE -fsanitize=fuzzer,address,undefined)
