@@ -121,7 +121,9 @@ bool frameDue() {
 }
 
 // The clock is looked at when the rest has ended, not at every interrupt.
-bool workWaits() { return inertialSamplesWaiting() >= kSamplesPerFrame || telemetryWaits(); }
+bool workWaits() {
+    return inertialSamplesWaiting() >= kSamplesPerFrame || telemetryWaits() || gpsWaits();
+}
 
 }  // namespace
 
@@ -154,6 +156,8 @@ void turn() {
         frame_began = hal::ticks();
         schedule.runFrame(hal::now_us());
         if (supervisor.wellAfter(schedule.takeServed())) hal::watchdogFeed();
+    } else if (gpsWaits()) {
+        runGps();
     } else if (!telemetryPump() && !logFind()) {
         hal::idle(workWaits);
     }
