@@ -103,6 +103,7 @@ int32_t angle_e7(int32_t degrees_minutes, int32_t letter, uint8_t negative, bool
     constexpr int32_t kDegree = 10000000;
     const int32_t minutes_e5 = degrees_minutes % kDegree;
     if (degrees_minutes < 0 || minutes_e5 > 6000000) odd = true;
+    if (odd) return 0;
     const int32_t angle = degrees_minutes - minutes_e5 + (minutes_e5 * 5 + 1) / 3;
     return letter == negative ? -angle : angle;
 }
