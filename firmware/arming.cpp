@@ -67,6 +67,14 @@ bool fieldBad() {
            (square < kLeast_mg * kLeast_mg || square > kMost_mg * kMost_mg);
 }
 
+// More than that has not come from the airplane itself.
+bool offsetsBad() {
+    constexpr float kMost_mg = 500;
+    const float* const mg = parameters.compass_offset_mg;
+    const core::Vector3 offset = {mg[0], mg[1], mg[2]};
+    return parameters.compass_use != 0 && core::dot(offset, offset) > kMost_mg * kMost_mg;
+}
+
 bool gpsBad() { return vehicle.gps.fix != GpsFix::three_d || !vehicle.estimate.known; }
 bool dilutionBad() { return vehicle.gps.hdop_c > 350; }
 
@@ -122,6 +130,7 @@ constexpr Check kChecks[] ROM = {
     {kBarometer,    barometerBad,      "PreArm: barometer"},
     {kCompass,      compassBad,        "PreArm: compass"},
     {kCompass,      fieldBad,          "PreArm: check mag field"},
+    {kCompass,      offsetsBad,        "PreArm: compass offsets"},
     {kGps,          gpsBad,            "PreArm: no GPS fix"},
     {kGps,          dilutionBad,       "PreArm: high GPS HDOP"},
     {kAirspeed,     airspeedBad,       "PreArm: airspeed sensor"},

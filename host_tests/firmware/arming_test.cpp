@@ -116,6 +116,8 @@ INSTANTIATE_TEST_SUITE_P(
               [] {
                   vehicle.compass.field_mg = {0, 900, 0};
               }},
+        Fault{"PreArm: compass offsets",
+              [] { parameters.compass_offset_mg[0] = parameters.compass_offset_mg[1] = 380; }},
         Fault{"PreArm: no GPS fix", [] { vehicle.gps.fix = firmware::GpsFix::two_d; }},
         Fault{"PreArm: no GPS fix", [] { vehicle.estimate.known = false; }},
         Fault{"PreArm: high GPS HDOP", [] { vehicle.gps.hdop_c = 400; }},

@@ -244,6 +244,7 @@ TEST_F(Apm1Flight, a_servo_pulse_may_be_set_on_every_other_output_until_the_mode
 
 TEST_F(Apm1Flight, the_throttle_is_not_taken_even_from_a_disarmed_airplane) {
     vehicle.armed = vehicle.estimate.flying = false;
+    (void)told();
     run(command(0x82, 2, 1300));
     EXPECT_NE(outputPulse_us(3), 1300);
     EXPECT_TRUE(tells("Mission: output 3 refused"));
