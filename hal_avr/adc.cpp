@@ -87,8 +87,8 @@ void analogScan() {
     if (scan.running) return;
     scan.running = true;
     begin(wiring::kFirstAnalogStep);
-    // One of supplyLow() that is under way ends as the first to be dropped; the end of another is
-    // forgotten.
+    // One of supplyLow() that is under way ends first; the end of another is forgotten.
+    if (ADCSRA & (1 << ADSC)) ++scan.drop;
     ADCSRA = kEnabled | (1 << ADIF) | (1 << ADSC);
 }
 

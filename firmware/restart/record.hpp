@@ -49,7 +49,8 @@ void seal(SteadyRecord& record);
 void seal(MovingRecord& record);
 bool whole(const SteadyRecord& record);
 bool whole(const MovingRecord& record);
-void spoil(SteadyRecord& record);  // not whole any more
+// Not whole any more. What is being written is not either: what has changed does not fit the seal.
+void spoil(SteadyRecord& record);
 void spoil(MovingRecord& record);
 
 // Two in turn, so that a reset while one is written leaves the other: the newest whole one;

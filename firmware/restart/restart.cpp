@@ -52,13 +52,11 @@ void keepMoving() {
     const FlightSigns signs = {vehicle.armed, vehicle.estimate.flying,
                                vehicle.estimate.ground_speed_mps, vehicle.estimate.height_m};
     MovingRecord& to = moving[++number & 1];
-    spoil(to);
     fill(to, inTheAir(signs));
     seal(to);
 }
 
 void keepSteady() {
-    spoil(steady);
     steady.home = vehicle.home.position;
     steady.home_altitude_cm = vehicle.home.altitude_cm;
     steady.ground_pressure_pa = vehicle.baro.ground_pressure_pa;
@@ -109,18 +107,17 @@ void tellFaults() {
     tell(Severity::error, ROM_TEXT("Fault #"), static_cast<uint8_t>(broken.last));
 }
 
+bool homeIsKept() {
+    const auto& home = vehicle.home;
+    return home_kept && steady.home.latitude_e7 == home.position.latitude_e7 &&
+           steady.home.longitude_e7 == home.position.longitude_e7 &&
+           steady.home_altitude_cm == home.altitude_cm;
+}
+
 void keepHomeOfFlight() {
-    if (vehicle.armed && vehicle.home.set) {
-        const bool same = home_kept &&
-                          steady.home.latitude_e7 == vehicle.home.position.latitude_e7 &&
-                          steady.home.longitude_e7 == vehicle.home.position.longitude_e7 &&
-                          steady.home_altitude_cm == vehicle.home.altitude_cm;
-        if (!same)
-            home_kept =
-                keepHome(vehicle.home.position, vehicle.home.altitude_cm) == core::Status::ok;
-    } else if (!vehicle.armed && home_kept) {
-        home_kept = forgetHome() != core::Status::ok;
-    }
+    if (vehicle.armed && vehicle.home.set && !homeIsKept())
+        home_kept = keepHome(vehicle.home.position, vehicle.home.altitude_cm) == core::Status::ok;
+    if (!vehicle.armed && home_kept) home_kept = forgetHome() != core::Status::ok;
 }
 
 // The power went in flight, or was taken from an armed airplane: it may be in the air.

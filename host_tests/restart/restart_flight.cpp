@@ -457,6 +457,7 @@ void coldStart(const char* firmware, const BoardWiring& wiring) {
     bench.command(mavlink::MavCmd::component_arm_disarm, 1);
     const bool armed = bench.runUntil(1.5, [&] { return bench.telemetry().armed(); });
     check(armed, "ready 4 s after the beginning");
+    if (!armed) std::printf("      %s\n", bench.telemetry().texts.back().text.c_str());
     checkSaid(bench, 0, "EEPROM blank: defaults");
     checkSaid(bench, 0, "Started by a reset");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimation/attitude.hpp"
 
+#include "core/broken.hpp"
 #include "estimation/arc.hpp"
 
 namespace estimation {
@@ -183,8 +184,10 @@ void Attitude::stretchToUnit(Row& row, int32_t squared) {
 void Attitude::keepUpright() {
     const int32_t squared = dot(down_, down_), along = dot(north_, north_);
     constexpr int32_t kHalf = kOne >> 3, kDouble = kOne >> 1;
-    if (squared < kHalf || squared > kDouble || along < kHalf || along > kDouble)
+    if (squared < kHalf || squared > kDouble || along < kHalf || along > kDouble) {
+        core::broken(core::Fault::attitude_matrix);
         return start();  // no matrix any more: begin again
+    }
     stretchToUnit(down_, squared);
     const int16_t skew = core::upper(dot(north_, down_) * 4);  // in 2^-14
     add(north_, down_, static_cast<int16_t>(-skew));

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tells why it was started, touches the guard for half a second and then no more; scans the
+// analogue inputs all the time and tells the first of them.
+#include "hal/guard.hpp"
+
+#include "hal/analog.hpp"
+#include "hal/watchdog.hpp"
+#include "report.hpp"
+
+namespace hal {
+void imuDataReady() {}
+void servosForgotten() { report(3, 0); }
+}  // namespace hal
+
+int main() {
+    board::start();
+    report(1, static_cast<uint16_t>(hal::resetCause()));
+    hal::guardStart();
+    uint32_t scanned_ms = 0;
+    bool told = false;
+    for (;;) {
+        if (hal::now_ms() - scanned_ms >= 20) {
+            scanned_ms = hal::now_ms();
+            const hal::AnalogSum taken = hal::analogTake(hal::Analog::airspeed);
+            if (taken.count > 0) report(4, taken.sum / taken.count);
+            hal::analogScan();
+        }
+        if (hal::now_ms() < 500) {
+            hal::guardTouch();
+        } else if (!told) {
+            told = true;
+            report(2, 0);
+        }
+    }
+}
