@@ -24,7 +24,7 @@ control::AxisGains roll_gains, pitch_gains;
 control::AirFlow air;
 control::TurnRates turn;
 bool inverted;                                         // with loops that began so
-bool rolls;                                            // that, or on the way back from it
+bool rolls;                                            // so, or on the way there or back
 int16_t roll_limit, pitch_min, pitch_max, trim_pitch;  // of an Angle
 Deflection rudder_mix;
 
@@ -86,7 +86,7 @@ int16_t righted() {
     return inverted ? static_cast<int16_t>(-cosine) : cosine;
 }
 
-// Half a roll goes to the right and asks nobody where to turn.
+// Half a roll asks nobody where to turn; where both ways are long it goes to the right.
 core::Angle rollError() {
     constexpr core::Fixed<14> kOver = 0.5f;
     const int16_t upside = inverted ? INT16_MIN : 0;
@@ -95,8 +95,8 @@ core::Angle rollError() {
         return error(attitude.roll_rad, attitude.rate_rads.x, vehicle.roll_demand_rad,
                      vehicle.pilot_roll_rad, -roll_limit, roll_limit, upside);
     const core::Angle left = core::between(attitude.roll_rad, core::Angle::fromRaw(upside));
-    constexpr int16_t kQuarter = 16384;
-    return left.raw < -kQuarter ? core::Angle::fromRaw(INT16_MAX) : left;
+    constexpr core::Angle kLong_rad = core::radians(150);
+    return left.raw < -kLong_rad.raw ? core::Angle::fromRaw(INT16_MAX) : left;
 }
 
 // The nose goes up by as much of the elevator as the wing is level, upside down by pushing; and no
@@ -191,7 +191,8 @@ void runAttitudeControl() {
         roll_state = pitch_state = control::AxisState();
         yaw_state = control::YawState();
     }
-    if (vehicle.sticks > Sticks::on_top) rolls = false;  // the pilot's own
+    if (vehicle.attitude.cos_roll.raw < 0) rolls = true;  // whatever has thrown it over
+    if (vehicle.sticks > Sticks::on_top) rolls = false;   // the pilot's own
     look = (look + 1) % core::count(kLooks);
     core::romRead(kLooks[look])();
     const bool at_trim = vehicle.mode == Mode::initialising;

@@ -98,6 +98,16 @@ TEST_F(Inverted, is_never_pulled_through) {
     EXPECT_GT(at(-30, -15).elevator, 0.1f);
 }
 
+TEST_F(Inverted, an_airplane_thrown_over_rolls_upright_the_short_way_and_is_not_pulled_through) {
+    EXPECT_LT(at(120, -15).aileron, -0.4f);
+    EXPECT_LE(surfaces.elevator, 0);
+    (void)at(0, 0);
+    EXPECT_GT(at(-120, -15).aileron, 0.4f);
+    EXPECT_LE(surfaces.elevator, 0);
+    (void)at(0, 0);
+    EXPECT_GT(at(0, -15).elevator, 0.1f);
+}
+
 TEST_F(Inverted, half_a_roll_of_the_pilots_own_is_his) {
     firmware::orderInverted(true);
     (void)at(180, 0);
