@@ -70,7 +70,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { runGuidance,           5,     2,    2450 },
     { runSpeedHeight,       10,     4,    2400 },
     { runLog,                2,     0,    1150 },
-    { runRestart,            2,     1,     150 },
+    { runRestart,            2,     1,     220 },
     { runCompass,            2,     0,     310 },
     { runAirspeed,           2,     0,     280 },
     { runPoints,            10,     6,    1000 },
@@ -82,7 +82,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { runBattery,           10,     8,     460 },
     { parametersRun,        10,     9,     860 },
     { runLightsAndFlash,    10,     0,      95 },
-    { everySecond,         100,    51,     300 },
+    { everySecond,         100,    51,     950 },
 };
 // clang-format on
 
