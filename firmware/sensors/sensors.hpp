@@ -5,7 +5,6 @@
 #include <stdint.h>
 
 #include "core/maths.hpp"
-#include "core/maths.hpp"
 #include "drivers/gps_fix.hpp"
 
 namespace firmware {
