@@ -193,7 +193,7 @@ void runAttitudeControl() {
     }
     if (vehicle.attitude.cos_roll.raw < 0) rolls = true;  // whatever has thrown it over
     if (vehicle.sticks > Sticks::on_top) rolls = false;   // the pilot's own
-    look = (look + 1) % core::count(kLooks);
+    if (++look == core::count(kLooks)) look = 0;
     core::romRead(kLooks[look])();
     const bool at_trim = vehicle.mode == Mode::initialising;
     if (at_trim || vehicle.sticks == Sticks::direct)

@@ -86,21 +86,17 @@ constexpr uint16_t kSpendBeforePrelude = 520 * hal::kTicksPerUs;
 
 // What begins or ends is an event; what fails, an error with its code, or 0 when it is over.
 struct State {
-    bool (*holds)();
     uint8_t begins, ends;
 };
-
-bool armed() { return vehicle.armed; }
-bool flying() { return vehicle.estimate.flying; }
+enum : uint8_t { kArmed = 1, kFlying = 2 };  // a bit for each row
 
 // Numbers as ArduCopter's logs have them, ArduPlane's have none.
 // clang-format off
 constexpr State kStates[] ROM = {
-    {armed,  10, 11},
-    {flying, 28, 18},
+    {10, 11},  // kArmed
+    {28, 18},  // kFlying
 };
 // clang-format on
-static_assert(core::count(kStates) <= 8, "a bit each");
 
 constexpr uint8_t kProcessor = 19;  // with the cause of its last reset
 
@@ -162,6 +158,7 @@ void findDue() {
 }
 
 bool putDue() {
+    if (due == 0) return false;
     uint16_t bit = 1;
     for (const Source& in_flash : kSources) {
         if ((due & bit) != 0) {
@@ -196,12 +193,13 @@ bool putPrelude() {
 }
 
 bool putState() {
+    const uint8_t now = static_cast<uint8_t>((vehicle.armed ? kArmed : 0) |
+                                             (vehicle.estimate.flying ? kFlying : 0));
     uint8_t bit = 1;
     for (const State& in_flash : kStates) {
-        const State state = core::romRead(in_flash);
-        const bool holds = state.holds();
-        if (holds != ((states & bit) != 0)) {
-            const bool ok = putEvent(holds ? state.begins : state.ends);
+        if (((now ^ states) & bit) != 0) {
+            const State state = core::romRead(in_flash);
+            const bool ok = putEvent((now & bit) != 0 ? state.begins : state.ends);
             if (ok) states ^= bit;
             return ok;
         }
@@ -211,6 +209,7 @@ bool putState() {
 }
 
 bool putFailure() {
+    if (vehicle.failing == failing) return false;
     uint16_t bit = 1;
     for (const CauseRow& cause : kCauseTable) {
         if (((vehicle.failing ^ failing) & bit) != 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the airplane is, how it lies in the air and where it is going.
 #include "core/maths.hpp"
+#include "estimation/arc.hpp"
 #include "firmware/estimator.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/telemetry/messages.hpp"
@@ -13,9 +14,10 @@ namespace {
 
 int16_t centi(float value) { return static_cast<int16_t>(core::rounded(value * 100)); }
 
-uint16_t heading_cd() {
-    return static_cast<uint16_t>(
-        core::wrap360_cd(core::rounded(core::centidegrees(vehicle.attitude.yaw_rad))));
+// From 0, clockwise, where a whole turn is so many.
+uint16_t heading(uint16_t turn) {
+    const uint16_t raw = static_cast<uint16_t>(vehicle.attitude.yaw_rad.raw);
+    return static_cast<uint16_t>(static_cast<uint32_t>(raw) * turn >> 16);
 }
 
 int32_t altitude_mm() {  // above sea level
@@ -24,7 +26,9 @@ int32_t altitude_mm() {  // above sea level
 }
 
 int16_t degreesOf(int32_t angle_cd) {
-    return static_cast<int16_t>(core::wrap180_cd(angle_cd) / 100);
+    constexpr int16_t kPerCent = 20972;  // 2^21 / 100
+    const int16_t wrapped = static_cast<int16_t>(core::wrap180_cd(angle_cd));
+    return static_cast<int16_t>((core::upper(core::product(wrapped, kPerCent)) + 16) >> 5);
 }
 
 }  // namespace
@@ -57,7 +61,7 @@ bool fillIn(const Link&, mavlink::GlobalPositionInt& to) {
     to.vx = centi(vehicle.estimate.velocity_mps.x);
     to.vy = centi(vehicle.estimate.velocity_mps.y);
     to.vz = centi(vehicle.estimate.velocity_mps.z);
-    to.hdg = heading_cd();
+    to.hdg = heading(36000);
     return true;
 }
 
@@ -66,7 +70,7 @@ bool fillIn(const Link&, mavlink::VfrHud& to) {
     to.groundspeed = vehicle.estimate.ground_speed_mps;
     to.alt = static_cast<float>(altitude_mm()) * 0.001f;
     to.climb = vehicle.estimate.climb_mps;
-    to.heading = static_cast<int16_t>(heading_cd() / 100);
+    to.heading = static_cast<int16_t>(heading(360));
     to.throttle = static_cast<uint16_t>(
         core::rounded(core::limit<float>(vehicle.throttle_demand, 0.0f, 1.0f) * 100));
     return true;
@@ -74,9 +78,10 @@ bool fillIn(const Link&, mavlink::VfrHud& to) {
 
 bool fillIn(const Link&, mavlink::Wind& to) {
     const core::Vector3& wind_mps = vehicle.estimate.wind_mps;
-    // the message wants where the wind comes from
-    to.direction = core::degrees(atan2f(-wind_mps.y, -wind_mps.x));
     to.speed = sqrtf(core::square(wind_mps.x) + core::square(wind_mps.y));
+    // the message wants where the wind comes from
+    const float inverse = -1.0f / core::limit(to.speed, 0.001f, 200.0f);
+    to.direction = core::degrees(estimation::arc_rad(wind_mps.y * inverse, wind_mps.x * inverse));
     to.speed_z = wind_mps.z;
     return true;
 }

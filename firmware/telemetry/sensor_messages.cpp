@@ -13,17 +13,23 @@ namespace {
 
 constexpr uint8_t kUnknownRssi = 255;
 
-int16_t milli(float value) { return static_cast<int16_t>(core::rounded(value * 1000)); }
+// Thousandths of g of 2^-8 m/s2, and of a rad/s of 2^-10.
+int16_t milliG(core::Fixed<8> accel_mss) {
+    constexpr float kFactor = 1000 / core::kGravity_mss / 256 * 65536;
+    return core::upper(core::product(accel_mss.raw, static_cast<int16_t>(kFactor + 0.5f)));
+}
+int16_t milli(core::Fixed<10> rate_rads) {
+    return core::upper(core::product(rate_rads.raw, 32000) * 2);  // 65536 * 1000 / 1024 / 2
+}
 
 }  // namespace
 
 bool fillIn(const Link&, mavlink::RawImu& to) {
     // as ArduPilot sends it: mg, mrad/s, mgauss
-    constexpr float kOneG = 1 / core::kGravity_mss;
     to.time_usec = hal::now_us();
-    to.xacc = milli(vehicle.imu.accel_mss.x * kOneG);
-    to.yacc = milli(vehicle.imu.accel_mss.y * kOneG);
-    to.zacc = milli(vehicle.imu.accel_mss.z * kOneG);
+    to.xacc = milliG(vehicle.imu.accel_mss.x);
+    to.yacc = milliG(vehicle.imu.accel_mss.y);
+    to.zacc = milliG(vehicle.imu.accel_mss.z);
     to.xgyro = milli(vehicle.imu.rate_rads.x);
     to.ygyro = milli(vehicle.imu.rate_rads.y);
     to.zgyro = milli(vehicle.imu.rate_rads.z);

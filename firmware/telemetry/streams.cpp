@@ -102,11 +102,16 @@ inline uint8_t rate(uint8_t own_rate, const Rates& rates, uint8_t row) {
     return rates.of[static_cast<uint8_t>(core::romRead(kOutgoing[row].stream))];
 }
 
-// Time that passes while a message waits for room counts for its next one.
+// Time that passes while a message waits for room counts for its next one. 1: it has become due.
+inline __attribute__((always_inline)) uint8_t grow(uint8_t& phase, uint8_t by) {
+    const uint8_t before = phase;
+    const uint8_t sum = static_cast<uint8_t>(before + by);
+    phase = sum < before ? 0xFF : sum;
+    return before < kDue && phase >= kDue;
+}
+
 void age(Streams& streams, uint8_t row, uint8_t by) {
-    uint8_t& phase = streams.phase[row];
-    if (phase < kDue && by >= kDue - phase) ++streams.due;
-    phase = by > 0xFF - phase ? 0xFF : static_cast<uint8_t>(phase + by);
+    streams.due = static_cast<uint8_t>(streams.due + grow(streams.phase[row], by));
 }
 
 // The part of a turn the radio leaves to the streams; true when they have a whole turn together.
@@ -140,10 +145,17 @@ void streamsStart(Link& link) {
 void streamsTick(Link& link) {
     if (!turnIsDue(link)) return age(link.streams, kHeartbeatRow, kAlwaysRate);
     const Rates rates = ratesOf(link);
-    for (uint8_t row = 0; row < kOutgoingRows; ++row) {
-        const uint8_t by = rate(link.streams.own_rate[row], rates, row);
-        if (by != 0) age(link.streams, row, by);
+    const uint8_t* own_rate = link.streams.own_rate;
+    uint8_t* phase = link.streams.phase;
+    uint8_t due = 0;
+    for (const OutgoingRow& in_flash : kOutgoing) {
+        uint8_t by = *own_rate++;
+        if (by == kFollowStream)
+            by = rates.of[static_cast<uint8_t>(core::romRead(in_flash.stream))];
+        if (by != kNever) due = static_cast<uint8_t>(due + grow(*phase, by));
+        ++phase;
     }
+    link.streams.due = static_cast<uint8_t>(link.streams.due + due);
 }
 
 bool heartbeatDue(const Link& link) { return link.streams.phase[kHeartbeatRow] >= kDue; }

@@ -68,10 +68,8 @@ bool handleWhole(Link& link) {
     return true;
 }
 
-bool canReceive(const Link& link) { return hasRoom(link, kLongestTalk); }
-
+// For whose answers there is room.
 bool receive(Link& link) {
-    if (!canReceive(link)) return false;
     if (link.whole) return handleWhole(link);
     uint8_t byte;
     for (uint8_t i = 0; i < kBytesAtOnce; ++i) {
@@ -149,7 +147,11 @@ bool telemetryPump() {
     bool done = false;
     for (Link& link : links) {
         link.wake_room = roomToSend(link);
-        if (receive(link) || (hasRoom(link, link.wake_room) && sendOne(link))) done = true;
+        const uint8_t room = hal::serialRoom(portOf(link));
+        if (room >= kLongestTalk && receive(link))
+            done = true;
+        else if (room >= link.wake_room && sendOne(link))
+            done = true;
     }
     return done;
 }

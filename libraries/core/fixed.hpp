@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "core/convert.hpp"
 #include "core/multiply.hpp"
 
 namespace core {
@@ -31,12 +32,6 @@ inline int32_t timesUpper(int32_t a, int32_t b) {
 constexpr int32_t steps(float value, float twice) {
     return (static_cast<int32_t>(value * twice) + (value < 0 ? -1 : 1)) / 2;
 }
-constexpr float kManySteps = 65536;  // more than 16 bits hold
-__attribute__((noinline)) inline int16_t toFixed(float value, float twice) {
-    const float doubled = value * twice;
-    if (!(fabsf(doubled) < kManySteps)) return value < 0 ? INT16_MIN : INT16_MAX;
-    return narrowed((static_cast<int32_t>(doubled) + 1) >> 1);
-}
 __attribute__((noinline)) inline int16_t toAngle(float rad, float twice) {
     return static_cast<int16_t>(
         static_cast<uint16_t>((static_cast<int32_t>(rad * twice) + 1) >> 1));
@@ -55,9 +50,9 @@ public:
     Fixed() = default;
     constexpr Fixed(float value)  // as numbers are written
         : raw(__builtin_constant_p(value) ? narrowed(steps(value, 2 * kSteps))
-                                          : toFixed(value, 2 * kSteps)) {}
+                                          : toFixed(value, kFraction)) {}
     static constexpr Fixed fromRaw(int32_t raw) { return Fixed(narrowed(raw), 0); }
-    operator float() const { return fromSteps(raw, 1.0f / kSteps); }
+    operator float() const { return fromFixed(raw, kFraction); }
 
     int16_t raw;
 

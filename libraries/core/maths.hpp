@@ -3,7 +3,8 @@
 #pragma once
 #include <math.h>
 #include <stdint.h>
-#include <string.h>
+
+#include "core/convert.hpp"
 
 namespace core {
 
@@ -18,13 +19,6 @@ constexpr float centidegrees(float radians) { return radians * (18000.0f / kPi);
 template <class T>
 constexpr T limit(T value, T lowest, T highest) {
     return value < lowest ? lowest : (highest < value ? highest : value);
-}
-
-// In the order of the numbers, for all that are numbers.
-inline int32_t orderOf(float value) {
-    int32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits < 0 ? bits ^ INT32_MAX : bits;
 }
 
 // Comparing floats takes five times as long as comparing their bits. What is no number becomes one
@@ -58,11 +52,6 @@ inline float wrapPi(float angle_rad) {
     while (angle_rad > kPi) angle_rad -= 2 * kPi;
     while (angle_rad < -kPi) angle_rad += 2 * kPi;
     return angle_rad;
-}
-
-// Halves away from zero, as lroundf, without libm's 64-bit detour.
-constexpr int32_t rounded(float value) {
-    return static_cast<int32_t>(value < 0 ? value - 0.5f : value + 0.5f);
 }
 
 struct Vector3 {

@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 #include <string.h>
 
-#include "core/multiply.hpp"
+#include "core/fixed.hpp"
+#include "core/maths.hpp"
 
 namespace {
 
@@ -101,6 +102,34 @@ TEST(Arithmetic, times16_is_the_upper_part_of_the_whole_product) {
         wrong += wrongTimes16(a, static_cast<int16_t>(random32()));
     }
     EXPECT_EQ(wrong, 0);
+}
+TEST(Arithmetic, conversions_round_to_the_nearest) {
+    int wrong = 0;
+    for (uint16_t i = 0; i < 20000; ++i) {
+        const int16_t raw = static_cast<int16_t>(random32() >> (i & 15));
+        const float value = static_cast<float>(raw) * (1.0f / 1024);
+        wrong += core::fromFixed(raw, 10) != value;
+        wrong += core::toFixed(value, 10) != raw;
+        const float between = static_cast<float>(static_cast<int32_t>(random32()) >> (i & 31)) / 64;
+        const float up = between + (between < 0 ? -0.5f : 0.5f);
+        const int32_t expected =
+            fabsf(between) < 8388608.0f ? static_cast<int32_t>(up) : static_cast<int32_t>(between);
+        wrong += core::rounded(between) != expected;
+        const int16_t narrow = expected > INT16_MAX   ? INT16_MAX
+                               : expected < INT16_MIN ? INT16_MIN
+                                                      : static_cast<int16_t>(expected);
+        wrong += core::toFixed(between / 4096, 12) != narrow;
+    }
+    EXPECT_EQ(wrong, 0);
+    constexpr float kBeyond[] = {32767.6f, 1e6f, 1e38f, INFINITY};
+    for (const float beyond : kBeyond) {
+        EXPECT_EQ(core::toFixed(beyond, 0), INT16_MAX);
+        EXPECT_EQ(core::toFixed(-beyond, 0), INT16_MIN);
+        EXPECT_EQ(core::toFixed(beyond, 14), INT16_MAX);
+    }
+    EXPECT_EQ(core::toFixed(0, 14), 0);
+    EXPECT_EQ(core::toFixed(1e-30f, 14), 0);
+    EXPECT_EQ(core::toFixed(1e-40f, 14), 0);
 }
 TEST(Arithmetic, comparisons_say_what_the_librarys_do) {
     EXPECT_EQ(differences([](float a, float b) {

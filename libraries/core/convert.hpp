@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Between floats and whole numbers, rounded to the nearest, halves away from zero. The chip's are
+// by hand in hal_avr/arithmetic, a third of what the compiler makes of these.
+#pragma once
+#include "core/float_bits.hpp"
+
+#ifdef __AVR__
+extern "C" {
+int16_t fixedFromFloat(float value, int8_t power) __attribute__((const));
+float floatFromFixed(int16_t raw, int8_t fraction) __attribute__((const));
+int32_t roundedFloat(float value) __attribute__((const));
+}
+#endif
+
+namespace core {
+
+#ifdef __AVR__
+inline int32_t rounded(float value) { return roundedFloat(value); }
+inline int16_t toFixed(float value, int8_t power) { return fixedFromFloat(value, power); }
+inline float fromFixed(int16_t raw, int8_t fraction) { return floatFromFixed(raw, fraction); }
+#else
+inline int32_t rounded(float value) {
+    const uint16_t size = sizeOf(value);
+    if (size < sizeOfPower(-1)) return 0;
+    if (size >= sizeOfPower(23)) return static_cast<int32_t>(value);  // whole
+    const int32_t halves = static_cast<int32_t>(scaled(value, 1));
+    return (halves + (halves < 0 ? 0 : 1)) >> 1;
+}
+// Times 2^power; what is beyond 16 bits stays at their end.
+inline int16_t toFixed(float value, int8_t power) {
+    if (sizeOf(value) >= sizeOfPower(static_cast<int8_t>(15 - power)))
+        return value < 0 ? INT16_MIN : INT16_MAX;
+    const int32_t whole = rounded(scaled(value, power));
+    return static_cast<int16_t>(whole > INT16_MAX ? INT16_MAX : whole);
+}
+// Times 2^-fraction.
+inline float fromFixed(int16_t raw, int8_t fraction) {
+    return scaled(static_cast<float>(raw), static_cast<int8_t>(-fraction));
+}
+#endif
+
+}  // namespace core
