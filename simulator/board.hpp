@@ -19,6 +19,8 @@ struct BoardFigures {
     std::optional<double> interrupt_load;  // 0..1
     std::optional<uint32_t> frames;
     std::optional<uint32_t> frame_max_us, frame_mean_us, frame_p99_us;
+    // from the data-ready edge of the newest inertial sample a frame uses to its last servo write
+    std::optional<uint32_t> latency_mean_us, latency_max_us;
     std::optional<uint32_t> frame_overruns;  // frames not done before the next was due
     std::optional<uint32_t> flash_bytes, ram_static_bytes, stack_max_bytes;
     struct Task {

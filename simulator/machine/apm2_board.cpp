@@ -117,6 +117,10 @@ void AvrBoard::wireSerial() {
 }
 
 void AvrBoard::wireOutputs() {
+    for (const ServoWire& servo : wiring_.servos) {
+        if (servo.timer == '5') continue;  // the clock's, compared for other reasons too
+        chip_.onCompareWrite(servo.timer, [this] { work_.servoWritten(chip_.cycle()); });
+    }
     servos_.on_pulse = [this](int output, double width_us) {
         world_.servoPulse(output, width_us, time_us());
     };
@@ -224,6 +228,7 @@ void AvrBoard::showDataReady() {
     const bool ready = world_.imu().interruptPin();
     if (std::exchange(data_ready_, ready) == ready) return;
     if (wiring_.data_ready) chip_.drive(wiring_.data_ready->port, wiring_.data_ready->bit, ready);
+    if (ready) work_.sampleReady(chip_.cycle());
     trace(kTraceDataReady, ready);
 }
 

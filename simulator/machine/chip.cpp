@@ -212,6 +212,10 @@ void Chip::onCompareOutput(char timer, int compare, std::function<void(bool)> ch
     hookLine<&Listener::pin>(line, listeners_.back().get());
 }
 
+void Chip::onCompareWrite(char timer, std::function<void()> written) {
+    timers_.at(static_cast<size_t>(timer - '0'))->on_compare = std::move(written);
+}
+
 bool Chip::isOutput(char port, int bit) const { return avr_->data[io(port).r_ddr] >> bit & 1; }
 
 bool Chip::outputHigh(char port, int bit) const {

@@ -54,6 +54,8 @@ public:
     void drive(char port, int bit, bool high);  // from outside
     void onCompareOutput(char timer, int compare, std::function<void(bool high)> changed);
 
+    void onCompareWrite(char timer, std::function<void()> written);
+
     // An edge on ICP4 (PL0) or ICP5 (PL1); the cycle may lie an instruction back.
     void captureEdge(char timer, bool rising, uint64_t cycle);
 

@@ -115,6 +115,7 @@ void Timer::writeCompare(uint16_t address, uint8_t value) {
     compare.low = value;
     compare.high = temp_;
     compare.waiting = buffered(i);
+    if (on_compare) on_compare();
     if (compare.waiting) return;
     if (wide()) avr_->data[io_->comp[i].r_ocrh] = compare.high;
     compare.write(avr_, address, value);

@@ -6,6 +6,7 @@
 #include <simavr/avr_timer.h>
 
 #include <array>
+#include <functional>
 
 #include "simulator/machine/hooks.hpp"
 
@@ -23,6 +24,8 @@ public:
     bool fromMatch(int compare, bool high) const;
     // An edge on the capture pin at this cycle, which may lie a few cycles back.
     void captureEdge(bool rising, uint64_t cycle);
+
+    std::function<void()> on_compare;  // the program has written a compare value
 
 private:
     struct Compare {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "hal/mark.hpp"
 #include "simulator/machine/registers.hpp"
@@ -28,6 +29,7 @@ void WorkMeter::mark(uint8_t value, const Counters& now) {
     } else if (value == hal::kMarkTaskEnd) {
         endTask(now);
     } else if (value > 0 && value <= tasks_.size()) {
+        if (value == 1) used_ = std::exchange(ready_, 0);
         task_number_ = value - 1u;
         task_ = now;
     }
@@ -45,7 +47,17 @@ void WorkMeter::beginFrame(const Counters& now) {
     frames_++;
 }
 
+void WorkMeter::measureLatency() {
+    if (!frame_ || used_ == 0 || written_ < frame_->cycle) return;
+    const uint64_t latency = written_ - used_;
+    used_ = 0;
+    latencies_++;
+    latency_ += latency;
+    longest_latency_ = std::max(longest_latency_, static_cast<uint32_t>(latency));
+}
+
 void WorkMeter::endFrame(const Counters& now) {
+    measureLatency();
     if (!frame_ || now.cycle - frame_->cycle <= kFrame) return;
     late_ = true;
     overruns_++;
@@ -78,6 +90,10 @@ void WorkMeter::report(BoardFigures& figures) const {
         figures.frame_mean_us = us(sum / sorted.size());
         figures.frame_p99_us = us(sorted[(sorted.size() - 1) * 99 / 100]);
         figures.frame_max_us = us(sorted.back());
+    }
+    if (latencies_ > 0) {
+        figures.latency_mean_us = us(latency_ / latencies_);
+        figures.latency_max_us = us(longest_latency_);
     }
     for (size_t i = 0; i < tasks_.size(); i++) {
         const Task& task = tasks_[i];

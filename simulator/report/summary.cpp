@@ -37,6 +37,8 @@ void addFigures(Json& json, const BoardFigures& figures, const std::vector<TaskN
     json["frame_mean_us"] = orNull(figures.frame_mean_us);
     json["frame_p99_us"] = orNull(figures.frame_p99_us);
     json["frame_max_us"] = orNull(figures.frame_max_us);
+    json["latency_mean_us"] = orNull(figures.latency_mean_us);
+    json["latency_max_us"] = orNull(figures.latency_max_us);
     json["frame_overruns"] = orNull(figures.frame_overruns);
     json["flash_bytes"] = orNull(figures.flash_bytes);
     json["ram_static_bytes"] = orNull(figures.ram_static_bytes);
