@@ -50,7 +50,8 @@ void watchCauses() {
 
 // Back, the attitude is found anew first.
 bool inertialLost() {
-    return inertial_lost >= kRestarted || ails(Sensor::inertial) ||
+    const bool nonsense = !vehicle.imu.healthy && ails(Sensor::inertial);
+    return inertial_lost >= kRestarted || nonsense ||
            (failing(Cause::inertial) && !vehicle.attitude.aligned);
 }
 bool fenceBroken() { return fenceReport().breach != Breach::none; }

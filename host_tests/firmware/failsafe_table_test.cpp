@@ -5,6 +5,7 @@
 
 #include "firmware/bench.hpp"
 #include "firmware/failsafe/failsafe.hpp"
+#include "firmware/failsafe/health.hpp"
 #include "firmware/fence.hpp"
 
 namespace {
@@ -190,11 +191,13 @@ class FailsafeMachine : public FailsafeTable {
 protected:
     void SetUp() override {
         FailsafeTable::SetUp();
+        firmware::startHealth();
         parameters.battery_monitor = 3;
         vehicle.airspeed.healthy = true;
     }
     static void tenths(int count) {
         for (int i = 0; i < count; ++i) {
+            firmware::believe(firmware::Sensor::inertial, i % 2 == 0 ? 100 : -100, true);
             firmware::runFailsafe();
             fakes::advance_ms(100);
         }
