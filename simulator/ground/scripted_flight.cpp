@@ -12,7 +12,8 @@ namespace simulator {
 using namespace mavlink;
 
 constexpr double kNever = 1e9;
-constexpr double kStanding_mps = 0.5, kNear_m = 60;
+constexpr double kStanding_mps = 0.5;
+constexpr double kNear_m = 100;         // where it stands after a roll of half of that
 constexpr double kDisarmWithin_s = 60;  // LAND_DISARMDELAY is 20 s
 constexpr double kLastWords_s = 3;
 constexpr double kSilence_s = 10;
@@ -278,7 +279,7 @@ void ScriptedFlight::judge() {
         reason_ = "the mission has no landing to judge";
     } else if (*fromLanding_m() > kNear_m) {
         reason_ = "it stands " + std::to_string(std::lround(*fromLanding_m())) +
-                  " m from the landing point, more than 60 m";
+                  " m from the landing point, more than 100 m";
     }
 }
 
