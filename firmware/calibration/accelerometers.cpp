@@ -40,7 +40,8 @@ bool solve(Equations& m) {
         exchange(m[column], m[largestBelow(m, column)]);
         const float pivot = m[column][column];
         if (!(fabsf(pivot) > kLeastPivot)) return false;
-        for (uint8_t i = column; i <= kUnknowns; ++i) m[column][i] /= pivot;
+        const float part = 1 / pivot;
+        for (uint8_t i = column; i <= kUnknowns; ++i) m[column][i] *= part;
         for (uint8_t row = 0; row < kUnknowns; ++row) {
             if (row == column) continue;
             const float times = m[row][column];

@@ -38,8 +38,8 @@ uint8_t trimRadio() {
 uint8_t trimLevel() {
     constexpr int16_t kStill = core::Fixed<10>(core::radians(4)).raw;
     const auto& rate = vehicle.attitude.rate_rads;
-    const bool still = rate.x.raw < kStill && rate.x.raw > -kStill && rate.y.raw < kStill &&
-                       rate.y.raw > -kStill;
+    const bool still =
+        rate.x.raw < kStill && rate.x.raw > -kStill && rate.y.raw < kStill && rate.y.raw > -kStill;
     if (!still) tell(Severity::error, ROM_TEXT("Level: keep it still"));
     if (!still || !vehicle.attitude.aligned) return MavResult::failed;
     const float lie_rad[] = {parameters.level_trim_rad[0] + vehicle.attitude.roll_rad,
