@@ -151,7 +151,7 @@ core::Vector3 turnedSince_rad(float since_s) {
 }  // namespace
 
 void restartResume() {
-    told = false;
+    told = home_kept = false;
     seen = {};
     number = last != nullptr ? last->number : 0;
     if (last == nullptr) return takeKeptHome();

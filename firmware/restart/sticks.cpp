@@ -57,7 +57,10 @@ void servosForgotten() {
     }
     output = (output + 1) & 3;
     const bool silent = vehicle.radio.lost || pulse_us(parameters.map_pitch) == 0 || wrongBoard();
-    if (!silent && (vehicle.armed || output != kThrottle)) servoWrite(output, wanted_us() * 2);
+    if (silent || (!vehicle.armed && output == kThrottle)) return;
+    const uint16_t now_us = wanted_us();
+    vehicle.servo_us[output] = now_us;  // or the program, back again, would think its own was there
+    servoWrite(output, now_us * 2);
 }
 
 }  // namespace hal

@@ -59,6 +59,7 @@ TEST_F(SticksWhileItHangs, go_straight_to_their_servos) {
 TEST_F(SticksWhileItHangs, are_mixed_for_elevons_and_for_a_v_tail_of_every_kind) {
     for (int8_t kind = 1; kind <= 4; ++kind) {
         for (const bool elevons : {true, false}) {
+            SCOPED_TRACE(testing::Message() << (elevons ? "elevons " : "v-tail ") << int(kind));
             parameters.elevon_output = elevons ? kind : 0;
             parameters.vtail_output = elevons ? 0 : kind;
             const auto as_in_manual = manual(sticks_);
@@ -90,4 +91,11 @@ TEST_F(SticksWhileItHangs, are_found_where_RCMAP_says) {
 
     EXPECT_EQ(pulses_us[0], 1580);
     EXPECT_EQ(pulses_us[3], 1640);
+}
+
+TEST_F(SticksWhileItHangs, give_way_when_the_program_goes_on) {
+    const auto before = manual(bench::kCentred);
+    forgotten(sticks_);
+
+    EXPECT_EQ(manual(bench::kCentred), before);
 }
