@@ -88,15 +88,18 @@ std::string tableOf(const std::vector<Spread95>& spreads, const std::string& fig
     return table.done();
 }
 
-std::string failureTable(const std::vector<CampaignResult>& results) {
-    if (failures(results) == 0) return "";
-    Table table({"flight", "what happened", "flown again by"});
-    size_t rows = 0;
-    for (const auto& result : results)
-        if (!result.failure.empty() && rows++ < kMostFailures)
-            table.row({result.flight.group() + ", seed " + std::to_string(result.flight.seed),
-                       result.failure, result.flight.replay(true)});
-    return table.done();
+std::string failureList(const std::vector<CampaignResult>& results) {
+    std::string list;
+    size_t told = 0;
+    for (const auto& result : results) {
+        if (result.failure.empty() || told++ >= kMostFailures) continue;
+        list += "<p><b>" + escaped(result.flight.group()) + ", seed " +
+                std::to_string(result.flight.seed) + "</b>: " + escaped(result.failure) +
+                "<br><code>" + escaped(result.flight.replay(true)) + "</code></p>\n";
+    }
+    if (told > kMostFailures)
+        list += "<p>and " + std::to_string(told - kMostFailures) + " more</p>\n";
+    return list;
 }
 
 std::string cards(const std::vector<CampaignResult>& results, double wall_s) {
@@ -119,7 +122,7 @@ std::string campaignPage(const std::vector<CampaignResult>& results, double wall
                   : " bad\">" + std::to_string(bad) + " flights failed") +
         "</span></header>\n<p class=\"sub\">natively compiled firmware · sensor errors and gusts "
         "drawn from each seed</p>\n" +
-        cards(results, wall_s) + htmlSection("Flights that failed", failureTable(results));
+        cards(results, wall_s) + htmlSection("Flights that failed", failureList(results));
     const auto spreads = spreadsOf(results);
     for (const auto& figure : figuresOf(results)) {
         std::string body;
