@@ -28,6 +28,7 @@ struct Arming : bench::Bench {
             fakes::advance_ms(10);
         }
         firmware::runArming();  // the rudder's time begins anew
+        (void)tells("");        // what others have left
     }
     static void makeReady() {
         vehicle.imu.healthy = vehicle.imu.calibrated = true;
