@@ -97,11 +97,14 @@ bool pointsByCourse() {
     return true;
 }
 
-// The sensor against ground speed and wind: false when they contradict each other.
+// The sensor against ground speed and wind: false when they contradict each other. Too slow to fly,
+// on the ground, the wind comes from anywhere.
 bool airspeedFits() {
     const float expected_mps = wind.airspeed_mps(vehicle.gps.velocity_mps);
     const float odd_mps = fabsf(vehicle.airspeed.speed_mps * true_speed_ratio - expected_mps);
-    if (!wind.known() || odd_mps < kOddAirspeed_mps + expected_mps * kOddAirspeed) return true;
+    if (!wind.known() || expected_mps < parameters.speed_min_mps ||
+        odd_mps < kOddAirspeed_mps + expected_mps * kOddAirspeed)
+        return true;
     doubt(Sensor::airspeed);
     return false;
 }
@@ -109,8 +112,8 @@ bool airspeedFits() {
 void feelWind() {
     fix_use = FixUse::feel_height;
     if (!vehicle.estimate.flying || since_fix_s > 1.0f || pointsByCourse()) return;
-    const bool measured = airspeedFits() && vehicle.airspeed.healthy;
-    const float airspeed_mps = measured ? vehicle.estimate.airspeed_mps : 0.0f;
+    if (!airspeedFits() && vehicle.airspeed.healthy) return;
+    const float airspeed_mps = vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f;
     wind.update(vehicle.gps.velocity_mps, {attitude.noseNorth(), attitude.noseEast()}, airspeed_mps,
                 since_fix_s);
     vehicle.estimate.wind_mps = wind.wind_mps();
