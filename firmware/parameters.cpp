@@ -349,14 +349,19 @@ bool parameterGet(uint8_t slot, float& value) {
     return true;
 }
 
+// One search, as a mission sets a dozen in a row.
+static bool findTaker(uint8_t slot, float value, uint8_t& row) {
+    return table.findSlot(slot, row) && !isListLength(row) && takes(row, value);
+}
+
 bool parameterSlotTakes(uint8_t slot, float value) {
     uint8_t row;
-    return table.findSlot(slot, row) && !isListLength(row) && takes(row, value);
+    return findTaker(slot, value, row);
 }
 
 bool parameterSet(uint8_t slot, float value) {
     uint8_t row;
-    if (!parameterSlotTakes(slot, value) || !table.findSlot(slot, row)) return false;
+    if (!findTaker(slot, value, row)) return false;
     table.assign(row, value);
     parameters::saveLater(row);
     return true;
