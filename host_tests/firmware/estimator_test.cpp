@@ -106,6 +106,21 @@ TEST_F(Estimator, feels_no_step_when_home_is_moved) {
     }
 }
 
+TEST_F(Estimator, takes_the_receivers_height_without_a_step_when_the_barometer_is_lost) {
+    vehicle.gps.altitude_cm = 50000;
+    for (int i = 0; i < 1500; ++i) frame(0);
+    const float before_m = vehicle.estimate.height_m;
+    vehicle.baro.healthy = false;
+    for (int i = 0; i < 500; ++i) {
+        frame(0);
+        ASSERT_NEAR(vehicle.estimate.height_m, before_m, 0.5) << i;
+    }
+    vehicle.gps.altitude_cm += 1000;
+    for (int i = 0; i < 1500; ++i) frame(0);
+    EXPECT_NEAR(vehicle.estimate.height_m, before_m + 10, 0.5);
+    vehicle.baro.healthy = true;
+}
+
 TEST_F(Estimator, counts_heights_from_where_home_is_set_on_the_ground) {
     vehicle.baro.pressure_pa -= 60;  // the weather since the barometer was zeroed
     for (int i = 0; i < 1500; ++i) frame(0);
