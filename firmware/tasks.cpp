@@ -59,26 +59,26 @@ constexpr scheduler::Task kTasks[] ROM = {
     //                     frames frame  us
     { runInertial,           1,     0,    1050 },
     { runRadio,              1,     0,     245 },
-    { runEstimator,          1,     0,    2250 },
+    { runEstimator,          1,     0,    1950 },
     { runMode,               1,     0,     140 },
-    { runAttitudeControl,    1,     0,     780 },
+    { runAttitudeControl,    1,     0,     620 },
     { runOutputs,            1,     0,     185 },
-    { endMode,               1,     0,       3 },
+    { endMode,               1,     0,       4 },
     { runBarometer,          1,     0,     185 },
-    { runGps,                1,     0,     470 },
-    { telemetrySend,         2,     1,    1250 },
-    { runGuidance,           5,     2,    2450 },
-    { runSpeedHeight,       10,     4,    2400 },
-    { runLog,                2,     0,    1150 },
+    { runGps,                1,     0,     610 },
+    { telemetrySend,         2,     1,    1150 },
+    { runGuidance,           5,     2,    2150 },
+    { runSpeedHeight,       10,     4,    2000 },
+    { runLog,                2,     0,    1080 },
     { runRestart,            2,     1,     220 },
-    { runCompass,            2,     0,     310 },
+    { runCompass,            2,     0,     300 },
     { runAirspeed,           2,     0,     280 },
     { runPoints,            10,     6,    1000 },
-    { missionRun,           10,     3,    2600 },
+    { missionRun,           10,     3,    2250 },
     { runModeSwitch,        10,     5,     190 },
     { runEvents,            10,     5,    2200 },
     { runFailsafe,          10,     6,     430 },
-    { runArming,            10,     1,     100 },
+    { runArming,            10,     1,     150 },
     { runBattery,           10,     8,     460 },
     { parametersRun,        10,     9,     860 },
     { runLightsAndFlash,    10,     0,      95 },
@@ -89,8 +89,8 @@ constexpr scheduler::Task kTasks[] ROM = {
 static_assert(scheduler::phasesFit(kTasks), "a phase must be smaller than its period");
 static_assert(scheduler::fastTierFirst(kTasks), "the fast tier stands first");
 static_assert(scheduler::everyTaskFits(kTasks, kFrame_us), "a task can never run");
-static_assert(scheduler::worstFrame_us(kTasks, 100) < kFrame_us * 19UL / 20,
-              "a frame is more than 95 % full though everything in it takes its longest");
+static_assert(scheduler::worstFrame_us(kTasks, 100) < kFrame_us * 9UL / 10,
+              "a frame is more than 90 % full though everything in it takes its longest");
 
 scheduler::Scheduler<core::count(kTasks)> schedule(kTasks, kFrame_us);
 Supervisor supervisor;
