@@ -282,8 +282,7 @@ bool Mpu6000<Bus, Select>::take(ImuSums& to) {
 
 template <class Bus, class Select>
 uint8_t Mpu6000<Bus, Select>::peek(int16_t (&turned)[3]) const {
-    for (uint8_t i = 0; i < 3; ++i)
-        turned[i] = core::narrowed(sums_.chip[kGyro + i] / kPeekSteps);
+    for (uint8_t i = 0; i < 3; ++i) turned[i] = core::narrowed(sums_.chip[kGyro + i] / kPeekSteps);
     return waiting();
 }
 
