@@ -12,6 +12,8 @@ import { describe, stackBound } from './stack_bound.mjs';
 
 const kBootloader = 0x3e000;  // of both boards: the top 8 KiB
 const kNearFlash = 0x10000;
+// What is to survive a restart keeps out of the RAM that a bootloader may use.
+const kSurvivesFrom = 0x800600, kSurvivesTo = 0x801e00;
 
 export function checkImage(path, budgets) {
   const elf = readElf(path);
@@ -36,6 +38,9 @@ export function checkImage(path, budgets) {
   const constructors = elf.symbols.filter((symbol) => symbol.name.startsWith('_GLOBAL__sub_I'));
   for (const symbol of constructors) faults.push(`a global object is constructed at start-up: ${symbol.name}`);
   if (elf.symbol('__ctors_end')?.value !== elf.symbol('__ctors_start')?.value) faults.push('.ctors is not empty');
+  for (const { value, size, name } of elf.symbols.filter((symbol) => symbol.section === '.noinit' && symbol.size > 0)) {
+    if (value < kSurvivesFrom || value + size > kSurvivesTo) faults.push(`${name} is to survive a restart where a bootloader may write, at 0x${value.toString(16)}`);
+  }
   return { lines, faults };
 }
 
