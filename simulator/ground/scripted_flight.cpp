@@ -13,7 +13,7 @@ using namespace mavlink;
 
 constexpr double kNever = 1e9;
 constexpr double kStanding_mps = 0.5;
-constexpr double kNear_m = 100;         // where it stands after a roll of half of that
+constexpr double kTouchesWithin_m = 60, kStandsWithin_m = 100;
 constexpr double kDisarmWithin_s = 60;  // LAND_DISARMDELAY is 20 s
 constexpr double kLastWords_s = 3;
 constexpr double kSilence_s = 10;
@@ -224,8 +224,10 @@ void ScriptedFlight::watch(uint64_t now_us) {
     } else if (airborne_s_ && !landed_s_ && truth.on_ground) {
         landed_s_ = now_s;
         touchdown_m_ = fromLanding_m();
+        touchdown_sink_mps_ = sink_mps_;
         telemetry_.note(now_us, "touchdown");
     }
+    if (!truth.on_ground) sink_mps_ = truth.velocity_down_mps;
     const double speed = std::hypot(truth.velocity_north_mps, truth.velocity_east_mps);
     if (!airborne_s_ || !truth.on_ground || speed > kStanding_mps) {
         standing_s_.reset();
@@ -275,12 +277,25 @@ void ScriptedFlight::judge() {
         reason_ = differ.first == wanted.end()
                       ? "more items were reached than the mission has"
                       : "item " + std::to_string(*differ.first) + " was not reached in its turn";
-    } else if (!plan_.landing()) {
-        reason_ = "the mission has no landing to judge";
-    } else if (*fromLanding_m() > kNear_m) {
-        reason_ = "it stands " + std::to_string(std::lround(*fromLanding_m())) +
-                  " m from the landing point, more than 100 m";
+    } else {
+        judgeLanding();
     }
+}
+
+// A heavy airplane that touches down near the point may roll on for a while.
+void ScriptedFlight::judgeLanding() {
+    const auto tooFar = [this](const char* does, double away_m, double most_m) {
+        if (away_m > most_m && reason_.empty())
+            reason_ = does + std::to_string(std::lround(away_m)) +
+                      " m from the landing point, more than " +
+                      std::to_string(std::lround(most_m)) + " m";
+    };
+    if (!plan_.landing()) {
+        reason_ = "the mission has no landing to judge";
+        return;
+    }
+    tooFar("it touched down ", touchdown_m_.value_or(0), kTouchesWithin_m);
+    tooFar("it stands ", *fromLanding_m(), kStandsWithin_m);
 }
 
 }  // namespace simulator

@@ -39,6 +39,7 @@ public:
     std::optional<double> airborne_s() const { return airborne_s_; }  // first time off the ground
     std::optional<double> landed_s() const { return landed_s_; }      // touched down for good
     std::optional<double> touchdown_distance_m() const { return touchdown_m_; }
+    std::optional<double> touchdown_sink_mps() const { return touchdown_sink_mps_; }
     std::optional<double> standing_distance_m() const;  // of where it is now
 
 private:
@@ -65,6 +66,7 @@ private:
     void watch(uint64_t now_us);
     void watchServos(uint64_t now_us);
     void judge();
+    void judgeLanding();
     std::optional<double> fromLanding_m() const;
     void fail(const std::string& reason);
     void heartbeat(uint64_t now_us);
@@ -87,7 +89,8 @@ private:
     bool over_ = false;
     std::string reason_, last_answer_;
     std::optional<double> cruise_speed_mps_, airborne_s_, landed_s_, standing_s_, disarmed_s_;
-    std::optional<double> touchdown_m_, loiter_radius_m_;
+    std::optional<double> touchdown_m_, touchdown_sink_mps_, loiter_radius_m_;
+    double sink_mps_ = 0;  // when it was last off the ground
     std::array<double, 8> servo_us_{};
 };
 
