@@ -75,6 +75,7 @@ WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
     world.wind_mps = options.wind_mps;
     world.wind_from_deg = options.wind_from_deg;
     world.gusts = options.gusts;
+    world.calibrated = options.calibrated;
     world.gps = options.gps;
     world.gps_baud = options.gps_baud;
     world.seed = options.seed;
@@ -174,6 +175,22 @@ std::unique_ptr<Board> makeBoard(const FlyOptions& options, const WorldOptions& 
     }
 }
 
+void takeErrors(Summary& s, const Recorder& recorder) {
+    const Metrics& m = recorder.metrics();
+    s.crosstrack_rms_m = m.crosstrack.rms();
+    s.crosstrack_settled_rms_m = m.settled.rms();
+    s.crosstrack_max_m = m.crosstrack.max();
+    s.altitude_rms_m = m.altitude.rms();
+    s.altitude_level_rms_m = m.level.rms();
+    s.altitude_sloped_rms_m = m.sloped.rms();
+    s.altitude_max_m = m.altitude.max();
+    s.airspeed_rms_mps = m.airspeed.rms();
+    s.loiter_radius_rms_m = m.radius.rms();
+    s.roll_error_rms_deg = recorder.attitude().roll_deg.rms();
+    s.pitch_error_rms_deg = recorder.attitude().pitch_deg.rms();
+    s.yaw_error_rms_deg = recorder.attitude().yaw_deg.rms();
+}
+
 Summary summarize(const FlyOptions& options, const Board& board, const ScriptedFlight& flight,
                   const Recorder& recorder, const Plan& plan) {
     Summary s;
@@ -191,13 +208,10 @@ Summary summarize(const FlyOptions& options, const Board& board, const ScriptedF
         s.flight_time_s = *flight.landed_s() - *flight.airborne_s();
         s.landed_distance_m = flight.touchdown_distance_m();
         s.standing_distance_m = flight.standing_distance_m();
+        s.touchdown_sink_mps = flight.touchdown_sink_mps();
     }
-    s.crosstrack_rms_m = recorder.metrics().crosstrack.rms();
-    s.crosstrack_max_m = recorder.metrics().crosstrack.max();
-    s.altitude_rms_m = recorder.metrics().altitude.rms();
-    s.altitude_max_m = recorder.metrics().altitude.max();
     s.loiter_radius_m = flight.loiter_radius_m();
-    s.airspeed_rms_mps = recorder.metrics().airspeed.rms();
+    takeErrors(s, recorder);
     const Telemetry& told = flight.telemetry();
     // firmware that flies from item to item and never says that it reached one does not tell it
     if (!told.reached.empty() || told.visited.size() < 2) s.items_reached = told.reached;
@@ -224,12 +238,12 @@ void writeReport(const FlyOptions& options, const Summary& summary, const Record
 }
 
 // No frame passes unseen.
-bool runStep(Board& board, uint64_t until_us, Recorder& recorder) {
+bool runStep(Board& board, uint64_t until_us, Recorder& recorder, const Telemetry& telemetry) {
     bool goes_on = true;
     for (uint64_t rest_us = kStep_us; goes_on && rest_us > 0;) {
         rest_us -= kFrame_us;
         goes_on = board.runUntil(until_us - rest_us);
-        recorder.watchFrame(board.lastFrame_us());
+        recorder.watchFrame(board, telemetry);
     }
     return goes_on;
 }
@@ -255,13 +269,15 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
     StatusLine status(isatty(STDOUT_FILENO) != 0);
     const WallClock clock;
     for (int step = 1; !flight.over() && interrupted == 0; ++step) {
-        if (!runStep(*board, static_cast<uint64_t>(step) * kStep_us, recorder)) {
+        if (!runStep(*board, static_cast<uint64_t>(step) * kStep_us, recorder,
+                     flight.telemetry())) {
             flight.stop("the firmware stopped: " + board->fault());
         }
         if (!board->world().fault().empty()) flight.stop(board->world().fault());
         flight.step(board->time_us());
         if (step % kStepsPerSample != 0 && !flight.over()) continue;
-        recorder.sample(*board, flight.telemetry(), flight.cruise_speed_mps());
+        recorder.sample(*board, flight.telemetry(), flight.cruise_speed_mps(),
+                        flight.loiter_radius_m());
         status.show(*board, flight.telemetry(), recorder.samples().back(), items.size() - 1,
                     clock.seconds());
     }

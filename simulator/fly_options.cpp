@@ -137,6 +137,10 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
         ->disable_flag_override();
     app.add_option("--wind", wind, "SPEED,FROM_DEGREES: mean wind in m/s and where it comes from");
     app.add_flag("--gusts", o.gusts, "Dryden gusts of 1 m/s RMS")->disable_flag_override();
+    app.add_flag("--calibrated", o.calibrated,
+                 "as after the owner's calibrations: the compass without the airplane's own field, "
+                 "the pitot tube's ratio right")
+        ->disable_flag_override();
     app.add_option("--gps", o.gps, "the receiver on the GPS port, as delivered")
         ->check(CLI::IsMember(gpsKinds()))
         ->capture_default_str();

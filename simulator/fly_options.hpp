@@ -18,6 +18,7 @@ struct FlyOptions {
     bool no_dataflash = false;
     double wind_mps = 0, wind_from_deg = 0;
     bool gusts = false;
+    bool calibrated = false;
     std::string gps = "ublox";
     uint32_t gps_baud = 0;
     uint64_t seed = 1;

@@ -22,6 +22,7 @@ struct WorldOptions {
     bool gusts = false;                          // Dryden, 1 m/s RMS
     uint64_t seed = 1;
     bool sensor_errors = true;
+    bool calibrated = false;      // compass and pitot: no offsets of the airplane, no scale error
     bool hand_held = false;       // it does not fly, it is held on the bench
     double accel_bias_g = 0.004;  // and how wrong its accelerometers are, one sigma
     double accel_scale = 0;

@@ -19,6 +19,15 @@ const Plan kPlan = makePlan(parseWaypoints("QGC WPL 110\n0 1 0 16 0 0 0 0 0 8 0 
                                            "plan"),
                             LocalFrame(0, 8));
 
+// The first leg climbs, the second is level; then a circle of 80 m.
+const Plan kSlopes = makePlan(parseWaypoints("QGC WPL 110\n0 1 0 16 0 0 0 0 0 8 0 1\n"
+                                             "1 0 3 16 0 0 0 0 0.01 8 60 1\n"
+                                             "2 0 3 16 0 0 0 0 0.02 8 80 1\n"
+                                             "3 0 3 16 0 0 0 0 0.03 8 80 1\n"
+                                             "4 0 3 18 2 0 -80 0 0.04 8 80 1\n",
+                                             "slopes"),
+                              LocalFrame(0, 8));
+
 Truth at(double height_m, double airspeed_mps = 12) {
     Truth truth{};
     truth.height_m = height_m;
@@ -97,4 +106,61 @@ TEST(Metrics, count_nothing_on_the_ground) {
     metrics.sample(100, truth, {0, 50}, 1);
 
     EXPECT_FALSE(metrics.crosstrack.rms());
+}
+
+TEST(Metrics, count_a_settled_leg_five_seconds_later) {
+    Metrics metrics(kPlan, 12);
+    metrics.sample(20, at(60), {1120, 30}, 2);
+    metrics.sample(25, at(60), {1190, 4}, 2);
+    metrics.sample(29.9, at(60), {1250, 3}, 2);
+    EXPECT_FALSE(metrics.settled.rms());
+
+    metrics.sample(30, at(60), {1260, 1}, 2);
+
+    EXPECT_NEAR(*metrics.settled.max(), 1, 1e-6);
+    EXPECT_NEAR(*metrics.crosstrack.max(), 4, 1e-6);
+}
+
+TEST(Metrics, judge_slopes_apart_from_level_legs) {
+    const Plan& plan = kSlopes;
+    Metrics metrics(plan, 12);
+    const double half_m = (plan.navs[0].place->north_m + plan.navs[1].place->north_m) / 2;
+    metrics.sample(0, at(60), {1110, 0}, 2);
+    metrics.sample(50, at(73), {half_m, 0}, 2);
+    EXPECT_FALSE(metrics.level.rms());
+    metrics.sample(100, at(80), {2230, 0}, 3);
+    metrics.sample(110, at(79), {2300, 0}, 3);
+
+    EXPECT_NEAR(*metrics.sloped.max(), 3, 1e-6);
+    EXPECT_NEAR(*metrics.level.max(), 1, 1e-6);
+    EXPECT_NEAR(*metrics.altitude.max(), 3, 1e-6);
+}
+
+TEST(Metrics, judge_a_circle_by_its_radius_once_it_is_flown) {
+    Metrics metrics(kSlopes, 12);
+    const double centre_m = kSlopes.navs[3].place->north_m;
+    metrics.sample(0, at(80), {centre_m - 500, 0}, 4);
+    metrics.sample(60, at(80), {centre_m - 87, 0}, 4);
+    metrics.sample(64.9, at(80), {centre_m, 90}, 4);
+    EXPECT_FALSE(metrics.radius.rms());
+
+    metrics.sample(65, at(80), {centre_m, 82}, 4);
+
+    EXPECT_NEAR(*metrics.radius.rms(), 2, 1e-6);
+}
+
+TEST(Metrics, ask_the_autopilot_for_the_radius_of_a_circle_that_names_none) {
+    Metrics metrics(kPlan, 12);
+    const double centre_m = kPlan.navs[2].place->north_m;
+    const auto circle = [&](double from_s) {
+        metrics.sample(from_s, at(60), {centre_m + 61, 0}, 3);
+        metrics.sample(from_s + 10, at(60), {centre_m + 61, 0}, 3);
+    };
+    circle(0);
+    EXPECT_FALSE(metrics.radius.rms());
+
+    metrics.setLoiterRadius(-60);
+    circle(20);
+
+    EXPECT_NEAR(*metrics.radius.rms(), 1, 1e-6);
 }

@@ -2,9 +2,13 @@
 // How well the mission was flown, from the truth against the plan. What counts:
 //  crosstrack  on straight legs, the approach to a LAND down to 5 m included, from 5 s after the
 //              leg began (15 s when it leaves a circle or the take-off run, at any bearing)
+//  settled     the same crosstrack from five seconds later
 //  altitude    against the straight line between the heights of a leg's ends, on legs to
-//              waypoints and on circles, counted as above; not in the approach to a LAND
+//              waypoints and on circles, counted as above; not in the approach to a LAND; of it
+//              level on circles and legs whose ends are within 1 m of one height, and sloped
 //  airspeed    equivalent airspeed against the demanded cruise speed, where altitude counts
+//  radius      distance from a circle's centre against its radius, from 5 s after the airplane
+//              has come to a tenth of a radius from it
 #pragma once
 #include <optional>
 
@@ -35,22 +39,26 @@ public:
     Metrics(const Plan& plan, std::optional<double> cruise_speed_mps)
         : plan_(plan), cruise_speed_mps_(cruise_speed_mps) {}
     void setCruiseSpeed(std::optional<double> mps) { cruise_speed_mps_ = mps; }
+    // The autopilot's own, for circles whose radius is 0.
+    void setLoiterRadius(std::optional<double> m) { loiter_radius_m_ = m; }
 
     // `item`: index of the NAV being flown in AUTO, 0 when none. In order of time.
     Planned sample(double time_s, const Truth& truth, const Point& place, int item);
 
-    Spread crosstrack, altitude, airspeed;
+    Spread crosstrack, settled, altitude, level, sloped, airspeed, radius;
 
 private:
     void begin(double time_s, const Point& place, int item);
-    void judgeStraight(Planned& planned, const Truth& truth, const Point& place);
-    void judgeCircle(Planned& planned) const;
+    void judgeStraight(Planned& planned, const Truth& truth, const Point& place, double captured_s);
+    void judgeCircle(Planned& planned, const Point& place, double time_s);
+    void judgeHeight(double error_m);
 
     const Plan& plan_;
-    std::optional<double> cruise_speed_mps_;
+    std::optional<double> cruise_speed_mps_, loiter_radius_m_;
     const PlannedNav* nav_ = nullptr;
     Point from_;
     double begun_s_ = 0;
+    std::optional<double> circling_s_;  // since when
 };
 
 }  // namespace simulator

@@ -9,7 +9,10 @@ namespace simulator {
 constexpr double kDegrees = 180 / M_PI;
 constexpr double kSetUp_s = 1;
 
-void Recorder::watchFrame(std::optional<uint32_t> frame_us) {
+void Recorder::watchFrame(Board& board, const Telemetry& telemetry) {
+    attitude_.watch(board.world().truth());
+    if (telemetry.attitude) attitude_.take(*telemetry.attitude);
+    const std::optional<uint32_t> frame_us = board.lastFrame_us();
     if (!frame_us) return;
     frame_us_ = std::max(frame_us_, static_cast<double>(*frame_us));
     frames_us_ += *frame_us;
@@ -41,7 +44,8 @@ static void copyTold(Sample& sample, const Telemetry& told) {
 }
 
 void Recorder::sample(Board& board, const Telemetry& telemetry,
-                      std::optional<double> cruise_speed_mps) {
+                      std::optional<double> cruise_speed_mps,
+                      std::optional<double> loiter_radius_m) {
     const Truth& truth = board.world().truth();
     Sample sample{};
     sample.time_s = static_cast<double>(board.time_us()) * 1e-6;
@@ -50,6 +54,7 @@ void Recorder::sample(Board& board, const Telemetry& telemetry,
     sample.mode = -1;
     copyTold(sample, telemetry);
     metrics_.setCruiseSpeed(cruise_speed_mps);
+    metrics_.setLoiterRadius(loiter_radius_m);
     sample.planned = metrics_.sample(sample.time_s, truth, sample.place, sample.item);
     for (int i = 0; i < 8; ++i) {
         sample.servo_us[static_cast<size_t>(i)] = board.world().servoPulse_us(i + 1);

@@ -11,6 +11,7 @@
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/ground/plan.hpp"
 #include "simulator/ground/telemetry.hpp"
+#include "simulator/report/attitude_errors.hpp"
 #include "simulator/report/metrics.hpp"
 
 namespace simulator {
@@ -33,11 +34,13 @@ class Recorder {
 public:
     Recorder(const Plan& plan, const LocalFrame& frame) : frame_(frame), metrics_(plan, {}) {}
 
-    void watchFrame(std::optional<uint32_t> frame_us);  // as often as there is one
-    void sample(Board& board, const Telemetry& telemetry, std::optional<double> cruise_speed_mps);
+    void watchFrame(Board& board, const Telemetry& telemetry);  // as often as there is one
+    void sample(Board& board, const Telemetry& telemetry, std::optional<double> cruise_speed_mps,
+                std::optional<double> loiter_radius_m);
 
     const std::vector<Sample>& samples() const { return samples_; }
     const Metrics& metrics() const { return metrics_; }
+    const AttitudeErrors& attitude() const { return attitude_; }
     // What became of the inertial sensor's samples since the first second, in which the firmware
     // sets it up; empty when it made none.
     std::optional<SampleCount> imuSamples() const;
@@ -45,6 +48,7 @@ public:
 private:
     const LocalFrame frame_;
     Metrics metrics_;
+    AttitudeErrors attitude_;
     std::vector<Sample> samples_;
     double frame_us_ = 0, frames_us_ = 0;  // longest and sum since the last sample
     int frames_ = 0;

@@ -30,6 +30,21 @@ Json list(const std::vector<Event>& events) {
     return json;
 }
 
+void addErrors(Json& json, const Summary& summary) {
+    json["crosstrack_rms_m"] = orNull(summary.crosstrack_rms_m);
+    json["crosstrack_settled_rms_m"] = orNull(summary.crosstrack_settled_rms_m);
+    json["crosstrack_max_m"] = orNull(summary.crosstrack_max_m);
+    json["altitude_rms_m"] = orNull(summary.altitude_rms_m);
+    json["altitude_level_rms_m"] = orNull(summary.altitude_level_rms_m);
+    json["altitude_sloped_rms_m"] = orNull(summary.altitude_sloped_rms_m);
+    json["altitude_max_m"] = orNull(summary.altitude_max_m);
+    json["airspeed_rms_mps"] = orNull(summary.airspeed_rms_mps);
+    json["loiter_radius_rms_m"] = orNull(summary.loiter_radius_rms_m);
+    json["roll_error_rms_deg"] = orNull(summary.roll_error_rms_deg);
+    json["pitch_error_rms_deg"] = orNull(summary.pitch_error_rms_deg);
+    json["yaw_error_rms_deg"] = orNull(summary.yaw_error_rms_deg);
+}
+
 void addFigures(Json& json, const BoardFigures& figures, const std::vector<TaskName>& names) {
     json["cpu_load"] = orNull(figures.cpu_load);
     json["interrupt_load"] = orNull(figures.interrupt_load);
@@ -80,14 +95,11 @@ std::string summaryJson(const Summary& summary) {
     json["seed"] = summary.seed;
     json["landed_distance_m"] = orNull(summary.landed_distance_m);
     json["standing_distance_m"] = orNull(summary.standing_distance_m);
+    json["touchdown_sink_mps"] = orNull(summary.touchdown_sink_mps);
     json["flight_time_s"] = orNull(summary.flight_time_s);
     json["emulated_s"] = orNull(std::optional<double>(summary.emulated_s));
     json["speedup"] = orNull(summary.speedup);
-    json["crosstrack_rms_m"] = orNull(summary.crosstrack_rms_m);
-    json["crosstrack_max_m"] = orNull(summary.crosstrack_max_m);
-    json["altitude_rms_m"] = orNull(summary.altitude_rms_m);
-    json["altitude_max_m"] = orNull(summary.altitude_max_m);
-    json["airspeed_rms_mps"] = orNull(summary.airspeed_rms_mps);
+    addErrors(json, summary);
     json["items_reached"] = orNull(summary.items_reached);
     json["items_planned"] = summary.items_planned;
     json["imu_samples"] = orNull(summary.imu_samples);

@@ -23,11 +23,15 @@ struct Summary {
     std::string reason;                         // empty when completed
     std::optional<double> landed_distance_m;    // of the touch-down from the landing point
     std::optional<double> standing_distance_m;  // of where it came to rest
+    std::optional<double> touchdown_sink_mps;
     std::optional<double> flight_time_s;
     double emulated_s = 0;
     std::optional<double> speedup;  // over real time
-    std::optional<double> crosstrack_rms_m, crosstrack_max_m, altitude_rms_m, altitude_max_m,
-        airspeed_rms_mps;
+    std::optional<double> crosstrack_rms_m, crosstrack_max_m, crosstrack_settled_rms_m;
+    std::optional<double> altitude_rms_m, altitude_max_m, altitude_level_rms_m,
+        altitude_sloped_rms_m;
+    std::optional<double> airspeed_rms_mps, loiter_radius_rms_m;
+    std::optional<double> roll_error_rms_deg, pitch_error_rms_deg, yaw_error_rms_deg;
     std::optional<std::vector<int>> items_reached;
     std::vector<int> items_planned;
     std::optional<double> loiter_radius_m;  // the autopilot's own

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How well the autopilot knows its attitude, off the ground: what it tells against the truth at the
+// moment it tells of, so that the way over the wire costs nothing.
+#pragma once
+#include <deque>
+
+#include "mavlink/messages.hpp"
+#include "simulator/report/metrics.hpp"
+
+namespace simulator {
+
+class AttitudeErrors {
+public:
+    void watch(const Truth& truth);            // as often as there is one, in order
+    void take(const mavlink::Attitude& told);  // again and again: counted once
+
+    Spread roll_deg, pitch_deg, yaw_deg;
+
+private:
+    std::deque<Truth> past_;  // of the last second
+    uint32_t taken_ms_ = 0;
+};
+
+}  // namespace simulator
