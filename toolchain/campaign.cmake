@@ -31,6 +31,14 @@ set_tests_properties(campaign.replay_on_the_image PROPERTIES LABELS simavr TIMEO
     FIXTURES_REQUIRED image_minutes
     ENVIRONMENT "FLY=$<TARGET_FILE:fly>;MINUTES=${CMAKE_BINARY_DIR}/flights/minutes/campaign")
 
+# how exactly they fly, as a table, held to its goals or to what is reached
+set(figures ${CMAKE_SOURCE_DIR}/host_tests/figures)
+add_test(NAME figures.table
+         COMMAND ${NODE} ${figures}/table.mjs ${figures}/limits.json $<TARGET_FILE:fly>
+                 ${CMAKE_SOURCE_DIR}/simulator/missions/box_600.waypoints
+                 ${CMAKE_BINARY_DIR}/figures)
+set_tests_properties(figures.table PROPERTIES LABELS native TIMEOUT 900)
+
 file(GLOB airplane_parameters CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/airplanes/*.param)
 foreach(file IN LISTS airplane_parameters)
     get_filename_component(airplane ${file} NAME_WE)
