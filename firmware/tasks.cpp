@@ -14,6 +14,7 @@
 #include "firmware/mission/events.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/modes.hpp"
+#include "firmware/modes/autotune.hpp"
 #include "firmware/outputs.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/radio.hpp"
@@ -49,6 +50,10 @@ void runPoints() {
     rallyFollow();
 }
 
+void runParameters() {
+    if (!tuneStep()) parametersRun();
+}
+
 void everySecond();
 
 // The budgets are what the flights of the tests have measured and a little more; the tests hold
@@ -80,7 +85,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { runFailsafe,          10,     6,     430 },
     { runArming,            10,     1,     150 },
     { runBattery,           10,     8,     460 },
-    { parametersRun,        10,     9,     860 },
+    { runParameters,        10,     9,     860 },
     { runLightsAndFlash,    10,     0,      95 },
     { everySecond,         100,    51,     950 },
 };

@@ -29,44 +29,61 @@ AxisTuner tuners[core::count(kAxes)];
 // _TCONST for AUTOTUNE_LEVEL 1 .. 10, 1/100 s
 constexpr uint8_t kTimeConstants[] ROM = {80, 70, 60, 52, 45, 40, 35, 30, 25, 20};
 
-void read(uint8_t slots, float (&gains)[kGains]) {
-    for (float& each : gains) (void)parameterGet(slots++, each);
+constexpr uint8_t kLeveled = 2 * core::count(kAxes);
+
+// What is still to be set, a parameter each time: finding one by its slot takes long.
+struct {
+    uint8_t level;  // of each axis first P, then the time constant; kLeveled: none
+    uint8_t gain;   // kP .. kD of this axis; kGains: none
+    uint8_t axis;
+    float by;
+} due = {kLeveled, kGains, 0, 1};
+
+const control::AxisSettings& settingsOf(uint8_t axis) {
+    return axis == kTunedRoll ? parameters.roll.axis : parameters.pitch.axis;
 }
 
-// All of them or none: their proportions are the loop's shape.
-void write(uint8_t slots, const float (&gains)[kGains]) {
-    for (uint8_t i = 0; i < kGains; ++i)
-        if (!parameterSlotTakes(static_cast<uint8_t>(slots + i), gains[i])) return;
-    for (float each : gains) (void)parameterSet(slots++, each);
+bool set(uint8_t axis, uint8_t gain, float value) {
+    return parameterSet(static_cast<uint8_t>(core::romRead(kAxes[axis].slots) + gain), value);
 }
 
 // The surface for a rate, (P - I T) T - D, stays what it is.
-void setTimeConstant(uint8_t slots, float time_constant_s) {
-    float gains[kGains];
-    read(slots, gains);
-    const float direct = (gains[kP] - gains[kI] * gains[kTimeConstant]) * gains[kTimeConstant];
-    gains[kTimeConstant] = time_constant_s;
-    gains[kP] = direct / time_constant_s + gains[kI] * time_constant_s;
-    write(slots, gains);
+void setLevel() {
+    const uint8_t axis = due.level / 2;
+    const control::AxisSettings& now = settingsOf(axis);
+    const float time_constant_s =
+        core::romRead(kTimeConstants[parameters.autotune_level - 1]) * 0.01f;
+    const bool last = due.level++ % 2 != 0;
+    if (last) return (void)set(axis, kTimeConstant, time_constant_s);
+    const float direct = (now.p - now.i * now.time_constant_s) * now.time_constant_s;
+    if (!set(axis, kP, direct / time_constant_s + now.i * time_constant_s)) ++due.level;
 }
 
-__attribute__((noinline)) void scale(const Axis& axis, float by) {
-    float gains[kGains];
-    read(axis.slots, gains);
-    for (uint8_t i = kP; i < kGains; ++i) gains[i] *= by;
-    write(axis.slots, gains);
-    tell(Severity::info, axis.found, static_cast<uint16_t>(core::rounded(by * 100)));
+// P comes first and is the first to end at its range; the others keep its proportions.
+void setGain() {
+    const control::AxisSettings& now = settingsOf(due.axis);
+    const float gain = due.gain == kP ? now.p : (due.gain == kI ? now.i : now.d);
+    due.gain = set(due.axis, due.gain, gain * due.by) ? due.gain + 1 : kGains;
 }
 
 }  // namespace
 
 Entry startAutotune() {
     for (AxisTuner& tuner : tuners) tuner = AxisTuner();
-    if (parameters.autotune_level == 0) return Entry::entered;
-    const uint8_t time_constant_cs = core::romRead(kTimeConstants[parameters.autotune_level - 1]);
-    for (const Axis& axis : kAxes)
-        setTimeConstant(core::romRead(axis.slots), time_constant_cs * 0.01f);
+    due.gain = kGains;
+    due.level = parameters.autotune_level == 0 ? kLeveled : 0;
     return Entry::entered;
+}
+
+bool tuneStep() {
+    if (vehicle.mode != Mode::autotune) return false;
+    if (due.level < kLeveled)
+        setLevel();
+    else if (due.gain < kGains)
+        setGain();
+    else
+        return false;
+    return true;
 }
 
 void tune(TunedAxis which, const control::AxisGains& gains, const control::AxisState& state,
@@ -77,9 +94,12 @@ void tune(TunedAxis which, const control::AxisGains& gains, const control::AxisS
     if (which == kTunedPitch && vehicle.attitude.cos_roll.raw < kLevel_cos.raw) return tuner.drop();
     const auto found =
         tuner.watch(gains, state, air, control::demandedRate_rads(gains, error_rad), rate_rads);
-    if (found == AxisTuner::Finding::nothing) return;
-    scale(core::romRead(kAxes[which]),
-          found == AxisTuner::Finding::shakes ? AxisTuner::kLeast : tuner.factor());
+    if (found == AxisTuner::Finding::nothing || due.gain < kGains) return;
+    due.by = found == AxisTuner::Finding::shakes ? AxisTuner::kLeast : tuner.factor();
+    due.axis = which;
+    due.gain = kP;
+    tell(Severity::info, core::romRead(kAxes[which].found),
+         static_cast<uint16_t>(core::rounded(due.by * 100)));
 }
 
 }  // namespace firmware

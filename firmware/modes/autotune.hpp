@@ -11,4 +11,6 @@ enum TunedAxis : uint8_t { kTunedRoll, kTunedPitch };
 void tune(TunedAxis which, const control::AxisGains& gains, const control::AxisState& state,
           const control::AirFlow& air, core::Angle error_rad, core::Fixed<10> rate_rads);
 
+bool tuneStep();  // 10 Hz: sets the next of what has been found; true: did
+
 }  // namespace firmware
