@@ -13,6 +13,7 @@ namespace {
     __attribute__((naked, noinline)) float name(float, float) { __asm__ volatile(code); }
 LIBRARY(librarysSum, "clr r26\n clr r27\n call __addsf3x\n jmp __fp_round")
 LIBRARY(librarysProduct, "call __mulsf3x\n jmp __fp_round")
+LIBRARY(librarysQuotient, "call __divsf3x\n jmp __fp_round")
 __attribute__((naked, noinline)) int8_t librarysOrder(float, float) {
     __asm__ volatile("call __fp_cmp\n brcc 1f\n ldi r24, 1\n 1: ret");
 }
@@ -64,11 +65,11 @@ constexpr uint32_t kEdges[] = {
     0x7F000000, 0x7F7FFFFF, 0xFF7FFFFF, 0x7F800000, 0xFF800000, 0x7F800001, 0x7FC00000};
 
 template <class Agree>
-int differences(Agree agree) {
+int differences(Agree agree, uint16_t more = 20000) {
     int found = 0;
     for (const uint32_t a : kEdges)
         for (const uint32_t b : kEdges) found += !agree(floatOf(a), floatOf(b));
-    for (uint16_t i = 0; i < 20000; ++i) {
+    for (uint16_t i = 0; i < more; ++i) {
         const uint32_t a = random32();
         found += !agree(floatOf(a), floatOf(besides(a)));
     }
@@ -86,6 +87,9 @@ TEST(Arithmetic, differences_have_the_librarys_bits) {
 }
 TEST(Arithmetic, products_have_the_librarys_bits) {
     EXPECT_EQ(differences([](float a, float b) { return same(a * b, librarysProduct(a, b)); }), 0);
+}
+TEST(Arithmetic, quotients_have_the_librarys_bits) {
+    EXPECT_EQ(differences([](float a, float b) { return same(a / b, librarysQuotient(a, b)); }), 0);
 }
 int wrongTimes16(int32_t a, int16_t b) {
     return core::times16(a, b) != static_cast<int32_t>(static_cast<int64_t>(a) * b >> 16);
@@ -130,6 +134,22 @@ TEST(Arithmetic, conversions_round_to_the_nearest) {
     EXPECT_EQ(core::toFixed(0, 14), 0);
     EXPECT_EQ(core::toFixed(1e-30f, 14), 0);
     EXPECT_EQ(core::toFixed(1e-40f, 14), 0);
+}
+float limitedByOrder(float value, float lowest, float highest) {
+    if (core::orderOf(value) < core::orderOf(lowest)) return lowest;
+    return core::orderOf(highest) < core::orderOf(value) ? highest : value;
+}
+TEST(Arithmetic, limits_are_those_of_the_order_of_bits) {
+    int found = 0;
+    for (const uint32_t limit : kEdges)
+        found += differences(
+            [limit](float a, float b) {
+                const float c = floatOf(limit);
+                return bitsOf(core::limit(a, b, c)) == bitsOf(limitedByOrder(a, b, c)) &&
+                       bitsOf(core::limit(a, c, b)) == bitsOf(limitedByOrder(a, c, b));
+            },
+            1000);
+    EXPECT_EQ(found, 0);
 }
 TEST(Arithmetic, comparisons_say_what_the_librarys_do) {
     EXPECT_EQ(differences([](float a, float b) {
