@@ -1,0 +1,47 @@
+; SPDX-License-Identifier: GPL-3.0-or-later
+; core::limit of floats, in their order by bits, core::orderOf's: that of their sizes, turned round
+; below 0. In: r25..r22, the lowest in r21..r18, the highest in r17..r14. Out: r25..r22.
+
+    .section .text.libgcc.limit_float, "ax", @progbits
+    .global limitFloat
+    .type   limitFloat, @function
+limitFloat:
+    sbrc r25, 7
+    rjmp 2f
+    sbrc r21, 7
+    rjmp 1f
+    cp   r22, r18
+    cpc  r23, r19
+    cpc  r24, r20
+    cpc  r25, r21
+    brlo 5f
+1:  sbrc r17, 7
+    rjmp 4f
+    cp   r14, r22
+    cpc  r15, r23
+    cpc  r16, r24
+    cpc  r17, r25
+    brlo 4f
+    ret
+2:  sbrs r21, 7
+    rjmp 5f
+    cp   r18, r22
+    cpc  r19, r23
+    cpc  r20, r24
+    cpc  r21, r25
+    brlo 5f
+    sbrs r17, 7
+    ret
+    cp   r22, r14
+    cpc  r23, r15
+    cpc  r24, r16
+    cpc  r25, r17
+    brlo 4f
+    ret
+4:  movw r22, r14
+    movw r24, r16
+    ret
+5:  movw r22, r18
+    movw r24, r20
+    ret
+    .size limitFloat, . - limitFloat
