@@ -97,6 +97,22 @@ foreach(fault IN LISTS elf_faults)
                          FIXTURES_REQUIRED image_minutes)
 endforeach()
 
+# gains learnt in the air, on an airplane whose own are near the defaults and on one far from them
+add_executable(autotune_flight host_tests/on_board/autotune_flight.cpp)
+target_compile_options(autotune_flight PRIVATE ${HOUSE_WARNINGS})
+target_link_libraries(autotune_flight PRIVATE firmware_native simulator_native simulator_ground
+                      simulator_world)
+function(autotune_test airplane roll_p pitch_p)
+    foreach(times 0.4 1 2.5)
+        set(name flight.native_autotune_${airplane}_${times})
+        add_test(NAME ${name} COMMAND autotune_flight ${airplane} ${first_flight} ${times} ${roll_p}
+                 ${pitch_p})
+        set_tests_properties(${name} PROPERTIES LABELS native)
+    endforeach()
+endfunction()
+autotune_test(foam_trainer 0.57 0.67)
+autotune_test(trainer_6kg 1.04 1.32)
+
 # every CONDITION and DO of each set, beside the oracle
 file(GLOB command_flight_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/command_flights/*.cpp)
 add_executable(command_flight ${command_flight_sources}

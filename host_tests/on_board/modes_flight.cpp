@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 
+#include "host_tests/on_board/station.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/ground/scripted_flight.hpp"
 #include "simulator/machine/apm2_board.hpp"
@@ -237,7 +237,7 @@ private:
     bool goOn() {
         if (!board_.runUntil(++step_ * kStep_us)) flight_.stop(board_.fault());
         flight_.step(board_.time_us());
-        if (step_ % 5 == 0) recorder_.sample(board_, flight_.telemetry(), {});
+        if (step_ % 5 == 0) recorder_.sample(board_, flight_.telemetry(), {}, {});
         return !flight_.over();
     }
 
@@ -292,13 +292,7 @@ private:
     }
 
     void set(const char* name, float value) {
-        mavlink::ParamSet message{};
-        message.target_system = flight_.telemetry().system;
-        message.target_component = flight_.telemetry().component;
-        message.param_value = value;
-        std::memcpy(message.param_id, name, strnlen(name, sizeof message.param_id));
-        message.param_type = mavlink::MavParamType::real32;
-        usb_.send(message);
+        usb_.send(paramSet(flight_.telemetry().system, name, value));
     }
 
     const double seconds_a_mode_;

@@ -59,7 +59,7 @@ public:
         for (uint64_t step = 1; !flight_.over() && sinceAirborne_s() < kEnd_s; ++step) {
             if (!board_.runUntil(step * kStep_us)) flight_.stop(board_.fault());
             flight_.step(board_.time_us());
-            if (step % 10 == 0) recorder_.sample(board_, flight_.telemetry(), {});
+            if (step % 10 == 0) recorder_.sample(board_, flight_.telemetry(), {}, {});
             if (uploading_) upload_.step(board_.time_us(), told().system, told().component);
             if (next == kTroubles.size() || sinceAirborne_s() < kTroubles[next].at_s) continue;
             std::printf("%6.1f s  %s\n", seconds(), kTroubles[next].what);

@@ -17,6 +17,16 @@
 
 namespace simulator {
 
+inline mavlink::ParamSet paramSet(uint8_t system, const char* name, float value) {
+    mavlink::ParamSet message{};
+    message.target_system = system;
+    message.target_component = 1;
+    message.param_value = value;
+    std::memcpy(message.param_id, name, strnlen(name, sizeof message.param_id));
+    message.param_type = mavlink::MavParamType::real32;
+    return message;
+}
+
 class Station {
 public:
     static constexpr int kUsb = 0;
@@ -50,13 +60,7 @@ public:
     void clear() { change(mavlink::MissionClearAll{}, {}); }
 
     void set(const char* parameter, float value) {
-        mavlink::ParamSet message{};
-        message.target_system = system_;
-        message.target_component = 1;
-        message.param_value = value;
-        std::memcpy(message.param_id, parameter, strnlen(parameter, sizeof message.param_id));
-        message.param_type = mavlink::MavParamType::real32;
-        link_.send(message);
+        link_.send(paramSet(system_, parameter, value));
         run_us(200'000);
     }
     // Whatever the checks say.

@@ -56,10 +56,10 @@ AxisTuner::Finding AxisTuner::watch(const AxisGains& gains, const AxisState& sta
     crossed_ += core::product(core::narrowed(int32_t{surface(state)} - rest_), wanted) >> 8;
     squared_ += core::product(wanted, wanted) >> 8;
     fastest_ = core::limit<int16_t>(size(rate), fastest_, INT16_MAX);
-    const bool over = rests && size(demand_rads.raw) < kRest;
+    const bool over = rests && fastest_ >= kFastEnough;
     if (!over && ++frames_ < kLongest) return Finding::nothing;
     frames_ = 0;
-    return over && fastest_ >= kFastEnough ? Finding::measured : Finding::nothing;
+    return over ? Finding::measured : Finding::nothing;
 }
 
 float AxisTuner::factor() const {
