@@ -116,6 +116,12 @@ void findZero(const drivers::ImuSums& sums) {
     zero = {{core::rounded(in_period.x), core::rounded(in_period.y), core::rounded(in_period.z)}};
 }
 
+// The wind alone moves it, as far as anybody can tell.
+bool mayRock() {
+    constexpr float kStanding_mps = 3;
+    return !vehicle.armed && vehicle.estimate.ground_speed_mps < kStanding_mps;
+}
+
 bool possible() {
     const auto& rate = vehicle.imu.rate_rads;
     const int32_t sum = int32_t{rate.x.raw} + rate.y.raw + rate.z.raw;
@@ -197,7 +203,7 @@ void runInertial() {
         return;
     }
     to.periods = sums.periods;
-    if (!still.done()) findZero(sums);
+    if (!still.done() || (mayRock() && !still.settled())) findZero(sums);
     to.calibrated = still.done();
     refreshReading();
     use(sums);

@@ -72,7 +72,7 @@ Figures fly(Flight& flight, const Sources& sources, Attitude& attitude) {
             rate = rate + flight.gyro() * 0.5;
             force = force + flight.accel() * 0.5;
         }
-        still.update(flight::single(rate), flight::single(force), 0.01f);
+        if (!still.done()) still.update(flight::single(rate), flight::single(force), 0.01f);
         if (!still.done()) continue;
         attitude.propagate(motion(flight::single(rate) - still.zero_rads(), flight::single(force)));
         if (frame % 2 == 0 && sources.compass) {

@@ -129,6 +129,57 @@ TEST(Still, moved_it_begins_again) {
     EXPECT_TRUE(still.done());
 }
 
+// Rocked about its roll axis by up to `most_rads`, from rest, once in two seconds.
+float rocked_rads(int frame, float most_rads) {
+    return most_rads * std::sin(static_cast<float>(frame) * 0.01f * static_cast<float>(M_PI));
+}
+
+TEST(Still, what_gusts_rock_gets_a_longer_mean) {
+    estimation::Still still;
+    int frames = 0;
+    while (!still.update({0.01f + rocked_rads(frames, 0.015f), 0, 0}, kRest, 0.01f)) ++frames;
+    EXPECT_GT(still.zero_rads().x, 0.015);  // of half a swing
+    for (; frames < 1500; ++frames)
+        still.update({0.01f + rocked_rads(frames, 0.04f), 0, 0}, kRest, 0.01f);
+
+    EXPECT_NEAR(still.zero_rads().x, 0.01, 0.001);
+}
+
+TEST(Still, taken_up_slowly_the_zero_is_that_of_the_rest_before) {
+    for (int rest = 115; rest < 800; rest += 7) {
+        estimation::Still still;
+        float zero_rads = 0;
+        const auto update = [&](float rate_rads, const core::Vector3& force_mss) {
+            if (still.update({rate_rads, 0, 0}, force_mss, 0.01f)) zero_rads = still.zero_rads().x;
+        };
+        for (int i = 0; i < rest; ++i) update(0.01f, kRest);
+        ASSERT_TRUE(still.done()) << rest;
+        for (int i = 0; i < 300; ++i) {
+            const float tilt = 0.0873f * 0.01f * static_cast<float>(i);  // 5 degrees a second
+            update(0.01f + 0.0873f, {0, -9.81f * std::sin(tilt), -9.81f * std::cos(tilt)});
+        }
+        EXPECT_NEAR(zero_rads, 0.01, 1e-5) << rest;
+    }
+}
+
+TEST(Still, tells_of_a_better_zero_for_half_a_minute) {
+    estimation::Still still;
+    int told = 0;
+    for (int i = 0; i < 6000; ++i) told += still.update({0.01f, 0, 0}, kRest, 0.01f);
+
+    EXPECT_TRUE(still.settled());
+    EXPECT_GT(told, 20);
+    EXPECT_LE(told, 30);
+}
+
+TEST(Still, keeps_the_force_of_its_first_second) {
+    estimation::Still still;
+    for (int i = 0; i < 150; ++i) still.update({0, 0, 0}, kRest, 0.01f);
+    for (int i = 0; i < 300; ++i) still.update({0, 0, 0}, {0.3f, 0, -9.8f}, 0.01f);
+
+    EXPECT_NEAR(still.force_mss().x, 0, 1e-5);
+}
+
 TEST(Still, carried_about_without_turning_is_not_still) {
     estimation::Still still;
     for (int i = 0; i < 3000; ++i)

@@ -4,21 +4,22 @@
 namespace estimation {
 namespace {
 
-constexpr float kTime_s = 1.0f;
 // Means of a tenth of a second are compared: the sensors' noise is far below these, a hand's
 // movement above.
 constexpr float kRate_rads = 0.02f;  // about 1 deg/s
 constexpr float kForce_mss = 0.5f;
+// Gusts rock an airplane on its wheels to and fro; they do not turn it about.
+constexpr float kRocked_rads = 0.2f, kTurned_rads = 0.05f;
 constexpr float kMostZero_rads = 0.35f;  // 20 deg/s, MPU-6000 data sheet: zero-rate output
 
-bool near(const core::Vector3& a, const core::Vector3& b, float limit) {
-    return fabsf(a.x - b.x) < limit && fabsf(a.y - b.y) < limit && fabsf(a.z - b.z) < limit;
+bool near(const core::Vector3& a, const core::Vector3& b, float limit, float limit_z) {
+    return fabsf(a.x - b.x) < limit && fabsf(a.y - b.y) < limit && fabsf(a.z - b.z) < limit_z;
 }
 
 }  // namespace
 
 bool Still::update(const core::Vector3& rate_rads, const core::Vector3& force_mss, float dt_s) {
-    if (done_) return false;
+    if (settled()) return false;
     rate_sum_ = rate_sum_ + rate_rads * dt_s;
     force_sum_ = force_sum_ + force_mss * dt_s;
     part_s_ += dt_s;
@@ -26,28 +27,40 @@ bool Still::update(const core::Vector3& rate_rads, const core::Vector3& force_ms
     return usePart();
 }
 
+bool Still::isStill(const core::Vector3& rate_rads, const core::Vector3& force_mss) const {
+    const bool rests = parts_ >= kSecond;
+    return near(rate_rads, mean_, rests ? kRocked_rads : kRate_rads,
+                rests ? kTurned_rads : kRate_rads) &&
+           near(force_mss, force_, kForce_mss, kForce_mss) &&
+           near(rate_rads, {0, 0, 0}, kMostZero_rads, kMostZero_rads);
+}
+
 bool Still::usePart() {
     const core::Vector3 rate = rate_sum_ * (1.0f / part_s_);
     const core::Vector3 force = force_sum_ * (1.0f / part_s_);
-    const float part_s = part_s_;
     rate_sum_ = force_sum_ = {0, 0, 0};
     part_s_ = 0;
-    if (time_s_ == 0) {
-        force_ = force;
-        zero_ = rate;
+    if (parts_ == 0) {
+        if (!done_) force_ = force;
+        mean_ = rate;
     }
-    const bool still = near(rate, zero_, kRate_rads) && near(force, force_, kForce_mss) &&
-                       near(rate, {0, 0, 0}, kMostZero_rads);
-    if (!still) {
-        time_s_ = 0;
+    if (!isStill(rate, force)) {
+        parts_ = 0;
         return false;
     }
-    time_s_ += part_s;
-    const float share = part_s / time_s_;
-    zero_ = zero_ + (rate - zero_) * share;
-    force_ = force_ + (force - force_) * share;
-    done_ = time_s_ >= kTime_s;
-    return done_;
+    const float share = 1.0f / static_cast<float>(++parts_);
+    mean_ = mean_ + (rate - mean_) * share;
+    if (!done_) force_ = force_ + (force - force_) * share;
+    return useMean();
+}
+
+// What a hand begins to move is found out within a second: until then a better mean waits.
+bool Still::useMean() {
+    const bool full = parts_ % kSecond == 0;
+    const bool first = full && !done_;
+    if (first || (parts_ > kSecond && parts_ % kSecond == 1)) zero_ = mean_;
+    if (first) done_ = true;
+    return first || (full && parts_ > kSecond);
 }
 
 }  // namespace estimation
