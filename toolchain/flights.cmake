@@ -143,6 +143,11 @@ add_test(NAME on_board.cycles
 add_test(NAME on_board.stack_bound
          COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/host_tests/on_board/stack_used.mjs ${IMAGE_ELF}
                  ${elf_folders})
+add_test(NAME on_board.cycles_apm1
+         COMMAND ${work_report} cycles ${CMAKE_SOURCE_DIR}/toolchain/budgets.json ${flights}/apm1_calm
+                 ${flights}/apm1_wind)
+set_tests_properties(on_board.cycles_apm1 PROPERTIES LABELS simavr
+                     FIXTURES_REQUIRED "apm1_calm;apm1_wind")
 set_tests_properties(on_board.task_budgets on_board.cycles on_board.stack_bound PROPERTIES LABELS simavr
                      FIXTURES_REQUIRED "${elf_flights}")
 
