@@ -43,10 +43,9 @@ __attribute__((always_inline)) inline uint16_t readTimer(bool& overflowed, Take 
 }
 
 // Without the 220 cycles of a division; exact for what two summands below can reach. The product's
-// upper half costs no shift.
+// upper byte costs no shift.
 constexpr uint8_t thousands(uint16_t us) {
-    return static_cast<uint8_t>(
-        static_cast<uint16_t>((static_cast<uint32_t>(us / 8) * 33555U) >> 16) >> 6);
+    return static_cast<uint8_t>((static_cast<uint32_t>(us / 2) * 33555U) >> 24);
 }
 
 constexpr bool thousandsIsExact() {
