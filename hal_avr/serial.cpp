@@ -115,29 +115,51 @@ inline __attribute__((always_inline)) void send() {
           [receiving] "M"(static_cast<int>(kReceiving)), [keep] "I"(_SFR_IO_ADDR(GPIOR2)));
 }
 
-// Three products make the shifts of core::crc16 for a byte in the time of one.
+// Three products make the shifts of core::crc16 for a byte in the time of one. Three bytes at once,
+// as the registers then come back to where they were: 16 cycles a byte, 20 one by one.
+// clang-format off
+#define SUM_BYTE(low, high, byte)           \
+    "ld   " byte ", %a[from]+        \n"    \
+    "st   %a[to]+, " byte "          \n"    \
+    "eor  " byte ", " low "          \n"    \
+    "mul  " byte ", %[up_4]          \n"    \
+    "eor  " byte ", r0               \n"    \
+    "mul  " byte ", %[up_4]          \n"    \
+    "eor  " high ", r1               \n"    \
+    "mul  " byte ", %[up_3]          \n"    \
+    "eor  " high ", r0               \n"    \
+    "eor  " byte ", r1               \n"
+// clang-format on
+
 inline __attribute__((always_inline)) void copySummed(uint8_t* to, const uint8_t*& from,
                                                       uint8_t size, uint16_t& crc) {
     uint8_t byte;
     __asm__ volatile(
+        "subi %[size], 3                 \n"
+        "brcs 2f                         \n"
         "1:                              \n"
-        "ld   %[byte], %a[from]+         \n"
-        "st   %a[to]+, %[byte]           \n"
-        "eor  %[byte], %A[crc]           \n"
-        "mul  %[byte], %[up_4]           \n"
-        "eor  %[byte], r0                \n"
-        "mul  %[byte], %[up_4]           \n"
-        "eor  %B[crc], r1                \n"
-        "mul  %[byte], %[up_3]           \n"
-        "eor  %B[crc], r0                \n"
+        // clang-format off
+        SUM_BYTE("%A[crc]", "%B[crc]", "%[byte]")
+        SUM_BYTE("%B[crc]", "%[byte]", "%A[crc]")
+        SUM_BYTE("%[byte]", "%A[crc]", "%B[crc]")
+        // clang-format on
+        "subi %[size], 3                 \n"
+        "brcc 1b                         \n"
+        "2:                              \n"
+        "subi %[size], -3                \n"
+        "breq 4f                         \n"
+        "3:                              \n"
+        // clang-format off
+        SUM_BYTE("%A[crc]", "%B[crc]", "%[byte]")
+        // clang-format on
         "mov  %A[crc], %B[crc]           \n"
-        "eor  %[byte], r1                \n"
         "mov  %B[crc], %[byte]           \n"
         "dec  %[size]                    \n"
-        "brne 1b                         \n"
+        "brne 3b                         \n"
+        "4:                              \n"
         "clr  r1                         \n"
         :
-        [byte] "=&r"(byte), [from] "+&e"(from), [to] "+&e"(to), [crc] "+&r"(crc), [size] "+&r"(size)
+        [byte] "=&r"(byte), [from] "+&e"(from), [to] "+&e"(to), [crc] "+&r"(crc), [size] "+&d"(size)
         : [up_4] "r"(static_cast<uint8_t>(1 << 4)), [up_3] "r"(static_cast<uint8_t>(1 << 3))
         : "r0", "memory");
 }
@@ -220,13 +242,11 @@ void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t cr
     const uint8_t* from = head.bytes;
     uint8_t size = head.size;
     for (uint8_t piece = 0;; ++piece) {
-        uint8_t run = tx.runOf(size);
-        copySummed(tx.end(), from, run, crc);
-        tx.added(run);
-        if (run < size) {
+        for (uint8_t run = tx.runOf(size);; run = size) {
+            copySummed(tx.end(), from, run, crc);
+            tx.added(run);
+            if (run == size) break;
             size = static_cast<uint8_t>(size - run);
-            copySummed(tx.begin(), from, size, crc);
-            tx.added(size);
         }
         if (piece == 0) {
             from = body.bytes;
