@@ -1,17 +1,12 @@
 ; SPDX-License-Identifier: GPL-3.0-or-later
 ; The compiler's product of two floats, in two thirds of the library's cycles and with the same
-; bits: rounded to the nearest, ties to even. What is not finite and normal, or would not be
-; afterwards, is left to the library's own parts.
+; bits: rounded to the nearest, ties to even. What is 0 or very small or large is left to the
+; library's own parts.
 ; In: r25..r22 and r21..r18, least byte lowest. Out: r25..r22.
 
     .section .text.libgcc.float_product, "ax", @progbits
     .global __mulsf3
     .type   __mulsf3, @function
-.Llarge:
-    subi r31, 127
-    brcc .Llibrary        ; too large
-    cpi  r31, 254
-    brlo .Lfinite
 .Llibrary:
     call __mulsf3x
     jmp  __fp_round
@@ -23,20 +18,14 @@ __mulsf3:
     movw r26, r20
     lsl  r26
     rol  r27
-    mov  r26, r31
-    dec  r26
-    cpi  r26, 254
-    brsh .Llibrary        ; 0 and 255
-    mov  r26, r27
-    dec  r26
-    cpi  r26, 254
+    subi r31, 64        ; 10^-19 to 10^19, so that no product leaves the normal numbers
+    cpi  r31, 127
+    brsh .Llibrary
+    subi r27, 64
+    cpi  r27, 127
     brsh .Llibrary
     add  r31, r27
-    brcs .Llarge
-    subi r31, 127
-    brlo .Llibrary        ; too small for a normal number
-    breq .Llibrary
-.Lfinite:
+    inc  r31
     mov  r0, r25
     eor  r0, r21
     bst  r0, 7

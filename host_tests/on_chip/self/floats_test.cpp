@@ -107,6 +107,21 @@ TEST(Arithmetic, times16_is_the_upper_part_of_the_whole_product) {
     }
     EXPECT_EQ(wrong, 0);
 }
+TEST(Arithmetic, products_of_16_bits_are_those_of_32) {
+    constexpr int16_t kShort[] = {0, 1, -1, 127, 128, 255, 256, -128, -256, INT16_MAX, INT16_MIN};
+    int wrong = 0;
+    const auto differ = [](int16_t a, int16_t b) {
+        volatile int32_t long_a = a, long_b = b;  // or the compiler sees what they are
+        return core::product(a, b) != long_a * long_b;
+    };
+    for (const int16_t a : kShort)
+        for (const int16_t b : kShort) wrong += differ(a, b);
+    for (uint16_t i = 0; i < 20000; ++i) {
+        const uint32_t both = random32();
+        wrong += differ(static_cast<int16_t>(both), static_cast<int16_t>(both >> 16));
+    }
+    EXPECT_EQ(wrong, 0);
+}
 TEST(Arithmetic, conversions_round_to_the_nearest) {
     int wrong = 0;
     for (uint16_t i = 0; i < 20000; ++i) {
