@@ -122,6 +122,31 @@ TEST(Arithmetic, products_of_16_bits_are_those_of_32) {
     }
     EXPECT_EQ(wrong, 0);
 }
+// By multiplying back, in 64 bits as the quotient may be anything.
+int wrongQuotient(uint32_t a, uint32_t b) {
+    const uint32_t quotient = a / b, rest = a % b;
+    return rest >= b || static_cast<uint64_t>(quotient) * b + rest != a;
+}
+TEST(Arithmetic, quotients_of_whole_numbers_and_their_rests_make_the_dividend) {
+    constexpr uint32_t kNumbers[] = {1,          2,          3,         255,        256,
+                                     257,        0x7FFF,     0x8000,    0xFFFF,     0x10000,
+                                     0x10001,    0xFFFFFF,   0x1000000, 0x40000000, 0x7FFFFFFF,
+                                     0x80000000, 0xFFFFFFFE, UINT32_MAX};
+    int wrong = 0;
+    for (const uint32_t b : kNumbers) {
+        wrong += wrongQuotient(0, b);
+        for (const uint32_t a : kNumbers) wrong += wrongQuotient(a, b);
+    }
+    for (uint16_t i = 0; i < 10000; ++i) {
+        const uint32_t a = random32() >> (i & 31), b = random32() >> (i >> 5 & 31);
+        if (b == 0) continue;
+        wrong += wrongQuotient(a, b);
+        const int32_t signed_a = static_cast<int32_t>(a), signed_b = static_cast<int32_t>(b);
+        if (signed_b == -1) continue;
+        wrong += signed_a / signed_b * signed_b + signed_a % signed_b != signed_a;
+    }
+    EXPECT_EQ(wrong, 0);
+}
 TEST(Arithmetic, conversions_round_to_the_nearest) {
     int wrong = 0;
     for (uint16_t i = 0; i < 20000; ++i) {
