@@ -104,15 +104,14 @@ void ppmStart() {
 namespace hal {
 
 bool rcRead(uint16_t (&pulse_us)[kRcChannels]) {
-    bool fresh;
+    if (!const_cast<const volatile bool&>(ppm.fresh)) return false;
     {
         Locked locked;
         memcpy(pulse_us, ppm.frames[ppm.filling ^ 1], sizeof(pulse_us));
-        fresh = ppm.fresh;
         ppm.fresh = false;
     }
     for (uint16_t& width : pulse_us) width /= 2;
-    return fresh;
+    return true;
 }
 
 uint16_t rcPulse_us(uint8_t channel) { return ppm.frames[ppm.filling ^ 1][channel] / 2; }

@@ -8,7 +8,7 @@ namespace hal {
 constexpr uint8_t kRcChannels = 8;
 
 // Copies the newest frame, 0.5 us steps halved to us, not clamped; channels the frame did not have
-// keep 0. Returns true once for every frame received.
+// keep 0. True once for every frame received; false: there is none, and nothing need be copied.
 bool rcRead(uint16_t (&pulse_us)[kRcChannels]);
 
 // Of the newest frame, for whoever is in an interrupt; 0: the frame did not have it.
