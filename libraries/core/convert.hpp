@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between floats and whole numbers, rounded to the nearest, halves away from zero. The chip's are
-// by hand in hal_avr/arithmetic, a third of what the compiler makes of these.
+// Between floats and whole numbers, rounded to the nearest, halves away from zero; and limits of
+// floats in the order of their bits. The chip's are by hand in hal_avr/arithmetic, a third of what
+// the compiler makes of these.
 #pragma once
 #include "core/float_bits.hpp"
 
@@ -9,6 +10,7 @@ extern "C" {
 int16_t fixedFromFloat(float value, int8_t power) __attribute__((const));
 float floatFromFixed(int16_t raw, int8_t fraction) __attribute__((const));
 int32_t roundedFloat(float value) __attribute__((const));
+float limitFloat(float value, float lowest, float highest) __attribute__((const));
 }
 #endif
 
@@ -18,6 +20,9 @@ namespace core {
 inline int32_t rounded(float value) { return roundedFloat(value); }
 inline int16_t toFixed(float value, int8_t power) { return fixedFromFloat(value, power); }
 inline float fromFixed(int16_t raw, int8_t fraction) { return floatFromFixed(raw, fraction); }
+inline float limitedByBits(float value, float lowest, float highest) {
+    return limitFloat(value, lowest, highest);
+}
 #else
 inline int32_t rounded(float value) {
     const uint16_t size = sizeOf(value);
@@ -36,6 +41,11 @@ inline int16_t toFixed(float value, int8_t power) {
 // Times 2^-fraction.
 inline float fromFixed(int16_t raw, int8_t fraction) {
     return scaled(static_cast<float>(raw), static_cast<int8_t>(-fraction));
+}
+inline float limitedByBits(float value, float lowest, float highest) {
+    const int32_t order = orderOf(value);
+    if (order < orderOf(lowest)) return lowest;
+    return orderOf(highest) < order ? highest : value;
 }
 #endif
 

@@ -6,10 +6,6 @@
 
 #include "core/convert.hpp"
 
-#ifdef __AVR__
-extern "C" float limitFloat(float value, float lowest, float highest) __attribute__((const));
-#endif
-
 namespace core {
 
 constexpr float kPi = 3.14159265f;
@@ -25,17 +21,11 @@ constexpr T limit(T value, T lowest, T highest) {
     return value < lowest ? lowest : (highest < value ? highest : value);
 }
 
-// Comparing floats takes five times as long as comparing their bits, which the chip's routine in
-// hal_avr/arithmetic does. What is no number becomes one of the two.
+// Comparing floats takes five times as long as comparing their bits. What is no number becomes one
+// of the two.
 template <>
 inline float limit(float value, float lowest, float highest) {
-#ifdef __AVR__
-    return limitFloat(value, lowest, highest);
-#else
-    const int32_t order = orderOf(value);
-    if (order < orderOf(lowest)) return lowest;
-    return orderOf(highest) < order ? highest : value;
-#endif
+    return limitedByBits(value, lowest, highest);
 }
 
 template <class T>
