@@ -111,7 +111,7 @@ bool airspeedFits() {
 
 void feelWind() {
     fix_use = FixUse::feel_height;
-    if (!vehicle.estimate.flying || since_fix_s > 1.0f || pointsByCourse()) return;
+    if (!vehicle.estimate.flying || since_fix_s > 1.5f || pointsByCourse()) return;
     if (!airspeedFits() && vehicle.airspeed.healthy) return;
     const float airspeed_mps = vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f;
     wind.update(vehicle.gps.velocity_mps, {attitude.noseNorth(), attitude.noseEast()}, airspeed_mps,

@@ -23,7 +23,7 @@ if(TARGET campaign_test)
 endif()
 
 # three airplanes, two missions, calm and wind: whoever crashes, gets lost or breaks a frame fails
-add_test(NAME campaign.slice COMMAND campaign --seeds 2 --out ${CMAKE_BINARY_DIR}/campaign)
+add_test(NAME campaign.slice COMMAND campaign --seeds 2 --out ${CMAKE_BINARY_DIR}/flights/campaign)
 set_tests_properties(campaign.slice PROPERTIES LABELS native TIMEOUT 600)
 add_test(NAME campaign.replay_on_the_image
          COMMAND ${NODE} --test ${CMAKE_SOURCE_DIR}/host_tests/campaign/replay.test.mjs)

@@ -22,7 +22,7 @@ constexpr Limits kLimits[kSensors] ROM = {
     { 120,              10,   12,    1},  // barometer: 120 Pa, 80 Hz
     { 160,              20,   12,    1},  // airspeed: 0.1 V in eighths of a count, 50 Hz
     { 150,              20,   20,    2},  // compass: mG of all axes, 50 Hz
-    {1200,              20,   40,   12},  // GPS: 12 m/s of north and east, 5 Hz
+    {2000,              30,   40,   12},  // GPS: 20 m/s of north and east, 5 Hz, some 1 Hz
 };
 // clang-format on
 

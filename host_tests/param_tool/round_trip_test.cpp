@@ -21,7 +21,8 @@ TEST_F(ParamTool, gives_back_what_was_compiled_in_every_form_of_image) {
         if (p.whole) value = std::round(value);
         const bool mode = p.name.find("MODE") != std::string::npos;
         const bool direction = p.name.find("_REV") != std::string::npos;
-        if (mode || direction || p.name == "FORMAT_VERSION") value = p.initial;
+        const bool function = p.name.find("_FUNCTION") != std::string::npos;
+        if (mode || direction || function || p.name == "FORMAT_VERSION") value = p.initial;
         text += p.name + ',' + spelled(value) + '\n';
     }
     const std::string all = file("all.param", text);
