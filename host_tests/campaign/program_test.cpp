@@ -1,52 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The campaign program as a user meets it.
 #include <gmock/gmock.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <ostream>
+#include <algorithm>
 
+#include "simulator/program_run.hpp"
+
+using program_run::contents;
+using program_run::Outcome;
+using program_run::Wrong;
 using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
 namespace {
 
-struct Outcome {
-    int status;
-    std::string output;  // both streams
-};
-
 Outcome campaign(const std::string& arguments) {
-    const std::string command =
-        std::string(CAMPAIGN_PROGRAM) + " " + arguments + " 2>&1 </dev/null";
-    FILE* pipe = popen(command.c_str(), "r");
-    Outcome run{0, ""};
-    std::array<char, 256> part;
-    while (fgets(part.data(), part.size(), pipe)) run.output += part.data();
-    run.status = WEXITSTATUS(pclose(pipe));
-    return run;
+    return program_run::run(CAMPAIGN_PROGRAM, arguments);
 }
 
 fs::path folder(const std::string& name) {
     return fs::temp_directory_path() / ("campaign_" + std::to_string(getpid()) + "_" + name);
 }
 
-std::string contents(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-}
-
-struct Wrong {
-    const char* arguments;
-    const char* says;
-};
-void PrintTo(const Wrong& wrong, std::ostream* to) { *to << wrong.arguments; }
 class WrongCampaign : public testing::TestWithParam<Wrong> {};
 
 }  // namespace

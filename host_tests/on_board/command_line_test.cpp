@@ -1,52 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fly program as a user meets it.
 #include <gmock/gmock.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <ostream>
+#include <algorithm>
 
+#include "simulator/program_run.hpp"
+
+using program_run::contents;
+using program_run::Outcome;
+using program_run::Wrong;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 namespace {
 
-struct Outcome {
-    int status;
-    std::string output;  // both streams
-};
-
-Outcome fly(const std::string& arguments) {
-    const std::string command = std::string(FLY_PROGRAM) + " " + arguments + " 2>&1 </dev/null";
-    FILE* pipe = popen(command.c_str(), "r");
-    Outcome run{0, ""};
-    std::array<char, 256> part;
-    while (fgets(part.data(), part.size(), pipe)) run.output += part.data();
-    run.status = WEXITSTATUS(pclose(pipe));
-    return run;
-}
+Outcome fly(const std::string& arguments) { return program_run::run(FLY_PROGRAM, arguments); }
 
 fs::path folder(const std::string& name) {
     const fs::path path = fs::temp_directory_path() / ("fly_test_" + std::to_string(getpid()));
     fs::create_directories(path);
     return path / name;
 }
-
-std::string contents(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-}
-
-struct Wrong {
-    const char* arguments;
-    const char* says;
-};
-
-void PrintTo(const Wrong& wrong, std::ostream* to) { *to << wrong.arguments; }
 
 class WrongCommandLine : public testing::TestWithParam<Wrong> {};
 
