@@ -15,8 +15,8 @@ constexpr uint8_t kAlignFrames = 25;
 // bias shows when the airplane turns, because its tilt stays behind over the ground.
 constexpr float kTilt_s = 12.0f;
 constexpr float kCompass_s = 15.0f;
-constexpr float kBiasShare = 1.0f / 100.0f;  // bias taken over, per second of tilt corrected
-constexpr float kQuick = 8.0f;               // so much faster at first
+constexpr float kBiasShare = 1.0f / 70.0f;  // bias taken over, per second of tilt corrected
+constexpr float kQuick = 8.0f;              // so much faster at first
 constexpr float kSettle_s = 10.0f;
 
 // In a turn a small error of heading or of the fix's age shows as acceleration along the path, not
@@ -26,7 +26,7 @@ constexpr float kYawFromTurn = 0.04f;  // of the heading error a turn shows, eac
 
 constexpr float kMostBias_rads = 0.05f;      // 3 deg/s beyond the start-up zero
 constexpr float kMostBiasStep_rads = 2e-4f;  // in one correction
-constexpr float kForceBias_s = 40.0f;        // an accelerometer's bias is learnt in this time
+constexpr float kForceBias_s = 200.0f;       // an accelerometer's bias is learnt in this time
 constexpr float kMostForceBias_mss = 0.3f;   // 0.03 g
 constexpr float kMostForceStep_mss = 0.005f;
 constexpr float kMostTime_s = 1.1f;   // between two fixes that are compared
