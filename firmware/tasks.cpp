@@ -79,7 +79,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { runCompass,            2,     0,     300 },
     { runAirspeed,           2,     0,     280 },
     { runPoints,            10,     6,    1000 },
-    { missionRun,           10,     3,    2250 },
+    { missionRun,           10,     3,    2500 },
     { runModeSwitch,        10,     5,     190 },
     { runEvents,            10,     5,    2200 },
     { runFailsafe,          10,     6,     430 },
