@@ -322,6 +322,13 @@ void logStart() {
     request = Request::none;
 }
 
+bool logFind() {
+    const bool looked = flight_logs.find();
+    if (looked && flight_logs.ready() && flight_logs.last() == 0)
+        tell(Severity::info, ROM_TEXT("No logs"));
+    return looked;
+}
+
 void logPause(bool pause) { request = pause ? Request::pause : Request::none; }
 
 void logErase() {

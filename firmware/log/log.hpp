@@ -13,7 +13,7 @@ extern logging::Book flight_logs;
 
 void logStart();
 // In the rest of a frame, until the newest page is found. True: did something.
-inline bool logFind() { return flight_logs.find(); }
+bool logFind();
 void runLog();  // 50 Hz
 
 // What is told must be kept until the log has it.

@@ -71,6 +71,7 @@ public:
     }
     uint64_t search_us() const { return last_read_us_ - first_read_us_; }
     uint64_t known_us() const { return last_read_us_; }
+    bool toldBlank() const { return told_blank_; }
 
     std::vector<mavlink::LogEntry> list() {
         entries_.clear();
@@ -108,9 +109,12 @@ private:
     Station station_;
     Link logs_{board_, Station::kUsb, [this](const mavlink::Frame& frame, uint64_t) {
                    if (const auto entry = as<mavlink::LogEntry>(frame)) entries_.push_back(*entry);
+                   if (const auto text = as<mavlink::Statustext>(frame))
+                       told_blank_ |= std::strncmp(text->text, "No logs", 8) == 0;
                }};
     std::vector<mavlink::LogEntry> entries_;
     std::vector<uint16_t> written_;
+    bool told_blank_ = false;
     uint64_t first_read_us_ = 0, last_read_us_ = 0;
 };
 
@@ -137,6 +141,7 @@ double tryFull(const std::string& firmware, const BoardWiring& wiring) {
            static_cast<double>(bench.search_us()) / 1000, "ms");
     expect(bench.known_us() <= 300'000, "had found it after the reset in",
            static_cast<double>(bench.known_us()) / 1000, "ms");
+    expect(!bench.toldBlank(), "nobody calls it blank", bench.toldBlank(), "");
     const int logs = (ring - 2) / kPagesOfLog + 1;
     const auto before = bench.list();
     expect(static_cast<int>(before.size()) == logs, "lists as many logs as there are",
@@ -160,6 +165,7 @@ double tryBlank(const std::string& firmware, const BoardWiring& wiring) {
     bench.start();
     expect(bench.known_us() <= 300'000, "had seen that after the reset in",
            static_cast<double>(bench.known_us()) / 1000, "ms");
+    expect(bench.toldBlank(), "the ground was told", bench.toldBlank(), "");
     const auto none = bench.list();
     expect(none.size() == 1 && none[0].num_logs == 0, "lists no logs", none[0].num_logs, "logs");
     const auto pages = bench.fly(4'000'000);
