@@ -165,6 +165,7 @@ void judgeAll(Document& document) {
     const size_t count = document.entries.size();
     for (size_t index = 0; index < count; ++index) {
         Entry& entry = document.entries[index];
+        if (!entry.good()) continue;  // found already, where it was read
         if (judge(document.set, index, count, entry) == MissionResult::accepted) continue;
         entry.problem =
             expected(expectation(document.set, entry), foundInstead(document.set, entry));
