@@ -99,8 +99,8 @@ std::string fault(const std::string& text) {
                : "expected SENSOR:HOW@FROM[-TO], like gps:lost@60-90, not '" + text + "'";
 }
 
-void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& wind,
-                std::string& telemetry) {
+// Each adds what belongs together, in the order of the help.
+void addImage(CLI::App& app, FlyOptions& o, std::string& board) {
     app.add_option("MISSION", o.mission, "mission file, QGC WPL 110")->capture_default_str();
     app.add_option("--board", board, "board to simulate")
         ->check(CLI::IsMember({"apm1", "apm2"}))
@@ -111,6 +111,9 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
     app.add_option("--firmware", o.firmware,
                    ".elf or .hex for this board, ours or not; if not given the image of this build")
         ->check(fileName);
+}
+
+void addAirplane(CLI::App& app, FlyOptions& o) {
     app.add_option("--airplane", o.airplane,
                    "what flies: foam_trainer, trainer_6kg or flying_wing of simulator/airplanes, "
                    "or the path of such a .json file; the .param file beside it is set by wire")
@@ -127,6 +130,9 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
     app.add_option("--fdm-wait", o.fdm_wait_s, "seconds for the flight model to answer first")
         ->check(seconds)
         ->capture_default_str();
+}
+
+void addMemories(CLI::App& app, FlyOptions& o) {
     app.add_option("--eeprom", o.eeprom,
                    "4096-byte file: contents at power-on if it exists, rewritten at the end")
         ->check(fileName);
@@ -135,6 +141,9 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
         ->check(fileName);
     app.add_flag("--no-dataflash", o.no_dataflash, "a board without that chip")
         ->disable_flag_override();
+}
+
+void addConditions(CLI::App& app, FlyOptions& o, std::string& wind) {
     app.add_option("--wind", wind, "SPEED,FROM_DEGREES: mean wind in m/s and where it comes from");
     app.add_flag("--gusts", o.gusts, "Dryden gusts of 1 m/s RMS")->disable_flag_override();
     app.add_flag("--calibrated", o.calibrated,
@@ -157,10 +166,16 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
            "SENSOR:HOW@FROM[-TO], more than once if wanted: imu, baro, airspeed, compass, gps or "
            "radio is lost, stuck, noisy, nonsense or jump (radio: lost) in these seconds")
         ->check(fault);
+}
+
+void addFlight(CLI::App& app, FlyOptions& o) {
     app.add_option("--time-limit", o.time_limit_s, "emulated seconds until the flight is given up")
         ->check(seconds)
         ->capture_default_str();
     app.add_option("--out", o.out, "folder for the report")->check(fileName)->capture_default_str();
+}
+
+void addServer(CLI::App& app, FlyOptions& o, std::string& telemetry) {
     app.add_flag("--serve", o.serve,
                  "no script: real time for a ground station, until Ctrl-C; TCP port 5760 is the "
                  "telemetry on USART2 (APM 1: USART3), 5761 is USB on USART0 with the USB sense "
@@ -177,6 +192,9 @@ void addOptions(CLI::App& app, FlyOptions& o, std::string& board, std::string& w
     app.add_option("--listen", o.listen, "first TCP port instead of 5760; 0: any, told at start")
         ->check(wholeNumber("65535"))
         ->capture_default_str();
+}
+
+void addWatchers(CLI::App& app, FlyOptions& o) {
     app.add_option("--vcd", o.vcd, "write servos, PPM, data ready and marks as a VCD file")
         ->check(fileName);
     app.add_option("--profile", o.profile,
@@ -197,7 +215,13 @@ Parsed parseFlyOptions(int count, char** words) {
     std::string board = "apm2", wind, telemetry = "uart2";
     CLI::App app(kWhat, "fly");
     app.footer(kFooter);
-    addOptions(app, options, board, wind, telemetry);
+    addImage(app, options, board);
+    addAirplane(app, options);
+    addMemories(app, options);
+    addConditions(app, options, wind);
+    addFlight(app, options);
+    addServer(app, options, telemetry);
+    addWatchers(app, options);
     std::string wrong;
     try {
         app.parse(count, words);
