@@ -44,6 +44,19 @@ TEST(Metrics, know_nothing_of_a_flight_that_was_none) {
     EXPECT_FALSE(metrics.altitude.rms());
 }
 
+TEST(Metrics, measure_heights_from_where_the_airplane_was_armed) {
+    Metrics metrics(kPlan, 12);
+    metrics.setHomeHeight(0.3);
+    metrics.sample(10, at(60), {1100, 0}, 1);
+    metrics.sample(20, at(60), {1120, 0}, 2);
+    metrics.sample(25, at(60.5), {1190, 0}, 2);
+    metrics.sample(60, at(60), {2230, 0}, 3);
+    metrics.sample(75, at(60.1), {3250, 0}, 3);
+
+    EXPECT_NEAR(*metrics.altitude.rms(), 0.2, 1e-6);
+    EXPECT_NEAR(*metrics.altitude.max(), 0.2, 1e-6);
+}
+
 TEST(Metrics, count_a_leg_from_five_seconds_after_it_began) {
     Metrics metrics(kPlan, 12);
     metrics.sample(10, at(60), {1100, 0}, 1);

@@ -67,7 +67,7 @@ void Metrics::judgeHeight(double error_m) {
 }
 
 void Metrics::judgeCircle(Planned& planned, const Point& place, double time_s) {
-    planned.height_m = nav_->height_m;
+    planned.height_m = nav_->height_m + home_height_m_;
     const double given_m = std::abs(nav_->circle_m.value_or(0));
     const double radius_m = given_m > 0 ? given_m : std::abs(loiter_radius_m_.value_or(0));
     if (radius_m <= 0) return;
@@ -78,7 +78,7 @@ void Metrics::judgeCircle(Planned& planned, const Point& place, double time_s) {
 
 void Metrics::judgeStraight(Planned& planned, const Truth& truth, const Point& place,
                             double captured_s) {
-    planned.height_m = Plan::height_m(*nav_, from_, place);
+    planned.height_m = Plan::height_m(*nav_, from_, place) + home_height_m_;
     planned.crosstrack_m = along(from_, *nav_->place, place).across_m;
     const bool flares = nav_->command == MavCmd::nav_land && truth.height_m < kFlare_m;
     if (!planned.counts || flares) return;

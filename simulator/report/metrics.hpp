@@ -41,6 +41,8 @@ public:
     void setCruiseSpeed(std::optional<double> mps) { cruise_speed_mps_ = mps; }
     // The autopilot's own, for circles whose radius is 0.
     void setLoiterRadius(std::optional<double> m) { loiter_radius_m_ = m; }
+    // The zero of a plan's heights: where the airplane was armed, which may be a ramp.
+    void setHomeHeight(double m) { home_height_m_ = m; }
 
     // `item`: index of the NAV being flown in AUTO, 0 when none. In order of time.
     Planned sample(double time_s, const Truth& truth, const Point& place, int item);
@@ -55,6 +57,7 @@ private:
 
     const Plan& plan_;
     std::optional<double> cruise_speed_mps_, loiter_radius_m_;
+    double home_height_m_ = 0;
     const PlannedNav* nav_ = nullptr;
     Point from_;
     double begun_s_ = 0;

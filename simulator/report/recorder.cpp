@@ -55,6 +55,7 @@ void Recorder::sample(Board& board, const Telemetry& telemetry,
     copyTold(sample, telemetry);
     metrics_.setCruiseSpeed(cruise_speed_mps);
     metrics_.setLoiterRadius(loiter_radius_m);
+    if (!sample.armed) metrics_.setHomeHeight(truth.height_m);
     sample.planned = metrics_.sample(sample.time_s, truth, sample.place, sample.item);
     for (int i = 0; i < 8; ++i) {
         sample.servo_us[static_cast<size_t>(i)] = board.world().servoPulse_us(i + 1);
