@@ -101,15 +101,12 @@ public:
         const uint32_t late_us = began_us - due_us;
         began_ = now_ = hal::ticks();
         room_ = late_us < frame_us_ ? ticks(frame_us_ - static_cast<uint16_t>(late_us)) : 0;
+        for (uint8_t i = 0; i < fast_; ++i) runTimed(i, tasks_[i]);
         int8_t latest = 1;
-        for (uint8_t i = 0; i < N; ++i) {
-            if (wait_[i] > -kPatience) --wait_[i];
-            if (wait_[i] > 0) continue;
-            if (i < fast_) {
-                runTimed(i, core::romRead(tasks_[i].budget_us));
-            } else if (wait_[i] < latest) {
-                latest = wait_[i];
-            }
+        for (uint8_t i = fast_; i < N; ++i) {
+            int8_t& wait = wait_[i];
+            if (wait > -kPatience) --wait;
+            if (wait < latest) latest = wait;
         }
         // those that have waited longest first; a frame in which none was put off is one round
         for (int8_t late = latest; late <= 0; ++late)
@@ -149,36 +146,37 @@ private:
     }
 
     void serve(uint8_t i) {
-        const uint16_t budget_us = core::romRead(tasks_[i].budget_us);
+        const Task& task = tasks_[i];
+        const uint16_t budget_us = core::romRead(task.budget_us);
         const uint16_t spent = now_ - began_;
         const bool fits = spent <= room_ && ticks(budget_us) <= room_ - spent;
         if (!fits && wait_[i] > -kPatience) {
             countUp(deferrals_);
             return;
         }
-        runTimed(i, budget_us);
-    }
-
-    void runTimed(uint8_t i, uint16_t budget_us) {
-        const uint8_t period = core::romRead(tasks_[i].period);
+        const uint8_t period = core::romRead(task.period);
         do wait_[i] += period;  // from when it was due, not from now: the phase is kept
         while (wait_[i] <= 0);
+        runTimed(i, task);
+    }
+
+    void runTimed(uint8_t i, const Task& task) {
         hal::mark(i + 1);
-        core::romRead(tasks_[i].run)();
-        served_ |= tierOf(period);
+        core::romRead(task.run)();
+        served_ |= tierOf(core::romRead(task.period));
         hal::mark(hal::kMarkTaskEnd);
         const uint16_t ended = hal::ticks();
         const uint16_t taken = ended - now_;
         now_ = ended;
         if (taken > longest_[i]) longest_[i] = taken;
-        if (taken > ticks(budget_us)) countUp(overruns_);
+        if (taken > ticks(core::romRead(task.budget_us))) countUp(overruns_);
     }
 
     const Task (&tasks_)[N];
     const uint16_t frame_us_;
     uint8_t served_ = 0;
     uint8_t fast_ = 0;          // tasks of the fast tier: they stand first
-    int8_t wait_[N] = {};       // frames until due; 0 due, below 0 late by as many
+    int8_t wait_[N] = {};       // frames until due; 0 due, below 0 late by as many; not of the fast
     uint16_t longest_[N] = {};  // in ticks, as the next three
     uint16_t began_ = 0, now_ = 0;
     uint16_t room_ = 0;  // that the frame had when it began
