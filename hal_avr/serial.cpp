@@ -237,7 +237,9 @@ bool serialWrite(Port port, const void* bytes, uint8_t size) {
 
 void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t crc, uint8_t extra) {
     const bool first = link == Port::link0;
-    core::Ring<128>& tx = links[first ? 0 : 1].tx;
+    auto* channel = links + (first ? 0 : 1);
+    __asm__("" : "+r"(channel));  // or it is worked out again wherever it is used
+    core::Ring<128>& tx = channel->tx;
     uint8_t checksum[2];
     const uint8_t* from = head.bytes;
     uint8_t size = head.size;

@@ -190,7 +190,7 @@ bool onLogRequestEnd(Link&, const mavlink::Frame&) {
 
 bool logsWait(const Link& link) { return doing != Doing::nothing && to_link == linkNumber(link); }
 
-bool logsSend(Link& link) {
+__attribute__((noinline)) bool logsSend(Link& link) {
     if (!logsWait(link) || !mayTalk(link) || !hasRoom(link, kLogFrame)) return false;
     if (doing > Doing::date && vehicle.armed) doing = Doing::nothing;
     switch (doing) {

@@ -69,7 +69,7 @@ bool handleWhole(Link& link) {
 }
 
 // For whose answers there is room.
-bool receive(Link& link) {
+__attribute__((noinline)) bool receive(Link& link) {
     if (link.whole) return handleWhole(link);
     uint8_t byte;
     for (uint8_t i = 0; i < kBytesAtOnce; ++i) {
@@ -87,18 +87,18 @@ bool hasSomething(const Link& link) {
 }
 
 // Free bytes in the port at which there is something to send by itself.
-uint8_t roomToSend(const Link& link) {
+__attribute__((noinline)) uint8_t roomToSend(const Link& link) {
     if (hasSomething(link)) return kLargestFrame;
     return logsWait(link) ? kLogFrame : kNoRoomWakes;
 }
 
 // One message, of what goes out by itself. A log takes turns with all the rest.
-bool sendOne(Link& link) {
+__attribute__((noinline)) bool sendOne(Link& link) {
     if (logsWait(link)) {
         link.log_is_next = !link.log_is_next;
         if (link.log_is_next && !heartbeatDue(link) && logsSend(link)) return true;
     }
-    if (!hasSomething(link) || !hasRoom(link, kLargestFrame)) return false;
+    if (!hasRoom(link, kLargestFrame)) return false;
     if (heartbeatDue(link)) return streamsSend(link);
     if (textSend(link)) return true;
     link.parameter_is_next = !link.parameter_is_next;
@@ -114,6 +114,19 @@ inline bool waits() {
     const uint8_t room = hal::serialRoom(kPort);
     if (room >= link.wake_room) return true;
     return hal::serialAvailable(kPort) > 0 && !link.whole && room >= kLongestTalk;
+}
+
+// True: something was done. While there is little room nothing can be, and what waits then waits.
+template <uint8_t number>
+inline bool pump() {
+    Link& link = links[number];
+    constexpr hal::Port kPort = number == 0 ? hal::Port::link0 : hal::Port::link1;
+    const uint8_t room = hal::serialRoom(kPort);
+    if (room < kLongestTalk && link.wake_room != kNoRoomWakes) return false;
+    if (room >= kLongestTalk && (link.whole || hal::serialAvailable(kPort) > 0) && receive(link))
+        return true;
+    link.wake_room = roomToSend(link);
+    return room >= link.wake_room && sendOne(link);
 }
 
 }  // namespace
@@ -142,21 +155,12 @@ void telemetrySend() {
     commandsTurn();
 }
 
-bool telemetryPump() {
+// asked some thousand times a second: nothing in these is called that is not needed
+__attribute__((flatten)) bool telemetryPump() {
     rested = true;
-    bool done = false;
-    for (Link& link : links) {
-        link.wake_room = roomToSend(link);
-        const uint8_t room = hal::serialRoom(portOf(link));
-        if (room >= kLongestTalk && receive(link))
-            done = true;
-        else if (room >= link.wake_room && sendOne(link))
-            done = true;
-    }
-    return done;
+    const bool done = pump<0>();
+    return pump<1>() || done;
 }
-
-// asked some thousand times a second: nothing in it is called
 __attribute__((flatten)) bool telemetryWaits() { return waits<0>() || waits<1>(); }
 
 }  // namespace firmware
