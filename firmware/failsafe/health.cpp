@@ -67,18 +67,19 @@ void startHealth() {
 
 bool believe(Sensor sensor, int16_t reading, bool possible) {
     Health& health = of(sensor);
-    const Limits limits = core::romRead(limitsOf(sensor));
+    const Limits& limits = limitsOf(sensor);
     const int16_t change =
         static_cast<int16_t>(static_cast<uint16_t>(reading) - static_cast<uint16_t>(health.seen));
     const uint16_t jump = static_cast<uint16_t>(change < 0 ? -change : change);
     health.seen = reading;
-    if (!possible || jump > limits.jump) {
-        add(health, limits.doubt);
+    if (!possible || jump > core::romRead(limits.jump)) {
+        add(health, core::romRead(limits.doubt));
         return !vehicle.estimate.flying;
     }
     if (change == 0) return true;
     health.still = 0;
-    health.doubts = health.doubts > limits.trust ? health.doubts - limits.trust : 0;
+    const uint8_t trust = core::romRead(limits.trust);
+    health.doubts = health.doubts > trust ? health.doubts - trust : 0;
     return true;
 }
 

@@ -41,15 +41,18 @@ void takeTrim() {
     trim_y = trim(parameters.level_trim_rad[1]);
 }
 
-// A parameter is felt within a third of a second.
-void refreshReading() {
+__attribute__((noinline)) void takeReading() {
     constexpr float kFactor = drivers::kForceStep_mss / 4 * 512 * 65536;
-    refreshed = (refreshed + 1) & 31;
     if (refreshed == core::count(readings)) return takeTrim();
-    if (refreshed > core::count(readings)) return;
     const float scale = core::limit(parameters.accel_scale[refreshed], -1.5f, 1.5f);
     const core::Fixed<9> offset = parameters.accel_offset_mss[refreshed] * scale;
     readings[refreshed] = {static_cast<int16_t>(core::rounded(scale * kFactor)), offset.raw};
+}
+
+// A parameter is felt within a third of a second.
+void refreshReading() {
+    refreshed = (refreshed + 1) & 31;
+    if (refreshed <= core::count(readings)) takeReading();
 }
 
 // In two periods.
@@ -76,7 +79,6 @@ __attribute__((noinline)) core::Fixed<8> force_mss(int32_t force) {
 
 // AHRS_TRIM: how the board sits in the airplane, a small rotation taken back.
 __attribute__((noinline)) void level(Turn& v) {
-    if (trim_x == 0 && trim_y == 0) return;
     const Turn old = v;
     v.of[0] += 2 * core::times16(old.of[2], trim_y);
     v.of[1] -= 2 * core::times16(old.of[2], trim_x);
@@ -137,11 +139,12 @@ void use(drivers::ImuSums& sums) {
         to.turned.of[i] = turned(sums.rate[i], zero.of[i]);
         felt.of[i] = force(sums.force[i], readings[i]);
     }
-    level(to.turned);
+    const bool trimmed = trim_x != 0 || trim_y != 0;
+    if (trimmed) level(to.turned);
     to.rate_rads = {rate_rads(to.turned.of[0]), rate_rads(to.turned.of[1]),
                     rate_rads(to.turned.of[2])};
     stretch(to.turned, sums.periods);
-    level(felt);
+    if (trimmed) level(felt);
     to.accel_mss = {force_mss(felt.of[0]), force_mss(felt.of[1]), force_mss(felt.of[2])};
     if (!possible()) to = before;
 }
