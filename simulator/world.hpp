@@ -26,7 +26,8 @@ struct WorldOptions {
     bool hand_held = false;       // it does not fly, it is held on the bench
     double accel_bias_g = 0.004;  // and how wrong its accelerometers are, one sigma
     double accel_scale = 0;
-    double declination_deg = 2.5, inclination_deg = 63.0, magnetic_field_mg = 480.0;
+    // the World Magnetic Model 2025 at this place at the end of 2026
+    double declination_deg = 3.67, inclination_deg = 63.54, magnetic_field_mg = 484.1;
     double gps_acquire_s = 3.0;        // from power-on to the first fix
     std::string gps = "ublox";         // one of gpsKinds(), as delivered
     uint32_t gps_baud = 0;             // its rate at power-on; 0: the one it comes with

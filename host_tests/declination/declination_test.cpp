@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "simulator/world.hpp"
 #include "toolchain/declination/table.hpp"
 
 namespace {
@@ -128,6 +129,18 @@ TEST(DeclinationTable, goes_on_with_its_last_row_beyond_60_degrees) {
         EXPECT_EQ(geo::declination_cd(place(-90, longitude)),
                   geo::declination_cd(place(-60, longitude)));
     }
+}
+
+TEST(MagneticModel, is_what_the_simulator_flies_in) {
+    constexpr double kYear = 2027.0, kRadians = 3.14159265358979 / 180;
+    const simulator::WorldOptions world;
+    const auto field =
+        model().at(world.latitude_deg, world.longitude_deg, world.altitude_m / 1000, kYear);
+    const double level_mg = field.horizontal_nt() / 100, down_mg = field.down_nt / 100;
+
+    EXPECT_NEAR(world.declination_deg, field.declination_deg(), 0.05);
+    EXPECT_NEAR(world.inclination_deg, std::atan2(down_mg, level_mg) / kRadians, 0.05);
+    EXPECT_NEAR(world.magnetic_field_mg, std::hypot(level_mg, down_mg), 1);
 }
 
 TEST(DeclinationTable, knows_some_towns) {
