@@ -215,11 +215,7 @@ Summary summarize(const FlyOptions& options, const Board& board, const ScriptedF
     const Telemetry& told = flight.telemetry();
     // firmware that flies from item to item and never says that it reached one does not tell it
     if (!told.reached.empty() || told.visited.size() < 2) s.items_reached = told.reached;
-    if (const auto imu = recorder.imuSamples()) {
-        s.imu_samples = imu->made;
-        s.imu_samples_lost = imu->lost;
-        s.imu_samples_repeated = imu->repeated;
-    }
+    if (const auto imu = recorder.imuSamples()) s.setSamples(*imu);
     for (const PlannedNav& nav : plan.navs) s.items_planned.push_back(nav.item);
     s.figures = board.figures();
     if (!options.native) s.task_names = readTaskNames(options.firmware);

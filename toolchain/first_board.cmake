@@ -26,7 +26,11 @@ ExternalProject_Add(hal_programs_apm1
     BUILD_COMMAND ${CMAKE_COMMAND} --build <BINARY_DIR> --target hal_pwm hal_ppm hal_watchdog
     BUILD_ALWAYS ON
     INSTALL_COMMAND "")
+set(HOUSE_TEST_PREFIX apm1.)
 house_test(hal_apm1_test ${CMAKE_SOURCE_DIR}/host_tests/hal_apm1 simulator_machine)
+unset(HOUSE_TEST_PREFIX)
+target_sources(hal_apm1_test PRIVATE ${CMAKE_SOURCE_DIR}/host_tests/hal_avr/pwm_test.cpp
+                                     ${CMAKE_SOURCE_DIR}/host_tests/hal_avr/ppm_test.cpp)
 add_dependencies(hal_apm1_test hal_programs_apm1 image_apm1)
 target_compile_definitions(hal_apm1_test PRIVATE CHIP_PROGRAMS="${CMAKE_BINARY_DIR}/avr-hal-apm1"
-                           IMAGE_APM1="${IMAGE_APM1_ELF}")
+                           IMAGE_APM1="${IMAGE_APM1_ELF}" CHIP_BOARD=apm1)

@@ -84,17 +84,20 @@ target_compile_options(fault_flight PRIVATE ${HOUSE_WARNINGS})
 target_link_libraries(fault_flight PRIVATE firmware_native simulator_native simulator_ground
                       simulator_machine simulator_world)
 foreach(what singles pairs)
-    add_test(NAME flight.native_fault_${what} COMMAND fault_flight native ${first_flight}
-             ${flights}/native_minutes ${what})
+    add_test(NAME flight.native_fault_${what} COMMAND fault_flight native ${first_flight} ${what})
     set_tests_properties(flight.native_fault_${what} PROPERTIES LABELS native TIMEOUT 1800)
 endforeach()
-set(elf_faults gps:lost baro:nonsense imu:lost)
-foreach(fault IN LISTS elf_faults)
-    string(REPLACE ":" "_" name ${fault})
-    add_test(NAME flight.elf_fault_${name}
-             COMMAND fault_flight ${IMAGE_ELF} ${first_flight} ${minutes} ${fault})
-    set_tests_properties(flight.elf_fault_${name} PROPERTIES LABELS simavr TIMEOUT 900
+function(elf_fault board image fault)
+    string(REPLACE ":" "_" name flight.elf_fault_${board}_${fault})
+    add_test(NAME ${name} COMMAND fault_flight ${board} ${image} ${first_flight} ${minutes} ${fault})
+    set_tests_properties(${name} PROPERTIES LABELS simavr TIMEOUT 900
                          FIXTURES_REQUIRED image_minutes)
+endfunction()
+foreach(fault gps:lost baro:nonsense imu:lost)
+    elf_fault(apm2 ${IMAGE_ELF} ${fault})
+endforeach()
+foreach(fault imu:stuck baro:lost)  # other sensors, other drivers
+    elf_fault(apm1 ${IMAGE_APM1_ELF} ${fault})
 endforeach()
 
 # gains learnt in the air, on an airplane whose own are near the defaults and on one far from them

@@ -169,7 +169,7 @@ ExternalProject_Add(hal_programs
 house_test(hal_avr_test ${CMAKE_SOURCE_DIR}/host_tests/hal_avr simulator_machine)
 add_dependencies(hal_avr_test hal_programs)
 target_compile_definitions(hal_avr_test PRIVATE CHIP_PROGRAMS="${CMAKE_BINARY_DIR}/avr-hal"
-    STACK_BOUND="${NODE} ${CMAKE_SOURCE_DIR}/toolchain/stack_bound.mjs")
+    STACK_BOUND="${NODE} ${CMAKE_SOURCE_DIR}/toolchain/stack_bound.mjs" CHIP_BOARD=apm2)
 # ---- what geodesy and the mission engine take on the chip
 add_executable(costs ${CMAKE_SOURCE_DIR}/host_tests/costs/costs.cpp)
 target_compile_options(costs PRIVATE ${HOUSE_WARNINGS})

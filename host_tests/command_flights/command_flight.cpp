@@ -17,10 +17,8 @@
 #include "command_flights/expected.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/item.hpp"
-#include "simulator/devices/mpu6000.hpp"
-#include "simulator/ground/scripted_flight.hpp"
+#include "host_tests/on_board/telling.hpp"
 #include "simulator/machine/apm2_board.hpp"
-#include "simulator/report/summary.hpp"
 #include "toolchain/mission_tool/load.hpp"
 
 using namespace simulator;
@@ -75,21 +73,12 @@ oracle::Mission oracleMission(const Document& document) {
     return mission;
 }
 
-WorldOptions worldOf(const Waypoints& items) {
-    WorldOptions world;
-    world.latitude_deg = items[0].latitude_deg;
-    world.longitude_deg = items[0].longitude_deg;
-    world.altitude_m = items[0].altitude_m;
-    world.heading_deg = 340;
-    return world;
-}
-
 class CommandFlight {
 public:
     CommandFlight(const std::string& firmware, const Document& document)
         : document_(document),
           items_(itemsOf(document)),
-          board_(firmware, worldOf(items_)),
+          board_(firmware, worldAt(items_)),
           flight_(board_, kTelemetry, items_, kTimeLimit_s),
           usb_(board_, kUsb, [this](const mavlink::Frame& f, uint64_t) { take(f, kUsbTold); }),
           telemetry_(board_, kTelemetry,
@@ -239,11 +228,6 @@ private:
     std::map<std::string, double> parameters_;
 };
 
-bool say(bool kept, const std::string& what) {
-    std::printf("  %s  %s\n", kept ? "ok    " : "FAILED", what.c_str());
-    return kept;
-}
-
 bool CommandFlight::holds(const Expected& expected) const {
     const auto at_s = log_.time_s(expected.word);
     char what[160];
@@ -302,31 +286,19 @@ bool CommandFlight::judge() {
     kept = say(board_.figures().frame_overruns == 0u, "no frame was late") && kept;
     kept_all_ = say(seconds() < kTimeLimit_s, "in six minutes") && kept;
     if (kept_all_) return true;
-    for (const Event& event : told().events)
-        std::printf("%8.1f s  %s\n", event.time_s, event.text.c_str());
-    for (const Event& text : told().texts)
-        std::printf("%8.1f s  said: %s\n", text.time_s, text.text.c_str());
+    sayWhatHappened(flight_);
     for (const CommandLog::Entry& entry : log_.entries())
         std::printf("%8.2f s  %s\n", entry.time_s, entry.word.c_str());
     return false;
 }
 
 Summary CommandFlight::summary(const std::string& firmware, const std::string& mission) {
-    Summary s;
+    Summary s = summaryOf(board_, flight_, firmware);
     s.mission = fs::path(mission).filename();
-    s.firmware = fs::path(firmware).filename();
-    s.board = "apm2";
     s.completed = kept_all_;
-    s.reason = flight_.reason();
-    s.emulated_s = seconds();
     const SampleCount imu = board_.world().imu().samples();
-    s.imu_samples = imu.made - imu_from_.made;
-    s.imu_samples_lost = imu.lost - imu_from_.lost;
-    s.imu_samples_repeated = imu.repeated - imu_from_.repeated;
-    s.figures = board_.figures();
-    s.task_names = readTaskNames(firmware);
-    s.events = told().events;
-    s.texts = told().texts;
+    s.setSamples({imu.made - imu_from_.made, imu.read - imu_from_.read, imu.lost - imu_from_.lost,
+                  imu.repeated - imu_from_.repeated});
     return s;
 }
 
@@ -338,15 +310,11 @@ int main(int count, char** words) {
         return 2;
     }
     const fs::path out = words[3], minutes = words[4];
-    fs::remove_all(out);
-    fs::create_directories(out);
-    fs::create_directories(minutes);
+    emptyFolder(out);
     const Document document = read(words[2]);
     CommandFlight flight(words[1], document);
     flight.fly();
     const bool kept = flight.judge();
-    std::ofstream(out / "summary.json") << summaryJson(flight.summary(words[1], words[2]));
-    std::ofstream(minutes / out.filename()) << flight.seconds() / 60 << '\n';
-    std::printf("emulated minutes: %.2f\n", flight.seconds() / 60);
+    writeOutcome(out, minutes, flight.summary(words[1], words[2]));
     return kept ? 0 : 1;
 }

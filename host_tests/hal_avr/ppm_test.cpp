@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "hal_avr/bench.hpp"
+#include "hal_avr/wires.hpp"
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -9,7 +10,6 @@ using testing::SizeIs;
 
 namespace {
 
-constexpr int kVector = 46;
 constexpr int kFrame = 0x20, kAge = 0x21;  // age in 0.1 ms
 constexpr double kGap_us = 10500;
 
@@ -18,7 +18,7 @@ public:
     Receiver() : Bench("ppm") {
         run_ms(1);
         next_us_ = static_cast<double>(chip.cycle()) / 16;
-        chip.captureEdge('5', true, chip.cycle());
+        chip.captureEdge(wires::kReceiverTimer, true, chip.cycle());
     }
 
     // Runs through the interval and puts an edge at its end.
@@ -26,7 +26,7 @@ public:
         next_us_ += us;
         const auto cycle = static_cast<uint64_t>(next_us_ * 16);
         ASSERT_TRUE(chip.run(cycle)) << chip.fault();
-        chip.captureEdge('5', true, cycle);
+        chip.captureEdge(wires::kReceiverTimer, true, cycle);
     }
     void frame(const std::vector<double>& channels_us, double gap_us = kGap_us) {
         for (double us : channels_us) interval(us);
@@ -156,5 +156,5 @@ TEST(HalPpm, an_edge_costs_little) {
     bench.interval(kGap_us);
     for (int i = 0; i < 20; ++i) bench.frame(kSticks);
 
-    EXPECT_LE(bench.longest(kVector), 320u);
+    EXPECT_LE(bench.longest(wires::kReceiverVector), 320u);
 }

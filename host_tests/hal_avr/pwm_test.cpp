@@ -2,16 +2,10 @@
 #include <gmock/gmock.h>
 
 #include "hal_avr/bench.hpp"
+#include "hal_avr/wires.hpp"
 
 namespace {
 
-struct Output {
-    char timer;
-    int compare;
-};
-// servo outputs 1..8 (docs of the board: OC1B, OC1A, OC4C, OC4B, OC4A, OC3C, OC3B, OC3A)
-constexpr Output kOutputs[8] = {{'1', 1}, {'1', 0}, {'4', 2}, {'4', 1},
-                                {'4', 0}, {'3', 2}, {'3', 1}, {'3', 0}};
 constexpr uint64_t kPeriod = 16000 * 20;
 
 struct Pulse {
@@ -24,7 +18,8 @@ class Servos : public Bench {
 public:
     Servos() : Bench("pwm") {
         for (int i = 0; i < 8; ++i) {
-            chip.onCompareOutput(kOutputs[i].timer, kOutputs[i].compare,
+            const wires::Output& output = wires::kServos[i];
+            chip.onCompareOutput(output.timer, output.compare,
                                  [this, i](bool high) { changed(i, high); });
         }
     }
@@ -88,7 +83,7 @@ TEST(HalPwm, a_change_at_any_moment_makes_no_pulse_that_was_not_asked_for) {
             EXPECT_GT(pulses[k].us(), 999);
             EXPECT_LT(pulses[k].us(), 2001);
             if (k == 0) continue;
-            EXPECT_NEAR(pulses[k].begin - pulses[k - 1].begin, kPeriod, 8);
+            EXPECT_NEAR(pulses[k].begin - pulses[k - 1].begin, kPeriod, 8) << "output " << i + 1;
         }
     }
 }
@@ -122,4 +117,13 @@ TEST(HalPwm, runs_at_400_Hz_and_keeps_a_pulse_within_its_period) {
     EXPECT_NEAR(pulses.back().us(), 2200, 0.3);
     EXPECT_NEAR(pulses[20].begin - pulses[19].begin, 16000 * 2.5, 8);
     EXPECT_LT(bench.report(7).word(), 5000);
+}
+
+// On the first board the clock counts with the timer of two outputs.
+TEST(HalPwm, leaves_the_clock_alone) {
+    Servos bench;
+    bench.runTo(2);
+
+    // wait_ms(50) to the first report and wait_ms(100) to the second, by the chip's own clock
+    EXPECT_NEAR(bench.cyclesBetween(1, 2) / 16000.0, 100, 0.5);
 }

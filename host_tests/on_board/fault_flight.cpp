@@ -3,28 +3,27 @@
 // when the airplane does not stay in the air and in hand, when it is not told what
 // docs/failsafes.md says, or when the mission is not flown on afterwards. Without an inertial
 // sensor a pilot flies, who sees the airplane. Natively each flight has a process of its own.
-//   fault_flight native MISSION MINUTES singles|pairs
-//   fault_flight FIRMWARE MISSION MINUTES SENSOR:HOW...
+//   fault_flight native MISSION singles|pairs|SENSOR:HOW...
+//   fault_flight apm2|apm1 FIRMWARE MISSION MINUTES SENSOR:HOW...
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
+#include <stdexcept>
 
+#include "host_tests/on_board/telling.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
-#include "simulator/ground/scripted_flight.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "simulator/native/native_board.hpp"
 
 using namespace simulator;
+namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kTelemetry = 2;
 constexpr uint64_t kStep_us = 20'000;
 constexpr double kFrom_s = 42, kTo_s = 72, kJumpTo_s = 56;  // of the faults, since power-on
 constexpr double kAgain_s = 20;                             // by then everything is as before
@@ -61,10 +60,10 @@ std::string nameOf(const Faults& faults) {
 
 class FaultFlight {
 public:
-    FaultFlight(Board& board, const Waypoints& items, const Faults& faults)
-        : faults_(faults), board_(board), flight_(board, kTelemetry, items, 900) {
-        board_.listen([this](int usart, uint8_t byte, uint64_t at_us) {
-            if (usart == kTelemetry) flight_.receive(byte, at_us);
+    FaultFlight(Board& board, int telemetry, const Waypoints& items, const Faults& faults)
+        : faults_(faults), board_(board), flight_(board, telemetry, items, 900) {
+        board_.listen([this, telemetry](int usart, uint8_t byte, uint64_t at_us) {
+            if (usart == telemetry) flight_.receive(byte, at_us);
         });
         board_.setUsb(false);
         switchTransmitterOn(board_.world());
@@ -84,12 +83,7 @@ public:
     }
 
     double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
-    void tellAll() const {
-        for (const Event& event : flight_.telemetry().events)
-            std::printf("%8.1f s  %s\n", event.time_s, event.text.c_str());
-        for (const Event& text : flight_.telemetry().texts)
-            std::printf("%8.1f s  said: %s\n", text.time_s, text.text.c_str());
-    }
+    const ScriptedFlight& flight() const { return flight_; }
 
 private:
     // Wings level at the height where he took over.
@@ -185,26 +179,21 @@ std::vector<Faults> pairs() {
 }
 
 WorldOptions worldOf(const Waypoints& items, const Faults& faults) {
-    WorldOptions world;
-    world.latitude_deg = items[0].latitude_deg;
-    world.longitude_deg = items[0].longitude_deg;
-    world.altitude_m = items[0].altitude_m;
-    world.heading_deg = 340;
-    world.wind_mps = 4;
-    world.wind_from_deg = 320;
+    WorldOptions world = worldAt(items, 4, 320);
     world.gusts = true;
     world.seed = 7;
     world.faults = faults;
     return world;
 }
 
-bool flyAndTell(Board& board, const Waypoints& items, const Faults& faults, double& seconds) {
-    FaultFlight flight(board, items, faults);
+bool flyAndTell(Board& board, int telemetry, const Waypoints& items, const Faults& faults,
+                double& seconds) {
+    FaultFlight flight(board, telemetry, items, faults);
     const std::string why = flight.fly();
     seconds = flight.seconds();
     std::printf("%s  %s%s%s\n", why.empty() ? "ok    " : "FAILED", nameOf(faults).c_str(),
                 why.empty() ? "" : ": ", why.c_str());
-    if (!why.empty()) flight.tellAll();
+    if (!why.empty()) sayWhatHappened(flight.flight());
     std::fflush(stdout);
     return why.empty();
 }
@@ -224,45 +213,49 @@ int flyNatively(const Waypoints& items, const std::vector<Faults>& flights) {
         if (fork() != 0) continue;
         NativeBoard board(worldOf(items, faults));
         double seconds;
-        _exit(flyAndTell(board, items, faults, seconds) ? 0 : 1);
+        _exit(flyAndTell(board, kApm2Wiring.telemetry_usart, items, faults, seconds) ? 0 : 1);
     }
     while (running > 0) wait();
     std::printf("%zu flights, %d failed\n", flights.size(), failed);
     return failed == 0 ? 0 : 1;
 }
 
-int flyImage(const std::string& firmware, const Waypoints& items, const Faults& faults,
-             const std::filesystem::path& minutes) {
-    AvrBoard board(firmware, worldOf(items, faults), kApm2Wiring);
+int flyImage(const std::string& name, const std::string& firmware, const Waypoints& items,
+             const Faults& faults, const fs::path& minutes) {
+    const BoardWiring& wiring = name == "apm1" ? kApm1Wiring : kApm2Wiring;
+    AvrBoard board(firmware, worldOf(items, faults), wiring);
     double seconds = 0;
-    const bool well = flyAndTell(board, items, faults, seconds);
-    const uint32_t late = board.figures().frame_overruns.value_or(0);
-    if (late != 0) std::printf("FAILED  a frame was late\n");
-    std::filesystem::create_directories(minutes);
-    std::string name = "fault_" + nameOf(faults);
-    std::replace(name.begin(), name.end(), ' ', '_');
-    std::ofstream(minutes / name) << seconds / 60 << '\n';
-    std::printf("emulated minutes: %.2f\n", seconds / 60);
-    return well && late == 0 ? 0 : 1;
+    const bool well = flyAndTell(board, wiring.telemetry_usart, items, faults, seconds);
+    std::string file = "fault_" + name + "_" + nameOf(faults);
+    std::replace(file.begin(), file.end(), ' ', '_');
+    writeMinutes(minutes / file, seconds / 60);
+    return say(board.figures().frame_overruns == 0u, "no frame was late") && well ? 0 : 1;
+}
+
+Faults parseFaults(char** words, char** end) {
+    Faults faults;
+    for (; words < end; ++words) {
+        const auto fault = parseFault(std::string(*words) + "@1");
+        if (!fault) throw std::invalid_argument(std::string("not a fault: ") + *words);
+        faults.push_back(faultOf(fault->sensor, fault->kind));
+    }
+    return faults;
 }
 
 }  // namespace
 
 int main(int count, char** words) {
-    if (count < 5) {
-        std::cerr << "usage: fault_flight native|FIRMWARE MISSION MINUTES singles|pairs|FAULT...\n";
+    const bool native = count > 1 && std::string(words[1]) == "native";
+    if (count < (native ? 4 : 6)) {
+        std::cerr << "usage: fault_flight native MISSION singles|pairs|FAULT...\n"
+                     "       fault_flight apm2|apm1 FIRMWARE MISSION MINUTES FAULT...\n";
         return 2;
     }
-    const std::string what = words[4];
-    const Waypoints items = readWaypoints(words[2]);
+    const Waypoints items = readWaypoints(words[native ? 2 : 3]);
+    if (!native)
+        return flyImage(words[1], words[2], items, parseFaults(words + 5, words + count), words[4]);
+    const std::string what = words[3];
     if (what == "singles") return flyNatively(items, singles());
     if (what == "pairs") return flyNatively(items, pairs());
-    Faults faults;
-    for (int i = 4; i < count; ++i) {
-        const auto fault = parseFault(std::string(words[i]) + "@1");
-        if (!fault) return 2;
-        faults.push_back(faultOf(fault->sensor, fault->kind));
-    }
-    if (std::string(words[1]) == "native") return flyNatively(items, {faults});
-    return flyImage(words[1], items, faults, words[3]);
+    return flyNatively(items, {parseFaults(words + 3, words + count)});
 }

@@ -9,6 +9,7 @@
 
 #include "hal/page_flash.hpp"
 #include "host_tests/on_board/station.hpp"
+#include "host_tests/on_board/telling.hpp"
 #include "logging/page.hpp"
 #include "simulator/devices/at45db.hpp"
 #include "simulator/machine/apm2_board.hpp"

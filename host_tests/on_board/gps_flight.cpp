@@ -4,9 +4,8 @@
 //   gps_flight MISSION MINUTES_FOLDER
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
-#include "simulator/ground/scripted_flight.hpp"
+#include "host_tests/on_board/telling.hpp"
 #include "simulator/native/native_board.hpp"
 
 using namespace simulator;
@@ -41,13 +40,8 @@ double secondsUntil(const Telemetry& told, const Swap& swap, double plugged_s) {
 int main(int count, char** words) {
     if (count != 3) return 2;
     const Waypoints items = readWaypoints(words[1]);
-    WorldOptions world;
-    world.latitude_deg = items[0].latitude_deg;
-    world.longitude_deg = items[0].longitude_deg;
-    world.altitude_m = items[0].altitude_m;
+    WorldOptions world = worldAt(items, 4, 320);
     world.gusts = true;
-    world.wind_mps = 4;
-    world.wind_from_deg = 320;
     NativeBoard board(world);
     ScriptedFlight flight(board, kTelemetry, items, 1200);
     board.listen([&](int usart, uint8_t byte, uint64_t time_us) {
@@ -67,18 +61,14 @@ int main(int count, char** words) {
         plugged_s[next++ - kSwaps] = now_s;
     }
     bool ok = flight.completed() && next == std::end(kSwaps);
-    std::printf("  %s %s\n", ok ? "ok     flown" : "FAILED", flight.reason().c_str());
+    say(ok, "flown " + flight.reason());
     for (size_t i = 0; i < std::size(kSwaps); ++i) {
         const double after_s = secondsUntil(flight.telemetry(), kSwaps[i], plugged_s[i]);
         ok = ok && after_s <= kMost_s;
         std::printf("  %s %s after %.1f s, at most %.1f\n",
                     after_s <= kMost_s ? "ok    " : "FAILED", kSwaps[i].found, after_s, kMost_s);
     }
-    if (!ok)
-        for (const Event& text : flight.telemetry().texts)
-            std::printf("%8.1f s  %s\n", text.time_s, text.text.c_str());
-    fs::create_directories(words[2]);
-    std::ofstream(fs::path(words[2]) / "gps_flight")
-        << static_cast<double>(board.time_us()) / 60e6 << '\n';
+    if (!ok) sayWhatHappened(flight);
+    writeMinutes(fs::path(words[2]) / "gps_flight", static_cast<double>(board.time_us()) / 60e6);
     return ok ? 0 : 1;
 }

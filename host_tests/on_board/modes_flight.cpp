@@ -5,17 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 
 #include "host_tests/on_board/station.hpp"
+#include "host_tests/on_board/telling.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
-#include "simulator/ground/scripted_flight.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "simulator/native/native_board.hpp"
 #include "simulator/report/recorder.hpp"
-#include "simulator/report/summary.hpp"
 
 using namespace simulator;
 namespace fs = std::filesystem;
@@ -226,12 +223,12 @@ public:
         const BoardFigures figures = board_.figures();
         if (figures.frame_overruns.value_or(0) != 0) std::printf("  FAILED  a frame was late\n");
         kept_all_ = kept && !flight_.over() && figures.frame_overruns.value_or(0) == 0;
-        if (!kept_all_) tellAll();
+        if (!kept_all_) sayWhatHappened(flight_);
         return kept_all_;
     }
 
     double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
-    Summary summary(const std::string& firmware) const;
+    Summary summary(const std::string& firmware, const WorldOptions& world);
 
 private:
     bool goOn() {
@@ -283,14 +280,6 @@ private:
         return kept;
     }
 
-    void tellAll() const {
-        if (!flight_.reason().empty()) std::printf("  %s\n", flight_.reason().c_str());
-        for (const Event& event : flight_.telemetry().events)
-            std::printf("%8.1f s  %s\n", event.time_s, event.text.c_str());
-        for (const Event& text : flight_.telemetry().texts)
-            std::printf("%8.1f s  said: %s\n", text.time_s, text.text.c_str());
-    }
-
     void set(const char* name, float value) {
         usb_.send(paramSet(flight_.telemetry().system, name, value));
     }
@@ -306,38 +295,16 @@ private:
     bool kept_all_ = false;
 };
 
-Summary ModesFlight::summary(const std::string& firmware) const {
-    Summary s;
+Summary ModesFlight::summary(const std::string& firmware, const WorldOptions& world) {
+    Summary s = summaryOf(board_, flight_, firmware, world);
     s.mission = "every mode";
-    s.firmware = fs::path(firmware).filename();
-    s.board = firmware == "native" ? "native" : "apm2";
-    s.wind_mps = 5;
-    s.wind_from_deg = 320;
-    s.gusts = true;
-    s.seed = 5;
     s.completed = kept_all_;
-    s.reason = flight_.reason();
-    s.emulated_s = seconds();
-    if (const auto imu = recorder_.imuSamples()) {
-        s.imu_samples = imu->made;
-        s.imu_samples_lost = imu->lost;
-        s.imu_samples_repeated = imu->repeated;
-    }
-    s.figures = board_.figures();
-    if (firmware != "native") s.task_names = readTaskNames(firmware);
-    s.events = flight_.telemetry().events;
-    s.texts = flight_.telemetry().texts;
+    if (const auto imu = recorder_.imuSamples()) s.setSamples(*imu);
     return s;
 }
 
 WorldOptions worldOf(const Waypoints& items) {
-    WorldOptions world;
-    world.latitude_deg = items[0].latitude_deg;
-    world.longitude_deg = items[0].longitude_deg;
-    world.altitude_m = items[0].altitude_m;
-    world.heading_deg = 340;
-    world.wind_mps = 5;
-    world.wind_from_deg = 320;
+    WorldOptions world = worldAt(items, 5, 320);
     world.gusts = true;
     world.seed = 5;
     return world;
@@ -352,9 +319,7 @@ int main(int count, char** words) {
     }
     const std::string firmware = words[1];
     const fs::path out = words[3], minutes = words[5];
-    fs::remove_all(out);
-    fs::create_directories(out);
-    fs::create_directories(minutes);
+    emptyFolder(out);
     const Waypoints items = readWaypoints(words[2]);
     const WorldOptions world = worldOf(items);
     std::unique_ptr<Board> board;
@@ -364,8 +329,6 @@ int main(int count, char** words) {
         board = std::make_unique<AvrBoard>(firmware, world);
     ModesFlight flight(*board, items, std::stod(words[4]));
     const bool kept = flight.fly();
-    std::ofstream(out / "summary.json") << summaryJson(flight.summary(firmware));
-    std::ofstream(minutes / out.filename()) << flight.seconds() / 60 << '\n';
-    std::printf("emulated minutes: %.2f\n", flight.seconds() / 60);
+    writeOutcome(out, minutes, flight.summary(firmware, world));
     return kept ? 0 : 1;
 }

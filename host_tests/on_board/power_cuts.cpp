@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "host_tests/on_board/station.hpp"
+#include "host_tests/on_board/telling.hpp"
 #include "simulator/devices/at45db.hpp"
 #include "simulator/machine/apm2_board.hpp"
 

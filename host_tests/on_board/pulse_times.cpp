@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "host_tests/on_board/station.hpp"
+#include "host_tests/on_board/telling.hpp"
 #include "simulator/machine/apm2_board.hpp"
 
 using namespace simulator;

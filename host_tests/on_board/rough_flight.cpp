@@ -10,15 +10,13 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
+#include "host_tests/on_board/telling.hpp"
 #include "simulator/devices/at45db.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
-#include "simulator/ground/scripted_flight.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "simulator/report/recorder.hpp"
-#include "simulator/report/summary.hpp"
 
 using namespace simulator;
 namespace fs = std::filesystem;
@@ -68,7 +66,7 @@ public:
     }
 
     bool judge();
-    Summary summary(const std::string& firmware) const;
+    Summary summary(const std::string& firmware);
 
     double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
 
@@ -81,13 +79,7 @@ private:
     static const std::vector<Trouble> kTroubles;
 
     static WorldOptions worldOf(const Waypoints& items) {
-        WorldOptions world;
-        world.latitude_deg = items[0].latitude_deg;
-        world.longitude_deg = items[0].longitude_deg;
-        world.altitude_m = items[0].altitude_m;
-        world.heading_deg = 340;
-        world.wind_mps = 5;
-        world.wind_from_deg = 320;
+        WorldOptions world = worldAt(items, 5, 320);
         world.gusts = true;
         world.seed = 4;
         return world;
@@ -233,10 +225,7 @@ const std::vector<RoughFlight::Trouble> RoughFlight::kTroubles = {
 
 bool RoughFlight::judge() {
     const BoardFigures figures = board_.figures();
-    const struct {
-        const char* what;
-        bool kept;
-    } all[] = {
+    kept_all_ = sayAll({
         {"it flew to the end", !flight_.over()},
         {"no frame was late", figures.frame_overruns == 0u},
         {"no inertial sample was lost",
@@ -256,44 +245,17 @@ bool RoughFlight::judge() {
         {"the radio came back", said("Radio back")},
         {"the mission was taken in flight", upload_.accepted()},
         {"it is armed and in AUTO again", told().armed() && told().mode() == kModeAuto},
-    };
-    kept_all_ = true;
-    for (const auto& [what, kept] : all) {
-        std::printf("  %s  %s\n", kept ? "ok    " : "FAILED", what);
-        kept_all_ = kept_all_ && kept;
-    }
-    if (!flight_.reason().empty()) std::printf("  %s\n", flight_.reason().c_str());
+    });
     if (!upload_.failure().empty()) std::printf("  %s\n", upload_.failure().c_str());
-    if (!kept_all_) {
-        for (const Event& event : told().events)
-            std::printf("%8.1f s  %s\n", event.time_s, event.text.c_str());
-        for (const Event& text : told().texts)
-            std::printf("%8.1f s  said: %s\n", text.time_s, text.text.c_str());
-    }
+    if (!kept_all_) sayWhatHappened(flight_);
     return kept_all_;
 }
 
-Summary RoughFlight::summary(const std::string& firmware) const {
-    Summary s;
+Summary RoughFlight::summary(const std::string& firmware) {
+    Summary s = summaryOf(board_, flight_, firmware, worldOf(items_));
     s.mission = "rough flight";
-    s.firmware = fs::path(firmware).filename();
-    s.board = "apm2";
-    s.wind_mps = 5;
-    s.wind_from_deg = 320;
-    s.gusts = true;
-    s.seed = 4;
     s.completed = kept_all_;
-    s.reason = flight_.reason();
-    s.emulated_s = seconds();
-    if (const auto imu = recorder_.imuSamples()) {
-        s.imu_samples = imu->made;
-        s.imu_samples_lost = imu->lost;
-        s.imu_samples_repeated = imu->repeated;
-    }
-    s.figures = board_.figures();
-    s.task_names = readTaskNames(firmware);
-    s.events = told().events;
-    s.texts = told().texts;
+    if (const auto imu = recorder_.imuSamples()) s.setSamples(*imu);
     return s;
 }
 
@@ -306,14 +268,11 @@ int main(int count, char** words) {
     }
     const std::string firmware = words[1];
     const fs::path out = words[3], minutes = words[4];
-    fs::remove_all(out);
-    fs::create_directories(out);
+    emptyFolder(out);
     RoughFlight flight(firmware, readWaypoints(words[2]));
     if (count == 6) flight.profileTo(words[5]);
     flight.fly();
     const bool kept = flight.judge();
-    std::ofstream(out / "summary.json") << summaryJson(flight.summary(firmware));
-    fs::create_directories(minutes);
-    std::ofstream(minutes / out.filename()) << flight.seconds() / 60 << '\n';
+    writeOutcome(out, minutes, flight.summary(firmware));
     return kept ? 0 : 1;
 }

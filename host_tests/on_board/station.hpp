@@ -4,8 +4,6 @@
 #pragma once
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -205,12 +203,6 @@ inline bool same(const std::vector<mavlink::MissionItemInt>& stored, const Waypo
             return false;
     }
     return true;
-}
-
-// For the sum over all tests.
-inline void writeMinutes(const std::filesystem::path& file, double minutes) {
-    std::filesystem::create_directories(file.parent_path());
-    std::ofstream(file) << minutes << '\n';
 }
 
 }  // namespace simulator

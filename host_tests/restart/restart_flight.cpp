@@ -14,6 +14,7 @@
 #include <cstring>
 
 #include "host_tests/on_board/station.hpp"
+#include "host_tests/on_board/telling.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/ground/scripted_flight.hpp"
 #include "simulator/ground/telemetry.hpp"
@@ -501,7 +502,6 @@ int main(int argc, char** argv) try {
     std::printf(" in a turn, %.0f s\n", bench.now_s());
     for (const Case& each : kInTheTurn) ok = runCase(bench, each) && ok;
     *emulated_s += bench.now_s();
-    std::printf("%.1f emulated minutes\n", *emulated_s / 60);
     writeMinutes(argv[4], *emulated_s / 60);
     return ok ? 0 : 1;
 } catch (const std::exception& error) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "simulator/board.hpp"
+#include "simulator/devices/mpu6000.hpp"
 #include "simulator/ground/telemetry.hpp"
 #include "simulator/report/metrics.hpp"
 #include "simulator/report/task_names.hpp"
@@ -39,6 +40,12 @@ struct Summary {
     BoardFigures figures;
     std::vector<TaskName> task_names;  // empty: numbers must do
     std::vector<Event> events, texts;
+
+    void setSamples(const SampleCount& imu) {
+        imu_samples = imu.made;
+        imu_samples_lost = imu.lost;
+        imu_samples_repeated = imu.repeated;
+    }
 };
 
 std::string summaryJson(const Summary& summary);

@@ -6,14 +6,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <vector>
 
 #include "firmware/camera.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/vehicle.hpp"
-#include "simulator/ground/scripted_flight.hpp"
+#include "host_tests/on_board/telling.hpp"
 #include "simulator/native/native_board.hpp"
 
 using namespace simulator;
@@ -181,25 +180,16 @@ private:
     }
 
     bool judge() {
-        const struct {
-            bool kept;
-            const char* what;
-        } rows[] = {
-            {straightOn(), "CONTINUE_CHANGE_ALT: straight on, up to its altitude"},
-            {photographed(), "SET_CAM_TRIGG_DIST: a picture each 25 m, none before or after"},
-            {leftOnCourse(), "LOITER_TO_ALT: left at its altitude on the next leg's course"},
-            {flewInverted(), "INVERTED_FLIGHT: upside down along its leg, and back"},
-            {cameHomeToLand(), "RTL_AUTOLAND: at the nearest DO_LAND_START"},
-            {wentAround(), "DO_GO_AROUND: up before it turns, and the landing again"},
-            {flight_.landed_s() && !truth().crashed && seconds() < kTimeLimit_s, "it landed"},
-            {flight_.touchdown_distance_m().value_or(1e9) < 30, "touched down at home"},
-        };
-        bool all = true;
-        for (const auto& row : rows) {
-            std::printf("  %s  %s\n", row.kept ? "ok    " : "FAILED", row.what);
-            all = all && row.kept;
-        }
-        return all;
+        return sayAll({
+            {"CONTINUE_CHANGE_ALT: straight on, up to its altitude", straightOn()},
+            {"SET_CAM_TRIGG_DIST: a picture each 25 m, none before or after", photographed()},
+            {"LOITER_TO_ALT: left at its altitude on the next leg's course", leftOnCourse()},
+            {"INVERTED_FLIGHT: upside down along its leg, and back", flewInverted()},
+            {"RTL_AUTOLAND: at the nearest DO_LAND_START", cameHomeToLand()},
+            {"DO_GO_AROUND: up before it turns, and the landing again", wentAround()},
+            {"it landed", flight_.landed_s() && !truth().crashed && seconds() < kTimeLimit_s},
+            {"touched down at home", flight_.touchdown_distance_m().value_or(1e9) < 30},
+        });
     }
 
     NativeBoard board_;
@@ -218,17 +208,8 @@ int main(int count, char** words) {
         return 2;
     }
     const Waypoints items = readWaypoints(words[1]);
-    WorldOptions world;
-    world.latitude_deg = items[0].latitude_deg;
-    world.longitude_deg = items[0].longitude_deg;
-    world.altitude_m = items[0].altitude_m;
-    world.heading_deg = 340;
-    world.wind_mps = 4;
-    world.wind_from_deg = 330;
-    BeyondFlight flight(items, world);
+    BeyondFlight flight(items, worldAt(items, 4, 330));
     const bool kept = flight.fly();
-    const fs::path minutes = words[2];
-    fs::create_directories(minutes);
-    std::ofstream(minutes / "native_beyond") << flight.seconds() / 60 << '\n';
+    writeMinutes(fs::path(words[2]) / "native_beyond", flight.seconds() / 60);
     return kept ? 0 : 1;
 }
