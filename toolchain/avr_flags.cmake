@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # How the image is compiled; what each flag gained stands in docs/measurements.md.
-set(AVR_OPTIMISATION -Os -flto -mrelax -mcall-prologues -mstrict-X -fno-gcse
-    -fno-move-loop-invariants)
+set(AVR_OPTIMISATION -Os -flto -mrelax -mcall-prologues -mstrict-X)
 add_compile_options(${AVR_OPTIMISATION})
 # in one piece functions are laid and inlined better; the stack bound wants to know addresses
 add_link_options(${AVR_OPTIMISATION} -flto-partition=one -Wl,--emit-relocs)
+# what occurs again and again in it stands once (toolchain/outline)
+set(outliner ${CMAKE_SOURCE_DIR}/toolchain/outline)
+add_link_options(-B${outliner})
 link_libraries(m)
 
 # Float arithmetic of our own instead of the library's, in every program for the chip.
@@ -14,12 +16,17 @@ set_source_files_properties(${arithmetic} PROPERTIES COMPILE_OPTIONS "-mmcu=atme
 add_library(arithmetic OBJECT ${arithmetic})
 link_libraries($<TARGET_OBJECTS:arithmetic>)
 
-# What no control loop waits for is made small, not fast.
-set(firmware ${CMAKE_SOURCE_DIR}/firmware)
+# What no control loop waits for is made small, not fast; what comes by wire as well, but for each
+# of its bytes.
 set(libraries ${CMAKE_SOURCE_DIR}/libraries)
-file(GLOB unhurried CONFIGURE_DEPENDS ${firmware}/telemetry/*.cpp ${firmware}/mission/*.cpp
-     ${firmware}/modes/*.cpp ${firmware}/modes.cpp ${firmware}/arming.cpp ${firmware}/home.cpp
-     ${firmware}/lights.cpp ${firmware}/failsafe.cpp ${firmware}/parameters.cpp
-     ${firmware}/sensors/battery.cpp ${libraries}/mission/*.cpp ${libraries}/storage/*.cpp
-     ${libraries}/parameters/*.cpp ${libraries}/mavlink/*.cpp)
-set_source_files_properties(${unhurried} PROPERTIES COMPILE_OPTIONS -fno-inline-small-functions)
+file(GLOB_RECURSE unhurried CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/firmware/*.cpp)
+file(GLOB bytewise CONFIGURE_DEPENDS ${libraries}/mavlink/*.cpp ${CMAKE_SOURCE_DIR}/firmware/telemetry/link.cpp
+     ${CMAKE_SOURCE_DIR}/firmware/telemetry/telemetry.cpp ${CMAKE_SOURCE_DIR}/firmware/telemetry/incoming.cpp)
+list(FILTER unhurried EXCLUDE REGEX
+     "/firmware/(main|tasks|radio|outputs|estimator|attitude_control|sensors/.*)\\.cpp$")
+file(GLOB unhurried_libraries CONFIGURE_DEPENDS ${libraries}/mission/*.cpp ${libraries}/storage/*.cpp
+     ${libraries}/parameters/*.cpp ${libraries}/logging/*.cpp)
+set_source_files_properties(${unhurried} ${unhurried_libraries}
+    ${CMAKE_SOURCE_DIR}/firmware/sensors/battery.cpp PROPERTIES COMPILE_OPTIONS
+    "-fno-inline-small-functions;-fno-gcse;-fno-move-loop-invariants")
+set_source_files_properties(${bytewise} PROPERTIES COMPILE_OPTIONS -fno-inline-small-functions)

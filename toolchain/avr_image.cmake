@@ -27,9 +27,9 @@ add_custom_command(TARGET firmware POST_BUILD
     COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/check_image.mjs $<TARGET_FILE:firmware>
             ${CMAKE_SOURCE_DIR}/toolchain/budgets.json ${BOARD}
     VERBATIM)
-# what judges the image is part of it
+# what shrinks and what judges the image is part of it
 file(GLOB image_checks ${CMAKE_SOURCE_DIR}/toolchain/*.mjs ${CMAKE_SOURCE_DIR}/toolchain/image/*.mjs
-     ${CMAKE_SOURCE_DIR}/toolchain/budgets.json)
+     ${CMAKE_SOURCE_DIR}/toolchain/budgets.json ${outliner}/*)
 set_target_properties(firmware PROPERTIES LINK_DEPENDS "${image_checks}")
 
 # ---- programs on the hardware layer alone, which host_tests/hal_avr runs on the emulated chip
@@ -38,7 +38,8 @@ add_custom_target(hal_programs)
 foreach(program IN LISTS hal_programs)
     get_filename_component(name ${program} NAME_WE)
     add_executable(hal_${name} EXCLUDE_FROM_ALL ${program})
-    set_target_properties(hal_${name} PROPERTIES CXX_STANDARD 14 SUFFIX .elf)
+    set_target_properties(hal_${name} PROPERTIES CXX_STANDARD 14 SUFFIX .elf
+                          LINK_DEPENDS "${image_checks}")
     target_compile_options(hal_${name} PRIVATE ${HOUSE_WARNINGS})
     target_link_libraries(hal_${name} PRIVATE hal_avr)
     add_dependencies(hal_programs hal_${name})

@@ -10,7 +10,7 @@ target_include_directories(cost_mission PRIVATE ${CMAKE_SOURCE_DIR} ${CMAKE_SOUR
                            ${CMAKE_SOURCE_DIR}/hal_avr/boards/${BOARD})
 target_link_libraries(cost_mission PRIVATE ${all_libraries})
 foreach(program cost_geodesy cost_mission)
-    set_target_properties(${program} PROPERTIES CXX_STANDARD 14 SUFFIX .elf)
+    set_target_properties(${program} PROPERTIES CXX_STANDARD 14 SUFFIX .elf LINK_DEPENDS "${image_checks}")
     target_compile_options(${program} PRIVATE ${HOUSE_WARNINGS})
     add_dependencies(hal_programs ${program})
 endforeach()

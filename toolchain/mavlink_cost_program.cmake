@@ -6,6 +6,6 @@ target_include_directories(cost_link PRIVATE ${CMAKE_SOURCE_DIR} ${CMAKE_SOURCE_
                            ${CMAKE_SOURCE_DIR}/hal_avr/boards/${BOARD}
                            ${CMAKE_SOURCE_DIR}/host_tests/mavlink)
 target_link_libraries(cost_link PRIVATE ${all_libraries})
-set_target_properties(cost_link PROPERTIES CXX_STANDARD 14 SUFFIX .elf)
+set_target_properties(cost_link PROPERTIES CXX_STANDARD 14 SUFFIX .elf LINK_DEPENDS "${image_checks}")
 target_compile_options(cost_link PRIVATE ${HOUSE_WARNINGS})
 add_dependencies(hal_programs cost_link)

@@ -19,7 +19,7 @@ function(on_chip_program library)
     if(NOT EXISTS ${left_out})
         set(left_out ${on_chip}/left_out/none.hpp)
     endif()
-    set_target_properties(on_chip_${library} PROPERTIES CXX_STANDARD 14 SUFFIX .elf)
+    set_target_properties(on_chip_${library} PROPERTIES CXX_STANDARD 14 SUFFIX .elf LINK_DEPENDS "${image_checks}")
     # a test compares what it likes: int with uint16_t is harmless on the host
     target_compile_options(on_chip_${library} PRIVATE ${HOUSE_WARNINGS} -Wno-sign-compare)
     target_compile_definitions(on_chip_${library} PRIVATE ON_CHIP_LEFT_OUT="${left_out}")

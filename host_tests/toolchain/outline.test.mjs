@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands once instead of often, and what stays where it is.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { hurriedIn, outline } from '../../toolchain/outline/outline.mjs';
+
+const kNone = () => false;
+const kFour = ['ldd r18,Z+8', 'ldd r19,Z+9', 'ldd r20,Z+10', 'ldd r21,Z+11'];
+const code = (name, ...steps) => [`\t.section\t.text.${name},"ax",@progbits`, `${name}:`, ...steps.map((step) => (step.endsWith(':') ? step : `\t${step}`)),
+  `\t.size\t${name}, .-${name}`];
+const functions = (count, steps) => Array.from({ length: count }, (_, i) => code(`f${i}`, ...steps(i))).flat().join('\n');
+// { f0: [...], __fragment_0: [...] }
+function bodies(text) {
+  const found = {};
+  let name;
+  for (const line of text.split('\n')) {
+    name = /^([A-Za-z_]\w*):/.exec(line)?.[1] ?? name;
+    if (/^\t[a-z]/.test(line)) (found[name] ??= []).push(line.trim());
+  }
+  return found;
+}
+const outlined = (text, isHurried = kNone) => bodies(outline(text, isHurried));
+
+test('a run that occurs again stands once and goes back', () => {
+  const all = outlined(functions(4, (i) => [`ldi r24,${i}`, ...kFour, `ldi r25,${i}`, 'rjmp .L9']));
+
+  assert.deepEqual(all.__fragment_0, [...kFour, 'ret']);
+  assert.deepEqual(all.f2, ['ldi r24,2', 'call __fragment_0', 'ldi r25,2', 'rjmp .L9']);
+});
+
+test('a run that ends with a call goes on there by a jump', () => {
+  const all = outlined(functions(5, (i) => [`ldi r24,${i}`, 'movw r18,r22', 'movw r20,r24', 'call __mulsf3', `ldi r25,${i}`, 'rjmp .L9']));
+
+  assert.deepEqual(all.__fragment_0, ['movw r18,r22', 'movw r20,r24', 'jmp __mulsf3']);
+  assert.deepEqual(all.f0.slice(1, 2), ['call __fragment_0']);
+});
+
+test('an end that occurs again is jumped to', () => {
+  const all = outlined(functions(4, (i) => [`ldi r24,${i}`, ...kFour, 'ret']));
+
+  assert.deepEqual(all.f3, ['ldi r24,3', 'jmp __fragment_0']);
+});
+
+test('what uses the stack pointer, jumps, or is skipped stays', () => {
+  for (const fixed of ['push r18', 'in r28,__SP_L__', 'out __SREG__,r0', 'rcall .', 'breq .L1', 'cli', 'ldi r30,lo8(gs(1f))', 'jmp __tablejump2__']) {
+    const all = outlined(functions(6, (i) => [`ldi r24,${i}`, 'ldd r18,Z+8', fixed, 'ldd r19,Z+9', 'rjmp .L9']));
+    assert.equal(all.__fragment_0, undefined, fixed);
+  }
+  const all = outlined(functions(6, (i) => [`ldi r24,${i}`, 'sbrc r24,7', ...kFour, 'rjmp .L9']));
+  assert.deepEqual(all.f0.slice(1, 3), ['sbrc r24,7', kFour[0]]);
+});
+
+test('what a carry goes through is not torn apart', () => {
+  const all = outlined(functions(6, (i) => [`ldi r24,${i}`, 'ldd r18,Z+8', 'ldd r19,Z+9', 'add r18,r22', `adc r19,r${i}`, 'rjmp .L9']));
+
+  assert.ok(all.f0.includes('add r18,r22'), all.f0.join());
+});
+
+test('a loop over a few instructions stays', () => {
+  const all = outlined(functions(6, () => ['ldi r24,9', '0:', 'ld r0,Z+', 'st X+,r0', 'dec r24', 'brne 0b', 'rjmp .L9']));
+
+  assert.ok(all.f0.includes('ld r0,Z+'), all.f0.join());
+});
+
+test('no fragment calls another, so that one return address is enough', () => {
+  const all = outlined(functions(30, (i) => [`ldi r24,${i}`, ...(i % 3 ? ['mov r2,r3', 'mov r4,r5'] : []), ...kFour, ...(i % 2 ? ['mov r6,r7', 'mov r8,r9'] : []),
+    `ldi r25,${i}`, 'rjmp .L9']));
+  const fragments = Object.entries(all).filter(([name]) => name.startsWith('__fragment_'));
+
+  assert.ok(fragments.length > 1);
+  for (const [name, body] of fragments) assert.ok(!body.some((step) => step.startsWith('call __fragment')), name);
+});
+
+test('what is named as hurried stays, with all that is in it', () => {
+  const hurried = hurriedIn('# why\nmain\ngeo\nfirmware::runMode\n');
+
+  for (const name of ['main', '_ZN3geo6offsetERKNS_8PositionES2_', '_ZNK3geo5Place4moveEv.constprop.3', '_ZN8firmware7runModeEv', '_ZN8firmware12_GLOBAL__N_17runModeEv'])
+    assert.ok(hurried(name), name);
+  for (const name of ['_ZN8firmware13runModeSwitchEv', '_ZN4geos6offsetEv', '_ZN8firmware3runEv']) assert.ok(!hurried(name), name);
+  const repeated = (i) => [`ldi r24,${i}`, ...kFour, 'rjmp .L9'];
+  const all = outlined(functions(6, repeated), (name) => name === 'f2');
+  assert.deepEqual(all.f2, repeated(2));
+});
