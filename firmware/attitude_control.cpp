@@ -125,7 +125,7 @@ Deflection yaw() {
 
 void add(Deflection& to, int32_t steps) { to = Deflection::fromRaw(to.raw + steps); }
 void addStick(Deflection& to, int16_t stick_cd) {
-    if (stick_cd != 0) add(to, core::upper(16 * core::product(stick_cd, kPerCentidegree)));
+    if (stick_cd != 0) add(to, core::times12(stick_cd, kPerCentidegree));
 }
 
 // The stick, but where it leads out of the bounds no further than what holds them. Close to them

@@ -107,8 +107,9 @@ void runOutputs() {
     hal::guardTouch();
     if (wrongBoard()) return;
     if (vehicle.mode_changed) outputReleaseAll();
-    for (uint8_t i = 0; i < hal::kServos; ++i) {
-        if ((held & bit(i + 1)) != 0) continue;
+    uint8_t bit = 1;
+    for (uint8_t i = 0; i < hal::kServos; ++i, bit = static_cast<uint8_t>(bit << 1)) {
+        if ((held & bit) != 0) continue;
         put(i, i < kFirstFree ? core::romRead(kPulses[i])() : freePulse_us(i));
     }
 }

@@ -66,6 +66,7 @@ bool groundFlies() {
         vehicle.radio.pulse_us[i] = core::limit(us, kPulseLowest_us, kPulseHighest_us);
         held |= static_cast<uint8_t>(1 << i);
     }
+    if (held == 0) return false;
     const uint8_t wanted =
         static_cast<uint8_t>(1 << (parameters.map_roll - 1) | 1 << (parameters.map_pitch - 1) |
                              1 << (parameters.map_throttle - 1));
@@ -117,9 +118,9 @@ void runRadio() {
             if (pulses[i] != 0)
                 radio.pulse_us[i] = core::limit(pulses[i], kPulseLowest_us, kPulseHighest_us);
     const bool ground_flies = groundFlies();
-    if (!fresh && !ground_flies && hal::rcAge_us() < kFramesGone_us) return;
+    const bool gone = !fresh && !ground_flies;
+    if (gone && hal::rcAge_us() < kFramesGone_us) return;
 
-    const bool gone = !ground_flies && hal::rcAge_us() >= kFramesGone_us;
     const uint16_t throttle_us = radio.pulse_us[parameters.map_throttle - 1];
     if (fresh || ground_flies)
         judge(parameters.throttle_failsafe != 0 &&

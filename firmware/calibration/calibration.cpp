@@ -240,10 +240,10 @@ bool calibrationSideIsReady(uint16_t accelcal_vehicle_pos) {
 }
 
 void calibrationTurn() {
-    static constexpr void (*kTurns[])() ROM = {restTurn, restTurn, sidesTurn, compassTurn};
+    static constexpr void (*kTurns[])() ROM = {nullptr, restTurn, restTurn, sidesTurn, compassTurn};
     if (now.what == Calibrating::nothing) return;
     if (vehicle.armed) return calibrationCancel();
-    core::romRead(kTurns[static_cast<uint8_t>(now.what) - 1])();
+    core::romRead(kTurns[static_cast<uint8_t>(now.what)])();
 }
 
 void calibrationReset() { now = {}; }

@@ -17,6 +17,7 @@ uint32_t updated_us;
 
 // Of a count: so fine that a sensor that lives never says the same for long.
 int16_t eighths(const hal::AnalogSum& reading) {
+    if (reading.count == 4) return static_cast<int16_t>(reading.sum * 2);  // a scan's
     const uint16_t whole = reading.sum / reading.count, rest = reading.sum % reading.count;
     return static_cast<int16_t>(whole * 8 + rest * 8 / reading.count);
 }

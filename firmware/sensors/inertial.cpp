@@ -65,7 +65,7 @@ __attribute__((noinline)) core::Fixed<10> rate_rads(int32_t turned_in_two) {
     constexpr float kFactor = 1024 / (2 * estimation::kSamplePeriod_s) / Turn::kSteps * 4096;
     constexpr int32_t kMost = 0x7FF0000;
     const int32_t rate = core::times16(turned_in_two, static_cast<int16_t>(kFactor * 65536 + 0.5f));
-    return core::Fixed<10>::fromRaw(core::upper(16 * core::limit(rate, -kMost, kMost)));
+    return core::Fixed<10>::fromRaw(core::upperOf16(core::limit(rate, -kMost, kMost)));
 }
 
 // 2^-9 m/s2
@@ -124,29 +124,29 @@ bool mayRock() {
     return !vehicle.armed && vehicle.estimate.ground_speed_mps < kStanding_mps;
 }
 
-bool possible() {
-    const auto& rate = vehicle.imu.rate_rads;
+bool possible(const core::FixedVector<10>& rate) {
     const int32_t sum = int32_t{rate.x.raw} + rate.y.raw + rate.z.raw;
     return believe(Sensor::inertial, static_cast<int16_t>(sum), true);
 }
 
 void use(drivers::ImuSums& sums) {
-    auto& to = vehicle.imu;
-    const auto before = to;
     makeTwo(sums);
-    Turn felt;
+    Turn turn, felt;
     for (uint8_t i = 0; i < 3; ++i) {
-        to.turned.of[i] = turned(sums.rate[i], zero.of[i]);
+        turn.of[i] = turned(sums.rate[i], zero.of[i]);
         felt.of[i] = force(sums.force[i], readings[i]);
     }
     const bool trimmed = trim_x != 0 || trim_y != 0;
-    if (trimmed) level(to.turned);
-    to.rate_rads = {rate_rads(to.turned.of[0]), rate_rads(to.turned.of[1]),
-                    rate_rads(to.turned.of[2])};
-    stretch(to.turned, sums.periods);
+    if (trimmed) level(turn);
+    const core::FixedVector<10> rates = {rate_rads(turn.of[0]), rate_rads(turn.of[1]),
+                                         rate_rads(turn.of[2])};
+    if (!possible(rates)) return;
+    auto& to = vehicle.imu;
+    to.rate_rads = rates;
+    stretch(turn, sums.periods);
+    to.turned = turn;
     if (trimmed) level(felt);
     to.accel_mss = {force_mss(felt.of[0]), force_mss(felt.of[1]), force_mss(felt.of[2])};
-    if (!possible()) to = before;
 }
 
 // A chip that talks nonsense is started anew, but has time to win trust before that comes again.

@@ -29,8 +29,7 @@ TurnRates turnRates(const AirFlow& air, float sin_roll, float cos_roll, float co
 core::Fixed<14> pitchDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
                                 const TurnRates& turn, core::Angle error_rad,
                                 core::Fixed<10> rate_rads, uint8_t periods) {
-    const int16_t held =
-        core::upper(16 * core::product(gains.turn_compensation.raw, turn.pitch_rads.raw));
+    const int16_t held = core::times12(gains.turn_compensation.raw, turn.pitch_rads.raw);
     const auto demand_rads =
         core::Fixed<10>::fromRaw(int32_t{demandedRate_rads(gains, error_rad).raw} + held);
     return axisDeflection(gains, state, air, demand_rads, rate_rads, periods);

@@ -15,17 +15,10 @@ constexpr int16_t narrowed(int32_t value) {
                                                   : (value < INT16_MIN ? INT16_MIN : value));
 }
 
-// The upper half, rounded; of values that leave half a bit of room.
-constexpr int16_t upper(int32_t value) { return static_cast<int16_t>((value + 0x8000) >> 16); }
-
-// The product of two numbers one of which has 14 bits behind the point, in the form of the other;
-// below 1 in size when the other may be any.
-inline int16_t times14(int16_t a, int16_t b) { return upper(product(a, b) * 4); }
-
 // The upper half of 64 bits, three of its last steps uncertain.
 inline int32_t timesUpper(int32_t a, int32_t b) {
     const int16_t low = static_cast<int16_t>(static_cast<uint16_t>(b) >> 1);
-    return times16(a, static_cast<int16_t>(b >> 16)) + (times16(a, low) >> 15);
+    return times16(a, static_cast<int16_t>(b >> 16)) + (times16(a, low) * 2 >> 16);
 }
 
 // Conversions in one place each, as they are long; what the compiler can work out, it does.

@@ -43,7 +43,7 @@ void Airspeed::judge(float raw_pa, float ratio_of_supply, float dt_s, bool eithe
 
 void Airspeed::update(uint16_t sum, uint8_t count, float dt_s, const AirspeedSettings& settings) {
     if (count == 0) return;
-    const float ratio_of_supply = sum / (count * 1024.0f);
+    const float ratio_of_supply = sum / static_cast<float>(uint16_t{count} * 1024U);
     if (!calibrated_) return calibrate(ratio_of_supply, dt_s, settings);
     const float raw_pa = (ratio_of_supply - offset_) * kPascalsPerSupply;
     judge(raw_pa, ratio_of_supply, dt_s, settings.either_tube);

@@ -50,7 +50,7 @@ __attribute__((noinline)) void grow(int32_t& sum, int32_t by, int32_t most) {
 // In 2^-15 rad what can be turned at once; the rest stays for the next time.
 int16_t taken(int32_t& turned) {
     const int16_t now = core::upper(2 * core::limit(turned, -kMostTurn, kMostTurn));
-    turned -= now * 32768L;
+    turned -= (int32_t{now} * 65536) >> 1;
     return now;
 }
 // In 2^-15 of half a turn.
@@ -67,7 +67,7 @@ struct Attitude::Row16 {
     explicit Row16(const Row& row)
         : x(core::upper(row.of[0])), y(core::upper(row.of[1])), z(core::upper(row.of[2])) {}
     Row16(int32_t east_x, int32_t east_y, int32_t east_z)  // from products of two
-        : x(core::upper(4 * east_x)), y(core::upper(4 * east_y)), z(core::upper(4 * east_z)) {}
+        : x(core::upperOf4(east_x)), y(core::upperOf4(east_y)), z(core::upperOf4(east_z)) {}
 
     Row16 cross(const Row16& v) const {
         return Row16(core::product(y, v.z) - core::product(z, v.y),
@@ -108,7 +108,9 @@ void Attitude::propagate(const Motion& motion) {
     }
     Turn turned;
     for (uint8_t i = 0; i < 3; ++i) {
-        turned.of[i] = motion.turned.of[i] - bias_.of[i] * motion.periods;
+        const int32_t bias = bias_.of[i];
+        turned.of[i] =
+            motion.turned.of[i] - (motion.periods == 2 ? bias * 2 : bias * motion.periods);
         grow(turned_.of[i], turned.of[i], kMostTurned);
     }
     if (!(frame_ & 1)) {
@@ -125,10 +127,10 @@ void Attitude::propagate(const Motion& motion) {
 
 // What stands still over the ground, seen from a body that has turned by a small angle.
 void Attitude::turn(Row& row, const Turn16& by) {
-    const Row old = row;
-    for (uint8_t i = 0, next = 1, last = 2; i < 3; last = i++, next = next < 2 ? next + 1 : 0)
-        row.of[i] += 2 * (core::times16(old.of[next], by.of[last]) -
-                          core::times16(old.of[last], by.of[next]));
+    const int32_t x = row.of[0], y = row.of[1], z = row.of[2];
+    row.of[0] += 2 * (core::times16(y, by.of[2]) - core::times16(z, by.of[1]));
+    row.of[1] += 2 * (core::times16(z, by.of[0]) - core::times16(x, by.of[2]));
+    row.of[2] += 2 * (core::times16(x, by.of[1]) - core::times16(y, by.of[0]));
 }
 
 void Attitude::turnMatrix() {
@@ -189,7 +191,7 @@ void Attitude::keepUpright() {
         return start();  // no matrix any more: begin again
     }
     stretchToUnit(down_, squared);
-    const int16_t skew = core::upper(dot(north_, down_) * 4);  // in 2^-14
+    const int16_t skew = core::upperOf4(dot(north_, down_));  // in 2^-14
     add(north_, down_, static_cast<int16_t>(-skew));
     stretchToUnit(north_, dot(north_, north_));
 }
@@ -199,14 +201,14 @@ void Attitude::pointYaw(const Turn16& turned) {
     const Row16 n(north_), d(down_);
     yaw_rad_ = arc(levelled(d.cross(n).x), levelled(n.x));
     const int32_t step = d.dot(turned.of[0], turned.of[1], turned.of[2]);
-    yaw_step_ = core::upper(16 * core::limit(step, -kMostStep, kMostStep));
+    yaw_step_ = core::upperOf16(core::limit(step, -kMostStep, kMostStep));
 }
 
 // Of a row in the level: over the pitch's cosine.
 core::Fixed<14> Attitude::levelled(int16_t component) const {
     constexpr int32_t kMost = 0x7FF0000;  // below 2
     const int32_t share = core::product(component, inverse_cos_pitch_.raw);
-    return core::Fixed<14>::fromRaw(core::upper(16 * core::limit(share, -kMost, kMost)));
+    return core::Fixed<14>::fromRaw(core::upperOf16(core::limit(share, -kMost, kMost)));
 }
 
 // The mean force of the last four frames, turned into north, east, down.
@@ -449,12 +451,12 @@ void Attitude::carryAnglesOn(const Turn16& turned) {
     Angles& a = angles_;
     const int16_t sine = a.sin_roll.raw, cosine = a.cos_roll.raw;
     const int16_t up =
-        core::upper(4 * (core::product(turned.of[1], cosine) - core::product(turned.of[2], sine)));
+        core::upperOf4(core::product(turned.of[1], cosine) - core::product(turned.of[2], sine));
     int16_t over = turned.of[0];
     if (tan_pitch_.raw < 5 * 4096 && tan_pitch_.raw > -5 * 4096) {
-        const int16_t along = core::upper(
-            4 * (core::product(turned.of[1], sine) + core::product(turned.of[2], cosine)));
-        over += core::upper(16 * core::product(tan_pitch_.raw, along));
+        const int16_t along =
+            core::upperOf4(core::product(turned.of[1], sine) + core::product(turned.of[2], cosine));
+        over += core::times12(tan_pitch_.raw, along);
     }
     a.roll_rad.raw = static_cast<int16_t>(static_cast<uint16_t>(a.roll_rad.raw) + over);
     a.pitch_rad.raw = static_cast<int16_t>(static_cast<uint16_t>(a.pitch_rad.raw) + up);

@@ -122,6 +122,31 @@ TEST(Arithmetic, products_of_16_bits_are_those_of_32) {
     }
     EXPECT_EQ(wrong, 0);
 }
+// The upper half, rounded, of a multiple: step by step, as wide as the chip counts.
+int16_t upperOf(uint32_t value, uint8_t times) {
+    volatile uint32_t sum = 0x8000;
+    for (uint8_t i = 0; i < times; ++i) sum += value;
+    return static_cast<int16_t>(sum >> 16);
+}
+int wrongUpper(int16_t a, int16_t b) {
+    const uint32_t product = static_cast<uint32_t>(core::product(a, b));
+    const int32_t number = static_cast<int32_t>(product);
+    return (core::upperOf4(number) != upperOf(product, 4)) +
+           (core::upperOf16(number) != upperOf(product, 16)) +
+           (core::times14(a, b) != upperOf(product, 4)) +
+           (core::times12(a, b) != upperOf(product, 16));
+}
+TEST(Arithmetic, products_with_bits_behind_the_point_are_rounded_upper_halves) {
+    constexpr int16_t kShort[] = {0, 1, -1, 127, 128, 255, 256, -128, -256, INT16_MAX, INT16_MIN};
+    int wrong = 0;
+    for (const int16_t a : kShort)
+        for (const int16_t b : kShort) wrong += wrongUpper(a, b);
+    for (uint16_t i = 0; i < 5000; ++i) {
+        const uint32_t both = random32();
+        wrong += wrongUpper(static_cast<int16_t>(both), static_cast<int16_t>(both >> 16));
+    }
+    EXPECT_EQ(wrong, 0);
+}
 // By multiplying back, in 64 bits as the quotient may be anything.
 int wrongQuotient(uint32_t a, uint32_t b) {
     const uint32_t quotient = a / b, rest = a % b;
