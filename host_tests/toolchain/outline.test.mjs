@@ -82,3 +82,28 @@ test('what is named as hurried stays, with all that is in it', () => {
   const all = outlined(functions(6, repeated), (name) => name === 'f2');
   assert.deepEqual(all.f2, repeated(2));
 });
+
+test('several far calls of one place go by a jump near them', () => {
+  const filler = (name, words) => code(name, ...Array.from({ length: words }, (_, i) => `cpi r24,${name}${i}`)).join('\n');
+  const callers = (name) => code(name, 'ldi r24,1', 'call __mulsf3', 'ldi r24,2', 'call __mulsf3', 'ldi r24,3', 'call __mulsf3', 'rjmp .L9').join('\n');
+  const lone = code('lone', 'call __mulsf3', 'rjmp .L9').join('\n');
+  const all = outlined([callers('f0'), filler('x', 4000), callers('f1'), filler('y', 4000), lone].join('\n'));
+
+  const jumps = Object.entries(all).filter(([name]) => name.startsWith('__fragment_to_'));
+  assert.deepEqual(jumps.map(([, body]) => body), [['jmp __mulsf3'], ['jmp __mulsf3']]);
+  assert.equal(all.f0[1], `call ${jumps[0][0]}`);
+  assert.equal(all.f1[1], `call ${jumps[1][0]}`);
+  assert.equal(all.lone[0], 'call __mulsf3');
+});
+
+test('a call that reaches by itself stays', () => {
+  const all = outlined([code('f0', 'ldi r24,1', 'call f1', 'ldi r24,2', 'call f1', 'ldi r24,3', 'call f1', 'rjmp .L9'), code('f1', 'inc r24', 'ret')].flat().join('\n'));
+
+  assert.equal(all.f0[1], 'call f1');
+});
+
+test('the chip\'s registers are not moved away from each other', () => {
+  const all = outlined(functions(6, (i) => [`ldi r24,${i}`, 'sts 96,r18', 'sts 96,r19', 'rjmp .L9']));
+
+  assert.deepEqual(all.f1.slice(1, 3), ['sts 96,r18', 'sts 96,r19']);
+});

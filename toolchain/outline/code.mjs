@@ -9,10 +9,12 @@ const kMovable = new Set(['adc', 'add', 'adiw', 'and', 'andi', 'asr', 'bld', 'bs
   'cp', 'cpc', 'cpi', 'dec', 'eor', 'inc', 'ld', 'ldd', 'ldi', 'lds', 'lsl', 'lsr', 'mov', 'movw', 'mul', 'muls',
   'mulsu', 'neg', 'or', 'ori', 'rol', 'ror', 'sbc', 'sbci', 'sbiw', 'set', 'st', 'std', 'sts', 'sub', 'subi',
   'swap', 'tst', 'call', 'jmp', 'ret']);
-// The stack pointer, interrupts' state, and places that are named only within their function.
-const kFixed = /__SP_|__SREG__|__tablejump2__|\.L|\b\d+[bf]\b/;
+// The stack pointer, interrupts' state, the chip's registers, some of which count cycles between
+// two accesses, and places that are named only within their function.
+const kFixed = /__SP_|__SREG__|__tablejump2__|\.L|\b\d+[bf]\b|^(lds \w+,|sts )\d/;
 
 export const kCallBytes = 4;  // before the linker shortens it
+export const bytesOfStep = (text) => (kTwoWords.has(/^\w+/.exec(text)[0]) ? 4 : 2);
 
 // A row of { text, bytes, ends: 'call', 'leave' or '', carry, line, inside }, undefined where
 // nothing may be taken along. `isHurried(name)`: of this function nothing may move.
@@ -20,6 +22,7 @@ export function readCode(lines, isHurried) {
   const steps = [];
   let inside = '', label = '', blockFrom = 0, isKept = true, isSkipped = false, isByHand = false;
   const gap = () => steps.push(undefined);
+  const mayMove = (name, text) => (isByHand ? name === 'lpm' : kMovable.has(name)) && !isKept && !isSkipped && !kFixed.test(text);
   const begin = (name) => {
     gap();
     [label, blockFrom] = [name, steps.length];
@@ -28,11 +31,11 @@ export function readCode(lines, isHurried) {
   const read = (text, line) => {
     const [name, operands = ''] = text.split(' ');
     if (name.startsWith('br') && [label, `${label}b`].includes(operands)) steps.fill(undefined, blockFrom);  // a short loop stays
-    if (isKept || isByHand || isSkipped || !kMovable.has(name) || kFixed.test(text)) {
+    if (!mayMove(name, text)) {
       gap();
     } else {
       const ends = name === 'call' ? 'call' : name === 'jmp' || name === 'ret' ? 'leave' : '';
-      steps.push({ text, bytes: kTwoWords.has(name) ? 4 : 2, ends, carry: kTakesCarry.has(name), line, inside });
+      steps.push({ text, bytes: bytesOfStep(name), ends, carry: kTakesCarry.has(name), line, inside });
       if (ends === 'leave') gap();
     }
     isSkipped = kSkips.has(name);
@@ -42,7 +45,6 @@ export function readCode(lines, isHurried) {
     const name = /^([\w$.]+):/.exec(text)?.[1];
     if (text.includes('#APP') || text.includes('#NOAPP')) {
       isByHand = text.includes('#APP');
-      gap();
     } else if (name) {
       begin(name);
     } else if (/^[a-z]/.test(text)) {

@@ -5,6 +5,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 
 import { readCode } from './code.mjs';
+import { shortenCalls } from './near.mjs';
 import { shareRepeats } from './search.mjs';
 
 // One that goes on in another lies before it, when no other does, and needs no jump.
@@ -46,10 +47,11 @@ export function outline(text, isHurried) {
     const home = chain[0].home;
     near.set(home, [...(near.get(home) ?? []), ...linesOf(chain)]);
   }
-  return lines.flatMap((line) => {
-    const function_end = /^\t\.size\t([\w$.]+), \.-/.exec(line)?.[1];
-    return function_end && near.has(function_end) ? [line, ...near.get(function_end)] : [line];
-  }).join('\n');
+  const whole = lines.filter((line) => line !== '').flatMap((line) => {
+    const of = /^\t\.size\t([\w$.]+), \.-/.exec(line)?.[1];
+    return near.has(of) ? [line, ...near.get(of)] : [line];
+  });
+  return shortenCalls(whole, isHurried).join('\n');
 }
 
 // A::b as the linker writes it, with whatever is in it (Itanium C++ ABI, 5.1).
