@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # How the image is compiled; what each flag gained stands in docs/measurements.md.
-set(AVR_OPTIMISATION -Os -flto -mrelax -mcall-prologues -mstrict-X -fira-algorithm=priority)
+set(AVR_OPTIMISATION -Os -flto -mrelax -mcall-prologues -mstrict-X -fira-algorithm=priority -fno-tree-dominator-opts
+    -fno-tree-pre -fno-ipa-sra -fno-partial-inlining)
 add_compile_options(${AVR_OPTIMISATION})
 # in one piece functions are laid and inlined better; the stack bound wants to know addresses
 add_link_options(${AVR_OPTIMISATION} -flto-partition=one -Wl,--emit-relocs)

@@ -3,9 +3,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { hurriedIn, outline } from '../../toolchain/outline/outline.mjs';
+import { pacesIn, outline } from '../../toolchain/outline/outline.mjs';
 
-const kNone = () => false;
+const kNone = () => '';
 const kFour = ['ldd r18,Z+8', 'ldd r19,Z+9', 'ldd r20,Z+10', 'ldd r21,Z+11'];
 const code = (name, ...steps) => [`\t.section\t.text.${name},"ax",@progbits`, `${name}:`, ...steps.map((step) => (step.endsWith(':') ? step : `\t${step}`)),
   `\t.size\t${name}, .-${name}`];
@@ -20,7 +20,7 @@ function bodies(text) {
   }
   return found;
 }
-const outlined = (text, isHurried = kNone) => bodies(outline(text, isHurried));
+const outlined = (text, paceOf = kNone) => bodies(outline(text, paceOf));
 
 test('a run that occurs again stands once and goes back', () => {
   const all = outlined(functions(4, (i) => [`ldi r24,${i}`, ...kFour, `ldi r25,${i}`, 'rjmp .L9']));
@@ -72,15 +72,22 @@ test('no fragment calls another, so that one return address is enough', () => {
   for (const [name, body] of fragments) assert.ok(!body.some((step) => step.startsWith('call __fragment')), name);
 });
 
-test('what is named as hurried stays, with all that is in it', () => {
-  const hurried = hurriedIn('# why\nmain\ngeo\nfirmware::runMode\n');
+test('what is named keeps its pace, with all that is in it', () => {
+  const paceOf = pacesIn('# why\nstays main\nhurries geo\nstays firmware::runMode\n');
 
   for (const name of ['main', '_ZN3geo6offsetERKNS_8PositionES2_', '_ZNK3geo5Place4moveEv.constprop.3', '_ZN8firmware7runModeEv', '_ZN8firmware12_GLOBAL__N_17runModeEv'])
-    assert.ok(hurried(name), name);
-  for (const name of ['_ZN8firmware13runModeSwitchEv', '_ZN4geos6offsetEv', '_ZN8firmware3runEv']) assert.ok(!hurried(name), name);
+    assert.equal(paceOf(name), name.includes('3geo') ? 'hurries' : 'stays', name);
+  for (const name of ['_ZN8firmware13runModeSwitchEv', '_ZN4geos6offsetEv', '_ZN8firmware3runEv']) assert.equal(paceOf(name), '', name);
   const repeated = (i) => [`ldi r24,${i}`, ...kFour, 'rjmp .L9'];
-  const all = outlined(functions(6, repeated), (name) => name === 'f2');
+  const all = outlined(functions(6, repeated), (name) => (name === 'f2' ? 'stays' : ''));
   assert.deepEqual(all.f2, repeated(2));
+});
+
+test('what hurries goes to a fragment only to go on from there', () => {
+  const all = outlined(functions(6, (i) => [`ldi r24,${i}`, ...kFour, `ldi r25,${i}`, 'movw r18,r22', 'movw r20,r24', 'call __mulsf3', 'rjmp .L9']), () => 'hurries');
+
+  assert.deepEqual(all.f1.slice(1, 5), kFour);
+  assert.deepEqual(all.__fragment_0, ['movw r18,r22', 'movw r20,r24', 'jmp __mulsf3']);
 });
 
 test('several far calls of one place go by a jump near them', () => {

@@ -13,20 +13,20 @@ const kMovable = new Set(['adc', 'add', 'adiw', 'and', 'andi', 'asr', 'bld', 'bs
 // two accesses, and places that are named only within their function.
 const kFixed = /__SP_|__SREG__|__tablejump2__|\.L|\b\d+[bf]\b|^(lds \w+,|sts )\d/;
 
-export const kCallBytes = 4;  // before the linker shortens it
+export const kCallBytes = 3.5;  // two, or four where the linker cannot shorten it
 export const bytesOfStep = (text) => (kTwoWords.has(/^\w+/.exec(text)[0]) ? 4 : 2);
 
-// A row of { text, bytes, ends: 'call', 'leave' or '', carry, line, inside }, undefined where
-// nothing may be taken along. `isHurried(name)`: of this function nothing may move.
-export function readCode(lines, isHurried) {
+// A row of { text, bytes, ends: 'call', 'leave' or '', carry, line, inside, pace }, undefined where
+// nothing may be taken along. `paceOf(name)` of a function: 'stays', 'hurries' or ''.
+export function readCode(lines, paceOf) {
   const steps = [];
-  let inside = '', label = '', blockFrom = 0, isKept = true, isSkipped = false, isByHand = false;
+  let inside = '', label = '', blockFrom = 0, pace = 'stays', isSkipped = false, isByHand = false;
   const gap = () => steps.push(undefined);
-  const mayMove = (name, text) => (isByHand ? name === 'lpm' : kMovable.has(name)) && !isKept && !isSkipped && !kFixed.test(text);
+  const mayMove = (name, text) => (isByHand ? name === 'lpm' : kMovable.has(name)) && pace !== 'stays' && !isSkipped && !kFixed.test(text);
   const begin = (name) => {
     gap();
     [label, blockFrom] = [name, steps.length];
-    if (/^[A-Za-z_]/.test(name)) [inside, isKept] = [name, isHurried(name)];
+    if (/^[A-Za-z_]/.test(name)) [inside, pace] = [name, paceOf(name)];
   };
   const read = (text, line) => {
     const [name, operands = ''] = text.split(' ');
@@ -35,7 +35,7 @@ export function readCode(lines, isHurried) {
       gap();
     } else {
       const ends = name === 'call' ? 'call' : name === 'jmp' || name === 'ret' ? 'leave' : '';
-      steps.push({ text, bytes: bytesOfStep(name), ends, carry: kTakesCarry.has(name), line, inside });
+      steps.push({ text, bytes: bytesOfStep(name), ends, carry: kTakesCarry.has(name), line, inside, pace });
       if (ends === 'leave') gap();
     }
     isSkipped = kSkips.has(name);

@@ -9,7 +9,7 @@ const kRounds = 3;        // until calls that became short have moved the others
 const kFewest = 3;        // calls for a jump of four bytes
 
 // Calls and jumps by name { line, at, to, far }, ends of functions { line, at }, begins by name.
-function measure(lines, isHurried, isFar) {
+function measure(lines, paceOf, isFar) {
   const sites = [], ends = [], begins = new Map();
   let at = 0, isKept = true, isCode = false;
   lines.forEach((line, number) => {
@@ -19,7 +19,7 @@ function measure(lines, isHurried, isFar) {
     if (!isCode) return;
     if (name) {
       begins.set(name, at);
-      isKept = isHurried(name);
+      isKept = paceOf(name) === 'stays';
     } else if (/^\.size/.test(text)) {
       ends.push({ line: number, at });
     } else if (/^[a-z]/.test(text)) {
@@ -44,12 +44,12 @@ function served(sites, ends) {
   return found;
 }
 
-export function shortenCalls(lines, isHurried) {
-  let far = new Set(), measured = measure(lines, isHurried, () => true);
+export function shortenCalls(lines, paceOf) {
+  let far = new Set(), measured = measure(lines, paceOf, () => true);
   for (let round = 0; round < kRounds; round++) {
     const isNear = ({ at, to }) => Math.abs(measured.begins.get(to) - at) <= kReach;
     far = new Set(measured.sites.filter((site) => !isNear(site)).map(({ line }) => line));
-    measured = measure(lines, isHurried, (line) => far.has(line));
+    measured = measure(lines, paceOf, (line) => far.has(line));
   }
   const byTarget = new Map();
   for (const site of measured.sites) if (far.has(site.line)) byTarget.set(site.to, [...(byTarget.get(site.to) ?? []), site]);

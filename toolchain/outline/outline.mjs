@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes a program smaller after the compiler: instructions that occur again and again stand once,
 // behind a call. A run that ends with a call or a return costs three cycles more, others ten.
-//   outline.mjs IN.s OUT.s HURRIED.txt     what HURRIED.txt names stays as it is
+//   outline.mjs IN.s OUT.s PACES.txt
 import { readFileSync, writeFileSync } from 'node:fs';
 
 import { readCode } from './code.mjs';
@@ -36,9 +36,9 @@ function linesOf(chain) {
 
 // What stands in a line that began a run, or '' where one was cut out; then the fragments near
 // the functions that use them.
-export function outline(text, isHurried) {
+export function outline(text, paceOf) {
   const lines = text.split('\n');
-  const before = readCode(lines, isHurried);
+  const before = readCode(lines, paceOf);
   const { steps, fragments } = shareRepeats(before);
   for (const step of before) if (step) lines[step.line] = '';
   for (const { line, text: now } of steps) lines[line] = `\t${now}`;
@@ -51,7 +51,7 @@ export function outline(text, isHurried) {
     const of = /^\t\.size\t([\w$.]+), \.-/.exec(line)?.[1];
     return near.has(of) ? [line, ...near.get(of)] : [line];
   });
-  return shortenCalls(whole, isHurried).join('\n');
+  return `${shortenCalls(whole, paceOf).join('\n')}\n`;
 }
 
 // A::b as the linker writes it, with whatever is in it (Itanium C++ ABI, 5.1).
@@ -60,14 +60,16 @@ function pattern(name) {
   return `^_ZZ?N?K?${parts.join('(12_GLOBAL__N_1)?')}|^${name}`;
 }
 
-// One name a line; whether a function is one of them or in one of them.
-export function hurriedIn(text) {
-  const names = text.split('\n').filter((line) => line && !line.startsWith('#'));
-  const any = new RegExp(names.map(pattern).join('|'));
-  return (name) => any.test(name);
+// One name a line, of functions or what they are in: nothing moves of what stays, of what hurries
+// only what costs a jump.
+export function pacesIn(text) {
+  const rows = text.split('\n').filter((line) => line && !line.startsWith('#')).map((line) => line.split(' '));
+  const any = (pace) => new RegExp(rows.filter((row) => row[0] === pace).map((row) => pattern(row[1])).join('|') || '$^');
+  const stays = any('stays'), hurries = any('hurries');
+  return (name) => (stays.test(name) ? 'stays' : hurries.test(name) ? 'hurries' : '');
 }
 
 if (process.argv[1]?.endsWith('outline.mjs')) {
-  const [from, to, hurried] = process.argv.slice(2);
-  writeFileSync(to, outline(readFileSync(from, 'utf8'), hurriedIn(readFileSync(hurried, 'utf8'))));
+  const [from, to, paces] = process.argv.slice(2);
+  writeFileSync(to, outline(readFileSync(from, 'utf8'), pacesIn(readFileSync(paces, 'utf8'))));
 }

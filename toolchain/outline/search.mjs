@@ -4,6 +4,7 @@ import { kCallBytes } from './code.mjs';
 
 const kLongest = 60;      // steps of one fragment
 const kReturnBytes = 2;
+const kShortest = 6;      // bytes, of what comes back: a call and a return take ten cycles
 const kWorth = 0.3;       // of the best in a round, what is still taken in it
 
 const bytesOf = (steps) => steps.reduce((sum, step) => sum + step.bytes, 0);
@@ -11,6 +12,7 @@ const bytesOf = (steps) => steps.reduce((sum, step) => sum + step.bytes, 0);
 // What `times` runs of these steps gain when they stand once.
 function gain(steps, times) {
   const bytes = bytesOf(steps);
+  if (bytes < kShortest && !steps[steps.length - 1].ends) return 0;
   const body = bytes + (steps[steps.length - 1].ends ? 0 : kReturnBytes);
   return times * (bytes - kCallBytes) - body;
 }
@@ -43,8 +45,10 @@ function everyRepeat(steps, ids, found) {
   }
 }
 
-// A fragment leaves for another by a jump alone, so that no more than one is called at a time.
-const mayLeave = (steps, from, last) => !steps[from].isFragment || steps[last].ends === 'leave';
+// A fragment leaves for another by a jump alone, so that no more than one is called at a time;
+// what hurries has no time for a return.
+const kMayEnd = { '': ['', 'call', 'leave'], hurries: ['call', 'leave'], fragment: ['leave'] };
+const mayLeave = (steps, from, last) => kMayEnd[steps[from].pace].includes(steps[last].ends);
 
 // The positions whose runs overlap neither each other nor what is taken, and may be cut out.
 function apart(steps, length, positions, taken) {
@@ -73,10 +77,10 @@ function candidates(steps, ids) {
 
 // The steps of a fragment: it goes back, or goes on where its last step called.
 function bodyOf(steps, home) {
-  const body = steps.map(({ text, bytes, ends, carry }) => ({ text, bytes, ends, carry, inside: home, isFragment: true }));
+  const body = steps.map(({ text, bytes, ends, carry }) => ({ text, bytes, ends, carry, inside: home, pace: 'fragment' }));
   const last = body[body.length - 1];
   if (last.ends === 'call') Object.assign(last, { text: last.text.replace('call', 'jmp'), ends: 'leave' });
-  if (last.ends === '') body.push({ text: 'ret', bytes: kReturnBytes, ends: 'leave', carry: false, inside: home, isFragment: true });
+  if (last.ends === '') body.push({ text: 'ret', bytes: kReturnBytes, ends: 'leave', carry: false, inside: home, pace: 'fragment' });
   return body;
 }
 
@@ -135,6 +139,6 @@ export function shareRepeats(steps) {
     for (const { name, body } of fragments.slice(known)) code.push(undefined, ...body.map((step) => ({ ...step, of: name })), undefined);
   }
   const bodies = new Map(fragments.map(({ name }) => [name, []]));
-  for (const step of code) if (step?.isFragment) bodies.get(step.of).push(step);
-  return { steps: code.filter((step) => step && !step.isFragment), fragments: fragments.map(({ name, home }) => ({ name, home, body: bodies.get(name) })) };
+  for (const step of code) if (step?.pace === 'fragment') bodies.get(step.of).push(step);
+  return { steps: code.filter((step) => step && step.pace !== 'fragment'), fragments: fragments.map(({ name, home }) => ({ name, home, body: bodies.get(name) })) };
 }
