@@ -63,12 +63,12 @@ constexpr scheduler::Task kTasks[] ROM = {
     // run                 every  in     budget
     //                     frames frame  us
     { runInertial,           1,     0,    1050 },
-    { runRadio,              1,     0,     245 },
+    { runRadio,              1,     0,     190 },
     { runEstimator,          1,     0,    1950 },
     { runMode,               1,     0,     140 },
     { runAttitudeControl,    1,     0,     620 },
     { runOutputs,            1,     0,     185 },
-    { endMode,               1,     0,       4 },
+    { endMode,               1,     0,       3 },
     { runBarometer,          1,     0,     185 },
     { runGps,                1,     0,     610 },
     { telemetrySend,         2,     1,    1150 },

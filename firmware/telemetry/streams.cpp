@@ -105,9 +105,10 @@ inline uint8_t rate(uint8_t own_rate, const Rates& rates, uint8_t row) {
 // Time that passes while a message waits for room counts for its next one. 1: it has become due.
 inline __attribute__((always_inline)) uint8_t grow(uint8_t& phase, uint8_t by) {
     const uint8_t before = phase;
-    const uint8_t sum = static_cast<uint8_t>(before + by);
-    phase = sum < before ? 0xFF : sum;
-    return before < kDue && phase >= kDue;
+    uint8_t sum = static_cast<uint8_t>(before + by);
+    if (sum < before) sum = 0xFF;
+    phase = sum;
+    return sum >= kDue && before < kDue;
 }
 
 void age(Streams& streams, uint8_t row, uint8_t by) {
@@ -152,7 +153,9 @@ void streamsTick(Link& link) {
         uint8_t by = *own_rate++;
         if (by == kFollowStream)
             by = rates.of[static_cast<uint8_t>(core::romRead(in_flash.stream))];
-        if (by != kNever) due = static_cast<uint8_t>(due + grow(*phase, by));
+        else if (by == kNever)
+            by = 0;
+        if (grow(*phase, by)) ++due;
         ++phase;
     }
     link.streams.due = static_cast<uint8_t>(link.streams.due + due);

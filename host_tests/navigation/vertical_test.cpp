@@ -34,11 +34,12 @@ constexpr navigation::LandingSettings kLanding{1.5f, 1.5f, 0.4f};
 TEST(Landing, the_slope_aims_short_of_the_point_by_what_the_flare_adds) {
     navigation::Landing landing;
     landing.start();
-    // 10 %: the flare begins at 1.65 m with 1.1 m/s and ends with 0.4: 22/15 of the 16.5 m of slope
+    // The flare begins at 1.63 m with 1.08 m/s and ends with 0.4: 1.46 times the 16.5 m of slope,
+    // to 4.4 m, or 0.4 s, behind the point.
     const auto demand = landing.run(kLanding, {30, 300, 100, 11, 20, 1});
 
-    EXPECT_NEAR(demand.height_m, 30 * (1 - 100 / 292.3), 0.01);
-    EXPECT_NEAR(demand.climb_mps, -11 * 30 / 292.3, 0.01);
+    EXPECT_NEAR(demand.height_m, 30 * (1 - 100 / 296.8), 0.01);
+    EXPECT_NEAR(demand.climb_mps, -11 * 30 / 296.8, 0.01);
     EXPECT_FALSE(landing.flaring());
 }
 
@@ -66,7 +67,7 @@ TEST(Landing, the_sink_in_the_flare_stays_between_its_limits) {
     navigation::Landing landing;
     landing.start();
     landing.run(kLanding, {30, 300, 270, 11, 1.6f, 1.0f});
-    EXPECT_FLOAT_EQ(landing.run(kLanding, {30, 300, 299, 10, 0.1f, 1}).climb_mps, -1.3f);
+    EXPECT_FLOAT_EQ(landing.run(kLanding, {30, 300, 303, 10, 0.1f, 1}).climb_mps, -1.3f);
     EXPECT_FLOAT_EQ(landing.run(kLanding, {30, 300, 280, 10, 0.01f, 1}).climb_mps, -0.4f);
     EXPECT_FLOAT_EQ(landing.run(kLanding, {30, 300, 290, 10, -0.3f, 0.4f}).climb_mps, -0.4f)
         << "a height below zero is the barometer's";

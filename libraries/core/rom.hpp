@@ -42,14 +42,20 @@ template <>
 struct RomReader<uint16_t, 2> {
     static uint16_t read(const uint16_t& in_flash) { return pgm_read_word(&in_flash); }
 };
+template <>
+struct RomReader<int16_t, 2> {
+    static int16_t read(const int16_t& in_flash) {
+        return static_cast<int16_t>(pgm_read_word(&in_flash));
+    }
+};
 template <class F>
 struct RomReader<F*, 2> {
     static F* read(F* const& in_flash) { return reinterpret_cast<F*>(pgm_read_word(&in_flash)); }
 };
 #endif
 
-// Reads one object out of flash. One byte, uint16_t and pointers are plain loads; the rest is
-// copied.
+// Reads one object out of flash. One byte, whole numbers of two and pointers are plain loads; the
+// rest is copied.
 template <class T>
 inline T romRead(const T& in_flash) {
     return RomReader<T>::read(in_flash);

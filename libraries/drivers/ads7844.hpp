@@ -38,28 +38,32 @@ public:
     // What has come since the last time. False: no whole set.
     static bool take(Ads7844Sums& to);
 
-private:
-    static constexpr uint8_t kIdle = 0xFF, kLast = Ads7844Sums::kChannels;
-    static constexpr uint8_t kMostSets = 15;  // and one under way: 16 * 4095 are 16 bits
+    // For an interrupt in assembler, which may do onSent() for exchanges before the last of a set.
+    static constexpr uint8_t kLast = Ads7844Sums::kChannels;
+    struct State;
+    static State state_;
+    static const uint8_t kAsk[];
 
-    struct State {
-        uint16_t sum[Ads7844Sums::kChannels];
-        uint8_t next = kIdle;  // the exchange under way: channel n is asked for, n - 1 ends
-        uint8_t high = 0;
-        uint8_t sets = 0, periods = 0;
-        uint8_t ahead = 0;  // channels of the set under way when the sums were taken
-        bool spoiled = false;
-        constexpr State() : sum() {}
-    };
+private:
+    static constexpr uint8_t kIdle = 0xFF;
+    static constexpr uint8_t kMostSets = 15;  // and one under way: 16 * 4095 are 16 bits
 
     static uint8_t done() { return state_.next == kIdle || state_.next == 0 ? 0 : state_.next - 1; }
     static void pass() {
         if (state_.periods != 255) ++state_.periods;
     }
     static void add(uint16_t& sum, uint8_t high, uint8_t low);
+};
 
-    static const uint8_t kAsk[];
-    static State state_;
+template <class Bus, class Select>
+struct Ads7844<Bus, Select>::State {
+    uint16_t sum[Ads7844Sums::kChannels];
+    uint8_t next = kIdle;  // the exchange under way: channel n is asked for, n - 1 ends
+    uint8_t high = 0;
+    uint8_t sets = 0, periods = 0;
+    uint8_t ahead = 0;  // channels of the set under way when the sums were taken
+    bool spoiled = false;
+    constexpr State() : sum() {}
 };
 
 // S, the channel's address (single-ended: A0 comes first), SGL, always powered; table I.

@@ -78,6 +78,7 @@ private:
         for (; sets >= kSetsPerSample; sets -= kSetsPerSample) ++samples;
         return samples;
     }
+    static int16_t reciprocal(uint8_t count);
     static bool plausible(const Ads7844Sums& sums);
     static void keepAirspeed(const Ads7844Sums& sums);
 
@@ -143,6 +144,14 @@ void AnalogImu<Converter>::keepAirspeed(const Ads7844Sums& sums) {
     airspeed_count_ = static_cast<uint8_t>(airspeed_count_ + sums.count[kAirspeed]);
 }
 
+// 2^15 / count; nearly always a frame's sets have come, which takes no division.
+template <class Converter>
+int16_t AnalogImu<Converter>::reciprocal(uint8_t count) {
+    constexpr uint8_t kUsual = 2 * kSetsPerSample;
+    if (count == kUsual) return 0x8000 / kUsual;
+    return count == 1 ? 0x7FFF : static_cast<int16_t>(0x8000U / count);
+}
+
 // Six divisions would take a quarter of a millisecond: the reciprocal is worked out once.
 template <class Converter>
 bool AnalogImu<Converter>::take(ImuSums& to) {
@@ -158,15 +167,17 @@ bool AnalogImu<Converter>::take(ImuSums& to) {
         return false;
     }
     uint8_t count = 0;
-    int16_t part = 0;  // 2^15 / count
+    int16_t part = 0;
     for (uint8_t i = 0; i < 6; ++i) {
-        const Axis axis = core::romRead(kAxes[i]);
-        const uint8_t n = sums.count[axis.channel];
-        if (n != count) part = n == 1 ? 0x7FFF : static_cast<int16_t>(0x8000U / n);
+        const Axis& axis = kAxes[i];
+        const uint8_t channel = core::romRead(axis.channel);
+        const uint8_t n = sums.count[channel];
+        if (n != count) part = reciprocal(n);
         count = n;  // the same for all, or one more for some
-        const int32_t above = static_cast<int32_t>(sums.sum[axis.channel]) -
-                              static_cast<int32_t>(static_cast<uint32_t>(axis.zero) * n);
-        const int32_t steps = (core::times16(above * axis.factor, part) + 32) >> 6;
+        const int32_t above =
+            static_cast<int32_t>(sums.sum[channel]) -
+            static_cast<int32_t>(static_cast<uint32_t>(core::romRead(axis.zero)) * n);
+        const int32_t steps = (core::times16(above * core::romRead(axis.factor), part) + 32) >> 6;
         (i < 3 ? to.rate[i] : to.force[i - 3]) = steps;
     }
     to.count = 2;

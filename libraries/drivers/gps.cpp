@@ -196,8 +196,8 @@ void Gps::adopt(GpsProtocol protocol, uint16_t now) {
 // ---- what was found
 
 void Gps::watch(uint16_t now) {
-    const Receiver is = receiver(found_);
-    if (static_cast<uint16_t>(now - since_) > is.silent_ms) return greet(now);
+    const Receiver& is = kReceivers[static_cast<uint8_t>(found_) - 1];
+    if (static_cast<uint16_t>(now - since_) > core::romRead(is.silent_ms)) return greet(now);
     if (!told()) return;
     if (greetings_ > 0 && static_cast<uint16_t>(now - asked_) > kGreetAgain_ms) {
         --greetings_;
@@ -207,10 +207,10 @@ void Gps::watch(uint16_t now) {
     if (epoch_.forgot || static_cast<uint16_t>(now - stepped_) > kWrongRate_ms) {
         epoch_.forgot = false;
         stepped_ = asked_ = now;
-        queue(is.configuration);
+        queue(core::romRead(is.configuration));
     } else if (static_cast<uint16_t>(now - asked_) > kQuestion_ms) {
         asked_ = now;
-        queue(is.question);
+        queue(core::romRead(is.question));
     }
 }
 

@@ -6,11 +6,17 @@ namespace {
 
 constexpr float kPositionShare = 0.25f;  // of the difference, taken over with each fix
 constexpr float kVelocityShare = 0.4f;
+constexpr float kMean_hz = 0.005f;     // fixes are averaged over 200 s ...
+constexpr float kMean_hzpm2 = 0.003f;  // ... and over less where they lie far off
 constexpr float kFar_m = 30.0f;        // a fix this far off is refused ...
 constexpr float kFarther_mps = 15.0f;  // ... and farther with the age of the last one used
 constexpr float kBelieved_s = 18.0f;   // after so long a fix is believed wherever it is
 constexpr float kCarries_s = 1.0f;     // without a fix the accelerations are carried on
 constexpr float kFold_m = 200.0f;      // the offset is folded into the anchor beyond this
+
+float squared(const geo::Offset& off) {
+    return off.north_m * off.north_m + off.east_m * off.east_m;
+}
 
 }  // namespace
 
@@ -33,47 +39,54 @@ void Position::reckon(float north_mps, float east_mps) {
 
 void Position::useGps(const geo::Position& position, const core::Vector3& velocity_mps,
                       const core::Vector3& gained_mps, const PositionSettings& settings) {
-    const core::Vector3 velocity = velocity_mps + gained_mps;  // now
-    const core::Vector3 mean = velocity_mps + gained_mps * 0.5f;
-    const geo::Offset carried = {mean.x * settings.gps_age_s, mean.y * settings.gps_age_s};
-    if (age_s_ > kBelieved_s) {
-        anchorAt(position, carried);
-        velocity_ = velocity;
-        age_s_ = 0;
-        refuses_ = false;
-        return;
-    }
+    if (age_s_ > kBelieved_s) anchorAt(position, {0, 0});
     const geo::Offset fix = geo::offset(anchor_, position);
-    const float north_m = fix.north_m + carried.north_m - since_.north_m;
-    const float east_m = fix.east_m + carried.east_m - since_.east_m;
+    const core::Vector3 carried = (velocity_mps + gained_mps * 0.5f) * settings.gps_age_s;
+    const geo::Offset off = {fix.north_m + carried.x - since_.north_m,
+                             fix.east_m + carried.y - since_.east_m};
     const float far_m = kFar_m + kFarther_mps * age_s_;
-    refuses_ = north_m * north_m + east_m * east_m > far_m * far_m;
+    refuses_ = squared(off) > far_m * far_m;
     if (refuses_) return;
     const bool late = reckoned();
+    const float share = late ? 1.0f : kPositionShare;
+    since_.north_m += (off.north_m - wander_m(mean_.north_m, fix.north_m, velocity_mps.x)) * share;
+    since_.east_m += (off.east_m - wander_m(mean_.east_m, fix.east_m, velocity_mps.y)) * share;
+    velocity_ =
+        velocity_ + (velocity_mps + gained_mps - velocity_) * (late ? 1.0f : kVelocityShare);
     age_s_ = 0;
-    since_.north_m += north_m * (late ? 1.0f : kPositionShare);
-    since_.east_m += east_m * (late ? 1.0f : kPositionShare);
-    velocity_ = late ? velocity : velocity_ + (velocity - velocity_) * kVelocityShare;
-    if (since_.north_m * since_.north_m + since_.east_m * since_.east_m > kFold_m * kFold_m) {
-        const geo::Position here = this->position();
-        const geo::Offset whole = geo::offset(anchor_, here);  // the rest of a 1e-7 degree stays
-        anchorAt(here, {since_.north_m - whole.north_m, since_.east_m - whole.east_m});
-    }
+    if (squared(since_) < kFold_m * kFold_m) return;
+    const geo::Position here = this->position();
+    const geo::Offset whole = geo::offset(anchor_, here);  // the rest of a 1e-7 degree stays
+    mean_ = {mean_.north_m - whole.north_m, mean_.east_m - whole.east_m};
+    anchorAt(here, {since_.north_m - whole.north_m, since_.east_m - whole.east_m});
+}
+
+// A receiver's place wanders by metres within minutes; its velocity, from the carriers' Doppler,
+// does not. So the fixes are averaged along the way that the velocities make (R. Hatch, The
+// Synergism of GPS Code and Carrier Measurements, 1982), which runs half an interval ahead of them.
+float Position::wander_m(float& mean_m, float fix_m, float velocity_mps) const {
+    constexpr float kUsual_s = 0.2f;
+    const bool late = reckoned();
+    const float step_m = velocity_mps * (late ? kUsual_s : age_s_);
+    mean_m += step_m;
+    const float off_m = fix_m + 0.5f * step_m - mean_m;
+    const float rate_hz = kMean_hz + kMean_hzpm2 * off_m * off_m;
+    const float share = late ? 1.0f : core::limit(rate_hz * age_s_, 0.0f, 1.0f);
+    mean_m += off_m * share;
+    return off_m - off_m * share;
 }
 
 // Within a few hundred metres of the anchor a metre is the same number of 1e-7 degrees.
 void Position::anchorAt(const geo::Position& anchor, const geo::Offset& since) {
-    constexpr float kSpan_m = 1000.0f;
-    const geo::Position corner = geo::moved(anchor, {kSpan_m, 0});
-    // A step away from the antimeridian, wherever the anchor is.
-    const int32_t step_e7 = anchor.longitude_e7 > 0 ? -100000 : 100000;
-    const geo::Position beside = {anchor.latitude_e7, anchor.longitude_e7 + step_e7};
-    const float across_m = geo::offset(anchor, beside).east_m;
+    constexpr int32_t kStep_e7 = 10000;
+    // Away from the antimeridian, wherever the anchor is.
+    const int32_t step_e7 = anchor.longitude_e7 > 0 ? -kStep_e7 : kStep_e7;
+    const geo::Offset step_m =
+        geo::offset(anchor, {anchor.latitude_e7 + kStep_e7, anchor.longitude_e7 + step_e7});
     anchor_ = anchor;
     since_ = since;
-    north_e7_per_m_ =
-        static_cast<float>(corner.latitude_e7 - anchor.latitude_e7) * (1.0f / kSpan_m);
-    east_e7_per_m_ = static_cast<float>(step_e7) / across_m;
+    north_e7_per_m_ = kStep_e7 / step_m.north_m;
+    east_e7_per_m_ = step_e7 / step_m.east_m;
 }
 
 geo::Position Position::position() const {

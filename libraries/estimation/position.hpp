@@ -34,10 +34,12 @@ public:
     float age_s() const { return age_s_; }                // since the last fix was used
 
 private:
+    float wander_m(float& mean_m, float fix_m, float velocity_mps) const;
     void anchorAt(const geo::Position& anchor, const geo::Offset& since);
 
     geo::Position anchor_ = {0, 0};
     geo::Offset since_ = {0, 0};  // from the anchor to where the airplane is now
+    geo::Offset mean_ = {0, 0};   // from the anchor to the fixes' mean, half an interval ahead
     float north_e7_per_m_ = 0, east_e7_per_m_ = 0;
     core::Vector3 velocity_ = {0, 0, 0};
     float age_s_ = 1e6f;

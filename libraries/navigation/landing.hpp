@@ -27,7 +27,7 @@ struct Approach {
 class Landing {
 public:
     void start() { flaring_ = false; }
-    HeightDemand run(const LandingSettings& settings, const Approach& approach);
+    HeightDemand run(const LandingSettings& settings, Approach approach);
     bool flaring() const { return flaring_; }
 
 private:

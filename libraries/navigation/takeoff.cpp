@@ -29,9 +29,8 @@ bool Launch::run(const LaunchSettings& settings, const LaunchState& now) {
         return false;
     }
     const bool push_asked = settings.min_accel_mss > 0;
-    if (!pushed_) {
+    if (waited_s_ < 0) {
         if (push_asked && now.accel_mss < settings.min_accel_mss) return false;
-        pushed_ = true;
         waited_s_ = 0;
     } else {
         waited_s_ += now.dt_s;
@@ -47,9 +46,9 @@ bool Launch::run(const LaunchSettings& settings, const LaunchState& now) {
 void TakeoffCourse::run(const geo::Offset& velocity_mps, float ground_speed_mps, float yaw_rad,
                         float dt_s) {
     if (locked_) return;
-    fast_s_ = ground_speed_mps > kCourseSpeed_mps ? fast_s_ + dt_s : 0;
-    if (fast_s_ < kCourseTime_s) return;
-    const float turned_rad = core::wrapPi(yaw_rad - yaw_rad_);
+    waiting_.fast_s = ground_speed_mps > kCourseSpeed_mps ? waiting_.fast_s + dt_s : 0;
+    if (waiting_.fast_s < kCourseTime_s) return;
+    const float turned_rad = core::wrapPi(yaw_rad - waiting_.yaw_rad);
     const float share = 1 / ground_speed_mps;
     const float north = velocity_mps.north_m * share, east = velocity_mps.east_m * share;
     const float c = cosf(turned_rad), s = sinf(turned_rad);

@@ -22,27 +22,30 @@ struct LaunchState {
 // Holds the motor until the airplane has been thrown, or at once when no push is asked for.
 class Launch {
 public:
-    void start() { pushed_ = false, waited_s_ = 0; }
+    void start() { waited_s_ = -1; }
     bool run(const LaunchSettings& settings, const LaunchState& now);  // true: the motor may turn
 
 private:
-    bool pushed_ = false;
-    float waited_s_ = 0;
+    float waited_s_ = -1;  // since the push; below 0: there was none
 };
 
 // Wings level until the course over ground can be trusted; then the course the run began with,
 // which is the present one less what the airplane has turned since.
 class TakeoffCourse {
 public:
-    void start(float yaw_rad) { yaw_rad_ = yaw_rad, fast_s_ = 0, locked_ = false; }
+    constexpr TakeoffCourse() : waiting_{0, 0} {}
+    void start(float yaw_rad) { waiting_ = {yaw_rad, 0}, locked_ = false; }
     void run(const geo::Offset& velocity_mps, float ground_speed_mps, float yaw_rad, float dt_s);
     bool locked() const { return locked_; }
     const geo::Offset& course() const { return course_; }
 
 private:
-    geo::Offset course_ = {1, 0};
-    float yaw_rad_ = 0;
-    float fast_s_ = 0;
+    union {
+        struct {
+            float yaw_rad, fast_s;
+        } waiting_;           // until locked ...
+        geo::Offset course_;  // ... and then
+    };
     bool locked_ = false;
 };
 

@@ -101,7 +101,7 @@ public:
         const uint32_t late_us = began_us - due_us;
         began_ = now_ = hal::ticks();
         room_ = late_us < frame_us_ ? ticks(frame_us_ - static_cast<uint16_t>(late_us)) : 0;
-        for (uint8_t i = 0; i < fast_; ++i) runTimed(i, tasks_[i]);
+        for (uint8_t i = 0; i < fast_; ++i) runTimed(i, tasks_[i], kFast);
         int8_t latest = 1;
         for (uint8_t i = fast_; i < N; ++i) {
             int8_t& wait = wait_[i];
@@ -157,13 +157,13 @@ private:
         const uint8_t period = core::romRead(task.period);
         do wait_[i] += period;  // from when it was due, not from now: the phase is kept
         while (wait_[i] <= 0);
-        runTimed(i, task);
+        runTimed(i, task, tierOf(period));
     }
 
-    void runTimed(uint8_t i, const Task& task) {
+    void runTimed(uint8_t i, const Task& task, uint8_t tier) {
         hal::mark(i + 1);
         core::romRead(task.run)();
-        served_ |= tierOf(core::romRead(task.period));
+        served_ |= tier;
         hal::mark(hal::kMarkTaskEnd);
         const uint16_t ended = hal::ticks();
         const uint16_t taken = ended - now_;
