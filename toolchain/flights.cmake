@@ -109,12 +109,13 @@ function(autotune_test airplane roll_p pitch_p)
     foreach(times 0.4 1 2.5)
         set(name flight.native_autotune_${airplane}_${times})
         add_test(NAME ${name} COMMAND autotune_flight ${airplane} ${first_flight} ${times} ${roll_p}
-                 ${pitch_p})
+                 ${pitch_p} ${ARGN})
         set_tests_properties(${name} PROPERTIES LABELS native)
     endforeach()
 endfunction()
 autotune_test(foam_trainer 0.57 0.67)
 autotune_test(trainer_6kg 1.04 1.32)
+autotune_test(flying_wing 0.46 0.72 ELEVON_OUTPUT=1 MIXING_GAIN=1 KFF_RDDRMIX=0 TKOFF_THR_MINACC=15)
 
 # every CONDITION and DO of each set, beside the oracle
 file(GLOB command_flight_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/command_flights/*.cpp)

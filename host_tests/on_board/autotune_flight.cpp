@@ -2,7 +2,8 @@
 // AUTOTUNE in the air, natively: a pilot who rolls and pitches from gains that are so many times
 // the defaults comes to the gains of this airplane, whatever they were at first. Exits 0 when that
 // is so.
-//   autotune_flight AIRPLANE MISSION TIMES RLL2SRV_P PTCH2SRV_P
+//   autotune_flight AIRPLANE MISSION TIMES RLL2SRV_P PTCH2SRV_P [NAME=VALUE ...]
+// NAME is set to VALUE before: what an airplane needs to be flown at all, its mixing for one.
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -21,6 +22,7 @@ constexpr int kTelemetry = 2, kUsb = 0;
 constexpr uint64_t kStep_us = 20'000;
 constexpr double kDegree = M_PI / 180;
 constexpr double kRolls_s = 100, kAll_s = 200;  // then the nose; limits of the learning
+constexpr double kLow_m = 60;                   // lower the nose is not put down
 constexpr float kFarthest = 1.25f;              // from what it is to come to
 
 struct Gains {
@@ -29,9 +31,9 @@ struct Gains {
 
 class Tuning {
 public:
-    Tuning(const std::string& airplane, const Waypoints& items)
+    Tuning(const std::string& airplane, const Waypoints& items, const ParameterSettings& settings)
         : board_(worldOf(airplane, items)),
-          flight_(board_, kTelemetry, items, 600),
+          flight_(board_, kTelemetry, items, 600, settings),
           usb_(board_, kUsb, [](const mavlink::Frame&, uint64_t) {}) {
         board_.listen([this](int usart, uint8_t byte, uint64_t at_us) {
             if (usart == kTelemetry) flight_.receive(byte, at_us);
@@ -97,7 +99,7 @@ private:
         if (t_s < kRolls_s)
             roll = other ? 400 : -400;
         else
-            pitch = other ? 350 : -350;
+            pitch = other ? 350 : (truth.height_m > kLow_m ? -350 : 0);
         if (t_s < kRolls_s) pitch = truth.height_m < 90 ? 120 : 0;
         const double throttle = std::clamp(0.6 + (100 - truth.height_m) * 0.02, 0.3, 1.0);
         const auto us = [](double by) { return static_cast<uint16_t>(1500 + by); };
@@ -116,10 +118,17 @@ bool near(float one, float other) { return one < kFarthest * other && other < kF
 }  // namespace
 
 int main(int count, char** words) try {
-    if (count != 6)
-        throw std::runtime_error("expected AIRPLANE MISSION TIMES RLL2SRV_P PTCH2SRV_P");
+    if (count < 6)
+        throw std::runtime_error("expected AIRPLANE MISSION TIMES RLL2SRV_P PTCH2SRV_P NAME=VALUE");
+    ParameterSettings settings;
+    for (int i = 6; i < count; ++i) {
+        const std::string word = words[i];
+        const size_t equals = word.find('=');
+        settings.push_back({word.substr(0, equals), std::stod(word.substr(equals + 1))});
+    }
     const Gains right = {std::stof(words[4]), std::stof(words[5])};
-    const Gains found = Tuning(words[1], readWaypoints(words[2])).learn(std::stof(words[3]));
+    Tuning tuning(words[1], readWaypoints(words[2]), settings);
+    const Gains found = tuning.learn(std::stof(words[3]));
     const bool ok = near(found.roll_p, right.roll_p) && near(found.pitch_p, right.pitch_p);
     std::printf("  %s wanted about %s and %s\n", ok ? "ok    " : "FAILED", words[4], words[5]);
     return ok ? 0 : 1;
