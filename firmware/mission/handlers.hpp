@@ -76,6 +76,8 @@ void forgetPlace();         // nothing has finished yet
 // ---- landing.cpp
 void landAgain();    // from the nearest DO_LAND_START; without one the landing itself
 void stepLanding();  // 10 Hz
+// In a landing: all throttle goes around, once the stick has been below.
+void breakOffByThrottle(bool& was_below);
 
 // ---- condition_commands.cpp
 void startDelay(const Record&);

@@ -5,6 +5,8 @@
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/modes.hpp"
+#include "firmware/telemetry/text.hpp"
+#include "firmware/vehicle.hpp"
 
 namespace firmware {
 namespace {
@@ -72,6 +74,16 @@ bool missionGoAround(float height_m) {
     demand.sloped = false;
     demand.new_path = true;
     return true;
+}
+
+// A stick that was left there before the landing says nothing.
+void breakOffByThrottle(bool& was_below) {
+    constexpr int8_t kAll_pct = 90;
+    if (vehicle.radio.lost) return;
+    const bool all = vehicle.radio.throttle_pct >= kAll_pct;
+    if (all && was_below && missionGoAround(0))
+        tell(Severity::warning, ROM_TEXT("Landing broken off by the throttle"));
+    was_below = !all;
 }
 
 void landAgain() {

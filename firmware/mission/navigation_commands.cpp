@@ -27,7 +27,7 @@ bool leg_counts;  // it is longer than the acceptance radius
 // Of a loiter: radians or seconds since capture. `before`: until the last resume.
 float loitered_before, loitered;
 uint16_t loiter_ms;
-bool captured;
+bool captured;  // the circle; in a landing, that the throttle stick was below what breaks it off
 
 uint32_t still_ms;
 
@@ -200,6 +200,7 @@ Progress returnDone(const Record& record) {
 void startLand(const Record& record, Entry entry) {
     demand(Path::land, {placeOf(record), heightOf_m(record)}, entry);
     still_ms = hal::now_ms();
+    captured = false;
 }
 
 namespace {
@@ -216,6 +217,7 @@ Progress climbAway() {
 // Finished when down and disarmed; disarms itself when the airplane has stood long enough.
 Progress landDone(const Record&) {
     if (vehicle.demand.path == Path::leg) return climbAway();
+    breakOffByThrottle(captured);
     const uint32_t now_ms = hal::now_ms();
     const bool down = !vehicle.estimate.flying;
     if (down && !vehicle.armed) return Progress::done;

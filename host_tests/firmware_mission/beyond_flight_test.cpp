@@ -311,6 +311,40 @@ TEST_F(Landings, going_around_without_a_start_lands_again_from_the_nav_before) {
     EXPECT_EQ(missionCurrent(), 2);
 }
 
+TEST_F(Landings, all_throttle_breaks_one_off_but_not_a_stick_that_was_left_there) {
+    vehicle.radio.throttle_pct = 100;
+    fly(landings());
+    reach();
+    reach();
+    seconds(2);
+    ASSERT_EQ(vehicle.demand.path, Path::land);
+    vehicle.radio.throttle_pct = 60;
+    seconds(1);
+    EXPECT_EQ(vehicle.demand.path, Path::land) << "a nudge";
+    (void)told();
+    vehicle.estimate.height_m = 8;
+    vehicle.radio.throttle_pct = 95;
+    seconds(1);
+    EXPECT_EQ(vehicle.demand.path, Path::leg);
+    EXPECT_FLOAT_EQ(vehicle.demand.height_m, 30);
+    EXPECT_TRUE(tells("Landing broken off by the throttle"));
+}
+
+TEST_F(Landings, a_radio_that_comes_back_with_all_throttle_breaks_none_off) {
+    vehicle.radio.throttle_pct = 100;
+    fly(landings());
+    reach();
+    reach();
+    seconds(1);
+    vehicle.radio.lost = true;
+    vehicle.radio.throttle_pct = 0;
+    seconds(1);
+    vehicle.radio.lost = false;
+    vehicle.radio.throttle_pct = 100;
+    seconds(1);
+    EXPECT_EQ(vehicle.demand.path, Path::land);
+}
+
 TEST_F(Landings, nothing_is_broken_off_that_is_no_landing_or_is_over) {
     fly(landings());
     EXPECT_FALSE(missionGoAround(50)) << "a waypoint";
