@@ -128,12 +128,12 @@ void idle(bool (*work_waits)()) {
         counter().compare[0] = counter().count + kRest;
         avr::woken = false;
         if (work_waits()) break;
-        while (!avr::woken) {
+        do {
             sei();  // takes effect after the next instruction: nothing comes in before the sleep
             sleep_cpu();
             __asm__ volatile("nop");  // what was pending and so kept it awake comes in here
             cli();
-        }
+        } while (!avr::woken);
         sei();
     } while (static_cast<uint16_t>(ticks() - began) < kLongestRest);
     sei();
