@@ -14,8 +14,8 @@ static_assert(core::count(wiring::kServos) == hal::kServos, "a row for each outp
 
 namespace hal {
 
-static inline bool onClock(const avr::ServoPin& pin) {
-    return wiring::kServosOnClock && pin.timer == wiring::kClockTimer;
+static inline bool onClock(uint8_t timer) {
+    return wiring::kServosOnClock && timer == wiring::kClockTimer;
 }
 
 void servoStart(uint16_t rate_hz) {
@@ -26,30 +26,31 @@ void servoStart(uint16_t rate_hz) {
 
 void servoWrite(uint8_t output, uint16_t pulse_halfus) {
     if (output >= kServos) return;
-    const avr::ServoPin to = core::romRead(wiring::kServos[output]);
-    if (onClock(to)) return avr::clockPulseWrite(to.compare, pulse_halfus);
-    avr::Timer& timer = avr::timerAt(to.address);
-    volatile uint8_t& mask = avr::interruptMask(to.timer);
-    const uint8_t bit = avr::compareBit(to.compare);
+    const avr::ServoPin& to = wiring::kServos[output];
+    const uint8_t number = core::romRead(to.timer), compare = core::romRead(to.compare);
+    if (onClock(number)) return avr::clockPulseWrite(compare, pulse_halfus);
+    avr::Timer& timer = avr::timerAt(core::romRead(to.address));
+    volatile uint8_t& mask = avr::interruptMask(number);
+    const uint8_t bit = avr::compareBit(compare);
     Locked locked;
     if (pulse_halfus == 0) {
-        if (!(timer.control_a & avr::comparePin(to.compare))) return;
-        avr::interruptFlags(to.timer) = bit;
+        if (!(timer.control_a & avr::comparePin(compare))) return;
+        avr::interruptFlags(number) = bit;
         mask |= bit;
         return;
     }
     const uint16_t top = timer.capture;
     // The pin falls with the count after the compare (data sheet 17.9.3). A width of a whole
     // period would never fall.
-    timer.compare[to.compare] = (pulse_halfus > top ? top : pulse_halfus) - 1;
+    timer.compare[compare] = (pulse_halfus > top ? top : pulse_halfus) - 1;
     mask &= static_cast<uint8_t>(~bit);
-    timer.control_a |= avr::comparePin(to.compare);
+    timer.control_a |= avr::comparePin(compare);
 }
 
 uint16_t servoRead(uint8_t output) {
     if (output >= kServos) return 0;
     const avr::ServoPin of = core::romRead(wiring::kServos[output]);
-    if (onClock(of)) return avr::clockPulseRead(of.compare);
+    if (onClock(of.timer)) return avr::clockPulseRead(of.compare);
     const avr::Timer& timer = avr::timerAt(of.address);
     const bool ending = avr::interruptMask(of.timer) & avr::compareBit(of.compare);
     const bool running = timer.control_a & avr::comparePin(of.compare);

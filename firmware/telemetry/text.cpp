@@ -100,7 +100,10 @@ void textLogged() {
     forgetTaken();
 }
 
-bool textSend(Link& link) {
+namespace {
+
+// Rarely gone through, and large: what asks saves no registers for it.
+__attribute__((noinline)) bool sendText(Link& link) {
     if (lost > 0 && used < kTexts) {
         const uint8_t count = lost;
         lost = 0;
@@ -118,5 +121,9 @@ bool textSend(Link& link) {
     }
     return false;
 }
+
+}  // namespace
+
+bool textSend(Link& link) { return (used > 0 || lost > 0) && sendText(link); }
 
 }  // namespace firmware
