@@ -90,6 +90,15 @@ test('what hurries goes to a fragment only to go on from there', () => {
   assert.deepEqual(all.__fragment_0, ['movw r18,r22', 'movw r20,r24', 'jmp __mulsf3']);
 });
 
+test('registers are taken back from the stack only by an end that is jumped to', () => {
+  const ends = outlined(functions(4, (i) => [`ldi r24,${i}`, 'pop r29', 'pop r28', 'pop r17', 'ret']));
+  assert.deepEqual(ends.f1, ['ldi r24,1', 'jmp __fragment_0']);
+  assert.deepEqual(ends.__fragment_0, ['pop r29', 'pop r28', 'pop r17', 'ret']);
+
+  const amid = outlined(functions(6, (i) => [`ldi r24,${i}`, ...kFour.slice(0, 3), 'pop r24', 'pop r25', `ldi r26,${i}`, 'rjmp .L9']));
+  assert.deepEqual(amid.f1.slice(2, 4), ['pop r24', 'pop r25']);
+});
+
 test('several far calls of one place go by a jump near them', () => {
   const filler = (name, words) => code(name, ...Array.from({ length: words }, (_, i) => `cpi r24,${name}${i}`)).join('\n');
   const callers = (name) => code(name, 'ldi r24,1', 'call __mulsf3', 'ldi r24,2', 'call __mulsf3', 'ldi r24,3', 'call __mulsf3', 'rjmp .L9').join('\n');

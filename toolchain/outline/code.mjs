@@ -8,7 +8,7 @@ const kTakesCarry = new Set(['adc', 'sbc', 'sbci', 'cpc', 'ror', 'rol']);
 const kMovable = new Set(['adc', 'add', 'adiw', 'and', 'andi', 'asr', 'bld', 'bst', 'clr', 'clt', 'com',
   'cp', 'cpc', 'cpi', 'dec', 'eor', 'inc', 'ld', 'ldd', 'ldi', 'lds', 'lsl', 'lsr', 'mov', 'movw', 'mul', 'muls',
   'mulsu', 'neg', 'or', 'ori', 'rol', 'ror', 'sbc', 'sbci', 'sbiw', 'set', 'st', 'std', 'sts', 'sub', 'subi',
-  'swap', 'tst', 'call', 'jmp', 'ret']);
+  'swap', 'tst', 'call', 'jmp', 'ret', 'pop']);
 // The stack pointer, interrupts' state, the chip's registers, some of which count cycles between
 // two accesses, and places that are named only within their function.
 const kFixed = /__SP_|__SREG__|__tablejump2__|\.L|\b\d+[bf]\b|^(lds \w+,|sts )\d/;
@@ -16,8 +16,8 @@ const kFixed = /__SP_|__SREG__|__tablejump2__|\.L|\b\d+[bf]\b|^(lds \w+,|sts )\d
 export const kCallBytes = 3.5;  // two, or four where the linker cannot shorten it
 export const bytesOfStep = (text) => (kTwoWords.has(/^\w+/.exec(text)[0]) ? 4 : 2);
 
-// A row of { text, bytes, ends: 'call', 'leave' or '', carry, line, inside, pace }, undefined where
-// nothing may be taken along. `paceOf(name)` of a function: 'stays', 'hurries' or ''.
+// A row of { text, bytes, ends: 'call', 'leave' or '', carry, line, inside, pace, isEnd }, undefined
+// where nothing may be taken along. What takes back registers, isEnd, does so only on leaving. `paceOf(name)` of a function: 'stays', 'hurries' or ''.
 export function readCode(lines, paceOf) {
   const steps = [];
   let inside = '', label = '', blockFrom = 0, pace = 'stays', isSkipped = false, isByHand = false;
@@ -35,7 +35,7 @@ export function readCode(lines, paceOf) {
       gap();
     } else {
       const ends = name === 'call' ? 'call' : name === 'jmp' || name === 'ret' ? 'leave' : '';
-      steps.push({ text, bytes: bytesOfStep(name), ends, carry: kTakesCarry.has(name), line, inside, pace });
+      steps.push({ text, bytes: bytesOfStep(name), ends, carry: kTakesCarry.has(name), line, inside, pace, isEnd: name === 'pop' });
       if (ends === 'leave') gap();
     }
     isSkipped = kSkips.has(name);

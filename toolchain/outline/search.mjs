@@ -12,8 +12,10 @@ const bytesOf = (steps) => steps.reduce((sum, step) => sum + step.bytes, 0);
 // What `times` runs of these steps gain when they stand once.
 function gain(steps, times) {
   const bytes = bytesOf(steps);
-  if (bytes < kShortest && !steps[steps.length - 1].ends) return 0;
-  const body = bytes + (steps[steps.length - 1].ends ? 0 : kReturnBytes);
+  const { ends } = steps[steps.length - 1];
+  if (bytes < kShortest && !ends) return 0;
+  if (ends !== 'leave' && steps.some((step) => step.isEnd)) return 0;
+  const body = bytes + (ends ? 0 : kReturnBytes);
   return times * (bytes - kCallBytes) - body;
 }
 
@@ -77,7 +79,7 @@ function candidates(steps, ids) {
 
 // The steps of a fragment: it goes back, or goes on where its last step called.
 function bodyOf(steps, home) {
-  const body = steps.map(({ text, bytes, ends, carry }) => ({ text, bytes, ends, carry, inside: home, pace: 'fragment' }));
+  const body = steps.map(({ text, bytes, ends, carry, isEnd }) => ({ text, bytes, ends, carry, isEnd, inside: home, pace: 'fragment' }));
   const last = body[body.length - 1];
   if (last.ends === 'call') Object.assign(last, { text: last.text.replace('call', 'jmp'), ends: 'leave' });
   if (last.ends === '') body.push({ text: 'ret', bytes: kReturnBytes, ends: 'leave', carry: false, inside: home, pace: 'fragment' });
@@ -121,7 +123,7 @@ function replaced(steps, calls) {
     }
     const run = steps.slice(at, at + call.length);
     const leaves = run[run.length - 1].ends === 'leave';
-    left.push({ ...run[0], text: `${leaves ? 'jmp' : 'call'} ${call.name}`, bytes: kCallBytes, ends: leaves ? 'leave' : 'call', carry: false });
+    left.push({ ...run[0], text: `${leaves ? 'jmp' : 'call'} ${call.name}`, bytes: kCallBytes, ends: leaves ? 'leave' : 'call', carry: false, isEnd: false });
     at += call.length - 1;
   }
   return left;
