@@ -4,6 +4,7 @@
 #include "core/maths.hpp"
 #include "firmware/guidance/plan.hpp"
 #include "firmware/parameters.hpp"
+#include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
 #include "navigation/takeoff.hpp"
 
@@ -33,7 +34,10 @@ bool launched() {
         vehicle.imu.accel_mss.x - core::kGravity_mss * vehicle.attitude.sin_pitch,
         vehicle.estimate.ground_speed_mps, vehicle.attitude.roll_rad, vehicle.attitude.pitch_rad,
         kGuidancePeriod_s};
-    return launch.run(settings, now);
+    const navigation::Launch::Result result = launch.run(settings, now);
+    if (result == navigation::Launch::tilted) tell(Severity::warning, ROM_TEXT("Bad launch AUTO"));
+    if (result == navigation::Launch::slow) tell(Severity::warning, ROM_TEXT("Timeout AUTO"));
+    return result == navigation::Launch::flies;
 }
 
 }  // namespace

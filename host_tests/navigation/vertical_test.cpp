@@ -148,6 +148,22 @@ TEST(Launch, a_push_without_speed_is_forgotten) {
     EXPECT_FALSE(launch.run(settings, {0, 9, 0, 0.1f, 0.05f})) << "carried fast, not thrown";
 }
 
+TEST(Launch, says_once_of_a_push_why_it_was_none) {
+    using navigation::Launch;
+    Launch launch;
+    launch.start();
+    const navigation::LaunchSettings settings{4, 15, 2};
+    const navigation::LaunchState tilted{20, 9, 0.6f, 0.1f, 0.05f}, pushed{20, 1, 0, 0.1f, 0.05f};
+    EXPECT_EQ(launch.run(settings, tilted), Launch::tilted);
+    EXPECT_EQ(launch.run(settings, tilted), Launch::waits);
+    EXPECT_EQ(launch.run(settings, {0, 0, 0.6f, 0.1f, 0.05f}), Launch::waits);
+    EXPECT_EQ(launch.run(settings, tilted), Launch::tilted) << "the next one";
+    int slow = 0;
+    EXPECT_EQ(launch.run(settings, pushed), Launch::waits);
+    for (int i = 0; i < 20; ++i) slow += launch.run(settings, kStill) == Launch::slow;
+    EXPECT_EQ(slow, 1);
+}
+
 TEST(Launch, never_starts_the_motor_lying_on_its_side_or_nose) {
     navigation::Launch launch;
     launch.start();

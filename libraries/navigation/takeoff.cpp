@@ -23,24 +23,26 @@ bool upright(const LaunchState& now) {
 
 }  // namespace
 
-bool Launch::run(const LaunchSettings& settings, const LaunchState& now) {
-    if (!upright(now)) {
-        start();
-        return false;
-    }
+Launch::Result Launch::run(const LaunchSettings& settings, const LaunchState& now) {
     const bool push_asked = settings.min_accel_mss > 0;
+    const bool pushed = waited_s_ >= 0 || (push_asked && now.accel_mss >= settings.min_accel_mss);
+    if (!upright(now)) {
+        const bool new_push = pushed && waited_s_ != kTilted_s;  // a push is told of once
+        waited_s_ = pushed ? kTilted_s : kUnpushed_s;
+        return new_push ? tilted : waits;
+    }
     if (waited_s_ < 0) {
-        if (push_asked && now.accel_mss < settings.min_accel_mss) return false;
+        if (push_asked && !pushed) return waits;
         waited_s_ = 0;
     } else {
         waited_s_ += now.dt_s;
     }
     const float delay_s = settings.delay_ds * 0.1f;
-    if (waited_s_ < delay_s) return false;
-    if (now.ground_speed_mps >= settings.min_speed_mps) return true;
-    // not thrown after all: wait for the next push
-    if (push_asked && waited_s_ > delay_s + kThrowTimeout_s) start();
-    return false;
+    if (waited_s_ < delay_s) return waits;
+    if (now.ground_speed_mps >= settings.min_speed_mps) return flies;
+    if (!push_asked || waited_s_ <= delay_s + kThrowTimeout_s) return waits;
+    start();
+    return slow;
 }
 
 void TakeoffCourse::run(const geo::Offset& velocity_mps, float ground_speed_mps, float yaw_rad,

@@ -22,11 +22,18 @@ struct LaunchState {
 // Holds the motor until the airplane has been thrown, or at once when no push is asked for.
 class Launch {
 public:
-    void start() { waited_s_ = -1; }
-    bool run(const LaunchSettings& settings, const LaunchState& now);  // true: the motor may turn
+    enum Result : uint8_t {
+        waits,
+        flies,   // the motor may turn
+        tilted,  // pushed, but not the right way up
+        slow,    // pushed, but the speed did not come: waits for the next push
+    };
+    void start() { waited_s_ = kUnpushed_s; }
+    Result run(const LaunchSettings& settings, const LaunchState& now);
 
 private:
-    float waited_s_ = -1;  // since the push; below 0: there was none
+    static constexpr float kUnpushed_s = -1, kTilted_s = -2;
+    float waited_s_ = kUnpushed_s;  // since the push
 };
 
 // Wings level until the course over ground can be trusted; then the course the run began with,
