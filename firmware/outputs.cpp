@@ -34,13 +34,17 @@ core::Fixed<14> upright(uint8_t output, core::Fixed<14> control) {
                                                   : control;
 }
 
-uint16_t paired_us(int8_t kind, uint8_t output, uint8_t other, core::Fixed<14> differential) {
-    const auto pair =
-        control::mixPair(static_cast<control::Pair>(kind), upright(kElevator, surfaces.elevator),
-                         -upright(other, differential), parameters.mixing_gain);
+uint16_t mixed_us(int8_t kind, float common, float differential, uint8_t output, bool left) {
+    const auto pair = control::mixPair(static_cast<control::Pair>(kind), common, differential,
+                                       parameters.mixing_gain);
     control::ServoRange servo = range(output);
-    servo.reverse = 1;
-    return surfacePulse_us(servo, output == kElevator ? pair.left : pair.right);
+    if (output < kFirstFree) servo.reverse = 1;
+    return surfacePulse_us(servo, left ? pair.left : pair.right);
+}
+
+uint16_t paired_us(int8_t kind, uint8_t output, uint8_t other, core::Fixed<14> differential) {
+    return mixed_us(kind, upright(kElevator, surfaces.elevator), -upright(other, differential),
+                    output, output == kElevator);
 }
 
 uint16_t elevon_us(uint8_t output) {
@@ -77,8 +81,27 @@ uint16_t rudder_us() {
 using Pulse = uint16_t (*)();
 constexpr Pulse kPulses[kFirstFree] ROM = {aileron_us, elevator_us, throttle_us, rudder_us};
 
+// 0 .. 1, closed at the lever's shortest pulse. The lever has the left flaperon's radio channel.
+float flap() {
+    uint8_t lever = kFirstFree;
+    while (parameters.output_function[lever - kFirstFree] != kLeftFlaperonFunction)
+        if (++lever == hal::kServos) return 0;
+    const Channel& channel = parameters.channel[lever];
+    const int16_t span_us = channel.max_us - channel.min_us;
+    const int16_t open_us = vehicle.radio.pulse_us[lever] - channel.min_us;
+    return open_us > 0 ? core::limit(static_cast<float>(open_us) / span_us, 0.0f, 1.0f) : 0;
+}
+
+// Where both are too much for a surface, the flap gives way: it is the ailerons that keep upright.
+uint16_t flaperon_us(uint8_t output, bool left) {
+    return mixed_us(static_cast<int8_t>(control::Pair::up_down), surfaces.aileron, flap(), output,
+                    left);
+}
+
 uint16_t freePulse_us(uint8_t output) {
-    if (parameters.output_function[output - kFirstFree] == kCameraFunction) return cameraPulse_us();
+    const int8_t function = parameters.output_function[output - kFirstFree];
+    if (function == kCameraFunction) return cameraPulse_us();
+    if (function != 0) return flaperon_us(output, function == kLeftFlaperonFunction);
     const uint16_t received = vehicle.radio.pulse_us[output];
     return received != 0 ? core::limit(received, kShortest_us, kLongest_us)
                          : static_cast<uint16_t>(parameters.channel[output].trim_us);

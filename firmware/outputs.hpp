@@ -6,6 +6,8 @@
 
 namespace firmware {
 
+constexpr int8_t kLeftFlaperonFunction = 24, kRightFlaperonFunction = 25;  // RCn_FUNCTION
+
 void startOutputs();  // all eight at rest
 void runOutputs();    // 100 Hz, after runAttitudeControl
 

@@ -6,6 +6,7 @@
 #include "core/maths.hpp"
 #include "firmware/camera.hpp"
 #include "firmware/modes.hpp"
+#include "firmware/outputs.hpp"
 #include "firmware/telemetry/legacy_points.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
@@ -62,10 +63,10 @@ constexpr parameters::Row kRows[] = {
     CHANNEL(6, 0),
     CHANNEL(7, 0),
     CHANNEL(8, 0),
-    P(216, "RC5_FUNCTION",      output_function[0],                0,       0,       10),
-    P(217, "RC6_FUNCTION",      output_function[1],                0,       0,       10),
-    P(218, "RC7_FUNCTION",      output_function[2],                0,       0,       10),
-    P(219, "RC8_FUNCTION",      output_function[3],                0,       0,       10),
+    P(216, "RC5_FUNCTION",      output_function[0],                0,       0,       25),
+    P(217, "RC6_FUNCTION",      output_function[1],                0,       0,       25),
+    P(218, "RC7_FUNCTION",      output_function[2],                0,       0,       25),
+    P(219, "RC8_FUNCTION",      output_function[3],                0,       0,       25),
     P( 70, "RCMAP_ROLL",        map_roll,                          1,       1,        8),
     P( 71, "RCMAP_PITCH",       map_pitch,                         2,       1,        8),
     P( 72, "RCMAP_THROTTLE",    map_throttle,                      3,       1,        8),
@@ -287,7 +288,7 @@ bool takes(uint8_t row, float value) {
     if (slot == kFenceTotal) return fenceTakesTotal(static_cast<uint8_t>(whole));
     constexpr uint8_t kFirstFunction = 216, kLastFunction = 219;
     if (slot >= kFirstFunction && slot <= kLastFunction)
-        return whole == 0 || whole == kCameraFunction;
+        return whole == 0 || whole == kCameraFunction || whole >= kLeftFlaperonFunction;
     const bool turns = slot >= 30 && slot < 70 && slot % 5 == 3;  // RCn_REV
     return !turns || whole != 0;
 }

@@ -57,6 +57,31 @@ TEST_F(Outputs, pass_the_sticks_through_in_manual) {
     EXPECT_NEAR(outputPulse_us(4), 1900, 1);
 }
 
+TEST_F(Outputs, make_flaperons_of_the_ailerons_and_of_a_lever) {
+    parameters.output_function[1] = firmware::kLeftFlaperonFunction;
+    parameters.output_function[2] = firmware::kRightFlaperonFunction;
+    parameters.mixing_gain = 1;
+    settle({1600, 1500, 1100, 1500, 1500, 1100, 1900, 1815});  // the lever is channel 6
+    run();
+    EXPECT_NEAR(outputPulse_us(6), 1600, 1);
+    EXPECT_NEAR(outputPulse_us(7), 1400, 1);
+    settle({1500, 1500, 1100, 1500, 1500, 1500, 1100, 1815});
+    run();
+    EXPECT_NEAR(outputPulse_us(6), 1700, 1) << "half the flap";
+    EXPECT_NEAR(outputPulse_us(7), 1700, 1);
+    settle({1700, 1500, 1100, 1500, 1500, 1900, 1100, 1815});
+    run();
+    EXPECT_NEAR(outputPulse_us(6), 1900, 1) << "both at their most: the roll is kept";
+    EXPECT_NEAR(outputPulse_us(7), 1500, 1);
+}
+
+TEST_F(Outputs, have_no_flap_without_a_left_flaperon) {
+    parameters.output_function[2] = firmware::kRightFlaperonFunction;
+    settle({1500, 1500, 1100, 1500, 1900, 1900, 1900, 1815});
+    run();
+    EXPECT_NEAR(outputPulse_us(7), 1500, 1);
+}
+
 // The stick is reversed by the same parameter, so that it moves the surface the same way.
 TEST_F(Outputs, move_a_reversed_surface_with_its_stick_and_against_the_demand) {
     parameters.channel[0].reverse = -1;

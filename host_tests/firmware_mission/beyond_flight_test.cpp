@@ -537,11 +537,13 @@ TEST_F(Beyond, a_mount_is_told_to_be_missing_when_the_mission_comes) {
     EXPECT_FALSE(tells("no mount"));
 }
 
-TEST_F(Beyond, only_what_the_camera_can_do_is_a_function_of_an_output) {
+TEST_F(Beyond, only_what_an_output_can_do_is_its_function) {
     for (const uint8_t slot : {216, 217, 218, 219}) {
         EXPECT_TRUE(parameterSlotTakes(slot, 0));
         EXPECT_TRUE(parameterSlotTakes(slot, kCameraFunction));
-        EXPECT_FALSE(parameterSlotTakes(slot, 4));
+        EXPECT_TRUE(parameterSlotTakes(slot, kLeftFlaperonFunction));
+        EXPECT_TRUE(parameterSlotTakes(slot, kRightFlaperonFunction));
+        for (const float none : {4, 23, 26}) EXPECT_FALSE(parameterSlotTakes(slot, none));
     }
 }
 
