@@ -145,6 +145,44 @@ TEST(Still, what_gusts_rock_gets_a_longer_mean) {
     EXPECT_NEAR(still.zero_rads().x, 0.01, 0.001);
 }
 
+// Its wheels let it tip to and fro four times a second, by up to 4 degrees a second.
+TEST(Still, what_gusts_rock_all_the_time_is_known_within_ten_seconds) {
+    for (float phase = 0; phase < 6.28f; phase += 0.3f) {
+        estimation::Still still;
+        int frames = 0;
+        for (; !still.done() && frames < 1000; ++frames) {
+            const float time_s = static_cast<float>(frames) * 0.01f;
+            const float rocks =
+                0.05f * std::sin(25 * time_s + phase) + 0.02f * std::sin(16 * time_s + 3 * phase);
+            still.update({0.01f + rocks, -0.02f - rocks, 0.005f}, kRest, 0.01f);
+        }
+        ASSERT_TRUE(still.done()) << phase;
+        EXPECT_GT(frames, 400);
+        EXPECT_NEAR(still.zero_rads().x, 0.01, 0.002) << phase;
+        EXPECT_NEAR(still.zero_rads().y, -0.02, 0.002) << phase;
+    }
+}
+
+TEST(Still, what_a_hand_turns_slowly_to_and_fro_is_not_rocked) {
+    estimation::Still still;
+    for (int i = 0; i < 3000; ++i) {  // once in 4.4 seconds
+        const float rate = 0.05f * std::sin(static_cast<float>(i) * 0.01f * 1.428f);
+        still.update({rate, 0, 0}, kRest, 0.01f);
+        ASSERT_FALSE(still.done()) << i << ' ' << still.zero_rads().x;
+    }
+}
+
+TEST(Still, a_better_zero_is_not_given_up_for_a_shorter_one) {
+    estimation::Still still;
+    for (int i = 0; i < 1500; ++i) still.update({0.01f, 0, 0}, kRest, 0.01f);
+    for (int i = 0; i < 50; ++i) still.update({0.3f, 0, 0}, kRest, 0.01f);
+    int told = 0;
+    for (int i = 0; i < 500; ++i) told += still.update({0.02f, 0, 0}, kRest, 0.01f);
+
+    EXPECT_EQ(told, 0);
+    EXPECT_NEAR(still.zero_rads().x, 0.01, 1e-5);
+}
+
 TEST(Still, taken_up_slowly_the_zero_is_that_of_the_rest_before) {
     for (int rest = 115; rest < 800; rest += 7) {
         estimation::Still still;

@@ -9,7 +9,8 @@ namespace {
 constexpr float kRate_rads = 0.02f;  // about 1 deg/s
 constexpr float kForce_mss = 0.5f;
 // Gusts rock an airplane on its wheels to and fro; they do not turn it about.
-constexpr float kRocked_rads = 0.2f, kTurned_rads = 0.05f;
+constexpr float kSwayed_rads = 0.08f, kRocked_rads = 0.2f, kTurned_rads = 0.03f;
+constexpr float kAgreed_rads = 0.005f;   // 0.3 deg/s
 constexpr float kMostZero_rads = 0.35f;  // 20 deg/s, MPU-6000 data sheet: zero-rate output
 
 bool near(const core::Vector3& a, const core::Vector3& b, float limit, float limit_z) {
@@ -27,10 +28,9 @@ bool Still::update(const core::Vector3& rate_rads, const core::Vector3& force_ms
     return usePart();
 }
 
+// Neither tilted nor turned about since the first part. A gust tips it, a hand does more.
 bool Still::isStill(const core::Vector3& rate_rads, const core::Vector3& force_mss) const {
-    const bool rests = parts_ >= kSecond;
-    return near(rate_rads, mean_, rests ? kRocked_rads : kRate_rads,
-                rests ? kTurned_rads : kRate_rads) &&
+    return near(rate_rads, mean_, done() ? kRocked_rads : kSwayed_rads, kTurned_rads) &&
            near(force_mss, force_, kForce_mss, kForce_mss) &&
            near(rate_rads, {0, 0, 0}, kMostZero_rads, kMostZero_rads);
 }
@@ -41,26 +41,44 @@ bool Still::usePart() {
     rate_sum_ = force_sum_ = {0, 0, 0};
     part_s_ = 0;
     if (parts_ == 0) {
-        if (!done_) force_ = force;
+        if (!done()) force_ = force;
         mean_ = rate;
+        rocked_ = false;
     }
     if (!isStill(rate, force)) {
         parts_ = 0;
         return false;
     }
+    rocked_ = rocked_ || !near(rate, mean_, kRate_rads, kRate_rads);
     const float share = 1.0f / static_cast<float>(++parts_);
     mean_ = mean_ + (rate - mean_) * share;
-    if (!done_) force_ = force_ + (force - force_) * share;
-    return useMean();
+    if (done()) return useMean();
+    force_ = force_ + (force - force_) * share;
+    return parts_ == (rocked_ ? kRocked : kSecond) && useFirst();
+}
+
+// Rocked, the mean of two seconds still holds a part of the last tilt to and fro; the next two
+// must agree. A hand's movements do not.
+bool Still::useFirst() {
+    if (rocked_) {
+        const bool agreed = compared_ && near(mean_, zero_, kAgreed_rads, kAgreed_rads);
+        mean_ = agreed ? (mean_ + zero_) * 0.5f : mean_;
+        compared_ = true;
+        parts_ = agreed ? 2 * kRocked : 0;
+    }
+    zero_ = mean_;
+    known_ = parts_;
+    return done();
 }
 
 // What a hand begins to move is found out within a second: until then a better mean waits.
 bool Still::useMean() {
-    const bool full = parts_ % kSecond == 0;
-    const bool first = full && !done_;
-    if (first || (parts_ > kSecond && parts_ % kSecond == 1)) zero_ = mean_;
-    if (first) done_ = true;
-    return first || (full && parts_ > kSecond);
+    const uint8_t over = parts_ % kSecond;
+    if (over == 1 && parts_ > known_) {
+        zero_ = mean_;
+        known_ = parts_;
+    }
+    return over == 0 && parts_ > known_;
 }
 
 }  // namespace estimation
