@@ -13,11 +13,14 @@ constexpr uint8_t kAlignFrames = 25;
 // Time constants of the corrections, settled; found by flying host_tests/estimation/flight.hpp.
 // The gyros are good for a minute, so the references may be averaged for long; an accelerometer's
 // bias shows when the airplane turns, because its tilt stays behind over the ground.
-constexpr float kTilt_s = 12.0f;
-constexpr float kCompass_s = 15.0f;
-constexpr float kBiasShare = 1.0f / 70.0f;  // bias taken over, per second of tilt corrected
-constexpr float kQuick = 8.0f;              // so much faster at first
-constexpr float kSettle_s = 10.0f;
+constexpr float kTilt_s = 5.0f;
+constexpr float kCompass_s = 8.0f;
+constexpr float kBiasShare = 1.0f / 100.0f;  // bias taken over, per second of tilt corrected
+constexpr float kQuick = 8.0f;               // so much faster at first, for a sixth of the time
+// The zero of gyros that gusts rocked is 0.1 to 0.2 deg/s wrong at first, and has to be learnt
+// soon.
+constexpr float kEager = 8.0f;
+constexpr float kSettle_s = 60.0f, kQuickEnds = 5.0f / 6;
 
 // In a turn a small error of heading or of the fix's age shows as acceleration along the path, not
 // towards the centre: beyond this horizontal acceleration the part along the path counts less.
@@ -26,7 +29,7 @@ constexpr float kYawFromTurn = 0.04f;  // of the heading error a turn shows, eac
 
 constexpr float kMostBias_rads = 0.05f;      // 3 deg/s beyond the start-up zero
 constexpr float kMostBiasStep_rads = 2e-4f;  // in one correction
-constexpr float kForceBias_s = 200.0f;       // an accelerometer's bias is learnt in this time
+constexpr float kForceBias_s = 150.0f;       // an accelerometer's bias is learnt in this time
 constexpr float kMostForceBias_mss = 0.3f;   // 0.03 g
 constexpr float kMostForceStep_mss = 0.005f;
 constexpr float kMostTime_s = 1.1f;   // between two fixes that are compared
@@ -265,7 +268,7 @@ void Attitude::turnBy(int32_t& turned, float by_rad) {
 // one radian would turn gravity into one g of it.
 void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& felt_mss,
                        float time_s, float yaw_share) {
-    const float quick = 1.0f + (kQuick - 1.0f) * settling_;
+    const float quick = this->quick();
     settling_ = core::limit(settling_ - time_s * (1.0f / kSettle_s), 0.0f, 1.0f);
     const core::Vector3& a = felt_mss;
     const float horizontal = a.x * a.x + a.y * a.y;
@@ -286,8 +289,11 @@ void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& fe
     const core::Vector3 east = core::cross(down, north);
     const core::Vector3 by =
         north * (used.y * gain) - east * (used.x * gain) + down * core::limit(yaw, -0.05f, 0.05f);
-    learnRates(by);
-    const float share = core::limit(time_s * (1.0f / kForceBias_s), 0.0f, 0.01f);
+    const float eager = 1.0f + kEager * settling_;
+    learnRates({by.x * eager, by.y * eager, by.z});
+    // While the gyros' zero is learnt, nothing tells the accelerometers' from it.
+    const float share =
+        core::limit(time_s * (1.0f / kForceBias_s), 0.0f, 0.01f) * (1.0f - settling_);
     used = used * share;
     learnForce(force_bias_x_, north.x * used.x + east.x * used.y);
     learnForce(force_bias_y_, north.y * used.x + east.y * used.y);
@@ -363,10 +369,14 @@ void Attitude::useAirspeed(float true_airspeed_mps) {
     correct(missing, acceleration_, 0.2f, 0);
 }
 
+float Attitude::quick() const {
+    constexpr float kSlope = (kQuick - 1) / (1 - kQuickEnds);
+    return 1 + core::limit((settling_ - kQuickEnds) * kSlope, 0.0f, kQuick - 1);
+}
+
 // By a share of the sine of the angle that is missing.
 void Attitude::pointBy(float error) {
-    const float quick = 1.0f + (kQuick - 1.0f) * settling_;
-    const float by = error * core::limit(quick * (kCompassStep_s / kCompass_s), 0.0f, 0.5f);
+    const float by = error * core::limit(quick() * (kCompassStep_s / kCompass_s), 0.0f, 0.5f);
     const core::Vector3 turn_rad = real(down_) * by;
     learnRates(turn_rad);
     turnBy(turn_rad);
@@ -405,7 +415,7 @@ bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
         turnTo(-across_mg * inverse, along_mg * inverse);
         return true;
     }
-    const bool elsewhere = settling_ <= 0 && along_mg * inverse < kOdd;
+    const bool elsewhere = settling_ < kQuickEnds && along_mg * inverse < kOdd;
     if (elsewhere || !settings.use_compass) return !elsewhere;
     if (along_mg > 0) {
         const core::Vector3 odd =

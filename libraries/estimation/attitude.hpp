@@ -122,6 +122,7 @@ private:
     void pointAlong(const core::Vector3& velocity_mps);
     void accelerate();
     void forgetForces();
+    float quick() const;
     void correct(const core::Vector3& missing_mss, const core::Vector3& felt_mss, float time_s,
                  float yaw_share);
     void learnRates(const core::Vector3& turn_rad);
@@ -145,7 +146,7 @@ private:
     VelocityHistory::Moment fix_ = {};         // the accelerometers' velocity at the last fix
     VelocityHistory::Moment fix_ground_ = {};  // and the GPS's
     uint16_t since_fix_ = 0xFFFF;              // periods
-    float settling_ = 1;  // 1 at start, 0 when settled: how much quicker corrections are taken over
+    float settling_ = 1;                       // 1 at start, 0 when settled
     Phase phase_ = Phase::falling;
     uint8_t frame_ = 0, forces_ = 0, periods_ = 0;
     uint8_t compass_reading_ = 0;

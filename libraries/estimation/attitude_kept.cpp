@@ -5,7 +5,7 @@
 namespace estimation {
 
 constexpr int32_t kRowStep = 65536, kBiasStep = 64;
-constexpr float kHalfSettled = 0.5f;  // a restart leaves an error of degrees, not of tens
+constexpr float kHalfSettled = 0.9f;  // a restart leaves an error of degrees, not of tens
 
 void Attitude::keep(Pose& pose) const {
     for (uint8_t i = 0; i < 3; ++i) {

@@ -4,7 +4,7 @@
 namespace estimation {
 namespace {
 
-constexpr float kOwn_s = 10.0f;
+constexpr float kOwn_s = 15.0f;
 constexpr float kEarth_s = 40.0f;
 constexpr float kMostOwn_mg = 300.0f;
 

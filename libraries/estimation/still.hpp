@@ -37,7 +37,8 @@ private:
     float part_s_ = 0;   // summed up
     uint8_t parts_ = 0;  // it has been still for
     uint8_t known_ = 0;  // parts whose mean the zero is
-    bool rocked_ = false, compared_ = false;
+    bool rocked_ = false;    // in the first parts
+    bool compared_ = false;  // the zero is known by one mean already
 
     static constexpr uint8_t kSecond = 10, kRocked = 20, kMost = 25 * kSecond;  // parts
 };
