@@ -23,8 +23,8 @@ bool Still::update(const core::Vector3& rate_rads, const core::Vector3& force_ms
     if (settled()) return false;
     rate_sum_ = rate_sum_ + rate_rads * dt_s;
     force_sum_ = force_sum_ + force_mss * dt_s;
-    part_s_ += dt_s;
-    if (part_s_ < 0.1f) return false;
+    part_ms_ += static_cast<uint16_t>(dt_s * 1000 + 0.5f);
+    if (part_ms_ <= 100) return false;
     return usePart();
 }
 
@@ -36,10 +36,11 @@ bool Still::isStill(const core::Vector3& rate_rads, const core::Vector3& force_m
 }
 
 bool Still::usePart() {
-    const core::Vector3 rate = rate_sum_ * (1.0f / part_s_);
-    const core::Vector3 force = force_sum_ * (1.0f / part_s_);
+    const float inverse_s = 1000.0f / part_ms_;
+    const core::Vector3 rate = rate_sum_ * inverse_s;
+    const core::Vector3 force = force_sum_ * inverse_s;
     rate_sum_ = force_sum_ = {0, 0, 0};
-    part_s_ = 0;
+    part_ms_ = 0;
     if (parts_ == 0) {
         if (!done()) force_ = force;
         mean_ = rate;

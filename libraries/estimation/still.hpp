@@ -34,9 +34,9 @@ private:
     core::Vector3 mean_ = {0, 0, 0};  // of the still parts
     core::Vector3 force_ = {0, 0, 0};
     core::Vector3 rate_sum_ = {0, 0, 0}, force_sum_ = {0, 0, 0};
-    float part_s_ = 0;   // summed up
-    uint8_t parts_ = 0;  // it has been still for
-    uint8_t known_ = 0;  // parts whose mean the zero is
+    uint16_t part_ms_ = 0;   // summed up
+    uint8_t parts_ = 0;      // it has been still for
+    uint8_t known_ = 0;      // parts whose mean the zero is
     bool rocked_ = false;    // in the first parts
     bool compared_ = false;  // the zero is known by one mean already
 
