@@ -13,18 +13,18 @@ namespace firmware {
 namespace {
 
 constexpr float kMostForHeadwind_mps = 3;
-constexpr float kApproachShare = 0.65f;  // of the way from the lowest speed to cruise
+constexpr float kApproachShare = 0.55f;  // of the way from the lowest speed to cruise
 
 constexpr float kMiddle_radpm = 0.03f, kMostToMiddle_rad = 0.1f;
 
 navigation::Landing landing;
 
-// Between the lowest speed and cruise: slow enough to land, fast enough to flare. Half the headwind
-// is added, for near the ground it is gone.
+// Between the lowest speed and cruise: slow enough to land, fast enough to flare. Most of the
+// headwind is added, for near the ground it is gone.
 float approachSpeed_mps(float cruise_mps, float along_mps) {
     const float headwind_mps = vehicle.estimate.airspeed_mps - along_mps;
     return parameters.speed_min_mps + kApproachShare * (cruise_mps - parameters.speed_min_mps) +
-           core::limit(0.5f * headwind_mps, 0.0f, kMostForHeadwind_mps);
+           core::limit(0.6f * headwind_mps, 0.0f, kMostForHeadwind_mps);
 }
 
 navigation::HeightDemand height(const navigation::Lateral& lateral, float along_mps) {
