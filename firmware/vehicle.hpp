@@ -77,7 +77,7 @@ struct Vehicle {
         int32_t altitude_cm;         // above sea level
         core::Vector3 velocity_mps;  // north, east, down
         float ground_speed_mps;
-        int32_t course_cd;
+        uint16_t course_cd;
         uint32_t received_ms;
         uint16_t age_ms;  // when it was received
         bool fresh;
@@ -104,19 +104,19 @@ struct Vehicle {
         bool aligned;
     } attitude;
     struct {
-        geo::Position position;      // between fixes carried on with the velocity
-        bool known;                  // a fix has been seen and is not too old
+        geo::Position position;  // between fixes carried on with the velocity
+        bool flying : 1;
+        bool known : 1;              // a fix has been seen and is not too old
         bool reckoned : 1;           // without fixes for a while: by air and wind
         bool fix_refused : 1;        // the last one lay too far off
         core::Vector3 velocity_mps;  // north, east, down
         float ground_speed_mps;
-        int32_t course_cd;
+        uint16_t course_cd;
         float height_m;  // above home
         float climb_mps;
         float airspeed_mps;  // true, measured or estimated from wind
         float equivalent_airspeed_mps;
         core::Vector3 wind_mps;  // where it blows to: north, east, 0
-        bool flying;
     } estimate;
 
     // ---- home.cpp: set at arming or by command
@@ -140,7 +140,7 @@ struct Vehicle {
     bool mode_changed;  // in this frame: controllers start afresh; tasks.cpp clears it
     bool armed;
     uint16_t failing;  // a bit for each Cause of failsafe/table.hpp
-    bool failsafe_short, failsafe_long;
+    bool failsafe_short : 1, failsafe_long : 1;
 
     // ---- what is demanded: modes/ and the NAV commands write, guidance.cpp flies and reports
     struct {
@@ -160,16 +160,16 @@ struct Vehicle {
     } demand;
     struct {
         float distance_m;  // to the end of the leg or the centre
-        int32_t target_bearing_cd;
-        int32_t nav_bearing_cd;
+        uint16_t target_bearing_cd;
+        uint16_t nav_bearing_cd;
         float crosstrack_m;
         float height_error_m;
         float airspeed_error_mps;
-        bool passed;       // the line through `to` across the leg is behind
-        bool captured;     // on the circle
-        float turned_rad;  // along the circle since capture, always growing
-        bool flaring;
-        bool throttle_suppressed;
+        float turned_rad;   // along the circle since capture, always growing
+        bool passed : 1;    // the line through `to` across the leg is behind
+        bool captured : 1;  // on the circle
+        bool flaring : 1;
+        bool throttle_suppressed : 1;
     } progress;
 
     // ---- guidance.cpp or a mode, for attitude_control.cpp

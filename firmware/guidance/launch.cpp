@@ -47,10 +47,10 @@ void suppressThrottle() { vehicle.progress.throttle_suppressed = true; }
 void beginLaunch() { launch.start(); }
 
 void waitForLaunch() {
-    auto& suppressed = vehicle.progress.throttle_suppressed;
-    if (!vehicle.armed) suppressed = true;
-    if (!suppressed || !vehicle.armed) return;
-    if (vehicle.demand.path == Path::takeoff ? launched() : flies()) suppressed = false;
+    if (!vehicle.armed) return suppressThrottle();
+    if (!vehicle.progress.throttle_suppressed) return;
+    if (vehicle.demand.path == Path::takeoff ? launched() : flies())
+        vehicle.progress.throttle_suppressed = false;
 }
 
 }  // namespace firmware

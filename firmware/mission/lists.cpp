@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/mission/lists.hpp"
 
+#include "core/rom.hpp"
 #include "firmware/fence_line.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/telemetry/text.hpp"
@@ -35,6 +36,14 @@ void store() {
     step = Step::comparing;
 }
 
+// In the order of Status.
+constexpr MissionResult kResults[] ROM = {
+    MissionResult::accepted, MissionResult::busy,
+    MissionResult::error,    MissionResult::invalid_sequence,
+    MissionResult::error,    MissionResult::no_space,
+    MissionResult::error,
+};
+
 // What was committed in the DataFlash goes home to the EEPROM when nothing else is to be done.
 void settle() {
     if (fenceLineWaits()) return;
@@ -46,18 +55,7 @@ void settle() {
 }  // namespace
 
 MissionResult resultOf(Status status) {
-    switch (status) {
-        case Status::ok:
-            return MissionResult::accepted;
-        case Status::busy:
-            return MissionResult::busy;
-        case Status::full:
-            return MissionResult::no_space;
-        case Status::bad_argument:
-            return MissionResult::invalid_sequence;
-        default:
-            return MissionResult::error;
-    }
+    return core::romRead(kResults[static_cast<uint8_t>(status)]);
 }
 
 void listsStart() {

@@ -33,7 +33,7 @@ constexpr uint16_t kSilent_ms = 500;
 constexpr int16_t kOverflow = -4096;
 
 // The self-test strap's field is 1.16 G along x and y and 1.08 G along z, at 660 LSB/G.
-constexpr float kExpected[3] = {1.16f * 660.0f, 1.16f * 660.0f, 1.08f * 660.0f};
+constexpr float kExpected = 1.16f * 660.0f, kExpectedZ = 1.08f * 660.0f;
 constexpr float kLeastScale = 0.7f, kMostScale = 1.35f;
 constexpr uint8_t kDroppedTries = 2, kGoodTries = 5, kMostTries = 25;
 
@@ -144,11 +144,15 @@ void Hmc5883l::tellApart(uint8_t configuration, uint32_t now_ms) {
     enter(State::excite, now_ms, 0);
 }
 
+float Hmc5883l::expectedOf(uint8_t axis) const {
+    return old_ ? kOldExpected : (axis == 2 ? kExpectedZ : kExpected);
+}
+
 void Hmc5883l::judgeSelfTest(const uint8_t* bytes, uint32_t now_ms) {
     const Counts read = counts(bytes, old_);
     bool good = tries_ >= kDroppedTries && !overflowed(read);
     for (uint8_t i = 0; good && i < 3; ++i) {
-        const float expected = old_ ? kOldExpected : kExpected[i];
+        const float expected = expectedOf(i);
         good = read.axis[i] * kMostScale >= expected && read.axis[i] * kLeastScale <= expected;
     }
     if (good) {
@@ -157,7 +161,7 @@ void Hmc5883l::judgeSelfTest(const uint8_t* bytes, uint32_t now_ms) {
     }
     if (good_tries_ == kGoodTries) {
         for (uint8_t i = 0; i < 3; ++i) {
-            scale_[i] = (old_ ? kOldExpected : kExpected[i]) * kGoodTries / measured_[i];
+            scale_[i] = expectedOf(i) * kGoodTries / measured_[i];
         }
         enter(State::configure, now_ms, 0);
     } else if (++tries_ >= kMostTries) {
