@@ -35,7 +35,6 @@ namespace {
 constexpr uint16_t kFrame_us = 10000;
 // The inertial sensor's clock may be 1 % slow; without its samples a frame begins by the clock.
 constexpr uint16_t kSilentImu_us = 10400;
-constexpr uint8_t kSamplesPerFrame = 2;
 
 void endMode() { vehicle.mode_changed = false; }
 

@@ -6,6 +6,7 @@
 #include <avr/io.h>
 #include <avr/sleep.h>
 
+#include "hal/interrupts.hpp"
 #include "start.hpp"
 #include "timer.hpp"
 #include "wiring.hpp"
@@ -70,8 +71,6 @@ void carry(uint32_t& ms, uint16_t& us_past_ms) {
 
 namespace avr {
 
-volatile bool woken;
-
 void clockStart() {
     counter().control_a = 0;
     counter().control_b = 1 << CS11;
@@ -87,7 +86,7 @@ ISR(CLOCK_OVERFLOW_vect) {
     avr::eepromTick();
 }
 
-ISR(CLOCK_COMPARE_A_vect) { avr::woken = true; }
+ISR(CLOCK_COMPARE_A_vect) { avr::wake(); }
 
 namespace hal {
 
@@ -119,24 +118,20 @@ uint32_t now_ms() {
     return ms + thousands(us_past_ms + count / 2);
 }
 
+// Where an interrupt has brought work in between, the instruction that sleeps does nothing, as
+// that interrupt has taken back its permission (data sheet 11.10.1).
 void idle(bool (*work_waits)()) {
     const uint16_t began = ticks();
-    set_sleep_mode(SLEEP_MODE_IDLE);
-    sleep_enable();
     do {
-        cli();
-        counter().compare[0] = counter().count + kRest;
-        avr::woken = false;
+        SMCR = SLEEP_MODE_IDLE | (1 << SE);
+        {
+            const Locked locked;
+            counter().compare[0] = counter().count + kRest;
+        }
         if (work_waits()) break;
-        do {
-            sei();  // takes effect after the next instruction: nothing comes in before the sleep
-            sleep_cpu();
-            __asm__ volatile("nop");  // what was pending and so kept it awake comes in here
-            cli();
-        } while (!avr::woken);
-        sei();
+        do sleep_cpu();
+        while (SMCR & (1 << SE));
     } while (static_cast<uint16_t>(ticks() - began) < kLongestRest);
-    sei();
     sleep_disable();
 }
 

@@ -18,6 +18,5 @@ void imuInterruptStart() {
 }  // namespace avr
 
 ISR(INT6_vect) {
-    hal::imuDataReady();
-    avr::woken = true;
+    if (hal::imuDataReady()) avr::wake();
 }

@@ -79,7 +79,7 @@ inline Usart& usart(uint8_t port) {
 //     const uint8_t byte = usart.data;
 //     if (overrun) ++lost;
 //     if (!rx.put(byte)) ++lost;
-//     woken = true;  // but for the GPS
+//     avr::wake();  // but for the GPS
 template <uint8_t port>
 inline __attribute__((always_inline)) void received() {
     auto& channel = ChannelOf<port>::get();
@@ -114,8 +114,8 @@ inline __attribute__((always_inline)) void received() {
         "sts  %[head], r25               \n"
         "1:                              \n"
         ".if  %[wakes]                   \n"
-        "ldi  r24, 1                     \n"
-        "sts  %[woken], r24              \n"
+        "ldi  r24, 0                     \n"
+        "out  %[sleep], r24              \n"
         ".endif                          \n"
         "pop  r25                        \n"
         "pop  r24                        \n"
@@ -132,7 +132,7 @@ inline __attribute__((always_inline)) void received() {
         // clang-format on
         :
         : [bytes] "i"(ring), [head] "i"(ring + Ring::kHeadAt), [tail] "i"(ring + Ring::kTailAt),
-          [lost] "i"(&channel.lost), [woken] "i"(&avr::woken), [wakes] "i"(!kGps),
+          [lost] "i"(&channel.lost), [sleep] "I"(_SFR_IO_ADDR(SMCR)), [wakes] "i"(!kGps),
           [data] "i"(&usart(port).data), [status] "i"(&usart(port).status),
           [mask] "M"(static_cast<int>(Ring::kHeadAt - 1)), [overrun] "M"(DOR0),
           [keep] "I"(_SFR_IO_ADDR(GPIOR2)));

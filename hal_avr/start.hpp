@@ -2,6 +2,7 @@
 // The peripherals' own start-up, called by the board in the order it needs. All with interrupts
 // off; none waits. And what their interrupts tell one another.
 #pragma once
+#include <avr/io.h>
 #include <stdint.h>
 
 namespace avr {
@@ -13,8 +14,8 @@ void twiStart();
 void adcStart();
 void imuInterruptStart();  // INT6
 
-// Set by the interrupts that may bring work, so that hal::idle looks.
-extern volatile bool woken;
+// Called by the interrupts that may bring work: hal::idle's permission to sleep ends, and it looks.
+inline void wake() { SMCR = 0; }
 
 // Called by the clock's interrupt at every overflow of its timer, which is every 32.768 ms.
 void ppmTick();     // counts how long the receiver has been silent

@@ -217,6 +217,9 @@ void runInertial() {
 
 namespace hal {
 
-void imuDataReady() { firmware::imu.onDataReady(); }
+bool imuDataReady() {
+    firmware::imu.onDataReady();
+    return firmware::imu.waiting() >= firmware::kSamplesPerFrame;
+}
 
 }  // namespace hal

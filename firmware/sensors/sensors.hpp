@@ -42,6 +42,7 @@ void runBattery();
 
 const drivers::GpsFix& gpsFix();  // the newest as it came: its time and week
 
+constexpr uint8_t kSamplesPerFrame = 2;
 uint8_t inertialSamplesWaiting();
 uint16_t inertialErrors();
 

@@ -28,6 +28,10 @@ TEST_F(InterruptTest, an_interrupt_out_of_sleep_takes_5_more) {
     EXPECT_EQ(machine.chip.interrupts().count(kTimer2Overflow).max_cycles, 5u + 5 + 3 + 1 + 5);
 }
 
+TEST_F(InterruptTest, sleep_without_permission_does_nothing) {
+    EXPECT_EQ(machine.report(22).word(), 0);
+}
+
 TEST_F(InterruptTest, a_one_written_to_a_flag_register_clears_that_flag_only) {
     constexpr int kCompareAB = 0x06;
     EXPECT_EQ(machine.report(10).high & kCompareAB, 0x06);

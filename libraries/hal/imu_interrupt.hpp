@@ -4,6 +4,7 @@
 
 namespace hal {
 
-void imuDataReady();  // defined by the firmware, called with interrupts off; at most 40 us
+// Defined by the firmware, called with interrupts off; at most 40 us. True: work waits.
+bool imuDataReady();
 
 }  // namespace hal

@@ -127,7 +127,14 @@ void Chip::settle() {
     if (on_reset) on_reset();
 }
 
+// Without permission the instruction does nothing (datasheet 11.10.1); libsimavr's sleeps all the
+// same.
 void Chip::slept(uint64_t cycles) {
+    if (!(avr_->data[kSmcr] & kSleepEnable)) {
+        avr_->cycle -= cycles + 1;
+        avr_->state = cpu_Running;
+        return;
+    }
     asleep_ += cycles + 1;  // libsimavr goes on by one more
     interrupts_->slept();
 }

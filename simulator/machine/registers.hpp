@@ -12,6 +12,7 @@ constexpr uint32_t kFlashSize = 0x40000;
 constexpr uint32_t kBootSection = 0x3E000;  // of 4096 words, as the boards are fused
 constexpr uint16_t kRamEnd = 0x21FF;
 constexpr uint16_t kEepromBytes = 4096;
+constexpr uint8_t kSleepEnable = 1;  // in SMCR
 
 enum Register : uint16_t {
     kEifr = 0x3C,
@@ -26,6 +27,7 @@ enum Register : uint16_t {
     kSpcr = 0x4C,
     kSpsr = 0x4D,
     kSpdr = 0x4E,
+    kSmcr = 0x53,
     kMcusr = 0x54,
     kSpl = 0x5D,
     kSph = 0x5E,

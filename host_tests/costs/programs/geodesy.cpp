@@ -9,7 +9,7 @@
 #include "steps.hpp"
 
 namespace hal {
-void imuDataReady() {}
+bool imuDataReady() { return false; }
 }  // namespace hal
 
 namespace {

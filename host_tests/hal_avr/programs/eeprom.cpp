@@ -5,7 +5,7 @@
 #include "report.hpp"
 
 namespace hal {
-void imuDataReady() {}
+bool imuDataReady() { return false; }
 }  // namespace hal
 
 static uint16_t status(core::Status s) { return static_cast<uint16_t>(s); }

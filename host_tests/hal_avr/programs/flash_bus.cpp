@@ -8,7 +8,7 @@
 #include "report.hpp"
 
 namespace hal {
-void imuDataReady() {}
+bool imuDataReady() { return false; }
 }  // namespace hal
 
 using board::FlashBus;

@@ -8,7 +8,7 @@
 #include "report.hpp"
 
 namespace hal {
-void imuDataReady() {}
+bool imuDataReady() { return false; }
 void servosForgotten() { report(3, 0); }
 }  // namespace hal
 

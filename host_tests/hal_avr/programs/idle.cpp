@@ -5,7 +5,10 @@
 static volatile bool work;
 
 namespace hal {
-void imuDataReady() { work = true; }
+bool imuDataReady() {
+    work = true;
+    return true;
+}
 }  // namespace hal
 
 static bool workWaits() { return work; }

@@ -5,7 +5,10 @@
 static volatile uint16_t samples;
 
 namespace hal {
-void imuDataReady() { samples = samples + 1; }
+bool imuDataReady() {
+    samples = samples + 1;
+    return true;
+}
 }  // namespace hal
 
 int main() {

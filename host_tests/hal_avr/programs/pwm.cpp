@@ -5,7 +5,7 @@
 #include "report.hpp"
 
 namespace hal {
-void imuDataReady() {}
+bool imuDataReady() { return false; }
 }  // namespace hal
 
 static void pause(uint8_t count) {

@@ -5,7 +5,7 @@
 #include "report.hpp"
 
 namespace hal {
-void imuDataReady() {}
+bool imuDataReady() { return false; }
 }  // namespace hal
 
 static void transfer(uint8_t address, const uint8_t* out, uint8_t out_size, uint8_t in_size) {

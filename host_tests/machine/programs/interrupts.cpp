@@ -67,6 +67,13 @@ static void externalFlagIsCleared() {
     report(13, EIFR);
 }
 
+// No interrupt would wake it.
+static void sleepWithoutPermission() {
+    SMCR = 0;
+    asm volatile("sei\n sleep\n cli");
+    report(22, SMCR);
+}
+
 static void wakeUpCost() {
     TCCR2B = 1;
     TCNT2 = 0;
@@ -85,6 +92,7 @@ int main() {
     sbiClearsOnlyThat();
     raisedWhileMasked();
     externalFlagIsCleared();
+    sleepWithoutPermission();
     wakeUpCost();
     sleepForEver();
 }
