@@ -102,16 +102,9 @@ public:
         began_ = now_ = hal::ticks();
         room_ = late_us < frame_us_ ? ticks(frame_us_ - static_cast<uint16_t>(late_us)) : 0;
         for (uint8_t i = 0; i < fast_; ++i) runTimed(i, tasks_[i], kFast);
-        int8_t latest = 1;
-        for (uint8_t i = fast_; i < N; ++i) {
-            int8_t& wait = wait_[i];
-            if (wait > -kPatience) --wait;
-            if (wait < latest) latest = wait;
-        }
         // those that have waited longest first; a frame in which none was put off is one round
-        for (int8_t late = latest; late <= 0; ++late)
-            for (uint8_t i = fast_; i < N; ++i)
-                if (wait_[i] == late) serve(i);
+        for (int8_t late = countDown(); late <= 0; ++late)
+            for (uint8_t i = dueFrom(fast_, late); i < N; i = dueFrom(i + 1, late)) serve(i);
         const uint32_t ended_us = hal::now_us();
         busy_us_ += ended_us - began_us;
         judge(ended_us - due_us);
@@ -135,6 +128,25 @@ public:
 private:
     static void countUp(uint16_t& count) {
         if (count != 0xFFFF) ++count;
+    }
+
+    // The smallest wait of what is not of the fast tier, 1 when nothing is due.
+    __attribute__((noinline)) int8_t countDown() {
+        int8_t latest = 1;
+        int8_t* next = wait_ + fast_;
+        for (uint8_t left = static_cast<uint8_t>(N - fast_); left > 0; --left) {
+            int8_t wait = *next;
+            if (wait > -kPatience) --wait;
+            *next++ = wait;
+            if (wait < latest) latest = wait;
+        }
+        return latest;
+    }
+
+    // The first from `i` on that waits as long as `late` says; N when none does.
+    __attribute__((noinline)) uint8_t dueFrom(uint8_t i, int8_t late) const {
+        for (const int8_t* wait = wait_ + i; i < N && *wait != late; ++wait) ++i;
+        return i;
     }
 
     static constexpr uint16_t ticks(uint16_t us) { return us * hal::kTicksPerUs; }
