@@ -19,8 +19,8 @@ inline __attribute__((always_inline)) avr::Timer& counter() {
 
 constexpr uint16_t kOverflow_us = 32768;
 // In counts. What drains by itself, a line, is looked at this often, not at each of its bytes.
-constexpr uint16_t kRest = 2000;         // 1 ms
-constexpr uint16_t kLongestRest = 3900;  // two of them
+constexpr uint16_t kRest = 4000;         // 2 ms
+constexpr uint16_t kLongestRest = 7900;  // two of them
 
 // At the last overflow.
 struct {
