@@ -20,7 +20,7 @@ inline __attribute__((always_inline)) avr::Timer& counter() {
 constexpr uint16_t kOverflow_us = 32768;
 // In counts. What drains by itself, a line, is looked at this often, not at each of its bytes.
 constexpr uint16_t kRest = 4000;         // 2 ms
-constexpr uint16_t kLongestRest = 7900;  // two of them
+constexpr uint16_t kLongestRest = 3900;  // less, or it would be missed
 
 // At the last overflow.
 struct {
@@ -122,12 +122,12 @@ uint32_t now_ms() {
 // that interrupt has taken back its permission (data sheet 11.10.1).
 void idle(bool (*work_waits)()) {
     const uint16_t began = ticks();
+    {
+        const Locked locked;
+        counter().compare[0] = began + kRest;
+    }
     do {
         SMCR = SLEEP_MODE_IDLE | (1 << SE);
-        {
-            const Locked locked;
-            counter().compare[0] = counter().count + kRest;
-        }
         if (work_waits()) break;
         do sleep_cpu();
         while (SMCR & (1 << SE));

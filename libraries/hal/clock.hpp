@@ -12,10 +12,10 @@ uint32_t now_ms();  // since reset; wraps after 49.7 days
 uint16_t ticks();
 constexpr uint8_t kTicksPerUs = 2;
 
-// Sleeps through interrupts until `work_waits` says that there is something to do. It is asked
-// with interrupts off at once, after each that may bring work (a byte of a link, a sample), and
-// every two milliseconds: nothing that comes between the question and the sleep is slept over. It must
-// be quick. Returns after 2 ms at the latest, so that a silent sensor cannot stop the frames.
+// Sleeps through interrupts until `work_waits` says that there is something to do. It is asked at
+// once and after each that may bring work (a byte of a link, a sample): nothing that comes between
+// the question and the sleep is slept over. It must be quick. Returns after 2 ms at the latest, so
+// that a silent sensor cannot stop the frames.
 void idle(bool (*work_waits)());
 
 }  // namespace hal
