@@ -92,7 +92,7 @@ struct World::Parts {
     void fail();
 
     const SensorErrors errors;
-    const std::vector<Fault> faults;
+    std::vector<Fault> faults;
     const Vec3 field_mg;
     const std::unique_ptr<FlightModel> model;
     Mpu6000 imu;
@@ -139,7 +139,6 @@ void World::Parts::sense() {
 
 // Two faults of a sensor at once are the later one's.
 void World::Parts::fail() {
-    if (faults.empty()) return;
     std::array<FaultKind, kFaulty> now{};
     const double now_s = static_cast<double>(now_us) * 1e-6;
     for (const Fault& fault : faults)
@@ -189,6 +188,7 @@ void World::turnTo(double roll_rad, double pitch_rad, double yaw_rad) {
 void World::turn(double roll_rads, double pitch_rads, double yaw_rads) {
     parts_->model->turn(roll_rads, pitch_rads, yaw_rads);
 }
+void World::setFaults(const std::vector<Fault>& faults) { parts_->faults = faults; }
 void World::launch() { parts_->model->launch(); }
 std::string World::fault() const { return parts_->model->fault(); }
 

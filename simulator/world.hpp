@@ -77,6 +77,7 @@ public:
     // With hand_held: lays it that way, or turns it about at these body rates.
     void turnTo(double roll_rad, double pitch_rad, double yaw_rad);
     void turn(double roll_rads, double pitch_rads, double yaw_rads);
+    void setFaults(const std::vector<Fault>& faults);  // instead of those there were
     std::string fault() const;  // why the flight model cannot go on; empty when it can
 
     // Servo output 1..8: the width of a pulse that has just ended. An output without a pulse for

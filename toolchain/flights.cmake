@@ -68,6 +68,19 @@ set_tests_properties(flight.native_modes PROPERTIES LABELS native TIMEOUT 900)
 set_tests_properties(flight.elf_modes PROPERTIES LABELS simavr TIMEOUT 900
                      FIXTURES_SETUP elf_modes FIXTURES_REQUIRED image_minutes)
 
+# every transition of the failsafes, by its cause
+add_executable(failsafe_flight host_tests/on_board/failsafe_flight.cpp)
+target_compile_options(failsafe_flight PRIVATE ${HOUSE_WARNINGS})
+target_link_libraries(failsafe_flight PRIVATE firmware_native simulator_native simulator_report
+                      simulator_ground simulator_machine simulator_world)
+add_test(NAME flight.native_failsafes COMMAND failsafe_flight native ${first_flight}
+         ${flights}/native_failsafes ${flights}/native_minutes)
+add_test(NAME flight.elf_failsafes COMMAND failsafe_flight ${IMAGE_ELF} ${first_flight}
+         ${flights}/elf_failsafes ${minutes})
+set_tests_properties(flight.native_failsafes PROPERTIES LABELS native TIMEOUT 900)
+set_tests_properties(flight.elf_failsafes PROPERTIES LABELS simavr TIMEOUT 900
+                     FIXTURES_SETUP elf_failsafes FIXTURES_REQUIRED image_minutes)
+
 # what stands beyond the sets' documents
 add_executable(beyond_flight host_tests/command_flights/beyond/beyond_flight.cpp)
 target_compile_options(beyond_flight PRIVATE ${HOUSE_WARNINGS})
@@ -136,7 +149,7 @@ endforeach()
 
 # what all these flights of the image took of the processor
 set(elf_flights elf_calm_1 elf_calm_2 elf_calm_3 elf_wind_1 elf_wind_2 elf_wind_3 elf_rough
-    elf_modes elf_commands_1 elf_commands_2)
+    elf_modes elf_failsafes elf_commands_1 elf_commands_2)
 list(TRANSFORM elf_flights PREPEND ${flights}/ OUTPUT_VARIABLE elf_folders)
 set(work_report ${NODE} ${CMAKE_SOURCE_DIR}/host_tests/on_board/work_report.mjs)
 set(image_folder ${CMAKE_BINARY_DIR}/avr-apm2)
