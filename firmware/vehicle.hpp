@@ -84,10 +84,8 @@ struct Vehicle {
         bool healthy;
     } gps;
     struct {
-        float pressure_pa;  // differential, offset removed
-        float speed_mps;    // indicated
-        float offset_v;     // zero, from start-up
-        bool healthy;       // fitted, used and sane
+        float speed_mps;  // indicated
+        bool healthy;     // fitted, used and sane
     } airspeed;
     struct {
         uint16_t voltage_mv;

@@ -61,7 +61,7 @@ void keepSteady() {
     steady.home_altitude_cm = vehicle.home.altitude_cm;
     steady.ground_pressure_pa = vehicle.baro.ground_pressure_pa;
     steady.ground_temperature_c = vehicle.baro.ground_temperature_c;
-    steady.airspeed_offset_v = vehicle.airspeed.offset_v;
+    steady.airspeed_offset_v = airspeedOffset_v();
     keepGyroZero(steady.gyro_zero);
     keepEstimate(steady);
     seal(steady);

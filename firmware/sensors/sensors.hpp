@@ -30,6 +30,7 @@ core::Vector3 blindTurn_rad(const BlindTurn& turn);
 void keepGyroZero(int16_t (&to)[3]);
 void resumeInertial(const int16_t (&gyro_zero)[3]);
 void resumeAirspeed(float offset_v);
+float airspeedOffset_v();  // of the sensor with no wind on it
 
 void runInertial();   // every frame, first
 void runBarometer();  // every frame
@@ -38,6 +39,7 @@ void runDeclination();  // 1 Hz
 void runGps();
 bool gpsWaits();  // so much that runGps should not be kept waiting for the next frame
 void runAirspeed();
+float airspeedPressure_pa();  // low-passed, zero removed
 void runBattery();
 
 const drivers::GpsFix& gpsFix();  // the newest as it came: its time and week

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/maths.hpp"
+#include "firmware/sensors/sensors.hpp"
 #include "firmware/telemetry/messages.hpp"
 #include "firmware/vehicle.hpp"
 #include "hal/clock.hpp"
@@ -42,7 +43,7 @@ bool fillIn(const Link&, mavlink::RawImu& to) {
 bool fillIn(const Link&, mavlink::ScaledPressure& to) {
     to.time_boot_ms = hal::now_ms();
     to.press_abs = vehicle.baro.pressure_pa * 0.01f;
-    to.press_diff = vehicle.airspeed.pressure_pa * 0.01f;
+    to.press_diff = airspeedPressure_pa() * 0.01f;
     to.temperature = static_cast<int16_t>(vehicle.baro.temperature_c * 100);
     return true;
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "drivers/airspeed.hpp"
 #include "drivers/battery.hpp"
@@ -18,7 +19,8 @@ uint16_t readings(double pressure_pa, double zero_v = 2.5) {
     return static_cast<uint16_t>(std::lround(4 * 1024 * (zero_v + pressure_pa / 1000) / 5));
 }
 void feed(Airspeed& airspeed, uint16_t sum, double for_s, AirspeedSettings settings = {}) {
-    for (double t = 0; t < for_s; t += 0.02) airspeed.update(sum, 4, 0.02f, settings);
+    for (double t = 0; t < for_s; t += 0.02)
+        airspeed.update(Airspeed::share(sum, 4), 20000, settings);
 }
 double pressure(double speed_mps) { return 0.5 * 1.225 * speed_mps * speed_mps; }
 
@@ -85,11 +87,26 @@ TEST(Airspeed, with_hoses_either_way_round_the_sign_does_not_matter) {
     EXPECT_TRUE(airspeed.healthy());
 }
 
-TEST(Airspeed, nothing_new_changes_nothing) {
-    Airspeed airspeed;
-    airspeed.update(0, 0, 0.02f, {});
+TEST(Airspeed, a_share_is_the_mean_reading_whatever_their_number) {
+    for (uint8_t count = 1; count <= 60; ++count)
+        for (uint16_t sum = 0; sum <= 1023 * count; sum += 1 + count / 3)
+            ASSERT_EQ(Airspeed::share(sum, count), std::floor(64.0 * sum / count));
+}
 
-    EXPECT_FALSE(airspeed.calibrated());
+TEST(Airspeed, its_filter_keeps_within_a_fifth_of_a_pascal_of_the_exact_one) {
+    std::mt19937 random(1);
+    std::uniform_int_distribution<int> share(20000, 64000), dt_us(0, 300000);
+    Airspeed airspeed;
+    airspeed.resume(2.5f);
+    double expected_pa = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const uint16_t now = static_cast<uint16_t>(share(random));
+        const uint32_t passed_us = static_cast<uint32_t>(i % 2 ? dt_us(random) : 20000);
+        airspeed.update(now, passed_us, {});
+        const double part = std::min(passed_us / 0.17e6, 1.0);
+        expected_pa += ((now / 65536.0 - 0.5) * 5000 - expected_pa) * part;
+        ASSERT_NEAR(airspeed.pressure_pa(), expected_pa, 0.2) << i;
+    }
 }
 
 TEST(Battery, tells_volts_and_amperes_through_the_power_module) {

@@ -2,56 +2,76 @@
 #include "drivers/airspeed.hpp"
 
 #include "core/maths.hpp"
+#include "core/multiply.hpp"
 
 namespace drivers {
 namespace {
 
+constexpr uint8_t kFraction = 29;
+constexpr float kSteps = 1UL << kFraction;
+constexpr float kSupply_v = 5.0f;
 // Data sheet, figure 4: Vout = Vs (0.2 P[kPa] + 0.5).
 constexpr float kPascalsPerSupply = 5000.0f;
 constexpr float kPascalsPerUnit = 1000.0f / 819.0f;  // the unit that ratio is given for
-constexpr float kCalibration_s = 1.0f;
-constexpr float kFilter_s = 0.17f;
+constexpr float kPascalsPerStep = kPascalsPerSupply / kSteps;
+constexpr float kUnitsPerStep = kPascalsPerStep / kPascalsPerUnit;
+constexpr uint32_t kFilter_us = 170000;
 // Zero is at half the supply within 2.5 % of 4 V (data sheet), with the board's own share 0.3 V.
-constexpr float kLeastZero = 0.44f, kMostZero = 0.56f;
-constexpr float kLowRail = 0.02f, kHighRail = 0.98f;
-constexpr float kLeast_pa = -39.0f;  // -8 m/s: the hoses are swapped or one is off
+constexpr uint16_t kLeastZero = 28836, kMostZero = 36700;  // 0.44 and 0.56
+constexpr uint16_t kLowRail = 1311, kHighRail = 64225;     // 0.02 and 0.98
+constexpr int32_t kLeast =
+    static_cast<int32_t>(-39.0f / kPascalsPerStep);  // -8 m/s: the hoses
+                                                     // are swapped or one is off
+
+int32_t inSteps(uint16_t share) { return int32_t{share} << (kFraction - 16); }
+
+// Of a difference that is taken over in this time, in 2^-15.
+int16_t taken(uint32_t dt_us) {
+    constexpr uint16_t kPerMicrosecond =
+        static_cast<uint16_t>(32768.0f * 65536 / kFilter_us + 0.5f);
+    return dt_us < kFilter_us ? static_cast<int16_t>(dt_us * kPerMicrosecond >> 16) : INT16_MAX;
+}
 
 }  // namespace
 
-void Airspeed::calibrate(float ratio_of_supply, float dt_s, const AirspeedSettings& settings) {
-    if (settings.keep_offset) {
-        offset_ = settings.offset_v / kSupply_v;
-        calibrated_ = true;
-        return;
-    }
-    if (ratio_of_supply < kLeastZero || ratio_of_supply > kMostZero) {  // nothing fitted, or wind
+void Airspeed::keepZero(float offset_v) {
+    zero_ = static_cast<int32_t>(offset_v * (kSteps / kSupply_v));
+    calibrated_ = true;
+}
+
+void Airspeed::calibrate(uint16_t share, uint16_t passed, const AirspeedSettings& settings) {
+    if (settings.keep_offset) return keepZero(settings.offset_v);
+    if (share < kLeastZero || share > kMostZero) {  // nothing fitted, or wind
         means_ = 0;
-        calibrating_s_ = 0;
+        calibrating_ = 0;
         return;
     }
     if (means_ < 255) ++means_;
-    offset_ += (ratio_of_supply - offset_) / means_;
-    calibrating_s_ += dt_s;
-    calibrated_ = calibrating_s_ >= kCalibration_s && means_ >= 10;
+    zero_ += (inSteps(share) - zero_) / means_;
+    calibrating_ += passed;
+    calibrated_ = calibrating_ >= kSecond && means_ >= 10;
 }
 
-void Airspeed::judge(float raw_pa, float ratio_of_supply, float dt_s, bool either_tube) {
-    const bool bad = ratio_of_supply < kLowRail || ratio_of_supply > kHighRail ||
-                     (!either_tube && raw_pa < kLeast_pa);
-    bad_s_ = core::limit(bad ? bad_s_ + dt_s : bad_s_ - dt_s, 0.0f, 2.0f);
+void Airspeed::judge(int32_t above, uint16_t share, uint16_t passed, bool either_tube) {
+    const bool bad = share < kLowRail || share > kHighRail || (!either_tube && above < kLeast);
+    if (bad)
+        bad_ = core::limit<uint16_t>(bad_ + passed, 0, 2 * kSecond);
+    else
+        bad_ = bad_ > passed ? bad_ - passed : 0;
 }
 
-void Airspeed::update(uint16_t sum, uint8_t count, float dt_s, const AirspeedSettings& settings) {
-    if (count == 0) return;
-    const float ratio_of_supply = sum / static_cast<float>(uint16_t{count} * 1024U);
-    if (!calibrated_) return calibrate(ratio_of_supply, dt_s, settings);
-    const float raw_pa = (ratio_of_supply - offset_) * kPascalsPerSupply;
-    judge(raw_pa, ratio_of_supply, dt_s, settings.either_tube);
+void Airspeed::update(uint16_t share, uint32_t dt_us, const AirspeedSettings& settings) {
+    const uint16_t passed = dt_us < 2000000 ? static_cast<uint16_t>(dt_us >> 10) : 2 * kSecond;
+    if (!calibrated_) return calibrate(share, passed, settings);
+    const int32_t above = inSteps(share) - zero_;
+    judge(above, share, passed, settings.either_tube);
     // The pressure is filtered, not its root: noise about zero then gives no speed.
-    pressure_pa_ += (raw_pa - pressure_pa_) * core::limit(dt_s * (1.0f / kFilter_s), 0.0f, 1.0f);
-    const float head_pa = settings.either_tube ? fabsf(pressure_pa_) : pressure_pa_;
-    const float squared = head_pa * settings.ratio * (1.0f / kPascalsPerUnit);
-    speed_mps_ = squared > 0 ? sqrtf(squared) : 0;
+    above_ += core::times16(above - above_, taken(dt_us)) * 2;
+    const int32_t head = settings.either_tube && above_ < 0 ? -above_ : above_;
+    speed_mps_ = head > 0 ? sqrtf(static_cast<float>(head) * (settings.ratio * kUnitsPerStep)) : 0;
 }
+
+float Airspeed::pressure_pa() const { return static_cast<float>(above_) * kPascalsPerStep; }
+float Airspeed::offset_v() const { return static_cast<float>(zero_) * (kSupply_v / kSteps); }
 
 }  // namespace drivers

@@ -18,30 +18,32 @@ public:
     void startCalibration() { *this = Airspeed(); }
     void resume(float offset_v) {  // the zero is known already
         startCalibration();
-        offset_ = offset_v / kSupply_v;
-        calibrated_ = true;
+        keepZero(offset_v);
     }
-    // `sum` of `count` 10-bit readings, ratiometric to the sensor's supply; count 0 changes
-    // nothing.
-    void update(uint16_t sum, uint8_t count, float dt_s, const AirspeedSettings& settings);
+    // The mean of `count` 10-bit readings, as a share of the sensor's supply in 2^-16.
+    static uint16_t share(uint16_t sum, uint8_t count) {
+        return count == 4 ? static_cast<uint16_t>(sum * 16U)
+                          : static_cast<uint16_t>(uint32_t{sum} * 64 / count);
+    }
+    void update(uint16_t share, uint32_t dt_us, const AirspeedSettings& settings);
 
     bool calibrated() const { return calibrated_; }
-    bool healthy() const { return calibrated_ && bad_s_ < 1.0f; }
-    float pressure_pa() const { return pressure_pa_; }  // low-passed, zero removed
-    float speed_mps() const { return speed_mps_; }      // equivalent
-    float offset_v() const { return offset_ * kSupply_v; }
+    bool healthy() const { return calibrated_ && bad_ < kSecond; }
+    float pressure_pa() const;                      // low-passed, zero removed
+    float speed_mps() const { return speed_mps_; }  // equivalent
+    float offset_v() const;
 
 private:
-    static constexpr float kSupply_v = 5.0f;
+    static constexpr uint16_t kSecond = 977;  // of 1024 us
 
-    void calibrate(float ratio_of_supply, float dt_s, const AirspeedSettings& settings);
-    void judge(float raw_pa, float ratio_of_supply, float dt_s, bool either_tube);
+    void keepZero(float offset_v);
+    void calibrate(uint16_t share, uint16_t passed, const AirspeedSettings& settings);
+    void judge(int32_t above, uint16_t share, uint16_t passed, bool either_tube);
 
-    float offset_ = 0.5f;  // share of the supply
-    float pressure_pa_ = 0;
+    int32_t zero_ = 1L << 28;  // share of the supply in 2^-29
+    int32_t above_ = 0;        // the zero, low-passed; the same
     float speed_mps_ = 0;
-    float bad_s_ = 0;
-    float calibrating_s_ = 0;
+    uint16_t bad_ = 0, calibrating_ = 0;  // 1024 us
     uint8_t means_ = 0;
     bool calibrated_ = false;
 };
