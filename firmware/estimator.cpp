@@ -28,10 +28,10 @@ bool height_started;
 float home_height_m;  // of home above where the barometer was zeroed
 float true_speed_ratio = 1.0f;
 uint32_t baro_us, fix_ms, unfixed_ms;
-uint8_t imu_gap;    // frames without its samples
-float gps_above_m;  // the receiver's heights over the estimate's
-uint8_t gathered;   // sample periods since motion was last carried on
-float baro_sum_pa;  // of baro_readings
+uint8_t imu_gap;      // frames without its samples
+float gps_above_m;    // the receiver's heights over the estimate's
+uint8_t gathered;     // sample periods since motion was last carried on
+int32_t baro_sum_pa;  // of baro_readings
 uint8_t baro_readings;
 
 constexpr uint8_t kDead = 20;         // frames: after a longer gap the attitude is lost
@@ -153,8 +153,9 @@ void gatherBarometer() {
 void useBarometer() {
     if (baro_readings == 0) return;
     const auto& baro = vehicle.baro;
-    const float reading_m = estimation::pressureHeight_m(
-        baro_sum_pa / baro_readings, baro.ground_pressure_pa, baro.ground_temperature_c);
+    const float reading_m =
+        estimation::pressureHeight_m(static_cast<float>(baro_sum_pa) / baro_readings,
+                                     baro.ground_pressure_pa, baro.ground_temperature_c);
     baro_sum_pa = 0;
     baro_readings = 0;
     vehicle.baro.height_m = reading_m;
@@ -334,8 +335,8 @@ Vector3 gyroDrift_rads() { return attitude.bias_rads(); }
 void zeroHeight() {
     home_height_m = height.height_m();
     vehicle.estimate.height_m = 0;
-    true_speed_ratio =
-        estimation::trueSpeedRatio(vehicle.baro.pressure_pa, vehicle.baro.temperature_c);
+    true_speed_ratio = estimation::trueSpeedRatio(static_cast<float>(vehicle.baro.pressure_pa),
+                                                  vehicle.baro.temperature_cc * 0.01f);
 }
 
 void shiftHeight(float by_m) {

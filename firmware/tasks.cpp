@@ -76,7 +76,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { runLog,                2,     0,    1080 },
     { runRestart,            2,     1,     220 },
     { runCompass,            2,     0,     300 },
-    { runAirspeed,           2,     0,     280 },
+    { runAirspeed,           2,     0,     190 },
     { runPoints,            10,     6,    1000 },
     { missionRun,           10,     3,    2500 },
     { runModeSwitch,        10,     5,     190 },

@@ -56,8 +56,8 @@ struct Vehicle {
         bool calibrated;  // gyro bias known
     } imu;
     struct {
-        float pressure_pa;
-        float temperature_c;
+        int32_t pressure_pa;
+        int16_t temperature_cc;      // 0.01 C
         float ground_pressure_pa;    // zero of the height
         float ground_temperature_c;  // held from then on
         float height_m;              // above where it was zeroed

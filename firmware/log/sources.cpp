@@ -217,8 +217,8 @@ bool putCompass() {
 bool putBarometer() {
     BarometerRecord record;
     record.height_m = vehicle.baro.height_m;
-    record.pressure_pa = vehicle.baro.pressure_pa;
-    record.temperature_cdeg = centi(vehicle.baro.temperature_c);
+    record.pressure_pa = static_cast<float>(vehicle.baro.pressure_pa);
+    record.temperature_cdeg = vehicle.baro.temperature_cc;
     record.climb_mps = vehicle.estimate.climb_mps;
     return log(RecordType::barometer, record);
 }

@@ -21,17 +21,17 @@ constexpr uint8_t kSettleReadings = 20;
 constexpr uint8_t kZeroReadings = 100;
 
 struct Zero {
-    float sum_pa;
+    int32_t sum_pa;
     uint8_t readings;
 };
 Zero zero;
 
-void takeZero(float pressure_pa) {
+void takeZero(int32_t pressure_pa) {
     if (++zero.readings <= kSettleReadings) return;
     zero.sum_pa += pressure_pa;
     if (zero.readings < kSettleReadings + kZeroReadings) return;
-    vehicle.baro.ground_pressure_pa = zero.sum_pa / kZeroReadings;
-    vehicle.baro.ground_temperature_c = vehicle.baro.temperature_c - kBoardWarmth_c;
+    vehicle.baro.ground_pressure_pa = static_cast<float>(zero.sum_pa) / kZeroReadings;
+    vehicle.baro.ground_temperature_c = vehicle.baro.temperature_cc * 0.01f - kBoardWarmth_c;
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ void runBarometer() {
     baro.healthy = barometer.healthy() && zeroed && !ails(Sensor::barometer);
     if (!baro.fresh) return;
     baro.pressure_pa = barometer.pressure_pa();
-    baro.temperature_c = barometer.temperature_cc() * 0.01f;
+    baro.temperature_cc = static_cast<int16_t>(barometer.temperature_cc());
     baro.fresh = believe(Sensor::barometer, static_cast<int16_t>(barometer.pressure_pa()), true);
     if (!zeroed) {
         takeZero(baro.pressure_pa);

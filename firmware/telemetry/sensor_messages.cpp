@@ -42,9 +42,9 @@ bool fillIn(const Link&, mavlink::RawImu& to) {
 
 bool fillIn(const Link&, mavlink::ScaledPressure& to) {
     to.time_boot_ms = hal::now_ms();
-    to.press_abs = vehicle.baro.pressure_pa * 0.01f;
+    to.press_abs = static_cast<float>(vehicle.baro.pressure_pa) * 0.01f;
     to.press_diff = airspeedPressure_pa() * 0.01f;
-    to.temperature = static_cast<int16_t>(vehicle.baro.temperature_c * 100);
+    to.temperature = vehicle.baro.temperature_cc;
     return true;
 }
 

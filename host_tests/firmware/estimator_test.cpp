@@ -19,7 +19,8 @@ protected:
         Bench::SetUp();
         vehicle.imu.healthy = vehicle.imu.calibrated = vehicle.gps.healthy = true;
         vehicle.baro.healthy = vehicle.compass.healthy = true;
-        vehicle.baro.ground_pressure_pa = vehicle.baro.pressure_pa = 101325;
+        vehicle.baro.ground_pressure_pa = 101325;
+        vehicle.baro.pressure_pa = 101325;
         vehicle.baro.ground_temperature_c = 15;
         firmware::parameters.compass_use = 1;
         firmware::parameters.compass_declination_rad = 0;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/ms5611_compensation.hpp"
 
+#include "core/fixed.hpp"
+#include "core/maths.hpp"
+
 namespace drivers {
 
 uint8_t Ms5611Compensation::crc4(const uint16_t (&prom)[kPromWords]) {
@@ -34,31 +37,33 @@ bool Ms5611Compensation::load(const uint16_t (&prom)[kPromWords]) {
 void Ms5611Compensation::temperature(uint32_t d2) {
     const int32_t difference = static_cast<int32_t>(d2) -
                                static_cast<int32_t>(static_cast<uint32_t>(coefficient_[4]) << 8);
-    int32_t temperature =
-        2000 + static_cast<int32_t>((static_cast<int64_t>(difference) * coefficient_[5]) >> 23);
-    offset_ = (static_cast<int64_t>(coefficient_[1]) << 16) +
-              ((static_cast<int64_t>(difference) * coefficient_[3]) >> 7);
-    sensitivity_ = (static_cast<int64_t>(coefficient_[0]) << 15) +
-                   ((static_cast<int64_t>(difference) * coefficient_[2]) >> 8);
-    if (temperature < 2000) {
-        const int32_t below = temperature - 2000;
-        const int64_t squared = static_cast<int64_t>(below) * below;
-        offset_ -= (5 * squared) >> 1;
-        sensitivity_ -= (5 * squared) >> 2;
-        if (temperature < -1500) {
-            const int32_t far_below = temperature + 1500;
-            const int64_t far_squared = static_cast<int64_t>(far_below) * far_below;
-            offset_ -= 7 * far_squared;
-            sensitivity_ -= (11 * far_squared) >> 1;
-        }
-        temperature -= static_cast<int32_t>((static_cast<int64_t>(difference) * difference) >> 31);
+    // times a coefficient, without the lowest 11 bits
+    const auto times = [scaled = difference * 64](uint16_t coefficient) {
+        return core::timesUpper(scaled, static_cast<int32_t>(uint32_t{coefficient} << 15));
+    };
+    temperature_cc_ = 2000 + (times(coefficient_[5]) >> 12);
+    offset_ = (int32_t{1024} * coefficient_[1]) + (times(coefficient_[3]) >> 2);
+    sensitivity_ = (int32_t{8192} * coefficient_[0]) + times(coefficient_[2]) * 2;
+    if (temperature_cc_ < 2000) cold(difference);
+}
+
+void Ms5611Compensation::cold(int32_t difference) {
+    constexpr int32_t kLowest = -10000;  // what is below no sensor measures
+    const int32_t low = core::limit<int32_t>(temperature_cc_ - 2000, kLowest, 0);
+    const int32_t squared = low * low;
+    offset_ -= 5 * squared >> 7;
+    sensitivity_ -= 5 * squared >> 4;
+    if (temperature_cc_ < -1500) {
+        const int32_t very_low = low + 3500, square = very_low * very_low;
+        offset_ -= 7 * square >> 6;
+        sensitivity_ -= 11 * square >> 3;
     }
-    temperature_cc_ = temperature;
+    temperature_cc_ -= core::timesUpper(difference * 64, difference * 64) >> 11;
 }
 
 int32_t Ms5611Compensation::pressure_pa(uint32_t d1) const {
-    return static_cast<int32_t>((((static_cast<int64_t>(d1) * sensitivity_) >> 21) - offset_) >>
-                                15);
+    const int32_t raw = core::timesUpper(static_cast<int32_t>(d1 << 7), sensitivity_);
+    return (raw - offset_) >> 9;
 }
 
 }  // namespace drivers

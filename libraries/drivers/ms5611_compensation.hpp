@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The arithmetic of the MS5611: PROM check and both orders of compensation, in integers exactly as
-// the data sheet has them. What depends on temperature alone is worked out once a temperature.
+// The arithmetic of the MS5611: PROM check and both orders of compensation. The data sheet's 64
+// bits are kept in 32: what they lose is below 0.05 Pa. What depends on temperature alone is worked
+// out once a temperature.
 #pragma once
 #include <stdint.h>
 
@@ -21,10 +22,12 @@ public:
     int32_t temperature_cc() const { return temperature_cc_; }  // 0.01 C
 
 private:
+    void cold(int32_t difference);
+
     uint16_t coefficient_[6] = {};
     int32_t temperature_cc_ = 0;
-    int64_t offset_ = 0;       // OFF - OFF2
-    int64_t sensitivity_ = 0;  // SENS - SENS2
+    int32_t offset_ = 0;       // 2^-6 of OFF - OFF2
+    int32_t sensitivity_ = 0;  // 2^-2 of SENS - SENS2
 };
 
 }  // namespace drivers
