@@ -349,7 +349,7 @@ void resumeEstimate(const SteadyRecord& steady, const MovingRecord& moving,
                     const Vector3& turned_rad, float lost_s) {
     attitude.resume(moving.pose, steady.learnt, turned_rad);
     home_height_m = steady.home_height_m;
-    height.resume(home_height_m + moving.height_m, metres(moving.velocity_cms[2]));
+    height.resume(home_height_m + moving.height_m, moving.climb_mps);
     height_started = started = true;
     baro_us = hal::now_us();
     true_speed_ratio =
@@ -360,9 +360,7 @@ void resumeEstimate(const SteadyRecord& steady, const MovingRecord& moving,
     if (!moving.place_known) return;
     estimation::PositionSettings settings;
     settings.gps_age_s = lost_s;
-    position.useGps(moving.position,
-                    {metres(moving.velocity_cms[0]), metres(moving.velocity_cms[1]), 0}, {0, 0, 0},
-                    settings);
+    position.useGps(moving.position, {moving.north_mps, moving.east_mps, 0}, {0, 0, 0}, settings);
 }
 
 void keepEstimate(SteadyRecord& to) {
@@ -380,9 +378,9 @@ void keepEstimate(MovingRecord& to) {
     to.position = estimate.position;
     to.place_known = estimate.known;
     to.wind_known = wind.known();
-    to.velocity_cms[0] = centimetres(estimate.velocity_mps.x);
-    to.velocity_cms[1] = centimetres(estimate.velocity_mps.y);
-    to.velocity_cms[2] = centimetres(estimate.climb_mps);
+    to.north_mps = estimate.velocity_mps.x;
+    to.east_mps = estimate.velocity_mps.y;
+    to.climb_mps = estimate.climb_mps;
     to.height_m = estimate.height_m;
 }
 

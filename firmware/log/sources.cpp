@@ -34,7 +34,6 @@ bool log(RecordType type, Record& record) {
     return logRecord(&record, static_cast<uint8_t>(type), sizeof record);
 }
 
-int16_t centi(float value) { return static_cast<int16_t>(core::rounded(value * 100)); }
 int16_t centidegrees(core::Angle angle) { return core::upper(angle.raw * 36000L); }
 uint16_t heading_cd() {
     return static_cast<uint16_t>(

@@ -8,7 +8,7 @@
 namespace firmware {
 namespace {
 
-constexpr uint16_t kLayout = 0x5201;  // another one when a record changes
+constexpr uint16_t kLayout = 0x5202;  // another one when a record changes
 
 constexpr float kFlyingSpeed_mps = 5.0f;
 constexpr float kFlyingHeight_m = 5.0f;  // the barometer's drift is less

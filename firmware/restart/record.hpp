@@ -28,9 +28,9 @@ struct MovingRecord {
     estimation::Pose pose;
     core::FixedVector<10> rate_rads;
     geo::Position position;
-    int16_t velocity_cms[3];  // north, east, up
-    float height_m;           // above home
-    uint16_t at_ms;           // lower half of now_ms()
+    float north_mps, east_mps, climb_mps;
+    float height_m;  // above home
+    uint16_t at_ms;  // lower half of now_ms()
     uint8_t mode;
     uint8_t in_the_air : 1, home_set : 1, place_known : 1, wind_known : 1;
     uint8_t number;  // counts up

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/calibration/compass.hpp"
 #include "board.hpp"
+#include "core/fixed.hpp"
 #include "core/maths.hpp"
 #include "drivers/hmc5883l.hpp"
 #include "firmware/failsafe/health.hpp"
@@ -18,11 +19,16 @@ drivers::Hmc5883l compass;
 
 // The earth's field is 220 to 670 mG; the airplane's own comes on top, or takes off.
 bool plausible(const core::Vector3& field_mg) {
-    constexpr float kLeast_mg = 100, kMost_mg = 1000;
-    const float squared = core::dot(field_mg, field_mg);
+    constexpr int32_t kLeast_mg = 100, kMost_mg = 1000;
+    int32_t squared = 0;
+    int16_t sum_mg = 0;
+    for (const float* axis = &field_mg.x; axis <= &field_mg.z; ++axis) {
+        const int16_t whole_mg = core::toFixed(*axis, 0);
+        squared += core::product(whole_mg, whole_mg);
+        sum_mg = static_cast<int16_t>(sum_mg + whole_mg);
+    }
     const bool possible = squared > kLeast_mg * kLeast_mg && squared < kMost_mg * kMost_mg;
-    return believe(Sensor::compass, static_cast<int16_t>(field_mg.x + field_mg.y + field_mg.z),
-                   possible);
+    return believe(Sensor::compass, sum_mg, possible);
 }
 
 }  // namespace

@@ -48,11 +48,14 @@ Counts counts(const uint8_t* bytes, bool old) {  // the chip sends x, z, y, the 
     const uint8_t y = old ? 2 : 4;
     return {{word(bytes), word(bytes + y), word(bytes + 6 - y)}};
 }
+float milligaussPerCount(bool old) { return old ? kOldMilligaussPerCount : kMilligaussPerCount; }
 bool overflowed(const Counts& c) {
     return c.axis[0] == kOverflow || c.axis[1] == kOverflow || c.axis[2] == kOverflow;
 }
 
 }  // namespace
+
+float Hmc5883l::scale(uint8_t axis) const { return scale_[axis] / milligaussPerCount(old_); }
 
 bool Hmc5883l::step(uint32_t now_ms) {
     if (now_ms - good_ms_ > kSilent_ms) healthy_ = false;
@@ -161,7 +164,7 @@ void Hmc5883l::judgeSelfTest(const uint8_t* bytes, uint32_t now_ms) {
     }
     if (good_tries_ == kGoodTries) {
         for (uint8_t i = 0; i < 3; ++i) {
-            scale_[i] = expectedOf(i) * kGoodTries / measured_[i];
+            scale_[i] = expectedOf(i) * kGoodTries / measured_[i] * milligaussPerCount(old_);
         }
         enter(State::configure, now_ms, 0);
     } else if (++tries_ >= kMostTries) {
@@ -186,8 +189,7 @@ bool Hmc5883l::takeField(const uint8_t* bytes, uint32_t now_ms) {
     // All zeros is a chip that does not measure: the earth's field is nowhere below 200 mG.
     if (read.axis[0] == 0 && read.axis[1] == 0 && read.axis[2] == 0) return false;
     float chip[3];
-    const float milligauss = old_ ? kOldMilligaussPerCount : kMilligaussPerCount;
-    for (uint8_t i = 0; i < 3; ++i) chip[i] = read.axis[i] * scale_[i] * milligauss;
+    for (uint8_t i = 0; i < 3; ++i) chip[i] = read.axis[i] * scale_[i];
     // The chip lies on the board with its x to the left and its y to the rear, z up; the old one
     // with its x to the rear and its y to the right.
     field_mg_ = {-chip[1], -chip[0], -chip[2]};

@@ -19,7 +19,7 @@ public:
     bool healthy() const { return healthy_; }
     uint16_t saturated() const { return saturated_; }  // samples in which an axis overflowed
     uint16_t restarts() const { return restarts_; }
-    float scale(uint8_t axis) const { return scale_[axis]; }  // chip axes, from the self-test
+    float scale(uint8_t axis) const;  // chip axes, from the self-test
 
 private:
     enum class State : uint8_t { identify, probe, probed, excite, excited, configure, run, verify };
@@ -38,8 +38,8 @@ private:
     void fail(uint32_t now_ms);
 
     core::Vector3 field_mg_ = {0, 0, 0};
-    float scale_[3] = {1, 1, 1};
-    float measured_[3] = {};  // self-test sums
+    float scale_[3] = {1, 1, 1};  // mG a count
+    float measured_[3] = {};      // self-test sums
     uint32_t since_ms_ = 0;
     uint32_t good_ms_ = 0;
     uint16_t wait_ms_ = 0;
