@@ -130,11 +130,12 @@ void runOutputs() {
     hal::guardTouch();
     if (wrongBoard()) return;
     if (vehicle.mode_changed) outputReleaseAll();
-    uint8_t bit = 1;
-    for (uint8_t i = 0; i < hal::kServos; ++i, bit = static_cast<uint8_t>(bit << 1)) {
-        if ((held & bit) != 0) continue;
-        put(i, i < kFirstFree ? core::romRead(kPulses[i])() : freePulse_us(i));
-    }
+    uint8_t free = static_cast<uint8_t>(~held);
+    uint8_t i = 0;
+    for (; i < kFirstFree; ++i, free >>= 1)
+        if (free & 1) put(i, core::romRead(kPulses[i])());
+    for (; i < hal::kServos; ++i, free >>= 1)
+        if (free & 1) put(i, freePulse_us(i));
 }
 
 bool outputOverride(uint8_t output, uint16_t pulse_us) {

@@ -59,6 +59,7 @@ int16_t stick_cd(uint8_t number) {
 // True: the ground station holds all that steers and may stand in for a receiver that is gone. Of
 // one channel alone it may not: the other sticks would stay where they were.
 bool groundFlies() {
+    if (!rcOverridden()) return false;
     uint8_t held = 0;
     for (uint8_t i = 0; i < hal::kRcChannels; ++i) {
         uint16_t us;

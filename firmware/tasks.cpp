@@ -74,7 +74,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { runGuidance,           5,     2,    2150 },
     { runSpeedHeight,       10,     4,    2000 },
     { runLog,                2,     0,    1080 },
-    { runRestart,            2,     1,     220 },
+    { runRestart,            2,     1,     160 },
     { runCompass,            2,     0,     300 },
     { runAirspeed,           2,     0,     190 },
     { runPoints,            10,     6,    1000 },

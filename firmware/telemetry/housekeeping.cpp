@@ -17,6 +17,7 @@ namespace {
 uint32_t heard_ms;
 uint32_t override_ms;  // when the last RC_CHANNELS_OVERRIDE came
 uint16_t override_us[hal::kRcChannels];
+bool overridden;  // once, since they were last released
 
 // A ground station repeats its sticks at 10 Hz or so; one that falls silent must not hold the
 // airplane in its last turn.
@@ -90,6 +91,7 @@ bool onRcChannelsOverride(Link&, const mavlink::Frame& frame) {
     static_assert(offsetof(mavlink::RcChannelsOverride, target_system) == sizeof wanted_us, "");
     for (uint8_t i = 0; i < hal::kRcChannels; ++i)
         if (wanted_us[i] != UINT16_MAX) override_us[i] = wanted_us[i];
+    overridden = true;
     heard_ms = override_ms = hal::now_ms();
     return true;
 }
@@ -104,6 +106,11 @@ bool rcOverride(uint8_t channel, uint16_t& pulse_us) {
     return true;
 }
 
-void rcOverrideRelease() { memset(override_us, 0, sizeof override_us); }
+bool rcOverridden() { return overridden; }
+
+void rcOverrideRelease() {
+    memset(override_us, 0, sizeof override_us);
+    overridden = false;
+}
 
 }  // namespace firmware

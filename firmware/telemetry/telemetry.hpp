@@ -12,11 +12,12 @@ void telemetrySend();   // 50 Hz: finds what is due
 // In the rest of a frame: handles received bytes, then sends what is due, a little each call.
 // False: nothing is left to do until an interrupt makes telemetryWaits true.
 bool telemetryPump();
-bool telemetryWaits();  // asked with interrupts off, often: 60 cycles
+bool telemetryWaits();  // asked often: 60 cycles
 
 // The pulse the ground station puts in the place of the receiver's (RC_CHANNELS_OVERRIDE);
 // channel 0..7. False: not overridden.
 bool rcOverride(uint8_t channel, uint16_t& pulse_us);
+bool rcOverridden();        // false: none of the channels is
 void rcOverrideRelease();   // all channels back to the receiver
 uint32_t groundHeard_ms();  // when the ground station (SYSID_MYGCS) was last heard; 0: never
 

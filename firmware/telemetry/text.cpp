@@ -83,18 +83,28 @@ bool textWaits(const Link& link) {
     return false;
 }
 
+namespace {
+
+// The oldest the log has not had; `used`: there is none.
+uint8_t nextForLog() {
+    uint8_t i = 0;
+    while (i < used && (texts[i].waiting & kLog) == 0) ++i;
+    return i;
+}
+
+}  // namespace
+
+bool textWaitsForLog() { return nextForLog() < used; }
+
 bool textForLog(char* to) {
-    for (uint8_t i = 0; i < used; ++i) {
-        if ((texts[i].waiting & kLog) == 0) continue;
-        spell(texts[i], to);
-        return true;
-    }
-    return false;
+    const uint8_t i = nextForLog();
+    if (i == used) return false;
+    spell(texts[i], to);
+    return true;
 }
 
 void textLogged() {
-    uint8_t i = 0;
-    while (i < used && (texts[i].waiting & kLog) == 0) ++i;
+    const uint8_t i = nextForLog();
     if (i == used) return;
     texts[i].waiting &= static_cast<uint8_t>(~kLog & 0xF);
     forgetTaken();

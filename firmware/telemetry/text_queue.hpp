@@ -11,6 +11,7 @@ constexpr uint8_t kTextSize = 50;  // of STATUSTEXT
 
 bool textSend(Link& link);  // the oldest text this link has not had; false: none, or no room
 bool textWaits(const Link& link);
+bool textWaitsForLog();
 bool textForLog(char* to);  // the oldest the log has not had, kTextSize characters
 void textLogged();          // it has it now
 uint8_t textsLost();        // not yet told
