@@ -134,7 +134,7 @@ private:
     __attribute__((noinline)) int8_t countDown() {
         int8_t latest = 1;
         int8_t* next = wait_ + fast_;
-        for (uint8_t left = static_cast<uint8_t>(N - fast_); left > 0; --left) {
+        for (uint8_t i = fast_; i < N; ++i) {
             int8_t wait = *next;
             if (wait > -kPatience) --wait;
             *next++ = wait;
