@@ -6,6 +6,7 @@
 #include "core/rom.hpp"
 #include "firmware/attitude_control.hpp"
 #include "firmware/camera.hpp"
+#include "firmware/flaps.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/vehicle.hpp"
@@ -81,30 +82,48 @@ uint16_t rudder_us() {
 using Pulse = uint16_t (*)();
 constexpr Pulse kPulses[kFirstFree] ROM = {aileron_us, elevator_us, throttle_us, rudder_us};
 
-// 0 .. 1, closed at the lever's shortest pulse. The lever has the left flaperon's radio channel.
-float flap() {
-    uint8_t lever = kFirstFree;
-    while (parameters.output_function[lever - kFirstFree] != kLeftFlaperonFunction)
-        if (++lever == hal::kServos) return 0;
-    const Channel& channel = parameters.channel[lever];
-    const int16_t span_us = channel.max_us - channel.min_us;
-    const int16_t open_us = vehicle.radio.pulse_us[lever] - channel.min_us;
-    return open_us > 0 ? core::limit(static_cast<float>(open_us) / span_us, 0.0f, 1.0f) : 0;
-}
-
 // Where both are too much for a surface, the flap gives way: it is the ailerons that keep upright.
 uint16_t flaperon_us(uint8_t output, bool left) {
-    return mixed_us(static_cast<int8_t>(control::Pair::up_down), surfaces.aileron, flap(), output,
-                    left);
+    return mixed_us(static_cast<int8_t>(control::Pair::up_down), surfaces.aileron, flaps.out,
+                    output, left);
 }
 
-uint16_t freePulse_us(uint8_t output) {
-    const int8_t function = parameters.output_function[output - kFirstFree];
-    if (function == kCameraFunction) return cameraPulse_us();
-    if (function != 0) return flaperon_us(output, function == kLeftFlaperonFunction);
+uint16_t flap_us(uint8_t output) { return throttlePulse_us(range(output), flaps.lever); }
+uint16_t autoFlap_us(uint8_t output) { return throttlePulse_us(range(output), flaps.out); }
+uint16_t leftFlaperon_us(uint8_t output) { return flaperon_us(output, true); }
+uint16_t rightFlaperon_us(uint8_t output) { return flaperon_us(output, false); }
+uint16_t shutter_us(uint8_t) { return cameraPulse_us(); }
+
+uint16_t received_us(uint8_t output) {
     const uint16_t received = vehicle.radio.pulse_us[output];
     return received != 0 ? core::limit(received, kShortest_us, kLongest_us)
                          : static_cast<uint16_t>(parameters.channel[output].trim_us);
+}
+
+struct Function {
+    int8_t number;  // RCn_FUNCTION
+    uint16_t (*pulse_us)(uint8_t output);
+};
+constexpr Function kFunctions[] ROM = {
+    {kFlapFunction, flap_us},
+    {kAutoFlapFunction, autoFlap_us},
+    {kCameraFunction, shutter_us},
+    {kLeftFlaperonFunction, leftFlaperon_us},
+    {kRightFlaperonFunction, rightFlaperon_us},
+};
+
+const Function* functionOf(int8_t number) {
+    for (const Function& function : kFunctions)
+        if (core::romRead(function.number) == number) return &function;
+    return nullptr;
+}
+
+uint16_t freePulse_us(uint8_t output) {
+    const int8_t number = parameters.output_function[output - kFirstFree];
+    if (number != 0)
+        if (const Function* function = functionOf(number))
+            return core::romRead(function->pulse_us)(output);
+    return received_us(output);
 }
 
 void put(uint8_t output, uint16_t pulse_us) {
@@ -117,6 +136,8 @@ bool isOutput(uint8_t output) { return output >= 1 && output <= hal::kServos; }
 uint8_t bit(uint8_t output) { return static_cast<uint8_t>(1u << (output - 1)); }
 
 }  // namespace
+
+bool isOutputFunction(int8_t number) { return number == 0 || functionOf(number) != nullptr; }
 
 void startOutputs() {
     held = 0;

@@ -6,7 +6,10 @@
 
 namespace firmware {
 
-constexpr int8_t kLeftFlaperonFunction = 24, kRightFlaperonFunction = 25;  // RCn_FUNCTION
+// RCn_FUNCTION, and the camera's.
+constexpr int8_t kFlapFunction = 2, kAutoFlapFunction = 3;
+constexpr int8_t kLeftFlaperonFunction = 24, kRightFlaperonFunction = 25;
+bool isOutputFunction(int8_t number);
 
 void startOutputs();  // all eight at rest
 void runOutputs();    // 100 Hz, after runAttitudeControl

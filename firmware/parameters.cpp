@@ -67,6 +67,12 @@ constexpr parameters::Row kRows[] = {
     P(217, "RC6_FUNCTION",      output_function[1],                0,       0,       25),
     P(218, "RC7_FUNCTION",      output_function[2],                0,       0,       25),
     P(219, "RC8_FUNCTION",      output_function[3],                0,       0,       25),
+    P(227, "FLAP_IN_CHANNEL",   flap_channel,                      0,       0,        8),
+    P(228, "FLAP_1_PERCNT",     flap[0].percent,                   0,       0,      100),
+    P(229, "FLAP_1_SPEED",      flap[0].speed_mps,                 0,       0,      100),
+    P(239, "FLAP_2_PERCNT",     flap[1].percent,                   0,       0,      100),
+    P(241, "FLAP_2_SPEED",      flap[1].speed_mps,                 0,       0,      100),
+    P(242, "FLAP_SLEWRATE",     flap_slew_pct,                    75,       0,      100),
     P( 70, "RCMAP_ROLL",        map_roll,                          1,       1,        8),
     P( 71, "RCMAP_PITCH",       map_pitch,                         2,       1,        8),
     P( 72, "RCMAP_THROTTLE",    map_throttle,                      3,       1,        8),
@@ -148,6 +154,7 @@ constexpr parameters::Row kRows[] = {
     P(136, "ALT_HOLD_RTL",      rtl_height_cm,                 10000,      -1,   100000),
     P(211, "RTL_AUTOLAND",      rtl_landing,                       0,       0,        2),
     P(209, "GLIDE_SLOPE_MIN",   glide_slope_min_m,                 0,       0,     1000),
+    P(226, "GLIDE_SLOPE_THR",   glide_slope_threshold_m,           5,       0,      100),
     P(137, "TKOFF_THR_MAX",     takeoff_throttle_max_pct,        100,       0,      100),
     P(138, "TKOFF_THR_MINSPD",  takeoff_min_speed_mps,             0,       0,       30),
     P(139, "TKOFF_THR_MINACC",  takeoff_min_accel_mss,             0,       0,       30),
@@ -288,7 +295,7 @@ bool takes(uint8_t row, float value) {
     if (slot == kFenceTotal) return fenceTakesTotal(static_cast<uint8_t>(whole));
     constexpr uint8_t kFirstFunction = 216, kLastFunction = 219;
     if (slot >= kFirstFunction && slot <= kLastFunction)
-        return whole == 0 || whole == kCameraFunction || whole >= kLeftFlaperonFunction;
+        return isOutputFunction(static_cast<int8_t>(whole));
     const bool turns = slot >= 30 && slot < 70 && slot % 5 == 3;  // RCn_REV
     return !turns || whole != 0;
 }

@@ -29,7 +29,12 @@ struct Parameters {
     StreamRates streams[kLinks];
     // radio and servos
     Channel channel[8];
-    int8_t output_function[4];  // RC5_FUNCTION to RC8_FUNCTION: 0 or the camera's
+    int8_t output_function[4];  // RC5_FUNCTION to RC8_FUNCTION: a k...Function of outputs.hpp
+    int8_t flap_channel;        // FLAP_IN_CHANNEL
+    int8_t flap_slew_pct;
+    struct {
+        int8_t percent, speed_mps;
+    } flap[2];  // FLAP_1_, FLAP_2_
     int8_t map_roll, map_pitch, map_throttle, map_yaw;  // RCMAP_: 1..8
     int8_t mode_channel;
     int8_t switch_mode[6];
@@ -70,6 +75,7 @@ struct Parameters {
     int32_t rtl_height_cm;
     int8_t rtl_landing;  // RTL_AUTOLAND
     int16_t glide_slope_min_m;
+    int8_t glide_slope_threshold_m;  // GLIDE_SLOPE_THR
     // take-off and landing
     int8_t takeoff_throttle_max_pct;
     int8_t suppressed_manual;  // THR_SUPP_MAN

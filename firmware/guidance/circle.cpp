@@ -27,10 +27,9 @@ Plan flyCircle() {
     vehicle.progress.captured = turns.captured();
     vehicle.progress.turned_rad = turns.turned_rad();
     Plan to_fly = levelPlan();
-    if (demand.sloped && !turns.captured())
-        to_fly.height = navigation::heightOnSlope(
-            demand.from_height_m, demand.height_m, legLength_m() - demand.radius_m,
-            legLength_m() - lateral.distance_m, along_mps(lateral, now));
+    if (!turns.captured())
+        followSlope(to_fly, legLength_m() - demand.radius_m, legLength_m() - lateral.distance_m,
+                    along_mps(lateral, now));
     return to_fly;
 }
 

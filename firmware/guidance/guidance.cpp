@@ -73,6 +73,8 @@ void runSpeedHeight() {
         flyHeight(plan);
 }
 
+float demandedAirspeed_mps() { return plan.airspeed_mps; }
+
 void shiftDemands(float by_m) {
     static constexpr float* kHeights[] ROM = {&vehicle.demand.from_height_m,
                                               &vehicle.demand.height_m, &plan.height.height_m};

@@ -9,6 +9,8 @@ namespace firmware {
 void runGuidance();     // 20 Hz: the path, the bank, and which height and speed belong to it
 void runSpeedHeight();  // 10 Hz: that height and speed with pitch and throttle
 
+float demandedAirspeed_mps();  // of what is flown; only in a mode that guides itself
+
 void shiftDemands(float by_m);  // heights are now measured from elsewhere
 
 }  // namespace firmware

@@ -7,15 +7,11 @@
 namespace firmware {
 
 Plan flyLeg() {
-    const auto& demand = vehicle.demand;
     const auto now = motion();
     const auto lateral = followDemandedLeg(now, true);
     demandBank(lateral.bank_accel_mss, BankLimit::flying);
     Plan to_fly = levelPlan();
-    if (demand.sloped)
-        to_fly.height =
-            navigation::heightOnSlope(demand.from_height_m, demand.height_m, legLength_m(),
-                                      lateral.along_m, along_mps(lateral, now));
+    followSlope(to_fly, legLength_m(), lateral.along_m, along_mps(lateral, now));
     return to_fly;
 }
 

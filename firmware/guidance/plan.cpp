@@ -19,7 +19,26 @@ navigation::HeightDemand changingHeight() {
     return {demand.from_height_m, (demand.from_height_m - before_m) / kGuidancePeriod_s};
 }
 
+// Too high above the way up, the rest of it begins where the airplane is: it need not come down.
+void beginSlopeHere(float length_m, float along_m) {
+    auto& demand = vehicle.demand;
+    const float most_m = demand.height_m - vehicle.estimate.height_m;
+    const float left_m = most_m > 0 ? most_m : 0;
+    demand.from_height_m = demand.height_m - left_m * length_m / (length_m - along_m);
+}
+
 }  // namespace
+
+void followSlope(Plan& plan, float length_m, float along_m, float along_mps) {
+    const auto& demand = vehicle.demand;
+    if (!demand.sloped) return;
+    plan.height = navigation::heightOnSlope(demand.from_height_m, demand.height_m, length_m,
+                                            along_m, along_mps);
+    const int8_t most_m = parameters.glide_slope_threshold_m;
+    const bool up = along_m > 0 && along_m < length_m && demand.from_height_m < demand.height_m;
+    if (up && most_m > 0 && vehicle.estimate.height_m - plan.height.height_m > most_m)
+        beginSlopeHere(length_m, along_m);
+}
 
 Plan levelPlan() {
     return {changingHeight(), control::Phase::cruise,

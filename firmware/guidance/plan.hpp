@@ -17,5 +17,7 @@ struct Plan {
 
 // Cruise at the demanded height and speed; CONDITION_CHANGE_ALT moves that height as it goes.
 Plan levelPlan();
+// The demanded slope, where there is one, at a place along a way of this length.
+void followSlope(Plan& plan, float length_m, float along_m, float along_mps);
 
 }  // namespace firmware

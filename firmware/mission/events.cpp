@@ -2,6 +2,7 @@
 #include "firmware/mission/events.hpp"
 
 #include "firmware/camera.hpp"
+#include "firmware/flaps.hpp"
 #include "firmware/inverted.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
@@ -115,6 +116,7 @@ void runEvents() {
     missionCatchUp();
     tellVariables();
     runCamera();
+    runFlaps();
     runInverted();
     forgetHeldOfOtherModes();
     if (was_armed && !vehicle.armed) stopEvents();

@@ -64,7 +64,7 @@ void demand(Path path, const Place& to, Entry entry) {
     demand.from_height_m = from.height_m;
     demand.to = to.position;
     demand.height_m = to.height_m;
-    demand.sloped = path == Path::land || (path == Path::leg && worthASlope());
+    demand.sloped = path == Path::land || (path != Path::takeoff && worthASlope());
     demand.radius_m = loiterRadius_m();
     demand.counter_clockwise = false;
     demand.climb_rate_mps = 0;

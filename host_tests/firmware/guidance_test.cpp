@@ -210,6 +210,41 @@ TEST_F(Guidance, tells_when_the_leg_is_passed_and_begins_the_next_one_afresh) {
     EXPECT_FALSE(vehicle.progress.passed);
 }
 
+// A climb of 100 m along 500 m.
+TEST_F(Guidance, begins_the_slope_anew_where_it_is_when_it_is_too_high_above_one_upwards) {
+    inTheAir();
+    demand(Path::leg);
+    vehicle.demand.height_m = 180;
+    vehicle.demand.sloped = true;
+    const auto planned_m = [&](float north_m, float height_m) {
+        place(north_m, 0);
+        vehicle.estimate.height_m = height_m;
+        guide();
+        return vehicle.progress.height_error_m + height_m;
+    };
+    EXPECT_NEAR(planned_m(100, 104.5f), 100, 0.1);
+    EXPECT_NEAR(planned_m(200, 140), 140, 0.1);
+    EXPECT_NEAR(planned_m(350, 150), 160, 0.1) << "half of what was left";
+    EXPECT_NEAR(planned_m(400, 200), 180, 0.1) << "never higher than its end";
+    EXPECT_NEAR(planned_m(490, 180), 180, 0.1);
+}
+
+TEST_F(Guidance, comes_down_to_a_slope_that_goes_down_or_when_it_is_told_to) {
+    inTheAir();
+    demand(Path::leg);
+    vehicle.demand.height_m = 30;
+    vehicle.demand.sloped = true;
+    place(200, 0);
+    guide(2);
+    EXPECT_NEAR(vehicle.progress.height_error_m, -20, 0.1);
+    demand(Path::leg);
+    vehicle.demand.height_m = 130;
+    parameters.glide_slope_threshold_m = 0;
+    vehicle.estimate.height_m = 110;
+    guide(2);
+    EXPECT_NEAR(vehicle.progress.height_error_m, -10, 0.1);
+}
+
 TEST_F(Guidance, circles_to_the_side_it_is_told) {
     const float tangent = 13 * 13 / 60.0f / core::kGravity_mss;
     for (bool counter_clockwise : {false, true}) {

@@ -3,6 +3,7 @@
 
 #include "firmware/attitude_control.hpp"
 #include "firmware/bench.hpp"
+#include "firmware/flaps.hpp"
 
 namespace {
 
@@ -21,6 +22,7 @@ protected:
     void run() {
         firmware::runMode();
         firmware::runAttitudeControl();
+        firmware::runFlaps();
         firmware::runOutputs();
         vehicle.mode_changed = false;
     }
@@ -60,8 +62,10 @@ TEST_F(Outputs, pass_the_sticks_through_in_manual) {
 TEST_F(Outputs, make_flaperons_of_the_ailerons_and_of_a_lever) {
     parameters.output_function[1] = firmware::kLeftFlaperonFunction;
     parameters.output_function[2] = firmware::kRightFlaperonFunction;
+    parameters.flap_channel = 6;
+    parameters.flap_slew_pct = 0;
     parameters.mixing_gain = 1;
-    settle({1600, 1500, 1100, 1500, 1500, 1100, 1900, 1815});  // the lever is channel 6
+    settle({1600, 1500, 1100, 1500, 1500, 1100, 1900, 1815});
     run();
     EXPECT_NEAR(outputPulse_us(6), 1600, 1);
     EXPECT_NEAR(outputPulse_us(7), 1400, 1);
@@ -75,11 +79,14 @@ TEST_F(Outputs, make_flaperons_of_the_ailerons_and_of_a_lever) {
     EXPECT_NEAR(outputPulse_us(7), 1500, 1);
 }
 
-TEST_F(Outputs, have_no_flap_without_a_left_flaperon) {
-    parameters.output_function[2] = firmware::kRightFlaperonFunction;
-    settle({1500, 1500, 1100, 1500, 1900, 1900, 1900, 1815});
+TEST_F(Outputs, follow_the_receiver_where_the_function_is_none_of_those_there_are) {
+    const float taken[] = {0, 2, 3, 10, 24, 25}, refused[] = {1, 4, 9, 11, 23, -1, 26};
+    for (float number : taken) EXPECT_TRUE(firmware::parameterSlotTakes(217, number)) << number;
+    for (float number : refused) EXPECT_FALSE(firmware::parameterSlotTakes(217, number)) << number;
+    parameters.output_function[1] = 4;
+    settle(with(6, 1720));
     run();
-    EXPECT_NEAR(outputPulse_us(7), 1500, 1);
+    EXPECT_EQ(outputPulse_us(6), 1720);
 }
 
 // The stick is reversed by the same parameter, so that it moves the surface the same way.

@@ -42,6 +42,20 @@ TEST_F(MissionFlight, a_climb_near_the_ground_and_a_small_step_are_flown_at_once
     EXPECT_FALSE(vehicle.demand.sloped) << "not worth a slope";
 }
 
+TEST_F(MissionFlight, the_height_of_a_circle_is_reached_along_the_way_as_a_waypoints_is) {
+    for (uint16_t command : {17, 18, 19}) {
+        MissionItem circle = waypoint(1000, 90);
+        circle.command = command;
+        circle.param1 = 10;
+        fly({waypoint(500, 60), circle});
+        reach();
+        EXPECT_EQ(vehicle.demand.path, Path::circle);
+        EXPECT_TRUE(vehicle.demand.sloped) << command;
+        EXPECT_FLOAT_EQ(vehicle.demand.from_height_m, 60);
+        EXPECT_FLOAT_EQ(vehicle.demand.height_m, 90);
+    }
+}
+
 TEST_F(MissionFlight, a_waypoint_finishes_within_its_radius_or_past_its_line) {
     MissionItem near = waypoint(500);
     near.param2 = 12;
