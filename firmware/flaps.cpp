@@ -37,9 +37,13 @@ bool slowEnough(uint8_t which) {
 }
 
 // The demanded airspeed does not come back from what the flaps do.
-int16_t bySpeed() {
-    stage = guidesItself() ? (slowEnough(2) ? 2 : slowEnough(1)) : 0;
-    return stage == 0 ? 0 : parameters.flap[stage - 1].percent * kPercent;
+int16_t byItself() {
+    const bool guides = guidesItself();
+    stage = guides ? (slowEnough(2) ? 2 : slowEnough(1)) : 0;
+    int8_t percent = stage == 0 ? 0 : parameters.flap[stage - 1].percent;
+    const bool lands = guides && vehicle.demand.path == Path::land;
+    if (lands && parameters.land_flap_pct != 0) percent = parameters.land_flap_pct;
+    return percent * kPercent;
 }
 
 void move(core::Fixed<14>& flap, int16_t to) {
@@ -51,9 +55,9 @@ void move(core::Fixed<14>& flap, int16_t to) {
 }  // namespace
 
 void runFlaps() {
-    const int16_t by_lever = lever(), by_speed = bySpeed();
+    const int16_t by_lever = lever(), by_itself = byItself();
     move(flaps.lever, by_lever);
-    move(flaps.out, by_lever > by_speed ? by_lever : by_speed);
+    move(flaps.out, by_lever > by_itself ? by_lever : by_itself);
 }
 
 }  // namespace firmware

@@ -72,6 +72,7 @@ constexpr parameters::Row kRows[] = {
     P(229, "FLAP_1_SPEED",      flap[0].speed_mps,                 0,       0,      100),
     P(239, "FLAP_2_PERCNT",     flap[1].percent,                   0,       0,      100),
     P(241, "FLAP_2_SPEED",      flap[1].speed_mps,                 0,       0,      100),
+    P(243, "LAND_FLAP_PERCNT",  land_flap_pct,                     0,       0,      100),
     P(242, "FLAP_SLEWRATE",     flap_slew_pct,                    75,       0,      100),
     P( 70, "RCMAP_ROLL",        map_roll,                          1,       1,        8),
     P( 71, "RCMAP_PITCH",       map_pitch,                         2,       1,        8),

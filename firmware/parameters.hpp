@@ -35,6 +35,7 @@ struct Parameters {
     struct {
         int8_t percent, speed_mps;
     } flap[2];  // FLAP_1_, FLAP_2_
+    int8_t land_flap_pct;
     int8_t map_roll, map_pitch, map_throttle, map_yaw;  // RCMAP_: 1..8
     int8_t mode_channel;
     int8_t switch_mode[6];

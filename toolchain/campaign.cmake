@@ -39,6 +39,23 @@ add_test(NAME figures.table
                  ${CMAKE_BINARY_DIR}/figures)
 set_tests_properties(figures.table PROPERTIES LABELS native TIMEOUT 900)
 
+# on gains that AUTOTUNE has found, begun with the defaults
+set(tuned)
+foreach(airplane trainer_6kg flying_wing)
+    set(parameters ${CMAKE_BINARY_DIR}/figures/${airplane}.param)
+    list(APPEND tuned ${airplane}=${parameters})
+    add_test(NAME figures.tune_${airplane}
+             COMMAND autotune_flight ${airplane}
+                     ${CMAKE_SOURCE_DIR}/simulator/missions/first_flight.waypoints to
+                     ${CMAKE_SOURCE_DIR}/simulator/airplanes/${airplane}.param ${parameters})
+    set_tests_properties(figures.tune_${airplane} PROPERTIES LABELS native FIXTURES_SETUP tuned)
+endforeach()
+add_test(NAME figures.tuned
+         COMMAND ${NODE} ${figures}/table.mjs ${figures}/limits.json $<TARGET_FILE:fly>
+                 ${CMAKE_SOURCE_DIR}/simulator/missions/box_600.waypoints
+                 ${CMAKE_BINARY_DIR}/figures/tuned ${tuned})
+set_tests_properties(figures.tuned PROPERTIES LABELS native TIMEOUT 900 FIXTURES_REQUIRED tuned)
+
 file(GLOB airplane_parameters CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/airplanes/*.param)
 foreach(file IN LISTS airplane_parameters)
     get_filename_component(airplane ${file} NAME_WE)

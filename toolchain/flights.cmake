@@ -114,7 +114,9 @@ foreach(fault imu:stuck baro:lost)  # other sensors, other drivers
 endforeach()
 
 # gains learnt in the air, on an airplane whose own are near the defaults and on one far from them
-add_executable(autotune_flight host_tests/on_board/autotune_flight.cpp)
+add_executable(autotune_flight host_tests/on_board/autotune_flight.cpp
+               simulator/parameter_file.cpp toolchain/param_tool/settings.cpp
+               toolchain/mission_tool/wrong_input.cpp)
 target_compile_options(autotune_flight PRIVATE ${HOUSE_WARNINGS})
 target_link_libraries(autotune_flight PRIVATE firmware_native simulator_native simulator_ground
                       simulator_world)

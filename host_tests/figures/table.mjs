@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How exactly it flies: flies a mission natively with each airplane in calm air and in wind with
 // gusts, three seeds each, and holds the worst of the three of every figure.
-//   table.mjs LIMITS.json FLY MISSION OUT
+//   table.mjs LIMITS.json FLY MISSION OUT [AIRPLANE=FOUND.param ...]
+// With parameters that AUTOTUNE has found, the airplanes named fly on those, and the goals are LIMITS.json's "tuned_times" of the others.
 // On the sensor errors of --calibrated. A figure is held at its goal, or, where LIMITS.json says "held", there: what is reached today
 // with some room, so that it can only get better.
 import { spawn } from 'node:child_process';
@@ -9,14 +10,16 @@ import { mkdirSync, readFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { join } from 'node:path';
 
-const [limits_path, fly, mission, out] = process.argv.slice(2);
+const [limits_path, fly, mission, out, ...found] = process.argv.slice(2);
 const limits = JSON.parse(readFileSync(limits_path, 'utf8'));
+const tuned = Object.fromEntries(found.map((each) => each.split('=')));
+const airplanes = found.length > 0 ? Object.keys(tuned) : limits.airplanes;
 
 function flown(flight) {
   const folder = join(out, `${flight.airplane}_${flight.air}_${flight.seed}`);
   mkdirSync(folder, { recursive: true });
   const words = ['--native', '--airplane', flight.airplane, '--seed', flight.seed, ...limits.airs[flight.air],
-    '--out', folder, mission].map(String);
+    ...(tuned[flight.airplane] ? ['--param', tuned[flight.airplane]] : []), '--out', folder, mission].map(String);
   return new Promise((resolve, reject) => {
     const run = spawn(fly, words, { stdio: ['ignore', 'ignore', 'inherit'] });
     run.on('error', reject);
@@ -47,10 +50,19 @@ function verdict(worst, goal, most) {
   return most > goal ? 'met, but not by enough to hold it there' : 'met';
 }
 
+function goalOf(figure, air) {
+  const goal = figure.goal[air];
+  return found.length > 0 ? Number((goal * limits.tuned_times).toFixed(3)) : goal;
+}
+
+function mostOf(figure, airplane, air) {
+  return (found.length === 0 && figure.held?.[airplane]?.[air]) || goalOf(figure, air);
+}
+
 function rowOf(figure, airplane, air, flights) {
   const worst = worstOf(flights.filter((flight) => flight.airplane === airplane && flight.air === air), figure.key);
-  const goal = figure.goal[air];
-  const most = figure.held?.[airplane]?.[air] ?? goal;
+  const goal = goalOf(figure, air);
+  const most = mostOf(figure, airplane, air);
   return [`${figure.name}, ${figure.unit}`, air, goal, worst.toFixed(2), most, figure.peer?.[air] ?? '-',
     verdict(worst, goal, most)].map(String);
 }
@@ -61,14 +73,14 @@ function print(rows) {
   console.log([line(rows[0]), `|${width.map((w) => '-'.repeat(w + 2)).join('|')}|`, ...rows.slice(1).map(line)].join('\n'));
 }
 
-const flights = await all(limits.airplanes.flatMap((airplane) => Object.keys(limits.airs).flatMap(
+const flights = await all(airplanes.flatMap((airplane) => Object.keys(limits.airs).flatMap(
   (air) => limits.seeds.map((seed) => ({ airplane, air, seed })))));
 let broken = 0;
 for (const flight of flights.filter((each) => !each.completed)) {
   ++broken;
   console.log(`${flight.airplane}, ${flight.air}, seed ${flight.seed}: ${flight.reason}`);
 }
-for (const airplane of limits.airplanes) {
+for (const airplane of airplanes) {
   const rows = limits.figures.flatMap((figure) => Object.keys(limits.airs).map(
     (air) => rowOf(figure, airplane, air, flights)));
   console.log(`\n${airplane}, worst of seeds ${limits.seeds.join(', ')}\n`);

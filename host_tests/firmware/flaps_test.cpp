@@ -135,6 +135,23 @@ TEST_F(Flaps, do_nothing_by_themselves_while_the_pilot_has_the_throttle) {
     }
 }
 
+TEST_F(Flaps, go_out_for_a_landing_whatever_the_airspeed) {
+    parameters.land_flap_pct = 60;
+    stagesInLoiter();
+    vehicle.demand.path = firmware::Path::land;
+    tenths(1, 13);
+    EXPECT_NEAR(outputPulse_us(kAutoFlap), 1580, 2);
+    tenths(1, 10);
+    EXPECT_NEAR(outputPulse_us(kAutoFlap), 1580, 2);
+    vehicle.demand.path = firmware::Path::leg;
+    tenths(1, 13);
+    EXPECT_EQ(outputPulse_us(kAutoFlap), 1100) << "it goes around";
+    parameters.land_flap_pct = 0;
+    vehicle.demand.path = firmware::Path::land;
+    tenths(1, 12);
+    EXPECT_GT(outputPulse_us(kAutoFlap), 1490) << "by the speed";
+}
+
 TEST_F(Flaps, have_no_stage_whose_speed_is_nothing) {
     stagesInLoiter();
     parameters.flap[1].speed_mps = 0;

@@ -3,9 +3,16 @@
 // the defaults comes to the gains of this airplane, whatever they were at first. Exits 0 when that
 // is so.
 //   autotune_flight AIRPLANE MISSION TIMES RLL2SRV_P PTCH2SRV_P [NAME=VALUE ...]
-// NAME is set to VALUE before: what an airplane needs to be flown at all, its mixing for one.
+//   autotune_flight AIRPLANE MISSION to OWN.param FOUND.param
+// NAME is set to VALUE before: what an airplane needs to be flown at all, its mixing for one. The
+// second form begins with the defaults, and with what OWN.param says but for the gains that are
+// learnt; it writes all that to FOUND.param with the gains it finds.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 
 #include "firmware/parameters.hpp"
@@ -13,6 +20,7 @@
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/ground/scripted_flight.hpp"
 #include "simulator/native/native_board.hpp"
+#include "simulator/parameter_file.hpp"
 
 using namespace simulator;
 
@@ -113,11 +121,45 @@ private:
     uint64_t step_ = 0;
 };
 
+constexpr const char* kLearnt[] = {"RLL2SRV_TCONST",  "RLL2SRV_P",  "RLL2SRV_I",  "RLL2SRV_D",
+                                   "PTCH2SRV_TCONST", "PTCH2SRV_P", "PTCH2SRV_I", "PTCH2SRV_D"};
+
+float parameterNow(const char* name) {
+    char padded[16] = {};
+    std::memcpy(padded, name, std::min(std::strlen(name), sizeof padded));
+    uint16_t index;
+    float value = NAN;
+    uint8_t type;
+    if (firmware::parameterFind(padded, index)) firmware::parameterAt(index, padded, value, type);
+    return value;
+}
+
+int learnTo(const std::string& airplane, const Waypoints& items, const std::string& own,
+            const std::string& found) {
+    ParameterSettings settings = readParameterFile(own);
+    settings.erase(std::remove_if(settings.begin(), settings.end(),
+                                  [](const ParameterSetting& each) {
+                                      return std::count(std::begin(kLearnt), std::end(kLearnt),
+                                                        each.name) > 0;
+                                  }),
+                   settings.end());
+    Tuning tuning(airplane, items, settings);
+    tuning.learn(1);
+    std::filesystem::create_directories(std::filesystem::path(found).parent_path());
+    std::ofstream file(found);
+    file << "# " << own << ", but for the gains, which AUTOTUNE has found.\n";
+    for (const ParameterSetting& each : settings) file << each.name << "," << each.value << "\n";
+    for (const char* name : kLearnt) file << name << "," << parameterNow(name) << "\n";
+    return file.good() ? 0 : 1;
+}
+
 bool near(float one, float other) { return one < kFarthest * other && other < kFarthest * one; }
 
 }  // namespace
 
 int main(int count, char** words) try {
+    if (count == 6 && std::string(words[3]) == "to")
+        return learnTo(words[1], readWaypoints(words[2]), words[4], words[5]);
     if (count < 6)
         throw std::runtime_error("expected AIRPLANE MISSION TIMES RLL2SRV_P PTCH2SRV_P NAME=VALUE");
     ParameterSettings settings;

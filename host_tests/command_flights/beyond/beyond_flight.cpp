@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kTelemetry = 2, kUsb = 0, kShutter = 7;
+constexpr int kTelemetry = 2, kUsb = 0, kShutter = 7, kFlap = 8;
 constexpr uint64_t kStep_us = 20'000;
 constexpr double kDegree = M_PI / 180, kTimeLimit_s = 420;
 constexpr uint8_t kAuto = 10, kRtl = 11;
@@ -30,7 +30,7 @@ constexpr int kContinue = 2, kPictures = 4, kToHeight = 6, kBeforeRtl = 12, kApp
 
 struct Moment {
     double t_s, north_m, east_m, height_m, course_deg, roll_deg;
-    int item;
+    int item, flap_us;
 };
 
 class BeyondFlight {
@@ -38,7 +38,11 @@ public:
     explicit BeyondFlight(const Waypoints& items, const WorldOptions& world)
         : board_(world),
           flight_(board_, kTelemetry, items, kTimeLimit_s,
-                  {{"RTL_AUTOLAND", 2}, {"RC7_FUNCTION", 10}, {"CAM_DURATION", 2}}),
+                  {{"RTL_AUTOLAND", 2},
+                   {"RC7_FUNCTION", 10},
+                   {"CAM_DURATION", 2},
+                   {"RC8_FUNCTION", 3},
+                   {"LAND_FLAP_PERCNT", 50}}),
           usb_(board_, kUsb, [](const mavlink::Frame&, uint64_t) {}) {
         board_.listen([this](int usart, uint8_t byte, uint64_t at_us) {
             if (usart == kTelemetry) flight_.receive(byte, at_us);
@@ -70,7 +74,8 @@ private:
         const Truth& now = truth();
         flown_.push_back({seconds(), now.north_m, now.east_m, now.height_m,
                           std::atan2(now.velocity_east_mps, now.velocity_north_mps) / kDegree,
-                          now.roll_rad / kDegree, firmware::missionCurrent()});
+                          now.roll_rad / kDegree, firmware::missionCurrent(),
+                          static_cast<int>(std::lround(board_.world().servoPulse_us(kFlap)))});
         const bool held = std::abs(board_.world().servoPulse_us(kShutter) - 1300) < 3;
         if (held && !held_) pictures_.push_back(flown_.back());
         held_ = held;
@@ -126,6 +131,32 @@ private:
         std::printf("          left at %.1f m on %.0f degrees after %.0f s\n", last.height_m,
                     last.course_deg, last.t_s - flown.front().t_s);
         return std::abs(last.height_m - 80) < 6 && std::abs(last.course_deg - 90) < 13;
+    }
+    // From the place of item 4 to the circle of 60 m round that of item 6, 340 m from it.
+    bool slopedToCircle() const {
+        double most_m = 0;
+        for (const Moment& each : during(kToHeight)) {
+            const double along_m = 339 - std::hypot(each.north_m - 701, each.east_m - 100);
+            if (along_m > 0 && along_m < 279)
+                most_m = std::max(most_m, std::abs(each.height_m - (60 + 20 * along_m / 279)));
+        }
+        std::printf("          up to %.1f m from the slope\n", most_m);
+        return most_m > 0 && most_m < 5;
+    }
+    // Out for each landing, in when it is broken off and everywhere else.
+    bool flapsWereOut() const {
+        int most_us = 0, least_us = 3000, around_us = 3000;
+        for (const Moment& each : flown_) {
+            if (each.item > 0 && each.item < kBeforeRtl) most_us = std::max(most_us, each.flap_us);
+            if (each.item != kLanding || each.height_m > 12 || each.t_s < 60) continue;
+            if (each.t_s < around_s_) least_us = std::min(least_us, each.flap_us);
+        }
+        for (const Moment& each : during(kLanding, around_s_))
+            if (each.t_s < around_s_ + 15) around_us = std::min(around_us, each.flap_us);
+        std::printf("          %d us before, %d us on the final, %d us after it\n", most_us,
+                    least_us, around_us);
+        return most_us == 1100 && std::abs(least_us - 1500) < 8 && around_us == 1100 &&
+               std::abs(flown_.back().flap_us - 1500) < 8;
     }
     bool photographed() const {
         const auto flown = during(kPictures);
@@ -183,10 +214,12 @@ private:
         return sayAll({
             {"CONTINUE_CHANGE_ALT: straight on, up to its altitude", straightOn()},
             {"SET_CAM_TRIGG_DIST: a picture each 25 m, none before or after", photographed()},
+            {"LOITER_TO_ALT: climbed to along the way", slopedToCircle()},
             {"LOITER_TO_ALT: left at its altitude on the next leg's course", leftOnCourse()},
             {"INVERTED_FLIGHT: upside down along its leg, and back", flewInverted()},
             {"RTL_AUTOLAND: at the nearest DO_LAND_START", cameHomeToLand()},
             {"DO_GO_AROUND: up before it turns, and the landing again", wentAround()},
+            {"LAND_FLAP_PERCNT: out for each landing alone", flapsWereOut()},
             {"it landed", flight_.landed_s() && !truth().crashed && seconds() < kTimeLimit_s},
             {"touched down at home", flight_.touchdown_distance_m().value_or(1e9) < 30},
         });
