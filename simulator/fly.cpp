@@ -16,6 +16,7 @@
 #include "simulator/devices/at45db.hpp"
 #include "simulator/fdm/udp_peer.hpp"
 #include "simulator/fly_options.hpp"
+#include "simulator/ground/onlooker.hpp"
 #include "simulator/ground/scripted_flight.hpp"
 #include "simulator/ground/server.hpp"
 #include "simulator/ground/thrower.hpp"
@@ -32,6 +33,7 @@ namespace {
 
 constexpr uint64_t kFrame_us = 10'000, kStep_us = 2 * kFrame_us;
 constexpr int kStepsPerSample = 5;
+constexpr int kUsbUsart = 0;
 constexpr size_t kEepromBytes = 4096;
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -256,10 +258,12 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
     loadMemories(*board, options);
     const int usart = telemetryUsart(options);
     ScriptedFlight flight(*board, usart, items, options.time_limit_s, parametersFor(options));
+    Onlooker usb(*board, kUsbUsart);
     board->listen([&](int from, uint8_t byte, uint64_t time_us) {
         if (from == usart) flight.receive(byte, time_us);
+        if (from == kUsbUsart && options.usb) usb.receive(byte, time_us);
     });
-    board->setUsb(false);
+    board->setUsb(options.usb);
     switchTransmitterOn(board->world());
     Recorder recorder(plan, frame);
     StatusLine status(isatty(STDOUT_FILENO) != 0);
@@ -271,6 +275,7 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
         }
         if (!board->world().fault().empty()) flight.stop(board->world().fault());
         flight.step(board->time_us());
+        usb.step(board->time_us());
         if (step % kStepsPerSample != 0 && !flight.over()) continue;
         recorder.sample(*board, flight.telemetry(), flight.cruise_speed_mps(),
                         flight.loiter_radius_m());

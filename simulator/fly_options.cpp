@@ -54,6 +54,8 @@ std::string contradiction(const FlyOptions& options, const CLI::App& app) {
          "--dataflash needs the chip: no --no-dataflash"},
         {!options.serve && given("--listen"), "--listen needs --serve or --lock-step"},
         {options.serve && given("MISSION"), " flies no script: leave out MISSION"},
+        {options.usb && options.telemetry_on_uart0, "--usb takes the USART of --telemetry uart0"},
+        {options.serve && given("--usb"), " is for whoever connects: no --usb"},
         {options.serve && given("--time-limit"), " has no --time-limit"},
         {options.serve && given("--out"), " writes no report: leave out --out"},
     };
@@ -169,6 +171,8 @@ void addConditions(CLI::App& app, FlyOptions& o, std::string& wind) {
 }
 
 void addFlight(CLI::App& app, FlyOptions& o) {
+    app.add_flag("--usb", o.usb, "a second ground station on USB, which asks for all streams too")
+        ->disable_flag_override();
     app.add_option("--time-limit", o.time_limit_s, "emulated seconds until the flight is given up")
         ->check(seconds)
         ->capture_default_str();
@@ -230,6 +234,7 @@ Parsed parseFlyOptions(int count, char** words) {
         } else {
             options.serve = options.serve || options.lock_step;
             options.apm1 = board == "apm1";
+            options.telemetry_on_uart0 = telemetry == "uart0";
             if (options.firmware.empty()) options.firmware = options.apm1 ? FLY_IMAGE_1 : FLY_IMAGE;
             wrong = contradiction(options, app);
         }
@@ -243,7 +248,6 @@ Parsed parseFlyOptions(int count, char** words) {
         std::cerr << "fly: " << wrong << " (--help explains)\n";
         parsed.exit_status = 2;
     }
-    options.telemetry_on_uart0 = telemetry == "uart0";
     return parsed;
 }
 

@@ -28,6 +28,7 @@ struct FlyOptions {
     double fdm_wait_s = 30;
     bool serve = false, lock_step = false;
     bool telemetry_on_uart0 = false;
+    bool usb = false;  // plugged in, and all streams there too
     uint16_t listen = 5760;
     int gdb = 0;
 };

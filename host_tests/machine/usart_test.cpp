@@ -53,6 +53,12 @@ TEST_F(UsartTest, transmit_complete_comes_once_after_the_last_byte) {
               1);
 }
 
+TEST_F(UsartTest, each_of_its_interrupts_wakes_the_chip_once) {
+    machine.run_ms(15);
+
+    EXPECT_NEAR(machine.report(5).low, 64, 2);
+}
+
 TEST_F(UsartTest, nothing_is_received_before_the_receiver_is_on) {
     usart.receive('x');
     machine.run_ms(1);

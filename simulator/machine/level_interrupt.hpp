@@ -21,6 +21,20 @@ inline void requestInterrupt(avr_t* avr, avr_int_vector_t* vector) {
     avr_raise_interrupt(avr, vector);
 }
 
+// Out of the queue as well: what stands there keeps the core from falling asleep once.
+inline void withdrawInterrupt(avr_t* avr, avr_int_vector_t* vector) {
+    avr_clear_interrupt(avr, vector);
+    avr_int_pending_t& queue = avr->interrupts.pending;
+    unsigned kept = queue.read;
+    for (unsigned i = queue.read; i != queue.write; i = (i + 1) % 64) {
+        if (queue.buffer[i] == vector) continue;
+        queue.buffer[kept] = queue.buffer[i];
+        kept = (kept + 1) % 64;
+    }
+    queue.write = static_cast<FIFO_CURSOR_TYPE>(kept);
+    if (kept == queue.read && avr->interrupt_state > 0) avr->interrupt_state = 0;
+}
+
 template <class Owner, bool (Owner::*flag)() const>
 class LevelInterrupt {
 public:
@@ -37,7 +51,7 @@ public:
         if (wanted) {
             requestInterrupt(avr_, vector_);
         } else {
-            avr_clear_interrupt(avr_, vector_);
+            withdrawInterrupt(avr_, vector_);
         }
     }
 
