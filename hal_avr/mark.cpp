@@ -3,10 +3,13 @@
 
 #include <avr/io.h>
 
+#include "hal/interrupts.hpp"
+
 namespace hal {
 
 void mark(uint8_t value) { GPIOR0 = value; }
 void markItem(uint8_t value, uint8_t item) {
+    Locked locked;  // interrupts keep a register there
     GPIOR1 = item;
     GPIOR0 = value;
 }

@@ -49,17 +49,26 @@ private:
 // USART2 as SPI master in mode 0 at 2.67 MHz for a converter that is asked in pairs of bytes: as
 // many as transmitter and receiver hold, so one interrupt serves two, however late it comes.
 struct Usart2Pairs {
+    static constexpr uint8_t kResting = (1 << RXEN2) | (1 << TXEN2);
+    static constexpr uint8_t kWaking = kResting | (1 << TXCIE2);
+
     static void start() {
         UBRR2 = 0;
         Pin<PortH, 2>::output();  // XCK2
         UCSR2C = (1 << UMSEL21) | (1 << UMSEL20);
-        UCSR2B = (1 << RXEN2) | (1 << TXEN2) | (1 << TXCIE2);
+        rest();
         UBRR2 = 2;  // the converter's clock is 3.2 MHz at most, ADS7844 data sheet
     }
+    static void wake() {
+        UCSR2A = 1 << TXC2;  // which forgets the end of the last pair
+        UCSR2B = kWaking;
+    }
+    static void rest() { UCSR2B = kResting; }
     static void begin(uint8_t first, uint8_t second) {
         UDR2 = first;
         UDR2 = second;
     }
+    static bool ended() { return UCSR2A & (1 << TXC2); }
     static uint8_t received() { return UDR2; }
     static void flush() {
         while (UCSR2A & (1 << RXC2)) UDR2;

@@ -15,7 +15,7 @@ add_test(NAME image.budgets_apm1
                  ${CMAKE_SOURCE_DIR}/toolchain/budgets.json apm1)
 
 flight_test(apm1_calm simavr 3 2 30 --board apm1 --seed 1)
-flight_test(apm1_wind simavr 5 3 60 --board apm1 --seed 2 ${windy})
+flight_test(apm1_wind simavr 5 3 60 --board apm1 --seed 2 --usb ${windy})
 
 # ---- its hardware layer, by the programs that also try the APM 2's
 ExternalProject_Add(hal_programs_apm1

@@ -14,22 +14,30 @@
 
 namespace {
 
+using drivers::Ads7844Sums;
+
 // Two bytes at a time, the interrupt at their end when the test says so.
 struct Bus {
     static inline std::function<uint8_t(uint8_t)> device;
     static inline std::deque<uint8_t> received_bytes;
     static inline std::vector<uint8_t> sent;
-    static inline bool under_way = false, chosen = false;
+    static inline bool under_way = false, chosen = false, awake = false, sent_out = false;
 
+    static void wake() {
+        awake = true;
+        sent_out = false;
+    }
+    static void rest() { awake = false; }
     static void begin(uint8_t first, uint8_t second) {
         ASSERT_TRUE(chosen);
-        ASSERT_TRUE(received_bytes.empty()) << "the receiver holds no more";
         for (const uint8_t byte : {first, second}) {
             sent.push_back(byte);
             received_bytes.push_back(device(byte));
         }
+        ASSERT_LE(received_bytes.size(), 3u) << "the receiver holds no more";
         under_way = true;
     }
+    static bool ended() { return sent_out; }
     static uint8_t received() {
         EXPECT_FALSE(received_bytes.empty());
         const uint8_t byte = received_bytes.front();
@@ -58,65 +66,106 @@ struct Select {
 template <int number>
 struct Rig {
     using Converter = drivers::Ads7844<Bus, Select<number>>;
-    drivers::Ads7844Sums sums{};
+    Ads7844Sums sums{};
 
     explicit Rig(std::function<uint8_t(uint8_t)> device) {
         Bus::device = std::move(device);
         Bus::flush();
         Bus::sent.clear();
-        Select<number>::on_choice = nullptr;
+        Bus::awake = Bus::sent_out = false;
+        Select<number>::on_choice = [](bool) {};
         Converter::start();
     }
+    // The end of a pair: an interrupt, or a flag that nobody looks at yet.
     static bool exchange() {
         if (!Bus::under_way) return false;
         Bus::under_way = false;
+        Bus::sent_out = !Bus::awake;
+        if (!Bus::awake) return false;
         Converter::onSent();
         return true;
     }
-    static void set() {
-        Converter::beginSet();
+    static void rest() {
         while (exchange()) {
         }
     }
     static void begin() { Converter::beginSet(); }
+    static void set() {
+        begin();
+        rest();
+    }
+    // The answers of a set are complete when the next has begun; the first one's do not count.
+    static void start() {
+        set();
+        set();
+    }
     static uint8_t waiting() { return Converter::waiting(); }
     bool take() { return Converter::take(sums); }
 };
 
-// Answers each question with the value of its channel, as figure 5 of the data sheet has it.
+// Answers each question, wherever in the bytes it begins, with the word of its channel: a busy bit,
+// twelve of the value, zeros.
 struct Script {
-    std::function<uint16_t(uint8_t question)> word = [](uint8_t) { return uint16_t{0}; };
+    std::function<uint16_t(int address)> word = [](int) { return uint16_t{0}; };
+    int clocks = 16, left = 0;
+    uint8_t control = 0;
     uint16_t answer = 0;
     uint8_t operator()(uint8_t out) {
-        const auto in = static_cast<uint8_t>(answer >> 8);
-        answer = static_cast<uint16_t>(answer << 8);
-        if (out & 0x80) answer = word(out);
+        uint8_t in = 0;
+        for (int bit = 7; bit >= 0; --bit) {
+            in = static_cast<uint8_t>(in << 1 | (left > 0 ? answer >> --left & 1 : 0));
+            const bool one = out >> bit & 1;
+            if (clocks >= 15 && one) clocks = control = 0;
+            if (clocks < 8) control = static_cast<uint8_t>(control << 1 | one);
+            if (++clocks != 8) continue;
+            EXPECT_EQ(control & 0x87, 0x87) << "single-ended, always powered";
+            answer = word(control >> 4 & 7);
+            left = 16;
+        }
         return in;
     }
 };
+constexpr int kYaw = 0, kPitch = 1, kAx = 2, kAz = 3, kRoll = 4, kAy = 6, kPitot = 7;  // table I
+constexpr uint16_t value(int reading) { return static_cast<uint16_t>(reading << 3); }
 
-TEST(Ads7844, asks_for_each_of_its_channels_once_a_set) {
+std::vector<int> questions(const std::function<void()>& act) {
+    std::vector<int> asked;
+    Script script;
+    script.word = [&](int address) {
+        asked.push_back(address);
+        return uint16_t{0};
+    };
+    Bus::device = script;
+    act();
+    return asked;
+}
+
+TEST(Ads7844, asks_for_the_inertial_channels_in_each_set_and_for_the_airspeed_in_every_fourth) {
     Rig<1> rig{Script{}};
-    rig.set();
+    const std::vector<int> inertial = {kYaw, kPitch, kAx, kAz, kRoll, kAy};
+    std::vector<int> with_airspeed = inertial;
+    with_airspeed.insert(with_airspeed.begin(), kPitot);
 
-    const std::vector<uint8_t> expected = {0x87, 0, 0xC7, 0, 0x97, 0, 0xA7, 0,
-                                           0xE7, 0, 0xB7, 0, 0xF7, 0, 0,    0};
-    EXPECT_EQ(Bus::sent, expected);
-    EXPECT_FALSE(Bus::chosen);
+    EXPECT_EQ(questions([&] { rig.set(); }), inertial);
+    EXPECT_EQ(questions([&] { rig.set(); }), with_airspeed);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(questions([&] { rig.set(); }), inertial) << i;
+    EXPECT_EQ(questions([&] { rig.set(); }), with_airspeed);
 }
 
 TEST(Ads7844, sums_up_what_each_channel_answered) {
     Script script;
-    script.word = [](uint8_t question) { return static_cast<uint16_t>((question >> 4) * 256 + 8); };
+    script.word = [](int address) { return value(100 + 300 * address); };
     Rig<2> rig{script};
+    rig.start();
+    rig.take();
     for (int i = 0; i < 10; ++i) rig.set();
 
     EXPECT_EQ(rig.waiting(), 10);
     ASSERT_TRUE(rig.take());
-    const int address[] = {0x8, 0xC, 0x9, 0xA, 0xE, 0xB, 0xF};
+    const int address[] = {kAy, kYaw, kPitch, kAx, kAz, kRoll, kPitot};
     for (int i = 0; i < 7; ++i) {
-        EXPECT_EQ(rig.sums.sum[i], 10 * (address[i] * 32 + 1)) << i;
-        EXPECT_EQ(rig.sums.count[i], 10);
+        EXPECT_EQ(rig.sums.sum[i], rig.sums.count[i] * (100 + 300 * address[i])) << i;
+        EXPECT_EQ(rig.sums.count[i], i == Ads7844Sums::airspeed ? 3 : i < 5 ? 11 : 10) << i;
     }
     EXPECT_EQ(rig.sums.periods, 10);
     EXPECT_FALSE(rig.sums.spoiled);
@@ -126,12 +175,14 @@ TEST(Ads7844, sums_up_what_each_channel_answered) {
 
 TEST(Ads7844, no_reading_is_lost_or_counted_twice_wherever_the_sums_are_taken) {
     Script script;
-    script.word = [](uint8_t) { return static_cast<uint16_t>(100 << 3); };
+    script.word = [](int) { return value(100); };
     Rig<3> rig{script};
-    int readings[7] = {};
+    rig.start();
+    int readings[7] = {}, sets = 0;
     for (int n = 0; n < 60; ++n) {
         rig.set();
         rig.begin();
+        sets += 2;
         for (int i = 0; i < n % 9; ++i) rig.exchange();
         if (rig.take()) {
             for (int i = 0; i < 7; ++i) {
@@ -139,54 +190,78 @@ TEST(Ads7844, no_reading_is_lost_or_counted_twice_wherever_the_sums_are_taken) {
                 readings[i] += rig.sums.count[i];
             }
         }
-        while (rig.exchange()) {
-        }
+        rig.rest();
     }
+    rig.begin();
+    rig.rest();
     ASSERT_TRUE(rig.take());
 
-    for (int i = 0; i < 7; ++i) EXPECT_EQ(readings[i] + rig.sums.count[i], 120) << i;
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(readings[i] + rig.sums.count[i], sets + 2) << i;
+    EXPECT_EQ(readings[5] + rig.sums.count[5], sets + 1);
 }
 
 TEST(Ads7844, full_scale_that_nobody_takes_does_not_overflow) {
     Script script;
-    script.word = [](uint8_t) { return static_cast<uint16_t>(4095 << 3); };
+    script.word = [](int) { return value(4095); };
     Rig<4> rig{script};
     for (int i = 0; i < 300; ++i) rig.set();
 
     ASSERT_TRUE(rig.take());
-    EXPECT_EQ(rig.sums.sum[0], 4095 * rig.sums.count[0]);
+    for (int i = 0; i < 7; ++i) EXPECT_EQ(rig.sums.sum[i], 4095 * rig.sums.count[i]) << i;
     EXPECT_GE(rig.sums.count[0], 10);
     EXPECT_EQ(rig.sums.periods, 255);
+    EXPECT_FALSE(Bus::chosen);
+}
+
+TEST(Ads7844, begins_anew_when_they_are_taken_again) {
+    Script script;
+    script.word = [](int) { return value(77); };
+    Rig<7> rig{script};
+    for (int i = 0; i < 30; ++i) rig.set();
+    rig.take();
+    for (int i = 0; i < 10; ++i) rig.set();
+
+    EXPECT_EQ(rig.waiting(), 10);
+    ASSERT_TRUE(rig.take());
+    EXPECT_FALSE(rig.sums.spoiled);
+    for (int i = 0; i < 7; ++i) EXPECT_EQ(rig.sums.sum[i], 77 * rig.sums.count[i]) << i;
+    EXPECT_GE(rig.sums.count[Ads7844Sums::rate_x], 7);
 }
 
 TEST(Ads7844, an_answer_with_a_bit_where_none_can_be_spoils_the_sums_once) {
+    Rig<5> rig{Script{}};
+    rig.start();
     for (const uint16_t bad : {0x8000, 0x0001, 0xFFFF}) {
         Script script;
-        script.word = [&](uint8_t question) { return question == 0xA7 ? bad : uint16_t{0x4000}; };
-        Rig<5> rig{script};
-        rig.set();
+        script.word = [&](int address) { return address == kAx ? bad : uint16_t{0x4000}; };
+        Bus::device = script;
+        for (int i = 0; i < 3; ++i) rig.set();
         ASSERT_TRUE(rig.take());
         EXPECT_TRUE(rig.sums.spoiled) << bad;
 
         Bus::device = Script{};
-        rig.set();
+        for (int i = 0; i < 5; ++i) rig.set();
         ASSERT_TRUE(rig.take());
         EXPECT_FALSE(rig.sums.spoiled);
+        EXPECT_EQ(rig.sums.periods, 5);
     }
 }
 
 TEST(Ads7844, a_set_that_never_ends_is_given_up_and_the_next_one_works) {
-    Rig<6> rig{Script{}};
+    Script script;
+    script.word = [](int) { return value(50); };
+    Rig<6> rig{script};
     rig.begin();  // and its interrupt never comes
     rig.begin();
     EXPECT_FALSE(Bus::chosen);
     EXPECT_FALSE(rig.take());
     EXPECT_TRUE(rig.sums.spoiled);
-    EXPECT_EQ(rig.sums.periods, 1);
+    EXPECT_EQ(rig.sums.periods, 2);
 
-    rig.set();
+    for (int i = 0; i < 4; ++i) rig.set();
     ASSERT_TRUE(rig.take());
     EXPECT_FALSE(rig.sums.spoiled);
+    for (int i = 0; i < 7; ++i) EXPECT_EQ(rig.sums.sum[i], 50 * rig.sums.count[i]) << i;
 }
 
 // ---- the sensors behind it, by the simulator's models
@@ -312,7 +387,7 @@ TEST(AnalogImu, hands_on_the_pitot_sensors_share_as_readings_of_ten_bits) {
     s.frame();
 
     const hal::AnalogSum sum = s.imu.takeAirspeed();
-    EXPECT_EQ(sum.count, 20);
+    EXPECT_EQ(sum.count, 5);
     EXPECT_NEAR(static_cast<double>(sum.sum) / sum.count, 2.6 / 5 * 1024, 0.3);
     EXPECT_EQ(s.imu.takeAirspeed().count, 0);
 }

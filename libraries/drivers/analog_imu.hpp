@@ -43,7 +43,7 @@ public:
 
     // The pitot sensor's share, as the 10-bit readings of a converter with 5 V of range.
     static hal::AnalogSum takeAirspeed() {
-        const hal::AnalogSum taken = {static_cast<uint16_t>(airspeed_ * kTenBits >> 16),
+        const hal::AnalogSum taken = {static_cast<uint16_t>((airspeed_ * kTenBits + 0x8000) >> 16),
                                       airspeed_count_};
         airspeed_ = 0;
         airspeed_count_ = 0;
@@ -65,10 +65,9 @@ private:
     static constexpr int16_t kForceFactor =
         static_cast<int16_t>(256 * core::kGravity_mss / 424.0f / kForceStep_mss + 0.5f);
     static const Axis kAxes[];
-    static constexpr uint8_t kAirspeed = 6;
     // 3.3 V in 4096 steps seen as 5 V in 1024, in 1/65536
     static constexpr uint32_t kTenBits = 10813;
-    static constexpr uint8_t kMostReadings = 60;  // of 10 bits in 16
+    static constexpr uint8_t kMostReadings = 16;  // of 12 bits in 16
     // No sensor of these swings to within 50 mV of the supply.
     static constexpr uint16_t kLowest = 60, kHighest = 4035;
 
@@ -83,7 +82,7 @@ private:
     static void keepAirspeed(const Ads7844Sums& sums);
 
     // One converter, one pitot sensor: asked by those who know no object of this.
-    static uint32_t airspeed_;
+    static uint16_t airspeed_;
     static uint8_t airspeed_count_;
 
     uint32_t samples_ = 0;
@@ -100,17 +99,17 @@ private:
 // clang-format off
 template <class Converter>
 const typename AnalogImu<Converter>::Axis AnalogImu<Converter>::kAxes[] ROM = {
-    {1, 1658,  rateFactor(0.40f)},
-    {2, 1658, -rateFactor(0.41f)},
-    {0, 1658, -rateFactor(0.41f)},
-    {3, 2041,  kForceFactor},
-    {4, 2041, -kForceFactor},
-    {5, 2041, -kForceFactor},
+    {Ads7844Sums::rate_x,  1658,  rateFactor(0.40f)},
+    {Ads7844Sums::rate_y,  1658, -rateFactor(0.41f)},
+    {Ads7844Sums::rate_z,  1658, -rateFactor(0.41f)},
+    {Ads7844Sums::force_x, 2041,  kForceFactor},
+    {Ads7844Sums::force_y, 2041, -kForceFactor},
+    {Ads7844Sums::force_z, 2041, -kForceFactor},
 };
 // clang-format on
 
 template <class Converter>
-uint32_t AnalogImu<Converter>::airspeed_;
+uint16_t AnalogImu<Converter>::airspeed_;
 template <class Converter>
 uint8_t AnalogImu<Converter>::airspeed_count_;
 
@@ -139,9 +138,10 @@ bool AnalogImu<Converter>::plausible(const Ads7844Sums& sums) {
 
 template <class Converter>
 void AnalogImu<Converter>::keepAirspeed(const Ads7844Sums& sums) {
-    if (airspeed_count_ + sums.count[kAirspeed] > kMostReadings) airspeed_ = airspeed_count_ = 0;
-    airspeed_ += sums.sum[kAirspeed];
-    airspeed_count_ = static_cast<uint8_t>(airspeed_count_ + sums.count[kAirspeed]);
+    const uint8_t count = sums.count[Ads7844Sums::airspeed];
+    if (airspeed_count_ + count > kMostReadings) airspeed_ = airspeed_count_ = 0;
+    airspeed_ += sums.sum[Ads7844Sums::airspeed];
+    airspeed_count_ = static_cast<uint8_t>(airspeed_count_ + count);
 }
 
 // 2^15 / count; nearly always a frame's sets have come, which takes no division.

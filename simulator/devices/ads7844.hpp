@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Burr-Brown ADS7844 (data sheet SBAS100): eight inputs of 12 bits, asked and answered with 16
-// clocks a conversion, single-ended, reference 3.3 V.
+// Burr-Brown ADS7844 (data sheet SBAS100): eight inputs of 12 bits, single-ended, reference 3.3 V;
+// bit by bit, as a question may begin in the middle of a byte.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -21,9 +21,13 @@ public:
     uint64_t conversions(int channel) const { return conversions_[static_cast<size_t>(channel)]; }
 
 private:
-    void convert(uint8_t control);
+    bool clock(bool in);
+    void convert();
 
-    uint16_t answer_ = 0;  // still to be shifted out
+    uint8_t control_ = 0;
+    int clocks_ = 15;  // since the start bit
+    uint16_t answer_ = 0;
+    int answer_bits_ = 0;  // still to be shifted out
     std::array<uint64_t, kChannels> conversions_{};
     bool chosen_ = false, unplugged_ = false;
 };

@@ -16,7 +16,8 @@ int main() {
     SensorBus::fast();
     board::ImuSelect::low();
     report(3, SensorBus::transfer(0xF5));
-    report(4, SensorBus::transfer(0x11));
+    SensorBus::transfer(0x11);
+    hal::mark(4);
     report(5, 0);
     SensorBus::slow();
     report(6, SensorBus::transfer(0x22));
