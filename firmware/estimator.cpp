@@ -38,6 +38,7 @@ constexpr uint8_t kDead = 20;         // frames: after a longer gap the attitude
 constexpr uint8_t kFramePeriods = 2;  // of a sample
 constexpr float kOddAirspeed_mps = 4, kOddAirspeed = 0.3f;  // and this share of what is expected
 constexpr float kOddHeight_m = 20;
+constexpr uint16_t kGoodHdop_c = 200;  // with fewer satellites heights are tens of metres off
 constexpr uint16_t kGpsSilent_ms = 500;
 constexpr uint16_t kAirspeedHelps_ms = 200;
 constexpr uint8_t kBeginsFlying = 13;  // looks of 40 ms at speed: half a second
@@ -97,14 +98,23 @@ bool pointsByCourse() {
     return true;
 }
 
+// Nose down at full throttle no airplane stays slow: then the tube is clogged, which so slowly that
+// the wind has been made to fit.
+bool divesSlowly() {
+    constexpr float kDown = -0.14f;  // sine of 8 degrees
+    const float most = parameters.throttle_max_pct * 0.0095f;
+    return vehicle.attitude.sin_pitch < kDown && vehicle.throttle_demand >= most &&
+           vehicle.estimate.equivalent_airspeed_mps < parameters.speed_min_mps;
+}
+
 // The sensor against ground speed and wind: false when they contradict each other. Too slow to fly,
 // on the ground, the wind comes from anywhere.
 bool airspeedFits() {
     const float expected_mps = wind.airspeed_mps(vehicle.gps.velocity_mps);
     const float odd_mps = fabsf(vehicle.airspeed.speed_mps * true_speed_ratio - expected_mps);
-    if (!wind.known() || expected_mps < parameters.speed_min_mps ||
-        odd_mps < kOddAirspeed_mps + expected_mps * kOddAirspeed)
-        return true;
+    const bool odd = wind.known() && expected_mps >= parameters.speed_min_mps &&
+                     odd_mps >= kOddAirspeed_mps + expected_mps * kOddAirspeed;
+    if (!odd && !(vehicle.airspeed.healthy && divesSlowly())) return true;
     doubt(Sensor::airspeed);
     return false;
 }
@@ -139,7 +149,8 @@ void feelHeight() {
         if (near(fix_m, height_m)) doubt(Sensor::barometer);
         return;
     }
-    gps_above_m += (fix_m - height_m) * (vehicle.estimate.flying ? 0.01f : 0.2f);
+    gps_above_m += (fix_m - height_m) * (vehicle.estimate.flying ? 0.002f : 0.2f);
+    if (!near(fix_m, height_m) && vehicle.gps.hdop_c < kGoodHdop_c) doubt(Sensor::barometer);
 }
 
 void gatherBarometer() {

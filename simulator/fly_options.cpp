@@ -166,7 +166,8 @@ void addConditions(CLI::App& app, FlyOptions& o, std::string& wind) {
                for (const std::string& each : all) o.faults.push_back(*parseFault(each));
            },
            "SENSOR:HOW@FROM[-TO], more than once if wanted: imu, baro, airspeed, compass, gps or "
-           "radio is lost, stuck, noisy, nonsense or jump (radio: lost) in these seconds")
+           "radio is lost, stuck, noisy, nonsense, jump or drift (gps: no drift; radio: lost; imu "
+           "also dead_roll, dead_pitch, dead_yaw) in these seconds")
         ->check(fault);
 }
 

@@ -140,17 +140,21 @@ void World::Parts::sense() {
 // Two faults of a sensor at once are the later one's.
 void World::Parts::fail() {
     std::array<FaultKind, kFaulty> now{};
+    std::array<double, kFaulty> since_s{};
     const double now_s = static_cast<double>(now_us) * 1e-6;
     for (const Fault& fault : faults)
-        if (now_s >= fault.from_s && now_s < fault.to_s)
+        if (now_s >= fault.from_s && now_s < fault.to_s) {
             now[static_cast<size_t>(fault.sensor)] = fault.kind;
+            since_s[static_cast<size_t>(fault.sensor)] = now_s - fault.from_s;
+        }
     const auto of = [&](Faulty sensor) { return now[static_cast<size_t>(sensor)]; };
-    imu.fail(of(Faulty::imu), now_us);
-    analog_imu.fail(of(Faulty::imu));
-    barometer.fail(of(Faulty::barometer));
-    i2c_barometer.fail(of(Faulty::barometer));
-    analog.fail(of(Faulty::airspeed));
-    compass.fail(of(Faulty::compass));
+    const auto for_s = [&](Faulty sensor) { return since_s[static_cast<size_t>(sensor)]; };
+    imu.fail(of(Faulty::imu), now_us, for_s(Faulty::imu));
+    analog_imu.fail(of(Faulty::imu), for_s(Faulty::imu));
+    barometer.fail(of(Faulty::barometer), for_s(Faulty::barometer));
+    i2c_barometer.fail(of(Faulty::barometer), for_s(Faulty::barometer));
+    analog.fail(of(Faulty::airspeed), for_s(Faulty::airspeed));
+    compass.fail(of(Faulty::compass), for_s(Faulty::compass));
     gps->fail(of(Faulty::gps));
     radio.jam(of(Faulty::radio) == FaultKind::lost);
 }

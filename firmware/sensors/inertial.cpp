@@ -6,10 +6,12 @@
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "estimation/still.hpp"
+#include "firmware/failsafe/gyros.hpp"
 #include "firmware/failsafe/health.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/sensors.hpp"
+#include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
 #include "hal/clock.hpp"
 #include "hal/imu_interrupt.hpp"
@@ -23,6 +25,9 @@ board::Inertial imu;
 
 estimation::Still still;
 Turn zero;  // of the gyros, in a sample period
+
+DeadGyros dead_gyros;
+bool yaw_told;
 
 // How an axis of the accelerometers reads: from twice the sum of two samples to 2^-9 m/s2.
 struct Reading {
@@ -129,7 +134,17 @@ bool possible(const core::FixedVector<10>& rate) {
     return believe(Sensor::inertial, static_cast<int16_t>(sum), true);
 }
 
+// Without the gyro of yaw, compass and fixes are enough to fly on.
+void watchGyros(const drivers::ImuSums& sums) {
+    const uint8_t dead = dead_gyros.look(sums.rate);
+    if ((dead & (kRollGyro | kPitchGyro)) != 0) doubt(Sensor::inertial);
+    const bool blind = (dead & kYawGyro) != 0 && vehicle.estimate.flying;
+    if (blind && !yaw_told) tell(Severity::critical, ROM_TEXT("Yaw gyro stuck"));
+    yaw_told = blind;
+}
+
 void use(drivers::ImuSums& sums) {
+    watchGyros(sums);
     makeTwo(sums);
     Turn turn, felt;
     for (uint8_t i = 0; i < 3; ++i) {

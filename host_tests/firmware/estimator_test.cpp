@@ -2,6 +2,7 @@
 #include "firmware/estimator.hpp"
 
 #include "bench.hpp"
+#include "firmware/failsafe/health.hpp"
 #include "firmware/home.hpp"
 #include "hal/clock.hpp"
 
@@ -120,6 +121,33 @@ TEST_F(Estimator, takes_the_receivers_height_without_a_step_when_the_barometer_i
     for (int i = 0; i < 1500; ++i) frame(0);
     EXPECT_NEAR(vehicle.estimate.height_m, before_m + 10, 0.5);
     vehicle.baro.healthy = true;
+}
+
+// Falling by a metre a second, as it says, for half a minute.
+TEST_F(Estimator, doubts_a_barometer_that_drifts_away_from_a_good_receivers_height) {
+    const auto drifts = [this](uint16_t hdop_c) {
+        vehicle.gps.altitude_cm = 50000;
+        vehicle.gps.hdop_c = hdop_c;
+        vehicle.baro.pressure_pa = 101325;
+        for (int i = 0; i < 3000; ++i) frame(0);
+        EXPECT_TRUE(vehicle.estimate.flying);
+        firmware::startHealth();
+        for (int i = 0; i < 3000 && !firmware::ails(firmware::Sensor::barometer); ++i) {
+            vehicle.baro.pressure_pa = 101325 + i * 12 / 100;
+            frame(0);
+            firmware::believe(firmware::Sensor::barometer, static_cast<int16_t>(i), true);
+            if (i % 10 == 0) firmware::watchHealth();
+        }
+        return firmware::ails(firmware::Sensor::barometer);
+    };
+    vehicle.armed = true;
+    for (int i = 0; i < 300; ++i) frame(3);
+    EXPECT_FALSE(drifts(400)) << "too few satellites to contradict";
+    EXPECT_TRUE(drifts(120));
+    EXPECT_GT(vehicle.estimate.height_m, -28);
+    firmware::startHealth();
+    vehicle.baro.pressure_pa = 101325;
+    for (int i = 0; i < 3000; ++i) frame(0);
 }
 
 TEST_F(Estimator, counts_heights_from_where_home_is_set_on_the_ground) {

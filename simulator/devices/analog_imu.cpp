@@ -47,9 +47,22 @@ double AnalogImu::good_v(int input, const Truth& t) {
     }
 }
 
+void AnalogImu::fail(FaultKind kind, double for_s) {
+    constexpr int kGyros[] = {1, 2, 0};  // inputs of roll, pitch, yaw
+    const int dead = deadGyro(kind);
+    for (int input = 0; input < static_cast<int>(faults_.size()); ++input) {
+        FaultKind here = kind;
+        if (dead >= 0) here = kGyros[dead] == input ? FaultKind::stuck : FaultKind::none;
+        if (kind == FaultKind::drift && input >= 3) here = FaultKind::none;
+        faults_[static_cast<size_t>(input)].fail(here, for_s);
+    }
+}
+
 double AnalogImu::volts(int input, const Truth& truth) {
     FaultyValue& fault = faults_[static_cast<size_t>(input)];
-    return fault.lost() ? 0 : fault.of(good_v(input, truth), {0.5, 0.1, 3.2, 0}, random_);
+    return fault.lost()
+               ? 0
+               : fault.of(good_v(input, truth), {0.5, 0.1, 3.2, 0, 0.1 * kOtherPerDps_v}, random_);
 }
 
 double AnalogImu::rate_v(int input, double rate_rads, double throttle) {

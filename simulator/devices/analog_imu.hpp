@@ -18,9 +18,7 @@ class AnalogImu {
 public:
     explicit AnalogImu(uint64_t seed = 1, const SensorErrors& errors = {});
 
-    void fail(FaultKind kind) {
-        for (FaultyValue& fault : faults_) fault.fail(kind);
-    }
+    void fail(FaultKind kind, double for_s = 0);
     double volts(int input, const Truth& truth);  // noisy at every call
 
 private:

@@ -36,11 +36,15 @@ double AnalogSensors::airspeed_v(const Truth& truth) {
     if (fault_.lost()) return 0;
     if (fault_.kind() == FaultKind::jump)
         return zero_v_ + errors_.airspeed_noise_v * random_.normal();
-    const double pressure_pa = 0.5 * kSeaLevelDensity_kgm3 * truth.equivalent_airspeed_mps *
+    // the tube clogs, or ice closes it
+    constexpr double kClosed_s = 60;
+    const bool clogs = fault_.kind() == FaultKind::drift;
+    const double open = clogs ? std::max(0.0, 1 - fault_.failing_s() / kClosed_s) : 1;
+    const double pressure_pa = open * 0.5 * kSeaLevelDensity_kgm3 * truth.equivalent_airspeed_mps *
                                truth.equivalent_airspeed_mps * seen;
     const double good_v = zero_v_ + pressure_pa * ratio_ * kVoltsPerPascal +
                           errors_.airspeed_noise_v * random_.normal();
-    return fault_.of(good_v, {0.7, 0, kSupply_v, 0}, random_);
+    return fault_.of(good_v, {0.7, 0, kSupply_v, 0, 0}, random_);
 }
 
 }  // namespace simulator

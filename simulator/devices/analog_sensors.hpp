@@ -20,7 +20,7 @@ public:
     explicit AnalogSensors(uint64_t seed = 1, const SensorErrors& errors = {});
 
     // Jumping, its tube is off: it reads still air.
-    void fail(FaultKind kind) { fault_.fail(kind); }
+    void fail(FaultKind kind, double for_s = 0) { fault_.fail(kind, for_s); }
 
     double volts(int pin, const Truth& truth);  // pins A0..A15; unused ones are at 0
 

@@ -7,7 +7,9 @@ namespace simulator {
 namespace {
 
 constexpr const char* kSensors[kFaulty] = {"imu", "baro", "airspeed", "compass", "gps", "radio"};
-constexpr const char* kKinds[kFaultKinds] = {"none", "lost", "stuck", "noisy", "nonsense", "jump"};
+constexpr const char* kKinds[kFaultKinds] = {"none",       "lost",    "stuck", "noisy",
+                                             "nonsense",   "jump",    "drift", "dead_roll",
+                                             "dead_pitch", "dead_yaw"};
 
 template <size_t N>
 std::optional<int> find(const char* const (&names)[N], const std::string& name) {
@@ -40,10 +42,20 @@ std::optional<Fault> parseFault(const std::string& text) {
     if (!sensor || !kind || *kind == 0 || !from_s || !to_s || *to_s <= *from_s) return std::nullopt;
     const Fault fault = {static_cast<Faulty>(*sensor), static_cast<FaultKind>(*kind), *from_s,
                          *to_s};
-    // a receiver says nothing of what it hears, it is there or not
-    const bool radio = fault.sensor == Faulty::radio;
-    if (radio && fault.kind != FaultKind::lost) return std::nullopt;
+    if (!canFail(fault.sensor, fault.kind)) return std::nullopt;
     return fault;
+}
+
+// A receiver of the radio says nothing of what it hears, it is there or not.
+bool canFail(Faulty sensor, FaultKind kind) {
+    if (deadGyro(kind) >= 0) return sensor == Faulty::imu;
+    if (sensor == Faulty::gps) return kind != FaultKind::drift;
+    return sensor != Faulty::radio || kind == FaultKind::lost;
+}
+
+int deadGyro(FaultKind kind) {
+    const int axis = static_cast<int>(kind) - static_cast<int>(FaultKind::dead_roll);
+    return axis >= 0 && axis < 3 ? axis : -1;
 }
 
 double FaultyValue::of(double good, const FaultShape& shape, Random& random) {
@@ -57,6 +69,8 @@ double FaultyValue::of(double good, const FaultShape& shape, Random& random) {
             return shape.lowest + (shape.highest - shape.lowest) * random.uniform();
         case FaultKind::jump:
             return good + shape.jump;
+        case FaultKind::drift:
+            return good + shape.drift * for_s_;
         default:
             return good;
     }

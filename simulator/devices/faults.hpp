@@ -10,10 +10,22 @@
 
 namespace simulator {
 
-// jump: away from the truth by a constant, and believable in itself.
-enum class FaultKind { none, lost, stuck, noisy, nonsense, jump };
+// jump: away from the truth by a constant, and believable in itself; drift: ever farther from it;
+// dead: one gyro alone says the same for ever.
+enum class FaultKind {
+    none,
+    lost,
+    stuck,
+    noisy,
+    nonsense,
+    jump,
+    drift,
+    dead_roll,
+    dead_pitch,
+    dead_yaw
+};
 enum class Faulty { imu, barometer, airspeed, compass, gps, radio };
-constexpr int kFaulty = 6, kFaultKinds = 6;
+constexpr int kFaulty = 6, kFaultKinds = 10;
 
 const char* nameOf(Faulty sensor);
 const char* nameOf(FaultKind kind);
@@ -25,17 +37,24 @@ struct Fault {
 };
 std::optional<Fault> parseFault(const std::string& text);
 
-// What becomes of a quantity: noise and range are the failing sensor's, jump is what it is off by.
+bool canFail(Faulty sensor, FaultKind kind);
+// The gyro that is dead, about x, y or z; -1: none.
+int deadGyro(FaultKind kind);
+
+// What becomes of a quantity: noise and range are the failing sensor's, jump is what it is off by,
+// drift what it goes off by in a second.
 struct FaultShape {
-    double noise, lowest, highest, jump;
+    double noise, lowest, highest, jump, drift;
 };
-constexpr FaultShape kBarometerFaults = {300, 60'000, 110'000, 1200};  // Pa
+constexpr FaultShape kBarometerFaults = {300, 60'000, 110'000, 1200, 12};  // Pa
 class FaultyValue {
 public:
-    void fail(FaultKind kind) {
+    void fail(FaultKind kind, double for_s = 0) {
         if (kind != kind_) held_.reset();
         kind_ = kind;
+        for_s_ = for_s;
     }
+    double failing_s() const { return for_s_; }
     FaultKind kind() const { return kind_; }
     bool lost() const { return kind_ == FaultKind::lost; }
     // No random number is drawn in health: the flight until then stays the same.
@@ -43,6 +62,7 @@ public:
 
 private:
     FaultKind kind_ = FaultKind::none;
+    double for_s_ = 0;
     std::optional<double> held_;
 };
 

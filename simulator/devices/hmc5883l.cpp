@@ -135,8 +135,8 @@ void Hmc5883l::measure() {
     registers_[kStatus] |= kReady;
 }
 
-void Hmc5883l::fail(FaultKind kind) {
-    for (FaultyValue& fault : faults_) fault.fail(kind);
+void Hmc5883l::fail(FaultKind kind, double for_s) {
+    for (FaultyValue& fault : faults_) fault.fail(kind, for_s);
     unplug(kind == FaultKind::lost);
 }
 
@@ -158,7 +158,7 @@ std::array<double, 3> Hmc5883l::chipField_mg() {
         if (test == 1) chip[i] = bias_mg;
         if (test == 2) chip[i] = -bias_mg;
         chip[i] += errors_.compass_noise_mg * random_.normal();
-        if (test == 0) chip[i] = faults_[i].of(chip[i], {250, -900, 900, 0}, random_);
+        if (test == 0) chip[i] = faults_[i].of(chip[i], {250, -900, 900, 0, 5}, random_);
     }
     return chip;
 }

@@ -34,7 +34,7 @@ public:
     const std::array<double, 3>& offset_mg() const { return offset_mg_; }  // body axes
 
     void unplug(bool unplugged) { unplugged_ = unplugged; }
-    void fail(FaultKind kind);
+    void fail(FaultKind kind, double for_s = 0);
 
 private:
     void advance(uint64_t now_us);

@@ -197,7 +197,8 @@ void Mpu6000::filter(const Truth& truth, uint64_t now_us) {
     filtered_ = true;
 }
 
-void Mpu6000::fail(FaultKind kind, uint64_t now_us) {
+void Mpu6000::fail(FaultKind kind, uint64_t now_us, double for_s) {
+    failing_s_ = for_s;
     if (kind == fault_) return;
     if (kind == FaultKind::lost || fault_ == FaultKind::lost) powerOn(now_us);
     fault_ = kind;
@@ -211,7 +212,9 @@ double Mpu6000::asFailing(double counts) {
     return counts;
 }
 
+// A gyro that is dead goes on saying what it said last.
 void Mpu6000::measure(double throttle) {
+    constexpr double kDrift_rads2 = 0.1 * kRadians;  // 3 deg/s in half a minute
     if (fault_ == FaultKind::stuck) return;
     const double accel_deviation =
         kGravity_mss * combined(errors_.accel_noise_g, errors_.accel_vibration_g * throttle);
@@ -224,7 +227,10 @@ void Mpu6000::measure(double throttle) {
     const double per_rads = 131.2 / (1 << gyro_range) / kRadians;  // 16.4 at 2000 deg/s
     for (int axis = 0; axis < kAxes; ++axis) {
         const bool accel = axis < 3;
-        const double value = filtered_axes_[axis] * scale_[axis] + bias_[axis] +
+        if (!accel && deadGyro(fault_) == axis - 3) continue;
+        const bool drifts = !accel && fault_ == FaultKind::drift;
+        const double drift = drifts ? kDrift_rads2 * failing_s_ : 0;
+        const double value = filtered_axes_[axis] * scale_[axis] + bias_[axis] + drift +
                              (accel ? accel_deviation : gyro_deviation) * random_.normal();
         const int at = accel ? 2 * axis : 2 * axis + 2;
         putWord(&measured_[at], asFailing(value * (accel ? per_mss : per_rads)));

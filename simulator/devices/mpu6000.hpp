@@ -39,7 +39,7 @@ public:
     SampleCount samples() const { return count_; }
 
     // Lost, it has no supply: it answers nothing, and has forgotten everything when it is back.
-    void fail(FaultKind kind, uint64_t now_us);
+    void fail(FaultKind kind, uint64_t now_us, double for_s = 0);
 
 private:
     static constexpr int kRegisters = 128, kAxes = 6;  // accelerometer, then gyro, chip axes
@@ -71,6 +71,7 @@ private:
     uint64_t next_sample_us_ = UINT64_MAX, last_sample_us_ = 0;
     uint64_t pulse_end_us_ = UINT64_MAX;
     FaultKind fault_ = FaultKind::none;
+    double failing_s_ = 0;
     uint8_t address_ = 0;
     bool chosen_ = false, addressed_ = false, reading_ = false;
     bool pin_ = false, unread_ = false, waiting_ = false, filtered_ = false;

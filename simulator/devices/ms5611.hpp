@@ -24,7 +24,7 @@ public:
     // The air at its port from now on, and the chip's own temperature. World does that.
     void sense(double pressure_pa, double temperature_c);
 
-    void fail(FaultKind kind) { fault_.fail(kind); }
+    void fail(FaultKind kind, double for_s = 0) { fault_.fail(kind, for_s); }
 
     Prom& prom() { return prom_; }  // for tests to damage
     static uint8_t crc4(Prom prom);
