@@ -155,7 +155,7 @@ constexpr parameters::Row kRows[] = {
     P(136, "ALT_HOLD_RTL",      rtl_height_cm,                 10000,      -1,   100000),
     P(211, "RTL_AUTOLAND",      rtl_landing,                       0,       0,        2),
     P(209, "GLIDE_SLOPE_MIN",   glide_slope_min_m,                 0,       0,     1000),
-    P(226, "GLIDE_SLOPE_THR",   glide_slope_threshold_m,           5,       0,      100),
+    P(226, "GLIDE_SLOPE_THR",   glide_slope_threshold_m,          15,       0,      100),
     P(137, "TKOFF_THR_MAX",     takeoff_throttle_max_pct,        100,       0,      100),
     P(138, "TKOFF_THR_MINSPD",  takeoff_min_speed_mps,             0,       0,       30),
     P(139, "TKOFF_THR_MINACC",  takeoff_min_accel_mss,             0,       0,       30),

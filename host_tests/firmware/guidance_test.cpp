@@ -216,6 +216,7 @@ TEST_F(Guidance, begins_the_slope_anew_where_it_is_when_it_is_too_high_above_one
     demand(Path::leg);
     vehicle.demand.height_m = 180;
     vehicle.demand.sloped = true;
+    parameters.glide_slope_threshold_m = 5;
     const auto planned_m = [&](float north_m, float height_m) {
         place(north_m, 0);
         vehicle.estimate.height_m = height_m;
