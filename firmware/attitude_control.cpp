@@ -28,6 +28,10 @@ bool rolls;                                            // so, or on the way ther
 int16_t roll_limit, pitch_min, pitch_max, trim_pitch;  // of an Angle
 Deflection rudder_mix;
 
+// Gains cost much and change little: they are worked out when a parameter has, and once a second.
+constexpr uint8_t kGainsLast = 9;  // rounds of looks
+uint8_t gains_age, gains_changes;
+
 // Without a sensor the estimated airspeed serves: it is the cruise speed until the wind is known.
 void feelAir() {
     const auto& attitude = vehicle.attitude;
@@ -45,9 +49,16 @@ int16_t angle(int16_t cd) {
     return core::times14(cd, kPerCentidegree_turn);
 }
 
-void takeRoll() { roll_gains = control::rollGains(parameters.roll); }
-void takePitch() { pitch_gains = control::pitchGains(parameters.pitch); }
+void takeRoll() {
+    if (gains_age == 0) roll_gains = control::rollGains(parameters.roll);
+}
+void takePitch() {
+    if (gains_age == 0) pitch_gains = control::pitchGains(parameters.pitch);
+}
 void takeRest() {
+    const bool changed = parameter_changes != gains_changes;
+    gains_changes = parameter_changes;
+    gains_age = changed || gains_age == kGainsLast ? 0 : gains_age + 1;
     roll_limit = angle(parameters.roll_limit_cd);
     pitch_min = angle(parameters.pitch_min_cd);
     pitch_max = angle(parameters.pitch_max_cd);

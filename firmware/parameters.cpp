@@ -17,6 +17,7 @@
 namespace firmware {
 
 Parameters parameters;
+uint8_t parameter_changes;
 
 namespace {
 
@@ -284,6 +285,11 @@ void assignInitials() {
     for (uint8_t row = 0; row < table.count(); ++row) table.assignInitial(row);
 }
 
+void assign(uint8_t row, float value) {
+    table.assign(row, value);
+    ++parameter_changes;
+}
+
 // In range, and not without a meaning or a danger.
 bool takes(uint8_t row, float value) {
     constexpr uint8_t kFirstMode = 75, kLastMode = 81;  // slots of FLTMODE1 .. INITIAL_MODE
@@ -340,7 +346,7 @@ core::Status parameterSetAt(uint16_t index, float value) {
         const core::Status saved = parameters::save(table, row, value);
         if (saved != core::Status::ok) return saved;
     }
-    table.assign(row, value);
+    assign(row, value);
     return core::Status::ok;
 }
 
@@ -371,7 +377,7 @@ bool parameterSlotTakes(uint8_t slot, float value) {
 bool parameterSet(uint8_t slot, float value) {
     uint8_t row;
     if (!findTaker(slot, value, row)) return false;
-    table.assign(row, value);
+    assign(row, value);
     parameters::saveLater(row);
     return true;
 }

@@ -120,6 +120,7 @@ struct Parameters {
     int8_t fence_total, rally_total;  // what is stored, in the terms of FENCE_POINT, RALLY_POINT
 };
 extern Parameters parameters;
+extern uint8_t parameter_changes;  // counts what was set since the start, and wraps
 
 constexpr uint16_t kNoParameter = 0xFFFF;
 
