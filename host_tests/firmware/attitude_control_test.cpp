@@ -59,6 +59,25 @@ TEST_F(AttitudeControl, leaves_the_airplane_alone_in_manual) {
     EXPECT_EQ(surfaces.rudder, 0);
 }
 
+TEST_F(AttitudeControl, feels_a_gain_that_is_set_within_a_fifth_of_a_second) {
+    const char name[16] = "RLL2SRV_P";
+    uint16_t index;
+    ASSERT_TRUE(firmware::parameterFind(name, index));
+    firmware::setMode(Mode::fbwa, firmware::ModeReason::ground);
+    level(0.3f);
+    surfacesIn(Mode::fbwa, bench::kCentred);
+    for (int round = 0; round < 3; ++round) lookAround();  // and not because it is time to look
+    const float before = surfaces.aileron;
+    float value;
+    uint8_t type;
+    char read[16];
+    ASSERT_TRUE(firmware::parameterAt(index, read, value, type));
+    ASSERT_EQ(firmware::parameterSetAt(index, value * 1.5f), core::Status::ok);
+    lookAround();
+    lookAround();
+    EXPECT_LT(surfaces.aileron, before - 0.02f);
+}
+
 TEST_F(AttitudeControl, turns_back_to_level_and_damps) {
     firmware::setMode(Mode::fbwa, firmware::ModeReason::ground);
     level(0.3f, 0.2f);
