@@ -9,6 +9,7 @@
 
 #include <avr/interrupt.h>
 #include <avr/io.h>
+#include <string.h>
 
 #include "by_hand.hpp"
 #include "core/crc.hpp"
@@ -26,29 +27,47 @@ struct Usart {
     volatile uint8_t data, reserved2;
 };
 
-template <uint16_t rx_size, uint16_t tx_size>
-struct Channel {
-    core::Ring<rx_size> rx;
-    core::Ring<tx_size> tx;
-    uint16_t lost = 0;  // given, or it would be constructed at start
+// What the links send begins at a multiple of 256: an index into it is an address' lower byte.
+struct Lines {
+    core::Ring<128> first;
+    core::Ring<64> gps_rx;
+    core::Ring<32> gps_tx;
+    uint16_t lost[hal::kPorts];
+    uint8_t free[256 - 130 - 66 - 34 - 6];
+    core::Ring<128> second;
 };
+extern "C" Lines serialLines;  // in lines.S; not zeroed before the program begins
+static_assert(sizeof(Lines) == 386, "as lines.S has it");
+static_assert(hal::kPorts == 3, "each port has its rings");
 
-Channel<128, 128> links[2];
-Channel<64, 32> gps;
-static_assert(hal::kPorts == 3, "each port has its channel");
+core::Ring<128> received_bytes[2];  // of the links
 
+constexpr uint8_t kGps = static_cast<uint8_t>(hal::Port::gps);
+
+// Of a port known to the compiler.
 template <uint8_t port>
-struct ChannelOf {
-    static constexpr Channel<128, 128>& get() { return links[port / 2]; }
+struct RingsOf {
+    static core::Ring<128>& rx() { return received_bytes[port / 2]; }
+    static core::Ring<128>& tx() { return port == 0 ? serialLines.first : serialLines.second; }
 };
 template <>
-struct ChannelOf<static_cast<uint8_t>(hal::Port::gps)> {
-    static constexpr Channel<64, 32>& get() { return gps; }
+struct RingsOf<kGps> {
+    static core::Ring<64>& rx() { return serialLines.gps_rx; }
+    static core::Ring<32>& tx() { return serialLines.gps_tx; }
 };
 
+inline core::Ring<128>& sentOn(hal::Port link) {
+    return link == hal::Port::link0 ? serialLines.first : serialLines.second;
+}
+
 template <class Act>
-inline auto at(hal::Port port, Act act) {
-    return port == hal::Port::gps ? act(gps) : act(links[static_cast<uint8_t>(port) / 2]);
+inline auto atReceived(hal::Port port, Act act) {
+    return port == hal::Port::gps ? act(serialLines.gps_rx)
+                                  : act(received_bytes[static_cast<uint8_t>(port) / 2]);
+}
+template <class Act>
+inline auto atSent(hal::Port port, Act act) {
+    return port == hal::Port::gps ? act(serialLines.gps_tx) : act(sentOn(port));
 }
 
 constexpr uint8_t kReceiving = (1 << RXCIE0) | (1 << RXEN0) | (1 << TXEN0);
@@ -82,12 +101,11 @@ inline Usart& usart(uint8_t port) {
 //     avr::wake();  // but for the GPS
 template <uint8_t port>
 inline __attribute__((always_inline)) void received() {
-    auto& channel = ChannelOf<port>::get();
-    constexpr bool kGps = port == static_cast<uint8_t>(hal::Port::gps);
-    using Ring = core::Ring<kGps ? 64 : 128>;
-    static_assert(sizeof(Ring) == sizeof(channel.rx) && sizeof(Ring) == Ring::kTailAt + 1,
+    auto& rx = RingsOf<port>::rx();
+    using Ring = core::Ring<port == kGps ? 64 : 128>;
+    static_assert(sizeof(Ring) == sizeof(rx) && sizeof(Ring) == Ring::kTailAt + 1,
                   "bytes, indices");
-    const uint8_t* const ring = reinterpret_cast<const uint8_t*>(&channel.rx);
+    const uint8_t* const ring = reinterpret_cast<const uint8_t*>(&rx);
     __asm__ volatile(
         BY_HAND_ENTRY
         "out  %[kept_r24], r24           \n"
@@ -123,35 +141,33 @@ inline __attribute__((always_inline)) void received() {
         // clang-format on
         :
         : [bytes] "i"(ring), [head] "i"(ring + Ring::kHeadAt), [tail] "i"(ring + Ring::kTailAt),
-          [lost] "i"(&channel.lost), [sleep] "I"(_SFR_IO_ADDR(SMCR)), [wakes] "i"(!kGps),
-          [data] "i"(&usart(port).data), [status] "i"(&usart(port).status),
-          [mask] "M"(static_cast<int>(Ring::kHeadAt - 1)), [overrun] "M"(DOR0), BY_HAND_KEPT);
+          [lost] "i"(&serialLines.lost[port]), [sleep] "I"(_SFR_IO_ADDR(SMCR)),
+          [wakes] "i"(port != kGps), [data] "i"(&usart(port).data),
+          [status] "i"(&usart(port).status), [mask] "M"(static_cast<int>(Ring::kHeadAt - 1)),
+          [overrun] "M"(DOR0), BY_HAND_KEPT);
 }
 
-// 39 cycles with entry and exit, compiled 70. Does
-//     if (tx.take(byte)) usart.data = byte; else usart.control = kReceiving;
+// 36 cycles with entry and exit, compiled 70. Where the bytes begin at a multiple of 256 it does
+//     if (tx.take(byte)) usart.data = byte;
+//     if (tx.empty()) usart.control = kReceiving;
+// It does not ask whether there is a byte: see startSending.
 template <uint8_t port>
 inline __attribute__((always_inline)) void send() {
-    auto& tx = ChannelOf<port>::get().tx;
-    using Ring = core::Ring<port == static_cast<uint8_t>(hal::Port::gps) ? 32 : 128>;
-    static_assert(sizeof(Ring) == sizeof(tx) && sizeof(Ring) == Ring::kTailAt + 1,
-                  "bytes, indices");
-    const uint8_t* const ring = reinterpret_cast<const uint8_t*>(&tx);
+    using Ring = core::Ring<128>;
+    const uint8_t* const ring = reinterpret_cast<const uint8_t*>(&RingsOf<port>::tx());
+    static_assert(sizeof(Ring) == Ring::kTailAt + 1, "bytes, indices");
     __asm__ volatile(
         BY_HAND_ENTRY
         "lds  r30, %[tail]               \n"
+        "ldi  r31, hi8(%[bytes])         \n"
+        "ld   r31, Z                     \n"
+        "sts  %[data], r31               \n"
+        "inc  r30                        \n"
+        "andi r30, %[mask]               \n"
+        "sts  %[tail], r30               \n"
         "lds  r31, %[head]               \n"
         "cp   r31, r30                   \n"
         "breq 1f                         \n"
-        "mov  r31, r30                   \n"
-        "inc  r31                        \n"
-        "andi r31, %[mask]               \n"
-        "sts  %[tail], r31               \n"
-        "ldi  r31, 0                     \n"
-        "subi r30, lo8(-(%[bytes]))      \n"
-        "sbci r31, hi8(-(%[bytes]))      \n"
-        "ld   r30, Z                     \n"
-        "sts  %[data], r30               \n"
         "0:                              \n" BY_HAND_EXIT
         "1:                              \n"
         "ldi  r30, %[receiving]          \n"
@@ -213,6 +229,14 @@ inline __attribute__((always_inline)) void copySummed(uint8_t* to, const uint8_t
         : "r0", "memory");
 }
 
+// While its interrupt is on there is a byte to send: it ends itself with the last one, which may
+// have gone out before this is called.
+template <class Ring>
+inline void startSending(hal::Port port, const Ring& tx) {
+    const hal::Locked locked;
+    if (!tx.empty()) usart(static_cast<uint8_t>(port)).control = kSendingToo;
+}
+
 // The line's bit in units of 8 cycles, the double-speed mode's step. Where it is even the normal
 // mode gives the same rate and samples every bit twice as often.
 struct Divider {
@@ -236,13 +260,20 @@ ISR(USART0_RX_vect, ISR_NAKED) { received<0>(); }
 ISR(USART1_RX_vect, ISR_NAKED) { received<1>(); }
 ISR(LINK1_RECEIVED_vect, ISR_NAKED) { received<2>(); }
 ISR(USART0_UDRE_vect, ISR_NAKED) { send<0>(); }
-ISR(USART1_UDRE_vect, ISR_NAKED) { send<1>(); }
+ISR(USART1_UDRE_vect) {  // the GPS is told little
+    uint8_t byte;
+    if (serialLines.gps_tx.take(byte))
+        usart(kGps).data = byte;
+    else
+        usart(kGps).control = kReceiving;
+}
 ISR(LINK1_EMPTY_vect, ISR_NAKED) { send<2>(); }
 
 namespace avr {
 
 // An open receive pin picks up what its neighbour sends.
 void serialStart() {
+    memset(&serialLines, 0, sizeof serialLines);
     Pin<PortE, 0>::high();
     Pin<PortD, 2>::high();
     wiring::Link1Receive::high();
@@ -258,10 +289,8 @@ void serialOpen(Port port, uint32_t baud) {
     Usart& line = usart(static_cast<uint8_t>(port));
     Locked locked;
     line.control = 0;  // also empties the receiver
-    at(port, [](auto& channel) {
-        channel.rx.clear();
-        channel.tx.clear();
-    });
+    atReceived(port, [](auto& rx) { rx.clear(); });
+    atSent(port, [](auto& tx) { tx.clear(); });
     line.status = divider.status;
     line.divider = divider.divider;
     line.format = (1 << UCSZ01) | (1 << UCSZ00);
@@ -269,26 +298,25 @@ void serialOpen(Port port, uint32_t baud) {
 }
 
 uint8_t serialAvailable(Port port) {
-    return at(port, [](auto& channel) { return channel.rx.used(); });
+    return atReceived(port, [](auto& rx) { return rx.used(); });
 }
 bool serialRead(Port port, uint8_t& byte) {
-    return at(port, [&byte](auto& channel) { return channel.rx.take(byte); });
+    return atReceived(port, [&byte](auto& rx) { return rx.take(byte); });
 }
 uint8_t serialRoom(Port port) {
-    return at(port, [](auto& channel) { return channel.tx.room(); });
+    return atSent(port, [](auto& tx) { return tx.room(); });
 }
 
 bool serialWrite(Port port, const void* bytes, uint8_t size) {
-    if (!at(port, [=](auto& channel) { return channel.tx.put(bytes, size); })) return false;
-    usart(static_cast<uint8_t>(port)).control = kSendingToo;
+    if (!atSent(port, [=](auto& tx) { return tx.put(bytes, size); })) return false;
+    atSent(port, [=](auto& tx) { startSending(port, tx); });
     return true;
 }
 
 void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t crc, uint8_t extra) {
-    const bool first = link == Port::link0;
-    auto* channel = links + (first ? 0 : 1);
-    __asm__("" : "+r"(channel));  // or it is worked out again wherever it is used
-    core::Ring<128>& tx = channel->tx;
+    core::Ring<128>* ring = &sentOn(link);
+    __asm__("" : "+r"(ring));  // or it is worked out again wherever it is used
+    core::Ring<128>& tx = *ring;
     uint8_t checksum[2];
     const uint8_t* from = head.bytes;
     uint8_t size = head.size;
@@ -312,16 +340,12 @@ void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t cr
             break;
         }
     }
-    if (first) {
-        usart(static_cast<uint8_t>(Port::link0)).control = kSendingToo;
-    } else {
-        usart(static_cast<uint8_t>(Port::link1)).control = kSendingToo;
-    }
+    startSending(link, tx);
 }
 
 uint16_t serialLost(Port port) {
     Locked locked;
-    return at(port, [](auto& channel) { return channel.lost; });
+    return serialLines.lost[static_cast<uint8_t>(port)];
 }
 
 bool usbConnected() { return !wiring::UsbSense::isHigh(); }

@@ -12,10 +12,14 @@ link_libraries(m)
 
 # Float arithmetic of our own instead of the library's, in every program for the chip.
 enable_language(ASM)
-file(GLOB arithmetic CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/arithmetic/*.S)
+file(GLOB arithmetic CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/arithmetic/*.S
+     ${CMAKE_SOURCE_DIR}/hal_avr/*.S)
 set_source_files_properties(${arithmetic} PROPERTIES COMPILE_OPTIONS "-mmcu=atmega2560;-mrelax")
 add_library(arithmetic OBJECT ${arithmetic})
 link_libraries($<TARGET_OBJECTS:arithmetic>)
+
+# The lines' rings first (hal_avr/lines.S), then everything else.
+add_link_options(-Wl,--section-start=.lines=0x800200 -Wl,--section-start=.data=0x800382)
 
 # What no control loop waits for is made small, not fast; what comes by wire as well, but for each
 # of its bytes.

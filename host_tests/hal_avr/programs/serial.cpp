@@ -38,6 +38,14 @@ static void writesAllOrNothing() {
     report(7, hal::serialRoom(Port::link1));
 }
 
+// As when the last byte has gone out before the interrupt is switched on for it.
+static void startsWithNothingToSend() {
+    wait_ms(20);
+    report(10, hal::serialWrite(Port::link1, nullptr, 0));
+    wait_ms(20);
+    report(11, hal::serialRoom(Port::link1));
+}
+
 int main() {
     board::start();
     report(0x20, hal::usbConnected());
@@ -62,6 +70,7 @@ int main() {
     wait_ms(20);
     report(0x22, hal::serialLost(Port::link1));
     writesAllOrNothing();
+    startsWithNothingToSend();
     hal::serialOpen(Port::link0, 57600);
     report(8, hal::serialAvailable(Port::link0));
     echoFor(100);
