@@ -317,29 +317,22 @@ void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t cr
     core::Ring<128>* ring = &sentOn(link);
     __asm__("" : "+r"(ring));  // or it is worked out again wherever it is used
     core::Ring<128>& tx = *ring;
-    uint8_t checksum[2];
     const uint8_t* from = head.bytes;
     uint8_t size = head.size;
-    for (uint8_t piece = 0;; ++piece) {
+    for (bool is_body = false;; is_body = true) {
         for (uint8_t run = tx.runOf(size);; run = size) {
             copySummed(tx.end(), from, run, crc);
             tx.added(run);
             if (run == size) break;
             size = static_cast<uint8_t>(size - run);
         }
-        if (piece == 0) {
-            from = body.bytes;
-            size = body.size;
-        } else if (piece == 1) {
-            crc = core::crc16(crc, extra);
-            checksum[0] = static_cast<uint8_t>(crc);
-            checksum[1] = static_cast<uint8_t>(crc >> 8);
-            from = checksum;
-            size = sizeof checksum;
-        } else {
-            break;
-        }
+        if (is_body) break;
+        from = body.bytes;
+        size = body.size;
     }
+    crc = core::crc16(crc, extra);
+    tx.add(static_cast<uint8_t>(crc));
+    tx.add(static_cast<uint8_t>(crc >> 8));
     startSending(link, tx);
 }
 

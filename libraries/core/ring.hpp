@@ -40,6 +40,10 @@ public:
     uint8_t* end() { return bytes_ + head_; }
     uint8_t* begin() { return bytes_; }
     void added(uint8_t count) { hand(head_, (head_ + count) & kMask); }
+    void add(uint8_t byte) {
+        bytes_[head_] = byte;
+        added(1);
+    }
 
     bool take(uint8_t& byte) {
         const uint8_t tail = tail_;
