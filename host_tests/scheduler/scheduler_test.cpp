@@ -79,31 +79,27 @@ TEST_F(Schedule, tasks_run_at_their_period_in_their_phase) {
     EXPECT_EQ(medium.frames, (Frames{3, 13}));
     EXPECT_EQ(fifth.frames, (Frames{3, 8, 13, 18}));
     EXPECT_EQ(slow.frames, (Frames{7}));
-    EXPECT_EQ(schedule.deferrals(), 0);
 }
 
-TEST_F(Schedule, a_task_over_its_budget_is_counted_and_its_longest_time_kept) {
+TEST_F(Schedule, the_longest_time_of_a_task_is_kept) {
     fifth.spends_us = 3001;
     runFrames(10);
     fifth.spends_us = 700;
     runFrames(5);
 
-    EXPECT_EQ(schedule.overruns(), 2);
     EXPECT_EQ(schedule.longest_us(2), 3001);
     EXPECT_EQ(schedule.longest_us(0), 0);
 }
 
-TEST_F(Schedule, a_lower_task_that_does_not_fit_waits_for_a_later_frame_and_is_counted) {
+TEST_F(Schedule, a_lower_task_that_does_not_fit_waits_for_a_later_frame) {
     fast.spends_us = 4000;
     slow.spends_us = 1001;  // leaves 4999 us: the twin's budget does not fit
     runFrames(8);
     EXPECT_EQ(slow.frames, (Frames{7}));
     EXPECT_TRUE(twin.frames.empty());
-    EXPECT_EQ(schedule.deferrals(), 1);
 
     runFrames(1);
     EXPECT_EQ(twin.frames, (Frames{8}));
-    EXPECT_EQ(schedule.deferrals(), 1);
     EXPECT_EQ(schedule.lateFrames(), 0);
 }
 
@@ -135,7 +131,6 @@ TEST_F(Schedule, a_frame_that_begins_late_has_less_room) {
 
     EXPECT_TRUE(medium.frames.empty());
     EXPECT_EQ(fast.frames.size(), 4u);
-    EXPECT_EQ(schedule.deferrals(), 2);
 }
 
 TEST_F(Schedule,
@@ -167,7 +162,6 @@ TEST_F(Schedule, a_task_runs_at_last_even_when_the_fast_tier_leaves_no_room) {
 
     EXPECT_EQ(medium.frames, (Frames{13, 33}));
     EXPECT_EQ(slow.frames, (Frames{17}));
-    EXPECT_GT(schedule.deferrals(), 20);
 }
 
 TEST_F(Schedule, a_frame_past_its_period_is_counted) {

@@ -120,8 +120,6 @@ public:
 
     uint16_t longest_us(uint8_t task) const { return longest_[task] / hal::kTicksPerUs; }
     uint16_t longestFrame_us() const { return longest_frame_us_; }  // since it was due
-    uint16_t overruns() const { return overruns_; }       // a task took longer than its budget
-    uint16_t deferrals() const { return deferrals_; }     // a task was put off by a frame
     uint16_t lateFrames() const { return late_frames_; }  // a frame ended after the next was due
     uint32_t busy_us() const { return busy_us_; }         // in frames since start, wraps
 
@@ -162,10 +160,7 @@ private:
         const uint16_t budget_us = core::romRead(task.budget_us);
         const uint16_t spent = now_ - began_;
         const bool fits = spent <= room_ && ticks(budget_us) <= room_ - spent;
-        if (!fits && wait_[i] > -kPatience) {
-            countUp(deferrals_);
-            return;
-        }
+        if (!fits && wait_[i] > -kPatience) return;
         const uint8_t period = core::romRead(task.period);
         do wait_[i] += period;  // from when it was due, not from now: the phase is kept
         while (wait_[i] <= 0);
@@ -181,7 +176,6 @@ private:
         const uint16_t taken = ended - now_;
         now_ = ended;
         if (taken > longest_[i]) longest_[i] = taken;
-        if (taken > ticks(core::romRead(task.budget_us))) countUp(overruns_);
     }
 
     const Task (&tasks_)[N];
@@ -192,7 +186,7 @@ private:
     uint16_t longest_[N] = {};  // in ticks, as the next three
     uint16_t began_ = 0, now_ = 0;
     uint16_t room_ = 0;  // that the frame had when it began
-    uint16_t overruns_ = 0, deferrals_ = 0, late_frames_ = 0;
+    uint16_t late_frames_ = 0;
     uint16_t longest_frame_us_ = 0;
     uint32_t busy_us_ = 0;
 };
