@@ -123,3 +123,27 @@ test('the chip\'s registers are not moved away from each other', () => {
 
   assert.deepEqual(all.f1.slice(1, 3), ['sts 96,r18', 'sts 96,r19']);
 });
+
+// What a function with three registers to keep and `frame` bytes on the stack looks like.
+const called = (frame, ends, ...body) => ['\t.section\t.text.f,"ax",@progbits', 'f:', `\tldi r26,lo8(${frame})`, '\tldi r27,0', '\tldi r30,lo8(gs(1f))', '\tldi r31,hi8(gs(1f))',
+  '\tjmp __prologue_saves__+((18 - 3) * 2)', '1:', ...body.map((step) => `\t${step}`), ...ends.map((step) => `\t${step}`), '\tldi r30, lo8(3)', '\tjmp __epilogue_restores__ + ((18 - 3) * 2)', '\t.size\tf, .-f'].join('\n');
+const savingPace = (text) => outlined(text, pacesIn('stays f\nsaves f\n')).f;
+
+test('what saves keeps its registers itself, and Y only where it uses it', () => {
+  assert.deepEqual(savingPace(called(0, ['in r28,__SP_L__', 'in r29,__SP_H__'], 'mov r17,r24', 'call g')),
+    ['push r17', 'mov r17,r24', 'call g', 'pop r17', 'ret']);
+  assert.deepEqual(savingPace(called(0, ['in r28,__SP_L__', 'in r29,__SP_H__'], 'mov r28,r24', 'call g')),
+    ['push r17', 'push r28', 'push r29', 'mov r28,r24', 'call g', 'pop r29', 'pop r28', 'pop r17', 'ret']);
+});
+
+test('what saves makes its frame and takes it away with interrupts off in between', () => {
+  const set = ['in __tmp_reg__,__SREG__', 'cli', 'out __SP_H__,r29', 'out __SREG__,__tmp_reg__', 'out __SP_L__,r28'];
+
+  assert.deepEqual(savingPace(called(12, ['adiw r28,12'], 'std Y+1,r24')),
+    ['push r17', 'push r28', 'push r29', 'in r28,__SP_L__', 'in r29,__SP_H__', 'sbiw r28,12', ...set, 'std Y+1,r24', 'adiw r28,12', ...set, 'pop r29', 'pop r28', 'pop r17', 'ret']);
+});
+
+test('a frame of another form is left to the library', () => {
+  for (const text of [called(64, ['adiw r28,63', 'adiw r28,1'], 'nop'), called(0, [], 'nop'), called(12, ['adiw r28,11'], 'nop')])
+    assert.ok(savingPace(text).some((step) => step.startsWith('jmp __prologue_saves__')), text);
+});

@@ -6,6 +6,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 
 import { readCode } from './code.mjs';
 import { shortenCalls } from './near.mjs';
+import { saveInPlace } from './saves.mjs';
 import { shareRepeats } from './search.mjs';
 
 // One that goes on in another lies before it, when no other does, and needs no jump.
@@ -37,7 +38,7 @@ function linesOf(chain) {
 // What stands in a line that began a run, or '' where one was cut out; then the fragments near
 // the functions that use them.
 export function outline(text, paceOf) {
-  const lines = text.split('\n');
+  const lines = saveInPlace(text.split('\n'), paceOf.saves ?? (() => false));
   const before = readCode(lines, paceOf);
   const { steps, fragments } = shareRepeats(before);
   for (const step of before) if (step) lines[step.line] = '';
@@ -61,12 +62,13 @@ function pattern(name) {
 }
 
 // One name a line, of functions or what they are in: nothing moves of what stays, of what hurries
-// only what costs a jump.
+// only what costs a jump; what saves keeps its registers without help.
 export function pacesIn(text) {
   const rows = text.split('\n').filter((line) => line && !line.startsWith('#')).map((line) => line.split(' '));
   const any = (pace) => new RegExp(rows.filter((row) => row[0] === pace).map((row) => pattern(row[1])).join('|') || '$^');
-  const stays = any('stays'), hurries = any('hurries');
-  return (name) => (stays.test(name) ? 'stays' : hurries.test(name) ? 'hurries' : '');
+  const stays = any('stays'), hurries = any('hurries'), saves = any('saves');
+  const paceOf = (name) => (stays.test(name) ? 'stays' : hurries.test(name) ? 'hurries' : '');
+  return Object.assign(paceOf, { saves: (name) => saves.test(name) });
 }
 
 if (process.argv[1]?.endsWith('outline.mjs')) {
