@@ -6,7 +6,6 @@
 #include <avr/io.h>
 #include <string.h>
 
-#include "hal/clock.hpp"
 #include "hal/interrupts.hpp"
 #include "hal/rc_input.hpp"
 #include "start.hpp"
@@ -24,11 +23,9 @@ constexpr uint8_t kFewestChannels = 5;
 // Overflows of the timer since an edge. An edge just after an overflow whose interrupt has still
 // to run begins one below 0, so that it counts from 0 on.
 constexpr uint8_t kOwnOverflow = 0xFF;
-constexpr uint8_t kManyOverflows = 0xF0;  // the count stays here
+constexpr uint8_t kManyOverflows = 0xF0;  // the count stays here, 7.9 s
 
 constexpr uint8_t kNotInFrame = 0xFF;  // until the next gap
-
-constexpr uint32_t kForgotten_us = 0x7FFFFFFF;  // long before the clock has come round
 
 struct {
     uint16_t frames[2][hal::kRcChannels];
@@ -36,14 +33,21 @@ struct {
     uint8_t edge_overflows;  // of the timer since that edge, see kOwnOverflow
     uint8_t channel;         // the next to come
     uint8_t filling;         // which of the frames
-    bool fresh, received;
-    uint32_t received_us;
+    bool fresh;
+    uint16_t received;  // the edge that ended the newest frame
+    uint8_t received_overflows;
 } ppm;
 
-inline void accept() {
+// Calls nothing: with a call in it an interrupt saves every register.
+inline __attribute__((always_inline)) void accept() {
     ppm.filling ^= 1;
-    ppm.fresh = ppm.received = true;
-    ppm.received_us = hal::now_us();
+    ppm.fresh = true;
+    ppm.received = ppm.edge;
+    ppm.received_overflows = ppm.edge_overflows;
+}
+
+inline bool overflowPending(uint16_t count) {
+    return (avr::interruptFlags(wiring::kClockTimer) & (1 << TOV1)) && count < 0x8000;
 }
 
 inline void gap() {
@@ -71,8 +75,7 @@ inline void pulse(uint16_t width) {
 
 ISR(CLOCK_CAPTURE_vect) {
     const uint16_t edge = avr::timer<wiring::kClockTimer>().capture;
-    const bool overflow_pending =
-        (avr::interruptFlags(wiring::kClockTimer) & (1 << TOV1)) && edge < 0x8000;
+    const bool overflow_pending = overflowPending(edge);
     const uint16_t width = edge - ppm.edge;
     const uint8_t overflows = static_cast<uint8_t>(ppm.edge_overflows + overflow_pending);
     const bool too_long = overflows > 1 || (overflows == 1 && edge >= ppm.edge);
@@ -89,12 +92,14 @@ namespace avr {
 
 void ppmTick() {
     if (ppm.edge_overflows != kManyOverflows) ++ppm.edge_overflows;
+    if (ppm.received_overflows != kManyOverflows) ++ppm.received_overflows;
 }
 
 void ppmStart() {
     // a level counts when seen four cycles running
     timer<wiring::kClockTimer>().control_b |= (1 << ICNC1) | (1 << ICES1);
     ppm.channel = kNotInFrame;
+    ppm.received_overflows = kManyOverflows;
     interruptFlags(wiring::kClockTimer) = 1 << ICF1;
     interruptMask(wiring::kClockTimer) |= 1 << ICIE1;
 }
@@ -117,10 +122,12 @@ bool rcRead(uint16_t (&pulse_us)[kRcChannels]) {
 uint16_t rcPulse_us(uint8_t channel) { return ppm.frames[ppm.filling ^ 1][channel] / 2; }
 
 uint32_t rcAge_us() {
-    Locked locked;
-    const uint32_t age_us = now_us() - ppm.received_us;
-    if (age_us > kForgotten_us) ppm.received = false;
-    return ppm.received ? age_us : UINT32_MAX;
+    const Locked locked;
+    const uint16_t count = avr::timer<wiring::kClockTimer>().count;
+    uint8_t overflows = ppm.received_overflows;
+    if (overflows == kManyOverflows) return UINT32_MAX;
+    if (overflowPending(count)) ++overflows;
+    return ((static_cast<uint32_t>(overflows) << 16) + count - ppm.received) / 2;
 }
 
 }  // namespace hal

@@ -8,13 +8,15 @@
 
 #include "board.hpp"
 #include "by_hand.hpp"
+#include "start.hpp"
 #include "wiring.hpp"
 
 // Flat: with a call in it an interrupt saves every register.
 extern "C" __attribute__((signal, used, flatten)) void __vector_of_other_sets();
-void __vector_of_other_sets() { board::Converter::beginSet(); }
-extern "C" __attribute__((signal, used, flatten)) void __vector_of_other_pairs();
-void __vector_of_other_pairs() { board::Converter::onSent(); }
+void __vector_of_other_sets() {
+    board::Converter::beginSet();
+    avr::wake();
+}
 
 namespace {
 
@@ -22,13 +24,14 @@ using Converter = board::Converter;
 using State = Converter::State;
 const uint8_t* const state = reinterpret_cast<const uint8_t*>(&Converter::state_);
 
-static_assert(Converter::kAirspeedEvery == 4, "which is two bits of the count below");
+static_assert((Converter::kAirspeedEvery & (Converter::kAirspeedEvery - 1)) == 0,
+              "bits of the count below");
 
 }  // namespace
 
 // Both by hand, as the pairs come 6,000 times a second: 62 cycles with entry and exit, and the sets
-// 79, compiled twice that. They do Converter::onSent() and beginSet() but where the airspeed is
-// asked for or something begins, ends or is wrong.
+// 84, compiled twice that. They do Converter::onSent() and beginSet(), the latter but where
+// something begins, ends or is wrong.
 // clang-format off
 #define PAIR_ENTRY                       \
     BY_HAND_ENTRY                        \
@@ -47,10 +50,10 @@ static_assert(Converter::kAirspeedEvery == 4, "which is two bits of the count be
     "rjmp 2b                         \n"
 #define PAIR_OPERANDS                                                                          \
     [asked] "i"(state + offsetof(State, asked)), [high] "i"(state + offsetof(State, high)),    \
-    [spoiled] "i"(state + offsetof(State, spoiled)), [gap] "M"(int{Converter::kGap}),          \
-    [last] "M"(int{Converter::kLast}), [rest] "M"(int{Converter::kRest}), [data] "i"(&UDR2),   \
-    [control] "i"(&UCSR2B), BY_HAND_KEPT
-// clang-format on
+    [spoiled] "i"(state + offsetof(State, spoiled)), [data] "i"(&UDR2),                        \
+    [control] "i"(&UCSR2B), [ask] "M"(int{Converter::kAsk}),                                   \
+    [airspeed] "M"(int{Converter::kAirspeed}), [last] "M"(int{Converter::kLast}),              \
+    [rest] "M"(int{Converter::kRest}), BY_HAND_KEPT
 
 ISR(TIMER2_COMPA_vect, ISR_NAKED) {
     __asm__ volatile(
@@ -66,13 +69,18 @@ ISR(TIMER2_COMPA_vect, ISR_NAKED) {
         "brsh 4f                         \n"
         "inc  r30                        \n"
         "sts  %[sets], r30               \n"
+        "cpi  r30, %[due]                \n"
+        "brne 0f                         \n"
+        "ldi  r31, 0                     \n"  // avr::wake(): a frame is due
+        "out  %[sleep], r31              \n"
+        "0:                              \n"
         "lds  r24, %[data]               \n"
         "ldi  r31, 1 << %[ended]         \n"
         "sts  %[status], r31             \n"
         "ldi  r31, %[waking]             \n"
         "sts  %[control], r31            \n"
         "ldi  r31, %[ask]                \n"
-        "andi r30, 3                     \n"
+        "andi r30, %[every] - 1          \n"
         "brne 1f                         \n"
         "ldi  r31, %[airspeed]           \n"
         "1:                              \n"
@@ -90,60 +98,78 @@ ISR(TIMER2_COMPA_vect, ISR_NAKED) {
         "lds  r25, %[data]               \n"
         "sts  %[high], r25               \n"
         "cpi  r24, 0x10                  \n"
-        "brsh 3f                         \n" PAIR_EXIT
-        "4:                              \n" PAIR_UNDO BY_HAND_UNDO
+        "brsh 3f                         \n"
+        PAIR_EXIT
+        "4:                              \n"
+        PAIR_UNDO
+        BY_HAND_UNDO
         "jmp  __vector_of_other_sets     \n"
         :
         : [sum] "i"(state + offsetof(State, sum) + 2 * drivers::Ads7844Sums::rate_x),
           [sets] "i"(state + offsetof(State, sets)), [full] "M"(int{Converter::kFull}),
-          [ask] "M"(int{Converter::kAsk}), [airspeed] "M"(int{Converter::kAirspeed}),
-          [status] "i"(&UCSR2A), [ended] "M"(TXC2), [waking] "M"(int{board::ConverterBus::kWaking}),
-          PAIR_OPERANDS);
+          [every] "M"(int{Converter::kAirspeedEvery}), [due] "M"(int{board::Inertial::kUsual}),
+          [sleep] "I"(_SFR_IO_ADDR(SMCR)), [status] "i"(&UCSR2A), [ended] "M"(TXC2),
+          [waking] "M"(int{board::ConverterBus::kWaking}), PAIR_OPERANDS);
 }
 
 ISR(USART2_TX_vect, ISR_NAKED) {
-    __asm__ volatile(PAIR_ENTRY
-                     "lds  r30, %[asked]              \n"
-                     "subi r30, 0xFE                  \n"
-                     "cpi  r30, %[gap]                \n"
-                     "brsh 4f                         \n"
-                     "lds  r24, %[data]               \n"
-                     "sts  %[data], r30               \n"
-                     "sts  %[asked], r30              \n"
-                     "ldi  r31, %[rest]               \n"
-                     "sts  %[data], r31               \n"
-                     "1:                              \n"
-                     "ldi  r31, 0                     \n"
-                     "subi r30, lo8(-(%[sums]))       \n"
-                     "sbci r31, hi8(-(%[sums]))       \n"
-                     "ld   r25, Z                     \n"
-                     "add  r25, r24                   \n"
-                     "st   Z, r25                     \n"
-                     "lds  r24, %[high]               \n"
-                     "ldd  r25, Z+1                   \n"
-                     "adc  r25, r24                   \n"
-                     "std  Z+1, r25                   \n"
-                     "lds  r25, %[data]               \n"
-                     "sts  %[high], r25               \n"
-                     "cpi  r24, 0x10                  \n"
-                     "brsh 3f                         \n" PAIR_EXIT
-                     "4:                              \n"
-                     "brne 5f                         \n"
-                     "lds  r24, %[data]               \n"
-                     "ldi  r31, %[last]               \n"
-                     "sts  %[data], r31               \n"
-                     "sts  %[asked], r31              \n"
-                     "ldi  r31, %[rest]               \n"
-                     "sts  %[data], r31               \n"
-                     "ldi  r31, %[resting]            \n"
-                     "sts  %[control], r31            \n"
-                     "rjmp 1b                         \n"
-                     "5:                              \n" PAIR_UNDO BY_HAND_UNDO
-                     "jmp  __vector_of_other_pairs    \n"
-                     :
-                     : [sums] "i"(state + offsetof(State, sum) - (Converter::kAsk + 2)),
-                       [resting] "M"(int{board::ConverterBus::kResting}), PAIR_OPERANDS);
+    __asm__ volatile(
+        PAIR_ENTRY
+        "lds  r30, %[asked]              \n"
+        "lds  r24, %[data]               \n"
+        "subi r30, 0xFE                  \n"
+        "cpi  r30, %[gap]                \n"
+        "brsh 4f                         \n"
+        "sts  %[data], r30               \n"
+        "sts  %[asked], r30              \n"
+        "1:                              \n"
+        "ldi  r31, %[rest]               \n"
+        "sts  %[data], r31               \n"
+        "ldi  r31, 0                     \n"
+        "subi r30, lo8(-(%[sums]))       \n"
+        "sbci r31, hi8(-(%[sums]))       \n"
+        "ld   r25, Z                     \n"
+        "add  r25, r24                   \n"
+        "st   Z, r25                     \n"
+        "lds  r24, %[high]               \n"
+        "ldd  r25, Z+1                   \n"
+        "adc  r25, r24                   \n"
+        "std  Z+1, r25                   \n"
+        "lds  r25, %[data]               \n"
+        "sts  %[high], r25               \n"
+        "cpi  r24, 0x10                  \n"
+        "brsh 3f                         \n"
+        PAIR_EXIT
+        "4:                              \n"
+        "brne 5f                         \n"
+        "ldi  r25, %[resting]            \n"
+        "sts  %[control], r25            \n"
+        "ldi  r25, %[last]               \n"
+        "rjmp 7f                         \n"
+        "5:                              \n"
+        "cpi  r30, %[airspeed] + 2       \n"
+        "brne 6f                         \n"
+        "ldi  r30, %[ask] + 2            \n"
+        "ldi  r25, %[after]              \n"
+        "rjmp 7f                         \n"
+        "6:                              \n"
+        "ldi  r30, %[airspeed]           \n"
+        "lds  r25, %[airspeeds]          \n"
+        "inc  r25                        \n"
+        "sts  %[airspeeds], r25          \n"
+        "ldi  r25, %[ask] + 2            \n"
+        "7:                              \n"
+        "sts  %[asked], r25              \n"
+        "andi r25, 0x1F                  \n"
+        "sts  %[data], r25               \n"
+        "rjmp 1b                         \n"
+        :
+        : [sums] "i"(state + offsetof(State, sum) - (Converter::kAsk + 2)),
+          [airspeeds] "i"(state + offsetof(State, airspeeds)), [gap] "M"(int{Converter::kGap}),
+          [after] "M"(int{Converter::kAfterAirspeed}),
+          [resting] "M"(int{board::ConverterBus::kResting}), PAIR_OPERANDS);
 }
+// clang-format on
 
 namespace board {
 
