@@ -69,13 +69,24 @@ struct FlashSpi0 {
         SPCR = (1 << SPE) | (1 << MSTR) | (1 << CPOL) | (1 << CPHA);
         SPSR = 1 << SPI2X;
     }
+    // The next byte is fetched, the last one stored, while one is on its way.
     static void send(const uint8_t* bytes, uint8_t size) {
-        do Spi0::transfer(*bytes++);
-        while (--size);
+        Spi0::begin(*bytes++);
+        while (--size) {
+            const uint8_t next = *bytes++;
+            Spi0::end();
+            Spi0::begin(next);
+        }
+        Spi0::end();
     }
     static void receive(uint8_t* to, uint8_t size) {
-        do *to++ = Spi0::transfer(0);
-        while (--size);
+        Spi0::begin(0);
+        while (--size) {
+            const uint8_t byte = Spi0::end();
+            Spi0::begin(0);
+            *to++ = byte;
+        }
+        *to = Spi0::end();
     }
 };
 

@@ -38,7 +38,7 @@ struct Transfer {
     uint32_t started_us;
 };
 Transfer transfers[wiring::kI2cUsers];
-uint8_t on_the_bus;  // whose transfer is running, or was the last
+Transfer* on_the_bus = transfers;  // running, or the last
 
 inline __attribute__((always_inline)) Transfer& transferOf(uint8_t user) {
     return transfers[wiring::kI2cUsers == 1 ? 0 : user];
@@ -63,11 +63,17 @@ inline void sendNext(Transfer& transfer) {
 
 // Every byte but the last is acknowledged.
 inline __attribute__((always_inline)) void receiveNext(const Transfer& transfer) {
-    const bool more = transfer.at + 1 < transfer.in_size;
+    const uint8_t next = transfer.at + 1;
+    const bool more = next < transfer.in_size;
     TWCR = more ? kGo | (1 << TWEA) : kGo;
 }
 
 inline void keepByte(Transfer& transfer) { transfer.bytes[transfer.at++] = TWDR; }
+
+// Without the pointer where there is but one.
+inline __attribute__((always_inline)) Transfer& current() {
+    return wiring::kI2cUsers == 1 ? transfers[0] : *on_the_bus;
+}
 
 // An open-collector line: pulled low, or left to its pull-ups.
 template <class Line>
@@ -104,7 +110,7 @@ void freeBus() {
 }  // namespace
 
 ISR(TWI_vect) {
-    Transfer& transfer = transferOf(on_the_bus);
+    Transfer& transfer = current();
     switch (TW_STATUS) {
         case TW_START:
         case TW_REP_START:
@@ -149,10 +155,10 @@ namespace hal {
 
 bool i2cStart(I2cUser user, uint8_t address, const uint8_t* out, uint8_t out_size,
               uint8_t in_size) {
-    if (transferOf(on_the_bus).state == State::running || (TWCR & (1 << TWSTO))) return false;
+    if (current().state == State::running || (TWCR & (1 << TWSTO))) return false;
     if (out_size > kI2cBytes || in_size > kI2cBytes) return false;
-    if (wiring::kI2cUsers > 1) on_the_bus = static_cast<uint8_t>(user);
     Transfer& transfer = transferOf(static_cast<uint8_t>(user));
+    if (wiring::kI2cUsers > 1) on_the_bus = &transfer;
     memcpy(transfer.bytes, out, out_size);
     transfer.address_rw = static_cast<uint8_t>(address << 1);
     if (out_size == 0) transfer.address_rw |= TW_READ;
@@ -168,7 +174,7 @@ core::Status i2cResult(I2cUser user, uint8_t* in, uint8_t in_size) {
     Transfer& transfer = transferOf(static_cast<uint8_t>(user));
     const State state = transfer.state;
     if (state == State::idle) return core::Status::timeout;
-    const bool stopping = (TWCR & (1 << TWSTO)) && &transfer == &transferOf(on_the_bus);
+    const bool stopping = (TWCR & (1 << TWSTO)) && &transfer == &current();
     if (state == State::running || stopping) {
         if (now_us() - transfer.started_us < kLongest_us) return core::Status::busy;
         TWBR = kSlow;

@@ -202,8 +202,10 @@ uint8_t Ads7844<Bus, Select>::done() {
 
 template <class Bus, class Select>
 void Ads7844<Bus, Select>::copySums(Ads7844Sums& to) {
-    memcpy(to.sum, state_.sum, sizeof(to.sum));
-    memset(state_.sum, 0, sizeof(state_.sum));
+    for (uint8_t i = 0; i < Ads7844Sums::kChannels; ++i) {
+        to.sum[i] = state_.sum[i];
+        state_.sum[i] = 0;
+    }
     to.count[Ads7844Sums::airspeed] = state_.airspeeds;
     state_.airspeeds = 0;
     state_.sets = 0;

@@ -173,7 +173,7 @@ int32_t AnalogImu<Converter>::steps(const Axis& axis, uint16_t sum, uint8_t coun
 
 template <class Converter>
 bool AnalogImu<Converter>::take(ImuSums& to) {
-    Ads7844Sums sums;
+    Ads7844Sums sums = {};
     const bool taken = Converter::take(sums);
     const uint16_t sets = rest_ + sums.periods;
     rest_ = sets > 255 ? 255 : static_cast<uint8_t>(sets);
