@@ -65,7 +65,7 @@ function cycles([budgetsPath, ...folders]) {
   // in wind, with all streams at 10 Hz on one link of 57,600 baud, and on USB at 115,200 besides
   const limit = { cpu: 0.40, cpu_both_links: 0.40, interrupts: 0.08, interrupt_cycles: readJson(budgetsPath).interrupt_cycles };
   // the first board's analogue sensors are asked by interrupts, 6,000 times a second
-  const analogue = { cpu: 0.44, interrupts: 0.08 };
+  const analogue = { cpu: 0.40, interrupts: 0.08 };
   const faults = [];
   const hold = (flight, what, value, most) => {
     if (typeof value !== 'number') faults.push(`${flight.name}: ${what} is not known`);

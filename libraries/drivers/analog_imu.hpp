@@ -39,7 +39,6 @@ public:
     }
 
     bool healthy() const { return healthy_; }
-    uint32_t samples() const { return samples_; }
     uint16_t badReads() const { return bad_reads_; }
     uint16_t restarts() const { return 0; }
 
@@ -88,7 +87,6 @@ private:
     static uint16_t airspeed_;
     static uint8_t airspeed_count_;
 
-    uint32_t samples_ = 0;
     uint32_t good_ms_ = 0;
     uint16_t bad_reads_ = 0;
     uint8_t rest_ = 0;    // sets that are no whole sample yet
@@ -192,7 +190,6 @@ bool AnalogImu<Converter>::take(ImuSums& to) {
     to.count = 2;
     to.periods = lost_;
     lost_ = 0;
-    samples_ += sums.count[0];
     fresh_ = true;
     keepAirspeed(sums);
     return true;

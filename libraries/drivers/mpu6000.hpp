@@ -41,7 +41,6 @@ public:
     uint8_t waiting() const { return sums_.count + sums_.dead; }  // samples since the last take
 
     bool healthy() const { return healthy_; }
-    uint32_t samples() const { return samples_; }  // taken since start
     uint16_t badReads() const {
         const hal::Locked locked;
         return bad_reads_;
@@ -92,7 +91,6 @@ private:
     volatile uint8_t bad_in_a_row_ = 0;
     volatile State state_ = State::reset;
 
-    uint32_t samples_ = 0;
     uint32_t since_ms_ = 0;
     uint8_t setting_ = 0;
     uint8_t seen_ = 0;  // beat_ at the last step
@@ -276,7 +274,6 @@ bool Mpu6000<Bus, Select>::take(ImuSums& to) {
           {a[1], a[0], -a[2]},
           sums.count,
           static_cast<uint8_t>(sums.count + sums.dead)};
-    samples_ += sums.count;
     return true;
 }
 
