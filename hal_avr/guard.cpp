@@ -14,12 +14,16 @@ volatile uint8_t untouched;
 
 }  // namespace
 
+// Keeps every register it uses, as an interrupt does: who comes here keeps few.
+extern "C" void __vector_guard_forgotten() __attribute__((signal, used));
+void __vector_guard_forgotten() { hal::servosForgotten(); }
+
 ISR(TIMER0_OVF_vect) {
     avr::noteSupply(avr::supplyLow());
     if (untouched < kPatience)
         ++untouched;
-    else
-        hal::servosForgotten();
+    else  // it comes back with interrupts on, but not before one more instruction
+        __asm__ volatile("call __vector_guard_forgotten\n\tcli" ::: "memory");
 }
 
 namespace hal {
