@@ -3,6 +3,7 @@
 
 #include "firmware/parameters.hpp"
 #include "firmware/relay.hpp"
+#include "firmware/telemetry/streams.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
 
@@ -30,6 +31,7 @@ void open() {
     open_ticks = static_cast<uint8_t>(parameters.camera_duration_ds + 1);
     if (onRelay()) relaySet(true);
     ++pictures;
+    tellPicture();
 }
 
 void letGo() {

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/rom.hpp"
+#include "firmware/camera.hpp"
 #include "firmware/failsafe/table.hpp"
 #include "firmware/log/records.hpp"
 #include "firmware/log/sources.hpp"
@@ -38,6 +39,7 @@ enum : uint8_t {
     command = 8,
     current = 9,
     compass = 10,
+    camera = 12,
     radio = 13,
     disarmed = 16,
     inertial_fast = 19,
@@ -110,6 +112,7 @@ uint8_t run;       // 0 .. kRound - 1
 uint8_t states;    // as logged
 uint16_t failing;  // as logged
 uint8_t mode = kNoMode;
+uint8_t pictures_logged;
 uint8_t gps_seen;  // when the newest fix came, roughly
 uint8_t commands[kCommands];
 uint8_t commands_waiting;
@@ -230,6 +233,12 @@ bool putChange() {
         mode = now;
         return true;
     }
+    const uint8_t pictures = static_cast<uint8_t>(picturesTaken());
+    if (pictures != pictures_logged && wants(Bit::camera)) {
+        if (!putPicture()) return false;
+        pictures_logged = pictures;
+        return true;
+    }
     if (commands_waiting == 0) return false;
     if (!putCommand(commands[0])) return false;
     --commands_waiting;
@@ -261,6 +270,7 @@ void begin() {
     states = commands_waiting = 0;
     failing = 0;
     mode = kNoMode;
+    pictures_logged = static_cast<uint8_t>(picturesTaken());
 }
 
 void end() {

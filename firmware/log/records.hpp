@@ -73,6 +73,13 @@ RECORD(Current) {
 RECORD(RadioIn) { uint16_t pulse_us[hal::kRcChannels]; };
 RECORD(ServoOut) { uint16_t pulse_us[hal::kServos]; };
 RECORD(Performance) { uint16_t load_permille, late_frames, longest_frame_us, free_bytes, dropped; };
+RECORD(Camera) {
+    uint32_t time_ms;
+    uint16_t week;
+    int32_t latitude_e7, longitude_e7, altitude_cm;
+    int16_t roll_cd, pitch_cd;
+    uint16_t yaw_cd;
+};
 RECORD(Event) { uint8_t id; };
 RECORD(Error) { uint8_t subsystem, code; };
 
@@ -97,10 +104,11 @@ enum class RecordType : uint8_t {
     performance,
     event,
     error,
+    camera,
 };
 
 // FMT itself first.
-constexpr uint8_t kFormats = 18;
+constexpr uint8_t kFormats = 19;
 extern const logging::Format kFormatTable[kFormats];
 
 }  // namespace firmware

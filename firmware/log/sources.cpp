@@ -163,6 +163,20 @@ bool putGps() {
     return log(RecordType::gps, record);
 }
 
+bool putPicture() {
+    const auto& estimate = vehicle.estimate;
+    CameraRecord record;
+    record.time_ms = gpsFix().time_ms;
+    record.week = gpsFix().week;
+    record.latitude_e7 = estimate.position.latitude_e7;
+    record.longitude_e7 = estimate.position.longitude_e7;
+    record.altitude_cm = vehicle.home.altitude_cm + core::rounded(estimate.height_m * 100);
+    record.roll_cd = centidegrees(vehicle.attitude.roll_rad);
+    record.pitch_cd = centidegrees(vehicle.attitude.pitch_rad);
+    record.yaw_cd = heading_cd();
+    return log(RecordType::camera, record);
+}
+
 bool putControl() {
     ControlTuningRecord record;
     record.roll_demand_cd = centidegrees(vehicle.roll_demand_rad);

@@ -2,6 +2,7 @@
 // Where the airplane is, how it lies in the air and where it is going.
 #include "core/maths.hpp"
 #include "estimation/arc.hpp"
+#include "firmware/camera.hpp"
 #include "firmware/estimator.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/telemetry/messages.hpp"
@@ -114,6 +115,21 @@ bool fillIn(const Link&, mavlink::MissionCurrent& to) {
 
 bool fillIn(const Link&, mavlink::MissionItemReached& to) {
     to.seq = lastReached();
+    return true;
+}
+
+// The time is that of the log.
+bool fillIn(const Link&, mavlink::CameraFeedback& to) {
+    constexpr float kDegrees = 180 / core::kPi;
+    to.time_usec = hal::now_ms() * uint64_t{1000};
+    to.lat = vehicle.estimate.position.latitude_e7;
+    to.lng = vehicle.estimate.position.longitude_e7;
+    to.alt_msl = static_cast<float>(altitude_mm()) * 0.001f;
+    to.alt_rel = vehicle.estimate.height_m;
+    to.roll = vehicle.attitude.roll_rad * kDegrees;
+    to.pitch = vehicle.attitude.pitch_rad * kDegrees;
+    to.yaw = vehicle.attitude.yaw_rad * kDegrees;
+    to.img_idx = picturesTaken();
     return true;
 }
 

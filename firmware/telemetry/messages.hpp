@@ -34,5 +34,6 @@ bool fillIn(const Link& link, mavlink::NavControllerOutput& to);
 bool fillIn(const Link& link, mavlink::HomePosition& to);
 bool fillIn(const Link& link, mavlink::MissionCurrent& to);
 bool fillIn(const Link& link, mavlink::MissionItemReached& to);
+bool fillIn(const Link& link, mavlink::CameraFeedback& to);
 
 }  // namespace firmware

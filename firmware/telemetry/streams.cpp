@@ -59,6 +59,7 @@ constexpr OutgoingRow kOutgoing[] ROM = {
     row<mavlink::MissionCurrent>(Stream::extended_status),
     row<mavlink::FenceStatus>(Stream::extended_status),
     row<mavlink::MissionItemReached>(Stream::on_request),
+    row<mavlink::CameraFeedback>(Stream::on_request),
     row<mavlink::Attitude>(Stream::extra1),
     row<mavlink::GlobalPositionInt>(Stream::position),
     row<mavlink::VfrHud>(Stream::extra2),
@@ -182,6 +183,10 @@ uint8_t outgoingRow(uint16_t message_id) {
 void requestOnce(Link& link, uint16_t message_id) {
     const uint8_t row = outgoingRow(message_id);
     if (row != kNoMessage) age(link.streams, row, kDue);
+}
+
+void tellPicture() {
+    for (Link& link : links) requestOnce(link, mavlink::Wire<mavlink::CameraFeedback>::id);
 }
 
 bool isDue(const Link& link, uint16_t message_id) {

@@ -8,7 +8,7 @@ namespace firmware {
 
 struct Link;
 
-constexpr uint8_t kOutgoingRows = 24;
+constexpr uint8_t kOutgoingRows = 25;
 constexpr uint8_t kTurns_hz = 50;  // of telemetrySend for each link
 
 // Rates are kept in quarters of a hertz.
@@ -31,6 +31,7 @@ bool streamsSend(Link& link);  // the next due message, the heartbeat first; fal
 constexpr uint8_t kNoMessage = 0xFF;
 uint8_t outgoingRow(uint16_t message_id);  // kNoMessage: none of ours
 void requestOnce(Link& link, uint16_t message_id);
+void tellPicture();  // CAMERA_FEEDBACK, of now, on every link
 bool isDue(const Link& link, uint16_t message_id);
 bool setStreamRate(Link& link, uint8_t mav_data_stream, uint16_t rate_hz);  // false: no such stream
 

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "core/maths.hpp"
+#include "firmware/telemetry/streams.hpp"
 #include "ground.hpp"
 
 using ground::Framing;
@@ -297,6 +298,30 @@ TEST_F(Telemetry, what_was_reached_is_told_once_on_every_link) {
         ASSERT_EQ(reached.size(), 2u);
         EXPECT_EQ(reached[0].seq, 3);
         EXPECT_EQ(reached[1].seq, 4);
+    }
+}
+
+TEST_F(Telemetry, each_picture_is_told_once_on_every_link) {
+    auto& vehicle = firmware::vehicle;
+    vehicle.estimate.position = {473977000, 85456000};
+    vehicle.estimate.height_m = 100;
+    vehicle.home.altitude_cm = 48800;
+    vehicle.home.set = true;
+    vehicle.attitude.pitch_rad = core::radians(5);
+    run_ms(300);
+    for (uint16_t picture : {1, 2}) {
+        doubles::mission.pictures = picture;
+        firmware::tellPicture();
+        run_ms(300);
+    }
+    for (ground::Station* each : {&station, &second}) {
+        const auto told = each->all<mavlink::CameraFeedback>();
+        ASSERT_EQ(told.size(), 2u);
+        EXPECT_EQ(told[0].img_idx, 1);
+        EXPECT_EQ(told[1].img_idx, 2);
+        EXPECT_EQ(told[1].lat, 473977000);
+        EXPECT_NEAR(told[1].alt_msl, 588, 0.01);
+        EXPECT_NEAR(told[1].pitch, 5, 0.01);
     }
 }
 

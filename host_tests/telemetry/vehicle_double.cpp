@@ -3,8 +3,10 @@
 
 #include <string.h>
 
+#include "firmware/camera.hpp"
 #include "firmware/home.hpp"
 #include "firmware/modes/guided.hpp"
+#include "firmware/outputs.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/tasks.hpp"
 #include "firmware/telemetry/text.hpp"
@@ -39,6 +41,8 @@ void radioHeard() { mission.radio_off = false; }
 
 uint16_t missionCount() { return static_cast<uint16_t>(mission.items.size()); }
 uint16_t missionCurrent() { return mission.current; }
+uint16_t picturesTaken() { return mission.pictures; }
+bool isOutputFunction(int8_t) { return true; }
 bool missionSetCurrent(uint16_t index) {
     if (index >= mission.items.size()) return false;
     mission.current = index;

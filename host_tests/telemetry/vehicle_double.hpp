@@ -19,6 +19,7 @@
 namespace doubles {
 
 struct Mission {
+    uint16_t pictures = 0;
     bool radio_off = false;
     std::vector<firmware::MissionItem> items;
     std::vector<firmware::MissionItem> staged;

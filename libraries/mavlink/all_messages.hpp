@@ -67,6 +67,7 @@ constexpr Accepted kAllMessages[] ROM = {
     accepts<Wind>(),
     accepts<RallyPoint>(),
     accepts<RallyFetchPoint>(),
+    accepts<CameraFeedback>(),
     accepts<AutopilotVersionRequest>(),
     accepts<MagCalProgress>(),
     accepts<MagCalReport>(),

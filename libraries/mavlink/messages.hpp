@@ -1058,6 +1058,27 @@ template <>
 struct Wire<RallyFetchPoint> : Shape<176, 3, 3, 234> {};
 static_assert(sizeof(RallyFetchPoint) == Wire<RallyFetchPoint>::length_with_extensions, "RALLY_FETCH_POINT");
 
+struct __attribute__((packed)) CameraFeedback {
+    uint64_t time_usec;
+    int32_t lat;
+    int32_t lng;
+    float alt_msl;
+    float alt_rel;
+    float roll;
+    float pitch;
+    float yaw;
+    float foc_len;
+    uint16_t img_idx;
+    uint8_t target_system;
+    uint8_t cam_idx;
+    uint8_t flags;
+    // extensions: MAVLink 2 only
+    uint16_t completed_captures;
+};
+template <>
+struct Wire<CameraFeedback> : Shape<180, 45, 47, 52> {};
+static_assert(sizeof(CameraFeedback) == Wire<CameraFeedback>::length_with_extensions, "CAMERA_FEEDBACK");
+
 struct __attribute__((packed)) AutopilotVersionRequest {
     uint8_t target_system;
     uint8_t target_component;

@@ -23,6 +23,7 @@ namespace {
 constexpr int kTelemetry = 2, kUsb = 0, kShutter = 7, kFlap = 8;
 constexpr uint64_t kStep_us = 20'000;
 constexpr double kDegree = M_PI / 180, kTimeLimit_s = 420;
+constexpr double kNear_deg = 8.0 / 111'319;
 constexpr uint8_t kAuto = 10, kRtl = 11;
 // of the mission
 constexpr int kContinue = 2, kPictures = 4, kToHeight = 6, kBeforeRtl = 12, kApproach = 17,
@@ -43,7 +44,7 @@ public:
                    {"CAM_DURATION", 2},
                    {"RC8_FUNCTION", 3},
                    {"LAND_FLAP_PERCNT", 50}}),
-          usb_(board_, kUsb, [](const mavlink::Frame&, uint64_t) {}) {
+          usb_(board_, kUsb, [this](const mavlink::Frame& frame, uint64_t) { hear(frame); }) {
         board_.listen([this](int usart, uint8_t byte, uint64_t at_us) {
             if (usart == kTelemetry) flight_.receive(byte, at_us);
             if (usart == kUsb) usb_.receive(byte, at_us);
@@ -69,6 +70,20 @@ public:
 
 private:
     const Truth& truth() { return board_.world().truth(); }
+
+    // Where the picture was taken, as it is told.
+    void hear(const mavlink::Frame& frame) {
+        if (frame.id != mavlink::Wire<mavlink::CameraFeedback>::id) return;
+        const auto told = frame.read<mavlink::CameraFeedback>();
+        const Truth& now = truth();
+        ++feedbacks_;
+        feedback_fits_ = feedback_fits_ && told.img_idx == feedbacks_ &&
+                         std::abs(told.lat * 1e-7 - now.latitude_deg) < kNear_deg &&
+                         std::abs(told.lng * 1e-7 - now.longitude_deg) < 1.5 * kNear_deg &&
+                         std::abs(double(told.alt_rel) - now.height_m) < 4 &&
+                         std::abs(double(told.roll) - now.roll_rad / kDegree) < 5 &&
+                         std::abs(double(told.alt_msl - told.alt_rel) - 488) < 5;
+    }
 
     void look() {
         const Truth& now = truth();
@@ -214,6 +229,8 @@ private:
         return sayAll({
             {"CONTINUE_CHANGE_ALT: straight on, up to its altitude", straightOn()},
             {"SET_CAM_TRIGG_DIST: a picture each 25 m, none before or after", photographed()},
+            {"CAMERA_FEEDBACK: where each picture was taken",
+             feedback_fits_ && feedbacks_ == pictures_.size()},
             {"LOITER_TO_ALT: climbed to along the way", slopedToCircle()},
             {"LOITER_TO_ALT: left at its altitude on the next leg's course", leftOnCourse()},
             {"INVERTED_FLIGHT: upside down along its leg, and back", flewInverted()},
@@ -229,6 +246,8 @@ private:
     ScriptedFlight flight_;
     Link usb_;
     std::vector<Moment> flown_, pictures_;
+    size_t feedbacks_ = 0;
+    bool feedback_fits_ = true;
     bool held_ = false;
     double rtl_s_ = -1, around_s_ = -1;
 };
