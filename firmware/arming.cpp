@@ -145,14 +145,14 @@ constexpr Check kChecks[] ROM = {
 };
 // clang-format on
 
-constexpr uint32_t kRudderArms_ms = 3000;
+constexpr uint8_t kRudderArms = 30;  // 0.1 s
 constexpr int16_t kFullRudder_cd = 4000;
 constexpr uint16_t kRemind_ms = 30000, kRemindSoon_ms = 5000;
 constexpr uint32_t kNotBefore_ms = 10000;  // the sensors need a while
 
-uint32_t rudder_since_ms;
+uint8_t rudder_held;  // for so long, 0.1 s
 uint32_t reminded_ms = kNotBefore_ms - kRemind_ms;
-uint32_t landed_ms;
+uint16_t landed;  // for so long, 0.1 s
 uint8_t looked_at;
 bool ready;  // as runArming found it
 
@@ -170,11 +170,10 @@ void runRudderArming() {
     const bool asks = parameters.arming_rudder > vehicle.armed && !radio.lost && !autoThrottle() &&
                       !vehicle.estimate.flying && radio.throttle_pct == 0 &&
                       rudder_cd > kFullRudder_cd;
-    const uint32_t now_ms = hal::now_ms();
     if (!asks) {
-        rudder_since_ms = now_ms;
-    } else if (now_ms - rudder_since_ms >= kRudderArms_ms) {
-        rudder_since_ms = now_ms;
+        rudder_held = 0;
+    } else if (++rudder_held > kRudderArms) {
+        rudder_held = 0;
         if (vehicle.armed) {
             disarm(ArmReason::pilot, false);
         } else {
@@ -217,10 +216,9 @@ void look() {
 void runLanded() {
     const bool down = vehicle.demand.path == Path::land && vehicle.progress.flaring &&
                       vehicle.mode == Mode::automatic && !vehicle.estimate.flying;
-    const uint32_t now_ms = hal::now_ms();
-    if (!down) landed_ms = now_ms;
+    landed = down ? landed + 1 : 0;
     const uint8_t delay_s = static_cast<uint8_t>(parameters.land_disarm_delay_s);
-    if (delay_s != 0 && now_ms - landed_ms > delay_s * 1000UL) disarm(ArmReason::landed, false);
+    if (delay_s != 0 && landed > delay_s * 10) disarm(ArmReason::landed, false);
 }
 
 }  // namespace
