@@ -121,10 +121,12 @@ core::Angle aboutWing(core::Angle up_rad) {
     return core::Angle::fromRaw(core::times14(limited, vehicle.attitude.cos_roll.raw));
 }
 
+// In the flare gusts are met twice as fast as elsewhere.
 core::Angle pitchError() {
-    const core::Angle up_rad =
+    core::Angle up_rad =
         error(vehicle.attitude.pitch_rad, vehicle.attitude.rate_rads.y, vehicle.pitch_demand_rad,
               vehicle.pilot_pitch_rad, pitch_min, pitch_max, trim_pitch);
+    if (vehicle.progress.flaring) up_rad = core::Angle::fromRaw(core::narrowed(2L * up_rad.raw));
     return rolls ? aboutWing(up_rad) : up_rad;
 }
 

@@ -148,7 +148,7 @@ constexpr parameters::Row kRows[] = {
     P(128, "TECS_RLL2THR",      speed_height.roll_to_throttle,    10,       0,       40),
     P(129, "TECS_SPDWEIGHT",    speed_height.speed_weight,      0.5f,       0,        2),
     P(130, "TECS_PTCH_DAMP",    speed_height.pitch_damping,     0.5f,       0,        2),
-    P(131, "TECS_LAND_SINK",    speed_height.land_sink_mps,     0.4f,       0,        2),
+    P(131, "TECS_LAND_SINK",    speed_height.land_sink_mps,    0.65f,       0,        2),
     P(132, "NAVL1_PERIOD",      lateral.period_s,                  5,       1,       60),
     P(133, "NAVL1_DAMPING",     lateral.damping,               0.75f,    0.6f,        1),
     P(134, "WP_RADIUS",         waypoint_radius_m,                30,       1,    32767),

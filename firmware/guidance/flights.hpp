@@ -16,5 +16,6 @@ Plan flyTakeoff();
 
 void beginLanding();
 Plan flyLanding();
+float flarePower();  // what the flare keeps of the cruise throttle
 
 }  // namespace firmware

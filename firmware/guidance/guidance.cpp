@@ -48,7 +48,7 @@ void runGuidance() {
     if (!guidesItself()) {
         guiding = false;
         steerNowhere();
-        vehicle.progress.throttle_suppressed = false;
+        vehicle.progress.throttle_suppressed = vehicle.progress.flaring = false;
         return;
     }
     if (!guiding) takeOver();

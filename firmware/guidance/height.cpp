@@ -5,6 +5,7 @@
 
 #include "core/maths.hpp"
 #include "firmware/failsafe/failsafe.hpp"
+#include "firmware/guidance/flights.hpp"
 #include "firmware/modes.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/vehicle.hpp"
@@ -109,6 +110,9 @@ control::SpeedHeightLimits limits(const Plan& plan, float true_speed) {
     limits.throttle_min = parameters.throttle_min_pct * 0.01f;
     limits.throttle_max = throttleMax_pct(plan.phase) * 0.01f;
     limits.throttle_cruise = cruiseThrottle(limits.throttle_max);
+    if (plan.phase == control::Phase::flare)
+        limits.throttle_max =
+            core::limit(flarePower() * limits.throttle_cruise, 0.0f, limits.throttle_max);
     limits.throttle_slew =
         parameters.throttle_slew_pct > 0 ? parameters.throttle_slew_pct * 0.01f : 100.0f;
     limits.airspeed_min_mps = parameters.speed_min_mps * true_speed;

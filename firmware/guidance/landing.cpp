@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "navigation/landing.hpp"
 
+#include "core/fixed.hpp"
 #include "core/maths.hpp"
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
@@ -17,7 +18,21 @@ constexpr float kApproachShare = 0.55f;  // of the way from the lowest speed to 
 
 constexpr float kMiddle_radpm = 0.03f, kMostToMiddle_rad = 0.1f;
 
+// What the wind loses near the ground comes off the airspeed within a second: into wind the flare
+// keeps power, and with it goes a little farther and sinks less. None is left at the ground, or,
+// wherever that is, so far behind the point.
+constexpr float kPerHeadwind_spm = 0.3f;
+constexpr float kMostPower = 1.4f;  // of the cruise throttle
+constexpr float kPowered_m = 0.9f;  // less below
+constexpr float kPoweredBehind_m = 15, kPowerFades_m = 20;
+constexpr float kLate_s = 0.3f;
+constexpr float kEarly_s = 0.02f;  // a sink that is to grow less does so late
+constexpr float kSofter = 0.4f;
+// Below LAND_PITCH_CD, the higher the more: a fast airplane would not come down.
+constexpr float kNoseDown_radpm = 0.1f, kMostNoseDown_m = 2;
+
 navigation::Landing landing;
+core::Fixed<14> power;  // of the cruise throttle
 
 // Between the lowest speed and cruise: slow enough to land, fast enough to flare. Most of the
 // headwind is added, for near the ground it is gone.
@@ -27,15 +42,35 @@ float approachSpeed_mps(float cruise_mps, float along_mps) {
            core::limit(0.6f * headwind_mps, 0.0f, kMostForHeadwind_mps);
 }
 
-navigation::HeightDemand height(const navigation::Lateral& lateral, float along_mps) {
+float share(float value) { return core::limit(value, 0.0f, 1.0f); }
+
+float heightAbovePoint_m() { return vehicle.estimate.height_m - vehicle.demand.height_m; }
+
+// 0 in calm air or with the wind from behind, 1 against more than 3 m/s.
+float intoWind(const navigation::Lateral& lateral) {
+    const auto& wind = vehicle.estimate.wind_mps;
+    const float tailwind_mps = wind.x * lateral.course.north_m + wind.y * lateral.course.east_m;
+    return share(-tailwind_mps * kPerHeadwind_spm);
+}
+
+float powerKept(const navigation::Lateral& lateral, float into_wind) {
+    const float left_m = legLength_m() + kPoweredBehind_m - lateral.along_m;
+    return kMostPower * into_wind * share(heightAbovePoint_m() * (1 / kPowered_m)) *
+           share(left_m * (1 / kPowerFades_m));
+}
+
+navigation::HeightDemand height(const navigation::Lateral& lateral, float along_mps,
+                                float into_wind) {
     const auto& demand = vehicle.demand;
-    const navigation::LandingSettings settings = {parameters.flare_height_m, parameters.flare_s,
-                                                  parameters.speed_height.land_sink_mps};
+    const navigation::LandingSettings settings = {
+        parameters.flare_height_m, parameters.flare_s,
+        parameters.speed_height.land_sink_mps * (1 - kSofter * into_wind),
+        kLate_s * into_wind - kEarly_s};
     const navigation::Approach approach = {demand.from_height_m - demand.height_m,
                                            legLength_m(),
                                            lateral.along_m,
                                            along_mps,
-                                           vehicle.estimate.height_m - demand.height_m,
+                                           heightAbovePoint_m(),
                                            -vehicle.estimate.climb_mps};
     const auto above_point = landing.run(settings, approach);
     return {above_point.height_m + demand.height_m, above_point.climb_mps};
@@ -49,18 +84,23 @@ float runwayError_rad(float crosstrack_m) {
 }  // namespace
 
 void beginLanding() { landing.start(); }
+float flarePower() { return power; }
 
 Plan flyLanding() {
     const auto now = motion();
     const auto lateral = followDemandedLeg(now, !landing.flaring());
     const float speed_mps = along_mps(lateral, now);
     Plan to_fly = levelPlan();
-    to_fly.height = height(lateral, speed_mps);
+    const float into_wind = intoWind(lateral);
+    to_fly.height = height(lateral, speed_mps, into_wind);
     to_fly.airspeed_mps = approachSpeed_mps(to_fly.airspeed_mps, speed_mps);
     to_fly.phase = control::Phase::approach;
     if (landing.flaring()) {
         to_fly.phase = control::Phase::flare;
-        to_fly.pitch_min_rad = core::radiansFromCentidegrees(parameters.land_pitch_cd);
+        to_fly.pitch_min_rad =
+            core::radiansFromCentidegrees(parameters.land_pitch_cd) -
+            kNoseDown_radpm * core::limit(heightAbovePoint_m(), 0.0f, kMostNoseDown_m);
+        power = powerKept(lateral, into_wind);
         steerTowards(legHeading_rad() - runwayError_rad(lateral.crosstrack_m));
     }
     vehicle.progress.flaring = landing.flaring();

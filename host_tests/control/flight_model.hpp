@@ -31,6 +31,11 @@ public:
     double airspeed = 12, forward_mss = 0, alpha = 0;
     double wind_n = 0, wind_e = 0, wind_up = 0;  // gusts included
 
+    void blow(double north_mps, double east_mps) {
+        wind_.north_mps = north_mps;
+        wind_.east_mps = east_mps;
+    }
+
     void step(double dt) {
         gusts(dt);
         roll_rate += ((roll_demand - roll) / 0.5 - roll_rate) * dt / 0.08;

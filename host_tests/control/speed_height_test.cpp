@@ -235,6 +235,65 @@ TEST(SpeedHeight, flies_without_an_airspeed_sensor) {
     EXPECT_LT(loop.plane.airspeed, 16);
 }
 
+TEST(SpeedHeight, in_the_flare_the_sink_is_held_while_the_speed_falls) {
+    Loop loop;
+    loop.fly(20);
+    loop.phase = Phase::flare;
+    loop.bounds.throttle_max = 0;
+    loop.demand.climb_mps = -0.5f;
+    loop.fly(1);
+    Statistics sink;
+    loop.fly(4, [&](double) { sink.add(loop.plane.climb + 0.5); });
+
+    EXPECT_LT(loop.plane.airspeed, 10);
+    EXPECT_LT(sink.worst, 0.2);
+}
+
+TEST(SpeedHeight, in_the_flare_the_sink_is_held_though_the_headwind_dies) {
+    Loop loop({-5, 0, 0, 1});
+    loop.fly(20);
+    loop.phase = Phase::flare;
+    loop.bounds.throttle_max = 0.4f;
+    loop.demand.climb_mps = -0.5f;
+    Statistics sink;
+    loop.fly(2, [&](double time) {
+        loop.plane.blow(-5 + 1.5 * (time - 20), 0);
+        sink.add(loop.plane.climb + 0.5);
+    });
+
+    EXPECT_LT(loop.plane.airspeed, 10.5);
+    EXPECT_LT(sink.rms(), 0.25);
+}
+
+TEST(SpeedHeight, in_the_flare_the_throttle_is_what_is_left_to_it) {
+    for (float left : {0.0f, 0.3f}) {
+        Loop loop;
+        loop.fly(5);
+        loop.phase = Phase::flare;
+        loop.bounds.throttle_max = left;
+        loop.fly(1);
+        EXPECT_FLOAT_EQ(static_cast<float>(loop.plane.throttle), left);
+    }
+}
+
+TEST(SpeedHeight, goes_around_from_the_flare_without_a_step_in_the_pitch) {
+    Loop loop;
+    loop.sensed = false;
+    loop.fly(20);
+    loop.phase = Phase::flare;
+    loop.bounds.throttle_max = 0;
+    loop.demand.climb_mps = -0.5f;
+    loop.fly(2);
+    const double before_rad = loop.plane.pitch_demand;
+    loop.phase = Phase::approach;
+    loop.bounds = limits();
+    loop.demand.height_m = static_cast<float>(loop.plane.height);
+    loop.demand.climb_mps = -0.5f;
+    loop.fly(0.3);
+
+    EXPECT_NEAR(loop.plane.pitch_demand, before_rad, 0.04);
+}
+
 TEST(SpeedHeight, climbs_out_with_all_throttle_at_the_demanded_speed) {
     Loop loop;
     loop.phase = Phase::climb_out;

@@ -92,6 +92,15 @@ TEST_F(AttitudeControl, turns_back_to_level_and_damps) {
     EXPECT_LT(surfaces.elevator, 0);
 }
 
+TEST_F(AttitudeControl, meets_a_gust_twice_as_fast_in_the_flare) {
+    firmware::setMode(Mode::fbwa, firmware::ModeReason::ground);
+    level(0, core::radians(-4));
+    const float elsewhere = surfacesIn(Mode::fbwa, with(3, 1900)).elevator;
+    vehicle.progress.flaring = true;
+    EXPECT_NEAR(surfacesIn(Mode::fbwa, with(3, 1900)).elevator, 2 * elsewhere, 0.01);
+    EXPECT_GT(elsewhere, 0.02f);
+}
+
 TEST_F(AttitudeControl, needs_less_surface_the_faster_it_flies) {
     level(0.3f);
     vehicle.estimate.equivalent_airspeed_mps = 10;

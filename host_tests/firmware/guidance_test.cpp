@@ -290,7 +290,7 @@ TEST_F(Guidance, counts_turns_from_the_moment_it_is_on_the_circle) {
     EXPECT_NEAR(vehicle.progress.turned_rad, core::radians(450), 0.05);
 }
 
-TEST_F(Guidance, flares_without_throttle_and_with_level_wings) {
+TEST_F(Guidance, flares_without_throttle_in_calm_air_and_with_level_wings) {
     inTheAir();
     onFinal(20, 200, 10);
     guide(10);
@@ -303,7 +303,46 @@ TEST_F(Guidance, flares_without_throttle_and_with_level_wings) {
     EXPECT_TRUE(vehicle.progress.flaring);
     EXPECT_EQ(vehicle.throttle_demand, 0);
     EXPECT_NEAR(vehicle.roll_demand_rad, -core::radians(parameters.level_roll_limit_deg), 1e-4);
-    EXPECT_GE(vehicle.pitch_demand_rad, core::radiansFromCentidegrees(parameters.land_pitch_cd));
+}
+
+TEST_F(Guidance, against_the_wind_the_flare_keeps_power_until_it_is_low_or_far_behind_the_point) {
+    const auto throttle = [this](float wind_mps, float height_m, float left_m) {
+        inTheAir();
+        onFinal(height_m, left_m);
+        vehicle.estimate.wind_mps = {wind_mps, 0, 0};
+        guide(15);
+        EXPECT_TRUE(vehicle.progress.flaring);
+        return static_cast<float>(vehicle.throttle_demand);
+    };
+    const float cruise = parameters.cruise_throttle_pct * 0.01f;
+    EXPECT_NEAR(throttle(-5, 1.2f, 12), 1.4f * cruise, 0.01);
+    EXPECT_NEAR(throttle(-1, 1.2f, 12), 0.3f * 1.4f * cruise, 0.01);
+    EXPECT_NEAR(throttle(-5, 0.3f, 12), 1.4f / 3 * cruise, 0.01);
+    EXPECT_EQ(throttle(-5, 0, 12), 0);
+    EXPECT_EQ(throttle(-5, 1.2f, -16), 0) << "it stands on the ground, and the height is wrong";
+    EXPECT_EQ(throttle(5, 1.2f, 12), 0) << "from behind";
+}
+
+TEST_F(Guidance, the_nose_may_be_lower_in_the_flare_than_at_the_ground) {
+    const auto pitch_rad = [this](float height_m) {
+        inTheAir();
+        onFinal(height_m, 12);
+        vehicle.estimate.climb_mps = 0.8f;
+        guide(15);
+        return static_cast<float>(vehicle.pitch_demand_rad);
+    };
+    EXPECT_NEAR(pitch_rad(0), core::radiansFromCentidegrees(parameters.land_pitch_cd), 0.001);
+    EXPECT_LT(pitch_rad(1), core::radians(-3));
+}
+
+TEST_F(Guidance, nothing_flares_that_the_pilot_flies) {
+    inTheAir();
+    onFinal(0.5f, 10);
+    guide(2);
+    ASSERT_TRUE(vehicle.progress.flaring);
+    firmware::setMode(Mode::fbwa, firmware::ModeReason::ground);
+    guide();
+    EXPECT_FALSE(vehicle.progress.flaring) << "its pitch is not twice as fast";
 }
 
 TEST_F(Guidance, steers_along_the_runway_from_the_flare_on) {

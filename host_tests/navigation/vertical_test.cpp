@@ -29,7 +29,7 @@ TEST(Slope, of_no_length_is_the_end_height) {
     EXPECT_FLOAT_EQ(heightOnSlope(50, 100, 0, 0.5f, 12).height_m, 100);
 }
 
-constexpr navigation::LandingSettings kLanding{1.5f, 1.5f, 0.4f};
+constexpr navigation::LandingSettings kLanding{1.5f, 1.5f, 0.4f, 0.4f};
 
 TEST(Landing, the_slope_aims_short_of_the_point_by_what_the_flare_adds) {
     navigation::Landing landing;
@@ -47,9 +47,9 @@ TEST(Landing, flares_at_the_height_or_the_time_whichever_comes_first) {
     navigation::Landing low, early;
     low.start();
     early.start();
-    low.run(kLanding, {10, 500, 400, 10, 1.6f, 0.2f});
+    low.run(kLanding, {10, 500, 400, 10, 1.7f, 0.2f});
     EXPECT_FALSE(low.flaring());
-    low.run(kLanding, {10, 500, 410, 10, 1.45f, 0.2f});
+    low.run(kLanding, {10, 500, 410, 10, 1.55f, 0.2f});
     EXPECT_TRUE(low.flaring());
     early.run(kLanding, {60, 300, 270, 12, 3.5f, 2.4f});
     EXPECT_TRUE(early.flaring()) << "1.5 s at 2.4 m/s";
@@ -63,14 +63,49 @@ TEST(Landing, flares_past_the_point_however_high_it_is) {
     EXPECT_TRUE(landing.flaring());
 }
 
-TEST(Landing, the_sink_in_the_flare_stays_between_its_limits) {
+navigation::Landing flaring() {
     navigation::Landing landing;
     landing.start();
     landing.run(kLanding, {30, 300, 270, 11, 1.6f, 1.0f});
-    EXPECT_FLOAT_EQ(landing.run(kLanding, {30, 300, 303, 10, 0.1f, 1}).climb_mps, -1.3f);
+    EXPECT_TRUE(landing.flaring());
+    return landing;
+}
+
+TEST(Landing, the_lower_it_is_the_less_it_sinks_though_the_point_is_near) {
+    auto landing = flaring();
+    float before_mps = 1.4f;
+    for (float height_m : {1.5f, 1.0f, 0.6f, 0.3f}) {
+        const float sink_mps = -landing.run(kLanding, {30, 300, 303, 10, height_m, 1}).climb_mps;
+        EXPECT_LT(sink_mps, before_mps) << height_m;
+        EXPECT_GT(sink_mps, 0.45f) << height_m;
+        before_mps = sink_mps;
+    }
+    EXPECT_LT(before_mps, 0.6f);
     EXPECT_FLOAT_EQ(landing.run(kLanding, {30, 300, 280, 10, 0.01f, 1}).climb_mps, -0.4f);
-    EXPECT_FLOAT_EQ(landing.run(kLanding, {30, 300, 290, 10, -0.3f, 0.4f}).climb_mps, -0.4f)
-        << "a height below zero is the barometer's";
+}
+
+TEST(Landing, does_not_dive_at_the_point_however_high_it_is) {
+    auto landing = flaring();
+    EXPECT_NEAR(landing.run(kLanding, {30, 300, 303, 10, 9, 1}).climb_mps, -1.1f, 0.03f);
+}
+
+TEST(Landing, where_the_ground_should_have_been_it_comes_down_a_little_faster) {
+    auto landing = flaring();
+    const auto sink_mps = [&](float height_m) {
+        return -landing.run(kLanding, {30, 300, 290, 10, height_m, 0.4f}).climb_mps;
+    };
+    EXPECT_FLOAT_EQ(sink_mps(0), 0.4f);
+    EXPECT_FLOAT_EQ(sink_mps(-0.5f), 0.6f);
+    EXPECT_FLOAT_EQ(sink_mps(-20), 0.68f) << "no more than that";
+}
+
+TEST(Landing, above_the_slope_it_does_not_dive_back_to_it) {
+    navigation::Landing landing;
+    landing.start();
+    const float on_slope_m = landing.run(kLanding, {30, 300, 250, 11, 4.5f, 1}).height_m;
+    ASSERT_NEAR(on_slope_m, 4.7f, 0.1f);
+    EXPECT_FLOAT_EQ(landing.run(kLanding, {30, 300, 250, 11, 8, 1}).height_m, 6.8f);
+    EXPECT_FLOAT_EQ(landing.run(kLanding, {30, 300, 250, 11, 3, 1}).height_m, on_slope_m);
 }
 
 TEST(Landing, touches_down_softly_near_the_point) {
@@ -99,7 +134,7 @@ TEST(Landing, touches_down_softly_near_the_point) {
                 {30, 350, static_cast<float>(plane.north), static_cast<float>(plane.velocity_n),
                  static_cast<float>(plane.height), static_cast<float>(-plane.climb)});
             auto bounds = limits;
-            if (landing.flaring()) bounds.pitch_min_rad = 0;
+            if (landing.flaring()) bounds.pitch_min_rad = bounds.throttle_max = 0;
             const auto out =
                 core.run(settings, bounds, {height.height_m, height.climb_mps, 10.5f}, measured(),
                          landing.flaring() ? control::Phase::flare : control::Phase::cruise, 0.05f);

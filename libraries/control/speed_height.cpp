@@ -19,7 +19,11 @@ constexpr float kLowestSpeed_mps = 3.0f;   // nothing divides by less
 constexpr float kUnderspeed = 0.9f;        // of ARSPD_FBW_MIN
 constexpr float kRecovered = 1.05f;
 constexpr float kLoadFactorSpeed = 0.19f;  // stall speed grows by 19 % at 45 degrees of bank
-constexpr float kFlareSmoothing = 0.2f;    // share of a new rate taken each step
+constexpr float kFlareIntegral_hz = 1.0f;  // of the sink's error over the speed
+// From no lift to the stall wings turn by some 0.25 rad, whatever the airplane: at the lowest
+// speed, 1.2 times the stall's, 1 / 1.44 of it carries the weight.
+constexpr float kLowestSpeedAlpha_rad = 0.2f;
+constexpr float kMostLift = 2.0f;  // of that
 constexpr float kFastestPitchRate_rads = 1.0f;
 constexpr float kGlideShare =
     0.25f;  // of what a descent spares, taken where the speed is not known
@@ -47,7 +51,7 @@ void SpeedHeight::start(const SpeedHeightMeasured& now, float pitch_rad, float t
     pitch_integral_rad_ = core::limit(pitch_rad - now.climb_mps / speed_mps_, -0.2f, 0.2f);
     throttle_ = throttle;
     throttle_integral_ = 0;
-    underspeed_ = false;
+    underspeed_ = flaring_ = false;
 }
 
 // Airspeed and its rate from the noisy sensor and the accelerometer; the loop between them also
@@ -175,8 +179,16 @@ float SpeedHeight::throttle(const SpeedHeightSettings& settings, const SpeedHeig
     return direct + throttle_integral_;
 }
 
+// Without a step in the pitch.
+void SpeedHeight::beginOrEndFlare(bool flares, float lift_rad) {
+    if (flares == flaring_) return;
+    flaring_ = flares;
+    pitch_integral_rad_ += flares ? -lift_rad : lift_rad;
+}
+
 float SpeedHeight::pitch(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
-                         const Errors& errors, float speed_weight, const Step& step) {
+                         const Errors& errors, float speed_weight, float lift_rad,
+                         const Step& step) {
     const float height_weight = 2.0f - speed_weight;
     const float inverse_speed = step.inverse_speed_spm;
     const float per_m = inverse_speed * step.inverse_time_constant_hz;
@@ -186,17 +198,21 @@ float SpeedHeight::pitch(const SpeedHeightSettings& settings, const SpeedHeightL
 
     float demand_rad = pitch_integral_rad_ + balance_m * per_m +
                        balance_mps * inverse_speed * settings.pitch_damping;
+    if (flaring_) demand_rad += lift_rad;
     if (height_weight > 0)
         demand_rad += (climb_mps_ + climb_rate_mss_ * kPitchLead_s) * inverse_speed;
     const float limited_rad = core::limit(demand_rad, limits.pitch_min_rad, limits.pitch_max_rad);
-    const float step_rad = balance_m * per_m * settings.integral_gain * step.dt_s;
+    // in the flare the sink alone counts: the height is wrong by more than what is left of it
+    const float rate_rads = flaring_ ? errors.potential_mps * inverse_speed * kFlareIntegral_hz
+                                     : balance_m * per_m * settings.integral_gain;
+    const float step_rad = rate_rads * step.dt_s;
     const bool winds_up =
         (demand_rad > limited_rad && step_rad > 0) || (demand_rad < limited_rad && step_rad < 0);
     if (!winds_up) pitch_integral_rad_ = core::limit(pitch_integral_rad_ + step_rad, -0.35f, 0.35f);
 
-    const float rate_rads =
+    const float fastest_rads =
         core::limit(settings.vertical_accel_mss * inverse_speed, 0.0f, kFastestPitchRate_rads);
-    return slewed(pitch_rad_, limited_rad, rate_rads * step.dt_s);
+    return slewed(pitch_rad_, limited_rad, fastest_rads * step.dt_s);
 }
 
 SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
@@ -215,10 +231,9 @@ SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
         climb_mps_ = now.climb_mps;
         climb_rate_mss_ = 0;
     } else if (phase == Phase::flare) {
-        const float rate_mss = (demand.climb_mps - climb_mps_) * step.rate_hz;
-        climb_rate_mss_ += (rate_mss - climb_rate_mss_) * kFlareSmoothing;
-        height_m_ = demand.height_m;
+        height_m_ = now.height_m;
         climb_mps_ = demand.climb_mps;
+        climb_rate_mss_ = 0;
     } else {
         shapeHeight(settings, demand, step);
     }
@@ -241,11 +256,15 @@ SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
     const Errors errors = this->errors(now);
     float wanted = throttle(settings, limits, now, errors, turn, step);
     wanted += (limits.throttle_max - wanted) * haste;
-    if (phase == Phase::flare) wanted = 0;
-    wanted = core::limit(wanted, phase == Phase::flare ? 0.0f : limits.throttle_min,
-                         limits.throttle_max);
+    wanted = core::limit(wanted, limits.throttle_min, limits.throttle_max);
+    if (phase == Phase::flare) wanted = limits.throttle_max;
     throttle_ = slewed(throttle_, wanted, limits.throttle_slew * dt_s);
-    pitch_rad_ = pitch(settings, limits, errors, speed_weight, step);
+    const float lift_rad =
+        kLowestSpeedAlpha_rad *
+        core::limit(core::square(limits.airspeed_min_mps * step.inverse_speed_spm), 0.0f,
+                    kMostLift);
+    beginOrEndFlare(phase == Phase::flare, lift_rad);
+    pitch_rad_ = pitch(settings, limits, errors, speed_weight, lift_rad, step);
     return {pitch_rad_, throttle_};
 }
 

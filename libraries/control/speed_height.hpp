@@ -35,7 +35,7 @@ enum class Phase : uint8_t {
     cruise,
     approach,   // as cruise, but the pitch holds the height alone and the throttle the speed
     climb_out,  // all throttle; the pitch holds the speed, above pitch_min_rad
-    flare,      // no throttle; the pitch follows demand.climb_mps and height_m
+    flare,      // the pitch holds demand.climb_mps, the throttle is throttle_max
 };
 
 struct SpeedHeightOutput {
@@ -81,7 +81,8 @@ private:
                    const SpeedHeightMeasured& now, const Errors& errors, float turn,
                    const Step& step);
     float pitch(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
-                const Errors& errors, float speed_weight, const Step& step);
+                const Errors& errors, float speed_weight, float lift_rad, const Step& step);
+    void beginOrEndFlare(bool flares, float lift_rad);
 
     float height_m_ = 0, climb_mps_ = 0, climb_rate_mss_ = 0;  // the shaped height demand
     float speed_demand_mps_ = 0, speed_demand_rate_mss_ = 0;   // the shaped speed demand
@@ -89,6 +90,7 @@ private:
     float pitch_integral_rad_ = 0, throttle_integral_ = 0;
     float pitch_rad_ = 0, throttle_ = 0;
     bool underspeed_ = false;
+    bool flaring_ = false;  // then the pitch's integral is without the angle of attack
 };
 
 }  // namespace control

@@ -4,49 +4,63 @@
 namespace navigation {
 namespace {
 
-constexpr float kSteepestFlare = 1.3f;  // of the sink it began with: no diving at the point
-constexpr float kFlareLead_s = 0.3f;    // until the path answers the pitch
-// As the sink is to grow less the path answers late all the way: so much earlier it meets the
-// ground, on three airplanes in calm air.
-constexpr float kShort_s = 0.4f;
+constexpr float kSteepestFlare = 1.2f;  // of what an evenly falling sink leaves at a height
+constexpr float kSteepestSink = 1.1f;   // of the slope's: no diving at the point
+// Below where the ground should be the height is wrong, and the airplane is to come down.
+constexpr float kSinkBelow_hz = 0.4f;
+constexpr float kMostBelow_m = 0.7f;
+constexpr float kFlareLead_s = 0.5f;  // until the path answers the pitch
+// Of its height an airplane above the slope dives no more than this: what an updraft has given
+// would be taken away with a sink that no flare ends in time.
+constexpr float kDive = 0.15f;
 
 float larger(float a, float b) { return a > b ? a : b; }
+
+// The slope as if there were no flare.
+struct Slope {
+    float steepness, sink_mps;
+    float flare_m;  // where the flare begins
+};
+
+Slope slopeOf(const LandingSettings& settings, const Approach& approach) {
+    const float length_m = core::limit(approach.length_m, 1.0f, 1e6f);
+    const float steepness = core::limit(approach.from_height_m / length_m, 0.02f, 0.5f);
+    const float sink_mps = steepness * core::limit(approach.along_mps, 1.0f, 100.0f);
+    return {steepness, sink_mps, larger(sink_mps * settings.flare_time_s, settings.flare_height_m)};
+}
+
+// The mean of the sink now and at the touchdown is what takes the height away by the point.
+HeightDemand flare(const LandingSettings& settings, const Approach& approach, const Slope& slope) {
+    const float left_m = core::limit(approach.length_m - approach.along_m, 1.0f, 1e6f);
+    const float height_m = core::limit(approach.height_m, 0.0f, 100.0f);
+    const float below_m = core::limit(-approach.height_m, 0.0f, kMostBelow_m);
+    const float last_mps = settings.touchdown_sink_mps + kSinkBelow_hz * below_m;
+    const float sink_mps = 2 * height_m * approach.along_mps / left_m - last_mps;
+    const float more_mps = larger(slope.sink_mps - last_mps, 0);
+    const float most_mps = last_mps + kSteepestFlare * more_mps * height_m / slope.flare_m;
+    const float steepest_mps = larger(kSteepestSink * slope.sink_mps, last_mps);
+    return {approach.height_m,
+            -core::limit(core::limit(sink_mps, last_mps, most_mps), last_mps, steepest_mps)};
+}
 
 }  // namespace
 
 HeightDemand Landing::run(const LandingSettings& settings, Approach approach) {
     const bool past = approach.along_m >= approach.length_m;
-    approach.length_m += kShort_s * core::limit(approach.along_mps, 0.0f, 50.0f);
-    if (flaring_) return flare(settings, approach);
-
-    const float length_m = core::limit(approach.length_m, 1.0f, 1e6f);
-    const float speed_mps = core::limit(approach.along_mps, 1.0f, 100.0f);
-    // the slope as if there were no flare tells where that begins
-    const float steepness = core::limit(approach.from_height_m / length_m, 0.02f, 0.5f);
-    const float sink_mps = steepness * speed_mps;
-    const float flare_m = larger(sink_mps * settings.flare_time_s, settings.flare_height_m);
-    const float evenness = 2 * sink_mps / (sink_mps + settings.touchdown_sink_mps);
-    const float aim_m = length_m - flare_m / steepness * larger(evenness - 1, 0);
-
-    if (past || approach.height_m <= flare_m + approach.sink_mps * kFlareLead_s) {
+    approach.length_m += settings.late_s * core::limit(approach.along_mps, 0.0f, 50.0f);
+    const Slope slope = slopeOf(settings, approach);
+    if (past || approach.height_m <= slope.flare_m + approach.sink_mps * kFlareLead_s)
         flaring_ = true;
-        flare_sink_mps_ =
-            core::limit(approach.sink_mps, settings.touchdown_sink_mps,
-                        kSteepestFlare * larger(sink_mps, settings.touchdown_sink_mps));
-        return flare(settings, approach);
-    }
-    if (aim_m < 1) return {0, -sink_mps};
-    return heightOnSlope(approach.from_height_m, 0, aim_m, approach.along_m, approach.along_mps);
-}
+    if (flaring_) return flare(settings, approach, slope);
 
-// The mean of the sink now and at the touchdown is what takes the height away by the point.
-HeightDemand Landing::flare(const LandingSettings& settings, const Approach& approach) const {
-    const float left_m = core::limit(approach.length_m - approach.along_m, 1.0f, 1e6f);
-    const float height_m = core::limit(approach.height_m, 0.0f, 100.0f);
-    const float last_mps = settings.touchdown_sink_mps;
-    const float sink_mps = 2 * height_m * approach.along_mps / left_m - last_mps;
-    const float steepest_mps = larger(kSteepestFlare * flare_sink_mps_, last_mps);
-    return {approach.height_m, -core::limit(sink_mps, last_mps, steepest_mps)};
+    const float evenness = 2 * slope.sink_mps / (slope.sink_mps + settings.touchdown_sink_mps);
+    const float aim_m =
+        approach.length_m - slope.flare_m / slope.steepness * larger(evenness - 1, 0);
+    if (aim_m < 1) return {0, -slope.sink_mps};
+    HeightDemand demand =
+        heightOnSlope(approach.from_height_m, 0, aim_m, approach.along_m, approach.along_mps);
+    demand.height_m = larger(demand.height_m, approach.height_m * (1 - kDive));
+    return demand;
 }
 
 }  // namespace navigation

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The last leg: a straight glide slope, bent in the flare into a parabola whose sink falls evenly
 // to the one of the touchdown, which is at the landing point. The parabola is longer than the
-// stretch of slope it replaces, so the slope aims short of the point by the difference.
+// stretch of slope it replaces, so the slope aims short of the point by the difference. The lower
+// it is, the less it sinks for the point's sake: the height may be wrong.
 #pragma once
 #include <stdint.h>
 
@@ -12,7 +13,8 @@ namespace navigation {
 struct LandingSettings {
     float flare_height_m;      // LAND_FLARE_ALT: the flare begins no lower than this ...
     float flare_time_s;        // LAND_FLARE_SEC: ... nor later than this before the ground
-    float touchdown_sink_mps;  // TECS_LAND_SINK: never sinks slower than this in the flare
+    float touchdown_sink_mps;  // never sinks slower than this in the flare
+    float late_s;              // the parabola ends so much behind the point
 };
 
 struct Approach {
@@ -31,9 +33,6 @@ public:
     bool flaring() const { return flaring_; }
 
 private:
-    HeightDemand flare(const LandingSettings& settings, const Approach& approach) const;
-
-    float flare_sink_mps_ = 0;  // with which the flare began
     bool flaring_ = false;
 };
 
