@@ -84,7 +84,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { runFailsafe,          10,     6,     430 },
     { runArming,            10,     1,     150 },
     { runBattery,           10,     8,     460 },
-    { runParameters,        10,     9,     860 },
+    { runParameters,        10,     9,     900 },
     { runLightsAndFlash,    10,     0,      95 },
     { everySecond,         100,    51,     950 },
 };

@@ -63,7 +63,7 @@ function budgets([tasks, ...folders]) {
 function cycles([budgetsPath, ...folders]) {
   const flights = folders.map(readFlight);
   // in wind, with all streams at 10 Hz on one link of 57,600 baud, and on USB at 115,200 besides
-  const limit = { cpu: 0.40, cpu_both_links: 0.40, interrupts: 0.08, interrupt_cycles: readJson(budgetsPath).interrupt_cycles };
+  const limit = { cpu: 0.34, cpu_both_links: 0.375, interrupts: 0.06, interrupt_cycles: readJson(budgetsPath).interrupt_cycles };
   // the first board's analogue sensors are asked by interrupts, 6,000 times a second
   const analogue = { cpu: 0.40, interrupts: 0.08 };
   const faults = [];
