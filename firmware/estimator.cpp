@@ -29,7 +29,7 @@ float home_height_m;  // of home above where the barometer was zeroed
 float true_speed_ratio = 1.0f;
 uint32_t baro_us, fix_ms, unfixed_ms;
 uint8_t imu_gap;      // frames without its samples
-float gps_above_m;    // the receiver's heights over the estimate's
+float gps_above_m;    // the receiver's heights over the estimate's; 0: no fix has been seen
 uint8_t gathered;     // sample periods since motion was last carried on
 int32_t baro_sum_pa;  // of baro_readings
 uint8_t baro_readings;
@@ -137,7 +137,10 @@ void feelHeight() {
     fix_use = FixUse::done;
     const auto& baro = vehicle.baro;
     const float height_m = height.height_m();
-    const float fix_m = vehicle.gps.altitude_cm * 0.01f - gps_above_m;
+    const float told_m = vehicle.gps.altitude_cm * 0.01f;
+    // begun in the air there is no time to learn it slowly
+    if (gps_above_m == 0 && height_started) gps_above_m = told_m - height_m;
+    const float fix_m = told_m - gps_above_m;
     if (!baro.healthy) {
         if (!height_started) return;
         if (!near(baro.height_m, height_m)) doubt(Sensor::barometer);
