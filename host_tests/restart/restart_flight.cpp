@@ -156,7 +156,7 @@ public:
     }
     // Nothing but the fast tier, or nothing of the slow one, is ever due.
     void starve(bool slow_only) {
-        constexpr size_t kFast = 5, kWaits = 6, kOthers = 24;  // of a scheduler::Scheduler
+        constexpr size_t kFast = 5, kWaits = 6, kOthers = 20;  // of a scheduler::Scheduler
         uint8_t* schedule = board_.chip().avr()->data + schedule_.address;
         const size_t tasks = (schedule_.size - kOthers) / 3;
         for (size_t i = slow_only ? tasks - 1 : schedule[kFast]; i < tasks; ++i)
