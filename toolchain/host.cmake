@@ -10,6 +10,8 @@ set(CMAKE_CXX_STANDARD 17)
 # With SANITIZE only what runs on the host alone is built, and twice as carefully.
 option(SANITIZE "build with the address and undefined-behaviour sanitizers" OFF)
 if(SANITIZE)
+    # -O1: half of the time to compile, and the sanitizers see as much
+    set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1")
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all)
     add_link_options(-fsanitize=address,undefined)
 endif()
