@@ -323,7 +323,9 @@ void Attitude::learnForce(int32_t& bias, float missing_mss) {
 
 void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings) {
     catchUp();
-    const VelocityHistory::Moment then = history_.ago(settings.gps_age_s);
+    // what has been felt since is not in the history yet
+    const VelocityHistory::Moment then =
+        history_.ago(settings.gps_age_s - periods_ * kSamplePeriod_s);
     const VelocityHistory::Moment ground = VelocityHistory::moment(velocity_mps.x, velocity_mps.y);
     const float time_s = since_fix_ * kSamplePeriod_s;
     if (phase_ != Phase::falling && time_s < kMostTime_s && time_s > 0.05f) {
