@@ -108,12 +108,12 @@ Figures overSeeds(const Errors& errors, const Sources& sources, int seeds) {
     return sum.rms();
 }
 
-TEST(Attitude, holds_a_quarter_of_a_degree_of_bank_over_whole_flights_with_every_error) {
+TEST(Attitude, holds_a_fifth_of_a_degree_of_bank_over_whole_flights_with_every_error) {
     const Figures rms = overSeeds(Errors(), Sources(), 12);
 
-    EXPECT_LT(rms.roll, 0.25);
-    EXPECT_LT(rms.pitch, 0.3);
-    EXPECT_LT(rms.yaw, 0.6);
+    EXPECT_LT(rms.roll, 0.2);
+    EXPECT_LT(rms.pitch, 0.25);
+    EXPECT_LT(rms.yaw, 0.5);
 }
 
 // Fixes come when they do; four frames' forces are looked at together.
@@ -133,14 +133,39 @@ TEST(Attitude, compares_a_fix_with_its_own_time_whichever_frame_it_comes_in) {
     }
 }
 
+// Its share of gravity turns with the airplane, the tilt does not.
+TEST(Attitude, knows_the_accelerometers_bias_after_a_few_turns) {
+    Errors errors;
+    errors.accel_bias_g = 0.01;
+    Sources sources;
+    sources.scored_s = 180;
+    const Figures rms = overSeeds(errors, sources, 12);
+
+    EXPECT_LT(rms.roll, 0.25);
+    EXPECT_LT(rms.pitch, 0.25);
+}
+
+// A fix that is older than believed shows as acceleration along the path of every turn.
+TEST(Attitude, takes_no_other_error_of_turns_for_the_accelerometers_bias) {
+    Errors errors;
+    errors.accel_bias_g = 0;
+    errors.gps_age_s = 0.29;
+    Sources sources;
+    sources.scored_s = 180;
+    const Figures rms = overSeeds(errors, sources, 12);
+
+    EXPECT_LT(rms.roll, 0.3);
+    EXPECT_LT(rms.pitch, 0.3);
+}
+
 TEST(Attitude, bears_a_fix_that_is_older_than_believed) {
     Errors errors;
     errors.gps_age_s = 0.29;
     const Figures rms = overSeeds(errors, Sources(), 6);
 
-    EXPECT_LT(rms.roll, 0.5);
-    EXPECT_LT(rms.pitch, 0.5);
-    EXPECT_LT(rms.yaw, 1.5);
+    EXPECT_LT(rms.roll, 0.3);
+    EXPECT_LT(rms.pitch, 0.3);
+    EXPECT_LT(rms.yaw, 1.0);
 }
 
 TEST(Attitude, puts_a_compass_to_rights_whose_offsets_are_50_mG_wrong) {
@@ -150,9 +175,9 @@ TEST(Attitude, puts_a_compass_to_rights_whose_offsets_are_50_mG_wrong) {
     sources.scored_s = 90;
     const Figures rms = overSeeds(errors, sources, 6);
 
-    EXPECT_LT(rms.roll, 0.4);
-    EXPECT_LT(rms.pitch, 0.5);
-    EXPECT_LT(rms.yaw, 2.5);
+    EXPECT_LT(rms.roll, 0.25);
+    EXPECT_LT(rms.pitch, 0.45);
+    EXPECT_LT(rms.yaw, 2.0);
 }
 
 TEST(Attitude, stays_upright_for_two_minutes_without_gps) {

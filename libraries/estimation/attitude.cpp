@@ -11,8 +11,7 @@ constexpr float kGravity = core::kGravity_mss;
 constexpr uint8_t kAlignFrames = 25;
 
 // Time constants of the corrections, settled; found by flying host_tests/estimation/flight.hpp.
-// The gyros are good for a minute, so the references may be averaged for long; an accelerometer's
-// bias shows when the airplane turns, because its tilt stays behind over the ground.
+// The gyros are good for a minute, so the references may be averaged for long.
 constexpr float kTilt_s = 5.0f;
 constexpr float kCompass_s = 8.0f;
 constexpr float kBiasShare = 1.0f / 100.0f;  // bias taken over, per second of tilt corrected
@@ -29,9 +28,9 @@ constexpr float kYawFromTurn = 0.04f;  // of the heading error a turn shows, eac
 
 constexpr float kMostBias_rads = 0.05f;      // 3 deg/s beyond the start-up zero
 constexpr float kMostBiasStep_rads = 2e-4f;  // in one correction
-constexpr float kForceBias_s = 150.0f;       // an accelerometer's bias is learnt in this time
+constexpr float kForceBias_s = 10.0f;        // an accelerometer's bias is learnt in this time
 constexpr float kMostForceBias_mss = 0.3f;   // 0.03 g
-constexpr float kMostForceStep_mss = 0.005f;
+constexpr float kMostForceStep_mss = 0.01f;
 constexpr float kMostTime_s = 1.1f;   // between two fixes that are compared
 constexpr uint8_t kCompassEvery = 5;  // 10 Hz of 50
 constexpr float kCompassStep_s = 0.2f;
@@ -267,21 +266,22 @@ void Attitude::turnBy(int32_t& turned, float by_rad) {
 // `missing`: acceleration the reference saw and the accelerometers did not, over time_s. A tilt of
 // one radian would turn gravity into one g of it.
 void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& felt_mss,
-                       float time_s, float yaw_share) {
+                       float time_s, bool by_fix) {
     const float quick = this->quick();
     settling_ = core::limit(settling_ - time_s * (1.0f / kSettle_s), 0.0f, 1.0f);
     const core::Vector3& a = felt_mss;
     const float horizontal = a.x * a.x + a.y * a.y;
     // Split into towards the centre (along a) and along the path.
+    const float trust = kTurning_mss * kTurning_mss / (horizontal + kTurning_mss * kTurning_mss);
     core::Vector3 used = missing_mss;
     float yaw = 0;
     if (horizontal > 0.25f) {
         const float inverse = 1.0f / horizontal;
         const float path = (a.x * missing_mss.y - a.y * missing_mss.x) * inverse;
-        const float doubt = horizontal / (horizontal + kTurning_mss * kTurning_mss);
+        const float doubt = 1.0f - trust;
         used.x += a.y * path * doubt;
         used.y -= a.x * path * doubt;
-        yaw = path * doubt * yaw_share * quick;
+        if (by_fix) yaw = path * doubt * quick * kYawFromTurn;
     }
     const float gain =
         quick * core::limit(time_s * (1.0f / kTilt_s), 0.0f, 0.1f) * (1.0f / kGravity);
@@ -291,12 +291,7 @@ void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& fe
         north * (used.y * gain) - east * (used.x * gain) + down * core::limit(yaw, -0.05f, 0.05f);
     const float eager = 1.0f + kEager * settling_;
     learnRates({by.x * eager, by.y * eager, by.z});
-    // While the gyros' zero is learnt, nothing tells the accelerometers' from it.
-    const float share =
-        core::limit(time_s * (1.0f / kForceBias_s), 0.0f, 0.01f) * (1.0f - settling_);
-    used = used * share;
-    learnForce(force_bias_x_, north.x * used.x + east.x * used.y);
-    learnForce(force_bias_y_, north.y * used.x + east.y * used.y);
+    if (by_fix) learnForces({north.x, east.x, 0}, used * (trust * (1.0f - settling_)), time_s);
     turnBy(by);
 }
 
@@ -313,6 +308,21 @@ void Attitude::learnRate(int32_t& bias, core::Fixed<10>& rate, float turned_rad)
     grow(bias, -steps(turned_rad * kBiasShare, kMostBiasStep_rads, kPeriod), kMost);
     // 200 periods a second; from 2^-30 to 2^-10
     rate.raw = static_cast<int16_t>((core::times16(bias, 200 * 64) + 512) >> 10);
+}
+
+// A tilt is found where the accelerometers' bias is taken for a part of gravity. When the airplane
+// turns, the bias turns with it, over the ground, and the tilt does not: what is missing then tells
+// of it, as far as the nose has turned from where it pointed while the tilt was found. In a steep
+// turn other errors are larger; while the gyros' zero is learnt nothing tells the two apart.
+void Attitude::learnForces(const core::Vector3& nose, const core::Vector3& missing_mss,
+                           float time_s) {
+    const float north = nose.x - mean_nose_north_, east = nose.y - mean_nose_east_;
+    const float recent = core::limit(time_s * (1.0f / kTilt_s), 0.0f, 1.0f);
+    mean_nose_north_ = mean_nose_north_ + north * recent;
+    mean_nose_east_ = mean_nose_east_ + east * recent;
+    const float share = core::limit(time_s * (1.0f / kForceBias_s), 0.0f, 0.1f);
+    learnForce(force_bias_x_, (north * missing_mss.x + east * missing_mss.y) * share);
+    learnForce(force_bias_y_, (north * missing_mss.y - east * missing_mss.x) * share);
 }
 
 void Attitude::learnForce(int32_t& bias, float missing_mss) {
@@ -332,7 +342,7 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
         const core::Vector3 seen = VelocityHistory::difference_mps(ground, fix_ground_);
         const core::Vector3 felt = VelocityHistory::difference_mps(then, fix_);
         const float inverse = 1.0f / time_s;
-        correct((seen - felt) * inverse, felt * inverse, time_s, kYawFromTurn);
+        correct((seen - felt) * inverse, felt * inverse, time_s, true);
     }
     fix_ = then;
     fix_ground_ = ground;
@@ -368,7 +378,7 @@ void Attitude::useAirspeed(float true_airspeed_mps) {
     const core::Vector3 swung = {-yaw_rate * east_mps, yaw_rate * north_mps, 0};
     core::Vector3 missing = swung - acceleration_;
     missing.z = 0;
-    correct(missing, acceleration_, 0.2f, 0);
+    correct(missing, acceleration_, 0.2f, false);
 }
 
 float Attitude::quick() const {

@@ -124,15 +124,17 @@ private:
     void forgetForces();
     float quick() const;
     void correct(const core::Vector3& missing_mss, const core::Vector3& felt_mss, float time_s,
-                 float yaw_share);
+                 bool by_fix);
     void learnRates(const core::Vector3& turn_rad);
     static void learnRate(int32_t& bias, core::Fixed<10>& rate, float turned_rad);
+    void learnForces(const core::Vector3& nose, const core::Vector3& missing_mss, float time_s);
     static void learnForce(int32_t& bias, float missing_mss);
 
     Row north_ = {{kOne, 0, 0}}, down_ = {{0, 0, kOne}};
-    Turn bias_ = {};                               // of the gyros, in a sample period
-    core::FixedVector<10> rate_bias_ = {0, 0, 0};  // the same
-    int32_t force_bias_x_ = 0, force_bias_y_ = 0;  // of the accelerometers, 2^-25 m/s2
+    Turn bias_ = {};                                            // of the gyros, in a sample period
+    core::FixedVector<10> rate_bias_ = {0, 0, 0};               // the same
+    int32_t force_bias_x_ = 0, force_bias_y_ = 0;               // of the accelerometers, 2^-25 m/s2
+    core::Fixed<14> mean_nose_north_ = 1, mean_nose_east_ = 0;  // where it pointed lately
     core::FixedVector<10> rate_ = {0, 0, 0};
     Turn turned_ = {};           // since the matrix was last turned
     int32_t force_sum_[3] = {};  // of forces_ frames that took periods_
