@@ -5,6 +5,7 @@
 #include "estimation/arc.hpp"
 #include "estimation/atmosphere.hpp"
 #include "estimation/attitude.hpp"
+#include "estimation/barometer_drift.hpp"
 #include "estimation/height.hpp"
 #include "estimation/position.hpp"
 #include "estimation/wind.hpp"
@@ -20,14 +21,16 @@ using core::Vector3;
 
 estimation::Attitude attitude;
 estimation::Height height;
+estimation::BarometerDrift barometer_drift;
 estimation::Position position;
 estimation::Wind wind;
 
 bool started;
 bool height_started;
-float home_height_m;  // of home above where the barometer was zeroed
+float home_height_m;  // of home above the barometer's zero, which drifts
 float true_speed_ratio = 1.0f;
-uint32_t baro_us, fix_ms, unfixed_ms;
+uint32_t fix_ms;
+uint16_t baro_ms, unfixed_ms;
 uint8_t imu_gap;      // frames without its samples
 float gps_above_m;    // the receiver's heights over the estimate's; 0: no fix has been seen
 uint8_t gathered;     // sample periods since motion was last carried on
@@ -38,6 +41,7 @@ constexpr uint8_t kDead = 20;         // frames: after a longer gap the attitude
 constexpr uint8_t kFramePeriods = 2;  // of a sample
 constexpr float kOddAirspeed_mps = 4, kOddAirspeed = 0.3f;  // and this share of what is expected
 constexpr float kOddHeight_m = 20;
+constexpr float kClimbAge_s = 0.19f;   // a u-blox's, which alone tells it: 0.29, less half of 0.2
 constexpr uint16_t kGoodHdop_c = 200;  // with fewer satellites heights are tens of metres off
 constexpr uint16_t kGpsSilent_ms = 500;
 constexpr uint16_t kAirspeedHelps_ms = 200;
@@ -154,6 +158,8 @@ void feelHeight() {
     }
     gps_above_m += (fix_m - height_m) * (vehicle.estimate.flying ? 0.002f : 0.2f);
     if (!near(fix_m, height_m) && vehicle.gps.hdop_c < kGoodHdop_c) doubt(Sensor::barometer);
+    home_height_m += barometer_drift.useGps(height_m - height.climb_mps() * kClimbAge_s,
+                                            -vehicle.gps.velocity_mps.z, since_fix_s);
 }
 
 void gatherBarometer() {
@@ -174,14 +180,15 @@ void useBarometer() {
     baro_readings = 0;
     vehicle.baro.height_m = reading_m;
     if (!baro.healthy) return;
-    const uint32_t now_us = hal::now_us();
+    const uint16_t now_ms = static_cast<uint16_t>(hal::now_ms());
     if (height_started) {
-        height.useBarometer(reading_m, (now_us - baro_us) * 1e-6f, estimation::HeightSettings());
+        height.useBarometer(reading_m, static_cast<uint16_t>(now_ms - baro_ms) * 0.001f,
+                            estimation::HeightSettings());
     } else {
         height.start(reading_m);
         height_started = true;
     }
-    baro_us = now_us;
+    baro_ms = now_ms;
 }
 
 // On the ground before the first fix 0 lets the filter settle; in flight it would hold the turn's
@@ -207,8 +214,9 @@ void useReference() {
         if (parameters.compass_use != 0 &&
             !attitude.useCompass(vehicle.compass.field_mg, attitudeSettings()))
             doubt(Sensor::compass);
-    } else if (now_ms - fix_ms > kGpsSilent_ms && now_ms - unfixed_ms >= kAirspeedHelps_ms) {
-        unfixed_ms = now_ms;
+    } else if (now_ms - fix_ms > kGpsSilent_ms &&
+               static_cast<uint16_t>(now_ms - unfixed_ms) >= kAirspeedHelps_ms) {
+        unfixed_ms = static_cast<uint16_t>(now_ms);
         attitude.useAirspeed(knownAirspeed_mps());
     }
 }
@@ -248,6 +256,7 @@ void publishMotion() {
     to.velocity_mps = position.velocity_mps();
     to.height_m = height.height_m() - home_height_m;
     to.climb_mps = height.climb_mps();
+    to.velocity_mps.z = -to.climb_mps;
 }
 
 void publishSpeeds() {
@@ -347,6 +356,7 @@ void runEstimator() {
 Vector3 gyroDrift_rads() { return attitude.bias_rads(); }
 
 void zeroHeight() {
+    barometer_drift.zero();
     home_height_m = height.height_m();
     vehicle.estimate.height_m = 0;
     true_speed_ratio = estimation::trueSpeedRatio(static_cast<float>(vehicle.baro.pressure_pa),
@@ -365,7 +375,7 @@ void resumeEstimate(const SteadyRecord& steady, const MovingRecord& moving,
     home_height_m = steady.home_height_m;
     height.resume(home_height_m + moving.height_m, moving.climb_mps);
     height_started = started = true;
-    baro_us = hal::now_us();
+    baro_ms = static_cast<uint16_t>(hal::now_ms());
     true_speed_ratio =
         estimation::trueSpeedRatio(steady.ground_pressure_pa, steady.ground_temperature_c);
     if (moving.wind_known) wind.resume(metres(steady.wind_cms[0]), metres(steady.wind_cms[1]));

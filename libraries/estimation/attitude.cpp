@@ -236,7 +236,7 @@ void Attitude::accelerate() {
     acceleration_.y = static_cast<float>(then_east) * kStep_mss;
     acceleration_.z = static_cast<float>(d.dot(x, y, z)) * kStep_mss + kGravity;
     history_.add(then_north, then_east, periods_);
-    since_fix_ = periods_ > 0xFFFF - since_fix_ ? 0xFFFF : since_fix_ + periods_;
+    since_fix_ = periods_ > 0xFF - since_fix_ ? 0xFF : since_fix_ + periods_;
     forgetForces();
 }
 
@@ -272,13 +272,12 @@ void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& fe
     const core::Vector3& a = felt_mss;
     const float horizontal = a.x * a.x + a.y * a.y;
     // Split into towards the centre (along a) and along the path.
-    const float trust = kTurning_mss * kTurning_mss / (horizontal + kTurning_mss * kTurning_mss);
     core::Vector3 used = missing_mss;
-    float yaw = 0;
+    float yaw = 0, doubt = 0;
     if (horizontal > 0.25f) {
         const float inverse = 1.0f / horizontal;
         const float path = (a.x * missing_mss.y - a.y * missing_mss.x) * inverse;
-        const float doubt = 1.0f - trust;
+        doubt = horizontal / (horizontal + kTurning_mss * kTurning_mss);
         used.x += a.y * path * doubt;
         used.y -= a.x * path * doubt;
         if (by_fix) yaw = path * doubt * quick * kYawFromTurn;
@@ -291,7 +290,7 @@ void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& fe
         north * (used.y * gain) - east * (used.x * gain) + down * core::limit(yaw, -0.05f, 0.05f);
     const float eager = 1.0f + kEager * settling_;
     learnRates({by.x * eager, by.y * eager, by.z});
-    if (by_fix) learnForces({north.x, east.x, 0}, used * (trust * (1.0f - settling_)), time_s);
+    if (by_fix) learnForces(used, east.x, (1.0f - doubt) * (1.0f - settling_));
     turnBy(by);
 }
 
@@ -314,15 +313,25 @@ void Attitude::learnRate(int32_t& bias, core::Fixed<10>& rate, float turned_rad)
 // turns, the bias turns with it, over the ground, and the tilt does not: what is missing then tells
 // of it, as far as the nose has turned from where it pointed while the tilt was found. In a steep
 // turn other errors are larger; while the gyros' zero is learnt nothing tells the two apart.
-void Attitude::learnForces(const core::Vector3& nose, const core::Vector3& missing_mss,
-                           float time_s) {
-    const float north = nose.x - mean_nose_north_, east = nose.y - mean_nose_east_;
-    const float recent = core::limit(time_s * (1.0f / kTilt_s), 0.0f, 1.0f);
-    mean_nose_north_ = mean_nose_north_ + north * recent;
-    mean_nose_east_ = mean_nose_east_ + east * recent;
-    const float share = core::limit(time_s * (1.0f / kForceBias_s), 0.0f, 0.1f);
-    learnForce(force_bias_x_, (north * missing_mss.x + east * missing_mss.y) * share);
-    learnForce(force_bias_y_, (north * missing_mss.y - east * missing_mss.x) * share);
+void Attitude::learnForces(const core::Vector3& missing_mss, float nose_east, float trust) {
+    constexpr float kNose = 1.0f / 16384.0f;
+    constexpr int16_t kStraight = 500;                          // 2 degrees
+    constexpr float kMean = kSamplePeriod_s / kTilt_s / kNose;  // a period's share, in 2^-14
+    const int16_t recent = since_fix_ * static_cast<int16_t>(kMean + 0.5f);
+    const auto turned = [recent](int16_t& mean, int32_t now) {
+        const int16_t by = core::narrowed(now - mean);
+        mean += core::times14(by, recent);
+        return by;
+    };
+    const int16_t by_north = turned(mean_nose_[0], core::upper(north_.of[0]));
+    const int16_t by_east = turned(mean_nose_[1], static_cast<int16_t>(nose_east * 16383.0f));
+    const auto slight = [](int16_t by) { return by > -kStraight && by < kStraight; };
+    if (slight(by_north) && slight(by_east)) return;
+    constexpr float kShare = kNose * kSamplePeriod_s / kForceBias_s;
+    const float share = trust * (kShare * since_fix_);
+    const float north = by_north * share, east = by_east * share;
+    learnForce(force_bias_x_, north * missing_mss.x + east * missing_mss.y);
+    learnForce(force_bias_y_, north * missing_mss.y - east * missing_mss.x);
 }
 
 void Attitude::learnForce(int32_t& bias, float missing_mss) {

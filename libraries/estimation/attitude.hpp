@@ -127,14 +127,14 @@ private:
                  bool by_fix);
     void learnRates(const core::Vector3& turn_rad);
     static void learnRate(int32_t& bias, core::Fixed<10>& rate, float turned_rad);
-    void learnForces(const core::Vector3& nose, const core::Vector3& missing_mss, float time_s);
+    void learnForces(const core::Vector3& missing_mss, float nose_east, float trust);
     static void learnForce(int32_t& bias, float missing_mss);
 
     Row north_ = {{kOne, 0, 0}}, down_ = {{0, 0, kOne}};
-    Turn bias_ = {};                                            // of the gyros, in a sample period
-    core::FixedVector<10> rate_bias_ = {0, 0, 0};               // the same
-    int32_t force_bias_x_ = 0, force_bias_y_ = 0;               // of the accelerometers, 2^-25 m/s2
-    core::Fixed<14> mean_nose_north_ = 1, mean_nose_east_ = 0;  // where it pointed lately
+    Turn bias_ = {};                               // of the gyros, in a sample period
+    core::FixedVector<10> rate_bias_ = {0, 0, 0};  // the same
+    int32_t force_bias_x_ = 0, force_bias_y_ = 0;  // of the accelerometers, 2^-25 m/s2
+    int16_t mean_nose_[2] = {16384, 0};            // north and east of it lately, in 2^-14
     core::FixedVector<10> rate_ = {0, 0, 0};
     Turn turned_ = {};           // since the matrix was last turned
     int32_t force_sum_[3] = {};  // of forces_ frames that took periods_
@@ -147,7 +147,7 @@ private:
     VelocityHistory history_;
     VelocityHistory::Moment fix_ = {};         // the accelerometers' velocity at the last fix
     VelocityHistory::Moment fix_ground_ = {};  // and the GPS's
-    uint16_t since_fix_ = 0xFFFF;              // periods
+    uint8_t since_fix_ = 0xFF;                 // periods, 1.28 s at most
     float settling_ = 1;                       // 1 at start, 0 when settled
     Phase phase_ = Phase::falling;
     uint8_t frame_ = 0, forces_ = 0, periods_ = 0;

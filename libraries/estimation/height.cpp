@@ -6,23 +6,28 @@
 namespace estimation {
 namespace {
 
-constexpr float kGlitch_m = 15.0f;  // a reading farther off than this is left out ...
-constexpr float kInsist_s = 2.0f;   // ... unless they all are, this long
+constexpr float kGlitch_m = 15.0f;     // a reading farther off than this is left out ...
+constexpr uint16_t kInsist_ms = 2000;  // ... unless they all are, this long
 constexpr float kMostBias_mss = 2.0f;
-constexpr float kSinking_s = 1.0f;  // without readings the climb rate dies away with this
+constexpr uint16_t kSinking_ms = 1000;  // without readings the climb rate dies away with this
+
+void add(uint16_t& time_ms, float dt_s) {
+    const uint16_t step_ms = static_cast<uint16_t>(dt_s * 1000.0f + 0.5f);
+    time_ms = step_ms > UINT16_MAX - time_ms ? UINT16_MAX : time_ms + step_ms;
+}
 
 }  // namespace
 
 void Height::start(float height_m) {
     *this = Height();
     height_m_ = height_m;
-    unfed_s_ = 0;
+    unfed_ms_ = 0;
 }
 
 void Height::propagate(float up_mss, float dt_s) {
-    unfed_s_ = core::limit(unfed_s_ + dt_s, 0.0f, 1e6f);
-    if (unfed_s_ > kSinking_s) {  // nothing holds the accelerations' errors any more
-        climb_mps_ -= climb_mps_ * (dt_s / kSinking_s);
+    add(unfed_ms_, dt_s);
+    if (unfed_ms_ > kSinking_ms) {  // nothing holds the accelerations' errors any more
+        climb_mps_ -= climb_mps_ * (dt_s * (1000.0f / kSinking_ms));
         return;
     }
     const float gain_mps = (up_mss + bias_mss_) * dt_s;
@@ -37,13 +42,12 @@ void Height::useBarometer(float height_m, float dt_s, const HeightSettings& sett
         return;
     }
     if (error_m > kGlitch_m || error_m < -kGlitch_m) {
-        if (glitches_ != UINT16_MAX) ++glitches_;
-        off_s_ += dt_s;
-        if (off_s_ > kInsist_s) start(height_m);
+        add(off_ms_, dt_s);
+        if (off_ms_ > kInsist_ms) start(height_m);
         return;
     }
-    off_s_ = 0;
-    unfed_s_ = 0;
+    off_ms_ = 0;
+    unfed_ms_ = 0;
     // An observer with its three poles at omega: (s + omega)^3.
     const float omega = settings.omega_rads;
     const float step = error_m * omega * core::limit(dt_s, 0.0f, 0.1f);

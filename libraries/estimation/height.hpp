@@ -25,17 +25,15 @@ public:
 
     float height_m() const { return height_m_; }
     float climb_mps() const { return climb_mps_; }
-    bool healthy() const { return unfed_s_ < 2.0f; }  // a reading was used within 2 s
-    bool doubts() const { return off_s_ > 0; }        // the last reading lay far off
-    uint16_t glitches() const { return glitches_; }
+    bool healthy() const { return unfed_ms_ < 2000; }  // a reading was used within 2 s
+    bool doubts() const { return off_ms_ > 0; }        // the last reading lay far off
 
 private:
     float height_m_ = 0;
     float climb_mps_ = 0;
     float bias_mss_ = 0;
-    float unfed_s_ = 1e6f;
-    float off_s_ = 0;  // readings have been far off for this long
-    uint16_t glitches_ = 0;
+    uint16_t unfed_ms_ = UINT16_MAX;
+    uint16_t off_ms_ = 0;  // readings have been far off for this long
 };
 
 }  // namespace estimation

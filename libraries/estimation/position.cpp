@@ -25,25 +25,27 @@ void Position::propagate(const core::Vector3& acceleration_mss, float dt_s) {
     // Without fixes the accelerations' errors grow with the square of time: only the velocity is
     // carried on.
     const float share = age_s_ < kCarries_s ? dt_s : 0.0f;
-    const core::Vector3 gain = acceleration_mss * share;
-    since_.north_m += (velocity_.x + 0.5f * gain.x) * dt_s;
-    since_.east_m += (velocity_.y + 0.5f * gain.y) * dt_s;
-    velocity_ = velocity_ + gain;
+    const float north_mps = acceleration_mss.x * share, east_mps = acceleration_mss.y * share;
+    since_.north_m += (north_mps_ + 0.5f * north_mps) * dt_s;
+    since_.east_m += (east_mps_ + 0.5f * east_mps) * dt_s;
+    north_mps_ += north_mps;
+    east_mps_ += east_mps;
 }
 
 void Position::reckon(float north_mps, float east_mps) {
     if (age_s_ < kCarries_s) return;
-    velocity_.x = north_mps;
-    velocity_.y = east_mps;
+    north_mps_ = north_mps;
+    east_mps_ = east_mps;
 }
 
 void Position::useGps(const geo::Position& position, const core::Vector3& velocity_mps,
                       const core::Vector3& gained_mps, const PositionSettings& settings) {
     if (age_s_ > kBelieved_s) anchorAt(position, {0, 0});
     const geo::Offset fix = geo::offset(anchor_, position);
-    const core::Vector3 carried = (velocity_mps + gained_mps * 0.5f) * settings.gps_age_s;
-    const geo::Offset off = {fix.north_m + carried.x - since_.north_m,
-                             fix.east_m + carried.y - since_.east_m};
+    const float age_s = settings.gps_age_s;
+    const geo::Offset off = {
+        fix.north_m + (velocity_mps.x + gained_mps.x * 0.5f) * age_s - since_.north_m,
+        fix.east_m + (velocity_mps.y + gained_mps.y * 0.5f) * age_s - since_.east_m};
     const float far_m = kFar_m + kFarther_mps * age_s_;
     refuses_ = squared(off) > far_m * far_m;
     if (refuses_) return;
@@ -51,8 +53,9 @@ void Position::useGps(const geo::Position& position, const core::Vector3& veloci
     const float share = late ? 1.0f : kPositionShare;
     since_.north_m += (off.north_m - wander_m(mean_.north_m, fix.north_m, velocity_mps.x)) * share;
     since_.east_m += (off.east_m - wander_m(mean_.east_m, fix.east_m, velocity_mps.y)) * share;
-    velocity_ =
-        velocity_ + (velocity_mps + gained_mps - velocity_) * (late ? 1.0f : kVelocityShare);
+    const float velocity_share = late ? 1.0f : kVelocityShare;
+    north_mps_ += (velocity_mps.x + gained_mps.x - north_mps_) * velocity_share;
+    east_mps_ += (velocity_mps.y + gained_mps.y - east_mps_) * velocity_share;
     age_s_ = 0;
     if (squared(since_) < kFold_m * kFold_m) return;
     const geo::Position here = this->position();

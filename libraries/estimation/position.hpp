@@ -27,7 +27,7 @@ public:
                 const core::Vector3& gained_mps, const PositionSettings& settings);
 
     geo::Position position() const;
-    const core::Vector3& velocity_mps() const { return velocity_; }  // north, east, down
+    core::Vector3 velocity_mps() const { return {north_mps_, east_mps_, 0}; }  // over the ground
     bool known() const { return age_s_ < kReckoned_s; }
     bool reckoned() const { return age_s_ > kMissed_s; }  // no fix was used for a while
     bool refuses() const { return refuses_; }             // the last fix lay too far off
@@ -41,7 +41,7 @@ private:
     geo::Offset since_ = {0, 0};  // from the anchor to where the airplane is now
     geo::Offset mean_ = {0, 0};   // from the anchor to the fixes' mean, half an interval ahead
     float north_e7_per_m_ = 0, east_e7_per_m_ = 0;
-    core::Vector3 velocity_ = {0, 0, 0};
+    float north_mps_ = 0, east_mps_ = 0;
     float age_s_ = 1e6f;
     bool refuses_ = false;
 };

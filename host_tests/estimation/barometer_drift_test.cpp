@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimation/barometer_drift.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "flight.hpp"
+
+namespace {
+
+using estimation::BarometerDrift;
+
+constexpr float kFix_s = 0.2f;
+
+// A barometer's zero as it is told to rise.
+struct Zero {
+    BarometerDrift drift;
+    double height_m = 0;
+
+    explicit Zero(double at_m) { drift.useGps(static_cast<float>(at_m), 0, 10); }
+    void fix(double told_m, double climb_mps, float after_s = kFix_s) {
+        height_m +=
+            drift.useGps(static_cast<float>(told_m), static_cast<float>(climb_mps), after_s);
+    }
+    template <class Told>
+    void fly(double for_s, Told told_m, double climb_mps) {
+        for (double t = kFix_s; t < for_s; t += kFix_s) fix(told_m(t), climb_mps);
+    }
+};
+double level(double) { return 100; }
+double risen(double t) { return 100 + t / 30; }
+
+TEST(BarometerDrift, two_fifths_of_what_the_velocities_do_not_tell_are_drift) {
+    Zero zero(100);
+    zero.fly(30, risen, 0);
+
+    EXPECT_NEAR(zero.height_m, 0.4, 0.03);
+}
+
+TEST(BarometerDrift, a_climb_is_none) {
+    Zero zero(0);
+    zero.fly(
+        60, [](double t) { return 2.5 * t; }, 2.5);
+
+    EXPECT_NEAR(zero.height_m, 0, 0.01);
+}
+
+TEST(BarometerDrift, what_the_velocities_sum_up_wrongly_is_forgotten_in_minutes) {
+    Zero zero(100);
+    zero.fly(3600, level, -0.005);
+    EXPECT_NEAR(zero.height_m, 0.8, 0.05);
+
+    zero.fly(1200, level, 0);
+    EXPECT_NEAR(zero.height_m, 0, 0.06);
+}
+
+TEST(BarometerDrift, an_interval_without_fixes_is_left_out) {
+    Zero zero(100);
+    zero.fly(30, risen, 0);
+    const double before_m = zero.height_m;
+    zero.fix(150, 0, 10);
+
+    EXPECT_EQ(zero.height_m, before_m);
+}
+
+TEST(BarometerDrift, a_barometer_metres_off_at_once_has_not_drifted) {
+    Zero zero(100);
+    zero.fly(
+        10, [](double t) { return t < 5 ? 100 : 140; }, 0);
+
+    EXPECT_NEAR(zero.height_m, 0, 1e-6);
+}
+
+TEST(BarometerDrift, a_wrong_velocity_moves_it_by_two_metres_and_lets_go_again) {
+    Zero zero(100);
+    zero.fly(300, level, -0.5);
+    EXPECT_NEAR(zero.height_m, 2, 0.1);
+
+    zero.fly(1200, level, 0);
+    EXPECT_NEAR(zero.height_m, 0, 0.15);
+}
+
+TEST(BarometerDrift, a_zero_that_is_known_is_kept) {
+    Zero zero(100);
+    zero.fly(30, risen, 0);
+    zero.drift.zero();
+    zero.height_m = 0;
+    zero.fly(
+        300, [](double) { return risen(30 - kFix_s); }, 0);
+
+    EXPECT_NEAR(zero.height_m, 0, 0.01);
+}
+
+// With the errors of the flights' sensors.
+TEST(BarometerDrift, leaves_a_sixth_less_than_the_barometers_own) {
+    double own = 0, left = 0;
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+        std::mt19937 random(seed);
+        std::normal_distribution<> normal;
+        flight::Wander wander{0.35, 300};
+        wander.start(random);
+        const double start_m = wander.value;
+        Zero zero(0);
+        for (int fix = 0; fix < 3000; ++fix) {
+            const double off_m = wander.step(kFix_s, random) - start_m;
+            zero.fix(off_m, 0.05 * normal(random));
+            own += off_m * off_m;
+            left += std::pow(off_m - zero.height_m, 2);
+        }
+    }
+
+    EXPECT_LT(std::sqrt(left / own), 0.85);
+}
+
+}  // namespace
