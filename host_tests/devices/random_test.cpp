@@ -68,3 +68,27 @@ TEST(SensorErrors, are_all_in_the_table_for_reports) {
         for (int j = 0; j < i; ++j)
             EXPECT_NE(simulator::kErrorRows[i].value, simulator::kErrorRows[j].value);
 }
+
+// docs/airplanes.md tells the figures for these; the devices' own tests hold them to the table.
+TEST(SensorErrors, are_those_the_figures_are_told_for) {
+    const simulator::SensorErrors e;
+    EXPECT_EQ(e.gyro_bias_dps, 0.6);
+    EXPECT_EQ(e.gyro_noise_dps, 0.12);
+    EXPECT_EQ(e.gyro_vibration_dps, 0.8);
+    EXPECT_EQ(e.accel_bias_g, 0.004);
+    EXPECT_EQ(e.accel_scale, 0);
+    EXPECT_EQ(e.accel_noise_g, 0.006);
+    EXPECT_EQ(e.accel_vibration_g, 0.08);
+    EXPECT_EQ(e.compass_noise_mg, 2);
+    EXPECT_EQ(e.baro_noise_pa, 2);
+    EXPECT_EQ(e.baro_drift_pa, 4);
+    EXPECT_EQ(e.baro_drift_s, 300);
+    EXPECT_EQ(e.airspeed_noise_v, 0.003);
+    EXPECT_EQ(e.gps_horizontal_m, 0.6);
+    EXPECT_EQ(e.gps_vertical_m, 1.5);
+    EXPECT_EQ(e.gps_wander_s, 60);
+    EXPECT_EQ(e.gps_velocity_mps, 0.05);
+    EXPECT_EQ(e.gps_age_s, 0.2);
+    EXPECT_EQ(e.gps_rate_hz, 5);
+    EXPECT_EQ(e.gust_mps, 1);
+}

@@ -6,8 +6,8 @@
 namespace estimation {
 namespace {
 
-// The optimum (Kalman's filter, settled) for a drift of 0.35 m within 300 s and velocities that err
-// by 0.05 m/s five times a second.
+// Near the optimum (Kalman's filter, settled) for a drift of 0.35 m within 300 s and velocities
+// that err by 0.05 m/s five times a second.
 constexpr float kShare = 0.4f;
 constexpr float kForgotten_s = 400.0f;
 constexpr float kMissed_s = 1.5f;    // between two fixes nobody knows how far it climbed
