@@ -25,7 +25,7 @@ constexpr float kPerHeadwind_spm = 0.3f;
 constexpr float kMostPower = 1.4f;  // of the cruise throttle
 constexpr float kPowered_m = 0.9f;  // less below
 constexpr float kPoweredBehind_m = 15, kPowerFades_m = 20;
-constexpr float kLate_s = 0.3f;
+constexpr float kLate_s = 0.2f;
 constexpr float kEarly_s = 0.02f;  // a sink that is to grow less does so late
 constexpr float kSofter = 0.4f;
 // Below LAND_PITCH_CD, the higher the more: a fast airplane would not come down.
