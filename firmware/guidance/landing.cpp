@@ -27,7 +27,7 @@ constexpr float kPowered_m = 0.9f;  // less below
 constexpr float kPoweredBehind_m = 15, kPowerFades_m = 20;
 constexpr float kLate_s = 0.2f;
 constexpr float kEarly_s = 0.02f;  // a sink that is to grow less does so late
-constexpr float kSofter = 0.4f;
+constexpr float kSofter = 0.6f;
 // Below LAND_PITCH_CD, the higher the more: a fast airplane would not come down.
 constexpr float kNoseDown_radpm = 0.1f, kMostNoseDown_m = 2;
 
