@@ -11,14 +11,11 @@
 #include <map>
 
 #include "firmware/failsafe/table.hpp"
+#include "host_tests/on_board/self_judged.hpp"
 #include "host_tests/on_board/station.hpp"
-#include "host_tests/on_board/telling.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
-#include "simulator/machine/apm2_board.hpp"
-#include "simulator/native/native_board.hpp"
 
 using namespace simulator;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -296,18 +293,6 @@ int main(int count, char** words) {
         std::cerr << "usage: failsafe_flight native|FIRMWARE MISSION OUT MINUTES\n";
         return 2;
     }
-    const std::string firmware = words[1];
-    const fs::path out = words[3], minutes = words[4];
-    emptyFolder(out);
     const Waypoints items = readWaypoints(words[2]);
-    const WorldOptions world = worldOf(items);
-    std::unique_ptr<Board> board;
-    if (firmware == "native")
-        board = std::make_unique<NativeBoard>(world);
-    else
-        board = std::make_unique<AvrBoard>(firmware, world);
-    FailsafeFlight flight(*board, items);
-    const bool kept = flight.fly();
-    writeOutcome(out, minutes, flight.summary(firmware, world));
-    return kept ? 0 : 1;
+    return flyAndJudge<FailsafeFlight>(words[1], worldOf(items), words[3], words[4], items);
 }

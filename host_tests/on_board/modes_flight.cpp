@@ -7,15 +7,12 @@
 #include <cstdio>
 #include <iostream>
 
+#include "host_tests/on_board/self_judged.hpp"
 #include "host_tests/on_board/station.hpp"
-#include "host_tests/on_board/telling.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
-#include "simulator/machine/apm2_board.hpp"
-#include "simulator/native/native_board.hpp"
 #include "simulator/report/recorder.hpp"
 
 using namespace simulator;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -317,18 +314,7 @@ int main(int count, char** words) {
         std::cerr << "usage: modes_flight native|FIRMWARE MISSION OUT SECONDS_A_MODE MINUTES\n";
         return 2;
     }
-    const std::string firmware = words[1];
-    const fs::path out = words[3], minutes = words[5];
-    emptyFolder(out);
     const Waypoints items = readWaypoints(words[2]);
-    const WorldOptions world = worldOf(items);
-    std::unique_ptr<Board> board;
-    if (firmware == "native")
-        board = std::make_unique<NativeBoard>(world);
-    else
-        board = std::make_unique<AvrBoard>(firmware, world);
-    ModesFlight flight(*board, items, std::stod(words[4]));
-    const bool kept = flight.fly();
-    writeOutcome(out, minutes, flight.summary(firmware, world));
-    return kept ? 0 : 1;
+    return flyAndJudge<ModesFlight>(words[1], worldOf(items), words[3], words[5], items,
+                                    std::stod(words[4]));
 }
