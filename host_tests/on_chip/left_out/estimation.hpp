@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whole flights 200 times a second take minutes of the chip.
 // clang-format off
-LEFT_OUT(Attitude, holds_a_quarter_of_a_degree_of_bank_over_whole_flights_with_every_error, "whole flights")
+LEFT_OUT(Attitude, holds_a_fifth_of_a_degree_of_bank_over_whole_flights_with_every_error, "whole flights")
+LEFT_OUT(Attitude, compares_a_fix_with_its_own_time_whichever_frame_it_comes_in, "whole flights")
+LEFT_OUT(Attitude, knows_the_accelerometers_bias_after_a_few_turns, "whole flights")
+LEFT_OUT(Attitude, takes_no_other_error_of_turns_for_the_accelerometers_bias, "whole flights")
 LEFT_OUT(Attitude, bears_a_fix_that_is_older_than_believed, "whole flights")
 LEFT_OUT(Attitude, puts_a_compass_to_rights_whose_offsets_are_50_mG_wrong, "whole flights")
 LEFT_OUT(Attitude, stays_upright_for_two_minutes_without_gps, "whole flights")
