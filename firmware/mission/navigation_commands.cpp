@@ -21,7 +21,7 @@ Place last;  // of the NAV that last finished
 bool have_last;
 bool no_place;  // what is flown ends where the airplane is
 
-uint16_t acceptance_m;
+float acceptance_m;
 bool leg_counts;  // it is longer than the acceptance radius
 
 // Of a loiter: radians or seconds since capture. `before`: until the last resume.
@@ -74,7 +74,7 @@ void demand(Path path, const Place& to, Entry entry) {
     if (entry.resumed) goOnClimbing();
 }
 
-void demandLeg(const Place& to, uint16_t radius_m, Entry entry) {
+void demandLeg(const Place& to, float radius_m, Entry entry) {
     demand(Path::leg, to, entry);
     acceptance_m = radius_m;
     leg_counts = geo::distance_m(vehicle.demand.from, to.position) > radius_m;
@@ -133,7 +133,7 @@ void holdPlace() {
 }
 
 void startWaypoint(const Record& record, Entry entry) {
-    const int16_t radius_m = record.p1 != 0 ? record.p1 : parameters.waypoint_radius_m;
+    const float radius_m = record.p1 != 0 ? record.p1 : parameters.waypoint_radius_m;
     demandLeg({placeOf(record), heightOf_m(record)}, radius_m, entry);
 }
 

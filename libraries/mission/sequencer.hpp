@@ -71,13 +71,7 @@ struct Memory {
 class Sequencer {
 public:
     constexpr Sequencer(const Table& table, const Host& host, Memory& memory)
-        : table_(table),
-          host_(host),
-          memory_(memory),
-          active_(false),
-          resuming_(false),
-          trailing_(false),
-          starved_(false) {}
+        : table_(table), host_(host), memory_(memory) {}
 
     // After a reset. survived: memory may still hold what it held; it counts when its seal and the
     // generation are right. Otherwise the mission begins at `index`, without the chain of that NAV
@@ -164,10 +158,10 @@ private:
     const Table& table_;
     const Host& host_;
     Memory& memory_;
-    bool active_ : 1;
-    bool resuming_ : 1;
-    bool trailing_ : 1;
-    bool starved_ : 1;
+    bool active_ = false;
+    bool resuming_ = false;
+    bool trailing_ = false;
+    bool starved_ = false;
 };
 
 }  // namespace mission
