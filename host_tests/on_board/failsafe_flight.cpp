@@ -14,6 +14,7 @@
 #include "host_tests/on_board/self_judged.hpp"
 #include "host_tests/on_board/station.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/report/recorder.hpp"
 
 using namespace simulator;
 
@@ -85,8 +86,11 @@ public:
     FailsafeFlight(Board& board, const Waypoints& items)
         : board_(board),
           home_(items[0]),
+          frame_(home_.latitude_deg, home_.longitude_deg),
+          plan_(makePlan(items, frame_)),
           flight_(board, kTelemetry, items, 900),
-          usb_(board, kUsb, [](const mavlink::Frame&, uint64_t) {}) {
+          usb_(board, kUsb, [](const mavlink::Frame&, uint64_t) {}),
+          recorder_(plan_, frame_) {
         board_.listen([this](int usart, uint8_t byte, uint64_t at_us) {
             if (usart == kTelemetry) flight_.receive(byte, at_us);
             if (usart == kUsb) usb_.receive(byte, at_us);
@@ -116,6 +120,7 @@ public:
         Summary s = summaryOf(board_, flight_, firmware, world);
         s.mission = "every failsafe";
         s.completed = kept_;
+        if (const auto imu = recorder_.imuSamples()) s.setSamples(*imu);
         return s;
     }
 
@@ -126,6 +131,7 @@ private:
     bool goOn() {
         if (!board_.runUntil(++step_ * kStep_us)) flight_.stop(board_.fault());
         if ((troubles_ & kGround) == 0) flight_.step(board_.time_us());
+        if (step_ % 5 == 0) recorder_.sample(board_, flight_.telemetry(), {}, {});
         const Truth& truth = board_.world().truth();
         if (!begun_) return !flight_.over();  // the take-off
         lowest_m_ = std::min(lowest_m_, truth.height_m);
@@ -268,8 +274,11 @@ private:
 
     Board& board_;
     const WaypointItem home_;
+    const LocalFrame frame_;
+    const Plan plan_;
     ScriptedFlight flight_;
     Link usb_;
+    Recorder recorder_;
     uint64_t step_ = 0;
     unsigned troubles_ = kNone;
     bool begun_ = false, kept_ = false;

@@ -73,7 +73,7 @@ function cycles([budgetsPath, ...folders]) {
   };
   const rows = flights.map((flight) => {
     const longest = Math.max(...flight.interrupts.map((interrupt) => interrupt.max_cycles));
-    const both = flight.name === 'elf_rough';
+    const both = ['elf_rough', 'elf_failsafes'].includes(flight.name);
     const most = flight.board === 'apm1' ? analogue : limit;
     hold(flight, 'processor load', flight.cpu_load, both ? limit.cpu_both_links : most.cpu);
     // the rough flight's lists and uploads are answered in what the frames leave
