@@ -6,6 +6,7 @@
 #include "firmware/modes.hpp"
 #include "firmware/modes/circling.hpp"
 #include "firmware/parameters.hpp"
+#include "firmware/radio.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
 #include "hal/clock.hpp"
@@ -14,7 +15,6 @@ namespace firmware {
 namespace {
 
 enum Action : int8_t { kNothing, kGuided, kReport, kGuidedThrottle };  // FENCE_ACTION
-constexpr uint16_t kSwitchOn_us = 1750;
 
 struct {
     uint32_t breach_ms;
@@ -32,7 +32,7 @@ struct {
 // FENCE_CHANNEL: the pilot's switch counts when it moves.
 void followSwitch() {
     if (parameters.fence_channel == 0 || vehicle.radio.lost) return;
-    const bool high = vehicle.radio.pulse_us[parameters.fence_channel - 1] > kSwitchOn_us;
+    const bool high = switchIsUp(parameters.fence_channel);
     if (high == fence.switch_high) return;
     fence.switch_high = high;
     fenceEnable(high);

@@ -3,12 +3,12 @@
 
 #include "firmware/modes.hpp"
 #include "firmware/parameters.hpp"
+#include "firmware/radio.hpp"
 #include "firmware/vehicle.hpp"
 
 namespace firmware {
 namespace {
 
-constexpr uint16_t kSwitchOn_us = 1750;
 // Half a roll costs height, and so does a wing that was not made for it.
 constexpr float kLowestToRoll_m = 30, kLowest_m = 15;
 
@@ -17,9 +17,7 @@ Mode ordered_in;
 
 bool wanted() {
     if (ordered_in != vehicle.mode) ordered = false;
-    const int8_t channel = parameters.inverted_channel;
-    return ordered || (channel != 0 && !vehicle.radio.lost &&
-                       vehicle.radio.pulse_us[channel - 1] > kSwitchOn_us);
+    return ordered || switchIsUp(parameters.inverted_channel);
 }
 
 bool possible() {

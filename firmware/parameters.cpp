@@ -103,6 +103,8 @@ constexpr parameters::Row kRows[] = {
     P( 92, "TRIM_PITCH_CD",     trim_pitch_cd,                     0,   -1500,     1500),
     P(177, "STALL_PREVENTION",  stall_prevention,                  1,       0,        1),
     P(221, "INVERTEDFLT_CH",    inverted_channel,                  0,       0,        8),
+    P(244, "RST_SWITCH_CH",     reset_switch_channel,              0,       0,        8),
+    P(245, "RST_MISSION_CH",    reset_mission_channel,             0,       0,        8),
     P(203, "ACRO_ROLL_RATE",    acro_roll_rate_dps,              180,      10,      500),
     P(204, "ACRO_PITCH_RATE",   acro_pitch_rate_dps,             180,      10,      500),
     P(205, "ACRO_LOCKING",      acro_locking,                      0,       0,        1),

@@ -54,6 +54,7 @@ struct Parameters {
     int8_t stall_prevention;
     // modes
     int8_t inverted_channel;  // INVERTEDFLT_CH
+    int8_t reset_switch_channel, reset_mission_channel;
     int16_t acro_roll_rate_dps, acro_pitch_rate_dps;
     int8_t acro_locking;
     int8_t autotune_level;

@@ -3,6 +3,7 @@
 
 #include "core/maths.hpp"
 #include "core/rom.hpp"
+#include "firmware/mission/mission.hpp"
 #include "firmware/modes.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/telemetry/telemetry.hpp"
@@ -102,9 +103,11 @@ struct SwitchReading {
     uint8_t position;  // last seen
     uint8_t settled;   // seen twice
     uint8_t obeyed;
+    bool restarts;  // RST_MISSION_CH was up
 };
 SwitchReading mode_switch;
 
+constexpr uint16_t kSwitchUp_us = 1750;
 // upper ends of the six bands, us
 constexpr uint16_t kBands_us[] ROM = {1230, 1360, 1490, 1620, 1749, 2199};
 
@@ -144,7 +147,16 @@ uint8_t modeSwitchPosition() {
     return 0;
 }
 
+bool switchIsUp(int8_t channel) {
+    return channel != 0 && !vehicle.radio.lost &&
+           vehicle.radio.pulse_us[channel - 1] > kSwitchUp_us;
+}
+
 void runModeSwitch() {
+    const bool restarts = switchIsUp(parameters.reset_mission_channel);
+    if (restarts && !mode_switch.restarts) missionRestart();
+    mode_switch.restarts = restarts;
+    if (switchIsUp(parameters.reset_switch_channel)) mode_switch.obeyed = 0;
     const uint8_t position = modeSwitchPosition();
     if (position == mode_switch.position) mode_switch.settled = position;
     mode_switch.position = position;

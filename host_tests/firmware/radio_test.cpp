@@ -116,4 +116,27 @@ TEST_F(Radio, sets_the_mode_when_the_switch_moves_and_leaves_a_mode_of_the_groun
     EXPECT_EQ(vehicle.mode, Mode::manual);
 }
 
+TEST_F(Radio, gives_the_mode_switch_its_say_again_while_the_reset_switch_is_up) {
+    parameters.reset_switch_channel = 7;
+    settle(with(8, 1425));
+    firmware::setMode(Mode::stabilize, firmware::ModeReason::ground);
+    settle(with(8, 1425));
+    ASSERT_EQ(vehicle.mode, Mode::stabilize);
+    auto pulses = with(8, 1425);
+    pulses[6] = 1800;
+    settle(pulses);
+    EXPECT_EQ(vehicle.mode, Mode::fbwa);
+}
+
+TEST_F(Radio, knows_a_switch_that_is_up_but_not_one_that_nobody_has_or_with_the_radio_lost) {
+    settle(with(7, 1800));
+    EXPECT_TRUE(firmware::switchIsUp(7));
+    EXPECT_FALSE(firmware::switchIsUp(0));
+    settle(with(7, 1750));
+    EXPECT_FALSE(firmware::switchIsUp(7));
+    settle(with(7, 1800));
+    loseRadio(1200);
+    EXPECT_FALSE(firmware::switchIsUp(7));
+}
+
 }  // namespace
