@@ -35,12 +35,8 @@ enum CheckBit : uint16_t {
     kAlways = 0xFFFF,
 };
 
-uint8_t number;  // that takes the place of '#'
-
-bool boardBad() {
-    number = board::kModel;
-    return wrongBoard();
-}
+bool boardBad() { return wrongBoard(); }
+uint8_t boardModel() { return board::kModel; }
 bool calibrationRuns() { return calibrating() > Calibrating::rest; }
 bool inertialBad() { return !vehicle.imu.healthy; }
 bool gyrosUnknown() { return !vehicle.imu.calibrated; }
@@ -80,19 +76,20 @@ bool dilutionBad() { return vehicle.gps.hdop_c > 350; }
 
 bool radioBad() { return vehicle.radio.lost || vehicle.radio.good_ms == 0; }
 bool throttleUp() { return !radioBad() && vehicle.radio.throttle_pct > 3; }
+bool uncalibrated(const Channel& range) {
+    return range.min_us > 1300 || range.max_us < 1700 || range.trim_us < range.min_us ||
+           range.trim_us > range.max_us;
+}
 // Of the four that fly: a way of less than 200 us to either side has not been set, it is a mistake.
-bool radioUncalibrated() {
+// 0: there is none.
+uint8_t uncalibratedChannel() {
     const int8_t flown[] = {parameters.map_roll, parameters.map_pitch, parameters.map_throttle,
                             parameters.map_yaw};
-    for (const int8_t flown_by : flown) {
-        const Channel& range = parameters.channel[flown_by - 1];
-        number = static_cast<uint8_t>(flown_by);
-        if (range.min_us > 1300 || range.max_us < 1700 || range.trim_us < range.min_us ||
-            range.trim_us > range.max_us)
-            return true;
-    }
-    return false;
+    for (const int8_t channel : flown)
+        if (uncalibrated(parameters.channel[channel - 1])) return static_cast<uint8_t>(channel);
+    return 0;
 }
+bool radioUncalibrated() { return uncalibratedChannel() != 0; }
 
 bool airspeedBad() {
     return parameters.airspeed_enable != 0 && parameters.airspeed_use != 0 &&
@@ -116,32 +113,33 @@ struct Check {
     uint16_t bit;
     bool (*fails)();
     char reason[31];
+    uint8_t (*number)();  // that takes the place of '#'; nullptr: there is none
 };
 
 // The first that fails is told.
 // clang-format off
 constexpr Check kChecks[] ROM = {
-    {kAlways,       boardBad,          "Wrong board: made for an APM #"},
-    {kAlways,       calibrationRuns,   "PreArm: calibrating"},
-    {kInertial,     inertialBad,       "PreArm: gyros not healthy"},
-    {kInertial,     gyrosUnknown,      "PreArm: gyros not ready"},
-    {kInertial,     accelerometersBad, "PreArm: accelerometers"},
-    {kInertial,     attitudeBad,       "PreArm: attitude"},
-    {kBarometer,    barometerBad,      "PreArm: barometer"},
-    {kCompass,      compassBad,        "PreArm: compass"},
-    {kCompass,      fieldBad,          "PreArm: check mag field"},
-    {kCompass,      offsetsBad,        "PreArm: compass offsets"},
-    {kGps,          gpsBad,            "PreArm: no GPS fix"},
-    {kGps,          dilutionBad,       "PreArm: high GPS HDOP"},
-    {kAirspeed,     airspeedBad,       "PreArm: airspeed sensor"},
-    {kRadio,        radioBad,          "PreArm: no radio"},
-    {kRadio,        radioUncalibrated, "PreArm: RC# not calibrated"},
-    {kRadio,        throttleUp,        "PreArm: throttle is up"},
-    {kBoardVoltage, boardVoltageBad,   "PreArm: board voltage"},
-    {kBattery,      batteryBad,        "PreArm: battery low"},
-    {kMission,      missionBad,        "PreArm: mission not readable"},
-    {kParameters,   fenceBad,          "PreArm: fence not fit"},
-    {kLogging,      loggingBad,        "PreArm: no log chip"},
+    {kAlways,       boardBad,          "Wrong board: made for an APM #", boardModel},
+    {kAlways,       calibrationRuns,   "PreArm: calibrating", nullptr},
+    {kInertial,     inertialBad,       "PreArm: gyros not healthy", nullptr},
+    {kInertial,     gyrosUnknown,      "PreArm: gyros not ready", nullptr},
+    {kInertial,     accelerometersBad, "PreArm: accelerometers", nullptr},
+    {kInertial,     attitudeBad,       "PreArm: attitude", nullptr},
+    {kBarometer,    barometerBad,      "PreArm: barometer", nullptr},
+    {kCompass,      compassBad,        "PreArm: compass", nullptr},
+    {kCompass,      fieldBad,          "PreArm: check mag field", nullptr},
+    {kCompass,      offsetsBad,        "PreArm: compass offsets", nullptr},
+    {kGps,          gpsBad,            "PreArm: no GPS fix", nullptr},
+    {kGps,          dilutionBad,       "PreArm: high GPS HDOP", nullptr},
+    {kAirspeed,     airspeedBad,       "PreArm: airspeed sensor", nullptr},
+    {kRadio,        radioBad,          "PreArm: no radio", nullptr},
+    {kRadio,        radioUncalibrated, "PreArm: RC# not calibrated", uncalibratedChannel},
+    {kRadio,        throttleUp,        "PreArm: throttle is up", nullptr},
+    {kBoardVoltage, boardVoltageBad,   "PreArm: board voltage", nullptr},
+    {kBattery,      batteryBad,        "PreArm: battery low", nullptr},
+    {kMission,      missionBad,        "PreArm: mission not readable", nullptr},
+    {kParameters,   fenceBad,          "PreArm: fence not fit", nullptr},
+    {kLogging,      loggingBad,        "PreArm: no log chip", nullptr},
 };
 // clang-format on
 
@@ -188,12 +186,17 @@ bool fails(const Check& check) {
     return core::romRead(check.fails)();
 }
 
-void remind(core::RomText why) {
+void report(Severity severity, const Check& check) {
+    const auto number = core::romRead(check.number);
+    tell(severity, check.reason, number != nullptr ? number() : 0);
+}
+
+void remind(const Check& check) {
     const uint32_t now_ms = hal::now_ms();
     const uint16_t pause_ms = wrongBoard() ? kRemindSoon_ms : kRemind_ms;
     if (now_ms - reminded_ms < pause_ms) return;
     reminded_ms = now_ms;
-    tell(Severity::warning, why, number);
+    report(Severity::warning, check);
 }
 
 // A few at a time, so that they are through in a second; at one that fails it stays.
@@ -203,7 +206,7 @@ void look() {
         const Check& check = kChecks[looked_at];
         if (fails(check)) {
             ready = false;
-            return remind(check.reason);
+            return remind(check);
         }
         if (++looked_at < core::count(kChecks)) continue;
         looked_at = 0;
@@ -221,18 +224,23 @@ void runLanded() {
     if (delay_s != 0 && landed > delay_s * 10) disarm(ArmReason::landed, false);
 }
 
-}  // namespace
-
-core::RomText prearmFailure() {
+const Check* firstFailing() {
     for (const Check& check : kChecks)
-        if (fails(check)) return check.reason;
+        if (fails(check)) return &check;
     return nullptr;
 }
 
+}  // namespace
+
+core::RomText prearmFailure() {
+    const Check* const check = firstFailing();
+    return check != nullptr ? check->reason : nullptr;
+}
+
 bool prearmTells(Severity severity) {
-    const core::RomText why = prearmFailure();
-    if (why != nullptr) tell(severity, why, number);
-    return why != nullptr;
+    const Check* const check = firstFailing();
+    if (check != nullptr) report(severity, *check);
+    return check != nullptr;
 }
 
 bool prearmOk() { return ready; }

@@ -7,10 +7,10 @@
 #include "firmware/camera.hpp"
 #include "firmware/modes.hpp"
 #include "firmware/outputs.hpp"
+#include "firmware/parameter_slots.hpp"
 #include "firmware/telemetry/legacy_points.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
-#include "parameters/packed.hpp"
 #include "parameters/store.hpp"
 #include "storage/owner.hpp"
 
@@ -27,13 +27,15 @@ namespace {
 // These two say how long a list is, and are not stored themselves.
 constexpr uint8_t kFenceTotal = 231, kRallyTotal = 237;
 
-// Five rows for channel n, slots 30 + 5 (n - 1) onwards; flight channels have a dead zone.
-#define CHANNEL(n, dead_zone)                                                    \
-    P(25 + 5 * n, "RC" #n "_MIN", channel[n - 1].min_us, 1100, 800, 2200),       \
-        P(26 + 5 * n, "RC" #n "_TRIM", channel[n - 1].trim_us, 1500, 800, 2200), \
-        P(27 + 5 * n, "RC" #n "_MAX", channel[n - 1].max_us, 1900, 800, 2200),   \
-        P(28 + 5 * n, "RC" #n "_REV", channel[n - 1].reverse, 1, -1, 1),         \
-        P(29 + 5 * n, "RC" #n "_DZ", channel[n - 1].dead_zone_us, dead_zone, 0, 200)
+// Five rows for channel n; flight channels have a dead zone.
+#define CHANNEL(n, initial_dead_zone)                                                             \
+    P(slot::ofChannel(n, slot::min), "RC" #n "_MIN", channel[n - 1].min_us, 1100, 800, 2200),     \
+        P(slot::ofChannel(n, slot::trim), "RC" #n "_TRIM", channel[n - 1].trim_us, 1500, 800,     \
+          2200),                                                                                  \
+        P(slot::ofChannel(n, slot::max), "RC" #n "_MAX", channel[n - 1].max_us, 1900, 800, 2200), \
+        P(slot::ofChannel(n, slot::reverse), "RC" #n "_REV", channel[n - 1].reverse, 1, -1, 1),   \
+        P(slot::ofChannel(n, slot::dead_zone), "RC" #n "_DZ", channel[n - 1].dead_zone_us,        \
+          initial_dead_zone, 0, 200)
 
 // Seven rows for link n, slots 10 + 9 n onwards.
 #define STREAMS(n)                                                                \
@@ -46,7 +48,7 @@ constexpr uint8_t kFenceTotal = 231, kRallyTotal = 237;
         P(17 + 9 * n, "SR" #n "_EXTRA3", streams[n].extra3, 1, 0, 50)
 
 // clang-format off
-constexpr parameters::Row kRows[] = {
+constexpr parameters::Row kRows[] ROM = {
     // slot  name                field                         initial   lowest   highest
     P(178, "FORMAT_VERSION",    format_version,                    1,       0,        1),
     P(  0, "SYSID_THISMAV",     system_id,                         1,       1,      255),
@@ -88,10 +90,10 @@ constexpr parameters::Row kRows[] = {
     P( 80, "FLTMODE6",          switch_mode[5],                    0,       0,       16),
     P( 81, "INITIAL_MODE",      initial_mode,                      0,       0,       16),
     P( 82, "THR_FAILSAFE",      throttle_failsafe,                 1,       0,        1),
-    P( 83, "THR_FS_VALUE",      throttle_failsafe_us,            950,     925,     1100),
+    P(slot::thr_fs_value, "THR_FS_VALUE", throttle_failsafe_us,  950,     925,     1100),
     P( 84, "STICK_MIXING",      stick_mixing,                      1,       0,        2),
     P( 85, "THROTTLE_NUDGE",    throttle_nudge,                    1,       0,        1),
-    P( 86, "KFF_RDDRMIX",       rudder_mix,                     0.5f,       0,        1),
+    P(slot::kff_rddrmix, "KFF_RDDRMIX", rudder_mix,             0.5f,       0,        1),
     P(200, "ELEVON_OUTPUT",     elevon_output,                     0,       0,        4),
     P(201, "VTAIL_OUTPUT",      vtail_output,                      0,       0,        4),
     P(202, "MIXING_GAIN",       mixing_gain,                    0.5f,    0.5f,     1.2f),
@@ -121,38 +123,38 @@ constexpr parameters::Row kRows[] = {
     P( 99, "THR_MAX",           throttle_max_pct,                 75,      10,      100),
     P(100, "THR_SLEWRATE",      throttle_slew_pct,               100,       0,      127),
     P(101, "RLL2SRV_TCONST",    roll.axis.time_constant_s,      0.4f,    0.2f,        2),
-    P(102, "RLL2SRV_P",         roll.axis.p,                   0.75f,       0,        4),
-    P(103, "RLL2SRV_I",         roll.axis.i,                   0.04f,       0,        1),
-    P(104, "RLL2SRV_D",         roll.axis.d,                   0.03f,       0,     0.2f),
-    P(105, "RLL2SRV_IMAX",      roll.axis.integrator_max_cd,    3000,       0,     4500),
+    P(slot::rll2srv_p, "RLL2SRV_P", roll.axis.p,               0.75f,       0,        4),
+    P(slot::rll2srv_i, "RLL2SRV_I", roll.axis.i,               0.04f,       0,        1),
+    P(slot::rll2srv_d, "RLL2SRV_D", roll.axis.d,               0.03f,       0,     0.2f),
+    P(slot::rll2srv_imax, "RLL2SRV_IMAX", roll.axis.integrator_max_cd, 3000,       0,     4500),
     P(106, "RLL2SRV_RMAX",      roll.rate_max_dps,                 0,       0,      180),
     P(107, "PTCH2SRV_TCONST",   pitch.axis.time_constant_s,     0.4f,    0.2f,        2),
-    P(108, "PTCH2SRV_P",        pitch.axis.p,                      1,       0,        3),
-    P(109, "PTCH2SRV_I",        pitch.axis.i,                   0.3f,       0,        1),
-    P(110, "PTCH2SRV_D",        pitch.axis.d,                  0.05f,       0,     0.2f),
-    P(111, "PTCH2SRV_IMAX",     pitch.axis.integrator_max_cd,   3000,       0,     4500),
+    P(slot::ptch2srv_p, "PTCH2SRV_P", pitch.axis.p,                1,       0,        3),
+    P(slot::ptch2srv_i, "PTCH2SRV_I", pitch.axis.i,             0.3f,       0,        1),
+    P(slot::ptch2srv_d, "PTCH2SRV_D", pitch.axis.d,            0.05f,       0,     0.2f),
+    P(slot::ptch2srv_imax, "PTCH2SRV_IMAX", pitch.axis.integrator_max_cd, 3000,       0,     4500),
     P(112, "PTCH2SRV_RMAX_UP",  pitch.rate_max_up_dps,             0,       0,      100),
     P(113, "PTCH2SRV_RMAX_DN",  pitch.rate_max_down_dps,           0,       0,      100),
-    P(114, "PTCH2SRV_RLL",      pitch.turn_compensation,           1,    0.5f,     1.5f),
+    P(slot::ptch2srv_rll, "PTCH2SRV_RLL", pitch.turn_compensation, 1,    0.5f,     1.5f),
     P(115, "YAW2SRV_SLIP",      yaw.slip,                          0,       0,        4),
-    P(116, "YAW2SRV_INT",       yaw.integral,                      0,       0,        2),
-    P(117, "YAW2SRV_DAMP",      yaw.damping,                       0,       0,        2),
+    P(slot::yaw2srv_int, "YAW2SRV_INT", yaw.integral,              0,       0,        2),
+    P(slot::yaw2srv_damp, "YAW2SRV_DAMP", yaw.damping,             0,       0,        2),
     P(118, "YAW2SRV_RLL",       yaw.coordination,                  1,    0.5f,     1.5f),
-    P(119, "YAW2SRV_IMAX",      yaw.integrator_max_cd,          1500,       0,     4500),
+    P(slot::yaw2srv_imax, "YAW2SRV_IMAX", yaw.integrator_max_cd, 1500,       0,     4500),
     P(120, "TECS_CLMB_MAX",     speed_height.climb_max_mps,        4,    0.1f,       20),
     P(121, "TECS_SINK_MIN",     speed_height.sink_min_mps,      1.3f,    0.1f,       10),
     P(122, "TECS_SINK_MAX",     speed_height.sink_max_mps,         3,    0.1f,       20),
     P(123, "TECS_TIME_CONST",   speed_height.time_constant_s,      2,       1,       10),
-    P(124, "TECS_THR_DAMP",     speed_height.throttle_damping,  0.7f,       0,        2),
-    P(125, "TECS_INTEG_GAIN",   speed_height.integral_gain,     0.3f,       0,     0.5f),
+    P(slot::tecs_thr_damp, "TECS_THR_DAMP", speed_height.throttle_damping, 0.7f,       0,        2),
+    P(slot::tecs_integ_gain, "TECS_INTEG_GAIN", speed_height.integral_gain, 0.3f,       0,     0.5f),
     P(126, "TECS_VERT_ACC",     speed_height.vertical_accel_mss,   7,       1,       10),
     P(127, "TECS_SPD_OMEGA",    speed_height.speed_omega_rads,     3,    0.5f,        5),
     P(128, "TECS_RLL2THR",      speed_height.roll_to_throttle,    10,       0,       40),
     P(129, "TECS_SPDWEIGHT",    speed_height.speed_weight,      0.5f,       0,        2),
-    P(130, "TECS_PTCH_DAMP",    speed_height.pitch_damping,     0.5f,       0,        2),
+    P(slot::tecs_ptch_damp, "TECS_PTCH_DAMP", speed_height.pitch_damping, 0.5f,       0,        2),
     P(131, "TECS_LAND_SINK",    speed_height.land_sink_mps,    0.65f,       0,        2),
     P(132, "NAVL1_PERIOD",      lateral.period_s,                  5,       1,       60),
-    P(133, "NAVL1_DAMPING",     lateral.damping,               0.75f,    0.6f,        1),
+    P(slot::navl1_damping, "NAVL1_DAMPING", lateral.damping,   0.75f,    0.6f,        1),
     P(134, "WP_RADIUS",         waypoint_radius_m,                30,       1,    32767),
     P(135, "WP_LOITER_RAD",     loiter_radius_m,                  60,  -32767,    32767),
     P(136, "ALT_HOLD_RTL",      rtl_height_cm,                 10000,      -1,   100000),
@@ -199,19 +201,19 @@ constexpr parameters::Row kRows[] = {
     P(156, "ARSPD_RATIO",       airspeed_ratio,              1.9936f,       1,        4),
     P(225, "GPS_TYPE",          gps_type,                          1,       0,        5),
     P(157, "COMPASS_USE",       compass_use,                       1,       0,        1),
-    P(158, "COMPASS_OFS_X",     compass_offset_mg[0],              0,    -400,      400),
+    P(slot::compass_ofs_x, "COMPASS_OFS_X", compass_offset_mg[0],  0,    -400,      400),
     P(159, "COMPASS_OFS_Y",     compass_offset_mg[1],              0,    -400,      400),
     P(160, "COMPASS_OFS_Z",     compass_offset_mg[2],              0,    -400,      400),
     P(161, "COMPASS_DEC",       compass_declination_rad,           0, -3.142f,   3.142f),
     P(175, "COMPASS_AUTODEC",   compass_auto_declination,          1,       0,        1),
     P(186, "COMPASS_LEARN",     compass_learn,                     0,       0,        1),
-    P(162, "INS_ACCOFFS_X",     accel_offset_mss[0],               0,    -3.5f,    3.5f),
+    P(slot::ins_accoffs_x, "INS_ACCOFFS_X", accel_offset_mss[0],   0,    -3.5f,    3.5f),
     P(163, "INS_ACCOFFS_Y",     accel_offset_mss[1],               0,    -3.5f,    3.5f),
     P(164, "INS_ACCOFFS_Z",     accel_offset_mss[2],               0,    -3.5f,    3.5f),
     P(165, "INS_ACCSCAL_X",     accel_scale[0],                    1,    0.8f,     1.2f),
     P(166, "INS_ACCSCAL_Y",     accel_scale[1],                    1,    0.8f,     1.2f),
     P(167, "INS_ACCSCAL_Z",     accel_scale[2],                    1,    0.8f,     1.2f),
-    P(168, "AHRS_TRIM_X",       level_trim_rad[0],                 0, -0.1745f,  0.1745f),
+    P(slot::ahrs_trim_x, "AHRS_TRIM_X", level_trim_rad[0],         0, -0.1745f,  0.1745f),
     P(169, "AHRS_TRIM_Y",       level_trim_rad[1],                 0, -0.1745f,  0.1745f),
     P(170, "BATT_MONITOR",      battery_monitor,                   4,       0,        4),
     P(171, "BATT_VOLT_MULT",    battery_volt_multiplier,       10.1f,       0,      100),
@@ -231,11 +233,7 @@ static_assert(core::count(kRows) <= parameters::kMostRows, "more rows than the s
 static_assert(parameters::slotsAreUnique(kRows), "a slot is used twice");
 static_assert(parameters::initialsAreInRange(kRows), "a default lies outside its range");
 
-static_assert(parameters::namesAreUnique(kRows), "a name is used twice");
-static_assert(parameters::offsetsFit(kRows), "a field lies too far from the first");
-
-constexpr auto kPacked ROM = PACK_PARAMETERS(kRows);
-constexpr parameters::Table table ROM(kPacked, &firmware::parameters);
+constexpr parameters::Table table ROM(kRows, &firmware::parameters);
 
 constexpr uint8_t kFormatRow = 0;
 static_assert(parameters::same(kRows[kFormatRow].name, "FORMAT_VERSION"), "the row of the format");
@@ -292,6 +290,12 @@ void assign(uint8_t row, float value) {
     ++parameter_changes;
 }
 
+bool isReverse(uint8_t number) {  // RCn_REV
+    for (uint8_t channel = 1; channel <= 8; ++channel)
+        if (number == slot::ofChannel(channel, slot::reverse)) return true;
+    return false;
+}
+
 // In range, and not without a meaning or a danger.
 bool takes(uint8_t row, float value) {
     constexpr uint8_t kFirstMode = 75, kLastMode = 81;  // slots of FLTMODE1 .. INITIAL_MODE
@@ -305,8 +309,7 @@ bool takes(uint8_t row, float value) {
     constexpr uint8_t kFirstFunction = 216, kLastFunction = 219;
     if (slot >= kFirstFunction && slot <= kLastFunction)
         return isOutputFunction(static_cast<int8_t>(whole));
-    const bool turns = slot >= 30 && slot < 70 && slot % 5 == 3;  // RCn_REV
-    return !turns || whole != 0;
+    return !isReverse(slot) || whole != 0;
 }
 
 }  // namespace

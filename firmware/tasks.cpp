@@ -86,7 +86,7 @@ constexpr scheduler::Task kTasks[] ROM = {
     { runBattery,           10,     8,     460 },
     { runParameters,        10,     9,     900 },
     { runLightsAndFlash,    10,     0,      95 },
-    { everySecond,         100,    51,     950 },
+    { everySecond,         100,    51,     900 },
 };
 // clang-format on
 

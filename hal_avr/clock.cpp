@@ -19,10 +19,10 @@ inline __attribute__((always_inline)) avr::Timer& counter() {
 
 constexpr uint16_t kOverflow_us = 32768;
 // In counts. What drains by itself, a line, is looked at this often, not at each of its bytes.
-constexpr uint16_t kRest = 4000;  // 2 ms
+constexpr uint16_t kRest = 8000;  // 4 ms
 // Less by more than interrupts take between the look at the clock and the permission to sleep, or
 // the end of the rest would come in between and be missed.
-constexpr uint16_t kLongestRest = 3600;
+constexpr uint16_t kLongestRest = 7600;
 
 // At the last overflow.
 struct {

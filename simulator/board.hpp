@@ -64,6 +64,9 @@ public:
     virtual BoardFigures figures() const = 0;
     // Busy share and length of the newest whole frame, for a time series; empty when unknown.
     virtual std::optional<uint32_t> lastFrame_us() const { return std::nullopt; }
+    // The files that were asked for of this board; throw OutputError when they are not whole.
+    virtual void closeTrace() {}
+    virtual void closeProfile() {}
 };
 
 }  // namespace simulator

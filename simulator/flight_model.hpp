@@ -29,7 +29,8 @@ public:
     virtual void turn(double /*roll_rads*/, double /*pitch_rads*/, double /*yaw_rads*/) {}
     // Of a model that has a transmitter of its own.
     virtual std::optional<std::array<uint16_t, 8>> radio_us() const { return std::nullopt; }
-    virtual std::string fault() const { return ""; }  // why it stands still for good
+    virtual std::string fault() const { return ""; }       // why it stands still for good
+    virtual uint64_t answersSkipped() const { return 0; }  // which could not be understood
 };
 
 }  // namespace simulator

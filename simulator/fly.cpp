@@ -3,10 +3,10 @@
 // chair and reports on it, or serves the board to ground stations.
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -22,6 +22,7 @@
 #include "simulator/ground/thrower.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "simulator/native/native_board.hpp"
+#include "simulator/output_file.hpp"
 #include "simulator/parameter_file.hpp"
 #include "simulator/report/page.hpp"
 #include "simulator/report/recorder.hpp"
@@ -36,7 +37,21 @@ constexpr int kStepsPerSample = 5;
 constexpr int kUsbUsart = 0;
 constexpr size_t kEepromBytes = 4096;
 
+constexpr unsigned kGrace_s = 5;  // from a signal to the end, whatever the firmware does
+
 volatile std::sig_atomic_t interrupted = 0;
+
+// The flight ends in order at the next step. Should that not come, the alarm ends the program.
+void stopSoon(int) {
+    interrupted = 1;
+    alarm(kGrace_s);
+}
+
+void stopNow(int) {
+    constexpr char kWhy[] = "fly: interrupted; it did not stop in time, nothing is written\n";
+    (void)!write(STDERR_FILENO, kWhy, sizeof kWhy - 1);
+    _exit(1);
+}
 
 // What the user gave and we cannot use: one line, exit 2.
 class WrongInput : public std::runtime_error {
@@ -94,12 +109,12 @@ ParameterSettings parametersFor(const FlyOptions& options) {
 }
 
 // Said before the flight, not after it: the file is written at the end.
-void mustBeWritable(const std::string& what, const std::string& path) {
-    std::error_code ignored;
-    const bool before = std::filesystem::exists(path, ignored);
-    const bool writable = std::ofstream(path, std::ios::app).is_open();
-    if (!before) std::filesystem::remove(path, ignored);
-    if (!writable) throw WrongInput(what + " " + path + ": cannot be written");
+void mustBeWritableFor(const std::string& option, const std::filesystem::path& path) {
+    try {
+        mustBeWritable(path);
+    } catch (const OutputError& error) {
+        throw WrongInput(option + " " + error.what());
+    }
 }
 
 // A memory's contents at power-on; nothing where the file is still to be made.
@@ -108,7 +123,7 @@ std::optional<std::vector<uint8_t>> readMemory(const std::string& what, const st
     const bool exists = std::filesystem::exists(path);
     if (exists && !std::filesystem::is_regular_file(path))
         throw WrongInput(what + " " + path + ": is no file");
-    mustBeWritable(what, path);
+    mustBeWritableFor(what, path);
     if (!exists) return std::nullopt;
     std::ifstream file(path, std::ios::binary);
     return std::vector<uint8_t>(std::istreambuf_iterator<char>(file), {});
@@ -130,18 +145,35 @@ void loadMemories(Board& board, const FlyOptions& options) {
     }
 }
 
-void writeFile(const std::filesystem::path& path, const std::string& text) {
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    if (!file.flush()) throw WrongInput(path.string() + ": cannot be written");
-}
+// The files of a flight: each is tried, whatever became of the others; a line for each that failed.
+class Results {
+public:
+    template <class Write>
+    void add(Write write) {
+        try {
+            write();
+        } catch (const OutputError& error) {
+            std::cerr << "fly: " << error.what() << "\n";
+            whole_ = false;
+        }
+    }
+    void addFile(const std::filesystem::path& path, const std::string& contents) {
+        add([&] { writeFile(path, contents); });
+    }
+    bool whole() const { return whole_; }
 
-void saveMemories(Board& board, const FlyOptions& options) {
-    const auto save = [](const std::string& path, const std::vector<uint8_t>& image) {
-        if (!path.empty()) writeFile(path, std::string(image.begin(), image.end()));
+private:
+    bool whole_ = true;
+};
+
+void saveMemories(Board& board, const FlyOptions& options, Results& results) {
+    const auto save = [&](const std::string& path, const std::vector<uint8_t>& image) {
+        if (!path.empty()) results.addFile(path, std::string(image.begin(), image.end()));
     };
     save(options.eeprom, board.eeprom());
     save(options.dataflash, board.world().dataflash().image(board.time_us()));
+    results.add([&] { board.closeTrace(); });
+    results.add([&] { board.closeProfile(); });
 }
 
 // A stopped chip never comes back to look at a flag: Ctrl-C ends the program at once.
@@ -166,6 +198,7 @@ std::unique_ptr<Board> makeBoard(const FlyOptions& options, const WorldOptions& 
     if (!std::filesystem::exists(options.firmware)) {
         throw WrongInput("--firmware " + options.firmware + ": no such file");
     }
+    if (!options.profile.empty()) mustBeWritableFor("--profile", options.profile);
     try {
         auto board = std::make_unique<AvrBoard>(options.firmware, world, wiringOf(options));
         if (!options.vcd.empty()) board->traceTo(options.vcd);
@@ -193,7 +226,7 @@ void takeErrors(Summary& s, const Recorder& recorder) {
     s.yaw_error_rms_deg = recorder.attitude().yaw_deg.rms();
 }
 
-Summary summarize(const FlyOptions& options, const Board& board, const ScriptedFlight& flight,
+Summary summarize(const FlyOptions& options, Board& board, const ScriptedFlight& flight,
                   const Recorder& recorder, const Plan& plan) {
     Summary s;
     s.mission = std::filesystem::path(options.mission).filename();
@@ -219,6 +252,7 @@ Summary summarize(const FlyOptions& options, const Board& board, const ScriptedF
     if (!told.reached.empty() || told.visited.size() < 2) s.items_reached = told.reached;
     if (const auto imu = recorder.imuSamples()) s.setSamples(*imu);
     for (const PlannedNav& nav : plan.navs) s.items_planned.push_back(nav.item);
+    s.model_answers_skipped = board.world().modelAnswersSkipped();
     s.figures = board.figures();
     if (!options.native) s.task_names = readTaskNames(options.firmware);
     s.events = told.events;
@@ -226,13 +260,36 @@ Summary summarize(const FlyOptions& options, const Board& board, const ScriptedF
     return s;
 }
 
+void prepareReport(const std::filesystem::path& folder) {
+    try {
+        makeFolder(folder);
+        for (const char* name : {"summary.json", "flight.csv", "track.kml", "report.html"})
+            mustBeWritable(folder / name);
+    } catch (const OutputError& error) {
+        throw WrongInput(std::string("--out ") + error.what());
+    }
+}
+
 void writeReport(const FlyOptions& options, const Summary& summary, const Recorder& recorder,
-                 const Plan& plan, const Waypoints& items) {
+                 const Plan& plan, const Waypoints& items, Results& results) {
     const std::filesystem::path folder(options.out);
-    writeFile(folder / "summary.json", summaryJson(summary));
-    writeFile(folder / "flight.csv", flightCsv(recorder.samples()));
-    writeFile(folder / "track.kml", trackKml(recorder.samples(), items, summary.mission));
-    writeFile(folder / "report.html", reportPage(summary, recorder.samples(), plan));
+    results.addFile(folder / "summary.json", summaryJson(summary));
+    results.addFile(folder / "flight.csv", flightCsv(recorder.samples()));
+    results.addFile(folder / "track.kml", trackKml(recorder.samples(), items, summary.mission));
+    results.addFile(folder / "report.html", reportPage(summary, recorder.samples(), plan));
+}
+
+// Without the chip no log can be written, and the firmware refuses to arm when one is wanted.
+void warnWithoutLogChip(const FlyOptions& options, const ParameterSettings& settings) {
+    constexpr unsigned kAllChecks = 1, kLogCheck = 1024;
+    const auto permits = [](const ParameterSetting& setting) {
+        const auto value = static_cast<unsigned>(std::max(setting.value, 0.0));
+        return (setting.name == "LOG_BITMASK" && value == 0) ||
+               (setting.name == "ARMING_CHECK" && (value & (kAllChecks | kLogCheck)) == 0);
+    };
+    if (!options.no_dataflash || std::any_of(settings.begin(), settings.end(), permits)) return;
+    std::cerr << "fly: --no-dataflash: the firmware does not arm without its log chip; to fly "
+                 "without a log, give a --param file that contains LOG_BITMASK,0\n";
 }
 
 // No frame passes unseen.
@@ -247,17 +304,15 @@ bool runStep(Board& board, uint64_t until_us, Recorder& recorder, const Telemetr
 }
 
 int flyScript(const FlyOptions& options, const Waypoints& items) {
-    std::error_code ignored;
-    std::filesystem::create_directories(options.out, ignored);
-    if (!std::filesystem::is_directory(options.out)) {
-        throw WrongInput("--out " + options.out + ": no such folder and none can be made");
-    }
+    prepareReport(options.out);
+    const ParameterSettings settings = parametersFor(options);
+    warnWithoutLogChip(options, settings);
     const LocalFrame frame(items[0].latitude_deg, items[0].longitude_deg);
     const Plan plan = makePlan(items, frame);
     const auto board = makeBoard(options, worldFor(options, items));
     loadMemories(*board, options);
     const int usart = telemetryUsart(options);
-    ScriptedFlight flight(*board, usart, items, options.time_limit_s, parametersFor(options));
+    ScriptedFlight flight(*board, usart, items, options.time_limit_s, settings);
     Onlooker usb(*board, kUsbUsart);
     board->listen([&](int from, uint8_t byte, uint64_t time_us) {
         if (from == usart) flight.receive(byte, time_us);
@@ -282,13 +337,17 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
         status.show(*board, flight.telemetry(), recorder.samples().back(), items.size() - 1,
                     clock.seconds());
     }
+    alarm(0);
     status.end();
-    saveMemories(*board, options);
     Summary summary = summarize(options, *board, flight, recorder, plan);
     summary.emulated_s = static_cast<double>(board->time_us()) * 1e-6;
     summary.speedup = summary.emulated_s / clock.seconds();
-    writeReport(options, summary, recorder, plan, items);
-    std::cout << closingWords(summary, options.out);
+    std::cout << closingWords(summary) << std::flush;  // the verdict, whatever becomes of the files
+    Results results;
+    saveMemories(*board, options, results);
+    writeReport(options, summary, recorder, plan, items, results);
+    if (!results.whole()) return 2;
+    std::cout << reportLine(options.out);
     return summary.completed ? 0 : 1;
 }
 
@@ -302,7 +361,7 @@ void setByWire(Board& board, int usart, const ParameterSettings& settings) {
     board.listen([&](int from, uint8_t byte, uint64_t time_us) {
         if (from == usart) link.receive(byte, time_us);
     });
-    while (!setting.done() && board.runUntil(board.time_us() + kStep_us)) {
+    while (interrupted == 0 && !setting.done() && board.runUntil(board.time_us() + kStep_us)) {
         setting.step(board.time_us(), kAnyone, kAnyone);
         if (!setting.failure().empty()) throw WrongInput(setting.failure());
     }
@@ -332,32 +391,26 @@ int serve(const FlyOptions& options, const Waypoints& items) {
     } else {
         server.runRealTime(stop);
     }
-    saveMemories(*board, options);
+    alarm(0);
+    Results results;
+    saveMemories(*board, options, results);
     if (!board->fault().empty())
         std::cerr << "fly: the firmware stopped: " << board->fault() << "\n";
     const std::string fault = interrupted != 0 ? "" : board->world().fault();
     if (!fault.empty()) std::cerr << "fly: " << fault << "\n";
+    if (!results.whole()) return 2;
     return board->fault().empty() && fault.empty() ? 0 : 1;
 }
 
 int fly(const FlyOptions& options) {
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    std::signal(SIGINT, stopSoon);
+    std::signal(SIGTERM, stopSoon);
+    std::signal(SIGALRM, stopNow);
     std::signal(SIGPIPE, SIG_IGN);  // a debugger or ground station that has gone
     try {
         const Waypoints items = readWaypoints(options.mission);
         return options.serve ? serve(options, items) : flyScript(options, items);
-    } catch (const WrongInput& error) {
-        std::cerr << "fly: " << error.what() << "\n";
-    } catch (const UdpError& error) {
-        std::cerr << "fly: " << error.what() << "\n";
-    } catch (const AirplaneError& error) {
-        std::cerr << "fly: " << error.what() << "\n";
-    } catch (const ParameterFileError& error) {
-        std::cerr << "fly: " << error.what() << "\n";
-    } catch (const WaypointError& error) {
-        std::cerr << "fly: " << error.what() << "\n";
-    } catch (const TcpError& error) {
+    } catch (const std::runtime_error& error) {  // a file, an airplane, a port
         std::cerr << "fly: " << error.what() << "\n";
     }
     return 2;
@@ -368,5 +421,6 @@ int fly(const FlyOptions& options) {
 
 int main(int count, char** words) {
     const simulator::Parsed parsed = simulator::parseFlyOptions(count, words);
-    return parsed.exit_status ? *parsed.exit_status : simulator::fly(parsed.options);
+    return simulator::finishOutput(
+        "fly", parsed.exit_status ? *parsed.exit_status : simulator::fly(parsed.options));
 }

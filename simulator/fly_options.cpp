@@ -16,10 +16,13 @@ constexpr char kWhat[] =
     "Flies a mission with the autopilot's firmware on a simulated board in a simulated airplane.";
 constexpr char kFooter[] =
     "Exit status: 0 when the mission was flown and the airplane stands at its landing point,\n"
-    "1 when not (the reason in one line), 2 when the command line or a file is wrong.\n"
+    "1 when not (the reason in one line), 2 when the command line or a file is wrong or a file\n"
+    "could not be written, which is reported after the verdict.\n"
     "The folder of --out receives report.html, flight.csv, track.kml and summary.json.";
 
-// SPEED,FROM_DEGREES: 0..30 m/s, 0..360 degrees.
+constexpr char kWindForm[] =
+    "expected SPEED,FROM_DEGREES with 0 to 30 m/s and 0 to 360 degrees, like 5,270";
+
 bool parseWind(const std::string& text, FlyOptions& options) {
     char* rest = nullptr;
     options.wind_mps = std::strtod(text.c_str(), &rest);
@@ -141,12 +144,15 @@ void addMemories(CLI::App& app, FlyOptions& o) {
     app.add_option("--dataflash", o.dataflash,
                    "file of all pages of the AT45DB321D (or 161D): as --eeprom is of the EEPROM")
         ->check(fileName);
-    app.add_flag("--no-dataflash", o.no_dataflash, "a board without that chip")
+    app.add_flag("--no-dataflash", o.no_dataflash,
+                 "a board without that chip; without a log to write it arms only with LOG_BITMASK "
+                 "0, to be set in the --param file")
         ->disable_flag_override();
 }
 
 void addConditions(CLI::App& app, FlyOptions& o, std::string& wind) {
-    app.add_option("--wind", wind, "SPEED,FROM_DEGREES: mean wind in m/s and where it comes from");
+    app.add_option("--wind", wind,
+                   "SPEED,FROM_DEGREES: mean wind in m/s, up to 30, and where it comes from");
     app.add_flag("--gusts", o.gusts, "Dryden gusts of 1 m/s RMS")->disable_flag_override();
     app.add_flag("--calibrated", o.calibrated,
                  "as after the owner's calibrations: the compass without the airplane's own field, "
@@ -194,7 +200,7 @@ void addServer(CLI::App& app, FlyOptions& o, std::string& telemetry) {
                  "serve, but the client grants emulated time on a third TCP port (5762): "
                  "'advance MS', 'state'; simulator/ground/server.hpp has the protocol")
         ->disable_flag_override();
-    app.add_option("--listen", o.listen, "first TCP port instead of 5760; 0: any, told at start")
+    app.add_option("--listen", o.listen, "first TCP port instead of 5760; 0: any, printed at start")
         ->check(wholeNumber("65535"))
         ->capture_default_str();
 }
@@ -231,7 +237,7 @@ Parsed parseFlyOptions(int count, char** words) {
     try {
         app.parse(count, words);
         if (!wind.empty() && !parseWind(wind, options)) {
-            wrong = "--wind: expected SPEED,FROM_DEGREES, like 5,270, not '" + wind + "'";
+            wrong = std::string("--wind: ") + kWindForm + ", not '" + wind + "'";
         } else {
             options.serve = options.serve || options.lock_step;
             options.apm1 = board == "apm1";

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/parameter_file.hpp"
 
-#include <fstream>
-#include <sstream>
-
+#include "simulator/ground/text_file.hpp"
+#include "simulator/input_file.hpp"
 #include "toolchain/param_tool/settings.hpp"
 
 namespace simulator {
 
 ParameterSettings readParameterFile(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::stringstream text;
-    text << file.rdbuf();
-    if (!file) throw ParameterFileError(path + ": cannot be read");
+    const auto text = wholeFile(path);
+    if (!text) throw ParameterFileError(path + ": cannot be read");
     std::vector<param_tool::Finding> findings;
     ParameterSettings settings;
-    for (const auto& setting : param_tool::parseSettings(text.str(), path, findings))
+    for (const auto& setting : param_tool::parseSettings(*text, path, findings))
         settings.push_back({setting.name, setting.value});
-    if (!findings.empty()) throw ParameterFileError(findings.front().text);
+    std::vector<std::string> errors;
+    for (const auto& finding : findings) errors.push_back(finding.text);
+    if (!errors.empty()) throw ParameterFileError(listed(errors));
     return settings;
 }
 

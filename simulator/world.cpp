@@ -195,6 +195,7 @@ void World::turn(double roll_rads, double pitch_rads, double yaw_rads) {
 void World::setFaults(const std::vector<Fault>& faults) { parts_->faults = faults; }
 void World::launch() { parts_->model->launch(); }
 std::string World::fault() const { return parts_->model->fault(); }
+uint64_t World::modelAnswersSkipped() const { return parts_->model->answersSkipped(); }
 
 void World::servoPulse(int output, double width_us, uint64_t now_us) {
     if (output < 1 || output > kOutputs || width_us <= 0) return;

@@ -78,7 +78,8 @@ public:
     void turnTo(double roll_rad, double pitch_rad, double yaw_rad);
     void turn(double roll_rads, double pitch_rads, double yaw_rads);
     void setFaults(const std::vector<Fault>& faults);  // instead of those there were
-    std::string fault() const;  // why the flight model cannot go on; empty when it can
+    std::string fault() const;             // why the flight model cannot go on; empty when it can
+    uint64_t modelAnswersSkipped() const;  // of a flight model elsewhere: not understood
 
     // Servo output 1..8: the width of a pulse that has just ended. An output without a pulse for
     // 100 ms lets its servo stand where it is and stops the motor.

@@ -77,7 +77,6 @@ class Image {
   }
   name(address) { return this.functions.get(this.startOf(address))?.name ?? `0x${address.toString(16)}`; }
   isFunction(address) { return this.functions.get(address)?.type === 'function'; }
-  isFragment(address) { return this.name(address).startsWith('__fragment_'); }
   objectAt(address) { return this.objects.find((o) => address >= o.value && address < o.value + o.size); }
 
   // Targets of the switch whose table begins at this word, as long as they lie in its function.

@@ -2,7 +2,9 @@
 #include "firmware/calibration/calibration.hpp"
 
 #include "core/rom.hpp"
-#include "firmware/calibration/scratch.hpp"
+#include "firmware/calibration/accelerometers.hpp"
+#include "firmware/calibration/compass.hpp"
+#include "firmware/parameter_slots.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/telemetry/commands_orders.hpp"
@@ -13,8 +15,6 @@
 
 namespace firmware {
 
-CalibrationScratch scratch;
-
 namespace {
 
 using mavlink::AccelcalVehiclePos;
@@ -22,6 +22,8 @@ using mavlink::MavCmd;
 using mavlink::MavResult;
 
 constexpr uint8_t kRest_s = 30, kSide_s = 240, kTurning_s = 180;
+
+SideForces sides;
 
 enum class Phase : uint8_t { asks, measures, succeeded, failed };
 
@@ -93,24 +95,24 @@ uint8_t takeLevel() {
     core::Vector3 offset_mss = restForce_mss();
     offset_mss.z += core::kGravity_mss;
     const float values[] = {offset_mss.x, offset_mss.y, offset_mss.z, 1, 1, 1};
-    return whenTrue(liesOn(kLevelSide, restForce_mss()) && storeAll(kAccelerometers, values, 6),
+    return whenTrue(liesOn(kLevelSide, restForce_mss()) && storeAll(slot::ins_accoffs_x, values, 6),
                     MavResult::failed);
 }
 
 // ---- sides
 void takeTrim(const AccelerometerFit& fit) {
-    core::Vector3 force_mss = scratch.sides.at(kLevelSide);
+    core::Vector3 force_mss = sides.at(kLevelSide);
     float* const axes = &force_mss.x;
     for (uint8_t i = 0; i < 3; ++i) axes[i] = (axes[i] - fit.offset_mss[i]) * fit.scale[i];
     float lie_rad[2];
     lieOf(force_mss, lie_rad);
-    if (!storeAll(kLevelTrim, lie_rad, 2))
+    if (!storeAll(slot::ahrs_trim_x, lie_rad, 2))
         tell(Severity::warning, ROM_TEXT("Level was not: AHRS_TRIM stays"));
 }
 
 void finishSides() {
     AccelerometerFit fit;
-    if (!fitSides(scratch.sides, fit) || !storeAll(kAccelerometers, fit.offset_mss, 6))
+    if (!fitSides(sides, fit) || !storeAll(slot::ins_accoffs_x, fit.offset_mss, 6))
         return end(false, ROM_TEXT("Calibration FAILED: out of range"));
     takeTrim(fit);
     endWell();
@@ -121,7 +123,7 @@ void takeSide() {
         tell(Severity::warning, ROM_TEXT("That is another side: not taken"));
         return askForSide();
     }
-    scratch.sides.put(now.side, restForce_mss());
+    sides.put(now.side, restForce_mss());
     if (++now.side == kSides) return finishSides();
     askForSide();
 }
@@ -170,7 +172,7 @@ bool report() {
 
 void finishCompass() {
     const uint8_t within_mg = now.left_s > 0 ? 12 : 30;
-    if (compassFits(within_mg) && storeAll(kCompassOffsets, parameters.compass_offset_mg, 3)) {
+    if (compassFits(within_mg) && storeAll(slot::compass_ofs_x, parameters.compass_offset_mg, 3)) {
         endWell();
     } else if (now.left_s == 0) {
         end(false, ROM_TEXT("Calibration FAILED: magnet or iron near?"));

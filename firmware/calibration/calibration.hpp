@@ -29,9 +29,7 @@ bool calibrationSideIsReady(uint16_t accelcal_vehicle_pos);
 void calibrationTurn();  // kTurns_hz
 void calibrationReset();
 
-// Parameters are named by their slots, as stored missions name them. False: a value is none for its
-// parameter, nothing was stored.
-constexpr uint8_t kCompassOffsets = 158, kAccelerometers = 162, kLevelTrim = 168;
+// From this slot on. False: a value is none for its parameter, nothing was stored.
 bool storeAll(uint8_t slot, const float* values, uint8_t count);
 
 }  // namespace firmware

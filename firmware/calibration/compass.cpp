@@ -5,7 +5,7 @@
 
 #include "core/fixed.hpp"
 #include "firmware/calibration/calibration.hpp"
-#include "firmware/calibration/scratch.hpp"
+#include "firmware/parameter_slots.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/telemetry/text.hpp"
 #include "firmware/vehicle.hpp"
@@ -19,6 +19,15 @@ constexpr uint8_t kPairsOfAnchor = 50;
 constexpr uint8_t kPairs = 250;  // as many as are wanted
 constexpr uint8_t kCoarse = 60;
 constexpr float kMostOffset_mg = 400;
+
+struct Turns {
+    float before_mg[3];    // offsets, to be brought back
+    float miss_mg;         // by how much a pair disagrees with the offsets, the mean of late
+    int16_t anchor_mg[3];  // what readings are compared with
+    int16_t low_mg[3], high_mg[3];
+    uint8_t pairs;
+};
+Turns turns;
 
 uint8_t skipped;      // readings
 uint8_t anchor_left;  // pairs; 0: there is none
@@ -36,7 +45,6 @@ bool makesSense() {
 }
 
 void widen(const int16_t (&reading_mg)[3]) {
-    CompassTurns& turns = scratch.turns;
     for (uint8_t i = 0; i < 3; ++i) {
         if (reading_mg[i] < turns.low_mg[i]) turns.low_mg[i] = reading_mg[i];
         if (reading_mg[i] > turns.high_mg[i]) turns.high_mg[i] = reading_mg[i];
@@ -56,7 +64,6 @@ float approach(const float (&apart_mg)[3], float half_squares, float square, flo
 }
 
 void judge(float miss_mg) {
-    CompassTurns& turns = scratch.turns;
     if (turns.pairs == 0) turns.miss_mg = miss_mg;
     turns.miss_mg += (miss_mg - turns.miss_mg) * 0.05f;
     if (turns.pairs < kPairs) ++turns.pairs;
@@ -66,21 +73,20 @@ void judge(float miss_mg) {
 
 void compassTurnsStart() {
     anchor_left = 0;
-    scratch.turns = {};
+    turns = Turns();
     for (uint8_t i = 0; i < 3; ++i) {
-        scratch.turns.before_mg[i] = parameters.compass_offset_mg[i];
-        scratch.turns.low_mg[i] = INT16_MAX;
-        scratch.turns.high_mg[i] = INT16_MIN;
+        turns.before_mg[i] = parameters.compass_offset_mg[i];
+        turns.low_mg[i] = INT16_MAX;
+        turns.high_mg[i] = INT16_MIN;
     }
 }
 
 void compassTurnsUndo() {
-    for (uint8_t i = 0; i < 3; ++i) parameters.compass_offset_mg[i] = scratch.turns.before_mg[i];
+    for (uint8_t i = 0; i < 3; ++i) parameters.compass_offset_mg[i] = turns.before_mg[i];
 }
 
 // Of the pairs wanted, and of having pointed each axis nearly all the way up and down the field.
 uint8_t compassTurns_pct() {
-    const CompassTurns& turns = scratch.turns;
     float least = static_cast<float>(turns.pairs) / kPairs;
     const float wanted_mg = 1.2f * field_mg();
     for (uint8_t i = 0; i < 3; ++i) {
@@ -90,9 +96,9 @@ uint8_t compassTurns_pct() {
     return static_cast<uint8_t>(least * 100);
 }
 
-float compassMiss_mg() { return scratch.turns.miss_mg; }
+float compassMiss_mg() { return turns.miss_mg; }
 
-bool compassFits(uint8_t within_mg) { return scratch.turns.miss_mg < within_mg && makesSense(); }
+bool compassFits(uint8_t within_mg) { return turns.miss_mg < within_mg && makesSense(); }
 
 void learnCompass(const core::Vector3& reading_mg) {
     const bool turned = calibrating() == Calibrating::compass;
@@ -102,7 +108,6 @@ void learnCompass(const core::Vector3& reading_mg) {
     }
     if (++skipped < kEvery) return;
     skipped = 0;
-    CompassTurns& turns = scratch.turns;
     int16_t now_mg[3];
     float apart_mg[3];
     int32_t square = 0, squares = 0;
@@ -129,7 +134,7 @@ void learnCompass(const core::Vector3& reading_mg) {
 
 void keepLearntCompass() {
     if (parameters.compass_learn == 0) return;
-    if (!makesSense() || !storeAll(kCompassOffsets, parameters.compass_offset_mg, 3))
+    if (!makesSense() || !storeAll(slot::compass_ofs_x, parameters.compass_offset_mg, 3))
         tell(Severity::warning, ROM_TEXT("Compass: what it learnt is not kept"));
 }
 

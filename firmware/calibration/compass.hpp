@@ -10,15 +10,6 @@
 
 namespace firmware {
 
-struct CompassTurns {
-    float before_mg[3];    // offsets, to be brought back
-    float miss_mg;         // by how much a pair disagrees with the offsets, the mean of late
-    int16_t anchor_mg[3];  // what readings are compared with
-    int16_t low_mg[3], high_mg[3];
-    uint8_t pairs;
-};
-static_assert(sizeof(CompassTurns) <= 36, "larger than the other calibration's");
-
 void compassTurnsStart();
 void compassTurnsUndo();  // brings back the offsets from before
 uint8_t compassTurns_pct();

@@ -102,6 +102,9 @@ constexpr State kStates[] ROM = {
 
 constexpr uint8_t kProcessor = 19;  // with the cause of its last reset
 
+// Before anything that happens: the formats, the banner, why the board started.
+constexpr uint16_t kIntroduction = kFormats + 2;
+
 constexpr uint8_t kCommands = 4;
 constexpr uint8_t kNoMode = 0xFF;
 
@@ -113,7 +116,7 @@ uint8_t states;    // as logged
 uint16_t failing;  // as logged
 uint8_t mode = kNoMode;
 uint8_t pictures_logged;
-uint8_t gps_seen;  // when the newest fix came, roughly
+uint32_t gps_logged_ms;  // when the newest fix came that has been seen here
 uint8_t commands[kCommands];
 uint8_t commands_waiting;
 uint8_t dropped_told;
@@ -139,9 +142,8 @@ struct Places {
 
 Places places() {
     Places now = {{0, static_cast<uint8_t>(run % 5), static_cast<uint8_t>(run % 10), run, 1}};
-    const uint8_t came = static_cast<uint8_t>(vehicle.gps.received_ms / 4);
-    if (came != gps_seen) now.of[with_fix] = 0;
-    gps_seen = came;
+    if (vehicle.gps.received_ms != gps_logged_ms) now.of[with_fix] = 0;
+    gps_logged_ms = vehicle.gps.received_ms;
     return now;
 }
 
@@ -255,10 +257,11 @@ void putSome() {
         return static_cast<uint16_t>(hal::ticks() - began) < spend;
     };
     if (prelude >= kFormats) {
-        (void)putEvents();
+        const bool introduced = prelude >= kIntroduction;
+        if (introduced) (void)putEvents();
         (void)putDue();  // however long the event took, or a mission's changes would hold it up
         for (uint8_t i = 2; i < kMostRecords && within(kSpend); ++i)
-            if (!putEvents() && !putDue()) break;
+            if (!(introduced && putEvents()) && !putDue()) break;
     }
     if (within(kSpendBeforePrelude)) (void)putPrelude();
 }

@@ -27,7 +27,9 @@ bool leg_counts;  // it is longer than the acceptance radius
 // Of a loiter: radians or seconds since capture. `before`: until the last resume.
 float loitered_before, loitered;
 uint16_t loiter_ms;
-bool captured;  // the circle; in a landing, that the throttle stick was below what breaks it off
+bool circle_captured;
+
+bool throttle_was_low;  // in a landing: the stick was below what breaks it off
 
 uint32_t still_ms;
 
@@ -89,8 +91,8 @@ bool progressIsOld() { return vehicle.demand.new_path; }
 // Captured once is captured, until the loiter is started again.
 bool onCircle() {
     if (progressIsOld()) return false;
-    captured = captured || vehicle.progress.captured;
-    return captured;
+    circle_captured = circle_captured || vehicle.progress.captured;
+    return circle_captured;
 }
 
 }  // namespace
@@ -149,7 +151,7 @@ void startCircle(const Record& record, Entry entry) {
     loitered_before = entry.resumed ? loitered : 0;
     loitered = loitered_before;
     loiter_ms = static_cast<uint16_t>(hal::now_ms());
-    captured = false;
+    circle_captured = false;
 }
 
 Progress never(const Record&) { return Progress::running; }
@@ -164,7 +166,7 @@ Progress timeDone(const Record& record) {
     const uint16_t now_ms = static_cast<uint16_t>(hal::now_ms());
     const uint16_t passed_ms = static_cast<uint16_t>(now_ms - loiter_ms);
     loiter_ms = now_ms;
-    const bool counts = captured;
+    const bool counts = circle_captured;
     if (!onCircle()) return Progress::running;
     if (counts) loitered += passed_ms * 0.001f;
     return done(loitered >= record.p1 * 10.0f);
@@ -200,7 +202,7 @@ Progress returnDone(const Record& record) {
 void startLand(const Record& record, Entry entry) {
     demand(Path::land, {placeOf(record), heightOf_m(record)}, entry);
     still_ms = hal::now_ms();
-    captured = false;
+    throttle_was_low = false;
 }
 
 namespace {
@@ -217,7 +219,7 @@ Progress climbAway() {
 // Finished when down and disarmed; disarms itself when the airplane has stood long enough.
 Progress landDone(const Record&) {
     if (vehicle.demand.path == Path::leg) return climbAway();
-    breakOffByThrottle(captured);
+    breakOffByThrottle(throttle_was_low);
     const uint32_t now_ms = hal::now_ms();
     const bool down = !vehicle.estimate.flying;
     if (down && !vehicle.armed) return Progress::done;

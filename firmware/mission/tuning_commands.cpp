@@ -8,6 +8,7 @@
 #include "firmware/mission/mission.hpp"
 #include "firmware/mission/speed.hpp"
 #include "firmware/modes.hpp"
+#include "firmware/parameter_slots.hpp"
 #include "firmware/parameters.hpp"
 #include "firmware/relay.hpp"
 #include "firmware/telemetry/link.hpp"
@@ -26,20 +27,21 @@ constexpr uint8_t n = kNoSlot;
 // where a gain has no counterpart, the command is refused.
 // clang-format off
 constexpr uint8_t kGainSlots[kGainKinds][kGainIndices] ROM = {
-    // servo  servo  servo    nav   pitch by  pitch by  throttle by  throttle by
-    // roll   pitch  rudder   roll  airspeed  altitude  energy       altitude
-    {  102,   108,   n,       n,    n,        n,        n,           n},         // Kp
-    {  103,   109,   116,     n,    n,        n,        125,         n},         // Ki
-    {  104,   110,   117,     133,  n,        130,      124,         n},         // Kd
-    {  105,   111,   119,     n,    n,        n,        n,           n},         // integrator max
-    // pitch comp, rudder mix, pitch to throttle
-    {  114,   86,    n,       n,    n,        n,        n,           n},         // Kff
+    // servo roll           servo pitch          servo rudder        nav roll             pitch by airspeed
+    // pitch by altitude    throttle by energy   throttle by altitude
+    {slot::rll2srv_p,       slot::ptch2srv_p,    n,                  n,                   n,  // Kp
+     n,                     n,                   n},
+    {slot::rll2srv_i,       slot::ptch2srv_i,    slot::yaw2srv_int,  n,                   n,  // Ki
+     n,                     slot::tecs_integ_gain, n},
+    {slot::rll2srv_d,       slot::ptch2srv_d,    slot::yaw2srv_damp, slot::navl1_damping, n,  // Kd
+     slot::tecs_ptch_damp,  slot::tecs_thr_damp, n},
+    {slot::rll2srv_imax,    slot::ptch2srv_imax, slot::yaw2srv_imax, n,                   n,  // integrator max
+     n,                     n,                   n},
+    // Kff: pitch comp, rudder mix, pitch to throttle
+    {slot::ptch2srv_rll,    slot::kff_rddrmix,   n,                  n,                   n,
+     n,                     n,                   n},
 };
 // clang-format on
-
-constexpr uint8_t kFirstChannelSlot = 30;  // RC1_MIN, _TRIM, _MAX, _REV, _DZ, then RC2_
-constexpr uint8_t kSlotsPerChannel = 5;
-constexpr uint8_t kThrottleFailsafeSlot = 83;
 
 bool radio_off;
 
@@ -119,8 +121,8 @@ void setGain(const Record& record) { setSlot(gainSlot(record.id, record.p1), gai
 
 uint8_t channelSlot(uint8_t id, uint8_t index) {
     if (index >= 8) return kNoSlot;
-    const uint8_t part = id == 0x70 ? 1 : id == 0x71 ? 2 : 0;  // trim, maximum, minimum
-    return static_cast<uint8_t>(kFirstChannelSlot + index * kSlotsPerChannel + part);
+    const slot::ChannelPart part = id == 0x70 ? slot::trim : id == 0x71 ? slot::max : slot::min;
+    return slot::ofChannel(static_cast<uint8_t>(index + 1), part);
 }
 
 void setChannel(const Record& record) {
@@ -128,7 +130,9 @@ void setChannel(const Record& record) {
 }
 
 // The elevon trims (0, 1) have no counterpart: this firmware mixes after the channels' trims.
-uint8_t otherRadioSlot(uint8_t index) { return index == 2 ? kThrottleFailsafeSlot : kNoSlot; }
+uint8_t otherRadioSlot(uint8_t index) {
+    return index == 2 ? static_cast<uint8_t>(slot::thr_fs_value) : kNoSlot;
+}
 
 void setOtherRadio(const Record& record) {
     setSlot(otherRadioSlot(record.p1), static_cast<float>(record.p2));

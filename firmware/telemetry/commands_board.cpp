@@ -6,6 +6,7 @@
 #include "core/rom.hpp"
 #include "firmware/calibration/accelerometers.hpp"
 #include "firmware/calibration/calibration.hpp"
+#include "firmware/parameter_slots.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/telemetry/commands.hpp"
 #include "firmware/telemetry/commands_orders.hpp"
@@ -23,14 +24,13 @@ using mavlink::MavResult;
 constexpr uint8_t kRebootTurns = 15;  // 0.3 s for the answer to get out
 uint8_t turns_to_reboot;
 
-uint8_t trimSlot(int8_t channel) { return static_cast<uint8_t>(26 + 5 * channel); }
-
 // The sticks' present places become their centres.
 uint8_t trimRadio() {
     if (vehicle.radio.lost || vehicle.radio.good_ms == 0) return MavResult::failed;
     const int8_t channels[] = {parameters.map_roll, parameters.map_pitch, parameters.map_yaw};
     for (const int8_t channel : channels)
-        parameterSet(trimSlot(channel), vehicle.radio.pulse_us[channel - 1]);
+        parameterSet(slot::ofChannel(static_cast<uint8_t>(channel), slot::trim),
+                     vehicle.radio.pulse_us[channel - 1]);
     return MavResult::accepted;
 }
 
@@ -44,7 +44,7 @@ uint8_t trimLevel() {
     if (!still || !vehicle.attitude.aligned) return MavResult::failed;
     const float lie_rad[] = {parameters.level_trim_rad[0] + vehicle.attitude.roll_rad,
                              parameters.level_trim_rad[1] + vehicle.attitude.pitch_rad};
-    return whenTrue(storeAll(kLevelTrim, lie_rad, 2), MavResult::failed);
+    return whenTrue(storeAll(slot::ahrs_trim_x, lie_rad, 2), MavResult::failed);
 }
 
 // Bits of what a command asks for.
@@ -192,7 +192,7 @@ uint8_t setSensorOffsets(Link&, Order& order) {
     constexpr uint8_t kCompass = 2;
     if (order.item.param1 != kCompass) return MavResult::unsupported;
     const float offsets_mg[] = {order.item.param2, order.item.param3, order.item.param4};
-    return whenTrue(storeAll(kCompassOffsets, offsets_mg, 3), MavResult::failed);
+    return whenTrue(storeAll(slot::compass_ofs_x, offsets_mg, 3), MavResult::failed);
 }
 
 // Values are stored as they are set: reading and writing "all" has nothing to do. Parameters may be

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/telemetry/streams.hpp"
 
+#include <string.h>
+
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/telemetry/link.hpp"
@@ -103,6 +105,20 @@ inline uint8_t rate(uint8_t own_rate, const Rates& rates, uint8_t row) {
     return rates.of[static_cast<uint8_t>(core::romRead(kOutgoing[row].stream))];
 }
 
+bool ratesHaveChanged(const Link& link) {
+    const StreamRates& now = parameters.streams[linkNumber(link)];
+    return link.streams.rates_stale || memcmp(&link.streams.worked_out_of, &now, sizeof now) != 0;
+}
+
+void workOutRates(Link& link) {
+    Streams& streams = link.streams;
+    const Rates rates = ratesOf(link);
+    for (uint8_t row = 0; row < kOutgoingRows; ++row)
+        streams.rate[row] = rate(streams.own_rate[row], rates, row);
+    streams.worked_out_of = parameters.streams[linkNumber(link)];
+    streams.rates_stale = false;
+}
+
 // Time that passes while a message waits for room counts for its next one. 1: it has become due.
 inline __attribute__((always_inline)) uint8_t grow(uint8_t& phase, uint8_t by) {
     const uint8_t before = phase;
@@ -135,6 +151,7 @@ bool sendRow(Link& link, uint8_t row) {
 }  // namespace
 
 void streamsStart(Link& link) {
+    link.streams.rates_stale = true;
     for (uint8_t row = 0; row < kOutgoingRows; ++row) {
         link.streams.own_rate[row] = kFollowStream;
         // spread, so that messages of one rate do not all fall into one turn
@@ -146,19 +163,11 @@ void streamsStart(Link& link) {
 
 void streamsTick(Link& link) {
     if (!turnIsDue(link)) return age(link.streams, kHeartbeatRow, kAlwaysRate);
-    const Rates rates = ratesOf(link);
-    const uint8_t* own_rate = link.streams.own_rate;
-    uint8_t* phase = link.streams.phase;
+    if (ratesHaveChanged(link)) workOutRates(link);
+    const uint8_t* by = link.streams.rate;
     uint8_t due = 0;
-    for (const OutgoingRow& in_flash : kOutgoing) {
-        uint8_t by = *own_rate++;
-        if (by == kFollowStream)
-            by = rates.of[static_cast<uint8_t>(core::romRead(in_flash.stream))];
-        else if (by == kNever)
-            by = 0;
-        if (grow(*phase, by)) ++due;
-        ++phase;
-    }
+    for (uint8_t& phase : link.streams.phase)
+        if (grow(phase, *by++)) ++due;
     link.streams.due = static_cast<uint8_t>(link.streams.due + due);
 }
 
@@ -215,6 +224,7 @@ bool setStreamRate(Link& link, uint8_t mav_data_stream, uint16_t rate_hz) {
 bool setInterval(Link& link, uint8_t row, int32_t interval_us) {
     constexpr int32_t kSecond_us = 1000000;
     if (row == kHeartbeatRow) return interval_us == 0 || interval_us == kSecond_us;  // always
+    link.streams.rates_stale = true;
     uint8_t& own = link.streams.own_rate[row];
     if (interval_us == 0) {
         own = kFollowStream;

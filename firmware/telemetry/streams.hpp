@@ -4,6 +4,8 @@
 #pragma once
 #include <stdint.h>
 
+#include "firmware/parameters.hpp"
+
 namespace firmware {
 
 struct Link;
@@ -17,10 +19,13 @@ constexpr uint8_t kNever = 0xFF;
 
 struct Streams {
     uint8_t own_rate[kOutgoingRows] = {};  // kFollowStream, kNever, or the row's own rate
-    uint8_t phase[kOutgoingRows] = {};     // grows by the rate each turn; due from kDue on
-    uint8_t due = 0;                       // how many rows are
-    uint8_t last_row = 0;                  // the one sent last, so that no row starves another
-    uint8_t credit_pct = 0;                // of a turn, while slowed down
+    uint8_t rate[kOutgoingRows] = {};      // what comes of it and of the parameters
+    StreamRates worked_out_of = {};        // these parameters
+    bool rates_stale = true;
+    uint8_t phase[kOutgoingRows] = {};  // grows by the rate each turn; due from kDue on
+    uint8_t due = 0;                    // how many rows are
+    uint8_t last_row = 0;               // the one sent last, so that no row starves another
+    uint8_t credit_pct = 0;             // of a turn, while slowed down
 };
 
 void streamsStart(Link& link);

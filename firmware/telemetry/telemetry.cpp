@@ -21,6 +21,7 @@ constexpr uint8_t kNoRoomWakes = 0xFF;
 
 bool usb;     // as link0 was opened
 bool rested;  // telemetryPump has been called since the last turn
+bool second_first;
 
 // As the parameters give it: thousands, where the usual rates are named by their first digits.
 uint32_t lineRate(int16_t thousands) {
@@ -156,10 +157,11 @@ void telemetrySend() {
 }
 
 // asked some thousand times a second: nothing in these is called that is not needed
+// One link's turn at a time: a frame that is due waits for no more than that.
 __attribute__((flatten)) bool telemetryPump() {
     rested = true;
-    const bool done = pump<0>();
-    return pump<1>() || done;
+    second_first = !second_first;
+    return second_first ? pump<1>() || pump<0>() : pump<0>() || pump<1>();
 }
 __attribute__((flatten)) bool telemetryWaits() { return waits<0>() || waits<1>(); }
 

@@ -11,8 +11,8 @@ namespace {
 struct Text {
     core::RomText text;
     int32_t number;
-    uint8_t severity : 4;
-    uint8_t waiting : 4;  // a bit a link, and one for the log, that has not taken it yet
+    Severity severity;
+    uint8_t waiting;  // a bit a link, and one for the log, that has not taken it yet
 };
 
 constexpr uint8_t kTexts = 5;
@@ -71,7 +71,7 @@ void tell(Severity severity, core::RomText text, int32_t number) {
         if (lost < 0xFF) ++lost;
         return;
     }
-    texts[used++] = {text, number, static_cast<uint8_t>(severity),
+    texts[used++] = {text, number, severity,
                      static_cast<uint8_t>(kEveryLink | (logOpen() ? kLog : 0))};
 }
 
@@ -106,7 +106,7 @@ bool textForLog(char* to) {
 void textLogged() {
     const uint8_t i = nextForLog();
     if (i == used) return;
-    texts[i].waiting &= static_cast<uint8_t>(~kLog & 0xF);
+    texts[i].waiting &= static_cast<uint8_t>(~kLog);
     forgetTaken();
 }
 
@@ -122,10 +122,10 @@ __attribute__((noinline)) bool sendText(Link& link) {
     for (uint8_t i = 0; i < used; ++i) {
         if ((texts[i].waiting & bitOf(link)) == 0) continue;
         mavlink::Statustext message = {};
-        message.severity = texts[i].severity;
+        message.severity = static_cast<uint8_t>(texts[i].severity);
         spell(texts[i], message.text);
         if (!send(link, message)) return false;
-        texts[i].waiting &= static_cast<uint8_t>(~bitOf(link) & 0xF);
+        texts[i].waiting &= static_cast<uint8_t>(~bitOf(link));
         forgetTaken();
         return true;
     }

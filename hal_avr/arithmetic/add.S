@@ -1,4 +1,5 @@
 ; SPDX-License-Identifier: GPL-3.0-or-later
+; Without it the processor is busy 0.4 % more (docs/measurements.md).
 ; The compiler's sum and difference of two floats, in two thirds of the library's cycles and with
 ; the same bits: rounded to the nearest, ties to even. What is not finite and normal, or would not
 ; be afterwards, is left to the library's own parts.

@@ -1,4 +1,5 @@
 ; SPDX-License-Identifier: GPL-3.0-or-later
+; Without it the processor is busy 0.2 % more (docs/measurements.md).
 ; The compiler's comparisons of two floats, in two thirds of the library's cycles. What may not be
 ; a number is left to the library's own part.
 ; In: r25..r22 and r21..r18, least byte lowest. Out: r24: -1, 0 or 1, and for no number what makes

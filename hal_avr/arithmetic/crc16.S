@@ -1,4 +1,5 @@
 ; SPDX-License-Identifier: GPL-3.0-or-later
+; Without it the processor is busy 0.3 % more (docs/measurements.md).
 ; core::crc16 of many bytes: three products make the shifts for a byte. Three bytes at once, as the
 ; registers then come back to where they were: 14.7 cycles a byte, 19 one by one.
 ; In: the checksum in r25 r24, where the bytes are in r23 r22, how many in r21 r20. Out: r25 r24.

@@ -1,4 +1,5 @@
 ; SPDX-License-Identifier: GPL-3.0-or-later
+; Without it the processor is busy 0.7 % more (docs/measurements.md).
 ; The compiler's quotient of two floats, in less than half of the library's cycles and with the
 ; same bits: rounded to the nearest; a quotient never lies in the middle. It is worked out by bytes:
 ; each is guessed from the upper byte of the divisor, at most a few too small, and then made right.

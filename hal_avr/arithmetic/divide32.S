@@ -1,4 +1,5 @@
 ; SPDX-License-Identifier: GPL-3.0-or-later
+; Without it the processor is busy 0.2 % more (docs/measurements.md).
 ; The compiler's quotient of two whole numbers without a sign, bit by bit as the library's, but not
 ; for the dividend's leading bytes of 0, and with two bytes of rest for a divisor of two.
 ; In: r25..r22 by r21..r18. Out: the quotient in r21..r18, the rest in r25..r22. T and r0 stay.

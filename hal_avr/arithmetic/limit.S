@@ -1,4 +1,5 @@
 ; SPDX-License-Identifier: GPL-3.0-or-later
+; Without it the processor is busy 0.3 % more (docs/measurements.md).
 ; core::limit of floats, in their order by bits, core::orderOf's: that of their sizes, turned round
 ; below 0. In: r25..r22, the lowest in r21..r18, the highest in r17..r14. Out: r25..r22.
 

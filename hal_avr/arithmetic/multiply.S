@@ -1,4 +1,5 @@
 ; SPDX-License-Identifier: GPL-3.0-or-later
+; Without it the processor is busy 1.2 % more (docs/measurements.md).
 ; The compiler's product of two floats, in two thirds of the library's cycles and with the same
 ; bits: rounded to the nearest, ties to even. What is 0 or very small or large is left to the
 ; library's own parts.

@@ -1,4 +1,5 @@
 ; SPDX-License-Identifier: GPL-3.0-or-later
+; Without it the processor is busy 0.2 % more (docs/measurements.md).
 ; The compiler's product of two numbers of 16 bits with a sign, without the library's way round
 ; through the one without. In: r27 r26 and r19 r18, which stay. Out: r25..r22.
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <new>
+
 #include "airplane/flying.hpp"
 
 using namespace simulator;
@@ -24,6 +27,17 @@ Propulsion running(double throttle, double ahead_mps, double duration_s = 2) {
 TEST(Propulsion, pulls_about_four_fifths_of_the_weight_standing) {
     const double weight_n = kTrainer.mass_kg * kGravity_mss;
     EXPECT_NEAR(running(1, 0).thrust_n(0, kDensity) / weight_n, 0.8, 0.03);
+}
+
+// Whatever stood in the memory before.
+TEST(Propulsion, begins_with_a_full_battery) {
+    alignas(Propulsion) unsigned char memory[sizeof(Propulsion)];
+    void* place = memory;
+    std::memset(place, 0x7F, sizeof memory);  // 1.4e306 as a double
+    asm volatile("" : "+r"(place) : : "memory");
+    const auto* propulsion = new (place) Propulsion(kTrainer);
+
+    EXPECT_DOUBLE_EQ(propulsion->battery_v(), kTrainer.battery.full_v * kTrainer.battery.cells);
 }
 
 TEST(Propulsion, pulls_less_the_faster_it_flies) {

@@ -41,11 +41,14 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"--seeds many", "--seeds"}, Wrong{"--seeds -3", "--seeds"},
                     Wrong{"--seeds 99999999999999999999", "--seeds"},
                     Wrong{"--seeds 900000", "more than 1000000"}, Wrong{"--wind 5", "'5'"},
-                    Wrong{"--wind 5,400", "'5,400'"}, Wrong{"--wind 0,10", "'0,10'"},
-                    Wrong{"--wind nan,10", "'nan,10'"}, Wrong{"--jobs 0", "--jobs"},
-                    Wrong{"--jobs x", "--jobs"}, Wrong{"--airplane biplane", "biplane"},
+                    Wrong{"--wind 5,400", "'5,400'"}, Wrong{"--wind 31,10", "up to 30 m/s"},
+                    Wrong{"--wind 0,10", "'0,10'"}, Wrong{"--wind nan,10", "'nan,10'"},
+                    Wrong{"--jobs 0", "--jobs"}, Wrong{"--jobs x", "--jobs"},
+                    Wrong{"--airplane biplane", "biplane"},
                     Wrong{"/no/such.waypoints", "/no/such.waypoints"},
-                    Wrong{"--out /proc/nowhere", "/proc/nowhere"}, Wrong{"--loud", "--loud"}));
+                    Wrong{"--out /proc/nowhere", "/proc/nowhere"},
+                    Wrong{"--out /dev/null", "--out /dev/null"},
+                    Wrong{"--airplane /tmp", "/tmp: is a folder"}, Wrong{"--loud", "--loud"}));
 
 TEST(Campaign, names_every_option_in_its_help) {
     const Outcome run = campaign("--help");
@@ -70,7 +73,7 @@ TEST(Campaign, tells_a_flight_that_failed_and_how_to_fly_it_again) {
     EXPECT_THAT(run.output, HasSubstr("1 flights, 1 failed"));
     EXPECT_THAT(run.output, HasSubstr("toolchain/fly --native --airplane foam_trainer --seed 7"));
     EXPECT_THAT(run.output, HasSubstr("toolchain/fly --airplane foam_trainer --seed 7"));
-    EXPECT_THAT(contents(out / "campaign.html"), HasSubstr("1 flights failed"));
+    EXPECT_THAT(contents(out / "campaign.html"), HasSubstr("1 flights, 1 failed"));
 }
 
 TEST(Campaign, shows_what_was_flown_in_a_table_and_on_a_page) {
@@ -89,4 +92,51 @@ TEST(Campaign, shows_what_was_flown_in_a_table_and_on_a_page) {
     EXPECT_THAT(page, Not(HasSubstr("<script")));
     EXPECT_TRUE(fs::exists(out / "flights/foam_trainer-first_flight-calm-4/summary.json"));
     EXPECT_FALSE(fs::exists(out / "flights/foam_trainer-first_flight-calm-4/flight.csv"));
+}
+
+// A signal before the end: whatever was flown until then, the campaign is not reported as complete.
+TEST(Campaign, says_that_it_was_interrupted_and_how_far_it_came) {
+    const fs::path out = folder("interrupted");
+    const Outcome run = program_run::runCommand(
+        "timeout --preserve-status -s TERM 1 " CAMPAIGN_PROGRAM " --seeds 500 --jobs 1 --out " +
+        out.string() + " 2>&1 </dev/null");
+
+    EXPECT_EQ(run.status, 1) << run.output;
+    EXPECT_THAT(run.output, testing::ContainsRegex("interrupted: [0-9]+ of 6000 flights"));
+    const std::string page = contents(out / "campaign.html");
+    EXPECT_THAT(page, testing::ContainsRegex("interrupted: [0-9]+ of 6000 flights"));
+    EXPECT_THAT(page, Not(HasSubstr("every flight completed")));
+}
+
+// Ctrl-C goes to the flights too: one that was cut off is neither flown nor failed.
+TEST(Campaign, does_not_count_a_flight_that_a_signal_has_cut_off) {
+    const fs::path out = folder("cut");
+    const Outcome run =
+        program_run::runCommand("setsid -w timeout --preserve-status -s INT 1 " CAMPAIGN_PROGRAM
+                                " --seeds 500 --jobs 2 --out " +
+                                out.string() + " 2>&1 </dev/null");
+
+    EXPECT_THAT(run.output, HasSubstr("flights were flown, 0 failed")) << run.output;
+}
+
+TEST(Campaign, keeps_its_verdict_and_says_so_when_the_page_cannot_be_written) {
+    const fs::path out = folder("full");
+    fs::create_directories(out);
+    fs::create_symlink("/dev/full", out / "campaign.html");
+    const Outcome run = campaign(MISSIONS
+                                 "/first_flight.waypoints --airplane foam_trainer "
+                                 "--wind calm --seeds 4-4 --out " +
+                                 out.string());
+
+    EXPECT_EQ(run.status, 2) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("1 flights, 0 failed"));
+    EXPECT_THAT(run.output, HasSubstr("campaign.html: cannot be written: No space left"));
+    EXPECT_THAT(run.output, Not(HasSubstr("page: ")));
+}
+
+TEST(Campaign, fails_when_its_standard_output_is_lost) {
+    const Outcome run = program_run::runOnFullDisk(CAMPAIGN_PROGRAM, "--help");
+
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.output, HasSubstr("campaign: the standard output cannot be written: No space"));
 }

@@ -12,6 +12,7 @@ namespace {
 
 CampaignResult flown(uint64_t seed, double crosstrack_m, double wind_mps = 0) {
     return {{"foam_trainer", "missions/box.waypoints", {wind_mps, 320}, seed},
+            true,
             "",
             {{"crosstrack_rms_m", crosstrack_m}},
             100};
@@ -53,7 +54,23 @@ TEST(Spreads, leave_out_a_figure_that_a_group_does_not_have) {
     lost.figures.clear();
     lost.failure = "crashed";
     EXPECT_THAT(spreadsOf({lost}), IsEmpty());
-    EXPECT_THAT(campaignPage({lost, flown(2, 1)}, 1), HasSubstr("crashed"));
+    EXPECT_THAT(campaignPage({lost, flown(2, 1)}, 2, 1), HasSubstr("crashed"));
+}
+
+TEST(Page, tells_a_campaign_that_was_interrupted_from_a_whole_one) {
+    EXPECT_THAT(campaignPage({flown(1, 1), flown(2, 1)}, 2, 1),
+                HasSubstr("every flight completed"));
+    const std::string part = campaignPage({flown(1, 1), flown(2, 1)}, 240, 1);
+    EXPECT_THAT(part, HasSubstr("interrupted: 2 of 240 flights were flown, 0 failed"));
+    EXPECT_THAT(part, testing::Not(HasSubstr("every flight completed")));
+    EXPECT_THAT(campaignPage({}, 240, 1), HasSubstr("interrupted: 0 of 240"));
+}
+
+TEST(Judged, a_flight_that_was_interrupted_was_not_flown) {
+    const CampaignFlight flight = {"flying_wing", "a.waypoints", {}, 3};
+    EXPECT_FALSE(judged(flight, R"({"completed":false,"reason":"interrupted"})").flown);
+    EXPECT_TRUE(judged(flight, R"({"completed":false,"reason":"crashed"})").flown);
+    EXPECT_TRUE(judged(flight, kWell).flown);
 }
 
 TEST(Replay, is_the_command_line_of_the_flight) {

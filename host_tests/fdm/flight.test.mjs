@@ -156,8 +156,8 @@ test('a model that is not there is waited for, and then told', async () => {
 });
 
 test('a model that falls silent or talks nonsense ends the flight with its reason', async () => {
-  const words = { '-': /no answer for 10 s/, rubbish: /expected a JSON object, found 'rubbish'/,
-    '{"timestamp":"x"}': /timestamp: expected a number/ };
+  const words = { '-': /no answer for 10 s/, rubbish: /1000 answers that make no sense: expected a JSON object, found 'rubbish'/,
+    '{"timestamp":"x"}': /answers that make no sense: timestamp: expected a number/ };
   for (const [word, says] of Object.entries(words)) {
     if (!native && word === '-') continue;
     const port = await freePort();
@@ -166,6 +166,76 @@ test('a model that falls silent or talks nonsense ends the flight with its reaso
     assert.match(run.said, says);
     count(1 / 60);
   }
+});
+
+const state = (time_s) => `{"timestamp":${time_s},"imu":{"gyro":[0,0,0],"accel_body":[0,0,-9.8]},` +
+  '"position":[0,0,0],"attitude":[0,0,0],"velocity":[0,0,0]}';
+
+test('a model that starts later is waited for', async () => {
+  const port = await freePort();
+  const flight = fly(port, '--time-limit', '1', '--fdm-wait', '60');
+  await new Promise((resolve) => setTimeout(resolve, 1500));
+  const model = await bound(port);
+  let time_s = 3;
+  model.on('message', (bytes, from) => model.send(state(time_s += 0.0025), from.port, from.address));
+  const run = await flight;
+  model.close();
+  count(1 / 60);
+  assert.match(run.said, /waiting for the flight model/);
+  assert.match(run.said, /time limit reached/);
+});
+
+onNative('a model that is stopped and started again goes on', async () => {
+  const port = await freePort();
+  let model = await bound(port);
+  const answer = (bytes, from) => {
+    if (++answers !== 300) return model.send(state(answers * 0.0025), from.port, from.address);
+    model.close();  // this question gets no answer, and the next ones are refused
+    setTimeout(async () => {
+      model = await bound(port);
+      model.on('message', answer);
+    }, 1200);
+  };
+  let answers = 0;
+  model.on('message', answer);
+  const run = await fly(port, '--time-limit', '3');
+  model.close();
+  assert.match(run.said, /time limit reached/);
+  assert.ok(answers > 1100, `${answers} answers`);
+});
+
+test('answers that make no sense are skipped, counted, and asked for again', async () => {
+  const port = await freePort();
+  const model = await bound(port);
+  const nonsense = ['', 'rubbish', state(9).replace('[0,0,0]', '[NaN,0,0]'),
+    state(9).replace('-9.8', '1e999'), state(9).replace('-9.8', '1e300'), '\u0000\u0001\u0002'];
+  let asked = 0, time_s = 0;
+  const numbers = [];
+  model.on('message', (bytes, from) => {
+    numbers.push(bytes.readUInt32LE(4));
+    const text = ++asked % 20 === 0 && nonsense.length > 0 ? nonsense.pop() : state(time_s += 0.0025);
+    model.send(text, from.port, from.address);
+  });
+  const run = await fly(port, '--time-limit', '1');
+  model.close();
+  count(1 / 60);
+  assert.match(run.said, /time limit reached/);
+  assert.match(run.said, /flight model +6 answers skipped: not understood/);
+  assert.equal(summary().model_answers_skipped, 6);
+  assert.deepEqual(numbers, numbers.map((_, i) => i + 1));  // asked again under a new number
+});
+
+onNative('a signal ends the wait for a model', async () => {
+  const port = await freePort();
+  const child = spawn(FLY, ['--native', '--fdm', `json:${port}`, '--fdm-wait', '10000', '--out', out]);
+  let said = '';
+  child.stdout.on('data', (text) => {
+    said += text;
+    if (/waiting for/.test(said)) child.kill('SIGTERM');
+  });
+  const [status, signal] = await once(child, 'close');
+  assert.equal(signal, null);
+  assert.equal(status, 1);
 });
 
 onNative('a server stops with the reason too', async () => {
@@ -179,6 +249,6 @@ onNative('a server stops with the reason too', async () => {
   await withPeer([`${port}`, 'foam_trainer', 'rubbish', '100'], async () => {
     const [status] = await once(child, 'close');
     assert.equal(status, 1);
-    assert.match(said, /fly: the flight model at \d+: expected a JSON object/);
+    assert.match(said, /fly: the flight model at \d+: 1000 answers that make no sense: expected a JSON object/);
   });
 });

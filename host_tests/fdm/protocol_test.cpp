@@ -98,6 +98,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Nonsense{replaced(kState, "attitude", "mood"), "attitude or quaternion"},
                     Nonsense{replaced(kState, "[10,20,-30]", "[10,20]"), "position: expected 3"},
                     Nonsense{replaced(kState, "[10,", "[null,"), "position: expected a number"},
+                    Nonsense{replaced(kState, "[10,", "[1e30,"), "what an airplane can do"},
+                    Nonsense{replaced(kState, "[10,", "[NaN,"), "expected a JSON object"},
                     Nonsense{replaced(kState, "2500", "\"now\""), "timestamp: expected a number"},
                     Nonsense{replaced(kState, "2500", "1e999"), "expected"},
                     Nonsense{replaced(kState, "\"attitude\":[0,0,0]", "\"quaternion\":[0,0,0,0]"),

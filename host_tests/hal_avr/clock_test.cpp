@@ -50,13 +50,13 @@ TEST(HalClock, idle_sleeps_until_the_next_interrupt) {
     EXPECT_GT(bench.chip.asleepCycles(), 16000u * 496);
 }
 
-TEST(HalClock, idle_looks_every_two_milliseconds_when_nothing_happens) {
+TEST(HalClock, idle_looks_every_four_milliseconds_when_nothing_happens) {
     constexpr int kCompare = 47, kOverflow = 50;
     Bench bench("idle");
     bench.run_ms(500);
 
     const auto& interrupts = bench.chip.interrupts();
-    EXPECT_NEAR(interrupts.count(kCompare).runs, 250, 5);
+    EXPECT_NEAR(interrupts.count(kCompare).runs, 125, 3);
     EXPECT_EQ(interrupts.count(kOverflow).runs, 15u);
 }
 

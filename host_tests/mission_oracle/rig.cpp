@@ -289,8 +289,9 @@ std::string Rig::trace() {
 std::map<int, int> Rig::jumpsLeft() const {
     std::map<int, int> left;
     if (set_ == CommandSet::apm1) return left;
-    for (const auto& counter : memory_.counters)
-        if (counter.index != 0) left[counter.index] = counter.left[0] + 256 * counter.left[1];
+    const auto& counters = memory_.counters;
+    for (int i = 0; i < mission::kMostCounters; ++i)
+        if (counters.index[i] != 0) left[counters.index[i]] = counters.left[i];
     return left;
 }
 

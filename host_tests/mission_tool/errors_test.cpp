@@ -64,7 +64,13 @@ TEST(Refusals, a_file_of_no_known_kind_is_told_what_it_could_have_been) {
         refusalOf("hello\n"),
         "m:1:1: expected 'QGC WPL 110', 'APM 1.0', 'APM 2.0', Intel hex or a 4096-byte image, "
         "found 'hello'");
-    EXPECT_THAT(refusalOf(""), HasSubstr("m:1:1: expected"));
+    EXPECT_EQ(refusalOf(""), "m: the file is empty");
+    EXPECT_EQ(refusalOf(" \n\n"), "m: the file is empty");
+    EXPECT_EQ(refusalOf(std::string("\x7f"
+                                    "ELF\0\1",
+                                    6)),
+              "m: not a text file");
+    EXPECT_THAT(refusalOf("\x1b]0;x\x07\n"), HasSubstr("found '?]0;x?'"));
     EXPECT_EQ(refusalOf("APM 3.0\n"), "m:1:1: expected 'APM 1.0' or 'APM 2.0', found 'APM 3.0'");
     EXPECT_EQ(refusalOf("APM 1.0\n# nothing\n"),
               "m:3:1: expected a command: home comes first, found the end of the line");
@@ -108,6 +114,73 @@ TEST_F(Errors, all_of_them_are_told_at_once) {
     EXPECT_THAT(err_, HasSubstr(mission + ":4:1: expected a command"));
     EXPECT_EQ(tool({"compile", mission, "-o", path("x.eep")}), 1);
     EXPECT_FALSE(std::filesystem::exists(path("x.eep")));
+}
+
+TEST_F(Errors, of_reading_and_of_meaning_are_told_together_in_the_order_of_the_file) {
+    EXPECT_EQ(refusalOf("QGC WPL 110\n0 1 0 16 0 0 0 0 47 8 400 1\n"
+                        "1 0 3 202 0 0 0 0 47 8 9 1\n"
+                        "2 0 3 16 x 0 0 0 east 8 9 1\n"
+                        "3 0 3 181 0 9 0 0 0 0 0 1\n"),
+              "m:3:7: expected a command of the APM 2.0 set, found '202'\n"
+              "m:4:10: expected a number as parameter, found 'x'\n"
+              "m:4:18: expected a latitude, -90 to 90 degrees, found 'east'\n"
+              "m:5:13: expected 0 or 1, found '9'");
+    EXPECT_EQ(refusalOf(apm1("0x81 9 0 0 0\nzz 0 0 0 0\n0x10 256 0 0 0\n0xC9 0 0 0 0\n")),
+              "m:3:6: expected 0 or 1, found '9'\n"
+              "m:4:1: expected the id of a command, 0x00 to 0xFF, found 'zz'\n"
+              "m:5:6: expected p1, 0 to 255, found '256'\n"
+              "m:6:1: expected a command of the APM 1.0 set, found '0xC9'");
+}
+
+TEST_F(Errors, are_fifty_at_most_and_a_count) {
+    std::string lines;
+    for (int i = 0; i < 70; ++i) lines += "0x81 9 0 0 0\n";
+    EXPECT_EQ(tool({"check", file("m", apm1(lines))}), 1);
+    EXPECT_THAT(err_, HasSubstr(":52:6: expected 0 or 1"));
+    EXPECT_THAT(err_, Not(HasSubstr(":53:6: expected 0 or 1")));
+    EXPECT_THAT(err_, testing::EndsWith("\nand 20 more\n"));
+    EXPECT_EQ(tool({"check", file("n", apm1(lines + "zz 0 0 0 0\n"))}), 1);
+    EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 51);
+    EXPECT_THAT(err_, testing::EndsWith("\nand 21 more\n"));
+}
+
+// Both forms, as editors save them.
+TEST_F(Errors, marks_and_line_ends_of_an_editor_are_none) {
+    for (const std::string& plain :
+         {std::string(kTwoWaypoints), apm1("0x10 0 6000 470000000 80000000\n")}) {
+        std::string lines, little = "\xFF\xFE", big = "\xFE\xFF";
+        for (const char letter : plain) {
+            lines += letter == '\n' ? "\r\n" : std::string(1, letter);
+            little += {letter, '\0'};
+            big += {'\0', letter};
+        }
+        for (const std::string& saved : {lines, "\xEF\xBB\xBF" + lines, little, big}) {
+            EXPECT_EQ(refusalOf(saved), "");
+            EXPECT_EQ(compiled(saved), compiled(plain));
+        }
+    }
+    EXPECT_EQ(refusalOf("\xEF\xBB\xBF"
+                        "APM 1.0\r\nzz 0 0 0 0\r\n"),
+              "m:2:1: expected the id of a command, 0x00 to 0xFF, found 'zz'");
+}
+
+// Also one that happens to be as long as an EEPROM.
+TEST_F(Errors, a_marked_text_of_4096_bytes_is_no_image) {
+    std::string text = "\xEF\xBB\xBF" + std::string(kTwoWaypoints);
+    text += "#" + std::string(4096 - text.size() - 1, 'x');
+    EXPECT_EQ(refusalOf(text), "");
+}
+
+TEST_F(Errors, of_writing_name_the_file_and_the_reason) {
+    const std::string mission = file("m", kTwoWaypoints);
+    std::filesystem::create_symlink("/dev/full", path("full.bin"));
+    EXPECT_EQ(tool({"compile", mission, "-o", path("full.bin")}), 1);
+    EXPECT_EQ(err_, path("full.bin") + ": cannot be written: No space left on device\n");
+    std::filesystem::create_directories(path("folder.bin"));
+    EXPECT_EQ(tool({"compile", mission, "-o", path("folder.bin")}), 1);
+    EXPECT_EQ(err_, path("folder.bin") + ": cannot be written: Is a directory\n");
+    EXPECT_EQ(tool({"check", path("folder.bin")}), 1);
+    EXPECT_EQ(err_, path("folder.bin") + ": cannot be read\n");
 }
 
 TEST_F(Errors, more_counted_jumps_than_counters_are_refused) {

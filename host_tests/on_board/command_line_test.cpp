@@ -55,17 +55,26 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"--native --airplane no_such", "no_such.json: no such airplane"},
         Wrong{"--native --airplane /etc/passwd", "/etc/passwd"},
         Wrong{"--native --param /no/such.param", "/no/such.param: cannot be read"},
-        Wrong{"--native --param /etc/passwd", "passwd:1:"}, Wrong{"--fdm 9002", "json:PORT"},
-        Wrong{"--fdm json:", "json:PORT"}, Wrong{"--fdm json:0", "json:PORT"},
-        Wrong{"--fdm json:65535", "json:PORT"}, Wrong{"--fdm json:9002x", "json:PORT"},
-        Wrong{"--fdm json:9002 --wind 5,1", "own air"}, Wrong{"--fdm json:9002 --gusts", "own air"},
-        Wrong{"--fdm-wait 3", "--fdm"}, Wrong{"--fdm json:9002 --fdm-wait 0", "--fdm-wait"},
+        Wrong{"--fdm 9002", "json:PORT"}, Wrong{"--fdm json:", "json:PORT"},
+        Wrong{"--fdm json:0", "json:PORT"}, Wrong{"--fdm json:65535", "json:PORT"},
+        Wrong{"--fdm json:9002x", "json:PORT"}, Wrong{"--fdm json:9002 --wind 5,1", "own air"},
+        Wrong{"--fdm json:9002 --gusts", "own air"}, Wrong{"--fdm-wait 3", "--fdm"},
+        Wrong{"--fdm json:9002 --fdm-wait 0", "--fdm-wait"},
         Wrong{"--native --fdm json:no.such.host.invalid:9002", "no.such.host.invalid"},
         Wrong{"--native --firmware x.elf", "--native"}, Wrong{"--serve some.waypoints", "--serve"},
         Wrong{"/no/such/mission.waypoints", "/no/such/mission.waypoints"},
         Wrong{"--firmware /no/such.elf", "/no/such.elf"},
         Wrong{"--firmware /etc/passwd", "/etc/passwd"},
         Wrong{"--native --out /proc/nowhere", "/proc/nowhere"},
+        Wrong{"--native --out /dev/null", "--out /dev/null"},
+        Wrong{"--profile /no/such/p.json", "--profile /no/such/p.json: cannot be written"},
+        Wrong{"--profile /tmp", "--profile /tmp: cannot be written: Is a directory"},
+        Wrong{"--vcd /no/such/x.vcd", "/no/such/x.vcd: cannot be written"},
+        Wrong{"--vcd /dev/full", "/dev/full: cannot be written: No space left"},
+        Wrong{"--wind 31,270", "0 to 30 m/s and 0 to 360 degrees"},
+        Wrong{"--native --airplane /tmp", "/tmp: is a folder"},
+        Wrong{"--native --param /tmp", "/tmp: cannot be read"},
+        Wrong{"/tmp", "/tmp: cannot be read"}, Wrong{"--firmware /tmp", "/tmp: cannot be opened"},
         Wrong{"--native --eeprom /etc/passwd", "4096 bytes"},
         Wrong{"--native --dataflash /etc/passwd", "8192 or 4096 pages"},
         Wrong{"--native --dataflash /no/such/folder/d.bin", "--dataflash"},
@@ -157,4 +166,79 @@ TEST(Eeprom, keeps_what_the_autopilot_stored) {
     EXPECT_EQ(first.size(), 4096u);
     EXPECT_NE(first, std::string(4096, '\xff'));  // the mission is in it
     EXPECT_EQ(contents(image).size(), 4096u);
+}
+
+TEST(WrongParameters, are_told_line_by_line_and_without_control_characters) {
+    const fs::path path = folder("bad.param");
+    std::ofstream(path) << "WP_RADIUS,x\nTHR_MAX,\x1b[2J\n";
+
+    const Outcome run = fly("--native --param " + path.string());
+
+    EXPECT_EQ(run.status, 2);
+    EXPECT_THAT(run.output, HasSubstr("bad.param:1:11: expected a finite decimal number"));
+    EXPECT_THAT(run.output, HasSubstr("bad.param:2:9: expected a finite decimal number"));
+    EXPECT_EQ(run.output.find('\x1b'), run.output.npos);
+}
+
+TEST(Output, is_tried_before_the_flight) {
+    const fs::path out = folder("taken");
+    fs::create_directories(out / "flight.csv");
+
+    const Outcome run = fly("--native --time-limit 5 --out " + out.string());
+
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("flight.csv: cannot be written: Is a directory"));
+}
+
+TEST(Output, that_is_lost_after_the_flight_costs_neither_verdict_nor_the_other_files) {
+    const fs::path out = folder("full");
+    fs::create_directories(out);
+    fs::create_symlink("/dev/full", out / "summary.json");
+
+    const Outcome run = fly("--native --time-limit 5 --out " + out.string());
+
+    EXPECT_EQ(run.status, 2);
+    EXPECT_THAT(run.output, HasSubstr("not completed: time limit reached"));
+    EXPECT_THAT(run.output, HasSubstr("fly: " + (out / "summary.json").string() +
+                                      ": cannot be written: No space left on device\n"));
+    EXPECT_THAT(run.output, testing::Not(HasSubstr("  report")));
+    EXPECT_THAT(contents(out / "report.html"), HasSubstr("time limit reached"));
+}
+
+TEST(Output, to_a_full_disk_is_an_error) {
+    const Outcome run = program_run::runOnFullDisk(FLY_PROGRAM, "--help");
+
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.output, HasSubstr("fly: the standard output cannot be written: No space"));
+}
+
+TEST(Profile, names_the_program_it_was_made_of) {
+    const fs::path profile = folder("profile.json");
+    const Outcome run =
+        fly("--time-limit 1 --out " + folder("p").string() + " --profile " + profile.string());
+
+    EXPECT_EQ(run.status, 1) << run.output;
+    EXPECT_THAT(contents(profile), HasSubstr("avr/apm2/firmware.elf\",\"sha256\":\""));
+}
+
+TEST(NoDataflash, says_what_must_go_along_with_it) {
+    const fs::path param = folder("no_log.param");
+    std::ofstream(param) << "LOG_BITMASK,0\n";
+    const std::string flight =
+        "--native --no-dataflash --time-limit 2 --out " + folder("nolog").string();
+
+    EXPECT_THAT(fly(flight).output, HasSubstr("--no-dataflash: the firmware does not arm without"));
+    EXPECT_THAT(fly(flight).output, HasSubstr("LOG_BITMASK,0"));
+    EXPECT_THAT(fly(flight + " --param " + param.string()).output,
+                testing::Not(HasSubstr("does not arm")));
+}
+
+TEST(NoDataflash, flies_with_that) {
+    const fs::path param = folder("no_log.param");
+    std::ofstream(param) << "LOG_BITMASK,0\n";
+    const Outcome run = fly("--native --no-dataflash --out " + folder("nolog").string() +
+                            " --param " + param.string());
+
+    EXPECT_EQ(run.status, 0) << run.output;
 }

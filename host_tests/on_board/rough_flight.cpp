@@ -51,6 +51,7 @@ public:
     }
 
     void profileTo(const std::string& path) { board_.profileTo(path); }
+    void closeProfile() { board_.closeProfile(); }
 
     void fly() {
         size_t next = 0;
@@ -272,6 +273,7 @@ int main(int count, char** words) {
     RoughFlight flight(firmware, readWaypoints(words[2]));
     if (count == 6) flight.profileTo(words[5]);
     flight.fly();
+    flight.closeProfile();
     const bool kept = flight.judge();
     writeOutcome(out, minutes, flight.summary(firmware));
     return kept ? 0 : 1;

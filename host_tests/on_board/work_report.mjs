@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the flights of the image took of the processor, held to its limits.
 //   work_report.mjs budgets TASKS.json FLIGHT...     each task against its budget
-//   work_report.mjs cycles BUDGETS.json FLIGHT...    frames, interrupts, tasks
+//   work_report.mjs cycles BUDGETS.json FLIGHT...    frames, interrupts, tasks; a board or a flight has
+//                                                    the budgets of all but for those under its name
 // FLIGHT is a folder with a summary.json.
 import { readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 
 const kCycles_us = 16;
-const kLongestFrame_us = 10000;
-const kLongestLatency_us = 6000;  // of the newest inertial sample, to the last servo
 
 const readJson = (path) => JSON.parse(readFileSync(path, 'utf8'));
 const readFlight = (folder) => ({ name: basename(folder), ...readJson(join(folder, 'summary.json')) });
@@ -62,27 +61,24 @@ function budgets([tasks, ...folders]) {
 
 function cycles([budgetsPath, ...folders]) {
   const flights = folders.map(readFlight);
-  // in wind, with all streams at 10 Hz on one link of 57,600 baud, and on USB at 115,200 besides
-  const limit = { cpu: 0.34, cpu_both_links: 0.375, interrupts: 0.06, interrupt_cycles: readJson(budgetsPath).interrupt_cycles };
-  // the first board's analogue sensors are asked by interrupts, 6,000 times a second
-  const analogue = { cpu: 0.40, interrupts: 0.08 };
+  const all = readJson(budgetsPath);
   const faults = [];
   const hold = (flight, what, value, most) => {
-    if (typeof value !== 'number') faults.push(`${flight.name}: ${what} is not known`);
+    if (typeof value !== 'number' || typeof most !== 'number') faults.push(`${flight.name}: ${what} is not known`);
     else if (value > most) faults.push(`${flight.name}: ${what} ${value} is more than ${most}`);
   };
   const rows = flights.map((flight) => {
     const longest = Math.max(...flight.interrupts.map((interrupt) => interrupt.max_cycles));
-    const both = ['elf_rough', 'elf_failsafes'].includes(flight.name);
-    const most = flight.board === 'apm1' ? analogue : limit;
-    hold(flight, 'processor load', flight.cpu_load, both ? limit.cpu_both_links : most.cpu);
+    const budget = { ...all, ...all[flight.board], ...all[flight.name] };
+    hold(flight, 'processor load in percent', 100 * flight.cpu_load, budget.processor_percent);
     // the rough flight's lists and uploads are answered in what the frames leave
-    if (!both) hold(flight, 'longest frame', flight.frame_max_us, kLongestFrame_us);
-    hold(flight, 'interrupts', flight.interrupt_load, most.interrupts);
-    hold(flight, 'longest interrupt in cycles', longest, limit.interrupt_cycles);
+    const fills = ['elf_rough', 'elf_failsafes'].includes(flight.name);
+    if (!fills) hold(flight, 'longest frame', flight.frame_max_us, budget.frame_us);
+    hold(flight, 'interrupts in percent', 100 * flight.interrupt_load, budget.interrupts_percent);
+    hold(flight, 'longest interrupt in cycles', longest, budget.interrupt_cycles);
     hold(flight, 'frames late', flight.frame_overruns, 0);
     if (flight.board !== 'apm1') {  // nothing there says when a sample is ready
-      hold(flight, 'longest latency', flight.latency_max_us, kLongestLatency_us);
+      hold(flight, 'longest latency', flight.latency_max_us, budget.gyro_to_servo_us);
       hold(flight, 'inertial samples lost', flight.imu_samples_lost, 0);
       hold(flight, 'inertial samples read twice', flight.imu_samples_repeated, 0);
     }

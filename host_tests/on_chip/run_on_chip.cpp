@@ -54,7 +54,7 @@ avr_t* chipWith(const simulator::Image& image) {
 }
 
 int run(const char* file, double seconds) {
-    avr_t* avr = chipWith(simulator::readImage(file));
+    avr_t* avr = chipWith(simulator::readImage(file, kRamEnd));
     const auto limit = static_cast<avr_cycle_count_t>(seconds * avr->frequency);
     while (result == kRunning && avr->cycle < limit) {
         const int state = avr_run(avr);

@@ -18,7 +18,7 @@ const code = sources.map(text).join('\n');
 
 // The fields of all rows, those of the macros for channels and streams once.
 function fieldsOf(source) {
-  const rows = [...source.matchAll(/\bP\([^,()]*,\s*"[^,]*,\s*([\w.[\] -]+?)\s*,/g)];
+  const rows = [...source.matchAll(/\bP\((?:[^,()"]|\([^()]*\))*,\s*"[^,]*,\s*([\w.[\] -]+?)\s*,/g)];
   return rows.map((row) => row[1].replace(/\[[^\]]*\]/g, ''));
 }
 

@@ -10,7 +10,7 @@ TEST_F(ParamTool, takes_the_dialects_of_mission_planner_and_mavproxy) {
     for (const char* text : {"WP_RADIUS,42\n", "WP_RADIUS 42\n", "WP_RADIUS        42.000000\n",
                              "WP_RADIUS\t42", "#NOTE: a plane\r\nWP_RADIUS,42\r\n",
                              "  WP_RADIUS , 42  # metres\n", "\n\n# nothing\nWP_RADIUS,+4.2e1\n"}) {
-        EXPECT_EQ(toldOf(text), "") << text;
+        EXPECT_EQ(errorsOf(text), "") << text;
         EXPECT_EQ(status_, 0) << text;
         EXPECT_THAT(out_, HasSubstr("the firmware takes it"));
         ASSERT_EQ(param({"compile", path("f.param"), "-o", path("f.bin")}), 0);
@@ -20,7 +20,7 @@ TEST_F(ParamTool, takes_the_dialects_of_mission_planner_and_mavproxy) {
 
 TEST_F(ParamTool, says_where_it_is_wrong_and_what_was_expected) {
     struct Row {
-        const char *text, *told;
+        const char *text, *errors;
     };
     constexpr Row kRows[] = {
         {"WP_RADIUS\n",
@@ -46,14 +46,45 @@ TEST_F(ParamTool, says_where_it_is_wrong_and_what_was_expected) {
         {"WP_RADIUS,3\nWP_RADIUS,4\n", "f.param:2:1: WP_RADIUS stands in line 1 already"},
     };
     for (const Row& row : kRows) {
-        EXPECT_THAT(toldOf(row.text), testing::StartsWith(row.told)) << row.text;
+        EXPECT_THAT(errorsOf(row.text), testing::StartsWith(row.errors)) << row.text;
         EXPECT_EQ(status_, 1) << row.text;
         EXPECT_EQ(out_, "") << row.text;
     }
 }
 
+TEST_F(ParamTool, takes_a_file_as_any_editor_saves_it) {
+    const std::string plain = "WP_RADIUS,42\r\n";
+    std::string little = "\xFF\xFE", big = "\xFE\xFF";
+    for (const char letter : plain) {
+        little += {letter, '\0'};
+        big += {'\0', letter};
+    }
+    for (const std::string& text : {"\xEF\xBB\xBF" + plain, little, big}) {
+        ASSERT_EQ(param({"compile", file("f.param", text), "-o", path("f.bin")}), 0) << err_;
+        EXPECT_EQ(valueIn(path("f.bin"), "WP_RADIUS"), "42");
+    }
+}
+
+TEST_F(ParamTool, tells_an_empty_file_and_one_that_is_no_text) {
+    EXPECT_EQ(errorsOf(""), "f.param: the file is empty\n");
+    EXPECT_EQ(errorsOf("\r\n"), "f.param: the file is empty\n");
+    EXPECT_EQ(errorsOf(std::string("\x7f"
+                                   "ELF\0",
+                                   5)),
+              "f.param: not a text file\n");
+    EXPECT_EQ(status_, 1);
+}
+
+TEST_F(ParamTool, tells_fifty_errors_and_how_many_more) {
+    std::string text;
+    for (int i = 0; i < 60; ++i) text += "WP_RADIUS,x\n";
+    const std::string errors = errorsOf(text);
+    EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 51);
+    EXPECT_THAT(errors, testing::EndsWith("\nand 10 more\n"));
+}
+
 TEST_F(ParamTool, leaves_out_the_lengths_of_lists_that_travel_by_themselves) {
-    EXPECT_THAT(toldOf("FENCE_TOTAL,6\nRALLY_TOTAL,0\nWP_RADIUS,42\n"),
+    EXPECT_THAT(errorsOf("FENCE_TOTAL,6\nRALLY_TOTAL,0\nWP_RADIUS,42\n"),
                 testing::StartsWith("f.param:1:1: warning: FENCE_TOTAL is left out"));
     EXPECT_EQ(status_, 0);
     ASSERT_EQ(param({"compile", path("f.param"), "-o", path("f.bin")}), 0);
@@ -61,8 +92,8 @@ TEST_F(ParamTool, leaves_out_the_lengths_of_lists_that_travel_by_themselves) {
 }
 
 TEST_F(ParamTool, tells_everything_that_is_wrong_line_by_line) {
-    const std::string told = toldOf("A,1\nTHR_MAX,x\nTHR_MIN,101\nWP_RADIUS,30.4\n");
-    EXPECT_EQ(told,
+    const std::string errors = errorsOf("A,1\nTHR_MAX,x\nTHR_MIN,101\nWP_RADIUS,30.4\n");
+    EXPECT_EQ(errors,
               "f.param:1:1: expected a parameter of this firmware, found 'A'\n"
               "f.param:2:9: expected a finite decimal number, found 'x'\n"
               "f.param:3:9: expected a number from 0 to 100, found '101'\n"

@@ -21,7 +21,7 @@ protected:
         return status;
     }
     // What `check` says of this file, called f.param; empty: nothing.
-    std::string toldOf(const std::string& contents) {
+    std::string errorsOf(const std::string& contents) {
         status_ = param({"check", file("f.param", contents)});
         std::string told = err_;
         const std::string folder = folder_.string() + '/';

@@ -9,7 +9,6 @@
 
 #include "fakes/clock.hpp"
 #include "fakes/eeprom.hpp"
-#include "parameters/packed.hpp"
 #include "storage/eeprom_map.hpp"
 
 namespace {
@@ -26,7 +25,7 @@ struct Fields {
 Fields fields;
 
 // clang-format off
-constexpr parameters::Row kRows[] = {
+constexpr parameters::Row kRows[] ROM = {
     PARAMETER(3,  "SMALL",            Fields, small,  1.0f,  -100.0f, 100.0f),
     PARAMETER(7,  "MIDDLE",           Fields, middle, 300.0f, 0.0f,   30000.0f),
     PARAMETER(8,  "LARGE",            Fields, large,  -1.0f, -1.0f,   1000000.0f),
@@ -46,8 +45,7 @@ static_assert(parameters::initialsAreInRange(kRows), "");
 static_assert(!parameters::initialsAreInRange(kInitialOutside), "");
 
 constexpr uint8_t kSmall = 0, kMiddle = 1, kLarge = 2, kReal = 3;
-constexpr auto kPacked ROM = PACK_PARAMETERS(kRows);
-constexpr Table table ROM(kPacked, &fields);
+constexpr Table table ROM(kRows, &fields);
 
 void loadAll() {
     for (int i = 0; i < 100; ++i) {

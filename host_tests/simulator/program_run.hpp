@@ -19,14 +19,22 @@ struct Outcome {
     std::string output;  // both streams
 };
 
-inline Outcome run(const std::string& program, const std::string& arguments) {
-    const std::string command = program + " " + arguments + " 2>&1 </dev/null";
+inline Outcome runCommand(const std::string& command) {
     FILE* pipe = popen(command.c_str(), "r");
     Outcome run{0, ""};
     std::array<char, 256> part;
     while (fgets(part.data(), part.size(), pipe)) run.output += part.data();
     run.status = WEXITSTATUS(pclose(pipe));
     return run;
+}
+
+inline Outcome run(const std::string& program, const std::string& arguments) {
+    return runCommand(program + " " + arguments + " 2>&1 </dev/null");
+}
+
+// With a standard output that takes nothing, as on a full disk: the output is what stderr says.
+inline Outcome runOnFullDisk(const std::string& program, const std::string& arguments) {
+    return runCommand(program + " " + arguments + " 2>&1 >/dev/full </dev/null");
 }
 
 inline std::string contents(const std::filesystem::path& path) {

@@ -131,6 +131,18 @@ TEST_F(LockStep, refuses_what_it_does_not_understand) {
     EXPECT_EQ(control.ask("advance 10"), "at 10 1 1");
 }
 
+// A signal must not wait for an hour that was granted at once.
+TEST(Server, stops_in_the_middle_of_a_grant) {
+    EchoBoard board;
+    Server server(board, 0, {2, 0}, true);
+    board.listen([&](int usart, uint8_t byte, uint64_t) { server.fromBoard(usart, byte); });
+    std::thread thread([&] { server.runLockStep([&] { return board.time_us() >= 500'000; }); });
+
+    EXPECT_EQ(Client(server.controlPort()).ask("advance 3600000"), "error: stopped");
+    thread.join();
+    EXPECT_LT(board.time_us(), 600'000u);
+}
+
 TEST(TcpPort, refuses_a_port_that_is_taken) {
     TcpPort first(0);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -55,4 +55,29 @@ test('an image that reaches the bootloader is a fault', () => {
   const { faults } = checkImage(compile(`${blocks} int main() { for (;;) PORTA = ${uses}; }`), plenty);
 
   assert.match(faults.join('\n'), /bootloader/);
+});
+
+// The same image as another compiler's.
+function byAnotherCompiler(path) {
+  const bytes = readFileSync(path);
+  bytes.write('9', bytes.indexOf('GCC: (GNU) 5.4.0') + 'GCC: (GNU) '.length);
+  writeFileSync(path, bytes);
+  return path;
+}
+
+test('the budgets of an image by another compiler are notes, what cannot run stays a fault', () => {
+  const tight = { flash: 100, ram_static: 90, stack: 1, ram_static_and_stack: 91 };
+  const { faults, notes } = checkImage(byAnotherCompiler(compile(plain)), tight);
+
+  assert.deepEqual(faults, []);
+  assert.match(notes[0], /compiled by GCC: \(GNU\) 9.4.0; the budgets are of GCC: \(GNU\) 5.4.0/);
+  assert.equal(notes.length, 5);
+});
+
+test('a stack that cannot be followed is a fault', () => {
+  const { faults } = checkImage(compile(
+    '__attribute__((noinline)) int down(int x) { const int y = PINA; return x > 3 ? y + down(x - y) * down(x - 2) : y; } '
+    + 'int main() { for (;;) PORTA = down(PINA); }'), plenty);
+
+  assert.match(faults.join('\n'), /stack: recursion: down/);
 });

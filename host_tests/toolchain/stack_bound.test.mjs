@@ -45,28 +45,6 @@ test('a jump at the end of a function needs no return address of its own', () =>
   assert.equal(result.bytes, kMain + 3 + 1);
 });
 
-test('a fragment belongs to whoever calls it, and goes on elsewhere by a jump', () => {
-  const result = bound(`
-    extern "C" ASM leaf() { asm("push r16\\n push r17\\n pop r17\\n pop r16\\n ret"); }
-    extern "C" ASM __fragment_0() { asm("ldi r24, 1\\n ret"); }
-    extern "C" ASM __fragment_1() { asm("ldi r24, 2\\n jmp leaf"); }
-    extern "C" ASM work() { asm("push r2\\n call __fragment_0\\n call __fragment_1\\n pop r2\\n ret"); }
-    __attribute__((naked)) int main() { asm("call __fragment_0\\n call work\\n rjmp .-2"); }`);
-
-  assert.equal(result.bytes, kMain + 3 + 1 + 3 + 2);
-  assert.deepEqual(chain(result), ['main', 'work', 'leaf']);
-});
-
-test('a pointer that a fragment loads is followed', () => {
-  const result = bound(`
-    extern "C" ASM leaf() { asm("push r16\\n push r17\\n pop r17\\n pop r16\\n ret"); }
-    extern "C" ASM __fragment_0() { asm("ldi r30, pm_lo8(leaf)\\n ldi r31, pm_hi8(leaf)\\n ret"); }
-    __attribute__((naked)) int main() { asm("call __fragment_0\\n eicall\\n rjmp .-2"); }`);
-
-  assert.equal(result.unresolved, 0);
-  assert.equal(result.bytes, kMain + 3 + 2);
-});
-
 test('room made by moving the stack pointer counts', () => {
   const frame = (size) => bound(`
     PLAIN void work() { volatile uint8_t frame[${size}]; frame[0] = 1; frame[${size} - 1] = 2; }

@@ -21,16 +21,15 @@ inline int32_t timesUpper(int32_t a, int32_t b) {
     return times16(a, static_cast<int16_t>(b >> 16)) + (times16(a, low) * 2 >> 16);
 }
 
-// Conversions in one place each, as they are long; what the compiler can work out, it does.
+// What the compiler can work out, it does.
 constexpr int32_t steps(float value, float twice) {
     return (static_cast<int32_t>(value * twice) + (value < 0 ? -1 : 1)) / 2;
 }
+
+// A function of its own, as it is long: inline it takes 2 kB more.
 __attribute__((noinline)) inline int16_t toAngle(float rad, float twice) {
     return static_cast<int16_t>(
         static_cast<uint16_t>((static_cast<int32_t>(rad * twice) + 1) >> 1));
-}
-__attribute__((noinline)) inline float fromSteps(int16_t raw, float a_step) {
-    return static_cast<float>(raw) * a_step;
 }
 
 // -2^(15 - fraction) .. 2^(15 - fraction), in steps of 2^-fraction; what is beyond stays at the
@@ -63,7 +62,7 @@ public:
         : raw(__builtin_constant_p(rad) ? static_cast<int16_t>(steps(rad, 2 * kSteps))
                                         : toAngle(rad, 2 * kSteps)) {}
     static constexpr Angle fromRaw(int16_t raw) { return Angle(raw, 0); }
-    operator float() const { return fromSteps(raw, 1.0f / kSteps); }
+    operator float() const { return static_cast<float>(raw) * (1.0f / kSteps); }
 
     int16_t raw;
 

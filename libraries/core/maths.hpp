@@ -21,8 +21,8 @@ constexpr T limit(T value, T lowest, T highest) {
     return value < lowest ? lowest : (highest < value ? highest : value);
 }
 
-// Comparing floats takes five times as long as comparing their bits. What is no number becomes one
-// of the two.
+// Comparing floats takes five times as long as comparing their bits. What is no number counts as
+// infinity with its sign, so what comes back lies between the two whatever goes in.
 template <>
 inline float limit(float value, float lowest, float highest) {
     return limitedByBits(value, lowest, highest);

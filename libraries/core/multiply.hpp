@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The products that fixed point is made of. The chip multiplies bytes: what the compiler makes of
-// wider products takes two and three times as long as what hal_avr/arithmetic does by hand.
+// The products that fixed point is made of.
 #pragma once
 #include <stdint.h>
 
 #ifdef __AVR__
-extern "C" {
-int32_t multiplyTimes16(int32_t a, int16_t b) __attribute__((const));
-int16_t multiplyTimes14(int16_t a, int16_t b) __attribute__((const));
-int16_t multiplyTimes12(int16_t a, int16_t b) __attribute__((const));
-int16_t upperTimes4(int32_t value) __attribute__((const));
-int16_t upperTimes16(int32_t value) __attribute__((const));
-}
+extern "C" int32_t multiplyTimes16(int32_t a, int16_t b) __attribute__((const));  // hal_avr
 #endif
 
 namespace core {
@@ -21,23 +14,21 @@ constexpr int32_t product(int16_t a, int16_t b) { return static_cast<int32_t>(a)
 // The upper half, rounded; of values that leave half a bit of room.
 constexpr int16_t upper(int32_t value) { return static_cast<int16_t>((value + 0x8000) >> 16); }
 
-// times16: the upper 32 of the 48 bits of a product; what is cut off is lost towards the lower
-// number. times14, times12: the product of two numbers one of which has so many bits behind the
-// point, rounded, in the form of the other. upperOf4, upperOf16: of so many times the value.
+// The upper 32 of the 48 bits of a product; what is cut off is lost towards the lower number.
 #ifdef __AVR__
 inline int32_t times16(int32_t a, int16_t b) { return multiplyTimes16(a, b); }
-inline int16_t times14(int16_t a, int16_t b) { return multiplyTimes14(a, b); }
-inline int16_t times12(int16_t a, int16_t b) { return multiplyTimes12(a, b); }
-inline int16_t upperOf4(int32_t value) { return upperTimes4(value); }
-inline int16_t upperOf16(int32_t value) { return upperTimes16(value); }
 #else
 constexpr int32_t times16(int32_t a, int16_t b) {
     return static_cast<int32_t>(static_cast<int64_t>(a) * b >> 16);
 }
+#endif
+
+// The upper half, rounded, of so many times the value.
 constexpr int16_t upperOf4(int32_t value) { return upper(value * 4); }
 constexpr int16_t upperOf16(int32_t value) { return upper(value * 16); }
+// The product of two numbers one of which has so many bits behind the point, rounded, in the form
+// of the other.
 constexpr int16_t times14(int16_t a, int16_t b) { return upperOf4(product(a, b)); }
 constexpr int16_t times12(int16_t a, int16_t b) { return upperOf16(product(a, b)); }
-#endif
 
 }  // namespace core

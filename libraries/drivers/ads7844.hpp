@@ -67,6 +67,7 @@ public:
 
     // For interrupts in assembler, which may do what comes most often.
     struct State;
+    static constexpr uint8_t kStateAlignment = 32;
     static State state_;
 
 private:
@@ -98,8 +99,11 @@ struct Ads7844<Bus, Select>::State {
     constexpr State() : sum() {}
 };
 
+// Aligned, so that its addresses differ in their lower bytes alone: apm1/converter.cpp counts on
+// it.
 template <class Bus, class Select>
-typename Ads7844<Bus, Select>::State Ads7844<Bus, Select>::state_;
+typename Ads7844<Bus, Select>::State Ads7844<Bus, Select>::state_
+    __attribute__((aligned(Ads7844<Bus, Select>::kStateAlignment)));
 
 template <class Bus, class Select>
 inline __attribute__((always_inline)) void Ads7844<Bus, Select>::ask(uint8_t what) {

@@ -226,9 +226,9 @@ bool Gps::heard(GpsProtocol protocol, uint16_t now) {
         adopt(protocol, now);
     }
     since_ = now;
-    const Receiver is = receiver(protocol);
+    const Receiver& is = kReceivers[static_cast<uint8_t>(protocol) - 1];
     const uint32_t before = epoch_.fix.time_ms;
-    if (!is.read(framing_.message(), epoch_)) return false;
+    if (!core::romRead(is.read)(framing_.message(), epoch_)) return false;
     if (epoch_.fix.time_ms - before == kEpoch_ms) stepped_ = now;
     // it may have been switched on just now, and could do better
     if (protocol == GpsProtocol::nmea && type_ == gps_any && epoch_.fix.type == GpsFixType::none &&
@@ -236,7 +236,7 @@ bool Gps::heard(GpsProtocol protocol, uint16_t now) {
         greetings_ = 1;
     const uint32_t line_ms = burst_ * 10000UL / baud();
     epoch_.fix.age_ms =
-        is.latency_ms +
+        core::romRead(is.latency_ms) +
         static_cast<uint16_t>(line_ms > kLongestBurst_ms ? kLongestBurst_ms : line_ms);
     return true;
 }

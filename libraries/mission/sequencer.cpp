@@ -137,7 +137,7 @@ void Sequencer::changed(Set set, uint16_t generation, bool same, bool empty) {
 }
 
 void Sequencer::refill() {
-    if (set() == Set::apm2) memset(memory_.counters, 0, sizeof memory_.counters);
+    if (set() == Set::apm2) memset(&memory_.counters, 0, sizeof memory_.counters);
 }
 
 bool Sequencer::inFlight(InFlight& items) const {

@@ -41,17 +41,14 @@ struct Host {
 // Everything the engine remembers, in one struct with one reset. Plain bytes: it may lie in
 // memory that a watchdog reset leaves alone, and the seal tells whether it did.
 struct Memory {
-    struct Counter {
-        uint8_t index;  // of the jump; 0: free
-        uint8_t left[2];
-    };
-    union {
-        Counter counters[kMostCounters];      // APM 2.0
-        struct {                              // APM 1.0, a bit an item
-            uint8_t visited[kMostItems / 8];  // jumps taken in this pass
-            uint8_t blocked[kMostItems / 8];  // passed over until the next NAV loads
-        } jumps;
-    };
+    struct {                           // APM 2.0
+        uint16_t left[kMostCounters];  // times
+        uint8_t index[kMostCounters];  // of the jump; 0: free
+    } counters;
+    struct {                              // APM 1.0, a bit an item
+        uint8_t visited[kMostItems / 8];  // jumps taken in this pass
+        uint8_t blocked[kMostItems / 8];  // passed over until the next NAV loads
+    } jumps;
     Record nav_record, condition_record;
     uint16_t generation;
     uint8_t set;

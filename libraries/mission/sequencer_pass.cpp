@@ -229,15 +229,15 @@ bool Sequencer::jumpApm2(uint8_t index, const Jump& jump) {
 }
 
 bool Sequencer::countDown(uint8_t index, int16_t times) {
-    for (Memory::Counter& counter : memory_.counters) {
-        if (counter.index == 0) {
-            counter.index = index;
-            storage::put16(counter.left, static_cast<uint16_t>(times));
+    auto& counters = memory_.counters;
+    for (uint8_t i = 0; i < kMostCounters; ++i) {
+        if (counters.index[i] == 0) {
+            counters.index[i] = index;
+            counters.left[i] = static_cast<uint16_t>(times);
         }
-        if (counter.index != index) continue;
-        const uint16_t left = storage::get16(counter.left);
-        if (left == 0) return false;
-        storage::put16(counter.left, static_cast<uint16_t>(left - 1));
+        if (counters.index[i] != index) continue;
+        if (counters.left[i] == 0) return false;
+        --counters.left[i];
         return true;
     }
     tell(Event::skipped, index);  // more counted jumps than an upload would have let through

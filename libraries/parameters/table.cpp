@@ -4,62 +4,36 @@
 #include <string.h>
 
 #include "core/maths.hpp"
-#include "parameters/packed.hpp"
 
 namespace parameters {
 namespace {
 
-void skipName(const uint8_t*& letter) {
-    while ((core::romRead(*letter++) & kLastLetter) == 0) {
-    }
-}
-
-bool isName(const char (&name)[kNameSize], const uint8_t* letter) {
+// `name` is padded with zeros, as MAVLink has it.
+bool isName(const char (&name)[kNameSize], const char* in_flash) {
     for (uint8_t i = 0; i < kNameSize; ++i) {
-        const uint8_t byte = core::romRead(*letter++);
-        if (static_cast<char>(byte & ~kLastLetter) != name[i]) return false;
-        if ((byte & kLastLetter) != 0) return i + 1 == kNameSize || name[i + 1] == 0;
+        const char letter = core::romRead(in_flash[i]);
+        if (letter != name[i]) return false;
+        if (letter == 0) return true;
     }
-    return false;
+    return true;
 }
 
 }  // namespace
 
 uint8_t Table::slot(uint8_t index) const { return core::romRead(row(index).slot); }
 
-Type Table::type(uint8_t index) const {
-    return static_cast<Type>(core::romRead(row(index).field) >> kTypeShift);
-}
+Type Table::type(uint8_t index) const { return core::romRead(row(index).type); }
 
 uint8_t* Table::field(uint8_t index) const {
-    return static_cast<uint8_t*>(core::romRead(fields_)) +
-           (core::romRead(row(index).field) & kOffsetMask);
+    return static_cast<uint8_t*>(core::romRead(fields_)) + core::romRead(row(index).offset);
 }
 
-float Table::number(uint8_t place) const { return core::romRead(core::romRead(numbers_)[place]); }
-
-float Table::initial(uint8_t index) const { return number(core::romRead(row(index).initial)); }
-float Table::lowest(uint8_t index) const { return number(core::romRead(row(index).lowest)); }
-float Table::highest(uint8_t index) const { return number(core::romRead(row(index).highest)); }
-
-const uint8_t* Table::letters(uint8_t index) const {
-    const uint8_t* letter =
-        core::romRead(letters_) + core::romRead(core::romRead(groups_)[index / kGroup]);
-    for (uint8_t names = index % kGroup; names > 0; --names) skipName(letter);
-    return letter;
-}
+float Table::initial(uint8_t index) const { return core::romRead(row(index).initial); }
+float Table::lowest(uint8_t index) const { return core::romRead(row(index).lowest); }
+float Table::highest(uint8_t index) const { return core::romRead(row(index).highest); }
 
 void Table::name(uint8_t index, char (&to)[kNameSize]) const {
-    const uint8_t* letter = letters(index);
-    uint8_t byte = 0;
-    for (char& c : to) {
-        if ((byte & kLastLetter) == 0) {
-            byte = core::romRead(*letter++);
-            c = static_cast<char>(byte & ~kLastLetter);
-        } else {
-            c = 0;
-        }
-    }
+    core::copyText(to, row(index).name, kNameSize);
 }
 
 float Table::value(uint8_t index) const {
@@ -86,23 +60,20 @@ float Table::value(uint8_t index) const {
 }
 
 bool Table::findName(const char (&name)[kNameSize], uint8_t& index) const {
-    const uint8_t* letter = core::romRead(letters_);
     const uint8_t rows = count();
     for (uint8_t i = 0; i < rows; ++i) {
-        if (isName(name, letter)) {
-            index = i;
-            return true;
-        }
-        skipName(letter);
+        if (!isName(name, row(i).name)) continue;
+        index = i;
+        return true;
     }
     return false;
 }
 
 bool Table::findSlot(uint8_t slot, uint8_t& index) const {
     const uint8_t rows = count();
-    const uint8_t* at = &row(0).slot;  // a mission may seek a dozen in one pass
-    for (uint8_t i = 0; i < rows; ++i, at += sizeof(PackedRow)) {
-        if (core::romRead(*at) != slot) continue;
+    const Row* at = &row(0);  // a mission may seek a dozen in one pass
+    for (uint8_t i = 0; i < rows; ++i, ++at) {
+        if (core::romRead(at->slot) != slot) continue;
         index = i;
         return true;
     }

@@ -71,14 +71,6 @@ constexpr bool same(const char* a, const char* b) {
 }
 
 template <size_t N>
-constexpr bool namesAreUnique(const Row (&rows)[N]) {
-    for (size_t i = 0; i < N; ++i)
-        for (size_t j = 0; j < i; ++j)
-            if (same(rows[i].name, rows[j].name)) return false;
-    return true;
-}
-
-template <size_t N>
 constexpr bool initialsAreInRange(const Row (&rows)[N]) {
     for (size_t i = 0; i < N; ++i)
         if (!(rows[i].initial >= rows[i].lowest && rows[i].initial <= rows[i].highest))
@@ -86,23 +78,14 @@ constexpr bool initialsAreInRange(const Row (&rows)[N]) {
     return true;
 }
 
-struct PackedRow {
-    uint16_t field;  // the type in the highest four bits, the field's offset below
-    uint8_t slot;
-    uint8_t initial, lowest, highest;  // places in the pool
-};
-
-// A table of packed rows (packed.hpp) over one struct of fields. It lies in flash itself: ROM.
+// A table of rows over one struct of fields. Rows and table lie in flash: ROM.
 class Table {
 public:
-    template <class Packed>
-    constexpr Table(const Packed& packed, void* fields)
-        : rows_(packed.row),
-          groups_(packed.group),
-          letters_(packed.letter),
-          numbers_(packed.number),
-          count_(core::count(packed.row)),
-          fields_(fields) {}
+    template <size_t N>
+    constexpr Table(const Row (&rows)[N], void* fields)
+        : rows_(rows), count_(static_cast<uint8_t>(N)), fields_(fields) {
+        static_assert(N <= 255, "rows are numbered by a byte");
+    }
 
     uint8_t count() const { return core::romRead(count_); }
     uint8_t slot(uint8_t index) const;
@@ -123,15 +106,10 @@ public:
     void assignInitial(uint8_t index) const { assign(index, initial(index)); }
 
 private:
-    const PackedRow& row(uint8_t index) const { return core::romRead(rows_)[index]; }
-    float number(uint8_t place) const;
+    const Row& row(uint8_t index) const { return core::romRead(rows_)[index]; }
     uint8_t* field(uint8_t index) const;
-    const uint8_t* letters(uint8_t index) const;
 
-    const PackedRow* rows_;
-    const uint16_t* groups_;
-    const uint8_t* letters_;
-    const float* numbers_;
+    const Row* rows_;
     uint8_t count_;
     void* fields_;
 };

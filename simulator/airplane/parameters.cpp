@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/airplane/parameters.hpp"
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -124,6 +125,8 @@ std::string airplanePath(const std::string& name) {
 
 AirplaneParameters loadAirplane(const std::string& name) {
     const std::string path = airplanePath(name);
+    if (std::filesystem::is_directory(path))
+        throw AirplaneError(path + ": is a folder; expected the .json file of an airplane");
     std::ifstream file(path);
     if (!file) throw AirplaneError(path + ": no such airplane");
     try {

@@ -26,7 +26,8 @@ private:
 
     const AirplaneParameters& p_;
     double shaft_rads_ = 0, throttle_ = 0;
-    double battery_v_, battery_a_ = 0, used_mah_ = 0;
+    double used_mah_ = 0, battery_a_ = 0;
+    double battery_v_;  // found by what is used: it comes last
 };
 
 }  // namespace simulator

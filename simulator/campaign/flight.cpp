@@ -8,10 +8,11 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
+
+#include "simulator/input_file.hpp"
 
 extern char** environ;
 
@@ -25,11 +26,17 @@ constexpr double kFrames_hz = 100;
 constexpr double kStartFrames = 5;  // before the first frame is due
 // What is given to a flight, or does not tell how well it was flown.
 constexpr const char* kNoFigures[] = {"wind_mps", "wind_from_deg", "emulated_s", "flight_time_s"};
+constexpr char kInterrupted[] = "interrupted";  // the reason when a signal has ended a flight
 constexpr const char* kUnits[] = {"_m", "_mps", "_deg", "_ms"};
 
-std::string contents(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
+std::string contents(const fs::path& path) { return wholeFile(path).value_or(""); }
+
+// The last line of the log that the program speaks to its user in; else the first.
+std::string complaintIn(const std::string& log) {
+    constexpr char kSpeaks[] = "fly: ";
+    const size_t at = log.rfind(kSpeaks);
+    const size_t begin = at == log.npos ? 0 : at;
+    return log.substr(begin, log.find('\n', begin) - begin);
 }
 
 bool endsWith(const std::string& text, const std::string& end) {
@@ -119,7 +126,7 @@ std::string CampaignFlight::replay(bool native) const {
 }
 
 CampaignResult judged(const CampaignFlight& flight, const std::string& summary_json) {
-    CampaignResult result{flight, "", {}, 0};
+    CampaignResult result{flight, true, "", {}, 0};
     const Json summary = Json::parse(summary_json, nullptr, false);
     if (!summary.is_object()) {
         result.failure = "no summary was written";
@@ -129,6 +136,7 @@ CampaignResult judged(const CampaignFlight& flight, const std::string& summary_j
     if (!summary.value("completed", false)) {
         const Json reason = summary.value("reason", Json());
         result.failure = reason.is_string() ? reason.get<std::string>() : "not completed";
+        result.flown = result.failure != kInterrupted;
     } else {
         result.failure = brokenFrames(summary);
     }
@@ -137,8 +145,8 @@ CampaignResult judged(const CampaignFlight& flight, const std::string& summary_j
     return result;
 }
 
-CampaignResult flyOne(const std::string& program, const CampaignFlight& flight,
-                      const std::string& folder) {
+static CampaignResult flyIn(const std::string& folder, const std::string& program,
+                            const CampaignFlight& flight) {
     fs::remove_all(folder);
     fs::create_directories(folder);
     std::vector<std::string> words = {"--native", "--out", folder};
@@ -149,12 +157,21 @@ CampaignResult flyOne(const std::string& program, const CampaignFlight& flight,
     if (ending.signal != 0) {
         result.failure = "the program died of signal " + std::to_string(ending.signal);
     } else if (ending.status > 1) {
-        const std::string said = contents(log);
-        result.failure = said.substr(0, said.find('\n'));
+        result.failure = complaintIn(contents(log));
     }
     for (const char* large : {"report.html", "flight.csv", "track.kml"})
         fs::remove(fs::path(folder) / large);
     return result;
+}
+
+// A full disk fails the flight, not the program.
+CampaignResult flyOne(const std::string& program, const CampaignFlight& flight,
+                      const std::string& folder) {
+    try {
+        return flyIn(folder, program, flight);
+    } catch (const std::exception& error) {
+        return {flight, true, error.what(), {}, 0};
+    }
 }
 
 }  // namespace simulator

@@ -30,6 +30,7 @@ struct CampaignFlight {
 
 struct CampaignResult {
     CampaignFlight flight;
+    bool flown = false;   // to its end; false: it was interrupted, or never begun
     std::string failure;  // one line; empty: all is well
     std::map<std::string, double> figures;
     double emulated_s = 0;

@@ -2,11 +2,11 @@
 // The program: flies all flights of a campaign, as many at a time as there are cores.
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <mutex>
 #include <thread>
@@ -16,6 +16,7 @@
 #include "simulator/campaign/progress.hpp"
 #include "simulator/campaign/statistics.hpp"
 #include "simulator/ground/waypoints.hpp"
+#include "simulator/output_file.hpp"
 
 namespace simulator {
 namespace {
@@ -29,10 +30,12 @@ constexpr size_t kMostTold = 10;
 void mustBeUsable(const CampaignOptions& options) {
     for (const auto& mission : options.missions) readWaypoints(mission);
     for (const auto& airplane : options.airplanes) loadAirplane(airplane);
-    std::error_code ignored;
-    fs::create_directories(fs::path(options.out) / "flights", ignored);
-    if (!std::ofstream(fs::path(options.out) / "campaign.html", std::ios::app).is_open())
-        throw std::runtime_error("--out " + options.out + ": cannot be written");
+    try {
+        makeFolder(fs::path(options.out) / "flights");
+        mustBeWritable(fs::path(options.out) / "campaign.html");
+    } catch (const OutputError& error) {
+        throw std::runtime_error(std::string("--out ") + error.what());
+    }
 }
 
 std::string folderOf(const CampaignOptions& options, const CampaignFlight& flight) {
@@ -52,14 +55,16 @@ std::vector<CampaignResult> flyAll(const CampaignOptions& options,
         for (size_t i; interrupted == 0 && (i = next++) < flights.size();) {
             results[i] = flyOne(CAMPAIGN_FLY, flights[i], folderOf(options, flights[i]));
             const std::lock_guard<std::mutex> lock(at_once);
-            progress.flown(results[i].failure.empty());
+            if (results[i].flown) progress.flown(results[i].failure.empty());
         }
     };
     std::vector<std::thread> workers;
     for (unsigned i = 0; i < options.jobs; ++i) workers.emplace_back(work);
     for (auto& worker : workers) worker.join();
     progress.end();
-    results.resize(std::min(next.load(), flights.size()));
+    results.erase(std::remove_if(results.begin(), results.end(),
+                                 [](const CampaignResult& result) { return !result.flown; }),
+                  results.end());
     return results;
 }
 
@@ -79,25 +84,30 @@ size_t tellFailures(const std::vector<CampaignResult>& results) {
 int campaign(const CampaignOptions& options) {
     try {
         mustBeUsable(options);
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
         std::cerr << "campaign: " << error.what() << "\n";
         return 2;
     }
     std::signal(SIGINT, [](int) { interrupted = 1; });
     std::signal(SIGTERM, [](int) { interrupted = 1; });
     const auto begun = std::chrono::steady_clock::now();
-    const auto results = flyAll(options, flightsOf(options));
+    const auto flights = flightsOf(options);
+    const auto results = flyAll(options, flights);
     const double wall_s =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     const fs::path page = fs::path(options.out) / "campaign.html";
-    std::ofstream(page, std::ios::binary) << campaignPage(results, wall_s);
     std::cout << tableText(results);
     const size_t failed = tellFailures(results);
-    std::cout << "\n"
-              << results.size() << " flights, " << failed << " failed; " << page.string()
-              << "\nany again: " << (results.empty() ? "" : results.front().flight.replay(true))
-              << "\n";
-    return failed == 0 && interrupted == 0 ? 0 : 1;
+    std::cout << "\n" << flownText(results.size(), flights.size(), failed) << "\n";
+    if (!results.empty()) std::cout << "any again: " << results.front().flight.replay(true) << "\n";
+    try {
+        writeFile(page, campaignPage(results, flights.size(), wall_s));
+    } catch (const OutputError& error) {
+        std::cerr << "campaign: " << error.what() << "\n";
+        return 2;
+    }
+    std::cout << "page: " << page.string() << "\n";
+    return failed == 0 && results.size() == flights.size() ? 0 : 1;
 }
 
 }  // namespace
@@ -105,5 +115,6 @@ int campaign(const CampaignOptions& options) {
 
 int main(int count, char** words) {
     const auto parsed = simulator::parseCampaignOptions(count, words);
-    return parsed.exit_status ? *parsed.exit_status : simulator::campaign(parsed.options);
+    return simulator::finishOutput(
+        "campaign", parsed.exit_status ? *parsed.exit_status : simulator::campaign(parsed.options));
 }

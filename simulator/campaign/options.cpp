@@ -14,8 +14,9 @@ constexpr char kWhat[] =
     "how well.";
 constexpr char kFooter[] =
     "Exit status: 0 when every flight was flown to its end without a crash and without a broken\n"
-    "frame, 1 when not, 2 when the command line or a file is wrong. The folder of --out receives\n"
-    "campaign.html, and flights/ with the summary of each. 1,000 flights: --seeds 84.";
+    "frame, 1 when not or when it was interrupted, 2 when the command line or a file is wrong or\n"
+    "the page could not be written. The folder of --out receives campaign.html, and flights/ with\n"
+    "the summary of each. 1,000 flights: --seeds 84.";
 constexpr char kEnding[] = ".waypoints";
 constexpr uint64_t kMostFlights = 1'000'000;
 
@@ -53,7 +54,10 @@ CampaignWind readWind(const std::string& text) {
     wind.from_deg = std::strtod(from, &rest);
     if (!comma || rest == from || *rest != 0 || !(wind.mps > 0 && wind.mps <= 30) ||
         !(wind.from_deg >= 0 && wind.from_deg <= 360))
-        throw Wrong("--wind: expected calm or SPEED,FROM_DEGREES, like 5,320, not '" + text + "'");
+        throw Wrong(
+            "--wind: expected calm or SPEED,FROM_DEGREES with up to 30 m/s and 0 to 360 degrees, "
+            "like 5,320, not '" +
+            text + "'");
     return wind;
 }
 

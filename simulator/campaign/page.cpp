@@ -114,12 +114,21 @@ std::string cards(const std::vector<CampaignResult>& results, double wall_s) {
 
 }  // namespace
 
-std::string campaignPage(const std::vector<CampaignResult>& results, double wall_s) {
-    const long bad = failures(results);
+std::string flownText(size_t flown, size_t planned, size_t failed) {
+    const std::string failures = ", " + std::to_string(failed) + " failed";
+    if (flown == planned) return std::to_string(flown) + " flights" + failures;
+    return "interrupted: " + std::to_string(flown) + " of " + std::to_string(planned) +
+           " flights were flown" + failures;
+}
+
+std::string campaignPage(const std::vector<CampaignResult>& results, size_t planned,
+                         double wall_s) {
+    const auto bad = static_cast<size_t>(failures(results));
+    const bool all_well = bad == 0 && results.size() == planned;
     std::string page =
         htmlHead("Campaign") + "<header><h1>Campaign</h1><span class=\"verdict" +
-        (bad == 0 ? "\">every flight completed"
-                  : " bad\">" + std::to_string(bad) + " flights failed") +
+        (all_well ? "\">every flight completed"
+                  : " bad\">" + flownText(results.size(), planned, bad)) +
         "</span></header>\n<p class=\"sub\">natively compiled firmware · sensor errors and gusts "
         "drawn from each seed</p>\n" +
         cards(results, wall_s) + htmlSection("Flights that failed", failureList(results));

@@ -2,7 +2,10 @@
 #include "simulator/fdm/json_model.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <iostream>
+#include <utility>
 
 #include "simulator/airplane/atmosphere.hpp"
 #include "simulator/airplane/earth.hpp"
@@ -10,12 +13,15 @@
 namespace simulator {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr uint64_t kStep_us = 2500;
 constexpr uint16_t kRate_hz = 400;
 constexpr double kStep_s = 1.0 / kRate_hz;
 constexpr double kLongestStep_s = 1;  // more is a model that was begun anew
 constexpr double kSilence_s = 10;     // in the middle of a flight
-constexpr int kAgain_ms = 1000;
+constexpr auto kAgain = std::chrono::milliseconds(1000);
+constexpr int kMostSkipped = 1000;        // answers in a row
 constexpr int kMostStandstills = 10'000;  // answers without a newer timestamp
 constexpr double kWheels_m = 0.3;         // standing on the ground is not higher
 constexpr double kFullBattery_v = 12.4;
@@ -66,40 +72,49 @@ JsonModel::JsonModel(const WorldOptions& options)
 
 void JsonModel::stop(const std::string& why) { fault_ = name_ + ": " + why; }
 
-// The whole wait, the packet sent again and again in it, for a program that starts later.
-bool JsonModel::await(std::string& datagram) {
-    const double longest_s = heard_ ? kSilence_s : options_.fdm_wait_s;
-    for (int waited_ms = 0; waited_ms < longest_s * 1000; waited_ms += kAgain_ms) {
-        if (waited_ms > 0) peer_.send(packet_);
-        const int rest_ms = static_cast<int>(longest_s * 1000) - waited_ms;
-        const auto waited = peer_.wait(std::min(kAgain_ms, rest_ms));
-        if (waited == UdpPeer::Waited::interrupted) {
+// One datagram that makes no sense is lost, as on any network; a model that sends nothing else is
+// no model.
+bool JsonModel::understand(const std::string& datagram, ModelState& to) {
+    try {
+        to = readModelState(datagram);
+        skipped_in_a_row_ = 0;
+        return true;
+    } catch (const ModelStateError& error) {
+        ++skipped_;
+        complaint_ = error.what();
+        if (++skipped_in_a_row_ == kMostSkipped)
+            stop(std::to_string(kMostSkipped) + " answers that make no sense: " + complaint_);
+        return false;
+    }
+}
+
+// Counted on, also when asked again: models take a packet of the same number for a copy.
+void JsonModel::ask(const ServoPulses& pulses) {
+    peer_.send(servoPacket(kRate_hz, ++frames_, packed(pulses)));
+}
+
+// Asked again and again for as long as there is to wait, for a program that starts later.
+bool JsonModel::exchange(const ServoPulses& pulses, ModelState& to) {
+    const std::chrono::duration<double> longest(heard_ ? kSilence_s : options_.fdm_wait_s);
+    const auto end = Clock::now() + std::chrono::ceil<Clock::duration>(longest);
+    bool reported = heard_;
+    peer_.newest();  // what came late answers no question any more
+    while (fault_.empty() && Clock::now() < end) {
+        ask(pulses);
+        const auto rest = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now());
+        if (peer_.wait(std::min(kAgain, rest)) == UdpPeer::Waited::interrupted) {
             stop("interrupted while waiting for it");
             return false;
         }
-        if (auto newest = peer_.newest()) {
-            datagram = *newest;
-            return true;
-        }
-        if (!heard_ && waited_ms == 0) std::cout << "waiting for " << name_ << std::endl;
+        const auto newest = peer_.newest();
+        if (newest && understand(*newest, to)) return true;
+        if (!newest && !std::exchange(reported, true))
+            std::cout << "waiting for " << name_ << std::endl;
     }
-    stop("no answer for " + std::to_string(static_cast<int>(longest_s)) + " s");
+    if (fault_.empty())
+        stop("no answer for " + std::to_string(std::lround(longest.count())) + " s" +
+             (skipped_in_a_row_ > 0 ? " that makes sense: " + complaint_ : ""));
     return false;
-}
-
-bool JsonModel::exchange(const ServoPulses& pulses, ModelState& to) {
-    packet_ = servoPacket(kRate_hz, ++frames_, packed(pulses));
-    peer_.newest();  // what came late answers no question any more
-    peer_.send(packet_);
-    std::string datagram;
-    if (!await(datagram)) return false;
-    try {
-        to = readModelState(datagram);
-        return true;
-    } catch (const ModelStateError& error) {
-        stop(error.what());
-        return false;
-    }
 }
 
 void JsonModel::step(const ServoPulses& pulses) {

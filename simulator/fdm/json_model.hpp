@@ -25,10 +25,12 @@ public:
     Vec3 toBody(const Vec3& earth) const override { return Rotation(attitude_).toBody(earth); }
     std::optional<std::array<uint16_t, 8>> radio_us() const override { return radio_us_; }
     std::string fault() const override { return fault_; }
+    uint64_t answersSkipped() const override { return skipped_; }
 
 private:
+    void ask(const ServoPulses& pulses);
     bool exchange(const ServoPulses& pulses, ModelState& to);
-    bool await(std::string& datagram);
+    bool understand(const std::string& datagram, ModelState& to);
     void take(const ModelState& state);
     void moveSticks(const std::array<uint16_t, 8>& told_us);
     void tell(const ModelState& state);
@@ -37,8 +39,10 @@ private:
     const WorldOptions options_;
     const std::string name_;  // for messages
     UdpPeer peer_;
-    std::vector<uint8_t> packet_;
     uint32_t frames_ = 0;
+    uint64_t skipped_ = 0;  // answers that were not understood
+    int skipped_in_a_row_ = 0;
+    std::string complaint_;  // about the last of them
     bool heard_ = false;
     double last_timestamp_s_ = 0, elapsed_s_ = 0;
     double standing_down_m_ = 0;  // where it stood when first heard

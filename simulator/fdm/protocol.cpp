@@ -10,6 +10,7 @@ namespace {
 using Json = nlohmann::json;
 constexpr uint16_t kMagic = 18458;
 constexpr size_t kShown = 60;
+constexpr double kMost = 1e7;  // m, m/s, m/s2, rad/s: beyond it a model has come apart
 
 // One line of letters that a terminal shows.
 std::string excerpt(const std::string& text) {
@@ -39,7 +40,12 @@ std::array<double, size> numbersOf(const Json& object, const std::string& path) 
         throw ModelStateError(path.substr(1) + ": expected " + std::to_string(size) +
                               " numbers, found " + excerpt(value.dump()));
     std::array<double, size> numbers;
-    for (size_t i = 0; i < size; ++i) numbers[i] = numberOf(value[i], path);
+    for (size_t i = 0; i < size; ++i) {
+        numbers[i] = numberOf(value[i], path);
+        if (std::abs(numbers[i]) > kMost)
+            throw ModelStateError(path.substr(1) + ": expected what an airplane can do, found " +
+                                  excerpt(value.dump()));
+    }
     return numbers;
 }
 

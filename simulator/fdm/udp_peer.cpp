@@ -8,6 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -28,11 +29,23 @@ static sockaddr_in addressOf(const std::string& host, uint16_t port) {
     return address;
 }
 
+// Connecting sends nothing; it makes the system choose the interface.
+static sockaddr_in addressFacing(const sockaddr_in& partner) {
+    const int probe = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+    sockaddr_in own{};
+    socklen_t size = sizeof own;
+    const bool known =
+        connect(probe, reinterpret_cast<const sockaddr*>(&partner), sizeof partner) == 0 &&
+        getsockname(probe, reinterpret_cast<sockaddr*>(&own), &size) == 0;
+    const std::string why = std::strerror(errno);
+    close(probe);
+    if (!known) throw UdpError(std::string(inet_ntoa(partner.sin_addr)) + ": " + why);
+    return own;
+}
+
 UdpPeer::UdpPeer(const std::string& host, uint16_t port, uint16_t own_port) : buffer_(kLongest) {
     const sockaddr_in partner = addressOf(host, port);
-    sockaddr_in own{};
-    own.sin_family = AF_INET;
-    own.sin_addr.s_addr = htonl(INADDR_ANY);
+    sockaddr_in own = addressFacing(partner);
     own.sin_port = htons(own_port);
     socket_ = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (bind(socket_, reinterpret_cast<const sockaddr*>(&own), sizeof own) != 0) {
@@ -51,11 +64,22 @@ void UdpPeer::send(const std::vector<uint8_t>& bytes) {
         (void)::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
 }
 
-UdpPeer::Waited UdpPeer::wait(int time_out_ms) {
-    pollfd waited = {socket_, POLLIN, 0};
-    const int ready = poll(&waited, 1, time_out_ms);
-    if (ready < 0) return Waited::interrupted;
-    return ready > 0 && (waited.revents & POLLIN) != 0 ? Waited::came : Waited::silence;
+// A refusal waits on the socket as an error, for which poll() returns at once: it is taken away
+// and the wait goes on.
+UdpPeer::Waited UdpPeer::wait(std::chrono::milliseconds time_out) {
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + time_out;
+    for (;;) {
+        const auto rest = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now());
+        pollfd waited = {socket_, POLLIN, 0};
+        const int ready = poll(&waited, 1, static_cast<int>(std::max<int64_t>(rest.count(), 0)));
+        if (ready < 0) return Waited::interrupted;
+        if ((waited.revents & POLLIN) != 0) return Waited::came;
+        if (ready == 0) return Waited::silence;
+        int error = 0;
+        socklen_t size = sizeof error;
+        getsockopt(socket_, SOL_SOCKET, SO_ERROR, &error, &size);
+    }
 }
 
 std::optional<std::string> UdpPeer::newest() {

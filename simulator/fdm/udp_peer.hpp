@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A datagram socket with one partner.
+// A datagram socket with one partner, open to nobody else: it is bound to the address of this
+// computer that faces the partner, 127.0.0.1 for one on this computer.
 #pragma once
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -24,8 +26,9 @@ public:
 
     void send(const std::vector<uint8_t>& bytes);
 
+    // The whole time out unless something came: a partner that refuses is silent, no more.
     enum class Waited { came, silence, interrupted };
-    Waited wait(int time_out_ms);
+    Waited wait(std::chrono::milliseconds time_out);
     std::optional<std::string> newest();  // of what has come; the older ones are left behind
 
 private:

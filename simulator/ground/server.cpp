@@ -54,7 +54,7 @@ void Server::giveOutput() {
 
 bool Server::advance(uint64_t until_us) {
     bool goes_on = true;
-    while (goes_on && board_.time_us() < until_us) {
+    while (goes_on && !stop_() && board_.time_us() < until_us) {
         goes_on = board_.runUntil(std::min(board_.time_us() + kStep_us, until_us));
     }
     giveOutput();
@@ -74,6 +74,7 @@ void Server::runRealTime(const std::function<bool()>& stop) {
 }
 
 void Server::runLockStep(const std::function<bool()>& stop) {
+    stop_ = stop;  // an hour may be granted at once
     granted_us_ = board_.time_us();
     while (!stop() && board_.fault().empty()) {
         TcpPort::waitForInput({control_.get()}, 200);
@@ -123,6 +124,7 @@ std::string Server::answerAdvance(const std::string& rest) {
     awaitInput(wanted);
     granted_us_ += grant_ms * 1000;
     if (!advance(granted_us_)) return "error: " + board_.fault();
+    if (board_.time_us() < granted_us_) return "error: stopped";
     return "at " + std::to_string(granted_us_ / 1000) + " " + std::to_string(lines_[0].out) + " " +
            std::to_string(lines_[1].out);
 }

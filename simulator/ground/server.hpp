@@ -60,6 +60,7 @@ private:
     std::vector<TcpPort*> ports();
 
     Board& board_;
+    std::function<bool()> stop_ = [] { return false; };
     std::array<Line, kLines> lines_;
     std::unique_ptr<TcpPort> control_;
     std::string command_;      // a line not yet whole

@@ -11,10 +11,12 @@ namespace simulator {
 using namespace mavlink;
 
 std::string modeName(uint32_t custom_mode) {
-    static constexpr std::array<const char*, 17> kNames = {
-        "MANUAL", "CIRCLE",  "STABILIZE", "TRAINING", "ACRO",        "FBWA",
-        "FBWB",   "CRUISE",  "AUTOTUNE",  nullptr,    "AUTO",        "RTL",
-        "LOITER", "TAKEOFF", nullptr,     "GUIDED",   "INITIALISING"};
+    static constexpr std::array<const char*, 27> kNames = {
+        "MANUAL",  "CIRCLE",       "STABILIZE",  "TRAINING", "ACRO",         "FBWA",
+        "FBWB",    "CRUISE",       "AUTOTUNE",   nullptr,    "AUTO",         "RTL",
+        "LOITER",  "TAKEOFF",      "AVOID_ADSB", "GUIDED",   "INITIALISING", "QSTABILIZE",
+        "QHOVER",  "QLOITER",      "QLAND",      "QRTL",     "QAUTOTUNE",    "QACRO",
+        "THERMAL", "LOITER2QLAND", "AUTOLAND"};
     if (custom_mode < kNames.size() && kNames[custom_mode]) return kNames[custom_mode];
     return "mode " + std::to_string(custom_mode);
 }

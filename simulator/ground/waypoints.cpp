@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/ground/waypoints.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
+
+#include "simulator/ground/text_file.hpp"
+#include "simulator/input_file.hpp"
 
 namespace simulator {
 namespace {
@@ -15,69 +18,87 @@ constexpr char kSpace[] = " \t\r";
 // One line, read column by column; knows where it stands for the sake of the message.
 class Row {
 public:
-    Row(const std::string& text, const std::string& name, int line)
-        : text_(text), name_(name), line_(line) {}
+    Row(const std::string& text, const std::string& name, int line, std::vector<LineError>& errors)
+        : text_(text), name_(name), line_(line), errors_(errors), errors_before_(errors.size()) {}
 
     bool blank() const {
         const size_t first = text_.find_first_not_of(kSpace);
         return first == std::string::npos || text_[first] == '#';
     }
 
-    double number(const char* what, double lowest, double highest) {
-        const size_t begin = text_.find_first_not_of(kSpace, at_);
-        at_ = begin == std::string::npos ? text_.size() : begin;
-        columns_.at(numbers_) = static_cast<int>(at_) + 1;
-        const size_t end = std::min(text_.find_first_of(kSpace, at_), text_.size());
-        const std::string word = text_.substr(at_, end - at_);
+    // 0 when it is wrong, which is noted; the columns behind it are read all the same.
+    double number(const std::string& what, double lowest, double highest) {
+        const std::string word = next();
+        if (ended_) return 0;
         char* rest = nullptr;
         const double value = std::strtod(word.c_str(), &rest);
-        if (word.empty() || *rest != 0) fail(what, word);
-        if (!(std::isnan(value) ? std::isinf(highest) : value >= lowest && value <= highest)) {
-            fail(what, word);
-        }
-        at_ = end;
-        ++numbers_;
-        return value;
+        const bool any = std::isinf(highest);
+        const bool fits = std::isnan(value) ? any : value >= lowest && value <= highest;
+        if (!word.empty() && *rest == 0 && fits) return value;
+        fail(what, word);
+        ended_ = word.empty();
+        return 0;
     }
 
-    int whole(const char* what, int lowest, int highest) {
-        const size_t begin = at_;
+    int whole(const std::string& what, int lowest, int highest) {
         const double value = number(what, lowest, highest);
-        if (value != std::floor(value)) {
-            at_ = std::min(text_.find_first_not_of(kSpace, begin), text_.size());
-            fail(what, text_.substr(at_, text_.find_first_of(kSpace, at_) - at_));
-        }
+        if (value != std::floor(value)) fail(what, text_.substr(at_, end_ - at_));
         return static_cast<int>(value);
     }
 
     void end() {
-        at_ = text_.find_first_not_of(kSpace, at_);
-        if (at_ != std::string::npos) fail("the end of the line", text_.substr(at_));
+        at_ = std::min(text_.find_first_not_of(kSpace, end_), text_.size());
+        if (!ended_ && at_ < text_.size()) fail("the end of the line", text_.substr(at_));
     }
 
+    bool good() const { return errors_.size() == errors_before_; }
     int line() const { return line_; }
     const std::array<int, 12>& columns() const { return columns_; }
 
-    [[noreturn]] void fail(const std::string& expected, const std::string& found) const {
-        std::ostringstream message;
-        message << name_ << ':' << line_ << ':' << at_ + 1 << ": expected " << expected
-                << ", found " << (found.empty() ? "the end of the line" : "'" + found + "'");
-        throw WaypointError(message.str());
+    void fail(const std::string& expected, const std::string& found) {
+        const auto column = static_cast<int>(at_) + 1;
+        const std::string place =
+            name_ + ':' + std::to_string(line_) + ':' + std::to_string(column);
+        errors_.push_back({line_, column,
+                           place + ": expected " + expected + ", found " +
+                               (found.empty() ? "the end of the line" : quoted(found))});
     }
 
 private:
+    static std::string quoted(const std::string& found) { return "'" + printable(found) + "'"; }
+
+    std::string next() {
+        at_ = std::min(text_.find_first_not_of(kSpace, end_), text_.size());
+        end_ = std::min(text_.find_first_of(kSpace, at_), text_.size());
+        columns_.at(numbers_++) = static_cast<int>(at_) + 1;
+        return text_.substr(at_, end_ - at_);
+    }
+
     const std::string& text_;
     const std::string& name_;
-    int line_;
-    size_t at_ = 0;
+    const int line_;
+    std::vector<LineError>& errors_;
+    const size_t errors_before_;
+    size_t at_ = 0, end_ = 0;
     size_t numbers_ = 0;
+    bool ended_ = false;  // nothing more stands in this line: said once
     std::array<int, 12> columns_{};
 };
+
+// A number that is missing is one error, not one in every line behind it.
+int readIndex(Row& row, int expected) {
+    constexpr int kMost = 100'000;
+    const size_t index = static_cast<size_t>(expected);
+    const int found = row.whole("index " + std::to_string(index), 0, kMost);
+    if (row.good() && found != expected)
+        row.fail("index " + std::to_string(index), std::to_string(found));
+    return found;
+}
 
 WaypointItem parseRow(Row& row, int index) {
     const double any = INFINITY;
     WaypointItem item;
-    item.index = row.whole(("index " + std::to_string(index)).c_str(), index, index);
+    item.index = readIndex(row, index);
     item.current = row.whole("current: 0 or 1", 0, 1) != 0;
     item.frame = static_cast<uint8_t>(row.whole("a frame number, 0 to 255", 0, 255));
     item.command = static_cast<uint16_t>(row.whole("a command number, 1 to 65535", 1, 65535));
@@ -89,34 +110,51 @@ WaypointItem parseRow(Row& row, int index) {
     row.end();
     item.line = row.line();
     item.columns = row.columns();
+    item.readable = row.good();
     return item;
 }
 
 }  // namespace
 
-Waypoints parseWaypoints(const std::string& text, const std::string& name) {
-    std::istringstream lines(text);
+WaypointReading readWaypointLines(const std::string& bytes, const std::string& name) {
+    WaypointReading reading;
+    if (const std::string why = whyNoText(bytes); !why.empty()) {
+        reading.errors.push_back({1, 1, name + ": " + why});
+        return reading;
+    }
+    std::istringstream lines(decodedText(bytes));
     std::string line;
     int number = 1;
     std::getline(lines, line);
     line.erase(line.find_last_not_of(kSpace) + 1);
-    if (line != kHeader) Row(line, name, 1).fail("'QGC WPL 110'", line);
-    Waypoints items;
+    if (line != kHeader) {
+        Row(line, name, 1, reading.errors).fail("'QGC WPL 110'", line);
+        return reading;
+    }
+    int index = 0;
     while (std::getline(lines, line)) {
-        Row row(line, name, ++number);
-        if (!row.blank()) items.push_back(parseRow(row, static_cast<int>(items.size())));
+        Row row(line, name, ++number, reading.errors);
+        if (row.blank()) continue;
+        reading.items.push_back(parseRow(row, index));
+        index = reading.items.back().index + 1;
     }
-    if (items.size() < 2) {
-        Row(line, name, number + 1).fail("home and at least one mission item", "");
-    }
-    return items;
+    if (reading.errors.empty() && reading.items.size() < 2)
+        Row(line, name, number + 1, reading.errors).fail("home and at least one mission item", "");
+    return reading;
+}
+
+Waypoints parseWaypoints(const std::string& bytes, const std::string& name) {
+    const WaypointReading reading = readWaypointLines(bytes, name);
+    std::vector<std::string> texts;
+    for (const LineError& error : reading.errors) texts.push_back(error.text);
+    if (!texts.empty()) throw WaypointError(listed(texts));
+    return reading.items;
 }
 
 Waypoints readWaypoints(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::stringstream text;
-    if (!file || !(text << file.rdbuf())) throw WaypointError(path + ": cannot be read");
-    return parseWaypoints(text.str(), path);
+    const auto bytes = wholeFile(path);
+    if (!bytes) throw WaypointError(path + ": cannot be read");
+    return parseWaypoints(*bytes, path);
 }
 
 }  // namespace simulator

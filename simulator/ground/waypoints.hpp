@@ -20,6 +20,7 @@ struct WaypointItem {
     std::array<double, 4> params{};
     double latitude_deg = 0, longitude_deg = 0, altitude_m = 0;  // altitude in the frame's sense
     bool autocontinue = true;
+    bool readable = true;           // false: an error of its line is reported
     int line = 0;                   // of the file, from 1
     std::array<int, 12> columns{};  // where each number begins, from 1
 
@@ -36,13 +37,25 @@ struct WaypointItem {
 };
 using Waypoints = std::vector<WaypointItem>;
 
-// what() is "name:line:column: expected ...".
+struct LineError {
+    int line, column;
+    std::string text;  // "name:line:column: expected ..."
+};
+
+// Every line that is no comment gives an item, so that places in the mission stay what they are.
+struct WaypointReading {
+    Waypoints items;
+    std::vector<LineError> errors;
+};
+WaypointReading readWaypointLines(const std::string& bytes, const std::string& name);
+
+// what() has a line for each error, 50 at most.
 class WaypointError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-Waypoints parseWaypoints(const std::string& text, const std::string& name);
+Waypoints parseWaypoints(const std::string& bytes, const std::string& name);
 Waypoints readWaypoints(const std::string& path);  // throws WaypointError also when unreadable
 
 }  // namespace simulator

@@ -2,7 +2,7 @@
 #include "simulator/machine/apm2_board.hpp"
 
 #include <algorithm>
-#include <fstream>
+#include <filesystem>
 #include <utility>
 
 #include "simulator/devices/ads7844.hpp"
@@ -12,6 +12,7 @@
 #include "simulator/devices/hmc5883l.hpp"
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
+#include "simulator/output_file.hpp"
 
 namespace simulator {
 namespace {
@@ -57,10 +58,7 @@ AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options,
     restart();
 }
 
-AvrBoard::~AvrBoard() {
-    if (profile_path_.empty()) return;
-    std::ofstream(profile_path_) << chip_.profile()->json(chip_.cycle());
-}
+AvrBoard::~AvrBoard() = default;
 
 // Of the pins of a board's parts; each port is listened to once.
 void AvrBoard::wireSensorBus() {
@@ -286,6 +284,16 @@ void AvrBoard::traceTo(const std::string& path) {
 void AvrBoard::profileTo(const std::string& path) {
     profile_path_ = path;
     chip_.startProfile();
+}
+
+void AvrBoard::closeTrace() {
+    if (const auto trace = std::move(trace_)) trace->close();
+}
+
+void AvrBoard::closeProfile() {
+    if (profile_path_.empty()) return;
+    const std::string firmware = std::filesystem::absolute(image_.path).lexically_normal();
+    writeFile(profile_path_, chip_.profile()->json({firmware, image_.sha256}, chip_.cycle()));
 }
 
 void AvrBoard::trace(size_t signal, unsigned value) {

@@ -42,8 +42,10 @@ public:
     // SPI bytes that went to both sensors at once: a fault of the firmware.
     uint64_t busContentions() const { return contentions_; }
 
-    void traceTo(const std::string& path);             // servos, PPM, data ready, marks as VCD
-    void profileTo(const std::string& path);           // written at the end of the board's life
+    void traceTo(const std::string& path);    // servos, PPM, data ready, marks as VCD
+    void profileTo(const std::string& path);  // written by closeProfile
+    void closeTrace() override;
+    void closeProfile() override;
     void serveGdb(int port) { chip_.serveGdb(port); }  // the CPU waits for the debugger
     Chip& chip() { return chip_; }
 

@@ -8,6 +8,8 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <new>
 #include <stdexcept>
 
 #include "simulator/machine/flag_registers.hpp"
@@ -27,6 +29,17 @@ void keepError(avr_t* avr, const int level, const char* format, va_list argument
     std::string line = text;
     while (!line.empty() && line.back() == '\n') line.pop_back();
     chipOf(avr)->noteError(line);
+}
+
+// libsimavr notices an access behind the RAM and makes it all the same: a program gone astray
+// would write over this program's own heap. Every address of 16 bits has its byte now.
+void widenMemory(avr_t* avr) {
+    constexpr size_t kDataSpace = 0x10000;
+    auto* wide = static_cast<uint8_t*>(std::calloc(1, kDataSpace));
+    if (!wide) throw std::bad_alloc();
+    std::memcpy(wide, avr->data, avr->ramend + 1u);
+    std::free(avr->data);
+    avr->data = wide;
 }
 
 }  // namespace
@@ -65,6 +78,7 @@ Chip::Chip(const Image& image) {
     if (!avr_) throw std::runtime_error("libsimavr was built without the ATmega2560");
     avr_->custom.data = this;
     avr_init(avr_);
+    widenMemory(avr_);
     avr_->frequency = kClock_hz;
     avr_->vcc = avr_->avcc = avr_->aref = 5000;
     avr_->log = LOG_ERROR;
@@ -92,6 +106,7 @@ void Chip::addParts() {
     adc_ = add<AdcInputs>();
     eeprom_ = add<Eeprom>();
     hookWrite<&Chip::mark>(avr_, kGpior0, this);
+    hookWrite<&Chip::selectPage>(avr_, kRampz, this);
 }
 
 void Chip::joinResets() {
@@ -196,6 +211,9 @@ void Chip::setBootSection(const Image& program) {
               avr_->flash + kBootSection);
     avr_->reset_pc = avr_->pc = kBootSection;
 }
+
+// Two bits of it exist; libsimavr would read far behind its flash with the others.
+void Chip::selectPage(uint16_t address, uint8_t value) { avr_->data[address] = value & 3; }
 
 void Chip::mark(uint16_t address, uint8_t value) {
     avr_->data[address] = value;

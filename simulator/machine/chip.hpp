@@ -86,6 +86,7 @@ private:
     void settle();
     void slept(uint64_t cycles);
     void mark(uint16_t address, uint8_t value);
+    void selectPage(uint16_t address, uint8_t value);
     uint64_t stop(uint64_t) { return 0; }
     int runProfiled();
     bool single() const { return debugging_ || profile_; }

@@ -1,87 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/machine/image.hpp"
 
-#include <fcntl.h>
-#include <gelf.h>
-#include <libelf.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <fstream>
+#include <sstream>
 #include <stdexcept>
 
+#include "simulator/input_file.hpp"
+#include "simulator/machine/elf_file.hpp"
 #include "simulator/machine/registers.hpp"
+#include "simulator/machine/sha256.hpp"
 
 namespace simulator {
 namespace {
 
-constexpr uint32_t kRamBase = 0x800000, kEepromBase = 0x810000;  // avr-gcc's address spaces
-constexpr uint32_t kFamilyMask = 0x7F, kFamilyAvr6 = 6;          // e_flags: ATmega2560, 2561
-
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
     throw std::runtime_error(path + ": " + why);
 }
-
-void place(Image& image, const std::string& path, uint32_t address, const uint8_t* bytes,
-           size_t size) {
-    if (address + size > kFlashSize) refuse(path, "is larger than the 256 KiB of flash");
-    if (image.flash.size() < address + size) image.flash.resize(address + size, 0xFF);
-    std::copy(bytes, bytes + size, image.flash.begin() + address);
-    image.flash_bytes += static_cast<uint32_t>(size);
-}
-
-class ElfFile {
-public:
-    explicit ElfFile(const std::string& path) : ElfFile(path, open(path.c_str(), O_RDONLY)) {
-        if (file_ < 0) refuse(path, "cannot be opened");
-        elf_version(EV_CURRENT);
-        elf_ = elf_begin(file_, ELF_C_READ, nullptr);
-        if (!elf_ || !gelf_getehdr(elf_, &header_)) refuse(path, "is not a whole ELF file");
-        if (header_.e_machine != EM_AVR) refuse(path, "is an ELF file, but not for an AVR");
-        if ((header_.e_flags & kFamilyMask) != kFamilyAvr6)
-            refuse(path, "is built for another AVR than the ATmega2560");
-    }
-    ~ElfFile() {
-        elf_end(elf_);
-        if (file_ >= 0) close(file_);
-    }
-    ElfFile(const ElfFile&) = delete;
-    ElfFile& operator=(const ElfFile&) = delete;
-
-    void loadFlash(Image& image) {
-        size_t size = 0;
-        const char* raw = elf_rawfile(elf_, &size);
-        for (int i = 0; i < header_.e_phnum; i++) {
-            GElf_Phdr part;
-            if (!gelf_getphdr(elf_, i, &part)) refuse(path_, "is damaged");
-            if (part.p_type != PT_LOAD || part.p_filesz == 0) continue;
-            if (part.p_paddr >= kEepromBase) continue;
-            if (part.p_offset + part.p_filesz > size) refuse(path_, "is cut short");
-            place(image, path_, static_cast<uint32_t>(part.p_paddr),
-                  reinterpret_cast<const uint8_t*>(raw) + part.p_offset, part.p_filesz);
-        }
-        if (image.flash.empty()) refuse(path_, "holds no program");
-    }
-
-    uint32_t ramBytes() {
-        uint32_t sum = 0;
-        for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf_, section));) {
-            GElf_Shdr header;
-            if (!gelf_getshdr(section, &header) || !(header.sh_flags & SHF_ALLOC)) continue;
-            if (header.sh_addr < kRamBase || header.sh_addr >= kEepromBase) continue;
-            sum += static_cast<uint32_t>(header.sh_size);
-        }
-        return sum;
-    }
-
-private:
-    ElfFile(const std::string& path, int file) : path_(path), file_(file) {}
-
-    std::string path_;
-    int file_;
-    Elf* elf_ = nullptr;
-    GElf_Ehdr header_ = {};
-};
 
 uint8_t hexByte(const std::string& line, size_t at) {
     return static_cast<uint8_t>(std::stoi(line.substr(at, 2), nullptr, 16));
@@ -102,10 +36,9 @@ std::vector<uint8_t> hexRecord(const std::string& path, int number, const std::s
     return bytes;
 }
 
-Image readHex(const std::string& path) {
+Image readHex(const std::string& path, const std::string& bytes) {
     enum : uint8_t { kData = 0, kEnd = 1, kSegment = 2, kLinear = 4 };
-    std::ifstream file(path);
-    if (!file) refuse(path, "cannot be opened");
+    std::istringstream file(bytes);
     Image image;
     uint32_t base = 0;
     bool ended = false;
@@ -116,8 +49,10 @@ Image readHex(const std::string& path) {
         if (line.empty()) continue;
         const std::vector<uint8_t> record = hexRecord(path, number, line);
         const uint32_t word = record[0] >= 2 ? record[4] << 8 | record[5] : 0;
-        if (record[3] == kData)
-            place(image, path, base + (record[1] << 8 | record[2]), &record[4], record[0]);
+        const uint64_t address = uint64_t{base} + (record[1] << 8 | record[2]);
+        if (record[3] == kData && address + record[0] > kFlashSize)
+            refuse(path, "is larger than the 256 KiB of flash");
+        if (record[3] == kData) image.place(static_cast<uint32_t>(address), &record[4], record[0]);
         if (record[3] == kSegment) base = word << 4;
         if (record[3] == kLinear) base = word << 16;
         ended = record[3] == kEnd;
@@ -129,20 +64,22 @@ Image readHex(const std::string& path) {
 
 }  // namespace
 
-Image readImage(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    char start[4] = {};
-    if (!file) refuse(path, "cannot be opened");
-    file.read(start, sizeof start);
-    if (std::equal(start, start + SELFMAG, ELFMAG)) {
-        Image image;
-        ElfFile elf(path);
-        elf.loadFlash(image);
-        image.ram_static_bytes = elf.ramBytes();
-        return image;
-    }
-    if (start[0] == ':') return readHex(path);
-    refuse(path, "is neither an ELF nor an Intel hex file");
+void Image::place(uint32_t address, const void* bytes, size_t size) {
+    if (flash.size() < address + size) flash.resize(address + size, 0xFF);
+    const auto* from = static_cast<const uint8_t*>(bytes);
+    std::copy(from, from + size, flash.begin() + address);
+    flash_bytes += static_cast<uint32_t>(size);
+}
+
+Image readImage(const std::string& path, uint16_t ram_end) {
+    const auto bytes = wholeFile(path);
+    if (!bytes) refuse(path, "cannot be opened");
+    const bool is_hex = bytes->compare(0, 1, ":") == 0;
+    if (!is_hex && !looksLikeElf(*bytes)) refuse(path, "is neither an ELF nor an Intel hex file");
+    Image image = is_hex ? readHex(path, *bytes) : readElf(path, *bytes, ram_end);
+    image.path = path;
+    image.sha256 = sha256(*bytes);
+    return image;
 }
 
 }  // namespace simulator

@@ -2,6 +2,7 @@
 #include "simulator/machine/profile.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace simulator {
 
@@ -31,8 +32,10 @@ void Profile::returnFrom() {
     if (ended.interrupt) --in_interrupts_;
 }
 
-std::string Profile::json(uint64_t all_cycles) const {
-    std::string text = "{\"all\":" + std::to_string(all_cycles) + ",\n\"cycles\":[";
+std::string Profile::json(const Program& program, uint64_t all_cycles) const {
+    const nlohmann::ordered_json from = {{"path", program.path}, {"sha256", program.sha256}};
+    std::string text = "{\"program\":" + from.dump() + ",\n\"all\":" + std::to_string(all_cycles) +
+                       ",\n\"cycles\":[";
     const char* between = "";
     for (size_t word = 0; word < cycles_.size(); word++) {
         if (cycles_[word] == 0) continue;

@@ -25,7 +25,11 @@ public:
     void add(const Step& step);
     void reset() { open_.clear(); }
 
-    std::string json(uint64_t all_cycles) const;  // those asleep too
+    struct Program {
+        std::string path, sha256;
+    };
+    // Addresses mean something in this program alone. The cycles are those asleep, too.
+    std::string json(const Program& program, uint64_t all_cycles) const;
 
 private:
     struct Open {  // a call or an interrupt that has not returned

@@ -29,6 +29,7 @@ enum Register : uint16_t {
     kSpdr = 0x4E,
     kSmcr = 0x53,
     kMcusr = 0x54,
+    kRampz = 0x5B,
     kSpl = 0x5D,
     kSph = 0x5E,
     kAdcl = 0x78,

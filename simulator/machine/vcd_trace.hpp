@@ -15,13 +15,15 @@ public:
         int bits;
     };
 
-    VcdTrace(const std::string& path, const std::vector<Signal>& signals);
+    VcdTrace(const std::string& path, const std::vector<Signal>& signals);  // throws OutputError
 
     void change(size_t signal, unsigned value, uint64_t cycle);
+    void close();  // throws OutputError when the file is not whole
 
 private:
     void write(size_t signal, unsigned value);
 
+    const std::string path_;
     std::ofstream file_;
     std::vector<Signal> signals_;
     uint64_t cycle_ = UINT64_MAX;

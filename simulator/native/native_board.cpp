@@ -43,7 +43,9 @@ bool NativeBoard::runUntil(uint64_t time_us) {
     try {
         if (fault_.empty() && !std::exchange(started_, true)) firmware::start();
         while (fault_.empty() && now_us_ < time_us) {
+            const uint64_t before_us = now_us_;
             firmware::turn();
+            waitWithFirmware(before_us);
             if (fed_us_ != UINT64_MAX && now_us_ - fed_us_ > kWatchdog_us) {
                 fault_ = "the watchdog was not fed for 250 ms";
             }
@@ -52,6 +54,17 @@ bool NativeBoard::runUntil(uint64_t time_us) {
         fault_ = "the firmware asked for a reboot: natively compiled firmware cannot start twice";
     }
     return fault_.empty();
+}
+
+// Firmware that works on waits for time to pass, not for an event: on a chip it does pass.
+void NativeBoard::waitWithFirmware(uint64_t before_us) {
+    constexpr int kMostStill = 1000;
+    constexpr uint64_t kTurn_us = 20;
+    still_turns_ = now_us_ == before_us ? still_turns_ + 1 : 0;
+    if (still_turns_ < kMostStill) return;
+    still_turns_ = kMostStill;
+    moveTo(now_us_ + kTurn_us);
+    runDevices();
 }
 
 void NativeBoard::send(int usart, const uint8_t* bytes, size_t size) {

@@ -66,6 +66,7 @@ private:
     void runImu();
     void runDevices();
     void spend_ns(uint32_t duration_ns);
+    void waitWithFirmware(uint64_t before_us);
 
     World world_;
     uint64_t now_us_ = 0;
@@ -82,6 +83,7 @@ private:
     bool imu_pin_ = false, imu_waits_ = false;
     bool usb_ = false;
     bool started_ = false;
+    int still_turns_ = 0;           // of the firmware, one after the other without time between
     uint64_t fed_us_ = UINT64_MAX;  // the watchdog runs once this is a time
     uint32_t frames_ = 0;
     std::string fault_;

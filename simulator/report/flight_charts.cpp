@@ -143,7 +143,7 @@ std::string FlightCharts::map() const {
 std::string FlightCharts::altitude() const {
     Chart chart = overTime("altitude above home, m");
     chart.lines = {
-        {summary_.from_log ? "" : "as the autopilot tells", kTold, Stroke::thin,
+        {summary_.from_log ? "" : "as estimated", kTold, Stroke::thin,
          series([](auto& s) { return s.height_m; })},
         {"planned", kDemand, Stroke::dashed, series([](auto& s) { return s.planned.height_m; })},
         {summary_.from_log ? "logged" : "truth", kTruth, Stroke::solid,
@@ -153,7 +153,7 @@ std::string FlightCharts::altitude() const {
 
 std::string FlightCharts::airspeed() const {
     Chart chart = overTime("airspeed, m/s");
-    chart.lines = {{summary_.from_log ? "" : "as the autopilot tells", kTold, Stroke::thin,
+    chart.lines = {{summary_.from_log ? "" : "as estimated", kTold, Stroke::thin,
                     series([](auto& s) { return s.airspeed_mps; })},
                    {"demanded", kDemand, Stroke::dashed,
                     series([](auto& s) { return s.planned.airspeed_mps; })},

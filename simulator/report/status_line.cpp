@@ -53,7 +53,7 @@ void StatusLine::end() {
     line_open_ = false;
 }
 
-std::string closingWords(const Summary& s, const std::string& folder) {
+std::string closingWords(const Summary& s) {
     std::string words = s.completed ? "mission completed" : "not completed: " + s.reason;
     words += "\n";
     if (s.flight_time_s) words += print("  flight time     %.0f s\n", *s.flight_time_s);
@@ -75,9 +75,15 @@ std::string closingWords(const Summary& s, const std::string& folder) {
         if (s.figures.frame_overruns) words += print(", %u late", *s.figures.frame_overruns);
         words += "\n";
     }
-    words += print("  emulated        %.1f min at %.1f times real time\n", s.emulated_s / 60,
-                   s.speedup.value_or(0));
-    return words + "  report          " + folder + "/report.html\n";
+    if (s.model_answers_skipped > 0)
+        words += print("  flight model    %llu answers skipped: not understood\n",
+                       static_cast<unsigned long long>(s.model_answers_skipped));
+    return words + print("  emulated        %.1f min at %.1f times real time\n", s.emulated_s / 60,
+                         s.speedup.value_or(0));
+}
+
+std::string reportLine(const std::string& folder) {
+    return "  report          " + folder + "/report.html\n";
 }
 
 }  // namespace simulator

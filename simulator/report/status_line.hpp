@@ -28,6 +28,7 @@ private:
 
 std::string statusText(const Telemetry& telemetry, const Sample& sample, size_t items,
                        double speedup, std::optional<double> cpu_load);
-std::string closingWords(const Summary& summary, const std::string& folder);
+std::string closingWords(const Summary& summary);
+std::string reportLine(const std::string& folder);  // when all of the report is written
 
 }  // namespace simulator

@@ -105,6 +105,7 @@ std::string summaryJson(const Summary& summary) {
     json["imu_samples"] = orNull(summary.imu_samples);
     json["imu_samples_lost"] = orNull(summary.imu_samples_lost);
     json["imu_samples_repeated"] = orNull(summary.imu_samples_repeated);
+    json["model_answers_skipped"] = summary.model_answers_skipped;
     addFigures(json, summary.figures, summary.task_names);
     json["events"] = list(summary.events);
     json["texts"] = list(summary.texts);

@@ -37,6 +37,7 @@ struct Summary {
     std::vector<int> items_planned;
     std::optional<double> loiter_radius_m;  // the autopilot's own
     std::optional<uint64_t> imu_samples, imu_samples_lost, imu_samples_repeated;
+    uint64_t model_answers_skipped = 0;  // of a flight model elsewhere: not understood
     BoardFigures figures;
     std::vector<TaskName> task_names;  // empty: numbers must do
     std::vector<Event> events, texts;

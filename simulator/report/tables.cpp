@@ -60,6 +60,10 @@ std::vector<std::string> cells(const Row& row) {
                       : "✗"};
 }
 
+Row withoutLimit(const Row& row) {
+    return {row.name, row.value, row.unit, row.decimals, std::nullopt};
+}
+
 }  // namespace
 
 std::string summaryTable(const Summary& s) {
@@ -106,9 +110,8 @@ std::string summaryTable(const Summary& s) {
     };
     // clang-format on
     Table table({"", "value", "limit", "unit", ""});
-    for (Row row : rows) {
-        if (s.from_log) row.most.reset();  // the limits are those of the tests' flights
-        if (row.value) table.row(cells(row));
+    for (const Row& row : rows) {  // the limits are those of the tests' flights
+        if (row.value) table.row(cells(s.from_log ? withoutLimit(row) : row));
     }
     return table.done();
 }

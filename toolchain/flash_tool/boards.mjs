@@ -4,8 +4,8 @@
 const kAtmega2560 = { chip: 'ATmega2560', part: 'm2560', programmer: 'wiring', baud: 115200 };
 
 export const boards = {
-  apm1: { name: 'APM 1', preset: 'avr-apm1', ...kAtmega2560 },
-  apm2: { name: 'APM 2', preset: 'avr-apm2', ...kAtmega2560 },
+  apm1: { name: 'APM 1', folder: 'apm1', ...kAtmega2560 },
+  apm2: { name: 'APM 2', folder: 'apm2', ...kAtmega2560 },
 };
 
 export const kBootloader = 0x3e000;  // the top 8 KiB of flash, HFUSE 0xD8

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program behind toolchain/flash.
 import { spawnSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -9,6 +8,7 @@ import { commandFor, quoted, run } from './avrdude.mjs';
 import { boards } from './boards.mjs';
 import { checkEeprom, checkImage } from './contents.mjs';
 import { readOptions, usage } from './options.mjs';
+import { checkOutput } from '../output.mjs';
 import { checkPort } from './port.mjs';
 import { Refusal } from './refusal.mjs';
 
@@ -16,12 +16,9 @@ const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
 const say = (line) => process.stderr.write(`${line}\n`);
 
 function build(board) {
-  const presets = JSON.parse(readFileSync(join(root, 'CMakePresets.json'))).configurePresets;
-  if (!presets.some(({ name }) => name === board.preset))
-    throw new Refusal(`there is no image for ${board.name} yet: CMakePresets.json has no ${board.preset}`);
-  const made = spawnSync(join(root, 'toolchain/build'), [board.preset], { stdio: ['ignore', 2, 2] });
+  const made = spawnSync(join(root, 'toolchain/build'), [`avr:firmware_${board.folder}`], { stdio: ['ignore', 2, 2] });
   if (made.status !== 0) throw new Refusal(`the image for ${board.name} could not be built`, 1);
-  const image = join(root, 'build', board.preset, 'firmware.hex');
+  const image = join(root, 'build/avr', board.folder, 'firmware.hex');
   return relative('', image) || image;
 }
 
@@ -41,6 +38,7 @@ async function flash(options) {
   say(`written and verified; the board starts the new firmware`);
 }
 
+checkOutput('flash');
 try {
   const options = readOptions(process.argv.slice(2));
   if (options.help) console.log(usage);

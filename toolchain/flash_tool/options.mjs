@@ -9,7 +9,7 @@ Builds the image of the board and writes it through the board's bootloader, then
 compares. Take the propeller off first.
 
   PORT            the board's USB port, such as /dev/ttyACM0
-  --board BOARD   apm1 or apm2; both have the same chip, so nothing but you can tell them apart
+  --board BOARD   apm1 or apm2; both have the same chip, so only you know which one it is
   --eeprom FILE   also write this EEPROM image, over all parameters and missions: .eep or .hex
                   (Intel hex) or .bin (raw), such as toolchain/mission compile makes
   --image FILE    write this Intel hex file instead of building

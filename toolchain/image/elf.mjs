@@ -69,6 +69,7 @@ export function readElf(path) {
     path, sections, symbols, length,
     relocations: readRelocations(sections, symbols),
     text: sections.find((section) => section.name === '.text')?.bytes ?? Buffer.alloc(0),
+    compiler: cString(sections.find((section) => section.name === '.comment')?.bytes ?? Buffer.of(0), 0),
     symbol: (name) => symbols.find((symbol) => symbol.name === name),
   };
 }

@@ -3,8 +3,7 @@
 // calls, and frames that are made by moving the stack pointer. For that, and to see where a
 // pointer to a function comes from, it keeps what is known of every register and of the bytes in
 // the routine's own frame. Assumed of compiled code: a call gives back the stack pointer, the
-// call-saved registers and, of the frame, what it does not fill itself. Fragments (see
-// toolchain/outline) are part of whoever calls them: they are followed with the way back.
+// call-saved registers and, of the frame, what it does not fill itself.
 import { decode } from './decode.mjs';
 import {
   argument, byteAt, byteKey, byteOf, constantByte, eitherByte, eitherPair, half, inCaller, isNumber, isStack, isUnknown, multiple, number,
@@ -14,7 +13,6 @@ import {
 const kSpl = 0x3d, kSph = 0x3e, kRamEnd = 0x21ff;
 const kStartUp = new Set(['__do_copy_data', '__do_clear_bss']);  // makes RAM what the ELF file says
 const kReturnAddress = 3;  // bytes, on a chip with more than 128 KiB
-const kWayBack = 2 ** 24;  // a place in a fragment: its address, and that many times where it goes back to
 const kMostVisits = 60;    // of one instruction with a growing stack
 const kCallClobbered = [0, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 30, 31];
 const kResults = [18, 19, 20, 21, 22, 23, 24, 25];
@@ -99,8 +97,7 @@ export class Routine {
     return changed ? merged : a;
   }
 
-  step(place, state) {
-    const at = place % kWayBack, wayBack = place - at;
+  step(at, state) {
     if (at + 1 >= this.image.text.length) this.fail(this.entry, `runs out of the code to 0x${at.toString(16)}`);
     const code = decode(this.image.text, at);
     const next = at + 2 * code.words;
@@ -108,9 +105,8 @@ export class Routine {
     const on = (to = next, depth = state.depth) => {
       if (to < 0) this.fail(this.entry, `runs out of the code to ${to}`);
       this.depth = Math.max(this.depth, depth);
-      this.enter(wayBack + to, { depth, registers, slots: state.slots });
+      this.enter(to, { depth, registers, slots: state.slots });
     };
-    const back = () => this.enter(wayBack / kWayBack, { depth: state.depth, registers, slots: state.slots });
     switch (code.kind) {
       case 'push': return on(next, state.depth + 1);
       case 'pop':
@@ -124,15 +120,10 @@ export class Routine {
       case 'out': return on(next, this.moved(at, code, state));
       case 'jump':
         if (code.to === 0) return undefined;  // begins the program anew, with an empty stack
-        if (wayBack && !this.image.isFragment(code.to)) return this.call(place, code.to, next, state, back);
         return this.jump(at, code.to, registers, on);
       case 'branch': on(); return on(code.to);
       case 'skip': on(); return on(next + 2 * decode(this.image.text, next).words);
-      case 'call':
-        if (!this.image.isFragment(code.to)) return this.call(place, code.to, next, state, on);
-        if (wayBack) this.fail(at, 'a fragment calls a fragment');
-        this.depth = Math.max(this.depth, state.depth + kReturnAddress);
-        return this.enter(next * kWayBack + code.to, state);
+      case 'call': return this.call(at, code.to, next, state, on);
       case 'icall':
         this.indirect.set(at, { at, depth: state.depth + kReturnAddress, z: pairOf(registers, 30), args: argumentsOf(registers), slots: state.slots });
         this.clobber(registers);
@@ -146,7 +137,6 @@ export class Routine {
         return undefined;
       }
       case 'ret': case 'reti':
-        if (wayBack) return back();
         if (state.depth > 0) this.fail(at, `returns with ${state.depth} bytes on the stack`);
         this.returns = true;
         this.result = this.result ? this.result.map((byte, i) => eitherByte(byte, registers[i])) : registers;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toolchain/log_tool/log_file.hpp"
 
+#include <algorithm>
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <sstream>
+
+#include "toolchain/log_tool/names.hpp"
 
 namespace log_tool {
 namespace {
@@ -38,7 +41,10 @@ Value scaled(const uint8_t* at, double scale, const char* form) {
 template <size_t N>
 Value text(const uint8_t* at) {
     const char* letters = reinterpret_cast<const char*>(at);
-    return {NAN, std::string(letters, strnlen(letters, N))};
+    std::string shown(letters, strnlen(letters, N));
+    for (char& letter : shown)
+        if (letter < 32 || letter > 126) letter = '?';  // a terminal would execute it
+    return {NAN, shown};
 }
 
 struct FieldType {
@@ -152,12 +158,21 @@ LogFile::LogFile(const Bytes& bytes) {
     }
 }
 
+// As ArduPilot has them. A name becomes a file's: it must not lead out of a folder.
+bool LogFile::isName(const std::string& name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char letter) {
+        return letter == '_' || (letter >= '0' && letter <= '9') ||
+               (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z');
+    });
+}
+
 // A format that is told again, as a log without its beginning has it, changes nothing.
 void LogFile::learn(const Record& format) {
     const auto type = static_cast<int>(format["Type"]);
     const Kind kind = {format.text("Name"), format.text("Format"), split(format.text("Columns")),
                        static_cast<size_t>(format["Length"])};
     if (lengthOf(kind.fields) != kind.length || kind.labels.size() != kind.fields.size()) return;
+    if (!isName(kind.name)) return;
     kinds_.emplace(type, kind);
 }
 
@@ -245,13 +260,12 @@ std::string summary(const LogFile& log) {
     for (const auto& [name, count] : counts) out << ' ' << name << ' ' << count;
     out << '\n';
     if (log.skippedBytes() > 0) out << "no record         " << log.skippedBytes() << " bytes\n";
+    const Firmware firmware = firmwareOf(log);
     for (const Record& record : log.records()) {
         const std::string& name = record.kind->name;
         if (name != "MSG" && name != "MODE" && name != "EV" && name != "ERR") continue;
-        std::snprintf(text, sizeof text, "%10.2f s  %-5s", record["TimeUS"] * 1e-6, name.c_str());
-        out << text;
-        for (size_t i = 1; i < record.values.size(); ++i) out << ' ' << record.values[i].text;
-        out << '\n';
+        std::snprintf(text, sizeof text, "%10.2f s  %-5s ", record["TimeUS"] * 1e-6, name.c_str());
+        out << text << meaningOf(record, firmware) << '\n';
     }
     return out.str();
 }

@@ -47,6 +47,7 @@ public:
 
 private:
     void learn(const Record& format);
+    static bool isName(const std::string& name);
 
     std::map<int, Kind> kinds_;  // by type
     std::vector<Record> records_;

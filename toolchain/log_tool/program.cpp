@@ -4,10 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
+#include "simulator/input_file.hpp"
+#include "simulator/output_file.hpp"
 #include "toolchain/log_tool/image.hpp"
 #include "toolchain/log_tool/report.hpp"
 
@@ -35,15 +35,10 @@ struct Options {
 };
 
 Bytes readFile(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file || std::filesystem::is_directory(path)) throw WrongInput(path + ": cannot be read");
-    return Bytes(std::istreambuf_iterator<char>(file), {});
-}
-
-void writeFile(const std::filesystem::path& path, const void* bytes, size_t size) {
-    std::ofstream file(path, std::ios::binary);
-    file.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(size));
-    if (!file.flush()) throw WrongInput(path.string() + ": cannot be written");
+    const auto contents = simulator::wholeFile(path);
+    if (!contents) throw WrongInput(path + ": cannot be read");
+    if (contents->empty()) throw WrongInput(path + ": the file is empty");
+    return Bytes(contents->begin(), contents->end());
 }
 
 bool isFormat(const Bytes& bytes, size_t at) {
@@ -79,10 +74,17 @@ Bytes load(const Options& options) {
     throw NoLog(options.file + ": holds no log " + std::to_string(options.log));
 }
 
+// A log on its own has lost its number.
+void listOne(const Bytes& bytes, std::ostream& out) {
+    const LogFile log(bytes);
+    out << "one log  " << bytes.size() << " bytes, " << log.records().size() << " records";
+    if (log.skippedBytes() > 0) out << "; " << log.skippedBytes() << " bytes are no record";
+    out << '\n';
+}
+
 void list(const Options& options, std::ostream& out) {
     const Bytes contents = readFile(options.file);
-    if (!isImage(contents.size()))
-        throw WrongInput(options.file + ": expected an image of a DataFlash");
+    if (!isImage(contents.size())) return listOne(load(options), out);
     const std::vector<StoredLog> logs = logsIn(contents);
     if (logs.empty()) out << "no logs\n";
     for (const StoredLog& log : logs) {
@@ -100,18 +102,17 @@ void tellSummary(const Options& options, std::ostream& out) {
 
 void extract(const Options& options, std::ostream&) {
     const Bytes bytes = load(options);
-    writeFile(options.out, bytes.data(), bytes.size());
+    simulator::writeFile(options.out, std::string(bytes.begin(), bytes.end()));
 }
 
 void writeCsv(const Options& options, std::ostream& out) {
     const LogFile log(load(options));
-    std::filesystem::create_directories(options.out);
+    simulator::makeFolder(options.out);
     for (const auto& [type, kind] : log.kinds()) {
         if (kind.name == "FMT" || log.named(kind.name).empty()) continue;
         const std::filesystem::path path =
             std::filesystem::path(options.out) / (kind.name + ".csv");
-        const std::string text = csv(log, kind);
-        writeFile(path, text.data(), text.size());
+        simulator::writeFile(path, csv(log, kind));
         out << path.string() << '\n';
     }
 }
@@ -119,7 +120,7 @@ void writeCsv(const Options& options, std::ostream& out) {
 void writeReport(const Options& options, std::ostream&) {
     const std::string page =
         report(LogFile(load(options)), std::filesystem::path(options.file).filename().string());
-    writeFile(options.out, page.data(), page.size());
+    simulator::writeFile(options.out, page);
 }
 
 struct Command {
@@ -128,8 +129,8 @@ struct Command {
     void (*run)(const Options& options, std::ostream& out);
 };
 constexpr Command kCommands[] = {
-    {"list", "tells which logs an image holds", nullptr, list},
-    {"summary", "tells what happened in a log", nullptr, tellSummary},
+    {"list", "lists the logs of an image, or how long a log is", nullptr, list},
+    {"summary", "summarises a log", nullptr, tellSummary},
     {"csv", "writes one table for each kind of record", "the folder they go into", writeCsv},
     {"report", "draws the page that a simulated flight gets", "the .html file", writeReport},
     {"extract", "writes a log as the .bin that other programs read", "the file", extract},

@@ -10,6 +10,7 @@
 #include "simulator/report/page.hpp"
 #include "simulator/report/recorder.hpp"
 #include "simulator/report/summary.hpp"
+#include "toolchain/log_tool/names.hpp"
 
 namespace log_tool {
 namespace {
@@ -115,10 +116,7 @@ public:
 };
 
 void tellEvents(const LogFile& log, simulator::Summary& summary) {
-    static const std::map<int, const char*> kNames = {{kArmed, "armed"},
-                                                      {kDisarmed, "disarmed"},
-                                                      {kInTheAir, "in the air"},
-                                                      {kOnTheGround, "on the ground"}};
+    const Firmware firmware = firmwareOf(log);
     double up_s = NAN;
     for (const Record& record : log.records()) {
         const std::string& name = record.kind->name;
@@ -128,15 +126,10 @@ void tellEvents(const LogFile& log, simulator::Summary& summary) {
                  "mode " + simulator::modeName(static_cast<uint32_t>(record["ModeNum"]))});
         if (name == "MSG") summary.texts.push_back({seconds(record), record.text("Message")});
         if (name == "ERR")
-            summary.events.push_back(
-                {seconds(record),
-                 "error of subsystem " + record.text("Subsys") + ", code " + record.text("ECode")});
+            summary.events.push_back({seconds(record), "error " + meaningOf(record, firmware)});
         if (name != "EV") continue;
         const int id = static_cast<int>(record["Id"]);
-        const auto known = kNames.find(id);
-        summary.events.push_back({seconds(record), known != kNames.end()
-                                                       ? known->second
-                                                       : "event " + std::to_string(id)});
+        summary.events.push_back({seconds(record), eventName(id)});
         if (id == kInTheAir) up_s = seconds(record);
         if (id == kOnTheGround) summary.flight_time_s = seconds(record) - up_s;
         if (id == kDisarmed) summary.completed = std::isfinite(up_s);
@@ -162,8 +155,8 @@ std::string report(const LogFile& log, const std::string& name) {
     simulator::Summary summary;
     summary.from_log = true;
     summary.mission = name;
-    const auto texts = log.named("MSG");
-    summary.firmware = texts.empty() ? "firmware unknown" : texts[0]->text("Message");
+    const std::string version = banner(log);
+    summary.firmware = version.empty() ? "firmware unknown" : version;
     summary.board = "the airplane";
     summary.reason = "the log ends before the airplane was disarmed after a flight";
     for (const simulator::PlannedNav& nav : plan.navs) summary.items_planned.push_back(nav.item);

@@ -17,6 +17,9 @@ const message = (struct) => {
 const table = (head, rows) =>
   [head, head.map(() => '---'), ...rows].map((row) => `| ${row.join(' | ')} |`).join('\n');
 
+// In lines of up to 120 columns, not parted within `CODE` (NUMBER).
+const folded = (text) => text.replace(/(.{1,119}[,.])(?: |$)/g, '$1\n').trimEnd();
+
 const parameters = { raw_sensors: '`SRn_RAW_SENS`', extended_status: '`SRn_EXT_STAT`',
   rc_channels: '`SRn_RC_CHAN`', raw_controller: '`SRn_RAW_CTRL`', position: '`SRn_POSITION`',
   extra1: '`SRn_EXTRA1`', extra2: '`SRn_EXTRA2`', extra3: '`SRn_EXTRA3`',
@@ -32,7 +35,7 @@ function sent() {
 function understood() {
   const rows = [...read('firmware/telemetry/incoming.cpp')
     .matchAll(/to(?:All|Us)<mavlink::(\w+)>\(on/g)].map(([, struct]) => message(struct));
-  return rows.sort((a, b) => a.id - b.id).map(({ id, name }) => `\`${name}\` (${id})`).join(', ') + '.';
+  return folded(rows.sort((a, b) => a.id - b.id).map(({ id, name }) => `\`${name}\` (${id})`).join(', ') + '.');
 }
 
 const remarks = {

@@ -3,12 +3,12 @@
 // one clear line with exit 2 for a wrong call, exit 1 for a file that cannot be used.
 #pragma once
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
 
+#include "simulator/output_file.hpp"
 #include "toolchain/mission_tool/wrong_input.hpp"
 
 namespace mission_tool {
@@ -47,14 +47,11 @@ inline int runCommandLine(const CommandLine& line, const std::vector<std::string
     } catch (const WrongInput& error) {
         err << error.what() << '\n';
         return 1;
+    } catch (const simulator::OutputError& error) {
+        err << error.what() << '\n';
+        return 1;
     }
     return 2;
-}
-
-inline void writeFile(const std::string& path, const std::string& contents) {
-    std::ofstream file(path, std::ios::binary);
-    file << contents;
-    if (!file.flush()) throw WrongInput(path + ": cannot be written");
 }
 
 }  // namespace mission_tool

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toolchain/mission_tool/load.hpp"
 
-#include <fstream>
-#include <sstream>
-
+#include "simulator/ground/text_file.hpp"
+#include "simulator/input_file.hpp"
 #include "toolchain/mission_tool/arduplane.hpp"
 #include "toolchain/mission_tool/board.hpp"
 #include "toolchain/mission_tool/expectations.hpp"
@@ -27,20 +26,25 @@ Document fromImage(const std::string& contents, const std::string& name, const R
     return document;
 }
 
+std::string textOf(const std::string& bytes, const std::string& name) {
+    const std::string why = simulator::whyNoText(bytes);
+    if (!why.empty()) throw WrongInput(name + ": " + why);
+    return simulator::decodedText(bytes);
+}
+
 }  // namespace
 
 std::string readFile(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream contents;
-    // an empty file is read, too, though nothing comes of it
-    if (file && file.peek() == std::ifstream::traits_type::eof() && !file.bad()) return "";
-    if (!file || !(contents << file.rdbuf())) throw WrongInput(path + ": cannot be read");
-    return contents.str();
+    auto contents = simulator::wholeFile(path);
+    if (!contents) throw WrongInput(path + ": cannot be read");
+    return *contents;
 }
 
 bool isImage(const std::string& contents) {
-    return looksLikeHex(contents) || (contents.size() == blankImage().size() &&
-                                      !looksLikeWaypoints(contents) && !looksLikeRecords(contents));
+    if (looksLikeHex(contents)) return true;
+    if (contents.size() != blankImage().size()) return false;
+    const std::string text = simulator::decodedText(contents);
+    return !looksLikeWaypoints(text) && !looksLikeRecords(text);
 }
 
 Image imageOf(const std::string& contents, const std::string& name) {
@@ -52,10 +56,12 @@ Image imageOf(const std::string& contents, const std::string& name) {
     return {contents.begin(), contents.end()};
 }
 
-Document load(const std::string& contents, const std::string& name, const Reading& reading) {
+Document load(const std::string& bytes, const std::string& name, const Reading& reading) {
     Document document;
     powerUp(reading.onto);
-    if (isImage(contents)) {
+    const bool is_image = isImage(bytes);
+    const std::string contents = is_image ? bytes : textOf(bytes, name);
+    if (is_image) {
         document = fromImage(contents, name, reading);
     } else if (looksLikeWaypoints(contents)) {
         document = parseWaypointFile(contents, name, reading.set.value_or(mission::Set::apm2));

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toolchain/mission_tool/program.hpp"
 
-#include <algorithm>
-
+#include "simulator/ground/text_file.hpp"
 #include "toolchain/mission_tool/arduplane.hpp"
 #include "toolchain/mission_tool/board.hpp"
 #include "toolchain/mission_tool/command_line.hpp"
@@ -19,7 +18,7 @@ namespace {
 constexpr char kWhat[] = "Missions as files and as EEPROM images for the board.";
 constexpr char kFooter[] =
     "FILE is a QGC WPL 110 file, the text form of docs/mission.md, or an image: Intel hex or 4096\n"
-    "raw bytes. Exit status: 0 when all is well (warnings may be told), 1 when the mission is\n"
+    "raw bytes. Exit status: 0 when all is well (there may be warnings), 1 when the mission is\n"
     "wrong, 2 when the command line is.";
 
 struct Options {
@@ -48,7 +47,7 @@ public:
         const bool to_arduplane = options_.records == 15 && !isImage(contents);
         const Image image = to_arduplane ? writeRecords15(document_, reading_.onto)
                                          : uploaded(document_, reading_.onto, reading_.onto_name);
-        writeFile(options_.out, encodedFor(options_.out, image));
+        simulator::writeFile(options_.out, encodedFor(options_.out, image));
         if (options_.onto.empty())
             err_ << options_.out
                  << ": a whole EEPROM: flashed, it sets every parameter to its default; --onto "
@@ -72,7 +71,7 @@ public:
         if (options_.out.empty()) {
             out_ << text;
         } else {
-            writeFile(options_.out, text);
+            simulator::writeFile(options_.out, text);
         }
         return 0;
     }
@@ -107,10 +106,15 @@ private:
 
     bool tellFindings() {
         const std::vector<Finding> all = findings(document_);
-        for (const Finding& finding : all)
+        size_t errors = 0;
+        for (const Finding& finding : all) {
+            if (finding.error && ++errors > simulator::kMostListed) continue;
             err_ << document_.at(finding.index, (finding.error ? "" : "warning: ") + finding.text)
                  << '\n';
-        return std::any_of(all.begin(), all.end(), [](const Finding& f) { return f.error; });
+        }
+        if (errors > simulator::kMostListed)
+            err_ << "and " << errors - simulator::kMostListed << " more\n";
+        return errors > 0;
     }
 
     const Options& options_;
@@ -126,7 +130,7 @@ struct Command {
     int (Program::*run)();
 };
 constexpr Command kCommands[] = {
-    {"check", "tells whether the firmware takes a mission, and what it would never run",
+    {"check", "checks whether the firmware takes a mission, and what it would never run",
      &Program::check},
     {"compile", "makes an EEPROM image that the board boots with", &Program::compile},
     {"decode", "writes the mission in an image as text", &Program::decode},

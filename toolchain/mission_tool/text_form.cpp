@@ -118,6 +118,7 @@ Document parseRecords(const std::string& contents, const std::string& name) {
     }
     document.set = line == kHeaders[0] ? Set::apm1 : Set::apm2;
     std::vector<Columns> columns;
+    std::vector<LineProblem> problems;
     int number = 1;
     while (std::getline(lines, line)) {
         ++number;
@@ -125,20 +126,30 @@ Document parseRecords(const std::string& contents, const std::string& name) {
         if (text.find_first_not_of(kSpace) == std::string::npos) continue;
         Words words(text, name, number);
         columns.push_back({});
-        document.entries.push_back(parseLine(words, document.set, columns.back()));
+        try {
+            document.entries.push_back(parseLine(words, document.set, columns.back()));
+            document.entries.back().column = columns.back().id;
+        } catch (const WrongInput& error) {
+            problems.push_back({number, words.column(), error.what()});
+            document.entries.push_back({});
+        }
         document.entries.back().line = number;
-        document.entries.back().column = columns.back().id;
     }
+    const bool readable = problems.empty();
     if (document.entries.empty()) {
         throw WrongInput(placed(name, number + 1, 1, expected("a command: home comes first", "")));
     }
     const size_t count = document.entries.size();
     for (size_t i = 0; i < count; ++i) {
         Entry& entry = document.entries[i];
-        if (judge(document.set, i, count, entry) != firmware::MissionResult::accepted) {
+        const bool read = entry.column != 0;  // else its line's problem is known
+        if (read && judge(document.set, i, count, entry) != firmware::MissionResult::accepted) {
             explain(document, entry, columns[i]);
+            if (!readable)
+                problems.push_back({entry.line, entry.column, document.at(i, entry.problem)});
         }
     }
+    if (!readable) throwProblems(problems);
     return document;
 }
 

@@ -120,12 +120,9 @@ bool sameRecords(const Document& a, const Document& b) {
 bool looksLikeWaypoints(const std::string& contents) { return contents.rfind("QGC", 0) == 0; }
 
 Document parseWaypointFile(const std::string& contents, const std::string& name, Set set) {
-    simulator::Waypoints items;
-    try {
-        items = simulator::parseWaypoints(contents, name);
-    } catch (const simulator::WaypointError& error) {
-        throw WrongInput(error.what());
-    }
+    const auto [items, errors] = simulator::readWaypointLines(contents, name);
+    std::vector<LineProblem> problems;
+    for (const auto& error : errors) problems.push_back({error.line, error.column, error.text});
     Document document;
     document.name = name;
     document.set = set;
@@ -137,7 +134,10 @@ Document parseWaypointFile(const std::string& contents, const std::string& name,
                 expected(expectation(set, entry), wordAt(contents, entry.line, entry.column));
         }
         document.entries.push_back(entry);
+        if (items[i].readable && !entry.good())
+            problems.push_back({entry.line, entry.column, document.at(i, entry.problem)});
     }
+    if (!errors.empty()) throwProblems(problems);
     return document;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iostream>
 
+#include "simulator/output_file.hpp"
 #include "toolchain/param_tool/program.hpp"
 
 int main(int count, char** words) {
-    return param_tool::run({words + 1, words + count}, std::cout, std::cerr);
+    return simulator::finishOutput(
+        "param", param_tool::run({words + 1, words + count}, std::cout, std::cerr));
 }

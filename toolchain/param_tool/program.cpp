@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "simulator/ground/text_file.hpp"
 #include "toolchain/mission_tool/command_line.hpp"
 #include "toolchain/mission_tool/load.hpp"
 #include "toolchain/mission_tool/wrong_input.hpp"
@@ -23,7 +24,7 @@ constexpr char kFooter[] =
     "FILE is a .param file of Mission Planner (NAME,VALUE) or MAVProxy (NAME VALUE), '#' beginning "
     "a\n"
     "comment, or an image: Intel hex or 4096 raw bytes. Exit status: 0 when all is well (warnings\n"
-    "may be told), 1 when a parameter or a file is wrong, 2 when the command line is.";
+    "may be shown), 1 when a parameter or a file is wrong, 2 when the command line is.";
 
 struct Options {
     std::string file, out, onto;
@@ -46,7 +47,7 @@ public:
         encodedFor(options_.out, blankImage());  // a name that cannot be is told first
         load(options_.file);
         if (tellFindings()) return 1;
-        mission_tool::writeFile(options_.out, encodedFor(options_.out, image()));
+        simulator::writeFile(options_.out, encodedFor(options_.out, image()));
         if (options_.onto.empty())
             err_ << options_.out
                  << ": a whole EEPROM: flashed, it leaves no mission on the board and sets every "
@@ -61,7 +62,7 @@ public:
         if (options_.out.empty()) {
             out_ << text;
         } else {
-            mission_tool::writeFile(options_.out, text);
+            simulator::writeFile(options_.out, text);
         }
         return 0;
     }
@@ -104,16 +105,20 @@ private:
     // A text of just 4096 bytes is no image.
     static bool looksLikeImage(const std::string& contents) {
         if (mission_tool::looksLikeHex(contents)) return true;
+        const std::string text = simulator::decodedText(contents);
         return contents.size() == blankImage().size() &&
-               !std::all_of(contents.begin(), contents.end(), [](unsigned char c) {
+               !std::all_of(text.begin(), text.end(), [](unsigned char c) {
                    return (c >= 32 && c < 127) || c == '\n' || c == '\r' || c == '\t';
                });
     }
 
     bool tellFindings() {
-        for (const Finding& finding : findings_) err_ << finding.text << '\n';
-        return std::any_of(findings_.begin(), findings_.end(),
-                           [](const Finding& f) { return f.error; });
+        size_t errors = 0;
+        for (const Finding& finding : findings_)
+            if (!finding.error || ++errors <= simulator::kMostListed) err_ << finding.text << '\n';
+        if (errors > simulator::kMostListed)
+            err_ << "and " << errors - simulator::kMostListed << " more\n";
+        return errors > 0;
     }
 
     const Options& options_;
@@ -128,7 +133,7 @@ struct Command {
     int (Program::*run)();
 };
 constexpr Command kCommands[] = {
-    {"check", "tells whether the firmware takes every value of a file", &Program::check},
+    {"check", "checks whether the firmware takes every value of a file", &Program::check},
     {"compile", "makes an EEPROM image that the board boots with", &Program::compile},
     {"decode", "writes the parameters in an image as a .param file", &Program::decode},
     {"show", "prints a table; without FILE of the defaults", &Program::show},
@@ -145,7 +150,7 @@ void addOptions(CLI::App& app, const Command& command, Options& o) {
                        "image of the board the parameters are for: its mission and what FILE does "
                        "not name stay; else a blank EEPROM");
         app.add_flag("--skip-unknown", o.skip_unknown,
-                     "names this firmware does not know are told and left out");
+                     "names this firmware does not know are reported and left out");
     }
     if (decodes || shows)
         app.add_flag("--changed", o.changed, "only what differs from its default");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "simulator/ground/text_file.hpp"
 #include "toolchain/mission_tool/wrong_input.hpp"
 
 namespace param_tool {
@@ -47,7 +48,11 @@ bool numberOf(const std::string& text, double& value) {
 std::vector<Setting> parseSettings(const std::string& contents, const std::string& file,
                                    std::vector<Finding>& findings) {
     std::vector<Setting> settings;
-    std::istringstream lines(contents);
+    if (const std::string why = simulator::whyNoText(contents); !why.empty()) {
+        findings.push_back({1, true, file + ": " + why});
+        return settings;
+    }
+    std::istringstream lines(simulator::decodedText(contents));
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {
         const auto wrong = [&](int column, const std::string& what, const std::string& found) {

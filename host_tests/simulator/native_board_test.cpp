@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The natively compiled board with a firmware that is nothing but a wait.
+#include "simulator/native/native_board.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hal/clock.hpp"
+#include "hal/imu_interrupt.hpp"
+
+namespace {
+int turns_waited = 0;
+bool the_time_came = false;
+}  // namespace
+
+// Work waits all the time, and is done when the clock says so: as a log that is sent slowly.
+namespace firmware {
+void start();
+void turn();
+void start() {}
+void turn() {
+    ++turns_waited;
+    if (hal::now_ms() % 100 < 90) return hal::idle([] { return true; });
+    the_time_came = true;
+    hal::idle([] { return false; });
+}
+}  // namespace firmware
+
+namespace hal {
+bool imuDataReady() { return false; }
+}  // namespace hal
+
+TEST(NativeBoard, lets_time_pass_for_firmware_that_waits_for_it_without_resting) {
+    simulator::NativeBoard board{simulator::WorldOptions()};
+
+    EXPECT_TRUE(board.runUntil(200'000));
+    EXPECT_TRUE(the_time_came);
+    EXPECT_GE(board.time_us(), 200'000u);
+    EXPECT_GT(turns_waited, 1000);  // as fast as ever at first
+}

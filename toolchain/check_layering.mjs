@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which folder may include which: prints every line that breaks a rule and fails.
+//   node toolchain/check_layering.mjs [ROOT]
+import { readdirSync, readFileSync } from 'node:fs';
+import { dirname, join, relative, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const root = resolve(process.argv[2] ?? join(dirname(fileURLToPath(import.meta.url)), '..'));
+
+// A folder, and the first words its quoted includes may begin with.
+const libraries = {
+  core: [],
+  hal: ['core'],
+  geo: ['core'],
+  control: ['core'],
+  estimation: ['core', 'geo'],
+  navigation: ['core', 'geo', 'control'],
+  storage: ['core', 'hal'],
+  parameters: ['core', 'hal', 'storage'],
+  mission: ['core', 'hal', 'geo', 'storage'],
+  scheduler: ['core', 'hal'],
+  mavlink: ['core'],
+  drivers: ['core', 'hal'],
+  logging: ['core', 'hal'],
+};
+const allLibraries = Object.keys(libraries);
+const rules = [
+  ...allLibraries.map((name) => ({
+    folder: `libraries/${name}`,
+    may: [name, ...libraries[name]],
+    freestanding: true,
+  })),
+  { folder: 'firmware', may: ['firmware', 'board.hpp', ...allLibraries], freestanding: true },
+  { folder: 'hal_avr', may: null, forbidden: /^(firmware|simulator|host_tests)\// },
+  { folder: 'simulator/devices', may: ['simulator'] },
+  { folder: 'simulator/airplane', may: ['simulator'] },
+  { folder: 'simulator/machine', may: ['simulator', 'hal'] },
+];
+
+// What avr-libc offers to code that must also run on the host.
+const freestandingHeaders = new Set(['stdint.h', 'stddef.h', 'string.h', 'math.h']);
+const knowTheChip = new Set(['rom', 'multiply', 'convert', 'crc'].map((name) => `libraries/core/${name}.hpp`));
+
+function* sources(folder) {
+  for (const entry of readdirSync(folder, { withFileTypes: true })) {
+    const path = join(folder, entry.name);
+    if (entry.isDirectory()) yield* sources(path);
+    else if (/\.(hpp|cpp)$/.test(entry.name)) yield path;
+  }
+}
+
+function* broken(rule, path, text) {
+  const name = relative(root, path);
+  if (!text.startsWith('// SPDX-License-Identifier: GPL-3.0-or-later'))
+    yield [1, 'the first line must be the SPDX line'];
+  for (const [index, line] of text.split('\n').entries()) {
+    const quoted = /^#include "([^"]+)"/.exec(line)?.[1];
+    const angled = /^#include <([^>]+)>/.exec(line)?.[1];
+    if (quoted && rule.may && !rule.may.includes(quoted.split('/')[0]))
+      yield [index + 1, `${rule.folder} must not include "${quoted}"`];
+    if (quoted && rule.forbidden?.test(quoted))
+      yield [index + 1, `${rule.folder} must not include "${quoted}"`];
+    if (rule.freestanding && !knowTheChip.has(name)) {
+      if (angled && !freestandingHeaders.has(angled))
+        yield [index + 1, `<${angled}> does not exist on every side`];
+      if (/^#\s*(if|ifdef|ifndef)\b/.test(line))
+        yield [index + 1, `no conditional compilation outside ${[...knowTheChip].join(', ')}`];
+    }
+  }
+}
+
+let failures = 0;
+let read = 0;
+for (const rule of rules)
+  for (const path of sources(join(root, rule.folder))) {
+    ++read;
+    for (const [line, why] of broken(rule, path, readFileSync(path, 'utf8'))) {
+      console.log(`${relative(root, path)}:${line}: ${why}`);
+      ++failures;
+    }
+  }
+console.log(`${read} files, ${failures} broken rules`);
+process.exit(failures === 0 && read > 0 ? 0 : 1);

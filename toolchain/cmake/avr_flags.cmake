@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# How the image is compiled; docs/measurements.md has the table of what was tried. -g costs the chip
+# nothing: debug information stays in the ELF file.
+set(AVR_OPTIMISATION -Os -flto -mrelax -g)
+add_compile_options(${AVR_OPTIMISATION})
+# toolchain/stack_bound.mjs sees by its relocation that a word is a function's address
+add_link_options(${AVR_OPTIMISATION} -Wl,--emit-relocs)
+
+# What runs in every frame and at every interrupt is made quick: these folders, not those in them.
+file(GLOB every_frame CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/firmware/*.cpp ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp
+     ${CMAKE_SOURCE_DIR}/hal_avr/boards/*/*.cpp)
+set_source_files_properties(${every_frame} PROPERTIES COMPILE_OPTIONS -O2)
+
+link_libraries(m)
+
+# Float arithmetic of our own instead of the library's, in every program for the chip.
+enable_language(ASM)
+file(GLOB arithmetic CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/arithmetic/*.S)
+set_source_files_properties(${arithmetic} PROPERTIES COMPILE_OPTIONS "-mmcu=atmega2560;-mrelax")
+add_library(arithmetic OBJECT ${arithmetic})
+link_libraries($<TARGET_OBJECTS:arithmetic>)

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The images of both boards, build/avr/apm1 and build/avr/apm2: firmware/ on hal_avr/ on
+# libraries/. What does not know the board is compiled once.
+find_program(NODE node REQUIRED)
+set(boards apm1 apm2)
+
+include(firmware_sources)
+
+function(avr_objects name)
+    add_library(${name} OBJECT ${ARGN})
+    set_target_properties(${name} PROPERTIES CXX_STANDARD 14)
+    target_compile_options(${name} PRIVATE ${PROJECT_WARNINGS})
+endfunction()
+
+# every program for the chip is linked again when what judges it changes
+file(GLOB image_checks CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/toolchain/*.mjs
+     ${CMAKE_SOURCE_DIR}/toolchain/image/*.mjs ${CMAKE_SOURCE_DIR}/toolchain/budgets.json)
+
+# avr_program(NAME BOARD FOLDER FILE SOURCE...): build/avr/FOLDER/FILE.elf
+function(avr_program name board folder file)
+    add_executable(${name} ${ARGN})
+    set_target_properties(${name} PROPERTIES CXX_STANDARD 14 OUTPUT_NAME ${file} SUFFIX .elf
+        RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${folder} LINK_DEPENDS "${image_checks}")
+    target_compile_options(${name} PRIVATE ${PROJECT_WARNINGS})
+    target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/hal_avr
+                               ${CMAKE_SOURCE_DIR}/hal_avr/boards/${board})
+endfunction()
+
+foreach(board IN LISTS boards)
+    file(GLOB hal_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp
+         ${CMAKE_SOURCE_DIR}/hal_avr/boards/${board}/*.cpp)
+    set(headers ${CMAKE_SOURCE_DIR}/hal_avr ${CMAKE_SOURCE_DIR}/hal_avr/boards/${board})
+    avr_objects(hal_objects_${board} ${hal_sources})
+    target_include_directories(hal_objects_${board} PRIVATE ${headers})
+    target_link_libraries(hal_objects_${board} PRIVATE core hal)
+    # as a library, for programs that need a part of it
+    add_library(hal_${board} STATIC $<TARGET_OBJECTS:hal_objects_${board}>)
+    target_include_directories(hal_${board} PUBLIC ${headers})
+    target_link_libraries(hal_${board} PUBLIC core hal)
+
+    avr_objects(firmware_on_${board} ${board_sources})
+    target_include_directories(firmware_on_${board} PRIVATE ${CMAKE_SOURCE_DIR} ${headers})
+    target_link_libraries(firmware_on_${board} PRIVATE ${all_libraries})
+
+    # everything but main()
+    add_library(firmware_parts_${board} INTERFACE)
+    target_sources(firmware_parts_${board} INTERFACE $<TARGET_OBJECTS:firmware_any_board>
+        $<TARGET_OBJECTS:firmware_on_${board}> $<TARGET_OBJECTS:hal_objects_${board}>)
+    target_link_libraries(firmware_parts_${board} INTERFACE ${all_libraries})
+
+    avr_program(firmware_${board} ${board} ${board} firmware ${CMAKE_SOURCE_DIR}/firmware/main.cpp)
+    target_link_libraries(firmware_${board} PRIVATE firmware_parts_${board})
+    set(folder ${CMAKE_BINARY_DIR}/${board})
+    add_custom_command(TARGET firmware_${board} POST_BUILD
+        COMMAND ${CMAKE_OBJCOPY} -O ihex -R .eeprom $<TARGET_FILE:firmware_${board}> ${folder}/firmware.hex
+        COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/blank_eeprom.mjs ${folder}/firmware.eep
+        COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/task_names.mjs
+                ${CMAKE_SOURCE_DIR}/firmware/tasks.cpp ${folder}/tasks.json
+        COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/check_image.mjs
+                $<TARGET_FILE:firmware_${board}> ${CMAKE_SOURCE_DIR}/toolchain/budgets.json ${board}
+        VERBATIM)
+endforeach()

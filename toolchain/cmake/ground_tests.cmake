@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The running vehicle, natively compiled and as the image on the emulated chip, with programs that
+# are not ours: a MAVLink client (npm node-mavlink, see toolchain/node) and an external flight model.
+
+# vehicle_test(NAME VEHICLE FILE [NEEDS TARGET...] [ENVIRONMENT A=B...]): VEHICLE is native or elf
+function(vehicle_test name vehicle file)
+    cmake_parse_arguments(PARSE_ARGV 3 arg "" "" "NEEDS;ENVIRONMENT")
+    set(more LABELS native)
+    set(counted ${native_minutes})
+    if("${vehicle}" STREQUAL "elf")  # quoted: elf is a variable, too
+        list(APPEND arg_NEEDS ${IMAGE_apm2})
+        set(counted ${minutes})
+        set(more LABELS simavr AFTER image_minutes)
+    endif()
+    declare_test(${name}.${vehicle} COMMAND node --test ${file} NEEDS fly ${arg_NEEDS} ${more}
+                 DATA ${flight_data} REUSE
+                 ENVIRONMENT FLY=$<TARGET_FILE:fly> FLY_BOARD=${vehicle}
+                 MINUTES=${counted}/${name} ${arg_ENVIRONMENT})
+endfunction()
+
+file(GLOB ground_tests CONFIGURE_DEPENDS ${tests}/ground/*.test.mjs)
+project_program(example_peer ${tests}/fdm/example_peer.cpp LIBRARIES simulator_world)
+foreach(vehicle native elf)
+    foreach(file IN LISTS ground_tests)
+        get_filename_component(subject ${file} NAME)
+        string(REPLACE ".test.mjs" "" subject ${subject})
+        vehicle_test(ground.${subject} ${vehicle} ${file})
+    endforeach()
+    vehicle_test(fdm.flight ${vehicle} ${tests}/fdm/flight.test.mjs NEEDS example_peer
+                 ENVIRONMENT PEER=$<TARGET_FILE:example_peer>)
+    # an EEPROM image that the tool has made
+    vehicle_test(param_tool.boots_a_compiled_image ${vehicle} ${tests}/param_tool/board.test.mjs
+                 NEEDS param_tool ENVIRONMENT PARAM_TOOL=$<TARGET_FILE:param_tool>)
+endforeach()

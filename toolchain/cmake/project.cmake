@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# How this project declares its libraries, programs and tests.
+
+# Warnings are errors with the compilers of Debian 12, which every change is built with; another
+# compiler may warn of more, and still builds.
+set(PROJECT_WARNINGS -Wall -Wextra -Wshadow -Wundef -Wcast-qual -Wvla)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    list(APPEND PROJECT_WARNINGS -Wlogical-op)
+    if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 6 OR (CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12 AND
+       CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13))
+        list(APPEND PROJECT_WARNINGS -Werror)
+    endif()
+endif()
+
+# project_sources(NAME FOLDER LIBRARY...): the folder's *.cpp but for tests and main as a library;
+# one of headers alone when there are none. Sets SCOPE for further properties.
+function(project_sources name folder)
+    file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+    list(FILTER sources EXCLUDE REGEX "(_test|/main)\\.cpp$")
+    set(scope INTERFACE)
+    if(sources)
+        add_library(${name} STATIC ${sources})
+        target_compile_options(${name} PRIVATE ${PROJECT_WARNINGS})
+        if(TARGET host_headers)
+            target_precompile_headers(${name} REUSE_FROM host_headers)
+        endif()
+        set(scope PUBLIC)
+    else()
+        add_library(${name} INTERFACE)
+    endif()
+    target_link_libraries(${name} ${scope} ${ARGN})
+    set(SCOPE ${scope} PARENT_SCOPE)
+endfunction()
+
+# project_library(NAME DEPENDENCY...): a folder of libraries/. The firmware's compiler takes C++14
+# and no more, so the libraries are held to it on the host too.
+function(project_library name)
+    project_sources(${name} ${CMAKE_SOURCE_DIR}/libraries/${name} ${ARGN})
+    target_include_directories(${name} ${SCOPE} ${CMAKE_SOURCE_DIR}/libraries)
+    if(SCOPE STREQUAL PUBLIC)
+        set_target_properties(${name} PROPERTIES CXX_STANDARD 14)
+    endif()
+endfunction()
+
+# project_program(NAME SOURCE... LIBRARIES LIBRARY...)
+function(project_program name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" LIBRARIES)
+    add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
+    target_compile_options(${name} PRIVATE ${PROJECT_WARNINGS})
+    if(TARGET host_headers)
+        target_precompile_headers(${name} REUSE_FROM host_headers)
+    endif()
+    target_link_libraries(${name} PRIVATE ${arg_LIBRARIES})
+endfunction()
+
+# precompiled(NAME OPTION... HEADERS HEADER... [LIBRARIES LIBRARY...]): headers that many sources
+# include, compiled once. A target uses them by target_precompile_headers(... REUSE_FROM NAME), with
+# the same options.
+function(precompiled name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;LIBRARIES")
+    file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/${name}.cpp CONTENT "// ${name}\n")
+    add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/${name}.cpp)
+    set_target_properties(${name} PROPERTIES CXX_STANDARD 17)
+    target_compile_options(${name} PRIVATE ${arg_UNPARSED_ARGUMENTS})
+    target_link_libraries(${name} PRIVATE ${arg_LIBRARIES})
+    target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
+endfunction()
+
+# Header-only libraries for text (CLI11, JSON) take most of the time in which their users compile,
+# and next to none when these run: their users are not optimised, which halves it.
+file(GLOB_RECURSE text_users CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/*.cpp
+     ${CMAKE_SOURCE_DIR}/toolchain/*.cpp ${CMAKE_SOURCE_DIR}/host_tests/*.cpp)
+list(FILTER text_users EXCLUDE REGEX "_test\\.cpp$")  # these share precompiled headers
+foreach(source IN LISTS text_users)
+    file(STRINGS ${source} found LIMIT_COUNT 1
+         REGEX "^#include (<CLI/CLI.hpp>|<nlohmann/json.hpp>|\"toolchain/mission_tool/command_line.hpp\")")
+    if(found)
+        set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
+    endif()
+endforeach()
