@@ -148,6 +148,15 @@ TEST(Report, is_complete_in_itself) {
     EXPECT_THAT(page, Not(HasSubstr("src=")));
 }
 
+TEST(Report, holds_the_processor_load_against_the_budget_of_its_board) {
+    Summary summary;
+    summary.figures.cpu_load = 0.36;
+    summary.board = "apm1";
+    EXPECT_THAT(summaryTable(summary), testing::ContainsRegex("36.0</td><td[^>]*>≤ 37<.*✓"));
+    summary.board = "apm2";
+    EXPECT_THAT(summaryTable(summary), testing::ContainsRegex("36.0</td><td[^>]*>≤ 33<.*✗"));
+}
+
 TEST(Report, leaves_out_what_a_foreign_firmware_does_not_tell) {
     const std::string page = reportPage(Summary(), {Sample{}, Sample{}}, Plan());
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "budgets.hpp"
 #include "simulator/devices/errors.hpp"
 #include "simulator/report/html.hpp"
 #include "simulator/report/vectors.hpp"
@@ -71,7 +72,7 @@ std::string summaryTable(const Summary& s) {
     const FlightLimits most = limitsIn(s);
     const std::optional<double> emulated_s =
         s.from_log ? std::nullopt : std::optional<double>(s.emulated_s);
-    constexpr double kFrame_us = 10'000, kFlash = 0x3E000, kRam = 8192;
+    const budgets::BoardBudget& board = s.board == "apm1" ? budgets::k_apm1 : budgets::k_apm2;
     // clang-format off
     const Row rows[] = {
         {"Touch-down from landing point",   s.landed_distance_m,     "m",    1, most.touchdown_m},
@@ -90,21 +91,21 @@ std::string summaryTable(const Summary& s) {
         {"Estimate of roll, RMS",           s.roll_error_rms_deg,    "°",    2, {}},
         {"Estimate of pitch, RMS",          s.pitch_error_rms_deg,   "°",    2, {}},
         {"Estimate of yaw, RMS",            s.yaw_error_rms_deg,     "°",    2, {}},
-        {"Processor load",                  share(f.cpu_load),       "%",    1, 45},
-        {"of it interrupts",                share(f.interrupt_load), "%",    1, 8},
+        {"Processor load",                  share(f.cpu_load),       "%",    1, board.processor_percent},
+        {"of it interrupts",                share(f.interrupt_load), "%",    1, board.interrupts_percent},
         {"Frame, mean",                     f.frame_mean_us,         "µs",   0, {}},
         {"Frame, 99 of 100",                f.frame_p99_us,          "µs",   0, {}},
-        {"Frame, longest",                  f.frame_max_us,          "µs",   0, kFrame_us},
+        {"Frame, longest",                  f.frame_max_us,          "µs",   0, budgets::kFrame_us},
         {"Sample to servos, mean",          f.latency_mean_us,       "µs",   0, {}},
-        {"Sample to servos, longest",       f.latency_max_us,        "µs",   0, 6000},
+        {"Sample to servos, longest",       f.latency_max_us,        "µs",   0, budgets::kGyroToServo_us},
         {"Frames late",                     f.frame_overruns,        "",     0, 0},
-        {"Longest interrupt",               longestInterrupt_us(f),  "µs",   1, 40},
+        {"Longest interrupt",               longestInterrupt_us(f),  "µs",   1, budgets::kInterrupt_us},
         {"Inertial samples lost",           s.imu_samples_lost,      "",     0, 0},
         {"Inertial samples read twice",     s.imu_samples_repeated,  "",     0, 0},
-        {"Flash",                           f.flash_bytes,           "bytes", 0, kFlash},
+        {"Flash",                           f.flash_bytes,           "bytes", 0, budgets::kFlash_bytes},
         {"Static RAM",                      f.ram_static_bytes,      "bytes", 0, {}},
         {"Deepest stack seen",              f.stack_max_bytes,       "bytes", 0, {}},
-        {"RAM and stack",                   memory(f),               "bytes", 0, kRam},
+        {"RAM and stack",                   memory(f),               "bytes", 0, budgets::kRamAndStack_bytes},
         {"Emulated time",                   emulated_s,              "s",    1, {}},
         {"Speed over real time",            s.speedup,               "times", 1, {}},
     };

@@ -45,6 +45,8 @@ function(simulator_library name)
 endfunction()
 simulator_library(ground mavlink simulator_world)
 simulator_library(report simulator_ground)
+include(budget_header)
+target_include_directories(simulator_report PRIVATE ${CMAKE_BINARY_DIR}/generated)
 simulator_library(native simulator_world core hal)
 target_include_directories(simulator_native BEFORE PRIVATE ${CMAKE_SOURCE_DIR}/simulator/native)
 
