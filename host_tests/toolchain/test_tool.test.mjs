@@ -45,11 +45,15 @@ test('a build says how many steps are done of all, and about how long the others
   const lines = [];
   const out = { isTTY: false, write: (text) => lines.push(text) };
   const progress = new Progress(new Map([['host', 100], ['avr', 20]]), { out, now: () => now });
+  now = 100;
+  progress.update('host', 1, 2);  // the search for new files
   now = 31_000;
   progress.update('host', 30, 100);
+  now = 32_000;
+  progress.update('host', 31, 100);
   progress.end();
 
-  assert.deepEqual(lines, ['building: 120 steps\n', 'building: 30/120, about 2 min left\n', 'built: 120 steps in 31 s\n']);
+  assert.deepEqual(lines, ['building: 30/120, about 2 min left\n', 'built: 120 steps in 32 s\n']);
   assert.equal(timeLeft(1000, 50, 100), 'less than a minute');
 });
 

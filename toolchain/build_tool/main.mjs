@@ -23,8 +23,9 @@ function requestOf(word) {
 async function main(words) {
   if (words.includes('--help') || words.includes('-h')) return console.log(usage);
   if (words.length === 0) throw new WrongUsage('which tree? toolchain/build TREE[:TARGET,TARGET...], see --help');
-  const tests = words.includes('--tests');
-  return build(words.filter((word) => word !== '--tests').map(requestOf), { tests });
+  const requests = words.map(requestOf);
+  const tests = requests.some(({ targets }) => targets.some((target) => target.endsWith('_test')));
+  return build(requests, { tests });
 }
 
 try {
