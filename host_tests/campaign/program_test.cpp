@@ -23,6 +23,13 @@ fs::path folder(const std::string& name) {
     return fs::temp_directory_path() / ("campaign_" + std::to_string(getpid()) + "_" + name);
 }
 
+// The first mission by the foam trainer in calm air.
+Outcome firstFlights(const std::string& seeds, const fs::path& out) {
+    return campaign(MISSIONS
+                    "/first_flight.waypoints --airplane foam_trainer --wind calm --seeds " +
+                    seeds + " --out " + out.string());
+}
+
 class WrongCampaign : public testing::TestWithParam<Wrong> {};
 
 }  // namespace
@@ -78,10 +85,7 @@ TEST(Campaign, tells_a_flight_that_failed_and_how_to_fly_it_again) {
 
 TEST(Campaign, shows_what_was_flown_in_a_table_and_on_a_page) {
     const fs::path out = folder("good");
-    const Outcome run = campaign(MISSIONS
-                                 "/first_flight.waypoints --airplane foam_trainer "
-                                 "--wind calm --seeds 4-5 --out " +
-                                 out.string());
+    const Outcome run = firstFlights("4-5", out);
 
     EXPECT_EQ(run.status, 0) << run.output;
     EXPECT_THAT(run.output, HasSubstr("2/2  0 failed"));
@@ -123,10 +127,7 @@ TEST(Campaign, keeps_its_verdict_and_says_so_when_the_page_cannot_be_written) {
     const fs::path out = folder("full");
     fs::create_directories(out);
     fs::create_symlink("/dev/full", out / "campaign.html");
-    const Outcome run = campaign(MISSIONS
-                                 "/first_flight.waypoints --airplane foam_trainer "
-                                 "--wind calm --seeds 4-4 --out " +
-                                 out.string());
+    const Outcome run = firstFlights("4-4", out);
 
     EXPECT_EQ(run.status, 2) << run.output;
     EXPECT_THAT(run.output, HasSubstr("1 flights, 0 failed"));
