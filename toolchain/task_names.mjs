@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rows of the schedule as JSON, for whoever shows what the tasks took: number, name, period in
 // frames and budget.
-//   node toolchain/task_names.mjs firmware/tasks.cpp TASKS.json
+//   node toolchain/task_names.mjs firmware/app/tasks.cpp TASKS.json
 import { readFileSync, writeFileSync } from 'node:fs';
 
 export function taskRows(source) {

@@ -5,11 +5,15 @@
 
 #include "core/maths.hpp"
 #include "firmware/guidance/plan.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "navigation/l1.hpp"
 
 namespace firmware {
+namespace guidance {
+
+using namespace state;
+
 namespace {
 
 constexpr float kTurnShare = 0.7f;      // of the bank limit, for planned turns
@@ -67,4 +71,5 @@ void demandBank(float bank_accel_mss, BankLimit limit) {
     vehicle.roll_demand_rad = core::limit(navigation::bankFor_rad(accel_mss), -most_rad, most_rad);
 }
 
+}  // namespace guidance
 }  // namespace firmware

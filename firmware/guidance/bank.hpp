@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 namespace firmware {
+namespace guidance {
 
 enum class BankLimit : uint8_t { flying, level };  // LIM_ROLL_CD, LEVEL_ROLL_LIMIT
 
@@ -18,4 +19,5 @@ float presentBank_mss();  // gravity times tan(bank), less the bank that turns n
 float turnAccel_mss();    // what planned turns are flown with
 void planTurns();         // after the bank limit may have changed
 
+}  // namespace guidance
 }  // namespace firmware

@@ -2,9 +2,13 @@
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
 #include "firmware/guidance/lateral.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace guidance {
+
+using namespace state;
+
 namespace {
 
 navigation::TurnCount turns;
@@ -33,4 +37,5 @@ Plan flyCircle() {
     return to_fly;
 }
 
+}  // namespace guidance
 }  // namespace firmware

@@ -5,6 +5,7 @@
 #include "firmware/guidance/plan.hpp"
 
 namespace firmware {
+namespace guidance {
 
 Plan flyLeg();
 
@@ -18,4 +19,5 @@ void beginLanding();
 Plan flyLanding();
 float flarePower();  // what the flare keeps of the cruise throttle
 
+}  // namespace guidance
 }  // namespace firmware

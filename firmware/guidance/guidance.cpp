@@ -9,10 +9,15 @@
 #include "firmware/guidance/launch.hpp"
 #include "firmware/guidance/plan.hpp"
 #include "firmware/guidance/steering.hpp"
-#include "firmware/modes.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace guidance {
+
+using namespace state;
+using namespace modes;
+
 namespace {
 
 Plan plan;     // of the last runGuidance
@@ -82,4 +87,5 @@ void shiftDemands(float by_m) {
     shiftHeightFlown(by_m);
 }
 
+}  // namespace guidance
 }  // namespace firmware

@@ -4,6 +4,7 @@
 #pragma once
 
 namespace firmware {
+namespace guidance {
 
 // Both after the mode has run; neither does anything in a mode that does not guide itself.
 void runGuidance();     // 20 Hz: the path, the bank, and which height and speed belong to it
@@ -13,4 +14,5 @@ float demandedAirspeed_mps();  // of what is flown; only in a mode that guides i
 
 void shiftDemands(float by_m);  // heights are now measured from elsewhere
 
+}  // namespace guidance
 }  // namespace firmware

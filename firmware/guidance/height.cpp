@@ -4,13 +4,20 @@
 #include <math.h>
 
 #include "core/maths.hpp"
-#include "firmware/failsafe/failsafe.hpp"
 #include "firmware/guidance/flights.hpp"
-#include "firmware/modes.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/safety/failsafe.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace guidance {
+
+using namespace notify;
+using namespace state;
+using namespace modes;
+using namespace safety;
+
 namespace {
 
 constexpr float kPeriod_s = 0.1f;  // 10 Hz
@@ -19,7 +26,7 @@ constexpr float kFlyingSpeed_mps = 5;
 constexpr float kMostAlpha_rad = 0.2f;
 constexpr float kNudgedDown = 0.3f;  // of the cruise throttle, which still flies
 
-control::SpeedHeight speed_height;
+::control::SpeedHeight speed_height;
 core::Angle level_pitch_rad;  // of flight that neither climbs nor sinks, learnt in ten seconds
 
 // Until the wind is known the estimate is the ground speed, which in a headwind is no airspeed: no
@@ -51,7 +58,7 @@ float pathAcceleration_mss() {
            core::kGravity_mss * path_rad;
 }
 
-control::SpeedHeightMeasured measured() {
+::control::SpeedHeightMeasured measured() {
     const auto& estimate = vehicle.estimate;
     return {estimate.height_m,      estimate.climb_mps, airspeed_mps(),
             pathAcceleration_mss(), cosRoll(),          vehicle.airspeed.healthy};
@@ -69,16 +76,16 @@ float trueFromEquivalent() {
 float pitchMax_rad(const Plan& plan) {
     float most_rad = core::radiansFromCentidegrees(parameters.pitch_max_cd);
     const bool landing =
-        plan.phase == control::Phase::approach || plan.phase == control::Phase::flare;
+        plan.phase == ::control::Phase::approach || plan.phase == ::control::Phase::flare;
     if (landing || !vehicle.airspeed.healthy)
         most_rad = core::limit(pathAngle_rad() + kMostAlpha_rad, 0.0f, most_rad);
-    const bool pitch_given = plan.phase == control::Phase::climb_out && !vehicle.airspeed.healthy;
+    const bool pitch_given = plan.phase == ::control::Phase::climb_out && !vehicle.airspeed.healthy;
     return pitch_given || most_rad < plan.pitch_min_rad ? plan.pitch_min_rad : most_rad;
 }
 
-int8_t throttleMax_pct(control::Phase phase) {
+int8_t throttleMax_pct(::control::Phase phase) {
     const bool taking_off =
-        phase == control::Phase::climb_out && parameters.takeoff_throttle_max_pct > 0;
+        phase == ::control::Phase::climb_out && parameters.takeoff_throttle_max_pct > 0;
     return taking_off ? parameters.takeoff_throttle_max_pct : parameters.throttle_max_pct;
 }
 
@@ -103,14 +110,14 @@ float cruiseThrottle(float most) {
     return cruise + share * (share > 0 ? most - cruise : cruise * kNudgedDown);
 }
 
-control::SpeedHeightLimits limits(const Plan& plan, float true_speed) {
-    control::SpeedHeightLimits limits;
+::control::SpeedHeightLimits limits(const Plan& plan, float true_speed) {
+    ::control::SpeedHeightLimits limits;
     limits.pitch_min_rad = plan.pitch_min_rad;
     limits.pitch_max_rad = pitchMax_rad(plan);
     limits.throttle_min = parameters.throttle_min_pct * 0.01f;
     limits.throttle_max = throttleMax_pct(plan.phase) * 0.01f;
     limits.throttle_cruise = cruiseThrottle(limits.throttle_max);
-    if (plan.phase == control::Phase::flare)
+    if (plan.phase == ::control::Phase::flare)
         limits.throttle_max =
             core::limit(flarePower() * limits.throttle_cruise, 0.0f, limits.throttle_max);
     limits.throttle_slew =
@@ -144,23 +151,24 @@ void shiftHeightFlown(float by_m) { speed_height.shift(by_m); }
 
 void waitWithHeight(const Plan& plan) {
     speed_height.start(measured(), 0, 0);
-    vehicle.pitch_demand_rad = plan.phase == control::Phase::climb_out ? plan.pitch_min_rad : 0;
+    vehicle.pitch_demand_rad = plan.phase == ::control::Phase::climb_out ? plan.pitch_min_rad : 0;
     vehicle.throttle_demand =
         parameters.suppressed_manual != 0 ? vehicle.radio.throttle_pct * 0.01f : 0;
 }
 
 void flyHeight(const Plan& plan) {
     const float true_speed = trueFromEquivalent();
-    const bool blind = failing(Cause::no_height) && plan.phase == control::Phase::cruise;
-    const control::SpeedHeightDemand demand = {
+    const bool blind = failing(Cause::no_height) && plan.phase == ::control::Phase::cruise;
+    const ::control::SpeedHeightDemand demand = {
         blind ? vehicle.estimate.height_m : plan.height.height_m, plan.height.climb_mps,
         nudged_mps(plan.airspeed_mps) * true_speed};
     const auto out =
         speed_height.run(parameters.speed_height, limits(plan, true_speed), demand, measured(),
-                         blind ? control::Phase::approach : plan.phase, kPeriod_s);
+                         blind ? ::control::Phase::approach : plan.phase, kPeriod_s);
     learnLevel();
     vehicle.pitch_demand_rad = blind ? blindPitch_rad() : core::Angle(out.pitch_rad);
     vehicle.throttle_demand = out.throttle;
 }
 
+}  // namespace guidance
 }  // namespace firmware

@@ -4,10 +4,12 @@
 #include "firmware/guidance/plan.hpp"
 
 namespace firmware {
+namespace guidance {
 
 void beginHeight();                     // taking over from whoever flew, without a step
 void flyHeight(const Plan& plan);       // 10 Hz
 void waitWithHeight(const Plan& plan);  // 10 Hz, instead: the motor stands
 void shiftHeightFlown(float by_m);      // all heights are measured from elsewhere
 
+}  // namespace guidance
 }  // namespace firmware

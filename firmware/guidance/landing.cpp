@@ -7,10 +7,14 @@
 #include "firmware/guidance/flights.hpp"
 #include "firmware/guidance/lateral.hpp"
 #include "firmware/guidance/steering.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace guidance {
+
+using namespace state;
+
 namespace {
 
 constexpr float kMostForHeadwind_mps = 3;
@@ -94,9 +98,9 @@ Plan flyLanding() {
     const float into_wind = intoWind(lateral);
     to_fly.height = height(lateral, speed_mps, into_wind);
     to_fly.airspeed_mps = approachSpeed_mps(to_fly.airspeed_mps, speed_mps);
-    to_fly.phase = control::Phase::approach;
+    to_fly.phase = ::control::Phase::approach;
     if (landing.flaring()) {
-        to_fly.phase = control::Phase::flare;
+        to_fly.phase = ::control::Phase::flare;
         to_fly.pitch_min_rad =
             core::radiansFromCentidegrees(parameters.land_pitch_cd) -
             kNoseDown_radpm * core::limit(heightAbovePoint_m(), 0.0f, kMostNoseDown_m);
@@ -108,4 +112,5 @@ Plan flyLanding() {
     return to_fly;
 }
 
+}  // namespace guidance
 }  // namespace firmware

@@ -5,10 +5,14 @@
 #include "core/rom.hpp"
 #include "estimation/arc.hpp"
 #include "firmware/guidance/bank.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace guidance {
+
+using namespace state;
+
 namespace {
 
 constexpr float kBankLoop_s = 0.1f;  // what servo and airframe add to RLL2SRV_TCONST
@@ -102,4 +106,5 @@ void lookAround() {
     core::romRead(kLooks[look])();
 }
 
+}  // namespace guidance
 }  // namespace firmware

@@ -5,6 +5,7 @@
 #include "navigation/l1.hpp"
 
 namespace firmware {
+namespace guidance {
 
 void beginLateral();  // taking over from whoever flew
 void planLateral();   // a new path
@@ -22,4 +23,5 @@ float legHeading_rad();
 void tellLateral(const navigation::Lateral& lateral, const geo::Offset& from_datum);
 void lookAround();  // 10 Hz: the bearings, and whether gains were changed
 
+}  // namespace guidance
 }  // namespace firmware

@@ -3,12 +3,17 @@
 
 #include "core/maths.hpp"
 #include "firmware/guidance/plan.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/telemetry/text.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "navigation/takeoff.hpp"
 
 namespace firmware {
+namespace guidance {
+
+using namespace notify;
+using namespace state;
+
 namespace {
 
 constexpr float kUnlaunchedHeight_m = 10;  // farther from home's height the airplane must fly
@@ -53,4 +58,5 @@ void waitForLaunch() {
         vehicle.progress.throttle_suppressed = false;
 }
 
+}  // namespace guidance
 }  // namespace firmware

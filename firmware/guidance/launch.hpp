@@ -4,9 +4,11 @@
 #pragma once
 
 namespace firmware {
+namespace guidance {
 
 void suppressThrottle();  // taking over: until proved to fly
 void beginLaunch();       // with a take-off
 void waitForLaunch();     // 20 Hz
 
+}  // namespace guidance
 }  // namespace firmware

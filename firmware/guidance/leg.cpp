@@ -2,9 +2,12 @@
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
 #include "firmware/guidance/lateral.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace guidance {
+
+using namespace state;
 
 Plan flyLeg() {
     const auto now = motion();
@@ -15,4 +18,5 @@ Plan flyLeg() {
     return to_fly;
 }
 
+}  // namespace guidance
 }  // namespace firmware

@@ -3,10 +3,14 @@
 
 #include "control/slew.hpp"
 #include "core/maths.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace guidance {
+
+using namespace state;
+
 namespace {
 
 // from_height_m is what moves, as long as there is a rate.
@@ -15,7 +19,7 @@ navigation::HeightDemand changingHeight() {
     if (demand.climb_rate_mps <= 0) return {demand.height_m, 0};
     const float before_m = demand.from_height_m;
     demand.from_height_m =
-        control::slewed(before_m, demand.height_m, demand.climb_rate_mps * kGuidancePeriod_s);
+        ::control::slewed(before_m, demand.height_m, demand.climb_rate_mps * kGuidancePeriod_s);
     return {demand.from_height_m, (demand.from_height_m - before_m) / kGuidancePeriod_s};
 }
 
@@ -41,8 +45,9 @@ void followSlope(Plan& plan, float length_m, float along_m, float along_mps) {
 }
 
 Plan levelPlan() {
-    return {changingHeight(), control::Phase::cruise,
+    return {changingHeight(), ::control::Phase::cruise,
             core::radiansFromCentidegrees(parameters.pitch_min_cd), vehicle.demand.airspeed_mps};
 }
 
+}  // namespace guidance
 }  // namespace firmware

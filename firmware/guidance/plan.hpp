@@ -5,12 +5,13 @@
 #include "navigation/slope.hpp"
 
 namespace firmware {
+namespace guidance {
 
 constexpr float kGuidancePeriod_s = 0.05f;  // 20 Hz
 
 struct Plan {
     navigation::HeightDemand height;
-    control::Phase phase;
+    ::control::Phase phase;
     float pitch_min_rad;
     float airspeed_mps;
 };
@@ -20,4 +21,5 @@ Plan levelPlan();
 // The demanded slope, where there is one, at a place along a way of this length.
 void followSlope(Plan& plan, float length_m, float along_m, float along_mps);
 
+}  // namespace guidance
 }  // namespace firmware

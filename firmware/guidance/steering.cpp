@@ -2,9 +2,13 @@
 #include "firmware/guidance/steering.hpp"
 
 #include "core/maths.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace guidance {
+
+using namespace state;
+
 namespace {
 
 constexpr float kPerRadian = 0.6f;
@@ -27,4 +31,5 @@ void steerTowards(float heading_rad) {
     steer(core::wrapPi(heading_rad - vehicle.attitude.yaw_rad));
 }
 
+}  // namespace guidance
 }  // namespace firmware

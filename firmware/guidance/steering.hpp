@@ -4,9 +4,11 @@
 #pragma once
 
 namespace firmware {
+namespace guidance {
 
 void steerNowhere();
 void steadyNose();                     // 20 Hz
 void steerTowards(float heading_rad);  // 20 Hz
 
+}  // namespace guidance
 }  // namespace firmware

@@ -5,10 +5,14 @@
 #include "firmware/guidance/flights.hpp"
 #include "firmware/guidance/lateral.hpp"
 #include "firmware/guidance/steering.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace guidance {
+
+using namespace state;
+
 namespace {
 
 constexpr float kRunway_m = 1.5f;  // the barometer is not more certain of the ground
@@ -39,9 +43,10 @@ Plan flyTakeoff() {
     demandBank(accel_mss, BankLimit::level);
     if (vehicle.estimate.height_m < kRunway_m) steadyNose();
     Plan to_fly = levelPlan();
-    to_fly.phase = control::Phase::climb_out;
+    to_fly.phase = ::control::Phase::climb_out;
     to_fly.pitch_min_rad = pitch_rad();
     return to_fly;
 }
 
+}  // namespace guidance
 }  // namespace firmware

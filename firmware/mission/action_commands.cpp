@@ -2,18 +2,25 @@
 // DO commands of the APM 2.0 set: done at once.
 #include <string.h>
 
-#include "firmware/camera.hpp"
-#include "firmware/fence.hpp"
-#include "firmware/home.hpp"
-#include "firmware/inverted.hpp"
+#include "firmware/actuators/camera.hpp"
+#include "firmware/actuators/relay.hpp"
+#include "firmware/control/inverted.hpp"
 #include "firmware/mission/events.hpp"
 #include "firmware/mission/handlers.hpp"
+#include "firmware/mission/home.hpp"
 #include "firmware/mission/speed.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/relay.hpp"
-#include "firmware/telemetry/text.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/safety/fence.hpp"
+#include "firmware/state/parameters.hpp"
 
 namespace firmware {
+namespace mission {
+
+using namespace notify;
+using namespace state;
+using namespace control;
+using namespace actuators;
+using namespace safety;
 
 Jump jumpCounted(const Record& record) { return {record.p1, static_cast<int16_t>(record.p3)}; }
 
@@ -71,4 +78,5 @@ void enableFence(const Record& record) { (void)fenceEnable(record.p1); }
 
 void flyInverted(const Record& record) { orderInverted(record.p1 != 0); }
 
+}  // namespace mission
 }  // namespace firmware

@@ -8,12 +8,16 @@
 #include "firmware/mission/handlers.hpp"
 
 namespace firmware {
+namespace mission {
+
+using namespace state;
+
 namespace {
 
 constexpr uint8_t kPairsPerCall = kRecordsPerCall / 2;
 
 struct {
-    mission::Sequencer::InFlight items;
+    ::mission::Sequencer::InFlight items;
     uint8_t at;
     uint8_t runs_left;  // the NAV, the first run, the second
 } compare;
@@ -21,7 +25,7 @@ struct {
 // The next run; false: there is none.
 bool nextRun() {
     --compare.runs_left;
-    const bool apm1 = missionSet() == mission::Set::apm1;
+    const bool apm1 = missionSet() == ::mission::Set::apm1;
     if (compare.runs_left == 2) {
         compare.at = compare.items.first;
         return true;
@@ -37,9 +41,9 @@ struct Side {
 };
 
 bool isNav(const uint8_t* bytes, uint8_t count) {
-    const Record record = mission::unpack(missionSet(), bytes);
+    const Record record = ::mission::unpack(missionSet(), bytes);
     const uint8_t row = kCommandTable.find(missionSet(), record.id);
-    return row != mission::kNoRow && kCommandTable.kind(row) == mission::Class::nav &&
+    return row != ::mission::kNoRow && kCommandTable.kind(row) == ::mission::Class::nav &&
            kCommandTable.valid(row, record, {compare.at, count}) == 0;
 }
 
@@ -49,7 +53,7 @@ core::Status look(ReadRecord read, uint8_t count, Side& side) {
     if (side.over) return core::Status::ok;
     const core::Status status = read(compare.at, side.record);
     if (status == core::Status::ok)
-        side.over = compare.runs_left != 3 && missionSet() == mission::Set::apm1 &&
+        side.over = compare.runs_left != 3 && missionSet() == ::mission::Set::apm1 &&
                     isNav(side.record, count);
     return status;
 }
@@ -70,7 +74,7 @@ core::Status comparePair(bool& same, bool& ends) {
     ends = now.over;
     if (!same || ends) return core::Status::ok;
     same = memcmp(now.record, before.record, sizeof now.record) == 0;
-    const bool to_nav = missionSet() == mission::Set::apm2 && !compare.items.to_end;
+    const bool to_nav = missionSet() == ::mission::Set::apm2 && !compare.items.to_end;
     ends = compare.runs_left == 3 || (to_nav && compare.at == compare.items.nav);
     ++compare.at;
     return core::Status::ok;
@@ -96,4 +100,5 @@ core::Status compareStep(bool& same) {
     return compare.runs_left == 0 ? core::Status::ok : core::Status::busy;
 }
 
+}  // namespace mission
 }  // namespace firmware

@@ -7,24 +7,26 @@
 #include "firmware/mission/item.hpp"
 
 namespace firmware {
+namespace mission {
+
 namespace {
 
-using mission::action;
-using mission::beyond;
-using mission::condition;
-using mission::jump;
-using mission::nav;
+using ::mission::action;
+using ::mission::beyond;
+using ::mission::condition;
+using ::mission::jump;
+using ::mission::nav;
 using F = Form;
-constexpr uint8_t none = mission::kNoId;
-constexpr uint8_t kPlaced = mission::kPlaced;
-constexpr uint8_t kEndsNowhere = mission::kEndsNowhere;
-constexpr uint8_t kEndsFlight = mission::kEndsFlight;
-constexpr uint8_t kTakeoff = mission::kEndsNowhere | mission::kBeginsFlight;
+constexpr uint8_t none = ::mission::kNoId;
+constexpr uint8_t kPlaced = ::mission::kPlaced;
+constexpr uint8_t kEndsNowhere = ::mission::kEndsNowhere;
+constexpr uint8_t kEndsFlight = ::mission::kEndsFlight;
+constexpr uint8_t kTakeoff = ::mission::kEndsNowhere | ::mission::kBeginsFlight;
 
 // Names are for people: no image of the board holds them.
 struct Named {
     char name[20];
-    mission::Row row;
+    ::mission::Row row;
 };
 
 // clang-format off
@@ -89,7 +91,7 @@ constexpr Named kNamed[] ROM = {
 
 constexpr uint8_t kCount = core::count(kNamed);
 struct Rows {
-    mission::Row row[kCount];
+    ::mission::Row row[kCount];
 };
 constexpr Rows withoutNames() {
     Rows rows{};
@@ -98,20 +100,23 @@ constexpr Rows withoutNames() {
 }
 constexpr Rows kRows ROM = withoutNames();
 
-static_assert(mission::idsAreUnique(kRows.row), "two rows of a set answer to the same id");
-static_assert(mission::traitsMakeSense(kRows.row), "a row has a trait that its class cannot have");
-static_assert(mission::idsIn(kRows.row, mission::Set::apm1, 0) == kApm1Commands,
+static_assert(::mission::idsAreUnique(kRows.row), "two rows of a set answer to the same id");
+static_assert(::mission::traitsMakeSense(kRows.row),
+              "a row has a trait that its class cannot have");
+static_assert(::mission::idsIn(kRows.row, ::mission::Set::apm1, 0) == kApm1Commands,
               "APM 1.0: a row is missing");
-static_assert(mission::idsIn(kRows.row, mission::Set::apm2, 0) == kApm2Commands,
+static_assert(::mission::idsIn(kRows.row, ::mission::Set::apm2, 0) == kApm2Commands,
               "APM 2.0: a row is missing");
-static_assert(mission::idsIn(kRows.row, mission::Set::apm2, mission::kBeyond) == kBeyondCommands &&
-                  mission::idsIn(kRows.row, mission::Set::apm1, mission::kBeyond) == 0,
+static_assert(::mission::idsIn(kRows.row, ::mission::Set::apm2, ::mission::kBeyond) ==
+                      kBeyondCommands &&
+                  ::mission::idsIn(kRows.row, ::mission::Set::apm1, ::mission::kBeyond) == 0,
               "beyond the documents: a row is missing");
 
 }  // namespace
 
-const mission::Table kCommandTable = {kRows.row, kCount};
+const ::mission::Table kCommandTable = {kRows.row, kCount};
 
 const char* commandName(uint8_t row) { return kNamed[row].name; }
 
+}  // namespace mission
 }  // namespace firmware

@@ -2,10 +2,14 @@
 // CONDITIONs: what the commands behind them wait for.
 #include "core/maths.hpp"
 #include "firmware/mission/handlers.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
+namespace mission {
+
+using namespace state;
+
 namespace {
 
 uint32_t since_ms;
@@ -72,4 +76,5 @@ Progress distanceDone(const Record& record) {
                                                                        : Progress::running;
 }
 
+}  // namespace mission
 }  // namespace firmware

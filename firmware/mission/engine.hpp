@@ -2,17 +2,18 @@
 // The parts of firmware/mission/ as they see one another: the engine and the store behind it.
 #pragma once
 #include "firmware/mission/mission.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "mission/sequencer.hpp"
 #include "storage/mission_store.hpp"
 
 namespace firmware {
+namespace mission {
 
 extern storage::MissionStore mission_store;
-extern mission::Sequencer mission_engine;
+extern ::mission::Sequencer mission_engine;
 
 // The set of the stored mission; of an empty one, MIS_SET.
-mission::Set missionSet();
+::mission::Set missionSet();
 
 bool missionReady();     // the stored one has been found and checked
 bool missionStorable();  // the EEPROM is ours
@@ -32,10 +33,11 @@ struct Survey {
     uint8_t counters;           // jumps that need one
     uint8_t land_start, mount;  // the first of them; 0: none
 };
-void surveyRecord(Survey& survey, mission::Set set, const uint8_t* bytes, mission::Site at);
+void surveyRecord(Survey& survey, ::mission::Set set, const uint8_t* bytes, ::mission::Site at);
 using ReadRecord = core::Status (*)(uint8_t index, uint8_t* to);
-MUST_USE core::Status surveyStep(Survey& survey, mission::Set set, uint8_t count, ReadRecord read);
-void tellWarnings(const Survey& survey, mission::Set set, uint8_t count);
+MUST_USE core::Status surveyStep(Survey& survey, ::mission::Set set, uint8_t count,
+                                 ReadRecord read);
+void tellWarnings(const Survey& survey, ::mission::Set set, uint8_t count);
 
 // ---- change.cpp: whether what is in flight is the same in the mission just committed
 void compareBegin();
@@ -55,6 +57,7 @@ bool missionCompared();        // then until it is true
 extern Survey mission_survey;  // of the present mission
 
 // Leaves AUTO for this mode once the pass that runs is over.
-void wishMode(Mode mode);
+void wishMode(state::Mode mode);
 
+}  // namespace mission
 }  // namespace firmware

@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/mission/events.hpp"
 
-#include "firmware/camera.hpp"
-#include "firmware/flaps.hpp"
-#include "firmware/inverted.hpp"
+#include "firmware/actuators/camera.hpp"
+#include "firmware/actuators/flaps.hpp"
+#include "firmware/actuators/outputs.hpp"
+#include "firmware/actuators/relay.hpp"
+#include "firmware/control/inverted.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
-#include "firmware/outputs.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/relay.hpp"
-#include "firmware/telemetry/text.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace mission {
+
+using namespace notify;
+using namespace state;
+using namespace control;
+using namespace actuators;
+
 namespace {
 
 constexpr uint8_t kTicks = 10;  // a second's
@@ -137,4 +144,5 @@ void runEvents() {
     }
 }
 
+}  // namespace mission
 }  // namespace firmware

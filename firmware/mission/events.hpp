@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 namespace firmware {
+namespace mission {
 
 constexpr uint8_t kRelayOutput = 9;  // 1..8 are the servo outputs
 
@@ -24,4 +25,5 @@ bool eventRuns();
 
 void runEvents();  // 10 Hz
 
+}  // namespace mission
 }  // namespace firmware

@@ -7,9 +7,11 @@
 #include "core/rom.hpp"
 
 namespace firmware {
+namespace mission {
+
 namespace {
 
-using mission::Record;
+using ::mission::Record;
 
 // One unit of the stored byte is 10 s.
 MissionResult encodeTime(const float* parameter, Record& record, Notes& notes) {
@@ -116,4 +118,5 @@ static_assert(core::count(kFormRows) == FormOf::kForms, "a form has no row");
 
 FormRow formRow(uint8_t form) { return core::romRead(kFormRows[form]); }
 
+}  // namespace mission
 }  // namespace firmware

@@ -6,6 +6,7 @@
 #include "firmware/mission/item.hpp"
 
 namespace firmware {
+namespace mission {
 
 constexpr MissionResult kFine = MissionResult::accepted;
 constexpr MissionResult wrong(uint8_t parameter) {
@@ -22,8 +23,8 @@ enum Part : uint8_t {
 };
 
 // For fields that need more than rounding. parameter[1] .. parameter[4]; unset ones are NaN.
-using EncodeSpecial = MissionResult (*)(const float* parameter, mission::Record&, Notes&);
-using DecodeSpecial = void (*)(const mission::Record&, float* parameter);
+using EncodeSpecial = MissionResult (*)(const float* parameter, ::mission::Record&, Notes&);
+using DecodeSpecial = void (*)(const ::mission::Record&, float* parameter);
 
 struct FormRow {
     uint8_t from[4];  // which of param1..4 is p1 .. p4; 0: none, or the special has it
@@ -43,4 +44,5 @@ inline void noteRounding(float value, float stored, Notes& notes) {
 
 FormRow formRow(uint8_t form);
 
+}  // namespace mission
 }  // namespace firmware

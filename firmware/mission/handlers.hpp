@@ -7,12 +7,13 @@
 #include "mission/command_table.hpp"
 
 namespace firmware {
+namespace mission {
 
-using mission::Entry;
-using mission::Jump;
-using mission::Progress;
-using mission::Record;
-using mission::Site;
+using ::mission::Entry;
+using ::mission::Jump;
+using ::mission::Progress;
+using ::mission::Record;
+using ::mission::Site;
 
 // ---- ranges.cpp: 0 or a MissionResult
 uint8_t anything(const Record&, Site);
@@ -144,4 +145,5 @@ void tellVariables();  // sends what could not be sent at once
 // Above home, whatever the record's altitude is measured from.
 float heightOf_m(const Record&);
 
+}  // namespace mission
 }  // namespace firmware

@@ -6,13 +6,17 @@
 #include "core/maths.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/forms.hpp"
-#include "firmware/parameters.hpp"
+#include "firmware/state/parameters.hpp"
 
 namespace firmware {
+namespace mission {
+
+using namespace state;
+
 namespace {
 
-using mission::Record;
-using mission::Set;
+using ::mission::Record;
+using ::mission::Set;
 
 // https://mavlink.io/en/messages/common.html#MAV_FRAME
 enum Frame : uint8_t {
@@ -70,7 +74,7 @@ bool knownFrame(uint8_t frame) {
 
 // Does not fit: the answer names the parameter that p2 came from.
 MissionResult layoutHolds(Set set, const Record& record, const FormRow& form) {
-    if (mission::fits(set, record)) return kFine;
+    if (::mission::fits(set, record)) return kFine;
     if ((form.parts & kAltitude) != 0) return wrong(7);
     return form.from[1] != 0 ? wrong(form.from[1]) : MissionResult::invalid;
 }
@@ -85,7 +89,7 @@ MissionResult encodeDirection(const float* parameter, uint8_t radius, Record& re
                               Notes& notes) {
     const float radius_m = orZero(parameter[radius]);
     if (!isfinite(radius_m)) return wrong(radius);
-    if (radius_m < 0) record.options |= mission::kCounterClockwise;
+    if (radius_m < 0) record.options |= ::mission::kCounterClockwise;
     if (fabsf(radius_m) > 1) notes.dropped = true;
     return kFine;
 }
@@ -134,7 +138,7 @@ MissionResult encodeApm1(const float* parameter, uint8_t fields, Record& record)
     return kFine;
 }
 
-bool isNav(uint8_t row) { return kCommandTable.kind(row) == mission::Class::nav; }
+bool isNav(uint8_t row) { return kCommandTable.kind(row) == ::mission::Class::nav; }
 
 FormRow formOf(Set set, uint8_t row) {
     FormRow form = formRow(kCommandTable.form(row));
@@ -144,12 +148,12 @@ FormRow formOf(Set set, uint8_t row) {
 
 }  // namespace
 
-MissionResult encodeItem(Set set, mission::Site site, const MissionItem& item, Record& record,
+MissionResult encodeItem(Set set, ::mission::Site site, const MissionItem& item, Record& record,
                          Notes& notes) {
     const uint8_t row = item.command > 0xFF
-                            ? mission::kNoRow
+                            ? ::mission::kNoRow
                             : kCommandTable.find(set, static_cast<uint8_t>(item.command));
-    if (row == mission::kNoRow) return MissionResult::unsupported;
+    if (row == ::mission::kNoRow) return MissionResult::unsupported;
     if (!knownFrame(item.frame)) return MissionResult::unsupported_frame;
     const bool relative = relativeFrame(item.frame);
     const FormRow form = formOf(set, row);
@@ -158,7 +162,7 @@ MissionResult encodeItem(Set set, mission::Site site, const MissionItem& item, R
     const float parameter[] = {0, item.param1, item.param2, item.param3, item.param4};
     MissionResult result;
     if (set == Set::apm2) {
-        if (relative) record.options = mission::kRelativeAltitude;
+        if (relative) record.options = ::mission::kRelativeAltitude;
         result = encodeApm2(item, parameter, form, record, notes);
     } else {
         // home lies above the sea
@@ -188,8 +192,8 @@ uint8_t frameOf(Set set, uint8_t row, const Record& record, uint8_t index, uint8
             return parameters.altitude_absolute != 0 ? kGlobal : kGlobalRelative;
         return parts == kPlace ? kGlobal : kMission;
     }
-    if ((record.options & mission::kAboveTerrain) != 0) return kGlobalTerrain;
-    if ((record.options & mission::kRelativeAltitude) != 0) return kGlobalRelative;
+    if ((record.options & ::mission::kAboveTerrain) != 0) return kGlobalTerrain;
+    if ((record.options & ::mission::kRelativeAltitude) != 0) return kGlobalRelative;
     return (parts & kAltitude) != 0 ? kGlobal : kMission;
 }
 
@@ -200,7 +204,7 @@ void decodeItem(Set set, uint8_t index, const Record& record, MissionItem& item)
     item.command = record.id;
     item.frame = kMission;
     const uint8_t row = kCommandTable.find(set, record.id);
-    if (row == mission::kNoRow) return;
+    if (row == ::mission::kNoRow) return;
     const FormRow form = formOf(set, row);
     item.frame = frameOf(set, row, record, index, form.parts);
     float parameter[5] = {};
@@ -212,7 +216,7 @@ void decodeItem(Set set, uint8_t index, const Record& record, MissionItem& item)
         for (uint8_t i = 0; i < 4; ++i)
             if (form.from[i] != 0) parameter[form.from[i]] = static_cast<float>(field(record, i));
         const uint8_t radius = radiusIn(form.parts);
-        if (radius != 0 && (record.options & mission::kCounterClockwise) != 0)
+        if (radius != 0 && (record.options & ::mission::kCounterClockwise) != 0)
             parameter[radius] = -1;
         if ((form.parts & kNumberInAltitude) != 0) item.z = record.p1;
         if (form.decode != nullptr) form.decode(record, parameter);
@@ -228,4 +232,5 @@ void decodeItem(Set set, uint8_t index, const Record& record, MissionItem& item)
     }
 }
 
+}  // namespace mission
 }  // namespace firmware

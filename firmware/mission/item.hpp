@@ -6,6 +6,7 @@
 #include "mission/command_table.hpp"
 
 namespace firmware {
+namespace mission {
 
 // How the parameters of an APM 2.0 command stand in an item. (APM 1.0 commands all travel alike.)
 namespace FormOf {
@@ -41,8 +42,10 @@ struct Notes {     // what the ground should be told once an upload
     bool dropped;  // a parameter has no field, or was not needed
 };
 
-MissionResult encodeItem(mission::Set set, mission::Site site, const MissionItem& item,
-                         mission::Record& record, Notes& notes);
-void decodeItem(mission::Set set, uint8_t index, const mission::Record& record, MissionItem& item);
+MissionResult encodeItem(::mission::Set set, ::mission::Site site, const MissionItem& item,
+                         ::mission::Record& record, Notes& notes);
+void decodeItem(::mission::Set set, uint8_t index, const ::mission::Record& record,
+                MissionItem& item);
 
+}  // namespace mission
 }  // namespace firmware

@@ -4,11 +4,17 @@
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
-#include "firmware/modes.hpp"
-#include "firmware/telemetry/text.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace mission {
+
+using namespace notify;
+using namespace state;
+using namespace modes;
+
 namespace {
 
 constexpr uint8_t kLandStart = 0xBD;
@@ -97,13 +103,14 @@ void stepLanding() {
     if (other || vehicle.mode != search.mode) search.next = 0;
     for (uint8_t n = 0; n < kRecordsPerCall && search.next != 0; ++n) {
         const Site site = {search.next, mission_store.count()};
-        uint8_t bytes[mission::kRecordSize];
+        uint8_t bytes[::mission::kRecordSize];
         if (mission_store.read(site.index, bytes) != core::Status::ok) return;
-        look(mission::unpack(missionSet(), bytes), site);
+        look(::mission::unpack(missionSet(), bytes), site);
         if (++search.next < site.count) continue;
         search.next = 0;
         goThere();
     }
 }
 
+}  // namespace mission
 }  // namespace firmware

@@ -2,12 +2,17 @@
 #include "firmware/mission/lists.hpp"
 
 #include "core/rom.hpp"
-#include "firmware/fence_line.hpp"
 #include "firmware/mission/engine.hpp"
-#include "firmware/telemetry/text.hpp"
+#include "firmware/mission/fence_line.hpp"
+#include "firmware/notify/status_text.hpp"
 #include "hal/page_flash.hpp"
 
 namespace firmware {
+namespace mission {
+
+using namespace notify;
+using namespace state;
+
 namespace {
 
 using core::Status;
@@ -134,4 +139,5 @@ MissionResult listClear(ListKind kind, uint8_t set) {
     return result;
 }
 
+}  // namespace mission
 }  // namespace firmware

@@ -9,6 +9,7 @@
 #include "storage/lists.hpp"
 
 namespace firmware {
+namespace mission {
 
 using storage::ListKind;
 
@@ -35,4 +36,5 @@ MissionResult listClear(ListKind kind, uint8_t set);  // until it is not busy
 bool listStaging(ListKind kind);  // begun and not yet committed
 uint8_t listSet(ListKind kind);
 
+}  // namespace mission
 }  // namespace firmware

@@ -2,29 +2,39 @@
 // The engine among the rest of the firmware: boot, AUTO, what its events mean.
 #include "firmware/mission/mission.hpp"
 
-#include "firmware/camera.hpp"
-#include "firmware/failsafe/failsafe.hpp"
-#include "firmware/inverted.hpp"
-#include "firmware/log/log.hpp"
+#include "firmware/actuators/camera.hpp"
+#include "firmware/control/inverted.hpp"
+#include "firmware/logger/log.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/events.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/speed.hpp"
-#include "firmware/modes.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/restart/restart.hpp"
-#include "firmware/telemetry/text.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/safety/failsafe.hpp"
+#include "firmware/safety/restart.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
 #include "hal/mark.hpp"
 #include "storage/index_store.hpp"
 #include "storage/owner.hpp"
 
 namespace firmware {
+namespace mission {
 
-static_assert(storage::kRecordSlots <= mission::kMostItems, "the engine has too few jump bits");
-static_assert(storage::kRecordSize == mission::kRecordSize, "a slot holds a record");
+using namespace notify;
+using namespace state;
+using namespace sensors;
+using namespace control;
+using namespace actuators;
+using namespace modes;
+using namespace safety;
+using namespace logger;
+
+static_assert(storage::kRecordSlots <= ::mission::kMostItems, "the engine has too few jump bits");
+static_assert(storage::kRecordSize == ::mission::kRecordSize, "a slot holds a record");
 
 storage::MissionStore mission_store;
 Survey mission_survey;
@@ -32,7 +42,7 @@ Survey mission_survey;
 namespace {
 
 using core::Status;
-using mission::Event;
+using ::mission::Event;
 
 enum class Boot : uint8_t { owner, store, index, survey, done, foreign };
 Boot boot = Boot::owner;
@@ -131,10 +141,10 @@ bool enough() {
     return static_cast<uint16_t>(hal::ticks() - poll_began) > kLongest;
 }
 
-constexpr mission::Host kHost ROM = {readRecord, countRecords, onEvent, here, enough};
+constexpr ::mission::Host kHost ROM = {readRecord, countRecords, onEvent, here, enough};
 
 // Left alone by a watchdog or brown-out reset; the engine's seal tells whether it still holds.
-mission::Memory memory __attribute__((section(".noinit")));
+::mission::Memory memory __attribute__((section(".noinit")));
 
 Status findStoredMission() {
     storage::Owner owner;
@@ -204,12 +214,12 @@ void background(bool there_is_time) {
 
 }  // namespace
 
-mission::Sequencer mission_engine(kCommandTable, kHost, memory);
+::mission::Sequencer mission_engine(kCommandTable, kHost, memory);
 
-mission::Set missionSet() {
+::mission::Set missionSet() {
     const uint8_t set = mission_store.set() != 0 ? mission_store.set()
                                                  : static_cast<uint8_t>(parameters.mission_set);
-    return static_cast<mission::Set>(set);
+    return static_cast<::mission::Set>(set);
 }
 
 namespace {
@@ -259,7 +269,7 @@ void missionRun() {
         }
     }
     if (vehicle.mode == Mode::guided) stepSpeed();
-    background(records <= mission::kRecordsPerPoll - kRecordsPerCall);
+    background(records <= ::mission::kRecordsPerPoll - kRecordsPerCall);
     grantModeWish();
 }
 
@@ -303,4 +313,5 @@ bool takeReached(uint16_t& index) {
     return true;
 }
 
+}  // namespace mission
 }  // namespace firmware

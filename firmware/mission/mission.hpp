@@ -9,6 +9,7 @@
 #include "core/status.hpp"
 
 namespace firmware {
+namespace mission {
 
 // One item in MAVLink's terms (MISSION_ITEM_INT); NaN in a parameter means "not given".
 struct MissionItem {
@@ -80,4 +81,5 @@ MissionResult missionAct(const MissionItem& item);
 bool radioSilenced();
 void radioHeard();
 
+}  // namespace mission
 }  // namespace firmware

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // NAV: what the airplane flies to. A start writes vehicle.demand, a check reads vehicle.progress.
 #include "core/maths.hpp"
-#include "firmware/arming.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
+#include "firmware/mission/rally.hpp"
 #include "firmware/mission/speed.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/rally.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/safety/arming.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
+namespace mission {
+
+using namespace notify;
+using namespace state;
+using namespace safety;
+
 namespace {
 
 struct Place {
@@ -45,8 +51,9 @@ float loiterRadius_m() {
 }
 
 bool counterClockwise(const Record& record) {
-    return missionSet() == mission::Set::apm1 ? parameters.loiter_radius_m < 0
-                                              : (record.options & mission::kCounterClockwise) != 0;
+    return missionSet() == ::mission::Set::apm1
+               ? parameters.loiter_radius_m < 0
+               : (record.options & ::mission::kCounterClockwise) != 0;
 }
 
 // A climb near the ground is not put off, and a small step is flown at once.
@@ -98,9 +105,9 @@ bool onCircle() {
 }  // namespace
 
 float heightOf_m(const Record& record) {
-    const bool relative = missionSet() == mission::Set::apm1
+    const bool relative = missionSet() == ::mission::Set::apm1
                               ? parameters.altitude_absolute == 0
-                              : (record.options & mission::kRelativeAltitude) != 0;
+                              : (record.options & ::mission::kRelativeAltitude) != 0;
     const int32_t zero_cm = relative ? 0 : vehicle.home.altitude_cm;
     return static_cast<float>(record.p2 - zero_cm) * 0.01f;
 }
@@ -296,4 +303,5 @@ Progress toHeightDone(const Record& record) {
     return done(record.p1 == 0 || headsForNext());
 }
 
+}  // namespace mission
 }  // namespace firmware

@@ -5,16 +5,18 @@
 #include "firmware/mission/mission.hpp"
 
 namespace firmware {
+namespace mission {
 
 MissionResult missionAct(const MissionItem& item) {
-    mission::Record record;
+    ::mission::Record record;
     Notes notes;
-    const MissionResult result = encodeItem(mission::Set::apm2, {1, 2}, item, record, notes);
+    const MissionResult result = encodeItem(::mission::Set::apm2, {1, 2}, item, record, notes);
     if (result != MissionResult::accepted) return result;
-    const uint8_t row = kCommandTable.find(mission::Set::apm2, record.id);
-    if (kCommandTable.kind(row) != mission::Class::action) return MissionResult::unsupported;
+    const uint8_t row = kCommandTable.find(::mission::Set::apm2, record.id);
+    if (kCommandTable.kind(row) != ::mission::Class::action) return MissionResult::unsupported;
     core::romRead(kCommandTable.rows[row].act)(record);
     return result;
 }
 
+}  // namespace mission
 }  // namespace firmware

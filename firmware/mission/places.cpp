@@ -5,6 +5,10 @@
 #include "firmware/mission/handlers.hpp"
 
 namespace firmware {
+namespace mission {
+
+using namespace state;
+
 namespace {
 
 using core::Status;
@@ -16,9 +20,9 @@ struct {
 
 uint8_t rowOfNav(const Record& record, Site site) {
     const uint8_t row = kCommandTable.find(missionSet(), record.id);
-    const bool nav = row != mission::kNoRow && kCommandTable.kind(row) == mission::Class::nav &&
+    const bool nav = row != ::mission::kNoRow && kCommandTable.kind(row) == ::mission::Class::nav &&
                      kCommandTable.valid(row, record, site) == 0;
-    return nav ? row : mission::kNoRow;
+    return nav ? row : ::mission::kNoRow;
 }
 
 }  // namespace
@@ -26,13 +30,13 @@ uint8_t rowOfNav(const Record& record, Site site) {
 bool placeOfNav(const Record& record, Site site, geo::Position& place) {
     constexpr uint8_t kReturn = 0x14;
     const uint8_t row = rowOfNav(record, site);
-    if (row == mission::kNoRow) return false;
+    if (row == ::mission::kNoRow) return false;
     if (record.id == kReturn) {
         place = vehicle.home.position;
         return vehicle.home.set;
     }
     place = {record.p3, record.p4};
-    return (kCommandTable.traits(row) & mission::kPlaced) != 0 &&
+    return (kCommandTable.traits(row) & ::mission::kPlaced) != 0 &&
            (record.p3 != 0 || record.p4 != 0);
 }
 
@@ -43,14 +47,15 @@ Status nextPlace(geo::Position& place) {
     for (uint8_t n = 0; n < kRecordsPerCall; ++n, ++next.at) {
         const Site site = {next.at, mission_store.count()};
         if (site.index >= site.count) return Status::bad_argument;
-        uint8_t bytes[mission::kRecordSize];
+        uint8_t bytes[::mission::kRecordSize];
         const Status status = mission_store.read(site.index, bytes);
         if (status != Status::ok) return status;
-        const Record record = mission::unpack(missionSet(), bytes);
-        if (rowOfNav(record, site) == mission::kNoRow) continue;
+        const Record record = ::mission::unpack(missionSet(), bytes);
+        if (rowOfNav(record, site) == ::mission::kNoRow) continue;
         return placeOfNav(record, site, place) ? Status::ok : Status::bad_argument;
     }
     return Status::busy;
 }
 
+}  // namespace mission
 }  // namespace firmware

@@ -5,10 +5,15 @@
 
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/mission.hpp"
-#include "firmware/modes.hpp"
-#include "firmware/parameters.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/state/parameters.hpp"
 
 namespace firmware {
+namespace mission {
+
+using namespace state;
+using namespace modes;
+
 namespace {
 
 constexpr uint8_t kFine = 0;
@@ -46,7 +51,7 @@ uint8_t slotTakes(uint8_t slot, float value) {
 uint8_t anything(const Record&, Site) { return kFine; }
 
 uint8_t placeInRange(const Record& record, Site) {
-    if ((record.options & mission::kAboveTerrain) != 0)
+    if ((record.options & ::mission::kAboveTerrain) != 0)
         return static_cast<uint8_t>(MissionResult::unsupported_frame);
     if (!within(record.p3, -900000000, 900000000)) return wrong(5);
     return within(record.p4, -1800000000, 1800000000) ? kFine : wrong(6);
@@ -66,7 +71,7 @@ uint8_t delayInRange(const Record& record, Site) {
 
 uint8_t changeAltitudeInRange(const Record& record, Site) {
     constexpr int32_t kSlowest_cms = 11, kFastest_cms = 10000;
-    if ((record.options & mission::kAboveTerrain) != 0)
+    if ((record.options & ::mission::kAboveTerrain) != 0)
         return static_cast<uint8_t>(MissionResult::unsupported_frame);
     return within(climbRate_cms(record), kSlowest_cms, kFastest_cms) ? kFine : wrong(1);
 }
@@ -75,7 +80,8 @@ uint8_t distanceInRange(const Record& record, Site) { return record.p3 >= 0 ? kF
 
 uint8_t jumpInRange(const Record& record, Site site) {
     if (record.p1 == 0 || record.p1 >= site.count || record.p1 == site.index) return wrong(1);
-    return record.p3 == mission::kForEver || within(record.p3, 1, kMostRepeats) ? kFine : wrong(2);
+    return record.p3 == ::mission::kForEver || within(record.p3, 1, kMostRepeats) ? kFine
+                                                                                  : wrong(2);
 }
 
 uint8_t changeSpeedInRange(const Record& record, Site) {
@@ -207,4 +213,5 @@ uint8_t pulseInRange(const Record& record, Site) {
     return within(record.p2, 0, 2000) ? kFine : wrong(2);
 }
 
+}  // namespace mission
 }  // namespace firmware

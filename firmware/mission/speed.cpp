@@ -2,10 +2,14 @@
 #include "firmware/mission/speed.hpp"
 
 #include "core/maths.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace mission {
+
+using namespace state;
+
 namespace {
 
 constexpr float kStep_s = 0.1f;
@@ -59,4 +63,5 @@ void stepSpeed() {
                              static_cast<float>(parameters.speed_max_mps));
 }
 
+}  // namespace mission
 }  // namespace firmware

@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 namespace firmware {
+namespace mission {
 
 void resetSpeed();
 void setAirSpeed(int32_t speed_cms);
@@ -13,4 +14,5 @@ void setCruiseThrottle(int8_t throttle_pct);
 void demandSpeed();  // into vehicle.demand
 void stepSpeed();    // 10 Hz in AUTO: follows a demanded ground speed
 
+}  // namespace mission
 }  // namespace firmware

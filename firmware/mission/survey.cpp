@@ -2,34 +2,39 @@
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/telemetry/text.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/state/parameters.hpp"
 
 namespace firmware {
+namespace mission {
 
-void surveyRecord(Survey& survey, mission::Set set, const uint8_t* bytes, mission::Site at) {
+using namespace notify;
+using namespace state;
+
+void surveyRecord(Survey& survey, ::mission::Set set, const uint8_t* bytes, ::mission::Site at) {
     if (at.index == 0) return;  // home
-    const Record record = mission::unpack(set, bytes);
+    const Record record = ::mission::unpack(set, bytes);
     const uint8_t row = kCommandTable.find(set, record.id);
-    if (row == mission::kNoRow || kCommandTable.valid(row, record, at) != 0) return;
+    if (row == ::mission::kNoRow || kCommandTable.valid(row, record, at) != 0) return;
     constexpr uint8_t kLandStart = 0xBD, kInterest = 0xC9, kMount = 0xCD;
-    if (set == mission::Set::apm2) {
+    if (set == ::mission::Set::apm2) {
         if (record.id == kLandStart && survey.land_start == 0) survey.land_start = at.index;
         if ((record.id == kInterest || record.id == kMount) && survey.mount == 0)
             survey.mount = at.index;
     }
-    const mission::Class kind = kCommandTable.kind(row);
-    if (kind == mission::Class::nav) {
+    const ::mission::Class kind = kCommandTable.kind(row);
+    if (kind == ::mission::Class::nav) {
         if (survey.first_nav == 0) survey.first_nav = at.index;
         survey.last_nav = at.index;
     }
-    if (set == mission::Set::apm2 && kind == mission::Class::jump && record.p3 != mission::kForEver)
+    if (set == ::mission::Set::apm2 && kind == ::mission::Class::jump &&
+        record.p3 != ::mission::kForEver)
         ++survey.counters;
 }
 
-core::Status surveyStep(Survey& survey, mission::Set set, uint8_t count, ReadRecord read) {
+core::Status surveyStep(Survey& survey, ::mission::Set set, uint8_t count, ReadRecord read) {
     for (uint8_t n = 0; n < kRecordsPerCall && survey.next < count; ++n, ++survey.next) {
-        uint8_t bytes[mission::kRecordSize];
+        uint8_t bytes[::mission::kRecordSize];
         const core::Status status = read(survey.next, bytes);
         if (status != core::Status::ok) return status;
         surveyRecord(survey, set, bytes, {survey.next, count});
@@ -37,18 +42,19 @@ core::Status surveyStep(Survey& survey, mission::Set set, uint8_t count, ReadRec
     return survey.next >= count ? core::Status::ok : core::Status::busy;
 }
 
-void tellWarnings(const Survey& survey, mission::Set set, uint8_t count) {
+void tellWarnings(const Survey& survey, ::mission::Set set, uint8_t count) {
     if (count < 2) return;
     if (survey.mount != 0)
         tell(Severity::warning, ROM_TEXT("Mission: no mount for item #"), survey.mount);
     if (survey.first_nav == 0)
         tell(Severity::warning, ROM_TEXT("Mission has no NAV command"));
-    else if (set == mission::Set::apm1 && survey.first_nav > 1)
+    else if (set == ::mission::Set::apm1 && survey.first_nav > 1)
         tell(Severity::warning, ROM_TEXT("Mission: nothing before item # is run"),
              survey.first_nav);
-    else if (set == mission::Set::apm2 && survey.last_nav + 1 < count &&
+    else if (set == ::mission::Set::apm2 && survey.last_nav + 1 < count &&
              parameters.mission_trailing == 0)
         tell(Severity::warning, ROM_TEXT("Mission: nothing after item # is run"), survey.last_nav);
 }
 
+}  // namespace mission
 }  // namespace firmware

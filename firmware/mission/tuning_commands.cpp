@@ -1,21 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The level 3 commands that only the APM 1.0 set has.
-#include "firmware/home.hpp"
-#include "firmware/log/log.hpp"
+#include "firmware/actuators/relay.hpp"
+#include "firmware/gcs/link.hpp"
+#include "firmware/gcs/parameter_transfer.hpp"
+#include "firmware/logger/log.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/events.hpp"
 #include "firmware/mission/handlers.hpp"
+#include "firmware/mission/home.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/mission/speed.hpp"
-#include "firmware/modes.hpp"
-#include "firmware/parameter_slots.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/relay.hpp"
-#include "firmware/telemetry/link.hpp"
-#include "firmware/telemetry/parameter_transfer.hpp"
-#include "firmware/telemetry/text.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/state/parameter_slots.hpp"
+#include "firmware/state/parameters.hpp"
 
 namespace firmware {
+namespace mission {
+
+using namespace notify;
+using namespace state;
+using namespace actuators;
+using namespace modes;
+using namespace logger;
+using namespace gcs;
+
 namespace {
 
 constexpr uint8_t kGainKinds = 5;
@@ -66,12 +75,12 @@ void setSlot(uint8_t slot, float value) {
 
 }  // namespace
 
-Jump jumpToFirst(const Record&) { return {1, mission::kForEver}; }
+Jump jumpToFirst(const Record&) { return {1, ::mission::kForEver}; }
 
 // The index stands in p2; the 1.0 firmware had it in p1.
 Jump jumpToIndex(const Record& record) {
     const int32_t target = record.p2 != 0 ? record.p2 : record.p1;
-    return {static_cast<uint8_t>(target), mission::kForEver};
+    return {static_cast<uint8_t>(target), ::mission::kForEver};
 }
 
 void changeMode(const Record& record) {
@@ -157,4 +166,5 @@ void setPulse(const Record& record) {
                pulse_us != 0 && pulse_us < kShortest_us ? kShortest_us : pulse_us);
 }
 
+}  // namespace mission
 }  // namespace firmware

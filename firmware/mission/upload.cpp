@@ -5,10 +5,14 @@
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/item.hpp"
 #include "firmware/mission/lists.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/telemetry/text.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/state/parameters.hpp"
 
 namespace firmware {
+namespace mission {
+
+using namespace notify;
+using namespace state;
 
 namespace {
 
@@ -19,7 +23,7 @@ Notes notes;
 uint8_t partial_last;  // last item of a partial write; 0xFF: all items come from the ground
 constexpr uint8_t kWhole = 0xFF;
 
-mission::Set stagedSet() { return static_cast<mission::Set>(mission_store.stagedSet()); }
+::mission::Set stagedSet() { return static_cast<::mission::Set>(mission_store.stagedSet()); }
 
 MissionResult begin(uint16_t count, uint8_t set) {
     const MissionResult result = listBegin(ListKind::mission, count, set);
@@ -33,7 +37,7 @@ MissionResult begin(uint16_t count, uint8_t set) {
 // The parts of a partial write that stay come from the present mission.
 Status copyUpTo(uint8_t index) {
     for (uint8_t n = 0; n < kRecordsPerCall && mission_store.staged() < index; ++n) {
-        uint8_t bytes[mission::kRecordSize];
+        uint8_t bytes[::mission::kRecordSize];
         Status status = mission_store.read(mission_store.staged(), bytes);
         if (status == Status::ok) status = missionUploadRecord(bytes);
         if (status != Status::ok) return status;
@@ -67,10 +71,11 @@ bool missionCompared() {
 core::Status missionItem(uint16_t index, MissionItem& to) {
     if (!missionKnown()) return Status::busy;
     if (index >= mission_store.count()) return Status::bad_argument;
-    uint8_t bytes[mission::kRecordSize];
+    uint8_t bytes[::mission::kRecordSize];
     const Status status = mission_store.read(static_cast<uint8_t>(index), bytes);
     if (status != Status::ok) return status;
-    decodeItem(missionSet(), static_cast<uint8_t>(index), mission::unpack(missionSet(), bytes), to);
+    decodeItem(missionSet(), static_cast<uint8_t>(index), ::mission::unpack(missionSet(), bytes),
+               to);
     return Status::ok;
 }
 
@@ -89,7 +94,7 @@ MissionResult missionBeginPartial(uint16_t first, uint16_t last) {
 }
 
 Status missionUploadRecord(const uint8_t* bytes) {
-    const mission::Site at = {mission_store.staged(), mission_store.stagedCount()};
+    const ::mission::Site at = {mission_store.staged(), mission_store.stagedCount()};
     const Status status = mission_store.put(bytes);
     if (status == Status::ok) surveyRecord(staged_survey, stagedSet(), bytes, at);
     return status;
@@ -109,8 +114,8 @@ MissionResult missionUploadItem(uint16_t index, const MissionItem& item) {
     Notes item_notes = {};
     const MissionResult result = encodeItem(stagedSet(), {place, count}, item, record, item_notes);
     if (result != MissionResult::accepted) return result;
-    uint8_t bytes[mission::kRecordSize];
-    mission::pack(stagedSet(), record, bytes);
+    uint8_t bytes[::mission::kRecordSize];
+    ::mission::pack(stagedSet(), record, bytes);
     const Status status = missionUploadRecord(bytes);
     if (status != Status::ok) return resultOf(status);
     notes.rounded |= item_notes.rounded;
@@ -124,9 +129,9 @@ MissionResult missionCommit() {
             const Status status = copyUpTo(mission_store.stagedCount());
             if (status != Status::ok) return resultOf(status);
         }
-        if (staged_survey.counters > mission::kMostCounters) {
+        if (staged_survey.counters > ::mission::kMostCounters) {
             tell(Severity::warning, ROM_TEXT("Mission: more than # counted jumps"),
-                 mission::kMostCounters);
+                 ::mission::kMostCounters);
             listAbort();
             return MissionResult::no_space;
         }
@@ -140,4 +145,5 @@ MissionResult missionClear() {
     return listClear(ListKind::mission, static_cast<uint8_t>(parameters.mission_set));
 }
 
+}  // namespace mission
 }  // namespace firmware

@@ -5,10 +5,14 @@
 #include "core/maths.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace modes {
+
+using namespace state;
+
 namespace {
 
 constexpr float kFullStick_cd = 4500;
@@ -69,4 +73,5 @@ void runAcro() {
     vehicle.throttle_demand = stickThrottle();
 }
 
+}  // namespace modes
 }  // namespace firmware

@@ -3,10 +3,15 @@
 #include "firmware/mission/mission.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
-#include "firmware/telemetry/text.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace modes {
+
+using namespace notify;
+using namespace state;
+using namespace mission;
 
 Entry startAuto() {
     core::RomText why_not = nullptr;
@@ -20,4 +25,5 @@ void runAuto() { mixSticks(); }
 
 void stopAuto() { missionLeave(); }
 
+}  // namespace modes
 }  // namespace firmware

@@ -3,12 +3,15 @@
 #include "firmware/modes/circling.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 #include "core/maths.hpp"
 
 namespace firmware {
+namespace modes {
+
+using namespace state;
 
 Entry startCircle() {
     demandLevel(vehicle.estimate.height_m);
@@ -20,4 +23,5 @@ void runCircle() {
     mixSticks();
 }
 
+}  // namespace modes
 }  // namespace firmware

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/modes/circling.hpp"
 
-#include "firmware/parameters.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace modes {
+
+using namespace state;
 
 void demandLevel(float height_m) {
     auto& demand = vehicle.demand;
@@ -31,4 +34,5 @@ void demandCircle(const geo::Position& centre, float height_m) {
     demand.counter_clockwise = radius_m < 0;
 }
 
+}  // namespace modes
 }  // namespace firmware

@@ -3,10 +3,14 @@
 // over ground is locked, and the line along it is flown; either stick unlocks it.
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace modes {
+
+using namespace state;
+
 namespace {
 
 constexpr uint8_t kCentred = 10;   // demands, 20 a second
@@ -75,4 +79,5 @@ void demandCruise() {
     }
 }
 
+}  // namespace modes
 }  // namespace firmware

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // FBWA: the sticks demand bank and pitch within the limits; the throttle is the pilot's.
 #include "core/maths.hpp"
-#include "firmware/failsafe/failsafe.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/safety/failsafe.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace modes {
+
+using namespace notify;
+using namespace state;
+using namespace safety;
 
 Entry startFbwa() { return Entry::entered; }
 
@@ -29,4 +34,5 @@ void runFbwa() {
     }
 }
 
+}  // namespace modes
 }  // namespace firmware

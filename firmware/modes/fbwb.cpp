@@ -5,10 +5,14 @@
 #include "firmware/modes/circling.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace modes {
+
+using namespace state;
+
 namespace {
 
 constexpr float kFullStick_cd = 4500;
@@ -58,4 +62,5 @@ void demandFbwb() {
         (parameters.speed_max_mps - parameters.speed_min_mps) * stickThrottle();
 }
 
+}  // namespace modes
 }  // namespace firmware

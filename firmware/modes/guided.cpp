@@ -6,16 +6,22 @@
 #include <math.h>
 
 #include "core/maths.hpp"
-#include "firmware/fence.hpp"
 #include "firmware/mission/item.hpp"
 #include "firmware/mission/speed.hpp"
-#include "firmware/modes.hpp"
 #include "firmware/modes/circling.hpp"
+#include "firmware/modes/modes.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
+#include "firmware/safety/fence.hpp"
 #include "mavlink/messages.hpp"
 
 namespace firmware {
+namespace modes {
+
+using namespace state;
+using namespace mission;
+using namespace safety;
+
 namespace {
 
 constexpr MissionResult kRadiusWrong =
@@ -41,11 +47,11 @@ MissionResult understand(MissionItem& item) {
     if (!vehicle.home.set) return MissionResult::error;
     complete(item);
     item.param2 = 0;  // how near is near enough: it circles
-    mission::Record record;
+    ::mission::Record record;
     Notes notes;
-    const MissionResult result = encodeItem(mission::Set::apm2, {1, 2}, item, record, notes);
+    const MissionResult result = encodeItem(::mission::Set::apm2, {1, 2}, item, record, notes);
     if (result != MissionResult::accepted) return result;
-    const bool relative = (record.options & mission::kRelativeAltitude) != 0;
+    const bool relative = (record.options & ::mission::kRelativeAltitude) != 0;
     item.z = (record.p2 - (relative ? 0 : vehicle.home.altitude_cm)) * 0.01f;
     return result;
 }
@@ -89,4 +95,5 @@ MissionResult guideToHeight(MissionItem& item) {
     return result;
 }
 
+}  // namespace modes
 }  // namespace firmware

@@ -4,12 +4,14 @@
 #include "firmware/mission/mission.hpp"
 
 namespace firmware {
+namespace modes {
 
 // Enters GUIDED and circles the place, param3 metres around it (0: as WP_LOITER_RAD says, which
 // also gives the direction), counter-clockwise when param4 is 1. Both leave everything as it is
 // when they do not answer `accepted`; `error`: not now. They use the item up.
-MissionResult guideTo(MissionItem& target);
+mission::MissionResult guideTo(mission::MissionItem& target);
 // The height alone, in every mode that holds one by itself but AUTO.
-MissionResult guideToHeight(MissionItem& target);
+mission::MissionResult guideToHeight(mission::MissionItem& target);
 
+}  // namespace modes
 }  // namespace firmware

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // LOITER: circles the place where it was entered, at the height it had there; after an
 // interruption by a failsafe the same place.
-#include "firmware/failsafe/failsafe.hpp"
 #include "firmware/modes/circling.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
-#include "firmware/telemetry/text.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/safety/failsafe.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace modes {
+
+using namespace notify;
+using namespace state;
+using namespace safety;
 
 Entry startLoiter() {
     if (!vehicle.estimate.known) {
@@ -23,4 +28,5 @@ Entry startLoiter() {
 
 void runLoiter() { mixSticks(); }
 
+}  // namespace modes
 }  // namespace firmware

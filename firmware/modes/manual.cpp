@@ -2,9 +2,12 @@
 // MANUAL: the sticks are the surfaces, and nothing stands between them.
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace modes {
+
+using namespace state;
 
 Entry startManual() { return Entry::entered; }
 
@@ -13,4 +16,5 @@ void runManual() {
     vehicle.throttle_demand = stickThrottle();
 }
 
+}  // namespace modes
 }  // namespace firmware

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 namespace firmware {
+namespace modes {
 
 enum class Entry : uint8_t { entered, refused, home_instead };
 
@@ -50,4 +51,5 @@ void runLoiter();
 Entry startGuided();
 void runGuided();
 
+}  // namespace modes
 }  // namespace firmware

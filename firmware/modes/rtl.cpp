@@ -4,15 +4,21 @@
 #include <math.h>
 
 #include "firmware/mission/mission.hpp"
+#include "firmware/mission/rally.hpp"
 #include "firmware/modes/circling.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/rally.hpp"
-#include "firmware/telemetry/text.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace modes {
+
+using namespace notify;
+using namespace state;
+using namespace mission;
+
 namespace {
 
 bool lands;  // sooner or later
@@ -52,4 +58,5 @@ void runRtl() {
     if (lands && vehicle.estimate.flying) land();
 }
 
+}  // namespace modes
 }  // namespace firmware

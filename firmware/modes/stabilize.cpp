@@ -2,9 +2,12 @@
 // STABILIZE: levels the airplane; the sticks are added on top; the throttle is the pilot's.
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace modes {
+
+using namespace state;
 
 Entry startStabilize() { return Entry::entered; }
 
@@ -15,4 +18,5 @@ void runStabilize() {
     vehicle.throttle_demand = stickThrottle();
 }
 
+}  // namespace modes
 }  // namespace firmware

@@ -2,11 +2,16 @@
 #include "firmware/modes/sticks.hpp"
 
 #include "core/maths.hpp"
-#include "firmware/fence.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/safety/fence.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace modes {
+
+using namespace state;
+using namespace safety;
+
 namespace {
 
 // 100 Hz: in integers, a float costs ten times as much.
@@ -37,4 +42,5 @@ void mixSticks() {
     vehicle.sticks = mixing == 2 ? Sticks::on_top : Sticks::nothing;
 }
 
+}  // namespace modes
 }  // namespace firmware

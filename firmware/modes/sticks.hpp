@@ -4,6 +4,7 @@
 #include "core/fixed.hpp"
 
 namespace firmware {
+namespace modes {
 
 core::Angle stickRoll_rad();      // full stick: LIM_ROLL_CD
 core::Angle stickPitch_rad();     // full stick: LIM_PITCH_MAX or LIM_PITCH_MIN
@@ -13,4 +14,5 @@ core::Fixed<14> stickThrottle();  // 0..1
 // off in a failsafe.
 void mixSticks();
 
+}  // namespace modes
 }  // namespace firmware

@@ -3,9 +3,12 @@
 // moves it beyond them. The throttle is the pilot's.
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace modes {
+
+using namespace state;
 
 Entry startTraining() { return Entry::entered; }
 
@@ -14,4 +17,5 @@ void runTraining() {
     vehicle.throttle_demand = stickThrottle();
 }
 
+}  // namespace modes
 }  // namespace firmware

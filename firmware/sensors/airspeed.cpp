@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/airspeed.hpp"
 
-#include "firmware/failsafe/health.hpp"
-#include "firmware/parameters.hpp"
 #include "firmware/sensors/devices.hpp"
+#include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "hal/analog.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
+namespace sensors {
+
+using namespace state;
+
 namespace {
 
 drivers::Airspeed pitot;
@@ -39,4 +43,5 @@ void runAirspeed() {
     vehicle.airspeed.speed_mps = pitot.speed_mps();
 }
 
+}  // namespace sensors
 }  // namespace firmware

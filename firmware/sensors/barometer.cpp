@@ -2,13 +2,17 @@
 // Static pressure. The zero of its height is where the airplane stood when it was switched on; the
 // temperature on the ground is held, as the sun on the board would else lift the airplane.
 #include "board.hpp"
-#include "firmware/failsafe/health.hpp"
 #include "firmware/sensors/devices.hpp"
+#include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
+namespace sensors {
+
+using namespace state;
+
 namespace {
 
 board::Barometer barometer;
@@ -59,4 +63,5 @@ void runBarometer() {
     }
 }
 
+}  // namespace sensors
 }  // namespace firmware

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/battery.hpp"
 
-#include "firmware/parameters.hpp"
 #include "firmware/sensors/sensors.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "hal/analog.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
+namespace sensors {
+
+using namespace state;
+
 namespace {
 
 drivers::Battery pack;
@@ -54,4 +58,5 @@ void runBattery() {
     battery.consumed_mah = pack.consumed_mah();
 }
 
+}  // namespace sensors
 }  // namespace firmware

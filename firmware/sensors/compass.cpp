@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/calibration/compass.hpp"
 #include "board.hpp"
 #include "core/fixed.hpp"
 #include "core/maths.hpp"
 #include "drivers/hmc5883l.hpp"
-#include "firmware/failsafe/health.hpp"
-#include "firmware/parameters.hpp"
+#include "firmware/sensors/compass_learning.hpp"
 #include "firmware/sensors/devices.hpp"
+#include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "geo/declination.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
+namespace sensors {
+
+using namespace state;
+
 namespace {
 
 drivers::Hmc5883l compass;
@@ -57,4 +61,5 @@ void runDeclination() {
         core::radiansFromCentidegrees(geo::declination_cd(vehicle.gps.position));
 }
 
+}  // namespace sensors
 }  // namespace firmware

@@ -3,6 +3,7 @@
 #pragma once
 
 namespace firmware {
+namespace sensors {
 
 void startInertial();
 void startBarometer();
@@ -11,4 +12,5 @@ void startGps();
 void zeroBarometer();
 void zeroAirspeed();
 
+}  // namespace sensors
 }  // namespace firmware

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/gps.hpp"
 
-#include "firmware/parameters.hpp"
+#include "firmware/notify/status_text.hpp"
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/sensors.hpp"
-#include "firmware/telemetry/text.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
 #include "hal/serial.hpp"
 
 namespace firmware {
+namespace sensors {
+
+using namespace notify;
+using namespace state;
+
 namespace {
 
 drivers::Gps receiver;
@@ -64,4 +69,5 @@ bool gpsWaits() {
     return hal::serialAvailable(hal::Port::gps) >= kMuch;
 }
 
+}  // namespace sensors
 }  // namespace firmware

@@ -6,17 +6,22 @@
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "estimation/still.hpp"
-#include "firmware/failsafe/gyros.hpp"
-#include "firmware/failsafe/health.hpp"
-#include "firmware/parameters.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/sensors/dead_gyros.hpp"
 #include "firmware/sensors/devices.hpp"
+#include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
-#include "firmware/telemetry/text.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
 #include "hal/imu_interrupt.hpp"
 
 namespace firmware {
+namespace sensors {
+
+using namespace notify;
+using namespace state;
+
 namespace {
 
 using estimation::Turn;
@@ -228,13 +233,14 @@ void runInertial() {
     if (ails(Sensor::inertial)) heal();
 }
 
+}  // namespace sensors
 }  // namespace firmware
 
 namespace hal {
 
 bool imuDataReady() {
-    firmware::imu.onDataReady();
-    return firmware::imu.waiting() >= firmware::kSamplesPerFrame;
+    firmware::sensors::imu.onDataReady();
+    return firmware::sensors::imu.waiting() >= firmware::sensors::kSamplesPerFrame;
 }
 
 }  // namespace hal

@@ -2,9 +2,12 @@
 #include "firmware/sensors/sensors.hpp"
 
 #include "firmware/sensors/devices.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+namespace sensors {
+
+using namespace state;
 
 void startSensors() {
     // the inertial sensor's select must be high before the barometer's is touched
@@ -21,4 +24,5 @@ void calibratePressures() {
     zeroAirspeed();
 }
 
+}  // namespace sensors
 }  // namespace firmware

@@ -8,6 +8,7 @@
 #include "drivers/gps_fix.hpp"
 
 namespace firmware {
+namespace sensors {
 
 // First of all: which board this is. Where it is another than the one this firmware is made for the
 // pins lead elsewhere, a servo's to a motor: nothing may be put out.
@@ -54,4 +55,5 @@ void calibratePressures();
 // What the accelerometers read while the gyros' zero was found, nothing taken off.
 core::Vector3 restForce_mss();
 
+}  // namespace sensors
 }  // namespace firmware

@@ -7,6 +7,8 @@
 #include "firmware/sensors/sensors.hpp"
 
 namespace firmware {
+namespace sensors {
+
 namespace {
 
 struct Chip {
@@ -46,4 +48,5 @@ void findBoard() {
     }
 }
 
+}  // namespace sensors
 }  // namespace firmware

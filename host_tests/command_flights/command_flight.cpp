@@ -43,9 +43,9 @@ Document read(const std::string& path) {
 Waypoints itemsOf(const Document& document) {
     Waypoints items;
     for (size_t i = 0; i < document.entries.size(); ++i) {
-        firmware::MissionItem from = {};
-        firmware::decodeItem(document.set, static_cast<uint8_t>(i), document.entries[i].record,
-                             from);
+        firmware::mission::MissionItem from = {};
+        firmware::mission::decodeItem(document.set, static_cast<uint8_t>(i),
+                                      document.entries[i].record, from);
         WaypointItem item;
         item.index = static_cast<int>(i);
         item.frame = from.frame;
@@ -245,9 +245,9 @@ bool CommandFlight::holds(const Expected& expected) const {
 // Jumps leave no word of their own: where they lead is the oracle's to say.
 bool CommandFlight::everyCommandRan() const {
     bool all = true;
-    for (uint8_t row = 0; row < firmware::kCommandTable.count; ++row) {
-        const uint8_t id = firmware::kCommandTable.id(document_.set, row);
-        const mission::Class kind = firmware::kCommandTable.kind(row);
+    for (uint8_t row = 0; row < firmware::mission::kCommandTable.count; ++row) {
+        const uint8_t id = firmware::mission::kCommandTable.id(document_.set, row);
+        const mission::Class kind = firmware::mission::kCommandTable.kind(row);
         if (id == mission::kNoId || kind == mission::Class::nav) continue;
         bool ran = false;
         for (size_t i = 1; i < document_.entries.size(); ++i) {
@@ -255,7 +255,7 @@ bool CommandFlight::everyCommandRan() const {
             const char* letter = kind == mission::Class::condition ? "c" : "a";
             ran |= kind == mission::Class::jump || log_.time_s(letter + std::to_string(i));
         }
-        if (!ran) say(false, std::string(firmware::commandName(row)) + " did not run");
+        if (!ran) say(false, std::string(firmware::mission::commandName(row)) + " did not run");
         all = all && ran;
     }
     return all;

@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/arming.hpp"
+#include "firmware/safety/arming.hpp"
 
 #include <functional>
 #include <string>
 
 #include "core/maths.hpp"
 #include "firmware/bench.hpp"
+#include "firmware/gcs/link.hpp"
 #include "firmware/mission/mission.hpp"
-#include "firmware/telemetry/link.hpp"
-#include "firmware/telemetry/text_queue.hpp"
+#include "firmware/notify/text_queue.hpp"
 
 namespace {
 
-using firmware::ArmReason;
-using firmware::Mode;
-using firmware::parameters;
-using firmware::vehicle;
+using firmware::safety::ArmReason;
+using firmware::state::Mode;
+using firmware::state::parameters;
+using firmware::state::vehicle;
 
 struct Arming : bench::Bench {
     void SetUp() override {
         Bench::SetUp();
         makeReady();
         parameters.log_bitmask = 0;
-        firmware::missionBoot();
-        for (int i = 0; i < 500 && !firmware::missionKnown(); ++i) {
-            firmware::missionRun();
+        firmware::mission::missionBoot();
+        for (int i = 0; i < 500 && !firmware::mission::missionKnown(); ++i) {
+            firmware::mission::missionRun();
             fakes::advance_ms(10);
         }
-        firmware::runArming();  // the rudder's time begins anew
-        (void)tells("");        // what others have left
+        firmware::safety::runArming();  // the rudder's time begins anew
+        (void)tells("");                // what others have left
     }
     static void makeReady() {
         vehicle.imu.healthy = vehicle.imu.calibrated = true;
@@ -36,7 +36,7 @@ struct Arming : bench::Bench {
         vehicle.attitude.aligned = true;
         vehicle.baro.healthy = vehicle.compass.healthy = vehicle.airspeed.healthy = true;
         vehicle.gps.healthy = true;
-        vehicle.gps.fix = firmware::GpsFix::three_d;
+        vehicle.gps.fix = firmware::state::GpsFix::three_d;
         vehicle.gps.altitude_cm = 48800;
         vehicle.gps.hdop_c = 180;
         vehicle.compass.field_mg = {220, 30, 430};
@@ -49,14 +49,14 @@ struct Arming : bench::Bench {
     static bool tells(const std::string& part) {
         std::vector<uint8_t>& out = fakes::serial(hal::Port::link0).out;
         out.clear();
-        for (firmware::Link& link : firmware::links)
-            while (firmware::textSend(link)) {
+        for (firmware::gcs::Link& link : firmware::gcs::links)
+            while (firmware::gcs::sendText(link)) {
             }
         const std::string said(out.begin(), out.end());
         return said.find(part) != std::string::npos;
     }
     static void look() {
-        for (int tenth = 0; tenth < 10; ++tenth) firmware::runArming();
+        for (int tenth = 0; tenth < 10; ++tenth) firmware::safety::runArming();
     }
     uint16_t throttle_us = 1100;
     void holdRudder(uint16_t pulse_us, int tenths) {
@@ -64,15 +64,15 @@ struct Arming : bench::Bench {
             std::vector<uint16_t> sticks = with(4, pulse_us);
             sticks[2] = throttle_us;
             fakes::receiveRc(sticks);
-            firmware::runRadio();
-            firmware::runArming();
+            firmware::sensors::runRadio();
+            firmware::safety::runArming();
             fakes::advance_ms(100);
         }
     }
 };
 
 TEST_F(Arming, arms_when_every_check_passes_and_takes_home_there) {
-    EXPECT_TRUE(firmware::arm(ArmReason::ground, false));
+    EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, false));
     EXPECT_TRUE(vehicle.armed);
     EXPECT_TRUE(vehicle.home.set);
     EXPECT_EQ(vehicle.home.position, (geo::Position{473977000, 85456000}));
@@ -87,10 +87,10 @@ class Check : public Arming, public testing::WithParamInterface<Fault> {};
 
 TEST_P(Check, refuses_to_arm_and_says_why) {
     GetParam().happens();
-    const core::RomText why = firmware::prearmFailure();
+    const core::RomText why = firmware::safety::prearmFailure();
     ASSERT_NE(why, nullptr);
     EXPECT_STREQ(why, GetParam().reason);
-    EXPECT_FALSE(firmware::arm(ArmReason::ground, false));
+    EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
     EXPECT_FALSE(vehicle.armed);
 }
 INSTANTIATE_TEST_SUITE_P(
@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
               }},
         Fault{"PreArm: compass offsets",
               [] { parameters.compass_offset_mg[0] = parameters.compass_offset_mg[1] = 380; }},
-        Fault{"PreArm: no GPS fix", [] { vehicle.gps.fix = firmware::GpsFix::two_d; }},
+        Fault{"PreArm: no GPS fix", [] { vehicle.gps.fix = firmware::state::GpsFix::two_d; }},
         Fault{"PreArm: no GPS fix", [] { vehicle.estimate.known = false; }},
         Fault{"PreArm: high GPS HDOP", [] { vehicle.gps.hdop_c = 400; }},
         Fault{"PreArm: airspeed sensor", [] { vehicle.airspeed.healthy = false; }},
@@ -136,26 +136,26 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_F(Arming, takes_the_pack_that_the_battery_failsafe_takes) {
     vehicle.battery.voltage_mv = 7400;
     parameters.battery_low_v = 7.0f;
-    EXPECT_TRUE(firmware::arm(ArmReason::ground, false));
+    EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, false));
     vehicle.armed = false;
     vehicle.battery.voltage_mv = 6900;
-    EXPECT_FALSE(firmware::arm(ArmReason::ground, false));
+    EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
     EXPECT_TRUE(tells("PreArm: battery low"));
 }
 
 TEST_F(Arming, can_be_forced) {
     vehicle.baro.healthy = false;
-    EXPECT_TRUE(firmware::arm(ArmReason::ground, true));
+    EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, true));
 }
 
 TEST_F(Arming, leaves_out_the_checks_not_asked_for) {
     parameters.arming_check = 8;  // GPS alone
     vehicle.baro.healthy = false;
     look();
-    EXPECT_TRUE(firmware::prearmOk());
-    vehicle.gps.fix = firmware::GpsFix::none;
+    EXPECT_TRUE(firmware::safety::prearmOk());
+    vehicle.gps.fix = firmware::state::GpsFix::none;
     look();
-    EXPECT_FALSE(firmware::prearmOk());
+    EXPECT_FALSE(firmware::safety::prearmOk());
 }
 
 TEST_F(Arming, takes_three_seconds_of_full_right_rudder) {
@@ -166,7 +166,7 @@ TEST_F(Arming, takes_three_seconds_of_full_right_rudder) {
 }
 
 TEST_F(Arming, by_rudder_says_why_not) {
-    vehicle.gps.fix = firmware::GpsFix::none;
+    vehicle.gps.fix = firmware::state::GpsFix::none;
     holdRudder(1900, 33);
     EXPECT_FALSE(vehicle.armed);
     EXPECT_TRUE(tells("PreArm: no GPS fix"));
@@ -183,7 +183,7 @@ TEST_F(Arming, by_rudder_wants_the_throttle_closed_and_arming_rudder) {
 }
 
 TEST_F(Arming, left_rudder_disarms_on_the_ground_when_arming_rudder_is_2) {
-    ASSERT_TRUE(firmware::arm(ArmReason::ground, false));
+    ASSERT_TRUE(firmware::safety::arm(ArmReason::ground, false));
     holdRudder(1100, 40);
     EXPECT_TRUE(vehicle.armed) << "1 arms only";
     parameters.arming_rudder = 2;
@@ -199,7 +199,7 @@ TEST_F(Arming, left_rudder_disarms_on_the_ground_when_arming_rudder_is_2) {
 
 TEST_F(Arming, names_the_channel_that_is_not_calibrated) {
     parameters.channel[3].max_us = 1600;
-    EXPECT_FALSE(firmware::arm(ArmReason::ground, false));
+    EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
     EXPECT_TRUE(tells("PreArm: RC4 not calibrated"));
 }
 
@@ -207,7 +207,7 @@ TEST_F(Arming, reminds_twice_a_minute_of_what_is_missing) {
     vehicle.baro.healthy = false;
     int told = 0;
     for (int tenth = 0; tenth < 1200; ++tenth) {
-        firmware::runArming();
+        firmware::safety::runArming();
         if (tells("PreArm: barometer")) ++told;
         fakes::advance_ms(100);
     }
@@ -215,22 +215,22 @@ TEST_F(Arming, reminds_twice_a_minute_of_what_is_missing) {
 }
 
 TEST_F(Arming, refuses_to_disarm_in_flight_unless_forced) {
-    ASSERT_TRUE(firmware::arm(ArmReason::ground, false));
+    ASSERT_TRUE(firmware::safety::arm(ArmReason::ground, false));
     vehicle.estimate.flying = true;
-    EXPECT_FALSE(firmware::disarm(ArmReason::ground, false));
+    EXPECT_FALSE(firmware::safety::disarm(ArmReason::ground, false));
     EXPECT_TRUE(vehicle.armed);
-    EXPECT_TRUE(firmware::disarm(ArmReason::ground, true));
+    EXPECT_TRUE(firmware::safety::disarm(ArmReason::ground, true));
     EXPECT_FALSE(vehicle.armed);
 }
 
 TEST_F(Arming, stays_armed_after_a_landing_when_the_delay_is_0) {
-    ASSERT_TRUE(firmware::arm(ArmReason::ground, false));
+    ASSERT_TRUE(firmware::safety::arm(ArmReason::ground, false));
     parameters.land_disarm_delay_s = 0;
     vehicle.mode = Mode::automatic;
-    vehicle.demand.path = firmware::Path::land;
+    vehicle.demand.path = firmware::state::Path::land;
     vehicle.progress.flaring = true;
     for (int tenth = 0; tenth < 600; ++tenth) {
-        firmware::runArming();
+        firmware::safety::runArming();
         fakes::advance_ms(100);
     }
     EXPECT_TRUE(vehicle.armed);
@@ -238,19 +238,19 @@ TEST_F(Arming, stays_armed_after_a_landing_when_the_delay_is_0) {
 }
 
 TEST_F(Arming, disarms_by_itself_some_seconds_after_a_landing) {
-    ASSERT_TRUE(firmware::arm(ArmReason::ground, false));
-    firmware::runArming();
+    ASSERT_TRUE(firmware::safety::arm(ArmReason::ground, false));
+    firmware::safety::runArming();
     vehicle.mode = Mode::automatic;
-    vehicle.demand.path = firmware::Path::land;
+    vehicle.demand.path = firmware::state::Path::land;
     vehicle.progress.flaring = true;
     const int delay_s = parameters.land_disarm_delay_s;
     for (int tenth = 0; tenth < delay_s * 10; ++tenth) {
-        firmware::runArming();
+        firmware::safety::runArming();
         fakes::advance_ms(100);
     }
     EXPECT_TRUE(vehicle.armed);
     for (int tenth = 0; tenth < 5; ++tenth) {
-        firmware::runArming();
+        firmware::safety::runArming();
         fakes::advance_ms(100);
     }
     EXPECT_FALSE(vehicle.armed);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/attitude_control.hpp"
+#include "firmware/control/attitude_control.hpp"
 
 #include "firmware/bench.hpp"
 
 namespace {
 
-using firmware::Mode;
-using firmware::parameters;
-using firmware::surfaces;
-using firmware::vehicle;
+using firmware::control::surfaces;
+using firmware::state::Mode;
+using firmware::state::parameters;
+using firmware::state::vehicle;
 
 class AttitudeControl : public bench::Bench {
 protected:
@@ -31,20 +31,20 @@ protected:
     static void lookAround() {
         const uint8_t periods = vehicle.imu.periods;
         vehicle.imu.periods = 0;
-        for (int i = 0; i < 10; ++i) firmware::runAttitudeControl();
+        for (int i = 0; i < 10; ++i) firmware::control::runAttitudeControl();
         vehicle.imu.periods = periods;
     }
     void run() {
-        firmware::runMode();
+        firmware::modes::runMode();
         lookAround();
-        firmware::runAttitudeControl();
+        firmware::control::runAttitudeControl();
         vehicle.mode_changed = false;
     }
     // Afresh, so that no integrator remembers the case before.
-    firmware::Surfaces surfacesIn(Mode mode, const std::vector<uint16_t>& sticks) {
+    firmware::control::Surfaces surfacesIn(Mode mode, const std::vector<uint16_t>& sticks) {
         settle(sticks);
         vehicle.mode_changed = true;
-        firmware::setMode(mode, firmware::ModeReason::ground);
+        firmware::modes::setMode(mode, firmware::modes::ModeReason::ground);
         run();
         return surfaces;
     }
@@ -62,8 +62,8 @@ TEST_F(AttitudeControl, leaves_the_airplane_alone_in_manual) {
 TEST_F(AttitudeControl, feels_a_gain_that_is_set_within_a_fifth_of_a_second) {
     const char name[16] = "RLL2SRV_P";
     uint16_t index;
-    ASSERT_TRUE(firmware::parameterFind(name, index));
-    firmware::setMode(Mode::fbwa, firmware::ModeReason::ground);
+    ASSERT_TRUE(firmware::state::parameterFind(name, index));
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     level(0.3f);
     surfacesIn(Mode::fbwa, bench::kCentred);
     for (int round = 0; round < 3; ++round) lookAround();  // and not because it is time to look
@@ -71,15 +71,15 @@ TEST_F(AttitudeControl, feels_a_gain_that_is_set_within_a_fifth_of_a_second) {
     float value;
     uint8_t type;
     char read[16];
-    ASSERT_TRUE(firmware::parameterAt(index, read, value, type));
-    ASSERT_EQ(firmware::parameterSetAt(index, value * 1.5f), core::Status::ok);
+    ASSERT_TRUE(firmware::state::parameterAt(index, read, value, type));
+    ASSERT_EQ(firmware::state::parameterSetAt(index, value * 1.5f), core::Status::ok);
     lookAround();
     lookAround();
     EXPECT_LT(surfaces.aileron, before - 0.02f);
 }
 
 TEST_F(AttitudeControl, turns_back_to_level_and_damps) {
-    firmware::setMode(Mode::fbwa, firmware::ModeReason::ground);
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     level(0.3f, 0.2f);
     surfacesIn(Mode::fbwa, with(3, 1900));
     EXPECT_LT(surfaces.aileron, -0.05f);
@@ -93,7 +93,7 @@ TEST_F(AttitudeControl, turns_back_to_level_and_damps) {
 }
 
 TEST_F(AttitudeControl, meets_a_gust_twice_as_fast_in_the_flare) {
-    firmware::setMode(Mode::fbwa, firmware::ModeReason::ground);
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     level(0, core::radians(-4));
     const float elsewhere = surfacesIn(Mode::fbwa, with(3, 1900)).elevator;
     vehicle.progress.flaring = true;
@@ -105,7 +105,7 @@ TEST_F(AttitudeControl, needs_less_surface_the_faster_it_flies) {
     level(0.3f);
     vehicle.estimate.equivalent_airspeed_mps = 10;
     const float slow = surfacesIn(Mode::fbwa, bench::kCentred).aileron;
-    firmware::setMode(Mode::manual, firmware::ModeReason::ground);
+    firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
     vehicle.estimate.equivalent_airspeed_mps = 20;
     const float fast = surfacesIn(Mode::fbwa, bench::kCentred).aileron;
     EXPECT_LT(slow, 1.5f * fast);
@@ -116,13 +116,13 @@ TEST_F(AttitudeControl, demands_no_more_than_the_limits) {
     surfacesIn(Mode::fbwa, {1900, 1900, 1900, 1500, 1500, 1500, 1500, 1815});
     const auto full_stick = surfaces;
     ASSERT_GT(full_stick.aileron, 0.1f);
-    firmware::setMode(Mode::manual, firmware::ModeReason::ground);
+    firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
     vehicle.roll_demand_rad = 3;
     vehicle.pitch_demand_rad = 1;
     settle(bench::kCentred);
-    vehicle.sticks = firmware::Sticks::nothing;
+    vehicle.sticks = firmware::state::Sticks::nothing;
     vehicle.mode_changed = true;
-    firmware::runAttitudeControl();
+    firmware::control::runAttitudeControl();
     EXPECT_NEAR(surfaces.aileron, full_stick.aileron, 1e-4);
     EXPECT_NEAR(surfaces.elevator, full_stick.elevator, 1e-4);
 }

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "fakes/fakes.hpp"
-#include "firmware/failsafe/failsafe.hpp"
-#include "firmware/modes.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/radio.hpp"
-#include "firmware/telemetry/telemetry.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/gcs/telemetry.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/safety/failsafe.hpp"
+#include "firmware/sensors/radio.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace bench {
 
@@ -22,26 +22,27 @@ class Bench : public testing::Test {
 protected:
     void SetUp() override {
         fakes::reset();
-        while (firmware::parametersLoad() != core::Status::ok) fakes::advance_ms(10);
-        firmware::rcOverrideRelease();
+        while (firmware::state::parametersLoad() != core::Status::ok) fakes::advance_ms(10);
+        firmware::gcs::rcOverrideRelease();
         settle(kCentred);
-        firmware::vehicle.armed = false;
-        for (int i = 0; i < 3; ++i) firmware::runFailsafe();
-        const firmware::Mode none = firmware::Mode::initialising;
-        firmware::vehicle = {};
-        firmware::vehicle.mode = none;
+        firmware::state::vehicle.armed = false;
+        for (int i = 0; i < 3; ++i) firmware::safety::runFailsafe();
+        const firmware::state::Mode none = firmware::state::Mode::initialising;
+        firmware::state::vehicle = {};
+        firmware::state::vehicle.mode = none;
         settle(kCentred);
         // through STABILIZE, so that MANUAL is entered anew whatever came before
-        firmware::setMode(firmware::Mode::stabilize, firmware::ModeReason::boot);
-        firmware::setMode(firmware::Mode::manual, firmware::ModeReason::boot);
+        firmware::modes::setMode(firmware::state::Mode::stabilize,
+                                 firmware::modes::ModeReason::boot);
+        firmware::modes::setMode(firmware::state::Mode::manual, firmware::modes::ModeReason::boot);
     }
 
     // Frames from the receiver for a quarter of a second, the sticks where they are told to be.
     void settle(const std::vector<uint16_t>& sticks) {
         for (int i = 0; i < 25; ++i) {
             if (i % 2 == 0) fakes::receiveRc(sticks);
-            firmware::runRadio();
-            if (i % 10 == 9) firmware::runModeSwitch();
+            firmware::sensors::runRadio();
+            if (i % 10 == 9) firmware::sensors::runModeSwitch();
             fakes::advance_ms(10);
         }
     }
@@ -52,20 +53,20 @@ protected:
     }
     void loseRadio(uint32_t for_ms) {
         for (uint32_t ms = 0; ms < for_ms; ms += 10) {
-            firmware::runRadio();
-            if (ms % 100 == 0) firmware::runFailsafe();
+            firmware::sensors::runRadio();
+            if (ms % 100 == 0) firmware::safety::runFailsafe();
             fakes::advance_ms(10);
         }
     }
     // In the air with everything a flight needs.
-    void fly(firmware::Mode mode) {
-        auto& vehicle = firmware::vehicle;
+    void fly(firmware::state::Mode mode) {
+        auto& vehicle = firmware::state::vehicle;
         vehicle.armed = true;
         vehicle.imu.healthy = vehicle.baro.healthy = vehicle.compass.healthy = true;
         vehicle.gps.healthy = vehicle.attitude.aligned = true;
         vehicle.estimate.flying = vehicle.estimate.known = vehicle.home.set = true;
         vehicle.estimate.height_m = 80;
-        firmware::setMode(mode, firmware::ModeReason::ground);
+        firmware::modes::setMode(mode, firmware::modes::ModeReason::ground);
         ASSERT_EQ(vehicle.mode, mode);
     }
 };

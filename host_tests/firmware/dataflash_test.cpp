@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The arbiter of the DataFlash. The chip is a small double: what it does in detail is the driver's
 // business and is tried there.
-#include "firmware/dataflash.hpp"
+#include "firmware/app/dataflash.hpp"
 
 #include <gmock/gmock.h>
 
 #include "fakes/fakes.hpp"
-#include "firmware/telemetry/telemetry.hpp"
+#include "firmware/gcs/telemetry.hpp"
 #include "hal/page_flash.hpp"
 
 using core::Status;
@@ -41,13 +41,13 @@ protected:
     }
     void start() {
         busy = false;
-        firmware::dataflashStart();
+        firmware::app::dataflashStart();
         for (int i = 0; i < 4; ++i) step();
         last.clear();
     }
     void step() {
         fakes::advance_ms(100);
-        firmware::dataflashStep();
+        firmware::app::dataflashStep();
     }
     Status fill(FlashUser user, uint16_t offset = 0) {
         return hal::flashFill(user, offset, bytes, sizeof bytes);
@@ -62,7 +62,7 @@ protected:
 }  // namespace
 
 TEST_F(Dataflash, is_known_some_steps_after_the_start) {
-    firmware::dataflashStart();
+    firmware::app::dataflashStart();
     EXPECT_FALSE(hal::flashKnown());
     EXPECT_TRUE(hal::flashBusy());
     EXPECT_EQ(read(0), Status::busy);
@@ -77,7 +77,7 @@ TEST_F(Dataflash, is_known_some_steps_after_the_start) {
 }
 
 TEST_F(Dataflash, asking_takes_it_further_without_the_task) {
-    firmware::dataflashStart();
+    firmware::app::dataflashStart();
     for (int i = 0; i < 4 && !hal::flashKnown(); ++i) fakes::advance_ms(10);
 
     EXPECT_TRUE(hal::flashKnown());

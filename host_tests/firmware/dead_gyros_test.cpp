@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/failsafe/gyros.hpp"
+#include "firmware/sensors/dead_gyros.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ protected:
         }
         return found;
     }
-    firmware::DeadGyros gyros_;
+    firmware::sensors::DeadGyros gyros_;
     int32_t rates_[3] = {};
     int frame_ = 0;
 };
@@ -27,7 +27,8 @@ TEST_F(Gyros, that_live_are_never_found_dead) {
 }
 
 TEST_F(Gyros, that_say_the_same_are_dead_after_a_fifth_of_a_second_and_live_at_the_next_change) {
-    for (uint8_t dead : {firmware::kRollGyro, firmware::kPitchGyro, firmware::kYawGyro}) {
+    for (uint8_t dead : {firmware::sensors::kRollGyro, firmware::sensors::kPitchGyro,
+                         firmware::sensors::kYawGyro}) {
         frames(5, 0);
         EXPECT_EQ(frames(19, dead), 0);
         EXPECT_EQ(frames(2, dead), dead);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/estimator.hpp"
+#include "firmware/estimator/estimator.hpp"
 
 #include "bench.hpp"
-#include "firmware/failsafe/health.hpp"
-#include "firmware/home.hpp"
+#include "firmware/mission/home.hpp"
+#include "firmware/sensors/health.hpp"
 #include "hal/clock.hpp"
 
 namespace {
 
-using firmware::vehicle;
+using firmware::state::vehicle;
 
 constexpr geo::Position kStart = {470000000, 80000000};
 constexpr float kGpsAge_s = 0.243f;  // when its bytes have arrived
@@ -23,11 +23,11 @@ protected:
         vehicle.baro.ground_pressure_pa = 101325;
         vehicle.baro.pressure_pa = 101325;
         vehicle.baro.ground_temperature_c = 15;
-        firmware::parameters.compass_use = 1;
-        firmware::parameters.compass_declination_rad = 0;
+        firmware::state::parameters.compass_use = 1;
+        firmware::state::parameters.compass_declination_rad = 0;
         // the filters outlive a test: they settle, and heights count from here
         for (int i = 0; i < 3000; ++i) frame(0);
-        firmware::zeroHeight();
+        firmware::estimator::zeroHeight();
     }
     void TearDown() override {
         // to a standstill, without a leap for the next test, which begins with its own round of
@@ -47,13 +47,13 @@ protected:
         vehicle.baro.fresh = true;
         if (frame_ % 20 == late_) fix(acceleration_mss);
         fakes::advance_ms(10);
-        firmware::runEstimator();
+        firmware::estimator::runEstimator();
     }
     void fix(float acceleration_mss) {
         auto& gps = vehicle.gps;
         const float then_mps = speed_mps_ - acceleration_mss * kGpsAge_s;
         const float then_m = travelled_m_ - (speed_mps_ + then_mps) / 2 * kGpsAge_s;
-        gps.fix = firmware::GpsFix::three_d;
+        gps.fix = firmware::state::GpsFix::three_d;
         gps.position = geo::moved(kStart, {then_m, 0});
         gps.velocity_mps = {then_mps, 0, 0};
         gps.received_ms = hal::now_ms();
@@ -91,14 +91,14 @@ TEST_F(Estimator, uses_every_fix_and_reading_whatever_frame_they_come_in) {
 
 // What is told of the sea level goes on, only where it is counted from moves.
 TEST_F(Estimator, feels_no_step_when_home_is_moved) {
-    firmware::setHome(kStart, 50000);
+    firmware::mission::setHome(kStart, 50000);
     vehicle.baro.pressure_pa -= 600;
     for (int i = 0; i < 1500; ++i) frame(0);
     const float before_m = vehicle.estimate.height_m;
     const float climb_mps = vehicle.estimate.climb_mps;
     ASSERT_GT(before_m, 40);
 
-    firmware::setHome(geo::moved(kStart, {100, 50}), 53000);
+    firmware::mission::setHome(geo::moved(kStart, {100, 50}), 53000);
 
     EXPECT_NEAR(vehicle.estimate.height_m, before_m - 30, 0.01) << "for what runs in this frame";
     for (int i = 0; i < 100; ++i) {
@@ -131,21 +131,23 @@ TEST_F(Estimator, doubts_a_barometer_that_drifts_away_from_a_good_receivers_heig
         vehicle.baro.pressure_pa = 101325;
         for (int i = 0; i < 3000; ++i) frame(0);
         EXPECT_TRUE(vehicle.estimate.flying);
-        firmware::startHealth();
-        for (int i = 0; i < 3000 && !firmware::ails(firmware::Sensor::barometer); ++i) {
+        firmware::sensors::startHealth();
+        for (int i = 0; i < 3000 && !firmware::sensors::ails(firmware::sensors::Sensor::barometer);
+             ++i) {
             vehicle.baro.pressure_pa = 101325 + i * 12 / 100;
             frame(0);
-            firmware::believe(firmware::Sensor::barometer, static_cast<int16_t>(i), true);
-            if (i % 10 == 0) firmware::watchHealth();
+            firmware::sensors::believe(firmware::sensors::Sensor::barometer,
+                                       static_cast<int16_t>(i), true);
+            if (i % 10 == 0) firmware::sensors::watchHealth();
         }
-        return firmware::ails(firmware::Sensor::barometer);
+        return firmware::sensors::ails(firmware::sensors::Sensor::barometer);
     };
     vehicle.armed = true;
     for (int i = 0; i < 300; ++i) frame(3);
     EXPECT_FALSE(drifts(400)) << "too few satellites to contradict";
     EXPECT_TRUE(drifts(120));
     EXPECT_GT(vehicle.estimate.height_m, -28);
-    firmware::startHealth();
+    firmware::sensors::startHealth();
     vehicle.baro.pressure_pa = 101325;
     for (int i = 0; i < 3000; ++i) frame(0);
 }
@@ -154,7 +156,7 @@ TEST_F(Estimator, counts_heights_from_where_home_is_set_on_the_ground) {
     vehicle.baro.pressure_pa -= 60;  // the weather since the barometer was zeroed
     for (int i = 0; i < 1500; ++i) frame(0);
     vehicle.gps.altitude_cm = 43210;
-    ASSERT_TRUE(firmware::setHomeHere());
+    ASSERT_TRUE(firmware::mission::setHomeHere());
     EXPECT_EQ(vehicle.home.altitude_cm, 43210);
     EXPECT_EQ(vehicle.estimate.height_m, 0);
     for (int i = 0; i < 100; ++i) frame(0);

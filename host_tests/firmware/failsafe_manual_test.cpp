@@ -5,13 +5,13 @@
 #include <string>
 
 #include "firmware/bench.hpp"
-#include "firmware/failsafe/table.hpp"
+#include "firmware/safety/failsafe_table.hpp"
 
 namespace {
 
-using firmware::Cause;
+using firmware::safety::Cause;
 
-const char* const kNames[firmware::kCauses] = {
+const char* const kNames[firmware::safety::kCauses] = {
     "inertial sensor", "fence",  "battery", "radio for long", "ground station", "radio",
     "position",        "height", "GPS",     "GPS jump",       "barometer",      "airspeed",
     "compass"};
@@ -25,16 +25,16 @@ std::string manual() {
     return text.str();
 }
 
-std::string causesOf(const firmware::Transition& row) {
+std::string causesOf(const firmware::safety::Transition& row) {
     std::string names;
-    for (int cause = 0; cause < firmware::kCauses; ++cause)
+    for (int cause = 0; cause < firmware::safety::kCauses; ++cause)
         if (row.causes >> cause & 1)
             names += (names.empty() ? "" : ", ") + std::string(kNames[cause]);
     return names;
 }
 
 std::string flownOf(uint8_t flown) {
-    if (flown == firmware::kWhatever) return "anything";
+    if (flown == firmware::safety::kWhatever) return "anything";
     const char* const kFlown[] = {"pilot", "itself", "CIRCLE", "RTL"};
     std::string names;
     for (int bit = 0; bit < 4; ++bit)
@@ -48,8 +48,8 @@ std::string quoted(const char* text) { return *text == 0 ? "" : " \"" + std::str
 TEST(FailsafeManual, lists_every_cause_with_its_words_and_its_number_in_the_log) {
     const std::string page = manual();
     size_t at = 0;
-    for (int cause = 0; cause < firmware::kCauses; ++cause) {
-        const firmware::CauseRow& row = firmware::kCauseTable[cause];
+    for (int cause = 0; cause < firmware::safety::kCauses; ++cause) {
+        const firmware::safety::CauseRow& row = firmware::safety::kCauseTable[cause];
         std::stringstream begins, rest;
         begins << "\n| " << kNames[cause] << " | ";
         rest << " |" << quoted(row.begins) << " | " << kSeverities[int(row.severity)] << " |"
@@ -66,8 +66,8 @@ TEST(FailsafeManual, lists_every_cause_with_its_words_and_its_number_in_the_log)
 TEST(FailsafeManual, lists_every_transition_in_its_order) {
     const std::string page = manual();
     size_t at = 0;
-    for (int index = 0; index < firmware::kTransitionCount; ++index) {
-        const firmware::Transition& row = firmware::kTransitions[index];
+    for (int index = 0; index < firmware::safety::kTransitionCount; ++index) {
+        const firmware::safety::Transition& row = firmware::safety::kTransitions[index];
         std::stringstream begins;
         begins << "\n| " << index + 1 << " | " << causesOf(row) << " | " << flownOf(row.flown)
                << " | ";
@@ -76,11 +76,12 @@ TEST(FailsafeManual, lists_every_transition_in_its_order) {
         const size_t end = page.find('\n', found + 1);
         const std::string line = page.substr(found, end + 1 - found);
         const std::string rest = " | " + std::string(kActions[int(row.action)]) + " | " +
-                                 (row.after == firmware::After::back ? "back" : "stays") + " |\n";
+                                 (row.after == firmware::safety::After::back ? "back" : "stays") +
+                                 " |\n";
         EXPECT_NE(line.find(rest), line.npos) << line << "should end in" << rest;
         at = found;
     }
-    EXPECT_EQ(page.find("\n| " + std::to_string(firmware::kTransitionCount + 1) + " | "),
+    EXPECT_EQ(page.find("\n| " + std::to_string(firmware::safety::kTransitionCount + 1) + " | "),
               page.npos);
 }
 

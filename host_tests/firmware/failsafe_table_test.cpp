@@ -4,23 +4,24 @@
 #include <vector>
 
 #include "firmware/bench.hpp"
-#include "firmware/failsafe/failsafe.hpp"
-#include "firmware/failsafe/health.hpp"
-#include "firmware/fence.hpp"
+#include "firmware/safety/failsafe.hpp"
+#include "firmware/safety/fence.hpp"
+#include "firmware/sensors/health.hpp"
 
 namespace {
 
-using firmware::Action;
-using firmware::Cause;
-using firmware::Mode;
-using firmware::parameters;
-using firmware::vehicle;
+using firmware::safety::Action;
+using firmware::safety::Cause;
+using firmware::state::Mode;
+using firmware::state::parameters;
+using firmware::state::vehicle;
 
 constexpr int kNothing = -1;
-const uint8_t kFlown[] = {firmware::by_pilot, firmware::by_itself, firmware::circling,
-                          firmware::returning, firmware::near_ground};
+const uint8_t kFlown[] = {firmware::safety::by_pilot, firmware::safety::by_itself,
+                          firmware::safety::circling, firmware::safety::returning,
+                          firmware::safety::near_ground};
 
-bool has(uint16_t causes, Cause cause) { return (causes & firmware::bitOf(cause)) != 0; }
+bool has(uint16_t causes, Cause cause) { return (causes & firmware::safety::bitOf(cause)) != 0; }
 
 struct Setting {
     int8_t short_action, long_action, fence_action;
@@ -33,25 +34,26 @@ int wanted(uint16_t causes, uint8_t flown, const Setting& set) {
     if (has(causes, Cause::inertial)) return int(Action::sticks);
     if (has(causes, Cause::fence) && set.position && set.fence_action % 2 == 1)
         return int(Action::turn_back);
-    if (flown == firmware::near_ground) return kNothing;
-    if (flown != firmware::returning) {
+    if (flown == firmware::safety::near_ground) return kNothing;
+    if (flown != firmware::safety::returning) {
         if (has(causes, Cause::battery) && way_home) return int(Action::go_home);
         const bool by_radio = has(causes, Cause::radio_long);
         if (by_radio || has(causes, Cause::ground_long)) {
-            const bool mission = flown == firmware::by_itself;
+            const bool mission = flown == firmware::safety::by_itself;
             if (set.long_action == 2) return int(Action::glide);
             const bool acts = !mission || set.long_action == 1;
             if (acts && way_home) return int(Action::go_home);
             if (mission && by_radio && set.short_action != 0 && way_home)
                 return int(Action::go_home);
-            if (acts && flown != firmware::circling) return int(Action::circle);
+            if (acts && flown != firmware::safety::circling) return int(Action::circle);
         }
-        const bool short_acts =
-            flown == firmware::by_pilot || (flown == firmware::by_itself && set.short_action != 0);
+        const bool short_acts = flown == firmware::safety::by_pilot ||
+                                (flown == firmware::safety::by_itself && set.short_action != 0);
         if (has(causes, Cause::radio_short) && short_acts)
             return int(set.short_action == 2 ? Action::glide : Action::circle);
     }
-    const bool needs_place = flown == firmware::by_itself || flown == firmware::returning;
+    const bool needs_place =
+        flown == firmware::safety::by_itself || flown == firmware::safety::returning;
     return has(causes, Cause::no_position) && needs_place ? int(Action::circle) : kNothing;
 }
 
@@ -75,13 +77,15 @@ protected:
         vehicle.home.set = setting.home;
     }
     static int found(uint16_t causes, uint8_t flown) {
-        const uint8_t row = firmware::resolve(causes, flown);
-        return row == firmware::kNoTransition ? kNothing : int(firmware::kTransitions[row].action);
+        const uint8_t row = firmware::safety::resolve(causes, flown);
+        return row == firmware::safety::kNoTransition
+                   ? kNothing
+                   : int(firmware::safety::kTransitions[row].action);
     }
     // Rows that hold, the first of which acts.
     static int actionsOf(uint16_t causes, uint8_t flown) {
         int actions = 0;
-        for (const auto& row : firmware::kTransitions)
+        for (const auto& row : firmware::safety::kTransitions)
             if ((row.causes & causes) && (row.flown & flown) && row.guard())
                 actions |= 1 << int(row.action);
         return actions;
@@ -93,8 +97,8 @@ TEST_F(FailsafeTable, each_cause_alone_and_each_pair_ends_in_the_one_action_of_t
     for (const Setting& setting : settings()) {
         set(setting);
         for (uint8_t flown : kFlown)
-            for (int a = 0; a < firmware::kCauses; ++a)
-                for (int b = a; b < firmware::kCauses; ++b) {
+            for (int a = 0; a < firmware::safety::kCauses; ++a)
+                for (int b = a; b < firmware::safety::kCauses; ++b) {
                     const auto causes = static_cast<uint16_t>(1 << a | 1 << b);
                     const int action = found(causes, flown);
                     ASSERT_EQ(action, wanted(causes, flown, setting))
@@ -111,8 +115,8 @@ TEST_F(FailsafeTable, a_second_cause_never_leaves_the_airplane_with_less_than_th
     for (const Setting& setting : settings()) {
         set(setting);
         for (uint8_t flown : kFlown)
-            for (int a = 0; a < firmware::kCauses; ++a)
-                for (int b = 0; b < firmware::kCauses; ++b) {
+            for (int a = 0; a < firmware::safety::kCauses; ++a)
+                for (int b = 0; b < firmware::safety::kCauses; ++b) {
                     const auto one = static_cast<uint16_t>(1 << a);
                     const auto both = static_cast<uint16_t>(1 << a | 1 << b);
                     if (found(one, flown) != kNothing) {
@@ -130,16 +134,16 @@ TEST_F(FailsafeTable, no_cause_no_action) {
 }
 
 TEST_F(FailsafeTable, every_row_is_the_first_for_something) {
-    std::vector<int> used(firmware::kTransitionCount);
+    std::vector<int> used(firmware::safety::kTransitionCount);
     for (const Setting& setting : settings()) {
         set(setting);
         for (uint8_t flown : kFlown)
-            for (int a = 0; a < firmware::kCauses; ++a) {
-                const uint8_t row = firmware::resolve(static_cast<uint16_t>(1 << a), flown);
-                if (row != firmware::kNoTransition) ++used[row];
+            for (int a = 0; a < firmware::safety::kCauses; ++a) {
+                const uint8_t row = firmware::safety::resolve(static_cast<uint16_t>(1 << a), flown);
+                if (row != firmware::safety::kNoTransition) ++used[row];
             }
     }
-    for (int row = 0; row < firmware::kTransitionCount; ++row)
+    for (int row = 0; row < firmware::safety::kTransitionCount; ++row)
         EXPECT_GT(used[row], 0) << "row " << row;
 }
 
@@ -191,20 +195,22 @@ class FailsafeMachine : public FailsafeTable {
 protected:
     void SetUp() override {
         FailsafeTable::SetUp();
-        firmware::startHealth();
+        firmware::sensors::startHealth();
         parameters.battery_monitor = 3;
         vehicle.airspeed.healthy = true;
     }
     static void tenths(int count) {
         for (int i = 0; i < count; ++i) {
-            firmware::believe(firmware::Sensor::inertial, i % 2 == 0 ? 100 : -100, true);
-            firmware::runFailsafe();
+            firmware::sensors::believe(firmware::sensors::Sensor::inertial, i % 2 == 0 ? 100 : -100,
+                                       true);
+            firmware::safety::runFailsafe();
             fakes::advance_ms(100);
         }
     }
     static uint16_t causesOf(const Trigger& trigger) {
-        uint16_t causes = firmware::bitOf(trigger.cause);
-        if (trigger.cause == Cause::radio_long) causes |= firmware::bitOf(Cause::radio_short);
+        uint16_t causes = firmware::safety::bitOf(trigger.cause);
+        if (trigger.cause == Cause::radio_long)
+            causes |= firmware::safety::bitOf(Cause::radio_short);
         return causes;
     }
     void start(Mode mode) {
@@ -220,10 +226,10 @@ struct FlownMode {
     Mode mode;
     uint8_t flown;
 };
-const FlownMode kModes[] = {{Mode::fbwa, firmware::by_pilot},
-                            {Mode::loiter, firmware::by_itself},
-                            {Mode::circle, firmware::circling},
-                            {Mode::rtl, firmware::returning}};
+const FlownMode kModes[] = {{Mode::fbwa, firmware::safety::by_pilot},
+                            {Mode::loiter, firmware::safety::by_itself},
+                            {Mode::circle, firmware::safety::circling},
+                            {Mode::rtl, firmware::safety::returning}};
 
 TEST_F(FailsafeMachine, every_pair_of_triggers_at_once_ends_in_one_mode) {
     for (const FlownMode& flown : kModes)
@@ -235,7 +241,7 @@ TEST_F(FailsafeMachine, every_pair_of_triggers_at_once_ends_in_one_mode) {
                 tenths(std::max(a.begins_tenths, b.begins_tenths) + 60);
                 uint16_t causes = causesOf(a) | causesOf(b);
                 if (has(causes, Cause::radio_short))  // by now it is for long
-                    causes |= firmware::bitOf(Cause::radio_long);
+                    causes |= firmware::safety::bitOf(Cause::radio_long);
                 const Setting setting = {0, 0, 0, vehicle.estimate.known, true};
                 EXPECT_EQ(vehicle.mode, modeOf(wanted(causes, flown.flown, setting), flown.mode))
                     << a.name << " and " << b.name << " in " << int(flown.mode);
@@ -304,7 +310,7 @@ TEST_F(FailsafeMachine, nobody_may_choose_a_mode_that_needs_an_attitude_without_
     vehicle.imu.healthy = vehicle.attitude.aligned = false;
     tenths(5);
     ASSERT_EQ(vehicle.mode, Mode::manual);
-    firmware::setMode(Mode::fbwa, firmware::ModeReason::pilot);
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::pilot);
     tenths(1);
     EXPECT_EQ(vehicle.mode, Mode::manual);
 }
@@ -314,7 +320,7 @@ TEST_F(FailsafeMachine, nobody_may_give_the_sticks_to_a_pilot_who_has_no_radio) 
     vehicle.radio.lost = true;
     tenths(70);
     ASSERT_EQ(vehicle.mode, Mode::loiter);
-    firmware::setMode(Mode::stabilize, firmware::ModeReason::ground);
+    firmware::modes::setMode(Mode::stabilize, firmware::modes::ModeReason::ground);
     tenths(2);
     EXPECT_EQ(vehicle.mode, Mode::rtl);
 }
@@ -322,18 +328,19 @@ TEST_F(FailsafeMachine, nobody_may_give_the_sticks_to_a_pilot_who_has_no_radio) 
 TEST_F(FailsafeMachine, a_glide_ends_with_the_radio_and_only_it_is_one) {
     start(Mode::fbwa);
     parameters.short_action = 2;
-    EXPECT_FALSE(firmware::failsafeGlides());
+    EXPECT_FALSE(firmware::safety::failsafeGlides());
     vehicle.radio.lost = true;
     tenths(2);
-    EXPECT_TRUE(firmware::failsafeGlides());
+    EXPECT_TRUE(firmware::safety::failsafeGlides());
     vehicle.radio.lost = false;
     tenths(2);
-    EXPECT_FALSE(firmware::failsafeGlides());
+    EXPECT_FALSE(firmware::safety::failsafeGlides());
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
 }
 
 TEST_F(FailsafeMachine, take_off_and_landing_are_flown_to_their_end) {
-    for (firmware::Path path : {firmware::Path::takeoff, firmware::Path::land}) {
+    for (firmware::state::Path path :
+         {firmware::state::Path::takeoff, firmware::state::Path::land}) {
         start(Mode::loiter);
         vehicle.mode = Mode::automatic;
         vehicle.demand.path = path;
@@ -344,7 +351,7 @@ TEST_F(FailsafeMachine, take_off_and_landing_are_flown_to_their_end) {
         tenths(100);
         EXPECT_EQ(vehicle.mode, Mode::automatic);
         kTriggers[4].pull(false);
-        vehicle.demand.path = firmware::Path::leg;
+        vehicle.demand.path = firmware::state::Path::leg;
         tenths(2);
         EXPECT_EQ(vehicle.mode, Mode::rtl);
         vehicle.radio.lost = false;
@@ -364,8 +371,8 @@ TEST_F(FailsafeMachine, a_low_pack_stays_low_and_the_pilot_may_fly_on_with_it) {
     ASSERT_EQ(vehicle.mode, Mode::rtl);
     kTriggers[1].pull(false);
     tenths(20);
-    EXPECT_TRUE(firmware::failing(Cause::battery));
-    firmware::setMode(Mode::fbwa, firmware::ModeReason::pilot);
+    EXPECT_TRUE(firmware::safety::failing(Cause::battery));
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::pilot);
     tenths(20);
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
 }

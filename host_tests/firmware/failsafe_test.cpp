@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/failsafe/failsafe.hpp"
+#include "firmware/safety/failsafe.hpp"
 
 #include <string.h>
 
@@ -8,9 +8,9 @@
 
 namespace {
 
-using firmware::Mode;
-using firmware::parameters;
-using firmware::vehicle;
+using firmware::state::Mode;
+using firmware::state::parameters;
+using firmware::state::vehicle;
 
 constexpr uint32_t kShort_ms = 1500;
 constexpr uint32_t kLong_ms = 7000;
@@ -33,7 +33,7 @@ TEST_F(Failsafe, gives_back_the_mode_when_the_radio_is_back_in_time) {
     ASSERT_EQ(vehicle.mode, Mode::circle);
 
     settle(with(8, 1425));
-    firmware::runFailsafe();
+    firmware::safety::runFailsafe();
 
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
     EXPECT_FALSE(vehicle.failsafe_short);
@@ -42,11 +42,11 @@ TEST_F(Failsafe, gives_back_the_mode_when_the_radio_is_back_in_time) {
 TEST_F(Failsafe, leaves_a_mode_that_was_chosen_meanwhile) {
     fly(Mode::fbwa);
     loseRadio(kShort_ms);
-    firmware::setMode(Mode::loiter, firmware::ModeReason::ground);
+    firmware::modes::setMode(Mode::loiter, firmware::modes::ModeReason::ground);
 
     settle(bench::kCentred);
     vehicle.mode_changed = false;
-    firmware::runFailsafe();
+    firmware::safety::runFailsafe();
 
     EXPECT_NE(vehicle.mode, Mode::circle);
     EXPECT_NE(vehicle.mode, Mode::fbwa);
@@ -59,10 +59,10 @@ TEST_F(Failsafe, keeps_returning_home_after_the_long_time_though_the_radio_is_ba
 
     for (int i = 0; i < 5; ++i) {
         fakes::receiveRc(bench::kCentred);
-        firmware::runRadio();
+        firmware::sensors::runRadio();
         fakes::advance_ms(10);
     }
-    firmware::runFailsafe();
+    firmware::safety::runFailsafe();
 
     EXPECT_EQ(vehicle.mode, Mode::rtl);
     EXPECT_FALSE(vehicle.failsafe_long);
@@ -89,7 +89,7 @@ TEST_F(Failsafe, glides_in_fbwa_when_told_to) {
     fly(Mode::stabilize);
     loseRadio(kShort_ms);
     ASSERT_EQ(vehicle.mode, Mode::fbwa);
-    firmware::runMode();
+    firmware::modes::runMode();
     EXPECT_EQ(vehicle.throttle_demand, 0);
     EXPECT_EQ(vehicle.roll_demand_rad, 0);
 }
@@ -106,7 +106,7 @@ struct GroundStation : Failsafe {
     void SetUp() override {
         Failsafe::SetUp();
         fakes::serial(hal::Port::link0).room = 127;
-        firmware::telemetryStart();
+        firmware::gcs::telemetryStart();
         parameters.ground_failsafe = 1;
     }
     template <class Message>
@@ -115,7 +115,7 @@ struct GroundStation : Failsafe {
         const uint16_t size =
             mavlink::encode({mavlink::Framing::v1, 0, system, 190}, message, bytes);
         fakes::serial(hal::Port::link0).receive(std::vector<uint8_t>(bytes, bytes + size));
-        for (int i = 0; i < 10; ++i) firmware::telemetryPump();
+        for (int i = 0; i < 10; ++i) firmware::gcs::telemetryPump();
     }
     void beat() { say(mavlink::Heartbeat{}); }
     void fly_s(int seconds, bool beating) {
@@ -123,7 +123,7 @@ struct GroundStation : Failsafe {
             if (beating) beat();
             for (int quarter = 0; quarter < 4; ++quarter) {
                 settle(bench::kCentred);
-                firmware::runFailsafe();
+                firmware::safety::runFailsafe();
             }
         }
     }
@@ -166,7 +166,7 @@ TEST_F(GroundStation, the_pilot_may_take_over_while_it_is_silent) {
     fly_s(7, false);
     ASSERT_EQ(vehicle.mode, Mode::rtl);
 
-    firmware::setMode(Mode::stabilize, firmware::ModeReason::pilot);
+    firmware::modes::setMode(Mode::stabilize, firmware::modes::ModeReason::pilot);
     fly_s(7, false);
 
     EXPECT_EQ(vehicle.mode, Mode::stabilize);
@@ -222,7 +222,7 @@ TEST_F(GroundStation, losing_both_links_ends_at_home) {
     ASSERT_EQ(vehicle.mode, Mode::rtl);
     loseRadio(kShort_ms + kLong_ms);
     beat();
-    firmware::runFailsafe();
+    firmware::safety::runFailsafe();
     loseRadio(200);
 
     EXPECT_EQ(vehicle.mode, Mode::rtl);
@@ -265,7 +265,7 @@ TEST_F(GroundStation, its_sticks_are_dropped_when_it_is_missed) {
     ASSERT_EQ(vehicle.mode, Mode::rtl);
 
     uint16_t pulse_us = 0;
-    EXPECT_FALSE(firmware::rcOverride(0, pulse_us));
+    EXPECT_FALSE(firmware::gcs::rcOverride(0, pulse_us));
 }
 
 TEST_F(Failsafe, does_nothing_on_the_ground_while_disarmed) {

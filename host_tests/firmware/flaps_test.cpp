@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/flaps.hpp"
+#include "firmware/actuators/flaps.hpp"
 
+#include "firmware/actuators/outputs.hpp"
 #include "firmware/bench.hpp"
 #include "firmware/guidance/guidance.hpp"
-#include "firmware/outputs.hpp"
 
 namespace {
 
-using firmware::Mode;
-using firmware::outputPulse_us;
-using firmware::parameters;
-using firmware::vehicle;
+using firmware::actuators::outputPulse_us;
+using firmware::state::Mode;
+using firmware::state::parameters;
+using firmware::state::vehicle;
 
 constexpr int kFlap = 5, kAutoFlap = 6, kLever = 7;  // outputs, and the lever's channel
 
@@ -18,11 +18,11 @@ class Flaps : public bench::Bench {
 protected:
     void SetUp() override {
         Bench::SetUp();
-        parameters.output_function[kFlap - 5] = firmware::kFlapFunction;
-        parameters.output_function[kAutoFlap - 5] = firmware::kAutoFlapFunction;
+        parameters.output_function[kFlap - 5] = firmware::actuators::kFlapFunction;
+        parameters.output_function[kAutoFlap - 5] = firmware::actuators::kAutoFlapFunction;
         parameters.flap_channel = kLever;
         parameters.flap_slew_pct = 0;
-        firmware::startOutputs();
+        firmware::actuators::startOutputs();
         vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = 1;
         vehicle.airspeed.healthy = true;
         moveLever(1100);
@@ -35,11 +35,11 @@ protected:
     void tenths(int count, float airspeed_mps = 13) {
         for (int i = 0; i < count; ++i) {
             vehicle.mode_changed = false;
-            firmware::runMode();
+            firmware::modes::runMode();
             vehicle.demand.airspeed_mps = airspeed_mps;
-            firmware::runGuidance();
-            firmware::runFlaps();
-            firmware::runOutputs();
+            firmware::guidance::runGuidance();
+            firmware::actuators::runFlaps();
+            firmware::actuators::runOutputs();
         }
     }
     // 50 % from 12 m/s on and 100 % from 10 m/s on.
@@ -138,16 +138,16 @@ TEST_F(Flaps, do_nothing_by_themselves_while_the_pilot_has_the_throttle) {
 TEST_F(Flaps, go_out_for_a_landing_whatever_the_airspeed) {
     parameters.land_flap_pct = 60;
     stagesInLoiter();
-    vehicle.demand.path = firmware::Path::land;
+    vehicle.demand.path = firmware::state::Path::land;
     tenths(1, 13);
     EXPECT_NEAR(outputPulse_us(kAutoFlap), 1580, 2);
     tenths(1, 10);
     EXPECT_NEAR(outputPulse_us(kAutoFlap), 1580, 2);
-    vehicle.demand.path = firmware::Path::leg;
+    vehicle.demand.path = firmware::state::Path::leg;
     tenths(1, 13);
     EXPECT_EQ(outputPulse_us(kAutoFlap), 1100) << "it goes around";
     parameters.land_flap_pct = 0;
-    vehicle.demand.path = firmware::Path::land;
+    vehicle.demand.path = firmware::state::Path::land;
     tenths(1, 12);
     EXPECT_GT(outputPulse_us(kAutoFlap), 1490) << "by the speed";
 }

@@ -5,10 +5,10 @@
 
 namespace {
 
-using firmware::Mode;
-using firmware::parameters;
-using firmware::Path;
-using firmware::vehicle;
+using firmware::state::Mode;
+using firmware::state::parameters;
+using firmware::state::Path;
+using firmware::state::vehicle;
 
 constexpr geo::Position kHere = {470000000, 80000000};
 
@@ -16,11 +16,11 @@ class Guidance : public bench::Bench {
 protected:
     void SetUp() override {
         Bench::SetUp();
-        firmware::runGuidance();  // in MANUAL: whoever guided before has let go
+        firmware::guidance::runGuidance();  // in MANUAL: whoever guided before has let go
         vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = 1;
         vehicle.imu.accel_mss = {0, 0, -core::kGravity_mss};
         vehicle.home.position = vehicle.estimate.position = kHere;
-        vehicle.gps.fix = firmware::GpsFix::three_d;
+        vehicle.gps.fix = firmware::state::GpsFix::three_d;
         vehicle.airspeed.healthy = true;
     }
     void standing() {
@@ -46,10 +46,10 @@ protected:
     // Tenths of a second, as the schedule runs the two.
     void guide(int tenths = 1) {
         for (int i = 0; i < tenths; ++i) {
-            firmware::runMode();
-            firmware::runGuidance();
-            firmware::runSpeedHeight();
-            firmware::runGuidance();
+            firmware::modes::runMode();
+            firmware::guidance::runGuidance();
+            firmware::guidance::runSpeedHeight();
+            firmware::guidance::runGuidance();
         }
     }
     // LOITER lends its automatic throttle and guidance to any path.
@@ -92,8 +92,8 @@ TEST_F(Guidance, does_nothing_in_a_mode_that_does_not_guide_itself) {
     vehicle.roll_demand_rad = 0.1f;
     vehicle.throttle_demand = 0.2f;
     demand(Path::leg);
-    firmware::runGuidance();
-    firmware::runSpeedHeight();
+    firmware::guidance::runGuidance();
+    firmware::guidance::runSpeedHeight();
     EXPECT_NEAR(vehicle.roll_demand_rad, 0.1f, 1e-4);
     EXPECT_NEAR(vehicle.throttle_demand, 0.2f, 1e-4);
     EXPECT_TRUE(vehicle.demand.new_path);
@@ -124,7 +124,7 @@ TEST_F(Guidance, does_not_take_a_fast_position_alone_for_a_launch) {
     guide(20);
     EXPECT_TRUE(vehicle.progress.throttle_suppressed);
     cruising();
-    vehicle.gps.fix = firmware::GpsFix::none;
+    vehicle.gps.fix = firmware::state::GpsFix::none;
     guide(20);
     EXPECT_TRUE(vehicle.progress.throttle_suppressed);
 }
@@ -178,7 +178,7 @@ TEST_F(Guidance,
 TEST_F(Guidance, waits_for_a_three_dimensional_fix_before_a_take_off) {
     onTheGround(Mode::loiter);
     demand(Path::takeoff);
-    vehicle.gps.fix = firmware::GpsFix::two_d;
+    vehicle.gps.fix = firmware::state::GpsFix::two_d;
     guide(30);
     EXPECT_TRUE(vehicle.progress.throttle_suppressed);
     EXPECT_EQ(vehicle.throttle_demand, 0);
@@ -258,7 +258,7 @@ TEST_F(Guidance, circles_to_the_side_it_is_told) {
         place(0, counter_clockwise ? 60 : -60);  // so that north is along the circle
         guide();
         EXPECT_NEAR(vehicle.roll_demand_rad, vehicle.attitude.roll_rad, 0.05);
-        firmware::setMode(Mode::manual, firmware::ModeReason::ground);
+        firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
     }
 }
 
@@ -268,7 +268,7 @@ TEST_F(Guidance, the_sign_of_the_loiter_radius_is_its_direction) {
         fly(Mode::loiter);
         EXPECT_EQ(vehicle.demand.counter_clockwise, radius_m < 0);
         EXPECT_EQ(vehicle.demand.radius_m, 60);
-        firmware::setMode(Mode::manual, firmware::ModeReason::ground);
+        firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
     }
 }
 
@@ -340,7 +340,7 @@ TEST_F(Guidance, nothing_flares_that_the_pilot_flies) {
     onFinal(0.5f, 10);
     guide(2);
     ASSERT_TRUE(vehicle.progress.flaring);
-    firmware::setMode(Mode::fbwa, firmware::ModeReason::ground);
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     guide();
     EXPECT_FALSE(vehicle.progress.flaring) << "its pitch is not twice as fast";
 }
@@ -386,7 +386,7 @@ TEST_F(Guidance, steers_no_more_once_the_pilot_has_the_airplane) {
     vehicle.attitude.yaw_rad = 0.2f;
     guide(2);
     ASSERT_NE(vehicle.rudder_demand, 0);
-    firmware::setMode(Mode::fbwa, firmware::ModeReason::ground);
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     guide();
     EXPECT_EQ(vehicle.rudder_demand, 0);
 }

@@ -3,34 +3,34 @@
 
 #include <cmath>
 
+#include "firmware/actuators/outputs.hpp"
+#include "firmware/actuators/relay.hpp"
 #include "firmware/bench.hpp"
 #include "firmware/guidance/guidance.hpp"
 #include "firmware/mission/speed.hpp"
-#include "firmware/outputs.hpp"
-#include "firmware/relay.hpp"
 
 namespace {
 
-using firmware::missionAct;
-using firmware::MissionItem;
-using firmware::MissionResult;
-using firmware::Mode;
-using firmware::parameters;
-using firmware::Path;
-using firmware::vehicle;
+using firmware::mission::missionAct;
+using firmware::mission::MissionItem;
+using firmware::mission::MissionResult;
+using firmware::state::Mode;
+using firmware::state::parameters;
+using firmware::state::Path;
+using firmware::state::vehicle;
 
 constexpr geo::Position kHome = {470000000, 80000000};
 constexpr geo::Position kThere = {470030000, 80050000};
 constexpr uint8_t kGlobal = 0, kRelative = 3, kTerrain = 10;
 
-MissionResult orderTo(MissionItem item) { return firmware::guideTo(item); }
-MissionResult orderHeight(MissionItem item) { return firmware::guideToHeight(item); }
+MissionResult orderTo(MissionItem item) { return firmware::modes::guideTo(item); }
+MissionResult orderHeight(MissionItem item) { return firmware::modes::guideToHeight(item); }
 
 class Guided : public bench::Bench {
 protected:
     void SetUp() override {
         Bench::SetUp();
-        firmware::resetSpeed();
+        firmware::mission::resetSpeed();
         vehicle.home.position = vehicle.estimate.position = kHome;
         vehicle.home.altitude_cm = 40000;
         fly(Mode::fbwa);
@@ -47,17 +47,17 @@ protected:
 };
 
 TEST_F(Guided, chosen_without_a_target_circles_where_it_is) {
-    ASSERT_TRUE(firmware::setMode(Mode::guided, firmware::ModeReason::pilot));
+    ASSERT_TRUE(firmware::modes::setMode(Mode::guided, firmware::modes::ModeReason::pilot));
     EXPECT_EQ(vehicle.demand.path, Path::circle);
     EXPECT_EQ(vehicle.demand.to, kHome);
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 80);
-    EXPECT_TRUE(firmware::guidesItself());
-    EXPECT_TRUE(firmware::autoThrottle());
+    EXPECT_TRUE(firmware::modes::guidesItself());
+    EXPECT_TRUE(firmware::modes::autoThrottle());
 }
 
 TEST_F(Guided, is_not_entered_without_a_position) {
     vehicle.estimate.known = false;
-    EXPECT_FALSE(firmware::setMode(Mode::guided, firmware::ModeReason::ground));
+    EXPECT_FALSE(firmware::modes::setMode(Mode::guided, firmware::modes::ModeReason::ground));
     EXPECT_EQ(orderTo(to(kThere, 100)), MissionResult::error);
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
 }
@@ -76,7 +76,7 @@ TEST_F(Guided, flies_to_the_place_and_height_that_are_given) {
 
 TEST_F(Guided, keeps_its_target_when_the_mode_is_set_again) {
     ASSERT_EQ(orderTo(to(kThere, 100)), MissionResult::accepted);
-    ASSERT_TRUE(firmware::setMode(Mode::guided, firmware::ModeReason::ground));
+    ASSERT_TRUE(firmware::modes::setMode(Mode::guided, firmware::modes::ModeReason::ground));
     EXPECT_EQ(vehicle.demand.to, kThere);
 }
 
@@ -140,7 +140,7 @@ TEST_F(Guided, refuses_what_it_cannot_fly_to_and_flies_on_as_before) {
 TEST_F(Guided, changes_the_height_alone_in_whatever_mode_holds_one) {
     EXPECT_EQ(orderHeight(to(kThere, 90)), MissionResult::error) << "the pilot flies";
     for (const Mode mode : {Mode::loiter, Mode::rtl, Mode::circle, Mode::guided}) {
-        ASSERT_TRUE(firmware::setMode(mode, firmware::ModeReason::ground));
+        ASSERT_TRUE(firmware::modes::setMode(mode, firmware::modes::ModeReason::ground));
         const geo::Position before = vehicle.demand.to;
         EXPECT_EQ(orderHeight(to(kThere, 490, kGlobal)), MissionResult::accepted);
         EXPECT_FLOAT_EQ(vehicle.demand.height_m, 90);
@@ -168,11 +168,11 @@ TEST_F(Guided, flies_at_the_speed_it_is_told_also_to_the_next_place) {
 TEST_F(Guided, an_action_ordered_from_the_ground_is_the_missions_own) {
     vehicle.mode_changed = false;
     EXPECT_EQ(missionAct({183, 2, 6, 1700, 0, 0, 0, 0, 0}), MissionResult::accepted);
-    firmware::runOutputs();
-    EXPECT_EQ(firmware::outputPulse_us(6), 1700);
+    firmware::actuators::runOutputs();
+    EXPECT_EQ(firmware::actuators::outputPulse_us(6), 1700);
     EXPECT_EQ(missionAct({183, 2, 3, 1700, 0, 0, 0, 0, 0}), static_cast<MissionResult>(6));
     EXPECT_EQ(missionAct({181, 2, 0, 1, 0, 0, 0, 0, 0}), MissionResult::accepted);
-    EXPECT_TRUE(firmware::relayGet());
+    EXPECT_TRUE(firmware::actuators::relayGet());
     EXPECT_EQ(missionAct({16, 3, 0, 0, 0, 0, 1, 1, 50}), MissionResult::unsupported);
     EXPECT_EQ(missionAct({177, 2, 0, 1, 0, 0, 0, 0, 0}), static_cast<MissionResult>(6));
     EXPECT_EQ(missionAct({208, 2, 2, 0, 0, 0, 0, 0, 0}), MissionResult::unsupported);
@@ -186,7 +186,7 @@ TEST_F(Guided, is_left_for_home_by_a_long_failsafe_only_if_the_pilot_wants_that)
     EXPECT_EQ(vehicle.mode, Mode::guided);
     EXPECT_EQ(vehicle.demand.to, kThere);
     settle(bench::kCentred);
-    for (int i = 0; i < 3; ++i) firmware::runFailsafe();
+    for (int i = 0; i < 3; ++i) firmware::safety::runFailsafe();
     parameters.long_action = 1;
     loseRadio(12000);
     EXPECT_EQ(vehicle.mode, Mode::rtl);
@@ -194,8 +194,8 @@ TEST_F(Guided, is_left_for_home_by_a_long_failsafe_only_if_the_pilot_wants_that)
 
 TEST_F(Guided, comes_down_on_a_slope_that_ends_at_the_circle_and_climbs_at_once) {
     const auto planned_m = [] {
-        firmware::runMode();
-        firmware::runGuidance();
+        firmware::modes::runMode();
+        firmware::guidance::runGuidance();
         return vehicle.progress.height_error_m + vehicle.estimate.height_m;
     };
     vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = 1;

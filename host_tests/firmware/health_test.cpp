@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/failsafe/health.hpp"
+#include "firmware/sensors/health.hpp"
 
 #include <random>
 
@@ -7,10 +7,10 @@
 
 namespace {
 
-using firmware::ails;
-using firmware::believe;
-using firmware::Sensor;
-using firmware::vehicle;
+using firmware::sensors::ails;
+using firmware::sensors::believe;
+using firmware::sensors::Sensor;
+using firmware::state::vehicle;
 
 struct Rhythm {
     Sensor sensor;
@@ -26,13 +26,13 @@ const Rhythm kRhythms[] = {{Sensor::inertial, 10, 300, 9000},
 class Health : public testing::TestWithParam<Rhythm> {
 protected:
     void SetUp() override {
-        firmware::startHealth();
+        firmware::sensors::startHealth();
         vehicle.estimate.flying = true;
         tenths(50, 0);
         ASSERT_FALSE(ails());
     }
     void TearDown() override { vehicle.estimate.flying = false; }
-    bool ails() const { return firmware::ails(GetParam().sensor); }
+    bool ails() const { return firmware::sensors::ails(GetParam().sensor); }
     int16_t scattered(int16_t by) {
         return static_cast<int16_t>(std::uniform_int_distribution<int>(-by, by)(random_));
     }
@@ -44,17 +44,17 @@ protected:
             const int16_t wild = i % 2 == 0 ? GetParam().beyond : -GetParam().beyond;
             const int16_t reading = odd ? wild : scattered(GetParam().quiet);
             believed += believe(GetParam().sensor, reading, true);
-            if (i % GetParam().per_tenth == 0) firmware::watchHealth();
+            if (i % GetParam().per_tenth == 0) firmware::sensors::watchHealth();
         }
         return believed;
     }
     void silence(int tenths) {
-        for (int i = 0; i < tenths; ++i) firmware::watchHealth();
+        for (int i = 0; i < tenths; ++i) firmware::sensors::watchHealth();
     }
     void stuck(int tenths) {
         for (int i = 0; i < tenths * GetParam().per_tenth; ++i) {
             believe(GetParam().sensor, 5, true);
-            if (i % GetParam().per_tenth == 0) firmware::watchHealth();
+            if (i % GetParam().per_tenth == 0) firmware::sensors::watchHealth();
         }
     }
     std::minstd_rand random_{1};
@@ -84,7 +84,7 @@ TEST_P(Health, wild_values_are_not_used_and_noticed_within_half_a_second) {
 TEST_P(Health, impossible_values_are_noticed_as_well) {
     for (int i = 0; i < 5 * GetParam().per_tenth; ++i)
         EXPECT_FALSE(believe(GetParam().sensor, scattered(5), false));
-    firmware::watchHealth();
+    firmware::sensors::watchHealth();
     EXPECT_TRUE(ails());
 }
 
@@ -103,8 +103,8 @@ TEST_P(Health, it_is_well_again_after_some_seconds_of_sense) {
 }
 
 TEST_P(Health, the_others_contradiction_is_enough) {
-    for (int i = 0; i < 6; ++i) firmware::doubt(GetParam().sensor);
-    firmware::watchHealth();
+    for (int i = 0; i < 6; ++i) firmware::sensors::doubt(GetParam().sensor);
+    firmware::sensors::watchHealth();
     EXPECT_TRUE(ails());
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/home.hpp"
+#include "firmware/mission/home.hpp"
 
 #include "firmware/bench.hpp"
 #include "firmware/guidance/guidance.hpp"
 
 namespace {
 
-using firmware::Mode;
-using firmware::vehicle;
+using firmware::state::Mode;
+using firmware::state::vehicle;
 
 constexpr geo::Position kHome = {470000000, 80000000};
 
@@ -15,10 +15,10 @@ class Home : public bench::Bench {
 protected:
     void SetUp() override {
         Bench::SetUp();
-        firmware::runGuidance();  // in MANUAL: whoever guided before has let go
+        firmware::guidance::runGuidance();  // in MANUAL: whoever guided before has let go
         vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = 1;
         vehicle.imu.accel_mss = {0, 0, -core::kGravity_mss};
-        vehicle.gps.fix = firmware::GpsFix::three_d;
+        vehicle.gps.fix = firmware::state::GpsFix::three_d;
         vehicle.airspeed.healthy = true;
         vehicle.estimate.velocity_mps = {13, 0, 0};
         vehicle.estimate.ground_speed_mps = 13;
@@ -28,10 +28,10 @@ protected:
     }
     void guide(int tenths) {
         for (int i = 0; i < tenths; ++i) {
-            firmware::runMode();
-            firmware::runGuidance();
-            firmware::runSpeedHeight();
-            firmware::runGuidance();
+            firmware::modes::runMode();
+            firmware::guidance::runGuidance();
+            firmware::guidance::runSpeedHeight();
+            firmware::guidance::runGuidance();
         }
     }
     float demandedAltitude_m() {
@@ -42,7 +42,7 @@ protected:
 TEST_F(Home, set_elsewhere_in_flight_leaves_the_altitude_that_is_flown) {
     fly(Mode::loiter);
     const float before_m = demandedAltitude_m();
-    firmware::setHome(kHome, 42000);
+    firmware::mission::setHome(kHome, 42000);
     EXPECT_FLOAT_EQ(vehicle.estimate.height_m, 60);
     EXPECT_FLOAT_EQ(demandedAltitude_m(), before_m);
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 60);
@@ -53,8 +53,8 @@ TEST_F(Home, set_elsewhere_in_flight_moves_neither_nose_nor_throttle) {
     fly(Mode::loiter);
     guide(100);
     const float pitch_rad = vehicle.pitch_demand_rad, throttle = vehicle.throttle_demand;
-    firmware::setHome(kHome, 45000);
-    firmware::runSpeedHeight();  // between two looks of guidance
+    firmware::mission::setHome(kHome, 45000);
+    firmware::guidance::runSpeedHeight();  // between two looks of guidance
     guide(1);
     EXPECT_NEAR(vehicle.pitch_demand_rad, pitch_rad, 0.002f);
     EXPECT_NEAR(vehicle.throttle_demand, throttle, 0.01f);
@@ -64,7 +64,7 @@ TEST_F(Home, set_elsewhere_in_flight_moves_neither_nose_nor_throttle) {
 TEST_F(Home, set_here_in_flight_makes_its_height_zero_and_flies_on_as_high) {
     fly(Mode::loiter);
     vehicle.estimate.position = geo::moved(kHome, {500, 0});
-    ASSERT_TRUE(firmware::setHomeHere());
+    ASSERT_TRUE(firmware::mission::setHomeHere());
     EXPECT_EQ(vehicle.home.position, vehicle.estimate.position);
     EXPECT_EQ(vehicle.home.altitude_cm, 48000);
     EXPECT_FLOAT_EQ(vehicle.estimate.height_m, 0);

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/inverted.hpp"
+#include "firmware/control/inverted.hpp"
 
 #include <cmath>
 
 #include "core/maths.hpp"
-#include "firmware/attitude_control.hpp"
 #include "firmware/bench.hpp"
+#include "firmware/control/attitude_control.hpp"
 #include "firmware/guidance/bank.hpp"
 
 namespace {
 
 using core::radians;
-using firmware::Mode;
-using firmware::parameters;
-using firmware::Path;
-using firmware::surfaces;
-using firmware::vehicle;
+using firmware::control::surfaces;
+using firmware::state::Mode;
+using firmware::state::parameters;
+using firmware::state::Path;
+using firmware::state::vehicle;
 
 class Inverted : public bench::Bench {
 protected:
     void SetUp() override {
         Bench::SetUp();
-        firmware::orderInverted(false);
+        firmware::control::orderInverted(false);
         vehicle.imu.periods = 2;
         vehicle.estimate.equivalent_airspeed_mps = parameters.scaling_speed_mps;
         attitude(0, 0);
@@ -39,15 +39,15 @@ protected:
         attitude.cos_pitch = std::cos(pitch_rad);
     }
     static void run() {
-        firmware::runMode();
-        firmware::runInverted();
+        firmware::modes::runMode();
+        firmware::control::runInverted();
         for (int i = 0; i < 11; ++i) {
-            firmware::runMode();
-            firmware::runAttitudeControl();
+            firmware::modes::runMode();
+            firmware::control::runAttitudeControl();
             vehicle.mode_changed = false;
         }
     }
-    static firmware::Surfaces at(float roll_deg, float pitch_deg) {
+    static firmware::control::Surfaces at(float roll_deg, float pitch_deg) {
         attitude(roll_deg, pitch_deg);
         run();
         return surfaces;
@@ -55,23 +55,23 @@ protected:
 };
 
 TEST_F(Inverted, is_level_on_its_back) {
-    firmware::orderInverted(true);
+    firmware::control::orderInverted(true);
     EXPECT_NEAR(at(179.9f, 0).aileron, 0, 0.02);
     EXPECT_GT(at(160, 0).aileron, 0.05f);
     EXPECT_LT(at(-160, 0).aileron, -0.05f);
 }
 
 TEST_F(Inverted, is_pushed_up) {
-    firmware::orderInverted(true);
+    firmware::control::orderInverted(true);
     EXPECT_LT(at(180, -10).elevator, -0.1f);
-    firmware::orderInverted(false);
+    firmware::control::orderInverted(false);
     (void)at(0, 0);
-    firmware::orderInverted(true);
+    firmware::control::orderInverted(true);
     EXPECT_GT(at(180, 10).elevator, 0.1f);
 }
 
 TEST_F(Inverted, turns_the_way_the_stick_does) {
-    firmware::orderInverted(true);
+    firmware::control::orderInverted(true);
     settle(with(1, 1800));
     const float right = at(180, 0).aileron;
     settle(with(1, 1200));
@@ -80,19 +80,19 @@ TEST_F(Inverted, turns_the_way_the_stick_does) {
 }
 
 TEST_F(Inverted, is_reached_by_half_a_roll_to_the_right_and_left_the_same_way) {
-    firmware::orderInverted(true);
+    firmware::control::orderInverted(true);
     settle(with(1, 1200));
     for (const float roll_deg : {-5.0f, 0.0f, 5.0f, 90.0f, 115.0f})
         EXPECT_GT(at(roll_deg, 0).aileron, 0.5f) << roll_deg << ": whatever the stick asks for";
-    firmware::orderInverted(false);
+    firmware::control::orderInverted(false);
     for (const float roll_deg : {175.0f, -175.0f, -90.0f, -65.0f})
         EXPECT_GT(at(roll_deg, 0).aileron, 0.4f) << roll_deg;
 }
 
 TEST_F(Inverted, is_never_pulled_through) {
-    firmware::orderInverted(true);
+    firmware::control::orderInverted(true);
     (void)at(180, 0);
-    firmware::orderInverted(false);
+    firmware::control::orderInverted(false);
     EXPECT_LT(at(-175, -15).elevator, 0);
     EXPECT_NEAR(at(-90, -15).elevator, 0, 0.1);
     EXPECT_GT(at(-30, -15).elevator, 0.1f);
@@ -109,9 +109,9 @@ TEST_F(Inverted, an_airplane_thrown_over_rolls_upright_the_short_way_and_is_not_
 }
 
 TEST_F(Inverted, half_a_roll_of_the_pilots_own_is_his) {
-    firmware::orderInverted(true);
+    firmware::control::orderInverted(true);
     (void)at(180, 0);
-    firmware::setMode(Mode::acro, firmware::ModeReason::pilot);
+    firmware::modes::setMode(Mode::acro, firmware::modes::ModeReason::pilot);
     EXPECT_NEAR(at(180, 0).aileron, 0, 0.02);
     EXPECT_FALSE(vehicle.inverted);
 }
@@ -119,12 +119,13 @@ TEST_F(Inverted, half_a_roll_of_the_pilots_own_is_his) {
 TEST_F(Inverted, bank_is_counted_from_upside_down) {
     attitude(-160, 0);  // 20 degrees to the right of it
     vehicle.inverted = true;
-    firmware::beginBanking();
-    EXPECT_NEAR(firmware::presentBank_mss(), core::kGravity_mss * std::tan(radians(20)), 0.1);
-    firmware::demandBank(100, firmware::BankLimit::flying);
+    firmware::guidance::beginBanking();
+    EXPECT_NEAR(firmware::guidance::presentBank_mss(), core::kGravity_mss * std::tan(radians(20)),
+                0.1);
+    firmware::guidance::demandBank(100, firmware::guidance::BankLimit::flying);
     EXPECT_NEAR(vehicle.roll_demand_rad, radians(22.5f), 0.01);
     vehicle.inverted = false;
-    firmware::demandBank(100, firmware::BankLimit::flying);
+    firmware::guidance::demandBank(100, firmware::guidance::BankLimit::flying);
     EXPECT_NEAR(vehicle.roll_demand_rad, radians(45), 0.01);
 }
 
@@ -145,7 +146,7 @@ TEST_F(Inverted, the_switch_turns_it_over_while_it_is_up) {
 }
 
 TEST_F(Inverted, is_flown_only_with_room_below) {
-    firmware::orderInverted(true);
+    firmware::control::orderInverted(true);
     vehicle.estimate.height_m = 29;
     run();
     EXPECT_FALSE(vehicle.inverted);
@@ -162,7 +163,7 @@ TEST_F(Inverted, is_flown_only_with_room_below) {
 
 TEST_F(Inverted, is_not_flown_on_the_ground_nor_by_a_pilot_who_has_the_surfaces) {
     const auto flies = [] {
-        firmware::orderInverted(true);
+        firmware::control::orderInverted(true);
         run();
         return vehicle.inverted;
     };
@@ -174,18 +175,18 @@ TEST_F(Inverted, is_not_flown_on_the_ground_nor_by_a_pilot_who_has_the_surfaces)
     EXPECT_FALSE(flies());
     vehicle.armed = true;
     for (const Mode mode : {Mode::manual, Mode::training, Mode::acro}) {
-        firmware::setMode(mode, firmware::ModeReason::pilot);
+        firmware::modes::setMode(mode, firmware::modes::ModeReason::pilot);
         EXPECT_FALSE(flies()) << static_cast<int>(mode);
     }
     for (const Mode mode : {Mode::stabilize, Mode::fbwa, Mode::fbwb, Mode::circle, Mode::loiter}) {
-        firmware::setMode(mode, firmware::ModeReason::pilot);
+        firmware::modes::setMode(mode, firmware::modes::ModeReason::pilot);
         EXPECT_TRUE(flies()) << static_cast<int>(mode);
     }
 }
 
 TEST_F(Inverted, neither_takes_off_nor_lands) {
-    firmware::setMode(Mode::loiter, firmware::ModeReason::pilot);
-    firmware::orderInverted(true);
+    firmware::modes::setMode(Mode::loiter, firmware::modes::ModeReason::pilot);
+    firmware::control::orderInverted(true);
     for (const Path path : {Path::takeoff, Path::land}) {
         vehicle.demand.path = path;
         run();

@@ -1,46 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/lights.hpp"
+#include "firmware/actuators/lights.hpp"
 
 #include <functional>
 #include <string>
 
 #include "board.hpp"
-#include "firmware/arming.hpp"
 #include "firmware/bench.hpp"
+#include "firmware/safety/arming.hpp"
 
 namespace {
 
-using firmware::GpsFix;
-using firmware::parameters;
-using firmware::vehicle;
+using firmware::state::GpsFix;
+using firmware::state::parameters;
+using firmware::state::vehicle;
 
 struct Lights : bench::Bench {
     void SetUp() override {
         Bench::SetUp();
         vehicle.imu.healthy = vehicle.imu.calibrated = true;
         parameters.arming_check = 0;
-        for (uint8_t i = 0; i < 16; ++i) firmware::runLights();
+        for (uint8_t i = 0; i < 16; ++i) firmware::actuators::runLights();
         align();
     }
     static void look() {
-        for (int tenth = 0; tenth < 10; ++tenth) firmware::runArming();
+        for (int tenth = 0; tenth < 10; ++tenth) firmware::safety::runArming();
     }
     void align() {
         vehicle.armed = false;
         look();
         for (int i = 0; i < 40; ++i) {  // to where a flash begins
             const bool was = board::LedA::lit;
-            firmware::runLights();
+            firmware::actuators::runLights();
             if (i > 16 && board::LedA::lit && !was) break;
         }
-        for (int i = 0; i < 15; ++i) firmware::runLights();
+        for (int i = 0; i < 15; ++i) firmware::actuators::runLights();
     }
     // Of 1.6 s, a letter a tenth of a second.
     template <class Led>
     static std::string shown() {
         std::string seen;
         for (int i = 0; i < 16; ++i) {
-            firmware::runLights();
+            firmware::actuators::runLights();
             seen += Led::lit ? '#' : '.';
         }
         return seen;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/modes.hpp"
+#include "firmware/modes/modes.hpp"
 
-#include "firmware/attitude_control.hpp"
 #include "firmware/bench.hpp"
+#include "firmware/control/attitude_control.hpp"
 #include "firmware/guidance/guidance.hpp"
 
 namespace {
 
-using firmware::Mode;
-using firmware::parameters;
-using firmware::Path;
-using firmware::Sticks;
-using firmware::surfaces;
-using firmware::vehicle;
+using firmware::control::surfaces;
+using firmware::state::Mode;
+using firmware::state::parameters;
+using firmware::state::Path;
+using firmware::state::Sticks;
+using firmware::state::vehicle;
 
 constexpr geo::Position kHome = {470000000, 80000000};
 constexpr float kStick = 370;  // us of a full one beyond its dead zone
@@ -21,11 +21,11 @@ class Modes : public bench::Bench {
 protected:
     void SetUp() override {
         Bench::SetUp();
-        firmware::runGuidance();  // in MANUAL: whoever guided before has let go
+        firmware::guidance::runGuidance();  // in MANUAL: whoever guided before has let go
         vehicle.imu.periods = 2;
         vehicle.imu.accel_mss = {0, 0, -core::kGravity_mss};
         vehicle.home.position = vehicle.estimate.position = kHome;
-        vehicle.gps.fix = firmware::GpsFix::three_d;
+        vehicle.gps.fix = firmware::state::GpsFix::three_d;
         vehicle.airspeed.healthy = true;
         vehicle.estimate.airspeed_mps = vehicle.estimate.equivalent_airspeed_mps = 15;
         course(0, 15);
@@ -47,19 +47,19 @@ protected:
     // A mode's frame, after parameters and airspeed have been looked at.
     static void frame() {
         vehicle.imu.periods = 0;
-        for (int i = 0; i < 10; ++i) firmware::runAttitudeControl();
+        for (int i = 0; i < 10; ++i) firmware::control::runAttitudeControl();
         vehicle.imu.periods = 2;
-        firmware::runMode();
-        firmware::runAttitudeControl();
+        firmware::modes::runMode();
+        firmware::control::runAttitudeControl();
         vehicle.mode_changed = false;
     }
     static void guide(int tenths = 1) {
         for (int i = 0; i < tenths; ++i) {
-            firmware::runMode();
-            firmware::runGuidance();
-            firmware::runSpeedHeight();
-            firmware::runMode();
-            firmware::runGuidance();
+            firmware::modes::runMode();
+            firmware::guidance::runGuidance();
+            firmware::guidance::runSpeedHeight();
+            firmware::modes::runMode();
+            firmware::guidance::runGuidance();
         }
     }
     static float planned_m() { return vehicle.progress.height_error_m + vehicle.estimate.height_m; }
@@ -196,7 +196,7 @@ TEST_F(Fbwb, holds_the_height_at_which_it_was_entered) {
     vehicle.estimate.height_m = 83;
     guide(3);
     EXPECT_FLOAT_EQ(planned_m(), 80);
-    EXPECT_TRUE(firmware::autoThrottle());
+    EXPECT_TRUE(firmware::modes::autoThrottle());
 }
 
 TEST_F(Fbwb, climbs_at_the_rate_of_the_stick_and_stays_where_it_is_let_go) {
@@ -270,13 +270,13 @@ TEST_F(Fbwb, banks_as_fbwa_does) {
 TEST_F(Fbwb, is_left_for_circle_when_the_radio_is_lost) {
     for (const Mode mode : {Mode::training, Mode::acro, Mode::fbwb, Mode::cruise}) {
         settle(bench::kCentred);
-        for (int i = 0; i < 3; ++i) firmware::runFailsafe();
+        for (int i = 0; i < 3; ++i) firmware::safety::runFailsafe();
         fly(mode);
         loseRadio(1500);
         EXPECT_EQ(vehicle.mode, Mode::circle);
     }
     settle(bench::kCentred);
-    for (int i = 0; i < 3; ++i) firmware::runFailsafe();
+    for (int i = 0; i < 3; ++i) firmware::safety::runFailsafe();
     EXPECT_EQ(vehicle.mode, Mode::cruise) << "and entered again when it is back in time";
 }
 
@@ -398,21 +398,21 @@ TEST_F(Modes, mix_the_sticks_into_the_demands_or_the_surfaces_as_the_pilot_wants
     } all[] = {{0, Sticks::nothing, 0}, {2, Sticks::on_top, 0}, {1, Sticks::nothing, 45}};
     for (const auto& each : all) {
         parameters.stick_mixing = each.mixing;
-        firmware::runMode();
+        firmware::modes::runMode();
         EXPECT_EQ(vehicle.sticks, each.sticks) << int{each.mixing};
         EXPECT_NEAR(vehicle.pilot_roll_rad, core::radians(each.bent_deg), 1e-3);
     }
     parameters.stick_mixing = 2;
     loseRadio(1200);
-    firmware::runMode();
+    firmware::modes::runMode();
     EXPECT_EQ(vehicle.sticks, Sticks::nothing) << "not those of a lost radio";
 }
 
 TEST_F(Modes, a_raised_throttle_stick_adds_throttle_where_no_airspeed_is_measured) {
     vehicle.airspeed.healthy = false;
     const auto throttle = [&](Mode mode, uint16_t stick_us) {
-        firmware::setMode(Mode::fbwa, firmware::ModeReason::ground);
-        firmware::runGuidance();
+        firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+        firmware::guidance::runGuidance();
         settle(with(3, stick_us));
         fly(mode);
         guide(20);

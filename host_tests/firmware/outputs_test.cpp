@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/outputs.hpp"
+#include "firmware/actuators/outputs.hpp"
 
-#include "firmware/attitude_control.hpp"
+#include "firmware/actuators/flaps.hpp"
 #include "firmware/bench.hpp"
-#include "firmware/flaps.hpp"
+#include "firmware/control/attitude_control.hpp"
 
 namespace {
 
-using firmware::Mode;
-using firmware::outputPulse_us;
-using firmware::parameters;
-using firmware::vehicle;
+using firmware::actuators::outputPulse_us;
+using firmware::state::Mode;
+using firmware::state::parameters;
+using firmware::state::vehicle;
 
 class Outputs : public bench::Bench {
 protected:
     void SetUp() override {
         Bench::SetUp();
-        firmware::startOutputs();
+        firmware::actuators::startOutputs();
         vehicle.mode_changed = false;
     }
     void run() {
-        firmware::runMode();
-        firmware::runAttitudeControl();
-        firmware::runFlaps();
-        firmware::runOutputs();
+        firmware::modes::runMode();
+        firmware::control::runAttitudeControl();
+        firmware::actuators::runFlaps();
+        firmware::actuators::runOutputs();
         vehicle.mode_changed = false;
     }
 };
 
 TEST_F(Outputs, give_the_throttle_its_lowest_pulse_while_disarmed) {
     for (Mode mode : {Mode::manual, Mode::stabilize, Mode::fbwa}) {
-        firmware::setMode(mode, firmware::ModeReason::ground);
+        firmware::modes::setMode(mode, firmware::modes::ModeReason::ground);
         settle(with(3, 1900));
         run();
         ASSERT_EQ(vehicle.throttle_demand, 1);
@@ -60,8 +60,8 @@ TEST_F(Outputs, pass_the_sticks_through_in_manual) {
 }
 
 TEST_F(Outputs, make_flaperons_of_the_ailerons_and_of_a_lever) {
-    parameters.output_function[1] = firmware::kLeftFlaperonFunction;
-    parameters.output_function[2] = firmware::kRightFlaperonFunction;
+    parameters.output_function[1] = firmware::actuators::kLeftFlaperonFunction;
+    parameters.output_function[2] = firmware::actuators::kRightFlaperonFunction;
     parameters.flap_channel = 6;
     parameters.flap_slew_pct = 0;
     parameters.mixing_gain = 1;
@@ -81,8 +81,10 @@ TEST_F(Outputs, make_flaperons_of_the_ailerons_and_of_a_lever) {
 
 TEST_F(Outputs, follow_the_receiver_where_the_function_is_none_of_those_there_are) {
     const float taken[] = {0, 2, 3, 10, 24, 25}, refused[] = {1, 4, 9, 11, 23, -1, 26};
-    for (float number : taken) EXPECT_TRUE(firmware::parameterSlotTakes(217, number)) << number;
-    for (float number : refused) EXPECT_FALSE(firmware::parameterSlotTakes(217, number)) << number;
+    for (float number : taken)
+        EXPECT_TRUE(firmware::state::parameterSlotTakes(217, number)) << number;
+    for (float number : refused)
+        EXPECT_FALSE(firmware::state::parameterSlotTakes(217, number)) << number;
     parameters.output_function[1] = 4;
     settle(with(6, 1720));
     run();
@@ -95,7 +97,7 @@ TEST_F(Outputs, move_a_reversed_surface_with_its_stick_and_against_the_demand) {
     settle(with(1, 1700));
     run();
     EXPECT_GT(outputPulse_us(1), 1650) << "the servo goes where the stick goes";
-    EXPECT_LT(firmware::surfaces.aileron, -0.4f);
+    EXPECT_LT(firmware::control::surfaces.aileron, -0.4f);
 }
 
 TEST_F(Outputs, rest_at_the_trim_and_reach_both_ends_from_there) {
@@ -120,28 +122,28 @@ TEST_F(Outputs, follow_the_receiver_where_nobody_holds_them) {
 }
 
 TEST_F(Outputs, belong_to_who_holds_them_until_the_mode_changes) {
-    ASSERT_TRUE(firmware::outputOverride(6, 1850));
+    ASSERT_TRUE(firmware::actuators::outputOverride(6, 1850));
     settle(with(6, 1200));
     run();
     EXPECT_EQ(outputPulse_us(6), 1850) << "though the receiver says otherwise";
 
-    firmware::setMode(Mode::fbwa, firmware::ModeReason::ground);
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     run();
     EXPECT_EQ(outputPulse_us(6), 1200);
 }
 
 TEST_F(Outputs, can_be_released_one_by_one) {
-    ASSERT_TRUE(firmware::outputOverride(6, 1850));
-    ASSERT_TRUE(firmware::outputOverride(7, 0));
-    firmware::outputRelease(6);
+    ASSERT_TRUE(firmware::actuators::outputOverride(6, 1850));
+    ASSERT_TRUE(firmware::actuators::outputOverride(7, 0));
+    firmware::actuators::outputRelease(6);
     run();
     EXPECT_EQ(outputPulse_us(6), 1500);
     EXPECT_EQ(outputPulse_us(7), 0) << "silent on request";
 }
 
 TEST_F(Outputs, hold_no_pulse_a_servo_cannot_take) {
-    ASSERT_TRUE(firmware::outputOverride(5, 3000));
-    ASSERT_TRUE(firmware::outputOverride(8, 1));
+    ASSERT_TRUE(firmware::actuators::outputOverride(5, 3000));
+    ASSERT_TRUE(firmware::actuators::outputOverride(8, 1));
     run();
     EXPECT_EQ(outputPulse_us(5), 2200);
     EXPECT_EQ(outputPulse_us(8), 800);
@@ -150,34 +152,35 @@ TEST_F(Outputs, hold_no_pulse_a_servo_cannot_take) {
 TEST_F(Outputs, give_away_surfaces_too_but_nothing_that_is_not_there) {
     run();
     for (uint8_t output : {1, 2, 4}) {
-        EXPECT_TRUE(firmware::outputOverride(output, 1850)) << int{output};
+        EXPECT_TRUE(firmware::actuators::outputOverride(output, 1850)) << int{output};
         run();
         EXPECT_EQ(outputPulse_us(output), 1850);
-        firmware::outputRelease(output);
+        firmware::actuators::outputRelease(output);
         run();
         EXPECT_EQ(outputPulse_us(output), 1500);
     }
     for (uint8_t output : {0, 9, 255}) {
-        EXPECT_FALSE(firmware::outputOverride(output, 1850)) << int{output};
-        firmware::outputRelease(output);
+        EXPECT_FALSE(firmware::actuators::outputOverride(output, 1850)) << int{output};
+        firmware::actuators::outputRelease(output);
         EXPECT_EQ(outputPulse_us(output), 0);
     }
 }
 
 TEST_F(Outputs, the_throttle_is_never_given_away) {
     for (const bool armed : {false, true}) {
-        firmware::vehicle.armed = armed;
-        EXPECT_FALSE(firmware::outputOverride(3, 1300));
+        firmware::state::vehicle.armed = armed;
+        EXPECT_FALSE(firmware::actuators::outputOverride(3, 1300));
         run();
         EXPECT_EQ(outputPulse_us(3), 1100);
     }
 }
 
 TEST_F(Outputs, a_disarmed_motor_stands_whatever_its_channel_is_told) {
-    firmware::parameters.channel[2] = {1700, 1800, 1900, 1, 30};
+    firmware::state::parameters.channel[2] = {1700, 1800, 1900, 1, 30};
     run();
     EXPECT_LE(outputPulse_us(3), 1300);
-    firmware::parameters.channel[2] = {1100, 1200, 1300, -1, 30};  // its idle is the long pulse
+    firmware::state::parameters.channel[2] = {1100, 1200, 1300, -1,
+                                              30};  // its idle is the long pulse
     run();
     EXPECT_GE(outputPulse_us(3), 1700);
 }
@@ -255,11 +258,11 @@ TEST_F(Pairs, a_reversed_channel_reverses_the_control_on_both_surfaces) {
     const Moved reversed = moved(with(1, 1800), 1, 2);
     EXPECT_EQ(reversed.first, plain.first);
     EXPECT_EQ(reversed.second, plain.second);
-    firmware::setMode(Mode::fbwa, firmware::ModeReason::ground);
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     vehicle.attitude.roll_rad = 0.5f;
     vehicle.imu.periods = 2;
     for (int i = 0; i < 12; ++i) run();
-    ASSERT_LT(firmware::surfaces.aileron, -0.05f);
+    ASSERT_LT(firmware::control::surfaces.aileron, -0.05f);
     const Moved levelling = moved(bench::kCentred, 1, 2);
     EXPECT_GT(levelling.first, levelling.second);
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/radio.hpp"
+#include "firmware/sensors/radio.hpp"
 
 #include "firmware/bench.hpp"
 
 namespace {
 
-using firmware::Mode;
-using firmware::parameters;
-using firmware::vehicle;
+using firmware::state::Mode;
+using firmware::state::parameters;
+using firmware::state::vehicle;
 
 struct Radio : bench::Bench {};
 
@@ -79,7 +79,7 @@ TEST_F(Radio, is_lost_when_the_throttle_falls_below_the_failsafe_pulse) {
 TEST_F(Radio, forgives_a_few_low_throttle_pulses) {
     for (int i = 0; i < 9; ++i) {
         fakes::receiveRc(with(3, 920));
-        firmware::runRadio();
+        firmware::sensors::runRadio();
     }
     EXPECT_FALSE(vehicle.radio.lost);
 }
@@ -98,7 +98,7 @@ class ModeSwitch : public bench::Bench, public testing::WithParamInterface<Band>
 
 TEST_P(ModeSwitch, has_six_bands) {
     settle(with(8, GetParam().pulse_us));
-    EXPECT_EQ(firmware::modeSwitchPosition(), GetParam().position);
+    EXPECT_EQ(firmware::sensors::modeSwitchPosition(), GetParam().position);
 }
 INSTANTIATE_TEST_SUITE_P(Pulses, ModeSwitch,
                          testing::Values(Band{901, 1}, Band{1165, 1}, Band{1230, 1}, Band{1231, 2},
@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(Pulses, ModeSwitch,
 TEST_F(Radio, sets_the_mode_when_the_switch_moves_and_leaves_a_mode_of_the_ground_alone) {
     settle(with(8, 1425));
     ASSERT_EQ(vehicle.mode, Mode::fbwa);
-    firmware::setMode(Mode::stabilize, firmware::ModeReason::ground);
+    firmware::modes::setMode(Mode::stabilize, firmware::modes::ModeReason::ground);
     settle(with(8, 1425));
     EXPECT_EQ(vehicle.mode, Mode::stabilize);
     settle(with(8, 1815));
@@ -119,7 +119,7 @@ TEST_F(Radio, sets_the_mode_when_the_switch_moves_and_leaves_a_mode_of_the_groun
 TEST_F(Radio, gives_the_mode_switch_its_say_again_while_the_reset_switch_is_up) {
     parameters.reset_switch_channel = 7;
     settle(with(8, 1425));
-    firmware::setMode(Mode::stabilize, firmware::ModeReason::ground);
+    firmware::modes::setMode(Mode::stabilize, firmware::modes::ModeReason::ground);
     settle(with(8, 1425));
     ASSERT_EQ(vehicle.mode, Mode::stabilize);
     auto pulses = with(8, 1425);
@@ -130,13 +130,13 @@ TEST_F(Radio, gives_the_mode_switch_its_say_again_while_the_reset_switch_is_up) 
 
 TEST_F(Radio, knows_a_switch_that_is_up_but_not_one_that_nobody_has_or_with_the_radio_lost) {
     settle(with(7, 1800));
-    EXPECT_TRUE(firmware::switchIsUp(7));
-    EXPECT_FALSE(firmware::switchIsUp(0));
+    EXPECT_TRUE(firmware::sensors::switchIsUp(7));
+    EXPECT_FALSE(firmware::sensors::switchIsUp(0));
     settle(with(7, 1750));
-    EXPECT_FALSE(firmware::switchIsUp(7));
+    EXPECT_FALSE(firmware::sensors::switchIsUp(7));
     settle(with(7, 1800));
     loseRadio(1200);
-    EXPECT_FALSE(firmware::switchIsUp(7));
+    EXPECT_FALSE(firmware::sensors::switchIsUp(7));
 }
 
 }  // namespace

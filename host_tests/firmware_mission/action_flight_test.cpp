@@ -8,6 +8,7 @@
 #include "hal/mark.hpp"
 
 namespace firmware {
+using namespace mission;
 namespace {
 
 TEST_F(MissionFlight, change_speed_lasts_until_the_mission_restarts_or_ends) {
@@ -76,7 +77,7 @@ TEST_F(MissionFlight,
     const auto actions = [] {
         const auto& marks = fakes::marks();
         return std::count(marks.begin(), marks.end(),
-                          hal::kMarkMission + static_cast<int>(mission::Event::runs));
+                          hal::kMarkMission + static_cast<int>(::mission::Event::runs));
     };
     const auto before = actions();
     vehicle.progress.distance_m = 0;

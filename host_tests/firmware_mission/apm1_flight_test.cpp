@@ -2,11 +2,14 @@
 // The APM 1.0 set in flight.
 #include "flight.hpp"
 
-#include "firmware/dataflash.hpp"
-#include "firmware/log/log.hpp"
+#include "firmware/app/dataflash.hpp"
+#include "firmware/logger/log.hpp"
 #include "firmware/mission/handlers.hpp"
 
 namespace firmware {
+using namespace mission;
+using namespace logger;
+using namespace app;
 namespace {
 
 TEST_F(Apm1Flight, the_mode_is_changed_and_coming_back_goes_on_behind_the_command) {
@@ -172,7 +175,7 @@ protected:
     // The chip keeps nothing, so there is no mission: the row itself is run.
     bool logs(uint8_t id) {
         written.clear();
-        const uint8_t row = kCommandTable.find(mission::Set::apm1, id);
+        const uint8_t row = kCommandTable.find(::mission::Set::apm1, id);
         kCommandTable.rows[row].act({id, 0, 134, 0, 0, 0});
         pass(3);
         writeOn();

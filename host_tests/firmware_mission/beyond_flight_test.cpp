@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the commands beyond the two documents do.
 #include "core/maths.hpp"
-#include "firmware/camera.hpp"
-#include "firmware/fence.hpp"
+#include "firmware/actuators/camera.hpp"
 #include "firmware/guidance/guidance.hpp"
 #include "firmware/mission/handlers.hpp"
+#include "firmware/safety/fence.hpp"
 #include "flight.hpp"
 
 namespace firmware {
+using namespace guidance;
+using namespace actuators;
+using namespace mission;
+using namespace safety;
 namespace {
 
 class Beyond : public MissionFlight {

@@ -5,6 +5,7 @@
 #include "firmware/mission/handlers.hpp"
 
 namespace firmware {
+using namespace mission;
 namespace {
 
 TEST_F(MissionFlight, a_watchdog_reset_in_the_air_resumes_where_it_was) {
@@ -162,7 +163,7 @@ TEST_F(MissionFlight,
 
 TEST_F(MissionFlight, a_nav_out_of_range_is_no_end_of_a_chain) {
     parameters.mission_set = 1;
-    const mission::Record beyond_the_pole = {16, 0, 0, 5000, 910000000, 80000000};
+    const ::mission::Record beyond_the_pole = {16, 0, 0, 5000, 910000000, 80000000};
     storeImage(1, {{16, 0, 0, 0, 0, 0},
                    {16, 0, 0, 5000, waypoint(500).x, waypoint(500).y},
                    beyond_the_pole,

@@ -5,6 +5,7 @@
 #include "firmware/mission/handlers.hpp"
 
 namespace firmware {
+using namespace mission;
 namespace {
 
 TEST_F(MissionFlight, a_delay_holds_the_servo_back_for_its_seconds) {

@@ -2,11 +2,12 @@
 // What the commands of both sets share, command by command: places, altitudes, ends.
 #include "core/maths.hpp"
 #include "firmware/mission/lists.hpp"
-#include "firmware/points.hpp"
+#include "firmware/mission/points.hpp"
 #include "hal/watchdog.hpp"
 #include "rig.hpp"
 
 namespace firmware {
+using namespace mission;
 namespace {
 
 using core::kPi;
@@ -366,7 +367,7 @@ TEST_F(EveryCommand, of_the_other_set_restarts_the_mission_though_its_bytes_are_
     fly({absolute(waypoint(500), 60), absolute(waypoint(900), 60)});
     reach();
     EXPECT_EQ(missionCurrent(), 2);
-    uint8_t before[mission::kRecordSize], after[mission::kRecordSize];
+    uint8_t before[::mission::kRecordSize], after[::mission::kRecordSize];
     ASSERT_EQ(mission_store.read(2, before), core::Status::ok);
     parameters.mission_set = 1;
     ASSERT_EQ(upload({waypoint(500, 15360), waypoint(900, 15360)}), MissionResult::accepted);
@@ -390,7 +391,7 @@ TEST_F(EveryCommand, that_is_no_nav_makes_an_upload_in_flight_the_end_of_the_mis
 
 TEST_F(EveryCommand, above_terrain_in_an_image_is_skipped_and_told) {
     storeImage(2, {{16, 1, 0, 0, 0, 0},
-                   {16, mission::kAboveTerrain, 0, 5000, 470050000, 80000000},
+                   {16, ::mission::kAboveTerrain, 0, 5000, 470050000, 80000000},
                    {16, 1, 0, 5000, 470190000, 80000000}});
     ASSERT_TRUE(enterAuto());
     EXPECT_EQ(missionCurrent(), 2);
@@ -406,20 +407,20 @@ TEST_F(EveryCommand, with_options_that_mean_nothing_is_flown_as_without_them) {
 
 TEST_F(EveryCommand, parameter_value_beyond_24_bits_stands_exactly_in_p3) {
     const float value = 12345678;
-    mission::Record record = {};
+    ::mission::Record record = {};
     Notes notes = {};
-    EXPECT_EQ(encodeItem(mission::Set::apm2, {1, 4}, command(180, 134, value), record, notes),
+    EXPECT_EQ(encodeItem(::mission::Set::apm2, {1, 4}, command(180, 134, value), record, notes),
               static_cast<MissionResult>(7))
         << "no parameter is that large";
     EXPECT_EQ(record.p2, 8388607) << "the nearest";
     MissionItem item;
-    decodeItem(mission::Set::apm2, 1, record, item);
+    decodeItem(::mission::Set::apm2, 1, record, item);
     EXPECT_EQ(item.param2, value);
 }
 
 TEST_F(EveryCommand, speed_that_says_no_change_reads_back_so_whatever_p4_holds) {
     MissionItem item;
-    decodeItem(mission::Set::apm2, 1, {178, 0, 0, -1, 50, 1250}, item);
+    decodeItem(::mission::Set::apm2, 1, {178, 0, 0, -1, 50, 1250}, item);
     EXPECT_EQ(item.param2, -1);
 }
 

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the fence and the rally points do to the flight, through the store they really lie in.
-#include "firmware/fence.hpp"
+#include "firmware/safety/fence.hpp"
 
-#include "firmware/failsafe/failsafe.hpp"
-#include "firmware/fence_line.hpp"
-#include "firmware/rally.hpp"
-#include "firmware/telemetry/plans.hpp"
+#include "firmware/gcs/plans.hpp"
+#include "firmware/mission/fence_line.hpp"
+#include "firmware/mission/rally.hpp"
+#include "firmware/safety/failsafe.hpp"
 #include "rig.hpp"
 
 namespace firmware {
+using namespace notify;
+using namespace state;
+using namespace mission;
+using namespace safety;
+using namespace gcs;
 namespace {
 
 using mavlink::MavCmd;

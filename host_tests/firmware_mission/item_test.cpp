@@ -8,15 +8,15 @@ namespace {
 class Item : public Rig {
 protected:
     // The 14 bytes that item 1 became.
-    static mission::Record record(const MissionItem& item) {
+    static ::mission::Record record(const MissionItem& item) {
         EXPECT_EQ(upload({item, waypoint(100), waypoint(200)}), MissionResult::accepted);
-        uint8_t bytes[mission::kRecordSize];
+        uint8_t bytes[::mission::kRecordSize];
         EXPECT_EQ(mission_store.read(1, bytes), core::Status::ok);
-        return mission::unpack(missionSet(), bytes);
+        return ::mission::unpack(missionSet(), bytes);
     }
     static void expectFields(const MissionItem& item, int options, int p1, int32_t p2, int32_t p3,
                              int32_t p4) {
-        const mission::Record found = record(item);
+        const ::mission::Record found = record(item);
         EXPECT_EQ(int(found.id), item.command);
         EXPECT_EQ(int(found.options), options) << item.command;
         EXPECT_EQ(int(found.p1), p1) << item.command;
@@ -219,24 +219,26 @@ TEST_F(Item, nan_means_unset) {
 
 TEST_F(Item, speeds_rates_and_parameter_values_are_exact_over_their_whole_range) {
     for (int cms = 900; cms <= 2200; ++cms) {
-        mission::Record r;
+        ::mission::Record r;
         Notes notes = {};
         const MissionItem item = command(178, 0, cms / 100.0f, -1);
-        ASSERT_EQ(encodeItem(mission::Set::apm2, {1, 4}, item, r, notes), MissionResult::accepted);
+        ASSERT_EQ(encodeItem(::mission::Set::apm2, {1, 4}, item, r, notes),
+                  MissionResult::accepted);
         EXPECT_FALSE(notes.rounded) << cms;
         MissionItem back;
-        decodeItem(mission::Set::apm2, 1, r, back);
+        decodeItem(::mission::Set::apm2, 1, r, back);
         EXPECT_EQ(back.param2, item.param2);
     }
     for (int cms = 11; cms <= 2000; ++cms) {
-        mission::Record r;
+        ::mission::Record r;
         Notes notes = {};
         MissionItem item = command(113, cms / 100.0f);
         item.frame = kRelativeFrame;
-        ASSERT_EQ(encodeItem(mission::Set::apm2, {1, 4}, item, r, notes), MissionResult::accepted);
+        ASSERT_EQ(encodeItem(::mission::Set::apm2, {1, 4}, item, r, notes),
+                  MissionResult::accepted);
         EXPECT_EQ(int(r.p1), cms > 255 ? 255 : cms);
         MissionItem back;
-        decodeItem(mission::Set::apm2, 1, r, back);
+        decodeItem(::mission::Set::apm2, 1, r, back);
         EXPECT_EQ(back, item);
     }
 }
@@ -252,12 +254,12 @@ TEST_F(Item, every_valid_apm2_record_survives_the_way_down_and_up) {
     for (int i = 0; i < 400000; ++i) {
         static const uint8_t ids[] = {16,  17,  18,  19,  20,  21,  22,  23,  112, 113,
                                       114, 177, 178, 179, 180, 181, 182, 183, 184};
-        mission::Record r = {ids[random(19)],
-                             static_cast<uint8_t>(random(2) * 4 + random(2)),
-                             static_cast<uint8_t>(random(4) == 0 ? random(256) : random(9)),
-                             random(2) == 0 ? random(2200) - 1 : random(4000000),
-                             random(3) == 0 ? random(200) - 1 : random(900000000),
-                             random(2) == 0 ? 0 : random(2200)};
+        ::mission::Record r = {ids[random(19)],
+                               static_cast<uint8_t>(random(2) * 4 + random(2)),
+                               static_cast<uint8_t>(random(4) == 0 ? random(256) : random(9)),
+                               random(2) == 0 ? random(2200) - 1 : random(4000000),
+                               random(3) == 0 ? random(200) - 1 : random(900000000),
+                               random(2) == 0 ? 0 : random(2200)};
         const bool nav = r.id < 95 || r.id == 179;
         const bool loiter = r.id >= 17 && r.id <= 19;
         if (!loiter) r.options &= 1;
@@ -265,17 +267,17 @@ TEST_F(Item, every_valid_apm2_record_survives_the_way_down_and_up) {
         if (!nav) r.p4 = r.id == 184 ? r.p4 : r.id == 178 && r.p2 != -1 ? r.p4 : 0;
         if (!nav && r.id != 113) r.p3 %= r.id == 180 ? 1 : 100000;
         if (nav && r.p2 > 100000) r.p2 %= 100000;  // beyond, a float has not room for every cm
-        const uint8_t row = kCommandTable.find(mission::Set::apm2, r.id);
+        const uint8_t row = kCommandTable.find(::mission::Set::apm2, r.id);
         if (kCommandTable.valid(row, r, {1, 20}) != 0) continue;
         MissionItem item;
-        decodeItem(mission::Set::apm2, 1, r, item);
-        mission::Record again;
+        decodeItem(::mission::Set::apm2, 1, r, item);
+        ::mission::Record again;
         Notes notes = {};
-        ASSERT_EQ(encodeItem(mission::Set::apm2, {1, 20}, item, again, notes),
+        ASSERT_EQ(encodeItem(::mission::Set::apm2, {1, 20}, item, again, notes),
                   MissionResult::accepted)
             << testing::PrintToString(item);
         MissionItem item_again;
-        decodeItem(mission::Set::apm2, 1, again, item_again);
+        decodeItem(::mission::Set::apm2, 1, again, item_again);
         ASSERT_EQ(item, item_again);
         ++tried;
     }
@@ -401,10 +403,11 @@ TEST_F(Apm1Item, a_frame_that_disagrees_with_alt_abs_is_refused) {
     EXPECT_EQ(answer(absolute), MissionResult::unsupported_frame);
     EXPECT_EQ(answer(at(0x10)), MissionResult::accepted);
     parameters.altitude_absolute = 1;
-    mission::Record r;
+    ::mission::Record r;
     Notes notes = {};
-    EXPECT_EQ(encodeItem(mission::Set::apm1, {1, 4}, absolute, r, notes), MissionResult::accepted);
-    EXPECT_EQ(encodeItem(mission::Set::apm1, {1, 4}, at(0x10), r, notes),
+    EXPECT_EQ(encodeItem(::mission::Set::apm1, {1, 4}, absolute, r, notes),
+              MissionResult::accepted);
+    EXPECT_EQ(encodeItem(::mission::Set::apm1, {1, 4}, at(0x10), r, notes),
               MissionResult::unsupported_frame);
 }
 

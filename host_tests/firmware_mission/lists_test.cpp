@@ -6,6 +6,7 @@
 #include "rig.hpp"
 
 namespace firmware {
+using namespace mission;
 namespace {
 
 using Record = std::array<uint8_t, storage::kLargestRecord>;

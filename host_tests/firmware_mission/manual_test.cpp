@@ -10,9 +10,10 @@
 #include "rig.hpp"
 
 namespace firmware {
+using namespace mission;
 namespace {
 
-using mission::Set;
+using ::mission::Set;
 
 std::string manualPath() {
     std::string path = __FILE__;
@@ -51,7 +52,7 @@ std::string hex(uint8_t id) {
 
 std::string idOf(Set set, uint8_t row) {
     const uint8_t number = kCommandTable.id(set, row);
-    return number == mission::kNoId ? "" : hex(number) + " (" + std::to_string(number) + ")";
+    return number == ::mission::kNoId ? "" : hex(number) + " (" + std::to_string(number) + ")";
 }
 
 // Those of the two documents, or those beyond them.
@@ -61,15 +62,15 @@ std::string rowsAsTable(uint8_t beyond) {
         "| command | APM 2.0 | APM 1.0 | class | |\n| --- | --- | --- | --- | --- |\n";
     for (uint8_t row = 0; row < kCommandTable.count; ++row) {
         const uint8_t traits = kCommandTable.traits(row);
-        if ((traits & mission::kBeyond) != beyond) continue;
+        if ((traits & ::mission::kBeyond) != beyond) continue;
         std::string notes;
         const auto note = [&](uint8_t trait, const char* text) {
             if ((traits & trait) != 0) notes += (notes.empty() ? "" : "; ") + std::string(text);
         };
-        note(mission::kPlaced, "0, 0 is here");
-        note(mission::kEndsFlight, "ends a flight");
-        note(mission::kBeginsFlight, "begins a flight");
-        note(mission::kEndsNowhere, "the next leg begins at the airplane");
+        note(::mission::kPlaced, "0, 0 is here");
+        note(::mission::kEndsFlight, "ends a flight");
+        note(::mission::kBeginsFlight, "begins a flight");
+        note(::mission::kEndsNowhere, "the next leg begins at the airplane");
         table += "| " + std::string(commandName(row)) + " | " + idOf(kSet2, row) + " | " +
                  idOf(kSet1, row) + " | " + kinds[static_cast<uint8_t>(kCommandTable.kind(row))] +
                  " | " + notes + " |\n";
@@ -84,7 +85,7 @@ std::string number(int64_t value) {
     return (value < 0 ? "-" : "") + digits;
 }
 
-std::string rangesAsText(Set set, const mission::Record& sample, int field) {
+std::string rangesAsText(Set set, const ::mission::Record& sample, int field) {
     const Interval room = roomOf(set, field);
     std::string text;
     for (const Interval& each : rangesOf(set, sample, field)) {
@@ -106,7 +107,7 @@ std::string rangesAsText(Set set, const mission::Record& sample, int field) {
 }
 
 // Slots have gaps, and what a slot or a gain takes is its parameter's own range.
-std::string rangeCell(Set set, const mission::Record& sample, int field) {
+std::string rangeCell(Set set, const ::mission::Record& sample, int field) {
     const bool gain = set == kSet1 && sample.id >= 0x60 && sample.id <= 0x64;
     const bool slot = set == kSet2 ? sample.id == 0xB4 : sample.id == 0x32 || sample.id == 0x33;
     if (field == 1 && gain) return "those below";
@@ -117,13 +118,13 @@ std::string rangeCell(Set set, const mission::Record& sample, int field) {
 }
 
 // What of an item a field comes from: the part that is another when the field is one more.
-std::string sourceOf(Set set, const mission::Record& sample, int field) {
-    mission::Record one = sample;
+std::string sourceOf(Set set, const ::mission::Record& sample, int field) {
+    ::mission::Record one = sample;
     if (set == kSet2 && field > 2 && sample.id == 0x71) one = with(one, field, 450);
     if (set == kSet2 && field > 2 && sample.id == 0xCE) one = with(one, field, 1250);
     if (set == kSet2 && field > 3 && sample.id == 0xB2) one = with(one, field, 1250);
     const int32_t before[] = {0, one.p1, one.p2, one.p3, one.p4};
-    mission::Record other = with(one, field, before[field] + 1);
+    ::mission::Record other = with(one, field, before[field] + 1);
     MissionItem a, b;
     decodeItem(set, kSampleSite.index, one, a);
     decodeItem(set, kSampleSite.index, other, b);
@@ -149,7 +150,7 @@ std::string sourceOf(Set set, const mission::Record& sample, int field) {
     return from;
 }
 
-std::string cell(Set set, const mission::Record& sample, int field, const char* meaning) {
+std::string cell(Set set, const ::mission::Record& sample, int field, const char* meaning) {
     const std::string from = sourceOf(set, sample, field);
     const Intervals ranges = rangesOf(set, sample, field);
     if (meaning == nullptr) {
@@ -166,7 +167,7 @@ std::string fieldsAsTable(Set set, uint8_t beyond) {
         "| id | command | p1 | p2 | p3 | p4 | |\n| --- | --- | --- | --- | --- | --- | --- |\n";
     for (uint8_t row = 0; row < kCommandTable.count; ++row) {
         const uint8_t id = kCommandTable.id(set, row);
-        if (id == mission::kNoId || (kCommandTable.traits(row) & mission::kBeyond) != beyond)
+        if (id == ::mission::kNoId || (kCommandTable.traits(row) & ::mission::kBeyond) != beyond)
             continue;
         const Meaning* meaning = meaningOf(set, id);
         EXPECT_NE(meaning, nullptr) << hex(id);
@@ -216,12 +217,12 @@ std::string gainsAsTable() {
 
 TEST_F(MissionManual, lists_the_commands_of_the_table) {
     expectPart("rows", rowsAsTable(0));
-    expectPart("beyond rows", rowsAsTable(mission::kBeyond));
+    expectPart("beyond rows", rowsAsTable(::mission::kBeyond));
 }
 
 TEST_F(MissionManual, has_meaning_range_and_origin_of_every_field_of_apm2) {
     expectPart("apm2", fieldsAsTable(kSet2, 0));
-    expectPart("beyond", fieldsAsTable(kSet2, mission::kBeyond));
+    expectPart("beyond", fieldsAsTable(kSet2, ::mission::kBeyond));
 }
 
 TEST_F(MissionManual, has_meaning_range_and_origin_of_every_field_of_apm1) {

@@ -7,7 +7,7 @@
 namespace firmware {
 
 struct Meaning {
-    mission::Set set;
+    ::mission::Set set;
     uint8_t id;
     const char* field[4];  // p1 .. p4; nullptr: not used
     const char* does;
@@ -88,7 +88,7 @@ constexpr Meaning kMeanings[] = {
 };
 // clang-format on
 
-inline const Meaning* meaningOf(mission::Set set, uint8_t id) {
+inline const Meaning* meaningOf(::mission::Set set, uint8_t id) {
     for (const Meaning& meaning : kMeanings)
         if (meaning.set == set && meaning.id == id) return &meaning;
     return nullptr;

@@ -6,6 +6,7 @@
 #include "firmware/mission/handlers.hpp"
 
 namespace firmware {
+using namespace mission;
 namespace {
 
 using core::kPi;
@@ -37,7 +38,7 @@ TEST_F(MissionFlight, a_climb_near_the_ground_and_a_small_step_are_flown_at_once
     EXPECT_FALSE(vehicle.demand.sloped) << "up";
     reach();
     EXPECT_TRUE(vehicle.demand.sloped) << "down";
-    firmware::parameters.glide_slope_min_m = 25;
+    firmware::state::parameters.glide_slope_min_m = 25;
     reach();
     EXPECT_FALSE(vehicle.demand.sloped) << "not worth a slope";
 }

@@ -9,28 +9,36 @@
 #include <vector>
 
 #include "fakes/fakes.hpp"
+#include "firmware/actuators/outputs.hpp"
+#include "firmware/actuators/relay.hpp"
+#include "firmware/gcs/link.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/events.hpp"
 #include "firmware/mission/item.hpp"
 #include "firmware/mission/mission.hpp"
-#include "firmware/modes.hpp"
-#include "firmware/outputs.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/relay.hpp"
-#include "firmware/telemetry/link.hpp"
-#include "firmware/telemetry/text_queue.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/notify/text_queue.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
+using namespace notify;
+using namespace state;
+using namespace actuators;
+using namespace mission;
+using namespace modes;
+using namespace gcs;
 
 constexpr uint8_t kGlobalFrame = 0, kMissionFrame = 2, kRelativeFrame = 3;
 
+namespace mission {
 inline bool operator==(const MissionItem& a, const MissionItem& b) {
     return a.command == b.command && a.frame == b.frame && a.param1 == b.param1 &&
            a.param2 == b.param2 && a.param3 == b.param3 && a.param4 == b.param4 && a.x == b.x &&
            a.y == b.y && a.z == b.z;
 }
+}  // namespace mission
 inline void PrintTo(const MissionItem& item, std::ostream* os) {
     *os << item.command << " frame " << int(item.frame) << " (" << item.param1 << ", "
         << item.param2 << ", " << item.param3 << ", " << item.param4 << ") " << item.x << " "
@@ -66,8 +74,9 @@ protected:
         vehicle = Vehicle();
         links[0] = Link();
         links[1] = Link();
+        setTextReader(kLogReader, false);
         for (Link& link : links)  // what an earlier test left to be told
-            while (textSend(link)) fakes::resetSerial();
+            while (sendText(link)) fakes::resetSerial();
         radioHeard();
         relaySet(false);
         while (parametersLoad() == core::Status::busy) {
@@ -96,9 +105,9 @@ protected:
     static std::string told() {
         std::vector<uint8_t>& out = fakes::serial(hal::Port::link0).out;
         out.clear();
-        while (textWaits(links[0]) && textSend(links[0])) {
+        while (textWaits(links[0]) && sendText(links[0])) {
         }
-        while (textWaits(links[1]) && textSend(links[1])) {
+        while (textWaits(links[1]) && sendText(links[1])) {
         }
         std::string text;
         for (uint8_t byte : out) text += byte >= 32 && byte < 127 ? static_cast<char>(byte) : '|';
@@ -168,11 +177,11 @@ protected:
         ASSERT_TRUE(enterAuto());
     }
     // What an upload would have refused may still come with a flashed image.
-    static void storeImage(uint8_t set, const std::vector<mission::Record>& records) {
+    static void storeImage(uint8_t set, const std::vector<::mission::Record>& records) {
         ASSERT_EQ(mission_store.begin(uint8_t(records.size()), set), core::Status::ok);
         for (const auto& record : records) {
-            uint8_t bytes[mission::kRecordSize];
-            mission::pack(static_cast<mission::Set>(set), record, bytes);
+            uint8_t bytes[::mission::kRecordSize];
+            ::mission::pack(static_cast<::mission::Set>(set), record, bytes);
             ASSERT_EQ(mission_store.put(bytes), core::Status::ok);
         }
         core::Status status;

@@ -7,10 +7,11 @@
 #include "samples.hpp"
 
 namespace firmware {
+using namespace mission;
 namespace {
 
-using mission::Class;
-using mission::Set;
+using ::mission::Class;
+using ::mission::Set;
 
 class Rows : public Rig {
 protected:
@@ -18,7 +19,7 @@ protected:
     static void forEveryRow(Look look) {
         for (const Set set : {kSet1, kSet2})
             for (uint8_t row = 0; row < kCommandTable.count; ++row)
-                if (kCommandTable.id(set, row) != mission::kNoId) look(set, row);
+                if (kCommandTable.id(set, row) != ::mission::kNoId) look(set, row);
     }
 };
 
@@ -29,14 +30,14 @@ TEST_F(Rows, have_a_good_record_each_and_no_id_is_without_a_row) {
         EXPECT_EQ(answerTo(set, sampleOf(set, id)), 0) << int(set) << " id " << int(id);
     });
     for (const Sample& sample : kSamples)
-        EXPECT_NE(kCommandTable.find(sample.set, sample.record.id), mission::kNoRow);
+        EXPECT_NE(kCommandTable.find(sample.set, sample.record.id), ::mission::kNoRow);
 }
 
 // The two documents that name the sets, and what missions of this board hold besides.
 TEST_F(Rows, beyond_the_documents_are_marked_as_such) {
     std::set<int> beyond;
     forEveryRow([&](Set set, uint8_t row) {
-        if ((kCommandTable.traits(row) & mission::kBeyond) == 0) return;
+        if ((kCommandTable.traits(row) & ::mission::kBeyond) == 0) return;
         EXPECT_EQ(set, kSet2);
         beyond.insert(kCommandTable.id(set, row));
     });
@@ -160,7 +161,7 @@ std::string written(const Intervals& ranges) {
 TEST_F(Rows, take_the_whole_range_of_every_field_and_nothing_beyond) {
     const std::vector<Ends> ends = everyEnd();
     forEveryRow([&](Set set, uint8_t row) {
-        const mission::Record sample = sampleOf(set, kCommandTable.id(set, row));
+        const ::mission::Record sample = sampleOf(set, kCommandTable.id(set, row));
         for (int field = 1; field <= 4; ++field) {
             if (isAsATableElsewhereSays(set, sample.id, field)) continue;
             Intervals expected = {roomOf(set, field)};
@@ -175,7 +176,7 @@ TEST_F(Rows, take_the_whole_range_of_every_field_and_nothing_beyond) {
 
 TEST_F(Rows, name_the_parameter_that_is_out_of_range) {
     for (const Ends& each : everyEnd()) {
-        const mission::Record sample = sampleOf(each.set, each.id);
+        const ::mission::Record sample = sampleOf(each.set, each.id);
         const Interval room = roomOf(each.set, each.field);
         const auto expected = static_cast<uint8_t>(5 + each.answer_param);
         for (const Interval& taken : each.taken) {
@@ -191,21 +192,21 @@ TEST_F(Rows, name_the_parameter_that_is_out_of_range) {
 }
 
 TEST_F(Rows, a_ground_speed_may_be_up_to_200_mps_whatever_the_air_speeds_are) {
-    mission::Record record = sampleOf(kSet2, 0xB2);
+    ::mission::Record record = sampleOf(kSet2, 0xB2);
     record.p1 = 1;
     EXPECT_EQ(written(rangesOf(kSet2, record, 2)), "-1..-1 1..200 ");
     EXPECT_EQ(written(rangesOf(kSet2, record, 4)), "0..20000 ");
 }
 
 TEST_F(Rows, a_place_is_not_asked_for_where_home_is_set_here) {
-    mission::Record record = sampleOf(kSet2, 0xB3);
+    ::mission::Record record = sampleOf(kSet2, 0xB3);
     record.p1 = 1;
     record.p3 = kMost;
     EXPECT_EQ(answerTo(kSet2, record), 0);
 }
 
 TEST_F(Rows, the_index_of_apm1_may_stand_in_p1_where_p2_is_0_and_both_0_are_refused) {
-    mission::Record record = sampleOf(kSet1, 0x75);
+    ::mission::Record record = sampleOf(kSet1, 0x75);
     record.p2 = 0;
     EXPECT_EQ(written(rangesOf(kSet1, record, 1)), "1..4 6..19 ");
     record.p2 = 3;
@@ -239,7 +240,7 @@ TEST_F(Rows, every_gain_is_held_to_the_range_of_its_own_parameter) {
     for (uint8_t id = 0x60; id <= 0x64; ++id) {
         for (int index = 0; index <= 255; ++index) {
             const uint8_t slot = gainSlot(id, static_cast<uint8_t>(index));
-            mission::Record record = with(sampleOf(kSet1, id), 1, index);
+            ::mission::Record record = with(sampleOf(kSet1, id), 1, index);
             if (slot == kNoSlot) {
                 EXPECT_EQ(answerTo(kSet1, record), 6) << int(id) << " " << index;
                 continue;
@@ -263,13 +264,13 @@ TEST_F(Rows, come_back_from_the_ground_as_they_were_stored) {
     for (const Sample& sample : kSamples) {
         MissionItem item;
         decodeItem(sample.set, kSampleSite.index, sample.record, item);
-        mission::Record again;
+        ::mission::Record again;
         Notes notes = {};
         ASSERT_EQ(encodeItem(sample.set, kSampleSite, item, again, notes), MissionResult::accepted)
             << int(sample.set) << " id " << int(sample.record.id);
-        uint8_t bytes[mission::kRecordSize], expected[mission::kRecordSize];
-        mission::pack(sample.set, again, bytes);
-        mission::pack(sample.set, sample.record, expected);
+        uint8_t bytes[::mission::kRecordSize], expected[::mission::kRecordSize];
+        ::mission::pack(sample.set, again, bytes);
+        ::mission::pack(sample.set, sample.record, expected);
         EXPECT_EQ(memcmp(bytes, expected, sizeof bytes), 0)
             << int(sample.set) << " id " << int(sample.record.id);
         EXPECT_FALSE(notes.rounded || notes.dropped) << int(sample.record.id);
@@ -282,8 +283,8 @@ TEST_F(Rows, above_terrain_is_refused_of_every_command_with_an_altitude) {
         MissionItem item;
         decodeItem(kSet2, kSampleSite.index, sample.record, item);
         const bool altitude = item.z != 0 && sample.record.id != 0xCD;  // a mount's z is a number
-        mission::Record record = sample.record;
-        record.options = mission::kAboveTerrain;
+        ::mission::Record record = sample.record;
+        record.options = ::mission::kAboveTerrain;
         EXPECT_EQ(answerTo(kSet2, record), altitude ? 2 : 0) << int(record.id);
     }
 }
@@ -292,7 +293,7 @@ TEST_F(Rows, halves_of_a_centimetre_are_rounded_away_from_zero) {
     for (const float altitude_m : {0.125f, -0.125f}) {
         MissionItem item = waypoint(100, altitude_m);
         const int32_t expected_cm = altitude_m > 0 ? 13 : -13;
-        mission::Record record;
+        ::mission::Record record;
         Notes notes = {};
         ASSERT_EQ(encodeItem(kSet2, kSampleSite, item, record, notes), MissionResult::accepted);
         EXPECT_EQ(record.p2, expected_cm);

@@ -10,16 +10,17 @@
 #include "firmware/mission/command_table.hpp"
 
 namespace firmware {
+using namespace mission;
 
-constexpr mission::Site kSampleSite = {5, 20};  // item 5 of 20
+constexpr ::mission::Site kSampleSite = {5, 20};  // item 5 of 20
 
 struct Sample {
-    mission::Set set;
-    mission::Record record;
+    ::mission::Set set;
+    ::mission::Record record;
 };
 
 // clang-format off
-constexpr mission::Set kSet1 = mission::Set::apm1, kSet2 = mission::Set::apm2;
+constexpr ::mission::Set kSet1 = ::mission::Set::apm1, kSet2 = ::mission::Set::apm2;
 constexpr int32_t kNorth = 470900000, kEast = 80264000;
 constexpr Sample kSamples[] = {
     {kSet2, {0x10, 1,  25, 12345, kNorth, kEast}},
@@ -83,13 +84,13 @@ constexpr Sample kSamples[] = {
 };
 // clang-format on
 
-inline mission::Record sampleOf(mission::Set set, uint8_t id) {
+inline ::mission::Record sampleOf(::mission::Set set, uint8_t id) {
     for (const Sample& sample : kSamples)
         if (sample.set == set && sample.record.id == id) return sample.record;
     return {};
 }
 
-inline mission::Record with(mission::Record record, int field, int32_t value) {
+inline ::mission::Record with(::mission::Record record, int field, int32_t value) {
     if (field == 1) record.p1 = static_cast<uint8_t>(value);
     if (field == 2) record.p2 = value;
     if (field == 3) record.p3 = value;
@@ -97,7 +98,7 @@ inline mission::Record with(mission::Record record, int field, int32_t value) {
     return record;
 }
 
-inline uint8_t answerTo(mission::Set set, const mission::Record& record) {
+inline uint8_t answerTo(::mission::Set set, const ::mission::Record& record) {
     return kCommandTable.valid(kCommandTable.find(set, record.id), record, kSampleSite);
 }
 
@@ -107,14 +108,14 @@ struct Interval {
 using Intervals = std::vector<Interval>;
 
 // What the layout has room for.
-inline Interval roomOf(mission::Set set, int field) {
+inline Interval roomOf(::mission::Set set, int field) {
     if (field == 1) return {0, 255};
-    if (field == 2 && set == mission::Set::apm2) return {-8388608, 8388607};
+    if (field == 2 && set == ::mission::Set::apm2) return {-8388608, 8388607};
     return {std::numeric_limits<int32_t>::min(), std::numeric_limits<int32_t>::max()};
 }
 
 // Every value near 0, and the ends of what lies beyond.
-inline Intervals rangesOf(mission::Set set, const mission::Record& sample, int field) {
+inline Intervals rangesOf(::mission::Set set, const ::mission::Record& sample, int field) {
     constexpr int64_t kNear = 40000;
     const Interval room = roomOf(set, field);
     const auto takes = [&](int64_t value) {
@@ -146,7 +147,7 @@ inline Intervals rangesOf(mission::Set set, const mission::Record& sample, int f
     return found;
 }
 
-inline bool restricted(mission::Set set, const Intervals& ranges, int field) {
+inline bool restricted(::mission::Set set, const Intervals& ranges, int field) {
     const Interval room = roomOf(set, field);
     return ranges.size() != 1 || ranges[0].lowest != room.lowest ||
            ranges[0].highest != room.highest;

@@ -9,6 +9,7 @@
 #include "rig.hpp"
 
 namespace firmware {
+using namespace mission;
 namespace {
 
 std::string imageFile(const std::string& name) {
@@ -62,7 +63,7 @@ protected:
 
 TEST_F(Upgrade, from_the_first_version_with_a_mission_of_the_apm1_set) {
     boot("layout1_set1.hex");
-    EXPECT_EQ(missionSet(), mission::Set::apm1);
+    EXPECT_EQ(missionSet(), ::mission::Set::apm1);
     expectParameters(1);
     expectMission(70, 10, 40);
     EXPECT_EQ(listCount(ListKind::fence), 0);
@@ -71,7 +72,7 @@ TEST_F(Upgrade, from_the_first_version_with_a_mission_of_the_apm1_set) {
 
 TEST_F(Upgrade, from_the_first_version_with_a_mission_round_the_end_of_the_ring) {
     boot("layout1_ring.hex");
-    EXPECT_EQ(missionSet(), mission::Set::apm2);
+    EXPECT_EQ(missionSet(), ::mission::Set::apm2);
     expectParameters(2);
     expectMission(60, 30, 60);
     EXPECT_EQ(stored(8), command(181, 0, 1));

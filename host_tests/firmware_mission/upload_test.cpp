@@ -93,7 +93,7 @@ TEST_F(Upload, the_set_stored_is_the_one_of_the_upload_and_download_speaks_it) {
     parameters.mission_set = 2;
     EXPECT_EQ(stored(2), command(0x20, 5));
     missionBoot();
-    EXPECT_EQ(missionSet(), mission::Set::apm1);
+    EXPECT_EQ(missionSet(), ::mission::Set::apm1);
     EXPECT_EQ(stored(2), command(0x20, 5));
 }
 

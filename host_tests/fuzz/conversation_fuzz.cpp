@@ -65,7 +65,7 @@ void step(Rest& rest) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size) {
     Rest rest = {bytes, size};
     fuzz::calm();
-    firmware::telemetryStart();
+    firmware::gcs::telemetryStart();
     try {
         for (int i = 0; i < 8 && rest.size > 0; ++i) {
             step(rest);

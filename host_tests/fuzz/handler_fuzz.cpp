@@ -11,7 +11,7 @@ uint8_t row;
 mavlink::Accepted accepted;
 
 constexpr uint8_t kLongestPayload =
-    firmware::kLongestTalk - mavlink::kHeaderV1 - mavlink::kChecksum;
+    firmware::gcs::kLongestTalk - mavlink::kHeaderV1 - mavlink::kChecksum;
 
 mavlink::Frame frameOf(uint8_t how, const uint8_t* payload, uint8_t length) {
     mavlink::Frame frame = {};
@@ -26,12 +26,12 @@ mavlink::Frame frameOf(uint8_t how, const uint8_t* payload, uint8_t length) {
 }
 
 // True: the vehicle is still running.
-bool handle(firmware::Link& link, const mavlink::Frame& frame, bool then) {
+bool handle(firmware::gcs::Link& link, const mavlink::Frame& frame, bool then) {
     try {
         link.framing = frame.framing;
-        if (!firmware::handleFrame(link, frame)) {
+        if (!firmware::gcs::handleFrame(link, frame)) {
             fuzz::turn();
-            if (!firmware::handleFrame(link, frame)) firmware::refuseFrame(link, frame);
+            if (!firmware::gcs::handleFrame(link, frame)) firmware::gcs::refuseFrame(link, frame);
         }
         if (then) fuzz::turn();
         return true;
@@ -46,7 +46,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
     fuzz::start();
     const char* number = getenv("FUZZ_MESSAGE");
     fuzz::require(number != nullptr);
-    row = firmware::IncomingTable::find(static_cast<uint16_t>(atoi(number)), accepted);
+    row = firmware::gcs::IncomingTable::find(static_cast<uint16_t>(atoi(number)), accepted);
     fuzz::require(row != mavlink::kNoRow);
     return 0;
 }
@@ -64,7 +64,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size) {
 
     fuzz::calm();
     fuzz::pose(how);
-    firmware::Link& link = firmware::links[how >> 7];
+    firmware::gcs::Link& link = firmware::gcs::links[how >> 7];
     if (!handle(link, frameOf(how, payload.get(), static_cast<uint8_t>(length)), how & 32))
         fuzz::start();
     fuzz::checkAnswers();

@@ -4,12 +4,12 @@
 // before them laid claim to.
 #include <stdlib.h>
 
-#include "firmware/telemetry/link.hpp"
+#include "firmware/gcs/link.hpp"
 #include "mavlink/peer.hpp"
 
 namespace {
 
-using VehicleParser = mavlink::Parser<firmware::IncomingTable, firmware::kLongestTalk>;
+using VehicleParser = mavlink::Parser<firmware::gcs::IncomingTable, firmware::gcs::kLongestTalk>;
 
 void require(bool holds) {
     if (!holds) abort();
@@ -61,7 +61,7 @@ void tryOut(const uint8_t* bytes, size_t size, uint16_t longest) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size) {
     const bool vehicles = size == 0 || bytes[0] != 0;
     if (vehicles) {
-        tryOut<VehicleParser>(bytes, size, firmware::kLongestTalk);
+        tryOut<VehicleParser>(bytes, size, firmware::gcs::kLongestTalk);
     } else {
         tryOut<mavlink::PeerParser>(bytes + 1, size - 1, mavlink::kLongestFrame);
     }

@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "fakes/fakes.hpp"
+#include "firmware/gcs/link.hpp"
+#include "firmware/gcs/telemetry.hpp"
 #include "firmware/mission/mission.hpp"
-#include "firmware/modes.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/telemetry/link.hpp"
-#include "firmware/telemetry/telemetry.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "mavlink/peer.hpp"
 
 namespace fuzz {
@@ -28,27 +28,27 @@ inline fakes::Serial& line(uint8_t link) {
 inline void start() {
     fakes::reset();
     line(0).room = line(1).room = 127;
-    firmware::vehicle = {};
-    while (firmware::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
-    firmware::telemetryStart();
-    firmware::missionBoot();
-    firmware::vehicle.mode = firmware::Mode::initialising;
-    firmware::setMode(firmware::Mode::manual, firmware::ModeReason::boot);
+    firmware::state::vehicle = {};
+    while (firmware::state::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
+    firmware::gcs::telemetryStart();
+    firmware::mission::missionBoot();
+    firmware::state::vehicle.mode = firmware::state::Mode::initialising;
+    firmware::modes::setMode(firmware::state::Mode::manual, firmware::modes::ModeReason::boot);
 }
 
 // Parameters and state as after power-on, what is stored and under way as it was: a tenth of the
 // cost. Now and then all is made new.
 inline void calm() {
     static uint32_t starts = 0;
-    static firmware::Parameters fresh;
+    static firmware::state::Parameters fresh;
     if (starts++ % 500 == 0) {
         start();
-        fresh = firmware::parameters;
+        fresh = firmware::state::parameters;
         return;
     }
-    firmware::vehicle = {};
-    firmware::parameters = fresh;
-    for (uint8_t link = 0; link < firmware::kLinks; ++link) {
+    firmware::state::vehicle = {};
+    firmware::state::parameters = fresh;
+    for (uint8_t link = 0; link < firmware::state::kLinks; ++link) {
         line(link).in.clear();
         line(link).room = 127;
     }
@@ -56,17 +56,17 @@ inline void calm() {
 
 // What the link's frame rests are like: two frames, and the background work of both.
 inline void turn() {
-    firmware::telemetrySend();
-    for (int i = 0; i < 12 && firmware::telemetryPump(); ++i) {
+    firmware::gcs::telemetrySend();
+    for (int i = 0; i < 12 && firmware::gcs::telemetryPump(); ++i) {
     }
-    firmware::missionRun();
-    firmware::parametersRun();
+    firmware::mission::missionRun();
+    firmware::state::parametersRun();
     fakes::advance_ms(20);
 }
 
 // Whatever was asked, only whole good frames of messages that exist are answered.
 inline void checkAnswers() {
-    for (uint8_t link = 0; link < firmware::kLinks; ++link) {
+    for (uint8_t link = 0; link < firmware::state::kLinks; ++link) {
         static mavlink::PeerParser parser;
         size_t left = 0;
         for (const uint8_t byte : line(link).out) {
@@ -81,11 +81,11 @@ inline void checkAnswers() {
 
 // The bits of `how`: what the vehicle is doing.
 inline void pose(uint8_t how) {
-    auto& vehicle = firmware::vehicle;
+    auto& vehicle = firmware::state::vehicle;
     vehicle.armed = how & 1;
     vehicle.estimate.flying = how & 2;
     vehicle.home.set = vehicle.estimate.known = how & 4;
-    vehicle.gps.fix = how & 4 ? firmware::GpsFix::three_d : firmware::GpsFix::none;
+    vehicle.gps.fix = how & 4 ? firmware::state::GpsFix::three_d : firmware::state::GpsFix::none;
 }
 
 }  // namespace fuzz

@@ -9,7 +9,7 @@
 namespace mission_tool {
 namespace {
 
-using firmware::MissionResult;
+using firmware::mission::MissionResult;
 using mission::Set;
 using testing::HasSubstr;
 
@@ -89,8 +89,8 @@ TEST(Refusals, of_intel_hex_name_the_byte) {
 TEST(Refusals, every_parameter_that_the_firmware_refuses_has_its_expectation) {
     powerUp(blankImage());
     for (const Set set : {Set::apm1, Set::apm2})
-        for (uint8_t row = 0; row < firmware::kCommandTable.count; ++row) {
-            const uint8_t id = firmware::kCommandTable.id(set, row);
+        for (uint8_t row = 0; row < firmware::mission::kCommandTable.count; ++row) {
+            const uint8_t id = firmware::mission::kCommandTable.id(set, row);
             if (id == mission::kNoId) continue;
             for (const int32_t wild : {-2000000000, -7, 7, 77, 9999, 8000000, 2000000000})
                 for (int field = 0; field < 4; ++field) {

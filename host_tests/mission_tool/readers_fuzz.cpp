@@ -10,7 +10,7 @@
 
 #include "fakes/fakes.hpp"
 #include "firmware/mission/engine.hpp"
-#include "firmware/parameters.hpp"
+#include "firmware/state/parameters.hpp"
 #include "toolchain/mission_tool/arduplane.hpp"
 #include "toolchain/mission_tool/board.hpp"
 #include "toolchain/mission_tool/expectations.hpp"
@@ -49,7 +49,7 @@ void readBack(const Document& document, const std::string& text) {
 void digest(const Document& document) {
     bool good = true;
     for (const Entry& entry : document.entries) {
-        require(entry.good() == (entry.result == firmware::MissionResult::accepted));
+        require(entry.good() == (entry.result == firmware::mission::MissionResult::accepted));
         good = good && entry.good();
     }
     const std::string text = recordsAsText(document), waypoints = recordsAsWaypoints(document);
@@ -93,7 +93,7 @@ void readRecords15(const uint8_t* bytes, size_t size) {
 // Records with a head and a CRC that are right: any bytes as a mission that was stored.
 Image storedAs(uint8_t set, const uint8_t* bytes, size_t size) {
     boot(blankImage(), "fuzz");
-    auto& store = firmware::mission_store;
+    auto& store = firmware::mission::mission_store;
     const auto count = static_cast<uint8_t>(std::min<size_t>(size / mission::kRecordSize, 20));
     require(store.begin(count, set) == core::Status::ok);
     for (uint8_t i = 0; i < count; ++i, bytes += mission::kRecordSize)

@@ -126,15 +126,16 @@ TEST_F(RoundTrip, random_missions_of_both_sets_give_the_same_image_again) {
         for (size_t i = 0; i < document.entries.size(); ++i) {
             Entry& entry = document.entries[i];
             do {
-                const auto row = static_cast<uint8_t>(upTo(firmware::kCommandTable.count - 1u));
-                entry.record = {firmware::kCommandTable.id(document.set, row),
+                const auto row =
+                    static_cast<uint8_t>(upTo(firmware::mission::kCommandTable.count - 1u));
+                entry.record = {firmware::mission::kCommandTable.id(document.set, row),
                                 static_cast<uint8_t>(document.set == Set::apm2 ? upTo(7) : 0),
                                 static_cast<uint8_t>(upTo(1) != 0 ? upTo(10) : upTo(255)),
                                 value() % (mission::kLargestP2 + 1),
                                 value(),
                                 value()};
             } while (judge(document.set, i, document.entries.size(), entry) !=
-                         firmware::MissionResult::accepted ||
+                         firmware::mission::MissionResult::accepted ||
                      entry.record.id == 0xB1);  // as many as there are counters, at most
             ++taken;
         }
@@ -151,9 +152,9 @@ TEST_F(RoundTrip, random_missions_of_both_sets_give_the_same_image_again) {
 // An item as a ground station writes it: what the file says is what the board answers.
 TEST_F(RoundTrip, the_board_that_boots_with_the_image_answers_with_the_same_items) {
     powerUp(compiled(between("3 184 6 1900 3 4 0 0 0")));
-    ASSERT_EQ(firmware::missionCount(), 4);
-    firmware::MissionItem item = {};
-    ASSERT_EQ(firmware::missionItem(2, item), core::Status::ok);
+    ASSERT_EQ(firmware::mission::missionCount(), 4);
+    firmware::mission::MissionItem item = {};
+    ASSERT_EQ(firmware::mission::missionItem(2, item), core::Status::ok);
     EXPECT_EQ(item.command, 184);
     EXPECT_EQ(item.param1, 6);
     EXPECT_EQ(item.param2, 1900);

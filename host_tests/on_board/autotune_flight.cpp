@@ -15,7 +15,7 @@
 #include <fstream>
 #include <memory>
 
-#include "firmware/parameters.hpp"
+#include "firmware/state/parameters.hpp"
 #include "host_tests/on_board/station.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/ground/scripted_flight.hpp"
@@ -64,7 +64,8 @@ public:
         const double from_s = seconds();
         for (double t_s = 0; t_s < kAll_s && goOn(); t_s = seconds() - from_s) pilot(t_s);
         if (flight_.over()) throw std::runtime_error("the flight ended: " + flight_.reason());
-        const Gains found = {firmware::parameters.roll.axis.p, firmware::parameters.pitch.axis.p};
+        const Gains found = {firmware::state::parameters.roll.axis.p,
+                             firmware::state::parameters.pitch.axis.p};
         std::printf("  from %.1f times the defaults: RLL2SRV_P %.2f, PTCH2SRV_P %.2f\n", double(by),
                     double(found.roll_p), double(found.pitch_p));
         return found;
@@ -130,7 +131,8 @@ float parameterNow(const char* name) {
     uint16_t index;
     float value = NAN;
     uint8_t type;
-    if (firmware::parameterFind(padded, index)) firmware::parameterAt(index, padded, value, type);
+    if (firmware::state::parameterFind(padded, index))
+        firmware::state::parameterAt(index, padded, value, type);
     return value;
 }
 

@@ -10,7 +10,7 @@
 #include <iostream>
 #include <map>
 
-#include "firmware/failsafe/table.hpp"
+#include "firmware/safety/failsafe_table.hpp"
 #include "host_tests/on_board/self_judged.hpp"
 #include "host_tests/on_board/station.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
@@ -73,7 +73,7 @@ const Row kRows[] = {
     {3,  "battery",                  kAuto,   kNone, kPack,   {},  "Battery low",          {kRtl},          15, kRtl},
 };
 // clang-format on
-static_assert(std::size(kRows) == firmware::kTransitionCount - 1, "a row is not flown");
+static_assert(std::size(kRows) == firmware::safety::kTransitionCount - 1, "a row is not flown");
 
 const Settings kUsual = {{"FS_SHORT_ACTN", 0},
                          {"FS_LONG_ACTN", 0},

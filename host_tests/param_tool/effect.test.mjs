@@ -9,7 +9,7 @@ import { fileURLToPath } from 'node:url';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
 const text = (path) => readFileSync(join(root, path), 'utf8').replace(/\/\/.*$/gm, '');
-const table = text('firmware/parameters.cpp');
+const table = text('firmware/state/parameters.cpp');
 const sources = ['firmware', 'libraries/control', 'libraries/navigation']
   .flatMap((folder) => readdirSync(join(root, folder), { recursive: true })
     .map((name) => join(folder, String(name))))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// firmware/parameters.csv against the firmware's own table, and docs/parameters.md against both.
+// firmware/state/parameters.csv against the firmware's own table, and docs/parameters.md against
+// both.
 #include "param_tool/rig.hpp"
 
 namespace param_tool {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/restart/kept_home.hpp"
+#include "firmware/safety/kept_home.hpp"
 
 #include <cstring>
 
@@ -12,6 +12,12 @@ namespace {
 
 using core::Status;
 using namespace firmware;
+using namespace firmware::notify;
+using namespace firmware::state;
+using namespace firmware::sensors;
+using namespace firmware::modes;
+using namespace firmware::safety;
+using namespace firmware::gcs;
 
 class KeptHomeTest : public testing::Test {
 protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/restart/record.hpp"
+#include "firmware/state/restart_record.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,8 @@
 namespace {
 
 using namespace firmware;
+using namespace firmware::state;
+using namespace firmware::sensors;
 
 MovingRecord movingRecord(uint8_t number) {
     MovingRecord record = {};

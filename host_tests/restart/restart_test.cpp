@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/restart/restart.hpp"
+#include "firmware/safety/restart.hpp"
 
-#include "firmware/attitude_control.hpp"
 #include "firmware/bench.hpp"
-#include "firmware/estimator.hpp"
-#include "firmware/restart/kept.hpp"
-#include "firmware/restart/kept_home.hpp"
+#include "firmware/control/attitude_control.hpp"
+#include "firmware/estimator/estimator.hpp"
+#include "firmware/safety/kept_home.hpp"
+#include "firmware/safety/restart_kept.hpp"
 #include "hal/clock.hpp"
 #include "hal/eeprom.hpp"
 #include "storage/owner.hpp"
@@ -13,6 +13,14 @@
 namespace {
 
 using namespace firmware;
+using namespace firmware::notify;
+using namespace firmware::state;
+using namespace firmware::sensors;
+using namespace firmware::estimator;
+using namespace firmware::control;
+using namespace firmware::modes;
+using namespace firmware::safety;
+using namespace firmware::gcs;
 using hal::ResetCause;
 
 constexpr geo::Position kHome = {473977000, 85456000};

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the guard's interrupt puts out, against MANUAL's own way from the same sticks.
-#include "firmware/attitude_control.hpp"
+#include "firmware/actuators/outputs.hpp"
 #include "firmware/bench.hpp"
-#include "firmware/outputs.hpp"
+#include "firmware/control/attitude_control.hpp"
 #include "hal/guard.hpp"
 
 namespace {
 
-using firmware::parameters;
-using firmware::vehicle;
+using firmware::state::parameters;
+using firmware::state::vehicle;
 
 class SticksWhileItHangs : public bench::Bench {
 protected:
     void SetUp() override {
         Bench::SetUp();
-        firmware::startOutputs();
+        firmware::actuators::startOutputs();
         vehicle.armed = true;
     }
     void TearDown() override {
@@ -36,9 +36,9 @@ protected:
     }
     std::array<uint16_t, 4> manual(const std::vector<uint16_t>& sticks) {
         settle(sticks);
-        firmware::runMode();
-        firmware::runAttitudeControl();
-        firmware::runOutputs();
+        firmware::modes::runMode();
+        firmware::control::runAttitudeControl();
+        firmware::actuators::runOutputs();
         return now();
     }
     const std::vector<uint16_t> sticks_ = {1640, 1420, 1550, 1580, 1500, 1500, 1500, 1815};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/restart/supervisor.hpp"
+#include "firmware/safety/supervisor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 // Frames until the dog is no longer fed when these tiers run as often as they do, and `silent`
 // stops after a while; 0: never in ten seconds.
 int fedFor(uint8_t silent) {
-    firmware::Supervisor supervisor;
+    firmware::safety::Supervisor supervisor;
     constexpr int kFrom = 300;
     for (int frame = 0; frame < kFrom + 1000; ++frame) {
         uint8_t served = scheduler::kFast;
@@ -33,7 +33,7 @@ TEST(Supervisor, stops_soon_after_one_tier_has_stopped) {
 }
 
 TEST(Supervisor, does_not_starve_the_dog_for_a_tier_that_is_only_put_off) {
-    firmware::Supervisor supervisor;
+    firmware::safety::Supervisor supervisor;
     for (int frame = 0; frame < 1000; ++frame) {
         uint8_t served = scheduler::kFast;
         if (frame % 20 == 0) served |= scheduler::kMedium;

@@ -8,21 +8,23 @@
 #include "hal/imu_interrupt.hpp"
 
 namespace {
-int turns_waited = 0;
+int loops_waited = 0;
 bool the_time_came = false;
 }  // namespace
 
 // Work waits all the time, and is done when the clock says so: as a log that is sent slowly.
 namespace firmware {
-void start();
-void turn();
-void start() {}
-void turn() {
-    ++turns_waited;
+namespace app {
+void setup();
+void loop();
+void setup() {}
+void loop() {
+    ++loops_waited;
     if (hal::now_ms() % 100 < 90) return hal::idle([] { return true; });
     the_time_came = true;
     hal::idle([] { return false; });
 }
+}  // namespace app
 }  // namespace firmware
 
 namespace hal {
@@ -35,5 +37,5 @@ TEST(NativeBoard, lets_time_pass_for_firmware_that_waits_for_it_without_resting)
     EXPECT_TRUE(board.runUntil(200'000));
     EXPECT_TRUE(the_time_came);
     EXPECT_GE(board.time_us(), 200'000u);
-    EXPECT_GT(turns_waited, 1000);  // as fast as ever at first
+    EXPECT_GT(loops_waited, 1000);  // as fast as ever at first
 }

@@ -4,7 +4,7 @@
 #include "firmware/mission/speed.hpp"
 #include "ground.hpp"
 
-using firmware::Mode;
+using firmware::state::Mode;
 using ground::Telemetry;
 using mavlink::MavCmd;
 using mavlink::MavFrame;
@@ -28,19 +28,19 @@ TEST_F(Telemetry, an_ack_is_addressed_to_who_asked) {
 
 TEST_F(Telemetry, modes_are_set_by_every_way_ground_stations_know) {
     EXPECT_EQ(command(MavCmd::do_set_mode, 1, 11), MavResult::accepted);
-    EXPECT_EQ(firmware::vehicle.mode, Mode::rtl);
+    EXPECT_EQ(firmware::state::vehicle.mode, Mode::rtl);
     EXPECT_EQ(command(MavCmd::do_set_mode, 209, 5), MavResult::accepted);  // other bits set too
-    EXPECT_EQ(firmware::vehicle.mode, Mode::fbwa);
+    EXPECT_EQ(firmware::state::vehicle.mode, Mode::fbwa);
     EXPECT_EQ(command(MavCmd::do_set_mode, 220), MavResult::accepted);  // MAV_MODE_AUTO_ARMED
-    EXPECT_EQ(firmware::vehicle.mode, Mode::automatic);
+    EXPECT_EQ(firmware::state::vehicle.mode, Mode::automatic);
     EXPECT_EQ(command(MavCmd::do_set_mode, 64), MavResult::accepted);
-    EXPECT_EQ(firmware::vehicle.mode, Mode::manual);
+    EXPECT_EQ(firmware::state::vehicle.mode, Mode::manual);
     EXPECT_EQ(command(MavCmd::nav_return_to_launch), MavResult::accepted);
-    EXPECT_EQ(firmware::vehicle.mode, Mode::rtl);
+    EXPECT_EQ(firmware::state::vehicle.mode, Mode::rtl);
     EXPECT_EQ(command(MavCmd::nav_loiter_unlim), MavResult::accepted);
-    EXPECT_EQ(firmware::vehicle.mode, Mode::loiter);
+    EXPECT_EQ(firmware::state::vehicle.mode, Mode::loiter);
     EXPECT_EQ(command(MavCmd::mission_start), MavResult::accepted);
-    EXPECT_EQ(firmware::vehicle.mode, Mode::automatic);
+    EXPECT_EQ(firmware::state::vehicle.mode, Mode::automatic);
 
     mavlink::SetMode message = {};
     message.target_system = 1;
@@ -50,7 +50,7 @@ TEST_F(Telemetry, modes_are_set_by_every_way_ground_stations_know) {
     ASSERT_EQ(acks.size(), 1u);
     EXPECT_EQ(acks[0].command, 11);
     EXPECT_EQ(acks[0].result, MavResult::accepted);
-    EXPECT_EQ(firmware::vehicle.mode, Mode::stabilize);
+    EXPECT_EQ(firmware::state::vehicle.mode, Mode::stabilize);
 }
 
 TEST_F(Telemetry, set_mode_in_mavlink_1_with_a_component_like_base_mode_is_understood) {
@@ -59,7 +59,7 @@ TEST_F(Telemetry, set_mode_in_mavlink_1_with_a_component_like_base_mode_is_under
     message.base_mode = 217;  // stands where other messages have their component
     message.custom_mode = 10;
     EXPECT_EQ(ask<mavlink::CommandAck>(message).size(), 1u);
-    EXPECT_EQ(firmware::vehicle.mode, Mode::automatic);
+    EXPECT_EQ(firmware::state::vehicle.mode, Mode::automatic);
 }
 
 TEST_F(Telemetry, a_mode_that_does_not_exist_is_denied) {
@@ -71,15 +71,15 @@ TEST_F(Telemetry, a_mode_that_does_not_exist_is_denied) {
 TEST_F(Telemetry, a_mode_that_cannot_be_entered_now_is_rejected_for_now) {
     doubles::vehicle.mode_can_be_entered = false;
     EXPECT_EQ(command(MavCmd::mission_start), MavResult::temporarily_rejected);
-    EXPECT_EQ(firmware::vehicle.mode, Mode::manual);
+    EXPECT_EQ(firmware::state::vehicle.mode, Mode::manual);
 }
 
 TEST_F(Telemetry, arms_and_disarms) {
     EXPECT_EQ(command(MavCmd::component_arm_disarm, 1), MavResult::accepted);
-    EXPECT_TRUE(firmware::vehicle.armed);
+    EXPECT_TRUE(firmware::state::vehicle.armed);
     EXPECT_FALSE(doubles::vehicle.force);
     EXPECT_EQ(command(MavCmd::component_arm_disarm, 0), MavResult::accepted);
-    EXPECT_FALSE(firmware::vehicle.armed);
+    EXPECT_FALSE(firmware::state::vehicle.armed);
 }
 
 TEST_F(Telemetry, an_arming_that_fails_says_why) {
@@ -87,7 +87,7 @@ TEST_F(Telemetry, an_arming_that_fails_says_why) {
 
     EXPECT_EQ(command(MavCmd::component_arm_disarm, 1), MavResult::failed);
 
-    EXPECT_FALSE(firmware::vehicle.armed);
+    EXPECT_FALSE(firmware::state::vehicle.armed);
     EXPECT_EQ(station.texts().at(0), "PreArm: no GPS fix");
     EXPECT_EQ(command(MavCmd::run_prearm_checks), MavResult::failed);
     EXPECT_EQ(station.texts().at(0), "PreArm: no GPS fix");
@@ -112,16 +112,16 @@ TEST_F(Telemetry, reboots_on_the_ground_after_answering) {
 }
 
 TEST_F(Telemetry, does_not_reboot_armed) {
-    firmware::vehicle.armed = true;
+    firmware::state::vehicle.armed = true;
     EXPECT_EQ(command(MavCmd::preflight_reboot_shutdown, 1), MavResult::temporarily_rejected);
     EXPECT_NO_THROW(run_ms(1000));
 }
 
 TEST_F(Telemetry, gives_its_home_when_it_has_one) {
     EXPECT_EQ(command(MavCmd::get_home_position), MavResult::temporarily_rejected);
-    firmware::vehicle.home.set = true;
-    firmware::vehicle.home.position = {-353632610, 1491652300};
-    firmware::vehicle.home.altitude_cm = 58412;
+    firmware::state::vehicle.home.set = true;
+    firmware::state::vehicle.home.position = {-353632610, 1491652300};
+    firmware::state::vehicle.home.altitude_cm = 58412;
 
     EXPECT_EQ(command(MavCmd::get_home_position), MavResult::accepted);
 
@@ -148,7 +148,7 @@ TEST_F(Telemetry, home_is_set_to_the_last_digit_by_command_int) {
     auto message =
         commandInt(MavCmd::do_set_home, MavFrame::global, -353632611, 1491652303, 584.1f);
     EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::accepted);
-    const auto& act = doubles::mission.acts.at(0);
+    const auto& act = doubles::plan.acts.at(0);
     EXPECT_EQ(act.command, MavCmd::do_set_home);
     EXPECT_EQ(act.x, -353632611);
     EXPECT_EQ(act.y, 1491652303);
@@ -158,16 +158,16 @@ TEST_F(Telemetry, home_is_set_to_the_last_digit_by_command_int) {
     message.z = 10;
     EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::temporarily_rejected)
         << "relative to no home";
-    firmware::vehicle.home.set = true;
-    firmware::vehicle.home.altitude_cm = 58400;
+    firmware::state::vehicle.home.set = true;
+    firmware::state::vehicle.home.altitude_cm = 58400;
     EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::accepted);
-    EXPECT_EQ(doubles::mission.acts.at(1).z, 594);
-    EXPECT_EQ(doubles::mission.acts.at(1).frame, MavFrame::global);
+    EXPECT_EQ(doubles::plan.acts.at(1).z, 594);
+    EXPECT_EQ(doubles::plan.acts.at(1).frame, MavFrame::global);
 }
 
 TEST_F(Telemetry, home_is_set_here_or_not_without_a_place) {
     EXPECT_EQ(command(MavCmd::do_set_home, 0), MavResult::denied);
-    EXPECT_TRUE(doubles::mission.acts.empty());
+    EXPECT_TRUE(doubles::plan.acts.empty());
     EXPECT_EQ(command(MavCmd::do_set_home, 1), MavResult::accepted);
     doubles::vehicle.home_can_be_set = false;
     EXPECT_EQ(command(MavCmd::do_set_home, 1), MavResult::temporarily_rejected);
@@ -192,7 +192,7 @@ TEST_F(Telemetry, describes_itself_in_every_way_it_can_be_asked) {
 }
 
 TEST_F(Telemetry, the_current_item_is_set_by_command) {
-    doubles::mission.items.resize(4);
+    doubles::plan.items.resize(4);
     EXPECT_EQ(command(MavCmd::do_set_mission_current, 3), MavResult::accepted);
     EXPECT_EQ(station.all<mavlink::MissionCurrent>().at(0).seq, 3);
     EXPECT_EQ(command(MavCmd::do_set_mission_current, 4), MavResult::denied);
@@ -203,11 +203,11 @@ TEST_F(Telemetry, erases_its_storage_on_the_ground_only) {
     EXPECT_EQ(command(MavCmd::preflight_storage, 1), MavResult::accepted);  // nothing to do
     EXPECT_EQ(command(MavCmd::preflight_storage, 9), MavResult::unsupported);
     EXPECT_EQ(command(MavCmd::preflight_storage, 0, 2), MavResult::unsupported);
-    firmware::vehicle.armed = true;
+    firmware::state::vehicle.armed = true;
     EXPECT_EQ(command(MavCmd::preflight_storage, 2, 2), MavResult::temporarily_rejected);
-    firmware::vehicle.armed = false;
+    firmware::state::vehicle.armed = false;
     EXPECT_EQ(command(MavCmd::preflight_storage, 2, 2), MavResult::accepted);
-    for (int i = 0; i < 1000; ++i) firmware::parametersRun();
+    for (int i = 0; i < 1000; ++i) firmware::state::parametersRun();
     run_ms(100);
     EXPECT_EQ(station.texts().at(0), "Erased: restart the board");
 }
@@ -263,13 +263,13 @@ const Case kCases[] = {
 };
 
 TEST_F(Telemetry, what_cannot_be_had_is_answered_and_changes_nothing) {
-    const firmware::Parameters before = firmware::parameters;
+    const firmware::state::Parameters before = firmware::state::parameters;
     for (const Case& c : kCases) {
         float p[7] = {};
         std::copy(c.params.begin(), c.params.end(), p);
         EXPECT_EQ(command(c.command, p[0], p[1], p[2], p[3], p[4], p[5], p[6]), c.result) << c.what;
     }
-    EXPECT_EQ(memcmp(&before, &firmware::parameters, sizeof before), 0);
+    EXPECT_EQ(memcmp(&before, &firmware::state::parameters, sizeof before), 0);
     EXPECT_EQ(doubles::vehicle.gyro_calibrations, 0);
     EXPECT_NO_THROW(run_ms(1000));
 }
@@ -278,7 +278,7 @@ TEST_F(Telemetry, what_a_mission_does_at_once_is_done_on_command) {
     for (const uint16_t id : {MavCmd::do_set_relay, MavCmd::do_repeat_relay, MavCmd::do_set_servo,
                               MavCmd::do_repeat_servo, MavCmd::do_change_speed}) {
         EXPECT_EQ(command(id, 0, 1500, 3, 4), MavResult::accepted);
-        const auto& act = doubles::mission.acts.back();
+        const auto& act = doubles::plan.acts.back();
         EXPECT_EQ(act.command, id);
         EXPECT_EQ(act.frame, MavFrame::mission);
         EXPECT_EQ(act.param1, 0);
@@ -286,29 +286,29 @@ TEST_F(Telemetry, what_a_mission_does_at_once_is_done_on_command) {
         EXPECT_EQ(act.param3, 3);
         EXPECT_EQ(act.param4, 4);
     }
-    doubles::mission.answer = firmware::MissionResult::invalid_param1;
+    doubles::plan.answer = firmware::mission::MissionResult::invalid_param1;
     EXPECT_EQ(command(MavCmd::do_set_servo, 3, 1500), MavResult::denied);
 }
 
 TEST_F(Telemetry, starts_the_landing_of_the_mission_and_breaks_it_off) {
-    firmware::vehicle.estimate.flying = true;
+    firmware::state::vehicle.estimate.flying = true;
     EXPECT_EQ(command(MavCmd::do_land_start), MavResult::denied) << "the mission has none";
-    doubles::mission.land_start = doubles::mission.landing = true;
+    doubles::plan.land_start = doubles::plan.landing = true;
     EXPECT_EQ(command(MavCmd::do_land_start), MavResult::accepted);
     EXPECT_EQ(command(MavCmd::do_go_around, 45), MavResult::accepted);
-    EXPECT_EQ(doubles::mission.around_m, std::vector<float>{45});
+    EXPECT_EQ(doubles::plan.around_m, std::vector<float>{45});
 }
 
 TEST_F(Telemetry, takes_pictures_on_command) {
     EXPECT_EQ(command(MavCmd::do_digicam_control, 0, 0, 0, 0, 1), MavResult::accepted);
     EXPECT_EQ(command(MavCmd::do_set_cam_trigg_dist, 12.5f), MavResult::accepted);
-    ASSERT_EQ(doubles::mission.acts.size(), 2u);
-    EXPECT_EQ(doubles::mission.acts[1].param1, 12.5f);
+    ASSERT_EQ(doubles::plan.acts.size(), 2u);
+    EXPECT_EQ(doubles::plan.acts[1].param1, 12.5f);
 }
 
 TEST_F(Telemetry, a_ground_speed_is_taken_only_by_who_follows_one) {
     EXPECT_EQ(command(MavCmd::do_change_speed, 1, 15), MavResult::temporarily_rejected);
-    firmware::vehicle.mode = Mode::guided;
+    firmware::state::vehicle.mode = Mode::guided;
     EXPECT_EQ(command(MavCmd::do_change_speed, 1, 15), MavResult::accepted);
 }
 
@@ -331,13 +331,13 @@ TEST_F(Telemetry, guides_to_a_place_to_the_last_digit) {
     EXPECT_EQ(target.param3, 80);
     EXPECT_EQ(target.param4, 1);
 
-    firmware::vehicle.mode = Mode::guided;
+    firmware::state::vehicle.mode = Mode::guided;
     message.param2 = 0;
     EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::accepted);
-    doubles::mission.answer = firmware::MissionResult::unsupported_frame;
+    doubles::plan.answer = firmware::mission::MissionResult::unsupported_frame;
     EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result,
               MavResult::command_unsupported_mav_frame);
-    doubles::mission.answer = firmware::MissionResult::error;
+    doubles::plan.answer = firmware::mission::MissionResult::error;
     EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::temporarily_rejected);
 }
 
@@ -368,7 +368,7 @@ TEST_F(Telemetry, a_mission_item_that_is_an_order_for_guided_is_acknowledged_as_
     item.current = 3;
     EXPECT_EQ(ask<mavlink::MissionAck>(item).at(0).type, 0);
     EXPECT_EQ(doubles::vehicle.heights.at(0).z, 70);
-    doubles::mission.answer = firmware::MissionResult::unsupported_frame;
+    doubles::plan.answer = firmware::mission::MissionResult::unsupported_frame;
     EXPECT_EQ(ask<mavlink::MissionAck>(item).at(0).type, 2);
     item.current = 4;
     EXPECT_EQ(ask<mavlink::MissionAck>(item).at(0).type, 3);
@@ -382,16 +382,16 @@ TEST_F(Telemetry, changes_the_height_alone) {
 }
 
 TEST_F(Telemetry, a_mission_begins_anew_when_asked_to) {
-    doubles::mission.items.resize(4);
-    doubles::mission.current = 2;
+    doubles::plan.items.resize(4);
+    doubles::plan.current = 2;
     EXPECT_EQ(command(MavCmd::do_set_mission_current, 3, 1), MavResult::accepted);
-    EXPECT_EQ(doubles::mission.restarts, 1);
-    EXPECT_EQ(doubles::mission.current, 3);
+    EXPECT_EQ(doubles::plan.restarts, 1);
+    EXPECT_EQ(doubles::plan.current, 3);
     EXPECT_EQ(command(MavCmd::do_set_mission_current, -1, 1), MavResult::accepted);
-    EXPECT_EQ(doubles::mission.restarts, 2);
-    EXPECT_EQ(doubles::mission.current, 3);
+    EXPECT_EQ(doubles::plan.restarts, 2);
+    EXPECT_EQ(doubles::plan.current, 3);
     EXPECT_EQ(command(MavCmd::do_set_mission_current, 9, 1), MavResult::denied);
-    EXPECT_EQ(doubles::mission.restarts, 2);
+    EXPECT_EQ(doubles::plan.restarts, 2);
 }
 
 TEST_F(Telemetry, restarts_for_the_bootloader_as_well) {
@@ -400,9 +400,9 @@ TEST_F(Telemetry, restarts_for_the_bootloader_as_well) {
 }
 
 TEST_F(Telemetry, calibrates_on_the_ground_only) {
-    firmware::vehicle.armed = true;
+    firmware::state::vehicle.armed = true;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 1), MavResult::temporarily_rejected);
-    firmware::vehicle.estimate.flying = true;
+    firmware::state::vehicle.estimate.flying = true;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 1), MavResult::denied);
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::denied);
     EXPECT_EQ(doubles::vehicle.gyro_calibrations, 0);
@@ -418,8 +418,8 @@ TEST_F(Telemetry, a_calibration_is_in_progress_until_it_is_done) {
     EXPECT_EQ(command(MavCmd::preflight_calibration, 1, 0, 1), MavResult::in_progress);
     EXPECT_EQ(doubles::vehicle.gyro_calibrations, 1) << "asked again, not begun again";
 
-    firmware::vehicle.imu.calibrated = true;
-    firmware::vehicle.baro.ground_pressure_pa = 95000;
+    firmware::state::vehicle.imu.calibrated = true;
+    firmware::state::vehicle.baro.ground_pressure_pa = 95000;
     run_ms(40);
     const auto acks = station.all<mavlink::CommandAck>();
     ASSERT_EQ(acks.size(), 1u);
@@ -443,7 +443,7 @@ TEST_F(Telemetry, a_calibration_that_never_ends_has_failed) {
 }
 
 TEST_F(Telemetry, the_sticks_and_the_board_find_their_middle) {
-    auto& vehicle = firmware::vehicle;
+    auto& vehicle = firmware::state::vehicle;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 1), MavResult::failed) << "no radio";
     vehicle.radio.good_ms = 1;
     vehicle.radio.pulse_us[0] = 1512;
@@ -451,30 +451,30 @@ TEST_F(Telemetry, the_sticks_and_the_board_find_their_middle) {
     vehicle.radio.pulse_us[2] = 1100;
     vehicle.radio.pulse_us[3] = 1503;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 1), MavResult::accepted);
-    EXPECT_EQ(firmware::parameters.channel[0].trim_us, 1512);
-    EXPECT_EQ(firmware::parameters.channel[1].trim_us, 1488);
-    EXPECT_EQ(firmware::parameters.channel[2].trim_us, 1500);
-    EXPECT_EQ(firmware::parameters.channel[3].trim_us, 1503);
+    EXPECT_EQ(firmware::state::parameters.channel[0].trim_us, 1512);
+    EXPECT_EQ(firmware::state::parameters.channel[1].trim_us, 1488);
+    EXPECT_EQ(firmware::state::parameters.channel[2].trim_us, 1500);
+    EXPECT_EQ(firmware::state::parameters.channel[3].trim_us, 1503);
 
     vehicle.attitude.roll_rad = 0.02f;
     vehicle.attitude.pitch_rad = -0.03f;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::failed)
         << "not aligned";
     vehicle.attitude.aligned = true;
-    firmware::parameters.level_trim_rad[0] = 0.01f;
+    firmware::state::parameters.level_trim_rad[0] = 0.01f;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::accepted);
-    EXPECT_NEAR(firmware::parameters.level_trim_rad[0], 0.03f, 1e-4);
-    EXPECT_NEAR(firmware::parameters.level_trim_rad[1], -0.03f, 1e-4);
+    EXPECT_NEAR(firmware::state::parameters.level_trim_rad[0], 0.03f, 1e-4);
+    EXPECT_NEAR(firmware::state::parameters.level_trim_rad[1], -0.03f, 1e-4);
     vehicle.attitude.roll_rad = 0.5f;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::failed);
-    EXPECT_NEAR(firmware::parameters.level_trim_rad[0], 0.03f, 1e-4);
+    EXPECT_NEAR(firmware::state::parameters.level_trim_rad[0], 0.03f, 1e-4);
 }
 
 TEST_F(Telemetry, the_compass_is_given_its_offsets) {
     EXPECT_EQ(command(MavCmd::preflight_set_sensor_offsets, 2, 10, -20, 30), MavResult::accepted);
-    EXPECT_EQ(firmware::parameters.compass_offset_mg[0], 10);
-    EXPECT_EQ(firmware::parameters.compass_offset_mg[1], -20);
-    EXPECT_EQ(firmware::parameters.compass_offset_mg[2], 30);
+    EXPECT_EQ(firmware::state::parameters.compass_offset_mg[0], 10);
+    EXPECT_EQ(firmware::state::parameters.compass_offset_mg[1], -20);
+    EXPECT_EQ(firmware::state::parameters.compass_offset_mg[2], 30);
 }
 
 }  // namespace

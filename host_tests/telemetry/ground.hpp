@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "fakes/fakes.hpp"
-#include "firmware/fence.hpp"
-#include "firmware/parameters.hpp"
-#include "firmware/telemetry/telemetry.hpp"
-#include "firmware/telemetry/text.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/gcs/telemetry.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/safety/fence.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "mavlink/peer.hpp"
 #include "vehicle_double.hpp"
 
@@ -108,13 +108,14 @@ protected:
         fakes::reset();
         station.line().room = second.line().room = 127;  // as the real ports, and never less
         doubles::reset();
-        firmware::vehicle = {};
-        firmware::vehicle.mode = firmware::Mode::manual;
-        while (firmware::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
-        for (auto& rates : firmware::parameters.streams) rates = {};  // silence but for heartbeats
-        firmware::rcOverrideRelease();
-        firmware::fenceStart();
-        firmware::telemetryStart();
+        firmware::state::vehicle = {};
+        firmware::state::vehicle.mode = firmware::state::Mode::manual;
+        while (firmware::state::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
+        for (auto& rates : firmware::state::parameters.streams)
+            rates = {};  // silence but for heartbeats
+        firmware::gcs::rcOverrideRelease();
+        firmware::safety::fenceStart();
+        firmware::gcs::telemetryStart();
         run_ms(100);
         station.forget();
         second.forget();
@@ -123,13 +124,13 @@ protected:
     // The frames and the rest of each: telemetrySend every second one, telemetryPump in between.
     void run_ms(uint32_t time_ms) {
         for (uint32_t ms = 0; ms < time_ms; ms += 10) {
-            if (frame_++ % 2 == 0) firmware::telemetrySend();
+            if (frame_++ % 2 == 0) firmware::gcs::telemetrySend();
             rest();
             fakes::advance_ms(10);
         }
     }
     void rest() {
-        for (int i = 0; i < 200 && firmware::telemetryPump(); ++i) {
+        for (int i = 0; i < 200 && firmware::gcs::telemetryPump(); ++i) {
         }
     }
     template <class Answer, class Question>

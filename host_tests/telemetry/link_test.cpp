@@ -3,8 +3,8 @@
 
 #include "ground.hpp"
 
-using firmware::Severity;
-using firmware::tell;
+using firmware::notify::Severity;
+using firmware::notify::tell;
 using ground::Framing;
 using ground::Telemetry;
 
@@ -42,11 +42,11 @@ TEST_F(Telemetry, obeys_nothing_that_is_meant_for_another) {
     message.target_system = 1;
     message.target_component = 154;  // a gimbal's
     EXPECT_TRUE(ask<mavlink::CommandAck>(message).empty());
-    EXPECT_FALSE(firmware::vehicle.armed);
+    EXPECT_FALSE(firmware::state::vehicle.armed);
 
     message.target_system = message.target_component = 0;  // everybody
     EXPECT_EQ(ask<mavlink::CommandAck>(message).size(), 1u);
-    EXPECT_TRUE(firmware::vehicle.armed);
+    EXPECT_TRUE(firmware::state::vehicle.armed);
 }
 
 TEST_F(Telemetry, link0_follows_the_usb_cable) {
@@ -67,7 +67,7 @@ TEST_F(Telemetry, a_radio_switched_off_is_silent_until_someone_speaks_to_the_air
     run_ms(1000);
     (void)station.everything();
     (void)second.everything();
-    doubles::mission.radio_off = true;
+    doubles::plan.radio_off = true;
     tell(Severity::notice, ROM_TEXT("Nobody hears this"));
     for (int i = 0; i < 3; ++i) {
         second.send(mavlink::Heartbeat{});  // to everyone, which is not to the airplane
@@ -89,7 +89,7 @@ TEST_F(Telemetry, a_radio_switched_off_is_silent_until_someone_speaks_to_the_air
 TEST_F(Telemetry, usb_is_never_switched_off) {
     fakes::setUsb(true);
     run_ms(1000);
-    doubles::mission.radio_off = true;
+    doubles::plan.radio_off = true;
     (void)station.everything();
     (void)second.everything();
     run_ms(2000);
@@ -100,14 +100,14 @@ TEST_F(Telemetry, usb_is_never_switched_off) {
 
 TEST_F(Telemetry, rests_until_bytes_come) {
     rest();
-    EXPECT_FALSE(firmware::telemetryPump());
-    EXPECT_FALSE(firmware::telemetryWaits());
+    EXPECT_FALSE(firmware::gcs::telemetryPump());
+    EXPECT_FALSE(firmware::gcs::telemetryWaits());
 
     second.send(mavlink::Ping{});
-    EXPECT_TRUE(firmware::telemetryWaits());
-    EXPECT_TRUE(firmware::telemetryPump());
+    EXPECT_TRUE(firmware::gcs::telemetryWaits());
+    EXPECT_TRUE(firmware::gcs::telemetryPump());
     rest();
-    EXPECT_FALSE(firmware::telemetryWaits());
+    EXPECT_FALSE(firmware::gcs::telemetryWaits());
 }
 
 TEST_F(Telemetry, rests_until_there_is_room_for_what_it_has_to_say) {
@@ -115,18 +115,18 @@ TEST_F(Telemetry, rests_until_there_is_room_for_what_it_has_to_say) {
     station.line().room = 30;
     tell(Severity::info, ROM_TEXT("news"));
     rest();
-    EXPECT_FALSE(firmware::telemetryWaits());
+    EXPECT_FALSE(firmware::gcs::telemetryWaits());
 
     station.line().room = 100;
-    EXPECT_TRUE(firmware::telemetryWaits());
+    EXPECT_TRUE(firmware::gcs::telemetryWaits());
     rest();
     EXPECT_EQ(station.texts().size(), 1u);
-    EXPECT_FALSE(firmware::telemetryWaits());
+    EXPECT_FALSE(firmware::gcs::telemetryWaits());
 }
 
 TEST_F(Telemetry, beats_when_the_frames_leave_no_rest) {
     for (uint32_t ms = 0; ms < 10000; ms += 20) {
-        firmware::telemetrySend();
+        firmware::gcs::telemetrySend();
         fakes::advance_ms(20);
     }
     EXPECT_NEAR(station.all<mavlink::Heartbeat>().size(), 10, 1);
@@ -234,7 +234,7 @@ TEST_F(Telemetry, texts_reach_both_links_with_their_number) {
 
 TEST_F(Telemetry, texts_told_before_the_links_are_open_are_told_after) {
     tell(Severity::info, ROM_TEXT("early"));
-    firmware::telemetryStart();
+    firmware::gcs::telemetryStart();
     run_ms(100);
     EXPECT_EQ(station.texts().at(0), "early");
 }
@@ -275,17 +275,17 @@ TEST_F(Telemetry, the_ground_stations_sticks_replace_and_release_channels) {
     uint16_t pulse_us = 0;
     station.send(sticks(1200, 1800));
     run_ms(20);
-    ASSERT_TRUE(firmware::rcOverride(0, pulse_us));
+    ASSERT_TRUE(firmware::gcs::rcOverride(0, pulse_us));
     EXPECT_EQ(pulse_us, 1200);
-    ASSERT_TRUE(firmware::rcOverride(1, pulse_us));
+    ASSERT_TRUE(firmware::gcs::rcOverride(1, pulse_us));
     EXPECT_EQ(pulse_us, 1800);
-    EXPECT_FALSE(firmware::rcOverride(2, pulse_us));
+    EXPECT_FALSE(firmware::gcs::rcOverride(2, pulse_us));
 
     station.send(sticks(65535, 0));  // as it is, and given back
     run_ms(20);
-    ASSERT_TRUE(firmware::rcOverride(0, pulse_us));
+    ASSERT_TRUE(firmware::gcs::rcOverride(0, pulse_us));
     EXPECT_EQ(pulse_us, 1200);
-    EXPECT_FALSE(firmware::rcOverride(1, pulse_us));
+    EXPECT_FALSE(firmware::gcs::rcOverride(1, pulse_us));
 }
 
 TEST_F(Telemetry, sticks_of_a_stranger_are_ignored) {
@@ -293,16 +293,16 @@ TEST_F(Telemetry, sticks_of_a_stranger_are_ignored) {
     station.system = 254;
     station.send(sticks(1200, 1800));
     run_ms(20);
-    EXPECT_FALSE(firmware::rcOverride(0, pulse_us));
+    EXPECT_FALSE(firmware::gcs::rcOverride(0, pulse_us));
 }
 
 TEST_F(Telemetry, sticks_that_are_no_longer_repeated_are_released) {
     uint16_t pulse_us = 0;
     station.send(sticks(1200, 1800));
     run_ms(2900);
-    EXPECT_TRUE(firmware::rcOverride(0, pulse_us));
+    EXPECT_TRUE(firmware::gcs::rcOverride(0, pulse_us));
     run_ms(200);
-    EXPECT_FALSE(firmware::rcOverride(0, pulse_us));
+    EXPECT_FALSE(firmware::gcs::rcOverride(0, pulse_us));
 }
 
 TEST_F(Telemetry, knows_when_the_ground_station_was_last_heard) {
@@ -310,31 +310,31 @@ TEST_F(Telemetry, knows_when_the_ground_station_was_last_heard) {
     station.system = 42;
     station.send(message);
     run_ms(100);
-    const uint32_t before_ms = firmware::groundHeard_ms();
+    const uint32_t before_ms = firmware::gcs::groundHeard_ms();
 
     station.system = 255;
     station.send(message);
     run_ms(100);
 
-    EXPECT_GT(firmware::groundHeard_ms(), before_ms);
+    EXPECT_GT(firmware::gcs::groundHeard_ms(), before_ms);
 }
 
 TEST_F(Telemetry, ten_megabytes_of_noise_change_nothing) {
     std::mt19937 random(3);
-    const firmware::Parameters before = firmware::parameters;
+    const firmware::state::Parameters before = firmware::state::parameters;
     for (uint32_t sent = 0; sent < 10000000; sent += 1000) {
         std::vector<uint8_t> noise(1000);
         for (uint8_t& byte : noise) byte = static_cast<uint8_t>(random());
         station.line().receive(noise);
-        for (int i = 0; i < 70; ++i) firmware::telemetryPump();
+        for (int i = 0; i < 70; ++i) firmware::gcs::telemetryPump();
         if (sent % 100000 == 0) run_ms(1000);
         ASSERT_TRUE(station.line().in.empty());
     }
 
     station.forget();
     EXPECT_EQ(station.broken(), 0);
-    EXPECT_EQ(memcmp(&before, &firmware::parameters, sizeof before), 0);
-    EXPECT_FALSE(firmware::vehicle.armed);
+    EXPECT_EQ(memcmp(&before, &firmware::state::parameters, sizeof before), 0);
+    EXPECT_FALSE(firmware::state::vehicle.armed);
     // what the last bytes may have promised is known to be false after one frame more
     station.send(mavlink::CommandLong{});
     EXPECT_EQ(ask<mavlink::Ping>(mavlink::Ping{}).size(), 1u);

@@ -3,8 +3,8 @@
 
 #include "ground.hpp"
 
-using doubles::mission;
-using firmware::MissionItem;
+using doubles::plan;
+using firmware::mission::MissionItem;
 using ground::Framing;
 using ground::Telemetry;
 using mavlink::MavMissionResult;
@@ -85,12 +85,12 @@ TEST_F(MissionTransfer, takes_a_mission_item_by_item_and_says_so_at_the_end) {
     upload(5);
 
     EXPECT_EQ(acks(), Results{MavMissionResult::accepted});
-    ASSERT_EQ(mission.items.size(), 5u);
-    EXPECT_EQ(mission.items[3].x, -353632607);
-    EXPECT_EQ(mission.items[3].y, 1491652303);
-    EXPECT_EQ(mission.items[3].frame, 3);
-    EXPECT_EQ(mission.items[3].param1, 3);
-    EXPECT_EQ(mission.items[3].z, 100);
+    ASSERT_EQ(plan.items.size(), 5u);
+    EXPECT_EQ(plan.items[3].x, -353632607);
+    EXPECT_EQ(plan.items[3].y, 1491652303);
+    EXPECT_EQ(plan.items[3].frame, 3);
+    EXPECT_EQ(plan.items[3].param1, 3);
+    EXPECT_EQ(plan.items[3].z, 100);
 }
 
 TEST_F(MissionTransfer, takes_a_mission_in_mavlink_2) {
@@ -108,8 +108,8 @@ TEST_F(MissionTransfer, takes_items_in_whole_degrees_too) {
     give(message);
 
     EXPECT_EQ(acks(), Results{MavMissionResult::accepted});
-    EXPECT_NEAR(mission.items.at(0).x, -353632610, 20);  // what a float can hold
-    EXPECT_NEAR(mission.items.at(0).y, 1491652300, 80);
+    EXPECT_NEAR(plan.items.at(0).x, -353632610, 20);  // what a float can hold
+    EXPECT_NEAR(plan.items.at(0).y, 1491652300, 80);
 }
 
 TEST_F(MissionTransfer, places_that_are_no_places_do_not_become_places) {
@@ -120,8 +120,8 @@ TEST_F(MissionTransfer, places_that_are_no_places_do_not_become_places) {
     give(message);
     give(itemInt(1));
 
-    EXPECT_EQ(mission.items.at(0).x, INT32_MAX);
-    EXPECT_EQ(mission.items.at(0).y, INT32_MAX);
+    EXPECT_EQ(plan.items.at(0).x, INT32_MAX);
+    EXPECT_EQ(plan.items.at(0).y, INT32_MAX);
 }
 
 TEST_F(MissionTransfer, asks_again_for_an_item_that_was_lost_and_of_both_kinds) {
@@ -138,15 +138,15 @@ TEST_F(MissionTransfer, asks_again_for_an_item_that_was_lost_and_of_both_kinds) 
 }
 
 TEST_F(MissionTransfer, an_upload_that_dies_ends_with_the_truth_and_the_old_mission) {
-    mission.items = {stored(0), stored(1)};
+    plan.items = {stored(0), stored(1)};
     give(count(9));
     give(itemInt(0));
 
     run_ms(10000);
 
     EXPECT_EQ(acks(), Results{MavMissionResult::operation_cancelled});
-    EXPECT_EQ(mission.aborts, 1);
-    EXPECT_EQ(mission.items.size(), 2u);
+    EXPECT_EQ(plan.aborts, 1);
+    EXPECT_EQ(plan.items.size(), 2u);
     EXPECT_EQ(station.texts().at(0), "Upload given up at item 1");
 }
 
@@ -172,32 +172,32 @@ TEST_F(MissionTransfer, an_item_that_comes_twice_is_taken_once) {
     EXPECT_TRUE(station.everything().empty());
     run_ms(700);
     EXPECT_EQ(asked(), 1);  // but the question itself may have been lost
-    EXPECT_EQ(mission.aborts, 0);
+    EXPECT_EQ(plan.aborts, 0);
 }
 
 TEST_F(MissionTransfer, waits_for_a_slow_store_without_losing_an_item) {
     give(count(3));
     for (uint16_t seq = 0; seq < 3; ++seq) {
-        mission.busy = 6;
+        plan.busy = 6;
         give(itemInt(seq));
         run_ms(200);
     }
 
     EXPECT_EQ(acks(), Results{MavMissionResult::accepted});
-    EXPECT_EQ(mission.items.size(), 3u);
+    EXPECT_EQ(plan.items.size(), 3u);
 }
 
 TEST_F(MissionTransfer, refuses_what_it_cannot_fly_at_once) {
-    mission.unsupported = 999;
-    mission.items = {stored(0)};
+    plan.unsupported = 999;
+    plan.items = {stored(0)};
     give(count(3));
     give(itemInt(0));
 
     give(itemInt(1, 999));
 
     EXPECT_EQ(acks(), Results{MavMissionResult::unsupported});
-    EXPECT_EQ(mission.aborts, 1);
-    EXPECT_EQ(mission.items.size(), 1u);
+    EXPECT_EQ(plan.aborts, 1);
+    EXPECT_EQ(plan.items.size(), 1u);
 }
 
 TEST_F(MissionTransfer, refuses_more_items_than_there_is_room_for) {
@@ -219,8 +219,8 @@ TEST_F(MissionTransfer, an_order_for_guided_dressed_as_an_item_is_not_taken_for_
 
     EXPECT_EQ(acks(), Results{MavMissionResult::accepted});
     EXPECT_EQ(doubles::vehicle.targets.size(), 1u);
-    EXPECT_TRUE(mission.uploading);
-    EXPECT_EQ(mission.aborts, 0);
+    EXPECT_TRUE(plan.uploading);
+    EXPECT_EQ(plan.aborts, 0);
 }
 
 TEST_F(MissionTransfer, one_upload_at_a_time) {
@@ -233,7 +233,7 @@ TEST_F(MissionTransfer, one_upload_at_a_time) {
     give(itemInt(0));
     give(itemInt(1));
     EXPECT_EQ(acks(), Results{MavMissionResult::accepted});
-    EXPECT_EQ(mission.items.size(), 2u);
+    EXPECT_EQ(plan.items.size(), 2u);
 }
 
 TEST_F(MissionTransfer, a_new_count_begins_anew) {
@@ -244,7 +244,7 @@ TEST_F(MissionTransfer, a_new_count_begins_anew) {
     upload(2);
 
     EXPECT_EQ(acks(), Results{MavMissionResult::accepted});
-    EXPECT_EQ(mission.items.size(), 2u);
+    EXPECT_EQ(plan.items.size(), 2u);
 }
 
 TEST_F(MissionTransfer, the_ground_station_may_give_up) {
@@ -257,13 +257,13 @@ TEST_F(MissionTransfer, the_ground_station_may_give_up) {
 
     run_ms(3000);
 
-    EXPECT_EQ(mission.aborts, 1);
+    EXPECT_EQ(plan.aborts, 1);
     EXPECT_TRUE(station.all<mavlink::MissionRequest>().empty());
     EXPECT_TRUE(station.all<mavlink::MissionRequestInt>().empty());
 }
 
 TEST_F(MissionTransfer, a_part_of_the_mission_is_replaced_both_ends_included) {
-    mission.items = {stored(0), stored(1), stored(2), stored(3), stored(4)};
+    plan.items = {stored(0), stored(1), stored(2), stored(3), stored(4)};
     mavlink::MissionWritePartialList message = {};
     message.target_system = message.target_component = 1;
     message.start_index = 2;
@@ -277,12 +277,12 @@ TEST_F(MissionTransfer, a_part_of_the_mission_is_replaced_both_ends_included) {
 
     EXPECT_EQ(acks(), Results{MavMissionResult::accepted});
     std::vector<int> commands;
-    for (const MissionItem& each : mission.items) commands.push_back(each.command);
+    for (const MissionItem& each : plan.items) commands.push_back(each.command);
     EXPECT_EQ(commands, (std::vector<int>{16, 16, 19, 19, 16}));
 }
 
 TEST_F(MissionTransfer, a_part_that_does_not_exist_is_refused) {
-    mission.items = {stored(0), stored(1)};
+    plan.items = {stored(0), stored(1)};
     mavlink::MissionWritePartialList message = {};
     message.target_system = message.target_component = 1;
     message.start_index = 1;
@@ -300,8 +300,8 @@ Request request(uint16_t seq) {
 }
 
 TEST_F(MissionTransfer, gives_the_mission_in_either_form) {
-    mission.items = {stored(0), stored(1)};
-    mission.current = 1;
+    plan.items = {stored(0), stored(1)};
+    plan.current = 1;
     mavlink::MissionRequestList list = {};
     list.target_system = list.target_component = 1;
 
@@ -324,20 +324,20 @@ TEST_F(MissionTransfer, gives_the_mission_in_either_form) {
 }
 
 TEST_F(MissionTransfer, an_item_that_does_not_exist_is_refused) {
-    mission.items = {stored(0)};
+    plan.items = {stored(0)};
     give(request<mavlink::MissionRequestInt>(1));
     EXPECT_EQ(acks(), Results{MavMissionResult::invalid_sequence});
 }
 
 TEST_F(MissionTransfer, an_item_that_is_still_being_read_comes_later) {
-    mission.items = {stored(0)};
-    mission.busy = 3;
+    plan.items = {stored(0)};
+    plan.busy = 3;
     EXPECT_EQ(ask<mavlink::MissionItemInt>(request<mavlink::MissionRequestInt>(0), 100).size(), 1u);
 }
 
 TEST_F(MissionTransfer, a_store_that_stays_busy_is_no_silence) {
-    mission.items = {stored(0)};
-    mission.busy = 1000000;
+    plan.items = {stored(0)};
+    plan.busy = 1000000;
     give(count(3));
     run_ms(1500);
     EXPECT_EQ(acks(), Results{MavMissionResult::error});
@@ -350,25 +350,25 @@ TEST_F(MissionTransfer, a_store_that_stays_busy_is_no_silence) {
 }
 
 TEST_F(MissionTransfer, clears_the_mission) {
-    mission.items = {stored(0)};
+    plan.items = {stored(0)};
     mavlink::MissionClearAll message = {};
     message.target_system = message.target_component = 1;
 
     give(message);
 
     EXPECT_EQ(acks(), Results{MavMissionResult::accepted});
-    EXPECT_TRUE(mission.items.empty());
+    EXPECT_TRUE(plan.items.empty());
 }
 
 TEST_F(MissionTransfer, a_count_of_nothing_clears_the_mission) {
-    mission.items = {stored(0)};
+    plan.items = {stored(0)};
     give(count(0));
     EXPECT_EQ(acks(), Results{MavMissionResult::accepted});
-    EXPECT_TRUE(mission.items.empty());
+    EXPECT_TRUE(plan.items.empty());
 }
 
 TEST_F(MissionTransfer, set_current_is_answered_with_the_current_item) {
-    mission.items = {stored(0), stored(1), stored(2)};
+    plan.items = {stored(0), stored(1), stored(2)};
     mavlink::MissionSetCurrent message = {};
     message.target_system = message.target_component = 1;
     message.seq = 2;

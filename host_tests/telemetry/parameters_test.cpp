@@ -36,7 +36,7 @@ mavlink::ParamRequestList list() {
 TEST_F(Telemetry, the_parameter_list_is_complete_and_in_order) {
     const auto values = ask<mavlink::ParamValue>(list(), 3000);
 
-    ASSERT_EQ(values.size(), firmware::parameterCount());
+    ASSERT_EQ(values.size(), firmware::state::parameterCount());
     for (size_t i = 0; i < values.size(); ++i) {
         EXPECT_EQ(values[i].param_index, i);
         EXPECT_EQ(values[i].param_count, values.size());
@@ -51,19 +51,19 @@ TEST_F(Telemetry, the_parameter_list_takes_what_the_line_has_to_give) {
     station.send(list());
     uint32_t time_ms = 0;
     size_t received = 0;
-    while (received < firmware::parameterCount() && time_ms < 10000) {
+    while (received < firmware::state::parameterCount() && time_ms < 10000) {
         station.line().room = static_cast<uint8_t>(std::min(station.line().room + 57, 127));
         run_ms(10);  // 57,600 baud
         time_ms += 10;
         received += station.all<mavlink::ParamValue>().size();
     }
 
-    const uint32_t wire_ms = firmware::parameterCount() * 33u * 10u * 1000u / 57600u;
+    const uint32_t wire_ms = firmware::state::parameterCount() * 33u * 10u * 1000u / 57600u;
     EXPECT_LE(time_ms, wire_ms * 12 / 10);
 }
 
 TEST_F(Telemetry, streams_and_the_parameter_list_share_the_line) {
-    firmware::parameters.streams[0] = {10, 10, 10, 10, 10, 10, 10};
+    firmware::state::parameters.streams[0] = {10, 10, 10, 10, 10, 10, 10};
     station.line().endless = false;
     station.line().room = 127;
     station.send(list());
@@ -75,7 +75,7 @@ TEST_F(Telemetry, streams_and_the_parameter_list_share_the_line) {
         attitudes += station.all<mavlink::Attitude>().size();
     }
 
-    EXPECT_EQ(received, firmware::parameterCount());
+    EXPECT_EQ(received, firmware::state::parameterCount());
     EXPECT_GE(attitudes, 8u);
 }
 
@@ -112,7 +112,7 @@ TEST_F(Telemetry, setting_a_parameter_is_answered_with_what_it_now_is) {
 
     ASSERT_EQ(values.size(), 1u);
     EXPECT_EQ(values[0].param_value, 1350);
-    EXPECT_EQ(firmware::parameters.cruise_speed_cms, 1350);
+    EXPECT_EQ(firmware::state::parameters.cruise_speed_cms, 1350);
 }
 
 TEST_F(Telemetry, a_value_that_is_out_of_range_changes_nothing_and_is_refused_aloud) {
@@ -143,12 +143,12 @@ void claim() { ASSERT_EQ(storage::claim(), core::Status::ok); }
 // A restart with what the EEPROM then holds.
 void restart() {
     fakes::restartEeprom();
-    while (firmware::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
+    while (firmware::state::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
 }
 
 TEST_F(Telemetry, a_mode_that_does_not_exist_is_no_mode_of_the_switch) {
     constexpr float kTraining = 3;
-    const float before = firmware::parameters.switch_mode[0];
+    const float before = firmware::state::parameters.switch_mode[0];
     const auto values = ask<mavlink::ParamValue>(setting("FLTMODE1", kTraining));
 
     EXPECT_EQ(values.at(0).param_value, before);
@@ -166,13 +166,13 @@ TEST_F(Telemetry, a_format_of_0_makes_the_next_start_forget_what_was_stored) {
     ask<mavlink::ParamValue>(setting("WP_RADIUS", 42));
     ask<mavlink::ParamValue>(setting("FORMAT_VERSION", 0));
     restart();
-    EXPECT_EQ(firmware::parameters.waypoint_radius_m, 30);
+    EXPECT_EQ(firmware::state::parameters.waypoint_radius_m, 30);
 
-    for (int i = 0; i < 100; ++i) firmware::parametersRun();
+    for (int i = 0; i < 100; ++i) firmware::state::parametersRun();
     restart();
 
-    EXPECT_EQ(firmware::parameters.waypoint_radius_m, 30);
-    EXPECT_EQ(firmware::parameters.format_version, 1);
+    EXPECT_EQ(firmware::state::parameters.waypoint_radius_m, 30);
+    EXPECT_EQ(firmware::state::parameters.format_version, 1);
     run_ms(100);
     const auto texts = station.texts();
     ASSERT_EQ(texts.size(), 1u);
@@ -185,19 +185,19 @@ TEST_F(Telemetry, a_format_of_0_makes_the_next_start_forget_what_was_stored) {
 TEST_F(Telemetry, parameters_are_reset_by_command_and_on_the_ground_only) {
     claim();
     ask<mavlink::ParamValue>(setting("WP_RADIUS", 42));
-    firmware::vehicle.armed = true;
+    firmware::state::vehicle.armed = true;
     EXPECT_EQ(command(mavlink::MavCmd::preflight_storage, 2),
               mavlink::MavResult::temporarily_rejected);
     EXPECT_EQ(ask<mavlink::ParamValue>(setting("FORMAT_VERSION", 0)).at(0).param_value, 1);
-    firmware::vehicle.armed = false;
+    firmware::state::vehicle.armed = false;
     EXPECT_EQ(command(mavlink::MavCmd::preflight_storage, 2), mavlink::MavResult::accepted);
-    EXPECT_EQ(firmware::parameters.waypoint_radius_m, 42);  // until the restart
+    EXPECT_EQ(firmware::state::parameters.waypoint_radius_m, 42);  // until the restart
     restart();
-    EXPECT_EQ(firmware::parameters.waypoint_radius_m, 30);
-    for (int i = 0; i < 100; ++i) firmware::parametersRun();
+    EXPECT_EQ(firmware::state::parameters.waypoint_radius_m, 30);
+    for (int i = 0; i < 100; ++i) firmware::state::parametersRun();
     restart();
 
-    EXPECT_EQ(firmware::parameters.waypoint_radius_m, 30);
+    EXPECT_EQ(firmware::state::parameters.waypoint_radius_m, 30);
 }
 
 TEST_F(Telemetry, a_reset_cut_short_anywhere_is_finished_by_the_next_start) {
@@ -213,16 +213,16 @@ TEST_F(Telemetry, a_reset_cut_short_anywhere_is_finished_by_the_next_start) {
         fakes::setEepromCells(before);
         restart();
         fakes::cutPowerAfter(cut);
-        for (int i = 0; i < 10; ++i) firmware::parametersRun();
+        for (int i = 0; i < 10; ++i) firmware::state::parametersRun();
         in_between |= fakes::powerWasCut();
         for (int starts = 0; starts < 2; ++starts) {
             restart();
-            for (int i = 0; i < 10; ++i) firmware::parametersRun();
+            for (int i = 0; i < 10; ++i) firmware::state::parametersRun();
         }
-        ASSERT_EQ(firmware::parameters.ground_system_id, 255) << cut;
-        ASSERT_EQ(firmware::parameters.waypoint_radius_m, 30) << cut;
-        ASSERT_EQ(firmware::parameters.battery_capacity_mah, 3300) << cut;
-        ASSERT_EQ(firmware::parameters.format_version, 1) << cut;
+        ASSERT_EQ(firmware::state::parameters.ground_system_id, 255) << cut;
+        ASSERT_EQ(firmware::state::parameters.waypoint_radius_m, 30) << cut;
+        ASSERT_EQ(firmware::state::parameters.battery_capacity_mah, 3300) << cut;
+        ASSERT_EQ(firmware::state::parameters.format_version, 1) << cut;
     }
     EXPECT_TRUE(in_between);
 }
@@ -234,7 +234,7 @@ TEST_F(Telemetry, two_links_fetch_the_list_at_once_and_each_gets_all_of_it) {
 
     for (auto* each : {&station, &second}) {
         const auto values = each->all<mavlink::ParamValue>();
-        ASSERT_EQ(values.size(), firmware::parameterCount());
+        ASSERT_EQ(values.size(), firmware::state::parameterCount());
         for (size_t i = 0; i < values.size(); ++i) ASSERT_EQ(values[i].param_index, i);
     }
 }
@@ -249,8 +249,8 @@ TEST_F(Telemetry, a_list_asked_for_again_begins_again) {
     station.line().room = 127;
     const auto values = ask<mavlink::ParamValue>(list(), 3000);
 
-    ASSERT_GE(values.size(), firmware::parameterCount());
-    const auto first = values.end() - firmware::parameterCount();
+    ASSERT_GE(values.size(), firmware::state::parameterCount());
+    const auto first = values.end() - firmware::state::parameterCount();
     for (auto value = first; value != values.end(); ++value)
         ASSERT_EQ(value->param_index, value - first);
 }
@@ -278,7 +278,7 @@ TEST_F(Telemetry, a_setting_during_a_list_is_answered_and_the_list_goes_on) {
         }
     }
     EXPECT_EQ(answered, 1u);
-    EXPECT_EQ(listed, firmware::parameterCount());
+    EXPECT_EQ(listed, firmware::state::parameterCount());
 }
 
 TEST_F(Telemetry, the_other_link_hears_of_a_new_value) {

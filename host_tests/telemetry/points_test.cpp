@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "firmware/fence_line.hpp"
-#include "firmware/rally.hpp"
+#include "firmware/mission/fence_line.hpp"
+#include "firmware/mission/rally.hpp"
 #include "ground.hpp"
 
 using doubles::lists;
-using firmware::parameters;
+using firmware::state::parameters;
 using ground::Framing;
 using ground::Station;
 using ground::Telemetry;
@@ -74,15 +74,15 @@ protected:
     void SetUp() override {
         Telemetry::SetUp();
         station.framing = second.framing = Framing::v2;
-        firmware::runFence();
-        firmware::rallyFollow();
+        firmware::safety::runFence();
+        firmware::mission::rallyFollow();
     }
     // As Telemetry's, and what follows the lists at 10 Hz.
     void live_ms(uint32_t time_ms) {
         for (uint32_t ms = 0; ms < time_ms; ms += 100) {
             run_ms(100);
-            firmware::runFence();
-            firmware::rallyFollow();
+            firmware::safety::runFence();
+            firmware::mission::rallyFollow();
         }
     }
     template <class Message>
@@ -153,7 +153,7 @@ TEST_F(Points, a_fence_goes_up_and_comes_down_the_same) {
     EXPECT_EQ(upload(square(), kFence), Results{MavMissionResult::accepted});
     EXPECT_EQ(station.texts(), std::vector<std::string>{"Fence stored: 5 points"});
     expectSame(download(kFence), square());
-    EXPECT_TRUE(doubles::mission.items.empty());
+    EXPECT_TRUE(doubles::plan.items.empty());
 }
 
 TEST_F(Points, rally_points_go_up_and_come_down_the_same) {
@@ -168,7 +168,7 @@ TEST_F(Points, the_return_point_may_stand_anywhere) {
     std::rotate(items.begin(), items.begin() + 3, items.end());
     upload(items, kFence);
     expectSame(download(kFence), items);
-    EXPECT_EQ(firmware::fenceLine(), firmware::Line::fit);
+    EXPECT_EQ(firmware::mission::fenceLine(), firmware::mission::Line::fit);
 }
 
 TEST_F(Points, more_than_there_is_room_for_is_refused) {
@@ -258,7 +258,7 @@ TEST_F(Points, a_part_is_given) {
 }
 
 TEST_F(Points, one_list_is_cleared_or_all) {
-    doubles::mission.items.resize(3);
+    doubles::plan.items.resize(3);
     upload(square(), kFence);
     upload(threeRallyPoints(), kRally);
     auto clear = toVehicle<mavlink::MissionClearAll>();
@@ -272,7 +272,7 @@ TEST_F(Points, one_list_is_cleared_or_all) {
     give(clear);
     EXPECT_EQ(acks(station, MavMissionType::all), Results{MavMissionResult::accepted});
     EXPECT_TRUE(download(kRally).empty());
-    EXPECT_TRUE(doubles::mission.items.empty());
+    EXPECT_TRUE(doubles::plan.items.empty());
 }
 
 TEST_F(Points, a_second_station_on_the_same_link_is_denied_until_the_first_is_done) {
@@ -351,7 +351,7 @@ protected:
 
 TEST_F(OldPoints, a_fence_is_made_of_a_return_point_and_corners_of_which_the_first_comes_twice) {
     sendFence(6);
-    EXPECT_EQ(firmware::fenceLine(), firmware::Line::fit);
+    EXPECT_EQ(firmware::mission::fenceLine(), firmware::mission::Line::fit);
     const Items items = download(kFence);
     ASSERT_EQ(items.size(), 5u);
     EXPECT_EQ(items[0].command, +MavCmd::nav_fence_return_point);
@@ -390,18 +390,18 @@ TEST_F(OldPoints, a_fence_that_is_not_closed_is_refused) {
 TEST_F(OldPoints, a_fence_is_blank_and_not_fit_until_all_its_points_are_there) {
     EXPECT_EQ(setParameter("FENCE_TOTAL", 6), 6);
     live_ms(200);
-    EXPECT_EQ(firmware::fenceLine(), firmware::Line::unfit);
+    EXPECT_EQ(firmware::mission::fenceLine(), firmware::mission::Line::unfit);
     EXPECT_EQ(fetchFence(3).at(0).lat, 0);
     for (uint8_t total : {1, 4}) EXPECT_EQ(setParameter("FENCE_TOTAL", total), 6);
     EXPECT_EQ(setParameter("FENCE_TOTAL", 0), 0);
     live_ms(200);
-    EXPECT_EQ(firmware::fenceLine(), firmware::Line::none);
+    EXPECT_EQ(firmware::mission::fenceLine(), firmware::mission::Line::none);
 }
 
 TEST_F(OldPoints, a_fence_that_is_on_is_not_changed_point_by_point) {
     upload(square(), kFence);
     parameters.fence_action = 2;
-    ASSERT_TRUE(firmware::fenceEnable(1));
+    ASSERT_TRUE(firmware::safety::fenceEnable(1));
     give(fencePoint(2, 6));
     EXPECT_EQ(station.texts().back(), "Point 2 refused");
     EXPECT_EQ(setParameter("FENCE_TOTAL", 0), 6);
@@ -413,7 +413,7 @@ TEST_F(OldPoints, a_point_waits_for_nobody_elses_upload) {
     run_ms(20);
     give(fencePoint(2, 6));
     EXPECT_EQ(station.texts().back(), "Point 2 not stored");
-    EXPECT_EQ(lists.kind, firmware::ListKind::rally);
+    EXPECT_EQ(lists.kind, firmware::mission::ListKind::rally);
     EXPECT_TRUE(lists.staging);
 }
 

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "core/maths.hpp"
-#include "firmware/telemetry/streams.hpp"
+#include "firmware/gcs/streams.hpp"
 #include "ground.hpp"
 
 using ground::Framing;
@@ -47,9 +47,9 @@ TEST_F(Telemetry, says_what_it_is_from_its_own_address) {
 }
 
 TEST_F(Telemetry, heartbeat_shows_mode_and_state) {
-    using firmware::Mode;
-    auto& vehicle = firmware::vehicle;
-    firmware::parameters.stick_mixing = 0;
+    using firmware::state::Mode;
+    auto& vehicle = firmware::state::vehicle;
+    firmware::state::parameters.stick_mixing = 0;
     vehicle.imu.calibrated = true;
     const struct {
         Mode mode;
@@ -114,7 +114,7 @@ TEST_F(Telemetry, all_streams_start_and_stop_together) {
 }
 
 TEST_F(Telemetry, the_rate_parameters_are_the_rates) {
-    firmware::parameters.streams[1].position = 5;
+    firmware::state::parameters.streams[1].position = 5;
     run_ms(1000);
     second.forget();
 
@@ -176,7 +176,8 @@ TEST_F(Telemetry, two_links_have_rates_of_their_own) {
 }
 
 TEST_F(Telemetry, sends_whole_frames_only_and_beats_on_a_slow_line) {
-    memset(&firmware::parameters.streams[0], 10, sizeof firmware::parameters.streams[0]);
+    memset(&firmware::state::parameters.streams[0], 10,
+           sizeof firmware::state::parameters.streams[0]);
     station.line().endless = false;
     for (int i = 0; i < 1000; ++i) {  // 960 bytes a second: 9600 baud, a fifth of what is asked
         station.line().room = static_cast<uint8_t>(std::min(station.line().room + 9.6, 127.0));
@@ -199,7 +200,7 @@ TEST_F(Telemetry, sends_whole_frames_only_and_beats_on_a_slow_line) {
 }
 
 TEST_F(Telemetry, slows_its_streams_when_the_radio_is_full_and_recovers) {
-    firmware::parameters.streams[0].extra1 = 10;
+    firmware::state::parameters.streams[0].extra1 = 10;
     mavlink::RadioStatus radio = {};
     for (int i = 0; i < 8; ++i) {
         radio.txbuf = 10;
@@ -222,7 +223,7 @@ TEST_F(Telemetry, slows_its_streams_when_the_radio_is_full_and_recovers) {
 }
 
 TEST_F(Telemetry, messages_carry_the_vehicle_in_the_units_of_the_protocol) {
-    auto& vehicle = firmware::vehicle;
+    auto& vehicle = firmware::state::vehicle;
     vehicle.home.set = true;
     vehicle.home.altitude_cm = 58400;
     vehicle.home.position = {-353632610, 1491652300};
@@ -274,9 +275,9 @@ TEST_F(Telemetry, messages_carry_the_vehicle_in_the_units_of_the_protocol) {
 
 TEST_F(Telemetry, sys_status_names_what_ails) {
     using Sensor = mavlink::MavSysStatusSensor;
-    firmware::vehicle.gps.healthy = false;
-    firmware::vehicle.baro.healthy = true;
-    firmware::parameters.streams[0].extended_status = 4;
+    firmware::state::vehicle.gps.healthy = false;
+    firmware::state::vehicle.baro.healthy = true;
+    firmware::state::parameters.streams[0].extended_status = 4;
     doubles::vehicle.can_arm = false;
 
     run_ms(1000);
@@ -289,7 +290,7 @@ TEST_F(Telemetry, sys_status_names_what_ails) {
 }
 
 TEST_F(Telemetry, what_was_reached_is_told_once_on_every_link) {
-    doubles::mission.reached = {3, 4};
+    doubles::plan.reached = {3, 4};
 
     run_ms(200);
 
@@ -302,7 +303,7 @@ TEST_F(Telemetry, what_was_reached_is_told_once_on_every_link) {
 }
 
 TEST_F(Telemetry, each_picture_is_told_once_on_every_link) {
-    auto& vehicle = firmware::vehicle;
+    auto& vehicle = firmware::state::vehicle;
     vehicle.estimate.position = {473977000, 85456000};
     vehicle.estimate.height_m = 100;
     vehicle.home.altitude_cm = 48800;
@@ -310,8 +311,8 @@ TEST_F(Telemetry, each_picture_is_told_once_on_every_link) {
     vehicle.attitude.pitch_rad = core::radians(5);
     run_ms(300);
     for (uint16_t picture : {1, 2}) {
-        doubles::mission.pictures = picture;
-        firmware::tellPicture();
+        doubles::plan.pictures = picture;
+        firmware::gcs::tellPicture();
         run_ms(300);
     }
     for (ground::Station* each : {&station, &second}) {

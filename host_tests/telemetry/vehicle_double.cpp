@@ -3,28 +3,28 @@
 
 #include <string.h>
 
-#include "firmware/camera.hpp"
-#include "firmware/home.hpp"
+#include "firmware/actuators/camera.hpp"
+#include "firmware/actuators/outputs.hpp"
+#include "firmware/app/tasks.hpp"
+#include "firmware/mission/home.hpp"
 #include "firmware/modes/guided.hpp"
-#include "firmware/outputs.hpp"
+#include "firmware/notify/status_text.hpp"
 #include "firmware/sensors/sensors.hpp"
-#include "firmware/tasks.hpp"
-#include "firmware/telemetry/text.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace doubles {
-Mission mission;
+Mission plan;
 Vehicle vehicle;
 Lists lists;
 void reset() {
     lists = Lists();
-    mission = Mission();
+    plan = Mission();
     vehicle = Vehicle();
 }
 namespace {
 bool isBusy() {
-    if (mission.busy == 0) return false;
-    --mission.busy;
+    if (plan.busy == 0) return false;
+    --plan.busy;
     return true;
 }
 }  // namespace
@@ -33,92 +33,106 @@ bool isBusy() {
 namespace firmware {
 
 using doubles::isBusy;
-using doubles::mission;
+using doubles::plan;
 
+namespace mission {
 bool missionKnown() { return !isBusy(); }
-bool radioSilenced() { return mission.radio_off; }
-void radioHeard() { mission.radio_off = false; }
+bool radioSilenced() { return plan.radio_off; }
+void radioHeard() { plan.radio_off = false; }
 
-uint16_t missionCount() { return static_cast<uint16_t>(mission.items.size()); }
-uint16_t missionCurrent() { return mission.current; }
-uint16_t picturesTaken() { return mission.pictures; }
+uint16_t missionCount() { return static_cast<uint16_t>(plan.items.size()); }
+uint16_t missionCurrent() { return plan.current; }
+}  // namespace mission
+
+namespace actuators {
+uint16_t picturesTaken() { return plan.pictures; }
 bool isOutputFunction(int8_t) { return true; }
+}  // namespace actuators
+
+namespace mission {
 bool missionSetCurrent(uint16_t index) {
-    if (index >= mission.items.size()) return false;
-    mission.current = index;
+    if (index >= plan.items.size()) return false;
+    plan.current = index;
     return true;
 }
 bool takeReached(uint16_t& index) {
-    if (mission.reached.empty()) return false;
-    index = mission.reached.front();
-    mission.reached.erase(mission.reached.begin());
+    if (plan.reached.empty()) return false;
+    index = plan.reached.front();
+    plan.reached.erase(plan.reached.begin());
     return true;
 }
 core::Status missionItem(uint16_t index, MissionItem& to) {
     if (isBusy()) return core::Status::busy;
-    if (index >= mission.items.size()) return core::Status::bad_argument;
-    to = mission.items[index];
+    if (index >= plan.items.size()) return core::Status::bad_argument;
+    to = plan.items[index];
     return core::Status::ok;
 }
 MissionResult missionBeginUpload(uint16_t count) {
     if (isBusy()) return MissionResult::busy;
-    if (count > mission.room) return MissionResult::no_space;
-    mission.staged.assign(count, MissionItem());
-    mission.uploading = true;
+    if (count > plan.room) return MissionResult::no_space;
+    plan.staged.assign(count, MissionItem());
+    plan.uploading = true;
     return MissionResult::accepted;
 }
 MissionResult missionBeginPartial(uint16_t first, uint16_t last) {
     if (isBusy()) return MissionResult::busy;
-    if (first > last || last >= mission.items.size()) return MissionResult::invalid_sequence;
-    mission.staged = mission.items;
-    mission.uploading = true;
+    if (first > last || last >= plan.items.size()) return MissionResult::invalid_sequence;
+    plan.staged = plan.items;
+    plan.uploading = true;
     return MissionResult::accepted;
 }
 MissionResult missionUploadItem(uint16_t index, const MissionItem& item) {
     if (isBusy()) return MissionResult::busy;
-    if (mission.unsupported == item.command) return MissionResult::unsupported;
-    mission.staged.at(index) = item;
+    if (plan.unsupported == item.command) return MissionResult::unsupported;
+    plan.staged.at(index) = item;
     return MissionResult::accepted;
 }
 MissionResult missionCommit() {
     if (isBusy()) return MissionResult::busy;
-    mission.items = mission.staged;
-    mission.uploading = false;
+    plan.items = plan.staged;
+    plan.uploading = false;
     return MissionResult::accepted;
 }
 void missionAbort() {
-    ++mission.aborts;
+    ++plan.aborts;
     doubles::lists.staging = false;
-    mission.uploading = false;
+    plan.uploading = false;
 }
 MissionResult missionClear() {
     if (isBusy()) return MissionResult::busy;
-    mission.items.clear();
+    plan.items.clear();
     return MissionResult::accepted;
 }
 
-void missionRestart() { ++mission.restarts; }
+void missionRestart() { ++plan.restarts; }
 bool missionLand() {
-    ++mission.landings;
-    return mission.land_start;
+    ++plan.landings;
+    return plan.land_start;
 }
 bool missionGoAround(float height_m) {
-    mission.around_m.push_back(height_m);
-    return mission.landing;
+    plan.around_m.push_back(height_m);
+    return plan.landing;
 }
 MissionResult missionAct(const MissionItem& item) {
-    mission.acts.push_back(item);
-    return mission.answer;
+    plan.acts.push_back(item);
+    return plan.answer;
 }
+}  // namespace mission
+
+namespace modes {
+using namespace mission;
+
 MissionResult guideTo(MissionItem& item) {
     doubles::vehicle.targets.push_back(item);
-    return mission.answer;
+    return plan.answer;
 }
 MissionResult guideToHeight(MissionItem& item) {
     doubles::vehicle.heights.push_back(item);
-    return mission.answer;
+    return plan.answer;
 }
+}  // namespace modes
 
+namespace mission {
 using doubles::lists;
 
 namespace {
@@ -167,6 +181,10 @@ MissionResult listClear(ListKind kind, uint8_t set) {
     const MissionResult result = listBegin(kind, 0, set);
     return result == MissionResult::accepted ? listCommit() : result;
 }
+}  // namespace mission
+
+namespace modes {
+using namespace state;
 
 bool isMode(uint8_t custom_mode) {
     return std::set<int>{0, 1, 2, 5, 10, 11, 12, 15}.count(custom_mode) != 0;
@@ -178,6 +196,11 @@ bool setMode(Mode mode, ModeReason reason) {
 }
 bool guidesItself() { return vehicle.mode >= Mode::automatic; }
 bool stickSetsSpeed() { return false; }  // none of the modes there are here
+}  // namespace modes
+
+namespace safety {
+using namespace notify;
+using namespace state;
 
 bool arm(ArmReason, bool force) {
     doubles::vehicle.force = force;
@@ -198,7 +221,9 @@ bool prearmTells(Severity severity) {
     return !doubles::vehicle.can_arm;
 }
 bool prearmOk() { return doubles::vehicle.can_arm; }
+}  // namespace safety
 
+namespace mission {
 bool setHomeHere() {
     if (doubles::vehicle.home_can_be_set) doubles::vehicle.home = geo::Position{1, 1};
     return doubles::vehicle.home_can_be_set;
@@ -207,6 +232,10 @@ void setHome(const geo::Position& position, int32_t altitude_cm) {
     doubles::vehicle.home = position;
     doubles::vehicle.home_altitude_cm = altitude_cm;
 }
+}  // namespace mission
+
+namespace sensors {
+using namespace state;
 
 core::Vector3 restForce_mss() { return doubles::vehicle.rest_force_mss; }
 bool wrongBoard() { return doubles::vehicle.wrong_board; }
@@ -215,9 +244,12 @@ void calibrateGyros() {
     vehicle.imu.calibrated = false;
 }
 void calibratePressures() { ++doubles::vehicle.pressure_calibrations; }
+}  // namespace sensors
 
+namespace app {
 uint16_t loadPermille() { return 250; }
 uint16_t lateFrames() { return 3; }
 uint16_t longestFrame_us() { return 4321; }
+}  // namespace app
 
 }  // namespace firmware

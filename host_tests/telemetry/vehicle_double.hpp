@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "core/maths.hpp"
-#include "firmware/arming.hpp"
 #include "firmware/mission/lists.hpp"
 #include "firmware/mission/mission.hpp"
-#include "firmware/modes.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/safety/arming.hpp"
 #include "geo/position.hpp"
 
 namespace doubles {
@@ -21,8 +21,8 @@ namespace doubles {
 struct Mission {
     uint16_t pictures = 0;
     bool radio_off = false;
-    std::vector<firmware::MissionItem> items;
-    std::vector<firmware::MissionItem> staged;
+    std::vector<firmware::mission::MissionItem> items;
+    std::vector<firmware::mission::MissionItem> staged;
     bool uploading = false;
     uint16_t first = 0;
     uint16_t room = 170;
@@ -35,17 +35,18 @@ struct Mission {
     bool land_start = false, landing = false;  // there is one to go to; one is flown
     int landings = 0;
     std::vector<float> around_m;
-    std::vector<firmware::MissionItem> acts;                             // ordered from the ground
-    firmware::MissionResult answer = firmware::MissionResult::accepted;  // to every order
+    std::vector<firmware::mission::MissionItem> acts;  // ordered from the ground
+    firmware::mission::MissionResult answer =
+        firmware::mission::MissionResult::accepted;  // to every order
 };
-extern Mission mission;
+extern Mission plan;
 
 // The fence and the rally points, as records.
 struct Lists {
     using Record = std::vector<uint8_t>;
     std::vector<Record> now[3], staged;
     uint8_t generation[3] = {};
-    firmware::ListKind kind = firmware::ListKind::mission;  // of what is staged
+    firmware::mission::ListKind kind = firmware::mission::ListKind::mission;  // of what is staged
     uint8_t count = 0;
     bool staging = false;
     int slow = 0;  // so many more puts are answered with busy
@@ -53,14 +54,14 @@ struct Lists {
 extern Lists lists;
 
 struct Vehicle {
-    std::vector<std::pair<firmware::Mode, firmware::ModeReason>> modes;  // asked for
+    std::vector<std::pair<firmware::state::Mode, firmware::modes::ModeReason>> modes;  // asked for
     bool mode_can_be_entered = true;
     bool can_arm = true;
     bool force = false;  // of the last arm or disarm
     bool home_can_be_set = true;
     std::optional<geo::Position> home;
     int32_t home_altitude_cm = 0;
-    std::vector<firmware::MissionItem> targets, heights;  // of GUIDED
+    std::vector<firmware::mission::MissionItem> targets, heights;  // of GUIDED
     core::Vector3 rest_force_mss = {0, 0, -core::kGravity_mss};
     bool wrong_board = false;
     int gyro_calibrations = 0;

@@ -20,7 +20,7 @@ test('a row that cannot be read is not left out silently', () => {
 });
 
 test('the schedule of the firmware can be read', () => {
-  const source = readFileSync(new URL('../../firmware/tasks.cpp', import.meta.url), 'utf8');
+  const source = readFileSync(new URL('../../firmware/app/tasks.cpp', import.meta.url), 'utf8');
 
   assert.ok(taskRows(source).length > 10);
 });

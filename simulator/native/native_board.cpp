@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "firmware/tasks.hpp"
+#include "firmware/app/tasks.hpp"
 #include "hal/imu_interrupt.hpp"
 #include "hal/mark.hpp"
 #include "simulator/devices/at45db.hpp"
@@ -41,10 +41,10 @@ NativeBoard::~NativeBoard() { running_board = nullptr; }
 
 bool NativeBoard::runUntil(uint64_t time_us) {
     try {
-        if (fault_.empty() && !std::exchange(started_, true)) firmware::start();
+        if (fault_.empty() && !std::exchange(started_, true)) firmware::app::setup();
         while (fault_.empty() && now_us_ < time_us) {
             const uint64_t before_us = now_us_;
-            firmware::turn();
+            firmware::app::loop();
             waitWithFirmware(before_us);
             if (fed_us_ != UINT64_MAX && now_us_ - fed_us_ > kWatchdog_us) {
                 fault_ = "the watchdog was not fed for 250 ms";

@@ -48,14 +48,14 @@ foreach(board IN LISTS boards)
         $<TARGET_OBJECTS:firmware_on_${board}> $<TARGET_OBJECTS:hal_objects_${board}>)
     target_link_libraries(firmware_parts_${board} INTERFACE ${all_libraries})
 
-    avr_program(firmware_${board} ${board} ${board} firmware ${CMAKE_SOURCE_DIR}/firmware/main.cpp)
+    avr_program(firmware_${board} ${board} ${board} firmware ${CMAKE_SOURCE_DIR}/firmware/app/main.cpp)
     target_link_libraries(firmware_${board} PRIVATE firmware_parts_${board})
     set(folder ${CMAKE_BINARY_DIR}/${board})
     add_custom_command(TARGET firmware_${board} POST_BUILD
         COMMAND ${CMAKE_OBJCOPY} -O ihex -R .eeprom $<TARGET_FILE:firmware_${board}> ${folder}/firmware.hex
         COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/blank_eeprom.mjs ${folder}/firmware.eep
         COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/task_names.mjs
-                ${CMAKE_SOURCE_DIR}/firmware/tasks.cpp ${folder}/tasks.json
+                ${CMAKE_SOURCE_DIR}/firmware/app/tasks.cpp ${folder}/tasks.json
         COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/check_image.mjs
                 $<TARGET_FILE:firmware_${board}> ${CMAKE_SOURCE_DIR}/toolchain/budgets.json ${board}
         VERBATIM)

@@ -2,7 +2,7 @@
 # The firmware's sources but main.cpp: those that include the board's own header (board_sources) are
 # compiled for each board, the others (firmware_sources) once.
 file(GLOB_RECURSE firmware_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/firmware/*.cpp)
-list(REMOVE_ITEM firmware_sources ${CMAKE_SOURCE_DIR}/firmware/main.cpp)
+list(REMOVE_ITEM firmware_sources ${CMAKE_SOURCE_DIR}/firmware/app/main.cpp)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${firmware_sources})
 set(board_sources)
 foreach(source IN LISTS firmware_sources)

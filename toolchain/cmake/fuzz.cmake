@@ -18,8 +18,8 @@ endfunction()
 run_fuzzer(parser parser)
 run_fuzzer(conversation conversation)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
-             ${CMAKE_SOURCE_DIR}/firmware/telemetry/incoming.cpp)
-file(STRINGS ${CMAKE_SOURCE_DIR}/firmware/telemetry/incoming.cpp handled
+             ${CMAKE_SOURCE_DIR}/firmware/gcs/incoming.cpp)
+file(STRINGS ${CMAKE_SOURCE_DIR}/firmware/gcs/incoming.cpp handled
      REGEX "to(All|Us)<mavlink::[A-Za-z]+>\\(on")
 foreach(row IN LISTS handled)
     string(REGEX REPLACE ".*<mavlink::([A-Za-z]+)>.*" "\\1" message "${row}")

@@ -9,7 +9,7 @@ include_directories(${CMAKE_SOURCE_DIR}/host_tests/fakes ${CMAKE_SOURCE_DIR}
 
 file(GLOB_RECURSE fuzzed_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/libraries/*.cpp
      ${CMAKE_SOURCE_DIR}/firmware/*.cpp)
-list(REMOVE_ITEM fuzzed_sources ${CMAKE_SOURCE_DIR}/firmware/main.cpp)
+list(REMOVE_ITEM fuzzed_sources ${CMAKE_SOURCE_DIR}/firmware/app/main.cpp)
 add_library(fuzzed STATIC ${fuzzed_sources})
 file(GLOB fakes_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/fakes/*.cpp)
 list(FILTER fakes_sources EXCLUDE REGEX _test\\.cpp$)

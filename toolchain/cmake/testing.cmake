@@ -61,7 +61,7 @@ precompiled(test_headers ${PROJECT_WARNINGS} ${TEST_OPTIMISATION} LIBRARIES GTes
 # Data that unit tests read besides their program.
 file(GLOB unit_data CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/docs/*.md
      ${CMAKE_SOURCE_DIR}/simulator/airplanes/* ${CMAKE_SOURCE_DIR}/simulator/missions/*
-     ${CMAKE_SOURCE_DIR}/firmware/parameters.csv ${CMAKE_SOURCE_DIR}/libraries/geo/declination_table.hpp
+     ${CMAKE_SOURCE_DIR}/firmware/state/parameters.csv ${CMAKE_SOURCE_DIR}/libraries/geo/declination_table.hpp
      ${CMAKE_SOURCE_DIR}/toolchain/declination/WMM2025.COF ${tests}/firmware_mission/images/*)
 
 # gtest_program(NAME FOLDER LIBRARY...): every *_test.cpp of the folder in one program, with the

@@ -14,7 +14,7 @@ endfunction()
 project_tool(mission_tool toolchain/mission_tool firmware_on_fakes simulator_ground fakes)
 project_tool(param_tool toolchain/param_tool mission_tool_parts)
 target_compile_definitions(param_tool_parts PRIVATE
-                           PARAMETERS_CSV="${CMAKE_SOURCE_DIR}/firmware/parameters.csv")
+                           PARAMETERS_CSV="${CMAKE_SOURCE_DIR}/firmware/state/parameters.csv")
 # flight logs from the DataFlash as tables, summaries and .bin files
 project_tool(log_tool toolchain/log_tool logging simulator_report)
 # many flights at once, natively

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the tables of docs/mavlink.md from the tables of firmware/telemetry.
+// Writes the tables of docs/mavlink.md from the tables of firmware/gcs.
 //   node toolchain/mavlink/document.mjs           writes
 //   node toolchain/mavlink/document.mjs --check   exit 1 when what is there differs
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -26,14 +26,14 @@ const parameters = { raw_sensors: '`SRn_RAW_SENS`', extended_status: '`SRn_EXT_S
   always: 'once a second, always', on_request: 'when asked for, or when it happens' };
 
 function sent() {
-  const rows = [...read('firmware/telemetry/streams.cpp')
+  const rows = [...read('firmware/gcs/streams.cpp')
     .matchAll(/row<mavlink::(\w+)>\(Stream::(\w+)\)/g)];
   return table(['id', 'message', 'rate'], rows.map(([, struct, stream]) =>
     [message(struct).id, message(struct).name, parameters[stream]]));
 }
 
 function understood() {
-  const rows = [...read('firmware/telemetry/incoming.cpp')
+  const rows = [...read('firmware/gcs/incoming.cpp')
     .matchAll(/to(?:All|Us)<mavlink::(\w+)>\(on/g)].map(([, struct]) => message(struct));
   return folded(rows.sort((a, b) => a.id - b.id).map(({ id, name }) => `\`${name}\` (${id})`).join(', ') + '.');
 }
@@ -74,7 +74,7 @@ const remarks = {
 function commands() {
   const numbers = Object.fromEntries(enums().find(({ name }) => name === 'MavCmd').entries
     .map(({ key, value }) => [key.toLowerCase(), value]));
-  const rows = [...read('firmware/telemetry/commands.cpp').matchAll(/\{MavCmd::(\w+),/g)];
+  const rows = [...read('firmware/gcs/commands.cpp').matchAll(/\{MavCmd::(\w+),/g)];
   return table(['id', 'command', ''], rows.map(([, key]) =>
     [numbers[key], key.toUpperCase(), remarks[key] ?? '']));
 }

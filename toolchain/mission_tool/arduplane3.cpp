@@ -11,7 +11,7 @@
 namespace mission_tool {
 namespace {
 
-using firmware::MissionItem;
+using firmware::mission::MissionItem;
 using storage::get16;
 using storage::get32;
 

@@ -3,7 +3,7 @@
 
 #include "fakes/fakes.hpp"
 #include "firmware/mission/engine.hpp"
-#include "firmware/parameters.hpp"
+#include "firmware/state/parameters.hpp"
 #include "storage/mission_store.hpp"
 #include "storage/owner.hpp"
 #include "toolchain/mission_tool/arduplane.hpp"
@@ -13,7 +13,7 @@ namespace mission_tool {
 namespace {
 
 using core::Status;
-using firmware::MissionResult;
+using firmware::mission::MissionResult;
 using mission::Set;
 
 constexpr int kTurns = 10'000;      // far more than a full upload takes
@@ -25,7 +25,7 @@ Answer whileBusy(Call call) {
     for (int turn = 0; turn < kTurns; ++turn) {
         const Answer answer = call();
         if (answer != Answer::busy) return answer;
-        firmware::missionRun();
+        firmware::mission::missionRun();
         fakes::advance_ms(kTurn_ms);
     }
     throw WrongInput("the firmware's mission store does not answer");
@@ -43,7 +43,8 @@ void refuseForeign(const Image& image, const std::string& name) {
 }
 
 void waitForBoot() {
-    for (int turn = 0; turn < kTurns && !firmware::missionReady(); ++turn) firmware::missionRun();
+    for (int turn = 0; turn < kTurns && !firmware::mission::missionReady(); ++turn)
+        firmware::mission::missionRun();
 }
 
 void require(MissionResult result, const std::string& name, const char* what) {
@@ -56,20 +57,21 @@ void require(MissionResult result, const std::string& name, const char* what) {
 // do not hold every value of the APM 1.0 set.
 void upload(const Document& document) {
     const auto count = static_cast<uint16_t>(document.entries.size());
-    if (firmware::missionCount() > 0) {
-        require(whileBusy<MissionResult>(firmware::missionClear), document.name, "clear");
+    if (firmware::mission::missionCount() > 0) {
+        require(whileBusy<MissionResult>(firmware::mission::missionClear), document.name, "clear");
     }
-    firmware::parameters.mission_set = static_cast<int8_t>(document.set);
-    require(whileBusy<MissionResult>([&] { return firmware::missionBeginUpload(count); }),
+    firmware::state::parameters.mission_set = static_cast<int8_t>(document.set);
+    require(whileBusy<MissionResult>([&] { return firmware::mission::missionBeginUpload(count); }),
             document.name, "upload");
     for (const Entry& entry : document.entries) {
         uint8_t bytes[mission::kRecordSize];
         mission::pack(document.set, entry.record, bytes);
-        if (whileBusy<Status>([&] { return firmware::missionUploadRecord(bytes); }) != Status::ok) {
+        if (whileBusy<Status>([&] { return firmware::mission::missionUploadRecord(bytes); }) !=
+            Status::ok) {
             throw WrongInput(document.name + ": the firmware's store refuses a record");
         }
     }
-    require(whileBusy<MissionResult>(firmware::missionCommit), document.name, "commit");
+    require(whileBusy<MissionResult>(firmware::mission::missionCommit), document.name, "commit");
 }
 
 }  // namespace
@@ -77,8 +79,8 @@ void upload(const Document& document) {
 void powerUp(const Image& image) {
     fakes::reset();
     fakes::setEepromCells(image);
-    (void)whileBusy<Status>(firmware::parametersLoad);
-    firmware::missionBoot();
+    (void)whileBusy<Status>(firmware::state::parametersLoad);
+    firmware::mission::missionBoot();
 }
 
 void boot(const Image& image, const std::string& name) {

@@ -8,8 +8,8 @@
 
 namespace mission_tool {
 
-using firmware::kCommandTable;
-using firmware::MissionResult;
+using firmware::mission::kCommandTable;
+using firmware::mission::MissionResult;
 
 bool Entry::is(mission::Class kind) const { return good() && kCommandTable.kind(row) == kind; }
 
@@ -34,7 +34,7 @@ MissionResult judge(mission::Set set, size_t index, size_t count, Entry& entry) 
 }
 
 const char* nameOf(const Entry& entry) {
-    return entry.row == mission::kNoRow ? "?" : firmware::commandName(entry.row);
+    return entry.row == mission::kNoRow ? "?" : firmware::mission::commandName(entry.row);
 }
 
 bool hasPlace(const Entry& entry) {

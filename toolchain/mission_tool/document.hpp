@@ -14,7 +14,7 @@ struct Entry {
     mission::Record record{};
     uint16_t command = 0;  // of an item whose command no record could hold; else 0
     uint8_t row = mission::kNoRow;
-    firmware::MissionResult result = firmware::MissionResult::accepted;
+    firmware::mission::MissionResult result = firmware::mission::MissionResult::accepted;
     int line = 0, column = 0;        // of what is wrong, or of the line's first word; 0: an image
     std::string problem;             // empty: the firmware takes it
     std::vector<std::string> notes;  // what the firmware would tell of it
@@ -34,7 +34,7 @@ struct Document {
 
 // Looks the record up and asks the firmware whether its values are in range. The firmware must have
 // been started (board.hpp): some ranges are parameters.
-firmware::MissionResult judge(mission::Set set, size_t index, size_t count, Entry& entry);
+firmware::mission::MissionResult judge(mission::Set set, size_t index, size_t count, Entry& entry);
 
 const char* nameOf(const Entry& entry);
 bool hasPlace(const Entry& entry);  // of a good NAV

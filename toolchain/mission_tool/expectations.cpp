@@ -10,7 +10,7 @@
 namespace mission_tool {
 namespace {
 
-using firmware::MissionResult;
+using firmware::mission::MissionResult;
 using mission::Set;
 
 constexpr uint8_t kEvery = 0;  // command
@@ -176,7 +176,8 @@ int fieldOf(Set set, uint8_t row, int parameter) {
     constexpr int kPlaceFields[] = {3, 4, 2};  // x, y, z
     if (parameter >= 5) return kPlaceFields[parameter - 5];
     if (set == Set::apm1 || row == mission::kNoRow) return parameter;
-    const firmware::FormRow form = firmware::formRow(firmware::kCommandTable.form(row));
+    const firmware::mission::FormRow form =
+        firmware::mission::formRow(firmware::mission::kCommandTable.form(row));
     for (int i = 0; i < 4; ++i)
         if (form.from[i] == parameter) return i + 1;
     return parameter;  // a special: it stands where its number says

@@ -9,7 +9,7 @@
 namespace mission_tool {
 
 // 1..7 for MAV_MISSION_RESULT's invalid_param1 .. 7, where 5, 6, 7 are x, y, z; else 0.
-int refusedParameter(firmware::MissionResult result);
+int refusedParameter(firmware::mission::MissionResult result);
 
 // What was expected there. Of a parameter that any value fits: a phrase that says where to read.
 std::string expectation(mission::Set set, const Entry& entry);

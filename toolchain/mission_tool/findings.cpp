@@ -5,15 +5,15 @@
 
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
-#include "firmware/parameters.hpp"
+#include "firmware/state/parameters.hpp"
 #include "toolchain/mission_tool/board.hpp"
 #include "toolchain/mission_tool/legs.hpp"
 
 namespace mission_tool {
 namespace {
 
-using firmware::kCommandTable;
-using firmware::parameters;
+using firmware::mission::kCommandTable;
+using firmware::state::parameters;
 using mission::Class;
 using mission::Set;
 
@@ -27,12 +27,12 @@ core::Status readSurveyed(uint8_t index, uint8_t* to) {
 }
 
 // The firmware's own look at a mission.
-firmware::Survey survey(const Document& document) {
+firmware::mission::Survey survey(const Document& document) {
     surveyed = &document;
-    firmware::Survey survey = {};
+    firmware::mission::Survey survey = {};
     const auto count = static_cast<uint8_t>(std::min(document.entries.size(), kMostItems));
-    while (count > 1 &&
-           firmware::surveyStep(survey, document.set, count, readSurveyed) == core::Status::busy) {
+    while (count > 1 && firmware::mission::surveyStep(survey, document.set, count, readSurveyed) ==
+                            core::Status::busy) {
     }
     return survey;
 }
@@ -145,7 +145,7 @@ private:
     }
 
     const Document& document_;
-    firmware::Survey survey_;
+    firmware::mission::Survey survey_;
     std::vector<size_t> accompanied_;
     std::vector<Finding> found_;
     size_t last_land_ = 0;

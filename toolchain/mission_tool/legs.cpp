@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toolchain/mission_tool/legs.hpp"
 
-#include "firmware/parameters.hpp"
+#include "firmware/state/parameters.hpp"
 #include "geo/position.hpp"
 
 namespace mission_tool {
@@ -48,7 +48,7 @@ bool aboveHome(const Document& document, size_t index) {
     const mission::Record& record = document.entries[index].record;
     if (index == 0) return false;
     if (document.set == mission::Set::apm1)
-        return record.id != kResetHome && firmware::parameters.altitude_absolute == 0;
+        return record.id != kResetHome && firmware::state::parameters.altitude_absolute == 0;
     return record.id != kSetHome && (record.options & mission::kRelativeAltitude) != 0;
 }
 

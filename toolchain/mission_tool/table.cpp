@@ -30,7 +30,7 @@ std::string classOf(size_t index, const Entry& entry) {
     constexpr const char* kNames[] = {"NAV", "CONDITION", "DO", "jump"};
     if (index == 0) return "home";
     if (entry.row == mission::kNoRow) return "?";
-    return kNames[static_cast<uint8_t>(firmware::kCommandTable.kind(entry.row))];
+    return kNames[static_cast<uint8_t>(firmware::mission::kCommandTable.kind(entry.row))];
 }
 
 std::string commandOf(const Entry& entry) {
@@ -71,7 +71,7 @@ std::string valuesOf(const Document& document, size_t index) {
     if (record.p3 != 0) add("p3 " + std::to_string(record.p3));
     if (record.p4 != 0) add("p4 " + std::to_string(record.p4));
     if (text.empty() && entry.is(Class::nav) && document.set == mission::Set::apm2 &&
-        (firmware::kCommandTable.traits(entry.row) & mission::kPlaced) != 0)
+        (firmware::mission::kCommandTable.traits(entry.row) & mission::kPlaced) != 0)
         return "here";
     return text;
 }

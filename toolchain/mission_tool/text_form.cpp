@@ -98,7 +98,8 @@ void explain(const Document& document, Entry& entry, const Columns& columns) {
     const int parameter = refusedParameter(entry.result);
     const int field = parameter != 0 ? fieldOf(document.set, entry.row, parameter) : 0;
     entry.column = field != 0 ? columns.p[static_cast<size_t>(field)] : columns.id;
-    if (entry.result == firmware::MissionResult::unsupported_frame) entry.column = columns.options;
+    if (entry.result == firmware::mission::MissionResult::unsupported_frame)
+        entry.column = columns.options;
     entry.problem = expected(expectation(document.set, entry), foundInstead(document.set, entry));
 }
 
@@ -143,7 +144,8 @@ Document parseRecords(const std::string& contents, const std::string& name) {
     for (size_t i = 0; i < count; ++i) {
         Entry& entry = document.entries[i];
         const bool read = entry.column != 0;  // else its line's problem is known
-        if (read && judge(document.set, i, count, entry) != firmware::MissionResult::accepted) {
+        if (read &&
+            judge(document.set, i, count, entry) != firmware::mission::MissionResult::accepted) {
             explain(document, entry, columns[i]);
             if (!readable)
                 problems.push_back({entry.line, entry.column, document.at(i, entry.problem)});

@@ -7,7 +7,7 @@
 
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/item.hpp"
-#include "firmware/parameters.hpp"
+#include "firmware/state/parameters.hpp"
 #include "simulator/ground/waypoints.hpp"
 #include "toolchain/mission_tool/expectations.hpp"
 #include "toolchain/mission_tool/wrong_input.hpp"
@@ -15,8 +15,8 @@
 namespace mission_tool {
 namespace {
 
-using firmware::MissionItem;
-using firmware::MissionResult;
+using firmware::mission::MissionItem;
+using firmware::mission::MissionResult;
 using mission::Set;
 using simulator::WaypointItem;
 
@@ -58,10 +58,11 @@ Entry entryOf(const WaypointItem& from, Set set, size_t index, size_t count) {
     MissionItem item = itemOf(from);
     // the record of home in the 1.0 set has no room for its frame; it is above the sea in any case
     if (set == Set::apm1 && index == 0) {
-        item.frame = firmware::parameters.altitude_absolute != 0 ? kAboveSea : kAboveHome;
+        item.frame = firmware::state::parameters.altitude_absolute != 0 ? kAboveSea : kAboveHome;
     }
-    firmware::Notes notes = {};
-    entry.result = firmware::encodeItem(set, {byte(index), byte(count)}, item, entry.record, notes);
+    firmware::mission::Notes notes = {};
+    entry.result =
+        firmware::mission::encodeItem(set, {byte(index), byte(count)}, item, entry.record, notes);
     if (entry.result == MissionResult::accepted) {
         entry.result = judge(set, index, count, entry);
     } else {
@@ -69,7 +70,7 @@ Entry entryOf(const WaypointItem& from, Set set, size_t index, size_t count) {
         const bool is_byte = from.command <= 0xFF;
         if (!is_byte) entry.command = from.command;
         entry.record.id = is_byte ? static_cast<uint8_t>(from.command) : mission::kNoId;
-        entry.row = firmware::kCommandTable.find(set, entry.record.id);
+        entry.row = firmware::mission::kCommandTable.find(set, entry.record.id);
     }
     if (notes.rounded) entry.notes.push_back("a value is rounded to what the record can hold");
     if (notes.dropped)
@@ -151,8 +152,8 @@ std::string recordsAsWaypoints(const Document& document) {
     if (document.set != Set::apm2) return "";
     std::vector<MissionItem> items(document.entries.size());
     for (size_t i = 0; i < items.size(); ++i)
-        firmware::decodeItem(document.set, static_cast<uint8_t>(i), document.entries[i].record,
-                             items[i]);
+        firmware::mission::decodeItem(document.set, static_cast<uint8_t>(i),
+                                      document.entries[i].record, items[i]);
     const std::string text = itemsAsWaypoints(items);
     try {
         const Document again = parseWaypointFile(text, document.name, document.set);

@@ -11,7 +11,7 @@ bool looksLikeWaypoints(const std::string& contents);
 // Throws WrongInput for what cannot be read; what the firmware would refuse is in the entries.
 Document parseWaypointFile(const std::string& contents, const std::string& name, mission::Set set);
 
-std::string itemsAsWaypoints(const std::vector<firmware::MissionItem>& items);
+std::string itemsAsWaypoints(const std::vector<firmware::mission::MissionItem>& items);
 
 // Only when reading it back would give the same records; else empty: some stored values have no
 // place in an item.

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "fakes/fakes.hpp"
-#include "firmware/parameters.hpp"
+#include "firmware/state/parameters.hpp"
 #include "toolchain/mission_tool/board.hpp"
 #include "toolchain/mission_tool/wrong_input.hpp"
 
@@ -25,16 +25,16 @@ bool indexOf(const std::string& name, uint16_t& index) {
     char padded[16] = {};
     if (name.size() > sizeof padded) return false;
     std::memcpy(padded, name.data(), name.size());
-    return firmware::parameterFind(padded, index);
+    return firmware::state::parameterFind(padded, index);
 }
 
 Parameter at(uint16_t index) {
     char name[16];
     uint8_t type = 0;
-    firmware::ParameterLimits limits{};
+    firmware::state::ParameterLimits limits{};
     Parameter parameter{};
-    (void)firmware::parameterAt(index, name, parameter.value, type);
-    (void)firmware::parameterLimits(index, limits);
+    (void)firmware::state::parameterAt(index, name, parameter.value, type);
+    (void)firmware::state::parameterLimits(index, limits);
     parameter.name.assign(name, strnlen(name, sizeof name));
     parameter.initial = limits.initial;
     parameter.lowest = limits.lowest;
@@ -46,9 +46,9 @@ Parameter at(uint16_t index) {
 
 Status setAt(uint16_t index, float value) {
     for (int turn = 0; turn < kTurns; ++turn) {
-        const Status status = firmware::parameterSetAt(index, value);
+        const Status status = firmware::state::parameterSetAt(index, value);
         if (status != Status::busy) return status;
-        firmware::parametersRun();
+        firmware::state::parametersRun();
         fakes::advance_ms(kTurn_ms);
     }
     throw mission_tool::WrongInput("the firmware's parameter store does not answer");
@@ -68,7 +68,8 @@ void powerUp(const mission_tool::Image& image, const std::string& name) {
 
 std::vector<Parameter> parameters() {
     std::vector<Parameter> all;
-    for (uint16_t index = 0; index < firmware::parameterCount(); ++index) all.push_back(at(index));
+    for (uint16_t index = 0; index < firmware::state::parameterCount(); ++index)
+        all.push_back(at(index));
     return all;
 }
 

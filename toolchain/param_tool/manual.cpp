@@ -16,7 +16,7 @@ constexpr size_t kColumns = 6;
 constexpr char kAbove[] = R"(# Parameters
 
 Names, units and meanings are ArduPlane's where the name is ArduPlane's; defaults and ranges are this
-firmware's own. Nothing is listed that has no effect. This page is made from `firmware/parameters.csv`
+firmware's own. Nothing is listed that has no effect. This page is made from `firmware/state/parameters.csv`
 by `toolchain/param document > docs/parameters.md`, and a test holds it against the firmware.
 
 ## Over MAVLink

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What people are told of each parameter: firmware/parameters.csv. The firmware's own table knows
-// name, range and default, too; a test holds the two against each other.
+// What people are told of each parameter: firmware/state/parameters.csv. The firmware's own table
+// knows name, range and default, too; a test holds the two against each other.
 #pragma once
 #include <string>
 #include <vector>

@@ -9,9 +9,9 @@
 #include <iostream>
 #include <vector>
 
-#include "firmware/camera.hpp"
+#include "firmware/actuators/camera.hpp"
 #include "firmware/mission/mission.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "host_tests/on_board/telling.hpp"
 #include "simulator/native/native_board.hpp"
 
@@ -89,7 +89,7 @@ private:
         const Truth& now = truth();
         flown_.push_back({seconds(), now.north_m, now.east_m, now.height_m,
                           std::atan2(now.velocity_east_mps, now.velocity_north_mps) / kDegree,
-                          now.roll_rad / kDegree, firmware::missionCurrent(),
+                          now.roll_rad / kDegree, firmware::mission::missionCurrent(),
                           static_cast<int>(std::lround(board_.world().servoPulse_us(kFlap)))});
         const bool held = std::abs(board_.world().servoPulse_us(kShutter) - 1300) < 3;
         if (held && !held_) pictures_.push_back(flown_.back());
@@ -185,7 +185,7 @@ private:
         std::printf("          %zu pictures in %.0f m, %.1f to %.1f m apart\n", pictures_.size(),
                     length_m, nearest_m, farthest_m);
         return std::abs(static_cast<double>(pictures_.size()) - wanted) < 2 && nearest_m > 21 &&
-               farthest_m < 29 && pictures_.size() == firmware::picturesTaken();
+               farthest_m < 29 && pictures_.size() == firmware::actuators::picturesTaken();
     }
     // From the tenth second on, for fifteen.
     bool flewInverted() const {

@@ -4,15 +4,18 @@
 // a step that sets a parameter and begins a NAV.
 #include "firmware/mission/mission.hpp"
 #include "board.hpp"
+#include "firmware/app/tasks.hpp"
 #include "firmware/mission/engine.hpp"
-#include "firmware/tasks.hpp"
-#include "firmware/vehicle.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "hal/mark.hpp"
 #include "steps.hpp"
 
 namespace {
 
 using namespace firmware;
+using namespace firmware::state;
+using namespace firmware::mission;
+using namespace firmware::app;
 
 constexpr uint8_t kItems = 171;
 constexpr int32_t kLatitude_e7 = 473977000, kLongitude_e7 = 85456000;

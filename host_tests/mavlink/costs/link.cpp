@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The firmware's own parser and sending, fed from memory with interrupts off: a byte taken by the
 // parser, a message framed into the port's queue.
-#include "firmware/telemetry/link.hpp"
+#include "firmware/gcs/link.hpp"
 #include "costs/steps.hpp"
 #include "hal/mark.hpp"
 
@@ -20,8 +20,8 @@ __attribute__((noinline)) void timed(uint8_t step, Work work) {
 }
 
 bool take(uint8_t byte) {
-    mavlink::Parser<firmware::IncomingTable, firmware::kLongestTalk>& parser =
-        firmware::links[0].parser;
+    mavlink::Parser<firmware::gcs::IncomingTable, firmware::gcs::kLongestTalk>& parser =
+        firmware::gcs::links[0].parser;
     return parser.put(byte);
 }
 
@@ -39,14 +39,14 @@ void receive(costs::Step step, Framing framing, const Message& message, uint8_t 
         for (uint8_t i = 0; i < size; ++i) whole = take(bytes[i]);
     });
     if (!whole || size != expected) hal::mark(0x7F);  // measure.cpp refuses to go on
-    firmware::links[0].parser.next();
+    firmware::gcs::links[0].parser.next();
 }
 
 template <class Message>
 void sendOne(costs::Step step, Framing framing, const Message& message) {
     hal::serialOpen(hal::Port::link0, 57600);
-    firmware::links[0].framing = framing;
-    timed(step, [&message] { firmware::send(firmware::links[0], message); });
+    firmware::gcs::links[0].framing = framing;
+    timed(step, [&message] { firmware::gcs::send(firmware::gcs::links[0], message); });
 }
 
 void receiveAll() {

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/actuators/outputs.hpp"
+
+#include "control/mixing.hpp"
+#include "core/maths.hpp"
+#include "core/rom.hpp"
+#include "firmware/actuators/camera.hpp"
+#include "firmware/actuators/flaps.hpp"
+#include "firmware/control/attitude_control.hpp"
+#include "firmware/sensors/sensors.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+#include "hal/guard.hpp"
+#include "hal/servo_output.hpp"
+
+namespace firmware {
+namespace actuators {
+
+using namespace state;
+using namespace sensors;
+using namespace control;
+
+namespace {
+
+constexpr uint16_t kRefresh_hz = 50;
+constexpr uint8_t kFirstFree = 4;                            // outputs 5..8, counted from 0
+constexpr uint8_t kAileron = 0, kElevator = 1, kRudder = 3;  // counted from 0
+constexpr uint8_t kThrottle = 3;                             // numbered as on the board
+constexpr uint16_t kShortest_us = 800, kLongest_us = 2200;
+
+uint8_t held;  // a bit an output: its pulse stays as it is
+
+::control::ServoRange range(uint8_t output) {
+    const Channel& channel = parameters.channel[output];
+    return {channel.min_us, channel.trim_us, channel.max_us, channel.reverse};
+}
+
+// RCn_REV turns the control of a pair, with its stick; the kind of the pair turns the servos.
+core::Fixed<14> upright(uint8_t output, core::Fixed<14> control) {
+    return parameters.channel[output].reverse < 0 ? core::Fixed<14>::fromRaw(-control.raw)
+                                                  : control;
+}
+
+uint16_t mixed_us(int8_t kind, float common, float differential, uint8_t output, bool left) {
+    const auto pair = ::control::mixPair(static_cast<::control::Pair>(kind), common, differential,
+                                         parameters.mixing_gain);
+    ::control::ServoRange servo = range(output);
+    if (output < kFirstFree) servo.reverse = 1;
+    return surfacePulse_us(servo, left ? pair.left : pair.right);
+}
+
+uint16_t paired_us(int8_t kind, uint8_t output, uint8_t other, core::Fixed<14> differential) {
+    return mixed_us(kind, upright(kElevator, surfaces.elevator), -upright(other, differential),
+                    output, output == kElevator);
+}
+
+uint16_t elevon_us(uint8_t output) {
+    return paired_us(parameters.elevon_output, output, kAileron, surfaces.aileron);
+}
+uint16_t tail_us(uint8_t output) {
+    return paired_us(parameters.vtail_output, output, kRudder, surfaces.rudder);
+}
+
+uint16_t aileron_us() {
+    if (parameters.elevon_output != 0) return elevon_us(kAileron);
+    return surfacePulse_us(range(kAileron), surfaces.aileron);
+}
+uint16_t elevator_us() {
+    if (parameters.elevon_output != 0) return elevon_us(kElevator);
+    if (parameters.vtail_output != 0) return tail_us(kElevator);
+    return surfacePulse_us(range(kElevator), surfaces.elevator);
+}
+// While disarmed the motor stands, whatever is just being put into RC3_MIN.
+uint16_t throttle_us() {
+    constexpr int16_t kIdle_us = 1300;  // a motor controller's lower end lies below
+    ::control::ServoRange servo = range(kThrottle - 1);
+    if (!vehicle.armed) {
+        if (servo.min_us > kIdle_us) servo.min_us = kIdle_us;
+        if (servo.max_us < 3000 - kIdle_us) servo.max_us = 3000 - kIdle_us;
+    }
+    return throttlePulse_us(servo, vehicle.armed ? surfaces.throttle : core::Fixed<14>::fromRaw(0));
+}
+uint16_t rudder_us() {
+    const bool alone = parameters.vtail_output == 0 || parameters.elevon_output != 0;
+    return alone ? surfacePulse_us(range(kRudder), surfaces.rudder) : tail_us(kRudder);
+}
+
+using Pulse = uint16_t (*)();
+constexpr Pulse kPulses[kFirstFree] ROM = {aileron_us, elevator_us, throttle_us, rudder_us};
+
+// Where both are too much for a surface, the flap gives way: it is the ailerons that keep upright.
+uint16_t flaperon_us(uint8_t output, bool left) {
+    return mixed_us(static_cast<int8_t>(::control::Pair::up_down), surfaces.aileron, flaps.out,
+                    output, left);
+}
+
+uint16_t flap_us(uint8_t output) { return throttlePulse_us(range(output), flaps.lever); }
+uint16_t autoFlap_us(uint8_t output) { return throttlePulse_us(range(output), flaps.out); }
+uint16_t leftFlaperon_us(uint8_t output) { return flaperon_us(output, true); }
+uint16_t rightFlaperon_us(uint8_t output) { return flaperon_us(output, false); }
+uint16_t shutter_us(uint8_t) { return cameraPulse_us(); }
+
+uint16_t received_us(uint8_t output) {
+    const uint16_t received = vehicle.radio.pulse_us[output];
+    return received != 0 ? core::limit(received, kShortest_us, kLongest_us)
+                         : static_cast<uint16_t>(parameters.channel[output].trim_us);
+}
+
+struct Function {
+    int8_t number;  // RCn_FUNCTION
+    uint16_t (*pulse_us)(uint8_t output);
+};
+constexpr Function kFunctions[] ROM = {
+    {kFlapFunction, flap_us},
+    {kAutoFlapFunction, autoFlap_us},
+    {kCameraFunction, shutter_us},
+    {kLeftFlaperonFunction, leftFlaperon_us},
+    {kRightFlaperonFunction, rightFlaperon_us},
+};
+
+const Function* functionOf(int8_t number) {
+    for (const Function& function : kFunctions)
+        if (core::romRead(function.number) == number) return &function;
+    return nullptr;
+}
+
+uint16_t freePulse_us(uint8_t output) {
+    const int8_t number = parameters.output_function[output - kFirstFree];
+    if (number != 0)
+        if (const Function* function = functionOf(number))
+            return core::romRead(function->pulse_us)(output);
+    return received_us(output);
+}
+
+void put(uint8_t output, uint16_t pulse_us) {
+    if (pulse_us == vehicle.servo_us[output]) return;
+    vehicle.servo_us[output] = pulse_us;
+    hal::servoWrite(output, pulse_us * 2);
+}
+
+bool isOutput(uint8_t output) { return output >= 1 && output <= hal::kServos; }
+uint8_t bit(uint8_t output) { return static_cast<uint8_t>(1u << (output - 1)); }
+
+}  // namespace
+
+bool isOutputFunction(int8_t number) { return number == 0 || functionOf(number) != nullptr; }
+
+void startOutputs() {
+    held = 0;
+    for (uint16_t& pulse_us : vehicle.servo_us) pulse_us = 0;
+    surfaces = {};
+    if (!wrongBoard()) hal::servoStart(kRefresh_hz);
+    runOutputs();
+}
+
+void runOutputs() {
+    hal::guardTouch();
+    if (wrongBoard()) return;
+    if (vehicle.mode_changed) outputReleaseAll();
+    uint8_t free = static_cast<uint8_t>(~held);
+    uint8_t i = 0;
+    for (; i < kFirstFree; ++i, free >>= 1)
+        if (free & 1) put(i, core::romRead(kPulses[i])());
+    for (; i < hal::kServos; ++i, free >>= 1)
+        if (free & 1) put(i, freePulse_us(i));
+}
+
+bool outputOverride(uint8_t output, uint16_t pulse_us) {
+    if (!isOutput(output) || output == kThrottle || wrongBoard()) return false;
+    held |= bit(output);
+    put(output - 1, pulse_us == 0 ? 0 : core::limit(pulse_us, kShortest_us, kLongest_us));
+    return true;
+}
+
+void outputRelease(uint8_t output) {
+    if (isOutput(output)) held &= static_cast<uint8_t>(~bit(output));
+}
+
+void outputReleaseAll() { held = 0; }
+
+uint16_t outputPulse_us(uint8_t output) {
+    return isOutput(output) ? vehicle.servo_us[output - 1] : 0;
+}
+
+}  // namespace actuators
+}  // namespace firmware

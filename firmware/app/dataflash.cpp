@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/app/dataflash.hpp"
+
+#include "board.hpp"
+#include "drivers/at45db.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "hal/clock.hpp"
+#include "hal/page_flash.hpp"
+
+namespace firmware {
+namespace app {
+
+using namespace notify;
+
+namespace {
+
+using core::Status;
+using hal::FlashUser;
+
+constexpr uint8_t kPagesPerBlock = 8;
+static_assert(hal::kFlashMissionPages % kPagesPerBlock == 0, "a block has one owner");
+
+drivers::At45db<board::FlashBus, board::FlashSelect, board::FlashReset> chip;
+bool mission_wants;
+bool trouble_told;
+
+uint16_t clock_ms() { return static_cast<uint16_t>(hal::now_ms()); }
+
+bool owns(FlashUser user, uint16_t page) {
+    return (page < hal::kFlashMissionPages) == (user == FlashUser::mission);
+}
+
+// May this user begin work on this page?
+Status admit(FlashUser user, uint16_t page) {
+    if (!owns(user, page)) return Status::bad_argument;
+    return mission_wants && user != FlashUser::mission ? Status::busy : Status::ok;
+}
+
+void tellTrouble() {
+    switch (chip.trouble()) {
+        case drivers::At45dbTrouble::none:
+            return;
+        case drivers::At45dbTrouble::absent:
+            tell(Severity::warning, ROM_TEXT("DataFlash: none found"));
+            break;
+        case drivers::At45dbTrouble::stuck:
+            tell(Severity::error, ROM_TEXT("DataFlash: stays busy, not used any more"));
+            break;
+        case drivers::At45dbTrouble::garbled:
+            tell(Severity::error, ROM_TEXT("DataFlash: lost, not used any more"));
+            break;
+    }
+    trouble_told = true;
+}
+
+}  // namespace
+
+void dataflashStart() {
+    mission_wants = trouble_told = false;
+    chip.start(clock_ms());
+}
+
+void dataflashStep() {
+    chip.step(clock_ms());
+    if (!trouble_told) tellTrouble();
+}
+
+}  // namespace app
+}  // namespace firmware
+
+namespace hal {
+
+using namespace firmware::app;
+
+bool flashKnown() {
+    if (!chip.known()) chip.step(clock_ms());
+    return chip.known();
+}
+
+FlashShape flashShape() { return {chip.pages(), chip.pageSize()}; }
+FlashTrouble flashTrouble() { return static_cast<FlashTrouble>(chip.trouble()); }
+
+Status flashRead(uint16_t page, uint16_t offset, void* to, uint8_t size) {
+    return chip.read(page, offset, to, size, clock_ms());
+}
+
+Status flashFill(FlashUser user, uint16_t offset, const void* from, uint8_t size) {
+    return chip.fill(static_cast<uint8_t>(user), offset, from, size, clock_ms());
+}
+
+Status flashStore(FlashUser user, uint16_t page) {
+    const Status status = admit(user, page);
+    return status == Status::ok ? chip.store(static_cast<uint8_t>(user), page, clock_ms()) : status;
+}
+
+Status flashErase(FlashUser user, uint16_t page) {
+    if (page % kPagesPerBlock != 0) return Status::bad_argument;
+    const Status status = admit(user, page);
+    return status == Status::ok ? chip.eraseBlock(page, clock_ms()) : status;
+}
+
+bool flashBusy() { return !chip.known() || chip.busy(clock_ms()); }
+
+void flashWant(FlashUser user, bool wanted) {
+    if (user == FlashUser::mission) mission_wants = wanted;
+}
+
+}  // namespace hal

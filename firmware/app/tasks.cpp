@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/app/tasks.hpp"
+
+#include "board.hpp"
+#include "firmware/actuators/lights.hpp"
+#include "firmware/actuators/outputs.hpp"
+#include "firmware/app/dataflash.hpp"
+#include "firmware/control/attitude_control.hpp"
+#include "firmware/control/autotune.hpp"
+#include "firmware/estimator/estimator.hpp"
+#include "firmware/gcs/telemetry.hpp"
+#include "firmware/guidance/guidance.hpp"
+#include "firmware/logger/log.hpp"
+#include "firmware/mission/events.hpp"
+#include "firmware/mission/mission.hpp"
+#include "firmware/mission/rally.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/safety/arming.hpp"
+#include "firmware/safety/failsafe.hpp"
+#include "firmware/safety/fence.hpp"
+#include "firmware/safety/restart.hpp"
+#include "firmware/safety/supervisor.hpp"
+#include "firmware/sensors/radio.hpp"
+#include "firmware/sensors/sensors.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+#include "hal/clock.hpp"
+#include "hal/guard.hpp"
+#include "hal/watchdog.hpp"
+#include "scheduler/scheduler.hpp"
+
+namespace firmware {
+namespace app {
+
+using namespace notify;
+using namespace state;
+using namespace sensors;
+using namespace estimator;
+using namespace control;
+using namespace guidance;
+using namespace actuators;
+using namespace mission;
+using namespace modes;
+using namespace safety;
+using namespace logger;
+using namespace gcs;
+
+namespace {
+
+constexpr uint16_t kFrame_us = 10000;
+// The inertial sensor's clock may be 1 % slow; without its samples a frame begins by the clock.
+constexpr uint16_t kSilentImu_us = 10400;
+
+void endMode() { vehicle.mode_changed = false; }
+
+// both small and in no hurry
+void runLightsAndFlash() {
+    runLights();
+    dataflashStep();
+}
+
+void runPoints() {
+    runFence();
+    rallyFollow();
+}
+
+void runParameters() {
+    if (!tuneStep()) parametersRun();
+}
+
+void everySecond();
+
+// The budgets are what the flights of the tests have measured and a little more; the tests hold
+// each task's longest time between half its budget and all of it.
+// clang-format off
+constexpr scheduler::Task kTasks[] ROM = {
+    // run                 every  in     budget
+    //                     frames frame  us
+    { runInertial,           1,     0,    1050 },
+    { runRadio,              1,     0,     190 },
+    { runEstimator,          1,     0,    1950 },
+    { runMode,               1,     0,     140 },
+    { runAttitudeControl,    1,     0,     620 },
+    { runOutputs,            1,     0,     185 },
+    { endMode,               1,     0,       3 },
+    { runBarometer,          1,     0,     185 },
+    { runGps,                1,     0,     610 },
+    { telemetrySend,         2,     1,    1150 },
+    { runGuidance,           5,     2,    2150 },
+    { runSpeedHeight,       10,     4,    2000 },
+    { runLog,                2,     0,    1080 },
+    { runRestart,            2,     1,     160 },
+    { runCompass,            2,     0,     300 },
+    { runAirspeed,           2,     0,     190 },
+    { runPoints,            10,     6,    1000 },
+    { missionRun,           10,     3,    2500 },
+    { runModeSwitch,        10,     5,     190 },
+    { runEvents,            10,     5,    2200 },
+    { runFailsafe,          10,     6,     430 },
+    { runArming,            10,     1,     150 },
+    { runBattery,           10,     8,     460 },
+    { runParameters,        10,     9,     900 },
+    { runLightsAndFlash,    10,     0,      95 },
+    { everySecond,         100,    51,     900 },
+};
+// clang-format on
+
+static_assert(scheduler::phasesFit(kTasks), "a phase must be smaller than its period");
+static_assert(scheduler::fastTierFirst(kTasks), "the fast tier stands first");
+static_assert(scheduler::everyTaskFits(kTasks, kFrame_us), "a task can never run");
+static_assert(scheduler::worstFrame_us(kTasks, 100) < kFrame_us * 9UL / 10,
+              "a frame is more than 90 % full though everything in it takes its longest");
+
+scheduler::Scheduler<core::count(kTasks)> schedule(kTasks, kFrame_us);
+Supervisor supervisor;
+
+uint16_t frame_began;  // ticks
+uint16_t load_permille;
+uint32_t load_from_us, load_busy_us;
+
+void measureLoad() {
+    const uint32_t now_us = hal::now_us();
+    const uint32_t span_us = now_us - load_from_us;
+    const uint32_t busy_us = schedule.busy_us() - load_busy_us;
+    load_from_us = now_us;
+    load_busy_us = schedule.busy_us();
+    if (span_us > 1000) load_permille = static_cast<uint16_t>(busy_us / (span_us / 1000));
+}
+
+void everySecond() {
+    measureLoad();
+    runDeclination();
+    runRestartSlowly();
+}
+
+bool frameDue() {
+    if (inertialSamplesWaiting() >= kSamplesPerFrame) return true;
+    const uint16_t passed = hal::ticks() - frame_began;
+    return passed >= hal::kTicksPerUs * (vehicle.imu.healthy ? kSilentImu_us : kFrame_us);
+}
+
+// The clock is looked at when the rest has ended, not at every interrupt.
+bool workWaits() {
+    return inertialSamplesWaiting() >= kSamplesPerFrame || telemetryWaits() || gpsWaits();
+}
+
+}  // namespace
+
+// Inlined it would keep its variables on the stack of everything that runs later.
+__attribute__((noinline)) void setup() {
+    restartJudge();
+    board::start();
+    findBoard();
+    dataflashStart();
+    logStart();
+    // at reset the queue is empty, so nothing is busy but what a cut left to be redone
+    while (parametersLoad() == core::Status::busy) {
+    }
+    startOutputs();
+    startSensors();
+    fenceStart();
+    telemetryStart();
+    missionBoot();
+    vehicle.mode = Mode::initialising;
+    restartResume();
+    if (!flyingOn()) setMode(static_cast<Mode>(parameters.initial_mode), ModeReason::boot);
+    schedule.start();
+    frame_began = hal::ticks();
+    hal::guardStart();
+    hal::watchdogStart();
+}
+
+void loop() {
+    if (frameDue()) {
+        frame_began = hal::ticks();
+        schedule.runFrame(hal::now_us());
+        if (supervisor.wellAfter(schedule.takeServed())) hal::watchdogFeed();
+    } else if (gpsWaits()) {
+        runGps();
+    } else if (!telemetryPump() && !logFind()) {
+        hal::idle(workWaits);
+    }
+}
+
+uint16_t loadPermille() { return load_permille; }
+uint16_t lateFrames() { return schedule.lateFrames(); }
+uint16_t longestFrame_us() { return schedule.longestFrame_us(); }
+uint8_t taskCount() { return core::count(kTasks); }
+uint16_t taskLongest_us(uint8_t task) { return schedule.longest_us(task); }
+
+}  // namespace app
+}  // namespace firmware

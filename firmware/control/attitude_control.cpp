@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/control/attitude_control.hpp"
+
+#include "control/attitude.hpp"
+#include "core/rom.hpp"
+#include "firmware/control/autotune.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+
+namespace firmware {
+namespace control {
+
+using namespace state;
+using namespace modes;
+
+Surfaces surfaces;
+
+namespace {
+
+using Deflection = core::Fixed<14>;
+
+constexpr int16_t kPerCentidegree = 14913;  // 16384 / 4500 in 2^-12
+
+::control::AxisState roll_state, pitch_state;
+::control::YawState yaw_state;
+::control::AxisGains roll_gains, pitch_gains;
+::control::AirFlow air;
+::control::TurnRates turn;
+bool inverted;                                         // with loops that began so
+bool rolls;                                            // so, or on the way there or back
+int16_t roll_limit, pitch_min, pitch_max, trim_pitch;  // of an Angle
+Deflection rudder_mix;
+
+// Gains cost much and change little: they are worked out when a parameter has, and once a second.
+constexpr uint8_t kGainsLast = 9;  // rounds of looks
+uint8_t gains_age, gains_changes;
+
+// Without a sensor the estimated airspeed serves: it is the cruise speed until the wind is known.
+void feelAir() {
+    const auto& attitude = vehicle.attitude;
+    air = ::control::airFlow(parameters.scaling_speed_mps, vehicle.estimate.equivalent_airspeed_mps,
+                             parameters.speed_min_mps);
+    // upside down both turn the other way about the airplane's own axes
+    const float side = inverted ? -1 : 1;
+    turn = ::control::turnRates(air, attitude.sin_roll * side, attitude.cos_roll * side,
+                                attitude.cos_pitch);
+    if (inverted) turn = {-turn.pitch_rads, -turn.yaw_rads};
+}
+
+int16_t angle(int16_t cd) {
+    constexpr int16_t kPerCentidegree_turn = 29826;  // 65536 / 36000 in 2^-14
+    return core::times14(cd, kPerCentidegree_turn);
+}
+
+void takeRoll() {
+    if (gains_age == 0) roll_gains = ::control::rollGains(parameters.roll);
+}
+void takePitch() {
+    if (gains_age == 0) pitch_gains = ::control::pitchGains(parameters.pitch);
+}
+void takeRest() {
+    const bool changed = parameter_changes != gains_changes;
+    gains_changes = parameter_changes;
+    gains_age = changed || gains_age == kGainsLast ? 0 : gains_age + 1;
+    roll_limit = angle(parameters.roll_limit_cd);
+    pitch_min = angle(parameters.pitch_min_cd);
+    pitch_max = angle(parameters.pitch_max_cd);
+    trim_pitch = angle(parameters.trim_pitch_cd);
+    rudder_mix = parameters.rudder_mix;
+}
+
+void lookAway() {}
+
+// Airspeed and turn are looked at every 50 ms, parameters every 100 ms.
+using Look = void (*)();
+constexpr Look kLooks[] ROM = {feelAir, takeRoll,  lookAway, lookAway, lookAway,
+                               feelAir, takePitch, lookAway, takeRest, lookAway};
+uint8_t look;
+
+// Where it turns to: farther ahead than the loop that holds TRAINING's bounds needs to stop.
+int16_t soon(core::Angle angle_rad, core::Fixed<10> rate_rads) {
+    constexpr int16_t kLead = 6;  // 0.6 s, from the one's steps to the other's
+    return core::narrowed(angle_rad.raw + core::product(kLead, rate_rads.raw));
+}
+
+// How far to turn: to what is demanded, or in TRAINING to the bound that is nearer.
+core::Angle error(core::Angle now_rad, core::Fixed<10> rate_rads, core::Angle demand_rad,
+                  core::Angle pilot_rad, int16_t low, int16_t high, int16_t trim) {
+    if (vehicle.sticks == Sticks::rates) return demand_rad;
+    int16_t wanted = core::narrowed(int32_t{demand_rad.raw} + pilot_rad.raw);
+    if (vehicle.sticks == Sticks::bounded)
+        wanted = soon(now_rad, rate_rads) > 0 ? INT16_MAX : INT16_MIN;
+    const uint16_t limited = static_cast<uint16_t>(core::limit(wanted, low, high));
+    return core::between(now_rad, core::Angle::fromRaw(static_cast<int16_t>(limited + trim)));
+}
+
+// How far the wings are from level, whichever way up they are wanted: 1 there.
+int16_t righted() {
+    const int16_t cosine = vehicle.attitude.cos_roll.raw;
+    return inverted ? static_cast<int16_t>(-cosine) : cosine;
+}
+
+// Half a roll asks nobody where to turn; where both ways are long it goes to the right.
+core::Angle rollError() {
+    constexpr core::Fixed<14> kOver = 0.5f;
+    const int16_t upside = inverted ? INT16_MIN : 0;
+    const auto& attitude = vehicle.attitude;
+    if (!rolls || righted() > kOver.raw)
+        return error(attitude.roll_rad, attitude.rate_rads.x, vehicle.roll_demand_rad,
+                     vehicle.pilot_roll_rad, -roll_limit, roll_limit, upside);
+    const core::Angle left = core::between(attitude.roll_rad, core::Angle::fromRaw(upside));
+    constexpr core::Angle kLong_rad = core::radians(150);
+    return left.raw < -kLong_rad.raw ? core::Angle::fromRaw(INT16_MAX) : left;
+}
+
+// The nose goes up by as much of the elevator as the wing is level, upside down by pushing; and no
+// harder than a wing bears that was made for the other side.
+core::Angle aboutWing(core::Angle up_rad) {
+    constexpr core::Angle kMost_rad = core::radians(14);
+    constexpr core::Fixed<14> kThere = 0.8f;
+    const int16_t limited =
+        core::limit<int16_t>(up_rad.raw, static_cast<int16_t>(-kMost_rad.raw), kMost_rad.raw);
+    if (!inverted && righted() > kThere.raw && limited == up_rad.raw) rolls = false;
+    return core::Angle::fromRaw(core::times14(limited, vehicle.attitude.cos_roll.raw));
+}
+
+// In the flare gusts are met twice as fast as elsewhere.
+core::Angle pitchError() {
+    core::Angle up_rad =
+        error(vehicle.attitude.pitch_rad, vehicle.attitude.rate_rads.y, vehicle.pitch_demand_rad,
+              vehicle.pilot_pitch_rad, pitch_min, pitch_max, trim_pitch);
+    if (vehicle.progress.flaring) up_rad = core::Angle::fromRaw(core::narrowed(2L * up_rad.raw));
+    return rolls ? aboutWing(up_rad) : up_rad;
+}
+
+Deflection yaw() {
+    return ::control::yawDeflection(parameters.yaw, yaw_state, air, turn,
+                                    vehicle.attitude.rate_rads.z, vehicle.imu.accel_mss.y,
+                                    vehicle.imu.periods * estimation::kSamplePeriod_s);
+}
+
+void add(Deflection& to, int32_t steps) { to = Deflection::fromRaw(to.raw + steps); }
+void addStick(Deflection& to, int16_t stick_cd) {
+    if (stick_cd != 0) add(to, core::times12(stick_cd, kPerCentidegree));
+}
+
+// The stick, but where it leads out of the bounds no further than what holds them. Close to them
+// that counts whichever way it turns, or stick and loop would take turns.
+void bind(Deflection& surface, int16_t stick_cd, core::Angle now_rad, core::Fixed<10> rate_rads,
+          int16_t low, int16_t high, ::control::AxisState& state) {
+    constexpr core::Angle kClose_rad = core::radians(3);
+    Deflection stick = Deflection::fromRaw(0);
+    addStick(stick, stick_cd);
+    const int16_t soon_rad = soon(now_rad, rate_rads);
+    const bool over = soon_rad > high || now_rad.raw > high - kClose_rad.raw;
+    const bool under = soon_rad < low || now_rad.raw < low + kClose_rad.raw;
+    if ((over && surface.raw < stick.raw) || (under && surface.raw > stick.raw)) return;
+    surface = stick;
+    state = ::control::AxisState();
+}
+
+void bindSticks() {
+    const auto& attitude = vehicle.attitude;
+    bind(surfaces.aileron, vehicle.radio.roll_cd, attitude.roll_rad, attitude.rate_rads.x,
+         -roll_limit, roll_limit, roll_state);
+    bind(surfaces.elevator, vehicle.radio.pitch_cd, attitude.pitch_rad, attitude.rate_rads.y,
+         pitch_min, pitch_max, pitch_state);
+}
+
+// A rate of the pilot's own is not that of a turn.
+::control::TurnRates turnToFly() {
+    const bool turns = vehicle.sticks == Sticks::rates &&
+                       (vehicle.radio.pitch_cd != 0 || parameters.acro_locking == 0);
+    if (!turns) return turn;
+    return {core::Fixed<10>::fromRaw(0), turn.yaw_rads};
+}
+
+void stabilise() {
+    const auto& rate_rads = vehicle.attitude.rate_rads;
+    const uint8_t periods = vehicle.imu.periods;
+    const core::Angle roll_error = rollError(), pitch_error = pitchError();
+    surfaces.aileron =
+        ::control::rollDeflection(roll_gains, roll_state, air, roll_error, rate_rads.x, periods);
+    surfaces.elevator = ::control::pitchDeflection(pitch_gains, pitch_state, air, turnToFly(),
+                                                   pitch_error, rate_rads.y, periods);
+    if (vehicle.mode == Mode::autotune) {
+        tune(kTunedRoll, roll_gains, roll_state, air, roll_error, rate_rads.x);
+        tune(kTunedPitch, pitch_gains, pitch_state, air, pitch_error, rate_rads.y);
+    }
+    if (vehicle.sticks == Sticks::bounded) bindSticks();
+    surfaces.rudder = ::control::yawUsed(parameters.yaw) ? yaw() : Deflection::fromRaw(0);
+    add(surfaces.rudder, core::times14(surfaces.aileron.raw, rudder_mix.raw));
+    add(surfaces.rudder, vehicle.rudder_demand.raw);
+}
+
+void addSticks() {
+    addStick(surfaces.aileron, vehicle.radio.roll_cd);
+    addStick(surfaces.elevator, vehicle.radio.pitch_cd);
+}
+
+}  // namespace
+
+void runAttitudeControl() {
+    if (vehicle.mode_changed || inverted != vehicle.inverted) {
+        rolls = rolls || vehicle.inverted;
+        inverted = vehicle.inverted;
+        roll_state = pitch_state = ::control::AxisState();
+        yaw_state = ::control::YawState();
+    }
+    if (vehicle.attitude.cos_roll.raw < 0) rolls = true;  // whatever has thrown it over
+    if (vehicle.sticks > Sticks::on_top) rolls = false;   // the pilot's own
+    if (++look == core::count(kLooks)) look = 0;
+    core::romRead(kLooks[look])();
+    const bool at_trim = vehicle.mode == Mode::initialising;
+    if (at_trim || vehicle.sticks == Sticks::direct)
+        surfaces = {0, 0, 0, 0};
+    else
+        stabilise();
+    if (vehicle.sticks == Sticks::direct || vehicle.sticks == Sticks::on_top) addSticks();
+    if (!at_trim) addStick(surfaces.rudder, vehicle.radio.yaw_cd);
+    surfaces.throttle = vehicle.throttle_demand;
+}
+
+}  // namespace control
+}  // namespace firmware

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/control/autotune.hpp"
+
+#include "control/tuner.hpp"
+#include "core/maths.hpp"
+#include "core/rom.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+
+namespace firmware {
+namespace control {
+
+using namespace notify;
+using namespace state;
+
+namespace {
+
+using ::control::AxisTuner;
+
+enum Gain : uint8_t { kTimeConstant, kP, kI, kD, kGains };  // as their slots follow one another
+
+struct Axis {
+    uint8_t slots;  // the first one's
+    core::RomText found;
+};
+constexpr char kRollFound[] ROM = "Autotune: roll # %";
+constexpr char kPitchFound[] ROM = "Autotune: pitch # %";
+constexpr Axis kAxes[] ROM = {{101, kRollFound}, {107, kPitchFound}};
+
+AxisTuner tuners[core::count(kAxes)];
+
+// _TCONST for AUTOTUNE_LEVEL 1 .. 10, 1/100 s
+constexpr uint8_t kTimeConstants[] ROM = {80, 70, 60, 52, 45, 40, 35, 30, 25, 20};
+
+constexpr uint8_t kLeveled = 2 * core::count(kAxes);
+
+// What is still to be set, a parameter each time: finding one by its slot takes long.
+struct {
+    uint8_t level;  // of each axis first P, then the time constant; kLeveled: none
+    uint8_t gain;   // kP .. kD of this axis; kGains: none
+    uint8_t axis;
+    float by;
+} due = {kLeveled, kGains, 0, 1};
+
+const ::control::AxisSettings& settingsOf(uint8_t axis) {
+    return axis == kTunedRoll ? parameters.roll.axis : parameters.pitch.axis;
+}
+
+bool set(uint8_t axis, uint8_t gain, float value) {
+    return parameterSet(static_cast<uint8_t>(core::romRead(kAxes[axis].slots) + gain), value);
+}
+
+// The surface for a rate, (P - I T) T - D, stays what it is.
+void setLevel() {
+    const uint8_t axis = due.level / 2;
+    const ::control::AxisSettings& now = settingsOf(axis);
+    const float time_constant_s =
+        core::romRead(kTimeConstants[parameters.autotune_level - 1]) * 0.01f;
+    const bool last = due.level++ % 2 != 0;
+    if (last) return (void)set(axis, kTimeConstant, time_constant_s);
+    const float direct = (now.p - now.i * now.time_constant_s) * now.time_constant_s;
+    if (!set(axis, kP, direct / time_constant_s + now.i * time_constant_s)) ++due.level;
+}
+
+// P comes first and is the first to end at its range; the others keep its proportions.
+void setGain() {
+    const ::control::AxisSettings& now = settingsOf(due.axis);
+    const float gain = due.gain == kP ? now.p : (due.gain == kI ? now.i : now.d);
+    due.gain = set(due.axis, due.gain, gain * due.by) ? due.gain + 1 : kGains;
+}
+
+}  // namespace
+
+void startTuning() {
+    for (AxisTuner& tuner : tuners) tuner = AxisTuner();
+    due.gain = kGains;
+    due.level = parameters.autotune_level == 0 ? kLeveled : 0;
+}
+
+bool tuneStep() {
+    if (vehicle.mode != Mode::autotune) return false;
+    if (due.level < kLeveled)
+        setLevel();
+    else if (due.gain < kGains)
+        setGain();
+    else
+        return false;
+    return true;
+}
+
+void tune(TunedAxis which, const ::control::AxisGains& gains, const ::control::AxisState& state,
+          const ::control::AirFlow& air, core::Angle error_rad, core::Fixed<10> rate_rads) {
+    constexpr core::Fixed<14> kLevel_cos = 0.94f;
+    AxisTuner& tuner = tuners[which];
+    // in a bank the nose turns without the pilot's asking for it
+    if (which == kTunedPitch && vehicle.attitude.cos_roll.raw < kLevel_cos.raw) return tuner.drop();
+    const auto found =
+        tuner.watch(gains, state, air, ::control::demandedRate_rads(gains, error_rad), rate_rads);
+    if (found == AxisTuner::Finding::nothing || due.gain < kGains) return;
+    due.by = found == AxisTuner::Finding::shakes ? AxisTuner::kLeast : tuner.factor();
+    due.axis = which;
+    due.gain = kP;
+    tell(Severity::info, core::romRead(kAxes[which].found),
+         static_cast<uint16_t>(core::rounded(due.by * 100)));
+}
+
+}  // namespace control
+}  // namespace firmware

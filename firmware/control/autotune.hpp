@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// AUTOTUNE: FBWA that multiplies the gains of roll and pitch by what it finds in the pilot's turns.
+#pragma once
+#include "control/axis.hpp"
+
+namespace firmware {
+namespace control {
+
+enum TunedAxis : uint8_t { kTunedRoll, kTunedPitch };
+
+void startTuning();  // AUTOTUNE has been entered
+
+// While AUTOTUNE flies, after the loop of that axis has run with these.
+void tune(TunedAxis which, const ::control::AxisGains& gains, const ::control::AxisState& state,
+          const ::control::AirFlow& air, core::Angle error_rad, core::Fixed<10> rate_rads);
+
+bool tuneStep();  // 10 Hz: sets the next of what has been found; true: did
+
+}  // namespace control
+}  // namespace firmware

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/control/inverted.hpp"
+
+#include "firmware/modes/modes.hpp"
+#include "firmware/sensors/radio.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+
+namespace firmware {
+namespace control {
+
+using namespace state;
+using namespace sensors;
+using namespace modes;
+
+namespace {
+
+// Half a roll costs height, and so does a wing that was not made for it.
+constexpr float kLowestToRoll_m = 30, kLowest_m = 15;
+
+bool ordered;
+Mode ordered_in;
+
+bool wanted() {
+    if (ordered_in != vehicle.mode) ordered = false;
+    return ordered || switchIsUp(parameters.inverted_channel);
+}
+
+bool possible() {
+    const bool holds_attitude =
+        vehicle.sticks == Sticks::nothing || vehicle.sticks == Sticks::on_top;
+    const Path path = guidesItself() ? vehicle.demand.path : Path::none;
+    const float lowest_m = vehicle.inverted ? kLowest_m : kLowestToRoll_m;
+    return vehicle.armed && vehicle.estimate.flying && holds_attitude && path != Path::takeoff &&
+           path != Path::land && vehicle.mode != Mode::manual && vehicle.mode != Mode::autotune &&
+           vehicle.estimate.height_m > lowest_m;
+}
+
+}  // namespace
+
+void orderInverted(bool on) {
+    ordered = on;
+    ordered_in = vehicle.mode;
+}
+
+void runInverted() { vehicle.inverted = wanted() && possible(); }
+
+}  // namespace control
+}  // namespace firmware

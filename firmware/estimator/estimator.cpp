@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/estimator/estimator.hpp"
+
+#include "core/maths.hpp"
+#include "estimation/arc.hpp"
+#include "estimation/atmosphere.hpp"
+#include "estimation/attitude.hpp"
+#include "estimation/barometer_drift.hpp"
+#include "estimation/height.hpp"
+#include "estimation/position.hpp"
+#include "estimation/wind.hpp"
+#include "firmware/sensors/health.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+#include "hal/clock.hpp"
+
+namespace firmware {
+namespace estimator {
+
+using namespace state;
+using namespace sensors;
+
+namespace {
+
+using core::Vector3;
+
+estimation::Attitude attitude;
+estimation::Height height;
+estimation::BarometerDrift barometer_drift;
+estimation::Position position;
+estimation::Wind wind;
+
+bool started;
+bool height_started;
+float home_height_m;  // of home above the barometer's zero, which drifts
+float true_speed_ratio = 1.0f;
+uint32_t fix_ms;
+uint16_t baro_ms, unfixed_ms;
+uint8_t imu_gap;      // frames without its samples
+float gps_above_m;    // the receiver's heights over the estimate's; 0: no fix has been seen
+uint8_t gathered;     // sample periods since motion was last carried on
+int32_t baro_sum_pa;  // of baro_readings
+uint8_t baro_readings;
+
+constexpr uint8_t kDead = 20;         // frames: after a longer gap the attitude is lost
+constexpr uint8_t kFramePeriods = 2;  // of a sample
+constexpr float kOddAirspeed_mps = 4, kOddAirspeed = 0.3f;  // and this share of what is expected
+constexpr float kOddHeight_m = 20;
+constexpr float kClimbAge_s = 0.19f;   // a u-blox's, which alone tells it: 0.29, less half of 0.2
+constexpr uint16_t kGoodHdop_c = 200;  // with fewer satellites heights are tens of metres off
+constexpr uint16_t kGpsSilent_ms = 500;
+constexpr uint16_t kAirspeedHelps_ms = 200;
+constexpr uint8_t kBeginsFlying = 13;  // looks of 40 ms at speed: half a second
+constexpr uint8_t kEndsFlying = 75;    // looks without: three seconds
+constexpr float kFlyingGroundSpeed_mps = 5.0f;
+constexpr float kStandingSpeed_mps = 2.0f;
+
+estimation::AttitudeSettings attitudeSettings() {
+    estimation::AttitudeSettings settings;
+    settings.declination_rad = parameters.compass_declination_rad;
+    settings.use_compass = parameters.compass_use != 0 && vehicle.compass.healthy;
+    return settings;
+}
+
+// A fix costs too much for one frame: each of its uses gets one.
+enum class FixUse : uint8_t { move, feel_wind, feel_height, done };
+FixUse fix_use = FixUse::done;
+float since_fix_s;  // from the fix before
+
+// Since its bytes arrived a fix has aged.
+float gpsAge_s(uint32_t now_ms) {
+    return (now_ms - vehicle.gps.received_ms + vehicle.gps.age_ms) * 0.001f;
+}
+
+// The last bits of the place change even while the velocity does not.
+bool fixIsGood() {
+    const auto& gps = vehicle.gps;
+    const float sum_cms = (gps.velocity_mps.x + gps.velocity_mps.y) * 100;
+    const int16_t reading =
+        static_cast<int16_t>(static_cast<int32_t>(sum_cms) + (gps.position.latitude_e7 & 3));
+    return gps.fix == GpsFix::three_d && believe(Sensor::gps, reading, true) && !ails(Sensor::gps);
+}
+
+void alignToFix(uint32_t now_ms) {
+    vehicle.gps.fresh = false;
+    if (!fixIsGood()) return;
+    since_fix_s = (now_ms - fix_ms) * 0.001f;
+    fix_ms = now_ms;
+    estimation::AttitudeSettings settings = attitudeSettings();
+    settings.gps_age_s = gpsAge_s(now_ms);
+    attitude.useGps(vehicle.gps.velocity_mps, settings);
+    fix_use = FixUse::move;
+}
+
+void moveToFix(uint32_t now_ms) {
+    fix_use = FixUse::feel_wind;
+    estimation::PositionSettings settings;
+    settings.gps_age_s = gpsAge_s(now_ms);
+    position.useGps(vehicle.gps.position, vehicle.gps.velocity_mps, attitude.gainedSinceFix_mps(),
+                    settings);
+}
+
+// Without its compass the airplane points where it flies to through the air, as the wind was.
+bool pointsByCourse() {
+    if (parameters.compass_use == 0 || vehicle.compass.healthy) return false;
+    attitude.useCourse(position.velocity_mps() - wind.wind_mps());
+    return true;
+}
+
+// Nose down at full throttle no airplane stays slow: then the tube is clogged, which so slowly that
+// the wind has been made to fit.
+bool divesSlowly() {
+    constexpr float kDown = -0.14f;  // sine of 8 degrees
+    const float most = parameters.throttle_max_pct * 0.0095f;
+    return vehicle.attitude.sin_pitch < kDown && vehicle.throttle_demand >= most &&
+           vehicle.estimate.equivalent_airspeed_mps < parameters.speed_min_mps;
+}
+
+// The sensor against ground speed and wind: false when they contradict each other. Too slow to fly,
+// on the ground, the wind comes from anywhere.
+bool airspeedFits() {
+    const float expected_mps = wind.airspeed_mps(vehicle.gps.velocity_mps);
+    const float odd_mps = fabsf(vehicle.airspeed.speed_mps * true_speed_ratio - expected_mps);
+    const bool odd = wind.known() && expected_mps >= parameters.speed_min_mps &&
+                     odd_mps >= kOddAirspeed_mps + expected_mps * kOddAirspeed;
+    if (!odd && !(vehicle.airspeed.healthy && divesSlowly())) return true;
+    doubt(Sensor::airspeed);
+    return false;
+}
+
+void feelWind() {
+    fix_use = FixUse::feel_height;
+    if (!vehicle.estimate.flying || since_fix_s > 1.5f || pointsByCourse()) return;
+    if (!airspeedFits() && vehicle.airspeed.healthy) return;
+    const float airspeed_mps = vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f;
+    wind.update(vehicle.gps.velocity_mps, {attitude.noseNorth(), attitude.noseEast()}, airspeed_mps,
+                since_fix_s);
+    vehicle.estimate.wind_mps = wind.wind_mps();
+}
+
+bool near(float a_m, float b_m) { return fabsf(a_m - b_m) < kOddHeight_m; }
+
+// The receiver's height stands in for the barometer's, whose zero it learns before; and says which
+// of barometer and estimate is wrong where they differ.
+void feelHeight() {
+    fix_use = FixUse::done;
+    const auto& baro = vehicle.baro;
+    const float height_m = height.height_m();
+    const float told_m = vehicle.gps.altitude_cm * 0.01f;
+    // begun in the air there is no time to learn it slowly
+    if (gps_above_m == 0 && height_started) gps_above_m = told_m - height_m;
+    const float fix_m = told_m - gps_above_m;
+    if (!baro.healthy) {
+        if (!height_started) return;
+        if (!near(baro.height_m, height_m)) doubt(Sensor::barometer);
+        estimation::HeightSettings slow;
+        slow.omega_rads = 0.7f;  // of five fixes a second
+        return height.useBarometer(fix_m, 0.1f, slow);
+    }
+    if (height.doubts()) {
+        if (near(fix_m, height_m)) doubt(Sensor::barometer);
+        return;
+    }
+    gps_above_m += (fix_m - height_m) * (vehicle.estimate.flying ? 0.002f : 0.2f);
+    if (!near(fix_m, height_m) && vehicle.gps.hdop_c < kGoodHdop_c) doubt(Sensor::barometer);
+    home_height_m += barometer_drift.useGps(height_m - height.climb_mps() * kClimbAge_s,
+                                            -vehicle.gps.velocity_mps.z, since_fix_s);
+}
+
+void gatherBarometer() {
+    if (!vehicle.baro.fresh) return;
+    vehicle.baro.fresh = false;
+    baro_sum_pa += vehicle.baro.pressure_pa;
+    ++baro_readings;
+}
+
+// The mean of what came in four frames.
+void useBarometer() {
+    if (baro_readings == 0) return;
+    const auto& baro = vehicle.baro;
+    const float reading_m =
+        estimation::pressureHeight_m(static_cast<float>(baro_sum_pa) / baro_readings,
+                                     baro.ground_pressure_pa, baro.ground_temperature_c);
+    baro_sum_pa = 0;
+    baro_readings = 0;
+    vehicle.baro.height_m = reading_m;
+    if (!baro.healthy) return;
+    const uint16_t now_ms = static_cast<uint16_t>(hal::now_ms());
+    if (height_started) {
+        height.useBarometer(reading_m, static_cast<uint16_t>(now_ms - baro_ms) * 0.001f,
+                            estimation::HeightSettings());
+    } else {
+        height.start(reading_m);
+        height_started = true;
+    }
+    baro_ms = now_ms;
+}
+
+// On the ground before the first fix 0 lets the filter settle; in flight it would hold the turn's
+// acceleration for gravity.
+float knownAirspeed_mps() {
+    if (vehicle.airspeed.healthy) return vehicle.estimate.airspeed_mps;
+    return vehicle.estimate.flying ? parameters.cruise_speed_cms * 0.01f : 0.0f;
+}
+
+// One a frame.
+void useReference() {
+    const uint32_t now_ms = hal::now_ms();
+    if (vehicle.gps.fresh) {
+        alignToFix(now_ms);
+    } else if (fix_use == FixUse::move) {
+        moveToFix(now_ms);
+    } else if (fix_use == FixUse::feel_wind) {
+        feelWind();
+    } else if (fix_use == FixUse::feel_height) {
+        feelHeight();
+    } else if (vehicle.compass.fresh) {
+        vehicle.compass.fresh = false;
+        if (parameters.compass_use != 0 &&
+            !attitude.useCompass(vehicle.compass.field_mg, attitudeSettings()))
+            doubt(Sensor::compass);
+    } else if (now_ms - fix_ms > kGpsSilent_ms &&
+               static_cast<uint16_t>(now_ms - unfixed_ms) >= kAirspeedHelps_ms) {
+        unfixed_ms = static_cast<uint16_t>(now_ms);
+        attitude.useAirspeed(knownAirspeed_mps());
+    }
+}
+
+// The attitude gives a new acceleration every fourth frame.
+void propagateMotion() {
+    const Vector3 acceleration_mss =
+        imu_gap < kDead ? attitude.acceleration_mss() : Vector3{0, 0, 0};
+    const float dt_s = gathered * estimation::kSamplePeriod_s;
+    position.propagate(acceleration_mss, dt_s);
+    height.propagate(-acceleration_mss.z, dt_s);
+    gathered = 0;
+}
+
+int16_t centimetres(float metres) { return core::narrowed(core::rounded(metres * 100.0f)); }
+float metres(int16_t centimetres) { return centimetres * 0.01f; }
+
+void publishAttitude() {
+    const estimation::Angles& angles = attitude.angles();
+    auto& to = vehicle.attitude;
+    to.roll_rad = angles.roll_rad;
+    to.pitch_rad = angles.pitch_rad;
+    to.yaw_rad = angles.yaw_rad;
+    to.sin_roll = angles.sin_roll;
+    to.cos_roll = angles.cos_roll;
+    to.sin_pitch = angles.sin_pitch;
+    to.cos_pitch = angles.cos_pitch;
+    to.rate_rads = attitude.rate_rads();
+    to.aligned = attitude.aligned();
+}
+
+void publishMotion() {
+    auto& to = vehicle.estimate;
+    to.known = position.known();
+    to.reckoned = position.reckoned();
+    to.fix_refused = position.refuses();
+    to.velocity_mps = position.velocity_mps();
+    to.height_m = height.height_m() - home_height_m;
+    to.climb_mps = height.climb_mps();
+    to.velocity_mps.z = -to.climb_mps;
+}
+
+void publishSpeeds() {
+    auto& to = vehicle.estimate;
+    to.position = position.position();
+    const Vector3& velocity = to.velocity_mps;
+    to.ground_speed_mps = sqrtf(core::square(velocity.x) + core::square(velocity.y));
+    if (to.ground_speed_mps > 0.01f) {
+        const float inverse = 1.0f / to.ground_speed_mps;
+        to.course_cd = core::wrap360_cd(core::rounded(
+            core::centidegrees(estimation::arc_rad(velocity.y * inverse, velocity.x * inverse))));
+    }
+    if (vehicle.airspeed.healthy) {
+        to.equivalent_airspeed_mps = vehicle.airspeed.speed_mps;
+        to.airspeed_mps = vehicle.airspeed.speed_mps * true_speed_ratio;
+    } else {
+        to.airspeed_mps =
+            position.reckoned() ? parameters.cruise_speed_cms * 0.01f : wind.airspeed_mps(velocity);
+        to.equivalent_airspeed_mps = to.airspeed_mps / true_speed_ratio;
+    }
+}
+
+// Where no fix tells, the nose and the wind do.
+void reckon() {
+    if (position.age_s() < 1.0f) return;
+    const float airspeed_mps = vehicle.estimate.airspeed_mps;
+    const Vector3 wind_mps = wind.wind_mps();
+    position.reckon(attitude.noseNorth() * airspeed_mps + wind_mps.x,
+                    attitude.noseEast() * airspeed_mps + wind_mps.y);
+}
+
+// Flying: armed, and fast enough for half a second; standing: slow for three seconds.
+void judgeFlying() {
+    static uint8_t looks;
+    auto& estimate = vehicle.estimate;
+    const bool fast = vehicle.airspeed.healthy
+                          ? vehicle.airspeed.speed_mps > 0.75f * parameters.speed_min_mps
+                          : estimate.ground_speed_mps > kFlyingGroundSpeed_mps;
+    const bool slow =
+        estimate.ground_speed_mps < kStandingSpeed_mps && fabsf(estimate.climb_mps) < 0.5f;
+    const bool changes = estimate.flying ? slow || !vehicle.armed : fast && vehicle.armed;
+    looks = changes ? looks + 1 : 0;
+    if (looks < (estimate.flying ? kEndsFlying : kBeginsFlying)) return;
+    estimate.flying = !estimate.flying;
+    looks = 0;
+}
+
+// Without an inertial sensor the attitude stands, and is found anew when it is back.
+void feelInertial() {
+    const auto& imu = vehicle.imu;
+    if (imu_gap >= kDead) attitude.start();
+    imu_gap = 0;
+    attitude.propagate({imu.turned, imu.rate_rads, imu.accel_mss, imu.periods});
+    publishAttitude();
+}
+
+// In which quarter of the round this frame is.
+uint8_t quarter() {
+    if (vehicle.imu.periods != 0) {
+        feelInertial();
+        return attitude.frame() & 3;
+    }
+    imu_gap = imu_gap < kDead + 3 ? imu_gap + 1 : kDead;
+    vehicle.attitude.aligned = imu_gap < kDead && vehicle.attitude.aligned;
+    return imu_gap & 3;
+}
+
+}  // namespace
+
+void runEstimator() {
+    if (!vehicle.imu.calibrated || (vehicle.imu.periods == 0 && imu_gap == 0 && !started)) return;
+    if (!started) {
+        attitude.start();
+        wind.start();
+        started = true;
+    }
+    const uint8_t periods = vehicle.imu.periods != 0 ? vehicle.imu.periods : kFramePeriods;
+    gathered = periods > 0xFF - gathered ? 0xFF : gathered + periods;
+    gatherBarometer();
+    switch (quarter()) {
+        case 1:
+            propagateMotion();
+            publishMotion();
+            break;
+        case 3:
+            useBarometer();
+            publishMotion();
+            publishSpeeds();
+            reckon();
+            judgeFlying();
+            break;
+        default:
+            useReference();
+    }
+}
+
+Vector3 gyroDrift_rads() { return attitude.bias_rads(); }
+
+void zeroHeight() {
+    barometer_drift.zero();
+    home_height_m = height.height_m();
+    vehicle.estimate.height_m = 0;
+    true_speed_ratio = estimation::trueSpeedRatio(static_cast<float>(vehicle.baro.pressure_pa),
+                                                  vehicle.baro.temperature_cc * 0.01f);
+}
+
+void shiftHeight(float by_m) {
+    home_height_m -= by_m;
+    vehicle.estimate.height_m += by_m;
+}
+
+// A place without a fix since then counts as one that is as old as the record.
+void resumeEstimate(const SteadyRecord& steady, const MovingRecord& moving,
+                    const Vector3& turned_rad, float lost_s) {
+    attitude.resume(moving.pose, steady.learnt, turned_rad);
+    home_height_m = steady.home_height_m;
+    height.resume(home_height_m + moving.height_m, moving.climb_mps);
+    height_started = started = true;
+    baro_ms = static_cast<uint16_t>(hal::now_ms());
+    true_speed_ratio =
+        estimation::trueSpeedRatio(steady.ground_pressure_pa, steady.ground_temperature_c);
+    if (moving.wind_known) wind.resume(metres(steady.wind_cms[0]), metres(steady.wind_cms[1]));
+    vehicle.estimate.wind_mps = wind.wind_mps();
+    vehicle.estimate.flying = true;
+    if (!moving.place_known) return;
+    estimation::PositionSettings settings;
+    settings.gps_age_s = lost_s;
+    position.useGps(moving.position, {moving.north_mps, moving.east_mps, 0}, {0, 0, 0}, settings);
+}
+
+void keepEstimate(SteadyRecord& to) {
+    attitude.keep(to.learnt);
+    to.home_height_m = home_height_m;
+    const Vector3 wind_mps = wind.wind_mps();
+    to.wind_cms[0] = centimetres(wind_mps.x);
+    to.wind_cms[1] = centimetres(wind_mps.y);
+}
+
+void keepEstimate(MovingRecord& to) {
+    const auto& estimate = vehicle.estimate;
+    attitude.keep(to.pose);
+    to.rate_rads = attitude.rate_rads();
+    to.position = estimate.position;
+    to.place_known = estimate.known;
+    to.wind_known = wind.known();
+    to.north_mps = estimate.velocity_mps.x;
+    to.east_mps = estimate.velocity_mps.y;
+    to.climb_mps = estimate.climb_mps;
+    to.height_m = estimate.height_m;
+}
+
+}  // namespace estimator
+}  // namespace firmware

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Commands that fly: modes, GUIDED, the mission, home, arming.
+#include <math.h>
+
+#include "core/maths.hpp"
+#include "core/rom.hpp"
+#include "firmware/gcs/commands_orders.hpp"
+#include "firmware/gcs/link.hpp"
+#include "firmware/mission/home.hpp"
+#include "firmware/mission/speed.hpp"
+#include "firmware/modes/guided.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/safety/arming.hpp"
+#include "firmware/safety/fence.hpp"
+#include "firmware/state/vehicle.hpp"
+
+namespace firmware {
+namespace gcs {
+
+using namespace notify;
+using namespace state;
+using namespace mission;
+using namespace modes;
+using namespace safety;
+
+namespace {
+
+using mavlink::MavFrame;
+using mavlink::MavResult;
+
+uint8_t enterMode(uint32_t custom_mode) {
+    if (custom_mode > 0xFF || !isMode(static_cast<uint8_t>(custom_mode))) return MavResult::denied;
+    return whenTrue(setMode(static_cast<Mode>(custom_mode), ModeReason::ground),
+                    MavResult::temporarily_rejected);
+}
+
+uint8_t enter(Mode mode) { return enterMode(static_cast<uint8_t>(mode)); }
+
+// The base modes of before there were custom modes (MAV_MODE).
+uint8_t enterBaseMode(uint8_t base_mode) {
+    switch (base_mode & ~mavlink::MavModeFlag::safety_armed & 0xFF) {
+        case 64:
+            return enter(Mode::manual);
+        case 80:
+            return enter(Mode::fbwa);
+        case 92:
+            return enter(Mode::automatic);
+        default:
+            return MavResult::denied;
+    }
+}
+
+uint8_t answer(MissionResult result) {
+    struct Row {
+        MissionResult result;
+        uint8_t answer;
+    };
+    static constexpr Row kRows[] ROM = {
+        {MissionResult::accepted, MavResult::accepted},
+        {MissionResult::unsupported, MavResult::unsupported},
+        {MissionResult::unsupported_frame, MavResult::command_unsupported_mav_frame},
+        {MissionResult::error, MavResult::temporarily_rejected}};
+    for (const Row& row : kRows)
+        if (core::romRead(row.result) == result) return core::romRead(row.answer);
+    return MavResult::denied;
+}
+
+bool followsGroundSpeed() {
+    return vehicle.mode == Mode::automatic || vehicle.mode == Mode::guided;
+}
+
+}  // namespace
+
+uint8_t setModeOf(uint8_t base_mode, uint32_t custom_mode) {
+    if ((base_mode & mavlink::MavModeFlag::custom_mode_enabled) != 0) return enterMode(custom_mode);
+    return enterBaseMode(base_mode);
+}
+
+uint8_t doSetMode(Link&, Order& order) {
+    const uint16_t base_mode = number(order.item.param1);
+    if (base_mode > 0xFF) return MavResult::denied;
+    return setModeOf(static_cast<uint8_t>(base_mode), number(order.item.param2));
+}
+
+uint8_t returnToLaunch(Link&, Order&) { return enter(Mode::rtl); }
+uint8_t loiterHere(Link&, Order&) { return enter(Mode::loiter); }
+
+uint8_t startMission(Link&, Order& order) {
+    // a part of the mission cannot be flown alone
+    if (isGiven(order.item.param1) || isGiven(order.item.param2)) return MavResult::denied;
+    return enter(Mode::automatic);
+}
+
+uint8_t setCurrentItem(Link& link, Order& order) {
+    const uint16_t index = order.item.param1 == -1 ? missionCurrent() : number(order.item.param1);
+    if (index >= missionCount()) return MavResult::denied;
+    if (number(order.item.param2) == 1) missionRestart();  // with the counts of its jumps
+    if (!missionSetCurrent(index)) return MavResult::denied;
+    requestOnce(link, mavlink::Wire<mavlink::MissionCurrent>::id);
+    return MavResult::accepted;
+}
+
+// NaN, and INT32_MAX of a place, leave things as they are.
+uint8_t reposition(Link&, Order& order) {
+    constexpr uint8_t kChangeMode = 1;  // MAV_DO_REPOSITION_FLAGS
+    constexpr float kFastest_mps = 200;
+    const float speed_mps = order.item.param1;
+    if (speed_mps > kFastest_mps) return MavResult::denied;
+    if (vehicle.mode != Mode::guided && (number(order.item.param2) & kChangeMode) == 0)
+        return MavResult::temporarily_rejected;
+    order.item.command = mavlink::MavCmd::nav_waypoint;
+    const MissionResult result = guideTo(order.item);
+    if (result == MissionResult::accepted && speed_mps > 0)
+        setGroundSpeed(core::rounded(speed_mps * 100));
+    return answer(result);
+}
+
+uint8_t changeAltitude(Link&, Order& order) {
+    const uint16_t frame = number(order.item.param2);
+    if (frame > 0xFF) return MavResult::denied;
+    MissionItem& target = order.item;
+    target.command = mavlink::MavCmd::nav_waypoint;
+    target.frame = static_cast<uint8_t>(frame);
+    target.z = target.param1;
+    return answer(guideToHeight(target));
+}
+
+uint8_t actNow(Link&, Order& order) {
+    order.item.frame = MavFrame::mission;  // none of them has a place
+    return answer(missionAct(order.item));
+}
+
+uint8_t changeSpeedNow(Link& link, Order& order) {
+    if (number(order.item.param1) == 1 && !followsGroundSpeed())
+        return MavResult::temporarily_rejected;
+    return actNow(link, order);
+}
+
+uint8_t enableFence(Link&, Order& order) {
+    return whenTrue(fenceEnable(number(order.item.param1)), MavResult::denied);
+}
+
+uint8_t startLanding(Link&, Order&) {
+    if (!vehicle.estimate.flying) return MavResult::temporarily_rejected;
+    return whenTrue(missionLand(), MavResult::denied);
+}
+
+uint8_t goAround(Link&, Order& order) {
+    return whenTrue(missionGoAround(order.item.param1), MavResult::temporarily_rejected);
+}
+
+uint8_t armOrDisarm(Link&, Order& order) {
+    constexpr uint16_t kForceArm = 2989, kForceDisarm = 21196;  // as MAVLink documents them
+    const uint16_t magic = number(order.item.param2);
+    switch (number(order.item.param1)) {
+        case 0:
+            return whenTrue(disarm(ArmReason::ground, magic == kForceDisarm), MavResult::failed);
+        case 1:
+            return whenTrue(arm(ArmReason::ground, magic == kForceArm || magic == kForceDisarm),
+                            MavResult::failed);
+        default:
+            return MavResult::denied;
+    }
+}
+
+uint8_t runPrearmChecks(Link&, Order&) {
+    return whenTrue(!prearmTells(Severity::error), MavResult::failed);
+}
+
+// MAVLink leaves roll, pitch and yaw of the ground there to whoever has use for them.
+uint8_t doSetHome(Link&, Order& order) {
+    MissionItem& item = order.item;
+    if (number(item.param1) == 1) return whenTrue(setHomeHere(), MavResult::temporarily_rejected);
+    // 0, 0 is what a client sends that has no place to give
+    if (item.x == 0 && item.y == 0) return MavResult::denied;
+    if (item.frame == MavFrame::global_relative_alt ||
+        item.frame == MavFrame::global_relative_alt_int) {
+        if (!vehicle.home.set) return MavResult::temporarily_rejected;
+        item.z += vehicle.home.altitude_cm * 0.01f;
+        item.frame = MavFrame::global;
+    }
+    return answer(missionAct(item));
+}
+
+}  // namespace gcs
+}  // namespace firmware

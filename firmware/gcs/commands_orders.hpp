@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the command table's rows point at: one function a command, each answers a MAV_RESULT.
+// Grouped in commands_flight, _messages and _board.cpp.
+#pragma once
+#include "firmware/mission/mission.hpp"
+#include "mavlink/messages.hpp"
+
+namespace firmware {
+namespace gcs {
+
+struct Link;
+
+// A command in one form, whichever message brought it; whoever carries it out may use it up.
+struct Order {
+    uint16_t command;
+    mission::MissionItem item;  // x, y: parameters 5 and 6 as a place, z: parameter 7
+    float param5, param6;       // as numbers
+    uint8_t system, component;  // who gives it
+};
+
+constexpr int32_t kNoPlace = INT32_MAX;  // in x or y: none is given
+
+// A parameter that should be a whole number; kNoNumber: is not, or is not one of 0..65534.
+constexpr uint16_t kNoNumber = 0xFFFF;
+uint16_t number(float param);
+bool isGiven(float param);  // neither 0 nor NaN
+
+uint8_t whenTrue(bool done, uint8_t otherwise);
+bool acknowledge(Link& link, const Order& order, uint8_t result);
+
+// ---- commands_flight.cpp
+uint8_t setModeOf(uint8_t base_mode, uint32_t custom_mode);
+uint8_t doSetMode(Link&, Order&);
+uint8_t loiterHere(Link&, Order&);
+uint8_t returnToLaunch(Link&, Order&);
+uint8_t startMission(Link&, Order&);
+uint8_t setCurrentItem(Link&, Order&);
+uint8_t reposition(Link&, Order&);
+uint8_t changeAltitude(Link&, Order&);
+uint8_t changeSpeedNow(Link&, Order&);
+uint8_t actNow(Link&, Order&);  // what a mission does at once
+uint8_t enableFence(Link&, Order&);
+uint8_t startLanding(Link&, Order&);
+uint8_t goAround(Link&, Order&);
+uint8_t armOrDisarm(Link&, Order&);
+uint8_t runPrearmChecks(Link&, Order&);
+uint8_t doSetHome(Link&, Order&);
+
+// ---- commands_messages.cpp
+uint8_t homePosition(Link&, Order&);
+uint8_t requestMessage(Link&, Order&);
+uint8_t setMessageInterval(Link&, Order&);
+uint8_t getMessageInterval(Link&, Order&);
+uint8_t autopilotVersion(Link&, Order&);
+uint8_t protocolVersion(Link&, Order&);
+
+// ---- commands_board.cpp
+uint8_t calibrate(Link&, Order&);
+uint8_t calibrateCompass(Link&, Order&);
+uint8_t acceptCompass(Link&, Order&);
+uint8_t cancelCalibration(Link&, Order&);
+uint8_t sideIsReady(Link&, Order&);
+uint8_t setSensorOffsets(Link&, Order&);
+uint8_t resetStorage(Link&, Order&);
+uint8_t reboot(Link&, Order&);
+
+}  // namespace gcs
+}  // namespace firmware

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/gcs/degrees.hpp"
+
+#include "core/maths.hpp"
+
+namespace firmware {
+namespace gcs {
+
+int32_t degreesE7(float degrees) {
+    if (!(fabsf(degrees) <= 200)) return INT32_MAX;
+    // in two steps, as a float has no room for all the digits
+    const int32_t whole = static_cast<int32_t>(degrees);
+    return whole * 10000000 + core::rounded((degrees - static_cast<float>(whole)) * 1e7f);
+}
+
+float degreesFromE7(int32_t angle_e7) { return static_cast<float>(angle_e7) * 1e-7f; }
+
+}  // namespace gcs
+}  // namespace firmware

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the airplane is, how it lies in the air and where it is going.
+#include "core/maths.hpp"
+#include "estimation/arc.hpp"
+#include "firmware/actuators/camera.hpp"
+#include "firmware/estimator/estimator.hpp"
+#include "firmware/gcs/messages.hpp"
+#include "firmware/gcs/mission_transfer.hpp"
+#include "firmware/mission/mission.hpp"
+#include "firmware/state/vehicle.hpp"
+#include "hal/clock.hpp"
+
+namespace firmware {
+namespace gcs {
+
+using namespace state;
+using namespace sensors;
+using namespace estimator;
+using namespace actuators;
+using namespace mission;
+
+namespace {
+
+int16_t centi(float value) { return static_cast<int16_t>(core::rounded(value * 100)); }
+
+// From 0, clockwise, where a whole turn is so many.
+uint16_t heading(uint16_t turn) {
+    const uint16_t raw = static_cast<uint16_t>(vehicle.attitude.yaw_rad.raw);
+    return static_cast<uint16_t>(static_cast<uint32_t>(raw) * turn >> 16);
+}
+
+int32_t altitude_mm() {  // above sea level
+    if (!vehicle.home.set) return vehicle.gps.altitude_cm * 10;
+    return vehicle.home.altitude_cm * 10 + core::rounded(vehicle.estimate.height_m * 1000);
+}
+
+int16_t degreesOf(int32_t angle_cd) {
+    constexpr int16_t kPerCent = 20972;  // 2^21 / 100
+    const int16_t wrapped = static_cast<int16_t>(core::wrap180_cd(angle_cd));
+    return static_cast<int16_t>((core::upper(core::product(wrapped, kPerCent)) + 16) >> 5);
+}
+
+}  // namespace
+
+bool fillIn(const Link&, mavlink::Attitude& to) {
+    to.time_boot_ms = hal::now_ms();
+    to.roll = vehicle.attitude.roll_rad;
+    to.pitch = vehicle.attitude.pitch_rad;
+    to.yaw = vehicle.attitude.yaw_rad;
+    to.rollspeed = vehicle.attitude.rate_rads.x;
+    to.pitchspeed = vehicle.attitude.rate_rads.y;
+    to.yawspeed = vehicle.attitude.rate_rads.z;
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::Ahrs& to) {
+    const core::Vector3& drift_rads = gyroDrift_rads();
+    to.omegaIx = drift_rads.x;
+    to.omegaIy = drift_rads.y;
+    to.omegaIz = drift_rads.z;
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::GlobalPositionInt& to) {
+    to.time_boot_ms = hal::now_ms();
+    to.lat = vehicle.estimate.position.latitude_e7;
+    to.lon = vehicle.estimate.position.longitude_e7;
+    to.alt = altitude_mm();
+    to.relative_alt = core::rounded(vehicle.estimate.height_m * 1000);
+    to.vx = centi(vehicle.estimate.velocity_mps.x);
+    to.vy = centi(vehicle.estimate.velocity_mps.y);
+    to.vz = centi(vehicle.estimate.velocity_mps.z);
+    to.hdg = heading(36000);
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::VfrHud& to) {
+    to.airspeed = vehicle.estimate.equivalent_airspeed_mps;
+    to.groundspeed = vehicle.estimate.ground_speed_mps;
+    to.alt = static_cast<float>(altitude_mm()) * 0.001f;
+    to.climb = vehicle.estimate.climb_mps;
+    to.heading = static_cast<int16_t>(heading(360));
+    to.throttle = static_cast<uint16_t>(
+        core::rounded(core::limit<float>(vehicle.throttle_demand, 0.0f, 1.0f) * 100));
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::Wind& to) {
+    const core::Vector3& wind_mps = vehicle.estimate.wind_mps;
+    to.speed = sqrtf(core::square(wind_mps.x) + core::square(wind_mps.y));
+    // the message wants where the wind comes from
+    const float inverse = -1.0f / core::limit(to.speed, 0.001f, 200.0f);
+    to.direction = core::degrees(estimation::arc_rad(wind_mps.y * inverse, wind_mps.x * inverse));
+    to.speed_z = wind_mps.z;
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::NavControllerOutput& to) {
+    to.nav_roll = core::degrees(vehicle.roll_demand_rad);
+    to.nav_pitch = core::degrees(vehicle.pitch_demand_rad);
+    to.nav_bearing = degreesOf(vehicle.progress.nav_bearing_cd);
+    to.target_bearing = degreesOf(vehicle.progress.target_bearing_cd);
+    to.wp_dist = static_cast<uint16_t>(core::limit(vehicle.progress.distance_m, 0.0f, 65535.0f));
+    to.alt_error = vehicle.progress.height_error_m;
+    to.aspd_error = vehicle.progress.airspeed_error_mps;
+    to.xtrack_error = vehicle.progress.crosstrack_m;
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::HomePosition& to) {
+    if (!vehicle.home.set) return false;
+    to.latitude = vehicle.home.position.latitude_e7;
+    to.longitude = vehicle.home.position.longitude_e7;
+    to.altitude = vehicle.home.altitude_cm * 10;
+    to.q[0] = 1;  // level ground
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::MissionCurrent& to) {
+    to.seq = missionCurrent();
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::MissionItemReached& to) {
+    to.seq = lastReached();
+    return true;
+}
+
+// The time is that of the log.
+bool fillIn(const Link&, mavlink::CameraFeedback& to) {
+    constexpr float kDegrees = 180 / core::kPi;
+    to.time_usec = hal::now_ms() * uint64_t{1000};
+    to.lat = vehicle.estimate.position.latitude_e7;
+    to.lng = vehicle.estimate.position.longitude_e7;
+    to.alt_msl = static_cast<float>(altitude_mm()) * 0.001f;
+    to.alt_rel = vehicle.estimate.height_m;
+    to.roll = vehicle.attitude.roll_rad * kDegrees;
+    to.pitch = vehicle.attitude.pitch_rad * kDegrees;
+    to.yaw = vehicle.attitude.yaw_rad * kDegrees;
+    to.img_idx = picturesTaken();
+    return true;
+}
+
+}  // namespace gcs
+}  // namespace firmware

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/gcs/link.hpp"
+
+#include "firmware/mission/mission.hpp"
+#include "firmware/notify/text_queue.hpp"
+
+namespace firmware {
+namespace gcs {
+
+using namespace state;
+using namespace mission;
+using namespace notify;
+
+static_assert(kLinks == kLogReader, "a reader of texts for each link, then the log");
+
+Link links[kLinks];
+
+namespace {
+
+bool isSilent(const Link& link) {
+    return radioSilenced() && !(linkNumber(link) == 0 && hal::usbConnected());
+}
+
+}  // namespace
+
+bool sendMessage(Link& link, mavlink::Framing framing, const mavlink::Outgoing& message) {
+    if (isSilent(link)) return true;
+    const hal::Port port = portOf(link);
+    if (hal::serialRoom(port) < mavlink::frameSize(framing, message.length)) return false;
+    const mavlink::Sender sender = {framing, link.sequence++,
+                                    static_cast<uint8_t>(parameters.system_id), kComponent};
+    uint8_t header[mavlink::kHeaderV2];
+    const uint8_t header_size = mavlink::writeHeader(sender, message, header);
+    hal::linkWriteFrame(port, {header, header_size}, {message.payload, message.length},
+                        mavlink::crcBefore(header[0]), message.crc_extra);
+    return true;
+}
+
+bool textWaits(const Link& link) { return notify::textWaits(linkNumber(link)); }
+
+bool sendText(Link& link) {
+    mavlink::Statustext message = {};
+    Severity severity;
+    if (!readText(linkNumber(link), severity, message.text)) return false;
+    message.severity = static_cast<uint8_t>(severity);
+    if (!send(link, message)) return false;
+    textTaken(linkNumber(link));
+    return true;
+}
+
+}  // namespace gcs
+}  // namespace firmware

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One ground link: its parser, what the other end speaks, and what it still has to be sent.
+// Answers are sent while their question is handled. So that they always find room, received
+// bytes stay in the port's buffer until the longest answer fits, and a frame whose handler was
+// told `busy` stays in the parser until the handler is done with it.
+#pragma once
+#include <stdint.h>
+
+#include "firmware/gcs/streams.hpp"
+#include "firmware/state/parameters.hpp"
+#include "hal/serial.hpp"
+#include "mavlink/messages.hpp"
+#include "mavlink/parser.hpp"
+
+namespace firmware {
+namespace gcs {
+
+struct IncomingTable {
+    static uint8_t find(uint16_t id, mavlink::Accepted& to);
+};
+
+// MISSION_ITEM_INT is the longest message we take, and, coming or going, the longest answer.
+constexpr uint8_t kLongestTalk =
+    mavlink::kHeaderV2 + sizeof(mavlink::MissionItemInt) + mavlink::kChecksum;
+
+// Whatever goes out by itself is only tried when the largest such frame would fit.
+constexpr uint8_t kLargestFrame =
+    mavlink::kHeaderV2 + mavlink::Wire<mavlink::AutopilotVersion>::length + mavlink::kChecksum;
+
+struct Link {
+    mavlink::Parser<IncomingTable, kLongestTalk> parser;
+    mavlink::Framing framing = mavlink::Framing::v1;
+    uint8_t sequence = 0;
+    bool whole = false;              // the parser holds a frame that is not handled yet ...
+    uint8_t held_turns = 0;          // ... for so many turns of telemetrySend
+    uint8_t slowdown_pct = 0;        // of the streams, asked for by the radio
+    uint8_t wake_room = 0;           // free bytes in the port at which there is something to send
+    bool parameter_is_next = false;  // while a list is sent, streams and list take turns
+    bool log_is_next = false;        // likewise a log and all else
+    uint16_t next_parameter = 0;     // of the list being sent; kNoParameter: none
+    Streams streams;
+};
+extern Link links[state::kLinks];
+
+inline uint8_t linkNumber(const Link& link) { return static_cast<uint8_t>(&link - links); }
+inline hal::Port portOf(const Link& link) {
+    return &link == links ? hal::Port::link0 : hal::Port::link1;
+}
+inline bool hasRoom(const Link& link, uint8_t frame_size) {
+    return hal::serialRoom(portOf(link)) >= frame_size;
+}
+
+// False: the whole frame does not fit now, nothing was sent. While a mission has switched the radio
+// off, what does not go over USB is dropped.
+bool sendMessage(Link& link, mavlink::Framing framing, const mavlink::Outgoing& message);
+
+template <class Message>
+bool send(Link& link, const Message& message) {
+    // an id past 255 has no MAVLink 1 frame; who asks for such a message can read the other kind
+    const mavlink::Framing framing =
+        mavlink::Wire<Message>::id > 255 ? mavlink::Framing::v2 : link.framing;
+    return sendMessage(link, framing, mavlink::outgoing(framing, message));
+}
+
+bool textWaits(const Link& link);
+bool sendText(Link& link);  // the oldest text this link has not had; false: none, or no room
+
+// What the handlers of incoming frames share. A handler that returns false is called again with
+// the same frame in a later turn; when that has lasted too long the frame is refused.
+using Handler = bool (*)(Link& link, const mavlink::Frame& frame);
+bool handleFrame(Link& link, const mavlink::Frame& frame);
+void refuseFrame(Link& link, const mavlink::Frame& frame);
+
+constexpr uint8_t kComponent = mavlink::MavComponent::autopilot1;
+
+}  // namespace gcs
+}  // namespace firmware

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/gcs/logs.hpp"
+
+#include <string.h>
+
+#include "core/rom.hpp"
+#include "firmware/gcs/link.hpp"
+#include "firmware/logger/log.hpp"
+#include "firmware/logger/records.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/state/vehicle.hpp"
+#include "hal/clock.hpp"
+#include "logging/reader.hpp"
+
+namespace firmware {
+namespace gcs {
+
+using namespace notify;
+using namespace state;
+using namespace logger;
+
+namespace {
+
+using core::Status;
+using mavlink::LogData;
+using mavlink::LogEntry;
+
+enum class Doing : uint8_t { nothing, list, date, measure, data };
+
+constexpr logging::Formats kFormatsInFront = {kFormatTable, kFormats};
+
+Doing doing;
+uint8_t to_link;
+bool shorter;  // the log ends before what was asked for
+logging::Reader reader;
+uint32_t offset;    // of the next byte; of a list: the log's size
+uint32_t left;      // bytes; of a list: the last log
+uint16_t searched;  // of a list: the log's bytes in which there was no date
+
+bool anyLogs() { return flight_logs.ready() && !flight_logs.erasing() && flight_logs.last() != 0; }
+
+void begin(const Link& link, Doing what, uint16_t log) {
+    doing = what;
+    to_link = linkNumber(link);
+    reader.open(flight_logs, log);
+}
+
+bool sendEnd(Link& link, uint16_t log, uint32_t at) {
+    LogData message = {};
+    message.id = log;
+    message.ofs = at;
+    return send(link, message);
+}
+
+bool sizeStep() {
+    offset = 0;
+    if (reader.size(flight_logs, kFormatsInFront, offset) == Status::busy) return false;
+    searched = kFormats * sizeof(logging::FormatRecord);
+    doing = Doing::date;
+    return true;
+}
+
+bool entryStep(Link& link, uint32_t time_utc) {
+    logging::Key oldest;
+    if (logging::oldestKey(flight_logs, oldest) != Status::ok) return false;
+    LogEntry entry = {};
+    entry.time_utc = time_utc;
+    entry.size = offset;
+    entry.id = reader.log();
+    entry.last_log_num = flight_logs.last();
+    entry.num_logs = static_cast<uint16_t>(entry.last_log_num - oldest.log + 1);
+    if (!send(link, entry)) return false;
+    const bool more = entry.id < static_cast<uint16_t>(left);
+    doing = more ? Doing::list : Doing::nothing;
+    reader.open(flight_logs, static_cast<uint16_t>(entry.id + more));
+    return true;
+}
+
+// 0: not a record.
+uint8_t lengthOf(const logging::RecordHead& head) {
+    if (head.head1 != logging::kHead1 || head.head2 != logging::kHead2) return 0;
+    for (const logging::Format& format : kFormatTable)
+        if (core::romRead(format.type) == head.type) return core::romRead(format.length);
+    return 0;
+}
+
+// Of a record with the time that a receiver told; GPS time has no leap seconds: 18 since 2017.
+uint32_t utc_s(const GpsRecord& record) {
+    constexpr uint32_t kGpsBegan_s = 315964800, kWeek_s = 604800, kLeap_s = 18;
+    if (record.head.type != static_cast<uint8_t>(RecordType::gps) || record.week == 0) return 0;
+    return kGpsBegan_s - kLeap_s + record.week * kWeek_s + record.time_ms / 1000;
+}
+
+// A record each call, until one has the date or the log's beginning is over.
+bool dateStep(Link& link) {
+    constexpr uint16_t kBeginning = 8000;
+    if (searched >= kBeginning || searched >= offset) return entryStep(link, 0);
+    GpsRecord record = {};
+    uint8_t size = sizeof record;
+    const Status status = reader.read(flight_logs, kFormatsInFront, searched,
+                                      reinterpret_cast<uint8_t*>(&record), size);
+    if (status == Status::busy) return false;
+    const uint8_t length = status == Status::ok ? lengthOf(record.head) : 0;
+    const uint32_t time_utc = utc_s(record);
+    if (length == 0 || time_utc != 0) return entryStep(link, time_utc);
+    searched += length;
+    return true;
+}
+
+bool measureStep() {
+    uint32_t size = 0;
+    const Status status = reader.size(flight_logs, kFormatsInFront, size);
+    if (status == Status::busy) return false;
+    const uint32_t rest = offset < size ? size - offset : 0;
+    shorter = left > rest;
+    if (shorter) left = rest;
+    doing = Doing::data;
+    return true;
+}
+
+// A message is filled up over the end of a page: one that is not full is the last.
+bool dataStep(Link& link) {
+    LogData message;
+    message.id = reader.log();
+    message.ofs = offset;
+    message.count = 0;
+    while (message.count < sizeof message.data && message.count < left) {
+        const uint32_t rest = left - message.count;
+        uint8_t size = sizeof message.data - message.count;
+        if (size > rest) size = static_cast<uint8_t>(rest);
+        if (reader.read(flight_logs, kFormatsInFront, offset + message.count,
+                        message.data + message.count, size) != Status::ok)
+            return false;
+        message.count += size;
+    }
+    memset(message.data + message.count, 0, sizeof message.data - message.count);
+    if (!send(link, message)) return false;
+    offset += message.count;
+    left -= message.count;
+    if (left == 0 && !(shorter && message.count == sizeof message.data)) doing = Doing::nothing;
+    return true;
+}
+
+// A radio that is slowed down gets its share of the time.
+bool mayTalk(const Link& link) {
+    return static_cast<uint8_t>(hal::now_ms()) % 100 >= link.slowdown_pct;
+}
+
+}  // namespace
+
+void logsStart() { doing = Doing::nothing; }
+
+bool onLogRequestList(Link& link, const mavlink::Frame& frame) {
+    const auto asked = frame.read<mavlink::LogRequestList>();
+    if (!flight_logs.ready() && flight_logs.usable()) return false;  // being looked for
+    logging::Key oldest = {};
+    const Status status = anyLogs() ? logging::oldestKey(flight_logs, oldest) : Status::corrupt;
+    if (status == Status::busy) return false;
+    const uint16_t last = flight_logs.last();
+    const uint16_t first = asked.start > oldest.log ? asked.start : oldest.log;
+    left = asked.end < last ? asked.end : last;
+    if (status != Status::ok || first > left) {
+        const LogEntry none = {};
+        return send(link, none);
+    }
+    begin(link, Doing::list, first);
+    return true;
+}
+
+bool onLogRequestData(Link& link, const mavlink::Frame& frame) {
+    const auto asked = frame.read<mavlink::LogRequestData>();
+    if (vehicle.armed) {
+        tell(Severity::notice, ROM_TEXT("Logs are sent when disarmed"));
+        return sendEnd(link, asked.id, asked.ofs);
+    }
+    logPause(true);
+    if (flight_logs.writing()) return false;  // ends first
+    if (!anyLogs()) return sendEnd(link, asked.id, asked.ofs);
+    offset = asked.ofs;
+    left = asked.count;
+    begin(link, Doing::measure, asked.id);
+    return true;
+}
+
+bool onLogErase(Link&, const mavlink::Frame&) {
+    doing = Doing::nothing;
+    logErase();
+    return true;
+}
+
+bool onLogRequestEnd(Link&, const mavlink::Frame&) {
+    doing = Doing::nothing;
+    logPause(false);
+    return true;
+}
+
+bool logsWait(const Link& link) { return doing != Doing::nothing && to_link == linkNumber(link); }
+
+__attribute__((noinline)) bool logsSend(Link& link) {
+    if (!logsWait(link) || !mayTalk(link) || !hasRoom(link, kLogFrame)) return false;
+    if (doing > Doing::date && vehicle.armed) doing = Doing::nothing;
+    switch (doing) {
+        case Doing::list:
+            return sizeStep();
+        case Doing::date:
+            return dateStep(link);
+        case Doing::measure:
+            return measureStep();
+        case Doing::data:
+            return dataStep(link);
+        default:
+            return false;
+    }
+}
+
+}  // namespace gcs
+}  // namespace firmware

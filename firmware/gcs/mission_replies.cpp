@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the ground asks of the lists, and is told of the mission.
+#include <stddef.h>
+
+#include "firmware/gcs/degrees.hpp"
+#include "firmware/gcs/mission_transfer.hpp"
+#include "firmware/gcs/plans.hpp"
+#include "firmware/gcs/transfer.hpp"
+#include "firmware/notify/status_text.hpp"
+
+namespace firmware {
+namespace gcs {
+
+using namespace notify;
+using namespace state;
+using namespace mission;
+
+namespace {
+
+uint16_t reached;
+
+// True when the answer is complete: the item is not to be had.
+bool refusedRequest(Link& link, const mavlink::Frame& frame, uint8_t type, uint16_t index,
+                    core::Status& status, MissionItem& item) {
+    MissionResult why = MissionResult::unsupported;
+    if (isPlan(type)) {
+        status = planItem(type, index, item);
+        if (status == core::Status::ok || status == core::Status::busy) return false;
+        why = MissionResult::invalid_sequence;
+    }
+    answerAck(link, peerOf(frame), why, type);
+    return true;
+}
+
+template <class Message>
+bool sendItem(Link& link, const mavlink::Frame& frame, uint8_t type, uint16_t index,
+              const MissionItem& item, Message& message) {
+    message.target_system = frame.system;
+    message.target_component = frame.component;
+    message.seq = index;
+    message.command = item.command;
+    message.frame = item.frame;
+    message.param1 = item.param1;
+    message.param2 = item.param2;
+    message.param3 = item.param3;
+    message.param4 = item.param4;
+    message.z = item.z;
+    message.current =
+        type == mavlink::MavMissionType::mission && index == missionCurrent() && index != 0;
+    message.autocontinue = 1;
+    message.mission_type = type;
+    return send(link, message);
+}
+
+bool giveItemInt(Link& link, const mavlink::Frame& frame, uint8_t type, uint16_t index) {
+    core::Status status;
+    MissionItem item;
+    if (refusedRequest(link, frame, type, index, status, item)) return true;
+    if (status == core::Status::busy) return false;
+    mavlink::MissionItemInt message = {};
+    message.x = item.x;
+    message.y = item.y;
+    return sendItem(link, frame, type, index, item, message);
+}
+
+bool giveCount(Link& link, const mavlink::Frame& frame, uint8_t type, uint16_t count) {
+    mavlink::MissionCount message = {};
+    message.target_system = frame.system;
+    message.target_component = frame.component;
+    message.mission_type = type;
+    message.count = count;
+    return send(link, message);
+}
+
+}  // namespace
+
+bool onMissionRequestList(Link& link, const mavlink::Frame& frame) {
+    const uint8_t type = frame.read<mavlink::MissionRequestList>().mission_type;
+    if (!isPlan(type)) return answerAck(link, peerOf(frame), MissionResult::unsupported, type);
+    return missionKnown() && giveCount(link, frame, type, planCount(type));
+}
+
+// One item is simply sent; of more the number is, and they are asked for as always.
+bool onMissionRequestPartialList(Link& link, const mavlink::Frame& frame) {
+    const auto asked = frame.read<mavlink::MissionRequestPartialList>();
+    const uint8_t type = asked.mission_type;
+    if (!isPlan(type)) return answerAck(link, peerOf(frame), MissionResult::unsupported, type);
+    if (!missionKnown()) return false;
+    const int16_t count = planCount(type);
+    const int16_t last = asked.end_index < 0 ? count - 1 : asked.end_index;
+    if (asked.start_index < 0 || last < asked.start_index || last >= count)
+        return answerAck(link, peerOf(frame), MissionResult::invalid_sequence, type);
+    const uint16_t first = static_cast<uint16_t>(asked.start_index);
+    if (last == asked.start_index) return giveItemInt(link, frame, type, first);
+    return giveCount(link, frame, type, static_cast<uint16_t>(last + 1 - asked.start_index));
+}
+
+bool onMissionRequest(Link& link, const mavlink::Frame& frame) {
+    const auto asked = frame.read<mavlink::MissionRequest>();
+    core::Status status;
+    MissionItem item;
+    if (refusedRequest(link, frame, asked.mission_type, asked.seq, status, item)) return true;
+    if (status == core::Status::busy) return false;
+    mavlink::MissionItem message = {};
+    message.x = degreesFromE7(item.x);
+    message.y = degreesFromE7(item.y);
+    return sendItem(link, frame, asked.mission_type, asked.seq, item, message);
+}
+
+bool onMissionRequestInt(Link& link, const mavlink::Frame& frame) {
+    const auto asked = frame.read<mavlink::MissionRequestInt>();
+    return giveItemInt(link, frame, asked.mission_type, asked.seq);
+}
+
+bool onMissionSetCurrent(Link& link, const mavlink::Frame& frame) {
+    const auto message = frame.read<mavlink::MissionSetCurrent>();
+    if (!missionSetCurrent(message.seq))
+        tell(Severity::warning, ROM_TEXT("No mission item #"), static_cast<int32_t>(message.seq));
+    requestOnce(link, mavlink::Wire<mavlink::MissionCurrent>::id);
+    return true;
+}
+
+bool refuseMission(Link& link, const mavlink::Frame& frame) {
+    uint8_t type_at = offsetof(mavlink::MissionCount, mission_type);  // and of a request
+    if (frame.id == mavlink::Wire<mavlink::MissionClearAll>::id)
+        type_at = offsetof(mavlink::MissionClearAll, mission_type);
+    if (frame.id <= mavlink::Wire<mavlink::MissionWritePartialList>::id)
+        type_at = offsetof(mavlink::MissionWritePartialList, mission_type);
+    const uint8_t type = type_at < frame.length ? frame.payload[type_at] : 0;
+    return answerAck(link, peerOf(frame), MissionResult::error, type);
+}
+
+void tellReached() {
+    const uint16_t id = mavlink::Wire<mavlink::MissionItemReached>::id;
+    for (const Link& link : links)
+        if (isDue(link, id)) return;
+    if (!takeReached(reached)) return;
+    for (Link& link : links) requestOnce(link, id);
+}
+
+uint16_t lastReached() { return reached; }
+
+}  // namespace gcs
+}  // namespace firmware

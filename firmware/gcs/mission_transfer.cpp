@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Uploads, item by item.
+#include "firmware/gcs/mission_transfer.hpp"
+
+#include "firmware/gcs/degrees.hpp"
+#include "firmware/gcs/plans.hpp"
+#include "firmware/gcs/transfer.hpp"
+#include "firmware/modes/guided.hpp"
+#include "firmware/notify/status_text.hpp"
+
+namespace firmware {
+namespace gcs {
+
+using namespace notify;
+using namespace state;
+using namespace mission;
+using namespace modes;
+
+Transfer transfer;
+
+namespace {
+
+// A question that was lost is asked again after 0.3 s, alternately of both kinds, for 9 s: so that
+// a link on which every second frame is damaged brings a long mission up, and no longer than
+// MAVProxy is ready to answer.
+constexpr uint8_t kAskAgainTurns = 15;
+constexpr uint8_t kTries = 30;
+// A point whose frame is given up is not carried on by anyone.
+constexpr uint8_t kPointTurns = kTurns_hz + kTurns_hz / 2;
+
+template <class Message>
+bool sendRequest(Link& link) {
+    Message message = {};
+    message.target_system = transfer.peer.system;
+    message.target_component = transfer.peer.component;
+    message.seq = transfer.next;
+    message.mission_type = transfer.type;
+    return send(link, message);
+}
+
+bool endUpload(MissionResult result) {
+    if (!answerAck(links[transfer.link], transfer.peer, result, transfer.type)) return false;
+    if (result != MissionResult::accepted) missionAbort();
+    transfer.state = Upload::none;
+    return true;
+}
+
+// Not an item but an order: 2 is a place to fly to, 3 a height.
+MissionResult guide(uint8_t current, MissionItem& item) {
+    item.param3 = 0;  // an item's is no radius
+    if (current == 2) return guideTo(item);
+    return current == 3 ? guideToHeight(item) : MissionResult::unsupported;
+}
+
+bool takeItem(Link& link, const mavlink::Frame& frame, uint16_t index, uint8_t current,
+              uint8_t type, MissionItem& item) {
+    if (current > 1) return answerAck(link, peerOf(frame), guide(current, item), type);
+    if (othersTransfer(link, frame))
+        return answerAck(link, peerOf(frame), MissionResult::denied, type);
+    if (transfer.state == Upload::commit) return true;  // the last one come twice
+    if (transfer.state != Upload::items || transfer.type != type)
+        return answerAck(link, peerOf(frame), MissionResult::error, type);
+    // come twice: the next has been asked for, and asking again would double all that follow
+    if (index + 1U == transfer.next) return true;
+    if (index != transfer.next) return ask();
+    const MissionResult result = planPut(type, index, item);
+    if (result == MissionResult::busy) return false;
+    if (result != MissionResult::accepted) return endUpload(result);
+    transfer.tries = 0;
+    if (transfer.next == transfer.last) {
+        transfer.state = Upload::commit;
+        missionTransferTurn();
+        return true;
+    }
+    ++transfer.next;
+    return ask();
+}
+
+template <class Message>
+MissionItem common(const Message& from) {
+    MissionItem item;
+    item.command = from.command;
+    item.frame = from.frame;
+    item.param1 = from.param1;
+    item.param2 = from.param2;
+    item.param3 = from.param3;
+    item.param4 = from.param4;
+    item.z = from.z;
+    return item;
+}
+
+void tellStored() {
+    const int32_t count = planCount(transfer.type);
+    switch (transfer.type) {
+        case mavlink::MavMissionType::fence:
+            return tell(Severity::info, ROM_TEXT("Fence stored: # points"), count);
+        case mavlink::MavMissionType::rally:
+            return tell(Severity::info, ROM_TEXT("Rally stored: # points"), count);
+        default:
+            return tell(Severity::info, ROM_TEXT("Mission stored: # items"), count);
+    }
+}
+
+void turnCommit() {
+    const MissionResult result = planCommit(transfer.type);
+    if (result == MissionResult::busy) return;
+    if (endUpload(result) && result == MissionResult::accepted) tellStored();
+}
+
+void turnItems() {
+    if (++transfer.turns < kAskAgainTurns) return;
+    if (transfer.tries >= kTries) {
+        if (endUpload(MissionResult::cancelled))
+            tell(Severity::warning, ROM_TEXT("Upload given up at item #"),
+                 static_cast<int32_t>(transfer.next));
+        return;
+    }
+    transfer.whole_degrees = !transfer.whole_degrees;
+    if (ask()) ++transfer.tries;
+}
+
+void turnPoints() {
+    if (++transfer.turns >= kPointTurns) forgetTransfer();
+}
+
+}  // namespace
+
+bool isOwner(const Link& link, const mavlink::Frame& frame) {
+    return transfer.link == linkNumber(link) && transfer.peer.system == frame.system &&
+           transfer.peer.component == frame.component;
+}
+
+bool answerAck(Link& link, Peer peer, MissionResult result, uint8_t mission_type) {
+    mavlink::MissionAck message = {};
+    message.target_system = peer.system;
+    message.target_component = peer.component;
+    message.type = static_cast<uint8_t>(result);
+    message.mission_type = mission_type;
+    return send(link, message);
+}
+
+bool ask() {
+    transfer.turns = 0;
+    Link& link = links[transfer.link];
+    return transfer.whole_degrees ? sendRequest<mavlink::MissionRequest>(link)
+                                  : sendRequest<mavlink::MissionRequestInt>(link);
+}
+
+void forgetTransfer() {
+    if (transfer.state != Upload::none) missionAbort();
+    transfer.state = Upload::none;
+}
+
+bool onMissionItem(Link& link, const mavlink::Frame& frame) {
+    const auto message = frame.read<mavlink::MissionItem>();
+    MissionItem item = common(message);
+    item.x = degreesE7(message.x);
+    item.y = degreesE7(message.y);
+    return takeItem(link, frame, message.seq, message.current, message.mission_type, item);
+}
+
+bool onMissionItemInt(Link& link, const mavlink::Frame& frame) {
+    const auto message = frame.read<mavlink::MissionItemInt>();
+    MissionItem item = common(message);
+    item.x = message.x;
+    item.y = message.y;
+    return takeItem(link, frame, message.seq, message.current, message.mission_type, item);
+}
+
+void missionTransferStart() { transfer.state = Upload::none; }
+
+void missionTransferTurn() {
+    switch (transfer.state) {
+        case Upload::items:
+            turnItems();
+            break;
+        case Upload::commit:
+            turnCommit();
+            break;
+        case Upload::points:
+            turnPoints();
+            break;
+        case Upload::none:
+            break;
+    }
+    tellReached();
+}
+
+}  // namespace gcs
+}  // namespace firmware

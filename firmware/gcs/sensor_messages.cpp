@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the sensors and the receiver say, and what goes to the servos.
+#include <stddef.h>
+#include <string.h>
+
+#include "core/maths.hpp"
+#include "firmware/gcs/messages.hpp"
+#include "firmware/sensors/sensors.hpp"
+#include "firmware/state/vehicle.hpp"
+#include "hal/clock.hpp"
+
+namespace firmware {
+namespace gcs {
+
+using namespace state;
+using namespace sensors;
+
+namespace {
+
+constexpr uint8_t kUnknownRssi = 255;
+
+// Thousandths of g of 2^-8 m/s2, and of a rad/s of 2^-10.
+int16_t milliG(core::Fixed<8> accel_mss) {
+    constexpr float kFactor = 1000 / core::kGravity_mss / 256 * 65536;
+    return core::upper(core::product(accel_mss.raw, static_cast<int16_t>(kFactor + 0.5f)));
+}
+int16_t milli(core::Fixed<10> rate_rads) {
+    return core::upper(core::product(rate_rads.raw, 32000) * 2);  // 65536 * 1000 / 1024 / 2
+}
+
+}  // namespace
+
+bool fillIn(const Link&, mavlink::RawImu& to) {
+    // as ArduPilot sends it: mg, mrad/s, mgauss
+    to.time_usec = hal::now_us();
+    to.xacc = milliG(vehicle.imu.accel_mss.x);
+    to.yacc = milliG(vehicle.imu.accel_mss.y);
+    to.zacc = milliG(vehicle.imu.accel_mss.z);
+    to.xgyro = milli(vehicle.imu.rate_rads.x);
+    to.ygyro = milli(vehicle.imu.rate_rads.y);
+    to.zgyro = milli(vehicle.imu.rate_rads.z);
+    to.xmag = static_cast<int16_t>(vehicle.compass.field_mg.x);
+    to.ymag = static_cast<int16_t>(vehicle.compass.field_mg.y);
+    to.zmag = static_cast<int16_t>(vehicle.compass.field_mg.z);
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::ScaledPressure& to) {
+    to.time_boot_ms = hal::now_ms();
+    to.press_abs = static_cast<float>(vehicle.baro.pressure_pa) * 0.01f;
+    to.press_diff = airspeedPressure_pa() * 0.01f;
+    to.temperature = vehicle.baro.temperature_cc;
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::GpsRawInt& to) {
+    to.time_usec = uint64_t{1000} * vehicle.gps.received_ms;
+    to.fix_type = static_cast<uint8_t>(vehicle.gps.fix);
+    to.lat = vehicle.gps.position.latitude_e7;
+    to.lon = vehicle.gps.position.longitude_e7;
+    to.alt = vehicle.gps.altitude_cm * 10;
+    to.eph = vehicle.gps.hdop_c;
+    to.epv = UINT16_MAX;
+    to.vel = static_cast<uint16_t>(core::rounded(vehicle.gps.ground_speed_mps * 100));
+    to.cog = static_cast<uint16_t>(vehicle.gps.course_cd);
+    to.satellites_visible = vehicle.gps.satellites;
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::RcChannelsRaw& to) {
+    to.time_boot_ms = hal::now_ms();
+    memcpy(&to.chan1_raw, vehicle.radio.pulse_us, sizeof vehicle.radio.pulse_us);
+    to.rssi = kUnknownRssi;
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::RcChannels& to) {
+    to.time_boot_ms = hal::now_ms();
+    constexpr uint8_t kChannels = (offsetof(mavlink::RcChannels, chancount) - 4) / 2;
+    memset(&to.chan1_raw, 0xFF, 2 * kChannels);  // UINT16_MAX: no such channel
+    memcpy(&to.chan1_raw, vehicle.radio.pulse_us, sizeof vehicle.radio.pulse_us);
+    to.chancount = hal::kRcChannels;
+    to.rssi = kUnknownRssi;
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::ServoOutputRaw& to) {
+    to.time_usec = hal::now_us();
+    memcpy(&to.servo1_raw, vehicle.servo_us, sizeof vehicle.servo_us);
+    return true;
+}
+
+}  // namespace gcs
+}  // namespace firmware

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/gcs/streams.hpp"
+
+#include <string.h>
+
+#include "core/maths.hpp"
+#include "core/rom.hpp"
+#include "firmware/gcs/link.hpp"
+#include "firmware/gcs/messages.hpp"
+
+namespace firmware {
+namespace gcs {
+
+using namespace state;
+
+namespace {
+
+using mavlink::MavDataStream;
+
+// In the order of StreamRates; then what no rate parameter governs.
+enum class Stream : uint8_t {
+    raw_sensors,
+    extended_status,
+    rc_channels,
+    position,
+    extra1,
+    extra2,
+    extra3,
+    always,      // once a second, whatever was asked for
+    on_request,  // when asked for, or by an event
+};
+constexpr uint8_t kRatedStreams = 7;
+constexpr uint8_t kStreams = 9;
+constexpr uint8_t kAlwaysRate = 4;  // quarters of a hertz
+
+struct OutgoingRow {
+    Stream stream;
+    uint16_t id;
+    bool (*send)(Link& link);
+};
+
+template <class Message>
+bool fillAndSend(Link& link) {
+    Message message = {};
+    if (!fillIn(link, message)) return true;
+    return send(link, message);
+}
+
+template <class Message>
+constexpr OutgoingRow row(Stream stream) {
+    // no row makes use of extension fields
+    static_assert(
+        mavlink::kHeaderV2 + mavlink::Wire<Message>::length + mavlink::kChecksum <= kLargestFrame,
+        "larger than kLargestFrame");
+    return {stream, mavlink::Wire<Message>::id, fillAndSend<Message>};
+}
+
+constexpr OutgoingRow kOutgoing[] ROM = {
+    row<mavlink::Heartbeat>(Stream::always),
+    row<mavlink::SysStatus>(Stream::extended_status),
+    row<mavlink::PowerStatus>(Stream::extended_status),
+    row<mavlink::Meminfo>(Stream::extended_status),
+    row<mavlink::GpsRawInt>(Stream::extended_status),
+    row<mavlink::NavControllerOutput>(Stream::extended_status),
+    row<mavlink::MissionCurrent>(Stream::extended_status),
+    row<mavlink::FenceStatus>(Stream::extended_status),
+    row<mavlink::MissionItemReached>(Stream::on_request),
+    row<mavlink::CameraFeedback>(Stream::on_request),
+    row<mavlink::Attitude>(Stream::extra1),
+    row<mavlink::GlobalPositionInt>(Stream::position),
+    row<mavlink::VfrHud>(Stream::extra2),
+    row<mavlink::RawImu>(Stream::raw_sensors),
+    row<mavlink::ScaledPressure>(Stream::raw_sensors),
+    row<mavlink::ServoOutputRaw>(Stream::rc_channels),
+    row<mavlink::RcChannelsRaw>(Stream::rc_channels),
+    row<mavlink::RcChannels>(Stream::rc_channels),
+    row<mavlink::Ahrs>(Stream::extra3),
+    row<mavlink::Wind>(Stream::extra3),
+    row<mavlink::Hwstatus>(Stream::extra3),
+    row<mavlink::SystemTime>(Stream::extra3),
+    row<mavlink::HomePosition>(Stream::on_request),
+    row<mavlink::AutopilotVersion>(Stream::on_request),
+    row<mavlink::ProtocolVersion>(Stream::on_request),
+};
+static_assert(core::count(kOutgoing) == kOutgoingRows, "kOutgoingRows does not fit the table");
+
+constexpr uint8_t kDue = 4 * kTurns_hz;
+constexpr uint8_t kHeartbeatRow = 0;
+
+struct Rates {
+    uint8_t of[kStreams];  // by Stream
+};
+
+Rates ratesOf(const Link& link) {
+    Rates rates;
+    const int8_t* rates_hz = &parameters.streams[linkNumber(link)].raw_sensors;
+    for (uint8_t i = 0; i < kRatedStreams; ++i) {
+        const int8_t rate_hz = core::limit<int8_t>(rates_hz[i], 0, kTurns_hz);
+        rates.of[i] = static_cast<uint8_t>(4 * rate_hz);
+    }
+    rates.of[static_cast<uint8_t>(Stream::always)] = kAlwaysRate;
+    rates.of[static_cast<uint8_t>(Stream::on_request)] = 0;
+    return rates;
+}
+
+inline uint8_t rate(uint8_t own_rate, const Rates& rates, uint8_t row) {
+    if (own_rate == kNever) return 0;
+    if (own_rate != kFollowStream) return own_rate;
+    return rates.of[static_cast<uint8_t>(core::romRead(kOutgoing[row].stream))];
+}
+
+bool ratesHaveChanged(const Link& link) {
+    const StreamRates& now = parameters.streams[linkNumber(link)];
+    return link.streams.rates_stale || memcmp(&link.streams.worked_out_of, &now, sizeof now) != 0;
+}
+
+void workOutRates(Link& link) {
+    Streams& streams = link.streams;
+    const Rates rates = ratesOf(link);
+    for (uint8_t row = 0; row < kOutgoingRows; ++row)
+        streams.rate[row] = rate(streams.own_rate[row], rates, row);
+    streams.worked_out_of = parameters.streams[linkNumber(link)];
+    streams.rates_stale = false;
+}
+
+// Time that passes while a message waits for room counts for its next one. 1: it has become due.
+inline __attribute__((always_inline)) uint8_t grow(uint8_t& phase, uint8_t by) {
+    const uint8_t before = phase;
+    uint8_t sum = static_cast<uint8_t>(before + by);
+    if (sum < before) sum = 0xFF;
+    phase = sum;
+    return sum >= kDue && before < kDue;
+}
+
+void age(Streams& streams, uint8_t row, uint8_t by) {
+    streams.due = static_cast<uint8_t>(streams.due + grow(streams.phase[row], by));
+}
+
+// The part of a turn the radio leaves to the streams; true when they have a whole turn together.
+bool turnIsDue(Link& link) {
+    Streams& streams = link.streams;
+    streams.credit_pct = static_cast<uint8_t>(streams.credit_pct + 100 - link.slowdown_pct);
+    if (streams.credit_pct < 100) return false;
+    streams.credit_pct = static_cast<uint8_t>(streams.credit_pct - 100);
+    return true;
+}
+
+bool sendRow(Link& link, uint8_t row) {
+    if (!core::romRead(kOutgoing[row].send)(link)) return false;
+    link.streams.phase[row] = static_cast<uint8_t>(link.streams.phase[row] - kDue);
+    --link.streams.due;
+    return true;
+}
+
+}  // namespace
+
+void streamsStart(Link& link) {
+    link.streams.rates_stale = true;
+    for (uint8_t row = 0; row < kOutgoingRows; ++row) {
+        link.streams.own_rate[row] = kFollowStream;
+        // spread, so that messages of one rate do not all fall into one turn
+        link.streams.phase[row] = static_cast<uint8_t>(row * 77U % kDue);
+    }
+    link.streams.phase[kHeartbeatRow] = kDue;
+    link.streams.due = 1;
+}
+
+void streamsTick(Link& link) {
+    if (!turnIsDue(link)) return age(link.streams, kHeartbeatRow, kAlwaysRate);
+    if (ratesHaveChanged(link)) workOutRates(link);
+    const uint8_t* by = link.streams.rate;
+    uint8_t due = 0;
+    for (uint8_t& phase : link.streams.phase)
+        if (grow(phase, *by++)) ++due;
+    link.streams.due = static_cast<uint8_t>(link.streams.due + due);
+}
+
+bool heartbeatDue(const Link& link) { return link.streams.phase[kHeartbeatRow] >= kDue; }
+
+bool streamsSend(Link& link) {
+    Streams& streams = link.streams;
+    if (streams.due == 0) return false;
+    if (heartbeatDue(link)) return sendRow(link, kHeartbeatRow);
+    do {
+        if (++streams.last_row >= kOutgoingRows) streams.last_row = 0;
+    } while (streams.phase[streams.last_row] < kDue);
+    return sendRow(link, streams.last_row);
+}
+
+uint8_t outgoingRow(uint16_t message_id) {
+    for (uint8_t row = 0; row < kOutgoingRows; ++row)
+        if (core::romRead(kOutgoing[row].id) == message_id) return row;
+    return kNoMessage;
+}
+
+void requestOnce(Link& link, uint16_t message_id) {
+    const uint8_t row = outgoingRow(message_id);
+    if (row != kNoMessage) age(link.streams, row, kDue);
+}
+
+void tellPicture() {
+    for (Link& link : links) requestOnce(link, mavlink::Wire<mavlink::CameraFeedback>::id);
+}
+
+bool isDue(const Link& link, uint16_t message_id) {
+    const uint8_t row = outgoingRow(message_id);
+    return row != kNoMessage && link.streams.phase[row] >= kDue;
+}
+
+bool setStreamRate(Link& link, uint8_t mav_data_stream, uint16_t rate_hz) {
+    // the place of each MAV_DATA_STREAM in StreamRates
+    static constexpr uint8_t kOrder[] ROM = {
+        MavDataStream::raw_sensors, MavDataStream::extended_status, MavDataStream::rc_channels,
+        MavDataStream::position,    MavDataStream::extra1,          MavDataStream::extra2,
+        MavDataStream::extra3,
+    };
+    int8_t* rates_hz = &parameters.streams[linkNumber(link)].raw_sensors;
+    bool known = false;
+    for (uint8_t i = 0; i < core::count(kOrder); ++i) {
+        if (mav_data_stream != MavDataStream::all && mav_data_stream != core::romRead(kOrder[i]))
+            continue;
+        rates_hz[i] = static_cast<int8_t>(rate_hz < kTurns_hz ? rate_hz : kTurns_hz);
+        known = true;
+    }
+    return known;
+}
+
+bool setInterval(Link& link, uint8_t row, int32_t interval_us) {
+    constexpr int32_t kSecond_us = 1000000;
+    if (row == kHeartbeatRow) return interval_us == 0 || interval_us == kSecond_us;  // always
+    link.streams.rates_stale = true;
+    uint8_t& own = link.streams.own_rate[row];
+    if (interval_us == 0) {
+        own = kFollowStream;
+    } else if (interval_us < 0) {
+        own = kNever;
+    } else {
+        const int32_t quarters = (4000000 + interval_us / 2) / interval_us;
+        if (quarters < 1) return false;  // slower than one in eight seconds
+        own = static_cast<uint8_t>(quarters < kDue ? quarters : kDue);
+    }
+    return true;
+}
+
+int32_t interval_us(const Link& link, uint8_t row) {
+    const uint8_t quarters = rate(link.streams.own_rate[row], ratesOf(link), row);
+    return quarters == 0 ? -1 : 4000000 / quarters;
+}
+
+}  // namespace gcs
+}  // namespace firmware

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/gcs/telemetry.hpp"
+
+#include "firmware/gcs/commands.hpp"
+#include "firmware/gcs/housekeeping.hpp"
+#include "firmware/gcs/link.hpp"
+#include "firmware/gcs/logs.hpp"
+#include "firmware/gcs/mission_transfer.hpp"
+#include "firmware/gcs/parameter_transfer.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/notify/text_queue.hpp"
+#include "firmware/sensors/sensors.hpp"
+
+namespace firmware {
+namespace gcs {
+
+using namespace notify;
+using namespace state;
+using namespace sensors;
+
+namespace {
+
+constexpr uint8_t kBytesAtOnce = 16;
+constexpr uint8_t kHoldTurns = kTurns_hz;  // a second, then the frame is refused
+
+constexpr uint8_t kNoRoomWakes = 0xFF;
+
+bool usb;     // as link0 was opened
+bool rested;  // telemetryPump has been called since the last turn
+bool second_first;
+
+// As the parameters give it: thousands, where the usual rates are named by their first digits.
+uint32_t lineRate(int16_t thousands) {
+    struct Row {
+        int16_t thousands;
+        uint32_t rate;
+    };
+    static constexpr Row kRates[] ROM = {{1, 1200},   {2, 2400},   {4, 4800},   {9, 9600},
+                                         {19, 19200}, {38, 38400}, {57, 57600}, {115, 115200}};
+    for (const Row& in_flash : kRates) {
+        const Row row = core::romRead(in_flash);
+        if (row.thousands == thousands) return row.rate;
+    }
+    return uint32_t{1000} * static_cast<uint16_t>(thousands);
+}
+
+void open(Link& link, int16_t thousands) {
+    hal::serialOpen(portOf(link), lineRate(thousands));
+    link.framing = mavlink::Framing::v1;
+    link.slowdown_pct = 0;
+    link.next_parameter = kNoParameter;
+}
+
+void openLink0() { open(links[0], usb ? parameters.serial0_baud : parameters.serial1_baud); }
+
+// Another board's sense pin says nothing: it is to be heard on USB.
+bool usbThere() { return hal::usbConnected() || wrongBoard(); }
+
+void followUsb() {
+    if (usbThere() == usb) return;
+    usb = !usb;
+    openLink0();
+}
+
+// Handles the frame the parser holds; false: not done, it stays there.
+bool handleWhole(Link& link) {
+    const mavlink::Frame frame = link.parser.frame();
+    if (frame.framing == mavlink::Framing::v2) link.framing = mavlink::Framing::v2;
+    if (!handleFrame(link, frame)) {
+        if (link.held_turns < kHoldTurns) return false;
+        refuseFrame(link, frame);
+    }
+    link.held_turns = 0;
+    link.whole = link.parser.next();
+    return true;
+}
+
+// For whose answers there is room.
+__attribute__((noinline)) bool receive(Link& link) {
+    if (link.whole) return handleWhole(link);
+    uint8_t byte;
+    for (uint8_t i = 0; i < kBytesAtOnce; ++i) {
+        if (!hal::serialRead(portOf(link), byte)) return i > 0;
+        if (!link.parser.put(byte)) continue;
+        link.whole = true;
+        handleWhole(link);
+        break;
+    }
+    return true;
+}
+
+bool hasSomething(const Link& link) {
+    return link.streams.due != 0 || link.next_parameter != kNoParameter || gcs::textWaits(link);
+}
+
+// Free bytes in the port at which there is something to send by itself.
+__attribute__((noinline)) uint8_t roomToSend(const Link& link) {
+    if (hasSomething(link)) return kLargestFrame;
+    return logsWait(link) ? kLogFrame : kNoRoomWakes;
+}
+
+// One message, of what goes out by itself. A log takes turns with all the rest.
+__attribute__((noinline)) bool sendOne(Link& link) {
+    if (logsWait(link)) {
+        link.log_is_next = !link.log_is_next;
+        if (link.log_is_next && !heartbeatDue(link) && logsSend(link)) return true;
+    }
+    if (!hasRoom(link, kLargestFrame)) return false;
+    if (heartbeatDue(link)) return streamsSend(link);
+    if (gcs::textWaits(link) && sendText(link)) return true;
+    link.parameter_is_next = !link.parameter_is_next;
+    if (link.parameter_is_next) return parameterListSend(link) || streamsSend(link);
+    return streamsSend(link) || parameterListSend(link);
+}
+
+// Only interrupts run between telemetryPump's false and this.
+template <uint8_t number>
+inline bool waits() {
+    const Link& link = links[number];
+    constexpr hal::Port kPort = number == 0 ? hal::Port::link0 : hal::Port::link1;
+    const uint8_t room = hal::serialRoom(kPort);
+    if (room >= link.wake_room) return true;
+    return hal::serialAvailable(kPort) > 0 && !link.whole && room >= kLongestTalk;
+}
+
+// True: something was done. While there is little room nothing can be, and what waits then waits.
+template <uint8_t number>
+inline bool pump() {
+    Link& link = links[number];
+    constexpr hal::Port kPort = number == 0 ? hal::Port::link0 : hal::Port::link1;
+    const uint8_t room = hal::serialRoom(kPort);
+    if (room < kLongestTalk && link.wake_room != kNoRoomWakes) return false;
+    if (room >= kLongestTalk && (link.whole || hal::serialAvailable(kPort) > 0) && receive(link))
+        return true;
+    link.wake_room = roomToSend(link);
+    return room >= link.wake_room && sendOne(link);
+}
+
+}  // namespace
+
+void telemetryStart() {
+    housekeepingStart();
+    missionTransferStart();
+    commandsStart();
+    logsStart();
+    usb = usbThere();
+    openLink0();
+    open(links[1], parameters.serial2_baud);
+    for (Link& link : links) streamsStart(link);
+    tell(Severity::info, ROM_TEXT("ArduPilotMega autopilot, airplane"));
+}
+
+void telemetrySend() {
+    followUsb();
+    for (Link& link : links) {
+        if (link.whole && link.held_turns < kHoldTurns) ++link.held_turns;
+        streamsTick(link);
+        if (!rested) sendOne(link);
+    }
+    rested = false;
+    missionTransferTurn();
+    commandsTurn();
+}
+
+// asked some thousand times a second: nothing in these is called that is not needed
+// One link's turn at a time: a frame that is due waits for no more than that.
+__attribute__((flatten)) bool telemetryPump() {
+    rested = true;
+    second_first = !second_first;
+    return second_first ? pump<1>() || pump<0>() : pump<0>() || pump<1>();
+}
+__attribute__((flatten)) bool telemetryWaits() { return waits<0>() || waits<1>(); }
+
+}  // namespace gcs
+}  // namespace firmware

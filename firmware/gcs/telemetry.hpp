@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ground links: what goes out when, and what happens on what comes in. link0 is the USB port
+// or the telemetry connector, link1 the second telemetry port; both speak MAVLink 1 until the
+// other end has sent a MAVLink 2 frame.
+#pragma once
+#include <stdint.h>
+
+namespace firmware {
+namespace gcs {
+
+void telemetryStart();  // after the parameters have been read
+void telemetrySend();   // 50 Hz: finds what is due
+// In the rest of a frame: handles received bytes, then sends what is due, a little each call.
+// False: nothing is left to do until an interrupt makes telemetryWaits true.
+bool telemetryPump();
+bool telemetryWaits();  // asked often: 60 cycles
+
+// The pulse the ground station puts in the place of the receiver's (RC_CHANNELS_OVERRIDE);
+// channel 0..7. False: not overridden.
+bool rcOverride(uint8_t channel, uint16_t& pulse_us);
+bool rcOverridden();        // false: none of the channels is
+void rcOverrideRelease();   // all channels back to the receiver
+uint32_t groundHeard_ms();  // when the ground station (SYSID_MYGCS) was last heard; 0: never
+
+}  // namespace gcs
+}  // namespace firmware

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one change of a list that may be under way over the links, and whose it is. Shared by the
+// files that carry out the mission protocol; nobody else's business.
+#pragma once
+#include "firmware/gcs/link.hpp"
+#include "firmware/mission/mission.hpp"
+
+namespace firmware {
+namespace gcs {
+
+struct Peer {
+    uint8_t system, component;
+};
+inline Peer peerOf(const mavlink::Frame& frame) { return {frame.system, frame.component}; }
+
+enum class Upload : uint8_t {
+    none,
+    items,   // they come one by one
+    commit,  // all are here and being stored
+    points,  // a point of its own, or a new length of the list, is being stored
+};
+
+constexpr uint8_t kNoLink = 0xFF;  // owned by a parameter that is being set
+
+struct Transfer {
+    Upload state;
+    uint8_t type : 2;        // MAV_MISSION_TYPE
+    bool whole_degrees : 1;  // asks with MISSION_REQUEST, for MISSION_ITEM
+    uint8_t link;
+    Peer peer;
+    uint8_t next, last;
+    uint8_t turns;  // since the last question
+    uint8_t tries;
+};
+extern Transfer transfer;
+
+bool isOwner(const Link& link, const mavlink::Frame& frame);
+// Somebody else has a change under way.
+inline bool othersTransfer(const Link& link, const mavlink::Frame& frame) {
+    return transfer.state != Upload::none && !isOwner(link, frame);
+}
+
+bool ask();             // for the item that is due
+void forgetTransfer();  // and what it has staged
+
+void tellReached();
+
+bool answerAck(Link& link, Peer peer, mission::MissionResult result, uint8_t mission_type);
+
+}  // namespace gcs
+}  // namespace firmware

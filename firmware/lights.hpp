@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// The three lights of the board: A armed, C GPS, B radio.
-#pragma once
-
-namespace firmware {
-
-void runLights();  // 10 Hz
-
-}  // namespace firmware

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/logger/log.hpp"
+
+#include <string.h>
+
+#include "core/rom.hpp"
+#include "firmware/actuators/camera.hpp"
+#include "firmware/logger/records.hpp"
+#include "firmware/logger/sources.hpp"
+#include "firmware/mission/mission.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/notify/text_queue.hpp"
+#include "firmware/safety/failsafe_table.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+#include "hal/clock.hpp"
+#include "hal/eeprom.hpp"
+#include "hal/page_flash.hpp"
+#include "hal/watchdog.hpp"
+#include "storage/eeprom_map.hpp"
+#include "storage/owner.hpp"
+
+namespace firmware {
+namespace logger {
+
+using namespace notify;
+using namespace state;
+using namespace actuators;
+using namespace mission;
+using namespace safety;
+
+logging::Book flight_logs;
+
+namespace {
+
+// Bits of LOG_BITMASK as ArduPlane counts them.
+namespace Bit {
+enum : uint8_t {
+    attitude_fast = 0,
+    attitude = 1,
+    gps = 2,
+    performance = 3,
+    control = 4,
+    navigation = 5,
+    mode = 6,
+    inertial = 7,
+    command = 8,
+    current = 9,
+    compass = 10,
+    camera = 12,
+    radio = 13,
+    disarmed = 16,
+    inertial_fast = 19,
+};
+}
+
+// When a source is due: at a place in a round of so many runs of 20 ms, or with each fix.
+enum Round : uint8_t { always, of_5, of_10, of_50, with_fix, kRounds };
+
+struct Source {
+    uint32_t kinds;
+    uint8_t round;
+    uint8_t place;  // spread, so that they do not all come at once
+    bool (*put)();
+};
+
+constexpr Source source(uint8_t bit, Round round, uint8_t place, bool (*put)()) {
+    return {static_cast<uint32_t>(1) << bit, round, place, put};
+}
+
+// clang-format off
+constexpr Source kSources[] ROM = {
+    source(Bit::gps,           with_fix, 0, putGps),
+    source(Bit::attitude_fast, always,   0, putAttitude),
+    source(Bit::inertial_fast, always,   0, putInertial),
+    source(Bit::attitude,      of_5,     0, putAttitude),
+    source(Bit::inertial,      of_5,     1, putInertial),
+    source(Bit::control,       of_5,     2, putControl),
+    source(Bit::navigation,    of_10,    3, putNavigation),
+    source(Bit::control,       of_10,    4, putBarometer),
+    source(Bit::compass,       of_10,    8, putCompass),
+    source(Bit::current,       of_10,    9, putCurrent),
+    source(Bit::radio,         of_10,    0, putRadioIn),
+    source(Bit::radio,         of_10,    5, putServoOut),
+    source(Bit::performance,   of_50,    6, putPerformance),
+};
+// clang-format on
+constexpr uint8_t kSourceCount = core::count(kSources);
+constexpr uint8_t kRound = 50;
+static_assert(kSourceCount <= 16, "a bit each");
+
+// A run stops beginning records after so long: what is left comes in the next.
+constexpr uint16_t kSpend = 400 * hal::kTicksPerUs;
+constexpr uint8_t kMostRecords = 4;
+constexpr uint16_t kSpendBeforePrelude = 520 * hal::kTicksPerUs;
+
+// What begins or ends is an event; what fails, an error with its code, or 0 when it is over.
+struct State {
+    uint8_t begins, ends;
+};
+enum : uint8_t { kArmed = 1, kFlying = 2 };  // a bit for each row
+
+// Numbers as ArduCopter's logs have them, ArduPlane's have none.
+// clang-format off
+constexpr State kStates[] ROM = {
+    {10, 11},  // kArmed
+    {28, 18},  // kFlying
+};
+// clang-format on
+
+constexpr uint8_t kProcessor = 19;  // with the cause of its last reset
+
+// Before anything that happens: the formats, the banner, why the board started.
+constexpr uint16_t kIntroduction = kFormats + 2;
+
+constexpr uint8_t kCommands = 4;
+constexpr uint8_t kNoMode = 0xFF;
+
+uint16_t prelude;  // formats, banner, parameters, mission items already logged
+uint16_t due;      // a bit a source
+uint16_t dropped;
+uint8_t run;       // 0 .. kRound - 1
+uint8_t states;    // as logged
+uint16_t failing;  // as logged
+uint8_t mode = kNoMode;
+uint8_t pictures_logged;
+uint32_t gps_logged_ms;  // when the newest fix came that has been seen here
+uint8_t commands[kCommands];
+uint8_t commands_waiting;
+uint8_t dropped_told;
+enum class Request : uint8_t { none, pause, erase } request;
+
+uint32_t wantedKinds() {
+    uint32_t kinds = static_cast<uint32_t>(parameters.log_bitmask);
+    if (kinds & 1UL << Bit::attitude_fast) kinds &= ~(1UL << Bit::attitude);
+    if (kinds & 1UL << Bit::inertial_fast) kinds &= ~(1UL << Bit::inertial);
+    return kinds;
+}
+
+bool wants(uint8_t bit) { return (static_cast<uint32_t>(parameters.log_bitmask) >> bit & 1) != 0; }
+
+void drop() {
+    if (dropped != 0xFFFF) ++dropped;
+}
+
+// In which place of its round each kind is now.
+struct Places {
+    uint8_t of[kRounds];
+};
+
+Places places() {
+    Places now = {{0, static_cast<uint8_t>(run % 5), static_cast<uint8_t>(run % 10), run, 1}};
+    if (vehicle.gps.received_ms != gps_logged_ms) now.of[with_fix] = 0;
+    gps_logged_ms = vehicle.gps.received_ms;
+    return now;
+}
+
+void findDue() {
+    if (++run == kRound) run = 0;
+    const uint32_t kinds = wantedKinds();
+    const Places now = places();
+    uint16_t bit = 1;
+    for (const Source& in_flash : kSources) {
+        if (now.of[core::romRead(in_flash.round)] == core::romRead(in_flash.place) &&
+            (kinds & core::romRead(in_flash.kinds)) != 0) {
+            if ((due & bit) != 0) drop();
+            due |= bit;
+        }
+        bit <<= 1;
+    }
+}
+
+bool putDue() {
+    if (due == 0) return false;
+    uint16_t bit = 1;
+    for (const Source& in_flash : kSources) {
+        if ((due & bit) != 0) {
+            if (!core::romRead(in_flash.put)()) return false;
+            due &= static_cast<uint16_t>(~bit);
+            return true;
+        }
+        bit <<= 1;
+    }
+    return false;
+}
+
+// The next part of what every log begins with; false: it is whole, or has to wait.
+bool putPrelude() {
+    uint16_t at = prelude;
+    bool ok;
+    if (at < kFormats) {
+        ok = putFormat(static_cast<uint8_t>(at));
+    } else if ((at -= kFormats) == 0) {
+        ok = putBanner();
+    } else if (--at == 0) {
+        ok = putError(kProcessor, static_cast<uint8_t>(hal::resetCause()));
+    } else if (--at < parameterCount()) {
+        ok = putParameter(static_cast<uint8_t>(at));
+    } else if ((at -= parameterCount()) < missionCount() && wants(Bit::command)) {
+        ok = putCommand(static_cast<uint8_t>(at));
+    } else {
+        return false;
+    }
+    if (ok) ++prelude;
+    return ok;
+}
+
+bool putState() {
+    const uint8_t now = static_cast<uint8_t>((vehicle.armed ? kArmed : 0) |
+                                             (vehicle.estimate.flying ? kFlying : 0));
+    uint8_t bit = 1;
+    for (const State& in_flash : kStates) {
+        if (((now ^ states) & bit) != 0) {
+            const State state = core::romRead(in_flash);
+            const bool ok = putEvent((now & bit) != 0 ? state.begins : state.ends);
+            if (ok) states ^= bit;
+            return ok;
+        }
+        bit = static_cast<uint8_t>(bit << 1);
+    }
+    return false;
+}
+
+bool putFailure() {
+    if (vehicle.failing == failing) return false;
+    uint16_t bit = 1;
+    for (const CauseRow& cause : kCauseTable) {
+        if (((vehicle.failing ^ failing) & bit) != 0) {
+            const uint8_t code = (vehicle.failing & bit) != 0 ? core::romRead(cause.code) : 0;
+            const bool ok = putError(core::romRead(cause.subsystem), code);
+            if (ok) failing ^= bit;
+            return ok;
+        }
+        bit = static_cast<uint16_t>(bit << 1);
+    }
+    return false;
+}
+
+bool putChange() {
+    const uint8_t now = static_cast<uint8_t>(vehicle.mode);
+    if (now != mode && wants(Bit::mode)) {
+        if (!putMode()) return false;
+        mode = now;
+        return true;
+    }
+    const uint8_t pictures = static_cast<uint8_t>(picturesTaken());
+    if (pictures != pictures_logged && wants(Bit::camera)) {
+        if (!putPicture()) return false;
+        pictures_logged = pictures;
+        return true;
+    }
+    if (commands_waiting == 0) return false;
+    if (!putCommand(commands[0])) return false;
+    --commands_waiting;
+    memmove(commands, commands + 1, commands_waiting);
+    return true;
+}
+
+bool putEvents() { return putState() || putFailure() || putChange() || putText(); }
+
+// What happened goes first, then what is measured, and beside it the rest of the prelude.
+void putSome() {
+    const uint16_t began = hal::ticks();
+    const auto within = [began](uint16_t spend) {
+        return static_cast<uint16_t>(hal::ticks() - began) < spend;
+    };
+    if (prelude >= kFormats) {
+        const bool introduced = prelude >= kIntroduction;
+        if (introduced) (void)putEvents();
+        (void)putDue();  // however long the event took, or a mission's changes would hold it up
+        for (uint8_t i = 2; i < kMostRecords && within(kSpend); ++i)
+            if (!(introduced && putEvents()) && !putDue()) break;
+    }
+    if (within(kSpendBeforePrelude)) (void)putPrelude();
+}
+
+void begin() {
+    if (flight_logs.begin() != core::Status::ok) return;
+    prelude = due = 0;
+    (void)places();  // a fix from before is none of this log's
+    states = commands_waiting = 0;
+    failing = 0;
+    mode = kNoMode;
+    pictures_logged = static_cast<uint8_t>(picturesTaken());
+}
+
+void end() {
+    while (putEvents()) {
+    }
+    if (hal::flashBusy()) return;  // it may have kept one out
+    const core::Status status = flight_logs.end();
+    (void)status;  // busy: in the next run
+}
+
+void tellDropped() {
+    if (run != 0 || static_cast<uint8_t>(dropped) == dropped_told) return;
+    dropped_told = static_cast<uint8_t>(dropped);
+    tell(Severity::warning, ROM_TEXT("Log: # records dropped"), dropped);
+}
+
+// Where the ring begins, kept in the EEPROM beside its complement.
+struct Base {
+    uint16_t base, complement;
+};
+constexpr uint16_t kBaseAddress = storage::kHomeAndLog.end() - sizeof(Base);
+
+uint16_t readBase() {
+    Base stored;
+    while (hal::eepromRead(kBaseAddress, &stored, sizeof stored) == core::Status::busy) {
+    }
+    return (stored.base ^ stored.complement) == 0xFFFF ? stored.base : 0;
+}
+
+bool keepBase(uint16_t base) {
+    storage::Owner owner;
+    if (storage::findOwner(owner) != core::Status::ok) return false;
+    if (owner != storage::Owner::us) return true;  // not to be written to
+    const Base stored = {base, static_cast<uint16_t>(~base)};
+    return hal::eepromWrite(kBaseAddress, &stored, sizeof stored) == core::Status::ok;
+}
+
+void eraseMore() {
+    if (!flight_logs.erasing()) {
+        (void)flight_logs.erase();
+    } else if (flight_logs.eraseStep() && keepBase(flight_logs.nextBase())) {
+        flight_logs.finishErase();
+        request = Request::none;
+        tell(Severity::notice, ROM_TEXT("Logs erased"));
+    }
+}
+
+void armedMeanwhile() {
+    if (request == Request::erase) tell(Severity::warning, ROM_TEXT("Erasing logs stopped"));
+    request = Request::none;
+}
+
+}  // namespace
+
+void logStart() {
+    flight_logs.start(readBase());
+    due = dropped = prelude = 0;
+    run = dropped_told = 0;
+    request = Request::none;
+}
+
+bool logFind() {
+    const bool looked = flight_logs.find();
+    if (looked && flight_logs.ready() && flight_logs.last() == 0)
+        tell(Severity::info, ROM_TEXT("No logs"));
+    return looked;
+}
+
+void logPause(bool pause) { request = pause ? Request::pause : Request::none; }
+
+void logErase() {
+    if (vehicle.armed) return tell(Severity::error, ROM_TEXT("Disarm to erase logs"));
+    if (!flight_logs.usable()) return tell(Severity::error, ROM_TEXT("No logs to erase"));
+    request = Request::erase;
+    tell(Severity::notice, ROM_TEXT("Erasing logs"));
+}
+
+uint16_t logDropped() { return dropped; }
+
+void logCommand(uint8_t index) {
+    if (!logOpen() || !wants(Bit::command)) return;
+    if (commands_waiting == kCommands) return drop();
+    commands[commands_waiting++] = index;
+}
+
+bool logParameter(uint8_t row) { return !logOpen() || (prelude >= kFormats && putParameter(row)); }
+
+namespace {
+
+void stepLog() {
+    if (vehicle.armed && request != Request::none) armedMeanwhile();
+    const bool wanted = parameters.log_bitmask != 0 && request == Request::none &&
+                        (vehicle.armed || wants(Bit::disarmed));
+    if (!flight_logs.writing()) {
+        if (wanted) begin();
+        if (request == Request::erase) eraseMore();
+        return;
+    }
+    if (!wanted) return end();
+    if (hal::flashTrouble() != hal::FlashTrouble::none) return flight_logs.start(0);
+    if (prelude >= kFormats) findDue();
+    putSome();
+    tellDropped();
+}
+
+}  // namespace
+
+void runLog() {
+    stepLog();
+    setTextReader(kLogReader, logOpen());
+}
+
+}  // namespace logger
+}  // namespace firmware

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The records of the flight log: each a packed struct and a row of kFormats, which says the same
+// to whoever reads the log. Names and fields as ArduPlane's logs have them where they mean the
+// same; TimeUS is microseconds since start. docs/log.md says what each holds.
+#pragma once
+#include <stdint.h>
+
+#include "hal/rc_input.hpp"
+#include "hal/servo_output.hpp"
+#include "logging/format.hpp"
+
+namespace firmware {
+namespace logger {
+
+#define RECORD(Name) struct __attribute__((packed)) Name##Record : TimedRecord
+
+struct __attribute__((packed)) TimedRecord {
+    logging::RecordHead head;
+    uint32_t time_us, time_upper;  // one number of 64 bits
+};
+
+RECORD(Parameter) {
+    char name[16];
+    float value;
+};
+RECORD(Mode) { uint8_t mode, number; };
+RECORD(Command) {
+    uint16_t count, index, command;
+    float param1, param2, param3, param4;
+    int32_t latitude_e7, longitude_e7;
+    float altitude_m;
+    uint8_t frame;
+};
+RECORD(Message) { char text[64]; };
+RECORD(Attitude) {
+    int16_t roll_demand_cd, roll_cd, pitch_demand_cd, pitch_cd;
+    uint16_t bearing_cd, yaw_cd;
+};
+RECORD(Gps) {
+    uint8_t status;
+    uint32_t time_ms;
+    uint16_t week;
+    uint8_t satellites;
+    int16_t hdop_c;
+    int32_t latitude_e7, longitude_e7, altitude_cm;
+    float speed_mps, course_deg, down_mps;
+};
+RECORD(ControlTuning) {
+    int16_t roll_demand_cd, roll_cd, pitch_demand_cd, pitch_cd;
+    int16_t throttle_pct, rudder_us;
+    float accel_y_mss, airspeed_mps, height_m;
+};
+RECORD(NavigationTuning) {
+    uint16_t distance_m;
+    int16_t target_bearing_deg, bearing_deg;
+    float crosstrack_m, height_error_m, airspeed_error_mps, ground_speed_mps;
+    int32_t latitude_e7, longitude_e7;
+};
+RECORD(Inertial) {
+    float gyro_x_rads, gyro_y_rads, gyro_z_rads;
+    float accel_x_mss, accel_y_mss, accel_z_mss;
+};
+RECORD(Compass) { int16_t field_x_mg, field_y_mg, field_z_mg, offset_mg[3]; };
+RECORD(Barometer) {
+    float height_m, pressure_pa;
+    int16_t temperature_cdeg;
+    float climb_mps;
+};
+RECORD(Current) {
+    int16_t throttle_pct, voltage_cv, current_ca;
+    uint16_t board_mv;
+    float consumed_mah;
+};
+RECORD(RadioIn) { uint16_t pulse_us[hal::kRcChannels]; };
+RECORD(ServoOut) { uint16_t pulse_us[hal::kServos]; };
+RECORD(Performance) { uint16_t load_permille, late_frames, longest_frame_us, free_bytes, dropped; };
+RECORD(Camera) {
+    uint32_t time_ms;
+    uint16_t week;
+    int32_t latitude_e7, longitude_e7, altitude_cm;
+    int16_t roll_cd, pitch_cd;
+    uint16_t yaw_cd;
+};
+RECORD(Event) { uint8_t id; };
+RECORD(Error) { uint8_t subsystem, code; };
+
+#undef RECORD
+
+// The type byte of each; by name is how a log is read, so none of them is a promise.
+enum class RecordType : uint8_t {
+    parameter = 129,
+    gps,
+    inertial,
+    message,
+    radio_in,
+    servo_out,
+    barometer,
+    command,
+    attitude,
+    current,
+    compass,
+    mode,
+    control,
+    navigation,
+    performance,
+    event,
+    error,
+    camera,
+};
+
+// FMT itself first.
+constexpr uint8_t kFormats = 19;
+extern const logging::Format kFormatTable[kFormats];
+
+}  // namespace logger
+}  // namespace firmware

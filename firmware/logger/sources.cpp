@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/logger/sources.hpp"
+
+#include <string.h>
+
+#include "core/maths.hpp"
+#include "drivers/ublox.hpp"
+#include "firmware/app/tasks.hpp"
+#include "firmware/logger/log.hpp"
+#include "firmware/logger/records.hpp"
+#include "firmware/mission/mission.hpp"
+#include "firmware/notify/text_queue.hpp"
+#include "firmware/sensors/sensors.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+#include "hal/clock.hpp"
+#include "hal/memory.hpp"
+
+namespace firmware {
+namespace logger {
+
+using namespace notify;
+using namespace state;
+using namespace sensors;
+using namespace mission;
+using namespace app;
+
+namespace {
+
+// now_us is the lower half; the upper one follows from now_ms, which wraps after 49 days.
+void stamp(TimedRecord& record) {
+    const uint32_t now_ms = hal::now_ms();
+    const uint32_t low = (now_ms & 0xFFFF) * 1000;
+    const uint32_t high = (now_ms >> 16) * 1000 + (low >> 16);
+    const uint32_t whole_ms_us = high << 16 | (low & 0xFFFF);
+    record.time_us = hal::now_us();
+    record.time_upper = (high >> 16) + (record.time_us < whole_ms_us);
+}
+
+template <class Record>
+bool log(RecordType type, Record& record) {
+    return logRecord(&record, static_cast<uint8_t>(type), sizeof record);
+}
+
+int16_t centidegrees(core::Angle angle) { return core::upper(angle.raw * 36000L); }
+uint16_t heading_cd() {
+    return static_cast<uint16_t>(
+        core::wrap360_cd(core::rounded(core::centidegrees(vehicle.attitude.yaw_rad))));
+}
+int16_t throttle_pct() {
+    return static_cast<int16_t>(
+        core::rounded(core::limit<float>(vehicle.throttle_demand, 0.0f, 1.0f) * 100));
+}
+
+}  // namespace
+
+bool logRecord(void* record, uint8_t type, uint8_t size) {
+    TimedRecord& timed = *static_cast<TimedRecord*>(record);
+    timed.head = {logging::kHead1, logging::kHead2, type};
+    stamp(timed);
+    return flight_logs.put(record, size) == core::Status::ok;
+}
+
+bool putFormat(uint8_t index) {
+    logging::FormatRecord record;
+    record.head = {logging::kHead1, logging::kHead2, logging::kFormatType};
+    record.format = core::romRead(kFormatTable[index]);
+    return flight_logs.put(&record, sizeof record) == core::Status::ok;
+}
+
+bool putParameter(uint8_t index) {
+    ParameterRecord record;
+    char name[16];
+    float value;
+    uint8_t type;
+    if (!parameterAt(index, name, value, type)) return true;
+    memcpy(record.name, name, sizeof name);
+    record.value = value;
+    return log(RecordType::parameter, record);
+}
+
+namespace {
+
+// A function of its own: fetching an item is deep enough without this record on the stack.
+__attribute__((noinline)) bool logItem(uint8_t index, const MissionItem& item) {
+    CommandRecord record;
+    record.count = missionCount();
+    record.index = index;
+    record.command = item.command;
+    record.param1 = item.param1;
+    record.param2 = item.param2;
+    record.param3 = item.param3;
+    record.param4 = item.param4;
+    record.latitude_e7 = item.x;
+    record.longitude_e7 = item.y;
+    record.altitude_m = item.z;
+    record.frame = item.frame;
+    return log(RecordType::command, record);
+}
+
+}  // namespace
+
+bool putCommand(uint8_t index) {
+    MissionItem item;
+    const core::Status status = missionItem(index, item);
+    return status == core::Status::ok ? logItem(index, item) : status != core::Status::busy;
+}
+
+bool putMode() {
+    ModeRecord record;
+    record.mode = record.number = static_cast<uint8_t>(vehicle.mode);
+    return log(RecordType::mode, record);
+}
+
+// A function of its own: that nothing waits is found without a record.
+__attribute__((noinline)) static bool logText() {
+    MessageRecord record = {};
+    Severity severity;
+    if (!readText(kLogReader, severity, record.text) || !log(RecordType::message, record))
+        return false;
+    textTaken(kLogReader);
+    return true;
+}
+
+bool putText() { return textWaits(kLogReader) && logText(); }
+
+// Readers look for "Plane".
+bool putBanner() {
+    MessageRecord record;
+    core::copyText(record.text, ROM_TEXT("ArduPilotMega autopilot V0.1 (Plane)"),
+                   sizeof record.text);
+    return log(RecordType::message, record);
+}
+
+bool putEvent(uint8_t id) {
+    EventRecord record;
+    record.id = id;
+    return log(RecordType::event, record);
+}
+
+bool putError(uint8_t subsystem, uint8_t code) {
+    ErrorRecord record;
+    record.subsystem = subsystem;
+    record.code = code;
+    return log(RecordType::error, record);
+}
+
+bool putAttitude() {
+    AttitudeRecord record;
+    record.roll_demand_cd = centidegrees(vehicle.roll_demand_rad);
+    record.roll_cd = centidegrees(vehicle.attitude.roll_rad);
+    record.pitch_demand_cd = centidegrees(vehicle.pitch_demand_rad);
+    record.pitch_cd = centidegrees(vehicle.attitude.pitch_rad);
+    record.bearing_cd = static_cast<uint16_t>(core::wrap360_cd(vehicle.progress.nav_bearing_cd));
+    record.yaw_cd = heading_cd();
+    return log(RecordType::attitude, record);
+}
+
+bool putGps() {
+    const auto& gps = vehicle.gps;
+    GpsRecord record;
+    record.status = static_cast<uint8_t>(gps.fix);
+    record.time_ms = gpsFix().time_ms;
+    record.week = gpsFix().week;
+    record.satellites = gps.satellites;
+    record.hdop_c = static_cast<int16_t>(gps.hdop_c);
+    record.latitude_e7 = gps.position.latitude_e7;
+    record.longitude_e7 = gps.position.longitude_e7;
+    record.altitude_cm = gps.altitude_cm;
+    record.speed_mps = gps.ground_speed_mps;
+    record.course_deg = static_cast<float>(gps.course_cd) * 0.01f;
+    record.down_mps = gps.velocity_mps.z;
+    return log(RecordType::gps, record);
+}
+
+bool putPicture() {
+    const auto& estimate = vehicle.estimate;
+    CameraRecord record;
+    record.time_ms = gpsFix().time_ms;
+    record.week = gpsFix().week;
+    record.latitude_e7 = estimate.position.latitude_e7;
+    record.longitude_e7 = estimate.position.longitude_e7;
+    record.altitude_cm = vehicle.home.altitude_cm + core::rounded(estimate.height_m * 100);
+    record.roll_cd = centidegrees(vehicle.attitude.roll_rad);
+    record.pitch_cd = centidegrees(vehicle.attitude.pitch_rad);
+    record.yaw_cd = heading_cd();
+    return log(RecordType::camera, record);
+}
+
+bool putControl() {
+    ControlTuningRecord record;
+    record.roll_demand_cd = centidegrees(vehicle.roll_demand_rad);
+    record.roll_cd = centidegrees(vehicle.attitude.roll_rad);
+    record.pitch_demand_cd = centidegrees(vehicle.pitch_demand_rad);
+    record.pitch_cd = centidegrees(vehicle.attitude.pitch_rad);
+    record.throttle_pct = throttle_pct();
+    record.rudder_us = static_cast<int16_t>(vehicle.servo_us[3]);
+    record.accel_y_mss = vehicle.imu.accel_mss.y;
+    record.airspeed_mps = vehicle.estimate.equivalent_airspeed_mps;
+    record.height_m = vehicle.estimate.height_m;
+    return log(RecordType::control, record);
+}
+
+bool putNavigation() {
+    const auto& progress = vehicle.progress;
+    NavigationTuningRecord record;
+    record.distance_m = static_cast<uint16_t>(core::limit(progress.distance_m, 0.0f, 65535.0f));
+    record.target_bearing_deg = static_cast<int16_t>(progress.target_bearing_cd / 100);
+    record.bearing_deg = static_cast<int16_t>(progress.nav_bearing_cd / 100);
+    record.crosstrack_m = progress.crosstrack_m;
+    record.height_error_m = progress.height_error_m;
+    record.airspeed_error_mps = progress.airspeed_error_mps;
+    record.ground_speed_mps = vehicle.estimate.ground_speed_mps;
+    record.latitude_e7 = vehicle.estimate.position.latitude_e7;
+    record.longitude_e7 = vehicle.estimate.position.longitude_e7;
+    return log(RecordType::navigation, record);
+}
+
+bool putInertial() {
+    const auto& rate = vehicle.imu.rate_rads;
+    const auto& accel = vehicle.imu.accel_mss;
+    InertialRecord record;
+    record.gyro_x_rads = rate.x;
+    record.gyro_y_rads = rate.y;
+    record.gyro_z_rads = rate.z;
+    record.accel_x_mss = accel.x;
+    record.accel_y_mss = accel.y;
+    record.accel_z_mss = accel.z;
+    return log(RecordType::inertial, record);
+}
+
+bool putCompass() {
+    const core::Vector3& field = vehicle.compass.field_mg;
+    CompassRecord record;
+    record.field_x_mg = static_cast<int16_t>(field.x);
+    record.field_y_mg = static_cast<int16_t>(field.y);
+    record.field_z_mg = static_cast<int16_t>(field.z);
+    for (uint8_t i = 0; i < 3; ++i)
+        record.offset_mg[i] = static_cast<int16_t>(parameters.compass_offset_mg[i]);
+    return log(RecordType::compass, record);
+}
+
+bool putBarometer() {
+    BarometerRecord record;
+    record.height_m = vehicle.baro.height_m;
+    record.pressure_pa = static_cast<float>(vehicle.baro.pressure_pa);
+    record.temperature_cdeg = vehicle.baro.temperature_cc;
+    record.climb_mps = vehicle.estimate.climb_mps;
+    return log(RecordType::barometer, record);
+}
+
+bool putCurrent() {
+    CurrentRecord record;
+    record.throttle_pct = throttle_pct();
+    record.voltage_cv = static_cast<int16_t>(vehicle.battery.voltage_mv / 10);
+    record.current_ca = vehicle.battery.current_ca;
+    record.board_mv = vehicle.battery.board_mv;
+    record.consumed_mah = vehicle.battery.consumed_mah;
+    return log(RecordType::current, record);
+}
+
+bool putRadioIn() {
+    RadioInRecord record;
+    memcpy(record.pulse_us, vehicle.radio.pulse_us, sizeof record.pulse_us);
+    return log(RecordType::radio_in, record);
+}
+
+bool putServoOut() {
+    ServoOutRecord record;
+    memcpy(record.pulse_us, vehicle.servo_us, sizeof record.pulse_us);
+    return log(RecordType::servo_out, record);
+}
+
+bool putPerformance() {
+    PerformanceRecord record;
+    record.load_permille = loadPermille();
+    record.late_frames = lateFrames();
+    record.longest_frame_us = longestFrame_us();
+    record.free_bytes = hal::freeMemory();
+    record.dropped = logDropped();
+    return log(RecordType::performance, record);
+}
+
+}  // namespace logger
+}  // namespace firmware

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is put into the log: each fills in one record of now and offers it to the chip. False: the
+// chip has no time, or what is to be logged cannot be had yet.
+#pragma once
+#include <stdint.h>
+
+namespace firmware {
+namespace logger {
+
+bool logRecord(void* record, uint8_t type, uint8_t size);  // with its head and time
+
+bool putFormat(uint8_t index);
+bool putParameter(uint8_t index);
+bool putCommand(uint8_t index);
+bool putMode();
+bool putText();    // the oldest that the log does not have; false also when there is none
+bool putBanner();  // what flies
+bool putEvent(uint8_t id);
+bool putError(uint8_t subsystem, uint8_t code);
+bool putPicture();
+
+bool putAttitude();
+bool putGps();
+bool putControl();
+bool putNavigation();
+bool putInertial();
+bool putCompass();
+bool putBarometer();
+bool putCurrent();
+bool putRadioIn();
+bool putServoOut();
+bool putPerformance();
+
+}  // namespace logger
+}  // namespace firmware

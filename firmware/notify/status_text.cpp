@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/notify/status_text.hpp"
+
+#include <string.h>
+
+#include "firmware/notify/text_queue.hpp"
+
+namespace firmware {
+namespace notify {
+namespace {
+
+struct Text {
+    core::RomText text;
+    int32_t number;
+    Severity severity;
+    uint8_t waiting;  // a bit a reader that has not taken it yet
+};
+
+constexpr uint8_t kTexts = 5;
+Text texts[kTexts];
+uint8_t used;
+uint8_t lost;
+uint8_t listening = kLinkReaders;
+
+constexpr uint8_t bitOf(uint8_t reader) { return static_cast<uint8_t>(1U << reader); }
+
+void forgetTaken() {
+    while (used > 0 && (texts[0].waiting & listening) == 0) {
+        --used;
+        memmove(texts, texts + 1, used * sizeof texts[0]);
+    }
+}
+
+uint8_t decimal(int32_t number, char (&to)[11]) {
+    uint32_t rest = number < 0 ? 0 - static_cast<uint32_t>(number) : static_cast<uint32_t>(number);
+    char digits[10];
+    uint8_t count = 0;
+    do {
+        digits[count++] = static_cast<char>('0' + rest % 10);
+        rest /= 10;
+    } while (rest != 0);
+    uint8_t length = 0;
+    if (number < 0) to[length++] = '-';
+    while (count > 0) to[length++] = digits[--count];
+    return length;
+}
+
+void spell(const Text& from, char* to) {
+    char number[11];
+    uint8_t length = 0;
+    for (core::RomText c = from.text; length < kTextSize; ++c) {
+        const char letter = core::romRead(*c);
+        if (letter == 0) break;
+        if (letter != '#') {
+            to[length++] = letter;
+            continue;
+        }
+        const uint8_t digits = decimal(from.number, number);
+        for (uint8_t i = 0; i < digits && length < kTextSize; ++i) to[length++] = number[i];
+    }
+    memset(to + length, 0, kTextSize - length);
+}
+
+// The oldest that the reader has not had; `used`: there is none.
+uint8_t nextFor(uint8_t reader) {
+    uint8_t i = 0;
+    while (i < used && (texts[i].waiting & bitOf(reader)) == 0) ++i;
+    return i;
+}
+
+void reportLost() {
+    if (lost == 0 || used == kTexts) return;
+    const uint8_t count = lost;
+    lost = 0;
+    tell(Severity::warning, ROM_TEXT("# texts lost"), count);
+}
+
+}  // namespace
+
+void tell(Severity severity, core::RomText text) { tell(severity, text, 0); }
+
+void tell(Severity severity, core::RomText text, int32_t number) {
+    if (used == kTexts) {
+        if (lost < 0xFF) ++lost;
+        return;
+    }
+    texts[used++] = {text, number, severity, listening};
+}
+
+uint8_t textsLost() { return lost; }
+
+void setTextReader(uint8_t reader, bool listens) {
+    listening =
+        static_cast<uint8_t>(listens ? listening | bitOf(reader) : listening & ~bitOf(reader));
+}
+
+bool textWaits(uint8_t reader) {
+    return nextFor(reader) < used || (lost > 0 && reader < kLogReader);
+}
+
+bool readText(uint8_t reader, Severity& severity, char* to) {
+    if (reader < kLogReader) reportLost();
+    const uint8_t i = nextFor(reader);
+    if (i == used) return false;
+    severity = texts[i].severity;
+    spell(texts[i], to);
+    return true;
+}
+
+void textTaken(uint8_t reader) {
+    const uint8_t i = nextFor(reader);
+    if (i == used) return;
+    texts[i].waiting &= static_cast<uint8_t>(~bitOf(reader));
+    forgetTaken();
+}
+
+}  // namespace notify
+}  // namespace firmware

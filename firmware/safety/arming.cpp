@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/safety/arming.hpp"
+
+#include "board.hpp"
+#include "firmware/gcs/calibration.hpp"
+#include "firmware/logger/log.hpp"
+#include "firmware/mission/home.hpp"
+#include "firmware/mission/mission.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/safety/fence.hpp"
+#include "firmware/sensors/compass_learning.hpp"
+#include "firmware/sensors/sensors.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+#include "hal/clock.hpp"
+
+namespace firmware {
+namespace safety {
+
+using namespace notify;
+using namespace state;
+using namespace sensors;
+using namespace mission;
+using namespace modes;
+using namespace logger;
+using namespace gcs;
+
+namespace {
+
+// ARMING_CHECK: bit 0 asks for all of them; what is kAlways nothing leaves out.
+enum CheckBit : uint16_t {
+    kAll = 1,
+    kBarometer = 2,
+    kCompass = 4,
+    kGps = 8,
+    kInertial = 16,
+    kParameters = 32,
+    kRadio = 64,
+    kBoardVoltage = 128,
+    kBattery = 256,
+    kAirspeed = 512,
+    kLogging = 1024,
+    kMission = 16384,
+    kAlways = 0xFFFF,
+};
+
+bool boardBad() { return wrongBoard(); }
+uint8_t boardModel() { return board::kModel; }
+bool calibrationRuns() { return calibrating() > Calibrating::rest; }
+bool inertialBad() { return !vehicle.imu.healthy; }
+bool gyrosUnknown() { return !vehicle.imu.calibrated; }
+
+// At rest it feels the earth and nothing else: 0.8 to 1.2 g, held or rocked by the wind too.
+bool accelerometersBad() {
+    const auto square = [](core::Fixed<8> axis) {
+        const int16_t tenths = axis.raw / 26;  // 0.1 m/s2
+        return core::product(tenths, tenths);
+    };
+    const auto& force = vehicle.imu.accel_mss;
+    const int32_t length = square(force.x) + square(force.y) + square(force.z);
+    return length < 78L * 78 || length > 118L * 118;
+}
+bool attitudeBad() { return !vehicle.attitude.aligned; }
+bool barometerBad() { return !vehicle.baro.healthy; }
+
+bool compassBad() { return parameters.compass_use != 0 && !vehicle.compass.healthy; }
+// The earth's field is 230 to 670 milligauss; what is far from that is a magnet or a motor's wire.
+bool fieldBad() {
+    constexpr float kLeast_mg = 185, kMost_mg = 875;
+    const float square = core::dot(vehicle.compass.field_mg, vehicle.compass.field_mg);
+    return parameters.compass_use != 0 &&
+           (square < kLeast_mg * kLeast_mg || square > kMost_mg * kMost_mg);
+}
+
+// More than that has not come from the airplane itself.
+bool offsetsBad() {
+    constexpr float kMost_mg = 500;
+    const float* const mg = parameters.compass_offset_mg;
+    const core::Vector3 offset = {mg[0], mg[1], mg[2]};
+    return parameters.compass_use != 0 && core::dot(offset, offset) > kMost_mg * kMost_mg;
+}
+
+bool gpsBad() { return vehicle.gps.fix != GpsFix::three_d || !vehicle.estimate.known; }
+bool dilutionBad() { return vehicle.gps.hdop_c > 350; }
+
+bool radioBad() { return vehicle.radio.lost || vehicle.radio.good_ms == 0; }
+bool throttleUp() { return !radioBad() && vehicle.radio.throttle_pct > 3; }
+bool uncalibrated(const Channel& range) {
+    return range.min_us > 1300 || range.max_us < 1700 || range.trim_us < range.min_us ||
+           range.trim_us > range.max_us;
+}
+// Of the four that fly: a way of less than 200 us to either side has not been set, it is a mistake.
+// 0: there is none.
+uint8_t uncalibratedChannel() {
+    const int8_t flown[] = {parameters.map_roll, parameters.map_pitch, parameters.map_throttle,
+                            parameters.map_yaw};
+    for (const int8_t channel : flown)
+        if (uncalibrated(parameters.channel[channel - 1])) return static_cast<uint8_t>(channel);
+    return 0;
+}
+bool radioUncalibrated() { return uncalibratedChannel() != 0; }
+
+bool airspeedBad() {
+    return parameters.airspeed_enable != 0 && parameters.airspeed_use != 0 &&
+           !vehicle.airspeed.healthy;
+}
+// the MPXV7002 and the servos want their 5 V: 4.3 .. 5.8 V
+bool boardVoltageBad() {
+    return vehicle.battery.board_mv < 4300 || vehicle.battery.board_mv > 5800;
+}
+// A pack that is there (over 6 V) and below what would bring it home at once; where that is not
+// said, below 3.3 V a cell of three.
+bool batteryBad() {
+    const float least_mv = parameters.battery_low_v > 0 ? parameters.battery_low_v * 1000 : 9900;
+    return parameters.battery_monitor != 0 && vehicle.battery.voltage_mv > 6000 &&
+           vehicle.battery.voltage_mv < least_mv;
+}
+bool missionBad() { return !missionKnown(); }
+bool loggingBad() { return parameters.log_bitmask != 0 && !flight_logs.usable(); }
+
+struct Check {
+    uint16_t bit;
+    bool (*fails)();
+    char reason[31];
+    uint8_t (*number)();  // that takes the place of '#'; nullptr: there is none
+};
+
+// The first that fails is told.
+// clang-format off
+constexpr Check kChecks[] ROM = {
+    {kAlways,       boardBad,          "Wrong board: made for an APM #", boardModel},
+    {kAlways,       calibrationRuns,   "PreArm: calibrating", nullptr},
+    {kInertial,     inertialBad,       "PreArm: gyros not healthy", nullptr},
+    {kInertial,     gyrosUnknown,      "PreArm: gyros not ready", nullptr},
+    {kInertial,     accelerometersBad, "PreArm: accelerometers", nullptr},
+    {kInertial,     attitudeBad,       "PreArm: attitude", nullptr},
+    {kBarometer,    barometerBad,      "PreArm: barometer", nullptr},
+    {kCompass,      compassBad,        "PreArm: compass", nullptr},
+    {kCompass,      fieldBad,          "PreArm: check mag field", nullptr},
+    {kCompass,      offsetsBad,        "PreArm: compass offsets", nullptr},
+    {kGps,          gpsBad,            "PreArm: no GPS fix", nullptr},
+    {kGps,          dilutionBad,       "PreArm: high GPS HDOP", nullptr},
+    {kAirspeed,     airspeedBad,       "PreArm: airspeed sensor", nullptr},
+    {kRadio,        radioBad,          "PreArm: no radio", nullptr},
+    {kRadio,        radioUncalibrated, "PreArm: RC# not calibrated", uncalibratedChannel},
+    {kRadio,        throttleUp,        "PreArm: throttle is up", nullptr},
+    {kBoardVoltage, boardVoltageBad,   "PreArm: board voltage", nullptr},
+    {kBattery,      batteryBad,        "PreArm: battery low", nullptr},
+    {kMission,      missionBad,        "PreArm: mission not readable", nullptr},
+    {kParameters,   fenceBad,          "PreArm: fence not fit", nullptr},
+    {kLogging,      loggingBad,        "PreArm: no log chip", nullptr},
+};
+// clang-format on
+
+constexpr uint8_t kRudderArms = 30;  // 0.1 s
+constexpr int16_t kFullRudder_cd = 4000;
+constexpr uint16_t kRemind_ms = 30000, kRemindSoon_ms = 5000;
+constexpr uint32_t kNotBefore_ms = 10000;  // the sensors need a while
+
+uint8_t rudder_held;  // for so long, 0.1 s
+uint32_t reminded_ms = kNotBefore_ms - kRemind_ms;
+uint16_t landed;  // for so long, 0.1 s
+uint8_t looked_at;
+bool ready;  // as runArming found it
+
+void armNow() {
+    vehicle.armed = true;
+    if (!setHomeHere()) tell(Severity::warning, ROM_TEXT("Armed without a home"));
+    tell(Severity::notice, ROM_TEXT("Throttle armed"));
+}
+
+// Full rudder for three seconds with the throttle closed, in a mode where the pilot has it: to the
+// right arms, to the left, on the ground, disarms. ARMING_RUDDER: 0 neither, 1 arms only, 2 both.
+void runRudderArming() {
+    const auto& radio = vehicle.radio;
+    const int16_t rudder_cd = vehicle.armed ? -radio.yaw_cd : radio.yaw_cd;
+    const bool asks = parameters.arming_rudder > vehicle.armed && !radio.lost && !autoThrottle() &&
+                      !vehicle.estimate.flying && radio.throttle_pct == 0 &&
+                      rudder_cd > kFullRudder_cd;
+    if (!asks) {
+        rudder_held = 0;
+    } else if (++rudder_held > kRudderArms) {
+        rudder_held = 0;
+        if (vehicle.armed) {
+            disarm(ArmReason::pilot, false);
+        } else {
+            arm(ArmReason::pilot, false);
+        }
+    }
+}
+
+bool fails(const Check& check) {
+    const uint16_t bit = core::romRead(check.bit);
+    if (bit != kAlways && (parameters.arming_check & (bit | kAll)) == 0) return false;
+    return core::romRead(check.fails)();
+}
+
+void report(Severity severity, const Check& check) {
+    const auto number = core::romRead(check.number);
+    tell(severity, check.reason, number != nullptr ? number() : 0);
+}
+
+void remind(const Check& check) {
+    const uint32_t now_ms = hal::now_ms();
+    const uint16_t pause_ms = wrongBoard() ? kRemindSoon_ms : kRemind_ms;
+    if (now_ms - reminded_ms < pause_ms) return;
+    reminded_ms = now_ms;
+    report(Severity::warning, check);
+}
+
+// A few at a time, so that they are through in a second; at one that fails it stays.
+void look() {
+    constexpr uint8_t kAtOnce = 3;
+    for (uint8_t i = 0; i < kAtOnce; ++i) {
+        const Check& check = kChecks[looked_at];
+        if (fails(check)) {
+            ready = false;
+            return remind(check);
+        }
+        if (++looked_at < core::count(kChecks)) continue;
+        looked_at = 0;
+        ready = true;
+    }
+}
+
+// After a landing of AUTO: the motor is off and the airplane lies still for LAND_DISARMDELAY;
+// 0: it stays armed.
+void runLanded() {
+    const bool down = vehicle.demand.path == Path::land && vehicle.progress.flaring &&
+                      vehicle.mode == Mode::automatic && !vehicle.estimate.flying;
+    landed = down ? landed + 1 : 0;
+    const uint8_t delay_s = static_cast<uint8_t>(parameters.land_disarm_delay_s);
+    if (delay_s != 0 && landed > delay_s * 10) disarm(ArmReason::landed, false);
+}
+
+const Check* firstFailing() {
+    for (const Check& check : kChecks)
+        if (fails(check)) return &check;
+    return nullptr;
+}
+
+}  // namespace
+
+core::RomText prearmFailure() {
+    const Check* const check = firstFailing();
+    return check != nullptr ? check->reason : nullptr;
+}
+
+bool prearmTells(Severity severity) {
+    const Check* const check = firstFailing();
+    if (check != nullptr) report(severity, *check);
+    return check != nullptr;
+}
+
+bool prearmOk() { return ready; }
+
+// Nothing makes up for a board whose pins are others.
+bool arm(ArmReason, bool force) {
+    if (vehicle.armed) return true;
+    if ((!force || wrongBoard()) && prearmTells(Severity::error)) return false;
+    armNow();
+    return true;
+}
+
+bool disarm(ArmReason reason, bool force) {
+    if (!vehicle.armed) return true;
+    if (vehicle.estimate.flying && reason != ArmReason::landed && !force) {
+        tell(Severity::error, ROM_TEXT("Disarm refused: flying"));
+        return false;
+    }
+    vehicle.armed = false;
+    keepLearntCompass();
+    tell(Severity::notice, ROM_TEXT("Throttle disarmed"));
+    return true;
+}
+
+void runArming() {
+    runRudderArming();
+    if (vehicle.armed) {
+        runLanded();
+    } else {
+        look();
+    }
+}
+
+}  // namespace safety
+}  // namespace firmware

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether the motor may turn.
+#pragma once
+#include <stdint.h>
+
+#include "core/rom.hpp"
+#include "firmware/notify/status_text.hpp"
+
+namespace firmware {
+namespace safety {
+
+enum class ArmReason : uint8_t { pilot, ground, landed, failsafe };
+
+// Arms after every check of ARMING_CHECK has passed (force: without them); false and the reason
+// told otherwise. Sets home.
+bool arm(ArmReason reason, bool force);
+// False in flight unless forced.
+bool disarm(ArmReason reason, bool force);
+
+// The first check that fails, as a flash text; nullptr when none does.
+core::RomText prearmFailure();
+bool prearmTells(notify::Severity severity);  // the same as a text to the pilot; false: none fails
+bool prearmOk();                              // as runArming found it last
+
+// 10 Hz: arming and disarming by rudder, tells why arming would fail, disarms after landing
+void runArming();
+
+}  // namespace safety
+}  // namespace firmware

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/safety/failsafe.hpp"
+
+#include "core/rom.hpp"
+#include "firmware/gcs/telemetry.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/safety/failsafe_causes.hpp"
+#include "firmware/safety/fence.hpp"
+#include "firmware/sensors/health.hpp"
+
+namespace firmware {
+namespace safety {
+
+using namespace notify;
+using namespace state;
+using namespace sensors;
+using namespace modes;
+using namespace gcs;
+
+namespace {
+
+struct Memory {
+    uint8_t row;         // of kTransitions, in force
+    Mode before;         // what was flown
+    Mode seen;           // at the end of the last run
+    uint16_t overruled;  // causes, while somebody chose another mode
+    bool gives_back;
+};
+Memory memory = {kNoTransition, Mode::manual, Mode::manual, 0, false};
+
+bool enter(Mode mode) { return setMode(mode, ModeReason::failsafe); }
+
+// Without a radio the sticks are centred and the throttle is closed.
+bool giveSticks() { return enter(Mode::manual); }
+bool goHome() { return enter(Mode::rtl); }
+bool glide() { return enter(Mode::fbwa); }
+bool goRound() { return enter(Mode::circle); }
+
+using Act = bool (*)();
+constexpr Act kActs[] ROM = {giveSticks, fenceTurnBack, goHome, glide, goRound};
+
+bool acts() { return memory.row != kNoTransition; }
+After after() { return core::romRead(kTransitions[memory.row].after); }
+
+uint8_t flownClass() {
+    const Mode mode = acts() ? memory.before : vehicle.mode;
+    const Path path = vehicle.demand.path;
+    if (mode == Mode::rtl) return returning;
+    if (mode == Mode::circle) return circling;
+    if (mode != Mode::automatic && mode != Mode::loiter && mode != Mode::guided) return by_pilot;
+    const bool low = path == Path::takeoff || path == Path::land;
+    return mode == Mode::automatic && !acts() && low ? near_ground : by_itself;
+}
+
+// Each is told once, when it begins and when it is over.
+void tellOf(const CauseRow& cause, bool begins) {
+    const core::RomText text = begins ? cause.begins : cause.ends;
+    if (core::romRead(*text) == 0) return;
+    tell(begins ? core::romRead(cause.severity) : Severity::notice, text);
+}
+
+void look() {
+    uint16_t now = 0, bit = 1;
+    for (const CauseRow& cause : kCauseTable) {
+        const bool holds = vehicle.armed && core::romRead(cause.holds)();
+        if (holds) now |= bit;
+        if (holds != ((vehicle.failing & bit) != 0)) tellOf(cause, holds);
+        bit = static_cast<uint16_t>(bit << 1);
+    }
+    constexpr uint16_t kLong = bitOf(Cause::radio_long) | bitOf(Cause::ground_long);
+    if ((now & ~vehicle.failing & kLong) != 0) rcOverrideRelease();
+    vehicle.failing = now;
+    vehicle.failsafe_short = failing(Cause::radio_short);
+    vehicle.failsafe_long = (now & kLong) != 0;
+}
+
+// Whoever chooses a mode while something fails has it, but for sticks that nobody holds and an
+// attitude that nobody knows.
+void letOverrule() {
+    constexpr uint16_t kRadio = bitOf(Cause::radio_short) | bitOf(Cause::radio_long);
+    if (vehicle.mode == memory.seen) return;
+    memory.row = kNoTransition;
+    uint16_t may = static_cast<uint16_t>(~bitOf(Cause::inertial));
+    if (flownClass() == by_pilot) may &= static_cast<uint16_t>(~kRadio);
+    memory.overruled |= vehicle.failing & may;
+}
+
+void giveBack() {
+    memory.gives_back = true;
+    if (after() == After::back) enter(memory.before);
+    memory.gives_back = false;
+    memory.row = kNoTransition;
+}
+
+void follow(uint8_t row) {
+    if (row == memory.row) return;
+    if (row == kNoTransition) return giveBack();
+    if (!acts()) memory.before = vehicle.mode;
+    const auto action = static_cast<uint8_t>(core::romRead(kTransitions[row].action));
+    if (core::romRead(kActs[action])()) memory.row = row;  // else again in the next run
+}
+
+}  // namespace
+
+void runFailsafe() {
+    watchHealth();
+    watchCauses();
+    letOverrule();
+    look();
+    memory.overruled &= vehicle.failing;
+    follow(resolve(vehicle.failing & static_cast<uint16_t>(~memory.overruled), flownClass()));
+    memory.seen = vehicle.mode;
+}
+
+bool failsafeGlides() {
+    return acts() && core::romRead(kTransitions[memory.row].action) == Action::glide;
+}
+
+bool failsafeGivesBack() { return memory.gives_back; }
+
+}  // namespace safety
+}  // namespace firmware

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/safety/failsafe_causes.hpp"
+
+#include "firmware/gcs/telemetry.hpp"
+#include "firmware/safety/failsafe.hpp"
+#include "firmware/safety/fence.hpp"
+#include "firmware/sensors/health.hpp"
+#include "firmware/state/parameters.hpp"
+#include "hal/clock.hpp"
+#include "hal/serial.hpp"
+
+namespace firmware {
+namespace safety {
+
+using namespace notify;
+using namespace state;
+using namespace sensors;
+using namespace gcs;
+
+namespace {
+
+constexpr uint8_t kRestarted = 3;      // 0.1 s: within this the inertial sensor starts anew
+constexpr uint8_t kBatterySags = 100;  // 0.1 s
+
+uint8_t inertial_lost, battery_low;  // for so long, 0.1 s
+uint16_t radio_lost;
+
+bool longerThan(uint32_t ms, float s) { return ms >= static_cast<uint32_t>(s * 1000.0f); }
+
+void count(uint8_t& tenths, bool lost, uint8_t most) {
+    tenths = lost ? tenths + (tenths < most) : 0;
+}
+
+// While USB powers the board there is no pack worth watching.
+bool packIsLow() {
+    const auto& battery = vehicle.battery;
+    if (parameters.battery_monitor == 0 || hal::usbConnected()) return false;
+    const bool empty =
+        parameters.battery_low_mah > 0 &&
+        parameters.battery_capacity_mah - battery.consumed_mah < parameters.battery_low_mah;
+    return empty || battery.voltage_mv < parameters.battery_low_v * 1000.0f;
+}
+
+}  // namespace
+
+void watchCauses() {
+    const bool lost = vehicle.armed && !vehicle.imu.healthy;
+    count(inertial_lost, lost, kRestarted);
+    // a pack recovers when the motor stops: what was low stays low
+    const bool low = vehicle.armed && (battery_low == kBatterySags || packIsLow());
+    count(battery_low, low, kBatterySags);
+    if (!vehicle.armed || !vehicle.radio.lost)
+        radio_lost = 0;
+    else if (radio_lost != 0xFFFF)
+        ++radio_lost;
+}
+
+// Back, the attitude is found anew first.
+bool inertialLost() {
+    const bool nonsense = !vehicle.imu.healthy && ails(Sensor::inertial);
+    return inertial_lost >= kRestarted || nonsense ||
+           (failing(Cause::inertial) && !vehicle.attitude.aligned);
+}
+bool fenceBroken() { return fenceReport().breach != Breach::none; }
+bool batteryLow() { return battery_low >= kBatterySags; }
+bool radioLost() { return vehicle.radio.lost; }
+bool radioLostLong() {
+    return radio_lost > 0 && longerThan((radio_lost - 1) * 100UL, parameters.long_timeout_s);
+}
+// One that was never there is not missed.
+bool groundLostLong() {
+    return parameters.ground_failsafe != 0 && groundHeard_ms() != 0 &&
+           longerThan(hal::now_ms() - groundHeard_ms(), parameters.long_timeout_s);
+}
+bool positionLost() { return vehicle.estimate.flying && !vehicle.estimate.known; }
+bool gpsLost() { return vehicle.estimate.reckoned; }
+bool gpsJumps() { return vehicle.estimate.fix_refused; }
+bool barometerLost() { return !vehicle.baro.healthy; }
+bool heightLost() { return barometerLost() && gpsLost(); }
+bool airspeedLost() {
+    return parameters.airspeed_enable != 0 && parameters.airspeed_use != 0 &&
+           !vehicle.airspeed.healthy;
+}
+bool compassLost() { return parameters.compass_use != 0 && !vehicle.compass.healthy; }
+
+}  // namespace safety
+}  // namespace firmware

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/safety/restart.hpp"
+
+#include "core/broken.hpp"
+#include "core/maths.hpp"
+#include "core/rom.hpp"
+#include "firmware/estimator/estimator.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/safety/kept_home.hpp"
+#include "firmware/safety/restart_kept.hpp"
+#include "firmware/sensors/radio.hpp"
+#include "firmware/sensors/sensors.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+#include "hal/clock.hpp"
+#include "hal/mark.hpp"
+#include "hal/watchdog.hpp"
+
+namespace firmware {
+namespace safety {
+
+using namespace notify;
+using namespace state;
+using namespace sensors;
+using namespace estimator;
+using namespace modes;
+
+namespace {
+
+using hal::ResetCause;
+
+// In the order of ResetCause; the number is that of the task, from 1 on.
+constexpr char kCauses[][32] ROM = {"Started by the supply",       "Started by the reset button",
+                                    "Restarted after a brown-out", "Restarted by watchdog, task #",
+                                    "Started by a reset",          "Restarted by a fault, task #",
+                                    "Restarted as asked"};
+
+bool told;
+bool home_kept;  // in the EEPROM, by this run or the one it goes on with
+uint8_t faults_told;
+
+constexpr uint8_t kFewPeriods = 10;  // of blind samples that tell a rate
+constexpr uint8_t kLooks = 3;        // at the mode switch, 20 ms apart
+constexpr uint16_t kSwitchComesWithin_ms = 200, kSensorsComeWithin_ms = 500;
+struct {
+    uint8_t position, looks;
+} seen;
+
+void fill(MovingRecord& to, bool in_the_air) {
+    keepEstimate(to);
+    to.at_ms = static_cast<uint16_t>(hal::now_ms());
+    to.mode = static_cast<uint8_t>(vehicle.mode);
+    to.in_the_air = in_the_air;
+    to.home_set = vehicle.home.set;
+    to.number = number;
+}
+
+void keepMoving() {
+    const FlightSigns signs = {vehicle.armed, vehicle.estimate.flying,
+                               vehicle.estimate.ground_speed_mps, vehicle.estimate.height_m};
+    MovingRecord& to = moving[++number & 1];
+    fill(to, inTheAir(signs));
+    seal(to);
+}
+
+void keepSteady() {
+    steady.home = vehicle.home.position;
+    steady.home_altitude_cm = vehicle.home.altitude_cm;
+    steady.ground_pressure_pa = vehicle.baro.ground_pressure_pa;
+    steady.ground_temperature_c = vehicle.baro.ground_temperature_c;
+    steady.airspeed_offset_v = airspeedOffset_v();
+    keepGyroZero(steady.gyro_zero);
+    keepEstimate(steady);
+    seal(steady);
+}
+
+// Where the pilot's switch stands; without a receiver what was flown before.
+bool modeToFlyOnIn(Mode& mode) {
+    const uint8_t position = modeSwitchPosition();
+    seen.looks = position == seen.position ? seen.looks + 1 : 0;
+    seen.position = position;
+    if (position != 0 && seen.looks >= kLooks - 1) {
+        mode = static_cast<Mode>(parameters.switch_mode[position - 1]);
+        return true;
+    }
+    mode = static_cast<Mode>(last->mode);
+    return hal::now_ms() >= kSwitchComesWithin_ms;
+}
+
+void decideMode() {
+    const bool blind = !vehicle.attitude.aligned && hal::now_ms() < kSensorsComeWithin_ms;
+    Mode mode;
+    if (blind || !modeToFlyOnIn(mode)) return;
+    if (!setMode(mode, ModeReason::boot)) setMode(Mode::fbwa, ModeReason::boot);
+    vehicle.armed = true;
+}
+
+// Half a second after the start: in the air the log is open by then.
+void tellCause() {
+    const hal::LastRun& run = hal::lastRun();
+    const Severity severity = last != nullptr ? Severity::critical
+                              : runSurvives() ? Severity::warning
+                                              : Severity::info;
+    constexpr uint8_t kBetweenTasks = 0;
+    const uint8_t task = run.mark < hal::kMarkTaskEnd ? run.mark : kBetweenTasks;
+    tell(severity, kCauses[static_cast<uint8_t>(run.ended)], task);
+    told = true;
+}
+
+void tellFaults() {
+    const core::Broken& broken = core::brokenSoFar();
+    if (broken.count == faults_told) return;
+    faults_told = broken.count;
+    tell(Severity::error, ROM_TEXT("Fault #"), static_cast<uint8_t>(broken.last));
+}
+
+bool homeIsKept() {
+    const auto& home = vehicle.home;
+    return home_kept && steady.home.latitude_e7 == home.position.latitude_e7 &&
+           steady.home.longitude_e7 == home.position.longitude_e7 &&
+           steady.home_altitude_cm == home.altitude_cm;
+}
+
+void keepHomeOfFlight() {
+    if (vehicle.armed && vehicle.home.set && !homeIsKept())
+        home_kept = keepHome(vehicle.home.position, vehicle.home.altitude_cm) == core::Status::ok;
+    if (!vehicle.armed && home_kept) home_kept = forgetHome() != core::Status::ok;
+}
+
+// The power went in flight, or was taken from an armed airplane: it may be in the air.
+void takeKeptHome() {
+    KeptHome home;
+    core::Status status;
+    while ((status = readHome(home)) == core::Status::busy) {
+    }
+    if (status != core::Status::ok) return;
+    vehicle.home.position = home.position;
+    vehicle.home.altitude_cm = home.altitude_cm;
+    vehicle.home.set = true;
+}
+
+float lostSoFar_s() {
+    const hal::LastRun& run = hal::lastRun();
+    const bool noted = run.ended != ResetCause::brown_out;
+    const uint16_t ended_ms = noted ? run.ended_ms : last->at_ms;
+    return lost_s(last->at_ms, ended_ms, static_cast<uint16_t>(hal::now_ms()) + run.restart_ms);
+}
+
+// As an interrupt has watched it while the program hung; the rest as quick as before.
+core::Vector3 turnedSince_rad(float since_s) {
+    const auto& rate = last->rate_rads;
+    const core::Vector3 rate_rads = {rate.x, rate.y, rate.z};
+    if (!whole(blind, *last) || blind.turn.periods < kFewPeriods) return rate_rads * since_s;
+    const float seen_s = blind.turn.periods * estimation::kSamplePeriod_s;
+    return blindTurn_rad(blind.turn) * (since_s / seen_s);
+}
+
+}  // namespace
+
+void restartResume() {
+    told = home_kept = false;
+    seen = {};
+    number = last != nullptr ? last->number : 0;
+    if (last == nullptr) return takeKeptHome();
+    resumeInertial(steady.gyro_zero);
+    const float lost_for_s = lostSoFar_s();
+    resumeEstimate(steady, *last, turnedSince_rad(lost_for_s), lost_for_s);
+    vehicle.baro.ground_pressure_pa = steady.ground_pressure_pa;
+    vehicle.baro.ground_temperature_c = steady.ground_temperature_c;
+    resumeAirspeed(steady.airspeed_offset_v);
+    vehicle.home.position = steady.home;
+    vehicle.home.altitude_cm = steady.home_altitude_cm;
+    vehicle.home.set = last->home_set;
+    home_kept = true;
+}
+
+void runRestart() {
+    if (last != nullptr && vehicle.mode == Mode::initialising) decideMode();
+    if (!vehicle.attitude.aligned || vehicle.mode == Mode::initialising) return;
+    keepMoving();
+}
+
+void runRestartSlowly() {
+    if (!told) tellCause();
+    tellFaults();
+    keepHomeOfFlight();
+    if (vehicle.attitude.aligned && vehicle.mode != Mode::initialising) keepSteady();
+}
+
+}  // namespace safety
+}  // namespace firmware

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Why this run began, and how the one before it is carried on when it ended in the air:
+// docs/restart.md.
+#pragma once
+#include <stdint.h>
+
+#include "firmware/state/restart_record.hpp"
+
+namespace firmware {
+namespace safety {
+
+void restartJudge();   // first of all: was it flying, and may it fly on?
+bool flyingOn();       // this run goes on with a flight
+bool runSurvives();    // what ended the last run leaves memory as it was
+void restartResume();  // when the sensors have been started: knows what was known
+
+void runRestart();        // 50 Hz: keeps the record; finds the mode to fly on in, and arms
+void runRestartSlowly();  // 1 Hz
+
+}  // namespace safety
+}  // namespace firmware

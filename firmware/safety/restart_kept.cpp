@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/safety/restart_kept.hpp"
+
+#include "firmware/safety/restart.hpp"
+#include "hal/watchdog.hpp"
+
+namespace firmware {
+namespace safety {
+
+using namespace state;
+using namespace sensors;
+
+using hal::ResetCause;
+
+SteadyRecord steady __attribute__((section(".noinit")));
+MovingRecord moving[2] __attribute__((section(".noinit")));
+BlindRecord blind __attribute__((section(".noinit")));
+uint8_t number;
+const MovingRecord* last;  // to go on with; nullptr: nothing
+
+bool runSurvives() {
+    const ResetCause cause = hal::resetCause();
+    return cause == ResetCause::watchdog || cause == ResetCause::brown_out ||
+           cause == ResetCause::fault;
+}
+
+void restartJudge() {
+    last = runSurvives() && whole(steady) ? newest(moving) : nullptr;
+    if (last != nullptr && !last->in_the_air) last = nullptr;
+    if (last != nullptr) return;
+    for (MovingRecord& each : moving) spoil(each);
+    spoil(steady);
+}
+
+bool flyingOn() { return last != nullptr; }
+
+}  // namespace safety
+}  // namespace firmware

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/sensors/compass_learning.hpp"
+
+#include <math.h>
+
+#include "core/fixed.hpp"
+#include "firmware/gcs/calibration.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/state/parameter_slots.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+
+namespace firmware {
+namespace sensors {
+
+using namespace notify;
+using namespace state;
+using namespace gcs;
+
+namespace {
+
+constexpr uint8_t kEvery = 4;  // of 50 readings a second: a pair takes a quarter of a millisecond
+constexpr int32_t kApart_mg = 250;
+constexpr uint8_t kPairsOfAnchor = 50;
+constexpr uint8_t kPairs = 250;  // as many as are wanted
+constexpr uint8_t kCoarse = 60;
+constexpr float kMostOffset_mg = 400;
+
+struct Turns {
+    float before_mg[3];    // offsets, to be brought back
+    float miss_mg;         // by how much a pair disagrees with the offsets, the mean of late
+    int16_t anchor_mg[3];  // what readings are compared with
+    int16_t low_mg[3], high_mg[3];
+    uint8_t pairs;
+};
+Turns turns;
+
+uint8_t skipped;      // readings
+uint8_t anchor_left;  // pairs; 0: there is none
+
+bool learnsInFlight() {
+    return parameters.compass_learn != 0 && vehicle.armed && vehicle.estimate.flying;
+}
+
+float field_mg() { return sqrtf(core::dot(vehicle.compass.field_mg, vehicle.compass.field_mg)); }
+
+bool makesSense() {
+    for (const float offset_mg : parameters.compass_offset_mg)
+        if (fabsf(offset_mg) >= kMostOffset_mg) return false;
+    return field_mg() > 185 && field_mg() < 875;
+}
+
+void widen(const int16_t (&reading_mg)[3]) {
+    for (uint8_t i = 0; i < 3; ++i) {
+        if (reading_mg[i] < turns.low_mg[i]) turns.low_mg[i] = reading_mg[i];
+        if (reading_mg[i] > turns.high_mg[i]) turns.high_mg[i] = reading_mg[i];
+    }
+}
+
+// Along the difference of the two, by a part of the way.
+float approach(const float (&apart_mg)[3], float half_squares, float square, float gain) {
+    float* const offset_mg = parameters.compass_offset_mg;
+    float short_by = half_squares;
+    for (uint8_t i = 0; i < 3; ++i) short_by -= apart_mg[i] * offset_mg[i];
+    const float step = short_by / square * gain;
+    for (uint8_t i = 0; i < 3; ++i)
+        offset_mg[i] =
+            core::limit(offset_mg[i] + apart_mg[i] * step, -kMostOffset_mg, kMostOffset_mg);
+    return fabsf(short_by) / sqrtf(square);
+}
+
+void judge(float miss_mg) {
+    if (turns.pairs == 0) turns.miss_mg = miss_mg;
+    turns.miss_mg += (miss_mg - turns.miss_mg) * 0.05f;
+    if (turns.pairs < kPairs) ++turns.pairs;
+}
+
+}  // namespace
+
+void compassTurnsStart() {
+    anchor_left = 0;
+    turns = Turns();
+    for (uint8_t i = 0; i < 3; ++i) {
+        turns.before_mg[i] = parameters.compass_offset_mg[i];
+        turns.low_mg[i] = INT16_MAX;
+        turns.high_mg[i] = INT16_MIN;
+    }
+}
+
+void compassTurnsUndo() {
+    for (uint8_t i = 0; i < 3; ++i) parameters.compass_offset_mg[i] = turns.before_mg[i];
+}
+
+// Of the pairs wanted, and of having pointed each axis nearly all the way up and down the field.
+uint8_t compassTurns_pct() {
+    float least = static_cast<float>(turns.pairs) / kPairs;
+    const float wanted_mg = 1.2f * field_mg();
+    for (uint8_t i = 0; i < 3; ++i) {
+        const float way_mg = static_cast<float>(turns.high_mg[i]) - turns.low_mg[i];
+        if (way_mg < least * wanted_mg) least = core::limit(way_mg / wanted_mg, 0.0f, 1.0f);
+    }
+    return static_cast<uint8_t>(least * 100);
+}
+
+float compassMiss_mg() { return turns.miss_mg; }
+
+bool compassFits(uint8_t within_mg) { return turns.miss_mg < within_mg && makesSense(); }
+
+void learnCompass(const core::Vector3& reading_mg) {
+    const bool turned = calibrating() == Calibrating::compass;
+    if (!turned && !learnsInFlight()) {
+        anchor_left = 0;
+        return;
+    }
+    if (++skipped < kEvery) return;
+    skipped = 0;
+    int16_t now_mg[3];
+    float apart_mg[3];
+    int32_t square = 0, squares = 0;
+    for (uint8_t i = 0; i < 3; ++i) {
+        now_mg[i] = static_cast<int16_t>(core::rounded((&reading_mg.x)[i]));
+        const int16_t anchor = turns.anchor_mg[i];
+        const int16_t apart = now_mg[i] - anchor;
+        square += core::product(apart, apart);
+        squares += core::product(anchor, anchor) - core::product(now_mg[i], now_mg[i]);
+        apart_mg[i] = apart;
+    }
+    if (turned) widen(now_mg);
+    if (anchor_left != 0) {
+        if (square < kApart_mg * kApart_mg) return;
+        const float gain = !turned ? 0.03f : turns.pairs < kCoarse ? 0.4f : 0.12f;
+        const float miss_mg = approach(apart_mg, 0.5f * static_cast<float>(squares),
+                                       static_cast<float>(square), gain);
+        if (turned) judge(miss_mg);
+        if (--anchor_left != 0) return;
+    }
+    anchor_left = kPairsOfAnchor;
+    for (uint8_t i = 0; i < 3; ++i) turns.anchor_mg[i] = now_mg[i];
+}
+
+void keepLearntCompass() {
+    if (parameters.compass_learn == 0) return;
+    if (!makesSense() || !storeAll(slot::compass_ofs_x, parameters.compass_offset_mg, 3))
+        tell(Severity::warning, ROM_TEXT("Compass: what it learnt is not kept"));
+}
+
+}  // namespace sensors
+}  // namespace firmware

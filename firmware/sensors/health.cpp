@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/sensors/health.hpp"
+
+#include "core/maths.hpp"
+#include "core/rom.hpp"
+#include "firmware/state/vehicle.hpp"
+
+namespace firmware {
+namespace sensors {
+
+using namespace state;
+
+namespace {
+
+struct Limits {
+    uint16_t jump;  // from one reading to the next, in the reading's unit
+    uint8_t still;  // 0.1 s without a change
+    uint8_t doubt;  // an impossible reading costs
+    uint8_t trust;  // and a possible one earns
+};
+
+// clang-format off
+constexpr Limits kLimits[kSensors] ROM = {
+    // jump           still doubt trust
+    {4 * 1024,           2,   20,    1},  // inertial: rates of all axes, 4 rad/s, 100 Hz
+    { 120,              10,   12,    1},  // barometer: 120 Pa, 80 Hz
+    { 160,              20,   12,    1},  // airspeed: 0.1 V in eighths of a count, 50 Hz
+    { 150,              20,   20,    2},  // compass: mG of all axes, 50 Hz
+    {2000,              30,   40,   12},  // GPS: 20 m/s of north and east, 5 Hz, some 1 Hz
+};
+// clang-format on
+
+constexpr uint8_t kMost = 0xFF;
+constexpr uint8_t kAils = 200;
+constexpr uint8_t kContradicted = 4;  // readings' worth
+
+struct Health {
+    int16_t seen;
+    uint8_t still;   // 0.1 s
+    uint8_t doubts;  // above kAils it ails, until there are none
+};
+Health healths[kSensors];
+uint8_t ailing;  // a bit a sensor
+
+uint8_t bit(Sensor sensor) { return static_cast<uint8_t>(1 << static_cast<uint8_t>(sensor)); }
+Health& of(Sensor sensor) { return healths[static_cast<uint8_t>(sensor)]; }
+const Limits& limitsOf(Sensor sensor) { return kLimits[static_cast<uint8_t>(sensor)]; }
+
+void add(Health& health, uint16_t doubts) {
+    doubts += health.doubts;
+    health.doubts = doubts > kMost ? kMost : static_cast<uint8_t>(doubts);
+}
+
+void judge(uint8_t index) {
+    Health& health = healths[index];
+    const uint8_t bit = static_cast<uint8_t>(1 << index);
+    if (++health.still >= core::romRead(kLimits[index].still)) {
+        health.still = core::romRead(kLimits[index].still);
+        health.doubts = kMost;
+    }
+    if (health.doubts >= kAils) ailing |= bit;
+    if (health.doubts == 0) ailing &= static_cast<uint8_t>(~bit);
+}
+
+}  // namespace
+
+void startHealth() {
+    ailing = 0;
+    for (Health& health : healths) health.still = health.doubts = 0;
+}
+
+bool believe(Sensor sensor, int16_t reading, bool possible) {
+    Health& health = of(sensor);
+    const Limits& limits = limitsOf(sensor);
+    const int16_t change =
+        static_cast<int16_t>(static_cast<uint16_t>(reading) - static_cast<uint16_t>(health.seen));
+    const uint16_t jump = static_cast<uint16_t>(change < 0 ? -change : change);
+    health.seen = reading;
+    if (!possible || jump > core::romRead(limits.jump)) {
+        add(health, core::romRead(limits.doubt));
+        return !vehicle.estimate.flying;
+    }
+    if (change == 0) return true;
+    health.still = 0;
+    const uint8_t trust = core::romRead(limits.trust);
+    health.doubts = health.doubts > trust ? health.doubts - trust : 0;
+    return true;
+}
+
+void doubt(Sensor sensor) {
+    add(of(sensor), core::romRead(limitsOf(sensor).doubt) * kContradicted);
+}
+
+bool ails(Sensor sensor) { return (ailing & bit(sensor)) != 0; }
+
+void watchHealth() {
+    if (!vehicle.estimate.flying) return startHealth();
+    for (uint8_t i = 0; i < kSensors; ++i) judge(i);
+}
+
+}  // namespace sensors
+}  // namespace firmware

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether a sensor can be believed in flight: silent or stuck (no new value for too long), noisy
+// (a value too far from the one before) or nonsense (outside what there is, or against what the
+// others say). One row of limits a sensor in health.cpp; on the ground nobody is judged here.
+#pragma once
+#include <stdint.h>
+
+namespace firmware {
+namespace sensors {
+
+enum class Sensor : uint8_t { inertial, barometer, airspeed, compass, gps };
+constexpr uint8_t kSensors = 5;
+
+void startHealth();
+
+// A reading has come, in any unit that changes when the sensor lives. False: do not use it.
+bool believe(Sensor sensor, int16_t reading, bool possible);
+// Another sensor contradicts it.
+void doubt(Sensor sensor);
+bool ails(Sensor sensor);
+
+void watchHealth();  // 10 Hz
+
+}  // namespace sensors
+}  // namespace firmware

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/sensors/radio.hpp"
+
+#include "core/maths.hpp"
+#include "core/rom.hpp"
+#include "firmware/gcs/telemetry.hpp"
+#include "firmware/mission/mission.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+#include "hal/clock.hpp"
+#include "hal/rc_input.hpp"
+
+namespace firmware {
+namespace sensors {
+
+using namespace state;
+using namespace mission;
+using namespace modes;
+using namespace gcs;
+
+namespace {
+
+// board encoder: a frame every 18.5 .. 26.5 ms; without one for a second the receiver is gone
+constexpr uint32_t kFramesGone_us = 1000000;
+constexpr uint8_t kBadReadings = 10;  // pulses below THR_FS_VALUE in a row that mean "lost"
+constexpr uint8_t kGoodReadings = 3;
+constexpr uint16_t kPulseLowest_us = 900;
+constexpr uint16_t kPulseHighest_us = 2100;
+constexpr int32_t kFullStick_cd = 4500;
+
+uint8_t bad_readings;
+uint8_t good_readings;
+
+// Where the stick is the surface it is so from the middle on: a dead zone is for what holds an
+// attitude while the stick is let go.
+int16_t deadZone_us(const Channel& channel) {
+    return vehicle.mode == Mode::manual ? 0 : channel.dead_zone_us;
+}
+
+int16_t deflection_cd(const Channel& channel, uint16_t pulse_us) {
+    const int16_t dead_zone_us = deadZone_us(channel);
+    const int16_t from_trim = static_cast<int16_t>(pulse_us) - channel.trim_us;
+    const bool above = from_trim > 0;
+    const int16_t beyond = (above ? from_trim : -from_trim) - dead_zone_us;
+    const int16_t span =
+        (above ? channel.max_us - channel.trim_us : channel.trim_us - channel.min_us) -
+        dead_zone_us;
+    if (beyond <= 0 || span <= 0) return 0;
+    const int32_t cd = beyond < span ? (kFullStick_cd * beyond + span / 2) / span : kFullStick_cd;
+    return static_cast<int16_t>(above == (channel.reverse < 0) ? -cd : cd);
+}
+
+int8_t throttlePercent(const Channel& channel, uint16_t pulse_us) {
+    const int16_t lowest_us = channel.min_us + channel.dead_zone_us;
+    const int16_t span = channel.max_us - lowest_us;
+    if (span <= 0) return 0;
+    const int16_t above = core::limit<int16_t>(pulse_us - lowest_us, 0, span);
+    const int8_t percent = static_cast<int8_t>(static_cast<int32_t>(above) * 100 / span);
+    return channel.reverse < 0 ? 100 - percent : percent;
+}
+
+int16_t stick_cd(uint8_t number) {
+    return deflection_cd(parameters.channel[number], vehicle.radio.pulse_us[number]);
+}
+
+// True: the ground station holds all that steers and may stand in for a receiver that is gone. Of
+// one channel alone it may not: the other sticks would stay where they were.
+bool groundFlies() {
+    if (!rcOverridden()) return false;
+    uint8_t held = 0;
+    for (uint8_t i = 0; i < hal::kRcChannels; ++i) {
+        uint16_t us;
+        if (!rcOverride(i, us)) continue;
+        vehicle.radio.pulse_us[i] = core::limit(us, kPulseLowest_us, kPulseHighest_us);
+        held |= static_cast<uint8_t>(1 << i);
+    }
+    if (held == 0) return false;
+    const uint8_t wanted =
+        static_cast<uint8_t>(1 << (parameters.map_roll - 1) | 1 << (parameters.map_pitch - 1) |
+                             1 << (parameters.map_throttle - 1));
+    return (held & wanted) == wanted;
+}
+
+void judge(bool throttle_says_lost) {
+    if (throttle_says_lost) {
+        good_readings = 0;
+        if (bad_readings < kBadReadings) ++bad_readings;
+    } else {
+        if (good_readings < kGoodReadings) ++good_readings;
+        if (good_readings >= kGoodReadings) bad_readings = 0;
+    }
+}
+
+void scale() {
+    auto& radio = vehicle.radio;
+    radio.roll_cd = stick_cd(parameters.map_roll - 1);
+    radio.pitch_cd = stick_cd(parameters.map_pitch - 1);
+    radio.yaw_cd = stick_cd(parameters.map_yaw - 1);
+    const uint8_t throttle = parameters.map_throttle - 1;
+    radio.throttle_pct = throttlePercent(parameters.channel[throttle], radio.pulse_us[throttle]);
+}
+
+void centre() {
+    vehicle.radio.roll_cd = vehicle.radio.pitch_cd = vehicle.radio.yaw_cd = 0;
+    vehicle.radio.throttle_pct = 0;
+}
+
+struct SwitchReading {
+    uint8_t position;  // last seen
+    uint8_t settled;   // seen twice
+    uint8_t obeyed;
+    bool restarts;  // RST_MISSION_CH was up
+};
+SwitchReading mode_switch;
+
+constexpr uint16_t kSwitchUp_us = 1750;
+// upper ends of the six bands, us
+constexpr uint16_t kBands_us[] ROM = {1230, 1360, 1490, 1620, 1749, 2199};
+
+}  // namespace
+
+void runRadio() {
+    auto& radio = vehicle.radio;
+    uint16_t pulses[hal::kRcChannels];
+    const bool fresh = hal::rcRead(pulses);
+    if (fresh)
+        for (uint8_t i = 0; i < hal::kRcChannels; ++i)
+            if (pulses[i] != 0)
+                radio.pulse_us[i] = core::limit(pulses[i], kPulseLowest_us, kPulseHighest_us);
+    const bool ground_flies = groundFlies();
+    const bool gone = !fresh && !ground_flies;
+    if (gone && hal::rcAge_us() < kFramesGone_us) return;
+
+    const uint16_t throttle_us = radio.pulse_us[parameters.map_throttle - 1];
+    if (fresh || ground_flies)
+        judge(parameters.throttle_failsafe != 0 &&
+              static_cast<int16_t>(throttle_us) < parameters.throttle_failsafe_us);
+    radio.lost = gone || bad_readings >= kBadReadings;
+    if (radio.lost) {
+        centre();
+        return;
+    }
+    radio.good_ms = hal::now_ms();
+    scale();
+}
+
+uint8_t modeSwitchPosition() {
+    if (vehicle.radio.lost || vehicle.radio.good_ms == 0) return 0;
+    const uint16_t pulse_us = vehicle.radio.pulse_us[parameters.mode_channel - 1];
+    if (pulse_us <= 900) return 0;
+    for (uint8_t i = 0; i < core::count(kBands_us); ++i)
+        if (pulse_us <= core::romRead(kBands_us[i])) return i + 1;
+    return 0;
+}
+
+bool switchIsUp(int8_t channel) {
+    return channel != 0 && !vehicle.radio.lost &&
+           vehicle.radio.pulse_us[channel - 1] > kSwitchUp_us;
+}
+
+void runModeSwitch() {
+    const bool restarts = switchIsUp(parameters.reset_mission_channel);
+    if (restarts && !mode_switch.restarts) missionRestart();
+    mode_switch.restarts = restarts;
+    if (switchIsUp(parameters.reset_switch_channel)) mode_switch.obeyed = 0;
+    const uint8_t position = modeSwitchPosition();
+    if (position == mode_switch.position) mode_switch.settled = position;
+    mode_switch.position = position;
+    if (mode_switch.settled == 0 || mode_switch.settled == mode_switch.obeyed) return;
+    // a mode set from the ground stays until the pilot moves the switch
+    mode_switch.obeyed = mode_switch.settled;
+    setMode(static_cast<Mode>(parameters.switch_mode[mode_switch.settled - 1]), ModeReason::pilot);
+}
+
+}  // namespace sensors
+}  // namespace firmware

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pilot's sticks and switches: receiver pulses, or the ground station's in their place, scaled
+// by RCn_MIN/TRIM/MAX/REV/DZ.
+#pragma once
+#include <stdint.h>
+
+namespace firmware {
+namespace sensors {
+
+void runRadio();  // 100 Hz, first of all: a stick must not wait
+
+// Position 1..6 of the mode switch (FLTMODE_CH), 0 when the pulse is no position or the radio is
+// lost. Two equal readings in a row count.
+uint8_t modeSwitchPosition();
+// 10 Hz: sets FLTMODEn when the position has changed, or RST_SWITCH_CH is up; begins the mission
+// anew when RST_MISSION_CH goes up.
+void runModeSwitch();
+
+// A switch on a channel, 1 to 8, is above 1750 us. Not on channel 0, nor with the radio lost.
+bool switchIsUp(int8_t channel);
+
+}  // namespace sensors
+}  // namespace firmware

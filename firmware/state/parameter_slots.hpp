@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Eternal numbers of the parameters that other code names by them: stored missions do so. The table
+// in parameters.cpp has its numbers from here.
+#pragma once
+#include <stdint.h>
+
+namespace firmware {
+namespace state {
+
+namespace slot {
+
+// clang-format off
+enum : uint8_t {
+    rc1_min        = 30,  // then _TRIM, _MAX, _REV and _DZ, then RC2_MIN and so on
+    thr_fs_value   = 83,
+    kff_rddrmix    = 86,
+    rll2srv_p      = 102,
+    rll2srv_i      = 103,
+    rll2srv_d      = 104,
+    rll2srv_imax   = 105,
+    ptch2srv_p     = 108,
+    ptch2srv_i     = 109,
+    ptch2srv_d     = 110,
+    ptch2srv_imax  = 111,
+    ptch2srv_rll   = 114,
+    yaw2srv_int    = 116,
+    yaw2srv_damp   = 117,
+    yaw2srv_imax   = 119,
+    tecs_thr_damp  = 124,
+    tecs_integ_gain = 125,
+    tecs_ptch_damp = 130,
+    navl1_damping  = 133,
+    compass_ofs_x  = 158,
+    ins_accoffs_x  = 162,
+    ahrs_trim_x    = 168,
+};
+// clang-format on
+
+enum ChannelPart : uint8_t { min, trim, max, reverse, dead_zone, kChannelParts };
+
+constexpr uint8_t ofChannel(uint8_t channel, ChannelPart part) {  // 1 to 8
+    return static_cast<uint8_t>(rc1_min + (channel - 1) * kChannelParts + part);
+}
+
+}  // namespace slot
+}  // namespace state
+}  // namespace firmware

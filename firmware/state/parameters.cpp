@@ -1,0 +1,446 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/state/parameters.hpp"
+
+#include <math.h>
+
+#include "core/maths.hpp"
+#include "firmware/actuators/camera.hpp"
+#include "firmware/actuators/outputs.hpp"
+#include "firmware/gcs/legacy_points.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/state/parameter_slots.hpp"
+#include "firmware/state/vehicle.hpp"
+#include "parameters/store.hpp"
+#include "storage/owner.hpp"
+
+namespace firmware {
+namespace state {
+
+using namespace notify;
+using namespace actuators;
+using namespace mission;
+using namespace modes;
+using namespace gcs;
+
+Parameters parameters;
+uint8_t parameter_changes;
+
+namespace {
+
+#define P(slot, name, field, initial, lowest, highest) \
+    PARAMETER(slot, name, Parameters, field, initial, lowest, highest)
+
+// These two say how long a list is, and are not stored themselves.
+constexpr uint8_t kFenceTotal = 231, kRallyTotal = 237;
+
+// Five rows for channel n; flight channels have a dead zone.
+#define CHANNEL(n, initial_dead_zone)                                                             \
+    P(slot::ofChannel(n, slot::min), "RC" #n "_MIN", channel[n - 1].min_us, 1100, 800, 2200),     \
+        P(slot::ofChannel(n, slot::trim), "RC" #n "_TRIM", channel[n - 1].trim_us, 1500, 800,     \
+          2200),                                                                                  \
+        P(slot::ofChannel(n, slot::max), "RC" #n "_MAX", channel[n - 1].max_us, 1900, 800, 2200), \
+        P(slot::ofChannel(n, slot::reverse), "RC" #n "_REV", channel[n - 1].reverse, 1, -1, 1),   \
+        P(slot::ofChannel(n, slot::dead_zone), "RC" #n "_DZ", channel[n - 1].dead_zone_us,        \
+          initial_dead_zone, 0, 200)
+
+// Seven rows for link n, slots 10 + 9 n onwards.
+#define STREAMS(n)                                                                \
+    P(10 + 9 * n, "SR" #n "_RAW_SENS", streams[n].raw_sensors, 1, 0, 50),         \
+        P(11 + 9 * n, "SR" #n "_EXT_STAT", streams[n].extended_status, 1, 0, 50), \
+        P(12 + 9 * n, "SR" #n "_RC_CHAN", streams[n].rc_channels, 1, 0, 50),      \
+        P(14 + 9 * n, "SR" #n "_POSITION", streams[n].position, 1, 0, 50),        \
+        P(15 + 9 * n, "SR" #n "_EXTRA1", streams[n].extra1, 1, 0, 50),            \
+        P(16 + 9 * n, "SR" #n "_EXTRA2", streams[n].extra2, 1, 0, 50),            \
+        P(17 + 9 * n, "SR" #n "_EXTRA3", streams[n].extra3, 1, 0, 50)
+
+// clang-format off
+constexpr parameters::Row kRows[] ROM = {
+    // slot  name                field                         initial   lowest   highest
+    P(178, "FORMAT_VERSION",    format_version,                    1,       0,        1),
+    P(  0, "SYSID_THISMAV",     system_id,                         1,       1,      255),
+    P(  1, "SYSID_MYGCS",       ground_system_id,                255,       1,      255),
+    P(  2, "SERIAL0_BAUD",      serial0_baud,                    115,       1,      115),
+    P(  3, "SERIAL1_BAUD",      serial1_baud,                     57,       1,      115),
+    P(  4, "SERIAL2_BAUD",      serial2_baud,                     57,       1,      115),
+    STREAMS(0),
+    STREAMS(1),
+    CHANNEL(1, 30),
+    CHANNEL(2, 30),
+    CHANNEL(3, 30),
+    CHANNEL(4, 30),
+    CHANNEL(5, 0),
+    CHANNEL(6, 0),
+    CHANNEL(7, 0),
+    CHANNEL(8, 0),
+    P(216, "RC5_FUNCTION",      output_function[0],                0,       0,       25),
+    P(217, "RC6_FUNCTION",      output_function[1],                0,       0,       25),
+    P(218, "RC7_FUNCTION",      output_function[2],                0,       0,       25),
+    P(219, "RC8_FUNCTION",      output_function[3],                0,       0,       25),
+    P(227, "FLAP_IN_CHANNEL",   flap_channel,                      0,       0,        8),
+    P(228, "FLAP_1_PERCNT",     flap[0].percent,                   0,       0,      100),
+    P(229, "FLAP_1_SPEED",      flap[0].speed_mps,                 0,       0,      100),
+    P(239, "FLAP_2_PERCNT",     flap[1].percent,                   0,       0,      100),
+    P(241, "FLAP_2_SPEED",      flap[1].speed_mps,                 0,       0,      100),
+    P(243, "LAND_FLAP_PERCNT",  land_flap_pct,                     0,       0,      100),
+    P(242, "FLAP_SLEWRATE",     flap_slew_pct,                    75,       0,      100),
+    P( 70, "RCMAP_ROLL",        map_roll,                          1,       1,        8),
+    P( 71, "RCMAP_PITCH",       map_pitch,                         2,       1,        8),
+    P( 72, "RCMAP_THROTTLE",    map_throttle,                      3,       1,        8),
+    P( 73, "RCMAP_YAW",         map_yaw,                           4,       1,        8),
+    P( 74, "FLTMODE_CH",        mode_channel,                      8,       1,        8),
+    P( 75, "FLTMODE1",          switch_mode[0],                   11,       0,       16),
+    P( 76, "FLTMODE2",          switch_mode[1],                   11,       0,       16),
+    P( 77, "FLTMODE3",          switch_mode[2],                    5,       0,       16),
+    P( 78, "FLTMODE4",          switch_mode[3],                    5,       0,       16),
+    P( 79, "FLTMODE5",          switch_mode[4],                    0,       0,       16),
+    P( 80, "FLTMODE6",          switch_mode[5],                    0,       0,       16),
+    P( 81, "INITIAL_MODE",      initial_mode,                      0,       0,       16),
+    P( 82, "THR_FAILSAFE",      throttle_failsafe,                 1,       0,        1),
+    P(slot::thr_fs_value, "THR_FS_VALUE", throttle_failsafe_us,  950,     925,     1100),
+    P( 84, "STICK_MIXING",      stick_mixing,                      1,       0,        2),
+    P( 85, "THROTTLE_NUDGE",    throttle_nudge,                    1,       0,        1),
+    P(slot::kff_rddrmix, "KFF_RDDRMIX", rudder_mix,             0.5f,       0,        1),
+    P(200, "ELEVON_OUTPUT",     elevon_output,                     0,       0,        4),
+    P(201, "VTAIL_OUTPUT",      vtail_output,                      0,       0,        4),
+    P(202, "MIXING_GAIN",       mixing_gain,                    0.5f,    0.5f,     1.2f),
+    P( 87, "LIM_ROLL_CD",       roll_limit_cd,                  4500,     500,     7500),
+    P( 88, "LIM_PITCH_MAX",     pitch_max_cd,                   2000,     500,     4500),
+    P( 89, "LIM_PITCH_MIN",     pitch_min_cd,                  -2500,   -4500,     -500),
+    P( 90, "LEVEL_ROLL_LIMIT",  level_roll_limit_deg,              5,       0,       45),
+    P( 91, "STAB_PITCH_DOWN",   pitch_down_deg,                    2,       0,       15),
+    P( 92, "TRIM_PITCH_CD",     trim_pitch_cd,                     0,   -1500,     1500),
+    P(177, "STALL_PREVENTION",  stall_prevention,                  1,       0,        1),
+    P(221, "INVERTEDFLT_CH",    inverted_channel,                  0,       0,        8),
+    P(244, "RST_SWITCH_CH",     reset_switch_channel,              0,       0,        8),
+    P(245, "RST_MISSION_CH",    reset_mission_channel,             0,       0,        8),
+    P(203, "ACRO_ROLL_RATE",    acro_roll_rate_dps,              180,      10,      500),
+    P(204, "ACRO_PITCH_RATE",   acro_pitch_rate_dps,             180,      10,      500),
+    P(205, "ACRO_LOCKING",      acro_locking,                      0,       0,        1),
+    P(240, "AUTOTUNE_LEVEL",    autotune_level,                    6,       0,       10),
+    P(206, "FBWB_CLIMB_RATE",   fbwb_climb_mps,                    2,       1,       10),
+    P(207, "FBWB_ELEV_REV",     fbwb_elevator_reverse,             0,       0,        1),
+    P(208, "ALT_HOLD_FBWCM",    fbwb_lowest_cm,                    0,       0,    32767),
+    P( 93, "TRIM_ARSPD_CM",     cruise_speed_cms,               1300,     500,     5000),
+    P( 94, "ARSPD_FBW_MIN",     speed_min_mps,                     9,       5,      100),
+    P( 95, "ARSPD_FBW_MAX",     speed_max_mps,                    22,       5,      100),
+    P( 96, "SCALING_SPEED",     scaling_speed_mps,                15,       5,       50),
+    P( 97, "TRIM_THROTTLE",     cruise_throttle_pct,              45,       0,      100),
+    P( 98, "THR_MIN",           throttle_min_pct,                  0,       0,      100),
+    P( 99, "THR_MAX",           throttle_max_pct,                 75,      10,      100),
+    P(100, "THR_SLEWRATE",      throttle_slew_pct,               100,       0,      127),
+    P(101, "RLL2SRV_TCONST",    roll.axis.time_constant_s,      0.4f,    0.2f,        2),
+    P(slot::rll2srv_p, "RLL2SRV_P", roll.axis.p,               0.75f,       0,        4),
+    P(slot::rll2srv_i, "RLL2SRV_I", roll.axis.i,               0.04f,       0,        1),
+    P(slot::rll2srv_d, "RLL2SRV_D", roll.axis.d,               0.03f,       0,     0.2f),
+    P(slot::rll2srv_imax, "RLL2SRV_IMAX", roll.axis.integrator_max_cd, 3000,       0,     4500),
+    P(106, "RLL2SRV_RMAX",      roll.rate_max_dps,                 0,       0,      180),
+    P(107, "PTCH2SRV_TCONST",   pitch.axis.time_constant_s,     0.4f,    0.2f,        2),
+    P(slot::ptch2srv_p, "PTCH2SRV_P", pitch.axis.p,                1,       0,        3),
+    P(slot::ptch2srv_i, "PTCH2SRV_I", pitch.axis.i,             0.3f,       0,        1),
+    P(slot::ptch2srv_d, "PTCH2SRV_D", pitch.axis.d,            0.05f,       0,     0.2f),
+    P(slot::ptch2srv_imax, "PTCH2SRV_IMAX", pitch.axis.integrator_max_cd, 3000,       0,     4500),
+    P(112, "PTCH2SRV_RMAX_UP",  pitch.rate_max_up_dps,             0,       0,      100),
+    P(113, "PTCH2SRV_RMAX_DN",  pitch.rate_max_down_dps,           0,       0,      100),
+    P(slot::ptch2srv_rll, "PTCH2SRV_RLL", pitch.turn_compensation, 1,    0.5f,     1.5f),
+    P(115, "YAW2SRV_SLIP",      yaw.slip,                          0,       0,        4),
+    P(slot::yaw2srv_int, "YAW2SRV_INT", yaw.integral,              0,       0,        2),
+    P(slot::yaw2srv_damp, "YAW2SRV_DAMP", yaw.damping,             0,       0,        2),
+    P(118, "YAW2SRV_RLL",       yaw.coordination,                  1,    0.5f,     1.5f),
+    P(slot::yaw2srv_imax, "YAW2SRV_IMAX", yaw.integrator_max_cd, 1500,       0,     4500),
+    P(120, "TECS_CLMB_MAX",     speed_height.climb_max_mps,        4,    0.1f,       20),
+    P(121, "TECS_SINK_MIN",     speed_height.sink_min_mps,      1.3f,    0.1f,       10),
+    P(122, "TECS_SINK_MAX",     speed_height.sink_max_mps,         3,    0.1f,       20),
+    P(123, "TECS_TIME_CONST",   speed_height.time_constant_s,      2,       1,       10),
+    P(slot::tecs_thr_damp, "TECS_THR_DAMP", speed_height.throttle_damping, 0.7f,       0,        2),
+    P(slot::tecs_integ_gain, "TECS_INTEG_GAIN", speed_height.integral_gain, 0.3f,       0,     0.5f),
+    P(126, "TECS_VERT_ACC",     speed_height.vertical_accel_mss,   7,       1,       10),
+    P(127, "TECS_SPD_OMEGA",    speed_height.speed_omega_rads,     3,    0.5f,        5),
+    P(128, "TECS_RLL2THR",      speed_height.roll_to_throttle,    10,       0,       40),
+    P(129, "TECS_SPDWEIGHT",    speed_height.speed_weight,      0.5f,       0,        2),
+    P(slot::tecs_ptch_damp, "TECS_PTCH_DAMP", speed_height.pitch_damping, 0.5f,       0,        2),
+    P(131, "TECS_LAND_SINK",    speed_height.land_sink_mps,    0.65f,       0,        2),
+    P(132, "NAVL1_PERIOD",      lateral.period_s,                  5,       1,       60),
+    P(slot::navl1_damping, "NAVL1_DAMPING", lateral.damping,   0.75f,    0.6f,        1),
+    P(134, "WP_RADIUS",         waypoint_radius_m,                30,       1,    32767),
+    P(135, "WP_LOITER_RAD",     loiter_radius_m,                  60,  -32767,    32767),
+    P(136, "ALT_HOLD_RTL",      rtl_height_cm,                 10000,      -1,   100000),
+    P(211, "RTL_AUTOLAND",      rtl_landing,                       0,       0,        2),
+    P(209, "GLIDE_SLOPE_MIN",   glide_slope_min_m,                 0,       0,     1000),
+    P(226, "GLIDE_SLOPE_THR",   glide_slope_threshold_m,          15,       0,      100),
+    P(137, "TKOFF_THR_MAX",     takeoff_throttle_max_pct,        100,       0,      100),
+    P(138, "TKOFF_THR_MINSPD",  takeoff_min_speed_mps,             0,       0,       30),
+    P(139, "TKOFF_THR_MINACC",  takeoff_min_accel_mss,             0,       0,       30),
+    P(140, "TKOFF_THR_DELAY",   takeoff_delay_ds,                  2,       0,      127),
+    P(141, "TKOFF_ROTATE_SPD",  takeoff_rotate_mps,                0,       0,       30),
+    P(210, "THR_SUPP_MAN",      suppressed_manual,                 0,       0,        1),
+    P(142, "LAND_PITCH_CD",     land_pitch_cd,                     0,   -1500,     2000),
+    P(143, "LAND_FLARE_ALT",    flare_height_m,                 1.5f,       0,       30),
+    P(144, "LAND_FLARE_SEC",    flare_s,                        1.5f,       0,       10),
+    P(145, "LAND_DISARMDELAY",  land_disarm_delay_s,              10,       0,      127),
+    P(146, "FS_SHORT_ACTN",     short_action,                      0,       0,        2),
+    P(147, "FS_LONG_ACTN",      long_action,                       0,       0,        2),
+    P(148, "FS_LONG_TIMEOUT",   long_timeout_s,                    5,       1,      300),
+    P(190, "FS_GCS_ENABL",      ground_failsafe,                   0,       0,        1),
+    P(191, "FS_BATT_VOLTAGE",   battery_low_v,                     0,       0,       60),
+    P(192, "FS_BATT_MAH",       battery_low_mah,                   0,       0,    32000),
+    P(149, "ARMING_CHECK",      arming_check,                      1,       0,    32767),
+    P(185, "ARMING_RUDDER",     arming_rudder,                     1,       0,        2),
+    P(212, "CAM_TRIGG_TYPE",    camera_on_relay,                   0,       0,        1),
+    P(213, "CAM_DURATION",      camera_duration_ds,               10,       0,       50),
+    P(214, "CAM_SERVO_ON",      camera_on_us,                   1300,    1000,     2000),
+    P(215, "CAM_SERVO_OFF",     camera_off_us,                  1100,    1000,     2000),
+    P(230, "FENCE_ACTION",      fence_action,                      0,       0,        3),
+    P(kFenceTotal, "FENCE_TOTAL", fence_total,                     0,       0,       21),
+    P(232, "FENCE_CHANNEL",     fence_channel,                     0,       0,        8),
+    P(233, "FENCE_MINALT",      fence_min_m,                       0,       0,    32767),
+    P(234, "FENCE_MAXALT",      fence_max_m,                       0,       0,    32767),
+    P(235, "FENCE_RETALT",      fence_return_m,                    0,       0,    32767),
+    P(236, "FENCE_AUTOENABLE",  fence_auto_enable,                 0,       0,        1),
+    P(kRallyTotal, "RALLY_TOTAL", rally_total,                     0,       0,       10),
+    P(238, "RALLY_LIMIT_KM",    rally_limit_km,                 0.3f,       0,      100),
+    P(150, "MIS_RESTART",       mission_restart,                   0,       0,        1),
+    P(151, "MIS_TRAILING",      mission_trailing,                  0,       0,        1),
+    P(152, "MIS_SET",           mission_set,                       2,       1,        2),
+    P(153, "ALT_ABS",           altitude_absolute,                 0,       0,        1),
+    P(154, "ARSPD_ENABLE",      airspeed_enable,                   1,       0,        1),
+    P(155, "ARSPD_USE",         airspeed_use,                      1,       0,        1),
+    P(156, "ARSPD_RATIO",       airspeed_ratio,              1.9936f,       1,        4),
+    P(225, "GPS_TYPE",          gps_type,                          1,       0,        5),
+    P(157, "COMPASS_USE",       compass_use,                       1,       0,        1),
+    P(slot::compass_ofs_x, "COMPASS_OFS_X", compass_offset_mg[0],  0,    -400,      400),
+    P(159, "COMPASS_OFS_Y",     compass_offset_mg[1],              0,    -400,      400),
+    P(160, "COMPASS_OFS_Z",     compass_offset_mg[2],              0,    -400,      400),
+    P(161, "COMPASS_DEC",       compass_declination_rad,           0, -3.142f,   3.142f),
+    P(175, "COMPASS_AUTODEC",   compass_auto_declination,          1,       0,        1),
+    P(186, "COMPASS_LEARN",     compass_learn,                     0,       0,        1),
+    P(slot::ins_accoffs_x, "INS_ACCOFFS_X", accel_offset_mss[0],   0,    -3.5f,    3.5f),
+    P(163, "INS_ACCOFFS_Y",     accel_offset_mss[1],               0,    -3.5f,    3.5f),
+    P(164, "INS_ACCOFFS_Z",     accel_offset_mss[2],               0,    -3.5f,    3.5f),
+    P(165, "INS_ACCSCAL_X",     accel_scale[0],                    1,    0.8f,     1.2f),
+    P(166, "INS_ACCSCAL_Y",     accel_scale[1],                    1,    0.8f,     1.2f),
+    P(167, "INS_ACCSCAL_Z",     accel_scale[2],                    1,    0.8f,     1.2f),
+    P(slot::ahrs_trim_x, "AHRS_TRIM_X", level_trim_rad[0],         0, -0.1745f,  0.1745f),
+    P(169, "AHRS_TRIM_Y",       level_trim_rad[1],                 0, -0.1745f,  0.1745f),
+    P(170, "BATT_MONITOR",      battery_monitor,                   4,       0,        4),
+    P(171, "BATT_VOLT_MULT",    battery_volt_multiplier,       10.1f,       0,      100),
+    P(172, "BATT_AMP_PERVOLT",  battery_amps_per_volt,            17,       0,      200),
+    P(176, "BATT_AMP_OFFSET",   battery_amps_offset_v,             0,       0,        5),
+    P(173, "BATT_CAPACITY",     battery_capacity_mah,           3300,       0,    60000),
+    P(220, "LOG_BITMASK",       log_bitmask,                   16382,       0,  1048575),
+    // never to be used again: 13, 22 (SRn_RAW_CTRL), 18, 27 (SRn_PARAMS)
+};
+// clang-format on
+
+#undef P
+#undef CHANNEL
+#undef STREAMS
+
+static_assert(core::count(kRows) <= parameters::kMostRows, "more rows than the store knows");
+static_assert(parameters::slotsAreUnique(kRows), "a slot is used twice");
+static_assert(parameters::initialsAreInRange(kRows), "a default lies outside its range");
+
+constexpr parameters::Table table ROM(kRows, &firmware::state::parameters);
+
+constexpr uint8_t kFormatRow = 0;
+static_assert(parameters::same(kRows[kFormatRow].name, "FORMAT_VERSION"), "the row of the format");
+
+enum class Store : uint8_t {
+    ours,
+    foreign,  // another firmware's: neither read nor written
+    forgetting,
+    erasing,
+};
+Store store;
+uint16_t done;  // so far, of forgetting or erasing
+
+// The format goes last, through the journal: after a cut on the way the next start goes on.
+core::Status forget() {
+    for (; done + 1 < table.count(); ++done) {
+        const core::Status status = parameters::forget(table, static_cast<uint8_t>(done + 1));
+        if (status != core::Status::ok) return status;
+    }
+    return parameters::save(table, kFormatRow, NAN);
+}
+
+void runForgetting() {
+    if (forget() != core::Status::ok) return;
+    store = Store::ours;
+    tell(Severity::notice, ROM_TEXT("All parameters are the defaults"));
+}
+
+void runErasing() {
+    if (storage::erase(done) != core::Status::ok) return;
+    store = Store::ours;
+    tell(Severity::notice, ROM_TEXT("Erased: restart the board"));
+}
+
+bool isListLength(uint8_t row) {
+    const uint8_t slot = table.slot(row);
+    return slot == kFenceTotal || slot == kRallyTotal;
+}
+
+core::Status setListLength(uint8_t row, float value) {
+    const uint8_t total = static_cast<uint8_t>(core::rounded(value));
+    const ListKind kind = table.slot(row) == kFenceTotal ? ListKind::fence : ListKind::rally;
+    const core::Status status = resizePoints(kind, total);
+    if (status == core::Status::ok) table.assign(row, value);
+    return status;
+}
+
+void assignInitials() {
+    for (uint8_t row = 0; row < table.count(); ++row) table.assignInitial(row);
+}
+
+void assign(uint8_t row, float value) {
+    table.assign(row, value);
+    ++parameter_changes;
+}
+
+bool isReverse(uint8_t number) {  // RCn_REV
+    for (uint8_t channel = 1; channel <= 8; ++channel)
+        if (number == slot::ofChannel(channel, slot::reverse)) return true;
+    return false;
+}
+
+// In range, and not without a meaning or a danger.
+bool takes(uint8_t row, float value) {
+    constexpr uint8_t kFirstMode = 75, kLastMode = 81;  // slots of FLTMODE1 .. INITIAL_MODE
+    if (!table.fits(row, value)) return false;
+    // a restart in the air must find the values it had
+    if (row == kFormatRow) return !vehicle.armed;
+    const uint8_t slot = table.slot(row);
+    const int32_t whole = core::rounded(value);
+    if (slot >= kFirstMode && slot <= kLastMode) return isMode(static_cast<uint8_t>(whole));
+    if (slot == kFenceTotal) return fenceTakesTotal(static_cast<uint8_t>(whole));
+    constexpr uint8_t kFirstFunction = 216, kLastFunction = 219;
+    if (slot >= kFirstFunction && slot <= kLastFunction)
+        return isOutputFunction(static_cast<int8_t>(whole));
+    return !isReverse(slot) || whole != 0;
+}
+
+}  // namespace
+
+uint16_t parameterCount() { return table.count(); }
+
+bool parameterAt(uint16_t index, char (&name)[16], float& value, uint8_t& mav_type) {
+    if (index >= table.count()) return false;
+    const uint8_t row = static_cast<uint8_t>(index);
+    table.name(row, name);
+    value = table.value(row);
+    mav_type = static_cast<uint8_t>(table.type(row));
+    return true;
+}
+
+bool parameterFind(const char (&name)[16], uint16_t& index) {
+    uint8_t row;
+    if (!table.findName(name, row)) return false;
+    index = row;
+    return true;
+}
+
+bool parameterLimits(uint16_t index, ParameterLimits& limits) {
+    if (index >= table.count()) return false;
+    const uint8_t row = static_cast<uint8_t>(index);
+    limits = {table.initial(row), table.lowest(row), table.highest(row), !isListLength(row)};
+    return true;
+}
+
+core::Status parameterSetAt(uint16_t index, float value) {
+    if (index >= table.count()) return core::Status::bad_argument;
+    const uint8_t row = static_cast<uint8_t>(index);
+    if (!takes(row, value)) return core::Status::bad_argument;
+    if (isListLength(row)) return setListLength(row, value);
+    if (store == Store::foreign) {
+        tell(Severity::warning, ROM_TEXT("Not stored: another firmware's EEPROM"));
+    } else {
+        if (store != Store::ours) return core::Status::busy;
+        const core::Status saved = parameters::save(table, row, value);
+        if (saved != core::Status::ok) return saved;
+    }
+    assign(row, value);
+    return core::Status::ok;
+}
+
+bool parameterOfSlot(uint8_t slot, uint16_t& index) {
+    uint8_t row;
+    if (!table.findSlot(slot, row)) return false;
+    index = row;
+    return true;
+}
+
+bool parameterGet(uint8_t slot, float& value) {
+    uint8_t row;
+    if (!table.findSlot(slot, row)) return false;
+    value = table.value(row);
+    return true;
+}
+
+// One search, as a mission sets a dozen in a row.
+static bool findTaker(uint8_t slot, float value, uint8_t& row) {
+    return table.findSlot(slot, row) && !isListLength(row) && takes(row, value);
+}
+
+bool parameterSlotTakes(uint8_t slot, float value) {
+    uint8_t row;
+    return findTaker(slot, value, row);
+}
+
+bool parameterSet(uint8_t slot, float value) {
+    uint8_t row;
+    if (!findTaker(slot, value, row)) return false;
+    assign(row, value);
+    parameters::saveLater(row);
+    return true;
+}
+
+core::Status parametersLoad() {
+    storage::Owner owner;
+    core::Status status = storage::findOwner(owner);
+    if (status != core::Status::ok) return status;
+    // what another firmware left is not read as ours, and not written over unless asked for
+    if (owner == storage::Owner::stranger || owner == storage::Owner::other_version) {
+        store = Store::foreign;
+        assignInitials();
+        return core::Status::ok;
+    }
+    status = parameters::load(table);
+    if (status != core::Status::ok) return status;
+    store = Store::ours;
+    if (firmware::state::parameters.format_version != 0) return core::Status::ok;
+    store = Store::forgetting;
+    done = 0;
+    assignInitials();
+    return core::Status::ok;
+}
+
+void parametersRun() {
+    switch (store) {
+        case Store::ours:
+            return parameters::saveWaiting(table);
+        case Store::forgetting:
+            return runForgetting();
+        case Store::erasing:
+            return runErasing();
+        case Store::foreign:
+            return;
+    }
+}
+
+bool parametersReset() {
+    if (vehicle.armed) return false;
+    if (store == Store::foreign) return parametersErase();
+    if (parameterSetAt(kFormatRow, 0) != core::Status::ok) return false;
+    tell(Severity::notice, ROM_TEXT("Parameters: the defaults after a restart"));
+    return true;
+}
+
+bool parametersErase() {
+    if (vehicle.armed) return false;
+    store = Store::erasing;
+    done = 0;
+    return true;
+}
+
+}  // namespace state
+}  // namespace firmware
