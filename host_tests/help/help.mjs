@@ -10,8 +10,7 @@ import { fileURLToPath } from 'node:url';
 const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
 const kept = join(root, 'toolchain/help');
 const kCommands = { fly: 'fly', campaign: 'campaign', mission: 'mission_tool', param: 'param_tool', log: 'log_tool' };
-const kFlash = [process.execPath, join(root, 'toolchain/flash_tool/main.mjs')];
-const kTest = [process.execPath, join(root, 'toolchain/test_tool/main.mjs')];
+const kScripts = ['flash', 'same', 'test'];  // of node, in toolchain/NAME_tool
 
 function ask([program, ...words]) {
   const { status, stdout, error } = spawnSync(program, [...words, '--help'], { encoding: 'utf8' });
@@ -24,7 +23,8 @@ const subcommandsIn = (text) => [...(/\nSubcommands:\n((?: +.*\n)+)/.exec(text)?
 
 // File name to text.
 function answers(folder) {
-  const found = new Map([['flash.txt', ask(kFlash)], ['test.txt', ask(kTest)]]);
+  const found = new Map(kScripts.map((name) =>
+    [`${name}.txt`, ask([process.execPath, join(root, 'toolchain', `${name}_tool/main.mjs`)])]));
   for (const [command, program] of Object.entries(kCommands)) {
     const path = join(folder, program);
     const text = ask([path]);
