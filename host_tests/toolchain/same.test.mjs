@@ -83,10 +83,12 @@ test('a flight is the same only when all of its files are', () => {
 test('a flight that failed, or left nothing, is not the same', () => {
   const one = { 'flight.csv': 'a\n1\n' };
 
-  assert.deepEqual(judged(side(one), side(one, 'crashed at 3 s')), { verdict: 'failed', words: 'after: crashed at 3 s' });
+  assert.deepEqual(judged(side(one), side(one, 'crashed at 3 s')),
+    { verdict: 'failed', words: 'after: crashed at 3 s' });
   assert.equal(judged(side(one, 'crashed'), side(one, 'crashed')).verdict, 'failed');
   assert.equal(judged(side({}), side({})).verdict, 'failed');
-  assert.equal(judged(side({ 'log.bin': 'x' }), side({ 'log.bin': 'x' }), { texts_may_differ: true }).verdict, 'failed');
+  const log = { 'log.bin': 'x' };
+  assert.equal(judged(side(log), side(log), { texts_may_differ: true }).verdict, 'failed');
 });
 
 test('where texts may differ the path is compared all the same, and the verdict says so', () => {
@@ -113,7 +115,7 @@ test('of a summary everything counts but how fast the computer was', () => {
 });
 
 test('a version that is built is taken again, otherwise the checkout longest not used', () => {
-  const slots = [{ path: 'a', tree: 'x', used: 5 }, { path: 'b', tree: 'y', used: 3 }, { path: 'c', tree: 'z', used: 4 }];
+  const slots = [['a', 'x', 5], ['b', 'y', 3], ['c', 'z', 4]].map(([path, tree, used]) => ({ path, tree, used }));
 
   assert.equal(chosenSlot(slots, 'x', []).path, 'a');
   assert.equal(chosenSlot(slots, 'w', []).path, 'b');

@@ -4,10 +4,11 @@ import { mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
+import { NotTried, commitNamed, workingTree } from '../checkout.mjs';
 import { checkOutput } from '../output.mjs';
 import { flattened, judged } from './compare.mjs';
 import { kFlights } from './flights.mjs';
-import { NotTried, built, commitNamed, workingTree } from './versions.mjs';
+import { built } from './versions.mjs';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
 const kFolder = join(root, 'build/same');

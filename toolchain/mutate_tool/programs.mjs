@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The copy of the sources in which mutations are tried, and its unit tests: which of them depend on
+// a file, how one is built, and how it ends. One thing runs at a time, and can be stopped.
+import { spawn } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { existsSync, readFileSync } from 'node:fs';
+import { basename, dirname, join } from 'node:path';
+
+import { NotTried } from '../checkout.mjs';
+
+const kGrace_s = 10, kTimes = 10;  // a test may take ten times as long as without a mutation
+
+export class Interrupted extends Error {}
+
+// With everything it has started.
+function kill(child) {
+  try {
+    process.kill(-child.pid, 'SIGKILL');
+  } catch { /* it has ended */ }
+}
+
+export class Runner {
+  constructor(tree, env) {
+    this.tree = tree;
+    this.host = join(tree, 'build/host');
+    this.env = env;
+  }
+  stop() {
+    this.stopped = true;
+    if (this.child) kill(this.child);
+  }
+  // { status, output, late, seconds }
+  async run(program, words, { cwd = this.tree, limit_s } = {}) {
+    if (this.stopped) throw new Interrupted();
+    const begun = Date.now();
+    const child = this.child = spawn(program, words,
+      { cwd, env: this.env, stdio: ['ignore', 'pipe', 'pipe'], detached: true });
+    let output = '', late = false;
+    for (const stream of [child.stdout, child.stderr]) stream.on('data', (bytes) => { output += bytes; });
+    const timer = limit_s && setTimeout(() => { late = true; kill(child); }, limit_s * 1000);
+    const status = await new Promise((resolve, reject) => {
+      child.on('error', (error) => reject(new NotTried(`${program}: ${error.message}`)));
+      child.on('close', resolve);
+    });
+    clearTimeout(timer);
+    this.child = undefined;
+    if (this.stopped) throw new Interrupted();
+    return { status, output, late, seconds: (Date.now() - begun) / 1000 };
+  }
+  async must(program, words) {
+    const { status, output } = await this.run(program, words);
+    if (status === 0) return output;
+    const why = output.split('\n').find((line) => /error|FAILED/i.test(line)) ?? output.trim().split('\n').at(-1);
+    throw new NotTried(`without any mutation ${basename(program)} ${words.join(' ')} fails: ${why}`);
+  }
+  async configure() {
+    if (existsSync(join(this.host, 'build.ninja'))) return;
+    await this.must('cmake', ['--preset', 'host', '-DTESTS=ON']);
+  }
+  async builds(...targets) {
+    return (await this.run('ninja', ['-C', this.host, ...targets])).status === 0;
+  }
+  mustBuild(...targets) { return this.must('ninja', ['-C', this.host, ...targets]); }
+  test(name, limit_s) {
+    return this.run(join(this.host, name), ['--gtest_brief=1', '--gtest_fail_fast'], { cwd: this.host, limit_s });
+  }
+  hashOf(name) {
+    return createHash('sha256').update(readFileSync(join(this.host, name))).digest('hex');
+  }
+}
+
+// Of what ctest lists, the names of the quick unit tests that need no file but their program.
+export function unitPrograms({ tests }, host) {
+  return tests.filter(({ name, properties = [] }) => {
+    const of = (key) => properties.find((property) => property.name === key)?.value ?? [];
+    const needs = of('REQUIRED_FILES');
+    return of('LABELS').includes('quick') && of('LABELS').includes('unit') &&
+      needs.length === 1 && needs[0] === join(host, name);
+  }).map(({ name }) => name);
+}
+
+// What ninja -t deps prints: the objects that were made with the file, by an #include too.
+export function objectsWith(deps, file) {
+  const found = [];
+  let object;
+  for (const line of deps.split('\n')) {
+    if (/^\S.*: #deps/.test(line)) object = line.slice(0, line.indexOf(': #deps'));
+    else if (line.trim() === file) found.push(object);
+  }
+  return found;
+}
+
+// A header is known to the build only by what was compiled with it.
+async function dependents(runner, candidates, file) {
+  const path = join(runner.tree, file);
+  let wanted = [path];
+  if (!file.endsWith('.cpp')) {
+    await runner.mustBuild(...candidates);
+    wanted = objectsWith(await runner.must('ninja', ['-C', runner.host, '-t', 'deps']), path);
+  }
+  const found = [];
+  for (const name of candidates) {
+    const inputs = new Set((await runner.must('ninja', ['-C', runner.host, '-t', 'inputs', name])).split('\n'));
+    if (wanted.some((each) => inputs.has(each))) found.push(name);
+  }
+  return found;
+}
+
+// Tests of the file's own folder first, then the quick ones.
+export function inOrder(programs, file) {
+  const own = `${basename(dirname(file))}_test`;
+  const rank = ({ name }) => (name === own || name === `${file.split('/')[0]}_test` ? 0 : 1);
+  return [...programs].sort((a, b) => rank(a) - rank(b) || a.seconds - b.seconds);
+}
+
+// Built and run as they are: file to [{ name, hash, seconds, limit_s }], in the order to try them.
+export async function prepared(runner, files) {
+  const list = JSON.parse(await runner.must('ctest', ['--test-dir', runner.host, '--show-only=json-v1']));
+  const candidates = unitPrograms(list, runner.host), known = new Map(), ready = new Map();
+  for (const file of files) {
+    const names = await dependents(runner, candidates, file);
+    if (names.length === 0) throw new NotTried(`no quick unit test depends on ${file}`);
+    await runner.mustBuild(...names);
+    for (const name of names.filter((each) => !known.has(each))) {
+      const { status, seconds } = await runner.test(name);
+      if (status !== 0) throw new NotTried(`without any mutation ${name} fails`);
+      known.set(name, { name, seconds, limit_s: kTimes * seconds + kGrace_s, hash: runner.hashOf(name) });
+    }
+    ready.set(file, inOrder(names.map((name) => known.get(name)), file));
+  }
+  return ready;
+}
