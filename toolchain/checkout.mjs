@@ -2,7 +2,7 @@
 // Checkouts for tools that try other sources than the user's: git worktrees below build/. The
 // user's own files and index stay as they are.
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, rmSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 // It could not be tried; one line for the user.
@@ -42,6 +42,32 @@ export function workingTree(root, folder) {
   const commit = git(root, ['commit-tree', tree, '-p', 'HEAD', '-m', 'working tree'], env);
   rmSync(index, { force: true });
   return { words: 'the working tree', commit, tree };
+}
+
+function runs(pid) {
+  try {
+    process.kill(pid, 0);
+    return true;
+  } catch (error) {
+    return error.code === 'EPERM';
+  }
+}
+
+// Two runs at once would change each other's checkouts: the second one is refused.
+export function beAlone(folder) {
+  const lock = join(folder, 'lock');
+  mkdirSync(folder, { recursive: true });
+  if (existsSync(lock)) {
+    const pid = Number(readFileSync(lock, 'utf8'));
+    if (pid > 0 && runs(pid)) throw new NotTried(`process ${pid} works in ${folder}; wait for its end`);
+    rmSync(lock, { force: true });
+  }
+  try {
+    writeFileSync(lock, `${process.pid}\n`, { flag: 'wx' });
+  } catch (error) {
+    throw new NotTried(`${lock}: cannot be written: ${error.code}`);
+  }
+  process.on('exit', () => rmSync(lock, { force: true }));
 }
 
 // Makes `folder` a checkout of the commit, or moves it there; files of both keep their times.

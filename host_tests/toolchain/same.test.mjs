@@ -3,6 +3,8 @@
 // answered. The flights themselves take minutes to build and are not flown here.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -131,6 +133,19 @@ test('options', () => {
   assert.deepEqual(readOptions(['a']), { before: 'a', after: 'HEAD', worktree: false, texts_may_differ: false });
   assert.deepEqual(readOptions(['--expect-text', 'a', 'b']),
     { before: 'a', after: 'b', worktree: false, texts_may_differ: true });
+});
+
+test('of two runs in one folder the second is refused while the first goes on, and not for ever', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'alone-'));
+  const script = `import('${join(root, 'toolchain/checkout.mjs')}').then(({ beAlone }) => beAlone('${folder}'))`;
+  const second = () => spawnSync(process.execPath, ['-e', script], { encoding: 'utf8' });
+
+  writeFileSync(join(folder, 'lock'), `${process.pid}\n`);
+  assert.match(second().stderr, new RegExp(`process ${process.pid} works in`));
+  rmSync(join(folder, 'lock'));
+  assert.equal(second().status, 0);
+  assert.equal(second().status, 0, 'the lock of one that has ended');
+  rmSync(folder, { recursive: true });
 });
 
 const run = (...words) => spawnSync(process.execPath, [join(root, 'toolchain/same_tool/main.mjs'), ...words],

@@ -4,7 +4,7 @@ import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-import { NotTried, checkOut, compilerCache, workingTree } from '../checkout.mjs';
+import { NotTried, beAlone, checkOut, compilerCache, workingTree } from '../checkout.mjs';
 import { checkOutput } from '../output.mjs';
 import { mutated, mutationsIn, sample } from './mutations.mjs';
 import { Interrupted, Runner, prepared } from './programs.mjs';
@@ -120,6 +120,7 @@ async function main(words) {
     for (const mutation of chosen) console.log(described(mutation));
     return 0;
   }
+  beAlone(kFolder);
   const tree = join(kFolder, 'tree'), outcomes = [];
   const runner = new Runner(tree, compilerCache(kFolder));
   for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.on(signal, () => runner.stop());

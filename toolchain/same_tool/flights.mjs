@@ -38,9 +38,11 @@ const scripted = (mission, ...options) => ({ host, missions, folder }) =>
 // A flight that a script of this tool directs, in lock step; `options` are fly's.
 async function inLockStep({ host, folder }, options, script) {
   const board = await Board.start(join(host, 'fly'), [...memories(folder), ...options]);
+  const timer = setTimeout(() => board.giveUp(`no end within ${kTimeout_ms / 1000} s`), kTimeout_ms);
   try {
     await script(board);
   } finally {
+    clearTimeout(timer);
     await board.stop();
     for (const [name, contents] of board.recorded()) writeFileSync(join(folder, name), contents);
   }

@@ -155,6 +155,12 @@ export class Board {
   }
   landed(within_s) { return this.until('the end of the flight', within_s, () => !this.armed); }
 
+  // Whoever waits for the program fails with these words.
+  giveUp(why) {
+    this.complaint = why;
+    this.process.kill('SIGKILL');
+  }
+
   // Ends the program, which then writes its memories.
   async stop() {
     this.process.kill('SIGTERM');

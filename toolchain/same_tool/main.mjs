@@ -4,7 +4,7 @@ import { mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-import { NotTried, commitNamed, workingTree } from '../checkout.mjs';
+import { NotTried, beAlone, commitNamed, workingTree } from '../checkout.mjs';
 import { checkOutput } from '../output.mjs';
 import { flattened, judged } from './compare.mjs';
 import { kFlights } from './flights.mjs';
@@ -119,6 +119,7 @@ async function main(words) {
     return 0;
   }
   const options = readOptions(words);
+  beAlone(kFolder);
   const sides = prepare(options);
   rmSync(join(kFolder, 'flights'), { recursive: true, force: true });
   const results = await compareAll(sides, options);
