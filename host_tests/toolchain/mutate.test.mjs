@@ -151,9 +151,9 @@ test('of the tests, only quick unit tests that need no file but their program', 
 
 test('objects that include a header are found in what ninja knows', () => {
   const deps = 'a.o: #deps 2, deps mtime 1 (VALID)\n    /x/a.cpp\n    /x/a.hpp\n\n' +
-    'b.o: #deps 1, deps mtime 1 (VALID)\n    /x/b.cpp\n';
+    'b.o: #deps 1, deps mtime 1 (VALID)\n    /x/b.cpp\n\nc.o: #deps 1, deps mtime 1 (VALID)\n    ../../a.hpp\n';
 
-  assert.deepEqual(objectsWith(deps, '/x/a.hpp'), ['a.o']);
+  assert.deepEqual(objectsWith(deps, '/x/a.hpp', '/x/build/host'), ['a.o', 'c.o']);
 });
 
 test('the tests of the file itself come first, then the quick ones', () => {

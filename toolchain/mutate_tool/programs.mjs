@@ -4,7 +4,7 @@
 import { spawn } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, readFileSync } from 'node:fs';
-import { basename, dirname, join } from 'node:path';
+import { basename, dirname, join, resolve } from 'node:path';
 
 import { NotTried } from '../checkout.mjs';
 
@@ -50,8 +50,9 @@ export class Runner {
   async must(program, words) {
     const { status, output } = await this.run(program, words);
     if (status === 0) return output;
-    const why = output.split('\n').find((line) => /error|FAILED/i.test(line)) ?? output.trim().split('\n').at(-1);
-    throw new NotTried(`without any mutation ${basename(program)} ${words.join(' ')} fails: ${why}`);
+    const lines = output.trim().split('\n');
+    const why = lines.find((line) => /error:/i.test(line)) ?? lines.at(-1);
+    throw new NotTried(`without any mutation ${program} fails in ${this.host}: ${why}`);
   }
   async configure() {
     if (existsSync(join(this.host, 'build.ninja'))) return;
@@ -79,13 +80,14 @@ export function unitPrograms({ tests }, host) {
   }).map(({ name }) => name);
 }
 
-// What ninja -t deps prints: the objects that were made with the file, by an #include too.
-export function objectsWith(deps, file) {
+// What ninja -t deps prints in a folder: the objects that were made with the file, by an #include
+// too. A compiler cache makes paths relative to that folder.
+export function objectsWith(deps, file, folder) {
   const found = [];
   let object;
   for (const line of deps.split('\n')) {
     if (/^\S.*: #deps/.test(line)) object = line.slice(0, line.indexOf(': #deps'));
-    else if (line.trim() === file) found.push(object);
+    else if (line && resolve(folder, line.trim()) === file) found.push(object);
   }
   return found;
 }
@@ -96,7 +98,7 @@ async function dependents(runner, candidates, file) {
   let wanted = [path];
   if (!file.endsWith('.cpp')) {
     await runner.mustBuild(...candidates);
-    wanted = objectsWith(await runner.must('ninja', ['-C', runner.host, '-t', 'deps']), path);
+    wanted = objectsWith(await runner.must('ninja', ['-C', runner.host, '-t', 'deps']), path, runner.host);
   }
   const found = [];
   for (const name of candidates) {
