@@ -15,11 +15,13 @@ function git(folder, words, env = {}) {
   const { status, stdout, stderr, error } = spawnSync('git', ['-C', folder, ...words],
     { encoding: 'utf8', env: { ...process.env, ...env }, maxBuffer: 1 << 28 });
   if (status === 0) return stdout.trim();
-  throw new NotTried(error?.message ?? stderr.trim().split('\n').at(-1));
+  if (error) throw new NotTried(`git cannot be run: ${error.code}`);
+  throw new NotTried(stderr.trim().split('\n').at(-1));
 }
 
 // { words, commit, tree } of what a user calls a commit.
 export function commitNamed(root, name) {
+  git(root, ['rev-parse', '--git-dir']);  // without git, or outside a repository, it says so
   let commit;
   try {
     commit = git(root, ['rev-parse', '--verify', '--quiet', '--end-of-options', `${name}^{commit}`]);

@@ -16,13 +16,13 @@ const kManual = 0, kCircle = 1, kStabilize = 2, kTraining = 3, kAcro = 4, kFbwa 
 
 function run(program, words) {
   const child = spawn(program, words, { stdio: ['ignore', 'pipe', 'pipe'], timeout: kTimeout_ms });
-  let said = '';
-  for (const stream of [child.stdout, child.stderr]) stream.on('data', (bytes) => { said += bytes; });
+  let output = '';
+  for (const stream of [child.stdout, child.stderr]) stream.on('data', (bytes) => { output += bytes; });
   return new Promise((resolve, reject) => {
     child.on('error', reject);
     child.on('close', (status, signal) => {
       if (status === 0) return resolve();
-      const lines = said.trim().split('\n');
+      const lines = output.trim().split('\n');
       const why = lines.find((line) => /^(fly|mission_tool|not completed):/.test(line)) ?? lines.at(-1);
       return reject(new FlightFailed(`status ${status ?? signal}: ${why}`));
     });
