@@ -51,7 +51,7 @@ int16_t byItself() {
     return percent * kPercent;
 }
 
-void move(core::Fixed<14>& flap, int16_t to) {
+void move(core::Ratio& flap, int16_t to) {
     const int16_t step = parameters.flap_slew_pct * kPercent / 10;
     const int16_t left = to - flap.raw;
     flap.raw += step == 0 ? left : core::limit<int16_t>(left, -step, step);

@@ -9,8 +9,8 @@ namespace firmware {
 namespace actuators {
 
 struct Flaps {  // 0 in, 1 all out
-    core::Fixed<14> lever;
-    core::Fixed<14> out;  // what of both is more
+    core::Ratio lever;
+    core::Ratio out;  // what of both is more
 };
 extern Flaps flaps;
 

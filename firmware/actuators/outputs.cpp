@@ -36,9 +36,8 @@ uint8_t held;  // a bit an output: its pulse stays as it is
 }
 
 // RCn_REV turns the control of a pair, with its stick; the kind of the pair turns the servos.
-core::Fixed<14> upright(uint8_t output, core::Fixed<14> control) {
-    return parameters.channel[output].reverse < 0 ? core::Fixed<14>::fromRaw(-control.raw)
-                                                  : control;
+core::Ratio upright(uint8_t output, core::Ratio control) {
+    return parameters.channel[output].reverse < 0 ? core::Ratio::fromRaw(-control.raw) : control;
 }
 
 uint16_t mixed_us(int8_t kind, float common, float differential, uint8_t output, bool left) {
@@ -46,12 +45,12 @@ uint16_t mixed_us(int8_t kind, float common, float differential, uint8_t output,
                                          parameters.mixing_gain);
     ::control::ServoRange servo = range(output);
     if (output < kFirstFree) servo.reverse = 1;
-    return surfacePulse_us(servo, left ? pair.left : pair.right);
+    return surfacePulse_us(servo, core::Ratio(left ? pair.left : pair.right));
 }
 
-uint16_t paired_us(int8_t kind, uint8_t output, uint8_t other, core::Fixed<14> differential) {
-    return mixed_us(kind, upright(kElevator, surfaces.elevator), -upright(other, differential),
-                    output, output == kElevator);
+uint16_t paired_us(int8_t kind, uint8_t output, uint8_t other, core::Ratio differential) {
+    return mixed_us(kind, upright(kElevator, surfaces.elevator).toFloat(),
+                    -upright(other, differential).toFloat(), output, output == kElevator);
 }
 
 uint16_t elevon_us(uint8_t output) {
@@ -78,7 +77,7 @@ uint16_t throttle_us() {
         if (servo.min_us > kIdle_us) servo.min_us = kIdle_us;
         if (servo.max_us < 3000 - kIdle_us) servo.max_us = 3000 - kIdle_us;
     }
-    return throttlePulse_us(servo, vehicle.armed ? surfaces.throttle : core::Fixed<14>::fromRaw(0));
+    return throttlePulse_us(servo, vehicle.armed ? surfaces.throttle : core::Ratio::fromRaw(0));
 }
 uint16_t rudder_us() {
     const bool alone = parameters.vtail_output == 0 || parameters.elevon_output != 0;
@@ -90,8 +89,8 @@ constexpr Pulse kPulses[kFirstFree] ROM = {aileron_us, elevator_us, throttle_us,
 
 // Where both are too much for a surface, the flap gives way: it is the ailerons that keep upright.
 uint16_t flaperon_us(uint8_t output, bool left) {
-    return mixed_us(static_cast<int8_t>(::control::Pair::up_down), surfaces.aileron, flaps.out,
-                    output, left);
+    return mixed_us(static_cast<int8_t>(::control::Pair::up_down), surfaces.aileron.toFloat(),
+                    flaps.out.toFloat(), output, left);
 }
 
 uint16_t flap_us(uint8_t output) { return throttlePulse_us(range(output), flaps.lever); }

@@ -18,7 +18,7 @@ Surfaces surfaces;
 
 namespace {
 
-using Deflection = core::Fixed<14>;
+using Deflection = core::Ratio;
 
 constexpr int16_t kPerCentidegree = 14913;  // 16384 / 4500 in 2^-12
 
@@ -43,9 +43,9 @@ void feelAir() {
                              parameters.speed_min_mps);
     // upside down both turn the other way about the airplane's own axes
     const float side = inverted ? -1 : 1;
-    turn = ::control::turnRates(air, attitude.sin_roll * side, attitude.cos_roll * side,
-                                attitude.cos_pitch);
-    if (inverted) turn = {-turn.pitch_rads, -turn.yaw_rads};
+    turn = ::control::turnRates(air, attitude.sin_roll.toFloat() * side,
+                                attitude.cos_roll.toFloat() * side, attitude.cos_pitch.toFloat());
+    if (inverted) turn = {core::BodyRate::fromRaw(-turn.pitch_rads.raw), -turn.yaw_rads};
 }
 
 int16_t angle(int16_t cd) {
@@ -67,7 +67,7 @@ void takeRest() {
     pitch_min = angle(parameters.pitch_min_cd);
     pitch_max = angle(parameters.pitch_max_cd);
     trim_pitch = angle(parameters.trim_pitch_cd);
-    rudder_mix = parameters.rudder_mix;
+    rudder_mix = Deflection(parameters.rudder_mix);
 }
 
 void lookAway() {}
@@ -79,13 +79,13 @@ constexpr Look kLooks[] ROM = {feelAir, takeRoll,  lookAway, lookAway, lookAway,
 uint8_t look;
 
 // Where it turns to: farther ahead than the loop that holds TRAINING's bounds needs to stop.
-int16_t soon(core::Angle angle_rad, core::Fixed<10> rate_rads) {
+int16_t soon(core::Angle angle_rad, core::BodyRate rate_rads) {
     constexpr int16_t kLead = 6;  // 0.6 s, from the one's steps to the other's
     return core::narrowed(angle_rad.raw + core::product(kLead, rate_rads.raw));
 }
 
 // How far to turn: to what is demanded, or in TRAINING to the bound that is nearer.
-core::Angle error(core::Angle now_rad, core::Fixed<10> rate_rads, core::Angle demand_rad,
+core::Angle error(core::Angle now_rad, core::BodyRate rate_rads, core::Angle demand_rad,
                   core::Angle pilot_rad, int16_t low, int16_t high, int16_t trim) {
     if (vehicle.sticks == Sticks::rates) return demand_rad;
     int16_t wanted = core::narrowed(int32_t{demand_rad.raw} + pilot_rad.raw);
@@ -103,22 +103,22 @@ int16_t righted() {
 
 // Half a roll asks nobody where to turn; where both ways are long it goes to the right.
 core::Angle rollError() {
-    constexpr core::Fixed<14> kOver = 0.5f;
+    constexpr core::Ratio kOver(0.5f);
     const int16_t upside = inverted ? INT16_MIN : 0;
     const auto& attitude = vehicle.attitude;
     if (!rolls || righted() > kOver.raw)
         return error(attitude.roll_rad, attitude.rate_rads.x, vehicle.roll_demand_rad,
                      vehicle.pilot_roll_rad, -roll_limit, roll_limit, upside);
     const core::Angle left = core::between(attitude.roll_rad, core::Angle::fromRaw(upside));
-    constexpr core::Angle kLong_rad = core::radians(150);
+    constexpr core::Angle kLong_rad(core::radians(150));
     return left.raw < -kLong_rad.raw ? core::Angle::fromRaw(INT16_MAX) : left;
 }
 
 // The nose goes up by as much of the elevator as the wing is level, upside down by pushing; and no
 // harder than a wing bears that was made for the other side.
 core::Angle aboutWing(core::Angle up_rad) {
-    constexpr core::Angle kMost_rad = core::radians(14);
-    constexpr core::Fixed<14> kThere = 0.8f;
+    constexpr core::Angle kMost_rad(core::radians(14));
+    constexpr core::Ratio kThere(0.8f);
     const int16_t limited =
         core::limit<int16_t>(up_rad.raw, static_cast<int16_t>(-kMost_rad.raw), kMost_rad.raw);
     if (!inverted && righted() > kThere.raw && limited == up_rad.raw) rolls = false;
@@ -135,9 +135,9 @@ core::Angle pitchError() {
 }
 
 Deflection yaw() {
-    return ::control::yawDeflection(parameters.yaw, yaw_state, air, turn,
-                                    vehicle.attitude.rate_rads.z, vehicle.imu.accel_mss.y,
-                                    vehicle.imu.periods * estimation::kSamplePeriod_s);
+    return Deflection(::control::yawDeflection(
+        parameters.yaw, yaw_state, air, turn, vehicle.attitude.rate_rads.z.toFloat(),
+        vehicle.imu.accel_mss.y.toFloat(), vehicle.imu.periods * estimation::kSamplePeriod_s));
 }
 
 void add(Deflection& to, int32_t steps) { to = Deflection::fromRaw(to.raw + steps); }
@@ -147,9 +147,9 @@ void addStick(Deflection& to, int16_t stick_cd) {
 
 // The stick, but where it leads out of the bounds no further than what holds them. Close to them
 // that counts whichever way it turns, or stick and loop would take turns.
-void bind(Deflection& surface, int16_t stick_cd, core::Angle now_rad, core::Fixed<10> rate_rads,
+void bind(Deflection& surface, int16_t stick_cd, core::Angle now_rad, core::BodyRate rate_rads,
           int16_t low, int16_t high, ::control::AxisState& state) {
-    constexpr core::Angle kClose_rad = core::radians(3);
+    constexpr core::Angle kClose_rad(core::radians(3));
     Deflection stick = Deflection::fromRaw(0);
     addStick(stick, stick_cd);
     const int16_t soon_rad = soon(now_rad, rate_rads);
@@ -173,7 +173,7 @@ void bindSticks() {
     const bool turns = vehicle.sticks == Sticks::rates &&
                        (vehicle.radio.pitch_cd != 0 || parameters.acro_locking == 0);
     if (!turns) return turn;
-    return {core::Fixed<10>::fromRaw(0), turn.yaw_rads};
+    return {core::BodyRate::fromRaw(0), turn.yaw_rads};
 }
 
 void stabilise() {
@@ -214,7 +214,7 @@ void runAttitudeControl() {
     core::romRead(kLooks[look])();
     const bool at_trim = vehicle.mode == Mode::initialising;
     if (at_trim || vehicle.sticks == Sticks::direct)
-        surfaces = {0, 0, 0, 0};
+        surfaces = Surfaces();
     else
         stabilise();
     if (vehicle.sticks == Sticks::direct || vehicle.sticks == Sticks::on_top) addSticks();

@@ -7,8 +7,8 @@ namespace firmware {
 namespace control {
 
 struct Surfaces {  // -1..1: right wing down, nose up, nose right
-    core::Fixed<14> aileron, elevator, rudder;
-    core::Fixed<14> throttle;  // 0..1
+    core::Ratio aileron, elevator, rudder;
+    core::Ratio throttle;  // 0..1
 };
 extern Surfaces surfaces;
 

@@ -90,8 +90,8 @@ bool tuneStep() {
 }
 
 void tune(TunedAxis which, const ::control::AxisGains& gains, const ::control::AxisState& state,
-          const ::control::AirFlow& air, core::Angle error_rad, core::Fixed<10> rate_rads) {
-    constexpr core::Fixed<14> kLevel_cos = 0.94f;
+          const ::control::AirFlow& air, core::Angle error_rad, core::BodyRate rate_rads) {
+    constexpr core::Ratio kLevel_cos(0.94f);
     AxisTuner& tuner = tuners[which];
     // in a bank the nose turns without the pilot's asking for it
     if (which == kTunedPitch && vehicle.attitude.cos_roll.raw < kLevel_cos.raw) return tuner.drop();

@@ -12,7 +12,7 @@ void startTuning();  // AUTOTUNE has been entered
 
 // While AUTOTUNE flies, after the loop of that axis has run with these.
 void tune(TunedAxis which, const ::control::AxisGains& gains, const ::control::AxisState& state,
-          const ::control::AirFlow& air, core::Angle error_rad, core::Fixed<10> rate_rads);
+          const ::control::AirFlow& air, core::Angle error_rad, core::BodyRate rate_rads);
 
 bool tuneStep();  // 10 Hz: sets the next of what has been found; true: did
 

@@ -112,7 +112,8 @@ bool pointsByCourse() {
 bool divesSlowly() {
     constexpr float kDown = -0.14f;  // sine of 8 degrees
     const float most = parameters.throttle_max_pct * 0.0095f;
-    return vehicle.attitude.sin_pitch < kDown && vehicle.throttle_demand >= most &&
+    return vehicle.attitude.sin_pitch.toFloat() < kDown &&
+           vehicle.throttle_demand.toFloat() >= most &&
            vehicle.estimate.equivalent_airspeed_mps < parameters.speed_min_mps;
 }
 

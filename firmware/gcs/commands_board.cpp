@@ -43,14 +43,14 @@ uint8_t trimRadio() {
 
 // The board's present lie becomes the airplane's level; small angles add up.
 uint8_t trimLevel() {
-    constexpr int16_t kStill = core::Fixed<10>(core::radians(4)).raw;
+    constexpr int16_t kStill = core::BodyRate(core::radians(4)).raw;
     const auto& rate = vehicle.attitude.rate_rads;
     const bool still =
         rate.x.raw < kStill && rate.x.raw > -kStill && rate.y.raw < kStill && rate.y.raw > -kStill;
     if (!still) tell(Severity::error, ROM_TEXT("Level: keep it still"));
     if (!still || !vehicle.attitude.aligned) return MavResult::failed;
-    const float lie_rad[] = {parameters.level_trim_rad[0] + vehicle.attitude.roll_rad,
-                             parameters.level_trim_rad[1] + vehicle.attitude.pitch_rad};
+    const float lie_rad[] = {parameters.level_trim_rad[0] + vehicle.attitude.roll_rad.toFloat(),
+                             parameters.level_trim_rad[1] + vehicle.attitude.pitch_rad.toFloat()};
     return whenTrue(storeAll(slot::ahrs_trim_x, lie_rad, 2), MavResult::failed);
 }
 

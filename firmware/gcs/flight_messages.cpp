@@ -44,12 +44,12 @@ int16_t degreesOf(int32_t angle_cd) {
 
 bool fillIn(const Link&, mavlink::Attitude& to) {
     to.time_boot_ms = hal::now_ms();
-    to.roll = vehicle.attitude.roll_rad;
-    to.pitch = vehicle.attitude.pitch_rad;
-    to.yaw = vehicle.attitude.yaw_rad;
-    to.rollspeed = vehicle.attitude.rate_rads.x;
-    to.pitchspeed = vehicle.attitude.rate_rads.y;
-    to.yawspeed = vehicle.attitude.rate_rads.z;
+    to.roll = vehicle.attitude.roll_rad.toFloat();
+    to.pitch = vehicle.attitude.pitch_rad.toFloat();
+    to.yaw = vehicle.attitude.yaw_rad.toFloat();
+    to.rollspeed = vehicle.attitude.rate_rads.x.toFloat();
+    to.pitchspeed = vehicle.attitude.rate_rads.y.toFloat();
+    to.yawspeed = vehicle.attitude.rate_rads.z.toFloat();
     return true;
 }
 
@@ -81,7 +81,7 @@ bool fillIn(const Link&, mavlink::VfrHud& to) {
     to.climb = vehicle.estimate.climb_mps;
     to.heading = static_cast<int16_t>(heading(360));
     to.throttle = static_cast<uint16_t>(
-        core::rounded(core::limit<float>(vehicle.throttle_demand, 0.0f, 1.0f) * 100));
+        core::rounded(core::limit(vehicle.throttle_demand.toFloat(), 0.0f, 1.0f) * 100));
     return true;
 }
 
@@ -96,8 +96,8 @@ bool fillIn(const Link&, mavlink::Wind& to) {
 }
 
 bool fillIn(const Link&, mavlink::NavControllerOutput& to) {
-    to.nav_roll = core::degrees(vehicle.roll_demand_rad);
-    to.nav_pitch = core::degrees(vehicle.pitch_demand_rad);
+    to.nav_roll = core::degrees(vehicle.roll_demand_rad.toFloat());
+    to.nav_pitch = core::degrees(vehicle.pitch_demand_rad.toFloat());
     to.nav_bearing = degreesOf(vehicle.progress.nav_bearing_cd);
     to.target_bearing = degreesOf(vehicle.progress.target_bearing_cd);
     to.wp_dist = static_cast<uint16_t>(core::limit(vehicle.progress.distance_m, 0.0f, 65535.0f));
@@ -134,9 +134,9 @@ bool fillIn(const Link&, mavlink::CameraFeedback& to) {
     to.lng = vehicle.estimate.position.longitude_e7;
     to.alt_msl = static_cast<float>(altitude_mm()) * 0.001f;
     to.alt_rel = vehicle.estimate.height_m;
-    to.roll = vehicle.attitude.roll_rad * kDegrees;
-    to.pitch = vehicle.attitude.pitch_rad * kDegrees;
-    to.yaw = vehicle.attitude.yaw_rad * kDegrees;
+    to.roll = vehicle.attitude.roll_rad.toFloat() * kDegrees;
+    to.pitch = vehicle.attitude.pitch_rad.toFloat() * kDegrees;
+    to.yaw = vehicle.attitude.yaw_rad.toFloat() * kDegrees;
     to.img_idx = picturesTaken();
     return true;
 }

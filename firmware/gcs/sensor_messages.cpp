@@ -20,11 +20,11 @@ namespace {
 constexpr uint8_t kUnknownRssi = 255;
 
 // Thousandths of g of 2^-8 m/s2, and of a rad/s of 2^-10.
-int16_t milliG(core::Fixed<8> accel_mss) {
+int16_t milliG(core::Acceleration accel_mss) {
     constexpr float kFactor = 1000 / core::kGravity_mss / 256 * 65536;
     return core::upper(core::product(accel_mss.raw, static_cast<int16_t>(kFactor + 0.5f)));
 }
-int16_t milli(core::Fixed<10> rate_rads) {
+int16_t milli(core::BodyRate rate_rads) {
     return core::upper(core::product(rate_rads.raw, 32000) * 2);  // 65536 * 1000 / 1024 / 2
 }
 

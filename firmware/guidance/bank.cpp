@@ -59,8 +59,9 @@ float turnAccel_mss() { return turn_accel_mss; }
 
 float presentBank_mss() {
     const float side = vehicle.inverted ? -1 : 1;
-    const float cosine = core::limit(vehicle.attitude.cos_roll * side, 0.3f, 1.0f);
-    const float tangent = core::limit(vehicle.attitude.sin_roll * side / cosine, -2.0f, 2.0f);
+    const float cosine = core::limit(vehicle.attitude.cos_roll.toFloat() * side, 0.3f, 1.0f);
+    const float tangent =
+        core::limit(vehicle.attitude.sin_roll.toFloat() * side / cosine, -2.0f, 2.0f);
     return core::kGravity_mss * tangent - trim.accel_mss();
 }
 
@@ -68,7 +69,8 @@ void demandBank(float bank_accel_mss, BankLimit limit) {
     const float most_rad = limit_rad(limit);
     const float accel_mss =
         core::limit(bank_accel_mss + trim.accel_mss(), -carried_mss, carried_mss);
-    vehicle.roll_demand_rad = core::limit(navigation::bankFor_rad(accel_mss), -most_rad, most_rad);
+    vehicle.roll_demand_rad =
+        core::Angle(core::limit(navigation::bankFor_rad(accel_mss), -most_rad, most_rad));
 }
 
 }  // namespace guidance

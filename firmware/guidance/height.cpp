@@ -42,7 +42,7 @@ float pathAngle_rad() {
 
 // Of the bank, counted from upside down where that is flown.
 float cosRoll() {
-    const float cosine = vehicle.attitude.cos_roll;
+    const float cosine = vehicle.attitude.cos_roll.toFloat();
     return vehicle.inverted ? -cosine : cosine;
 }
 
@@ -52,9 +52,10 @@ float pathAcceleration_mss() {
     const auto& attitude = vehicle.attitude;
     const float path_rad = pathAngle_rad();
     const float cosine = core::limit(cosRoll(), 0.3f, 1.0f);
-    float alpha_rad = core::limit((attitude.pitch_rad - path_rad) / cosine, -0.3f, 0.3f);
+    float alpha_rad = core::limit((attitude.pitch_rad.toFloat() - path_rad) / cosine, -0.3f, 0.3f);
     if (vehicle.inverted) alpha_rad = -alpha_rad;
-    return vehicle.imu.accel_mss.x + vehicle.imu.accel_mss.z * alpha_rad -
+    const auto& accel_mss = vehicle.imu.accel_mss;
+    return accel_mss.x.toFloat() + accel_mss.z.toFloat() * alpha_rad -
            core::kGravity_mss * path_rad;
 }
 
@@ -137,23 +138,25 @@ void learnLevel() {
 
 // With neither barometer nor GPS, a little above level: nobody sees the ground coming.
 core::Angle blindPitch_rad() {
-    constexpr core::Angle kAbove_rad = core::radians(0.7f);
+    constexpr core::Angle kAbove_rad(core::radians(0.7f));
     return core::Angle::fromRaw(static_cast<int16_t>(level_pitch_rad.raw + kAbove_rad.raw));
 }
 
 }  // namespace
 
 void beginHeight() {
-    speed_height.start(measured(), vehicle.attitude.pitch_rad, vehicle.throttle_demand);
+    speed_height.start(measured(), vehicle.attitude.pitch_rad.toFloat(),
+                       vehicle.throttle_demand.toFloat());
 }
 
 void shiftHeightFlown(float by_m) { speed_height.shift(by_m); }
 
 void waitWithHeight(const Plan& plan) {
     speed_height.start(measured(), 0, 0);
-    vehicle.pitch_demand_rad = plan.phase == ::control::Phase::climb_out ? plan.pitch_min_rad : 0;
+    vehicle.pitch_demand_rad =
+        core::Angle(plan.phase == ::control::Phase::climb_out ? plan.pitch_min_rad : 0.0f);
     vehicle.throttle_demand =
-        parameters.suppressed_manual != 0 ? vehicle.radio.throttle_pct * 0.01f : 0;
+        core::Ratio(parameters.suppressed_manual != 0 ? vehicle.radio.throttle_pct * 0.01f : 0.0f);
 }
 
 void flyHeight(const Plan& plan) {
@@ -167,7 +170,7 @@ void flyHeight(const Plan& plan) {
                          blind ? ::control::Phase::approach : plan.phase, kPeriod_s);
     learnLevel();
     vehicle.pitch_demand_rad = blind ? blindPitch_rad() : core::Angle(out.pitch_rad);
-    vehicle.throttle_demand = out.throttle;
+    vehicle.throttle_demand = core::Ratio(out.throttle);
 }
 
 }  // namespace guidance

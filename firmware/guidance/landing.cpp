@@ -36,7 +36,7 @@ constexpr float kSofter = 0.6f;
 constexpr float kNoseDown_radpm = 0.1f, kMostNoseDown_m = 2;
 
 navigation::Landing landing;
-core::Fixed<14> power;  // of the cruise throttle
+core::Ratio power;  // of the cruise throttle
 
 // Between the lowest speed and cruise: slow enough to land, fast enough to flare. Most of the
 // headwind is added, for near the ground it is gone.
@@ -88,7 +88,7 @@ float runwayError_rad(float crosstrack_m) {
 }  // namespace
 
 void beginLanding() { landing.start(); }
-float flarePower() { return power; }
+float flarePower() { return power.toFloat(); }
 
 Plan flyLanding() {
     const auto now = motion();
@@ -104,7 +104,7 @@ Plan flyLanding() {
         to_fly.pitch_min_rad =
             core::radiansFromCentidegrees(parameters.land_pitch_cd) -
             kNoseDown_radpm * core::limit(heightAbovePoint_m(), 0.0f, kMostNoseDown_m);
-        power = powerKept(lateral, into_wind);
+        power = core::Ratio(powerKept(lateral, into_wind));
         steerTowards(legHeading_rad() - runwayError_rad(lateral.crosstrack_m));
     }
     vehicle.progress.flaring = landing.flaring();

@@ -36,9 +36,10 @@ bool launched() {
                                                  parameters.takeoff_min_accel_mss,
                                                  parameters.takeoff_delay_ds};
     const navigation::LaunchState now = {
-        vehicle.imu.accel_mss.x - core::kGravity_mss * vehicle.attitude.sin_pitch,
-        vehicle.estimate.ground_speed_mps, vehicle.attitude.roll_rad, vehicle.attitude.pitch_rad,
-        kGuidancePeriod_s};
+        vehicle.imu.accel_mss.x.toFloat() -
+            core::kGravity_mss * vehicle.attitude.sin_pitch.toFloat(),
+        vehicle.estimate.ground_speed_mps, vehicle.attitude.roll_rad.toFloat(),
+        vehicle.attitude.pitch_rad.toFloat(), kGuidancePeriod_s};
     const navigation::Launch::Result result = launch.run(settings, now);
     if (result == navigation::Launch::tilted) tell(Severity::warning, ROM_TEXT("Bad launch AUTO"));
     if (result == navigation::Launch::slow) tell(Severity::warning, ROM_TEXT("Timeout AUTO"));

@@ -16,19 +16,20 @@ constexpr float kPerRate_s = 0.15f;
 constexpr float kMost = 0.35f;  // a wheel at full lock overturns the airplane
 
 void steer(float error_rad) {
-    const float wanted = error_rad * kPerRadian - vehicle.attitude.rate_rads.z * kPerRate_s;
-    vehicle.rudder_demand = core::limit(wanted, -kMost, kMost);
+    const float wanted =
+        error_rad * kPerRadian - vehicle.attitude.rate_rads.z.toFloat() * kPerRate_s;
+    vehicle.rudder_demand = core::Ratio(core::limit(wanted, -kMost, kMost));
 }
 
 }  // namespace
 
-void steerNowhere() { vehicle.rudder_demand = 0; }
+void steerNowhere() { vehicle.rudder_demand = core::Ratio::fromRaw(0); }
 
 // While the airplane gains speed the compass heading is not steady enough to be held.
 void steadyNose() { steer(0); }
 
 void steerTowards(float heading_rad) {
-    steer(core::wrapPi(heading_rad - vehicle.attitude.yaw_rad));
+    steer(core::wrapPi(heading_rad - vehicle.attitude.yaw_rad.toFloat()));
 }
 
 }  // namespace guidance

@@ -31,12 +31,12 @@ float pitch_rad() {
 
 }  // namespace
 
-void beginTakeoff() { course.start(vehicle.attitude.yaw_rad); }
+void beginTakeoff() { course.start(vehicle.attitude.yaw_rad.toFloat()); }
 
 Plan flyTakeoff() {
     const auto now = motion();
-    course.run(now.velocity_mps, vehicle.estimate.ground_speed_mps, vehicle.attitude.yaw_rad,
-               kGuidancePeriod_s);
+    course.run(now.velocity_mps, vehicle.estimate.ground_speed_mps,
+               vehicle.attitude.yaw_rad.toFloat(), kGuidancePeriod_s);
     float accel_mss = 0;
     if (course.locked())
         accel_mss = navigation::followCourse(lateralGains(), now, course.course()).bank_accel_mss;

@@ -45,11 +45,11 @@ bool log(RecordType type, Record& record) {
 int16_t centidegrees(core::Angle angle) { return core::upper(angle.raw * 36000L); }
 uint16_t heading_cd() {
     return static_cast<uint16_t>(
-        core::wrap360_cd(core::rounded(core::centidegrees(vehicle.attitude.yaw_rad))));
+        core::wrap360_cd(core::rounded(core::centidegrees(vehicle.attitude.yaw_rad.toFloat()))));
 }
 int16_t throttle_pct() {
     return static_cast<int16_t>(
-        core::rounded(core::limit<float>(vehicle.throttle_demand, 0.0f, 1.0f) * 100));
+        core::rounded(core::limit(vehicle.throttle_demand.toFloat(), 0.0f, 1.0f) * 100));
 }
 
 }  // namespace
@@ -195,7 +195,7 @@ bool putControl() {
     record.pitch_cd = centidegrees(vehicle.attitude.pitch_rad);
     record.throttle_pct = throttle_pct();
     record.rudder_us = static_cast<int16_t>(vehicle.servo_us[3]);
-    record.accel_y_mss = vehicle.imu.accel_mss.y;
+    record.accel_y_mss = vehicle.imu.accel_mss.y.toFloat();
     record.airspeed_mps = vehicle.estimate.equivalent_airspeed_mps;
     record.height_m = vehicle.estimate.height_m;
     return log(RecordType::control, record);
@@ -220,12 +220,12 @@ bool putInertial() {
     const auto& rate = vehicle.imu.rate_rads;
     const auto& accel = vehicle.imu.accel_mss;
     InertialRecord record;
-    record.gyro_x_rads = rate.x;
-    record.gyro_y_rads = rate.y;
-    record.gyro_z_rads = rate.z;
-    record.accel_x_mss = accel.x;
-    record.accel_y_mss = accel.y;
-    record.accel_z_mss = accel.z;
+    record.gyro_x_rads = rate.x.toFloat();
+    record.gyro_y_rads = rate.y.toFloat();
+    record.gyro_z_rads = rate.z.toFloat();
+    record.accel_x_mss = accel.x.toFloat();
+    record.accel_y_mss = accel.y.toFloat();
+    record.accel_z_mss = accel.z.toFloat();
     return log(RecordType::inertial, record);
 }
 

@@ -257,7 +257,7 @@ geo::Position straightAhead() {
         const float share = kAhead_m / now.ground_speed_mps;
         return geo::moved(now.position, {now.velocity_mps.x * share, now.velocity_mps.y * share});
     }
-    const float heading_rad = vehicle.attitude.yaw_rad;
+    const float heading_rad = vehicle.attitude.yaw_rad.toFloat();
     return geo::moved(now.position, {cosf(heading_rad) * kAhead_m, sinf(heading_rad) * kAhead_m});
 }
 

@@ -19,7 +19,8 @@ Entry startCircle() {
 }
 
 void runCircle() {
-    vehicle.roll_demand_rad = core::radiansFromCentidegrees(parameters.roll_limit_cd / 3);
+    vehicle.roll_demand_rad =
+        core::Angle(core::radiansFromCentidegrees(parameters.roll_limit_cd / 3));
     mixSticks();
 }
 

@@ -59,7 +59,7 @@ void demandFbwb() {
     if (vehicle.radio.lost) return;
     vehicle.demand.airspeed_mps =
         parameters.speed_min_mps +
-        (parameters.speed_max_mps - parameters.speed_min_mps) * stickThrottle();
+        (parameters.speed_max_mps - parameters.speed_min_mps) * stickThrottle().toFloat();
 }
 
 }  // namespace modes

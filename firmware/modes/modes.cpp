@@ -79,7 +79,7 @@ bool setMode(Mode mode, ModeReason reason) {
     row = wanted;
     vehicle.mode = core::romRead(kModes[wanted].mode);
     vehicle.sticks = Sticks::nothing;
-    vehicle.pilot_roll_rad = vehicle.pilot_pitch_rad = 0;
+    vehicle.pilot_roll_rad = vehicle.pilot_pitch_rad = core::Angle::fromRaw(0);
     vehicle.mode_changed = true;
     if (reason == ModeReason::failsafe)
         tell(Severity::warning, ROM_TEXT("Failsafe: mode #"), static_cast<uint8_t>(mode));

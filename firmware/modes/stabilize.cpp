@@ -13,8 +13,8 @@ Entry startStabilize() { return Entry::entered; }
 
 void runStabilize() {
     vehicle.sticks = Sticks::on_top;
-    vehicle.roll_demand_rad = 0;
-    vehicle.pitch_demand_rad = 0;
+    vehicle.roll_demand_rad = core::Angle::fromRaw(0);
+    vehicle.pitch_demand_rad = core::Angle::fromRaw(0);
     vehicle.throttle_demand = stickThrottle();
 }
 

@@ -30,9 +30,9 @@ core::Angle stickPitch_rad() {
     return angle(stick_cd, stick_cd > 0 ? parameters.pitch_max_cd : -parameters.pitch_min_cd);
 }
 
-core::Fixed<14> stickThrottle() {
+core::Ratio stickThrottle() {
     constexpr int16_t kSteps = 10486;  // 16384 / 100 in 2^-6
-    return core::Fixed<14>::fromRaw(core::product(vehicle.radio.throttle_pct, kSteps) >> 6);
+    return core::Ratio::fromRaw(core::product(vehicle.radio.throttle_pct, kSteps) >> 6);
 }
 
 void mixSticks() {

@@ -6,9 +6,9 @@
 namespace firmware {
 namespace modes {
 
-core::Angle stickRoll_rad();      // full stick: LIM_ROLL_CD
-core::Angle stickPitch_rad();     // full stick: LIM_PITCH_MAX or LIM_PITCH_MIN
-core::Fixed<14> stickThrottle();  // 0..1
+core::Angle stickRoll_rad();   // full stick: LIM_ROLL_CD
+core::Angle stickPitch_rad();  // full stick: LIM_PITCH_MAX or LIM_PITCH_MIN
+core::Ratio stickThrottle();   // 0..1
 
 // Lets the pilot bend what an automatic mode demands, or move the surfaces: STICK_MIXING 1 and 2,
 // off in a failsafe.

@@ -53,7 +53,7 @@ bool gyrosUnknown() { return !vehicle.imu.calibrated; }
 
 // At rest it feels the earth and nothing else: 0.8 to 1.2 g, held or rocked by the wind too.
 bool accelerometersBad() {
-    const auto square = [](core::Fixed<8> axis) {
+    const auto square = [](core::Acceleration axis) {
         const int16_t tenths = axis.raw / 26;  // 0.1 m/s2
         return core::product(tenths, tenths);
     };

@@ -150,7 +150,7 @@ float lostSoFar_s() {
 // As an interrupt has watched it while the program hung; the rest as quick as before.
 core::Vector3 turnedSince_rad(float since_s) {
     const auto& rate = last->rate_rads;
-    const core::Vector3 rate_rads = {rate.x, rate.y, rate.z};
+    const core::Vector3 rate_rads = {rate.x.toFloat(), rate.y.toFloat(), rate.z.toFloat()};
     if (!whole(blind, *last) || blind.turn.periods < kFewPeriods) return rate_rads * since_s;
     const float seen_s = blind.turn.periods * estimation::kSamplePeriod_s;
     return blindTurn_rad(blind.turn) * (since_s / seen_s);

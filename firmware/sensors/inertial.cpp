@@ -55,7 +55,7 @@ __attribute__((noinline)) void takeReading() {
     constexpr float kFactor = drivers::kForceStep_mss / 4 * 512 * 65536;
     if (refreshed == core::count(readings)) return takeTrim();
     const float scale = core::limit(parameters.accel_scale[refreshed], -1.5f, 1.5f);
-    const core::Fixed<9> offset = parameters.accel_offset_mss[refreshed] * scale;
+    const core::Fixed<9> offset(parameters.accel_offset_mss[refreshed] * scale);
     readings[refreshed] = {static_cast<int16_t>(core::rounded(scale * kFactor)), offset.raw};
 }
 
@@ -71,11 +71,11 @@ int32_t turned(int32_t two, int32_t zero_here) {
     return two * static_cast<int32_t>(kFactor + 0.5f) - zero_here * 2;
 }
 
-__attribute__((noinline)) core::Fixed<10> rate_rads(int32_t turned_in_two) {
+__attribute__((noinline)) core::BodyRate rate_rads(int32_t turned_in_two) {
     constexpr float kFactor = 1024 / (2 * estimation::kSamplePeriod_s) / Turn::kSteps * 4096;
     constexpr int32_t kMost = 0x7FF0000;
     const int32_t rate = core::times16(turned_in_two, static_cast<int16_t>(kFactor * 65536 + 0.5f));
-    return core::Fixed<10>::fromRaw(core::upperOf16(core::limit(rate, -kMost, kMost)));
+    return core::BodyRate::fromRaw(core::upperOf16(core::limit(rate, -kMost, kMost)));
 }
 
 // 2^-9 m/s2
@@ -83,8 +83,8 @@ int32_t force(int32_t two, const Reading& reading) {
     return core::times16(two * 2, reading.factor) - reading.offset;
 }
 
-__attribute__((noinline)) core::Fixed<8> force_mss(int32_t force) {
-    return core::Fixed<8>::fromRaw((force + 1) >> 1);
+__attribute__((noinline)) core::Acceleration force_mss(int32_t force) {
+    return core::Acceleration::fromRaw((force + 1) >> 1);
 }
 
 // AHRS_TRIM: how the board sits in the airplane, a small rotation taken back.
@@ -134,7 +134,7 @@ bool mayRock() {
     return !vehicle.armed && vehicle.estimate.ground_speed_mps < kStanding_mps;
 }
 
-bool possible(const core::FixedVector<10>& rate) {
+bool possible(const core::BodyRates& rate) {
     const int32_t sum = int32_t{rate.x.raw} + rate.y.raw + rate.z.raw;
     return believe(Sensor::inertial, static_cast<int16_t>(sum), true);
 }
@@ -158,8 +158,8 @@ void use(drivers::ImuSums& sums) {
     }
     const bool trimmed = trim_x != 0 || trim_y != 0;
     if (trimmed) level(turn);
-    const core::FixedVector<10> rates = {rate_rads(turn.of[0]), rate_rads(turn.of[1]),
-                                         rate_rads(turn.of[2])};
+    const core::BodyRates rates = {rate_rads(turn.of[0]), rate_rads(turn.of[1]),
+                                   rate_rads(turn.of[2])};
     if (!possible(rates)) return;
     auto& to = vehicle.imu;
     to.rate_rads = rates;

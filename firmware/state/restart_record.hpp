@@ -27,7 +27,7 @@ struct SteadyRecord {
 
 struct MovingRecord {
     estimation::Pose pose;
-    core::FixedVector<10> rate_rads;
+    core::BodyRates rate_rads;
     geo::Position position;
     float north_mps, east_mps, climb_mps;
     float height_m;  // above home

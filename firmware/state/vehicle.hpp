@@ -49,10 +49,10 @@ enum class Sticks : uint8_t {
 struct Vehicle {
     // ---- sensors.cpp, every frame
     struct {
-        estimation::Turn turned;          // body axes: x forward, y right, z down; bias removed
-        core::FixedVector<10> rate_rads;  // the same, by the time
-        core::FixedVector<8> accel_mss;   // specific force: (0, 0, -g) at rest and level
-        uint8_t periods;                  // of estimation::kSamplePeriod_s in this frame's samples
+        estimation::Turn turned;        // body axes: x forward, y right, z down; bias removed
+        core::BodyRates rate_rads;      // the same, by the time
+        core::Accelerations accel_mss;  // specific force: (0, 0, -g) at rest and level
+        uint8_t periods;                // of estimation::kSamplePeriod_s in this frame's samples
         bool healthy;
         bool calibrated;  // gyro bias known
     } imu;
@@ -98,8 +98,8 @@ struct Vehicle {
     // ---- estimator.cpp, every frame
     struct {
         core::Angle roll_rad, pitch_rad, yaw_rad;
-        core::Fixed<14> sin_roll, cos_roll, sin_pitch, cos_pitch;
-        core::FixedVector<10> rate_rads;
+        core::Ratio sin_roll, cos_roll, sin_pitch, cos_pitch;
+        core::BodyRates rate_rads;
         bool aligned;
     } attitude;
     struct {
@@ -173,8 +173,8 @@ struct Vehicle {
 
     // ---- guidance.cpp or a mode, for attitude_control.cpp
     core::Angle roll_demand_rad, pitch_demand_rad;
-    core::Fixed<14> throttle_demand;  // 0..1
-    core::Fixed<14> rudder_demand;    // -1..1, added by what stabilises: steers on the runway
+    core::Ratio throttle_demand;  // 0..1
+    core::Ratio rudder_demand;    // -1..1, added by what stabilises: steers on the runway
     // ---- modes/, every frame
     Sticks sticks;
     core::Angle pilot_roll_rad,

@@ -11,7 +11,7 @@ using control::AirFlow;
 using control::AxisState;
 
 constexpr float kDegree = 3.14159265f / 180;
-constexpr control::TurnRates kStraight{0, 0};
+constexpr control::TurnRates kStraight{core::BodyRate(0), 0};
 constexpr float kFrame_s = 0.01f;
 constexpr uint8_t kPeriods = 2;
 constexpr float kSteps = 2e-4f;  // what the fixed point of gains and rates loses
@@ -22,21 +22,25 @@ AirFlow at(float airspeed_mps) { return control::airFlow(15, airspeed_mps, 9); }
 
 float deflect(const control::RollSettings& settings, AxisState& state, const AirFlow& air,
               float error_rad, float rate_rads) {
-    return rollDeflection(rollGains(settings), state, air, error_rad, rate_rads, kPeriods);
+    return rollDeflection(rollGains(settings), state, air, core::Angle(error_rad),
+                          core::BodyRate(rate_rads), kPeriods)
+        .toFloat();
 }
 float deflect(const control::PitchSettings& settings, AxisState& state, const AirFlow& air,
               const control::TurnRates& turn, float error_rad, float rate_rads) {
-    return pitchDeflection(pitchGains(settings), state, air, turn, error_rad, rate_rads, kPeriods);
+    return pitchDeflection(pitchGains(settings), state, air, turn, core::Angle(error_rad),
+                           core::BodyRate(rate_rads), kPeriods)
+        .toFloat();
 }
 
 control::RollSettings roll() { return {{0.5f, 0.4f, 0.04f, 0.02f, 3000}, 0}; }
 control::PitchSettings pitch() { return {{0.5f, 0.4f, 0.04f, 0.02f, 3000}, 0, 0, 1.0f}; }
 
 TEST(AirFlow, scales_by_the_scaling_speed_over_the_airspeed_within_half_and_twice) {
-    EXPECT_FLOAT_EQ(at(15).speed_scale, 1.0f);
-    EXPECT_FLOAT_EQ(at(10).speed_scale, 1.5f);
-    EXPECT_FLOAT_EQ(at(60).speed_scale, 0.5f);
-    EXPECT_NEAR(at(3).speed_scale, 2.0f, 1e-4);
+    EXPECT_FLOAT_EQ(at(15).speed_scale.toFloat(), 1.0f);
+    EXPECT_FLOAT_EQ(at(10).speed_scale.toFloat(), 1.5f);
+    EXPECT_FLOAT_EQ(at(60).speed_scale.toFloat(), 0.5f);
+    EXPECT_NEAR(at(3).speed_scale.toFloat(), 2.0f, 1e-4);
     EXPECT_FLOAT_EQ(at(0).inverse_airspeed_spm, 1 / 3.0f);
     EXPECT_TRUE(at(8.9f).too_slow);
     EXPECT_FALSE(at(9).too_slow);
@@ -122,16 +126,16 @@ TEST(Pitch, a_turn_adds_the_rate_that_holds_the_nose_on_the_horizon) {
     settings.axis.i = 0;
     const float bank = 45 * kDegree;
     const auto turn = turnRates(at(15), std::sin(bank), std::cos(bank), 1);
-    EXPECT_NEAR(turn.pitch_rads, 9.80665f / 15 * std::tan(bank) * std::sin(bank), 1e-3);
+    EXPECT_NEAR(turn.pitch_rads.toFloat(), 9.80665f / 15 * std::tan(bank) * std::sin(bank), 1e-3);
     AxisState state;
 
     // at exactly that rate there is nothing to correct: feed-forward is all
     const float feed_forward = 0.4f * 0.5f - 0.02f;
-    EXPECT_NEAR(deflect(settings, state, at(15), turn, 0, turn.pitch_rads),
-                feed_forward * turn.pitch_rads * 4 / 3.14159265f, 1e-4);
-    EXPECT_FLOAT_EQ(turnRates(at(15), -std::sin(bank), std::cos(bank), 1).pitch_rads,
-                    turn.pitch_rads);
-    EXPECT_FLOAT_EQ(turnRates(at(15), 0.1f, -0.9f, 1).pitch_rads, 0) << "inverted";
+    EXPECT_NEAR(deflect(settings, state, at(15), turn, 0, turn.pitch_rads.toFloat()),
+                feed_forward * turn.pitch_rads.toFloat() * 4 / 3.14159265f, 1e-4);
+    EXPECT_FLOAT_EQ(turnRates(at(15), -std::sin(bank), std::cos(bank), 1).pitch_rads.toFloat(),
+                    turn.pitch_rads.toFloat());
+    EXPECT_FLOAT_EQ(turnRates(at(15), 0.1f, -0.9f, 1).pitch_rads.toFloat(), 0) << "inverted";
 }
 
 TEST(Yaw, a_coordinated_turn_needs_no_rudder_and_a_swing_is_damped) {

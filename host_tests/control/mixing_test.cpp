@@ -9,6 +9,7 @@ namespace {
 
 using control::Pair;
 using control::ServoRange;
+using core::Ratio;
 
 constexpr ServoRange kServo{1100, 1450, 1900, 1};
 constexpr ServoRange kReversed{1100, 1450, 1900, -1};
@@ -19,28 +20,28 @@ TEST(Servo, each_side_of_the_trim_has_its_own_scale) {
         uint16_t pulse_us;
     } cases[] = {{-1, 1100}, {-0.5f, 1275}, {0, 1450}, {0.5f, 1675}, {1, 1900}};
     for (const auto& c : cases)
-        EXPECT_EQ(surfacePulse_us(kServo, c.deflection), c.pulse_us) << c.deflection;
+        EXPECT_EQ(surfacePulse_us(kServo, Ratio(c.deflection)), c.pulse_us) << c.deflection;
 }
 
 TEST(Servo, a_reversed_one_moves_the_other_way_within_the_same_ends) {
-    EXPECT_EQ(surfacePulse_us(kReversed, 1), 1100);
-    EXPECT_EQ(surfacePulse_us(kReversed, 0), 1450);
-    EXPECT_EQ(surfacePulse_us(kReversed, -1), 1900);
+    EXPECT_EQ(surfacePulse_us(kReversed, Ratio(1)), 1100);
+    EXPECT_EQ(surfacePulse_us(kReversed, Ratio(0)), 1450);
+    EXPECT_EQ(surfacePulse_us(kReversed, Ratio(-1)), 1900);
 }
 
 TEST(Servo, no_demand_leaves_its_ends) {
-    EXPECT_EQ(surfacePulse_us(kServo, 7), 1900);
-    EXPECT_EQ(surfacePulse_us(kServo, -7), 1100);
+    EXPECT_EQ(surfacePulse_us(kServo, Ratio(7)), 1900);
+    EXPECT_EQ(surfacePulse_us(kServo, Ratio(-7)), 1100);
     const ServoRange trimmed_beyond{1100, 2000, 1900, 1};
-    EXPECT_EQ(surfacePulse_us(trimmed_beyond, 0), 1900);
+    EXPECT_EQ(surfacePulse_us(trimmed_beyond, Ratio(0)), 1900);
 }
 
 TEST(Throttle, lies_between_the_ends_and_knows_no_trim) {
-    EXPECT_EQ(throttlePulse_us(kServo, 0), 1100);
-    EXPECT_EQ(throttlePulse_us(kServo, 0.5f), 1500);
-    EXPECT_EQ(throttlePulse_us(kServo, 1.5f), 1900);
-    EXPECT_EQ(throttlePulse_us(kReversed, 0), 1900);
-    EXPECT_EQ(throttlePulse_us(kReversed, 1), 1100);
+    EXPECT_EQ(throttlePulse_us(kServo, Ratio(0)), 1100);
+    EXPECT_EQ(throttlePulse_us(kServo, Ratio(0.5f)), 1500);
+    EXPECT_EQ(throttlePulse_us(kServo, Ratio(1.5f)), 1900);
+    EXPECT_EQ(throttlePulse_us(kReversed, Ratio(0)), 1900);
+    EXPECT_EQ(throttlePulse_us(kReversed, Ratio(1)), 1100);
 }
 
 TEST(Pair, moves_both_for_the_common_control_and_apart_for_the_other) {

@@ -45,14 +45,14 @@ struct Tuning {
         settings.axis.i *= by;
         settings.axis.d *= by;
     }
-    float feedForward() const { return control::rollGains(settings).feed_forward; }
+    float feedForward() const { return control::rollGains(settings).feed_forward.toFloat(); }
     void hold(Axis& axis, float angle, float seconds) {
         const auto air = control::airFlow(15, axis.speed_mps, 9);
         for (int i = 0; i < seconds * 100; ++i) {
             const auto gains = control::rollGains(settings);
-            const core::Angle error = angle - axis.angle;
-            const core::Fixed<10> rate = axis.rate;
-            axis.step(control::rollDeflection(gains, state, air, error, rate, 2));
+            const core::Angle error(angle - axis.angle);
+            const core::BodyRate rate(axis.rate);
+            axis.step(control::rollDeflection(gains, state, air, error, rate, 2).toFloat());
             switch (
                 tuner.watch(gains, state, air, control::demandedRate_rads(gains, error), rate)) {
                 case Finding::measured:

@@ -35,7 +35,7 @@ TEST(Fixed, the_upper_half_of_64_bits_is_right_within_three_steps) {
 TEST(Fixed, keeps_a_number_within_a_step_and_stops_at_its_ends) {
     for (double value = -1.99; value < 1.99; value += 0.00037) {
         const float asked = static_cast<float>(value);
-        ASSERT_NEAR(float(Fixed<14>(asked)), value, 1.0 / 16384) << value;
+        ASSERT_NEAR(Fixed<14>(asked).toFloat(), value, 1.0 / 16384) << value;
     }
     for (float beyond : {2.0f, 1e6f, 1e30f, INFINITY}) {
         EXPECT_EQ(Fixed<14>(beyond).raw, INT16_MAX);
@@ -47,11 +47,11 @@ TEST(Fixed, keeps_a_number_within_a_step_and_stops_at_its_ends) {
 
 TEST(Angle, wraps_as_a_circle_does) {
     for (double angle = -7; angle < 7; angle += 0.001) {
-        const float kept = Angle(static_cast<float>(angle));
+        const float kept = Angle(static_cast<float>(angle)).toFloat();
         ASSERT_NEAR(std::remainder(kept - angle, 2 * M_PI), 0, 1e-4) << angle;
     }
-    EXPECT_NEAR(float(core::between(Angle(3.0f), Angle(-3.0f))), 2 * M_PI - 6, 2e-4);
-    EXPECT_NEAR(float(core::between(Angle(-3.0f), Angle(3.0f))), 6 - 2 * M_PI, 2e-4);
+    EXPECT_NEAR(core::between(Angle(3.0f), Angle(-3.0f)).toFloat(), 2 * M_PI - 6, 2e-4);
+    EXPECT_NEAR(core::between(Angle(-3.0f), Angle(3.0f)).toFloat(), 6 - 2 * M_PI, 2e-4);
 }
 
 }  // namespace

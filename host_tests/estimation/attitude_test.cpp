@@ -22,9 +22,9 @@ struct Figures {
     int n = 0;
 
     void add(const Angles& a, const flight::Truth& t) {
-        const double r = std::remainder(a.roll_rad - t.roll, 2 * M_PI) / flight::kDegree,
-                     p = (a.pitch_rad - t.pitch) / flight::kDegree,
-                     y = std::remainder(a.yaw_rad - t.yaw, 2 * M_PI) / flight::kDegree;
+        const double r = std::remainder(a.roll_rad.toFloat() - t.roll, 2 * M_PI) / flight::kDegree,
+                     p = (a.pitch_rad.toFloat() - t.pitch) / flight::kDegree,
+                     y = std::remainder(a.yaw_rad.toFloat() - t.yaw, 2 * M_PI) / flight::kDegree;
         roll += r * r;
         pitch += p * p;
         yaw += y * y;
@@ -54,8 +54,8 @@ estimation::Motion motion(const core::Vector3& rate_rads, const core::Vector3& f
         return static_cast<int32_t>(rate * 0.01f * estimation::Turn::kSteps);
     };
     return {{{turned(rate_rads.x), turned(rate_rads.y), turned(rate_rads.z)}},
-            {rate_rads.x, rate_rads.y, rate_rads.z},
-            {force_mss.x, force_mss.y, force_mss.z},
+            core::BodyRates::from(rate_rads.x, rate_rads.y, rate_rads.z),
+            core::Accelerations::from(force_mss.x, force_mss.y, force_mss.z),
             2};
 }
 

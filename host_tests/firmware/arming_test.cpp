@@ -32,7 +32,7 @@ struct Arming : bench::Bench {
     }
     static void makeReady() {
         vehicle.imu.healthy = vehicle.imu.calibrated = true;
-        vehicle.imu.accel_mss = {0, 0, -core::kGravity_mss};
+        vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
         vehicle.attitude.aligned = true;
         vehicle.baro.healthy = vehicle.compass.healthy = vehicle.airspeed.healthy = true;
         vehicle.gps.healthy = true;
@@ -99,13 +99,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"PreArm: gyros not ready", [] { vehicle.imu.calibrated = false; }},
         Fault{"PreArm: gyros not healthy", [] { vehicle.imu.healthy = false; }},
         Fault{"PreArm: accelerometers",
-              [] {
-                  vehicle.imu.accel_mss = {0, 0, -7.5f};
-              }},
+              [] { vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -7.5f); }},
         Fault{"PreArm: accelerometers",
-              [] {
-                  vehicle.imu.accel_mss = {8, 3, -9};
-              }},
+              [] { vehicle.imu.accel_mss = core::Accelerations::from(8, 3, -9); }},
         Fault{"PreArm: attitude", [] { vehicle.attitude.aligned = false; }},
         Fault{"PreArm: barometer", [] { vehicle.baro.healthy = false; }},
         Fault{"PreArm: compass", [] { vehicle.compass.healthy = false; }},

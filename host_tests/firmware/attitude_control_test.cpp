@@ -20,12 +20,12 @@ protected:
     }
     void level(float roll_rad = 0, float pitch_rad = 0) {
         auto& attitude = vehicle.attitude;
-        attitude.roll_rad = roll_rad;
-        attitude.pitch_rad = pitch_rad;
-        attitude.sin_roll = std::sin(roll_rad);
-        attitude.cos_roll = std::cos(roll_rad);
-        attitude.sin_pitch = std::sin(pitch_rad);
-        attitude.cos_pitch = std::cos(pitch_rad);
+        attitude.roll_rad = core::Angle(roll_rad);
+        attitude.pitch_rad = core::Angle(pitch_rad);
+        attitude.sin_roll = core::Ratio(std::sin(roll_rad));
+        attitude.cos_roll = core::Ratio(std::cos(roll_rad));
+        attitude.sin_pitch = core::Ratio(std::sin(pitch_rad));
+        attitude.cos_pitch = core::Ratio(std::cos(pitch_rad));
     }
     // Parameters and airspeed are looked at in turn, within ten frames; no time passes here.
     static void lookAround() {
@@ -52,11 +52,11 @@ protected:
 
 TEST_F(AttitudeControl, leaves_the_airplane_alone_in_manual) {
     level(0.5f, -0.3f);
-    vehicle.attitude.rate_rads = {1, 1, 1};
+    vehicle.attitude.rate_rads = core::BodyRates::from(1, 1, 1);
     surfacesIn(Mode::manual, bench::kCentred);
-    EXPECT_EQ(surfaces.aileron, 0);
-    EXPECT_EQ(surfaces.elevator, 0);
-    EXPECT_EQ(surfaces.rudder, 0);
+    EXPECT_EQ(surfaces.aileron.toFloat(), 0);
+    EXPECT_EQ(surfaces.elevator.toFloat(), 0);
+    EXPECT_EQ(surfaces.rudder.toFloat(), 0);
 }
 
 TEST_F(AttitudeControl, feels_a_gain_that_is_set_within_a_fifth_of_a_second) {
@@ -67,7 +67,7 @@ TEST_F(AttitudeControl, feels_a_gain_that_is_set_within_a_fifth_of_a_second) {
     level(0.3f);
     surfacesIn(Mode::fbwa, bench::kCentred);
     for (int round = 0; round < 3; ++round) lookAround();  // and not because it is time to look
-    const float before = surfaces.aileron;
+    const float before = surfaces.aileron.toFloat();
     float value;
     uint8_t type;
     char read[16];
@@ -75,39 +75,39 @@ TEST_F(AttitudeControl, feels_a_gain_that_is_set_within_a_fifth_of_a_second) {
     ASSERT_EQ(firmware::state::parameterSetAt(index, value * 1.5f), core::Status::ok);
     lookAround();
     lookAround();
-    EXPECT_LT(surfaces.aileron, before - 0.02f);
+    EXPECT_LT(surfaces.aileron.toFloat(), before - 0.02f);
 }
 
 TEST_F(AttitudeControl, turns_back_to_level_and_damps) {
     firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     level(0.3f, 0.2f);
     surfacesIn(Mode::fbwa, with(3, 1900));
-    EXPECT_LT(surfaces.aileron, -0.05f);
-    EXPECT_LT(surfaces.elevator, -0.05f);
+    EXPECT_LT(surfaces.aileron.toFloat(), -0.05f);
+    EXPECT_LT(surfaces.elevator.toFloat(), -0.05f);
 
     level();
-    vehicle.attitude.rate_rads = {0.5f, 0.5f, 0};
+    vehicle.attitude.rate_rads = core::BodyRates::from(0.5f, 0.5f, 0);
     surfacesIn(Mode::fbwa, with(3, 1900));
-    EXPECT_LT(surfaces.aileron, 0);
-    EXPECT_LT(surfaces.elevator, 0);
+    EXPECT_LT(surfaces.aileron.toFloat(), 0);
+    EXPECT_LT(surfaces.elevator.toFloat(), 0);
 }
 
 TEST_F(AttitudeControl, meets_a_gust_twice_as_fast_in_the_flare) {
     firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     level(0, core::radians(-4));
-    const float elsewhere = surfacesIn(Mode::fbwa, with(3, 1900)).elevator;
+    const float elsewhere = surfacesIn(Mode::fbwa, with(3, 1900)).elevator.toFloat();
     vehicle.progress.flaring = true;
-    EXPECT_NEAR(surfacesIn(Mode::fbwa, with(3, 1900)).elevator, 2 * elsewhere, 0.01);
+    EXPECT_NEAR(surfacesIn(Mode::fbwa, with(3, 1900)).elevator.toFloat(), 2 * elsewhere, 0.01);
     EXPECT_GT(elsewhere, 0.02f);
 }
 
 TEST_F(AttitudeControl, needs_less_surface_the_faster_it_flies) {
     level(0.3f);
     vehicle.estimate.equivalent_airspeed_mps = 10;
-    const float slow = surfacesIn(Mode::fbwa, bench::kCentred).aileron;
+    const float slow = surfacesIn(Mode::fbwa, bench::kCentred).aileron.toFloat();
     firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
     vehicle.estimate.equivalent_airspeed_mps = 20;
-    const float fast = surfacesIn(Mode::fbwa, bench::kCentred).aileron;
+    const float fast = surfacesIn(Mode::fbwa, bench::kCentred).aileron.toFloat();
     EXPECT_LT(slow, 1.5f * fast);
     EXPECT_LT(fast, 0);
 }
@@ -115,30 +115,30 @@ TEST_F(AttitudeControl, needs_less_surface_the_faster_it_flies) {
 TEST_F(AttitudeControl, demands_no_more_than_the_limits) {
     surfacesIn(Mode::fbwa, {1900, 1900, 1900, 1500, 1500, 1500, 1500, 1815});
     const auto full_stick = surfaces;
-    ASSERT_GT(full_stick.aileron, 0.1f);
+    ASSERT_GT(full_stick.aileron.toFloat(), 0.1f);
     firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
-    vehicle.roll_demand_rad = 3;
-    vehicle.pitch_demand_rad = 1;
+    vehicle.roll_demand_rad = core::Angle(3);
+    vehicle.pitch_demand_rad = core::Angle(1);
     settle(bench::kCentred);
     vehicle.sticks = firmware::state::Sticks::nothing;
     vehicle.mode_changed = true;
     firmware::control::runAttitudeControl();
-    EXPECT_NEAR(surfaces.aileron, full_stick.aileron, 1e-4);
-    EXPECT_NEAR(surfaces.elevator, full_stick.elevator, 1e-4);
+    EXPECT_NEAR(surfaces.aileron.toFloat(), full_stick.aileron.toFloat(), 1e-4);
+    EXPECT_NEAR(surfaces.elevator.toFloat(), full_stick.elevator.toFloat(), 1e-4);
 }
 
 TEST_F(AttitudeControl, adds_the_sticks_to_what_stabilises) {
     const auto centred = surfacesIn(Mode::stabilize, bench::kCentred);
     const auto moved =
         surfacesIn(Mode::stabilize, {1900, 1100, 1100, 1500, 1500, 1500, 1500, 1815});
-    EXPECT_NEAR(moved.aileron - centred.aileron, 1, 0.01);
-    EXPECT_NEAR(moved.elevator - centred.elevator, -1, 0.01);
+    EXPECT_NEAR(moved.aileron.toFloat() - centred.aileron.toFloat(), 1, 0.01);
+    EXPECT_NEAR(moved.elevator.toFloat() - centred.elevator.toFloat(), -1, 0.01);
 }
 
 TEST_F(AttitudeControl, moves_the_rudder_with_the_yaw_stick_in_every_mode) {
     for (Mode mode : {Mode::manual, Mode::stabilize, Mode::fbwa}) {
-        const float centred = surfacesIn(mode, bench::kCentred).rudder;
-        EXPECT_NEAR(surfacesIn(mode, with(4, 1900)).rudder - centred, 1, 0.01)
+        const float centred = surfacesIn(mode, bench::kCentred).rudder.toFloat();
+        EXPECT_NEAR(surfacesIn(mode, with(4, 1900)).rudder.toFloat() - centred, 1, 0.01)
             << static_cast<int>(mode);
     }
 }
@@ -146,42 +146,43 @@ TEST_F(AttitudeControl, moves_the_rudder_with_the_yaw_stick_in_every_mode) {
 TEST_F(AttitudeControl, mixes_aileron_into_the_rudder_when_it_stabilises) {
     level(0.3f);
     surfacesIn(Mode::fbwa, bench::kCentred);
-    EXPECT_NEAR(surfaces.rudder, surfaces.aileron * parameters.rudder_mix, 1e-4);
-    ASSERT_LT(surfaces.rudder, -0.01f);
+    EXPECT_NEAR(surfaces.rudder.toFloat(), surfaces.aileron.toFloat() * parameters.rudder_mix,
+                1e-4);
+    ASSERT_LT(surfaces.rudder.toFloat(), -0.01f);
 }
 
 TEST_F(AttitudeControl, adds_the_demanded_rudder_but_not_in_manual) {
-    vehicle.rudder_demand = 0.2f;
-    EXPECT_NEAR(surfacesIn(Mode::fbwa, bench::kCentred).rudder, 0.2f, 0.01);
-    EXPECT_EQ(surfacesIn(Mode::manual, bench::kCentred).rudder, 0);
+    vehicle.rudder_demand = core::Ratio(0.2f);
+    EXPECT_NEAR(surfacesIn(Mode::fbwa, bench::kCentred).rudder.toFloat(), 0.2f, 0.01);
+    EXPECT_EQ(surfacesIn(Mode::manual, bench::kCentred).rudder.toFloat(), 0);
 }
 
 TEST_F(AttitudeControl, lets_the_pilot_bend_an_automatic_mode_if_stick_mixing_is_on) {
     fly(Mode::loiter);
-    const float unmoved = surfacesIn(Mode::loiter, bench::kCentred).aileron;
-    const float bent = surfacesIn(Mode::loiter, with(1, 1900)).aileron;
+    const float unmoved = surfacesIn(Mode::loiter, bench::kCentred).aileron.toFloat();
+    const float bent = surfacesIn(Mode::loiter, with(1, 1900)).aileron.toFloat();
     EXPECT_GT(bent, unmoved + 0.2f);
 
     parameters.stick_mixing = 0;
-    EXPECT_EQ(surfacesIn(Mode::loiter, with(1, 1900)).aileron, unmoved);
+    EXPECT_EQ(surfacesIn(Mode::loiter, with(1, 1900)).aileron.toFloat(), unmoved);
 }
 
 TEST_F(AttitudeControl, does_not_mix_the_sticks_of_a_lost_radio) {
     fly(Mode::loiter);
-    const float unmoved = surfacesIn(Mode::loiter, bench::kCentred).aileron;
+    const float unmoved = surfacesIn(Mode::loiter, bench::kCentred).aileron.toFloat();
     settle(with(1, 1900));
     loseRadio(1500);
     vehicle.mode_changed = true;
     run();
     ASSERT_TRUE(vehicle.radio.lost);
-    EXPECT_EQ(surfaces.aileron, unmoved);
+    EXPECT_EQ(surfaces.aileron.toFloat(), unmoved);
 }
 
 TEST_F(AttitudeControl, the_bend_stays_within_the_bank_limit) {
     fly(Mode::loiter);
-    vehicle.roll_demand_rad = core::radiansFromCentidegrees(parameters.roll_limit_cd);
-    const float at_limit = surfacesIn(Mode::loiter, bench::kCentred).aileron;
-    EXPECT_EQ(surfacesIn(Mode::loiter, with(1, 1900)).aileron, at_limit);
+    vehicle.roll_demand_rad = core::Angle(core::radiansFromCentidegrees(parameters.roll_limit_cd));
+    const float at_limit = surfacesIn(Mode::loiter, bench::kCentred).aileron.toFloat();
+    EXPECT_EQ(surfacesIn(Mode::loiter, with(1, 1900)).aileron.toFloat(), at_limit);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ protected:
     void enter(int8_t level) {
         parameters.autotune_level = level;
         fly(Mode::autotune);
-        vehicle.attitude.cos_roll = 1.0f;
+        vehicle.attitude.cos_roll = core::Ratio(1.0f);
         for (int i = 0; i < 10; ++i) (void)firmware::control::tuneStep();
     }
     // From rest to rest through `rate`, with a surface that is so many times what is expected.
@@ -29,10 +29,10 @@ protected:
         for (int i = 0; i <= 60; ++i) {
             const float rate_rads = 1.2f * std::sin(3.14159265f * static_cast<float>(i) / 60);
             control::AxisState state;
-            state.last_output = static_cast<int32_t>(
-                times * static_cast<float>(gains.feed_forward) * rate_rads * (1 << 20));
-            const core::Angle error = i < 60 ? 0.6f : 0.0f;
-            firmware::control::tune(which, gains, state, air, error, rate_rads);
+            state.last_output =
+                static_cast<int32_t>(times * gains.feed_forward.toFloat() * rate_rads * (1 << 20));
+            const core::Angle error(i < 60 ? 0.6f : 0.0f);
+            firmware::control::tune(which, gains, state, air, error, core::BodyRate(rate_rads));
         }
         for (int i = 0; i < 10; ++i) (void)firmware::control::tuneStep();
     }
@@ -53,7 +53,7 @@ TEST_F(Autotune, scales_the_gains_of_the_axis_that_turned) {
 TEST_F(Autotune, does_not_judge_the_elevator_by_a_turn) {
     enter(0);
     const auto before = parameters;
-    vehicle.attitude.cos_roll = 0.8f;
+    vehicle.attitude.cos_roll = core::Ratio(0.8f);
     turn(firmware::control::kTunedPitch, 1.2f);
     EXPECT_EQ(parameters.pitch.axis.p, before.pitch.axis.p);
 }
@@ -63,10 +63,10 @@ TEST_F(Autotune, sets_the_time_constants_and_keeps_the_surface_for_a_rate) {
     enter(9);
     EXPECT_FLOAT_EQ(parameters.roll.axis.time_constant_s, 0.25f);
     EXPECT_FLOAT_EQ(parameters.pitch.axis.time_constant_s, 0.25f);
-    EXPECT_NEAR(control::rollGains(parameters.roll).feed_forward,
-                control::rollGains(before.roll).feed_forward, 1e-3f);
-    EXPECT_NEAR(control::pitchGains(parameters.pitch).feed_forward,
-                control::pitchGains(before.pitch).feed_forward, 1e-3f);
+    EXPECT_NEAR(control::rollGains(parameters.roll).feed_forward.toFloat(),
+                control::rollGains(before.roll).feed_forward.toFloat(), 1e-3f);
+    EXPECT_NEAR(control::pitchGains(parameters.pitch).feed_forward.toFloat(),
+                control::pitchGains(before.pitch).feed_forward.toFloat(), 1e-3f);
 }
 
 TEST_F(Autotune, stops_at_the_ends_of_the_parameters) {

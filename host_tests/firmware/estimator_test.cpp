@@ -38,7 +38,7 @@ protected:
         speed_mps_ += acceleration_mss * 0.01f;
         travelled_m_ += speed_mps_ * 0.01f;
         vehicle.imu.periods = 2;
-        vehicle.imu.accel_mss = {acceleration_mss, 0, -core::kGravity_mss};
+        vehicle.imu.accel_mss = core::Accelerations::from(acceleration_mss, 0, -core::kGravity_mss);
         ++frame_;
         if (frame_ % 2 == 0) {
             vehicle.compass.field_mg = {210, 0, 430};
@@ -74,8 +74,8 @@ TEST_F(Estimator, does_not_lead_nor_lag_while_the_airplane_gains_speed) {
         const geo::Offset off = geo::offset(kStart, vehicle.estimate.position);
         ASSERT_NEAR(off.north_m, travelled_m_, 0.6) << "after " << i;
     }
-    EXPECT_NEAR(vehicle.attitude.pitch_rad, 0, 0.02);
-    EXPECT_NEAR(vehicle.attitude.yaw_rad, 0, 0.02);
+    EXPECT_NEAR(vehicle.attitude.pitch_rad.toFloat(), 0, 0.02);
+    EXPECT_NEAR(vehicle.attitude.yaw_rad.toFloat(), 0, 0.02);
 }
 
 TEST_F(Estimator, uses_every_fix_and_reading_whatever_frame_they_come_in) {

@@ -90,8 +90,8 @@ TEST_F(Failsafe, glides_in_fbwa_when_told_to) {
     loseRadio(kShort_ms);
     ASSERT_EQ(vehicle.mode, Mode::fbwa);
     firmware::modes::runMode();
-    EXPECT_EQ(vehicle.throttle_demand, 0);
-    EXPECT_EQ(vehicle.roll_demand_rad, 0);
+    EXPECT_EQ(vehicle.throttle_demand.toFloat(), 0);
+    EXPECT_EQ(vehicle.roll_demand_rad.toFloat(), 0);
 }
 
 TEST_F(Failsafe, circles_when_there_is_no_home_to_return_to) {

@@ -23,7 +23,7 @@ protected:
         parameters.flap_channel = kLever;
         parameters.flap_slew_pct = 0;
         firmware::actuators::startOutputs();
-        vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = 1;
+        vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = core::Ratio(1);
         vehicle.airspeed.healthy = true;
         moveLever(1100);
     }

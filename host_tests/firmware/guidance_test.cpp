@@ -17,8 +17,8 @@ protected:
     void SetUp() override {
         Bench::SetUp();
         firmware::guidance::runGuidance();  // in MANUAL: whoever guided before has let go
-        vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = 1;
-        vehicle.imu.accel_mss = {0, 0, -core::kGravity_mss};
+        vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = core::Ratio(1);
+        vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
         vehicle.home.position = vehicle.estimate.position = kHere;
         vehicle.gps.fix = firmware::state::GpsFix::three_d;
         vehicle.airspeed.healthy = true;
@@ -36,9 +36,9 @@ protected:
         vehicle.estimate.ground_speed_mps = std::hypot(north_mps, east_mps);
     }
     void bank(float roll_rad) {
-        vehicle.attitude.roll_rad = roll_rad;
-        vehicle.attitude.sin_roll = std::sin(roll_rad);
-        vehicle.attitude.cos_roll = std::cos(roll_rad);
+        vehicle.attitude.roll_rad = core::Angle(roll_rad);
+        vehicle.attitude.sin_roll = core::Ratio(std::sin(roll_rad));
+        vehicle.attitude.cos_roll = core::Ratio(std::cos(roll_rad));
     }
     void place(float north_m, float east_m) {
         vehicle.estimate.position = geo::moved(kHere, {north_m, east_m});
@@ -89,13 +89,13 @@ protected:
 };
 
 TEST_F(Guidance, does_nothing_in_a_mode_that_does_not_guide_itself) {
-    vehicle.roll_demand_rad = 0.1f;
-    vehicle.throttle_demand = 0.2f;
+    vehicle.roll_demand_rad = core::Angle(0.1f);
+    vehicle.throttle_demand = core::Ratio(0.2f);
     demand(Path::leg);
     firmware::guidance::runGuidance();
     firmware::guidance::runSpeedHeight();
-    EXPECT_NEAR(vehicle.roll_demand_rad, 0.1f, 1e-4);
-    EXPECT_NEAR(vehicle.throttle_demand, 0.2f, 1e-4);
+    EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), 0.1f, 1e-4);
+    EXPECT_NEAR(vehicle.throttle_demand.toFloat(), 0.2f, 1e-4);
     EXPECT_TRUE(vehicle.demand.new_path);
 }
 
@@ -104,7 +104,7 @@ TEST_F(Guidance, holds_the_motor_on_the_ground_though_an_automatic_mode_is_chose
     vehicle.demand.height_m = 50;
     guide(50);
     EXPECT_TRUE(vehicle.progress.throttle_suppressed);
-    EXPECT_EQ(vehicle.throttle_demand, 0);
+    EXPECT_EQ(vehicle.throttle_demand.toFloat(), 0);
 }
 
 TEST_F(Guidance, lets_the_motor_turn_once_it_is_thrown) {
@@ -115,7 +115,7 @@ TEST_F(Guidance, lets_the_motor_turn_once_it_is_thrown) {
     guide(1);
     EXPECT_FALSE(vehicle.progress.throttle_suppressed);
     guide(30);
-    EXPECT_GT(vehicle.throttle_demand, 0.3f);
+    EXPECT_GT(vehicle.throttle_demand.toFloat(), 0.3f);
 }
 
 TEST_F(Guidance, does_not_take_a_fast_position_alone_for_a_launch) {
@@ -131,12 +131,12 @@ TEST_F(Guidance, does_not_take_a_fast_position_alone_for_a_launch) {
 
 TEST_F(Guidance, never_lets_the_motor_turn_while_disarmed) {
     inTheAir();
-    ASSERT_GT(vehicle.throttle_demand, 0);
+    ASSERT_GT(vehicle.throttle_demand.toFloat(), 0);
     vehicle.armed = false;
     guide(1);
     EXPECT_TRUE(vehicle.progress.throttle_suppressed);
     guide(30);
-    EXPECT_EQ(vehicle.throttle_demand, 0);
+    EXPECT_EQ(vehicle.throttle_demand.toFloat(), 0);
 }
 
 TEST_F(Guidance, takes_off_with_all_its_throttle_and_the_nose_up) {
@@ -147,11 +147,11 @@ TEST_F(Guidance, takes_off_with_all_its_throttle_and_the_nose_up) {
     EXPECT_TRUE(vehicle.progress.throttle_suppressed) << "TKOFF_THR_DELAY has not passed";
     guide(20);
     EXPECT_FALSE(vehicle.progress.throttle_suppressed);
-    EXPECT_FLOAT_EQ(vehicle.throttle_demand, 1);
-    EXPECT_EQ(vehicle.roll_demand_rad, 0);
+    EXPECT_FLOAT_EQ(vehicle.throttle_demand.toFloat(), 1);
+    EXPECT_EQ(vehicle.roll_demand_rad.toFloat(), 0);
     cruising();
     guide(20);
-    EXPECT_GE(vehicle.pitch_demand_rad, core::radians(14.9f));
+    EXPECT_GE(vehicle.pitch_demand_rad.toFloat(), core::radians(14.9f));
 }
 
 TEST_F(Guidance,
@@ -166,7 +166,7 @@ TEST_F(Guidance,
         vehicle.airspeed.healthy = sensor;
         vehicle.estimate.equivalent_airspeed_mps = vehicle.estimate.airspeed_mps = 19;
         guide(60);  // far too fast: the nose may come up more
-        const float pitch_deg = vehicle.pitch_demand_rad * 180 / core::kPi;
+        const float pitch_deg = vehicle.pitch_demand_rad.toFloat() * 180 / core::kPi;
         if (sensor) {
             EXPECT_GT(pitch_deg, 16);
         } else {
@@ -181,7 +181,7 @@ TEST_F(Guidance, waits_for_a_three_dimensional_fix_before_a_take_off) {
     vehicle.gps.fix = firmware::state::GpsFix::two_d;
     guide(30);
     EXPECT_TRUE(vehicle.progress.throttle_suppressed);
-    EXPECT_EQ(vehicle.throttle_demand, 0);
+    EXPECT_EQ(vehicle.throttle_demand.toFloat(), 0);
 }
 
 TEST_F(Guidance, banks_towards_the_leg) {
@@ -190,7 +190,7 @@ TEST_F(Guidance, banks_towards_the_leg) {
         demand(Path::leg);
         place(100, side_m);
         guide();
-        EXPECT_GT(vehicle.roll_demand_rad * -side_m, 0) << side_m;
+        EXPECT_GT(vehicle.roll_demand_rad.toFloat() * -side_m, 0) << side_m;
         EXPECT_NEAR(vehicle.progress.crosstrack_m, side_m, 0.2);
     }
 }
@@ -257,7 +257,7 @@ TEST_F(Guidance, circles_to_the_side_it_is_told) {
         vehicle.demand.counter_clockwise = counter_clockwise;
         place(0, counter_clockwise ? 60 : -60);  // so that north is along the circle
         guide();
-        EXPECT_NEAR(vehicle.roll_demand_rad, vehicle.attitude.roll_rad, 0.05);
+        EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), vehicle.attitude.roll_rad.toFloat(), 0.05);
         firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
     }
 }
@@ -295,14 +295,15 @@ TEST_F(Guidance, flares_without_throttle_in_calm_air_and_with_level_wings) {
     onFinal(20, 200, 10);
     guide(10);
     ASSERT_FALSE(vehicle.progress.flaring);
-    EXPECT_LT(vehicle.roll_demand_rad, -core::radians(parameters.level_roll_limit_deg));
+    EXPECT_LT(vehicle.roll_demand_rad.toFloat(), -core::radians(parameters.level_roll_limit_deg));
 
     vehicle.estimate.height_m = 1;
     place(290, 10);
     guide(11);
     EXPECT_TRUE(vehicle.progress.flaring);
-    EXPECT_EQ(vehicle.throttle_demand, 0);
-    EXPECT_NEAR(vehicle.roll_demand_rad, -core::radians(parameters.level_roll_limit_deg), 1e-4);
+    EXPECT_EQ(vehicle.throttle_demand.toFloat(), 0);
+    EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), -core::radians(parameters.level_roll_limit_deg),
+                1e-4);
 }
 
 TEST_F(Guidance, against_the_wind_the_flare_keeps_power_until_it_is_low_or_far_behind_the_point) {
@@ -312,7 +313,7 @@ TEST_F(Guidance, against_the_wind_the_flare_keeps_power_until_it_is_low_or_far_b
         vehicle.estimate.wind_mps = {wind_mps, 0, 0};
         guide(15);
         EXPECT_TRUE(vehicle.progress.flaring);
-        return static_cast<float>(vehicle.throttle_demand);
+        return vehicle.throttle_demand.toFloat();
     };
     const float cruise = parameters.cruise_throttle_pct * 0.01f;
     EXPECT_NEAR(throttle(-5, 1.2f, 12), 1.4f * cruise, 0.01);
@@ -329,7 +330,7 @@ TEST_F(Guidance, the_nose_may_be_lower_in_the_flare_than_at_the_ground) {
         onFinal(height_m, 12);
         vehicle.estimate.climb_mps = 0.8f;
         guide(15);
-        return static_cast<float>(vehicle.pitch_demand_rad);
+        return vehicle.pitch_demand_rad.toFloat();
     };
     EXPECT_NEAR(pitch_rad(0), core::radiansFromCentidegrees(parameters.land_pitch_cd), 0.001);
     EXPECT_LT(pitch_rad(1), core::radians(-3));
@@ -348,58 +349,59 @@ TEST_F(Guidance, nothing_flares_that_the_pilot_flies) {
 TEST_F(Guidance, steers_along_the_runway_from_the_flare_on) {
     inTheAir();
     onFinal(20, 200);
-    vehicle.attitude.yaw_rad = 0.2f;
+    vehicle.attitude.yaw_rad = core::Angle(0.2f);
     guide(5);
-    EXPECT_EQ(vehicle.rudder_demand, 0) << "in the air the wings do that";
+    EXPECT_EQ(vehicle.rudder_demand.toFloat(), 0) << "in the air the wings do that";
 
     vehicle.estimate.height_m = 0.5f;
     guide(2);
-    EXPECT_LT(vehicle.rudder_demand, -0.05f) << "the nose points right of the runway";
-    vehicle.attitude.yaw_rad = -0.2f;
+    EXPECT_LT(vehicle.rudder_demand.toFloat(), -0.05f) << "the nose points right of the runway";
+    vehicle.attitude.yaw_rad = core::Angle(-0.2f);
     guide();
-    EXPECT_GT(vehicle.rudder_demand, 0.05f);
-    vehicle.attitude.yaw_rad = 0;
+    EXPECT_GT(vehicle.rudder_demand.toFloat(), 0.05f);
+    vehicle.attitude.yaw_rad = core::Angle(0);
     place(290, 3);
     guide();
-    EXPECT_LT(vehicle.rudder_demand, -0.02f) << "beside its middle";
-    vehicle.attitude.yaw_rad = 3;
+    EXPECT_LT(vehicle.rudder_demand.toFloat(), -0.02f) << "beside its middle";
+    vehicle.attitude.yaw_rad = core::Angle(3);
     guide();
-    EXPECT_GE(vehicle.rudder_demand, -0.35f) << "a wheel at full lock overturns the airplane";
+    EXPECT_GE(vehicle.rudder_demand.toFloat(), -0.35f)
+        << "a wheel at full lock overturns the airplane";
 }
 
 TEST_F(Guidance, keeps_the_nose_from_swinging_in_the_take_off_run) {
     onTheGround(Mode::loiter);
     demand(Path::takeoff);
     guide(20);
-    EXPECT_EQ(vehicle.rudder_demand, 0);
-    vehicle.attitude.rate_rads.z = 0.5f;
+    EXPECT_EQ(vehicle.rudder_demand.toFloat(), 0);
+    vehicle.attitude.rate_rads.z = core::BodyRate(0.5f);
     guide();
-    EXPECT_LT(vehicle.rudder_demand, -0.05f);
+    EXPECT_LT(vehicle.rudder_demand.toFloat(), -0.05f);
     vehicle.estimate.height_m = 5;
     guide();
-    EXPECT_EQ(vehicle.rudder_demand, 0) << "airborne";
+    EXPECT_EQ(vehicle.rudder_demand.toFloat(), 0) << "airborne";
 }
 
 TEST_F(Guidance, steers_no_more_once_the_pilot_has_the_airplane) {
     inTheAir();
     onFinal(0.5f, 10);
-    vehicle.attitude.yaw_rad = 0.2f;
+    vehicle.attitude.yaw_rad = core::Angle(0.2f);
     guide(2);
-    ASSERT_NE(vehicle.rudder_demand, 0);
+    ASSERT_NE(vehicle.rudder_demand.toFloat(), 0);
     firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     guide();
-    EXPECT_EQ(vehicle.rudder_demand, 0);
+    EXPECT_EQ(vehicle.rudder_demand.toFloat(), 0);
 }
 
 TEST_F(Guidance, gives_up_height_and_opens_the_throttle_below_the_lowest_speed) {
     inTheAir();
     guide(50);
-    const float level_rad = vehicle.pitch_demand_rad;
+    const float level_rad = vehicle.pitch_demand_rad.toFloat();
     vehicle.estimate.airspeed_mps = vehicle.estimate.equivalent_airspeed_mps = 7;
-    vehicle.imu.accel_mss.x = -2;
+    vehicle.imu.accel_mss.x = core::Acceleration(-2);
     guide(30);
-    EXPECT_LT(vehicle.pitch_demand_rad, level_rad - 0.1f);
-    EXPECT_NEAR(vehicle.throttle_demand, parameters.throttle_max_pct * 0.01f, 0.01);
+    EXPECT_LT(vehicle.pitch_demand_rad.toFloat(), level_rad - 0.1f);
+    EXPECT_NEAR(vehicle.throttle_demand.toFloat(), parameters.throttle_max_pct * 0.01f, 0.01);
 }
 
 TEST_F(Guidance, banks_no_more_than_the_wings_carry_when_it_is_slow) {
@@ -408,10 +410,10 @@ TEST_F(Guidance, banks_no_more_than_the_wings_carry_when_it_is_slow) {
     place(100, -200);
     guide();
     const float most_rad = core::radiansFromCentidegrees(parameters.roll_limit_cd);
-    EXPECT_NEAR(vehicle.roll_demand_rad, most_rad, 1e-4);
+    EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), most_rad, 1e-4);
     vehicle.estimate.equivalent_airspeed_mps = parameters.speed_min_mps;
     guide();
-    EXPECT_NEAR(vehicle.roll_demand_rad, core::radians(25), 0.01);
+    EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), core::radians(25), 0.01);
 }
 
 TEST_F(Guidance, lets_the_throttle_follow_the_pitch_without_an_airspeed_sensor) {
@@ -419,11 +421,11 @@ TEST_F(Guidance, lets_the_throttle_follow_the_pitch_without_an_airspeed_sensor) 
     inTheAir();
     vehicle.demand.height_m = 80;
     guide(50);
-    EXPECT_NEAR(vehicle.throttle_demand, parameters.cruise_throttle_pct * 0.01f, 0.1);
+    EXPECT_NEAR(vehicle.throttle_demand.toFloat(), parameters.cruise_throttle_pct * 0.01f, 0.1);
     vehicle.demand.height_m = 120;
     guide(20);
-    EXPECT_GT(vehicle.pitch_demand_rad, 0.1f);
-    EXPECT_GT(vehicle.throttle_demand, 0.6f);
+    EXPECT_GT(vehicle.pitch_demand_rad.toFloat(), 0.1f);
+    EXPECT_GT(vehicle.throttle_demand.toFloat(), 0.6f);
 }
 
 TEST_F(Guidance, keeps_away_from_the_stall_without_an_airspeed_sensor) {
@@ -431,12 +433,13 @@ TEST_F(Guidance, keeps_away_from_the_stall_without_an_airspeed_sensor) {
     inTheAir();
     vehicle.estimate.height_m = 65;  // far too low: all the pitch there is is asked for
     guide(40);
-    EXPECT_NEAR(vehicle.pitch_demand_rad, 0.2f, 0.001) << "of angle of attack, on a level path";
-    EXPECT_NEAR(vehicle.throttle_demand, parameters.throttle_max_pct * 0.01f, 0.01);
+    EXPECT_NEAR(vehicle.pitch_demand_rad.toFloat(), 0.2f, 0.001)
+        << "of angle of attack, on a level path";
+    EXPECT_NEAR(vehicle.throttle_demand.toFloat(), parameters.throttle_max_pct * 0.01f, 0.01);
 
     vehicle.estimate.climb_mps = -1.3f;  // and sinking on: the path itself points down
     guide(20);
-    EXPECT_NEAR(vehicle.pitch_demand_rad, 0.1f, 0.001);
+    EXPECT_NEAR(vehicle.pitch_demand_rad.toFloat(), 0.1f, 0.001);
 }
 
 TEST_F(Guidance, closes_the_throttle_little_on_a_gentle_descent_without_an_airspeed_sensor) {
@@ -450,33 +453,33 @@ TEST_F(Guidance, closes_the_throttle_little_on_a_gentle_descent_without_an_airsp
         vehicle.estimate.height_m = vehicle.demand.from_height_m;
         guide();
     }
-    EXPECT_GT(vehicle.throttle_demand, 0.25f);
-    EXPECT_LT(vehicle.throttle_demand, parameters.cruise_throttle_pct * 0.01f);
+    EXPECT_GT(vehicle.throttle_demand.toFloat(), 0.25f);
+    EXPECT_LT(vehicle.throttle_demand.toFloat(), parameters.cruise_throttle_pct * 0.01f);
 }
 
 TEST_F(Guidance, is_not_misled_by_a_low_ground_speed_without_an_airspeed_sensor) {
     vehicle.airspeed.healthy = false;
     inTheAir();
     guide(20);
-    const float pitch_rad = vehicle.pitch_demand_rad;
+    const float pitch_rad = vehicle.pitch_demand_rad.toFloat();
     move(4, 0);  // into the wind: flying all the same
     vehicle.estimate.airspeed_mps = vehicle.estimate.equivalent_airspeed_mps = 4;
     vehicle.estimate.climb_mps = 0.3f;
     guide(20);
-    EXPECT_NEAR(vehicle.pitch_demand_rad, pitch_rad, 0.06);
+    EXPECT_NEAR(vehicle.pitch_demand_rad.toFloat(), pitch_rad, 0.06);
 }
 
 TEST_F(Guidance, a_stick_above_its_middle_asks_for_more_speed_if_nudging_is_on) {
     inTheAir();
     guide(50);
-    const float unmoved = vehicle.throttle_demand;
+    const float unmoved = vehicle.throttle_demand.toFloat();
     vehicle.radio.throttle_pct = 100;
     parameters.throttle_nudge = 0;
     guide(5);
-    EXPECT_NEAR(vehicle.throttle_demand, unmoved, 0.05);
+    EXPECT_NEAR(vehicle.throttle_demand.toFloat(), unmoved, 0.05);
     parameters.throttle_nudge = 1;
     guide(20);
-    EXPECT_GT(vehicle.throttle_demand, unmoved + 0.1f);
+    EXPECT_GT(vehicle.throttle_demand.toFloat(), unmoved + 0.1f);
 }
 
 TEST_F(Guidance, moves_the_height_at_the_rate_a_condition_asks_for) {

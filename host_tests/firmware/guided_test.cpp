@@ -198,7 +198,7 @@ TEST_F(Guided, comes_down_on_a_slope_that_ends_at_the_circle_and_climbs_at_once)
         firmware::guidance::runGuidance();
         return vehicle.progress.height_error_m + vehicle.estimate.height_m;
     };
-    vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = 1;
+    vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = core::Ratio(1);
     const geo::Position there = geo::moved(kHome, {1060, 0});
     ASSERT_EQ(orderTo(to(there, 30)), MissionResult::accepted);
     EXPECT_NEAR(planned_m(), 80, 0.1);

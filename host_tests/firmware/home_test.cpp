@@ -16,8 +16,8 @@ protected:
     void SetUp() override {
         Bench::SetUp();
         firmware::guidance::runGuidance();  // in MANUAL: whoever guided before has let go
-        vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = 1;
-        vehicle.imu.accel_mss = {0, 0, -core::kGravity_mss};
+        vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = core::Ratio(1);
+        vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
         vehicle.gps.fix = firmware::state::GpsFix::three_d;
         vehicle.airspeed.healthy = true;
         vehicle.estimate.velocity_mps = {13, 0, 0};
@@ -52,12 +52,13 @@ TEST_F(Home, set_elsewhere_in_flight_leaves_the_altitude_that_is_flown) {
 TEST_F(Home, set_elsewhere_in_flight_moves_neither_nose_nor_throttle) {
     fly(Mode::loiter);
     guide(100);
-    const float pitch_rad = vehicle.pitch_demand_rad, throttle = vehicle.throttle_demand;
+    const float pitch_rad = vehicle.pitch_demand_rad.toFloat(),
+                throttle = vehicle.throttle_demand.toFloat();
     firmware::mission::setHome(kHome, 45000);
     firmware::guidance::runSpeedHeight();  // between two looks of guidance
     guide(1);
-    EXPECT_NEAR(vehicle.pitch_demand_rad, pitch_rad, 0.002f);
-    EXPECT_NEAR(vehicle.throttle_demand, throttle, 0.01f);
+    EXPECT_NEAR(vehicle.pitch_demand_rad.toFloat(), pitch_rad, 0.002f);
+    EXPECT_NEAR(vehicle.throttle_demand.toFloat(), throttle, 0.01f);
     EXPECT_NEAR(vehicle.progress.height_error_m, 0, 0.01f);
 }
 

@@ -31,12 +31,12 @@ protected:
     static void attitude(float roll_deg, float pitch_deg) {
         auto& attitude = vehicle.attitude;
         const float roll_rad = radians(roll_deg), pitch_rad = radians(pitch_deg);
-        attitude.roll_rad = roll_rad;
-        attitude.pitch_rad = pitch_rad;
-        attitude.sin_roll = std::sin(roll_rad);
-        attitude.cos_roll = std::cos(roll_rad);
-        attitude.sin_pitch = std::sin(pitch_rad);
-        attitude.cos_pitch = std::cos(pitch_rad);
+        attitude.roll_rad = core::Angle(roll_rad);
+        attitude.pitch_rad = core::Angle(pitch_rad);
+        attitude.sin_roll = core::Ratio(std::sin(roll_rad));
+        attitude.cos_roll = core::Ratio(std::cos(roll_rad));
+        attitude.sin_pitch = core::Ratio(std::sin(pitch_rad));
+        attitude.cos_pitch = core::Ratio(std::cos(pitch_rad));
     }
     static void run() {
         firmware::modes::runMode();
@@ -56,63 +56,64 @@ protected:
 
 TEST_F(Inverted, is_level_on_its_back) {
     firmware::control::orderInverted(true);
-    EXPECT_NEAR(at(179.9f, 0).aileron, 0, 0.02);
-    EXPECT_GT(at(160, 0).aileron, 0.05f);
-    EXPECT_LT(at(-160, 0).aileron, -0.05f);
+    EXPECT_NEAR(at(179.9f, 0).aileron.toFloat(), 0, 0.02);
+    EXPECT_GT(at(160, 0).aileron.toFloat(), 0.05f);
+    EXPECT_LT(at(-160, 0).aileron.toFloat(), -0.05f);
 }
 
 TEST_F(Inverted, is_pushed_up) {
     firmware::control::orderInverted(true);
-    EXPECT_LT(at(180, -10).elevator, -0.1f);
+    EXPECT_LT(at(180, -10).elevator.toFloat(), -0.1f);
     firmware::control::orderInverted(false);
     (void)at(0, 0);
     firmware::control::orderInverted(true);
-    EXPECT_GT(at(180, 10).elevator, 0.1f);
+    EXPECT_GT(at(180, 10).elevator.toFloat(), 0.1f);
 }
 
 TEST_F(Inverted, turns_the_way_the_stick_does) {
     firmware::control::orderInverted(true);
     settle(with(1, 1800));
-    const float right = at(180, 0).aileron;
+    const float right = at(180, 0).aileron.toFloat();
     settle(with(1, 1200));
     EXPECT_GT(right, 0.1f);
-    EXPECT_LT(at(180, 0).aileron, -0.1f);
+    EXPECT_LT(at(180, 0).aileron.toFloat(), -0.1f);
 }
 
 TEST_F(Inverted, is_reached_by_half_a_roll_to_the_right_and_left_the_same_way) {
     firmware::control::orderInverted(true);
     settle(with(1, 1200));
     for (const float roll_deg : {-5.0f, 0.0f, 5.0f, 90.0f, 115.0f})
-        EXPECT_GT(at(roll_deg, 0).aileron, 0.5f) << roll_deg << ": whatever the stick asks for";
+        EXPECT_GT(at(roll_deg, 0).aileron.toFloat(), 0.5f)
+            << roll_deg << ": whatever the stick asks for";
     firmware::control::orderInverted(false);
     for (const float roll_deg : {175.0f, -175.0f, -90.0f, -65.0f})
-        EXPECT_GT(at(roll_deg, 0).aileron, 0.4f) << roll_deg;
+        EXPECT_GT(at(roll_deg, 0).aileron.toFloat(), 0.4f) << roll_deg;
 }
 
 TEST_F(Inverted, is_never_pulled_through) {
     firmware::control::orderInverted(true);
     (void)at(180, 0);
     firmware::control::orderInverted(false);
-    EXPECT_LT(at(-175, -15).elevator, 0);
-    EXPECT_NEAR(at(-90, -15).elevator, 0, 0.1);
-    EXPECT_GT(at(-30, -15).elevator, 0.1f);
+    EXPECT_LT(at(-175, -15).elevator.toFloat(), 0);
+    EXPECT_NEAR(at(-90, -15).elevator.toFloat(), 0, 0.1);
+    EXPECT_GT(at(-30, -15).elevator.toFloat(), 0.1f);
 }
 
 TEST_F(Inverted, an_airplane_thrown_over_rolls_upright_the_short_way_and_is_not_pulled_through) {
-    EXPECT_LT(at(120, -15).aileron, -0.4f);
-    EXPECT_LE(surfaces.elevator, 0);
+    EXPECT_LT(at(120, -15).aileron.toFloat(), -0.4f);
+    EXPECT_LE(surfaces.elevator.toFloat(), 0);
     (void)at(0, 0);
-    EXPECT_GT(at(-120, -15).aileron, 0.4f);
-    EXPECT_LE(surfaces.elevator, 0);
+    EXPECT_GT(at(-120, -15).aileron.toFloat(), 0.4f);
+    EXPECT_LE(surfaces.elevator.toFloat(), 0);
     (void)at(0, 0);
-    EXPECT_GT(at(0, -15).elevator, 0.1f);
+    EXPECT_GT(at(0, -15).elevator.toFloat(), 0.1f);
 }
 
 TEST_F(Inverted, half_a_roll_of_the_pilots_own_is_his) {
     firmware::control::orderInverted(true);
     (void)at(180, 0);
     firmware::modes::setMode(Mode::acro, firmware::modes::ModeReason::pilot);
-    EXPECT_NEAR(at(180, 0).aileron, 0, 0.02);
+    EXPECT_NEAR(at(180, 0).aileron.toFloat(), 0, 0.02);
     EXPECT_FALSE(vehicle.inverted);
 }
 
@@ -123,10 +124,10 @@ TEST_F(Inverted, bank_is_counted_from_upside_down) {
     EXPECT_NEAR(firmware::guidance::presentBank_mss(), core::kGravity_mss * std::tan(radians(20)),
                 0.1);
     firmware::guidance::demandBank(100, firmware::guidance::BankLimit::flying);
-    EXPECT_NEAR(vehicle.roll_demand_rad, radians(22.5f), 0.01);
+    EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), radians(22.5f), 0.01);
     vehicle.inverted = false;
     firmware::guidance::demandBank(100, firmware::guidance::BankLimit::flying);
-    EXPECT_NEAR(vehicle.roll_demand_rad, radians(45), 0.01);
+    EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), radians(45), 0.01);
 }
 
 TEST_F(Inverted, the_switch_turns_it_over_while_it_is_up) {

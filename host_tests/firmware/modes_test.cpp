@@ -23,7 +23,7 @@ protected:
         Bench::SetUp();
         firmware::guidance::runGuidance();  // in MANUAL: whoever guided before has let go
         vehicle.imu.periods = 2;
-        vehicle.imu.accel_mss = {0, 0, -core::kGravity_mss};
+        vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
         vehicle.home.position = vehicle.estimate.position = kHome;
         vehicle.gps.fix = firmware::state::GpsFix::three_d;
         vehicle.airspeed.healthy = true;
@@ -37,12 +37,12 @@ protected:
     }
     static void attitude(float roll_rad, float pitch_rad) {
         auto& attitude = vehicle.attitude;
-        attitude.roll_rad = roll_rad;
-        attitude.pitch_rad = pitch_rad;
-        attitude.sin_roll = std::sin(roll_rad);
-        attitude.cos_roll = std::cos(roll_rad);
-        attitude.sin_pitch = std::sin(pitch_rad);
-        attitude.cos_pitch = std::cos(pitch_rad);
+        attitude.roll_rad = core::Angle(roll_rad);
+        attitude.pitch_rad = core::Angle(pitch_rad);
+        attitude.sin_roll = core::Ratio(std::sin(roll_rad));
+        attitude.cos_roll = core::Ratio(std::cos(roll_rad));
+        attitude.sin_pitch = core::Ratio(std::sin(pitch_rad));
+        attitude.cos_pitch = core::Ratio(std::cos(pitch_rad));
     }
     // A mode's frame, after parameters and airspeed have been looked at.
     static void frame() {
@@ -72,9 +72,9 @@ TEST_F(Training, leaves_the_surfaces_to_the_sticks_within_the_limits) {
     attitude(0.5f, -0.2f);
     settle({1700, 1300, 1600, 1500, 1500, 1500, 1500, 1815});
     frame();
-    EXPECT_NEAR(surfaces.aileron, 170 / kStick, 0.01);
-    EXPECT_NEAR(surfaces.elevator, -170 / kStick, 0.01);
-    EXPECT_NEAR(vehicle.throttle_demand, (1600 - 1130) / 770.0f, 0.01);
+    EXPECT_NEAR(surfaces.aileron.toFloat(), 170 / kStick, 0.01);
+    EXPECT_NEAR(surfaces.elevator.toFloat(), -170 / kStick, 0.01);
+    EXPECT_NEAR(vehicle.throttle_demand.toFloat(), (1600 - 1130) / 770.0f, 0.01);
 }
 
 TEST_F(Training, lets_no_stick_bank_beyond_the_limit_and_every_stick_bank_back) {
@@ -82,31 +82,31 @@ TEST_F(Training, lets_no_stick_bank_beyond_the_limit_and_every_stick_bank_back) 
     attitude(core::radians(46), 0);
     settle(with(1, 1900));
     frame();
-    EXPECT_LT(surfaces.aileron, 0.02f);
+    EXPECT_LT(surfaces.aileron.toFloat(), 0.02f);
     settle(with(1, 1100));
     frame();
-    EXPECT_NEAR(surfaces.aileron, -1, 0.01);
+    EXPECT_NEAR(surfaces.aileron.toFloat(), -1, 0.01);
     attitude(core::radians(-46), 0);
     frame();
-    EXPECT_GT(surfaces.aileron, -0.02f);
+    EXPECT_GT(surfaces.aileron.toFloat(), -0.02f);
 }
 
 TEST_F(Training, begins_to_hold_before_a_fast_roll_is_at_the_limit) {
     fly(Mode::training);
     attitude(core::radians(35), 0);
-    vehicle.attitude.rate_rads = {2.0f, 0, 0};
+    vehicle.attitude.rate_rads = core::BodyRates::from(2.0f, 0, 0);
     settle(with(1, 1900));
     frame();
-    EXPECT_LT(surfaces.aileron, 0.3f);
+    EXPECT_LT(surfaces.aileron.toFloat(), 0.3f);
 }
 
 TEST_F(Training, goes_on_holding_while_the_bank_comes_back_to_the_limit) {
     fly(Mode::training);
     attitude(core::radians(50), 0);
-    vehicle.attitude.rate_rads = {core::radians(-10), 0, 0};
+    vehicle.attitude.rate_rads = core::BodyRates::from(core::radians(-10), 0, 0);
     settle(with(1, 1900));
     frame();
-    EXPECT_LT(surfaces.aileron, 0.2f);
+    EXPECT_LT(surfaces.aileron.toFloat(), 0.2f);
 }
 
 TEST_F(Training, holds_the_pitch_within_its_limits_too) {
@@ -114,11 +114,11 @@ TEST_F(Training, holds_the_pitch_within_its_limits_too) {
     attitude(0, core::radians(21));
     settle(with(2, 1900));
     frame();
-    EXPECT_LT(surfaces.elevator, 0.02f);
+    EXPECT_LT(surfaces.elevator.toFloat(), 0.02f);
     attitude(0, core::radians(-26));
     settle(with(2, 1100));
     frame();
-    EXPECT_GT(surfaces.elevator, -0.02f);
+    EXPECT_GT(surfaces.elevator.toFloat(), -0.02f);
 }
 
 using Acro = Modes;
@@ -128,19 +128,19 @@ TEST_F(Acro, turns_at_the_rate_the_stick_demands_beyond_every_limit) {
     attitude(2.0f, 0);
     settle(with(1, 1600));
     frame();
-    const float from_rest = surfaces.aileron;
+    const float from_rest = surfaces.aileron.toFloat();
     EXPECT_GT(from_rest, 0.1f);
-    vehicle.attitude.rate_rads = {core::radians(34), 0, 0};
+    vehicle.attitude.rate_rads = core::BodyRates::from(core::radians(34), 0, 0);
     frame();
-    const float at_rate = surfaces.aileron;
+    const float at_rate = surfaces.aileron.toFloat();
     EXPECT_LT(at_rate, from_rest);
-    vehicle.attitude.rate_rads = {core::radians(90), 0, 0};
+    vehicle.attitude.rate_rads = core::BodyRates::from(core::radians(90), 0, 0);
     frame();
-    EXPECT_LT(surfaces.aileron, at_rate);
+    EXPECT_LT(surfaces.aileron.toFloat(), at_rate);
     parameters.acro_roll_rate_dps = 60;
-    vehicle.attitude.rate_rads = {0, 0, 0};
+    vehicle.attitude.rate_rads = core::BodyRates::from(0, 0, 0);
     frame();
-    EXPECT_LT(surfaces.aileron, 0.6f * from_rest);
+    EXPECT_LT(surfaces.aileron.toFloat(), 0.6f * from_rest);
 }
 
 TEST_F(Acro, with_centred_sticks_only_stops_turning_unless_it_locks) {
@@ -149,8 +149,8 @@ TEST_F(Acro, with_centred_sticks_only_stops_turning_unless_it_locks) {
     frame();
     attitude(1.4f, 0.5f);
     frame();
-    EXPECT_NEAR(surfaces.aileron, 0, 1e-3);
-    EXPECT_NEAR(surfaces.elevator, 0, 1e-3);
+    EXPECT_NEAR(surfaces.aileron.toFloat(), 0, 1e-3);
+    EXPECT_NEAR(surfaces.elevator.toFloat(), 0, 1e-3);
 }
 
 TEST_F(Acro, locked_returns_to_the_attitude_it_was_let_go_in) {
@@ -160,23 +160,23 @@ TEST_F(Acro, locked_returns_to_the_attitude_it_was_let_go_in) {
     frame();
     attitude(1.4f, 0.2f);
     frame();
-    EXPECT_LT(surfaces.aileron, -0.1f);
+    EXPECT_LT(surfaces.aileron.toFloat(), -0.1f);
     attitude(0.6f, 0.5f);
     frame();
-    EXPECT_GT(surfaces.aileron, 0.1f);
-    EXPECT_LT(surfaces.elevator, 0);
+    EXPECT_GT(surfaces.aileron.toFloat(), 0.1f);
+    EXPECT_LT(surfaces.elevator.toFloat(), 0);
 }
 
 TEST_F(Acro, locks_only_once_it_has_stopped_turning) {
     parameters.acro_locking = 1;
     fly(Mode::acro);
-    vehicle.attitude.rate_rads = {2.0f, 0, 0};
+    vehicle.attitude.rate_rads = core::BodyRates::from(2.0f, 0, 0);
     attitude(0.2f, 0);
     frame();
-    vehicle.attitude.rate_rads = {0, 0, 0};
+    vehicle.attitude.rate_rads = core::BodyRates::from(0, 0, 0);
     attitude(0.6f, 0);
     frame();
-    EXPECT_NEAR(surfaces.aileron, 0, 0.01);
+    EXPECT_NEAR(surfaces.aileron.toFloat(), 0, 0.01);
 }
 
 TEST_F(Acro, pushes_to_raise_the_nose_when_it_is_locked_inverted) {
@@ -186,7 +186,7 @@ TEST_F(Acro, pushes_to_raise_the_nose_when_it_is_locked_inverted) {
     frame();
     attitude(core::kPi, -0.2f);
     frame();
-    EXPECT_LT(surfaces.elevator, -0.02f);
+    EXPECT_LT(surfaces.elevator.toFloat(), -0.02f);
 }
 
 using Fbwb = Modes;
@@ -264,7 +264,7 @@ TEST_F(Fbwb, banks_as_fbwa_does) {
     fly(Mode::fbwb);
     settle(with(1, 1900));
     guide();
-    EXPECT_NEAR(vehicle.roll_demand_rad, core::radians(45), 1e-3);
+    EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), core::radians(45), 1e-3);
 }
 
 TEST_F(Fbwb, is_left_for_circle_when_the_radio_is_lost) {
@@ -306,7 +306,7 @@ TEST_F(Cruise, turns_back_to_the_line_it_has_locked) {
     lockedTo(0, 15);
     vehicle.estimate.position = geo::moved(kHome, {20, 100});
     guide();
-    EXPECT_GT(vehicle.roll_demand_rad, 0.1f);
+    EXPECT_GT(vehicle.roll_demand_rad.toFloat(), 0.1f);
     EXPECT_NEAR(vehicle.progress.crosstrack_m, -20, 0.1);
 }
 
@@ -316,7 +316,7 @@ TEST_F(Cruise, lets_go_for_the_roll_and_for_the_yaw_stick) {
         settle(with(channel, 1900));
         guide();
         EXPECT_EQ(vehicle.demand.path, Path::none) << channel;
-        EXPECT_NEAR(vehicle.roll_demand_rad, channel == 1 ? core::radians(45) : 0, 1e-3);
+        EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), channel == 1 ? core::radians(45) : 0, 1e-3);
         settle(bench::kCentred);
         guide(5);
         EXPECT_EQ(vehicle.demand.path, Path::none);
@@ -341,7 +341,7 @@ TEST_F(Cruise, flies_on_with_level_wings_when_the_position_is_lost) {
     vehicle.estimate.known = false;
     guide();
     EXPECT_EQ(vehicle.demand.path, Path::none);
-    EXPECT_NEAR(vehicle.roll_demand_rad, 0, 1e-3);
+    EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), 0, 1e-3);
 }
 
 TEST_F(Cruise, moves_on_along_the_line_as_it_goes) {
@@ -385,7 +385,7 @@ TEST_F(Modes, circle_flies_at_cruise_speed_whatever_flew_before) {
     EXPECT_FLOAT_EQ(vehicle.demand.airspeed_mps, parameters.cruise_speed_cms * 0.01f);
     EXPECT_EQ(vehicle.demand.throttle_pct, parameters.cruise_throttle_pct);
     EXPECT_FLOAT_EQ(planned_m(), 80);
-    EXPECT_NEAR(vehicle.roll_demand_rad, core::radians(15), 1e-3);
+    EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), core::radians(15), 1e-3);
 }
 
 TEST_F(Modes, mix_the_sticks_into_the_demands_or_the_surfaces_as_the_pilot_wants) {
@@ -400,7 +400,7 @@ TEST_F(Modes, mix_the_sticks_into_the_demands_or_the_surfaces_as_the_pilot_wants
         parameters.stick_mixing = each.mixing;
         firmware::modes::runMode();
         EXPECT_EQ(vehicle.sticks, each.sticks) << int{each.mixing};
-        EXPECT_NEAR(vehicle.pilot_roll_rad, core::radians(each.bent_deg), 1e-3);
+        EXPECT_NEAR(vehicle.pilot_roll_rad.toFloat(), core::radians(each.bent_deg), 1e-3);
     }
     parameters.stick_mixing = 2;
     loseRadio(1200);
@@ -416,7 +416,7 @@ TEST_F(Modes, a_raised_throttle_stick_adds_throttle_where_no_airspeed_is_measure
         settle(with(3, stick_us));
         fly(mode);
         guide(20);
-        return float{vehicle.throttle_demand};
+        return vehicle.throttle_demand.toFloat();
     };
     const float cruise = throttle(Mode::loiter, 1515);
     EXPECT_NEAR(throttle(Mode::loiter, 1100), cruise, 0.02) << "a closed one does not slow";
@@ -434,10 +434,10 @@ TEST_F(Modes, the_stick_works_before_the_launch_only_if_the_pilot_wants_that) {
     vehicle.estimate.height_m = 0;
     guide(3);
     ASSERT_TRUE(vehicle.progress.throttle_suppressed);
-    EXPECT_EQ(vehicle.throttle_demand, 0);
+    EXPECT_EQ(vehicle.throttle_demand.toFloat(), 0);
     parameters.suppressed_manual = 1;
     guide(1);
-    EXPECT_NEAR(vehicle.throttle_demand, 0.5, 0.01);
+    EXPECT_NEAR(vehicle.throttle_demand.toFloat(), 0.5, 0.01);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST_F(Outputs, give_the_throttle_its_lowest_pulse_while_disarmed) {
         firmware::modes::setMode(mode, firmware::modes::ModeReason::ground);
         settle(with(3, 1900));
         run();
-        ASSERT_EQ(vehicle.throttle_demand, 1);
+        ASSERT_EQ(vehicle.throttle_demand.toFloat(), 1);
         EXPECT_EQ(outputPulse_us(3), 1100) << static_cast<int>(mode);
     }
     vehicle.armed = true;
@@ -46,7 +46,7 @@ TEST_F(Outputs, give_the_throttle_its_lowest_pulse_while_disarmed) {
 
 TEST_F(Outputs, keep_a_reversed_throttle_closed_at_its_longest_pulse) {
     parameters.channel[2].reverse = -1;
-    vehicle.throttle_demand = 1;
+    vehicle.throttle_demand = core::Ratio(1);
     run();
     EXPECT_EQ(outputPulse_us(3), 1900);
 }
@@ -97,7 +97,7 @@ TEST_F(Outputs, move_a_reversed_surface_with_its_stick_and_against_the_demand) {
     settle(with(1, 1700));
     run();
     EXPECT_GT(outputPulse_us(1), 1650) << "the servo goes where the stick goes";
-    EXPECT_LT(firmware::control::surfaces.aileron, -0.4f);
+    EXPECT_LT(firmware::control::surfaces.aileron.toFloat(), -0.4f);
 }
 
 TEST_F(Outputs, rest_at_the_trim_and_reach_both_ends_from_there) {
@@ -259,10 +259,10 @@ TEST_F(Pairs, a_reversed_channel_reverses_the_control_on_both_surfaces) {
     EXPECT_EQ(reversed.first, plain.first);
     EXPECT_EQ(reversed.second, plain.second);
     firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
-    vehicle.attitude.roll_rad = 0.5f;
+    vehicle.attitude.roll_rad = core::Angle(0.5f);
     vehicle.imu.periods = 2;
     for (int i = 0; i < 12; ++i) run();
-    ASSERT_LT(firmware::control::surfaces.aileron, -0.05f);
+    ASSERT_LT(firmware::control::surfaces.aileron.toFloat(), -0.05f);
     const Moved levelling = moved(bench::kCentred, 1, 2);
     EXPECT_GT(levelling.first, levelling.second);
 }

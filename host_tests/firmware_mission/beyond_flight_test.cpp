@@ -58,7 +58,7 @@ TEST_F(Beyond, continue_flies_on_along_its_course_until_it_is_within_5_m_of_the_
 
 TEST_F(Beyond, continue_without_a_course_takes_the_heading) {
     course(200, 2.9f);
-    vehicle.attitude.yaw_rad = core::radians(-45);
+    vehicle.attitude.yaw_rad = core::Angle(core::radians(-45));
     fly({placed(30, 0, 0, 80), waypoint(900)});
     EXPECT_NEAR(bearingOfPath(), 315, 0.1);
 }

@@ -192,10 +192,10 @@ TEST_F(Fence, leaves_the_throttle_to_the_pilot_when_its_action_says_so) {
     raise();
     parameters.fence_action = 3;
     leave();
-    vehicle.throttle_demand = 0.9f;
+    vehicle.throttle_demand = core::Ratio(0.9f);
     vehicle.radio.throttle_pct = 20;
     tenths(1);
-    EXPECT_NEAR(vehicle.throttle_demand, 0.2f, 1e-3f);
+    EXPECT_NEAR(vehicle.throttle_demand.toFloat(), 0.2f, 1e-3f);
 }
 
 TEST_F(Fence, without_a_return_point_sends_home) {

@@ -164,7 +164,7 @@ TEST_F(Restart, holds_its_surfaces_at_trim_until_the_mode_is_known) {
     begin(ResetCause::watchdog);
     fakes::receiveRc(with(1, 1900));
     runRadio();
-    vehicle.attitude.roll_rad = 0.7f;
+    vehicle.attitude.roll_rad = core::Angle(0.7f);
     runAttitudeControl();
 
     EXPECT_EQ(surfaces.aileron.raw, 0);

@@ -175,7 +175,7 @@ TEST_F(Calibration, of_one_side_sets_the_offsets_alone) {
 }
 
 TEST_F(Calibration, of_the_level_wants_it_still) {
-    vehicle.attitude.rate_rads.y = 0.2f;
+    vehicle.attitude.rate_rads.y = core::BodyRate(0.2f);
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::failed);
     EXPECT_TRUE(asked("Level: keep it still"));
 }

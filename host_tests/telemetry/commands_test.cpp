@@ -456,8 +456,8 @@ TEST_F(Telemetry, the_sticks_and_the_board_find_their_middle) {
     EXPECT_EQ(firmware::state::parameters.channel[2].trim_us, 1500);
     EXPECT_EQ(firmware::state::parameters.channel[3].trim_us, 1503);
 
-    vehicle.attitude.roll_rad = 0.02f;
-    vehicle.attitude.pitch_rad = -0.03f;
+    vehicle.attitude.roll_rad = core::Angle(0.02f);
+    vehicle.attitude.pitch_rad = core::Angle(-0.03f);
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::failed)
         << "not aligned";
     vehicle.attitude.aligned = true;
@@ -465,7 +465,7 @@ TEST_F(Telemetry, the_sticks_and_the_board_find_their_middle) {
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::accepted);
     EXPECT_NEAR(firmware::state::parameters.level_trim_rad[0], 0.03f, 1e-4);
     EXPECT_NEAR(firmware::state::parameters.level_trim_rad[1], -0.03f, 1e-4);
-    vehicle.attitude.roll_rad = 0.5f;
+    vehicle.attitude.roll_rad = core::Angle(0.5f);
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::failed);
     EXPECT_NEAR(firmware::state::parameters.level_trim_rad[0], 0.03f, 1e-4);
 }

@@ -231,11 +231,11 @@ TEST_F(Telemetry, messages_carry_the_vehicle_in_the_units_of_the_protocol) {
     vehicle.estimate.height_m = 100.5f;
     vehicle.estimate.velocity_mps = {10, -2, 0.5f};
     vehicle.estimate.wind_mps = {0, 5, 0};  // blows to the east
-    vehicle.attitude.yaw_rad = core::radians(-90.0f);
-    vehicle.throttle_demand = 0.45f;
+    vehicle.attitude.yaw_rad = core::Angle(core::radians(-90.0f));
+    vehicle.throttle_demand = core::Ratio(0.45f);
     vehicle.gps.altitude_cm = 68450;
     vehicle.gps.hdop_c = 121;
-    vehicle.imu.accel_mss = {0, 0, -core::kGravity_mss};
+    vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
     vehicle.baro.pressure_pa = 94500;
     vehicle.progress.nav_bearing_cd = 27000;
     station.send(streamRequest(MavDataStream::all, 4));
@@ -308,7 +308,7 @@ TEST_F(Telemetry, each_picture_is_told_once_on_every_link) {
     vehicle.estimate.height_m = 100;
     vehicle.home.altitude_cm = 48800;
     vehicle.home.set = true;
-    vehicle.attitude.pitch_rad = core::radians(5);
+    vehicle.attitude.pitch_rad = core::Angle(core::radians(5));
     run_ms(300);
     for (uint16_t picture : {1, 2}) {
         doubles::plan.pictures = picture;

@@ -12,8 +12,8 @@ constexpr float kSlipPerAccel = 0.01f;  // deflection for a m/s2 at SLIP 1, INT 
 
 }  // namespace
 
-core::Fixed<14> rollDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
-                               core::Angle error_rad, core::Fixed<10> rate_rads, uint8_t periods) {
+core::Ratio rollDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
+                           core::Angle error_rad, core::BodyRate rate_rads, uint8_t periods) {
     return axisDeflection(gains, state, air, demandedRate_rads(gains, error_rad), rate_rads,
                           periods);
 }
@@ -22,16 +22,17 @@ TurnRates turnRates(const AirFlow& air, float sin_roll, float cos_roll, float co
     // g / V * tan(bank) about the vertical, sin(bank) of it about the wing
     const float yaw_rads = core::kGravity_mss * air.inverse_airspeed_spm * cos_pitch * sin_roll;
     // inverted the nose must not be pulled through
-    if (cos_roll <= 0) return {0.0f, yaw_rads};
-    return {yaw_rads * sin_roll / core::limit(cos_roll, kSteepest_cos, 1.0f), yaw_rads};
+    if (cos_roll <= 0) return {core::BodyRate::fromRaw(0), yaw_rads};
+    const float steep_cos = core::limit(cos_roll, kSteepest_cos, 1.0f);
+    return {core::BodyRate(yaw_rads * sin_roll / steep_cos), yaw_rads};
 }
 
-core::Fixed<14> pitchDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
-                                const TurnRates& turn, core::Angle error_rad,
-                                core::Fixed<10> rate_rads, uint8_t periods) {
+core::Ratio pitchDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
+                            const TurnRates& turn, core::Angle error_rad, core::BodyRate rate_rads,
+                            uint8_t periods) {
     const int16_t held = core::times12(gains.turn_compensation.raw, turn.pitch_rads.raw);
     const auto demand_rads =
-        core::Fixed<10>::fromRaw(int32_t{demandedRate_rads(gains, error_rad).raw} + held);
+        core::BodyRate::fromRaw(int32_t{demandedRate_rads(gains, error_rad).raw} + held);
     return axisDeflection(gains, state, air, demand_rads, rate_rads, periods);
 }
 
@@ -58,9 +59,9 @@ float yawDeflection(const YawSettings& settings, YawState& state, const AirFlow&
             (state.high_passed_rads - lateral_accel_mss * kSlipPerAccel) * settings.integral;
         state.integrator = core::limit(state.integrator + step * dt_s, -limit, limit);
     }
-    const float output =
-        (state.high_passed_rads * settings.damping - slip) * core::square<float>(air.speed_scale) +
-        state.integrator;
+    const float output = (state.high_passed_rads * settings.damping - slip) *
+                             core::square(air.speed_scale.toFloat()) +
+                         state.integrator;
     return core::limit(output, -1.0f, 1.0f);
 }
 

@@ -8,21 +8,21 @@
 namespace control {
 
 // Right wing down is positive.
-core::Fixed<14> rollDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
-                               core::Angle error_rad, core::Fixed<10> rate_rads, uint8_t periods);
+core::Ratio rollDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
+                           core::Angle error_rad, core::BodyRate rate_rads, uint8_t periods);
 
 // The body rates of a coordinated turn with the present bank. In it the nose has to come up along
 // the horizon without the pitch angle changing.
 struct TurnRates {
-    core::Fixed<10> pitch_rads;
+    core::BodyRate pitch_rads;
     float yaw_rads;
 };
 TurnRates turnRates(const AirFlow& air, float sin_roll, float cos_roll, float cos_pitch);
 
 // Nose up is positive.
-core::Fixed<14> pitchDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
-                                const TurnRates& turn, core::Angle error_rad,
-                                core::Fixed<10> rate_rads, uint8_t periods);
+core::Ratio pitchDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
+                            const TurnRates& turn, core::Angle error_rad, core::BodyRate rate_rads,
+                            uint8_t periods);
 
 struct YawState {
     float high_passed_rads = 0;

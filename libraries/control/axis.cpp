@@ -15,8 +15,8 @@ constexpr float kSlowest_mps = 3.0f;  // nothing divides by less
 constexpr int16_t kMostRate = 15872;       // 15.5 rad/s; times 2 it fills 16 bits
 constexpr int32_t kMostDirect = 1L << 24;  // four times full deflection
 
-core::Fixed<10> limit_rads(int16_t dps) {
-    return dps > 0 ? core::radians(dps) : kMostRate * (1.0f / 1024);
+core::BodyRate limit_rads(int16_t dps) {
+    return core::BodyRate(dps > 0 ? core::radians(dps) : kMostRate / core::BodyRate::kSteps);
 }
 
 AxisGains axisGains(const AxisSettings& settings) {
@@ -26,12 +26,12 @@ AxisGains axisGains(const AxisSettings& settings) {
     AxisGains gains;
     constexpr float kRateSteps = 1024 / core::Angle::kSteps * 32768;
     gains.rate_per_error = static_cast<int16_t>(kRateSteps / time_constant_s);
-    gains.turn_compensation = 0;
-    gains.feed_forward = feed_forward > 0 ? feed_forward * kFullPerRadian : 0.0f;
-    gains.damping = settings.d * kFullPerRadian;
-    gains.integral = integral * (kFullPerRadian * kTwoPeriods_s);
+    gains.turn_compensation = core::Gain::fromRaw(0);
+    gains.feed_forward = core::Gain(feed_forward > 0 ? feed_forward * kFullPerRadian : 0.0f);
+    gains.damping = core::Gain(settings.d * kFullPerRadian);
+    gains.integral = decltype(gains.integral)(integral * (kFullPerRadian * kTwoPeriods_s));
     gains.integrator_max =
-        core::limit(settings.integrator_max_cd * kFullPerCentidegree, 0.0f, 1.0f);
+        core::Ratio(core::limit(settings.integrator_max_cd * kFullPerCentidegree, 0.0f, 1.0f));
     return gains;
 }
 
@@ -51,7 +51,7 @@ void integrate(const AxisGains& gains, AxisState& state, const AirFlow& air, int
 
 AirFlow airFlow(float scaling_speed_mps, float airspeed_mps, float lowest_flying_mps) {
     const float inverse = 1.0f / core::limit(airspeed_mps, kSlowest_mps, 200.0f);
-    return {core::limit(scaling_speed_mps * inverse, 0.5f, 2.0f), inverse,
+    return {core::Ratio(core::limit(scaling_speed_mps * inverse, 0.5f, 2.0f)), inverse,
             airspeed_mps < lowest_flying_mps};
 }
 
@@ -65,19 +65,18 @@ AxisGains pitchGains(const PitchSettings& settings) {
     AxisGains gains = axisGains(settings.axis);
     gains.most_up_rads = limit_rads(settings.rate_max_up_dps);
     gains.most_down_rads = limit_rads(settings.rate_max_down_dps);
-    gains.turn_compensation = settings.turn_compensation;
+    gains.turn_compensation = core::Gain(settings.turn_compensation);
     return gains;
 }
 
-core::Fixed<10> demandedRate_rads(const AxisGains& gains, core::Angle error_rad) {
+core::BodyRate demandedRate_rads(const AxisGains& gains, core::Angle error_rad) {
     const int16_t rate = core::upper(2 * core::product(error_rad.raw, gains.rate_per_error));
-    return core::Fixed<10>::fromRaw(
+    return core::BodyRate::fromRaw(
         core::limit<int16_t>(rate, -gains.most_down_rads.raw, gains.most_up_rads.raw));
 }
 
-core::Fixed<14> axisDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
-                               core::Fixed<10> demand_rads, core::Fixed<10> rate_rads,
-                               uint8_t periods) {
+core::Ratio axisDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
+                           core::BodyRate demand_rads, core::BodyRate rate_rads, uint8_t periods) {
     const int16_t scale = air.speed_scale.raw;
     const int16_t demand = core::limit<int16_t>(demand_rads.raw, -kMostRate, kMostRate);
     const int16_t error = static_cast<int16_t>(
@@ -93,7 +92,7 @@ core::Fixed<14> axisDeflection(const AxisGains& gains, AxisState& state, const A
     state.last_output = core::times16(core::limit(direct, -kMostDirect, kMostDirect), scale) +
                         (state.integrator >> 10);
     constexpr int32_t kFull = 1L << 20;
-    return core::Fixed<14>::fromRaw((core::limit(state.last_output, -kFull, kFull) + 32) >> 6);
+    return core::Ratio::fromRaw((core::limit(state.last_output, -kFull, kFull) + 32) >> 6);
 }
 
 }  // namespace control

@@ -10,7 +10,7 @@ namespace control {
 
 // How the air is felt: the same for all loops.
 struct AirFlow {
-    core::Fixed<14> speed_scale;  // SCALING_SPEED over airspeed, within 0.5 .. 2
+    core::Ratio speed_scale;  // SCALING_SPEED over airspeed, within 0.5 .. 2
     float inverse_airspeed_spm;
     bool too_slow;  // below the lowest flying speed integrators rest
 };
@@ -19,11 +19,11 @@ AirFlow airFlow(float scaling_speed_mps, float airspeed_mps, float lowest_flying
 // Of full deflection and radians, at the scaling speed.
 struct AxisGains {
     int16_t rate_per_error;  // from an Angle's steps to a rate's, in 2^-15
-    core::Fixed<10> most_up_rads, most_down_rads;
-    core::Fixed<12> turn_compensation;
-    core::Fixed<12> feed_forward, damping;
+    core::BodyRate most_up_rads, most_down_rads;
+    core::Gain turn_compensation;
+    core::Gain feed_forward, damping;
     core::Fixed<20> integral;  // in two sample periods
-    core::Fixed<14> integrator_max;
+    core::Ratio integrator_max;
 };
 AxisGains rollGains(const RollSettings& settings);
 AxisGains pitchGains(const PitchSettings& settings);
@@ -34,11 +34,10 @@ struct AxisState {
 };
 
 // The rate that takes an error away, within the limits.
-core::Fixed<10> demandedRate_rads(const AxisGains& gains, core::Angle error_rad);
+core::BodyRate demandedRate_rads(const AxisGains& gains, core::Angle error_rad);
 
 // `periods` of 5 ms. Limited to -1..1.
-core::Fixed<14> axisDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
-                               core::Fixed<10> demand_rads, core::Fixed<10> rate_rads,
-                               uint8_t periods);
+core::Ratio axisDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
+                           core::BodyRate demand_rads, core::BodyRate rate_rads, uint8_t periods);
 
 }  // namespace control

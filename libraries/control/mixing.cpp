@@ -24,7 +24,7 @@ constexpr int16_t kFull = 16384;
 
 }  // namespace
 
-uint16_t surfacePulse_us(const ServoRange& range, core::Fixed<14> deflection) {
+uint16_t surfacePulse_us(const ServoRange& range, core::Ratio deflection) {
     int16_t wanted = core::limit<int16_t>(deflection.raw, -kFull, kFull);
     if (range.reverse < 0) wanted = -wanted;
     const int16_t span_us =
@@ -33,7 +33,7 @@ uint16_t surfacePulse_us(const ServoRange& range, core::Fixed<14> deflection) {
     return static_cast<uint16_t>(core::limit(pulse_us, range.min_us, range.max_us));
 }
 
-uint16_t throttlePulse_us(const ServoRange& range, core::Fixed<14> throttle) {
+uint16_t throttlePulse_us(const ServoRange& range, core::Ratio throttle) {
     const int16_t wanted = core::limit<int16_t>(throttle.raw, 0, kFull);
     const int16_t above_us = core::times14(range.max_us - range.min_us, wanted);
     return range.reverse < 0 ? range.max_us - above_us : range.min_us + above_us;

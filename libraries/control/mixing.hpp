@@ -14,9 +14,9 @@ struct ServoRange {
 };
 
 // -1 .. 0 .. 1 lies on min .. trim .. max, or max .. trim .. min when reversed.
-uint16_t surfacePulse_us(const ServoRange& range, core::Fixed<14> deflection);
+uint16_t surfacePulse_us(const ServoRange& range, core::Ratio deflection);
 // 0 .. 1 lies on min .. max, trim plays no part.
-uint16_t throttlePulse_us(const ServoRange& range, core::Fixed<14> throttle);
+uint16_t throttlePulse_us(const ServoRange& range, core::Ratio throttle);
 
 // A pair of surfaces, each moved by two controls. The parameters' kinds 1..4 are the four ways
 // the linkages can be turned.

@@ -41,8 +41,8 @@ AxisTuner::Finding AxisTuner::swing(int16_t rate) {
 }
 
 AxisTuner::Finding AxisTuner::watch(const AxisGains& gains, const AxisState& state,
-                                    const AirFlow& air, core::Fixed<10> demand_rads,
-                                    core::Fixed<10> rate_rads) {
+                                    const AirFlow& air, core::BodyRate demand_rads,
+                                    core::BodyRate rate_rads) {
     const int16_t rate = rate_rads.raw;
     const bool rests = size(rate) < kRest;
     if (frames_ == 0) {

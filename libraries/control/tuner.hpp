@@ -20,7 +20,7 @@ public:
 
     // Every frame, after axisDeflection with the same arguments.
     Finding watch(const AxisGains& gains, const AxisState& state, const AirFlow& air,
-                  core::Fixed<10> demand_rads, core::Fixed<10> rate_rads);
+                  core::BodyRate demand_rads, core::BodyRate rate_rads);
     // What lasted so far counts no more.
     void drop() { frames_ = 0; }
 

@@ -32,19 +32,20 @@ __attribute__((noinline)) inline int16_t toAngle(float rad, float twice) {
         static_cast<uint16_t>((static_cast<int32_t>(rad * twice) + 1) >> 1));
 }
 
-// -2^(15 - fraction) .. 2^(15 - fraction), in steps of 2^-fraction; what is beyond stays at the
-// end.
+// -2^(15 - kFraction) .. 2^(15 - kFraction), in steps of 2^-kFraction; what is beyond stays at the
+// end. From a float and to one it goes by name only, as on the chip each is a call; a constant's
+// steps are worked out by the compiler.
 template <uint8_t kFraction>
 class Fixed {
 public:
     static constexpr float kSteps = 1UL << kFraction;
 
     Fixed() = default;
-    constexpr Fixed(float value)  // as numbers are written
+    explicit constexpr Fixed(float value)
         : raw(__builtin_constant_p(value) ? narrowed(steps(value, 2 * kSteps))
                                           : toFixed(value, kFraction)) {}
     static constexpr Fixed fromRaw(int32_t raw) { return Fixed(narrowed(raw), 0); }
-    operator float() const { return fromFixed(raw, kFraction); }
+    float toFloat() const { return fromFixed(raw, kFraction); }
 
     int16_t raw;
 
@@ -58,11 +59,11 @@ public:
     static constexpr float kSteps = 32768.0f / 3.14159265f;  // a radian's
 
     Angle() = default;
-    constexpr Angle(float rad)  // a few turns at most
+    explicit constexpr Angle(float rad)  // a few turns at most
         : raw(__builtin_constant_p(rad) ? static_cast<int16_t>(steps(rad, 2 * kSteps))
                                         : toAngle(rad, 2 * kSteps)) {}
     static constexpr Angle fromRaw(int16_t raw) { return Angle(raw, 0); }
-    operator float() const { return static_cast<float>(raw) * (1.0f / kSteps); }
+    float toFloat() const { return static_cast<float>(raw) * (1.0f / kSteps); }  // rad
 
     int16_t raw;
 
@@ -78,7 +79,19 @@ constexpr Angle between(Angle from, Angle to) {
 
 template <uint8_t kFraction>
 struct FixedVector {
+    static constexpr FixedVector from(float x, float y, float z) {
+        return {Fixed<kFraction>(x), Fixed<kFraction>(y), Fixed<kFraction>(z)};
+    }
+
     Fixed<kFraction> x, y, z;
 };
+
+// The formats by what is kept in them.
+using Ratio = Fixed<14>;        // -2..2: a share of full deflection or throttle, a sine, a cosine
+using Gain = Fixed<12>;         // -8..8
+using BodyRate = Fixed<10>;     // -32..32 rad/s
+using Acceleration = Fixed<8>;  // -128..128 m/s2
+using BodyRates = FixedVector<10>;
+using Accelerations = FixedVector<8>;
 
 }  // namespace core

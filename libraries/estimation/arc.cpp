@@ -68,7 +68,7 @@ float arc_rad(float sine, float cosine) {
     return sine < 0 ? -angle : angle;
 }
 
-core::Angle arc(core::Fixed<14> sine, core::Fixed<14> cosine) {
+core::Angle arc(core::Ratio sine, core::Ratio cosine) {
     const uint16_t rise = static_cast<uint16_t>(sine.raw < 0 ? -sine.raw : sine.raw);
     const uint16_t run = static_cast<uint16_t>(cosine.raw < 0 ? -cosine.raw : cosine.raw);
     uint16_t angle = rise < run ? tableArcsine_turn(rise) : 0x4000 - tableArcsine_turn(run);

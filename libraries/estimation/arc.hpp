@@ -8,6 +8,6 @@ namespace estimation {
 
 // Radians in -pi..pi, within 1.5e-4, of a sine and cosine whose squares sum to one (within 1 %).
 float arc_rad(float sine, float cosine);
-core::Angle arc(core::Fixed<14> sine, core::Fixed<14> cosine);  // as well, within 2e-4
+core::Angle arc(core::Ratio sine, core::Ratio cosine);  // as well, within 2e-4
 
 }  // namespace estimation

@@ -99,7 +99,7 @@ void Attitude::propagate(const Motion& motion) {
     force_sum_[2] += motion.force_mss.z.raw;
     ++forces_;
     periods_ = motion.periods > 0xFF - periods_ ? 0xFF : periods_ + motion.periods;
-    using Rate = core::Fixed<10>;
+    using Rate = core::BodyRate;
     rate_.x = Rate::fromRaw(int32_t{motion.rate_rads.x.raw} - rate_bias_.x.raw);
     rate_.y = Rate::fromRaw(int32_t{motion.rate_rads.y.raw} - rate_bias_.y.raw);
     rate_.z = Rate::fromRaw(int32_t{motion.rate_rads.z.raw} - rate_bias_.z.raw);
@@ -207,10 +207,10 @@ void Attitude::pointYaw(const Turn16& turned) {
 }
 
 // Of a row in the level: over the pitch's cosine.
-core::Fixed<14> Attitude::levelled(int16_t component) const {
+core::Ratio Attitude::levelled(int16_t component) const {
     constexpr int32_t kMost = 0x7FF0000;  // below 2
     const int32_t share = core::product(component, inverse_cos_pitch_.raw);
-    return core::Fixed<14>::fromRaw(core::upperOf16(core::limit(share, -kMost, kMost)));
+    return core::Ratio::fromRaw(core::upperOf16(core::limit(share, -kMost, kMost)));
 }
 
 // The mean force of the last four frames, turned into north, east, down.
@@ -301,7 +301,7 @@ void Attitude::learnRates(const core::Vector3& turn_rad) {
     learnRate(bias_.of[2], rate_bias_.z, turn_rad.z);
 }
 
-void Attitude::learnRate(int32_t& bias, core::Fixed<10>& rate, float turned_rad) {
+void Attitude::learnRate(int32_t& bias, core::BodyRate& rate, float turned_rad) {
     constexpr float kPeriod = Turn::kSteps * kSamplePeriod_s;
     constexpr int32_t kMost = static_cast<int32_t>(kMostBias_rads * kPeriod);
     grow(bias, -steps(turned_rad * kBiasShare, kMostBiasStep_rads, kPeriod), kMost);
@@ -381,7 +381,8 @@ void Attitude::useAirspeed(float true_airspeed_mps) {
     if (phase_ == Phase::falling) return;
     catchUp();
     // Its own velocity swings round with the nose; changes of speed are not known.
-    const float yaw_rate = core::dot(real(down_), {rate_.x, rate_.y, rate_.z});
+    const float yaw_rate =
+        core::dot(real(down_), {rate_.x.toFloat(), rate_.y.toFloat(), rate_.z.toFloat()});
     const float north_mps = true_airspeed_mps * noseNorth();
     const float east_mps = true_airspeed_mps * noseEast();
     const core::Vector3 swung = {-yaw_rate * east_mps, yaw_rate * north_mps, 0};
@@ -452,7 +453,7 @@ bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
 
 // sqrt(1 - sine^2) of an angle below 20 degrees is quicker by its series, and so is its inverse.
 void Attitude::workOutAngles() {
-    using Part = core::Fixed<14>;
+    using Part = core::Ratio;
     Angles& a = angles_;
     a.sin_pitch = Part::fromRaw(core::limit<int16_t>(-core::upper(down_.of[0]), -16384, 16384));
     const int16_t squared = core::times14(a.sin_pitch.raw, a.sin_pitch.raw);
@@ -462,10 +463,10 @@ void Attitude::workOutAngles() {
         a.cos_pitch = Part::fromRaw(16384 - half - (fourth >> 1));
         inverse_cos_pitch_.raw = (16384 + half + fourth + (fourth >> 1) + 2) >> 2;
     } else {
-        const float sine = a.sin_pitch;
+        const float sine = a.sin_pitch.toFloat();
         const float cosine = sqrtf(core::limit(1.0f - sine * sine, 1e-6f, 1.0f));
-        a.cos_pitch = cosine;
-        inverse_cos_pitch_ = 1.0f / cosine;
+        a.cos_pitch = Part(cosine);
+        inverse_cos_pitch_ = core::Gain(1.0f / cosine);
     }
     a.sin_roll = levelled(core::upper(down_.of[1]));
     a.cos_roll = levelled(core::upper(down_.of[2]));

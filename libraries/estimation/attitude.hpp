@@ -23,7 +23,7 @@ struct AttitudeSettings {
 
 struct Angles {
     core::Angle roll_rad, pitch_rad, yaw_rad;
-    core::Fixed<14> sin_roll, cos_roll, sin_pitch, cos_pitch;
+    core::Ratio sin_roll, cos_roll, sin_pitch, cos_pitch;
 };
 
 // What it takes to go on after a restart: how the airplane stood, in 2^-14, and what was learnt of
@@ -74,8 +74,8 @@ public:
     float noseNorth() const { return real(north_.of[0]); }
     float noseEast() const { return east().x; }
 
-    const core::FixedVector<10>& rate_rads() const { return rate_; }  // the last, the bias removed
-    core::Vector3 bias_rads() const;                                  // of the gyros
+    const core::BodyRates& rate_rads() const { return rate_; }  // the last, the bias removed
+    core::Vector3 bias_rads() const;                            // of the gyros
 
     // What the compass reads of the airplane itself, learnt in turns; body axes.
     const core::Vector3& compassOffset_mg() const { return field_.own_mg(); }
@@ -118,7 +118,7 @@ private:
     void carryAnglesOn(const Turn16& turned);
     void keepUpright();
     void pointYaw(const Turn16& turned);
-    core::Fixed<14> levelled(int16_t component) const;
+    core::Ratio levelled(int16_t component) const;
     void pointAlong(const core::Vector3& velocity_mps);
     void accelerate();
     void forgetForces();
@@ -126,23 +126,23 @@ private:
     void correct(const core::Vector3& missing_mss, const core::Vector3& felt_mss, float time_s,
                  bool by_fix);
     void learnRates(const core::Vector3& turn_rad);
-    static void learnRate(int32_t& bias, core::Fixed<10>& rate, float turned_rad);
+    static void learnRate(int32_t& bias, core::BodyRate& rate, float turned_rad);
     void learnForces(const core::Vector3& missing_mss, float nose_east, float trust);
     static void learnForce(int32_t& bias, float missing_mss);
 
     Row north_ = {{kOne, 0, 0}}, down_ = {{0, 0, kOne}};
     Turn bias_ = {};                               // of the gyros, in a sample period
-    core::FixedVector<10> rate_bias_ = {0, 0, 0};  // the same
+    core::BodyRates rate_bias_ = {};               // the same
     int32_t force_bias_x_ = 0, force_bias_y_ = 0;  // of the accelerometers, 2^-25 m/s2
     int16_t mean_nose_[2] = {16384, 0};            // north and east of it lately, in 2^-14
-    core::FixedVector<10> rate_ = {0, 0, 0};
+    core::BodyRates rate_ = {};
     Turn turned_ = {};           // since the matrix was last turned
     int32_t force_sum_[3] = {};  // of forces_ frames that took periods_
     core::Vector3 acceleration_ = {0, 0, 0};
-    Angles angles_ = {0, 0, 0, 0, 1, 0, 1};
-    core::Fixed<12> inverse_cos_pitch_ = 1, tan_pitch_ = 0;
-    core::Angle yaw_rad_ = 0;  // when pointYaw looked
-    int16_t yaw_step_ = 0;     // in a frame, in a quarter of an Angle's step
+    Angles angles_ = {{}, {}, {}, {}, core::Ratio(1), {}, core::Ratio(1)};
+    core::Gain inverse_cos_pitch_{1}, tan_pitch_ = {};
+    core::Angle yaw_rad_ = {};  // when pointYaw looked
+    int16_t yaw_step_ = 0;      // in a frame, in a quarter of an Angle's step
     CompassField field_;
     VelocityHistory history_;
     VelocityHistory::Moment fix_ = {};         // the accelerometers' velocity at the last fix

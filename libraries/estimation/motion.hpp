@@ -16,10 +16,10 @@ struct Turn {
 };
 
 struct Motion {
-    Turn turned;                      // in these periods
-    core::FixedVector<10> rate_rads;  // the mean
-    core::FixedVector<8> force_mss;   // the mean specific force: (0, 0, -g) at rest and level
-    uint8_t periods;                  // of kSamplePeriod_s
+    Turn turned;                    // in these periods
+    core::BodyRates rate_rads;      // the mean
+    core::Accelerations force_mss;  // the mean specific force: (0, 0, -g) at rest and level
+    uint8_t periods;                // of kSamplePeriod_s
 };
 
 }  // namespace estimation
