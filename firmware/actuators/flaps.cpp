@@ -18,8 +18,8 @@ Flaps flaps;
 
 namespace {
 
-constexpr int16_t kFull = 16384;
-constexpr int16_t kPercent = 164;
+constexpr int16_t kFull = core::Ratio::kOne;
+constexpr int16_t kPercent = core::Ratio(0.01f).raw;
 constexpr float kMargin_mps = 0.5f;  // over the speed at which a stage goes out, it goes in
 
 uint8_t stage;  // that is out: 1, 2, or 0

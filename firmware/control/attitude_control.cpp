@@ -20,7 +20,8 @@ namespace {
 
 using Deflection = core::Ratio;
 
-constexpr int16_t kPerCentidegree = 14913;  // 16384 / 4500 in 2^-12
+// From centidegrees of stick to steps of a Deflection: 45 degrees are full.
+constexpr core::Gain kPerCentidegree(Deflection::kSteps / 4500);
 
 ::control::AxisState roll_state, pitch_state;
 ::control::YawState yaw_state;
@@ -49,8 +50,8 @@ void feelAir() {
 }
 
 int16_t angle(int16_t cd) {
-    constexpr int16_t kPerCentidegree_turn = 29826;  // 65536 / 36000 in 2^-14
-    return core::times14(cd, kPerCentidegree_turn);
+    constexpr core::Ratio kSteps(core::Angle::kSteps * core::radians(0.01f));
+    return core::times14(cd, kSteps.raw);
 }
 
 void takeRoll() {
@@ -80,7 +81,9 @@ uint8_t look;
 
 // Where it turns to: farther ahead than the loop that holds TRAINING's bounds needs to stop.
 int16_t soon(core::Angle angle_rad, core::BodyRate rate_rads) {
-    constexpr int16_t kLead = 6;  // 0.6 s, from the one's steps to the other's
+    constexpr float kLead_s = 0.6f;
+    constexpr int16_t kLead =
+        static_cast<int16_t>(kLead_s * core::Angle::kSteps / core::BodyRate::kSteps);
     return core::narrowed(angle_rad.raw + core::product(kLead, rate_rads.raw));
 }
 
@@ -142,7 +145,7 @@ Deflection yaw() {
 
 void add(Deflection& to, int32_t steps) { to = Deflection::fromRaw(to.raw + steps); }
 void addStick(Deflection& to, int16_t stick_cd) {
-    if (stick_cd != 0) add(to, core::times12(stick_cd, kPerCentidegree));
+    if (stick_cd != 0) add(to, core::times12(stick_cd, kPerCentidegree.raw));
 }
 
 // The stick, but where it leads out of the bounds no further than what holds them. Close to them

@@ -19,13 +19,14 @@ namespace {
 
 constexpr uint8_t kUnknownRssi = 255;
 
-// Thousandths of g of 2^-8 m/s2, and of a rad/s of 2^-10.
+// Thousandths of g, and of a rad/s; rounded.
 int16_t milliG(core::Acceleration accel_mss) {
-    constexpr float kFactor = 1000 / core::kGravity_mss / 256 * 65536;
+    constexpr float kFactor = 1000 / core::kGravity_mss / core::Acceleration::kSteps * 65536;
     return core::upper(core::product(accel_mss.raw, static_cast<int16_t>(kFactor + 0.5f)));
 }
 int16_t milli(core::BodyRate rate_rads) {
-    return core::upper(core::product(rate_rads.raw, 32000) * 2);  // 65536 * 1000 / 1024 / 2
+    constexpr float kFactor = 1000 / core::BodyRate::kSteps * 65536 / 2;  // twice is past 16 bits
+    return core::upper(core::product(rate_rads.raw, static_cast<int16_t>(kFactor)) * 2);
 }
 
 }  // namespace

@@ -16,9 +16,12 @@ namespace {
 
 // 100 Hz: in integers, a float costs ten times as much.
 core::Angle angle(int16_t stick_cd, int16_t full_cd) {
-    constexpr int16_t kSteps = 27149;  // 65536 / 36000 / 4500 in 2^-26
-    return core::Angle::fromRaw(static_cast<int16_t>(
-        (core::times16(core::product(stick_cd, full_cd), kSteps) + 512) >> 10));
+    constexpr float kFullStick_cd = 4500;
+    using Product = core::Fixed32<26>;
+    constexpr float kSteps = core::Angle::kSteps * core::radians(0.01f) / kFullStick_cd;
+    constexpr int16_t kFactor = static_cast<int16_t>(kSteps * Product::kSteps + 1);  // rounded up
+    const int32_t steps = core::times16(core::product(stick_cd, full_cd), kFactor);
+    return core::Angle::fromRaw(static_cast<int16_t>((steps + 512) >> 10));
 }
 
 }  // namespace
@@ -31,8 +34,8 @@ core::Angle stickPitch_rad() {
 }
 
 core::Ratio stickThrottle() {
-    constexpr int16_t kSteps = 10486;  // 16384 / 100 in 2^-6
-    return core::Ratio::fromRaw(core::product(vehicle.radio.throttle_pct, kSteps) >> 6);
+    constexpr core::Fixed<6> kSteps(core::Ratio::kSteps / 100);  // a percent's
+    return core::Ratio::fromRaw(core::product(vehicle.radio.throttle_pct, kSteps.raw) >> 6);
 }
 
 void mixSticks() {

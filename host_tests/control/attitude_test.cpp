@@ -16,7 +16,7 @@ constexpr float kFrame_s = 0.01f;
 constexpr uint8_t kPeriods = 2;
 constexpr float kSteps = 2e-4f;  // what the fixed point of gains and rates loses
 
-float integrator(const AxisState& state) { return std::ldexp(float(state.integrator), -30); }
+float integrator(const AxisState& state) { return state.integrator.toFloat(); }
 
 AirFlow at(float airspeed_mps) { return control::airFlow(15, airspeed_mps, 9); }
 

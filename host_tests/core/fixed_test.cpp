@@ -45,6 +45,13 @@ TEST(Fixed, keeps_a_number_within_a_step_and_stops_at_its_ends) {
     EXPECT_EQ(Fixed<10>::fromRaw(-100000).raw, INT16_MIN);
 }
 
+TEST(Fixed32, loses_what_is_cut_off_towards_the_lower_number) {
+    using Fine = core::Fixed32<30>;
+    EXPECT_FLOAT_EQ(Fine::fromRaw(Fine::kOne / 4).toFloat(), 0.25f);
+    EXPECT_EQ(Fine::fromRaw((Fine::kOne >> 1) + 1).as<20>().raw, core::Fixed32<20>::kOne / 2);
+    EXPECT_EQ(Fine::fromRaw(-1).as<20>().raw, -1);
+}
+
 TEST(Angle, wraps_as_a_circle_does) {
     for (double angle = -7; angle < 7; angle += 0.001) {
         const float kept = Angle(static_cast<float>(angle)).toFloat();

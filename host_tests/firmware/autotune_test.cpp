@@ -29,7 +29,7 @@ protected:
         for (int i = 0; i <= 60; ++i) {
             const float rate_rads = 1.2f * std::sin(3.14159265f * static_cast<float>(i) / 60);
             control::AxisState state;
-            state.last_output =
+            state.last_output.raw =
                 static_cast<int32_t>(times * gains.feed_forward.toFloat() * rate_rads * (1 << 20));
             const core::Angle error(i < 60 ? 0.6f : 0.0f);
             firmware::control::tune(which, gains, state, air, error, core::BodyRate(rate_rads));

@@ -12,11 +12,13 @@ constexpr float kFullPerCentidegree = 1.0f / 4500.0f;
 constexpr float kTwoPeriods_s = 0.01f;
 constexpr float kSlowest_mps = 3.0f;  // nothing divides by less
 
-constexpr int16_t kMostRate = 15872;       // 15.5 rad/s; times 2 it fills 16 bits
-constexpr int32_t kMostDirect = 1L << 24;  // four times full deflection
+constexpr core::BodyRate kMaxRate_rads(15.5f);  // twice as much fills 16 bits
+using Direct = core::Fixed32<22>;               // a Gain times a BodyRate
+constexpr int32_t kMaxDirect = 4 * Direct::kOne;
+constexpr int32_t kFull = AxisState::Output::kOne;
 
 core::BodyRate limit_rads(int16_t dps) {
-    return core::BodyRate(dps > 0 ? core::radians(dps) : kMostRate / core::BodyRate::kSteps);
+    return core::BodyRate(dps > 0 ? core::radians(dps) : kMaxRate_rads.toFloat());
 }
 
 AxisGains axisGains(const AxisSettings& settings) {
@@ -24,8 +26,9 @@ AxisGains axisGains(const AxisSettings& settings) {
     const float integral = settings.i * time_constant_s;
     const float feed_forward = (settings.p - integral) * time_constant_s - settings.d;
     AxisGains gains;
-    constexpr float kRateSteps = 1024 / core::Angle::kSteps * 32768;
-    gains.rate_per_error = static_cast<int16_t>(kRateSteps / time_constant_s);
+    using Factor = decltype(gains.rate_per_error);
+    constexpr float kFactor = core::BodyRate::kSteps / core::Angle::kSteps * Factor::kSteps;
+    gains.rate_per_error.raw = static_cast<int16_t>(kFactor / time_constant_s);
     gains.turn_compensation = core::Gain::fromRaw(0);
     gains.feed_forward = core::Gain(feed_forward > 0 ? feed_forward * kFullPerRadian : 0.0f);
     gains.damping = core::Gain(settings.d * kFullPerRadian);
@@ -35,16 +38,17 @@ AxisGains axisGains(const AxisSettings& settings) {
     return gains;
 }
 
-// `felt`: the rate's error at the scaling speed, 2^-10 rad/s.
-void integrate(const AxisGains& gains, AxisState& state, const AirFlow& air, int16_t felt,
-               uint8_t periods) {
-    int32_t step = core::product(felt, core::times14(gains.integral.raw, air.speed_scale.raw));
+// By the rate's error at the scaling speed.
+void integrate(const AxisGains& gains, AxisState& state, const AirFlow& air,
+               core::BodyRate error_rads, uint8_t periods) {
+    int32_t step =
+        core::product(error_rads.raw, core::times14(gains.integral.raw, air.speed_scale.raw));
     if (periods != 2) step = step / 8 * core::limit<uint8_t>(periods, 0, 8) * 4;
-    constexpr int32_t kFull = 1L << 20;
-    if ((state.last_output > kFull && step > 0) || (state.last_output < -kFull && step < 0))
-        return;  // it would wind up
-    const int32_t most = int32_t{gains.integrator_max.raw} * 65536;
-    state.integrator = core::limit(state.integrator + step, -most, most);
+    const int32_t last = state.last_output.raw;
+    if ((last > kFull && step > 0) || (last < -kFull && step < 0)) return;  // it would wind up
+    constexpr int32_t kSteps = decltype(state.integrator)::kOne / core::Ratio::kOne;
+    const int32_t most = gains.integrator_max.raw * kSteps;
+    state.integrator.raw = core::limit(state.integrator.raw + step, -most, most);
 }
 
 }  // namespace
@@ -70,7 +74,7 @@ AxisGains pitchGains(const PitchSettings& settings) {
 }
 
 core::BodyRate demandedRate_rads(const AxisGains& gains, core::Angle error_rad) {
-    const int16_t rate = core::upper(2 * core::product(error_rad.raw, gains.rate_per_error));
+    const int16_t rate = core::upper(2 * core::product(error_rad.raw, gains.rate_per_error.raw));
     return core::BodyRate::fromRaw(
         core::limit<int16_t>(rate, -gains.most_down_rads.raw, gains.most_up_rads.raw));
 }
@@ -78,21 +82,21 @@ core::BodyRate demandedRate_rads(const AxisGains& gains, core::Angle error_rad) 
 core::Ratio axisDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
                            core::BodyRate demand_rads, core::BodyRate rate_rads, uint8_t periods) {
     const int16_t scale = air.speed_scale.raw;
-    const int16_t demand = core::limit<int16_t>(demand_rads.raw, -kMostRate, kMostRate);
-    const int16_t error = static_cast<int16_t>(
-        core::limit<int32_t>(int32_t{demand} - rate_rads.raw, -kMostRate, kMostRate));
-    const int16_t felt = core::times14(error, scale);
+    const int16_t demand =
+        core::limit<int16_t>(demand_rads.raw, -kMaxRate_rads.raw, kMaxRate_rads.raw);
+    const int16_t error = static_cast<int16_t>(core::limit<int32_t>(
+        int32_t{demand} - rate_rads.raw, -kMaxRate_rads.raw, kMaxRate_rads.raw));
+    const core::BodyRate felt_rads = core::BodyRate::fromRaw(core::times14(error, scale));
     if (gains.integral.raw <= 0) {
-        state.integrator = 0;
+        state.integrator = {};
     } else if (!air.too_slow) {
-        integrate(gains, state, air, felt, periods);
+        integrate(gains, state, air, felt_rads, periods);
     }
-    const int32_t direct =
-        core::product(gains.damping.raw, felt) + core::product(gains.feed_forward.raw, demand);
-    state.last_output = core::times16(core::limit(direct, -kMostDirect, kMostDirect), scale) +
-                        (state.integrator >> 10);
-    constexpr int32_t kFull = 1L << 20;
-    return core::Ratio::fromRaw((core::limit(state.last_output, -kFull, kFull) + 32) >> 6);
+    const int32_t direct = core::product(gains.damping.raw, felt_rads.raw) +
+                           core::product(gains.feed_forward.raw, demand);
+    state.last_output.raw = core::times16(core::limit(direct, -kMaxDirect, kMaxDirect), scale) +
+                            state.integrator.as<20>().raw;
+    return core::Ratio::fromRaw((core::limit(state.last_output.raw, -kFull, kFull) + 32) >> 6);
 }
 
 }  // namespace control

@@ -18,7 +18,7 @@ AirFlow airFlow(float scaling_speed_mps, float airspeed_mps, float lowest_flying
 
 // Of full deflection and radians, at the scaling speed.
 struct AxisGains {
-    int16_t rate_per_error;  // from an Angle's steps to a rate's, in 2^-15
+    core::Fixed<15> rate_per_error;  // from an Angle's steps to a BodyRate's
     core::BodyRate most_up_rads, most_down_rads;
     core::Gain turn_compensation;
     core::Gain feed_forward, damping;
@@ -29,8 +29,9 @@ AxisGains rollGains(const RollSettings& settings);
 AxisGains pitchGains(const PitchSettings& settings);
 
 struct AxisState {
-    int32_t integrator = 0;   // of full deflection, 2^-30
-    int32_t last_output = 0;  // before it was limited, 2^-20
+    using Output = core::Fixed32<20>;
+    core::Fixed32<30> integrator = {};  // of full deflection
+    Output last_output = {};            // the same, before it was limited
 };
 
 // The rate that takes an error away, within the limits.

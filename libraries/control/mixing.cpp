@@ -20,7 +20,7 @@ constexpr Signs kPairs[kPairKinds] ROM = {
 };
 // clang-format on
 
-constexpr int16_t kFull = 16384;
+constexpr int16_t kFull = core::Ratio::kOne;
 
 }  // namespace
 

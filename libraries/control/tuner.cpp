@@ -6,18 +6,19 @@
 namespace control {
 namespace {
 
-// 2^-10 rad/s
-constexpr int16_t kBegins = 410, kRest = 120, kFastEnough = 310, kSwing = 260;
+constexpr core::BodyRate kBegins_rads(0.4f), kRest_rads(0.117f), kFastEnough_rads(0.303f),
+    kSwing_rads(0.254f);
 constexpr uint16_t kLongest = 400;  // frames
 constexpr uint8_t kSwingLasts = 60, kMostSwings = 6;
 
-constexpr int32_t kFull = 1L << 20;
+constexpr int32_t kFull = AxisState::Output::kOne;
 
 int16_t size(int16_t value) { return value < 0 ? static_cast<int16_t>(-value) : value; }
 
-// Of full deflection, 2^-14; as far as the surface goes.
-int16_t surface(const AxisState& state) {
-    return static_cast<int16_t>(core::limit(state.last_output, -kFull, kFull) >> 6);
+// As far as the surface goes.
+core::Ratio surface(const AxisState& state) {
+    const int32_t limited = core::limit(state.last_output.raw, -kFull, kFull);
+    return core::Ratio::fromRaw(AxisState::Output{limited}.as<14>().raw);
 }
 
 int16_t expected(const AxisGains& gains, const AirFlow& air, int16_t rate) {
@@ -31,7 +32,7 @@ int16_t expected(const AxisGains& gains, const AirFlow& air, int16_t rate) {
 AxisTuner::Finding AxisTuner::swing(int16_t rate) {
     if (since_ < kSwingLasts) ++since_;
     if (since_ == kSwingLasts) swings_ = 0;
-    const int8_t side = rate > kSwing ? 1 : (rate < -kSwing ? -1 : 0);
+    const int8_t side = rate > kSwing_rads.raw ? 1 : (rate < -kSwing_rads.raw ? -1 : 0);
     if (side == 0 || side == side_) return Finding::nothing;
     side_ = side;
     since_ = 0;
@@ -44,19 +45,19 @@ AxisTuner::Finding AxisTuner::watch(const AxisGains& gains, const AxisState& sta
                                     const AirFlow& air, core::BodyRate demand_rads,
                                     core::BodyRate rate_rads) {
     const int16_t rate = rate_rads.raw;
-    const bool rests = size(rate) < kRest;
+    const bool rests = size(rate) < kRest_rads.raw;
     if (frames_ == 0) {
-        if (size(demand_rads.raw) < kBegins) return swing(rate);
+        if (size(demand_rads.raw) < kBegins_rads.raw) return swing(rate);
         if (!rests || air.too_slow) return Finding::nothing;
         crossed_ = squared_ = 0;
-        fastest_ = 0;
-        rest_ = static_cast<int16_t>(state.integrator >> 16);
+        fastest_rads_.raw = 0;
+        rest_.raw = static_cast<int16_t>(state.integrator.as<14>().raw);
     }
     const int16_t wanted = expected(gains, air, rate);
-    crossed_ += core::product(core::narrowed(int32_t{surface(state)} - rest_), wanted) >> 8;
+    crossed_ += core::product(core::narrowed(int32_t{surface(state).raw} - rest_.raw), wanted) >> 8;
     squared_ += core::product(wanted, wanted) >> 8;
-    fastest_ = core::limit<int16_t>(size(rate), fastest_, INT16_MAX);
-    const bool over = rests && fastest_ >= kFastEnough;
+    fastest_rads_.raw = core::limit<int16_t>(size(rate), fastest_rads_.raw, INT16_MAX);
+    const bool over = rests && fastest_rads_.raw >= kFastEnough_rads.raw;
     if (!over && ++frames_ < kLongest) return Finding::nothing;
     frames_ = 0;
     return over ? Finding::measured : Finding::nothing;

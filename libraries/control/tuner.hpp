@@ -32,8 +32,8 @@ private:
     Finding swing(int16_t rate);
 
     int32_t crossed_ = 0, squared_ = 0;
-    int16_t rest_ = 0;     // the surface before the turn, 2^-14
-    int16_t fastest_ = 0;  // 2^-10 rad/s
+    core::Ratio rest_ = {};  // the surface before the turn
+    core::BodyRate fastest_rads_ = {};
     uint16_t frames_ = 0;  // of the turn under way; 0: none
     int8_t side_ = 0;      // which way it swung last
     uint8_t swings_ = 0, since_ = 0;

@@ -39,6 +39,7 @@ template <uint8_t kFraction>
 class Fixed {
 public:
     static constexpr float kSteps = 1UL << kFraction;
+    static constexpr int32_t kOne = 1L << kFraction;
 
     Fixed() = default;
     explicit constexpr Fixed(float value)
@@ -51,6 +52,25 @@ public:
 
 private:
     constexpr Fixed(int16_t steps, int) : raw(steps) {}
+};
+
+// The same in 32 bits, where small steps are summed up: -2^(31 - kFraction) .. 2^(31 - kFraction).
+// Sums wrap; whoever sums keeps them in bounds.
+template <uint8_t kFraction>
+struct Fixed32 {
+    static constexpr float kSteps = 1UL << kFraction;
+    static constexpr int32_t kOne = 1L << kFraction;
+
+    static constexpr Fixed32 fromRaw(int32_t raw) { return Fixed32{raw}; }
+    constexpr float toFloat() const { return static_cast<float>(raw) * (1.0f / kSteps); }
+    // With fewer bits behind the point, what is cut off lost towards the lower number.
+    template <uint8_t kFewer>
+    constexpr Fixed32<kFewer> as() const {
+        static_assert(kFewer <= kFraction, "there are no more bits");
+        return Fixed32<kFewer>{raw >> (kFraction - kFewer)};
+    }
+
+    int32_t raw;
 };
 
 // An angle whose 16 bits are a whole turn: it wraps by itself.

@@ -26,6 +26,7 @@ constexpr int32_t times16(int32_t a, int16_t b) {
 // The upper half, rounded, of so many times the value.
 constexpr int16_t upperOf4(int32_t value) { return upper(value * 4); }
 constexpr int16_t upperOf16(int32_t value) { return upper(value * 16); }
+constexpr int32_t kMaxOf16 = 0x7FF0000;  // times 16 it still fits, rounded up as well
 // The product of two numbers one of which has so many bits behind the point, rounded, in the form
 // of the other.
 constexpr int16_t times14(int16_t a, int16_t b) { return upperOf4(product(a, b)); }
