@@ -10,7 +10,7 @@ import { fileURLToPath } from 'node:url';
 import { codeOf } from '../../toolchain/mutate_tool/code.mjs';
 import { readOptions } from '../../toolchain/mutate_tool/main.mjs';
 import { mutated, mutationsIn, sample } from '../../toolchain/mutate_tool/mutations.mjs';
-import { inOrder, objectsWith, unitPrograms } from '../../toolchain/mutate_tool/programs.mjs';
+import { Interrupted, Runner, inOrder, objectsWith, unitPrograms } from '../../toolchain/mutate_tool/programs.mjs';
 import { outcomeOf, summaryOf } from '../../toolchain/mutate_tool/trial.mjs';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
@@ -138,6 +138,20 @@ test('the summary counts each outcome, and says what was not tried', () => {
   assert.equal(summaryOf(outcomes, 6, 6), '6 mutations: killed 2, survived 1, did not compile 1, timed out 1, ' +
     'compiled to the same program 1');
   assert.match(summaryOf(['killed'], 30, 200), /^1 of 30 mutations tried \(a sample of 200\): killed 1,/);
+});
+
+test('a program that does not end is ended at its limit, with what it has started', async () => {
+  const { status, late } = await new Runner(root, process.env).run('sh', ['-c', 'sleep 60 & sleep 60'], { limit_s: 0.2 });
+
+  assert.deepEqual([status, late], [null, true]);
+});
+
+test('an interruption ends the program that runs, and no other one begins', async () => {
+  const runner = new Runner(root, process.env), running = runner.run('sleep', ['60']);
+  runner.stop();
+
+  await assert.rejects(running, Interrupted);
+  await assert.rejects(runner.run('true', []), Interrupted);
 });
 
 test('of the tests, only quick unit tests that need no file but their program', () => {
