@@ -191,11 +191,11 @@ for (const [what, words, says] of [
   ['a file that is not there', ['firmware/none.cpp'], 'no such file'],
   ['no C++', ['README.md'], 'only .cpp and .hpp'],
   ['a file of elsewhere', ['/tmp/x.cpp'], 'no source of this project'],
-  ['an option that is none', ['firmware/arming.cpp', '--fast'], 'no option --fast'],
-  ['a limit that is no number', ['firmware/arming.cpp', '--limit', 'few'], '--limit needs a number'],
-  ['lines in the wrong order', ['firmware/arming.cpp', '--at', '9-5'], '--at needs'],
-  ['lines of two files', ['firmware/arming.cpp', 'firmware/tasks.cpp', '--at', '9'], 'one FILE'],
-  ['lines that are not there', ['firmware/arming.cpp', '--at', '99999'], 'nothing there'],
+  ['an option that is none', ['firmware/safety/arming.cpp', '--fast'], 'no option --fast'],
+  ['a limit that is no number', ['firmware/safety/arming.cpp', '--limit', 'few'], '--limit needs a number'],
+  ['lines in the wrong order', ['firmware/safety/arming.cpp', '--at', '9-5'], '--at needs'],
+  ['lines of two files', ['firmware/safety/arming.cpp', 'firmware/app/tasks.cpp', '--at', '9'], 'one FILE'],
+  ['lines that are not there', ['firmware/safety/arming.cpp', '--at', '99999'], 'nothing there'],
 ]) {
   test(`${what}: one line and exit status 2`, () => {
     const { status, stdout, stderr } = run(...words);
@@ -207,8 +207,8 @@ for (const [what, words, says] of [
 }
 
 test('a list names every mutation of the lines asked for, and nothing is built', () => {
-  const { status, stdout } = run('firmware/arming.cpp', '--list', '--limit', '5');
+  const { status, stdout } = run('firmware/safety/arming.cpp', '--list', '--limit', '5');
   assert.equal(status, 0);
   assert.equal(stdout.trimEnd().split('\n').length, 5);
-  for (const line of stdout.trimEnd().split('\n')) assert.match(line, /^firmware\/arming\.cpp:\d+: .+ {2}-> {2}.+$/);
+  for (const line of stdout.trimEnd().split('\n')) assert.match(line, /^firmware\/safety\/arming\.cpp:\d+: .+ {2}-> {2}.+$/);
 });
