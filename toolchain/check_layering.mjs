@@ -24,13 +24,23 @@ const libraries = {
   logging: ['core', 'hal'],
 };
 const allLibraries = Object.keys(libraries);
+
+// The rooms of firmware/, from the ground up: each is a namespace and may include those before it.
+const rooms = ['notify', 'state', 'sensors', 'estimator', 'control', 'guidance', 'actuators', 'mission',
+  'modes', 'safety', 'logger', 'gcs', 'app'];
+const belowOrIn = (room) => rooms.slice(0, rooms.indexOf(room) + 1);
 const rules = [
   ...allLibraries.map((name) => ({
     folder: `libraries/${name}`,
     may: [name, ...libraries[name]],
     freestanding: true,
   })),
-  { folder: 'firmware', may: ['firmware', 'board.hpp', ...allLibraries], freestanding: true },
+  ...rooms.map((room) => ({
+    folder: `firmware/${room}`,
+    may: ['board.hpp', ...allLibraries, ...belowOrIn(room).map((each) => `firmware/${each}`)],
+    namespace: room,
+    freestanding: true,
+  })),
   { folder: 'hal_avr', may: null, forbidden: /^(firmware|simulator|host_tests)\// },
   { folder: 'simulator/devices', may: ['simulator'] },
   { folder: 'simulator/airplane', may: ['simulator'] },
@@ -53,10 +63,12 @@ function* broken(rule, path, text) {
   const name = relative(root, path);
   if (!text.startsWith('// SPDX-License-Identifier: GPL-3.0-or-later'))
     yield [1, 'the first line must be the SPDX line'];
+  if (rule.namespace && !/\/main\.cpp$|_host\.cpp$/.test(name) && !text.includes(`\nnamespace ${rule.namespace} {`))
+    yield [1, `${rule.folder} is the namespace ${rule.namespace}`];
   for (const [index, line] of text.split('\n').entries()) {
     const quoted = /^#include "([^"]+)"/.exec(line)?.[1];
     const angled = /^#include <([^>]+)>/.exec(line)?.[1];
-    if (quoted && rule.may && !rule.may.includes(quoted.split('/')[0]))
+    if (quoted && rule.may && !rule.may.some((folder) => quoted === folder || quoted.startsWith(`${folder}/`)))
       yield [index + 1, `${rule.folder} must not include "${quoted}"`];
     if (quoted && rule.forbidden?.test(quoted))
       yield [index + 1, `${rule.folder} must not include "${quoted}"`];
@@ -71,6 +83,11 @@ function* broken(rule, path, text) {
 
 let failures = 0;
 let read = 0;
+for (const entry of readdirSync(join(root, 'firmware'), { withFileTypes: true }))
+  if (!entry.isDirectory() || !rooms.includes(entry.name)) {
+    console.log(`firmware/${entry.name}: is no room of firmware`);
+    ++failures;
+  }
 for (const rule of rules)
   for (const path of sources(join(root, rule.folder))) {
     ++read;

@@ -2,7 +2,6 @@
 #include "firmware/actuators/camera.hpp"
 
 #include "firmware/actuators/relay.hpp"
-#include "firmware/gcs/streams.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -12,7 +11,6 @@ namespace actuators {
 
 using namespace notify;
 using namespace state;
-using namespace gcs;
 
 namespace {
 
@@ -37,7 +35,6 @@ void open() {
     open_ticks = static_cast<uint8_t>(parameters.camera_duration_ds + 1);
     if (onRelay()) relaySet(true);
     ++pictures;
-    tellPicture();
 }
 
 void letGo() {

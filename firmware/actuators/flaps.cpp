@@ -3,7 +3,7 @@
 
 #include "core/maths.hpp"
 #include "firmware/guidance/guidance.hpp"
-#include "firmware/modes/modes.hpp"
+#include "firmware/state/mode_traits.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 
@@ -12,7 +12,6 @@ namespace actuators {
 
 using namespace state;
 using namespace guidance;
-using namespace modes;
 
 Flaps flaps;
 

@@ -3,17 +3,14 @@
 
 #include "board.hpp"
 #include "core/rom.hpp"
-#include "firmware/safety/arming.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/vehicle.hpp"
 
 namespace firmware {
 namespace actuators {
 
-using namespace notify;
 using namespace state;
 using namespace sensors;
-using namespace safety;
 
 namespace {
 
@@ -29,6 +26,7 @@ constexpr uint16_t kSlow = 0x3333;
 bool broken() { return wrongBoard() || !vehicle.imu.healthy; }
 bool armed() { return vehicle.armed; }
 bool gyrosUnknown() { return !vehicle.imu.calibrated; }
+bool ready() { return vehicle.prearm_ok; }
 bool radioLost() { return vehicle.radio.lost; }
 bool noGps() { return vehicle.gps.fix == GpsFix::no_gps; }
 bool noFix() { return vehicle.gps.fix == GpsFix::none; }
@@ -46,7 +44,7 @@ constexpr Row kRed[] ROM = {
     {broken,       kFast},        // all three together
     {armed,        kOn},
     {gyrosUnknown, kFast},        // red and blue in turn: keep it still
-    {prearmOk,     kOneFlash},
+    {ready,        kOneFlash},
     {always,       kTwoFlashes},
 };
 constexpr Row kYellow[] ROM = {

@@ -14,6 +14,7 @@
 #include "firmware/mission/events.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/mission/rally.hpp"
+#include "firmware/modes/mode_switch.hpp"
 #include "firmware/modes/modes.hpp"
 #include "firmware/safety/arming.hpp"
 #include "firmware/safety/failsafe.hpp"
@@ -23,6 +24,7 @@
 #include "firmware/sensors/radio.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
+#include "firmware/state/schedule_figures.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
 #include "hal/guard.hpp"
@@ -115,7 +117,6 @@ scheduler::Scheduler<core::count(kTasks)> schedule(kTasks, kFrame_us);
 Supervisor supervisor;
 
 uint16_t frame_began;  // ticks
-uint16_t load_permille;
 uint32_t load_from_us, load_busy_us;
 
 void measureLoad() {
@@ -124,7 +125,8 @@ void measureLoad() {
     const uint32_t busy_us = schedule.busy_us() - load_busy_us;
     load_from_us = now_us;
     load_busy_us = schedule.busy_us();
-    if (span_us > 1000) load_permille = static_cast<uint16_t>(busy_us / (span_us / 1000));
+    if (span_us > 1000)
+        schedule_figures.load_permille = static_cast<uint16_t>(busy_us / (span_us / 1000));
 }
 
 void everySecond() {
@@ -174,6 +176,8 @@ void loop() {
     if (frameDue()) {
         frame_began = hal::ticks();
         schedule.runFrame(hal::now_us());
+        schedule_figures.late_frames = schedule.lateFrames();
+        schedule_figures.longest_frame_us = schedule.longestFrame_us();
         if (supervisor.wellAfter(schedule.takeServed())) hal::watchdogFeed();
     } else if (gpsWaits()) {
         runGps();
@@ -182,9 +186,6 @@ void loop() {
     }
 }
 
-uint16_t loadPermille() { return load_permille; }
-uint16_t lateFrames() { return schedule.lateFrames(); }
-uint16_t longestFrame_us() { return schedule.longestFrame_us(); }
 uint8_t taskCount() { return core::count(kTasks); }
 uint16_t taskLongest_us(uint8_t task) { return schedule.longest_us(task); }
 

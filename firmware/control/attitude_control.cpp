@@ -4,7 +4,7 @@
 #include "control/attitude.hpp"
 #include "core/rom.hpp"
 #include "firmware/control/autotune.hpp"
-#include "firmware/modes/modes.hpp"
+#include "firmware/state/mode_traits.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 
@@ -12,7 +12,6 @@ namespace firmware {
 namespace control {
 
 using namespace state;
-using namespace modes;
 
 Surfaces surfaces;
 

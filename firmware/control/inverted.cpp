@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/control/inverted.hpp"
 
-#include "firmware/modes/modes.hpp"
 #include "firmware/sensors/radio.hpp"
+#include "firmware/state/mode_traits.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 
@@ -11,7 +11,6 @@ namespace control {
 
 using namespace state;
 using namespace sensors;
-using namespace modes;
 
 namespace {
 

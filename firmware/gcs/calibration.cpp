@@ -34,7 +34,6 @@ SideForces sides;
 enum class Phase : uint8_t { asks, measures, succeeded, failed };
 
 struct {
-    Calibrating what;
     Phase phase;
     uint8_t side;
     uint8_t left_s;
@@ -101,8 +100,9 @@ uint8_t takeLevel() {
     core::Vector3 offset_mss = restForce_mss();
     offset_mss.z += core::kGravity_mss;
     const float values[] = {offset_mss.x, offset_mss.y, offset_mss.z, 1, 1, 1};
-    return whenTrue(liesOn(kLevelSide, restForce_mss()) && storeAll(slot::ins_accoffs_x, values, 6),
-                    MavResult::failed);
+    return whenTrue(
+        liesOn(kLevelSide, restForce_mss()) && parametersSetFrom(slot::ins_accoffs_x, values, 6),
+        MavResult::failed);
 }
 
 // ---- sides
@@ -112,13 +112,13 @@ void takeTrim(const AccelerometerFit& fit) {
     for (uint8_t i = 0; i < 3; ++i) axes[i] = (axes[i] - fit.offset_mss[i]) * fit.scale[i];
     float lie_rad[2];
     lieOf(force_mss, lie_rad);
-    if (!storeAll(slot::ahrs_trim_x, lie_rad, 2))
+    if (!parametersSetFrom(slot::ahrs_trim_x, lie_rad, 2))
         tell(Severity::warning, ROM_TEXT("Level was not: AHRS_TRIM stays"));
 }
 
 void finishSides() {
     AccelerometerFit fit;
-    if (!fitSides(sides, fit) || !storeAll(slot::ins_accoffs_x, fit.offset_mss, 6))
+    if (!fitSides(sides, fit) || !parametersSetFrom(slot::ins_accoffs_x, fit.offset_mss, 6))
         return end(false, ROM_TEXT("Calibration FAILED: out of range"));
     takeTrim(fit);
     endWell();
@@ -148,7 +148,7 @@ void sidesTurn() {
         default: {
             const uint32_t outcome = now.phase == Phase::succeeded ? AccelcalVehiclePos::success
                                                                    : AccelcalVehiclePos::failed;
-            if (tellSide(outcome)) now.what = Calibrating::nothing;
+            if (tellSide(outcome)) vehicle.calibrating = Calibrating::nothing;
         }
     }
 }
@@ -178,7 +178,8 @@ bool report() {
 
 void finishCompass() {
     const uint8_t within_mg = now.left_s > 0 ? 12 : 30;
-    if (compassFits(within_mg) && storeAll(slot::compass_ofs_x, parameters.compass_offset_mg, 3)) {
+    if (compassFits(within_mg) &&
+        parametersSetFrom(slot::compass_ofs_x, parameters.compass_offset_mg, 3)) {
         endWell();
     } else if (now.left_s == 0) {
         end(false, ROM_TEXT("Calibration FAILED: magnet or iron near?"));
@@ -189,7 +190,7 @@ void compassTurn() {
     if (now.phase != Phase::asks) {
         if (!report()) return;
         if (now.phase == Phase::failed) compassTurnsUndo();
-        now.what = Calibrating::nothing;
+        vehicle.calibrating = Calibrating::nothing;
         return;
     }
     if (!secondHasPassed()) return;
@@ -207,20 +208,19 @@ void restTurn() {
     if (!secondHasPassed() && !still && now.left_s > 0) return;
     uint8_t result = now.left_s > 0 ? MavResult::in_progress : MavResult::failed;
     if (still) result = MavResult::accepted;
-    if (still && now.what == Calibrating::level) result = takeLevel();
-    if (acknowledge(result) && result != MavResult::in_progress) now.what = Calibrating::nothing;
+    if (still && vehicle.calibrating == Calibrating::level) result = takeLevel();
+    if (acknowledge(result) && result != MavResult::in_progress)
+        vehicle.calibrating = Calibrating::nothing;
 }
 
 }  // namespace
 
-Calibrating calibrating() { return now.what; }
-
 bool calibrationBegin(Calibrating what, const Asker& asker) {
-    if (now.what != Calibrating::nothing && now.what != what) return false;
-    const bool again = now.what == what;
+    if (vehicle.calibrating != Calibrating::nothing && vehicle.calibrating != what) return false;
+    const bool again = vehicle.calibrating == what;
     now.asker = asker;
     if (again && what == Calibrating::rest) return true;
-    now.what = what;
+    vehicle.calibrating = what;
     now.phase = Phase::asks;
     now.side = 0;
     now.left_s = what == Calibrating::compass ? kTurning_s : kRest_s;
@@ -231,14 +231,14 @@ bool calibrationBegin(Calibrating what, const Asker& asker) {
 }
 
 void calibrationCancel() {
-    if (now.what == Calibrating::compass) compassTurnsUndo();
-    now.what = Calibrating::nothing;
+    if (vehicle.calibrating == Calibrating::compass) compassTurnsUndo();
+    vehicle.calibrating = Calibrating::nothing;
 }
 
 bool calibrationSideIsReady() { return calibrationSideIsReady(now.side + 1U); }
 
 bool calibrationSideIsReady(uint16_t accelcal_vehicle_pos) {
-    if (now.what != Calibrating::sides || now.phase != Phase::asks ||
+    if (vehicle.calibrating != Calibrating::sides || now.phase != Phase::asks ||
         accelcal_vehicle_pos != now.side + 1U)
         return false;
     now.phase = Phase::measures;
@@ -249,18 +249,14 @@ bool calibrationSideIsReady(uint16_t accelcal_vehicle_pos) {
 
 void calibrationTurn() {
     static constexpr void (*kTurns[])() ROM = {nullptr, restTurn, restTurn, sidesTurn, compassTurn};
-    if (now.what == Calibrating::nothing) return;
+    if (vehicle.calibrating == Calibrating::nothing) return;
     if (vehicle.armed) return calibrationCancel();
-    core::romRead(kTurns[static_cast<uint8_t>(now.what)])();
+    core::romRead(kTurns[static_cast<uint8_t>(vehicle.calibrating)])();
 }
 
-void calibrationReset() { now = {}; }
-
-bool storeAll(uint8_t slot, const float* values, uint8_t count) {
-    for (uint8_t i = 0; i < count; ++i)
-        if (!parameterSlotTakes(static_cast<uint8_t>(slot + i), values[i])) return false;
-    for (uint8_t i = 0; i < count; ++i) parameterSet(static_cast<uint8_t>(slot + i), values[i]);
-    return true;
+void calibrationReset() {
+    now = {};
+    vehicle.calibrating = Calibrating::nothing;
 }
 
 }  // namespace gcs

@@ -3,25 +3,18 @@
 #pragma once
 #include <stdint.h>
 
+#include "firmware/state/vehicle.hpp"
+
 namespace firmware {
 namespace gcs {
 
 struct Link;
 
-enum class Calibrating : uint8_t {
-    nothing,
-    rest,     // gyros, pressures: it stands still
-    level,    // the accelerometers' offsets, standing level
-    sides,    // their offsets and scales, on six sides one after the other
-    compass,  // turned about
-};
-Calibrating calibrating();
-
 struct Asker {
     uint8_t link, system, component;  // who is told how it goes
 };
 // False: another one runs.
-bool calibrationBegin(Calibrating what, const Asker& asker);
+bool calibrationBegin(state::Calibrating what, const Asker& asker);
 // Of the sides and the compass; nothing of it is kept.
 void calibrationCancel();
 // The airplane lies as it was asked for: a key was pressed on the ground. False: nobody asked.
@@ -29,9 +22,6 @@ bool calibrationSideIsReady();
 bool calibrationSideIsReady(uint16_t accelcal_vehicle_pos);
 void calibrationTurn();  // kTurns_hz
 void calibrationReset();
-
-// From this slot on. False: a value is none for its parameter, nothing was stored.
-bool storeAll(uint8_t slot, const float* values, uint8_t count);
 
 }  // namespace gcs
 }  // namespace firmware

@@ -51,7 +51,7 @@ uint8_t trimLevel() {
     if (!still || !vehicle.attitude.aligned) return MavResult::failed;
     const float lie_rad[] = {parameters.level_trim_rad[0] + vehicle.attitude.roll_rad.toFloat(),
                              parameters.level_trim_rad[1] + vehicle.attitude.pitch_rad.toFloat()};
-    return whenTrue(storeAll(slot::ahrs_trim_x, lie_rad, 2), MavResult::failed);
+    return whenTrue(parametersSetFrom(slot::ahrs_trim_x, lie_rad, 2), MavResult::failed);
 }
 
 // Bits of what a command asks for.
@@ -125,7 +125,7 @@ uint8_t begin(Calibrating what, Link& link, const Order& order, uint8_t answer) 
 }
 
 uint8_t beginRest(Link& link, const Order& order, uint8_t wishes) {
-    const bool again = calibrating() == Calibrating::rest;
+    const bool again = vehicle.calibrating == Calibrating::rest;
     const uint8_t result = begin(Calibrating::rest, link, order, MavResult::in_progress);
     if (again || result != MavResult::in_progress) return result;
     if ((wishes & kGyros) != 0) calibrateGyros();
@@ -156,7 +156,7 @@ uint8_t calibrate(Link& link, Order& order) {
     uint8_t wishes;
     if (!wishesOf(order, wishes)) return MavResult::unsupported;
     if (wishes == 0) {
-        if (calibrating() == Calibrating::nothing) return MavResult::unsupported;
+        if (vehicle.calibrating == Calibrating::nothing) return MavResult::unsupported;
         return cancelCalibration(link, order);
     }
     uint8_t result = mayCalibrate();
@@ -199,7 +199,7 @@ uint8_t setSensorOffsets(Link&, Order& order) {
     constexpr uint8_t kCompass = 2;
     if (order.item.param1 != kCompass) return MavResult::unsupported;
     const float offsets_mg[] = {order.item.param2, order.item.param3, order.item.param4};
-    return whenTrue(storeAll(slot::compass_ofs_x, offsets_mg, 3), MavResult::failed);
+    return whenTrue(parametersSetFrom(slot::compass_ofs_x, offsets_mg, 3), MavResult::failed);
 }
 
 // Values are stored as they are set: reading and writing "all" has nothing to do. Parameters may be

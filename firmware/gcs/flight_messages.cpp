@@ -14,7 +14,6 @@ namespace firmware {
 namespace gcs {
 
 using namespace state;
-using namespace sensors;
 using namespace estimator;
 using namespace actuators;
 using namespace mission;

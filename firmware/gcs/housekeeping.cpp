@@ -8,6 +8,8 @@
 #include "firmware/gcs/link.hpp"
 #include "firmware/gcs/telemetry.hpp"
 #include "firmware/notify/status_text.hpp"
+#include "firmware/sensors/rc_override.hpp"
+#include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
 #include "hal/rc_input.hpp"
 
@@ -16,17 +18,9 @@ namespace gcs {
 
 using namespace notify;
 using namespace state;
+using namespace sensors;
 
 namespace {
-
-uint32_t heard_ms;
-uint32_t override_ms;  // when the last RC_CHANNELS_OVERRIDE came
-uint16_t override_us[hal::kRcChannels];
-bool overridden;  // once, since they were last released
-
-// A ground station repeats its sticks at 10 Hz or so; one that falls silent must not hold the
-// airplane in its last turn.
-constexpr uint16_t kOverrideLasts_ms = 3000;
 
 bool fromGround(const mavlink::Frame& frame) {
     return frame.system == static_cast<uint8_t>(parameters.ground_system_id);
@@ -35,14 +29,12 @@ bool fromGround(const mavlink::Frame& frame) {
 }  // namespace
 
 void housekeepingStart() {
-    heard_ms = 0;
+    vehicle.ground_heard_ms = 0;
     rcOverrideRelease();
 }
 
-uint32_t groundHeard_ms() { return heard_ms; }
-
 bool onHeartbeat(Link&, const mavlink::Frame& frame) {
-    if (fromGround(frame)) heard_ms = hal::now_ms();
+    if (fromGround(frame)) vehicle.ground_heard_ms = hal::now_ms();
     return true;
 }
 
@@ -87,35 +79,15 @@ bool onRadioStatus(Link& link, const mavlink::Frame& frame) {
     return true;
 }
 
-// 0 gives a channel back to the receiver, 65535 leaves it as it is.
 bool onRcChannelsOverride(Link&, const mavlink::Frame& frame) {
     if (!fromGround(frame)) return true;
     const auto message = frame.read<mavlink::RcChannelsOverride>();
     uint16_t wanted_us[hal::kRcChannels];
     memcpy(wanted_us, &message, sizeof wanted_us);  // they stand first
     static_assert(offsetof(mavlink::RcChannelsOverride, target_system) == sizeof wanted_us, "");
-    for (uint8_t i = 0; i < hal::kRcChannels; ++i)
-        if (wanted_us[i] != UINT16_MAX) override_us[i] = wanted_us[i];
-    overridden = true;
-    heard_ms = override_ms = hal::now_ms();
+    setRcOverride(wanted_us);
+    vehicle.ground_heard_ms = hal::now_ms();
     return true;
-}
-
-bool rcOverride(uint8_t channel, uint16_t& pulse_us) {
-    if (override_us[channel] == 0) return false;
-    if (hal::now_ms() - override_ms > kOverrideLasts_ms) {
-        rcOverrideRelease();
-        return false;
-    }
-    pulse_us = override_us[channel];
-    return true;
-}
-
-bool rcOverridden() { return overridden; }
-
-void rcOverrideRelease() {
-    memset(override_us, 0, sizeof override_us);
-    overridden = false;
 }
 
 }  // namespace gcs

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the vehicle is and what it is.
 #include "core/maths.hpp"
-#include "firmware/app/tasks.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/gcs/messages.hpp"
 #include "firmware/modes/modes.hpp"
@@ -9,6 +8,7 @@
 #include "firmware/safety/arming.hpp"
 #include "firmware/safety/failsafe.hpp"
 #include "firmware/safety/fence.hpp"
+#include "firmware/state/schedule_figures.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
 #include "hal/memory.hpp"
@@ -20,7 +20,6 @@ using namespace notify;
 using namespace state;
 using namespace modes;
 using namespace safety;
-using namespace app;
 
 namespace {
 
@@ -86,7 +85,7 @@ uint32_t ailingSensors() {
     if (failing(Cause::battery)) bits |= Sensor::sensor_battery;
     if (vehicle.radio.lost) bits |= Sensor::sensor_rc_receiver;
     if (fenceReport().breach != Breach::none || fenceBad()) bits |= Sensor::geofence;
-    if (!vehicle.armed && !prearmOk()) bits |= Sensor::prearm_check;
+    if (!vehicle.armed && !vehicle.prearm_ok) bits |= Sensor::prearm_check;
     return bits;
 }
 
@@ -116,15 +115,15 @@ bool fillIn(const Link& link, mavlink::SysStatus& to) {
     to.onboard_control_sensors_present = fitted;
     to.onboard_control_sensors_enabled = fitted & ~unusedSensors();
     to.onboard_control_sensors_health = fitted & ~ailingSensors();
-    to.load = loadPermille();
+    to.load = schedule_figures.load_permille;
     to.voltage_battery = vehicle.battery.voltage_mv;
     to.current_battery = vehicle.battery.current_ca;
     to.battery_remaining = batteryLeft_pct();
     to.errors_comm = link.parser.rejected();
     // free for the autopilot's use:
     to.errors_count1 = hal::serialLost(portOf(link));
-    to.errors_count2 = lateFrames();
-    to.errors_count3 = longestFrame_us();
+    to.errors_count2 = schedule_figures.late_frames;
+    to.errors_count3 = schedule_figures.longest_frame_us;
     to.errors_count4 = textsLost();
     return true;
 }

@@ -2,6 +2,7 @@
 #include "firmware/gcs/streams.hpp"
 
 #include <string.h>
+#include "firmware/actuators/camera.hpp"
 
 #include "core/maths.hpp"
 #include "core/rom.hpp"
@@ -198,7 +199,12 @@ void requestOnce(Link& link, uint16_t message_id) {
     if (row != kNoMessage) age(link.streams, row, kDue);
 }
 
-void tellPicture() {
+void sendCameraFeedback() {
+    static uint16_t reported;
+    const uint16_t taken = actuators::picturesTaken();
+    if (taken == reported) return;
+    reported = taken;
+    if (taken == 0) return;  // counted anew
     for (Link& link : links) requestOnce(link, mavlink::Wire<mavlink::CameraFeedback>::id);
 }
 

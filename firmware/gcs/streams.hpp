@@ -37,7 +37,7 @@ bool streamsSend(Link& link);  // the next due message, the heartbeat first; fal
 constexpr uint8_t kNoMessage = 0xFF;
 uint8_t outgoingRow(uint16_t message_id);  // kNoMessage: none of ours
 void requestOnce(Link& link, uint16_t message_id);
-void tellPicture();  // CAMERA_FEEDBACK, of now, on every link
+void sendCameraFeedback();  // 50 Hz: CAMERA_FEEDBACK on every link for each new picture
 bool isDue(const Link& link, uint16_t message_id);
 bool setStreamRate(Link& link, uint8_t mav_data_stream, uint16_t rate_hz);  // false: no such stream
 

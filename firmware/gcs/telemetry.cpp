@@ -158,6 +158,7 @@ void telemetrySend() {
         if (!rested) sendOne(link);
     }
     rested = false;
+    sendCameraFeedback();
     missionTransferTurn();
     commandsTurn();
 }

@@ -15,12 +15,5 @@ void telemetrySend();   // 50 Hz: finds what is due
 bool telemetryPump();
 bool telemetryWaits();  // asked often: 60 cycles
 
-// The pulse the ground station puts in the place of the receiver's (RC_CHANNELS_OVERRIDE);
-// channel 0..7. False: not overridden.
-bool rcOverride(uint8_t channel, uint16_t& pulse_us);
-bool rcOverridden();        // false: none of the channels is
-void rcOverrideRelease();   // all channels back to the receiver
-uint32_t groundHeard_ms();  // when the ground station (SYSID_MYGCS) was last heard; 0: never
-
 }  // namespace gcs
 }  // namespace firmware

@@ -5,18 +5,18 @@
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
 #include "firmware/guidance/height.hpp"
+#include "firmware/guidance/host.hpp"
 #include "firmware/guidance/lateral.hpp"
 #include "firmware/guidance/launch.hpp"
 #include "firmware/guidance/plan.hpp"
 #include "firmware/guidance/steering.hpp"
-#include "firmware/modes/modes.hpp"
+#include "firmware/state/mode_traits.hpp"
 #include "firmware/state/vehicle.hpp"
 
 namespace firmware {
 namespace guidance {
 
 using namespace state;
-using namespace modes;
 
 namespace {
 
@@ -58,7 +58,7 @@ void runGuidance() {
     }
     if (!guiding) takeOver();
     guiding = true;
-    demandOfMode();
+    host.demandOfMode();
     if (vehicle.demand.new_path) beginPath();
     steerNowhere();
     plan = core::romRead(kFlights[static_cast<uint8_t>(vehicle.demand.path)])();

@@ -5,18 +5,15 @@
 
 #include "core/maths.hpp"
 #include "firmware/guidance/flights.hpp"
-#include "firmware/modes/modes.hpp"
-#include "firmware/safety/failsafe.hpp"
+#include "firmware/state/causes.hpp"
+#include "firmware/state/mode_traits.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 
 namespace firmware {
 namespace guidance {
 
-using namespace notify;
 using namespace state;
-using namespace modes;
-using namespace safety;
 
 namespace {
 

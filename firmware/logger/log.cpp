@@ -392,6 +392,7 @@ void stepLog() {
 void runLog() {
     stepLog();
     setTextReader(kLogReader, logOpen());
+    vehicle.log_usable = flight_logs.usable();
 }
 
 }  // namespace logger

@@ -5,13 +5,13 @@
 
 #include "core/maths.hpp"
 #include "drivers/ublox.hpp"
-#include "firmware/app/tasks.hpp"
 #include "firmware/logger/log.hpp"
 #include "firmware/logger/records.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/notify/text_queue.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
+#include "firmware/state/schedule_figures.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
 #include "hal/memory.hpp"
@@ -23,7 +23,6 @@ using namespace notify;
 using namespace state;
 using namespace sensors;
 using namespace mission;
-using namespace app;
 
 namespace {
 
@@ -273,9 +272,9 @@ bool putServoOut() {
 
 bool putPerformance() {
     PerformanceRecord record;
-    record.load_permille = loadPermille();
-    record.late_frames = lateFrames();
-    record.longest_frame_us = longestFrame_us();
+    record.load_permille = schedule_figures.load_permille;
+    record.late_frames = schedule_figures.late_frames;
+    record.longest_frame_us = schedule_figures.longest_frame_us;
     record.free_bytes = hal::freeMemory();
     record.dropped = logDropped();
     return log(RecordType::performance, record);

@@ -8,9 +8,9 @@
 #include "firmware/mission/events.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/home.hpp"
+#include "firmware/mission/host.hpp"
 #include "firmware/mission/speed.hpp"
 #include "firmware/notify/status_text.hpp"
-#include "firmware/safety/fence.hpp"
 #include "firmware/state/parameters.hpp"
 
 namespace firmware {
@@ -20,7 +20,6 @@ using namespace notify;
 using namespace state;
 using namespace control;
 using namespace actuators;
-using namespace safety;
 
 Jump jumpCounted(const Record& record) { return {record.p1, static_cast<int16_t>(record.p3)}; }
 
@@ -74,7 +73,7 @@ int32_t pictureEvery_cm(const Record& record) {
 }
 void pictureEvery(const Record& record) { cameraEvery(pictureEvery_cm(record)); }
 
-void enableFence(const Record& record) { (void)fenceEnable(record.p1); }
+void enableFence(const Record& record) { (void)host.enableFence(record.p1); }
 
 void flyInverted(const Record& record) { orderInverted(record.p1 != 0); }
 

@@ -11,7 +11,6 @@ namespace firmware {
 namespace mission {
 
 using namespace state;
-using namespace sensors;
 using namespace estimator;
 using namespace guidance;
 

@@ -4,7 +4,7 @@
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
-#include "firmware/modes/modes.hpp"
+#include "firmware/mission/host.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/vehicle.hpp"
 
@@ -13,7 +13,6 @@ namespace mission {
 
 using namespace notify;
 using namespace state;
-using namespace modes;
 
 namespace {
 
@@ -57,7 +56,7 @@ void begin(uint8_t otherwise, uint8_t landing) {
 bool landing() { return vehicle.mode == Mode::automatic && vehicle.demand.path == Path::land; }
 
 void goThere() {
-    if (missionSetCurrent(search.best)) (void)setMode(Mode::automatic, ModeReason::mission);
+    if (missionSetCurrent(search.best)) (void)host.enterMode(Mode::automatic);
 }
 
 }  // namespace

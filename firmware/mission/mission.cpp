@@ -4,16 +4,13 @@
 
 #include "firmware/actuators/camera.hpp"
 #include "firmware/control/inverted.hpp"
-#include "firmware/logger/log.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/events.hpp"
 #include "firmware/mission/handlers.hpp"
+#include "firmware/mission/host.hpp"
 #include "firmware/mission/speed.hpp"
-#include "firmware/modes/modes.hpp"
 #include "firmware/notify/status_text.hpp"
-#include "firmware/safety/failsafe.hpp"
-#include "firmware/safety/restart.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
@@ -26,12 +23,8 @@ namespace mission {
 
 using namespace notify;
 using namespace state;
-using namespace sensors;
 using namespace control;
 using namespace actuators;
-using namespace modes;
-using namespace safety;
-using namespace logger;
 
 static_assert(storage::kRecordSlots <= ::mission::kMostItems, "the engine has too few jump bits");
 static_assert(storage::kRecordSize == ::mission::kRecordSize, "a slot holds a record");
@@ -78,7 +71,7 @@ void ended(bool landed) {
 void grantModeWish() {
     const Mode wish = mode_wish;
     mode_wish = Mode::automatic;
-    if (wish == Mode::automatic || setMode(wish, ModeReason::mission)) return;
+    if (wish == Mode::automatic || host.enterMode(wish)) return;
     if (is_complete) {  // RTL without a home
         forgetPlace();
         holdPlace();
@@ -98,7 +91,8 @@ void onReset() {
 
 void onEvent(Event event, uint8_t index) {
     hal::markItem(static_cast<uint8_t>(hal::kMarkMission + static_cast<uint8_t>(event)), index);
-    if (event == Event::started || event == Event::waits || event == Event::runs) logCommand(index);
+    if (event == Event::started || event == Event::waits || event == Event::runs)
+        host.logCommand(index);
     switch (event) {
         case Event::started:
             keepIndex(index);
@@ -189,7 +183,7 @@ Status bootStep() {
         case Boot::index:
             status = index_store.open(generation(), index);
             if (status == Status::ok)
-                mission_engine.boot(missionSet(), mission_store.generation(), runSurvives(),
+                mission_engine.boot(missionSet(), mission_store.generation(), host.memorySurvived(),
                                     index < mission_store.count() ? index : 0);
             break;
         case Boot::survey:
@@ -283,8 +277,9 @@ bool missionEnter(core::RomText& why_not) {
         why_not = ROM_TEXT("AUTO: mission has no NAV command");
     if (why_not != nullptr) return false;
     is_complete = false;
-    const bool flies_on = flyingOn() && vehicle.mode == Mode::initialising;
-    mission_engine.enter(parameters.mission_restart != 0 && !flies_on && !failsafeGivesBack());
+    const bool flies_on = host.resumesFlight() && vehicle.mode == Mode::initialising;
+    mission_engine.enter(parameters.mission_restart != 0 && !flies_on &&
+                         !vehicle.failsafe_gives_back);
     return true;
 }
 

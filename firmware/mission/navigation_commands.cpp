@@ -3,9 +3,9 @@
 #include "core/maths.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
+#include "firmware/mission/host.hpp"
 #include "firmware/mission/rally.hpp"
 #include "firmware/mission/speed.hpp"
-#include "firmware/safety/arming.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
@@ -13,9 +13,7 @@
 namespace firmware {
 namespace mission {
 
-using namespace notify;
 using namespace state;
-using namespace safety;
 
 namespace {
 
@@ -232,7 +230,7 @@ Progress landDone(const Record&) {
     if (down && !vehicle.armed) return Progress::done;
     if (!down) still_ms = now_ms;
     const uint16_t delay_s = static_cast<uint8_t>(parameters.land_disarm_delay_s);
-    if (delay_s != 0 && now_ms - still_ms >= delay_s * 1000UL) disarm(ArmReason::landed, false);
+    if (delay_s != 0 && now_ms - still_ms >= delay_s * 1000UL) host.disarmAfterLanding();
     return Progress::running;
 }
 

@@ -5,14 +5,13 @@
 
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/mission.hpp"
-#include "firmware/modes/modes.hpp"
+#include "firmware/state/mode_traits.hpp"
 #include "firmware/state/parameters.hpp"
 
 namespace firmware {
 namespace mission {
 
 using namespace state;
-using namespace modes;
 
 namespace {
 

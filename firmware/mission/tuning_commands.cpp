@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The level 3 commands that only the APM 1.0 set has.
 #include "firmware/actuators/relay.hpp"
-#include "firmware/gcs/link.hpp"
-#include "firmware/gcs/parameter_transfer.hpp"
-#include "firmware/logger/log.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/events.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/home.hpp"
+#include "firmware/mission/host.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/mission/speed.hpp"
-#include "firmware/modes/modes.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/parameter_slots.hpp"
 #include "firmware/state/parameters.hpp"
@@ -21,9 +18,6 @@ namespace mission {
 using namespace notify;
 using namespace state;
 using namespace actuators;
-using namespace modes;
-using namespace logger;
-using namespace gcs;
 
 namespace {
 
@@ -95,12 +89,9 @@ void broadcastVariable(const Record& record) { sendVariable(record.p1, kEveryLin
 void tellVariables() {
     uint16_t row;
     if (variable.waiting == 0 || !parameterOfSlot(variable.slot, row)) return;
-    uint8_t bit = 1;
-    for (Link& link : links) {
-        if ((variable.waiting & bit) != 0 && parameterSend(link, row)) variable.waiting ^= bit;
-        bit = static_cast<uint8_t>(bit << 1);
-    }
-    if ((variable.waiting & kLog) != 0 && logParameter(static_cast<uint8_t>(row)))
+    for (uint8_t link = 0, bit = 1; link < kLinks; ++link, bit = static_cast<uint8_t>(bit << 1))
+        if ((variable.waiting & bit) != 0 && host.sendParameter(link, row)) variable.waiting ^= bit;
+    if ((variable.waiting & kLog) != 0 && host.logParameter(static_cast<uint8_t>(row)))
         variable.waiting ^= kLog;
 }
 

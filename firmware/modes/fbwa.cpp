@@ -3,16 +3,13 @@
 #include "core/maths.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
-#include "firmware/safety/failsafe.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 
 namespace firmware {
 namespace modes {
 
-using namespace notify;
 using namespace state;
-using namespace safety;
 
 Entry startFbwa() { return Entry::entered; }
 
@@ -28,7 +25,7 @@ void runFbwa() {
                                    cruise_pct);
         vehicle.pitch_demand_rad = core::between(down_rad, vehicle.pitch_demand_rad);
     }
-    if (failsafeGlides()) {
+    if (vehicle.failsafe_glides) {
         vehicle.roll_demand_rad = core::Angle::fromRaw(0);
         vehicle.throttle_demand = core::Ratio::fromRaw(0);
     }

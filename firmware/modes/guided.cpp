@@ -12,7 +12,6 @@
 #include "firmware/modes/modes.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
-#include "firmware/safety/fence.hpp"
 #include "mavlink/messages.hpp"
 
 namespace firmware {
@@ -20,7 +19,6 @@ namespace modes {
 
 using namespace state;
 using namespace mission;
-using namespace safety;
 
 namespace {
 
@@ -66,7 +64,7 @@ Entry startGuided() {
 
 void runGuided() {
     runLoiter();
-    if (fenceThrottle()) vehicle.throttle_demand = stickThrottle();
+    if (vehicle.fence_throttle) vehicle.throttle_demand = stickThrottle();
 }
 
 MissionResult guideTo(MissionItem& item) {

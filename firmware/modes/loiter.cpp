@@ -5,7 +5,6 @@
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
 #include "firmware/notify/status_text.hpp"
-#include "firmware/safety/failsafe.hpp"
 #include "firmware/state/vehicle.hpp"
 
 namespace firmware {
@@ -13,7 +12,6 @@ namespace modes {
 
 using namespace notify;
 using namespace state;
-using namespace safety;
 
 Entry startLoiter() {
     if (!vehicle.estimate.known) {
@@ -21,7 +19,7 @@ Entry startLoiter() {
         return Entry::refused;
     }
     const geo::Position& place =
-        failsafeGivesBack() ? vehicle.demand.to : vehicle.estimate.position;
+        vehicle.failsafe_gives_back ? vehicle.demand.to : vehicle.estimate.position;
     demandCircle(place, vehicle.estimate.height_m);
     return Entry::entered;
 }

@@ -16,13 +16,8 @@ namespace {
 using Start = Entry (*)();
 using Run = void (*)();
 
-enum class Throttle : uint8_t { pilot, automatic, speed };  // speed: as the stick asks for
-enum class Guidance : uint8_t { none, height, path };       // what guidance.cpp flies of the demand
-
 struct ModeRow {
     Mode mode;
-    Throttle throttle;
-    Guidance guidance;
     Start start;
     Run run;
     Run demand;
@@ -33,19 +28,19 @@ void nothing() {}
 
 // clang-format off
 constexpr ModeRow kModes[] ROM = {
-    {Mode::manual,    Throttle::pilot,     Guidance::none,   startManual,    runManual,    nothing,      nothing},
-    {Mode::circle,    Throttle::automatic, Guidance::height, startCircle,    runCircle,    nothing,      nothing},
-    {Mode::stabilize, Throttle::pilot,     Guidance::none,   startStabilize, runStabilize, nothing,      nothing},
-    {Mode::training,  Throttle::pilot,     Guidance::none,   startTraining,  runTraining,  nothing,      nothing},
-    {Mode::acro,      Throttle::pilot,     Guidance::none,   startAcro,      runAcro,      nothing,      nothing},
-    {Mode::fbwa,      Throttle::pilot,     Guidance::none,   startFbwa,      runFbwa,      nothing,      nothing},
-    {Mode::fbwb,      Throttle::speed,     Guidance::height, startFbwb,      runFbwb,      demandFbwb,   nothing},
-    {Mode::cruise,    Throttle::speed,     Guidance::path,   startCruise,    runCruise,    demandCruise, nothing},
-    {Mode::autotune,  Throttle::pilot,     Guidance::none,   startAutotune,  runFbwa,      nothing,      nothing},
-    {Mode::automatic, Throttle::automatic, Guidance::path,   startAuto,      runAuto,      nothing,      stopAuto},
-    {Mode::rtl,       Throttle::automatic, Guidance::path,   startRtl,       runRtl,       nothing,      nothing},
-    {Mode::loiter,    Throttle::automatic, Guidance::path,   startLoiter,    runLoiter,    nothing,      nothing},
-    {Mode::guided,    Throttle::automatic, Guidance::path,   startGuided,    runGuided,    nothing,      nothing},
+    {Mode::manual,    startManual,    runManual,    nothing,      nothing},
+    {Mode::circle,    startCircle,    runCircle,    nothing,      nothing},
+    {Mode::stabilize, startStabilize, runStabilize, nothing,      nothing},
+    {Mode::training,  startTraining,  runTraining,  nothing,      nothing},
+    {Mode::acro,      startAcro,      runAcro,      nothing,      nothing},
+    {Mode::fbwa,      startFbwa,      runFbwa,      nothing,      nothing},
+    {Mode::fbwb,      startFbwb,      runFbwb,      demandFbwb,   nothing},
+    {Mode::cruise,    startCruise,    runCruise,    demandCruise, nothing},
+    {Mode::autotune,  startAutotune,  runFbwa,      nothing,      nothing},
+    {Mode::automatic, startAuto,      runAuto,      nothing,      stopAuto},
+    {Mode::rtl,       startRtl,       runRtl,       nothing,      nothing},
+    {Mode::loiter,    startLoiter,    runLoiter,    nothing,      nothing},
+    {Mode::guided,    startGuided,    runGuided,    nothing,      nothing},
 };
 // clang-format on
 
@@ -59,8 +54,6 @@ uint8_t find(Mode mode) {
 }
 
 }  // namespace
-
-bool isMode(uint8_t custom_mode) { return find(static_cast<Mode>(custom_mode)) != kNoRow; }
 
 bool setMode(Mode mode, ModeReason reason) {
     if (row != kNoRow && mode == vehicle.mode) return true;
@@ -92,18 +85,6 @@ void runMode() {
 
 void demandOfMode() {
     if (row != kNoRow) core::romRead(kModes[row].demand)();
-}
-
-bool guidesItself() {
-    return row != kNoRow && core::romRead(kModes[row].guidance) != Guidance::none;
-}
-
-bool autoThrottle() {
-    return row != kNoRow && core::romRead(kModes[row].throttle) != Throttle::pilot;
-}
-
-bool stickSetsSpeed() {
-    return row != kNoRow && core::romRead(kModes[row].throttle) == Throttle::speed;
 }
 
 }  // namespace modes

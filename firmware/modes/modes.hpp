@@ -4,6 +4,7 @@
 #pragma once
 #include <stdint.h>
 
+#include "firmware/state/mode_traits.hpp"
 #include "firmware/state/vehicle.hpp"
 
 namespace firmware {
@@ -14,13 +15,9 @@ enum class ModeReason : uint8_t { pilot, ground, mission, failsafe, boot };
 // False: the number is no mode of this airplane, or the mode cannot be entered now (the reason
 // has been told). Setting the present mode again does nothing and is true.
 bool setMode(state::Mode mode, ModeReason reason);
-bool isMode(uint8_t custom_mode);
 
-void runMode();         // 100 Hz: the mode's own work
-void demandOfMode();    // 20 Hz, of guidance
-bool guidesItself();    // the present mode flies vehicle.demand (AUTO, RTL, LOITER ...)
-bool autoThrottle();    // the present mode owns the throttle
-bool stickSetsSpeed();  // ... and the throttle stick tells it the airspeed (FBWB, CRUISE)
+void runMode();       // 100 Hz: the mode's own work
+void demandOfMode();  // 20 Hz, of guidance
 
 }  // namespace modes
 }  // namespace firmware

@@ -2,7 +2,6 @@
 #include "firmware/modes/sticks.hpp"
 
 #include "core/maths.hpp"
-#include "firmware/safety/fence.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 
@@ -10,7 +9,6 @@ namespace firmware {
 namespace modes {
 
 using namespace state;
-using namespace safety;
 
 namespace {
 
@@ -39,7 +37,7 @@ core::Ratio stickThrottle() {
 }
 
 void mixSticks() {
-    const int8_t mixing = vehicle.radio.lost || fenceHolds() ? 0 : parameters.stick_mixing;
+    const int8_t mixing = vehicle.radio.lost || vehicle.fence_holds ? 0 : parameters.stick_mixing;
     vehicle.pilot_roll_rad = mixing == 1 ? stickRoll_rad() : core::Angle::fromRaw(0);
     vehicle.pilot_pitch_rad = mixing == 1 ? stickPitch_rad() : core::Angle::fromRaw(0);
     vehicle.sticks = mixing == 2 ? Sticks::on_top : Sticks::nothing;

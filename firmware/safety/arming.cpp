@@ -2,8 +2,6 @@
 #include "firmware/safety/arming.hpp"
 
 #include "board.hpp"
-#include "firmware/gcs/calibration.hpp"
-#include "firmware/logger/log.hpp"
 #include "firmware/mission/home.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/modes/modes.hpp"
@@ -23,8 +21,6 @@ using namespace state;
 using namespace sensors;
 using namespace mission;
 using namespace modes;
-using namespace logger;
-using namespace gcs;
 
 namespace {
 
@@ -47,7 +43,7 @@ enum CheckBit : uint16_t {
 
 bool boardBad() { return wrongBoard(); }
 uint8_t boardModel() { return board::kModel; }
-bool calibrationRuns() { return calibrating() > Calibrating::rest; }
+bool calibrationRuns() { return vehicle.calibrating > Calibrating::rest; }
 bool inertialBad() { return !vehicle.imu.healthy; }
 bool gyrosUnknown() { return !vehicle.imu.calibrated; }
 
@@ -117,7 +113,7 @@ bool batteryBad() {
            vehicle.battery.voltage_mv < least_mv;
 }
 bool missionBad() { return !missionKnown(); }
-bool loggingBad() { return parameters.log_bitmask != 0 && !flight_logs.usable(); }
+bool loggingBad() { return parameters.log_bitmask != 0 && !vehicle.log_usable; }
 
 struct Check {
     uint16_t bit;
@@ -162,7 +158,6 @@ uint8_t rudder_held;  // for so long, 0.1 s
 uint32_t reminded_ms = kNotBefore_ms - kRemind_ms;
 uint16_t landed;  // for so long, 0.1 s
 uint8_t looked_at;
-bool ready;  // as runArming found it
 
 void armNow() {
     vehicle.armed = true;
@@ -215,12 +210,12 @@ void look() {
     for (uint8_t i = 0; i < kAtOnce; ++i) {
         const Check& check = kChecks[looked_at];
         if (fails(check)) {
-            ready = false;
+            vehicle.prearm_ok = false;
             return remind(check);
         }
         if (++looked_at < core::count(kChecks)) continue;
         looked_at = 0;
-        ready = true;
+        vehicle.prearm_ok = true;
     }
 }
 
@@ -252,8 +247,6 @@ bool prearmTells(Severity severity) {
     if (check != nullptr) report(severity, *check);
     return check != nullptr;
 }
-
-bool prearmOk() { return ready; }
 
 // Nothing makes up for a board whose pins are others.
 bool arm(ArmReason, bool force) {

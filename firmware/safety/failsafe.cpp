@@ -2,11 +2,11 @@
 #include "firmware/safety/failsafe.hpp"
 
 #include "core/rom.hpp"
-#include "firmware/gcs/telemetry.hpp"
 #include "firmware/modes/modes.hpp"
 #include "firmware/safety/failsafe_causes.hpp"
 #include "firmware/safety/fence.hpp"
 #include "firmware/sensors/health.hpp"
+#include "firmware/sensors/rc_override.hpp"
 
 namespace firmware {
 namespace safety {
@@ -15,7 +15,6 @@ using namespace notify;
 using namespace state;
 using namespace sensors;
 using namespace modes;
-using namespace gcs;
 
 namespace {
 
@@ -24,9 +23,8 @@ struct Memory {
     Mode before;         // what was flown
     Mode seen;           // at the end of the last run
     uint16_t overruled;  // causes, while somebody chose another mode
-    bool gives_back;
 };
-Memory memory = {kNoTransition, Mode::manual, Mode::manual, 0, false};
+Memory memory = {kNoTransition, Mode::manual, Mode::manual, 0};
 
 bool enter(Mode mode) { return setMode(mode, ModeReason::failsafe); }
 
@@ -86,9 +84,9 @@ void letOverrule() {
 }
 
 void giveBack() {
-    memory.gives_back = true;
+    vehicle.failsafe_gives_back = true;
     if (after() == After::back) enter(memory.before);
-    memory.gives_back = false;
+    vehicle.failsafe_gives_back = false;
     memory.row = kNoTransition;
 }
 
@@ -110,13 +108,9 @@ void runFailsafe() {
     memory.overruled &= vehicle.failing;
     follow(resolve(vehicle.failing & static_cast<uint16_t>(~memory.overruled), flownClass()));
     memory.seen = vehicle.mode;
+    vehicle.failsafe_glides =
+        acts() && core::romRead(kTransitions[memory.row].action) == Action::glide;
 }
-
-bool failsafeGlides() {
-    return acts() && core::romRead(kTransitions[memory.row].action) == Action::glide;
-}
-
-bool failsafeGivesBack() { return memory.gives_back; }
 
 }  // namespace safety
 }  // namespace firmware

@@ -10,10 +10,7 @@ namespace safety {
 
 void runFailsafe();  // 10 Hz
 
-inline bool failing(Cause cause) { return (state::vehicle.failing & bitOf(cause)) != 0; }
-
-bool failsafeGlides();     // FBWA is flown by nobody: wings level, motor off
-bool failsafeGivesBack();  // a mode is being entered that was only interrupted
+using state::failing;
 
 }  // namespace safety
 }  // namespace firmware

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/failsafe_causes.hpp"
 
-#include "firmware/gcs/telemetry.hpp"
 #include "firmware/safety/failsafe.hpp"
 #include "firmware/safety/fence.hpp"
 #include "firmware/sensors/health.hpp"
@@ -15,7 +14,6 @@ namespace safety {
 using namespace notify;
 using namespace state;
 using namespace sensors;
-using namespace gcs;
 
 namespace {
 
@@ -69,8 +67,8 @@ bool radioLostLong() {
 }
 // One that was never there is not missed.
 bool groundLostLong() {
-    return parameters.ground_failsafe != 0 && groundHeard_ms() != 0 &&
-           longerThan(hal::now_ms() - groundHeard_ms(), parameters.long_timeout_s);
+    return parameters.ground_failsafe != 0 && vehicle.ground_heard_ms != 0 &&
+           longerThan(hal::now_ms() - vehicle.ground_heard_ms, parameters.long_timeout_s);
 }
 bool positionLost() { return vehicle.estimate.flying && !vehicle.estimate.known; }
 bool gpsLost() { return vehicle.estimate.reckoned; }

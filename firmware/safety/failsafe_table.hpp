@@ -7,29 +7,14 @@
 
 #include "core/rom.hpp"
 #include "firmware/notify/status_text.hpp"
+#include "firmware/state/causes.hpp"
 
 namespace firmware {
 namespace safety {
 
-enum class Cause : uint8_t {
-    inertial,
-    fence,
-    battery,
-    radio_long,
-    ground_long,
-    radio_short,
-    no_position,
-    no_height,
-    gps,
-    gps_jump,
-    barometer,
-    airspeed,
-    compass,
-};
-constexpr uint8_t kCauses = 13;
-constexpr uint16_t bitOf(Cause cause) {
-    return static_cast<uint16_t>(1U << static_cast<uint8_t>(cause));
-}
+using state::bitOf;
+using state::Cause;
+using state::kCauses;
 
 // What was flown before anything went wrong: a bit each.
 enum Flown : uint8_t {

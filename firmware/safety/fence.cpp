@@ -110,11 +110,27 @@ void calm() {
     fence.line_crossed = fence.above_floor = false;
 }
 
+void publish() {
+    vehicle.fence_holds = fence.took_over;
+    vehicle.fence_throttle = fence.took_over && parameters.fence_action == kGuidedThrottle;
+}
+
 // The fence is off: what it took is given back, unless another mode was chosen since.
 void rest() {
     calm();
     if (fence.took_over) setMode(fence.mode_before, ModeReason::failsafe);
     fence.took_over = false;
+}
+
+void watch() {
+    fenceLineFollow();
+    if (fenceLine() == Line::unknown || fenceLine() == Line::checking) return;
+    followSwitch();
+    followFlight();
+    if (vehicle.mode != returnMode()) fence.took_over = false;
+    if (!fenceOn()) return rest();
+    if (!vehicle.armed || !vehicle.estimate.flying) return calm();
+    if (vehicle.estimate.known) judge(look());
 }
 
 }  // namespace
@@ -130,6 +146,7 @@ bool fenceTurnBack() {
     if (!fence.took_over) fence.mode_before = vehicle.mode;
     fence.took_over = setMode(returnMode(), ModeReason::failsafe);
     if (vehicle.mode == Mode::guided) demandCircle(place, returnHeight_m());
+    publish();
     return true;
 }
 
@@ -139,14 +156,8 @@ void fenceStart() {
 }
 
 void runFence() {
-    fenceLineFollow();
-    if (fenceLine() == Line::unknown || fenceLine() == Line::checking) return;
-    followSwitch();
-    followFlight();
-    if (vehicle.mode != returnMode()) fence.took_over = false;
-    if (!fenceOn()) return rest();
-    if (!vehicle.armed || !vehicle.estimate.flying) return calm();
-    if (vehicle.estimate.known) judge(look());
+    watch();
+    publish();
 }
 
 bool fenceEnable(uint16_t how) {
@@ -173,8 +184,6 @@ bool fenceBad() {
     if (parameters.fence_action == kNothing || fenceLine() == Line::fit) return false;
     return fence.on || fence.switch_high || parameters.fence_auto_enable != 0;
 }
-bool fenceHolds() { return fence.took_over; }
-bool fenceThrottle() { return fence.took_over && parameters.fence_action == kGuidedThrottle; }
 
 FenceReport fenceReport() { return {fence.breach_ms, fence.breaches, fence.breach}; }
 

@@ -21,11 +21,9 @@ bool fenceTurnBack();   // what the failsafes do when it is broken; false: not y
 // fence to switch on.
 bool fenceEnable(uint16_t how);
 
-bool fenceThere();     // one is stored
-bool fenceOn();        // and is watched
-bool fenceBad();       // it ought to be watched, and is not fit for it
-bool fenceHolds();     // it flies the airplane: the pilot's sticks have no say ...
-bool fenceThrottle();  // ... but for the throttle
+bool fenceThere();  // one is stored
+bool fenceOn();     // and is watched
+bool fenceBad();    // it ought to be watched, and is not fit for it
 
 struct FenceReport {
     uint32_t breach_ms;  // the last one

@@ -8,7 +8,6 @@ namespace firmware {
 namespace safety {
 
 using namespace state;
-using namespace sensors;
 
 using hal::ResetCause;
 

@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "core/fixed.hpp"
-#include "firmware/gcs/calibration.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/parameter_slots.hpp"
 #include "firmware/state/parameters.hpp"
@@ -15,7 +14,6 @@ namespace sensors {
 
 using namespace notify;
 using namespace state;
-using namespace gcs;
 
 namespace {
 
@@ -107,7 +105,7 @@ float compassMiss_mg() { return turns.miss_mg; }
 bool compassFits(uint8_t within_mg) { return turns.miss_mg < within_mg && makesSense(); }
 
 void learnCompass(const core::Vector3& reading_mg) {
-    const bool turned = calibrating() == Calibrating::compass;
+    const bool turned = vehicle.calibrating == Calibrating::compass;
     if (!turned && !learnsInFlight()) {
         anchor_left = 0;
         return;
@@ -140,7 +138,7 @@ void learnCompass(const core::Vector3& reading_mg) {
 
 void keepLearntCompass() {
     if (parameters.compass_learn == 0) return;
-    if (!makesSense() || !storeAll(slot::compass_ofs_x, parameters.compass_offset_mg, 3))
+    if (!makesSense() || !parametersSetFrom(slot::compass_ofs_x, parameters.compass_offset_mg, 3))
         tell(Severity::warning, ROM_TEXT("Compass: what it learnt is not kept"));
 }
 

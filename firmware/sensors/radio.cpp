@@ -3,9 +3,7 @@
 
 #include "core/maths.hpp"
 #include "core/rom.hpp"
-#include "firmware/gcs/telemetry.hpp"
-#include "firmware/mission/mission.hpp"
-#include "firmware/modes/modes.hpp"
+#include "firmware/sensors/rc_override.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
@@ -15,9 +13,6 @@ namespace firmware {
 namespace sensors {
 
 using namespace state;
-using namespace mission;
-using namespace modes;
-using namespace gcs;
 
 namespace {
 
@@ -106,14 +101,6 @@ void centre() {
     vehicle.radio.throttle_pct = 0;
 }
 
-struct SwitchReading {
-    uint8_t position;  // last seen
-    uint8_t settled;   // seen twice
-    uint8_t obeyed;
-    bool restarts;  // RST_MISSION_CH was up
-};
-SwitchReading mode_switch;
-
 constexpr uint16_t kSwitchUp_us = 1750;
 // upper ends of the six bands, us
 constexpr uint16_t kBands_us[] ROM = {1230, 1360, 1490, 1620, 1749, 2199};
@@ -157,20 +144,6 @@ uint8_t modeSwitchPosition() {
 bool switchIsUp(int8_t channel) {
     return channel != 0 && !vehicle.radio.lost &&
            vehicle.radio.pulse_us[channel - 1] > kSwitchUp_us;
-}
-
-void runModeSwitch() {
-    const bool restarts = switchIsUp(parameters.reset_mission_channel);
-    if (restarts && !mode_switch.restarts) missionRestart();
-    mode_switch.restarts = restarts;
-    if (switchIsUp(parameters.reset_switch_channel)) mode_switch.obeyed = 0;
-    const uint8_t position = modeSwitchPosition();
-    if (position == mode_switch.position) mode_switch.settled = position;
-    mode_switch.position = position;
-    if (mode_switch.settled == 0 || mode_switch.settled == mode_switch.obeyed) return;
-    // a mode set from the ground stays until the pilot moves the switch
-    mode_switch.obeyed = mode_switch.settled;
-    setMode(static_cast<Mode>(parameters.switch_mode[mode_switch.settled - 1]), ModeReason::pilot);
 }
 
 }  // namespace sensors

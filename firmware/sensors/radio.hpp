@@ -12,10 +12,6 @@ void runRadio();  // 100 Hz, first of all: a stick must not wait
 // Position 1..6 of the mode switch (FLTMODE_CH), 0 when the pulse is no position or the radio is
 // lost. Two equal readings in a row count.
 uint8_t modeSwitchPosition();
-// 10 Hz: sets FLTMODEn when the position has changed, or RST_SWITCH_CH is up; begins the mission
-// anew when RST_MISSION_CH goes up.
-void runModeSwitch();
-
 // A switch on a channel, 1 to 8, is above 1750 us. Not on channel 0, nor with the radio lost.
 bool switchIsUp(int8_t channel);
 

@@ -6,6 +6,7 @@
 
 #include "core/maths.hpp"
 #include "drivers/gps_fix.hpp"
+#include "firmware/state/restart_record.hpp"
 
 namespace firmware {
 namespace sensors {
@@ -17,14 +18,8 @@ bool wrongBoard();
 
 void startSensors();
 
-// How far the airplane has turned, and in how many sample periods, since the program hangs: kept
-// by an interrupt, made radians of after the restart, when the zero is known again.
-struct BlindTurn {
-    int16_t turned[3];
-    uint8_t periods;
-};
-void keepBlindTurn(BlindTurn& to);
-core::Vector3 blindTurn_rad(const BlindTurn& turn);
+void keepBlindTurn(state::BlindTurn& to);
+core::Vector3 blindTurn_rad(const state::BlindTurn& turn);
 
 // The gyros' zero, in 2^-24 of a radian a sample period; and how to go on with one from before a
 // restart, without bringing up a sensor that is up already.

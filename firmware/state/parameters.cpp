@@ -4,11 +4,9 @@
 #include <math.h>
 
 #include "core/maths.hpp"
-#include "firmware/actuators/camera.hpp"
-#include "firmware/actuators/outputs.hpp"
-#include "firmware/gcs/legacy_points.hpp"
-#include "firmware/modes/modes.hpp"
 #include "firmware/notify/status_text.hpp"
+#include "firmware/state/mode_traits.hpp"
+#include "firmware/state/parameter_host.hpp"
 #include "firmware/state/parameter_slots.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "parameters/store.hpp"
@@ -18,10 +16,6 @@ namespace firmware {
 namespace state {
 
 using namespace notify;
-using namespace actuators;
-using namespace mission;
-using namespace modes;
-using namespace gcs;
 
 Parameters parameters;
 uint8_t parameter_changes;
@@ -282,8 +276,9 @@ bool isListLength(uint8_t row) {
 
 core::Status setListLength(uint8_t row, float value) {
     const uint8_t total = static_cast<uint8_t>(core::rounded(value));
-    const ListKind kind = table.slot(row) == kFenceTotal ? ListKind::fence : ListKind::rally;
-    const core::Status status = resizePoints(kind, total);
+    const storage::ListKind kind =
+        table.slot(row) == kFenceTotal ? storage::ListKind::fence : storage::ListKind::rally;
+    const core::Status status = parameter_host.resizePoints(kind, total);
     if (status == core::Status::ok) table.assign(row, value);
     return status;
 }
@@ -312,10 +307,10 @@ bool takes(uint8_t row, float value) {
     const uint8_t slot = table.slot(row);
     const int32_t whole = core::rounded(value);
     if (slot >= kFirstMode && slot <= kLastMode) return isMode(static_cast<uint8_t>(whole));
-    if (slot == kFenceTotal) return fenceTakesTotal(static_cast<uint8_t>(whole));
+    if (slot == kFenceTotal) return parameter_host.acceptsFenceTotal(static_cast<uint8_t>(whole));
     constexpr uint8_t kFirstFunction = 216, kLastFunction = 219;
     if (slot >= kFirstFunction && slot <= kLastFunction)
-        return isOutputFunction(static_cast<int8_t>(whole));
+        return parameter_host.isOutputFunction(static_cast<int8_t>(whole));
     return !isReverse(slot) || whole != 0;
 }
 
@@ -439,6 +434,13 @@ bool parametersErase() {
     if (vehicle.armed) return false;
     store = Store::erasing;
     done = 0;
+    return true;
+}
+
+bool parametersSetFrom(uint8_t slot, const float* values, uint8_t count) {
+    for (uint8_t i = 0; i < count; ++i)
+        if (!parameterSlotTakes(static_cast<uint8_t>(slot + i), values[i])) return false;
+    for (uint8_t i = 0; i < count; ++i) parameterSet(static_cast<uint8_t>(slot + i), values[i]);
     return true;
 }
 

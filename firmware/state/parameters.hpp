@@ -147,6 +147,8 @@ bool parameterOfSlot(uint8_t slot, uint16_t& index);
 bool parameterGet(uint8_t slot, float& value);
 bool parameterSlotTakes(uint8_t slot, float value);  // exists, and the value is in its range
 bool parameterSet(uint8_t slot, float value);        // false: refused; stored in the background
+// From this slot on. False: a value is none for its parameter, nothing was stored.
+bool parametersSetFrom(uint8_t slot, const float* values, uint8_t count);
 
 MUST_USE core::Status parametersLoad();  // at boot, a part each call: busy until all are read
 void parametersRun();                    // 10 Hz: background stores

@@ -8,8 +8,6 @@
 namespace firmware {
 namespace state {
 
-using namespace sensors;
-
 namespace {
 
 constexpr uint16_t kLayout = 0x5202;  // another one when a record changes

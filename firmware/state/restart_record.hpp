@@ -5,8 +5,8 @@
 #pragma once
 #include <stdint.h>
 
+#include "core/fixed.hpp"
 #include "estimation/attitude.hpp"
-#include "firmware/sensors/sensors.hpp"
 #include "geo/position.hpp"
 
 namespace firmware {
@@ -38,9 +38,16 @@ struct MovingRecord {
     uint16_t seal;
 };
 
+// How far the airplane has turned, and in how many sample periods, since the program hangs: kept
+// by an interrupt, made radians of after the restart, when the zero is known again.
+struct BlindTurn {
+    int16_t turned[3];
+    uint8_t periods;
+};
+
 // What came after a moving record; sealed together with it.
 struct BlindRecord {
-    sensors::BlindTurn turn;
+    BlindTurn turn;
     uint16_t seal;
 };
 void seal(BlindRecord& blind, const MovingRecord& after);

@@ -34,6 +34,15 @@ enum class Mode : uint8_t {
 
 enum class GpsFix : uint8_t { no_gps = 0, none = 1, two_d = 2, three_d = 3 };
 
+// Calibrations that take their time.
+enum class Calibrating : uint8_t {
+    nothing,
+    rest,     // gyros, pressures: it stands still
+    level,    // the accelerometers' offsets, standing level
+    sides,    // their offsets and scales, on six sides one after the other
+    compass,  // turned about
+};
+
 // What is to be flown. A mode or a NAV command writes the demand; guidance.cpp flies it.
 enum class Path : uint8_t { none, leg, circle, takeoff, land };
 
@@ -140,6 +149,16 @@ struct Vehicle {
     bool armed;
     uint16_t failing;  // a bit for each Cause of failsafe/table.hpp
     bool failsafe_short : 1, failsafe_long : 1;
+    bool failsafe_glides;      // failsafe.cpp: FBWA is flown by nobody: wings level, motor off
+    bool failsafe_gives_back;  // failsafe.cpp: a mode is being entered that was only interrupted
+    bool fence_holds;     // fence.cpp: it flies the airplane, the pilot's sticks have no say ...
+    bool fence_throttle;  // ... but for the throttle
+    bool prearm_ok;       // arming.cpp: all of its checks passed when last gone through
+    bool log_usable;      // logger: its chip is there
+    Calibrating calibrating;  // gcs/calibration.cpp
+
+    // ---- gcs/housekeeping.cpp
+    uint32_t ground_heard_ms;  // when the ground station (SYSID_MYGCS) was last heard; 0: never
 
     // ---- what is demanded: modes/ and the NAV commands write, guidance.cpp flies and reports
     struct {

@@ -148,10 +148,10 @@ TEST_F(Arming, leaves_out_the_checks_not_asked_for) {
     parameters.arming_check = 8;  // GPS alone
     vehicle.baro.healthy = false;
     look();
-    EXPECT_TRUE(firmware::safety::prearmOk());
+    EXPECT_TRUE(firmware::state::vehicle.prearm_ok);
     vehicle.gps.fix = firmware::state::GpsFix::none;
     look();
-    EXPECT_FALSE(firmware::safety::prearmOk());
+    EXPECT_FALSE(firmware::state::vehicle.prearm_ok);
 }
 
 TEST_F(Arming, takes_three_seconds_of_full_right_rudder) {

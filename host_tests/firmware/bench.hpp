@@ -8,9 +8,11 @@
 
 #include "fakes/fakes.hpp"
 #include "firmware/gcs/telemetry.hpp"
+#include "firmware/modes/mode_switch.hpp"
 #include "firmware/modes/modes.hpp"
 #include "firmware/safety/failsafe.hpp"
 #include "firmware/sensors/radio.hpp"
+#include "firmware/sensors/rc_override.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 
@@ -23,7 +25,7 @@ protected:
     void SetUp() override {
         fakes::reset();
         while (firmware::state::parametersLoad() != core::Status::ok) fakes::advance_ms(10);
-        firmware::gcs::rcOverrideRelease();
+        firmware::sensors::rcOverrideRelease();
         settle(kCentred);
         firmware::state::vehicle.armed = false;
         for (int i = 0; i < 3; ++i) firmware::safety::runFailsafe();
@@ -42,7 +44,7 @@ protected:
         for (int i = 0; i < 25; ++i) {
             if (i % 2 == 0) fakes::receiveRc(sticks);
             firmware::sensors::runRadio();
-            if (i % 10 == 9) firmware::sensors::runModeSwitch();
+            if (i % 10 == 9) firmware::modes::runModeSwitch();
             fakes::advance_ms(10);
         }
     }

@@ -328,13 +328,13 @@ TEST_F(FailsafeMachine, nobody_may_give_the_sticks_to_a_pilot_who_has_no_radio) 
 TEST_F(FailsafeMachine, a_glide_ends_with_the_radio_and_only_it_is_one) {
     start(Mode::fbwa);
     parameters.short_action = 2;
-    EXPECT_FALSE(firmware::safety::failsafeGlides());
+    EXPECT_FALSE(firmware::state::vehicle.failsafe_glides);
     vehicle.radio.lost = true;
     tenths(2);
-    EXPECT_TRUE(firmware::safety::failsafeGlides());
+    EXPECT_TRUE(firmware::state::vehicle.failsafe_glides);
     vehicle.radio.lost = false;
     tenths(2);
-    EXPECT_FALSE(firmware::safety::failsafeGlides());
+    EXPECT_FALSE(firmware::state::vehicle.failsafe_glides);
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/failsafe.hpp"
+#include "firmware/sensors/rc_override.hpp"
 
 #include <string.h>
 
@@ -265,7 +266,7 @@ TEST_F(GroundStation, its_sticks_are_dropped_when_it_is_missed) {
     ASSERT_EQ(vehicle.mode, Mode::rtl);
 
     uint16_t pulse_us = 0;
-    EXPECT_FALSE(firmware::gcs::rcOverride(0, pulse_us));
+    EXPECT_FALSE(firmware::sensors::rcOverride(0, pulse_us));
 }
 
 TEST_F(Failsafe, does_nothing_on_the_ground_while_disarmed) {

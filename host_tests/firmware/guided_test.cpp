@@ -51,8 +51,8 @@ TEST_F(Guided, chosen_without_a_target_circles_where_it_is) {
     EXPECT_EQ(vehicle.demand.path, Path::circle);
     EXPECT_EQ(vehicle.demand.to, kHome);
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 80);
-    EXPECT_TRUE(firmware::modes::guidesItself());
-    EXPECT_TRUE(firmware::modes::autoThrottle());
+    EXPECT_TRUE(firmware::state::guidesItself());
+    EXPECT_TRUE(firmware::state::autoThrottle());
 }
 
 TEST_F(Guided, is_not_entered_without_a_position) {

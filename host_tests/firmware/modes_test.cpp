@@ -196,7 +196,7 @@ TEST_F(Fbwb, holds_the_height_at_which_it_was_entered) {
     vehicle.estimate.height_m = 83;
     guide(3);
     EXPECT_FLOAT_EQ(planned_m(), 80);
-    EXPECT_TRUE(firmware::modes::autoThrottle());
+    EXPECT_TRUE(firmware::state::autoThrottle());
 }
 
 TEST_F(Fbwb, climbs_at_the_rate_of_the_stick_and_stays_where_it_is_let_go) {

@@ -9,7 +9,6 @@ namespace {
 
 using namespace firmware;
 using namespace firmware::state;
-using namespace firmware::sensors;
 
 MovingRecord movingRecord(uint8_t number) {
     MovingRecord record = {};

@@ -93,7 +93,7 @@ TEST_F(Calibration, of_the_accelerometers_goes_round_six_sides) {
         EXPECT_NEAR(parameters.accel_scale[i], kScale[i], 0.001f);
     }
     EXPECT_NEAR(parameters.level_trim_rad[0], -std::atan2(kTilt, 1) * -1, 0.01f);
-    EXPECT_EQ(firmware::gcs::calibrating(), firmware::gcs::Calibrating::nothing);
+    EXPECT_EQ(firmware::state::vehicle.calibrating, firmware::state::Calibrating::nothing);
 }
 
 TEST_F(Calibration, takes_the_newer_ground_stations_command_for_a_key_too) {
@@ -103,7 +103,7 @@ TEST_F(Calibration, takes_the_newer_ground_stations_command_for_a_key_too) {
     lie(onSide(0));
     EXPECT_TRUE(asked("LEFT"));
     EXPECT_EQ(command(MavCmd::preflight_calibration), MavResult::accepted) << "called off";
-    EXPECT_EQ(firmware::gcs::calibrating(), firmware::gcs::Calibrating::nothing);
+    EXPECT_EQ(firmware::state::vehicle.calibrating, firmware::state::Calibrating::nothing);
 }
 
 TEST_F(Calibration, asks_again_when_it_lies_on_another_side) {
@@ -138,7 +138,7 @@ TEST_F(Calibration, that_is_never_still_fails) {
     pressKey(1);
     run_ms(33000);
     EXPECT_TRUE(asked("Calibration FAILED: keep it still"));
-    EXPECT_EQ(firmware::gcs::calibrating(), firmware::gcs::Calibrating::nothing);
+    EXPECT_EQ(firmware::state::vehicle.calibrating, firmware::state::Calibrating::nothing);
 }
 
 TEST_F(Calibration, is_refused_with_a_reason_when_armed_or_beside_another) {
@@ -158,7 +158,7 @@ TEST_F(Calibration, ends_when_the_airplane_is_armed) {
     begin();
     vehicle.armed = true;
     run_ms(40);
-    EXPECT_EQ(firmware::gcs::calibrating(), firmware::gcs::Calibrating::nothing);
+    EXPECT_EQ(firmware::state::vehicle.calibrating, firmware::state::Calibrating::nothing);
 }
 
 TEST_F(Calibration, of_one_side_sets_the_offsets_alone) {
@@ -182,7 +182,7 @@ TEST_F(Calibration, of_the_level_wants_it_still) {
 
 TEST_F(Calibration, gyros_with_the_compass_are_the_old_ground_start) {
     EXPECT_EQ(command(MavCmd::preflight_calibration, 1, 1), MavResult::in_progress);
-    EXPECT_EQ(firmware::gcs::calibrating(), firmware::gcs::Calibrating::rest);
+    EXPECT_EQ(firmware::state::vehicle.calibrating, firmware::state::Calibrating::rest);
 }
 
 // ---- the compass

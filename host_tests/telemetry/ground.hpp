@@ -10,7 +10,9 @@
 #include "firmware/gcs/telemetry.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/safety/fence.hpp"
+#include "firmware/sensors/rc_override.hpp"
 #include "firmware/state/parameters.hpp"
+#include "firmware/state/schedule_figures.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "mavlink/peer.hpp"
 #include "vehicle_double.hpp"
@@ -109,11 +111,13 @@ protected:
         station.line().room = second.line().room = 127;  // as the real ports, and never less
         doubles::reset();
         firmware::state::vehicle = {};
+        firmware::state::vehicle.prearm_ok = true;
+        firmware::state::schedule_figures = {250, 3, 4321};
         firmware::state::vehicle.mode = firmware::state::Mode::manual;
         while (firmware::state::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
         for (auto& rates : firmware::state::parameters.streams)
             rates = {};  // silence but for heartbeats
-        firmware::gcs::rcOverrideRelease();
+        firmware::sensors::rcOverrideRelease();
         firmware::safety::fenceStart();
         firmware::gcs::telemetryStart();
         run_ms(100);

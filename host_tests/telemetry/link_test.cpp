@@ -275,17 +275,17 @@ TEST_F(Telemetry, the_ground_stations_sticks_replace_and_release_channels) {
     uint16_t pulse_us = 0;
     station.send(sticks(1200, 1800));
     run_ms(20);
-    ASSERT_TRUE(firmware::gcs::rcOverride(0, pulse_us));
+    ASSERT_TRUE(firmware::sensors::rcOverride(0, pulse_us));
     EXPECT_EQ(pulse_us, 1200);
-    ASSERT_TRUE(firmware::gcs::rcOverride(1, pulse_us));
+    ASSERT_TRUE(firmware::sensors::rcOverride(1, pulse_us));
     EXPECT_EQ(pulse_us, 1800);
-    EXPECT_FALSE(firmware::gcs::rcOverride(2, pulse_us));
+    EXPECT_FALSE(firmware::sensors::rcOverride(2, pulse_us));
 
     station.send(sticks(65535, 0));  // as it is, and given back
     run_ms(20);
-    ASSERT_TRUE(firmware::gcs::rcOverride(0, pulse_us));
+    ASSERT_TRUE(firmware::sensors::rcOverride(0, pulse_us));
     EXPECT_EQ(pulse_us, 1200);
-    EXPECT_FALSE(firmware::gcs::rcOverride(1, pulse_us));
+    EXPECT_FALSE(firmware::sensors::rcOverride(1, pulse_us));
 }
 
 TEST_F(Telemetry, sticks_of_a_stranger_are_ignored) {
@@ -293,16 +293,16 @@ TEST_F(Telemetry, sticks_of_a_stranger_are_ignored) {
     station.system = 254;
     station.send(sticks(1200, 1800));
     run_ms(20);
-    EXPECT_FALSE(firmware::gcs::rcOverride(0, pulse_us));
+    EXPECT_FALSE(firmware::sensors::rcOverride(0, pulse_us));
 }
 
 TEST_F(Telemetry, sticks_that_are_no_longer_repeated_are_released) {
     uint16_t pulse_us = 0;
     station.send(sticks(1200, 1800));
     run_ms(2900);
-    EXPECT_TRUE(firmware::gcs::rcOverride(0, pulse_us));
+    EXPECT_TRUE(firmware::sensors::rcOverride(0, pulse_us));
     run_ms(200);
-    EXPECT_FALSE(firmware::gcs::rcOverride(0, pulse_us));
+    EXPECT_FALSE(firmware::sensors::rcOverride(0, pulse_us));
 }
 
 TEST_F(Telemetry, knows_when_the_ground_station_was_last_heard) {
@@ -310,13 +310,13 @@ TEST_F(Telemetry, knows_when_the_ground_station_was_last_heard) {
     station.system = 42;
     station.send(message);
     run_ms(100);
-    const uint32_t before_ms = firmware::gcs::groundHeard_ms();
+    const uint32_t before_ms = firmware::state::vehicle.ground_heard_ms;
 
     station.system = 255;
     station.send(message);
     run_ms(100);
 
-    EXPECT_GT(firmware::gcs::groundHeard_ms(), before_ms);
+    EXPECT_GT(firmware::state::vehicle.ground_heard_ms, before_ms);
 }
 
 TEST_F(Telemetry, ten_megabytes_of_noise_change_nothing) {

@@ -278,7 +278,7 @@ TEST_F(Telemetry, sys_status_names_what_ails) {
     firmware::state::vehicle.gps.healthy = false;
     firmware::state::vehicle.baro.healthy = true;
     firmware::state::parameters.streams[0].extended_status = 4;
-    doubles::vehicle.can_arm = false;
+    firmware::state::vehicle.prearm_ok = false;
 
     run_ms(1000);
 
@@ -312,7 +312,6 @@ TEST_F(Telemetry, each_picture_is_told_once_on_every_link) {
     run_ms(300);
     for (uint16_t picture : {1, 2}) {
         doubles::plan.pictures = picture;
-        firmware::gcs::tellPicture();
         run_ms(300);
     }
     for (ground::Station* each : {&station, &second}) {

@@ -5,11 +5,12 @@
 
 #include "firmware/actuators/camera.hpp"
 #include "firmware/actuators/outputs.hpp"
-#include "firmware/app/tasks.hpp"
+#include "firmware/gcs/legacy_points.hpp"
 #include "firmware/mission/home.hpp"
 #include "firmware/modes/guided.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/sensors/sensors.hpp"
+#include "firmware/state/parameter_host.hpp"
 #include "firmware/state/vehicle.hpp"
 
 namespace doubles {
@@ -186,16 +187,11 @@ MissionResult listClear(ListKind kind, uint8_t set) {
 namespace modes {
 using namespace state;
 
-bool isMode(uint8_t custom_mode) {
-    return std::set<int>{0, 1, 2, 5, 10, 11, 12, 15}.count(custom_mode) != 0;
-}
 bool setMode(Mode mode, ModeReason reason) {
     doubles::vehicle.modes.emplace_back(mode, reason);
     if (doubles::vehicle.mode_can_be_entered) vehicle.mode = mode;
     return doubles::vehicle.mode_can_be_entered;
 }
-bool guidesItself() { return vehicle.mode >= Mode::automatic; }
-bool stickSetsSpeed() { return false; }  // none of the modes there are here
 }  // namespace modes
 
 namespace safety {
@@ -220,7 +216,6 @@ bool prearmTells(Severity severity) {
     if (!doubles::vehicle.can_arm) tell(severity, "PreArm: no GPS fix");
     return !doubles::vehicle.can_arm;
 }
-bool prearmOk() { return doubles::vehicle.can_arm; }
 }  // namespace safety
 
 namespace mission {
@@ -246,10 +241,9 @@ void calibrateGyros() {
 void calibratePressures() { ++doubles::vehicle.pressure_calibrations; }
 }  // namespace sensors
 
-namespace app {
-uint16_t loadPermille() { return 250; }
-uint16_t lateFrames() { return 3; }
-uint16_t longestFrame_us() { return 4321; }
-}  // namespace app
+namespace state {
+const ParameterHost parameter_host = {actuators::isOutputFunction, gcs::fenceTakesTotal,
+                                      gcs::resizePoints};
+}
 
 }  // namespace firmware

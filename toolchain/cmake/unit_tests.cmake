@@ -64,7 +64,22 @@ gtest_program(on_board_test ${tests}/on_board)
 target_compile_definitions(on_board_test PRIVATE FLY_PROGRAM="$<TARGET_FILE:fly>")
 gtest_run(on_board_test NEEDS fly ${IMAGE_apm2} ${IMAGE_apm1} LABELS unit)
 
-# ---- the rules of the house
+# ---- the layers
+# Every header of the firmware compiles alone, and all of them together: no two clash.
+file(GLOB firmware_headers RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/firmware/*/*.hpp)
+set(header_sources)
+set(all_headers "int main() {}\n")
+foreach(header IN LISTS firmware_headers)
+    string(MAKE_C_IDENTIFIER ${header} name)
+    file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/headers/${name}.cpp CONTENT "#include \"${header}\"\n")
+    list(APPEND header_sources ${CMAKE_BINARY_DIR}/headers/${name}.cpp)
+    string(PREPEND all_headers "#include \"${header}\"\n")
+endforeach()
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/headers/all.cpp CONTENT "${all_headers}")
+add_executable(firmware_headers ${CMAKE_BINARY_DIR}/headers/all.cpp ${header_sources})
+target_compile_options(firmware_headers PRIVATE ${PROJECT_WARNINGS} -O0)
+target_link_libraries(firmware_headers PRIVATE firmware_on_fakes)
+declare_test(layering.headers COMMAND firmware_headers LABELS quick)
 declare_test(layering COMMAND node ${CMAKE_SOURCE_DIR}/toolchain/check_layering.mjs LABELS quick)
 find_program(CLANG_FORMAT clang-format NO_CMAKE_SYSTEM_PATH)
 if(CLANG_FORMAT)

@@ -78,6 +78,7 @@ async function main(words) {
     return 0;
   }
   configure('host', { tests: true });
+  spawnSync('ninja', ['-C', folderOf('host'), 'build.ninja']);  // tests may have been added or renamed
   const tests = chosenTests(options.ctest);
   if (tests.length === 0) throw new BuildFailed(`no test matches ${options.ctest.join(' ')}`);
   if (!options.list) await build(requestsFor(tests), { tests: true });

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pilot's mode switch.
+#pragma once
+
+namespace firmware {
+namespace modes {
+
+// 10 Hz: sets FLTMODEn when the position has changed, or RST_SWITCH_CH is up; begins the mission
+// anew when RST_MISSION_CH goes up.
+void runModeSwitch();
+
+}  // namespace modes
+}  // namespace firmware

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is true of a mode whoever looks at it: a row a mode in mode_traits.cpp.
+#pragma once
+#include <stdint.h>
+
+namespace firmware {
+namespace state {
+
+bool isMode(uint8_t custom_mode);  // a mode of this airplane that can be chosen
+// Of the present mode:
+bool guidesItself();    // flies vehicle.demand (AUTO, RTL, LOITER ...)
+bool autoThrottle();    // owns the throttle
+bool stickSetsSpeed();  // ... and the throttle stick sets the airspeed (FBWB, CRUISE)
+
+}  // namespace state
+}  // namespace firmware
