@@ -70,7 +70,7 @@ void keepSteady() {
     steady.ground_pressure_pa = vehicle.baro.ground_pressure_pa;
     steady.ground_temperature_c = vehicle.baro.ground_temperature_c;
     steady.airspeed_offset_v = airspeedOffset_v();
-    keepGyroZero(steady.gyro_zero);
+    keepGyroZero(steady.gyro_zero_rad);
     keepEstimate(steady);
     seal(steady);
 }
@@ -163,7 +163,7 @@ void restartResume() {
     seen = {};
     number = last != nullptr ? last->number : 0;
     if (last == nullptr) return takeKeptHome();
-    resumeInertial(steady.gyro_zero);
+    resumeInertial(steady.gyro_zero_rad);
     const float lost_for_s = lostSoFar_s();
     resumeEstimate(steady, *last, turnedSince_rad(lost_for_s), lost_for_s);
     vehicle.baro.ground_pressure_pa = steady.ground_pressure_pa;

@@ -24,6 +24,7 @@ using namespace state;
 
 namespace {
 
+using estimation::KeptTurn;
 using estimation::Turn;
 
 board::Inertial imu;
@@ -34,29 +35,33 @@ Turn zero;  // of the gyros, in a sample period
 DeadGyros dead_gyros;
 bool yaw_told;
 
-// How an axis of the accelerometers reads: from twice the sum of two samples to 2^-9 m/s2.
+// How an axis of the accelerometers reads: from twice the sum of two samples to a Force.
+using Force = core::Fixed<9>;  // m/s2; sums of it in 32 bits
 struct Reading {
-    int16_t factor, offset;
+    int16_t factor;
+    Force offset_mss;
 };
 Reading readings[3];
-int16_t trim_x, trim_y;  // AHRS_TRIM in 2^-15 rad
+using Trim = core::Fixed<15>;
+Trim trim_x_rad, trim_y_rad;  // AHRS_TRIM
 uint8_t refreshed;
 
-int16_t trim(float rad) {
+Trim trim(float rad) {
     constexpr float kMost_rad = 0.2f;
-    return static_cast<int16_t>(core::limit(rad, -kMost_rad, kMost_rad) * 32768);
+    return Trim::fromRaw(
+        static_cast<int16_t>(core::limit(rad, -kMost_rad, kMost_rad) * Trim::kSteps));
 }
 void takeTrim() {
-    trim_x = trim(parameters.level_trim_rad[0]);
-    trim_y = trim(parameters.level_trim_rad[1]);
+    trim_x_rad = trim(parameters.level_trim_rad[0]);
+    trim_y_rad = trim(parameters.level_trim_rad[1]);
 }
 
 __attribute__((noinline)) void takeReading() {
-    constexpr float kFactor = drivers::kForceStep_mss / 4 * 512 * 65536;
+    constexpr float kFactor = drivers::kForceStep_mss / 4 * Force::kSteps * 65536;
     if (refreshed == core::count(readings)) return takeTrim();
     const float scale = core::limit(parameters.accel_scale[refreshed], -1.5f, 1.5f);
-    const core::Fixed<9> offset(parameters.accel_offset_mss[refreshed] * scale);
-    readings[refreshed] = {static_cast<int16_t>(core::rounded(scale * kFactor)), offset.raw};
+    const Force offset_mss(parameters.accel_offset_mss[refreshed] * scale);
+    readings[refreshed] = {static_cast<int16_t>(core::rounded(scale * kFactor)), offset_mss};
 }
 
 // A parameter is felt within a third of a second.
@@ -72,15 +77,16 @@ int32_t turned(int32_t two, int32_t zero_here) {
 }
 
 __attribute__((noinline)) core::BodyRate rate_rads(int32_t turned_in_two) {
-    constexpr float kFactor = 1024 / (2 * estimation::kSamplePeriod_s) / Turn::kSteps * 4096;
-    constexpr int32_t kMost = 0x7FF0000;
+    constexpr float kFactor =
+        core::BodyRate::kSteps / (2 * estimation::kSamplePeriod_s) / Turn::kSteps * 4096;
     const int32_t rate = core::times16(turned_in_two, static_cast<int16_t>(kFactor * 65536 + 0.5f));
-    return core::BodyRate::fromRaw(core::upperOf16(core::limit(rate, -kMost, kMost)));
+    return core::BodyRate::fromRaw(
+        core::upperOf16(core::limit(rate, -core::kMaxOf16, core::kMaxOf16)));
 }
 
-// 2^-9 m/s2
+// A Force's steps.
 int32_t force(int32_t two, const Reading& reading) {
-    return core::times16(two * 2, reading.factor) - reading.offset;
+    return core::times16(two * 2, reading.factor) - reading.offset_mss.raw;
 }
 
 __attribute__((noinline)) core::Acceleration force_mss(int32_t force) {
@@ -90,9 +96,10 @@ __attribute__((noinline)) core::Acceleration force_mss(int32_t force) {
 // AHRS_TRIM: how the board sits in the airplane, a small rotation taken back.
 __attribute__((noinline)) void level(Turn& v) {
     const Turn old = v;
-    v.of[0] += 2 * core::times16(old.of[2], trim_y);
-    v.of[1] -= 2 * core::times16(old.of[2], trim_x);
-    v.of[2] += 2 * (core::times16(old.of[1], trim_x) - core::times16(old.of[0], trim_y));
+    v.of[0] += 2 * core::times16(old.of[2], trim_y_rad.raw);
+    v.of[1] -= 2 * core::times16(old.of[2], trim_x_rad.raw);
+    v.of[2] +=
+        2 * (core::times16(old.of[1], trim_x_rad.raw) - core::times16(old.of[0], trim_y_rad.raw));
 }
 
 // Of two samples, as there nearly always are.
@@ -156,7 +163,7 @@ void use(drivers::ImuSums& sums) {
         turn.of[i] = turned(sums.rate[i], zero.of[i]);
         felt.of[i] = force(sums.force[i], readings[i]);
     }
-    const bool trimmed = trim_x != 0 || trim_y != 0;
+    const bool trimmed = trim_x_rad.raw != 0 || trim_y_rad.raw != 0;
     if (trimmed) level(turn);
     const core::BodyRates rates = {rate_rads(turn.of[0]), rate_rads(turn.of[1]),
                                    rate_rads(turn.of[2])};
@@ -178,15 +185,14 @@ void heal() {
 
 }  // namespace
 
-constexpr int32_t kKeptStep = 64;
-
 void startInertial() {
     imu.start();
     for (refreshed = 31; refreshed != core::count(readings);) refreshReading();
 }
 
-void keepGyroZero(int16_t (&to)[3]) {
-    for (uint8_t i = 0; i < 3; ++i) to[i] = core::narrowed(zero.of[i] / kKeptStep);
+void keepGyroZero(KeptTurn (&to_rad)[3]) {
+    for (uint8_t i = 0; i < 3; ++i)
+        to_rad[i] = KeptTurn::fromRaw(zero.of[i] / estimation::kKeptTurnSteps);
 }
 
 void keepBlindTurn(BlindTurn& to) { to.periods = imu.peek(to.turned); }
@@ -198,9 +204,9 @@ core::Vector3 blindTurn_rad(const BlindTurn& turn) {
     return board::Inertial::peeked(turn.turned) - zeros * (kStep * turn.periods);
 }
 
-void resumeInertial(const int16_t (&gyro_zero)[3]) {
+void resumeInertial(const KeptTurn (&gyro_zero_rad)[3]) {
     imu.resume();
-    for (uint8_t i = 0; i < 3; ++i) zero.of[i] = gyro_zero[i] * kKeptStep;
+    for (uint8_t i = 0; i < 3; ++i) zero.of[i] = gyro_zero_rad[i].raw * estimation::kKeptTurnSteps;
     still.forgo();
 }
 

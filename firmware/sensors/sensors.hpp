@@ -6,6 +6,7 @@
 
 #include "core/maths.hpp"
 #include "drivers/gps_fix.hpp"
+#include "estimation/motion.hpp"
 #include "firmware/state/restart_record.hpp"
 
 namespace firmware {
@@ -21,10 +22,10 @@ void startSensors();
 void keepBlindTurn(state::BlindTurn& to);
 core::Vector3 blindTurn_rad(const state::BlindTurn& turn);
 
-// The gyros' zero, in 2^-24 of a radian a sample period; and how to go on with one from before a
-// restart, without bringing up a sensor that is up already.
-void keepGyroZero(int16_t (&to)[3]);
-void resumeInertial(const int16_t (&gyro_zero)[3]);
+// The gyros' zero, in a sample period; and how to go on with one from before a restart, without
+// bringing up a sensor that is up already.
+void keepGyroZero(estimation::KeptTurn (&to_rad)[3]);
+void resumeInertial(const estimation::KeptTurn (&gyro_zero_rad)[3]);
 void resumeAirspeed(float offset_v);
 float airspeedOffset_v();  // of the sensor with no wind on it
 

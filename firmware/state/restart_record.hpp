@@ -19,7 +19,7 @@ struct SteadyRecord {
     float home_height_m;  // above where the barometer was zeroed
     float ground_pressure_pa, ground_temperature_c;
     float airspeed_offset_v;
-    int16_t gyro_zero[3];  // in 2^-24 of a radian a sample period
+    estimation::KeptTurn gyro_zero_rad[3];  // in a sample period
     estimation::Learnt learnt;
     int16_t wind_cms[2];  // north, east
     uint16_t seal;

@@ -9,7 +9,8 @@
 namespace estimation {
 namespace {
 
-// asin at steps of 1/64 up to 0.75, past 45 degrees, where the cosine takes over; in 2^-15 rad.
+// asin at steps of 1/64 up to 0.75, past 45 degrees, where the cosine takes over; in radians.
+using Arc = core::Fixed<15>;
 constexpr uint8_t kSteps = 48;
 struct Table {
     uint16_t arc[kSteps + 2];
@@ -28,13 +29,13 @@ constexpr Table makeTable() {
     Table table = {};
     for (uint8_t i = 0; i < kSteps + 2; ++i) {
         table.arc[i] =
-            static_cast<uint16_t>(arcsine(static_cast<float>(i) / 64.0f) * 32768.0f + 0.5f);
+            static_cast<uint16_t>(arcsine(static_cast<float>(i) / 64.0f) * Arc::kSteps + 0.5f);
     }
     return table;
 }
 constexpr Table kTable ROM = makeTable();
 
-// In 2^-15 rad, of the smaller of a sine and its cosine, both positive, in 2^-14.
+// An Arc's steps, of those of the smaller of a sine and its cosine, both positive Ratios.
 uint16_t tableArcsine(uint16_t x) {  // 64 steps of 256
     if (x > kSteps * 256U) x = kSteps * 256U;
     const uint8_t step = static_cast<uint8_t>(x >> 8);
@@ -48,14 +49,14 @@ uint16_t tableArcsine(uint16_t x) {  // 64 steps of 256
 }
 
 float tableArcsine_rad(float x) {
-    return static_cast<float>(tableArcsine(static_cast<uint16_t>(x * 16384.0f))) *
-           (1.0f / 32768.0f);
+    return static_cast<float>(tableArcsine(static_cast<uint16_t>(x * core::Ratio::kSteps))) *
+           (1.0f / Arc::kSteps);
 }
 
-// In 2^-15 of half a turn.
+// An Angle's steps.
 uint16_t tableArcsine_turn(uint16_t x) {
-    constexpr uint16_t kInversePi = 20861;  // 2^16 / pi
-    return static_cast<uint16_t>((static_cast<uint32_t>(tableArcsine(x)) * kInversePi + 0x8000) >>
+    constexpr core::Fixed<16> kAngles(core::Angle::kSteps / Arc::kSteps);
+    return static_cast<uint16_t>((static_cast<uint32_t>(tableArcsine(x)) * kAngles.raw + 0x8000) >>
                                  16);
 }
 

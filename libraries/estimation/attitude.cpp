@@ -37,9 +37,12 @@ constexpr float kCompassStep_s = 0.2f;
 constexpr float kOdd = 0.7f;       // cosine: a compass 45 degrees off is not followed
 constexpr float kSlow_mps = 5.0f;  // a slower course is noise
 
-constexpr int32_t kMostTurn = 214748365;     // 0.2 rad; more at once would lengthen the rows
-constexpr int32_t kMostTurned = 1073741824;  // 1 rad
-constexpr int32_t kMostStep = 0x7FF0000;     // leaves room to be taken 16 times
+constexpr int32_t kMaxTurn = Fine::kOne / 5;  // 0.2 rad; more at once would lengthen the rows
+constexpr int32_t kMaxTurned = Fine::kOne;    // 1 rad
+using RowAngle = core::Fixed<15>;             // rad, that a row is turned by
+using ForceSum = core::Fixed32<8>;            // of Accelerations
+using HalfForce = core::Fixed<9>;             // m/s2, of which twice the mean force is left
+using ForceBias = core::Fixed32<25>;          // m/s2
 
 core::Vector3 unit(const core::Vector3& v) { return v * (1.0f / sqrtf(core::dot(v, v))); }
 
@@ -49,20 +52,20 @@ __attribute__((noinline)) int32_t steps(float value, float most, float a_unit) {
 __attribute__((noinline)) void grow(int32_t& sum, int32_t by, int32_t most) {
     sum = core::limit(sum + by, -most, most);
 }
-// In 2^-15 rad what can be turned at once; the rest stays for the next time.
+// A RowAngle's steps, as many as can be turned at once; the rest stays for the next time.
 int16_t taken(int32_t& turned) {
-    const int16_t now = core::upper(2 * core::limit(turned, -kMostTurn, kMostTurn));
-    turned -= (int32_t{now} * 65536) >> 1;
+    const int16_t now = core::upper(2 * core::limit(turned, -kMaxTurn, kMaxTurn));
+    turned -= now * (Fine::kOne / RowAngle::kOne);
     return now;
 }
-// In 2^-15 of half a turn.
-int16_t inTurns(int32_t rad_q30) {
-    constexpr int16_t kTwoOverPi = 20861;  // in 2^-15
-    return core::upper(2 * core::times16(rad_q30, kTwoOverPi));
+// From a Fine's steps to an Angle's.
+int16_t inTurns(int32_t fine) {
+    constexpr core::Fixed<15> kTwoOverPi(2 / core::kPi);
+    return core::upper(2 * core::times16(fine, kTwoOverPi.raw));
 }
 }  // namespace
 
-// A row in 2^-14, for what is not summed up.
+// A row in steps of a Ratio, for what is not summed up.
 struct Attitude::Row16 {
     int16_t x, y, z;
 
@@ -113,7 +116,7 @@ void Attitude::propagate(const Motion& motion) {
         const int32_t bias = bias_.of[i];
         turned.of[i] =
             motion.turned.of[i] - (motion.periods == 2 ? bias * 2 : bias * motion.periods);
-        grow(turned_.of[i], turned.of[i], kMostTurned);
+        grow(turned_.of[i], turned.of[i], kMaxTurned);
     }
     if (!(frame_ & 1)) {
         turnMatrix();
@@ -145,11 +148,10 @@ void Attitude::turnMatrix() {
 void Attitude::start() { *this = Attitude(); }
 
 void Attitude::alignUpright() {
-    // in 2^-8 m/s2
     const core::Vector3 force_sum = {static_cast<float>(force_sum_[0]),
                                      static_cast<float>(force_sum_[1]),
                                      static_cast<float>(force_sum_[2])};
-    const float squared = core::dot(force_sum, force_sum) * (1.0f / 65536.0f);
+    const float squared = core::dot(force_sum, force_sum) * (1.0f / core::square(ForceSum::kSteps));
     forgetForces();
     if (squared < kGravity) return;  // no accelerometer, or falling indeed: look again
     const core::Vector3 down = unit(force_sum * -1.0f);
@@ -167,14 +169,14 @@ void Attitude::forgetForces() {
     periods_ = 0;
 }
 
-// In 2^-28.
+// In steps of a Fixed32<28>.
 int32_t Attitude::dot(const Row& a, const Row& b) {
     int32_t sum = 0;
     for (uint8_t i = 0; i < 3; ++i) sum += core::timesUpper(a.of[i], b.of[i]);
     return sum;
 }
 
-// A share of another row in 2^-14 is added.
+// A share of another row, a Ratio's steps, is added.
 void Attitude::add(Row& row, const Row& other, int16_t share) {
     for (uint8_t i = 0; i < 3; ++i) row.of[i] += 4 * core::times16(other.of[i], share);
 }
@@ -193,7 +195,7 @@ void Attitude::keepUpright() {
         return start();  // no matrix any more: begin again
     }
     stretchToUnit(down_, squared);
-    const int16_t skew = core::upperOf4(dot(north_, down_));  // in 2^-14
+    const int16_t skew = core::upperOf4(dot(north_, down_));
     add(north_, down_, static_cast<int16_t>(-skew));
     stretchToUnit(north_, dot(north_, north_));
 }
@@ -203,14 +205,14 @@ void Attitude::pointYaw(const Turn16& turned) {
     const Row16 n(north_), d(down_);
     yaw_rad_ = arc(levelled(d.cross(n).x), levelled(n.x));
     const int32_t step = d.dot(turned.of[0], turned.of[1], turned.of[2]);
-    yaw_step_ = core::upperOf16(core::limit(step, -kMostStep, kMostStep));
+    yaw_step_ = core::upperOf16(core::limit(step, -core::kMaxOf16, core::kMaxOf16));
 }
 
 // Of a row in the level: over the pitch's cosine.
 core::Ratio Attitude::levelled(int16_t component) const {
-    constexpr int32_t kMost = 0x7FF0000;  // below 2
     const int32_t share = core::product(component, inverse_cos_pitch_.raw);
-    return core::Ratio::fromRaw(core::upperOf16(core::limit(share, -kMost, kMost)));
+    return core::Ratio::fromRaw(
+        core::upperOf16(core::limit(share, -core::kMaxOf16, core::kMaxOf16)));
 }
 
 // The mean force of the last four frames, turned into north, east, down.
@@ -218,24 +220,27 @@ void Attitude::accelerate() {
     if (forces_ == 0) return;
     const auto mean = [this](int32_t sum, int32_t bias) {
         const int32_t doubled = forces_ == 4 ? (sum + 1) >> 1 : sum * 2 / forces_;
-        return core::narrowed(doubled - core::upper(bias));  // 2^-9 m/s2
+        return HalfForce::fromRaw(doubled - core::upper(bias)).raw;
     };
     const int16_t x = mean(force_sum_[0], force_bias_x_), y = mean(force_sum_[1], force_bias_y_),
                   z = mean(force_sum_[2], 0);
     const Row16 n(north_), d(down_);
     const Row16 e = d.cross(n);
-    const int32_t north = n.dot(x, y, z), east = e.dot(x, y, z);  // 2^-23 m/s2
+    const int32_t north = n.dot(x, y, z), east = e.dot(x, y, z);
     // They were felt, on the mean, two frames ago, and the matrix is one frame old: the nose was
-    // this much behind it, in 2^-15 rad.
+    // this much behind it. A yaw step is a quarter of an Angle's; four
+    // frames are eight periods.
+    constexpr core::Fixed<16> kBehind(RowAngle::kSteps / core::Angle::kSteps / 4 / 8);
     const int16_t behind = static_cast<int16_t>(
-        core::limit<int32_t>(core::times16(int32_t{yaw_step_} * periods_, 6434), -8192, 8192));
+        core::limit<int32_t>(core::times16(int32_t{yaw_step_} * periods_, kBehind.raw),
+                             -RowAngle::kOne / 4, RowAngle::kOne / 4));
     const int32_t then_north = north + 2 * core::times16(east, behind);
     const int32_t then_east = east - 2 * core::times16(north, behind);
-    constexpr float kStep_mss = 1.0f / 8388608.0f;
+    constexpr float kStep_mss = 1.0f / FineAcceleration::kSteps;
     acceleration_.x = static_cast<float>(then_north) * kStep_mss;
     acceleration_.y = static_cast<float>(then_east) * kStep_mss;
     acceleration_.z = static_cast<float>(d.dot(x, y, z)) * kStep_mss + kGravity;
-    history_.add(then_north, then_east, periods_);
+    history_.add(FineAcceleration{then_north}, FineAcceleration{then_east}, periods_);
     since_fix_ = periods_ > 0xFF - since_fix_ ? 0xFF : since_fix_ + periods_;
     forgetForces();
 }
@@ -260,7 +265,7 @@ void Attitude::turnBy(const core::Vector3& by_rad) {
     turnBy(turned_.of[2], by_rad.z);
 }
 void Attitude::turnBy(int32_t& turned, float by_rad) {
-    grow(turned, steps(by_rad, 0.5f, Turn::kSteps), kMostTurned);
+    grow(turned, steps(by_rad, 0.5f, Turn::kSteps), kMaxTurned);
 }
 
 // `missing`: acceleration the reference saw and the accelerometers did not, over time_s. A tilt of
@@ -305,8 +310,9 @@ void Attitude::learnRate(int32_t& bias, core::BodyRate& rate, float turned_rad) 
     constexpr float kPeriod = Turn::kSteps * kSamplePeriod_s;
     constexpr int32_t kMost = static_cast<int32_t>(kMostBias_rads * kPeriod);
     grow(bias, -steps(turned_rad * kBiasShare, kMostBiasStep_rads, kPeriod), kMost);
-    // 200 periods a second; from 2^-30 to 2^-10
-    rate.raw = static_cast<int16_t>((core::times16(bias, 200 * 64) + 512) >> 10);
+    constexpr int16_t kPeriodsASecond = static_cast<int16_t>(1 / kSamplePeriod_s + 0.5f);
+    const int32_t rounded = core::times16(bias, kPeriodsASecond * 64) + 512;  // a Fixed32<20>
+    rate.raw = static_cast<int16_t>(core::Fixed32<20>{rounded}.as<10>().raw);
 }
 
 // A tilt is found where the accelerometers' bias is taken for a part of gravity. When the airplane
@@ -314,13 +320,13 @@ void Attitude::learnRate(int32_t& bias, core::BodyRate& rate, float turned_rad) 
 // of it, as far as the nose has turned from where it pointed while the tilt was found. In a steep
 // turn other errors are larger; while the gyros' zero is learnt nothing tells the two apart.
 void Attitude::learnForces(const core::Vector3& missing_mss, float nose_east, float trust) {
-    constexpr float kNose = 1.0f / 16384.0f;
+    constexpr float kNose = 1.0f / core::Ratio::kSteps;
     constexpr int16_t kStraight = 500;                          // 2 degrees
-    constexpr float kMean = kSamplePeriod_s / kTilt_s / kNose;  // a period's share, in 2^-14
+    constexpr float kMean = kSamplePeriod_s / kTilt_s / kNose;  // a period's share
     const int16_t recent = since_fix_ * static_cast<int16_t>(kMean + 0.5f);
-    const auto turned = [recent](int16_t& mean, int32_t now) {
-        const int16_t by = core::narrowed(now - mean);
-        mean += core::times14(by, recent);
+    const auto turned = [recent](core::Ratio& mean, int32_t now) {
+        const int16_t by = core::narrowed(now - mean.raw);
+        mean.raw += core::times14(by, recent);
         return by;
     };
     const int16_t by_north = turned(mean_nose_[0], core::upper(north_.of[0]));
@@ -335,7 +341,7 @@ void Attitude::learnForces(const core::Vector3& missing_mss, float nose_east, fl
 }
 
 void Attitude::learnForce(int32_t& bias, float missing_mss) {
-    constexpr float kSteps = 33554432.0f;
+    constexpr float kSteps = ForceBias::kSteps;
     constexpr int32_t kMost = static_cast<int32_t>(kMostForceBias_mss * kSteps);
     grow(bias, -steps(missing_mss, kMostForceStep_mss, kSteps), kMost);
 }
@@ -454,14 +460,16 @@ bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
 // sqrt(1 - sine^2) of an angle below 20 degrees is quicker by its series, and so is its inverse.
 void Attitude::workOutAngles() {
     using Part = core::Ratio;
+    constexpr int16_t kOne16 = Part::kOne;
+    constexpr Part kSmall(0.1f);
     Angles& a = angles_;
-    a.sin_pitch = Part::fromRaw(core::limit<int16_t>(-core::upper(down_.of[0]), -16384, 16384));
+    a.sin_pitch = Part::fromRaw(core::limit<int16_t>(-core::upper(down_.of[0]), -kOne16, kOne16));
     const int16_t squared = core::times14(a.sin_pitch.raw, a.sin_pitch.raw);
-    if (squared < 1638) {
+    if (squared < kSmall.raw) {
         const int16_t half = squared >> 1;
         const int16_t fourth = core::times14(half, half);
-        a.cos_pitch = Part::fromRaw(16384 - half - (fourth >> 1));
-        inverse_cos_pitch_.raw = (16384 + half + fourth + (fourth >> 1) + 2) >> 2;
+        a.cos_pitch = Part::fromRaw(kOne16 - half - (fourth >> 1));
+        inverse_cos_pitch_.raw = (kOne16 + half + fourth + (fourth >> 1) + 2) >> 2;
     } else {
         const float sine = a.sin_pitch.toFloat();
         const float cosine = sqrtf(core::limit(1.0f - sine * sine, 1e-6f, 1.0f));

@@ -26,13 +26,13 @@ struct Angles {
     core::Ratio sin_roll, cos_roll, sin_pitch, cos_pitch;
 };
 
-// What it takes to go on after a restart: how the airplane stood, in 2^-14, and what was learnt of
-// the sensors, of the gyros in 2^-24 of a radian a sample period.
+// What it takes to go on after a restart: how the airplane stood, and what was learnt of the
+// sensors.
 struct Pose {
-    int16_t north[3], down[3];
+    core::Ratio north[3], down[3];
 };
 struct Learnt {
-    int16_t bias[3];
+    KeptTurn bias_rad[3];  // of the gyros, in a sample period
     CompassField::Known field;
 };
 
@@ -87,10 +87,10 @@ public:
 
 private:
     enum class Phase : uint8_t { falling, upright, pointed };
-    struct Row {  // a unit vector in body axes, in 2^-30
+    struct Row {  // a unit vector in body axes, as a Fine's steps
         int32_t of[3];
     };
-    struct Turn16 {  // in 2^-15 of a radian for the matrix, of half a turn for the angles
+    struct Turn16 {  // steps of a Fixed<15> of radians for the matrix, of an Angle for the angles
         int16_t of[3];
     };
 
@@ -131,10 +131,10 @@ private:
     static void learnForce(int32_t& bias, float missing_mss);
 
     Row north_ = {{kOne, 0, 0}}, down_ = {{0, 0, kOne}};
-    Turn bias_ = {};                               // of the gyros, in a sample period
-    core::BodyRates rate_bias_ = {};               // the same
-    int32_t force_bias_x_ = 0, force_bias_y_ = 0;  // of the accelerometers, 2^-25 m/s2
-    int16_t mean_nose_[2] = {16384, 0};            // north and east of it lately, in 2^-14
+    Turn bias_ = {};                                   // of the gyros, in a sample period
+    core::BodyRates rate_bias_ = {};                   // the same
+    int32_t force_bias_x_ = 0, force_bias_y_ = 0;      // of the accelerometers, a ForceBias' steps
+    core::Ratio mean_nose_[2] = {core::Ratio(1), {}};  // north and east of it lately
     core::BodyRates rate_ = {};
     Turn turned_ = {};           // since the matrix was last turned
     int32_t force_sum_[3] = {};  // of forces_ frames that took periods_

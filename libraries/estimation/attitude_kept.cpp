@@ -4,27 +4,28 @@
 
 namespace estimation {
 
-constexpr int32_t kRowStep = 65536, kBiasStep = 64;
+constexpr int32_t kRowSteps = Fine::kOne / core::Ratio::kOne;
 constexpr float kHalfSettled = 0.9f;  // a restart leaves an error of degrees, not of tens
 
 void Attitude::keep(Pose& pose) const {
     for (uint8_t i = 0; i < 3; ++i) {
-        pose.north[i] = core::upper(north_.of[i]);
-        pose.down[i] = core::upper(down_.of[i]);
+        pose.north[i].raw = core::upper(north_.of[i]);
+        pose.down[i].raw = core::upper(down_.of[i]);
     }
 }
 
 void Attitude::keep(Learnt& learnt) const {
-    for (uint8_t i = 0; i < 3; ++i) learnt.bias[i] = core::narrowed(bias_.of[i] / kBiasStep);
+    for (uint8_t i = 0; i < 3; ++i)
+        learnt.bias_rad[i] = KeptTurn::fromRaw(bias_.of[i] / kKeptTurnSteps);
     field_.keep(learnt.field);
 }
 
 void Attitude::resume(const Pose& pose, const Learnt& learnt, const core::Vector3& turned_rad) {
     start();
     for (uint8_t i = 0; i < 3; ++i) {
-        north_.of[i] = pose.north[i] * kRowStep;
-        down_.of[i] = pose.down[i] * kRowStep;
-        bias_.of[i] = learnt.bias[i] * kBiasStep;
+        north_.of[i] = pose.north[i].raw * kRowSteps;
+        down_.of[i] = pose.down[i].raw * kRowSteps;
+        bias_.of[i] = learnt.bias_rad[i].raw * kKeptTurnSteps;
     }
     learnRates({0, 0, 0});
     field_.resume(learnt.field);

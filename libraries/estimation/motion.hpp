@@ -9,11 +9,18 @@ namespace estimation {
 
 constexpr float kSamplePeriod_s = 0.005f;  // 200 Hz
 
-// Small angles about the three axes, in 2^-30 rad.
+// A small angle in radians, or a part of a unit vector: what small steps are summed up in.
+using Fine = core::Fixed32<30>;
+// Small angles about the three axes, as a Fine's steps.
 struct Turn {
-    static constexpr float kSteps = 1073741824.0f;
+    static constexpr float kSteps = Fine::kSteps;
     int32_t of[3];
 };
+// A rotation in a sample period as it is kept over a restart, in radians.
+using KeptTurn = core::Fixed<24>;
+constexpr int32_t kKeptTurnSteps = Fine::kOne / KeptTurn::kOne;
+// Horizontal acceleration over ground in m/s2, before it is summed up.
+using FineAcceleration = core::Fixed32<23>;
 
 struct Motion {
     Turn turned;                    // in these periods

@@ -12,9 +12,10 @@ uint16_t between(uint16_t from, uint16_t to, float share) {
     const int16_t rise = static_cast<int16_t>(static_cast<uint16_t>(to - from));
     return static_cast<uint16_t>(from + static_cast<int16_t>(rise * share));
 }
-// 2^-23 m/s2 for 5 ms are 5 / 128 of 2^-16 mm/s.
-uint32_t gain(int32_t acceleration, uint8_t periods) {
-    return static_cast<uint32_t>(acceleration >> 7) * (5U * periods);
+// In mm/s: m/s2 times the milliseconds.
+uint32_t gain(FineAcceleration acceleration_mss, uint8_t periods) {
+    constexpr uint16_t kPeriod_ms = static_cast<uint16_t>(kSamplePeriod_s * 1000 + 0.5f);
+    return static_cast<uint32_t>(acceleration_mss.as<16>().raw) * (kPeriod_ms * periods);
 }
 
 }  // namespace
@@ -27,7 +28,7 @@ core::Vector3 VelocityHistory::difference_mps(const Moment& later, const Moment&
     return {difference(later.north, earlier.north), difference(later.east, earlier.east), 0};
 }
 
-void VelocityHistory::add(int32_t north, int32_t east, uint8_t periods) {
+void VelocityHistory::add(FineAcceleration north, FineAcceleration east, uint8_t periods) {
     north_ += gain(north, periods);
     east_ += gain(east, periods);
     since_entry_ = periods > 0xFF - since_entry_ ? 0xFF : since_entry_ + periods;

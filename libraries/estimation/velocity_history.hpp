@@ -18,10 +18,11 @@ public:
     static Moment moment(float north_mps, float east_mps);
     static core::Vector3 difference_mps(const Moment& later, const Moment& earlier);
 
-    // Accelerations in 2^-23 m/s2, for so many sample periods.
-    void add(int32_t north, int32_t east, uint8_t periods);
+    // For so many sample periods.
+    void add(FineAcceleration north, FineAcceleration east, uint8_t periods);
     Moment now() const {
-        return {static_cast<uint16_t>(north_ >> 16), static_cast<uint16_t>(east_ >> 16)};
+        return {static_cast<uint16_t>(north_ >> kFraction),
+                static_cast<uint16_t>(east_ >> kFraction)};
     }
     Moment ago(float age_s) const;  // 0 .. kLongest_s, between two entries by their share
 
@@ -32,7 +33,8 @@ public:
 
 private:
     Moment entries_[kEntries] = {};
-    uint32_t north_ = 0, east_ = 0;  // 2^-16 mm/s, wrapping where a Moment does
+    static constexpr uint8_t kFraction = 16;
+    uint32_t north_ = 0, east_ = 0;  // mm/s and this many bits more, wrapping where a Moment does
     uint8_t since_entry_ = 0;        // periods
     uint8_t newest_ = 0;
 };
