@@ -28,11 +28,11 @@ constexpr uint8_t kManyOverflows = 0xF0;  // the count stays here, 7.9 s
 constexpr uint8_t kNotInFrame = 0xFF;  // until the next gap
 
 struct {
-    uint16_t frames[2][hal::kRcChannels];
+    uint16_t frames[2 * hal::kRcChannels];
     uint16_t edge;           // of the last pulse
     uint8_t edge_overflows;  // of the timer since that edge, see kOwnOverflow
     uint8_t channel;         // the next to come
-    uint8_t filling;         // which of the frames
+    uint8_t filling;         // which of the frames: where it begins, so that nothing multiplies
     bool fresh;
     uint16_t received;  // the edge that ended the newest frame
     uint8_t received_overflows;
@@ -40,7 +40,7 @@ struct {
 
 // Calls nothing: with a call in it an interrupt saves every register.
 inline __attribute__((always_inline)) void accept() {
-    ppm.filling ^= 1;
+    ppm.filling ^= hal::kRcChannels;
     ppm.fresh = true;
     ppm.received = ppm.edge;
     ppm.received_overflows = ppm.edge_overflows;
@@ -52,11 +52,13 @@ inline bool overflowPending(uint16_t count) {
 
 inline void gap() {
     if (ppm.channel != kNotInFrame && ppm.channel >= kFewestChannels) {
-        while (ppm.channel < hal::kRcChannels) ppm.frames[ppm.filling][ppm.channel++] = 0;
+        while (ppm.channel < hal::kRcChannels) ppm.frames[ppm.filling + ppm.channel++] = 0;
         accept();
     }
     ppm.channel = 0;
 }
+
+inline uint16_t& next() { return ppm.frames[static_cast<uint8_t>(ppm.filling + ppm.channel)]; }
 
 inline void pulse(uint16_t width) {
     if (ppm.channel == kNotInFrame) return;
@@ -64,7 +66,7 @@ inline void pulse(uint16_t width) {
         ppm.channel = kNotInFrame;
         return;
     }
-    ppm.frames[ppm.filling][ppm.channel] = width;
+    next() = width;
     if (++ppm.channel == hal::kRcChannels) {
         accept();
         ppm.channel = kNotInFrame;
@@ -112,14 +114,16 @@ bool rcRead(uint16_t (&pulse_us)[kRcChannels]) {
     if (!const_cast<const volatile bool&>(ppm.fresh)) return false;
     {
         Locked locked;
-        memcpy(pulse_us, ppm.frames[ppm.filling ^ 1], sizeof(pulse_us));
+        memcpy(pulse_us, ppm.frames + (ppm.filling ^ kRcChannels), sizeof(pulse_us));
         ppm.fresh = false;
     }
     for (uint16_t& width : pulse_us) width /= 2;
     return true;
 }
 
-uint16_t rcPulse_us(uint8_t channel) { return ppm.frames[ppm.filling ^ 1][channel] / 2; }
+uint16_t rcPulse_us(uint8_t channel) {
+    return ppm.frames[(ppm.filling ^ kRcChannels) + channel] / 2;
+}
 
 uint32_t rcAge_us() {
     const Locked locked;
