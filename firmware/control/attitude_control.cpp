@@ -31,6 +31,7 @@ bool inverted;                                         // with loops that began 
 bool rolls;                                            // so, or on the way there or back
 int16_t roll_limit, pitch_min, pitch_max, trim_pitch;  // of an Angle
 Deflection rudder_mix;
+bool yaw_used;
 
 // Gains cost much and change little: they are worked out when a parameter has, and once a second.
 constexpr uint8_t kGainsLast = 9;  // rounds of looks
@@ -68,6 +69,7 @@ void takeRest() {
     pitch_max = angle(parameters.pitch_max_cd);
     trim_pitch = angle(parameters.trim_pitch_cd);
     rudder_mix = Deflection(parameters.rudder_mix);
+    yaw_used = ::control::yawUsed(parameters.yaw);
 }
 
 void lookAway() {}
@@ -191,7 +193,7 @@ void stabilise() {
         tune(kTunedPitch, pitch_gains, pitch_state, air, pitch_error, rate_rads.y);
     }
     if (vehicle.sticks == Sticks::bounded) bindSticks();
-    surfaces.rudder = ::control::yawUsed(parameters.yaw) ? yaw() : Deflection::fromRaw(0);
+    surfaces.rudder = yaw_used ? yaw() : Deflection::fromRaw(0);
     add(surfaces.rudder, core::times14(surfaces.aileron.raw, rudder_mix.raw));
     add(surfaces.rudder, vehicle.rudder_demand.raw);
 }
