@@ -86,7 +86,8 @@ core::Ratio axisDeflection(const AxisGains& gains, AxisState& state, const AirFl
         core::limit<int16_t>(demand_rads.raw, -kMaxRate_rads.raw, kMaxRate_rads.raw);
     const int16_t error = static_cast<int16_t>(core::limit<int32_t>(
         int32_t{demand} - rate_rads.raw, -kMaxRate_rads.raw, kMaxRate_rads.raw));
-    const core::BodyRate felt_rads = core::BodyRate::fromRaw(core::times14(error, scale));
+    core::BodyRate felt_rads;
+    felt_rads.raw = core::times14(error, scale);
     if (gains.integral.raw <= 0) {
         state.integrator = {};
     } else if (!air.too_slow) {
