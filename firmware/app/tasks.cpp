@@ -148,8 +148,7 @@ bool workWaits() {
 
 }  // namespace
 
-// Inlined it would keep its variables on the stack of everything that runs later.
-__attribute__((noinline)) void setup() {
+void setup() {
     restartJudge();
     board::start();
     findBoard();

@@ -95,7 +95,7 @@ uint16_t number(float param) {
     return static_cast<float>(whole) == param ? whole : kNoNumber;
 }
 
-__attribute__((noinline)) bool isGiven(float param) { return !isnan(param) && param != 0; }
+bool isGiven(float param) { return !isnan(param) && param != 0; }
 
 uint8_t whenTrue(bool done, uint8_t otherwise) {
     constexpr uint8_t kAccepted = MavResult::accepted;

@@ -38,7 +38,9 @@ bool sendMessage(Link& link, mavlink::Framing framing, const mavlink::Outgoing& 
 
 bool textWaits(const Link& link) { return notify::textWaits(linkNumber(link)); }
 
-bool sendText(Link& link) {
+// Rarely gone through, and large. Inlined, its message burdens every look whether a text waits:
+// 0.18 % of the processor.
+__attribute__((noinline)) bool sendText(Link& link) {
     mavlink::Statustext message = {};
     Severity severity;
     if (!readText(linkNumber(link), severity, message.text)) return false;

@@ -196,6 +196,7 @@ bool onLogRequestEnd(Link&, const mavlink::Frame&) {
 
 bool logsWait(const Link& link) { return doing != Doing::nothing && to_link == linkNumber(link); }
 
+// Inlined, its record burdens every look whether a log waits: 0.22 % of the processor.
 __attribute__((noinline)) bool logsSend(Link& link) {
     if (!logsWait(link) || !mayTalk(link) || !hasRoom(link, kLogFrame)) return false;
     if (doing > Doing::date && vehicle.armed) doing = Doing::nothing;

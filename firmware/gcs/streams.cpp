@@ -125,7 +125,7 @@ void workOutRates(Link& link) {
 }
 
 // Time that passes while a message waits for room counts for its next one. 1: it has become due.
-inline __attribute__((always_inline)) uint8_t grow(uint8_t& phase, uint8_t by) {
+uint8_t grow(uint8_t& phase, uint8_t by) {
     const uint8_t before = phase;
     uint8_t sum = static_cast<uint8_t>(before + by);
     if (sum < before) sum = 0xFF;

@@ -76,6 +76,7 @@ bool handleWhole(Link& link) {
 }
 
 // For whose answers there is room.
+// With what it calls inside, telemetryPump() could not be flat: the build fails.
 __attribute__((noinline)) bool receive(Link& link) {
     if (link.whole) return handleWhole(link);
     uint8_t byte;
@@ -94,12 +95,13 @@ bool hasSomething(const Link& link) {
 }
 
 // Free bytes in the port at which there is something to send by itself.
-__attribute__((noinline)) uint8_t roomToSend(const Link& link) {
+uint8_t roomToSend(const Link& link) {
     if (hasSomething(link)) return kLargestFrame;
     return logsWait(link) ? kLogFrame : kNoRoomWakes;
 }
 
-// One message, of what goes out by itself. A log takes turns with all the rest.
+// One message, of what goes out by itself. A log takes turns with all the rest. Not inlined, as
+// receive() is not.
 __attribute__((noinline)) bool sendOne(Link& link) {
     if (logsWait(link)) {
         link.log_is_next = !link.log_is_next;
@@ -165,11 +167,13 @@ void telemetrySend() {
 
 // asked some thousand times a second: nothing in these is called that is not needed
 // One link's turn at a time: a frame that is due waits for no more than that.
+// Called in every round of the loop: flat it takes 0.15 % of the processor less, for 8 bytes.
 __attribute__((flatten)) bool telemetryPump() {
     rested = true;
     second_first = !second_first;
     return second_first ? pump<1>() || pump<0>() : pump<0>() || pump<1>();
 }
+// The same, 0.05 % for 58 bytes.
 __attribute__((flatten)) bool telemetryWaits() { return waits<0>() || waits<1>(); }
 
 }  // namespace gcs

@@ -80,8 +80,7 @@ bool putParameter(uint8_t index) {
 
 namespace {
 
-// A function of its own: fetching an item is deep enough without this record on the stack.
-__attribute__((noinline)) bool logItem(uint8_t index, const MissionItem& item) {
+bool logItem(uint8_t index, const MissionItem& item) {
     CommandRecord record;
     record.count = missionCount();
     record.index = index;
@@ -111,8 +110,7 @@ bool putMode() {
     return log(RecordType::mode, record);
 }
 
-// A function of its own: that nothing waits is found without a record.
-__attribute__((noinline)) static bool logText() {
+static bool logText() {
     MessageRecord record = {};
     Severity severity;
     if (!readText(kLogReader, severity, record.text) || !log(RecordType::message, record))

@@ -14,7 +14,7 @@ constexpr uint16_t kCrcStart = 0xFFFF;
 
 // In bytes and by swapping their halves, as the chip can; of 16-bit shifts the compiler makes
 // loops.
-__attribute__((always_inline)) constexpr uint16_t crc16(uint16_t crc, uint8_t byte) {
+constexpr uint16_t crc16(uint16_t crc, uint8_t byte) {
     uint8_t t = static_cast<uint8_t>(byte ^ crc);
     t = static_cast<uint8_t>(t ^ static_cast<uint8_t>(t << 4));
     const uint8_t swapped = static_cast<uint8_t>(t << 4 | t >> 4);

@@ -26,8 +26,7 @@ constexpr int32_t steps(float value, float twice) {
     return (static_cast<int32_t>(value * twice) + (value < 0 ? -1 : 1)) / 2;
 }
 
-// A function of its own, as it is long: inline it takes 2 kB more.
-__attribute__((noinline)) inline int16_t toAngle(float rad, float twice) {
+inline int16_t toAngle(float rad, float twice) {
     return static_cast<int16_t>(
         static_cast<uint16_t>((static_cast<int32_t>(rad * twice) + 1) >> 1));
 }

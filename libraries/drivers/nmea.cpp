@@ -52,7 +52,7 @@ struct Values {
 };
 
 // One more digit; too many are odd.
-__attribute__((noinline)) int32_t tenfold(int32_t sum, uint8_t digit, bool& odd) {
+int32_t tenfold(int32_t sum, uint8_t digit, bool& odd) {
     constexpr int32_t kMost = INT32_MAX / 10 - 1;
     if (sum > kMost) odd = true;
     return odd ? 0 : sum * 10 + digit;

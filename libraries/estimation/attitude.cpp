@@ -46,12 +46,10 @@ using ForceBias = core::Fixed32<25>;          // m/s2
 
 core::Vector3 unit(const core::Vector3& v) { return v * (1.0f / sqrtf(core::dot(v, v))); }
 
-__attribute__((noinline)) int32_t steps(float value, float most, float a_unit) {
+int32_t steps(float value, float most, float a_unit) {
     return static_cast<int32_t>(core::limit(value, -most, most) * a_unit);
 }
-__attribute__((noinline)) void grow(int32_t& sum, int32_t by, int32_t most) {
-    sum = core::limit(sum + by, -most, most);
-}
+void grow(int32_t& sum, int32_t by, int32_t most) { sum = core::limit(sum + by, -most, most); }
 // A RowAngle's steps, as many as can be turned at once; the rest stays for the next time.
 int16_t taken(int32_t& turned) {
     const int16_t now = core::upper(2 * core::limit(turned, -kMaxTurn, kMaxTurn));

@@ -77,7 +77,8 @@ private:
     }
 
     // Looks at what is kept until a whole good frame stands at its beginning, or bytes are short.
-    bool examine() {
+    // Never inlined: put() would save its registers for every byte, 150 cycles instead of 100.
+    __attribute__((noinline)) bool examine() {
         for (;;) {
             if (!measured_ && !seekHeader()) return false;
             if (!measured_ && !measure()) {

@@ -129,7 +129,7 @@ private:
     }
 
     // The smallest wait of what is not of the fast tier, 1 when nothing is due.
-    __attribute__((noinline)) int8_t countDown() {
+    int8_t countDown() {
         int8_t latest = 1;
         int8_t* next = wait_ + fast_;
         for (uint8_t i = fast_; i < N; ++i) {
@@ -142,7 +142,7 @@ private:
     }
 
     // The first from `i` on that waits as long as `late` says; N when none does.
-    __attribute__((noinline)) uint8_t dueFrom(uint8_t i, int8_t late) const {
+    uint8_t dueFrom(uint8_t i, int8_t late) const {
         for (const int8_t* wait = wait_ + i; i < N && *wait != late; ++wait) ++i;
         return i;
     }
