@@ -7,9 +7,11 @@ add_compile_options(${AVR_OPTIMISATION})
 add_link_options(${AVR_OPTIMISATION} -Wl,--emit-relocs)
 
 # What runs in every frame and at every interrupt is made quick: these folders, not those in them.
-file(GLOB every_frame CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/firmware/*.cpp
-     ${CMAKE_SOURCE_DIR}/firmware/telemetry/*.cpp ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp
-     ${CMAKE_SOURCE_DIR}/hal_avr/boards/*/*.cpp)
+set(every_frame_folders firmware/app firmware/estimator firmware/control firmware/actuators firmware/gcs
+    hal_avr hal_avr/boards/*)
+list(TRANSFORM every_frame_folders PREPEND ${CMAKE_SOURCE_DIR}/)
+list(TRANSFORM every_frame_folders APPEND /*.cpp)
+file(GLOB every_frame CONFIGURE_DEPENDS ${every_frame_folders})
 set_source_files_properties(${every_frame} PROPERTIES COMPILE_OPTIONS -O2)
 
 link_libraries(m)
