@@ -7,8 +7,8 @@ add_compile_options(${AVR_OPTIMISATION})
 add_link_options(${AVR_OPTIMISATION} -Wl,--emit-relocs)
 
 # What runs in every frame and at every interrupt is made quick: these folders, not those in them.
-set(every_frame_folders firmware/app firmware/estimator firmware/control firmware/actuators firmware/gcs
-    hal_avr hal_avr/boards/*)
+set(every_frame_folders firmware/app firmware/sensors firmware/estimator firmware/control
+    firmware/actuators firmware/gcs hal_avr hal_avr/boards/*)
 list(TRANSFORM every_frame_folders PREPEND ${CMAKE_SOURCE_DIR}/)
 list(TRANSFORM every_frame_folders APPEND /*.cpp)
 file(GLOB every_frame CONFIGURE_DEPENDS ${every_frame_folders})
