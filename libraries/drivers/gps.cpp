@@ -215,7 +215,8 @@ void Gps::watch(uint16_t now) {
 }
 
 // Two messages of a kind find a receiver: one may be chance.
-bool Gps::heard(GpsProtocol protocol, uint16_t now) {
+// Never inlined: in a larger function stack_bound.mjs loses track of the pointer it calls through.
+__attribute__((noinline)) bool Gps::heard(GpsProtocol protocol, uint16_t now) {
     if (protocol != found_) {
         if (!counts(protocol)) return false;
         if (state_ != State::run) since_ = now;
