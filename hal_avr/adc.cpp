@@ -15,7 +15,7 @@ namespace {
 
 static_assert(core::count(wiring::kAnalogSteps) == hal::kAnalogs, "one step for each input");
 
-constexpr uint8_t kMostReadings = 60;  // of 10 bits in 16
+constexpr uint8_t kMaxReadings = 60;  // of 10 bits in 16
 constexpr uint8_t kEnabled = (1 << ADEN) | (1 << ADIE) | (1 << ADPS2) | (1 << ADPS1) | (1 << ADPS0);
 
 hal::AnalogSum sums[hal::kAnalogs];
@@ -37,7 +37,7 @@ inline __attribute__((always_inline)) void begin(uint8_t step) {
 }
 
 inline void add(hal::AnalogSum& to, uint16_t reading) {
-    if (to.count == kMostReadings) to = {0, 0};  // nobody takes them: newer is better
+    if (to.count == kMaxReadings) to = {0, 0};  // nobody takes them: newer is better
     to.sum += reading;
     ++to.count;
 }
@@ -66,11 +66,11 @@ namespace avr {
 // A scan ends with the band gap, and the multiplexer stays there: one conversion after the other
 // until the next scan, read 4 ms later instead of by an interrupt.
 bool supplyLow() {
-    constexpr uint16_t kMostReading = 1126400 / 4200;
+    constexpr uint16_t kMaxReading = 1126400 / 4200;
     if (scan.running || scan.step + 1 != hal::kAnalogs || (ADCSRA & (1 << ADSC))) return false;
     const uint16_t reading = ADC;
     ADCSRA = static_cast<uint8_t>(kEnabled & ~(1 << ADIE)) | (1 << ADIF) | (1 << ADSC);
-    return reading > kMostReading;
+    return reading > kMaxReading;
 }
 
 void adcStart() {

@@ -16,7 +16,7 @@ volatile uint8_t untouched;
 
 // Keeps every register it uses, as an interrupt does: who comes here keeps few.
 extern "C" void __vector_guard_forgotten() __attribute__((signal, used));
-void __vector_guard_forgotten() { hal::servosForgotten(); }
+void __vector_guard_forgotten() { hal::passSticksToServos(); }
 
 ISR(TIMER0_OVF_vect) {
     avr::noteSupply(avr::supplyLow());

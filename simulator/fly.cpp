@@ -16,7 +16,7 @@
 #include "simulator/devices/at45db.hpp"
 #include "simulator/fdm/udp_peer.hpp"
 #include "simulator/fly_options.hpp"
-#include "simulator/ground/onlooker.hpp"
+#include "simulator/ground/passive_gcs.hpp"
 #include "simulator/ground/scripted_flight.hpp"
 #include "simulator/ground/server.hpp"
 #include "simulator/ground/thrower.hpp"
@@ -313,7 +313,7 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
     loadMemories(*board, options);
     const int usart = telemetryUsart(options);
     ScriptedFlight flight(*board, usart, items, options.time_limit_s, settings);
-    Onlooker usb(*board, kUsbUsart);
+    PassiveGcs usb(*board, kUsbUsart);
     board->listen([&](int from, uint8_t byte, uint64_t time_us) {
         if (from == usart) flight.receive(byte, time_us);
         if (from == kUsbUsart && options.usb) usb.receive(byte, time_us);

@@ -4,8 +4,9 @@
 #include <algorithm>
 
 #include "simulator/airplane/atmosphere.hpp"
+#include "simulator/airplane/bench_model.hpp"
 #include "simulator/airplane/earth.hpp"
-#include "simulator/airplane/hand_held.hpp"
+#include "simulator/builtin_model.hpp"
 #include "simulator/devices/ads7844.hpp"
 #include "simulator/devices/analog_imu.hpp"
 #include "simulator/devices/analog_sensors.hpp"
@@ -17,7 +18,6 @@
 #include "simulator/devices/ms5611.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/fdm/json_model.hpp"
-#include "simulator/own_airplane.hpp"
 
 namespace simulator {
 namespace {
@@ -49,9 +49,9 @@ At45dbOptions dataflashFor(const WorldOptions& options) {
 }
 
 std::unique_ptr<FlightModel> modelFor(const WorldOptions& options, const SensorErrors& errors) {
-    if (options.hand_held) return std::make_unique<HandHeld>(options);
+    if (options.bench_model) return std::make_unique<BenchModel>(options);
     if (!options.fdm.empty()) return std::make_unique<JsonModel>(options);
-    return std::make_unique<OwnAirplane>(options, errors.gust_mps);
+    return std::make_unique<BuiltinModel>(options, errors.gust_mps);
 }
 
 CompassMount compassFor(const WorldOptions& options) {

@@ -23,7 +23,7 @@ struct WorldOptions {
     uint64_t seed = 1;
     bool sensor_errors = true;
     bool calibrated = false;      // compass and pitot: no offsets of the airplane, no scale error
-    bool hand_held = false;       // it does not fly, it is held on the bench
+    bool bench_model = false;     // it does not fly, it is held on the bench
     double accel_bias_g = 0.004;  // and how wrong its accelerometers are, one sigma
     double accel_scale = 0;
     // the World Magnetic Model 2025 at this place at the end of 2026
@@ -74,7 +74,7 @@ public:
     void advanceTo(uint64_t now_us);
     const Truth& truth() const;
     void launch();  // lets an airplane go that is thrown
-    // With hand_held: lays it that way, or turns it about at these body rates.
+    // With bench_model: lays it that way, or turns it about at these body rates.
     void turnTo(double roll_rad, double pitch_rad, double yaw_rad);
     void turn(double roll_rads, double pitch_rads, double yaw_rads);
     void setFaults(const std::vector<Fault>& faults);  // instead of those there were

@@ -59,9 +59,9 @@ void cameraStart() {
 
 void cameraTrigger() {
     if (!connected())
-        tell(Severity::warning, ROM_TEXT("Camera: no output has its function"));
+        sendStatusText(Severity::warning, ROM_TEXT("Camera: no output has its function"));
     else if (open_ticks != 0)
-        tell(Severity::warning, ROM_TEXT("Camera: still busy with the last picture"));
+        sendStatusText(Severity::warning, ROM_TEXT("Camera: still busy with the last picture"));
     else
         open();
 }
@@ -70,7 +70,7 @@ void cameraEvery(int32_t distance_cm) {
     every_m = static_cast<float>(distance_cm) * 0.01f;
     last = vehicle.estimate.position;
     if (distance_cm != 0 && !connected())
-        tell(Severity::warning, ROM_TEXT("Camera: no output has its function"));
+        sendStatusText(Severity::warning, ROM_TEXT("Camera: no output has its function"));
 }
 
 void runCamera() {

@@ -36,18 +36,18 @@ Status admit(FlashUser user, uint16_t page) {
     return mission_wants && user != FlashUser::mission ? Status::busy : Status::ok;
 }
 
-void tellTrouble() {
+void reportTrouble() {
     switch (chip.trouble()) {
         case drivers::At45dbTrouble::none:
             return;
         case drivers::At45dbTrouble::absent:
-            tell(Severity::warning, ROM_TEXT("DataFlash: none found"));
+            sendStatusText(Severity::warning, ROM_TEXT("DataFlash: none found"));
             break;
         case drivers::At45dbTrouble::stuck:
-            tell(Severity::error, ROM_TEXT("DataFlash: stays busy, not used any more"));
+            sendStatusText(Severity::error, ROM_TEXT("DataFlash: stays busy, not used any more"));
             break;
         case drivers::At45dbTrouble::garbled:
-            tell(Severity::error, ROM_TEXT("DataFlash: lost, not used any more"));
+            sendStatusText(Severity::error, ROM_TEXT("DataFlash: lost, not used any more"));
             break;
     }
     trouble_told = true;
@@ -62,7 +62,7 @@ void dataflashStart() {
 
 void dataflashStep() {
     chip.step(clock_ms());
-    if (!trouble_told) tellTrouble();
+    if (!trouble_told) reportTrouble();
 }
 
 }  // namespace app

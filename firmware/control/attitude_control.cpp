@@ -38,7 +38,7 @@ constexpr uint8_t kGainsLast = 9;  // rounds of looks
 uint8_t gains_age, gains_changes;
 
 // Without a sensor the estimated airspeed serves: it is the cruise speed until the wind is known.
-void feelAir() {
+void updateSpeedScaling() {
     const auto& attitude = vehicle.attitude;
     air = ::control::airFlow(parameters.scaling_speed_mps, vehicle.estimate.equivalent_airspeed_mps,
                              parameters.speed_min_mps);
@@ -76,8 +76,8 @@ void lookAway() {}
 
 // Airspeed and turn are looked at every 50 ms, parameters every 100 ms.
 using Look = void (*)();
-constexpr Look kLooks[] ROM = {feelAir, takeRoll,  lookAway, lookAway, lookAway,
-                               feelAir, takePitch, lookAway, takeRest, lookAway};
+constexpr Look kLooks[] ROM = {updateSpeedScaling, takeRoll,  lookAway, lookAway, lookAway,
+                               updateSpeedScaling, takePitch, lookAway, takeRest, lookAway};
 uint8_t look;
 
 // Where it turns to: farther ahead than the loop that holds TRAINING's bounds needs to stop.
@@ -100,7 +100,7 @@ core::Angle error(core::Angle now_rad, core::BodyRate rate_rads, core::Angle dem
 }
 
 // How far the wings are from level, whichever way up they are wanted: 1 there.
-int16_t righted() {
+int16_t uprightness() {
     const int16_t cosine = vehicle.attitude.cos_roll.raw;
     return inverted ? static_cast<int16_t>(-cosine) : cosine;
 }
@@ -110,7 +110,7 @@ core::Angle rollError() {
     constexpr core::Ratio kOver(0.5f);
     const int16_t upside = inverted ? INT16_MIN : 0;
     const auto& attitude = vehicle.attitude;
-    if (!rolls || righted() > kOver.raw)
+    if (!rolls || uprightness() > kOver.raw)
         return error(attitude.roll_rad, attitude.rate_rads.x, vehicle.roll_demand_rad,
                      vehicle.pilot_roll_rad, -roll_limit, roll_limit, upside);
     const core::Angle left = core::between(attitude.roll_rad, core::Angle::fromRaw(upside));
@@ -121,11 +121,11 @@ core::Angle rollError() {
 // The nose goes up by as much of the elevator as the wing is level, upside down by pushing; and no
 // harder than a wing bears that was made for the other side.
 core::Angle aboutWing(core::Angle up_rad) {
-    constexpr core::Angle kMost_rad(core::radians(14));
+    constexpr core::Angle kMax_rad(core::radians(14));
     constexpr core::Ratio kThere(0.8f);
     const int16_t limited =
-        core::limit<int16_t>(up_rad.raw, static_cast<int16_t>(-kMost_rad.raw), kMost_rad.raw);
-    if (!inverted && righted() > kThere.raw && limited == up_rad.raw) rolls = false;
+        core::limit<int16_t>(up_rad.raw, static_cast<int16_t>(-kMax_rad.raw), kMax_rad.raw);
+    if (!inverted && uprightness() > kThere.raw && limited == up_rad.raw) rolls = false;
     return core::Angle::fromRaw(core::times14(limited, vehicle.attitude.cos_roll.raw));
 }
 

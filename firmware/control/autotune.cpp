@@ -101,8 +101,8 @@ void tune(TunedAxis which, const ::control::AxisGains& gains, const ::control::A
     due.by = found == AxisTuner::Finding::shakes ? AxisTuner::kLeast : tuner.factor();
     due.axis = which;
     due.gain = kP;
-    tell(Severity::info, core::romRead(kAxes[which].found),
-         static_cast<uint16_t>(core::rounded(due.by * 100)));
+    sendStatusText(Severity::info, core::romRead(kAxes[which].found),
+                   static_cast<uint16_t>(core::rounded(due.by * 100)));
 }
 
 }  // namespace control

@@ -78,7 +78,8 @@ bool fixIsGood() {
     const float sum_cms = (gps.velocity_mps.x + gps.velocity_mps.y) * 100;
     const int16_t reading =
         static_cast<int16_t>(static_cast<int32_t>(sum_cms) + (gps.position.latitude_e7 & 3));
-    return gps.fix == GpsFix::three_d && believe(Sensor::gps, reading, true) && !ails(Sensor::gps);
+    return gps.fix == GpsFix::three_d && acceptReading(Sensor::gps, reading, true) &&
+           !isFaulty(Sensor::gps);
 }
 
 void alignToFix(uint32_t now_ms) {
@@ -125,7 +126,7 @@ bool airspeedFits() {
     const bool odd = wind.known() && expected_mps >= parameters.speed_min_mps &&
                      odd_mps >= kOddAirspeed_mps + expected_mps * kOddAirspeed;
     if (!odd && !(vehicle.airspeed.healthy && divesSlowly())) return true;
-    doubt(Sensor::airspeed);
+    reportInconsistency(Sensor::airspeed);
     return false;
 }
 
@@ -153,17 +154,18 @@ void feelHeight() {
     const float fix_m = told_m - gps_above_m;
     if (!baro.healthy) {
         if (!height_started) return;
-        if (!near(baro.height_m, height_m)) doubt(Sensor::barometer);
+        if (!near(baro.height_m, height_m)) reportInconsistency(Sensor::barometer);
         estimation::HeightSettings slow;
         slow.omega_rads = 0.7f;  // of five fixes a second
         return height.useBarometer(fix_m, 0.1f, slow);
     }
     if (height.doubts()) {
-        if (near(fix_m, height_m)) doubt(Sensor::barometer);
+        if (near(fix_m, height_m)) reportInconsistency(Sensor::barometer);
         return;
     }
     gps_above_m += (fix_m - height_m) * (vehicle.estimate.flying ? 0.002f : 0.2f);
-    if (!near(fix_m, height_m) && vehicle.gps.hdop_c < kGoodHdop_c) doubt(Sensor::barometer);
+    if (!near(fix_m, height_m) && vehicle.gps.hdop_c < kGoodHdop_c)
+        reportInconsistency(Sensor::barometer);
     home_height_m += barometer_drift.useGps(height_m - height.climb_mps() * kClimbAge_s,
                                             -vehicle.gps.velocity_mps.z, since_fix_s);
 }
@@ -219,7 +221,7 @@ void useReference() {
         vehicle.compass.fresh = false;
         if (parameters.compass_use != 0 &&
             !attitude.useCompass(vehicle.compass.field_mg, attitudeSettings()))
-            doubt(Sensor::compass);
+            reportInconsistency(Sensor::compass);
     } else if (now_ms - fix_ms > kGpsSilent_ms &&
                static_cast<uint16_t>(now_ms - unfixed_ms) >= kAirspeedHelps_ms) {
         unfixed_ms = static_cast<uint16_t>(now_ms);

@@ -73,7 +73,7 @@ bool acknowledge(uint8_t result) {
     return gcs::acknowledge(link(), orderFor(MavCmd::preflight_calibration), result);
 }
 
-bool tellSide(uint32_t position) {
+bool reportSide(uint32_t position) {
     mavlink::CommandLong message = {};
     message.command = MavCmd::accelcal_vehicle_pos;
     message.param1 = static_cast<float>(position);
@@ -85,13 +85,13 @@ bool tellSide(uint32_t position) {
 void askForSide() {
     now.phase = Phase::asks;
     now.left_s = kSide_s;
-    tell(Severity::notice, kPrompts[now.side]);
-    tellSide(now.side + 1U);
+    sendStatusText(Severity::notice, kPrompts[now.side]);
+    reportSide(now.side + 1U);
 }
 
 void end(bool well, core::RomText why) {
     now.phase = well ? Phase::succeeded : Phase::failed;
-    tell(well ? Severity::notice : Severity::error, why);
+    sendStatusText(well ? Severity::notice : Severity::error, why);
 }
 void endWell() { end(true, ROM_TEXT("Calibration successful")); }
 
@@ -113,7 +113,7 @@ void takeTrim(const AccelerometerFit& fit) {
     float lie_rad[2];
     lieOf(force_mss, lie_rad);
     if (!parametersSetFrom(slot::ahrs_trim_x, lie_rad, 2))
-        tell(Severity::warning, ROM_TEXT("Level was not: AHRS_TRIM stays"));
+        sendStatusText(Severity::warning, ROM_TEXT("Level was not: AHRS_TRIM stays"));
 }
 
 void finishSides() {
@@ -126,7 +126,7 @@ void finishSides() {
 
 void takeSide() {
     if (!liesOn(now.side, restForce_mss())) {
-        tell(Severity::warning, ROM_TEXT("That is another side: not taken"));
+        sendStatusText(Severity::warning, ROM_TEXT("That is another side: not taken"));
         return askForSide();
     }
     sides.put(now.side, restForce_mss());
@@ -134,11 +134,11 @@ void takeSide() {
     askForSide();
 }
 
-void sidesTurn() {
+void sidesTick() {
     const bool passed = secondHasPassed();
     switch (now.phase) {
         case Phase::asks:
-            if (passed) tellSide(now.side + 1U);
+            if (passed) reportSide(now.side + 1U);
             if (now.left_s == 0) end(false, ROM_TEXT("Calibration FAILED: nobody answers"));
             return;
         case Phase::measures:
@@ -148,13 +148,13 @@ void sidesTurn() {
         default: {
             const uint32_t outcome = now.phase == Phase::succeeded ? AccelcalVehiclePos::success
                                                                    : AccelcalVehiclePos::failed;
-            if (tellSide(outcome)) vehicle.calibrating = Calibrating::nothing;
+            if (reportSide(outcome)) vehicle.calibrating = Calibrating::nothing;
         }
     }
 }
 
 // ---- compass
-void tellProgress() {
+void reportProgress() {
     mavlink::MagCalProgress message = {};
     message.cal_mask = 1;
     message.cal_status = mavlink::MagCalStatus::running_step_one;
@@ -186,7 +186,7 @@ void finishCompass() {
     }
 }
 
-void compassTurn() {
+void compassTick() {
     if (now.phase != Phase::asks) {
         if (!report()) return;
         if (now.phase == Phase::failed) compassTurnsUndo();
@@ -199,11 +199,11 @@ void compassTurn() {
     } else if (now.left_s == 0) {
         end(false, ROM_TEXT("Calibration FAILED: turn it all about"));
     }
-    tellProgress();
+    reportProgress();
 }
 
 // ---- rest, level
-void restTurn() {
+void restTick() {
     const bool still = vehicle.imu.calibrated && vehicle.baro.ground_pressure_pa > 0;
     if (!secondHasPassed() && !still && now.left_s > 0) return;
     uint8_t result = now.left_s > 0 ? MavResult::in_progress : MavResult::failed;
@@ -247,11 +247,11 @@ bool calibrationSideIsReady(uint16_t accelcal_vehicle_pos) {
     return true;
 }
 
-void calibrationTurn() {
-    static constexpr void (*kTurns[])() ROM = {nullptr, restTurn, restTurn, sidesTurn, compassTurn};
+void calibrationTick() {
+    static constexpr void (*kTicks[])() ROM = {nullptr, restTick, restTick, sidesTick, compassTick};
     if (vehicle.calibrating == Calibrating::nothing) return;
     if (vehicle.armed) return calibrationCancel();
-    core::romRead(kTurns[static_cast<uint8_t>(vehicle.calibrating)])();
+    core::romRead(kTicks[static_cast<uint8_t>(vehicle.calibrating)])();
 }
 
 void calibrationReset() {

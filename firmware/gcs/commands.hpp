@@ -15,7 +15,7 @@ bool onAutopilotVersionRequest(Link& link, const mavlink::Frame& frame);
 bool onCommandAck(Link& link, const mavlink::Frame& frame);
 
 void commandsStart();
-void commandsTurn();  // 50 Hz: what takes its time
+void commandsTick();  // 50 Hz: what takes its time
 
 }  // namespace gcs
 }  // namespace firmware

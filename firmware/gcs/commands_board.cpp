@@ -47,7 +47,7 @@ uint8_t trimLevel() {
     const auto& rate = vehicle.attitude.rate_rads;
     const bool still =
         rate.x.raw < kStill && rate.x.raw > -kStill && rate.y.raw < kStill && rate.y.raw > -kStill;
-    if (!still) tell(Severity::error, ROM_TEXT("Level: keep it still"));
+    if (!still) sendStatusText(Severity::error, ROM_TEXT("Level: keep it still"));
     if (!still || !vehicle.attitude.aligned) return MavResult::failed;
     const float lie_rad[] = {parameters.level_trim_rad[0] + vehicle.attitude.roll_rad.toFloat(),
                              parameters.level_trim_rad[1] + vehicle.attitude.pitch_rad.toFloat()};
@@ -113,14 +113,14 @@ bool wishesOf(const Order& order, uint8_t& wishes) {
 // Accepted: it stands on the ground, disarmed.
 uint8_t mayCalibrate() {
     if (!vehicle.armed && !vehicle.estimate.flying) return MavResult::accepted;
-    tell(Severity::error, ROM_TEXT("Calibration refused: disarm first"));
+    sendStatusText(Severity::error, ROM_TEXT("Calibration refused: disarm first"));
     if (vehicle.estimate.flying) return MavResult::denied;
     return MavResult::temporarily_rejected;
 }
 
 uint8_t begin(Calibrating what, Link& link, const Order& order, uint8_t answer) {
     if (calibrationBegin(what, {linkNumber(link), order.system, order.component})) return answer;
-    tell(Severity::error, ROM_TEXT("Calibration refused: another runs"));
+    sendStatusText(Severity::error, ROM_TEXT("Calibration refused: another runs"));
     return MavResult::temporarily_rejected;
 }
 
@@ -135,13 +135,13 @@ uint8_t beginRest(Link& link, const Order& order, uint8_t wishes) {
 
 uint8_t beginCompass(Link& link, const Order& order) {
     if (!vehicle.compass.healthy) {
-        tell(Severity::error, ROM_TEXT("Calibration refused: no compass"));
+        sendStatusText(Severity::error, ROM_TEXT("Calibration refused: no compass"));
         return MavResult::failed;
     }
     return begin(Calibrating::compass, link, order, MavResult::accepted);
 }
 
-void rebootTurn() {
+void rebootTick() {
     if (turns_to_reboot == 0) return;
     if (turns_to_reboot > 1) {
         --turns_to_reboot;
@@ -230,9 +230,9 @@ void commandsStart() {
     calibrationReset();
 }
 
-void commandsTurn() {
-    calibrationTurn();
-    rebootTurn();
+void commandsTick() {
+    calibrationTick();
+    rebootTick();
 }
 
 }  // namespace gcs

@@ -165,7 +165,7 @@ uint8_t armOrDisarm(Link&, Order& order) {
 }
 
 uint8_t runPrearmChecks(Link&, Order&) {
-    return whenTrue(!prearmTells(Severity::error), MavResult::failed);
+    return whenTrue(!reportPrearmFailure(Severity::error), MavResult::failed);
 }
 
 // MAVLink leaves roll, pitch and yaw of the ground there to whoever has use for them.

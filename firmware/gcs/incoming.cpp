@@ -30,7 +30,7 @@ struct Incoming {
 };
 
 // For messages that are never refused, or whose sender is asked again anyway.
-bool silently(Link&, const mavlink::Frame&) { return true; }
+bool ignoreTimeout(Link&, const mavlink::Frame&) { return true; }
 
 template <class Message>
 constexpr Incoming row(uint8_t target, Handler handle, Handler refuse) {
@@ -41,11 +41,11 @@ constexpr Incoming row(uint8_t target, Handler handle, Handler refuse) {
 
 template <class Message>
 constexpr Incoming toAll(Handler handle) {
-    return row<Message>(kNotAddressed, handle, silently);
+    return row<Message>(kNotAddressed, handle, ignoreTimeout);
 }
 
 template <class Message>
-constexpr Incoming toUs(Handler handle, Handler refuse = silently) {
+constexpr Incoming toUs(Handler handle, Handler refuse = ignoreTimeout) {
     return row<Message>(offsetof(Message, target_system), handle, refuse);
 }
 

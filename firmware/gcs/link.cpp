@@ -18,7 +18,7 @@ Link links[kLinks];
 namespace {
 
 bool isSilent(const Link& link) {
-    return radioSilenced() && !(linkNumber(link) == 0 && hal::usbConnected());
+    return telemetryMuted() && !(linkNumber(link) == 0 && hal::usbConnected());
 }
 
 }  // namespace

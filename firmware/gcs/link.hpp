@@ -32,7 +32,7 @@ struct Link {
     mavlink::Framing framing = mavlink::Framing::v1;
     uint8_t sequence = 0;
     bool whole = false;              // the parser holds a frame that is not handled yet ...
-    uint8_t held_turns = 0;          // ... for so many turns of telemetrySend
+    uint8_t held_ticks = 0;          // ... for so many turns of telemetrySend
     uint8_t slowdown_pct = 0;        // of the streams, asked for by the radio
     uint8_t wake_room = 0;           // free bytes in the port at which there is something to send
     bool parameter_is_next = false;  // while a list is sent, streams and list take turns

@@ -115,7 +115,8 @@ bool onMissionRequestInt(Link& link, const mavlink::Frame& frame) {
 bool onMissionSetCurrent(Link& link, const mavlink::Frame& frame) {
     const auto message = frame.read<mavlink::MissionSetCurrent>();
     if (!missionSetCurrent(message.seq))
-        tell(Severity::warning, ROM_TEXT("No mission item #"), static_cast<int32_t>(message.seq));
+        sendStatusText(Severity::warning, ROM_TEXT("No mission item #"),
+                       static_cast<int32_t>(message.seq));
     requestOnce(link, mavlink::Wire<mavlink::MissionCurrent>::id);
     return true;
 }
@@ -130,7 +131,7 @@ bool refuseMission(Link& link, const mavlink::Frame& frame) {
     return answerAck(link, peerOf(frame), MissionResult::error, type);
 }
 
-void tellReached() {
+void reportReached() {
     const uint16_t id = mavlink::Wire<mavlink::MissionItemReached>::id;
     for (const Link& link : links)
         if (isDue(link, id)) return;

@@ -26,7 +26,7 @@ namespace {
 constexpr uint8_t kAskAgainTurns = 15;
 constexpr uint8_t kTries = 30;
 // A point whose frame is given up is not carried on by anyone.
-constexpr uint8_t kPointTurns = kTurns_hz + kTurns_hz / 2;
+constexpr uint8_t kPointTurns = kTickRate_hz + kTickRate_hz / 2;
 
 template <class Message>
 bool sendRequest(Link& link) {
@@ -69,7 +69,7 @@ bool takeItem(Link& link, const mavlink::Frame& frame, uint16_t index, uint8_t c
     transfer.tries = 0;
     if (transfer.next == transfer.last) {
         transfer.state = Upload::commit;
-        missionTransferTurn();
+        missionTransferTick();
         return true;
     }
     ++transfer.next;
@@ -89,30 +89,30 @@ MissionItem common(const Message& from) {
     return item;
 }
 
-void tellStored() {
+void reportStored() {
     const int32_t count = planCount(transfer.type);
     switch (transfer.type) {
         case mavlink::MavMissionType::fence:
-            return tell(Severity::info, ROM_TEXT("Fence stored: # points"), count);
+            return sendStatusText(Severity::info, ROM_TEXT("Fence stored: # points"), count);
         case mavlink::MavMissionType::rally:
-            return tell(Severity::info, ROM_TEXT("Rally stored: # points"), count);
+            return sendStatusText(Severity::info, ROM_TEXT("Rally stored: # points"), count);
         default:
-            return tell(Severity::info, ROM_TEXT("Mission stored: # items"), count);
+            return sendStatusText(Severity::info, ROM_TEXT("Mission stored: # items"), count);
     }
 }
 
 void turnCommit() {
     const MissionResult result = planCommit(transfer.type);
     if (result == MissionResult::busy) return;
-    if (endUpload(result) && result == MissionResult::accepted) tellStored();
+    if (endUpload(result) && result == MissionResult::accepted) reportStored();
 }
 
 void turnItems() {
     if (++transfer.turns < kAskAgainTurns) return;
     if (transfer.tries >= kTries) {
         if (endUpload(MissionResult::cancelled))
-            tell(Severity::warning, ROM_TEXT("Upload given up at item #"),
-                 static_cast<int32_t>(transfer.next));
+            sendStatusText(Severity::warning, ROM_TEXT("Upload given up at item #"),
+                           static_cast<int32_t>(transfer.next));
         return;
     }
     transfer.whole_degrees = !transfer.whole_degrees;
@@ -169,7 +169,7 @@ bool onMissionItemInt(Link& link, const mavlink::Frame& frame) {
 
 void missionTransferStart() { transfer.state = Upload::none; }
 
-void missionTransferTurn() {
+void missionTransferTick() {
     switch (transfer.state) {
         case Upload::items:
             turnItems();
@@ -183,7 +183,7 @@ void missionTransferTurn() {
         case Upload::none:
             break;
     }
-    tellReached();
+    reportReached();
 }
 
 }  // namespace gcs

@@ -49,13 +49,13 @@ bool onParamSet(Link& link, const mavlink::Frame& frame) {
     const auto wanted = frame.read<mavlink::ParamSet>();
     uint16_t index;
     if (!parameterFind(wanted.param_id, index)) {
-        tell(Severity::warning, ROM_TEXT("No such parameter"));
+        sendStatusText(Severity::warning, ROM_TEXT("No such parameter"));
         return true;
     }
     const core::Status status = parameterSetAt(index, wanted.param_value);
     if (status == core::Status::busy) return false;
     if (status != core::Status::ok)
-        tell(Severity::warning, ROM_TEXT("Parameter value refused: out of range"));
+        sendStatusText(Severity::warning, ROM_TEXT("Parameter value refused: out of range"));
     for (Link& other : links)  // who has no room now asks again some day
         if (&other != &link) parameterSend(other, index);
     return parameterSend(link, index);
@@ -64,7 +64,7 @@ bool onParamSet(Link& link, const mavlink::Frame& frame) {
 bool refuseParamSet(Link& link, const mavlink::Frame& frame) {
     const auto wanted = frame.read<mavlink::ParamSet>();
     uint16_t index;
-    tell(Severity::warning, ROM_TEXT("Parameter not set: store busy"));
+    sendStatusText(Severity::warning, ROM_TEXT("Parameter not set: store busy"));
     return !parameterFind(wanted.param_id, index) || parameterSend(link, index);
 }
 

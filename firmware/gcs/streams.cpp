@@ -85,7 +85,7 @@ constexpr OutgoingRow kOutgoing[] ROM = {
 };
 static_assert(core::count(kOutgoing) == kOutgoingRows, "kOutgoingRows does not fit the table");
 
-constexpr uint8_t kDue = 4 * kTurns_hz;
+constexpr uint8_t kDue = 4 * kTickRate_hz;
 constexpr uint8_t kHeartbeatRow = 0;
 
 struct Rates {
@@ -96,7 +96,7 @@ Rates ratesOf(const Link& link) {
     Rates rates;
     const int8_t* rates_hz = &parameters.streams[linkNumber(link)].raw_sensors;
     for (uint8_t i = 0; i < kRatedStreams; ++i) {
-        const int8_t rate_hz = core::limit<int8_t>(rates_hz[i], 0, kTurns_hz);
+        const int8_t rate_hz = core::limit<int8_t>(rates_hz[i], 0, kTickRate_hz);
         rates.of[i] = static_cast<uint8_t>(4 * rate_hz);
     }
     rates.of[static_cast<uint8_t>(Stream::always)] = kAlwaysRate;
@@ -125,7 +125,7 @@ void workOutRates(Link& link) {
 }
 
 // Time that passes while a message waits for room counts for its next one. 1: it has become due.
-uint8_t grow(uint8_t& phase, uint8_t by) {
+uint8_t accumulate(uint8_t& phase, uint8_t by) {
     const uint8_t before = phase;
     uint8_t sum = static_cast<uint8_t>(before + by);
     if (sum < before) sum = 0xFF;
@@ -134,11 +134,11 @@ uint8_t grow(uint8_t& phase, uint8_t by) {
 }
 
 void age(Streams& streams, uint8_t row, uint8_t by) {
-    streams.due = static_cast<uint8_t>(streams.due + grow(streams.phase[row], by));
+    streams.due = static_cast<uint8_t>(streams.due + accumulate(streams.phase[row], by));
 }
 
 // The part of a turn the radio leaves to the streams; true when they have a whole turn together.
-bool turnIsDue(Link& link) {
+bool tickIsDue(Link& link) {
     Streams& streams = link.streams;
     streams.credit_pct = static_cast<uint8_t>(streams.credit_pct + 100 - link.slowdown_pct);
     if (streams.credit_pct < 100) return false;
@@ -167,12 +167,12 @@ void streamsStart(Link& link) {
 }
 
 void streamsTick(Link& link) {
-    if (!turnIsDue(link)) return age(link.streams, kHeartbeatRow, kAlwaysRate);
+    if (!tickIsDue(link)) return age(link.streams, kHeartbeatRow, kAlwaysRate);
     if (ratesHaveChanged(link)) workOutRates(link);
     const uint8_t* by = link.streams.rate;
     uint8_t due = 0;
     for (uint8_t& phase : link.streams.phase)
-        if (grow(phase, *by++)) ++due;
+        if (accumulate(phase, *by++)) ++due;
     link.streams.due = static_cast<uint8_t>(link.streams.due + due);
 }
 
@@ -225,7 +225,7 @@ bool setStreamRate(Link& link, uint8_t mav_data_stream, uint16_t rate_hz) {
     for (uint8_t i = 0; i < core::count(kOrder); ++i) {
         if (mav_data_stream != MavDataStream::all && mav_data_stream != core::romRead(kOrder[i]))
             continue;
-        rates_hz[i] = static_cast<int8_t>(rate_hz < kTurns_hz ? rate_hz : kTurns_hz);
+        rates_hz[i] = static_cast<int8_t>(rate_hz < kTickRate_hz ? rate_hz : kTickRate_hz);
         known = true;
     }
     return known;

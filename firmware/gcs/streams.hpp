@@ -12,7 +12,7 @@ namespace gcs {
 struct Link;
 
 constexpr uint8_t kOutgoingRows = 25;
-constexpr uint8_t kTurns_hz = 50;  // of telemetrySend for each link
+constexpr uint8_t kTickRate_hz = 50;  // of telemetrySend for each link
 
 // Rates are kept in quarters of a hertz.
 constexpr uint8_t kFollowStream = 0;

@@ -21,12 +21,12 @@ using namespace sensors;
 namespace {
 
 constexpr uint8_t kBytesAtOnce = 16;
-constexpr uint8_t kHoldTurns = kTurns_hz;  // a second, then the frame is refused
+constexpr uint8_t kHoldTicks = kTickRate_hz;  // a second, then the frame is refused
 
 constexpr uint8_t kNoRoomWakes = 0xFF;
 
 bool usb;     // as link0 was opened
-bool rested;  // telemetryPump has been called since the last turn
+bool pumped;  // telemetryPump has been called since the last turn
 bool second_first;
 
 // As the parameters give it: thousands, where the usual rates are named by their first digits.
@@ -67,10 +67,10 @@ bool handleWhole(Link& link) {
     const mavlink::Frame frame = link.parser.frame();
     if (frame.framing == mavlink::Framing::v2) link.framing = mavlink::Framing::v2;
     if (!handleFrame(link, frame)) {
-        if (link.held_turns < kHoldTurns) return false;
+        if (link.held_ticks < kHoldTicks) return false;
         refuseFrame(link, frame);
     }
-    link.held_turns = 0;
+    link.held_ticks = 0;
     link.whole = link.parser.next();
     return true;
 }
@@ -149,27 +149,27 @@ void telemetryStart() {
     openLink0();
     open(links[1], parameters.serial2_baud);
     for (Link& link : links) streamsStart(link);
-    tell(Severity::info, ROM_TEXT("ArduPilotMega autopilot, airplane"));
+    sendStatusText(Severity::info, ROM_TEXT("ArduPilotMega autopilot, airplane"));
 }
 
 void telemetrySend() {
     followUsb();
     for (Link& link : links) {
-        if (link.whole && link.held_turns < kHoldTurns) ++link.held_turns;
+        if (link.whole && link.held_ticks < kHoldTicks) ++link.held_ticks;
         streamsTick(link);
-        if (!rested) sendOne(link);
+        if (!pumped) sendOne(link);
     }
-    rested = false;
+    pumped = false;
     sendCameraFeedback();
-    missionTransferTurn();
-    commandsTurn();
+    missionTransferTick();
+    commandsTick();
 }
 
 // asked some thousand times a second: nothing in these is called that is not needed
 // One link's turn at a time: a frame that is due waits for no more than that.
 // Called in every round of the loop: flat it takes 0.15 % of the processor less, for 8 bytes.
 __attribute__((flatten)) bool telemetryPump() {
-    rested = true;
+    pumped = true;
     second_first = !second_first;
     return second_first ? pump<1>() || pump<0>() : pump<0>() || pump<1>();
 }

@@ -43,7 +43,7 @@ inline bool othersTransfer(const Link& link, const mavlink::Frame& frame) {
 bool ask();             // for the item that is due
 void forgetTransfer();  // and what it has staged
 
-void tellReached();
+void reportReached();
 
 bool answerAck(Link& link, Peer peer, mission::MissionResult result, uint8_t mission_type);
 

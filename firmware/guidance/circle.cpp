@@ -23,7 +23,7 @@ Plan flyCircle() {
     const auto now = motion();
     const geo::Offset from_centre = geo::offset(demand.to, vehicle.estimate.position);
     const auto lateral = navigation::followCircle(lateralGains(), now, circle, from_centre);
-    tellLateral(lateral, from_centre);
+    reportLateral(lateral, from_centre);
     demandBank(lateral.bank_accel_mss, BankLimit::flying);
     turns.update(circle, from_centre, lateral.crosstrack_m);
     const float outside_m = lateral.crosstrack_m;

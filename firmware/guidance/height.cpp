@@ -20,7 +20,7 @@ namespace {
 constexpr float kPeriod_s = 0.1f;  // 10 Hz
 constexpr float kFlyingSpeed_mps = 5;
 // No more angle of attack near the ground, nor anywhere without a sensor for the speed.
-constexpr float kMostAlpha_rad = 0.2f;
+constexpr float kMaxAlpha_rad = 0.2f;
 constexpr float kNudgedDown = 0.3f;  // of the cruise throttle, which still flies
 
 ::control::SpeedHeight speed_height;
@@ -76,7 +76,7 @@ float pitchMax_rad(const Plan& plan) {
     const bool landing =
         plan.phase == ::control::Phase::approach || plan.phase == ::control::Phase::flare;
     if (landing || !vehicle.airspeed.healthy)
-        most_rad = core::limit(pathAngle_rad() + kMostAlpha_rad, 0.0f, most_rad);
+        most_rad = core::limit(pathAngle_rad() + kMaxAlpha_rad, 0.0f, most_rad);
     const bool pitch_given = plan.phase == ::control::Phase::climb_out && !vehicle.airspeed.healthy;
     return pitch_given || most_rad < plan.pitch_min_rad ? plan.pitch_min_rad : most_rad;
 }

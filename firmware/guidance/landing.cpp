@@ -17,23 +17,23 @@ using namespace state;
 
 namespace {
 
-constexpr float kMostForHeadwind_mps = 3;
+constexpr float kMaxForHeadwind_mps = 3;
 constexpr float kApproachShare = 0.55f;  // of the way from the lowest speed to cruise
 
-constexpr float kMiddle_radpm = 0.03f, kMostToMiddle_rad = 0.1f;
+constexpr float kMiddle_radpm = 0.03f, kMaxToMiddle_rad = 0.1f;
 
 // What the wind loses near the ground comes off the airspeed within a second: into wind the flare
 // keeps power, and with it goes a little farther and sinks less. None is left at the ground, or,
 // wherever that is, so far behind the point.
 constexpr float kPerHeadwind_spm = 0.3f;
-constexpr float kMostPower = 1.4f;  // of the cruise throttle
+constexpr float kMaxPower = 1.4f;   // of the cruise throttle
 constexpr float kPowered_m = 0.9f;  // less below
 constexpr float kPoweredBehind_m = 15, kPowerFades_m = 20;
 constexpr float kLate_s = 0.2f;
 constexpr float kEarly_s = 0.02f;  // a sink that is to grow less does so late
 constexpr float kSofter = 0.6f;
 // Below LAND_PITCH_CD, the higher the more: a fast airplane would not come down.
-constexpr float kNoseDown_radpm = 0.1f, kMostNoseDown_m = 2;
+constexpr float kNoseDown_radpm = 0.1f, kMaxNoseDown_m = 2;
 
 navigation::Landing landing;
 core::Ratio power;  // of the cruise throttle
@@ -43,7 +43,7 @@ core::Ratio power;  // of the cruise throttle
 float approachSpeed_mps(float cruise_mps, float along_mps) {
     const float headwind_mps = vehicle.estimate.airspeed_mps - along_mps;
     return parameters.speed_min_mps + kApproachShare * (cruise_mps - parameters.speed_min_mps) +
-           core::limit(0.6f * headwind_mps, 0.0f, kMostForHeadwind_mps);
+           core::limit(0.6f * headwind_mps, 0.0f, kMaxForHeadwind_mps);
 }
 
 float share(float value) { return core::limit(value, 0.0f, 1.0f); }
@@ -59,7 +59,7 @@ float intoWind(const navigation::Lateral& lateral) {
 
 float powerKept(const navigation::Lateral& lateral, float into_wind) {
     const float left_m = legLength_m() + kPoweredBehind_m - lateral.along_m;
-    return kMostPower * into_wind * share(heightAbovePoint_m() * (1 / kPowered_m)) *
+    return kMaxPower * into_wind * share(heightAbovePoint_m() * (1 / kPowered_m)) *
            share(left_m * (1 / kPowerFades_m));
 }
 
@@ -82,7 +82,7 @@ navigation::HeightDemand height(const navigation::Lateral& lateral, float along_
 
 // Back to the middle of the runway.
 float runwayError_rad(float crosstrack_m) {
-    return core::limit(crosstrack_m * kMiddle_radpm, -kMostToMiddle_rad, kMostToMiddle_rad);
+    return core::limit(crosstrack_m * kMiddle_radpm, -kMaxToMiddle_rad, kMaxToMiddle_rad);
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ Plan flyLanding() {
         to_fly.phase = ::control::Phase::flare;
         to_fly.pitch_min_rad =
             core::radiansFromCentidegrees(parameters.land_pitch_cd) -
-            kNoseDown_radpm * core::limit(heightAbovePoint_m(), 0.0f, kMostNoseDown_m);
+            kNoseDown_radpm * core::limit(heightAbovePoint_m(), 0.0f, kMaxNoseDown_m);
         power = core::Ratio(powerKept(lateral, into_wind));
         steerTowards(legHeading_rad() - runwayError_rad(lateral.crosstrack_m));
     }

@@ -31,7 +31,7 @@ int32_t bearing_cd(const geo::Offset& direction) {
     return core::wrap360_cd(core::rounded(core::centidegrees(angle_rad)));
 }
 
-void tellTargetBearing() {
+void reportTargetBearing() {
     const float distance_m = vehicle.progress.distance_m;
     if (distance_m < 1) return;  // over it every bearing is as true
     const float share = 1 / distance_m;
@@ -41,11 +41,11 @@ void tellTargetBearing() {
                     (leg.forward.east_m * ahead_m - place.east_m) * share});
 }
 
-void tellCourse() { vehicle.progress.nav_bearing_cd = bearing_cd(course); }
+void reportCourse() { vehicle.progress.nav_bearing_cd = bearing_cd(course); }
 
 // A gain tuned in flight is felt within half a second.
 using Look = void (*)();
-constexpr Look kLooks[] ROM = {tellTargetBearing, tellCourse, tellTargetBearing, takeGains};
+constexpr Look kLooks[] ROM = {reportTargetBearing, reportCourse, reportTargetBearing, takeGains};
 uint8_t look;
 
 }  // namespace
@@ -80,7 +80,7 @@ float legHeading_rad() { return estimation::arc_rad(leg.forward.east_m, leg.forw
 navigation::Lateral followDemandedLeg(const navigation::Motion& now, bool learning) {
     const geo::Offset from_start = geo::offset(vehicle.demand.from, vehicle.estimate.position);
     const auto lateral = navigation::followLeg(gains, now, leg, from_start);
-    tellLateral(lateral, from_start);
+    reportLateral(lateral, from_start);
     vehicle.progress.passed = lateral.along_m >= leg.length_m;
     if (learning) learnBankTrim(-lateral.crosstrack_m);
     return lateral;
@@ -93,7 +93,7 @@ float along_mps(const navigation::Lateral& lateral, const navigation::Motion& no
     return core::limit(along_mps, 0.0f, 100.0f);
 }
 
-void tellLateral(const navigation::Lateral& lateral, const geo::Offset& from_datum) {
+void reportLateral(const navigation::Lateral& lateral, const geo::Offset& from_datum) {
     auto& progress = vehicle.progress;
     progress.distance_m = lateral.distance_m;
     progress.crosstrack_m = lateral.crosstrack_m;

@@ -20,7 +20,7 @@ float legLength_m();
 float legHeading_rad();
 
 // `from_datum`: where the airplane is, seen from the leg's start or the circle's centre.
-void tellLateral(const navigation::Lateral& lateral, const geo::Offset& from_datum);
+void reportLateral(const navigation::Lateral& lateral, const geo::Offset& from_datum);
 void lookAround();  // 10 Hz: the bearings, and whether gains were changed
 
 }  // namespace guidance

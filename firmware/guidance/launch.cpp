@@ -41,8 +41,10 @@ bool launched() {
         vehicle.estimate.ground_speed_mps, vehicle.attitude.roll_rad.toFloat(),
         vehicle.attitude.pitch_rad.toFloat(), kGuidancePeriod_s};
     const navigation::Launch::Result result = launch.run(settings, now);
-    if (result == navigation::Launch::tilted) tell(Severity::warning, ROM_TEXT("Bad launch AUTO"));
-    if (result == navigation::Launch::slow) tell(Severity::warning, ROM_TEXT("Timeout AUTO"));
+    if (result == navigation::Launch::tilted)
+        sendStatusText(Severity::warning, ROM_TEXT("Bad launch AUTO"));
+    if (result == navigation::Launch::slow)
+        sendStatusText(Severity::warning, ROM_TEXT("Timeout AUTO"));
     return result == navigation::Launch::flies;
 }
 

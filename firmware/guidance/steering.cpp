@@ -13,12 +13,12 @@ namespace {
 
 constexpr float kPerRadian = 0.6f;
 constexpr float kPerRate_s = 0.15f;
-constexpr float kMost = 0.35f;  // a wheel at full lock overturns the airplane
+constexpr float kMax = 0.35f;  // a wheel at full lock overturns the airplane
 
 void steer(float error_rad) {
     const float wanted =
         error_rad * kPerRadian - vehicle.attitude.rate_rads.z.toFloat() * kPerRate_s;
-    vehicle.rudder_demand = core::Ratio(core::limit(wanted, -kMost, kMost));
+    vehicle.rudder_demand = core::Ratio(core::limit(wanted, -kMax, kMax));
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ static_assert(kSourceCount <= 16, "a bit each");
 
 // A run stops beginning records after so long: what is left comes in the next.
 constexpr uint16_t kSpend = 400 * hal::kTicksPerUs;
-constexpr uint8_t kMostRecords = 4;
+constexpr uint8_t kMaxRecords = 4;
 constexpr uint16_t kSpendBeforePrelude = 520 * hal::kTicksPerUs;
 
 // What begins or ends is an event; what fails, an error with its code, or 0 when it is over.
@@ -268,7 +268,7 @@ void putSome() {
         const bool introduced = prelude >= kIntroduction;
         if (introduced) (void)putEvents();
         (void)putDue();  // however long the event took, or a mission's changes would hold it up
-        for (uint8_t i = 2; i < kMostRecords && within(kSpend); ++i)
+        for (uint8_t i = 2; i < kMaxRecords && within(kSpend); ++i)
             if (!(introduced && putEvents()) && !putDue()) break;
     }
     if (within(kSpendBeforePrelude)) (void)putPrelude();
@@ -292,10 +292,10 @@ void end() {
     (void)status;  // busy: in the next run
 }
 
-void tellDropped() {
+void reportDropped() {
     if (run != 0 || static_cast<uint8_t>(dropped) == dropped_told) return;
     dropped_told = static_cast<uint8_t>(dropped);
-    tell(Severity::warning, ROM_TEXT("Log: # records dropped"), dropped);
+    sendStatusText(Severity::warning, ROM_TEXT("Log: # records dropped"), dropped);
 }
 
 // Where the ring begins, kept in the EEPROM beside its complement.
@@ -325,12 +325,13 @@ void eraseMore() {
     } else if (flight_logs.eraseStep() && keepBase(flight_logs.nextBase())) {
         flight_logs.finishErase();
         request = Request::none;
-        tell(Severity::notice, ROM_TEXT("Logs erased"));
+        sendStatusText(Severity::notice, ROM_TEXT("Logs erased"));
     }
 }
 
 void armedMeanwhile() {
-    if (request == Request::erase) tell(Severity::warning, ROM_TEXT("Erasing logs stopped"));
+    if (request == Request::erase)
+        sendStatusText(Severity::warning, ROM_TEXT("Erasing logs stopped"));
     request = Request::none;
 }
 
@@ -346,17 +347,17 @@ void logStart() {
 bool logFind() {
     const bool looked = flight_logs.find();
     if (looked && flight_logs.ready() && flight_logs.last() == 0)
-        tell(Severity::info, ROM_TEXT("No logs"));
+        sendStatusText(Severity::info, ROM_TEXT("No logs"));
     return looked;
 }
 
 void logPause(bool pause) { request = pause ? Request::pause : Request::none; }
 
 void logErase() {
-    if (vehicle.armed) return tell(Severity::error, ROM_TEXT("Disarm to erase logs"));
-    if (!flight_logs.usable()) return tell(Severity::error, ROM_TEXT("No logs to erase"));
+    if (vehicle.armed) return sendStatusText(Severity::error, ROM_TEXT("Disarm to erase logs"));
+    if (!flight_logs.usable()) return sendStatusText(Severity::error, ROM_TEXT("No logs to erase"));
     request = Request::erase;
-    tell(Severity::notice, ROM_TEXT("Erasing logs"));
+    sendStatusText(Severity::notice, ROM_TEXT("Erasing logs"));
 }
 
 uint16_t logDropped() { return dropped; }
@@ -384,7 +385,7 @@ void stepLog() {
     if (hal::flashTrouble() != hal::FlashTrouble::none) return flight_logs.start(0);
     if (prelude >= kFormats) findDue();
     putSome();
-    tellDropped();
+    reportDropped();
 }
 
 }  // namespace

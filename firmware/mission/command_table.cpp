@@ -107,9 +107,10 @@ static_assert(::mission::idsIn(kRows.row, ::mission::Set::apm1, 0) == kApm1Comma
               "APM 1.0: a row is missing");
 static_assert(::mission::idsIn(kRows.row, ::mission::Set::apm2, 0) == kApm2Commands,
               "APM 2.0: a row is missing");
-static_assert(::mission::idsIn(kRows.row, ::mission::Set::apm2, ::mission::kBeyond) ==
-                      kBeyondCommands &&
-                  ::mission::idsIn(kRows.row, ::mission::Set::apm1, ::mission::kBeyond) == 0,
+static_assert(::mission::idsIn(kRows.row, ::mission::Set::apm2, ::mission::kArduPlaneExtension) ==
+                      kArduPlaneExtensionCommands &&
+                  ::mission::idsIn(kRows.row, ::mission::Set::apm1,
+                                   ::mission::kArduPlaneExtension) == 0,
               "beyond the documents: a row is missing");
 
 }  // namespace

@@ -37,7 +37,7 @@ void surveyRecord(Survey& survey, ::mission::Set set, const uint8_t* bytes, ::mi
 using ReadRecord = core::Status (*)(uint8_t index, uint8_t* to);
 MUST_USE core::Status surveyStep(Survey& survey, ::mission::Set set, uint8_t count,
                                  ReadRecord read);
-void tellWarnings(const Survey& survey, ::mission::Set set, uint8_t count);
+void reportWarnings(const Survey& survey, ::mission::Set set, uint8_t count);
 
 // ---- change.cpp: whether what is in flight is the same in the mission just committed
 void compareBegin();
@@ -57,7 +57,7 @@ bool missionCompared();        // then until it is true
 extern Survey mission_survey;  // of the present mission
 
 // Leaves AUTO for this mode once the pass that runs is over.
-void wishMode(state::Mode mode);
+void requestMode(state::Mode mode);
 
 }  // namespace mission
 }  // namespace firmware

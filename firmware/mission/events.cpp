@@ -45,7 +45,7 @@ bool isHeld(uint8_t output) { return ((held >> (output - 1)) & 1) != 0; }
 
 bool refused(uint8_t output, uint16_t pulse_us) {
     if (outputOverride(output, pulse_us)) return false;
-    tell(Severity::warning, ROM_TEXT("Mission: output # refused"), output);
+    sendStatusText(Severity::warning, ROM_TEXT("Mission: output # refused"), output);
     return true;
 }
 
@@ -121,7 +121,7 @@ bool eventRuns() { return event.output != 0; }
 
 void runEvents() {
     missionCatchUp();
-    tellVariables();
+    reportVariables();
     runCamera();
     runFlaps();
     runInverted();

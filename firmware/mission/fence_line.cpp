@@ -101,7 +101,8 @@ void check() {
     const Side side = fenceSide(place);
     if (side == Side::unknown) return;
     line = side == Side::inside ? Line::fit : Line::unfit;
-    if (line == Line::unfit) tell(Severity::warning, ROM_TEXT("Fence: return point is outside"));
+    if (line == Line::unfit)
+        sendStatusText(Severity::warning, ROM_TEXT("Fence: return point is outside"));
 }
 
 }  // namespace

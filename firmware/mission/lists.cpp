@@ -33,7 +33,7 @@ void store() {
     const Status status = mission_store.commit();
     if (status == Status::busy) return;
     if (status != Status::ok) {
-        tell(Severity::error, ROM_TEXT("Not stored: memory error"));
+        sendStatusText(Severity::error, ROM_TEXT("Not stored: memory error"));
         return finish(MissionResult::error);
     }
     if (mission_store.kind() != ListKind::mission) return finish(MissionResult::accepted);
@@ -54,7 +54,7 @@ void settle() {
     if (fenceLineWaits()) return;
     const Status status = mission_store.settle();
     if (status != Status::ok && status != Status::busy)
-        tell(Severity::error, ROM_TEXT("EEPROM is worn: lists stay in the DataFlash"));
+        sendStatusText(Severity::error, ROM_TEXT("EEPROM is worn: lists stay in the DataFlash"));
 }
 
 }  // namespace
@@ -99,7 +99,8 @@ MissionResult listBegin(ListKind kind, uint16_t count, uint8_t set) {
     if (!missionReady() || !hal::flashKnown() || step > Step::filling) return MissionResult::busy;
     const Status status = mission_store.begin(kind, static_cast<uint8_t>(count), set);
     if (status == Status::full)
-        tell(Severity::warning, ROM_TEXT("DataFlash does not work: clear the old one first"));
+        sendStatusText(Severity::warning,
+                       ROM_TEXT("DataFlash does not work: clear the old one first"));
     if (status == Status::ok) {
         step = Step::filling;
         clearing = 0;

@@ -26,7 +26,7 @@ using namespace state;
 using namespace control;
 using namespace actuators;
 
-static_assert(storage::kRecordSlots <= ::mission::kMostItems, "the engine has too few jump bits");
+static_assert(storage::kRecordSlots <= ::mission::kMaxItems, "the engine has too few jump bits");
 static_assert(storage::kRecordSize == ::mission::kRecordSize, "a slot holds a record");
 
 storage::MissionStore mission_store;
@@ -46,7 +46,7 @@ bool index_waits;
 uint8_t reached;
 bool reached_waits;
 bool is_complete;
-Mode mode_wish = Mode::automatic;  // of a command or the end; AUTO: none
+Mode requested_mode = Mode::automatic;  // of a command or the end; AUTO: none
 uint16_t skipped;
 
 Status readRecord(uint8_t index, uint8_t* to) { return mission_store.read(index, to); }
@@ -63,14 +63,14 @@ void ended(bool landed) {
     is_complete = true;
     resetSpeed();
     keepIndex(0);
-    tell(Severity::notice, ROM_TEXT("Mission complete"));
-    if (!landed) mode_wish = Mode::rtl;
+    sendStatusText(Severity::notice, ROM_TEXT("Mission complete"));
+    if (!landed) requested_mode = Mode::rtl;
 }
 
 // At the end of a run: entering a mode leaves AUTO, and the engine may be in the middle of a pass.
-void grantModeWish() {
-    const Mode wish = mode_wish;
-    mode_wish = Mode::automatic;
+void applyModeRequest() {
+    const Mode wish = requested_mode;
+    requested_mode = Mode::automatic;
     if (wish == Mode::automatic || host.enterMode(wish)) return;
     if (is_complete) {  // RTL without a home
         forgetPlace();
@@ -96,7 +96,7 @@ void onEvent(Event event, uint8_t index) {
     switch (event) {
         case Event::started:
             keepIndex(index);
-            tell(Severity::info, ROM_TEXT("Mission item #"), index);
+            sendStatusText(Severity::info, ROM_TEXT("Mission item #"), index);
             break;
         case Event::reached:
             rememberPlace();
@@ -105,10 +105,10 @@ void onEvent(Event event, uint8_t index) {
             break;
         case Event::skipped:
             ++skipped;
-            tell(Severity::warning, ROM_TEXT("Mission item # skipped"), index);
+            sendStatusText(Severity::warning, ROM_TEXT("Mission item # skipped"), index);
             break;
         case Event::looped:
-            tell(Severity::warning, ROM_TEXT("Mission: jumps go round at item #"), index);
+            sendStatusText(Severity::warning, ROM_TEXT("Mission: jumps go round at item #"), index);
             break;
         case Event::hold:
             holdPlace();
@@ -146,11 +146,12 @@ Status findStoredMission() {
     if (status != Status::ok) return status;
     if (owner == storage::Owner::nobody) {
         const Status claimed = storage::claim();
-        if (claimed == Status::ok) tell(Severity::notice, ROM_TEXT("EEPROM blank: defaults"));
+        if (claimed == Status::ok)
+            sendStatusText(Severity::notice, ROM_TEXT("EEPROM blank: defaults"));
         return claimed;
     }
     if (owner == storage::Owner::us) return Status::ok;
-    tell(Severity::error, ROM_TEXT("EEPROM belongs to other firmware"));
+    sendStatusText(Severity::error, ROM_TEXT("EEPROM belongs to other firmware"));
     boot = Boot::foreign;
     return Status::unsupported;
 }
@@ -160,13 +161,14 @@ Status openLists() {
     storage::ListKind which;
     const Status status = mission_store.open(which);
     if (status == Status::ok || status == Status::busy) return status;
-    tell(Severity::error, status == Status::unsupported
-                              ? ROM_TEXT("DataFlash does not answer")
-                              : ROM_TEXT("Memory has not kept what was stored"));
-    tell(Severity::error,
-         which == storage::ListKind::mission ? ROM_TEXT("No mission: cannot be read")
-         : which == storage::ListKind::fence ? ROM_TEXT("No fence: cannot be read")
-                                             : ROM_TEXT("No rally points: cannot be read"));
+    sendStatusText(Severity::error, status == Status::unsupported
+                                        ? ROM_TEXT("DataFlash does not answer")
+                                        : ROM_TEXT("Memory has not kept what was stored"));
+    sendStatusText(Severity::error, which == storage::ListKind::mission
+                                        ? ROM_TEXT("No mission: cannot be read")
+                                    : which == storage::ListKind::fence
+                                        ? ROM_TEXT("No fence: cannot be read")
+                                        : ROM_TEXT("No rally points: cannot be read"));
     return Status::busy;
 }
 
@@ -264,7 +266,7 @@ void missionRun() {
     }
     if (vehicle.mode == Mode::guided) stepSpeed();
     background(records <= ::mission::kRecordsPerPoll - kRecordsPerCall);
-    grantModeWish();
+    applyModeRequest();
 }
 
 bool missionEnter(core::RomText& why_not) {
@@ -285,8 +287,8 @@ bool missionEnter(core::RomText& why_not) {
 
 void missionLeave() { mission_engine.leave(); }
 
-void wishMode(Mode mode) {
-    mode_wish = mode;
+void requestMode(Mode mode) {
+    requested_mode = mode;
     mission_engine.leave();  // what follows waits until AUTO is entered again
 }
 bool missionComplete() { return is_complete; }

@@ -78,7 +78,7 @@ MissionResult missionAct(const MissionItem& item);
 
 // An APM 1.0 command may switch off all that is sent on the telemetry ports, never on USB. A valid
 // packet addressed to the airplane switches it on again.
-bool radioSilenced();
+bool telemetryMuted();
 void radioHeard();
 
 }  // namespace mission

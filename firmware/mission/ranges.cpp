@@ -25,7 +25,7 @@ constexpr bool within(int32_t value, int32_t lowest, int32_t highest) {
 
 constexpr int32_t kShortestPulse_us = 800, kLongestPulse_us = 2200;
 constexpr int32_t kLongestCycle_s = 60;
-constexpr int32_t kMostRepeats = 32767;
+constexpr int32_t kMaxRepeats = 32767;
 constexpr int32_t kLongestDelay_s = 4000000;  // the millisecond clock goes round after 4,294,967 s
 
 uint8_t pulse(int32_t value, uint8_t parameter) {
@@ -79,8 +79,7 @@ uint8_t distanceInRange(const Record& record, Site) { return record.p3 >= 0 ? kF
 
 uint8_t jumpInRange(const Record& record, Site site) {
     if (record.p1 == 0 || record.p1 >= site.count || record.p1 == site.index) return wrong(1);
-    return record.p3 == ::mission::kForEver || within(record.p3, 1, kMostRepeats) ? kFine
-                                                                                  : wrong(2);
+    return record.p3 == ::mission::kForEver || within(record.p3, 1, kMaxRepeats) ? kFine : wrong(2);
 }
 
 uint8_t changeSpeedInRange(const Record& record, Site) {
@@ -111,7 +110,7 @@ uint8_t setRelayInRange(const Record& record, Site) {
 
 uint8_t repeatRelayInRange(const Record& record, Site) {
     if (record.p1 != 0) return wrong(1);
-    if (!within(record.p2, 0, kMostRepeats)) return wrong(2);
+    if (!within(record.p2, 0, kMaxRepeats)) return wrong(2);
     return within(record.p3, 1, kLongestCycle_s) ? kFine : wrong(3);
 }
 
@@ -122,7 +121,7 @@ uint8_t setServoInRange(const Record& record, Site) {
 
 uint8_t repeatServoInRange(const Record& record, Site) {
     if (!within(record.p1, 5, 8)) return wrong(1);
-    if (!within(record.p2, 0, kMostRepeats)) return wrong(3);
+    if (!within(record.p2, 0, kMaxRepeats)) return wrong(3);
     if (!within(record.p3, 1, kLongestCycle_s)) return wrong(4);
     return record.p4 == 0 ? kFine : pulse(record.p4, 2);
 }
@@ -204,7 +203,7 @@ uint8_t eventInRange(const Record& record, Site) {
     const bool servo = within(record.p1, 1, 5);
     if (servo && !within(record.p2, kShortestPulse_us, kLongestPulse_us)) return wrong(2);
     if (!within(record.p3, 0, kLongestDelayed_s)) return wrong(3);
-    return within(record.p4, 0, kMostRepeats) ? kFine : wrong(4);
+    return within(record.p4, 0, kMaxRepeats) ? kFine : wrong(4);
 }
 
 uint8_t pulseInRange(const Record& record, Site) {

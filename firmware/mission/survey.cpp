@@ -42,18 +42,19 @@ core::Status surveyStep(Survey& survey, ::mission::Set set, uint8_t count, ReadR
     return survey.next >= count ? core::Status::ok : core::Status::busy;
 }
 
-void tellWarnings(const Survey& survey, ::mission::Set set, uint8_t count) {
+void reportWarnings(const Survey& survey, ::mission::Set set, uint8_t count) {
     if (count < 2) return;
     if (survey.mount != 0)
-        tell(Severity::warning, ROM_TEXT("Mission: no mount for item #"), survey.mount);
+        sendStatusText(Severity::warning, ROM_TEXT("Mission: no mount for item #"), survey.mount);
     if (survey.first_nav == 0)
-        tell(Severity::warning, ROM_TEXT("Mission has no NAV command"));
+        sendStatusText(Severity::warning, ROM_TEXT("Mission has no NAV command"));
     else if (set == ::mission::Set::apm1 && survey.first_nav > 1)
-        tell(Severity::warning, ROM_TEXT("Mission: nothing before item # is run"),
-             survey.first_nav);
+        sendStatusText(Severity::warning, ROM_TEXT("Mission: nothing before item # is run"),
+                       survey.first_nav);
     else if (set == ::mission::Set::apm2 && survey.last_nav + 1 < count &&
              parameters.mission_trailing == 0)
-        tell(Severity::warning, ROM_TEXT("Mission: nothing after item # is run"), survey.last_nav);
+        sendStatusText(Severity::warning, ROM_TEXT("Mission: nothing after item # is run"),
+                       survey.last_nav);
 }
 
 }  // namespace mission

@@ -56,15 +56,15 @@ constexpr uint8_t kLog = 1u << kLinks, kEveryLink = kLog - 1;
 
 void sendVariable(uint8_t slot, uint8_t to) {
     if (variable.waiting != 0 && variable.slot != slot)
-        tell(Severity::warning, ROM_TEXT("Mission: parameter # not sent"), variable.slot);
+        sendStatusText(Severity::warning, ROM_TEXT("Mission: parameter # not sent"), variable.slot);
     variable.slot = slot;
     variable.waiting = to;
-    tellVariables();
+    reportVariables();
 }
 
 void setSlot(uint8_t slot, float value) {
     if (slot == kNoSlot || !parameterSet(slot, value))
-        tell(Severity::warning, ROM_TEXT("Mission: parameter # not set"), slot);
+        sendStatusText(Severity::warning, ROM_TEXT("Mission: parameter # not set"), slot);
 }
 
 }  // namespace
@@ -79,14 +79,14 @@ Jump jumpToIndex(const Record& record) {
 
 void changeMode(const Record& record) {
     const Mode mode = static_cast<Mode>(record.p1);
-    if (mode != Mode::automatic) wishMode(mode);
+    if (mode != Mode::automatic) requestMode(mode);
 }
 
 // To every link, as a broadcast: the ground station may be on any of them.
 void queryVariable(const Record& record) { sendVariable(record.p1, kEveryLink); }
 void broadcastVariable(const Record& record) { sendVariable(record.p1, kEveryLink | kLog); }
 
-void tellVariables() {
+void reportVariables() {
     uint16_t row;
     if (variable.waiting == 0 || !parameterOfSlot(variable.slot, row)) return;
     for (uint8_t link = 0, bit = 1; link < kLinks; ++link, bit = static_cast<uint8_t>(bit << 1))
@@ -96,7 +96,7 @@ void tellVariables() {
 }
 
 void switchRadio(const Record& record) { radio_off = record.p1 == 0; }
-bool radioSilenced() { return radio_off; }
+bool telemetryMuted() { return radio_off; }
 void radioHeard() { radio_off = false; }
 
 void cruiseSpeed(const Record& record) { setAirSpeed(record.p1 * 100); }
@@ -106,7 +106,7 @@ void resetHome(const Record& record) {
     if (record.p2 != 0 || record.p3 != 0 || record.p4 != 0)
         setHome({record.p3, record.p4}, record.p2);
     else if (!setHomeHere())
-        tell(Severity::warning, ROM_TEXT("Mission: no fix, home not set"));
+        sendStatusText(Severity::warning, ROM_TEXT("Mission: no fix, home not set"));
 }
 
 uint8_t gainSlot(uint8_t id, uint8_t index) {

@@ -45,9 +45,10 @@ Status copyUpTo(uint8_t index) {
     return mission_store.staged() < index ? Status::busy : Status::ok;
 }
 
-void tellNotes() {
-    if (notes.rounded) tell(Severity::notice, ROM_TEXT("Mission: values were rounded"));
-    if (notes.dropped) tell(Severity::notice, ROM_TEXT("Mission: unused parameters dropped"));
+void reportNotes() {
+    if (notes.rounded) sendStatusText(Severity::notice, ROM_TEXT("Mission: values were rounded"));
+    if (notes.dropped)
+        sendStatusText(Severity::notice, ROM_TEXT("Mission: unused parameters dropped"));
 }
 
 }  // namespace
@@ -62,8 +63,8 @@ bool missionCompared() {
     bool same = false;
     if (compareStep(same) == Status::busy) return false;
     const bool empty = mission_survey.first_nav == 0;
-    if (mission_store.count() > 0) tellNotes();
-    tellWarnings(mission_survey, missionSet(), mission_store.count());
+    if (mission_store.count() > 0) reportNotes();
+    reportWarnings(mission_survey, missionSet(), mission_store.count());
     mission_engine.changed(missionSet(), mission_store.generation(), same && !empty, empty);
     return true;
 }
@@ -129,9 +130,9 @@ MissionResult missionCommit() {
             const Status status = copyUpTo(mission_store.stagedCount());
             if (status != Status::ok) return resultOf(status);
         }
-        if (staged_survey.counters > ::mission::kMostCounters) {
-            tell(Severity::warning, ROM_TEXT("Mission: more than # counted jumps"),
-                 ::mission::kMostCounters);
+        if (staged_survey.counters > ::mission::kMaxCounters) {
+            sendStatusText(Severity::warning, ROM_TEXT("Mission: more than # counted jumps"),
+                           ::mission::kMaxCounters);
             listAbort();
             return MissionResult::no_space;
         }

@@ -16,7 +16,7 @@ using namespace state;
 namespace {
 
 constexpr float kFullStick_cd = 4500;
-constexpr float kMost_rad = 3.1f;                                // an angle has no more
+constexpr float kMax_rad = 3.1f;                                 // an angle has no more
 constexpr core::BodyRate kStill_rads(0.2f);                      // slow enough to stop here
 constexpr core::Angle kLoose = core::Angle::fromRaw(INT16_MIN);  // held is nothing
 
@@ -26,7 +26,7 @@ core::Angle held_roll_rad, held_pitch_rad;
 core::Angle forRate(int16_t stick_cd, int16_t full_dps, float time_constant_s) {
     if (stick_cd == 0) return core::Angle::fromRaw(0);
     const float rate_rads = stick_cd * (core::radians(1) / kFullStick_cd) * full_dps;
-    return core::Angle(core::limit(rate_rads * time_constant_s, -kMost_rad, kMost_rad));
+    return core::Angle(core::limit(rate_rads * time_constant_s, -kMax_rad, kMax_rad));
 }
 
 core::Angle toHold(core::Angle& held_rad, core::Angle now_rad, core::BodyRate rate_rads) {

@@ -16,7 +16,7 @@ using namespace mission;
 Entry startAuto() {
     core::RomText why_not = nullptr;
     if (missionEnter(why_not)) return Entry::entered;
-    if (why_not != nullptr) tell(Severity::warning, why_not);
+    if (why_not != nullptr) sendStatusText(Severity::warning, why_not);
     // in the air an empty mission means home; on the ground nothing changes
     return vehicle.armed && vehicle.estimate.flying ? Entry::home_instead : Entry::refused;
 }

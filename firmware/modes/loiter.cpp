@@ -15,7 +15,7 @@ using namespace state;
 
 Entry startLoiter() {
     if (!vehicle.estimate.known) {
-        tell(Severity::warning, ROM_TEXT("Circling needs a position"));
+        sendStatusText(Severity::warning, ROM_TEXT("Circling needs a position"));
         return Entry::refused;
     }
     const geo::Position& place =

@@ -59,7 +59,7 @@ bool setMode(Mode mode, ModeReason reason) {
     if (row != kNoRow && mode == vehicle.mode) return true;
     uint8_t wanted = find(mode);
     if (wanted == kNoRow) {
-        tell(Severity::warning, ROM_TEXT("No such mode: #"), static_cast<uint8_t>(mode));
+        sendStatusText(Severity::warning, ROM_TEXT("No such mode: #"), static_cast<uint8_t>(mode));
         return false;
     }
     Entry entry = core::romRead(kModes[wanted].start)();
@@ -75,7 +75,7 @@ bool setMode(Mode mode, ModeReason reason) {
     vehicle.pilot_roll_rad = vehicle.pilot_pitch_rad = core::Angle::fromRaw(0);
     vehicle.mode_changed = true;
     if (reason == ModeReason::failsafe)
-        tell(Severity::warning, ROM_TEXT("Failsafe: mode #"), static_cast<uint8_t>(mode));
+        sendStatusText(Severity::warning, ROM_TEXT("Failsafe: mode #"), static_cast<uint8_t>(mode));
     return true;
 }
 

@@ -34,14 +34,15 @@ void land() {
     constexpr int8_t kAtOnce = 2;
     if (parameters.rtl_landing != kAtOnce && !there()) return;
     lands = false;
-    if (!missionLand()) tell(Severity::warning, ROM_TEXT("RTL: the mission has no DO_LAND_START"));
+    if (!missionLand())
+        sendStatusText(Severity::warning, ROM_TEXT("RTL: the mission has no DO_LAND_START"));
 }
 
 }  // namespace
 
 Entry startRtl() {
     if (!vehicle.home.set) {
-        tell(Severity::warning, ROM_TEXT("RTL needs a home"));
+        sendStatusText(Severity::warning, ROM_TEXT("RTL needs a home"));
         return Entry::refused;
     }
     const float height_m =

@@ -72,14 +72,14 @@ void reportLost() {
     if (lost == 0 || used == kTexts) return;
     const uint8_t count = lost;
     lost = 0;
-    tell(Severity::warning, ROM_TEXT("# texts lost"), count);
+    sendStatusText(Severity::warning, ROM_TEXT("# texts lost"), count);
 }
 
 }  // namespace
 
-void tell(Severity severity, core::RomText text) { tell(severity, text, 0); }
+void sendStatusText(Severity severity, core::RomText text) { sendStatusText(severity, text, 0); }
 
-void tell(Severity severity, core::RomText text, int32_t number) {
+void sendStatusText(Severity severity, core::RomText text, int32_t number) {
     if (used == kTexts) {
         if (lost < 0xFF) ++lost;
         return;

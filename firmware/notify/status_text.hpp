@@ -12,8 +12,8 @@ namespace notify {
 enum class Severity : uint8_t { emergency, alert, critical, error, warning, notice, info, debug };
 
 // The text is at most 50 characters, made by ROM_TEXT. `number` takes the place of its '#'.
-void tell(Severity severity, core::RomText text);
-void tell(Severity severity, core::RomText text, int32_t number);
+void sendStatusText(Severity severity, core::RomText text);
+void sendStatusText(Severity severity, core::RomText text, int32_t number);
 
 }  // namespace notify
 }  // namespace firmware

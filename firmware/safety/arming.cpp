@@ -63,18 +63,18 @@ bool barometerBad() { return !vehicle.baro.healthy; }
 bool compassBad() { return parameters.compass_use != 0 && !vehicle.compass.healthy; }
 // The earth's field is 230 to 670 milligauss; what is far from that is a magnet or a motor's wire.
 bool fieldBad() {
-    constexpr float kLeast_mg = 185, kMost_mg = 875;
+    constexpr float kLeast_mg = 185, kMax_mg = 875;
     const float square = core::dot(vehicle.compass.field_mg, vehicle.compass.field_mg);
     return parameters.compass_use != 0 &&
-           (square < kLeast_mg * kLeast_mg || square > kMost_mg * kMost_mg);
+           (square < kLeast_mg * kLeast_mg || square > kMax_mg * kMax_mg);
 }
 
 // More than that has not come from the airplane itself.
 bool offsetsBad() {
-    constexpr float kMost_mg = 500;
+    constexpr float kMax_mg = 500;
     const float* const mg = parameters.compass_offset_mg;
     const core::Vector3 offset = {mg[0], mg[1], mg[2]};
-    return parameters.compass_use != 0 && core::dot(offset, offset) > kMost_mg * kMost_mg;
+    return parameters.compass_use != 0 && core::dot(offset, offset) > kMax_mg * kMax_mg;
 }
 
 bool gpsBad() { return vehicle.gps.fix != GpsFix::three_d || !vehicle.estimate.known; }
@@ -161,8 +161,8 @@ uint8_t looked_at;
 
 void armNow() {
     vehicle.armed = true;
-    if (!setHomeHere()) tell(Severity::warning, ROM_TEXT("Armed without a home"));
-    tell(Severity::notice, ROM_TEXT("Throttle armed"));
+    if (!setHomeHere()) sendStatusText(Severity::warning, ROM_TEXT("Armed without a home"));
+    sendStatusText(Severity::notice, ROM_TEXT("Throttle armed"));
 }
 
 // Full rudder for three seconds with the throttle closed, in a mode where the pilot has it: to the
@@ -193,7 +193,7 @@ bool fails(const Check& check) {
 
 void report(Severity severity, const Check& check) {
     const auto number = core::romRead(check.number);
-    tell(severity, check.reason, number != nullptr ? number() : 0);
+    sendStatusText(severity, check.reason, number != nullptr ? number() : 0);
 }
 
 void remind(const Check& check) {
@@ -242,7 +242,7 @@ core::RomText prearmFailure() {
     return check != nullptr ? check->reason : nullptr;
 }
 
-bool prearmTells(Severity severity) {
+bool reportPrearmFailure(Severity severity) {
     const Check* const check = firstFailing();
     if (check != nullptr) report(severity, *check);
     return check != nullptr;
@@ -251,7 +251,7 @@ bool prearmTells(Severity severity) {
 // Nothing makes up for a board whose pins are others.
 bool arm(ArmReason, bool force) {
     if (vehicle.armed) return true;
-    if ((!force || wrongBoard()) && prearmTells(Severity::error)) return false;
+    if ((!force || wrongBoard()) && reportPrearmFailure(Severity::error)) return false;
     armNow();
     return true;
 }
@@ -259,12 +259,12 @@ bool arm(ArmReason, bool force) {
 bool disarm(ArmReason reason, bool force) {
     if (!vehicle.armed) return true;
     if (vehicle.estimate.flying && reason != ArmReason::landed && !force) {
-        tell(Severity::error, ROM_TEXT("Disarm refused: flying"));
+        sendStatusText(Severity::error, ROM_TEXT("Disarm refused: flying"));
         return false;
     }
     vehicle.armed = false;
     keepLearntCompass();
-    tell(Severity::notice, ROM_TEXT("Throttle disarmed"));
+    sendStatusText(Severity::notice, ROM_TEXT("Throttle disarmed"));
     return true;
 }
 

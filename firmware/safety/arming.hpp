@@ -19,7 +19,8 @@ bool disarm(ArmReason reason, bool force);
 
 // The first check that fails, as a flash text; nullptr when none does.
 core::RomText prearmFailure();
-bool prearmTells(notify::Severity severity);  // the same as a text to the pilot; false: none fails
+bool reportPrearmFailure(
+    notify::Severity severity);  // the same as a text to the pilot; false: none fails
 
 // 10 Hz: arming and disarming by rudder, tells why arming would fail, disarms after landing
 void runArming();

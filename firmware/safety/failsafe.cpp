@@ -51,10 +51,10 @@ uint8_t flownClass() {
 }
 
 // Each is told once, when it begins and when it is over.
-void tellOf(const CauseRow& cause, bool begins) {
+void reportOf(const CauseRow& cause, bool begins) {
     const core::RomText text = begins ? cause.begins : cause.ends;
     if (core::romRead(*text) == 0) return;
-    tell(begins ? core::romRead(cause.severity) : Severity::notice, text);
+    sendStatusText(begins ? core::romRead(cause.severity) : Severity::notice, text);
 }
 
 void look() {
@@ -62,7 +62,7 @@ void look() {
     for (const CauseRow& cause : kCauseTable) {
         const bool holds = vehicle.armed && core::romRead(cause.holds)();
         if (holds) now |= bit;
-        if (holds != ((vehicle.failing & bit) != 0)) tellOf(cause, holds);
+        if (holds != ((vehicle.failing & bit) != 0)) reportOf(cause, holds);
         bit = static_cast<uint16_t>(bit << 1);
     }
     constexpr uint16_t kLong = bitOf(Cause::radio_long) | bitOf(Cause::ground_long);

@@ -55,7 +55,7 @@ void watchCauses() {
 
 // Back, the attitude is found anew first.
 bool inertialLost() {
-    const bool nonsense = !vehicle.imu.healthy && ails(Sensor::inertial);
+    const bool nonsense = !vehicle.imu.healthy && isFaulty(Sensor::inertial);
     return inertial_lost >= kRestarted || nonsense ||
            (failing(Cause::inertial) && !vehicle.attitude.aligned);
 }

@@ -82,16 +82,16 @@ float returnHeight_m() {
 
 Mode returnMode() { return fenceHasWayBack() ? Mode::guided : Mode::rtl; }
 
-void tellBreach(uint8_t breach) {
+void reportBreach(uint8_t breach) {
     switch (breach) {
         case Breach::minalt:
-            return tell(Severity::critical, ROM_TEXT("Fence breach: too low"));
+            return sendStatusText(Severity::critical, ROM_TEXT("Fence breach: too low"));
         case Breach::maxalt:
-            return tell(Severity::critical, ROM_TEXT("Fence breach: too high"));
+            return sendStatusText(Severity::critical, ROM_TEXT("Fence breach: too high"));
         case Breach::boundary:
-            return tell(Severity::critical, ROM_TEXT("Fence breach: outside"));
+            return sendStatusText(Severity::critical, ROM_TEXT("Fence breach: outside"));
         default:
-            return tell(Severity::notice, ROM_TEXT("Fence: inside again"));
+            return sendStatusText(Severity::notice, ROM_TEXT("Fence: inside again"));
     }
 }
 
@@ -101,7 +101,7 @@ void judge(uint8_t breach) {
         fence.breach_ms = hal::now_ms();
         if (fence.breaches < 0xFF) ++fence.breaches;
     }
-    if (begins || (breach == Breach::none && fence.breach != Breach::none)) tellBreach(breach);
+    if (begins || (breach == Breach::none && fence.breach != Breach::none)) reportBreach(breach);
     fence.breach = breach;
 }
 
@@ -163,7 +163,7 @@ void runFence() {
 bool fenceEnable(uint16_t how) {
     if (how > 2) return false;
     if (how != 0 && fenceLine() != Line::fit) {
-        tell(Severity::warning, ROM_TEXT("No fence that is fit"));
+        sendStatusText(Severity::warning, ROM_TEXT("No fence that is fit"));
         return false;
     }
     if (how == 2) {
@@ -172,7 +172,7 @@ bool fenceEnable(uint16_t how) {
     }
     fence.on = fence.floor = how != 0;
     fence.above_floor = false;
-    tell(Severity::info, fence.on ? ROM_TEXT("Fence on") : ROM_TEXT("Fence off"));
+    sendStatusText(Severity::info, fence.on ? ROM_TEXT("Fence on") : ROM_TEXT("Fence off"));
     return true;
 }
 

@@ -97,22 +97,22 @@ void decideMode() {
 }
 
 // Half a second after the start: in the air the log is open by then.
-void tellCause() {
+void reportCause() {
     const hal::LastRun& run = hal::lastRun();
     const Severity severity = last != nullptr ? Severity::critical
                               : runSurvives() ? Severity::warning
                                               : Severity::info;
     constexpr uint8_t kBetweenTasks = 0;
     const uint8_t task = run.mark < hal::kMarkTaskEnd ? run.mark : kBetweenTasks;
-    tell(severity, kCauses[static_cast<uint8_t>(run.ended)], task);
+    sendStatusText(severity, kCauses[static_cast<uint8_t>(run.ended)], task);
     told = true;
 }
 
-void tellFaults() {
+void reportFaults() {
     const core::Broken& broken = core::brokenSoFar();
     if (broken.count == faults_told) return;
     faults_told = broken.count;
-    tell(Severity::error, ROM_TEXT("Fault #"), static_cast<uint8_t>(broken.last));
+    sendStatusText(Severity::error, ROM_TEXT("Fault #"), static_cast<uint8_t>(broken.last));
 }
 
 bool homeIsKept() {
@@ -182,8 +182,8 @@ void runRestart() {
 }
 
 void runRestartSlowly() {
-    if (!told) tellCause();
-    tellFaults();
+    if (!told) reportCause();
+    reportFaults();
     keepHomeOfFlight();
     if (vehicle.attitude.aligned && vehicle.mode != Mode::initialising) keepSteady();
 }

@@ -55,7 +55,7 @@ uint16_t wanted_us() {
 
 namespace hal {
 
-void servosForgotten() {
+void passSticksToServos() {
     using namespace firmware::safety;
     using namespace firmware::sensors;
     using namespace firmware::state;

@@ -11,26 +11,26 @@ namespace safety {
 
 // Frames that the fast, medium and slow tier may be silent: their longest period, the patience of
 // the schedule and a little more.
-constexpr uint8_t kMostSilent[] ROM = {2, 30, 130};
+constexpr uint8_t kMaxSilent[] ROM = {2, 30, 130};
 
 class Supervisor {
 public:
     // After each frame: the tiers that were served in it, a bit each (scheduler::Tier).
     bool wellAfter(uint8_t served) {
         bool well = true;
-        for (uint8_t tier = 0; tier < core::count(kMostSilent); ++tier, served >>= 1) {
+        for (uint8_t tier = 0; tier < core::count(kMaxSilent); ++tier, served >>= 1) {
             uint8_t& frames = silent_[tier];
             if (served & 1)
                 frames = 0;
             else if (frames != 0xFF)
                 ++frames;
-            if (frames > core::romRead(kMostSilent[tier])) well = false;
+            if (frames > core::romRead(kMaxSilent[tier])) well = false;
         }
         return well;
     }
 
 private:
-    uint8_t silent_[core::count(kMostSilent)] = {};  // frames
+    uint8_t silent_[core::count(kMaxSilent)] = {};  // frames
 };
 
 }  // namespace safety

@@ -30,11 +30,11 @@ void runAirspeed() {
     const hal::AnalogSum reading = hal::analogTake(hal::Analog::airspeed);
     hal::analogScan();
     vehicle.airspeed.healthy = parameters.airspeed_enable != 0 && parameters.airspeed_use != 0 &&
-                               pitot.healthy() && !ails(Sensor::airspeed);
+                               pitot.healthy() && !isFaulty(Sensor::airspeed);
     if (reading.count == 0) return;
     // Eighths of a count: so fine that a sensor that lives never says the same for long.
     const uint16_t share = drivers::Airspeed::share(reading.sum, reading.count);
-    if (!believe(Sensor::airspeed, static_cast<int16_t>(share / 8), true)) return;
+    if (!acceptReading(Sensor::airspeed, static_cast<int16_t>(share / 8), true)) return;
     const uint32_t now_us = hal::now_us();
     drivers::AirspeedSettings settings;
     settings.ratio = parameters.airspeed_ratio;

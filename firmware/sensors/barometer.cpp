@@ -51,11 +51,12 @@ void runBarometer() {
     auto& baro = vehicle.baro;
     baro.fresh = barometer.step(hal::now_us());
     const bool zeroed = baro.ground_pressure_pa > 0;
-    baro.healthy = barometer.healthy() && zeroed && !ails(Sensor::barometer);
+    baro.healthy = barometer.healthy() && zeroed && !isFaulty(Sensor::barometer);
     if (!baro.fresh) return;
     baro.pressure_pa = barometer.pressure_pa();
     baro.temperature_cc = static_cast<int16_t>(barometer.temperature_cc());
-    baro.fresh = believe(Sensor::barometer, static_cast<int16_t>(barometer.pressure_pa()), true);
+    baro.fresh =
+        acceptReading(Sensor::barometer, static_cast<int16_t>(barometer.pressure_pa()), true);
     if (!zeroed) {
         takeZero(baro.pressure_pa);
         baro.fresh = false;

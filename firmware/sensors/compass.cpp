@@ -23,7 +23,7 @@ drivers::Hmc5883l compass;
 
 // The earth's field is 220 to 670 mG; the airplane's own comes on top, or takes off.
 bool plausible(const core::Vector3& field_mg) {
-    constexpr int32_t kLeast_mg = 100, kMost_mg = 1000;
+    constexpr int32_t kLeast_mg = 100, kMax_mg = 1000;
     int32_t squared = 0;
     int16_t sum_mg = 0;
     for (const float* axis = &field_mg.x; axis <= &field_mg.z; ++axis) {
@@ -31,8 +31,8 @@ bool plausible(const core::Vector3& field_mg) {
         squared += core::product(whole_mg, whole_mg);
         sum_mg = static_cast<int16_t>(sum_mg + whole_mg);
     }
-    const bool possible = squared > kLeast_mg * kLeast_mg && squared < kMost_mg * kMost_mg;
-    return believe(Sensor::compass, sum_mg, possible);
+    const bool possible = squared > kLeast_mg * kLeast_mg && squared < kMax_mg * kMax_mg;
+    return acceptReading(Sensor::compass, sum_mg, possible);
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void startCompass() { compass.start(); }
 
 void runCompass() {
     if (!compass.step(hal::now_ms())) {
-        vehicle.compass.healthy = compass.healthy() && !ails(Sensor::compass);
+        vehicle.compass.healthy = compass.healthy() && !isFaulty(Sensor::compass);
         return;
     }
     core::Vector3 field_mg = compass.field_mg();
@@ -51,7 +51,7 @@ void runCompass() {
     field_mg = field_mg + core::Vector3{offset[0], offset[1], offset[2]};
     vehicle.compass.field_mg = field_mg;
     vehicle.compass.fresh = plausible(field_mg);  // the estimator clears it
-    vehicle.compass.healthy = compass.healthy() && !ails(Sensor::compass);
+    vehicle.compass.healthy = compass.healthy() && !isFaulty(Sensor::compass);
 }
 
 // Into the parameter, where the heading is worked out from; what is stored there stays.

@@ -22,7 +22,7 @@ constexpr int32_t kApart_mg = 250;
 constexpr uint8_t kPairsOfAnchor = 50;
 constexpr uint8_t kPairs = 250;  // as many as are wanted
 constexpr uint8_t kCoarse = 60;
-constexpr float kMostOffset_mg = 400;
+constexpr float kMaxOffset_mg = 400;
 
 struct Turns {
     float before_mg[3];    // offsets, to be brought back
@@ -44,7 +44,7 @@ float field_mg() { return sqrtf(core::dot(vehicle.compass.field_mg, vehicle.comp
 
 bool makesSense() {
     for (const float offset_mg : parameters.compass_offset_mg)
-        if (fabsf(offset_mg) >= kMostOffset_mg) return false;
+        if (fabsf(offset_mg) >= kMaxOffset_mg) return false;
     return field_mg() > 185 && field_mg() < 875;
 }
 
@@ -63,7 +63,7 @@ float approach(const float (&apart_mg)[3], float half_squares, float square, flo
     const float step = short_by / square * gain;
     for (uint8_t i = 0; i < 3; ++i)
         offset_mg[i] =
-            core::limit(offset_mg[i] + apart_mg[i] * step, -kMostOffset_mg, kMostOffset_mg);
+            core::limit(offset_mg[i] + apart_mg[i] * step, -kMaxOffset_mg, kMaxOffset_mg);
     return fabsf(short_by) / sqrtf(square);
 }
 
@@ -139,7 +139,7 @@ void learnCompass(const core::Vector3& reading_mg) {
 void keepLearntCompass() {
     if (parameters.compass_learn == 0) return;
     if (!makesSense() || !parametersSetFrom(slot::compass_ofs_x, parameters.compass_offset_mg, 3))
-        tell(Severity::warning, ROM_TEXT("Compass: what it learnt is not kept"));
+        sendStatusText(Severity::warning, ROM_TEXT("Compass: what it learnt is not kept"));
 }
 
 }  // namespace sensors

@@ -23,11 +23,11 @@ drivers::GpsProtocol told;
 constexpr char kFound[][18] ROM = {"GPS: u-blox at #", "GPS: MTK 1.6 at #", "GPS: MTK 1.9 at #",
                                    "GPS: NMEA at #"};
 
-void tellWhatWasFound() {
+void reportWhatWasFound() {
     told = receiver.protocol();
     if (told == drivers::GpsProtocol::none) return;
-    tell(Severity::info, kFound[static_cast<uint8_t>(told) - 1],
-         static_cast<int32_t>(receiver.baud()));
+    sendStatusText(Severity::info, kFound[static_cast<uint8_t>(told) - 1],
+                   static_cast<int32_t>(receiver.baud()));
 }
 
 void take(const drivers::GpsFix& fix) {
@@ -57,7 +57,7 @@ void startGps() { receiver.start(static_cast<uint8_t>(parameters.gps_type)); }
 
 void runGps() {
     const bool arrived = receiver.step(hal::now_ms());
-    if (receiver.protocol() != told) tellWhatWasFound();
+    if (receiver.protocol() != told) reportWhatWasFound();
     vehicle.gps.healthy = receiver.healthy();
     if (!vehicle.gps.healthy) vehicle.gps.fix = GpsFix::no_gps;
     if (vehicle.gps.healthy && vehicle.gps.fix == GpsFix::no_gps) vehicle.gps.fix = GpsFix::none;

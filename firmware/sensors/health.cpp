@@ -30,7 +30,7 @@ constexpr Limits kLimits[kSensors] ROM = {
 };
 // clang-format on
 
-constexpr uint8_t kMost = 0xFF;
+constexpr uint8_t kMax = 0xFF;
 constexpr uint8_t kAils = 200;
 constexpr uint8_t kContradicted = 4;  // readings' worth
 
@@ -48,7 +48,7 @@ const Limits& limitsOf(Sensor sensor) { return kLimits[static_cast<uint8_t>(sens
 
 void add(Health& health, uint16_t doubts) {
     doubts += health.doubts;
-    health.doubts = doubts > kMost ? kMost : static_cast<uint8_t>(doubts);
+    health.doubts = doubts > kMax ? kMax : static_cast<uint8_t>(doubts);
 }
 
 void judge(uint8_t index) {
@@ -56,7 +56,7 @@ void judge(uint8_t index) {
     const uint8_t bit = static_cast<uint8_t>(1 << index);
     if (++health.still >= core::romRead(kLimits[index].still)) {
         health.still = core::romRead(kLimits[index].still);
-        health.doubts = kMost;
+        health.doubts = kMax;
     }
     if (health.doubts >= kAils) ailing |= bit;
     if (health.doubts == 0) ailing &= static_cast<uint8_t>(~bit);
@@ -69,7 +69,7 @@ void startHealth() {
     for (Health& health : healths) health.still = health.doubts = 0;
 }
 
-bool believe(Sensor sensor, int16_t reading, bool possible) {
+bool acceptReading(Sensor sensor, int16_t reading, bool possible) {
     Health& health = of(sensor);
     const Limits& limits = limitsOf(sensor);
     const int16_t change =
@@ -87,11 +87,11 @@ bool believe(Sensor sensor, int16_t reading, bool possible) {
     return true;
 }
 
-void doubt(Sensor sensor) {
+void reportInconsistency(Sensor sensor) {
     add(of(sensor), core::romRead(limitsOf(sensor).doubt) * kContradicted);
 }
 
-bool ails(Sensor sensor) { return (ailing & bit(sensor)) != 0; }
+bool isFaulty(Sensor sensor) { return (ailing & bit(sensor)) != 0; }
 
 void watchHealth() {
     if (!vehicle.estimate.flying) return startHealth();

@@ -14,10 +14,10 @@ constexpr uint8_t kSensors = 5;
 void startHealth();
 
 // A reading has come, in any unit that changes when the sensor lives. False: do not use it.
-bool believe(Sensor sensor, int16_t reading, bool possible);
+bool acceptReading(Sensor sensor, int16_t reading, bool possible);
 // Another sensor contradicts it.
-void doubt(Sensor sensor);
-bool ails(Sensor sensor);
+void reportInconsistency(Sensor sensor);
+bool isFaulty(Sensor sensor);
 
 void watchHealth();  // 10 Hz
 

@@ -47,9 +47,9 @@ Trim trim_x_rad, trim_y_rad;  // AHRS_TRIM
 uint8_t refreshed;
 
 Trim trim(float rad) {
-    constexpr float kMost_rad = 0.2f;
+    constexpr float kMax_rad = 0.2f;
     return Trim::fromRaw(
-        static_cast<int16_t>(core::limit(rad, -kMost_rad, kMost_rad) * Trim::kSteps));
+        static_cast<int16_t>(core::limit(rad, -kMax_rad, kMax_rad) * Trim::kSteps));
 }
 void takeTrim() {
     trim_x_rad = trim(parameters.level_trim_rad[0]);
@@ -114,9 +114,9 @@ void makeTwo(drivers::ImuSums& sums) {
 
 // After a longer gap nobody knows.
 void stretch(Turn& turn, uint8_t periods) {
-    constexpr uint8_t kMost = 4;
+    constexpr uint8_t kMax = 4;
     if (periods == 2) return;
-    if (periods > kMost) periods = kMost;
+    if (periods > kMax) periods = kMax;
     for (int32_t& axis : turn.of) axis = axis / 2 * periods;
 }
 
@@ -144,15 +144,15 @@ bool mayRock() {
 
 bool possible(const core::BodyRates& rate) {
     const int32_t sum = int32_t{rate.x.raw} + rate.y.raw + rate.z.raw;
-    return believe(Sensor::inertial, static_cast<int16_t>(sum), true);
+    return acceptReading(Sensor::inertial, static_cast<int16_t>(sum), true);
 }
 
 // Without the gyro of yaw, compass and fixes are enough to fly on.
 void watchGyros(const drivers::ImuSums& sums) {
     const uint8_t dead = dead_gyros.look(sums.rate);
-    if ((dead & (kRollGyro | kPitchGyro)) != 0) doubt(Sensor::inertial);
+    if ((dead & (kRollGyro | kPitchGyro)) != 0) reportInconsistency(Sensor::inertial);
     const bool blind = (dead & kYawGyro) != 0 && vehicle.estimate.flying;
-    if (blind && !yaw_told) tell(Severity::critical, ROM_TEXT("Yaw gyro stuck"));
+    if (blind && !yaw_told) sendStatusText(Severity::critical, ROM_TEXT("Yaw gyro stuck"));
     yaw_told = blind;
 }
 
@@ -237,7 +237,7 @@ void runInertial() {
     to.calibrated = still.done();
     refreshReading();
     use(sums);
-    if (ails(Sensor::inertial)) heal();
+    if (isFaulty(Sensor::inertial)) heal();
 }
 
 }  // namespace sensors

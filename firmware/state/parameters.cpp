@@ -230,7 +230,7 @@ constexpr parameters::Row kRows[] ROM = {
 #undef CHANNEL
 #undef STREAMS
 
-static_assert(core::count(kRows) <= parameters::kMostRows, "more rows than the store knows");
+static_assert(core::count(kRows) <= parameters::kMaxRows, "more rows than the store knows");
 static_assert(parameters::slotsAreUnique(kRows), "a slot is used twice");
 static_assert(parameters::initialsAreInRange(kRows), "a default lies outside its range");
 
@@ -260,13 +260,13 @@ core::Status forget() {
 void runForgetting() {
     if (forget() != core::Status::ok) return;
     store = Store::ours;
-    tell(Severity::notice, ROM_TEXT("All parameters are the defaults"));
+    sendStatusText(Severity::notice, ROM_TEXT("All parameters are the defaults"));
 }
 
 void runErasing() {
     if (storage::erase(done) != core::Status::ok) return;
     store = Store::ours;
-    tell(Severity::notice, ROM_TEXT("Erased: restart the board"));
+    sendStatusText(Severity::notice, ROM_TEXT("Erased: restart the board"));
 }
 
 bool isListLength(uint8_t row) {
@@ -347,7 +347,7 @@ core::Status parameterSetAt(uint16_t index, float value) {
     if (!takes(row, value)) return core::Status::bad_argument;
     if (isListLength(row)) return setListLength(row, value);
     if (store == Store::foreign) {
-        tell(Severity::warning, ROM_TEXT("Not stored: another firmware's EEPROM"));
+        sendStatusText(Severity::warning, ROM_TEXT("Not stored: another firmware's EEPROM"));
     } else {
         if (store != Store::ours) return core::Status::busy;
         const core::Status saved = parameters::save(table, row, value);
@@ -426,7 +426,7 @@ bool parametersReset() {
     if (vehicle.armed) return false;
     if (store == Store::foreign) return parametersErase();
     if (parameterSetAt(kFormatRow, 0) != core::Status::ok) return false;
-    tell(Severity::notice, ROM_TEXT("Parameters: the defaults after a restart"));
+    sendStatusText(Severity::notice, ROM_TEXT("Parameters: the defaults after a restart"));
     return true;
 }
 

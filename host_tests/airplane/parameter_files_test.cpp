@@ -10,7 +10,7 @@
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int kMostChanged = 10;
+constexpr int kMaxChanged = 10;
 
 int settingsIn(const fs::path& path) {
     std::ifstream file(path);
@@ -28,7 +28,7 @@ TEST(ParameterFiles, stand_beside_every_airplane_and_change_little) {
         ++airplanes;
         const fs::path beside = fs::path(entry.path()).replace_extension(".param");
         ASSERT_TRUE(fs::exists(beside)) << beside;
-        EXPECT_LE(settingsIn(beside), kMostChanged) << beside;
+        EXPECT_LE(settingsIn(beside), kMaxChanged) << beside;
     }
     EXPECT_GE(airplanes, 3);
 }

@@ -132,15 +132,15 @@ TEST_F(Estimator, doubts_a_barometer_that_drifts_away_from_a_good_receivers_heig
         for (int i = 0; i < 3000; ++i) frame(0);
         EXPECT_TRUE(vehicle.estimate.flying);
         firmware::sensors::startHealth();
-        for (int i = 0; i < 3000 && !firmware::sensors::ails(firmware::sensors::Sensor::barometer);
-             ++i) {
+        for (int i = 0;
+             i < 3000 && !firmware::sensors::isFaulty(firmware::sensors::Sensor::barometer); ++i) {
             vehicle.baro.pressure_pa = 101325 + i * 12 / 100;
             frame(0);
-            firmware::sensors::believe(firmware::sensors::Sensor::barometer,
-                                       static_cast<int16_t>(i), true);
+            firmware::sensors::acceptReading(firmware::sensors::Sensor::barometer,
+                                             static_cast<int16_t>(i), true);
             if (i % 10 == 0) firmware::sensors::watchHealth();
         }
-        return firmware::sensors::ails(firmware::sensors::Sensor::barometer);
+        return firmware::sensors::isFaulty(firmware::sensors::Sensor::barometer);
     };
     vehicle.armed = true;
     for (int i = 0; i < 300; ++i) frame(3);

@@ -201,8 +201,8 @@ protected:
     }
     static void tenths(int count) {
         for (int i = 0; i < count; ++i) {
-            firmware::sensors::believe(firmware::sensors::Sensor::inertial, i % 2 == 0 ? 100 : -100,
-                                       true);
+            firmware::sensors::acceptReading(firmware::sensors::Sensor::inertial,
+                                             i % 2 == 0 ? 100 : -100, true);
             firmware::safety::runFailsafe();
             fakes::advance_ms(100);
         }

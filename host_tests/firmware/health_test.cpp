@@ -7,8 +7,8 @@
 
 namespace {
 
-using firmware::sensors::ails;
-using firmware::sensors::believe;
+using firmware::sensors::acceptReading;
+using firmware::sensors::isFaulty;
 using firmware::sensors::Sensor;
 using firmware::state::vehicle;
 
@@ -29,10 +29,10 @@ protected:
         firmware::sensors::startHealth();
         vehicle.estimate.flying = true;
         tenths(50, 0);
-        ASSERT_FALSE(ails());
+        ASSERT_FALSE(isFaulty());
     }
     void TearDown() override { vehicle.estimate.flying = false; }
-    bool ails() const { return firmware::sensors::ails(GetParam().sensor); }
+    bool isFaulty() const { return firmware::sensors::isFaulty(GetParam().sensor); }
     int16_t scattered(int16_t by) {
         return static_cast<int16_t>(std::uniform_int_distribution<int>(-by, by)(random_));
     }
@@ -43,7 +43,7 @@ protected:
             const bool odd = odd_every != 0 && i % odd_every == 0;
             const int16_t wild = i % 2 == 0 ? GetParam().beyond : -GetParam().beyond;
             const int16_t reading = odd ? wild : scattered(GetParam().quiet);
-            believed += believe(GetParam().sensor, reading, true);
+            believed += acceptReading(GetParam().sensor, reading, true);
             if (i % GetParam().per_tenth == 0) firmware::sensors::watchHealth();
         }
         return believed;
@@ -53,7 +53,7 @@ protected:
     }
     void stuck(int tenths) {
         for (int i = 0; i < tenths * GetParam().per_tenth; ++i) {
-            believe(GetParam().sensor, 5, true);
+            acceptReading(GetParam().sensor, 5, true);
             if (i % GetParam().per_tenth == 0) firmware::sensors::watchHealth();
         }
     }
@@ -66,53 +66,53 @@ TEST_P(Health, a_quiet_sensor_is_believed) {
 
 TEST_P(Health, silence_is_noticed_within_two_seconds) {
     silence(21);
-    EXPECT_TRUE(ails());
+    EXPECT_TRUE(isFaulty());
 }
 
 TEST_P(Health, a_value_for_ever_is_noticed_within_two_seconds_and_not_trusted_while_it_lasts) {
     stuck(22);
-    EXPECT_TRUE(ails());
+    EXPECT_TRUE(isFaulty());
     stuck(100);
-    EXPECT_TRUE(ails());
+    EXPECT_TRUE(isFaulty());
 }
 
 TEST_P(Health, wild_values_are_not_used_and_noticed_within_half_a_second) {
     EXPECT_LE(tenths(5, 1), 1);
-    EXPECT_TRUE(ails());
+    EXPECT_TRUE(isFaulty());
 }
 
 TEST_P(Health, impossible_values_are_noticed_as_well) {
     for (int i = 0; i < 5 * GetParam().per_tenth; ++i)
-        EXPECT_FALSE(believe(GetParam().sensor, scattered(5), false));
+        EXPECT_FALSE(acceptReading(GetParam().sensor, scattered(5), false));
     firmware::sensors::watchHealth();
-    EXPECT_TRUE(ails());
+    EXPECT_TRUE(isFaulty());
 }
 
 TEST_P(Health, a_rare_wild_value_is_left_out_and_forgiven) {
     EXPECT_LE(tenths(100, 100), 99 * GetParam().per_tenth);
-    EXPECT_FALSE(ails());
+    EXPECT_FALSE(isFaulty());
 }
 
 TEST_P(Health, it_is_well_again_after_some_seconds_of_sense) {
     silence(25);
-    ASSERT_TRUE(ails());
+    ASSERT_TRUE(isFaulty());
     tenths(10, 0);
-    EXPECT_TRUE(ails()) << "not at once";
+    EXPECT_TRUE(isFaulty()) << "not at once";
     tenths(70, 0);
-    EXPECT_FALSE(ails());
+    EXPECT_FALSE(isFaulty());
 }
 
 TEST_P(Health, the_others_contradiction_is_enough) {
-    for (int i = 0; i < 6; ++i) firmware::sensors::doubt(GetParam().sensor);
+    for (int i = 0; i < 6; ++i) firmware::sensors::reportInconsistency(GetParam().sensor);
     firmware::sensors::watchHealth();
-    EXPECT_TRUE(ails());
+    EXPECT_TRUE(isFaulty());
 }
 
 TEST_P(Health, on_the_ground_nobody_is_judged) {
     vehicle.estimate.flying = false;
     silence(100);
-    EXPECT_FALSE(ails());
-    EXPECT_TRUE(believe(GetParam().sensor, 30000, false));
+    EXPECT_FALSE(isFaulty());
+    EXPECT_TRUE(acceptReading(GetParam().sensor, 30000, false));
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Health, testing::ValuesIn(kRhythms),

@@ -215,9 +215,9 @@ TEST_F(Apm1Flight, a_variable_that_finds_no_room_is_sent_later) {
 
 TEST_F(Apm1Flight, the_radio_can_be_silenced_and_heard_again) {
     run(command(0x34, 0));
-    EXPECT_TRUE(radioSilenced());
+    EXPECT_TRUE(telemetryMuted());
     radioHeard();
-    EXPECT_FALSE(radioSilenced());
+    EXPECT_FALSE(telemetryMuted());
 }
 
 TEST_F(Apm1Flight, a_servo_pulse_is_held_at_800_at_least_and_0_is_no_pulse) {

@@ -62,7 +62,7 @@ std::string rowsAsTable(uint8_t beyond) {
         "| command | APM 2.0 | APM 1.0 | class | |\n| --- | --- | --- | --- | --- |\n";
     for (uint8_t row = 0; row < kCommandTable.count; ++row) {
         const uint8_t traits = kCommandTable.traits(row);
-        if ((traits & ::mission::kBeyond) != beyond) continue;
+        if ((traits & ::mission::kArduPlaneExtension) != beyond) continue;
         std::string notes;
         const auto note = [&](uint8_t trait, const char* text) {
             if ((traits & trait) != 0) notes += (notes.empty() ? "" : "; ") + std::string(text);
@@ -167,7 +167,8 @@ std::string fieldsAsTable(Set set, uint8_t beyond) {
         "| id | command | p1 | p2 | p3 | p4 | |\n| --- | --- | --- | --- | --- | --- | --- |\n";
     for (uint8_t row = 0; row < kCommandTable.count; ++row) {
         const uint8_t id = kCommandTable.id(set, row);
-        if (id == ::mission::kNoId || (kCommandTable.traits(row) & ::mission::kBeyond) != beyond)
+        if (id == ::mission::kNoId ||
+            (kCommandTable.traits(row) & ::mission::kArduPlaneExtension) != beyond)
             continue;
         const Meaning* meaning = meaningOf(set, id);
         EXPECT_NE(meaning, nullptr) << hex(id);
@@ -217,12 +218,12 @@ std::string gainsAsTable() {
 
 TEST_F(MissionManual, lists_the_commands_of_the_table) {
     expectPart("rows", rowsAsTable(0));
-    expectPart("beyond rows", rowsAsTable(::mission::kBeyond));
+    expectPart("beyond rows", rowsAsTable(::mission::kArduPlaneExtension));
 }
 
 TEST_F(MissionManual, has_meaning_range_and_origin_of_every_field_of_apm2) {
     expectPart("apm2", fieldsAsTable(kSet2, 0));
-    expectPart("beyond", fieldsAsTable(kSet2, ::mission::kBeyond));
+    expectPart("beyond", fieldsAsTable(kSet2, ::mission::kArduPlaneExtension));
 }
 
 TEST_F(MissionManual, has_meaning_range_and_origin_of_every_field_of_apm1) {

@@ -18,7 +18,7 @@ constexpr char kAltitude_[] = "altitude, cm", kLatitude_[] = "latitude", kLongit
 constexpr char kRadius_[] = "acceptance radius, m; 0: `WP_RADIUS`";
 constexpr char kPassed[] = "finishes within the radius, or past the line through it across the leg";
 constexpr char kEndless[] = "never finishes";
-constexpr char kTurns[] = "finishes after that many circles from capture; 0: on capture";
+constexpr char kTicks[] = "finishes after that many circles from capture; 0: on capture";
 constexpr char kTime[] = "finishes after that time from capture; 0: on capture";
 constexpr char kHome[] = "finishes on arrival at home, or at the rally point that is better; that has an altitude of its own, for 0";
 constexpr char kDown[] = "finishes when down and disarmed; disarms itself `LAND_DISARMDELAY` seconds after touching down";
@@ -29,7 +29,7 @@ constexpr char kCycles[] = "half of each cycle at the value, half at what was re
 constexpr Meaning kMeanings[] = {
     {kSet2, 0x10, {kRadius_, kAltitude_, kLatitude_, kLongitude_}, kPassed},
     {kSet2, 0x11, {nullptr, kAltitude_, kLatitude_, kLongitude_}, kEndless},
-    {kSet2, 0x12, {"turns", kAltitude_, kLatitude_, kLongitude_}, kTurns},
+    {kSet2, 0x12, {"turns", kAltitude_, kLatitude_, kLongitude_}, kTicks},
     {kSet2, 0x13, {"tens of seconds", kAltitude_, kLatitude_, kLongitude_}, kTime},
     {kSet2, 0x14, {nullptr, "altitude, cm; 0: `ALT_HOLD_RTL`", "latitude, not used", "longitude, not used"}, kHome},
     {kSet2, 0x15, {nullptr, kAltitude_, kLatitude_, kLongitude_}, kDown},
@@ -57,7 +57,7 @@ constexpr Meaning kMeanings[] = {
     {kSet2, 0xD2, {"1 inverted, 0 upright", nullptr, nullptr, nullptr}, "upside down until 0 or a change of mode; above 30 m, and upright below 15 m and in take-off and landing"},
     {kSet1, 0x10, {kRadius_, kAltitude_, kLatitude_, kLongitude_}, kPassed},
     {kSet1, 0x11, {nullptr, kAltitude_, kLatitude_, kLongitude_}, kEndless},
-    {kSet1, 0x12, {"turns", kAltitude_, kLatitude_, kLongitude_}, kTurns},
+    {kSet1, 0x12, {"turns", kAltitude_, kLatitude_, kLongitude_}, kTicks},
     {kSet1, 0x13, {"tens of seconds", kAltitude_, kLatitude_, kLongitude_}, kTime},
     {kSet1, 0x14, {nullptr, "altitude, cm; 0: `ALT_HOLD_RTL`", "latitude, not used", "longitude, not used"}, kHome},
     {kSet1, 0x15, {nullptr, kAltitude_, kLatitude_, kLongitude_}, kDown},

@@ -37,7 +37,7 @@ TEST_F(Rows, have_a_good_record_each_and_no_id_is_without_a_row) {
 TEST_F(Rows, beyond_the_documents_are_marked_as_such) {
     std::set<int> beyond;
     forEveryRow([&](Set set, uint8_t row) {
-        if ((kCommandTable.traits(row) & ::mission::kBeyond) == 0) return;
+        if ((kCommandTable.traits(row) & ::mission::kArduPlaneExtension) == 0) return;
         EXPECT_EQ(set, kSet2);
         beyond.insert(kCommandTable.id(set, row));
     });
@@ -64,7 +64,7 @@ struct Ends {
     Intervals taken;
     int answer_param;  // below and above: MAV_MISSION_INVALID_PARAM<n>; 0: INVALID
 };
-constexpr int32_t kMost = std::numeric_limits<int32_t>::max();
+constexpr int32_t kMax = std::numeric_limits<int32_t>::max();
 constexpr Interval kLatitudes = {-900000000, 900000000};
 constexpr Interval kLongitudes = {-1800000000, 1800000000};
 
@@ -74,7 +74,7 @@ const std::vector<Ends> kEnds = {
     {kSet2, 0x70, 3, {{0, 4000000}}, 1},
     {kSet2, 0x71, 1, {{11, 255}}, 1},
     {kSet2, 0x71, 3, {{0, 0}, {11, 10000}}, 1},
-    {kSet2, 0x72, 3, {{0, kMost}}, 1},
+    {kSet2, 0x72, 3, {{0, kMax}}, 1},
     {kSet2, 0xB1, 1, {{1, 4}, {6, 19}}, 1},
     {kSet2, 0xB1, 3, {{-1, -1}, {1, 32767}}, 2},
     {kSet2, 0xB2, 1, {{0, 1}}, 1},
@@ -201,7 +201,7 @@ TEST_F(Rows, a_ground_speed_may_be_up_to_200_mps_whatever_the_air_speeds_are) {
 TEST_F(Rows, a_place_is_not_asked_for_where_home_is_set_here) {
     ::mission::Record record = sampleOf(kSet2, 0xB3);
     record.p1 = 1;
-    record.p3 = kMost;
+    record.p3 = kMax;
     EXPECT_EQ(answerTo(kSet2, record), 0);
 }
 
@@ -250,7 +250,7 @@ TEST_F(Rows, every_gain_is_held_to_the_range_of_its_own_parameter) {
             ASSERT_EQ(taken.size(), 1u) << int(id) << " " << index;
             const auto gainOf = [](int32_t p2) { return static_cast<float>(p2) / 100000.0f; };
             EXPECT_TRUE(parameterSlotTakes(slot, gainOf(taken[0].highest)));
-            if (taken[0].highest != kMost) {
+            if (taken[0].highest != kMax) {
                 EXPECT_FALSE(parameterSlotTakes(slot, gainOf(taken[0].highest + 1)));
                 EXPECT_EQ(answerTo(kSet1, with(record, 2, taken[0].highest + 1)), 7);
             }

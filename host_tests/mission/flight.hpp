@@ -104,7 +104,7 @@ inline core::Status readStored(uint8_t index, uint8_t* to) {
     return core::Status::ok;
 }
 inline uint8_t countStored() { return static_cast<uint8_t>(world.stored.size()); }
-inline void tellEvent(Event event, uint8_t index) {
+inline void reportEvent(Event event, uint8_t index) {
     const std::string i = std::to_string(index);
     switch (event) {
         case Event::started:
@@ -135,7 +135,7 @@ inline void tellEvent(Event event, uint8_t index) {
 }
 inline void whereItIs(Record& record) { record.p3 = world.here; }
 inline bool never() { return false; }
-constexpr Host kHost ROM = {readStored, countStored, tellEvent, whereItIs, never};
+constexpr Host kHost ROM = {readStored, countStored, reportEvent, whereItIs, never};
 
 // One flight: AUTO is entered, passes are made, NAVs and CONDITIONs finish when told.
 class Flight {

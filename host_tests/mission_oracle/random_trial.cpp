@@ -14,8 +14,8 @@ uint32_t Random::next() {
 
 namespace {
 
-constexpr int kMostItems = 171;
-constexpr int kMostCounters = 15;
+constexpr int kMaxItems = 171;
+constexpr int kMaxCounters = 15;
 
 template <size_t N>
 int oneOf(Random& random, const int (&ids)[N]) {
@@ -33,9 +33,9 @@ int randomNavId(Random& random, CommandSet set) {
 int randomActionId(Random& random, CommandSet set) {
     static constexpr int kApm1[] = {0x30, 0x32, 0x33, 0x34, 0x40, 0x41, 0x42, 0x60,
                                     0x61, 0x64, 0x70, 0x72, 0x73, 0x80, 0x81, 0x82};
-    static constexpr int kBeyond[] = {0xBD, 0xC9, 0xCB, 0xCD, 0xCE, 0xCF, 0xD2};
+    static constexpr int kArduPlaneExtension[] = {0xBD, 0xC9, 0xCB, 0xCD, 0xCE, 0xCF, 0xD2};
     if (set == CommandSet::apm1) return oneOf(random, kApm1);
-    return random.percent(30) ? oneOf(random, kBeyond) : random.from(0xB2, 0xB8);
+    return random.percent(30) ? oneOf(random, kArduPlaneExtension) : random.from(0xB2, 0xB8);
 }
 
 Bytes randomJump(Random& random, CommandSet set, int count, int& counters) {
@@ -48,7 +48,7 @@ Bytes randomJump(Random& random, CommandSet set, int count, int& counters) {
                                                  : target;
         return make(set, 0x75, random.below(256), wild, 0, 0);
     }
-    const bool counted = counters < kMostCounters && random.percent(75);
+    const bool counted = counters < kMaxCounters && random.percent(75);
     counters += counted;
     static constexpr int kUnfit[] = {0, -2, 32768, -32768};
     const int times = random.percent(4)   ? oneOf(random, kUnfit)
@@ -92,7 +92,7 @@ int randomLength(Random& random) {
     const int dice = random.below(1000);
     if (dice < 10) return 0;
     if (dice < 960) return random.from(1, 12);
-    return dice < 997 ? random.from(13, 40) : random.from(41, kMostItems - 1);
+    return dice < 997 ? random.from(13, 40) : random.from(41, kMaxItems - 1);
 }
 
 Stored randomMission(Random& random, CommandSet set) {
@@ -115,11 +115,11 @@ Stored nextMission(Random& random, const Stored& before) {
         return randomMission(random, random.percent(50) ? CommandSet::apm1 : CommandSet::apm2);
     if (dice < 45) return {before.set, {before.mission.front()}};  // cleared
     Stored after = before;
-    int counters = kMostCounters;
+    int counters = kMaxCounters;
     const int size = static_cast<int>(after.mission.size());
     const int at = random.from(1, size);
     if (at == size || dice < 55) {
-        if (size <= kMostItems)
+        if (size <= kMaxItems)
             after.mission.push_back(
                 randomItem(random, after.set, {30, 20, 20}, size, size, counters));
     } else if (dice < 65) {

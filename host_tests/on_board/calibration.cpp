@@ -101,7 +101,7 @@ private:
 
 WorldOptions handHeld() {
     WorldOptions options;
-    options.hand_held = true;
+    options.bench_model = true;
     options.accel_bias_g = 0.06;
     options.accel_scale = 0.03;
     return options;

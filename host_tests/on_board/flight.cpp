@@ -87,7 +87,7 @@ int same(const std::vector<std::string>& words) {
     return modes && mission ? 0 : 1;
 }
 
-constexpr double kMostMinutes = 150;
+constexpr double kMaxMinutes = 150;
 
 int minutes(const std::vector<std::string>& words) {
     double sum = 0;
@@ -99,8 +99,8 @@ int minutes(const std::vector<std::string>& words) {
         }
     }
     std::cout << "the image ran " << sum << " emulated minutes in " << flights << " runs, of "
-              << kMostMinutes << '\n';
-    return sum <= kMostMinutes ? 0 : 1;
+              << kMaxMinutes << '\n';
+    return sum <= kMaxMinutes ? 0 : 1;
 }
 
 }  // namespace

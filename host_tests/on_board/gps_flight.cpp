@@ -25,7 +25,7 @@ constexpr Swap kSwaps[] = {
     {140, "nmea", 57600, "GPS: NMEA at 57600"},
     {190, "ublox", 9600, "GPS: u-blox at 38400"},
 };
-constexpr double kMost_s = 12.5;  // the one before must be missed first
+constexpr double kMax_s = 12.5;  // the one before must be missed first
 constexpr uint64_t kStep_us = 20'000;
 constexpr int kTelemetry = 2;
 
@@ -64,9 +64,9 @@ int main(int count, char** words) {
     say(ok, "flown " + flight.reason());
     for (size_t i = 0; i < std::size(kSwaps); ++i) {
         const double after_s = secondsUntil(flight.telemetry(), kSwaps[i], plugged_s[i]);
-        ok = ok && after_s <= kMost_s;
-        std::printf("  %s %s after %.1f s, at most %.1f\n",
-                    after_s <= kMost_s ? "ok    " : "FAILED", kSwaps[i].found, after_s, kMost_s);
+        ok = ok && after_s <= kMax_s;
+        std::printf("  %s %s after %.1f s, at most %.1f\n", after_s <= kMax_s ? "ok    " : "FAILED",
+                    kSwaps[i].found, after_s, kMax_s);
     }
     if (!ok) sayWhatHappened(flight);
     writeMinutes(fs::path(words[2]) / "gps_flight", static_cast<double>(board.time_us()) / 60e6);

@@ -19,7 +19,7 @@ namespace {
 constexpr double kCycles_us = 16;
 // Of jitter, and between in and out: a microsecond, and what the emulator adds, which shows an edge
 // after the instruction and the entry into an interrupt during which it comes.
-constexpr double kMost_us = 1 + 10 / kCycles_us;
+constexpr double kMax_us = 1 + 10 / kCycles_us;
 constexpr int kThrottle = 2, kSwitch = 7;            // held; the others are tried
 constexpr std::array<int, 3> kSurfaces = {0, 1, 3};  // led through by MANUAL
 constexpr std::array<uint16_t, 5> kTried_us = {1107, 1234, 1500, 1777, 1893};
@@ -119,7 +119,7 @@ private:
         const int channel = kSurfaces[which];
         const double out_us = outputs_[channel].width_us.farthest(sent_us);
         const double told_us = told_ ? std::fabs(double((*told_)[channel]) - sent_us) : 1e9;
-        const bool ok = out_us <= kMost_us && told_us <= kMost_us;
+        const bool ok = out_us <= kMax_us && told_us <= kMax_us;
         std::printf("  %s channel %d, %u us: told %.1f us off, led through %.2f us off\n",
                     ok ? "ok    " : "FAILED", channel + 1, sent_us, told_us, out_us);
         return ok;
@@ -131,8 +131,8 @@ private:
         if (seen.width_us.count == 0 && output >= 4) return true;
         widest_us_ = std::max(widest_us_, seen.width_us.spread());
         unsteadiest_us_ = std::max(unsteadiest_us_, seen.period_us.spread());
-        const bool ok = seen.width_us.count > 40 && seen.width_us.spread() <= kMost_us &&
-                        seen.period_us.spread() <= kMost_us;
+        const bool ok = seen.width_us.count > 40 && seen.width_us.spread() <= kMax_us &&
+                        seen.period_us.spread() <= kMax_us;
         if (!ok)
             std::printf(
                 "  FAILED output %zu: %d pulses, width within %.2f us, period within %.2f us\n",

@@ -31,7 +31,7 @@ protected:
     // A round of the interrupt; before it the servos stand as the program left them.
     std::array<uint16_t, 4> forgotten(const std::vector<uint16_t>& sticks) {
         fakes::receiveRc(sticks);
-        for (int i = 0; i < 4; ++i) hal::servosForgotten();
+        for (int i = 0; i < 4; ++i) hal::passSticksToServos();
         return now();
     }
     std::array<uint16_t, 4> manual(const std::vector<uint16_t>& sticks) {

@@ -3,8 +3,8 @@
 
 #include "ground.hpp"
 
+using firmware::notify::sendStatusText;
 using firmware::notify::Severity;
-using firmware::notify::tell;
 using ground::Framing;
 using ground::Telemetry;
 
@@ -68,7 +68,7 @@ TEST_F(Telemetry, a_radio_switched_off_is_silent_until_someone_speaks_to_the_air
     (void)station.everything();
     (void)second.everything();
     doubles::plan.radio_off = true;
-    tell(Severity::notice, ROM_TEXT("Nobody hears this"));
+    sendStatusText(Severity::notice, ROM_TEXT("Nobody hears this"));
     for (int i = 0; i < 3; ++i) {
         second.send(mavlink::Heartbeat{});  // to everyone, which is not to the airplane
         run_ms(1000);
@@ -113,7 +113,7 @@ TEST_F(Telemetry, rests_until_bytes_come) {
 TEST_F(Telemetry, rests_until_there_is_room_for_what_it_has_to_say) {
     rest();
     station.line().room = 30;
-    tell(Severity::info, ROM_TEXT("news"));
+    sendStatusText(Severity::info, ROM_TEXT("news"));
     rest();
     EXPECT_FALSE(firmware::gcs::telemetryWaits());
 
@@ -219,8 +219,8 @@ TEST_F(Telemetry, erasing_logs_that_do_not_exist_is_answered_by_a_text) {
 }
 
 TEST_F(Telemetry, texts_reach_both_links_with_their_number) {
-    tell(Severity::warning, ROM_TEXT("Item # refused"), -17);
-    tell(Severity::info, ROM_TEXT("12345678901234567890123456789012345678901234567890"));
+    sendStatusText(Severity::warning, ROM_TEXT("Item # refused"), -17);
+    sendStatusText(Severity::info, ROM_TEXT("12345678901234567890123456789012345678901234567890"));
 
     run_ms(100);
 
@@ -233,20 +233,20 @@ TEST_F(Telemetry, texts_reach_both_links_with_their_number) {
 }
 
 TEST_F(Telemetry, texts_told_before_the_links_are_open_are_told_after) {
-    tell(Severity::info, ROM_TEXT("early"));
+    sendStatusText(Severity::info, ROM_TEXT("early"));
     firmware::gcs::telemetryStart();
     run_ms(100);
     EXPECT_EQ(station.texts().at(0), "early");
 }
 
 TEST_F(Telemetry, a_text_carries_its_severity) {
-    tell(Severity::critical, ROM_TEXT("down"));
+    sendStatusText(Severity::critical, ROM_TEXT("down"));
     run_ms(20);
     EXPECT_EQ(station.all<mavlink::Statustext>().at(0).severity, mavlink::MavSeverity::critical);
 }
 
 TEST_F(Telemetry, texts_that_found_no_room_are_counted_and_told) {
-    for (int i = 0; i < 12; ++i) tell(Severity::info, ROM_TEXT("text #"), i);
+    for (int i = 0; i < 12; ++i) sendStatusText(Severity::info, ROM_TEXT("text #"), i);
 
     run_ms(500);
 
@@ -258,7 +258,7 @@ TEST_F(Telemetry, texts_that_found_no_room_are_counted_and_told) {
 }
 
 TEST_F(Telemetry, the_most_negative_number_is_spelled) {
-    tell(Severity::info, ROM_TEXT("#"), INT32_MIN);
+    sendStatusText(Severity::info, ROM_TEXT("#"), INT32_MIN);
     run_ms(20);
     EXPECT_EQ(station.texts().at(0), "-2147483648");
 }

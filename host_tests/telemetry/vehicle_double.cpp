@@ -38,7 +38,7 @@ using doubles::plan;
 
 namespace mission {
 bool missionKnown() { return !isBusy(); }
-bool radioSilenced() { return plan.radio_off; }
+bool telemetryMuted() { return plan.radio_off; }
 void radioHeard() { plan.radio_off = false; }
 
 uint16_t missionCount() { return static_cast<uint16_t>(plan.items.size()); }
@@ -201,7 +201,7 @@ using namespace state;
 bool arm(ArmReason, bool force) {
     doubles::vehicle.force = force;
     if (!doubles::vehicle.can_arm && !force) {
-        tell(Severity::error, ROM_TEXT("PreArm: no GPS fix"));
+        sendStatusText(Severity::error, ROM_TEXT("PreArm: no GPS fix"));
         return false;
     }
     vehicle.armed = true;
@@ -212,8 +212,8 @@ bool disarm(ArmReason, bool force) {
     vehicle.armed = false;
     return true;
 }
-bool prearmTells(Severity severity) {
-    if (!doubles::vehicle.can_arm) tell(severity, "PreArm: no GPS fix");
+bool reportPrearmFailure(Severity severity) {
+    if (!doubles::vehicle.can_arm) sendStatusText(severity, "PreArm: no GPS fix");
     return !doubles::vehicle.can_arm;
 }
 }  // namespace safety

@@ -23,7 +23,7 @@ constexpr float kFlareIntegral_hz = 1.0f;  // of the sink's error over the speed
 // From no lift to the stall wings turn by some 0.25 rad, whatever the airplane: at the lowest
 // speed, 1.2 times the stall's, 1 / 1.44 of it carries the weight.
 constexpr float kLowestSpeedAlpha_rad = 0.2f;
-constexpr float kMostLift = 2.0f;  // of that
+constexpr float kMaxLift = 2.0f;  // of that
 constexpr float kFastestPitchRate_rads = 1.0f;
 constexpr float kGlideShare =
     0.25f;  // of what a descent spares, taken where the speed is not known
@@ -105,8 +105,8 @@ void SpeedHeight::watchUnderspeed(const SpeedHeightLimits& limits, Phase phase,
 
 // 0 at the lowest speed and above, 1 at underspeed: the share in which height is given up for
 // speed and the throttle opened.
-float SpeedHeight::slowness(const SpeedHeightLimits& limits, bool airspeed_known,
-                            Phase phase) const {
+float SpeedHeight::underspeedFraction(const SpeedHeightLimits& limits, bool airspeed_known,
+                                      Phase phase) const {
     if (!airspeed_known || phase == Phase::flare) return 0;
     const float short_mps = limits.airspeed_min_mps - speed_mps_;
     if (short_mps <= 0) return 0;
@@ -243,7 +243,8 @@ SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
     turning.airspeed_min_mps *= 1.0f + kLoadFactorSpeed * core::limit(turn, 0.0f, 2.0f);
     shapeSpeed(settings, turning, demand.airspeed_mps, step);
 
-    const float haste = height_given_up ? 1.0f : slowness(turning, now.airspeed_known, phase);
+    const float speedPriority =
+        height_given_up ? 1.0f : underspeedFraction(turning, now.airspeed_known, phase);
     float speed_weight =
         phase == Phase::approach ? 0.0f : core::limit(settings.speed_weight, 0.0f, 2.0f);
     // near the ground even the stall is met with power first
@@ -251,18 +252,17 @@ SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
     if (!now.airspeed_known || phase == Phase::flare)
         speed_weight = 0;
     else if (speed_weight < most_weight)
-        speed_weight += (most_weight - speed_weight) * haste;
+        speed_weight += (most_weight - speed_weight) * speedPriority;
 
     const Errors errors = this->errors(now);
     float wanted = throttle(settings, limits, now, errors, turn, step);
-    wanted += (limits.throttle_max - wanted) * haste;
+    wanted += (limits.throttle_max - wanted) * speedPriority;
     wanted = core::limit(wanted, limits.throttle_min, limits.throttle_max);
     if (phase == Phase::flare) wanted = limits.throttle_max;
     throttle_ = slewed(throttle_, wanted, limits.throttle_slew * dt_s);
     const float lift_rad =
         kLowestSpeedAlpha_rad *
-        core::limit(core::square(limits.airspeed_min_mps * step.inverse_speed_spm), 0.0f,
-                    kMostLift);
+        core::limit(core::square(limits.airspeed_min_mps * step.inverse_speed_spm), 0.0f, kMaxLift);
     beginOrEndFlare(phase == Phase::flare, lift_rad);
     pitch_rad_ = pitch(settings, limits, errors, speed_weight, lift_rad, step);
     return {pitch_rad_, throttle_};

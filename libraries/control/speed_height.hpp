@@ -74,7 +74,8 @@ private:
     void shapeSpeed(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,
                     float demand_mps, const Step& step);
     void watchUnderspeed(const SpeedHeightLimits& limits, Phase phase, bool airspeed_known);
-    float slowness(const SpeedHeightLimits& limits, bool airspeed_known, Phase phase) const;
+    float underspeedFraction(const SpeedHeightLimits& limits, bool airspeed_known,
+                             Phase phase) const;
     Errors errors(const SpeedHeightMeasured& now) const;
     float throttleForPitch(const SpeedHeightLimits& limits) const;
     float throttle(const SpeedHeightSettings& settings, const SpeedHeightLimits& limits,

@@ -9,7 +9,7 @@ namespace {
 constexpr core::BodyRate kBegins_rads(0.4f), kRest_rads(0.117f), kFastEnough_rads(0.303f),
     kSwing_rads(0.254f);
 constexpr uint16_t kLongest = 400;  // frames
-constexpr uint8_t kSwingLasts = 60, kMostSwings = 6;
+constexpr uint8_t kSwingLasts = 60, kMaxSwings = 6;
 
 constexpr int32_t kFull = AxisState::Output::kOne;
 
@@ -36,7 +36,7 @@ AxisTuner::Finding AxisTuner::swing(int16_t rate) {
     if (side == 0 || side == side_) return Finding::nothing;
     side_ = side;
     since_ = 0;
-    if (++swings_ < kMostSwings) return Finding::nothing;
+    if (++swings_ < kMaxSwings) return Finding::nothing;
     swings_ = 0;
     return Finding::shakes;
 }
@@ -65,7 +65,7 @@ AxisTuner::Finding AxisTuner::watch(const AxisGains& gains, const AxisState& sta
 
 float AxisTuner::factor() const {
     if (squared_ <= 0) return 1;
-    return core::limit(static_cast<float>(crossed_) / static_cast<float>(squared_), kLeast, kMost);
+    return core::limit(static_cast<float>(crossed_) / static_cast<float>(squared_), kLeast, kMax);
 }
 
 }  // namespace control

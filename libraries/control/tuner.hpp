@@ -26,7 +26,7 @@ public:
 
     // For the gains; within 0.8 .. 1.25, so that one bad turn spoils little.
     float factor() const;
-    static constexpr float kLeast = 0.8f, kMost = 1.25f;
+    static constexpr float kLeast = 0.8f, kMax = 1.25f;
 
 private:
     Finding swing(int16_t rate);

@@ -17,8 +17,8 @@ constexpr float kPascalsPerStep = kPascalsPerSupply / kSteps;
 constexpr float kUnitsPerStep = kPascalsPerStep / kPascalsPerUnit;
 constexpr uint32_t kFilter_us = 170000;
 // Zero is at half the supply within 2.5 % of 4 V (data sheet), with the board's own share 0.3 V.
-constexpr uint16_t kLeastZero = 28836, kMostZero = 36700;  // 0.44 and 0.56
-constexpr uint16_t kLowRail = 1311, kHighRail = 64225;     // 0.02 and 0.98
+constexpr uint16_t kLeastZero = 28836, kMaxZero = 36700;  // 0.44 and 0.56
+constexpr uint16_t kLowRail = 1311, kHighRail = 64225;    // 0.02 and 0.98
 constexpr int32_t kLeast =
     static_cast<int32_t>(-39.0f / kPascalsPerStep);  // -8 m/s: the hoses
                                                      // are swapped or one is off
@@ -41,7 +41,7 @@ void Airspeed::keepZero(float offset_v) {
 
 void Airspeed::calibrate(uint16_t share, uint16_t passed, const AirspeedSettings& settings) {
     if (settings.keep_offset) return keepZero(settings.offset_v);
-    if (share < kLeastZero || share > kMostZero) {  // nothing fitted, or wind
+    if (share < kLeastZero || share > kMaxZero) {  // nothing fitted, or wind
         means_ = 0;
         calibrating_ = 0;
         return;

@@ -69,7 +69,7 @@ private:
     static const Axis kAxes[];
     // 3.3 V in 4096 steps seen as 5 V in 1024, in 1/65536
     static constexpr uint32_t kTenBits = 10813;
-    static constexpr uint8_t kMostReadings = 16;  // of 12 bits in 16
+    static constexpr uint8_t kMaxReadings = 16;  // of 12 bits in 16
     // No sensor of these swings to within 50 mV of the supply.
     static constexpr uint16_t kLowest = 60, kHighest = 4035;
 
@@ -145,7 +145,7 @@ bool AnalogImu<Converter>::plausible(const Ads7844Sums& sums) {
 template <class Converter>
 void AnalogImu<Converter>::keepAirspeed(const Ads7844Sums& sums) {
     const uint8_t count = sums.count[Ads7844Sums::airspeed];
-    if (airspeed_count_ + count > kMostReadings) airspeed_ = airspeed_count_ = 0;
+    if (airspeed_count_ + count > kMaxReadings) airspeed_ = airspeed_count_ = 0;
     airspeed_ += sums.sum[Ads7844Sums::airspeed];
     airspeed_count_ = static_cast<uint8_t>(airspeed_count_ + count);
 }

@@ -34,8 +34,8 @@ constexpr int16_t kOverflow = -4096;
 
 // The self-test strap's field is 1.16 G along x and y and 1.08 G along z, at 660 LSB/G.
 constexpr float kExpected = 1.16f * 660.0f, kExpectedZ = 1.08f * 660.0f;
-constexpr float kLeastScale = 0.7f, kMostScale = 1.35f;
-constexpr uint8_t kDroppedTries = 2, kGoodTries = 5, kMostTries = 25;
+constexpr float kLeastScale = 0.7f, kMaxScale = 1.35f;
+constexpr uint8_t kDroppedTries = 2, kGoodTries = 5, kMaxTries = 25;
 
 struct Counts {
     int16_t axis[3];  // x, y, z of the chip
@@ -111,7 +111,7 @@ bool Hmc5883l::finish(const uint8_t* bytes, uint32_t now_ms) {
             enter(State::probed, now_ms, 0);
             return false;
         case State::probed:
-            tellApart(bytes[0], now_ms);
+            identifyChip(bytes[0], now_ms);
             return false;
         case State::excite:
             enter(State::excited, now_ms, kExcite_ms);
@@ -139,7 +139,7 @@ bool Hmc5883l::finish(const uint8_t* bytes, uint32_t now_ms) {
     return false;
 }
 
-void Hmc5883l::tellApart(uint8_t configuration, uint32_t now_ms) {
+void Hmc5883l::identifyChip(uint8_t configuration, uint32_t now_ms) {
     old_ = configuration == kOldConfiguration;
     if (!old_ && configuration != kConfiguration) return fail(now_ms);
     tries_ = good_tries_ = 0;
@@ -156,7 +156,7 @@ void Hmc5883l::judgeSelfTest(const uint8_t* bytes, uint32_t now_ms) {
     bool good = tries_ >= kDroppedTries && !overflowed(read);
     for (uint8_t i = 0; good && i < 3; ++i) {
         const float expected = expectedOf(i);
-        good = read.axis[i] * kMostScale >= expected && read.axis[i] * kLeastScale <= expected;
+        good = read.axis[i] * kMaxScale >= expected && read.axis[i] * kLeastScale <= expected;
     }
     if (good) {
         for (uint8_t i = 0; i < 3; ++i) measured_[i] += read.axis[i];
@@ -167,7 +167,7 @@ void Hmc5883l::judgeSelfTest(const uint8_t* bytes, uint32_t now_ms) {
             scale_[i] = expectedOf(i) * kGoodTries / measured_[i] * milligaussPerCount(old_);
         }
         enter(State::configure, now_ms, 0);
-    } else if (++tries_ >= kMostTries) {
+    } else if (++tries_ >= kMaxTries) {
         fail(now_ms);
     } else {
         enter(State::excite, now_ms, 0);

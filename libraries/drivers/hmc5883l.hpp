@@ -31,7 +31,7 @@ private:
     }
     void begin();
     bool finish(const uint8_t* bytes, uint32_t now_ms);
-    void tellApart(uint8_t configuration, uint32_t now_ms);
+    void identifyChip(uint8_t configuration, uint32_t now_ms);
     float expectedOf(uint8_t axis) const;
     void judgeSelfTest(const uint8_t* bytes, uint32_t now_ms);
     bool takeField(const uint8_t* bytes, uint32_t now_ms);

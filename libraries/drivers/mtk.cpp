@@ -12,10 +12,10 @@ GpsFixType fixType(uint8_t told) {
 }
 
 int32_t scaled(const uint8_t* at, uint8_t scale, GpsEpoch& epoch) {
-    constexpr int32_t kMost = 180000000;  // what scaled by 10 is still within half a turn
+    constexpr int32_t kMax = 180000000;  // what scaled by 10 is still within half a turn
     const int32_t value = loaded<int32_t>(at);
     if (scale == 1) return value;
-    if (value > kMost || value < -kMost) epoch.odd = true;
+    if (value > kMax || value < -kMax) epoch.odd = true;
     return epoch.odd ? 0 : value * scale;
 }
 

@@ -29,10 +29,10 @@ enum Field : uint8_t {
 // clang-format off
 constexpr uint8_t kDecimals[] ROM = {0, 3, 5, 0, 5, 0, 0, 0, 0, 2, 2, 3, 2, 0, 0};
 
-constexpr uint8_t kMostFields = 9;
+constexpr uint8_t kMaxFields = 9;
 struct Layout {
     char type[3];
-    uint8_t fields[kMostFields];
+    uint8_t fields[kMaxFields];
 };
 constexpr Layout kLayouts[] ROM = {
     {{'G', 'G', 'A'}, {time_of_day, latitude, north_south, longitude, east_west, quality,
@@ -53,8 +53,8 @@ struct Values {
 
 // One more digit; too many are odd.
 int32_t tenfold(int32_t sum, uint8_t digit, bool& odd) {
-    constexpr int32_t kMost = INT32_MAX / 10 - 1;
-    if (sum > kMost) odd = true;
+    constexpr int32_t kMax = INT32_MAX / 10 - 1;
+    if (sum > kMax) odd = true;
     return odd ? 0 : sum * 10 + digit;
 }
 
@@ -86,7 +86,7 @@ int32_t value(const uint8_t*& at, uint8_t decimals, bool& odd) {
 bool take(const uint8_t* at, uint8_t layout, Values& values) {
     for (int32_t& each : values.of) each = kNone;
     bool odd = false;
-    for (uint8_t i = 0; i < kMostFields && *at == ','; ++i) {
+    for (uint8_t i = 0; i < kMaxFields && *at == ','; ++i) {
         const uint8_t field = core::romRead(kLayouts[layout].fields[i]);
         ++at;
         if (field != skipped) {
@@ -111,10 +111,10 @@ int32_t angle_e7(int32_t degrees_minutes, int32_t letter, uint8_t negative, bool
 void takeGga(const Values& values, GpsEpoch& epoch) {
     const int32_t* of = values.of;
     GpsFix& fix = epoch.fix;
-    constexpr int32_t kMostDilution = 9999;
-    const bool known = of[dilution] >= 0 && of[dilution] < kMostDilution;
+    constexpr int32_t kMaxDilution = 9999;
+    const bool known = of[dilution] >= 0 && of[dilution] < kMaxDilution;
     fix.satellites = of[satellites] < 0 ? 0 : static_cast<uint8_t>(of[satellites]);
-    fix.hdop_c = static_cast<uint16_t>(known ? of[dilution] : kMostDilution);
+    fix.hdop_c = static_cast<uint16_t>(known ? of[dilution] : kMaxDilution);
     if (of[quality] < 1 || of[quality] > 5) {
         epoch.parts |= GpsEpoch::kUnfixed;
         return;

@@ -26,12 +26,12 @@ constexpr float kSettle_s = 60.0f, kQuickEnds = 5.0f / 6;
 constexpr float kTurning_mss = 2.5f;
 constexpr float kYawFromTurn = 0.04f;  // of the heading error a turn shows, each fix
 
-constexpr float kMostBias_rads = 0.05f;      // 3 deg/s beyond the start-up zero
-constexpr float kMostBiasStep_rads = 2e-4f;  // in one correction
-constexpr float kForceBias_s = 10.0f;        // an accelerometer's bias is learnt in this time
-constexpr float kMostForceBias_mss = 0.3f;   // 0.03 g
-constexpr float kMostForceStep_mss = 0.01f;
-constexpr float kMostTime_s = 1.1f;   // between two fixes that are compared
+constexpr float kMaxBias_rads = 0.05f;      // 3 deg/s beyond the start-up zero
+constexpr float kMaxBiasStep_rads = 2e-4f;  // in one correction
+constexpr float kForceBias_s = 10.0f;       // an accelerometer's bias is learnt in this time
+constexpr float kMaxForceBias_mss = 0.3f;   // 0.03 g
+constexpr float kMaxForceStep_mss = 0.01f;
+constexpr float kMaxTime_s = 1.1f;    // between two fixes that are compared
 constexpr uint8_t kCompassEvery = 5;  // 10 Hz of 50
 constexpr float kCompassStep_s = 0.2f;
 constexpr float kOdd = 0.7f;       // cosine: a compass 45 degrees off is not followed
@@ -49,7 +49,9 @@ core::Vector3 unit(const core::Vector3& v) { return v * (1.0f / sqrtf(core::dot(
 int32_t steps(float value, float most, float a_unit) {
     return static_cast<int32_t>(core::limit(value, -most, most) * a_unit);
 }
-void grow(int32_t& sum, int32_t by, int32_t most) { sum = core::limit(sum + by, -most, most); }
+void accumulate(int32_t& sum, int32_t by, int32_t most) {
+    sum = core::limit(sum + by, -most, most);
+}
 // A RowAngle's steps, as many as can be turned at once; the rest stays for the next time.
 int16_t taken(int32_t& turned) {
     const int16_t now = core::upper(2 * core::limit(turned, -kMaxTurn, kMaxTurn));
@@ -58,7 +60,7 @@ int16_t taken(int32_t& turned) {
     return now;
 }
 // From a Fine's steps to an Angle's.
-int16_t inTurns(int32_t fine) {
+int16_t inRevolutions(int32_t fine) {
     constexpr core::Fixed<15> kTwoOverPi(2 / core::kPi);
     return core::upper(2 * core::times16(fine, kTwoOverPi.raw));
 }
@@ -90,9 +92,9 @@ core::Vector3 Attitude::real(const Row& row) {
     return {real(row.of[0]), real(row.of[1]), real(row.of[2])};
 }
 Attitude::Row Attitude::row(const core::Vector3& unit) {
-    constexpr float kMost = 1.5f;
-    return {{steps(unit.x, kMost, Turn::kSteps), steps(unit.y, kMost, Turn::kSteps),
-             steps(unit.z, kMost, Turn::kSteps)}};
+    constexpr float kMax = 1.5f;
+    return {{steps(unit.x, kMax, Turn::kSteps), steps(unit.y, kMax, Turn::kSteps),
+             steps(unit.z, kMax, Turn::kSteps)}};
 }
 
 void Attitude::propagate(const Motion& motion) {
@@ -115,16 +117,17 @@ void Attitude::propagate(const Motion& motion) {
         const int32_t bias = bias_.of[i];
         turned.of[i] =
             motion.turned.of[i] - (motion.periods == 2 ? bias * 2 : bias * motion.periods);
-        grow(turned_.of[i], turned.of[i], kMaxTurned);
+        accumulate(turned_.of[i], turned.of[i], kMaxTurned);
     }
     if (!(frame_ & 1)) {
-        turnMatrix();
+        rotateDcm();
         return workOutAngles();
     }
-    const Turn16 by = {{inTurns(turned.of[0]), inTurns(turned.of[1]), inTurns(turned.of[2])}};
+    const Turn16 by = {
+        {inRevolutions(turned.of[0]), inRevolutions(turned.of[1]), inRevolutions(turned.of[2])}};
     carryAnglesOn(by);
     // What need not be done every frame is spread over eight.
-    if (frame_ == 3) return keepUpright();
+    if (frame_ == 3) return orthonormalize();
     if (frame_ == 7) return pointYaw(by);
     accelerate();
 }
@@ -137,7 +140,7 @@ void Attitude::turn(Row& row, const Turn16& by) {
     row.of[2] += 2 * (core::times16(x, by.of[1]) - core::times16(y, by.of[0]));
 }
 
-void Attitude::turnMatrix() {
+void Attitude::rotateDcm() {
     Turn16 by;
     for (uint8_t i = 0; i < 3; ++i) by.of[i] = taken(turned_.of[i]);
     turn(down_, by);
@@ -181,22 +184,22 @@ void Attitude::add(Row& row, const Row& other, int16_t share) {
 }
 
 // By half of what the square of its length lacks.
-void Attitude::stretchToUnit(Row& row, int32_t squared) {
+void Attitude::normalizeRow(Row& row, int32_t squared) {
     add(row, row, core::upper(((kOne >> 2) - squared) * 2));
 }
 
 // Both rows of length one and square to each other.
-void Attitude::keepUpright() {
+void Attitude::orthonormalize() {
     const int32_t squared = dot(down_, down_), along = dot(north_, north_);
     constexpr int32_t kHalf = kOne >> 3, kDouble = kOne >> 1;
     if (squared < kHalf || squared > kDouble || along < kHalf || along > kDouble) {
         core::broken(core::Fault::attitude_matrix);
         return start();  // no matrix any more: begin again
     }
-    stretchToUnit(down_, squared);
+    normalizeRow(down_, squared);
     const int16_t skew = core::upperOf4(dot(north_, down_));
     add(north_, down_, static_cast<int16_t>(-skew));
-    stretchToUnit(north_, dot(north_, north_));
+    normalizeRow(north_, dot(north_, north_));
 }
 
 // What the nose has of north and east is as long as the pitch's cosine.
@@ -264,7 +267,7 @@ void Attitude::turnBy(const core::Vector3& by_rad) {
     turnBy(turned_.of[2], by_rad.z);
 }
 void Attitude::turnBy(int32_t& turned, float by_rad) {
-    grow(turned, steps(by_rad, 0.5f, Turn::kSteps), kMaxTurned);
+    accumulate(turned, steps(by_rad, 0.5f, Turn::kSteps), kMaxTurned);
 }
 
 // `missing`: acceleration the reference saw and the accelerometers did not, over time_s. A tilt of
@@ -307,8 +310,8 @@ void Attitude::learnRates(const core::Vector3& turn_rad) {
 
 void Attitude::learnRate(int32_t& bias, core::BodyRate& rate, float turned_rad) {
     constexpr float kPeriod = Turn::kSteps * kSamplePeriod_s;
-    constexpr int32_t kMost = static_cast<int32_t>(kMostBias_rads * kPeriod);
-    grow(bias, -steps(turned_rad * kBiasShare, kMostBiasStep_rads, kPeriod), kMost);
+    constexpr int32_t kMax = static_cast<int32_t>(kMaxBias_rads * kPeriod);
+    accumulate(bias, -steps(turned_rad * kBiasShare, kMaxBiasStep_rads, kPeriod), kMax);
     constexpr int16_t kPeriodsASecond = static_cast<int16_t>(1 / kSamplePeriod_s + 0.5f);
     const int32_t rounded = core::times16(bias, kPeriodsASecond * 64) + 512;  // a Fixed32<20>
     rate.raw = static_cast<int16_t>(core::Fixed32<20>{rounded}.as<10>().raw);
@@ -341,8 +344,8 @@ void Attitude::learnForces(const core::Vector3& missing_mss, float nose_east, fl
 
 void Attitude::learnForce(int32_t& bias, float missing_mss) {
     constexpr float kSteps = ForceBias::kSteps;
-    constexpr int32_t kMost = static_cast<int32_t>(kMostForceBias_mss * kSteps);
-    grow(bias, -steps(missing_mss, kMostForceStep_mss, kSteps), kMost);
+    constexpr int32_t kMax = static_cast<int32_t>(kMaxForceBias_mss * kSteps);
+    accumulate(bias, -steps(missing_mss, kMaxForceStep_mss, kSteps), kMax);
 }
 
 void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings) {
@@ -352,7 +355,7 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
         history_.ago(settings.gps_age_s - periods_ * kSamplePeriod_s);
     const VelocityHistory::Moment ground = VelocityHistory::moment(velocity_mps.x, velocity_mps.y);
     const float time_s = since_fix_ * kSamplePeriod_s;
-    if (phase_ != Phase::falling && time_s < kMostTime_s && time_s > 0.05f) {
+    if (phase_ != Phase::falling && time_s < kMaxTime_s && time_s > 0.05f) {
         const core::Vector3 seen = VelocityHistory::difference_mps(ground, fix_ground_);
         const core::Vector3 felt = VelocityHistory::difference_mps(then, fix_);
         const float inverse = 1.0f / time_s;

@@ -101,7 +101,7 @@ private:
     static Row row(const core::Vector3& unit);
     static void turn(Row& row, const Turn16& by);
     static void add(Row& row, const Row& other, int16_t share);
-    static void stretchToUnit(Row& row, int32_t squared);
+    static void normalizeRow(Row& row, int32_t squared);
     static int32_t dot(const Row& a, const Row& b);
 
     core::Vector3 east() const;
@@ -110,13 +110,13 @@ private:
     void turnBy(const core::Vector3& by_rad);
     void pointBy(float error);
     static void turnBy(int32_t& turned, float by_rad);
-    void turnMatrix();
+    void rotateDcm();
     void catchUp() {
-        if (frame_ & 1) turnMatrix();
+        if (frame_ & 1) rotateDcm();
     }
     void workOutAngles();
     void carryAnglesOn(const Turn16& turned);
-    void keepUpright();
+    void orthonormalize();
     void pointYaw(const Turn16& turned);
     core::Ratio levelled(int16_t component) const;
     void pointAlong(const core::Vector3& velocity_mps);

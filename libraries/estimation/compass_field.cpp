@@ -6,7 +6,7 @@ namespace {
 
 constexpr float kOwn_s = 15.0f;
 constexpr float kEarth_s = 40.0f;
-constexpr float kMostOwn_mg = 300.0f;
+constexpr float kMaxOwn_mg = 300.0f;
 
 }  // namespace
 
@@ -25,9 +25,9 @@ core::Vector3 CompassField::unexpected(const core::Vector3& field_mg, float dt_s
 
 void CompassField::learn(const core::Vector3& odd_mg, float dt_s) {
     const float share = dt_s * (1.0f / kOwn_s);
-    own_mg_.x = core::limit(own_mg_.x + odd_mg.x * share, -kMostOwn_mg, kMostOwn_mg);
-    own_mg_.y = core::limit(own_mg_.y + odd_mg.y * share, -kMostOwn_mg, kMostOwn_mg);
-    own_mg_.z = core::limit(own_mg_.z + odd_mg.z * share, -kMostOwn_mg, kMostOwn_mg);
+    own_mg_.x = core::limit(own_mg_.x + odd_mg.x * share, -kMaxOwn_mg, kMaxOwn_mg);
+    own_mg_.y = core::limit(own_mg_.y + odd_mg.y * share, -kMaxOwn_mg, kMaxOwn_mg);
+    own_mg_.z = core::limit(own_mg_.z + odd_mg.z * share, -kMaxOwn_mg, kMaxOwn_mg);
 }
 
 void CompassField::keep(Known& known) const {

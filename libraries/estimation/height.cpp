@@ -8,7 +8,7 @@ namespace {
 
 constexpr float kGlitch_m = 15.0f;     // a reading farther off than this is left out ...
 constexpr uint16_t kInsist_ms = 2000;  // ... unless they all are, this long
-constexpr float kMostBias_mss = 2.0f;
+constexpr float kMaxBias_mss = 2.0f;
 constexpr uint16_t kSinking_ms = 1000;  // without readings the climb rate dies away with this
 
 void add(uint16_t& time_ms, float dt_s) {
@@ -53,7 +53,7 @@ void Height::useBarometer(float height_m, float dt_s, const HeightSettings& sett
     const float step = error_m * omega * core::limit(dt_s, 0.0f, 0.1f);
     height_m_ += 3.0f * step;
     climb_mps_ += 3.0f * omega * step;
-    bias_mss_ = core::limit(bias_mss_ + omega * omega * step, -kMostBias_mss, kMostBias_mss);
+    bias_mss_ = core::limit(bias_mss_ + omega * omega * step, -kMaxBias_mss, kMaxBias_mss);
 }
 
 }  // namespace estimation

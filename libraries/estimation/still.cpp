@@ -10,8 +10,8 @@ constexpr float kRate_rads = 0.02f;  // about 1 deg/s
 constexpr float kForce_mss = 0.5f;
 // Gusts rock an airplane on its wheels to and fro; they do not turn it about.
 constexpr float kSwayed_rads = 0.08f, kRocked_rads = 0.2f, kTurned_rads = 0.03f;
-constexpr float kAgreed_rads = 0.005f;   // 0.3 deg/s
-constexpr float kMostZero_rads = 0.35f;  // 20 deg/s, MPU-6000 data sheet: zero-rate output
+constexpr float kAgreed_rads = 0.005f;  // 0.3 deg/s
+constexpr float kMaxZero_rads = 0.35f;  // 20 deg/s, MPU-6000 data sheet: zero-rate output
 
 bool near(const core::Vector3& a, const core::Vector3& b, float limit, float limit_z) {
     return fabsf(a.x - b.x) < limit && fabsf(a.y - b.y) < limit && fabsf(a.z - b.z) < limit_z;
@@ -32,7 +32,7 @@ bool Still::update(const core::Vector3& rate_rads, const core::Vector3& force_ms
 bool Still::isStill(const core::Vector3& rate_rads, const core::Vector3& force_mss) const {
     return near(rate_rads, mean_, done() ? kRocked_rads : kSwayed_rads, kTurned_rads) &&
            near(force_mss, force_, kForce_mss, kForce_mss) &&
-           near(rate_rads, {0, 0, 0}, kMostZero_rads, kMostZero_rads);
+           near(rate_rads, {0, 0, 0}, kMaxZero_rads, kMaxZero_rads);
 }
 
 bool Still::usePart() {

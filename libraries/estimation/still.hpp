@@ -17,10 +17,10 @@ public:
     bool update(const core::Vector3& rate_rads, const core::Vector3& force_mss, float dt_s);
 
     // The zero is known already.
-    void forgo() { known_ = parts_ = kMost; }
+    void forgo() { known_ = parts_ = kMax; }
 
-    bool done() const { return known_ != 0; }                   // good enough to fly
-    bool settled() const { return done() && parts_ == kMost; }  // as good as it gets
+    bool done() const { return known_ != 0; }                  // good enough to fly
+    bool settled() const { return done() && parts_ == kMax; }  // as good as it gets
     const core::Vector3& zero_rads() const { return zero_; }
     const core::Vector3& force_mss() const { return force_; }  // the mean of the first seconds
 
@@ -40,7 +40,7 @@ private:
     bool rocked_ = false;    // in the first parts
     bool compared_ = false;  // the zero is known by one mean already
 
-    static constexpr uint8_t kSecond = 10, kRocked = 20, kMost = 25 * kSecond;  // parts
+    static constexpr uint8_t kSecond = 10, kRocked = 20, kMax = 25 * kSecond;  // parts
 };
 
 }  // namespace estimation

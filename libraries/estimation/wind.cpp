@@ -6,7 +6,7 @@ namespace {
 
 constexpr float kSlow_s = 15.0f;  // the mean wind, not its gusts
 constexpr float kTurn = 0.5f;     // change of the nose's direction that tells enough
-constexpr float kMostWind_mps = 50.0f;
+constexpr float kMaxWind_mps = 50.0f;
 constexpr float kLeastAirspeed_mps = 4.0f;
 
 }  // namespace
@@ -37,9 +37,9 @@ void Wind::update(const core::Vector3& ground_mps, const Pointing& nose, float a
     heard_s_ = heard_s_ < kSlow_s ? heard_s_ + dt_s : kSlow_s;
     if (airspeed_mps >= kLeastAirspeed_mps) share = dt_s / heard_s_;
     north_mps_ =
-        core::limit(north_mps_ + (north_mps - north_mps_) * share, -kMostWind_mps, kMostWind_mps);
+        core::limit(north_mps_ + (north_mps - north_mps_) * share, -kMaxWind_mps, kMaxWind_mps);
     east_mps_ =
-        core::limit(east_mps_ + (east_mps - east_mps_) * share, -kMostWind_mps, kMostWind_mps);
+        core::limit(east_mps_ + (east_mps - east_mps_) * share, -kMaxWind_mps, kMaxWind_mps);
     known_ = known_ || airspeed_mps < kLeastAirspeed_mps || heard_s_ > 2.0f;
 }
 
@@ -53,7 +53,7 @@ bool Wind::fromTurn(const core::Vector3& ground_mps, const Pointing& nose, float
         airspeed_mps = (north * (ground_mps.x - old_ground_north_) +
                         east * (ground_mps.y - old_ground_east_)) /
                        squared;
-        told = airspeed_mps > kLeastAirspeed_mps && airspeed_mps < kMostWind_mps;
+        told = airspeed_mps > kLeastAirspeed_mps && airspeed_mps < kMaxWind_mps;
     }
     seeded_ = true;
     old_nose_ = nose;

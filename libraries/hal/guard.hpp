@@ -10,6 +10,6 @@ void guardTouch();  // every frame, by whoever drives the servos; within 49 ms
 
 // Defined by the firmware: called every 4 ms while nobody touches the guard, interrupts off; at
 // most 40 us.
-void servosForgotten();
+void passSticksToServos();
 
 }  // namespace hal

@@ -21,7 +21,7 @@ enum Trait : uint8_t {
     kEndsNowhere = 2,  // the next leg begins at the airplane, not at this command's place
     kEndsFlight = 4,   // only a command that begins a flight can follow
     kBeginsFlight = 8,
-    kBeyond = 16,  // in neither of the two sets' documents
+    kArduPlaneExtension = 16,  // in neither of the two sets' documents
 };
 
 struct Entry {
@@ -77,7 +77,7 @@ constexpr Row jump(uint8_t apm1_id, uint8_t apm2_id, uint8_t form, Valid valid, 
 }
 
 constexpr Row beyond(Row row) {
-    row.traits = static_cast<uint8_t>(row.traits | kBeyond);
+    row.traits = static_cast<uint8_t>(row.traits | kArduPlaneExtension);
     return row;
 }
 
@@ -96,7 +96,8 @@ constexpr bool idsAreUnique(const Row (&rows)[N]) {
 template <size_t N>
 constexpr bool traitsMakeSense(const Row (&rows)[N]) {
     for (size_t i = 0; i < N; ++i)
-        if (rows[i].kind != Class::nav && (rows[i].traits & ~kBeyond) != 0) return false;
+        if (rows[i].kind != Class::nav && (rows[i].traits & ~kArduPlaneExtension) != 0)
+            return false;
     return true;
 }
 
@@ -106,7 +107,7 @@ constexpr uint8_t idsIn(const Row (&rows)[N], Set set, uint8_t traits) {
     uint8_t found = 0;
     for (size_t i = 0; i < N; ++i)
         found = static_cast<uint8_t>(
-            found + ((rows[i].traits & kBeyond) == traits &&
+            found + ((rows[i].traits & kArduPlaneExtension) == traits &&
                      (set == Set::apm1 ? rows[i].apm1_id : rows[i].apm2_id) != kNoId));
     return found;
 }

@@ -10,8 +10,8 @@
 
 namespace mission {
 
-constexpr uint8_t kMostItems = 176;
-constexpr uint8_t kMostCounters = 15;
+constexpr uint8_t kMaxItems = 176;
+constexpr uint8_t kMaxCounters = 15;
 constexpr uint8_t kRecordsPerPoll = 16;
 
 enum class Event : uint8_t {
@@ -41,13 +41,13 @@ struct Host {
 // Everything the engine remembers, in one struct with one reset. Plain bytes: it may lie in
 // memory that a watchdog reset leaves alone, and the seal tells whether it did.
 struct Memory {
-    struct {                           // APM 2.0
-        uint16_t left[kMostCounters];  // times
-        uint8_t index[kMostCounters];  // of the jump; 0: free
+    struct {                          // APM 2.0
+        uint16_t left[kMaxCounters];  // times
+        uint8_t index[kMaxCounters];  // of the jump; 0: free
     } counters;
-    struct {                              // APM 1.0, a bit an item
-        uint8_t visited[kMostItems / 8];  // jumps taken in this pass
-        uint8_t blocked[kMostItems / 8];  // passed over until the next NAV loads
+    struct {                             // APM 1.0, a bit an item
+        uint8_t visited[kMaxItems / 8];  // jumps taken in this pass
+        uint8_t blocked[kMaxItems / 8];  // passed over until the next NAV loads
     } jumps;
     Record nav_record, condition_record;
     uint16_t generation;
@@ -124,7 +124,7 @@ private:
     bool has(Flag flag) const { return (memory_.flags & flag) != 0; }
     void put(Flag flag, bool on);
     uint8_t count() const { return core::romRead(host_.count)(); }
-    void tell(Event event, uint8_t index) { core::romRead(host_.event)(event, index); }
+    void sendStatusText(Event event, uint8_t index) { core::romRead(host_.event)(event, index); }
     core::Status read(uint8_t index, bool nav_only, Item& item);
 
     void reset(uint8_t phase);

@@ -10,12 +10,12 @@ namespace {
 
 using geo::Offset;
 
-constexpr float kSlowest_mps = 3.0f;   // below, a course means nothing
-constexpr float kMostCrab_cos = 0.5f;  // 60 degrees
+constexpr float kSlowest_mps = 3.0f;  // below, a course means nothing
+constexpr float kMaxCrab_cos = 0.5f;  // 60 degrees
 constexpr float kCaptured_m = 5.0f;
-constexpr float kTrimReach_m = 3;      // farther from the path it is being captured, not trimmed
-constexpr float kTrimRate = 0.08f;     // m/s2 a second for a metre: learned in ten seconds
-constexpr float kMostTrim_mss = 0.6f;  // 3.5 degrees
+constexpr float kTrimReach_m = 3;     // farther from the path it is being captured, not trimmed
+constexpr float kTrimRate = 0.08f;    // m/s2 a second for a metre: learned in ten seconds
+constexpr float kMaxTrim_mss = 0.6f;  // 3.5 degrees
 constexpr float kSmallestRadius_m = 5.0f;
 constexpr float kShortestLeg_m = 1.0f;  // shorter ones have no direction: straight to the end
 
@@ -55,9 +55,9 @@ Ahead lookAhead(const Motion& motion) {
     ahead.speed_mps = core::limit(geo::length_m(ahead.velocity_mps), kSlowest_mps, 200.0f);
     const float together = dot(air + gained, ahead.velocity_mps);
     const float product = airspeed * ahead.speed_mps;
-    ahead.per_crab = together > product * kMostCrab_cos
-                         ? core::limit(product / together, 1.0f, 1 / kMostCrab_cos)
-                         : 1 / kMostCrab_cos;
+    ahead.per_crab = together > product * kMaxCrab_cos
+                         ? core::limit(product / together, 1.0f, 1 / kMaxCrab_cos)
+                         : 1 / kMaxCrab_cos;
     return ahead;
 }
 
@@ -195,7 +195,7 @@ float bankFor_rad(float bank_accel_mss) {
 void BankTrim::learn(float left_of_path_m, float dt_s) {
     if (left_of_path_m > kTrimReach_m || left_of_path_m < -kTrimReach_m) return;  // a capture
     const float step = core::limit(left_of_path_m, -1.0f, 1.0f) * kTrimRate * dt_s;
-    accel_mss_ = core::limit(accel_mss_ + step, -kMostTrim_mss, kMostTrim_mss);
+    accel_mss_ = core::limit(accel_mss_ + step, -kMaxTrim_mss, kMaxTrim_mss);
 }
 
 void TurnCount::update(const Circle& circle, const Offset& from_centre, float crosstrack_m) {

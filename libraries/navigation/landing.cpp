@@ -8,7 +8,7 @@ constexpr float kSteepestFlare = 1.2f;  // of what an evenly falling sink leaves
 constexpr float kSteepestSink = 1.1f;   // of the slope's: no diving at the point
 // Below where the ground should be the height is wrong, and the airplane is to come down.
 constexpr float kSinkBelow_hz = 0.4f;
-constexpr float kMostBelow_m = 0.7f;
+constexpr float kMaxBelow_m = 0.7f;
 constexpr float kFlareLead_s = 0.5f;  // until the path answers the pitch
 // Of its height an airplane above the slope dives no more than this: what an updraft has given
 // would be taken away with a sink that no flare ends in time.
@@ -33,7 +33,7 @@ Slope slopeOf(const LandingSettings& settings, const Approach& approach) {
 HeightDemand flare(const LandingSettings& settings, const Approach& approach, const Slope& slope) {
     const float left_m = core::limit(approach.length_m - approach.along_m, 1.0f, 1e6f);
     const float height_m = core::limit(approach.height_m, 0.0f, 100.0f);
-    const float below_m = core::limit(-approach.height_m, 0.0f, kMostBelow_m);
+    const float below_m = core::limit(-approach.height_m, 0.0f, kMaxBelow_m);
     const float last_mps = settings.touchdown_sink_mps + kSinkBelow_hz * below_m;
     const float sink_mps = 2 * height_m * approach.along_mps / left_m - last_mps;
     const float more_mps = larger(slope.sink_mps - last_mps, 0);

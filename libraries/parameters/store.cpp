@@ -11,7 +11,7 @@ namespace {
 using core::Status;
 
 storage::Journal journal;
-uint8_t waiting[kMostRows / 8];  // one bit a row
+uint8_t waiting[kMaxRows / 8];  // one bit a row
 bool any_waiting;
 uint8_t next_to_load;
 bool recovered;

@@ -9,7 +9,7 @@
 
 namespace parameters {
 
-constexpr uint8_t kMostRows = 216;
+constexpr uint8_t kMaxRows = 216;
 
 // At boot: redoes what a cut interrupted, then gives every field its stored value, or the row's
 // initial one where nothing is stored or what is stored is out of range. busy: call again.

@@ -31,7 +31,7 @@ bool ListStore::findUnsettled() {
 
 // Begins when the EEPROM has nothing else to do, and leaves room behind it for others. Bytes that
 // are the same already take no time, so records go on while there is room.
-Status ListStore::copyHome() {
+Status ListStore::migrateToEeprom() {
     if (!hal::eepromDrained()) return Status::busy;
     const Extent target = inEeprom(present());
     for (uint8_t n = 0; n < kCopiedPerCall && put_ < target.count; ++n, ++put_) {
@@ -53,7 +53,7 @@ Status ListStore::settle() {
         put_ = 0;
         phase_ = Phase::copying;
     }
-    if (phase_ == Phase::copying) return copyHome();
+    if (phase_ == Phase::copying) return migrateToEeprom();
     if (phase_ > Phase::settling || phase_ < Phase::idle) return Status::busy;
     const Extent target = inEeprom(present());
     if (phase_ == Phase::summing_copy) {

@@ -84,7 +84,7 @@ private:
     core::Status failed(core::Status status);
     core::Status makeDurable();
     bool findUnsettled();
-    core::Status copyHome();
+    core::Status migrateToEeprom();
     core::Status head(const Extent& target, Phase writing);
 
     Extent present_[kListKinds] = {};

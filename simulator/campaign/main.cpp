@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 volatile std::sig_atomic_t interrupted = 0;
-constexpr size_t kMostTold = 10;
+constexpr size_t kMaxTold = 10;
 
 // Said before the first flight, not by each of a thousand.
 void mustBeUsable(const CampaignOptions& options) {
@@ -69,15 +69,15 @@ std::vector<CampaignResult> flyAll(const CampaignOptions& options,
 }
 
 // The flights that did not go well; how many.
-size_t tellFailures(const std::vector<CampaignResult>& results) {
+size_t reportFailures(const std::vector<CampaignResult>& results) {
     size_t failed = 0;
     for (const auto& result : results) {
-        if (result.failure.empty() || failed++ >= kMostTold) continue;
+        if (result.failure.empty() || failed++ >= kMaxTold) continue;
         std::cout << "\nfailed: " << result.flight.group() << ", seed " << result.flight.seed
                   << ": " << result.failure << "\n  " << result.flight.replay(true) << "\n  "
                   << result.flight.replay(false) << "\n";
     }
-    if (failed > kMostTold) std::cout << "\nand " << failed - kMostTold << " more\n";
+    if (failed > kMaxTold) std::cout << "\nand " << failed - kMaxTold << " more\n";
     return failed;
 }
 
@@ -97,7 +97,7 @@ int campaign(const CampaignOptions& options) {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     const fs::path page = fs::path(options.out) / "campaign.html";
     std::cout << tableText(results);
-    const size_t failed = tellFailures(results);
+    const size_t failed = reportFailures(results);
     std::cout << "\n" << flownText(results.size(), flights.size(), failed) << "\n";
     if (!results.empty()) std::cout << "any again: " << results.front().flight.replay(true) << "\n";
     try {

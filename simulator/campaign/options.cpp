@@ -18,7 +18,7 @@ constexpr char kFooter[] =
     "the page could not be written. The folder of --out receives campaign.html, and flights/ with\n"
     "the summary of each. 1,000 flights: --seeds 84.";
 constexpr char kEnding[] = ".waypoints";
-constexpr uint64_t kMostFlights = 1'000'000;
+constexpr uint64_t kMaxFlights = 1'000'000;
 
 class Wrong : public std::runtime_error {
 public:
@@ -26,8 +26,8 @@ public:
 };
 
 bool wholeNumber(const std::string& text, uint64_t& value) {
-    constexpr size_t kMostDigits = 18;
-    if (text.empty() || text.size() > kMostDigits) return false;
+    constexpr size_t kMaxDigits = 18;
+    if (text.empty() || text.size() > kMaxDigits) return false;
     if (text.find_first_not_of("0123456789") != text.npos) return false;
     value = std::stoull(text);
     return true;
@@ -62,9 +62,9 @@ CampaignWind readWind(const std::string& text) {
 }
 
 void readJobs(const std::string& text, CampaignOptions& options) {
-    constexpr uint64_t kMost = 256;
+    constexpr uint64_t kMax = 256;
     uint64_t jobs = 0;
-    if (!wholeNumber(text, jobs) || jobs == 0 || jobs > kMost)
+    if (!wholeNumber(text, jobs) || jobs == 0 || jobs > kMax)
         throw Wrong("--jobs: expected 1 to 256, not '" + text + "'");
     options.jobs = static_cast<unsigned>(jobs);
 }
@@ -98,7 +98,7 @@ void readWords(const Words& words, CampaignOptions& options) {
     const uint64_t seeds = options.last_seed - options.first_seed + 1;
     const uint64_t groups =
         options.missions.size() * options.airplanes.size() * options.winds.size();
-    if (seeds > kMostFlights / groups)
+    if (seeds > kMaxFlights / groups)
         throw Wrong("--seeds: more than 1000000 flights are asked for");
 }
 

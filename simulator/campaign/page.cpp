@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kColours[] = {"#1f6feb", "#b42318", "#18794e", "#b4690e",
                                     "#6f42c1", "#0e7490", "#be185d", "#4d5d6c",
                                     "#7c8a00", "#1c2430", "#e07b39", "#5b8def"};
-constexpr size_t kMostFailures = 50;
+constexpr size_t kMaxFailures = 50;
 
 long failures(const std::vector<CampaignResult>& results) {
     return std::count_if(results.begin(), results.end(),
@@ -92,13 +92,13 @@ std::string failureList(const std::vector<CampaignResult>& results) {
     std::string list;
     size_t told = 0;
     for (const auto& result : results) {
-        if (result.failure.empty() || told++ >= kMostFailures) continue;
+        if (result.failure.empty() || told++ >= kMaxFailures) continue;
         list += "<p><b>" + escaped(result.flight.group()) + ", seed " +
                 std::to_string(result.flight.seed) + "</b>: " + escaped(result.failure) +
                 "<br><code>" + escaped(result.flight.replay(true)) + "</code></p>\n";
     }
-    if (told > kMostFailures)
-        list += "<p>and " + std::to_string(told - kMostFailures) + " more</p>\n";
+    if (told > kMaxFailures)
+        list += "<p>and " + std::to_string(told - kMaxFailures) + " more</p>\n";
     return list;
 }
 

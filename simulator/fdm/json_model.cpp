@@ -21,9 +21,9 @@ constexpr double kStep_s = 1.0 / kRate_hz;
 constexpr double kLongestStep_s = 1;  // more is a model that was begun anew
 constexpr double kSilence_s = 10;     // in the middle of a flight
 constexpr auto kAgain = std::chrono::milliseconds(1000);
-constexpr int kMostSkipped = 1000;        // answers in a row
-constexpr int kMostStandstills = 10'000;  // answers without a newer timestamp
-constexpr double kWheels_m = 0.3;         // standing on the ground is not higher
+constexpr int kMaxSkipped = 1000;        // answers in a row
+constexpr int kMaxStandstills = 10'000;  // answers without a newer timestamp
+constexpr double kWheels_m = 0.3;        // standing on the ground is not higher
 constexpr double kFullBattery_v = 12.4;
 constexpr double kIdle_us = 1100, kFull_us = 1900;
 
@@ -49,8 +49,8 @@ std::optional<ModelAddress> modelAddress(const std::string& text) {
     const size_t colon = rest.rfind(':');
     const std::string host = colon == rest.npos ? "127.0.0.1" : rest.substr(0, colon);
     const std::string port = colon == rest.npos ? rest : rest.substr(colon + 1);
-    constexpr size_t kMostDigits = 5;
-    if (host.empty() || port.empty() || port.size() > kMostDigits ||
+    constexpr size_t kMaxDigits = 5;
+    if (host.empty() || port.empty() || port.size() > kMaxDigits ||
         port.find_first_not_of("0123456789") != port.npos)
         return std::nullopt;
     const long number = std::stol(port);
@@ -67,7 +67,7 @@ JsonModel::JsonModel(const WorldOptions& options)
     ModelState standing;
     standing.force_mss = {0, 0, -kGravity_mss};
     standing.attitude = quaternion(0, 0, options.heading_deg * M_PI / 180);
-    tell(standing);
+    sendStatusText(standing);
 }
 
 void JsonModel::stop(const std::string& why) { fault_ = name_ + ": " + why; }
@@ -82,8 +82,8 @@ bool JsonModel::understand(const std::string& datagram, ModelState& to) {
     } catch (const ModelStateError& error) {
         ++skipped_;
         complaint_ = error.what();
-        if (++skipped_in_a_row_ == kMostSkipped)
-            stop(std::to_string(kMostSkipped) + " answers that make no sense: " + complaint_);
+        if (++skipped_in_a_row_ == kMaxSkipped)
+            stop(std::to_string(kMaxSkipped) + " answers that make no sense: " + complaint_);
         return false;
     }
 }
@@ -126,7 +126,7 @@ void JsonModel::step(const ServoPulses& pulses) {
             take(state);
             return;
         }
-        if (tries == kMostStandstills) stop("its timestamp stands still");
+        if (tries == kMaxStandstills) stop("its timestamp stands still");
     }
     truth_.time_us += kStep_us;  // the board's time goes on, to its end
 }
@@ -140,7 +140,7 @@ void JsonModel::take(const ModelState& state) {
     elapsed_s_ += step_s;
     last_timestamp_s_ = state.timestamp_s;
     heard_ = true;
-    tell(state);
+    sendStatusText(state);
     truth_.time_us = static_cast<uint64_t>(elapsed_s_ * 1e6 + 0.5);
     truth_.battery_used_mah += truth_.motor_current_a * step_s / 3.6;
     if (state.radio_us) moveSticks(*state.radio_us);
@@ -153,7 +153,7 @@ void JsonModel::moveSticks(const std::array<uint16_t, 8>& told_us) {
         if (told_us[i] != 0) (*radio_us_)[i] = told_us[i];
 }
 
-void JsonModel::tell(const ModelState& state) {
+void JsonModel::sendStatusText(const ModelState& state) {
     attitude_ = state.attitude;
     const Rotation rotation(attitude_);
     Truth& t = truth_;

@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::json;
 constexpr uint16_t kMagic = 18458;
 constexpr size_t kShown = 60;
-constexpr double kMost = 1e7;  // m, m/s, m/s2, rad/s: beyond it a model has come apart
+constexpr double kMax = 1e7;  // m, m/s, m/s2, rad/s: beyond it a model has come apart
 
 // One line of letters that a terminal shows.
 std::string excerpt(const std::string& text) {
@@ -42,7 +42,7 @@ std::array<double, size> numbersOf(const Json& object, const std::string& path) 
     std::array<double, size> numbers;
     for (size_t i = 0; i < size; ++i) {
         numbers[i] = numberOf(value[i], path);
-        if (std::abs(numbers[i]) > kMost)
+        if (std::abs(numbers[i]) > kMax)
             throw ModelStateError(path.substr(1) + ": expected what an airplane can do, found " +
                                   excerpt(value.dump()));
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A flight from the ground station's chair: connect, set the airplane's parameters, send the
 // mission up, arm, AUTO, let go of what is thrown, watch until the airplane stands again. What only
-// an onlooker can know, where it stands and whether it is whole, is read from the truth.
+// an passive_gcs can know, where it stands and whether it is whole, is read from the truth.
 #pragma once
 #include <memory>
 #include <optional>

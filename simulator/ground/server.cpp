@@ -111,11 +111,11 @@ std::string Server::answer(const std::string& line) {
 }
 
 std::string Server::answerAdvance(const std::string& rest) {
-    constexpr uint64_t kMost_ms = 3'600'000;
+    constexpr uint64_t kMax_ms = 3'600'000;
     std::istringstream numbers(rest);
     uint64_t grant_ms = 0;
     std::array<uint64_t, kLines> wanted{};
-    if (rest.find('-') != std::string::npos || !(numbers >> grant_ms) || grant_ms > kMost_ms) {
+    if (rest.find('-') != std::string::npos || !(numbers >> grant_ms) || grant_ms > kMax_ms) {
         return "error: advance takes milliseconds, 0 to 3600000";
     }
     for (uint64_t& bytes : wanted) {

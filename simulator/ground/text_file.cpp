@@ -76,18 +76,18 @@ std::string whyNoText(const std::string& bytes) {
 }
 
 std::string printable(const std::string& text) {
-    constexpr size_t kMost = 40;
+    constexpr size_t kMax = 40;
     std::string clean;
-    for (const char c : text.substr(0, kMost)) clean += c >= 32 && c < 127 ? c : '?';
-    return text.size() > kMost ? clean + "..." : clean;
+    for (const char c : text.substr(0, kMax)) clean += c >= 32 && c < 127 ? c : '?';
+    return text.size() > kMax ? clean + "..." : clean;
 }
 
 std::string listed(const std::vector<std::string>& errors) {
     std::string text;
-    for (size_t i = 0; i < errors.size() && i < kMostListed; ++i)
+    for (size_t i = 0; i < errors.size() && i < kMaxListed; ++i)
         text += (i == 0 ? "" : "\n") + errors[i];
-    if (errors.size() > kMostListed)
-        text += "\nand " + std::to_string(errors.size() - kMostListed) + " more";
+    if (errors.size() > kMaxListed)
+        text += "\nand " + std::to_string(errors.size() - kMaxListed) + " more";
     return text;
 }
 

@@ -17,7 +17,7 @@ std::string whyNoText(const std::string& bytes);
 // Of foreign bytes what a terminal may be shown: '?' for all that is not printable ASCII.
 std::string printable(const std::string& text);
 
-constexpr size_t kMostListed = 50;
+constexpr size_t kMaxListed = 50;
 
 // The first 50, a line each, and how many more there are.
 std::string listed(const std::vector<std::string>& errors);

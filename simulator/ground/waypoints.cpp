@@ -87,9 +87,9 @@ private:
 
 // A number that is missing is one error, not one in every line behind it.
 int readIndex(Row& row, int expected) {
-    constexpr int kMost = 100'000;
+    constexpr int kMax = 100'000;
     const size_t index = static_cast<size_t>(expected);
-    const int found = row.whole("index " + std::to_string(index), 0, kMost);
+    const int found = row.whole("index " + std::to_string(index), 0, kMax);
     if (row.good() && found != expected)
         row.fail("index " + std::to_string(index), std::to_string(found));
     return found;

@@ -58,11 +58,11 @@ bool NativeBoard::runUntil(uint64_t time_us) {
 
 // Firmware that works on waits for time to pass, not for an event: on a chip it does pass.
 void NativeBoard::waitWithFirmware(uint64_t before_us) {
-    constexpr int kMostStill = 1000;
+    constexpr int kMaxStill = 1000;
     constexpr uint64_t kTurn_us = 20;
     still_turns_ = now_us_ == before_us ? still_turns_ + 1 : 0;
-    if (still_turns_ < kMostStill) return;
-    still_turns_ = kMostStill;
+    if (still_turns_ < kMaxStill) return;
+    still_turns_ = kMaxStill;
     moveTo(now_us_ + kTurn_us);
     runDevices();
 }

@@ -7,7 +7,7 @@
 namespace declination {
 namespace {
 
-constexpr int kStep_deg = 10, kMost_deg = 60;
+constexpr int kStep_deg = 10, kMax_deg = 60;
 constexpr double kPerDegree = 8.0 / 5;  // one byte holds +-79 degrees
 
 constexpr char kAbove[] =
@@ -38,7 +38,7 @@ static_assert(sizeof kDeclinations == kDeclinationRows * kDeclinationColumns, ""
 
 std::string tableHeader(const Model& model) {
     std::string text = kAbove;
-    for (int latitude = -kMost_deg; latitude <= kMost_deg; latitude += kStep_deg) {
+    for (int latitude = -kMax_deg; latitude <= kMax_deg; latitude += kStep_deg) {
         text += "    // " + std::to_string(latitude);
         for (int longitude = -180; longitude < 180; longitude += kStep_deg) {
             const double declination_deg =

@@ -96,7 +96,7 @@ void list(const Options& options, std::ostream& out) {
     }
 }
 
-void tellSummary(const Options& options, std::ostream& out) {
+void reportSummary(const Options& options, std::ostream& out) {
     out << summary(LogFile(load(options)));
 }
 
@@ -130,7 +130,7 @@ struct Command {
 };
 constexpr Command kCommands[] = {
     {"list", "lists the logs of an image, or how long a log is", nullptr, list},
-    {"summary", "summarises a log", nullptr, tellSummary},
+    {"summary", "summarises a log", nullptr, reportSummary},
     {"csv", "writes one table for each kind of record", "the folder they go into", writeCsv},
     {"report", "draws the page that a simulated flight gets", "the .html file", writeReport},
     {"extract", "writes a log as the .bin that other programs read", "the file", extract},

@@ -115,7 +115,7 @@ public:
     simulator::Metrics metrics;
 };
 
-void tellEvents(const LogFile& log, simulator::Summary& summary) {
+void reportEvents(const LogFile& log, simulator::Summary& summary) {
     const Firmware firmware = firmwareOf(log);
     double up_s = NAN;
     for (const Record& record : log.records()) {
@@ -168,7 +168,7 @@ std::string report(const LogFile& log, const std::string& name) {
     const double radius_m = parameter(log, "WP_LOITER_RAD");
     if (std::isfinite(radius_m)) summary.loiter_radius_m = radius_m;
     if (!playback.samples.empty()) summary.emulated_s = playback.samples.back().time_s;
-    tellEvents(log, summary);
+    reportEvents(log, summary);
     return reportPage(summary, playback.samples, plan);
 }
 

@@ -13,7 +13,7 @@ using storage::get32;
 using storage::put32;
 
 constexpr size_t kRecordSize = 15, kFirst = 0x500, kFence = 4096 - 20 * 8;
-constexpr size_t kMost = (kFence - kFirst) / kRecordSize;
+constexpr size_t kMax = (kFence - kFirst) / kRecordSize;
 constexpr uint8_t kNeverWritten = 0xFF, kNothing = 0, kRepeatServo = 0xB8;
 constexpr uint32_t kVersionOf3 = 0x65AE;  // stands before the first item from 3.0 on
 
@@ -60,13 +60,13 @@ std::string arduPlaneIn(const Image& image) {
 }
 
 Document readRecords15(const Image& image, const std::string& name, size_t count) {
-    if (count > kMost) {
-        throw WrongInput(name + ": --count: expected at most " + std::to_string(kMost));
+    if (count > kMax) {
+        throw WrongInput(name + ": --count: expected at most " + std::to_string(kMax));
     }
     if (get32(image.data() + kFirst) == kVersionOf3) return readMissionOf3(image, name, count);
     Document document;
     document.name = name;
-    for (size_t index = 0; index < (count != 0 ? count : kMost); ++index) {
+    for (size_t index = 0; index < (count != 0 ? count : kMax); ++index) {
         const uint8_t* from = image.data() + kFirst + index * kRecordSize;
         const bool written = from[0] != kNeverWritten && from[0] != kNothing;
         if (count == 0 && !written) break;
@@ -90,15 +90,15 @@ Image writeRecords15(const Document& document, const Image& onto) {
     if (get32(onto.data() + kFirst) == kVersionOf3) {
         throw WrongInput("a board of ArduPlane 3.0 or later: only a ground station writes to it");
     }
-    if (document.entries.size() > kMost) {
-        throw WrongInput(document.name + ": expected at most " + std::to_string(kMost) + " items");
+    if (document.entries.size() > kMax) {
+        throw WrongInput(document.name + ": expected at most " + std::to_string(kMax) + " items");
     }
     Image image = onto;
     for (size_t index = 0; index < document.entries.size(); ++index) {
         pack15(document.entries[index].record, image.data() + kFirst + index * kRecordSize);
     }
     // the end for a reader that is not told CMD_TOTAL
-    if (document.entries.size() < kMost) {
+    if (document.entries.size() < kMax) {
         image[kFirst + document.entries.size() * kRecordSize] = kNeverWritten;
     }
     return image;

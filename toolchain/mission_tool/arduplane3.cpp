@@ -16,7 +16,7 @@ using storage::get16;
 using storage::get32;
 
 constexpr size_t kRecordSize = 15, kFirst = 0x500 + 4, kRally = 3786;
-constexpr size_t kMost = (kRally - kFirst) / kRecordSize;
+constexpr size_t kMax = (kRally - kFirst) / kRecordSize;
 constexpr uint8_t kNeverWritten = 0xFF, kNothing = 0;
 constexpr uint8_t kAboveSea = 0, kMission = 2, kAboveHome = 3, kAboveTerrain = 10;  // MAV_FRAME
 
@@ -134,10 +134,10 @@ MissionItem itemOf(const Stored& from) {
 }  // namespace
 
 Document readMissionOf3(const Image& image, const std::string& name, size_t count) {
-    if (count > kMost)
-        throw WrongInput(name + ": --count: expected at most " + std::to_string(kMost));
+    if (count > kMax)
+        throw WrongInput(name + ": --count: expected at most " + std::to_string(kMax));
     std::vector<MissionItem> items;
-    for (size_t index = 0; index < (count != 0 ? count : kMost); ++index) {
+    for (size_t index = 0; index < (count != 0 ? count : kMax); ++index) {
         const uint8_t* from = image.data() + kFirst + index * kRecordSize;
         const bool written = from[0] != kNeverWritten && from[0] != kNothing;
         if (count == 0 && !written) break;

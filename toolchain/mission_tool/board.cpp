@@ -16,13 +16,13 @@ using core::Status;
 using firmware::mission::MissionResult;
 using mission::Set;
 
-constexpr int kTurns = 10'000;      // far more than a full upload takes
+constexpr int kTicks = 10'000;      // far more than a full upload takes
 constexpr uint32_t kTurn_ms = 100;  // missionRun is called at 10 Hz
 
 // The board's turns until the call is answered.
 template <class Answer, class Call>
 Answer whileBusy(Call call) {
-    for (int turn = 0; turn < kTurns; ++turn) {
+    for (int turn = 0; turn < kTicks; ++turn) {
         const Answer answer = call();
         if (answer != Answer::busy) return answer;
         firmware::mission::missionRun();
@@ -43,7 +43,7 @@ void refuseForeign(const Image& image, const std::string& name) {
 }
 
 void waitForBoot() {
-    for (int turn = 0; turn < kTurns && !firmware::mission::missionReady(); ++turn)
+    for (int turn = 0; turn < kTicks && !firmware::mission::missionReady(); ++turn)
         firmware::mission::missionRun();
 }
 

@@ -20,6 +20,6 @@ Document storedMission(const Image& image, const std::string& name);
 // The image after the document has been uploaded to a board that holds `onto`.
 Image uploaded(const Document& document, const Image& onto, const std::string& onto_name);
 
-constexpr size_t kMostItems = storage::kRecordSlots;
+constexpr size_t kMaxItems = storage::kRecordSlots;
 
 }  // namespace mission_tool

@@ -30,7 +30,7 @@ core::Status readSurveyed(uint8_t index, uint8_t* to) {
 firmware::mission::Survey survey(const Document& document) {
     surveyed = &document;
     firmware::mission::Survey survey = {};
-    const auto count = static_cast<uint8_t>(std::min(document.entries.size(), kMostItems));
+    const auto count = static_cast<uint8_t>(std::min(document.entries.size(), kMaxItems));
     while (count > 1 && firmware::mission::surveyStep(survey, document.set, count, readSurveyed) ==
                             core::Status::busy) {
     }
@@ -111,11 +111,11 @@ private:
     }
 
     void whole(size_t count) {
-        if (count > kMostItems)
-            refuse(kMostItems, "expected at most " + std::to_string(kMostItems) +
-                                   " items, home included, found " + std::to_string(count));
-        if (survey_.counters > mission::kMostCounters)
-            refuse(0, "expected at most " + std::to_string(mission::kMostCounters) +
+        if (count > kMaxItems)
+            refuse(kMaxItems, "expected at most " + std::to_string(kMaxItems) +
+                                  " items, home included, found " + std::to_string(count));
+        if (survey_.counters > mission::kMaxCounters)
+            refuse(0, "expected at most " + std::to_string(mission::kMaxCounters) +
                           " jumps with a count, found " + std::to_string(survey_.counters));
         if (survey_.first_nav == 0) {
             warn(0, "no NAV command: AUTO is refused");

@@ -35,7 +35,7 @@ public:
 
     int check() {
         load();
-        if (tellFindings()) return 1;
+        if (reportFindings()) return 1;
         out_ << options_.file << ": the firmware takes it\n";
         return 0;
     }
@@ -43,7 +43,7 @@ public:
     int compile() {
         const std::string contents = load();
         encodedFor(options_.out, blankImage());  // a name that cannot be is told first
-        if (tellFindings()) return 1;
+        if (reportFindings()) return 1;
         const bool to_arduplane = options_.records == 15 && !isImage(contents);
         const Image image = to_arduplane ? writeRecords15(document_, reading_.onto)
                                          : uploaded(document_, reading_.onto, reading_.onto_name);
@@ -60,7 +60,7 @@ public:
 
     int decode() {
         if (!isImage(load())) throw WrongInput(options_.file + ": expected an image of an EEPROM");
-        (void)tellFindings();
+        (void)reportFindings();
         std::string text = options_.raw ? "" : recordsAsWaypoints(document_);
         if (text.empty()) {
             if (!options_.raw && document_.set == mission::Set::apm2)
@@ -104,16 +104,16 @@ private:
         return contents;
     }
 
-    bool tellFindings() {
+    bool reportFindings() {
         const std::vector<Finding> all = findings(document_);
         size_t errors = 0;
         for (const Finding& finding : all) {
-            if (finding.error && ++errors > simulator::kMostListed) continue;
+            if (finding.error && ++errors > simulator::kMaxListed) continue;
             err_ << document_.at(finding.index, (finding.error ? "" : "warning: ") + finding.text)
                  << '\n';
         }
-        if (errors > simulator::kMostListed)
-            err_ << "and " << errors - simulator::kMostListed << " more\n";
+        if (errors > simulator::kMaxListed)
+            err_ << "and " << errors - simulator::kMaxListed << " more\n";
         return errors > 0;
     }
 

@@ -115,7 +115,7 @@ std::string summaryOf(const Document& document, const std::vector<Leg>& legs) {
     for (const Leg& leg : legs) length_m += static_cast<double>(leg.length_m);
     return format("%s set, %zu of %zu items, legs of %.1f km in all",
                   document.set == mission::Set::apm1 ? "APM 1.0" : "APM 2.0",
-                  document.entries.size(), kMostItems, length_m / 1000);
+                  document.entries.size(), kMaxItems, length_m / 1000);
 }
 
 }  // namespace

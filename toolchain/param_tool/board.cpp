@@ -17,7 +17,7 @@ using core::Status;
 using mission_tool::expected;
 using mission_tool::placed;
 
-constexpr int kTurns = 1000;
+constexpr int kTicks = 1000;
 constexpr uint32_t kTurn_ms = 100;
 constexpr uint8_t kReal32 = 9;  // MAV_PARAM_TYPE
 
@@ -45,7 +45,7 @@ Parameter at(uint16_t index) {
 }
 
 Status setAt(uint16_t index, float value) {
-    for (int turn = 0; turn < kTurns; ++turn) {
+    for (int turn = 0; turn < kTicks; ++turn) {
         const Status status = firmware::state::parameterSetAt(index, value);
         if (status != Status::busy) return status;
         firmware::state::parametersRun();
@@ -77,7 +77,7 @@ void set(const std::vector<Setting>& settings, const std::string& file, const Ru
          std::vector<Finding>& findings) {
     std::map<std::string, int> named;
     for (const Setting& setting : settings) {
-        const auto tell = [&](bool error, int column, const std::string& text) {
+        const auto sendStatusText = [&](bool error, int column, const std::string& text) {
             findings.push_back(
                 {setting.line, error,
                  placed(file, setting.line, column, (error ? "" : "warning: ") + text)});
@@ -85,26 +85,28 @@ void set(const std::vector<Setting>& settings, const std::string& file, const Ru
         uint16_t index = 0;
         const auto [first, fresh] = named.emplace(setting.name, setting.line);
         if (!fresh) {
-            tell(true, setting.name_column,
-                 setting.name + " stands in line " + std::to_string(first->second) + " already");
+            sendStatusText(
+                true, setting.name_column,
+                setting.name + " stands in line " + std::to_string(first->second) + " already");
         } else if (!indexOf(setting.name, index)) {
-            tell(!rules.skip_unknown, setting.name_column,
-                 expected("a parameter of this firmware", setting.name));
+            sendStatusText(!rules.skip_unknown, setting.name_column,
+                           expected("a parameter of this firmware", setting.name));
         } else if (!at(index).stored) {
             if (setting.value != 0)
-                tell(false, setting.name_column,
-                     setting.name +
-                         " is left out: it is as long as the list of points, which "
-                         "goes up by itself");
+                sendStatusText(false, setting.name_column,
+                               setting.name +
+                                   " is left out: it is as long as the list of points, which "
+                                   "goes up by itself");
         } else {
             const float value = static_cast<float>(setting.value);
             const Status status = setAt(index, value);
             if (status != Status::ok)
-                tell(true, setting.value_column,
-                     expected(refusal(at(index), value), spelled(value)));
+                sendStatusText(true, setting.value_column,
+                               expected(refusal(at(index), value), spelled(value)));
             else if (at(index).whole && std::trunc(value) != value)
-                tell(false, setting.value_column,
-                     "a whole number: " + spelled(value) + " becomes " + spelled(at(index).value));
+                sendStatusText(
+                    false, setting.value_column,
+                    "a whole number: " + spelled(value) + " becomes " + spelled(at(index).value));
         }
     }
 }

@@ -38,7 +38,7 @@ public:
 
     int check() {
         load(options_.file);
-        if (tellFindings()) return 1;
+        if (reportFindings()) return 1;
         out_ << options_.file << ": the firmware takes it\n";
         return 0;
     }
@@ -46,7 +46,7 @@ public:
     int compile() {
         encodedFor(options_.out, blankImage());  // a name that cannot be is told first
         load(options_.file);
-        if (tellFindings()) return 1;
+        if (reportFindings()) return 1;
         simulator::writeFile(options_.out, encodedFor(options_.out, image()));
         if (options_.onto.empty())
             err_ << options_.out
@@ -73,7 +73,7 @@ public:
         } else {
             load(options_.file);
         }
-        const bool wrong = tellFindings();
+        const bool wrong = reportFindings();
         out_ << tableOf(parameters(), options_.changed);
         return wrong ? 1 : 0;
     }
@@ -112,12 +112,12 @@ private:
                });
     }
 
-    bool tellFindings() {
+    bool reportFindings() {
         size_t errors = 0;
         for (const Finding& finding : findings_)
-            if (!finding.error || ++errors <= simulator::kMostListed) err_ << finding.text << '\n';
-        if (errors > simulator::kMostListed)
-            err_ << "and " << errors - simulator::kMostListed << " more\n";
+            if (!finding.error || ++errors <= simulator::kMaxListed) err_ << finding.text << '\n';
+        if (errors > simulator::kMaxListed)
+            err_ << "and " << errors - simulator::kMaxListed << " more\n";
         return errors > 0;
     }
 

@@ -9,7 +9,7 @@
 
 namespace hal {
 bool imuDataReady() { return false; }
-void servosForgotten() { report(3, 0); }
+void passSticksToServos() { report(3, 0); }
 }  // namespace hal
 
 int main() {

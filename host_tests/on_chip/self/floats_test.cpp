@@ -190,8 +190,8 @@ TEST(Arithmetic, conversions_round_to_the_nearest) {
         wrong += core::toFixed(between / 4096, 12) != narrow;
     }
     EXPECT_EQ(wrong, 0);
-    constexpr float kBeyond[] = {32767.6f, 1e6f, 1e38f, INFINITY};
-    for (const float beyond : kBeyond) {
+    constexpr float kArduPlaneExtension[] = {32767.6f, 1e6f, 1e38f, INFINITY};
+    for (const float beyond : kArduPlaneExtension) {
         EXPECT_EQ(core::toFixed(beyond, 0), INT16_MAX);
         EXPECT_EQ(core::toFixed(-beyond, 0), INT16_MIN);
         EXPECT_EQ(core::toFixed(beyond, 14), INT16_MAX);

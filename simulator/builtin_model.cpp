@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulator/own_airplane.hpp"
+#include "simulator/builtin_model.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@ namespace simulator {
 
 constexpr double kCentre_us = 1500, kTravel_us = 400, kIdle_us = 1100, kFull_us = 1900;
 
-Controls OwnAirplane::controlsOf(const ServoPulses& pulses, bool elevons) {
+Controls BuiltinModel::controlsOf(const ServoPulses& pulses, bool elevons) {
     const auto deflection = [&pulses](size_t output) {
         return std::clamp((pulses.standing_us[output] - kCentre_us) / kTravel_us, -1.0, 1.0);
     };

@@ -5,9 +5,9 @@
 
 namespace simulator {
 
-class Onlooker {
+class PassiveGcs {
 public:
-    Onlooker(Board& board, int usart)
+    PassiveGcs(Board& board, int usart)
         : link_(board, usart, [this](const mavlink::Frame& frame, uint64_t) { take(frame); }) {}
 
     int usart() const { return link_.usart(); }

@@ -7,9 +7,9 @@
 
 namespace simulator {
 
-class HandHeld : public FlightModel {
+class BenchModel : public FlightModel {
 public:
-    explicit HandHeld(const WorldOptions& options);
+    explicit BenchModel(const WorldOptions& options);
 
     void step(const ServoPulses& pulses) override;
     const Truth& truth() const override { return truth_; }
@@ -21,7 +21,7 @@ public:
 
 private:
     Vec3 ratesToTarget() const;
-    void tell(const Vec3& rates_rads);
+    void sendStatusText(const Vec3& rates_rads);
 
     Quaternion attitude_, target_;
     Vec3 turning_rads_;

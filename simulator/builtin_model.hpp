@@ -6,9 +6,9 @@
 
 namespace simulator {
 
-class OwnAirplane : public FlightModel {
+class BuiltinModel : public FlightModel {
 public:
-    OwnAirplane(const WorldOptions& options, double gust_mps)
+    BuiltinModel(const WorldOptions& options, double gust_mps)
         : airplane_(loadAirplane(options.airplane), options, gust_mps) {}
 
     void step(const ServoPulses& pulses) override {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulator/airplane/hand_held.hpp"
+#include "simulator/airplane/bench_model.hpp"
 
 #include <algorithm>
 
@@ -14,28 +14,28 @@ constexpr double kPack_v = 12.4;
 
 }  // namespace
 
-HandHeld::HandHeld(const WorldOptions& options)
+BenchModel::BenchModel(const WorldOptions& options)
     : attitude_(quaternion(0, 0, options.heading_deg * kRadians)), target_(attitude_) {
     truth_.latitude_deg = options.latitude_deg;
     truth_.longitude_deg = options.longitude_deg;
     truth_.altitude_m = options.altitude_m;
     truth_.battery_v = kPack_v;
     truth_.on_ground = true;
-    tell({});
+    sendStatusText({});
 }
 
-void HandHeld::turnTo(double roll_rad, double pitch_rad, double yaw_rad) {
+void BenchModel::turnTo(double roll_rad, double pitch_rad, double yaw_rad) {
     target_ = quaternion(roll_rad, pitch_rad, yaw_rad);
     turns_ = false;
 }
 
-void HandHeld::turn(double roll_rads, double pitch_rads, double yaw_rads) {
+void BenchModel::turn(double roll_rads, double pitch_rads, double yaw_rads) {
     turning_rads_ = {roll_rads, pitch_rads, yaw_rads};
     turns_ = true;
 }
 
 // Body rates that bring it there in this step, or as fast as hands do.
-Vec3 HandHeld::ratesToTarget() const {
+Vec3 BenchModel::ratesToTarget() const {
     const Quaternion &a = attitude_, &b = target_;
     // the turn from the one to the other, in body axes
     double w = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
@@ -52,15 +52,15 @@ Vec3 HandHeld::ratesToTarget() const {
     return v * (rate / sine);
 }
 
-void HandHeld::step(const ServoPulses&) {
+void BenchModel::step(const ServoPulses&) {
     const Vec3 rates = turns_ ? turning_rads_ : ratesToTarget();
     attitude_ = normalized(attitude_ + turning(attitude_, rates) * Airplane::kStep_s);
     if (!turns_ && length(ratesToTarget()) < 1e-3) attitude_ = target_;
     truth_.time_us += Airplane::kStep_us;
-    tell(rates);
+    sendStatusText(rates);
 }
 
-void HandHeld::tell(const Vec3& rates) {
+void BenchModel::sendStatusText(const Vec3& rates) {
     const Rotation rotation(attitude_);
     const Vec3 force = rotation.toBody({0, 0, -kGravity_mss});
     truth_.roll_rad = rotation.roll_rad();

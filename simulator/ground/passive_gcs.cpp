@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulator/ground/onlooker.hpp"
+#include "simulator/ground/passive_gcs.hpp"
 
 namespace simulator {
 
 // Three times, as nobody says whether it was heard.
-void Onlooker::step(uint64_t now_us) {
+void PassiveGcs::step(uint64_t now_us) {
     constexpr uint64_t kAgain_us = 2'000'000;
     if (messages_ == 0 || tries_ == 3 || now_us - asked_us_ < kAgain_us) return;
     ++tries_;
@@ -18,7 +18,7 @@ void Onlooker::step(uint64_t now_us) {
     link_.send(request);
 }
 
-void Onlooker::take(const mavlink::Frame& frame) {
+void PassiveGcs::take(const mavlink::Frame& frame) {
     ++messages_;
     system_ = frame.system;
     component_ = frame.component;
