@@ -22,7 +22,11 @@ endfunction()
 # native_test(NAME COMMAND...), image_test(NAME BOARD COMMAND...): BOARD is apm1, apm2 or both;
 # more for declare_test() behind the command
 function(native_test name)
-    declare_test(${name} COMMAND ${ARGN} DATA ${flight_data} LABELS native TIMEOUT 1800 REUSE)
+    set(labels native)
+    if(name MATCHES "native_(modes|failsafes|beyond|fault_singles|gps_swapped|calibration)")
+        list(APPEND labels quick)  # half a second each, a few seconds the faults
+    endif()
+    declare_test(${name} COMMAND ${ARGN} DATA ${flight_data} LABELS ${labels} TIMEOUT 1800 REUSE)
 endfunction()
 function(image_test name board)
     set(images ${IMAGE_${board}})
@@ -47,7 +51,7 @@ function(flight_test name label crosstrack_m altitude_m touchdown_m)
             set(image ${IMAGE_apm1})
         endif()
         set(more NEEDS fly ${image} AFTER image_minutes)
-    elseif(name MATCHES "^native_(calm|wind)_1$")
+    elseif(name MATCHES "^native_(calm|wind)")
         list(APPEND labels quick)
     endif()
     declare_test(flight.${name} COMMAND flight fly ${flights}/${name} ${counted} ${crosstrack_m}
