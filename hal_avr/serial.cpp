@@ -201,7 +201,7 @@ ISR(USART0_RX_vect) { received<0>(); }
 ISR(USART1_RX_vect) { received<1>(); }
 ISR(LINK1_RECEIVED_vect) { received<2>(); }
 ISR(USART0_UDRE_vect, ISR_NAKED) { send<0>(); }
-ISR(USART1_UDRE_vect) {  // the GPS is told little
+ISR(USART1_UDRE_vect) {  // little is sent to the GPS
     uint8_t byte;
     if (gps_tx.take(byte))
         usart(kGps).data = byte;

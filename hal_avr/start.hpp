@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The peripherals' own start-up, called by the board in the order it needs. All with interrupts
-// off; none waits. And what their interrupts tell one another.
+// off; none waits. And what their interrupts hand to one another.
 #pragma once
 #include <avr/io.h>
 #include <stdint.h>

@@ -6,8 +6,8 @@ namespace firmware {
 namespace app {
 
 void dataflashStart();
-// Ten times a second or so: finds the chip, sees that it finishes what it was told to do, and
-// tells the pilot when it does not.
+// Ten times a second or so: finds the chip, sees that it finishes what it was asked to do, and
+// warns the pilot when it does not.
 void dataflashStep();
 
 }  // namespace app

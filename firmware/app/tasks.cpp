@@ -55,7 +55,7 @@ constexpr uint16_t kSilentImu_us = 10400;
 
 void endMode() { vehicle.mode_changed = false; }
 
-// both small and in no hurry
+// both short, and either may wait
 void runLightsAndFlash() {
     runLights();
     dataflashStep();

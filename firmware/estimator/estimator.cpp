@@ -46,7 +46,7 @@ constexpr uint8_t kDead = 20;         // frames: after a longer gap the attitude
 constexpr uint8_t kFramePeriods = 2;  // of a sample
 constexpr float kOddAirspeed_mps = 4, kOddAirspeed = 0.3f;  // and this share of what is expected
 constexpr float kOddHeight_m = 20;
-constexpr float kClimbAge_s = 0.19f;   // a u-blox's, which alone tells it: 0.29, less half of 0.2
+constexpr float kClimbAge_s = 0.19f;   // a u-blox's, which alone reports it: 0.29, less half of 0.2
 constexpr uint16_t kGoodHdop_c = 200;  // with fewer satellites heights are tens of metres off
 constexpr uint16_t kGpsSilent_ms = 500;
 constexpr uint16_t kAirspeedHelps_ms = 200;
@@ -130,7 +130,7 @@ bool airspeedFits() {
     return false;
 }
 
-void feelWind() {
+void updateWind() {
     fix_use = FixUse::feel_height;
     if (!vehicle.estimate.flying || since_fix_s > 1.5f || pointsByCourse()) return;
     if (!airspeedFits() && vehicle.airspeed.healthy) return;
@@ -144,7 +144,7 @@ bool near(float a_m, float b_m) { return fabsf(a_m - b_m) < kOddHeight_m; }
 
 // The receiver's height stands in for the barometer's, whose zero it learns before; and says which
 // of barometer and estimate is wrong where they differ.
-void feelHeight() {
+void fuseGpsHeight() {
     fix_use = FixUse::done;
     const auto& baro = vehicle.baro;
     const float height_m = height.height_m();
@@ -159,7 +159,7 @@ void feelHeight() {
         slow.omega_rads = 0.7f;  // of five fixes a second
         return height.useBarometer(fix_m, 0.1f, slow);
     }
-    if (height.doubts()) {
+    if (height.lastReadingFarOff()) {
         if (near(fix_m, height_m)) reportInconsistency(Sensor::barometer);
         return;
     }
@@ -214,9 +214,9 @@ void useReference() {
     } else if (fix_use == FixUse::move) {
         moveToFix(now_ms);
     } else if (fix_use == FixUse::feel_wind) {
-        feelWind();
+        updateWind();
     } else if (fix_use == FixUse::feel_height) {
-        feelHeight();
+        fuseGpsHeight();
     } else if (vehicle.compass.fresh) {
         vehicle.compass.fresh = false;
         if (parameters.compass_use != 0 &&
@@ -287,7 +287,7 @@ void publishSpeeds() {
     }
 }
 
-// Where no fix tells, the nose and the wind do.
+// Without a fix the nose and the wind show it.
 void reckon() {
     if (position.age_s() < 1.0f) return;
     const float airspeed_mps = vehicle.estimate.airspeed_mps;
@@ -313,7 +313,7 @@ void judgeFlying() {
 }
 
 // Without an inertial sensor the attitude stands, and is found anew when it is back.
-void feelInertial() {
+void propagateImu() {
     const auto& imu = vehicle.imu;
     if (imu_gap >= kDead) attitude.start();
     imu_gap = 0;
@@ -324,7 +324,7 @@ void feelInertial() {
 // In which quarter of the round this frame is.
 uint8_t quarter() {
     if (vehicle.imu.periods != 0) {
-        feelInertial();
+        propagateImu();
         return attitude.frame() & 3;
     }
     imu_gap = imu_gap < kDead + 3 ? imu_gap + 1 : kDead;

@@ -11,7 +11,7 @@ namespace gcs {
 struct Link;
 
 struct Asker {
-    uint8_t link, system, component;  // who is told how it goes
+    uint8_t link, system, component;  // who gets the progress
 };
 // False: another one runs.
 bool calibrationBegin(state::Calibrating what, const Asker& asker);

@@ -2,7 +2,7 @@
 // One ground link: its parser, what the other end speaks, and what it still has to be sent.
 // Answers are sent while their question is handled. So that they always find room, received
 // bytes stay in the port's buffer until the longest answer fits, and a frame whose handler was
-// told `busy` stays in the parser until the handler is done with it.
+// answered `busy` stays in the parser until the handler is done with it.
 #pragma once
 #include <stdint.h>
 

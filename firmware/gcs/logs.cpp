@@ -84,7 +84,7 @@ uint8_t lengthOf(const logging::RecordHead& head) {
     return 0;
 }
 
-// Of a record with the time that a receiver told; GPS time has no leap seconds: 18 since 2017.
+// Of a record with the time that a receiver sent; GPS time has no leap seconds: 18 since 2017.
 uint32_t utc_s(const GpsRecord& record) {
     constexpr uint32_t kGpsBegan_s = 315964800, kWeek_s = 604800, kLeap_s = 18;
     if (record.head.type != static_cast<uint8_t>(RecordType::gps) || record.week == 0) return 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Filling in the messages of the streams from the vehicle's state. A message comes zeroed; false:
-// there is nothing to tell now.
+// there is nothing to send now.
 #pragma once
 #include "mavlink/messages.hpp"
 

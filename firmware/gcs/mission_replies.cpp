@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the ground asks of the lists, and is told of the mission.
+// What the ground asks of the lists, and gets of the mission.
 #include <stddef.h>
 
 #include "firmware/gcs/degrees.hpp"

@@ -26,7 +26,7 @@ bool onMissionSetCurrent(Link& link, const mavlink::Frame& frame);
 bool refuseMission(Link& link, const mavlink::Frame& frame);  // the store stayed busy
 
 void missionTransferStart();
-void missionTransferTick();  // asks again, gives up, stores, tells what was reached
+void missionTransferTick();  // asks again, gives up, stores, reports what was reached
 uint16_t lastReached();      // the item of MISSION_ITEM_REACHED
 
 }  // namespace gcs

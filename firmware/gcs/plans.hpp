@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The three lists of the mission protocol, told apart by MAV_MISSION_TYPE: the mission, the fence,
-// the rally points. The rules are those of mission.hpp.
+// The three lists of the mission protocol, distinguished by MAV_MISSION_TYPE: the mission, the
+// fence, the rally points. The rules are those of mission.hpp.
 #pragma once
 #include "firmware/mission/lists.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One flight for each kind of path: it demands the bank, tells the progress and returns what is
+// One flight for each kind of path: it demands the bank, publishes the progress and returns what is
 // left to be done with pitch and throttle. 20 Hz. What has a memory begins afresh with a path.
 #pragma once
 #include "firmware/guidance/plan.hpp"

@@ -43,8 +43,8 @@ float cosRoll() {
     return vehicle.inverted ? -cosine : cosine;
 }
 
-// Along the path, from what the accelerometer feels: lift acts across the path, so only the angle
-// of attack's share of it is left, and gravity's.
+// Along the path, from what the accelerometer measures: lift acts across the path, so only the
+// angle of attack's share of it is left, and gravity's.
 float pathAcceleration_mss() {
     const auto& attitude = vehicle.attitude;
     const float path_rad = pathAngle_rad();
@@ -62,7 +62,8 @@ float pathAcceleration_mss() {
             pathAcceleration_mss(), cosRoll(),          vehicle.airspeed.healthy};
 }
 
-// Airspeeds are demanded as the wing feels them; energy is made of true ones.
+// Airspeeds are demanded as equivalent airspeeds, which lift depends on; energy is made of true
+// ones.
 float trueFromEquivalent() {
     const auto& estimate = vehicle.estimate;
     if (estimate.equivalent_airspeed_mps < kFlyingSpeed_mps) return 1;

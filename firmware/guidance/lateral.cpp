@@ -43,7 +43,7 @@ void reportTargetBearing() {
 
 void reportCourse() { vehicle.progress.nav_bearing_cd = bearing_cd(course); }
 
-// A gain tuned in flight is felt within half a second.
+// A gain tuned in flight takes effect within half a second.
 using Look = void (*)();
 constexpr Look kLooks[] ROM = {reportTargetBearing, reportCourse, reportTargetBearing, takeGains};
 uint8_t look;
@@ -54,7 +54,7 @@ void beginLateral() { takeGains(); }
 
 void planLateral() {
     leg = navigation::legAlong(geo::offset(vehicle.demand.from, vehicle.demand.to));
-    // a take-off tells no more than this
+    // a take-off reports no more than this
     vehicle.progress.distance_m = leg.length_m;
     course = leg.forward;
     place = {0, 0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the flights along a path have in common: how the airplane moves, the leg, and what is told
-// of it in vehicle.progress.
+// What the flights along a path have in common: how the airplane moves, the leg, and what is
+// published of it in vehicle.progress.
 #pragma once
 #include "navigation/l1.hpp"
 

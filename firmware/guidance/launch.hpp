@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The motor waits for the launch: it does not start on the ground because a mode was chosen.
-// vehicle.progress.throttle_suppressed tells whether it waits.
+// vehicle.progress.throttle_suppressed shows whether it waits.
 #pragma once
 
 namespace firmware {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The flight log: begins when the airplane is armed, ends when it is disarmed (LOG_BITMASK bit 16:
 // begins at start). What is logged how often is the table in log.cpp. A record for which the chip
-// has no time waits; the next of its kind takes its place, and PM and the ground are told of it.
+// has no time waits; the next of its kind takes its place, and PM and the ground are informed.
 #pragma once
 #include <stdint.h>
 
@@ -17,12 +17,12 @@ void logStart();
 bool logFind();
 void runLog();  // 50 Hz
 
-// What is told must be kept until the log has it.
+// What is reported must be kept until the log has it.
 inline bool logOpen() { return flight_logs.writing(); }
 
 // On the ground no log is written while one is read; arming resumes it in any case.
 void logPause(bool pause);
-void logErase();  // in the background, told when done; arming stops it
+void logErase();  // in the background, reported when done; arming stops it
 
 // The mission's engine has begun this item.
 void logCommand(uint8_t index);

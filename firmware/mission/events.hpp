@@ -10,7 +10,7 @@ namespace mission {
 
 constexpr uint8_t kRelayOutput = 9;  // 1..8 are the servo outputs
 
-// The output belongs to the mission until the mode changes. Refusals are told.
+// The output belongs to the mission until the mode changes. Refusals are reported.
 void holdOutput(uint8_t output, uint16_t pulse_us);
 
 // 0 and 1 are the ends of the channel's travel.

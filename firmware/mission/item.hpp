@@ -37,7 +37,7 @@ enum Form : uint8_t {
 }
 using Form = FormOf::Form;
 
-struct Notes {     // what the ground should be told once an upload
+struct Notes {     // what the ground should be sent once an upload
     bool rounded;  // a value was
     bool dropped;  // a parameter has no field, or was not needed
 };

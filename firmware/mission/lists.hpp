@@ -23,7 +23,7 @@ MUST_USE core::Status listRead(ListKind kind, uint8_t index, uint8_t* to);
 // forgets what was staged before, of any kind: who has an upload open denies it to others. `set`
 // (1..255) is stored with the list; the fence and the rally points have the version of their
 // records there. denied: the EEPROM is another firmware's. no_space: more than the capacity, or no
-// room beside the present list, which only is so without a DataFlash, and told.
+// room beside the present list, which only is so without a DataFlash, and reported.
 MissionResult listBegin(ListKind kind, uint16_t count, uint8_t set);
 MissionResult listPut(const uint8_t* record);
 MissionResult listKeep();   // the record that the present list has in this place

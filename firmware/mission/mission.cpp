@@ -137,7 +137,7 @@ bool enough() {
 
 constexpr ::mission::Host kHost ROM = {readRecord, countRecords, onEvent, here, enough};
 
-// Left alone by a watchdog or brown-out reset; the engine's seal tells whether it still holds.
+// Left alone by a watchdog or brown-out reset; the engine's seal shows whether it still holds.
 ::mission::Memory memory __attribute__((section(".noinit")));
 
 Status findStoredMission() {

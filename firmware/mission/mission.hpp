@@ -48,7 +48,7 @@ bool missionKnown();                     // the stored one has been looked for
 uint16_t missionCount();                 // items stored, home (item 0) included; 0: none
 uint16_t missionCurrent();               // index of the NAV flown, 0 when none
 bool missionSetCurrent(uint16_t index);  // false: no such item or no NAV
-bool takeReached(uint16_t& index);       // a NAV that finished and was not yet told
+bool takeReached(uint16_t& index);       // a NAV that finished and was not yet reported
 
 // AUTO goes on at the nearest DO_LAND_START, as soon as it is found. False: there is none.
 bool missionLand();

@@ -26,7 +26,7 @@ FencePoint fencePoint(const uint8_t* record);
 void setRallyHeight(uint8_t* record, float height_m, bool above_home);
 float rallyHeight_m(const uint8_t* record);  // above home
 
-// `count`: of the whole list. What this airplane does not fly is refused, the reason told.
+// `count`: of the whole list. What this airplane does not fly is refused, the reason reported.
 MissionResult pointFromItem(ListKind kind, const MissionItem& item, uint8_t count, uint8_t* record);
 void itemFromPoint(ListKind kind, const uint8_t* record, MissionItem& item);
 

@@ -13,7 +13,7 @@ namespace modes {
 enum class ModeReason : uint8_t { pilot, ground, mission, failsafe, boot };
 
 // False: the number is no mode of this airplane, or the mode cannot be entered now (the reason
-// has been told). Setting the present mode again does nothing and is true.
+// has been reported). Setting the present mode again does nothing and is true.
 bool setMode(state::Mode mode, ModeReason reason);
 
 void runMode();       // 100 Hz: the mode's own work

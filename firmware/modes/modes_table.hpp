@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every mode's file provides, one pair a mode. start: enters or refuses, the reason told.
+// What every mode's file provides, one pair a mode. start: enters or refuses, the reason reported.
 // run: 100 Hz, after the sticks are read and before the attitude is controlled. demand: 20 Hz,
 // before guidance flies it.
 #pragma once

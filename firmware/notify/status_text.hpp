@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Texts for the pilot (STATUSTEXT). They wait in a short queue until every link has taken them;
-// a text that finds the queue full is counted, and the count is told when there is room again.
+// a text that finds the queue full is counted, and the count is reported when there is room again.
 #pragma once
 #include <stdint.h>
 

@@ -47,7 +47,7 @@ bool calibrationRuns() { return vehicle.calibrating > Calibrating::rest; }
 bool inertialBad() { return !vehicle.imu.healthy; }
 bool gyrosUnknown() { return !vehicle.imu.calibrated; }
 
-// At rest it feels the earth and nothing else: 0.8 to 1.2 g, held or rocked by the wind too.
+// At rest it measures gravity and nothing else: 0.8 to 1.2 g, held or rocked by the wind too.
 bool accelerometersBad() {
     const auto square = [](core::Acceleration axis) {
         const int16_t tenths = axis.raw / 26;  // 0.1 m/s2
@@ -122,7 +122,7 @@ struct Check {
     uint8_t (*number)();  // that takes the place of '#'; nullptr: there is none
 };
 
-// The first that fails is told.
+// The first that fails is reported.
 // clang-format off
 constexpr Check kChecks[] ROM = {
     {kAlways,       boardBad,          "Wrong board: made for an APM #", boardModel},

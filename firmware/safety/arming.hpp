@@ -12,7 +12,7 @@ namespace safety {
 enum class ArmReason : uint8_t { pilot, ground, landed, failsafe };
 
 // Arms after every check of ARMING_CHECK has passed (force: without them); false and the reason
-// told otherwise. Sets home.
+// reported otherwise. Sets home.
 bool arm(ArmReason reason, bool force);
 // False in flight unless forced.
 bool disarm(ArmReason reason, bool force);
@@ -22,7 +22,7 @@ core::RomText prearmFailure();
 bool reportPrearmFailure(
     notify::Severity severity);  // the same as a text to the pilot; false: none fails
 
-// 10 Hz: arming and disarming by rudder, tells why arming would fail, disarms after landing
+// 10 Hz: arming and disarming by rudder, reports why arming would fail, disarms after landing
 void runArming();
 
 }  // namespace safety

@@ -50,7 +50,7 @@ uint8_t flownClass() {
     return mode == Mode::automatic && !acts() && low ? near_ground : by_itself;
 }
 
-// Each is told once, when it begins and when it is over.
+// Each is reported once, when it begins and when it is over.
 void reportOf(const CauseRow& cause, bool begins) {
     const core::RomText text = begins ? cause.begins : cause.ends;
     if (core::romRead(*text) == 0) return;

@@ -42,7 +42,7 @@ struct CauseRow {
     bool (*holds)();
     notify::Severity severity;
     uint8_t subsystem, code;    // of ERR in the log; over: code 0
-    char begins[30], ends[20];  // empty: told by another row, by others, or never over
+    char begins[30], ends[20];  // empty: reported by another row, by others, or never over
 };
 
 constexpr uint8_t kTransitionCount = 13;

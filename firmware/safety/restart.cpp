@@ -36,11 +36,11 @@ constexpr char kCauses[][32] ROM = {"Started by the supply",       "Started by t
                                     "Started by a reset",          "Restarted by a fault, task #",
                                     "Restarted as asked"};
 
-bool told;
+bool reported;
 bool home_kept;  // in the EEPROM, by this run or the one it goes on with
 uint8_t faults_told;
 
-constexpr uint8_t kFewPeriods = 10;  // of blind samples that tell a rate
+constexpr uint8_t kFewPeriods = 10;  // of blind samples that give a rate
 constexpr uint8_t kLooks = 3;        // at the mode switch, 20 ms apart
 constexpr uint16_t kSwitchComesWithin_ms = 200, kSensorsComeWithin_ms = 500;
 struct {
@@ -105,7 +105,7 @@ void reportCause() {
     constexpr uint8_t kBetweenTasks = 0;
     const uint8_t task = run.mark < hal::kMarkTaskEnd ? run.mark : kBetweenTasks;
     sendStatusText(severity, kCauses[static_cast<uint8_t>(run.ended)], task);
-    told = true;
+    reported = true;
 }
 
 void reportFaults() {
@@ -159,7 +159,7 @@ core::Vector3 turnedSince_rad(float since_s) {
 }  // namespace
 
 void restartResume() {
-    told = home_kept = false;
+    reported = home_kept = false;
     seen = {};
     number = last != nullptr ? last->number : 0;
     if (last == nullptr) return takeKeptHome();
@@ -182,7 +182,7 @@ void runRestart() {
 }
 
 void runRestartSlowly() {
-    if (!told) reportCause();
+    if (!reported) reportCause();
     reportFaults();
     keepHomeOfFlight();
     if (vehicle.attitude.aligned && vehicle.mode != Mode::initialising) keepSteady();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // While the program hangs: the sticks to the servos as in MANUAL, one output a call. And what the
-// gyros feel is kept for the attitude after the restart.
+// gyros measure is kept for the attitude after the restart.
 #include "core/maths.hpp"
 #include "firmware/safety/restart_kept.hpp"
 #include "firmware/sensors/sensors.hpp"

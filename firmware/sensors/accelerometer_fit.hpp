@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the accelerometers read too much and by how much they stretch, worked out of how they read
-// at rest on each of six sides: there they feel the earth alone, and that is known.
+// at rest on each of six sides: there they measure gravity alone, and that is known.
 #pragma once
 #include <stdint.h>
 
@@ -19,7 +19,7 @@ struct SideForces {
     core::Vector3 at(uint8_t side) const;
 };
 
-// Is what it feels what it would on that side, give or take 25 degrees?
+// Is what it measures what it would on that side, give or take 25 degrees?
 bool liesOn(uint8_t side, const core::Vector3& force_mss);
 
 struct AccelerometerFit {

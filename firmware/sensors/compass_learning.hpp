@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The compass's offsets, from the airplane being turned about: whichever way it lies the field is
-// as strong. Two readings b and c that lie well apart tell how far the offset o is off along their
+// as strong. Two readings b and c that lie well apart show how far the offset o is off along their
 // difference, for 2 o (c - b) = b^2 - c^2; it is moved there by a part of the way (Kaczmarz 1937).
 // Many readings are compared with one, then another takes its place.
 #pragma once

@@ -18,15 +18,15 @@ using namespace state;
 namespace {
 
 drivers::Gps receiver;
-drivers::GpsProtocol told;
+drivers::GpsProtocol reported;
 
 constexpr char kFound[][18] ROM = {"GPS: u-blox at #", "GPS: MTK 1.6 at #", "GPS: MTK 1.9 at #",
                                    "GPS: NMEA at #"};
 
 void reportWhatWasFound() {
-    told = receiver.protocol();
-    if (told == drivers::GpsProtocol::none) return;
-    sendStatusText(Severity::info, kFound[static_cast<uint8_t>(told) - 1],
+    reported = receiver.protocol();
+    if (reported == drivers::GpsProtocol::none) return;
+    sendStatusText(Severity::info, kFound[static_cast<uint8_t>(reported) - 1],
                    static_cast<int32_t>(receiver.baud()));
 }
 
@@ -41,7 +41,7 @@ void take(const drivers::GpsFix& fix) {
     if (fix.type == drivers::GpsFixType::none) return;
     gps.position = {fix.latitude_e7, fix.longitude_e7};
     gps.altitude_cm = fix.altitude_cm;
-    // what the receiver does not tell of climbing and sinking the barometer does
+    // what the receiver does not report of climbing and sinking the barometer does
     gps.velocity_mps = {fix.north_cms * kMetre, fix.east_cms * kMetre,
                         fix.has_down ? fix.down_cms * kMetre : -vehicle.estimate.climb_mps};
     gps.ground_speed_mps = fix.speed_cms * kMetre;
@@ -57,7 +57,7 @@ void startGps() { receiver.start(static_cast<uint8_t>(parameters.gps_type)); }
 
 void runGps() {
     const bool arrived = receiver.step(hal::now_ms());
-    if (receiver.protocol() != told) reportWhatWasFound();
+    if (receiver.protocol() != reported) reportWhatWasFound();
     vehicle.gps.healthy = receiver.healthy();
     if (!vehicle.gps.healthy) vehicle.gps.fix = GpsFix::no_gps;
     if (vehicle.gps.healthy && vehicle.gps.fix == GpsFix::no_gps) vehicle.gps.fix = GpsFix::none;

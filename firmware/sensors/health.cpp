@@ -13,15 +13,15 @@ using namespace state;
 namespace {
 
 struct Limits {
-    uint16_t jump;  // from one reading to the next, in the reading's unit
-    uint8_t still;  // 0.1 s without a change
-    uint8_t doubt;  // an impossible reading costs
-    uint8_t trust;  // and a possible one earns
+    uint16_t jump;       // from one reading to the next, in the reading's unit
+    uint8_t still;       // 0.1 s without a change
+    uint8_t impossible;  // an impossible reading costs
+    uint8_t trust;       // and a possible one earns
 };
 
 // clang-format off
 constexpr Limits kLimits[kSensors] ROM = {
-    // jump           still doubt trust
+    // jump         still impossible trust
     {4 * 1024,           2,   20,    1},  // inertial: rates of all axes, 4 rad/s, 100 Hz
     { 120,              10,   12,    1},  // barometer: 120 Pa, 80 Hz
     { 160,              20,   12,    1},  // airspeed: 0.1 V in eighths of a count, 50 Hz
@@ -31,13 +31,13 @@ constexpr Limits kLimits[kSensors] ROM = {
 // clang-format on
 
 constexpr uint8_t kMax = 0xFF;
-constexpr uint8_t kAils = 200;
+constexpr uint8_t kFaulty = 200;
 constexpr uint8_t kContradicted = 4;  // readings' worth
 
 struct Health {
     int16_t seen;
-    uint8_t still;   // 0.1 s
-    uint8_t doubts;  // above kAils it ails, until there are none
+    uint8_t still;      // 0.1 s
+    uint8_t suspicion;  // above kFaulty it is faulty, until there is none
 };
 Health healths[kSensors];
 uint8_t ailing;  // a bit a sensor
@@ -46,9 +46,9 @@ uint8_t bit(Sensor sensor) { return static_cast<uint8_t>(1 << static_cast<uint8_
 Health& of(Sensor sensor) { return healths[static_cast<uint8_t>(sensor)]; }
 const Limits& limitsOf(Sensor sensor) { return kLimits[static_cast<uint8_t>(sensor)]; }
 
-void add(Health& health, uint16_t doubts) {
-    doubts += health.doubts;
-    health.doubts = doubts > kMax ? kMax : static_cast<uint8_t>(doubts);
+void add(Health& health, uint16_t suspicion) {
+    suspicion += health.suspicion;
+    health.suspicion = suspicion > kMax ? kMax : static_cast<uint8_t>(suspicion);
 }
 
 void judge(uint8_t index) {
@@ -56,17 +56,17 @@ void judge(uint8_t index) {
     const uint8_t bit = static_cast<uint8_t>(1 << index);
     if (++health.still >= core::romRead(kLimits[index].still)) {
         health.still = core::romRead(kLimits[index].still);
-        health.doubts = kMax;
+        health.suspicion = kMax;
     }
-    if (health.doubts >= kAils) ailing |= bit;
-    if (health.doubts == 0) ailing &= static_cast<uint8_t>(~bit);
+    if (health.suspicion >= kFaulty) ailing |= bit;
+    if (health.suspicion == 0) ailing &= static_cast<uint8_t>(~bit);
 }
 
 }  // namespace
 
 void startHealth() {
     ailing = 0;
-    for (Health& health : healths) health.still = health.doubts = 0;
+    for (Health& health : healths) health.still = health.suspicion = 0;
 }
 
 bool acceptReading(Sensor sensor, int16_t reading, bool possible) {
@@ -77,18 +77,18 @@ bool acceptReading(Sensor sensor, int16_t reading, bool possible) {
     const uint16_t jump = static_cast<uint16_t>(change < 0 ? -change : change);
     health.seen = reading;
     if (!possible || jump > core::romRead(limits.jump)) {
-        add(health, core::romRead(limits.doubt));
+        add(health, core::romRead(limits.impossible));
         return !vehicle.estimate.flying;
     }
     if (change == 0) return true;
     health.still = 0;
     const uint8_t trust = core::romRead(limits.trust);
-    health.doubts = health.doubts > trust ? health.doubts - trust : 0;
+    health.suspicion = health.suspicion > trust ? health.suspicion - trust : 0;
     return true;
 }
 
 void reportInconsistency(Sensor sensor) {
-    add(of(sensor), core::romRead(limitsOf(sensor).doubt) * kContradicted);
+    add(of(sensor), core::romRead(limitsOf(sensor).impossible) * kContradicted);
 }
 
 bool isFaulty(Sensor sensor) { return (ailing & bit(sensor)) != 0; }

@@ -65,7 +65,7 @@ __attribute__((noinline)) void takeReading() {
     readings[refreshed] = {static_cast<int16_t>(core::rounded(scale * kFactor)), offset_mss};
 }
 
-// A parameter is felt within a third of a second.
+// A parameter takes effect within a third of a second.
 void refreshReading() {
     refreshed = (refreshed + 1) & 31;
     if (refreshed <= core::count(readings)) takeReading();
@@ -136,7 +136,7 @@ void findZero(const drivers::ImuSums& sums) {
     zero = {{core::rounded(in_period.x), core::rounded(in_period.y), core::rounded(in_period.z)}};
 }
 
-// The wind alone moves it, as far as anybody can tell.
+// The wind alone moves it, as far as can be seen.
 bool mayRock() {
     constexpr float kStanding_mps = 3;
     return !vehicle.armed && vehicle.estimate.ground_speed_mps < kStanding_mps;
@@ -159,10 +159,10 @@ void watchGyros(const drivers::ImuSums& sums) {
 void use(drivers::ImuSums& sums) {
     watchGyros(sums);
     makeTwo(sums);
-    Turn turn, felt;
+    Turn turn, specific_force;
     for (uint8_t i = 0; i < 3; ++i) {
         turn.of[i] = turned(sums.rate[i], zero.of[i]);
-        felt.of[i] = force(sums.force[i], readings[i]);
+        specific_force.of[i] = force(sums.force[i], readings[i]);
     }
     const bool trimmed = trim_x_rad.raw != 0 || trim_y_rad.raw != 0;
     if (trimmed) level(turn);
@@ -173,12 +173,13 @@ void use(drivers::ImuSums& sums) {
     to.rate_rads = rates;
     stretch(turn, sums.periods);
     to.turned = turn;
-    if (trimmed) level(felt);
-    to.accel_mss = {force_mss(felt.of[0]), force_mss(felt.of[1]), force_mss(felt.of[2])};
+    if (trimmed) level(specific_force);
+    to.accel_mss = {force_mss(specific_force.of[0]), force_mss(specific_force.of[1]),
+                    force_mss(specific_force.of[2])};
 }
 
 // A chip that talks nonsense is started anew, but has time to win trust before that comes again.
-void heal() {
+void restartSensor() {
     if ((hal::now_ms() & 4095) < 10) imu.start();
     vehicle.imu.healthy = false;
     vehicle.imu.periods = 0;
@@ -237,7 +238,7 @@ void runInertial() {
     to.calibrated = still.done();
     refreshReading();
     use(sums);
-    if (isFaulty(Sensor::inertial)) heal();
+    if (isFaulty(Sensor::inertial)) restartSensor();
 }
 
 }  // namespace sensors

@@ -155,8 +155,8 @@ void parametersRun();                    // 10 Hz: background stores
 
 // Lets the next start forget every stored value; the mission stays. False: armed, or no room yet.
 bool parametersReset();
-// Begins to erase the whole EEPROM, parameters and mission, ours or another firmware's; told when
-// done, in force after a restart. False: armed.
+// Begins to erase the whole EEPROM, parameters and mission, ours or another firmware's; reported
+// when done, in force after a restart. False: armed.
 bool parametersErase();
 
 }  // namespace state

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What lets the airplane fly on after a restart in the air, in memory that a reset leaves alone. A
-// seal, begun with a number of its own (kLayout), tells a whole record from chance, from one that a
-// reset cut short and from one of another firmware.
+// seal, begun with a number of its own (kLayout), distinguishes a whole record from chance, from
+// one that a reset cut short and from one of another firmware.
 #pragma once
 #include <stdint.h>
 
@@ -73,7 +73,7 @@ struct FlightSigns {
 bool inTheAir(const FlightSigns& signs);
 
 // From the record to the first new sample: `record_ms` and `ended_ms` by the clock of the run that
-// ended, what followed by the one that began. At most a second is believed.
+// ended, what followed by the one that began. At most a second is accepted.
 float lost_s(uint16_t record_ms, uint16_t ended_ms, uint16_t since_ms);
 
 }  // namespace state

@@ -60,7 +60,7 @@ TEST(Height, a_single_wild_reading_is_left_out) {
     for (int i = 0; i < 200; ++i) {
         height.propagate(0, 0.01f);
         height.useBarometer(i == 150 ? 180.0f : 100.0f, 0.0125f, HeightSettings());
-        EXPECT_EQ(height.doubts(), i == 150);
+        EXPECT_EQ(height.lastReadingFarOff(), i == 150);
     }
 
     EXPECT_NEAR(height.height_m(), 100, 0.01);
@@ -72,7 +72,7 @@ TEST(Height, readings_that_insist_for_two_seconds_are_followed) {
     bench.glitch_m = 40;
     bench.fly(1.9, [](double) { return 0.0; });
     EXPECT_NEAR(bench.height.height_m(), 0, 0.01);
-    EXPECT_TRUE(bench.height.doubts());
+    EXPECT_TRUE(bench.height.lastReadingFarOff());
 
     bench.fly(0.6, [](double) { return 0.0; });
     EXPECT_NEAR(bench.height.height_m(), 40, 0.01);

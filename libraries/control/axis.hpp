@@ -8,7 +8,7 @@
 
 namespace control {
 
-// How the air is felt: the same for all loops.
+// How the surfaces work at this airspeed: the same for all loops.
 struct AirFlow {
     core::Ratio speed_scale;  // SCALING_SPEED over airspeed, within 0.5 .. 2
     float inverse_airspeed_spm;

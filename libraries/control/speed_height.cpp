@@ -129,7 +129,7 @@ SpeedHeight::Errors SpeedHeight::errors(const SpeedHeightMeasured& now) const {
     return errors;
 }
 
-// Where no sensor tells the speed the angle of attack does: the slower, the more of it holds the
+// Where no sensor measures the speed the angle of attack does: the slower, the more of it holds the
 // path. The throttle opens with the pitch, all of it at the highest, and hardly closes below level.
 float SpeedHeight::throttleForPitch(const SpeedHeightLimits& limits) const {
     const float cruise = limits.throttle_cruise;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // For what can not be: counts it, remembers which it was last, and leaves it to the caller to fly
-// on with a safe value. The flight program tells the pilot and the log.
+// on with a safe value. The flight program informs the pilot and the log.
 #pragma once
 #include <stdint.h>
 

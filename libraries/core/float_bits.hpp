@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Floats by their bits: what can be told from an exponent needs none of the chip's slow arithmetic.
+// Floats by their bits: what can be seen from an exponent needs none of the chip's slow arithmetic.
 #pragma once
 #include <stdint.h>
 #include <string.h>

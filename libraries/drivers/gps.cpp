@@ -152,7 +152,7 @@ void Gps::goOn(uint16_t now) {
     const uint16_t passed = now - since_;
     if (state_ == State::greet) {
         if (type_ == gps_nmea) return listen(now);
-        if (!told()) since_ = now;
+        if (!configured()) since_ = now;
         // ten bits a byte
         else if (passed > kAnswer_ms + kAtOnce * 10000UL / baud())
             call(now);
@@ -198,7 +198,7 @@ void Gps::adopt(GpsProtocol protocol, uint16_t now) {
 void Gps::watch(uint16_t now) {
     const Receiver& is = kReceivers[static_cast<uint8_t>(found_) - 1];
     if (static_cast<uint16_t>(now - since_) > core::romRead(is.silent_ms)) return greet(now);
-    if (!told()) return;
+    if (!configured()) return;
     if (greetings_ > 0 && static_cast<uint16_t>(now - asked_) > kGreetAgain_ms) {
         --greetings_;
         asked_ = now;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The GPS, whatever it is and at whatever rate it talks: found by itself, told to send five fixes a
-// second in its own binary protocol at 38400 baud where it takes that, told again when it forgets,
-// and looked for again when it falls silent. docs/boards.md has the search step by step.
+// The GPS, whatever it is and at whatever rate it talks: found by itself, configured to send five
+// fixes a second in its own binary protocol at 38400 baud where it takes that, configured again
+// when it forgets, and looked for again when it falls silent. docs/boards.md has the search step by
+// step.
 #pragma once
 #include "drivers/gps_epoch.hpp"
 #include "drivers/gps_framing.hpp"
@@ -44,7 +45,7 @@ private:
     void watch(uint16_t now);
     void queue(uint8_t scripts);
     void send();
-    bool told() const { return waiting_ == 0 && script_left_ == 0; }
+    bool configured() const { return waiting_ == 0 && script_left_ == 0; }
     bool heard(GpsProtocol protocol, uint16_t now);
     bool counts(GpsProtocol protocol) const;
     void adopt(GpsProtocol protocol, uint16_t now);

@@ -12,10 +12,10 @@ struct GpsEpoch {
     static constexpr uint8_t kPosition = 1, kVelocity = 2, kUnfixed = 4, kReported = 8;
 
     GpsFix fix;
-    uint32_t time;     // of the parts so far, as the receiver tells it
+    uint32_t time;     // of the parts so far, as the receiver sends it
     uint16_t refused;  // whole and right messages that said what cannot be
     uint8_t parts;     // k...
-    GpsFixType type;   // as last told apart from the parts
+    GpsFixType type;   // as last derived from the parts
     bool odd;          // a part has a value that cannot be
     bool forgot;       // the receiver does not have the settings it was given
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What GPS receivers are told, put together with checksums by the compiler: UBX frames (u-blox 6
+// What is sent to GPS receivers, put together with checksums by the compiler: UBX frames (u-blox 6
 // Receiver Description, "UBX Protocol") and PMTK sentences (MediaTek's, with those of the
 // DIYDrones firmware).
 #pragma once

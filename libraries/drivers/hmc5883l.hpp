@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Honeywell HMC5883L compass on I2C, or its predecessor HMC5843: found, told apart, scaled by its
+// Honeywell HMC5883L compass on I2C, or its predecessor HMC5843: found, identified, scaled by its
 // own self-test field, then read at 50 Hz. The bus works by interrupts, so a step only starts a
 // transfer or fetches the end of one.
 #pragma once

@@ -6,9 +6,9 @@ namespace {
 
 // Behind preamble and length: latitude, longitude, height (cm), speed (cm/s), course (0.01
 // degrees), satellites, fix, date, time of day, dilution.
-GpsFixType fixType(uint8_t told) {
-    if (told == 2 || told == 6) return GpsFixType::two_d;  // 6, 7: with a satellite's corrections
-    return told == 3 || told == 7 ? GpsFixType::three_d : GpsFixType::none;
+GpsFixType fixType(uint8_t value) {
+    if (value == 2 || value == 6) return GpsFixType::two_d;  // 6, 7: with a satellite's corrections
+    return value == 3 || value == 7 ? GpsFixType::three_d : GpsFixType::none;
 }
 
 int32_t scaled(const uint8_t* at, uint8_t scale, GpsEpoch& epoch) {

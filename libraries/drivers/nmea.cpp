@@ -167,8 +167,8 @@ bool readNmea(const uint8_t* sentence, GpsEpoch& epoch) {
         return false;
     }
     if (layout == gsa) {
-        const int32_t told = values.of[dimension];
-        if (told >= 1 && told <= 3) epoch.type = static_cast<GpsFixType>(told);
+        const int32_t dimensions = values.of[dimension];
+        if (dimensions >= 1 && dimensions <= 3) epoch.type = static_cast<GpsFixType>(dimensions);
         return false;
     }
     const uint8_t part = layout == gga ? GpsEpoch::kPosition : GpsEpoch::kVelocity;

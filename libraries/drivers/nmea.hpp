@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads NMEA 0183 sentences of any talker, in integers: GGA and RMC of one time make a fix; GSA,
-// where it is sent, tells two dimensions from three.
+// where it is sent, distinguishes two dimensions from three.
 #pragma once
 #include "drivers/gps_epoch.hpp"
 

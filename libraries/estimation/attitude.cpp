@@ -229,9 +229,9 @@ void Attitude::accelerate() {
     const Row16 n(north_), d(down_);
     const Row16 e = d.cross(n);
     const int32_t north = n.dot(x, y, z), east = e.dot(x, y, z);
-    // They were felt, on the mean, two frames ago, and the matrix is one frame old: the nose was
-    // this much behind it. A yaw step is a quarter of an Angle's; four
-    // frames are eight periods.
+    // They were measured, on the mean, two frames ago, and the matrix is one frame old: the nose
+    // was this much behind it. A yaw step is a quarter of an Angle's; four frames are eight
+    // periods.
     constexpr core::Fixed<16> kBehind(RowAngle::kSteps / core::Angle::kSteps / 4 / 8);
     const int16_t behind = static_cast<int16_t>(
         core::limit<int32_t>(core::times16(int32_t{yaw_step_} * periods_, kBehind.raw),
@@ -280,14 +280,14 @@ void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& fe
     const float horizontal = a.x * a.x + a.y * a.y;
     // Split into towards the centre (along a) and along the path.
     core::Vector3 used = missing_mss;
-    float yaw = 0, doubt = 0;
+    float yaw = 0, turning_share = 0;
     if (horizontal > 0.25f) {
         const float inverse = 1.0f / horizontal;
         const float path = (a.x * missing_mss.y - a.y * missing_mss.x) * inverse;
-        doubt = horizontal / (horizontal + kTurning_mss * kTurning_mss);
-        used.x += a.y * path * doubt;
-        used.y -= a.x * path * doubt;
-        if (by_fix) yaw = path * doubt * quick * kYawFromTurn;
+        turning_share = horizontal / (horizontal + kTurning_mss * kTurning_mss);
+        used.x += a.y * path * turning_share;
+        used.y -= a.x * path * turning_share;
+        if (by_fix) yaw = path * turning_share * quick * kYawFromTurn;
     }
     const float gain =
         quick * core::limit(time_s * (1.0f / kTilt_s), 0.0f, 0.1f) * (1.0f / kGravity);
@@ -297,7 +297,7 @@ void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& fe
         north * (used.y * gain) - east * (used.x * gain) + down * core::limit(yaw, -0.05f, 0.05f);
     const float eager = 1.0f + kEager * settling_;
     learnRates({by.x * eager, by.y * eager, by.z});
-    if (by_fix) learnForces(used, east.x, (1.0f - doubt) * (1.0f - settling_));
+    if (by_fix) learnForces(used, east.x, (1.0f - turning_share) * (1.0f - settling_));
     turnBy(by);
 }
 
@@ -318,9 +318,9 @@ void Attitude::learnRate(int32_t& bias, core::BodyRate& rate, float turned_rad) 
 }
 
 // A tilt is found where the accelerometers' bias is taken for a part of gravity. When the airplane
-// turns, the bias turns with it, over the ground, and the tilt does not: what is missing then tells
+// turns, the bias turns with it, over the ground, and the tilt does not: what is missing then shows
 // of it, as far as the nose has turned from where it pointed while the tilt was found. In a steep
-// turn other errors are larger; while the gyros' zero is learnt nothing tells the two apart.
+// turn other errors are larger; while the gyros' zero is learnt nothing distinguishes the two.
 void Attitude::learnForces(const core::Vector3& missing_mss, float nose_east, float trust) {
     constexpr float kNose = 1.0f / core::Ratio::kSteps;
     constexpr int16_t kStraight = 500;                          // 2 degrees
@@ -350,16 +350,16 @@ void Attitude::learnForce(int32_t& bias, float missing_mss) {
 
 void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings) {
     catchUp();
-    // what has been felt since is not in the history yet
+    // what has been measured since is not in the history yet
     const VelocityHistory::Moment then =
         history_.ago(settings.gps_age_s - periods_ * kSamplePeriod_s);
     const VelocityHistory::Moment ground = VelocityHistory::moment(velocity_mps.x, velocity_mps.y);
     const float time_s = since_fix_ * kSamplePeriod_s;
     if (phase_ != Phase::falling && time_s < kMaxTime_s && time_s > 0.05f) {
         const core::Vector3 seen = VelocityHistory::difference_mps(ground, fix_ground_);
-        const core::Vector3 felt = VelocityHistory::difference_mps(then, fix_);
+        const core::Vector3 measured = VelocityHistory::difference_mps(then, fix_);
         const float inverse = 1.0f / time_s;
-        correct((seen - felt) * inverse, felt * inverse, time_s, true);
+        correct((seen - measured) * inverse, measured * inverse, time_s, true);
     }
     fix_ = then;
     fix_ground_ = ground;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far the barometer has drifted since it was zeroed, as far as a receiver's vertical velocity
-// tells: over some minutes its sum errs about as much as the barometer drifts, so a part of what
+// shows: over some minutes its sum errs about as much as the barometer drifts, so a part of what
 // lies between the two is taken for drift, and forgotten slowly.
 #pragma once
 

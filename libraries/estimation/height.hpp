@@ -26,7 +26,7 @@ public:
     float height_m() const { return height_m_; }
     float climb_mps() const { return climb_mps_; }
     bool healthy() const { return unfed_ms_ < 2000; }  // a reading was used within 2 s
-    bool doubts() const { return off_ms_ > 0; }        // the last reading lay far off
+    bool lastReadingFarOff() const { return off_ms_ > 0; }
 
 private:
     float height_m_ = 0;

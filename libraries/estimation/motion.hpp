@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the inertial sensors felt in a frame, body axes: x forward, y right, z down.
+// What the inertial sensors measured in a frame, body axes: x forward, y right, z down.
 #pragma once
 #include <stdint.h>
 

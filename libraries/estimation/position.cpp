@@ -10,7 +10,7 @@ constexpr float kMean_hz = 0.005f;     // fixes are averaged over 200 s ...
 constexpr float kMean_hzpm2 = 0.003f;  // ... and over less where they lie far off
 constexpr float kFar_m = 30.0f;        // a fix this far off is refused ...
 constexpr float kFarther_mps = 15.0f;  // ... and farther with the age of the last one used
-constexpr float kBelieved_s = 18.0f;   // after so long a fix is believed wherever it is
+constexpr float kBelieved_s = 18.0f;   // after so long a fix is accepted wherever it is
 constexpr float kCarries_s = 1.0f;     // without a fix the accelerations are carried on
 constexpr float kFold_m = 200.0f;      // the offset is folded into the anchor beyond this
 

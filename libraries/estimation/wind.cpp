@@ -5,7 +5,7 @@ namespace estimation {
 namespace {
 
 constexpr float kSlow_s = 15.0f;  // the mean wind, not its gusts
-constexpr float kTurn = 0.5f;     // change of the nose's direction that tells enough
+constexpr float kTurn = 0.5f;     // change of the nose's direction that shows enough
 constexpr float kMaxWind_mps = 50.0f;
 constexpr float kLeastAirspeed_mps = 4.0f;
 
@@ -43,23 +43,23 @@ void Wind::update(const core::Vector3& ground_mps, const Pointing& nose, float a
     known_ = known_ || airspeed_mps < kLeastAirspeed_mps || heard_s_ > 2.0f;
 }
 
-// True when the nose has turned far enough since the last time to tell the airspeed.
+// True when the nose has turned far enough since the last time to show the airspeed.
 bool Wind::fromTurn(const core::Vector3& ground_mps, const Pointing& nose, float& airspeed_mps) {
     const float north = nose.north - old_nose_.north, east = nose.east - old_nose_.east;
     const float squared = north * north + east * east;
     if (seeded_ && squared < kTurn * kTurn) return false;
-    bool told = false;
+    bool found = false;
     if (seeded_) {
         airspeed_mps = (north * (ground_mps.x - old_ground_north_) +
                         east * (ground_mps.y - old_ground_east_)) /
                        squared;
-        told = airspeed_mps > kLeastAirspeed_mps && airspeed_mps < kMaxWind_mps;
+        found = airspeed_mps > kLeastAirspeed_mps && airspeed_mps < kMaxWind_mps;
     }
     seeded_ = true;
     old_nose_ = nose;
     old_ground_north_ = ground_mps.x;
     old_ground_east_ = ground_mps.y;
-    return told;
+    return found;
 }
 
 float Wind::airspeed_mps(const core::Vector3& ground_mps) const {

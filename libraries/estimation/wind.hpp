@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The wind, and the airspeed where no sensor tells it. With a sensor and a heading wind is ground
-// velocity less air velocity, low-passed; without one it is found from how the ground velocity
-// changes when the airplane turns.
+// The wind, and the airspeed where no sensor measures it. With a sensor and a heading wind is
+// ground velocity less air velocity, low-passed; without one it is found from how the ground
+// velocity changes when the airplane turns.
 #pragma once
 #include <stdint.h>
 
@@ -17,7 +17,7 @@ class Wind {
 public:
     void start();
     void resume(float north_mps, float east_mps);  // known before a restart
-    // Every fix in flight. airspeed_mps: true, 0 when no sensor tells it.
+    // Every fix in flight. airspeed_mps: true, 0 when no sensor measures it.
     void update(const core::Vector3& ground_mps, const Pointing& nose, float airspeed_mps,
                 float dt_s);
 

@@ -58,7 +58,7 @@ const Scale& scaleFor(int32_t latitude_e7, float& east_m) {
 int32_t wrappedSum_e7(int32_t longitude_e7, int32_t by_e7) {
     constexpr uint32_t kTurn_e7 = 3600000000UL;
     const uint32_t sum = static_cast<uint32_t>(longitude_e7) + static_cast<uint32_t>(by_e7);
-    // Beyond +180 the sum, taken as signed, may have wrapped: tell by the direction of the step.
+    // Beyond +180 the sum, taken as signed, may have wrapped: see by the direction of the step.
     if (by_e7 >= 0 && longitude_e7 > kHalfTurn_e7 - by_e7)
         return static_cast<int32_t>(sum - kTurn_e7);
     if (by_e7 < 0 && longitude_e7 < -kHalfTurn_e7 - by_e7)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The 4 KiB EEPROM behind a queue. A byte takes 3.4 ms to write and a read must not touch the
-// chip meanwhile, so nothing here waits: who is told `busy` asks again in a later frame.
+// chip meanwhile, so nothing here waits: who gets `busy` asks again in a later frame.
 #pragma once
 #include <stdint.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The board's DataFlash (AT45DB161D or AT45DB321D) as its users share it. The chip has two page
 // buffers of its own and takes milliseconds to erase or program a page, so nothing here waits: who
-// is told `busy` asks again in a later frame. Each user has one of the two buffers, and pages that
+// gets `busy` and asks again in a later frame. Each user has one of the two buffers, and pages that
 // are its alone; where both want the chip at once, the mission is served first.
 #pragma once
 #include <stdint.h>
@@ -51,7 +51,7 @@ MUST_USE core::Status flashErase(FlashUser user, uint16_t page);
 // Also while the chip is not yet known.
 bool flashBusy();
 
-// The user wants the chip next: the log's flashStore and flashErase are told busy while the
+// The user wants the chip next: the log's flashStore and flashErase get busy while the
 // mission wants it.
 void flashWant(FlashUser user, bool wanted);
 

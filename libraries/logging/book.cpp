@@ -71,7 +71,7 @@ Status Book::seek(const Key& key, Search& found) const {
     return narrow(fromOldest(0), key, false, found);
 }
 
-// The ring's last page tells whether it has been full, its first where the newest turn began.
+// The ring's last page shows whether it has been full, its first where the newest turn began.
 Status Book::findEnds() {
     PageHead head;
     const Status last = headAt(ring() - 1, head);

@@ -30,7 +30,7 @@ public:
     MUST_USE core::Status size(const Book& book, const Formats& formats, uint32_t& bytes);
 
     // At least one byte from `at` on, at most `size`, which becomes how many. The log must have so
-    // many. A page that cannot be read any more is told as zeros.
+    // many. A page that cannot be read any more is read as zeros.
     MUST_USE core::Status read(const Book& book, const Formats& formats, uint32_t at, uint8_t* to,
                                uint8_t& size);
 

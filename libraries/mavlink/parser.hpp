@@ -117,7 +117,7 @@ private:
         // no dialect uses an id of more than 16 bits
         row_ = isV1() || bytes_[9] == 0 ? Table::find(id(), accepted) : kNoRow;
         if (row_ == kNoRow ? !fromPeer() : isV1() && length < accepted.length) return false;
-        // a signature is as good as noise; only its sender's next frame can tell that it was cut
+        // a signature is as good as noise; only its sender's next frame can show that it was cut
         if (signature_ > 0 && !(fromPeer() && compatible())) return false;
         crc_extra_ = accepted.crc_extra;
         measured_ = true;

@@ -101,7 +101,7 @@ constexpr bool traitsMakeSense(const Row (&rows)[N]) {
     return true;
 }
 
-// How many ids of the set its document has (traits 0), or are beyond it (kBeyond).
+// How many ids of the set its document has (traits 0), or are beyond it (kArduPlaneExtension).
 template <size_t N>
 constexpr uint8_t idsIn(const Row (&rows)[N], Set set, uint8_t traits) {
     uint8_t found = 0;

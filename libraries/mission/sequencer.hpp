@@ -39,7 +39,7 @@ struct Host {
 };
 
 // Everything the engine remembers, in one struct with one reset. Plain bytes: it may lie in
-// memory that a watchdog reset leaves alone, and the seal tells whether it did.
+// memory that a watchdog reset leaves alone, and the seal shows whether it did.
 struct Memory {
     struct {                          // APM 2.0
         uint16_t left[kMaxCounters];  // times

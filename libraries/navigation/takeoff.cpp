@@ -27,7 +27,7 @@ Launch::Result Launch::run(const LaunchSettings& settings, const LaunchState& no
     const bool push_asked = settings.min_accel_mss > 0;
     const bool pushed = waited_s_ >= 0 || (push_asked && now.accel_mss >= settings.min_accel_mss);
     if (!upright(now)) {
-        const bool new_push = pushed && waited_s_ != kTilted_s;  // a push is told of once
+        const bool new_push = pushed && waited_s_ != kTilted_s;  // a push is reported once
         waited_s_ = pushed ? kTilted_s : kUnpushed_s;
         return new_push ? tilted : waits;
     }

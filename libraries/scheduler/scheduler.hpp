@@ -3,7 +3,7 @@
 // `phase` of that period, for at most `budget_us`. The table is the schedule, and the functions
 // here prove at compile time that no frame of it overflows. What runs over its budget all the
 // same costs only the lower tier: its tasks wait for a later frame, the one that waits longest
-// goes first. Tasks are timed in the clock's ticks, which tell apart what ends within 32 ms.
+// goes first. Tasks are timed in the clock's ticks, which distinguish what ends within 32 ms.
 #pragma once
 #include <stdint.h>
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Words that this project has replaced by those of the field do not come back in what is flashed:
+// send, report or show rather than tell; accept rather than believe; measure rather than feel.
+import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
+import { dirname, join, relative } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
+const retired = [
+  /\b(tell|tells|told|telling|tell[A-Z]\w*)\b/, /\bails?\b/, /\b(believe[sd]?|doubt[s]?)\b/, /\bheals?\b/,
+  /\b(feel|feels|felt|feel[A-Z]\w*)\b/, /\b(haste|hurry|hurries|slowness)\b/, /\bonlooker\b/i,
+  /\bkMost([A-Z]\w*|_\w+)?\b/, /\bkBeyond\w*\b/, /\bhand_held\b/, /\bown_airplane\b/,
+];
+
+function* sources(folder) {
+  for (const entry of readdirSync(folder, { withFileTypes: true })) {
+    const path = join(folder, entry.name);
+    if (entry.isDirectory()) yield* sources(path);
+    else if (/\.(hpp|cpp|S)$/.test(entry.name)) yield path;
+  }
+}
+
+export function retiredIn(text) {
+  return text.split('\n').flatMap((line, index) => {
+    const found = retired.map((word) => word.exec(line)?.[0]).find(Boolean);
+    return found ? [`${index + 1}: ${found}`] : [];
+  });
+}
+
+test('a retired word is found with its line', () => {
+  assert.deepEqual(retiredIn('int a;\n// it tells the pilot\nbool kMostRows;\n'), ['2: tells', '3: kMostRows']);
+  assert.deepEqual(retiredIn('// intelligent, hotels, details'), []);
+});
+
+for (const folder of ['firmware', 'libraries', 'hal_avr'])
+  test(`${folder} speaks the words of the field`, () => {
+    const found = [...sources(join(root, folder))].flatMap((path) =>
+      retiredIn(readFileSync(path, 'utf8')).map((place) => `${relative(root, path)}:${place}`));
+    assert.deepEqual(found, []);
+  });
