@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of the schedule as JSON, for whoever shows what the tasks took: number, name, period in
-// frames and budget.
+// The rows of the schedule as JSON, for whoever shows what the tasks took: number, name, period and
+// phase in frames, and budget.
 //   node toolchain/task_names.mjs firmware/app/tasks.cpp TASKS.json
 import { readFileSync, writeFileSync } from 'node:fs';
 
@@ -12,8 +12,8 @@ export function taskRows(source) {
   const opened = bare.split('{').length - 1;
   if (rows.length === 0 || rows.length !== opened)
     throw new Error(`of ${opened} rows only ${rows.length} could be read`);
-  return rows.map(([, name, period, , budget], number) => (
-    { number, name, period: Number(period), budget_us: Number(budget) }));
+  return rows.map(([, name, period, phase, budget], number) => (
+    { number, name, period: Number(period), phase: Number(phase), budget_us: Number(budget) }));
 }
 
 if (process.argv[1]?.endsWith('task_names.mjs')) {

@@ -10,8 +10,8 @@ const table = (rows) => `constexpr scheduler::Task kTasks[] ROM = {\n${rows}\n};
 test('every row is numbered in the order of the table', () => {
   const rows = taskRows(table('    // run\n    { runA,  1,  0,  250 },\n    {runB,10,3,1500},'));
 
-  assert.deepEqual(rows, [{ number: 0, name: 'runA', period: 1, budget_us: 250 },
-    { number: 1, name: 'runB', period: 10, budget_us: 1500 }]);
+  assert.deepEqual(rows, [{ number: 0, name: 'runA', period: 1, phase: 0, budget_us: 250 },
+    { number: 1, name: 'runB', period: 10, phase: 3, budget_us: 1500 }]);
 });
 
 test('a row that cannot be read is not left out silently', () => {
