@@ -88,8 +88,10 @@ endif()
 file(GLOB tool_tests CONFIGURE_DEPENDS ${tests}/toolchain/*.test.mjs)
 file(GLOB documents CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/*.md ${CMAKE_SOURCE_DIR}/docs/*
      ${CMAKE_SOURCE_DIR}/CMake* ${CMAKE_SOURCE_DIR}/toolchain/cmake/*.cmake)
+list(TRANSFORM firmware_headers PREPEND ${CMAKE_SOURCE_DIR}/ OUTPUT_VARIABLE task_headers)
 declare_test(toolchain.scripts COMMAND node --test ${tool_tests} DATA ${documents}
-             ${CMAKE_SOURCE_DIR}/firmware/safety/arming.cpp ${CMAKE_SOURCE_DIR}/firmware/app/tasks.cpp LABELS quick REUSE)
+             ${CMAKE_SOURCE_DIR}/firmware/safety/arming.cpp ${CMAKE_SOURCE_DIR}/firmware/app/tasks.cpp ${task_headers}
+             ${CMAKE_SOURCE_DIR}/libraries/scheduler/scheduler.hpp LABELS quick REUSE)
 declare_test(toolchain.help COMMAND node ${tests}/help/help.mjs ${CMAKE_BINARY_DIR}
              NEEDS fly campaign mission_tool param_tool log_tool LABELS unit quick)
 declare_test(param_tool.every_parameter_has_an_effect

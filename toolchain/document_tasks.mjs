@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes the schedule in docs/architecture.md from the table kTasks of firmware/app/tasks.cpp.
+//   node toolchain/document_tasks.mjs           writes
+//   node toolchain/document_tasks.mjs --check   exit 1 when what is there differs
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { taskRows } from './task_names.mjs';
+
+const root = new URL('../', import.meta.url);
+const read = (path) => readFileSync(new URL(path, root), 'utf8');
+const kDocument = 'docs/architecture.md';
+
+const remarks = {
+  runInertial: 'the gyro and accelerometer samples since the last frame, zeros taken off',
+  runRadio: 'pulses of the receiver, or overrides of the ground station, to stick positions; radio lost',
+  runEstimator: 'attitude from the gyros; in turn height, position, wind, and one use of a GPS fix or compass field',
+  runMode: 'the work of the present flight mode: sticks to demands',
+  runAttitudeControl: 'demanded bank and pitch to surfaces; autotune listens here',
+  runOutputs: 'surfaces to servo pulses, written to the timers; touches the guard',
+  endMode: 'clears `vehicle.mode_changed`: the fast rows before it have seen it',
+  runBarometer: 'steps the barometer',
+  runGps: 'received bytes to fixes; also between frames',
+  telemetrySend: 'per link: what has become due; long transfers and commands go on',
+  runGuidance: 'the demanded path to a bank, and the height and speed that belong to it',
+  runSpeedHeight: 'height and speed to pitch and throttle (total energy)',
+  runLog: 'begins and ends logs, writes the records that are due',
+  runRestart: 'keeps the moving record for a restart in the air; carries one on',
+  runCompass: 'steps the compass, learns its offsets',
+  runAirspeed: 'pressure of the pitot sensor to airspeed',
+  runPoints: 'fence and rally points',
+  missionRun: 'one pass of the mission engine in AUTO; uploads and checks in the background',
+  runModeSwitch: 'the mode switch and the other switches of the transmitter',
+  runEvents: 'outputs that a mission holds or repeats; camera, flaps, inverted flight; the next part of a long pass',
+  runFailsafe: 'which causes hold, which transition follows',
+  runArming: 'checks before arming, arming by the stick, disarming after landing',
+  runBattery: 'voltage, current, consumption, supply of the board',
+  runParameters: 'an autotune step, else parameters that wait to be stored',
+  runLightsAndFlash: 'lamps; steps the DataFlash',
+  everySecond: 'load figures, declination, the steady record for a restart',
+};
+
+function* headers() {
+  for (const room of readdirSync(new URL('firmware/', root)))
+    for (const name of readdirSync(new URL(`firmware/${room}/`, root)))
+      if (name.endsWith('.hpp')) yield `firmware/${room}/${name}`;
+}
+
+// The header that declares each task; what none declares is of tasks.cpp itself.
+function declaredIn(names) {
+  const found = new Map();
+  for (const path of headers()) {
+    const text = read(path);
+    for (const name of names) if (text.includes(`\nvoid ${name}();`)) found.set(name, path);
+  }
+  return (name) => found.get(name) ?? 'firmware/app/tasks.cpp';
+}
+
+export const longestMedium = (scheduler) =>
+  Number(/kLongestMediumPeriod = (\d+);/.exec(scheduler)?.[1] ?? NaN);
+export const frameOf = (source) => Number(/kFrame_us = (\d+);/.exec(source)?.[1] ?? NaN);
+
+export const tierOf = (period, medium) => (period === 1 ? 'fast' : period <= medium ? 'medium' : 'slow');
+
+// The budgets of each of the first `frames` frames, summed up.
+export const frameLoads = (rows, frames) => Array.from({ length: frames }, (_, frame) =>
+  rows.filter(({ period, phase }) => frame % period === phase)
+    .reduce((sum, { budget_us }) => sum + budget_us, 0));
+
+export function schedule(source, scheduler) {
+  const rows = taskRows(source);
+  const unexplained = rows.filter(({ name }) => !(name in remarks)).map(({ name }) => name);
+  if (unexplained.length > 0) throw new Error(`toolchain/document_tasks.mjs has no remark for ${unexplained}`);
+  const gone = Object.keys(remarks).filter((name) => !rows.some((row) => row.name === name));
+  if (gone.length > 0) throw new Error(`toolchain/document_tasks.mjs explains ${gone}, which is no task`);
+  const medium = longestMedium(scheduler), frame_us = frameOf(source);
+  if (!(medium > 0) || !(frame_us > 0)) throw new Error('the length of a frame or of the medium tier cannot be read');
+  const header = declaredIn(rows.map(({ name }) => name));
+  const cells = rows.map(({ number, name, period, phase, budget_us }) => [number + 1, `\`${name}\``,
+    1e6 / frame_us / period, phase, tierOf(period, medium), budget_us, `\`${header(name)}\``, remarks[name]]);
+  const table = [['task', 'function', 'Hz', 'phase', 'tier', 'budget, us', 'in', 'what it does'],
+    Array(8).fill('---'), ...cells].map((row) => `| ${row.join(' | ')} |`).join('\n');
+  const fast_us = frameLoads(rows.filter(({ period }) => period === 1), 1)[0];
+  const loads = frameLoads(rows, 100);
+  const fullest = loads.indexOf(Math.max(...loads));
+  return `${table}
+
+By their budgets the fast tier takes ${fast_us} us of each frame of ${frame_us} us. The fullest of 100 frames is
+number ${fullest} with ${loads[fullest]} us, the mean is ${Math.round(loads.reduce((a, b) => a + b) / 100)} us.`;
+}
+
+export function written(document, text) {
+  const place = /(<!-- schedule: .*? -->\n)[^]*?(<!-- end -->)/;
+  if (!place.test(document)) throw new Error(`${kDocument} has no place for the schedule`);
+  return document.replace(place, (_, begin, end) => `${begin}${text}\n${end}`);
+}
+
+if (process.argv[1]?.endsWith('document_tasks.mjs')) {
+  try {
+    const before = read(kDocument);
+    const after = written(before, schedule(read('firmware/app/tasks.cpp'), read('libraries/scheduler/scheduler.hpp')));
+    if (!process.argv.includes('--check')) writeFileSync(new URL(kDocument, root), after);
+    else if (after !== before) throw new Error(`${kDocument} is not what this script writes`);
+  } catch (error) {
+    console.error(`document_tasks: ${error.message}`);
+    process.exitCode = 1;
+  }
+}
