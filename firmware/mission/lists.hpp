@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lists of records that change as a whole: the mission (upload.cpp puts its items), the fence and
-// the rally points, whose records are what telemetry/ makes of them. One is changed at a time;
+// the rally points, whose records are what gcs/ makes of them. One is changed at a time;
 // until a commit is accepted the old list is the list, and a power cut leaves one of the two.
 #pragma once
 #include <stdint.h>

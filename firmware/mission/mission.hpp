@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mission as the rest of the firmware sees it: tasks.cpp runs it, modes/auto.cpp enters and
-// leaves it, telemetry/ moves it up and down. Nothing here waits for the EEPROM: what answers
+// The mission as the rest of the firmware sees it: app/tasks.cpp runs it, modes/auto.cpp enters
+// and leaves it, gcs/ moves it up and down. Nothing here waits for the EEPROM: what answers
 // `busy` is asked again in a later frame.
 #pragma once
 #include <stdint.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the pieces of the flight program share: one struct, one section a writer. A section is
-// written by the file named above it and read by everyone.
+// What the rooms of the flight program share. A section is written by the file named above it and
+// read by everyone; docs/architecture.md lists what has a second writer.
 #pragma once
 #include <stdint.h>
 
@@ -147,7 +147,7 @@ struct Vehicle {
     Mode mode;
     bool mode_changed;  // in this frame: controllers start afresh; tasks.cpp clears it
     bool armed;
-    uint16_t failing;  // a bit for each Cause of failsafe/table.hpp
+    uint16_t failing;  // a bit for each Cause of causes.hpp
     bool failsafe_short : 1, failsafe_long : 1;
     bool failsafe_glides;      // failsafe.cpp: FBWA is flown by nobody: wings level, motor off
     bool failsafe_gives_back;  // failsafe.cpp: a mode is being entered that was only interrupted

@@ -13,7 +13,7 @@ const table = text('firmware/state/parameters.cpp');
 const sources = ['firmware', 'libraries/control', 'libraries/navigation']
   .flatMap((folder) => readdirSync(join(root, folder), { recursive: true })
     .map((name) => join(folder, String(name))))
-  .filter((path) => path.endsWith('.cpp') && path !== join('firmware', 'parameters.cpp'));
+  .filter((path) => path.endsWith('.cpp') && path !== join('firmware/state', 'parameters.cpp'));
 const code = sources.map(text).join('\n');
 
 // The fields of all rows, those of the macros for channels and streams once.
