@@ -34,7 +34,6 @@
 namespace firmware {
 namespace app {
 
-using namespace notify;
 using namespace state;
 using namespace sensors;
 using namespace estimator;

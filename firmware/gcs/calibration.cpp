@@ -19,7 +19,6 @@ namespace gcs {
 using namespace notify;
 using namespace state;
 using namespace sensors;
-using namespace mission;
 
 namespace {
 

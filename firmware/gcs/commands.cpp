@@ -12,7 +12,6 @@
 namespace firmware {
 namespace gcs {
 
-using namespace state;
 using namespace mission;
 
 namespace {

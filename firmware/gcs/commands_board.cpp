@@ -22,7 +22,6 @@ namespace gcs {
 using namespace notify;
 using namespace state;
 using namespace sensors;
-using namespace mission;
 
 namespace {
 

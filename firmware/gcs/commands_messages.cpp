@@ -8,7 +8,6 @@ namespace firmware {
 namespace gcs {
 
 using namespace state;
-using namespace mission;
 
 namespace {
 

@@ -16,7 +16,6 @@
 namespace firmware {
 namespace gcs {
 
-using namespace notify;
 using namespace state;
 using namespace sensors;
 

@@ -7,7 +7,6 @@
 namespace firmware {
 namespace gcs {
 
-using namespace state;
 using namespace mission;
 
 namespace {

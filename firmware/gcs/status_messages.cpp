@@ -18,7 +18,6 @@ namespace gcs {
 
 using namespace notify;
 using namespace state;
-using namespace modes;
 using namespace safety;
 
 namespace {

@@ -7,8 +7,6 @@
 namespace firmware {
 namespace guidance {
 
-using namespace state;
-
 Plan flyLeg() {
     const auto now = motion();
     const auto lateral = followDemandedLeg(now, true);

@@ -10,8 +10,6 @@
 namespace firmware {
 namespace mission {
 
-using namespace state;
-
 namespace {
 
 constexpr uint8_t kPairsPerCall = kRecordsPerCall / 2;

@@ -11,7 +11,6 @@ namespace firmware {
 namespace mission {
 
 using namespace notify;
-using namespace state;
 
 namespace {
 

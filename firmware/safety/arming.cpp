@@ -20,7 +20,6 @@ using namespace notify;
 using namespace state;
 using namespace sensors;
 using namespace mission;
-using namespace modes;
 
 namespace {
 

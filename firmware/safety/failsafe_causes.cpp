@@ -11,7 +11,6 @@
 namespace firmware {
 namespace safety {
 
-using namespace notify;
 using namespace state;
 using namespace sensors;
 

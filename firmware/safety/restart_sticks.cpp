@@ -13,7 +13,6 @@ namespace firmware {
 namespace safety {
 
 using namespace state;
-using namespace sensors;
 
 namespace {
 
