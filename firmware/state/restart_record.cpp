@@ -2,39 +2,57 @@
 #include "firmware/state/restart_record.hpp"
 
 #include <stddef.h>
-
-#include "core/crc.hpp"
+#include <string.h>
 
 namespace firmware {
 namespace state {
 
 namespace {
 
-constexpr uint16_t kLayout = 0x5202;  // another one when a record changes
+constexpr uint16_t kLayout = 0x5203;  // another one when a record changes
 
 constexpr float kFlyingSpeed_mps = 5.0f;
 constexpr float kFlyingHeight_m = 5.0f;  // the barometer's drift is less
 
+// Fletcher's two sums, of 16-bit words and modulo 65536, with the second in the upper half. At 50
+// Hz a CRC of the same bytes takes 0.1 % more of the processor.
+uint32_t sums(uint32_t begin, const void* data, uint8_t size) {
+    const uint8_t* bytes = static_cast<const uint8_t*>(data);
+    uint16_t sum = static_cast<uint16_t>(begin), sum_of_sums = static_cast<uint16_t>(begin >> 16);
+    for (uint8_t words = size / 2; words > 0; --words, bytes += 2) {
+        uint16_t word;
+        memcpy(&word, bytes, sizeof word);
+        sum += word;
+        sum_of_sums += sum;
+    }
+    if ((size & 1) != 0) {
+        sum += *bytes;
+        sum_of_sums += sum;
+    }
+    return static_cast<uint32_t>(sum_of_sums) << 16 | sum;
+}
+
 template <class Record>
-uint16_t sum(const Record& record) {
-    return core::crc16(kLayout, &record, offsetof(Record, seal));
+uint32_t sums(const Record& record) {
+    return sums(kLayout, &record, offsetof(Record, seal));
+}
+uint32_t sums(const BlindRecord& blind, const MovingRecord& after) {
+    return sums(after.seal, &blind.turn, sizeof blind.turn);
 }
 
 }  // namespace
 
-void seal(BlindRecord& blind, const MovingRecord& after) {
-    blind.seal = core::crc16(after.seal, &blind.turn, sizeof blind.turn);
-}
+void seal(BlindRecord& blind, const MovingRecord& after) { blind.seal = sums(blind, after); }
 bool whole(const BlindRecord& blind, const MovingRecord& after) {
-    return blind.seal == core::crc16(after.seal, &blind.turn, sizeof blind.turn);
+    return blind.seal == sums(blind, after);
 }
 
-void seal(SteadyRecord& record) { record.seal = sum(record); }
-void seal(MovingRecord& record) { record.seal = sum(record); }
-bool whole(const SteadyRecord& record) { return record.seal == sum(record); }
-bool whole(const MovingRecord& record) { return record.seal == sum(record); }
-void spoil(SteadyRecord& record) { record.seal = static_cast<uint16_t>(~sum(record)); }
-void spoil(MovingRecord& record) { record.seal = static_cast<uint16_t>(~sum(record)); }
+void seal(SteadyRecord& record) { record.seal = sums(record); }
+void seal(MovingRecord& record) { record.seal = sums(record); }
+bool whole(const SteadyRecord& record) { return record.seal == sums(record); }
+bool whole(const MovingRecord& record) { return record.seal == sums(record); }
+void spoil(SteadyRecord& record) { record.seal = ~sums(record); }
+void spoil(MovingRecord& record) { record.seal = ~sums(record); }
 
 const MovingRecord* newest(const MovingRecord (&two)[2]) {
     const bool first = whole(two[0]), second = whole(two[1]);

@@ -22,7 +22,7 @@ struct SteadyRecord {
     estimation::KeptTurn gyro_zero_rad[3];  // in a sample period
     estimation::Learnt learnt;
     int16_t wind_cms[2];  // north, east
-    uint16_t seal;
+    uint32_t seal;
 };
 
 struct MovingRecord {
@@ -35,7 +35,7 @@ struct MovingRecord {
     uint8_t mode;
     uint8_t in_the_air : 1, home_set : 1, place_known : 1, wind_known : 1;
     uint8_t number;  // counts up
-    uint16_t seal;
+    uint32_t seal;
 };
 
 // How far the airplane has turned, and in how many sample periods, since the program hangs: kept
@@ -48,7 +48,7 @@ struct BlindTurn {
 // What came after a moving record; sealed together with it.
 struct BlindRecord {
     BlindTurn turn;
-    uint16_t seal;
+    uint32_t seal;
 };
 void seal(BlindRecord& blind, const MovingRecord& after);
 bool whole(const BlindRecord& blind, const MovingRecord& after);
