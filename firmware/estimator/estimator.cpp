@@ -10,6 +10,7 @@
 #include "estimation/position.hpp"
 #include "estimation/wind.hpp"
 #include "firmware/sensors/health.hpp"
+#include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
@@ -121,6 +122,7 @@ bool divesSlowly() {
 // The sensor against ground speed and wind: false when they contradict each other. Too slow to fly,
 // on the ground, the wind comes from anywhere.
 bool airspeedFits() {
+    workOutAirspeed();
     const float expected_mps = wind.airspeed_mps(vehicle.gps.velocity_mps);
     const float odd_mps = fabsf(vehicle.airspeed.speed_mps * true_speed_ratio - expected_mps);
     const bool odd = wind.known() && expected_mps >= parameters.speed_min_mps &&
@@ -277,6 +279,7 @@ void publishSpeeds() {
         to.course_cd = core::wrap360_cd(core::rounded(
             core::centidegrees(estimation::arc_rad(velocity.y * inverse, velocity.x * inverse))));
     }
+    workOutAirspeed();
     if (vehicle.airspeed.healthy) {
         to.equivalent_airspeed_mps = vehicle.airspeed.speed_mps;
         to.airspeed_mps = vehicle.airspeed.speed_mps * true_speed_ratio;

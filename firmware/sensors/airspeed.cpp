@@ -18,6 +18,7 @@ namespace {
 
 drivers::Airspeed pitot;
 uint32_t updated_us;
+bool updated;  // since the speed was last worked out
 
 }  // namespace
 
@@ -40,6 +41,12 @@ void runAirspeed() {
     settings.ratio = parameters.airspeed_ratio;
     pitot.update(share, now_us - updated_us, settings);
     updated_us = now_us;
+    updated = true;
+}
+
+void workOutAirspeed() {
+    if (!updated) return;
+    updated = false;
     vehicle.airspeed.speed_mps = pitot.speed_mps();
 }
 

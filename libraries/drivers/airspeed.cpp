@@ -67,8 +67,13 @@ void Airspeed::update(uint16_t share, uint32_t dt_us, const AirspeedSettings& se
     judge(above, share, passed, settings.either_tube);
     // The pressure is filtered, not its root: noise about zero then gives no speed.
     above_ += core::times16(above - above_, taken(dt_us)) * 2;
-    const int32_t head = settings.either_tube && above_ < 0 ? -above_ : above_;
-    speed_mps_ = head > 0 ? sqrtf(static_cast<float>(head) * (settings.ratio * kUnitsPerStep)) : 0;
+    ratio_ = settings.ratio;
+    either_tube_ = settings.either_tube;
+}
+
+float Airspeed::speed_mps() const {
+    const int32_t head = either_tube_ && above_ < 0 ? -above_ : above_;
+    return head > 0 ? sqrtf(static_cast<float>(head) * (ratio_ * kUnitsPerStep)) : 0;
 }
 
 float Airspeed::pressure_pa() const { return static_cast<float>(above_) * kPascalsPerStep; }

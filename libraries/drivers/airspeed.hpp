@@ -29,8 +29,8 @@ public:
 
     bool calibrated() const { return calibrated_; }
     bool healthy() const { return calibrated_ && bad_ < kSecond; }
-    float pressure_pa() const;                      // low-passed, zero removed
-    float speed_mps() const { return speed_mps_; }  // equivalent
+    float pressure_pa() const;  // low-passed, zero removed
+    float speed_mps() const;    // equivalent; a square root at each call
     float offset_v() const;
 
 private:
@@ -40,12 +40,13 @@ private:
     void calibrate(uint16_t share, uint16_t passed, const AirspeedSettings& settings);
     void judge(int32_t above, uint16_t share, uint16_t passed, bool either_tube);
 
-    int32_t zero_ = 1L << 28;  // share of the supply in 2^-29
-    int32_t above_ = 0;        // the zero, low-passed; the same
-    float speed_mps_ = 0;
+    int32_t zero_ = 1L << 28;             // share of the supply in 2^-29
+    int32_t above_ = 0;                   // the zero, low-passed; the same
+    float ratio_ = 0;                     // of the last update
     uint16_t bad_ = 0, calibrating_ = 0;  // 1024 us
     uint8_t means_ = 0;
     bool calibrated_ = false;
+    bool either_tube_ = false;
 };
 
 }  // namespace drivers
