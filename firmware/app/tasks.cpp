@@ -24,7 +24,7 @@
 #include "firmware/sensors/radio.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/schedule_figures.hpp"
+#include "firmware/state/processor_figures.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
 #include "hal/guard.hpp"
@@ -125,7 +125,7 @@ void measureLoad() {
     load_from_us = now_us;
     load_busy_us = schedule.busy_us();
     if (span_us > 1000)
-        schedule_figures.load_permille = static_cast<uint16_t>(busy_us / (span_us / 1000));
+        processor_figures.load_permille = static_cast<uint16_t>(busy_us / (span_us / 1000));
 }
 
 void everySecond() {
@@ -174,8 +174,8 @@ void loop() {
     if (frameDue()) {
         frame_began = hal::ticks();
         schedule.runFrame(hal::now_us());
-        schedule_figures.late_frames = schedule.lateFrames();
-        schedule_figures.longest_frame_us = schedule.longestFrame_us();
+        processor_figures.late_frames = schedule.lateFrames();
+        processor_figures.longest_frame_us = schedule.longestFrame_us();
         if (supervisor.wellAfter(schedule.takeServed())) hal::watchdogFeed();
     } else if (gpsWaits()) {
         runGps();

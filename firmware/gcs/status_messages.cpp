@@ -8,7 +8,7 @@
 #include "firmware/safety/arming.hpp"
 #include "firmware/safety/failsafe.hpp"
 #include "firmware/safety/fence.hpp"
-#include "firmware/state/schedule_figures.hpp"
+#include "firmware/state/processor_figures.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
 #include "hal/memory.hpp"
@@ -114,15 +114,15 @@ bool fillIn(const Link& link, mavlink::SysStatus& to) {
     to.onboard_control_sensors_present = fitted;
     to.onboard_control_sensors_enabled = fitted & ~unusedSensors();
     to.onboard_control_sensors_health = fitted & ~ailingSensors();
-    to.load = schedule_figures.load_permille;
+    to.load = processor_figures.load_permille;
     to.voltage_battery = vehicle.battery.voltage_mv;
     to.current_battery = vehicle.battery.current_ca;
     to.battery_remaining = batteryLeft_pct();
     to.errors_comm = link.parser.rejected();
     // free for the autopilot's use:
     to.errors_count1 = hal::serialLost(portOf(link));
-    to.errors_count2 = schedule_figures.late_frames;
-    to.errors_count3 = schedule_figures.longest_frame_us;
+    to.errors_count2 = processor_figures.late_frames;
+    to.errors_count3 = processor_figures.longest_frame_us;
     to.errors_count4 = textsLost();
     return true;
 }

@@ -11,7 +11,7 @@
 #include "firmware/notify/text_queue.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/schedule_figures.hpp"
+#include "firmware/state/processor_figures.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
 #include "hal/memory.hpp"
@@ -270,9 +270,9 @@ bool putServoOut() {
 
 bool putPerformance() {
     PerformanceRecord record;
-    record.load_permille = schedule_figures.load_permille;
-    record.late_frames = schedule_figures.late_frames;
-    record.longest_frame_us = schedule_figures.longest_frame_us;
+    record.load_permille = processor_figures.load_permille;
+    record.late_frames = processor_figures.late_frames;
+    record.longest_frame_us = processor_figures.longest_frame_us;
     record.free_bytes = hal::freeMemory();
     record.dropped = logDropped();
     return log(RecordType::performance, record);

@@ -12,7 +12,7 @@
 #include "firmware/safety/fence.hpp"
 #include "firmware/sensors/rc_override.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/schedule_figures.hpp"
+#include "firmware/state/processor_figures.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "mavlink/peer.hpp"
 #include "vehicle_double.hpp"
@@ -112,7 +112,7 @@ protected:
         doubles::reset();
         firmware::state::vehicle = {};
         firmware::state::vehicle.prearm_ok = true;
-        firmware::state::schedule_figures = {250, 3, 4321};
+        firmware::state::processor_figures = {250, 3, 4321};
         firmware::state::vehicle.mode = firmware::state::Mode::manual;
         while (firmware::state::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
         for (auto& rates : firmware::state::parameters.streams)

@@ -33,7 +33,7 @@ MissionItem setsParameter(uint8_t index, uint8_t) {
 }
 
 void turns(uint16_t count) {
-    while (count-- > 0) turn();
+    while (count-- > 0) loop();
 }
 
 void upload(MissionItem (*item)(uint8_t, uint8_t), uint8_t count) {
@@ -82,7 +82,7 @@ void fly() {
 }  // namespace
 
 int main() {
-    start();
+    setup();
     while (!missionReady()) turns(10);
     vehicle.home.position = {kLatitude_e7, kLongitude_e7};
     vehicle.home.set = true;
@@ -96,5 +96,5 @@ int main() {
     advance(costs::kHeavyStep);
     hal::mark(costs::kNothing);
     hal::mark(hal::kMarkTaskEnd);
-    for (;;) turn();
+    for (;;) loop();
 }

@@ -6,12 +6,12 @@
 namespace firmware {
 namespace state {
 
-struct ScheduleFigures {
+struct ProcessorFigures {
     uint16_t load_permille;     // of the frames' time spent in tasks, over the last second
     uint16_t late_frames;       // that ran past their period since start
     uint16_t longest_frame_us;  // since start
 };
-extern ScheduleFigures schedule_figures;
+extern ProcessorFigures processor_figures;
 
 }  // namespace state
 }  // namespace firmware
