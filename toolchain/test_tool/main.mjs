@@ -63,7 +63,8 @@ function runTests({ ctest, again, long }) {
   if (!again) environment.REUSE_RESULTS = '1';
   if (long) environment.FUZZ_RUNS = kFuzzRunsLong;
   const slowest = new Slowest();
-  const run = spawn('ctest', ['--output-on-failure', '--parallel', String(cpus().length), ...ctest],
+  // one more than cores: some tests wait for a peer most of their time
+  const run = spawn('ctest', ['--output-on-failure', '--parallel', String(cpus().length + 1), ...ctest],
     { cwd: folderOf('host'), env: environment, stdio: ['inherit', 'pipe', 'inherit'] });
   createInterface({ input: run.stdout }).on('line', (line) => {
     for (const shown of slowest.withSummary(line)) console.log(shown);
