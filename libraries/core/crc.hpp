@@ -4,6 +4,10 @@
 #pragma once
 #include <stdint.h>
 
+#ifdef __AVR__
+extern "C" uint16_t crc16OfBytes(uint16_t crc, const void* bytes, uint16_t size);  // hal_avr
+#endif
+
 namespace core {
 
 constexpr uint16_t kCrcStart = 0xFFFF;
@@ -21,10 +25,16 @@ constexpr uint16_t crc16(uint16_t crc, uint8_t byte) {
     return static_cast<uint16_t>(low | static_cast<uint16_t>(high) << 8);
 }
 
+#ifdef __AVR__
+inline uint16_t crc16(uint16_t crc, const void* bytes, uint16_t size) {
+    return crc16OfBytes(crc, bytes, size);
+}
+#else
 inline uint16_t crc16(uint16_t crc, const void* bytes, uint16_t size) {
     const uint8_t* byte = static_cast<const uint8_t*>(bytes);
     while (size-- > 0) crc = crc16(crc, *byte++);
     return crc;
 }
+#endif
 
 }  // namespace core
