@@ -138,7 +138,7 @@ core::Status readStored(uint8_t index, uint8_t* to) {
     return core::Status::ok;
 }
 uint8_t countStored() { return static_cast<uint8_t>(world.stored->size()); }
-void sendStatusText(mission::Event event, uint8_t index) {
+void reportEvent(mission::Event event, uint8_t index) {
     const std::string i = std::to_string(index);
     switch (event) {
         case mission::Event::started:
@@ -176,7 +176,7 @@ bool nowAndThen() {
     world.chance = world.chance * 1664525u + 1013904223u;
     return (world.chance >> 16) % 5 == 0;
 }
-constexpr mission::Host kHost = {readStored, countStored, sendStatusText, whereItIs, nowAndThen};
+constexpr mission::Host kHost = {readStored, countStored, reportEvent, whereItIs, nowAndThen};
 
 mission::Set engineSet(CommandSet set) {
     return set == CommandSet::apm1 ? mission::Set::apm1 : mission::Set::apm2;

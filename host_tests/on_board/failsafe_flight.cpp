@@ -163,7 +163,7 @@ private:
         settings.insert(kUsual.begin(), kUsual.end());
         for (const auto& setting : settings) set(setting.first, setting.second);
         enableFence(row.trouble == kFence);
-        return sendStatusText(row, choose(row.flown), "was not entered");
+        return expect(row, choose(row.flown), "was not entered");
     }
 
     bool act(const Row& row) {
@@ -177,9 +177,9 @@ private:
         const double took_s = seconds() - from_s;
         wait(kHolds_s);
         const bool glides = wanted.back() != kFbwa || board_.world().truth().throttle < 0.05;
-        if (!sendStatusText(row, acted && modes_ == wanted, "flew " + modesSeen()) ||
-            !sendStatusText(row, told(row.text), std::string("not told: ") + row.text) ||
-            !sendStatusText(row, glides, "the motor runs in the glide"))
+        if (!expect(row, acted && modes_ == wanted, "flew " + modesSeen()) ||
+            !expect(row, told(row.text), std::string("not told: ") + row.text) ||
+            !expect(row, glides, "the motor runs in the glide"))
             return false;
         std::printf("  ok      row %-2d %s: %s in %.1f s, \"%s\"\n", row.number, row.what,
                     modesSeen().c_str(), took_s, row.text);
@@ -190,10 +190,10 @@ private:
         begin(kNone);
         waitUntil(kReturns_s, [&] { return mode() == row.afterwards; });
         wait(kHolds_s);
-        return sendStatusText(row, mode() == row.afterwards, "afterwards " + modeName(mode()));
+        return expect(row, mode() == row.afterwards, "afterwards " + modeName(mode()));
     }
 
-    bool sendStatusText(const Row& row, bool kept, const std::string& otherwise) const {
+    bool expect(const Row& row, bool kept, const std::string& otherwise) const {
         if (!kept)
             std::printf("  FAILED  row %-2d %s: %s\n", row.number, row.what, otherwise.c_str());
         return kept;

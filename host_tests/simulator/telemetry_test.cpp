@@ -13,7 +13,7 @@ namespace {
 class TelemetryTest : public testing::Test {
 protected:
     template <class Message>
-    void sendStatusText(const Message& message, double time_s) {
+    void receive(const Message& message, double time_s) {
         uint8_t bytes[mavlink::kLongestFrame];
         const auto size = mavlink::encode({mavlink::Framing::v2, 0, 1, 1}, message, bytes);
         for (uint16_t i = 0; i < size; ++i) {
@@ -27,7 +27,7 @@ protected:
         beat.custom_mode = mode;
         beat.autopilot = mavlink::MavAutopilot::ardupilotmega;
         beat.base_mode = armed ? mavlink::MavModeFlag::safety_armed : 0;
-        sendStatusText(beat, time_s);
+        receive(beat, time_s);
     }
     std::vector<std::string> events() const {
         std::vector<std::string> texts;
@@ -54,24 +54,24 @@ TEST_F(TelemetryTest, turns_heartbeats_into_events_when_something_changes) {
 TEST_F(TelemetryTest, does_not_take_a_ground_station_for_a_vehicle) {
     mavlink::Heartbeat beat{};
     beat.autopilot = mavlink::MavAutopilot::invalid;
-    sendStatusText(beat, 1);
+    receive(beat, 1);
 
     EXPECT_FALSE(telemetry.heard());
 }
 
 TEST_F(TelemetryTest, lists_the_items_reached) {
-    for (const uint16_t item : {1, 3, 4}) sendStatusText(mavlink::MissionItemReached{item}, item);
+    for (const uint16_t item : {1, 3, 4}) receive(mavlink::MissionItemReached{item}, item);
 
     EXPECT_THAT(telemetry.reached, ElementsAre(1, 3, 4));
 }
 
 TEST_F(TelemetryTest, takes_an_autopilot_without_the_prearm_bit_for_ready) {
-    sendStatusText(mavlink::SysStatus{}, 1);
+    receive(mavlink::SysStatus{}, 1);
     EXPECT_TRUE(telemetry.prearmOk());
 
     mavlink::SysStatus status{};
     status.onboard_control_sensors_present = 0x10000000;
-    sendStatusText(status, 2);
+    receive(status, 2);
     EXPECT_FALSE(telemetry.prearmOk());
 }
 

@@ -70,12 +70,12 @@ void Sequencer::enter(bool restart) {
     const bool nothing_to_resume = memory_.phase == kFresh || memory_.phase == kEnded;
     if (nothing_to_resume || (restart && !has(kChosen))) {
         reset(kFresh);
-        sendStatusText(Event::reset, 0);
+        reportEvent(Event::reset, 0);
         beginAt(1);
     } else {
         if (restart) {
             refill();
-            sendStatusText(Event::reset, 0);
+            reportEvent(Event::reset, 0);
         }
         put(kFromHere, true);
         beginPass();
@@ -90,9 +90,9 @@ void Sequencer::leave() { active_ = false; }
 void Sequencer::resume() {
     resuming_ = false;
     if (has(kTrailing)) {
-        sendStatusText(Event::hold, memory_.nav);
+        reportEvent(Event::hold, memory_.nav);
     } else if (has(kStarted)) {
-        sendStatusText(Event::resumed, memory_.nav);
+        reportEvent(Event::resumed, memory_.nav);
         core::romRead(table_.rows[memory_.nav_row].begin)(memory_.nav_record, {true, true});
     }
     if (memory_.condition != 0) wait();
@@ -102,7 +102,7 @@ bool Sequencer::setCurrent(uint8_t index) {
     if (index >= count()) return false;
     if (index == 0) {
         reset(kFresh);
-        sendStatusText(Event::reset, 0);
+        reportEvent(Event::reset, 0);
         if (active_) beginAt(1);
     } else {
         if (memory_.phase == kEnded) reset(kFresh);
@@ -127,7 +127,7 @@ void Sequencer::changed(Set set, uint16_t generation, bool same, bool empty) {
     const uint8_t flags = memory_.flags;
     reset(kFresh);
     resuming_ = false;
-    sendStatusText(Event::reset, 0);
+    reportEvent(Event::reset, 0);
     if (active_ && empty) {
         put(kLanded, (flags & kLanded) != 0);
         return complete();

@@ -124,7 +124,7 @@ private:
     bool has(Flag flag) const { return (memory_.flags & flag) != 0; }
     void put(Flag flag, bool on);
     uint8_t count() const { return core::romRead(host_.count)(); }
-    void sendStatusText(Event event, uint8_t index) { core::romRead(host_.event)(event, index); }
+    void reportEvent(Event event, uint8_t index) { core::romRead(host_.event)(event, index); }
     core::Status read(uint8_t index, bool nav_only, Item& item);
 
     void reset(uint8_t phase);

@@ -46,7 +46,7 @@ bool Sequencer::lookAround() {
     if (memory_.condition == 0) return false;
     if (table_.check(memory_.condition_row)(memory_.condition_record) != Progress::done)
         return false;
-    sendStatusText(Event::waited, memory_.condition);
+    reportEvent(Event::waited, memory_.condition);
     memory_.condition = 0;
     beginPass();
     memory_.phase = kWalking;
@@ -64,7 +64,7 @@ void Sequencer::finishNav() {
     memory_.cursor = set() == Set::apm1 ? memory_.next : memory_.chain_first;
     memory_.phase = kSeeking;
     beginPass();
-    sendStatusText(Event::reached, memory_.nav);
+    reportEvent(Event::reached, memory_.nav);
 }
 
 // One that is not used is not looked into: a range may be a parameter's, which must be sought.
@@ -119,7 +119,7 @@ void Sequencer::noNavLeft() {
     put(kTrailing, true);
     memory_.next = memory_.chain_first;
     memory_.phase = kWalking;
-    sendStatusText(Event::hold, memory_.nav);
+    reportEvent(Event::hold, memory_.nav);
 }
 
 void Sequencer::complete() {
@@ -128,7 +128,7 @@ void Sequencer::complete() {
     reset(kEnded);
     put(kLanded, event == Event::landed);
     seal();
-    sendStatusText(event, last);
+    reportEvent(event, last);
 }
 
 // One command of the chain. False: not now, or the pass is over.
@@ -169,7 +169,7 @@ void Sequencer::startNav() {
     put(kStarted, true);
     put(kLanded, false);
     core::romRead(table_.rows[memory_.nav_row].begin)(memory_.nav_record, {false, has(kFromHere)});
-    sendStatusText(Event::started, memory_.nav);
+    reportEvent(Event::started, memory_.nav);
 }
 
 void Sequencer::startCondition(const Item& item) {
@@ -182,7 +182,7 @@ void Sequencer::startCondition(const Item& item) {
 }
 
 void Sequencer::wait() {
-    sendStatusText(Event::waits, memory_.condition);
+    reportEvent(Event::waits, memory_.condition);
     core::romRead(table_.rows[memory_.condition_row].act)(memory_.condition_record);
 }
 
@@ -191,15 +191,15 @@ void Sequencer::wait() {
 void Sequencer::act(const Item& item) {
     const uint8_t index = memory_.next++;
     if (memory_.steps < count()) ++memory_.steps;
-    if (item.row == kNoRow) return sendStatusText(Event::skipped, index);
-    sendStatusText(Event::runs, index);
+    if (item.row == kNoRow) return reportEvent(Event::skipped, index);
+    reportEvent(Event::runs, index);
     core::romRead(table_.rows[item.row].act)(item.record);
 }
 
 void Sequencer::takeJump(const Item& item) {
     const uint8_t index = memory_.next;
     if (memory_.steps >= count()) {
-        if (!has(kLoopTold)) sendStatusText(Event::looped, index);
+        if (!has(kLoopTold)) reportEvent(Event::looped, index);
         put(kLoopTold, true);
         ++memory_.next;
         return;
@@ -240,8 +240,8 @@ bool Sequencer::countDown(uint8_t index, int16_t times) {
         --counters.left[i];
         return true;
     }
-    sendStatusText(Event::skipped,
-                   index);  // more counted jumps than an upload would have let through
+    reportEvent(Event::skipped,
+                index);  // more counted jumps than an upload would have let through
     return false;
 }
 

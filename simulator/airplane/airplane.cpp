@@ -31,7 +31,7 @@ Airplane::Airplane(const AirplaneParameters& parameters, const WorldOptions& opt
     if (p_.launch.speed_mps > 0) standReady();
     moveAir();
     if (launch_ == Launch::gone) now_ = derivative(motion_, &specific_force_);
-    sendStatusText();
+    publish();
 }
 
 // Lets the springs of the gear come to rest in still air.
@@ -83,7 +83,7 @@ void Airplane::place(const Motion& motion, const Controls& controls) {
         propulsion_.advance(kStep_s, controls.throttle, ahead, density_kgm3_);
     ground_.advance(motion_, controls.rudder);
     now_ = derivative(motion_, &specific_force_);
-    sendStatusText();
+    publish();
 }
 
 Flow Airplane::flow(const Motion& motion, const Rotation& rotation) const {
@@ -170,10 +170,10 @@ void Airplane::step(const Controls& demand) {
     controls_ = servos_.at();
     controls_.throttle = propulsion_.throttle();
     if (launch_ == Launch::gone) now_ = derivative(motion_, flies ? &specific_force_ : nullptr);
-    sendStatusText();
+    publish();
 }
 
-void Airplane::sendStatusText() {
+void Airplane::publish() {
     const Rotation rotation(motion_.attitude);
     const Flow through = flow(motion_, rotation);
     Truth& t = truth_;

@@ -45,7 +45,7 @@ private:
     Derivative derivative(const Motion& motion, Vec3* specific_force = nullptr) const;
     void integrate();
     void moveAir();
-    void sendStatusText();
+    void publish();
     void settle();
     void standReady();
     void runUp(const Controls& demand);

@@ -21,7 +21,7 @@ BenchModel::BenchModel(const WorldOptions& options)
     truth_.altitude_m = options.altitude_m;
     truth_.battery_v = kPack_v;
     truth_.on_ground = true;
-    sendStatusText({});
+    publish({});
 }
 
 void BenchModel::turnTo(double roll_rad, double pitch_rad, double yaw_rad) {
@@ -57,10 +57,10 @@ void BenchModel::step(const ServoPulses&) {
     attitude_ = normalized(attitude_ + turning(attitude_, rates) * Airplane::kStep_s);
     if (!turns_ && length(ratesToTarget()) < 1e-3) attitude_ = target_;
     truth_.time_us += Airplane::kStep_us;
-    sendStatusText(rates);
+    publish(rates);
 }
 
-void BenchModel::sendStatusText(const Vec3& rates) {
+void BenchModel::publish(const Vec3& rates) {
     const Rotation rotation(attitude_);
     const Vec3 force = rotation.toBody({0, 0, -kGravity_mss});
     truth_.roll_rad = rotation.roll_rad();

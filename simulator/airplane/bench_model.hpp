@@ -21,7 +21,7 @@ public:
 
 private:
     Vec3 ratesToTarget() const;
-    void sendStatusText(const Vec3& rates_rads);
+    void publish(const Vec3& rates_rads);
 
     Quaternion attitude_, target_;
     Vec3 turning_rads_;

@@ -67,7 +67,7 @@ JsonModel::JsonModel(const WorldOptions& options)
     ModelState standing;
     standing.force_mss = {0, 0, -kGravity_mss};
     standing.attitude = quaternion(0, 0, options.heading_deg * M_PI / 180);
-    sendStatusText(standing);
+    publish(standing);
 }
 
 void JsonModel::stop(const std::string& why) { fault_ = name_ + ": " + why; }
@@ -140,7 +140,7 @@ void JsonModel::take(const ModelState& state) {
     elapsed_s_ += step_s;
     last_timestamp_s_ = state.timestamp_s;
     heard_ = true;
-    sendStatusText(state);
+    publish(state);
     truth_.time_us = static_cast<uint64_t>(elapsed_s_ * 1e6 + 0.5);
     truth_.battery_used_mah += truth_.motor_current_a * step_s / 3.6;
     if (state.radio_us) moveSticks(*state.radio_us);
@@ -153,7 +153,7 @@ void JsonModel::moveSticks(const std::array<uint16_t, 8>& told_us) {
         if (told_us[i] != 0) (*radio_us_)[i] = told_us[i];
 }
 
-void JsonModel::sendStatusText(const ModelState& state) {
+void JsonModel::publish(const ModelState& state) {
     attitude_ = state.attitude;
     const Rotation rotation(attitude_);
     Truth& t = truth_;

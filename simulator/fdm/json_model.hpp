@@ -33,7 +33,7 @@ private:
     bool understand(const std::string& datagram, ModelState& to);
     void take(const ModelState& state);
     void moveSticks(const std::array<uint16_t, 8>& told_us);
-    void sendStatusText(const ModelState& state);
+    void publish(const ModelState& state);
     void stop(const std::string& why);
 
     const WorldOptions options_;

@@ -77,7 +77,7 @@ void set(const std::vector<Setting>& settings, const std::string& file, const Ru
          std::vector<Finding>& findings) {
     std::map<std::string, int> named;
     for (const Setting& setting : settings) {
-        const auto sendStatusText = [&](bool error, int column, const std::string& text) {
+        const auto report = [&](bool error, int column, const std::string& text) {
             findings.push_back(
                 {setting.line, error,
                  placed(file, setting.line, column, (error ? "" : "warning: ") + text)});
@@ -85,26 +85,25 @@ void set(const std::vector<Setting>& settings, const std::string& file, const Ru
         uint16_t index = 0;
         const auto [first, fresh] = named.emplace(setting.name, setting.line);
         if (!fresh) {
-            sendStatusText(
-                true, setting.name_column,
-                setting.name + " stands in line " + std::to_string(first->second) + " already");
+            report(true, setting.name_column,
+                   setting.name + " stands in line " + std::to_string(first->second) + " already");
         } else if (!indexOf(setting.name, index)) {
-            sendStatusText(!rules.skip_unknown, setting.name_column,
-                           expected("a parameter of this firmware", setting.name));
+            report(!rules.skip_unknown, setting.name_column,
+                   expected("a parameter of this firmware", setting.name));
         } else if (!at(index).stored) {
             if (setting.value != 0)
-                sendStatusText(false, setting.name_column,
-                               setting.name +
-                                   " is left out: it is as long as the list of points, which "
-                                   "goes up by itself");
+                report(false, setting.name_column,
+                       setting.name +
+                           " is left out: it is as long as the list of points, which "
+                           "goes up by itself");
         } else {
             const float value = static_cast<float>(setting.value);
             const Status status = setAt(index, value);
             if (status != Status::ok)
-                sendStatusText(true, setting.value_column,
-                               expected(refusal(at(index), value), spelled(value)));
+                report(true, setting.value_column,
+                       expected(refusal(at(index), value), spelled(value)));
             else if (at(index).whole && std::trunc(value) != value)
-                sendStatusText(
+                report(
                     false, setting.value_column,
                     "a whole number: " + spelled(value) + " becomes " + spelled(at(index).value));
         }

@@ -29,7 +29,7 @@ static void put(uint8_t byte) {
     }
     UDR2 = byte;
 }
-static void sendStatusText(uint8_t number, uint16_t value) {
+static void showValue(uint8_t number, uint16_t value) {
     put(number);
     put(static_cast<uint8_t>(value));
     put(static_cast<uint8_t>(value >> 8));
@@ -69,13 +69,13 @@ static void sensorBus() {
     DDRB |= _BV(1) | _BV(2);
     SPCR = _BV(SPE) | _BV(MSTR) | _BV(SPR0);
     resetBarometer();
-    sendStatusText(1, coefficient(1));  // the other chip is not held deselected
+    showValue(1, coefficient(1));  // the other chip is not held deselected
     PORTB |= _BV(0);
     DDRB |= _BV(0);
     resetBarometer();
-    sendStatusText(2, coefficient(1));
+    showValue(2, coefficient(1));
     _delay_ms(100);
-    sendStatusText(3, imu(0x80 | 0x75, 0));
+    showValue(3, imu(0x80 | 0x75, 0));
     PORTG &= ~_BV(1);
     imu(0x80 | 0x75, 0);  // both at once
     PORTG |= _BV(1);
@@ -91,7 +91,7 @@ static void sensorBus() {
         _delay_ms(1);
         imu(0x80 | 0x3A, 0);
     }
-    sendStatusText(4, samples);
+    showValue(4, samples);
     EIMSK = 0;
 }
 
@@ -113,7 +113,7 @@ static void compass() {
     twi(0);
     const uint8_t first = twi(_BV(TWEA)), second = twi(0);
     TWCR = _BV(TWINT) | _BV(TWEN) | _BV(TWSTO);
-    sendStatusText(5, static_cast<uint16_t>(second << 8 | first));
+    showValue(5, static_cast<uint16_t>(second << 8 | first));
 }
 
 static uint16_t analog(uint8_t channel) {
@@ -144,11 +144,11 @@ static void dataflash() {
     DDRJ = _BV(2);
     UCSR3C = _BV(UMSEL31) | _BV(UMSEL30);
     UCSR3B = _BV(RXEN3) | _BV(TXEN3);
-    sendStatusText(13, flashIdentity());
+    showValue(13, flashIdentity());
     DDRG |= _BV(0);  // reset, low
-    sendStatusText(14, flashIdentity());
+    showValue(14, flashIdentity());
     PORTG |= _BV(0);
-    sendStatusText(15, flashIdentity());
+    showValue(15, flashIdentity());
 }
 
 static void gps() {
@@ -156,11 +156,11 @@ static void gps() {
     UBRR1 = 207;  // 9600
     UCSR1B = _BV(RXEN1) | _BV(RXCIE1);
     _delay_ms(2500);
-    sendStatusText(7, dollars);
-    sendStatusText(8, garbage);
+    showValue(7, dollars);
+    showValue(8, garbage);
     UBRR1 = 51;  // 38400
     _delay_ms(2500);
-    sendStatusText(9, garbage);
+    showValue(9, garbage);
     UCSR1B = 0;
 }
 
@@ -174,7 +174,7 @@ static void radio() {
     TIMSK5 = 0;
     // Edges 10 to 12 of frames of nine: the second frame's first and second channels.
     const uint16_t ticks = edge_ticks[1] - edge_ticks[0];
-    sendStatusText(10, ticks > 40000 ? ticks + 40000 : ticks);
+    showValue(10, ticks > 40000 ? ticks + 40000 : ticks);
 }
 
 static void outputs() {
@@ -216,10 +216,10 @@ int main() {
     sensorBus();
     compass();
     dataflash();
-    sendStatusText(6, analog(13));
-    sendStatusText(11, PINA & _BV(1));
+    showValue(6, analog(13));
+    showValue(11, PINA & _BV(1));
     gps();
     radio();
-    sendStatusText(12, PINA & _BV(1));
+    showValue(12, PINA & _BV(1));
     frames();
 }
