@@ -27,8 +27,8 @@ void restartJudge() {
     last = runSurvives() && whole(steady) ? newest(moving) : nullptr;
     if (last != nullptr && !last->in_the_air) last = nullptr;
     if (last != nullptr) return;
-    for (MovingRecord& each : moving) spoil(each);
-    spoil(steady);
+    for (MovingRecord& each : moving) invalidate(each);
+    invalidate(steady);
 }
 
 bool flyingOn() { return last != nullptr; }

@@ -51,8 +51,8 @@ void seal(SteadyRecord& record) { record.seal = sums(record); }
 void seal(MovingRecord& record) { record.seal = sums(record); }
 bool whole(const SteadyRecord& record) { return record.seal == sums(record); }
 bool whole(const MovingRecord& record) { return record.seal == sums(record); }
-void spoil(SteadyRecord& record) { record.seal = ~sums(record); }
-void spoil(MovingRecord& record) { record.seal = ~sums(record); }
+void invalidate(SteadyRecord& record) { record.seal = ~sums(record); }
+void invalidate(MovingRecord& record) { record.seal = ~sums(record); }
 
 const MovingRecord* newest(const MovingRecord (&two)[2]) {
     const bool first = whole(two[0]), second = whole(two[1]);

@@ -58,8 +58,8 @@ void seal(MovingRecord& record);
 bool whole(const SteadyRecord& record);
 bool whole(const MovingRecord& record);
 // Not whole any more. What is being written is not either: what has changed does not fit the seal.
-void spoil(SteadyRecord& record);
-void spoil(MovingRecord& record);
+void invalidate(SteadyRecord& record);
+void invalidate(MovingRecord& record);
 
 // Two in turn, so that a reset while one is written leaves the other: the newest whole one;
 // nullptr: neither is.

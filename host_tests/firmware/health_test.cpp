@@ -38,15 +38,15 @@ protected:
     }
     // One reading in `odd_every` is a wild one; 0: none, 1: all.
     int tenths(int count, int odd_every) {
-        int believed = 0;
+        int accepted = 0;
         for (int i = 0; i < count * GetParam().per_tenth; ++i) {
             const bool odd = odd_every != 0 && i % odd_every == 0;
             const int16_t wild = i % 2 == 0 ? GetParam().beyond : -GetParam().beyond;
             const int16_t reading = odd ? wild : scattered(GetParam().quiet);
-            believed += acceptReading(GetParam().sensor, reading, true);
+            accepted += acceptReading(GetParam().sensor, reading, true);
             if (i % GetParam().per_tenth == 0) firmware::sensors::watchHealth();
         }
-        return believed;
+        return accepted;
     }
     void silence(int tenths) {
         for (int i = 0; i < tenths; ++i) firmware::sensors::watchHealth();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A flight through the transitions of docs/failsafes.md, each provoked as it would be in the air:
 // the radio, the receiver and the ground station fall silent, the fence is crossed, the pack is
-// low. Fails when another mode than the row's is flown, now or afterwards, when it is not told, or
-// when the airplane does not stay in hand. Row 1, of the inertial sensor, is fault_flight's.
+// low. Fails when another mode than the row's is flown, now or afterwards, when its text is
+// missing, or when the airplane does not stay in hand. Row 1, of the inertial sensor, is
+// fault_flight's.
 //   failsafe_flight native|FIRMWARE MISSION OUT MINUTES_FOLDER
 #include <algorithm>
 #include <cmath>
@@ -25,7 +26,7 @@ constexpr uint64_t kStep_us = 20'000;
 constexpr double kFrom_s = 15;  // in the air and past the take-off
 constexpr double kLongTimeout_s = 2;
 constexpr double kAnswered_s = 0.2;
-constexpr double kHolds_s = 2.5;   // the mode is told once a second
+constexpr double kHolds_s = 2.5;   // the mode is sent once a second
 constexpr double kReturns_s = 15;  // a receiver that was off has to find its fix
 constexpr double kDegree = M_PI / 180;
 
@@ -42,7 +43,7 @@ struct Row {
     unsigned from_before;  // troubles that are there already, and overruled
     unsigned trouble;
     Settings settings;
-    const char* text;             // told
+    const char* text;             // expected
     std::vector<uint32_t> modes;  // in turn, the last one stays
     double within_s;
     uint32_t afterwards;
@@ -158,7 +159,8 @@ private:
     bool prepare(const Row& row) {
         begin(row.from_before);
         said_ = flight_.telemetry().texts.size();
-        if ((row.from_before & kGps) != 0) waitUntil(26, [this] { return told("Position lost"); });
+        if ((row.from_before & kGps) != 0)
+            waitUntil(26, [this] { return hasText("Position lost"); });
         Settings settings = row.settings;
         settings.insert(kUsual.begin(), kUsual.end());
         for (const auto& setting : settings) set(setting.first, setting.second);
@@ -178,7 +180,7 @@ private:
         wait(kHolds_s);
         const bool glides = wanted.back() != kFbwa || board_.world().truth().throttle < 0.05;
         if (!expect(row, acted && modes_ == wanted, "flew " + modesSeen()) ||
-            !expect(row, told(row.text), std::string("not told: ") + row.text) ||
+            !expect(row, hasText(row.text), std::string("no text: ") + row.text) ||
             !expect(row, glides, "the motor runs in the glide"))
             return false;
         std::printf("  ok      row %-2d %s: %s in %.1f s, \"%s\"\n", row.number, row.what,
@@ -261,7 +263,7 @@ private:
         wait(kAnswered_s);
     }
 
-    bool told(const std::string& part) const {
+    bool hasText(const std::string& part) const {
         const auto& texts = flight_.telemetry().texts;
         return std::any_of(texts.begin() + static_cast<std::ptrdiff_t>(said_), texts.end(),
                            [&](const Event& text) { return text.text.find(part) != part.npos; });

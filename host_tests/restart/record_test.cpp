@@ -48,13 +48,13 @@ TEST(Record, any_bit_that_changes_breaks_the_seal) {
 TEST(Record, a_reset_while_one_is_written_leaves_the_one_before) {
     MovingRecord two[2] = {movingRecord(7), movingRecord(8)};
     EXPECT_EQ(newest(two), &two[1]);
-    spoil(two[0]);  // the older one is being written
+    invalidate(two[0]);  // the older one is being written
     EXPECT_EQ(newest(two), &two[1]);
     two[0] = movingRecord(9);
     EXPECT_EQ(newest(two), &two[0]);
-    spoil(two[1]);
+    invalidate(two[1]);
     EXPECT_EQ(newest(two), &two[0]);
-    spoil(two[0]);
+    invalidate(two[0]);
     EXPECT_EQ(newest(two), nullptr);
 }
 
@@ -67,7 +67,7 @@ TEST(Record, a_spoilt_record_is_whole_only_after_it_was_sealed_again) {
     SteadyRecord record = {};
     seal(record);
     EXPECT_TRUE(whole(record));
-    spoil(record);
+    invalidate(record);
     EXPECT_FALSE(whole(record));
     record.home_altitude_cm = 48800;
     EXPECT_FALSE(whole(record));

@@ -85,9 +85,9 @@ TEST(Waypoints, lists_every_error_at_once) {
 TEST(Waypoints, lists_fifty_errors_and_how_many_more_there_are) {
     std::string text = "QGC WPL 110\n" + kHome;
     for (int i = 1; i <= 63; ++i) text += std::to_string(i) + " 0 3 16 0 0 0 0 47 east 40 1\n";
-    const std::string told = refusal(text);
-    EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 50);
-    EXPECT_THAT(told, testing::EndsWith("\nand 13 more"));
+    const std::string message = refusal(text);
+    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 50);
+    EXPECT_THAT(message, testing::EndsWith("\nand 13 more"));
 }
 
 // One line is missing: every index behind it is right in itself.
