@@ -81,8 +81,44 @@ function* broken(rule, path, text) {
   }
 }
 
+const kPrivate = /etween the files of this folder only/;
+const isPrivate = (path, text) => path.endsWith('.hpp') && kPrivate.test(text.split('\n').slice(0, 6).join(' '));
+const firmwareFiles = [...sources(join(root, 'firmware'))].map((path) => [relative(root, path), readFileSync(path, 'utf8')]);
+
+// A header between the files of its folder is included by nobody else.
+function* privateHeadersUsedElsewhere() {
+  const headers = new Set(firmwareFiles.filter(([path, text]) => isPrivate(path, text)).map(([path]) => path));
+  for (const [path, text] of firmwareFiles)
+    for (const [index, line] of text.split('\n').entries()) {
+      const header = /^#include "([^"]+)"/.exec(line)?.[1];
+      if (headers.has(header) && dirname(header) !== dirname(path))
+        yield `${path}:${index + 1}: "${header}" is between the files of its folder only`;
+    }
+}
+
+// Each section of the shared state has one writer: whoever defines its Publisher.
+function* sectionsWithoutOneWriter() {
+  const storage = readFileSync(join(root, 'firmware/state/vehicle.hpp'), 'utf8');
+  for (const [, section] of storage.matchAll(/& section\((\w+)\*\)/g)) {
+    if (section === 'Vehicle') continue;
+    const writers = firmwareFiles.filter(([path, text]) => path !== 'firmware/state/published.hpp'
+      && text.includes(`struct Publisher<${section}>`));
+    if (writers.length !== 1)
+      yield `${section} has ${writers.length} publishers${writers.map(([path]) => ` ${path}`).join()}`;
+    for (const [path, text] of writers)
+      if (path.endsWith('.hpp') && !isPrivate(path, text))
+        yield `${path}:1: a header with a Publisher must be between the files of its folder only`;
+  }
+  for (const [path, text] of firmwareFiles)
+    if (text.includes('Publisher<Vehicle>')) yield `${path}: writes past the publishers of the sections`;
+}
+
 let failures = 0;
 let read = 0;
+for (const message of [...privateHeadersUsedElsewhere(), ...sectionsWithoutOneWriter()]) {
+  console.log(message);
+  ++failures;
+}
 for (const entry of readdirSync(join(root, 'firmware'), { withFileTypes: true }))
   if (!entry.isDirectory() || !rooms.includes(entry.name)) {
     console.log(`firmware/${entry.name}: is no room of firmware`);

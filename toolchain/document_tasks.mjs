@@ -16,7 +16,6 @@ const remarks = {
   runMode: 'the work of the present flight mode: sticks to demands',
   runAttitudeControl: 'demanded bank and pitch to surfaces; autotune listens here',
   runOutputs: 'surfaces to servo pulses, written to the timers; touches the guard',
-  endMode: 'clears `vehicle.mode_changed`: the fast rows before it have seen it',
   runBarometer: 'steps the barometer',
   runGps: 'received bytes to fixes; also between frames',
   telemetrySend: 'per link: what has become due; long transfers and commands go on',

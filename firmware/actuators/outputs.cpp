@@ -9,11 +9,19 @@
 #include "firmware/control/attitude_control.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 #include "hal/guard.hpp"
 #include "hal/servo_output.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<ServoState> : Writable<ServoState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace actuators {
 
 using namespace state;
@@ -22,13 +30,16 @@ using namespace control;
 
 namespace {
 
+constexpr ServoState& published = Publisher<ServoState>::state();
+
 constexpr uint16_t kRefresh_hz = 50;
 constexpr uint8_t kFirstFree = 4;                            // outputs 5..8, counted from 0
 constexpr uint8_t kAileron = 0, kElevator = 1, kRudder = 3;  // counted from 0
 constexpr uint8_t kThrottle = 3;                             // numbered as on the board
 constexpr uint16_t kShortest_us = 800, kLongest_us = 2200;
 
-uint8_t held;  // a bit an output: its pulse stays as it is
+uint8_t held;        // a bit an output: its pulse stays as it is
+uint8_t mode_entry;  // that the outputs were released for
 
 ::control::ServoRange range(uint8_t output) {
     const Channel& channel = parameters.channel[output];
@@ -132,8 +143,8 @@ uint16_t freePulse_us(uint8_t output) {
 }
 
 void put(uint8_t output, uint16_t pulse_us) {
-    if (pulse_us == vehicle.servo_us[output]) return;
-    vehicle.servo_us[output] = pulse_us;
+    if (pulse_us == published.servo_us[output]) return;
+    published.servo_us[output] = pulse_us;
     hal::servoWrite(output, pulse_us * 2);
 }
 
@@ -146,7 +157,7 @@ bool isOutputFunction(int8_t number) { return number == 0 || functionOf(number) 
 
 void startOutputs() {
     held = 0;
-    for (uint16_t& pulse_us : vehicle.servo_us) pulse_us = 0;
+    for (uint16_t& pulse_us : published.servo_us) pulse_us = 0;
     surfaces = {};
     if (!wrongBoard()) hal::servoStart(kRefresh_hz);
     runOutputs();
@@ -155,7 +166,8 @@ void startOutputs() {
 void runOutputs() {
     hal::guardTouch();
     if (wrongBoard()) return;
-    if (vehicle.mode_changed) outputReleaseAll();
+    if (mode_entry != vehicle.mode_entries) outputReleaseAll();
+    mode_entry = vehicle.mode_entries;
     uint8_t free = static_cast<uint8_t>(~held);
     uint8_t i = 0;
     for (; i < kFirstFree; ++i, free >>= 1)
@@ -177,8 +189,13 @@ void outputRelease(uint8_t output) {
 
 void outputReleaseAll() { held = 0; }
 
+void outputPassStick(uint8_t output, uint16_t pulse_us) {
+    published.servo_us[output] = pulse_us;
+    hal::servoWrite(output, pulse_us * 2);
+}
+
 uint16_t outputPulse_us(uint8_t output) {
-    return isOutput(output) ? vehicle.servo_us[output - 1] : 0;
+    return isOutput(output) ? published.servo_us[output - 1] : 0;
 }
 
 }  // namespace actuators

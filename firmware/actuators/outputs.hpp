@@ -21,6 +21,10 @@ bool outputOverride(uint8_t output, uint16_t pulse_us);
 void outputRelease(uint8_t output);
 void outputReleaseAll();  // at a change of mode
 
+// From the interrupt that flies while the program hangs; `output` from 0. The program knows of it
+// when it runs again.
+void outputPassStick(uint8_t output, uint16_t pulse_us);
+
 uint16_t outputPulse_us(uint8_t output);  // present pulse, 0: silent
 
 }  // namespace actuators

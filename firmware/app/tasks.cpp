@@ -52,8 +52,6 @@ constexpr uint16_t kFrame_us = 10000;
 // The inertial sensor's clock may be 1 % slow; without its samples a frame begins by the clock.
 constexpr uint16_t kSilentImu_us = 10400;
 
-void endMode() { vehicle.mode_changed = false; }
-
 // both short, and either may wait
 void runLightsAndFlash() {
     runLights();
@@ -83,7 +81,6 @@ constexpr scheduler::Task kTasks[] ROM = {
     { runMode,               1,     0,     140 },
     { runAttitudeControl,    1,     0,     620 },
     { runOutputs,            1,     0,     185 },
-    { endMode,               1,     0,       3 },
     { runBarometer,          1,     0,     185 },
     { runGps,                1,     0,     610 },
     { telemetrySend,         2,     1,    1150 },
@@ -161,7 +158,7 @@ void setup() {
     fenceStart();
     telemetryStart();
     missionBoot();
-    vehicle.mode = Mode::initialising;
+    startModes();
     restartResume();
     if (!flyingOn()) setMode(static_cast<Mode>(parameters.initial_mode), ModeReason::boot);
     schedule.start();

@@ -29,6 +29,7 @@ constexpr core::Gain kPerCentidegree(Deflection::kSteps / 4500);
 ::control::TurnRates turn;
 bool inverted;                                         // with loops that began so
 bool rolls;                                            // so, or on the way there or back
+uint8_t mode_entry;                                    // that the loops began with
 int16_t roll_limit, pitch_min, pitch_max, trim_pitch;  // of an Angle
 Deflection rudder_mix;
 bool yaw_used;
@@ -206,7 +207,8 @@ void addSticks() {
 }  // namespace
 
 void runAttitudeControl() {
-    if (vehicle.mode_changed || inverted != vehicle.inverted) {
+    if (mode_entry != vehicle.mode_entries || inverted != vehicle.inverted) {
+        mode_entry = vehicle.mode_entries;
         rolls = rolls || vehicle.inverted;
         inverted = vehicle.inverted;
         roll_state = pitch_state = ::control::AxisState();

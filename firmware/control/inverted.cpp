@@ -4,15 +4,25 @@
 #include "firmware/sensors/radio.hpp"
 #include "firmware/state/mode_traits.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<InvertedState> : Writable<InvertedState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace control {
 
 using namespace state;
 using namespace sensors;
 
 namespace {
+
+constexpr InvertedState& published = Publisher<InvertedState>::state();
 
 // Half a roll costs height, and so does a wing that was not made for it.
 constexpr float kLowestToRoll_m = 30, kLowest_m = 15;
@@ -42,7 +52,7 @@ void orderInverted(bool on) {
     ordered_in = vehicle.mode;
 }
 
-void runInverted() { vehicle.inverted = wanted() && possible(); }
+void runInverted() { published.inverted = wanted() && possible(); }
 
 }  // namespace control
 }  // namespace firmware

@@ -12,16 +12,31 @@
 #include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<AttitudeState> : Writable<AttitudeState> {
+    using Writable::state;
+};
+template <>
+struct Publisher<EstimateState> : Writable<EstimateState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace estimator {
 
 using namespace state;
 using namespace sensors;
 
 namespace {
+
+constexpr AttitudeState& published_attitude = Publisher<AttitudeState>::state();
+constexpr EstimateState& published = Publisher<EstimateState>::state();
 
 using core::Vector3;
 
@@ -42,6 +57,7 @@ float gps_above_m;    // the receiver's heights over the estimate's; 0: no fix h
 uint8_t gathered;     // sample periods since motion was last carried on
 int32_t baro_sum_pa;  // of baro_readings
 uint8_t baro_readings;
+uint8_t fixes_seen, baro_seen, compass_seen;  // of the sensors' counters
 
 constexpr uint8_t kDead = 20;         // frames: after a longer gap the attitude is lost
 constexpr uint8_t kFramePeriods = 2;  // of a sample
@@ -84,7 +100,7 @@ bool fixIsGood() {
 }
 
 void alignToFix(uint32_t now_ms) {
-    vehicle.gps.fresh = false;
+    fixes_seen = vehicle.gps.fixes;
     if (!fixIsGood()) return;
     since_fix_s = (now_ms - fix_ms) * 0.001f;
     fix_ms = now_ms;
@@ -139,7 +155,7 @@ void updateWind() {
     const float airspeed_mps = vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f;
     wind.update(vehicle.gps.velocity_mps, {attitude.noseNorth(), attitude.noseEast()}, airspeed_mps,
                 since_fix_s);
-    vehicle.estimate.wind_mps = wind.wind_mps();
+    published.wind_mps = wind.wind_mps();
 }
 
 bool near(float a_m, float b_m) { return fabsf(a_m - b_m) < kOddHeight_m; }
@@ -156,7 +172,7 @@ void fuseGpsHeight() {
     const float fix_m = told_m - gps_above_m;
     if (!baro.healthy) {
         if (!height_started) return;
-        if (!near(baro.height_m, height_m)) reportInconsistency(Sensor::barometer);
+        if (!near(vehicle.estimate.baro_height_m, height_m)) reportInconsistency(Sensor::barometer);
         estimation::HeightSettings slow;
         slow.omega_rads = 0.7f;  // of five fixes a second
         return height.useBarometer(fix_m, 0.1f, slow);
@@ -173,8 +189,8 @@ void fuseGpsHeight() {
 }
 
 void gatherBarometer() {
-    if (!vehicle.baro.fresh) return;
-    vehicle.baro.fresh = false;
+    if (vehicle.baro.readings == baro_seen) return;
+    baro_seen = vehicle.baro.readings;
     baro_sum_pa += vehicle.baro.pressure_pa;
     ++baro_readings;
 }
@@ -188,7 +204,7 @@ void useBarometer() {
                                      baro.ground_pressure_pa, baro.ground_temperature_c);
     baro_sum_pa = 0;
     baro_readings = 0;
-    vehicle.baro.height_m = reading_m;
+    published.baro_height_m = reading_m;
     if (!baro.healthy) return;
     const uint16_t now_ms = static_cast<uint16_t>(hal::now_ms());
     if (height_started) {
@@ -211,7 +227,7 @@ float knownAirspeed_mps() {
 // One a frame.
 void useReference() {
     const uint32_t now_ms = hal::now_ms();
-    if (vehicle.gps.fresh) {
+    if (vehicle.gps.fixes != fixes_seen) {
         alignToFix(now_ms);
     } else if (fix_use == FixUse::move) {
         moveToFix(now_ms);
@@ -219,8 +235,8 @@ void useReference() {
         updateWind();
     } else if (fix_use == FixUse::feel_height) {
         fuseGpsHeight();
-    } else if (vehicle.compass.fresh) {
-        vehicle.compass.fresh = false;
+    } else if (vehicle.compass.accepted && vehicle.compass.readings != compass_seen) {
+        compass_seen = vehicle.compass.readings;
         if (parameters.compass_use != 0 &&
             !attitude.useCompass(vehicle.compass.field_mg, attitudeSettings()))
             reportInconsistency(Sensor::compass);
@@ -246,7 +262,7 @@ float metres(int16_t centimetres) { return centimetres * 0.01f; }
 
 void publishAttitude() {
     const estimation::Angles& angles = attitude.angles();
-    auto& to = vehicle.attitude;
+    auto& to = published_attitude;
     to.roll_rad = angles.roll_rad;
     to.pitch_rad = angles.pitch_rad;
     to.yaw_rad = angles.yaw_rad;
@@ -259,7 +275,7 @@ void publishAttitude() {
 }
 
 void publishMotion() {
-    auto& to = vehicle.estimate;
+    auto& to = published;
     to.known = position.known();
     to.reckoned = position.reckoned();
     to.fix_refused = position.refuses();
@@ -270,7 +286,7 @@ void publishMotion() {
 }
 
 void publishSpeeds() {
-    auto& to = vehicle.estimate;
+    auto& to = published;
     to.position = position.position();
     const Vector3& velocity = to.velocity_mps;
     to.ground_speed_mps = sqrtf(core::square(velocity.x) + core::square(velocity.y));
@@ -302,7 +318,7 @@ void reckon() {
 // Flying: armed, and fast enough for half a second; standing: slow for three seconds.
 void judgeFlying() {
     static uint8_t looks;
-    auto& estimate = vehicle.estimate;
+    auto& estimate = published;
     const bool fast = vehicle.airspeed.healthy
                           ? vehicle.airspeed.speed_mps > 0.75f * parameters.speed_min_mps
                           : estimate.ground_speed_mps > kFlyingGroundSpeed_mps;
@@ -331,7 +347,7 @@ uint8_t quarter() {
         return attitude.frame() & 3;
     }
     imu_gap = imu_gap < kDead + 3 ? imu_gap + 1 : kDead;
-    vehicle.attitude.aligned = imu_gap < kDead && vehicle.attitude.aligned;
+    published_attitude.aligned = imu_gap < kDead && vehicle.attitude.aligned;
     return imu_gap & 3;
 }
 
@@ -369,14 +385,14 @@ Vector3 gyroDrift_rads() { return attitude.bias_rads(); }
 void zeroHeight() {
     barometer_drift.zero();
     home_height_m = height.height_m();
-    vehicle.estimate.height_m = 0;
+    published.height_m = 0;
     true_speed_ratio = estimation::trueSpeedRatio(static_cast<float>(vehicle.baro.pressure_pa),
                                                   vehicle.baro.temperature_cc * 0.01f);
 }
 
 void shiftHeight(float by_m) {
     home_height_m -= by_m;
-    vehicle.estimate.height_m += by_m;
+    published.height_m += by_m;
 }
 
 // A place without a fix since then counts as one that is as old as the record.
@@ -390,8 +406,8 @@ void resumeEstimate(const SteadyRecord& steady, const MovingRecord& moving,
     true_speed_ratio =
         estimation::trueSpeedRatio(steady.ground_pressure_pa, steady.ground_temperature_c);
     if (moving.wind_known) wind.resume(metres(steady.wind_cms[0]), metres(steady.wind_cms[1]));
-    vehicle.estimate.wind_mps = wind.wind_mps();
-    vehicle.estimate.flying = true;
+    published.wind_mps = wind.wind_mps();
+    published.flying = true;
     if (!moving.place_known) return;
     estimation::PositionSettings settings;
     settings.gps_age_s = lost_s;

@@ -10,10 +10,18 @@
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameter_slots.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<CalibrationState> : Writable<CalibrationState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace gcs {
 
 using namespace notify;
@@ -21,6 +29,8 @@ using namespace state;
 using namespace sensors;
 
 namespace {
+
+constexpr CalibrationState& published = Publisher<CalibrationState>::state();
 
 using mavlink::AccelcalVehiclePos;
 using mavlink::MavCmd;
@@ -147,7 +157,7 @@ void sidesTick() {
         default: {
             const uint32_t outcome = now.phase == Phase::succeeded ? AccelcalVehiclePos::success
                                                                    : AccelcalVehiclePos::failed;
-            if (reportSide(outcome)) vehicle.calibrating = Calibrating::nothing;
+            if (reportSide(outcome)) published.calibrating = Calibrating::nothing;
         }
     }
 }
@@ -189,7 +199,7 @@ void compassTick() {
     if (now.phase != Phase::asks) {
         if (!report()) return;
         if (now.phase == Phase::failed) compassTurnsUndo();
-        vehicle.calibrating = Calibrating::nothing;
+        published.calibrating = Calibrating::nothing;
         return;
     }
     if (!secondHasPassed()) return;
@@ -209,7 +219,7 @@ void restTick() {
     if (still) result = MavResult::accepted;
     if (still && vehicle.calibrating == Calibrating::level) result = takeLevel();
     if (acknowledge(result) && result != MavResult::in_progress)
-        vehicle.calibrating = Calibrating::nothing;
+        published.calibrating = Calibrating::nothing;
 }
 
 }  // namespace
@@ -219,7 +229,7 @@ bool calibrationBegin(Calibrating what, const Asker& asker) {
     const bool again = vehicle.calibrating == what;
     now.asker = asker;
     if (again && what == Calibrating::rest) return true;
-    vehicle.calibrating = what;
+    published.calibrating = what;
     now.phase = Phase::asks;
     now.side = 0;
     now.left_s = what == Calibrating::compass ? kTurning_s : kRest_s;
@@ -231,7 +241,7 @@ bool calibrationBegin(Calibrating what, const Asker& asker) {
 
 void calibrationCancel() {
     if (vehicle.calibrating == Calibrating::compass) compassTurnsUndo();
-    vehicle.calibrating = Calibrating::nothing;
+    published.calibrating = Calibrating::nothing;
 }
 
 bool calibrationSideIsReady() { return calibrationSideIsReady(now.side + 1U); }
@@ -255,7 +265,7 @@ void calibrationTick() {
 
 void calibrationReset() {
     now = {};
-    vehicle.calibrating = Calibrating::nothing;
+    published.calibrating = Calibrating::nothing;
 }
 
 }  // namespace gcs

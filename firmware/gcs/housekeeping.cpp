@@ -9,17 +9,27 @@
 #include "firmware/gcs/telemetry.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/sensors/rc_override.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 #include "hal/clock.hpp"
 #include "hal/rc_input.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<GroundState> : Writable<GroundState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace gcs {
 
 using namespace state;
 using namespace sensors;
 
 namespace {
+
+constexpr GroundState& published = Publisher<GroundState>::state();
 
 bool fromGround(const mavlink::Frame& frame) {
     return frame.system == static_cast<uint8_t>(parameters.ground_system_id);
@@ -28,12 +38,12 @@ bool fromGround(const mavlink::Frame& frame) {
 }  // namespace
 
 void housekeepingStart() {
-    vehicle.ground_heard_ms = 0;
+    published.ground_heard_ms = 0;
     rcOverrideRelease();
 }
 
 bool onHeartbeat(Link&, const mavlink::Frame& frame) {
-    if (fromGround(frame)) vehicle.ground_heard_ms = hal::now_ms();
+    if (fromGround(frame)) published.ground_heard_ms = hal::now_ms();
     return true;
 }
 
@@ -85,7 +95,7 @@ bool onRcChannelsOverride(Link&, const mavlink::Frame& frame) {
     memcpy(wanted_us, &message, sizeof wanted_us);  // they stand first
     static_assert(offsetof(mavlink::RcChannelsOverride, target_system) == sizeof wanted_us, "");
     setRcOverride(wanted_us);
-    vehicle.ground_heard_ms = hal::now_ms();
+    published.ground_heard_ms = hal::now_ms();
     return true;
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "core/maths.hpp"
+#include "firmware/control/attitude_demand.hpp"
 #include "firmware/guidance/plan.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -13,6 +14,7 @@ namespace firmware {
 namespace guidance {
 
 using namespace state;
+using namespace control;
 
 namespace {
 
@@ -69,8 +71,7 @@ void demandBank(float bank_accel_mss, BankLimit limit) {
     const float most_rad = limit_rad(limit);
     const float accel_mss =
         core::limit(bank_accel_mss + trim.accel_mss(), -carried_mss, carried_mss);
-    vehicle.roll_demand_rad =
-        core::Angle(core::limit(navigation::bankFor_rad(accel_mss), -most_rad, most_rad));
+    demandRoll(core::Angle(core::limit(navigation::bankFor_rad(accel_mss), -most_rad, most_rad)));
 }
 
 }  // namespace guidance

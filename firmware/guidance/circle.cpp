@@ -2,6 +2,7 @@
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
 #include "firmware/guidance/lateral.hpp"
+#include "firmware/guidance/path_state.hpp"
 #include "firmware/state/vehicle.hpp"
 
 namespace firmware {
@@ -28,8 +29,8 @@ Plan flyCircle() {
     turns.update(circle, from_centre, lateral.crosstrack_m);
     const float outside_m = lateral.crosstrack_m;
     learnBankTrim(circle.counter_clockwise ? -outside_m : outside_m);
-    vehicle.progress.captured = turns.captured();
-    vehicle.progress.turned_rad = turns.turned_rad();
+    progress.captured = turns.captured();
+    progress.turned_rad = turns.turned_rad();
     Plan to_fly = levelPlan();
     if (!turns.captured())
         followSlope(to_fly, legLength_m() - demand.radius_m, legLength_m() - lateral.distance_m,

@@ -8,6 +8,7 @@
 #include "firmware/guidance/host.hpp"
 #include "firmware/guidance/lateral.hpp"
 #include "firmware/guidance/launch.hpp"
+#include "firmware/guidance/path_state.hpp"
 #include "firmware/guidance/plan.hpp"
 #include "firmware/guidance/steering.hpp"
 #include "firmware/state/mode_traits.hpp"
@@ -35,8 +36,7 @@ void takeOver() {
 }
 
 void beginPath() {
-    auto& progress = vehicle.progress;
-    vehicle.demand.new_path = false;
+    path_demand.new_path = false;
     progress.passed = progress.captured = progress.flaring = false;
     progress.turned_rad = 0;
     planLateral();
@@ -53,7 +53,7 @@ void runGuidance() {
     if (!guidesItself()) {
         guiding = false;
         steerNowhere();
-        vehicle.progress.throttle_suppressed = vehicle.progress.flaring = false;
+        progress.throttle_suppressed = progress.flaring = false;
         return;
     }
     if (!guiding) takeOver();
@@ -63,9 +63,8 @@ void runGuidance() {
     steerNowhere();
     plan = core::romRead(kFlights[static_cast<uint8_t>(vehicle.demand.path)])();
     waitForLaunch();
-    vehicle.progress.height_error_m = plan.height.height_m - vehicle.estimate.height_m;
-    vehicle.progress.airspeed_error_mps =
-        plan.airspeed_mps - vehicle.estimate.equivalent_airspeed_mps;
+    progress.height_error_m = plan.height.height_m - vehicle.estimate.height_m;
+    progress.airspeed_error_mps = plan.airspeed_mps - vehicle.estimate.equivalent_airspeed_mps;
 }
 
 void runSpeedHeight() {
@@ -81,8 +80,8 @@ void runSpeedHeight() {
 float demandedAirspeed_mps() { return plan.airspeed_mps; }
 
 void shiftDemands(float by_m) {
-    static constexpr float* kHeights[] ROM = {&vehicle.demand.from_height_m,
-                                              &vehicle.demand.height_m, &plan.height.height_m};
+    static constexpr float* kHeights[] ROM = {&path_demand.from_height_m, &path_demand.height_m,
+                                              &plan.height.height_m};
     for (float* const& height_m : kHeights) *core::romRead(height_m) += by_m;
     shiftHeightFlown(by_m);
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "core/maths.hpp"
+#include "firmware/control/attitude_demand.hpp"
 #include "firmware/guidance/flights.hpp"
 #include "firmware/state/causes.hpp"
 #include "firmware/state/mode_traits.hpp"
@@ -14,6 +15,7 @@ namespace firmware {
 namespace guidance {
 
 using namespace state;
+using namespace control;
 
 namespace {
 
@@ -151,10 +153,9 @@ void shiftHeightFlown(float by_m) { speed_height.shift(by_m); }
 
 void waitWithHeight(const Plan& plan) {
     speed_height.start(measured(), 0, 0);
-    vehicle.pitch_demand_rad =
-        core::Angle(plan.phase == ::control::Phase::climb_out ? plan.pitch_min_rad : 0.0f);
-    vehicle.throttle_demand =
-        core::Ratio(parameters.suppressed_manual != 0 ? vehicle.radio.throttle_pct * 0.01f : 0.0f);
+    demandPitch(core::Angle(plan.phase == ::control::Phase::climb_out ? plan.pitch_min_rad : 0.0f));
+    demandThrottle(
+        core::Ratio(parameters.suppressed_manual != 0 ? vehicle.radio.throttle_pct * 0.01f : 0.0f));
 }
 
 void flyHeight(const Plan& plan) {
@@ -167,8 +168,8 @@ void flyHeight(const Plan& plan) {
         speed_height.run(parameters.speed_height, limits(plan, true_speed), demand, measured(),
                          blind ? ::control::Phase::approach : plan.phase, kPeriod_s);
     learnLevel();
-    vehicle.pitch_demand_rad = blind ? blindPitch_rad() : core::Angle(out.pitch_rad);
-    vehicle.throttle_demand = core::Ratio(out.throttle);
+    demandPitch(blind ? blindPitch_rad() : core::Angle(out.pitch_rad));
+    demandThrottle(core::Ratio(out.throttle));
 }
 
 }  // namespace guidance

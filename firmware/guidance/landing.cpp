@@ -6,6 +6,7 @@
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
 #include "firmware/guidance/lateral.hpp"
+#include "firmware/guidance/path_state.hpp"
 #include "firmware/guidance/steering.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -107,7 +108,7 @@ Plan flyLanding() {
         power = core::Ratio(powerKept(lateral, into_wind));
         steerTowards(legHeading_rad() - runwayError_rad(lateral.crosstrack_m));
     }
-    vehicle.progress.flaring = landing.flaring();
+    progress.flaring = landing.flaring();
     demandBank(lateral.bank_accel_mss, landing.flaring() ? BankLimit::level : BankLimit::flying);
     return to_fly;
 }

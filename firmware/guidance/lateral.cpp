@@ -5,6 +5,7 @@
 #include "core/rom.hpp"
 #include "estimation/arc.hpp"
 #include "firmware/guidance/bank.hpp"
+#include "firmware/guidance/path_state.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 
@@ -36,12 +37,12 @@ void reportTargetBearing() {
     if (distance_m < 1) return;  // over it every bearing is as true
     const float share = 1 / distance_m;
     const float ahead_m = vehicle.demand.path == Path::circle ? 0 : leg.length_m;
-    vehicle.progress.target_bearing_cd =
+    progress.target_bearing_cd =
         bearing_cd({(leg.forward.north_m * ahead_m - place.north_m) * share,
                     (leg.forward.east_m * ahead_m - place.east_m) * share});
 }
 
-void reportCourse() { vehicle.progress.nav_bearing_cd = bearing_cd(course); }
+void reportCourse() { progress.nav_bearing_cd = bearing_cd(course); }
 
 // A gain tuned in flight takes effect within half a second.
 using Look = void (*)();
@@ -55,7 +56,7 @@ void beginLateral() { takeGains(); }
 void planLateral() {
     leg = navigation::legAlong(geo::offset(vehicle.demand.from, vehicle.demand.to));
     // a take-off reports no more than this
-    vehicle.progress.distance_m = leg.length_m;
+    progress.distance_m = leg.length_m;
     course = leg.forward;
     place = {0, 0};
 }
@@ -81,7 +82,7 @@ navigation::Lateral followDemandedLeg(const navigation::Motion& now, bool learni
     const geo::Offset from_start = geo::offset(vehicle.demand.from, vehicle.estimate.position);
     const auto lateral = navigation::followLeg(gains, now, leg, from_start);
     reportLateral(lateral, from_start);
-    vehicle.progress.passed = lateral.along_m >= leg.length_m;
+    progress.passed = lateral.along_m >= leg.length_m;
     if (learning) learnBankTrim(-lateral.crosstrack_m);
     return lateral;
 }
@@ -94,7 +95,6 @@ float along_mps(const navigation::Lateral& lateral, const navigation::Motion& no
 }
 
 void reportLateral(const navigation::Lateral& lateral, const geo::Offset& from_datum) {
-    auto& progress = vehicle.progress;
     progress.distance_m = lateral.distance_m;
     progress.crosstrack_m = lateral.crosstrack_m;
     course = lateral.course;

@@ -2,6 +2,7 @@
 #include "firmware/guidance/launch.hpp"
 
 #include "core/maths.hpp"
+#include "firmware/guidance/path_state.hpp"
 #include "firmware/guidance/plan.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/parameters.hpp"
@@ -50,7 +51,7 @@ bool launched() {
 
 }  // namespace
 
-void suppressThrottle() { vehicle.progress.throttle_suppressed = true; }
+void suppressThrottle() { progress.throttle_suppressed = true; }
 
 void beginLaunch() { launch.start(); }
 
@@ -58,7 +59,7 @@ void waitForLaunch() {
     if (!vehicle.armed) return suppressThrottle();
     if (!vehicle.progress.throttle_suppressed) return;
     if (vehicle.demand.path == Path::takeoff ? launched() : flies())
-        vehicle.progress.throttle_suppressed = false;
+        progress.throttle_suppressed = false;
 }
 
 }  // namespace guidance

@@ -3,6 +3,7 @@
 
 #include "control/slew.hpp"
 #include "core/maths.hpp"
+#include "firmware/guidance/path_state.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 // from_height_m is what moves, as long as there is a rate.
 navigation::HeightDemand changingHeight() {
-    auto& demand = vehicle.demand;
+    auto& demand = path_demand;
     if (demand.climb_rate_mps <= 0) return {demand.height_m, 0};
     const float before_m = demand.from_height_m;
     demand.from_height_m =
@@ -25,7 +26,7 @@ navigation::HeightDemand changingHeight() {
 
 // Too high above the way up, the rest of it begins where the airplane is: it need not come down.
 void beginSlopeHere(float length_m, float along_m) {
-    auto& demand = vehicle.demand;
+    auto& demand = path_demand;
     const float most_m = demand.height_m - vehicle.estimate.height_m;
     const float left_m = most_m > 0 ? most_m : 0;
     demand.from_height_m = demand.height_m - left_m * length_m / (length_m - along_m);

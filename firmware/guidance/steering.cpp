@@ -2,12 +2,14 @@
 #include "firmware/guidance/steering.hpp"
 
 #include "core/maths.hpp"
+#include "firmware/control/attitude_demand.hpp"
 #include "firmware/state/vehicle.hpp"
 
 namespace firmware {
 namespace guidance {
 
 using namespace state;
+using namespace control;
 
 namespace {
 
@@ -18,12 +20,12 @@ constexpr float kMax = 0.35f;  // a wheel at full lock overturns the airplane
 void steer(float error_rad) {
     const float wanted =
         error_rad * kPerRadian - vehicle.attitude.rate_rads.z.toFloat() * kPerRate_s;
-    vehicle.rudder_demand = core::Ratio(core::limit(wanted, -kMax, kMax));
+    demandRudder(core::Ratio(core::limit(wanted, -kMax, kMax)));
 }
 
 }  // namespace
 
-void steerNowhere() { vehicle.rudder_demand = core::Ratio::fromRaw(0); }
+void steerNowhere() { demandRudder(core::Ratio::fromRaw(0)); }
 
 // While the airplane gains speed the compass heading is not steady enough to be held.
 void steadyNose() { steer(0); }

@@ -12,7 +12,7 @@
 #include "firmware/notify/text_queue.hpp"
 #include "firmware/safety/failsafe_table.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 #include "hal/clock.hpp"
 #include "hal/eeprom.hpp"
 #include "hal/page_flash.hpp"
@@ -21,6 +21,14 @@
 #include "storage/owner.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<LoggerState> : Writable<LoggerState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace logger {
 
 using namespace notify;
@@ -32,6 +40,8 @@ using namespace safety;
 logging::Book flight_logs;
 
 namespace {
+
+constexpr LoggerState& published = Publisher<LoggerState>::state();
 
 // Bits of LOG_BITMASK as ArduPlane counts them.
 namespace Bit {
@@ -393,7 +403,7 @@ void stepLog() {
 void runLog() {
     stepLog();
     setTextReader(kLogReader, logOpen());
-    vehicle.log_usable = flight_logs.usable();
+    published.log_usable = flight_logs.usable();
 }
 
 }  // namespace logger

@@ -239,7 +239,7 @@ bool putCompass() {
 
 bool putBarometer() {
     BarometerRecord record;
-    record.height_m = vehicle.baro.height_m;
+    record.height_m = vehicle.estimate.baro_height_m;
     record.pressure_pa = static_cast<float>(vehicle.baro.pressure_pa);
     record.temperature_cdeg = vehicle.baro.temperature_cc;
     record.climb_mps = vehicle.estimate.climb_mps;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CONDITIONs: what the commands behind them wait for.
 #include "core/maths.hpp"
+#include "firmware/guidance/demand.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
@@ -9,6 +10,7 @@ namespace firmware {
 namespace mission {
 
 using namespace state;
+using namespace guidance;
 
 namespace {
 
@@ -49,18 +51,20 @@ Progress changeAltitudeDone(const Record&) {
 
 // Not in a landing: the demanded height is the ground's there.
 void goOnClimbing() {
-    auto& demand = vehicle.demand;
+    PathDemand demand = vehicle.demand;
     if (climb.rate_mps == 0 || demand.path == Path::land) return;
     demand.from_height_m = demand.height_m = vehicle.estimate.height_m;
     demand.sloped = false;
     demand.climb_rate_mps = climb.rate_mps;
+    changeDemand(demand);
 }
 
 void stepClimb() {
-    auto& demand = vehicle.demand;
+    PathDemand demand = vehicle.demand;
     const float step_m = demand.climb_rate_mps * 0.1f;
     if (step_m == 0) return;
     demand.height_m += core::limit(climb.goal_m - demand.height_m, -step_m, step_m);
+    changeDemand(demand);
 }
 
 void shiftClimb(float by_m) { climb.goal_m += by_m; }

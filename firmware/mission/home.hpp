@@ -8,6 +8,8 @@ namespace mission {
 
 bool setHomeHere();                                                // false: no 3D fix
 void setHome(const geo::Position& position, int32_t altitude_cm);  // above sea level
+// After a restart: as it was before. Nothing that is flown moves.
+void resumeHome(const geo::Position& position, int32_t altitude_cm);
 
 }  // namespace mission
 }  // namespace firmware

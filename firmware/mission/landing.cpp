@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // AUTO goes on at the nearest DO_LAND_START: for RTL_AUTOLAND, for the ground, and for a landing
 // that is flown again. It is looked for a few records at a time.
+#include "firmware/guidance/demand.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
@@ -13,6 +14,7 @@ namespace mission {
 
 using namespace notify;
 using namespace state;
+using namespace guidance;
 
 namespace {
 
@@ -72,12 +74,12 @@ bool missionLand() {
 bool missionGoAround(float height_m) {
     constexpr float kClear_m = 30;  // above the landing point: the least to turn at
     if (!landing() || !vehicle.estimate.flying) return false;
-    auto& demand = vehicle.demand;
+    PathDemand demand = vehicle.demand;
     const float least_m = demand.height_m + kClear_m;
     demand.path = Path::leg;  // the whole line is flown, also beyond its end
     demand.height_m = height_m > least_m ? height_m : least_m;
     demand.sloped = false;
-    demand.new_path = true;
+    demandPath(demand);
     return true;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // NAV: what the airplane flies to. A start writes vehicle.demand, a check reads vehicle.progress.
 #include "core/maths.hpp"
+#include "firmware/guidance/demand.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/host.hpp"
@@ -14,6 +15,7 @@ namespace firmware {
 namespace mission {
 
 using namespace state;
+using namespace guidance;
 
 namespace {
 
@@ -55,15 +57,15 @@ bool counterClockwise(const Record& record) {
 }
 
 // A climb near the ground is not put off, and a small step is flown at once.
-bool worthASlope() {
+bool worthASlope(const PathDemand& demand) {
     constexpr float kLow_m = 20;
-    const float up_m = vehicle.demand.height_m - vehicle.demand.from_height_m;
+    const float up_m = demand.height_m - demand.from_height_m;
     return fabsf(up_m) >= parameters.glide_slope_min_m &&
            (up_m < 0 || vehicle.estimate.height_m > kLow_m);
 }
 
 void demand(Path path, const Place& to, Entry entry) {
-    auto& demand = vehicle.demand;
+    PathDemand demand = vehicle.demand;
     const Place from = entry.from_here || !have_last ? airplane() : last;
     no_place = path == Path::takeoff;
     demand.path = path;
@@ -71,21 +73,33 @@ void demand(Path path, const Place& to, Entry entry) {
     demand.from_height_m = from.height_m;
     demand.to = to.position;
     demand.height_m = to.height_m;
-    demand.sloped = path == Path::land || (path != Path::takeoff && worthASlope());
+    demand.sloped = path == Path::land || (path != Path::takeoff && worthASlope(demand));
     demand.radius_m = loiterRadius_m();
     demand.counter_clockwise = false;
     demand.climb_rate_mps = 0;
+    demandPath(demand);
     if (!entry.resumed) forgetClimb();
     demandSpeed();
-    demand.new_path = true;
     if (entry.resumed) goOnClimbing();
+}
+
+void changeHeightAtOnce() {
+    PathDemand demand = vehicle.demand;
+    demand.sloped = false;
+    changeDemand(demand);
+}
+
+void turnCounterClockwise(bool counter_clockwise) {
+    PathDemand demand = vehicle.demand;
+    demand.counter_clockwise = counter_clockwise;
+    changeDemand(demand);
 }
 
 void demandLeg(const Place& to, float radius_m, Entry entry) {
     demand(Path::leg, to, entry);
     acceptance_m = radius_m;
     leg_counts = geo::distance_m(vehicle.demand.from, to.position) > radius_m;
-    if (!leg_counts) vehicle.demand.sloped = false;
+    if (!leg_counts) changeHeightAtOnce();
 }
 
 Progress done(bool is) { return is ? Progress::done : Progress::running; }
@@ -136,7 +150,7 @@ void holdPlace() {
         have_last = true;
     }
     demand(Path::circle, last, {false, true});
-    vehicle.demand.counter_clockwise = parameters.loiter_radius_m < 0;
+    turnCounterClockwise(parameters.loiter_radius_m < 0);
 }
 
 void startWaypoint(const Record& record, Entry entry) {
@@ -152,7 +166,7 @@ Progress waypointDone(const Record&) {
 
 void startCircle(const Record& record, Entry entry) {
     demand(Path::circle, {placeOf(record), heightOf_m(record)}, entry);
-    vehicle.demand.counter_clockwise = counterClockwise(record);
+    turnCounterClockwise(counterClockwise(record));
     loitered_before = entry.resumed ? loitered : 0;
     loitered = loitered_before;
     loiter_ms = static_cast<uint16_t>(hal::now_ms());
@@ -237,7 +251,9 @@ Progress landDone(const Record&) {
 void startTakeoff(const Record& record, Entry entry) {
     entry.from_here = true;
     demand(Path::takeoff, {vehicle.estimate.position, heightOf_m(record)}, entry);
-    vehicle.demand.takeoff_pitch_rad = core::radians(record.p1);
+    PathDemand takeoff = vehicle.demand;
+    takeoff.takeoff_pitch_rad = core::radians(record.p1);
+    changeDemand(takeoff);
 }
 
 Progress takeoffDone(const Record& record) {
@@ -268,7 +284,7 @@ constexpr float kNear_m = 5, kAlmost_m = 1;
 void startContinue(const Record& record, Entry entry) {
     entry.from_here = true;
     demand(Path::leg, {straightAhead(), heightOf_m(record)}, entry);
-    vehicle.demand.sloped = false;
+    changeHeightAtOnce();
     no_place = true;
 }
 

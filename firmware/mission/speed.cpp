@@ -2,6 +2,7 @@
 #include "firmware/mission/speed.hpp"
 
 #include "core/maths.hpp"
+#include "firmware/guidance/demand.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 
@@ -9,6 +10,7 @@ namespace firmware {
 namespace mission {
 
 using namespace state;
+using namespace guidance;
 
 namespace {
 
@@ -47,20 +49,22 @@ void setCruiseThrottle(int8_t throttle_pct) {
 }
 
 void demandSpeed() {
-    auto& demand = vehicle.demand;
+    PathDemand demand = vehicle.demand;
     // a ground speed goes on from the air speed it had come to
     if (speed.ground_cms == 0 || demand.airspeed_mps <= 0) demand.airspeed_mps = cruise_mps();
     demand.throttle_pct =
         speed.throttle_pct >= 0 ? speed.throttle_pct : parameters.cruise_throttle_pct;
+    changeDemand(demand);
 }
 
 void stepSpeed() {
     if (speed.ground_cms == 0) return;
     const float error_mps = speed.ground_cms * 0.01f - vehicle.estimate.ground_speed_mps;
-    float& demand_mps = vehicle.demand.airspeed_mps;
-    demand_mps = core::limit(demand_mps + error_mps * (kGroundSpeedGain * kStep_s),
-                             static_cast<float>(parameters.speed_min_mps),
-                             static_cast<float>(parameters.speed_max_mps));
+    PathDemand demand = vehicle.demand;
+    demand.airspeed_mps = core::limit(
+        demand.airspeed_mps + error_mps * (kGroundSpeedGain * kStep_s),
+        static_cast<float>(parameters.speed_min_mps), static_cast<float>(parameters.speed_max_mps));
+    changeDemand(demand);
 }
 
 }  // namespace mission

@@ -3,6 +3,7 @@
 // airplane stops turning; with ACRO_LOCKING it keeps the attitude it has then, whatever pushes it.
 #include "control/settings.hpp"
 #include "core/maths.hpp"
+#include "firmware/control/attitude_demand.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
 #include "firmware/state/parameters.hpp"
@@ -12,6 +13,7 @@ namespace firmware {
 namespace modes {
 
 using namespace state;
+using namespace control;
 
 namespace {
 
@@ -67,10 +69,10 @@ Entry startAcro() {
 }
 
 void runAcro() {
-    vehicle.sticks = Sticks::rates;
-    vehicle.roll_demand_rad = rollToTurn();
-    vehicle.pitch_demand_rad = pitchToTurn();
-    vehicle.throttle_demand = stickThrottle();
+    useSticks(Sticks::rates);
+    demandRoll(rollToTurn());
+    demandPitch(pitchToTurn());
+    demandThrottle(stickThrottle());
 }
 
 }  // namespace modes

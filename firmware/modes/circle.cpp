@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CIRCLE: a gentle turn that holds the height and needs no GPS; what a short failsafe flies.
+#include "firmware/control/attitude_demand.hpp"
 #include "firmware/modes/circling.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
@@ -12,6 +13,7 @@ namespace firmware {
 namespace modes {
 
 using namespace state;
+using namespace control;
 
 Entry startCircle() {
     demandLevel(vehicle.estimate.height_m);
@@ -19,8 +21,7 @@ Entry startCircle() {
 }
 
 void runCircle() {
-    vehicle.roll_demand_rad =
-        core::Angle(core::radiansFromCentidegrees(parameters.roll_limit_cd / 3));
+    demandRoll(core::Angle(core::radiansFromCentidegrees(parameters.roll_limit_cd / 3)));
     mixSticks();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/modes/circling.hpp"
 
+#include "firmware/guidance/demand.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 
@@ -8,22 +9,28 @@ namespace firmware {
 namespace modes {
 
 using namespace state;
+using namespace guidance;
 
-void demandLevel(float height_m) {
-    auto& demand = vehicle.demand;
+namespace {
+
+PathDemand level(float height_m) {
+    PathDemand demand = vehicle.demand;
     demand.path = Path::none;
     demand.height_m = height_m;
     demand.sloped = false;
     demand.climb_rate_mps = 0;
     demand.airspeed_mps = parameters.cruise_speed_cms * 0.01f;
     demand.throttle_pct = parameters.cruise_throttle_pct;
-    demand.new_path = true;
+    return demand;
 }
+
+}  // namespace
+
+void demandLevel(float height_m) { demandPath(level(height_m)); }
 
 // Down to a lower place goes a slope, which ends where the circle begins; up it goes at once.
 void demandCircle(const geo::Position& centre, float height_m) {
-    demandLevel(height_m);
-    auto& demand = vehicle.demand;
+    PathDemand demand = level(height_m);
     const int16_t radius_m = parameters.loiter_radius_m;
     demand.path = Path::circle;
     demand.from = vehicle.estimate.position;
@@ -32,6 +39,7 @@ void demandCircle(const geo::Position& centre, float height_m) {
     demand.sloped = demand.from_height_m - height_m > parameters.glide_slope_min_m;
     demand.radius_m = radius_m < 0 ? -radius_m : radius_m;
     demand.counter_clockwise = radius_m < 0;
+    demandPath(demand);
 }
 
 }  // namespace modes

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CRUISE: FBWB that keeps its track. With roll and yaw sticks centred for half a second the course
 // over ground is locked, and the line along it is flown; either stick unlocks it.
+#include "firmware/guidance/demand.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
 #include "firmware/state/parameters.hpp"
@@ -10,6 +11,7 @@ namespace firmware {
 namespace modes {
 
 using namespace state;
+using namespace guidance;
 
 namespace {
 
@@ -23,13 +25,13 @@ uint8_t centred;
 bool turning() { return vehicle.radio.roll_cd != 0 || vehicle.radio.yaw_cd != 0; }
 
 void lock() {
-    auto& demand = vehicle.demand;
+    PathDemand demand = vehicle.demand;
     const auto& now = vehicle.estimate;
     const float share = kAhead_m / now.ground_speed_mps;
     demand.path = Path::leg;
     demand.from = now.position;
     demand.to = geo::moved(now.position, {now.velocity_mps.x * share, now.velocity_mps.y * share});
-    demand.new_path = true;
+    demandPath(demand);
 }
 
 void shift(geo::Position& place, int32_t up_e7, int32_t eastward_e7) {
@@ -39,17 +41,19 @@ void shift(geo::Position& place, int32_t up_e7, int32_t eastward_e7) {
 
 // Both ends by the same whole steps: the line stays what it is.
 void moveOn() {
-    auto& demand = vehicle.demand;
+    PathDemand demand = vehicle.demand;
     const int32_t up_e7 = (demand.to.latitude_e7 - demand.from.latitude_e7) / 2;
     const int32_t eastward_e7 =
         geo::eastward_e7(demand.from.longitude_e7, demand.to.longitude_e7) / 2;
     shift(demand.from, up_e7, eastward_e7);
     shift(demand.to, up_e7, eastward_e7);
-    demand.new_path = true;
+    demandPath(demand);
 }
 
 void unlock() {
-    vehicle.demand.path = Path::none;
+    PathDemand demand = vehicle.demand;
+    demand.path = Path::none;
+    changeDemand(demand);
     centred = 0;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // FBWA: the sticks demand bank and pitch within the limits; the throttle is the pilot's.
 #include "core/maths.hpp"
+#include "firmware/control/attitude_demand.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
 #include "firmware/state/parameters.hpp"
@@ -10,24 +11,25 @@ namespace firmware {
 namespace modes {
 
 using namespace state;
+using namespace control;
 
 Entry startFbwa() { return Entry::entered; }
 
 void runFbwa() {
-    vehicle.roll_demand_rad = stickRoll_rad();
-    vehicle.pitch_demand_rad = stickPitch_rad();
-    vehicle.throttle_demand = stickThrottle();
+    demandRoll(stickRoll_rad());
+    demandPitch(stickPitch_rad());
+    demandThrottle(stickThrottle());
     // nose down as the throttle closes, so that the speed stays (STAB_PITCH_DOWN)
     const int8_t cruise_pct = core::limit<int8_t>(parameters.cruise_throttle_pct, 1, 100);
     const int8_t closed_pct = cruise_pct - vehicle.radio.throttle_pct;
     if (closed_pct > 0) {
         const core::Angle down_rad(core::radians(parameters.pitch_down_deg) * closed_pct /
                                    cruise_pct);
-        vehicle.pitch_demand_rad = core::between(down_rad, vehicle.pitch_demand_rad);
+        demandPitch(core::between(down_rad, vehicle.pitch_demand_rad));
     }
     if (vehicle.failsafe_glides) {
-        vehicle.roll_demand_rad = core::Angle::fromRaw(0);
-        vehicle.throttle_demand = core::Ratio::fromRaw(0);
+        demandRoll(core::Angle::fromRaw(0));
+        demandThrottle(core::Ratio::fromRaw(0));
     }
 }
 

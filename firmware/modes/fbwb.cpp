@@ -2,6 +2,8 @@
 // FBWB: the roll stick demands bank, the pitch stick a climb, the throttle stick an airspeed
 // between the lowest and the highest. With the pitch stick centred the height is held.
 #include "core/maths.hpp"
+#include "firmware/control/attitude_demand.hpp"
+#include "firmware/guidance/demand.hpp"
 #include "firmware/modes/circling.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
@@ -12,6 +14,8 @@ namespace firmware {
 namespace modes {
 
 using namespace state;
+using namespace guidance;
+using namespace control;
 
 namespace {
 
@@ -21,8 +25,7 @@ constexpr float kAhead_m = 10;    // no farther does the demand run before what 
 constexpr float kLevelOff_s = 1;  // of the present climb, within which it ends
 
 // The climb is flown as a change of height at a rate, which guidance knows: from_height_m moves.
-void climb(float rate_mps, float lowest_m) {
-    auto& demand = vehicle.demand;
+void climb(PathDemand& demand, float rate_mps, float lowest_m) {
     const float height_m = vehicle.estimate.height_m;
     const float from_m = demand.climb_rate_mps > 0 ? demand.from_height_m : demand.height_m;
     demand.from_height_m = core::limit(from_m, height_m - kAhead_m, height_m + kAhead_m);
@@ -30,8 +33,7 @@ void climb(float rate_mps, float lowest_m) {
     demand.climb_rate_mps = fabsf(rate_mps);
 }
 
-void hold(float lowest_m) {
-    auto& demand = vehicle.demand;
+void hold(PathDemand& demand, float lowest_m) {
     const auto& now = vehicle.estimate;
     if (demand.climb_rate_mps > 0) demand.height_m = now.height_m + now.climb_mps * kLevelOff_s;
     demand.climb_rate_mps = 0;
@@ -45,21 +47,23 @@ Entry startFbwb() {
     return Entry::entered;
 }
 
-void runFbwb() { vehicle.roll_demand_rad = stickRoll_rad(); }
+void runFbwb() { demandRoll(stickRoll_rad()); }
 
 void demandFbwb() {
     const int16_t stick_cd = vehicle.radio.pitch_cd;
     const int16_t pulled_cd = parameters.fbwb_elevator_reverse != 0 ? -stick_cd : stick_cd;
     const float lowest_m =
         parameters.fbwb_lowest_cm > 0 ? parameters.fbwb_lowest_cm * 0.01f : -kFar_m;
+    PathDemand demand = vehicle.demand;
     if (pulled_cd == 0)
-        hold(lowest_m);
+        hold(demand, lowest_m);
     else
-        climb(pulled_cd * (1 / kFullStick_cd) * parameters.fbwb_climb_mps, lowest_m);
-    if (vehicle.radio.lost) return;
-    vehicle.demand.airspeed_mps =
-        parameters.speed_min_mps +
-        (parameters.speed_max_mps - parameters.speed_min_mps) * stickThrottle().toFloat();
+        climb(demand, pulled_cd * (1 / kFullStick_cd) * parameters.fbwb_climb_mps, lowest_m);
+    if (!vehicle.radio.lost)
+        demand.airspeed_mps =
+            parameters.speed_min_mps +
+            (parameters.speed_max_mps - parameters.speed_min_mps) * stickThrottle().toFloat();
+    changeDemand(demand);
 }
 
 }  // namespace modes

@@ -6,6 +6,8 @@
 #include <math.h>
 
 #include "core/maths.hpp"
+#include "firmware/control/attitude_demand.hpp"
+#include "firmware/guidance/demand.hpp"
 #include "firmware/mission/item.hpp"
 #include "firmware/mission/speed.hpp"
 #include "firmware/modes/circling.hpp"
@@ -18,6 +20,8 @@ namespace firmware {
 namespace modes {
 
 using namespace state;
+using namespace guidance;
+using namespace control;
 using namespace mission;
 
 namespace {
@@ -64,7 +68,7 @@ Entry startGuided() {
 
 void runGuided() {
     runLoiter();
-    if (vehicle.fence_throttle) vehicle.throttle_demand = stickThrottle();
+    if (vehicle.fence_throttle) demandThrottle(stickThrottle());
 }
 
 MissionResult guideTo(MissionItem& item) {
@@ -76,8 +80,10 @@ MissionResult guideTo(MissionItem& item) {
     demandCircle({item.x, item.y}, item.z);
     demandSpeed();
     if (radius_m == 0) return result;
-    vehicle.demand.radius_m = radius_m;
-    vehicle.demand.counter_clockwise = item.param4 == 1;
+    PathDemand demand = vehicle.demand;
+    demand.radius_m = radius_m;
+    demand.counter_clockwise = item.param4 == 1;
+    changeDemand(demand);
     return result;
 }
 
@@ -87,9 +93,11 @@ MissionResult guideToHeight(MissionItem& item) {
     if (result != MissionResult::accepted) return result;
     if (!guidesItself() || stickSetsSpeed() || vehicle.mode == Mode::automatic)
         return MissionResult::error;
-    vehicle.demand.height_m = item.z;
-    vehicle.demand.sloped = false;
-    vehicle.demand.climb_rate_mps = 0;
+    PathDemand demand = vehicle.demand;
+    demand.height_m = item.z;
+    demand.sloped = false;
+    demand.climb_rate_mps = 0;
+    changeDemand(demand);
     return result;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MANUAL: the sticks are the surfaces, and nothing stands between them.
+#include "firmware/control/attitude_demand.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -8,12 +9,13 @@ namespace firmware {
 namespace modes {
 
 using namespace state;
+using namespace control;
 
 Entry startManual() { return Entry::entered; }
 
 void runManual() {
-    vehicle.sticks = Sticks::direct;
-    vehicle.throttle_demand = stickThrottle();
+    useSticks(Sticks::direct);
+    demandThrottle(stickThrottle());
 }
 
 }  // namespace modes

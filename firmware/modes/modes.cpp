@@ -3,15 +3,27 @@
 
 #include "core/rom.hpp"
 #include "firmware/modes/modes_table.hpp"
+#include "firmware/modes/sticks.hpp"
 #include "firmware/notify/status_text.hpp"
+#include "firmware/state/published.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<ModeState> : Writable<ModeState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace modes {
 
 using namespace notify;
 using namespace state;
 
 namespace {
+
+constexpr ModeState& published = Publisher<ModeState>::state();
 
 using Start = Entry (*)();
 using Run = void (*)();
@@ -55,6 +67,11 @@ uint8_t find(Mode mode) {
 
 }  // namespace
 
+void startModes() {
+    row = kNoRow;
+    published.mode = Mode::initialising;
+}
+
 bool setMode(Mode mode, ModeReason reason) {
     if (row != kNoRow && mode == vehicle.mode) return true;
     uint8_t wanted = find(mode);
@@ -70,10 +87,9 @@ bool setMode(Mode mode, ModeReason reason) {
     if (entry != Entry::entered) return false;
     if (row != kNoRow) core::romRead(kModes[row].stop)();
     row = wanted;
-    vehicle.mode = core::romRead(kModes[wanted].mode);
-    vehicle.sticks = Sticks::nothing;
-    vehicle.pilot_roll_rad = vehicle.pilot_pitch_rad = core::Angle::fromRaw(0);
-    vehicle.mode_changed = true;
+    published.mode = core::romRead(kModes[wanted].mode);
+    useSticks(Sticks::nothing);
+    ++published.mode_entries;
     if (reason == ModeReason::failsafe)
         sendStatusText(Severity::warning, ROM_TEXT("Failsafe: mode #"), static_cast<uint8_t>(mode));
     return true;

@@ -12,6 +12,8 @@ namespace modes {
 
 enum class ModeReason : uint8_t { pilot, ground, mission, failsafe, boot };
 
+void startModes();  // INITIALISING, until the first mode is set
+
 // False: the number is no mode of this airplane, or the mode cannot be entered now (the reason
 // has been reported). Setting the present mode again does nothing and is true.
 bool setMode(state::Mode mode, ModeReason reason);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // STABILIZE: levels the airplane; the sticks are added on top; the throttle is the pilot's.
+#include "firmware/control/attitude_demand.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -8,14 +9,15 @@ namespace firmware {
 namespace modes {
 
 using namespace state;
+using namespace control;
 
 Entry startStabilize() { return Entry::entered; }
 
 void runStabilize() {
-    vehicle.sticks = Sticks::on_top;
-    vehicle.roll_demand_rad = core::Angle::fromRaw(0);
-    vehicle.pitch_demand_rad = core::Angle::fromRaw(0);
-    vehicle.throttle_demand = stickThrottle();
+    useSticks(Sticks::on_top);
+    demandRoll(core::Angle::fromRaw(0));
+    demandPitch(core::Angle::fromRaw(0));
+    demandThrottle(stickThrottle());
 }
 
 }  // namespace modes

@@ -3,14 +3,24 @@
 
 #include "core/maths.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<StickState> : Writable<StickState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace modes {
 
 using namespace state;
 
 namespace {
+
+constexpr StickState& published = Publisher<StickState>::state();
 
 // 100 Hz: in integers, a float costs ten times as much.
 core::Angle angle(int16_t stick_cd, int16_t full_cd) {
@@ -36,11 +46,16 @@ core::Ratio stickThrottle() {
     return core::Ratio::fromRaw(core::product(vehicle.radio.throttle_pct, kSteps.raw) >> 6);
 }
 
+void useSticks(Sticks use) {
+    published.sticks = use;
+    published.pilot_roll_rad = published.pilot_pitch_rad = core::Angle::fromRaw(0);
+}
+
 void mixSticks() {
     const int8_t mixing = vehicle.radio.lost || vehicle.fence_holds ? 0 : parameters.stick_mixing;
-    vehicle.pilot_roll_rad = mixing == 1 ? stickRoll_rad() : core::Angle::fromRaw(0);
-    vehicle.pilot_pitch_rad = mixing == 1 ? stickPitch_rad() : core::Angle::fromRaw(0);
-    vehicle.sticks = mixing == 2 ? Sticks::on_top : Sticks::nothing;
+    published.sticks = mixing == 2 ? Sticks::on_top : Sticks::nothing;
+    published.pilot_roll_rad = mixing == 1 ? stickRoll_rad() : core::Angle::fromRaw(0);
+    published.pilot_pitch_rad = mixing == 1 ? stickPitch_rad() : core::Angle::fromRaw(0);
 }
 
 }  // namespace modes

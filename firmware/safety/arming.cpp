@@ -10,10 +10,18 @@
 #include "firmware/sensors/compass_learning.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<ArmingState> : Writable<ArmingState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace safety {
 
 using namespace notify;
@@ -22,6 +30,8 @@ using namespace sensors;
 using namespace mission;
 
 namespace {
+
+constexpr ArmingState& published = Publisher<ArmingState>::state();
 
 // ARMING_CHECK: bit 0 asks for all of them; what is kAlways nothing leaves out.
 enum CheckBit : uint16_t {
@@ -159,7 +169,7 @@ uint16_t landed;  // for so long, 0.1 s
 uint8_t looked_at;
 
 void armNow() {
-    vehicle.armed = true;
+    published.armed = true;
     if (!setHomeHere()) sendStatusText(Severity::warning, ROM_TEXT("Armed without a home"));
     sendStatusText(Severity::notice, ROM_TEXT("Throttle armed"));
 }
@@ -209,12 +219,12 @@ void look() {
     for (uint8_t i = 0; i < kAtOnce; ++i) {
         const Check& check = kChecks[looked_at];
         if (fails(check)) {
-            vehicle.prearm_ok = false;
+            published.prearm_ok = false;
             return remind(check);
         }
         if (++looked_at < core::count(kChecks)) continue;
         looked_at = 0;
-        vehicle.prearm_ok = true;
+        published.prearm_ok = true;
     }
 }
 
@@ -255,13 +265,15 @@ bool arm(ArmReason, bool force) {
     return true;
 }
 
+void armAfterRestart() { published.armed = true; }
+
 bool disarm(ArmReason reason, bool force) {
     if (!vehicle.armed) return true;
     if (vehicle.estimate.flying && reason != ArmReason::landed && !force) {
         sendStatusText(Severity::error, ROM_TEXT("Disarm refused: flying"));
         return false;
     }
-    vehicle.armed = false;
+    published.armed = false;
     keepLearntCompass();
     sendStatusText(Severity::notice, ROM_TEXT("Throttle disarmed"));
     return true;

@@ -14,6 +14,8 @@ enum class ArmReason : uint8_t { pilot, ground, landed, failsafe };
 // Arms after every check of ARMING_CHECK has passed (force: without them); false and the reason
 // reported otherwise. Sets home.
 bool arm(ArmReason reason, bool force);
+// The flight before the restart was an armed one. Home and checks are of that flight.
+void armAfterRestart();
 // False in flight unless forced.
 bool disarm(ArmReason reason, bool force);
 

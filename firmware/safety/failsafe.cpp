@@ -7,8 +7,17 @@
 #include "firmware/safety/fence.hpp"
 #include "firmware/sensors/health.hpp"
 #include "firmware/sensors/rc_override.hpp"
+#include "firmware/state/published.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<FailsafeState> : Writable<FailsafeState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace safety {
 
 using namespace notify;
@@ -17,6 +26,8 @@ using namespace sensors;
 using namespace modes;
 
 namespace {
+
+constexpr FailsafeState& published = Publisher<FailsafeState>::state();
 
 struct Memory {
     uint8_t row;         // of kTransitions, in force
@@ -67,9 +78,9 @@ void look() {
     }
     constexpr uint16_t kLong = bitOf(Cause::radio_long) | bitOf(Cause::ground_long);
     if ((now & ~vehicle.failing & kLong) != 0) rcOverrideRelease();
-    vehicle.failing = now;
-    vehicle.failsafe_short = failing(Cause::radio_short);
-    vehicle.failsafe_long = (now & kLong) != 0;
+    published.failing = now;
+    published.failsafe_short = failing(Cause::radio_short);
+    published.failsafe_long = (now & kLong) != 0;
 }
 
 // Whoever chooses a mode while something fails has it, but for sticks that nobody holds and an
@@ -84,9 +95,9 @@ void letOverrule() {
 }
 
 void giveBack() {
-    vehicle.failsafe_gives_back = true;
+    published.failsafe_gives_back = true;
     if (after() == After::back) enter(memory.before);
-    vehicle.failsafe_gives_back = false;
+    published.failsafe_gives_back = false;
     memory.row = kNoTransition;
 }
 
@@ -108,7 +119,7 @@ void runFailsafe() {
     memory.overruled &= vehicle.failing;
     follow(resolve(vehicle.failing & static_cast<uint16_t>(~memory.overruled), flownClass()));
     memory.seen = vehicle.mode;
-    vehicle.failsafe_glides =
+    published.failsafe_glides =
         acts() && core::romRead(kTransitions[memory.row].action) == Action::glide;
 }
 

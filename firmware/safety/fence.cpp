@@ -8,10 +8,18 @@
 #include "firmware/notify/status_text.hpp"
 #include "firmware/sensors/radio.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<FenceState> : Writable<FenceState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace safety {
 
 using namespace notify;
@@ -21,6 +29,8 @@ using namespace mission;
 using namespace modes;
 
 namespace {
+
+constexpr FenceState& published = Publisher<FenceState>::state();
 
 enum Action : int8_t { kNothing, kGuided, kReport, kGuidedThrottle };  // FENCE_ACTION
 
@@ -111,8 +121,8 @@ void calm() {
 }
 
 void publish() {
-    vehicle.fence_holds = fence.took_over;
-    vehicle.fence_throttle = fence.took_over && parameters.fence_action == kGuidedThrottle;
+    published.fence_holds = fence.took_over;
+    published.fence_throttle = fence.took_over && parameters.fence_action == kGuidedThrottle;
 }
 
 // The fence is off: what it took is given back, unless another mode was chosen since.

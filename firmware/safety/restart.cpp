@@ -5,8 +5,10 @@
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/estimator/estimator.hpp"
+#include "firmware/mission/home.hpp"
 #include "firmware/modes/modes.hpp"
 #include "firmware/notify/status_text.hpp"
+#include "firmware/safety/arming.hpp"
 #include "firmware/safety/kept_home.hpp"
 #include "firmware/safety/restart_kept.hpp"
 #include "firmware/sensors/radio.hpp"
@@ -24,6 +26,7 @@ using namespace notify;
 using namespace state;
 using namespace sensors;
 using namespace estimator;
+using namespace mission;
 using namespace modes;
 
 namespace {
@@ -93,7 +96,7 @@ void decideMode() {
     Mode mode;
     if (blind || !modeToFlyOnIn(mode)) return;
     if (!setMode(mode, ModeReason::boot)) setMode(Mode::fbwa, ModeReason::boot);
-    vehicle.armed = true;
+    armAfterRestart();
 }
 
 // Half a second after the start: in the air the log is open by then.
@@ -135,9 +138,7 @@ void takeKeptHome() {
     while ((status = readHome(home)) == core::Status::busy) {
     }
     if (status != core::Status::ok) return;
-    vehicle.home.position = home.position;
-    vehicle.home.altitude_cm = home.altitude_cm;
-    vehicle.home.set = true;
+    resumeHome(home.position, home.altitude_cm);
 }
 
 float lostSoFar_s() {
@@ -166,12 +167,9 @@ void restartResume() {
     resumeInertial(steady.gyro_zero_rad);
     const float lost_for_s = lostSoFar_s();
     resumeEstimate(steady, *last, turnedSince_rad(lost_for_s), lost_for_s);
-    vehicle.baro.ground_pressure_pa = steady.ground_pressure_pa;
-    vehicle.baro.ground_temperature_c = steady.ground_temperature_c;
+    resumeBarometer(steady.ground_pressure_pa, steady.ground_temperature_c);
     resumeAirspeed(steady.airspeed_offset_v);
-    vehicle.home.position = steady.home;
-    vehicle.home.altitude_cm = steady.home_altitude_cm;
-    vehicle.home.set = last->home_set;
+    if (last->home_set) resumeHome(steady.home, steady.home_altitude_cm);
     home_kept = true;
 }
 

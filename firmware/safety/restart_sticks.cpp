@@ -2,6 +2,7 @@
 // While the program hangs: the sticks to the servos as in MANUAL, one output a call. And what the
 // gyros measure is kept for the attitude after the restart.
 #include "core/maths.hpp"
+#include "firmware/actuators/outputs.hpp"
 #include "firmware/safety/restart_kept.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
@@ -66,8 +67,7 @@ void passSticksToServos() {
     const bool silent = vehicle.radio.lost || pulse_us(parameters.map_pitch) == 0 || wrongBoard();
     if (silent || (!vehicle.armed && output == kThrottle)) return;
     const uint16_t now_us = wanted_us();
-    vehicle.servo_us[output] = now_us;  // or the program, back again, would think its own was there
-    servoWrite(output, now_us * 2);
+    firmware::actuators::outputPassStick(output, now_us);
 }
 
 }  // namespace hal

@@ -5,16 +5,26 @@
 #include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 #include "hal/analog.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<AirspeedState> : Writable<AirspeedState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace sensors {
 
 using namespace state;
 
 namespace {
+
+constexpr AirspeedState& published = Publisher<AirspeedState>::state();
 
 drivers::Airspeed pitot;
 uint32_t updated_us;
@@ -30,8 +40,8 @@ float airspeedPressure_pa() { return pitot.pressure_pa(); }
 void runAirspeed() {
     const hal::AnalogSum reading = hal::analogTake(hal::Analog::airspeed);
     hal::analogScan();
-    vehicle.airspeed.healthy = parameters.airspeed_enable != 0 && parameters.airspeed_use != 0 &&
-                               pitot.healthy() && !isFaulty(Sensor::airspeed);
+    published.healthy = parameters.airspeed_enable != 0 && parameters.airspeed_use != 0 &&
+                        pitot.healthy() && !isFaulty(Sensor::airspeed);
     if (reading.count == 0) return;
     // Eighths of a count: so fine that a sensor that lives never says the same for long.
     const uint16_t share = drivers::Airspeed::share(reading.sum, reading.count);
@@ -47,7 +57,7 @@ void runAirspeed() {
 void workOutAirspeed() {
     if (!updated) return;
     updated = false;
-    vehicle.airspeed.speed_mps = pitot.speed_mps();
+    published.speed_mps = pitot.speed_mps();
 }
 
 }  // namespace sensors

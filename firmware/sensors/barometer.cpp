@@ -5,15 +5,25 @@
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<BarometerState> : Writable<BarometerState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace sensors {
 
 using namespace state;
 
 namespace {
+
+constexpr BarometerState& published = Publisher<BarometerState>::state();
 
 board::Barometer barometer;
 
@@ -34,8 +44,8 @@ void takeZero(int32_t pressure_pa) {
     if (++zero.readings <= kSettleReadings) return;
     zero.sum_pa += pressure_pa;
     if (zero.readings < kSettleReadings + kZeroReadings) return;
-    vehicle.baro.ground_pressure_pa = static_cast<float>(zero.sum_pa) / kZeroReadings;
-    vehicle.baro.ground_temperature_c = vehicle.baro.temperature_cc * 0.01f - kBoardWarmth_c;
+    published.ground_pressure_pa = static_cast<float>(zero.sum_pa) / kZeroReadings;
+    published.ground_temperature_c = published.temperature_cc * 0.01f - kBoardWarmth_c;
 }
 
 }  // namespace
@@ -44,24 +54,25 @@ void startBarometer() { barometer.start(); }
 
 void zeroBarometer() {
     zero = {};
-    vehicle.baro.ground_pressure_pa = 0;
+    published.ground_pressure_pa = 0;
+}
+
+void resumeBarometer(float ground_pressure_pa, float ground_temperature_c) {
+    published.ground_pressure_pa = ground_pressure_pa;
+    published.ground_temperature_c = ground_temperature_c;
 }
 
 void runBarometer() {
-    auto& baro = vehicle.baro;
-    baro.fresh = barometer.step(hal::now_us());
-    const bool zeroed = baro.ground_pressure_pa > 0;
-    baro.healthy = barometer.healthy() && zeroed && !isFaulty(Sensor::barometer);
-    if (!baro.fresh) return;
-    baro.pressure_pa = barometer.pressure_pa();
-    baro.temperature_cc = static_cast<int16_t>(barometer.temperature_cc());
-    baro.fresh =
+    const bool arrived = barometer.step(hal::now_us());
+    const bool zeroed = published.ground_pressure_pa > 0;
+    published.healthy = barometer.healthy() && zeroed && !isFaulty(Sensor::barometer);
+    if (!arrived) return;
+    published.pressure_pa = barometer.pressure_pa();
+    published.temperature_cc = static_cast<int16_t>(barometer.temperature_cc());
+    const bool accepted =
         acceptReading(Sensor::barometer, static_cast<int16_t>(barometer.pressure_pa()), true);
-    if (!zeroed) {
-        takeZero(baro.pressure_pa);
-        baro.fresh = false;
-        return;
-    }
+    if (!zeroed) return takeZero(published.pressure_pa);
+    if (accepted) ++published.readings;
 }
 
 }  // namespace sensors

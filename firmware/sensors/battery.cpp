@@ -3,16 +3,26 @@
 
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 #include "hal/analog.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<BatteryState> : Writable<BatteryState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace sensors {
 
 using namespace state;
 
 namespace {
+
+constexpr BatteryState& published = Publisher<BatteryState>::state();
 
 drivers::Battery pack;
 uint32_t updated_ms;
@@ -36,26 +46,25 @@ void runBattery() {
                        mean(hal::Analog::battery_current, amps) &
                        mean(hal::Analog::board_voltage, band_gap);
     if (!whole) return;
-    auto& battery = vehicle.battery;
-    battery.board_mv = drivers::boardSupply_mv(static_cast<uint16_t>(band_gap + 0.5f));
+    published.board_mv = drivers::boardSupply_mv(static_cast<uint16_t>(band_gap + 0.5f));
     const uint32_t now_ms = hal::now_ms();
     const float dt_s = (now_ms - updated_ms) * 0.001f;
     updated_ms = now_ms;
     if (parameters.battery_monitor == 0) {
-        battery.voltage_mv = 0;
-        battery.current_ca = -1;
+        published.voltage_mv = 0;
+        published.current_ca = -1;
         return;
     }
     drivers::BatterySettings settings;
     settings.volts_per_volt = parameters.battery_volt_multiplier;
     settings.amps_per_volt = parameters.battery_amps_per_volt;
     settings.amps_offset_v = parameters.battery_amps_offset_v;
-    pack.update(volts, amps, battery.board_mv, dt_s, settings);
-    battery.voltage_mv = static_cast<uint16_t>(pack.voltage_v() * 1000.0f);
-    battery.current_ca = parameters.battery_monitor == kVoltageAndCurrent
-                             ? static_cast<int16_t>(pack.current_a() * 100.0f)
-                             : -1;
-    battery.consumed_mah = pack.consumed_mah();
+    pack.update(volts, amps, published.board_mv, dt_s, settings);
+    published.voltage_mv = static_cast<uint16_t>(pack.voltage_v() * 1000.0f);
+    published.current_ca = parameters.battery_monitor == kVoltageAndCurrent
+                               ? static_cast<int16_t>(pack.current_a() * 100.0f)
+                               : -1;
+    published.consumed_mah = pack.consumed_mah();
 }
 
 }  // namespace sensors

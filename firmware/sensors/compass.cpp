@@ -8,16 +8,26 @@
 #include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 #include "geo/declination.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<CompassState> : Writable<CompassState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace sensors {
 
 using namespace state;
 
 namespace {
+
+constexpr CompassState& published = Publisher<CompassState>::state();
 
 drivers::Hmc5883l compass;
 
@@ -41,7 +51,7 @@ void startCompass() { compass.start(); }
 
 void runCompass() {
     if (!compass.step(hal::now_ms())) {
-        vehicle.compass.healthy = compass.healthy() && !isFaulty(Sensor::compass);
+        published.healthy = compass.healthy() && !isFaulty(Sensor::compass);
         return;
     }
     core::Vector3 field_mg = compass.field_mg();
@@ -49,9 +59,10 @@ void runCompass() {
     learnCompass(field_mg);
     const float* offset = parameters.compass_offset_mg;
     field_mg = field_mg + core::Vector3{offset[0], offset[1], offset[2]};
-    vehicle.compass.field_mg = field_mg;
-    vehicle.compass.fresh = plausible(field_mg);  // the estimator clears it
-    vehicle.compass.healthy = compass.healthy() && !isFaulty(Sensor::compass);
+    published.field_mg = field_mg;
+    published.accepted = plausible(field_mg);
+    ++published.readings;
+    published.healthy = compass.healthy() && !isFaulty(Sensor::compass);
 }
 
 // Into the parameter, where the heading is worked out from; what is stored there stays.

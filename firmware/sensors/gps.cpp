@@ -5,17 +5,27 @@
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 #include "hal/clock.hpp"
 #include "hal/serial.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<GpsState> : Writable<GpsState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace sensors {
 
 using namespace notify;
 using namespace state;
 
 namespace {
+
+constexpr GpsState& published = Publisher<GpsState>::state();
 
 drivers::Gps receiver;
 drivers::GpsProtocol reported;
@@ -32,21 +42,20 @@ void reportWhatWasFound() {
 
 void take(const drivers::GpsFix& fix) {
     constexpr float kMetre = 0.01f;
-    auto& gps = vehicle.gps;
-    gps.fix = static_cast<GpsFix>(fix.type);
-    gps.satellites = fix.satellites;
-    gps.hdop_c = fix.hdop_c;
-    gps.received_ms = hal::now_ms();
-    gps.age_ms = fix.age_ms;
+    published.fix = static_cast<GpsFix>(fix.type);
+    published.satellites = fix.satellites;
+    published.hdop_c = fix.hdop_c;
+    published.received_ms = hal::now_ms();
+    published.age_ms = fix.age_ms;
     if (fix.type == drivers::GpsFixType::none) return;
-    gps.position = {fix.latitude_e7, fix.longitude_e7};
-    gps.altitude_cm = fix.altitude_cm;
+    published.position = {fix.latitude_e7, fix.longitude_e7};
+    published.altitude_cm = fix.altitude_cm;
     // what the receiver does not report of climbing and sinking the barometer does
-    gps.velocity_mps = {fix.north_cms * kMetre, fix.east_cms * kMetre,
-                        fix.has_down ? fix.down_cms * kMetre : -vehicle.estimate.climb_mps};
-    gps.ground_speed_mps = fix.speed_cms * kMetre;
-    gps.course_cd = fix.course_cd;
-    gps.fresh = true;  // the estimator clears it
+    published.velocity_mps = {fix.north_cms * kMetre, fix.east_cms * kMetre,
+                              fix.has_down ? fix.down_cms * kMetre : -vehicle.estimate.climb_mps};
+    published.ground_speed_mps = fix.speed_cms * kMetre;
+    published.course_cd = fix.course_cd;
+    ++published.fixes;
 }
 
 }  // namespace
@@ -58,9 +67,9 @@ void startGps() { receiver.start(static_cast<uint8_t>(parameters.gps_type)); }
 void runGps() {
     const bool arrived = receiver.step(hal::now_ms());
     if (receiver.protocol() != reported) reportWhatWasFound();
-    vehicle.gps.healthy = receiver.healthy();
-    if (!vehicle.gps.healthy) vehicle.gps.fix = GpsFix::no_gps;
-    if (vehicle.gps.healthy && vehicle.gps.fix == GpsFix::no_gps) vehicle.gps.fix = GpsFix::none;
+    published.healthy = receiver.healthy();
+    if (!published.healthy) published.fix = GpsFix::no_gps;
+    if (published.healthy && published.fix == GpsFix::no_gps) published.fix = GpsFix::none;
     if (arrived) take(receiver.fix());
 }
 

@@ -12,17 +12,27 @@
 #include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 #include "hal/clock.hpp"
 #include "hal/imu_interrupt.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<ImuState> : Writable<ImuState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace sensors {
 
 using namespace notify;
 using namespace state;
 
 namespace {
+
+constexpr ImuState& published = Publisher<ImuState>::state();
 
 using estimation::KeptTurn;
 using estimation::Turn;
@@ -169,20 +179,19 @@ void use(drivers::ImuSums& sums) {
     const core::BodyRates rates = {rate_rads(turn.of[0]), rate_rads(turn.of[1]),
                                    rate_rads(turn.of[2])};
     if (!possible(rates)) return;
-    auto& to = vehicle.imu;
-    to.rate_rads = rates;
+    published.rate_rads = rates;
     stretch(turn, sums.periods);
-    to.turned = turn;
+    published.turned = turn;
     if (trimmed) level(specific_force);
-    to.accel_mss = {force_mss(specific_force.of[0]), force_mss(specific_force.of[1]),
-                    force_mss(specific_force.of[2])};
+    published.accel_mss = {force_mss(specific_force.of[0]), force_mss(specific_force.of[1]),
+                           force_mss(specific_force.of[2])};
 }
 
 // A chip that talks nonsense is started anew, but has time to win trust before that comes again.
 void restartSensor() {
     if ((hal::now_ms() & 4095) < 10) imu.start();
-    vehicle.imu.healthy = false;
-    vehicle.imu.periods = 0;
+    published.healthy = false;
+    published.periods = 0;
 }
 
 }  // namespace
@@ -214,7 +223,7 @@ void resumeInertial(const KeptTurn (&gyro_zero_rad)[3]) {
 
 void calibrateGyros() {
     if (vehicle.armed) return;
-    vehicle.imu.calibrated = false;
+    published.calibrated = false;
     still.start();
     zero = {};
 }
@@ -225,17 +234,16 @@ uint8_t inertialSamplesWaiting() { return imu.waiting(); }
 uint16_t inertialErrors() { return imu.badReads(); }
 
 void runInertial() {
-    auto& to = vehicle.imu;
     imu.step(hal::now_ms());
-    to.healthy = imu.healthy();
+    published.healthy = imu.healthy();
     drivers::ImuSums sums;
     if (!imu.take(sums)) {
-        to.periods = 0;
+        published.periods = 0;
         return;
     }
-    to.periods = sums.periods;
+    published.periods = sums.periods;
     if (!still.done() || (mayRock() && !still.settled())) findZero(sums);
-    to.calibrated = still.done();
+    published.calibrated = still.done();
     refreshReading();
     use(sums);
     if (isFaulty(Sensor::inertial)) restartSensor();

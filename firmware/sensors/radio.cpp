@@ -5,16 +5,26 @@
 #include "core/rom.hpp"
 #include "firmware/sensors/rc_override.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 #include "hal/clock.hpp"
 #include "hal/rc_input.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<RadioState> : Writable<RadioState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace sensors {
 
 using namespace state;
 
 namespace {
+
+constexpr RadioState& published = Publisher<RadioState>::state();
 
 // board encoder: a frame every 18.5 .. 26.5 ms; without one for a second the receiver is gone
 constexpr uint32_t kFramesGone_us = 1000000;
@@ -56,7 +66,7 @@ int8_t throttlePercent(const Channel& channel, uint16_t pulse_us) {
 }
 
 int16_t stick_cd(uint8_t number) {
-    return deflection_cd(parameters.channel[number], vehicle.radio.pulse_us[number]);
+    return deflection_cd(parameters.channel[number], published.pulse_us[number]);
 }
 
 // True: the ground station holds all that steers and may stand in for a receiver that is gone. Of
@@ -67,7 +77,7 @@ bool groundFlies() {
     for (uint8_t i = 0; i < hal::kRcChannels; ++i) {
         uint16_t us;
         if (!rcOverride(i, us)) continue;
-        vehicle.radio.pulse_us[i] = core::limit(us, kPulseLowest_us, kPulseHighest_us);
+        published.pulse_us[i] = core::limit(us, kPulseLowest_us, kPulseHighest_us);
         held |= static_cast<uint8_t>(1 << i);
     }
     if (held == 0) return false;
@@ -88,17 +98,17 @@ void judge(bool throttle_says_lost) {
 }
 
 void scale() {
-    auto& radio = vehicle.radio;
-    radio.roll_cd = stick_cd(parameters.map_roll - 1);
-    radio.pitch_cd = stick_cd(parameters.map_pitch - 1);
-    radio.yaw_cd = stick_cd(parameters.map_yaw - 1);
+    published.roll_cd = stick_cd(parameters.map_roll - 1);
+    published.pitch_cd = stick_cd(parameters.map_pitch - 1);
+    published.yaw_cd = stick_cd(parameters.map_yaw - 1);
     const uint8_t throttle = parameters.map_throttle - 1;
-    radio.throttle_pct = throttlePercent(parameters.channel[throttle], radio.pulse_us[throttle]);
+    published.throttle_pct =
+        throttlePercent(parameters.channel[throttle], published.pulse_us[throttle]);
 }
 
 void centre() {
-    vehicle.radio.roll_cd = vehicle.radio.pitch_cd = vehicle.radio.yaw_cd = 0;
-    vehicle.radio.throttle_pct = 0;
+    published.roll_cd = published.pitch_cd = published.yaw_cd = 0;
+    published.throttle_pct = 0;
 }
 
 constexpr uint16_t kSwitchUp_us = 1750;
@@ -108,33 +118,32 @@ constexpr uint16_t kBands_us[] ROM = {1230, 1360, 1490, 1620, 1749, 2199};
 }  // namespace
 
 void runRadio() {
-    auto& radio = vehicle.radio;
     uint16_t pulses[hal::kRcChannels];
     const bool fresh = hal::rcRead(pulses);
     if (fresh)
         for (uint8_t i = 0; i < hal::kRcChannels; ++i)
             if (pulses[i] != 0)
-                radio.pulse_us[i] = core::limit(pulses[i], kPulseLowest_us, kPulseHighest_us);
+                published.pulse_us[i] = core::limit(pulses[i], kPulseLowest_us, kPulseHighest_us);
     const bool ground_flies = groundFlies();
     const bool gone = !fresh && !ground_flies;
     if (gone && hal::rcAge_us() < kFramesGone_us) return;
 
-    const uint16_t throttle_us = radio.pulse_us[parameters.map_throttle - 1];
+    const uint16_t throttle_us = published.pulse_us[parameters.map_throttle - 1];
     if (fresh || ground_flies)
         judge(parameters.throttle_failsafe != 0 &&
               static_cast<int16_t>(throttle_us) < parameters.throttle_failsafe_us);
-    radio.lost = gone || bad_readings >= kBadReadings;
-    if (radio.lost) {
+    published.lost = gone || bad_readings >= kBadReadings;
+    if (published.lost) {
         centre();
         return;
     }
-    radio.good_ms = hal::now_ms();
+    published.good_ms = hal::now_ms();
     scale();
 }
 
 uint8_t modeSwitchPosition() {
-    if (vehicle.radio.lost || vehicle.radio.good_ms == 0) return 0;
-    const uint16_t pulse_us = vehicle.radio.pulse_us[parameters.mode_channel - 1];
+    if (published.lost || published.good_ms == 0) return 0;
+    const uint16_t pulse_us = published.pulse_us[parameters.mode_channel - 1];
     if (pulse_us <= 900) return 0;
     for (uint8_t i = 0; i < core::count(kBands_us); ++i)
         if (pulse_us <= core::romRead(kBands_us[i])) return i + 1;
@@ -142,8 +151,7 @@ uint8_t modeSwitchPosition() {
 }
 
 bool switchIsUp(int8_t channel) {
-    return channel != 0 && !vehicle.radio.lost &&
-           vehicle.radio.pulse_us[channel - 1] > kSwitchUp_us;
+    return channel != 0 && !published.lost && published.pulse_us[channel - 1] > kSwitchUp_us;
 }
 
 }  // namespace sensors

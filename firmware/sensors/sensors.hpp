@@ -26,6 +26,8 @@ core::Vector3 blindTurn_rad(const state::BlindTurn& turn);
 // bringing up a sensor that is up already.
 void keepGyroZero(estimation::KeptTurn (&to_rad)[3]);
 void resumeInertial(const estimation::KeptTurn (&gyro_zero_rad)[3]);
+// After a restart in the air: the zero that was measured before it.
+void resumeBarometer(float ground_pressure_pa, float ground_temperature_c);
 void resumeAirspeed(float offset_v);
 float airspeedOffset_v();  // of the sensor with no wind on it
 

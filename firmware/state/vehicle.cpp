@@ -6,7 +6,7 @@
 namespace firmware {
 namespace state {
 
-Vehicle vehicle;
+Vehicle VehicleStorage::vehicle_;
 ProcessorFigures processor_figures;
 
 }  // namespace state

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the rooms of the flight program share. A section is written by the file named above it and
-// read by everyone; docs/architecture.md lists what has a second writer.
+// What the rooms of the flight program share: a struct a section, each written by the one file that
+// defines its Publisher (firmware/state/published.hpp) and read by everyone through `vehicle`.
 #pragma once
 #include <stdint.h>
 
@@ -55,158 +55,256 @@ enum class Sticks : uint8_t {
     rates,    // ACRO: roll_demand_rad and pitch_demand_rad are what is left to turn
 };
 
-struct Vehicle {
-    // ---- sensors.cpp, every frame
-    struct {
-        estimation::Turn turned;        // body axes: x forward, y right, z down; bias removed
-        core::BodyRates rate_rads;      // the same, by the time
-        core::Accelerations accel_mss;  // specific force: (0, 0, -g) at rest and level
-        uint8_t periods;                // of estimation::kSamplePeriod_s in this frame's samples
-        bool healthy;
-        bool calibrated;  // gyro bias known
-    } imu;
-    struct {
-        int32_t pressure_pa;
-        int16_t temperature_cc;      // 0.01 C
-        float ground_pressure_pa;    // zero of the height
-        float ground_temperature_c;  // held from then on
-        float height_m;              // above where it was zeroed
-        bool fresh;                  // a new reading in this frame
-        bool healthy;
-    } baro;
-    struct {
-        core::Vector3 field_mg;  // body axes, offsets added
-        bool fresh;
-        bool healthy;
-    } compass;
-    struct {
-        GpsFix fix;
-        uint8_t satellites;
-        uint16_t hdop_c;  // 0.01
-        geo::Position position;
-        int32_t altitude_cm;         // above sea level
-        core::Vector3 velocity_mps;  // north, east, down
-        float ground_speed_mps;
-        uint16_t course_cd;
-        uint32_t received_ms;
-        uint16_t age_ms;  // when it was received
-        bool fresh;
-        bool healthy;
-    } gps;
-    struct {
-        float speed_mps;  // indicated
-        bool healthy;     // fitted, used and sane
-    } airspeed;
-    struct {
-        uint16_t voltage_mv;
-        int16_t current_ca;  // 10 mA; -1 unknown
-        float consumed_mah;
-        uint16_t board_mv;  // Vcc
-    } battery;
+// ---- sensors
 
-    // ---- estimator.cpp, every frame
-    struct {
-        core::Angle roll_rad, pitch_rad, yaw_rad;
-        core::Ratio sin_roll, cos_roll, sin_pitch, cos_pitch;
-        core::BodyRates rate_rads;
-        bool aligned;
-    } attitude;
-    struct {
-        geo::Position position;  // between fixes carried on with the velocity
-        bool flying : 1;
-        bool known : 1;              // a fix has been seen and is not too old
-        bool reckoned : 1;           // without fixes for a while: by air and wind
-        bool fix_refused : 1;        // the last one lay too far off
-        core::Vector3 velocity_mps;  // north, east, down
-        float ground_speed_mps;
-        uint16_t course_cd;
-        float height_m;  // above home
-        float climb_mps;
-        float airspeed_mps;  // true, measured or estimated from wind
-        float equivalent_airspeed_mps;
-        core::Vector3 wind_mps;  // where it blows to: north, east, 0
-    } estimate;
+struct ImuState {
+    estimation::Turn turned;        // body axes: x forward, y right, z down; bias removed
+    core::BodyRates rate_rads;      // the same, by the time
+    core::Accelerations accel_mss;  // specific force: (0, 0, -g) at rest and level
+    uint8_t periods;                // of estimation::kSamplePeriod_s in this frame's samples
+    bool healthy;
+    bool calibrated;  // gyro bias known
+};
 
-    // ---- home.cpp: set at arming or by command
-    struct {
-        geo::Position position;
-        int32_t altitude_cm;  // above sea level
-        bool set;
-    } home;
+struct BarometerState {
+    int32_t pressure_pa;
+    int16_t temperature_cc;      // 0.01 C
+    float ground_pressure_pa;    // zero of the height; 0: not measured yet
+    float ground_temperature_c;  // held from then on
+    uint8_t readings;            // accepted so far; wraps
+    bool healthy;
+};
 
-    // ---- radio.cpp, when a frame came
-    struct {
-        uint16_t pulse_us[hal::kRcChannels];
-        int16_t roll_cd, pitch_cd, yaw_cd;  // -4500..4500
-        int8_t throttle_pct;                // 0..100
-        bool lost;                          // no frames, or throttle below THR_FS_VALUE
-        uint32_t good_ms;                   // when the sticks were last good
-    } radio;
+struct CompassState {
+    core::Vector3 field_mg;  // body axes, offsets added
+    uint8_t readings;        // so far; wraps
+    bool accepted;           // the last of them was plausible
+    bool healthy;
+};
 
-    // ---- modes.cpp / arming.cpp / failsafe.cpp
+struct GpsState {
+    GpsFix fix;
+    uint8_t satellites;
+    uint16_t hdop_c;  // 0.01
+    geo::Position position;
+    int32_t altitude_cm;         // above sea level
+    core::Vector3 velocity_mps;  // north, east, down
+    float ground_speed_mps;
+    uint16_t course_cd;
+    uint32_t received_ms;
+    uint16_t age_ms;  // when it was received
+    uint8_t fixes;    // with a place so far; wraps
+    bool healthy;
+};
+
+struct AirspeedState {
+    float speed_mps;  // indicated
+    bool healthy;     // fitted, used and sane
+};
+
+struct BatteryState {
+    uint16_t voltage_mv;
+    int16_t current_ca;  // 10 mA; -1 unknown
+    float consumed_mah;
+    uint16_t board_mv;  // Vcc
+};
+
+struct RadioState {
+    uint16_t pulse_us[hal::kRcChannels];
+    int16_t roll_cd, pitch_cd, yaw_cd;  // -4500..4500
+    int8_t throttle_pct;                // 0..100
+    bool lost;                          // no frames, or throttle below THR_FS_VALUE
+    uint32_t good_ms;                   // when the sticks were last good
+};
+
+// ---- where and how it flies
+
+struct AttitudeState {
+    core::Angle roll_rad, pitch_rad, yaw_rad;
+    core::Ratio sin_roll, cos_roll, sin_pitch, cos_pitch;
+    core::BodyRates rate_rads;
+    bool aligned;
+};
+
+struct EstimateState {
+    geo::Position position;  // between fixes carried on with the velocity
+    bool flying : 1;
+    bool known : 1;              // a fix has been seen and is not too old
+    bool reckoned : 1;           // without fixes for a while: by air and wind
+    bool fix_refused : 1;        // the last one lay too far off
+    core::Vector3 velocity_mps;  // north, east, down
+    float ground_speed_mps;
+    uint16_t course_cd;
+    float baro_height_m;  // above where the barometer was zeroed
+    float height_m;       // above home
+    float climb_mps;
+    float airspeed_mps;  // true, measured or estimated from wind
+    float equivalent_airspeed_mps;
+    core::Vector3 wind_mps;  // where it blows to: north, east, 0
+};
+
+// Set at arming or by command.
+struct HomeState {
+    geo::Position position;
+    int32_t altitude_cm;  // above sea level
+    bool set;
+};
+
+// ---- what is in force
+
+struct ModeState {
     Mode mode;
-    bool mode_changed;  // in this frame: controllers start afresh; tasks.cpp clears it
+    uint8_t mode_entries;  // so far; wraps. Controllers start afresh when it has changed
+};
+
+struct ArmingState {
     bool armed;
+    bool prearm_ok;  // all checks passed when last gone through
+};
+
+struct FailsafeState {
     uint16_t failing;  // a bit for each Cause of causes.hpp
     bool failsafe_short : 1, failsafe_long : 1;
-    bool failsafe_glides;      // failsafe.cpp: FBWA is flown by nobody: wings level, motor off
-    bool failsafe_gives_back;  // failsafe.cpp: a mode is being entered that was only interrupted
-    bool fence_holds;     // fence.cpp: it flies the airplane, the pilot's sticks have no say ...
+    bool failsafe_glides;      // FBWA is flown by nobody: wings level, motor off
+    bool failsafe_gives_back;  // a mode is being entered that was only interrupted
+};
+
+struct FenceState {
+    bool fence_holds;     // it flies the airplane, the pilot's sticks have no say ...
     bool fence_throttle;  // ... but for the throttle
-    bool prearm_ok;       // arming.cpp: all of its checks passed when last gone through
-    bool log_usable;      // logger: its chip is there
-    Calibrating calibrating;  // gcs/calibration.cpp
+};
 
-    // ---- gcs/housekeeping.cpp
-    uint32_t ground_heard_ms;  // when the ground station (SYSID_MYGCS) was last heard; 0: never
+struct LoggerState {
+    bool log_usable;  // its chip is there
+};
 
-    // ---- what is demanded: modes/ and the NAV commands write, guidance.cpp flies and reports
-    struct {
-        Path path;
-        geo::Position from;   // start of the leg
-        geo::Position to;     // end of the leg, centre of the circle, landing point
-        float from_height_m;  // above home: the slope of a leg begins here ...
-        float height_m;       // ... and ends here; of a circle the height throughout
-        bool sloped;          // false: the height changes at once
-        float radius_m;       // of a circle
-        bool counter_clockwise;
-        float takeoff_pitch_rad;
-        float climb_rate_mps;  // CONDITION_CHANGE_ALT moves the height at this rate; 0: no
-        float airspeed_mps;    // demanded cruise speed, set at mission start from TRIM_ARSPD_CM
-        int8_t throttle_pct;   // cruise throttle
-        bool new_path;         // set by the writer, cleared by guidance.cpp: begin afresh
-    } demand;
-    struct {
-        float distance_m;  // to the end of the leg or the centre
-        uint16_t target_bearing_cd;
-        uint16_t nav_bearing_cd;
-        float crosstrack_m;
-        float height_error_m;
-        float airspeed_error_mps;
-        float turned_rad;   // along the circle since capture, always growing
-        bool passed : 1;    // the line through `to` across the leg is behind
-        bool captured : 1;  // on the circle
-        bool flaring : 1;
-        bool throttle_suppressed : 1;
-    } progress;
+struct CalibrationState {
+    Calibrating calibrating;
+};
 
-    // ---- guidance.cpp or a mode, for attitude_control.cpp
+struct GroundState {
+    uint32_t ground_heard_ms;  // when SYSID_MYGCS was last heard; 0: never
+};
+
+// ---- what is demanded
+
+// Of guidance, which modes and NAV commands ask for it: firmware/guidance/demand.hpp.
+struct PathDemand {
+    Path path;
+    geo::Position from;   // start of the leg
+    geo::Position to;     // end of the leg, centre of the circle, landing point
+    float from_height_m;  // above home: the slope of a leg begins here ...
+    float height_m;       // ... and ends here; of a circle the height throughout
+    bool sloped;          // false: the height changes at once
+    float radius_m;       // of a circle
+    bool counter_clockwise;
+    float takeoff_pitch_rad;
+    float climb_rate_mps;  // CONDITION_CHANGE_ALT moves the height at this rate; 0: no
+    float airspeed_mps;    // demanded cruise speed, set at mission start from TRIM_ARSPD_CM
+    int8_t throttle_pct;   // cruise throttle
+    bool new_path;         // guidance has not begun it yet
+};
+
+struct PathProgress {
+    float distance_m;  // to the end of the leg or the centre
+    uint16_t target_bearing_cd;
+    uint16_t nav_bearing_cd;
+    float crosstrack_m;
+    float height_error_m;
+    float airspeed_error_mps;
+    float turned_rad;   // along the circle since capture, always growing
+    bool passed : 1;    // the line through `to` across the leg is behind
+    bool captured : 1;  // on the circle
+    bool flaring : 1;
+    bool throttle_suppressed : 1;
+};
+
+// Of attitude control, which modes and guidance ask for it: firmware/control/attitude_demand.hpp.
+struct AttitudeDemand {
     core::Angle roll_demand_rad, pitch_demand_rad;
     core::Ratio throttle_demand;  // 0..1
     core::Ratio rudder_demand;    // -1..1, added by what stabilises: steers on the runway
-    // ---- modes/, every frame
-    Sticks sticks;
-    core::Angle pilot_roll_rad,
-        pilot_pitch_rad;  // stick mixing: added to the demands, within the limits
-
-    // ---- inverted.cpp
-    bool inverted;  // bank is counted from upside down
-
-    // ---- outputs.cpp
-    uint16_t servo_us[hal::kServos];
 };
 
-extern Vehicle vehicle;
+struct StickState {
+    Sticks sticks;
+    core::Angle pilot_roll_rad, pilot_pitch_rad;  // stick mixing: added to the demands, in limits
+};
+
+struct InvertedState {
+    bool inverted;  // bank is counted from upside down
+};
+
+struct ServoState {
+    uint16_t servo_us[hal::kServos];  // 0: no pulse
+};
+
+struct Vehicle : ModeState,
+                 ArmingState,
+                 FailsafeState,
+                 FenceState,
+                 LoggerState,
+                 CalibrationState,
+                 GroundState,
+                 AttitudeDemand,
+                 StickState,
+                 InvertedState,
+                 ServoState {
+    ImuState imu;
+    BarometerState baro;
+    CompassState compass;
+    GpsState gps;
+    AirspeedState airspeed;
+    BatteryState battery;
+    RadioState radio;
+    AttitudeState attitude;
+    EstimateState estimate;
+    HomeState home;
+    PathDemand demand;
+    PathProgress progress;
+};
+
+template <class Section>
+struct Publisher;  // see published.hpp
+template <class Section>
+class Writable;
+
+class VehicleStorage {
+    template <class Section>
+    friend class Writable;
+
+    static Vehicle vehicle_;
+
+    static constexpr Vehicle& section(Vehicle*) { return vehicle_; }  // of the tests
+    static constexpr ImuState& section(ImuState*) { return vehicle_.imu; }
+    static constexpr BarometerState& section(BarometerState*) { return vehicle_.baro; }
+    static constexpr CompassState& section(CompassState*) { return vehicle_.compass; }
+    static constexpr GpsState& section(GpsState*) { return vehicle_.gps; }
+    static constexpr AirspeedState& section(AirspeedState*) { return vehicle_.airspeed; }
+    static constexpr BatteryState& section(BatteryState*) { return vehicle_.battery; }
+    static constexpr RadioState& section(RadioState*) { return vehicle_.radio; }
+    static constexpr AttitudeState& section(AttitudeState*) { return vehicle_.attitude; }
+    static constexpr EstimateState& section(EstimateState*) { return vehicle_.estimate; }
+    static constexpr HomeState& section(HomeState*) { return vehicle_.home; }
+    static constexpr ModeState& section(ModeState*) { return vehicle_; }
+    static constexpr ArmingState& section(ArmingState*) { return vehicle_; }
+    static constexpr FailsafeState& section(FailsafeState*) { return vehicle_; }
+    static constexpr FenceState& section(FenceState*) { return vehicle_; }
+    static constexpr LoggerState& section(LoggerState*) { return vehicle_; }
+    static constexpr CalibrationState& section(CalibrationState*) { return vehicle_; }
+    static constexpr GroundState& section(GroundState*) { return vehicle_; }
+    static constexpr PathDemand& section(PathDemand*) { return vehicle_.demand; }
+    static constexpr PathProgress& section(PathProgress*) { return vehicle_.progress; }
+    static constexpr AttitudeDemand& section(AttitudeDemand*) { return vehicle_; }
+    static constexpr StickState& section(StickState*) { return vehicle_; }
+    static constexpr InvertedState& section(InvertedState*) { return vehicle_; }
+    static constexpr ServoState& section(ServoState*) { return vehicle_; }
+
+public:
+    static constexpr const Vehicle& read() { return vehicle_; }
+};
+
+static constexpr const Vehicle& vehicle = VehicleStorage::read();
 
 }  // namespace state
 }  // namespace firmware

@@ -9,11 +9,13 @@
 #include "firmware/gcs/link.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/notify/text_queue.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
 using firmware::safety::ArmReason;
 using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
 using firmware::state::parameters;
 using firmware::state::vehicle;
 
@@ -31,19 +33,20 @@ struct Arming : bench::Bench {
         (void)tells("");                // what others have left
     }
     static void makeReady() {
-        vehicle.imu.healthy = vehicle.imu.calibrated = true;
-        vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
-        vehicle.attitude.aligned = true;
-        vehicle.baro.healthy = vehicle.compass.healthy = vehicle.airspeed.healthy = true;
-        vehicle.gps.healthy = true;
-        vehicle.gps.fix = firmware::state::GpsFix::three_d;
-        vehicle.gps.altitude_cm = 48800;
-        vehicle.gps.hdop_c = 180;
-        vehicle.compass.field_mg = {220, 30, 430};
-        vehicle.estimate.known = true;
-        vehicle.estimate.position = {473977000, 85456000};
-        vehicle.battery.board_mv = 5000;
-        vehicle.battery.voltage_mv = 12000;
+        mutable_vehicle.imu.healthy = mutable_vehicle.imu.calibrated = true;
+        mutable_vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
+        mutable_vehicle.attitude.aligned = true;
+        mutable_vehicle.baro.healthy = mutable_vehicle.compass.healthy =
+            mutable_vehicle.airspeed.healthy = true;
+        mutable_vehicle.gps.healthy = true;
+        mutable_vehicle.gps.fix = firmware::state::GpsFix::three_d;
+        mutable_vehicle.gps.altitude_cm = 48800;
+        mutable_vehicle.gps.hdop_c = 180;
+        mutable_vehicle.compass.field_mg = {220, 30, 430};
+        mutable_vehicle.estimate.known = true;
+        mutable_vehicle.estimate.position = {473977000, 85456000};
+        mutable_vehicle.battery.board_mv = 5000;
+        mutable_vehicle.battery.voltage_mv = 12000;
     }
     // Among what both links have been told since the last call.
     static bool tells(const std::string& part) {
@@ -96,60 +99,61 @@ TEST_P(Check, refuses_to_arm_and_says_why) {
 INSTANTIATE_TEST_SUITE_P(
     Faults, Check,
     testing::Values(
-        Fault{"PreArm: gyros not ready", [] { vehicle.imu.calibrated = false; }},
-        Fault{"PreArm: gyros not healthy", [] { vehicle.imu.healthy = false; }},
+        Fault{"PreArm: gyros not ready", [] { mutable_vehicle.imu.calibrated = false; }},
+        Fault{"PreArm: gyros not healthy", [] { mutable_vehicle.imu.healthy = false; }},
         Fault{"PreArm: accelerometers",
-              [] { vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -7.5f); }},
+              [] { mutable_vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -7.5f); }},
         Fault{"PreArm: accelerometers",
-              [] { vehicle.imu.accel_mss = core::Accelerations::from(8, 3, -9); }},
-        Fault{"PreArm: attitude", [] { vehicle.attitude.aligned = false; }},
-        Fault{"PreArm: barometer", [] { vehicle.baro.healthy = false; }},
-        Fault{"PreArm: compass", [] { vehicle.compass.healthy = false; }},
+              [] { mutable_vehicle.imu.accel_mss = core::Accelerations::from(8, 3, -9); }},
+        Fault{"PreArm: attitude", [] { mutable_vehicle.attitude.aligned = false; }},
+        Fault{"PreArm: barometer", [] { mutable_vehicle.baro.healthy = false; }},
+        Fault{"PreArm: compass", [] { mutable_vehicle.compass.healthy = false; }},
         Fault{"PreArm: check mag field",
               [] {
-                  vehicle.compass.field_mg = {90, 90, 90};
+                  mutable_vehicle.compass.field_mg = {90, 90, 90};
               }},
         Fault{"PreArm: check mag field",
               [] {
-                  vehicle.compass.field_mg = {0, 900, 0};
+                  mutable_vehicle.compass.field_mg = {0, 900, 0};
               }},
         Fault{"PreArm: compass offsets",
               [] { parameters.compass_offset_mg[0] = parameters.compass_offset_mg[1] = 380; }},
-        Fault{"PreArm: no GPS fix", [] { vehicle.gps.fix = firmware::state::GpsFix::two_d; }},
-        Fault{"PreArm: no GPS fix", [] { vehicle.estimate.known = false; }},
-        Fault{"PreArm: high GPS HDOP", [] { vehicle.gps.hdop_c = 400; }},
-        Fault{"PreArm: airspeed sensor", [] { vehicle.airspeed.healthy = false; }},
-        Fault{"PreArm: no radio", [] { vehicle.radio.lost = true; }},
-        Fault{"PreArm: no radio", [] { vehicle.radio.good_ms = 0; }},
+        Fault{"PreArm: no GPS fix",
+              [] { mutable_vehicle.gps.fix = firmware::state::GpsFix::two_d; }},
+        Fault{"PreArm: no GPS fix", [] { mutable_vehicle.estimate.known = false; }},
+        Fault{"PreArm: high GPS HDOP", [] { mutable_vehicle.gps.hdop_c = 400; }},
+        Fault{"PreArm: airspeed sensor", [] { mutable_vehicle.airspeed.healthy = false; }},
+        Fault{"PreArm: no radio", [] { mutable_vehicle.radio.lost = true; }},
+        Fault{"PreArm: no radio", [] { mutable_vehicle.radio.good_ms = 0; }},
         Fault{"PreArm: RC# not calibrated", [] { parameters.channel[1].min_us = 1400; }},
         Fault{"PreArm: RC# not calibrated", [] { parameters.channel[3].max_us = 1600; }},
         Fault{"PreArm: RC# not calibrated", [] { parameters.channel[0].trim_us = 1950; }},
-        Fault{"PreArm: throttle is up", [] { vehicle.radio.throttle_pct = 10; }},
-        Fault{"PreArm: board voltage", [] { vehicle.battery.board_mv = 4100; }},
-        Fault{"PreArm: battery low", [] { vehicle.battery.voltage_mv = 9000; }},
+        Fault{"PreArm: throttle is up", [] { mutable_vehicle.radio.throttle_pct = 10; }},
+        Fault{"PreArm: board voltage", [] { mutable_vehicle.battery.board_mv = 4100; }},
+        Fault{"PreArm: battery low", [] { mutable_vehicle.battery.voltage_mv = 9000; }},
         Fault{"PreArm: no log chip", [] { parameters.log_bitmask = 1; }}));
 
 TEST_F(Arming, takes_the_pack_that_the_battery_failsafe_takes) {
-    vehicle.battery.voltage_mv = 7400;
+    mutable_vehicle.battery.voltage_mv = 7400;
     parameters.battery_low_v = 7.0f;
     EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, false));
-    vehicle.armed = false;
-    vehicle.battery.voltage_mv = 6900;
+    mutable_vehicle.armed = false;
+    mutable_vehicle.battery.voltage_mv = 6900;
     EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
     EXPECT_TRUE(tells("PreArm: battery low"));
 }
 
 TEST_F(Arming, can_be_forced) {
-    vehicle.baro.healthy = false;
+    mutable_vehicle.baro.healthy = false;
     EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, true));
 }
 
 TEST_F(Arming, leaves_out_the_checks_not_asked_for) {
     parameters.arming_check = 8;  // GPS alone
-    vehicle.baro.healthy = false;
+    mutable_vehicle.baro.healthy = false;
     look();
     EXPECT_TRUE(firmware::state::vehicle.prearm_ok);
-    vehicle.gps.fix = firmware::state::GpsFix::none;
+    mutable_vehicle.gps.fix = firmware::state::GpsFix::none;
     look();
     EXPECT_FALSE(firmware::state::vehicle.prearm_ok);
 }
@@ -162,7 +166,7 @@ TEST_F(Arming, takes_three_seconds_of_full_right_rudder) {
 }
 
 TEST_F(Arming, by_rudder_says_why_not) {
-    vehicle.gps.fix = firmware::state::GpsFix::none;
+    mutable_vehicle.gps.fix = firmware::state::GpsFix::none;
     holdRudder(1900, 33);
     EXPECT_FALSE(vehicle.armed);
     EXPECT_TRUE(tells("PreArm: no GPS fix"));
@@ -183,10 +187,10 @@ TEST_F(Arming, left_rudder_disarms_on_the_ground_when_arming_rudder_is_2) {
     holdRudder(1100, 40);
     EXPECT_TRUE(vehicle.armed) << "1 arms only";
     parameters.arming_rudder = 2;
-    vehicle.estimate.flying = true;
+    mutable_vehicle.estimate.flying = true;
     holdRudder(1100, 40);
     EXPECT_TRUE(vehicle.armed) << "gliding";
-    vehicle.estimate.flying = false;
+    mutable_vehicle.estimate.flying = false;
     holdRudder(1100, 28);
     EXPECT_TRUE(vehicle.armed);
     holdRudder(1100, 5);
@@ -200,7 +204,7 @@ TEST_F(Arming, names_the_channel_that_is_not_calibrated) {
 }
 
 TEST_F(Arming, reminds_twice_a_minute_of_what_is_missing) {
-    vehicle.baro.healthy = false;
+    mutable_vehicle.baro.healthy = false;
     int told = 0;
     for (int tenth = 0; tenth < 1200; ++tenth) {
         firmware::safety::runArming();
@@ -212,7 +216,7 @@ TEST_F(Arming, reminds_twice_a_minute_of_what_is_missing) {
 
 TEST_F(Arming, refuses_to_disarm_in_flight_unless_forced) {
     ASSERT_TRUE(firmware::safety::arm(ArmReason::ground, false));
-    vehicle.estimate.flying = true;
+    mutable_vehicle.estimate.flying = true;
     EXPECT_FALSE(firmware::safety::disarm(ArmReason::ground, false));
     EXPECT_TRUE(vehicle.armed);
     EXPECT_TRUE(firmware::safety::disarm(ArmReason::ground, true));
@@ -222,23 +226,23 @@ TEST_F(Arming, refuses_to_disarm_in_flight_unless_forced) {
 TEST_F(Arming, stays_armed_after_a_landing_when_the_delay_is_0) {
     ASSERT_TRUE(firmware::safety::arm(ArmReason::ground, false));
     parameters.land_disarm_delay_s = 0;
-    vehicle.mode = Mode::automatic;
-    vehicle.demand.path = firmware::state::Path::land;
-    vehicle.progress.flaring = true;
+    mutable_vehicle.mode = Mode::automatic;
+    mutable_vehicle.demand.path = firmware::state::Path::land;
+    mutable_vehicle.progress.flaring = true;
     for (int tenth = 0; tenth < 600; ++tenth) {
         firmware::safety::runArming();
         fakes::advance_ms(100);
     }
     EXPECT_TRUE(vehicle.armed);
-    vehicle.mode = Mode::manual;
+    mutable_vehicle.mode = Mode::manual;
 }
 
 TEST_F(Arming, disarms_by_itself_some_seconds_after_a_landing) {
     ASSERT_TRUE(firmware::safety::arm(ArmReason::ground, false));
     firmware::safety::runArming();
-    vehicle.mode = Mode::automatic;
-    vehicle.demand.path = firmware::state::Path::land;
-    vehicle.progress.flaring = true;
+    mutable_vehicle.mode = Mode::automatic;
+    mutable_vehicle.demand.path = firmware::state::Path::land;
+    mutable_vehicle.progress.flaring = true;
     const int delay_s = parameters.land_disarm_delay_s;
     for (int tenth = 0; tenth < delay_s * 10; ++tenth) {
         firmware::safety::runArming();
@@ -250,7 +254,7 @@ TEST_F(Arming, disarms_by_itself_some_seconds_after_a_landing) {
         fakes::advance_ms(100);
     }
     EXPECT_FALSE(vehicle.armed);
-    vehicle.mode = Mode::manual;
+    mutable_vehicle.mode = Mode::manual;
 }
 
 }  // namespace

@@ -2,11 +2,13 @@
 #include "firmware/control/attitude_control.hpp"
 
 #include "firmware/bench.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
 using firmware::control::surfaces;
 using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
 using firmware::state::parameters;
 using firmware::state::vehicle;
 
@@ -14,12 +16,12 @@ class AttitudeControl : public bench::Bench {
 protected:
     void SetUp() override {
         Bench::SetUp();
-        vehicle.imu.periods = 2;
-        vehicle.estimate.equivalent_airspeed_mps = parameters.scaling_speed_mps;
+        mutable_vehicle.imu.periods = 2;
+        mutable_vehicle.estimate.equivalent_airspeed_mps = parameters.scaling_speed_mps;
         level();
     }
     void level(float roll_rad = 0, float pitch_rad = 0) {
-        auto& attitude = vehicle.attitude;
+        auto& attitude = mutable_vehicle.attitude;
         attitude.roll_rad = core::Angle(roll_rad);
         attitude.pitch_rad = core::Angle(pitch_rad);
         attitude.sin_roll = core::Ratio(std::sin(roll_rad));
@@ -30,20 +32,19 @@ protected:
     // Parameters and airspeed are looked at in turn, within ten frames; no time passes here.
     static void lookAround() {
         const uint8_t periods = vehicle.imu.periods;
-        vehicle.imu.periods = 0;
+        mutable_vehicle.imu.periods = 0;
         for (int i = 0; i < 10; ++i) firmware::control::runAttitudeControl();
-        vehicle.imu.periods = periods;
+        mutable_vehicle.imu.periods = periods;
     }
     void run() {
         firmware::modes::runMode();
         lookAround();
         firmware::control::runAttitudeControl();
-        vehicle.mode_changed = false;
     }
     // Afresh, so that no integrator remembers the case before.
     firmware::control::Surfaces surfacesIn(Mode mode, const std::vector<uint16_t>& sticks) {
         settle(sticks);
-        vehicle.mode_changed = true;
+        ++mutable_vehicle.mode_entries;
         firmware::modes::setMode(mode, firmware::modes::ModeReason::ground);
         run();
         return surfaces;
@@ -52,7 +53,7 @@ protected:
 
 TEST_F(AttitudeControl, leaves_the_airplane_alone_in_manual) {
     level(0.5f, -0.3f);
-    vehicle.attitude.rate_rads = core::BodyRates::from(1, 1, 1);
+    mutable_vehicle.attitude.rate_rads = core::BodyRates::from(1, 1, 1);
     surfacesIn(Mode::manual, bench::kCentred);
     EXPECT_EQ(surfaces.aileron.toFloat(), 0);
     EXPECT_EQ(surfaces.elevator.toFloat(), 0);
@@ -86,7 +87,7 @@ TEST_F(AttitudeControl, turns_back_to_level_and_damps) {
     EXPECT_LT(surfaces.elevator.toFloat(), -0.05f);
 
     level();
-    vehicle.attitude.rate_rads = core::BodyRates::from(0.5f, 0.5f, 0);
+    mutable_vehicle.attitude.rate_rads = core::BodyRates::from(0.5f, 0.5f, 0);
     surfacesIn(Mode::fbwa, with(3, 1900));
     EXPECT_LT(surfaces.aileron.toFloat(), 0);
     EXPECT_LT(surfaces.elevator.toFloat(), 0);
@@ -96,17 +97,17 @@ TEST_F(AttitudeControl, meets_a_gust_twice_as_fast_in_the_flare) {
     firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     level(0, core::radians(-4));
     const float elsewhere = surfacesIn(Mode::fbwa, with(3, 1900)).elevator.toFloat();
-    vehicle.progress.flaring = true;
+    mutable_vehicle.progress.flaring = true;
     EXPECT_NEAR(surfacesIn(Mode::fbwa, with(3, 1900)).elevator.toFloat(), 2 * elsewhere, 0.01);
     EXPECT_GT(elsewhere, 0.02f);
 }
 
 TEST_F(AttitudeControl, needs_less_surface_the_faster_it_flies) {
     level(0.3f);
-    vehicle.estimate.equivalent_airspeed_mps = 10;
+    mutable_vehicle.estimate.equivalent_airspeed_mps = 10;
     const float slow = surfacesIn(Mode::fbwa, bench::kCentred).aileron.toFloat();
     firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
-    vehicle.estimate.equivalent_airspeed_mps = 20;
+    mutable_vehicle.estimate.equivalent_airspeed_mps = 20;
     const float fast = surfacesIn(Mode::fbwa, bench::kCentred).aileron.toFloat();
     EXPECT_LT(slow, 1.5f * fast);
     EXPECT_LT(fast, 0);
@@ -117,11 +118,11 @@ TEST_F(AttitudeControl, demands_no_more_than_the_limits) {
     const auto full_stick = surfaces;
     ASSERT_GT(full_stick.aileron.toFloat(), 0.1f);
     firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
-    vehicle.roll_demand_rad = core::Angle(3);
-    vehicle.pitch_demand_rad = core::Angle(1);
+    mutable_vehicle.roll_demand_rad = core::Angle(3);
+    mutable_vehicle.pitch_demand_rad = core::Angle(1);
     settle(bench::kCentred);
-    vehicle.sticks = firmware::state::Sticks::nothing;
-    vehicle.mode_changed = true;
+    mutable_vehicle.sticks = firmware::state::Sticks::nothing;
+    ++mutable_vehicle.mode_entries;
     firmware::control::runAttitudeControl();
     EXPECT_NEAR(surfaces.aileron.toFloat(), full_stick.aileron.toFloat(), 1e-4);
     EXPECT_NEAR(surfaces.elevator.toFloat(), full_stick.elevator.toFloat(), 1e-4);
@@ -152,7 +153,7 @@ TEST_F(AttitudeControl, mixes_aileron_into_the_rudder_when_it_stabilises) {
 }
 
 TEST_F(AttitudeControl, adds_the_demanded_rudder_but_not_in_manual) {
-    vehicle.rudder_demand = core::Ratio(0.2f);
+    mutable_vehicle.rudder_demand = core::Ratio(0.2f);
     EXPECT_NEAR(surfacesIn(Mode::fbwa, bench::kCentred).rudder.toFloat(), 0.2f, 0.01);
     EXPECT_EQ(surfacesIn(Mode::manual, bench::kCentred).rudder.toFloat(), 0);
 }
@@ -172,7 +173,7 @@ TEST_F(AttitudeControl, does_not_mix_the_sticks_of_a_lost_radio) {
     const float unmoved = surfacesIn(Mode::loiter, bench::kCentred).aileron.toFloat();
     settle(with(1, 1900));
     loseRadio(1500);
-    vehicle.mode_changed = true;
+    ++mutable_vehicle.mode_entries;
     run();
     ASSERT_TRUE(vehicle.radio.lost);
     EXPECT_EQ(surfaces.aileron.toFloat(), unmoved);
@@ -180,7 +181,8 @@ TEST_F(AttitudeControl, does_not_mix_the_sticks_of_a_lost_radio) {
 
 TEST_F(AttitudeControl, the_bend_stays_within_the_bank_limit) {
     fly(Mode::loiter);
-    vehicle.roll_demand_rad = core::Angle(core::radiansFromCentidegrees(parameters.roll_limit_cd));
+    mutable_vehicle.roll_demand_rad =
+        core::Angle(core::radiansFromCentidegrees(parameters.roll_limit_cd));
     const float at_limit = surfacesIn(Mode::loiter, bench::kCentred).aileron.toFloat();
     EXPECT_EQ(surfacesIn(Mode::loiter, with(1, 1900)).aileron.toFloat(), at_limit);
 }

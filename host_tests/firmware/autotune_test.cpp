@@ -5,19 +5,20 @@
 
 #include "control/attitude.hpp"
 #include "firmware/bench.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
 using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
 using firmware::state::parameters;
-using firmware::state::vehicle;
 
 class Autotune : public bench::Bench {
 protected:
     void enter(int8_t level) {
         parameters.autotune_level = level;
         fly(Mode::autotune);
-        vehicle.attitude.cos_roll = core::Ratio(1.0f);
+        mutable_vehicle.attitude.cos_roll = core::Ratio(1.0f);
         for (int i = 0; i < 10; ++i) (void)firmware::control::tuneStep();
     }
     // From rest to rest through `rate`, with a surface that is so many times what is expected.
@@ -53,7 +54,7 @@ TEST_F(Autotune, scales_the_gains_of_the_axis_that_turned) {
 TEST_F(Autotune, does_not_judge_the_elevator_by_a_turn) {
     enter(0);
     const auto before = parameters;
-    vehicle.attitude.cos_roll = core::Ratio(0.8f);
+    mutable_vehicle.attitude.cos_roll = core::Ratio(0.8f);
     turn(firmware::control::kTunedPitch, 1.2f);
     EXPECT_EQ(parameters.pitch.axis.p, before.pitch.axis.p);
 }

@@ -15,6 +15,7 @@
 #include "firmware/sensors/rc_override.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace bench {
 
@@ -27,11 +28,11 @@ protected:
         while (firmware::state::parametersLoad() != core::Status::ok) fakes::advance_ms(10);
         firmware::sensors::rcOverrideRelease();
         settle(kCentred);
-        firmware::state::vehicle.armed = false;
+        firmware::state::mutable_vehicle.armed = false;
         for (int i = 0; i < 3; ++i) firmware::safety::runFailsafe();
         const firmware::state::Mode none = firmware::state::Mode::initialising;
-        firmware::state::vehicle = {};
-        firmware::state::vehicle.mode = none;
+        firmware::state::mutable_vehicle = {};
+        firmware::state::mutable_vehicle.mode = none;
         settle(kCentred);
         // through STABILIZE, so that MANUAL is entered anew whatever came before
         firmware::modes::setMode(firmware::state::Mode::stabilize,
@@ -62,14 +63,16 @@ protected:
     }
     // In the air with everything a flight needs.
     void fly(firmware::state::Mode mode) {
-        auto& vehicle = firmware::state::vehicle;
-        vehicle.armed = true;
-        vehicle.imu.healthy = vehicle.baro.healthy = vehicle.compass.healthy = true;
-        vehicle.gps.healthy = vehicle.attitude.aligned = true;
-        vehicle.estimate.flying = vehicle.estimate.known = vehicle.home.set = true;
-        vehicle.estimate.height_m = 80;
+        using firmware::state::mutable_vehicle;
+        mutable_vehicle.armed = true;
+        mutable_vehicle.imu.healthy = mutable_vehicle.baro.healthy =
+            mutable_vehicle.compass.healthy = true;
+        mutable_vehicle.gps.healthy = mutable_vehicle.attitude.aligned = true;
+        mutable_vehicle.estimate.flying = mutable_vehicle.estimate.known =
+            mutable_vehicle.home.set = true;
+        mutable_vehicle.estimate.height_m = 80;
         firmware::modes::setMode(mode, firmware::modes::ModeReason::ground);
-        ASSERT_EQ(vehicle.mode, mode);
+        ASSERT_EQ(mutable_vehicle.mode, mode);
     }
 };
 

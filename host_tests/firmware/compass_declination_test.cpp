@@ -4,21 +4,23 @@
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
+using firmware::state::mutable_vehicle;
 using firmware::state::parameters;
-using firmware::state::vehicle;
 
 struct Declination : testing::Test {
     void SetUp() override {
         parameters.compass_auto_declination = 1;
         parameters.compass_declination_rad = 0.25f;
-        vehicle.gps.fix = firmware::state::GpsFix::three_d;
-        vehicle.gps.position = {400150000, -1052700000};  // Boulder, 7.6 degrees east in 2027
+        mutable_vehicle.gps.fix = firmware::state::GpsFix::three_d;
+        mutable_vehicle.gps.position = {400150000,
+                                        -1052700000};  // Boulder, 7.6 degrees east in 2027
     }
     void TearDown() override {
-        vehicle = {};
+        mutable_vehicle = {};
         parameters.compass_declination_rad = 0;
     }
 };
@@ -29,7 +31,7 @@ TEST_F(Declination, comes_from_the_table_where_the_airplane_is) {
 }
 
 TEST_F(Declination, stays_as_it_was_set_without_a_fix) {
-    vehicle.gps.fix = firmware::state::GpsFix::two_d;
+    mutable_vehicle.gps.fix = firmware::state::GpsFix::two_d;
     firmware::sensors::runDeclination();
     EXPECT_EQ(parameters.compass_declination_rad, 0.25f);
 }

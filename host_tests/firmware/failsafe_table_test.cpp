@@ -7,12 +7,14 @@
 #include "firmware/safety/failsafe.hpp"
 #include "firmware/safety/fence.hpp"
 #include "firmware/sensors/health.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
 using firmware::safety::Action;
 using firmware::safety::Cause;
 using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
 using firmware::state::parameters;
 using firmware::state::vehicle;
 
@@ -73,8 +75,8 @@ protected:
         parameters.short_action = setting.short_action;
         parameters.long_action = setting.long_action;
         parameters.fence_action = setting.fence_action;
-        vehicle.estimate.known = setting.position;
-        vehicle.home.set = setting.home;
+        mutable_vehicle.estimate.known = setting.position;
+        mutable_vehicle.home.set = setting.home;
     }
     static int found(uint16_t causes, uint8_t flown) {
         const uint8_t row = firmware::safety::resolve(causes, flown);
@@ -156,24 +158,24 @@ struct Trigger {
     int begins_tenths;  // until it acts
 };
 const Trigger kTriggers[] = {
-    {"inertial", Cause::inertial, [](bool on) { vehicle.imu.healthy = !on; }, 4},
+    {"inertial", Cause::inertial, [](bool on) { mutable_vehicle.imu.healthy = !on; }, 4},
     {"battery", Cause::battery,
      [](bool on) {
          parameters.battery_low_v = 10;
-         vehicle.battery.voltage_mv = on ? 9900 : 12000;
+         mutable_vehicle.battery.voltage_mv = on ? 9900 : 12000;
      },
      101},
-    {"radio", Cause::radio_short, [](bool on) { vehicle.radio.lost = on; }, 1},
-    {"radio for long", Cause::radio_long, [](bool on) { vehicle.radio.lost = on; }, 52},
+    {"radio", Cause::radio_short, [](bool on) { mutable_vehicle.radio.lost = on; }, 1},
+    {"radio for long", Cause::radio_long, [](bool on) { mutable_vehicle.radio.lost = on; }, 52},
     {"position", Cause::no_position,
      [](bool on) {
-         vehicle.estimate.known = !on;
-         vehicle.estimate.reckoned = on;
+         mutable_vehicle.estimate.known = !on;
+         mutable_vehicle.estimate.reckoned = on;
      },
      1},
-    {"barometer", Cause::barometer, [](bool on) { vehicle.baro.healthy = !on; }, 1},
-    {"airspeed", Cause::airspeed, [](bool on) { vehicle.airspeed.healthy = !on; }, 1},
-    {"compass", Cause::compass, [](bool on) { vehicle.compass.healthy = !on; }, 1},
+    {"barometer", Cause::barometer, [](bool on) { mutable_vehicle.baro.healthy = !on; }, 1},
+    {"airspeed", Cause::airspeed, [](bool on) { mutable_vehicle.airspeed.healthy = !on; }, 1},
+    {"compass", Cause::compass, [](bool on) { mutable_vehicle.compass.healthy = !on; }, 1},
 };
 
 Mode modeOf(int action, Mode flown) {
@@ -197,7 +199,7 @@ protected:
         FailsafeTable::SetUp();
         firmware::sensors::startHealth();
         parameters.battery_monitor = 3;
-        vehicle.airspeed.healthy = true;
+        mutable_vehicle.airspeed.healthy = true;
     }
     static void tenths(int count) {
         for (int i = 0; i < count; ++i) {
@@ -216,7 +218,7 @@ protected:
     void start(Mode mode) {
         SetUp();
         fly(mode);
-        vehicle.battery.voltage_mv = 12000;
+        mutable_vehicle.battery.voltage_mv = 12000;
         tenths(2);
         ASSERT_EQ(vehicle.failing, 0);
     }
@@ -282,7 +284,7 @@ TEST_F(FailsafeMachine, the_position_back_everything_is_flown_on) {
         kTriggers[4].pull(true);
         tenths(2);
         ASSERT_EQ(vehicle.mode, Mode::circle);
-        vehicle.estimate.position.latitude_e7 += 5000;
+        mutable_vehicle.estimate.position.latitude_e7 += 5000;
         kTriggers[4].pull(false);
         tenths(2);
         EXPECT_EQ(vehicle.mode, mode);
@@ -292,22 +294,22 @@ TEST_F(FailsafeMachine, the_position_back_everything_is_flown_on) {
 
 TEST_F(FailsafeMachine, the_inertial_sensor_back_is_trusted_when_the_attitude_is_found) {
     start(Mode::loiter);
-    vehicle.imu.healthy = vehicle.attitude.aligned = false;
+    mutable_vehicle.imu.healthy = mutable_vehicle.attitude.aligned = false;
     tenths(2);
     EXPECT_EQ(vehicle.mode, Mode::loiter) << "it may start anew";
     tenths(2);
     EXPECT_EQ(vehicle.mode, Mode::manual);
-    vehicle.imu.healthy = true;
+    mutable_vehicle.imu.healthy = true;
     tenths(5);
     EXPECT_EQ(vehicle.mode, Mode::manual);
-    vehicle.attitude.aligned = true;
+    mutable_vehicle.attitude.aligned = true;
     tenths(2);
     EXPECT_EQ(vehicle.mode, Mode::loiter);
 }
 
 TEST_F(FailsafeMachine, nobody_may_choose_a_mode_that_needs_an_attitude_without_one) {
     start(Mode::fbwa);
-    vehicle.imu.healthy = vehicle.attitude.aligned = false;
+    mutable_vehicle.imu.healthy = mutable_vehicle.attitude.aligned = false;
     tenths(5);
     ASSERT_EQ(vehicle.mode, Mode::manual);
     firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::pilot);
@@ -317,7 +319,7 @@ TEST_F(FailsafeMachine, nobody_may_choose_a_mode_that_needs_an_attitude_without_
 
 TEST_F(FailsafeMachine, nobody_may_give_the_sticks_to_a_pilot_who_has_no_radio) {
     start(Mode::loiter);
-    vehicle.radio.lost = true;
+    mutable_vehicle.radio.lost = true;
     tenths(70);
     ASSERT_EQ(vehicle.mode, Mode::loiter);
     firmware::modes::setMode(Mode::stabilize, firmware::modes::ModeReason::ground);
@@ -329,10 +331,10 @@ TEST_F(FailsafeMachine, a_glide_ends_with_the_radio_and_only_it_is_one) {
     start(Mode::fbwa);
     parameters.short_action = 2;
     EXPECT_FALSE(firmware::state::vehicle.failsafe_glides);
-    vehicle.radio.lost = true;
+    mutable_vehicle.radio.lost = true;
     tenths(2);
     EXPECT_TRUE(firmware::state::vehicle.failsafe_glides);
-    vehicle.radio.lost = false;
+    mutable_vehicle.radio.lost = false;
     tenths(2);
     EXPECT_FALSE(firmware::state::vehicle.failsafe_glides);
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
@@ -342,20 +344,20 @@ TEST_F(FailsafeMachine, take_off_and_landing_are_flown_to_their_end) {
     for (firmware::state::Path path :
          {firmware::state::Path::takeoff, firmware::state::Path::land}) {
         start(Mode::loiter);
-        vehicle.mode = Mode::automatic;
-        vehicle.demand.path = path;
+        mutable_vehicle.mode = Mode::automatic;
+        mutable_vehicle.demand.path = path;
         tenths(1);
         parameters.long_action = parameters.short_action = 1;
-        vehicle.radio.lost = true;
+        mutable_vehicle.radio.lost = true;
         kTriggers[4].pull(true);
         tenths(100);
         EXPECT_EQ(vehicle.mode, Mode::automatic);
         kTriggers[4].pull(false);
-        vehicle.demand.path = firmware::state::Path::leg;
+        mutable_vehicle.demand.path = firmware::state::Path::leg;
         tenths(2);
         EXPECT_EQ(vehicle.mode, Mode::rtl);
-        vehicle.radio.lost = false;
-        vehicle.mode = Mode::initialising;
+        mutable_vehicle.radio.lost = false;
+        mutable_vehicle.mode = Mode::initialising;
     }
 }
 
@@ -380,10 +382,10 @@ TEST_F(FailsafeMachine, a_low_pack_stays_low_and_the_pilot_may_fly_on_with_it) {
 TEST_F(FailsafeMachine, little_left_in_the_pack_is_low_too_but_not_while_usb_is_plugged_in) {
     start(Mode::fbwa);
     parameters.battery_low_mah = 500;
-    vehicle.battery.consumed_mah = 2700;
+    mutable_vehicle.battery.consumed_mah = 2700;
     tenths(120);
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
-    vehicle.battery.consumed_mah = 2900;
+    mutable_vehicle.battery.consumed_mah = 2900;
     fakes::setUsb(true);
     tenths(120);
     EXPECT_EQ(vehicle.mode, Mode::fbwa);

@@ -5,11 +5,13 @@
 #include <string.h>
 
 #include "firmware/bench.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 #include "mavlink/peer.hpp"
 
 namespace {
 
 using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
 using firmware::state::parameters;
 using firmware::state::vehicle;
 
@@ -46,7 +48,6 @@ TEST_F(Failsafe, leaves_a_mode_that_was_chosen_meanwhile) {
     firmware::modes::setMode(Mode::loiter, firmware::modes::ModeReason::ground);
 
     settle(bench::kCentred);
-    vehicle.mode_changed = false;
     firmware::safety::runFailsafe();
 
     EXPECT_NE(vehicle.mode, Mode::circle);
@@ -97,7 +98,7 @@ TEST_F(Failsafe, glides_in_fbwa_when_told_to) {
 
 TEST_F(Failsafe, circles_when_there_is_no_home_to_return_to) {
     fly(Mode::fbwa);
-    vehicle.home.set = false;
+    mutable_vehicle.home.set = false;
     loseRadio(kShort_ms + kLong_ms);
     EXPECT_EQ(vehicle.mode, Mode::circle);
 }

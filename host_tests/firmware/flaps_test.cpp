@@ -4,13 +4,14 @@
 #include "firmware/actuators/outputs.hpp"
 #include "firmware/bench.hpp"
 #include "firmware/guidance/guidance.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
 using firmware::actuators::outputPulse_us;
 using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
 using firmware::state::parameters;
-using firmware::state::vehicle;
 
 constexpr int kFlap = 5, kAutoFlap = 6, kLever = 7;  // outputs, and the lever's channel
 
@@ -23,8 +24,8 @@ protected:
         parameters.flap_channel = kLever;
         parameters.flap_slew_pct = 0;
         firmware::actuators::startOutputs();
-        vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = core::Ratio(1);
-        vehicle.airspeed.healthy = true;
+        mutable_vehicle.attitude.cos_roll = mutable_vehicle.attitude.cos_pitch = core::Ratio(1);
+        mutable_vehicle.airspeed.healthy = true;
         moveLever(1100);
     }
     void moveLever(uint16_t pulse_us) {
@@ -34,9 +35,8 @@ protected:
     // Tenths of a second at a demanded airspeed.
     void tenths(int count, float airspeed_mps = 13) {
         for (int i = 0; i < count; ++i) {
-            vehicle.mode_changed = false;
             firmware::modes::runMode();
-            vehicle.demand.airspeed_mps = airspeed_mps;
+            mutable_vehicle.demand.airspeed_mps = airspeed_mps;
             firmware::guidance::runGuidance();
             firmware::actuators::runFlaps();
             firmware::actuators::runOutputs();
@@ -138,16 +138,16 @@ TEST_F(Flaps, do_nothing_by_themselves_while_the_pilot_has_the_throttle) {
 TEST_F(Flaps, go_out_for_a_landing_whatever_the_airspeed) {
     parameters.land_flap_pct = 60;
     stagesInLoiter();
-    vehicle.demand.path = firmware::state::Path::land;
+    mutable_vehicle.demand.path = firmware::state::Path::land;
     tenths(1, 13);
     EXPECT_NEAR(outputPulse_us(kAutoFlap), 1580, 2);
     tenths(1, 10);
     EXPECT_NEAR(outputPulse_us(kAutoFlap), 1580, 2);
-    vehicle.demand.path = firmware::state::Path::leg;
+    mutable_vehicle.demand.path = firmware::state::Path::leg;
     tenths(1, 13);
     EXPECT_EQ(outputPulse_us(kAutoFlap), 1100) << "it goes around";
     parameters.land_flap_pct = 0;
-    vehicle.demand.path = firmware::state::Path::land;
+    mutable_vehicle.demand.path = firmware::state::Path::land;
     tenths(1, 12);
     EXPECT_GT(outputPulse_us(kAutoFlap), 1490) << "by the speed";
 }

@@ -8,6 +8,7 @@
 #include "firmware/bench.hpp"
 #include "firmware/guidance/guidance.hpp"
 #include "firmware/mission/speed.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
@@ -15,6 +16,7 @@ using firmware::mission::missionAct;
 using firmware::mission::MissionItem;
 using firmware::mission::MissionResult;
 using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
 using firmware::state::parameters;
 using firmware::state::Path;
 using firmware::state::vehicle;
@@ -31,8 +33,8 @@ protected:
     void SetUp() override {
         Bench::SetUp();
         firmware::mission::resetSpeed();
-        vehicle.home.position = vehicle.estimate.position = kHome;
-        vehicle.home.altitude_cm = 40000;
+        mutable_vehicle.home.position = mutable_vehicle.estimate.position = kHome;
+        mutable_vehicle.home.altitude_cm = 40000;
         fly(Mode::fbwa);
     }
     static MissionItem to(const geo::Position& place, float z, uint8_t frame = kRelative) {
@@ -56,7 +58,7 @@ TEST_F(Guided, chosen_without_a_target_circles_where_it_is) {
 }
 
 TEST_F(Guided, is_not_entered_without_a_position) {
-    vehicle.estimate.known = false;
+    mutable_vehicle.estimate.known = false;
     EXPECT_FALSE(firmware::modes::setMode(Mode::guided, firmware::modes::ModeReason::ground));
     EXPECT_EQ(orderTo(to(kThere, 100)), MissionResult::error);
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
@@ -111,8 +113,8 @@ TEST_F(Guided, leaves_as_it_is_what_is_not_given) {
 }
 
 TEST_F(Guided, not_given_anything_in_another_mode_stays_here_at_this_height) {
-    vehicle.demand.to = kThere;
-    vehicle.demand.height_m = 10;
+    mutable_vehicle.demand.to = kThere;
+    mutable_vehicle.demand.height_m = 10;
     ASSERT_EQ(orderTo(to({INT32_MAX, INT32_MAX}, NAN)), MissionResult::accepted);
     EXPECT_EQ(vehicle.demand.to, kHome);
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 80);
@@ -133,7 +135,7 @@ TEST_F(Guided, refuses_what_it_cannot_fly_to_and_flies_on_as_before) {
     other = to(kThere, 100);
     other.command = 21;
     expectUnchanged(other, MissionResult::unsupported);
-    vehicle.home.set = false;
+    mutable_vehicle.home.set = false;
     expectUnchanged(to(kThere, 100), MissionResult::error);
 }
 
@@ -148,7 +150,7 @@ TEST_F(Guided, changes_the_height_alone_in_whatever_mode_holds_one) {
         EXPECT_EQ(vehicle.mode, mode);
     }
     EXPECT_EQ(orderHeight(to(kThere, 90, kTerrain)), MissionResult::unsupported_frame);
-    vehicle.mode = Mode::automatic;
+    mutable_vehicle.mode = Mode::automatic;
     EXPECT_EQ(orderHeight(to(kThere, 90)), MissionResult::error) << "the mission's heights count";
 }
 
@@ -166,7 +168,7 @@ TEST_F(Guided, flies_at_the_speed_it_is_told_also_to_the_next_place) {
 }
 
 TEST_F(Guided, an_action_ordered_from_the_ground_is_the_missions_own) {
-    vehicle.mode_changed = false;
+    firmware::actuators::runOutputs();
     EXPECT_EQ(missionAct({183, 2, 6, 1700, 0, 0, 0, 0, 0}), MissionResult::accepted);
     firmware::actuators::runOutputs();
     EXPECT_EQ(firmware::actuators::outputPulse_us(6), 1700);
@@ -198,11 +200,11 @@ TEST_F(Guided, comes_down_on_a_slope_that_ends_at_the_circle_and_climbs_at_once)
         firmware::guidance::runGuidance();
         return vehicle.progress.height_error_m + vehicle.estimate.height_m;
     };
-    vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = core::Ratio(1);
+    mutable_vehicle.attitude.cos_roll = mutable_vehicle.attitude.cos_pitch = core::Ratio(1);
     const geo::Position there = geo::moved(kHome, {1060, 0});
     ASSERT_EQ(orderTo(to(there, 30)), MissionResult::accepted);
     EXPECT_NEAR(planned_m(), 80, 0.1);
-    vehicle.estimate.position = geo::moved(kHome, {500, 0});
+    mutable_vehicle.estimate.position = geo::moved(kHome, {500, 0});
     EXPECT_NEAR(planned_m(), 55, 0.5);
     EXPECT_EQ(orderHeight(to(there, 50)), MissionResult::accepted);
     EXPECT_NEAR(planned_m(), 50, 0.01) << "a height alone is flown at once";

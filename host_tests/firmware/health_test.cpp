@@ -4,13 +4,14 @@
 #include <random>
 
 #include "firmware/bench.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
 using firmware::sensors::acceptReading;
 using firmware::sensors::isFaulty;
 using firmware::sensors::Sensor;
-using firmware::state::vehicle;
+using firmware::state::mutable_vehicle;
 
 struct Rhythm {
     Sensor sensor;
@@ -27,11 +28,11 @@ class Health : public testing::TestWithParam<Rhythm> {
 protected:
     void SetUp() override {
         firmware::sensors::startHealth();
-        vehicle.estimate.flying = true;
+        mutable_vehicle.estimate.flying = true;
         tenths(50, 0);
         ASSERT_FALSE(isFaulty());
     }
-    void TearDown() override { vehicle.estimate.flying = false; }
+    void TearDown() override { mutable_vehicle.estimate.flying = false; }
     bool isFaulty() const { return firmware::sensors::isFaulty(GetParam().sensor); }
     int16_t scattered(int16_t by) {
         return static_cast<int16_t>(std::uniform_int_distribution<int>(-by, by)(random_));
@@ -109,7 +110,7 @@ TEST_P(Health, the_others_contradiction_is_enough) {
 }
 
 TEST_P(Health, on_the_ground_nobody_is_judged) {
-    vehicle.estimate.flying = false;
+    mutable_vehicle.estimate.flying = false;
     silence(100);
     EXPECT_FALSE(isFaulty());
     EXPECT_TRUE(acceptReading(GetParam().sensor, 30000, false));

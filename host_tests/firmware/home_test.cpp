@@ -3,10 +3,12 @@
 
 #include "firmware/bench.hpp"
 #include "firmware/guidance/guidance.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
 using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
 using firmware::state::vehicle;
 
 constexpr geo::Position kHome = {470000000, 80000000};
@@ -16,15 +18,16 @@ protected:
     void SetUp() override {
         Bench::SetUp();
         firmware::guidance::runGuidance();  // in MANUAL: whoever guided before has let go
-        vehicle.attitude.cos_roll = vehicle.attitude.cos_pitch = core::Ratio(1);
-        vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
-        vehicle.gps.fix = firmware::state::GpsFix::three_d;
-        vehicle.airspeed.healthy = true;
-        vehicle.estimate.velocity_mps = {13, 0, 0};
-        vehicle.estimate.ground_speed_mps = 13;
-        vehicle.estimate.airspeed_mps = vehicle.estimate.equivalent_airspeed_mps = 13;
-        vehicle.home.position = vehicle.estimate.position = kHome;
-        vehicle.home.altitude_cm = 40000;
+        mutable_vehicle.attitude.cos_roll = mutable_vehicle.attitude.cos_pitch = core::Ratio(1);
+        mutable_vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
+        mutable_vehicle.gps.fix = firmware::state::GpsFix::three_d;
+        mutable_vehicle.airspeed.healthy = true;
+        mutable_vehicle.estimate.velocity_mps = {13, 0, 0};
+        mutable_vehicle.estimate.ground_speed_mps = 13;
+        mutable_vehicle.estimate.airspeed_mps = mutable_vehicle.estimate.equivalent_airspeed_mps =
+            13;
+        mutable_vehicle.home.position = mutable_vehicle.estimate.position = kHome;
+        mutable_vehicle.home.altitude_cm = 40000;
     }
     void guide(int tenths) {
         for (int i = 0; i < tenths; ++i) {
@@ -64,7 +67,7 @@ TEST_F(Home, set_elsewhere_in_flight_moves_neither_nose_nor_throttle) {
 
 TEST_F(Home, set_here_in_flight_makes_its_height_zero_and_flies_on_as_high) {
     fly(Mode::loiter);
-    vehicle.estimate.position = geo::moved(kHome, {500, 0});
+    mutable_vehicle.estimate.position = geo::moved(kHome, {500, 0});
     ASSERT_TRUE(firmware::mission::setHomeHere());
     EXPECT_EQ(vehicle.home.position, vehicle.estimate.position);
     EXPECT_EQ(vehicle.home.altitude_cm, 48000);

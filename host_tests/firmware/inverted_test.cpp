@@ -7,12 +7,14 @@
 #include "firmware/bench.hpp"
 #include "firmware/control/attitude_control.hpp"
 #include "firmware/guidance/bank.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
 using core::radians;
 using firmware::control::surfaces;
 using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
 using firmware::state::parameters;
 using firmware::state::Path;
 using firmware::state::vehicle;
@@ -22,14 +24,14 @@ protected:
     void SetUp() override {
         Bench::SetUp();
         firmware::control::orderInverted(false);
-        vehicle.imu.periods = 2;
-        vehicle.estimate.equivalent_airspeed_mps = parameters.scaling_speed_mps;
+        mutable_vehicle.imu.periods = 2;
+        mutable_vehicle.estimate.equivalent_airspeed_mps = parameters.scaling_speed_mps;
         attitude(0, 0);
         fly(Mode::fbwa);
         run();  // upright: what a test before has left is over
     }
     static void attitude(float roll_deg, float pitch_deg) {
-        auto& attitude = vehicle.attitude;
+        auto& attitude = mutable_vehicle.attitude;
         const float roll_rad = radians(roll_deg), pitch_rad = radians(pitch_deg);
         attitude.roll_rad = core::Angle(roll_rad);
         attitude.pitch_rad = core::Angle(pitch_rad);
@@ -44,7 +46,6 @@ protected:
         for (int i = 0; i < 11; ++i) {
             firmware::modes::runMode();
             firmware::control::runAttitudeControl();
-            vehicle.mode_changed = false;
         }
     }
     static firmware::control::Surfaces at(float roll_deg, float pitch_deg) {
@@ -119,13 +120,13 @@ TEST_F(Inverted, half_a_roll_of_the_pilots_own_is_his) {
 
 TEST_F(Inverted, bank_is_counted_from_upside_down) {
     attitude(-160, 0);  // 20 degrees to the right of it
-    vehicle.inverted = true;
+    mutable_vehicle.inverted = true;
     firmware::guidance::beginBanking();
     EXPECT_NEAR(firmware::guidance::presentBank_mss(), core::kGravity_mss * std::tan(radians(20)),
                 0.1);
     firmware::guidance::demandBank(100, firmware::guidance::BankLimit::flying);
     EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), radians(22.5f), 0.01);
-    vehicle.inverted = false;
+    mutable_vehicle.inverted = false;
     firmware::guidance::demandBank(100, firmware::guidance::BankLimit::flying);
     EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), radians(45), 0.01);
 }
@@ -148,16 +149,16 @@ TEST_F(Inverted, the_switch_turns_it_over_while_it_is_up) {
 
 TEST_F(Inverted, is_flown_only_with_room_below) {
     firmware::control::orderInverted(true);
-    vehicle.estimate.height_m = 29;
+    mutable_vehicle.estimate.height_m = 29;
     run();
     EXPECT_FALSE(vehicle.inverted);
-    vehicle.estimate.height_m = 31;
+    mutable_vehicle.estimate.height_m = 31;
     run();
     EXPECT_TRUE(vehicle.inverted);
-    vehicle.estimate.height_m = 16;
+    mutable_vehicle.estimate.height_m = 16;
     run();
     EXPECT_TRUE(vehicle.inverted);
-    vehicle.estimate.height_m = 14;
+    mutable_vehicle.estimate.height_m = 14;
     run();
     EXPECT_FALSE(vehicle.inverted);
 }
@@ -169,12 +170,12 @@ TEST_F(Inverted, is_not_flown_on_the_ground_nor_by_a_pilot_who_has_the_surfaces)
         return vehicle.inverted;
     };
     EXPECT_TRUE(flies());
-    vehicle.estimate.flying = false;
+    mutable_vehicle.estimate.flying = false;
     EXPECT_FALSE(flies());
-    vehicle.estimate.flying = true;
-    vehicle.armed = false;
+    mutable_vehicle.estimate.flying = true;
+    mutable_vehicle.armed = false;
     EXPECT_FALSE(flies());
-    vehicle.armed = true;
+    mutable_vehicle.armed = true;
     for (const Mode mode : {Mode::manual, Mode::training, Mode::acro}) {
         firmware::modes::setMode(mode, firmware::modes::ModeReason::pilot);
         EXPECT_FALSE(flies()) << static_cast<int>(mode);
@@ -189,10 +190,10 @@ TEST_F(Inverted, neither_takes_off_nor_lands) {
     firmware::modes::setMode(Mode::loiter, firmware::modes::ModeReason::pilot);
     firmware::control::orderInverted(true);
     for (const Path path : {Path::takeoff, Path::land}) {
-        vehicle.demand.path = path;
+        mutable_vehicle.demand.path = path;
         run();
         EXPECT_FALSE(vehicle.inverted);
-        vehicle.demand.path = Path::circle;
+        mutable_vehicle.demand.path = Path::circle;
         run();
         EXPECT_TRUE(vehicle.inverted);
     }

@@ -7,17 +7,18 @@
 #include "board.hpp"
 #include "firmware/bench.hpp"
 #include "firmware/safety/arming.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
 using firmware::state::GpsFix;
+using firmware::state::mutable_vehicle;
 using firmware::state::parameters;
-using firmware::state::vehicle;
 
 struct Lights : bench::Bench {
     void SetUp() override {
         Bench::SetUp();
-        vehicle.imu.healthy = vehicle.imu.calibrated = true;
+        mutable_vehicle.imu.healthy = mutable_vehicle.imu.calibrated = true;
         parameters.arming_check = 0;
         for (uint8_t i = 0; i < 16; ++i) firmware::actuators::runLights();
         align();
@@ -26,7 +27,7 @@ struct Lights : bench::Bench {
         for (int tenth = 0; tenth < 10; ++tenth) firmware::safety::runArming();
     }
     void align() {
-        vehicle.armed = false;
+        mutable_vehicle.armed = false;
         look();
         for (int i = 0; i < 40; ++i) {  // to where a flash begins
             const bool was = board::LedA::lit;
@@ -54,33 +55,33 @@ constexpr char kOff[] = "................", kOn[] = "################",
 TEST_F(Lights, red_flashes_once_when_ready_and_twice_when_not_and_shines_armed) {
     EXPECT_EQ(shown<board::LedA>(), kOneFlash);
     parameters.arming_check = 1;
-    vehicle.baro.healthy = false;
+    mutable_vehicle.baro.healthy = false;
     look();
     EXPECT_EQ(shown<board::LedA>(), kTwoFlashes);
-    vehicle.armed = true;
+    mutable_vehicle.armed = true;
     EXPECT_EQ(shown<board::LedA>(), kOn);
 }
 
 TEST_F(Lights, blue_tells_of_the_gps) {
-    vehicle.gps.fix = GpsFix::no_gps;
+    mutable_vehicle.gps.fix = GpsFix::no_gps;
     EXPECT_EQ(shown<board::LedC>(), kOff);
-    vehicle.gps.fix = GpsFix::none;
+    mutable_vehicle.gps.fix = GpsFix::none;
     EXPECT_EQ(shown<board::LedC>(), kFast);
-    vehicle.gps.fix = GpsFix::two_d;
+    mutable_vehicle.gps.fix = GpsFix::two_d;
     EXPECT_EQ(shown<board::LedC>(), kSlow);
-    vehicle.gps.fix = GpsFix::three_d;
+    mutable_vehicle.gps.fix = GpsFix::three_d;
     EXPECT_EQ(shown<board::LedC>(), kOn);
 }
 
 TEST_F(Lights, red_and_blue_take_turns_while_the_gyros_are_calibrated) {
-    vehicle.imu.calibrated = false;
+    mutable_vehicle.imu.calibrated = false;
     EXPECT_EQ(shown<board::LedA>(), kFast);
     EXPECT_EQ(shown<board::LedC>(), kBetween);
     EXPECT_EQ(shown<board::LedB>(), kOff);
 }
 
 TEST_F(Lights, all_flash_together_when_the_inertial_sensor_fails) {
-    vehicle.imu.healthy = false;
+    mutable_vehicle.imu.healthy = false;
     EXPECT_EQ(shown<board::LedA>(), kFast);
     EXPECT_EQ(shown<board::LedB>(), kFast);
     EXPECT_EQ(shown<board::LedC>(), kFast);
@@ -88,7 +89,7 @@ TEST_F(Lights, all_flash_together_when_the_inertial_sensor_fails) {
 
 TEST_F(Lights, yellow_flashes_twice_without_a_radio) {
     EXPECT_EQ(shown<board::LedB>(), kOff);
-    vehicle.radio.lost = true;
+    mutable_vehicle.radio.lost = true;
     EXPECT_EQ(shown<board::LedB>(), kTwoFlashes);
 }
 

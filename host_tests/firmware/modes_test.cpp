@@ -4,11 +4,13 @@
 #include "firmware/bench.hpp"
 #include "firmware/control/attitude_control.hpp"
 #include "firmware/guidance/guidance.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
 using firmware::control::surfaces;
 using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
 using firmware::state::parameters;
 using firmware::state::Path;
 using firmware::state::Sticks;
@@ -22,21 +24,22 @@ protected:
     void SetUp() override {
         Bench::SetUp();
         firmware::guidance::runGuidance();  // in MANUAL: whoever guided before has let go
-        vehicle.imu.periods = 2;
-        vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
-        vehicle.home.position = vehicle.estimate.position = kHome;
-        vehicle.gps.fix = firmware::state::GpsFix::three_d;
-        vehicle.airspeed.healthy = true;
-        vehicle.estimate.airspeed_mps = vehicle.estimate.equivalent_airspeed_mps = 15;
+        mutable_vehicle.imu.periods = 2;
+        mutable_vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
+        mutable_vehicle.home.position = mutable_vehicle.estimate.position = kHome;
+        mutable_vehicle.gps.fix = firmware::state::GpsFix::three_d;
+        mutable_vehicle.airspeed.healthy = true;
+        mutable_vehicle.estimate.airspeed_mps = mutable_vehicle.estimate.equivalent_airspeed_mps =
+            15;
         course(0, 15);
         attitude(0, 0);
     }
     static void course(float north_mps, float east_mps) {
-        vehicle.estimate.velocity_mps = {north_mps, east_mps, 0};
-        vehicle.estimate.ground_speed_mps = std::hypot(north_mps, east_mps);
+        mutable_vehicle.estimate.velocity_mps = {north_mps, east_mps, 0};
+        mutable_vehicle.estimate.ground_speed_mps = std::hypot(north_mps, east_mps);
     }
     static void attitude(float roll_rad, float pitch_rad) {
-        auto& attitude = vehicle.attitude;
+        auto& attitude = mutable_vehicle.attitude;
         attitude.roll_rad = core::Angle(roll_rad);
         attitude.pitch_rad = core::Angle(pitch_rad);
         attitude.sin_roll = core::Ratio(std::sin(roll_rad));
@@ -46,12 +49,11 @@ protected:
     }
     // A mode's frame, after parameters and airspeed have been looked at.
     static void frame() {
-        vehicle.imu.periods = 0;
+        mutable_vehicle.imu.periods = 0;
         for (int i = 0; i < 10; ++i) firmware::control::runAttitudeControl();
-        vehicle.imu.periods = 2;
+        mutable_vehicle.imu.periods = 2;
         firmware::modes::runMode();
         firmware::control::runAttitudeControl();
-        vehicle.mode_changed = false;
     }
     static void guide(int tenths = 1) {
         for (int i = 0; i < tenths; ++i) {
@@ -94,7 +96,7 @@ TEST_F(Training, lets_no_stick_bank_beyond_the_limit_and_every_stick_bank_back) 
 TEST_F(Training, begins_to_hold_before_a_fast_roll_is_at_the_limit) {
     fly(Mode::training);
     attitude(core::radians(35), 0);
-    vehicle.attitude.rate_rads = core::BodyRates::from(2.0f, 0, 0);
+    mutable_vehicle.attitude.rate_rads = core::BodyRates::from(2.0f, 0, 0);
     settle(with(1, 1900));
     frame();
     EXPECT_LT(surfaces.aileron.toFloat(), 0.3f);
@@ -103,7 +105,7 @@ TEST_F(Training, begins_to_hold_before_a_fast_roll_is_at_the_limit) {
 TEST_F(Training, goes_on_holding_while_the_bank_comes_back_to_the_limit) {
     fly(Mode::training);
     attitude(core::radians(50), 0);
-    vehicle.attitude.rate_rads = core::BodyRates::from(core::radians(-10), 0, 0);
+    mutable_vehicle.attitude.rate_rads = core::BodyRates::from(core::radians(-10), 0, 0);
     settle(with(1, 1900));
     frame();
     EXPECT_LT(surfaces.aileron.toFloat(), 0.2f);
@@ -130,15 +132,15 @@ TEST_F(Acro, turns_at_the_rate_the_stick_demands_beyond_every_limit) {
     frame();
     const float from_rest = surfaces.aileron.toFloat();
     EXPECT_GT(from_rest, 0.1f);
-    vehicle.attitude.rate_rads = core::BodyRates::from(core::radians(34), 0, 0);
+    mutable_vehicle.attitude.rate_rads = core::BodyRates::from(core::radians(34), 0, 0);
     frame();
     const float at_rate = surfaces.aileron.toFloat();
     EXPECT_LT(at_rate, from_rest);
-    vehicle.attitude.rate_rads = core::BodyRates::from(core::radians(90), 0, 0);
+    mutable_vehicle.attitude.rate_rads = core::BodyRates::from(core::radians(90), 0, 0);
     frame();
     EXPECT_LT(surfaces.aileron.toFloat(), at_rate);
     parameters.acro_roll_rate_dps = 60;
-    vehicle.attitude.rate_rads = core::BodyRates::from(0, 0, 0);
+    mutable_vehicle.attitude.rate_rads = core::BodyRates::from(0, 0, 0);
     frame();
     EXPECT_LT(surfaces.aileron.toFloat(), 0.6f * from_rest);
 }
@@ -170,10 +172,10 @@ TEST_F(Acro, locked_returns_to_the_attitude_it_was_let_go_in) {
 TEST_F(Acro, locks_only_once_it_has_stopped_turning) {
     parameters.acro_locking = 1;
     fly(Mode::acro);
-    vehicle.attitude.rate_rads = core::BodyRates::from(2.0f, 0, 0);
+    mutable_vehicle.attitude.rate_rads = core::BodyRates::from(2.0f, 0, 0);
     attitude(0.2f, 0);
     frame();
-    vehicle.attitude.rate_rads = core::BodyRates::from(0, 0, 0);
+    mutable_vehicle.attitude.rate_rads = core::BodyRates::from(0, 0, 0);
     attitude(0.6f, 0);
     frame();
     EXPECT_NEAR(surfaces.aileron.toFloat(), 0, 0.01);
@@ -193,7 +195,7 @@ using Fbwb = Modes;
 
 TEST_F(Fbwb, holds_the_height_at_which_it_was_entered) {
     fly(Mode::fbwb);
-    vehicle.estimate.height_m = 83;
+    mutable_vehicle.estimate.height_m = 83;
     guide(3);
     EXPECT_FLOAT_EQ(planned_m(), 80);
     EXPECT_TRUE(firmware::state::autoThrottle());
@@ -207,11 +209,11 @@ TEST_F(Fbwb, climbs_at_the_rate_of_the_stick_and_stays_where_it_is_let_go) {
     settle(with(2, 1700));
     guide(10);
     EXPECT_NEAR(planned_m(), 82 + 2 * 170 / kStick, 0.3);
-    vehicle.estimate.height_m = 82.5f;
-    vehicle.estimate.climb_mps = 1;
+    mutable_vehicle.estimate.height_m = 82.5f;
+    mutable_vehicle.estimate.climb_mps = 1;
     settle(bench::kCentred);
     guide(1);
-    vehicle.estimate.climb_mps = 0;
+    mutable_vehicle.estimate.climb_mps = 0;
     guide(10);
     EXPECT_NEAR(planned_m(), 83.5, 0.01) << "with a second to end the climb in";
 }
@@ -237,7 +239,7 @@ TEST_F(Fbwb, does_not_sink_below_its_lowest_height) {
     settle(with(2, 1100));
     guide(100);
     EXPECT_FLOAT_EQ(planned_m(), 75);
-    vehicle.estimate.height_m = 70;
+    mutable_vehicle.estimate.height_m = 70;
     settle(bench::kCentred);
     guide(2);
     EXPECT_FLOAT_EQ(planned_m(), 75);
@@ -254,8 +256,8 @@ TEST_F(Fbwb, flies_the_speed_of_the_throttle_stick) {
     settle(with(3, 1515));
     guide();
     EXPECT_NEAR(vehicle.demand.airspeed_mps, 15.5, 0.1);
-    vehicle.radio.lost = true;
-    vehicle.radio.throttle_pct = 0;
+    mutable_vehicle.radio.lost = true;
+    mutable_vehicle.radio.throttle_pct = 0;
     guide();
     EXPECT_NEAR(vehicle.demand.airspeed_mps, 15.5, 0.1) << "the last that was asked for";
 }
@@ -304,7 +306,7 @@ TEST_F(Cruise, locks_the_course_after_half_a_second_of_centred_sticks) {
 
 TEST_F(Cruise, turns_back_to_the_line_it_has_locked) {
     lockedTo(0, 15);
-    vehicle.estimate.position = geo::moved(kHome, {20, 100});
+    mutable_vehicle.estimate.position = geo::moved(kHome, {20, 100});
     guide();
     EXPECT_GT(vehicle.roll_demand_rad.toFloat(), 0.1f);
     EXPECT_NEAR(vehicle.progress.crosstrack_m, -20, 0.1);
@@ -331,14 +333,14 @@ TEST_F(Cruise, does_not_lock_what_is_no_course) {
     guide(20);
     EXPECT_EQ(vehicle.demand.path, Path::none);
     course(0, 15);
-    vehicle.estimate.known = false;
+    mutable_vehicle.estimate.known = false;
     guide(20);
     EXPECT_EQ(vehicle.demand.path, Path::none);
 }
 
 TEST_F(Cruise, flies_on_with_level_wings_when_the_position_is_lost) {
     lockedTo(0, 15);
-    vehicle.estimate.known = false;
+    mutable_vehicle.estimate.known = false;
     guide();
     EXPECT_EQ(vehicle.demand.path, Path::none);
     EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), 0, 1e-3);
@@ -348,7 +350,7 @@ TEST_F(Cruise, moves_on_along_the_line_as_it_goes) {
     lockedTo(10, 10);
     for (int flown_m = 0; flown_m <= 5000; flown_m += 10) {
         const float each_m = static_cast<float>(flown_m) * 0.70710678f;
-        vehicle.estimate.position = geo::moved(kHome, {each_m, each_m});
+        mutable_vehicle.estimate.position = geo::moved(kHome, {each_m, each_m});
         guide();
         EXPECT_NEAR(vehicle.progress.crosstrack_m, 0, 5);
         EXPECT_GT(vehicle.progress.distance_m, 480);
@@ -357,11 +359,11 @@ TEST_F(Cruise, moves_on_along_the_line_as_it_goes) {
 }
 
 TEST_F(Cruise, crosses_the_antimeridian) {
-    vehicle.estimate.position = {470000000, 1799990000};
+    mutable_vehicle.estimate.position = {470000000, 1799990000};
     lockedTo(0, 15);
     const geo::Position start = vehicle.demand.from;
     for (int flown_m = 0; flown_m <= 2000; flown_m += 50) {
-        vehicle.estimate.position = geo::moved(start, {0, static_cast<float>(flown_m)});
+        mutable_vehicle.estimate.position = geo::moved(start, {0, static_cast<float>(flown_m)});
         guide();
         EXPECT_NEAR(vehicle.progress.crosstrack_m, 0, 2) << flown_m;
     }
@@ -378,8 +380,8 @@ TEST_F(Cruise, holds_and_changes_height_and_speed_as_fbwb_does) {
 }
 
 TEST_F(Modes, circle_flies_at_cruise_speed_whatever_flew_before) {
-    vehicle.demand.climb_rate_mps = 1;
-    vehicle.demand.airspeed_mps = 0;
+    mutable_vehicle.demand.climb_rate_mps = 1;
+    mutable_vehicle.demand.airspeed_mps = 0;
     fly(Mode::circle);
     guide(10);
     EXPECT_FLOAT_EQ(vehicle.demand.airspeed_mps, parameters.cruise_speed_cms * 0.01f);
@@ -409,7 +411,7 @@ TEST_F(Modes, mix_the_sticks_into_the_demands_or_the_surfaces_as_the_pilot_wants
 }
 
 TEST_F(Modes, a_raised_throttle_stick_adds_throttle_where_no_airspeed_is_measured) {
-    vehicle.airspeed.healthy = false;
+    mutable_vehicle.airspeed.healthy = false;
     const auto throttle = [&](Mode mode, uint16_t stick_us) {
         firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
         firmware::guidance::runGuidance();
@@ -427,11 +429,11 @@ TEST_F(Modes, a_raised_throttle_stick_adds_throttle_where_no_airspeed_is_measure
 }
 
 TEST_F(Modes, the_stick_works_before_the_launch_only_if_the_pilot_wants_that) {
-    vehicle.estimate.airspeed_mps = vehicle.estimate.equivalent_airspeed_mps = 0;
+    mutable_vehicle.estimate.airspeed_mps = mutable_vehicle.estimate.equivalent_airspeed_mps = 0;
     course(0, 0);
     settle(with(3, 1515));
     fly(Mode::loiter);
-    vehicle.estimate.height_m = 0;
+    mutable_vehicle.estimate.height_m = 0;
     guide(3);
     ASSERT_TRUE(vehicle.progress.throttle_suppressed);
     EXPECT_EQ(vehicle.throttle_demand.toFloat(), 0);

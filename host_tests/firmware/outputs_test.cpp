@@ -4,11 +4,13 @@
 #include "firmware/actuators/flaps.hpp"
 #include "firmware/bench.hpp"
 #include "firmware/control/attitude_control.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
 using firmware::actuators::outputPulse_us;
 using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
 using firmware::state::parameters;
 using firmware::state::vehicle;
 
@@ -17,14 +19,12 @@ protected:
     void SetUp() override {
         Bench::SetUp();
         firmware::actuators::startOutputs();
-        vehicle.mode_changed = false;
     }
     void run() {
         firmware::modes::runMode();
         firmware::control::runAttitudeControl();
         firmware::actuators::runFlaps();
         firmware::actuators::runOutputs();
-        vehicle.mode_changed = false;
     }
 };
 
@@ -36,17 +36,17 @@ TEST_F(Outputs, give_the_throttle_its_lowest_pulse_while_disarmed) {
         ASSERT_EQ(vehicle.throttle_demand.toFloat(), 1);
         EXPECT_EQ(outputPulse_us(3), 1100) << static_cast<int>(mode);
     }
-    vehicle.armed = true;
+    mutable_vehicle.armed = true;
     run();
     EXPECT_EQ(outputPulse_us(3), 1900);
-    vehicle.armed = false;
+    mutable_vehicle.armed = false;
     run();
     EXPECT_EQ(outputPulse_us(3), 1100) << "at once";
 }
 
 TEST_F(Outputs, keep_a_reversed_throttle_closed_at_its_longest_pulse) {
     parameters.channel[2].reverse = -1;
-    vehicle.throttle_demand = core::Ratio(1);
+    mutable_vehicle.throttle_demand = core::Ratio(1);
     run();
     EXPECT_EQ(outputPulse_us(3), 1900);
 }
@@ -168,7 +168,7 @@ TEST_F(Outputs, give_away_surfaces_too_but_nothing_that_is_not_there) {
 
 TEST_F(Outputs, the_throttle_is_never_given_away) {
     for (const bool armed : {false, true}) {
-        firmware::state::vehicle.armed = armed;
+        firmware::state::mutable_vehicle.armed = armed;
         EXPECT_FALSE(firmware::actuators::outputOverride(3, 1300));
         run();
         EXPECT_EQ(outputPulse_us(3), 1100);
@@ -200,7 +200,7 @@ class Pairs : public Outputs {
 protected:
     void SetUp() override {
         Outputs::SetUp();
-        vehicle.armed = true;
+        mutable_vehicle.armed = true;
     }
     struct Moved {
         int first, second;
@@ -259,8 +259,8 @@ TEST_F(Pairs, a_reversed_channel_reverses_the_control_on_both_surfaces) {
     EXPECT_EQ(reversed.first, plain.first);
     EXPECT_EQ(reversed.second, plain.second);
     firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
-    vehicle.attitude.roll_rad = core::Angle(0.5f);
-    vehicle.imu.periods = 2;
+    mutable_vehicle.attitude.roll_rad = core::Angle(0.5f);
+    mutable_vehicle.imu.periods = 2;
     for (int i = 0; i < 12; ++i) run();
     ASSERT_LT(firmware::control::surfaces.aileron.toFloat(), -0.05f);
     const Moved levelling = moved(bench::kCentred, 1, 2);

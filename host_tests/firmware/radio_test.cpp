@@ -2,23 +2,25 @@
 #include "firmware/sensors/radio.hpp"
 
 #include "firmware/bench.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
 using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
 using firmware::state::parameters;
 using firmware::state::vehicle;
 
 struct Radio : bench::Bench {};
 
 TEST_F(Radio, centres_the_sticks_within_the_dead_zone) {
-    vehicle.mode = Mode::fbwa;
+    mutable_vehicle.mode = Mode::fbwa;
     settle(with(1, 1529));
     EXPECT_EQ(vehicle.radio.roll_cd, 0);
 }
 
 TEST_F(Radio, has_no_dead_zone_where_the_stick_is_the_surface) {
-    vehicle.mode = Mode::manual;
+    mutable_vehicle.mode = Mode::manual;
     settle(with(1, 1540));
     EXPECT_EQ(vehicle.radio.roll_cd, 4500 * 40 / 400);
     settle(with(1, 1502));
@@ -26,7 +28,7 @@ TEST_F(Radio, has_no_dead_zone_where_the_stick_is_the_surface) {
 }
 
 TEST_F(Radio, scales_each_side_of_the_trim_to_its_own_end) {
-    vehicle.mode = Mode::fbwa;
+    mutable_vehicle.mode = Mode::fbwa;
     parameters.channel[0].trim_us = 1400;
     settle(with(1, 1100));
     EXPECT_EQ(vehicle.radio.roll_cd, -4500);

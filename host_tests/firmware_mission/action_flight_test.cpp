@@ -6,6 +6,7 @@
 
 #include "firmware/mission/handlers.hpp"
 #include "hal/mark.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace firmware {
 using namespace mission;
@@ -36,18 +37,18 @@ TEST_F(MissionFlight, minus_1_leaves_speed_or_throttle_alone) {
 
 TEST_F(MissionFlight, a_ground_speed_is_followed_within_the_air_speed_limits) {
     fly({waypoint(500), command(178, 1, 18, -1), waypoint(900)});
-    vehicle.estimate.ground_speed_mps = 10;
+    mutable_vehicle.estimate.ground_speed_mps = 10;
     reach();
     seconds(60);
     EXPECT_FLOAT_EQ(vehicle.demand.airspeed_mps, 22);
-    vehicle.estimate.ground_speed_mps = 30;
+    mutable_vehicle.estimate.ground_speed_mps = 30;
     seconds(60);
     EXPECT_FLOAT_EQ(vehicle.demand.airspeed_mps, 9);
 }
 
 TEST_F(MissionFlight, set_home_between_two_waypoints_sets_home_at_the_first) {
     fly({waypoint(500), command(179, 1), waypoint(900)});
-    vehicle.estimate.position = {waypoint(500).x, waypoint(500).y};
+    mutable_vehicle.estimate.position = {waypoint(500).x, waypoint(500).y};
     EXPECT_NE(vehicle.home.position, vehicle.estimate.position);
     reach();
     EXPECT_EQ(vehicle.home.position, vehicle.estimate.position);
@@ -80,7 +81,7 @@ TEST_F(MissionFlight,
                           hal::kMarkMission + static_cast<int>(::mission::Event::runs));
     };
     const auto before = actions();
-    vehicle.progress.distance_m = 0;
+    mutable_vehicle.progress.distance_m = 0;
     int tenths = 0;
     for (auto seen = before; missionCurrent() != 170 ||
                              vehicle.demand.to != geo::Position{waypoint(900).x, waypoint(900).y};

@@ -5,6 +5,7 @@
 #include "firmware/app/dataflash.hpp"
 #include "firmware/logger/log.hpp"
 #include "firmware/mission/handlers.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace firmware {
 using namespace mission;
@@ -100,7 +101,7 @@ TEST_F(Apm1Flight, every_channel_slot_is_the_parameter_it_should_be) {
 }
 
 TEST_F(Apm1Flight, home_is_reset_here_or_as_given) {
-    vehicle.estimate.position.latitude_e7 += 1000;
+    mutable_vehicle.estimate.position.latitude_e7 += 1000;
     run(command(0x42));
     EXPECT_EQ(vehicle.home.position, vehicle.estimate.position);
     setMode(Mode::loiter, ModeReason::pilot);
@@ -246,7 +247,7 @@ TEST_F(Apm1Flight, a_servo_pulse_may_be_set_on_every_other_output_until_the_mode
 }
 
 TEST_F(Apm1Flight, the_throttle_is_not_taken_even_from_a_disarmed_airplane) {
-    vehicle.armed = vehicle.estimate.flying = false;
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = false;
     (void)told();
     run(command(0x82, 2, 1300));
     EXPECT_NE(outputPulse_us(3), 1300);

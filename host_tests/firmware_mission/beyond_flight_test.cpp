@@ -6,6 +6,7 @@
 #include "firmware/mission/handlers.hpp"
 #include "firmware/safety/fence.hpp"
 #include "flight.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace firmware {
 using namespace guidance;
@@ -22,13 +23,15 @@ protected:
         course(0);
     }
     static void course(float degrees, float speed_mps = 15) {
-        auto& estimate = vehicle.estimate;
+        auto& estimate = mutable_vehicle.estimate;
         estimate.ground_speed_mps = speed_mps;
         estimate.velocity_mps = {speed_mps * cosf(core::radians(degrees)),
                                  speed_mps * sinf(core::radians(degrees)), 0};
         estimate.course_cd = core::wrap360_cd(core::rounded(degrees * 100));
     }
-    static void moveTo(const MissionItem& item) { vehicle.estimate.position = {item.x, item.y}; }
+    static void moveTo(const MissionItem& item) {
+        mutable_vehicle.estimate.position = {item.x, item.y};
+    }
     static float bearingOfPath() {
         return static_cast<float>(geo::bearing_cd(vehicle.demand.from, vehicle.demand.to)) / 100;
     }
@@ -44,12 +47,12 @@ TEST_F(Beyond, continue_flies_on_along_its_course_until_it_is_within_5_m_of_the_
     EXPECT_NEAR(bearingOfPath(), 70, 0.1);
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 80);
     EXPECT_FALSE(vehicle.demand.sloped) << "it climbs at once";
-    vehicle.progress.passed = true;
-    vehicle.progress.distance_m = 0;
-    vehicle.estimate.height_m = 74.9f;
+    mutable_vehicle.progress.passed = true;
+    mutable_vehicle.progress.distance_m = 0;
+    mutable_vehicle.estimate.height_m = 74.9f;
     pass();
     EXPECT_EQ(missionCurrent(), 1);
-    vehicle.estimate.height_m = 75.1f;
+    mutable_vehicle.estimate.height_m = 75.1f;
     moveTo(placed(16, 700, 300, 0));
     pass();
     EXPECT_EQ(missionCurrent(), 2);
@@ -58,23 +61,23 @@ TEST_F(Beyond, continue_flies_on_along_its_course_until_it_is_within_5_m_of_the_
 
 TEST_F(Beyond, continue_without_a_course_takes_the_heading) {
     course(200, 2.9f);
-    vehicle.attitude.yaw_rad = core::Angle(core::radians(-45));
+    mutable_vehicle.attitude.yaw_rad = core::Angle(core::radians(-45));
     fly({placed(30, 0, 0, 80), waypoint(900)});
     EXPECT_NEAR(bearingOfPath(), 315, 0.1);
 }
 
 TEST_F(Beyond, continue_that_is_to_climb_or_descend_ends_at_the_altitude_or_past_it) {
     fly({placed(30, 0, 0, 80, 1), placed(30, 0, 0, 60, 2), waypoint(900)});
-    vehicle.estimate.height_m = 78;
+    mutable_vehicle.estimate.height_m = 78;
     pass();
     EXPECT_EQ(missionCurrent(), 1);
-    vehicle.estimate.height_m = 90;
+    mutable_vehicle.estimate.height_m = 90;
     pass();
     EXPECT_EQ(missionCurrent(), 2);
-    vehicle.estimate.height_m = 62;
+    mutable_vehicle.estimate.height_m = 62;
     pass();
     EXPECT_EQ(missionCurrent(), 2);
-    vehicle.estimate.height_m = 50;
+    mutable_vehicle.estimate.height_m = 50;
     pass();
     EXPECT_EQ(missionCurrent(), 3);
 }
@@ -85,7 +88,7 @@ TEST_F(Beyond, continue_has_no_place_that_a_distance_could_be_measured_to_or_a_c
     seconds(2);
     EXPECT_FALSE(relayGet());
     moveTo(waypoint(640));
-    vehicle.estimate.height_m = 80;
+    mutable_vehicle.estimate.height_m = 80;
     pass();
     EXPECT_EQ(vehicle.demand.path, Path::circle) << "what trails the last NAV";
     EXPECT_EQ(vehicle.demand.to, vehicle.estimate.position);
@@ -106,14 +109,14 @@ TEST_F(Beyond, loiter_to_alt_circles_until_the_altitude) {
     fly({to_height, waypoint(900)});
     EXPECT_EQ(vehicle.demand.path, Path::circle);
     EXPECT_TRUE(vehicle.demand.counter_clockwise);
-    vehicle.estimate.height_m = 80;
+    mutable_vehicle.estimate.height_m = 80;
     pass();
     EXPECT_EQ(missionCurrent(), 1) << "not on the circle";
-    vehicle.progress.captured = true;
-    vehicle.estimate.height_m = 85.1f;
+    mutable_vehicle.progress.captured = true;
+    mutable_vehicle.estimate.height_m = 85.1f;
     pass();
     EXPECT_EQ(missionCurrent(), 1);
-    vehicle.estimate.height_m = 84.9f;
+    mutable_vehicle.estimate.height_m = 84.9f;
     pass();
     EXPECT_EQ(missionCurrent(), 2);
     EXPECT_EQ(vehicle.demand.from.latitude_e7, to_height.x);
@@ -121,8 +124,8 @@ TEST_F(Beyond, loiter_to_alt_circles_until_the_altitude) {
 
 TEST_F(Beyond, loiter_to_alt_leaves_on_the_course_of_the_next_leg_where_that_is_asked_for) {
     fly({placed(31, 500, 0, 80, 1), command(112, 1), placed(16, 500, 1000, 80), waypoint(0)});
-    vehicle.estimate.height_m = 80;
-    vehicle.progress.captured = true;
+    mutable_vehicle.estimate.height_m = 80;
+    mutable_vehicle.progress.captured = true;
     for (const float away : {0.0f, 79.0f, 101.0f, 270.0f}) {
         course(away);
         pass();
@@ -138,8 +141,8 @@ TEST_F(Beyond, loiter_to_alt_finds_a_next_leg_that_is_far_down_the_mission) {
     for (int i = 0; i < 60; ++i) items.push_back(command(181, 0, 1));
     items.push_back(placed(16, 500, 1000, 80));
     fly(items);
-    vehicle.estimate.height_m = 80;
-    vehicle.progress.captured = true;
+    mutable_vehicle.estimate.height_m = 80;
+    mutable_vehicle.progress.captured = true;
     course(0);
     seconds(2);
     EXPECT_EQ(missionCurrent(), 1);
@@ -152,8 +155,8 @@ TEST_F(Beyond, loiter_to_alt_waits_for_no_course_where_no_place_is_next) {
     for (const MissionItem& next : {placed(30, 0, 0, 100), command(181, 0, 1)}) {
         setMode(Mode::loiter, ModeReason::pilot);
         fly({placed(31, 500, 0, 80, 1), next});
-        vehicle.estimate.height_m = 80;
-        vehicle.progress.captured = true;
+        mutable_vehicle.estimate.height_m = 80;
+        mutable_vehicle.progress.captured = true;
         for (const float degrees : {0.0f, 90.0f, 180.0f, 270.0f}) {
             course(degrees);
             pass();
@@ -164,14 +167,14 @@ TEST_F(Beyond, loiter_to_alt_waits_for_no_course_where_no_place_is_next) {
 
 TEST_F(Beyond, loiter_to_alt_looks_again_for_its_next_leg_in_a_new_mission) {
     fly({placed(31, 500, 0, 80, 1), placed(16, 500, 1000, 80)});
-    vehicle.progress.captured = true;
-    vehicle.estimate.height_m = 80;
+    mutable_vehicle.progress.captured = true;
+    mutable_vehicle.estimate.height_m = 80;
     course(0);
     pass();
     ASSERT_EQ(upload({placed(31, 500, 0, 80, 1), placed(16, 500, -1000, 80)}),
               MissionResult::accepted);
     pass(3);
-    vehicle.progress.captured = true;
+    mutable_vehicle.progress.captured = true;
     course(90);
     pass();
     EXPECT_EQ(missionCurrent(), 1);
@@ -191,7 +194,7 @@ protected:
                 placed(21, 0, 0, 0)};
     }
     static void flyRtl() {
-        vehicle.demand.new_path = false;
+        mutable_vehicle.demand.new_path = false;
         runMode();
         pass(3);
     }
@@ -213,17 +216,17 @@ TEST_F(Landings, rtl_goes_to_the_nearer_one_at_once_or_when_it_is_home_or_not) {
     setMode(Mode::rtl, ModeReason::pilot);
     flyRtl();
     EXPECT_EQ(vehicle.mode, Mode::rtl);
-    vehicle.progress.captured = true;
-    vehicle.estimate.height_m = 80;
+    mutable_vehicle.progress.captured = true;
+    mutable_vehicle.estimate.height_m = 80;
     flyRtl();
     EXPECT_EQ(vehicle.mode, Mode::rtl) << "not up at 100 m";
-    vehicle.estimate.height_m = 95;
+    mutable_vehicle.estimate.height_m = 95;
     flyRtl();
     EXPECT_EQ(vehicle.mode, Mode::automatic);
 
     parameters.rtl_landing = 0;
     setMode(Mode::rtl, ModeReason::pilot);
-    vehicle.progress.captured = true;
+    mutable_vehicle.progress.captured = true;
     flyRtl();
     EXPECT_EQ(vehicle.mode, Mode::rtl);
 }
@@ -278,7 +281,7 @@ TEST_F(Landings, going_around_climbs_straight_on_then_begins_at_the_nearest_star
     reach();
     ASSERT_EQ(vehicle.demand.path, Path::land);
     const geo::Position from = vehicle.demand.from, to = vehicle.demand.to;
-    vehicle.estimate.height_m = 8;
+    mutable_vehicle.estimate.height_m = 8;
     EXPECT_TRUE(missionGoAround(0));
     EXPECT_EQ(vehicle.demand.path, Path::leg);
     EXPECT_EQ(vehicle.demand.from, from);
@@ -286,10 +289,10 @@ TEST_F(Landings, going_around_climbs_straight_on_then_begins_at_the_nearest_star
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 30);
     EXPECT_FALSE(vehicle.demand.sloped);
     moveTo(waypoint(900));
-    vehicle.estimate.height_m = 28;
+    mutable_vehicle.estimate.height_m = 28;
     seconds(2);
     EXPECT_EQ(missionCurrent(), 4);
-    vehicle.estimate.height_m = 29.5f;
+    mutable_vehicle.estimate.height_m = 29.5f;
     seconds(1);
     EXPECT_EQ(missionCurrent(), 3);
     EXPECT_EQ(vehicle.demand.path, Path::leg);
@@ -310,24 +313,24 @@ TEST_F(Landings, going_around_without_a_start_lands_again_from_the_nav_before) {
     reach();
     ASSERT_EQ(missionCurrent(), 3);
     EXPECT_TRUE(missionGoAround(NAN));
-    vehicle.estimate.height_m = 30;
+    mutable_vehicle.estimate.height_m = 30;
     seconds(1);
     EXPECT_EQ(missionCurrent(), 2);
 }
 
 TEST_F(Landings, all_throttle_breaks_one_off_but_not_a_stick_that_was_left_there) {
-    vehicle.radio.throttle_pct = 100;
+    mutable_vehicle.radio.throttle_pct = 100;
     fly(landings());
     reach();
     reach();
     seconds(2);
     ASSERT_EQ(vehicle.demand.path, Path::land);
-    vehicle.radio.throttle_pct = 60;
+    mutable_vehicle.radio.throttle_pct = 60;
     seconds(1);
     EXPECT_EQ(vehicle.demand.path, Path::land) << "a nudge";
     (void)told();
-    vehicle.estimate.height_m = 8;
-    vehicle.radio.throttle_pct = 95;
+    mutable_vehicle.estimate.height_m = 8;
+    mutable_vehicle.radio.throttle_pct = 95;
     seconds(1);
     EXPECT_EQ(vehicle.demand.path, Path::leg);
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 30);
@@ -335,16 +338,16 @@ TEST_F(Landings, all_throttle_breaks_one_off_but_not_a_stick_that_was_left_there
 }
 
 TEST_F(Landings, a_radio_that_comes_back_with_all_throttle_breaks_none_off) {
-    vehicle.radio.throttle_pct = 100;
+    mutable_vehicle.radio.throttle_pct = 100;
     fly(landings());
     reach();
     reach();
     seconds(1);
-    vehicle.radio.lost = true;
-    vehicle.radio.throttle_pct = 0;
+    mutable_vehicle.radio.lost = true;
+    mutable_vehicle.radio.throttle_pct = 0;
     seconds(1);
-    vehicle.radio.lost = false;
-    vehicle.radio.throttle_pct = 100;
+    mutable_vehicle.radio.lost = false;
+    mutable_vehicle.radio.throttle_pct = 100;
     seconds(1);
     EXPECT_EQ(vehicle.demand.path, Path::land);
 }
@@ -354,9 +357,9 @@ TEST_F(Landings, nothing_is_broken_off_that_is_no_landing_or_is_over) {
     EXPECT_FALSE(missionGoAround(50)) << "a waypoint";
     reach();
     reach();
-    vehicle.estimate.flying = false;
+    mutable_vehicle.estimate.flying = false;
     EXPECT_FALSE(missionGoAround(50)) << "down";
-    vehicle.estimate.flying = true;
+    mutable_vehicle.estimate.flying = true;
     setMode(Mode::loiter, ModeReason::pilot);
     EXPECT_FALSE(missionGoAround(50)) << "not AUTO";
 }
@@ -365,7 +368,7 @@ TEST_F(Landings, the_start_of_a_landing_that_is_flown_is_a_go_around_first) {
     fly(landings());
     reach();
     reach();
-    vehicle.estimate.height_m = 3;
+    mutable_vehicle.estimate.height_m = 3;
     EXPECT_TRUE(missionLand());
     EXPECT_EQ(vehicle.demand.path, Path::leg);
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 30);
@@ -381,7 +384,7 @@ protected:
         runOutputs();
     }
     static int shutter_us() { return outputPulse_us(7); }
-    static void flyOn(int metres) { vehicle.estimate.position.latitude_e7 += metres * 90; }
+    static void flyOn(int metres) { mutable_vehicle.estimate.position.latitude_e7 += metres * 90; }
 };
 
 TEST_F(Camera, digicam_control_holds_the_shutter_for_its_duration) {
@@ -422,7 +425,7 @@ TEST_F(Camera, is_told_to_be_busy_rather_than_that_a_picture_is_lost) {
 
 TEST_F(Camera, takes_a_picture_each_so_many_metres_until_0) {
     parameters.camera_duration_ds = 0;
-    vehicle.estimate.ground_speed_mps = 10;
+    mutable_vehicle.estimate.ground_speed_mps = 10;
     fly({command(206, 25), waypoint(5000), command(206, 0), waypoint(9000)});
     EXPECT_EQ(picturesTaken(), 0) << "the first is due 25 m on";
     for (int i = 0; i < 250; ++i) {
@@ -441,7 +444,7 @@ TEST_F(Camera, takes_a_picture_each_so_many_metres_until_0) {
 
 TEST_F(Camera, the_exact_distance_of_a_picture_counts) {
     parameters.camera_duration_ds = 0;
-    vehicle.estimate.ground_speed_mps = 0;
+    mutable_vehicle.estimate.ground_speed_mps = 0;
     fly({command(206, 12.5f), waypoint(5000)});
     flyOn(12);
     pass();
@@ -467,9 +470,9 @@ TEST_F(Camera, stops_when_disarmed_and_when_the_mission_restarts) {
         fly({waypoint(500), command(206, 25), waypoint(5000)});
         reach();
         if (disarmed) {
-            vehicle.armed = false;
+            mutable_vehicle.armed = false;
             pass();
-            vehicle.armed = true;
+            mutable_vehicle.armed = true;
         } else {
             missionRestart();
         }
@@ -482,7 +485,7 @@ TEST_F(Camera, stops_when_disarmed_and_when_the_mission_restarts) {
 
 TEST_F(Camera, an_output_of_another_function_goes_on_following_the_receiver) {
     parameters.output_function[2] = 0;
-    vehicle.radio.pulse_us[6] = 1712;
+    mutable_vehicle.radio.pulse_us[6] = 1712;
     runOutputs();
     EXPECT_EQ(shutter_us(), 1712);
 }

@@ -3,6 +3,7 @@
 #include "flight.hpp"
 
 #include "firmware/mission/handlers.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace firmware {
 using namespace mission;
@@ -56,7 +57,7 @@ TEST_F(MissionFlight, a_resumed_leg_begins_at_the_airplane) {
     reach();
     EXPECT_NE(vehicle.demand.from, vehicle.estimate.position);
     setMode(Mode::loiter, ModeReason::pilot);
-    vehicle.estimate.position.longitude_e7 += 4000;
+    mutable_vehicle.estimate.position.longitude_e7 += 4000;
     enterAuto();
     EXPECT_EQ(vehicle.demand.from, vehicle.estimate.position);
     EXPECT_EQ(missionCurrent(), 2);
@@ -177,7 +178,7 @@ TEST_F(MissionFlight, a_nav_out_of_range_is_no_end_of_a_chain) {
     pass();
     EXPECT_TRUE(vehicle.demand.from_height_m == vehicle.estimate.height_m);
     EXPECT_FALSE(relayGet()) << "it belongs to the second waypoint now";
-    vehicle.estimate.height_m = 51;
+    mutable_vehicle.estimate.height_m = 51;
     reach();
     EXPECT_TRUE(relayGet());
 }
@@ -238,11 +239,11 @@ TEST_F(MissionFlight, a_trailing_distance_is_measured_to_the_last_navs_place) {
     parameters.mission_trailing = 1;
     fly({waypoint(500), command(114, 200), command(181, 0, 1)});
     reach();
-    vehicle.progress.distance_m = 201;
+    mutable_vehicle.progress.distance_m = 201;
     pass();
     EXPECT_FALSE(relayGet());
     EXPECT_EQ(vehicle.demand.to.latitude_e7, waypoint(500).x);
-    vehicle.progress.distance_m = 199;
+    mutable_vehicle.progress.distance_m = 199;
     pass();
     EXPECT_TRUE(relayGet());
 }

@@ -3,6 +3,7 @@
 #include "flight.hpp"
 
 #include "firmware/mission/handlers.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace firmware {
 using namespace mission;
@@ -43,17 +44,17 @@ TEST_F(MissionFlight, a_resumed_delay_waits_its_full_time) {
 TEST_F(MissionFlight, a_distance_waits_for_the_airplane_to_come_near) {
     fly({waypoint(500), command(114, 200), command(181, 0, 1), waypoint(900)});
     reach();
-    vehicle.progress.distance_m = 201;
+    mutable_vehicle.progress.distance_m = 201;
     pass();
     EXPECT_FALSE(relayGet());
-    vehicle.progress.distance_m = 199;
+    mutable_vehicle.progress.distance_m = 199;
     pass();
     EXPECT_TRUE(relayGet());
 }
 
 TEST_F(MissionFlight, a_distance_beside_a_takeoff_waits_until_that_nav_ends) {
     fly({command(114, 200), command(181, 0, 1), takeoff(400), waypoint(900)});
-    vehicle.progress.distance_m = 0;
+    mutable_vehicle.progress.distance_m = 0;
     pass(5);
     EXPECT_FALSE(relayGet());
 }
@@ -63,7 +64,7 @@ TEST_F(MissionFlight, change_alt_moves_the_target_at_its_rate_from_the_airplane_
     climb.frame = kRelativeFrame;
     climb.z = 70;
     fly({waypoint(500, 60), climb, command(181, 0, 1), waypoint(900, 60), waypoint(1900, 60)});
-    vehicle.estimate.height_m = 55;
+    mutable_vehicle.estimate.height_m = 55;
     reach();
     EXPECT_FALSE(vehicle.demand.sloped);
     EXPECT_FLOAT_EQ(vehicle.demand.from_height_m, 55) << "guidance moves this one, not the leg's";
@@ -71,7 +72,7 @@ TEST_F(MissionFlight, change_alt_moves_the_target_at_its_rate_from_the_airplane_
     seconds(5);
     EXPECT_NEAR(vehicle.demand.height_m, 65.2, 0.1);
     EXPECT_FALSE(relayGet());
-    vehicle.estimate.height_m = 68.5f;
+    mutable_vehicle.estimate.height_m = 68.5f;
     pass();
     EXPECT_TRUE(relayGet()) << "within 2 m";
     seconds(10);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Repeating events of both sets.
 #include "hal/clock.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 #include "rig.hpp"
 
 namespace firmware {
@@ -76,7 +77,7 @@ TEST_F(Events, a_repeat_goes_on_over_modes_and_stops_at_disarming) {
     EXPECT_EQ(outputPulse_us(6), 1800);
     pass(100);
     EXPECT_TRUE(eventRuns());
-    vehicle.armed = false;
+    mutable_vehicle.armed = false;
     pass(2);
     EXPECT_FALSE(eventRuns());
     EXPECT_EQ(outputPulse_us(6), 1500);

@@ -4,6 +4,7 @@
 #include "firmware/mission/lists.hpp"
 #include "firmware/mission/points.hpp"
 #include "hal/watchdog.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 #include "rig.hpp"
 
 namespace firmware {
@@ -47,7 +48,7 @@ TEST_F(EveryCommand, nav_of_both_sets_has_its_own_kind_of_path) {
 
 TEST_F(EveryCommand, nav_at_0_0_is_flown_where_the_airplane_is_when_it_loads) {
     const auto expectHere = [](int set, uint16_t id) {
-        vehicle.estimate.position.latitude_e7 += 700;
+        mutable_vehicle.estimate.position.latitude_e7 += 700;
         MissionItem here = placed(id, 0, 0, 60, 1);
         here.x = here.y = 0;
         flyAnew(set, {here});
@@ -58,7 +59,7 @@ TEST_F(EveryCommand, nav_at_0_0_is_flown_where_the_airplane_is_when_it_loads) {
 }
 
 TEST_F(EveryCommand, return_at_0_0_is_flown_home_all_the_same) {
-    vehicle.estimate.position.latitude_e7 += 70000;
+    mutable_vehicle.estimate.position.latitude_e7 += 70000;
     for (const int set : {1, 2}) {
         MissionItem back = placed(20, 0, 0, 60);
         back.x = back.y = 0;
@@ -92,12 +93,12 @@ TEST_F(EveryCommand, of_apm1_with_an_altitude_takes_it_above_the_sea_where_alt_a
 }
 
 TEST_F(EveryCommand, takeoff_above_the_sea_ends_at_its_altitude) {
-    vehicle.estimate.height_m = 0;
+    mutable_vehicle.estimate.height_m = 0;
     fly({absolute(takeoff(), 440), waypoint(900)});
-    vehicle.estimate.height_m = 38.9f;
+    mutable_vehicle.estimate.height_m = 38.9f;
     pass();
     EXPECT_EQ(missionCurrent(), 1);
-    vehicle.estimate.height_m = 39.1f;  // within a metre
+    mutable_vehicle.estimate.height_m = 39.1f;  // within a metre
     pass();
     EXPECT_EQ(missionCurrent(), 2);
 }
@@ -109,7 +110,7 @@ protected:
     // Two of them, the second nearer than home; at 85 m.
     void SetUp() override {
         EveryCommand::SetUp();
-        vehicle.estimate.position = {waypoint(4000).x, waypoint(4000).y};
+        mutable_vehicle.estimate.position = {waypoint(4000).x, waypoint(4000).y};
         ASSERT_EQ(whileBusy([] { return listBegin(ListKind::rally, 2, kPointSet); }),
                   MissionResult::accepted);
         for (const int32_t north_m : {-9000, 3000}) {
@@ -144,7 +145,7 @@ TEST_F(WayHome, keeps_the_altitude_that_the_command_gives) {
 }
 
 TEST_F(WayHome, leads_home_where_home_is_nearer) {
-    vehicle.estimate.position = {waypoint(1000).x, waypoint(1000).y};
+    mutable_vehicle.estimate.position = {waypoint(1000).x, waypoint(1000).y};
     fly({placed(20, 0, 0, 0), waypoint(900)});
     seconds(1);
     EXPECT_EQ(vehicle.demand.to, vehicle.home.position);
@@ -154,16 +155,16 @@ TEST_F(WayHome, leads_home_where_home_is_nearer) {
 
 TEST_F(EveryCommand, loiter_of_apm1_counts_its_turns_and_tens_of_seconds) {
     flyAnew(1, {placed(0x12, 500, 0, 60, 2), waypoint(900)});
-    vehicle.progress.captured = true;
-    vehicle.progress.turned_rad = 1.9f * 2 * kPi;
+    mutable_vehicle.progress.captured = true;
+    mutable_vehicle.progress.turned_rad = 1.9f * 2 * kPi;
     pass();
     EXPECT_EQ(missionCurrent(), 1);
-    vehicle.progress.turned_rad = 2.01f * 2 * kPi;
+    mutable_vehicle.progress.turned_rad = 2.01f * 2 * kPi;
     pass();
     EXPECT_EQ(missionCurrent(), 2);
 
     flyAnew(1, {placed(0x13, 500, 0, 60, 2), waypoint(900)});
-    vehicle.progress.captured = true;
+    mutable_vehicle.progress.captured = true;
     seconds(19);
     EXPECT_EQ(missionCurrent(), 1);
     seconds(2);
@@ -174,18 +175,18 @@ TEST_F(EveryCommand, loiter_for_no_time_finishes_on_capture) {
     fly({placed(19, 500, 0, 60, 0), waypoint(900)});
     seconds(20);
     EXPECT_EQ(missionCurrent(), 1);
-    vehicle.progress.captured = true;
+    mutable_vehicle.progress.captured = true;
     pass();
     EXPECT_EQ(missionCurrent(), 2);
 }
 
 TEST_F(EveryCommand, loiter_time_is_forgotten_by_a_restart) {
     fly({placed(19, 500, 0, 60, 20), waypoint(900)});
-    vehicle.progress.captured = true;
+    mutable_vehicle.progress.captured = true;
     seconds(18);
     missionRestart();
     pass();
-    vehicle.progress.captured = true;
+    mutable_vehicle.progress.captured = true;
     seconds(5);
     EXPECT_EQ(missionCurrent(), 1);
 }
@@ -193,15 +194,15 @@ TEST_F(EveryCommand, loiter_time_is_forgotten_by_a_restart) {
 // ---- CHANGE_ALT
 
 TEST_F(EveryCommand, change_alt_goes_down_as_it_goes_up) {
-    vehicle.estimate.height_m = 90;
+    mutable_vehicle.estimate.height_m = 90;
     fly({absolute(command(113, 2), 470), command(181, 0, 1), waypoint(900, 90)});
     EXPECT_NEAR(vehicle.demand.height_m, 89.8, 0.01);
     seconds(5);
     EXPECT_NEAR(vehicle.demand.height_m, 79.8, 0.1);
-    vehicle.estimate.height_m = 72.1f;
+    mutable_vehicle.estimate.height_m = 72.1f;
     pass();
     EXPECT_FALSE(relayGet());
-    vehicle.estimate.height_m = 71.9f;
+    mutable_vehicle.estimate.height_m = 71.9f;
     pass();
     EXPECT_TRUE(relayGet()) << "within 2 m";
     seconds(60);
@@ -211,10 +212,10 @@ TEST_F(EveryCommand, change_alt_goes_down_as_it_goes_up) {
 TEST_F(EveryCommand, change_alt_is_done_when_the_airplane_has_crossed_the_altitude_in_one_leap) {
     for (const float beyond_m : {80.0f, 60.0f}) {
         relaySet(false);
-        vehicle.estimate.height_m = 140 - beyond_m;
+        mutable_vehicle.estimate.height_m = 140 - beyond_m;
         flyAnew(2, {absolute(command(113, 2), 470), command(181, 0, 1), waypoint(900)});
         EXPECT_FALSE(relayGet()) << beyond_m;
-        vehicle.estimate.height_m = beyond_m;
+        mutable_vehicle.estimate.height_m = beyond_m;
         pass();
         EXPECT_TRUE(relayGet()) << beyond_m;
     }

@@ -6,6 +6,7 @@
 #include "firmware/mission/fence_line.hpp"
 #include "firmware/mission/rally.hpp"
 #include "firmware/safety/failsafe.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 #include "rig.hpp"
 
 namespace firmware {
@@ -75,7 +76,7 @@ protected:
         (void)told();
     }
     static void goTo(const geo::Position& place) {
-        vehicle.estimate.position = place;
+        mutable_vehicle.estimate.position = place;
         tenths(6);
     }
     static void leave() { goTo(beside(kSide_e7 + 10, 0)); }
@@ -99,13 +100,13 @@ TEST_F(Fence, a_mission_takes_its_floor_away) {
     raise();
     tenths(2);  // above the floor
     fly({command(207, 2), waypoint(500)});
-    vehicle.estimate.height_m = 20;
+    mutable_vehicle.estimate.height_m = 20;
     tenths(2);
     EXPECT_EQ(fenceReport().breach, Breach::none);
     ASSERT_TRUE(fenceEnable(1));
-    vehicle.estimate.height_m = 50;
+    mutable_vehicle.estimate.height_m = 50;
     tenths(2);
-    vehicle.estimate.height_m = 20;
+    mutable_vehicle.estimate.height_m = 20;
     tenths(2);
     EXPECT_EQ(fenceReport().breach, Breach::minalt);
 }
@@ -130,7 +131,7 @@ TEST_F(Fence, whoever_leaves_it_is_flown_to_the_return_point) {
 TEST_F(Fence, the_sticks_have_no_say_until_the_pilot_takes_over) {
     raise();
     leave();
-    vehicle.radio.roll_cd = 4500;
+    mutable_vehicle.radio.roll_cd = 4500;
     tenths(1);
     EXPECT_EQ(vehicle.pilot_roll_rad.raw, 0);
 
@@ -192,8 +193,8 @@ TEST_F(Fence, leaves_the_throttle_to_the_pilot_when_its_action_says_so) {
     raise();
     parameters.fence_action = 3;
     leave();
-    vehicle.throttle_demand = core::Ratio(0.9f);
-    vehicle.radio.throttle_pct = 20;
+    mutable_vehicle.throttle_demand = core::Ratio(0.9f);
+    mutable_vehicle.radio.throttle_pct = 20;
     tenths(1);
     EXPECT_NEAR(vehicle.throttle_demand.toFloat(), 0.2f, 1e-3f);
 }
@@ -214,7 +215,7 @@ struct Limits {
 TEST_F(Fence, limits_the_height_from_above_and_once_climbed_from_below) {
     parameters.fence_min_m = 30;
     parameters.fence_max_m = 120;
-    vehicle.estimate.height_m = 10;
+    mutable_vehicle.estimate.height_m = 10;
     raise();
     EXPECT_EQ(fenceReport().breach, +Breach::none);  // still climbing out
     for (const Limits& each : {Limits{50, Breach::none},
@@ -222,20 +223,20 @@ TEST_F(Fence, limits_the_height_from_above_and_once_climbed_from_below) {
                                {119, Breach::none},
                                {29, Breach::minalt},
                                {31, Breach::none}}) {
-        vehicle.estimate.height_m = each.height_m;
+        mutable_vehicle.estimate.height_m = each.height_m;
         tenths(1);
         EXPECT_EQ(fenceReport().breach, each.breach) << each.height_m;
     }
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 75);  // midway
     parameters.fence_return_m = 60;
-    vehicle.estimate.height_m = 130;
+    mutable_vehicle.estimate.height_m = 130;
     tenths(1);
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 60);
-    vehicle.estimate.height_m = 60;
+    mutable_vehicle.estimate.height_m = 60;
     tenths(1);
 
     ASSERT_TRUE(fenceEnable(2));
-    vehicle.estimate.height_m = 5;
+    mutable_vehicle.estimate.height_m = 5;
     tenths(1);
     EXPECT_EQ(fenceReport().breach, +Breach::none);
 }
@@ -243,14 +244,14 @@ TEST_F(Fence, limits_the_height_from_above_and_once_climbed_from_below) {
 TEST_F(Fence, has_no_height_limits_when_they_are_not_apart) {
     parameters.fence_min_m = parameters.fence_max_m = 100;
     raise();
-    vehicle.estimate.height_m = 3000;
+    mutable_vehicle.estimate.height_m = 3000;
     tenths(2);
     EXPECT_EQ(fenceReport().breach, +Breach::none);
 }
 
 TEST_F(Fence, does_nothing_to_an_airplane_on_the_ground) {
     raise();
-    vehicle.estimate.flying = false;
+    mutable_vehicle.estimate.flying = false;
     leave();
     EXPECT_EQ(vehicle.mode, Mode::loiter);
     EXPECT_EQ(fenceReport().breach, +Breach::none);
@@ -271,18 +272,18 @@ TEST_F(Fence, whose_return_point_is_outside_is_not_fit) {
 TEST_F(Fence, follows_its_channel_when_that_moves) {
     raise();
     parameters.fence_channel = 7;
-    vehicle.radio.pulse_us[6] = 1760;
+    mutable_vehicle.radio.pulse_us[6] = 1760;
     tenths(1);
     EXPECT_TRUE(fenceOn());
     fenceEnable(0);
     tenths(5);
     EXPECT_FALSE(fenceOn());  // by command, and the switch has not moved
-    vehicle.radio.pulse_us[6] = 1100;
+    mutable_vehicle.radio.pulse_us[6] = 1100;
     tenths(1);
-    vehicle.radio.pulse_us[6] = 1900;
+    mutable_vehicle.radio.pulse_us[6] = 1900;
     tenths(1);
     EXPECT_TRUE(fenceOn());
-    vehicle.radio.pulse_us[6] = 1100;
+    mutable_vehicle.radio.pulse_us[6] = 1100;
     tenths(1);
     EXPECT_FALSE(fenceOn());
 }
@@ -291,17 +292,17 @@ TEST_F(Fence, switches_itself_on_after_the_take_off_and_off_before_the_landing) 
     raise();
     fenceEnable(0);
     parameters.fence_auto_enable = 1;
-    vehicle.mode = Mode::automatic;
-    vehicle.demand.path = Path::takeoff;
+    mutable_vehicle.mode = Mode::automatic;
+    mutable_vehicle.demand.path = Path::takeoff;
     tenths(3);
     EXPECT_FALSE(fenceOn());
-    vehicle.demand.path = Path::leg;
+    mutable_vehicle.demand.path = Path::leg;
     tenths(1);
     EXPECT_TRUE(fenceOn());
-    vehicle.demand.path = Path::land;
+    mutable_vehicle.demand.path = Path::land;
     tenths(1);
     EXPECT_FALSE(fenceOn());
-    vehicle.mode = Mode::initialising;
+    mutable_vehicle.mode = Mode::initialising;
 }
 
 TEST_F(Fence, a_new_one_counts_though_the_airplane_is_flown_back_by_the_old) {
@@ -338,7 +339,7 @@ protected:
         Rig::SetUp();
         fenceStart();
         parameters.rally_limit_km = 0.3f;
-        vehicle.estimate.position = beside(180000, 0);  // 2 km north of home
+        mutable_vehicle.estimate.position = beside(180000, 0);  // 2 km north of home
     }
     static void expectReturn(const Items& points, const geo::Position& to, float height_m) {
         ASSERT_EQ(store(MavMissionType::rally, points), MissionResult::accepted);
@@ -361,13 +362,13 @@ TEST_F(Rally, the_nearest_is_returned_to) {
 }
 
 TEST_F(Rally, home_is_returned_to_when_it_is_nearer_and_the_point_is_far) {
-    vehicle.estimate.position = beside(30000, 0);  // 0.33 km from home
+    mutable_vehicle.estimate.position = beside(30000, 0);  // 0.33 km from home
     parameters.rtl_height_cm = 8000;
     expectReturn({at(70000, 0, 40)}, kHome, 80);  // 0.44 km
 }
 
 TEST_F(Rally, a_point_within_the_limit_goes_before_home) {
-    vehicle.estimate.position = beside(10000, 0);
+    mutable_vehicle.estimate.position = beside(10000, 0);
     expectReturn({at(30000, 0, 40)}, beside(30000, 0), 40);
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/maths.hpp"
 #include "firmware/mission/handlers.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace firmware {
 using namespace mission;
@@ -33,7 +34,7 @@ TEST_F(MissionFlight, a_waypoint_is_a_leg_from_the_airplane_then_from_waypoint_t
 
 TEST_F(MissionFlight, a_climb_near_the_ground_and_a_small_step_are_flown_at_once) {
     fly({waypoint(500, 60), waypoint(1000, 80), waypoint(1500, 40), waypoint(2000, 20)});
-    vehicle.estimate.height_m = 10;
+    mutable_vehicle.estimate.height_m = 10;
     reach();
     EXPECT_FALSE(vehicle.demand.sloped) << "up";
     reach();
@@ -61,16 +62,16 @@ TEST_F(MissionFlight, a_waypoint_finishes_within_its_radius_or_past_its_line) {
     MissionItem near = waypoint(500);
     near.param2 = 12;
     fly({near, waypoint(1000), waypoint(1500)});
-    vehicle.progress.distance_m = 12.1f;
+    mutable_vehicle.progress.distance_m = 12.1f;
     pass();
     EXPECT_EQ(missionCurrent(), 1);
-    vehicle.progress.distance_m = 12;
+    mutable_vehicle.progress.distance_m = 12;
     pass();
     EXPECT_EQ(missionCurrent(), 2);
-    vehicle.progress.distance_m = 30.1f;  // WP_RADIUS is 30
+    mutable_vehicle.progress.distance_m = 30.1f;  // WP_RADIUS is 30
     pass();
     EXPECT_EQ(missionCurrent(), 2);
-    vehicle.progress.passed = true;
+    mutable_vehicle.progress.passed = true;
     pass();
     EXPECT_EQ(missionCurrent(), 3);
 }
@@ -79,10 +80,10 @@ TEST_F(MissionFlight, a_leg_shorter_than_the_radius_uses_the_radius_only) {
     fly({waypoint(500), waypoint(510), waypoint(900)});
     reach();
     EXPECT_EQ(missionCurrent(), 2);
-    vehicle.progress.passed = true;
+    mutable_vehicle.progress.passed = true;
     pass();
     EXPECT_EQ(missionCurrent(), 2);
-    vehicle.progress.distance_m = 29;
+    mutable_vehicle.progress.distance_m = 29;
     pass();
     EXPECT_EQ(missionCurrent(), 3);
 }
@@ -116,7 +117,7 @@ TEST_F(MissionFlight, a_nav_at_0_0_is_flown_where_the_airplane_is) {
 TEST_F(MissionFlight, target_is_flown_as_a_waypoint) {
     fly({placed(23, 500, 0, 60, 0, 9), waypoint(900)});
     EXPECT_EQ(vehicle.demand.path, Path::leg);
-    vehicle.progress.distance_m = 8;
+    mutable_vehicle.progress.distance_m = 8;
     pass();
     EXPECT_EQ(missionCurrent(), 2);
 }
@@ -125,9 +126,9 @@ TEST_F(MissionFlight, loiter_unlimited_never_finishes) {
     fly({placed(17, 500, 0, 60), waypoint(900)});
     EXPECT_EQ(vehicle.demand.path, Path::circle);
     EXPECT_FLOAT_EQ(vehicle.demand.radius_m, 60);
-    vehicle.progress.captured = true;
-    vehicle.progress.turned_rad = 1000;
-    vehicle.progress.distance_m = 0;
+    mutable_vehicle.progress.captured = true;
+    mutable_vehicle.progress.turned_rad = 1000;
+    mutable_vehicle.progress.distance_m = 0;
     pass(100);
     EXPECT_EQ(missionCurrent(), 1);
 }
@@ -147,21 +148,21 @@ TEST_F(MissionFlight, the_loiter_direction_is_an_option_in_apm2_and_the_radius_s
 
 TEST_F(MissionFlight, loiter_turns_counts_from_capture_and_survives_a_resume) {
     fly({placed(18, 500, 0, 60, 3), waypoint(900)});
-    vehicle.progress.turned_rad = 7 * 2 * kPi;
+    mutable_vehicle.progress.turned_rad = 7 * 2 * kPi;
     pass();
     EXPECT_EQ(missionCurrent(), 1) << "not captured";
-    vehicle.progress.captured = true;
-    vehicle.progress.turned_rad = 2 * 2 * kPi;
+    mutable_vehicle.progress.captured = true;
+    mutable_vehicle.progress.turned_rad = 2 * 2 * kPi;
     pass();
     EXPECT_EQ(missionCurrent(), 1);
     setMode(Mode::loiter, ModeReason::pilot);
     pass(5);
     enterAuto();
-    vehicle.progress.captured = true;
-    vehicle.progress.turned_rad = 0.9f * 2 * kPi;
+    mutable_vehicle.progress.captured = true;
+    mutable_vehicle.progress.turned_rad = 0.9f * 2 * kPi;
     pass();
     EXPECT_EQ(missionCurrent(), 1);
-    vehicle.progress.turned_rad = 1.01f * 2 * kPi;
+    mutable_vehicle.progress.turned_rad = 1.01f * 2 * kPi;
     pass();
     EXPECT_EQ(missionCurrent(), 2);
 }
@@ -170,7 +171,7 @@ TEST_F(MissionFlight, zero_turns_finish_on_capture) {
     fly({placed(18, 500, 0, 60, 0), waypoint(900)});
     pass(3);
     EXPECT_EQ(missionCurrent(), 1);
-    vehicle.progress.captured = true;
+    mutable_vehicle.progress.captured = true;
     pass();
     EXPECT_EQ(missionCurrent(), 2);
 }
@@ -179,13 +180,13 @@ TEST_F(MissionFlight, loiter_time_is_tens_of_seconds_from_capture_and_survives_a
     fly({placed(19, 500, 0, 60, 20), waypoint(900)});
     seconds(60);
     EXPECT_EQ(missionCurrent(), 1) << "not captured";
-    vehicle.progress.captured = true;
+    mutable_vehicle.progress.captured = true;
     seconds(15);
     EXPECT_EQ(missionCurrent(), 1);
     setMode(Mode::loiter, ModeReason::pilot);
     seconds(100);
     enterAuto();
-    vehicle.progress.captured = true;
+    mutable_vehicle.progress.captured = true;
     seconds(4);
     EXPECT_EQ(missionCurrent(), 1);
     seconds(2);
@@ -194,13 +195,13 @@ TEST_F(MissionFlight, loiter_time_is_tens_of_seconds_from_capture_and_survives_a
 
 TEST_F(MissionFlight, a_restart_forgets_the_turns) {
     fly({placed(18, 500, 0, 60, 3), waypoint(900)});
-    vehicle.progress.captured = true;
-    vehicle.progress.turned_rad = 2.9f * 2 * kPi;
+    mutable_vehicle.progress.captured = true;
+    mutable_vehicle.progress.turned_rad = 2.9f * 2 * kPi;
     pass();
     missionRestart();
     pass();
-    vehicle.progress.captured = true;
-    vehicle.progress.turned_rad = 1 * 2 * kPi;
+    mutable_vehicle.progress.captured = true;
+    mutable_vehicle.progress.turned_rad = 1 * 2 * kPi;
     pass();
     EXPECT_EQ(missionCurrent(), 1);
 }
@@ -217,15 +218,15 @@ TEST_F(MissionFlight, return_to_launch_flies_home_at_its_altitude_or_the_paramet
 }
 
 TEST_F(MissionFlight, takeoff_climbs_to_its_altitude_and_the_next_leg_begins_at_the_airplane) {
-    vehicle.estimate.height_m = 0;
+    mutable_vehicle.estimate.height_m = 0;
     fly({takeoff(40), waypoint(900)});
     EXPECT_EQ(vehicle.demand.path, Path::takeoff);
     EXPECT_NEAR(vehicle.demand.takeoff_pitch_rad, 12 * kPi / 180, 1e-5);
-    vehicle.estimate.height_m = 38;
+    mutable_vehicle.estimate.height_m = 38;
     pass();
     EXPECT_EQ(missionCurrent(), 1);
-    vehicle.estimate.height_m = 40;
-    vehicle.estimate.position.latitude_e7 += 5000;
+    mutable_vehicle.estimate.height_m = 40;
+    mutable_vehicle.estimate.position.latitude_e7 += 5000;
     pass();
     EXPECT_EQ(missionCurrent(), 2);
     EXPECT_EQ(vehicle.demand.from, vehicle.estimate.position);
@@ -239,8 +240,8 @@ TEST_F(MissionFlight, a_land_finishes_when_down_and_disarmed_and_auto_stays) {
     EXPECT_EQ(vehicle.demand.from.latitude_e7, waypoint(500).x);
     reach();
     EXPECT_EQ(missionCurrent(), 2) << "over the point is not down";
-    vehicle.estimate.flying = false;
-    vehicle.progress.flaring = true;
+    mutable_vehicle.estimate.flying = false;
+    mutable_vehicle.progress.flaring = true;
     seconds(9);
     EXPECT_TRUE(vehicle.armed);
     seconds(2);
@@ -253,15 +254,15 @@ TEST_F(MissionFlight, a_land_finishes_when_down_and_disarmed_and_auto_stays) {
 
 TEST_F(MissionFlight, after_a_land_a_takeoff_waits_for_arming) {
     fly({placed(21, 900, 0, 0), takeoff(40), waypoint(900)});
-    vehicle.estimate.flying = false;
-    vehicle.armed = false;
-    vehicle.estimate.height_m = 0;
+    mutable_vehicle.estimate.flying = false;
+    mutable_vehicle.armed = false;
+    mutable_vehicle.estimate.height_m = 0;
     pass(3);
     EXPECT_EQ(missionCurrent(), 2);
-    vehicle.estimate.height_m = 60;  // the barometer drifts
+    mutable_vehicle.estimate.height_m = 60;  // the barometer drifts
     pass(3);
     EXPECT_EQ(missionCurrent(), 2);
-    vehicle.armed = true;
+    mutable_vehicle.armed = true;
     pass();
     EXPECT_EQ(missionCurrent(), 3);
 }
@@ -278,12 +279,12 @@ TEST_F(MissionFlight, the_end_of_the_mission_is_rtl_and_told) {
 
 TEST_F(MissionFlight, a_mission_without_a_nav_refuses_auto_with_the_reason) {
     ASSERT_EQ(upload({command(181, 0, 1)}), MissionResult::accepted);
-    vehicle.armed = vehicle.estimate.flying = false;
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = false;
     (void)told();
     EXPECT_FALSE(enterAuto());
     EXPECT_EQ(vehicle.mode, Mode::loiter);
     EXPECT_TRUE(tells("no NAV"));
-    vehicle.armed = vehicle.estimate.flying = true;
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
     setMode(Mode::automatic, ModeReason::pilot);
     EXPECT_EQ(vehicle.mode, Mode::rtl) << "in the air it means home";
 }

@@ -21,6 +21,7 @@
 #include "firmware/notify/text_queue.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace firmware {
 using namespace notify;
@@ -71,7 +72,7 @@ class Rig : public testing::Test {
 protected:
     void SetUp() override {
         fakes::reset();
-        vehicle = Vehicle();
+        mutable_vehicle = Vehicle();
         links[0] = Link();
         links[1] = Link();
         setTextReader(kLogReader, false);
@@ -83,21 +84,20 @@ protected:
         }
         startOutputs();
         stopEvents();
-        vehicle.estimate.position = {470000000, 80000000};
-        vehicle.estimate.known = true;
-        vehicle.gps.fix = GpsFix::three_d;
-        vehicle.gps.position = vehicle.estimate.position;
-        vehicle.home.position = vehicle.estimate.position;
-        vehicle.home.altitude_cm = 40000;
-        vehicle.home.set = true;
-        vehicle.armed = true;
-        vehicle.imu.healthy = vehicle.attitude.aligned = true;
-        vehicle.estimate.flying = true;
-        vehicle.estimate.height_m = 50;
+        mutable_vehicle.estimate.position = {470000000, 80000000};
+        mutable_vehicle.estimate.known = true;
+        mutable_vehicle.gps.fix = GpsFix::three_d;
+        mutable_vehicle.gps.position = vehicle.estimate.position;
+        mutable_vehicle.home.position = vehicle.estimate.position;
+        mutable_vehicle.home.altitude_cm = 40000;
+        mutable_vehicle.home.set = true;
+        mutable_vehicle.armed = true;
+        mutable_vehicle.imu.healthy = mutable_vehicle.attitude.aligned = true;
+        mutable_vehicle.estimate.flying = true;
+        mutable_vehicle.estimate.height_m = 50;
         missionBoot();
         setMode(Mode::loiter, ModeReason::boot);
         runOutputs();
-        vehicle.mode_changed = false;
         (void)told();
     }
 
@@ -193,15 +193,14 @@ protected:
     // A tenth of a second; guidance has seen the new path and is far from its end.
     static void pass(int times = 1) {
         for (int i = 0; i < times; ++i) {
-            if (vehicle.mode_changed) outputReleaseAll();
-            vehicle.mode_changed = false;
+            runOutputs();
             missionRun();
             fakes::advance_ms(20);  // as in the task table
             runEvents();
             if (vehicle.demand.new_path) {
-                vehicle.demand.new_path = false;
-                vehicle.progress = {};
-                vehicle.progress.distance_m = 5000;
+                mutable_vehicle.demand.new_path = false;
+                mutable_vehicle.progress = {};
+                mutable_vehicle.progress.distance_m = 5000;
             }
             runOutputs();
             fakes::advance_ms(80);
@@ -209,7 +208,7 @@ protected:
     }
     static void seconds(int count) { pass(count * 10); }
     static void reach() {
-        vehicle.progress.distance_m = 0;
+        mutable_vehicle.progress.distance_m = 0;
         pass();
     }
 };

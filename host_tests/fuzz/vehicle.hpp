@@ -12,6 +12,7 @@
 #include "firmware/modes/modes.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 #include "mavlink/peer.hpp"
 
 namespace fuzz {
@@ -28,11 +29,11 @@ inline fakes::Serial& line(uint8_t link) {
 inline void start() {
     fakes::reset();
     line(0).room = line(1).room = 127;
-    firmware::state::vehicle = {};
+    firmware::state::mutable_vehicle = {};
     while (firmware::state::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
     firmware::gcs::telemetryStart();
     firmware::mission::missionBoot();
-    firmware::state::vehicle.mode = firmware::state::Mode::initialising;
+    firmware::state::mutable_vehicle.mode = firmware::state::Mode::initialising;
     firmware::modes::setMode(firmware::state::Mode::manual, firmware::modes::ModeReason::boot);
 }
 
@@ -46,7 +47,7 @@ inline void calm() {
         fresh = firmware::state::parameters;
         return;
     }
-    firmware::state::vehicle = {};
+    firmware::state::mutable_vehicle = {};
     firmware::state::parameters = fresh;
     for (uint8_t link = 0; link < firmware::state::kLinks; ++link) {
         line(link).in.clear();
@@ -81,11 +82,12 @@ inline void checkAnswers() {
 
 // The bits of `how`: what the vehicle is doing.
 inline void pose(uint8_t how) {
-    auto& vehicle = firmware::state::vehicle;
-    vehicle.armed = how & 1;
-    vehicle.estimate.flying = how & 2;
-    vehicle.home.set = vehicle.estimate.known = how & 4;
-    vehicle.gps.fix = how & 4 ? firmware::state::GpsFix::three_d : firmware::state::GpsFix::none;
+    auto& mutable_vehicle = firmware::state::mutable_vehicle;
+    mutable_vehicle.armed = how & 1;
+    mutable_vehicle.estimate.flying = how & 2;
+    mutable_vehicle.home.set = mutable_vehicle.estimate.known = how & 4;
+    mutable_vehicle.gps.fix =
+        how & 4 ? firmware::state::GpsFix::three_d : firmware::state::GpsFix::none;
 }
 
 }  // namespace fuzz

@@ -8,6 +8,7 @@
 #include "firmware/safety/restart_kept.hpp"
 #include "hal/clock.hpp"
 #include "hal/eeprom.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 #include "storage/owner.hpp"
 
 namespace {
@@ -33,14 +34,14 @@ protected:
         begin(ResetCause::power_on);  // a run before this flight
         parameters.switch_mode[0] = static_cast<int8_t>(Mode::stabilize);
         setMode(Mode::fbwa, ModeReason::boot);
-        vehicle.attitude.aligned = true;
-        vehicle.armed = true;
-        vehicle.estimate.flying = true;
-        vehicle.estimate.ground_speed_mps = 14;
-        vehicle.estimate.height_m = 40;
-        vehicle.home = {kHome, 48800, true};
-        vehicle.baro.ground_pressure_pa = 95600;
-        vehicle.baro.ground_temperature_c = 12;
+        mutable_vehicle.attitude.aligned = true;
+        mutable_vehicle.armed = true;
+        mutable_vehicle.estimate.flying = true;
+        mutable_vehicle.estimate.ground_speed_mps = 14;
+        mutable_vehicle.estimate.height_m = 40;
+        mutable_vehicle.home = {kHome, 48800, true};
+        mutable_vehicle.baro.ground_pressure_pa = 95600;
+        mutable_vehicle.baro.ground_temperature_c = 12;
         keep();
     }
     void keep() {
@@ -51,11 +52,11 @@ protected:
     void begin(ResetCause cause) {
         fakes::watchdog().last_run = {cause, 3, static_cast<uint16_t>(hal::now_ms()), 80};
         fakes::resetClock();
-        vehicle = {};
-        vehicle.mode = Mode::initialising;
+        mutable_vehicle = {};
+        mutable_vehicle.mode = Mode::initialising;
         restartJudge();
         restartResume();
-        vehicle.attitude.aligned = true;
+        mutable_vehicle.attitude.aligned = true;
     }
     void lookAtSwitch(uint16_t pulse_us) {
         for (int i = 0; i < 5; ++i) {
@@ -92,9 +93,11 @@ TEST_F(Restart, starts_disarmed_after_everything_else) {
 }
 
 TEST_F(Restart, starts_disarmed_on_the_ground_after_landing_and_after_disarming) {
-    const auto onGround = [] { vehicle.estimate.ground_speed_mps = vehicle.estimate.height_m = 0; };
-    const auto landed = [] { vehicle.estimate.flying = false; };
-    const auto disarmed = [] { vehicle.armed = false; };
+    const auto onGround = [] {
+        mutable_vehicle.estimate.ground_speed_mps = mutable_vehicle.estimate.height_m = 0;
+    };
+    const auto landed = [] { mutable_vehicle.estimate.flying = false; };
+    const auto disarmed = [] { mutable_vehicle.armed = false; };
     for (void (*happens)() : {+onGround, +landed, +disarmed}) {
         SetUp();
         happens();
@@ -129,7 +132,7 @@ TEST_F(Restart, flies_on_as_before_when_no_receiver_tells) {
     fakes::advance_ms(2000);
     keep();
     begin(ResetCause::watchdog);
-    vehicle.radio.good_ms = 0;
+    mutable_vehicle.radio.good_ms = 0;
     for (int i = 0; i < 15; ++i) {
         runRestart();
         if (i < 9) {
@@ -164,7 +167,7 @@ TEST_F(Restart, holds_its_surfaces_at_trim_until_the_mode_is_known) {
     begin(ResetCause::watchdog);
     fakes::receiveRc(with(1, 1900));
     runRadio();
-    vehicle.attitude.roll_rad = core::Angle(0.7f);
+    mutable_vehicle.attitude.roll_rad = core::Angle(0.7f);
     runAttitudeControl();
 
     EXPECT_EQ(surfaces.aileron.raw, 0);
@@ -183,7 +186,7 @@ TEST_F(Restart, finds_home_in_the_eeprom_when_the_power_was_lost_in_flight) {
 }
 
 TEST_F(Restart, finds_none_when_the_flight_before_was_ended_by_disarming) {
-    vehicle.armed = false;
+    mutable_vehicle.armed = false;
     keep();
     begin(ResetCause::power_on);
 

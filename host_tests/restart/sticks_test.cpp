@@ -4,18 +4,19 @@
 #include "firmware/bench.hpp"
 #include "firmware/control/attitude_control.hpp"
 #include "hal/guard.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
+using firmware::state::mutable_vehicle;
 using firmware::state::parameters;
-using firmware::state::vehicle;
 
 class SticksWhileItHangs : public bench::Bench {
 protected:
     void SetUp() override {
         Bench::SetUp();
         firmware::actuators::startOutputs();
-        vehicle.armed = true;
+        mutable_vehicle.armed = true;
     }
     void TearDown() override {
         parameters.elevon_output = parameters.vtail_output = 0;
@@ -71,7 +72,7 @@ TEST_F(SticksWhileItHangs, are_mixed_for_elevons_and_for_a_v_tail_of_every_kind)
 }
 
 TEST_F(SticksWhileItHangs, never_turn_the_motor_of_a_disarmed_airplane) {
-    vehicle.armed = false;
+    mutable_vehicle.armed = false;
     const uint16_t idle_us = manual(bench::kCentred)[2];
 
     EXPECT_EQ(forgotten(sticks_)[2], idle_us);
@@ -79,7 +80,7 @@ TEST_F(SticksWhileItHangs, never_turn_the_motor_of_a_disarmed_airplane) {
 
 TEST_F(SticksWhileItHangs, stay_where_they_were_when_the_radio_was_lost) {
     const auto before = manual(bench::kCentred);
-    vehicle.radio.lost = true;
+    mutable_vehicle.radio.lost = true;
 
     EXPECT_EQ(forgotten(sticks_), before);
 }

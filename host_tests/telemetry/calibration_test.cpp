@@ -6,9 +6,11 @@
 #include "firmware/gcs/calibration.hpp"
 #include "firmware/sensors/compass_learning.hpp"
 #include "ground.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace {
 
+using firmware::state::mutable_vehicle;
 using firmware::state::parameters;
 using firmware::state::vehicle;
 using mavlink::MavCmd;
@@ -33,9 +35,9 @@ core::Vector3 onSide(int side) {
 struct Calibration : ground::Telemetry {
     void SetUp() override {
         Telemetry::SetUp();
-        vehicle.imu.calibrated = vehicle.attitude.aligned = true;
-        vehicle.baro.ground_pressure_pa = 95000;
-        vehicle.compass.healthy = true;
+        mutable_vehicle.imu.calibrated = mutable_vehicle.attitude.aligned = true;
+        mutable_vehicle.baro.ground_pressure_pa = 95000;
+        mutable_vehicle.compass.healthy = true;
     }
     bool asked(const std::string& part) {
         for (const std::string& text : station.texts())
@@ -51,7 +53,7 @@ struct Calibration : ground::Telemetry {
     }
     void lie(const core::Vector3& force_mss) {
         doubles::vehicle.rest_force_mss = reading(force_mss);
-        vehicle.imu.calibrated = true;
+        mutable_vehicle.imu.calibrated = true;
         run_ms(100);
     }
     void begin() {
@@ -79,7 +81,7 @@ TEST_F(Calibration, of_the_accelerometers_goes_round_six_sides) {
         const auto told = positions();
         ASSERT_FALSE(told.empty());
         EXPECT_EQ(told.back(), side + 1);
-        vehicle.imu.calibrated = true;
+        mutable_vehicle.imu.calibrated = true;
         run_ms(2500);
         EXPECT_GE(positions().size(), 2u) << "said again while the pilot is busy";
         pressKey(static_cast<uint16_t>(side + 1));
@@ -146,7 +148,7 @@ TEST_F(Calibration, is_refused_with_a_reason_when_armed_or_beside_another) {
     EXPECT_EQ(command(MavCmd::preflight_calibration, 1), MavResult::temporarily_rejected);
     EXPECT_TRUE(asked("Calibration refused: another runs"));
     EXPECT_EQ(command(MavCmd::preflight_calibration), MavResult::accepted);
-    vehicle.armed = true;
+    mutable_vehicle.armed = true;
     for (const uint16_t how : {1, 4})
         EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, how),
                   MavResult::temporarily_rejected);
@@ -156,7 +158,7 @@ TEST_F(Calibration, is_refused_with_a_reason_when_armed_or_beside_another) {
 
 TEST_F(Calibration, ends_when_the_airplane_is_armed) {
     begin();
-    vehicle.armed = true;
+    mutable_vehicle.armed = true;
     run_ms(40);
     EXPECT_EQ(firmware::state::vehicle.calibrating, firmware::state::Calibrating::nothing);
 }
@@ -164,7 +166,7 @@ TEST_F(Calibration, ends_when_the_airplane_is_armed) {
 TEST_F(Calibration, of_one_side_sets_the_offsets_alone) {
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 4), MavResult::in_progress);
     doubles::vehicle.rest_force_mss = {0.3f, -0.2f, -9.5f};
-    vehicle.imu.calibrated = true;
+    mutable_vehicle.imu.calibrated = true;
     run_ms(100);
     const auto acks = station.all<mavlink::CommandAck>();
     ASSERT_FALSE(acks.empty());
@@ -175,7 +177,7 @@ TEST_F(Calibration, of_one_side_sets_the_offsets_alone) {
 }
 
 TEST_F(Calibration, of_the_level_wants_it_still) {
-    vehicle.attitude.rate_rads.y = core::BodyRate(0.2f);
+    mutable_vehicle.attitude.rate_rads.y = core::BodyRate(0.2f);
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::failed);
     EXPECT_TRUE(asked("Level: keep it still"));
 }
@@ -206,7 +208,7 @@ struct Compass : Calibration {
         const core::Vector3 read = field_mg - kIron_mg;
         firmware::sensors::learnCompass(read);
         const float* offset = parameters.compass_offset_mg;
-        vehicle.compass.field_mg = read + core::Vector3{offset[0], offset[1], offset[2]};
+        mutable_vehicle.compass.field_mg = read + core::Vector3{offset[0], offset[1], offset[2]};
     }
     void expectFound() {
         EXPECT_NEAR(parameters.compass_offset_mg[0], kIron_mg.x, 5);
@@ -256,13 +258,13 @@ TEST_F(Compass, called_off_keeps_its_offsets) {
 }
 
 TEST_F(Compass, that_is_not_there_is_not_calibrated) {
-    vehicle.compass.healthy = false;
+    mutable_vehicle.compass.healthy = false;
     EXPECT_EQ(command(MavCmd::do_start_mag_cal), MavResult::failed);
     EXPECT_TRUE(asked("no compass"));
 }
 
 TEST_F(Compass, learns_in_flight_when_told_to) {
-    vehicle.armed = vehicle.estimate.flying = true;
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
     turnAbout(4);
     EXPECT_EQ(parameters.compass_offset_mg[0], 0);
     parameters.compass_learn = 1;

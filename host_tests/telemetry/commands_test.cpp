@@ -3,6 +3,7 @@
 
 #include "firmware/mission/speed.hpp"
 #include "ground.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 using firmware::state::Mode;
 using ground::Telemetry;
@@ -112,16 +113,16 @@ TEST_F(Telemetry, reboots_on_the_ground_after_answering) {
 }
 
 TEST_F(Telemetry, does_not_reboot_armed) {
-    firmware::state::vehicle.armed = true;
+    firmware::state::mutable_vehicle.armed = true;
     EXPECT_EQ(command(MavCmd::preflight_reboot_shutdown, 1), MavResult::temporarily_rejected);
     EXPECT_NO_THROW(run_ms(1000));
 }
 
 TEST_F(Telemetry, gives_its_home_when_it_has_one) {
     EXPECT_EQ(command(MavCmd::get_home_position), MavResult::temporarily_rejected);
-    firmware::state::vehicle.home.set = true;
-    firmware::state::vehicle.home.position = {-353632610, 1491652300};
-    firmware::state::vehicle.home.altitude_cm = 58412;
+    firmware::state::mutable_vehicle.home.set = true;
+    firmware::state::mutable_vehicle.home.position = {-353632610, 1491652300};
+    firmware::state::mutable_vehicle.home.altitude_cm = 58412;
 
     EXPECT_EQ(command(MavCmd::get_home_position), MavResult::accepted);
 
@@ -158,8 +159,8 @@ TEST_F(Telemetry, home_is_set_to_the_last_digit_by_command_int) {
     message.z = 10;
     EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::temporarily_rejected)
         << "relative to no home";
-    firmware::state::vehicle.home.set = true;
-    firmware::state::vehicle.home.altitude_cm = 58400;
+    firmware::state::mutable_vehicle.home.set = true;
+    firmware::state::mutable_vehicle.home.altitude_cm = 58400;
     EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::accepted);
     EXPECT_EQ(doubles::plan.acts.at(1).z, 594);
     EXPECT_EQ(doubles::plan.acts.at(1).frame, MavFrame::global);
@@ -203,9 +204,9 @@ TEST_F(Telemetry, erases_its_storage_on_the_ground_only) {
     EXPECT_EQ(command(MavCmd::preflight_storage, 1), MavResult::accepted);  // nothing to do
     EXPECT_EQ(command(MavCmd::preflight_storage, 9), MavResult::unsupported);
     EXPECT_EQ(command(MavCmd::preflight_storage, 0, 2), MavResult::unsupported);
-    firmware::state::vehicle.armed = true;
+    firmware::state::mutable_vehicle.armed = true;
     EXPECT_EQ(command(MavCmd::preflight_storage, 2, 2), MavResult::temporarily_rejected);
-    firmware::state::vehicle.armed = false;
+    firmware::state::mutable_vehicle.armed = false;
     EXPECT_EQ(command(MavCmd::preflight_storage, 2, 2), MavResult::accepted);
     for (int i = 0; i < 1000; ++i) firmware::state::parametersRun();
     run_ms(100);
@@ -291,7 +292,7 @@ TEST_F(Telemetry, what_a_mission_does_at_once_is_done_on_command) {
 }
 
 TEST_F(Telemetry, starts_the_landing_of_the_mission_and_breaks_it_off) {
-    firmware::state::vehicle.estimate.flying = true;
+    firmware::state::mutable_vehicle.estimate.flying = true;
     EXPECT_EQ(command(MavCmd::do_land_start), MavResult::denied) << "the mission has none";
     doubles::plan.land_start = doubles::plan.landing = true;
     EXPECT_EQ(command(MavCmd::do_land_start), MavResult::accepted);
@@ -308,7 +309,7 @@ TEST_F(Telemetry, takes_pictures_on_command) {
 
 TEST_F(Telemetry, a_ground_speed_is_taken_only_by_who_follows_one) {
     EXPECT_EQ(command(MavCmd::do_change_speed, 1, 15), MavResult::temporarily_rejected);
-    firmware::state::vehicle.mode = Mode::guided;
+    firmware::state::mutable_vehicle.mode = Mode::guided;
     EXPECT_EQ(command(MavCmd::do_change_speed, 1, 15), MavResult::accepted);
 }
 
@@ -331,7 +332,7 @@ TEST_F(Telemetry, guides_to_a_place_to_the_last_digit) {
     EXPECT_EQ(target.param3, 80);
     EXPECT_EQ(target.param4, 1);
 
-    firmware::state::vehicle.mode = Mode::guided;
+    firmware::state::mutable_vehicle.mode = Mode::guided;
     message.param2 = 0;
     EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::accepted);
     doubles::plan.answer = firmware::mission::MissionResult::unsupported_frame;
@@ -400,9 +401,9 @@ TEST_F(Telemetry, restarts_for_the_bootloader_as_well) {
 }
 
 TEST_F(Telemetry, calibrates_on_the_ground_only) {
-    firmware::state::vehicle.armed = true;
+    firmware::state::mutable_vehicle.armed = true;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 1), MavResult::temporarily_rejected);
-    firmware::state::vehicle.estimate.flying = true;
+    firmware::state::mutable_vehicle.estimate.flying = true;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 1), MavResult::denied);
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::denied);
     EXPECT_EQ(doubles::vehicle.gyro_calibrations, 0);
@@ -418,8 +419,8 @@ TEST_F(Telemetry, a_calibration_is_in_progress_until_it_is_done) {
     EXPECT_EQ(command(MavCmd::preflight_calibration, 1, 0, 1), MavResult::in_progress);
     EXPECT_EQ(doubles::vehicle.gyro_calibrations, 1) << "asked again, not begun again";
 
-    firmware::state::vehicle.imu.calibrated = true;
-    firmware::state::vehicle.baro.ground_pressure_pa = 95000;
+    firmware::state::mutable_vehicle.imu.calibrated = true;
+    firmware::state::mutable_vehicle.baro.ground_pressure_pa = 95000;
     run_ms(40);
     const auto acks = station.all<mavlink::CommandAck>();
     ASSERT_EQ(acks.size(), 1u);
@@ -443,29 +444,29 @@ TEST_F(Telemetry, a_calibration_that_never_ends_has_failed) {
 }
 
 TEST_F(Telemetry, the_sticks_and_the_board_find_their_middle) {
-    auto& vehicle = firmware::state::vehicle;
+    auto& mutable_vehicle = firmware::state::mutable_vehicle;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 1), MavResult::failed) << "no radio";
-    vehicle.radio.good_ms = 1;
-    vehicle.radio.pulse_us[0] = 1512;
-    vehicle.radio.pulse_us[1] = 1488;
-    vehicle.radio.pulse_us[2] = 1100;
-    vehicle.radio.pulse_us[3] = 1503;
+    mutable_vehicle.radio.good_ms = 1;
+    mutable_vehicle.radio.pulse_us[0] = 1512;
+    mutable_vehicle.radio.pulse_us[1] = 1488;
+    mutable_vehicle.radio.pulse_us[2] = 1100;
+    mutable_vehicle.radio.pulse_us[3] = 1503;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 1), MavResult::accepted);
     EXPECT_EQ(firmware::state::parameters.channel[0].trim_us, 1512);
     EXPECT_EQ(firmware::state::parameters.channel[1].trim_us, 1488);
     EXPECT_EQ(firmware::state::parameters.channel[2].trim_us, 1500);
     EXPECT_EQ(firmware::state::parameters.channel[3].trim_us, 1503);
 
-    vehicle.attitude.roll_rad = core::Angle(0.02f);
-    vehicle.attitude.pitch_rad = core::Angle(-0.03f);
+    mutable_vehicle.attitude.roll_rad = core::Angle(0.02f);
+    mutable_vehicle.attitude.pitch_rad = core::Angle(-0.03f);
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::failed)
         << "not aligned";
-    vehicle.attitude.aligned = true;
+    mutable_vehicle.attitude.aligned = true;
     firmware::state::parameters.level_trim_rad[0] = 0.01f;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::accepted);
     EXPECT_NEAR(firmware::state::parameters.level_trim_rad[0], 0.03f, 1e-4);
     EXPECT_NEAR(firmware::state::parameters.level_trim_rad[1], -0.03f, 1e-4);
-    vehicle.attitude.roll_rad = core::Angle(0.5f);
+    mutable_vehicle.attitude.roll_rad = core::Angle(0.5f);
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::failed);
     EXPECT_NEAR(firmware::state::parameters.level_trim_rad[0], 0.03f, 1e-4);
 }

@@ -14,6 +14,7 @@
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/processor_figures.hpp"
 #include "firmware/state/vehicle.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 #include "mavlink/peer.hpp"
 #include "vehicle_double.hpp"
 
@@ -110,10 +111,10 @@ protected:
         fakes::reset();
         station.line().room = second.line().room = 127;  // as the real ports, and never less
         doubles::reset();
-        firmware::state::vehicle = {};
-        firmware::state::vehicle.prearm_ok = true;
+        firmware::state::mutable_vehicle = {};
+        firmware::state::mutable_vehicle.prearm_ok = true;
         firmware::state::processor_figures = {250, 3, 4321};
-        firmware::state::vehicle.mode = firmware::state::Mode::manual;
+        firmware::state::mutable_vehicle.mode = firmware::state::Mode::manual;
         while (firmware::state::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
         for (auto& rates : firmware::state::parameters.streams)
             rates = {};  // silence but for heartbeats

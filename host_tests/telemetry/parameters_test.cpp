@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "ground.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 #include "storage/owner.hpp"
 
 using ground::Telemetry;
@@ -185,11 +186,11 @@ TEST_F(Telemetry, a_format_of_0_makes_the_next_start_forget_what_was_stored) {
 TEST_F(Telemetry, parameters_are_reset_by_command_and_on_the_ground_only) {
     claim();
     ask<mavlink::ParamValue>(setting("WP_RADIUS", 42));
-    firmware::state::vehicle.armed = true;
+    firmware::state::mutable_vehicle.armed = true;
     EXPECT_EQ(command(mavlink::MavCmd::preflight_storage, 2),
               mavlink::MavResult::temporarily_rejected);
     EXPECT_EQ(ask<mavlink::ParamValue>(setting("FORMAT_VERSION", 0)).at(0).param_value, 1);
-    firmware::state::vehicle.armed = false;
+    firmware::state::mutable_vehicle.armed = false;
     EXPECT_EQ(command(mavlink::MavCmd::preflight_storage, 2), mavlink::MavResult::accepted);
     EXPECT_EQ(firmware::state::parameters.waypoint_radius_m, 42);  // until the restart
     restart();

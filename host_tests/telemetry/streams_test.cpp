@@ -5,6 +5,7 @@
 #include "core/maths.hpp"
 #include "firmware/gcs/streams.hpp"
 #include "ground.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 using ground::Framing;
 using ground::Telemetry;
@@ -48,9 +49,9 @@ TEST_F(Telemetry, says_what_it_is_from_its_own_address) {
 
 TEST_F(Telemetry, heartbeat_shows_mode_and_state) {
     using firmware::state::Mode;
-    auto& vehicle = firmware::state::vehicle;
+    auto& mutable_vehicle = firmware::state::mutable_vehicle;
     firmware::state::parameters.stick_mixing = 0;
-    vehicle.imu.calibrated = true;
+    mutable_vehicle.imu.calibrated = true;
     const struct {
         Mode mode;
         bool armed, flying, failsafe;
@@ -62,10 +63,10 @@ TEST_F(Telemetry, heartbeat_shows_mode_and_state) {
         {Mode::rtl, true, true, true, 1 | 16 | 8 | 128, MavState::critical},
     };
     for (const auto& each : cases) {
-        vehicle.mode = each.mode;
-        vehicle.armed = each.armed;
-        vehicle.estimate.flying = each.flying;
-        vehicle.failsafe_long = each.failsafe;
+        mutable_vehicle.mode = each.mode;
+        mutable_vehicle.armed = each.armed;
+        mutable_vehicle.estimate.flying = each.flying;
+        mutable_vehicle.failsafe_long = each.failsafe;
         station.forget();
 
         run_ms(1000);
@@ -223,21 +224,21 @@ TEST_F(Telemetry, slows_its_streams_when_the_radio_is_full_and_recovers) {
 }
 
 TEST_F(Telemetry, messages_carry_the_vehicle_in_the_units_of_the_protocol) {
-    auto& vehicle = firmware::state::vehicle;
-    vehicle.home.set = true;
-    vehicle.home.altitude_cm = 58400;
-    vehicle.home.position = {-353632610, 1491652300};
-    vehicle.estimate.position = {-353632620, 1491652400};
-    vehicle.estimate.height_m = 100.5f;
-    vehicle.estimate.velocity_mps = {10, -2, 0.5f};
-    vehicle.estimate.wind_mps = {0, 5, 0};  // blows to the east
-    vehicle.attitude.yaw_rad = core::Angle(core::radians(-90.0f));
-    vehicle.throttle_demand = core::Ratio(0.45f);
-    vehicle.gps.altitude_cm = 68450;
-    vehicle.gps.hdop_c = 121;
-    vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
-    vehicle.baro.pressure_pa = 94500;
-    vehicle.progress.nav_bearing_cd = 27000;
+    auto& mutable_vehicle = firmware::state::mutable_vehicle;
+    mutable_vehicle.home.set = true;
+    mutable_vehicle.home.altitude_cm = 58400;
+    mutable_vehicle.home.position = {-353632610, 1491652300};
+    mutable_vehicle.estimate.position = {-353632620, 1491652400};
+    mutable_vehicle.estimate.height_m = 100.5f;
+    mutable_vehicle.estimate.velocity_mps = {10, -2, 0.5f};
+    mutable_vehicle.estimate.wind_mps = {0, 5, 0};  // blows to the east
+    mutable_vehicle.attitude.yaw_rad = core::Angle(core::radians(-90.0f));
+    mutable_vehicle.throttle_demand = core::Ratio(0.45f);
+    mutable_vehicle.gps.altitude_cm = 68450;
+    mutable_vehicle.gps.hdop_c = 121;
+    mutable_vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
+    mutable_vehicle.baro.pressure_pa = 94500;
+    mutable_vehicle.progress.nav_bearing_cd = 27000;
     station.send(streamRequest(MavDataStream::all, 4));
     run_ms(1000);
 
@@ -275,10 +276,10 @@ TEST_F(Telemetry, messages_carry_the_vehicle_in_the_units_of_the_protocol) {
 
 TEST_F(Telemetry, sys_status_names_what_ails) {
     using Sensor = mavlink::MavSysStatusSensor;
-    firmware::state::vehicle.gps.healthy = false;
-    firmware::state::vehicle.baro.healthy = true;
+    firmware::state::mutable_vehicle.gps.healthy = false;
+    firmware::state::mutable_vehicle.baro.healthy = true;
     firmware::state::parameters.streams[0].extended_status = 4;
-    firmware::state::vehicle.prearm_ok = false;
+    firmware::state::mutable_vehicle.prearm_ok = false;
 
     run_ms(1000);
 
@@ -303,12 +304,12 @@ TEST_F(Telemetry, what_was_reached_is_told_once_on_every_link) {
 }
 
 TEST_F(Telemetry, each_picture_is_told_once_on_every_link) {
-    auto& vehicle = firmware::state::vehicle;
-    vehicle.estimate.position = {473977000, 85456000};
-    vehicle.estimate.height_m = 100;
-    vehicle.home.altitude_cm = 48800;
-    vehicle.home.set = true;
-    vehicle.attitude.pitch_rad = core::Angle(core::radians(5));
+    auto& mutable_vehicle = firmware::state::mutable_vehicle;
+    mutable_vehicle.estimate.position = {473977000, 85456000};
+    mutable_vehicle.estimate.height_m = 100;
+    mutable_vehicle.home.altitude_cm = 48800;
+    mutable_vehicle.home.set = true;
+    mutable_vehicle.attitude.pitch_rad = core::Angle(core::radians(5));
     run_ms(300);
     for (uint16_t picture : {1, 2}) {
         doubles::plan.pictures = picture;

@@ -12,6 +12,7 @@
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameter_host.hpp"
 #include "firmware/state/vehicle.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 
 namespace doubles {
 Mission plan;
@@ -189,7 +190,7 @@ using namespace state;
 
 bool setMode(Mode mode, ModeReason reason) {
     doubles::vehicle.modes.emplace_back(mode, reason);
-    if (doubles::vehicle.mode_can_be_entered) vehicle.mode = mode;
+    if (doubles::vehicle.mode_can_be_entered) mutable_vehicle.mode = mode;
     return doubles::vehicle.mode_can_be_entered;
 }
 }  // namespace modes
@@ -204,12 +205,12 @@ bool arm(ArmReason, bool force) {
         sendStatusText(Severity::error, ROM_TEXT("PreArm: no GPS fix"));
         return false;
     }
-    vehicle.armed = true;
+    mutable_vehicle.armed = true;
     return true;
 }
 bool disarm(ArmReason, bool force) {
     doubles::vehicle.force = force;
-    vehicle.armed = false;
+    mutable_vehicle.armed = false;
     return true;
 }
 bool reportPrearmFailure(Severity severity) {
@@ -236,7 +237,7 @@ core::Vector3 restForce_mss() { return doubles::vehicle.rest_force_mss; }
 bool wrongBoard() { return doubles::vehicle.wrong_board; }
 void calibrateGyros() {
     ++doubles::vehicle.gyro_calibrations;
-    vehicle.imu.calibrated = false;
+    mutable_vehicle.imu.calibrated = false;
 }
 void calibratePressures() { ++doubles::vehicle.pressure_calibrations; }
 }  // namespace sensors

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // docs/architecture.md against the sources: its schedule is kTasks, and it names every room, every
-// library and every part of the vehicle's state.
+// library and every writer of the shared state.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
+import * as state from '../../toolchain/document_state.mjs';
 import { frameLoads, schedule, written } from '../../toolchain/document_tasks.mjs';
 
 const read = (path) => readFileSync(new URL(`../../${path}`, import.meta.url), 'utf8');
@@ -18,16 +19,6 @@ function firstCells(heading) {
   assert.ok(section, `there is no section ${heading}`);
   return section.split('\n').filter((line) => line.startsWith('| `'))
     .flatMap((line) => [...line.split('|')[1].matchAll(/`(\w+)`/g)].map(([, name]) => name));
-}
-
-// The members of struct Vehicle: a section by the name behind its brace, then what is beside them.
-export function members(source) {
-  const body = /struct Vehicle \{\n([^]*?)\n\};/.exec(source)[1].replace(/\/\/.*$/gm, '');
-  const sections = [...body.matchAll(/^    \} (\w+);/gm)].map(([, name]) => name);
-  const beside = body.replace(/^    struct \{[^]*?^    \} \w+;/gm, '').split(';')
-    .map((line) => line.replace(/\[.*?\]|: 1/g, '').trim()).filter(Boolean)
-    .flatMap((line) => line.replace(/^[\w:]+\s/, '').split(',').map((part) => part.trim().split(/\s+/).pop()));
-  return [...sections, ...beside];
 }
 
 test('the schedule is the one of kTasks', () => {
@@ -48,8 +39,9 @@ test('a frame is as full as the rows that are due in it', () => {
   assert.deepEqual(frameLoads(rows, 4), [10, 15, 10, 16]);
 });
 
-test('a document without a place for the schedule is refused', () => {
+test('a document without a place for a table is refused', () => {
   assert.throws(() => written('# A page\n', ''), /no place/);
+  assert.throws(() => state.written('# A page\n', ''), /no place/);
 });
 
 test('rooms and libraries are those that the layering check knows, in its order', () => {
@@ -62,12 +54,15 @@ test('rooms and libraries are those that the layering check knows, in its order'
   assert.deepEqual(firstCells('Libraries'), libraries);
 });
 
-test('every part of the vehicle has its writer, and no other', () => {
-  assert.deepEqual(firstCells('Who writes which state').sort(), members(read('firmware/state/vehicle.hpp')).sort());
+test('the table of writers is that of the sources', () => {
+  const now = state.table(read('firmware/state/vehicle.hpp'), state.publishers());
+  assert.equal(document, state.written(document, now), 'node toolchain/document_state.mjs writes it');
 });
 
-test('the members of a struct are found', () => {
-  const source = 'struct Vehicle {\n    struct {\n        int a;  // b;\n    } one;\n    Mode mode;\n'
-    + '    bool x : 1, y : 1;\n    core::Angle p,\n        q;\n    uint16_t s[hal::kServos];\n};\n';
-  assert.deepEqual(members(source), ['one', 'mode', 'x', 'y', 'p', 'q', 's']);
+test('a section is read by its name, or by its fields where it is part of the vehicle itself', () => {
+  const source = 'struct OneState {\n    int a;  // b;\n};\nstruct TwoState {\n    Mode mode;\n    bool x : 1, y : 1;\n'
+    + '    uint16_t s[hal::kServos];\n};\nstruct Vehicle : TwoState {\n    OneState one;\n};\n'
+    + '& section(Vehicle*)\n& section(OneState*)\n& section(TwoState*)\n';
+  assert.deepEqual(state.sections(source),
+    [{ struct: 'OneState', reads: ['one'] }, { struct: 'TwoState', reads: ['mode', 'x', 'y', 's'] }]);
 });

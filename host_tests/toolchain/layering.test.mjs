@@ -45,6 +45,14 @@ for (const [what, change, says] of [
     'firmware/gcs is the namespace gcs'],
   ['a header that only a computer has', append('firmware/gcs/link.cpp', '#include <vector>\n'),
     '<vector> does not exist on every side'],
+  ['a second writer of a section', append('firmware/gcs/link.cpp',
+    'template <>\nstruct Publisher<HomeState> : Writable<HomeState> {};\n'),
+    'HomeState has 2 publishers firmware/'],
+  ['a writer of everything', append('firmware/gcs/link.cpp', 'auto& all = Publisher<Vehicle>::state();\n'),
+    'firmware/gcs/link.cpp: writes past the publishers'],
+  ['a header of another room that is not for others', append('firmware/modes/rtl.cpp',
+    '#include "firmware/guidance/path_state.hpp"\n'),
+    '"firmware/guidance/path_state.hpp" is between the files of its folder only'],
 ]) {
   test(`${what} is printed and fails`, () => {
     const { status, stdout } = checked(change);

@@ -8,6 +8,7 @@
 #include "firmware/mission/engine.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/mark.hpp"
+#include "host_tests/fakes/vehicle.hpp"
 #include "steps.hpp"
 
 namespace {
@@ -61,12 +62,12 @@ void poll(uint8_t step, bool begins) {
 
 // From the NAV being flown to the next.
 void advance(uint8_t step) {
-    vehicle.demand.new_path = false;
-    vehicle.progress.distance_m = 0;
+    mutable_vehicle.demand.new_path = false;
+    mutable_vehicle.progress.distance_m = 0;
     poll(step, true);
     while (mission_engine.midPass()) poll(step, mission_engine.starved());
-    vehicle.demand.new_path = false;
-    vehicle.progress.distance_m = 5000;
+    mutable_vehicle.demand.new_path = false;
+    mutable_vehicle.progress.distance_m = 5000;
 }
 
 void fly() {
@@ -74,9 +75,9 @@ void fly() {
     while (!missionEnter(why_not)) turns(10);
     do missionRun();
     while (mission_engine.midPass());
-    vehicle.demand.new_path = false;
-    vehicle.progress.distance_m = 5000;
-    vehicle.progress.passed = false;
+    mutable_vehicle.demand.new_path = false;
+    mutable_vehicle.progress.distance_m = 5000;
+    mutable_vehicle.progress.passed = false;
 }
 
 }  // namespace
@@ -84,8 +85,8 @@ void fly() {
 int main() {
     setup();
     while (!missionReady()) turns(10);
-    vehicle.home.position = {kLatitude_e7, kLongitude_e7};
-    vehicle.home.set = true;
+    mutable_vehicle.home.position = {kLatitude_e7, kLongitude_e7};
+    mutable_vehicle.home.set = true;
     upload(longRow, kItems);
     fly();
     for (uint8_t i = 0; i < 100; ++i) poll(costs::kIdlePoll, true);
