@@ -8,7 +8,7 @@ import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 const root = new URL('../', import.meta.url);
 const read = (path) => readFileSync(new URL(path, root), 'utf8');
 const kDocument = 'docs/architecture.md';
-const kBegin = '<!-- state: written by toolchain/document_state.mjs, checked by host_tests/toolchain/architecture.test.mjs -->';
+const kBegin = '<!-- state: written by toolchain/document_state.mjs, checked by host_tests/unit/docs/architecture.test.mjs -->';
 const kEnd = '<!-- end of state -->';
 
 function* firmwareFiles() {

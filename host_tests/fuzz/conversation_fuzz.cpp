@@ -3,7 +3,7 @@
 // bytes that are none, pauses, and a port that has no room.
 #include <string.h>
 
-#include "fuzz/vehicle.hpp"
+#include "vehicle.hpp"
 
 namespace {
 

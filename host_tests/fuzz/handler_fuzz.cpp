@@ -3,7 +3,7 @@
 // which framing, then the payload.
 #include <string.h>
 
-#include "fuzz/vehicle.hpp"
+#include "vehicle.hpp"
 
 namespace {
 

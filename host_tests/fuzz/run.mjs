@@ -3,7 +3,7 @@
 //   node run.mjs PROGRAM parser|conversation
 //   node run.mjs PROGRAM handler MESSAGE_STRUCT
 import { readFileSync } from 'node:fs';
-import { messages, nodeMavlink } from '../ground/node_mavlink.mjs';
+import { messages, nodeMavlink } from '../support/node_mavlink.mjs';
 import { fuzz } from './libfuzzer.mjs';
 
 const [program, kind, struct] = process.argv.slice(2);

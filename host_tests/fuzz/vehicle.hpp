@@ -12,7 +12,7 @@
 #include "firmware/modes/modes.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
-#include "host_tests/fakes/vehicle.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
 #include "mavlink/peer.hpp"
 
 namespace fuzz {

@@ -10,7 +10,8 @@ namespace {
 constexpr float kGravity = core::kGravity_mss;
 constexpr uint8_t kAlignFrames = 25;
 
-// Time constants of the corrections, settled; found by flying host_tests/estimation/flight.hpp.
+// Time constants of the corrections, settled; found by flying
+// host_tests/unit/libraries/estimation/flight.hpp.
 // The gyros are good for a minute, so the references may be averaged for long.
 constexpr float kTilt_s = 5.0f;
 constexpr float kCompass_s = 8.0f;

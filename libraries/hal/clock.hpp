@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Time and rest. Defined by hal_avr/clock.cpp, simulator/native and host_tests/fakes.
+// Time and rest. Defined by hal_avr/clock.cpp, simulator/native and host_tests/support/fakes.
 #pragma once
 #include <stdint.h>
 

@@ -9,11 +9,11 @@ set(missions ${CMAKE_SOURCE_DIR}/simulator/missions)
 set(first_flight ${missions}/first_flight.waypoints)
 file(GLOB flight_data CONFIGURE_DEPENDS ${missions}/* ${CMAKE_SOURCE_DIR}/simulator/airplanes/*)
 
-# flight_program(NAME [SOURCE...]): host_tests/on_board/NAME.cpp, or these, with both vehicles
+# flight_program(NAME [SOURCE...]): host_tests/scenarios/NAME.cpp, or these, with both vehicles
 function(flight_program name)
     set(sources ${ARGN})
     if(NOT sources)
-        set(sources ${tests}/on_board/${name}.cpp)
+        set(sources ${tests}/scenarios/${name}.cpp)
     endif()
     project_program(${name} ${sources} LIBRARIES firmware_native simulator_native simulator_report
                     simulator_ground simulator_machine simulator_world nlohmann_json::nlohmann_json)
@@ -39,7 +39,7 @@ endfunction()
 
 # ---- the program's flights, with limits
 # flight_test(NAME LABEL CROSSTRACK_M ALTITUDE_M TOUCHDOWN_M ARGUMENT...)
-project_program(flight ${tests}/on_board/flight.cpp LIBRARIES nlohmann_json::nlohmann_json)
+project_program(flight ${tests}/scenarios/flight.cpp LIBRARIES nlohmann_json::nlohmann_json)
 function(flight_test name label crosstrack_m altitude_m touchdown_m)
     set(counted ${native_minutes})
     set(more NEEDS fly)
@@ -100,7 +100,7 @@ image_test(flight.elf_failsafes apm2 failsafe_flight ${IMAGE_apm2} ${first_fligh
            ${flights}/elf_failsafes ${minutes} SETUP elf_failsafes)
 
 # commands that neither set's documents know
-flight_program(beyond_flight ${tests}/command_flights/beyond/beyond_flight.cpp)
+flight_program(beyond_flight ${tests}/scenarios/command_flights/beyond/beyond_flight.cpp)
 native_test(flight.native_beyond beyond_flight ${missions}/beyond.waypoints ${native_minutes})
 
 flight_program(fault_flight)  # sensors that fail, each in every way and every two of them
@@ -119,7 +119,7 @@ flight_program(gps_flight)  # another receiver in the middle of the flight
 native_test(flight.native_gps_swapped gps_flight ${first_flight} ${native_minutes})
 
 # gains found in the air, on an airplane whose own are near the defaults and on one far from them
-flight_program(autotune_flight ${tests}/on_board/autotune_flight.cpp simulator/parameter_file.cpp
+flight_program(autotune_flight ${tests}/scenarios/autotune_flight.cpp simulator/parameter_file.cpp
                toolchain/param_tool/settings.cpp toolchain/mission_tool/wrong_input.cpp)
 function(autotune_test airplane roll_p pitch_p)
     foreach(times 0.4 1 2.5)
@@ -132,10 +132,9 @@ autotune_test(trainer_6kg 1.04 1.32)
 autotune_test(flying_wing 0.46 0.72 ELEVON_OUTPUT=1 MIXING_GAIN=1 KFF_RDDRMIX=0 TKOFF_THR_MINACC=15)
 
 # every CONDITION and DO of each set, beside the oracle
-file(GLOB command_flight_sources CONFIGURE_DEPENDS ${tests}/command_flights/*.cpp)
-project_program(command_flight ${command_flight_sources} ${tests}/mission_oracle/oracle.cpp
+file(GLOB command_flight_sources CONFIGURE_DEPENDS ${tests}/scenarios/command_flights/*.cpp)
+project_program(command_flight ${command_flight_sources} ${tests}/oracle/mission/oracle.cpp
     LIBRARIES simulator_report simulator_ground simulator_machine mission_tool_parts)
-target_include_directories(command_flight PRIVATE ${tests})
 foreach(set 1 2)
     file(GLOB every_command ${missions}/every_command_${set}.*)
     image_test(flight.elf_commands_${set} apm2 command_flight ${IMAGE_apm2} ${every_command}
@@ -146,22 +145,22 @@ endforeach()
 set(elf_flights elf_calm_1 elf_calm_2 elf_calm_3 elf_wind_1 elf_wind_2 elf_wind_3 elf_rough
     elf_modes elf_failsafes elf_commands_1 elf_commands_2)
 list(TRANSFORM elf_flights PREPEND ${flights}/ OUTPUT_VARIABLE elf_folders)
-set(work_report node ${tests}/on_board/work_report.mjs)
+set(work_report node ${tests}/scenarios/work_report.mjs)
 declare_test(on_board.task_budgets COMMAND ${work_report} budgets ${AVR_TREE}/apm2/tasks.json
              ${elf_folders} AFTER ${elf_flights} LABELS simavr)
 declare_test(on_board.cycles COMMAND ${work_report} cycles ${CMAKE_SOURCE_DIR}/toolchain/budgets.json
              ${elf_folders} AFTER ${elf_flights} LABELS simavr)
-declare_test(on_board.stack_bound COMMAND node ${tests}/on_board/stack_used.mjs ${IMAGE_apm2}
+declare_test(on_board.stack_bound COMMAND node ${tests}/scenarios/stack_used.mjs ${IMAGE_apm2}
              ${elf_folders} AFTER ${elf_flights} LABELS simavr)
 declare_test(on_board.cycles_apm1 COMMAND ${work_report} cycles ${CMAKE_SOURCE_DIR}/toolchain/budgets.json
              ${flights}/apm1_calm ${flights}/apm1_wind AFTER apm1_calm apm1_wind LABELS simavr)
 
 # ---- the boards on the bench: calibration, GPS receivers, each image in the other's chip, pulses,
 # a full and a blank DataFlash, uploads and power cuts, restarts
-foreach(name wrong_board pulse_times full_log upload_time power_cuts calibration gps_bench)
+foreach(name wrong_board pulse_times full_log upload_time power_cuts calibration gps_bench
+             restart_flight)
     flight_program(${name})
 endforeach()
-flight_program(restart_flight ${tests}/restart/restart_flight.cpp)
 image_test(preflight.apm2_image_on_an_apm1 apm2 wrong_board ${IMAGE_apm2} apm1 ${minutes}/wrong_board_1)
 image_test(preflight.apm1_image_on_an_apm2 apm1 wrong_board ${IMAGE_apm1} apm2 ${minutes}/wrong_board_2)
 image_test(storing.upload_time apm2 upload_time ${IMAGE_apm2} ${minutes}/upload_time)
@@ -182,7 +181,7 @@ native_test(preflight.native_calibration calibration native apm2 ${native_minute
 native_test(preflight.native_gps gps_bench native apm2 ${native_minutes}/gps)
 
 # ---- how exactly they fly, as a table held to its goals; and on gains that AUTOTUNE found
-set(figures ${tests}/figures)
+set(figures ${tests}/scenarios/figures)
 set(table node ${figures}/table.mjs ${figures}/limits.json $<TARGET_FILE:fly> ${missions}/box_600.waypoints)
 declare_test(figures.table COMMAND ${table} ${CMAKE_BINARY_DIR}/figures NEEDS fly DATA ${flight_data}
              LABELS native TIMEOUT 900 REUSE)
@@ -202,15 +201,15 @@ declare_test(figures.tuned COMMAND ${table} ${CMAKE_BINARY_DIR}/figures/tuned ${
 # ---- three airplanes, two missions, calm and wind: who crashes or gets lost fails
 declare_test(campaign.slice COMMAND campaign --seeds 2 --out ${flights}/campaign NEEDS fly
              DATA ${flight_data} LABELS native REUSE)
-declare_test(campaign.replay_on_the_image COMMAND node --test ${tests}/campaign/replay.test.mjs
+declare_test(campaign.replay_on_the_image COMMAND node --test ${tests}/scenarios/campaign_replay.test.mjs
              NEEDS fly ${IMAGE_apm2} DATA ${flight_data} LABELS simavr AFTER image_minutes REUSE
              ENVIRONMENT FLY=$<TARGET_FILE:fly> MINUTES=${minutes}/campaign)
 
 # ---- the tools' images and logs, flown
-declare_test(mission_tool.flies_a_compiled_image COMMAND node --test ${tests}/mission_tool/flight.test.mjs
+declare_test(mission_tool.flies_a_compiled_image COMMAND node --test ${tests}/scenarios/mission_image.test.mjs
              NEEDS fly mission_tool LABELS native REUSE DATA ${flight_data} ENVIRONMENT
              FLY=$<TARGET_FILE:fly> FLY_BOARD=native MISSION_TOOL=$<TARGET_FILE:mission_tool>)
-declare_test(log_tool.flight_log_agrees_with_the_simulator COMMAND node --test ${tests}/log_tool/truth.test.mjs
+declare_test(log_tool.flight_log_agrees_with_the_simulator COMMAND node --test ${tests}/scenarios/flight_log.test.mjs
              NEEDS fly log_tool LABELS native REUSE DATA ${flight_data}
              ENVIRONMENT FLY=$<TARGET_FILE:fly> LOG_TOOL=$<TARGET_FILE:log_tool>)
 

@@ -4,14 +4,14 @@
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
 add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all)
-include_directories(${CMAKE_SOURCE_DIR}/host_tests/fakes ${CMAKE_SOURCE_DIR}
-                    ${CMAKE_SOURCE_DIR}/libraries ${CMAKE_SOURCE_DIR}/host_tests)
+include_directories(${CMAKE_SOURCE_DIR}/host_tests/support/fakes ${CMAKE_SOURCE_DIR}
+                    ${CMAKE_SOURCE_DIR}/libraries ${CMAKE_SOURCE_DIR}/host_tests/support)
 
 file(GLOB_RECURSE fuzzed_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/libraries/*.cpp
      ${CMAKE_SOURCE_DIR}/firmware/*.cpp)
 list(REMOVE_ITEM fuzzed_sources ${CMAKE_SOURCE_DIR}/firmware/app/main.cpp)
 add_library(fuzzed STATIC ${fuzzed_sources})
-file(GLOB fakes_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/fakes/*.cpp)
+file(GLOB fakes_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host_tests/support/fakes/*.cpp)
 list(FILTER fakes_sources EXCLUDE REGEX _test\\.cpp$)
 # behind what the firmware has itself
 add_library(fuzz_fakes STATIC ${fakes_sources})
@@ -30,5 +30,5 @@ endforeach()
 # the readers of the mission tool, without its command line
 file(GLOB tool_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/toolchain/mission_tool/*.cpp)
 list(FILTER tool_sources EXCLUDE REGEX "/(main|program)\\.cpp$")
-fuzzer(mission_tool ${CMAKE_SOURCE_DIR}/host_tests/mission_tool/readers_fuzz.cpp ${tool_sources}
+fuzzer(mission_tool ${CMAKE_SOURCE_DIR}/host_tests/fuzz/mission_tool_fuzz.cpp ${tool_sources}
        ${CMAKE_SOURCE_DIR}/simulator/ground/waypoints.cpp ${CMAKE_SOURCE_DIR}/simulator/ground/text_file.cpp)

@@ -18,17 +18,17 @@ function(vehicle_test name vehicle file)
                  MINUTES=${counted}/${name} ${arg_ENVIRONMENT})
 endfunction()
 
-file(GLOB ground_tests CONFIGURE_DEPENDS ${tests}/ground/*.test.mjs)
-project_program(example_peer ${tests}/fdm/example_peer.cpp LIBRARIES simulator_world)
+file(GLOB ground_tests CONFIGURE_DEPENDS ${tests}/interop/ground/*.test.mjs)
+project_program(example_peer ${tests}/interop/fdm/example_peer.cpp LIBRARIES simulator_world)
 foreach(vehicle native elf)
     foreach(file IN LISTS ground_tests)
         get_filename_component(subject ${file} NAME)
         string(REPLACE ".test.mjs" "" subject ${subject})
         vehicle_test(ground.${subject} ${vehicle} ${file})
     endforeach()
-    vehicle_test(fdm.flight ${vehicle} ${tests}/fdm/flight.test.mjs NEEDS example_peer
+    vehicle_test(fdm.flight ${vehicle} ${tests}/interop/fdm/flight.test.mjs NEEDS example_peer
                  ENVIRONMENT PEER=$<TARGET_FILE:example_peer>)
     # an EEPROM image that the tool has made
-    vehicle_test(param_tool.boots_a_compiled_image ${vehicle} ${tests}/param_tool/board.test.mjs
+    vehicle_test(param_tool.boots_a_compiled_image ${vehicle} ${tests}/scenarios/parameter_image.test.mjs
                  NEEDS param_tool ENVIRONMENT PARAM_TOOL=$<TARGET_FILE:param_tool>)
 endforeach()

@@ -64,13 +64,13 @@ target_sources(firmware_native INTERFACE $<TARGET_OBJECTS:firmware_any_board>
 target_include_directories(firmware_native INTERFACE ${CMAKE_SOURCE_DIR}/simulator/native ${CMAKE_SOURCE_DIR})
 target_link_libraries(firmware_native INTERFACE ${all_libraries})
 
-project_sources(fakes ${CMAKE_SOURCE_DIR}/host_tests/fakes core hal)
-target_include_directories(fakes PUBLIC ${CMAKE_SOURCE_DIR}/host_tests
-                           ${CMAKE_SOURCE_DIR}/host_tests/fakes)
+project_sources(fakes ${CMAKE_SOURCE_DIR}/host_tests/support/fakes core hal)
+target_include_directories(fakes PUBLIC ${CMAKE_SOURCE_DIR}/host_tests/support
+                           ${CMAKE_SOURCE_DIR}/host_tests/support/fakes)
 add_library(firmware_on_fakes STATIC ${board_sources} $<TARGET_OBJECTS:firmware_any_board>)
 set_target_properties(firmware_on_fakes PROPERTIES CXX_STANDARD 17)  # the doubles need it
 target_compile_options(firmware_on_fakes PRIVATE ${PROJECT_WARNINGS})
-target_include_directories(firmware_on_fakes BEFORE PUBLIC ${CMAKE_SOURCE_DIR}/host_tests/fakes
+target_include_directories(firmware_on_fakes BEFORE PUBLIC ${CMAKE_SOURCE_DIR}/host_tests/support/fakes
                            ${CMAKE_SOURCE_DIR})
 target_link_libraries(firmware_on_fakes PUBLIC ${all_libraries} fakes)
 

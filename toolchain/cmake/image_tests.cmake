@@ -12,8 +12,8 @@ endforeach()
 # ---- the emulator, by small programs that know nothing of the firmware
 set(chip_programs ${CMAKE_BINARY_DIR}/chip_programs)
 file(MAKE_DIRECTORY ${chip_programs})
-file(GLOB programs CONFIGURE_DEPENDS ${tests}/machine/programs/*.cpp)
-file(GLOB headers CONFIGURE_DEPENDS ${tests}/machine/programs/*.hpp)
+file(GLOB programs CONFIGURE_DEPENDS ${tests}/chip/machine/programs/*.cpp)
+file(GLOB headers CONFIGURE_DEPENDS ${tests}/chip/machine/programs/*.hpp)
 set(built)
 foreach(program IN LISTS programs)
     get_filename_component(file ${program} NAME_WE)
@@ -26,7 +26,7 @@ foreach(program IN LISTS programs)
     list(APPEND built ${elf})
 endforeach()
 add_custom_target(machine_programs DEPENDS ${built})
-gtest_program(machine_test ${tests}/machine simulator_machine)
+gtest_program(machine_test ${tests}/chip/machine simulator_machine)
 add_dependencies(machine_test machine_programs)
 target_compile_definitions(machine_test PRIVATE CHIP_PROGRAMS="${chip_programs}")
 gtest_run(machine_test NEEDS ${built} LABELS simavr)
@@ -37,34 +37,32 @@ function(hal_elves board result)
     list(TRANSFORM ARGN REPLACE "(.+)" "${AVR_TREE}/${board}/hal_\\1.elf" OUTPUT_VARIABLE elves)
     set(${result} ${elves} PARENT_SCOPE)
 endfunction()
-file(GLOB names CONFIGURE_DEPENDS RELATIVE ${tests}/hal_avr/programs ${tests}/hal_avr/programs/*.cpp)
+file(GLOB names CONFIGURE_DEPENDS RELATIVE ${tests}/chip/hal_avr/programs ${tests}/chip/hal_avr/programs/*.cpp)
 list(TRANSFORM names REPLACE "\\.cpp$" "")
 hal_elves(apm2 elves ${names})
-gtest_program(hal_avr_test ${tests}/hal_avr simulator_machine)
+gtest_program(hal_avr_test ${tests}/chip/hal_avr simulator_machine)
 target_compile_definitions(hal_avr_test PRIVATE CHIP_PROGRAMS="${AVR_TREE}/apm2"
     STACK_BOUND="${NODE} ${CMAKE_SOURCE_DIR}/toolchain/stack_bound.mjs" CHIP_BOARD=apm2)
 gtest_run(hal_avr_test NEEDS ${elves} LABELS simavr)
 
 hal_elves(apm1 elves pwm ppm watchdog)
-gtest_program(hal_apm1_test ${tests}/hal_apm1 simulator_machine)
-target_sources(hal_apm1_test PRIVATE ${tests}/hal_avr/pwm_test.cpp ${tests}/hal_avr/ppm_test.cpp)
+gtest_program(hal_apm1_test ${tests}/chip/hal_avr/boards/apm1 simulator_machine)
+target_sources(hal_apm1_test PRIVATE ${tests}/chip/hal_avr/pwm_test.cpp ${tests}/chip/hal_avr/ppm_test.cpp)
 target_compile_definitions(hal_apm1_test PRIVATE CHIP_PROGRAMS="${AVR_TREE}/apm1"
                            IMAGE_APM1="${IMAGE_apm1}" CHIP_BOARD=apm1)
 gtest_run(hal_apm1_test NEEDS ${elves} ${IMAGE_apm1} LABELS simavr)
 
 # ---- what geodesy, the mission engine and the ground link take of the processor
-project_program(costs ${tests}/costs/costs.cpp LIBRARIES simulator_machine nlohmann_json::nlohmann_json)
-target_include_directories(costs PRIVATE ${tests})
+project_program(costs ${tests}/chip/costs/costs.cpp LIBRARIES simulator_machine nlohmann_json::nlohmann_json)
 declare_test(on_board.costs COMMAND costs ${AVR_TREE}/apm2 ${budgets} LABELS simavr REUSE
              NEEDS ${AVR_TREE}/apm2/cost_geodesy.elf ${AVR_TREE}/apm2/cost_mission.elf)
-project_program(mavlink_costs ${tests}/mavlink/costs/measure.cpp
+project_program(mavlink_costs ${tests}/chip/costs/link_costs.cpp
                 LIBRARIES simulator_machine nlohmann_json::nlohmann_json)
-target_include_directories(mavlink_costs PRIVATE ${tests}/mavlink)
 declare_test(mavlink.costs COMMAND mavlink_costs ${AVR_TREE}/apm2/cost_link.elf ${budgets}
              NEEDS ${AVR_TREE}/apm2/cost_link.elf LABELS simavr REUSE)
 
 # ---- the libraries' tests once more, on the emulated ATmega2560
-project_program(run_on_chip ${tests}/on_chip/run_on_chip.cpp LIBRARIES simulator_machine)
+project_program(run_on_chip ${tests}/chip/on_chip/run_on_chip.cpp LIBRARIES simulator_machine)
 foreach(library core geo control estimation navigation storage parameters mission scheduler mavlink
                 floats std)
     set(elf ${AVR_TREE}/on_chip/on_chip_${library}.elf)
@@ -72,6 +70,6 @@ foreach(library core geo control estimation navigation storage parameters missio
 endforeach()
 set(elves ${AVR_TREE}/on_chip/on_chip_failing.elf ${AVR_TREE}/on_chip/on_chip_stopping.elf
     ${AVR_TREE}/on_chip/on_chip_stale.elf)
-declare_test(on_chip.failing_checks_fail COMMAND node --test ${tests}/on_chip/run_on_chip.test.mjs
+declare_test(on_chip.failing_checks_fail COMMAND node --test ${tests}/chip/on_chip/run_on_chip.test.mjs
              NEEDS run_on_chip ${elves} LABELS simavr ENVIRONMENT RUN_ON_CHIP=$<TARGET_FILE:run_on_chip>
              ON_CHIP_PROGRAMS=${AVR_TREE}/on_chip)

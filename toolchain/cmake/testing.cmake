@@ -62,18 +62,18 @@ precompiled(test_headers ${PROJECT_WARNINGS} ${TEST_OPTIMISATION} LIBRARIES GTes
 file(GLOB unit_data CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/docs/*.md
      ${CMAKE_SOURCE_DIR}/simulator/airplanes/* ${CMAKE_SOURCE_DIR}/simulator/missions/*
      ${CMAKE_SOURCE_DIR}/firmware/state/parameters.csv ${CMAKE_SOURCE_DIR}/libraries/geo/declination_table.hpp
-     ${CMAKE_SOURCE_DIR}/toolchain/declination/WMM2025.COF ${tests}/firmware_mission/images/*)
+     ${CMAKE_SOURCE_DIR}/toolchain/declination/WMM2025.COF ${tests}/unit/firmware/mission/images/*)
 
-# gtest_program(NAME FOLDER LIBRARY...): every *_test.cpp of the folder in one program, with the
-# doubles of the hardware behind whatever the libraries leave open.
-function(gtest_program name folder)
-    file(GLOB sources CONFIGURE_DEPENDS ${folder}/*_test.cpp)
+# gtest_program(NAME PATH LIBRARY...): the sources of the folder, or PATH_test.cpp alone, in one
+# program, with the doubles of the hardware behind whatever the libraries leave open.
+function(gtest_program name path)
+    file(GLOB sources CONFIGURE_DEPENDS ${path}/*.cpp ${path}_test.cpp)
     if(NOT sources)
         return()
     endif()
     add_executable(${name} ${sources})
     target_compile_options(${name} PRIVATE ${PROJECT_WARNINGS} ${TEST_OPTIMISATION})
-    target_include_directories(${name} PRIVATE ${tests})
+    target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR} ${tests}/support)
     target_precompile_headers(${name} REUSE_FROM test_headers)
     target_link_libraries(${name} PRIVATE ${ARGN} fakes GTest::gmock GTest::gtest_main)
 endfunction()

@@ -110,8 +110,9 @@ async function dependents(runner, candidates, file) {
 
 // Tests of the file's own folder first, then the quick ones.
 export function inOrder(programs, file) {
-  const own = `${basename(dirname(file))}_test`;
-  const rank = ({ name }) => (name === own || name === `${file.split('/')[0]}_test` ? 0 : 1);
+  const folder = basename(dirname(file));
+  const own = file.startsWith('firmware/') ? `firmware_${folder}_test` : `${folder}_test`;
+  const rank = ({ name }) => (name === own ? 0 : 1);
   return [...programs].sort((a, b) => rank(a) - rank(b) || a.seconds - b.seconds);
 }
 

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What geodesy and the mission engine take on the chip, in cycles without interrupts. Prints them
+// all; fails when one that has a limit in BUDGETS is past it.
+//   costs PROGRAMS_FOLDER BUDGETS.json
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "programs/steps.hpp"
+#include "simulator/machine/apm2_board.hpp"
+
+using namespace simulator;
+
+namespace {
+
+using Task = BoardFigures::Task;
+using Tasks = std::map<int, Task>;
+enum class Figure { each, longest, all };
+
+struct Line {
+    const char* what;
+    costs::Step step;
+    Figure figure;
+    const char* budget;  // nullptr: none
+};
+
+// clang-format off
+const Line kMission[] = {
+    {"idle poll",                                   costs::kIdlePoll,   Figure::longest, "mission_idle_poll_cycles"},
+    {"step that sets a parameter and begins a NAV", costs::kHeavyStep,  Figure::longest, "mission_heavy_step_cycles"},
+    {"advance over 168 actions, longest poll",      costs::kAdvance,    Figure::longest, "mission_advance_poll_cycles"},
+    {"advance over 168 actions, all polls",         costs::kAdvance,    Figure::all,     "mission_advance_cycles"},
+    {"upload of an item, longest",                  costs::kUploadItem, Figure::longest, "mission_upload_item_cycles"},
+    {"upload of an item, mean",                     costs::kUploadItem, Figure::each,    nullptr},
+};
+struct Pair {
+    const char* what;
+    costs::Step ours, naive;
+};
+const Pair kGeodesy[] = {
+    {"distance",       costs::kDistance, costs::kNaiveDistance},
+    {"bearing",        costs::kBearing,  costs::kNaiveBearing},
+    {"offset",         costs::kOffset,   costs::kNaiveOffset},
+    {"along, across",  costs::kTrack,    costs::kNaiveTrack},
+    {"line crossed",   costs::kPassed,   costs::kNaivePassed},
+};
+// clang-format on
+
+// Runs until the program has done its last step.
+Tasks run(const std::string& program, costs::Step last, double at_most_s) {
+    AvrBoard board(program, WorldOptions());
+    Tasks tasks;
+    for (uint64_t time_us = 0; time_us < at_most_s * 1e6; time_us += 100'000) {
+        if (!board.runUntil(time_us)) break;
+        tasks.clear();
+        for (const Task& task : board.figures().tasks) tasks[task.number] = task;
+        if (tasks.count(last - 1) != 0) return tasks;
+    }
+    std::printf("%s does not come to its end %s\n", program.c_str(), board.fault().c_str());
+    for (const auto& task : tasks) std::printf("%d: %u\n", task.first, task.second.runs);
+    std::exit(1);
+}
+
+class Costs {
+public:
+    Costs(Tasks tasks, nlohmann::json budgets)
+        : tasks_(std::move(tasks)), budgets_(std::move(budgets)) {}
+
+    double cycles(costs::Step step, Figure figure) const {
+        const auto found = tasks_.find(step - 1);
+        if (found == tasks_.end()) return -1;
+        const Task& task = found->second;
+        const double marks = tasks_.at(costs::kNothing - 1).mean_cycles;
+        if (figure == Figure::longest) return task.max_cycles - marks;
+        return (task.mean_cycles - marks) * (figure == Figure::all ? task.runs : 1);
+    }
+
+    bool holds(const Line& line) const {
+        const double cycles = this->cycles(line.step, line.figure);
+        std::printf("%-46s %9.0f cycles %8.1f us", line.what, cycles, cycles / 16);
+        if (line.figure == Figure::all) std::printf(" in %u polls", runs(line.step));
+        bool kept = cycles > 0;
+        if (line.budget != nullptr) {
+            const double most = budgets_.at(line.budget);
+            kept = kept && cycles <= most;
+            std::printf(", at most %.0f%s", most, kept ? "" : "  FAILED");
+        }
+        std::printf("\n");
+        return kept;
+    }
+
+private:
+    unsigned runs(costs::Step step) const { return tasks_.at(step - 1).runs; }
+
+    Tasks tasks_;
+    nlohmann::json budgets_;
+};
+
+bool geodesy(const Costs& costs) {
+    bool ran = true;
+    std::printf("%-16s %10s %10s   cycles; the naive one holds degrees in floats\n", "", "ours",
+                "naive");
+    for (const Pair& pair : kGeodesy) {
+        const double ours = costs.cycles(pair.ours, Figure::each);
+        const double naive = costs.cycles(pair.naive, Figure::each);
+        std::printf("%-16s %10.0f %10.0f\n", pair.what, ours, naive);
+        ran = ran && ours > 0 && naive > 0 && ours < naive;
+    }
+    std::printf("%-16s %10.0f\n", "in a new band", costs.cycles(costs::kNewBand, Figure::each));
+    return ran;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    if (count != 3) {
+        std::fprintf(stderr, "usage: costs PROGRAMS_FOLDER BUDGETS.json\n");
+        return 2;
+    }
+    const std::string folder = words[1];
+    std::ifstream file(words[2]);
+    const nlohmann::json budgets = nlohmann::json::parse(file);
+    bool kept = geodesy(Costs(run(folder + "/cost_geodesy.elf", costs::kNaivePassed, 1), budgets));
+    const Costs mission(run(folder + "/cost_mission.elf", costs::kNothing, 120), budgets);
+    for (const Line& line : kMission) kept = mission.holds(line) && kept;
+    return kept ? 0 : 1;
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include "bench.hpp"
+
+namespace {
+
+constexpr int kBrownOut = 2, kUnknown = 4;
+
+struct Guard : Bench {
+    Guard() : Bench("guard") {}
+    int causeAfterReset() {
+        chip.reset(simulator::Reset::brown_out);
+        chip.avr()->data[simulator::kMcusr] = 0;  // a bootloader's work
+        chip.adc().supply_v = 5;
+        run_ms(100);
+        return words(1).back();
+    }
+};
+
+}  // namespace
+
+TEST(HalGuard, calls_every_4_ms_once_nobody_has_touched_it_for_49_ms) {
+    Guard bench;
+    bench.run_ms(900);
+
+    EXPECT_NEAR(static_cast<double>(bench.cyclesBetween(2, 3)) / 16000, 49, 5);
+    const auto calls = bench.words(3).size();
+    const double called_ms =
+        static_cast<double>(bench.reports.back().cycle - bench.report(3).cycle) / 16000;
+    EXPECT_NEAR(called_ms / static_cast<double>(calls - 1), 4.1, 0.1);
+}
+
+TEST(HalGuard, a_run_that_ends_on_a_sagging_supply_ended_by_a_brown_out) {
+    Guard bench;
+    bench.run_ms(300);
+    bench.chip.adc().supply_v = 4.1;
+    bench.run_ms(10);
+
+    EXPECT_EQ(bench.causeAfterReset(), kBrownOut);
+}
+
+TEST(HalGuard, a_run_that_ends_without_a_note_on_a_steady_supply_ended_for_no_known_cause) {
+    Guard bench;
+    bench.run_ms(300);
+
+    EXPECT_EQ(bench.causeAfterReset(), kUnknown);
+}
+
+TEST(HalGuard, a_sag_is_forgotten_after_a_quarter_of_a_second) {
+    Guard bench;
+    bench.run_ms(300);
+    bench.chip.adc().supply_v = 4.1;
+    bench.run_ms(10);
+    bench.chip.adc().supply_v = 5;
+    bench.run_ms(100);
+    EXPECT_EQ(bench.causeAfterReset(), kBrownOut);
+
+    bench.run_ms(300);
+    bench.chip.adc().supply_v = 4.1;
+    bench.run_ms(10);
+    bench.chip.adc().supply_v = 5;
+    bench.run_ms(300);
+    EXPECT_EQ(bench.causeAfterReset(), kUnknown);
+}
+
+TEST(HalGuard, what_it_converts_between_the_scans_is_none_of_theirs) {
+    Guard bench;
+    bench.chip.adc().volts = [](int) { return 2.5; };
+    bench.run_ms(3000);
+
+    EXPECT_GT(bench.words(4).size(), 100u);
+    EXPECT_THAT(bench.words(4), testing::Each(512));
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include "bench.hpp"
+
+using testing::ElementsAre;
+
+namespace {
+constexpr int kPowerOn = 0, kExternal = 1, kBrownOut = 2, kWatchdog = 3, kAsked = 6;
+}
+
+TEST(HalWatchdog, lets_a_fed_program_run_and_bites_one_that_hangs_after_125_ms) {
+    Bench bench("watchdog");
+    bench.run_ms(1500);
+
+    ASSERT_THAT(bench.words(1), ElementsAre(kPowerOn, kWatchdog));
+    const double bitten_ms = static_cast<double>(bench.reports[2].cycle - bench.reports[1].cycle);
+    EXPECT_NEAR(bitten_ms / 16000, 125 + 15, 14);
+}
+
+TEST(HalWatchdog, reboot_comes_back_in_15_ms_and_the_watchdog_is_off_then) {
+    Bench bench("watchdog");
+    bench.run_ms(2500);
+
+    ASSERT_THAT(bench.words(1), ElementsAre(kPowerOn, kWatchdog, kAsked));
+    const auto asked = bench.report(3).cycle;
+    EXPECT_NEAR(static_cast<double>(bench.reports.back().cycle - asked) / 16000, 16, 4);
+}
+
+TEST(HalWatchdog, tells_the_causes_of_resets_apart) {
+    Bench bench("watchdog");
+    bench.run_ms(100);
+    bench.chip.reset(simulator::Reset::external);
+    bench.run_ms(100);
+    bench.chip.reset(simulator::Reset::brown_out);
+    bench.run_ms(100);
+
+    EXPECT_THAT(bench.words(1), ElementsAre(kPowerOn, kExternal, kBrownOut));
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machine.hpp"
+
+static double volts(int pin) { return 0.1 + 0.3 * pin; }
+static int counts(double v) { return static_cast<int>(v / 5 * 1024); }
+
+class AdcTest : public testing::Test {
+protected:
+    AdcTest() {
+        machine.chip.adc().volts = volts;
+        machine.run_ms(10);
+    }
+    Machine machine{"adc"};
+};
+
+TEST_F(AdcTest, all_sixteen_pins_are_measured) {
+    for (int pin = 0; pin < 16; pin++)
+        EXPECT_EQ(machine.report(10 + pin).word(), counts(volts(pin))) << "A" << pin;
+}
+
+TEST_F(AdcTest, a_result_belongs_to_the_channel_chosen_at_the_start) {
+    EXPECT_EQ(machine.report(2).word(), counts(volts(0)));
+}
+
+TEST_F(AdcTest, the_band_gap_is_1_1_volts) { EXPECT_EQ(machine.report(3).word(), counts(1.1)); }
+
+TEST_F(AdcTest, the_interrupt_brings_the_result) {
+    EXPECT_EQ(machine.report(4).word(), counts(volts(12)));
+}
+
+TEST_F(AdcTest, a_conversion_takes_13_clocks_the_first_25) {
+    constexpr int kClock = 128;
+    EXPECT_NEAR(machine.cyclesBetween(1, 10), 25 * kClock, kClock);
+    EXPECT_NEAR(machine.cyclesBetween(10, 11), 13 * kClock, kClock);
+}

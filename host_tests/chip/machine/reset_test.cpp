@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machine.hpp"
+
+using simulator::Reset;
+
+enum Cause { kPowerOn = 1, kExternal = 2, kBrownOut = 4, kWatchdog = 8 };
+
+TEST(Resets, the_watchdog_bites_15_ms_after_it_was_last_fed) {
+    Machine machine("watchdog");
+    machine.run_ms(60);
+
+    EXPECT_EQ(machine.report(1).low, kPowerOn);
+    EXPECT_EQ(machine.report(2).low, kWatchdog);
+    EXPECT_NEAR(machine.cyclesBetween(0x80, 2) / 16000.0, 16, 1);
+}
+
+TEST(Resets, each_cause_is_told_and_memory_survives) {
+    Machine machine("watchdog");
+    machine.run_ms(60);
+    machine.chip.reset(Reset::external);
+    machine.run_ms(1);
+    machine.chip.reset(Reset::brown_out);
+    machine.run_ms(1);
+
+    EXPECT_EQ(machine.report(3).low, kExternal);
+    EXPECT_EQ(machine.report(4).low, kBrownOut);
+}
+
+TEST(Resets, whoever_drives_the_chip_is_told_of_each_and_the_speed_stays) {
+    Machine machine("watchdog");
+    int resets = 0;
+    machine.chip.on_reset = [&resets] { resets++; };
+    machine.run_ms(60);
+    machine.chip.reset(Reset::external);
+
+    EXPECT_EQ(resets, 2);
+    EXPECT_GT(machine.chip.avr()->run_cycle_limit, 1000u);
+}
+
+TEST(Resets, pins_driven_from_outside_keep_their_level) {
+    Machine machine("watchdog");
+    machine.chip.drive('A', 1, true);
+    machine.chip.reset(Reset::external);
+    machine.run_ms(1);
+    constexpr uint16_t kPinA = 0x20;
+    EXPECT_EQ(machine.chip.avr()->data[kPinA] & 2, 2);
+}
+
+static std::vector<int> words(const Machine& machine, int number) {
+    std::vector<int> all;
+    for (const Report& report : machine.reports)
+        if (report.number == number) all.push_back(report.word());
+    return all;
+}
+
+TEST(BootSection, the_second_boards_hides_the_cause_and_spoils_memory_but_not_what_lies_between) {
+    Machine machine("boot");
+    machine.boot("apm2");
+    machine.run_ms(66);
+    EXPECT_EQ(words(machine, 1).size(), 1u) << "the application runs after the start-up time";
+    machine.run_ms(100);
+
+    EXPECT_EQ(words(machine, 1), (std::vector<int>{0, 0}));
+    EXPECT_EQ(words(machine, 2), (std::vector<int>{0, 0})) << "the watchdog is off";
+    EXPECT_EQ(words(machine, 3).back(), 0xB0B0);
+    EXPECT_EQ(words(machine, 4).back(), 0x5A);
+}
+
+TEST(BootSection, the_first_boards_never_gets_past_a_reset_by_the_watchdog) {
+    Machine machine("boot");
+    machine.boot("apm1");
+    int resets = 0;
+    machine.chip.on_reset = [&resets] { ++resets; };
+    machine.run_ms(500);
+
+    EXPECT_EQ(words(machine, 1), (std::vector<int>{0}));
+    EXPECT_GT(resets, 10);
+}
+
+TEST(BootSection, the_button_gets_past_it_on_either_board) {
+    for (const char* board : {"apm1", "apm2"}) {
+        Machine machine("boot");
+        machine.boot(board);
+        machine.run_ms(66);
+        machine.chip.reset(Reset::external);
+        machine.run_ms(66);
+        EXPECT_EQ(words(machine, 1), (std::vector<int>{0, 0})) << board;
+    }
+}

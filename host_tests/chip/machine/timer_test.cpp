@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machine.hpp"
+
+class TimerTest : public testing::Test {
+protected:
+    TimerTest() { machine.run_ms(5); }
+    Machine machine{"timers"};
+};
+
+TEST_F(TimerTest, counts_are_exact_from_the_written_value_on) {
+    EXPECT_EQ(machine.report(1).word(), 0xC000);
+    const int64_t ticks = machine.cyclesBetween(1, 2) / 8;
+    EXPECT_NEAR(machine.report(2).word() - 0xC000, ticks, 1);
+}
+
+TEST_F(TimerTest, a_count_wraps_after_top) {
+    EXPECT_NEAR(machine.report(3).word(), 39990, 1);
+    EXPECT_LT(machine.report(4).word(), 20);
+    EXPECT_EQ(machine.report(5).word() & 1, 1);
+}
+
+TEST_F(TimerTest, a_stopped_timer_keeps_its_count_and_starts_from_it) {
+    EXPECT_EQ(machine.report(6).word(), 0);
+    EXPECT_GE(machine.report(7).word(), 1000);
+    EXPECT_LE(machine.report(7).word(), 1004);
+}
+
+TEST_F(TimerTest, a_reloaded_eight_bit_timer_overflows_in_time) {
+    EXPECT_NEAR(machine.cyclesBetween(8, 9), 62 * 256, 20);
+    EXPECT_EQ(machine.report(9).word(), 0);
+}
+
+class PwmTest : public testing::Test {
+protected:
+    struct Pulse {
+        uint64_t rise, width;
+    };
+    PwmTest() {
+        machine.chip.onCompareOutput('1', 0, [this](bool high) {
+            if (high) {
+                pulses.push_back({machine.chip.cycle(), 0});
+            } else if (!pulses.empty()) {
+                pulses.back().width = machine.chip.cycle() - pulses.back().rise;
+            }
+        });
+        machine.run_ms(700);
+    }
+    double width(size_t pulse) const { return static_cast<double>(pulses.at(pulse).width); }
+    double period(size_t pulse) const {
+        return static_cast<double>(pulses.at(pulse + 1).rise - pulses.at(pulse).rise);
+    }
+    static constexpr double kJitter = 6;  // cycles: an instruction's length
+
+    Machine machine{"pwm"};
+    std::vector<Pulse> pulses;
+};
+
+TEST_F(PwmTest, a_new_width_counts_from_the_next_period_on_without_a_glitch) {
+    for (size_t i = 0; i + 1 < 36; i++) {
+        const double ticks = i <= 3 ? 2001 : i <= 6 ? 4001 : 1801;
+        EXPECT_NEAR(width(i), ticks * 8, kJitter) << "pulse " << i;
+    }
+    EXPECT_EQ(machine.report(1).word(), 1800);
+}
+
+TEST_F(PwmTest, the_period_is_top_plus_one_and_a_new_top_counts_at_once) {
+    for (size_t i = 0; i < 11; i++) EXPECT_NEAR(period(i), 40000 * 8, kJitter) << "pulse " << i;
+    for (size_t i = 12; i < 30; i++) EXPECT_NEAR(period(i), 20000 * 8, kJitter) << "pulse " << i;
+}

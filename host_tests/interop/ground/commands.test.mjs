@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { withVehicle } from '../../support/vehicle.mjs';
+
+const modes = { manual: 0, stabilize: 2, fbwa: 5, automatic: 10, rtl: 11, loiter: 12 };
+
+const inMode = (mode) => ({ within_ms: 1200, where: ({ customMode }) => customMode === mode });
+
+test('changes mode by command and by SET_MODE', withVehicle({}, async (vehicle) => {
+  await vehicle.wait(1000);
+  assert.equal(await vehicle.command(176, [1, modes.fbwa]), 0);
+  await vehicle.expect('HEARTBEAT', inMode(modes.fbwa));
+  vehicle.send('SET_MODE', { baseMode: 1, customMode: modes.stabilize });
+  assert.equal((await vehicle.expect('COMMAND_ACK')).result, 0);
+  await vehicle.expect('HEARTBEAT', inMode(modes.stabilize));
+  assert.notEqual(await vehicle.command(176, [1, 99]), 0);
+}));
+
+test('AUTO without a mission is refused and the reason told', withVehicle({}, async (vehicle) => {
+  await vehicle.wait(2000);
+  vehicle.forget();
+  assert.notEqual(await vehicle.command(300), 0);
+  await vehicle.expect('STATUSTEXT', { where: ({ text }) => text.length > 0 });
+}));
+
+test('arming before the sensors are ready is refused and the reason told',
+  withVehicle({}, async (vehicle) => {
+    assert.equal(await vehicle.command(400, [1]), 4);
+    const { text } = await vehicle.expect('STATUSTEXT', { where: (data) => /PreArm/.test(data.text) });
+    assert.match(text, /^PreArm: .+/);
+  }));
+
+test('arms when ready, says so in the heartbeat, and disarms', withVehicle({}, async (vehicle) => {
+  const armed = (wanted) => ({ within_ms: 2000, where: ({ baseMode }) => ((baseMode & 128) !== 0) === wanted });
+  let result = 4;
+  for (let tries = 0; tries < 60 && result !== 0; ++tries) {
+    await vehicle.wait(1000);
+    result = await vehicle.command(400, [1]);
+  }
+  assert.equal(result, 0, 'never ready in a minute');
+  vehicle.forget();
+  await vehicle.expect('HEARTBEAT', armed(true));
+  assert.equal(await vehicle.command(410), 0);
+  const home = await vehicle.expect('HOME_POSITION');
+  assert.ok(Math.abs(home.latitude - 473_977_000) < 2000, `${home.latitude}`);
+  assert.equal(await vehicle.command(246, [1]), 1, 'a reboot while armed');
+  assert.equal(await vehicle.command(400, [0]), 0);
+  vehicle.forget();
+  await vehicle.expect('HEARTBEAT', armed(false));
+}));
+
+test('what it cannot do is answered', withVehicle({}, async (vehicle) => {
+  const cases = [[22, [15], 3], [21, [], 3], [207, [1], 2], [208, [2], 3], [191, [30], 1], [189, [], 1], [206, [-1], 2],
+    [31_000, [], 3], [300, [3, 5], 2], [183, [3, 1500], 2], [183, [6, 3000], 2], [181, [1, 1], 2],
+    [178, [0, 90, -1], 2], [179, [0], 2], [192, [-1, 0, 0, 0, 47.4, 8.5, 500], 1], [241, [], 3],
+    [246, [2], 2], [400, [7], 2], [511, [30, -7], 2], [512, [9999], 3]];
+  for (const [command, parameters, result] of cases)
+    assert.equal(await vehicle.command(command, parameters), result, `${command} [${parameters}]`);
+}));
+
+test('moves a servo and the relay', withVehicle({}, async (vehicle) => {
+  vehicle.send('REQUEST_DATA_STREAM', { reqStreamId: 3, reqMessageRate: 10, startStop: 1 });
+  assert.equal(await vehicle.command(183, [6, 1780]), 0);
+  await vehicle.expect('SERVO_OUTPUT_RAW', { where: ({ servo6Raw }) => servo6Raw === 1780 });
+  assert.equal(await vehicle.command(184, [7, 1900, 2, 1]), 0);
+  await vehicle.expect('SERVO_OUTPUT_RAW', { where: ({ servo7Raw }) => servo7Raw === 1900 });
+  await vehicle.expect('SERVO_OUTPUT_RAW', { where: ({ servo7Raw }) => servo7Raw === 1500 });
+  assert.equal(await vehicle.command(181, [0, 1]), 0);
+  assert.equal(await vehicle.command(182, [0, 2, 1]), 0);
+}));
+
+test('calibrates: in progress, then done', withVehicle({}, async (vehicle) => {
+  await vehicle.wait(6000);
+  assert.equal(await vehicle.command(241, [1, 0, 1]), 5);
+  const done = await vehicle.expect('COMMAND_ACK',
+    { within_ms: 15_000, where: ({ command, result }) => command === 241 && result !== 5 });
+  assert.equal(done.result, 0);
+}));
+
+test('takes the way it stands for level', withVehicle({}, async (vehicle) => {
+  const trim = async (name) => {
+    vehicle.send('PARAM_REQUEST_READ', { paramId: name, paramIndex: -1 });
+    return (await vehicle.expect('PARAM_VALUE', { where: ({ paramId }) => paramId === name })).paramValue;
+  };
+  const level = async () => {
+    vehicle.forget();
+    return vehicle.expect('ATTITUDE');
+  };
+  vehicle.send('REQUEST_DATA_STREAM', { reqStreamId: 10, reqMessageRate: 10, startStop: 1 });
+  vehicle.send('PARAM_SET', { paramId: 'AHRS_TRIM_X', paramValue: 0.08, paramType: 9 });
+  vehicle.send('PARAM_SET', { paramId: 'AHRS_TRIM_Y', paramValue: -0.06, paramType: 9 });
+  await vehicle.wait(20_000);
+  const { roll, pitch } = await level();
+  assert.ok(Math.abs(roll) > 0.03 && Math.abs(pitch) > 0.02, `${roll} ${pitch}: leans as it was told to`);
+  assert.equal(await vehicle.command(241, [0, 0, 0, 0, 2]), 0);
+  const x = await trim('AHRS_TRIM_X'), y = await trim('AHRS_TRIM_Y');
+  assert.ok(Math.abs(x - (0.08 + roll)) < 0.002 && Math.abs(x) < 0.05, `roll ${roll}, now ${x}`);
+  assert.ok(Math.abs(y - (-0.06 + pitch)) < 0.002 && Math.abs(y) < 0.04, `pitch ${pitch}, now ${y}`);
+}));
+
+test('the ground station can take the place of the receiver', withVehicle({}, async (vehicle) => {
+  await vehicle.wait(1000);
+  vehicle.send('REQUEST_DATA_STREAM', { reqStreamId: 3, reqMessageRate: 10, startStop: 1 });
+  const sticks = Object.fromEntries([1, 2, 3, 4, 5, 6, 7, 8].map((i) => [`chan${i}Raw`, 65_535]));
+  vehicle.send('RC_CHANNELS_OVERRIDE', { ...sticks, chan1Raw: 1234 });
+  await vehicle.expect('RC_CHANNELS_RAW', { where: ({ chan1Raw }) => chan1Raw === 1234 });
+  vehicle.send('RC_CHANNELS_OVERRIDE', { ...sticks, chan1Raw: 0 });
+  await vehicle.expect('RC_CHANNELS_RAW', { where: ({ chan1Raw }) => Math.abs(chan1Raw - 1500) < 20 });
+}));

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A fence: loaded, read back, shown, and flown against.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { assertSame, beside, distance_m, download, fence, flies, kCorner, kExclusion, kFence, said,
+  setParameter, takeOff, upload } from './points.mjs';
+import { withVehicle } from '../../support/vehicle.mjs';
+
+const kGuided = 15, kAuto = 10, kEnable = 207, kGeofence = 0x100000;
+const square = fence(300);
+
+test('goes up and comes down the same', withVehicle({}, async (vehicle) => {
+  vehicle.line.version = 2;
+  assert.equal(await upload(vehicle, square, kFence), 0);
+  assertSame(await download(vehicle, kFence), square);
+  vehicle.send('MISSION_CLEAR_ALL', { missionType: kFence });
+  assert.equal((await vehicle.expect('MISSION_ACK', { within_ms: 3000 })).type, 0);
+  assert.equal((await download(vehicle, kFence)).length, 0);
+}));
+
+test('what it does not fly is refused, and why is told', withVehicle({}, async (vehicle) => {
+  vehicle.line.version = 2;
+  assert.equal(await upload(vehicle, square, kFence), 0);
+  const exclusion = square.map((item) => ({ ...item, command: item.command === kCorner ? kExclusion : item.command }));
+  assert.equal(await upload(vehicle, exclusion, kFence), 3);
+  await said(vehicle, /inclusion polygon/);
+  vehicle.send('MISSION_COUNT', { count: 21, missionType: kFence });
+  assert.equal((await vehicle.expect('MISSION_ACK')).type, 4);
+  assertSame(await download(vehicle, kFence), square);
+}));
+
+test('goes up point by point, each read back, as before there was another way',
+  withVehicle({}, async (vehicle) => {
+    const corners = square.slice(1);
+    const points = [square[0], ...corners, corners[0]];
+    await vehicle.wait(1000);
+    assert.equal(await setParameter(vehicle, 'FENCE_ACTION', 0), 0);
+    assert.equal(await setParameter(vehicle, 'FENCE_TOTAL', points.length), points.length);
+    for (const [idx, { x, y }] of points.entries()) {
+      vehicle.send('FENCE_POINT', { idx, count: points.length, lat: x * 1e-7, lng: y * 1e-7 });
+      vehicle.send('FENCE_FETCH_POINT', { idx });
+      const back = await vehicle.expect('FENCE_POINT', { within_ms: 3000 });
+      assert.equal(back.idx, idx);
+      assert.ok(Math.abs(back.lat - x * 1e-7) < 1e-5 && Math.abs(back.lng - y * 1e-7) < 1e-5, `point ${idx}`);
+    }
+    vehicle.line.version = 2;
+    const items = await download(vehicle, kFence);
+    assert.deepEqual(items.map(({ command }) => command), square.map(({ command }) => command));
+  }));
+
+test('turns the airplane back', withVehicle({}, async (vehicle) => {
+  vehicle.line.version = 2;
+  const wayBack = beside(80, 60);
+  assert.equal(await upload(vehicle, fence(250, wayBack), kFence), 0);
+  assert.equal(await setParameter(vehicle, 'FENCE_ACTION', 1), 1);
+  await takeOff(vehicle);
+  vehicle.send('REQUEST_DATA_STREAM', { reqStreamId: 6, reqMessageRate: 5, startStop: 1 });
+  vehicle.send('REQUEST_DATA_STREAM', { reqStreamId: 2, reqMessageRate: 2, startStop: 1 });
+  assert.equal(await vehicle.command(kEnable, [1]), 0);
+
+  // a place outside, which it must not get to
+  const outside = beside(900, 0);
+  vehicle.send('MISSION_ITEM_INT', { command: 16, frame: 6, current: 2, ...outside, z: 60 });
+  assert.equal((await vehicle.expect('MISSION_ACK')).type, 0);
+  await said(vehicle, /Fence breach: outside/, 40_000);
+  vehicle.forget();
+  const status = await vehicle.expect('FENCE_STATUS', { where: ({ breachStatus }) => breachStatus === 1 });
+  assert.equal(status.breachCount, 1);
+  assert.equal(status.breachType, 3);
+  const health = await vehicle.expect('SYS_STATUS');
+  assert.ok(health.onboardControlSensorsEnabled & kGeofence);
+  assert.ok(!(health.onboardControlSensorsHealth & kGeofence));
+  const mode = await vehicle.expect('HEARTBEAT', { within_ms: 1500 });
+  assert.equal(mode.customMode, kGuided);
+  await flies(vehicle, 60, (place) => distance_m(wayBack, place) < 90);
+  await vehicle.expect('FENCE_STATUS', { where: ({ breachStatus }) => breachStatus === 0 });
+
+  // the pilot may choose again; AUTO's waypoints are inside or not, the fence is off now
+  assert.equal(await vehicle.command(kEnable, [0]), 0);
+  assert.equal(await vehicle.command(176, [1, kAuto]), 0);
+}));

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What "fly to here" of a ground station does: one flight, from the runway into GUIDED and around
+// in it, by every message that ground stations use for it.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { withVehicle } from '../../support/vehicle.mjs';
+
+const kGuided = 15, kAuto = 10;
+const kGlobalInt = 5, kRelativeInt = 6, kTerrainInt = 11;
+const kReposition = 192, kChangeAltitude = 186, kChangeSpeed = 178, kSetHome = 179;
+const kRadius_m = 60;
+
+const file = new URL('../../../simulator/missions/first_flight.waypoints', import.meta.url);
+const plan = readFileSync(file, 'utf8').trim().split(/\r?\n/).slice(1, 4).map((line) => {
+  const [seq, , frame, command, param1, param2, param3, param4, x, y, z] = line.split(/\s+/).map(Number);
+  return { seq, frame, command, param1, param2, param3, param4,
+    x: Math.round(x * 1e7), y: Math.round(y * 1e7), z, current: 0, autocontinue: 1 };
+});
+const home = plan[0];
+const metresPerE7 = 0.011132;
+const beside = (north_m, east_m) => ({
+  x: home.x + Math.round(north_m / metresPerE7),
+  y: home.y + Math.round(east_m / metresPerE7 / Math.cos(home.x * 1e-7 * Math.PI / 180)),
+});
+const distance_m = (place, { lat, lon }) => Math.hypot((place.x - lat) * metresPerE7,
+  (place.y - lon) * metresPerE7 * Math.cos(home.x * 1e-7 * Math.PI / 180));
+
+async function upload(vehicle, items) {
+  vehicle.send('MISSION_COUNT', { count: items.length });
+  for (;;) {
+    const { name, data } = await vehicle.next(['MISSION_REQUEST_INT', 'MISSION_ACK'], { within_ms: 5000 });
+    if (name === 'MISSION_ACK') return data.type;
+    vehicle.send('MISSION_ITEM_INT', items[data.seq]);
+  }
+}
+
+async function takeOff(vehicle) {
+  assert.equal(await upload(vehicle, plan), 0);
+  let result = 4;
+  for (let tries = 0; tries < 60 && result !== 0; ++tries) {
+    await vehicle.wait(1000);
+    result = await vehicle.command(400, [1]);
+  }
+  assert.equal(result, 0, 'never ready in a minute');
+  assert.equal(await vehicle.command(300), 0);
+  await flies(vehicle, 40, ({ relativeAlt }) => relativeAlt > 35_000);
+}
+
+// Until `where` holds of where it says it is, and of where it is in truth.
+async function flies(vehicle, within_s, where) {
+  vehicle.forget();
+  return vehicle.expect('GLOBAL_POSITION_INT', { within_ms: within_s * 1000, where });
+}
+
+async function commandInt(vehicle, command, frame, { x, y }, z, params = []) {
+  const fields = { command, frame, _param5: x, _param6: y, _param7: z };
+  for (let i = 0; i < 4; ++i) fields[`_param${i + 1}`] = params[i] ?? 0;
+  vehicle.send('COMMAND_INT', fields);
+  return (await vehicle.expect('COMMAND_ACK', { where: (data) => data.command === command })).result;
+}
+
+async function inMode(vehicle, mode) {
+  vehicle.forget();
+  const heartbeat = await vehicle.expect('HEARTBEAT', { within_ms: 1200 });
+  assert.equal(heartbeat.customMode, mode);
+}
+
+const truth = async (vehicle) => JSON.parse(await vehicle.order('state'));
+
+test('fly guided', withVehicle({}, async (vehicle) => {
+  vehicle.line.version = 2;
+  await takeOff(vehicle);
+  vehicle.send('REQUEST_DATA_STREAM', { reqStreamId: 6, reqMessageRate: 5, startStop: 1 });
+
+  // MAVProxy's and Mission Planner's way: an item that is none
+  const first = beside(200, -250);
+  vehicle.send('MISSION_ITEM_INT', { command: 16, frame: kRelativeInt, current: 2, ...first, z: 60 });
+  assert.equal((await vehicle.expect('MISSION_ACK')).type, 0);
+  await inMode(vehicle, kGuided);
+  await flies(vehicle, 45, (at) => distance_m(first, at) < kRadius_m + 15);
+
+  // somewhere that cannot be flown to changes nothing
+  assert.equal(await commandInt(vehicle, kReposition, kTerrainInt, first, 60, [-1, 1]), 9);
+  assert.equal(await commandInt(vehicle, kReposition, kRelativeInt, { x: 950_000_000, y: 0 }, 60,
+    [-1, 1]), 2);
+  vehicle.send('MISSION_ITEM_INT', { command: 16, frame: 1, current: 2, ...first, z: 60 });
+  assert.equal((await vehicle.expect('MISSION_ACK')).type, 2);
+
+  // QGroundControl's way, above sea level, slower, around a smaller circle the other way
+  const second = beside(200, -50);
+  assert.equal(await vehicle.command(kChangeSpeed, [0, 12, -1]), 0);
+  assert.equal(await vehicle.command(kChangeSpeed, [0, 60, -1]), 2);
+  assert.equal(await commandInt(vehicle, kReposition, kGlobalInt, second, home.z + 70,
+    [-1, 1, 50, 1]), 0);
+  await flies(vehicle, 40, (at) => distance_m(second, at) < 65);
+  await vehicle.wait(12_000);
+  for (let look = 0; look < 3; ++look) {
+    await vehicle.wait(2000);
+    const at = await flies(vehicle, 1, () => true);
+    assert.ok(Math.abs(distance_m(second, at) - 50) < 8, `${distance_m(second, at)} m from the middle`);
+    assert.ok(Math.abs(at.relativeAlt / 1000 - 70) < 3, `${at.relativeAlt} mm high`);
+    const now = await truth(vehicle);
+    assert.ok(Math.abs(now.airspeed_mps - 12) < 1.5, `${now.airspeed_mps} m/s`);
+    assert.ok(now.roll_rad < -0.1, 'turns left');
+  }
+
+  // a new home moves the numbers, not the airplane
+  const before = await truth(vehicle);
+  assert.equal(await commandInt(vehicle, kSetHome, kGlobalInt, second, home.z + 30), 0);
+  await vehicle.wait(6000);
+  const after = await truth(vehicle);
+  assert.ok(Math.abs(after.altitude_m - before.altitude_m) < 2,
+    `${before.altitude_m} m became ${after.altitude_m} m`);
+  const at = await flies(vehicle, 1, () => true);
+  assert.ok(Math.abs(at.relativeAlt / 1000 - 40) < 3, `${at.relativeAlt} mm above the new home`);
+
+  // the height alone: MAVProxy's changealt, and the older way
+  assert.equal(await vehicle.command(kChangeAltitude, [60, 3]), 0);
+  await flies(vehicle, 25, ({ relativeAlt }) => relativeAlt > 57_000);
+  vehicle.send('MISSION_ITEM_INT', { command: 16, frame: kRelativeInt, current: 3, x: 0, y: 0, z: 45 });
+  assert.equal((await vehicle.expect('MISSION_ACK')).type, 0);
+  const lower = await flies(vehicle, 25, ({ relativeAlt }) => relativeAlt < 48_000);
+  assert.ok(distance_m(second, lower) < 65, 'left its place');
+
+  // on the ground alone
+  assert.equal(await vehicle.command(241, [1]), 2);
+  assert.equal(await vehicle.command(246, [1]), 1);
+  await inMode(vehicle, kGuided);
+  assert.equal(await vehicle.command(176, [1, kAuto]), 0);
+  await inMode(vehicle, kAuto);
+}));

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// AUTOTUNE in the air, natively: a pilot who rolls and pitches from gains that are so many times
+// the defaults comes to the gains of this airplane, whatever they were at first. Exits 0 when that
+// is so.
+//   autotune_flight AIRPLANE MISSION TIMES RLL2SRV_P PTCH2SRV_P [NAME=VALUE ...]
+//   autotune_flight AIRPLANE MISSION to OWN.param FOUND.param
+// NAME is set to VALUE before: what an airplane needs to be flown at all, its mixing for one. The
+// second form begins with the defaults, and with what OWN.param says but for the gains that are
+// learnt; it writes all that to FOUND.param with the gains it finds.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "firmware/state/parameters.hpp"
+#include "host_tests/scenarios/station.hpp"
+#include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/ground/scripted_flight.hpp"
+#include "simulator/native/native_board.hpp"
+#include "simulator/parameter_file.hpp"
+
+using namespace simulator;
+
+namespace {
+
+constexpr int kTelemetry = 2, kUsb = 0;
+constexpr uint64_t kStep_us = 20'000;
+constexpr double kDegree = M_PI / 180;
+constexpr double kRolls_s = 100, kAll_s = 200;  // then the nose; limits of the learning
+constexpr double kLow_m = 60;                   // lower the nose is not put down
+constexpr float kFarthest = 1.25f;              // from what it is to come to
+
+struct Gains {
+    float roll_p, pitch_p;
+};
+
+class Tuning {
+public:
+    Tuning(const std::string& airplane, const Waypoints& items, const ParameterSettings& settings)
+        : board_(worldOf(airplane, items)),
+          flight_(board_, kTelemetry, items, 600, settings),
+          usb_(board_, kUsb, [](const mavlink::Frame&, uint64_t) {}) {
+        board_.listen([this](int usart, uint8_t byte, uint64_t at_us) {
+            if (usart == kTelemetry) flight_.receive(byte, at_us);
+            if (usart == kUsb) usb_.receive(byte, at_us);
+        });
+        board_.setUsb(true);
+        switchTransmitterOn(board_.world());
+    }
+
+    Gains learn(float by) {
+        while (goOn() && !(flight_.airborne_s() && seconds() > *flight_.airborne_s() + 25)) {
+        }
+        set({{"FLTMODE1", 8},
+             {"RLL2SRV_P", 0.75f * by},
+             {"RLL2SRV_I", 0.04f * by},
+             {"RLL2SRV_D", 0.03f * by},
+             {"PTCH2SRV_P", 1 * by},
+             {"PTCH2SRV_I", 0.3f * by},
+             {"PTCH2SRV_D", 0.05f * by}});
+        const double from_s = seconds();
+        for (double t_s = 0; t_s < kAll_s && goOn(); t_s = seconds() - from_s) pilot(t_s);
+        if (flight_.over()) throw std::runtime_error("the flight ended: " + flight_.reason());
+        const Gains found = {firmware::state::parameters.roll.axis.p,
+                             firmware::state::parameters.pitch.axis.p};
+        std::printf("  from %.1f times the defaults: RLL2SRV_P %.2f, PTCH2SRV_P %.2f\n", double(by),
+                    double(found.roll_p), double(found.pitch_p));
+        return found;
+    }
+
+private:
+    static WorldOptions worldOf(const std::string& airplane, const Waypoints& items) {
+        WorldOptions world;
+        world.airplane = airplane;
+        world.latitude_deg = items[0].latitude_deg;
+        world.longitude_deg = items[0].longitude_deg;
+        world.altitude_m = items[0].altitude_m;
+        world.heading_deg = 340;
+        world.wind_mps = 4;
+        world.wind_from_deg = 320;
+        world.seed = 3;
+        return world;
+    }
+    double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
+
+    bool goOn() {
+        if (!board_.runUntil(++step_ * kStep_us)) flight_.stop(board_.fault());
+        flight_.step(board_.time_us());
+        return !flight_.over();
+    }
+
+    void set(std::initializer_list<std::pair<const char*, float>> parameters) {
+        for (const auto& [name, value] : parameters) {
+            usb_.send(paramSet(flight_.telemetry().system, name, value));
+            for (int i = 0; i < 10; ++i) goOn();
+        }
+    }
+
+    // Full roll to either side; then the wings held level and the nose up and down. The throttle
+    // keeps the height that the elevator leaves.
+    void pilot(double t_s) {
+        const Truth& truth = board_.world().truth();
+        const bool other = std::fmod(t_s, 6) >= 3;
+        int roll = 0, pitch = 0;
+        if (t_s < kRolls_s)
+            roll = other ? 400 : -400;
+        else
+            pitch = other ? 350 : (truth.height_m > kLow_m ? -350 : 0);
+        if (t_s < kRolls_s) pitch = truth.height_m < 90 ? 120 : 0;
+        const double throttle = std::clamp(0.6 + (100 - truth.height_m) * 0.02, 0.3, 1.0);
+        const auto us = [](double by) { return static_cast<uint16_t>(1500 + by); };
+        board_.world().radio().sticks(
+            {us(roll), us(pitch), us(-400 + 800 * throttle), 1500, 1500, 1500, 1500, 1165}, true);
+    }
+
+    NativeBoard board_;
+    ScriptedFlight flight_;
+    Link usb_;
+    uint64_t step_ = 0;
+};
+
+constexpr const char* kLearnt[] = {"RLL2SRV_TCONST",  "RLL2SRV_P",  "RLL2SRV_I",  "RLL2SRV_D",
+                                   "PTCH2SRV_TCONST", "PTCH2SRV_P", "PTCH2SRV_I", "PTCH2SRV_D"};
+
+float parameterNow(const char* name) {
+    char padded[16] = {};
+    std::memcpy(padded, name, std::min(std::strlen(name), sizeof padded));
+    uint16_t index;
+    float value = NAN;
+    uint8_t type;
+    if (firmware::state::parameterFind(padded, index))
+        firmware::state::parameterAt(index, padded, value, type);
+    return value;
+}
+
+int learnTo(const std::string& airplane, const Waypoints& items, const std::string& own,
+            const std::string& found) {
+    ParameterSettings settings = readParameterFile(own);
+    settings.erase(std::remove_if(settings.begin(), settings.end(),
+                                  [](const ParameterSetting& each) {
+                                      return std::count(std::begin(kLearnt), std::end(kLearnt),
+                                                        each.name) > 0;
+                                  }),
+                   settings.end());
+    Tuning tuning(airplane, items, settings);
+    tuning.learn(1);
+    std::filesystem::create_directories(std::filesystem::path(found).parent_path());
+    std::ofstream file(found);
+    file << "# " << own << ", but for the gains, which AUTOTUNE has found.\n";
+    for (const ParameterSetting& each : settings) file << each.name << "," << each.value << "\n";
+    for (const char* name : kLearnt) file << name << "," << parameterNow(name) << "\n";
+    return file.good() ? 0 : 1;
+}
+
+bool near(float one, float other) { return one < kFarthest * other && other < kFarthest * one; }
+
+}  // namespace
+
+int main(int count, char** words) try {
+    if (count == 6 && std::string(words[3]) == "to")
+        return learnTo(words[1], readWaypoints(words[2]), words[4], words[5]);
+    if (count < 6)
+        throw std::runtime_error("expected AIRPLANE MISSION TIMES RLL2SRV_P PTCH2SRV_P NAME=VALUE");
+    ParameterSettings settings;
+    for (int i = 6; i < count; ++i) {
+        const std::string word = words[i];
+        const size_t equals = word.find('=');
+        settings.push_back({word.substr(0, equals), std::stod(word.substr(equals + 1))});
+    }
+    const Gains right = {std::stof(words[4]), std::stof(words[5])};
+    Tuning tuning(words[1], readWaypoints(words[2]), settings);
+    const Gains found = tuning.learn(std::stof(words[3]));
+    const bool ok = near(found.roll_p, right.roll_p) && near(found.pitch_p, right.pitch_p);
+    std::printf("  %s wanted about %s and %s\n", ok ? "ok    " : "FAILED", words[4], words[5]);
+    return ok ? 0 : 1;
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "autotune_flight: %s\n", error.what());
+    return 1;
+}

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The log of a flight of the first mission, held against what the simulator knows of that flight.
+// FLY and LOG_TOOL name the programs.
+import assert from 'node:assert/strict';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { closeSync, mkdtempSync, openSync, readdirSync, readFileSync, rmSync, symlinkSync,
+         writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { named, readLog } from '../support/bin.mjs';
+
+const kMetresPerDegree = 111_195;
+let folder, image, records, truth;
+
+const wrapped = (degrees) => degrees - 360 * Math.round(degrees / 360);
+const tool = (...words) => execFileSync(process.env.LOG_TOOL, words, { encoding: 'utf8' });
+
+function readCsv(path) {
+  const [head, ...lines] = readFileSync(path, 'utf8').trimEnd().split('\n').map((line) => line.split(','));
+  return lines.map((cells) => Object.fromEntries(head.map((name, i) => [name, cells[i]])));
+}
+
+before(() => {
+  folder = mkdtempSync(join(tmpdir(), 'flight-log-'));
+  image = join(folder, 'flash.bin');
+  execFileSync(process.env.FLY, ['--native', '--dataflash', image, '--wind', '5,320', '--gusts',
+    '--out', join(folder, 'flight')], { stdio: 'ignore' });
+  tool('extract', image, '-o', join(folder, 'log.bin'));
+  records = readLog(readFileSync(join(folder, 'log.bin')));
+  truth = readCsv(join(folder, 'flight', 'flight.csv')).map((row) =>
+    Object.fromEntries(Object.entries(row).map(([name, cell]) => [name, cell === '' ? NaN : +cell])));
+  for (let i = 1; i < truth.length; ++i)  // so that it can be halved between two samples
+    truth[i].yaw_deg = truth[i - 1].yaw_deg + wrapped(truth[i].yaw_deg - truth[i - 1].yaw_deg);
+});
+after(() => rmSync(folder, { recursive: true }));
+
+// The truth is sampled at 10 Hz; between two samples it is taken to run straight.
+function at(time_s, name) {
+  const i = Math.floor(time_s * 10) - 1, [a, b] = [truth[i], truth[i + 1]];
+  if (!a || !b) return NaN;
+  const part = (time_s - a.time_s) / (b.time_s - a.time_s);
+  return a[name] + part * (b[name] - a[name]);
+}
+
+const flying = ({ TimeUS }) => at(TimeUS * 1e-6, 'height_m') > 3;
+
+function spread(name, errorOf, most) {
+  const errors = named(records, name).filter(flying).map((record) => Math.abs(errorOf(record, record.TimeUS * 1e-6)));
+  assert.ok(errors.length > 1000, `${errors.length} ${name}`);
+  const rms = Math.sqrt(errors.reduce((sum, error) => sum + error * error, 0) / errors.length);
+  console.log(`${name}: ${errors.length} records, RMS ${rms.toFixed(3)}, most ${Math.max(...errors).toFixed(3)}`);
+  assert.ok(rms < most.rms, `RMS ${rms} of ${most.rms}`);
+  assert.ok(Math.max(...errors) < most.peak, `${Math.max(...errors)} of ${most.peak}`);
+}
+
+test('roll, pitch and heading are where the airplane was', () => {
+  spread('ATT', (att, time_s) => att.Roll - at(time_s, 'roll_deg'), { rms: 2, peak: 10 });
+  spread('ATT', (att, time_s) => att.Pitch - at(time_s, 'pitch_deg'), { rms: 2, peak: 10 });
+  spread('ATT', (att, time_s) => wrapped(att.Yaw - at(time_s, 'yaw_deg')), { rms: 5, peak: 15 });
+});
+
+test('the place is where the airplane was', () => {
+  const north = (record, time_s) => (record.Lat - at(time_s, 'latitude_deg')) * kMetresPerDegree;
+  const east = (record, time_s) => (record.Lng - at(time_s, 'longitude_deg')) * kMetresPerDegree * Math.cos(record.Lat * Math.PI / 180);
+  spread('NTUN', north, { rms: 2.5, peak: 8 });
+  spread('NTUN', east, { rms: 2.5, peak: 8 });
+  spread('GPS', north, { rms: 4, peak: 10 });  // what the receiver knew was 0.2 s old
+  spread('GPS', east, { rms: 4, peak: 10 });
+  spread('CTUN', (ctun, time_s) => ctun.Alt - at(time_s, 'height_m'), { rms: 1.5, peak: 5 });
+  spread('CTUN', (ctun, time_s) => ctun.Aspd - at(time_s, 'equivalent_airspeed_mps'), { rms: 1, peak: 4 });
+});
+
+test('the gyros tell how the roll changes, and the accelerometer which way is down', () => {
+  const imu = named(records, 'IMU').filter(flying);
+  const lift = imu.reduce((sum, { AccZ }) => sum + AccZ, 0) / imu.length;
+  assert.ok(lift < -9 && lift > -12, `${lift} m/s/s`);
+  const turns = imu.map(({ TimeUS, GyrX }) => [GyrX * 180 / Math.PI,
+    (at(TimeUS * 1e-6 + 0.1, 'roll_deg') - at(TimeUS * 1e-6 - 0.1, 'roll_deg')) / 0.2]);
+  const mean = turns.reduce((sum, [gyro, truth]) => sum + Math.abs(gyro - truth), 0) / turns.length;
+  assert.ok(mean < 8, `${mean} deg/s`);
+});
+
+test('pulses, modes, mission and the end of the flight are in it', () => {
+  spread('RCOU', (rcou, time_s) => {
+    const [before_us, after_us] = [at(time_s - 0.1, 'servo1_us'), at(time_s + 0.1, 'servo1_us')];
+    const low = Math.min(before_us, at(time_s, 'servo1_us'), after_us), high = Math.max(before_us, at(time_s, 'servo1_us'), after_us);
+    return Math.max(0, low - rcou.Ch1, rcou.Ch1 - high);
+  }, { rms: 15, peak: 200 });
+  assert.deepEqual(named(records, 'MODE').map(({ ModeNum }) => ModeNum).slice(-1), [10]);
+  assert.deepEqual(named(records, 'EV').map(({ Id }) => Id), [10, 28, 18, 11], 'armed, off, down, disarmed');
+  const commands = named(records, 'CMD');
+  assert.equal(new Set(commands.map(({ CNum }) => CNum)).size, commands[0].CTot, 'every item');
+  assert.ok(named(records, 'MSG').some(({ Message }) => Message === 'Throttle disarmed'));
+  const parameters = new Map(named(records, 'PARM').map(({ Name, Value }) => [Name, Value]));
+  assert.equal(parameters.get('WP_RADIUS'), 30);
+  assert.equal(named(records, 'PM').at(-1).Drop, 0);
+  const gps = named(records, 'GPS');
+  assert.ok(gps.every(({ GWk, GMS }, i) => GWk === 2317 && (i === 0 || GMS - gps[i - 1].GMS === 200)), 'each fix once');
+});
+
+test('the tool lists, summarises and tabulates it', () => {
+  assert.match(tool('list', image), /^log 1  \d+ bytes in \d+ pages\n$/);
+  assert.match(tool('summary', image), /height above home .* to \d+\.\d m\n/);
+  tool('csv', image, '-o', join(folder, 'csv'));
+  assert.ok(readdirSync(join(folder, 'csv')).includes('ATT.csv'));
+  const rows = readCsv(join(folder, 'csv', 'ATT.csv'));
+  const att = named(records, 'ATT');
+  assert.equal(rows.length, att.length);
+  assert.equal(+rows[500].Roll, att[500].Roll);
+  assert.equal(tool('summary', join(folder, 'log.bin')), tool('summary', image));
+});
+
+test('the log begins with who wrote it and why the board started, before anything that happens', () => {
+  const [first, second] = records.filter(({ name }) => ['MSG', 'ERR', 'EV', 'MODE'].includes(name));
+  assert.match(first.Message, /^ArduPilotMega autopilot/);
+  assert.deepEqual([second.name, second.Subsys], ['ERR', 19]);
+});
+
+test('modes, events and errors are shown by their names', () => {
+  const summary = tool('summary', image);
+  for (const line of ['MODE  AUTO', 'EV    armed', 'EV    in the air', 'EV    on the ground', 'EV    disarmed',
+    'ERR   CPU: started by the supply', 'MSG   Throttle disarmed'])
+    assert.match(summary, new RegExp(`\\d s  ${line}\n`));
+});
+
+// A log of these records: [type, name, fields, labels, bytes of each record].
+function binLog(...kinds) {
+  const head = (type) => [0xA3, 0x95, type];
+  const text = (letters, size) => [...Buffer.from(letters), ...Array(size - letters.length).fill(0)];
+  const format = ([type, name, fields, labels, ...rows]) => [...head(128), type,
+    3 + rows[0].length, ...text(name, 4), ...text(fields, 16), ...text(labels, 64)];
+  return Buffer.from([...kinds.flatMap(format),
+    ...kinds.flatMap(([type, , , , ...rows]) => rows.flatMap((row) => [...head(type), ...row]))]);
+}
+const time = Array(8).fill(0);
+const banner = [1, 'MSG', 'QZ', 'TimeUS,Message',
+  [...time, ...Buffer.from('ArduPilotMega autopilot V0.1 (Plane)'.padEnd(64, '\0'))]];
+
+test('every error of this firmware has the name that its manual gives it', () => {
+  const manual = (name) => readFileSync(new URL(`../../docs/${name}.md`, import.meta.url), 'utf8');
+  const cells = (name) => manual(name).split('\n').filter((line) => line.startsWith('| '))
+    .map((line) => line.split('|').slice(1, -1).map((cell) => cell.trim()));
+  const failsafes = cells('failsafes').map((row) => [row[5], row[2]])
+    .filter(([err, text]) => /^\d+, \d+$/.test(err ?? '') && text !== '')
+    .map(([err, text]) => [...err.split(', ').map(Number), text.replaceAll('"', '')]);
+  const restarts = cells('restart').filter((row) => row.length === 4 && /^\d+$/.test(row[0]))
+    .map(([code, , text]) => [19, +code, text.replace(/, task N$/, '')]);
+  assert.ok(failsafes.length >= 12 && restarts.length === 7, `${failsafes.length} and ${restarts.length} rows`);
+  for (const [subsystem, code, text] of [...failsafes, ...restarts]) {
+    const path = join(folder, 'errors.bin');
+    writeFileSync(path, binLog(banner, [2, 'ERR', 'QBB', 'TimeUS,Subsys,ECode', [...time, subsystem, code]]));
+    const shown = /ERR +[A-Z_]+: (.*)/.exec(tool('summary', path))?.[1] ?? '';
+    assert.equal(shown.toLowerCase(), text.toLowerCase());
+  }
+});
+
+test('the errors of another firmware have ArduPilot\'s names', () => {
+  const path = join(folder, 'other.bin');
+  writeFileSync(path, binLog([2, 'ERR', 'QBB', 'TimeUS,Subsys,ECode', [...time, 11, 2], [...time, 5, 1],
+    [...time, 5, 0], [...time, 99, 9]], [3, 'EV', 'QB', 'TimeUS,Id', [...time, 200]],
+  [4, 'MODE', 'QMB', 'TimeUS,Mode,ModeNum', [...time, 24, 24]]));
+  const shown = tool('summary', path).split('\n').filter((line) => / s  /.test(line)).map((line) => line.slice(14));
+  assert.deepEqual(shown, ['ERR   GPS: glitch', 'ERR   FAILSAFE_RADIO: failsafe occurred',
+    'ERR   FAILSAFE_RADIO: resolved', 'ERR   subsystem 99: code 9', 'EV    event 200', 'MODE  THERMAL']);
+});
+
+test('no name in a log leads out of the folder, and no byte of it reaches the terminal', () => {
+  const path = join(folder, 'evil.bin'), out = join(folder, 'evil', 'inner');
+  const row = [...time, ...Buffer.from('\x1b[2J'.padEnd(64, '\0'))];
+  writeFileSync(path, binLog(banner, ...['../x', '/x', 'a b', '\x1b[m', '.'].map((name, i) =>
+    [10 + i, name, 'QZ', 'TimeUS,Message', row]), [20, 'MSG', 'QZ', 'TimeUS,Message', row]));
+  tool('csv', path, '-o', out);
+  assert.deepEqual(readdirSync(join(folder, 'evil')), ['inner']);
+  assert.deepEqual(readdirSync(out), ['MSG.csv']);
+  const summary = tool('summary', path);
+  assert.ok(!summary.includes('\x1b'), summary);
+  assert.match(summary, /MSG   \?\[2J/);
+  assert.match(summary, /no record +\d+ bytes/);
+});
+
+test('a log on its own can be listed too', () => {
+  assert.match(tool('list', join(folder, 'log.bin')),
+    new RegExp(`^one log  \\d+ bytes, ${records.length} records\n$`));
+});
+
+test('what cannot be written or read is one line and a failure', () => {
+  const run = (words, stdout = 'pipe') => spawnSync(process.env.LOG_TOOL, words, { encoding: 'utf8', stdio: ['ignore', stdout, 'pipe'] });
+  symlinkSync('/dev/full', join(folder, 'full.bin'));
+  writeFileSync(join(folder, 'empty.bin'), '');
+  for (const [words, says] of [
+    [['extract', image, '-o', join(folder, 'full.bin')], /full\.bin: cannot be written: No space left on device/],
+    [['report', image, '-o', folder], /cannot be written: Is a directory/],
+    [['csv', image, '-o', image], /flash\.bin: cannot be written/],
+    [['summary', join(folder, 'empty.bin')], /empty\.bin: the file is empty/],
+    [['summary', folder], /cannot be read/]]) {
+    const { status, stderr } = run(words);
+    assert.equal(status, 2, stderr);
+    assert.match(stderr, says);
+    assert.equal(stderr.trimEnd().split('\n').length, 1, stderr);
+  }
+  const full = openSync('/dev/full', 'w');
+  const { status, stderr } = run(['summary', image], full);
+  closeSync(full);
+  assert.equal(status, 1);
+  assert.match(stderr, /^log: the standard output cannot be written/);
+});
+
+test('the report made of the log alone says what the simulator\'s says', () => {
+  const page = join(folder, 'report.html');
+  tool('report', image, '-o', page);
+  const html = readFileSync(page, 'utf8');
+  const summary = JSON.parse(readFileSync(join(folder, 'flight', 'summary.json'), 'utf8'));
+  const shown = (name) => +new RegExp(`<td>${name}</td><td[^>]*>([\\d.]+)`).exec(html)[1];
+  for (const [name, truly, within] of [['Crosstrack, RMS', summary.crosstrack_rms_m, 0.5],
+    ['Altitude, RMS', summary.altitude_rms_m, 0.5], ['Flight time', summary.flight_time_s, 20]]) {
+    console.log(`${name}: logged ${shown(name)}, truly ${truly}`);
+    assert.ok(Math.abs(shown(name) - truly) < within, name);
+  }
+  assert.match(html, /<p class="sub">[^<]*ArduPilotMega autopilot V/);
+  for (const word of ['mission completed', 'Ground track', 'mode AUTO', 'Control surfaces', 'as the airplane has logged it'])
+    assert.ok(html.includes(word), word);
+  assert.ok(!html.includes('truth'), 'a log does not know it');
+});

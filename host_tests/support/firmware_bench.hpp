@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The flight program on the doubles, brought into a known state before each test.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "fakes/fakes.hpp"
+#include "firmware/gcs/telemetry.hpp"
+#include "firmware/modes/mode_switch.hpp"
+#include "firmware/modes/modes.hpp"
+#include "firmware/safety/failsafe.hpp"
+#include "firmware/sensors/radio.hpp"
+#include "firmware/sensors/rc_override.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+
+namespace bench {
+
+inline const std::vector<uint16_t> kCentred = {1500, 1500, 1100, 1500, 1500, 1500, 1500, 1815};
+
+class Bench : public testing::Test {
+protected:
+    void SetUp() override {
+        fakes::reset();
+        while (firmware::state::parametersLoad() != core::Status::ok) fakes::advance_ms(10);
+        firmware::sensors::rcOverrideRelease();
+        settle(kCentred);
+        firmware::state::mutable_vehicle.armed = false;
+        for (int i = 0; i < 3; ++i) firmware::safety::runFailsafe();
+        const firmware::state::Mode none = firmware::state::Mode::initialising;
+        firmware::state::mutable_vehicle = {};
+        firmware::state::mutable_vehicle.mode = none;
+        settle(kCentred);
+        // through STABILIZE, so that MANUAL is entered anew whatever came before
+        firmware::modes::setMode(firmware::state::Mode::stabilize,
+                                 firmware::modes::ModeReason::boot);
+        firmware::modes::setMode(firmware::state::Mode::manual, firmware::modes::ModeReason::boot);
+    }
+
+    // Frames from the receiver for a quarter of a second, the sticks where they are told to be.
+    void settle(const std::vector<uint16_t>& sticks) {
+        for (int i = 0; i < 25; ++i) {
+            if (i % 2 == 0) fakes::receiveRc(sticks);
+            firmware::sensors::runRadio();
+            if (i % 10 == 9) firmware::modes::runModeSwitch();
+            fakes::advance_ms(10);
+        }
+    }
+    std::vector<uint16_t> with(int channel, uint16_t pulse_us) {
+        std::vector<uint16_t> sticks = kCentred;
+        sticks[channel - 1] = pulse_us;
+        return sticks;
+    }
+    void loseRadio(uint32_t for_ms) {
+        for (uint32_t ms = 0; ms < for_ms; ms += 10) {
+            firmware::sensors::runRadio();
+            if (ms % 100 == 0) firmware::safety::runFailsafe();
+            fakes::advance_ms(10);
+        }
+    }
+    // In the air with everything a flight needs.
+    void fly(firmware::state::Mode mode) {
+        using firmware::state::mutable_vehicle;
+        mutable_vehicle.armed = true;
+        mutable_vehicle.imu.healthy = mutable_vehicle.baro.healthy =
+            mutable_vehicle.compass.healthy = true;
+        mutable_vehicle.gps.healthy = mutable_vehicle.attitude.aligned = true;
+        mutable_vehicle.estimate.flying = mutable_vehicle.estimate.known =
+            mutable_vehicle.home.set = true;
+        mutable_vehicle.estimate.height_m = 80;
+        firmware::modes::setMode(mode, firmware::modes::ModeReason::ground);
+        ASSERT_EQ(mutable_vehicle.mode, mode);
+    }
+};
+
+}  // namespace bench

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/actuators/outputs.hpp"
+
+#include "firmware/actuators/flaps.hpp"
+#include "firmware/control/attitude_control.hpp"
+#include "firmware_bench.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+
+namespace {
+
+using firmware::actuators::outputPulse_us;
+using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
+using firmware::state::parameters;
+using firmware::state::vehicle;
+
+class Outputs : public bench::Bench {
+protected:
+    void SetUp() override {
+        Bench::SetUp();
+        firmware::actuators::startOutputs();
+    }
+    void run() {
+        firmware::modes::runMode();
+        firmware::control::runAttitudeControl();
+        firmware::actuators::runFlaps();
+        firmware::actuators::runOutputs();
+    }
+};
+
+TEST_F(Outputs, give_the_throttle_its_lowest_pulse_while_disarmed) {
+    for (Mode mode : {Mode::manual, Mode::stabilize, Mode::fbwa}) {
+        firmware::modes::setMode(mode, firmware::modes::ModeReason::ground);
+        settle(with(3, 1900));
+        run();
+        ASSERT_EQ(vehicle.throttle_demand.toFloat(), 1);
+        EXPECT_EQ(outputPulse_us(3), 1100) << static_cast<int>(mode);
+    }
+    mutable_vehicle.armed = true;
+    run();
+    EXPECT_EQ(outputPulse_us(3), 1900);
+    mutable_vehicle.armed = false;
+    run();
+    EXPECT_EQ(outputPulse_us(3), 1100) << "at once";
+}
+
+TEST_F(Outputs, keep_a_reversed_throttle_closed_at_its_longest_pulse) {
+    parameters.channel[2].reverse = -1;
+    mutable_vehicle.throttle_demand = core::Ratio(1);
+    run();
+    EXPECT_EQ(outputPulse_us(3), 1900);
+}
+
+TEST_F(Outputs, pass_the_sticks_through_in_manual) {
+    settle({1700, 1350, 1100, 1900, 1500, 1500, 1500, 1815});
+    run();
+    EXPECT_NEAR(outputPulse_us(1), 1700, 1);
+    EXPECT_NEAR(outputPulse_us(2), 1350, 1);
+    EXPECT_NEAR(outputPulse_us(4), 1900, 1);
+}
+
+TEST_F(Outputs, make_flaperons_of_the_ailerons_and_of_a_lever) {
+    parameters.output_function[1] = firmware::actuators::kLeftFlaperonFunction;
+    parameters.output_function[2] = firmware::actuators::kRightFlaperonFunction;
+    parameters.flap_channel = 6;
+    parameters.flap_slew_pct = 0;
+    parameters.mixing_gain = 1;
+    settle({1600, 1500, 1100, 1500, 1500, 1100, 1900, 1815});
+    run();
+    EXPECT_NEAR(outputPulse_us(6), 1600, 1);
+    EXPECT_NEAR(outputPulse_us(7), 1400, 1);
+    settle({1500, 1500, 1100, 1500, 1500, 1500, 1100, 1815});
+    run();
+    EXPECT_NEAR(outputPulse_us(6), 1700, 1) << "half the flap";
+    EXPECT_NEAR(outputPulse_us(7), 1700, 1);
+    settle({1700, 1500, 1100, 1500, 1500, 1900, 1100, 1815});
+    run();
+    EXPECT_NEAR(outputPulse_us(6), 1900, 1) << "both at their most: the roll is kept";
+    EXPECT_NEAR(outputPulse_us(7), 1500, 1);
+}
+
+TEST_F(Outputs, follow_the_receiver_where_the_function_is_none_of_those_there_are) {
+    const float taken[] = {0, 2, 3, 10, 24, 25}, refused[] = {1, 4, 9, 11, 23, -1, 26};
+    for (float number : taken)
+        EXPECT_TRUE(firmware::state::parameterSlotTakes(217, number)) << number;
+    for (float number : refused)
+        EXPECT_FALSE(firmware::state::parameterSlotTakes(217, number)) << number;
+    parameters.output_function[1] = 4;
+    settle(with(6, 1720));
+    run();
+    EXPECT_EQ(outputPulse_us(6), 1720);
+}
+
+// The stick is reversed by the same parameter, so that it moves the surface the same way.
+TEST_F(Outputs, move_a_reversed_surface_with_its_stick_and_against_the_demand) {
+    parameters.channel[0].reverse = -1;
+    settle(with(1, 1700));
+    run();
+    EXPECT_GT(outputPulse_us(1), 1650) << "the servo goes where the stick goes";
+    EXPECT_LT(firmware::control::surfaces.aileron.toFloat(), -0.4f);
+}
+
+TEST_F(Outputs, rest_at_the_trim_and_reach_both_ends_from_there) {
+    parameters.channel[1].min_us = 1000;
+    parameters.channel[1].trim_us = 1600;
+    parameters.channel[1].max_us = 1900;
+    settle(with(2, 1600));
+    run();
+    EXPECT_EQ(outputPulse_us(2), 1600);
+    settle(with(2, 1000));
+    run();
+    EXPECT_EQ(outputPulse_us(2), 1000);
+    settle(with(2, 1900));
+    run();
+    EXPECT_EQ(outputPulse_us(2), 1900);
+}
+
+TEST_F(Outputs, follow_the_receiver_where_nobody_holds_them) {
+    settle(with(6, 1234));
+    run();
+    EXPECT_EQ(outputPulse_us(6), 1234);
+}
+
+TEST_F(Outputs, belong_to_who_holds_them_until_the_mode_changes) {
+    ASSERT_TRUE(firmware::actuators::outputOverride(6, 1850));
+    settle(with(6, 1200));
+    run();
+    EXPECT_EQ(outputPulse_us(6), 1850) << "though the receiver says otherwise";
+
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    run();
+    EXPECT_EQ(outputPulse_us(6), 1200);
+}
+
+TEST_F(Outputs, can_be_released_one_by_one) {
+    ASSERT_TRUE(firmware::actuators::outputOverride(6, 1850));
+    ASSERT_TRUE(firmware::actuators::outputOverride(7, 0));
+    firmware::actuators::outputRelease(6);
+    run();
+    EXPECT_EQ(outputPulse_us(6), 1500);
+    EXPECT_EQ(outputPulse_us(7), 0) << "silent on request";
+}
+
+TEST_F(Outputs, hold_no_pulse_a_servo_cannot_take) {
+    ASSERT_TRUE(firmware::actuators::outputOverride(5, 3000));
+    ASSERT_TRUE(firmware::actuators::outputOverride(8, 1));
+    run();
+    EXPECT_EQ(outputPulse_us(5), 2200);
+    EXPECT_EQ(outputPulse_us(8), 800);
+}
+
+TEST_F(Outputs, give_away_surfaces_too_but_nothing_that_is_not_there) {
+    run();
+    for (uint8_t output : {1, 2, 4}) {
+        EXPECT_TRUE(firmware::actuators::outputOverride(output, 1850)) << int{output};
+        run();
+        EXPECT_EQ(outputPulse_us(output), 1850);
+        firmware::actuators::outputRelease(output);
+        run();
+        EXPECT_EQ(outputPulse_us(output), 1500);
+    }
+    for (uint8_t output : {0, 9, 255}) {
+        EXPECT_FALSE(firmware::actuators::outputOverride(output, 1850)) << int{output};
+        firmware::actuators::outputRelease(output);
+        EXPECT_EQ(outputPulse_us(output), 0);
+    }
+}
+
+TEST_F(Outputs, the_throttle_is_never_given_away) {
+    for (const bool armed : {false, true}) {
+        firmware::state::mutable_vehicle.armed = armed;
+        EXPECT_FALSE(firmware::actuators::outputOverride(3, 1300));
+        run();
+        EXPECT_EQ(outputPulse_us(3), 1100);
+    }
+}
+
+TEST_F(Outputs, a_disarmed_motor_stands_whatever_its_channel_is_told) {
+    firmware::state::parameters.channel[2] = {1700, 1800, 1900, 1, 30};
+    run();
+    EXPECT_LE(outputPulse_us(3), 1300);
+    firmware::state::parameters.channel[2] = {1100, 1200, 1300, -1,
+                                              30};  // its idle is the long pulse
+    run();
+    EXPECT_GE(outputPulse_us(3), 1700);
+}
+
+TEST_F(Outputs, are_written_only_when_they_change) {
+    run();
+    const uint32_t writes = fakes::servos().writes;
+    run();
+    EXPECT_EQ(fakes::servos().writes, writes);
+    settle(with(1, 1700));
+    run();
+    EXPECT_EQ(fakes::servos().writes, writes + 1);
+}
+
+// Stick and deflection of a pair, in shares of the servo's way.
+class Pairs : public Outputs {
+protected:
+    void SetUp() override {
+        Outputs::SetUp();
+        mutable_vehicle.armed = true;
+    }
+    struct Moved {
+        int first, second;
+    };
+    Moved moved(const std::vector<uint16_t>& sticks, uint8_t first, uint8_t second) {
+        settle(sticks);
+        run();
+        return {outputPulse_us(first) - 1500, outputPulse_us(second) - 1500};
+    }
+};
+
+TEST_F(Pairs, elevons_go_together_for_pitch_and_apart_for_roll) {
+    const struct {
+        int8_t kind;
+        int first, second;  // the way each servo turns
+    } kinds[] = {{1, 1, 1}, {2, -1, 1}, {3, 1, -1}, {4, -1, -1}};
+    for (const auto& each : kinds) {
+        parameters.elevon_output = each.kind;
+        const Moved pulled = moved(with(2, 1900), 1, 2);
+        EXPECT_NEAR(pulled.first, each.first * 200, 1) << int{each.kind};
+        EXPECT_NEAR(pulled.second, each.second * 200, 1);
+        const Moved right = moved(with(1, 1900), 1, 2);
+        EXPECT_NEAR(right.first, each.first * 200, 1);
+        EXPECT_NEAR(right.second, -each.second * 200, 1);
+        EXPECT_EQ(moved(with(4, 1900), 1, 2).first, 0) << "the rudder is its own";
+        EXPECT_GT(outputPulse_us(4), 1890);
+    }
+}
+
+TEST_F(Pairs, both_sides_of_a_v_tail_take_elevator_and_rudder) {
+    parameters.vtail_output = 1;
+    const Moved pulled = moved(with(2, 1900), 2, 4);
+    EXPECT_NEAR(pulled.first, 200, 1);
+    EXPECT_NEAR(pulled.second, 200, 1);
+    const Moved right = moved(with(4, 1900), 2, 4);
+    EXPECT_NEAR(right.first, -200, 1);
+    EXPECT_NEAR(right.second, 200, 1);
+    EXPECT_GT(moved(with(1, 1900), 1, 2).first, 390) << "the aileron is its own";
+}
+
+TEST_F(Pairs, full_sticks_together_are_all_a_surface_has) {
+    parameters.elevon_output = 1;
+    const Moved both = moved({1900, 1900, 1100, 1500, 1500, 1500, 1500, 1815}, 1, 2);
+    EXPECT_NEAR(both.first, 400, 1);
+    EXPECT_NEAR(both.second, 0, 1);
+    parameters.mixing_gain = 1.2f;
+    EXPECT_NEAR(moved(with(2, 1700), 1, 2).first, 1.2f * 200, 2);
+}
+
+// As on a plain airplane: in MANUAL the servos follow the sticks, and what stabilises is reversed.
+TEST_F(Pairs, a_reversed_channel_reverses_the_control_on_both_surfaces) {
+    parameters.elevon_output = 1;
+    const Moved plain = moved(with(1, 1800), 1, 2);
+    parameters.channel[0].reverse = -1;
+    const Moved reversed = moved(with(1, 1800), 1, 2);
+    EXPECT_EQ(reversed.first, plain.first);
+    EXPECT_EQ(reversed.second, plain.second);
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    mutable_vehicle.attitude.roll_rad = core::Angle(0.5f);
+    mutable_vehicle.imu.periods = 2;
+    for (int i = 0; i < 12; ++i) run();
+    ASSERT_LT(firmware::control::surfaces.aileron.toFloat(), -0.05f);
+    const Moved levelling = moved(bench::kCentred, 1, 2);
+    EXPECT_GT(levelling.first, levelling.second);
+}
+
+}  // namespace

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/control/attitude_control.hpp"
+
+#include "firmware_bench.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+
+namespace {
+
+using firmware::control::surfaces;
+using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
+using firmware::state::parameters;
+using firmware::state::vehicle;
+
+class AttitudeControl : public bench::Bench {
+protected:
+    void SetUp() override {
+        Bench::SetUp();
+        mutable_vehicle.imu.periods = 2;
+        mutable_vehicle.estimate.equivalent_airspeed_mps = parameters.scaling_speed_mps;
+        level();
+    }
+    void level(float roll_rad = 0, float pitch_rad = 0) {
+        auto& attitude = mutable_vehicle.attitude;
+        attitude.roll_rad = core::Angle(roll_rad);
+        attitude.pitch_rad = core::Angle(pitch_rad);
+        attitude.sin_roll = core::Ratio(std::sin(roll_rad));
+        attitude.cos_roll = core::Ratio(std::cos(roll_rad));
+        attitude.sin_pitch = core::Ratio(std::sin(pitch_rad));
+        attitude.cos_pitch = core::Ratio(std::cos(pitch_rad));
+    }
+    // Parameters and airspeed are looked at in turn, within ten frames; no time passes here.
+    static void lookAround() {
+        const uint8_t periods = vehicle.imu.periods;
+        mutable_vehicle.imu.periods = 0;
+        for (int i = 0; i < 10; ++i) firmware::control::runAttitudeControl();
+        mutable_vehicle.imu.periods = periods;
+    }
+    void run() {
+        firmware::modes::runMode();
+        lookAround();
+        firmware::control::runAttitudeControl();
+    }
+    // Afresh, so that no integrator remembers the case before.
+    firmware::control::Surfaces surfacesIn(Mode mode, const std::vector<uint16_t>& sticks) {
+        settle(sticks);
+        ++mutable_vehicle.mode_entries;
+        firmware::modes::setMode(mode, firmware::modes::ModeReason::ground);
+        run();
+        return surfaces;
+    }
+};
+
+TEST_F(AttitudeControl, leaves_the_airplane_alone_in_manual) {
+    level(0.5f, -0.3f);
+    mutable_vehicle.attitude.rate_rads = core::BodyRates::from(1, 1, 1);
+    surfacesIn(Mode::manual, bench::kCentred);
+    EXPECT_EQ(surfaces.aileron.toFloat(), 0);
+    EXPECT_EQ(surfaces.elevator.toFloat(), 0);
+    EXPECT_EQ(surfaces.rudder.toFloat(), 0);
+}
+
+TEST_F(AttitudeControl, feels_a_gain_that_is_set_within_a_fifth_of_a_second) {
+    const char name[16] = "RLL2SRV_P";
+    uint16_t index;
+    ASSERT_TRUE(firmware::state::parameterFind(name, index));
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    level(0.3f);
+    surfacesIn(Mode::fbwa, bench::kCentred);
+    for (int round = 0; round < 3; ++round) lookAround();  // and not because it is time to look
+    const float before = surfaces.aileron.toFloat();
+    float value;
+    uint8_t type;
+    char read[16];
+    ASSERT_TRUE(firmware::state::parameterAt(index, read, value, type));
+    ASSERT_EQ(firmware::state::parameterSetAt(index, value * 1.5f), core::Status::ok);
+    lookAround();
+    lookAround();
+    EXPECT_LT(surfaces.aileron.toFloat(), before - 0.02f);
+}
+
+TEST_F(AttitudeControl, turns_back_to_level_and_damps) {
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    level(0.3f, 0.2f);
+    surfacesIn(Mode::fbwa, with(3, 1900));
+    EXPECT_LT(surfaces.aileron.toFloat(), -0.05f);
+    EXPECT_LT(surfaces.elevator.toFloat(), -0.05f);
+
+    level();
+    mutable_vehicle.attitude.rate_rads = core::BodyRates::from(0.5f, 0.5f, 0);
+    surfacesIn(Mode::fbwa, with(3, 1900));
+    EXPECT_LT(surfaces.aileron.toFloat(), 0);
+    EXPECT_LT(surfaces.elevator.toFloat(), 0);
+}
+
+TEST_F(AttitudeControl, meets_a_gust_twice_as_fast_in_the_flare) {
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    level(0, core::radians(-4));
+    const float elsewhere = surfacesIn(Mode::fbwa, with(3, 1900)).elevator.toFloat();
+    mutable_vehicle.progress.flaring = true;
+    EXPECT_NEAR(surfacesIn(Mode::fbwa, with(3, 1900)).elevator.toFloat(), 2 * elsewhere, 0.01);
+    EXPECT_GT(elsewhere, 0.02f);
+}
+
+TEST_F(AttitudeControl, needs_less_surface_the_faster_it_flies) {
+    level(0.3f);
+    mutable_vehicle.estimate.equivalent_airspeed_mps = 10;
+    const float slow = surfacesIn(Mode::fbwa, bench::kCentred).aileron.toFloat();
+    firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
+    mutable_vehicle.estimate.equivalent_airspeed_mps = 20;
+    const float fast = surfacesIn(Mode::fbwa, bench::kCentred).aileron.toFloat();
+    EXPECT_LT(slow, 1.5f * fast);
+    EXPECT_LT(fast, 0);
+}
+
+TEST_F(AttitudeControl, demands_no_more_than_the_limits) {
+    surfacesIn(Mode::fbwa, {1900, 1900, 1900, 1500, 1500, 1500, 1500, 1815});
+    const auto full_stick = surfaces;
+    ASSERT_GT(full_stick.aileron.toFloat(), 0.1f);
+    firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
+    mutable_vehicle.roll_demand_rad = core::Angle(3);
+    mutable_vehicle.pitch_demand_rad = core::Angle(1);
+    settle(bench::kCentred);
+    mutable_vehicle.sticks = firmware::state::Sticks::nothing;
+    ++mutable_vehicle.mode_entries;
+    firmware::control::runAttitudeControl();
+    EXPECT_NEAR(surfaces.aileron.toFloat(), full_stick.aileron.toFloat(), 1e-4);
+    EXPECT_NEAR(surfaces.elevator.toFloat(), full_stick.elevator.toFloat(), 1e-4);
+}
+
+TEST_F(AttitudeControl, adds_the_sticks_to_what_stabilises) {
+    const auto centred = surfacesIn(Mode::stabilize, bench::kCentred);
+    const auto moved =
+        surfacesIn(Mode::stabilize, {1900, 1100, 1100, 1500, 1500, 1500, 1500, 1815});
+    EXPECT_NEAR(moved.aileron.toFloat() - centred.aileron.toFloat(), 1, 0.01);
+    EXPECT_NEAR(moved.elevator.toFloat() - centred.elevator.toFloat(), -1, 0.01);
+}
+
+TEST_F(AttitudeControl, moves_the_rudder_with_the_yaw_stick_in_every_mode) {
+    for (Mode mode : {Mode::manual, Mode::stabilize, Mode::fbwa}) {
+        const float centred = surfacesIn(mode, bench::kCentred).rudder.toFloat();
+        EXPECT_NEAR(surfacesIn(mode, with(4, 1900)).rudder.toFloat() - centred, 1, 0.01)
+            << static_cast<int>(mode);
+    }
+}
+
+TEST_F(AttitudeControl, mixes_aileron_into_the_rudder_when_it_stabilises) {
+    level(0.3f);
+    surfacesIn(Mode::fbwa, bench::kCentred);
+    EXPECT_NEAR(surfaces.rudder.toFloat(), surfaces.aileron.toFloat() * parameters.rudder_mix,
+                1e-4);
+    ASSERT_LT(surfaces.rudder.toFloat(), -0.01f);
+}
+
+TEST_F(AttitudeControl, adds_the_demanded_rudder_but_not_in_manual) {
+    mutable_vehicle.rudder_demand = core::Ratio(0.2f);
+    EXPECT_NEAR(surfacesIn(Mode::fbwa, bench::kCentred).rudder.toFloat(), 0.2f, 0.01);
+    EXPECT_EQ(surfacesIn(Mode::manual, bench::kCentred).rudder.toFloat(), 0);
+}
+
+TEST_F(AttitudeControl, lets_the_pilot_bend_an_automatic_mode_if_stick_mixing_is_on) {
+    fly(Mode::loiter);
+    const float unmoved = surfacesIn(Mode::loiter, bench::kCentred).aileron.toFloat();
+    const float bent = surfacesIn(Mode::loiter, with(1, 1900)).aileron.toFloat();
+    EXPECT_GT(bent, unmoved + 0.2f);
+
+    parameters.stick_mixing = 0;
+    EXPECT_EQ(surfacesIn(Mode::loiter, with(1, 1900)).aileron.toFloat(), unmoved);
+}
+
+TEST_F(AttitudeControl, does_not_mix_the_sticks_of_a_lost_radio) {
+    fly(Mode::loiter);
+    const float unmoved = surfacesIn(Mode::loiter, bench::kCentred).aileron.toFloat();
+    settle(with(1, 1900));
+    loseRadio(1500);
+    ++mutable_vehicle.mode_entries;
+    run();
+    ASSERT_TRUE(vehicle.radio.lost);
+    EXPECT_EQ(surfaces.aileron.toFloat(), unmoved);
+}
+
+TEST_F(AttitudeControl, the_bend_stays_within_the_bank_limit) {
+    fly(Mode::loiter);
+    mutable_vehicle.roll_demand_rad =
+        core::Angle(core::radiansFromCentidegrees(parameters.roll_limit_cd));
+    const float at_limit = surfacesIn(Mode::loiter, bench::kCentred).aileron.toFloat();
+    EXPECT_EQ(surfacesIn(Mode::loiter, with(1, 1900)).aileron.toFloat(), at_limit);
+}
+
+}  // namespace

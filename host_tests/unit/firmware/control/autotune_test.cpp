@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/control/autotune.hpp"
+
+#include <cmath>
+
+#include "control/attitude.hpp"
+#include "firmware_bench.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+
+namespace {
+
+using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
+using firmware::state::parameters;
+
+class Autotune : public bench::Bench {
+protected:
+    void enter(int8_t level) {
+        parameters.autotune_level = level;
+        fly(Mode::autotune);
+        mutable_vehicle.attitude.cos_roll = core::Ratio(1.0f);
+        for (int i = 0; i < 10; ++i) (void)firmware::control::tuneStep();
+    }
+    // From rest to rest through `rate`, with a surface that is so many times what is expected.
+    void turn(firmware::control::TunedAxis which, float times) {
+        const auto gains = which == firmware::control::kTunedRoll
+                               ? control::rollGains(parameters.roll)
+                               : control::pitchGains(parameters.pitch);
+        const auto air = control::airFlow(15, 15, 9);
+        for (int i = 0; i <= 60; ++i) {
+            const float rate_rads = 1.2f * std::sin(3.14159265f * static_cast<float>(i) / 60);
+            control::AxisState state;
+            state.last_output.raw =
+                static_cast<int32_t>(times * gains.feed_forward.toFloat() * rate_rads * (1 << 20));
+            const core::Angle error(i < 60 ? 0.6f : 0.0f);
+            firmware::control::tune(which, gains, state, air, error, core::BodyRate(rate_rads));
+        }
+        for (int i = 0; i < 10; ++i) (void)firmware::control::tuneStep();
+    }
+};
+
+TEST_F(Autotune, scales_the_gains_of_the_axis_that_turned) {
+    enter(0);
+    const auto before = parameters;
+    turn(firmware::control::kTunedRoll, 1.2f);
+    EXPECT_NEAR(parameters.roll.axis.p, before.roll.axis.p * 1.2f, 0.02f);
+    EXPECT_NEAR(parameters.roll.axis.i, before.roll.axis.i * 1.2f, 0.002f);
+    EXPECT_NEAR(parameters.roll.axis.d, before.roll.axis.d * 1.2f, 0.002f);
+    EXPECT_EQ(parameters.pitch.axis.p, before.pitch.axis.p);
+    turn(firmware::control::kTunedPitch, 0.5f);
+    EXPECT_NEAR(parameters.pitch.axis.p, before.pitch.axis.p * 0.8f, 0.01f) << "a fifth at most";
+}
+
+TEST_F(Autotune, does_not_judge_the_elevator_by_a_turn) {
+    enter(0);
+    const auto before = parameters;
+    mutable_vehicle.attitude.cos_roll = core::Ratio(0.8f);
+    turn(firmware::control::kTunedPitch, 1.2f);
+    EXPECT_EQ(parameters.pitch.axis.p, before.pitch.axis.p);
+}
+
+TEST_F(Autotune, sets_the_time_constants_and_keeps_the_surface_for_a_rate) {
+    const auto before = parameters;
+    enter(9);
+    EXPECT_FLOAT_EQ(parameters.roll.axis.time_constant_s, 0.25f);
+    EXPECT_FLOAT_EQ(parameters.pitch.axis.time_constant_s, 0.25f);
+    EXPECT_NEAR(control::rollGains(parameters.roll).feed_forward.toFloat(),
+                control::rollGains(before.roll).feed_forward.toFloat(), 1e-3f);
+    EXPECT_NEAR(control::pitchGains(parameters.pitch).feed_forward.toFloat(),
+                control::pitchGains(before.pitch).feed_forward.toFloat(), 1e-3f);
+}
+
+TEST_F(Autotune, stops_at_the_ends_of_the_parameters) {
+    enter(0);
+    for (int i = 0; i < 30; ++i) turn(firmware::control::kTunedRoll, 1.25f);
+    EXPECT_LE(parameters.roll.axis.p, 4);
+    EXPECT_LE(parameters.roll.axis.d, 0.2f);
+    for (int i = 0; i < 30; ++i) turn(firmware::control::kTunedRoll, 1.25f);
+    EXPECT_LE(parameters.roll.axis.p, 4);
+}
+
+TEST_F(Autotune, touches_nothing_in_another_mode) {
+    enter(0);
+    const auto before = parameters;
+    fly(Mode::fbwa);
+    for (int i = 0; i < 10; ++i) (void)firmware::control::tuneStep();
+    EXPECT_EQ(parameters.roll.axis.p, before.roll.axis.p);
+}
+
+}  // namespace

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/estimator/estimator.hpp"
+
+#include "firmware/mission/home.hpp"
+#include "firmware/sensors/health.hpp"
+#include "firmware_bench.hpp"
+#include "hal/clock.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+
+namespace {
+
+using firmware::state::mutable_vehicle;
+
+using firmware::state::vehicle;
+
+constexpr geo::Position kStart = {470000000, 80000000};
+constexpr float kGpsAge_s = 0.243f;  // when its bytes have arrived
+
+// Along a meridian, wings level, nose to the north: every sensor at its own rate.
+class Estimator : public bench::Bench {
+protected:
+    void SetUp() override {
+        Bench::SetUp();
+        mutable_vehicle.imu.healthy = mutable_vehicle.imu.calibrated = mutable_vehicle.gps.healthy =
+            true;
+        mutable_vehicle.baro.healthy = mutable_vehicle.compass.healthy = true;
+        mutable_vehicle.baro.ground_pressure_pa = 101325;
+        mutable_vehicle.baro.pressure_pa = 101325;
+        mutable_vehicle.baro.ground_temperature_c = 15;
+        firmware::state::parameters.compass_use = 1;
+        firmware::state::parameters.compass_declination_rad = 0;
+        // the filters outlive a test: they settle, and heights count from here
+        for (int i = 0; i < 3000; ++i) frame(0);
+        firmware::estimator::zeroHeight();
+    }
+    void TearDown() override {
+        // to a standstill, without a leap for the next test, which begins with its own round of
+        // four
+        while (speed_mps_ > 0 || frame_ % 4 != 0) frame(speed_mps_ > 0 ? -2.0f : 0.0f);
+    }
+    void frame(float acceleration_mss) {
+        speed_mps_ += acceleration_mss * 0.01f;
+        travelled_m_ += speed_mps_ * 0.01f;
+        mutable_vehicle.imu.periods = 2;
+        mutable_vehicle.imu.accel_mss =
+            core::Accelerations::from(acceleration_mss, 0, -core::kGravity_mss);
+        ++frame_;
+        if (frame_ % 2 == 0) {
+            mutable_vehicle.compass.field_mg = {210, 0, 430};
+            mutable_vehicle.compass.accepted = true;
+            ++mutable_vehicle.compass.readings;
+        }
+        ++mutable_vehicle.baro.readings;
+        if (frame_ % 20 == late_) fix(acceleration_mss);
+        fakes::advance_ms(10);
+        firmware::estimator::runEstimator();
+    }
+    void fix(float acceleration_mss) {
+        auto& gps = mutable_vehicle.gps;
+        const float then_mps = speed_mps_ - acceleration_mss * kGpsAge_s;
+        const float then_m = travelled_m_ - (speed_mps_ + then_mps) / 2 * kGpsAge_s;
+        gps.fix = firmware::state::GpsFix::three_d;
+        gps.position = geo::moved(kStart, {then_m, 0});
+        gps.velocity_mps = {then_mps, 0, 0};
+        gps.received_ms = hal::now_ms();
+        gps.age_ms = static_cast<uint16_t>(kGpsAge_s * 1000);
+        ++gps.fixes;
+    }
+
+    float speed_mps_ = 0, travelled_m_ = 0;
+    int frame_ = 0, late_ = 7;
+};
+
+TEST_F(Estimator, does_not_lead_nor_lag_while_the_airplane_gains_speed) {
+    for (int i = 0; i < 300; ++i) frame(0);
+    for (int i = 0; i < 600; ++i) {
+        frame(2);
+        if (i < 200 || i % 4 != 3) continue;
+        ASSERT_NEAR(vehicle.estimate.velocity_mps.x, speed_mps_, 0.25) << "after " << i;
+        const geo::Offset off = geo::offset(kStart, vehicle.estimate.position);
+        ASSERT_NEAR(off.north_m, travelled_m_, 0.6) << "after " << i;
+    }
+    EXPECT_NEAR(vehicle.attitude.pitch_rad.toFloat(), 0, 0.02);
+    EXPECT_NEAR(vehicle.attitude.yaw_rad.toFloat(), 0, 0.02);
+}
+
+TEST_F(Estimator, uses_every_fix_and_reading_whatever_frame_they_come_in) {
+    for (late_ = 0; late_ < 8; ++late_) {
+        for (int i = 0; i < 150; ++i) frame(0);
+        EXPECT_FALSE(vehicle.estimate.reckoned) << late_;
+        EXPECT_TRUE(vehicle.estimate.known) << late_;
+    }
+    mutable_vehicle.baro.pressure_pa -= 60;  // five metres
+    for (int i = 0; i < 800; ++i) frame(0);
+    EXPECT_NEAR(vehicle.estimate.height_m, 5, 0.2);
+}
+
+// What is told of the sea level goes on, only where it is counted from moves.
+TEST_F(Estimator, feels_no_step_when_home_is_moved) {
+    firmware::mission::setHome(kStart, 50000);
+    mutable_vehicle.baro.pressure_pa -= 600;
+    for (int i = 0; i < 1500; ++i) frame(0);
+    const float before_m = vehicle.estimate.height_m;
+    const float climb_mps = vehicle.estimate.climb_mps;
+    ASSERT_GT(before_m, 40);
+
+    firmware::mission::setHome(geo::moved(kStart, {100, 50}), 53000);
+
+    EXPECT_NEAR(vehicle.estimate.height_m, before_m - 30, 0.01) << "for what runs in this frame";
+    for (int i = 0; i < 100; ++i) {
+        frame(0);
+        ASSERT_NEAR(vehicle.estimate.height_m, before_m - 30, 0.1) << i;
+        ASSERT_NEAR(vehicle.estimate.climb_mps, climb_mps, 0.1) << i;
+    }
+}
+
+TEST_F(Estimator, takes_the_receivers_height_without_a_step_when_the_barometer_is_lost) {
+    mutable_vehicle.gps.altitude_cm = 50000;
+    for (int i = 0; i < 1500; ++i) frame(0);
+    const float before_m = vehicle.estimate.height_m;
+    mutable_vehicle.baro.healthy = false;
+    for (int i = 0; i < 500; ++i) {
+        frame(0);
+        ASSERT_NEAR(vehicle.estimate.height_m, before_m, 0.5) << i;
+    }
+    mutable_vehicle.gps.altitude_cm += 1000;
+    for (int i = 0; i < 1500; ++i) frame(0);
+    EXPECT_NEAR(vehicle.estimate.height_m, before_m + 10, 0.5);
+    mutable_vehicle.baro.healthy = true;
+}
+
+// Falling by a metre a second, as it says, for half a minute.
+TEST_F(Estimator, doubts_a_barometer_that_drifts_away_from_a_good_receivers_height) {
+    const auto drifts = [this](uint16_t hdop_c) {
+        mutable_vehicle.gps.altitude_cm = 50000;
+        mutable_vehicle.gps.hdop_c = hdop_c;
+        mutable_vehicle.baro.pressure_pa = 101325;
+        for (int i = 0; i < 3000; ++i) frame(0);
+        EXPECT_TRUE(vehicle.estimate.flying);
+        firmware::sensors::startHealth();
+        for (int i = 0;
+             i < 3000 && !firmware::sensors::isFaulty(firmware::sensors::Sensor::barometer); ++i) {
+            mutable_vehicle.baro.pressure_pa = 101325 + i * 12 / 100;
+            frame(0);
+            firmware::sensors::acceptReading(firmware::sensors::Sensor::barometer,
+                                             static_cast<int16_t>(i), true);
+            if (i % 10 == 0) firmware::sensors::watchHealth();
+        }
+        return firmware::sensors::isFaulty(firmware::sensors::Sensor::barometer);
+    };
+    mutable_vehicle.armed = true;
+    for (int i = 0; i < 300; ++i) frame(3);
+    EXPECT_FALSE(drifts(400)) << "too few satellites to contradict";
+    EXPECT_TRUE(drifts(120));
+    EXPECT_GT(vehicle.estimate.height_m, -28);
+    firmware::sensors::startHealth();
+    mutable_vehicle.baro.pressure_pa = 101325;
+    for (int i = 0; i < 3000; ++i) frame(0);
+}
+
+TEST_F(Estimator, counts_heights_from_where_home_is_set_on_the_ground) {
+    mutable_vehicle.baro.pressure_pa -= 60;  // the weather since the barometer was zeroed
+    for (int i = 0; i < 1500; ++i) frame(0);
+    mutable_vehicle.gps.altitude_cm = 43210;
+    ASSERT_TRUE(firmware::mission::setHomeHere());
+    EXPECT_EQ(vehicle.home.altitude_cm, 43210);
+    EXPECT_EQ(vehicle.estimate.height_m, 0);
+    for (int i = 0; i < 100; ++i) frame(0);
+    EXPECT_NEAR(vehicle.estimate.height_m, 0, 0.1);
+}
+
+TEST_F(Estimator, flies_after_half_a_second_of_speed_and_only_armed) {
+    mutable_vehicle.airspeed.healthy = true;
+    mutable_vehicle.airspeed.speed_mps = 12;
+    for (int i = 0; i < 200; ++i) frame(0);
+    EXPECT_FALSE(vehicle.estimate.flying) << "wind in the nose of a parked airplane";
+
+    mutable_vehicle.armed = true;
+    for (int i = 0; i < 40; ++i) frame(0);
+    EXPECT_FALSE(vehicle.estimate.flying) << "a gust";
+    for (int i = 0; i < 20; ++i) frame(0);
+    EXPECT_TRUE(vehicle.estimate.flying);
+}
+
+TEST_F(Estimator, stands_after_three_seconds_without_speed) {
+    mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
+    mutable_vehicle.airspeed.speed_mps = 12;
+    for (int i = 0; i < 300; ++i) frame(2);
+    for (int i = 0; i < 200; ++i) frame(-3);
+    ASSERT_TRUE(vehicle.estimate.flying) << "it has hardly come to rest";
+    mutable_vehicle.airspeed.speed_mps = 0;
+    for (int i = 0; i < 200; ++i) frame(0);
+    EXPECT_TRUE(vehicle.estimate.flying);
+    for (int i = 0; i < 150; ++i) frame(0);
+    EXPECT_FALSE(vehicle.estimate.flying);
+}
+
+TEST_F(Estimator, goes_on_flying_with_a_blocked_tube_while_the_ground_moves) {
+    mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
+    mutable_vehicle.airspeed.speed_mps = 12;
+    for (int i = 0; i < 300; ++i) frame(3);
+    ASSERT_TRUE(vehicle.estimate.flying);
+    mutable_vehicle.airspeed.speed_mps = 0;
+    for (int i = 0; i < 500; ++i) frame(0);
+    EXPECT_TRUE(vehicle.estimate.flying);
+}
+
+TEST_F(Estimator, flies_by_the_ground_speed_without_an_airspeed_sensor) {
+    mutable_vehicle.armed = true;
+    for (int i = 0; i < 150; ++i) frame(3);
+    EXPECT_FALSE(vehicle.estimate.flying);
+    for (int i = 0; i < 150; ++i) frame(3);
+    EXPECT_TRUE(vehicle.estimate.flying);
+}
+
+}  // namespace

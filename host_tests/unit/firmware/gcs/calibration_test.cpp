@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Calibrations as ground stations talk the pilot through them.
+#include <cmath>
+
+#include "core/maths.hpp"
+#include "firmware/gcs/calibration.hpp"
+#include "firmware/sensors/compass_learning.hpp"
+#include "ground.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+
+namespace {
+
+using firmware::state::mutable_vehicle;
+using firmware::state::parameters;
+using firmware::state::vehicle;
+using mavlink::MavCmd;
+using mavlink::MavResult;
+
+constexpr float kOffset_mss[] = {0.7f, -0.4f, 1.1f}, kScale[] = {1.02f, 0.97f, 1.05f};
+constexpr float kTilt = 0.12f;  // nobody holds it exactly
+
+core::Vector3 reading(const core::Vector3& force_mss) {
+    return {force_mss.x / kScale[0] + kOffset_mss[0], force_mss.y / kScale[1] + kOffset_mss[1],
+            force_mss.z / kScale[2] + kOffset_mss[2]};
+}
+// On each side in the order in which they are asked for.
+core::Vector3 onSide(int side) {
+    constexpr int kAxis[] = {2, 1, 1, 0, 0, 2}, kSign[] = {-1, 1, -1, -1, 1, 1};
+    float axes[3];
+    for (int i = 0; i < 3; ++i) axes[i] = core::kGravity_mss * kTilt * (side % 2 == i % 2 ? 1 : -1);
+    axes[kAxis[side]] = kSign[side] * core::kGravity_mss * std::sqrt(1 - 2 * kTilt * kTilt);
+    return {axes[0], axes[1], axes[2]};
+}
+
+struct Calibration : ground::Telemetry {
+    void SetUp() override {
+        Telemetry::SetUp();
+        mutable_vehicle.imu.calibrated = mutable_vehicle.attitude.aligned = true;
+        mutable_vehicle.baro.ground_pressure_pa = 95000;
+        mutable_vehicle.compass.healthy = true;
+    }
+    bool asked(const std::string& part) {
+        for (const std::string& text : station.texts())
+            if (text.find(part) != std::string::npos) return true;
+        return false;
+    }
+    void pressKey(uint16_t number) {
+        mavlink::CommandAck key = {};
+        key.command = number;
+        key.result = 1;
+        station.send(key);
+        run_ms(40);
+    }
+    void lie(const core::Vector3& force_mss) {
+        doubles::vehicle.rest_force_mss = reading(force_mss);
+        mutable_vehicle.imu.calibrated = true;
+        run_ms(100);
+    }
+    void begin() {
+        ASSERT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 1), MavResult::accepted);
+    }
+    std::vector<int> positions() {
+        std::vector<int> found;
+        for (const auto& message : station.all<mavlink::CommandLong>())
+            if (message.command == MavCmd::accelcal_vehicle_pos)
+                found.push_back(static_cast<int>(message.param1));
+        return found;
+    }
+};
+
+TEST_F(Calibration, of_the_accelerometers_goes_round_six_sides) {
+    const char* const kAsked[] = {"Place vehicle level and press any key",
+                                  "Place vehicle on its LEFT side",
+                                  "Place vehicle on its RIGHT side",
+                                  "Place vehicle nose DOWN",
+                                  "Place vehicle nose UP",
+                                  "Place vehicle on its BACK"};
+    begin();
+    for (int side = 0; side < 6; ++side) {
+        EXPECT_TRUE(asked(kAsked[side])) << side;
+        const auto told = positions();
+        ASSERT_FALSE(told.empty());
+        EXPECT_EQ(told.back(), side + 1);
+        mutable_vehicle.imu.calibrated = true;
+        run_ms(2500);
+        EXPECT_GE(positions().size(), 2u) << "said again while the pilot is busy";
+        pressKey(static_cast<uint16_t>(side + 1));
+        EXPECT_FALSE(asked("Place")) << "not before it has lain still";
+        lie(onSide(side));
+    }
+    EXPECT_TRUE(asked("Calibration successful"));
+    EXPECT_EQ(positions().back(), static_cast<int>(mavlink::AccelcalVehiclePos::success));
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(parameters.accel_offset_mss[i], kOffset_mss[i], 0.01f);
+        EXPECT_NEAR(parameters.accel_scale[i], kScale[i], 0.001f);
+    }
+    EXPECT_NEAR(parameters.level_trim_rad[0], -std::atan2(kTilt, 1) * -1, 0.01f);
+    EXPECT_EQ(firmware::state::vehicle.calibrating, firmware::state::Calibrating::nothing);
+}
+
+TEST_F(Calibration, takes_the_newer_ground_stations_command_for_a_key_too) {
+    begin();
+    EXPECT_EQ(command(MavCmd::accelcal_vehicle_pos, 3), MavResult::denied) << "level was asked for";
+    EXPECT_EQ(command(MavCmd::accelcal_vehicle_pos, 1), MavResult::accepted);
+    lie(onSide(0));
+    EXPECT_TRUE(asked("LEFT"));
+    EXPECT_EQ(command(MavCmd::preflight_calibration), MavResult::accepted) << "called off";
+    EXPECT_EQ(firmware::state::vehicle.calibrating, firmware::state::Calibrating::nothing);
+}
+
+TEST_F(Calibration, asks_again_when_it_lies_on_another_side) {
+    begin();
+    pressKey(0);
+    lie(onSide(0));
+    EXPECT_TRUE(asked("LEFT"));
+    pressKey(0);
+    lie(onSide(2));
+    const auto texts = station.texts();
+    ASSERT_EQ(texts.size(), 2u);
+    EXPECT_EQ(texts[0], "That is another side: not taken");
+    EXPECT_NE(texts[1].find("LEFT"), std::string::npos);
+}
+
+TEST_F(Calibration, that_makes_no_sense_is_not_stored) {
+    begin();
+    for (int side = 0; side < 6; ++side) {
+        pressKey(1);
+        core::Vector3 force_mss = onSide(side);
+        force_mss.x *= 0.7f;  // a broken axis
+        lie(force_mss);
+    }
+    EXPECT_TRUE(asked("Calibration FAILED"));
+    EXPECT_EQ(positions().back(), static_cast<int>(mavlink::AccelcalVehiclePos::failed));
+    EXPECT_EQ(parameters.accel_scale[0], 1);
+    EXPECT_EQ(parameters.accel_offset_mss[1], 0);
+}
+
+TEST_F(Calibration, that_is_never_still_fails) {
+    begin();
+    pressKey(1);
+    run_ms(33000);
+    EXPECT_TRUE(asked("Calibration FAILED: keep it still"));
+    EXPECT_EQ(firmware::state::vehicle.calibrating, firmware::state::Calibrating::nothing);
+}
+
+TEST_F(Calibration, is_refused_with_a_reason_when_armed_or_beside_another) {
+    begin();
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 1), MavResult::temporarily_rejected);
+    EXPECT_TRUE(asked("Calibration refused: another runs"));
+    EXPECT_EQ(command(MavCmd::preflight_calibration), MavResult::accepted);
+    mutable_vehicle.armed = true;
+    for (const uint16_t how : {1, 4})
+        EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, how),
+                  MavResult::temporarily_rejected);
+    EXPECT_TRUE(asked("Calibration refused: disarm first"));
+    EXPECT_EQ(command(MavCmd::do_start_mag_cal), MavResult::temporarily_rejected);
+}
+
+TEST_F(Calibration, ends_when_the_airplane_is_armed) {
+    begin();
+    mutable_vehicle.armed = true;
+    run_ms(40);
+    EXPECT_EQ(firmware::state::vehicle.calibrating, firmware::state::Calibrating::nothing);
+}
+
+TEST_F(Calibration, of_one_side_sets_the_offsets_alone) {
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 4), MavResult::in_progress);
+    doubles::vehicle.rest_force_mss = {0.3f, -0.2f, -9.5f};
+    mutable_vehicle.imu.calibrated = true;
+    run_ms(100);
+    const auto acks = station.all<mavlink::CommandAck>();
+    ASSERT_FALSE(acks.empty());
+    EXPECT_EQ(acks.back().result, MavResult::accepted);
+    EXPECT_NEAR(parameters.accel_offset_mss[0], 0.3f, 1e-4);
+    EXPECT_NEAR(parameters.accel_offset_mss[2], core::kGravity_mss - 9.5f, 1e-4);
+    EXPECT_EQ(parameters.accel_scale[2], 1);
+}
+
+TEST_F(Calibration, of_the_level_wants_it_still) {
+    mutable_vehicle.attitude.rate_rads.y = core::BodyRate(0.2f);
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::failed);
+    EXPECT_TRUE(asked("Level: keep it still"));
+}
+
+TEST_F(Calibration, gyros_with_the_compass_are_the_old_ground_start) {
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 1, 1), MavResult::in_progress);
+    EXPECT_EQ(firmware::state::vehicle.calibrating, firmware::state::Calibrating::rest);
+}
+
+// ---- the compass
+constexpr core::Vector3 kIron_mg = {120, -80, 60};
+
+struct Compass : Calibration {
+    void SetUp() override {
+        Calibration::SetUp();
+        station.framing = ground::Framing::v2;
+    }
+    // The earth's field from all around: once over, tumbling.
+    void turnAbout(int turns, float flat = 1) {
+        for (int step = 0; step < turns * 200; ++step) {
+            const float a = 0.0314f * step, b = 0.0083f * step;
+            const float across = flat * std::sin(b), along = std::sqrt(1 - across * across);
+            sense(core::Vector3{along * std::cos(a), along * std::sin(a), across} * 480);
+            run_ms(20);
+        }
+    }
+    void sense(const core::Vector3& field_mg) {
+        const core::Vector3 read = field_mg - kIron_mg;
+        firmware::sensors::learnCompass(read);
+        const float* offset = parameters.compass_offset_mg;
+        mutable_vehicle.compass.field_mg = read + core::Vector3{offset[0], offset[1], offset[2]};
+    }
+    void expectFound() {
+        EXPECT_NEAR(parameters.compass_offset_mg[0], kIron_mg.x, 5);
+        EXPECT_NEAR(parameters.compass_offset_mg[1], kIron_mg.y, 5);
+        EXPECT_NEAR(parameters.compass_offset_mg[2], kIron_mg.z, 5);
+    }
+};
+
+TEST_F(Compass, is_calibrated_by_turning_it_about) {
+    EXPECT_EQ(command(MavCmd::do_start_mag_cal), MavResult::accepted);
+    turnAbout(14);
+    EXPECT_TRUE(asked("Calibration successful"));
+    expectFound();
+    const auto reports = station.all<mavlink::MagCalReport>();
+    ASSERT_EQ(reports.size(), 1u);
+    EXPECT_EQ(reports[0].cal_status, mavlink::MagCalStatus::success);
+    EXPECT_EQ(reports[0].autosaved, 1);
+    EXPECT_NEAR(reports[0].ofs_x, kIron_mg.x, 5);
+    const auto progress = station.all<mavlink::MagCalProgress>();
+    ASSERT_GE(progress.size(), 5u);
+    EXPECT_LT(progress.front().completion_pct, 50);
+    EXPECT_EQ(progress.back().completion_pct, 100);
+}
+
+TEST_F(Compass, is_calibrated_by_the_older_command_too) {
+    EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 1), MavResult::accepted);
+    turnAbout(14);
+    expectFound();
+}
+
+TEST_F(Compass, not_turned_all_about_keeps_its_offsets) {
+    EXPECT_EQ(command(MavCmd::do_start_mag_cal), MavResult::accepted);
+    turnAbout(48, 0.3f);
+    EXPECT_TRUE(asked("Calibration FAILED"));
+    EXPECT_EQ(parameters.compass_offset_mg[0], 0);
+    const auto reports = station.all<mavlink::MagCalReport>();
+    ASSERT_EQ(reports.size(), 1u);
+    EXPECT_EQ(reports[0].cal_status, mavlink::MagCalStatus::failed);
+}
+
+TEST_F(Compass, called_off_keeps_its_offsets) {
+    EXPECT_EQ(command(MavCmd::do_start_mag_cal), MavResult::accepted);
+    turnAbout(1);
+    EXPECT_NE(parameters.compass_offset_mg[0], 0);
+    EXPECT_EQ(command(MavCmd::do_cancel_mag_cal), MavResult::accepted);
+    EXPECT_EQ(parameters.compass_offset_mg[0], 0);
+}
+
+TEST_F(Compass, that_is_not_there_is_not_calibrated) {
+    mutable_vehicle.compass.healthy = false;
+    EXPECT_EQ(command(MavCmd::do_start_mag_cal), MavResult::failed);
+    EXPECT_TRUE(asked("no compass"));
+}
+
+TEST_F(Compass, learns_in_flight_when_told_to) {
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
+    turnAbout(4);
+    EXPECT_EQ(parameters.compass_offset_mg[0], 0);
+    parameters.compass_learn = 1;
+    turnAbout(60);
+    expectFound();
+}
+
+}  // namespace

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "ground.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+#include "storage/owner.hpp"
+
+using ground::Telemetry;
+
+namespace {
+
+std::string nameOf(const mavlink::ParamValue& value) {
+    return std::string(value.param_id, strnlen(value.param_id, sizeof value.param_id));
+}
+
+template <class Message>
+Message named(const std::string& name) {
+    Message message = {};
+    message.target_system = message.target_component = 1;
+    memcpy(message.param_id, name.data(), std::min(name.size(), sizeof message.param_id));
+    return message;
+}
+
+mavlink::ParamSet setting(const std::string& name, float value) {
+    auto message = named<mavlink::ParamSet>(name);
+    message.param_value = value;
+    message.param_type = mavlink::MavParamType::real32;
+    return message;
+}
+
+mavlink::ParamRequestList list() {
+    mavlink::ParamRequestList message = {};
+    message.target_system = message.target_component = 1;
+    return message;
+}
+
+TEST_F(Telemetry, the_parameter_list_is_complete_and_in_order) {
+    const auto values = ask<mavlink::ParamValue>(list(), 3000);
+
+    ASSERT_EQ(values.size(), firmware::state::parameterCount());
+    for (size_t i = 0; i < values.size(); ++i) {
+        EXPECT_EQ(values[i].param_index, i);
+        EXPECT_EQ(values[i].param_count, values.size());
+    }
+    EXPECT_EQ(nameOf(values[0]), "FORMAT_VERSION");
+    EXPECT_EQ(values[0].param_value, 1);
+}
+
+TEST_F(Telemetry, the_parameter_list_takes_what_the_line_has_to_give) {
+    station.line().endless = false;
+    station.line().room = 127;
+    station.send(list());
+    uint32_t time_ms = 0;
+    size_t received = 0;
+    while (received < firmware::state::parameterCount() && time_ms < 10000) {
+        station.line().room = static_cast<uint8_t>(std::min(station.line().room + 57, 127));
+        run_ms(10);  // 57,600 baud
+        time_ms += 10;
+        received += station.all<mavlink::ParamValue>().size();
+    }
+
+    const uint32_t wire_ms = firmware::state::parameterCount() * 33u * 10u * 1000u / 57600u;
+    EXPECT_LE(time_ms, wire_ms * 12 / 10);
+}
+
+TEST_F(Telemetry, streams_and_the_parameter_list_share_the_line) {
+    firmware::state::parameters.streams[0] = {10, 10, 10, 10, 10, 10, 10};
+    station.line().endless = false;
+    station.line().room = 127;
+    station.send(list());
+    size_t received = 0, attitudes = 0;
+    for (uint32_t ms = 0; ms < 2500; ms += 10) {
+        station.line().room = static_cast<uint8_t>(std::min(station.line().room + 57, 127));
+        run_ms(10);
+        received += station.all<mavlink::ParamValue>().size();
+        attitudes += station.all<mavlink::Attitude>().size();
+    }
+
+    EXPECT_EQ(received, firmware::state::parameterCount());
+    EXPECT_GE(attitudes, 8u);
+}
+
+TEST_F(Telemetry, a_parameter_is_read_by_name_and_by_index) {
+    auto request = named<mavlink::ParamRequestRead>("SYSID_MYGCS");
+    request.param_index = -1;
+    const auto by_name = ask<mavlink::ParamValue>(request);
+    ASSERT_EQ(by_name.size(), 1u);
+    EXPECT_EQ(nameOf(by_name[0]), "SYSID_MYGCS");
+    EXPECT_EQ(by_name[0].param_value, 255);
+
+    request = {};
+    request.target_system = 1;
+    request.param_index = static_cast<int16_t>(by_name[0].param_index);
+    const auto by_index = ask<mavlink::ParamValue>(request);
+    ASSERT_EQ(by_index.size(), 1u);
+    EXPECT_EQ(nameOf(by_index[0]), "SYSID_MYGCS");
+}
+
+TEST_F(Telemetry, a_parameter_that_does_not_exist_is_not_invented) {
+    auto request = named<mavlink::ParamRequestRead>("NO_SUCH_NAME");
+    request.param_index = -1;
+    EXPECT_TRUE(ask<mavlink::ParamValue>(request).empty());
+
+    request.param_index = 9999;
+    EXPECT_TRUE(ask<mavlink::ParamValue>(request).empty());
+
+    EXPECT_TRUE(ask<mavlink::ParamValue>(setting("NO_SUCH_NAME", 1)).empty());
+    EXPECT_EQ(station.texts().at(0), "No such parameter");
+}
+
+TEST_F(Telemetry, setting_a_parameter_is_answered_with_what_it_now_is) {
+    const auto values = ask<mavlink::ParamValue>(setting("TRIM_ARSPD_CM", 1350.4f));
+
+    ASSERT_EQ(values.size(), 1u);
+    EXPECT_EQ(values[0].param_value, 1350);
+    EXPECT_EQ(firmware::state::parameters.cruise_speed_cms, 1350);
+}
+
+TEST_F(Telemetry, a_value_that_is_out_of_range_changes_nothing_and_is_refused_aloud) {
+    for (const float value : {-1.0f, 1e9f, NAN}) {
+        const auto values = ask<mavlink::ParamValue>(setting("SYSID_MYGCS", value));
+
+        ASSERT_EQ(values.size(), 1u);
+        EXPECT_EQ(values[0].param_value, 255);
+        EXPECT_EQ(station.texts().size(), 1u);
+    }
+}
+
+TEST_F(Telemetry, many_settings_wait_for_a_slow_store_and_none_is_lost) {
+    fakes::setEepromSlow(true);
+    for (int i = 0; i < 6; ++i)
+        station.send(setting("RC" + std::to_string(i + 1) + "_TRIM", 1501.0f + i));
+
+    run_ms(3000);
+
+    const auto values = station.all<mavlink::ParamValue>();
+    ASSERT_EQ(values.size(), 6u);
+    for (int i = 0; i < 6; ++i) EXPECT_EQ(values[i].param_value, 1501 + i);
+}
+
+// What the vehicle's first start does to a blank EEPROM.
+void claim() { ASSERT_EQ(storage::claim(), core::Status::ok); }
+
+// A restart with what the EEPROM then holds.
+void restart() {
+    fakes::restartEeprom();
+    while (firmware::state::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
+}
+
+TEST_F(Telemetry, a_mode_that_does_not_exist_is_no_mode_of_the_switch) {
+    constexpr float kThermal = 13;  // of ArduPlane, not of this airplane
+    const float before = firmware::state::parameters.switch_mode[0];
+    const auto values = ask<mavlink::ParamValue>(setting("FLTMODE1", kThermal));
+
+    EXPECT_EQ(values.at(0).param_value, before);
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("FLTMODE1", 10)).at(0).param_value, 10);
+}
+
+TEST_F(Telemetry, a_direction_is_1_or_minus_1) {
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("RC2_REV", 0)).at(0).param_value, 1);
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("RC2_REV", -1)).at(0).param_value, -1);
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("RC2_TRIM", 1510)).at(0).param_value, 1510);
+}
+
+TEST_F(Telemetry, a_format_of_0_makes_the_next_start_forget_what_was_stored) {
+    claim();
+    ask<mavlink::ParamValue>(setting("WP_RADIUS", 42));
+    ask<mavlink::ParamValue>(setting("FORMAT_VERSION", 0));
+    restart();
+    EXPECT_EQ(firmware::state::parameters.waypoint_radius_m, 30);
+
+    for (int i = 0; i < 100; ++i) firmware::state::parametersRun();
+    restart();
+
+    EXPECT_EQ(firmware::state::parameters.waypoint_radius_m, 30);
+    EXPECT_EQ(firmware::state::parameters.format_version, 1);
+    run_ms(100);
+    const auto texts = station.texts();
+    ASSERT_EQ(texts.size(), 1u);
+    EXPECT_EQ(texts[0], "All parameters are the defaults");
+    const auto values = ask<mavlink::ParamValue>(setting("WP_RADIUS", 43));
+    ASSERT_EQ(values.size(), 1u);
+    EXPECT_EQ(values[0].param_value, 43);
+}
+
+TEST_F(Telemetry, parameters_are_reset_by_command_and_on_the_ground_only) {
+    claim();
+    ask<mavlink::ParamValue>(setting("WP_RADIUS", 42));
+    firmware::state::mutable_vehicle.armed = true;
+    EXPECT_EQ(command(mavlink::MavCmd::preflight_storage, 2),
+              mavlink::MavResult::temporarily_rejected);
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("FORMAT_VERSION", 0)).at(0).param_value, 1);
+    firmware::state::mutable_vehicle.armed = false;
+    EXPECT_EQ(command(mavlink::MavCmd::preflight_storage, 2), mavlink::MavResult::accepted);
+    EXPECT_EQ(firmware::state::parameters.waypoint_radius_m, 42);  // until the restart
+    restart();
+    EXPECT_EQ(firmware::state::parameters.waypoint_radius_m, 30);
+    for (int i = 0; i < 100; ++i) firmware::state::parametersRun();
+    restart();
+
+    EXPECT_EQ(firmware::state::parameters.waypoint_radius_m, 30);
+}
+
+TEST_F(Telemetry, a_reset_cut_short_anywhere_is_finished_by_the_next_start) {
+    claim();
+    for (const char* name : {"SYSID_MYGCS", "WP_RADIUS", "BATT_CAPACITY"})
+        ask<mavlink::ParamValue>(setting(name, 101));
+    ask<mavlink::ParamValue>(setting("FORMAT_VERSION", 0));
+    const auto before = fakes::eepromCells();
+    bool in_between = false;
+
+    for (uint32_t cut = 0; cut < 30; ++cut) {
+        fakes::resetEeprom();
+        fakes::setEepromCells(before);
+        restart();
+        fakes::cutPowerAfter(cut);
+        for (int i = 0; i < 10; ++i) firmware::state::parametersRun();
+        in_between |= fakes::powerWasCut();
+        for (int starts = 0; starts < 2; ++starts) {
+            restart();
+            for (int i = 0; i < 10; ++i) firmware::state::parametersRun();
+        }
+        ASSERT_EQ(firmware::state::parameters.ground_system_id, 255) << cut;
+        ASSERT_EQ(firmware::state::parameters.waypoint_radius_m, 30) << cut;
+        ASSERT_EQ(firmware::state::parameters.battery_capacity_mah, 3300) << cut;
+        ASSERT_EQ(firmware::state::parameters.format_version, 1) << cut;
+    }
+    EXPECT_TRUE(in_between);
+}
+
+TEST_F(Telemetry, two_links_fetch_the_list_at_once_and_each_gets_all_of_it) {
+    station.send(list());
+    second.send(list());
+    run_ms(3000);
+
+    for (auto* each : {&station, &second}) {
+        const auto values = each->all<mavlink::ParamValue>();
+        ASSERT_EQ(values.size(), firmware::state::parameterCount());
+        for (size_t i = 0; i < values.size(); ++i) ASSERT_EQ(values[i].param_index, i);
+    }
+}
+
+TEST_F(Telemetry, a_list_asked_for_again_begins_again) {
+    station.line().endless = false;
+    station.line().room = 127;
+    station.send(list());
+    run_ms(100);
+    ASSERT_FALSE(station.all<mavlink::ParamValue>().empty());
+    station.line().endless = true;
+    station.line().room = 127;
+    const auto values = ask<mavlink::ParamValue>(list(), 3000);
+
+    ASSERT_GE(values.size(), firmware::state::parameterCount());
+    const auto first = values.end() - firmware::state::parameterCount();
+    for (auto value = first; value != values.end(); ++value)
+        ASSERT_EQ(value->param_index, value - first);
+}
+
+TEST_F(Telemetry, a_setting_during_a_list_is_answered_and_the_list_goes_on) {
+    station.line().endless = false;
+    station.line().room = 127;
+    station.send(list());
+    size_t answered = 0, listed = 0;
+    for (uint32_t ms = 0; ms < 3000; ms += 10) {
+        if (ms == 200) station.send(setting("BATT_CAPACITY", 2200));
+        station.line().room = static_cast<uint8_t>(std::min(station.line().room + 57, 127));
+        run_ms(10);
+        for (const auto& value : station.all<mavlink::ParamValue>()) {
+            if (value.param_index == listed) {
+                ++listed;
+                if (nameOf(value) == "BATT_CAPACITY") {
+                    EXPECT_EQ(value.param_value, 2200);
+                }
+            } else {
+                EXPECT_EQ(nameOf(value), "BATT_CAPACITY");
+                EXPECT_EQ(value.param_value, 2200);
+                ++answered;
+            }
+        }
+    }
+    EXPECT_EQ(answered, 1u);
+    EXPECT_EQ(listed, firmware::state::parameterCount());
+}
+
+TEST_F(Telemetry, the_other_link_hears_of_a_new_value) {
+    station.send(setting("WP_RADIUS", 55));
+    run_ms(20);
+
+    const auto heard = second.all<mavlink::ParamValue>();
+    ASSERT_EQ(heard.size(), 1u);
+    EXPECT_EQ(nameOf(heard[0]), "WP_RADIUS");
+    EXPECT_EQ(heard[0].param_value, 55);
+}
+
+TEST_F(Telemetry, whole_numbers_travel_as_floats_and_say_their_type) {
+    auto request = named<mavlink::ParamRequestRead>("ALT_HOLD_RTL");
+    request.param_index = -1;
+    const auto value = ask<mavlink::ParamValue>(request).at(0);
+
+    EXPECT_EQ(value.param_type, mavlink::MavParamType::int32);
+    EXPECT_EQ(value.param_value, 10000.0f);
+}
+
+}  // namespace

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <map>
+
+#include "core/maths.hpp"
+#include "firmware/gcs/streams.hpp"
+#include "ground.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+
+using ground::Framing;
+using ground::Telemetry;
+using mavlink::MavDataStream;
+using mavlink::MavModeFlag;
+using mavlink::MavState;
+
+namespace {
+
+mavlink::RequestDataStream streamRequest(uint8_t stream, uint16_t rate_hz, bool start = true) {
+    mavlink::RequestDataStream message = {};
+    message.target_system = 1;
+    message.target_component = 1;
+    message.req_stream_id = stream;
+    message.req_message_rate = rate_hz;
+    message.start_stop = start;
+    return message;
+}
+
+TEST_F(Telemetry, beats_once_a_second_when_nothing_is_asked_for) {
+    run_ms(10000);
+
+    EXPECT_EQ(station.all<mavlink::Heartbeat>().size(), 10u);
+    EXPECT_EQ(second.all<mavlink::Heartbeat>().size(), 10u);
+    EXPECT_TRUE(station.everything().empty());
+}
+
+TEST_F(Telemetry, says_what_it_is_from_its_own_address) {
+    run_ms(1000);
+
+    const auto heard = station.everything();
+    ASSERT_EQ(heard.size(), 1u);
+    EXPECT_EQ(heard[0].system, 1);
+    EXPECT_EQ(heard[0].component, 1);
+    mavlink::Heartbeat beat;
+    memcpy(&beat, heard[0].payload.data(), sizeof beat);
+    EXPECT_EQ(beat.type, mavlink::MavType::fixed_wing);
+    EXPECT_EQ(beat.autopilot, mavlink::MavAutopilot::ardupilotmega);
+    EXPECT_EQ(beat.mavlink_version, 3);
+}
+
+TEST_F(Telemetry, heartbeat_shows_mode_and_state) {
+    using firmware::state::Mode;
+    auto& mutable_vehicle = firmware::state::mutable_vehicle;
+    firmware::state::parameters.stick_mixing = 0;
+    mutable_vehicle.imu.calibrated = true;
+    const struct {
+        Mode mode;
+        bool armed, flying, failsafe;
+        uint8_t base_mode, state;
+    } cases[] = {
+        {Mode::manual, false, false, false, 1 | 64, MavState::standby},
+        {Mode::fbwa, true, true, false, 1 | 16 | 128, MavState::active},
+        {Mode::automatic, true, true, false, 1 | 16 | 8 | 128, MavState::active},
+        {Mode::rtl, true, true, true, 1 | 16 | 8 | 128, MavState::critical},
+    };
+    for (const auto& each : cases) {
+        mutable_vehicle.mode = each.mode;
+        mutable_vehicle.armed = each.armed;
+        mutable_vehicle.estimate.flying = each.flying;
+        mutable_vehicle.failsafe_long = each.failsafe;
+        station.forget();
+
+        run_ms(1000);
+
+        const auto beats = station.all<mavlink::Heartbeat>();
+        ASSERT_EQ(beats.size(), 1u);
+        EXPECT_EQ(beats[0].custom_mode, static_cast<uint32_t>(each.mode));
+        EXPECT_EQ(beats[0].base_mode, each.base_mode);
+        EXPECT_EQ(beats[0].system_status, each.state);
+    }
+}
+
+TEST_F(Telemetry, a_stream_comes_at_the_rate_it_was_asked_for) {
+    for (const uint16_t rate_hz : {1, 3, 4, 7, 10, 50}) {
+        station.send(streamRequest(MavDataStream::extra1, rate_hz));
+        run_ms(1000);
+        station.forget();
+
+        run_ms(5000);
+
+        EXPECT_NEAR(station.all<mavlink::Attitude>().size(), 5 * rate_hz, 1) << rate_hz;
+        EXPECT_TRUE(station.all<mavlink::VfrHud>().empty());
+        EXPECT_TRUE(second.all<mavlink::Attitude>().empty());
+    }
+}
+
+TEST_F(Telemetry, all_streams_start_and_stop_together) {
+    station.send(streamRequest(MavDataStream::all, 10));
+    run_ms(2000);
+    for (const uint16_t id :
+         {1, 24, 27, 29, 30, 33, 35, 36, 42, 62, 65, 74, 125, 152, 163, 165, 168}) {
+        station.forget();
+        run_ms(1000);
+        size_t count = 0;
+        for (const auto& heard : station.everything()) count += heard.id == id;
+        EXPECT_EQ(count, 10u) << id;
+    }
+
+    station.send(streamRequest(MavDataStream::all, 10, false));
+    run_ms(100);
+    station.forget();
+    run_ms(2000);
+
+    EXPECT_EQ(station.all<mavlink::Heartbeat>().size(), 2u);
+    EXPECT_TRUE(station.everything().empty());
+}
+
+TEST_F(Telemetry, the_rate_parameters_are_the_rates) {
+    firmware::state::parameters.streams[1].position = 5;
+    run_ms(1000);
+    second.forget();
+
+    run_ms(2000);
+
+    EXPECT_EQ(second.all<mavlink::GlobalPositionInt>().size(), 10u);
+    EXPECT_TRUE(station.all<mavlink::GlobalPositionInt>().empty());
+}
+
+TEST_F(Telemetry, a_message_can_have_an_interval_of_its_own) {
+    constexpr uint16_t kAttitude = 30;
+    EXPECT_EQ(command(mavlink::MavCmd::set_message_interval, kAttitude, 2e6f), 0);
+    run_ms(2000);
+    station.forget();
+    run_ms(10000);
+    EXPECT_EQ(station.all<mavlink::Attitude>().size(), 5u);
+
+    EXPECT_EQ(command(mavlink::MavCmd::get_message_interval, kAttitude), 0);
+    const auto intervals = station.all<mavlink::MessageInterval>();
+    ASSERT_EQ(intervals.size(), 1u);
+    EXPECT_EQ(intervals[0].interval_us, 2000000);
+
+    EXPECT_EQ(command(mavlink::MavCmd::set_message_interval, kAttitude, -1), 0);
+    station.send(streamRequest(MavDataStream::extra1, 10));
+    run_ms(500);
+    EXPECT_TRUE(station.all<mavlink::Attitude>().empty());
+
+    EXPECT_EQ(command(mavlink::MavCmd::set_message_interval, kAttitude, 0), 0);
+    run_ms(1000);
+    EXPECT_NEAR(station.all<mavlink::Attitude>().size(), 10, 1);
+}
+
+TEST_F(Telemetry, the_heartbeat_cannot_be_turned_off) {
+    EXPECT_NE(command(mavlink::MavCmd::set_message_interval, 0, -1), 0);
+
+    run_ms(3000);
+
+    EXPECT_EQ(station.all<mavlink::Heartbeat>().size(), 3u);
+}
+
+TEST_F(Telemetry, two_links_have_rates_of_their_own) {
+    station.send(streamRequest(MavDataStream::all, 2));
+    second.send(streamRequest(MavDataStream::all, 10));
+    run_ms(2000);
+    station.forget();
+    second.forget();
+
+    run_ms(5000);
+
+    std::map<uint16_t, int> slow, fast;
+    for (const auto& heard : station.everything()) ++slow[heard.id];
+    for (const auto& heard : second.everything()) ++fast[heard.id];
+    for (const uint16_t id : {1, 24, 27, 30, 33, 36, 74, 163}) {
+        EXPECT_EQ(slow[id], 10) << id;
+        EXPECT_EQ(fast[id], 50) << id;
+    }
+    EXPECT_EQ(slow[0], 5);
+    EXPECT_EQ(fast[0], 5);
+}
+
+TEST_F(Telemetry, sends_whole_frames_only_and_beats_on_a_slow_line) {
+    memset(&firmware::state::parameters.streams[0], 10,
+           sizeof firmware::state::parameters.streams[0]);
+    station.line().endless = false;
+    for (int i = 0; i < 1000; ++i) {  // 960 bytes a second: 9600 baud, a fifth of what is asked
+        station.line().room = static_cast<uint8_t>(std::min(station.line().room + 9.6, 127.0));
+        run_ms(10);
+    }
+
+    EXPECT_EQ(station.broken(), 0);
+    const auto heard = station.everything();
+    uint32_t beats = 0, attitudes = 0, positions = 0;
+    for (const auto& each : heard) {
+        beats += each.id == 0;
+        attitudes += each.id == 30;
+        positions += each.id == 33;
+    }
+    EXPECT_GE(beats, 9u);
+    EXPECT_GE(attitudes, 10u);  // everything has its share
+    EXPECT_GE(positions, 10u);
+    for (size_t i = 1; i < heard.size(); ++i)
+        EXPECT_EQ(heard[i].sequence, static_cast<uint8_t>(heard[i - 1].sequence + 1));
+}
+
+TEST_F(Telemetry, slows_its_streams_when_the_radio_is_full_and_recovers) {
+    firmware::state::parameters.streams[0].extra1 = 10;
+    mavlink::RadioStatus radio = {};
+    for (int i = 0; i < 8; ++i) {
+        radio.txbuf = 10;
+        station.send(radio);
+        run_ms(100);
+    }
+    station.forget();
+    run_ms(5000);
+    EXPECT_LE(station.all<mavlink::Attitude>().size(), 10u);
+    EXPECT_EQ(station.all<mavlink::Heartbeat>().size(), 5u);
+
+    for (int i = 0; i < 10; ++i) {
+        radio.txbuf = 99;
+        station.send(radio);
+        run_ms(100);
+    }
+    station.forget();
+    run_ms(1000);
+    EXPECT_NEAR(station.all<mavlink::Attitude>().size(), 10, 1);
+}
+
+TEST_F(Telemetry, messages_carry_the_vehicle_in_the_units_of_the_protocol) {
+    auto& mutable_vehicle = firmware::state::mutable_vehicle;
+    mutable_vehicle.home.set = true;
+    mutable_vehicle.home.altitude_cm = 58400;
+    mutable_vehicle.home.position = {-353632610, 1491652300};
+    mutable_vehicle.estimate.position = {-353632620, 1491652400};
+    mutable_vehicle.estimate.height_m = 100.5f;
+    mutable_vehicle.estimate.velocity_mps = {10, -2, 0.5f};
+    mutable_vehicle.estimate.wind_mps = {0, 5, 0};  // blows to the east
+    mutable_vehicle.attitude.yaw_rad = core::Angle(core::radians(-90.0f));
+    mutable_vehicle.throttle_demand = core::Ratio(0.45f);
+    mutable_vehicle.gps.altitude_cm = 68450;
+    mutable_vehicle.gps.hdop_c = 121;
+    mutable_vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
+    mutable_vehicle.baro.pressure_pa = 94500;
+    mutable_vehicle.progress.nav_bearing_cd = 27000;
+    station.send(streamRequest(MavDataStream::all, 4));
+    run_ms(1000);
+
+    const auto position = station.all<mavlink::GlobalPositionInt>().at(0);
+    EXPECT_EQ(position.lat, -353632620);
+    EXPECT_EQ(position.lon, 1491652400);
+    EXPECT_EQ(position.alt, 684500);
+    EXPECT_EQ(position.relative_alt, 100500);
+    EXPECT_EQ(position.vx, 1000);
+    EXPECT_EQ(position.vy, -200);
+    EXPECT_EQ(position.vz, 50);
+    EXPECT_EQ(position.hdg, 27000);
+    const auto hud = station.all<mavlink::VfrHud>().at(0);
+    EXPECT_EQ(hud.heading, 270);
+    EXPECT_EQ(hud.throttle, 45);
+    EXPECT_NEAR(hud.alt, 684.5f, 0.01f);
+    const auto wind = station.all<mavlink::Wind>().at(0);
+    EXPECT_NEAR(wind.direction, -90, 0.01f);  // comes from the west
+    EXPECT_NEAR(wind.speed, 5, 0.01f);
+    const auto gps = station.all<mavlink::GpsRawInt>().at(0);
+    EXPECT_EQ(gps.alt, 684500);
+    EXPECT_EQ(gps.eph, 121);
+    EXPECT_EQ(station.all<mavlink::RawImu>().at(0).zacc, -1000);
+    EXPECT_NEAR(station.all<mavlink::ScaledPressure>().at(0).press_abs, 945, 0.01f);
+    EXPECT_EQ(station.all<mavlink::NavControllerOutput>().at(0).nav_bearing, -90);
+    const auto status = station.all<mavlink::SysStatus>().at(0);
+    EXPECT_EQ(status.load, 250);
+    EXPECT_EQ(status.errors_count2, 3);
+    EXPECT_EQ(status.errors_count3, 4321);
+    const auto channels = station.all<mavlink::RcChannels>().at(0);
+    EXPECT_EQ(channels.chancount, 8);
+    EXPECT_EQ(channels.chan9_raw, 65535);
+    EXPECT_EQ(channels.chan18_raw, 65535);
+}
+
+TEST_F(Telemetry, sys_status_names_what_ails) {
+    using Sensor = mavlink::MavSysStatusSensor;
+    firmware::state::mutable_vehicle.gps.healthy = false;
+    firmware::state::mutable_vehicle.baro.healthy = true;
+    firmware::state::parameters.streams[0].extended_status = 4;
+    firmware::state::mutable_vehicle.prearm_ok = false;
+
+    run_ms(1000);
+
+    const auto status = station.all<mavlink::SysStatus>().at(0);
+    EXPECT_TRUE(status.onboard_control_sensors_present & Sensor::sensor_gps);
+    EXPECT_FALSE(status.onboard_control_sensors_health & Sensor::sensor_gps);
+    EXPECT_TRUE(status.onboard_control_sensors_health & Sensor::sensor_absolute_pressure);
+    EXPECT_FALSE(status.onboard_control_sensors_health & Sensor::prearm_check);
+}
+
+TEST_F(Telemetry, what_was_reached_is_told_once_on_every_link) {
+    doubles::plan.reached = {3, 4};
+
+    run_ms(200);
+
+    for (ground::Station* each : {&station, &second}) {
+        const auto reached = each->all<mavlink::MissionItemReached>();
+        ASSERT_EQ(reached.size(), 2u);
+        EXPECT_EQ(reached[0].seq, 3);
+        EXPECT_EQ(reached[1].seq, 4);
+    }
+}
+
+TEST_F(Telemetry, each_picture_is_told_once_on_every_link) {
+    auto& mutable_vehicle = firmware::state::mutable_vehicle;
+    mutable_vehicle.estimate.position = {473977000, 85456000};
+    mutable_vehicle.estimate.height_m = 100;
+    mutable_vehicle.home.altitude_cm = 48800;
+    mutable_vehicle.home.set = true;
+    mutable_vehicle.attitude.pitch_rad = core::Angle(core::radians(5));
+    run_ms(300);
+    for (uint16_t picture : {1, 2}) {
+        doubles::plan.pictures = picture;
+        run_ms(300);
+    }
+    for (ground::Station* each : {&station, &second}) {
+        const auto told = each->all<mavlink::CameraFeedback>();
+        ASSERT_EQ(told.size(), 2u);
+        EXPECT_EQ(told[0].img_idx, 1);
+        EXPECT_EQ(told[1].img_idx, 2);
+        EXPECT_EQ(told[1].lat, 473977000);
+        EXPECT_NEAR(told[1].alt_msl, 588, 0.01);
+        EXPECT_NEAR(told[1].pitch, 5, 0.01);
+    }
+}
+
+}  // namespace

@@ -1,0 +1,499 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/guidance/guidance.hpp"
+
+#include "firmware_bench.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+
+namespace {
+
+using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
+using firmware::state::parameters;
+using firmware::state::Path;
+using firmware::state::vehicle;
+
+constexpr geo::Position kHere = {470000000, 80000000};
+
+class Guidance : public bench::Bench {
+protected:
+    void SetUp() override {
+        Bench::SetUp();
+        firmware::guidance::runGuidance();  // in MANUAL: whoever guided before has let go
+        mutable_vehicle.attitude.cos_roll = mutable_vehicle.attitude.cos_pitch = core::Ratio(1);
+        mutable_vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
+        mutable_vehicle.home.position = mutable_vehicle.estimate.position = kHere;
+        mutable_vehicle.gps.fix = firmware::state::GpsFix::three_d;
+        mutable_vehicle.airspeed.healthy = true;
+    }
+    void standing() {
+        move(0, 0);
+        mutable_vehicle.estimate.airspeed_mps = mutable_vehicle.estimate.equivalent_airspeed_mps =
+            0;
+    }
+    void cruising() {
+        move(13, 0);
+        mutable_vehicle.estimate.airspeed_mps = mutable_vehicle.estimate.equivalent_airspeed_mps =
+            13;
+    }
+    void move(float north_mps, float east_mps) {
+        mutable_vehicle.estimate.velocity_mps = {north_mps, east_mps, 0};
+        mutable_vehicle.estimate.ground_speed_mps = std::hypot(north_mps, east_mps);
+    }
+    void bank(float roll_rad) {
+        mutable_vehicle.attitude.roll_rad = core::Angle(roll_rad);
+        mutable_vehicle.attitude.sin_roll = core::Ratio(std::sin(roll_rad));
+        mutable_vehicle.attitude.cos_roll = core::Ratio(std::cos(roll_rad));
+    }
+    void place(float north_m, float east_m) {
+        mutable_vehicle.estimate.position = geo::moved(kHere, {north_m, east_m});
+    }
+    // Tenths of a second, as the schedule runs the two.
+    void guide(int tenths = 1) {
+        for (int i = 0; i < tenths; ++i) {
+            firmware::modes::runMode();
+            firmware::guidance::runGuidance();
+            firmware::guidance::runSpeedHeight();
+            firmware::guidance::runGuidance();
+        }
+    }
+    // LOITER lends its automatic throttle and guidance to any path.
+    void demand(Path path) {
+        auto& to_fly = mutable_vehicle.demand;
+        to_fly.path = path;
+        to_fly.from = kHere;
+        to_fly.to = geo::moved(kHere, {500, 0});
+        to_fly.from_height_m = to_fly.height_m = vehicle.estimate.height_m;
+        to_fly.takeoff_pitch_rad = core::radians(15);
+        to_fly.airspeed_mps = 13;
+        to_fly.new_path = true;
+    }
+    void onTheGround(Mode mode) {
+        fly(mode);
+        mutable_vehicle.estimate.flying = false;
+        mutable_vehicle.estimate.height_m = 0;
+        standing();
+    }
+    void inTheAir() {
+        cruising();
+        fly(Mode::loiter);
+        mutable_vehicle.demand.height_m = 80;
+        guide(20);
+        ASSERT_FALSE(vehicle.progress.throttle_suppressed);
+    }
+    // On a final of 300 m from 30 m, `left_m` before its end.
+    void onFinal(float height_m, float left_m, float crosstrack_m = 0) {
+        demand(Path::land);
+        mutable_vehicle.demand.to = geo::moved(kHere, {300, 0});
+        mutable_vehicle.demand.from_height_m = 30;
+        mutable_vehicle.demand.height_m = 0;
+        mutable_vehicle.estimate.height_m = height_m;
+        mutable_vehicle.estimate.climb_mps = -1;
+        place(300 - left_m, crosstrack_m);
+    }
+};
+
+TEST_F(Guidance, does_nothing_in_a_mode_that_does_not_guide_itself) {
+    mutable_vehicle.roll_demand_rad = core::Angle(0.1f);
+    mutable_vehicle.throttle_demand = core::Ratio(0.2f);
+    demand(Path::leg);
+    firmware::guidance::runGuidance();
+    firmware::guidance::runSpeedHeight();
+    EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), 0.1f, 1e-4);
+    EXPECT_NEAR(vehicle.throttle_demand.toFloat(), 0.2f, 1e-4);
+    EXPECT_TRUE(vehicle.demand.new_path);
+}
+
+TEST_F(Guidance, holds_the_motor_on_the_ground_though_an_automatic_mode_is_chosen) {
+    onTheGround(Mode::loiter);
+    mutable_vehicle.demand.height_m = 50;
+    guide(50);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+    EXPECT_EQ(vehicle.throttle_demand.toFloat(), 0);
+}
+
+TEST_F(Guidance, lets_the_motor_turn_once_it_is_thrown) {
+    onTheGround(Mode::loiter);
+    mutable_vehicle.demand.height_m = 50;
+    guide(5);
+    cruising();
+    guide(1);
+    EXPECT_FALSE(vehicle.progress.throttle_suppressed);
+    guide(30);
+    EXPECT_GT(vehicle.throttle_demand.toFloat(), 0.3f);
+}
+
+TEST_F(Guidance, does_not_take_a_fast_position_alone_for_a_launch) {
+    onTheGround(Mode::loiter);
+    move(9, 0);  // carried, or the receiver's mistake: no air flows
+    guide(20);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+    cruising();
+    mutable_vehicle.gps.fix = firmware::state::GpsFix::none;
+    guide(20);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+}
+
+TEST_F(Guidance, never_lets_the_motor_turn_while_disarmed) {
+    inTheAir();
+    ASSERT_GT(vehicle.throttle_demand.toFloat(), 0);
+    mutable_vehicle.armed = false;
+    guide(1);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+    guide(30);
+    EXPECT_EQ(vehicle.throttle_demand.toFloat(), 0);
+}
+
+TEST_F(Guidance, takes_off_with_all_its_throttle_and_the_nose_up) {
+    onTheGround(Mode::loiter);
+    demand(Path::takeoff);
+    mutable_vehicle.demand.height_m = 50;
+    guide(2);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed) << "TKOFF_THR_DELAY has not passed";
+    guide(20);
+    EXPECT_FALSE(vehicle.progress.throttle_suppressed);
+    EXPECT_FLOAT_EQ(vehicle.throttle_demand.toFloat(), 1);
+    EXPECT_EQ(vehicle.roll_demand_rad.toFloat(), 0);
+    cruising();
+    guide(20);
+    EXPECT_GE(vehicle.pitch_demand_rad.toFloat(), core::radians(14.9f));
+}
+
+TEST_F(Guidance,
+       takes_the_pitch_of_a_take_off_for_the_least_with_an_airspeed_sensor_else_as_it_is) {
+    for (const bool sensor : {true, false}) {
+        onTheGround(Mode::loiter);
+        demand(Path::takeoff);
+        mutable_vehicle.demand.height_m = 50;
+        guide(22);
+        cruising();
+        mutable_vehicle.estimate.height_m = 10;
+        mutable_vehicle.airspeed.healthy = sensor;
+        mutable_vehicle.estimate.equivalent_airspeed_mps = mutable_vehicle.estimate.airspeed_mps =
+            19;
+        guide(60);  // far too fast: the nose may come up more
+        const float pitch_deg = vehicle.pitch_demand_rad.toFloat() * 180 / core::kPi;
+        if (sensor) {
+            EXPECT_GT(pitch_deg, 16);
+        } else {
+            EXPECT_NEAR(pitch_deg, 15, 0.1);
+        }
+    }
+}
+
+TEST_F(Guidance, waits_for_a_three_dimensional_fix_before_a_take_off) {
+    onTheGround(Mode::loiter);
+    demand(Path::takeoff);
+    mutable_vehicle.gps.fix = firmware::state::GpsFix::two_d;
+    guide(30);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+    EXPECT_EQ(vehicle.throttle_demand.toFloat(), 0);
+}
+
+TEST_F(Guidance, banks_towards_the_leg) {
+    inTheAir();
+    for (float side_m : {-40.0f, 40.0f}) {
+        demand(Path::leg);
+        place(100, side_m);
+        guide();
+        EXPECT_GT(vehicle.roll_demand_rad.toFloat() * -side_m, 0) << side_m;
+        EXPECT_NEAR(vehicle.progress.crosstrack_m, side_m, 0.2);
+    }
+}
+
+TEST_F(Guidance, tells_when_the_leg_is_passed_and_begins_the_next_one_afresh) {
+    inTheAir();
+    demand(Path::leg);
+    place(499, 0);
+    guide();
+    EXPECT_FALSE(vehicle.progress.passed);
+    place(501, 0);
+    guide();
+    EXPECT_TRUE(vehicle.progress.passed);
+    demand(Path::leg);
+    mutable_vehicle.demand.to = geo::moved(kHere, {1000, 0});
+    guide();
+    EXPECT_FALSE(vehicle.progress.passed);
+}
+
+// A climb of 100 m along 500 m.
+TEST_F(Guidance, begins_the_slope_anew_where_it_is_when_it_is_too_high_above_one_upwards) {
+    inTheAir();
+    demand(Path::leg);
+    mutable_vehicle.demand.height_m = 180;
+    mutable_vehicle.demand.sloped = true;
+    parameters.glide_slope_threshold_m = 5;
+    const auto planned_m = [&](float north_m, float height_m) {
+        place(north_m, 0);
+        mutable_vehicle.estimate.height_m = height_m;
+        guide();
+        return vehicle.progress.height_error_m + height_m;
+    };
+    EXPECT_NEAR(planned_m(100, 104.5f), 100, 0.1);
+    EXPECT_NEAR(planned_m(200, 140), 140, 0.1);
+    EXPECT_NEAR(planned_m(350, 150), 160, 0.1) << "half of what was left";
+    EXPECT_NEAR(planned_m(400, 200), 180, 0.1) << "never higher than its end";
+    EXPECT_NEAR(planned_m(490, 180), 180, 0.1);
+}
+
+TEST_F(Guidance, comes_down_to_a_slope_that_goes_down_or_when_it_is_told_to) {
+    inTheAir();
+    demand(Path::leg);
+    mutable_vehicle.demand.height_m = 30;
+    mutable_vehicle.demand.sloped = true;
+    place(200, 0);
+    guide(2);
+    EXPECT_NEAR(vehicle.progress.height_error_m, -20, 0.1);
+    demand(Path::leg);
+    mutable_vehicle.demand.height_m = 130;
+    parameters.glide_slope_threshold_m = 0;
+    mutable_vehicle.estimate.height_m = 110;
+    guide(2);
+    EXPECT_NEAR(vehicle.progress.height_error_m, -10, 0.1);
+}
+
+TEST_F(Guidance, circles_to_the_side_it_is_told) {
+    const float tangent = 13 * 13 / 60.0f / core::kGravity_mss;
+    for (bool counter_clockwise : {false, true}) {
+        inTheAir();
+        bank(counter_clockwise ? -std::atan(tangent) : std::atan(tangent));
+        demand(Path::circle);
+        mutable_vehicle.demand.to = kHere;
+        mutable_vehicle.demand.radius_m = 60;
+        mutable_vehicle.demand.counter_clockwise = counter_clockwise;
+        place(0, counter_clockwise ? 60 : -60);  // so that north is along the circle
+        guide();
+        EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), vehicle.attitude.roll_rad.toFloat(), 0.05);
+        firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
+    }
+}
+
+TEST_F(Guidance, the_sign_of_the_loiter_radius_is_its_direction) {
+    for (int16_t radius_m : {60, -60}) {
+        parameters.loiter_radius_m = radius_m;
+        fly(Mode::loiter);
+        EXPECT_EQ(vehicle.demand.counter_clockwise, radius_m < 0);
+        EXPECT_EQ(vehicle.demand.radius_m, 60);
+        firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
+    }
+}
+
+TEST_F(Guidance, counts_turns_from_the_moment_it_is_on_the_circle) {
+    inTheAir();
+    demand(Path::circle);
+    mutable_vehicle.demand.to = kHere;
+    mutable_vehicle.demand.radius_m = 60;
+    place(-120, 0);
+    guide();
+    EXPECT_FALSE(vehicle.progress.captured);
+    for (int degrees = 0; degrees <= 450; degrees += 3) {
+        const float angle_rad = core::radians(degrees);
+        place(60 * std::cos(angle_rad), 60 * std::sin(angle_rad));
+        move(-13 * std::sin(angle_rad), 13 * std::cos(angle_rad));
+        guide();
+    }
+    EXPECT_TRUE(vehicle.progress.captured);
+    EXPECT_NEAR(vehicle.progress.turned_rad, core::radians(450), 0.05);
+}
+
+TEST_F(Guidance, flares_without_throttle_in_calm_air_and_with_level_wings) {
+    inTheAir();
+    onFinal(20, 200, 10);
+    guide(10);
+    ASSERT_FALSE(vehicle.progress.flaring);
+    EXPECT_LT(vehicle.roll_demand_rad.toFloat(), -core::radians(parameters.level_roll_limit_deg));
+
+    mutable_vehicle.estimate.height_m = 1;
+    place(290, 10);
+    guide(11);
+    EXPECT_TRUE(vehicle.progress.flaring);
+    EXPECT_EQ(vehicle.throttle_demand.toFloat(), 0);
+    EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), -core::radians(parameters.level_roll_limit_deg),
+                1e-4);
+}
+
+TEST_F(Guidance, against_the_wind_the_flare_keeps_power_until_it_is_low_or_far_behind_the_point) {
+    const auto throttle = [this](float wind_mps, float height_m, float left_m) {
+        inTheAir();
+        onFinal(height_m, left_m);
+        mutable_vehicle.estimate.wind_mps = {wind_mps, 0, 0};
+        guide(15);
+        EXPECT_TRUE(vehicle.progress.flaring);
+        return vehicle.throttle_demand.toFloat();
+    };
+    const float cruise = parameters.cruise_throttle_pct * 0.01f;
+    EXPECT_NEAR(throttle(-5, 1.2f, 12), 1.4f * cruise, 0.01);
+    EXPECT_NEAR(throttle(-1, 1.2f, 12), 0.3f * 1.4f * cruise, 0.01);
+    EXPECT_NEAR(throttle(-5, 0.3f, 12), 1.4f / 3 * cruise, 0.01);
+    EXPECT_EQ(throttle(-5, 0, 12), 0);
+    EXPECT_EQ(throttle(-5, 1.2f, -16), 0) << "it stands on the ground, and the height is wrong";
+    EXPECT_EQ(throttle(5, 1.2f, 12), 0) << "from behind";
+}
+
+TEST_F(Guidance, the_nose_may_be_lower_in_the_flare_than_at_the_ground) {
+    const auto pitch_rad = [this](float height_m) {
+        inTheAir();
+        onFinal(height_m, 12);
+        mutable_vehicle.estimate.climb_mps = 0.8f;
+        guide(15);
+        return vehicle.pitch_demand_rad.toFloat();
+    };
+    EXPECT_NEAR(pitch_rad(0), core::radiansFromCentidegrees(parameters.land_pitch_cd), 0.001);
+    EXPECT_LT(pitch_rad(1), core::radians(-3));
+}
+
+TEST_F(Guidance, nothing_flares_that_the_pilot_flies) {
+    inTheAir();
+    onFinal(0.5f, 10);
+    guide(2);
+    ASSERT_TRUE(vehicle.progress.flaring);
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    guide();
+    EXPECT_FALSE(vehicle.progress.flaring) << "its pitch is not twice as fast";
+}
+
+TEST_F(Guidance, steers_along_the_runway_from_the_flare_on) {
+    inTheAir();
+    onFinal(20, 200);
+    mutable_vehicle.attitude.yaw_rad = core::Angle(0.2f);
+    guide(5);
+    EXPECT_EQ(vehicle.rudder_demand.toFloat(), 0) << "in the air the wings do that";
+
+    mutable_vehicle.estimate.height_m = 0.5f;
+    guide(2);
+    EXPECT_LT(vehicle.rudder_demand.toFloat(), -0.05f) << "the nose points right of the runway";
+    mutable_vehicle.attitude.yaw_rad = core::Angle(-0.2f);
+    guide();
+    EXPECT_GT(vehicle.rudder_demand.toFloat(), 0.05f);
+    mutable_vehicle.attitude.yaw_rad = core::Angle(0);
+    place(290, 3);
+    guide();
+    EXPECT_LT(vehicle.rudder_demand.toFloat(), -0.02f) << "beside its middle";
+    mutable_vehicle.attitude.yaw_rad = core::Angle(3);
+    guide();
+    EXPECT_GE(vehicle.rudder_demand.toFloat(), -0.35f)
+        << "a wheel at full lock overturns the airplane";
+}
+
+TEST_F(Guidance, keeps_the_nose_from_swinging_in_the_take_off_run) {
+    onTheGround(Mode::loiter);
+    demand(Path::takeoff);
+    guide(20);
+    EXPECT_EQ(vehicle.rudder_demand.toFloat(), 0);
+    mutable_vehicle.attitude.rate_rads.z = core::BodyRate(0.5f);
+    guide();
+    EXPECT_LT(vehicle.rudder_demand.toFloat(), -0.05f);
+    mutable_vehicle.estimate.height_m = 5;
+    guide();
+    EXPECT_EQ(vehicle.rudder_demand.toFloat(), 0) << "airborne";
+}
+
+TEST_F(Guidance, steers_no_more_once_the_pilot_has_the_airplane) {
+    inTheAir();
+    onFinal(0.5f, 10);
+    mutable_vehicle.attitude.yaw_rad = core::Angle(0.2f);
+    guide(2);
+    ASSERT_NE(vehicle.rudder_demand.toFloat(), 0);
+    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    guide();
+    EXPECT_EQ(vehicle.rudder_demand.toFloat(), 0);
+}
+
+TEST_F(Guidance, gives_up_height_and_opens_the_throttle_below_the_lowest_speed) {
+    inTheAir();
+    guide(50);
+    const float level_rad = vehicle.pitch_demand_rad.toFloat();
+    mutable_vehicle.estimate.airspeed_mps = mutable_vehicle.estimate.equivalent_airspeed_mps = 7;
+    mutable_vehicle.imu.accel_mss.x = core::Acceleration(-2);
+    guide(30);
+    EXPECT_LT(vehicle.pitch_demand_rad.toFloat(), level_rad - 0.1f);
+    EXPECT_NEAR(vehicle.throttle_demand.toFloat(), parameters.throttle_max_pct * 0.01f, 0.01);
+}
+
+TEST_F(Guidance, banks_no_more_than_the_wings_carry_when_it_is_slow) {
+    inTheAir();
+    demand(Path::leg);
+    place(100, -200);
+    guide();
+    const float most_rad = core::radiansFromCentidegrees(parameters.roll_limit_cd);
+    EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), most_rad, 1e-4);
+    mutable_vehicle.estimate.equivalent_airspeed_mps = parameters.speed_min_mps;
+    guide();
+    EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), core::radians(25), 0.01);
+}
+
+TEST_F(Guidance, lets_the_throttle_follow_the_pitch_without_an_airspeed_sensor) {
+    mutable_vehicle.airspeed.healthy = false;
+    inTheAir();
+    mutable_vehicle.demand.height_m = 80;
+    guide(50);
+    EXPECT_NEAR(vehicle.throttle_demand.toFloat(), parameters.cruise_throttle_pct * 0.01f, 0.1);
+    mutable_vehicle.demand.height_m = 120;
+    guide(20);
+    EXPECT_GT(vehicle.pitch_demand_rad.toFloat(), 0.1f);
+    EXPECT_GT(vehicle.throttle_demand.toFloat(), 0.6f);
+}
+
+TEST_F(Guidance, keeps_away_from_the_stall_without_an_airspeed_sensor) {
+    mutable_vehicle.airspeed.healthy = false;
+    inTheAir();
+    mutable_vehicle.estimate.height_m = 65;  // far too low: all the pitch there is is asked for
+    guide(40);
+    EXPECT_NEAR(vehicle.pitch_demand_rad.toFloat(), 0.2f, 0.001)
+        << "of angle of attack, on a level path";
+    EXPECT_NEAR(vehicle.throttle_demand.toFloat(), parameters.throttle_max_pct * 0.01f, 0.01);
+
+    mutable_vehicle.estimate.climb_mps = -1.3f;  // and sinking on: the path itself points down
+    guide(20);
+    EXPECT_NEAR(vehicle.pitch_demand_rad.toFloat(), 0.1f, 0.001);
+}
+
+TEST_F(Guidance, closes_the_throttle_little_on_a_gentle_descent_without_an_airspeed_sensor) {
+    mutable_vehicle.airspeed.healthy = false;
+    inTheAir();
+    demand(Path::leg);
+    mutable_vehicle.demand.height_m = 60;
+    mutable_vehicle.demand.climb_rate_mps = 0.8f;
+    mutable_vehicle.estimate.climb_mps = -0.8f;
+    for (int i = 0; i < 100; ++i) {
+        mutable_vehicle.estimate.height_m = vehicle.demand.from_height_m;
+        guide();
+    }
+    EXPECT_GT(vehicle.throttle_demand.toFloat(), 0.25f);
+    EXPECT_LT(vehicle.throttle_demand.toFloat(), parameters.cruise_throttle_pct * 0.01f);
+}
+
+TEST_F(Guidance, is_not_misled_by_a_low_ground_speed_without_an_airspeed_sensor) {
+    mutable_vehicle.airspeed.healthy = false;
+    inTheAir();
+    guide(20);
+    const float pitch_rad = vehicle.pitch_demand_rad.toFloat();
+    move(4, 0);  // into the wind: flying all the same
+    mutable_vehicle.estimate.airspeed_mps = mutable_vehicle.estimate.equivalent_airspeed_mps = 4;
+    mutable_vehicle.estimate.climb_mps = 0.3f;
+    guide(20);
+    EXPECT_NEAR(vehicle.pitch_demand_rad.toFloat(), pitch_rad, 0.06);
+}
+
+TEST_F(Guidance, a_stick_above_its_middle_asks_for_more_speed_if_nudging_is_on) {
+    inTheAir();
+    guide(50);
+    const float unmoved = vehicle.throttle_demand.toFloat();
+    mutable_vehicle.radio.throttle_pct = 100;
+    parameters.throttle_nudge = 0;
+    guide(5);
+    EXPECT_NEAR(vehicle.throttle_demand.toFloat(), unmoved, 0.05);
+    parameters.throttle_nudge = 1;
+    guide(20);
+    EXPECT_GT(vehicle.throttle_demand.toFloat(), unmoved + 0.1f);
+}
+
+TEST_F(Guidance, moves_the_height_at_the_rate_a_condition_asks_for) {
+    inTheAir();
+    demand(Path::leg);
+    mutable_vehicle.demand.height_m = 100;
+    mutable_vehicle.demand.climb_rate_mps = 2;
+    guide(30);
+    EXPECT_NEAR(vehicle.demand.from_height_m, 80 + 6, 0.2);
+}
+
+}  // namespace

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The APM 1.0 set in flight.
+#include "flight.hpp"
+
+#include "firmware/app/dataflash.hpp"
+#include "firmware/logger/log.hpp"
+#include "firmware/mission/handlers.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+
+namespace firmware {
+using namespace mission;
+using namespace logger;
+using namespace app;
+namespace {
+
+TEST_F(Apm1Flight, the_mode_is_changed_and_coming_back_goes_on_behind_the_command) {
+    fly({waypoint(500), command(0x30, 12), command(0x81, 1), waypoint(900)});
+    EXPECT_EQ(vehicle.mode, Mode::loiter);
+    EXPECT_FALSE(relayGet());
+    enterAuto();
+    EXPECT_EQ(vehicle.mode, Mode::automatic);
+    EXPECT_TRUE(relayGet());
+    EXPECT_EQ(missionCurrent(), 1);
+}
+
+TEST_F(Apm1Flight, changing_the_mode_to_auto_does_nothing) {
+    run(command(0x30, 10));
+    EXPECT_EQ(vehicle.mode, Mode::automatic);
+    EXPECT_EQ(missionCurrent(), 1);
+}
+
+TEST_F(Apm1Flight, cruise_speed_throttle_gains_and_channels_are_set) {
+    fly({waypoint(500), command(0x40, 15), command(0x41, 70), command(0x60, 0, 45000),
+         command(0x61, 6, 20000), command(0x64, 1, 70000), command(0x70, 4, 1510),
+         command(0x71, 7, 1950), command(0x72, 0, 1050), command(0x73, 2, 960)});
+    pass();  // more than the engine looks at in one
+    EXPECT_FLOAT_EQ(vehicle.demand.airspeed_mps, 15);
+    EXPECT_EQ(vehicle.demand.throttle_pct, 70);
+    EXPECT_FLOAT_EQ(parameters.roll.axis.p, 0.45f);
+    EXPECT_FLOAT_EQ(parameters.speed_height.integral_gain, 0.2f);
+    EXPECT_FLOAT_EQ(parameters.rudder_mix, 0.7f);
+    EXPECT_EQ(parameters.channel[4].trim_us, 1510);
+    EXPECT_EQ(parameters.channel[7].max_us, 1950);
+    EXPECT_EQ(parameters.channel[0].min_us, 1050);
+    EXPECT_EQ(parameters.throttle_failsafe_us, 960);
+}
+
+TEST_F(Apm1Flight, every_gain_it_accepts_goes_to_the_parameter_that_plays_the_part) {
+    struct {
+        uint8_t id, index;
+        const char* name;
+    } const parts[] = {
+        {0x60, 0, "RLL2SRV_P"},     {0x60, 1, "PTCH2SRV_P"},     {0x61, 0, "RLL2SRV_I"},
+        {0x61, 1, "PTCH2SRV_I"},    {0x61, 2, "YAW2SRV_INT"},    {0x61, 6, "TECS_INTEG_GAIN"},
+        {0x62, 0, "RLL2SRV_D"},     {0x62, 1, "PTCH2SRV_D"},     {0x62, 2, "YAW2SRV_DAMP"},
+        {0x62, 3, "NAVL1_DAMPING"}, {0x62, 5, "TECS_PTCH_DAMP"}, {0x62, 6, "TECS_THR_DAMP"},
+        {0x63, 0, "RLL2SRV_IMAX"},  {0x63, 1, "PTCH2SRV_IMAX"},  {0x63, 2, "YAW2SRV_IMAX"},
+        {0x64, 0, "PTCH2SRV_RLL"},  {0x64, 1, "KFF_RDDRMIX"},
+    };
+    int mapped = 0;
+    for (int id = 0x60; id <= 0x64; ++id) {
+        for (int index = 0; index < 8; ++index) {
+            const uint8_t slot = gainSlot(uint8_t(id), uint8_t(index));
+            if (slot == kNoSlot) continue;
+            ++mapped;
+            uint16_t row;
+            ASSERT_TRUE(parameterOfSlot(slot, row));
+            char name[16];
+            float value;
+            uint8_t type;
+            ASSERT_TRUE(parameterAt(row, name, value, type));
+            bool found = false;
+            for (const auto& part : parts)
+                found |= part.id == id && part.index == index &&
+                         std::string(name, strnlen(name, 16)) == part.name;
+            EXPECT_TRUE(found) << std::hex << id << " " << index << " " << name;
+        }
+    }
+    EXPECT_EQ(mapped, 17);
+}
+
+TEST_F(Apm1Flight, every_channel_slot_is_the_parameter_it_should_be) {
+    for (int i = 0; i < 8; ++i) {
+        const std::string channel = "RC" + std::to_string(i + 1);
+        const struct {
+            uint8_t id;
+            const char* part;
+        } kinds[] = {{0x70, "_TRIM"}, {0x71, "_MAX"}, {0x72, "_MIN"}};
+        for (const auto& kind : kinds) {
+            uint16_t row;
+            ASSERT_TRUE(parameterOfSlot(channelSlot(kind.id, uint8_t(i)), row));
+            char name[16];
+            float value;
+            uint8_t type;
+            parameterAt(row, name, value, type);
+            EXPECT_EQ(std::string(name, strnlen(name, 16)), channel + kind.part);
+        }
+    }
+    uint16_t row;
+    ASSERT_TRUE(parameterOfSlot(otherRadioSlot(2), row));
+}
+
+TEST_F(Apm1Flight, home_is_reset_here_or_as_given) {
+    mutable_vehicle.estimate.position.latitude_e7 += 1000;
+    run(command(0x42));
+    EXPECT_EQ(vehicle.home.position, vehicle.estimate.position);
+    setMode(Mode::loiter, ModeReason::pilot);
+    MissionItem home = placed(0x42, 1000, 0, 420);
+    run(home);
+    EXPECT_EQ(vehicle.home.position.latitude_e7, home.x);
+    EXPECT_EQ(vehicle.home.altitude_cm, 42000);
+}
+
+TEST_F(Apm1Flight, a_queried_or_broadcast_variable_is_told_once_on_every_link) {
+    const auto told = [](hal::Port port) {
+        auto& out = fakes::serial(port).out;
+        const std::string text(out.begin(), out.end());
+        out.clear();
+        const size_t at = text.find("WP_RADIUS");
+        return at != std::string::npos && text.find("WP_RADIUS", at + 1) == std::string::npos;
+    };
+    for (const uint16_t id : {0x32, 0x33}) {
+        setMode(Mode::loiter, ModeReason::pilot);
+        told(hal::Port::link0);
+        told(hal::Port::link1);
+        run(command(id, 134));
+        pass(5);
+        EXPECT_TRUE(told(hal::Port::link0)) << id;
+        EXPECT_TRUE(told(hal::Port::link1)) << id;
+    }
+}
+
+// A DataFlash that is never busy; what is written into its buffers goes by as text.
+class LoggedFlight : public Apm1Flight {
+protected:
+    void SetUp() override {
+        Apm1Flight::SetUp();
+        fakes::FlashBus::device = [](uint8_t) -> uint8_t {
+            const std::vector<uint8_t>& sent = fakes::FlashBus::sent;
+            if (sent.size() < 2) return 0xFF;
+            if (sent[0] == 0x9F) return sent.size() == 2 ? 0x1F : 0x26;
+            return sent[0] == 0xD7 ? 0xAC : 0xFF;
+        };
+        fakes::FlashBus::on_select = [this](bool low) {
+            std::vector<uint8_t>& sent = fakes::FlashBus::sent;
+            const bool into_buffer = !low && !sent.empty() && (sent[0] == 0x84 || sent[0] == 0x87);
+            if (into_buffer && sent.size() > 4) written.append(sent.begin() + 4, sent.end());
+            sent.clear();
+        };
+        dataflashStart();
+        for (int i = 0; i < 4; ++i) {
+            fakes::advance_ms(100);
+            dataflashStep();
+        }
+        parameters.log_bitmask = 4;
+        logStart();
+        while (logFind()) {
+        }
+        writeOn();  // what every log begins with, all parameters among it
+    }
+    static void writeOn() {
+        for (int i = 0; i < 600; ++i) {
+            runLog();
+            fakes::advance_ms(20);
+        }
+    }
+    void TearDown() override {
+        fakes::reset();
+        dataflashStart();  // no chip any more
+        for (int i = 0; i < 40; ++i) {
+            fakes::advance_ms(100);
+            dataflashStep();
+        }
+        logStart();
+    }
+    // The chip keeps nothing, so there is no mission: the row itself is run.
+    bool logs(uint8_t id) {
+        written.clear();
+        const uint8_t row = kCommandTable.find(::mission::Set::apm1, id);
+        kCommandTable.rows[row].act({id, 0, 134, 0, 0, 0});
+        pass(3);
+        writeOn();
+        return written.find("WP_RADIUS") != std::string::npos;
+    }
+    std::string written;
+};
+
+TEST_F(LoggedFlight, a_broadcast_variable_is_written_to_the_log_and_a_queried_one_is_not) {
+    ASSERT_TRUE(logOpen());
+    EXPECT_FALSE(logs(0x32));
+    EXPECT_TRUE(logs(0x33));
+}
+
+TEST_F(Apm1Flight, a_variable_that_another_one_overtakes_is_told) {
+    auto& port = fakes::serial(hal::Port::link0);
+    port.endless = false;
+    port.room = 0;
+    fly({waypoint(500), command(0x32, 134), command(0x32, 102), waypoint(900)});
+    port.endless = true;
+    port.room = 255;
+    EXPECT_TRUE(tells("parameter 134 not sent"));
+}
+
+TEST_F(Apm1Flight, a_variable_that_finds_no_room_is_sent_later) {
+    auto& port = fakes::serial(hal::Port::link0);
+    port.endless = false;
+    port.room = 0;
+    run(command(0x32, 134));
+    pass(3);
+    port.endless = true;
+    port.room = 255;
+    port.out.clear();
+    pass();
+    EXPECT_NE(std::string(port.out.begin(), port.out.end()).find("WP_RADIUS"), std::string::npos);
+}
+
+TEST_F(Apm1Flight, the_radio_can_be_silenced_and_heard_again) {
+    run(command(0x34, 0));
+    EXPECT_TRUE(telemetryMuted());
+    radioHeard();
+    EXPECT_FALSE(telemetryMuted());
+}
+
+TEST_F(Apm1Flight, a_servo_pulse_is_held_at_800_at_least_and_0_is_no_pulse) {
+    fly({waypoint(500), command(0x82, 4, 1300), command(0x82, 5, 1), command(0x82, 6, 0)});
+    EXPECT_EQ(outputPulse_us(5), 1300);
+    EXPECT_EQ(outputPulse_us(6), 800);
+    EXPECT_EQ(outputPulse_us(7), 0);
+}
+
+TEST_F(Apm1Flight, the_throttle_is_never_taken_while_armed) {
+    (void)told();
+    run(command(0x82, 2, 1300));
+    EXPECT_NE(outputPulse_us(3), 1300);
+    EXPECT_TRUE(tells("output 3 refused"));
+}
+
+TEST_F(Apm1Flight, a_servo_pulse_may_be_set_on_every_other_output_until_the_mode_changes) {
+    for (uint8_t output : {1, 2, 4, 5, 6, 7, 8}) {
+        setMode(Mode::loiter, ModeReason::pilot);
+        run(command(0x82, float(output - 1), 1300));
+        EXPECT_EQ(outputPulse_us(output), 1300) << int(output);
+        setMode(Mode::loiter, ModeReason::pilot);
+        pass();
+        EXPECT_NE(outputPulse_us(output), 1300) << int(output);
+    }
+}
+
+TEST_F(Apm1Flight, the_throttle_is_not_taken_even_from_a_disarmed_airplane) {
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = false;
+    (void)told();
+    run(command(0x82, 2, 1300));
+    EXPECT_NE(outputPulse_us(3), 1300);
+    EXPECT_TRUE(tells("Mission: output 3 refused"));
+}
+
+TEST_F(Apm1Flight, jumps_to_one_fly_round_and_round) {
+    fly({waypoint(500), waypoint(900), command(0x31)});
+    int flown[4];
+    for (int& item : flown) {
+        item = missionCurrent();
+        reach();
+    }
+    EXPECT_EQ(flown[0], 1);
+    EXPECT_EQ(flown[1], 2);
+    EXPECT_EQ(flown[2], 1);
+    EXPECT_EQ(flown[3], 2);
+}
+
+}  // namespace
+}  // namespace firmware

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/safety/arming.hpp"
+
+#include <functional>
+#include <string>
+
+#include "core/maths.hpp"
+#include "firmware/gcs/link.hpp"
+#include "firmware/mission/mission.hpp"
+#include "firmware/notify/text_queue.hpp"
+#include "firmware_bench.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+
+namespace {
+
+using firmware::safety::ArmReason;
+using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
+using firmware::state::parameters;
+using firmware::state::vehicle;
+
+struct Arming : bench::Bench {
+    void SetUp() override {
+        Bench::SetUp();
+        makeReady();
+        parameters.log_bitmask = 0;
+        firmware::mission::missionBoot();
+        for (int i = 0; i < 500 && !firmware::mission::missionKnown(); ++i) {
+            firmware::mission::missionRun();
+            fakes::advance_ms(10);
+        }
+        firmware::safety::runArming();  // the rudder's time begins anew
+        (void)tells("");                // what others have left
+    }
+    static void makeReady() {
+        mutable_vehicle.imu.healthy = mutable_vehicle.imu.calibrated = true;
+        mutable_vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
+        mutable_vehicle.attitude.aligned = true;
+        mutable_vehicle.baro.healthy = mutable_vehicle.compass.healthy =
+            mutable_vehicle.airspeed.healthy = true;
+        mutable_vehicle.gps.healthy = true;
+        mutable_vehicle.gps.fix = firmware::state::GpsFix::three_d;
+        mutable_vehicle.gps.altitude_cm = 48800;
+        mutable_vehicle.gps.hdop_c = 180;
+        mutable_vehicle.compass.field_mg = {220, 30, 430};
+        mutable_vehicle.estimate.known = true;
+        mutable_vehicle.estimate.position = {473977000, 85456000};
+        mutable_vehicle.battery.board_mv = 5000;
+        mutable_vehicle.battery.voltage_mv = 12000;
+    }
+    // Among what both links have been told since the last call.
+    static bool tells(const std::string& part) {
+        std::vector<uint8_t>& out = fakes::serial(hal::Port::link0).out;
+        out.clear();
+        for (firmware::gcs::Link& link : firmware::gcs::links)
+            while (firmware::gcs::sendText(link)) {
+            }
+        const std::string said(out.begin(), out.end());
+        return said.find(part) != std::string::npos;
+    }
+    static void look() {
+        for (int tenth = 0; tenth < 10; ++tenth) firmware::safety::runArming();
+    }
+    uint16_t throttle_us = 1100;
+    void holdRudder(uint16_t pulse_us, int tenths) {
+        for (int tenth = 0; tenth < tenths; ++tenth) {
+            std::vector<uint16_t> sticks = with(4, pulse_us);
+            sticks[2] = throttle_us;
+            fakes::receiveRc(sticks);
+            firmware::sensors::runRadio();
+            firmware::safety::runArming();
+            fakes::advance_ms(100);
+        }
+    }
+};
+
+TEST_F(Arming, arms_when_every_check_passes_and_takes_home_there) {
+    EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, false));
+    EXPECT_TRUE(vehicle.armed);
+    EXPECT_TRUE(vehicle.home.set);
+    EXPECT_EQ(vehicle.home.position, (geo::Position{473977000, 85456000}));
+    EXPECT_EQ(vehicle.home.altitude_cm, 48800);
+}
+
+struct Fault {
+    const char* reason;
+    std::function<void()> happens;
+};
+class Check : public Arming, public testing::WithParamInterface<Fault> {};
+
+TEST_P(Check, refuses_to_arm_and_says_why) {
+    GetParam().happens();
+    const core::RomText why = firmware::safety::prearmFailure();
+    ASSERT_NE(why, nullptr);
+    EXPECT_STREQ(why, GetParam().reason);
+    EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
+    EXPECT_FALSE(vehicle.armed);
+}
+INSTANTIATE_TEST_SUITE_P(
+    Faults, Check,
+    testing::Values(
+        Fault{"PreArm: gyros not ready", [] { mutable_vehicle.imu.calibrated = false; }},
+        Fault{"PreArm: gyros not healthy", [] { mutable_vehicle.imu.healthy = false; }},
+        Fault{"PreArm: accelerometers",
+              [] { mutable_vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -7.5f); }},
+        Fault{"PreArm: accelerometers",
+              [] { mutable_vehicle.imu.accel_mss = core::Accelerations::from(8, 3, -9); }},
+        Fault{"PreArm: attitude", [] { mutable_vehicle.attitude.aligned = false; }},
+        Fault{"PreArm: barometer", [] { mutable_vehicle.baro.healthy = false; }},
+        Fault{"PreArm: compass", [] { mutable_vehicle.compass.healthy = false; }},
+        Fault{"PreArm: check mag field",
+              [] {
+                  mutable_vehicle.compass.field_mg = {90, 90, 90};
+              }},
+        Fault{"PreArm: check mag field",
+              [] {
+                  mutable_vehicle.compass.field_mg = {0, 900, 0};
+              }},
+        Fault{"PreArm: compass offsets",
+              [] { parameters.compass_offset_mg[0] = parameters.compass_offset_mg[1] = 380; }},
+        Fault{"PreArm: no GPS fix",
+              [] { mutable_vehicle.gps.fix = firmware::state::GpsFix::two_d; }},
+        Fault{"PreArm: no GPS fix", [] { mutable_vehicle.estimate.known = false; }},
+        Fault{"PreArm: high GPS HDOP", [] { mutable_vehicle.gps.hdop_c = 400; }},
+        Fault{"PreArm: airspeed sensor", [] { mutable_vehicle.airspeed.healthy = false; }},
+        Fault{"PreArm: no radio", [] { mutable_vehicle.radio.lost = true; }},
+        Fault{"PreArm: no radio", [] { mutable_vehicle.radio.good_ms = 0; }},
+        Fault{"PreArm: RC# not calibrated", [] { parameters.channel[1].min_us = 1400; }},
+        Fault{"PreArm: RC# not calibrated", [] { parameters.channel[3].max_us = 1600; }},
+        Fault{"PreArm: RC# not calibrated", [] { parameters.channel[0].trim_us = 1950; }},
+        Fault{"PreArm: throttle is up", [] { mutable_vehicle.radio.throttle_pct = 10; }},
+        Fault{"PreArm: board voltage", [] { mutable_vehicle.battery.board_mv = 4100; }},
+        Fault{"PreArm: battery low", [] { mutable_vehicle.battery.voltage_mv = 9000; }},
+        Fault{"PreArm: no log chip", [] { parameters.log_bitmask = 1; }}));
+
+TEST_F(Arming, takes_the_pack_that_the_battery_failsafe_takes) {
+    mutable_vehicle.battery.voltage_mv = 7400;
+    parameters.battery_low_v = 7.0f;
+    EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, false));
+    mutable_vehicle.armed = false;
+    mutable_vehicle.battery.voltage_mv = 6900;
+    EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
+    EXPECT_TRUE(tells("PreArm: battery low"));
+}
+
+TEST_F(Arming, can_be_forced) {
+    mutable_vehicle.baro.healthy = false;
+    EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, true));
+}
+
+TEST_F(Arming, leaves_out_the_checks_not_asked_for) {
+    parameters.arming_check = 8;  // GPS alone
+    mutable_vehicle.baro.healthy = false;
+    look();
+    EXPECT_TRUE(firmware::state::vehicle.prearm_ok);
+    mutable_vehicle.gps.fix = firmware::state::GpsFix::none;
+    look();
+    EXPECT_FALSE(firmware::state::vehicle.prearm_ok);
+}
+
+TEST_F(Arming, takes_three_seconds_of_full_right_rudder) {
+    holdRudder(1900, 28);
+    EXPECT_FALSE(vehicle.armed);
+    holdRudder(1900, 5);
+    EXPECT_TRUE(vehicle.armed);
+}
+
+TEST_F(Arming, by_rudder_says_why_not) {
+    mutable_vehicle.gps.fix = firmware::state::GpsFix::none;
+    holdRudder(1900, 33);
+    EXPECT_FALSE(vehicle.armed);
+    EXPECT_TRUE(tells("PreArm: no GPS fix"));
+}
+
+TEST_F(Arming, by_rudder_wants_the_throttle_closed_and_arming_rudder) {
+    throttle_us = 1250;
+    holdRudder(1900, 40);
+    EXPECT_FALSE(vehicle.armed);
+    throttle_us = 1100;
+    parameters.arming_rudder = 0;
+    holdRudder(1900, 40);
+    EXPECT_FALSE(vehicle.armed);
+}
+
+TEST_F(Arming, left_rudder_disarms_on_the_ground_when_arming_rudder_is_2) {
+    ASSERT_TRUE(firmware::safety::arm(ArmReason::ground, false));
+    holdRudder(1100, 40);
+    EXPECT_TRUE(vehicle.armed) << "1 arms only";
+    parameters.arming_rudder = 2;
+    mutable_vehicle.estimate.flying = true;
+    holdRudder(1100, 40);
+    EXPECT_TRUE(vehicle.armed) << "gliding";
+    mutable_vehicle.estimate.flying = false;
+    holdRudder(1100, 28);
+    EXPECT_TRUE(vehicle.armed);
+    holdRudder(1100, 5);
+    EXPECT_FALSE(vehicle.armed);
+}
+
+TEST_F(Arming, names_the_channel_that_is_not_calibrated) {
+    parameters.channel[3].max_us = 1600;
+    EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
+    EXPECT_TRUE(tells("PreArm: RC4 not calibrated"));
+}
+
+TEST_F(Arming, reminds_twice_a_minute_of_what_is_missing) {
+    mutable_vehicle.baro.healthy = false;
+    int told = 0;
+    for (int tenth = 0; tenth < 1200; ++tenth) {
+        firmware::safety::runArming();
+        if (tells("PreArm: barometer")) ++told;
+        fakes::advance_ms(100);
+    }
+    EXPECT_EQ(told, 4);
+}
+
+TEST_F(Arming, refuses_to_disarm_in_flight_unless_forced) {
+    ASSERT_TRUE(firmware::safety::arm(ArmReason::ground, false));
+    mutable_vehicle.estimate.flying = true;
+    EXPECT_FALSE(firmware::safety::disarm(ArmReason::ground, false));
+    EXPECT_TRUE(vehicle.armed);
+    EXPECT_TRUE(firmware::safety::disarm(ArmReason::ground, true));
+    EXPECT_FALSE(vehicle.armed);
+}
+
+TEST_F(Arming, stays_armed_after_a_landing_when_the_delay_is_0) {
+    ASSERT_TRUE(firmware::safety::arm(ArmReason::ground, false));
+    parameters.land_disarm_delay_s = 0;
+    mutable_vehicle.mode = Mode::automatic;
+    mutable_vehicle.demand.path = firmware::state::Path::land;
+    mutable_vehicle.progress.flaring = true;
+    for (int tenth = 0; tenth < 600; ++tenth) {
+        firmware::safety::runArming();
+        fakes::advance_ms(100);
+    }
+    EXPECT_TRUE(vehicle.armed);
+    mutable_vehicle.mode = Mode::manual;
+}
+
+TEST_F(Arming, disarms_by_itself_some_seconds_after_a_landing) {
+    ASSERT_TRUE(firmware::safety::arm(ArmReason::ground, false));
+    firmware::safety::runArming();
+    mutable_vehicle.mode = Mode::automatic;
+    mutable_vehicle.demand.path = firmware::state::Path::land;
+    mutable_vehicle.progress.flaring = true;
+    const int delay_s = parameters.land_disarm_delay_s;
+    for (int tenth = 0; tenth < delay_s * 10; ++tenth) {
+        firmware::safety::runArming();
+        fakes::advance_ms(100);
+    }
+    EXPECT_TRUE(vehicle.armed);
+    for (int tenth = 0; tenth < 5; ++tenth) {
+        firmware::safety::runArming();
+        fakes::advance_ms(100);
+    }
+    EXPECT_FALSE(vehicle.armed);
+    mutable_vehicle.mode = Mode::manual;
+}
+
+}  // namespace

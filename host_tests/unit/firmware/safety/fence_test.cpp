@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the fence and the rally points do to the flight, through the store they really lie in.
+#include "firmware/safety/fence.hpp"
+
+#include "firmware/gcs/plans.hpp"
+#include "firmware/mission/fence_line.hpp"
+#include "firmware/mission/rally.hpp"
+#include "firmware/safety/failsafe.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+#include "mission_rig.hpp"
+
+namespace firmware {
+using namespace notify;
+using namespace state;
+using namespace mission;
+using namespace safety;
+using namespace gcs;
+namespace {
+
+using mavlink::MavCmd;
+using mavlink::MavMissionType;
+
+constexpr geo::Position kHome = {470000000, 80000000};
+constexpr int32_t kSide_e7 = 30000;  // the fence: 330 m north and south of home
+
+geo::Position beside(int32_t north_e7, int32_t east_e7) {
+    return {kHome.latitude_e7 + north_e7, kHome.longitude_e7 + east_e7};
+}
+
+MissionItem point(uint16_t command, const geo::Position& place, float param1 = 0, float z = 0) {
+    return {command, kRelativeFrame, param1, 0, 0, 0, place.latitude_e7, place.longitude_e7, z};
+}
+
+class Points : public Rig {
+protected:
+    static MissionResult store(uint8_t type, const Items& items) {
+        const auto count = static_cast<uint16_t>(items.size());
+        MissionResult result = whileBusy([&] { return planBegin(type, count); });
+        for (uint16_t i = 0; i < count && result == MissionResult::accepted; ++i)
+            result = whileBusy([&] { return planPut(type, i, items[i]); });
+        return result == MissionResult::accepted ? whileBusy([&] { return planCommit(type); })
+                                                 : result;
+    }
+    static void tenths(int count) {
+        for (int i = 0; i < count; ++i) {
+            runFence();
+            runFailsafe();
+            runMode();
+            fakes::advance_ms(100);
+        }
+    }
+};
+
+class Fence : public Points {
+protected:
+    void SetUp() override {
+        Rig::SetUp();
+        fenceStart();
+        parameters.fence_action = 1;
+        parameters.rtl_height_cm = 7000;
+        parameters.stick_mixing = 1;
+    }
+    static Items square(const geo::Position& way_back = beside(100, 200)) {
+        Items items = {point(MavCmd::nav_fence_return_point, way_back)};
+        for (const auto& c : {beside(-kSide_e7, -kSide_e7), beside(-kSide_e7, kSide_e7),
+                              beside(kSide_e7, kSide_e7), beside(kSide_e7, -kSide_e7)})
+            items.push_back(point(MavCmd::nav_fence_polygon_vertex_inclusion, c, 4));
+        return items;
+    }
+    static void raise(const Items& items = square()) {
+        ASSERT_EQ(store(MavMissionType::fence, items), MissionResult::accepted);
+        tenths(8);
+        ASSERT_EQ(fenceLine(), Line::fit);
+        ASSERT_TRUE(fenceEnable(1));
+        tenths(2);
+        (void)told();
+    }
+    static void goTo(const geo::Position& place) {
+        mutable_vehicle.estimate.position = place;
+        tenths(6);
+    }
+    static void leave() { goTo(beside(kSide_e7 + 10, 0)); }
+    static void comeBack() { goTo(beside(0, 0)); }
+};
+
+TEST_F(Fence, a_mission_switches_it) {
+    raise();
+    ASSERT_TRUE(fenceEnable(0));
+    fly({command(207, 1), waypoint(500), command(207, 0), waypoint(900)});
+    EXPECT_TRUE(fenceOn());
+    tenths(2);
+    EXPECT_EQ(fenceReport().breach, Breach::none);
+    reach();
+    EXPECT_FALSE(fenceOn());
+}
+
+TEST_F(Fence, a_mission_takes_its_floor_away) {
+    parameters.fence_min_m = 40;
+    parameters.fence_max_m = 100;
+    raise();
+    tenths(2);  // above the floor
+    fly({command(207, 2), waypoint(500)});
+    mutable_vehicle.estimate.height_m = 20;
+    tenths(2);
+    EXPECT_EQ(fenceReport().breach, Breach::none);
+    ASSERT_TRUE(fenceEnable(1));
+    mutable_vehicle.estimate.height_m = 50;
+    tenths(2);
+    mutable_vehicle.estimate.height_m = 20;
+    tenths(2);
+    EXPECT_EQ(fenceReport().breach, Breach::minalt);
+}
+
+TEST_F(Fence, whoever_leaves_it_is_flown_to_the_return_point) {
+    raise();
+    setMode(Mode::fbwa, ModeReason::pilot);
+    goTo(beside(kSide_e7 - 1, 0));
+    EXPECT_EQ(vehicle.mode, Mode::fbwa);
+
+    leave();
+
+    EXPECT_EQ(vehicle.mode, Mode::guided);
+    EXPECT_EQ(vehicle.demand.path, Path::circle);
+    EXPECT_EQ(vehicle.demand.to, beside(100, 200));
+    EXPECT_FLOAT_EQ(vehicle.demand.height_m, 70);
+    EXPECT_EQ(fenceReport().breach, +Breach::boundary);
+    EXPECT_EQ(fenceReport().breaches, 1);
+    EXPECT_TRUE(tells("Fence breach: outside"));
+}
+
+TEST_F(Fence, the_sticks_have_no_say_until_the_pilot_takes_over) {
+    raise();
+    leave();
+    mutable_vehicle.radio.roll_cd = 4500;
+    tenths(1);
+    EXPECT_EQ(vehicle.pilot_roll_rad.raw, 0);
+
+    // outside, and it stays his
+    ASSERT_TRUE(setMode(Mode::fbwa, ModeReason::pilot));
+    tenths(20);
+    EXPECT_EQ(vehicle.mode, Mode::fbwa);
+    setMode(Mode::loiter, ModeReason::pilot);
+    tenths(1);
+    EXPECT_NE(vehicle.pilot_roll_rad.raw, 0);
+
+    comeBack();
+    EXPECT_TRUE(tells("Fence: inside again"));
+    leave();
+    EXPECT_EQ(vehicle.mode, Mode::guided);
+    EXPECT_EQ(fenceReport().breaches, 2);
+}
+
+TEST_F(Fence, switched_off_gives_back_the_mode_it_took) {
+    raise();
+    setMode(Mode::fbwa, ModeReason::pilot);
+    leave();
+    comeBack();
+    EXPECT_EQ(vehicle.mode, Mode::guided);
+    EXPECT_TRUE(fenceEnable(0));
+    tenths(1);
+    EXPECT_EQ(vehicle.mode, Mode::fbwa);
+}
+
+TEST_F(Fence, switched_off_leaves_a_mode_that_was_chosen_since) {
+    raise();
+    leave();
+    setMode(Mode::stabilize, ModeReason::pilot);
+    tenths(1);
+    fenceEnable(0);
+    tenths(1);
+    EXPECT_EQ(vehicle.mode, Mode::stabilize);
+}
+
+TEST_F(Fence, only_tells_when_its_action_is_to_tell) {
+    raise();
+    parameters.fence_action = 2;
+    leave();
+    EXPECT_EQ(vehicle.mode, Mode::loiter);
+    EXPECT_EQ(fenceReport().breach, +Breach::boundary);
+    EXPECT_TRUE(tells("Fence breach: outside"));
+}
+
+TEST_F(Fence, is_not_watched_without_an_action) {
+    raise();
+    parameters.fence_action = 0;
+    leave();
+    EXPECT_EQ(vehicle.mode, Mode::loiter);
+    EXPECT_EQ(fenceReport().breach, +Breach::none);
+    EXPECT_FALSE(fenceOn());
+}
+
+TEST_F(Fence, leaves_the_throttle_to_the_pilot_when_its_action_says_so) {
+    raise();
+    parameters.fence_action = 3;
+    leave();
+    mutable_vehicle.throttle_demand = core::Ratio(0.9f);
+    mutable_vehicle.radio.throttle_pct = 20;
+    tenths(1);
+    EXPECT_NEAR(vehicle.throttle_demand.toFloat(), 0.2f, 1e-3f);
+}
+
+TEST_F(Fence, without_a_return_point_sends_home) {
+    Items corners = square();
+    corners.erase(corners.begin());
+    raise(corners);
+    leave();
+    EXPECT_EQ(vehicle.mode, Mode::rtl);
+    EXPECT_EQ(vehicle.demand.to, kHome);
+}
+
+struct Limits {
+    float height_m;
+    uint8_t breach;
+};
+TEST_F(Fence, limits_the_height_from_above_and_once_climbed_from_below) {
+    parameters.fence_min_m = 30;
+    parameters.fence_max_m = 120;
+    mutable_vehicle.estimate.height_m = 10;
+    raise();
+    EXPECT_EQ(fenceReport().breach, +Breach::none);  // still climbing out
+    for (const Limits& each : {Limits{50, Breach::none},
+                               {121, Breach::maxalt},
+                               {119, Breach::none},
+                               {29, Breach::minalt},
+                               {31, Breach::none}}) {
+        mutable_vehicle.estimate.height_m = each.height_m;
+        tenths(1);
+        EXPECT_EQ(fenceReport().breach, each.breach) << each.height_m;
+    }
+    EXPECT_FLOAT_EQ(vehicle.demand.height_m, 75);  // midway
+    parameters.fence_return_m = 60;
+    mutable_vehicle.estimate.height_m = 130;
+    tenths(1);
+    EXPECT_FLOAT_EQ(vehicle.demand.height_m, 60);
+    mutable_vehicle.estimate.height_m = 60;
+    tenths(1);
+
+    ASSERT_TRUE(fenceEnable(2));
+    mutable_vehicle.estimate.height_m = 5;
+    tenths(1);
+    EXPECT_EQ(fenceReport().breach, +Breach::none);
+}
+
+TEST_F(Fence, has_no_height_limits_when_they_are_not_apart) {
+    parameters.fence_min_m = parameters.fence_max_m = 100;
+    raise();
+    mutable_vehicle.estimate.height_m = 3000;
+    tenths(2);
+    EXPECT_EQ(fenceReport().breach, +Breach::none);
+}
+
+TEST_F(Fence, does_nothing_to_an_airplane_on_the_ground) {
+    raise();
+    mutable_vehicle.estimate.flying = false;
+    leave();
+    EXPECT_EQ(vehicle.mode, Mode::loiter);
+    EXPECT_EQ(fenceReport().breach, +Breach::none);
+}
+
+TEST_F(Fence, whose_return_point_is_outside_is_not_fit) {
+    ASSERT_EQ(store(MavMissionType::fence, square(beside(kSide_e7 + 9, 0))),
+              MissionResult::accepted);
+    tenths(5);
+    EXPECT_EQ(fenceLine(), Line::unfit);
+    EXPECT_TRUE(tells("Fence: return point is outside"));
+    EXPECT_FALSE(fenceEnable(1));
+    EXPECT_FALSE(fenceBad());
+    parameters.fence_auto_enable = 1;
+    EXPECT_TRUE(fenceBad());
+}
+
+TEST_F(Fence, follows_its_channel_when_that_moves) {
+    raise();
+    parameters.fence_channel = 7;
+    mutable_vehicle.radio.pulse_us[6] = 1760;
+    tenths(1);
+    EXPECT_TRUE(fenceOn());
+    fenceEnable(0);
+    tenths(5);
+    EXPECT_FALSE(fenceOn());  // by command, and the switch has not moved
+    mutable_vehicle.radio.pulse_us[6] = 1100;
+    tenths(1);
+    mutable_vehicle.radio.pulse_us[6] = 1900;
+    tenths(1);
+    EXPECT_TRUE(fenceOn());
+    mutable_vehicle.radio.pulse_us[6] = 1100;
+    tenths(1);
+    EXPECT_FALSE(fenceOn());
+}
+
+TEST_F(Fence, switches_itself_on_after_the_take_off_and_off_before_the_landing) {
+    raise();
+    fenceEnable(0);
+    parameters.fence_auto_enable = 1;
+    mutable_vehicle.mode = Mode::automatic;
+    mutable_vehicle.demand.path = Path::takeoff;
+    tenths(3);
+    EXPECT_FALSE(fenceOn());
+    mutable_vehicle.demand.path = Path::leg;
+    tenths(1);
+    EXPECT_TRUE(fenceOn());
+    mutable_vehicle.demand.path = Path::land;
+    tenths(1);
+    EXPECT_FALSE(fenceOn());
+    mutable_vehicle.mode = Mode::initialising;
+}
+
+TEST_F(Fence, a_new_one_counts_though_the_airplane_is_flown_back_by_the_old) {
+    raise();
+    setMode(Mode::fbwa, ModeReason::pilot);
+    leave();
+    ASSERT_EQ(vehicle.mode, Mode::guided);
+    Items wider = square();
+    for (MissionItem& item : wider)
+        if (item.x > kHome.latitude_e7 + 1000) item.x += 50000;
+    ASSERT_EQ(store(MavMissionType::fence, wider), MissionResult::accepted);
+    tenths(5);
+    EXPECT_EQ(fenceReport().breach, +Breach::none);
+    EXPECT_EQ(vehicle.mode, Mode::guided);
+}
+
+TEST_F(Fence, of_nineteen_corners_is_watched) {
+    Items items = {point(MavCmd::nav_fence_return_point, kHome)};
+    for (int i = 0; i < 19; ++i)
+        items.push_back(point(MavCmd::nav_fence_polygon_vertex_inclusion,
+                              beside(static_cast<int32_t>(40000 * std::cos(i * M_PI / 9.5)),
+                                     static_cast<int32_t>(40000 * std::sin(i * M_PI / 9.5))),
+                              19));
+    raise(items);
+    goTo(beside(0, 39000));
+    EXPECT_EQ(fenceReport().breach, +Breach::none);
+    goTo(beside(0, 40001));
+    EXPECT_EQ(fenceReport().breach, +Breach::boundary);
+}
+
+class Rally : public Points {
+protected:
+    void SetUp() override {
+        Rig::SetUp();
+        fenceStart();
+        parameters.rally_limit_km = 0.3f;
+        mutable_vehicle.estimate.position = beside(180000, 0);  // 2 km north of home
+    }
+    static void expectReturn(const Items& points, const geo::Position& to, float height_m) {
+        ASSERT_EQ(store(MavMissionType::rally, points), MissionResult::accepted);
+        setMode(Mode::loiter, ModeReason::ground);
+        ASSERT_TRUE(setMode(Mode::rtl, ModeReason::ground));
+        EXPECT_EQ(vehicle.demand.to, kHome);  // at once
+        tenths(12);
+        EXPECT_EQ(vehicle.demand.to, to);
+        EXPECT_NEAR(vehicle.demand.height_m, height_m, 0.01);
+    }
+    static MissionItem at(int32_t north_e7, int32_t east_e7, float z) {
+        return point(MavCmd::nav_rally_point, beside(north_e7, east_e7), 0, z);
+    }
+};
+
+TEST_F(Rally, the_nearest_is_returned_to) {
+    expectReturn({at(0, 90000, 40), at(120000, 0, 55.25f), at(150000, 90000, 60)},
+                 beside(120000, 0), 55.25f);
+    EXPECT_TRUE(tells("Going to rally point 1"));
+}
+
+TEST_F(Rally, home_is_returned_to_when_it_is_nearer_and_the_point_is_far) {
+    mutable_vehicle.estimate.position = beside(30000, 0);  // 0.33 km from home
+    parameters.rtl_height_cm = 8000;
+    expectReturn({at(70000, 0, 40)}, kHome, 80);  // 0.44 km
+}
+
+TEST_F(Rally, a_point_within_the_limit_goes_before_home) {
+    mutable_vehicle.estimate.position = beside(10000, 0);
+    expectReturn({at(30000, 0, 40)}, beside(30000, 0), 40);
+}
+
+TEST_F(Rally, a_height_above_the_sea_is_told_from_home) {
+    MissionItem item = at(150000, 0, 470);
+    item.frame = kGlobalFrame;
+    expectReturn({item}, beside(150000, 0), 70);
+}
+
+TEST_F(Rally, without_points_home_it_is) {
+    parameters.rtl_height_cm = 8000;
+    expectReturn({}, kHome, 80);
+}
+
+}  // namespace
+}  // namespace firmware

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/safety/kept_home.hpp"
+
+#include <cstring>
+
+#include "fakes/fakes.hpp"
+#include "firmware_bench.hpp"
+#include "storage/eeprom_map.hpp"
+#include "storage/owner.hpp"
+
+namespace {
+
+using core::Status;
+using namespace firmware;
+using namespace firmware::notify;
+using namespace firmware::state;
+using namespace firmware::sensors;
+using namespace firmware::modes;
+using namespace firmware::safety;
+using namespace firmware::gcs;
+
+class KeptHomeTest : public testing::Test {
+protected:
+    void SetUp() override {
+        fakes::reset();
+        until([] { return storage::claim(); });
+    }
+    template <class Step>
+    Status until(Step step) {
+        Status status;
+        while ((status = step()) == Status::busy) fakes::advance_ms(10);
+        while (!hal::eepromDrained()) fakes::advance_ms(10);
+        return status;
+    }
+    Status keep(int32_t latitude_e7) {
+        return until([&] { return keepHome({latitude_e7, 85456000}, 48800); });
+    }
+    Status read(KeptHome& home) {
+        return until([&] { return readHome(home); });
+    }
+};
+
+}  // namespace
+
+TEST_F(KeptHomeTest, a_blank_eeprom_has_none) {
+    KeptHome home;
+    EXPECT_EQ(read(home), Status::corrupt);
+}
+
+TEST_F(KeptHomeTest, what_was_kept_is_read_back) {
+    ASSERT_EQ(keep(473977000), Status::ok);
+    KeptHome home;
+    ASSERT_EQ(read(home), Status::ok);
+    EXPECT_EQ(home.position.latitude_e7, 473977000);
+    EXPECT_EQ(home.position.longitude_e7, 85456000);
+    EXPECT_EQ(home.altitude_cm, 48800);
+}
+
+TEST_F(KeptHomeTest, what_was_forgotten_is_not) {
+    ASSERT_EQ(keep(473977000), Status::ok);
+    ASSERT_EQ(until(forgetHome), Status::ok);
+    KeptHome home;
+    EXPECT_EQ(read(home), Status::corrupt);
+    EXPECT_EQ(until(forgetHome), Status::ok) << "twice is no harm";
+    ASSERT_EQ(keep(473978000), Status::ok);
+    EXPECT_EQ(read(home), Status::ok);
+}
+
+TEST_F(KeptHomeTest, a_power_cut_leaves_one_of_the_two_or_none) {
+    for (uint32_t writes = 0; writes < 14; ++writes) {
+        SetUp();
+        ASSERT_EQ(keep(473977000), Status::ok);
+        fakes::cutPowerAfter(writes);
+        (void)until([] { return keepHome({-331234567, 1512345678}, 12300); });
+        fakes::restartEeprom();
+        KeptHome home;
+        if (read(home) != Status::ok) continue;
+        const bool old = home.position.latitude_e7 == 473977000 && home.altitude_cm == 48800;
+        const bool now = home.position.latitude_e7 == -331234567 && home.altitude_cm == 12300;
+        EXPECT_TRUE(old || now) << writes;
+    }
+}
+
+TEST_F(KeptHomeTest, the_logs_part_of_the_region_stays_as_it_is) {
+    const uint16_t at = storage::kHomeAndLog.end() - 4;
+    const uint8_t logs[4] = {1, 2, 3, 4};
+    ASSERT_EQ(until([&] { return hal::eepromWrite(at, logs, sizeof logs); }), Status::ok);
+    ASSERT_EQ(keep(473977000), Status::ok);
+    uint8_t now[4];
+    ASSERT_EQ(until([&] { return hal::eepromRead(at, now, sizeof now); }), Status::ok);
+    EXPECT_EQ(std::memcmp(now, logs, sizeof now), 0);
+}

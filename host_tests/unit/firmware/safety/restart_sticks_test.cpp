@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the guard's interrupt puts out, against MANUAL's own way from the same sticks.
+#include "firmware/actuators/outputs.hpp"
+#include "firmware/control/attitude_control.hpp"
+#include "firmware_bench.hpp"
+#include "hal/guard.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+
+namespace {
+
+using firmware::state::mutable_vehicle;
+using firmware::state::parameters;
+
+class SticksWhileItHangs : public bench::Bench {
+protected:
+    void SetUp() override {
+        Bench::SetUp();
+        firmware::actuators::startOutputs();
+        mutable_vehicle.armed = true;
+    }
+    void TearDown() override {
+        parameters.elevon_output = parameters.vtail_output = 0;
+        parameters.map_roll = 1;
+        parameters.map_yaw = 4;
+    }
+    std::array<uint16_t, 4> now() {
+        std::array<uint16_t, 4> pulses_us;
+        for (uint8_t i = 0; i < 4; ++i)
+            pulses_us[i] = static_cast<uint16_t>(fakes::servos().pulse_halfus[i] / 2);
+        return pulses_us;
+    }
+    // A round of the interrupt; before it the servos stand as the program left them.
+    std::array<uint16_t, 4> forgotten(const std::vector<uint16_t>& sticks) {
+        fakes::receiveRc(sticks);
+        for (int i = 0; i < 4; ++i) hal::passSticksToServos();
+        return now();
+    }
+    std::array<uint16_t, 4> manual(const std::vector<uint16_t>& sticks) {
+        settle(sticks);
+        firmware::modes::runMode();
+        firmware::control::runAttitudeControl();
+        firmware::actuators::runOutputs();
+        return now();
+    }
+    const std::vector<uint16_t> sticks_ = {1640, 1420, 1550, 1580, 1500, 1500, 1500, 1815};
+    void expectNear(const std::array<uint16_t, 4>& a, const std::array<uint16_t, 4>& b, int us) {
+        for (size_t i = 0; i < 4; ++i) EXPECT_NEAR(a[i], b[i], us) << "output " << i + 1;
+    }
+};
+
+}  // namespace
+
+TEST_F(SticksWhileItHangs, go_straight_to_their_servos) {
+    const auto as_in_manual = manual(sticks_);
+    manual(bench::kCentred);
+
+    expectNear(forgotten(sticks_), as_in_manual, 45);  // dead zones
+}
+
+TEST_F(SticksWhileItHangs, are_mixed_for_elevons_and_for_a_v_tail_of_every_kind) {
+    for (int8_t kind = 1; kind <= 4; ++kind) {
+        for (const bool elevons : {true, false}) {
+            SCOPED_TRACE(testing::Message() << (elevons ? "elevons " : "v-tail ") << int(kind));
+            parameters.elevon_output = elevons ? kind : 0;
+            parameters.vtail_output = elevons ? 0 : kind;
+            const auto as_in_manual = manual(sticks_);
+            manual(bench::kCentred);
+
+            expectNear(forgotten(sticks_), as_in_manual, 45);
+        }
+    }
+}
+
+TEST_F(SticksWhileItHangs, never_turn_the_motor_of_a_disarmed_airplane) {
+    mutable_vehicle.armed = false;
+    const uint16_t idle_us = manual(bench::kCentred)[2];
+
+    EXPECT_EQ(forgotten(sticks_)[2], idle_us);
+}
+
+TEST_F(SticksWhileItHangs, stay_where_they_were_when_the_radio_was_lost) {
+    const auto before = manual(bench::kCentred);
+    mutable_vehicle.radio.lost = true;
+
+    EXPECT_EQ(forgotten(sticks_), before);
+}
+
+TEST_F(SticksWhileItHangs, are_found_where_RCMAP_says) {
+    parameters.map_roll = 4;
+    parameters.map_yaw = 1;
+    const auto pulses_us = forgotten(sticks_);
+
+    EXPECT_EQ(pulses_us[0], 1580);
+    EXPECT_EQ(pulses_us[3], 1640);
+}
+
+TEST_F(SticksWhileItHangs, give_way_when_the_program_goes_on) {
+    const auto before = manual(bench::kCentred);
+    forgotten(sticks_);
+
+    EXPECT_EQ(manual(bench::kCentred), before);
+}

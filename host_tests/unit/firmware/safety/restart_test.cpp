@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/safety/restart.hpp"
+
+#include "firmware/control/attitude_control.hpp"
+#include "firmware/estimator/estimator.hpp"
+#include "firmware/safety/kept_home.hpp"
+#include "firmware/safety/restart_kept.hpp"
+#include "firmware_bench.hpp"
+#include "hal/clock.hpp"
+#include "hal/eeprom.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+#include "storage/owner.hpp"
+
+namespace {
+
+using namespace firmware;
+using namespace firmware::notify;
+using namespace firmware::state;
+using namespace firmware::sensors;
+using namespace firmware::estimator;
+using namespace firmware::control;
+using namespace firmware::modes;
+using namespace firmware::safety;
+using namespace firmware::gcs;
+using hal::ResetCause;
+
+constexpr geo::Position kHome = {473977000, 85456000};
+
+class Restart : public bench::Bench {
+protected:
+    void SetUp() override {
+        Bench::SetUp();
+        while (storage::claim() == core::Status::busy) fakes::advance_ms(10);
+        begin(ResetCause::power_on);  // a run before this flight
+        parameters.switch_mode[0] = static_cast<int8_t>(Mode::stabilize);
+        setMode(Mode::fbwa, ModeReason::boot);
+        mutable_vehicle.attitude.aligned = true;
+        mutable_vehicle.armed = true;
+        mutable_vehicle.estimate.flying = true;
+        mutable_vehicle.estimate.ground_speed_mps = 14;
+        mutable_vehicle.estimate.height_m = 40;
+        mutable_vehicle.home = {kHome, 48800, true};
+        mutable_vehicle.baro.ground_pressure_pa = 95600;
+        mutable_vehicle.baro.ground_temperature_c = 12;
+        keep();
+    }
+    void keep() {
+        runRestart();
+        runRestartSlowly();
+    }
+    // As start() goes through it, with memory as it was.
+    void begin(ResetCause cause) {
+        fakes::watchdog().last_run = {cause, 3, static_cast<uint16_t>(hal::now_ms()), 80};
+        fakes::resetClock();
+        mutable_vehicle = {};
+        mutable_vehicle.mode = Mode::initialising;
+        restartJudge();
+        restartResume();
+        mutable_vehicle.attitude.aligned = true;
+    }
+    void lookAtSwitch(uint16_t pulse_us) {
+        for (int i = 0; i < 5; ++i) {
+            fakes::receiveRc(with(8, pulse_us));
+            runRadio();
+            fakes::advance_ms(10);
+            runRadio();
+            runRestart();
+            fakes::advance_ms(10);
+        }
+    }
+};
+
+}  // namespace
+
+TEST_F(Restart, flies_on_after_what_leaves_memory_alone) {
+    for (const ResetCause cause :
+         {ResetCause::watchdog, ResetCause::brown_out, ResetCause::fault}) {
+        begin(cause);
+        EXPECT_TRUE(flyingOn());
+        EXPECT_TRUE(vehicle.estimate.flying);
+    }
+}
+
+TEST_F(Restart, starts_disarmed_after_everything_else) {
+    for (const ResetCause cause :
+         {ResetCause::power_on, ResetCause::external, ResetCause::unknown, ResetCause::asked}) {
+        SetUp();
+        begin(cause);
+        EXPECT_FALSE(flyingOn());
+        lookAtSwitch(1165);
+        EXPECT_FALSE(vehicle.armed);
+    }
+}
+
+TEST_F(Restart, starts_disarmed_on_the_ground_after_landing_and_after_disarming) {
+    const auto onGround = [] {
+        mutable_vehicle.estimate.ground_speed_mps = mutable_vehicle.estimate.height_m = 0;
+    };
+    const auto landed = [] { mutable_vehicle.estimate.flying = false; };
+    const auto disarmed = [] { mutable_vehicle.armed = false; };
+    for (void (*happens)() : {+onGround, +landed, +disarmed}) {
+        SetUp();
+        happens();
+        runRestart();
+        begin(ResetCause::watchdog);
+        EXPECT_FALSE(flyingOn());
+    }
+}
+
+TEST_F(Restart, knows_home_and_zeros_again) {
+    begin(ResetCause::watchdog);
+
+    EXPECT_EQ(vehicle.home.position.latitude_e7, kHome.latitude_e7);
+    EXPECT_EQ(vehicle.home.altitude_cm, 48800);
+    EXPECT_TRUE(vehicle.home.set);
+    EXPECT_EQ(vehicle.baro.ground_pressure_pa, 95600);
+    EXPECT_EQ(vehicle.baro.ground_temperature_c, 12);
+}
+
+TEST_F(Restart, is_armed_and_in_a_mode_only_when_the_switch_has_been_seen) {
+    begin(ResetCause::watchdog);
+    runRestart();
+    EXPECT_FALSE(vehicle.armed);
+    EXPECT_EQ(vehicle.mode, Mode::initialising);
+
+    lookAtSwitch(1165);
+    EXPECT_TRUE(vehicle.armed);
+    EXPECT_EQ(vehicle.mode, Mode::stabilize);
+}
+
+TEST_F(Restart, flies_on_as_before_when_no_receiver_tells) {
+    fakes::advance_ms(2000);
+    keep();
+    begin(ResetCause::watchdog);
+    mutable_vehicle.radio.good_ms = 0;
+    for (int i = 0; i < 15; ++i) {
+        runRestart();
+        if (i < 9) {
+            EXPECT_FALSE(vehicle.armed) << i;
+        }
+        fakes::advance_ms(20);
+    }
+
+    EXPECT_TRUE(vehicle.armed);
+    EXPECT_EQ(vehicle.mode, Mode::fbwa);
+}
+
+TEST_F(Restart, believes_no_record_of_which_a_bit_has_changed) {
+    steady.home_altitude_cm ^= 1;
+    begin(ResetCause::watchdog);
+    EXPECT_FALSE(flyingOn());
+
+    SetUp();
+    for (MovingRecord& each : moving) each.position.latitude_e7 ^= 64;
+    begin(ResetCause::watchdog);
+    EXPECT_FALSE(flyingOn());
+}
+
+TEST_F(Restart, falls_back_on_the_record_before) {
+    runRestart();
+    moving[number & 1].at_ms ^= 1;
+    begin(ResetCause::watchdog);
+    EXPECT_TRUE(flyingOn());
+}
+
+TEST_F(Restart, holds_its_surfaces_at_trim_until_the_mode_is_known) {
+    begin(ResetCause::watchdog);
+    fakes::receiveRc(with(1, 1900));
+    runRadio();
+    mutable_vehicle.attitude.roll_rad = core::Angle(0.7f);
+    runAttitudeControl();
+
+    EXPECT_EQ(surfaces.aileron.raw, 0);
+    EXPECT_EQ(surfaces.elevator.raw, 0);
+    EXPECT_EQ(surfaces.rudder.raw, 0);
+    EXPECT_EQ(surfaces.throttle.raw, 0);
+}
+
+TEST_F(Restart, finds_home_in_the_eeprom_when_the_power_was_lost_in_flight) {
+    begin(ResetCause::power_on);
+
+    EXPECT_FALSE(flyingOn());
+    EXPECT_TRUE(vehicle.home.set);
+    EXPECT_EQ(vehicle.home.position.longitude_e7, kHome.longitude_e7);
+    EXPECT_EQ(vehicle.home.altitude_cm, 48800);
+}
+
+TEST_F(Restart, finds_none_when_the_flight_before_was_ended_by_disarming) {
+    mutable_vehicle.armed = false;
+    keep();
+    begin(ResetCause::power_on);
+
+    EXPECT_FALSE(vehicle.home.set);
+}

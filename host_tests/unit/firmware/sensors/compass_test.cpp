@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "firmware/sensors/sensors.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+
+namespace {
+
+using firmware::state::mutable_vehicle;
+using firmware::state::parameters;
+
+struct Declination : testing::Test {
+    void SetUp() override {
+        parameters.compass_auto_declination = 1;
+        parameters.compass_declination_rad = 0.25f;
+        mutable_vehicle.gps.fix = firmware::state::GpsFix::three_d;
+        mutable_vehicle.gps.position = {400150000,
+                                        -1052700000};  // Boulder, 7.6 degrees east in 2027
+    }
+    void TearDown() override {
+        mutable_vehicle = {};
+        parameters.compass_declination_rad = 0;
+    }
+};
+
+TEST_F(Declination, comes_from_the_table_where_the_airplane_is) {
+    firmware::sensors::runDeclination();
+    EXPECT_NEAR(core::degrees(parameters.compass_declination_rad), 7.6f, 0.5f);
+}
+
+TEST_F(Declination, stays_as_it_was_set_without_a_fix) {
+    mutable_vehicle.gps.fix = firmware::state::GpsFix::two_d;
+    firmware::sensors::runDeclination();
+    EXPECT_EQ(parameters.compass_declination_rad, 0.25f);
+}
+
+TEST_F(Declination, stays_as_it_was_set_when_the_table_is_not_wanted) {
+    parameters.compass_auto_declination = 0;
+    firmware::sensors::runDeclination();
+    EXPECT_EQ(parameters.compass_declination_rad, 0.25f);
+}
+
+}  // namespace

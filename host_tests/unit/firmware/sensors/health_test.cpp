@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/sensors/health.hpp"
+
+#include <random>
+
+#include "firmware_bench.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+
+namespace {
+
+using firmware::sensors::acceptReading;
+using firmware::sensors::isFaulty;
+using firmware::sensors::Sensor;
+using firmware::state::mutable_vehicle;
+
+struct Rhythm {
+    Sensor sensor;
+    int per_tenth;   // readings
+    int16_t quiet;   // how far they scatter in health
+    int16_t beyond;  // a jump that is none of nature's
+};
+const Rhythm kRhythms[] = {{Sensor::inertial, 10, 300, 9000},
+                           {Sensor::barometer, 8, 8, 500},
+                           {Sensor::airspeed, 5, 20, 700},
+                           {Sensor::compass, 5, 8, 400}};
+
+class Health : public testing::TestWithParam<Rhythm> {
+protected:
+    void SetUp() override {
+        firmware::sensors::startHealth();
+        mutable_vehicle.estimate.flying = true;
+        tenths(50, 0);
+        ASSERT_FALSE(isFaulty());
+    }
+    void TearDown() override { mutable_vehicle.estimate.flying = false; }
+    bool isFaulty() const { return firmware::sensors::isFaulty(GetParam().sensor); }
+    int16_t scattered(int16_t by) {
+        return static_cast<int16_t>(std::uniform_int_distribution<int>(-by, by)(random_));
+    }
+    // One reading in `odd_every` is a wild one; 0: none, 1: all.
+    int tenths(int count, int odd_every) {
+        int accepted = 0;
+        for (int i = 0; i < count * GetParam().per_tenth; ++i) {
+            const bool odd = odd_every != 0 && i % odd_every == 0;
+            const int16_t wild = i % 2 == 0 ? GetParam().beyond : -GetParam().beyond;
+            const int16_t reading = odd ? wild : scattered(GetParam().quiet);
+            accepted += acceptReading(GetParam().sensor, reading, true);
+            if (i % GetParam().per_tenth == 0) firmware::sensors::watchHealth();
+        }
+        return accepted;
+    }
+    void silence(int tenths) {
+        for (int i = 0; i < tenths; ++i) firmware::sensors::watchHealth();
+    }
+    void stuck(int tenths) {
+        for (int i = 0; i < tenths * GetParam().per_tenth; ++i) {
+            acceptReading(GetParam().sensor, 5, true);
+            if (i % GetParam().per_tenth == 0) firmware::sensors::watchHealth();
+        }
+    }
+    std::minstd_rand random_{1};
+};
+
+TEST_P(Health, a_quiet_sensor_is_believed) {
+    EXPECT_EQ(tenths(100, 0), 100 * GetParam().per_tenth);
+}
+
+TEST_P(Health, silence_is_noticed_within_two_seconds) {
+    silence(21);
+    EXPECT_TRUE(isFaulty());
+}
+
+TEST_P(Health, a_value_for_ever_is_noticed_within_two_seconds_and_not_trusted_while_it_lasts) {
+    stuck(22);
+    EXPECT_TRUE(isFaulty());
+    stuck(100);
+    EXPECT_TRUE(isFaulty());
+}
+
+TEST_P(Health, wild_values_are_not_used_and_noticed_within_half_a_second) {
+    EXPECT_LE(tenths(5, 1), 1);
+    EXPECT_TRUE(isFaulty());
+}
+
+TEST_P(Health, impossible_values_are_noticed_as_well) {
+    for (int i = 0; i < 5 * GetParam().per_tenth; ++i)
+        EXPECT_FALSE(acceptReading(GetParam().sensor, scattered(5), false));
+    firmware::sensors::watchHealth();
+    EXPECT_TRUE(isFaulty());
+}
+
+TEST_P(Health, a_rare_wild_value_is_left_out_and_forgiven) {
+    EXPECT_LE(tenths(100, 100), 99 * GetParam().per_tenth);
+    EXPECT_FALSE(isFaulty());
+}
+
+TEST_P(Health, it_is_well_again_after_some_seconds_of_sense) {
+    silence(25);
+    ASSERT_TRUE(isFaulty());
+    tenths(10, 0);
+    EXPECT_TRUE(isFaulty()) << "not at once";
+    tenths(70, 0);
+    EXPECT_FALSE(isFaulty());
+}
+
+TEST_P(Health, the_others_contradiction_is_enough) {
+    for (int i = 0; i < 6; ++i) firmware::sensors::reportInconsistency(GetParam().sensor);
+    firmware::sensors::watchHealth();
+    EXPECT_TRUE(isFaulty());
+}
+
+TEST_P(Health, on_the_ground_nobody_is_judged) {
+    mutable_vehicle.estimate.flying = false;
+    silence(100);
+    EXPECT_FALSE(isFaulty());
+    EXPECT_TRUE(acceptReading(GetParam().sensor, 30000, false));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Health, testing::ValuesIn(kRhythms),
+                         [](const auto& each) { return std::to_string(int(each.param.sensor)); });
+
+}  // namespace

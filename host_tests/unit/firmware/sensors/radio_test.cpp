@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/sensors/radio.hpp"
+
+#include "firmware_bench.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
+
+namespace {
+
+using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
+using firmware::state::parameters;
+using firmware::state::vehicle;
+
+struct Radio : bench::Bench {};
+
+TEST_F(Radio, centres_the_sticks_within_the_dead_zone) {
+    mutable_vehicle.mode = Mode::fbwa;
+    settle(with(1, 1529));
+    EXPECT_EQ(vehicle.radio.roll_cd, 0);
+}
+
+TEST_F(Radio, has_no_dead_zone_where_the_stick_is_the_surface) {
+    mutable_vehicle.mode = Mode::manual;
+    settle(with(1, 1540));
+    EXPECT_EQ(vehicle.radio.roll_cd, 4500 * 40 / 400);
+    settle(with(1, 1502));
+    EXPECT_EQ(vehicle.radio.roll_cd, 23);
+}
+
+TEST_F(Radio, scales_each_side_of_the_trim_to_its_own_end) {
+    mutable_vehicle.mode = Mode::fbwa;
+    parameters.channel[0].trim_us = 1400;
+    settle(with(1, 1100));
+    EXPECT_EQ(vehicle.radio.roll_cd, -4500);
+    settle(with(1, 1900));
+    EXPECT_EQ(vehicle.radio.roll_cd, 4500);
+    settle(with(1, 1400 + 30 + (1900 - 1430) / 2));
+    EXPECT_EQ(vehicle.radio.roll_cd, 2250);
+}
+
+TEST_F(Radio, turns_a_reversed_channel_round) {
+    parameters.channel[1].reverse = -1;
+    settle(with(2, 1900));
+    EXPECT_EQ(vehicle.radio.pitch_cd, -4500);
+}
+
+TEST_F(Radio, reads_the_throttle_from_its_lower_end) {
+    settle(with(3, 1130));
+    EXPECT_EQ(vehicle.radio.throttle_pct, 0);
+    settle(with(3, 1900));
+    EXPECT_EQ(vehicle.radio.throttle_pct, 100);
+}
+
+TEST_F(Radio, survives_channels_calibrated_to_nothing) {
+    parameters.channel[0].min_us = parameters.channel[0].max_us = parameters.channel[0].trim_us;
+    settle(with(1, 1900));
+    EXPECT_EQ(vehicle.radio.roll_cd, 0);
+}
+
+TEST_F(Radio, follows_a_swapped_channel_map) {
+    parameters.map_roll = 4;
+    settle(with(4, 1900));
+    EXPECT_EQ(vehicle.radio.roll_cd, 4500);
+}
+
+TEST_F(Radio, is_lost_a_second_after_the_last_frame_and_not_before) {
+    loseRadio(900);
+    EXPECT_FALSE(vehicle.radio.lost);
+    loseRadio(200);
+    EXPECT_TRUE(vehicle.radio.lost);
+    EXPECT_EQ(vehicle.radio.roll_cd, 0);
+}
+
+TEST_F(Radio, is_lost_when_the_throttle_falls_below_the_failsafe_pulse) {
+    settle(with(3, 920));
+    EXPECT_TRUE(vehicle.radio.lost);
+    settle(bench::kCentred);
+    EXPECT_FALSE(vehicle.radio.lost);
+}
+
+TEST_F(Radio, forgives_a_few_low_throttle_pulses) {
+    for (int i = 0; i < 9; ++i) {
+        fakes::receiveRc(with(3, 920));
+        firmware::sensors::runRadio();
+    }
+    EXPECT_FALSE(vehicle.radio.lost);
+}
+
+TEST_F(Radio, ignores_the_failsafe_pulse_when_told_to) {
+    parameters.throttle_failsafe = 0;
+    settle(with(3, 920));
+    EXPECT_FALSE(vehicle.radio.lost);
+}
+
+struct Band {
+    uint16_t pulse_us;
+    int position;
+};
+class ModeSwitch : public bench::Bench, public testing::WithParamInterface<Band> {};
+
+TEST_P(ModeSwitch, has_six_bands) {
+    settle(with(8, GetParam().pulse_us));
+    EXPECT_EQ(firmware::sensors::modeSwitchPosition(), GetParam().position);
+}
+INSTANTIATE_TEST_SUITE_P(Pulses, ModeSwitch,
+                         testing::Values(Band{901, 1}, Band{1165, 1}, Band{1230, 1}, Band{1231, 2},
+                                         Band{1360, 2}, Band{1361, 3}, Band{1490, 3}, Band{1491, 4},
+                                         Band{1620, 4}, Band{1621, 5}, Band{1749, 5}, Band{1750, 6},
+                                         Band{2100, 6}, Band{900, 0}));
+
+TEST_F(Radio, sets_the_mode_when_the_switch_moves_and_leaves_a_mode_of_the_ground_alone) {
+    settle(with(8, 1425));
+    ASSERT_EQ(vehicle.mode, Mode::fbwa);
+    firmware::modes::setMode(Mode::stabilize, firmware::modes::ModeReason::ground);
+    settle(with(8, 1425));
+    EXPECT_EQ(vehicle.mode, Mode::stabilize);
+    settle(with(8, 1815));
+    EXPECT_EQ(vehicle.mode, Mode::manual);
+}
+
+TEST_F(Radio, gives_the_mode_switch_its_say_again_while_the_reset_switch_is_up) {
+    parameters.reset_switch_channel = 7;
+    settle(with(8, 1425));
+    firmware::modes::setMode(Mode::stabilize, firmware::modes::ModeReason::ground);
+    settle(with(8, 1425));
+    ASSERT_EQ(vehicle.mode, Mode::stabilize);
+    auto pulses = with(8, 1425);
+    pulses[6] = 1800;
+    settle(pulses);
+    EXPECT_EQ(vehicle.mode, Mode::fbwa);
+}
+
+TEST_F(Radio, knows_a_switch_that_is_up_but_not_one_that_nobody_has_or_with_the_radio_lost) {
+    settle(with(7, 1800));
+    EXPECT_TRUE(firmware::sensors::switchIsUp(7));
+    EXPECT_FALSE(firmware::sensors::switchIsUp(0));
+    settle(with(7, 1750));
+    EXPECT_FALSE(firmware::sensors::switchIsUp(7));
+    settle(with(7, 1800));
+    loseRadio(1200);
+    EXPECT_FALSE(firmware::sensors::switchIsUp(7));
+}
+
+}  // namespace

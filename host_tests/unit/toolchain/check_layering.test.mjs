@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The layering check finds what it is for: each rule broken once in a copy of the sources.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { appendFileSync, cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+const root = join(dirname(fileURLToPath(import.meta.url)), '../../..');
+
+function checked(change) {
+  const copy = mkdtempSync(join(tmpdir(), 'layering_'));
+  try {
+    for (const folder of ['firmware', 'libraries', 'hal_avr', 'simulator'])
+      cpSync(join(root, folder), join(copy, folder), { recursive: true });
+    change(copy);
+    return spawnSync(process.execPath, [join(root, 'toolchain/check_layering.mjs'), copy], { encoding: 'utf8' });
+  } finally {
+    rmSync(copy, { recursive: true });
+  }
+}
+
+const append = (file, text) => (copy) => appendFileSync(join(copy, file), text);
+const write = (file, text) => (copy) => {
+  mkdirSync(dirname(join(copy, file)), { recursive: true });
+  writeFileSync(join(copy, file), text);
+};
+const spdx = '// SPDX-License-Identifier: GPL-3.0-or-later\n';
+
+test('the sources as they are break no rule', () => {
+  const { status, stdout } = checked(() => {});
+  assert.equal(status, 0, stdout);
+});
+
+for (const [what, change, says] of [
+  ['a room that includes one above it', append('firmware/state/vehicle.cpp', '#include "firmware/modes/modes.hpp"\n'),
+    'firmware/state must not include "firmware/modes/modes.hpp"'],
+  ['a library that includes the firmware', append('libraries/core/maths.hpp', '#include "firmware/state/vehicle.hpp"\n'),
+    'libraries/core must not include "firmware/state/vehicle.hpp"'],
+  ['a room that nobody ranked', write('firmware/attic/box.hpp', spdx), 'firmware/attic: is no room of firmware'],
+  ['a file outside the rooms', write('firmware/box.hpp', spdx), 'firmware/box.hpp: is no room of firmware'],
+  ['a file in another namespace', write('firmware/gcs/box.hpp', `${spdx}namespace firmware {\n}\n`),
+    'firmware/gcs is the namespace gcs'],
+  ['a header that only a computer has', append('firmware/gcs/link.cpp', '#include <vector>\n'),
+    '<vector> does not exist on every side'],
+  ['a second writer of a section', append('firmware/gcs/link.cpp',
+    'template <>\nstruct Publisher<HomeState> : Writable<HomeState> {};\n'),
+    'HomeState has 2 publishers firmware/'],
+  ['a writer of everything', append('firmware/gcs/link.cpp', 'auto& all = Publisher<Vehicle>::state();\n'),
+    'firmware/gcs/link.cpp: writes past the publishers'],
+  ['a header of another room that is not for others', append('firmware/modes/rtl.cpp',
+    '#include "firmware/guidance/path_state.hpp"\n'),
+    '"firmware/guidance/path_state.hpp" is between the files of its folder only'],
+]) {
+  test(`${what} is printed and fails`, () => {
+    const { status, stdout } = checked(change);
+    assert.equal(status, 1, stdout);
+    assert.ok(stdout.includes(says), stdout);
+  });
+}

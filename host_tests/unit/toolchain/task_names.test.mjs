@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+
+import { taskRows } from '../../../toolchain/task_names.mjs';
+
+const table = (rows) => `constexpr scheduler::Task kTasks[] ROM = {\n${rows}\n};\n`;
+
+test('every row is numbered in the order of the table', () => {
+  const rows = taskRows(table('    // run\n    { runA,  1,  0,  250 },\n    {runB,10,3,1500},'));
+
+  assert.deepEqual(rows, [{ number: 0, name: 'runA', period: 1, phase: 0, budget_us: 250 },
+    { number: 1, name: 'runB', period: 10, phase: 3, budget_us: 1500 }]);
+});
+
+test('a row that cannot be read is not left out silently', () => {
+  assert.throws(() => taskRows(table('    { runA, 1, 0, 250 },\n    { runB, kPeriod, 0, 9 },')),
+    /of 2 rows only 1/);
+});
+
+test('the schedule of the firmware can be read', () => {
+  const source = readFileSync(new URL('../../../firmware/app/tasks.cpp', import.meta.url), 'utf8');
+
+  assert.ok(taskRows(source).length > 10);
+});
