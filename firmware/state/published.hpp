@@ -9,7 +9,7 @@
 //     };
 //     constexpr BatteryState& battery = Publisher<BatteryState>::state();
 //
-// The compiler refuses a write from elsewhere; toolchain/check_layering.mjs refuses a second
+// The compiler refuses a write from elsewhere; toolchain/check/layering.mjs refuses a second
 // definition.
 #pragma once
 #include "firmware/state/vehicle.hpp"

@@ -4,7 +4,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-import { stackBound } from '../../toolchain/stack_bound.mjs';
+import { stackBound } from '../../toolchain/image/stack_bound.mjs';
 
 const [image, ...folders] = process.argv.slice(2);
 const bound = stackBound(image).bytes;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the firmware calls its tasks, from the file tasks.json that our build lays beside the image
-// (toolchain/task_names.mjs). The board knows them only by number.
+// (toolchain/schedule/task_rows.mjs). The board knows them only by number.
 #pragma once
 #include <cstdint>
 #include <filesystem>

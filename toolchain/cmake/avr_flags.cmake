@@ -3,7 +3,7 @@
 # nothing: debug information stays in the ELF file.
 set(AVR_OPTIMISATION -Os -flto -mrelax -mcall-prologues -g)
 add_compile_options(${AVR_OPTIMISATION})
-# toolchain/stack_bound.mjs sees by its relocation that a word is a function's address
+# toolchain/image/stack_bound.mjs sees by its relocation that a word is a function's address
 add_link_options(${AVR_OPTIMISATION} -Wl,--emit-relocs)
 
 # What runs in every frame and at every interrupt is made quick: these folders, not those in them.

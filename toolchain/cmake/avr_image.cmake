@@ -13,8 +13,8 @@ function(avr_objects name)
 endfunction()
 
 # every program for the chip is linked again when what judges it changes
-file(GLOB image_checks CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/toolchain/*.mjs
-     ${CMAKE_SOURCE_DIR}/toolchain/image/*.mjs ${CMAKE_SOURCE_DIR}/toolchain/budgets.json)
+file(GLOB image_checks CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/toolchain/schedule/*.mjs
+     ${CMAKE_SOURCE_DIR}/toolchain/image/*.mjs ${CMAKE_SOURCE_DIR}/toolchain/image/budgets.json)
 
 # avr_program(NAME BOARD FOLDER FILE SOURCE...): build/avr/FOLDER/FILE.elf
 function(avr_program name board folder file)
@@ -53,10 +53,10 @@ foreach(board IN LISTS boards)
     set(folder ${CMAKE_BINARY_DIR}/${board})
     add_custom_command(TARGET firmware_${board} POST_BUILD
         COMMAND ${CMAKE_OBJCOPY} -O ihex -R .eeprom $<TARGET_FILE:firmware_${board}> ${folder}/firmware.hex
-        COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/blank_eeprom.mjs ${folder}/firmware.eep
-        COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/task_names.mjs
+        COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/image/blank_eeprom.mjs ${folder}/firmware.eep
+        COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/schedule/task_rows.mjs
                 ${CMAKE_SOURCE_DIR}/firmware/app/tasks.cpp ${folder}/tasks.json
-        COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/check_image.mjs
-                $<TARGET_FILE:firmware_${board}> ${CMAKE_SOURCE_DIR}/toolchain/budgets.json ${board}
+        COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/image/check_image.mjs
+                $<TARGET_FILE:firmware_${board}> ${CMAKE_SOURCE_DIR}/toolchain/image/budgets.json ${board}
         VERBATIM)
 endforeach()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The limits of toolchain/budgets.json as a header, for the report of a flight.
-set(budgets_json ${CMAKE_SOURCE_DIR}/toolchain/budgets.json)
+# The limits of toolchain/image/budgets.json as a header, for the report of a flight.
+set(budgets_json ${CMAKE_SOURCE_DIR}/toolchain/image/budgets.json)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${budgets_json})
 file(READ ${budgets_json} budgets)
 
@@ -25,7 +25,7 @@ budget(frame frame_us)
 budget(latency gyro_to_servo_us)
 budget(interrupt interrupt_cycles)
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/budgets.hpp CONTENT [[
-// Made of toolchain/budgets.json by toolchain/cmake/budget_header.cmake.
+// Made of toolchain/image/budgets.json by toolchain/cmake/budget_header.cmake.
 #pragma once
 namespace budgets {
 struct BoardBudget {

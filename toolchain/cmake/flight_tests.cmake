@@ -148,11 +148,11 @@ list(TRANSFORM elf_flights PREPEND ${flights}/ OUTPUT_VARIABLE elf_folders)
 set(work_report node ${tests}/scenarios/work_report.mjs)
 declare_test(on_board.task_budgets COMMAND ${work_report} budgets ${AVR_TREE}/apm2/tasks.json
              ${elf_folders} AFTER ${elf_flights} LABELS simavr)
-declare_test(on_board.cycles COMMAND ${work_report} cycles ${CMAKE_SOURCE_DIR}/toolchain/budgets.json
+declare_test(on_board.cycles COMMAND ${work_report} cycles ${CMAKE_SOURCE_DIR}/toolchain/image/budgets.json
              ${elf_folders} AFTER ${elf_flights} LABELS simavr)
 declare_test(on_board.stack_bound COMMAND node ${tests}/scenarios/stack_used.mjs ${IMAGE_apm2}
              ${elf_folders} AFTER ${elf_flights} LABELS simavr)
-declare_test(on_board.cycles_apm1 COMMAND ${work_report} cycles ${CMAKE_SOURCE_DIR}/toolchain/budgets.json
+declare_test(on_board.cycles_apm1 COMMAND ${work_report} cycles ${CMAKE_SOURCE_DIR}/toolchain/image/budgets.json
              ${flights}/apm1_calm ${flights}/apm1_wind AFTER apm1_calm apm1_wind LABELS simavr)
 
 # ---- the boards on the bench: calibration, GPS receivers, each image in the other's chip, pulses,

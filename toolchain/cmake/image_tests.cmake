@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Programs on the emulated chip: the emulator itself, the hardware layer, costs, and the libraries'
 # own tests compiled for it.
-set(budgets ${CMAKE_SOURCE_DIR}/toolchain/budgets.json)
+set(budgets ${CMAKE_SOURCE_DIR}/toolchain/image/budgets.json)
 
 # ---- the images' sizes
 foreach(board apm1 apm2)
-    declare_test(image.budgets_${board} COMMAND node ${CMAKE_SOURCE_DIR}/toolchain/check_image.mjs
+    declare_test(image.budgets_${board} COMMAND node ${CMAKE_SOURCE_DIR}/toolchain/image/check_image.mjs
                  ${IMAGE_${board}} ${budgets} ${board} NEEDS ${IMAGE_${board}} LABELS image quick REUSE)
 endforeach()
 
@@ -42,7 +42,7 @@ list(TRANSFORM names REPLACE "\\.cpp$" "")
 hal_elves(apm2 elves ${names})
 gtest_program(hal_avr_test ${tests}/chip/hal_avr simulator_machine)
 target_compile_definitions(hal_avr_test PRIVATE CHIP_PROGRAMS="${AVR_TREE}/apm2"
-    STACK_BOUND="${NODE} ${CMAKE_SOURCE_DIR}/toolchain/stack_bound.mjs" CHIP_BOARD=apm2)
+    STACK_BOUND="${NODE} ${CMAKE_SOURCE_DIR}/toolchain/image/stack_bound.mjs" CHIP_BOARD=apm2)
 gtest_run(hal_avr_test NEEDS ${elves} LABELS simavr)
 
 hal_elves(apm1 elves pwm ppm watchdog)

@@ -82,7 +82,7 @@ add_executable(firmware_headers ${CMAKE_BINARY_DIR}/headers/all.cpp ${header_sou
 target_compile_options(firmware_headers PRIVATE ${PROJECT_WARNINGS} -O0)
 target_link_libraries(firmware_headers PRIVATE firmware_on_fakes)
 declare_test(layering.headers COMMAND firmware_headers LABELS quick)
-declare_test(layering COMMAND node ${CMAKE_SOURCE_DIR}/toolchain/check_layering.mjs LABELS quick)
+declare_test(layering COMMAND node ${CMAKE_SOURCE_DIR}/toolchain/check/layering.mjs LABELS quick)
 find_program(CLANG_FORMAT clang-format NO_CMAKE_SYSTEM_PATH)
 if(CLANG_FORMAT)
     declare_test(formatting COMMAND ${CMAKE_SOURCE_DIR}/toolchain/check_format LABELS quick)

@@ -8,7 +8,7 @@ import { commandFor, quoted, run } from './avrdude.mjs';
 import { boards } from './boards.mjs';
 import { checkEeprom, checkImage } from './contents.mjs';
 import { readOptions, usage } from './options.mjs';
-import { checkOutput } from '../output.mjs';
+import { checkOutput } from '../shared/output.mjs';
 import { checkPort } from './port.mjs';
 import { Refusal } from './refusal.mjs';
 

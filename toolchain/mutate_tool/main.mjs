@@ -4,8 +4,8 @@ import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-import { NotTried, beAlone, checkOut, compilerCache, workingTree } from '../checkout.mjs';
-import { checkOutput } from '../output.mjs';
+import { NotTried, beAlone, checkOut, compilerCache, workingTree } from '../shared/checkout.mjs';
+import { checkOutput } from '../shared/output.mjs';
 import { mutated, mutationsIn, sample } from './mutations.mjs';
 import { Interrupted, Runner, prepared } from './programs.mjs';
 import { outcomeOf, summaryOf } from './trial.mjs';

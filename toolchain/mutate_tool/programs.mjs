@@ -6,7 +6,7 @@ import { createHash } from 'node:crypto';
 import { existsSync, readFileSync } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
 
-import { NotTried } from '../checkout.mjs';
+import { NotTried } from '../shared/checkout.mjs';
 
 const kGrace_s = 10, kTimes = 10;  // a test may take ten times as long as without a mutation
 

@@ -4,8 +4,8 @@ import { mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-import { NotTried, beAlone, commitNamed, workingTree } from '../checkout.mjs';
-import { checkOutput } from '../output.mjs';
+import { NotTried, beAlone, commitNamed, workingTree } from '../shared/checkout.mjs';
+import { checkOutput } from '../shared/output.mjs';
 import { flattened, judged } from './compare.mjs';
 import { kFlights } from './flights.mjs';
 import { built } from './versions.mjs';

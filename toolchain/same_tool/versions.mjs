@@ -6,7 +6,7 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-import { NotTried, checkOut, compilerCache } from '../checkout.mjs';
+import { NotTried, checkOut, compilerCache } from '../shared/checkout.mjs';
 
 const kSlots = ['1', '2', '3'];
 const kTargets = ['fly', 'mission_tool'];

@@ -5,8 +5,8 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
-import * as state from '../../../toolchain/document_state.mjs';
-import { frameLoads, schedule, written } from '../../../toolchain/document_tasks.mjs';
+import * as state from '../../../toolchain/state/document.mjs';
+import { frameLoads, schedule, written } from '../../../toolchain/schedule/document.mjs';
 
 const read = (path) => readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8');
 const document = read('docs/architecture.md');
@@ -22,7 +22,7 @@ function firstCells(heading) {
 }
 
 test('the schedule is the one of kTasks', () => {
-  assert.equal(document, written(document, schedule(tasks, scheduler)), 'node toolchain/document_tasks.mjs writes it');
+  assert.equal(document, written(document, schedule(tasks, scheduler)), 'node toolchain/schedule/document.mjs writes it');
 });
 
 test('a row that changes, comes or goes is noticed', () => {
@@ -45,7 +45,7 @@ test('a document without a place for a table is refused', () => {
 });
 
 test('rooms and libraries are those that the layering check knows, in its order', () => {
-  const layering = read('toolchain/check_layering.mjs');
+  const layering = read('toolchain/check/layering.mjs');
   const rooms = [.../const rooms = \[([^]*?)\]/.exec(layering)[1].matchAll(/'(\w+)'/g)].map(([, name]) => name);
   const libraries = [.../const libraries = \{\n([^]*?)\n\};/.exec(layering)[1].matchAll(/^ {2}(\w+):/gm)]
     .map(([, name]) => name);
@@ -56,7 +56,7 @@ test('rooms and libraries are those that the layering check knows, in its order'
 
 test('the table of writers is that of the sources', () => {
   const now = state.table(read('firmware/state/vehicle.hpp'), state.publishers());
-  assert.equal(document, state.written(document, now), 'node toolchain/document_state.mjs writes it');
+  assert.equal(document, state.written(document, now), 'node toolchain/state/document.mjs writes it');
 });
 
 test('a section is read by its name, or by its fields where it is part of the vehicle itself', () => {

@@ -16,7 +16,7 @@ function checked(change) {
     for (const folder of ['firmware', 'libraries', 'hal_avr', 'simulator'])
       cpSync(join(root, folder), join(copy, folder), { recursive: true });
     change(copy);
-    return spawnSync(process.execPath, [join(root, 'toolchain/check_layering.mjs'), copy], { encoding: 'utf8' });
+    return spawnSync(process.execPath, [join(root, 'toolchain/check/layering.mjs'), copy], { encoding: 'utf8' });
   } finally {
     rmSync(copy, { recursive: true });
   }

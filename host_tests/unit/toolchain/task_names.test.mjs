@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
-import { taskRows } from '../../../toolchain/task_names.mjs';
+import { taskRows } from '../../../toolchain/schedule/task_rows.mjs';
 
 const table = (rows) => `constexpr scheduler::Task kTasks[] ROM = {\n${rows}\n};\n`;
 

@@ -188,7 +188,7 @@ test('the ports that there are are offered instead of a missing one', () => {
 function project() {
   const folder = newFolder();
   mkdirSync(join(folder, 'toolchain'));
-  for (const part of ['flash', 'flash_tool', 'output.mjs', 'tool.sh'])
+  for (const part of ['flash', 'flash_tool', 'shared'])
     cpSync(join(root, 'toolchain', part), join(folder, 'toolchain', part), { recursive: true });
   const script = (name, text) =>
       writeFileSync(join(folder, 'toolchain', name), `#!/bin/sh\n${text}\n`, { mode: 0o755 });

@@ -137,7 +137,7 @@ test('options', () => {
 
 test('of two runs in one folder the second is refused while the first goes on, and not for ever', () => {
   const folder = mkdtempSync(join(tmpdir(), 'alone-'));
-  const script = `import('${join(root, 'toolchain/checkout.mjs')}').then(({ beAlone }) => beAlone('${folder}'))`;
+  const script = `import('${join(root, 'toolchain/shared/checkout.mjs')}').then(({ beAlone }) => beAlone('${folder}'))`;
   const second = () => spawnSync(process.execPath, ['-e', script], { encoding: 'utf8' });
 
   writeFileSync(join(folder, 'lock'), `${process.pid}\n`);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // After linking: one line for each memory, and a failure when one is past its budget.
-//   node toolchain/check_image.mjs FILE.elf [BUDGETS.json [BOARD]]
+//   node toolchain/image/check_image.mjs FILE.elf [BUDGETS.json [BOARD]]
 // A board has the budgets of all but for those that stand under its name.
 // The budgets are those of avr-gcc 5.4, and so is what is known of the code a compiler writes: of an
 // image by another one they are notes.
@@ -9,7 +9,7 @@
 // cycles is held by the simulated flight, which measures it.
 import { readFileSync } from 'node:fs';
 
-import { readElf } from './image/elf.mjs';
+import { readElf } from './elf.mjs';
 import { describe, stackBound } from './stack_bound.mjs';
 
 const kBootloader = 0x3e000;  // of both boards: the top 8 KiB

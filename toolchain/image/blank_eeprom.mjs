@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the image of an erased EEPROM as Intel hex: flashed, it brings every default back.
-//   node toolchain/blank_eeprom.mjs FILE.eep
+//   node toolchain/image/blank_eeprom.mjs FILE.eep
 import { writeFileSync } from 'node:fs';
 
 const size = 4096;

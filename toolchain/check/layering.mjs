@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which folder may include which: prints every line that breaks a rule and fails.
-//   node toolchain/check_layering.mjs [ROOT]
+//   node toolchain/check/layering.mjs [ROOT]
 import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-const root = resolve(process.argv[2] ?? join(dirname(fileURLToPath(import.meta.url)), '..'));
+const root = resolve(process.argv[2] ?? join(dirname(fileURLToPath(import.meta.url)), '../..'));
 
 // A folder, and the first words its quoted includes may begin with.
 const libraries = {

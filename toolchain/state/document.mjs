@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the table of the shared state's writers in docs/architecture.md from firmware/state/vehicle.hpp
 // and the Publishers of firmware/.
-//   node toolchain/document_state.mjs           writes
-//   node toolchain/document_state.mjs --check   exit 1 when what is there differs
+//   node toolchain/state/document.mjs           writes
+//   node toolchain/state/document.mjs --check   exit 1 when what is there differs
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 
-const root = new URL('../', import.meta.url);
+const root = new URL('../../', import.meta.url);
 const read = (path) => readFileSync(new URL(path, root), 'utf8');
 const kDocument = 'docs/architecture.md';
-const kBegin = '<!-- state: written by toolchain/document_state.mjs, checked by host_tests/unit/docs/architecture.test.mjs -->';
+const kBegin = '<!-- state: written by toolchain/state/document.mjs, checked by host_tests/unit/docs/architecture.test.mjs -->';
 const kEnd = '<!-- end of state -->';
 
 function* firmwareFiles() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The deepest the stack of an image can ever get, from its code alone.
-//   node toolchain/stack_bound.mjs FILE.elf [--json] [--indirect]
+//   node toolchain/image/stack_bound.mjs FILE.elf [--json] [--indirect]
 // The program's deepest chain of calls, and on top of it the deepest interrupt (once: interrupts
 // run with interrupts off; those that switch them on are added all together). Recursion fails.
 //
@@ -13,10 +13,10 @@
 // Needs the relocations in the file: link with -Wl,--emit-relocs.
 import { execFileSync } from 'node:child_process';
 
-import { decode } from './image/decode.mjs';
-import { readElf } from './image/elf.mjs';
-import { Routine } from './image/routine.mjs';
-import { isNumber, isUnknown, keyOf, number, pair, plus, sum } from './image/value.mjs';
+import { decode } from './decode.mjs';
+import { readElf } from './elf.mjs';
+import { Routine } from './routine.mjs';
+import { isNumber, isUnknown, keyOf, number, pair, plus, sum } from './value.mjs';
 
 const kVectorBytes = 4, kVectors = 57;
 const kWordOfData = 4, kWordOfCode = 5;                // R_AVR_16, R_AVR_16_PM

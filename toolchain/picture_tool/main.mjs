@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// node picture.mjs REPORT MISSIONS OUT: one SVG of a flight, from the charts of its report.html, the
+// node main.mjs REPORT MISSIONS OUT: one SVG of a flight, from the charts of its report.html, the
 // figures of its summary.json and the mission of that name in the folder MISSIONS.
 import { readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -149,7 +149,7 @@ ${altitude.svg}
 `;
 }
 
-if (process.argv[1]?.endsWith('picture.mjs')) {
+if (process.argv[1]?.endsWith('picture_tool/main.mjs')) {
   const [folder, missions, out] = process.argv.slice(2);
   try {
     const drawn = picture(folder, missions);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the schedule in docs/architecture.md from the table kTasks of firmware/app/tasks.cpp.
-//   node toolchain/document_tasks.mjs           writes
-//   node toolchain/document_tasks.mjs --check   exit 1 when what is there differs
+//   node toolchain/schedule/document.mjs           writes
+//   node toolchain/schedule/document.mjs --check   exit 1 when what is there differs
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
-import { taskRows } from './task_names.mjs';
+import { taskRows } from './task_rows.mjs';
 
-const root = new URL('../', import.meta.url);
+const root = new URL('../../', import.meta.url);
 const read = (path) => readFileSync(new URL(path, root), 'utf8');
 const kDocument = 'docs/architecture.md';
 
@@ -67,9 +67,9 @@ export const frameLoads = (rows, frames) => Array.from({ length: frames }, (_, f
 export function schedule(source, scheduler) {
   const rows = taskRows(source);
   const unexplained = rows.filter(({ name }) => !(name in remarks)).map(({ name }) => name);
-  if (unexplained.length > 0) throw new Error(`toolchain/document_tasks.mjs has no remark for ${unexplained}`);
+  if (unexplained.length > 0) throw new Error(`toolchain/schedule/document.mjs has no remark for ${unexplained}`);
   const gone = Object.keys(remarks).filter((name) => !rows.some((row) => row.name === name));
-  if (gone.length > 0) throw new Error(`toolchain/document_tasks.mjs explains ${gone}, which is no task`);
+  if (gone.length > 0) throw new Error(`toolchain/schedule/document.mjs explains ${gone}, which is no task`);
   const medium = longestMedium(scheduler), frame_us = frameOf(source);
   if (!(medium > 0) || !(frame_us > 0)) throw new Error('the length of a frame or of the medium tier cannot be read');
   const header = declaredIn(rows.map(({ name }) => name));
@@ -92,14 +92,14 @@ export function written(document, text) {
   return document.replace(place, (_, begin, end) => `${begin}${text}\n${end}`);
 }
 
-if (process.argv[1]?.endsWith('document_tasks.mjs')) {
+if (process.argv[1]?.endsWith('schedule/document.mjs')) {
   try {
     const before = read(kDocument);
     const after = written(before, schedule(read('firmware/app/tasks.cpp'), read('libraries/scheduler/scheduler.hpp')));
     if (!process.argv.includes('--check')) writeFileSync(new URL(kDocument, root), after);
     else if (after !== before) throw new Error(`${kDocument} is not what this script writes`);
   } catch (error) {
-    console.error(`document_tasks: ${error.message}`);
+    console.error(`schedule: ${error.message}`);
     process.exitCode = 1;
   }
 }

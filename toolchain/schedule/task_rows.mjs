@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rows of the schedule as JSON, for whoever shows what the tasks took: number, name, period and
 // phase in frames, and budget.
-//   node toolchain/task_names.mjs firmware/app/tasks.cpp TASKS.json
+//   node toolchain/schedule/task_rows.mjs firmware/app/tasks.cpp TASKS.json
 import { readFileSync, writeFileSync } from 'node:fs';
 
 export function taskRows(source) {
@@ -16,12 +16,12 @@ export function taskRows(source) {
     { number, name, period: Number(period), phase: Number(phase), budget_us: Number(budget) }));
 }
 
-if (process.argv[1]?.endsWith('task_names.mjs')) {
+if (process.argv[1]?.endsWith('task_rows.mjs')) {
   const [source, target] = process.argv.slice(2);
   try {
     writeFileSync(target, `${JSON.stringify(taskRows(readFileSync(source, 'utf8')), null, 1)}\n`);
   } catch (error) {
-    console.error(`task_names: ${source}: ${error.message}`);
+    console.error(`task_rows: ${source}: ${error.message}`);
     process.exitCode = 1;
   }
 }

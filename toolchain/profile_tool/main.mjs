@@ -6,7 +6,7 @@ import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 
-import { checkOutput } from './output.mjs';
+import { checkOutput } from '../shared/output.mjs';
 
 const usage = `usage: toolchain/profile PROFILE ELF [--lines N] [--of FUNCTION]
 
