@@ -2,7 +2,6 @@
 # The host's side: the simulator with the natively compiled firmware in it, and the tools.
 # Images and programs for the chip come from the tree of avr-gcc (preset avr) beside this one.
 option(TESTS "also what only the tests need" ON)
-option(SANITIZE "what runs on the host alone, with the address and undefined-behaviour sanitizers" OFF)
 set(AVR_TREE ${CMAKE_SOURCE_DIR}/build/avr CACHE PATH "the tree of avr-gcc")
 set(IMAGE_apm1 ${AVR_TREE}/apm1/firmware.elf)
 set(IMAGE_apm2 ${AVR_TREE}/apm2/firmware.elf)
@@ -11,10 +10,6 @@ set(CMAKE_CXX_STANDARD 17)
 # -O2 compiles in two thirds of the time of -O3; the sanitizers see as much with -O1
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1 -DNDEBUG")
-if(SANITIZE)
-    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all)
-    add_link_options(-fsanitize=address,undefined)
-endif()
 
 find_package(PkgConfig REQUIRED)
 find_package(nlohmann_json REQUIRED)
