@@ -4,8 +4,6 @@
 find_program(NODE node REQUIRED)
 set(boards apm1 apm2)
 
-include(firmware_sources)
-
 function(avr_objects name)
     add_library(${name} OBJECT ${ARGN})
     set_target_properties(${name} PROPERTIES CXX_STANDARD 14)
@@ -13,8 +11,8 @@ function(avr_objects name)
 endfunction()
 
 # every program for the chip is linked again when what judges it changes
-file(GLOB image_checks CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/toolchain/schedule/*.mjs
-     ${CMAKE_SOURCE_DIR}/toolchain/image/*.mjs ${CMAKE_SOURCE_DIR}/toolchain/image/budgets.json)
+file(GLOB image_checks CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/toolchain/image/*
+     ${CMAKE_SOURCE_DIR}/toolchain/schedule/task_rows.mjs)
 
 # avr_program(NAME BOARD FOLDER FILE SOURCE...): build/avr/FOLDER/FILE.elf
 function(avr_program name board folder file)

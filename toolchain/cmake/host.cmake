@@ -20,33 +20,9 @@ set(HOST_HEADERS <algorithm> <array> <cmath> <cstdint> <cstring> <filesystem> <f
     <iostream> <map> <memory> <optional> <random> <sstream> <stdexcept> <string> <vector>)
 precompiled(host_headers ${PROJECT_WARNINGS} HEADERS ${HOST_HEADERS})
 
-# ---- everything outside the board's pins
-file(GLOB world_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/world.cpp
-     ${CMAKE_SOURCE_DIR}/simulator/builtin_model.cpp ${CMAKE_SOURCE_DIR}/simulator/fdm/*.cpp
-     ${CMAKE_SOURCE_DIR}/simulator/devices/*.cpp ${CMAKE_SOURCE_DIR}/simulator/airplane/*.cpp)
-add_library(simulator_world STATIC ${world_sources})
-target_compile_options(simulator_world PRIVATE ${PROJECT_WARNINGS})
-target_precompile_headers(simulator_world REUSE_FROM host_headers)
-target_compile_definitions(simulator_world PRIVATE
-                           SIMULATOR_AIRPLANES="${CMAKE_SOURCE_DIR}/simulator/airplanes")
-target_include_directories(simulator_world PUBLIC ${CMAKE_SOURCE_DIR})
-target_link_libraries(simulator_world PUBLIC nlohmann_json::nlohmann_json)
-
-# ---- the ground station, the report, the board of the natively compiled firmware
-function(simulator_library name)
-    project_sources(simulator_${name} ${CMAKE_SOURCE_DIR}/simulator/${name} ${ARGN})
-    target_include_directories(simulator_${name} ${SCOPE} ${CMAKE_SOURCE_DIR}
-                               ${CMAKE_SOURCE_DIR}/libraries)
-endfunction()
-simulator_library(ground mavlink simulator_world)
-simulator_library(report simulator_ground)
-include(budget_header)
-target_include_directories(simulator_report PRIVATE ${CMAKE_BINARY_DIR}/generated)
-simulator_library(native simulator_world core hal)
-target_include_directories(simulator_native BEFORE PRIVATE ${CMAKE_SOURCE_DIR}/simulator/native)
+include(simulator)
 
 # ---- the firmware: on the simulated board, and on the doubles of the hardware
-include(firmware_sources)
 add_library(firmware_native_board OBJECT ${board_sources})
 set_target_properties(firmware_native_board PROPERTIES CXX_STANDARD 14)
 target_compile_options(firmware_native_board PRIVATE ${PROJECT_WARNINGS})
@@ -69,10 +45,33 @@ target_include_directories(firmware_on_fakes BEFORE PUBLIC ${CMAKE_SOURCE_DIR}/h
                            ${CMAKE_SOURCE_DIR})
 target_link_libraries(firmware_on_fakes PUBLIC ${all_libraries} fakes)
 
-include(tools)
-if(NOT SANITIZE)
-    include(simulator)
-endif()
+# ---- the tools that run on the host, each a library (for its tests) and a program
+# project_tool(NAME FOLDER LIBRARY...): NAME_parts and, of its main.cpp, NAME
+function(project_tool name folder)
+    project_sources(${name}_parts ${CMAKE_SOURCE_DIR}/${folder} ${ARGN})
+    target_include_directories(${name}_parts PUBLIC ${CMAKE_SOURCE_DIR})
+    target_link_libraries(${name}_parts PRIVATE CLI11::CLI11)
+    project_program(${name} ${CMAKE_SOURCE_DIR}/${folder}/main.cpp LIBRARIES ${name}_parts)
+endfunction()
+
+# missions and parameters as files and EEPROM images, by the firmware's own tables and stores
+project_tool(mission_tool toolchain/mission_tool firmware_on_fakes simulator_ground fakes)
+project_tool(param_tool toolchain/param_tool mission_tool_parts)
+target_compile_definitions(param_tool_parts PRIVATE
+                           PARAMETERS_CSV="${CMAKE_SOURCE_DIR}/firmware/state/parameters.csv")
+# flight logs from the DataFlash as tables, summaries and .bin files
+project_tool(log_tool toolchain/log_tool logging simulator_report)
+# many flights at once, natively
+project_tool(campaign simulator/campaign simulator_report simulator_world Threads::Threads)
+target_compile_definitions(campaign_parts PRIVATE CAMPAIGN_OUT="${CMAKE_SOURCE_DIR}/build/campaign"
+                           CAMPAIGN_MISSIONS="${CMAKE_SOURCE_DIR}/simulator/missions")
+target_compile_definitions(campaign PRIVATE CAMPAIGN_FLY="${CMAKE_BINARY_DIR}/fly")
+
+# The firmware's table of declinations, from the coefficients of the World Magnetic Model:
+#   declination_table toolchain/declination/WMM2025.COF > libraries/geo/declination_table.hpp
+project_tool(declination_table toolchain/declination)
+
+# ---- the tests
 if(TESTS)
     enable_testing()
     include(testing)

@@ -1,5 +1,73 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The emulated chip and board, and the program that flies.
+# The simulator: what surrounds the board, the emulated chip, and the program that flies.
+
+# ---- everything outside the board's pins
+file(GLOB world_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/world.cpp
+     ${CMAKE_SOURCE_DIR}/simulator/builtin_model.cpp ${CMAKE_SOURCE_DIR}/simulator/fdm/*.cpp
+     ${CMAKE_SOURCE_DIR}/simulator/devices/*.cpp ${CMAKE_SOURCE_DIR}/simulator/airplane/*.cpp)
+add_library(simulator_world STATIC ${world_sources})
+target_compile_options(simulator_world PRIVATE ${PROJECT_WARNINGS})
+target_precompile_headers(simulator_world REUSE_FROM host_headers)
+target_compile_definitions(simulator_world PRIVATE
+                           SIMULATOR_AIRPLANES="${CMAKE_SOURCE_DIR}/simulator/airplanes")
+target_include_directories(simulator_world PUBLIC ${CMAKE_SOURCE_DIR})
+target_link_libraries(simulator_world PUBLIC nlohmann_json::nlohmann_json)
+
+# ---- the limits of toolchain/image/budgets.json as a header, for the report of a flight.
+set(budgets_json ${CMAKE_SOURCE_DIR}/toolchain/image/budgets.json)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${budgets_json})
+file(READ ${budgets_json} budgets)
+
+# budget(VARIABLE NAME [BOARD]): the board's own budget where it has one, else everybody's
+function(budget variable name)
+    string(JSON value ERROR_VARIABLE missing GET "${budgets}" ${ARGN} ${name})
+    if(missing)
+        string(JSON value GET "${budgets}" ${name})
+    endif()
+    set(${variable} ${value} PARENT_SCOPE)
+endfunction()
+
+set(rows)
+foreach(board IN ITEMS apm1 apm2)
+    budget(processor processor_percent ${board})
+    budget(interrupts interrupts_percent ${board})
+    string(APPEND rows "constexpr BoardBudget k_${board} = {${processor}, ${interrupts}};\n")
+endforeach()
+budget(flash flash)
+budget(ram ram_static_and_stack)
+budget(frame frame_us)
+budget(latency gyro_to_servo_us)
+budget(interrupt interrupt_cycles)
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/budgets.hpp CONTENT [[
+// Made of toolchain/image/budgets.json by toolchain/cmake/simulator.cmake.
+#pragma once
+namespace budgets {
+struct BoardBudget {
+    double processor_percent, interrupts_percent;
+};
+@rows@constexpr double kFlash_bytes = @flash@, kRamAndStack_bytes = @ram@;
+constexpr double kFrame_us = @frame@, kGyroToServo_us = @latency@;
+constexpr double kInterrupt_us = @interrupt@ / 16.0;  // from cycles of 16 MHz
+}  // namespace budgets
+]] @ONLY)
+
+# ---- the ground station, the report, the board of the natively compiled firmware
+function(simulator_library name)
+    project_sources(simulator_${name} ${CMAKE_SOURCE_DIR}/simulator/${name} ${ARGN})
+    target_include_directories(simulator_${name} ${SCOPE} ${CMAKE_SOURCE_DIR}
+                               ${CMAKE_SOURCE_DIR}/libraries)
+endfunction()
+simulator_library(ground mavlink simulator_world)
+simulator_library(report simulator_ground)
+target_include_directories(simulator_report PRIVATE ${CMAKE_BINARY_DIR}/generated)
+simulator_library(native simulator_world core hal)
+target_include_directories(simulator_native BEFORE PRIVATE ${CMAKE_SOURCE_DIR}/simulator/native)
+
+if(SANITIZE)
+    return()  # nothing below runs on the host alone
+endif()
+
+# ---- the emulated chip and board
 pkg_check_modules(SIMAVR REQUIRED IMPORTED_TARGET simavr)
 pkg_check_modules(LIBELF REQUIRED IMPORTED_TARGET libelf)
 find_program(AVR_GXX avr-g++ REQUIRED)
@@ -26,6 +94,7 @@ add_custom_target(boot_programs DEPENDS ${boot_programs})
 add_dependencies(simulator_machine boot_programs)
 target_compile_definitions(simulator_machine PUBLIC SIMULATOR_BOOT="${boot_sections}")
 
+# ---- the program that flies
 set(simulator_sources simulator/fly.cpp simulator/fly_options.cpp simulator/parameter_file.cpp
     toolchain/param_tool/settings.cpp toolchain/mission_tool/wrong_input.cpp)
 project_program(fly ${simulator_sources} LIBRARIES firmware_native simulator_native
