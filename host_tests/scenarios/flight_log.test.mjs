@@ -77,7 +77,7 @@ test('the gyros tell how the roll changes, and the accelerometer which way is do
   assert.ok(lift < -9 && lift > -12, `${lift} m/s/s`);
   const turns = imu.map(({ TimeUS, GyrX }) => [GyrX * 180 / Math.PI,
     (at(TimeUS * 1e-6 + 0.1, 'roll_deg') - at(TimeUS * 1e-6 - 0.1, 'roll_deg')) / 0.2]);
-  const mean = turns.reduce((sum, [gyro, truth]) => sum + Math.abs(gyro - truth), 0) / turns.length;
+  const mean = turns.reduce((sum, [gyro, trueRate]) => sum + Math.abs(gyro - trueRate), 0) / turns.length;
   assert.ok(mean < 8, `${mean} deg/s`);
 });
 

@@ -11,7 +11,7 @@ const kCycles_us = 16;
 
 const readJson = (path) => JSON.parse(readFileSync(path, 'utf8'));
 const readFlight = (folder) => ({ name: basename(folder), ...readJson(join(folder, 'summary.json')) });
-const us = (cycles) => (cycles / kCycles_us).toFixed(1);
+const us = (count) => (count / kCycles_us).toFixed(1);
 const percent = (share) => (share * 100).toFixed(1);
 
 // Columns as wide as their widest cell; the first is words, the others are numbers.

@@ -277,7 +277,7 @@ export function stackBound(path) {
   const chainOf = (chain) => chain.map((link) => ({ function: name(link.address), bytes: link.bytes }));
   const quiet = interrupts.filter((each) => !each.enables).map((each) => each.bytes);
   const nested = interrupts.filter((each) => each.enables).map((each) => each.bytes);
-  const above = Math.max(0, ...quiet) + nested.reduce((sum, bytes) => sum + bytes, 0);
+  const above = Math.max(0, ...quiet) + nested.reduce((total, bytes) => total + bytes, 0);
   return {
     bytes: main.bytes + above,
     main: { bytes: main.bytes, chain: chainOf(main.chain) },

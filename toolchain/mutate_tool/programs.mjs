@@ -38,9 +38,9 @@ export class Runner {
     let output = '', late = false;
     for (const stream of [child.stdout, child.stderr]) stream.on('data', (bytes) => { output += bytes; });
     const timer = limit_s && setTimeout(() => { late = true; kill(child); }, limit_s * 1000);
-    const status = await new Promise((resolve, reject) => {
+    const status = await new Promise((ended, reject) => {
       child.on('error', (error) => reject(new NotTried(`${program}: ${error.message}`)));
-      child.on('close', resolve);
+      child.on('close', ended);
     });
     clearTimeout(timer);
     this.child = undefined;

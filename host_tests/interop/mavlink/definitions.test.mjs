@@ -16,8 +16,8 @@ function structs() {
   const pattern = new RegExp('struct __attribute__\\(\\(packed\\)\\) (\\w+) \\{\\n([^}]*)\\};\\n' +
     'template <>\\nstruct Wire<\\1> : Shape<(\\d+), (\\d+), (\\d+), (\\d+)> \\{\\};\\n' +
     'static_assert\\(sizeof\\(\\1\\) == Wire<\\1>::length_with_extensions, "(\\w+)"\\);', 'g');
-  return [...header.matchAll(pattern)].map(([, , body, id, length, full, crcExtra, name]) => ({
-    name, id: +id, length: +length, full: +full, crcExtra: +crcExtra,
+  return [...header.matchAll(pattern)].map(([, , body, id, length, full, seed, name]) => ({
+    name, id: +id, length: +length, full: +full, crcExtra: +seed,
     fields: body.split('// extensions')[0].split('\n')
       .map((line) => /^ {4}(\w+) (\w+)(?:\[(\d+)\])?;$/.exec(line))
       .filter(Boolean)
