@@ -13,7 +13,8 @@
 
 namespace simulator {
 
-// What only the chip can tell; empty where the firmware or its kind does not say.
+// What only the emulated chip can measure; empty where the board or the firmware does not report
+// it.
 struct BoardFigures {
     std::optional<double> cpu_load;        // 0..1, cycles not asleep
     std::optional<double> interrupt_load;  // 0..1

@@ -154,16 +154,16 @@ public:
             write();
         } catch (const OutputError& error) {
             std::cerr << "fly: " << error.what() << "\n";
-            whole_ = false;
+            all_written_ = false;
         }
     }
     void addFile(const std::filesystem::path& path, const std::string& contents) {
         add([&] { writeFile(path, contents); });
     }
-    bool whole() const { return whole_; }
+    bool allWritten() const { return all_written_; }
 
 private:
-    bool whole_ = true;
+    bool all_written_ = true;
 };
 
 void saveMemories(Board& board, const FlyOptions& options, Results& results) {
@@ -247,16 +247,17 @@ Summary summarize(const FlyOptions& options, Board& board, const ScriptedFlight&
     }
     s.loiter_radius_m = flight.loiter_radius_m();
     takeErrors(s, recorder);
-    const Telemetry& told = flight.telemetry();
-    // firmware that flies from item to item and never says that it reached one does not tell it
-    if (!told.reached.empty() || told.visited.size() < 2) s.items_reached = told.reached;
+    const Telemetry& telemetry = flight.telemetry();
+    // firmware that flies from item to item and never says that it reached one does not report it
+    if (!telemetry.reached.empty() || telemetry.visited.size() < 2)
+        s.items_reached = telemetry.reached;
     if (const auto imu = recorder.imuSamples()) s.setSamples(*imu);
     for (const PlannedNav& nav : plan.navs) s.items_planned.push_back(nav.item);
     s.model_answers_skipped = board.world().modelAnswersSkipped();
     s.figures = board.figures();
     if (!options.native) s.task_names = readTaskNames(options.firmware);
-    s.events = told.events;
-    s.texts = told.texts;
+    s.events = telemetry.events;
+    s.texts = telemetry.texts;
     return s;
 }
 
@@ -346,7 +347,7 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
     Results results;
     saveMemories(*board, options, results);
     writeReport(options, summary, recorder, plan, items, results);
-    if (!results.whole()) return 2;
+    if (!results.allWritten()) return 2;
     std::cout << reportLine(options.out);
     return summary.completed ? 0 : 1;
 }
@@ -398,7 +399,7 @@ int serve(const FlyOptions& options, const Waypoints& items) {
         std::cerr << "fly: the firmware stopped: " << board->fault() << "\n";
     const std::string fault = interrupted != 0 ? "" : board->world().fault();
     if (!fault.empty()) std::cerr << "fly: " << fault << "\n";
-    if (!results.whole()) return 2;
+    if (!results.allWritten()) return 2;
     return board->fault().empty() && fault.empty() ? 0 : 1;
 }
 

@@ -24,7 +24,7 @@ public:
     // What lasted so far counts no more.
     void drop() { frames_ = 0; }
 
-    // For the gains; within 0.8 .. 1.25, so that one bad turn spoils little.
+    // For the gains; within 0.8 .. 1.25, so that one bad turn changes little.
     float factor() const;
     static constexpr float kLeast = 0.8f, kMax = 1.25f;
 

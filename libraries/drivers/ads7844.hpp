@@ -27,7 +27,7 @@ struct Ads7844Sums {
     uint16_t sum[kChannels];   // of readings 0..4095
     uint8_t count[kChannels];  // which may differ by one: a set was under way
     uint8_t periods;           // over since the last time, the ones without readings too
-    bool spoiled;              // there was an answer that the converter does not give
+    bool invalid;              // there was an answer that the converter does not give
 };
 
 // Bus::begin(first, second) sends two bytes; Bus::ended() says whether they have gone out, of which
@@ -95,7 +95,7 @@ struct Ads7844<Bus, Select>::State {
     uint8_t sets = 0, airspeeds = 0;
     uint8_t missed = 0;  // periods without a set
     uint8_t ahead = 0;   // channels of the set under way when the sums were taken
-    bool spoiled = false;
+    bool invalid = false;
     constexpr State() : sum() {}
 };
 
@@ -128,7 +128,7 @@ inline __attribute__((always_inline)) void Ads7844<Bus, Select>::stop() {
 template <class Bus, class Select>
 inline __attribute__((always_inline)) void Ads7844<Bus, Select>::add(uint8_t channel, uint8_t low) {
     const uint8_t high = state_.high;
-    if (high & 0xF0) state_.spoiled = true;
+    if (high & 0xF0) state_.invalid = true;
     state_.sum[channel] += static_cast<uint16_t>(high << 8 | low);
 }
 
@@ -148,7 +148,7 @@ void Ads7844<Bus, Select>::beginSet() {
     }
     const bool ended = state_.asked == kLast && Bus::ended();
     if (!ended || state_.sets == kAgain) {
-        if (!ended) state_.spoiled = true;
+        if (!ended) state_.invalid = true;
         if (state_.sets > kFull) state_.sets = 0;
         miss();
         return stop();
@@ -222,15 +222,15 @@ bool Ads7844<Bus, Select>::take(Ads7844Sums& to) {
         const hal::Locked locked;
         whole = sets();
         to.periods = waiting();
-        to.spoiled = state_.spoiled;
+        to.invalid = state_.invalid;
         state_.missed = 0;
-        state_.spoiled = false;
+        state_.invalid = false;
         if (whole == 0) return false;
         ahead = done();
         was_ahead = state_.ahead;
         state_.ahead = ahead;
         copySums(to);
-        if (to.spoiled) state_.sets = kAgain;
+        if (to.invalid) state_.sets = kAgain;
     }
     for (uint8_t i = 0; i < Ads7844Sums::airspeed; ++i) {
         to.count[i] = static_cast<uint8_t>(whole + (i < ahead) - (i < was_ahead));

@@ -127,7 +127,7 @@ void AnalogImu<Converter>::step(uint32_t now_ms) {
 
 template <class Converter>
 bool AnalogImu<Converter>::plausible(const Ads7844Sums& sums) {
-    if (sums.spoiled) return false;
+    if (sums.invalid) return false;
     uint8_t count = kUsual;
     uint16_t lowest = kUsual * kLowest, highest = kUsual * kHighest;
     for (uint8_t channel = 0; channel < Ads7844Sums::airspeed; ++channel) {

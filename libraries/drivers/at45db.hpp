@@ -115,7 +115,7 @@ uint8_t At45db<Bus, Select, Reset>::status() {
     return status;
 }
 
-// A restart of the processor alone may find the chip programming: that page is not to be spoilt
+// A restart of the processor alone may find the chip programming: that page must not be damaged
 // by the reset, so it is let finish.
 template <class Bus, class Select, class Reset>
 void At45db<Bus, Select, Reset>::start(uint16_t now_ms) {

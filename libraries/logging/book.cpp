@@ -48,7 +48,7 @@ Status Book::read(uint16_t page, uint16_t at, void* to, uint8_t size) const {
     return hal::flashRead(place(fromOldest(page)), sizeof(PageHead) + at, to, size);
 }
 
-// Halves what is left by one look. A spoilt page says nothing: the one after it is asked.
+// Halves what is left by one look. A damaged page has no number: the one after it is read.
 Status Book::narrow(uint16_t from, const Key& key, bool upward, Search& search) const {
     if (search.end - search.first <= 1) return Status::ok;
     const uint16_t middle = search.first + (search.end - search.first) / 2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A page of the flight log as it lies in the DataFlash: this head, then whole records. The head
 // says whose page it is, so that any page can be looked at by itself; its own checksum
-// distinguishes a page of the log from a blank or spoilt one, the data's a page whose programming
+// distinguishes a page of the log from a blank or damaged one, the data's a page whose programming
 // was cut short.
 #pragma once
 #include <stdint.h>

@@ -101,7 +101,7 @@ Loads Airplane::loads(const Motion& motion, const Rotation& rotation) const {
     Loads sum = aerodynamics(p_, through, controls_);
     const double ahead = through.velocity_mps.x;
     sum.force_n.x += propulsion_.thrust_n(ahead, density_kgm3_);
-    // The propeller turns clockwise seen from behind; the airframe feels the opposite.
+    // The propeller turns clockwise seen from behind; the airframe turns the other way.
     sum.moment_nm.x -= propulsion_.torque_nm(ahead, density_kgm3_);
     const Loads ground = ground_.loads(motion, controls_.rudder);
     sum.force_n += ground.force_n;

@@ -8,7 +8,7 @@
 namespace simulator {
 namespace {
 
-constexpr double kPace_rads = 1.5;
+constexpr double kHandRate_rads = 1.5;
 constexpr double kRadians = M_PI / 180;
 constexpr double kPack_v = 12.4;
 
@@ -48,7 +48,7 @@ Vec3 BenchModel::ratesToTarget() const {
     }
     const double sine = length(v);
     if (sine < 1e-9) return {};
-    const double rate = std::min(kPace_rads, 2 * std::atan2(sine, w) / Airplane::kStep_s);
+    const double rate = std::min(kHandRate_rads, 2 * std::atan2(sine, w) / Airplane::kStep_s);
     return v * (rate / sine);
 }
 

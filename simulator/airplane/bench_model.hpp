@@ -14,7 +14,7 @@ public:
     void step(const ServoPulses& pulses) override;
     const Truth& truth() const override { return truth_; }
     Vec3 toBody(const Vec3& earth) const override { return Rotation(attitude_).toBody(earth); }
-    // By the shortest way, at a hand's pace.
+    // By the shortest way, as fast as a hand turns it.
     void turnTo(double roll_rad, double pitch_rad, double yaw_rad) override;
     // On and on, until it is laid down again.
     void turn(double roll_rads, double pitch_rads, double yaw_rads) override;

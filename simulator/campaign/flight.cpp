@@ -24,7 +24,7 @@ using Json = nlohmann::json;
 
 constexpr double kFrames_hz = 100;
 constexpr double kStartFrames = 5;  // before the first frame is due
-// What is given to a flight, or does not tell how well it was flown.
+// What is given to a flight, or says nothing about how well it was flown.
 constexpr const char* kNoFigures[] = {"wind_mps", "wind_from_deg", "emulated_s", "flight_time_s"};
 constexpr char kInterrupted[] = "interrupted";  // the reason when a signal has ended a flight
 constexpr const char* kUnits[] = {"_m", "_mps", "_deg", "_ms"};
@@ -125,7 +125,7 @@ std::string CampaignFlight::replay(bool native) const {
     return line;
 }
 
-CampaignResult judged(const CampaignFlight& flight, const std::string& summary_json) {
+CampaignResult resultOf(const CampaignFlight& flight, const std::string& summary_json) {
     CampaignResult result{flight, true, "", {}, 0};
     const Json summary = Json::parse(summary_json, nullptr, false);
     if (!summary.is_object()) {
@@ -153,7 +153,7 @@ static CampaignResult flyIn(const std::string& folder, const std::string& progra
     for (const auto& word : flight.arguments()) words.push_back(word);
     const fs::path log = fs::path(folder) / "fly.log";
     const Ending ending = run(program, words, log);
-    CampaignResult result = judged(flight, contents(fs::path(folder) / "summary.json"));
+    CampaignResult result = resultOf(flight, contents(fs::path(folder) / "summary.json"));
     if (ending.signal != 0) {
         result.failure = "the program died of signal " + std::to_string(ending.signal);
     } else if (ending.status > 1) {

@@ -41,6 +41,6 @@ CampaignResult flyOne(const std::string& program, const CampaignFlight& flight,
                       const std::string& folder);
 
 // What the summary says of the flight, on its own.
-CampaignResult judged(const CampaignFlight& flight, const std::string& summary_json);
+CampaignResult resultOf(const CampaignFlight& flight, const std::string& summary_json);
 
 }  // namespace simulator

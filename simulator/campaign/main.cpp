@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 volatile std::sig_atomic_t interrupted = 0;
-constexpr size_t kMaxTold = 10;
+constexpr size_t kMaxShown = 10;
 
 // Said before the first flight, not by each of a thousand.
 void mustBeUsable(const CampaignOptions& options) {
@@ -72,12 +72,12 @@ std::vector<CampaignResult> flyAll(const CampaignOptions& options,
 size_t reportFailures(const std::vector<CampaignResult>& results) {
     size_t failed = 0;
     for (const auto& result : results) {
-        if (result.failure.empty() || failed++ >= kMaxTold) continue;
+        if (result.failure.empty() || failed++ >= kMaxShown) continue;
         std::cout << "\nfailed: " << result.flight.group() << ", seed " << result.flight.seed
                   << ": " << result.failure << "\n  " << result.flight.replay(true) << "\n  "
                   << result.flight.replay(false) << "\n";
     }
-    if (failed > kMaxTold) std::cout << "\nand " << failed - kMaxTold << " more\n";
+    if (failed > kMaxShown) std::cout << "\nand " << failed - kMaxShown << " more\n";
     return failed;
 }
 

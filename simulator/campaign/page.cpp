@@ -90,15 +90,15 @@ std::string tableOf(const std::vector<Spread95>& spreads, const std::string& fig
 
 std::string failureList(const std::vector<CampaignResult>& results) {
     std::string list;
-    size_t told = 0;
+    size_t shown = 0;
     for (const auto& result : results) {
-        if (result.failure.empty() || told++ >= kMaxFailures) continue;
+        if (result.failure.empty() || shown++ >= kMaxFailures) continue;
         list += "<p><b>" + escaped(result.flight.group()) + ", seed " +
                 std::to_string(result.flight.seed) + "</b>: " + escaped(result.failure) +
                 "<br><code>" + escaped(result.flight.replay(true)) + "</code></p>\n";
     }
-    if (told > kMaxFailures)
-        list += "<p>and " + std::to_string(told - kMaxFailures) + " more</p>\n";
+    if (shown > kMaxFailures)
+        list += "<p>and " + std::to_string(shown - kMaxFailures) + " more</p>\n";
     return list;
 }
 

@@ -145,12 +145,12 @@ bool At45db::setImage(const std::vector<uint8_t>& image) {
 
 std::vector<uint8_t> At45db::image(uint64_t now_us) const {
     std::vector<uint8_t> cells = cells_;
-    if (operation_ && now_us < operation_->end_us) spoil(cells);
+    if (operation_ && now_us < operation_->end_us) damage(cells);
     return cells;
 }
 
 void At45db::abort(uint64_t now_us) {
-    if (operation_ && now_us < operation_->end_us) spoil(cells_);
+    if (operation_ && now_us < operation_->end_us) damage(cells_);
     operation_.reset();
     busy_until_us_ = 0;
     busy_buffer_ = -1;
@@ -170,7 +170,7 @@ void At45db::cutPower(uint64_t now_us) {
 }
 
 // Each page in its own way: noise, erased, or half of what was to be there.
-void At45db::spoil(std::vector<uint8_t>& cells) const {
+void At45db::damage(std::vector<uint8_t>& cells) const {
     Random random(seed_, 1'000'000 + operations_);
     for (unsigned i = 0; i < operation_->pages; ++i) {
         uint8_t* bytes = &cells[size_t{operation_->first_page + i} * pageSize()];

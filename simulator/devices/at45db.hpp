@@ -29,7 +29,7 @@ public:
     uint8_t transfer(uint8_t mosi, uint64_t now_us);
     void resetPin(bool low, uint64_t now_us);
 
-    // An erase or program, told when it begins; a cut before `end_us` spoils its pages.
+    // An erase or program, reported when it begins; a power cut before `end_us` damages its pages.
     struct Operation {
         bool erases, programs;
         uint16_t first_page, pages;
@@ -43,7 +43,7 @@ public:
 
     // All pages, one after the other, as a cut now would leave them.
     std::vector<uint8_t> image(uint64_t now_us) const;
-    // Power-on with these pages. The size tells chip and page size; false: it is of none.
+    // Power-on with these pages. Chip and page size follow from the size; false: no chip has it.
     bool setImage(const std::vector<uint8_t>& image);
 
     bool fitted() const { return options_.fitted; }
@@ -69,7 +69,7 @@ private:
     void write(const Operation& operation);
     void occupy(unsigned times, uint64_t now_us);
     void abort(uint64_t now_us);
-    void spoil(std::vector<uint8_t>& cells) const;
+    void damage(std::vector<uint8_t>& cells) const;
     void powerOn();
 
     uint8_t status(uint64_t now_us) const;

@@ -10,7 +10,7 @@
 
 namespace simulator {
 
-// jump: away from the truth by a constant, and believable in itself; drift: ever farther from it;
+// jump: away from the truth by a constant, with plausible values; drift: ever farther from it;
 // dead: one gyro alone says the same for ever.
 enum class FaultKind {
     none,

@@ -120,11 +120,11 @@ void GpsReceiver::measure(const Truth& truth, uint64_t now_us) {
     if (fault_ == FaultKind::none)
         held_.reset();
     else
-        spoil(fix);
+        addErrors(fix);
     waiting_.push_back(fix);
 }
 
-void GpsReceiver::spoil(GpsFix& fix) {
+void GpsReceiver::addErrors(GpsFix& fix) {
     if (fault_ == FaultKind::stuck) {
         if (!held_) held_ = fix;
         held_->time_us = fix.time_us;

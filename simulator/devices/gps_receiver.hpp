@@ -62,7 +62,7 @@ protected:
 
 private:
     void measure(const Truth& truth, uint64_t now_us);
-    void spoil(GpsFix& fix);
+    void addErrors(GpsFix& fix);
     uint64_t byteEnd_us(uint64_t bytes) const;
 
     const GpsOptions options_;

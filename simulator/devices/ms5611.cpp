@@ -89,7 +89,8 @@ void Ms5611::command(uint8_t byte, uint64_t now_us) {
         converted_us_ = UINT64_MAX;
     } else if (byte == kAdcRead) {
         answer(now_us >= converted_us_ ? result_ : 0, 3);
-        // Asked too early the chip spoils the conversion under way; read once it is gone too.
+        // Asked too early, the chip aborts the conversion that is under way; a result can be read
+        // once.
         converted_us_ = UINT64_MAX;
     } else if ((byte & 0xF1) == 0xA0) {
         answer(prom_[oversampling], 2);

@@ -146,11 +146,11 @@ void JsonModel::take(const ModelState& state) {
     if (state.radio_us) moveSticks(*state.radio_us);
 }
 
-// A channel that is not told stays where it was; at first they are where a pilot leaves them.
-void JsonModel::moveSticks(const std::array<uint16_t, 8>& told_us) {
+// A channel that is not sent stays where it was; at first they are where a pilot leaves them.
+void JsonModel::moveSticks(const std::array<uint16_t, 8>& sent_us) {
     if (!radio_us_) radio_us_ = {1500, 1500, 1100, 1500, 1500, 1500, 1500, 1425};
-    for (size_t i = 0; i < told_us.size(); ++i)
-        if (told_us[i] != 0) (*radio_us_)[i] = told_us[i];
+    for (size_t i = 0; i < sent_us.size(); ++i)
+        if (sent_us[i] != 0) (*radio_us_)[i] = sent_us[i];
 }
 
 void JsonModel::publish(const ModelState& state) {

@@ -32,7 +32,7 @@ private:
     bool exchange(const ServoPulses& pulses, ModelState& to);
     bool understand(const std::string& datagram, ModelState& to);
     void take(const ModelState& state);
-    void moveSticks(const std::array<uint16_t, 8>& told_us);
+    void moveSticks(const std::array<uint16_t, 8>& sent_us);
     void publish(const ModelState& state);
     void stop(const std::string& why);
 

@@ -31,7 +31,7 @@ struct ModelState {
         double voltage_v, current_a;
     };
     std::optional<Battery> battery;
-    // "rc": channels 1 to 8 in us, of which those that are not told stay 0.
+    // "rc": channels 1 to 8 in us, of which those that are not sent stay 0.
     std::optional<std::array<uint16_t, 8>> radio_us;
 };
 

@@ -71,7 +71,7 @@ void ScriptedFlight::step(uint64_t now_us) {
     const Stage& stage = kStages[stage_];
     if (!over_ && (this->*stage.run)(now_us)) {
         if (&stage == &std::end(kStages)[-1]) {
-            judge();
+            check();
             over_ = true;
             return;
         }
@@ -199,7 +199,7 @@ bool ScriptedFlight::release(uint64_t now_us) {
 
 bool ScriptedFlight::takeOff(uint64_t) { return airborne_s_.has_value(); }
 
-// Over when it stands disarmed and has had the time to tell of it.
+// Over when it stands disarmed and has had the time to report it.
 bool ScriptedFlight::fly(uint64_t now_us) {
     const double now_s = static_cast<double>(now_us) * 1e-6;
     if (!standing_s_ || telemetry_.armed()) disarmed_s_.reset();
@@ -267,7 +267,7 @@ std::optional<double> ScriptedFlight::standing_distance_m() const {
 }
 
 // Says in reason_ what is missing for a completed mission; nothing when it is one.
-void ScriptedFlight::judge() {
+void ScriptedFlight::check() {
     std::vector<int> wanted;
     for (const PlannedNav& nav : plan_.navs) wanted.push_back(nav.item);
     // Firmware that does not send MISSION_ITEM_REACHED shows its way by MISSION_CURRENT.
@@ -278,12 +278,12 @@ void ScriptedFlight::judge() {
                       ? "more items were reached than the mission has"
                       : "item " + std::to_string(*differ.first) + " was not reached in its turn";
     } else {
-        judgeLanding();
+        checkLanding();
     }
 }
 
 // A heavy airplane that touches down near the point may roll on for a while.
-void ScriptedFlight::judgeLanding() {
+void ScriptedFlight::checkLanding() {
     const auto tooFar = [this](const char* does, double away_m, double most_m) {
         if (away_m > most_m && reason_.empty())
             reason_ = does + std::to_string(std::lround(away_m)) +
@@ -291,7 +291,7 @@ void ScriptedFlight::judgeLanding() {
                       std::to_string(std::lround(most_m)) + " m";
     };
     if (!plan_.landing()) {
-        reason_ = "the mission has no landing to judge";
+        reason_ = "the mission has no landing to check";
         return;
     }
     tooFar("it touched down ", touchdown_m_.value_or(0), kTouchesWithin_m);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A flight from the ground station's chair: connect, set the airplane's parameters, send the
 // mission up, arm, AUTO, let go of what is thrown, watch until the airplane stands again. What only
-// an passive_gcs can know, where it stands and whether it is whole, is read from the truth.
+// a ground station can know, where it stands and whether it crashed, is read from the truth.
 #pragma once
 #include <memory>
 #include <optional>
@@ -65,8 +65,8 @@ private:
     void take(const mavlink::Frame& frame, uint64_t time_us);
     void watch(uint64_t now_us);
     void watchServos(uint64_t now_us);
-    void judge();
-    void judgeLanding();
+    void check();
+    void checkLanding();
     std::optional<double> fromLanding_m() const;
     void fail(const std::string& reason);
     void heartbeat(uint64_t now_us);

@@ -28,7 +28,7 @@ public:
     bool heard() const { return heartbeat.has_value(); }
     uint32_t mode() const { return heartbeat ? heartbeat->custom_mode : 0; }
     bool armed() const;
-    bool prearmOk() const;  // also true when the autopilot does not tell
+    bool prearmOk() const;  // also true when the autopilot does not report it
     int current() const { return mission_current ? mission_current->seq : 0; }
 
     uint8_t system = 0, component = 0;

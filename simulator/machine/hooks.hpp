@@ -54,8 +54,8 @@ void hookLine(avr_irq_t* line, Owner* owner) {
         owner);
 }
 
-// libsimavr knows a timer by function and parameter: starting it again moves it. The method is
-// told the cycle it was due at and returns the next one, or 0.
+// libsimavr knows a timer by function and parameter: starting it again moves it. The method
+// gets the cycle it was due at and returns the next one, or 0.
 template <auto method, class Owner>
 avr_cycle_count_t timerCallback(avr_t*, avr_cycle_count_t due, void* param) {
     return (static_cast<Owner*>(param)->*method)(due);

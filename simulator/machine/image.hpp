@@ -14,7 +14,7 @@ struct Image {
     std::string path, sha256;                  // of the file it was read from
     std::vector<uint8_t> flash;                // from address 0, gaps 0xFF
     uint32_t flash_bytes = 0;                  // without the gaps
-    std::optional<uint32_t> ram_static_bytes;  // .data + .bss + .noinit; a .hex does not tell
+    std::optional<uint32_t> ram_static_bytes;  // .data + .bss + .noinit; a .hex does not have it
 
     void place(uint32_t address, const void* bytes, size_t size);  // within the flash
 };

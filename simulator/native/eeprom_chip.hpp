@@ -36,7 +36,7 @@ private:
     std::vector<uint8_t> cells_;
     std::deque<Write> queue_;           // the front is the one in flight while writing()
     uint64_t written_us_ = UINT64_MAX;  // when the byte in flight is done
-    uint64_t rest_until_us_ = 0;        // a reader has been told to come back
+    uint64_t rest_until_us_ = 0;        // a reader was refused and comes back
 };
 
 }  // namespace simulator

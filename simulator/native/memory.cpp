@@ -3,6 +3,6 @@
 
 namespace hal {
 
-uint16_t freeMemory() { return 0; }  // this computer's memory tells nothing about the chip's
+uint16_t freeMemory() { return 0; }  // the memory of this computer is not the chip's
 
 }  // namespace hal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The timers behind libraries/hal/servo_output.hpp: widths are taken over at the start of a
-// period, and the World is told a pulse's width when it has ended.
+// period, and the World gets a pulse's width when the pulse has ended.
 #pragma once
 #include <array>
 #include <cstdint>

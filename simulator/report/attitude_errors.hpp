@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How well the autopilot knows its attitude, off the ground: what it tells against the truth at the
-// moment it tells of, so that the way over the wire costs nothing.
+// How well the autopilot knows its attitude, off the ground: what it reports against the truth
+// at the time in the message, so that the delay of the link does not count.
 #pragma once
 #include <deque>
 
@@ -12,7 +12,7 @@ namespace simulator {
 class AttitudeErrors {
 public:
     void watch(const Truth& truth);            // as often as there is one, in order
-    void take(const mavlink::Attitude& told);  // again and again: counted once
+    void take(const mavlink::Attitude& sent);  // again and again: counted once
 
     Spread roll_deg, pitch_deg, yaw_deg;
 

@@ -8,7 +8,7 @@
 namespace simulator {
 namespace {
 
-constexpr char kTruth[] = "#1f6ab0", kDemand[] = "#d9771f", kTold[] = "#7fb2d9",
+constexpr char kTruth[] = "#1f6ab0", kDemand[] = "#d9771f", kReported[] = "#7fb2d9",
                kLoad[] = "#6b4fa3", kBand[] = "#f3c892";
 constexpr double kDegrees = 180 / M_PI;
 constexpr double kBefore_s = 5;
@@ -143,7 +143,7 @@ std::string FlightCharts::map() const {
 std::string FlightCharts::altitude() const {
     Chart chart = overTime("altitude above home, m");
     chart.lines = {
-        {summary_.from_log ? "" : "as estimated", kTold, Stroke::thin,
+        {summary_.from_log ? "" : "as estimated", kReported, Stroke::thin,
          series([](auto& s) { return s.height_m; })},
         {"planned", kDemand, Stroke::dashed, series([](auto& s) { return s.planned.height_m; })},
         {summary_.from_log ? "logged" : "truth", kTruth, Stroke::solid,
@@ -153,7 +153,7 @@ std::string FlightCharts::altitude() const {
 
 std::string FlightCharts::airspeed() const {
     Chart chart = overTime("airspeed, m/s");
-    chart.lines = {{summary_.from_log ? "" : "as estimated", kTold, Stroke::thin,
+    chart.lines = {{summary_.from_log ? "" : "as estimated", kReported, Stroke::thin,
                     series([](auto& s) { return s.airspeed_mps; })},
                    {"demanded", kDemand, Stroke::dashed,
                     series([](auto& s) { return s.planned.airspeed_mps; })},
@@ -167,9 +167,9 @@ std::string FlightCharts::crosstrack() const {
     const Points counted = series([](auto& s) {
         return s.planned.counts ? s.planned.crosstrack_m : std::optional<double>();
     });
-    chart.lines = {
-        {"capture", kTold, Stroke::thin, series([](auto& s) { return s.planned.crosstrack_m; })},
-        {"captured: counts", kTruth, Stroke::solid, counted}};
+    chart.lines = {{"capture", kReported, Stroke::thin,
+                    series([](auto& s) { return s.planned.crosstrack_m; })},
+                   {"captured: counts", kTruth, Stroke::solid, counted}};
     chart.y_from = -15;
     chart.y_to = 15;
     return any(chart.lines[0].points) ? drawChart(chart) : "";
@@ -222,7 +222,8 @@ std::string FlightCharts::frames() const {
     };
     Chart chart = overTime("share of a frame, %");
     chart.lines = {
-        {"busiest frame", kTold, Stroke::thin, series([&](auto& s) { return share(s.frame_us); })},
+        {"busiest frame", kReported, Stroke::thin,
+         series([&](auto& s) { return share(s.frame_us); })},
         {"mean", kLoad, Stroke::solid, series([&](auto& s) { return share(s.frame_mean_us); })}};
     chart.y_from = 0;
     chart.y_to = 100;

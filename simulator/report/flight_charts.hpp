@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The charts of a flight report. A chart whose data nobody told is an empty string.
+// The charts of a flight report. A chart without data is an empty string.
 #pragma once
 #include <functional>
 #include <string>

@@ -47,12 +47,12 @@ Planned Metrics::sample(double time_s, const Truth& truth, const Point& place, i
     planned.counts = captured_s >= 0;
     planned.airspeed_mps = nav_->airspeed_mps ? nav_->airspeed_mps : cruise_speed_mps_;
     if (circle) {
-        judgeCircle(planned, place, time_s);
+        measureCircle(planned, place, time_s);
     } else {
-        judgeStraight(planned, truth, place, captured_s);
+        measureStraight(planned, truth, place, captured_s);
     }
     if (planned.counts && nav_->command != MavCmd::nav_land) {
-        if (planned.height_m) judgeHeight(truth.height_m - *planned.height_m);
+        if (planned.height_m) measureHeight(truth.height_m - *planned.height_m);
         if (planned.airspeed_mps) {
             airspeed.add(truth.equivalent_airspeed_mps - *planned.airspeed_mps);
         }
@@ -60,13 +60,13 @@ Planned Metrics::sample(double time_s, const Truth& truth, const Point& place, i
     return planned;
 }
 
-void Metrics::judgeHeight(double error_m) {
+void Metrics::measureHeight(double error_m) {
     altitude.add(error_m);
     const bool flat = nav_->circle_m || std::abs(nav_->height_m - nav_->from_height_m) < kLevel_m;
     (flat ? level : sloped).add(error_m);
 }
 
-void Metrics::judgeCircle(Planned& planned, const Point& place, double time_s) {
+void Metrics::measureCircle(Planned& planned, const Point& place, double time_s) {
     planned.height_m = nav_->height_m + home_height_m_;
     const double given_m = std::abs(nav_->circle_m.value_or(0));
     const double radius_m = given_m > 0 ? given_m : std::abs(loiter_radius_m_.value_or(0));
@@ -76,8 +76,8 @@ void Metrics::judgeCircle(Planned& planned, const Point& place, double time_s) {
     if (circling_s_ && time_s - *circling_s_ >= kCapture_s) radius.add(away_m - radius_m);
 }
 
-void Metrics::judgeStraight(Planned& planned, const Truth& truth, const Point& place,
-                            double captured_s) {
+void Metrics::measureStraight(Planned& planned, const Truth& truth, const Point& place,
+                              double captured_s) {
     planned.height_m = Plan::height_m(*nav_, from_, place) + home_height_m_;
     planned.crosstrack_m = along(from_, *nav_->place, place).across_m;
     const bool flares = nav_->command == MavCmd::nav_land && truth.height_m < kFlare_m;

@@ -51,9 +51,10 @@ public:
 
 private:
     void begin(double time_s, const Point& place, int item);
-    void judgeStraight(Planned& planned, const Truth& truth, const Point& place, double captured_s);
-    void judgeCircle(Planned& planned, const Point& place, double time_s);
-    void judgeHeight(double error_m);
+    void measureStraight(Planned& planned, const Truth& truth, const Point& place,
+                         double captured_s);
+    void measureCircle(Planned& planned, const Point& place, double time_s);
+    void measureHeight(double error_m);
 
     const Plan& plan_;
     std::optional<double> cruise_speed_mps_, loiter_radius_m_;

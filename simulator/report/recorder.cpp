@@ -25,21 +25,21 @@ std::optional<SampleCount> Recorder::imuSamples() const {
                        imu_.lost - imu_from_->lost, imu_.repeated - imu_from_->repeated};
 }
 
-static void copyTold(Sample& sample, const Telemetry& told) {
-    if (told.heartbeat) sample.mode = static_cast<int>(told.mode());
-    sample.armed = told.armed();
-    if (told.mode() == kModeAuto) sample.item = told.current();
-    if (told.attitude) {
-        sample.roll_deg = told.attitude->roll * kDegrees;
-        sample.pitch_deg = told.attitude->pitch * kDegrees;
-        sample.yaw_deg = told.attitude->yaw * kDegrees;
+static void copyTelemetry(Sample& sample, const Telemetry& from) {
+    if (from.heartbeat) sample.mode = static_cast<int>(from.mode());
+    sample.armed = from.armed();
+    if (from.mode() == kModeAuto) sample.item = from.current();
+    if (from.attitude) {
+        sample.roll_deg = from.attitude->roll * kDegrees;
+        sample.pitch_deg = from.attitude->pitch * kDegrees;
+        sample.yaw_deg = from.attitude->yaw * kDegrees;
     }
-    if (told.position) sample.height_m = told.position->relative_alt * 0.001;
-    if (told.hud) sample.airspeed_mps = told.hud->airspeed;
-    if (told.navigation) {
-        sample.roll_demand_deg = told.navigation->nav_roll;
-        sample.pitch_demand_deg = told.navigation->nav_pitch;
-        sample.distance_m = told.navigation->wp_dist;
+    if (from.position) sample.height_m = from.position->relative_alt * 0.001;
+    if (from.hud) sample.airspeed_mps = from.hud->airspeed;
+    if (from.navigation) {
+        sample.roll_demand_deg = from.navigation->nav_roll;
+        sample.pitch_demand_deg = from.navigation->nav_pitch;
+        sample.distance_m = from.navigation->wp_dist;
     }
 }
 
@@ -52,7 +52,7 @@ void Recorder::sample(Board& board, const Telemetry& telemetry,
     sample.truth = truth;
     sample.place = frame_.at(truth.latitude_deg, truth.longitude_deg);
     sample.mode = -1;
-    copyTold(sample, telemetry);
+    copyTelemetry(sample, telemetry);
     metrics_.setCruiseSpeed(cruise_speed_mps);
     metrics_.setLoiterRadius(loiter_radius_m);
     if (!sample.armed) metrics_.setHomeHeight(truth.height_m);

@@ -21,9 +21,9 @@ struct Sample {
     Truth truth;
     Point place;  // from home
     Planned planned;
-    int mode = -1, item = 0;  // mode -1: not told yet
+    int mode = -1, item = 0;  // mode -1: not reported yet
     bool armed = false;
-    std::optional<double> roll_deg, pitch_deg, yaw_deg, height_m, airspeed_mps;  // as told
+    std::optional<double> roll_deg, pitch_deg, yaw_deg, height_m, airspeed_mps;  // as reported
     std::optional<double> roll_demand_deg, pitch_demand_deg, distance_m;
     std::array<double, 8> servo_us{};  // 0: silent
     // of the frames since the last sample

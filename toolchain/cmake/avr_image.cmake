@@ -10,7 +10,7 @@ function(avr_objects name)
     target_compile_options(${name} PRIVATE ${PROJECT_WARNINGS})
 endfunction()
 
-# every program for the chip is linked again when what judges it changes
+# every program for the chip is linked again when a check of it changes
 file(GLOB image_checks CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/toolchain/image/*
      ${CMAKE_SOURCE_DIR}/toolchain/schedule/task_rows.mjs)
 

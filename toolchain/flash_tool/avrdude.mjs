@@ -27,7 +27,7 @@ function signatureOf(output) {
 // In this order: the first that fits is the reason, the others follow from it.
 const kReasons = [
   [/unable to read signature/i, () =>
-    'the chip would not tell its signature: press reset and try again; nothing was written'],
+    'the chip does not send its signature: press reset and try again; nothing was written'],
   [/expected signature|does not match/i, (output, { board }) => {
     const found = signatureOf(output) ?? 'unknown';
     return `the chip's signature is ${found}, ${kOtherChips[found] ?? `that of another chip`}: ` +

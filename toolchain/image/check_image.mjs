@@ -15,7 +15,7 @@ import { describe, stackBound } from './stack_bound.mjs';
 const kBootloader = 0x3e000;  // of both boards: the top 8 KiB
 const kNearFlash = 0x10000;
 const kCompiler = 'GCC: (GNU) 5.4.0';
-// What is to survive a restart keeps out of the RAM that a bootloader may use.
+// What is to survive a restart must not lie in the RAM that a bootloader may use.
 const kSurvivesFrom = 0x800600, kSurvivesTo = 0x801e00;
 
 // What cannot be followed is an overrun: nobody knows how deep the stack gets.

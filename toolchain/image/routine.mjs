@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Follows the code from one entry along every path and keeps account of the stack: pushes, pops,
+// Follows the code from one entry along every path and counts the bytes on the stack: pushes, pops,
 // calls, and frames that are made by moving the stack pointer. For that, and to see where a
-// pointer to a function comes from, it keeps what is known of every register and of the bytes in
+// pointer to a function comes from, it stores what is known of every register and of the bytes in
 // the routine's own frame. Assumed of compiled code: a call gives back the stack pointer, the
 // call-saved registers and, of the frame, what it does not fill itself.
 import { decode } from './decode.mjs';
@@ -13,7 +13,7 @@ import {
 const kSpl = 0x3d, kSph = 0x3e, kRamEnd = 0x21ff;
 const kStartUp = new Set(['__do_copy_data', '__do_clear_bss']);  // makes RAM what the ELF file says
 const kReturnAddress = 3;  // bytes, on a chip with more than 128 KiB
-const kMostVisits = 60;    // of one instruction with a growing stack
+const kMaxVisits = 60;    // of one instruction with a growing stack
 const kCallClobbered = [0, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 30, 31];
 const kResults = [18, 19, 20, 21, 22, 23, 24, 25];
 const kArguments = [8, 10, 12, 14, 16, 18, 20, 22, 24];  // pairs (avr-gcc's calling convention)
@@ -81,7 +81,7 @@ export class Routine {
       registers.every((byte, i) => byteKey(byte) === byteKey(old.registers[i]));
     if (isSame) return;
     this.visits.set(at, (this.visits.get(at) ?? 0) + 1);
-    if (depth > old.depth && this.visits.get(at) > kMostVisits) this.fail(at, 'the stack grows in a loop');
+    if (depth > old.depth && this.visits.get(at) > kMaxVisits) this.fail(at, 'the stack grows in a loop');
     this.states.set(at, { depth, registers, slots });
     this.open.push(at);
   }

@@ -46,7 +46,7 @@ std::vector<StoredLog> logsIn(const Bytes& image) {
         StoredLog& log = logs.back();
         ++log.pages;
         const uint16_t crc = core::crc16(core::kCrcStart, page.data, page.head.used);
-        log.spoilt += crc != page.head.data_crc;
+        log.damaged += crc != page.head.data_crc;
         log.bytes.insert(log.bytes.end(), page.data, page.data + page.head.used);
     }
     return logs;

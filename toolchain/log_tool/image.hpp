@@ -11,7 +11,7 @@ namespace log_tool {
 
 struct StoredLog {
     int number;
-    unsigned pages = 0, spoilt = 0;  // spoilt: their data do not match their checksum
+    unsigned pages = 0, damaged = 0;  // damaged: their data do not match their checksum
     uint32_t lost = 0;               // bytes of its beginning that the ring has overwritten
     Bytes bytes;                     // without the pages' heads
 };

@@ -166,7 +166,7 @@ bool LogFile::isName(const std::string& name) {
     });
 }
 
-// A format that is told again, as a log without its beginning has it, changes nothing.
+// A format that is repeated, as in a log without its beginning, changes nothing.
 void LogFile::learn(const Record& format) {
     const auto type = static_cast<int>(format["Type"]);
     const Kind kind = {format.text("Name"), format.text("Format"), split(format.text("Columns")),

@@ -91,7 +91,7 @@ void list(const Options& options, std::ostream& out) {
         out << "log " << log.number << "  " << log.bytes.size() << " bytes in " << log.pages
             << " pages";
         if (log.lost > 0) out << "; its first " << log.lost << " bytes are overwritten";
-        if (log.spoilt > 0) out << "; " << log.spoilt << " pages are spoilt";
+        if (log.damaged > 0) out << "; " << log.damaged << " pages are damaged";
         out << '\n';
     }
 }

@@ -97,7 +97,7 @@ Image writeRecords15(const Document& document, const Image& onto) {
     for (size_t index = 0; index < document.entries.size(); ++index) {
         pack15(document.entries[index].record, image.data() + kFirst + index * kRecordSize);
     }
-    // the end for a reader that is not told CMD_TOTAL
+    // the end for a reader that does not know CMD_TOTAL
     if (document.entries.size() < kMax) {
         image[kFirst + document.entries.size() * kRecordSize] = kNeverWritten;
     }

@@ -7,7 +7,7 @@
 
 namespace mission_tool {
 
-// What to tell the user; empty: not ArduPlane's.
+// A message for the user; empty: not ArduPlane's.
 std::string arduPlaneIn(const Image& image);
 
 // count: the board's CMD_TOTAL + 1 (home), of 3.x MIS_TOTAL; 0: up to the first record that was

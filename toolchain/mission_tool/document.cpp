@@ -19,7 +19,7 @@ std::string Document::at(size_t index, const std::string& text) const {
     return placed(name, entry.line, entry.column, text);
 }
 
-MissionResult judge(mission::Set set, size_t index, size_t count, Entry& entry) {
+MissionResult check(mission::Set set, size_t index, size_t count, Entry& entry) {
     const auto byte = [](size_t n) { return static_cast<uint8_t>(std::min<size_t>(n, 0xFF)); };
     entry.row = kCommandTable.find(set, entry.record.id);
     if (entry.row == mission::kNoRow) {

@@ -17,7 +17,7 @@ struct Entry {
     firmware::mission::MissionResult result = firmware::mission::MissionResult::accepted;
     int line = 0, column = 0;        // of what is wrong, or of the line's first word; 0: an image
     std::string problem;             // empty: the firmware takes it
-    std::vector<std::string> notes;  // what the firmware would tell of it
+    std::vector<std::string> notes;  // what the firmware would report about it
 
     bool good() const { return problem.empty(); }
     bool is(mission::Class kind) const;  // of a good one
@@ -34,7 +34,7 @@ struct Document {
 
 // Looks the record up and asks the firmware whether its values are in range. The firmware must have
 // been started (board.hpp): some ranges are parameters.
-firmware::mission::MissionResult judge(mission::Set set, size_t index, size_t count, Entry& entry);
+firmware::mission::MissionResult check(mission::Set set, size_t index, size_t count, Entry& entry);
 
 const char* nameOf(const Entry& entry);
 bool hasPlace(const Entry& entry);  // of a good NAV

@@ -161,12 +161,12 @@ std::string foundInstead(Set set, const Entry& entry) {
     return std::to_string(fields[fieldOf(set, entry.row, parameter) - 1]);
 }
 
-void judgeAll(Document& document) {
+void checkAll(Document& document) {
     const size_t count = document.entries.size();
     for (size_t index = 0; index < count; ++index) {
         Entry& entry = document.entries[index];
         if (!entry.good()) continue;  // found already, where it was read
-        if (judge(document.set, index, count, entry) == MissionResult::accepted) continue;
+        if (check(document.set, index, count, entry) == MissionResult::accepted) continue;
         entry.problem =
             expected(expectation(document.set, entry), foundInstead(document.set, entry));
     }

@@ -17,7 +17,7 @@ std::string expectation(mission::Set set, const Entry& entry);
 std::string foundInstead(mission::Set set, const Entry& entry);
 
 // Judges every record of a document that came from an image.
-void judgeAll(Document& document);
+void checkAll(Document& document);
 
 // The field of the record that the parameter is stored in: 1..4 for p1..p4; 0: none.
 int fieldOf(mission::Set set, uint8_t row, int parameter);

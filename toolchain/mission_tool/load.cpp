@@ -22,7 +22,7 @@ Document fromImage(const std::string& contents, const std::string& name, const R
     } else {
         document = storedMission(image, name);
     }
-    judgeAll(document);
+    checkAll(document);
     return document;
 }
 

@@ -13,7 +13,7 @@ struct Reading {
     Image onto;                       // the board the mission is for: its parameters set the ranges
     std::string onto_name;
     bool records15 = false;
-    size_t count = 0;  // of 15-byte records; 0: not told
+    size_t count = 0;  // of 15-byte records; 0: not given
 };
 
 std::string readFile(const std::string& path);  // throws WrongInput

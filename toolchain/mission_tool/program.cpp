@@ -42,7 +42,7 @@ public:
 
     int compile() {
         const std::string contents = load();
-        encodedFor(options_.out, blankImage());  // a name that cannot be is told first
+        encodedFor(options_.out, blankImage());  // a name that cannot be written to is reported first
         if (reportFindings()) return 1;
         const bool to_arduplane = options_.records == 15 && !isImage(contents);
         const Image image = to_arduplane ? writeRecords15(document_, reading_.onto)
@@ -100,7 +100,7 @@ private:
         document_ = mission_tool::load(contents, options_.file, reading_);
         if (reading_.records15 && reading_.count == 0 && isImage(contents))
             err_ << options_.file << ": taken as " << document_.entries.size()
-                 << " items, up to the first never written; --count tells for certain\n";
+                 << " items, up to the first never written; --count gives the number for certain\n";
         return contents;
     }
 

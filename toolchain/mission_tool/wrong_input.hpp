@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the user gave and the tool cannot use, told as "name:line:column: expected ..., found ...".
+// What the user gave and the tool cannot use, shown as "name:line:column: expected ..., found ...".
 #pragma once
 #include <stdexcept>
 #include <string>

@@ -24,7 +24,7 @@ std::vector<Parameter> parameters();  // as they now stand, in the firmware's or
 struct Rules {
     bool skip_unknown = false;
 };
-// Sets each; what the firmware refuses is told. Nothing is left half done: look for errors first.
+// Sets each; what the firmware refuses is reported. Nothing is left half done: look for errors first.
 void set(const std::vector<Setting>& settings, const std::string& file, const Rules& rules,
          std::vector<Finding>& findings);
 

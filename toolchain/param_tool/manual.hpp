@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What people are told of each parameter: firmware/state/parameters.csv. The firmware's own table
+// The text of each parameter for people: firmware/state/parameters.csv. The firmware's own table
 // knows name, range and default, too; a test holds the two against each other.
 #pragma once
 #include <string>

@@ -44,7 +44,7 @@ public:
     }
 
     int compile() {
-        encodedFor(options_.out, blankImage());  // a name that cannot be is told first
+        encodedFor(options_.out, blankImage());  // a name that cannot be written to is reported first
         load(options_.file);
         if (reportFindings()) return 1;
         simulator::writeFile(options_.out, encodedFor(options_.out, image()));

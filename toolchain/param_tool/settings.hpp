@@ -19,7 +19,7 @@ struct Finding {
     std::string text;
 };
 
-// What cannot be read is told in `findings`, line by line.
+// What cannot be read is reported in `findings`, line by line.
 std::vector<Setting> parseSettings(const std::string& contents, const std::string& file,
                                    std::vector<Finding>& findings);
 

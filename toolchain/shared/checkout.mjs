@@ -72,7 +72,7 @@ export function beAlone(folder) {
   process.on('exit', () => rmSync(lock, { force: true }));
 }
 
-// Makes `folder` a checkout of the commit, or moves it there; files of both keep their times.
+// Makes `folder` a checkout of the commit, or moves it there; files of both have their old times.
 export function checkOut(root, folder, commit) {
   if (existsSync(join(folder, '.git'))) {
     git(folder, ['checkout', '--quiet', '--force', '--detach', commit]);

@@ -2,7 +2,7 @@
 # What the commands built from this project's sources have in common; sourced by each.
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 
-# answer_help TOOL WORD...: prints the help that is kept in toolchain/help and ends, so that it
+# answer_help TOOL WORD...: prints the help that is stored in toolchain/help and ends, so that it
 # needs nothing built. A test holds these files to what the programs print.
 answer_help() {
     local tool=$1 word file

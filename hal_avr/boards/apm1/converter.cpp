@@ -40,11 +40,11 @@ static_assert((Converter::kAirspeedEvery & (Converter::kAirspeedEvery - 1)) == 0
     ISR_EXIT                             \
     "3:                              \n" \
     "ldi  r30, 1                     \n" \
-    "sts  %[spoiled], r30            \n" \
+    "sts  %[invalid], r30            \n" \
     "rjmp 2b                         \n"
 #define PAIR_OPERANDS                                                                          \
     [asked] "i"(state + offsetof(State, asked)), [high] "i"(state + offsetof(State, high)),    \
-    [spoiled] "i"(state + offsetof(State, spoiled)), [data] "i"(&UDR2),                        \
+    [invalid] "i"(state + offsetof(State, invalid)), [data] "i"(&UDR2),                        \
     [control] "i"(&UCSR2B), [ask] "M"(int{Converter::kAsk}),                                   \
     [airspeed] "M"(int{Converter::kAirspeed}), [last] "M"(int{Converter::kLast}),              \
     [rest] "M"(int{Converter::kRest})

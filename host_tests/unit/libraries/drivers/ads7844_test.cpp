@@ -168,7 +168,7 @@ TEST(Ads7844, sums_up_what_each_channel_answered) {
         EXPECT_EQ(rig.sums.count[i], i == Ads7844Sums::airspeed ? 3 : i < 5 ? 11 : 10) << i;
     }
     EXPECT_EQ(rig.sums.periods, 10);
-    EXPECT_FALSE(rig.sums.spoiled);
+    EXPECT_FALSE(rig.sums.invalid);
     EXPECT_EQ(rig.waiting(), 0);
     EXPECT_FALSE(rig.take());
 }
@@ -223,7 +223,7 @@ TEST(Ads7844, begins_anew_when_they_are_taken_again) {
 
     EXPECT_EQ(rig.waiting(), 10);
     ASSERT_TRUE(rig.take());
-    EXPECT_FALSE(rig.sums.spoiled);
+    EXPECT_FALSE(rig.sums.invalid);
     for (int i = 0; i < 7; ++i) EXPECT_EQ(rig.sums.sum[i], 77 * rig.sums.count[i]) << i;
     EXPECT_GE(rig.sums.count[Ads7844Sums::rate_x], 7);
 }
@@ -237,12 +237,12 @@ TEST(Ads7844, an_answer_with_a_bit_where_none_can_be_spoils_the_sums_once) {
         Bus::device = script;
         for (int i = 0; i < 3; ++i) rig.set();
         ASSERT_TRUE(rig.take());
-        EXPECT_TRUE(rig.sums.spoiled) << bad;
+        EXPECT_TRUE(rig.sums.invalid) << bad;
 
         Bus::device = Script{};
         for (int i = 0; i < 5; ++i) rig.set();
         ASSERT_TRUE(rig.take());
-        EXPECT_FALSE(rig.sums.spoiled);
+        EXPECT_FALSE(rig.sums.invalid);
         EXPECT_EQ(rig.sums.periods, 5);
     }
 }
@@ -255,12 +255,12 @@ TEST(Ads7844, a_set_that_never_ends_is_given_up_and_the_next_one_works) {
     rig.begin();
     EXPECT_FALSE(Bus::chosen);
     EXPECT_FALSE(rig.take());
-    EXPECT_TRUE(rig.sums.spoiled);
+    EXPECT_TRUE(rig.sums.invalid);
     EXPECT_EQ(rig.sums.periods, 2);
 
     for (int i = 0; i < 4; ++i) rig.set();
     ASSERT_TRUE(rig.take());
-    EXPECT_FALSE(rig.sums.spoiled);
+    EXPECT_FALSE(rig.sums.invalid);
     for (int i = 0; i < 7; ++i) EXPECT_EQ(rig.sums.sum[i], 50 * rig.sums.count[i]) << i;
 }
 

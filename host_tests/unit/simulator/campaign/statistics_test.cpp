@@ -68,9 +68,9 @@ TEST(Page, tells_a_campaign_that_was_interrupted_from_a_whole_one) {
 
 TEST(Judged, a_flight_that_was_interrupted_was_not_flown) {
     const CampaignFlight flight = {"flying_wing", "a.waypoints", {}, 3};
-    EXPECT_FALSE(judged(flight, R"({"completed":false,"reason":"interrupted"})").flown);
-    EXPECT_TRUE(judged(flight, R"({"completed":false,"reason":"crashed"})").flown);
-    EXPECT_TRUE(judged(flight, kWell).flown);
+    EXPECT_FALSE(resultOf(flight, R"({"completed":false,"reason":"interrupted"})").flown);
+    EXPECT_TRUE(resultOf(flight, R"({"completed":false,"reason":"crashed"})").flown);
+    EXPECT_TRUE(resultOf(flight, kWell).flown);
 }
 
 TEST(Replay, is_the_command_line_of_the_flight) {
@@ -83,7 +83,7 @@ TEST(Replay, is_the_command_line_of_the_flight) {
 }
 
 TEST(Judgement, takes_the_figures_with_their_units_and_nothing_else) {
-    const auto result = judged({}, kWell);
+    const auto result = resultOf({}, kWell);
     EXPECT_EQ(result.failure, "");
     EXPECT_EQ(result.emulated_s, 10);
     std::vector<std::string> names;
@@ -93,12 +93,12 @@ TEST(Judgement, takes_the_figures_with_their_units_and_nothing_else) {
 
 TEST(Judgement, fails_a_flight_that_lost_its_mission_or_broke_a_frame) {
     const auto failure = [](const std::string& from, const std::string& to) {
-        return judged({}, replaced(kWell, from, to)).failure;
+        return resultOf({}, replaced(kWell, from, to)).failure;
     };
     EXPECT_EQ(failure("true", "false,\"reason\":\"crashed after item 3\""), "crashed after item 3");
     EXPECT_EQ(failure("\"frames\":1000", "\"frames\":900"), "only 900 of 995 frames were begun");
     EXPECT_EQ(failure("\"frames\"", "\"frame_overruns\":2,\"frames\""), "2 frames were late");
     EXPECT_EQ(failure("lost\":0", "lost\":4"), "4 inertial samples were lost");
-    EXPECT_EQ(judged({}, "").failure, "no summary was written");
-    EXPECT_EQ(judged({}, "[1]").failure, "no summary was written");
+    EXPECT_EQ(resultOf({}, "").failure, "no summary was written");
+    EXPECT_EQ(resultOf({}, "[1]").failure, "no summary was written");
 }

@@ -134,7 +134,7 @@ TEST_F(RoundTrip, random_missions_of_both_sets_give_the_same_image_again) {
                                 value() % (mission::kLargestP2 + 1),
                                 value(),
                                 value()};
-            } while (judge(document.set, i, document.entries.size(), entry) !=
+            } while (check(document.set, i, document.entries.size(), entry) !=
                          firmware::mission::MissionResult::accepted ||
                      entry.record.id == 0xB1);  // as many as there are counters, at most
             ++taken;
