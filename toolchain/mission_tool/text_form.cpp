@@ -145,7 +145,7 @@ Document parseRecords(const std::string& contents, const std::string& name) {
         Entry& entry = document.entries[i];
         const bool read = entry.column != 0;  // else its line's problem is known
         if (read &&
-            judge(document.set, i, count, entry) != firmware::mission::MissionResult::accepted) {
+            check(document.set, i, count, entry) != firmware::mission::MissionResult::accepted) {
             explain(document, entry, columns[i]);
             if (!readable)
                 problems.push_back({entry.line, entry.column, document.at(i, entry.problem)});
