@@ -5,17 +5,19 @@
 #include <stdint.h>
 
 #include "core/rom.hpp"
+#include "scheduler/scheduler.hpp"
 
 namespace firmware {
 namespace safety {
 
-// Frames that the fast, medium and slow tier may be silent: their longest period, the patience of
-// the schedule and a little more.
-constexpr uint8_t kMaxSilent[] ROM = {2, 30, 130};
+// Frames that the fast, medium and slow tier may be silent. A tier that is only put off runs
+// something sooner; firmware/app/tasks.cpp proves it of its table.
+constexpr uint8_t kMaxSilent[] ROM = {2, 20, 50};
+constexpr uint8_t maxSilent(scheduler::Tier tier) { return kMaxSilent[static_cast<uint8_t>(tier)]; }
 
 class Supervisor {
 public:
-    // After each frame: the tiers that were served in it, a bit each (scheduler::Tier).
+    // After each frame: the tiers that were served in it (scheduler::bitOf).
     bool wellAfter(uint8_t served) {
         bool well = true;
         for (uint8_t tier = 0; tier < core::count(kMaxSilent); ++tier, served >>= 1) {

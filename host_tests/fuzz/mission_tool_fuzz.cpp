@@ -75,7 +75,7 @@ void laid(Image& over, size_t at, const uint8_t* bytes, size_t size) {
 
 void decode(const Image& image) {
     Document document = storedMission(image, "fuzz");
-    judgeAll(document);
+    checkAll(document);
     digest(document);
 }
 
@@ -84,7 +84,7 @@ void readRecords15(const uint8_t* bytes, size_t size) {
     Image image = blankImage();
     laid(image, kFirst, bytes + 1, size - 1);
     Document document = mission_tool::readRecords15(image, "fuzz", bytes[0] % 8);
-    judgeAll(document);
+    checkAll(document);
     digest(document);
     require(packed(mission_tool::readRecords15(writeRecords15(document, blankImage()), "fuzz",
                                                document.entries.size())) == packed(document));

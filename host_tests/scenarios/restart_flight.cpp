@@ -156,10 +156,11 @@ public:
     }
     // Nothing but the fast tier, or nothing of the slow one, is ever due.
     void starve(bool slow_only) {
-        constexpr size_t kFast = 5, kWaits = 6, kOthers = 20;  // of a scheduler::Scheduler
+        // of a scheduler::Scheduler: where its tiers begin, what its rows wait, and all but that
+        constexpr size_t kMedium = 4, kSlow = 5, kWaits = 7, kOthers = 21;
         uint8_t* schedule = board_.chip().avr()->data + schedule_.address;
         const size_t tasks = (schedule_.size - kOthers) / 3;
-        for (size_t i = slow_only ? tasks - 1 : schedule[kFast]; i < tasks; ++i)
+        for (size_t i = schedule[slow_only ? kSlow : kMedium]; i < tasks; ++i)
             schedule[kWaits + i] = 100;
     }
     void pressReset() { board_.chip().reset(Reset::external); }

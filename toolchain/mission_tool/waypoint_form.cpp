@@ -64,7 +64,7 @@ Entry entryOf(const WaypointItem& from, Set set, size_t index, size_t count) {
     entry.result =
         firmware::mission::encodeItem(set, {byte(index), byte(count)}, item, entry.record, notes);
     if (entry.result == MissionResult::accepted) {
-        entry.result = judge(set, index, count, entry);
+        entry.result = check(set, index, count, entry);
     } else {
         // what can be said of it although it has no record
         const bool is_byte = from.command <= 0xFF;

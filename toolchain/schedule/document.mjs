@@ -53,11 +53,18 @@ function declaredIn(names) {
   return (name) => found.get(name) ?? 'firmware/app/tasks.cpp';
 }
 
-export const longestMedium = (scheduler) =>
-  Number(/kLongestMediumPeriod = (\d+);/.exec(scheduler)?.[1] ?? NaN);
-export const frameOf = (source) => Number(/kFrame_us = (\d+);/.exec(source)?.[1] ?? NaN);
+// A constant of the sources: kName = NUMBER.
+export function constant(source, name) {
+  const value = new RegExp(`\\b${name} = (\\d+)[,;]`).exec(source)?.[1];
+  if (value === undefined) throw new Error(`the value of ${name} cannot be read`);
+  return Number(value);
+}
 
-export const tierOf = (period, medium) => (period === 1 ? 'fast' : period <= medium ? 'medium' : 'slow');
+// Frames after which the table is where it began: the least common multiple of the periods.
+export function hyperPeriod(rows) {
+  const divisor = (a, b) => (b === 0 ? a : divisor(b, a % b));
+  return rows.reduce((all, { period }) => all / divisor(all, period) * period, 1);
+}
 
 // The budgets of each of the first `frames` frames, summed up.
 export const frameLoads = (rows, frames) => Array.from({ length: frames }, (_, frame) =>
@@ -70,20 +77,27 @@ export function schedule(source, scheduler) {
   if (unexplained.length > 0) throw new Error(`toolchain/schedule/document.mjs has no remark for ${unexplained}`);
   const gone = Object.keys(remarks).filter((name) => !rows.some((row) => row.name === name));
   if (gone.length > 0) throw new Error(`toolchain/schedule/document.mjs explains ${gone}, which is no task`);
-  const medium = longestMedium(scheduler), frame_us = frameOf(source);
-  if (!(medium > 0) || !(frame_us > 0)) throw new Error('the length of a frame or of the medium tier cannot be read');
+  const frame_us = constant(source, 'kFrame_us');
   const header = declaredIn(rows.map(({ name }) => name));
-  const cells = rows.map(({ number, name, period, phase, budget_us }) => [number + 1, `\`${name}\``,
-    1e6 / frame_us / period, phase, tierOf(period, medium), budget_us, `\`${header(name)}\``, remarks[name]]);
+  const cells = rows.map(({ number, name, tier, period, phase, budget_us }) => [number + 1, `\`${name}\``,
+    1e6 / frame_us / period, phase, tier, budget_us, `\`${header(name)}\``, remarks[name]]);
   const table = [['task', 'function', 'Hz', 'phase', 'tier', 'budget, us', 'in', 'what it does'],
     Array(8).fill('---'), ...cells].map((row) => `| ${row.join(' | ')} |`).join('\n');
-  const fast_us = frameLoads(rows.filter(({ period }) => period === 1), 1)[0];
-  const loads = frameLoads(rows, 100);
+  const fast_us = frameLoads(rows.filter(({ tier }) => tier === 'fast'), 1)[0];
+  const loads = frameLoads(rows, hyperPeriod(rows));
   const fullest = loads.indexOf(Math.max(...loads));
+  const mean_us = Math.round(loads.reduce((a, b) => a + b) / loads.length);
   return `${table}
 
-By their budgets the fast tier takes ${fast_us} us of each frame of ${frame_us} us. The fullest of 100 frames is
-number ${fullest} with ${loads[fullest]} us, the mean is ${Math.round(loads.reduce((a, b) => a + b) / 100)} us.`;
+By their budgets the fast tier takes ${fast_us} us of each frame of ${frame_us} us. The fullest of ${loads.length} frames
+is number ${fullest} with ${loads[fullest]} us, the mean is ${mean_us} us.
+
+How many frames a row that is due waits at most (a fast one never does):
+
+| tier | every row takes its budget | so again after a lost frame | whatever happens |
+| --- | --- | --- | --- |
+| medium | 0 | ${constant(source, 'kMediumCatchesUp')} | ${constant(scheduler, 'kMediumPatience')} |
+| slow | 0 | ${constant(source, 'kSlowCatchesUp')} | ${constant(scheduler, 'kSlowPatience')} |`;
 }
 
 export function written(document, text) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of the schedule as JSON, for whoever shows what the tasks took: number, name, period and
-// phase in frames, and budget.
+// The rows of the schedule as JSON, for whoever shows what the tasks took: number, name, tier, period
+// and phase in frames, and budget.
 //   node toolchain/schedule/task_rows.mjs firmware/app/tasks.cpp TASKS.json
 import { readFileSync, writeFileSync } from 'node:fs';
 
@@ -8,12 +8,12 @@ export function taskRows(source) {
   const table = /constexpr scheduler::Task kTasks\[\][^=]*=\s*\{([\s\S]*?)\n\};/.exec(source)?.[1];
   if (table === undefined) throw new Error('there is no table kTasks');
   const bare = table.replace(/\/\/.*$/gm, '');
-  const rows = [...bare.matchAll(/\{\s*(\w+)\s*,\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*\}/g)];
+  const rows = [...bare.matchAll(/\{\s*(fast|medium|slow)\s*,\s*(\w+)\s*,\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*\}/g)];
   const opened = bare.split('{').length - 1;
   if (rows.length === 0 || rows.length !== opened)
     throw new Error(`of ${opened} rows only ${rows.length} could be read`);
-  return rows.map(([, name, period, phase, budget], number) => (
-    { number, name, period: Number(period), phase: Number(phase), budget_us: Number(budget) }));
+  return rows.map(([, tier, name, period, phase, budget], number) => (
+    { number, name, tier, period: Number(period), phase: Number(phase), budget_us: Number(budget) }));
 }
 
 if (process.argv[1]?.endsWith('task_rows.mjs')) {

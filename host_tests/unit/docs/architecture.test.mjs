@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
 import * as state from '../../../toolchain/state/document.mjs';
-import { frameLoads, schedule, written } from '../../../toolchain/schedule/document.mjs';
+import { constant, frameLoads, hyperPeriod, schedule, written } from '../../../toolchain/schedule/document.mjs';
 
 const read = (path) => readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8');
 const document = read('docs/architecture.md');
@@ -27,16 +27,26 @@ test('the schedule is the one of kTasks', () => {
 
 test('a row that changes, comes or goes is noticed', () => {
   const now = schedule(tasks, scheduler);
-  assert.notEqual(schedule(tasks.replace(/(\{ runLog,\s+2,\s+0,\s+)\d+/, '$1999'), scheduler), now);
-  assert.notEqual(schedule(tasks.replace(/(\{ runLog,\s+)2/, '$14'), scheduler), now);
-  assert.throws(() => schedule(tasks.replace('{ runLog,', '{ runLogs,'), scheduler), /no remark for runLogs/);
-  assert.throws(() => schedule(tasks.replace(/\{ runLog,.*\n/, '\n'), scheduler), /explains runLog/);
+  assert.notEqual(schedule(tasks.replace(/(runLog,\s+2,\s+0,\s+)\d+/, '$1999'), scheduler), now);
+  assert.notEqual(schedule(tasks.replace(/(runLog,\s+)2/, '$14'), scheduler), now);
+  assert.notEqual(schedule(tasks.replace(/slow,(\s+runLog,)/, 'medium,$1'), scheduler), now);
+  assert.throws(() => schedule(tasks.replace(' runLog,', ' runLogs,'), scheduler), /no remark for runLogs/);
+  assert.throws(() => schedule(tasks.replace(/\{ \w+,\s+runLog,.*\n/, '\n'), scheduler), /explains runLog/);
 });
 
 test('a frame is as full as the rows that are due in it', () => {
   const rows = [{ period: 1, phase: 0, budget_us: 10 }, { period: 2, phase: 1, budget_us: 5 },
     { period: 4, phase: 3, budget_us: 1 }];
   assert.deepEqual(frameLoads(rows, 4), [10, 15, 10, 16]);
+});
+
+test('the schedule repeats itself after the least common multiple of the periods', () => {
+  assert.equal(hyperPeriod([1, 4, 10, 8].map((period) => ({ period }))), 40);
+});
+
+test('a constant is read, and one that is missing is noticed', () => {
+  assert.equal(constant('constexpr int8_t kA = 5;\nconstexpr uint8_t kB = 3, kC = 7;  // frames', 'kB'), 3);
+  assert.throws(() => constant('kA = 5;', 'kB'), /kB cannot be read/);
 });
 
 test('a document without a place for a table is refused', () => {

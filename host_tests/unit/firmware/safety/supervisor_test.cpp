@@ -7,15 +7,19 @@
 
 namespace {
 
+using scheduler::Tier;
+constexpr uint8_t kFast = scheduler::bitOf(Tier::fast), kMedium = scheduler::bitOf(Tier::medium),
+                  kSlow = scheduler::bitOf(Tier::slow);
+
 // Frames until the dog is no longer fed when these tiers run as often as they do, and `silent`
 // stops after a while; 0: never in ten seconds.
 int fedFor(uint8_t silent) {
     firmware::safety::Supervisor supervisor;
     constexpr int kFrom = 300;
     for (int frame = 0; frame < kFrom + 1000; ++frame) {
-        uint8_t served = scheduler::kFast;
-        if (frame % 2 == 0) served |= scheduler::kMedium;
-        if (frame % 100 == 51) served |= scheduler::kSlow;
+        uint8_t served = kFast;
+        if (frame % 2 == 0) served |= kMedium;
+        if (frame % 10 == 5) served |= kSlow;
         if (frame >= kFrom) served &= static_cast<uint8_t>(~silent);
         if (!supervisor.wellAfter(served)) return frame - kFrom;
     }
@@ -27,17 +31,17 @@ int fedFor(uint8_t silent) {
 TEST(Supervisor, feeds_while_every_tier_runs) { EXPECT_EQ(fedFor(0), 0); }
 
 TEST(Supervisor, stops_soon_after_one_tier_has_stopped) {
-    EXPECT_EQ(fedFor(scheduler::kFast), 2);
-    EXPECT_NEAR(fedFor(scheduler::kMedium), 30, 2);
-    EXPECT_NEAR(fedFor(scheduler::kSlow), 80, 2);
+    EXPECT_EQ(fedFor(kFast), 2);
+    EXPECT_NEAR(fedFor(kMedium), 20, 2);
+    EXPECT_NEAR(fedFor(kSlow), 45, 2);
 }
 
 TEST(Supervisor, does_not_starve_the_dog_for_a_tier_that_is_only_put_off) {
     firmware::safety::Supervisor supervisor;
     for (int frame = 0; frame < 1000; ++frame) {
-        uint8_t served = scheduler::kFast;
-        if (frame % 20 == 0) served |= scheduler::kMedium;
-        if (frame % 110 == 0) served |= scheduler::kSlow;
+        uint8_t served = kFast;
+        if (frame % (2 + scheduler::kMediumPatience) == 0) served |= kMedium;
+        if (frame % (10 + scheduler::kSlowPatience) == 0) served |= kSlow;
         EXPECT_TRUE(supervisor.wellAfter(served)) << frame;
     }
 }

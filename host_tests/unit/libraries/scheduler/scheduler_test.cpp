@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <vector>
 
 #include "fakes/fakes.hpp"
+#include "scheduler/proofs.hpp"
 
 namespace {
 
@@ -24,30 +26,50 @@ void run() {
     fakes::advance_us(fake.spends_us);
 }
 
+using scheduler::Task;
+using scheduler::Tier;
+
 // clang-format off
-constexpr scheduler::Task kTasks[] ROM = {
-    // run         every in  budget us
-    { run<fast>,     1,  0,  4000 },
-    { run<medium>,  10,  3,  2000 },
-    { run<fifth>,    5,  3,  3000 },
-    { run<slow>,   100,  7,  5000 },
-    { run<twin>,   100,  7,  5000 },
+constexpr Task kTasks[] ROM = {
+    // tier           run          every in  budget us
+    { Tier::fast,   run<fast>,     1,  0,  4000 },
+    { Tier::medium, run<medium>,  10,  3,  2000 },
+    { Tier::medium, run<fifth>,    5,  3,  3000 },
+    { Tier::slow,   run<slow>,   100,  7,  5000 },
+    { Tier::slow,   run<twin>,   100,  7,  5000 },
 };
 // clang-format on
 
 static_assert(scheduler::phasesFit(kTasks), "");
-static_assert(scheduler::fastTierFirst(kTasks), "");
+static_assert(scheduler::tiersInOrder(kTasks), "");
+static_assert(scheduler::hyperPeriod(kTasks) == 100, "");
 static_assert(scheduler::fastTier_us(kTasks) == 4000, "");
-static_assert(scheduler::worstFrame_us(kTasks, 100) == 14000, "two slow tasks in frame 7");
+static_assert(scheduler::worstFrame_us(kTasks) == 14000, "two slow tasks in frame 7");
 static_assert(scheduler::everyTaskFits(kTasks, 9000), "");
 static_assert(!scheduler::everyTaskFits(kTasks, 8999), "");
+static_assert(scheduler::longestSilence(kTasks, Tier::medium) == 5 + 5, "");
+static_assert(scheduler::longestSilence(kTasks, Tier::slow) == 100 + 25, "");
+// frame 7 is lost: in frame 8 the fifth is due and no slow one fits beside it, 9 and 10 have one
+// each
+static_assert(scheduler::waitAfterLostFrame(kTasks, Tier::medium, kFrame_us) == 1, "");
+static_assert(scheduler::waitAfterLostFrame(kTasks, Tier::slow, kFrame_us) == 3, "");
 
-constexpr scheduler::Task kBadPhase[] = {{run<fast>, 1, 0, 1}, {run<slow>, 5, 5, 1}};
+constexpr Task kPeriods[] = {{Tier::fast, run<fast>, 1, 0, 1},
+                             {Tier::medium, run<medium>, 4, 0, 1},
+                             {Tier::slow, run<slow>, 10, 0, 1},
+                             {Tier::slow, run<slow>, 8, 0, 1}};
+static_assert(scheduler::hyperPeriod(kPeriods) == 40, "");
+constexpr Task kBadPhase[] = {{Tier::fast, run<fast>, 1, 0, 1}, {Tier::slow, run<slow>, 5, 5, 1}};
 static_assert(!scheduler::phasesFit(kBadPhase), "");
-constexpr scheduler::Task kTooLong[] = {{run<fast>, 101, 0, 1}};
+constexpr Task kTooLong[] = {{Tier::slow, run<slow>, 101, 0, 1}};
 static_assert(!scheduler::phasesFit(kTooLong), "");
-constexpr scheduler::Task kFastLast[] = {{run<slow>, 5, 0, 1}, {run<fast>, 1, 0, 1}};
-static_assert(!scheduler::fastTierFirst(kFastLast), "");
+constexpr Task kFastLast[] = {{Tier::medium, run<slow>, 5, 0, 1}, {Tier::fast, run<fast>, 1, 0, 1}};
+static_assert(!scheduler::tiersInOrder(kFastLast), "");
+constexpr Task kSlowFirst[] = {{Tier::slow, run<slow>, 5, 0, 1},
+                               {Tier::medium, run<slow>, 5, 0, 1}};
+static_assert(!scheduler::tiersInOrder(kSlowFirst), "");
+constexpr Task kRareFast[] = {{Tier::fast, run<fast>, 2, 0, 1}};
+static_assert(!scheduler::tiersInOrder(kRareFast), "");
 
 class Schedule : public ::testing::Test {
 protected:
@@ -111,17 +133,34 @@ TEST_F(Schedule, the_phase_survives_a_deferral) {
     EXPECT_EQ(twin.frames, (Frames{8, 108, 208}));
 }
 
-TEST_F(Schedule, the_task_that_has_waited_longest_goes_first) {
+TEST_F(Schedule, medium_tasks_go_before_slow_ones_that_have_waited_longer) {
     runFrames(7);
     fast.spends_us = 6000;  // no slow task fits
     runFrames(1);
-    fast.spends_us = 2000;  // frame 8: fifth is due as well, and only one more fits
+    fast.spends_us = 2000;  // frame 8: fifth is due, and one more fits beside it
+    fifth.spends_us = 3000;
     slow.spends_us = 5000;
     runFrames(1);
 
-    EXPECT_EQ(slow.frames, (Frames{8}));
     EXPECT_EQ(fifth.frames, (Frames{3, 8}));
+    EXPECT_EQ(slow.frames, (Frames{8}));
     EXPECT_TRUE(twin.frames.empty());
+    fifth.spends_us = 3001;
+    runFrames(99);
+    EXPECT_EQ(slow.frames, (Frames{8, 107})) << "beside no medium task";
+    runFrames(2);
+    EXPECT_EQ(twin.frames, (Frames{9, 109})) << "the fifth was due in frame 108, and went first";
+}
+
+TEST_F(Schedule, of_a_tier_the_task_that_has_waited_longest_goes_first) {
+    fast.spends_us = 8500;
+    runFrames(5);  // medium and fifth wait since frame 3
+    EXPECT_TRUE(medium.frames.empty());
+    fast.spends_us = 6000;  // one of them fits
+    medium.spends_us = 2000;
+    runFrames(1);
+    EXPECT_EQ(medium.frames, (Frames{5})) << "the first in the table of those that wait as long";
+    EXPECT_TRUE(fifth.frames.empty());
 }
 
 TEST_F(Schedule, a_frame_that_begins_late_has_less_room) {
@@ -160,8 +199,60 @@ TEST_F(Schedule, a_task_runs_at_last_even_when_the_fast_tier_leaves_no_room) {
     fast.spends_us = 9999;
     runFrames(40);
 
-    EXPECT_EQ(medium.frames, (Frames{13, 33}));
-    EXPECT_EQ(slow.frames, (Frames{17}));
+    EXPECT_EQ(medium.frames, (Frames{8, 18, 28, 38}));
+    EXPECT_EQ(fifth.frames, (Frames{8, 13 + 5, 23 + 5, 33 + 5}));
+    EXPECT_EQ(slow.frames, (Frames{7 + 25}));
+}
+
+// A task is due in its phase. It runs in that frame or in one of the next ones, and what it was
+// put off over is not made up for.
+int longestWait(const std::vector<int>& frames, int period, int phase, int last) {
+    int longest = 0, due = phase;
+    for (int ran : frames) {
+        longest = std::max(longest, ran - due);
+        while (due <= ran) due += period;
+    }
+    return std::max(longest, last - due);
+}
+
+TEST_F(Schedule, no_task_waits_longer_than_its_tier_may_whatever_the_others_take) {
+    constexpr int kFrames = 100000;
+    std::mt19937 random(1);
+    std::exponential_distribution<> factor(0.5);
+    for (int i = 0; i < kFrames; ++i) {
+        const bool quiet = i / 1000 % 3 == 0;
+        for (Fake* fake : {&fast, &medium, &fifth, &slow, &twin})
+            fake->spends_us = static_cast<uint32_t>((quiet ? 500 : 4000) * factor(random));
+        runFrames(1);
+    }
+
+    EXPECT_GT(schedule.lateFrames(), 1000) << "there was too much to do";
+    EXPECT_EQ(fast.frames.size(), static_cast<size_t>(kFrames));
+    EXPECT_EQ(longestWait(medium.frames, 10, 3, kFrames - 1), scheduler::kMediumPatience);
+    EXPECT_EQ(longestWait(fifth.frames, 5, 3, kFrames - 1), scheduler::kMediumPatience);
+    EXPECT_EQ(longestWait(slow.frames, 100, 7, kFrames - 1), scheduler::kSlowPatience);
+    EXPECT_EQ(longestWait(twin.frames, 100, 7, kFrames - 1), scheduler::kSlowPatience);
+}
+
+// The proof is a second reading of what the scheduler does: both have to agree.
+TEST_F(Schedule, after_a_lost_frame_tasks_wait_as_long_as_is_proved) {
+    int medium_waits = 0, slow_waits = 0;
+    for (int lost = 0; lost < 100; ++lost) {
+        SetUp();
+        for (int i = 0; i < 200 + 100; ++i) {
+            fast.spends_us = i == 100 + lost ? 9999 : 4000;
+            medium.spends_us = 2000;
+            fifth.spends_us = 3000;
+            slow.spends_us = twin.spends_us = 5000;
+            runFrames(1);
+        }
+        medium_waits = std::max(medium_waits, longestWait(medium.frames, 10, 3, 299));
+        medium_waits = std::max(medium_waits, longestWait(fifth.frames, 5, 3, 299));
+        slow_waits = std::max(slow_waits, longestWait(slow.frames, 100, 7, 299));
+        slow_waits = std::max(slow_waits, longestWait(twin.frames, 100, 7, 299));
+    }
+    EXPECT_EQ(medium_waits, scheduler::waitAfterLostFrame(kTasks, Tier::medium, kFrame_us));
+    EXPECT_EQ(slow_waits, scheduler::waitAfterLostFrame(kTasks, Tier::slow, kFrame_us));
 }
 
 TEST_F(Schedule, a_frame_past_its_period_is_counted) {

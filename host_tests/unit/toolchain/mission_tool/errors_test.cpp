@@ -99,7 +99,7 @@ TEST(Refusals, every_parameter_that_the_firmware_refuses_has_its_expectation) {
                     values[field] = wild;
                     entry.record = {id,        0,         static_cast<uint8_t>(values[0]),
                                     values[1], values[2], values[3]};
-                    if (judge(set, 2, 9, entry) == MissionResult::accepted) continue;
+                    if (check(set, 2, 9, entry) == MissionResult::accepted) continue;
                     EXPECT_THAT(expectation(set, entry), Not(HasSubstr("docs/mission.md")))
                         << int(id) << " field " << field + 1 << " = " << wild;
                 }

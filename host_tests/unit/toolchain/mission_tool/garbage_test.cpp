@@ -72,7 +72,7 @@ bool digest(const std::string& contents, bool records15) {
         if (!good) return false;
         const Image image = uploaded(document, reading.onto, "");
         Document stored = storedMission(image, "fuzz");
-        judgeAll(stored);
+        checkAll(stored);
         EXPECT_EQ(recordsAsWaypoints(stored), waypoints);
         EXPECT_EQ(compiled(recordsAsText(stored)), image);
         return true;
