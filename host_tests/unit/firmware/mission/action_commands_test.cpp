@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What DO commands change, and for how long.
-#include "flight.hpp"
+#include "mission_flight.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Missions that are left, gone back to, ended and changed in flight.
-#include "flight.hpp"
+#include "mission_flight.hpp"
 
 #include "firmware/mission/handlers.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"

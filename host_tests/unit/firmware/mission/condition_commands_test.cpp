@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What CONDITIONs wait for.
-#include "flight.hpp"
+#include "mission_flight.hpp"
 
 #include "firmware/mission/handlers.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"

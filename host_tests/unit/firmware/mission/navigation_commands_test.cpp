@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What NAV commands do to the airplane.
-#include "flight.hpp"
+#include "mission_flight.hpp"
 
 #include "core/maths.hpp"
 #include "firmware/mission/handlers.hpp"

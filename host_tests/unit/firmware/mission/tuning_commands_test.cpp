@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The APM 1.0 set in flight.
-#include "flight.hpp"
+#include "mission_flight.hpp"
 
 #include "firmware/app/dataflash.hpp"
 #include "firmware/logger/log.hpp"

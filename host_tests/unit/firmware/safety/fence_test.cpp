@@ -1,55 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the fence and the rally points do to the flight, through the store they really lie in.
 #include "firmware/safety/fence.hpp"
 
-#include "firmware/gcs/plans.hpp"
 #include "firmware/mission/fence_line.hpp"
-#include "firmware/mission/rally.hpp"
-#include "firmware/safety/failsafe.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
-#include "mission_rig.hpp"
+#include "points_rig.hpp"
 
 namespace firmware {
-using namespace notify;
-using namespace state;
-using namespace mission;
-using namespace safety;
-using namespace gcs;
 namespace {
 
 using mavlink::MavCmd;
 using mavlink::MavMissionType;
-
-constexpr geo::Position kHome = {470000000, 80000000};
-constexpr int32_t kSide_e7 = 30000;  // the fence: 330 m north and south of home
-
-geo::Position beside(int32_t north_e7, int32_t east_e7) {
-    return {kHome.latitude_e7 + north_e7, kHome.longitude_e7 + east_e7};
-}
-
-MissionItem point(uint16_t command, const geo::Position& place, float param1 = 0, float z = 0) {
-    return {command, kRelativeFrame, param1, 0, 0, 0, place.latitude_e7, place.longitude_e7, z};
-}
-
-class Points : public Rig {
-protected:
-    static MissionResult store(uint8_t type, const Items& items) {
-        const auto count = static_cast<uint16_t>(items.size());
-        MissionResult result = whileBusy([&] { return planBegin(type, count); });
-        for (uint16_t i = 0; i < count && result == MissionResult::accepted; ++i)
-            result = whileBusy([&] { return planPut(type, i, items[i]); });
-        return result == MissionResult::accepted ? whileBusy([&] { return planCommit(type); })
-                                                 : result;
-    }
-    static void tenths(int count) {
-        for (int i = 0; i < count; ++i) {
-            runFence();
-            runFailsafe();
-            runMode();
-            fakes::advance_ms(100);
-        }
-    }
-};
 
 class Fence : public Points {
 protected:
@@ -331,56 +291,6 @@ TEST_F(Fence, of_nineteen_corners_is_watched) {
     EXPECT_EQ(fenceReport().breach, +Breach::none);
     goTo(beside(0, 40001));
     EXPECT_EQ(fenceReport().breach, +Breach::boundary);
-}
-
-class Rally : public Points {
-protected:
-    void SetUp() override {
-        Rig::SetUp();
-        fenceStart();
-        parameters.rally_limit_km = 0.3f;
-        mutable_vehicle.estimate.position = beside(180000, 0);  // 2 km north of home
-    }
-    static void expectReturn(const Items& points, const geo::Position& to, float height_m) {
-        ASSERT_EQ(store(MavMissionType::rally, points), MissionResult::accepted);
-        setMode(Mode::loiter, ModeReason::ground);
-        ASSERT_TRUE(setMode(Mode::rtl, ModeReason::ground));
-        EXPECT_EQ(vehicle.demand.to, kHome);  // at once
-        tenths(12);
-        EXPECT_EQ(vehicle.demand.to, to);
-        EXPECT_NEAR(vehicle.demand.height_m, height_m, 0.01);
-    }
-    static MissionItem at(int32_t north_e7, int32_t east_e7, float z) {
-        return point(MavCmd::nav_rally_point, beside(north_e7, east_e7), 0, z);
-    }
-};
-
-TEST_F(Rally, the_nearest_is_returned_to) {
-    expectReturn({at(0, 90000, 40), at(120000, 0, 55.25f), at(150000, 90000, 60)},
-                 beside(120000, 0), 55.25f);
-    EXPECT_TRUE(tells("Going to rally point 1"));
-}
-
-TEST_F(Rally, home_is_returned_to_when_it_is_nearer_and_the_point_is_far) {
-    mutable_vehicle.estimate.position = beside(30000, 0);  // 0.33 km from home
-    parameters.rtl_height_cm = 8000;
-    expectReturn({at(70000, 0, 40)}, kHome, 80);  // 0.44 km
-}
-
-TEST_F(Rally, a_point_within_the_limit_goes_before_home) {
-    mutable_vehicle.estimate.position = beside(10000, 0);
-    expectReturn({at(30000, 0, 40)}, beside(30000, 0), 40);
-}
-
-TEST_F(Rally, a_height_above_the_sea_is_told_from_home) {
-    MissionItem item = at(150000, 0, 470);
-    item.frame = kGlobalFrame;
-    expectReturn({item}, beside(150000, 0), 70);
-}
-
-TEST_F(Rally, without_points_home_it_is) {
-    parameters.rtl_height_cm = 8000;
-    expectReturn({}, kHome, 80);
 }
 
 }  // namespace

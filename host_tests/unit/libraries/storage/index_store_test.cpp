@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/index_store.hpp"
+
 #include <gtest/gtest.h>
 
 #include "core/crc.hpp"
 #include "fakes/fakes.hpp"
 #include "hal/eeprom.hpp"
 #include "storage/eeprom_map.hpp"
-#include "storage/index_store.hpp"
-#include "storage/owner.hpp"
 
 namespace {
 
 using core::Status;
 using storage::IndexStore;
-using storage::Owner;
 
 class IndexStoreTest : public testing::Test {
 protected:
@@ -78,73 +77,6 @@ TEST_F(IndexStoreTest, a_power_cut_at_any_byte_leaves_the_old_or_the_new_index) 
         ASSERT_EQ(store.write(7, new_index), Status::ok);
         old_index = new_index;
     }
-}
-
-class OwnerTest : public testing::Test {
-protected:
-    void SetUp() override { fakes::reset(); }
-    static Owner owner() {
-        Owner found = Owner::stranger;
-        EXPECT_EQ(storage::findOwner(found), Status::ok);
-        return found;
-    }
-};
-
-TEST_F(OwnerTest, a_blank_eeprom_is_nobodys_and_can_be_claimed) {
-    EXPECT_EQ(owner(), Owner::nobody);
-    ASSERT_EQ(storage::claim(), Status::ok);
-    EXPECT_EQ(owner(), Owner::us);
-}
-
-TEST_F(OwnerTest, a_claim_that_a_power_cut_broke_can_be_made_again) {
-    for (uint32_t cut = 0; cut < 7; ++cut) {
-        fakes::resetEeprom();
-        fakes::cutPowerAfter(cut);
-        ASSERT_EQ(storage::claim(), Status::ok);
-        fakes::restartEeprom();
-        EXPECT_EQ(owner(), Owner::nobody) << cut;
-    }
-}
-
-TEST_F(OwnerTest, what_arduplane_left_is_a_strangers_and_so_is_a_blank_header_before_old_data) {
-    const uint8_t arduplane[] = {0x41, 0x50, 0x06, 0x00};
-    ASSERT_EQ(hal::eepromWrite(0, arduplane, 4), Status::ok);
-    EXPECT_EQ(owner(), Owner::stranger);
-
-    fakes::resetEeprom();
-    fakes::setEepromCell(4000, 1);
-    EXPECT_EQ(owner(), Owner::stranger);
-}
-
-TEST_F(OwnerTest, another_layout_version_of_ours_is_recognised_as_such) {
-    uint8_t header[] = {0xB7, 'A', 'P', 'M', storage::kLayoutVersion + 1, 0, 0};
-    const uint16_t crc = core::crc16(core::kCrcStart, header, 5);
-    header[5] = static_cast<uint8_t>(crc);
-    header[6] = static_cast<uint8_t>(crc >> 8);
-    ASSERT_EQ(hal::eepromWrite(0, header, sizeof header), Status::ok);
-    EXPECT_EQ(owner(), Owner::other_version);
-
-    fakes::setEepromCell(5, fakes::eepromCell(5) ^ 1);
-    EXPECT_EQ(owner(), Owner::stranger) << "its CRC is wrong";
-}
-
-TEST_F(OwnerTest, erasing_on_demand_makes_it_ours_and_a_cut_on_the_way_does_not_make_half_of_it) {
-    for (uint16_t at = 0; at < hal::kEepromSize; ++at)
-        fakes::setEepromCell(at, static_cast<uint8_t>(at));
-    const auto before = fakes::eepromCells();
-    for (uint32_t cut : {0u, 1u, 15u, 16u, 100u, 2000u, 4050u}) {
-        fakes::setEepromCells(before);
-        fakes::cutPowerAfter(cut);
-        uint16_t at = 0;
-        ASSERT_EQ(storage::erase(at), Status::ok);
-        fakes::restartEeprom();
-        EXPECT_EQ(owner(), Owner::stranger) << cut;
-    }
-    fakes::setEepromCells(before);
-    uint16_t at = 0;
-    ASSERT_EQ(storage::erase(at), Status::ok);
-    EXPECT_EQ(owner(), Owner::us);
-    EXPECT_EQ(fakes::eepromCell(2000), 0xFF);
 }
 
 }  // namespace

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimation/still.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+const core::Vector3 kRest = {0, 0, -9.81f};
+
+TEST(Still, a_second_of_rest_gives_the_gyros_zero) {
+    estimation::Still still;
+    int frames = 0;
+    while (!still.update({0.01f, -0.02f, 0.005f}, kRest, 0.01f) && frames < 1000) ++frames;
+
+    EXPECT_NEAR(frames, 105, 8);
+    EXPECT_NEAR(still.zero_rads().x, 0.01, 1e-5);
+    EXPECT_NEAR(still.zero_rads().y, -0.02, 1e-5);
+    EXPECT_NEAR(still.zero_rads().z, 0.005, 1e-5);
+}
+
+TEST(Still, moved_it_begins_again) {
+    estimation::Still still;
+    for (int i = 0; i < 3000; ++i) {
+        const float rate = 0.1f * std::sin(i * 0.05f);
+        still.update({rate, 0, 0}, kRest, 0.01f);
+    }
+    EXPECT_FALSE(still.done());
+    for (int i = 0; i < 140; ++i) still.update({0.01f, 0, 0}, kRest, 0.01f);
+    EXPECT_TRUE(still.done());
+}
+
+// Rocked about its roll axis by up to `most_rads`, from rest, once in two seconds.
+float rocked_rads(int frame, float most_rads) {
+    return most_rads * std::sin(static_cast<float>(frame) * 0.01f * static_cast<float>(M_PI));
+}
+
+TEST(Still, what_gusts_rock_gets_a_longer_mean) {
+    estimation::Still still;
+    int frames = 0;
+    while (!still.update({0.01f + rocked_rads(frames, 0.015f), 0, 0}, kRest, 0.01f)) ++frames;
+    EXPECT_GT(still.zero_rads().x, 0.015);  // of half a swing
+    for (; frames < 1500; ++frames)
+        still.update({0.01f + rocked_rads(frames, 0.04f), 0, 0}, kRest, 0.01f);
+
+    EXPECT_NEAR(still.zero_rads().x, 0.01, 0.001);
+}
+
+// Its wheels let it tip to and fro four times a second, by up to 4 degrees a second.
+TEST(Still, what_gusts_rock_all_the_time_is_known_within_ten_seconds) {
+    for (float phase = 0; phase < 6.28f; phase += 0.3f) {
+        estimation::Still still;
+        int frames = 0;
+        for (; !still.done() && frames < 1000; ++frames) {
+            const float time_s = static_cast<float>(frames) * 0.01f;
+            const float rocks =
+                0.05f * std::sin(25 * time_s + phase) + 0.02f * std::sin(16 * time_s + 3 * phase);
+            still.update({0.01f + rocks, -0.02f - rocks, 0.005f}, kRest, 0.01f);
+        }
+        ASSERT_TRUE(still.done()) << phase;
+        EXPECT_GT(frames, 400);
+        EXPECT_NEAR(still.zero_rads().x, 0.01, 0.002) << phase;
+        EXPECT_NEAR(still.zero_rads().y, -0.02, 0.002) << phase;
+    }
+}
+
+TEST(Still, what_a_hand_turns_slowly_to_and_fro_is_not_rocked) {
+    estimation::Still still;
+    for (int i = 0; i < 3000; ++i) {  // once in 4.4 seconds
+        const float rate = 0.05f * std::sin(static_cast<float>(i) * 0.01f * 1.428f);
+        still.update({rate, 0, 0}, kRest, 0.01f);
+        ASSERT_FALSE(still.done()) << i << ' ' << still.zero_rads().x;
+    }
+}
+
+TEST(Still, a_better_zero_is_not_given_up_for_a_shorter_one) {
+    estimation::Still still;
+    for (int i = 0; i < 1500; ++i) still.update({0.01f, 0, 0}, kRest, 0.01f);
+    for (int i = 0; i < 50; ++i) still.update({0.3f, 0, 0}, kRest, 0.01f);
+    int told = 0;
+    for (int i = 0; i < 500; ++i) told += still.update({0.02f, 0, 0}, kRest, 0.01f);
+
+    EXPECT_EQ(told, 0);
+    EXPECT_NEAR(still.zero_rads().x, 0.01, 1e-5);
+}
+
+TEST(Still, taken_up_slowly_the_zero_is_that_of_the_rest_before) {
+    for (int rest = 115; rest < 800; rest += 7) {
+        estimation::Still still;
+        float zero_rads = 0;
+        const auto update = [&](float rate_rads, const core::Vector3& force_mss) {
+            if (still.update({rate_rads, 0, 0}, force_mss, 0.01f)) zero_rads = still.zero_rads().x;
+        };
+        for (int i = 0; i < rest; ++i) update(0.01f, kRest);
+        ASSERT_TRUE(still.done()) << rest;
+        for (int i = 0; i < 300; ++i) {
+            const float tilt = 0.0873f * 0.01f * static_cast<float>(i);  // 5 degrees a second
+            update(0.01f + 0.0873f, {0, -9.81f * std::sin(tilt), -9.81f * std::cos(tilt)});
+        }
+        EXPECT_NEAR(zero_rads, 0.01, 1e-5) << rest;
+    }
+}
+
+TEST(Still, tells_of_a_better_zero_for_half_a_minute) {
+    estimation::Still still;
+    int told = 0;
+    for (int i = 0; i < 6000; ++i) told += still.update({0.01f, 0, 0}, kRest, 0.01f);
+
+    EXPECT_TRUE(still.settled());
+    EXPECT_GT(told, 20);
+    EXPECT_LE(told, 30);
+}
+
+TEST(Still, keeps_the_force_of_its_first_second) {
+    estimation::Still still;
+    for (int i = 0; i < 150; ++i) still.update({0, 0, 0}, kRest, 0.01f);
+    for (int i = 0; i < 300; ++i) still.update({0, 0, 0}, {0.3f, 0, -9.8f}, 0.01f);
+
+    EXPECT_NEAR(still.force_mss().x, 0, 1e-5);
+}
+
+TEST(Still, carried_about_without_turning_is_not_still) {
+    estimation::Still still;
+    for (int i = 0; i < 3000; ++i)
+        still.update({0, 0, 0}, {2 * std::sin(i * 0.05f), 0, -9.81f}, 0.01f);
+
+    EXPECT_FALSE(still.done());
+}
+
+TEST(Still, a_broken_gyros_zero_is_not_taken) {
+    estimation::Still still;
+    for (int i = 0; i < 1000; ++i) still.update({0.6f, 0, 0}, kRest, 0.01f);
+
+    EXPECT_FALSE(still.done());
+}
+
+}  // namespace
