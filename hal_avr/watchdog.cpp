@@ -46,7 +46,7 @@ ResetCause causeOf(uint8_t flags) {
 
 // After a watchdog reset the watchdog is still on, at 15 ms, and its enable bit is held by WDRF
 // (data sheet 12.4).
-__attribute__((noinline)) void judgeLastRun() {
+__attribute__((noinline)) void examineLastRun() {
     const uint8_t flags = MCUSR;
     MCUSR = 0;
     wdt_disable();
@@ -82,7 +82,7 @@ void leaveNote(ResetCause why) {
 
 // Before RAM is prepared.
 extern "C" void saveResetFlags() __attribute__((naked, used, section(".init3")));
-void saveResetFlags() { judgeLastRun(); }
+void saveResetFlags() { examineLastRun(); }
 
 // Where a reset may follow, it does so as well when interrupts are off for too long.
 ISR(WDT_vect) { avr::restart(ResetCause::watchdog); }

@@ -67,7 +67,7 @@ float approach(const float (&apart_mg)[3], float half_squares, float square, flo
     return fabsf(short_by) / sqrtf(square);
 }
 
-void judge(float miss_mg) {
+void averageMiss(float miss_mg) {
     if (turns.pairs == 0) turns.miss_mg = miss_mg;
     turns.miss_mg += (miss_mg - turns.miss_mg) * 0.05f;
     if (turns.pairs < kPairs) ++turns.pairs;
@@ -129,7 +129,7 @@ void learnCompass(const core::Vector3& reading_mg) {
         const float gain = !turned ? 0.03f : turns.pairs < kCoarse ? 0.4f : 0.12f;
         const float miss_mg = approach(apart_mg, 0.5f * static_cast<float>(squares),
                                        static_cast<float>(square), gain);
-        if (turned) judge(miss_mg);
+        if (turned) averageMiss(miss_mg);
         if (--anchor_left != 0) return;
     }
     anchor_left = kPairsOfAnchor;

@@ -51,7 +51,7 @@ void add(Health& health, uint16_t suspicion) {
     health.suspicion = suspicion > kMax ? kMax : static_cast<uint8_t>(suspicion);
 }
 
-void judge(uint8_t index) {
+void update(uint8_t index) {
     Health& health = healths[index];
     const uint8_t bit = static_cast<uint8_t>(1 << index);
     if (++health.still >= core::romRead(kLimits[index].still)) {
@@ -95,7 +95,7 @@ bool isFaulty(Sensor sensor) { return (ailing & bit(sensor)) != 0; }
 
 void watchHealth() {
     if (!vehicle.estimate.flying) return startHealth();
-    for (uint8_t i = 0; i < kSensors; ++i) judge(i);
+    for (uint8_t i = 0; i < kSensors; ++i) update(i);
 }
 
 }  // namespace sensors

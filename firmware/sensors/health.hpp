@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether a sensor can be trusted in flight: silent or stuck (no new value for too long), noisy
 // (a value too far from the one before) or nonsense (outside what there is, or against what the
-// others say). One row of limits a sensor in health.cpp; on the ground nobody is judged here.
+// others say). One row of limits a sensor in health.cpp; on the ground no sensor is checked here.
 #pragma once
 #include <stdint.h>
 

@@ -87,7 +87,7 @@ bool groundFlies() {
     return (held & wanted) == wanted;
 }
 
-void judge(bool throttle_says_lost) {
+void countReadings(bool throttle_says_lost) {
     if (throttle_says_lost) {
         good_readings = 0;
         if (bad_readings < kBadReadings) ++bad_readings;
@@ -130,8 +130,8 @@ void runRadio() {
 
     const uint16_t throttle_us = published.pulse_us[parameters.map_throttle - 1];
     if (fresh || ground_flies)
-        judge(parameters.throttle_failsafe != 0 &&
-              static_cast<int16_t>(throttle_us) < parameters.throttle_failsafe_us);
+        countReadings(parameters.throttle_failsafe != 0 &&
+                      static_cast<int16_t>(throttle_us) < parameters.throttle_failsafe_us);
     published.lost = gone || bad_readings >= kBadReadings;
     if (published.lost) {
         centre();

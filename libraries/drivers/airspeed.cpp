@@ -52,7 +52,7 @@ void Airspeed::calibrate(uint16_t share, uint16_t passed, const AirspeedSettings
     calibrated_ = calibrating_ >= kSecond && means_ >= 10;
 }
 
-void Airspeed::judge(int32_t above, uint16_t share, uint16_t passed, bool either_tube) {
+void Airspeed::check(int32_t above, uint16_t share, uint16_t passed, bool either_tube) {
     const bool bad = share < kLowRail || share > kHighRail || (!either_tube && above < kLeast);
     if (bad)
         bad_ = core::limit<uint16_t>(bad_ + passed, 0, 2 * kSecond);
@@ -64,7 +64,7 @@ void Airspeed::update(uint16_t share, uint32_t dt_us, const AirspeedSettings& se
     const uint16_t passed = dt_us < 2000000 ? static_cast<uint16_t>(dt_us >> 10) : 2 * kSecond;
     if (!calibrated_) return calibrate(share, passed, settings);
     const int32_t above = inSteps(share) - zero_;
-    judge(above, share, passed, settings.either_tube);
+    check(above, share, passed, settings.either_tube);
     // The pressure is filtered, not its root: noise about zero then gives no speed.
     above_ += core::times16(above - above_, taken(dt_us)) * 2;
     ratio_ = settings.ratio;

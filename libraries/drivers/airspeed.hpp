@@ -38,7 +38,7 @@ private:
 
     void keepZero(float offset_v);
     void calibrate(uint16_t share, uint16_t passed, const AirspeedSettings& settings);
-    void judge(int32_t above, uint16_t share, uint16_t passed, bool either_tube);
+    void check(int32_t above, uint16_t share, uint16_t passed, bool either_tube);
 
     int32_t zero_ = 1L << 28;             // share of the supply in 2^-29
     int32_t above_ = 0;                   // the zero, low-passed; the same

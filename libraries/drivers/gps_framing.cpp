@@ -62,7 +62,7 @@ GpsProtocol GpsFraming::next() {
 
 GpsProtocol GpsFraming::look() {
     while (size_ > 0) {
-        wanted_ = judge();
+        wanted_ = wantedSize();
         if (wanted_ > size_) return GpsProtocol::none;
         if (wanted_ != kRefused) {
             whole_ = wanted_;
@@ -73,13 +73,13 @@ GpsProtocol GpsFraming::look() {
     return GpsProtocol::none;
 }
 
-// Bytes that make it whole, as far as can be said by now, or kRefused.
-uint8_t GpsFraming::judge() {
-    if (bytes_[0] == kNmea) return judgeSentence();
-    return bytes_[0] == kUblox ? judgeBinary(0x62, kUbloxHeader) : judgeBinary(0xDD, kMtkHeader);
+// Size of the message as far as it is known by now, or kRefused.
+uint8_t GpsFraming::wantedSize() {
+    if (bytes_[0] == kNmea) return sentenceSize();
+    return bytes_[0] == kUblox ? binarySize(0x62, kUbloxHeader) : binarySize(0xDD, kMtkHeader);
 }
 
-uint8_t GpsFraming::judgeBinary(uint8_t second, uint8_t header) {
+uint8_t GpsFraming::binarySize(uint8_t second, uint8_t header) {
     if (size_ < 2) return 2;
     if (bytes_[1] != second) return kRefused;
     if (size_ < header) return header;
@@ -95,7 +95,7 @@ uint8_t GpsFraming::judgeBinary(uint8_t second, uint8_t header) {
     return sumsAreRight(bytes_ + 2, bytes_ + whole - kChecksum) ? whole : refuse();
 }
 
-uint8_t GpsFraming::judgeSentence() {
+uint8_t GpsFraming::sentenceSize() {
     for (; seen_ < size_; ++seen_) {
         const uint8_t byte = bytes_[seen_];
         if (byte == '\r' || byte == '\n')

@@ -27,9 +27,9 @@ private:
     static constexpr uint8_t kRefused = 0;
 
     GpsProtocol look();
-    uint8_t judge();
-    uint8_t judgeBinary(uint8_t second, uint8_t header);
-    uint8_t judgeSentence();
+    uint8_t wantedSize();
+    uint8_t binarySize(uint8_t second, uint8_t header);
+    uint8_t sentenceSize();
     uint8_t refuse();
     GpsProtocol protocol() const;
     void drop(uint8_t size);

@@ -117,7 +117,7 @@ bool Hmc5883l::finish(const uint8_t* bytes, uint32_t now_ms) {
             enter(State::excited, now_ms, kExcite_ms);
             return false;
         case State::excited:
-            judgeSelfTest(bytes, now_ms);
+            checkSelfTest(bytes, now_ms);
             return false;
         case State::configure:
             discard_ = 2;  // a new gain holds from the second measurement on
@@ -151,7 +151,7 @@ float Hmc5883l::expectedOf(uint8_t axis) const {
     return old_ ? kOldExpected : (axis == 2 ? kExpectedZ : kExpected);
 }
 
-void Hmc5883l::judgeSelfTest(const uint8_t* bytes, uint32_t now_ms) {
+void Hmc5883l::checkSelfTest(const uint8_t* bytes, uint32_t now_ms) {
     const Counts read = counts(bytes, old_);
     bool good = tries_ >= kDroppedTries && !overflowed(read);
     for (uint8_t i = 0; good && i < 3; ++i) {

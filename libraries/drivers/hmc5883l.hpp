@@ -33,7 +33,7 @@ private:
     bool finish(const uint8_t* bytes, uint32_t now_ms);
     void identifyChip(uint8_t configuration, uint32_t now_ms);
     float expectedOf(uint8_t axis) const;
-    void judgeSelfTest(const uint8_t* bytes, uint32_t now_ms);
+    void checkSelfTest(const uint8_t* bytes, uint32_t now_ms);
     bool takeField(const uint8_t* bytes, uint32_t now_ms);
     void fail(uint32_t now_ms);
 

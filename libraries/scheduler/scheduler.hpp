@@ -78,7 +78,7 @@ public:
         serveTier(slow_, N, Tier::slow);
         const uint32_t ended_us = hal::now_us();
         busy_us_ += ended_us - began_us;
-        judge(ended_us - due_us);
+        noteFrame(ended_us - due_us);
         hal::mark(hal::kMarkFrameEnd);
     }
 
@@ -101,7 +101,7 @@ private:
 
     static constexpr uint16_t ticks(uint16_t us) { return us * hal::kTicksPerUs; }
 
-    void judge(uint32_t frame_us) {
+    void noteFrame(uint32_t frame_us) {
         if (frame_us > longest_frame_us_)
             longest_frame_us_ = frame_us > 0xFFFF ? 0xFFFF : static_cast<uint16_t>(frame_us);
         if (frame_us > frame_us_) countUp(late_frames_);
