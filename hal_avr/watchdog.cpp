@@ -30,7 +30,7 @@ constexpr uint8_t kSupplyRemembered = 60;  // times 4 ms
 
 uint16_t sealOf(const hal::LastRun& run) {
     constexpr uint16_t kSeal = 0x5AC3;
-    return static_cast<uint16_t>(kSeal ^ run.ended_ms ^ (run.mark << 8 | uint8_t(run.ended)));
+    return static_cast<uint16_t>(kSeal ^ run.ended_ms ^ (run.trace << 8 | uint8_t(run.ended)));
 }
 
 ResetCause causeOf(uint8_t flags) {
@@ -61,7 +61,7 @@ __attribute__((noinline)) void examineLastRun() {
 
 void leaveNote(ResetCause why) {
     note.run.ended = why;
-    note.run.mark = GPIOR0;
+    note.run.trace = GPIOR0;
     note.run.ended_ms = static_cast<uint16_t>(hal::now_ms());
     note.seal = sealOf(note.run);
 }

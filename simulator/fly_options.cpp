@@ -206,7 +206,8 @@ void addServer(CLI::App& app, FlyOptions& o, std::string& telemetry) {
 }
 
 void addWatchers(CLI::App& app, FlyOptions& o) {
-    app.add_option("--vcd", o.vcd, "write servos, PPM, data ready and marks as a VCD file")
+    app.add_option("--vcd", o.vcd,
+                   "write servos, PPM, data ready and the trace of tasks as a VCD file")
         ->check(fileName);
     app.add_option("--profile", o.profile,
                    "write where the cycles went, for toolchain/profile; slower by half")

@@ -10,7 +10,7 @@
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/published.hpp"
-#include "hal/guard.hpp"
+#include "hal/hang_timer.hpp"
 #include "hal/servo_output.hpp"
 
 namespace firmware {
@@ -164,7 +164,7 @@ void startOutputs() {
 }
 
 void runOutputs() {
-    hal::guardTouch();
+    hal::hangTimerReset();
     if (wrongBoard()) return;
     if (mode_entry != vehicle.mode_entries) outputReleaseAll();
     mode_entry = vehicle.mode_entries;

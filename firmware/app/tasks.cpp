@@ -27,7 +27,7 @@
 #include "firmware/state/processor_figures.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
-#include "hal/guard.hpp"
+#include "hal/hang_timer.hpp"
 #include "hal/watchdog.hpp"
 #include "scheduler/proofs.hpp"
 #include "scheduler/scheduler.hpp"
@@ -184,7 +184,7 @@ void setup() {
     if (!flyingOn()) setMode(static_cast<Mode>(parameters.initial_mode), ModeReason::boot);
     schedule.start();
     frame_began = hal::ticks();
-    hal::guardStart();
+    hal::hangTimerStart();
     hal::watchdogStart();
 }
 

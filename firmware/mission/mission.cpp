@@ -14,7 +14,7 @@
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
-#include "hal/mark.hpp"
+#include "hal/trace.hpp"
 #include "storage/index_store.hpp"
 #include "storage/owner.hpp"
 
@@ -90,7 +90,7 @@ void onReset() {
 }
 
 void onEvent(Event event, uint8_t index) {
-    hal::markItem(static_cast<uint8_t>(hal::kMarkMission + static_cast<uint8_t>(event)), index);
+    hal::traceItem(static_cast<uint8_t>(hal::kTraceMission + static_cast<uint8_t>(event)), index);
     if (event == Event::started || event == Event::waits || event == Event::runs)
         host.logCommand(index);
     switch (event) {

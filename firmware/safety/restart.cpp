@@ -16,7 +16,7 @@
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
-#include "hal/mark.hpp"
+#include "hal/trace.hpp"
 #include "hal/watchdog.hpp"
 
 namespace firmware {
@@ -106,7 +106,7 @@ void reportCause() {
                               : runSurvives() ? Severity::warning
                                               : Severity::info;
     constexpr uint8_t kBetweenTasks = 0;
-    const uint8_t task = run.mark < hal::kMarkTaskEnd ? run.mark : kBetweenTasks;
+    const uint8_t task = run.trace < hal::kTraceTaskEnd ? run.trace : kBetweenTasks;
     sendStatusText(severity, kCauses[static_cast<uint8_t>(run.ended)], task);
     reported = true;
 }

@@ -7,7 +7,7 @@
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
-#include "hal/guard.hpp"
+#include "hal/hang_timer.hpp"
 #include "hal/rc_input.hpp"
 
 namespace firmware {

@@ -12,7 +12,7 @@ enum class ResetCause : uint8_t { power_on, external, brown_out, watchdog, unkno
 
 struct LastRun {
     ResetCause ended;    // why
-    uint8_t mark;        // the last one (mark.hpp), of a watchdog's reset and a fault
+    uint8_t trace;       // the last value (trace.hpp), for a reset by the watchdog and a fault
     uint16_t ended_ms;   // likewise: now_ms() then, its lower half
     uint8_t restart_ms;  // from its end to the application's first instruction
 };

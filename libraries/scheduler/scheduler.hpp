@@ -16,7 +16,7 @@
 
 #include "core/rom.hpp"
 #include "hal/clock.hpp"
-#include "hal/mark.hpp"
+#include "hal/trace.hpp"
 
 namespace scheduler {
 
@@ -67,7 +67,7 @@ public:
 
     // Runs the frame that was due at `due_us`; what is left of it is reckoned from there.
     void runFrame(uint32_t due_us) {
-        hal::mark(hal::kMarkFrameBegin);
+        hal::trace(hal::kTraceFrameBegin);
         const uint32_t began_us = hal::now_us();
         const uint32_t late_us = began_us - due_us;
         began_ = now_ = hal::ticks();
@@ -79,7 +79,7 @@ public:
         const uint32_t ended_us = hal::now_us();
         busy_us_ += ended_us - began_us;
         noteFrame(ended_us - due_us);
-        hal::mark(hal::kMarkFrameEnd);
+        hal::trace(hal::kTraceFrameEnd);
     }
 
     // The tiers that have run something since this was asked last.
@@ -138,9 +138,9 @@ private:
     }
 
     void runTimed(uint8_t i) {
-        hal::mark(i + 1);
+        hal::trace(i + 1);
         core::romRead(tasks_[i].run)();
-        hal::mark(hal::kMarkTaskEnd);
+        hal::trace(hal::kTraceTaskEnd);
         const uint16_t ended = hal::ticks();
         const uint16_t taken = ended - now_;
         now_ = ended;

@@ -39,7 +39,7 @@ constexpr ListShape kLists[kListKinds] ROM = {kMissionList, kFenceList, kRallyLi
 // its heads, which says: in EEPROM, and one head a change.
 constexpr uint8_t kHeadMark = 0x4D;
 enum Offset : uint8_t {
-    kMarkAt = 0,
+    kTraceAt = 0,
     kVersionAt = 1,
     kSequenceAt = 2,
     kFirstAt = 4,
@@ -80,7 +80,7 @@ void decodeHead(const ListShape& list, const uint8_t* head, Extent& extent) {
     extent.sequence = get16(head + kSequenceAt);
     extent.crc = get16(head + kRecordsCrcAt);
     extent.generation = static_cast<uint8_t>(extent.sequence - head[kUnchangedAt]);
-    const bool whole = head[kMarkAt] == kHeadMark && head[kVersionAt] == kLayoutVersion &&
+    const bool whole = head[kTraceAt] == kHeadMark && head[kVersionAt] == kLayoutVersion &&
                        extent.first < list.slots && extent.count <= list.slots &&
                        head[kPlaceAt] <= static_cast<uint8_t>(Place::flash_b) &&
                        get16(head + kHeadCrcAt) == core::crc16(core::kCrcStart, head, kHeadCrcAt);
@@ -134,7 +134,7 @@ Status readHeads(ListKind kind, Extent (&heads)[2], bool& blank) {
 Status writeHead(ListKind kind, const Extent& extent) {
     uint8_t head[kHeadSize];
     memset(head, 0, sizeof head);
-    head[kMarkAt] = kHeadMark;
+    head[kTraceAt] = kHeadMark;
     head[kVersionAt] = kLayoutVersion;
     put16(head + kSequenceAt, extent.sequence);
     head[kFirstAt] = extent.first;

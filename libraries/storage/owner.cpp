@@ -15,14 +15,14 @@ using core::Status;
 
 // The mark, the layout version, the CRC of these five bytes.
 constexpr uint8_t kMark[] ROM = {0xB7, 'A', 'P', 'M'};
-constexpr uint8_t kMarkSize = sizeof kMark;
-constexpr uint8_t kOurSize = kMarkSize + 3;
+constexpr uint8_t kTraceSize = sizeof kMark;
+constexpr uint8_t kOurSize = kTraceSize + 3;
 static_assert(kOurSize <= kHeader.size, "our mark is longer than the header");
 
 void ours(uint8_t (&header)[kOurSize], uint8_t version) {
-    for (uint8_t i = 0; i < kMarkSize; ++i) header[i] = core::romRead(kMark[i]);
-    header[kMarkSize] = version;
-    put16(header + kMarkSize + 1, core::crc16(core::kCrcStart, header, kMarkSize + 1));
+    for (uint8_t i = 0; i < kTraceSize; ++i) header[i] = core::romRead(kMark[i]);
+    header[kTraceSize] = version;
+    put16(header + kTraceSize + 1, core::crc16(core::kCrcStart, header, kTraceSize + 1));
 }
 
 bool blank(const uint8_t* bytes, uint8_t size) {
@@ -59,9 +59,9 @@ Status findOwner(Owner& owner) {
     const Status status = hal::eepromRead(kHeader.begin, header, sizeof header);
     if (status != Status::ok) return status;
     uint8_t wanted[kOurSize];
-    ours(wanted, header[kMarkSize]);
+    ours(wanted, header[kTraceSize]);
     if (memcmp(header, wanted, sizeof header) == 0) {
-        owner = header[kMarkSize] == kLayoutVersion ? Owner::us : Owner::other_version;
+        owner = header[kTraceSize] == kLayoutVersion ? Owner::us : Owner::other_version;
         return Status::ok;
     }
     ours(wanted, kLayoutVersion);

@@ -127,8 +127,8 @@ void AvrBoard::wireOutputs() {
 }
 
 void AvrBoard::wireMarks() {
-    chip_.on_mark = [this](uint8_t value) {
-        work_.mark(value, {chip_.cycle(), chip_.asleepCycles(), chip_.interrupts().cycles()});
+    chip_.on_trace = [this](uint8_t value) {
+        work_.trace(value, {chip_.cycle(), chip_.asleepCycles(), chip_.interrupts().cycles()});
         trace(kTraceMark, value);
     };
 }
@@ -277,7 +277,7 @@ void AvrBoard::traceTo(const std::string& path) {
         signals.push_back({"servo" + std::to_string(i), 1});
     signals.push_back({"ppm", 1});
     signals.push_back({"data_ready", 1});
-    signals.push_back({"mark", 8});
+    signals.push_back({"trace", 8});
     trace_ = std::make_unique<VcdTrace>(path, signals);
 }
 

@@ -42,7 +42,7 @@ public:
     // SPI bytes that went to both sensors at once: a fault of the firmware.
     uint64_t busContentions() const { return contentions_; }
 
-    void traceTo(const std::string& path);    // servos, PPM, data ready, marks as VCD
+    void traceTo(const std::string& path);    // servos, PPM, data ready, trace as VCD
     void profileTo(const std::string& path);  // written by closeProfile
     void closeTrace() override;
     void closeProfile() override;

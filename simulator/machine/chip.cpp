@@ -105,7 +105,7 @@ void Chip::addParts() {
     twi_ = add<TwiMaster>();
     adc_ = add<AdcInputs>();
     eeprom_ = add<Eeprom>();
-    hookWrite<&Chip::mark>(avr_, kGpior0, this);
+    hookWrite<&Chip::trace>(avr_, kGpior0, this);
     hookWrite<&Chip::selectPage>(avr_, kRampz, this);
 }
 
@@ -215,9 +215,9 @@ void Chip::setBootSection(const Image& program) {
 // Two bits of it exist; libsimavr would read far behind its flash with the others.
 void Chip::selectPage(uint16_t address, uint8_t value) { avr_->data[address] = value & 3; }
 
-void Chip::mark(uint16_t address, uint8_t value) {
+void Chip::trace(uint16_t address, uint8_t value) {
     avr_->data[address] = value;
-    if (on_mark) on_mark(value);
+    if (on_trace) on_trace(value);
 }
 
 void Chip::onPort(char port, std::function<void()> changed) {

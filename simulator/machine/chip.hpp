@@ -45,7 +45,7 @@ public:
     // Called after every reset, the watchdog's too, when all cycle timers are gone.
     std::function<void()> on_reset;
     // Every write to GPIOR0.
-    std::function<void(uint8_t value)> on_mark;
+    std::function<void(uint8_t value)> on_trace;
 
     // Pins. Listeners are called after anything was written to the port or its direction.
     void onPort(char port, std::function<void()> changed);
@@ -85,7 +85,7 @@ private:
     void joinResets();
     void settle();
     void slept(uint64_t cycles);
-    void mark(uint16_t address, uint8_t value);
+    void trace(uint16_t address, uint8_t value);
     void selectPage(uint16_t address, uint8_t value);
     uint64_t stop(uint64_t) { return 0; }
     int runProfiled();

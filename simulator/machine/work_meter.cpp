@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "hal/mark.hpp"
+#include "hal/trace.hpp"
 #include "simulator/machine/registers.hpp"
 
 namespace simulator {
@@ -21,12 +21,12 @@ void WorkMeter::reset() {
     task_.reset();
 }
 
-void WorkMeter::mark(uint8_t value, const Counters& now) {
-    if (value == hal::kMarkFrameBegin) {
+void WorkMeter::trace(uint8_t value, const Counters& now) {
+    if (value == hal::kTraceFrameBegin) {
         beginFrame(now);
-    } else if (value == hal::kMarkFrameEnd) {
+    } else if (value == hal::kTraceFrameEnd) {
         endFrame(now);
-    } else if (value == hal::kMarkTaskEnd) {
+    } else if (value == hal::kTraceTaskEnd) {
         endTask(now);
     } else if (value > 0 && value <= tasks_.size()) {
         if (value == 1) used_ = std::exchange(ready_, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the firmware's marks (hal/mark.hpp) show of its frames and tasks, in cycles. A frame is
+// What the firmware traces (hal/trace.hpp) of its frames and tasks, in cycles. A frame is
 // counted from its begin to the next one's: its tasks, the interrupts in it and what is done in
 // the rest of it, all that is not sleep. Tasks are counted without interrupts. The latency of a
 // frame is from the newest inertial sample that it uses to the last compare value it writes.
@@ -18,7 +18,7 @@ public:
         uint64_t cycle, asleep, interrupts;
     };
 
-    void mark(uint8_t value, const Counters& now);
+    void trace(uint8_t value, const Counters& now);
     void sampleReady(uint64_t cycle) { ready_ = cycle; }
     void servoWritten(uint64_t cycle) { written_ = cycle; }
     void reset();  // the firmware starts again: what was under way never ends

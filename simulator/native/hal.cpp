@@ -4,13 +4,13 @@
 #include "hal/analog.hpp"
 #include "hal/clock.hpp"
 #include "hal/eeprom.hpp"
-#include "hal/guard.hpp"
+#include "hal/hang_timer.hpp"
 #include "hal/i2c.hpp"
 #include "hal/interrupts.hpp"
-#include "hal/mark.hpp"
 #include "hal/rc_input.hpp"
 #include "hal/serial.hpp"
 #include "hal/servo_output.hpp"
+#include "hal/trace.hpp"
 #include "hal/watchdog.hpp"
 #include "simulator/native/native_board.hpp"
 
@@ -78,17 +78,17 @@ uint16_t servoRead(uint8_t output) { return board().servos().read(output); }
 uint8_t lockInterrupts() { return 0; }
 void unlockInterrupts(uint8_t) {}
 
-// watchdog and marks
+// watchdog and trace
 const LastRun& lastRun() {
     static constexpr LastRun kPowerOn = {ResetCause::power_on, 0, 0, 0};
     return kPowerOn;
 }
-void guardStart() {}
-void guardTouch() {}  // its interrupt never runs: the firmware always comes round here
+void hangTimerStart() {}
+void hangTimerReset() {}  // its interrupt never runs: the firmware always comes round here
 void watchdogStart() { board().watchdogStart(); }
 void watchdogFeed() { board().watchdogFeed(); }
 void reboot() { board().reboot(); }
-void mark(uint8_t value) { board().mark(value); }
-void markItem(uint8_t value, uint8_t) { board().mark(value); }
+void trace(uint8_t value) { board().trace(value); }
+void traceItem(uint8_t value, uint8_t) { board().trace(value); }
 
 }  // namespace hal

@@ -7,7 +7,7 @@
 
 #include "firmware/app/tasks.hpp"
 #include "hal/imu_interrupt.hpp"
-#include "hal/mark.hpp"
+#include "hal/trace.hpp"
 #include "simulator/devices/at45db.hpp"
 #include "simulator/devices/gps_receiver.hpp"
 #include "simulator/devices/mpu6000.hpp"
@@ -156,7 +156,7 @@ core::Status NativeBoard::eepromRead(uint16_t address, void* to, uint8_t size) {
     return status;
 }
 
-void NativeBoard::mark(uint8_t value) { frames_ += value == hal::kMarkFrameBegin; }
+void NativeBoard::trace(uint8_t value) { frames_ += value == hal::kTraceFrameBegin; }
 
 void NativeBoard::watchdogFeed() {
     if (fed_us_ != UINT64_MAX) fed_us_ = now_us_;

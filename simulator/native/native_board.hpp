@@ -46,7 +46,7 @@ public:
     uint8_t flashTransfer(uint8_t mosi);
     void setBusFast(bool fast) { byte_ns_ = fast ? 1000 : 16'000; }
     void lockImu(bool lock);
-    void mark(uint8_t value);
+    void trace(uint8_t value);
     core::Status eepromRead(uint16_t address, void* to, uint8_t size);
     void watchdogStart() { fed_us_ = now_us_; }
     void watchdogFeed();

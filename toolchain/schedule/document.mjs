@@ -15,7 +15,7 @@ const remarks = {
   runEstimator: 'attitude from the gyros; in turn height, position, wind, and one use of a GPS fix or compass field',
   runMode: 'the work of the present flight mode: sticks to demands',
   runAttitudeControl: 'demanded bank and pitch to surfaces; autotune listens here',
-  runOutputs: 'surfaces to servo pulses, written to the timers; touches the guard',
+  runOutputs: 'surfaces to servo pulses, written to the timers; resets the hang timer',
   runBarometer: 'steps the barometer',
   runGps: 'received bytes to fixes; also between frames',
   telemetrySend: 'per link: what has become due; long transfers and commands go on',

@@ -21,8 +21,8 @@ public:
             const auto answer = static_cast<uint8_t>(sent.size() - 1);
             return counting ? answer : flash.transfer(out, now_us());
         };
-        const auto report = chip.on_mark;
-        chip.on_mark = [this, report](uint8_t number) {
+        const auto report = chip.on_trace;
+        chip.on_trace = [this, report](uint8_t number) {
             report(number);
             if (number == 6) counting = false;
         };

@@ -13,8 +13,8 @@ struct Picture {
 class Pictures : public Bench {
 public:
     Pictures() : Bench("spi") {
-        const auto report = chip.on_mark;
-        chip.on_mark = [this, report](uint8_t number) {
+        const auto report = chip.on_trace;
+        chip.on_trace = [this, report](uint8_t number) {
             report(number);
             of[number] = {chip.outputHigh('B', 0), chip.outputHigh('G', 1), chip.outputHigh('A', 6),
                           chip.outputHigh('B', 7), chip.outputHigh('A', 5)};

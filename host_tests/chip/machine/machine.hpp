@@ -23,7 +23,7 @@ struct Report {
 class Machine {
 public:
     explicit Machine(const std::string& name) : chip(simulator::readImage(program(name + ".elf"))) {
-        chip.on_mark = [this](uint8_t value) {
+        chip.on_trace = [this](uint8_t value) {
             const uint8_t* data = chip.avr()->data;
             reports.push_back(
                 {value, chip.cycle(), data[simulator::kGpior1], data[simulator::kGpior2]});

@@ -15,7 +15,7 @@ protected:
         };
         device.stop = [this] { log.push_back("stop"); };
         machine.chip.twi().connect(0x1E, device);
-        machine.chip.on_mark = [this, note = machine.chip.on_mark](uint8_t number) {
+        machine.chip.on_trace = [this, note = machine.chip.on_trace](uint8_t number) {
             note(number);
             machine.chip.twi().hang(number == 6);
         };

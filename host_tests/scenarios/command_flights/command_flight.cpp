@@ -110,8 +110,8 @@ private:
     const Telemetry& told() const { return flight_.telemetry(); }
 
     void watchMarks() {
-        const auto measure = board_.chip().on_mark;
-        board_.chip().on_mark = [this, measure](uint8_t value) {
+        const auto measure = board_.chip().on_trace;
+        board_.chip().on_trace = [this, measure](uint8_t value) {
             constexpr uint16_t kGpior1 = 0x4A;
             measure(value);
             log_.mark(value, board_.chip().avr()->data[kGpior1], seconds());

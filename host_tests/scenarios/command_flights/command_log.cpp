@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "hal/mark.hpp"
+#include "hal/trace.hpp"
 #include "mission/sequencer.hpp"
 
 namespace {
@@ -49,8 +49,8 @@ std::string plain(const std::string& said) {
 }  // namespace
 
 void CommandLog::mark(uint8_t value, uint8_t item, double time_s) {
-    if (value < hal::kMarkMission || value > hal::kMarkMission + 0x0F) return;
-    const auto event = static_cast<mission::Event>(value - hal::kMarkMission);
+    if (value < hal::kTraceMission || value > hal::kTraceMission + 0x0F) return;
+    const auto event = static_cast<mission::Event>(value - hal::kTraceMission);
     // an upload resets too; the flight's own is the last
     if (event == mission::Event::reset && entries_.size() == 1) entries_.clear();
     // a NAV that comes back is told twice: that AUTO is entered again is the first of it

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The starts and ends of a mission's commands, as the engine marks them for whoever watches the
-// chip (hal/mark.hpp), in the words of the oracle:
+// chip (hal/trace.hpp), in the words of the oracle:
 //   W5 NAV 5 is flown from now on, or flown on   +5 finished   c5 CONDITION 5 begins   -5 ended
 //   a5 action 5 runs   ?5 loop5 passed over   hold   RTL, landed the mission is over   reset
 #pragma once

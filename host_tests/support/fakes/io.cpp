@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "fakes/clock.hpp"
-#include "hal/guard.hpp"
+#include "hal/hang_timer.hpp"
 #include "hal/interrupts.hpp"
-#include "hal/mark.hpp"
+#include "hal/trace.hpp"
 
 namespace {
 
@@ -104,8 +104,8 @@ void servoWrite(uint8_t output, uint16_t pulse_halfus) {
 uint16_t servoRead(uint8_t output) { return io.servos.pulse_halfus.at(output); }
 
 const LastRun& lastRun() { return io.watchdog.last_run; }
-void guardStart() {}
-void guardTouch() { io.watchdog.guarded_us = fakes::time_us(); }
+void hangTimerStart() {}
+void hangTimerReset() { io.watchdog.guarded_us = fakes::time_us(); }
 void watchdogStart() { io.watchdog.started = true; }
 
 void watchdogFeed() {
@@ -115,8 +115,8 @@ void watchdogFeed() {
 
 void reboot() { throw fakes::Rebooted(); }
 
-void mark(uint8_t value) { io.marks.push_back(value); }
-void markItem(uint8_t value, uint8_t) { io.marks.push_back(value); }
+void trace(uint8_t value) { io.marks.push_back(value); }
+void traceItem(uint8_t value, uint8_t) { io.marks.push_back(value); }
 
 uint8_t lockInterrupts() {
     ++io.locks;

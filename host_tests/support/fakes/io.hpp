@@ -34,7 +34,7 @@ struct Watchdog {
     bool started = false;
     uint32_t feeds = 0;
     uint64_t fed_us = 0;
-    uint64_t guarded_us = 0;  // when the guard was last touched
+    uint64_t guarded_us = 0;  // when the hang timer was last reset
 };
 Watchdog& watchdog();
 struct Rebooted : std::exception {};  // thrown by hal::reboot

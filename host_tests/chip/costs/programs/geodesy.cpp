@@ -5,7 +5,7 @@
 
 #include "core/maths.hpp"
 #include "geo/position.hpp"
-#include "hal/mark.hpp"
+#include "hal/trace.hpp"
 #include "steps.hpp"
 
 namespace hal {
@@ -58,9 +58,9 @@ bool naivePassed(const Degrees& start, const Degrees& end, const Degrees& here) 
 
 template <class Work>
 __attribute__((noinline)) void timed(uint8_t step, Work work) {
-    hal::mark(step);
+    hal::trace(step);
     work();
-    hal::mark(hal::kMarkTaskEnd);
+    hal::trace(hal::kTraceTaskEnd);
 }
 
 void keep(const geo::Offset& offset) {
@@ -81,7 +81,7 @@ int main() {
     const auto da = [] { return degrees(places[0]); };
     const auto db = [] { return degrees(places[1]); };
     const auto dc = [] { return degrees(places[2]); };
-    hal::mark(hal::kMarkFrameBegin);  // without frames nothing is measured
+    hal::trace(hal::kTraceFrameBegin);  // without frames nothing is measured
     timed(costs::kNothing, [] {});
     timed(costs::kNewBand,
           [] { kept = geo::distance_m(place(far_places[0]), place(far_places[1])); });

@@ -2,7 +2,7 @@
 // The firmware's own parser and sending, fed from memory with interrupts off: a byte taken by the
 // parser, a message framed into the port's queue.
 #include "firmware/gcs/link.hpp"
-#include "hal/mark.hpp"
+#include "hal/trace.hpp"
 #include "link_steps.hpp"
 
 namespace {
@@ -14,9 +14,9 @@ uint8_t size;
 
 template <class Work>
 __attribute__((noinline)) void timed(uint8_t step, Work work) {
-    hal::mark(step);
+    hal::trace(step);
     work();
-    hal::mark(hal::kMarkTaskEnd);
+    hal::trace(hal::kTraceTaskEnd);
 }
 
 bool take(uint8_t byte) {
@@ -38,7 +38,7 @@ void receive(costs::Step step, Framing framing, const Message& message, uint8_t 
     timed(step, [&whole] {
         for (uint8_t i = 0; i < size; ++i) whole = take(bytes[i]);
     });
-    if (!whole || size != expected) hal::mark(0x7F);  // measure.cpp refuses to go on
+    if (!whole || size != expected) hal::trace(0x7F);  // measure.cpp refuses to go on
     firmware::gcs::links[0].parser.next();
 }
 
@@ -92,7 +92,7 @@ void sendAll() {
 }  // namespace
 
 int main() {
-    hal::mark(hal::kMarkFrameBegin);  // without frames nothing is measured
+    hal::trace(hal::kTraceFrameBegin);  // without frames nothing is measured
     receiveAll();
     receiveNoise();
     sendAll();

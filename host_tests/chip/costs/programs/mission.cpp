@@ -7,7 +7,7 @@
 #include "firmware/app/tasks.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/state/vehicle.hpp"
-#include "hal/mark.hpp"
+#include "hal/trace.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 #include "steps.hpp"
 
@@ -40,9 +40,9 @@ void turns(uint16_t count) {
 void upload(MissionItem (*item)(uint8_t, uint8_t), uint8_t count) {
     while (missionBeginUpload(count) == MissionResult::busy) turns(10);
     for (uint8_t i = 0; i < count;) {
-        hal::mark(costs::kUploadItem);
+        hal::trace(costs::kUploadItem);
         const MissionResult result = missionUploadItem(i, item(i, count));
-        hal::mark(hal::kMarkTaskEnd);
+        hal::trace(hal::kTraceTaskEnd);
         if (result == MissionResult::accepted) ++i;
         turns(2);
     }
@@ -52,12 +52,12 @@ void upload(MissionItem (*item)(uint8_t, uint8_t), uint8_t count) {
 
 // The firmware's own tasks rest: nothing but the engine moves.
 void poll(uint8_t step, bool begins) {
-    hal::mark(step);
+    hal::trace(step);
     if (begins)
         missionRun();
     else
         missionCatchUp();
-    hal::mark(hal::kMarkTaskEnd);
+    hal::trace(hal::kTraceTaskEnd);
 }
 
 // From the NAV being flown to the next.
@@ -95,7 +95,7 @@ int main() {
     upload(setsParameter, 4);
     fly();
     advance(costs::kHeavyStep);
-    hal::mark(costs::kNothing);
-    hal::mark(hal::kMarkTaskEnd);
+    hal::trace(costs::kNothing);
+    hal::trace(hal::kTraceTaskEnd);
     for (;;) loop();
 }

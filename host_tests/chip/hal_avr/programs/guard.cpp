@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tells why it was started, touches the guard for half a second and then no more; scans the
+// Reports why it was started, resets the hang timer for half a second and then no more; scans the
 // analogue inputs all the time and tells the first of them.
-#include "hal/guard.hpp"
+#include "hal/hang_timer.hpp"
 
 #include "hal/analog.hpp"
 #include "hal/watchdog.hpp"
@@ -15,7 +15,7 @@ void passSticksToServos() { report(3, 0); }
 int main() {
     board::start();
     report(1, static_cast<uint16_t>(hal::resetCause()));
-    hal::guardStart();
+    hal::hangTimerStart();
     uint32_t scanned_ms = 0;
     bool told = false;
     for (;;) {
@@ -26,7 +26,7 @@ int main() {
             hal::analogScan();
         }
         if (hal::now_ms() < 500) {
-            hal::guardTouch();
+            hal::hangTimerReset();
         } else if (!told) {
             told = true;
             report(2, 0);

@@ -9,13 +9,13 @@
 #include "hal/clock.hpp"
 #include "hal/imu_interrupt.hpp"
 #include "hal/interrupts.hpp"
-#include "hal/mark.hpp"
+#include "hal/trace.hpp"
 
 static inline void report(uint8_t number, uint16_t value) {
     const hal::Locked locked;  // interrupts keep registers there
     GPIOR1 = static_cast<uint8_t>(value);
     GPIOR2 = static_cast<uint8_t>(value >> 8);
-    hal::mark(number);
+    hal::trace(number);
 }
 
 static inline bool nothingWaits() { return false; }

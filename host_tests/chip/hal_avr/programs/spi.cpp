@@ -17,7 +17,7 @@ int main() {
     board::ImuSelect::low();
     report(3, SensorBus::transfer(0xF5));
     SensorBus::transfer(0x11);
-    hal::mark(4);
+    hal::trace(4);
     report(5, 0);
     SensorBus::slow();
     report(6, SensorBus::transfer(0x22));

@@ -2,7 +2,7 @@
 #include "fakes/fakes.hpp"
 
 #include "hal/interrupts.hpp"
-#include "hal/mark.hpp"
+#include "hal/trace.hpp"
 
 namespace fakes {
 
@@ -15,8 +15,8 @@ std::vector<uint8_t>& marks() {
 
 namespace hal {
 
-void mark(uint8_t value) { fakes::marks().push_back(value); }
-void markItem(uint8_t value, uint8_t) { mark(value); }
+void trace(uint8_t value) { fakes::marks().push_back(value); }
+void traceItem(uint8_t value, uint8_t) { trace(value); }
 uint8_t lockInterrupts() { return 0; }
 void unlockInterrupts(uint8_t) {}
 

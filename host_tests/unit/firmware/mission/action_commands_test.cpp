@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "firmware/mission/handlers.hpp"
-#include "hal/mark.hpp"
+#include "hal/trace.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 
 namespace firmware {
@@ -78,7 +78,7 @@ TEST_F(MissionFlight,
     const auto actions = [] {
         const auto& marks = fakes::marks();
         return std::count(marks.begin(), marks.end(),
-                          hal::kMarkMission + static_cast<int>(::mission::Event::runs));
+                          hal::kTraceMission + static_cast<int>(::mission::Event::runs));
     };
     const auto before = actions();
     mutable_vehicle.progress.distance_m = 0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the guard's interrupt puts out, against MANUAL's own way from the same sticks.
+// What the hang timer's interrupt puts out, against MANUAL's own way from the same sticks.
 #include "firmware/actuators/outputs.hpp"
 #include "firmware/control/attitude_control.hpp"
 #include "firmware_bench.hpp"
-#include "hal/guard.hpp"
+#include "hal/hang_timer.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 
 namespace {

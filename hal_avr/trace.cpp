@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hal/mark.hpp"
+#include "hal/trace.hpp"
 
 #include <avr/io.h>
 
@@ -7,8 +7,8 @@
 
 namespace hal {
 
-void mark(uint8_t value) { GPIOR0 = value; }
-void markItem(uint8_t value, uint8_t item) {
+void trace(uint8_t value) { GPIOR0 = value; }
+void traceItem(uint8_t value, uint8_t item) {
     Locked locked;  // interrupts keep a register there
     GPIOR1 = item;
     GPIOR0 = value;
