@@ -120,6 +120,7 @@ export class Routine {
       case 'out': return on(next, this.moved(at, code, state));
       case 'jump':
         if (code.to === 0) return undefined;  // begins the program anew, with an empty stack
+        if (this.isTailCall(code.to, state)) return this.call(at, code.to, next, state, () => this.ret(at, state), 0);
         return this.jump(at, code.to, registers, on);
       case 'branch': on(); return on(code.to);
       case 'skip': on(); return on(next + 2 * decode(this.image.text, next).words);
@@ -136,11 +137,7 @@ export class Routine {
         this.returns = true;
         return undefined;
       }
-      case 'ret': case 'reti':
-        if (state.depth > 0) this.fail(at, `returns with ${state.depth} bytes on the stack`);
-        this.returns = true;
-        this.result = this.result ? this.result.map((byte, i) => eitherByte(byte, registers[i])) : registers;
-        return undefined;
+      case 'ret': case 'reti': return this.ret(at, state);
       case 'sei': this.enables = true; return on();
       case 'load': {
         const behind = this.copyLoop(at, code, state);
@@ -158,6 +155,18 @@ export class Routine {
         this.compute(at, code, registers);
         return on();
     }
+  }
+
+  ret(at, { depth, registers }) {
+    if (depth > 0) this.fail(at, `returns with ${depth} bytes on the stack`);
+    this.returns = true;
+    this.result = this.result ? this.result.map((byte, i) => eitherByte(byte, registers[i])) : registers;
+  }
+
+  // A jump to where another function of ours begins, with nothing left on the stack. Followed as a
+  // part of this one, its saved registers and frame would be mixed up with this one's.
+  isTailCall(to, { depth }) {
+    return depth === 0 && to !== this.entry && this.image.isOurs(to);
   }
 
   clobber(registers) {
@@ -185,9 +194,9 @@ export class Routine {
     return undefined;
   }
 
-  call(at, to, next, state, on) {
+  call(at, to, next, state, on, pushed = kReturnAddress) {
     if (to === next) return on(next, state.depth + kReturnAddress);  // avr-gcc's short way to make room
-    const depth = state.depth + kReturnAddress;
+    const depth = state.depth + pushed;
     const args = argumentsOf(state.registers);
     this.calls.set(at, { at, to, depth, args, slots: state.slots });
     if (this.image.name(to) === 'memcpy_P') this.copyFromFlash(state);

@@ -48,6 +48,7 @@ class Image {
     const symbols = [...this.functions.values()];
     const names = readableNames(symbols.map((symbol) => symbol.name));
     for (const symbol of symbols) symbol.name = names.get(symbol.name);
+    this.ours = new Set([...this.functions.values()].filter(({ type, name }) => type === 'function' && !name.startsWith('__')).map(({ value }) => value));
     this.starts = [...this.functions.keys()].sort((a, b) => a - b);
     this.objects = elf.symbols.filter((symbol) => symbol.type === 'object' && symbol.size > 0);
     this.words = new Map(elf.relocations.filter((r) => r.type === kWordOfCode).map((r) => [r.at, r.target]));
@@ -55,6 +56,9 @@ class Image {
     this.addresses = new Map(elf.relocations.filter(isAddress).map((r) => [r.at, r]));
     this.trampolines = this.findTrampolines();
   }
+
+  // Whether a function that is no helper of the compiler's begins there.
+  isOurs(address) { return this.ours.has(address); }
 
   // A pointer has 16 bits and reaches the first 128 KiB; for functions above, the linker makes it
   // point to a jump to them.

@@ -45,6 +45,20 @@ test('a jump at the end of a function needs no return address of its own', () =>
   assert.equal(result.bytes, kMain + 3 + 1);
 });
 
+test('a function that ends by jumping to another one does not share its frame', () => {
+  const framed = (name, size, end) => `extern "C" ASM ${name}() {
+    asm("ldi r26, ${size}\\n ldi r27, 0\\n ldi r30, pm_lo8(1f)\\n ldi r31, pm_hi8(1f)\\n jmp __room\\n"
+        "1: adiw r28, ${size}\\n out 0x3e, r29\\n out 0x3d, r28\\n ${end}"); }`;
+  const result = bound(`
+    extern "C" ASM __room() {  // as the compiler's own helper
+      asm("in r28, 0x3d\\n in r29, 0x3e\\n sub r28, r26\\n sbc r29, r27\\n out 0x3e, r29\\n out 0x3d, r28\\n ijmp"); }
+    ${framed('second', 5, 'ret')}
+    ${framed('first', 16, 'jmp second')}
+    __attribute__((naked)) int main() { asm("call first\\n rjmp .-2"); }`);
+
+  assert.equal(result.bytes, kMain + 3 + 16);
+});
+
 test('room made by moving the stack pointer counts', () => {
   const frame = (size) => bound(`
     PLAIN void work() { volatile uint8_t frame[${size}]; frame[0] = 1; frame[${size} - 1] = 2; }
