@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A board on the bench with a ground station at its USB port that sends commands, and remembers
-// what it was told.
+// the texts it sent.
 #pragma once
 #include <cmath>
 #include <cstring>
@@ -72,12 +72,12 @@ public:
         }
         return values_.count(name) != 0 ? values_[name] : NAN;
     }
-    bool told(const std::string& part) const {
+    bool received(const std::string& part) const {
         for (const Event& text : telemetry.texts)
             if (text.text.find(part) != std::string::npos) return true;
         return false;
     }
-    int timesTold(const std::string& part) const {
+    int timesReceived(const std::string& part) const {
         int count = 0;
         for (const Event& text : telemetry.texts)
             count += text.text.find(part) != std::string::npos;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An airplane with bad accelerometers is held in hands and calibrated by wire, as a ground station
-// talks its pilot through it; natively its compass too. Before and after, what it says it feels is
+// talks its pilot through it; natively its compass too. Before and after, what it measures is
 // held against gravity. Prints what it finds, exits 0 when all is as it should be.
 //   calibration native|FIRMWARE apm1|apm2 MINUTES_FILE
 #include <cstdio>
@@ -72,19 +72,19 @@ public:
         }
         const bool ended = bench_.waitUntil(10, [&] { return bench_.wanted_side > 6; });
         hold(ended, "it comes to an end", bench_.wanted_side);
-        hold(bench_.told("Calibration successful"), "with success", 1);
+        hold(bench_.received("Calibration successful"), "with success", 1);
     }
     void calibrateCompass() {
         const int answer = bench_.command(mavlink::MavCmd::do_start_mag_cal);
         hold(answer == mavlink::MavResult::accepted, "the compass's turns are begun", answer);
-        const int before = bench_.timesTold("Calibration successful");
+        const int before = bench_.timesReceived("Calibration successful");
         const uint64_t from_us = board_.time_us();
-        for (int i = 0; i < 170 && bench_.timesTold("Calibration successful") == before; ++i) {
+        for (int i = 0; i < 170 && bench_.timesReceived("Calibration successful") == before; ++i) {
             const double wobble = std::sin(0.37 * i);
             board_.world().turn(0.9 * wobble, 0.8, 0.5 * std::cos(0.21 * i));
             bench_.run_s(1);
         }
-        hold(bench_.timesTold("Calibration successful") > before, "they end well, s",
+        hold(bench_.timesReceived("Calibration successful") > before, "they end well, s",
              static_cast<double>(board_.time_us() - from_us) * 1e-6);
         const auto& offset = board_.world().compass().offset_mg();
         const char* const kNames[] = {"COMPASS_OFS_X", "COMPASS_OFS_Y", "COMPASS_OFS_Z"};
@@ -138,10 +138,11 @@ int main(int argc, char** argv) try {
     if (auto* avr = dynamic_cast<AvrBoard*>(board.get())) lookAtLights(*avr, bench);
     Calibration calibration(*board, bench);
     const double before_mg = calibration.felt_mg();
-    hold(std::abs(before_mg - 1000) > 15, "before, it feels too much or too little, mg", before_mg);
+    hold(std::abs(before_mg - 1000) > 15, "before, it measures too much or too little, mg",
+         before_mg);
     calibration.calibrateSides();
     const double worst_mg = calibration.worst_mg();
-    hold(worst_mg < 8, "afterwards it feels gravity on every side, mg off", worst_mg);
+    hold(worst_mg < 8, "afterwards it measures gravity on every side, mg off", worst_mg);
     if (std::strcmp(argv[1], "native") == 0) calibration.calibrateCompass();
     const double throttle_us = board->world().servoPulse_us(3);
     hold(std::abs(throttle_us - 1100) < 2, "the motor's output stays at its minimum, us",

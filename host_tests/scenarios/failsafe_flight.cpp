@@ -12,7 +12,7 @@
 #include <map>
 
 #include "firmware/safety/failsafe_table.hpp"
-#include "host_tests/scenarios/self_judged.hpp"
+#include "host_tests/scenarios/self_checked.hpp"
 #include "host_tests/scenarios/station.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/report/recorder.hpp"
@@ -107,13 +107,13 @@ public:
         sendFence();
         bool kept = true;
         for (const Row& row : kRows) kept = flyRow(row) && kept;
-        const Judged whole[] = {
+        const Check whole[] = {
             {"no frame was late", board_.figures().frame_overruns.value_or(0) == 0},
-            {"the airplane stayed in hand", lowest_m_ > 25 && most_bank_deg_ < 60},
+            {"the airplane stayed in hand", lowest_m_ > 25 && max_bank_deg_ < 60},
             {"the flight went on to its end", !flight_.over()},
         };
-        kept_ = sayAll(whole) && kept;
-        if (!kept_) sayWhatHappened(flight_);
+        kept_ = printChecks(whole) && kept;
+        if (!kept_) printEvents(flight_);
         return kept_;
     }
 
@@ -136,7 +136,7 @@ private:
         const Truth& truth = board_.world().truth();
         if (!begun_) return !flight_.over();  // the take-off
         lowest_m_ = std::min(lowest_m_, truth.height_m);
-        most_bank_deg_ = std::max(most_bank_deg_, std::abs(truth.roll_rad) / kDegree);
+        max_bank_deg_ = std::max(max_bank_deg_, std::abs(truth.roll_rad) / kDegree);
         if (modes_.empty() || modes_.back() != mode()) modes_.push_back(mode());
         return !flight_.over();
     }
@@ -287,7 +287,7 @@ private:
     size_t said_ = 0;              // texts before this row, then before its trouble
     std::vector<uint32_t> modes_;  // since then
     std::map<std::string, float> sent_;
-    double lowest_m_ = 1e9, most_bank_deg_ = 0;
+    double lowest_m_ = 1e9, max_bank_deg_ = 0;
 };
 
 WorldOptions worldOf(const Waypoints& items) {
@@ -305,5 +305,5 @@ int main(int count, char** words) {
         return 2;
     }
     const Waypoints items = readWaypoints(words[2]);
-    return flyAndJudge<FailsafeFlight>(words[1], worldOf(items), words[3], words[4], items);
+    return flyAndCheck<FailsafeFlight>(words[1], worldOf(items), words[3], words[4], items);
 }

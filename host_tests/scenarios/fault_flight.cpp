@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Flights of a mission in wind during which sensors fail, alone or in pairs, and come back. Fails
-// when the airplane does not stay in the air and in hand, when it is not told what
+// when the airplane does not stay in the air and in hand, when nothing reports what
 // docs/failsafes.md says, or when the mission is not flown on afterwards. Without an inertial
 // sensor a pilot flies, who sees the airplane. Natively each flight has a process of its own.
 //   fault_flight native MISSION singles|pairs|SENSOR:HOW...
@@ -14,7 +14,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "host_tests/scenarios/telling.hpp"
+#include "host_tests/scenarios/flight_report.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "simulator/native/native_board.hpp"
@@ -33,7 +33,7 @@ constexpr double kDegree = M_PI / 180;
 
 struct Expected {
     Faulty sensor;
-    const char* begins;  // what is told
+    const char* begins;  // the text
     const char* ends;
 };
 constexpr Expected kExpected[] = {
@@ -91,7 +91,7 @@ public:
             if (flight_.telemetry().mode() == kModeManual && seconds() > kFrom_s) steer();
             watch();
         }
-        return judge();
+        return check();
     }
 
     double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
@@ -119,35 +119,35 @@ private:
         if (seconds() < kFrom_s) return;
         lowest_m_ = std::min(lowest_m_, t.height_m);
         highest_m_ = std::max(highest_m_, t.height_m);
-        most_bank_deg_ = std::max(most_bank_deg_, std::abs(t.roll_rad) / kDegree);
+        max_bank_deg_ = std::max(max_bank_deg_, std::abs(t.roll_rad) / kDegree);
         circled_ = circled_ || flight_.telemetry().mode() == kModeCircle;
         by_hand_ = by_hand_ || flight_.telemetry().mode() == kModeManual;
     }
 
-    bool told(const std::string& text) const {
+    bool reported(const std::string& text) const {
         const auto& texts = flight_.telemetry().texts;
         return std::any_of(texts.begin(), texts.end(), [&](const Event& each) {
             return each.text.find(text) != each.text.npos;
         });
     }
 
-    std::string judge() const {
+    std::string check() const {
         char text[160];
         if (!flight_.reason().empty()) return flight_.reason();
         std::snprintf(text, sizeof text, "height %.0f to %.0f m, bank up to %.0f deg", lowest_m_,
-                      highest_m_, most_bank_deg_);
+                      highest_m_, max_bank_deg_);
         // an airplane that turns over while nobody knows is still in hand when it is caught
-        const double most_deg = needsPilot(faults_) ? 100 : 65;
-        if (lowest_m_ < 20 || highest_m_ > 180 || most_bank_deg_ > most_deg) return text;
+        const double max_deg = needsPilot(faults_) ? 100 : 65;
+        if (lowest_m_ < 20 || highest_m_ > 180 || max_bank_deg_ > max_deg) return text;
         for (const Expected& each : kExpected) {
             if (!has(faults_, each.sensor) || isJumpOfGps()) continue;
             if (each.sensor == Faulty::imu && !needsPilot(faults_)) continue;
             if (each.sensor == Faulty::compass && isDriftOf(Faulty::compass)) continue;
-            if (!told(each.begins)) return std::string("not told: ") + each.begins;
-            if (!isDriftOf(each.sensor) && !told(each.ends))
-                return std::string("not told: ") + each.ends;
+            if (!reported(each.begins)) return std::string("not reported: ") + each.begins;
+            if (!isDriftOf(each.sensor) && !reported(each.ends))
+                return std::string("not reported: ") + each.ends;
         }
-        if (isJumpOfGps() && !told("GPS jump refused")) return "the jump was not refused";
+        if (isJumpOfGps() && !reported("GPS jump refused")) return "the jump was not refused";
         if (by_hand_ != needsPilot(faults_)) return by_hand_ ? "MANUAL" : "no MANUAL";
         if (has(faults_, Faulty::gps) && !isJumpOfGps() && !by_hand_ && !circled_)
             return "no CIRCLE";
@@ -170,7 +170,7 @@ private:
     Board& board_;
     ScriptedFlight flight_;
     double over_s_ = 0, steered_s_ = -10, height_m_ = 0;
-    double lowest_m_ = 1e9, highest_m_ = 0, most_bank_deg_ = 0;
+    double lowest_m_ = 1e9, highest_m_ = 0, max_bank_deg_ = 0;
     bool circled_ = false, by_hand_ = false;
 };
 
@@ -218,7 +218,7 @@ bool flyAndTell(Board& board, int telemetry, const Waypoints& items, const Fault
     seconds = flight.seconds();
     std::printf("%s  %s%s%s\n", why.empty() ? "ok    " : "FAILED", nameOf(faults).c_str(),
                 why.empty() ? "" : ": ", why.c_str());
-    if (!why.empty()) sayWhatHappened(flight.flight());
+    if (!why.empty()) printEvents(flight.flight());
     std::fflush(stdout);
     return why.empty();
 }

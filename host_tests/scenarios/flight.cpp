@@ -60,7 +60,7 @@ int fly(const std::vector<std::string>& words) {
     return ok ? 0 : 1;
 }
 
-// Modes and arming are told by a heartbeat once a second, the mission's progress when it happens:
+// Modes and arming are sent in a heartbeat once a second, the mission's progress when it happens:
 // each is a sequence of its own. What comes next is announced in a stream's phase and left out.
 std::vector<std::string> events(const Json& summary, bool by_heartbeat) {
     std::vector<std::string> found;

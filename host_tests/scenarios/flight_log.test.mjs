@@ -71,7 +71,7 @@ test('the place is where the airplane was', () => {
   spread('CTUN', (ctun, time_s) => ctun.Aspd - at(time_s, 'equivalent_airspeed_mps'), { rms: 1, peak: 4 });
 });
 
-test('the gyros tell how the roll changes, and the accelerometer which way is down', () => {
+test('the gyros show how the roll changes, and the accelerometer which way is down', () => {
   const imu = named(records, 'IMU').filter(flying);
   const lift = imu.reduce((sum, { AccZ }) => sum + AccZ, 0) / imu.length;
   assert.ok(lift < -9 && lift > -12, `${lift} m/s/s`);

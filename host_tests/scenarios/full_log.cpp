@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "hal/page_flash.hpp"
+#include "host_tests/scenarios/flight_report.hpp"
 #include "host_tests/scenarios/station.hpp"
-#include "host_tests/scenarios/telling.hpp"
 #include "logging/page.hpp"
 #include "simulator/devices/at45db.hpp"
 #include "simulator/machine/apm2_board.hpp"
@@ -72,7 +72,7 @@ public:
     }
     uint64_t search_us() const { return last_read_us_ - first_read_us_; }
     uint64_t known_us() const { return last_read_us_; }
-    bool toldBlank() const { return told_blank_; }
+    bool reportedBlank() const { return reported_blank_; }
 
     std::vector<mavlink::LogEntry> list() {
         entries_.clear();
@@ -111,11 +111,11 @@ private:
     Link logs_{board_, Station::kUsb, [this](const mavlink::Frame& frame, uint64_t) {
                    if (const auto entry = as<mavlink::LogEntry>(frame)) entries_.push_back(*entry);
                    if (const auto text = as<mavlink::Statustext>(frame))
-                       told_blank_ |= std::strncmp(text->text, "No logs", 8) == 0;
+                       reported_blank_ |= std::strncmp(text->text, "No logs", 8) == 0;
                }};
     std::vector<mavlink::LogEntry> entries_;
     std::vector<uint16_t> written_;
-    bool told_blank_ = false;
+    bool reported_blank_ = false;
     uint64_t first_read_us_ = 0, last_read_us_ = 0;
 };
 
@@ -142,7 +142,7 @@ double tryFull(const std::string& firmware, const BoardWiring& wiring) {
            static_cast<double>(bench.search_us()) / 1000, "ms");
     expect(bench.known_us() <= 300'000, "had found it after the reset in",
            static_cast<double>(bench.known_us()) / 1000, "ms");
-    expect(!bench.toldBlank(), "nobody calls it blank", bench.toldBlank(), "");
+    expect(!bench.reportedBlank(), "nobody calls it blank", bench.reportedBlank(), "");
     const int logs = (ring - 2) / kPagesOfLog + 1;
     const auto before = bench.list();
     expect(static_cast<int>(before.size()) == logs, "lists as many logs as there are",
@@ -166,7 +166,7 @@ double tryBlank(const std::string& firmware, const BoardWiring& wiring) {
     bench.start();
     expect(bench.known_us() <= 300'000, "had seen that after the reset in",
            static_cast<double>(bench.known_us()) / 1000, "ms");
-    expect(bench.toldBlank(), "the ground was told", bench.toldBlank(), "");
+    expect(bench.reportedBlank(), "the ground was notified", bench.reportedBlank(), "");
     const auto none = bench.list();
     expect(none.size() == 1 && none[0].num_logs == 0, "lists no logs", none[0].num_logs, "logs");
     const auto pages = bench.fly(4'000'000);

@@ -20,7 +20,7 @@ struct Case {
     const char* kind;
     uint32_t baud;
     const char* found;
-    double most_s;  // from plugging it in; what was there before must be missed first
+    double max_s;  // from plugging it in; what was there before must be missed first
 };
 constexpr double kFirst_s = 2;
 // clang-format off
@@ -43,15 +43,15 @@ std::unique_ptr<Board> makeBoard(const char* firmware, bool first) {
 }
 
 bool isFound(Board& board, Bench& bench, const Case& gps) {
-    const int before = bench.timesTold(gps.found);
-    if (gps.most_s > kFirst_s) board.world().plugGps(gps.kind, gps.baud);
+    const int before = bench.timesReceived(gps.found);
+    if (gps.max_s > kFirst_s) board.world().plugGps(gps.kind, gps.baud);
     const double began_s = static_cast<double>(board.time_us()) * 1e-6;
     const auto fixed = [&] { return bench.telemetry.gps && bench.telemetry.gps->fix_type == 3; };
-    bool ok = bench.waitUntil(gps.most_s, [&] { return bench.timesTold(gps.found) > before; });
+    bool ok = bench.waitUntil(gps.max_s, [&] { return bench.timesReceived(gps.found) > before; });
     const double found_s = static_cast<double>(board.time_us()) * 1e-6 - began_s;
     ok = bench.waitUntil(5, fixed) && ok;
     std::printf("  %s %s at %u: %.2f s, at most %.1f, and %s fix\n", ok ? "ok    " : "FAILED",
-                gps.kind, gps.baud, found_s, gps.most_s, fixed() ? "a" : "NO");
+                gps.kind, gps.baud, found_s, gps.max_s, fixed() ? "a" : "NO");
     return ok;
 }
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "host_tests/scenarios/telling.hpp"
+#include "host_tests/scenarios/flight_report.hpp"
 #include "simulator/native/native_board.hpp"
 
 using namespace simulator;
@@ -29,8 +29,8 @@ constexpr double kMax_s = 12.5;  // the one before must be missed first
 constexpr uint64_t kStep_us = 20'000;
 constexpr int kTelemetry = 2;
 
-double secondsUntil(const Telemetry& told, const Swap& swap, double plugged_s) {
-    for (const Event& text : told.texts)
+double secondsUntil(const Telemetry& reported, const Swap& swap, double plugged_s) {
+    for (const Event& text : reported.texts)
         if (text.time_s > plugged_s && text.text == swap.found) return text.time_s - plugged_s;
     return 1e9;
 }
@@ -68,7 +68,7 @@ int main(int count, char** words) {
         std::printf("  %s %s after %.1f s, at most %.1f\n", after_s <= kMax_s ? "ok    " : "FAILED",
                     kSwaps[i].found, after_s, kMax_s);
     }
-    if (!ok) sayWhatHappened(flight);
+    if (!ok) printEvents(flight);
     writeMinutes(fs::path(words[2]) / "gps_flight", static_cast<double>(board.time_us()) / 60e6);
     return ok ? 0 : 1;
 }

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <iostream>
 
-#include "host_tests/scenarios/self_judged.hpp"
+#include "host_tests/scenarios/self_checked.hpp"
 #include "host_tests/scenarios/station.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/report/recorder.hpp"
@@ -55,13 +55,13 @@ double bend_m(const Flown& flown, double from_s) {
         std::find_if(flown.begin(), flown.end(), [&](const Moment& m) { return m.t_s >= from_s; });
     const Moment& last = flown.back();
     const double length_m = distance_m(*first, last);
-    double most_m = 0;
+    double max_m = 0;
     for (auto at = first; at != flown.end(); ++at) {
         const double across = (at->east_m - first->east_m) * (last.north_m - first->north_m) -
                               (at->north_m - first->north_m) * (last.east_m - first->east_m);
-        most_m = std::max(most_m, std::abs(across) / length_m);
+        max_m = std::max(max_m, std::abs(across) / length_m);
     }
-    return most_m;
+    return max_m;
 }
 
 struct Sticks {
@@ -114,9 +114,9 @@ bool withinTheLimit(const Flown& flown) {
     return bank.highest < kBankLimit_deg + 6 && bank.lowest > -kBankLimit_deg - 6;
 }
 bool heldAtTheLimit(const Flown& flown) {
-    const double most_deg = range(flown, &Moment::roll_deg, 1, 6).highest;
+    const double max_deg = range(flown, &Moment::roll_deg, 1, 6).highest;
     const double held_deg = range(flown, &Moment::roll_deg, 3, 5).mean();
-    return most_deg < kBankLimit_deg + 8 && std::abs(held_deg - kBankLimit_deg) < 3 &&
+    return max_deg < kBankLimit_deg + 8 && std::abs(held_deg - kBankLimit_deg) < 3 &&
            straight({flown.end() - 20, flown.end()});
 }
 bool stoppedWhereLetGo(const Flown& flown) {
@@ -158,10 +158,10 @@ bool stayedNear(const Flown& flown) {
 }
 bool cameNearer(const Flown& flown) {
     const Moment home{};
-    double most_m = 0;
-    for (const Moment& moment : flown) most_m = std::max(most_m, distance_m(home, moment));
+    double max_m = 0;
+    for (const Moment& moment : flown) max_m = std::max(max_m, distance_m(home, moment));
     const double now_m = distance_m(home, flown.back());
-    return now_m < most_m - 30 || now_m < 100;
+    return now_m < max_m - 30 || now_m < 100;
 }
 
 struct Leg {
@@ -214,13 +214,13 @@ public:
         prepare(kLegs[0], upper);
         for (const Leg& leg : kLegs) {
             const Flown flown = flyLeg(leg, upper);
-            kept = judge(leg, flown) && kept;
+            kept = check(leg, flown) && kept;
             upper = !upper;
         }
         const BoardFigures figures = board_.figures();
         if (figures.frame_overruns.value_or(0) != 0) std::printf("  FAILED  a frame was late\n");
         kept_all_ = kept && !flight_.over() && figures.frame_overruns.value_or(0) == 0;
-        if (!kept_all_) sayWhatHappened(flight_);
+        if (!kept_all_) printEvents(flight_);
         return kept_all_;
     }
 
@@ -258,7 +258,7 @@ private:
         return flown;
     }
 
-    bool judge(const Leg& leg, const Flown& flown) {
+    bool check(const Leg& leg, const Flown& flown) {
         if (flown.size() < 10) return false;
         const Range bank = range(flown, &Moment::roll_deg, 0, 99);
         const Range height = range(flown, &Moment::height_m, 0, 99);
@@ -315,6 +315,6 @@ int main(int count, char** words) {
         return 2;
     }
     const Waypoints items = readWaypoints(words[2]);
-    return flyAndJudge<ModesFlight>(words[1], worldOf(items), words[3], words[5], items,
+    return flyAndCheck<ModesFlight>(words[1], worldOf(items), words[3], words[5], items,
                                     std::stod(words[4]));
 }

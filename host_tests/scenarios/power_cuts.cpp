@@ -6,8 +6,8 @@
 //   power_cuts FIRMWARE MINUTES_FILE
 #include <cstdio>
 
+#include "host_tests/scenarios/flight_report.hpp"
 #include "host_tests/scenarios/station.hpp"
-#include "host_tests/scenarios/telling.hpp"
 #include "simulator/devices/at45db.hpp"
 #include "simulator/machine/apm2_board.hpp"
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How exact the image's pulses are while both links, the mission store and the log are busy: what
-// the receiver sends is what is told, and in MANUAL what leaves on the same channel's output; no
-// output's pulse comes early or late. Exits 0 when all limits are kept.
+// the receiver sends is what is reported, and in MANUAL what leaves on the same channel's output;
+// no output's pulse comes early or late. Exits 0 when all limits are kept.
 //   pulse_times FIRMWARE apm1|apm2 MINUTES_FILE
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
+#include "host_tests/scenarios/flight_report.hpp"
 #include "host_tests/scenarios/station.hpp"
-#include "host_tests/scenarios/telling.hpp"
 #include "simulator/machine/apm2_board.hpp"
 
 using namespace simulator;
@@ -106,27 +106,28 @@ private:
         send(surfaces);
         station_.run_us(400'000);
         for (Output& each : outputs_) each = {};
-        told_.reset();
+        reported_.reset();
         station_.upload(someMission(60, seed));
         station_.run_us(500'000);
         bool ok = true;
         for (size_t i = 0; i < surfaces.size(); ++i) ok = judgeSurface(i, surfaces[i]) && ok;
-        for (size_t i = 0; i < outputs_.size(); ++i) ok = judge(i) && ok;
+        for (size_t i = 0; i < outputs_.size(); ++i) ok = check(i) && ok;
         return ok;
     }
 
     bool judgeSurface(size_t which, uint16_t sent_us) const {
         const int channel = kSurfaces[which];
         const double out_us = outputs_[channel].width_us.farthest(sent_us);
-        const double told_us = told_ ? std::fabs(double((*told_)[channel]) - sent_us) : 1e9;
-        const bool ok = out_us <= kMax_us && told_us <= kMax_us;
-        std::printf("  %s channel %d, %u us: told %.1f us off, led through %.2f us off\n",
-                    ok ? "ok    " : "FAILED", channel + 1, sent_us, told_us, out_us);
+        const double reported_us =
+            reported_ ? std::fabs(double((*reported_)[channel]) - sent_us) : 1e9;
+        const bool ok = out_us <= kMax_us && reported_us <= kMax_us;
+        std::printf("  %s channel %d, %u us: reported %.1f us off, led through %.2f us off\n",
+                    ok ? "ok    " : "FAILED", channel + 1, sent_us, reported_us, out_us);
         return ok;
     }
 
     // All outputs come at a rate of their own; those that nothing drives are silent.
-    bool judge(size_t output) {
+    bool check(size_t output) {
         const Output& seen = outputs_[output];
         if (seen.width_us.count == 0 && output >= 4) return true;
         widest_us_ = std::max(widest_us_, seen.width_us.spread());
@@ -153,7 +154,7 @@ private:
 
     void take(const mavlink::Frame& frame) {
         if (const auto raw = as<mavlink::RcChannelsRaw>(frame))
-            told_ = {raw->chan1_raw, raw->chan2_raw, raw->chan3_raw, raw->chan4_raw};
+            reported_ = {raw->chan1_raw, raw->chan2_raw, raw->chan3_raw, raw->chan4_raw};
     }
 
     const BoardWiring& wiring_;
@@ -161,7 +162,7 @@ private:
     Station station_;
     Link radio_;
     std::array<Output, 8> outputs_{};
-    std::optional<std::array<uint16_t, 4>> told_;
+    std::optional<std::array<uint16_t, 4>> reported_;
     double widest_us_ = 0, unsteadiest_us_ = 0;
 };
 

@@ -13,8 +13,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "host_tests/scenarios/flight_report.hpp"
 #include "host_tests/scenarios/station.hpp"
-#include "host_tests/scenarios/telling.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/ground/scripted_flight.hpp"
 #include "simulator/ground/telemetry.hpp"

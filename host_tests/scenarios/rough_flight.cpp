@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "host_tests/scenarios/telling.hpp"
+#include "host_tests/scenarios/flight_report.hpp"
 #include "simulator/devices/at45db.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/machine/apm2_board.hpp"
@@ -59,14 +59,15 @@ public:
             if (!board_.runUntil(step * kStep_us)) flight_.stop(board_.fault());
             flight_.step(board_.time_us());
             if (step % 10 == 0) recorder_.sample(board_, flight_.telemetry(), {}, {});
-            if (uploading_) upload_.step(board_.time_us(), told().system, told().component);
+            if (uploading_)
+                upload_.step(board_.time_us(), telemetry().system, telemetry().component);
             if (next == kTroubles.size() || sinceAirborne_s() < kTroubles[next].at_s) continue;
             std::printf("%6.1f s  %s\n", seconds(), kTroubles[next].what);
             (this->*kTroubles[next++].happens)();
         }
     }
 
-    bool judge();
+    bool check();
     Summary summary(const std::string& firmware);
 
     double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
@@ -86,7 +87,7 @@ private:
         return world;
     }
 
-    const Telemetry& told() const { return flight_.telemetry(); }
+    const Telemetry& telemetry() const { return flight_.telemetry(); }
     double sinceAirborne_s() const {
         return flight_.airborne_s() ? seconds() - *flight_.airborne_s() : -1;
     }
@@ -94,7 +95,7 @@ private:
     void take(const mavlink::Frame& frame, uint64_t at_us) {
         ++usb_messages_;
         upload_.take(frame, at_us);
-        if (as<mavlink::ParamValue>(frame)) ++parameters_told_;
+        if (as<mavlink::ParamValue>(frame)) ++parameters_sent_;
         const auto asked = as<mavlink::MissionRequestInt>(frame);
         if (asked && asked->mission_type == mavlink::MavMissionType::fence)
             sendFencePoint(asked->seq);
@@ -104,8 +105,8 @@ private:
     template <class Message>
     Message addressed() const {
         Message message{};
-        message.target_system = told().system;
-        message.target_component = told().component;
+        message.target_system = telemetry().system;
+        message.target_component = telemetry().component;
         return message;
     }
 
@@ -136,9 +137,9 @@ private:
     }
     void sendMission() {
         uploading_ = true;
-        modes_.push_back(told().mode());
+        modes_.push_back(telemetry().mode());
     }
-    // The largest there is, around all of the flight, and only to be told of.
+    // The largest there is, around all of the flight, and only to be reported.
     void sendFence() {
         set("FENCE_ACTION", 2);
         auto count = addressed<mavlink::MissionCount>();
@@ -180,12 +181,12 @@ private:
     void radioFailsafePulses() { sticks(kFbwa, true, 900); }
 
     bool said(const char* text) const {
-        return std::any_of(told().texts.begin(), told().texts.end(), [&](const Event& event) {
-            return event.text.find(text) != std::string::npos;
-        });
+        return std::any_of(
+            telemetry().texts.begin(), telemetry().texts.end(),
+            [&](const Event& event) { return event.text.find(text) != std::string::npos; });
     }
     bool happened(const char* event) const {
-        return std::any_of(told().events.begin(), told().events.end(),
+        return std::any_of(telemetry().events.begin(), telemetry().events.end(),
                            [&](const Event& e) { return e.text == event; });
     }
 
@@ -199,7 +200,7 @@ private:
     Recorder recorder_;
     std::vector<uint32_t> modes_;
     bool uploading_ = false, asked_for_mission_ = false, kept_all_ = false;
-    int usb_messages_ = 0, parameters_told_ = 0;
+    int usb_messages_ = 0, parameters_sent_ = 0;
 };
 
 const std::vector<RoughFlight::Trouble> RoughFlight::kTroubles = {
@@ -224,31 +225,31 @@ const std::vector<RoughFlight::Trouble> RoughFlight::kTroubles = {
     {kFrom_s + 120, "parameters are asked for again", &RoughFlight::listParameters},
 };
 
-bool RoughFlight::judge() {
+bool RoughFlight::check() {
     const BoardFigures figures = board_.figures();
-    kept_all_ = sayAll({
+    kept_all_ = printChecks({
         {"it flew to the end", !flight_.over()},
         {"no frame was late", figures.frame_overruns == 0u},
         {"no inertial sample was lost",
          recorder_.imuSamples() && recorder_.imuSamples()->lost == 0},
-        {"USB told all its streams", usb_messages_ > 1000},
-        {"every parameter was told", parameters_told_ > 200},
-        {"the mission was told", !asked_for_mission_},
+        {"USB sent all its streams", usb_messages_ > 1000},
+        {"every parameter was sent", parameters_sent_ > 200},
+        {"the mission was sent", !asked_for_mission_},
         {"the fence was stored", said("Fence stored: 20 points")},
         {"the fence was on, and never broken", said("Fence on") && !said("Fence breach")},
         {"the mode switch led to RTL", happened("mode RTL")},
         {"the mode switch led to MANUAL", happened("mode MANUAL")},
-        {"the short failsafe was told", said("short failsafe")},
-        {"the long failsafe was told", said("long failsafe")},
+        {"the short failsafe was reported", said("short failsafe")},
+        {"the long failsafe was reported", said("long failsafe")},
         {"the missions went through the DataFlash", board_.world().dataflash().programs(0) > 0},
         {"the DataFlash was never asked for what it cannot do then",
          board_.world().dataflash().ignored() == 0},
         {"the radio came back", said("Radio back")},
         {"the mission was taken in flight", upload_.accepted()},
-        {"it is armed and in AUTO again", told().armed() && told().mode() == kModeAuto},
+        {"it is armed and in AUTO again", telemetry().armed() && telemetry().mode() == kModeAuto},
     });
     if (!upload_.failure().empty()) std::printf("  %s\n", upload_.failure().c_str());
-    if (!kept_all_) sayWhatHappened(flight_);
+    if (!kept_all_) printEvents(flight_);
     return kept_all_;
 }
 
@@ -274,7 +275,7 @@ int main(int count, char** words) {
     if (count == 6) flight.profileTo(words[5]);
     flight.fly();
     flight.closeProfile();
-    const bool kept = flight.judge();
+    const bool kept = flight.check();
     writeOutcome(out, minutes, flight.summary(firmware));
     return kept ? 0 : 1;
 }

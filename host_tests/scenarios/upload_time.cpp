@@ -4,8 +4,8 @@
 //   upload_time FIRMWARE MINUTES_FILE
 #include <cstdio>
 
+#include "host_tests/scenarios/flight_report.hpp"
 #include "host_tests/scenarios/station.hpp"
-#include "host_tests/scenarios/telling.hpp"
 #include "simulator/machine/apm2_board.hpp"
 
 using namespace simulator;

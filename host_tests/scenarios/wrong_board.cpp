@@ -43,14 +43,14 @@ int main(int argc, char** argv) try {
         pulses = pulses || anyPulse(board);
         return done;
     };
-    hold(bench.waitUntil(12, [&] { return watched(bench.told(text)); }), "it says so");
+    hold(bench.waitUntil(12, [&] { return watched(bench.received(text)); }), "it says so");
     hold(bench.command(mavlink::MavCmd::component_arm_disarm, 1) == mavlink::MavResult::failed,
          "arming is refused");
     hold(bench.command(mavlink::MavCmd::component_arm_disarm, 1, 21196) ==
              mavlink::MavResult::failed,
          "arming by force is refused");
     bench.waitUntil(6, [&] { return watched(false); });
-    hold(bench.timesTold(text) >= 4, "it goes on saying so");
+    hold(bench.timesReceived(text) >= 4, "it goes on saying so");
     hold(!bench.telemetry.armed(), "it is not armed");
     hold(!pulses && board.world().truth().throttle == 0, "nothing is put out");
     std::filesystem::create_directories(std::filesystem::path(argv[3]).parent_path());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An independent reader of ArduPilot's self-describing logs, as strict as a reader can be: every
-// byte belongs to a record, and every record to a format told before it.
+// byte belongs to a record, and every record to a format before it.
 import assert from 'node:assert/strict';
 
 const read = {

@@ -40,7 +40,7 @@ protected:
         firmware::modes::setMode(firmware::state::Mode::manual, firmware::modes::ModeReason::boot);
     }
 
-    // Frames from the receiver for a quarter of a second, the sticks where they are told to be.
+    // Frames from the receiver for a quarter of a second, the sticks at the given pulses.
     void settle(const std::vector<uint16_t>& sticks) {
         for (int i = 0; i < 25; ++i) {
             if (i % 2 == 0) fakes::receiveRc(sticks);

@@ -69,7 +69,7 @@ public:
         north += velocity_n * dt;
         east += velocity_e * dt;
         height += climb * dt;
-        forward_mss = along / kMass - 9.80665 * sg;  // what the accelerometer tells of it
+        forward_mss = along / kMass - 9.80665 * sg;  // what the accelerometer measures of it
     }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The firmware's mission on the doubles: an airplane that stands where the test puts it, a ground
-// station that uploads, and the texts it is told.
+// station that uploads, and the texts it receives.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -76,7 +76,7 @@ protected:
         links[0] = Link();
         links[1] = Link();
         setTextReader(kLogReader, false);
-        for (Link& link : links)  // what an earlier test left to be told
+        for (Link& link : links)  // texts that an earlier test left
             while (sendText(link)) fakes::resetSerial();
         radioHeard();
         relaySet(false);
@@ -98,11 +98,11 @@ protected:
         missionBoot();
         setMode(Mode::loiter, ModeReason::boot);
         runOutputs();
-        (void)told();
+        (void)statusTexts();
     }
 
-    // Everything the pilot has been told since the last call.
-    static std::string told() {
+    // All status texts since the last call.
+    static std::string statusTexts() {
         std::vector<uint8_t>& out = fakes::serial(hal::Port::link0).out;
         out.clear();
         while (textWaits(links[0]) && sendText(links[0])) {
@@ -114,7 +114,9 @@ protected:
         out.clear();
         return text;
     }
-    static bool tells(const std::string& part) { return told().find(part) != std::string::npos; }
+    static bool hasStatusText(const std::string& part) {
+        return statusTexts().find(part) != std::string::npos;
+    }
 
     template <class Call>
     static MissionResult whileBusy(Call call) {

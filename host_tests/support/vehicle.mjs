@@ -19,7 +19,7 @@ const kTelemetry = 0;
 async function open(port) {
   const socket = connect(port, '127.0.0.1').setNoDelay(true);
   await once(socket, 'connect');
-  socket.on('error', () => {});  // the program is gone; whoever waits for it is told
+  socket.on('error', () => {});  // the program is gone; its close event reports that
   return socket;
 }
 
@@ -83,9 +83,9 @@ export class Vehicle {
     const board = process.env.FLY_BOARD === 'elf' ? [] : ['--native'];
     vehicle.program = spawn(process.env.FLY, ['--lock-step', '--listen', '0', ...board, ...options],
       { stdio: ['ignore', 'pipe', 'inherit'] });
-    const [told] = await once(vehicle.program.stdout, 'data');
-    const ports = [...told.toString().matchAll(/ on(?: TCP port)? (\d+)/g)].map((match) => +match[1]);
-    assert.equal(ports.length, 3, told.toString());
+    const [reported] = await once(vehicle.program.stdout, 'data');
+    const ports = [...reported.toString().matchAll(/ on(?: TCP port)? (\d+)/g)].map((match) => +match[1]);
+    assert.equal(ports.length, 3, reported.toString());
     vehicle.gone = once(vehicle.program, 'exit').then(() => { throw new Error('fly has ended'); });
     vehicle.gone.catch(() => {});
     vehicle.now_ms = 0;

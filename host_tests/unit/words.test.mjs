@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words that this project has replaced by those of the field do not come back in what is flashed:
+// Words that this project has replaced by those of the field do not come back in what is flashed and its tests:
 // send, report or show rather than tell; accept rather than believe; measure rather than feel.
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
@@ -18,9 +18,12 @@ function* sources(folder) {
   for (const entry of readdirSync(folder, { withFileTypes: true })) {
     const path = join(folder, entry.name);
     if (entry.isDirectory()) yield* sources(path);
-    else if (/\.(hpp|cpp|S)$/.test(entry.name)) yield path;
+    else if (/\.(hpp|cpp|S|mjs)$/.test(entry.name)) yield path;
   }
 }
+
+// The names of tests are sentences with _ between the words.
+export const sentences = (text) => text.replace(/(?<=\bTEST(?:_F|_P)?\()[^)]*/g, (name) => name.replaceAll('_', ' '));
 
 export function retiredIn(text) {
   return text.split('\n').flatMap((line, index) => {
@@ -32,11 +35,13 @@ export function retiredIn(text) {
 test('a retired word is found with its line', () => {
   assert.deepEqual(retiredIn('int a;\n// it tells the pilot\nbool kMostRows;\n'), ['2: tells', '3: kMostRows']);
   assert.deepEqual(retiredIn('// intelligent, hotels, details'), []);
+  assert.deepEqual(retiredIn(sentences('TEST_F(Fence,\n  tells_the_pilot) {')), ['2: tells']);
 });
 
-for (const folder of ['firmware', 'libraries', 'hal_avr'])
+for (const folder of ['firmware', 'libraries', 'hal_avr', 'host_tests'])
   test(`${folder} speaks the words of the field`, () => {
-    const found = [...sources(join(root, folder))].flatMap((path) =>
-      retiredIn(readFileSync(path, 'utf8')).map((place) => `${relative(root, path)}:${place}`));
+    const others = [...sources(join(root, folder))].filter((path) => path !== fileURLToPath(import.meta.url));
+    const found = others.flatMap((path) =>
+      retiredIn(sentences(readFileSync(path, 'utf8'))).map((place) => `${relative(root, path)}:${place}`));
     assert.deepEqual(found, []);
   });

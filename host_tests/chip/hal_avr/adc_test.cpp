@@ -58,7 +58,7 @@ TEST_F(HalAnalog, a_second_request_does_not_disturb_the_scan_under_way) {
     EXPECT_EQ(bench.chip.interrupts().count(kVector).runs, 13u);
 }
 
-TEST_F(HalAnalog, sums_nobody_takes_do_not_overflow) {
+TEST_F(HalAnalog, sums_that_are_not_read_do_not_overflow) {
     bench.runTo(3);
 
     EXPECT_LE(count(kAirspeed)[2], 60);
@@ -66,7 +66,7 @@ TEST_F(HalAnalog, sums_nobody_takes_do_not_overflow) {
     EXPECT_EQ(count(kVoltage)[2], 40);
 }
 
-TEST_F(HalAnalog, a_conversion_costs_little) {
+TEST_F(HalAnalog, a_conversion_is_within_its_cost) {
     bench.runTo(3);
 
     EXPECT_LE(bench.longest(kVector), 190u);

@@ -16,7 +16,7 @@ uint32_t time_us(const Bench& bench, int number) {
 
 }  // namespace
 
-TEST(HalClock, tells_the_chips_own_time) {
+TEST(HalClock, gives_the_chips_own_time) {
     Bench bench("clock");
     bench.runTo(5, 4000);
 
@@ -50,7 +50,7 @@ TEST(HalClock, idle_sleeps_until_the_next_interrupt) {
     EXPECT_GT(bench.chip.asleepCycles(), 16000u * 496);
 }
 
-TEST(HalClock, idle_looks_every_four_milliseconds_when_nothing_happens) {
+TEST(HalClock, idle_wakes_every_four_milliseconds_when_nothing_happens) {
     constexpr int kCompare = 47, kOverflow = 50;
     Bench bench("idle");
     bench.run_ms(500);

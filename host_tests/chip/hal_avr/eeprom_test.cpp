@@ -105,7 +105,7 @@ TEST(HalEeprom, a_power_cut_leaves_records_in_order_and_one_byte_erased) {
     }
 }
 
-TEST(HalEeprom, the_interrupt_costs_little) {
+TEST(HalEeprom, the_interrupt_is_within_its_cost) {
     Bench bench("eeprom");
     bench.runTo(0x40);
 

@@ -52,7 +52,7 @@ public:
 
 }  // namespace
 
-TEST(HalFlashBus, runs_at_8_MHz_and_a_byte_costs_little_more_than_its_16_cycles) {
+TEST(HalFlashBus, runs_at_8_MHz_and_a_byte_is_within_its_cost) {
     FlashBench bench;
     bench.runTo(3);
 
@@ -77,7 +77,7 @@ TEST(HalFlashBus, sends_what_it_is_given_and_receives_what_comes) {
     EXPECT_EQ(bench.report(5).word(), 201);
 }
 
-TEST(HalFlashBus, the_last_byte_is_through_before_the_select_rises) {
+TEST(HalFlashBus, the_last_byte_is_sent_before_the_select_rises) {
     FlashBench bench;
     size_t passed = 0;
     bench.chip.onPort('A', [&] {
@@ -102,7 +102,7 @@ TEST(HalFlashBus, loses_no_byte_among_interrupts) {
     EXPECT_GT(bench.chip.interrupts().count(25).runs, 100u) << "of USART0 receiving";
 }
 
-TEST(HalFlashBus, carries_the_driver_to_a_chip_and_back) {
+TEST(HalFlashBus, the_driver_writes_and_reads_a_chip_through_it) {
     FlashBench bench;
     bench.runTo(kDone, 2000);
 
@@ -117,7 +117,7 @@ TEST(HalFlashBus, carries_the_driver_to_a_chip_and_back) {
     EXPECT_EQ(bench.flash.ignored(), 0u);
 }
 
-TEST(HalFlashBus, a_look_at_a_chip_at_work_takes_15_us) {
+TEST(HalFlashBus, a_status_read_of_a_busy_chip_takes_15_us) {
     FlashBench bench;
     bench.runTo(kDone, 2000);
 

@@ -31,7 +31,7 @@ TEST(HalGuard, calls_every_4_ms_once_nobody_has_touched_it_for_49_ms) {
     EXPECT_NEAR(called_ms / static_cast<double>(calls - 1), 4.1, 0.1);
 }
 
-TEST(HalGuard, a_run_that_ends_on_a_sagging_supply_ended_by_a_brown_out) {
+TEST(HalGuard, a_run_that_ends_on_a_sagging_supply_counts_as_a_brown_out) {
     Guard bench;
     bench.run_ms(300);
     bench.chip.adc().supply_v = 4.1;
@@ -40,7 +40,7 @@ TEST(HalGuard, a_run_that_ends_on_a_sagging_supply_ended_by_a_brown_out) {
     EXPECT_EQ(bench.causeAfterReset(), kBrownOut);
 }
 
-TEST(HalGuard, a_run_that_ends_without_a_note_on_a_steady_supply_ended_for_no_known_cause) {
+TEST(HalGuard, a_run_that_ends_unannounced_on_a_steady_supply_has_no_known_cause) {
     Guard bench;
     bench.run_ms(300);
 
@@ -64,7 +64,7 @@ TEST(HalGuard, a_sag_is_forgotten_after_a_quarter_of_a_second) {
     EXPECT_EQ(bench.causeAfterReset(), kUnknown);
 }
 
-TEST(HalGuard, what_it_converts_between_the_scans_is_none_of_theirs) {
+TEST(HalGuard, its_own_conversions_are_not_counted_in_the_scans) {
     Guard bench;
     bench.chip.adc().volts = [](int) { return 2.5; };
     bench.run_ms(3000);

@@ -22,7 +22,7 @@ TEST(HalImuInterrupt, calls_the_firmware_once_for_every_rising_edge) {
     EXPECT_EQ(bench.chip.interrupts().count(kVector).runs, 200u);
 }
 
-TEST(HalImuInterrupt, waits_at_the_door_of_a_locked_bus_and_is_not_lost) {
+TEST(HalImuInterrupt, an_edge_during_a_locked_bus_is_served_after_it) {
     Bench bench("imu");
     bench.run_ms(1);
     int inside = 0;
@@ -37,7 +37,7 @@ TEST(HalImuInterrupt, waits_at_the_door_of_a_locked_bus_and_is_not_lost) {
     EXPECT_EQ(inside, 0);
 }
 
-TEST(HalImuInterrupt, costs_little_besides_what_it_calls) {
+TEST(HalImuInterrupt, the_interrupt_itself_is_within_its_cost) {
     Bench bench("imu");
     bench.run_ms(1);
     bench.chip.drive('E', 6, true);

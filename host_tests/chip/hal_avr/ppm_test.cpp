@@ -57,7 +57,7 @@ TEST(HalPpm, decodes_eight_channels_to_the_microsecond) {
     EXPECT_THAT(bench.channels(), ElementsAre(1000, 1100, 1200, 1300, 1400, 1500, 1600, 2000));
 }
 
-TEST(HalPpm, waits_for_a_gap_before_it_believes_the_first_channel) {
+TEST(HalPpm, waits_for_a_gap_before_it_accepts_the_first_channel) {
     Receiver bench;
     bench.frame({1100, 1200, 1300, 1400, 1500, 1600, 1700, 1800});
     bench.run_ms(1);
@@ -151,7 +151,7 @@ TEST(HalPpm, carries_the_encoders_failsafe_pulses_unchanged) {
     EXPECT_THAT(bench.channels(), ElementsAre(1500, 1500, 900, 1500, 1555, 1500, 1500, 1500));
 }
 
-TEST(HalPpm, an_edge_costs_little) {
+TEST(HalPpm, an_edge_is_within_its_cost) {
     Receiver bench;
     bench.interval(kGap_us);
     for (int i = 0; i < 20; ++i) bench.frame(kSticks);

@@ -125,7 +125,7 @@ TEST(HalSerial, counts_an_overrun_of_the_receiver) {
     bench.runTo(0x22);
 
     EXPECT_EQ(bench.report(0x22).word(),
-              1);  // the hardware tells that some were lost, not how many
+              1);  // the hardware reports that some were lost, not how many
 }
 
 TEST(HalSerial, takes_a_whole_message_or_none_of_it) {
@@ -155,7 +155,7 @@ TEST(HalSerial, opening_again_forgets_the_buffer_and_changes_the_rate) {
     EXPECT_EQ(bench.line[0].heard, bench.line[0].to_send);
 }
 
-TEST(HalSerial, tells_usb_from_the_sense_pin) {
+TEST(HalSerial, detects_usb_by_the_sense_pin) {
     Bench with("serial"), without("serial");
     with.chip.drive('A', 1, false);
     without.chip.drive('A', 1, true);
@@ -172,7 +172,7 @@ TEST(HalSerial, sends_nothing_that_was_not_given) {
     EXPECT_THAT(bench.words(11), testing::ElementsAre(127));
 }
 
-TEST(HalSerial, a_sent_byte_costs_at_most_47_cycles_and_a_received_one_80) {
+TEST(HalSerial, sent_and_received_bytes_are_within_their_costs) {
     Lines bench;
     bench.runTo(1);
     bench.line[0].to_send = bytes(500, 7);

@@ -12,7 +12,7 @@ namespace {
 constexpr int kVector = 39;
 constexpr int kOk = 0, kBusy = 1, kTimeout = 2;
 
-// Remembers what is written, and reads 0x11, 0x22, ... from where it was told.
+// Remembers what is written, and reads 0x11, 0x22, ... from the address that was set.
 class Compass : public Bench {
 public:
     Compass() : Bench("twi") {
@@ -75,7 +75,7 @@ TEST(HalTwi, gives_its_result_once) {
     EXPECT_THAT(bench.words(7), ElementsAre(kOk, kTimeout));
 }
 
-TEST(HalTwi, tells_at_once_that_nobody_answers_and_goes_on_at_100_kHz) {
+TEST(HalTwi, reports_at_once_that_nothing_answers_and_goes_on_at_100_kHz) {
     Compass bench;
     bench.run_ms(30);
 
@@ -85,7 +85,7 @@ TEST(HalTwi, tells_at_once_that_nobody_answers_and_goes_on_at_100_kHz) {
     EXPECT_EQ(bench.words(2)[4], kOk);
 }
 
-TEST(HalTwi, gives_a_hung_bus_up_after_5_ms_clocks_it_free_and_goes_on) {
+TEST(HalTwi, a_hung_bus_is_abandoned_after_5_ms_clocked_free_and_used_again) {
     Compass bench;
     bench.run_ms(30);
     int clocks = 0, stops = 0;
@@ -111,7 +111,7 @@ TEST(HalTwi, gives_a_hung_bus_up_after_5_ms_clocks_it_free_and_goes_on) {
     EXPECT_EQ(bench.words(2).back(), kOk);
 }
 
-TEST(HalTwi, a_byte_costs_little) {
+TEST(HalTwi, a_byte_is_within_its_cost) {
     Compass bench;
     bench.run_ms(100);
 

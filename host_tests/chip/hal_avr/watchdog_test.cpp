@@ -9,7 +9,7 @@ namespace {
 constexpr int kPowerOn = 0, kExternal = 1, kBrownOut = 2, kWatchdog = 3, kAsked = 6;
 }
 
-TEST(HalWatchdog, lets_a_fed_program_run_and_bites_one_that_hangs_after_125_ms) {
+TEST(HalWatchdog, does_not_reset_a_fed_program_and_resets_a_hung_one_after_125_ms) {
     Bench bench("watchdog");
     bench.run_ms(1500);
 
@@ -18,7 +18,7 @@ TEST(HalWatchdog, lets_a_fed_program_run_and_bites_one_that_hangs_after_125_ms) 
     EXPECT_NEAR(bitten_ms / 16000, 125 + 15, 14);
 }
 
-TEST(HalWatchdog, reboot_comes_back_in_15_ms_and_the_watchdog_is_off_then) {
+TEST(HalWatchdog, reboot_resets_within_15_ms_and_the_watchdog_is_off_afterwards) {
     Bench bench("watchdog");
     bench.run_ms(2500);
 
@@ -27,7 +27,7 @@ TEST(HalWatchdog, reboot_comes_back_in_15_ms_and_the_watchdog_is_off_then) {
     EXPECT_NEAR(static_cast<double>(bench.reports.back().cycle - asked) / 16000, 16, 4);
 }
 
-TEST(HalWatchdog, tells_the_causes_of_resets_apart) {
+TEST(HalWatchdog, distinguishes_the_causes_of_resets) {
     Bench bench("watchdog");
     bench.run_ms(100);
     bench.chip.reset(simulator::Reset::external);

@@ -26,11 +26,11 @@ protected:
     void run_s(double s) {
         ASSERT_TRUE(board.runUntil(board.time_us() + uint64_t(s * 1e6))) << board.fault();
     }
-    int told(int number) {
+    int reported(int number) {
         const std::string& text = heard[2];
         for (size_t at = 0; at + 2 < text.size(); at += 3)
             if (text[at] == number) return uint8_t(text[at + 1]) | uint8_t(text[at + 2]) << 8;
-        ADD_FAILURE() << "the program has not told " << number;
+        ADD_FAILURE() << "the program has not reported " << number;
         return -1;
     }
 
@@ -41,15 +41,15 @@ protected:
 TEST_F(BoardTest, the_sensors_answer_on_their_bus) {
     run_s(1);
 
-    EXPECT_EQ(told(3), 0x68) << "MPU6000";
-    EXPECT_GT(told(2), 20000) << "MS5611";
-    EXPECT_LT(told(2), 65535) << "MS5611";
-    EXPECT_EQ(told(5), 'H' | '4' << 8) << "HMC5883L";
+    EXPECT_EQ(reported(3), 0x68) << "MPU6000";
+    EXPECT_GT(reported(2), 20000) << "MS5611";
+    EXPECT_LT(reported(2), 65535) << "MS5611";
+    EXPECT_EQ(reported(5), 'H' | '4' << 8) << "HMC5883L";
 }
 
 TEST_F(BoardTest, the_barometer_is_dumb_unless_the_imu_is_held_deselected) {
     run_s(1);
-    EXPECT_EQ(told(1), 0xFFFF);
+    EXPECT_EQ(reported(1), 0xFFFF);
 }
 
 TEST_F(BoardTest, bytes_to_both_sensors_at_once_are_counted) {
@@ -59,31 +59,31 @@ TEST_F(BoardTest, bytes_to_both_sensors_at_once_are_counted) {
 
 TEST_F(BoardTest, data_ready_interrupts_at_the_sample_rate) {
     run_s(1);
-    EXPECT_NEAR(told(4), 200 * 0.102, 2);
+    EXPECT_NEAR(reported(4), 200 * 0.102, 2);
 }
 
 TEST_F(BoardTest, the_battery_is_on_A13) {
     run_s(1);
-    EXPECT_NEAR(told(6) * 5.0 / 1024 * 10.1, board.world().truth().battery_v, 0.1);
+    EXPECT_NEAR(reported(6) * 5.0 / 1024 * 10.1, board.world().truth().battery_v, 0.1);
 }
 
 TEST_F(BoardTest, the_dataflash_answers_on_usart3_unless_it_is_held_in_reset) {
     run_s(1);
-    EXPECT_EQ(told(13), 0x1F27);
-    EXPECT_EQ(told(14), 0xFFFF);
-    EXPECT_EQ(told(15), 0x1F27);
+    EXPECT_EQ(reported(13), 0x1F27);
+    EXPECT_EQ(reported(14), 0xFFFF);
+    EXPECT_EQ(reported(15), 0x1F27);
 }
 
 TEST_F(BoardTest, the_gps_is_heard_at_its_own_rate_and_is_garbage_at_another) {
     run_s(6);
-    EXPECT_GT(told(7), 2) << "NMEA sentences";
-    EXPECT_EQ(told(8), 0);
-    EXPECT_GT(told(9), 20);
+    EXPECT_GT(reported(7), 2) << "NMEA sentences";
+    EXPECT_EQ(reported(8), 0);
+    EXPECT_GT(reported(9), 20);
 }
 
 TEST_F(BoardTest, the_radio_is_captured_to_half_a_microsecond) {
     run_s(6.5);
-    const int ticks = told(10);
+    const int ticks = reported(10);
     EXPECT_TRUE(ticks == 2 * 1100 || ticks == 2 * 1234 || ticks == 2 * 1300) << ticks;
 }
 
@@ -101,8 +101,8 @@ TEST_F(BoardTest, the_sense_pin_is_low_while_usb_is_plugged) {
     run_s(5);
     board.setUsb(true);
     run_s(1.5);
-    EXPECT_EQ(told(11), 2);
-    EXPECT_EQ(told(12), 0);
+    EXPECT_EQ(reported(11), 2);
+    EXPECT_EQ(reported(12), 0);
 }
 
 TEST_F(BoardTest, bytes_go_both_ways_at_the_rate_of_the_line) {

@@ -62,7 +62,7 @@ std::string hexProgram(const std::string& name, const std::vector<uint8_t>& code
 
 }  // namespace
 
-TEST(Image, an_elf_tells_flash_and_static_ram) {
+TEST(Image, an_elf_gives_flash_and_static_ram_sizes) {
     const Image image = readImage(program("stack.elf"));
 
     EXPECT_EQ(image.flash.size(), image.flash_bytes);

@@ -14,7 +14,7 @@ TEST(Resets, the_watchdog_bites_15_ms_after_it_was_last_fed) {
     EXPECT_NEAR(machine.cyclesBetween(0x80, 2) / 16000.0, 16, 1);
 }
 
-TEST(Resets, each_cause_is_told_and_memory_survives) {
+TEST(Resets, each_cause_is_reported_and_memory_survives) {
     Machine machine("watchdog");
     machine.run_ms(60);
     machine.chip.reset(Reset::external);
@@ -26,7 +26,7 @@ TEST(Resets, each_cause_is_told_and_memory_survives) {
     EXPECT_EQ(machine.report(4).low, kBrownOut);
 }
 
-TEST(Resets, whoever_drives_the_chip_is_told_of_each_and_the_speed_stays) {
+TEST(Resets, the_board_is_notified_of_each_reset_and_the_speed_stays) {
     Machine machine("watchdog");
     int resets = 0;
     machine.chip.on_reset = [&resets] { resets++; };
@@ -53,7 +53,7 @@ static std::vector<int> words(const Machine& machine, int number) {
     return all;
 }
 
-TEST(BootSection, the_second_boards_hides_the_cause_and_spoils_memory_but_not_what_lies_between) {
+TEST(BootSection, the_second_boards_hides_the_cause_and_overwrites_memory_but_not_the_kept_part) {
     Machine machine("boot");
     machine.boot("apm2");
     machine.run_ms(66);
@@ -66,7 +66,7 @@ TEST(BootSection, the_second_boards_hides_the_cause_and_spoils_memory_but_not_wh
     EXPECT_EQ(words(machine, 4).back(), 0x5A);
 }
 
-TEST(BootSection, the_first_boards_never_gets_past_a_reset_by_the_watchdog) {
+TEST(BootSection, the_first_boards_hangs_after_a_watchdog_reset) {
     Machine machine("boot");
     machine.boot("apm1");
     int resets = 0;
@@ -77,7 +77,7 @@ TEST(BootSection, the_first_boards_never_gets_past_a_reset_by_the_watchdog) {
     EXPECT_GT(resets, 10);
 }
 
-TEST(BootSection, the_button_gets_past_it_on_either_board) {
+TEST(BootSection, the_reset_button_starts_either_board) {
     for (const char* board : {"apm1", "apm2"}) {
         Machine machine("boot");
         machine.boot(board);

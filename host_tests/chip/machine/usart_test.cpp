@@ -66,7 +66,7 @@ TEST_F(UsartTest, nothing_is_received_before_the_receiver_is_on) {
     EXPECT_EQ(machine.report(4).low, 0x20) << "only the empty flag after reset";
 }
 
-TEST_F(UsartTest, three_bytes_survive_deafness_and_the_rest_is_told_as_overrun) {
+TEST_F(UsartTest, three_unread_bytes_are_kept_and_the_rest_is_reported_as_overrun) {
     machine.run_ms(1);
     feed("abd12345");
     machine.run_ms(25);

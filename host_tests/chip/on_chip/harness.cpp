@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs every test that is linked in and tells run_on_chip.cpp: letters through GPIOR1, then 0 (all
-// passed) or 1 through GPIOR0.
+// Runs every test that is linked in and reports to run_on_chip.cpp: letters through GPIOR1, then 0
+// (all passed) or 1 through GPIOR0.
 #include <avr/io.h>
 #include <gtest/gtest.h>
 #include <stdio.h>

@@ -147,7 +147,7 @@ test('a port that is taken is named', async () => {
   assert.equal(run.said, `fly: UDP port ${port + 1}: Address already in use\n`);
 });
 
-test('a model that is not there is waited for, and then told', async () => {
+test('a model that is not there is waited for, and then reported', async () => {
   const port = await freePort();
   const run = await fly(port, '--fdm-wait', '1');
   assert.equal(run.status, 1);

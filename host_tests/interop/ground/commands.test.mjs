@@ -17,14 +17,14 @@ test('changes mode by command and by SET_MODE', withVehicle({}, async (vehicle) 
   assert.notEqual(await vehicle.command(176, [1, 99]), 0);
 }));
 
-test('AUTO without a mission is refused and the reason told', withVehicle({}, async (vehicle) => {
+test('AUTO without a mission is refused with the reason', withVehicle({}, async (vehicle) => {
   await vehicle.wait(2000);
   vehicle.forget();
   assert.notEqual(await vehicle.command(300), 0);
   await vehicle.expect('STATUSTEXT', { where: ({ text }) => text.length > 0 });
 }));
 
-test('arming before the sensors are ready is refused and the reason told',
+test('arming before the sensors are ready is refused with the reason',
   withVehicle({}, async (vehicle) => {
     assert.equal(await vehicle.command(400, [1]), 4);
     const { text } = await vehicle.expect('STATUSTEXT', { where: (data) => /PreArm/.test(data.text) });
@@ -92,7 +92,7 @@ test('takes the way it stands for level', withVehicle({}, async (vehicle) => {
   vehicle.send('PARAM_SET', { paramId: 'AHRS_TRIM_Y', paramValue: -0.06, paramType: 9 });
   await vehicle.wait(20_000);
   const { roll, pitch } = await level();
-  assert.ok(Math.abs(roll) > 0.03 && Math.abs(pitch) > 0.02, `${roll} ${pitch}: leans as it was told to`);
+  assert.ok(Math.abs(roll) > 0.03 && Math.abs(pitch) > 0.02, `${roll} ${pitch}: leans as commanded`);
   assert.equal(await vehicle.command(241, [0, 0, 0, 0, 2]), 0);
   const x = await trim('AHRS_TRIM_X'), y = await trim('AHRS_TRIM_Y');
   assert.ok(Math.abs(x - (0.08 + roll)) < 0.002 && Math.abs(x) < 0.05, `roll ${roll}, now ${x}`);

@@ -18,7 +18,7 @@ test('goes up and comes down the same', withVehicle({}, async (vehicle) => {
   assert.equal((await download(vehicle, kFence)).length, 0);
 }));
 
-test('what it does not fly is refused, and why is told', withVehicle({}, async (vehicle) => {
+test('what it does not fly is refused, with the reason', withVehicle({}, async (vehicle) => {
   vehicle.line.version = 2;
   assert.equal(await upload(vehicle, square, kFence), 0);
   const exclusion = square.map((item) => ({ ...item, command: item.command === kCorner ? kExclusion : item.command }));

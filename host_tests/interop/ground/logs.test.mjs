@@ -32,7 +32,7 @@ async function download(vehicle, { id, size }) {
     Buffer.from(part.data.slice(0, part.count)).copy(bytes, part.ofs);
     got += part.count;
     if (part.count < kChunk) {
-      assert.equal(got, size, 'the size that the list told');
+      assert.equal(got, size, 'the size in the list');
       return bytes;
     }
   }
@@ -110,7 +110,7 @@ test('parts are had by asking, also past the end; while armed there are none',
     assert.equal(await vehicle.command(kArm, [1, kForce]), 0);
     vehicle.send('LOG_REQUEST_DATA', { id: 1, ofs: 0, count: kAll });
     assert.equal((await vehicle.expect('LOG_DATA')).count, 0);
-    assert.equal((await list(vehicle)).length >= 2, true, 'the list is told in the air too');
+    assert.equal((await list(vehicle)).length >= 2, true, 'the list is sent in the air too');
   }));
 
 test('a flood of requests on both lines and an erase do not hurt', withVehicle({ line: kUsb }, async (vehicle) => {

@@ -75,7 +75,7 @@ async function download(vehicle, line) {
   return items;
 }
 
-const tell = (what, vehicle, began_ms, { up, down }) =>
+const report = (what, vehicle, began_ms, { up, down }) =>
   console.log(`${what} in ${((vehicle.now_ms - began_ms) / 1000).toFixed(1)} s; up ${JSON.stringify(up.counts)}, ` +
     `down ${JSON.stringify(down.counts)}`);
 
@@ -90,7 +90,7 @@ for (const [number, rate] of rates.entries()) {
 
     const values = await fetchParameters(vehicle, line);
 
-    tell(`${values.length} parameters`, vehicle, began_ms, line);
+    report(`${values.length} parameters`, vehicle, began_ms, line);
     const steady = (all) => all.filter((value) => !value.startsWith('COMPASS_DEC '));  // learnt from the GPS
     assert.deepEqual(steady(values), steady(truth));
     assert.ok(line.down.counts.lost > 0 && line.down.counts.flipped > 0 && line.down.counts.doubled > 0);
@@ -108,7 +108,7 @@ for (const [number, rate] of rates.entries()) {
       result = await upload(vehicle, line);
     }
 
-    tell(`170 items at the ${tries}. try`, vehicle, began_ms, line);
+    report(`170 items at the ${tries}. try`, vehicle, began_ms, line);
     assert.equal(result, 0);
     assert.ok(line.up.counts.stalls > 0);
     const items = await download(vehicle, clean);

@@ -85,7 +85,7 @@ test('gives the whole list on both links at once', withVehicle({}, async (vehicl
   }
 }));
 
-test('tells the other link of a new value', withVehicle({}, async (vehicle) => {
+test('sends a new value on the other link too', withVehicle({}, async (vehicle) => {
   set(vehicle, 'WP_RADIUS', 42);
   await vehicle.expect('PARAM_VALUE');
   const heard = vehicle.lines[1].inbox.filter(({ name }) => name === 'PARAM_VALUE');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two ground stations at once, one on each line: one changes a list, the other is told that it
+// Two ground stations at once, one on each line: one changes a list, the other is informed that it
 // cannot, and gets its turn afterwards.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

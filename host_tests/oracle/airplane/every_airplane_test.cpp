@@ -211,20 +211,20 @@ TEST_P(EveryAirplane, gains_and_loses_the_energy_that_the_forces_bring) {
     put(airplane);
     Truth last = airplane.truth();
     const double before_j = energy_j(whole_, last);
-    double work_j = 0, most_j = 0;
+    double work_j = 0, max_j = 0;
     const auto power = [this](const Truth& at) {
         return whole_.mass_kg * dot(attitudeOf(at).toBody(velocityOf(at)), forceOf(at));
     };
     fly(airplane, 20, wild, [&](const Truth& t) {
         work_j += (power(last) + power(t)) / 2 * Airplane::kStep_s;
-        most_j = std::max(most_j, std::fabs(work_j));
+        max_j = std::max(max_j, std::fabs(work_j));
         last = t;
     });
-    EXPECT_GT(most_j, 15 * whole_.mass_kg);
-    EXPECT_NEAR(energy_j(whole_, last) - before_j, work_j, 0.01 * most_j);
+    EXPECT_GT(max_j, 15 * whole_.mass_kg);
+    EXPECT_NEAR(energy_j(whole_, last) - before_j, work_j, 0.01 * max_j);
 }
 
-TEST_P(EveryAirplane, makes_no_energy_from_nothing) {
+TEST_P(EveryAirplane, never_creates_energy) {
     AirplaneParameters p = p_;
     p.propeller.thrust0 = p.propeller.thrust1 = p.propeller.thrust2 = 0;
     Airplane airplane(p, stillAir(), 0);
@@ -282,7 +282,7 @@ Truth thrown(Airplane& airplane, double duration_s) {
 
 }  // namespace
 
-TEST(Throw, gives_the_wing_its_speed_along_its_own_axis_and_shows_in_what_it_feels) {
+TEST(Throw, gives_the_wing_its_speed_along_its_own_axis_and_shows_in_the_specific_force) {
     const AirplaneParameters p = loadAirplane("flying_wing");
     WorldOptions options = stillAir();
     options.heading_deg = 90;
@@ -318,7 +318,7 @@ TEST(Throw, comes_by_itself_when_the_motor_pulls_and_not_before) {
     EXPECT_FALSE(airplane.truth().on_ground);
 }
 
-TEST(Throw, is_nothing_to_an_airplane_on_wheels) {
+TEST(Throw, has_no_effect_on_an_airplane_on_wheels) {
     Airplane airplane(loadAirplane("foam_trainer"), stillAir(), 0);
     airplane.launch();
     fly(airplane, 2, [](const Truth&) { return Controls{}; });

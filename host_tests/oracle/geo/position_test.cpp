@@ -146,9 +146,9 @@ TEST(Track, along_and_across_agree_with_the_geodesic) {
 
         const geo::Track track = geo::track(start, end, place);
 
-        const double most_m = std::max(0.05, 0.002 * std::hypot(along_m, cross_m));
-        EXPECT_NEAR(track.along_m, along_m, most_m) << start.latitude_e7;
-        EXPECT_NEAR(track.cross_m, cross_m, most_m) << start.latitude_e7;
+        const double max_m = std::max(0.05, 0.002 * std::hypot(along_m, cross_m));
+        EXPECT_NEAR(track.along_m, along_m, max_m) << start.latitude_e7;
+        EXPECT_NEAR(track.cross_m, cross_m, max_m) << start.latitude_e7;
     });
 }
 

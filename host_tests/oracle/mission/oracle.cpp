@@ -214,7 +214,7 @@ void Interpreter::pass(bool nav_finished, bool condition_finished, int records) 
 
 void Interpreter::beginPass() {
     steps_ = 0;
-    loop_told_ = false;
+    loop_reported_ = false;
     jumped_.clear();
 }
 
@@ -351,8 +351,8 @@ void Interpreter::endOfChain() {
 void Interpreter::runJump(int at, const Command& jump) {
     chain_ = at + 1;
     if (steps_ >= count()) {
-        if (!loop_told_) say("loop" + std::to_string(at));
-        loop_told_ = true;
+        if (!loop_reported_) say("loop" + std::to_string(at));
+        loop_reported_ = true;
         return;
     }
     ++steps_;

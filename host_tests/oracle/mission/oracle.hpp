@@ -115,7 +115,7 @@ private:
     std::map<int, int> jumps_left_;
     std::set<int> jumped_, blocked_;  // 1.0: in this pass; until the next NAV loads
     int steps_ = 0;
-    bool loop_told_ = false;
+    bool loop_reported_ = false;
 };
 
 }  // namespace oracle

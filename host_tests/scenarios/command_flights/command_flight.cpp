@@ -17,7 +17,7 @@
 #include "expected.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/item.hpp"
-#include "host_tests/scenarios/telling.hpp"
+#include "host_tests/scenarios/flight_report.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "toolchain/mission_tool/load.hpp"
 
@@ -80,9 +80,9 @@ public:
           items_(itemsOf(document)),
           board_(firmware, worldAt(items_)),
           flight_(board_, kTelemetry, items_, kTimeLimit_s),
-          usb_(board_, kUsb, [this](const mavlink::Frame& f, uint64_t) { take(f, kUsbTold); }),
+          usb_(board_, kUsb, [this](const mavlink::Frame& f, uint64_t) { take(f, kUsbSent); }),
           telemetry_(board_, kTelemetry,
-                     [this](const mavlink::Frame& f, uint64_t) { take(f, kTelemetryTold); }) {
+                     [this](const mavlink::Frame& f, uint64_t) { take(f, kTelemetrySent); }) {
         board_.listen(
             [this](int usart, uint8_t byte, uint64_t at_us) { hear(usart, byte, at_us); });
         watchMarks();
@@ -100,14 +100,14 @@ public:
         for (const ExpectedParameter& expected : parametersOf(document_.set)) ask(expected.name);
     }
 
-    bool judge();
+    bool check();
     Summary summary(const std::string& firmware, const std::string& mission);
     double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
 
 private:
     using Sample = std::array<float, kChannels>;
 
-    const Telemetry& told() const { return flight_.telemetry(); }
+    const Telemetry& telemetry() const { return flight_.telemetry(); }
 
     void watchMarks() {
         const auto measure = board_.chip().on_trace;
@@ -134,7 +134,7 @@ private:
         if (!value) return;
         const std::string name(value->param_id, strnlen(value->param_id, sizeof value->param_id));
         parameters_[name] = value->param_value;
-        if (name == "WP_RADIUS") ++variable_told_[link == kUsbTold];
+        if (name == "WP_RADIUS") ++variable_sent_[link == kUsbSent];
     }
 
     void step() {
@@ -144,14 +144,15 @@ private:
         for (int i = 1; i <= 8; ++i)
             sample[output(i)] = static_cast<float>(board_.world().servoPulse_us(i));
         sample[kRelay] = board_.world().relayOn();
-        sample[kHeight] =
-            told().position ? static_cast<float>(told().position->relative_alt) * 1e-3F : 0;
+        sample[kHeight] = telemetry().position
+                              ? static_cast<float>(telemetry().position->relative_alt) * 1e-3F
+                              : 0;
         sent_.push_back(bytes_);
         const auto& before = sent_[sent_.size() > 100 ? sent_.size() - 101 : 0];
         sample[kTelemetryBytes] = static_cast<float>(bytes_[0] - before[0]);
         sample[kUsbBytes] = static_cast<float>(bytes_[1] - before[1]);
-        sample[kTelemetryTold] = static_cast<float>(variable_told_[0]);
-        sample[kUsbTold] = static_cast<float>(variable_told_[1]);
+        sample[kTelemetrySent] = static_cast<float>(variable_sent_[0]);
+        sample[kUsbSent] = static_cast<float>(variable_sent_[1]);
         samples_.push_back(sample);
     }
 
@@ -181,12 +182,12 @@ private:
             for (int i = 0; i < 50; ++i) step();
         }
         parameters_.clear();
-        variable_told_ = {};
+        variable_sent_ = {};
     }
 
     void backToAuto() {
         const bool elsewhere = flight_.airborne_s() && !flight_.landed_s() &&
-                               told().mode() != kModeAuto && told().armed();
+                               telemetry().mode() != kModeAuto && telemetry().armed();
         if (!elsewhere) {
             left_s_ = seconds();
         } else if (seconds() - left_s_ > kInOtherMode_s) {
@@ -195,8 +196,8 @@ private:
             message.command = mavlink::MavCmd::do_set_mode;
             message.param1 = mavlink::MavModeFlag::custom_mode_enabled;
             message.param2 = kModeAuto;
-            message.target_system = told().system;
-            message.target_component = told().component;
+            message.target_system = telemetry().system;
+            message.target_component = telemetry().component;
             usb_.send(message);
         }
     }
@@ -222,7 +223,7 @@ private:
     SampleCount imu_from_;
     double left_s_ = 0;
     std::array<uint64_t, 2> bytes_{};
-    std::array<int, 2> variable_told_{};
+    std::array<int, 2> variable_sent_{};
     std::vector<std::array<uint64_t, 2>> sent_;
     std::vector<Sample> samples_;
     std::map<std::string, double> parameters_;
@@ -271,7 +272,7 @@ bool CommandFlight::sameAsOracle() const {
     return !said.empty() && said == should;
 }
 
-bool CommandFlight::judge() {
+bool CommandFlight::check() {
     bool kept = say(sameAsOracle(), "starts and ends of commands are the oracle's, in its order");
     kept = say(everyCommandRan(), "every CONDITION and DO of the set ran") && kept;
     for (const Expected& expected : expectedOf(document_.set)) kept = holds(expected) && kept;
@@ -286,7 +287,7 @@ bool CommandFlight::judge() {
     kept = say(board_.figures().frame_overruns == 0u, "no frame was late") && kept;
     kept_all_ = say(seconds() < kTimeLimit_s, "in six minutes") && kept;
     if (kept_all_) return true;
-    sayWhatHappened(flight_);
+    printEvents(flight_);
     for (const CommandLog::Entry& entry : log_.entries())
         std::printf("%8.2f s  %s\n", entry.time_s, entry.word.c_str());
     return false;
@@ -314,7 +315,7 @@ int main(int count, char** words) {
     const Document document = read(words[2]);
     CommandFlight flight(words[1], document);
     flight.fly();
-    const bool kept = flight.judge();
+    const bool kept = flight.check();
     writeOutcome(out, minutes, flight.summary(words[1], words[2]));
     return kept ? 0 : 1;
 }

@@ -53,7 +53,7 @@ void CommandLog::mark(uint8_t value, uint8_t item, double time_s) {
     const auto event = static_cast<mission::Event>(value - hal::kTraceMission);
     // an upload resets too; the flight's own is the last
     if (event == mission::Event::reset && entries_.size() == 1) entries_.clear();
-    // a NAV that comes back is told twice: that AUTO is entered again is the first of it
+    // a NAV that comes back is reported twice: that AUTO is entered again is the first of it
     if (event == mission::Event::resumed) entries_.push_back({time_s, "again"});
     entries_.push_back({time_s, wordOf(event, item)});
 }

@@ -5,7 +5,7 @@ namespace {
 
 constexpr double kMany = 1e9;
 constexpr double kSwitch_us = 1425;  // output 8 follows the mode switch
-constexpr double kTold_s = 1.2;      // by then the height, told once a second, is the new one
+constexpr double kReported_s = 1.2;  // by then the height, sent once a second, is the new one
 
 // A pulse is known 20 ms after it was written, and is measured to 1 us.
 Expected pulse(const char* what, const char* word, double after_s, int number, double us) {
@@ -44,7 +44,7 @@ const std::vector<Expected> kApm2 = {
     pulse("SET_SERVO behind the jump",          "a21",  0.1, 8, 1200),
     {"SET_HOME here: it flies at 0 m",          "a12",  1.0, kHeight, -6, 6},
     {"SET_HOME as given: 488 m again",          "a14",  1.0, kHeight, 45, 75},
-    {"CHANGE_ALT ends near 50 m",               "-16",  kTold_s, kHeight, 47, 53},
+    {"CHANGE_ALT ends near 50 m",               "-16",  kReported_s, kHeight, 47, 53},
     pulse("RC7_FUNCTION 10: before",            "a29", -0.05, 7, 1500),
     pulse("DIGICAM_CONTROL: the shutter",       "a36",  0.15, 7, 1300),
     pulse("for CAM_DURATION",                   "a36",  0.9, 7, 1300),
@@ -63,10 +63,10 @@ const std::vector<Expected> kApm1 = {
     relay("RESET_INDEX leads to SET_RELAY 0",   "a1",   0.1, 0),
     {"RESET_HOME here: it flies at 0 m",        "a22",  1.0, kHeight, -6, 6},
     {"RESET_HOME as given: 488 m again",        "a24",  1.0, kHeight, 40, 75},
-    {"CHANGE_ALT ends near 70 m",               "-25",  kTold_s, kHeight, 66, 74},
-    {"QUERY_VARIABLE: not told before",         "a28", -0.1, kUsbTold, 0, 0},
-    {"QUERY_, BROADCAST_VARIABLE over USB",     "c31",  0.5, kUsbTold, 2, 2},
-    {"and over the telemetry port",             "c31",  0.5, kTelemetryTold, 2, 2},
+    {"CHANGE_ALT ends near 70 m",               "-25",  kReported_s, kHeight, 66, 74},
+    {"QUERY_VARIABLE: not sent before",         "a28", -0.1, kUsbSent, 0, 0},
+    {"QUERY_, BROADCAST_VARIABLE over USB",     "c31",  0.5, kUsbSent, 2, 2},
+    {"and over the telemetry port",             "c31",  0.5, kTelemetrySent, 2, 2},
     {"RADIO 1: it talks",                       "a30",  0.0, kTelemetryBytes, 500, kMany},
     {"RADIO 0: silence",                        "a30",  2.0, kTelemetryBytes, 0, 0},
     {"RADIO 0: USB is never off",               "a30",  2.0, kUsbBytes, 10, kMany},

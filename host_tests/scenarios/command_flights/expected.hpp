@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the commands of the two missions must do to the board's pins and to what it tells.
+// What the commands of the two missions must do to the board's pins and to what it reports.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,11 +10,11 @@ enum Channel {
     kOutput1,  // pulse, us; 0: silent
     kOutput8 = kOutput1 + 7,
     kRelay,           // 0, 1
-    kHeight,          // above home as told, m
+    kHeight,          // above home as reported, m
     kTelemetryBytes,  // in the last second
     kUsbBytes,
-    kTelemetryTold,  // PARAM_VALUE of WP_RADIUS since the start
-    kUsbTold,
+    kTelemetrySent,  // PARAM_VALUE of WP_RADIUS since the start
+    kUsbSent,
     kChannels,
 };
 constexpr Channel output(int number) { return static_cast<Channel>(kOutput1 + number - 1); }

@@ -39,7 +39,7 @@ struct Bus {
     // What the next bytes will be answered with; 0 when the script is at its end.
     static void reply(std::initializer_list<uint8_t> bytes);
     static std::deque<uint8_t> replies;
-    // Instead of the script: asked for every byte, told which pin is low (-1: none).
+    // Instead of the script: asked for every byte, with the pin that is low (-1: none).
     static std::function<uint8_t(int pin, uint8_t out)> device;
 
     static std::vector<Transaction> transactions;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tests' clock: it moves only when told to.
+// The tests' clock: it moves only on request.
 #pragma once
 #include <stdint.h>
 

@@ -9,7 +9,7 @@
 namespace fakes {
 
 struct FlashBus {
-    // The chip: told the level of its pins, and asked for every byte.
+    // The chip: it is given the level of its pins, and asked for every byte.
     static inline std::function<void(bool low)> on_select, on_reset;
     static inline std::function<uint8_t(uint8_t out)> device;
     static inline std::vector<uint8_t> sent;  // since the select last fell

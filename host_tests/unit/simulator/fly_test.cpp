@@ -26,7 +26,7 @@ class WrongCommandLine : public testing::TestWithParam<Wrong> {};
 
 }  // namespace
 
-TEST_P(WrongCommandLine, gets_one_line_and_exit_2) {
+TEST_P(WrongCommandLine, is_answered_by_one_line_and_exit_status_2) {
     const Outcome run = fly(GetParam().arguments);
 
     EXPECT_EQ(run.status, 2);
@@ -168,7 +168,7 @@ TEST(Eeprom, keeps_what_the_autopilot_stored) {
     EXPECT_EQ(contents(image).size(), 4096u);
 }
 
-TEST(WrongParameters, are_told_line_by_line_and_without_control_characters) {
+TEST(WrongParameters, are_reported_line_by_line_and_without_control_characters) {
     const fs::path path = folder("bad.param");
     std::ofstream(path) << "WP_RADIUS,x\nTHR_MAX,\x1b[2J\n";
 

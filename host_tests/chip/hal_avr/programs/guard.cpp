@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reports why it was started, resets the hang timer for half a second and then no more; scans the
-// analogue inputs all the time and tells the first of them.
+// analogue inputs all the time and reports the first of them.
 #include "hal/hang_timer.hpp"
 
 #include "hal/analog.hpp"
@@ -17,7 +17,7 @@ int main() {
     report(1, static_cast<uint16_t>(hal::resetCause()));
     hal::hangTimerStart();
     uint32_t scanned_ms = 0;
-    bool told = false;
+    bool reported = false;
     for (;;) {
         if (hal::now_ms() - scanned_ms >= 20) {
             scanned_ms = hal::now_ms();
@@ -27,8 +27,8 @@ int main() {
         }
         if (hal::now_ms() < 500) {
             hal::hangTimerReset();
-        } else if (!told) {
-            told = true;
+        } else if (!reported) {
+            reported = true;
             report(2, 0);
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Touches everything on the APM 2 once, tells what it finds on USART2 as number, low, high, and
+// Touches everything on the APM 2 once, reports what it finds on USART2 as number, low, high, and
 // then runs marked frames: task 2 in each, the 20th frame too long, sleep between.
 #include <util/delay.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every check once with what must fail it: run_on_chip.test.mjs expects each to be told.
+// Every check once with what must fail it: run_on_chip.test.mjs expects each to be printed.
 #include <gtest/gtest.h>
 
 #include "core/rom.hpp"
@@ -9,7 +9,7 @@ namespace {
 const uint8_t kFive = 5;
 enum class Colour : uint8_t { red, green };
 
-TEST(Failing, every_expectation_is_told_and_the_test_goes_on) {
+TEST(Failing, every_failed_expectation_is_printed_and_the_test_goes_on) {
     EXPECT_EQ(kFive, 6);
     EXPECT_NE(kFive, 5);
     EXPECT_LT(kFive, 5);

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-TEST(Stale, is_here) { EXPECT_TRUE(true); }
+TEST(Stale, has_a_test) { EXPECT_TRUE(true); }

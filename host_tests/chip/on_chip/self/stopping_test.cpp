@@ -3,4 +3,4 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
-TEST(Stopping, in_the_middle) { abort(); }
+TEST(Stopping, stops_in_the_middle_of_a_test) { abort(); }

@@ -12,7 +12,7 @@
 #include "firmware/actuators/camera.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/state/vehicle.hpp"
-#include "host_tests/scenarios/telling.hpp"
+#include "host_tests/scenarios/flight_report.hpp"
 #include "simulator/native/native_board.hpp"
 
 using namespace simulator;
@@ -60,7 +60,7 @@ public:
             look();
             act();
         }
-        const bool kept = judge();
+        const bool kept = check();
         if (!kept)
             for (const Event& text : flight_.telemetry().texts)
                 std::printf("%8.1f s  said: %s\n", text.time_s, text.text.c_str());
@@ -71,18 +71,18 @@ public:
 private:
     const Truth& truth() { return board_.world().truth(); }
 
-    // Where the picture was taken, as it is told.
+    // Where the picture was taken, as it is reported.
     void hear(const mavlink::Frame& frame) {
         if (frame.id != mavlink::Wire<mavlink::CameraFeedback>::id) return;
-        const auto told = frame.read<mavlink::CameraFeedback>();
+        const auto reported = frame.read<mavlink::CameraFeedback>();
         const Truth& now = truth();
         ++feedbacks_;
-        feedback_fits_ = feedback_fits_ && told.img_idx == feedbacks_ &&
-                         std::abs(told.lat * 1e-7 - now.latitude_deg) < kNear_deg &&
-                         std::abs(told.lng * 1e-7 - now.longitude_deg) < 1.5 * kNear_deg &&
-                         std::abs(double(told.alt_rel) - now.height_m) < 4 &&
-                         std::abs(double(told.roll) - now.roll_rad / kDegree) < 5 &&
-                         std::abs(double(told.alt_msl - told.alt_rel) - 488) < 5;
+        feedback_fits_ = feedback_fits_ && reported.img_idx == feedbacks_ &&
+                         std::abs(reported.lat * 1e-7 - now.latitude_deg) < kNear_deg &&
+                         std::abs(reported.lng * 1e-7 - now.longitude_deg) < 1.5 * kNear_deg &&
+                         std::abs(double(reported.alt_rel) - now.height_m) < 4 &&
+                         std::abs(double(reported.roll) - now.roll_rad / kDegree) < 5 &&
+                         std::abs(double(reported.alt_msl - reported.alt_rel) - 488) < 5;
     }
 
     void look() {
@@ -131,13 +131,13 @@ private:
     bool straightOn() const {
         const auto flown = during(kContinue);
         if (flown.empty()) return false;
-        double most_deg = 0;
+        double max_deg = 0;
         for (const Moment& each : flown)
-            most_deg = std::max(most_deg, std::abs(std::remainder(
-                                              each.course_deg - flown.front().course_deg, 360.0)));
-        std::printf("          turned %.1f degrees, %.1f to %.1f m\n", most_deg,
+            max_deg = std::max(max_deg, std::abs(std::remainder(
+                                            each.course_deg - flown.front().course_deg, 360.0)));
+        std::printf("          turned %.1f degrees, %.1f to %.1f m\n", max_deg,
                     flown.front().height_m, flown.back().height_m);
-        return most_deg < 8 && std::abs(flown.back().height_m - 60) < 3;
+        return max_deg < 8 && std::abs(flown.back().height_m - 60) < 3;
     }
     bool leftOnCourse() const {
         const auto flown = during(kToHeight);
@@ -149,28 +149,28 @@ private:
     }
     // From the place of item 4 to the circle of 60 m round that of item 6, 340 m from it.
     bool slopedToCircle() const {
-        double most_m = 0;
+        double max_m = 0;
         for (const Moment& each : during(kToHeight)) {
             const double along_m = 339 - std::hypot(each.north_m - 701, each.east_m - 100);
             if (along_m > 0 && along_m < 279)
-                most_m = std::max(most_m, std::abs(each.height_m - (60 + 20 * along_m / 279)));
+                max_m = std::max(max_m, std::abs(each.height_m - (60 + 20 * along_m / 279)));
         }
-        std::printf("          up to %.1f m from the slope\n", most_m);
-        return most_m > 0 && most_m < 5;
+        std::printf("          up to %.1f m from the slope\n", max_m);
+        return max_m > 0 && max_m < 5;
     }
     // Out for each landing, in when it is broken off and everywhere else.
     bool flapsWereOut() const {
-        int most_us = 0, least_us = 3000, around_us = 3000;
+        int max_us = 0, min_us = 3000, around_us = 3000;
         for (const Moment& each : flown_) {
-            if (each.item > 0 && each.item < kBeforeRtl) most_us = std::max(most_us, each.flap_us);
+            if (each.item > 0 && each.item < kBeforeRtl) max_us = std::max(max_us, each.flap_us);
             if (each.item != kLanding || each.height_m > 12 || each.t_s < 60) continue;
-            if (each.t_s < around_s_) least_us = std::min(least_us, each.flap_us);
+            if (each.t_s < around_s_) min_us = std::min(min_us, each.flap_us);
         }
         for (const Moment& each : during(kLanding, around_s_))
             if (each.t_s < around_s_ + 15) around_us = std::min(around_us, each.flap_us);
-        std::printf("          %d us before, %d us on the final, %d us after it\n", most_us,
-                    least_us, around_us);
-        return most_us == 1100 && std::abs(least_us - 1500) < 8 && around_us == 1100 &&
+        std::printf("          %d us before, %d us on the final, %d us after it\n", max_us, min_us,
+                    around_us);
+        return max_us == 1100 && std::abs(min_us - 1500) < 8 && around_us == 1100 &&
                std::abs(flown_.back().flap_us - 1500) < 8;
     }
     bool photographed() const {
@@ -225,8 +225,8 @@ private:
         return std::hypot(a.north_m - b.north_m, a.east_m - b.east_m);
     }
 
-    bool judge() {
-        return sayAll({
+    bool check() {
+        return printChecks({
             {"CONTINUE_CHANGE_ALT: straight on, up to its altitude", straightOn()},
             {"SET_CAM_TRIGG_DIST: a picture each 25 m, none before or after", photographed()},
             {"CAMERA_FEEDBACK: where each picture was taken",

@@ -43,16 +43,16 @@ TEST_F(Camera, works_the_relay_where_it_is_connected_to_that) {
     EXPECT_FALSE(relayGet());
 }
 
-TEST_F(Camera, is_told_to_be_missing_where_no_output_is_its) {
+TEST_F(Camera, reports_a_missing_camera_output) {
     parameters.output_function[2] = 0;
     fly({command(203), waypoint(500)});
-    EXPECT_TRUE(tells("Camera: no output has its function"));
+    EXPECT_TRUE(hasStatusText("Camera: no output has its function"));
     EXPECT_EQ(picturesTaken(), 0);
 }
 
-TEST_F(Camera, is_told_to_be_busy_rather_than_that_a_picture_is_lost) {
+TEST_F(Camera, reports_busy_rather_than_losing_a_picture) {
     fly({command(203), command(203), waypoint(500)});
-    EXPECT_TRUE(tells("Camera: still busy"));
+    EXPECT_TRUE(hasStatusText("Camera: still busy"));
     EXPECT_EQ(picturesTaken(), 1);
 }
 
@@ -87,7 +87,7 @@ TEST_F(Camera, the_exact_distance_of_a_picture_counts) {
     EXPECT_EQ(picturesTaken(), 1);
 }
 
-TEST_F(Camera, waits_for_the_shutter_to_be_let_go) {
+TEST_F(Camera, waits_until_the_shutter_is_released) {
     parameters.camera_duration_ds = 10;
     fly({command(206, 5), waypoint(5000)});
     for (int i = 0; i < 36; ++i) {

@@ -69,7 +69,7 @@ TEST_F(Flaps, turn_round_with_their_output_but_not_with_the_lever) {
     EXPECT_NEAR(outputPulse_us(kAutoFlap), 1300, 1);
 }
 
-TEST_F(Flaps, stay_in_without_a_lever) {
+TEST_F(Flaps, stay_retracted_without_a_channel) {
     parameters.flap_channel = 0;
     moveLever(1900);
     EXPECT_EQ(outputPulse_us(kFlap), 1100);
@@ -125,7 +125,7 @@ TEST_F(Flaps, are_as_far_out_as_the_lever_asks_where_that_is_more) {
     EXPECT_NEAR(outputPulse_us(kAutoFlap), 1500, 2);
 }
 
-TEST_F(Flaps, do_nothing_by_themselves_while_the_pilot_has_the_throttle) {
+TEST_F(Flaps, do_not_move_by_themselves_while_the_pilot_has_the_throttle) {
     stagesInLoiter();
     tenths(1, 10);
     for (Mode mode : {Mode::manual, Mode::fbwa}) {
@@ -152,7 +152,7 @@ TEST_F(Flaps, go_out_for_a_landing_whatever_the_airspeed) {
     EXPECT_GT(outputPulse_us(kAutoFlap), 1490) << "by the speed";
 }
 
-TEST_F(Flaps, have_no_stage_whose_speed_is_nothing) {
+TEST_F(Flaps, have_no_stage_with_a_speed_of_zero) {
     stagesInLoiter();
     parameters.flap[1].speed_mps = 0;
     tenths(1, 9);

@@ -52,7 +52,7 @@ constexpr char kOff[] = "................", kOn[] = "################",
                kSlow[] = "##..##..##..##..", kOneFlash[] = "##..............",
                kTwoFlashes[] = "##..##..........";
 
-TEST_F(Lights, red_flashes_once_when_ready_and_twice_when_not_and_shines_armed) {
+TEST_F(Lights, the_red_light_flashes_once_when_ready_twice_when_not_and_is_on_when_armed) {
     EXPECT_EQ(shown<board::LedA>(), kOneFlash);
     parameters.arming_check = 1;
     mutable_vehicle.baro.healthy = false;
@@ -62,7 +62,7 @@ TEST_F(Lights, red_flashes_once_when_ready_and_twice_when_not_and_shines_armed) 
     EXPECT_EQ(shown<board::LedA>(), kOn);
 }
 
-TEST_F(Lights, blue_tells_of_the_gps) {
+TEST_F(Lights, the_blue_light_shows_the_gps_state) {
     mutable_vehicle.gps.fix = GpsFix::no_gps;
     EXPECT_EQ(shown<board::LedC>(), kOff);
     mutable_vehicle.gps.fix = GpsFix::none;
@@ -73,7 +73,7 @@ TEST_F(Lights, blue_tells_of_the_gps) {
     EXPECT_EQ(shown<board::LedC>(), kOn);
 }
 
-TEST_F(Lights, red_and_blue_take_turns_while_the_gyros_are_calibrated) {
+TEST_F(Lights, red_and_blue_alternate_while_the_gyros_are_calibrated) {
     mutable_vehicle.imu.calibrated = false;
     EXPECT_EQ(shown<board::LedA>(), kFast);
     EXPECT_EQ(shown<board::LedC>(), kBetween);
@@ -87,7 +87,7 @@ TEST_F(Lights, all_flash_together_when_the_inertial_sensor_fails) {
     EXPECT_EQ(shown<board::LedC>(), kFast);
 }
 
-TEST_F(Lights, yellow_flashes_twice_without_a_radio) {
+TEST_F(Lights, the_yellow_light_flashes_twice_without_a_receiver) {
     EXPECT_EQ(shown<board::LedB>(), kOff);
     mutable_vehicle.radio.lost = true;
     EXPECT_EQ(shown<board::LedB>(), kTwoFlashes);

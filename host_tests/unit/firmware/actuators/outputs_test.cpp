@@ -115,13 +115,13 @@ TEST_F(Outputs, rest_at_the_trim_and_reach_both_ends_from_there) {
     EXPECT_EQ(outputPulse_us(2), 1900);
 }
 
-TEST_F(Outputs, follow_the_receiver_where_nobody_holds_them) {
+TEST_F(Outputs, follow_the_receiver_when_not_held) {
     settle(with(6, 1234));
     run();
     EXPECT_EQ(outputPulse_us(6), 1234);
 }
 
-TEST_F(Outputs, belong_to_who_holds_them_until_the_mode_changes) {
+TEST_F(Outputs, are_held_until_the_mode_changes) {
     ASSERT_TRUE(firmware::actuators::outputOverride(6, 1850));
     settle(with(6, 1200));
     run();
@@ -141,7 +141,7 @@ TEST_F(Outputs, can_be_released_one_by_one) {
     EXPECT_EQ(outputPulse_us(7), 0) << "silent on request";
 }
 
-TEST_F(Outputs, hold_no_pulse_a_servo_cannot_take) {
+TEST_F(Outputs, refuse_to_hold_a_pulse_out_of_range) {
     ASSERT_TRUE(firmware::actuators::outputOverride(5, 3000));
     ASSERT_TRUE(firmware::actuators::outputOverride(8, 1));
     run();
@@ -149,7 +149,7 @@ TEST_F(Outputs, hold_no_pulse_a_servo_cannot_take) {
     EXPECT_EQ(outputPulse_us(8), 800);
 }
 
-TEST_F(Outputs, give_away_surfaces_too_but_nothing_that_is_not_there) {
+TEST_F(Outputs, can_be_held_on_surfaces_too_but_not_on_missing_channels) {
     run();
     for (uint8_t output : {1, 2, 4}) {
         EXPECT_TRUE(firmware::actuators::outputOverride(output, 1850)) << int{output};
@@ -166,7 +166,7 @@ TEST_F(Outputs, give_away_surfaces_too_but_nothing_that_is_not_there) {
     }
 }
 
-TEST_F(Outputs, the_throttle_is_never_given_away) {
+TEST_F(Outputs, the_throttle_can_never_be_held) {
     for (const bool armed : {false, true}) {
         firmware::state::mutable_vehicle.armed = armed;
         EXPECT_FALSE(firmware::actuators::outputOverride(3, 1300));
@@ -175,7 +175,7 @@ TEST_F(Outputs, the_throttle_is_never_given_away) {
     }
 }
 
-TEST_F(Outputs, a_disarmed_motor_stands_whatever_its_channel_is_told) {
+TEST_F(Outputs, a_disarmed_motor_stays_off_whatever_its_channel_is_set_to) {
     firmware::state::parameters.channel[2] = {1700, 1800, 1900, 1, 30};
     run();
     EXPECT_LE(outputPulse_us(3), 1300);

@@ -76,7 +76,7 @@ TEST_F(Dataflash, is_known_some_steps_after_the_start) {
     EXPECT_FALSE(hal::flashBusy());
 }
 
-TEST_F(Dataflash, asking_takes_it_further_without_the_task) {
+TEST_F(Dataflash, requests_advance_it_without_the_task) {
     firmware::app::dataflashStart();
     for (int i = 0; i < 4 && !hal::flashKnown(); ++i) fakes::advance_ms(10);
 
@@ -103,7 +103,7 @@ TEST_F(Dataflash, gives_each_user_its_own_buffer_and_pages) {
     EXPECT_THAT(last, ElementsAre(0x50, 4088 >> 6, (4088 << 2) & 0xFF, 0));
 }
 
-TEST_F(Dataflash, lets_nobody_write_the_others_pages_or_none) {
+TEST_F(Dataflash, refuses_pages_of_another_user_and_pages_out_of_range) {
     start();
 
     EXPECT_EQ(hal::flashStore(kMission, 16), Status::bad_argument);
@@ -163,7 +163,7 @@ TEST_F(Dataflash, without_a_chip_everything_is_unsupported) {
     EXPECT_FALSE(hal::flashBusy());
 }
 
-TEST_F(Dataflash, a_chip_that_stays_busy_is_found_out_though_nobody_asks) {
+TEST_F(Dataflash, a_chip_that_stays_busy_is_detected_without_a_request) {
     start();
     ASSERT_EQ(hal::flashStore(kMission, 0), Status::ok);
     step();
@@ -174,7 +174,7 @@ TEST_F(Dataflash, a_chip_that_stays_busy_is_found_out_though_nobody_asks) {
     EXPECT_EQ(hal::flashShape().pages, 0);
 }
 
-TEST_F(Dataflash, a_chip_that_comes_loose_is_found_out) {
+TEST_F(Dataflash, a_chip_that_comes_loose_is_detected) {
     start();
     ASSERT_EQ(hal::flashStore(kMission, 0), Status::ok);
     fitted = false;

@@ -60,7 +60,7 @@ TEST_F(AttitudeControl, leaves_the_airplane_alone_in_manual) {
     EXPECT_EQ(surfaces.rudder.toFloat(), 0);
 }
 
-TEST_F(AttitudeControl, feels_a_gain_that_is_set_within_a_fifth_of_a_second) {
+TEST_F(AttitudeControl, uses_a_changed_gain_within_a_fifth_of_a_second) {
     const char name[16] = "RLL2SRV_P";
     uint16_t index;
     ASSERT_TRUE(firmware::state::parameterFind(name, index));

@@ -51,7 +51,7 @@ TEST_F(Autotune, scales_the_gains_of_the_axis_that_turned) {
     EXPECT_NEAR(parameters.pitch.axis.p, before.pitch.axis.p * 0.8f, 0.01f) << "a fifth at most";
 }
 
-TEST_F(Autotune, does_not_judge_the_elevator_by_a_turn) {
+TEST_F(Autotune, does_not_tune_the_elevator_in_a_turn) {
     enter(0);
     const auto before = parameters;
     mutable_vehicle.attitude.cos_roll = core::Ratio(0.8f);
@@ -79,7 +79,7 @@ TEST_F(Autotune, stops_at_the_ends_of_the_parameters) {
     EXPECT_LE(parameters.roll.axis.p, 4);
 }
 
-TEST_F(Autotune, touches_nothing_in_another_mode) {
+TEST_F(Autotune, changes_nothing_in_another_mode) {
     enter(0);
     const auto before = parameters;
     fly(Mode::fbwa);

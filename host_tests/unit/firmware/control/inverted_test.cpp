@@ -91,7 +91,7 @@ TEST_F(Inverted, is_reached_by_half_a_roll_to_the_right_and_left_the_same_way) {
         EXPECT_GT(at(roll_deg, 0).aileron.toFloat(), 0.4f) << roll_deg;
 }
 
-TEST_F(Inverted, is_never_pulled_through) {
+TEST_F(Inverted, never_pulls_through) {
     firmware::control::orderInverted(true);
     (void)at(180, 0);
     firmware::control::orderInverted(false);
@@ -110,7 +110,7 @@ TEST_F(Inverted, an_airplane_thrown_over_rolls_upright_the_short_way_and_is_not_
     EXPECT_GT(at(0, -15).elevator.toFloat(), 0.1f);
 }
 
-TEST_F(Inverted, half_a_roll_of_the_pilots_own_is_his) {
+TEST_F(Inverted, an_order_for_inverted_flight_ends_in_acro) {
     firmware::control::orderInverted(true);
     (void)at(180, 0);
     firmware::modes::setMode(Mode::acro, firmware::modes::ModeReason::pilot);
@@ -147,7 +147,7 @@ TEST_F(Inverted, the_switch_turns_it_over_while_it_is_up) {
     parameters.inverted_channel = 0;
 }
 
-TEST_F(Inverted, is_flown_only_with_room_below) {
+TEST_F(Inverted, is_flown_only_with_enough_height) {
     firmware::control::orderInverted(true);
     mutable_vehicle.estimate.height_m = 29;
     run();
@@ -163,7 +163,7 @@ TEST_F(Inverted, is_flown_only_with_room_below) {
     EXPECT_FALSE(vehicle.inverted);
 }
 
-TEST_F(Inverted, is_not_flown_on_the_ground_nor_by_a_pilot_who_has_the_surfaces) {
+TEST_F(Inverted, is_not_flown_on_the_ground_nor_in_manual_modes) {
     const auto flies = [] {
         firmware::control::orderInverted(true);
         run();

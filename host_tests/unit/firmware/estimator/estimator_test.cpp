@@ -95,8 +95,8 @@ TEST_F(Estimator, uses_every_fix_and_reading_whatever_frame_they_come_in) {
     EXPECT_NEAR(vehicle.estimate.height_m, 5, 0.2);
 }
 
-// What is told of the sea level goes on, only where it is counted from moves.
-TEST_F(Estimator, feels_no_step_when_home_is_moved) {
+// The altitude above the sea goes on, only where it is counted from moves.
+TEST_F(Estimator, makes_no_step_when_home_is_moved) {
     firmware::mission::setHome(kStart, 50000);
     mutable_vehicle.baro.pressure_pa -= 600;
     for (int i = 0; i < 1500; ++i) frame(0);
@@ -130,7 +130,7 @@ TEST_F(Estimator, takes_the_receivers_height_without_a_step_when_the_barometer_i
 }
 
 // Falling by a metre a second, as it says, for half a minute.
-TEST_F(Estimator, doubts_a_barometer_that_drifts_away_from_a_good_receivers_height) {
+TEST_F(Estimator, rejects_a_barometer_that_drifts_away_from_the_gps_height) {
     const auto drifts = [this](uint16_t hdop_c) {
         mutable_vehicle.gps.altitude_cm = 50000;
         mutable_vehicle.gps.hdop_c = hdop_c;

@@ -78,9 +78,9 @@ TEST_F(Calibration, of_the_accelerometers_goes_round_six_sides) {
     begin();
     for (int side = 0; side < 6; ++side) {
         EXPECT_TRUE(asked(kAsked[side])) << side;
-        const auto told = positions();
-        ASSERT_FALSE(told.empty());
-        EXPECT_EQ(told.back(), side + 1);
+        const auto reported = positions();
+        ASSERT_FALSE(reported.empty());
+        EXPECT_EQ(reported.back(), side + 1);
         mutable_vehicle.imu.calibrated = true;
         run_ms(2500);
         EXPECT_GE(positions().size(), 2u) << "said again while the pilot is busy";
@@ -121,7 +121,7 @@ TEST_F(Calibration, asks_again_when_it_lies_on_another_side) {
     EXPECT_NE(texts[1].find("LEFT"), std::string::npos);
 }
 
-TEST_F(Calibration, that_makes_no_sense_is_not_stored) {
+TEST_F(Calibration, an_implausible_calibration_is_not_stored) {
     begin();
     for (int side = 0; side < 6; ++side) {
         pressKey(1);
@@ -135,7 +135,7 @@ TEST_F(Calibration, that_makes_no_sense_is_not_stored) {
     EXPECT_EQ(parameters.accel_offset_mss[1], 0);
 }
 
-TEST_F(Calibration, that_is_never_still_fails) {
+TEST_F(Calibration, a_calibration_that_is_never_still_fails) {
     begin();
     pressKey(1);
     run_ms(33000);
@@ -176,13 +176,13 @@ TEST_F(Calibration, of_one_side_sets_the_offsets_alone) {
     EXPECT_EQ(parameters.accel_scale[2], 1);
 }
 
-TEST_F(Calibration, of_the_level_wants_it_still) {
+TEST_F(Calibration, of_the_level_needs_the_airplane_still) {
     mutable_vehicle.attitude.rate_rads.y = core::BodyRate(0.2f);
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 0, 2), MavResult::failed);
     EXPECT_TRUE(asked("Level: keep it still"));
 }
 
-TEST_F(Calibration, gyros_with_the_compass_are_the_old_ground_start) {
+TEST_F(Calibration, of_gyros_with_the_compass_is_the_old_ground_start) {
     EXPECT_EQ(command(MavCmd::preflight_calibration, 1, 1), MavResult::in_progress);
     EXPECT_EQ(firmware::state::vehicle.calibrating, firmware::state::Calibrating::rest);
 }
@@ -217,7 +217,7 @@ struct Compass : Calibration {
     }
 };
 
-TEST_F(Compass, is_calibrated_by_turning_it_about) {
+TEST_F(Compass, is_calibrated_by_turning_in_all_directions) {
     EXPECT_EQ(command(MavCmd::do_start_mag_cal), MavResult::accepted);
     turnAbout(14);
     EXPECT_TRUE(asked("Calibration successful"));
@@ -239,7 +239,7 @@ TEST_F(Compass, is_calibrated_by_the_older_command_too) {
     expectFound();
 }
 
-TEST_F(Compass, not_turned_all_about_keeps_its_offsets) {
+TEST_F(Compass, not_turned_in_all_directions_keeps_its_offsets) {
     EXPECT_EQ(command(MavCmd::do_start_mag_cal), MavResult::accepted);
     turnAbout(48, 0.3f);
     EXPECT_TRUE(asked("Calibration FAILED"));
@@ -249,7 +249,7 @@ TEST_F(Compass, not_turned_all_about_keeps_its_offsets) {
     EXPECT_EQ(reports[0].cal_status, mavlink::MagCalStatus::failed);
 }
 
-TEST_F(Compass, called_off_keeps_its_offsets) {
+TEST_F(Compass, cancelled_keeps_its_offsets) {
     EXPECT_EQ(command(MavCmd::do_start_mag_cal), MavResult::accepted);
     turnAbout(1);
     EXPECT_NE(parameters.compass_offset_mg[0], 0);
@@ -257,13 +257,13 @@ TEST_F(Compass, called_off_keeps_its_offsets) {
     EXPECT_EQ(parameters.compass_offset_mg[0], 0);
 }
 
-TEST_F(Compass, that_is_not_there_is_not_calibrated) {
+TEST_F(Compass, a_missing_compass_is_not_calibrated) {
     mutable_vehicle.compass.healthy = false;
     EXPECT_EQ(command(MavCmd::do_start_mag_cal), MavResult::failed);
     EXPECT_TRUE(asked("no compass"));
 }
 
-TEST_F(Compass, learns_in_flight_when_told_to) {
+TEST_F(Compass, learns_in_flight_when_enabled) {
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
     turnAbout(4);
     EXPECT_EQ(parameters.compass_offset_mg[0], 0);

@@ -291,7 +291,7 @@ TEST_F(Telemetry, what_a_mission_does_at_once_is_done_on_command) {
     EXPECT_EQ(command(MavCmd::do_set_servo, 3, 1500), MavResult::denied);
 }
 
-TEST_F(Telemetry, starts_the_landing_of_the_mission_and_breaks_it_off) {
+TEST_F(Telemetry, starts_the_landing_of_the_mission_and_aborts_it) {
     firmware::state::mutable_vehicle.estimate.flying = true;
     EXPECT_EQ(command(MavCmd::do_land_start), MavResult::denied) << "the mission has none";
     doubles::plan.land_start = doubles::plan.landing = true;
@@ -342,7 +342,7 @@ TEST_F(Telemetry, guides_to_a_place_to_the_last_digit) {
     EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::temporarily_rejected);
 }
 
-TEST_F(Telemetry, a_place_left_out_is_told_from_one_off_the_globe) {
+TEST_F(Telemetry, a_missing_position_is_distinguished_from_an_invalid_one) {
     EXPECT_EQ(command(MavCmd::do_reposition, -1, 1, 0, 0, kNan, kNan, kNan), MavResult::accepted);
     EXPECT_EQ(doubles::vehicle.targets.at(0).x, INT32_MAX);
     EXPECT_TRUE(std::isnan(doubles::vehicle.targets.at(0).z));

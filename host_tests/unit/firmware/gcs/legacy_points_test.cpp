@@ -103,7 +103,7 @@ TEST_F(OldPoints, a_fence_that_is_on_is_not_changed_point_by_point) {
     EXPECT_EQ(setParameter("FENCE_TOTAL", 0), 6);
 }
 
-TEST_F(OldPoints, a_point_waits_for_nobody_elses_upload) {
+TEST_F(OldPoints, a_point_is_refused_during_another_stations_upload) {
     upload(square(), kFence);
     second.send(count(3, kRally));
     run_ms(20);

@@ -32,7 +32,7 @@ TEST_F(Telemetry, a_message_that_mavlink_1_cannot_number_goes_out_in_mavlink_2) 
     EXPECT_EQ(station.everything().at(0).framing, Framing::v1);
 }
 
-TEST_F(Telemetry, obeys_nothing_that_is_meant_for_another) {
+TEST_F(Telemetry, ignores_messages_for_another_target) {
     mavlink::CommandLong message = {};
     message.command = mavlink::MavCmd::component_arm_disarm;
     message.param1 = 1;
@@ -63,7 +63,7 @@ TEST_F(Telemetry, link0_follows_the_usb_cable) {
     EXPECT_EQ(fakes::serial(hal::Port::link1).opened.size(), 1u);
 }
 
-TEST_F(Telemetry, a_radio_switched_off_is_silent_until_someone_speaks_to_the_airplane) {
+TEST_F(Telemetry, a_muted_link_is_silent_until_a_message_arrives) {
     run_ms(1000);
     (void)station.everything();
     (void)second.everything();
@@ -98,7 +98,7 @@ TEST_F(Telemetry, usb_is_never_switched_off) {
     fakes::setUsb(false);
 }
 
-TEST_F(Telemetry, rests_until_bytes_come) {
+TEST_F(Telemetry, is_idle_until_bytes_come) {
     rest();
     EXPECT_FALSE(firmware::gcs::telemetryPump());
     EXPECT_FALSE(firmware::gcs::telemetryWaits());
@@ -110,7 +110,7 @@ TEST_F(Telemetry, rests_until_bytes_come) {
     EXPECT_FALSE(firmware::gcs::telemetryWaits());
 }
 
-TEST_F(Telemetry, rests_until_there_is_room_for_what_it_has_to_say) {
+TEST_F(Telemetry, is_idle_until_there_is_room_to_send) {
     rest();
     station.line().room = 30;
     sendStatusText(Severity::info, ROM_TEXT("news"));
@@ -124,7 +124,7 @@ TEST_F(Telemetry, rests_until_there_is_room_for_what_it_has_to_say) {
     EXPECT_FALSE(firmware::gcs::telemetryWaits());
 }
 
-TEST_F(Telemetry, beats_when_the_frames_leave_no_rest) {
+TEST_F(Telemetry, sends_heartbeats_when_the_frames_leave_no_idle_time) {
     for (uint32_t ms = 0; ms < 10000; ms += 20) {
         firmware::gcs::telemetrySend();
         fakes::advance_ms(20);
@@ -132,7 +132,7 @@ TEST_F(Telemetry, beats_when_the_frames_leave_no_rest) {
     EXPECT_NEAR(station.all<mavlink::Heartbeat>().size(), 10, 1);
 }
 
-TEST_F(Telemetry, leaves_questions_in_the_port_until_the_answer_has_room) {
+TEST_F(Telemetry, leaves_requests_in_the_port_until_there_is_room_for_the_answer) {
     station.line().room = 20;
     station.line().endless = false;
 
@@ -164,7 +164,7 @@ TEST_F(Telemetry, answers_a_ping_and_a_timesync_question) {
     EXPECT_GT(syncs[0].tc1, 0);
 }
 
-TEST_F(Telemetry, has_no_logs_and_says_so) {
+TEST_F(Telemetry, answers_the_log_list_without_logs) {
     mavlink::LogRequestList message = {};
     message.target_system = message.target_component = 1;
     message.end = 0xFFFF;
@@ -232,7 +232,7 @@ TEST_F(Telemetry, texts_reach_both_links_with_their_number) {
     }
 }
 
-TEST_F(Telemetry, texts_told_before_the_links_are_open_are_told_after) {
+TEST_F(Telemetry, texts_queued_before_the_links_are_open_are_sent_after) {
     sendStatusText(Severity::info, ROM_TEXT("early"));
     firmware::gcs::telemetryStart();
     run_ms(100);
@@ -245,7 +245,7 @@ TEST_F(Telemetry, a_text_carries_its_severity) {
     EXPECT_EQ(station.all<mavlink::Statustext>().at(0).severity, mavlink::MavSeverity::critical);
 }
 
-TEST_F(Telemetry, texts_that_found_no_room_are_counted_and_told) {
+TEST_F(Telemetry, dropped_texts_are_counted_and_reported) {
     for (int i = 0; i < 12; ++i) sendStatusText(Severity::info, ROM_TEXT("text #"), i);
 
     run_ms(500);
@@ -288,7 +288,7 @@ TEST_F(Telemetry, the_ground_stations_sticks_replace_and_release_channels) {
     EXPECT_FALSE(firmware::sensors::rcOverride(1, pulse_us));
 }
 
-TEST_F(Telemetry, sticks_of_a_stranger_are_ignored) {
+TEST_F(Telemetry, rc_override_of_another_system_is_ignored) {
     uint16_t pulse_us = 0;
     station.system = 254;
     station.send(sticks(1200, 1800));
@@ -319,7 +319,7 @@ TEST_F(Telemetry, knows_when_the_ground_station_was_last_heard) {
     EXPECT_GT(firmware::state::vehicle.ground_heard_ms, before_ms);
 }
 
-TEST_F(Telemetry, ten_megabytes_of_noise_change_nothing) {
+TEST_F(Telemetry, ten_megabytes_of_noise_have_no_effect) {
     std::mt19937 random(3);
     const firmware::state::Parameters before = firmware::state::parameters;
     for (uint32_t sent = 0; sent < 10000000; sent += 1000) {
@@ -340,7 +340,7 @@ TEST_F(Telemetry, ten_megabytes_of_noise_change_nothing) {
     EXPECT_EQ(ask<mavlink::Ping>(mavlink::Ping{}).size(), 1u);
 }
 
-TEST_F(Telemetry, survives_whatever_stands_in_a_frame) {
+TEST_F(Telemetry, survives_any_payload) {
     std::mt19937 random(1);
     const uint8_t odd[] = {0, 1, 0x7F, 0x80, 0xFF};
     for (int round = 0; round < 300; ++round) {

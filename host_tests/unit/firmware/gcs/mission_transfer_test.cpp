@@ -112,7 +112,7 @@ TEST_F(MissionTransfer, takes_items_in_whole_degrees_too) {
     EXPECT_NEAR(plan.items.at(0).y, 1491652300, 80);
 }
 
-TEST_F(MissionTransfer, places_that_are_no_places_do_not_become_places) {
+TEST_F(MissionTransfer, invalid_positions_are_stored_as_unset) {
     give(count(2));
     auto message = item<mavlink::MissionItem>(0);
     message.x = NAN;
@@ -137,7 +137,7 @@ TEST_F(MissionTransfer, asks_again_for_an_item_that_was_lost_and_of_both_kinds) 
     EXPECT_EQ(station.all<mavlink::MissionRequest>().at(0).seq, 1);  // and stays with it
 }
 
-TEST_F(MissionTransfer, an_upload_that_dies_ends_with_the_truth_and_the_old_mission) {
+TEST_F(MissionTransfer, an_abandoned_upload_is_answered_and_leaves_the_old_mission) {
     plan.items = {stored(0), stored(1)};
     give(count(9));
     give(itemInt(0));
@@ -205,12 +205,12 @@ TEST_F(MissionTransfer, refuses_more_items_than_there_is_room_for) {
     EXPECT_EQ(acks(), Results{MavMissionResult::no_space});
 }
 
-TEST_F(MissionTransfer, an_item_nobody_asked_for_is_an_error) {
+TEST_F(MissionTransfer, an_unrequested_item_is_an_error) {
     give(itemInt(0));
     EXPECT_EQ(acks(), Results{MavMissionResult::error});
 }
 
-TEST_F(MissionTransfer, an_order_for_guided_dressed_as_an_item_is_not_taken_for_one) {
+TEST_F(MissionTransfer, a_guided_order_is_not_taken_for_an_item_of_the_upload) {
     give(count(2));
     auto message = itemInt(0);
     message.current = 2;
@@ -335,7 +335,7 @@ TEST_F(MissionTransfer, an_item_that_is_still_being_read_comes_later) {
     EXPECT_EQ(ask<mavlink::MissionItemInt>(request<mavlink::MissionRequestInt>(0), 100).size(), 1u);
 }
 
-TEST_F(MissionTransfer, a_store_that_stays_busy_is_no_silence) {
+TEST_F(MissionTransfer, a_store_that_stays_busy_is_answered_with_an_error) {
     plan.items = {stored(0)};
     plan.busy = 1000000;
     give(count(3));

@@ -96,7 +96,7 @@ TEST_F(Telemetry, a_parameter_is_read_by_name_and_by_index) {
     EXPECT_EQ(nameOf(by_index[0]), "SYSID_MYGCS");
 }
 
-TEST_F(Telemetry, a_parameter_that_does_not_exist_is_not_invented) {
+TEST_F(Telemetry, a_missing_parameter_is_not_answered) {
     auto request = named<mavlink::ParamRequestRead>("NO_SUCH_NAME");
     request.param_index = -1;
     EXPECT_TRUE(ask<mavlink::ParamValue>(request).empty());
@@ -116,7 +116,7 @@ TEST_F(Telemetry, setting_a_parameter_is_answered_with_what_it_now_is) {
     EXPECT_EQ(firmware::state::parameters.cruise_speed_cms, 1350);
 }
 
-TEST_F(Telemetry, a_value_that_is_out_of_range_changes_nothing_and_is_refused_aloud) {
+TEST_F(Telemetry, a_value_out_of_range_is_refused_with_a_text_and_changes_nothing) {
     for (const float value : {-1.0f, 1e9f, NAN}) {
         const auto values = ask<mavlink::ParamValue>(setting("SYSID_MYGCS", value));
 
@@ -282,7 +282,7 @@ TEST_F(Telemetry, a_setting_during_a_list_is_answered_and_the_list_goes_on) {
     EXPECT_EQ(listed, firmware::state::parameterCount());
 }
 
-TEST_F(Telemetry, the_other_link_hears_of_a_new_value) {
+TEST_F(Telemetry, a_new_value_is_sent_on_the_other_link_too) {
     station.send(setting("WP_RADIUS", 55));
     run_ms(20);
 

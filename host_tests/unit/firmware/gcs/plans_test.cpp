@@ -41,7 +41,7 @@ TEST_F(Points, more_than_there_is_room_for_is_refused) {
     EXPECT_EQ(acks(station, kRally), Results{MavMissionResult::no_space});
 }
 
-TEST_F(Points, what_is_no_such_list_is_unsupported) {
+TEST_F(Points, an_unknown_list_is_unsupported) {
     give(count(2, 77));
     EXPECT_EQ(acks(station, 77), Results{MavMissionResult::unsupported});
     auto list = toVehicle<mavlink::MissionRequestList>();
@@ -56,7 +56,7 @@ struct Wrong {
     void (*spoil)(mavlink::MissionItemInt&);
     uint8_t type = kFence;
 };
-TEST_F(Points, what_this_airplane_does_not_fly_is_refused_and_the_old_list_stays) {
+TEST_F(Points, unsupported_points_are_refused_and_the_old_list_stays) {
     const Wrong cases[] = {
         {"an exclusion", {MavMissionResult::unsupported}, [](auto& i) { i.command = 5002; }},
         {"a circle", {MavMissionResult::unsupported}, [](auto& i) { i.command = 5003; }},
@@ -166,7 +166,7 @@ TEST_F(Points, a_second_station_on_the_same_link_is_denied_until_the_first_is_do
     EXPECT_EQ(acks(station, kFence), Results{MavMissionResult::accepted});
 }
 
-TEST_F(Points, an_owner_that_is_gone_does_not_lock_the_others_out) {
+TEST_F(Points, an_upload_of_a_lost_station_times_out_for_the_others) {
     second.send(count(5, kFence));
     run_ms(20);
     give(count(3, kRally));

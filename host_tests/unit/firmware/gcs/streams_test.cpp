@@ -25,7 +25,7 @@ mavlink::RequestDataStream streamRequest(uint8_t stream, uint16_t rate_hz, bool 
     return message;
 }
 
-TEST_F(Telemetry, beats_once_a_second_when_nothing_is_asked_for) {
+TEST_F(Telemetry, sends_only_a_heartbeat_a_second_when_nothing_is_requested) {
     run_ms(10000);
 
     EXPECT_EQ(station.all<mavlink::Heartbeat>().size(), 10u);
@@ -176,7 +176,7 @@ TEST_F(Telemetry, two_links_have_rates_of_their_own) {
     EXPECT_EQ(fast[0], 5);
 }
 
-TEST_F(Telemetry, sends_whole_frames_only_and_beats_on_a_slow_line) {
+TEST_F(Telemetry, sends_only_whole_frames_and_heartbeats_on_a_slow_line) {
     memset(&firmware::state::parameters.streams[0], 10,
            sizeof firmware::state::parameters.streams[0]);
     station.line().endless = false;
@@ -274,7 +274,7 @@ TEST_F(Telemetry, messages_carry_the_vehicle_in_the_units_of_the_protocol) {
     EXPECT_EQ(channels.chan18_raw, 65535);
 }
 
-TEST_F(Telemetry, sys_status_names_what_ails) {
+TEST_F(Telemetry, sys_status_names_the_failed_sensors) {
     using Sensor = mavlink::MavSysStatusSensor;
     firmware::state::mutable_vehicle.gps.healthy = false;
     firmware::state::mutable_vehicle.baro.healthy = true;
@@ -290,7 +290,7 @@ TEST_F(Telemetry, sys_status_names_what_ails) {
     EXPECT_FALSE(status.onboard_control_sensors_health & Sensor::prearm_check);
 }
 
-TEST_F(Telemetry, what_was_reached_is_told_once_on_every_link) {
+TEST_F(Telemetry, a_reached_item_is_reported_once_on_every_link) {
     doubles::plan.reached = {3, 4};
 
     run_ms(200);
@@ -303,7 +303,7 @@ TEST_F(Telemetry, what_was_reached_is_told_once_on_every_link) {
     }
 }
 
-TEST_F(Telemetry, each_picture_is_told_once_on_every_link) {
+TEST_F(Telemetry, each_picture_is_reported_once_on_every_link) {
     auto& mutable_vehicle = firmware::state::mutable_vehicle;
     mutable_vehicle.estimate.position = {473977000, 85456000};
     mutable_vehicle.estimate.height_m = 100;
@@ -316,13 +316,13 @@ TEST_F(Telemetry, each_picture_is_told_once_on_every_link) {
         run_ms(300);
     }
     for (ground::Station* each : {&station, &second}) {
-        const auto told = each->all<mavlink::CameraFeedback>();
-        ASSERT_EQ(told.size(), 2u);
-        EXPECT_EQ(told[0].img_idx, 1);
-        EXPECT_EQ(told[1].img_idx, 2);
-        EXPECT_EQ(told[1].lat, 473977000);
-        EXPECT_NEAR(told[1].alt_msl, 588, 0.01);
-        EXPECT_NEAR(told[1].pitch, 5, 0.01);
+        const auto reported = each->all<mavlink::CameraFeedback>();
+        ASSERT_EQ(reported.size(), 2u);
+        EXPECT_EQ(reported[0].img_idx, 1);
+        EXPECT_EQ(reported[1].img_idx, 2);
+        EXPECT_EQ(reported[1].lat, 473977000);
+        EXPECT_NEAR(reported[1].alt_msl, 588, 0.01);
+        EXPECT_NEAR(reported[1].pitch, 5, 0.01);
     }
 }
 

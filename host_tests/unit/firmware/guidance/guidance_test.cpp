@@ -200,7 +200,7 @@ TEST_F(Guidance, banks_towards_the_leg) {
     }
 }
 
-TEST_F(Guidance, tells_when_the_leg_is_passed_and_begins_the_next_one_afresh) {
+TEST_F(Guidance, reports_the_leg_passed_and_begins_the_next_one_afresh) {
     inTheAir();
     demand(Path::leg);
     place(499, 0);
@@ -235,7 +235,7 @@ TEST_F(Guidance, begins_the_slope_anew_where_it_is_when_it_is_too_high_above_one
     EXPECT_NEAR(planned_m(490, 180), 180, 0.1);
 }
 
-TEST_F(Guidance, comes_down_to_a_slope_that_goes_down_or_when_it_is_told_to) {
+TEST_F(Guidance, comes_down_to_a_descending_slope_or_on_command) {
     inTheAir();
     demand(Path::leg);
     mutable_vehicle.demand.height_m = 30;
@@ -251,7 +251,7 @@ TEST_F(Guidance, comes_down_to_a_slope_that_goes_down_or_when_it_is_told_to) {
     EXPECT_NEAR(vehicle.progress.height_error_m, -10, 0.1);
 }
 
-TEST_F(Guidance, circles_to_the_side_it_is_told) {
+TEST_F(Guidance, circles_in_the_demanded_direction) {
     const float tangent = 13 * 13 / 60.0f / core::kGravity_mss;
     for (bool counter_clockwise : {false, true}) {
         inTheAir();
@@ -341,7 +341,7 @@ TEST_F(Guidance, the_nose_may_be_lower_in_the_flare_than_at_the_ground) {
     EXPECT_LT(pitch_rad(1), core::radians(-3));
 }
 
-TEST_F(Guidance, nothing_flares_that_the_pilot_flies) {
+TEST_F(Guidance, does_not_flare_in_pilot_modes) {
     inTheAir();
     onFinal(0.5f, 10);
     guide(2);
@@ -387,7 +387,7 @@ TEST_F(Guidance, keeps_the_nose_from_swinging_in_the_take_off_run) {
     EXPECT_EQ(vehicle.rudder_demand.toFloat(), 0) << "airborne";
 }
 
-TEST_F(Guidance, steers_no_more_once_the_pilot_has_the_airplane) {
+TEST_F(Guidance, stops_steering_once_the_pilot_flies) {
     inTheAir();
     onFinal(0.5f, 10);
     mutable_vehicle.attitude.yaw_rad = core::Angle(0.2f);

@@ -196,23 +196,23 @@ TEST_F(Beyond, a_restart_turns_the_airplane_upright) {
     EXPECT_FALSE(vehicle.inverted);
 }
 
-TEST_F(Beyond, fence_enable_tells_what_keeps_the_fence_off) {
+TEST_F(Beyond, fence_enable_reports_why_the_fence_stays_off) {
     fly({command(207, 1), waypoint(500)});
-    EXPECT_TRUE(tells("No fence that is fit"));
+    EXPECT_TRUE(hasStatusText("No fence that is fit"));
     EXPECT_EQ(missionCurrent(), 2) << "and the mission goes on";
 }
 
-TEST_F(Beyond, a_mount_is_told_to_be_missing_when_the_mission_comes) {
+TEST_F(Beyond, a_missing_mount_is_reported_at_upload) {
     for (const uint16_t id : {201, 205}) {
-        (void)told();
+        (void)statusTexts();
         ASSERT_EQ(upload({waypoint(500), command(id), command(id), waypoint(900)}),
                   MissionResult::accepted);
         pass(3);
-        EXPECT_TRUE(tells("Mission: no mount for item 2")) << id;
+        EXPECT_TRUE(hasStatusText("Mission: no mount for item 2")) << id;
     }
     ASSERT_EQ(upload({waypoint(500), waypoint(900)}), MissionResult::accepted);
     pass(3);
-    EXPECT_FALSE(tells("no mount"));
+    EXPECT_FALSE(hasStatusText("no mount"));
 }
 
 TEST_F(Beyond, only_what_an_output_can_do_is_its_function) {

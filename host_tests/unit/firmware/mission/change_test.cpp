@@ -162,7 +162,7 @@ TEST_F(MissionFlight,
     EXPECT_EQ(missionCurrent(), 1);
 }
 
-TEST_F(MissionFlight, a_nav_out_of_range_is_no_end_of_a_chain) {
+TEST_F(MissionFlight, a_nav_out_of_range_does_not_end_a_chain) {
     parameters.mission_set = 1;
     const ::mission::Record beyond_the_pole = {16, 0, 0, 5000, 910000000, 80000000};
     storeImage(1, {{16, 0, 0, 0, 0, 0},
@@ -183,13 +183,13 @@ TEST_F(MissionFlight, a_nav_out_of_range_is_no_end_of_a_chain) {
     EXPECT_TRUE(relayGet());
 }
 
-TEST_F(MissionFlight, a_clear_in_auto_goes_home_and_is_told) {
+TEST_F(MissionFlight, a_clear_in_auto_enters_rtl_and_is_reported) {
     fly({waypoint(500), waypoint(900)});
-    (void)told();
+    (void)statusTexts();
     ASSERT_EQ(whileBusy(missionClear), MissionResult::accepted);
     pass();
     EXPECT_EQ(vehicle.mode, Mode::rtl);
-    EXPECT_TRUE(tells("Mission complete"));
+    EXPECT_TRUE(hasStatusText("Mission complete"));
     EXPECT_EQ(missionCount(), 0);
 }
 
@@ -248,17 +248,17 @@ TEST_F(MissionFlight, a_trailing_distance_is_measured_to_the_last_navs_place) {
     EXPECT_TRUE(relayGet());
 }
 
-TEST_F(MissionFlight, a_record_out_of_range_in_an_image_is_skipped_told_and_counted) {
+TEST_F(MissionFlight, a_record_out_of_range_in_an_image_is_skipped_reported_and_counted) {
     const uint16_t before = missionSkipped();
     storeImage(2, {{16, 1, 0, 0, 0, 0},
                    {16, 1, 0, 5000, 470090000, 80000000},
                    {181, 0, 0, 7, 0, 0},
                    {16, 1, 0, 5000, 470190000, 80000000}});
     ASSERT_TRUE(enterAuto());
-    (void)told();
+    (void)statusTexts();
     reach();
     EXPECT_EQ(missionCurrent(), 3);
-    EXPECT_TRUE(tells("item 2 skipped"));
+    EXPECT_TRUE(hasStatusText("item 2 skipped"));
     EXPECT_EQ(missionSkipped(), before + 1);
 }
 

@@ -23,7 +23,7 @@ protected:
     }
 };
 
-TEST_F(Rows, have_a_good_record_each_and_no_id_is_without_a_row) {
+TEST_F(Rows, have_a_valid_record_each_and_every_id_has_a_row) {
     forEveryRow([](Set set, uint8_t row) {
         const uint8_t id = kCommandTable.id(set, row);
         EXPECT_EQ(sampleOf(set, id).id, id) << "no sample";
@@ -34,7 +34,7 @@ TEST_F(Rows, have_a_good_record_each_and_no_id_is_without_a_row) {
 }
 
 // The two documents that name the sets, and what missions of this board hold besides.
-TEST_F(Rows, beyond_the_documents_are_marked_as_such) {
+TEST_F(Rows, outside_the_documents_are_marked_as_such) {
     std::set<int> beyond;
     forEveryRow([&](Set set, uint8_t row) {
         if ((kCommandTable.traits(row) & ::mission::kArduPlaneExtension) == 0) return;
@@ -213,7 +213,7 @@ TEST_F(Rows, the_index_of_apm1_may_stand_in_p1_where_p2_is_0_and_both_0_are_refu
     EXPECT_EQ(written(rangesOf(kSet1, record, 1)), "0..255 ") << "p2 is the one that counts";
 }
 
-TEST_F(Rows, only_the_modes_there_are_may_be_changed_to) {
+TEST_F(Rows, only_existing_modes_may_be_changed_to) {
     int modes = 0;
     for (int mode = 0; mode <= 255; ++mode) {
         const bool there = isMode(static_cast<uint8_t>(mode));
@@ -260,7 +260,7 @@ TEST_F(Rows, every_gain_is_held_to_the_range_of_its_own_parameter) {
     EXPECT_EQ(gains, 17);
 }
 
-TEST_F(Rows, come_back_from_the_ground_as_they_were_stored) {
+TEST_F(Rows, survive_download_and_upload_unchanged) {
     for (const Sample& sample : kSamples) {
         MissionItem item;
         decodeItem(sample.set, kSampleSite.index, sample.record, item);

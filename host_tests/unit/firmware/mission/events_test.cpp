@@ -106,7 +106,7 @@ TEST_F(Events, a_mission_restart_stops_a_repeat) {
 TEST_F(Events, the_throttle_is_refused_and_nothing_repeats) {
     repeatToggles(3, 1800, 0, 2);
     EXPECT_FALSE(eventRuns());
-    EXPECT_TRUE(tells("output 3 refused"));
+    EXPECT_TRUE(hasStatusText("output 3 refused"));
 }
 
 TEST_F(Events, a_flight_surface_belongs_to_the_event_for_its_second_and_then_flies_again) {

@@ -295,9 +295,9 @@ TEST_F(EveryCommand, event_0_or_10_stops_what_repeats) {
         flyAnew(1, {waypoint(500), command(0x80, 3, 1700, 2, 0), command(0x20, 4),
                     command(0x80, float(stop)), waypoint(900)});
         EXPECT_EQ(outputPulse_us(6), 1700) << stop;
-        (void)told();
+        (void)statusTexts();
         seconds(5);
-        EXPECT_FALSE(tells("refused")) << stop;
+        EXPECT_FALSE(hasStatusText("refused")) << stop;
         EXPECT_FALSE(eventRuns()) << stop;
         EXPECT_EQ(outputPulse_us(6), 1500) << stop;
     }
@@ -350,7 +350,7 @@ TEST_F(EveryCommand, counter_is_full_again_after_a_loss_of_power) {
 
 // ---- another mission in flight
 
-TEST_F(EveryCommand, written_in_part_in_flight_leaves_the_flight_alone_or_restarts_it) {
+TEST_F(EveryCommand, a_partial_upload_in_flight_leaves_the_flight_unchanged_or_restarts_it) {
     fly({waypoint(500), command(112, 5), waypoint(900), waypoint(1500)});
     reach();
     pass(20);
@@ -364,7 +364,7 @@ TEST_F(EveryCommand, written_in_part_in_flight_leaves_the_flight_alone_or_restar
 }
 
 // 60 m above the sea in one set is 15,360 m above home in the other, byte for byte.
-TEST_F(EveryCommand, of_the_other_set_restarts_the_mission_though_its_bytes_are_the_same) {
+TEST_F(EveryCommand, the_same_bytes_in_the_other_set_restart_the_mission) {
     fly({absolute(waypoint(500), 60), absolute(waypoint(900), 60)});
     reach();
     EXPECT_EQ(missionCurrent(), 2);
@@ -378,25 +378,25 @@ TEST_F(EveryCommand, of_the_other_set_restarts_the_mission_though_its_bytes_are_
     EXPECT_EQ(missionCurrent(), 1);
 }
 
-TEST_F(EveryCommand, that_is_no_nav_makes_an_upload_in_flight_the_end_of_the_mission) {
+TEST_F(EveryCommand, an_upload_without_a_nav_ends_the_mission_in_flight) {
     fly({waypoint(500), waypoint(900)});
-    (void)told();
+    (void)statusTexts();
     ASSERT_EQ(upload({command(181, 0, 1)}), MissionResult::accepted);
     pass();
     EXPECT_EQ(vehicle.mode, Mode::rtl);
-    EXPECT_TRUE(tells("Mission complete"));
+    EXPECT_TRUE(hasStatusText("Mission complete"));
     EXPECT_FALSE(relayGet());
 }
 
 // ---- what only an image can hold
 
-TEST_F(EveryCommand, above_terrain_in_an_image_is_skipped_and_told) {
+TEST_F(EveryCommand, a_terrain_altitude_in_an_image_is_skipped_and_reported) {
     storeImage(2, {{16, 1, 0, 0, 0, 0},
                    {16, ::mission::kAboveTerrain, 0, 5000, 470050000, 80000000},
                    {16, 1, 0, 5000, 470190000, 80000000}});
     ASSERT_TRUE(enterAuto());
     EXPECT_EQ(missionCurrent(), 2);
-    EXPECT_TRUE(tells("item 1 skipped"));
+    EXPECT_TRUE(hasStatusText("item 1 skipped"));
 }
 
 TEST_F(EveryCommand, with_options_that_mean_nothing_is_flown_as_without_them) {

@@ -81,7 +81,7 @@ TEST_F(Item, every_apm2_command_stands_in_its_fields_and_comes_back_as_it_went_u
     for (const auto& c : cases) {
         expectFields(c.item, c.options, c.p1, c.p2, c.p3, c.p4);
         EXPECT_EQ(stored(1), c.item);
-        EXPECT_EQ(told().find("rounded"), std::string::npos) << c.item.command;
+        EXPECT_EQ(statusTexts().find("rounded"), std::string::npos) << c.item.command;
     }
 }
 
@@ -182,24 +182,24 @@ TEST_F(Item, only_frames_whose_altitude_is_understood_are_taken) {
     }
 }
 
-TEST_F(Item, what_is_rounded_is_told_and_reads_back_as_it_is_stored) {
+TEST_F(Item, a_rounded_value_is_reported_and_reads_back_as_stored) {
     EXPECT_EQ(roundTrip(at(19, 44)).param1, 40);
-    EXPECT_TRUE(tells("rounded"));
+    EXPECT_TRUE(hasStatusText("rounded"));
     EXPECT_EQ(roundTrip(at(19, 45)).param1, 50) << "halves away from zero";
     EXPECT_EQ(roundTrip(at(19, 1)).param1, 10) << "a time above 0 is at least one unit";
     EXPECT_EQ(roundTrip(at(18, 1.5f)).param1, 2);
-    (void)told();
+    (void)statusTexts();
     EXPECT_EQ(roundTrip(command(112, 2.4f)).param1, 2);
-    EXPECT_TRUE(tells("rounded"));
+    EXPECT_TRUE(hasStatusText("rounded"));
 }
 
-TEST_F(Item, a_parameter_without_a_field_is_stored_as_0_and_told_once) {
+TEST_F(Item, a_parameter_without_a_field_is_stored_as_0_and_reported_once) {
     MissionItem hold = at(16, 30, 5, 0, 90);
     EXPECT_EQ(upload({hold, hold, hold}), MissionResult::accepted);
     EXPECT_EQ(stored(1).param1, 0);
     EXPECT_EQ(stored(1).param2, 5);
     EXPECT_EQ(stored(1).param4, 0);
-    const std::string all = told();
+    const std::string all = statusTexts();
     const size_t first = all.find("dropped");
     ASSERT_NE(first, std::string::npos);
     EXPECT_EQ(all.find("dropped", first + 1), std::string::npos);
@@ -214,7 +214,7 @@ TEST_F(Item, nan_means_unset) {
     const MissionItem speed = command(178, 0, NAN, NAN, NAN);
     EXPECT_EQ(roundTrip(speed).param2, -1);
     EXPECT_EQ(stored(1).param3, -1);
-    EXPECT_FALSE(tells("dropped"));
+    EXPECT_FALSE(hasStatusText("dropped"));
 }
 
 TEST_F(Item, speeds_rates_and_parameter_values_are_exact_over_their_whole_range) {

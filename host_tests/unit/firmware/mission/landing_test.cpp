@@ -73,16 +73,16 @@ TEST_F(Landings, a_start_at_0_0_lies_where_the_next_nav_does) {
     EXPECT_EQ(missionCurrent(), 3);
 }
 
-TEST_F(Landings, without_a_start_rtl_stays_rtl_and_says_so) {
+TEST_F(Landings, without_a_landing_start_rtl_stays_rtl_and_reports_it) {
     ASSERT_EQ(upload({waypoint(500), placed(21, 0, 0, 0)}), MissionResult::accepted);
     parameters.rtl_landing = 2;
     setMode(Mode::rtl, ModeReason::pilot);
-    (void)told();
+    (void)statusTexts();
     flyRtl();
     EXPECT_EQ(vehicle.mode, Mode::rtl);
-    EXPECT_TRUE(tells("RTL: the mission has no DO_LAND_START"));
+    EXPECT_TRUE(hasStatusText("RTL: the mission has no DO_LAND_START"));
     flyRtl();
-    EXPECT_FALSE(tells("DO_LAND_START")) << "once";
+    EXPECT_FALSE(hasStatusText("DO_LAND_START")) << "once";
     EXPECT_FALSE(missionLand());
 }
 
@@ -94,7 +94,7 @@ TEST_F(Landings, another_mode_ends_the_search) {
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
 }
 
-TEST_F(Landings, the_marker_does_nothing_where_the_mission_comes_by) {
+TEST_F(Landings, do_land_start_does_nothing_when_the_mission_reaches_it) {
     fly(landings());
     reach();
     EXPECT_EQ(missionCurrent(), 3);
@@ -144,7 +144,7 @@ TEST_F(Landings, going_around_without_a_start_lands_again_from_the_nav_before) {
     EXPECT_EQ(missionCurrent(), 2);
 }
 
-TEST_F(Landings, all_throttle_breaks_one_off_but_not_a_stick_that_was_left_there) {
+TEST_F(Landings, raising_the_throttle_aborts_a_landing_but_a_stick_left_there_does_not) {
     mutable_vehicle.radio.throttle_pct = 100;
     fly(landings());
     reach();
@@ -154,16 +154,16 @@ TEST_F(Landings, all_throttle_breaks_one_off_but_not_a_stick_that_was_left_there
     mutable_vehicle.radio.throttle_pct = 60;
     seconds(1);
     EXPECT_EQ(vehicle.demand.path, Path::land) << "a nudge";
-    (void)told();
+    (void)statusTexts();
     mutable_vehicle.estimate.height_m = 8;
     mutable_vehicle.radio.throttle_pct = 95;
     seconds(1);
     EXPECT_EQ(vehicle.demand.path, Path::leg);
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 30);
-    EXPECT_TRUE(tells("Landing broken off by the throttle"));
+    EXPECT_TRUE(hasStatusText("Landing broken off by the throttle"));
 }
 
-TEST_F(Landings, a_radio_that_comes_back_with_all_throttle_breaks_none_off) {
+TEST_F(Landings, a_receiver_that_returns_with_full_throttle_aborts_no_landing) {
     mutable_vehicle.radio.throttle_pct = 100;
     fly(landings());
     reach();
@@ -178,7 +178,7 @@ TEST_F(Landings, a_radio_that_comes_back_with_all_throttle_breaks_none_off) {
     EXPECT_EQ(vehicle.demand.path, Path::land);
 }
 
-TEST_F(Landings, nothing_is_broken_off_that_is_no_landing_or_is_over) {
+TEST_F(Landings, nothing_is_aborted_that_is_no_landing_or_is_over) {
     fly(landings());
     EXPECT_FALSE(missionGoAround(50)) << "a waypoint";
     reach();

@@ -100,7 +100,7 @@ TEST_F(Lists, a_clear_empties_its_own_list_alone) {
     EXPECT_EQ(missionCount(), 2);
 }
 
-TEST_F(Lists, a_fence_begun_ends_a_mission_upload_that_was_open) {
+TEST_F(Lists, a_fence_upload_ends_an_open_mission_upload) {
     ASSERT_EQ(whileBusy([] { return missionBeginUpload(3); }), MissionResult::accepted);
     ASSERT_EQ(missionUploadItem(0, waypoint(1)), MissionResult::accepted);
     ASSERT_EQ(listBegin(ListKind::fence, 1, 1), MissionResult::accepted);
@@ -109,7 +109,7 @@ TEST_F(Lists, a_fence_begun_ends_a_mission_upload_that_was_open) {
     EXPECT_TRUE(listStaging(ListKind::fence));
 }
 
-TEST_F(Lists, a_commit_goes_on_when_nobody_asks_any_more) {
+TEST_F(Lists, a_commit_goes_on_without_requests) {
     fakes::setEepromSlow(true);
     ASSERT_EQ(whileBusy([] { return listBegin(ListKind::rally, 2, 1); }), MissionResult::accepted);
     for (uint8_t i = 0; i < 2; ++i) {
@@ -122,15 +122,15 @@ TEST_F(Lists, a_commit_goes_on_when_nobody_asks_any_more) {
     EXPECT_EQ(missionBeginUpload(2), MissionResult::accepted);
 }
 
-TEST_F(Lists, a_damaged_fence_is_told_and_the_others_are_there) {
+TEST_F(Lists, a_damaged_fence_is_reported_and_the_other_lists_are_kept) {
     ASSERT_EQ(upload({waypoint(100)}), MissionResult::accepted);
     ASSERT_EQ(store(ListKind::fence, 5, 1), MissionResult::accepted);
     ASSERT_EQ(store(ListKind::rally, 4, 2), MissionResult::accepted);
     const uint16_t at = storage::kFence.begin + 7;
     fakes::setEepromCell(at, fakes::eepromCell(at) ^ 1);
-    (void)told();
+    (void)statusTexts();
     missionBoot();
-    const std::string text = told();
+    const std::string text = statusTexts();
     EXPECT_NE(text.find("Memory has not kept what was stored"), std::string::npos) << text;
     EXPECT_NE(text.find("No fence"), std::string::npos) << text;
     EXPECT_EQ(listCount(ListKind::fence), 0);

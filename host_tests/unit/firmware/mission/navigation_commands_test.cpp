@@ -267,23 +267,23 @@ TEST_F(MissionFlight, after_a_land_a_takeoff_waits_for_arming) {
     EXPECT_EQ(missionCurrent(), 3);
 }
 
-TEST_F(MissionFlight, the_end_of_the_mission_is_rtl_and_told) {
+TEST_F(MissionFlight, the_end_of_the_mission_is_reported_and_enters_rtl) {
     fly({waypoint(500)});
-    (void)told();
+    (void)statusTexts();
     reach();
     EXPECT_EQ(vehicle.mode, Mode::rtl);
     EXPECT_TRUE(missionComplete());
-    EXPECT_TRUE(tells("Mission complete"));
+    EXPECT_TRUE(hasStatusText("Mission complete"));
     EXPECT_EQ(missionCurrent(), 0);
 }
 
 TEST_F(MissionFlight, a_mission_without_a_nav_refuses_auto_with_the_reason) {
     ASSERT_EQ(upload({command(181, 0, 1)}), MissionResult::accepted);
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = false;
-    (void)told();
+    (void)statusTexts();
     EXPECT_FALSE(enterAuto());
     EXPECT_EQ(vehicle.mode, Mode::loiter);
-    EXPECT_TRUE(tells("no NAV"));
+    EXPECT_TRUE(hasStatusText("no NAV"));
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
     setMode(Mode::automatic, ModeReason::pilot);
     EXPECT_EQ(vehicle.mode, Mode::rtl) << "in the air it means home";

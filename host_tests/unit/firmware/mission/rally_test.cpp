@@ -36,7 +36,7 @@ protected:
 TEST_F(Rally, the_nearest_is_returned_to) {
     expectReturn({at(0, 90000, 40), at(120000, 0, 55.25f), at(150000, 90000, 60)},
                  beside(120000, 0), 55.25f);
-    EXPECT_TRUE(tells("Going to rally point 1"));
+    EXPECT_TRUE(hasStatusText("Going to rally point 1"));
 }
 
 TEST_F(Rally, home_is_returned_to_when_it_is_nearer_and_the_point_is_far) {
@@ -50,7 +50,7 @@ TEST_F(Rally, a_point_within_the_limit_goes_before_home) {
     expectReturn({at(30000, 0, 40)}, beside(30000, 0), 40);
 }
 
-TEST_F(Rally, a_height_above_the_sea_is_told_from_home) {
+TEST_F(Rally, an_altitude_above_sea_level_is_converted_to_one_above_home) {
     MissionItem item = at(150000, 0, 470);
     item.frame = kGlobalFrame;
     expectReturn({item}, beside(150000, 0), 70);

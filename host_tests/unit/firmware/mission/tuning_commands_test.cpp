@@ -111,8 +111,8 @@ TEST_F(Apm1Flight, home_is_reset_here_or_as_given) {
     EXPECT_EQ(vehicle.home.altitude_cm, 42000);
 }
 
-TEST_F(Apm1Flight, a_queried_or_broadcast_variable_is_told_once_on_every_link) {
-    const auto told = [](hal::Port port) {
+TEST_F(Apm1Flight, a_queried_or_broadcast_variable_is_sent_once_on_every_link) {
+    const auto reported = [](hal::Port port) {
         auto& out = fakes::serial(port).out;
         const std::string text(out.begin(), out.end());
         out.clear();
@@ -121,12 +121,12 @@ TEST_F(Apm1Flight, a_queried_or_broadcast_variable_is_told_once_on_every_link) {
     };
     for (const uint16_t id : {0x32, 0x33}) {
         setMode(Mode::loiter, ModeReason::pilot);
-        told(hal::Port::link0);
-        told(hal::Port::link1);
+        reported(hal::Port::link0);
+        reported(hal::Port::link1);
         run(command(id, 134));
         pass(5);
-        EXPECT_TRUE(told(hal::Port::link0)) << id;
-        EXPECT_TRUE(told(hal::Port::link1)) << id;
+        EXPECT_TRUE(reported(hal::Port::link0)) << id;
+        EXPECT_TRUE(reported(hal::Port::link1)) << id;
     }
 }
 
@@ -191,14 +191,14 @@ TEST_F(LoggedFlight, a_broadcast_variable_is_written_to_the_log_and_a_queried_on
     EXPECT_TRUE(logs(0x33));
 }
 
-TEST_F(Apm1Flight, a_variable_that_another_one_overtakes_is_told) {
+TEST_F(Apm1Flight, a_variable_followed_at_once_by_another_is_still_sent) {
     auto& port = fakes::serial(hal::Port::link0);
     port.endless = false;
     port.room = 0;
     fly({waypoint(500), command(0x32, 134), command(0x32, 102), waypoint(900)});
     port.endless = true;
     port.room = 255;
-    EXPECT_TRUE(tells("parameter 134 not sent"));
+    EXPECT_TRUE(hasStatusText("parameter 134 not sent"));
 }
 
 TEST_F(Apm1Flight, a_variable_that_finds_no_room_is_sent_later) {
@@ -229,10 +229,10 @@ TEST_F(Apm1Flight, a_servo_pulse_is_held_at_800_at_least_and_0_is_no_pulse) {
 }
 
 TEST_F(Apm1Flight, the_throttle_is_never_taken_while_armed) {
-    (void)told();
+    (void)statusTexts();
     run(command(0x82, 2, 1300));
     EXPECT_NE(outputPulse_us(3), 1300);
-    EXPECT_TRUE(tells("output 3 refused"));
+    EXPECT_TRUE(hasStatusText("output 3 refused"));
 }
 
 TEST_F(Apm1Flight, a_servo_pulse_may_be_set_on_every_other_output_until_the_mode_changes) {
@@ -248,10 +248,10 @@ TEST_F(Apm1Flight, a_servo_pulse_may_be_set_on_every_other_output_until_the_mode
 
 TEST_F(Apm1Flight, the_throttle_is_not_taken_even_from_a_disarmed_airplane) {
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = false;
-    (void)told();
+    (void)statusTexts();
     run(command(0x82, 2, 1300));
     EXPECT_NE(outputPulse_us(3), 1300);
-    EXPECT_TRUE(tells("Mission: output 3 refused"));
+    EXPECT_TRUE(hasStatusText("Mission: output 3 refused"));
 }
 
 TEST_F(Apm1Flight, jumps_to_one_fly_round_and_round) {

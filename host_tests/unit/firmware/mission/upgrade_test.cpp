@@ -104,7 +104,7 @@ TEST_F(Upgrade, from_a_board_with_fence_and_rally_points) {
     }
 }
 
-TEST_F(Upgrade, and_nothing_that_the_first_version_stored_is_in_the_way_of_the_lists) {
+TEST_F(Upgrade, the_lists_do_not_overlap_what_the_first_version_stored) {
     boot("layout1_ring.hex");
     const std::vector<uint8_t> record(storage::kLargestRecord, 0x5A);
     for (const ListKind kind : {ListKind::fence, ListKind::rally}) {

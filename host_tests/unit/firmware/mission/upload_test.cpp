@@ -26,11 +26,11 @@ TEST_F(Upload, home_and_170_commands_fit_and_read_back) {
     for (int i = 1; i <= 170; ++i) EXPECT_EQ(stored(static_cast<uint16_t>(i)), waypoint(100 * i));
 }
 
-TEST_F(Upload, what_does_not_fit_beside_the_present_mission_needs_a_clear_and_is_told_why) {
+TEST_F(Upload, a_mission_that_does_not_fit_beside_the_present_one_is_refused_with_the_reason) {
     ASSERT_EQ(upload(many(100)), MissionResult::accepted);
-    (void)told();
+    (void)statusTexts();
     EXPECT_EQ(upload(many(100)), MissionResult::no_space);
-    EXPECT_TRUE(tells("DataFlash does not work: clear the old one first"));
+    EXPECT_TRUE(hasStatusText("DataFlash does not work: clear the old one first"));
     EXPECT_EQ(missionCount(), 101);
     EXPECT_EQ(whileBusy(missionClear), MissionResult::accepted);
     EXPECT_EQ(missionCount(), 0);
@@ -110,17 +110,17 @@ TEST_F(Upload, a_sixteenth_counted_jump_is_refused_with_no_space) {
 }
 
 TEST_F(Upload, commands_that_will_not_run_are_warned_about) {
-    (void)told();
+    (void)statusTexts();
     ASSERT_EQ(upload({waypoint(1), command(181, 0, 1)}), MissionResult::accepted);
-    EXPECT_TRUE(tells("nothing after item 1"));
+    EXPECT_TRUE(hasStatusText("nothing after item 1"));
     parameters.mission_trailing = 1;
     ASSERT_EQ(upload({waypoint(1), command(181, 0, 1)}), MissionResult::accepted);
-    EXPECT_FALSE(tells("nothing after"));
+    EXPECT_FALSE(hasStatusText("nothing after"));
     ASSERT_EQ(upload({command(181, 0, 1)}), MissionResult::accepted);
-    EXPECT_TRUE(tells("no NAV"));
+    EXPECT_TRUE(hasStatusText("no NAV"));
     parameters.mission_set = 1;
     ASSERT_EQ(upload({command(0x81, 1), waypoint(1)}), MissionResult::accepted);
-    EXPECT_TRUE(tells("nothing before item 2"));
+    EXPECT_TRUE(hasStatusText("nothing before item 2"));
 }
 
 TEST_F(Upload, a_mission_is_there_after_a_restart_and_a_cut_leaves_the_old_one) {
@@ -145,9 +145,9 @@ TEST_F(Upload, an_eeprom_of_other_firmware_is_left_alone) {
     fakes::setEepromCell(0, 0x41);
     fakes::setEepromCell(1, 0x50);
     const auto before = fakes::eepromCells();
-    (void)told();
+    (void)statusTexts();
     missionBoot();
-    EXPECT_TRUE(tells("other firmware"));
+    EXPECT_TRUE(hasStatusText("other firmware"));
     EXPECT_EQ(missionBeginUpload(2), MissionResult::denied);
     EXPECT_EQ(missionClear(), MissionResult::denied);
     pass(20);

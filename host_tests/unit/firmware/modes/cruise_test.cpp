@@ -36,7 +36,7 @@ TEST_F(Cruise, turns_back_to_the_line_it_has_locked) {
     EXPECT_NEAR(vehicle.progress.crosstrack_m, -20, 0.1);
 }
 
-TEST_F(Cruise, lets_go_for_the_roll_and_for_the_yaw_stick) {
+TEST_F(Cruise, unlocks_when_the_roll_or_yaw_stick_moves) {
     for (const int channel : {1, 4}) {
         lockedTo(0, 15);
         settle(with(channel, 1900));
@@ -51,7 +51,7 @@ TEST_F(Cruise, lets_go_for_the_roll_and_for_the_yaw_stick) {
     }
 }
 
-TEST_F(Cruise, does_not_lock_what_is_no_course) {
+TEST_F(Cruise, does_not_lock_when_slow_or_without_a_position) {
     course(2, 2);
     fly(Mode::cruise);
     guide(20);

@@ -82,7 +82,7 @@ TEST_F(Guided, keeps_its_target_when_the_mode_is_set_again) {
     EXPECT_EQ(vehicle.demand.to, kThere);
 }
 
-TEST_F(Guided, circles_as_the_parameter_says_unless_told_otherwise) {
+TEST_F(Guided, circles_with_the_parameters_radius_unless_one_is_given) {
     parameters.loiter_radius_m = -75;
     ASSERT_EQ(orderTo(to(kThere, 100)), MissionResult::accepted);
     EXPECT_FLOAT_EQ(vehicle.demand.radius_m, 75);
@@ -100,7 +100,7 @@ TEST_F(Guided, circles_as_the_parameter_says_unless_told_otherwise) {
     EXPECT_FLOAT_EQ(vehicle.demand.radius_m, 75);
 }
 
-TEST_F(Guided, leaves_as_it_is_what_is_not_given) {
+TEST_F(Guided, leaves_unset_fields_unchanged) {
     ASSERT_EQ(orderTo(to(kThere, 100)), MissionResult::accepted);
     ASSERT_EQ(orderTo(to({INT32_MAX, INT32_MAX}, NAN, kGlobal)), MissionResult::accepted);
     EXPECT_EQ(vehicle.demand.to, kThere) << "its place was not given";
@@ -112,7 +112,7 @@ TEST_F(Guided, leaves_as_it_is_what_is_not_given) {
     EXPECT_EQ(vehicle.demand.to, kHome) << "0, 0 is here, as in a mission";
 }
 
-TEST_F(Guided, not_given_anything_in_another_mode_stays_here_at_this_height) {
+TEST_F(Guided, without_fields_in_another_mode_circles_here_at_this_height) {
     mutable_vehicle.demand.to = kThere;
     mutable_vehicle.demand.height_m = 10;
     ASSERT_EQ(orderTo(to({INT32_MAX, INT32_MAX}, NAN)), MissionResult::accepted);
@@ -154,7 +154,7 @@ TEST_F(Guided, changes_the_height_alone_in_whatever_mode_holds_one) {
     EXPECT_EQ(orderHeight(to(kThere, 90)), MissionResult::error) << "the mission's heights count";
 }
 
-TEST_F(Guided, flies_at_the_speed_it_is_told_also_to_the_next_place) {
+TEST_F(Guided, flies_at_the_commanded_speed_to_the_next_target_as_well) {
     ASSERT_EQ(orderTo(to(kThere, 100)), MissionResult::accepted);
     EXPECT_FLOAT_EQ(vehicle.demand.airspeed_mps, parameters.cruise_speed_cms * 0.01f);
     EXPECT_EQ(missionAct({178, 2, 0, 16, -1, 0, 0, 0, 0}), MissionResult::accepted);
@@ -167,8 +167,7 @@ TEST_F(Guided, flies_at_the_speed_it_is_told_also_to_the_next_place) {
     EXPECT_FLOAT_EQ(vehicle.demand.airspeed_mps, 16);
 }
 
-TEST_F(Guided, an_action_ordered_from_the_ground_is_the_missions_own) {
-    firmware::actuators::runOutputs();
+TEST_F(Guided, an_action_commanded_from_the_ground_is_done_as_in_a_mission) {
     EXPECT_EQ(missionAct({183, 2, 6, 1700, 0, 0, 0, 0, 0}), MissionResult::accepted);
     firmware::actuators::runOutputs();
     EXPECT_EQ(firmware::actuators::outputPulse_us(6), 1700);

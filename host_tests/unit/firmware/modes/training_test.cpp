@@ -18,7 +18,7 @@ TEST_F(Training, leaves_the_surfaces_to_the_sticks_within_the_limits) {
     EXPECT_NEAR(vehicle.throttle_demand.toFloat(), (1600 - 1130) / 770.0f, 0.01);
 }
 
-TEST_F(Training, lets_no_stick_bank_beyond_the_limit_and_every_stick_bank_back) {
+TEST_F(Training, lets_the_stick_bank_back_but_not_beyond_the_limit) {
     fly(Mode::training);
     attitude(core::radians(46), 0);
     settle(with(1, 1900));

@@ -30,7 +30,7 @@ struct Arming : bench::Bench {
             fakes::advance_ms(10);
         }
         firmware::safety::runArming();  // the rudder's time begins anew
-        (void)tells("");                // what others have left
+        (void)hasStatusText("");        // what others have left
     }
     static void makeReady() {
         mutable_vehicle.imu.healthy = mutable_vehicle.imu.calibrated = true;
@@ -48,8 +48,8 @@ struct Arming : bench::Bench {
         mutable_vehicle.battery.board_mv = 5000;
         mutable_vehicle.battery.voltage_mv = 12000;
     }
-    // Among what both links have been told since the last call.
-    static bool tells(const std::string& part) {
+    // Whether a status text on either link since the last call has this part.
+    static bool hasStatusText(const std::string& part) {
         std::vector<uint8_t>& out = fakes::serial(hal::Port::link0).out;
         out.clear();
         for (firmware::gcs::Link& link : firmware::gcs::links)
@@ -133,14 +133,14 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"PreArm: battery low", [] { mutable_vehicle.battery.voltage_mv = 9000; }},
         Fault{"PreArm: no log chip", [] { parameters.log_bitmask = 1; }}));
 
-TEST_F(Arming, takes_the_pack_that_the_battery_failsafe_takes) {
+TEST_F(Arming, accepts_the_battery_that_the_battery_failsafe_accepts) {
     mutable_vehicle.battery.voltage_mv = 7400;
     parameters.battery_low_v = 7.0f;
     EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, false));
     mutable_vehicle.armed = false;
     mutable_vehicle.battery.voltage_mv = 6900;
     EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
-    EXPECT_TRUE(tells("PreArm: battery low"));
+    EXPECT_TRUE(hasStatusText("PreArm: battery low"));
 }
 
 TEST_F(Arming, can_be_forced) {
@@ -165,14 +165,14 @@ TEST_F(Arming, takes_three_seconds_of_full_right_rudder) {
     EXPECT_TRUE(vehicle.armed);
 }
 
-TEST_F(Arming, by_rudder_says_why_not) {
+TEST_F(Arming, by_rudder_is_refused_with_the_reason) {
     mutable_vehicle.gps.fix = firmware::state::GpsFix::none;
     holdRudder(1900, 33);
     EXPECT_FALSE(vehicle.armed);
-    EXPECT_TRUE(tells("PreArm: no GPS fix"));
+    EXPECT_TRUE(hasStatusText("PreArm: no GPS fix"));
 }
 
-TEST_F(Arming, by_rudder_wants_the_throttle_closed_and_arming_rudder) {
+TEST_F(Arming, by_rudder_needs_the_throttle_closed_and_arming_rudder_set) {
     throttle_us = 1250;
     holdRudder(1900, 40);
     EXPECT_FALSE(vehicle.armed);
@@ -200,18 +200,18 @@ TEST_F(Arming, left_rudder_disarms_on_the_ground_when_arming_rudder_is_2) {
 TEST_F(Arming, names_the_channel_that_is_not_calibrated) {
     parameters.channel[3].max_us = 1600;
     EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
-    EXPECT_TRUE(tells("PreArm: RC4 not calibrated"));
+    EXPECT_TRUE(hasStatusText("PreArm: RC4 not calibrated"));
 }
 
-TEST_F(Arming, reminds_twice_a_minute_of_what_is_missing) {
+TEST_F(Arming, reports_the_failed_check_twice_a_minute) {
     mutable_vehicle.baro.healthy = false;
-    int told = 0;
+    int reported = 0;
     for (int tenth = 0; tenth < 1200; ++tenth) {
         firmware::safety::runArming();
-        if (tells("PreArm: barometer")) ++told;
+        if (hasStatusText("PreArm: barometer")) ++reported;
         fakes::advance_ms(100);
     }
-    EXPECT_EQ(told, 4);
+    EXPECT_EQ(reported, 4);
 }
 
 TEST_F(Arming, refuses_to_disarm_in_flight_unless_forced) {

@@ -128,7 +128,7 @@ TEST_F(FailsafeTable, a_second_cause_never_leaves_the_airplane_with_less_than_th
     }
 }
 
-TEST_F(FailsafeTable, no_cause_no_action) {
+TEST_F(FailsafeTable, without_a_cause_there_is_no_action) {
     for (const Setting& setting : settings()) {
         set(setting);
         for (uint8_t flown : kFlown) EXPECT_EQ(found(0, flown), kNothing);
@@ -307,7 +307,7 @@ TEST_F(FailsafeMachine, the_inertial_sensor_back_is_trusted_when_the_attitude_is
     EXPECT_EQ(vehicle.mode, Mode::loiter);
 }
 
-TEST_F(FailsafeMachine, nobody_may_choose_a_mode_that_needs_an_attitude_without_one) {
+TEST_F(FailsafeMachine, a_mode_that_needs_an_attitude_is_refused_without_one) {
     start(Mode::fbwa);
     mutable_vehicle.imu.healthy = mutable_vehicle.attitude.aligned = false;
     tenths(5);
@@ -317,7 +317,7 @@ TEST_F(FailsafeMachine, nobody_may_choose_a_mode_that_needs_an_attitude_without_
     EXPECT_EQ(vehicle.mode, Mode::manual);
 }
 
-TEST_F(FailsafeMachine, nobody_may_give_the_sticks_to_a_pilot_who_has_no_radio) {
+TEST_F(FailsafeMachine, a_manual_mode_chosen_without_a_receiver_ends_in_rtl) {
     start(Mode::loiter);
     mutable_vehicle.radio.lost = true;
     tenths(70);
@@ -327,7 +327,7 @@ TEST_F(FailsafeMachine, nobody_may_give_the_sticks_to_a_pilot_who_has_no_radio) 
     EXPECT_EQ(vehicle.mode, Mode::rtl);
 }
 
-TEST_F(FailsafeMachine, a_glide_ends_with_the_radio_and_only_it_is_one) {
+TEST_F(FailsafeMachine, fbwa_of_the_pilot_is_no_glide_and_a_glide_ends_with_the_receiver_back) {
     start(Mode::fbwa);
     parameters.short_action = 2;
     EXPECT_FALSE(firmware::state::vehicle.failsafe_glides);
@@ -361,7 +361,7 @@ TEST_F(FailsafeMachine, take_off_and_landing_are_flown_to_their_end) {
     }
 }
 
-TEST_F(FailsafeMachine, a_low_pack_stays_low_and_the_pilot_may_fly_on_with_it) {
+TEST_F(FailsafeMachine, a_low_battery_stays_low_and_the_pilot_may_fly_on) {
     start(Mode::fbwa);
     kTriggers[1].pull(true);
     tenths(99);
@@ -379,7 +379,7 @@ TEST_F(FailsafeMachine, a_low_pack_stays_low_and_the_pilot_may_fly_on_with_it) {
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
 }
 
-TEST_F(FailsafeMachine, little_left_in_the_pack_is_low_too_but_not_while_usb_is_plugged_in) {
+TEST_F(FailsafeMachine, little_remaining_capacity_is_low_battery_too_but_not_on_usb) {
     start(Mode::fbwa);
     parameters.battery_low_mah = 500;
     mutable_vehicle.battery.consumed_mah = 2700;

@@ -70,13 +70,13 @@ TEST_F(Failsafe, keeps_returning_home_after_the_long_time_though_the_radio_is_ba
     EXPECT_FALSE(vehicle.failsafe_long);
 }
 
-TEST_F(Failsafe, lets_loiter_go_on_unless_told_otherwise) {
+TEST_F(Failsafe, lets_loiter_go_on_by_default) {
     fly(Mode::loiter);
     loseRadio(kShort_ms + kLong_ms);
     EXPECT_EQ(vehicle.mode, Mode::loiter);
 }
 
-TEST_F(Failsafe, takes_loiter_home_when_told_to) {
+TEST_F(Failsafe, returns_home_from_loiter_when_configured) {
     parameters.short_action = 1;
     parameters.long_action = 1;
     fly(Mode::loiter);
@@ -86,7 +86,7 @@ TEST_F(Failsafe, takes_loiter_home_when_told_to) {
     EXPECT_EQ(vehicle.mode, Mode::rtl);
 }
 
-TEST_F(Failsafe, glides_in_fbwa_when_told_to) {
+TEST_F(Failsafe, glides_in_fbwa_when_configured) {
     parameters.short_action = parameters.long_action = 2;
     fly(Mode::stabilize);
     loseRadio(kShort_ms);
@@ -174,13 +174,13 @@ TEST_F(GroundStation, the_pilot_may_take_over_while_it_is_silent) {
     EXPECT_EQ(vehicle.mode, Mode::stabilize);
 }
 
-TEST_F(GroundStation, that_was_never_heard_is_not_missed) {
+TEST_F(GroundStation, never_heard_is_no_failsafe) {
     fly(Mode::fbwa);
     fly_s(20, false);
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
 }
 
-TEST_F(GroundStation, that_is_a_stranger_is_neither_missed_nor_a_comfort) {
+TEST_F(GroundStation, another_systems_heartbeats_neither_start_nor_stop_the_failsafe) {
     fly(Mode::fbwa);
     say(mavlink::Heartbeat{}, 42);
     fly_s(8, false);

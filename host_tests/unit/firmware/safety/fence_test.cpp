@@ -33,7 +33,7 @@ protected:
         ASSERT_EQ(fenceLine(), Line::fit);
         ASSERT_TRUE(fenceEnable(1));
         tenths(2);
-        (void)told();
+        (void)statusTexts();
     }
     static void goTo(const geo::Position& place) {
         mutable_vehicle.estimate.position = place;
@@ -71,7 +71,7 @@ TEST_F(Fence, a_mission_takes_its_floor_away) {
     EXPECT_EQ(fenceReport().breach, Breach::minalt);
 }
 
-TEST_F(Fence, whoever_leaves_it_is_flown_to_the_return_point) {
+TEST_F(Fence, an_airplane_that_leaves_it_is_flown_to_the_return_point) {
     raise();
     setMode(Mode::fbwa, ModeReason::pilot);
     goTo(beside(kSide_e7 - 1, 0));
@@ -85,10 +85,10 @@ TEST_F(Fence, whoever_leaves_it_is_flown_to_the_return_point) {
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 70);
     EXPECT_EQ(fenceReport().breach, +Breach::boundary);
     EXPECT_EQ(fenceReport().breaches, 1);
-    EXPECT_TRUE(tells("Fence breach: outside"));
+    EXPECT_TRUE(hasStatusText("Fence breach: outside"));
 }
 
-TEST_F(Fence, the_sticks_have_no_say_until_the_pilot_takes_over) {
+TEST_F(Fence, the_sticks_are_ignored_until_the_pilot_takes_over) {
     raise();
     leave();
     mutable_vehicle.radio.roll_cd = 4500;
@@ -104,7 +104,7 @@ TEST_F(Fence, the_sticks_have_no_say_until_the_pilot_takes_over) {
     EXPECT_NE(vehicle.pilot_roll_rad.raw, 0);
 
     comeBack();
-    EXPECT_TRUE(tells("Fence: inside again"));
+    EXPECT_TRUE(hasStatusText("Fence: inside again"));
     leave();
     EXPECT_EQ(vehicle.mode, Mode::guided);
     EXPECT_EQ(fenceReport().breaches, 2);
@@ -131,13 +131,13 @@ TEST_F(Fence, switched_off_leaves_a_mode_that_was_chosen_since) {
     EXPECT_EQ(vehicle.mode, Mode::stabilize);
 }
 
-TEST_F(Fence, only_tells_when_its_action_is_to_tell) {
+TEST_F(Fence, only_reports_when_its_action_is_report) {
     raise();
     parameters.fence_action = 2;
     leave();
     EXPECT_EQ(vehicle.mode, Mode::loiter);
     EXPECT_EQ(fenceReport().breach, +Breach::boundary);
-    EXPECT_TRUE(tells("Fence breach: outside"));
+    EXPECT_TRUE(hasStatusText("Fence breach: outside"));
 }
 
 TEST_F(Fence, is_not_watched_without_an_action) {
@@ -201,7 +201,7 @@ TEST_F(Fence, limits_the_height_from_above_and_once_climbed_from_below) {
     EXPECT_EQ(fenceReport().breach, +Breach::none);
 }
 
-TEST_F(Fence, has_no_height_limits_when_they_are_not_apart) {
+TEST_F(Fence, has_no_height_limits_when_minimum_and_maximum_are_equal) {
     parameters.fence_min_m = parameters.fence_max_m = 100;
     raise();
     mutable_vehicle.estimate.height_m = 3000;
@@ -217,12 +217,12 @@ TEST_F(Fence, does_nothing_to_an_airplane_on_the_ground) {
     EXPECT_EQ(fenceReport().breach, +Breach::none);
 }
 
-TEST_F(Fence, whose_return_point_is_outside_is_not_fit) {
+TEST_F(Fence, with_its_return_point_outside_is_not_valid) {
     ASSERT_EQ(store(MavMissionType::fence, square(beside(kSide_e7 + 9, 0))),
               MissionResult::accepted);
     tenths(5);
     EXPECT_EQ(fenceLine(), Line::unfit);
-    EXPECT_TRUE(tells("Fence: return point is outside"));
+    EXPECT_TRUE(hasStatusText("Fence: return point is outside"));
     EXPECT_FALSE(fenceEnable(1));
     EXPECT_FALSE(fenceBad());
     parameters.fence_auto_enable = 1;
@@ -265,7 +265,7 @@ TEST_F(Fence, switches_itself_on_after_the_take_off_and_off_before_the_landing) 
     mutable_vehicle.mode = Mode::initialising;
 }
 
-TEST_F(Fence, a_new_one_counts_though_the_airplane_is_flown_back_by_the_old) {
+TEST_F(Fence, a_new_fence_is_used_while_the_airplane_is_flown_back_by_the_old_one) {
     raise();
     setMode(Mode::fbwa, ModeReason::pilot);
     leave();
@@ -279,7 +279,7 @@ TEST_F(Fence, a_new_one_counts_though_the_airplane_is_flown_back_by_the_old) {
     EXPECT_EQ(vehicle.mode, Mode::guided);
 }
 
-TEST_F(Fence, of_nineteen_corners_is_watched) {
+TEST_F(Fence, with_nineteen_corners_is_watched) {
     Items items = {point(MavCmd::nav_fence_return_point, kHome)};
     for (int i = 0; i < 19; ++i)
         items.push_back(point(MavCmd::nav_fence_polygon_vertex_inclusion,

@@ -81,7 +81,7 @@ TEST_F(KeptHomeTest, a_power_cut_leaves_one_of_the_two_or_none) {
     }
 }
 
-TEST_F(KeptHomeTest, the_logs_part_of_the_region_stays_as_it_is) {
+TEST_F(KeptHomeTest, leaves_the_logs_part_of_the_region_unchanged) {
     const uint16_t at = storage::kHomeAndLog.end() - 4;
     const uint8_t logs[4] = {1, 2, 3, 4};
     ASSERT_EQ(until([&] { return hal::eepromWrite(at, logs, sizeof logs); }), Status::ok);

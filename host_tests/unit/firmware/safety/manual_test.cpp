@@ -42,7 +42,7 @@ std::string flownOf(uint8_t flown) {
     return names;
 }
 
-// "" where nothing is told.
+// "" where nothing is reported.
 std::string quoted(const char* text) { return *text == 0 ? "" : " \"" + std::string(text) + "\""; }
 
 TEST(FailsafeManual, lists_every_cause_with_its_words_and_its_number_in_the_log) {

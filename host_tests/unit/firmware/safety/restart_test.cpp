@@ -72,7 +72,7 @@ protected:
 
 }  // namespace
 
-TEST_F(Restart, flies_on_after_what_leaves_memory_alone) {
+TEST_F(Restart, flies_on_after_resets_that_keep_memory) {
     for (const ResetCause cause :
          {ResetCause::watchdog, ResetCause::brown_out, ResetCause::fault}) {
         begin(cause);
@@ -81,7 +81,7 @@ TEST_F(Restart, flies_on_after_what_leaves_memory_alone) {
     }
 }
 
-TEST_F(Restart, starts_disarmed_after_everything_else) {
+TEST_F(Restart, starts_disarmed_after_any_other_reset) {
     for (const ResetCause cause :
          {ResetCause::power_on, ResetCause::external, ResetCause::unknown, ResetCause::asked}) {
         SetUp();
@@ -128,7 +128,7 @@ TEST_F(Restart, is_armed_and_in_a_mode_only_when_the_switch_has_been_seen) {
     EXPECT_EQ(vehicle.mode, Mode::stabilize);
 }
 
-TEST_F(Restart, flies_on_as_before_when_no_receiver_tells) {
+TEST_F(Restart, flies_on_as_before_without_a_receiver) {
     fakes::advance_ms(2000);
     keep();
     begin(ResetCause::watchdog);
@@ -145,7 +145,7 @@ TEST_F(Restart, flies_on_as_before_when_no_receiver_tells) {
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
 }
 
-TEST_F(Restart, believes_no_record_of_which_a_bit_has_changed) {
+TEST_F(Restart, rejects_a_record_with_any_bit_changed) {
     steady.home_altitude_cm ^= 1;
     begin(ResetCause::watchdog);
     EXPECT_FALSE(flyingOn());
@@ -185,7 +185,7 @@ TEST_F(Restart, finds_home_in_the_eeprom_when_the_power_was_lost_in_flight) {
     EXPECT_EQ(vehicle.home.altitude_cm, 48800);
 }
 
-TEST_F(Restart, finds_none_when_the_flight_before_was_ended_by_disarming) {
+TEST_F(Restart, finds_no_kept_home_when_the_flight_before_was_ended_by_disarming) {
     mutable_vehicle.armed = false;
     keep();
     begin(ResetCause::power_on);

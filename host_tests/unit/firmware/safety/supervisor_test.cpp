@@ -36,7 +36,7 @@ TEST(Supervisor, stops_soon_after_one_tier_has_stopped) {
     EXPECT_NEAR(fedFor(kSlow), 45, 2);
 }
 
-TEST(Supervisor, does_not_starve_the_dog_for_a_tier_that_is_only_put_off) {
+TEST(Supervisor, feeds_the_watchdog_while_a_tier_is_only_deferred) {
     firmware::safety::Supervisor supervisor;
     for (int frame = 0; frame < 1000; ++frame) {
         uint8_t served = kFast;

@@ -22,11 +22,11 @@ protected:
     int frame_ = 0;
 };
 
-TEST_F(Gyros, that_live_are_never_found_dead) {
+TEST_F(Gyros, working_gyros_are_never_reported_dead) {
     for (int i = 0; i < 100; ++i) EXPECT_EQ(frames(7, 0), 0);
 }
 
-TEST_F(Gyros, that_say_the_same_are_dead_after_a_fifth_of_a_second_and_live_at_the_next_change) {
+TEST_F(Gyros, a_constant_reading_is_dead_after_a_fifth_of_a_second_and_alive_at_the_next_change) {
     for (uint8_t dead : {firmware::sensors::kRollGyro, firmware::sensors::kPitchGyro,
                          firmware::sensors::kYawGyro}) {
         frames(5, 0);
@@ -37,7 +37,7 @@ TEST_F(Gyros, that_say_the_same_are_dead_after_a_fifth_of_a_second_and_live_at_t
     }
 }
 
-TEST_F(Gyros, may_die_together) {
+TEST_F(Gyros, all_three_may_fail_together) {
     frames(5, 0);
     EXPECT_EQ(frames(30, 7), 7);
 }

@@ -61,40 +61,40 @@ protected:
     std::minstd_rand random_{1};
 };
 
-TEST_P(Health, a_quiet_sensor_is_believed) {
+TEST_P(Health, a_healthy_sensor_stays_healthy) {
     EXPECT_EQ(tenths(100, 0), 100 * GetParam().per_tenth);
 }
 
-TEST_P(Health, silence_is_noticed_within_two_seconds) {
+TEST_P(Health, a_silent_sensor_is_noticed_within_two_seconds) {
     silence(21);
     EXPECT_TRUE(isFaulty());
 }
 
-TEST_P(Health, a_value_for_ever_is_noticed_within_two_seconds_and_not_trusted_while_it_lasts) {
+TEST_P(Health, a_stuck_value_is_noticed_within_two_seconds_and_not_used_while_it_lasts) {
     stuck(22);
     EXPECT_TRUE(isFaulty());
     stuck(100);
     EXPECT_TRUE(isFaulty());
 }
 
-TEST_P(Health, wild_values_are_not_used_and_noticed_within_half_a_second) {
+TEST_P(Health, outliers_are_not_used_and_are_noticed_within_half_a_second) {
     EXPECT_LE(tenths(5, 1), 1);
     EXPECT_TRUE(isFaulty());
 }
 
-TEST_P(Health, impossible_values_are_noticed_as_well) {
+TEST_P(Health, impossible_values_are_noticed) {
     for (int i = 0; i < 5 * GetParam().per_tenth; ++i)
         EXPECT_FALSE(acceptReading(GetParam().sensor, scattered(5), false));
     firmware::sensors::watchHealth();
     EXPECT_TRUE(isFaulty());
 }
 
-TEST_P(Health, a_rare_wild_value_is_left_out_and_forgiven) {
+TEST_P(Health, a_single_outlier_is_ignored_and_the_sensor_stays_healthy) {
     EXPECT_LE(tenths(100, 100), 99 * GetParam().per_tenth);
     EXPECT_FALSE(isFaulty());
 }
 
-TEST_P(Health, it_is_well_again_after_some_seconds_of_sense) {
+TEST_P(Health, a_sensor_is_healthy_again_after_some_seconds_of_good_values) {
     silence(25);
     ASSERT_TRUE(isFaulty());
     tenths(10, 0);
@@ -103,13 +103,13 @@ TEST_P(Health, it_is_well_again_after_some_seconds_of_sense) {
     EXPECT_FALSE(isFaulty());
 }
 
-TEST_P(Health, the_others_contradiction_is_enough) {
+TEST_P(Health, disagreement_with_the_other_sensors_is_enough) {
     for (int i = 0; i < 6; ++i) firmware::sensors::reportInconsistency(GetParam().sensor);
     firmware::sensors::watchHealth();
     EXPECT_TRUE(isFaulty());
 }
 
-TEST_P(Health, on_the_ground_nobody_is_judged) {
+TEST_P(Health, no_sensor_is_rejected_on_the_ground) {
     mutable_vehicle.estimate.flying = false;
     silence(100);
     EXPECT_FALSE(isFaulty());

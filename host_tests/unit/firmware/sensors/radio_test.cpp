@@ -78,7 +78,7 @@ TEST_F(Radio, is_lost_when_the_throttle_falls_below_the_failsafe_pulse) {
     EXPECT_FALSE(vehicle.radio.lost);
 }
 
-TEST_F(Radio, forgives_a_few_low_throttle_pulses) {
+TEST_F(Radio, ignores_a_few_low_throttle_pulses) {
     for (int i = 0; i < 9; ++i) {
         fakes::receiveRc(with(3, 920));
         firmware::sensors::runRadio();
@@ -86,7 +86,7 @@ TEST_F(Radio, forgives_a_few_low_throttle_pulses) {
     EXPECT_FALSE(vehicle.radio.lost);
 }
 
-TEST_F(Radio, ignores_the_failsafe_pulse_when_told_to) {
+TEST_F(Radio, ignores_the_failsafe_pulse_when_disabled) {
     parameters.throttle_failsafe = 0;
     settle(with(3, 920));
     EXPECT_FALSE(vehicle.radio.lost);
@@ -118,7 +118,7 @@ TEST_F(Radio, sets_the_mode_when_the_switch_moves_and_leaves_a_mode_of_the_groun
     EXPECT_EQ(vehicle.mode, Mode::manual);
 }
 
-TEST_F(Radio, gives_the_mode_switch_its_say_again_while_the_reset_switch_is_up) {
+TEST_F(Radio, uses_the_mode_switch_again_while_the_reset_switch_is_up) {
     parameters.reset_switch_channel = 7;
     settle(with(8, 1425));
     firmware::modes::setMode(Mode::stabilize, firmware::modes::ModeReason::ground);
@@ -130,7 +130,7 @@ TEST_F(Radio, gives_the_mode_switch_its_say_again_while_the_reset_switch_is_up) 
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
 }
 
-TEST_F(Radio, knows_a_switch_that_is_up_but_not_one_that_nobody_has_or_with_the_radio_lost) {
+TEST_F(Radio, detects_a_switch_that_is_up_but_not_a_missing_one_or_without_a_receiver) {
     settle(with(7, 1800));
     EXPECT_TRUE(firmware::sensors::switchIsUp(7));
     EXPECT_FALSE(firmware::sensors::switchIsUp(0));

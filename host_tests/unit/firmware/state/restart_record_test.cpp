@@ -23,7 +23,7 @@ MovingRecord movingRecord(uint8_t number) {
 
 }  // namespace
 
-TEST(Record, memory_that_holds_anything_is_no_record) {
+TEST(Record, random_memory_is_no_record) {
     for (int value = 0; value < 256; ++value) {
         SteadyRecord steady;
         MovingRecord moving[2];
@@ -58,12 +58,12 @@ TEST(Record, a_reset_while_one_is_written_leaves_the_one_before) {
     EXPECT_EQ(newest(two), nullptr);
 }
 
-TEST(Record, numbers_go_round) {
+TEST(Record, record_numbers_wrap) {
     const MovingRecord two[2] = {movingRecord(255), movingRecord(0)};
     EXPECT_EQ(newest(two), &two[1]);
 }
 
-TEST(Record, a_spoilt_record_is_whole_only_after_it_was_sealed_again) {
+TEST(Record, a_changed_record_is_valid_only_after_it_is_sealed_again) {
     SteadyRecord record = {};
     seal(record);
     EXPECT_TRUE(whole(record));

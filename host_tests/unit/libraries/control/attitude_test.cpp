@@ -149,7 +149,7 @@ TEST(Yaw, a_coordinated_turn_needs_no_rudder_and_a_swing_is_damped) {
     EXPECT_LT(yawDeflection(settings, state, at(12), turn, turn_rads + 0.3f, 0, kFrame_s), -0.05f);
 }
 
-TEST(Yaw, what_lasts_is_not_damped) {
+TEST(Yaw, a_steady_rate_is_not_damped) {
     const control::YawSettings settings{0, 0, 0.5f, 1, 1500};
     control::YawState state;
     const float first = yawDeflection(settings, state, at(12), kStraight, 0.2f, 0, kFrame_s);

@@ -29,14 +29,14 @@ TEST(Servo, a_reversed_one_moves_the_other_way_within_the_same_ends) {
     EXPECT_EQ(surfacePulse_us(kReversed, Ratio(-1)), 1900);
 }
 
-TEST(Servo, no_demand_leaves_its_ends) {
+TEST(Servo, no_demand_exceeds_its_ends) {
     EXPECT_EQ(surfacePulse_us(kServo, Ratio(7)), 1900);
     EXPECT_EQ(surfacePulse_us(kServo, Ratio(-7)), 1100);
     const ServoRange trimmed_beyond{1100, 2000, 1900, 1};
     EXPECT_EQ(surfacePulse_us(trimmed_beyond, Ratio(0)), 1900);
 }
 
-TEST(Throttle, lies_between_the_ends_and_knows_no_trim) {
+TEST(Throttle, lies_between_the_ends_without_a_trim) {
     EXPECT_EQ(throttlePulse_us(kServo, Ratio(0)), 1100);
     EXPECT_EQ(throttlePulse_us(kServo, Ratio(0.5f)), 1500);
     EXPECT_EQ(throttlePulse_us(kServo, Ratio(1.5f)), 1900);

@@ -206,7 +206,7 @@ TEST(SpeedHeight, near_the_stall_it_gives_up_height_for_speed) {
     EXPECT_GT(slowest, 7.6);
 }
 
-TEST(SpeedHeight, underspeed_takes_all_throttle_and_ends_with_the_speed_back) {
+TEST(SpeedHeight, underspeed_gives_full_throttle_until_the_speed_is_back) {
     Loop loop;
     loop.sensed = false;
     loop.plane.velocity_n = 7.5;
@@ -265,7 +265,7 @@ TEST(SpeedHeight, in_the_flare_the_sink_is_held_though_the_headwind_dies) {
     EXPECT_LT(sink.rms(), 0.25);
 }
 
-TEST(SpeedHeight, in_the_flare_the_throttle_is_what_is_left_to_it) {
+TEST(SpeedHeight, in_the_flare_the_throttle_is_its_upper_bound) {
     for (float left : {0.0f, 0.3f}) {
         Loop loop;
         loop.fly(5);
@@ -314,7 +314,7 @@ TEST(SpeedHeight, climbs_out_with_all_throttle_at_the_demanded_speed) {
     EXPECT_NEAR(loop.plane.height, height, 0.5);
 }
 
-TEST(SpeedHeight, starts_where_the_pilot_left_off) {
+TEST(SpeedHeight, starts_with_the_pilots_throttle_and_pitch) {
     Loop loop;
     loop.core.start(loop.measured(), 0.12f, 0.6f);
     const auto first =

@@ -107,7 +107,7 @@ TEST(Tuner, is_not_misled_by_gusts_nor_by_a_surface_out_of_trim) {
     EXPECT_NEAR(tuning.feedForward() * axis.strength, 1, 0.15);
 }
 
-TEST(Tuner, learns_nothing_while_nothing_turns) {
+TEST(Tuner, learns_nothing_without_rotation) {
     Axis axis{4};
     axis.gust_rads = 0.3f;
     Tuning tuning;

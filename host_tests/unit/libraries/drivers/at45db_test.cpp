@@ -141,7 +141,7 @@ struct Chip {
 };
 class KnownChip : public Scripted, public testing::WithParamInterface<Chip> {};
 
-TEST_P(KnownChip, is_told_by_its_identity_and_its_status) {
+TEST_P(KnownChip, is_known_by_its_identity_and_its_status) {
     identity = GetParam().identity;
     status = GetParam().status;
     start();

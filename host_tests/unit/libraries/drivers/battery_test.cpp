@@ -8,7 +8,7 @@ namespace {
 using drivers::Battery;
 using drivers::BatterySettings;
 
-TEST(Battery, tells_volts_and_amperes_through_the_power_module) {
+TEST(Battery, measures_volts_and_amperes_through_the_power_module) {
     Battery battery;
     const double volts_in = 11.1 / 10.1, amps_in = 8.5 / 17;
     battery.update(static_cast<float>(volts_in / 5 * 1024), static_cast<float>(amps_in / 5 * 1024),

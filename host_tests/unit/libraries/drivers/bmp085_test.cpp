@@ -29,7 +29,7 @@ TEST(Bmp085Compensation, agrees_with_the_data_sheets_example) {
     EXPECT_EQ(compensation.pressure_pa(23843, 0), 69964);
 }
 
-TEST(Bmp085Compensation, refuses_words_that_cannot_be) {
+TEST(Bmp085Compensation, refuses_invalid_calibration_words) {
     for (const uint16_t wrong : {0x0000, 0xFFFF}) {
         for (int i = 0; i < 11; ++i) {
             uint16_t words[11];
@@ -80,7 +80,7 @@ TEST_F(Bmp085, gives_forty_pressures_a_second) {
     EXPECT_EQ(driver.badReads(), 0);
 }
 
-TEST_F(Bmp085, reads_what_the_air_is_hot_or_cold) {
+TEST_F(Bmp085, reads_the_true_pressure_in_hot_and_cold_air) {
     for (const double temperature_c : {-30.0, 0.0, 25.0, 60.0}) {
         for (const double pressure_pa : {50000.0, 80000.0, 101325.0}) {
             chip.sense(pressure_pa, temperature_c);
@@ -91,7 +91,7 @@ TEST_F(Bmp085, reads_what_the_air_is_hot_or_cold) {
     }
 }
 
-TEST_F(Bmp085, never_reads_a_conversion_that_is_not_over) {
+TEST_F(Bmp085, never_reads_an_unfinished_conversion) {
     chip.sense(90000, 20);
     fly(600);
     while (now_us < 3'000'000) {
@@ -114,7 +114,7 @@ TEST_F(Bmp085, works_across_the_wrap_of_the_microsecond_clock) {
     EXPECT_EQ(driver.restarts(), 0);
 }
 
-TEST_F(Bmp085, silent_turns_unhealthy_and_comes_back) {
+TEST_F(Bmp085, turns_unhealthy_when_silent_and_recovers) {
     fly(500);
     EXPECT_TRUE(driver.healthy());
     fakes::i2c().status = core::Status::timeout;
@@ -139,7 +139,7 @@ TEST_F(Bmp085, one_failed_transfer_is_not_silence) {
     EXPECT_GE(driver.badReads(), 1);
 }
 
-TEST_F(Bmp085, with_words_that_cannot_be_never_turns_healthy) {
+TEST_F(Bmp085, with_invalid_calibration_words_never_turns_healthy) {
     chip.words()[3] = 0xFFFF;
     fly(3000);
 
@@ -148,7 +148,7 @@ TEST_F(Bmp085, with_words_that_cannot_be_never_turns_healthy) {
     EXPECT_GE(driver.restarts(), 3);
 }
 
-TEST_F(Bmp085, whatever_is_not_that_chip_is_refused) {
+TEST_F(Bmp085, another_chip_is_refused) {
     fakes::i2c().device = [](const fakes::I2cTransfer& t) {
         return std::vector<uint8_t>(t.in_size, 0x58);  // its successors say so
     };
@@ -158,7 +158,7 @@ TEST_F(Bmp085, whatever_is_not_that_chip_is_refused) {
     EXPECT_EQ(readings, 0);
 }
 
-TEST_F(Bmp085, asks_again_on_a_bus_that_somebody_else_has) {
+TEST_F(Bmp085, retries_on_a_busy_bus) {
     fakes::i2c().busy_polls = 2;
     fly(3000);
 

@@ -87,9 +87,9 @@ struct Line : Driver {
     }
     // Until what is asked for, at most this long; how long it took.
     template <class Condition>
-    uint32_t flyUntil(Condition holds, uint32_t most_ms) {
+    uint32_t flyUntil(Condition holds, uint32_t max_ms) {
         const uint32_t began_ms = now_ms;
-        while (!holds() && now_ms - began_ms < most_ms) fly(10);
+        while (!holds() && now_ms - began_ms < max_ms) fly(10);
         return now_ms - began_ms;
     }
 

@@ -25,15 +25,15 @@ constexpr Kind kKinds[] = {{"ublox", GpsProtocol::ublox},
 constexpr uint32_t kRates[] = {4800, 9600, 19200, 38400, 57600, 115200};
 
 struct GpsOnItsLine : gps_line::Line {
-    uint32_t findTime_ms(GpsProtocol protocol, uint32_t most_ms) {
-        return flyUntil([&] { return driver.protocol() == protocol; }, most_ms);
+    uint32_t findTime_ms(GpsProtocol protocol, uint32_t max_ms) {
+        return flyUntil([&] { return driver.protocol() == protocol; }, max_ms);
     }
 };
 
 struct EveryGpsAtEveryRate : GpsOnItsLine,
                              ::testing::WithParamInterface<std::tuple<Kind, uint32_t>> {};
 
-TEST_P(EveryGpsAtEveryRate, is_found_within_10_s_and_tells_place_and_speed) {
+TEST_P(EveryGpsAtEveryRate, is_detected_within_10_s_and_reports_position_and_speed) {
     const auto [kind, baud] = GetParam();
     power(kind.name, baud);
     EXPECT_LT(findTime_ms(kind.protocol, 20'000), 10'000u);
@@ -74,7 +74,7 @@ struct EveryGps : GpsOnItsLine, ::testing::WithParamInterface<Kind> {};
 INSTANTIATE_TEST_SUITE_P(All, EveryGps, ::testing::ValuesIn(kKinds),
                          [](const auto& of) { return of.param.name; });
 
-TEST_P(EveryGps, tells_the_same_time_as_all_others) {
+TEST_P(EveryGps, gives_the_same_time_as_the_others) {
     power(GetParam().name, 38400);
     flyUntil([&] { return driver.fix().type == GpsFixType::three_d; }, 10'000);
     const uint32_t age_ms = 34 * 3'600'000u + 18'000 + now_ms - driver.fix().time_ms;
@@ -86,7 +86,7 @@ TEST_P(EveryGps, knows_how_old_its_fix_is) {
     for (uint32_t baud : {9600, 38400, 57600}) {
         power(GetParam().name, baud);
         fly(16'000);
-        uint32_t least_ms = UINT32_MAX, most_ms = 0;
+        uint32_t min_ms = UINT32_MAX, max_ms = 0;
         for (int found = 0; found < 5 && now_ms < 200'000;) {
             const int before = fixes;
             fly(10);
@@ -94,12 +94,12 @@ TEST_P(EveryGps, knows_how_old_its_fix_is) {
             ++found;
             const uint32_t measured_ms = driver.fix().time_ms - (34 * 3'600'000u + 18'000);
             const uint32_t off_ms = now_ms - measured_ms - driver.fix().age_ms;
-            least_ms = std::min(least_ms, off_ms);
-            most_ms = std::max(most_ms, off_ms);
+            min_ms = std::min(min_ms, off_ms);
+            max_ms = std::max(max_ms, off_ms);
         }
         // read in the frame after it came, and at 57600 baud bytes wait for their turn
-        EXPECT_LE(most_ms, 16u) << baud;
-        EXPECT_GE(least_ms + 2, 2u) << baud;
+        EXPECT_LE(max_ms, 16u) << baud;
+        EXPECT_GE(min_ms + 2, 2u) << baud;
     }
 }
 
@@ -169,7 +169,7 @@ TEST_P(EveryGps, that_is_not_the_one_set_by_hand_is_not_used) {
         driver.start(static_cast<uint8_t>(other.protocol) + 1);
         power(GetParam().name, 38400);
         fly(9000);
-        // text is what a receiver sends that nobody told to do better
+        // text is what a receiver sends that nobody configured
         const bool nmea = other.protocol == GpsProtocol::nmea;
         EXPECT_EQ(driver.protocol(), nmea ? GpsProtocol::nmea : GpsProtocol::none) << other.name;
     }
@@ -288,7 +288,7 @@ TEST(GpsScript, carries_the_checksums_of_the_receiver_description) {
     EXPECT_NE(text(greeting).find("$PUBX,41,1,0003,0001,38400,0*26\r\n"), std::string::npos);
 }
 
-TEST(GpsScript, tells_an_mtk_what_its_makers_say) {
+TEST(GpsScript, sends_an_mtk_the_commands_of_its_manual) {
     EXPECT_EQ(text(drivers::mtkConfiguration()),
               "\r\n$PMTK220,200*2C\r\n$PGCMD,16,0,0,0,0,0*6A\r\n$PMTK251,38400*27\r\n"
               "$PMTK313,1*2E\r\n$PMTK301,2*2E\r\n$PMTK397,0*23\r\n");

@@ -87,7 +87,7 @@ TEST_F(Hmc5883l, counts_saturation_and_gives_no_field_then) {
     EXPECT_TRUE(driver.healthy());
 }
 
-TEST_F(Hmc5883l, silent_turns_unhealthy_and_comes_back) {
+TEST_F(Hmc5883l, turns_unhealthy_when_silent_and_recovers) {
     fly(1000);
     fakes::i2c().device = nullptr;
     fly(700);
@@ -120,7 +120,7 @@ TEST_F(Hmc5883l, a_chip_that_lost_its_supply_for_a_moment_is_set_up_again) {
     EXPECT_GE(driver.restarts(), 1);
 }
 
-TEST_F(Hmc5883l, whatever_is_not_that_chip_is_refused) {
+TEST_F(Hmc5883l, another_chip_is_refused) {
     spoil = 0x01;
     fly(5000);
 
@@ -185,7 +185,7 @@ struct Hmc5843 : Hmc5883l {
     }
 };
 
-TEST_F(Hmc5843, is_told_apart_and_reads_milligauss_in_the_airplanes_axes) {
+TEST_F(Hmc5843, is_identified_and_reads_milligauss_in_body_axes) {
     fly(1500);
 
     EXPECT_TRUE(driver.healthy());

@@ -40,7 +40,7 @@ struct Mpu6000 : ::testing::Test {
     }
 };
 
-TEST_F(Mpu6000, comes_up_within_a_third_of_a_second_and_feels_gravity) {
+TEST_F(Mpu6000, starts_within_a_third_of_a_second_and_measures_gravity) {
     fly(330);
 
     EXPECT_TRUE(driver.healthy());

@@ -126,7 +126,7 @@ TEST_F(Ms5611, gives_eighty_pressures_a_second) {
     EXPECT_EQ(driver.badReads(), 0);
 }
 
-TEST_F(Ms5611, reads_what_the_air_is_hot_or_cold) {
+TEST_F(Ms5611, reads_the_true_pressure_in_hot_and_cold_air) {
     for (double temperature_c : {-35.0, -20.0, -15.0, 0.0, 19.0, 21.0, 50.0}) {
         for (double pressure_pa : {50000.0, 80000.0, 101325.0}) {
             bench.barometer.sense(pressure_pa, temperature_c);

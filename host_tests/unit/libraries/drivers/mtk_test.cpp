@@ -47,7 +47,7 @@ struct Mtk : ::testing::Test {
     }
 };
 
-TEST_F(Mtk, of_1_6_tells_millionths_of_a_degree_and_hundredths_of_a_second) {
+TEST_F(Mtk, of_version_1_6_resolves_millionths_of_a_degree_and_hundredths_of_a_second) {
     const drivers::GpsFix& fix = read16(Message());
 
     EXPECT_EQ(fix.type, GpsFixType::three_d);
@@ -63,7 +63,7 @@ TEST_F(Mtk, of_1_6_tells_millionths_of_a_degree_and_hundredths_of_a_second) {
     EXPECT_EQ(fix.hdop_c, 112);
 }
 
-TEST_F(Mtk, of_1_9_tells_ten_times_finer) {
+TEST_F(Mtk, of_version_1_9_resolves_ten_times_finer) {
     Message message;
     message.latitude = 471234567;
     message.longitude = -1796543217;
@@ -96,10 +96,10 @@ TEST_F(Mtk, has_a_fix_of_two_or_three_dimensions_with_and_without_corrections) {
     const GpsFixType of[] = {GpsFixType::none,    GpsFixType::none,    GpsFixType::two_d,
                              GpsFixType::three_d, GpsFixType::none,    GpsFixType::none,
                              GpsFixType::two_d,   GpsFixType::three_d, GpsFixType::none};
-    for (uint8_t told = 0; told < 9; ++told) {
+    for (uint8_t reported = 0; reported < 9; ++reported) {
         Message message;
-        message.fix = told;
-        EXPECT_EQ(read16(message).type, of[told]) << int(told);
+        message.fix = reported;
+        EXPECT_EQ(read16(message).type, of[reported]) << int(reported);
     }
 }
 
@@ -129,7 +129,7 @@ TEST_F(Mtk, with_a_value_that_cannot_be_is_no_fix_and_counted) {
     EXPECT_EQ(epoch.refused, refused);
 }
 
-TEST_F(Mtk, without_a_fix_may_tell_anything) {
+TEST_F(Mtk, without_a_fix_may_report_anything) {
     Message message;
     message.fix = 1;
     message.latitude = message.longitude = message.altitude_cm = INT32_MAX;
@@ -146,9 +146,9 @@ TEST_F(MtkBytes, two_messages_find_it_and_bring_its_configuration) {
     EXPECT_EQ(receive(Message().bytes(0xD0)), 1);
     EXPECT_EQ(driver.protocol(), GpsProtocol::mtk16);
     for (int i = 0; i < 20; ++i) step();
-    const std::string told(gps_line::port().out.begin(), gps_line::port().out.end());
-    EXPECT_NE(told.find("$PGCMD,16,0,0,0,0,0*6A\r\n"), std::string::npos);
-    EXPECT_NE(told.find("$PMTK397,0*23\r\n"), std::string::npos);
+    const std::string reported(gps_line::port().out.begin(), gps_line::port().out.end());
+    EXPECT_NE(reported.find("$PGCMD,16,0,0,0,0,0*6A\r\n"), std::string::npos);
+    EXPECT_NE(reported.find("$PMTK397,0*23\r\n"), std::string::npos);
 }
 
 TEST_F(MtkBytes, one_message_of_each_kind_is_chance) {

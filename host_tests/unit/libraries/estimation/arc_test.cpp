@@ -24,7 +24,7 @@ TEST(Arc, in_fixed_point_agrees_with_atan2_all_round) {
     }
 }
 
-TEST(Arc, bears_a_sine_and_cosine_that_are_a_percent_out) {
+TEST(Arc, tolerates_a_sine_and_cosine_with_an_error_of_a_percent) {
     for (double angle = -3; angle < 3; angle += 0.1) {
         for (double factor : {0.99, 1.01}) {
             EXPECT_NEAR(estimation::arc_rad(static_cast<float>(factor * std::sin(angle)),

@@ -145,8 +145,8 @@ TEST(Attitude, knows_the_accelerometers_bias_after_a_few_turns) {
     EXPECT_LT(rms.pitch, 0.25);
 }
 
-// A fix that is older than believed shows as acceleration along the path of every turn.
-TEST(Attitude, takes_no_other_error_of_turns_for_the_accelerometers_bias) {
+// A fix that is older than assumed shows as acceleration along the path of every turn.
+TEST(Attitude, does_not_take_other_errors_in_turns_for_accelerometer_bias) {
     Errors errors;
     errors.accel_bias_g = 0;
     errors.gps_age_s = 0.29;
@@ -158,7 +158,7 @@ TEST(Attitude, takes_no_other_error_of_turns_for_the_accelerometers_bias) {
     EXPECT_LT(rms.pitch, 0.3);
 }
 
-TEST(Attitude, bears_a_fix_that_is_older_than_believed) {
+TEST(Attitude, tolerates_a_fix_older_than_assumed) {
     Errors errors;
     errors.gps_age_s = 0.29;
     const Figures rms = overSeeds(errors, Sources(), 6);
@@ -168,7 +168,7 @@ TEST(Attitude, bears_a_fix_that_is_older_than_believed) {
     EXPECT_LT(rms.yaw, 1.0);
 }
 
-TEST(Attitude, puts_a_compass_to_rights_whose_offsets_are_50_mG_wrong) {
+TEST(Attitude, corrects_compass_offsets_that_are_50_mG_wrong) {
     Errors errors;
     errors.compass_offset_mg = 50;
     Sources sources;

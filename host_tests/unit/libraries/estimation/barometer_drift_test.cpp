@@ -13,32 +13,32 @@ using estimation::BarometerDrift;
 
 constexpr float kFix_s = 0.2f;
 
-// A barometer's zero as it is told to rise.
+// A barometer's zero that rises as given.
 struct Zero {
     BarometerDrift drift;
     double height_m = 0;
 
     explicit Zero(double at_m) { drift.useGps(static_cast<float>(at_m), 0, 10); }
-    void fix(double told_m, double climb_mps, float after_s = kFix_s) {
+    void fix(double reported_m, double climb_mps, float after_s = kFix_s) {
         height_m +=
-            drift.useGps(static_cast<float>(told_m), static_cast<float>(climb_mps), after_s);
+            drift.useGps(static_cast<float>(reported_m), static_cast<float>(climb_mps), after_s);
     }
-    template <class Told>
-    void fly(double for_s, Told told_m, double climb_mps) {
-        for (double t = kFix_s; t < for_s; t += kFix_s) fix(told_m(t), climb_mps);
+    template <class Reported>
+    void fly(double for_s, Reported reported_m, double climb_mps) {
+        for (double t = kFix_s; t < for_s; t += kFix_s) fix(reported_m(t), climb_mps);
     }
 };
 double level(double) { return 100; }
 double risen(double t) { return 100 + t / 30; }
 
-TEST(BarometerDrift, two_fifths_of_what_the_velocities_do_not_tell_are_drift) {
+TEST(BarometerDrift, two_fifths_of_the_height_change_the_velocity_does_not_explain_are_drift) {
     Zero zero(100);
     zero.fly(30, risen, 0);
 
     EXPECT_NEAR(zero.height_m, 0.4, 0.03);
 }
 
-TEST(BarometerDrift, a_climb_is_none) {
+TEST(BarometerDrift, a_climb_is_not_taken_for_drift) {
     Zero zero(0);
     zero.fly(
         60, [](double t) { return 2.5 * t; }, 2.5);
@@ -46,7 +46,7 @@ TEST(BarometerDrift, a_climb_is_none) {
     EXPECT_NEAR(zero.height_m, 0, 0.01);
 }
 
-TEST(BarometerDrift, what_the_velocities_sum_up_wrongly_is_forgotten_in_minutes) {
+TEST(BarometerDrift, a_velocity_error_is_forgotten_within_minutes) {
     Zero zero(100);
     zero.fly(3600, level, -0.005);
     EXPECT_NEAR(zero.height_m, 0.8, 0.05);
@@ -55,7 +55,7 @@ TEST(BarometerDrift, what_the_velocities_sum_up_wrongly_is_forgotten_in_minutes)
     EXPECT_NEAR(zero.height_m, 0, 0.06);
 }
 
-TEST(BarometerDrift, an_interval_without_fixes_is_left_out) {
+TEST(BarometerDrift, an_interval_without_fixes_is_ignored) {
     Zero zero(100);
     zero.fly(30, risen, 0);
     const double before_m = zero.height_m;
@@ -64,7 +64,7 @@ TEST(BarometerDrift, an_interval_without_fixes_is_left_out) {
     EXPECT_EQ(zero.height_m, before_m);
 }
 
-TEST(BarometerDrift, a_barometer_metres_off_at_once_has_not_drifted) {
+TEST(BarometerDrift, a_jump_of_metres_is_not_taken_for_drift) {
     Zero zero(100);
     zero.fly(
         10, [](double t) { return t < 5 ? 100 : 140; }, 0);
@@ -72,7 +72,7 @@ TEST(BarometerDrift, a_barometer_metres_off_at_once_has_not_drifted) {
     EXPECT_NEAR(zero.height_m, 0, 1e-6);
 }
 
-TEST(BarometerDrift, a_wrong_velocity_moves_it_by_two_metres_and_lets_go_again) {
+TEST(BarometerDrift, a_wrong_velocity_moves_the_estimate_by_two_metres_at_most_and_it_recovers) {
     Zero zero(100);
     zero.fly(300, level, -0.5);
     EXPECT_NEAR(zero.height_m, 2, 0.1);
@@ -81,7 +81,7 @@ TEST(BarometerDrift, a_wrong_velocity_moves_it_by_two_metres_and_lets_go_again) 
     EXPECT_NEAR(zero.height_m, 0, 0.15);
 }
 
-TEST(BarometerDrift, a_zero_that_is_known_is_kept) {
+TEST(BarometerDrift, a_known_zero_is_kept) {
     Zero zero(100);
     zero.fly(30, risen, 0);
     zero.drift.zero();
@@ -93,7 +93,7 @@ TEST(BarometerDrift, a_zero_that_is_known_is_kept) {
 }
 
 // With the errors of the flights' sensors.
-TEST(BarometerDrift, leaves_a_sixth_less_than_the_barometers_own) {
+TEST(BarometerDrift, leaves_a_sixth_less_error_than_the_barometer_alone) {
     double own = 0, left = 0;
     for (unsigned seed = 1; seed <= 30; ++seed) {
         std::mt19937 random(seed);

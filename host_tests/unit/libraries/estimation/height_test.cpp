@@ -53,7 +53,7 @@ TEST(Height, follows_a_climb_without_lag) {
     EXPECT_NEAR(bench.height.climb_mps(), 6 * std::sin((bench.time_s - 5) * 0.3), 0.2);
 }
 
-TEST(Height, a_single_wild_reading_is_left_out) {
+TEST(Height, a_single_outlier_is_ignored) {
     Height height;
     height.start(100);
     for (int i = 0; i < 200; ++i) {
@@ -65,7 +65,7 @@ TEST(Height, a_single_wild_reading_is_left_out) {
     EXPECT_NEAR(height.height_m(), 100, 0.01);
 }
 
-TEST(Height, readings_that_insist_for_two_seconds_are_followed) {
+TEST(Height, a_step_that_lasts_two_seconds_is_followed) {
     Bench bench;
     bench.height.start(0);
     bench.glitch_m = 40;

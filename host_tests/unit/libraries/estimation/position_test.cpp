@@ -118,9 +118,9 @@ double offAcross_m(const Fixes& fixes, uint32_t seed) {
             const flight::V3 off = {north.step(fixes.period_s, random),
                                     east.step(fixes.period_s, random), 0};
             const auto noise = [&] { return fixes.velocity_noise_mps * normal(random); };
-            const flight::V3 told =
+            const flight::V3 reported =
                 velocity(then_s) + flight::V3{noise() + fixes.velocity_bias_mps, noise(), 0};
-            position.useGps(place(at(then_s) + off), flight::single(told),
+            position.useGps(place(at(then_s) + off), flight::single(reported),
                             flight::single(velocity(t_s) - velocity(then_s)), PositionSettings());
         }
         if (t_s < 60) continue;
@@ -187,7 +187,7 @@ struct Jumping {
     }
 };
 
-TEST(Position, a_jump_is_refused_until_nobody_knows_better) {
+TEST(Position, a_jump_is_refused_until_it_has_lasted) {
     Jumping gps;
     const geo::Position far = geo::moved(kStart, {500, 0});
     for (int i = 0; i < 5; ++i) gps.fix(kStart);
@@ -203,7 +203,7 @@ TEST(Position, a_jump_is_refused_until_nobody_knows_better) {
     EXPECT_FALSE(gps.position.refuses());
 }
 
-TEST(Position, a_jump_within_reach_since_the_last_fix_is_believed) {
+TEST(Position, a_jump_that_could_have_been_flown_since_the_last_fix_is_accepted) {
     Jumping gps;
     for (int i = 0; i < 5; ++i) gps.fix(kStart);
     for (int i = 0; i < 600; ++i) gps.position.propagate({0, 0, 0}, 0.01f);
@@ -226,7 +226,7 @@ TEST(Position, reckons_with_the_velocity_it_is_given_once_fixes_are_missing) {
     EXPECT_NEAR(off.east_m, 100, 0.5);
 }
 
-TEST(Position, no_step_is_too_small_to_add_up) {
+TEST(Position, the_smallest_steps_add_up) {
     Position position;
     position.useGps(kStart, {0.1f, 0, 0}, {0, 0, 0}, PositionSettings());
     for (int n = 0; n < 5000; ++n) {

@@ -20,7 +20,7 @@ TEST(Still, a_second_of_rest_gives_the_gyros_zero) {
     EXPECT_NEAR(still.zero_rads().z, 0.005, 1e-5);
 }
 
-TEST(Still, moved_it_begins_again) {
+TEST(Still, movement_restarts_the_mean) {
     estimation::Still still;
     for (int i = 0; i < 3000; ++i) {
         const float rate = 0.1f * std::sin(i * 0.05f);
@@ -31,12 +31,12 @@ TEST(Still, moved_it_begins_again) {
     EXPECT_TRUE(still.done());
 }
 
-// Rocked about its roll axis by up to `most_rads`, from rest, once in two seconds.
-float rocked_rads(int frame, float most_rads) {
-    return most_rads * std::sin(static_cast<float>(frame) * 0.01f * static_cast<float>(M_PI));
+// Rocked about its roll axis by up to `max_rads`, from rest, once in two seconds.
+float rocked_rads(int frame, float max_rads) {
+    return max_rads * std::sin(static_cast<float>(frame) * 0.01f * static_cast<float>(M_PI));
 }
 
-TEST(Still, what_gusts_rock_gets_a_longer_mean) {
+TEST(Still, an_airplane_rocked_by_gusts_gets_a_longer_mean) {
     estimation::Still still;
     int frames = 0;
     while (!still.update({0.01f + rocked_rads(frames, 0.015f), 0, 0}, kRest, 0.01f)) ++frames;
@@ -48,7 +48,7 @@ TEST(Still, what_gusts_rock_gets_a_longer_mean) {
 }
 
 // Its wheels let it tip to and fro four times a second, by up to 4 degrees a second.
-TEST(Still, what_gusts_rock_all_the_time_is_known_within_ten_seconds) {
+TEST(Still, an_airplane_always_rocked_by_gusts_gets_its_zero_within_ten_seconds) {
     for (float phase = 0; phase < 6.28f; phase += 0.3f) {
         estimation::Still still;
         int frames = 0;
@@ -65,7 +65,7 @@ TEST(Still, what_gusts_rock_all_the_time_is_known_within_ten_seconds) {
     }
 }
 
-TEST(Still, what_a_hand_turns_slowly_to_and_fro_is_not_rocked) {
+TEST(Still, slow_turning_by_hand_is_not_taken_for_rocking) {
     estimation::Still still;
     for (int i = 0; i < 3000; ++i) {  // once in 4.4 seconds
         const float rate = 0.05f * std::sin(static_cast<float>(i) * 0.01f * 1.428f);
@@ -78,14 +78,14 @@ TEST(Still, a_better_zero_is_not_given_up_for_a_shorter_one) {
     estimation::Still still;
     for (int i = 0; i < 1500; ++i) still.update({0.01f, 0, 0}, kRest, 0.01f);
     for (int i = 0; i < 50; ++i) still.update({0.3f, 0, 0}, kRest, 0.01f);
-    int told = 0;
-    for (int i = 0; i < 500; ++i) told += still.update({0.02f, 0, 0}, kRest, 0.01f);
+    int reported = 0;
+    for (int i = 0; i < 500; ++i) reported += still.update({0.02f, 0, 0}, kRest, 0.01f);
 
-    EXPECT_EQ(told, 0);
+    EXPECT_EQ(reported, 0);
     EXPECT_NEAR(still.zero_rads().x, 0.01, 1e-5);
 }
 
-TEST(Still, taken_up_slowly_the_zero_is_that_of_the_rest_before) {
+TEST(Still, an_airplane_picked_up_slowly_keeps_the_zero_measured_before) {
     for (int rest = 115; rest < 800; rest += 7) {
         estimation::Still still;
         float zero_rads = 0;
@@ -102,14 +102,14 @@ TEST(Still, taken_up_slowly_the_zero_is_that_of_the_rest_before) {
     }
 }
 
-TEST(Still, tells_of_a_better_zero_for_half_a_minute) {
+TEST(Still, reports_a_better_zero_for_half_a_minute) {
     estimation::Still still;
-    int told = 0;
-    for (int i = 0; i < 6000; ++i) told += still.update({0.01f, 0, 0}, kRest, 0.01f);
+    int reported = 0;
+    for (int i = 0; i < 6000; ++i) reported += still.update({0.01f, 0, 0}, kRest, 0.01f);
 
     EXPECT_TRUE(still.settled());
-    EXPECT_GT(told, 20);
-    EXPECT_LE(told, 30);
+    EXPECT_GT(reported, 20);
+    EXPECT_LE(reported, 30);
 }
 
 TEST(Still, keeps_the_force_of_its_first_second) {
@@ -120,7 +120,7 @@ TEST(Still, keeps_the_force_of_its_first_second) {
     EXPECT_NEAR(still.force_mss().x, 0, 1e-5);
 }
 
-TEST(Still, carried_about_without_turning_is_not_still) {
+TEST(Still, carrying_it_about_without_turning_is_not_rest) {
     estimation::Still still;
     for (int i = 0; i < 3000; ++i)
         still.update({0, 0, 0}, {2 * std::sin(i * 0.05f), 0, -9.81f}, 0.01f);

@@ -22,7 +22,7 @@ Pointing pointing(double yaw) {
     return {static_cast<float>(std::cos(yaw)), static_cast<float>(std::sin(yaw))};
 }
 
-TEST(Wind, is_ground_less_air_within_half_a_minute) {
+TEST(Wind, is_ground_velocity_minus_air_velocity_within_half_a_minute) {
     Wind wind;
     const Air air;
     for (int i = 0; i < 150; ++i) wind.update(air.ground(1), pointing(1), 13, 0.2f);
@@ -32,7 +32,7 @@ TEST(Wind, is_ground_less_air_within_half_a_minute) {
     EXPECT_NEAR(wind.wind_mps().y, -3, 0.1);
 }
 
-TEST(Wind, without_an_airspeed_sensor_shows_in_turns) {
+TEST(Wind, is_estimated_in_turns_without_an_airspeed_sensor) {
     Wind wind;
     const Air air;
     for (int i = 0; i < 300; ++i) {
@@ -45,7 +45,7 @@ TEST(Wind, without_an_airspeed_sensor_shows_in_turns) {
     EXPECT_NEAR(wind.airspeed_mps(air.ground(2)), 13, 0.3);
 }
 
-TEST(Wind, straight_ahead_without_a_sensor_nothing_is_claimed) {
+TEST(Wind, is_unknown_in_straight_flight_without_an_airspeed_sensor) {
     Wind wind;
     const Air air;
     for (int i = 0; i < 300; ++i) wind.update(air.ground(1), pointing(1), 0, 0.2f);

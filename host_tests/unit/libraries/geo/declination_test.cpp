@@ -101,7 +101,7 @@ TEST(DeclinationTable, is_within_a_degree_away_from_the_magnetic_pole) {
 
 // Where the horizontal field is strong enough for a compass: 6000 nT, the edge of what the model's
 // authors call the caution zone.
-TEST(DeclinationTable, is_of_use_wherever_a_compass_is) {
+TEST(DeclinationTable, is_accurate_wherever_a_compass_is_usable) {
     double worst_deg = 0;
     everywhere([&](double latitude, double longitude) {
         const auto field = model().at(latitude, longitude, 0, declination::kTableYear);
@@ -143,7 +143,7 @@ TEST(MagneticModel, is_what_the_simulator_flies_in) {
     EXPECT_NEAR(world.magnetic_field_mg, std::hypot(level_mg, down_mg), 1);
 }
 
-TEST(DeclinationTable, knows_some_towns) {
+TEST(DeclinationTable, gives_the_declination_of_known_towns) {
     struct Row {
         const char* town;
         double latitude_deg, longitude_deg, declination_deg;

@@ -110,7 +110,7 @@ TEST(Polygon, lies_across_the_antimeridian) {
     EXPECT_FALSE(inside(square, {0, -1799989999}));
 }
 
-TEST(Polygon, is_not_there_on_the_other_side_of_the_earth) {
+TEST(Polygon, does_not_contain_its_antipodes) {
     const Polygon square = {{-1000, -10000}, {-1000, 10000}, {1000, 10000}, {1000, -10000}};
     for (const int32_t east : {1799999999, 1800000000, -1800000000, -1799999999, 1799985000,
                                -1799985000, 900000000, -900000000})

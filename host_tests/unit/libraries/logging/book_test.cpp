@@ -121,7 +121,7 @@ TEST_F(Logs, the_end_of_a_full_chip_is_found_in_time_wherever_it_is) {
     RecordProperty("longest_search_us", static_cast<int>(longest_search_us));
 }
 
-TEST_F(Logs, a_full_chip_gives_up_its_oldest_log_and_nothing_else) {
+TEST_F(Logs, a_full_chip_loses_its_oldest_log_and_nothing_else) {
     const unsigned per_log = 500;
     const unsigned logs = 2 * ring() / per_log + 2;
     for (unsigned i = 0; i < logs; ++i) {
@@ -159,7 +159,7 @@ TEST_F(Logs, a_full_chip_gives_up_its_oldest_log_and_nothing_else) {
 // At every page of three logs, and with the next turn of the ring about to begin.
 class PowerCut : public Logs, public testing::WithParamInterface<unsigned> {};
 
-TEST_P(PowerCut, costs_the_page_in_flight_and_no_more) {
+TEST_P(PowerCut, loses_only_the_page_being_written) {
     // so many pages lie in the ring before
     begin();
     for (unsigned i = 0; i < GetParam(); ++i) put(record(200)), put(record(200)), put(record(100));
@@ -286,7 +286,7 @@ TEST_F(Logs, the_mission_goes_first_and_nothing_is_lost) {
     EXPECT_GT(written[log].size(), 3000u);
 }
 
-TEST_F(Logs, a_spoilt_page_in_the_middle_hides_only_itself) {
+TEST_F(Logs, a_corrupt_page_hides_only_itself) {
     writeLog(200);
     std::vector<uint8_t> image = chip::model().image(fakes::time_us());
     for (const unsigned page : {64u, 100u, 127u})  // where the search looks

@@ -64,7 +64,7 @@ TEST_F(Reading, a_log_comes_as_it_was_written) {
     }
 }
 
-TEST_F(Reading, a_log_that_does_not_exist_is_told) {
+TEST_F(Reading, a_missing_log_is_reported) {
     sizeOf(1, Status::corrupt);
     writeLog(2);
     sizeOf(2, Status::corrupt);
@@ -105,7 +105,7 @@ TEST_F(Reading, the_formats_stand_in_front_of_a_log_without_its_beginning) {
     EXPECT_EQ(take(kInFront - 10, 90).size(), 10u);
 }
 
-TEST_F(Reading, a_page_that_cannot_be_read_any_more_is_told_as_zeros) {
+TEST_F(Reading, an_unreadable_page_is_sent_as_zeros) {
     writeLog(10);
     std::vector<uint8_t> image = chip::model().image(fakes::time_us());
     memset(&image[size_t{kFirst + 4u} * hal::flashShape().page_size], 0x5A, 100);

@@ -151,7 +151,7 @@ TEST(Parser, drops_a_frame_with_an_incompatibility_it_does_not_know) {
     EXPECT_EQ(sequences(feed(parser, flagged(0x02, 4) + heartbeat(5))), (Sequences{5}));
 }
 
-TEST(Parser, drops_it_whole_whatever_it_carries) {
+TEST(Parser, drops_an_incompatible_frame_whatever_it_contains) {
     VehicleParser parser;
 
     const auto frames = feed(parser, flagged(0x80, 4, setMode(66)) + heartbeat(5));
@@ -160,7 +160,7 @@ TEST(Parser, drops_it_whole_whatever_it_carries) {
     EXPECT_EQ(parser.rejected(), 0);
 }
 
-TEST(Parser, drops_it_with_its_signature) {
+TEST(Parser, drops_an_incompatible_frame_with_its_signature) {
     VehicleParser parser;
     const Bytes signature(13, 0xFD);
 

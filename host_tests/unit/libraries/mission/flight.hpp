@@ -42,7 +42,7 @@ struct World {
     std::string trace;
     bool nav_done = false, condition_done = false;
     std::set<int> busy;  // records the store does not have yet
-    int reads = 0, most_reads = 0;
+    int reads = 0, max_reads = 0;
     int here = 500;  // where the airplane is
     bool leave_at_action = false;
     Sequencer* engine = nullptr;
@@ -137,7 +137,7 @@ inline void whereItIs(Record& record) { record.p3 = world.here; }
 inline bool never() { return false; }
 constexpr Host kHost ROM = {readStored, countStored, reportEvent, whereItIs, never};
 
-// One flight: AUTO is entered, passes are made, NAVs and CONDITIONs finish when told.
+// One flight: AUTO is entered, passes are made, NAVs and CONDITIONs finish on request.
 class Flight {
 public:
     explicit Flight(Set of, std::vector<Record> items, bool trailing = false)
@@ -169,7 +169,7 @@ public:
             memcpy(&before, &memory, sizeof memory);
             world.reads = 0;
             engine.poll(trailing_);
-            world.most_reads = std::max(world.most_reads, world.reads);
+            world.max_reads = std::max(world.max_reads, world.reads);
             world.nav_done = world.condition_done = false;
         } while (memcmp(&before, &memory, sizeof memory) != 0);
         return *this;

@@ -69,7 +69,7 @@ TEST(Sequencer, a_nav_advance_over_170_actions_takes_several_polls_and_loses_non
     std::string all;
     for (int i = 1; i <= 169; ++i) all += "a" + std::to_string(i) + " ";
     EXPECT_EQ(f.trace(), all + "W170!");
-    EXPECT_LE(world.most_reads, kRecordsPerPoll);
+    EXPECT_LE(world.max_reads, kRecordsPerPoll);
 }
 
 // ---- 3: a finished NAV
@@ -441,7 +441,7 @@ TEST(Sequencer, nothing_in_flight_has_nothing_to_compare) {
 
 // ---- 8: what must never stop a mission
 
-TEST(Sequencer, an_unknown_or_impossible_record_is_skipped_and_told) {
+TEST(Sequencer, an_unknown_or_invalid_record_is_skipped_and_reported) {
     Flight f(k2, {waypoint(), unknown(), outOfRange(action2()), outOfRange(waypoint()), action2(),
                   waypoint()});
     f.enter().reach();
@@ -556,7 +556,7 @@ TEST(Sequencer, random_missions_of_both_sets_never_hang_and_every_poll_is_bounde
             if (random(20) == 0) f.engine.leave();
             if (random(5) == 0) f.engine.enter(false);
             f.pass();
-            ASSERT_LE(world.most_reads, kRecordsPerPoll);
+            ASSERT_LE(world.max_reads, kRecordsPerPoll);
             ASSERT_LT(world.trace.size(), 20000u);
         }
     }

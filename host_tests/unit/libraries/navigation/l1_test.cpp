@@ -139,7 +139,7 @@ TEST(Leg, begun_behind_its_start_is_not_closed_more_steeply_than_straight_to_the
     EXPECT_NEAR(pilot.plane.east, 0, 8);
 }
 
-TEST(Leg, tells_place_along_and_beside) {
+TEST(Leg, gives_the_position_along_and_beside_the_leg) {
     Motion motion{};
     motion.velocity_mps = {12, 0};
     motion.airspeed_mps = 12;

@@ -37,7 +37,7 @@ public:
         plane.height = 100;
     }
 
-    // As an estimator tells it.
+    // As an estimator gives it.
     geo::Position place() {
         std::normal_distribution<double> normal;
         const auto jitter = [&](double sigma) { return errors ? sigma * normal(noise_) : 0; };

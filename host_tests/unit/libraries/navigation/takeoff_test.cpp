@@ -9,7 +9,7 @@ namespace {
 
 constexpr navigation::LaunchState kStill{0, 0, 0, 0.1f, 0.05f};
 
-TEST(Launch, without_a_push_asked_for_only_the_delay_passes) {
+TEST(Launch, without_an_acceleration_threshold_only_the_delay_counts) {
     navigation::Launch launch;
     launch.start();
     const navigation::LaunchSettings settings{0, 0, 2};
@@ -41,7 +41,7 @@ TEST(Launch, a_push_without_speed_is_forgotten) {
     EXPECT_FALSE(launch.run(settings, {0, 9, 0, 0.1f, 0.05f})) << "carried fast, not thrown";
 }
 
-TEST(Launch, says_once_of_a_push_why_it_was_none) {
+TEST(Launch, reports_once_why_a_push_was_not_a_launch) {
     using navigation::Launch;
     Launch launch;
     launch.start();

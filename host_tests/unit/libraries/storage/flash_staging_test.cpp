@@ -111,7 +111,7 @@ TEST_F(FlashStaging, a_commit_has_another_generation_and_the_copying_has_not) {
     EXPECT_NE(reader.generation(), first);
 }
 
-TEST_F(FlashStaging, a_mission_in_a_chip_that_is_gone_is_told_and_comes_back_with_it) {
+TEST_F(FlashStaging, a_mission_in_a_lost_chip_is_reported_and_returns_with_the_chip) {
     const Mission wanted = mission(80, 1);
     ASSERT_EQ(upload(store, mission(20, 3)), Status::ok);
     ASSERT_EQ(settle(store), Status::ok);
@@ -135,7 +135,7 @@ TEST_F(FlashStaging, a_mission_in_a_chip_that_is_gone_is_told_and_comes_back_wit
     EXPECT_EQ(afterRestart(), wanted);
 }
 
-TEST_F(FlashStaging, a_mission_in_a_page_that_rotted_is_told_and_nothing_is_wiped) {
+TEST_F(FlashStaging, a_mission_in_a_corrupt_page_is_reported_and_nothing_is_erased) {
     ASSERT_EQ(upload(store, mission(80, 1)), Status::ok);
     fakes::spoilPage(1);
     const auto cells = fakes::eepromCells();
@@ -149,7 +149,7 @@ TEST_F(FlashStaging, a_mission_in_a_page_that_rotted_is_told_and_nothing_is_wipe
     EXPECT_EQ(afterRestart(), mission(30, 2));
 }
 
-TEST_F(FlashStaging, records_that_rot_in_the_eeprom_are_found_in_the_dataflash) {
+TEST_F(FlashStaging, records_corrupt_in_the_eeprom_are_read_from_the_dataflash) {
     ASSERT_EQ(upload(store, mission(80, 1)), Status::ok);
     ASSERT_EQ(settle(store), Status::ok);
     const uint16_t at = storage::recordAddress(50);
@@ -181,7 +181,7 @@ TEST_F(FlashStaging, a_chip_that_does_not_keep_what_is_written_is_not_used_again
     EXPECT_EQ(afterRestart(), mission(111, 3));
 }
 
-TEST_F(FlashStaging, an_eeprom_that_does_not_keep_the_copy_is_told_once) {
+TEST_F(FlashStaging, an_eeprom_that_does_not_keep_the_copy_is_reported_once) {
     const Mission wanted = mission(10, 1);
     ASSERT_EQ(upload(store, wanted), Status::ok);
     for (int i = 0; i < 3; ++i) ASSERT_EQ(store.settle(), Status::busy);
@@ -216,7 +216,7 @@ TEST_F(FlashStaging, an_upload_given_up_leaves_the_chip_to_the_log) {
     EXPECT_FALSE(fakes::missionWantsPageFlash());
 }
 
-TEST_F(FlashStaging, a_chip_not_yet_asked_is_waited_for) {
+TEST_F(FlashStaging, a_chip_not_yet_identified_is_waited_for) {
     ASSERT_EQ(upload(store, mission(80, 1)), Status::ok);
     restart();
     fakes::setPageFlashKnown(false);

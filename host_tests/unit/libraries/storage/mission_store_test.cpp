@@ -133,7 +133,7 @@ TEST_F(MissionStoreTest, what_was_read_ahead_is_forgotten_when_the_mission_chang
     EXPECT_EQ(stored(store), new_mission);
 }
 
-TEST_F(MissionStoreTest, records_that_rot_are_noticed_and_the_mission_is_empty) {
+TEST_F(MissionStoreTest, corrupt_records_are_noticed_and_the_mission_is_empty) {
     MissionStore store;
     ASSERT_EQ(open(store), Status::ok);
     ASSERT_EQ(upload(store, mission(6, 1)), Status::ok);

@@ -23,7 +23,7 @@ protected:
     }
 };
 
-TEST_F(OwnerTest, a_blank_eeprom_is_nobodys_and_can_be_claimed) {
+TEST_F(OwnerTest, a_blank_eeprom_has_no_owner_and_can_be_claimed) {
     EXPECT_EQ(owner(), Owner::nobody);
     ASSERT_EQ(storage::claim(), Status::ok);
     EXPECT_EQ(owner(), Owner::us);
@@ -39,7 +39,7 @@ TEST_F(OwnerTest, a_claim_that_a_power_cut_broke_can_be_made_again) {
     }
 }
 
-TEST_F(OwnerTest, what_arduplane_left_is_a_strangers_and_so_is_a_blank_header_before_old_data) {
+TEST_F(OwnerTest, data_of_arduplane_and_a_blank_header_before_old_data_belong_to_other_firmware) {
     const uint8_t arduplane[] = {0x41, 0x50, 0x06, 0x00};
     ASSERT_EQ(hal::eepromWrite(0, arduplane, 4), Status::ok);
     EXPECT_EQ(owner(), Owner::stranger);

@@ -47,7 +47,7 @@ Controls wild(const Truth& t) {
 
 }  // namespace
 
-TEST(RigidBody, falls_freely_and_feels_nothing_in_vacuum) {
+TEST(RigidBody, falls_freely_with_zero_specific_force_in_vacuum) {
     Airplane airplane(inVacuum(), stillAir(), 0);
     airplane.place(levelFlight(20, 0, 500), {});
     fly(airplane, 2, [](const Truth&) { return Controls{}; });
@@ -71,19 +71,19 @@ TEST(RigidBody, keeps_its_angular_momentum_tumbling_in_vacuum) {
 }
 
 // The largest difference over ten seconds of wild flying between the change of velocity less
-// gravity and the specific force told at both ends of the step.
+// gravity and the specific force reported at both ends of the step.
 double worstForceError_mss(const WorldOptions& options, double& largest_mss) {
     Airplane airplane(kTrainer, options, 1);
     const Trim trim = trimmed(kTrainer, 13);
     airplane.place(levelFlight(13, trim.alpha_rad, 300), trim.controls);
-    const auto felt = [](const Truth& t) {
+    const auto specific = [](const Truth& t) {
         return Rotation(quaternion(t.roll_rad, t.pitch_rad, t.yaw_rad))
             .toEarth({t.force_x_mss, t.force_y_mss, t.force_z_mss});
     };
     Truth last = airplane.truth();
     double worst_mss = 0;
     fly(airplane, 10, wild, [&](const Truth& now) {
-        const Vec3 mean = (felt(last) + felt(now)) * 0.5;
+        const Vec3 mean = (specific(last) + specific(now)) * 0.5;
         const Vec3 change = Vec3{now.velocity_north_mps - last.velocity_north_mps,
                                  now.velocity_east_mps - last.velocity_east_mps,
                                  now.velocity_down_mps - last.velocity_down_mps} *
@@ -145,7 +145,7 @@ TEST(RigidBody, gains_and_loses_the_energy_that_the_forces_bring) {
     airplane.place(levelFlight(13, trim.alpha_rad, 300), trim.controls);
     Truth last = airplane.truth();
     const double before_j = energy_j(kTrainer, last);
-    double work_j = 0, most_j = 0;
+    double work_j = 0, max_j = 0;
     fly(airplane, 20, wild, [&](const Truth& t) {
         const auto power = [](const Truth& at) {
             const Vec3 velocity =
@@ -155,11 +155,11 @@ TEST(RigidBody, gains_and_loses_the_energy_that_the_forces_bring) {
                    dot(velocity, {at.force_x_mss, at.force_y_mss, at.force_z_mss});
         };
         work_j += (power(last) + power(t)) / 2 * Airplane::kStep_s;
-        most_j = std::max(most_j, std::fabs(work_j));
+        max_j = std::max(max_j, std::fabs(work_j));
         last = t;
     });
-    EXPECT_GT(most_j, 20);
-    EXPECT_NEAR(energy_j(kTrainer, last) - before_j, work_j, 0.01 * most_j);
+    EXPECT_GT(max_j, 20);
+    EXPECT_NEAR(energy_j(kTrainer, last) - before_j, work_j, 0.01 * max_j);
 }
 
 TEST(RigidBody, only_loses_energy_without_thrust_in_still_air) {

@@ -108,7 +108,7 @@ TEST(Landing, rolls_out_by_friction) {
     EXPECT_GT(airplane.truth().north_m, 8);
 }
 
-TEST(Crash, is_told_from_a_landing_and_stops_the_motor) {
+TEST(Crash, differs_from_a_landing_and_stops_the_motor) {
     Airplane airplane(kTrainer, stillAir(), 0);
     Motion motion = levelFlight(14, -0.9, 15);
     motion.velocity_mps = {8, 0, 11};

@@ -56,7 +56,7 @@ TEST(Propulsion, brakes_a_little_with_the_motor_off) {
     EXPECT_EQ(running(0, 0).shaft_rads(), 0);
 }
 
-TEST(Propulsion, makes_no_power_from_nothing) {
+TEST(Propulsion, never_creates_power) {
     for (double throttle : {0.3, 0.6, 1.0}) {
         const Propulsion p = running(throttle, 12.5);
         const double in_w = p.battery_v() * p.battery_a();

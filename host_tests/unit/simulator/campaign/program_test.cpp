@@ -65,9 +65,9 @@ TEST(Campaign, names_every_option_in_its_help) {
         EXPECT_THAT(run.output, HasSubstr(option));
 }
 
-TEST(Campaign, tells_a_flight_that_failed_and_how_to_fly_it_again) {
+TEST(Campaign, reports_a_failed_flight_and_how_to_repeat_it) {
     const fs::path mission = folder("short.waypoints"), out = folder("out");
-    // no landing: a flight without an end to judge
+    // no landing: a flight without an end to check
     std::ofstream(mission) << "QGC WPL 110\n"
                               "0 1 0 16 0 0 0 0 47.3977 8.5456 488 1\n"
                               "1 0 3 21 0 0 0 0 91e-9 0 0 1\n"

@@ -57,7 +57,7 @@ TEST(Spreads, leave_out_a_figure_that_a_group_does_not_have) {
     EXPECT_THAT(campaignPage({lost, flown(2, 1)}, 2, 1), HasSubstr("crashed"));
 }
 
-TEST(Page, tells_a_campaign_that_was_interrupted_from_a_whole_one) {
+TEST(Page, distinguishes_an_interrupted_campaign_from_a_whole_one) {
     EXPECT_THAT(campaignPage({flown(1, 1), flown(2, 1)}, 2, 1),
                 HasSubstr("every flight completed"));
     const std::string part = campaignPage({flown(1, 1), flown(2, 1)}, 240, 1);

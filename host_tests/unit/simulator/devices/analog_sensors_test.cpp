@@ -25,7 +25,7 @@ TEST(AnalogSensors, give_a_volt_a_kilopascal_about_half_the_supply) {
     EXPECT_NEAR(sensors.volts(0, flying(20)), 2.5 + 0.245, 1e-9);
 }
 
-TEST(AnalogSensors, feel_no_airspeed_from_behind) {
+TEST(AnalogSensors, measure_no_airspeed_from_behind) {
     AnalogSensors sensors(1, SensorErrors::none());
     Truth truth = flying(5);
     truth.alpha_rad = M_PI;

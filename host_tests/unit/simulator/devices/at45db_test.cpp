@@ -209,7 +209,7 @@ TEST(At45dbModel, erases_a_page_a_block_a_sector) {
     EXPECT_EQ(bench.whole(128), Bytes(528, 0));
 }
 
-TEST(At45dbModel, hears_only_status_identity_and_the_other_buffer_while_busy) {
+TEST(At45dbModel, accepts_only_status_identity_and_the_other_buffer_while_busy) {
     Bench bench;
     bench.put(5, Bytes(528, 5));
     bench.fill(0, Bytes(528, 1));
@@ -259,7 +259,7 @@ TEST(At45dbModel, does_nothing_with_half_a_command) {
     EXPECT_TRUE(bench.ready());
 }
 
-TEST(At45dbModel, tells_each_program_and_erase_and_counts_the_wear) {
+TEST(At45dbModel, reports_each_program_and_erase_and_counts_the_wear) {
     Bench bench;
     bench.store(1, 77);
     bench.busy_us();
@@ -285,13 +285,13 @@ TEST(At45dbModel, a_power_cut_spoils_the_page_at_work_and_no_other) {
         bench.fill(0, pattern(528, 999));
         bench.store(0, page);
         bench.now_us += 16'000;
-        const Bytes told = bench.chip.image(bench.now_us);
+        const Bytes reported = bench.chip.image(bench.now_us);
         bench.chip.cutPower(bench.now_us);
 
         EXPECT_NE(bench.whole(page), pattern(528, 999));
         EXPECT_EQ(bench.whole(page - 1), pattern(528, static_cast<int>(page - 1)));
         EXPECT_EQ(bench.whole(page + 1), pattern(528, static_cast<int>(page + 1)));
-        EXPECT_EQ(bench.chip.image(bench.now_us), told);
+        EXPECT_EQ(bench.chip.image(bench.now_us), reported);
         EXPECT_TRUE(bench.ready());
     }
 }
@@ -305,7 +305,7 @@ TEST(At45dbModel, a_power_cut_after_the_work_spoils_nothing_but_the_buffers) {
     EXPECT_NE(bench.exchange(bench.at(0xD4, 0, 0, {0}), 528), pattern(528, 3));
 }
 
-TEST(At45dbModel, a_cut_leaves_pages_of_many_kinds) {
+TEST(At45dbModel, a_power_cut_leaves_pages_in_many_states) {
     int noise = 0, erased = 0, begun = 0;
     for (unsigned i = 0; i < 60; ++i) {
         Bench bench;
@@ -338,7 +338,7 @@ TEST(At45dbModel, the_reset_pin_stops_the_work_as_a_cut_does) {
     EXPECT_EQ(bench.exchange(bench.at(0xD4, 0, 0, {0}), 528), pattern(528, 4)) << "buffers stay";
 }
 
-TEST(At45dbModel, an_image_brings_back_all_pages_and_tells_which_chip_it_is_of) {
+TEST(At45dbModel, an_image_restores_all_pages_and_identifies_its_chip) {
     Bench first(the161d());
     first.put(100, pattern(528, 5));
     Bench second;
@@ -372,7 +372,7 @@ TEST(At45dbModel, sleeps_until_it_is_woken) {
     EXPECT_EQ(bench.exchange({kIdentity}, 1), (Bytes{0x1F}));
 }
 
-TEST(At45dbModel, nobody_answers_where_none_is_fitted) {
+TEST(At45dbModel, there_is_no_answer_where_none_is_fitted) {
     At45dbOptions options;
     options.fitted = false;
     Bench bench(options);

@@ -85,7 +85,7 @@ TEST(Hmc5883l, gives_x_then_z_then_y) {
     EXPECT_EQ(bench.counts(), (std::array<int16_t, 3>{109, 327, 218}));
 }
 
-TEST(Hmc5883l, scales_by_its_gain_and_tells_an_overflow) {
+TEST(Hmc5883l, scales_by_its_gain_and_reports_an_overflow) {
     constexpr int16_t kCounts[8] = {685, 545, 410, 330, 220, 195, 165, 115};
     for (uint8_t gain = 0; gain < 8; ++gain) {
         Bench bench;

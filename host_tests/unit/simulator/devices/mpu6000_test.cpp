@@ -179,7 +179,7 @@ TEST(Mpu6000, holds_its_interrupt_until_any_read) {
     EXPECT_FALSE(bench.imu.interruptPin());
 }
 
-TEST(Mpu6000, clears_a_latched_interrupt_only_by_its_status_when_told_so) {
+TEST(Mpu6000, clears_a_latched_interrupt_only_by_reading_its_status_when_configured_so) {
     Bench bench;
     bench.wake(3, 4);
     bench.write(0x37, 0x20);

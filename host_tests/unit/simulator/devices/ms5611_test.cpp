@@ -121,7 +121,7 @@ TEST(Ms5611, gives_zero_without_a_conversion_and_when_asked_twice) {
     EXPECT_EQ(bench.ask(0, 3), 0u);
 }
 
-TEST(Ms5611, hears_nothing_while_it_reloads_after_a_reset) {
+TEST(Ms5611, ignores_commands_while_it_reloads_after_a_reset) {
     Bench bench;
     bench.command(0x1E);
     bench.now_us += 2700;

@@ -80,7 +80,7 @@ TEST(MtkGps, understands_nothing_at_another_rate_and_changes_its_own_by_order) {
     EXPECT_EQ(bench.gps->baud(), 9600u);
 }
 
-TEST(MtkGps, tells_the_truth_in_the_scale_of_its_version) {
+TEST(MtkGps, reports_the_state_in_the_scale_of_its_version) {
     for (bool version_19 : {false, true}) {
         Bench bench = mtk(version_19);
         bench.say("PGCMD,16,0,0,0,0,0", 38400);

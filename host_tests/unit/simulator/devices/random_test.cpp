@@ -69,8 +69,8 @@ TEST(SensorErrors, are_all_in_the_table_for_reports) {
             EXPECT_NE(simulator::kErrorRows[i].value, simulator::kErrorRows[j].value);
 }
 
-// docs/airplanes.md tells the figures for these; the devices' own tests hold them to the table.
-TEST(SensorErrors, are_those_the_figures_are_told_for) {
+// docs/airplanes.md gives the figures for these; the devices' own tests hold them to the table.
+TEST(SensorErrors, are_those_documented_with_the_figures) {
     const simulator::SensorErrors e;
     EXPECT_EQ(e.gyro_bias_dps, 0.6);
     EXPECT_EQ(e.gyro_noise_dps, 0.12);

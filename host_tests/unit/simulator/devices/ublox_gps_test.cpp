@@ -268,12 +268,12 @@ TEST(UbloxGps, loses_its_fix_under_a_cover_and_finds_it_again) {
     EXPECT_EQ(bench.of(1, 3).back().frame.payload[4], 3);
 }
 
-TEST(UbloxGps, tells_what_was_true_a_fifth_of_a_second_ago) {
+TEST(UbloxGps, reports_the_state_of_a_fifth_of_a_second_ago) {
     const SensorErrors errors = SensorErrors::none();
     Bench bench(ready(), errors);
     bench.truth_at = [](uint64_t now_us) {
         Truth truth = place();
-        truth.velocity_north_mps = static_cast<double>(now_us) * 1e-6;  // tells the time
+        truth.velocity_north_mps = static_cast<double>(now_us) * 1e-6;  // encodes the time
         return truth;
     };
     bench.runUntil(5'000'000);

@@ -66,7 +66,7 @@ TEST(ModelState, takes_the_quaternion_before_the_angles) {
     EXPECT_EQ(state.attitude.z, 1);
 }
 
-TEST(ModelState, takes_what_may_be_told_and_leaves_what_it_does_not_know) {
+TEST(ModelState, reads_optional_fields_and_ignores_unknown_ones) {
     const auto state = readModelState(
         replaced(kState, "\"velocity\"",
                  "\"airspeed\":12,\"velocity_wind\":[1,2,3],\"battery\":{\"voltage\":11.5,"

@@ -73,7 +73,7 @@ TEST_F(ByWire, asks_again_when_nothing_comes_and_gives_up_in_the_end) {
     EXPECT_EQ(upload.failure(), "parameter WP_RADIUS: the autopilot does not answer");
 }
 
-TEST_F(ByWire, tells_what_the_autopilot_keeps_instead) {
+TEST_F(ByWire, reports_the_value_the_autopilot_keeps) {
     ParameterUpload upload(link, {{"WP_RADIUS", 50}});
     run(upload, 0.1);
     answer(upload, "WP_RADIUS", 30);

@@ -103,7 +103,7 @@ TEST_F(LockStep, gives_each_line_to_its_port) {
     EXPECT_EQ(usb.read(3), std::string(3, '\0'));
 }
 
-TEST_F(LockStep, tells_the_truth_as_json) {
+TEST_F(LockStep, gives_the_true_state_as_json) {
     Client control(server.controlPort());
     const auto truth = nlohmann::json::parse(control.ask("state"));
 

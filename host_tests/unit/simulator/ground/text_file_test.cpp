@@ -40,7 +40,7 @@ TEST(DecodedText, of_half_a_letter_is_the_sign_for_it) {
     EXPECT_EQ(decodedText(bytes({0xFF, 0xFE, 'A'})), "");  // an odd byte at the end
 }
 
-TEST(WhyNoText, tells_the_empty_and_the_binary) {
+TEST(WhyNoText, names_empty_and_binary_files) {
     EXPECT_EQ(whyNoText(""), "the file is empty");
     EXPECT_EQ(whyNoText(" \r\n\t\n"), "the file is empty");
     EXPECT_EQ(whyNoText("\xEF\xBB\xBF"), "the file is empty");

@@ -91,7 +91,7 @@ TEST(Waypoints, lists_fifty_errors_and_how_many_more_there_are) {
 }
 
 // One line is missing: every index behind it is right in itself.
-TEST(Waypoints, tells_a_missing_index_once) {
+TEST(Waypoints, reports_a_missing_index_once) {
     std::string text = "QGC WPL 110\n" + kHome;
     for (int i : {1, 3, 4, 5}) text += std::to_string(i) + " 0 3 16 0 0 0 0 47 8 40 1\n";
     EXPECT_EQ(refusal(text), "m.txt:4:1: expected index 2, found '3'");

@@ -36,7 +36,7 @@ TEST_F(EepromChipTest, writes_a_byte_in_3400_us) {
     EXPECT_TRUE(chip.drained());
 }
 
-TEST_F(EepromChipTest, rests_for_a_reader_who_was_told_to_come_back) {
+TEST_F(EepromChipTest, rests_for_a_reader_that_was_answered_busy) {
     ASSERT_EQ(write(7, {1, 2}), Status::ok);
     EXPECT_EQ(chip.read(8, &byte, 1), Status::busy);
     pass(3400);

@@ -20,7 +20,7 @@ Truth rolling(uint64_t time_us) {
     return truth;
 }
 
-mavlink::Attitude told(uint32_t time_ms, float roll_deg, float yaw_deg) {
+mavlink::Attitude reported(uint32_t time_ms, float roll_deg, float yaw_deg) {
     mavlink::Attitude attitude{};
     attitude.time_boot_ms = time_ms;
     attitude.roll = roll_deg * kDegree;
@@ -35,10 +35,10 @@ void watch(AttitudeErrors& errors, uint64_t until_us) {
 
 }  // namespace
 
-TEST(AttitudeErrors, are_those_of_the_moment_told_of) {
+TEST(AttitudeErrors, are_those_of_the_messages_time) {
     AttitudeErrors errors;
     watch(errors, 200'000);
-    errors.take(told(105, 10.5f, 0.5f));  // and 20 degrees by now
+    errors.take(reported(105, 10.5f, 0.5f));  // and 20 degrees by now
 
     EXPECT_NEAR(*errors.roll_deg.rms(), 0, 1e-3);
     EXPECT_NEAR(*errors.pitch_deg.rms(), 0, 1e-3);
@@ -48,8 +48,8 @@ TEST(AttitudeErrors, are_those_of_the_moment_told_of) {
 TEST(AttitudeErrors, count_a_message_once) {
     AttitudeErrors errors;
     watch(errors, 200'000);
-    errors.take(told(105, 10.5f, 0));
-    errors.take(told(105, 30, 0));
+    errors.take(reported(105, 10.5f, 0));
+    errors.take(reported(105, 30, 0));
 
     EXPECT_NEAR(*errors.roll_deg.max(), 0, 1e-3);
 }
@@ -61,7 +61,7 @@ TEST(AttitudeErrors, do_not_count_what_stands) {
         truth.on_ground = true;
         errors.watch(truth);
     }
-    errors.take(told(105, 0, 0));
+    errors.take(reported(105, 0, 0));
 
     EXPECT_FALSE(errors.roll_deg.rms());
 }
@@ -69,8 +69,8 @@ TEST(AttitudeErrors, do_not_count_what_stands) {
 TEST(AttitudeErrors, pass_over_a_clock_that_was_begun_anew) {
     AttitudeErrors errors;
     watch(errors, 3'000'000);
-    errors.take(told(500, 0, 0));
-    errors.take(told(5000, 0, 0));
+    errors.take(reported(500, 0, 0));
+    errors.take(reported(5000, 0, 0));
 
     EXPECT_FALSE(errors.roll_deg.rms());
 }

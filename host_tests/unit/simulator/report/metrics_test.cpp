@@ -37,7 +37,7 @@ Truth at(double height_m, double airspeed_mps = 12) {
 
 }  // namespace
 
-TEST(Metrics, know_nothing_of_a_flight_that_was_none) {
+TEST(Metrics, are_empty_without_a_flight) {
     const Metrics metrics(kPlan, 12);
 
     EXPECT_FALSE(metrics.crosstrack.rms());
@@ -92,7 +92,7 @@ TEST(Metrics, leave_the_flare_out) {
     EXPECT_NEAR(*metrics.crosstrack.max(), 1, 1e-6);
 }
 
-TEST(Metrics, judge_height_and_speed_in_cruise_only) {
+TEST(Metrics, count_height_and_speed_in_cruise_only) {
     Metrics metrics(kPlan, 12);
     metrics.sample(0, at(60), {1100, 0}, 2);
     metrics.sample(10, at(62, 13), {1200, 0}, 2);
@@ -103,7 +103,7 @@ TEST(Metrics, judge_height_and_speed_in_cruise_only) {
     EXPECT_NEAR(*metrics.airspeed.rms(), 1, 1e-6);
 }
 
-TEST(Metrics, do_not_judge_a_speed_nobody_demanded) {
+TEST(Metrics, do_not_count_speed_errors_without_a_demand) {
     Metrics metrics(kPlan, std::nullopt);
     metrics.sample(0, at(60), {1100, 0}, 2);
     metrics.sample(10, at(60), {1200, 0}, 2);
@@ -134,7 +134,7 @@ TEST(Metrics, count_a_settled_leg_five_seconds_later) {
     EXPECT_NEAR(*metrics.crosstrack.max(), 4, 1e-6);
 }
 
-TEST(Metrics, judge_slopes_apart_from_level_legs) {
+TEST(Metrics, count_slopes_apart_from_level_legs) {
     const Plan& plan = kSlopes;
     Metrics metrics(plan, 12);
     const double half_m = (plan.navs[0].place->north_m + plan.navs[1].place->north_m) / 2;
@@ -149,7 +149,7 @@ TEST(Metrics, judge_slopes_apart_from_level_legs) {
     EXPECT_NEAR(*metrics.altitude.max(), 3, 1e-6);
 }
 
-TEST(Metrics, judge_a_circle_by_its_radius_once_it_is_flown) {
+TEST(Metrics, measure_a_circle_by_its_radius_once_it_is_flown) {
     Metrics metrics(kSlopes, 12);
     const double centre_m = kSlopes.navs[3].place->north_m;
     metrics.sample(0, at(80), {centre_m - 500, 0}, 4);

@@ -133,7 +133,7 @@ TEST(FlightCsv, has_a_unit_in_every_head_that_needs_one_and_gaps_for_the_unknown
     EXPECT_THAT(heads, HasSubstr("time_s"));
     EXPECT_THAT(heads, HasSubstr("equivalent_airspeed_mps"));
     EXPECT_EQ(std::count(heads.begin(), heads.end(), ','), std::count(row.begin(), row.end(), ','));
-    EXPECT_THAT(row, HasSubstr("1.50,,0,0,"));  // the mode was never told
+    EXPECT_THAT(row, HasSubstr("1.50,,0,0,"));  // the mode was never sent
 }
 
 TEST(Report, is_complete_in_itself) {
@@ -157,7 +157,7 @@ TEST(Report, holds_the_processor_load_against_the_budget_of_its_board) {
     EXPECT_THAT(summaryTable(summary), testing::ContainsRegex("36.0</td><td[^>]*>≤ 33<.*✗"));
 }
 
-TEST(Report, leaves_out_what_a_foreign_firmware_does_not_tell) {
+TEST(Report, leaves_out_what_a_foreign_firmware_does_not_report) {
     const std::string page = reportPage(Summary(), {Sample{}, Sample{}}, Plan());
 
     EXPECT_THAT(page, Not(HasSubstr("Processor load")));

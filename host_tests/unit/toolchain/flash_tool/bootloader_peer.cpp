@@ -98,7 +98,7 @@ public:
     }
 
 private:
-    // One line for a run of requests of the same kind; the addresses in between are not told.
+    // One line for a run of requests of the same kind; the addresses in between are not reported.
     void note(const Bytes& asked) {
         static const std::map<uint8_t, std::string> names = {
             {kSignOn, "sign on"},          {kEnter, "enter programming"},

@@ -66,7 +66,7 @@ test('a board with another chip is not written', async () => {
   assert.ok(all(left.flash, kOld.flash));
 });
 
-test('a byte that reads back differently is told with its place', async () => {
+test('a byte that reads back differently is reported with its place', async () => {
   const board = await startBoard('--stuck', '123');
   const { status, last } = await flash(board.port, '--board', 'apm2', '--image', small_file);
   await board.end();
@@ -75,7 +75,7 @@ test('a byte that reads back differently is told with its place', async () => {
   assert.match(last, /^flash: what was read back differs .*0x0*123\b.*do not fly/);
 });
 
-test('a port where nothing answers is told with what to try', async () => {
+test('a port where nothing answers is reported with what to try', async () => {
   const board = await startBoard('--silent');
   const { status, last } = await flash(board.port, '--board', 'apm2', '--image', small_file);
   await board.end();
@@ -171,7 +171,7 @@ test('a port that another program holds is not used, and the program is named', 
   assert.match(answer.said, new RegExp(`in use by sleep \\(process ${holder.pid}\\)`));
 });
 
-test('a user without the right to the port is told how to get it', () => {
+test('a user without the right to the port is shown how to get it', () => {
   const ask = { isSerial: () => true, mayUse: () => false, user: () => 'ada', ports: () => [] };
 
   assert.throws(() => checkPort('/dev/ttyACM0', ask), /usermod -aG dialout ada/);
@@ -218,7 +218,7 @@ test('an image that cannot be built is not flashed', async () => {
   assert.match(said, /error: 42\n.*flash: the image for APM 2 could not be built/s);
 });
 
-test('avrdude that is not there is told with the command that installs it', async () => {
+test('avrdude that is not there is reported with the command that installs it', async () => {
   const board = await startBoard();
   const { status, last } = await run(
       process.execPath, [join(root, 'toolchain/flash_tool/main.mjs'), board.port, '--board', 'apm2',

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// EEPROMs of ArduPlane: told apart, and those of 2.x boards carried over.
+// EEPROMs of ArduPlane: recognised, and those of 2.x boards carried over.
 #include "toolchain/mission_tool/arduplane.hpp"
 #include "mission_tool_rig.hpp"
 #include "toolchain/mission_tool/waypoint_form.hpp"
@@ -30,7 +30,7 @@ const Bytes kRepeatServo = {0xB8, 0, 6, 0x6C, 0x07, 0, 0, 3, 0, 0, 0, 4, 0, 0, 0
 
 class ArduPlane : public Tool {};
 
-TEST_F(ArduPlane, its_images_are_recognised_and_the_way_to_read_them_told) {
+TEST_F(ArduPlane, images_are_recognised_and_the_option_to_read_them_is_named) {
     const std::string image = file("old.bin", rawOf(boardOf2({kHome, kNorth})));
     EXPECT_EQ(tool({"show", image}), 1);
     EXPECT_EQ(err_,
@@ -74,7 +74,7 @@ Bytes of3(uint8_t id, uint16_t p1, const Bytes& content) {
     return item;
 }
 
-TEST_F(ArduPlane, a_later_version_is_told_apart) {
+TEST_F(ArduPlane, a_later_version_is_distinguished) {
     const std::string image = file("3.bin", rawOf(boardOf3({})));
     EXPECT_EQ(tool({"show", image}), 1);
     EXPECT_THAT(err_, HasSubstr("3.0 or later: --records 15 reads its mission"));

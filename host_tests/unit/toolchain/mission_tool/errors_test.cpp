@@ -59,7 +59,7 @@ TEST(Refusals, of_the_text_form_stand_at_the_field_that_holds_the_value) {
     for (const auto& row : cases) EXPECT_EQ(refusalOf(apm1(row.line)), row.refusal);
 }
 
-TEST(Refusals, a_file_of_no_known_kind_is_told_what_it_could_have_been) {
+TEST(Refusals, a_file_of_no_known_kind_is_refused_with_the_kinds_there_are) {
     EXPECT_EQ(
         refusalOf("hello\n"),
         "m:1:1: expected 'QGC WPL 110', 'APM 1.0', 'APM 2.0', Intel hex or a 4096-byte image, "
@@ -106,7 +106,7 @@ TEST(Refusals, every_parameter_that_the_firmware_refuses_has_its_expectation) {
         }
 }
 
-TEST_F(Errors, all_of_them_are_told_at_once) {
+TEST_F(Errors, are_all_reported_at_once) {
     const std::string mission =
         file("m", apm1("0x81 9 0 0 0\n0xC9 0 0 0 0\n0x10 0 6000 470000000 80000000\n"));
     EXPECT_EQ(tool({"check", mission}), 1);
@@ -116,7 +116,7 @@ TEST_F(Errors, all_of_them_are_told_at_once) {
     EXPECT_FALSE(std::filesystem::exists(path("x.eep")));
 }
 
-TEST_F(Errors, of_reading_and_of_meaning_are_told_together_in_the_order_of_the_file) {
+TEST_F(Errors, of_syntax_and_of_meaning_are_reported_together_in_the_order_of_the_file) {
     EXPECT_EQ(refusalOf("QGC WPL 110\n0 1 0 16 0 0 0 0 47 8 400 1\n"
                         "1 0 3 202 0 0 0 0 47 8 9 1\n"
                         "2 0 3 16 x 0 0 0 east 8 9 1\n"
@@ -199,7 +199,7 @@ TEST_F(Errors, the_command_line_is_answered_with_2_and_one_line) {
     EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
 }
 
-TEST_F(Errors, files_that_cannot_be_read_or_written_are_told) {
+TEST_F(Errors, of_reading_and_writing_files_are_reported) {
     EXPECT_EQ(tool({"check", path("none")}), 1);
     EXPECT_EQ(err_, path("none") + ": cannot be read\n");
     const std::string mission = file("m", kTwoWaypoints);

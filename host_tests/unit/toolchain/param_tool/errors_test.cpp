@@ -65,7 +65,7 @@ TEST_F(ParamTool, takes_a_file_as_any_editor_saves_it) {
     }
 }
 
-TEST_F(ParamTool, tells_an_empty_file_and_one_that_is_no_text) {
+TEST_F(ParamTool, reports_an_empty_file_and_one_that_is_no_text) {
     EXPECT_EQ(errorsOf(""), "f.param: the file is empty\n");
     EXPECT_EQ(errorsOf("\r\n"), "f.param: the file is empty\n");
     EXPECT_EQ(errorsOf(std::string("\x7f"
@@ -75,7 +75,7 @@ TEST_F(ParamTool, tells_an_empty_file_and_one_that_is_no_text) {
     EXPECT_EQ(status_, 1);
 }
 
-TEST_F(ParamTool, tells_fifty_errors_and_how_many_more) {
+TEST_F(ParamTool, prints_fifty_errors_and_how_many_more) {
     std::string text;
     for (int i = 0; i < 60; ++i) text += "WP_RADIUS,x\n";
     const std::string errors = errorsOf(text);
@@ -91,7 +91,7 @@ TEST_F(ParamTool, leaves_out_the_lengths_of_lists_that_travel_by_themselves) {
     EXPECT_EQ(valueIn(path("f.bin"), "WP_RADIUS"), "42");
 }
 
-TEST_F(ParamTool, tells_everything_that_is_wrong_line_by_line) {
+TEST_F(ParamTool, reports_every_error_line_by_line) {
     const std::string errors = errorsOf("A,1\nTHR_MAX,x\nTHR_MIN,101\nWP_RADIUS,30.4\n");
     EXPECT_EQ(errors,
               "f.param:1:1: expected a parameter of this firmware, found 'A'\n"
@@ -100,7 +100,7 @@ TEST_F(ParamTool, tells_everything_that_is_wrong_line_by_line) {
               "f.param:4:11: warning: a whole number: 30.4 becomes 30\n");
 }
 
-TEST_F(ParamTool, skips_what_another_vehicle_has_when_told_to) {
+TEST_F(ParamTool, skips_parameters_of_other_vehicles_with_the_option) {
     const std::string arduplane = file("a.param", "RUDDER_ONLY,0\nWP_RADIUS,42\n");
     EXPECT_EQ(param({"compile", arduplane, "-o", path("a.bin")}), 1);
     EXPECT_FALSE(std::filesystem::exists(path("a.bin")));

@@ -23,11 +23,11 @@ protected:
     // What `check` says of this file, called f.param; empty: nothing.
     std::string errorsOf(const std::string& contents) {
         status_ = param({"check", file("f.param", contents)});
-        std::string told = err_;
+        std::string reported = err_;
         const std::string folder = folder_.string() + '/';
-        for (size_t at; (at = told.find(folder)) != std::string::npos;)
-            told.erase(at, folder.size());
-        return told;
+        for (size_t at; (at = reported.find(folder)) != std::string::npos;)
+            reported.erase(at, folder.size());
+        return reported;
     }
     // The value of the parameter in the image.
     std::string valueIn(const std::string& image, const std::string& name) {

@@ -37,7 +37,7 @@ struct Apm1Board : testing::Test {
     uint64_t first_us[4] = {};
 };
 
-TEST_F(Apm1Board, speaks_on_usb_and_on_the_radio) {
+TEST_F(Apm1Board, sends_on_usb_and_on_the_radio) {
     ASSERT_TRUE(board.runUntil(3'000'000)) << board.fault();
 
     EXPECT_GE(heartbeats(0), 2);
@@ -46,7 +46,7 @@ TEST_F(Apm1Board, speaks_on_usb_and_on_the_radio) {
     EXPECT_TRUE(heard[2].empty());  // the converter's bus
 }
 
-TEST_F(Apm1Board, reads_its_own_sensors_and_none_of_its_successors) {
+TEST_F(Apm1Board, reads_the_sensors_of_the_first_board_and_not_those_of_the_second) {
     ASSERT_TRUE(board.runUntil(2'000'000)) << board.fault();
 
     EXPECT_NEAR(static_cast<double>(board.world().converter().conversions(0)), 1930, 60);
@@ -54,7 +54,7 @@ TEST_F(Apm1Board, reads_its_own_sensors_and_none_of_its_successors) {
     EXPECT_EQ(board.world().imu().samples().made, 0u);
 }
 
-TEST_F(Apm1Board, lights_its_lamps_by_a_high_level_and_holds_the_relay_off) {
+TEST_F(Apm1Board, switches_its_lights_by_a_high_level_and_holds_the_relay_off) {
     int lit = 0;
     for (uint64_t ms = 100; ms < 3000; ms += 10) {
         ASSERT_TRUE(board.runUntil(ms * 1000)) << board.fault();

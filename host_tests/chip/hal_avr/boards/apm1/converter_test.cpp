@@ -64,7 +64,7 @@ TEST(Apm1Converter, ends_each_conversion_before_what_it_holds_has_faded) {
     }
 }
 
-TEST(Apm1Converter, takes_little_of_each_interrupt) {
+TEST(Apm1Converter, is_within_its_cost_in_each_interrupt) {
     Converter bench;
     bench.run_ms(100);
 

@@ -39,7 +39,7 @@ TEST(Apm1Watchdog, reboot_comes_back_at_once_without_a_reset) {
     EXPECT_LT(static_cast<double>(bench.reports.back().cycle - asked) / 16000, 1);
 }
 
-TEST(Apm1Watchdog, a_reset_after_a_restart_is_told_as_itself) {
+TEST(Apm1Watchdog, a_reset_after_a_restart_is_reported_as_a_reset) {
     Watchdog bench;
     bench.run_ms(1500);
     bench.chip.reset(simulator::Reset::external);

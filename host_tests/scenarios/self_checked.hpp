@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frame of a flight that judges itself and is flown both by the image and natively: the board,
+// The frame of a flight that checks itself and is flown both by the image and natively: the board,
 // the folders, the exit status.
 #pragma once
 #include <memory>
 
-#include "host_tests/scenarios/telling.hpp"
+#include "host_tests/scenarios/flight_report.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "simulator/native/native_board.hpp"
 
@@ -13,7 +13,7 @@ namespace simulator {
 // A Flight has fly(), true when all was well, and summary(firmware, world). It is made of the board
 // and what else is given.
 template <class Flight, class... Rest>
-int flyAndJudge(const std::string& firmware, const WorldOptions& world,
+int flyAndCheck(const std::string& firmware, const WorldOptions& world,
                 const std::filesystem::path& out, const std::filesystem::path& minutes,
                 const Rest&... rest) {
     emptyFolder(out);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the flights that judge themselves have in common: the world they begin in, the rows they
+// What the flights that check themselves have in common: the world they begin in, the rows they
 // print, and the files they leave for the sums and reports over all tests.
 #pragma once
 #include <cstdio>
@@ -30,19 +30,19 @@ inline bool say(bool kept, const std::string& what) {
     return kept;
 }
 
-struct Judged {
+struct Check {
     const char* what;
     bool kept;
 };
 template <size_t kCount>
-bool sayAll(const Judged (&rows)[kCount]) {
+bool printChecks(const Check (&rows)[kCount]) {
     bool all = true;
-    for (const Judged& row : rows) all = say(row.kept, row.what) && all;
+    for (const Check& row : rows) all = say(row.kept, row.what) && all;
     return all;
 }
 
-// For the one who looks why a flight failed.
-inline void sayWhatHappened(const ScriptedFlight& flight) {
+// What happened, for finding out why a flight failed.
+inline void printEvents(const ScriptedFlight& flight) {
     if (!flight.reason().empty()) std::printf("  %s\n", flight.reason().c_str());
     for (const Event& event : flight.telemetry().events)
         std::printf("%8.1f s  %s\n", event.time_s, event.text.c_str());
