@@ -168,6 +168,7 @@ TEST_F(Guided, flies_at_the_commanded_speed_to_the_next_target_as_well) {
 }
 
 TEST_F(Guided, an_action_commanded_from_the_ground_is_done_as_in_a_mission) {
+    firmware::actuators::runOutputs();
     EXPECT_EQ(missionAct({183, 2, 6, 1700, 0, 0, 0, 0, 0}), MissionResult::accepted);
     firmware::actuators::runOutputs();
     EXPECT_EQ(firmware::actuators::outputPulse_us(6), 1700);

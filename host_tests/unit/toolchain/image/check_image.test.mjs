@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
-import { checkImage } from '../../../toolchain/image/check_image.mjs';
+import { checkImage } from '../../../../toolchain/image/check_image.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'check_image-'));
 const plenty = { flash: 250000, ram_static: 4000, stack: 1000, ram_static_and_stack: 5000 };

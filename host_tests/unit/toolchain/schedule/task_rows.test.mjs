@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
-import { taskRows } from '../../../toolchain/schedule/task_rows.mjs';
+import { taskRows } from '../../../../toolchain/schedule/task_rows.mjs';
 
 const table = (rows) => `constexpr scheduler::Task kTasks[] ROM = {\n${rows}\n};\n`;
 
@@ -24,7 +24,7 @@ test('a row without a tier is not understood', () => {
 });
 
 test('the schedule of the firmware can be read', () => {
-  const source = readFileSync(new URL('../../../firmware/app/tasks.cpp', import.meta.url), 'utf8');
+  const source = readFileSync(new URL('../../../../firmware/app/tasks.cpp', import.meta.url), 'utf8');
 
   assert.ok(taskRows(source).length > 10);
 });

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { exceeded, figuresOf, functionsIn, kLimits } from '../../../toolchain/check/lengths.mjs';
+import { exceeded, figuresOf, functionsIn, kLimits } from '../../../../toolchain/check/lengths.mjs';
 
 test('functions in namespaces and classes, with the lines of their declaration', () => {
   const source = `namespace a {

@@ -8,7 +8,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
-import { stackBound } from '../../../toolchain/image/stack_bound.mjs';
+import { stackBound } from '../../../../toolchain/image/stack_bound.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'stack_bound-'));
 const kMain = 3;  // the start-up code's call of main
