@@ -13,7 +13,7 @@ namespace firmware {
 namespace mission {
 namespace {
 
-bool enterMode(state::Mode mode) { return modes::setMode(mode, modes::ModeReason::mission); }
+bool enterMode(state::Mode mode) { return modes::requestMode(mode, modes::ModeReason::mission); }
 
 void disarmAfterLanding() { (void)safety::disarm(safety::ArmReason::landed, false); }
 

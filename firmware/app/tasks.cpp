@@ -181,7 +181,7 @@ void setup() {
     missionBoot();
     startModes();
     restartResume();
-    if (!flyingOn()) setMode(static_cast<Mode>(parameters.initial_mode), ModeReason::boot);
+    if (!flyingOn()) requestMode(static_cast<Mode>(parameters.initial_mode), ModeReason::boot);
     schedule.start();
     frame_began = hal::ticks();
     hal::hangTimerStart();

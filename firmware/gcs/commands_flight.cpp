@@ -31,7 +31,7 @@ using mavlink::MavResult;
 
 uint8_t enterMode(uint32_t custom_mode) {
     if (custom_mode > 0xFF || !isMode(static_cast<uint8_t>(custom_mode))) return MavResult::denied;
-    return whenTrue(setMode(static_cast<Mode>(custom_mode), ModeReason::ground),
+    return whenTrue(requestMode(static_cast<Mode>(custom_mode), ModeReason::ground),
                     MavResult::temporarily_rejected);
 }
 

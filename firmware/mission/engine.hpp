@@ -57,7 +57,7 @@ bool missionCompared();        // then until it is true
 extern Survey mission_survey;  // of the present mission
 
 // Leaves AUTO for this mode once the pass that runs is over.
-void requestMode(state::Mode mode);
+void leaveForMode(state::Mode mode);
 
 }  // namespace mission
 }  // namespace firmware

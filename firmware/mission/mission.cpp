@@ -287,7 +287,7 @@ bool missionEnter(core::RomText& why_not) {
 
 void missionLeave() { mission_engine.leave(); }
 
-void requestMode(Mode mode) {
+void leaveForMode(Mode mode) {
     requested_mode = mode;
     mission_engine.leave();  // what follows waits until AUTO is entered again
 }

@@ -79,7 +79,7 @@ Jump jumpToIndex(const Record& record) {
 
 void changeMode(const Record& record) {
     const Mode mode = static_cast<Mode>(record.p1);
-    if (mode != Mode::automatic) requestMode(mode);
+    if (mode != Mode::automatic) leaveForMode(mode);
 }
 
 // To every link, as a broadcast: the ground station may be on any of them.

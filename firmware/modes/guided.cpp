@@ -76,7 +76,7 @@ MissionResult guideTo(MissionItem& item) {
     if (!(radius_m >= 0 && radius_m <= INT16_MAX)) return kRadiusWrong;
     const MissionResult result = understand(item);
     if (result != MissionResult::accepted) return result;
-    if (!setMode(Mode::guided, ModeReason::ground)) return MissionResult::error;
+    if (!requestMode(Mode::guided, ModeReason::ground)) return MissionResult::error;
     demandCircle({item.x, item.y}, item.z);
     demandSpeed();
     if (radius_m == 0) return result;

@@ -38,7 +38,8 @@ void runModeSwitch() {
     if (mode_switch.settled == 0 || mode_switch.settled == mode_switch.obeyed) return;
     // a mode set from the ground stays until the pilot moves the switch
     mode_switch.obeyed = mode_switch.settled;
-    setMode(static_cast<Mode>(parameters.switch_mode[mode_switch.settled - 1]), ModeReason::pilot);
+    requestMode(static_cast<Mode>(parameters.switch_mode[mode_switch.settled - 1]),
+                ModeReason::pilot);
 }
 
 }  // namespace modes

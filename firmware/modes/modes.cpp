@@ -2,6 +2,7 @@
 #include "firmware/modes/modes.hpp"
 
 #include "core/rom.hpp"
+#include "firmware/modes/mode_requests.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
 #include "firmware/notify/status_text.hpp"
@@ -65,6 +66,12 @@ uint8_t find(Mode mode) {
     return kNoRow;
 }
 
+void reportRefusal(const ModeSituation& now) {
+    sendStatusText(Severity::warning, now.resuming      ? ROM_TEXT("Mode refused: restarting")
+                                      : now.no_attitude ? ROM_TEXT("Mode refused: no attitude")
+                                                        : ROM_TEXT("Mode refused: no radio"));
+}
+
 }  // namespace
 
 void startModes() {
@@ -72,11 +79,16 @@ void startModes() {
     published.mode = Mode::initialising;
 }
 
-bool setMode(Mode mode, ModeReason reason) {
+bool requestMode(Mode mode, ModeReason reason) {
     if (row != kNoRow && mode == vehicle.mode) return true;
     uint8_t wanted = find(mode);
     if (wanted == kNoRow) {
         sendStatusText(Severity::warning, ROM_TEXT("No such mode: #"), static_cast<uint8_t>(mode));
+        return false;
+    }
+    const ModeSituation now = modeSituation();
+    if (!mayEnter(mode, reason, now)) {
+        reportRefusal(now);
         return false;
     }
     Entry entry = core::romRead(kModes[wanted].start)();
@@ -88,6 +100,7 @@ bool setMode(Mode mode, ModeReason reason) {
     if (row != kNoRow) core::romRead(kModes[row].stop)();
     row = wanted;
     published.mode = core::romRead(kModes[wanted].mode);
+    published.mode_reason = reason;
     useSticks(Sticks::nothing);
     ++published.mode_entries;
     if (reason == ModeReason::failsafe)

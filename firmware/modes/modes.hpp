@@ -10,13 +10,14 @@
 namespace firmware {
 namespace modes {
 
-enum class ModeReason : uint8_t { pilot, ground, mission, failsafe, boot };
+using state::ModeReason;
 
 void startModes();  // INITIALISING, until the first mode is set
 
-// False: the number is no mode of this airplane, or the mode cannot be entered now (the reason
-// has been reported). Setting the present mode again does nothing and is true.
-bool setMode(state::Mode mode, ModeReason reason);
+// The only way to another mode. False: the number is no mode of this airplane, the one who asks may
+// not now (mode_requests.hpp), or the mode cannot be entered now; the reason has been reported.
+// Asking for the present mode again does nothing and is true.
+bool requestMode(state::Mode mode, ModeReason reason);
 
 void runMode();       // 100 Hz: the mode's own work
 void demandOfMode();  // 20 Hz, of guidance

@@ -37,7 +37,7 @@ struct Memory {
 };
 Memory memory = {kNoTransition, Mode::manual, Mode::manual, 0};
 
-bool enter(Mode mode) { return setMode(mode, ModeReason::failsafe); }
+bool enter(Mode mode) { return requestMode(mode, ModeReason::failsafe); }
 
 // Without a radio the sticks are centred and the throttle is closed.
 bool giveSticks() { return enter(Mode::manual); }

@@ -128,7 +128,7 @@ void publish() {
 // The fence is off: what it took is given back, unless another mode was chosen since.
 void rest() {
     calm();
-    if (fence.took_over) setMode(fence.mode_before, ModeReason::failsafe);
+    if (fence.took_over) requestMode(fence.mode_before, ModeReason::failsafe);
     fence.took_over = false;
 }
 
@@ -154,7 +154,7 @@ bool fenceTurnBack() {
     geo::Position place = vehicle.home.position;
     if (fenceHasWayBack() && fenceWayBack(place) != core::Status::ok) return false;
     if (!fence.took_over) fence.mode_before = vehicle.mode;
-    fence.took_over = setMode(returnMode(), ModeReason::failsafe);
+    fence.took_over = requestMode(returnMode(), ModeReason::failsafe);
     if (vehicle.mode == Mode::guided) demandCircle(place, returnHeight_m());
     publish();
     return true;

@@ -14,12 +14,20 @@
 #include "firmware/sensors/radio.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
-#include "firmware/state/vehicle.hpp"
+#include "firmware/state/published.hpp"
 #include "hal/clock.hpp"
 #include "hal/trace.hpp"
 #include "hal/watchdog.hpp"
 
 namespace firmware {
+
+namespace state {
+template <>
+struct Publisher<RestartState> : Writable<RestartState> {
+    using Writable::state;
+};
+}  // namespace state
+
 namespace safety {
 
 using namespace notify;
@@ -30,6 +38,8 @@ using namespace mission;
 using namespace modes;
 
 namespace {
+
+constexpr RestartState& published = Publisher<RestartState>::state();
 
 using hal::ResetCause;
 
@@ -94,9 +104,11 @@ bool modeToFlyOnIn(Mode& mode) {
 void decideMode() {
     const bool blind = !vehicle.attitude.aligned && hal::now_ms() < kSensorsComeWithin_ms;
     Mode mode;
-    if (blind || !modeToFlyOnIn(mode)) return;
-    if (!setMode(mode, ModeReason::boot)) setMode(Mode::fbwa, ModeReason::boot);
+    const bool known = modeToFlyOnIn(mode);  // looks at the switch while blind, too
+    if (blind || !known) return;
+    if (!requestMode(mode, ModeReason::restart)) requestMode(Mode::fbwa, ModeReason::restart);
     armAfterRestart();
+    published.resuming = false;
 }
 
 // Half a second after the start: in the air the log is open by then.
@@ -163,6 +175,7 @@ void restartResume() {
     reported = home_kept = false;
     seen = {};
     number = last != nullptr ? last->number : 0;
+    published.resuming = last != nullptr;
     if (last == nullptr) return takeKeptHome();
     resumeInertial(steady.gyro_zero_rad);
     const float lost_for_s = lostSoFar_s();
@@ -174,7 +187,7 @@ void restartResume() {
 }
 
 void runRestart() {
-    if (last != nullptr && vehicle.mode == Mode::initialising) decideMode();
+    if (vehicle.resuming) decideMode();
     if (!vehicle.attitude.aligned || vehicle.mode == Mode::initialising) return;
     keepMoving();
 }

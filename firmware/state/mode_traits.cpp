@@ -43,6 +43,7 @@ bool has(Trait trait) { return (traitsOf(static_cast<uint8_t>(vehicle.mode)) & t
 }  // namespace
 
 bool isMode(uint8_t custom_mode) { return traitsOf(custom_mode) != 0; }
+bool fliesAlone(Mode mode) { return (traitsOf(static_cast<uint8_t>(mode)) & kAssisted) == kAlone; }
 bool guidesItself() { return has(kGuides); }
 bool autoThrottle() { return has(kAutoThrottle); }
 bool stickSetsSpeed() { return has(kStickSetsSpeed); }

@@ -32,6 +32,9 @@ enum class Mode : uint8_t {
     initialising = 16,
 };
 
+// Who asked for the mode, by falling priority: firmware/modes/mode_requests.cpp.
+enum class ModeReason : uint8_t { restart, failsafe, boot, pilot, ground, mission };
+
 enum class GpsFix : uint8_t { no_gps = 0, none = 1, two_d = 2, three_d = 3 };
 
 // Calibrations that take their time.
@@ -154,12 +157,17 @@ struct HomeState {
 
 struct ModeState {
     Mode mode;
-    uint8_t mode_entries;  // so far; wraps. Controllers start afresh when it has changed
+    ModeReason mode_reason;  // who asked for it
+    uint8_t mode_entries;    // so far; wraps. Controllers start afresh when it has changed
 };
 
 struct ArmingState {
     bool armed;
     bool prearm_ok;  // all checks passed when last gone through
+};
+
+struct RestartState {
+    bool resuming;  // the flight from before a restart goes on, in a mode not decided yet
 };
 
 struct FailsafeState {
@@ -241,6 +249,7 @@ struct ServoState {
 
 struct Vehicle : ModeState,
                  ArmingState,
+                 RestartState,
                  FailsafeState,
                  FenceState,
                  LoggerState,
@@ -288,6 +297,7 @@ class VehicleStorage {
     static constexpr HomeState& section(HomeState*) { return vehicle_.home; }
     static constexpr ModeState& section(ModeState*) { return vehicle_; }
     static constexpr ArmingState& section(ArmingState*) { return vehicle_; }
+    static constexpr RestartState& section(RestartState*) { return vehicle_; }
     static constexpr FailsafeState& section(FailsafeState*) { return vehicle_; }
     static constexpr FenceState& section(FenceState*) { return vehicle_; }
     static constexpr LoggerState& section(LoggerState*) { return vehicle_; }

@@ -34,7 +34,7 @@ inline void start() {
     firmware::gcs::telemetryStart();
     firmware::mission::missionBoot();
     firmware::state::mutable_vehicle.mode = firmware::state::Mode::initialising;
-    firmware::modes::setMode(firmware::state::Mode::manual, firmware::modes::ModeReason::boot);
+    firmware::modes::requestMode(firmware::state::Mode::manual, firmware::modes::ModeReason::boot);
 }
 
 // Parameters and state as after power-on, what is stored and under way as it was: a tenth of the

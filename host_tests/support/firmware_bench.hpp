@@ -35,9 +35,10 @@ protected:
         firmware::state::mutable_vehicle.mode = none;
         settle(kCentred);
         // through STABILIZE, so that MANUAL is entered anew whatever came before
-        firmware::modes::setMode(firmware::state::Mode::stabilize,
-                                 firmware::modes::ModeReason::boot);
-        firmware::modes::setMode(firmware::state::Mode::manual, firmware::modes::ModeReason::boot);
+        firmware::modes::requestMode(firmware::state::Mode::stabilize,
+                                     firmware::modes::ModeReason::boot);
+        firmware::modes::requestMode(firmware::state::Mode::manual,
+                                     firmware::modes::ModeReason::boot);
     }
 
     // Frames from the receiver for a quarter of a second, the sticks at the given pulses.
@@ -71,7 +72,7 @@ protected:
         mutable_vehicle.estimate.flying = mutable_vehicle.estimate.known =
             mutable_vehicle.home.set = true;
         mutable_vehicle.estimate.height_m = 80;
-        firmware::modes::setMode(mode, firmware::modes::ModeReason::ground);
+        firmware::modes::requestMode(mode, firmware::modes::ModeReason::ground);
         ASSERT_EQ(mutable_vehicle.mode, mode);
     }
 };

@@ -96,7 +96,7 @@ protected:
         mutable_vehicle.estimate.flying = true;
         mutable_vehicle.estimate.height_m = 50;
         missionBoot();
-        setMode(Mode::loiter, ModeReason::boot);
+        requestMode(Mode::loiter, ModeReason::boot);
         runOutputs();
         (void)statusTexts();
     }
@@ -170,7 +170,7 @@ protected:
     }
 
     static bool enterAuto() {
-        const bool entered = setMode(Mode::automatic, ModeReason::ground);
+        const bool entered = requestMode(Mode::automatic, ModeReason::ground);
         pass();
         return entered;
     }

@@ -28,6 +28,7 @@ foreach(room IN LISTS rooms)
     unit_test(${room} firmware_on_fakes)
 endforeach()
 target_compile_definitions(firmware_safety_test PRIVATE FAILSAFE_MANUAL="${CMAKE_SOURCE_DIR}/docs/failsafes.md")
+target_compile_definitions(firmware_modes_test PRIVATE FAILSAFE_MANUAL="${CMAKE_SOURCE_DIR}/docs/failsafes.md")
 
 foreach(part IN ITEMS airplane devices world output_file ground native report)
     unit_test(unit/simulator/${part} simulator_report simulator_ground simulator_native simulator_world)

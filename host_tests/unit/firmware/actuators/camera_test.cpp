@@ -99,7 +99,7 @@ TEST_F(Camera, waits_until_the_shutter_is_released) {
 
 TEST_F(Camera, stops_when_disarmed_and_when_the_mission_restarts) {
     for (const bool disarmed : {true, false}) {
-        setMode(Mode::loiter, ModeReason::pilot);
+        requestMode(Mode::loiter, ModeReason::pilot);
         fly({waypoint(500), command(206, 25), waypoint(5000)});
         reach();
         if (disarmed) {

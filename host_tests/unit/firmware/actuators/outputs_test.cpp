@@ -30,7 +30,7 @@ protected:
 
 TEST_F(Outputs, give_the_throttle_its_lowest_pulse_while_disarmed) {
     for (Mode mode : {Mode::manual, Mode::stabilize, Mode::fbwa}) {
-        firmware::modes::setMode(mode, firmware::modes::ModeReason::ground);
+        firmware::modes::requestMode(mode, firmware::modes::ModeReason::ground);
         settle(with(3, 1900));
         run();
         ASSERT_EQ(vehicle.throttle_demand.toFloat(), 1);
@@ -127,7 +127,7 @@ TEST_F(Outputs, are_held_until_the_mode_changes) {
     run();
     EXPECT_EQ(outputPulse_us(6), 1850) << "though the receiver says otherwise";
 
-    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    firmware::modes::requestMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     run();
     EXPECT_EQ(outputPulse_us(6), 1200);
 }
@@ -258,7 +258,7 @@ TEST_F(Pairs, a_reversed_channel_reverses_the_control_on_both_surfaces) {
     const Moved reversed = moved(with(1, 1800), 1, 2);
     EXPECT_EQ(reversed.first, plain.first);
     EXPECT_EQ(reversed.second, plain.second);
-    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    firmware::modes::requestMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     mutable_vehicle.attitude.roll_rad = core::Angle(0.5f);
     mutable_vehicle.imu.periods = 2;
     for (int i = 0; i < 12; ++i) run();

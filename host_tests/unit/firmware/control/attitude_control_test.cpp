@@ -45,7 +45,7 @@ protected:
     firmware::control::Surfaces surfacesIn(Mode mode, const std::vector<uint16_t>& sticks) {
         settle(sticks);
         ++mutable_vehicle.mode_entries;
-        firmware::modes::setMode(mode, firmware::modes::ModeReason::ground);
+        firmware::modes::requestMode(mode, firmware::modes::ModeReason::ground);
         run();
         return surfaces;
     }
@@ -64,7 +64,7 @@ TEST_F(AttitudeControl, uses_a_changed_gain_within_a_fifth_of_a_second) {
     const char name[16] = "RLL2SRV_P";
     uint16_t index;
     ASSERT_TRUE(firmware::state::parameterFind(name, index));
-    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    firmware::modes::requestMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     level(0.3f);
     surfacesIn(Mode::fbwa, bench::kCentred);
     for (int round = 0; round < 3; ++round) lookAround();  // and not because it is time to look
@@ -80,7 +80,7 @@ TEST_F(AttitudeControl, uses_a_changed_gain_within_a_fifth_of_a_second) {
 }
 
 TEST_F(AttitudeControl, turns_back_to_level_and_damps) {
-    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    firmware::modes::requestMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     level(0.3f, 0.2f);
     surfacesIn(Mode::fbwa, with(3, 1900));
     EXPECT_LT(surfaces.aileron.toFloat(), -0.05f);
@@ -94,7 +94,7 @@ TEST_F(AttitudeControl, turns_back_to_level_and_damps) {
 }
 
 TEST_F(AttitudeControl, meets_a_gust_twice_as_fast_in_the_flare) {
-    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    firmware::modes::requestMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     level(0, core::radians(-4));
     const float elsewhere = surfacesIn(Mode::fbwa, with(3, 1900)).elevator.toFloat();
     mutable_vehicle.progress.flaring = true;
@@ -106,7 +106,7 @@ TEST_F(AttitudeControl, needs_less_surface_the_faster_it_flies) {
     level(0.3f);
     mutable_vehicle.estimate.equivalent_airspeed_mps = 10;
     const float slow = surfacesIn(Mode::fbwa, bench::kCentred).aileron.toFloat();
-    firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
+    firmware::modes::requestMode(Mode::manual, firmware::modes::ModeReason::ground);
     mutable_vehicle.estimate.equivalent_airspeed_mps = 20;
     const float fast = surfacesIn(Mode::fbwa, bench::kCentred).aileron.toFloat();
     EXPECT_LT(slow, 1.5f * fast);
@@ -117,7 +117,7 @@ TEST_F(AttitudeControl, demands_no_more_than_the_limits) {
     surfacesIn(Mode::fbwa, {1900, 1900, 1900, 1500, 1500, 1500, 1500, 1815});
     const auto full_stick = surfaces;
     ASSERT_GT(full_stick.aileron.toFloat(), 0.1f);
-    firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
+    firmware::modes::requestMode(Mode::manual, firmware::modes::ModeReason::ground);
     mutable_vehicle.roll_demand_rad = core::Angle(3);
     mutable_vehicle.pitch_demand_rad = core::Angle(1);
     settle(bench::kCentred);

@@ -113,7 +113,7 @@ TEST_F(Inverted, an_airplane_thrown_over_rolls_upright_the_short_way_and_is_not_
 TEST_F(Inverted, an_order_for_inverted_flight_ends_in_acro) {
     firmware::control::orderInverted(true);
     (void)at(180, 0);
-    firmware::modes::setMode(Mode::acro, firmware::modes::ModeReason::pilot);
+    firmware::modes::requestMode(Mode::acro, firmware::modes::ModeReason::pilot);
     EXPECT_NEAR(at(180, 0).aileron.toFloat(), 0, 0.02);
     EXPECT_FALSE(vehicle.inverted);
 }
@@ -177,17 +177,17 @@ TEST_F(Inverted, is_not_flown_on_the_ground_nor_in_manual_modes) {
     EXPECT_FALSE(flies());
     mutable_vehicle.armed = true;
     for (const Mode mode : {Mode::manual, Mode::training, Mode::acro}) {
-        firmware::modes::setMode(mode, firmware::modes::ModeReason::pilot);
+        firmware::modes::requestMode(mode, firmware::modes::ModeReason::pilot);
         EXPECT_FALSE(flies()) << static_cast<int>(mode);
     }
     for (const Mode mode : {Mode::stabilize, Mode::fbwa, Mode::fbwb, Mode::circle, Mode::loiter}) {
-        firmware::modes::setMode(mode, firmware::modes::ModeReason::pilot);
+        firmware::modes::requestMode(mode, firmware::modes::ModeReason::pilot);
         EXPECT_TRUE(flies()) << static_cast<int>(mode);
     }
 }
 
 TEST_F(Inverted, neither_takes_off_nor_lands) {
-    firmware::modes::setMode(Mode::loiter, firmware::modes::ModeReason::pilot);
+    firmware::modes::requestMode(Mode::loiter, firmware::modes::ModeReason::pilot);
     firmware::control::orderInverted(true);
     for (const Path path : {Path::takeoff, Path::land}) {
         mutable_vehicle.demand.path = path;

@@ -188,7 +188,7 @@ MissionResult listClear(ListKind kind, uint8_t set) {
 namespace modes {
 using namespace state;
 
-bool setMode(Mode mode, ModeReason reason) {
+bool requestMode(Mode mode, ModeReason reason) {
     doubles::vehicle.modes.emplace_back(mode, reason);
     if (doubles::vehicle.mode_can_be_entered) mutable_vehicle.mode = mode;
     return doubles::vehicle.mode_can_be_entered;

@@ -263,7 +263,7 @@ TEST_F(Guidance, circles_in_the_demanded_direction) {
         place(0, counter_clockwise ? 60 : -60);  // so that north is along the circle
         guide();
         EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), vehicle.attitude.roll_rad.toFloat(), 0.05);
-        firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
+        firmware::modes::requestMode(Mode::manual, firmware::modes::ModeReason::ground);
     }
 }
 
@@ -273,7 +273,7 @@ TEST_F(Guidance, the_sign_of_the_loiter_radius_is_its_direction) {
         fly(Mode::loiter);
         EXPECT_EQ(vehicle.demand.counter_clockwise, radius_m < 0);
         EXPECT_EQ(vehicle.demand.radius_m, 60);
-        firmware::modes::setMode(Mode::manual, firmware::modes::ModeReason::ground);
+        firmware::modes::requestMode(Mode::manual, firmware::modes::ModeReason::ground);
     }
 }
 
@@ -346,7 +346,7 @@ TEST_F(Guidance, does_not_flare_in_pilot_modes) {
     onFinal(0.5f, 10);
     guide(2);
     ASSERT_TRUE(vehicle.progress.flaring);
-    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    firmware::modes::requestMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     guide();
     EXPECT_FALSE(vehicle.progress.flaring) << "its pitch is not twice as fast";
 }
@@ -393,7 +393,7 @@ TEST_F(Guidance, stops_steering_once_the_pilot_flies) {
     mutable_vehicle.attitude.yaw_rad = core::Angle(0.2f);
     guide(2);
     ASSERT_NE(vehicle.rudder_demand.toFloat(), 0);
-    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    firmware::modes::requestMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     guide();
     EXPECT_EQ(vehicle.rudder_demand.toFloat(), 0);
 }

@@ -19,7 +19,7 @@ TEST_F(MissionFlight, change_speed_lasts_until_the_mission_restarts_or_ends) {
     EXPECT_EQ(vehicle.demand.throttle_pct, 60);
     reach();
     EXPECT_FLOAT_EQ(vehicle.demand.airspeed_mps, 16.5f);
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     EXPECT_FLOAT_EQ(vehicle.demand.airspeed_mps, 13);
     enterAuto();
     EXPECT_FLOAT_EQ(vehicle.demand.airspeed_mps, 16.5f) << "survives a resume";
@@ -104,7 +104,7 @@ TEST_F(MissionFlight, set_servo_holds_the_output_until_the_mode_changes) {
     EXPECT_EQ(outputPulse_us(5), 1900);
     EXPECT_EQ(outputPulse_us(6), 1100);
     EXPECT_EQ(outputPulse_us(7), 1234);
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     pass();
     EXPECT_EQ(outputPulse_us(7), 1500);
 }

@@ -74,7 +74,7 @@ TEST_F(Beyond, continue_has_no_place_that_a_distance_could_be_measured_to_or_a_c
 
 TEST_F(Beyond, continue_goes_on_along_the_course_it_has_when_auto_comes_back) {
     fly({placed(30, 0, 0, 80), waypoint(900)});
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     course(120);
     enterAuto();
     EXPECT_NEAR(bearingOfPath(), 120, 0.1);
@@ -131,7 +131,7 @@ TEST_F(Beyond, loiter_to_alt_finds_a_next_leg_that_is_far_down_the_mission) {
 
 TEST_F(Beyond, loiter_to_alt_waits_for_no_course_where_no_place_is_next) {
     for (const MissionItem& next : {placed(30, 0, 0, 100), command(181, 0, 1)}) {
-        setMode(Mode::loiter, ModeReason::pilot);
+        requestMode(Mode::loiter, ModeReason::pilot);
         fly({placed(31, 500, 0, 80, 1), next});
         mutable_vehicle.estimate.height_m = 80;
         mutable_vehicle.progress.captured = true;
@@ -178,7 +178,7 @@ TEST_F(Beyond, inverted_flight_lasts_until_0_or_a_change_of_mode) {
     reach();
     pass();
     EXPECT_TRUE(vehicle.inverted);
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     pass();
     EXPECT_FALSE(vehicle.inverted);
     enterAuto();

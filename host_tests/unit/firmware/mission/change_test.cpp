@@ -18,7 +18,7 @@ TEST_F(MissionFlight, a_watchdog_reset_in_the_air_resumes_where_it_was) {
     fakes::watchdog().last_run.ended = hal::ResetCause::watchdog;
     relaySet(false);
     missionBoot();
-    setMode(Mode::loiter, ModeReason::boot);
+    requestMode(Mode::loiter, ModeReason::boot);
     EXPECT_EQ(missionCurrent(), 5);
     enterAuto();
     EXPECT_FALSE(relayGet());
@@ -35,7 +35,7 @@ TEST_F(MissionFlight, after_a_power_loss_the_index_is_left_and_the_chain_is_not_
     fakes::restartEeprom();
     mission_engine.leave();
     missionBoot();
-    setMode(Mode::loiter, ModeReason::boot);
+    requestMode(Mode::loiter, ModeReason::boot);
     EXPECT_EQ(missionCurrent(), 3);
     enterAuto();
     EXPECT_EQ(missionCurrent(), 3);
@@ -47,7 +47,7 @@ TEST_F(MissionFlight, mis_restart_begins_at_the_first) {
     fly({waypoint(500), waypoint(900)});
     reach();
     parameters.mission_restart = 1;
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     enterAuto();
     EXPECT_EQ(missionCurrent(), 1);
 }
@@ -56,7 +56,7 @@ TEST_F(MissionFlight, a_resumed_leg_begins_at_the_airplane) {
     fly({waypoint(500), waypoint(900)});
     reach();
     EXPECT_NE(vehicle.demand.from, vehicle.estimate.position);
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     mutable_vehicle.estimate.position.longitude_e7 += 4000;
     enterAuto();
     EXPECT_EQ(vehicle.demand.from, vehicle.estimate.position);
@@ -107,7 +107,7 @@ TEST_F(MissionFlight, the_flight_goes_on_while_an_upload_keeps_the_eeprom_busy) 
 TEST_F(MissionFlight, a_change_of_the_nav_or_its_chain_restarts_the_mission) {
     const Items base = {waypoint(500), command(112, 5), waypoint(900), waypoint(1500)};
     for (int changed : {1, 2}) {
-        setMode(Mode::loiter, ModeReason::pilot);
+        requestMode(Mode::loiter, ModeReason::pilot);
         missionSetCurrent(0);
         fly(base);
         reach();
@@ -196,7 +196,7 @@ TEST_F(MissionFlight, a_clear_in_auto_enters_rtl_and_is_reported) {
 TEST_F(MissionFlight, a_new_mission_outside_auto_begins_at_its_first) {
     fly({waypoint(500), waypoint(900)});
     reach();
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     ASSERT_EQ(upload({waypoint(500), waypoint(900)}), MissionResult::accepted);
     enterAuto();
     EXPECT_EQ(missionCurrent(), 1);
@@ -226,7 +226,7 @@ TEST_F(MissionFlight, trailing_commands_circle_the_last_place_at_its_altitude) {
     expectTo(waypoint(500, 66));
     seconds(4);
     EXPECT_EQ(vehicle.mode, Mode::automatic);
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     pass();
     enterAuto();
     expectTo(waypoint(500, 66));

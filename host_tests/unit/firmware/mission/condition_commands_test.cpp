@@ -31,7 +31,7 @@ TEST_F(MissionFlight, a_resumed_delay_waits_its_full_time) {
     fly({waypoint(500), command(112, 5), command(181, 0, 1), waypoint(900)});
     reach();
     seconds(4);
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     seconds(10);
     EXPECT_FALSE(relayGet());
     enterAuto();
@@ -77,7 +77,7 @@ TEST_F(MissionFlight, change_alt_moves_the_target_at_its_rate_from_the_airplane_
     EXPECT_TRUE(relayGet()) << "within 2 m";
     seconds(10);
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 70);
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     pass(5);
     enterAuto();
     seconds(5);

@@ -72,7 +72,7 @@ TEST_F(Events, a_new_repeat_cancels_the_one_that_runs_and_leaves_its_output_as_i
 TEST_F(Events, a_repeat_goes_on_over_modes_and_stops_at_disarming) {
     repeatToggles(6, 1800, 0, 2);
     pass(3);
-    setMode(Mode::rtl, ModeReason::pilot);
+    requestMode(Mode::rtl, ModeReason::pilot);
     pass(3);
     EXPECT_EQ(outputPulse_us(6), 1800);
     pass(100);
@@ -138,7 +138,7 @@ TEST_F(Events, missions_of_both_sets_reach_every_event) {
     reach();
     EXPECT_EQ(outputPulse_us(8), 1700);
     for (int id : {1, 2, 3, 4, 5}) {
-        setMode(Mode::loiter, ModeReason::pilot);
+        requestMode(Mode::loiter, ModeReason::pilot);
         stopEvents();
         parameters.mission_set = 1;
         ASSERT_EQ(upload({waypoint(500), command(0x80, float(id), 1650, 2, 1)}),
@@ -146,7 +146,7 @@ TEST_F(Events, missions_of_both_sets_reach_every_event) {
         enterAuto();
         EXPECT_EQ(outputPulse_us(uint8_t(id + 3)), 1650) << id;
     }
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     stopEvents();
     ASSERT_EQ(
         upload({waypoint(500), command(0x80, 6, 0, 2, 0), command(0x20, 4), command(0x80, 0)}),

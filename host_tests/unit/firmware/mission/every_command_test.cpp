@@ -17,7 +17,7 @@ class EveryCommand : public Rig {
 protected:
     // Another mission, from its beginning.
     static void flyAnew(int set, const Items& items) {
-        setMode(Mode::loiter, ModeReason::pilot);
+        requestMode(Mode::loiter, ModeReason::pilot);
         stopEvents();
         parameters.mission_set = static_cast<int8_t>(set);
         fly(items);
@@ -87,7 +87,7 @@ TEST_F(EveryCommand, of_apm1_with_an_altitude_takes_it_above_the_sea_where_alt_a
     flyAnew(1, {absolute(waypoint(900), 410), command(0x21, 255, 47000, 2000)});
     seconds(3);
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 70) << "CHANGE_ALT";
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     flyAnew(1, {absolute(waypoint(900), 410), placed(0x42, 1000, 0, 420)});
     EXPECT_EQ(vehicle.home.altitude_cm, 42000) << "home is above the sea in any case";
 }
@@ -323,7 +323,7 @@ TEST_F(EveryCommand, chain_survives_a_brown_out_as_it_does_the_watchdog) {
         EXPECT_EQ(missionCurrent(), 4);
         fakes::watchdog().last_run.ended = cause;
         missionBoot();
-        setMode(Mode::loiter, ModeReason::boot);
+        requestMode(Mode::loiter, ModeReason::boot);
         enterAuto();
         missionSetCurrent(1);
         pass();
@@ -339,7 +339,7 @@ TEST_F(EveryCommand, counter_is_full_again_after_a_loss_of_power) {
     fakes::restartEeprom();
     mission_engine.leave();
     missionBoot();
-    setMode(Mode::loiter, ModeReason::boot);
+    requestMode(Mode::loiter, ModeReason::boot);
     enterAuto();
     EXPECT_EQ(missionCurrent(), 1);
     reach();

@@ -31,15 +31,15 @@ TEST_F(Landings, rtl_goes_to_the_nearer_one_at_once_or_when_it_is_home_or_not) {
     for (const int north : {0, 1500}) {
         moveTo(waypoint(north));
         parameters.rtl_landing = 2;
-        setMode(Mode::rtl, ModeReason::pilot);
+        requestMode(Mode::rtl, ModeReason::pilot);
         flyRtl();
         EXPECT_EQ(vehicle.mode, Mode::automatic);
         EXPECT_EQ(missionCurrent(), north == 0 ? 6 : 3);
         EXPECT_EQ(vehicle.demand.from, vehicle.estimate.position);
-        setMode(Mode::loiter, ModeReason::pilot);
+        requestMode(Mode::loiter, ModeReason::pilot);
     }
     parameters.rtl_landing = 1;
-    setMode(Mode::rtl, ModeReason::pilot);
+    requestMode(Mode::rtl, ModeReason::pilot);
     flyRtl();
     EXPECT_EQ(vehicle.mode, Mode::rtl);
     mutable_vehicle.progress.captured = true;
@@ -51,7 +51,7 @@ TEST_F(Landings, rtl_goes_to_the_nearer_one_at_once_or_when_it_is_home_or_not) {
     EXPECT_EQ(vehicle.mode, Mode::automatic);
 
     parameters.rtl_landing = 0;
-    setMode(Mode::rtl, ModeReason::pilot);
+    requestMode(Mode::rtl, ModeReason::pilot);
     mutable_vehicle.progress.captured = true;
     flyRtl();
     EXPECT_EQ(vehicle.mode, Mode::rtl);
@@ -66,7 +66,7 @@ TEST_F(Landings, a_start_at_0_0_lies_where_the_next_nav_does) {
     EXPECT_TRUE(missionLand());
     pass(3);
     EXPECT_EQ(missionCurrent(), 6);
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     moveTo(waypoint(1400));
     EXPECT_TRUE(missionLand());
     pass(3);
@@ -76,7 +76,7 @@ TEST_F(Landings, a_start_at_0_0_lies_where_the_next_nav_does) {
 TEST_F(Landings, without_a_landing_start_rtl_stays_rtl_and_reports_it) {
     ASSERT_EQ(upload({waypoint(500), placed(21, 0, 0, 0)}), MissionResult::accepted);
     parameters.rtl_landing = 2;
-    setMode(Mode::rtl, ModeReason::pilot);
+    requestMode(Mode::rtl, ModeReason::pilot);
     (void)statusTexts();
     flyRtl();
     EXPECT_EQ(vehicle.mode, Mode::rtl);
@@ -89,7 +89,7 @@ TEST_F(Landings, without_a_landing_start_rtl_stays_rtl_and_reports_it) {
 TEST_F(Landings, another_mode_ends_the_search) {
     ASSERT_EQ(upload(landings()), MissionResult::accepted);
     EXPECT_TRUE(missionLand());
-    setMode(Mode::fbwa, ModeReason::pilot);
+    requestMode(Mode::fbwa, ModeReason::pilot);
     seconds(3);
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
 }
@@ -186,7 +186,7 @@ TEST_F(Landings, nothing_is_aborted_that_is_no_landing_or_is_over) {
     mutable_vehicle.estimate.flying = false;
     EXPECT_FALSE(missionGoAround(50)) << "down";
     mutable_vehicle.estimate.flying = true;
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     EXPECT_FALSE(missionGoAround(50)) << "not AUTO";
 }
 

@@ -138,7 +138,7 @@ TEST_F(MissionFlight, the_loiter_direction_is_an_option_in_apm2_and_the_radius_s
     left.param3 = -1;
     fly({left});
     EXPECT_TRUE(vehicle.demand.counter_clockwise);
-    setMode(Mode::loiter, ModeReason::ground);
+    requestMode(Mode::loiter, ModeReason::ground);
     parameters.mission_set = 1;
     parameters.loiter_radius_m = -70;
     fly({placed(17, 500, 0, 60)});
@@ -155,7 +155,7 @@ TEST_F(MissionFlight, loiter_turns_counts_from_capture_and_survives_a_resume) {
     mutable_vehicle.progress.turned_rad = 2 * 2 * kPi;
     pass();
     EXPECT_EQ(missionCurrent(), 1);
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     pass(5);
     enterAuto();
     mutable_vehicle.progress.captured = true;
@@ -183,7 +183,7 @@ TEST_F(MissionFlight, loiter_time_is_tens_of_seconds_from_capture_and_survives_a
     mutable_vehicle.progress.captured = true;
     seconds(15);
     EXPECT_EQ(missionCurrent(), 1);
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     seconds(100);
     enterAuto();
     mutable_vehicle.progress.captured = true;
@@ -212,7 +212,7 @@ TEST_F(MissionFlight, return_to_launch_flies_home_at_its_altitude_or_the_paramet
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 100);
     reach();
     EXPECT_EQ(missionCurrent(), 2);
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     fly({placed(20, 3000, 0, 77)});
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 77);
 }
@@ -285,7 +285,7 @@ TEST_F(MissionFlight, a_mission_without_a_nav_refuses_auto_with_the_reason) {
     EXPECT_EQ(vehicle.mode, Mode::loiter);
     EXPECT_TRUE(hasStatusText("no NAV"));
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
-    setMode(Mode::automatic, ModeReason::pilot);
+    requestMode(Mode::automatic, ModeReason::pilot);
     EXPECT_EQ(vehicle.mode, Mode::rtl) << "in the air it means home";
 }
 

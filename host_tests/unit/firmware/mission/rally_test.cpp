@@ -21,8 +21,8 @@ protected:
     }
     static void expectReturn(const Items& points, const geo::Position& to, float height_m) {
         ASSERT_EQ(store(MavMissionType::rally, points), MissionResult::accepted);
-        setMode(Mode::loiter, ModeReason::ground);
-        ASSERT_TRUE(setMode(Mode::rtl, ModeReason::ground));
+        requestMode(Mode::loiter, ModeReason::ground);
+        ASSERT_TRUE(requestMode(Mode::rtl, ModeReason::ground));
         EXPECT_EQ(vehicle.demand.to, kHome);  // at once
         tenths(12);
         EXPECT_EQ(vehicle.demand.to, to);

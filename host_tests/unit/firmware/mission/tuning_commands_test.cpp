@@ -104,7 +104,7 @@ TEST_F(Apm1Flight, home_is_reset_here_or_as_given) {
     mutable_vehicle.estimate.position.latitude_e7 += 1000;
     run(command(0x42));
     EXPECT_EQ(vehicle.home.position, vehicle.estimate.position);
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     MissionItem home = placed(0x42, 1000, 0, 420);
     run(home);
     EXPECT_EQ(vehicle.home.position.latitude_e7, home.x);
@@ -120,7 +120,7 @@ TEST_F(Apm1Flight, a_queried_or_broadcast_variable_is_sent_once_on_every_link) {
         return at != std::string::npos && text.find("WP_RADIUS", at + 1) == std::string::npos;
     };
     for (const uint16_t id : {0x32, 0x33}) {
-        setMode(Mode::loiter, ModeReason::pilot);
+        requestMode(Mode::loiter, ModeReason::pilot);
         reported(hal::Port::link0);
         reported(hal::Port::link1);
         run(command(id, 134));
@@ -237,10 +237,10 @@ TEST_F(Apm1Flight, the_throttle_is_never_taken_while_armed) {
 
 TEST_F(Apm1Flight, a_servo_pulse_may_be_set_on_every_other_output_until_the_mode_changes) {
     for (uint8_t output : {1, 2, 4, 5, 6, 7, 8}) {
-        setMode(Mode::loiter, ModeReason::pilot);
+        requestMode(Mode::loiter, ModeReason::pilot);
         run(command(0x82, float(output - 1), 1300));
         EXPECT_EQ(outputPulse_us(output), 1300) << int(output);
-        setMode(Mode::loiter, ModeReason::pilot);
+        requestMode(Mode::loiter, ModeReason::pilot);
         pass();
         EXPECT_NE(outputPulse_us(output), 1300) << int(output);
     }

@@ -49,7 +49,7 @@ protected:
 };
 
 TEST_F(Guided, chosen_without_a_target_circles_where_it_is) {
-    ASSERT_TRUE(firmware::modes::setMode(Mode::guided, firmware::modes::ModeReason::pilot));
+    ASSERT_TRUE(firmware::modes::requestMode(Mode::guided, firmware::modes::ModeReason::pilot));
     EXPECT_EQ(vehicle.demand.path, Path::circle);
     EXPECT_EQ(vehicle.demand.to, kHome);
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 80);
@@ -59,7 +59,7 @@ TEST_F(Guided, chosen_without_a_target_circles_where_it_is) {
 
 TEST_F(Guided, is_not_entered_without_a_position) {
     mutable_vehicle.estimate.known = false;
-    EXPECT_FALSE(firmware::modes::setMode(Mode::guided, firmware::modes::ModeReason::ground));
+    EXPECT_FALSE(firmware::modes::requestMode(Mode::guided, firmware::modes::ModeReason::ground));
     EXPECT_EQ(orderTo(to(kThere, 100)), MissionResult::error);
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
 }
@@ -78,7 +78,7 @@ TEST_F(Guided, flies_to_the_place_and_height_that_are_given) {
 
 TEST_F(Guided, keeps_its_target_when_the_mode_is_set_again) {
     ASSERT_EQ(orderTo(to(kThere, 100)), MissionResult::accepted);
-    ASSERT_TRUE(firmware::modes::setMode(Mode::guided, firmware::modes::ModeReason::ground));
+    ASSERT_TRUE(firmware::modes::requestMode(Mode::guided, firmware::modes::ModeReason::ground));
     EXPECT_EQ(vehicle.demand.to, kThere);
 }
 
@@ -142,7 +142,7 @@ TEST_F(Guided, refuses_what_it_cannot_fly_to_and_flies_on_as_before) {
 TEST_F(Guided, changes_the_height_alone_in_whatever_mode_holds_one) {
     EXPECT_EQ(orderHeight(to(kThere, 90)), MissionResult::error) << "the pilot flies";
     for (const Mode mode : {Mode::loiter, Mode::rtl, Mode::circle, Mode::guided}) {
-        ASSERT_TRUE(firmware::modes::setMode(mode, firmware::modes::ModeReason::ground));
+        ASSERT_TRUE(firmware::modes::requestMode(mode, firmware::modes::ModeReason::ground));
         const geo::Position before = vehicle.demand.to;
         EXPECT_EQ(orderHeight(to(kThere, 490, kGlobal)), MissionResult::accepted);
         EXPECT_FLOAT_EQ(vehicle.demand.height_m, 90);

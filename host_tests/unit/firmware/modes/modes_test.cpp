@@ -41,7 +41,7 @@ TEST_F(Modes, mix_the_sticks_into_the_demands_or_the_surfaces_as_the_pilot_wants
 TEST_F(Modes, a_raised_throttle_stick_adds_throttle_where_no_airspeed_is_measured) {
     mutable_vehicle.airspeed.healthy = false;
     const auto throttle = [&](Mode mode, uint16_t stick_us) {
-        firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+        firmware::modes::requestMode(Mode::fbwa, firmware::modes::ModeReason::ground);
         firmware::guidance::runGuidance();
         settle(with(3, stick_us));
         fly(mode);

@@ -312,19 +312,19 @@ TEST_F(FailsafeMachine, a_mode_that_needs_an_attitude_is_refused_without_one) {
     mutable_vehicle.imu.healthy = mutable_vehicle.attitude.aligned = false;
     tenths(5);
     ASSERT_EQ(vehicle.mode, Mode::manual);
-    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::pilot);
-    tenths(1);
+    EXPECT_FALSE(firmware::modes::requestMode(Mode::fbwa, firmware::modes::ModeReason::pilot));
     EXPECT_EQ(vehicle.mode, Mode::manual);
 }
 
-TEST_F(FailsafeMachine, a_manual_mode_chosen_without_a_receiver_ends_in_rtl) {
+TEST_F(FailsafeMachine, a_mode_of_the_sticks_is_refused_without_a_receiver) {
     start(Mode::loiter);
     mutable_vehicle.radio.lost = true;
     tenths(70);
     ASSERT_EQ(vehicle.mode, Mode::loiter);
-    firmware::modes::setMode(Mode::stabilize, firmware::modes::ModeReason::ground);
+    EXPECT_FALSE(
+        firmware::modes::requestMode(Mode::stabilize, firmware::modes::ModeReason::ground));
     tenths(2);
-    EXPECT_EQ(vehicle.mode, Mode::rtl);
+    EXPECT_EQ(vehicle.mode, Mode::loiter);
 }
 
 TEST_F(FailsafeMachine, fbwa_of_the_pilot_is_no_glide_and_a_glide_ends_with_the_receiver_back) {
@@ -374,7 +374,7 @@ TEST_F(FailsafeMachine, a_low_battery_stays_low_and_the_pilot_may_fly_on) {
     kTriggers[1].pull(false);
     tenths(20);
     EXPECT_TRUE(firmware::safety::failing(Cause::battery));
-    firmware::modes::setMode(Mode::fbwa, firmware::modes::ModeReason::pilot);
+    firmware::modes::requestMode(Mode::fbwa, firmware::modes::ModeReason::pilot);
     tenths(20);
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
 }

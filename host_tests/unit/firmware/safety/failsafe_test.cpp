@@ -45,7 +45,7 @@ TEST_F(Failsafe, gives_back_the_mode_when_the_radio_is_back_in_time) {
 TEST_F(Failsafe, leaves_a_mode_that_was_chosen_meanwhile) {
     fly(Mode::fbwa);
     loseRadio(kShort_ms);
-    firmware::modes::setMode(Mode::loiter, firmware::modes::ModeReason::ground);
+    firmware::modes::requestMode(Mode::loiter, firmware::modes::ModeReason::ground);
 
     settle(bench::kCentred);
     firmware::safety::runFailsafe();
@@ -168,7 +168,7 @@ TEST_F(GroundStation, the_pilot_may_take_over_while_it_is_silent) {
     fly_s(7, false);
     ASSERT_EQ(vehicle.mode, Mode::rtl);
 
-    firmware::modes::setMode(Mode::stabilize, firmware::modes::ModeReason::pilot);
+    firmware::modes::requestMode(Mode::stabilize, firmware::modes::ModeReason::pilot);
     fly_s(7, false);
 
     EXPECT_EQ(vehicle.mode, Mode::stabilize);

@@ -73,7 +73,7 @@ TEST_F(Fence, a_mission_takes_its_floor_away) {
 
 TEST_F(Fence, an_airplane_that_leaves_it_is_flown_to_the_return_point) {
     raise();
-    setMode(Mode::fbwa, ModeReason::pilot);
+    requestMode(Mode::fbwa, ModeReason::pilot);
     goTo(beside(kSide_e7 - 1, 0));
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
 
@@ -96,10 +96,10 @@ TEST_F(Fence, the_sticks_are_ignored_until_the_pilot_takes_over) {
     EXPECT_EQ(vehicle.pilot_roll_rad.raw, 0);
 
     // outside, and it stays his
-    ASSERT_TRUE(setMode(Mode::fbwa, ModeReason::pilot));
+    ASSERT_TRUE(requestMode(Mode::fbwa, ModeReason::pilot));
     tenths(20);
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
-    setMode(Mode::loiter, ModeReason::pilot);
+    requestMode(Mode::loiter, ModeReason::pilot);
     tenths(1);
     EXPECT_NE(vehicle.pilot_roll_rad.raw, 0);
 
@@ -112,7 +112,7 @@ TEST_F(Fence, the_sticks_are_ignored_until_the_pilot_takes_over) {
 
 TEST_F(Fence, switched_off_gives_back_the_mode_it_took) {
     raise();
-    setMode(Mode::fbwa, ModeReason::pilot);
+    requestMode(Mode::fbwa, ModeReason::pilot);
     leave();
     comeBack();
     EXPECT_EQ(vehicle.mode, Mode::guided);
@@ -124,7 +124,7 @@ TEST_F(Fence, switched_off_gives_back_the_mode_it_took) {
 TEST_F(Fence, switched_off_leaves_a_mode_that_was_chosen_since) {
     raise();
     leave();
-    setMode(Mode::stabilize, ModeReason::pilot);
+    requestMode(Mode::stabilize, ModeReason::pilot);
     tenths(1);
     fenceEnable(0);
     tenths(1);
@@ -267,7 +267,7 @@ TEST_F(Fence, switches_itself_on_after_the_take_off_and_off_before_the_landing) 
 
 TEST_F(Fence, a_new_fence_is_used_while_the_airplane_is_flown_back_by_the_old_one) {
     raise();
-    setMode(Mode::fbwa, ModeReason::pilot);
+    requestMode(Mode::fbwa, ModeReason::pilot);
     leave();
     ASSERT_EQ(vehicle.mode, Mode::guided);
     Items wider = square();

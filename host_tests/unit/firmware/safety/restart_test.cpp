@@ -33,7 +33,7 @@ protected:
         while (storage::claim() == core::Status::busy) fakes::advance_ms(10);
         begin(ResetCause::power_on);  // a run before this flight
         parameters.switch_mode[0] = static_cast<int8_t>(Mode::stabilize);
-        setMode(Mode::fbwa, ModeReason::boot);
+        requestMode(Mode::fbwa, ModeReason::boot);
         mutable_vehicle.attitude.aligned = true;
         mutable_vehicle.armed = true;
         mutable_vehicle.estimate.flying = true;
@@ -143,6 +143,21 @@ TEST_F(Restart, flies_on_as_before_without_a_receiver) {
 
     EXPECT_TRUE(vehicle.armed);
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
+}
+
+// A brown-out resets the inertial sensor too: the attitude comes late, the mode switch at once.
+TEST_F(Restart, is_armed_again_although_the_mode_switch_is_read_before_the_attitude_is_found) {
+    begin(ResetCause::brown_out);
+    mutable_vehicle.attitude.aligned = false;
+    for (int i = 0; i < 60; ++i) {
+        if (i % 2 == 0) fakes::receiveRc(with(8, 1165));
+        runRadio();
+        if (i % 10 == 5) runModeSwitch();
+        if (i % 2 == 1) runRestart();
+        fakes::advance_ms(10);
+    }
+    EXPECT_TRUE(vehicle.armed);
+    EXPECT_EQ(vehicle.mode, Mode::stabilize);
 }
 
 TEST_F(Restart, rejects_a_record_with_any_bit_changed) {

@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Pulses, ModeSwitch,
 TEST_F(Radio, sets_the_mode_when_the_switch_moves_and_leaves_a_mode_of_the_ground_alone) {
     settle(with(8, 1425));
     ASSERT_EQ(vehicle.mode, Mode::fbwa);
-    firmware::modes::setMode(Mode::stabilize, firmware::modes::ModeReason::ground);
+    firmware::modes::requestMode(Mode::stabilize, firmware::modes::ModeReason::ground);
     settle(with(8, 1425));
     EXPECT_EQ(vehicle.mode, Mode::stabilize);
     settle(with(8, 1815));
@@ -121,7 +121,7 @@ TEST_F(Radio, sets_the_mode_when_the_switch_moves_and_leaves_a_mode_of_the_groun
 TEST_F(Radio, uses_the_mode_switch_again_while_the_reset_switch_is_up) {
     parameters.reset_switch_channel = 7;
     settle(with(8, 1425));
-    firmware::modes::setMode(Mode::stabilize, firmware::modes::ModeReason::ground);
+    firmware::modes::requestMode(Mode::stabilize, firmware::modes::ModeReason::ground);
     settle(with(8, 1425));
     ASSERT_EQ(vehicle.mode, Mode::stabilize);
     auto pulses = with(8, 1425);

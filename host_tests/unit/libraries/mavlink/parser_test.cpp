@@ -72,7 +72,7 @@ Bytes heartbeat(uint8_t sequence, Framing framing = Framing::v1, uint8_t system 
     return test::frame({framing, sequence, system, 190}, message);
 }
 
-Bytes setMode(uint8_t sequence) {
+Bytes requestMode(uint8_t sequence) {
     mavlink::SetMode message = {};
     message.custom_mode = 11;
     message.base_mode = 1;
@@ -82,7 +82,7 @@ Bytes setMode(uint8_t sequence) {
 TEST(Parser, reads_both_versions_mixed) {
     VehicleParser parser;
 
-    const auto frames = feed(parser, heartbeat(1) + heartbeat(2, Framing::v2) + setMode(3));
+    const auto frames = feed(parser, heartbeat(1) + heartbeat(2, Framing::v2) + requestMode(3));
 
     ASSERT_EQ(sequences(frames), (Sequences{1, 2, 3}));
     EXPECT_EQ(frames[0].framing, Framing::v1);
@@ -154,7 +154,7 @@ TEST(Parser, drops_a_frame_with_an_incompatibility_it_does_not_know) {
 TEST(Parser, drops_an_incompatible_frame_whatever_it_contains) {
     VehicleParser parser;
 
-    const auto frames = feed(parser, flagged(0x80, 4, setMode(66)) + heartbeat(5));
+    const auto frames = feed(parser, flagged(0x80, 4, requestMode(66)) + heartbeat(5));
 
     EXPECT_EQ(sequences(frames), (Sequences{5}));
     EXPECT_EQ(parser.rejected(), 0);
@@ -245,7 +245,7 @@ Bytes unknown(uint8_t sequence, const Bytes& payload, uint8_t crc_extra = 84) {
 
 TEST(Parser, skips_whole_what_its_peer_says_in_messages_it_does_not_know) {
     // a frame carried inside another message's payload is data, not an order
-    const Bytes payload = Bytes(3, 0) + setMode(66) + Bytes(5, 0xFE);
+    const Bytes payload = Bytes(3, 0) + requestMode(66) + Bytes(5, 0xFE);
     for (int crc_extra = 0; crc_extra < 256; ++crc_extra) {
         VehicleParser parser;
 
@@ -288,8 +288,8 @@ TEST(Parser, loses_no_good_frame_to_what_looks_like_the_start_of_a_long_one) {
         VehicleParser parser;
 
         // frames that all fit into the false one's length, and then silence until the next
-        const auto frames = feed(
-            parser, start + setMode(1) + setMode(2) + heartbeat(3) + heartbeat(4) + heartbeat(5));
+        const auto frames = feed(parser, start + requestMode(1) + requestMode(2) + heartbeat(3) +
+                                             heartbeat(4) + heartbeat(5));
 
         EXPECT_EQ(sequences(frames), (Sequences{1, 2, 3, 4, 5}))
             << int(start[0]) << " " << start.size();
