@@ -36,6 +36,10 @@ inline Record outOfRange(Record record) {
     record.p1 = 99;
     return record;
 }
+inline Record leavesAuto(Record record) {
+    record.p1 = 98;
+    return record;
+}
 
 struct World {
     std::vector<std::vector<uint8_t>> stored;
@@ -44,7 +48,6 @@ struct World {
     std::set<int> busy;  // records the store does not have yet
     int reads = 0, max_reads = 0;
     int here = 500;  // where the airplane is
-    bool leave_at_action = false;
     Sequencer* engine = nullptr;
 };
 static World world;
@@ -71,7 +74,7 @@ inline Progress waited(const Record&) {
 }
 inline void doIt(const Record& record) {
     say("a" + number(record));
-    if (world.leave_at_action) world.engine->leave();
+    if (record.p1 == 98) world.engine->leave();
 }
 inline uint8_t jumpInRange(const Record& record, Site site) {
     return record.p1 == 0 || record.p1 >= site.count || record.p1 == site.index ? 6 : 0;
