@@ -36,20 +36,6 @@ double pressureArea(double speed_mps) {
 
 }  // namespace
 
-TEST(Trim, holds_speed_and_height_hands_off) {
-    for (double speed : {10.5, kCruise_mps, 16.0}) {
-        Airplane airplane(kTrainer, stillAir(), 0);
-        // The air is thinner up there; equal dynamic pressure is the same flight.
-        const double true_mps = speed * std::sqrt(kDensity / atmosphere(500).density_kgm3);
-        const Trim trim = trimmed(kTrainer, true_mps, atmosphere(500).density_kgm3);
-        airplane.place(levelFlight(true_mps, trim.alpha_rad, 500), trim.controls);
-        fly(airplane, 30, [&](const Truth&) { return trim.controls; });
-        EXPECT_NEAR(airplane.truth().airspeed_mps, true_mps, 0.1);
-        EXPECT_NEAR(airplane.truth().velocity_down_mps, 0, 0.15);
-        EXPECT_NEAR(airplane.truth().roll_rad, 0, 1e-6);
-    }
-}
-
 TEST(Trim, is_at_about_45_percent_throttle_and_little_elevator_in_cruise) {
     const Trim trim = trimmed(loadAirplane("foam_trainer"), kCruise_mps);
     EXPECT_NEAR(trim.controls.throttle, 0.45, 0.04);
@@ -62,24 +48,6 @@ TEST(Stall, comes_at_about_8_metres_a_second) {
     for (double alpha = 0; alpha < 0.5; alpha += 0.001)
         most = std::max(most, polar(kTrainer, alpha).lift);
     EXPECT_NEAR(std::sqrt(kTrainer.mass_kg * kGravity_mss / pressureArea(1) / most), 7.8, 0.3);
-}
-
-TEST(Stall, ends_level_flight_when_slowing_down) {
-    Airplane airplane(kTrainer, stillAir(), 0);
-    cruising(airplane, kCruise_mps);
-    double stall_mps = 0, steepest = 0;
-    fly(
-        airplane, 30,
-        [](const Truth& t) {  // holds height with the elevator, motor off, until it can not
-            Controls out = holdAttitude(t, t.alpha_rad + 0.15 * t.velocity_down_mps, 0);
-            return out;
-        },
-        [&](const Truth& t) {
-            if (stall_mps == 0 && t.velocity_down_mps > 1.5) stall_mps = t.airspeed_mps;
-            steepest = std::max(steepest, t.alpha_rad);
-        });
-    EXPECT_NEAR(stall_mps, 8, 0.8);
-    EXPECT_GT(steepest, 0.22);
 }
 
 TEST(Stall, is_left_by_letting_the_nose_down) {
@@ -98,33 +66,6 @@ TEST(Stall, is_left_by_letting_the_nose_down) {
     EXPECT_LT(polar(kTrainer, airplane.truth().alpha_rad).stalled, 0.05);
     EXPECT_NEAR(airplane.truth().roll_rad, 0, 0.1);
     EXPECT_GT(airplane.truth().airspeed_mps, 10);
-}
-
-// Lanchester's pi sqrt(2) V / g, lengthened by the pitch damping, which is strong in so light an
-// airplane (McRuer, Ashkenas, Graham: Aircraft Dynamics and Automatic Control, three degrees of
-// freedom: w^2 = g Zu Mw / (U Mw - Zw Mq)).
-TEST(Phugoid, has_the_textbooks_period_and_dies_away) {
-    Airplane airplane(kTrainer, stillAir(), 0);
-    const Trim trim = trimmed(kTrainer, kCruise_mps, atmosphere(500).density_kgm3);
-    airplane.place(levelFlight(kCruise_mps + 1, trim.alpha_rad, 500), trim.controls);
-    std::vector<double> peaks_s, peaks_mps;
-    double before = 0, last = 0;
-    fly(
-        airplane, 25, [&](const Truth&) { return trim.controls; },
-        [&](const Truth& t) {
-            if (seconds(t) > 2 && last > before && t.airspeed_mps < last) {
-                peaks_s.push_back(seconds(t));
-                peaks_mps.push_back(last);
-            }
-            before = last;
-            last = t.airspeed_mps;
-        });
-    ASSERT_GE(peaks_s.size(), 2u);
-    const double period_s = peaks_s[1] - peaks_s[0];
-    const PitchDerivatives d = pitchDerivatives(kTrainer, atmosphere(500).density_kgm3);
-    const double lanchester_s = M_PI * M_SQRT2 * kCruise_mps / kGravity_mss;
-    EXPECT_NEAR(period_s, lanchester_s * std::sqrt(1 - d.za * d.mq / d.ma), 0.04 * period_s);
-    EXPECT_LT(peaks_mps[1] - kCruise_mps, 0.7 * (peaks_mps[0] - kCruise_mps));
 }
 
 // Two-degree-of-freedom approximation (Etkin): alpha' = (1 + Zq) q + Za alpha, q' = Ma alpha + Mq
@@ -154,54 +95,6 @@ TEST(ShortPeriod, answers_a_disturbance_like_the_textbooks_approximation) {
     EXPECT_LT(worst, 0.04 * kDisturbance);
     EXPECT_LT(worst_rate, 0.1 * -lowest);
     EXPECT_LT(lowest, -0.08) << "it really turned";
-}
-
-// First order: p' = Lp p + La aileron.
-TEST(RollMode, has_the_time_constant_and_rate_of_its_derivatives) {
-    const double qs = pressureArea(kCruise_mps);
-    const double damping =
-        -qs * kTrainer.span_m * kTrainer.span_m / (2 * kCruise_mps) * kTrainer.roll.roll_rate;
-    const double time_s = kTrainer.inertia_kgm2.xx / damping;
-    constexpr double kAileron = 0.2;
-    const double aileron_rad = kAileron * kTrainer.controls.aileron_deg * M_PI / 180;
-    const double steady_rads = qs * kTrainer.span_m * kTrainer.roll.aileron * aileron_rad / damping;
-
-    Airplane airplane(kTrainer, stillAir(), 0);
-    const Trim trim = trimmed(kTrainer, kCruise_mps);
-    Controls controls = trim.controls;
-    controls.aileron = kAileron;
-    airplane.place(levelFlight(kCruise_mps, trim.alpha_rad, 5), controls);
-    double reached_s = 0, most = 0;
-    fly(
-        airplane, 0.3, [&](const Truth&) { return controls; },
-        [&](const Truth& t) {
-            if (reached_s == 0 && t.roll_rate_rads > steady_rads * (1 - std::exp(-1)))
-                reached_s = seconds(t);
-            most = std::max(most, t.roll_rate_rads);
-        });
-    EXPECT_NEAR(reached_s, time_s, 0.15 * time_s);
-    EXPECT_NEAR(most, steady_rads, 0.1 * steady_rads);
-}
-
-TEST(DutchRoll, dies_away) {
-    Airplane airplane(kTrainer, stillAir(), 0);
-    const Trim trim = trimmed(kTrainer, kCruise_mps);
-    Motion motion = levelFlight(kCruise_mps, trim.alpha_rad, 500);
-    motion.velocity_mps.y = 2;
-    airplane.place(motion, trim.controls);
-    EXPECT_GT(airplane.truth().beta_rad, 0.15);
-    fly(airplane, 5, [&](const Truth&) { return trim.controls; });
-    EXPECT_NEAR(airplane.truth().beta_rad, 0, 0.01);
-}
-
-TEST(Spiral, does_not_tighten) {
-    Airplane airplane(kTrainer, stillAir(), 0);
-    const Trim trim = trimmed(kTrainer, kCruise_mps);
-    Motion motion = levelFlight(kCruise_mps, trim.alpha_rad, 500);
-    motion.attitude = quaternion(0.2, trim.alpha_rad, 0);
-    airplane.place(motion, trim.controls);
-    fly(airplane, 20, [&](const Truth&) { return trim.controls; });
-    EXPECT_LT(std::fabs(airplane.truth().roll_rad), 0.2);
 }
 
 TEST(Controls, move_the_airplane_the_way_the_pulses_are_defined) {

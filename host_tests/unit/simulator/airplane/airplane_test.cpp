@@ -139,29 +139,6 @@ TEST(RigidBody, turns_as_its_rates_say) {
     EXPECT_NEAR(Rotation(q).yaw_rad(), last.yaw_rad, 2e-3);
 }
 
-TEST(RigidBody, gains_and_loses_the_energy_that_the_forces_bring) {
-    Airplane airplane(kTrainer, stillAir(), 0);
-    const Trim trim = trimmed(kTrainer, 13);
-    airplane.place(levelFlight(13, trim.alpha_rad, 300), trim.controls);
-    Truth last = airplane.truth();
-    const double before_j = energy_j(kTrainer, last);
-    double work_j = 0, max_j = 0;
-    fly(airplane, 20, wild, [&](const Truth& t) {
-        const auto power = [](const Truth& at) {
-            const Vec3 velocity =
-                Rotation(quaternion(at.roll_rad, at.pitch_rad, at.yaw_rad))
-                    .toBody({at.velocity_north_mps, at.velocity_east_mps, at.velocity_down_mps});
-            return kTrainer.mass_kg *
-                   dot(velocity, {at.force_x_mss, at.force_y_mss, at.force_z_mss});
-        };
-        work_j += (power(last) + power(t)) / 2 * Airplane::kStep_s;
-        max_j = std::max(max_j, std::fabs(work_j));
-        last = t;
-    });
-    EXPECT_GT(max_j, 20);
-    EXPECT_NEAR(energy_j(kTrainer, last) - before_j, work_j, 0.01 * max_j);
-}
-
 TEST(RigidBody, only_loses_energy_without_thrust_in_still_air) {
     AirplaneParameters p = kTrainer;
     p.propeller.thrust0 = p.propeller.thrust1 = p.propeller.thrust2 = 0;
