@@ -16,15 +16,15 @@ std::string imageFile(const std::string& name) {
     return (std::filesystem::path(__FILE__).parent_path() / "images" / name).string();
 }
 
-// Intel hex with nothing but data in ascending order.
+// Intel hex with nothing but data; what is blank may be left out.
 std::vector<uint8_t> readImage(const std::string& name) {
     std::ifstream file(imageFile(name));
     EXPECT_TRUE(file) << name;
-    std::vector<uint8_t> cells;
+    std::vector<uint8_t> cells(hal::kEepromSize, 0xFF);
+    const auto number = [](const std::string& digits) { return std::stoul(digits, nullptr, 16); };
     for (std::string line; std::getline(file, line) && line.substr(7, 2) == "00";)
-        for (size_t at = 9; at + 4 <= line.size(); at += 2)
-            cells.push_back(static_cast<uint8_t>(std::stoi(line.substr(at, 2), nullptr, 16)));
-    EXPECT_EQ(cells.size(), hal::kEepromSize);
+        for (size_t i = 0, address = number(line.substr(3, 4)); i < number(line.substr(1, 2)); ++i)
+            cells.at(address + i) = static_cast<uint8_t>(number(line.substr(9 + 2 * i, 2)));
     return cells;
 }
 
