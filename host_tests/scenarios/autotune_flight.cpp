@@ -16,19 +16,15 @@
 #include <memory>
 
 #include "firmware/state/parameters.hpp"
-#include "host_tests/scenarios/station.hpp"
+#include "host_tests/scenarios/flight_scenario.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
-#include "simulator/ground/scripted_flight.hpp"
-#include "simulator/native/native_board.hpp"
 #include "simulator/parameter_file.hpp"
 
 using namespace simulator;
 
 namespace {
 
-constexpr int kTelemetry = 2, kUsb = 0;
 constexpr uint64_t kStep_us = 20'000;
-constexpr double kDegree = M_PI / 180;
 constexpr double kRolls_s = 100, kAll_s = 200;  // then the nose; limits of the learning
 constexpr double kLow_m = 60;                   // lower the nose is not put down
 constexpr float kFarthest = 1.25f;              // from what it is to come to
@@ -37,22 +33,14 @@ struct Gains {
     float roll_p, pitch_p;
 };
 
-class Tuning {
+class Tuning : FlightScenario {
 public:
-    Tuning(const std::string& airplane, const Waypoints& items, const ParameterSettings& settings)
-        : board_(worldOf(airplane, items)),
-          flight_(board_, kTelemetry, items, 600, settings),
-          usb_(board_, kUsb, [](const mavlink::Frame&, uint64_t) {}) {
-        board_.listen([this](int usart, uint8_t byte, uint64_t at_us) {
-            if (usart == kTelemetry) flight_.receive(byte, at_us);
-            if (usart == kUsb) usb_.receive(byte, at_us);
-        });
-        board_.setUsb(true);
-        switchTransmitterOn(board_.world());
-    }
+    Tuning(Board& board, const Waypoints& items, const ParameterSettings& settings)
+        : FlightScenario(
+              board, items, 600, kStep_us, [](const mavlink::Frame&, uint64_t) {}, settings) {}
 
     Gains learn(float by) {
-        while (goOn() && !(flight_.airborne_s() && seconds() > *flight_.airborne_s() + 25)) {
+        while (advance() && sinceAirborne_s() <= 25) {
         }
         set({{"FLTMODE1", 8},
              {"RLL2SRV_P", 0.75f * by},
@@ -62,7 +50,7 @@ public:
              {"PTCH2SRV_I", 0.3f * by},
              {"PTCH2SRV_D", 0.05f * by}});
         const double from_s = seconds();
-        for (double t_s = 0; t_s < kAll_s && goOn(); t_s = seconds() - from_s) pilot(t_s);
+        for (double t_s = 0; t_s < kAll_s && advance(); t_s = seconds() - from_s) pilot(t_s);
         if (flight_.over()) throw std::runtime_error("the flight ended: " + flight_.reason());
         const Gains found = {firmware::state::parameters.roll.axis.p,
                              firmware::state::parameters.pitch.axis.p};
@@ -72,30 +60,10 @@ public:
     }
 
 private:
-    static WorldOptions worldOf(const std::string& airplane, const Waypoints& items) {
-        WorldOptions world;
-        world.airplane = airplane;
-        world.latitude_deg = items[0].latitude_deg;
-        world.longitude_deg = items[0].longitude_deg;
-        world.altitude_m = items[0].altitude_m;
-        world.heading_deg = 340;
-        world.wind_mps = 4;
-        world.wind_from_deg = 320;
-        world.seed = 3;
-        return world;
-    }
-    double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
-
-    bool goOn() {
-        if (!board_.runUntil(++step_ * kStep_us)) flight_.stop(board_.fault());
-        flight_.step(board_.time_us());
-        return !flight_.over();
-    }
-
     void set(std::initializer_list<std::pair<const char*, float>> parameters) {
         for (const auto& [name, value] : parameters) {
-            usb_.send(paramSet(flight_.telemetry().system, name, value));
-            for (int i = 0; i < 10; ++i) goOn();
+            send(name, value);
+            for (int i = 0; i < 10; ++i) advance();
         }
     }
 
@@ -115,12 +83,14 @@ private:
         board_.world().radio().sticks(
             {us(roll), us(pitch), us(-400 + 800 * throttle), 1500, 1500, 1500, 1500, 1165}, true);
     }
-
-    NativeBoard board_;
-    ScriptedFlight flight_;
-    Link usb_;
-    uint64_t step_ = 0;
 };
+
+WorldOptions worldOf(const std::string& airplane, const Waypoints& items) {
+    WorldOptions world = worldAt(items, 4, 320);
+    world.airplane = airplane;
+    world.seed = 3;
+    return world;
+}
 
 constexpr const char* kLearnt[] = {"RLL2SRV_TCONST",  "RLL2SRV_P",  "RLL2SRV_I",  "RLL2SRV_D",
                                    "PTCH2SRV_TCONST", "PTCH2SRV_P", "PTCH2SRV_I", "PTCH2SRV_D"};
@@ -145,7 +115,8 @@ int learnTo(const std::string& airplane, const Waypoints& items, const std::stri
                                                         each.name) > 0;
                                   }),
                    settings.end());
-    Tuning tuning(airplane, items, settings);
+    NativeBoard board(worldOf(airplane, items));
+    Tuning tuning(board, items, settings);
     tuning.learn(1);
     std::filesystem::create_directories(std::filesystem::path(found).parent_path());
     std::ofstream file(found);
@@ -171,7 +142,9 @@ int main(int count, char** words) try {
         settings.push_back({word.substr(0, equals), std::stod(word.substr(equals + 1))});
     }
     const Gains right = {std::stof(words[4]), std::stof(words[5])};
-    Tuning tuning(words[1], readWaypoints(words[2]), settings);
+    const Waypoints items = readWaypoints(words[2]);
+    NativeBoard board(worldOf(words[1], items));
+    Tuning tuning(board, items, settings);
     const Gains found = tuning.learn(std::stof(words[3]));
     const bool ok = near(found.roll_p, right.roll_p) && near(found.pitch_p, right.pitch_p);
     std::printf("  %s wanted about %s and %s\n", ok ? "ok    " : "FAILED", words[4], words[5]);

@@ -12,23 +12,19 @@
 #include <map>
 
 #include "firmware/safety/failsafe_table.hpp"
-#include "host_tests/scenarios/self_checked.hpp"
-#include "host_tests/scenarios/station.hpp"
+#include "host_tests/scenarios/flight_scenario.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
-#include "simulator/report/recorder.hpp"
 
 using namespace simulator;
 
 namespace {
 
-constexpr int kTelemetry = 2, kUsb = 0;
 constexpr uint64_t kStep_us = 20'000;
 constexpr double kFrom_s = 15;  // in the air and past the take-off
 constexpr double kLongTimeout_s = 2;
 constexpr double kAnswered_s = 0.2;
 constexpr double kHolds_s = 2.5;   // the mode is sent once a second
 constexpr double kReturns_s = 15;  // a receiver that was off has to find its fix
-constexpr double kDegree = M_PI / 180;
 
 constexpr uint32_t kCircle = 1, kFbwa = 5, kAuto = 10, kRtl = 11, kLoiter = 12, kGuided = 15;
 
@@ -82,33 +78,20 @@ const Settings kUsual = {{"FS_SHORT_ACTN", 0},
                          {"FENCE_ACTION", 0},
                          {"FS_LONG_TIMEOUT", kLongTimeout_s}};
 
-class FailsafeFlight {
+class FailsafeFlight : FlightScenario {
 public:
     FailsafeFlight(Board& board, const Waypoints& items)
-        : board_(board),
-          home_(items[0]),
-          frame_(home_.latitude_deg, home_.longitude_deg),
-          plan_(makePlan(items, frame_)),
-          flight_(board, kTelemetry, items, 900),
-          usb_(board, kUsb, [](const mavlink::Frame&, uint64_t) {}),
-          recorder_(plan_, frame_) {
-        board_.listen([this](int usart, uint8_t byte, uint64_t at_us) {
-            if (usart == kTelemetry) flight_.receive(byte, at_us);
-            if (usart == kUsb) usb_.receive(byte, at_us);
-        });
-        board_.setUsb(true);
-        switchTransmitterOn(board_.world());
-    }
+        : FlightScenario(board, items, 900, kStep_us) {}
 
     bool fly() {
-        while (goOn() && !(flight_.airborne_s() && seconds() > *flight_.airborne_s() + kFrom_s)) {
+        while (goOn() && sinceAirborne_s() <= kFrom_s) {
         }
         board_.world().radio().sticks({1500, 1500, 1550, 1500, 1500, 1500, 1500, 1425}, true);
         sendFence();
         bool kept = true;
         for (const Row& row : kRows) kept = flyRow(row) && kept;
         const Check whole[] = {
-            {"no frame was late", board_.figures().frame_overruns.value_or(0) == 0},
+            {"no frame was late", !frameWasLate()},
             {"the airplane stayed in hand", lowest_m_ > 25 && max_bank_deg_ < 60},
             {"the flight went on to its end", !flight_.over()},
         };
@@ -118,21 +101,14 @@ public:
     }
 
     Summary summary(const std::string& firmware, const WorldOptions& world) const {
-        Summary s = summaryOf(board_, flight_, firmware, world);
-        s.mission = "every failsafe";
-        s.completed = kept_;
-        if (const auto imu = recorder_.imuSamples()) s.setSamples(*imu);
-        return s;
+        return summarised("every failsafe", kept_, firmware, world);
     }
 
 private:
-    double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
     uint32_t mode() const { return flight_.telemetry().mode(); }
 
     bool goOn() {
-        if (!board_.runUntil(++step_ * kStep_us)) flight_.stop(board_.fault());
-        if ((troubles_ & kGround) == 0) flight_.step(board_.time_us());
-        if (step_ % 5 == 0) recorder_.sample(board_, flight_.telemetry(), {}, {});
+        advance((troubles_ & kGround) == 0);
         const Truth& truth = board_.world().truth();
         if (!begun_) return !flight_.over();  // the take-off
         lowest_m_ = std::min(lowest_m_, truth.height_m);
@@ -237,8 +213,8 @@ private:
             point.target_component = 1;
             point.idx = static_cast<uint8_t>(i);
             point.count = kPoints;
-            point.lat = static_cast<float>(home_.latitude_deg) + kNorth_deg * kCorners[i][0];
-            point.lng = static_cast<float>(home_.longitude_deg) + kEast_deg * kCorners[i][1];
+            point.lat = static_cast<float>(items_[0].latitude_deg) + kNorth_deg * kCorners[i][0];
+            point.lng = static_cast<float>(items_[0].longitude_deg) + kEast_deg * kCorners[i][1];
             usb_.send(point);
             wait(kAnswered_s);
         }
@@ -259,7 +235,7 @@ private:
         const auto sent = sent_.find(name);
         if (sent != sent_.end() && sent->second == value) return;
         sent_[name] = value;
-        usb_.send(paramSet(flight_.telemetry().system, name.c_str(), value));
+        send(name.c_str(), value);
         wait(kAnswered_s);
     }
 
@@ -274,14 +250,6 @@ private:
         return all;
     }
 
-    Board& board_;
-    const WaypointItem home_;
-    const LocalFrame frame_;
-    const Plan plan_;
-    ScriptedFlight flight_;
-    Link usb_;
-    Recorder recorder_;
-    uint64_t step_ = 0;
     unsigned troubles_ = kNone;
     bool begun_ = false, kept_ = false;
     size_t said_ = 0;              // texts before this row, then before its trouble
@@ -289,13 +257,6 @@ private:
     std::map<std::string, float> sent_;
     double lowest_m_ = 1e9, max_bank_deg_ = 0;
 };
-
-WorldOptions worldOf(const Waypoints& items) {
-    WorldOptions world = worldAt(items, 4, 320);
-    world.gusts = true;
-    world.seed = 11;
-    return world;
-}
 
 }  // namespace
 
@@ -305,5 +266,6 @@ int main(int count, char** words) {
         return 2;
     }
     const Waypoints items = readWaypoints(words[2]);
-    return flyAndCheck<FailsafeFlight>(words[1], worldOf(items), words[3], words[4], items);
+    return flyAndCheck<FailsafeFlight>(words[1], gustyWorldAt(items, 4, 11), words[3], words[4],
+                                       items);
 }

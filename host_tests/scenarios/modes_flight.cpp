@@ -7,19 +7,15 @@
 #include <cstdio>
 #include <iostream>
 
-#include "host_tests/scenarios/self_checked.hpp"
-#include "host_tests/scenarios/station.hpp"
+#include "host_tests/scenarios/flight_scenario.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
-#include "simulator/report/recorder.hpp"
 
 using namespace simulator;
 
 namespace {
 
-constexpr int kTelemetry = 2, kUsb = 0;
 constexpr uint64_t kStep_us = 20'000;
 constexpr double kFrom_s = 20;  // in the air and past the take-off
-constexpr double kDegree = M_PI / 180;
 constexpr double kBankLimit_deg = 45;
 
 struct Moment {
@@ -187,26 +183,13 @@ constexpr Leg kLegs[] = {
     {"AUTO", 10, hands_off, withinTheLimit, "went on"},
 };
 
-class ModesFlight {
+class ModesFlight : FlightScenario {
 public:
     ModesFlight(Board& board, const Waypoints& items, double seconds_a_mode)
-        : seconds_a_mode_(seconds_a_mode),
-          frame_(items[0].latitude_deg, items[0].longitude_deg),
-          plan_(makePlan(items, frame_)),
-          board_(board),
-          flight_(board, kTelemetry, items, 900),
-          usb_(board, kUsb, [](const mavlink::Frame&, uint64_t) {}),
-          recorder_(plan_, frame_) {
-        board_.listen([this](int usart, uint8_t byte, uint64_t at_us) {
-            if (usart == kTelemetry) flight_.receive(byte, at_us);
-            if (usart == kUsb) usb_.receive(byte, at_us);
-        });
-        board_.setUsb(true);
-        switchTransmitterOn(board_.world());
-    }
+        : FlightScenario(board, items, 900, kStep_us), seconds_a_mode_(seconds_a_mode) {}
 
     bool fly() {
-        while (goOn() && !(flight_.airborne_s() && seconds() > *flight_.airborne_s() + kFrom_s)) {
+        while (advance() && sinceAirborne_s() <= kFrom_s) {
         }
         set("ACRO_LOCKING", 1);
         bool kept = true;
@@ -217,24 +200,17 @@ public:
             kept = check(leg, flown) && kept;
             upper = !upper;
         }
-        const BoardFigures figures = board_.figures();
-        if (figures.frame_overruns.value_or(0) != 0) std::printf("  FAILED  a frame was late\n");
-        kept_all_ = kept && !flight_.over() && figures.frame_overruns.value_or(0) == 0;
+        if (frameWasLate()) std::printf("  FAILED  a frame was late\n");
+        kept_all_ = kept && !flight_.over() && !frameWasLate();
         if (!kept_all_) printEvents(flight_);
         return kept_all_;
     }
 
-    double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
-    Summary summary(const std::string& firmware, const WorldOptions& world);
-
-private:
-    bool goOn() {
-        if (!board_.runUntil(++step_ * kStep_us)) flight_.stop(board_.fault());
-        flight_.step(board_.time_us());
-        if (step_ % 5 == 0) recorder_.sample(board_, flight_.telemetry(), {}, {});
-        return !flight_.over();
+    Summary summary(const std::string& firmware, const WorldOptions& world) const {
+        return summarised("every mode", kept_all_, firmware, world);
     }
 
+private:
     // The next mode goes to the end of the switch where it does not stand.
     void prepare(const Leg& leg, bool upper) { set(upper ? "FLTMODE6" : "FLTMODE1", leg.mode); }
 
@@ -242,7 +218,7 @@ private:
         Flown flown;
         const Leg* next = &leg + 1 == std::end(kLegs) ? nullptr : &leg + 1;
         const double from_s = seconds();
-        for (double t_s = 0; t_s < seconds_a_mode_ && goOn(); t_s = seconds() - from_s) {
+        for (double t_s = 0; t_s < seconds_a_mode_ && advance(); t_s = seconds() - from_s) {
             const Truth& truth = board_.world().truth();
             const Sticks sticks = leg.pilot(t_s, truth);
             const auto us = [](int by) { return static_cast<uint16_t>(1500 + by); };
@@ -282,30 +258,8 @@ private:
     }
 
     const double seconds_a_mode_;
-    const LocalFrame frame_;
-    const Plan plan_;
-    Board& board_;
-    ScriptedFlight flight_;
-    Link usb_;
-    Recorder recorder_;
-    uint64_t step_ = 0;
     bool kept_all_ = false;
 };
-
-Summary ModesFlight::summary(const std::string& firmware, const WorldOptions& world) {
-    Summary s = summaryOf(board_, flight_, firmware, world);
-    s.mission = "every mode";
-    s.completed = kept_all_;
-    if (const auto imu = recorder_.imuSamples()) s.setSamples(*imu);
-    return s;
-}
-
-WorldOptions worldOf(const Waypoints& items) {
-    WorldOptions world = worldAt(items, 5, 320);
-    world.gusts = true;
-    world.seed = 5;
-    return world;
-}
 
 }  // namespace
 
@@ -315,6 +269,6 @@ int main(int count, char** words) {
         return 2;
     }
     const Waypoints items = readWaypoints(words[2]);
-    return flyAndCheck<ModesFlight>(words[1], worldOf(items), words[3], words[5], items,
+    return flyAndCheck<ModesFlight>(words[1], gustyWorldAt(items, 5, 5), words[3], words[5], items,
                                     std::stod(words[4]));
 }

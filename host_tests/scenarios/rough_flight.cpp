@@ -8,15 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 
-#include "host_tests/scenarios/flight_report.hpp"
+#include "host_tests/scenarios/flight_scenario.hpp"
 #include "simulator/devices/at45db.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
-#include "simulator/machine/apm2_board.hpp"
-#include "simulator/report/recorder.hpp"
 
 using namespace simulator;
 namespace fs = std::filesystem;
@@ -24,41 +21,23 @@ using mavlink::MavCmd;
 
 namespace {
 
-constexpr int kTelemetry = 2, kUsb = 0;
 constexpr uint64_t kStep_us = 10'000;
 constexpr double kFrom_s = 25;  // in the air and past the take-off
 constexpr double kEnd_s = 175;
 constexpr uint16_t kFencePoints = 20;
 constexpr uint16_t kManual = 1815, kFbwa = 1425, kRtl = 1165;  // pulses of FLTMODE_CH
 
-class RoughFlight {
+class RoughFlight : FlightScenario {
 public:
-    RoughFlight(const std::string& firmware, const Waypoints& items)
-        : items_(items),
-          frame_(items[0].latitude_deg, items[0].longitude_deg),
-          plan_(makePlan(items, frame_)),
-          board_(firmware, worldOf(items)),
-          flight_(board_, kTelemetry, items_, kEnd_s + 60),
-          usb_(board_, kUsb, [this](const mavlink::Frame& f, uint64_t at_us) { take(f, at_us); }),
-          upload_(usb_, items_),
-          recorder_(plan_, frame_) {
-        board_.listen([this](int usart, uint8_t byte, uint64_t at_us) {
-            if (usart == kTelemetry) flight_.receive(byte, at_us);
-            if (usart == kUsb) usb_.receive(byte, at_us);
-        });
-        board_.setUsb(true);
-        switchTransmitterOn(board_.world());
-    }
-
-    void profileTo(const std::string& path) { board_.profileTo(path); }
-    void closeProfile() { board_.closeProfile(); }
+    RoughFlight(Board& board, const Waypoints& items)
+        : FlightScenario(board, items, kEnd_s + 60, kStep_us,
+                         [this](const mavlink::Frame& f, uint64_t at_us) { take(f, at_us); }),
+          upload_(usb_, items_) {}
 
     void fly() {
         size_t next = 0;
-        for (uint64_t step = 1; !flight_.over() && sinceAirborne_s() < kEnd_s; ++step) {
-            if (!board_.runUntil(step * kStep_us)) flight_.stop(board_.fault());
-            flight_.step(board_.time_us());
-            if (step % 10 == 0) recorder_.sample(board_, flight_.telemetry(), {}, {});
+        while (!flight_.over() && sinceAirborne_s() < kEnd_s) {
+            advance();
             if (uploading_)
                 upload_.step(board_.time_us(), telemetry().system, telemetry().component);
             if (next == kTroubles.size() || sinceAirborne_s() < kTroubles[next].at_s) continue;
@@ -68,9 +47,9 @@ public:
     }
 
     bool check();
-    Summary summary(const std::string& firmware);
-
-    double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
+    Summary summary(const std::string& firmware, const WorldOptions& world) const {
+        return summarised("rough flight", kept_all_, firmware, world);
+    }
 
 private:
     struct Trouble {
@@ -80,17 +59,7 @@ private:
     };
     static const std::vector<Trouble> kTroubles;
 
-    static WorldOptions worldOf(const Waypoints& items) {
-        WorldOptions world = worldAt(items, 5, 320);
-        world.gusts = true;
-        world.seed = 4;
-        return world;
-    }
-
     const Telemetry& telemetry() const { return flight_.telemetry(); }
-    double sinceAirborne_s() const {
-        return flight_.airborne_s() ? seconds() - *flight_.airborne_s() : -1;
-    }
 
     void take(const mavlink::Frame& frame, uint64_t at_us) {
         ++usb_messages_;
@@ -121,19 +90,12 @@ private:
         usb_.send(addressed<mavlink::MissionRequestList>());
         asked_for_mission_ = true;
     }
-    void set(const char* name, float value) {
-        auto message = addressed<mavlink::ParamSet>();
-        message.param_value = value;
-        std::memcpy(message.param_id, name, std::min<size_t>(std::strlen(name), 16));
-        message.param_type = mavlink::MavParamType::real32;
-        usb_.send(message);
-    }
     void setParameters() {
-        set("WP_LOITER_RAD", 70);
-        set("RLL2SRV_P", 0.8F);
-        set("PTCH2SRV_P", 1.1F);
-        set("FS_LONG_ACTN", 1);  // so that a lasting loss of the radio is seen: RTL
-        set("LIM_ROLL_CD", 4000);
+        send("WP_LOITER_RAD", 70);
+        send("RLL2SRV_P", 0.8F);
+        send("PTCH2SRV_P", 1.1F);
+        send("FS_LONG_ACTN", 1);  // so that a lasting loss of the radio is seen: RTL
+        send("LIM_ROLL_CD", 4000);
     }
     void sendMission() {
         uploading_ = true;
@@ -141,7 +103,7 @@ private:
     }
     // The largest there is, around all of the flight, and only to be reported.
     void sendFence() {
-        set("FENCE_ACTION", 2);
+        send("FENCE_ACTION", 2);
         auto count = addressed<mavlink::MissionCount>();
         count.count = kFencePoints;
         count.mission_type = mavlink::MavMissionType::fence;
@@ -190,14 +152,7 @@ private:
                            [&](const Event& e) { return e.text == event; });
     }
 
-    const Waypoints items_;
-    const LocalFrame frame_;
-    const Plan plan_;
-    AvrBoard board_;
-    ScriptedFlight flight_;
-    Link usb_;
     MissionUpload upload_;
-    Recorder recorder_;
     std::vector<uint32_t> modes_;
     bool uploading_ = false, asked_for_mission_ = false, kept_all_ = false;
     int usb_messages_ = 0, parameters_sent_ = 0;
@@ -253,14 +208,6 @@ bool RoughFlight::check() {
     return kept_all_;
 }
 
-Summary RoughFlight::summary(const std::string& firmware) {
-    Summary s = summaryOf(board_, flight_, firmware, worldOf(items_));
-    s.mission = "rough flight";
-    s.completed = kept_all_;
-    if (const auto imu = recorder_.imuSamples()) s.setSamples(*imu);
-    return s;
-}
-
 }  // namespace
 
 int main(int count, char** words) {
@@ -271,11 +218,14 @@ int main(int count, char** words) {
     const std::string firmware = words[1];
     const fs::path out = words[3], minutes = words[4];
     emptyFolder(out);
-    RoughFlight flight(firmware, readWaypoints(words[2]));
-    if (count == 6) flight.profileTo(words[5]);
+    const Waypoints items = readWaypoints(words[2]);
+    const WorldOptions world = gustyWorldAt(items, 5, 4);
+    AvrBoard board(firmware, world);
+    RoughFlight flight(board, items);
+    if (count == 6) board.profileTo(words[5]);
     flight.fly();
-    flight.closeProfile();
+    board.closeProfile();
     const bool kept = flight.check();
-    writeOutcome(out, minutes, flight.summary(firmware));
+    writeOutcome(out, minutes, flight.summary(firmware, world));
     return kept ? 0 : 1;
 }

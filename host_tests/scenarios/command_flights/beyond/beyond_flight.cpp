@@ -12,17 +12,16 @@
 #include "firmware/actuators/camera.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/state/vehicle.hpp"
-#include "host_tests/scenarios/flight_report.hpp"
-#include "simulator/native/native_board.hpp"
+#include "host_tests/scenarios/flight_scenario.hpp"
 
 using namespace simulator;
 namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kTelemetry = 2, kUsb = 0, kShutter = 7, kFlap = 8;
+constexpr int kShutter = 7, kFlap = 8;
 constexpr uint64_t kStep_us = 20'000;
-constexpr double kDegree = M_PI / 180, kTimeLimit_s = 420;
+constexpr double kTimeLimit_s = 420;
 constexpr double kNear_deg = 8.0 / 111'319;
 constexpr uint8_t kAuto = 10, kRtl = 11;
 // of the mission
@@ -34,39 +33,27 @@ struct Moment {
     int item, flap_us;
 };
 
-class BeyondFlight {
+class BeyondFlight : public FlightScenario {
 public:
-    explicit BeyondFlight(const Waypoints& items, const WorldOptions& world)
-        : board_(world),
-          flight_(board_, kTelemetry, items, kTimeLimit_s,
-                  {{"RTL_AUTOLAND", 2},
-                   {"RC7_FUNCTION", 10},
-                   {"CAM_DURATION", 2},
-                   {"RC8_FUNCTION", 3},
-                   {"LAND_FLAP_PERCNT", 50}}),
-          usb_(board_, kUsb, [this](const mavlink::Frame& frame, uint64_t) { hear(frame); }) {
-        board_.listen([this](int usart, uint8_t byte, uint64_t at_us) {
-            if (usart == kTelemetry) flight_.receive(byte, at_us);
-            if (usart == kUsb) usb_.receive(byte, at_us);
-        });
-        board_.setUsb(true);
-        switchTransmitterOn(board_.world());
-    }
+    BeyondFlight(Board& board, const Waypoints& items)
+        : FlightScenario(board, items, kTimeLimit_s, kStep_us,
+                         [this](const mavlink::Frame& frame, uint64_t) { hear(frame); },
+                         {{"RTL_AUTOLAND", 2},
+                          {"RC7_FUNCTION", 10},
+                          {"CAM_DURATION", 2},
+                          {"RC8_FUNCTION", 3},
+                          {"LAND_FLAP_PERCNT", 50}}) {}
 
     bool fly() {
-        for (uint64_t step = 1; !flight_.over(); ++step) {
-            if (!board_.runUntil(step * kStep_us)) flight_.stop(board_.fault());
-            flight_.step(board_.time_us());
+        while (!flight_.over()) {
+            advance();
             look();
             act();
         }
         const bool kept = check();
-        if (!kept)
-            for (const Event& text : flight_.telemetry().texts)
-                std::printf("%8.1f s  said: %s\n", text.time_s, text.text.c_str());
+        if (!kept) printEvents(flight_);
         return kept;
     }
-    double seconds() const { return static_cast<double>(board_.time_us()) * 1e-6; }
 
 private:
     const Truth& truth() { return board_.world().truth(); }
@@ -242,9 +229,6 @@ private:
         });
     }
 
-    NativeBoard board_;
-    ScriptedFlight flight_;
-    Link usb_;
     std::vector<Moment> flown_, pictures_;
     size_t feedbacks_ = 0;
     bool feedback_fits_ = true;
@@ -260,7 +244,8 @@ int main(int count, char** words) {
         return 2;
     }
     const Waypoints items = readWaypoints(words[1]);
-    BeyondFlight flight(items, worldAt(items, 4, 330));
+    NativeBoard board(worldAt(items, 4, 330));
+    BeyondFlight flight(board, items);
     const bool kept = flight.fly();
     writeMinutes(fs::path(words[2]) / "native_beyond", flight.seconds() / 60);
     return kept ? 0 : 1;
