@@ -54,12 +54,12 @@ gtest_run(hal_apm1_test NEEDS ${elves} ${IMAGE_apm1} LABELS simavr)
 
 # ---- what geodesy, the mission engine and the ground link take of the processor
 project_program(costs ${tests}/chip/costs/costs.cpp LIBRARIES simulator_machine nlohmann_json::nlohmann_json)
-declare_test(on_board.costs COMMAND costs ${AVR_TREE}/apm2 ${budgets} LABELS simavr REUSE
-             NEEDS ${AVR_TREE}/apm2/cost_geodesy.elf ${AVR_TREE}/apm2/cost_mission.elf)
-project_program(mavlink_costs ${tests}/chip/costs/link_costs.cpp
-                LIBRARIES simulator_machine nlohmann_json::nlohmann_json)
-declare_test(mavlink.costs COMMAND mavlink_costs ${AVR_TREE}/apm2/cost_link.elf ${budgets}
-             NEEDS ${AVR_TREE}/apm2/cost_link.elf LABELS simavr REUSE)
+function(cost_test name what)
+    list(TRANSFORM ARGN REPLACE "(.+)" "${AVR_TREE}/apm2/cost_\\1.elf" OUTPUT_VARIABLE elves)
+    declare_test(${name} COMMAND costs ${AVR_TREE}/apm2 ${budgets} ${what} NEEDS ${elves} LABELS simavr REUSE)
+endfunction()
+cost_test(on_board.costs mission geodesy mission)
+cost_test(mavlink.costs link link)
 
 # ---- the libraries' tests once more, on the emulated ATmega2560
 project_program(run_on_chip ${tests}/chip/on_chip/run_on_chip.cpp LIBRARIES simulator_machine)

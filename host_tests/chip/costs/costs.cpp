@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What geodesy and the mission engine take on the chip, in cycles without interrupts. Prints them
-// all; fails when one that has a limit in BUDGETS is past it.
-//   costs PROGRAMS_FOLDER BUDGETS.json
+// What geodesy, the mission engine and the ground link take on the chip, in cycles without
+// interrupts. Prints them all; fails when one that has a limit in BUDGETS is past it.
+//   costs PROGRAMS_FOLDER BUDGETS.json mission|link
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -23,6 +23,7 @@ struct Line {
     costs::Step step;
     Figure figure;
     const char* budget;  // nullptr: none
+    int bytes = 1;       // of which one is counted
 };
 
 // clang-format off
@@ -33,6 +34,18 @@ const Line kMission[] = {
     {"advance over 168 actions, all polls",         costs::kAdvance,    Figure::all,     "mission_advance_cycles"},
     {"upload of an item, longest",                  costs::kUploadItem, Figure::longest, "mission_upload_item_cycles"},
     {"upload of an item, mean",                     costs::kUploadItem, Figure::each,    nullptr},
+};
+const Line kLink[] = {
+    {"HEARTBEAT received, MAVLink 1, a byte",         costs::kHeartbeat,     Figure::each, "link_received_byte_cycles", costs::kHeartbeatBytes},
+    {"COMMAND_LONG received, MAVLink 2, a byte",      costs::kCommand,       Figure::each, "link_received_byte_cycles", costs::kCommandBytes},
+    {"MISSION_ITEM_INT received, MAVLink 2, a byte",  costs::kItem,          Figure::each, "link_received_byte_cycles", costs::kItemBytes},
+    {"noise, a byte, mean of 5000",                   costs::kNoise,         Figure::each, "link_noise_byte_cycles"},
+    {"noise, a byte, longest",                        costs::kNoise,         Figure::longest, nullptr},
+    {"false starts, a byte, mean of 1000",            costs::kFalseStarts,   Figure::each, "link_false_start_byte_cycles"},
+    {"false starts, a byte, longest",                 costs::kFalseStarts,   Figure::longest, nullptr},
+    {"HEARTBEAT sent, MAVLink 1, 17 bytes",           costs::kSendHeartbeat, Figure::each, "link_sent_heartbeat_cycles"},
+    {"GLOBAL_POSITION_INT sent, MAVLink 2, 40 bytes", costs::kSendPosition,  Figure::each, "link_sent_position_cycles"},
+    {"STATUSTEXT sent, MAVLink 2, 63 bytes",          costs::kSendText,      Figure::each, "link_sent_text_cycles"},
 };
 struct Pair {
     const char* what;
@@ -55,6 +68,7 @@ Tasks run(const std::string& program, costs::Step last, double at_most_s) {
         if (!board.runUntil(time_us)) break;
         tasks.clear();
         for (const Task& task : board.figures().tasks) tasks[task.number] = task;
+        if (tasks.count(costs::kBroken - 1) != 0) break;
         if (tasks.count(last - 1) != 0) return tasks;
     }
     std::printf("%s does not come to its end %s\n", program.c_str(), board.fault().c_str());
@@ -77,7 +91,7 @@ public:
     }
 
     bool holds(const Line& line) const {
-        const double cycles = this->cycles(line.step, line.figure);
+        const double cycles = this->cycles(line.step, line.figure) / line.bytes;
         std::printf("%-46s %9.0f cycles %8.1f us", line.what, cycles, cycles / 16);
         if (line.figure == Figure::all) std::printf(" in %u polls", runs(line.step));
         bool kept = cycles > 0;
@@ -114,15 +128,23 @@ bool geodesy(const Costs& costs) {
 }  // namespace
 
 int main(int count, char** words) {
-    if (count != 3) {
-        std::fprintf(stderr, "usage: costs PROGRAMS_FOLDER BUDGETS.json\n");
+    const std::string what = count == 4 ? words[3] : "";
+    if (what != "mission" && what != "link") {
+        std::fprintf(stderr, "usage: costs PROGRAMS_FOLDER BUDGETS.json mission|link\n");
         return 2;
     }
-    const std::string folder = words[1];
+    const std::string program = std::string(words[1]) + "/cost_";
     std::ifstream file(words[2]);
     const nlohmann::json budgets = nlohmann::json::parse(file);
-    bool kept = geodesy(Costs(run(folder + "/cost_geodesy.elf", costs::kNaivePassed, 1), budgets));
-    const Costs mission(run(folder + "/cost_mission.elf", costs::kNothing, 120), budgets);
-    for (const Line& line : kMission) kept = mission.holds(line) && kept;
+    bool kept = true;
+    const auto hold = [&](const auto& lines, const Costs& costs) {
+        for (const Line& line : lines) kept = costs.holds(line) && kept;
+    };
+    if (what == "link") {
+        hold(kLink, Costs(run(program + "link.elf", costs::kNothing, 10), budgets));
+    } else {
+        kept = geodesy(Costs(run(program + "geodesy.elf", costs::kNaivePassed, 1), budgets));
+        hold(kMission, Costs(run(program + "mission.elf", costs::kNothing, 120), budgets));
+    }
     return kept ? 0 : 1;
 }

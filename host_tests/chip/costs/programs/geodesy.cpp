@@ -5,7 +5,6 @@
 
 #include "core/maths.hpp"
 #include "geo/position.hpp"
-#include "hal/trace.hpp"
 #include "steps.hpp"
 
 namespace hal {
@@ -56,13 +55,6 @@ bool naivePassed(const Degrees& start, const Degrees& end, const Degrees& here) 
     return way.north_m * leg.north_m + way.east_m * leg.east_m <= 0;
 }
 
-template <class Work>
-__attribute__((noinline)) void timed(uint8_t step, Work work) {
-    hal::trace(step);
-    work();
-    hal::trace(hal::kTraceTaskEnd);
-}
-
 void keep(const geo::Offset& offset) {
     kept = offset.north_m;
     kept = offset.east_m;
@@ -81,21 +73,21 @@ int main() {
     const auto da = [] { return degrees(places[0]); };
     const auto db = [] { return degrees(places[1]); };
     const auto dc = [] { return degrees(places[2]); };
-    hal::trace(hal::kTraceFrameBegin);  // without frames nothing is measured
-    timed(costs::kNothing, [] {});
-    timed(costs::kNewBand,
-          [] { kept = geo::distance_m(place(far_places[0]), place(far_places[1])); });
+    hal::mark(hal::kMarkFrameBegin);  // without frames nothing is measured
+    costs::timed(costs::kNothing, [] {});
+    costs::timed(costs::kNewBand,
+                 [] { kept = geo::distance_m(place(far_places[0]), place(far_places[1])); });
     kept = geo::distance_m(a(), b());
-    timed(costs::kDistance, [=] { kept = geo::distance_m(a(), b()); });
-    timed(costs::kBearing, [=] { kept_cd = geo::bearing_cd(a(), b()); });
-    timed(costs::kOffset, [=] { keep(geo::offset(a(), b())); });
-    timed(costs::kTrack, [=] { keep(geo::track(a(), b(), c())); });
-    timed(costs::kPassed, [=] { kept_bool = geo::passed(a(), b(), c()); });
-    timed(costs::kNaiveDistance, [=] { kept = naiveDistance_m(da(), db()); });
-    timed(costs::kNaiveBearing, [=] { kept = naiveBearing_deg(da(), db()); });
-    timed(costs::kNaiveOffset, [=] { keep(naiveOffset(da(), db())); });
-    timed(costs::kNaiveTrack, [=] { keep(naiveTrack(da(), db(), dc())); });
-    timed(costs::kNaivePassed, [=] { kept_bool = naivePassed(da(), db(), dc()); });
+    costs::timed(costs::kDistance, [=] { kept = geo::distance_m(a(), b()); });
+    costs::timed(costs::kBearing, [=] { kept_cd = geo::bearing_cd(a(), b()); });
+    costs::timed(costs::kOffset, [=] { keep(geo::offset(a(), b())); });
+    costs::timed(costs::kTrack, [=] { keep(geo::track(a(), b(), c())); });
+    costs::timed(costs::kPassed, [=] { kept_bool = geo::passed(a(), b(), c()); });
+    costs::timed(costs::kNaiveDistance, [=] { kept = naiveDistance_m(da(), db()); });
+    costs::timed(costs::kNaiveBearing, [=] { kept = naiveBearing_deg(da(), db()); });
+    costs::timed(costs::kNaiveOffset, [=] { keep(naiveOffset(da(), db())); });
+    costs::timed(costs::kNaiveTrack, [=] { keep(naiveTrack(da(), db(), dc())); });
+    costs::timed(costs::kNaivePassed, [=] { kept_bool = naivePassed(da(), db(), dc()); });
     for (;;) {
     }
 }

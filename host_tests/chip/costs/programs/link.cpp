@@ -2,8 +2,7 @@
 // The firmware's own parser and sending, fed from memory with interrupts off: a byte taken by the
 // parser, a message framed into the port's queue.
 #include "firmware/gcs/link.hpp"
-#include "hal/trace.hpp"
-#include "link_steps.hpp"
+#include "steps.hpp"
 
 namespace {
 
@@ -11,13 +10,6 @@ using mavlink::Framing;
 
 uint8_t bytes[64];
 uint8_t size;
-
-template <class Work>
-__attribute__((noinline)) void timed(uint8_t step, Work work) {
-    hal::trace(step);
-    work();
-    hal::trace(hal::kTraceTaskEnd);
-}
 
 bool take(uint8_t byte) {
     mavlink::Parser<firmware::gcs::IncomingTable, firmware::gcs::kLongestTalk>& parser =
@@ -35,10 +27,10 @@ void receive(costs::Step step, Framing framing, const Message& message, uint8_t 
         },
         {framing, 1, 255, 190}, mavlink::outgoing(framing, message));
     bool whole = false;
-    timed(step, [&whole] {
+    costs::timed(step, [&whole] {
         for (uint8_t i = 0; i < size; ++i) whole = take(bytes[i]);
     });
-    if (!whole || size != expected) hal::trace(0x7F);  // measure.cpp refuses to go on
+    if (!whole || size != expected) hal::mark(costs::kBroken);
     firmware::gcs::links[0].parser.next();
 }
 
@@ -46,7 +38,7 @@ template <class Message>
 void sendOne(costs::Step step, Framing framing, const Message& message) {
     hal::serialOpen(hal::Port::link0, 57600);
     firmware::gcs::links[0].framing = framing;
-    timed(step, [&message] { firmware::gcs::send(firmware::gcs::links[0], message); });
+    costs::timed(step, [&message] { firmware::gcs::send(firmware::gcs::links[0], message); });
 }
 
 void receiveAll() {
@@ -68,12 +60,12 @@ void receiveNoise() {
     for (uint16_t i = 0; i < 5000; ++i) {
         state = state * 1664525u + 1013904223u;  // Numerical Recipes' generator
         const uint8_t byte = static_cast<uint8_t>(state >> 24);
-        timed(costs::kNoise, [byte] { take(byte); });
+        costs::timed(costs::kNoise, [byte] { take(byte); });
     }
     for (uint16_t i = 0; i < 1000; ++i) {
         // at every second byte a PARAM_REQUEST_READ of the right length seems to begin
         const uint8_t byte = i % 2 ? 20 : mavlink::kMagicV1;
-        timed(costs::kFalseStarts, [byte] { take(byte); });
+        costs::timed(costs::kFalseStarts, [byte] { take(byte); });
     }
 }
 
@@ -96,7 +88,7 @@ int main() {
     receiveAll();
     receiveNoise();
     sendAll();
-    for (uint8_t i = 0; i < 8; ++i) timed(costs::kNothing, [] {});
+    for (uint8_t i = 0; i < 8; ++i) costs::timed(costs::kNothing, [] {});
     for (;;) {
     }
 }

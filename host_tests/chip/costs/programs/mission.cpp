@@ -7,8 +7,6 @@
 #include "firmware/app/tasks.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/state/vehicle.hpp"
-#include "hal/trace.hpp"
-#include "host_tests/support/fakes/vehicle.hpp"
 #include "steps.hpp"
 
 namespace {

@@ -3,6 +3,8 @@
 #pragma once
 #include <stdint.h>
 
+#include "hal/mark.hpp"
+
 namespace costs {
 
 enum Step : uint8_t {
@@ -22,6 +24,25 @@ enum Step : uint8_t {
     kAdvance,
     kHeavyStep,
     kUploadItem,
+    kHeartbeat,      // received, MAVLink 1
+    kCommand,        // COMMAND_LONG, MAVLink 2
+    kItem,           // MISSION_ITEM_INT, MAVLink 2
+    kNoise,          // one byte of it
+    kFalseStarts,    // one byte of a line full of what looks like known messages
+    kSendHeartbeat,  // MAVLink 1
+    kSendPosition,   // GLOBAL_POSITION_INT, MAVLink 2
+    kSendText,       // STATUSTEXT, MAVLink 2, of 50 letters
+    kBroken = 0x7F,  // the program has not done what is to be timed
 };
+
+constexpr uint8_t kHeartbeatBytes = 17, kCommandBytes = 44, kItemBytes = 49;
+
+// Between two marks, with nothing of the caller's inlined into it.
+template <class Work>
+__attribute__((noinline)) void timed(Step step, Work work) {
+    hal::mark(step);
+    work();
+    hal::mark(hal::kMarkTaskEnd);
+}
 
 }  // namespace costs
