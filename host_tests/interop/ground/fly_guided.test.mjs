@@ -2,56 +2,14 @@
 // What "fly to here" of a ground station does: one flight, from the runway into GUIDED and around
 // in it, by every message that ground stations use for it.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { beside, distance_m, flies, home, takeOff } from './points.mjs';
 import { withVehicle } from '../../support/vehicle.mjs';
 
 const kGuided = 15, kAuto = 10;
 const kGlobalInt = 5, kRelativeInt = 6, kTerrainInt = 11;
 const kReposition = 192, kChangeAltitude = 186, kChangeSpeed = 178, kSetHome = 179;
 const kRadius_m = 60;
-
-const file = new URL('../../../simulator/missions/first_flight.waypoints', import.meta.url);
-const plan = readFileSync(file, 'utf8').trim().split(/\r?\n/).slice(1, 4).map((line) => {
-  const [seq, , frame, command, param1, param2, param3, param4, x, y, z] = line.split(/\s+/).map(Number);
-  return { seq, frame, command, param1, param2, param3, param4,
-    x: Math.round(x * 1e7), y: Math.round(y * 1e7), z, current: 0, autocontinue: 1 };
-});
-const home = plan[0];
-const metresPerE7 = 0.011132;
-const beside = (north_m, east_m) => ({
-  x: home.x + Math.round(north_m / metresPerE7),
-  y: home.y + Math.round(east_m / metresPerE7 / Math.cos(home.x * 1e-7 * Math.PI / 180)),
-});
-const distance_m = (place, { lat, lon }) => Math.hypot((place.x - lat) * metresPerE7,
-  (place.y - lon) * metresPerE7 * Math.cos(home.x * 1e-7 * Math.PI / 180));
-
-async function upload(vehicle, items) {
-  vehicle.send('MISSION_COUNT', { count: items.length });
-  for (;;) {
-    const { name, data } = await vehicle.next(['MISSION_REQUEST_INT', 'MISSION_ACK'], { within_ms: 5000 });
-    if (name === 'MISSION_ACK') return data.type;
-    vehicle.send('MISSION_ITEM_INT', items[data.seq]);
-  }
-}
-
-async function takeOff(vehicle) {
-  assert.equal(await upload(vehicle, plan), 0);
-  let result = 4;
-  for (let tries = 0; tries < 60 && result !== 0; ++tries) {
-    await vehicle.wait(1000);
-    result = await vehicle.command(400, [1]);
-  }
-  assert.equal(result, 0, 'never ready in a minute');
-  assert.equal(await vehicle.command(300), 0);
-  await flies(vehicle, 40, ({ relativeAlt }) => relativeAlt > 35_000);
-}
-
-// Until `where` holds of where it says it is, and of where it is in truth.
-async function flies(vehicle, within_s, where) {
-  vehicle.forget();
-  return vehicle.expect('GLOBAL_POSITION_INT', { within_ms: within_s * 1000, where });
-}
 
 async function commandInt(vehicle, command, frame, { x, y }, z, params = []) {
   const fields = { command, frame, _param5: x, _param6: y, _param7: z };
