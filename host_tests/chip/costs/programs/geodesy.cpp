@@ -73,7 +73,7 @@ int main() {
     const auto da = [] { return degrees(places[0]); };
     const auto db = [] { return degrees(places[1]); };
     const auto dc = [] { return degrees(places[2]); };
-    hal::mark(hal::kMarkFrameBegin);  // without frames nothing is measured
+    hal::trace(hal::kTraceFrameBegin);  // without frames nothing is measured
     costs::timed(costs::kNothing, [] {});
     costs::timed(costs::kNewBand,
                  [] { kept = geo::distance_m(place(far_places[0]), place(far_places[1])); });

@@ -3,7 +3,7 @@
 #pragma once
 #include <stdint.h>
 
-#include "hal/mark.hpp"
+#include "hal/trace.hpp"
 
 namespace costs {
 
@@ -40,9 +40,9 @@ constexpr uint8_t kHeartbeatBytes = 17, kCommandBytes = 44, kItemBytes = 49;
 // Between two marks, with nothing of the caller's inlined into it.
 template <class Work>
 __attribute__((noinline)) void timed(Step step, Work work) {
-    hal::mark(step);
+    hal::trace(step);
     work();
-    hal::mark(hal::kMarkTaskEnd);
+    hal::trace(hal::kTraceTaskEnd);
 }
 
 }  // namespace costs
