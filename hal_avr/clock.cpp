@@ -18,10 +18,10 @@ inline __attribute__((always_inline)) avr::Timer& counter() {
 }
 
 constexpr uint16_t kOverflow_us = 32768;
-// In counts. What drains by itself, a line, is looked at this often, not at each of its bytes.
+// In counts. Whether a transmit buffer has room again is checked this often, not after each byte.
 constexpr uint16_t kRest = 8000;  // 4 ms
-// Less by more than interrupts take between the look at the clock and the permission to sleep, or
-// the end of the rest would come in between and be missed.
+// Shorter by more than the interrupts that may run between reading the clock and sleeping, or the
+// end of the rest would come in between and be missed.
 constexpr uint16_t kLongestRest = 7600;
 
 // At the last overflow.

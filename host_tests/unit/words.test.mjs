@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words that this project has replaced by those of the field do not come back in what is flashed and its tests:
-// send, report or show rather than tell; accept rather than believe; measure rather than feel.
+// Words that this project has replaced by those of the field do not come back in the sources and the
+// documents: send, report or show rather than tell; accept rather than believe; measure rather than
+// feel; check rather than judge; damage rather than spoil.
 import assert from 'node:assert/strict';
-import { readdirSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
 const retired = [
-  /\b(tell|tells|told|telling|tell[A-Z]\w*)\b/, /\bails?\b/, /\b(believe[sd]?|doubt[s]?)\b/, /\bheals?\b/,
-  /\b(feel|feels|felt|feel[A-Z]\w*)\b/, /\b(haste|hurry|hurries|slowness)\b/, /\bonlooker\b/i,
-  /\bkMost([A-Z]\w*|_\w+)?\b/, /\bkBeyond\w*\b/, /\bhand_held\b/, /\bown_airplane\b/,
+  /\b(tell|tells|told|telling|tell[A-Z]\w*|\w+Told)\b/, /\bails?\b/, /\b(believ(e[sd]?|able)|doubt[s]?)\b/,
+  /\bheals?\b/, /\b(feel|feels|felt|feel[A-Z]\w*)\b/, /\b(haste|hurry|hurries|slowness|pace|paces|kPace\w*)\b/,
+  /\bonlooker\b/i, /\bkMost([A-Z]\w*|_\w+)?\b/, /\bkBeyond\w*\b/, /\bhand_held\b/, /\bown_airplane\b/,
+  /\bservosForgotten\b/, /\bspoil(s|t|ed)?\b/i,
 ];
 
 function* sources(folder) {
   for (const entry of readdirSync(folder, { withFileTypes: true })) {
     const path = join(folder, entry.name);
-    if (entry.isDirectory()) yield* sources(path);
-    else if (/\.(hpp|cpp|S|mjs)$/.test(entry.name)) yield path;
+    if (entry.isDirectory() && entry.name !== 'node_modules') yield* sources(path);
+    else if (entry.isFile() && /\.(hpp|cpp|S|mjs|md|txt|cmake|sh)$|^[a-z_]+$/.test(entry.name)) yield path;
   }
 }
 
@@ -38,10 +40,16 @@ test('a retired word is found with its line', () => {
   assert.deepEqual(retiredIn(sentences('TEST_F(Fence,\n  tells_the_pilot) {')), ['2: tells']);
 });
 
-for (const folder of ['firmware', 'libraries', 'hal_avr', 'host_tests'])
+for (const folder of ['firmware', 'libraries', 'hal_avr', 'simulator', 'toolchain', 'docs', 'host_tests'])
   test(`${folder} speaks the words of the field`, () => {
     const others = [...sources(join(root, folder))].filter((path) => path !== fileURLToPath(import.meta.url));
     const found = others.flatMap((path) =>
       retiredIn(sentences(readFileSync(path, 'utf8'))).map((place) => `${relative(root, path)}:${place}`));
     assert.deepEqual(found, []);
   });
+
+test('the two documents of the root speak them too', () => {
+  const found = ['README.md', 'CONTRIBUTING.md'].filter((path) => existsSync(join(root, path)))
+    .flatMap((path) => retiredIn(readFileSync(join(root, path), 'utf8')).map((place) => `${path}:${place}`));
+  assert.deepEqual(found, []);
+});

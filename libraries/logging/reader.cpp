@@ -21,7 +21,7 @@ uint8_t formatByte(const Formats& formats, uint16_t at) {
     return within == 0 ? kHead1 : within == 1 ? kHead2 : kFormatType;
 }
 
-// Spoilt pages in a row that are looked past.
+// Damaged pages in a row that are skipped.
 constexpr uint8_t kSpoilt = 2;
 
 bool holds(const PageHead& head, const Key& key) {

@@ -60,7 +60,7 @@ void Sequencer::beginAt(uint8_t index) {
 
 void Sequencer::beginPass() {
     memory_.steps = 0;
-    put(kLoopTold, false);
+    put(kLoopReported, false);
     if (set() == Set::apm1) memset(memory_.jumps.visited, 0, sizeof memory_.jumps.visited);
 }
 

@@ -113,7 +113,7 @@ private:
         kTrailing = 8,  // the chain has no NAV
         kChosen = 16,   // the ground said where AUTO begins
         kDropped = 32,  // the chain is not run
-        kLoopTold = 64,
+        kLoopReported = 64,
     };
     struct Item {
         Record record;

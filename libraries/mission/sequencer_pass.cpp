@@ -199,8 +199,8 @@ void Sequencer::act(const Item& item) {
 void Sequencer::takeJump(const Item& item) {
     const uint8_t index = memory_.next;
     if (memory_.steps >= count()) {
-        if (!has(kLoopTold)) reportEvent(Event::looped, index);
-        put(kLoopTold, true);
+        if (!has(kLoopReported)) reportEvent(Event::looped, index);
+        put(kLoopReported, true);
         ++memory_.next;
         return;
     }
