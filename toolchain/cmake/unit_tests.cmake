@@ -95,6 +95,11 @@ list(FILTER tool_tests EXCLUDE REGEX "/(flash_tool|firmware)/")  # tests of thei
 file(GLOB documents CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/*.md ${CMAKE_SOURCE_DIR}/docs/*
      ${CMAKE_SOURCE_DIR}/CMake* ${CMAKE_SOURCE_DIR}/toolchain/cmake/*.cmake)
 list(TRANSFORM firmware_headers PREPEND ${CMAKE_SOURCE_DIR}/ OUTPUT_VARIABLE task_headers)
+# these read the whole tree: their result depends on every file and is not reused
+set(tree_tests ${tool_tests})
+list(FILTER tree_tests INCLUDE REGEX "/(architecture|documents|words)\\.test\\.mjs$")
+list(REMOVE_ITEM tool_tests ${tree_tests})
+declare_test(toolchain.documents COMMAND node --test ${tree_tests} LABELS quick)
 declare_test(toolchain.scripts COMMAND node --test ${tool_tests} DATA ${documents}
              ${CMAKE_SOURCE_DIR}/firmware/safety/arming.cpp ${CMAKE_SOURCE_DIR}/firmware/app/tasks.cpp ${task_headers}
              ${CMAKE_SOURCE_DIR}/libraries/scheduler/scheduler.hpp LABELS quick REUSE)
