@@ -34,9 +34,9 @@ Dryden::Lags::Lags(Random& random)
 // Both lags together give the spectrum of the standard's second-order forms:
 // (1 + sqrt(3) T s) / (1 + T s)^2 = sqrt(3) / (1 + T s) + (1 - sqrt(3)) / (1 + T s)^2.
 void Dryden::Lags::advance(double dt_s, double time_s, Random& random) {
-    const double kept = std::exp(-dt_s / time_s);
-    second = kept * (second + first * dt_s / time_s);
-    first = kept * first + std::sqrt(1 - kept * kept) * random.normal();
+    const double decay = std::exp(-dt_s / time_s);
+    second = decay * (second + first * dt_s / time_s);
+    first = decay * first + std::sqrt(1 - decay * decay) * random.normal();
 }
 
 const Gust& Dryden::advance(double dt_s, double airspeed_mps, double height_m) {

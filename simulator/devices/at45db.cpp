@@ -161,9 +161,10 @@ void At45db::cutPower(uint64_t now_us) {
     abort(now_us);
     operations_++;
     if (will_be_512_ && !options_.pages_of_512) {
-        std::vector<uint8_t> kept;
-        for (unsigned i = 0; i < pages(); ++i) kept.insert(kept.end(), cells(i), cells(i) + 512);
-        cells_ = kept;
+        std::vector<uint8_t> shortened;
+        for (unsigned i = 0; i < pages(); ++i)
+            shortened.insert(shortened.end(), cells(i), cells(i) + 512);
+        cells_ = shortened;
         options_.pages_of_512 = true;
     }
     powerOn();

@@ -12,7 +12,7 @@ namespace simulator {
 struct MtkOptions : GpsOptions {
     uint32_t baud = 38400;
     bool version_19 = false;
-    bool binary = false;  // and five a second: what a receiver kept alive remembers
+    bool binary = false;  // and five a second: what a receiver with a backup battery remembers
 };
 
 class MtkGps : public GpsReceiver {

@@ -39,8 +39,8 @@ Wander::Wander(double deviation, double correlation_s, Random& random)
     : deviation_(deviation), correlation_s_(correlation_s), value_(deviation * random.normal()) {}
 
 double Wander::advance(double dt_s, Random& random) {
-    const double kept = std::exp(-dt_s / correlation_s_);
-    value_ = kept * value_ + deviation_ * std::sqrt(1 - kept * kept) * random.normal();
+    const double decay = std::exp(-dt_s / correlation_s_);
+    value_ = decay * value_ + deviation_ * std::sqrt(1 - decay * decay) * random.normal();
     return value_;
 }
 

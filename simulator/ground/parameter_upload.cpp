@@ -18,7 +18,7 @@ void ParameterUpload::step(uint64_t now_us, uint8_t system, uint8_t component) {
     const ParameterSetting& setting = settings_[next_];
     if (tries_ == kTries) {
         failure_ = "parameter " + setting.name + ": " +
-                   (kept_.empty() ? "the autopilot does not answer" : kept_);
+                   (answered_.empty() ? "the autopilot does not answer" : answered_);
         return;
     }
     ++tries_;
@@ -42,11 +42,11 @@ void ParameterUpload::take(const Frame& frame) {
     if (value->param_value == wanted || value->param_value == std::trunc(wanted)) {
         ++next_;
         tries_ = 0;
-        kept_.clear();
+        answered_.clear();
     } else {
         std::ostringstream text;
-        text << "the autopilot keeps " << value->param_value << ", not " << setting.value;
-        kept_ = text.str();
+        text << "the autopilot has " << value->param_value << ", not " << setting.value;
+        answered_ = text.str();
     }
 }
 

@@ -32,7 +32,7 @@ private:
     size_t next_ = 0;
     uint64_t sent_us_ = 0;
     int tries_ = 0;
-    std::string kept_;  // what the autopilot answered instead
+    std::string answered_;  // what the autopilot answered instead
     std::string failure_;
 };
 

@@ -16,7 +16,7 @@
 
 namespace simulator {
 
-// A client that does not read is dropped rather than kept in memory for ever.
+// A client that does not read is dropped; its data would otherwise fill the memory.
 constexpr size_t kLongestBacklog = 1 << 20;
 
 static void setNonBlocking(int socket) {

@@ -22,7 +22,7 @@ constexpr uint64_t kRunLimit = 10000;  // cycles between looks at the timers; 1 
 Chip* chipOf(avr_t* avr) { return avr ? static_cast<Chip*>(avr->custom.data) : nullptr; }
 
 // libsimavr's only log is the process's; what it last complained of explains a crash.
-void keepError(avr_t* avr, const int level, const char* format, va_list arguments) {
+void storeError(avr_t* avr, const int level, const char* format, va_list arguments) {
     if (level > LOG_ERROR || !chipOf(avr)) return;
     char text[200];
     vsnprintf(text, sizeof text, format, arguments);
@@ -73,7 +73,7 @@ Part* Chip::add(Arguments&&... arguments) {
 }
 
 Chip::Chip(const Image& image) {
-    avr_global_logger_set(keepError);
+    avr_global_logger_set(storeError);
     avr_ = avr_make_mcu_by_name("atmega2560");
     if (!avr_) throw std::runtime_error("libsimavr was built without the ATmega2560");
     avr_->custom.data = this;

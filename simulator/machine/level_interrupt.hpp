@@ -21,18 +21,18 @@ inline void requestInterrupt(avr_t* avr, avr_int_vector_t* vector) {
     avr_raise_interrupt(avr, vector);
 }
 
-// Out of the queue as well: what stands there keeps the core from falling asleep once.
+// Removes it from the queue as well: an entry there prevents the core from going to sleep once.
 inline void withdrawInterrupt(avr_t* avr, avr_int_vector_t* vector) {
     avr_clear_interrupt(avr, vector);
     avr_int_pending_t& queue = avr->interrupts.pending;
-    unsigned kept = queue.read;
+    unsigned to = queue.read;
     for (unsigned i = queue.read; i != queue.write; i = (i + 1) % 64) {
         if (queue.buffer[i] == vector) continue;
-        queue.buffer[kept] = queue.buffer[i];
-        kept = (kept + 1) % 64;
+        queue.buffer[to] = queue.buffer[i];
+        to = (to + 1) % 64;
     }
-    queue.write = static_cast<FIFO_CURSOR_TYPE>(kept);
-    if (kept == queue.read && avr->interrupt_state > 0) avr->interrupt_state = 0;
+    queue.write = static_cast<FIFO_CURSOR_TYPE>(to);
+    if (to == queue.read && avr->interrupt_state > 0) avr->interrupt_state = 0;
 }
 
 template <class Owner, bool (Owner::*flag)() const>

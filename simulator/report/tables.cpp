@@ -54,10 +54,10 @@ std::string limitText(const std::optional<double>& most) {
 }
 
 std::vector<std::string> cells(const Row& row) {
-    const bool kept = !row.most || *row.value <= *row.most;
+    const bool within = !row.most || *row.value <= *row.most;
     return {row.name, fixed(*row.value, row.decimals), limitText(row.most), row.unit,
             !row.most ? ""
-            : kept    ? "✓"
+            : within  ? "✓"
                       : "✗"};
 }
 

@@ -15,23 +15,23 @@ constexpr size_t kColumns = 6;
 
 constexpr char kAbove[] = R"(# Parameters
 
-Names, units and meanings are ArduPlane's where the name is ArduPlane's; defaults and ranges are this
-firmware's own. Nothing is listed that has no effect. This page is made from `firmware/state/parameters.csv`
+A parameter with a name of ArduPlane has ArduPlane's unit and meaning; defaults and ranges are this
+firmware's own. Every parameter in the list has an effect. This page is made from `firmware/state/parameters.csv`
 by `toolchain/param document > docs/parameters.md`, and a test holds it against the firmware.
 
 ## Over MAVLink
 
 List, read by name or index, and set, as <https://mavlink.io/en/services/parameter.html> describes.
-Every value travels as a float, whole numbers too (`MAV_PARAM_TYPE` 2, 4 and 6 say what it is kept
-as; the capability `PARAM_FLOAT` is set). A set value is stored before it is answered; the answer is
-the value that now stands. A value out of range, NaN or infinite is refused: the answer is the old
+Every value travels as a float, whole numbers too (`MAV_PARAM_TYPE` 2, 4 and 6 give the type it is
+stored as; the capability `PARAM_FLOAT` is set). A new value is stored before the answer is sent; the answer
+is the value now in force. A value out of range, NaN or infinite is refused: the answer is the old
 value, and a text says so. A name that does not exist is answered by a text alone. A new value is
-sent to both links. Count and order stay the same as long as the image does.
+sent to both links. Number and order are the same for the same image.
 
-A list takes turns with the streams, so each gets its half of the line; a list asked for again begins
-again; both links may fetch at once.
+A list and the streams take turns, so that each has half of the link. A list that is requested again
+begins anew; both links may request one at the same time.
 
-Storing survives a loss of power at any moment: the old value is there afterwards or the new one.
+When the power fails while a value is stored, either the old or the new value is there afterwards.
 
 ## Back to the defaults
 
@@ -41,7 +41,7 @@ Storing survives a loss of power at any moment: the old value is there afterward
 | the same | `MAV_CMD_PREFLIGHT_STORAGE` with param1 2, then a restart (QGroundControl: "Reset all to firmware's defaults") | stay |
 | the whole EEPROM | `MAV_CMD_PREFLIGHT_STORAGE` with param1 2 and param2 2, then a restart | go |
 
-All of them on the ground, disarmed. A loss of power on the way does no harm: the next start goes on.
+All of them on the ground, disarmed. When the power fails meanwhile, the next start continues.
 An EEPROM that another firmware has written is neither read nor written: parameters have their
 defaults and are not stored, until it is erased by either of the commands.
 
@@ -49,7 +49,7 @@ defaults and are not stored, until it is erased by either of the commands.
 
 With `COMPASS_AUTODEC` 1 the declination comes from a table of the World Magnetic Model 2025 (NOAA
 NCEI and British Geological Survey), for the middle of 2027, once there is a 3D fix. `COMPASS_DEC`
-then shows the value in use; what a pilot stored there counts while `COMPASS_AUTODEC` is 0. Between
+then shows the value in use; the value that was stored there counts while `COMPASS_AUTODEC` is 0. Between
 60 S and 60 N the table is within a degree of the model, but for the seas within 30 degrees of the
 southern magnetic pole (64 S, 135 E); beyond 60 degrees it gives the declination of the 60th parallel.
 The model's year is the table's: `toolchain/declination` makes it from NOAA's file of coefficients.

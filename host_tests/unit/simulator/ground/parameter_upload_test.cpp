@@ -79,7 +79,7 @@ TEST_F(ByWire, reports_the_value_the_autopilot_keeps) {
     answer(upload, "WP_RADIUS", 30);
     EXPECT_FALSE(upload.done());
     run(upload, 5);
-    EXPECT_EQ(upload.failure(), "parameter WP_RADIUS: the autopilot keeps 30, not 50");
+    EXPECT_EQ(upload.failure(), "parameter WP_RADIUS: the autopilot has 30, not 50");
 }
 
 TEST_F(ByWire, has_nothing_to_do_for_an_airplane_on_the_defaults) {
