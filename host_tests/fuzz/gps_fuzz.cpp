@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes into the GPS driver, at any pace. Whatever they were: a fix it vouches for is a place
-// on earth and a speed an airplane flies, and good messages behind them are heard, all but those
-// the bytes before laid claim to.
+// Any bytes into the GPS driver, in chunks of any size. Whatever they were: a fix it vouches for is
+// a place on earth and a speed an airplane flies, and good messages behind them are heard, all but
+// those the bytes before laid claim to.
 #include <stdlib.h>
 
 #include "drivers/gps.hpp"
@@ -46,10 +46,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size) {
     fakes::resetSerial();
     Driver driver;
     driver.gps.start(drivers::gps_any + (bytes[0] & 7) % 5);
-    const size_t pace = 1 + (bytes[0] >> 3);
+    const size_t chunk = 1 + (bytes[0] >> 3);
     for (int i = 0; i < 16; ++i) driver.step();  // past the greeting
-    for (size_t at = 1; at < size; at += pace)
-        driver.take(bytes + at, size - at < pace ? size - at : pace);
+    for (size_t at = 1; at < size; at += chunk)
+        driver.take(bytes + at, size - at < chunk ? size - at : chunk);
 
     drivers::GpsFraming framing;
     const auto hear = [&framing](const uint8_t* from, size_t count) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The image and power cuts: while a mission is changed, what the EEPROM and the DataFlash would be
-// left with is taken at many of their writes, with the byte or page in flight spoilt. Another
+// left with is taken at many of their writes, with the byte or page in flight damaged. Another
 // board wakes up with that and is asked for its mission: the old or the new one, whole, and the
 // new one once it has been acknowledged. Prints counts; exits 0 when all were right.
 //   power_cuts FIRMWARE MINUTES_FILE

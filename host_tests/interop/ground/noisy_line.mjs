@@ -31,7 +31,7 @@ class Way {
 
   // What comes out at the other end now.
   through(bytes, now_ms) {
-    this.held = Buffer.concat([this.held, this.spoil(bytes)]);
+    this.held = Buffer.concat([this.held, this.damage(bytes)]);
     if (now_ms >= this.stall_at_ms + stall_ms) {
       ++this.counts.stalls;
       this.plan(now_ms);
@@ -43,7 +43,7 @@ class Way {
     return out;
   }
 
-  spoil(bytes) {
+  damage(bytes) {
     const out = [];
     for (const byte of bytes) {
       const dice = this.random();

@@ -21,7 +21,7 @@ struct Chip {
     uint32_t writes = 0;
     uint32_t noise = 1;
 
-    void spoil(std::vector<uint8_t>& cells) {
+    void damage(std::vector<uint8_t>& cells) {
         for (uint8_t& cell : cells)
             cell = static_cast<uint8_t>((noise = noise * 1664525u + 1013904223u) >> 24);
     }
@@ -74,14 +74,14 @@ void setFlashPages(const FlashPages& pages) {
     chip.pages = pages;
     restartPageFlash();
 }
-void spoilPage(uint16_t page) { chip.spoil(chip.pages.at(page)); }
+void damagePage(uint16_t page) { chip.damage(chip.pages.at(page)); }
 
 void restartPageFlash() {
     chip.catchUp();
-    if (chip.page >= 0 && powerWasCut()) chip.spoil(chip.pages[static_cast<size_t>(chip.page)]);
+    if (chip.page >= 0 && powerWasCut()) chip.damage(chip.pages[static_cast<size_t>(chip.page)]);
     chip.page = -1;
     chip.occupied = chip.wanted = false;
-    for (std::vector<uint8_t>& buffer : chip.buffers) chip.spoil(buffer);
+    for (std::vector<uint8_t>& buffer : chip.buffers) chip.damage(buffer);
 }
 
 }  // namespace fakes
@@ -124,8 +124,8 @@ Status flashStore(FlashUser user, uint16_t page) {
     chip.page = page;
     chip.buffer = static_cast<int>(user);
     chip.until_us = fakes::time_us() + (chip.slow ? kPage_us : 0);
-    if (fate == fakes::Fate::spoilt) {
-        chip.spoil(chip.pages.at(page));
+    if (fate == fakes::Fate::damaged) {
+        chip.damage(chip.pages.at(page));
         chip.page = -1;
     }
     return Status::ok;

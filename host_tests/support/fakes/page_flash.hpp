@@ -24,7 +24,7 @@ bool missionWantsPageFlash();
 using FlashPages = std::vector<std::vector<uint8_t>>;  // the mission's
 FlashPages flashPages();
 void setFlashPages(const FlashPages& pages);
-void spoilPage(uint16_t page);
+void damagePage(uint16_t page);
 uint32_t pageWrites();
 
 void restartPageFlash();  // as after a reset or a power cut

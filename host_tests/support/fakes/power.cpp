@@ -23,7 +23,7 @@ Fate beginWrite() {
     if (writes_left == UINT32_MAX) return Fate::done;
     if (writes_left-- > 0) return Fate::done;
     cut_us = time_us();
-    return Fate::spoilt;
+    return Fate::damaged;
 }
 
 }  // namespace fakes

@@ -7,14 +7,14 @@
 namespace fakes {
 
 // After `writes` more writes to EEPROM cells or DataFlash pages the power fails: the one then in
-// flight is spoilt and no later one arrives.
+// flight is damaged and no later one arrives.
 void cutPowerAfter(uint32_t writes);
 bool powerWasCut();
 uint64_t powerCut_us();  // when; UINT64_MAX: it has not been
 void restorePower();
 
 // For the memories: what becomes of the write that begins now.
-enum class Fate { done, spoilt, lost };
+enum class Fate { done, damaged, lost };
 Fate beginWrite();
 
 }  // namespace fakes

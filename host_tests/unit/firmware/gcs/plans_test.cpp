@@ -53,7 +53,7 @@ TEST_F(Points, an_unknown_list_is_unsupported) {
 struct Wrong {
     const char* what;
     Results result;
-    void (*spoil)(mavlink::MissionItemInt&);
+    void (*damage)(mavlink::MissionItemInt&);
     uint8_t type = kFence;
 };
 TEST_F(Points, unsupported_points_are_refused_and_the_old_list_stays) {
@@ -72,7 +72,7 @@ TEST_F(Points, unsupported_points_are_refused_and_the_old_list_stays) {
     upload(threeRallyPoints(), kRally);
     for (const Wrong& each : cases) {
         Items items = each.type == kFence ? square() : threeRallyPoints();
-        each.spoil(items[2]);
+        each.damage(items[2]);
         EXPECT_EQ(upload(items, each.type), each.result) << each.what;
     }
     expectSame(download(kFence), square());

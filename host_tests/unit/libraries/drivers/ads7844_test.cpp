@@ -228,7 +228,7 @@ TEST(Ads7844, begins_anew_when_they_are_taken_again) {
     EXPECT_GE(rig.sums.count[Ads7844Sums::rate_x], 7);
 }
 
-TEST(Ads7844, an_answer_with_a_bit_where_none_can_be_spoils_the_sums_once) {
+TEST(Ads7844, an_answer_with_a_bit_where_none_can_be_damages_the_sums_once) {
     Rig<5> rig{Script{}};
     rig.start();
     for (const uint16_t bad : {0x8000, 0x0001, 0xFFFF}) {
@@ -333,7 +333,7 @@ TEST(AnalogImu, says_a_frame_is_due_after_ten_sets_and_covers_all_of_them) {
     EXPECT_EQ(periods, (10 + 99 * 11) / 5);
 }
 
-TEST(AnalogImu, leaves_a_spoiled_reading_out_and_its_time_in) {
+TEST(AnalogImu, leaves_a_damaged_reading_out_and_its_time_in) {
     Sensors<13> s;
     ASSERT_TRUE(s.frame());
     s.chip.unplug(true);

@@ -18,7 +18,7 @@ struct Hmc5883l : ::testing::Test {
     drivers::Hmc5883l driver;
     uint64_t now_us = 0;
     int readings = 0;
-    uint8_t spoil = 0;  // XORed to every byte read
+    uint8_t damage = 0;  // XORed to every byte read
 
     Hmc5883l() {
         fakes::reset();
@@ -34,7 +34,7 @@ struct Hmc5883l : ::testing::Test {
             for (uint8_t byte : transfer.out) chip->write(byte, now_us);
             if (transfer.in_size > 0) chip->start(true, now_us);
             for (int i = 0; i < transfer.in_size; ++i) {
-                in.push_back(chip->read(i + 1 < transfer.in_size, now_us) ^ spoil);
+                in.push_back(chip->read(i + 1 < transfer.in_size, now_us) ^ damage);
             }
             chip->stop(now_us);
             return in;
@@ -121,7 +121,7 @@ TEST_F(Hmc5883l, a_chip_that_lost_its_supply_for_a_moment_is_set_up_again) {
 }
 
 TEST_F(Hmc5883l, another_chip_is_refused) {
-    spoil = 0x01;
+    damage = 0x01;
     fly(5000);
 
     EXPECT_FALSE(driver.healthy());

@@ -180,11 +180,11 @@ TEST_P(PowerCut, loses_only_the_page_being_written) {
         const simulator::At45db::Operation last = stores.back();
         if (fakes::time_us() < last.end_us)
             fakes::advance_us(random() % (last.end_us - fakes::time_us() + 1));
-        const bool spoilt = fakes::time_us() < last.end_us;
+        const bool damaged = fakes::time_us() < last.end_us;
         chip::cutPower();
         open();
 
-        const size_t stored = pages - (spoilt ? 1 : 0);
+        const size_t stored = pages - (damaged ? 1 : 0);
         ASSERT_EQ(book.last(), stored > 0 ? number : number - 1);
         const Bytes left = readBack(number);
         EXPECT_TRUE(isBeginningOf(left, written[number]));

@@ -137,7 +137,7 @@ TEST_F(FlashStaging, a_mission_in_a_lost_chip_is_reported_and_returns_with_the_c
 
 TEST_F(FlashStaging, a_mission_in_a_corrupt_page_is_reported_and_nothing_is_erased) {
     ASSERT_EQ(upload(store, mission(80, 1)), Status::ok);
-    fakes::spoilPage(1);
+    fakes::damagePage(1);
     const auto cells = fakes::eepromCells();
     restart();
     MissionStore reader;
@@ -170,7 +170,7 @@ TEST_F(FlashStaging, a_chip_that_does_not_keep_what_is_written_is_not_used_again
     for (const Record& record : mission(80, 2)) {
         ASSERT_EQ(whileBusy([&] { return store.put(record.data()); }), Status::ok);
         if (store.staged() == 73)
-            for (uint16_t page = 0; page < 16; ++page) fakes::spoilPage(page);
+            for (uint16_t page = 0; page < 16; ++page) fakes::damagePage(page);
     }
     EXPECT_EQ(whileBusy([&] { return store.commit(); }), Status::corrupt);
     EXPECT_EQ(stored(store), mission(60, 1));

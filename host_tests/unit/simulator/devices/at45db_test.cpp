@@ -278,7 +278,7 @@ TEST(At45dbModel, reports_each_program_and_erase_and_counts_the_wear) {
     EXPECT_EQ(bench.chip.erases(80), 0u);
 }
 
-TEST(At45dbModel, a_power_cut_spoils_the_page_at_work_and_no_other) {
+TEST(At45dbModel, a_power_cut_damages_the_page_at_work_and_no_other) {
     for (unsigned page = 20; page < 40; ++page) {
         Bench bench;
         for (unsigned i = 19; i < 42; ++i) bench.put(i, pattern(528, static_cast<int>(i)));
@@ -296,7 +296,7 @@ TEST(At45dbModel, a_power_cut_spoils_the_page_at_work_and_no_other) {
     }
 }
 
-TEST(At45dbModel, a_power_cut_after_the_work_spoils_nothing_but_the_buffers) {
+TEST(At45dbModel, a_power_cut_after_the_work_damages_nothing_but_the_buffers) {
     Bench bench;
     bench.put(20, pattern(528, 3));
     bench.chip.cutPower(bench.now_us);
