@@ -15,7 +15,7 @@ export const usage = `usage: toolchain/test [quick] [--again] [--long] [CTEST OP
 
 Builds what the tests need, and runs them.
 
-  quick     only unit tests, a dozen native flights, the images' budgets and the layering
+  quick     only unit tests, a dozen native flights, the images' budgets, layering, style and documents
   --again   also what has passed before and depends on nothing that has changed since
             (always so where CI is set)
   --long    fuzzers: 1,000,000 executions each instead of 100,000
