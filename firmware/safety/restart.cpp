@@ -50,6 +50,7 @@ constexpr char kCauses[][32] ROM = {"Started by the supply",       "Started by t
                                     "Restarted as asked"};
 
 bool reported;
+bool records_written;  // since the motor was armed, or by the run that this one goes on with
 bool home_kept;  // in the EEPROM, by this run or the one it goes on with
 uint8_t faults_told;
 
@@ -75,6 +76,14 @@ void keepMoving() {
     MovingRecord& to = moving[++number & 1];
     fill(to, inTheAir(signs));
     seal(to);
+    records_written = true;
+}
+
+// Disarmed there is no flight to go on with, whatever the last record says.
+void forgetFlight() {
+    if (!records_written) return;
+    records_written = false;
+    for (MovingRecord& each : moving) invalidate(each);
 }
 
 void keepSteady() {
@@ -175,7 +184,7 @@ void restartResume() {
     reported = home_kept = false;
     seen = {};
     number = last != nullptr ? last->number : 0;
-    published.resuming = last != nullptr;
+    published.resuming = records_written = last != nullptr;
     if (last == nullptr) return takeKeptHome();
     resumeInertial(steady.gyro_zero_rad);
     const float lost_for_s = lostSoFar_s();
@@ -188,8 +197,9 @@ void restartResume() {
 
 void runRestart() {
     if (vehicle.resuming) decideMode();
-    if (!vehicle.attitude.aligned || vehicle.mode == Mode::initialising) return;
-    keepMoving();
+    if (vehicle.mode == Mode::initialising) return;
+    if (!vehicle.armed) return forgetFlight();
+    if (vehicle.attitude.aligned) keepMoving();
 }
 
 void runRestartSlowly() {

@@ -160,6 +160,16 @@ TEST_F(Restart, is_armed_again_although_the_mode_switch_is_read_before_the_attit
     EXPECT_EQ(vehicle.mode, Mode::stabilize);
 }
 
+// Without an inertial sensor no new record is written: the last one still says "in the air".
+TEST_F(Restart, starts_disarmed_after_disarming_although_the_inertial_sensor_has_died) {
+    mutable_vehicle.attitude.aligned = false;
+    runRestart();
+    mutable_vehicle.armed = false;
+    runRestart();
+    begin(ResetCause::brown_out);
+    EXPECT_FALSE(flyingOn());
+}
+
 TEST_F(Restart, rejects_a_record_with_any_bit_changed) {
     steady.home_altitude_cm ^= 1;
     begin(ResetCause::watchdog);
