@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/sensors/radio.hpp"
 
+#include <string.h>
+
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/sensors/rc_override.hpp"
@@ -34,6 +36,9 @@ constexpr uint16_t kPulseLowest_us = 900;
 constexpr uint16_t kPulseHighest_us = 2100;
 constexpr int32_t kFullStick_cd = 4500;
 
+// The last frame whose throttle was not below THR_FS_VALUE. Without a receiver the encoder goes on
+// with pulses of its own, which would move switches before the radio counts as lost.
+uint16_t good_us[hal::kRcChannels];
 uint8_t bad_readings;
 uint8_t good_readings;
 
@@ -137,13 +142,15 @@ void runRadio() {
         centre();
         return;
     }
+    if (bad_readings != 0) return;  // may be the encoder's own: what was received before it counts
     published.good_ms = hal::now_ms();
+    memcpy(good_us, published.pulse_us, sizeof good_us);
     scale();
 }
 
 uint8_t modeSwitchPosition() {
     if (published.lost || published.good_ms == 0) return 0;
-    const uint16_t pulse_us = published.pulse_us[parameters.mode_channel - 1];
+    const uint16_t pulse_us = good_us[parameters.mode_channel - 1];
     if (pulse_us <= 900) return 0;
     for (uint8_t i = 0; i < core::count(kBands_us); ++i)
         if (pulse_us <= core::romRead(kBands_us[i])) return i + 1;
@@ -151,7 +158,7 @@ uint8_t modeSwitchPosition() {
 }
 
 bool switchIsUp(int8_t channel) {
-    return channel != 0 && !published.lost && published.pulse_us[channel - 1] > kSwitchUp_us;
+    return channel != 0 && !published.lost && good_us[channel - 1] > kSwitchUp_us;
 }
 
 }  // namespace sensors

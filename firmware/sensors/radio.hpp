@@ -9,6 +9,7 @@ namespace sensors {
 
 void runRadio();  // 100 Hz, first of all: a stick must not wait
 
+// Both switches are those of the last good frame: one whose throttle is not below THR_FS_VALUE.
 // Position 1..6 of the mode switch (FLTMODE_CH), 0 when the pulse is no position or the radio is
 // lost. Two equal readings in a row count.
 uint8_t modeSwitchPosition();

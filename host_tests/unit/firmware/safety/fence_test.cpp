@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/fence.hpp"
+#include "firmware/sensors/radio.hpp"
 
 #include "firmware/mission/fence_line.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
@@ -231,20 +232,23 @@ TEST_F(Fence, with_its_return_point_outside_is_not_valid) {
 
 TEST_F(Fence, follows_its_channel_when_that_moves) {
     raise();
+    const auto moveSwitch = [](uint16_t pulse_us) {
+        for (int i = 0; i < 4; ++i) {
+            fakes::receiveRc({1500, 1500, 1100, 1500, 1500, 1500, pulse_us, 1500});
+            firmware::sensors::runRadio();
+        }
+        tenths(1);
+    };
     parameters.fence_channel = 7;
-    mutable_vehicle.radio.pulse_us[6] = 1760;
-    tenths(1);
+    moveSwitch(1760);
     EXPECT_TRUE(fenceOn());
     fenceEnable(0);
     tenths(5);
     EXPECT_FALSE(fenceOn());  // by command, and the switch has not moved
-    mutable_vehicle.radio.pulse_us[6] = 1100;
-    tenths(1);
-    mutable_vehicle.radio.pulse_us[6] = 1900;
-    tenths(1);
+    moveSwitch(1100);
+    moveSwitch(1900);
     EXPECT_TRUE(fenceOn());
-    mutable_vehicle.radio.pulse_us[6] = 1100;
-    tenths(1);
+    moveSwitch(1100);
     EXPECT_FALSE(fenceOn());
 }
 

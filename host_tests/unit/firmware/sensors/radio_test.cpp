@@ -86,6 +86,32 @@ TEST_F(Radio, ignores_a_few_low_throttle_pulses) {
     EXPECT_FALSE(vehicle.radio.lost);
 }
 
+// What the board's encoder puts out without a receiver (ArduPPM, ppm_encoder.h: failsafe_ppm).
+const std::vector<uint16_t> kEncoderFailsafe = {1500, 1500, 900, 1500, 1555, 1500, 1500, 1500};
+
+TEST_F(Radio, obeys_neither_sticks_nor_switches_of_frames_that_may_be_the_encoders_own) {
+    parameters.mode_channel = 5;
+    std::vector<uint16_t> flown = {1700, 1500, 1400, 1500, 1815, 1500, 1900, 1500};
+    settle(flown);
+    ASSERT_EQ(vehicle.mode, Mode::manual);
+    const auto sticks = vehicle.radio;
+    for (int i = 0; i < 18; ++i) {
+        if (i % 2 == 0) fakes::receiveRc(kEncoderFailsafe);
+        firmware::sensors::runRadio();
+        if (i % 5 == 4) firmware::modes::runModeSwitch();
+        EXPECT_TRUE(firmware::sensors::switchIsUp(7)) << i;
+        EXPECT_EQ(vehicle.radio.roll_cd, sticks.roll_cd) << i;
+        EXPECT_EQ(vehicle.radio.throttle_pct, sticks.throttle_pct) << i;
+        fakes::advance_ms(10);
+    }
+    EXPECT_FALSE(vehicle.radio.lost);
+    EXPECT_EQ(vehicle.mode, Mode::manual);
+    EXPECT_EQ(vehicle.radio.pulse_us[2], 900) << "what is received is reported";
+    flown[0] = 1600;
+    settle(flown);
+    EXPECT_NE(vehicle.radio.roll_cd, sticks.roll_cd);
+}
+
 TEST_F(Radio, ignores_the_failsafe_pulse_when_disabled) {
     parameters.throttle_failsafe = 0;
     settle(with(3, 920));
