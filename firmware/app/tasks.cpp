@@ -2,11 +2,14 @@
 #include "firmware/app/tasks.hpp"
 
 #include "board.hpp"
+#include "firmware/actuators/camera.hpp"
+#include "firmware/actuators/flaps.hpp"
 #include "firmware/actuators/lights.hpp"
 #include "firmware/actuators/outputs.hpp"
 #include "firmware/app/dataflash.hpp"
 #include "firmware/control/attitude_control.hpp"
 #include "firmware/control/autotune.hpp"
+#include "firmware/control/inverted.hpp"
 #include "firmware/estimator/estimator.hpp"
 #include "firmware/gcs/telemetry.hpp"
 #include "firmware/guidance/guidance.hpp"
@@ -53,22 +56,7 @@ constexpr uint16_t kFrame_us = 10000;
 // The inertial sensor's clock may be 1 % slow; without its samples a frame begins by the clock.
 constexpr uint16_t kSilentImu_us = 10400;
 
-// both short, and either may wait
-void runLightsAndFlash() {
-    runLights();
-    dataflashStep();
-}
-
-void runPoints() {
-    runFence();
-    rallyFollow();
-}
-
-void runParameters() {
-    if (!tuneStep()) parametersRun();
-}
-
-void everySecond();
+void measureLoad();
 
 using scheduler::Tier;
 constexpr Tier fast = Tier::fast;      // sticks and stabilising: never put off
@@ -96,18 +84,28 @@ constexpr scheduler::Task kTasks[] ROM = {
     { medium, runRestart,          2,     1,     130 },
     { medium, runCompass,          2,     0,     300 },
     { medium, runAirspeed,         2,     0,     120 },
-    { medium, runPoints,          10,     6,    1000 },
     { medium, missionRun,         10,     3,    2500 },
+    { medium, missionCatchUp,     10,     5,    1590 },
+    { medium, runInverted,        10,     5,     6 },
+    { medium, runFence,           10,     6,    1030 },
     { medium, runFailsafe,        10,     6,     430 },
 
     { slow,   runLog,              2,     0,    1080 },
     { slow,   runModeSwitch,      10,     5,     190 },
-    { slow,   runEvents,          10,     5,    2200 },
+    { slow,   runEvents,          10,     5,     35 },
+    { slow,   reportVariables,    10,     5,     7 },
+    { slow,   runCamera,          10,     5,     240 },
+    { slow,   runFlaps,           10,     5,     40 },
     { slow,   runArming,          10,     1,     150 },
     { slow,   runBattery,         10,     8,     460 },
-    { slow,   runParameters,      10,     9,     900 },
-    { slow,   runLightsAndFlash,  10,     0,      95 },
-    { slow,   everySecond,       100,    51,     900 },
+    { slow,   tuneStep,           10,     4,     270 },
+    { slow,   parametersRun,      10,     9,     1010 },
+    { slow,   rallyFollow,        10,     6,      4 },
+    { slow,   runLights,          10,     0,      55 },
+    { slow,   dataflashStep,      10,     0,      20 },
+    { slow,   measureLoad,       100,    51,     75 },
+    { slow,   runDeclination,    100,    61,     190 },
+    { slow,   runRestartSlowly,  100,    71,     280 },
 };
 // clang-format on
 
@@ -144,12 +142,6 @@ void measureLoad() {
     load_busy_us = schedule.busy_us();
     if (span_us > 1000)
         processor_figures.load_permille = static_cast<uint16_t>(busy_us / (span_us / 1000));
-}
-
-void everySecond() {
-    measureLoad();
-    runDeclination();
-    runRestartSlowly();
 }
 
 bool frameDue() {

@@ -78,15 +78,12 @@ void startTuning() {
     due.level = parameters.autotune_level == 0 ? kLeveled : 0;
 }
 
-bool tuneStep() {
-    if (vehicle.mode != Mode::autotune) return false;
+void tuneStep() {
+    if (vehicle.mode != Mode::autotune) return;
     if (due.level < kLeveled)
         setLevel();
     else if (due.gain < kGains)
         setGain();
-    else
-        return false;
-    return true;
 }
 
 void tune(TunedAxis which, const ::control::AxisGains& gains, const ::control::AxisState& state,

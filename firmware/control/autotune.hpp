@@ -14,7 +14,7 @@ void startTuning();  // AUTOTUNE has been entered
 void tune(TunedAxis which, const ::control::AxisGains& gains, const ::control::AxisState& state,
           const ::control::AirFlow& air, core::Angle error_rad, core::BodyRate rate_rads);
 
-bool tuneStep();  // 10 Hz: sets the next of what has been found; true: did
+void tuneStep();  // 10 Hz: sets the next of what has been found
 
 }  // namespace control
 }  // namespace firmware

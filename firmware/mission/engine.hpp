@@ -18,10 +18,6 @@ extern ::mission::Sequencer mission_engine;
 bool missionReady();     // the stored one has been found and checked
 bool missionStorable();  // the EEPROM is ours
 
-// Between two missionRuns: the next part of a long pass; or fetches the record that the last poll
-// found in the way of a write, for the EEPROM rests only for a reader that comes back soon.
-void missionCatchUp();
-
 // Records that background work looks at in one call: with the engine's, 16 a frame.
 constexpr uint8_t kRecordsPerCall = 8;
 

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/mission/events.hpp"
 
-#include "firmware/actuators/camera.hpp"
-#include "firmware/actuators/flaps.hpp"
 #include "firmware/actuators/outputs.hpp"
 #include "firmware/actuators/relay.hpp"
-#include "firmware/control/inverted.hpp"
-#include "firmware/mission/engine.hpp"
-#include "firmware/mission/handlers.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -17,7 +12,6 @@ namespace mission {
 
 using namespace notify;
 using namespace state;
-using namespace control;
 using namespace actuators;
 
 namespace {
@@ -120,11 +114,6 @@ void stopEvents() {
 bool eventRuns() { return event.output != 0; }
 
 void runEvents() {
-    missionCatchUp();
-    reportVariables();
-    runCamera();
-    runFlaps();
-    runInverted();
     forgetHeldOfOtherModes();
     if (was_armed && !vehicle.armed) stopEvents();
     was_armed = vehicle.armed;

@@ -23,7 +23,7 @@ void repeatToggles(uint8_t output, uint16_t pulse_us, uint16_t count, uint16_t d
 void stopEvents();  // leaves the output at what was first read
 bool eventRuns();
 
-void runEvents();  // 10 Hz
+void runEvents();  // 10 Hz: the event that repeats
 
 }  // namespace mission
 }  // namespace firmware

@@ -140,7 +140,6 @@ uint8_t gainSlot(uint8_t id, uint8_t index);
 uint8_t channelSlot(uint8_t id, uint8_t index);
 uint8_t otherRadioSlot(uint8_t index);
 float gain(const Record&);
-void reportVariables();  // sends what could not be sent at once
 
 // Above home, whatever the record's altitude is measured from.
 float heightOf_m(const Record&);

@@ -37,6 +37,11 @@ enum class MissionResult : uint8_t {
 
 void missionBoot();  // once: finds the stored mission
 void missionRun();   // 10 Hz: one pass while the mode is AUTO, background work always
+// 10 Hz, between two missionRuns: the next part of a long pass; or fetches the record that the last
+// poll found in the way of a write, for the EEPROM rests only for a reader that comes back soon.
+void missionCatchUp();
+// 10 Hz: sends the values that a mission asks for and that could not be sent at once.
+void reportVariables();
 
 // AUTO. Entering fails when there is nothing to fly; why_not is then a flash text.
 bool missionEnter(core::RomText& why_not);

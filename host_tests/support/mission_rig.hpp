@@ -9,8 +9,11 @@
 #include <vector>
 
 #include "fakes/fakes.hpp"
+#include "firmware/actuators/camera.hpp"
+#include "firmware/actuators/flaps.hpp"
 #include "firmware/actuators/outputs.hpp"
 #include "firmware/actuators/relay.hpp"
+#include "firmware/control/inverted.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
@@ -198,6 +201,11 @@ protected:
             runOutputs();
             missionRun();
             fakes::advance_ms(20);  // as in the task table
+            missionCatchUp();
+            reportVariables();
+            runCamera();
+            runFlaps();
+            control::runInverted();
             runEvents();
             if (vehicle.demand.new_path) {
                 mutable_vehicle.demand.new_path = false;

@@ -18,8 +18,8 @@ protected:
     void enter(int8_t level) {
         parameters.autotune_level = level;
         fly(Mode::autotune);
-        mutable_vehicle.attitude.cos_roll = core::Ratio(1.0f);
-        for (int i = 0; i < 10; ++i) (void)firmware::control::tuneStep();
+        vehicle.attitude.cos_roll = core::Ratio(1.0f);
+        for (int i = 0; i < 10; ++i) firmware::control::tuneStep();
     }
     // From rest to rest through `rate`, with a surface that is so many times what is expected.
     void turn(firmware::control::TunedAxis which, float times) {
@@ -35,7 +35,7 @@ protected:
             const core::Angle error(i < 60 ? 0.6f : 0.0f);
             firmware::control::tune(which, gains, state, air, error, core::BodyRate(rate_rads));
         }
-        for (int i = 0; i < 10; ++i) (void)firmware::control::tuneStep();
+        for (int i = 0; i < 10; ++i) firmware::control::tuneStep();
     }
 };
 
@@ -83,7 +83,7 @@ TEST_F(Autotune, changes_nothing_in_another_mode) {
     enter(0);
     const auto before = parameters;
     fly(Mode::fbwa);
-    for (int i = 0; i < 10; ++i) (void)firmware::control::tuneStep();
+    for (int i = 0; i < 10; ++i) firmware::control::tuneStep();
     EXPECT_EQ(parameters.roll.axis.p, before.roll.axis.p);
 }
 
