@@ -2,7 +2,6 @@
 #include "firmware/control/attitude_control.hpp"
 
 #include "control/attitude.hpp"
-#include "core/rom.hpp"
 #include "firmware/control/autotune.hpp"
 #include "firmware/state/mode_traits.hpp"
 #include "firmware/state/parameters.hpp"
@@ -34,52 +33,13 @@ int16_t roll_limit, pitch_min, pitch_max, trim_pitch;  // of an Angle
 Deflection rudder_mix;
 bool yaw_used;
 
-// Gains cost much and change little: they are worked out when a parameter has, and once a second.
-constexpr uint8_t kGainsLast = 9;  // rounds of looks
-uint8_t gains_age, gains_changes;
-
-// Without a sensor the estimated airspeed serves: it is the cruise speed until the wind is known.
-void updateSpeedScaling() {
-    const auto& attitude = vehicle.attitude;
-    air = ::control::airFlow(parameters.scaling_speed_mps, vehicle.estimate.equivalent_airspeed_mps,
-                             parameters.speed_min_mps);
-    // upside down both turn the other way about the airplane's own axes
-    const float side = inverted ? -1 : 1;
-    turn = ::control::turnRates(air, attitude.sin_roll.toFloat() * side,
-                                attitude.cos_roll.toFloat() * side, attitude.cos_pitch.toFloat());
-    if (inverted) turn = {core::BodyRate::fromRaw(-turn.pitch_rads.raw), -turn.yaw_rads};
-}
+// Gains cost much and change little.
+ParameterWatch roll_watch, pitch_watch, limits_watch;
 
 int16_t angle(int16_t cd) {
     constexpr core::Ratio kSteps(core::Angle::kSteps * core::radians(0.01f));
     return core::times14(cd, kSteps.raw);
 }
-
-void takeRoll() {
-    if (gains_age == 0) roll_gains = ::control::rollGains(parameters.roll);
-}
-void takePitch() {
-    if (gains_age == 0) pitch_gains = ::control::pitchGains(parameters.pitch);
-}
-void takeRest() {
-    const bool changed = parameter_changes != gains_changes;
-    gains_changes = parameter_changes;
-    gains_age = changed || gains_age == kGainsLast ? 0 : gains_age + 1;
-    roll_limit = angle(parameters.roll_limit_cd);
-    pitch_min = angle(parameters.pitch_min_cd);
-    pitch_max = angle(parameters.pitch_max_cd);
-    trim_pitch = angle(parameters.trim_pitch_cd);
-    rudder_mix = Deflection(parameters.rudder_mix);
-    yaw_used = ::control::yawUsed(parameters.yaw);
-}
-
-void lookAway() {}
-
-// Airspeed and turn are looked at every 50 ms, parameters every 100 ms.
-using Look = void (*)();
-constexpr Look kLooks[] ROM = {updateSpeedScaling, takeRoll,  lookAway, lookAway, lookAway,
-                               updateSpeedScaling, takePitch, lookAway, takeRest, lookAway};
-uint8_t look;
 
 // Where it turns to: farther ahead than the loop that holds TRAINING's bounds needs to stop.
 int16_t soon(core::Angle angle_rad, core::BodyRate rate_rads) {
@@ -216,8 +176,6 @@ void runAttitudeControl() {
     }
     if (vehicle.attitude.cos_roll.raw < 0) rolls = true;  // whatever has thrown it over
     if (vehicle.sticks > Sticks::on_top) rolls = false;   // the pilot's own
-    if (++look == core::count(kLooks)) look = 0;
-    core::romRead(kLooks[look])();
     const bool at_trim = vehicle.mode == Mode::initialising;
     if (at_trim || vehicle.sticks == Sticks::direct)
         surfaces = Surfaces();
@@ -226,6 +184,36 @@ void runAttitudeControl() {
     if (vehicle.sticks == Sticks::direct || vehicle.sticks == Sticks::on_top) addSticks();
     if (!at_trim) addStick(surfaces.rudder, vehicle.radio.yaw_cd);
     surfaces.throttle = vehicle.throttle_demand;
+}
+
+// Without a sensor the estimated airspeed serves: it is the cruise speed until the wind is known.
+void runSpeedScaling() {
+    const auto& attitude = vehicle.attitude;
+    air = ::control::airFlow(parameters.scaling_speed_mps, vehicle.estimate.equivalent_airspeed_mps,
+                             parameters.speed_min_mps);
+    // upside down both turn the other way about the airplane's own axes
+    const float side = inverted ? -1 : 1;
+    turn = ::control::turnRates(air, attitude.sin_roll.toFloat() * side,
+                                attitude.cos_roll.toFloat() * side, attitude.cos_pitch.toFloat());
+    if (inverted) turn = {core::BodyRate::fromRaw(-turn.pitch_rads.raw), -turn.yaw_rads};
+}
+
+void runRollGains() {
+    if (roll_watch.changed()) roll_gains = ::control::rollGains(parameters.roll);
+}
+
+void runPitchGains() {
+    if (pitch_watch.changed()) pitch_gains = ::control::pitchGains(parameters.pitch);
+}
+
+void runControlLimits() {
+    if (!limits_watch.changed()) return;
+    roll_limit = angle(parameters.roll_limit_cd);
+    pitch_min = angle(parameters.pitch_min_cd);
+    pitch_max = angle(parameters.pitch_max_cd);
+    trim_pitch = angle(parameters.trim_pitch_cd);
+    rudder_mix = Deflection(parameters.rudder_mix);
+    yaw_used = ::control::yawUsed(parameters.yaw);
 }
 
 }  // namespace control

@@ -47,6 +47,8 @@ void beginPath() {
     beginTakeoff();
 }
 
+bool followsPath() { return guiding && guidesItself() && vehicle.demand.path != Path::none; }
+
 }  // namespace
 
 void runGuidance() {
@@ -69,12 +71,21 @@ void runGuidance() {
 
 void runSpeedHeight() {
     if (!guiding || !guidesItself()) return;
-    if (vehicle.demand.path != Path::none) lookAround();
     weighBank();
     if (vehicle.progress.throttle_suppressed)
         waitWithHeight(plan);
     else
         flyHeight(plan);
+}
+
+void runTargetBearing() {
+    if (followsPath()) reportTargetBearing();
+}
+void runNavBearing() {
+    if (followsPath()) reportCourse();
+}
+void runLateralGains() {
+    if (followsPath()) beginLateral();
 }
 
 float demandedAirspeed_mps() { return plan.airspeed_mps; }

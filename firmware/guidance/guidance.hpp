@@ -6,9 +6,12 @@
 namespace firmware {
 namespace guidance {
 
-// Both after the mode has run; neither does anything in a mode that does not guide itself.
-void runGuidance();     // 20 Hz: the path, the bank, and which height and speed belong to it
-void runSpeedHeight();  // 10 Hz: that height and speed with pitch and throttle
+// All after the mode has run; none does anything in a mode that does not guide itself.
+void runGuidance();       // 20 Hz: the path, the bank, and which height and speed belong to it
+void runSpeedHeight();    // 10 Hz: that height and speed with pitch and throttle
+void runTargetBearing();  // 5 Hz: vehicle.progress.target_bearing_cd
+void runNavBearing();     // 2.5 Hz: vehicle.progress.nav_bearing_cd
+void runLateralGains();   // 2.5 Hz: a gain tuned in flight takes effect within half a second
 
 float demandedAirspeed_mps();  // of what is flown; only in a mode that guides itself
 

@@ -2,7 +2,6 @@
 #include "firmware/guidance/lateral.hpp"
 
 #include "core/maths.hpp"
-#include "core/rom.hpp"
 #include "estimation/arc.hpp"
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/path_state.hpp"
@@ -22,14 +21,16 @@ navigation::LateralGains gains;
 navigation::Leg leg;
 geo::Offset course, place;  // place: from the leg's start or the circle's centre
 
-void takeGains() {
-    planTurns();
-    gains = navigation::lateralGains(parameters.lateral, turnAccel_mss());
-}
-
 int32_t bearing_cd(const geo::Offset& direction) {
     const float angle_rad = estimation::arc_rad(direction.east_m, direction.north_m);
     return core::wrap360_cd(core::rounded(core::centidegrees(angle_rad)));
+}
+
+}  // namespace
+
+void beginLateral() {
+    planTurns();
+    gains = navigation::lateralGains(parameters.lateral, turnAccel_mss());
 }
 
 void reportTargetBearing() {
@@ -43,15 +44,6 @@ void reportTargetBearing() {
 }
 
 void reportCourse() { progress.nav_bearing_cd = bearing_cd(course); }
-
-// A gain tuned in flight takes effect within half a second.
-using Look = void (*)();
-constexpr Look kLooks[] ROM = {reportTargetBearing, reportCourse, reportTargetBearing, takeGains};
-uint8_t look;
-
-}  // namespace
-
-void beginLateral() { takeGains(); }
 
 void planLateral() {
     leg = navigation::legAlong(geo::offset(vehicle.demand.from, vehicle.demand.to));
@@ -99,11 +91,6 @@ void reportLateral(const navigation::Lateral& lateral, const geo::Offset& from_d
     progress.crosstrack_m = lateral.crosstrack_m;
     course = lateral.course;
     place = from_datum;
-}
-
-void lookAround() {
-    look = (look + 1) % core::count(kLooks);
-    core::romRead(kLooks[look])();
 }
 
 }  // namespace guidance

@@ -7,7 +7,7 @@
 namespace firmware {
 namespace guidance {
 
-void beginLateral();  // taking over from whoever flew
+void beginLateral();  // the gains: taking over from whoever flew, and from time to time
 void planLateral();   // a new path
 
 navigation::Motion motion();
@@ -21,7 +21,8 @@ float legHeading_rad();
 
 // `from_datum`: where the airplane is, seen from the leg's start or the circle's centre.
 void reportLateral(const navigation::Lateral& lateral, const geo::Offset& from_datum);
-void lookAround();  // 10 Hz: the bearings, and whether gains were changed
+void reportTargetBearing();
+void reportCourse();
 
 }  // namespace guidance
 }  // namespace firmware

@@ -30,6 +30,8 @@ namespace {
 constexpr CompassState& published = Publisher<CompassState>::state();
 
 drivers::Hmc5883l compass;
+core::Vector3 unlearnt_mg;  // without the offsets
+bool unlearnt;              // it is there
 
 // The earth's field is 220 to 670 mG; the airplane's own comes on top, or takes off.
 bool plausible(const core::Vector3& field_mg) {
@@ -56,13 +58,19 @@ void runCompass() {
     }
     core::Vector3 field_mg = compass.field_mg();
     if (board::kCompassUpsideDown) field_mg = {field_mg.x, -field_mg.y, -field_mg.z};
-    learnCompass(field_mg);
+    unlearnt_mg = field_mg;
+    unlearnt = true;
     const float* offset = parameters.compass_offset_mg;
     field_mg = field_mg + core::Vector3{offset[0], offset[1], offset[2]};
     published.field_mg = field_mg;
     published.accepted = plausible(field_mg);
     ++published.readings;
     published.healthy = compass.healthy() && !isFaulty(Sensor::compass);
+}
+
+void runCompassLearning() {
+    if (unlearnt) learnCompass(unlearnt_mg);
+    unlearnt = false;
 }
 
 // Into the parameter, where the heading is worked out from; what is stored there stays.

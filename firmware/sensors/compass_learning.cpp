@@ -17,7 +17,6 @@ using namespace state;
 
 namespace {
 
-constexpr uint8_t kEvery = 4;  // of 50 readings a second: a pair takes a quarter of a millisecond
 constexpr int32_t kApart_mg = 250;
 constexpr uint8_t kPairsOfAnchor = 50;
 constexpr uint8_t kPairs = 250;  // as many as are wanted
@@ -33,7 +32,6 @@ struct Turns {
 };
 Turns turns;
 
-uint8_t skipped;      // readings
 uint8_t anchor_left;  // pairs; 0: there is none
 
 bool learnsInFlight() {
@@ -110,8 +108,6 @@ void learnCompass(const core::Vector3& reading_mg) {
         anchor_left = 0;
         return;
     }
-    if (++skipped < kEvery) return;
-    skipped = 0;
     int16_t now_mg[3];
     float apart_mg[3];
     int32_t square = 0, squares = 0;

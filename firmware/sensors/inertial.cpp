@@ -54,7 +54,7 @@ struct Reading {
 Reading readings[3];
 using Trim = core::Fixed<15>;
 Trim trim_x_rad, trim_y_rad;  // AHRS_TRIM
-uint8_t refreshed;
+ParameterWatch watch;
 
 Trim trim(float rad) {
     constexpr float kMax_rad = 0.2f;
@@ -65,20 +65,11 @@ void takeTrim() {
     trim_x_rad = trim(parameters.level_trim_rad[0]);
     trim_y_rad = trim(parameters.level_trim_rad[1]);
 }
-
-// Inlined, its floats burden every frame: 0.03 % of the processor.
-__attribute__((noinline)) void takeReading() {
+void takeReading(uint8_t axis) {
     constexpr float kFactor = drivers::kForceStep_mss / 4 * Force::kSteps * 65536;
-    if (refreshed == core::count(readings)) return takeTrim();
-    const float scale = core::limit(parameters.accel_scale[refreshed], -1.5f, 1.5f);
-    const Force offset_mss(parameters.accel_offset_mss[refreshed] * scale);
-    readings[refreshed] = {static_cast<int16_t>(core::rounded(scale * kFactor)), offset_mss};
-}
-
-// A parameter takes effect within a third of a second.
-void refreshReading() {
-    refreshed = (refreshed + 1) & 31;
-    if (refreshed <= core::count(readings)) takeReading();
+    const float scale = core::limit(parameters.accel_scale[axis], -1.5f, 1.5f);
+    const Force offset_mss(parameters.accel_offset_mss[axis] * scale);
+    readings[axis] = {static_cast<int16_t>(core::rounded(scale * kFactor)), offset_mss};
 }
 
 // In two periods.
@@ -198,7 +189,7 @@ void restartSensor() {
 
 void startInertial() {
     imu.start();
-    for (refreshed = 31; refreshed != core::count(readings);) refreshReading();
+    runInertialSettings();
 }
 
 void keepGyroZero(KeptTurn (&to_rad)[3]) {
@@ -233,6 +224,12 @@ core::Vector3 restForce_mss() { return still.force_mss(); }
 uint8_t inertialSamplesWaiting() { return imu.waiting(); }
 uint16_t inertialErrors() { return imu.badReads(); }
 
+void runInertialSettings() {
+    if (!watch.changed()) return;
+    for (uint8_t axis = 0; axis < core::count(readings); ++axis) takeReading(axis);
+    takeTrim();
+}
+
 void runInertial() {
     imu.step(hal::now_ms());
     published.healthy = imu.healthy();
@@ -243,8 +240,7 @@ void runInertial() {
     }
     published.periods = sums.periods;
     if (!still.done() || (mayRock() && !still.settled())) findZero(sums);
-    published.calibrated = still.done();
-    refreshReading();
+    to.calibrated = still.done();
     use(sums);
     if (isFaulty(Sensor::inertial)) restartSensor();
 }

@@ -31,10 +31,12 @@ void resumeBarometer(float ground_pressure_pa, float ground_temperature_c);
 void resumeAirspeed(float offset_v);
 float airspeedOffset_v();  // of the sensor with no wind on it
 
-void runInertial();   // every frame, first
-void runBarometer();  // every frame
+void runInertial();          // every frame, first
+void runInertialSettings();  // 10 Hz: scales, offsets and trim, when a parameter has changed
+void runBarometer();         // every frame
 void runCompass();
-void runDeclination();  // 1 Hz
+void runCompassLearning();  // 10 Hz, behind runCompass: a pair takes a quarter of a millisecond
+void runDeclination();      // 1 Hz
 void runGps();
 bool gpsWaits();  // so much that runGps should not be kept waiting for the next frame
 void runAirspeed();

@@ -390,6 +390,7 @@ bool parameterSet(uint8_t slot, float value) {
 }
 
 core::Status parametersLoad() {
+    ++parameter_changes;
     storage::Owner owner;
     core::Status status = storage::findOwner(owner);
     if (status != core::Status::ok) return status;

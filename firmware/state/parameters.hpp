@@ -124,6 +124,20 @@ struct Parameters {
 extern Parameters parameters;
 extern uint8_t parameter_changes;  // counts what was set since the start, and wraps
 
+// For what is worked out of parameters again when one has changed: true then, and at first.
+class ParameterWatch {
+public:
+    bool changed() {
+        const uint16_t now = static_cast<uint16_t>(parameter_changes + 1);
+        if (seen_ == now) return false;
+        seen_ = now;
+        return true;
+    }
+
+private:
+    uint16_t seen_ = 0;  // 0: nothing yet
+};
+
 constexpr uint16_t kNoParameter = 0xFFFF;
 
 // The table, by index 0 .. parameterCount() - 1 in a fixed order.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fakes/fakes.hpp"
+#include "firmware/control/attitude_control.hpp"
 #include "firmware/gcs/telemetry.hpp"
 #include "firmware/modes/mode_switch.hpp"
 #include "firmware/modes/modes.hpp"
@@ -41,7 +42,15 @@ protected:
                                      firmware::modes::ModeReason::boot);
     }
 
-    // Frames from the receiver for a quarter of a second, the sticks at the given pulses.
+    // What attitude control takes of parameters and airspeed; no time passes here.
+    static void prepareControl() {
+        firmware::control::runSpeedScaling();
+        firmware::control::runRollGains();
+        firmware::control::runPitchGains();
+        firmware::control::runControlLimits();
+    }
+
+    // Frames from the receiver for a quarter of a second, the sticks where they are told to be.
     void settle(const std::vector<uint16_t>& sticks) {
         for (int i = 0; i < 25; ++i) {
             if (i % 2 == 0) fakes::receiveRc(sticks);

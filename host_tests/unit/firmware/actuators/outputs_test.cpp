@@ -22,6 +22,7 @@ protected:
     }
     void run() {
         firmware::modes::runMode();
+        prepareControl();
         firmware::control::runAttitudeControl();
         firmware::actuators::runFlaps();
         firmware::actuators::runOutputs();

@@ -18,7 +18,7 @@ protected:
     void enter(int8_t level) {
         parameters.autotune_level = level;
         fly(Mode::autotune);
-        vehicle.attitude.cos_roll = core::Ratio(1.0f);
+        mutable_vehicle.attitude.cos_roll = core::Ratio(1.0f);
         for (int i = 0; i < 10; ++i) firmware::control::tuneStep();
     }
     // From rest to rest through `rate`, with a surface that is so many times what is expected.

@@ -46,6 +46,7 @@ protected:
         for (int i = 0; i < 11; ++i) {
             firmware::modes::runMode();
             firmware::control::runAttitudeControl();
+            prepareControl();
         }
     }
     static firmware::control::Surfaces at(float roll_deg, float pitch_deg) {

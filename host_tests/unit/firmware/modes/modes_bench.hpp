@@ -52,8 +52,7 @@ protected:
     }
     // A mode's frame, after parameters and airspeed have been looked at.
     static void frame() {
-        mutable_vehicle.imu.periods = 0;
-        for (int i = 0; i < 10; ++i) firmware::control::runAttitudeControl();
+        prepareControl();
         mutable_vehicle.imu.periods = 2;
         firmware::modes::runMode();
         firmware::control::runAttitudeControl();

@@ -38,6 +38,7 @@ protected:
     std::array<uint16_t, 4> manual(const std::vector<uint16_t>& sticks) {
         settle(sticks);
         firmware::modes::runMode();
+        prepareControl();
         firmware::control::runAttitudeControl();
         firmware::actuators::runOutputs();
         return now();
