@@ -63,10 +63,12 @@ constexpr Tier fast = Tier::fast;      // sticks and stabilising: never put off
 constexpr Tier medium = Tier::medium;  // sensors, navigation, telemetry
 constexpr Tier slow = Tier::slow;      // mode switch, log and the rest: the first to wait
 
+}  // namespace
+
 // The budgets are what the flights of the tests have measured and a little more; the tests hold
 // each task's longest time between half its budget and all of it.
 // clang-format off
-constexpr scheduler::Task kTasks[] ROM = {
+extern constexpr scheduler::Task kTasks[] ROM = {
     // tier    run                 every  in     budget
     //                             frames frame  us
     { fast,   runInertial,           1,     0,    1050 },
@@ -118,6 +120,8 @@ constexpr scheduler::Task kTasks[] ROM = {
 };
 // clang-format on
 
+namespace {
+
 static_assert(scheduler::phasesFit(kTasks), "a phase must be smaller than its period");
 static_assert(scheduler::tiersInOrder(kTasks), "fast rows stand first, slow ones last");
 static_assert(scheduler::everyTaskFits(kTasks, kFrame_us), "a task can never run");
@@ -137,7 +141,7 @@ static_assert(scheduler::longestSilence(kTasks, fast) <= maxSilent(fast), "fast 
 static_assert(scheduler::longestSilence(kTasks, medium) <= maxSilent(medium), "nor medium ones");
 static_assert(scheduler::longestSilence(kTasks, slow) <= maxSilent(slow), "nor slow ones");
 
-scheduler::Scheduler<core::count(kTasks)> schedule(kTasks, kFrame_us);
+scheduler::Scheduler<core::count(kTasks), kTasks, kFrame_us> schedule;
 Supervisor supervisor;
 
 uint16_t frame_began;  // ticks

@@ -19,6 +19,7 @@
 #include "simulator/ground/scripted_flight.hpp"
 #include "simulator/ground/telemetry.hpp"
 #include "simulator/machine/apm2_board.hpp"
+#include "simulator/report/task_names.hpp"
 
 using namespace simulator;
 
@@ -75,6 +76,7 @@ public:
     Bench(const char* firmware, const BoardWiring& wiring, const WorldOptions& options)
         : board_(firmware, options, wiring),
           schedule_(symbolOf(firmware, "schedule")),
+          tasks_(readTaskNames(firmware)),
           usart_(wiring.telemetry_usart),
           begun_(board_.chip()),
           link_(board_, usart_, [this](const mavlink::Frame& frame, uint64_t at_us) {
@@ -156,12 +158,11 @@ public:
     }
     // Nothing but the fast tier, or nothing of the slow one, is ever due.
     void starve(bool slow_only) {
-        // of a scheduler::Scheduler: where its tiers begin, what its rows wait, and all but that
-        constexpr size_t kMedium = 4, kSlow = 5, kWaits = 7, kOthers = 21;
-        uint8_t* schedule = board_.chip().avr()->data + schedule_.address;
-        const size_t tasks = (schedule_.size - kOthers) / 3;
-        for (size_t i = schedule[slow_only ? kSlow : kMedium]; i < tasks; ++i)
-            schedule[kWaits + i] = 100;
+        // a scheduler::Scheduler begins with what its rows wait
+        uint8_t* const waits = board_.chip().avr()->data + schedule_.address;
+        for (const TaskName& task : tasks_)
+            if (task.tier == "slow" || (!slow_only && task.tier == "medium"))
+                waits[task.number] = 100;
     }
     void pressReset() { board_.chip().reset(Reset::external); }
 
@@ -184,6 +185,7 @@ private:
 
     AvrBoard board_;
     const Symbol schedule_;
+    const std::vector<TaskName> tasks_;
     const int usart_;
     Beginnings begun_;
     Link link_;

@@ -13,8 +13,8 @@ std::vector<TaskName> readTaskNames(const std::filesystem::path& firmware) {
     std::vector<TaskName> names;
     try {
         for (const auto& row : nlohmann::json::parse(file)) {
-            names.push_back(
-                {row.at("number"), row.at("name"), row.at("period"), row.at("budget_us")});
+            names.push_back({row.at("number"), row.at("name"), row.at("period"),
+                             row.at("budget_us"), row.at("tier")});
         }
     } catch (const nlohmann::json::exception&) {
         return {};

@@ -14,6 +14,7 @@ struct TaskName {
     std::string name;
     uint32_t period;  // frames
     uint32_t budget_us;
+    std::string tier;
 };
 
 // Empty when there is no such file, or none that can be understood.

@@ -89,7 +89,7 @@ protected:
         }
     }
 
-    scheduler::Scheduler<5> schedule{kTasks, kFrame_us};
+    scheduler::Scheduler<5, kTasks, kFrame_us> schedule;
 };
 
 using Frames = std::vector<int>;

@@ -84,7 +84,7 @@ TEST(Summary, says_what_is_known) {
 TEST(Summary, names_the_tasks_whose_names_are_known) {
     Summary summary;
     summary.figures.tasks = {{0, 10, 1600, 800}, {1, 5, 160, 80}};
-    summary.task_names = {{1, "runRadio", 2, 250}};
+    summary.task_names = {{1, "runRadio", 2, 250, "fast"}};
     const auto json = nlohmann::json::parse(summaryJson(summary));
 
     EXPECT_FALSE(json["tasks"][0].contains("name"));
