@@ -51,7 +51,7 @@ bool height_started;
 float home_height_m;  // of home above the barometer's zero, which drifts
 float true_speed_ratio = 1.0f;
 uint32_t fix_ms;
-uint16_t baro_ms, unfixed_ms;
+uint16_t baro_ms;
 uint8_t imu_gap;      // frames without its samples
 float gps_above_m;    // the receiver's heights over the estimate's; 0: no fix has been seen
 uint8_t gathered;     // sample periods since motion was last carried on
@@ -66,9 +66,8 @@ constexpr float kOddHeight_m = 20;
 constexpr float kClimbAge_s = 0.19f;   // a u-blox's, which alone reports it: 0.29, less half of 0.2
 constexpr uint16_t kGoodHdop_c = 200;  // with fewer satellites heights are tens of metres off
 constexpr uint16_t kGpsSilent_ms = 500;
-constexpr uint16_t kAirspeedHelps_ms = 200;
-constexpr uint8_t kBeginsFlying = 13;  // looks of 40 ms at speed: half a second
-constexpr uint8_t kEndsFlying = 75;    // looks without: three seconds
+constexpr uint8_t kBeginsFlying = 5;  // looks of 100 ms at speed: half a second
+constexpr uint8_t kEndsFlying = 30;   // looks without: three seconds
 constexpr float kFlyingGroundSpeed_mps = 5.0f;
 constexpr float kStandingSpeed_mps = 2.0f;
 
@@ -79,10 +78,14 @@ estimation::AttitudeSettings attitudeSettings() {
     return settings;
 }
 
-// A fix costs too much for one frame: each of its uses gets one.
-enum class FixUse : uint8_t { move, feel_wind, feel_height, done };
-FixUse fix_use = FixUse::done;
+// A fix costs too much for one row: for whom it is still new.
+struct {
+    bool position, wind, height;
+} fix_for;
 float since_fix_s;  // from the fix before
+
+// Rows of the schedule rest until the gyros' zero is known, and while it is measured again.
+bool runs() { return started && vehicle.imu.calibrated; }
 
 // Since its bytes arrived a fix has aged.
 float gpsAge_s(uint32_t now_ms) {
@@ -97,25 +100,6 @@ bool fixIsGood() {
         static_cast<int16_t>(static_cast<int32_t>(sum_cms) + (gps.position.latitude_e7 & 3));
     return gps.fix == GpsFix::three_d && acceptReading(Sensor::gps, reading, true) &&
            !isFaulty(Sensor::gps);
-}
-
-void alignToFix(uint32_t now_ms) {
-    fixes_seen = vehicle.gps.fixes;
-    if (!fixIsGood()) return;
-    since_fix_s = (now_ms - fix_ms) * 0.001f;
-    fix_ms = now_ms;
-    estimation::AttitudeSettings settings = attitudeSettings();
-    settings.gps_age_s = gpsAge_s(now_ms);
-    attitude.useGps(vehicle.gps.velocity_mps, settings);
-    fix_use = FixUse::move;
-}
-
-void moveToFix(uint32_t now_ms) {
-    fix_use = FixUse::feel_wind;
-    estimation::PositionSettings settings;
-    settings.gps_age_s = gpsAge_s(now_ms);
-    position.useGps(vehicle.gps.position, vehicle.gps.velocity_mps, attitude.gainedSinceFix_mps(),
-                    settings);
 }
 
 // Without its compass the airplane points where it flies to through the air, as the wind was.
@@ -149,7 +133,6 @@ bool airspeedFits() {
 }
 
 void updateWind() {
-    fix_use = FixUse::feel_height;
     if (!vehicle.estimate.flying || since_fix_s > 1.5f || pointsByCourse()) return;
     if (!airspeedFits() && vehicle.airspeed.healthy) return;
     const float airspeed_mps = vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f;
@@ -162,8 +145,7 @@ bool near(float a_m, float b_m) { return fabsf(a_m - b_m) < kOddHeight_m; }
 
 // The receiver's height stands in for the barometer's, whose zero it learns before; and says which
 // of barometer and estimate is wrong where they differ.
-void fuseGpsHeight() {
-    fix_use = FixUse::done;
+void useGpsHeight() {
     const auto& baro = vehicle.baro;
     const float height_m = height.height_m();
     const float told_m = vehicle.gps.altitude_cm * 0.01f;
@@ -188,14 +170,7 @@ void fuseGpsHeight() {
                                             -vehicle.gps.velocity_mps.z, since_fix_s);
 }
 
-void gatherBarometer() {
-    if (vehicle.baro.readings == baro_seen) return;
-    baro_seen = vehicle.baro.readings;
-    baro_sum_pa += vehicle.baro.pressure_pa;
-    ++baro_readings;
-}
-
-// The mean of what came in four frames.
+// The mean of what has come since the last time.
 void useBarometer() {
     if (baro_readings == 0) return;
     const auto& baro = vehicle.baro;
@@ -224,43 +199,10 @@ float knownAirspeed_mps() {
     return vehicle.estimate.flying ? parameters.cruise_speed_cms * 0.01f : 0.0f;
 }
 
-// One a frame.
-void useReference() {
-    const uint32_t now_ms = hal::now_ms();
-    if (vehicle.gps.fixes != fixes_seen) {
-        alignToFix(now_ms);
-    } else if (fix_use == FixUse::move) {
-        moveToFix(now_ms);
-    } else if (fix_use == FixUse::feel_wind) {
-        updateWind();
-    } else if (fix_use == FixUse::feel_height) {
-        fuseGpsHeight();
-    } else if (vehicle.compass.accepted && vehicle.compass.readings != compass_seen) {
-        compass_seen = vehicle.compass.readings;
-        if (parameters.compass_use != 0 &&
-            !attitude.useCompass(vehicle.compass.field_mg, attitudeSettings()))
-            reportInconsistency(Sensor::compass);
-    } else if (now_ms - fix_ms > kGpsSilent_ms &&
-               static_cast<uint16_t>(now_ms - unfixed_ms) >= kAirspeedHelps_ms) {
-        unfixed_ms = static_cast<uint16_t>(now_ms);
-        attitude.useAirspeed(knownAirspeed_mps());
-    }
-}
-
-// The attitude gives a new acceleration every fourth frame.
-void propagateMotion() {
-    const Vector3 acceleration_mss =
-        imu_gap < kDead ? attitude.acceleration_mss() : Vector3{0, 0, 0};
-    const float dt_s = gathered * estimation::kSamplePeriod_s;
-    position.propagate(acceleration_mss, dt_s);
-    height.propagate(-acceleration_mss.z, dt_s);
-    gathered = 0;
-}
-
 int16_t centimetres(float metres) { return core::narrowed(core::rounded(metres * 100.0f)); }
 float metres(int16_t centimetres) { return centimetres * 0.01f; }
 
-void publishAttitude() {
+void publishAngles() {
     const estimation::Angles& angles = attitude.angles();
     auto& to = published_attitude;
     to.roll_rad = angles.roll_rad;
@@ -270,24 +212,88 @@ void publishAttitude() {
     to.cos_roll = angles.cos_roll;
     to.sin_pitch = angles.sin_pitch;
     to.cos_pitch = angles.cos_pitch;
-    to.rate_rads = attitude.rate_rads();
-    to.aligned = attitude.aligned();
 }
 
-void publishMotion() {
-    auto& to = published;
-    to.known = position.known();
-    to.reckoned = position.reckoned();
-    to.fix_refused = position.refuses();
-    to.velocity_mps = position.velocity_mps();
+void publishHeight() {
+    auto& to = vehicle.estimate;
     to.height_m = height.height_m() - home_height_m;
     to.climb_mps = height.climb_mps();
     to.velocity_mps.z = -to.climb_mps;
 }
 
-void publishSpeeds() {
-    auto& to = published;
+}  // namespace
+
+// Without an inertial sensor the attitude stands, and is found anew when it is back.
+void runAttitude() {
+    const auto& imu = vehicle.imu;
+    if (!imu.calibrated || (imu.periods == 0 && !started)) return;
+    if (!started) {
+        attitude.start();
+        wind.start();
+        started = true;
+    }
+    const uint8_t periods = imu.periods != 0 ? imu.periods : kFramePeriods;
+    gathered = periods > 0xFF - gathered ? 0xFF : gathered + periods;
+    auto& to = vehicle.attitude;
+    if (imu.periods == 0) {
+        if (imu_gap != kDead) ++imu_gap;
+        to.aligned = imu_gap < kDead && to.aligned;
+        return;
+    }
+    if (imu_gap == kDead) attitude.start();
+    imu_gap = 0;
+    attitude.propagate({imu.turned, imu.rate_rads, imu.accel_mss, imu.periods});
+    to.roll_rad = attitude.angles().roll_rad;
+    to.pitch_rad = attitude.angles().pitch_rad;
+    to.rate_rads = attitude.rate_rads();
+    to.aligned = attitude.aligned();
+}
+
+void alignAttitude() { attitude.align(); }
+
+void turnMatrix() {
+    if (!runs()) return;
+    attitude.turnMatrix();
+    publishAngles();
+}
+
+void orthonormalizeMatrix() { attitude.orthonormalize(); }
+void pointYaw() { attitude.pointYaw(); }
+
+void gatherPressure() {
+    if (!vehicle.baro.fresh || !runs()) return;
+    vehicle.baro.fresh = false;
+    baro_sum_pa += vehicle.baro.pressure_pa;
+    ++baro_readings;
+}
+
+void propagateMotion() {
+    if (!runs()) return;
+    attitude.accelerate();
+    const Vector3 acceleration_mss =
+        imu_gap < kDead ? attitude.acceleration_mss() : Vector3{0, 0, 0};
+    const float dt_s = gathered * estimation::kSamplePeriod_s;
+    position.propagate(acceleration_mss, dt_s);
+    height.propagate(-acceleration_mss.z, dt_s);
+    gathered = 0;
+    auto& to = vehicle.estimate;
+    to.known = position.known();
     to.position = position.position();
+    to.reckoned = position.reckoned();
+    to.fix_refused = position.refuses();
+    to.velocity_mps = position.velocity_mps();
+    publishHeight();
+}
+
+void fusePressure() {
+    if (!runs()) return;
+    useBarometer();
+    publishHeight();
+}
+
+void publishSpeeds() {
+    if (!runs()) return;
+    auto& to = vehicle.estimate;
     const Vector3& velocity = to.velocity_mps;
     to.ground_speed_mps = sqrtf(core::square(velocity.x) + core::square(velocity.y));
     if (to.ground_speed_mps > 0.01f) {
@@ -306,19 +312,18 @@ void publishSpeeds() {
     }
 }
 
-// Without a fix the nose and the wind show it.
-void reckon() {
-    if (position.age_s() < 1.0f) return;
+void reckonPosition() {
+    if (!runs() || position.age_s() < 1.0f) return;
     const float airspeed_mps = vehicle.estimate.airspeed_mps;
     const Vector3 wind_mps = wind.wind_mps();
     position.reckon(attitude.noseNorth() * airspeed_mps + wind_mps.x,
                     attitude.noseEast() * airspeed_mps + wind_mps.y);
 }
 
-// Flying: armed, and fast enough for half a second; standing: slow for three seconds.
 void judgeFlying() {
     static uint8_t looks;
-    auto& estimate = published;
+    if (!runs()) return;
+    auto& estimate = vehicle.estimate;
     const bool fast = vehicle.airspeed.healthy
                           ? vehicle.airspeed.speed_mps > 0.75f * parameters.speed_min_mps
                           : estimate.ground_speed_mps > kFlyingGroundSpeed_mps;
@@ -331,53 +336,50 @@ void judgeFlying() {
     looks = 0;
 }
 
-// Without an inertial sensor the attitude stands, and is found anew when it is back.
-void propagateImu() {
-    const auto& imu = vehicle.imu;
-    if (imu_gap >= kDead) attitude.start();
-    imu_gap = 0;
-    attitude.propagate({imu.turned, imu.rate_rads, imu.accel_mss, imu.periods});
-    publishAttitude();
+void fuseFixAttitude() {
+    if (!vehicle.gps.fresh || !runs()) return;
+    vehicle.gps.fresh = false;
+    if (!fixIsGood()) return;
+    const uint32_t now_ms = hal::now_ms();
+    since_fix_s = (now_ms - fix_ms) * 0.001f;
+    fix_ms = now_ms;
+    estimation::AttitudeSettings settings = attitudeSettings();
+    settings.gps_age_s = gpsAge_s(now_ms);
+    attitude.useGps(vehicle.gps.velocity_mps, settings);
+    fix_for = {true, true, true};
 }
 
-// In which quarter of the round this frame is.
-uint8_t quarter() {
-    if (vehicle.imu.periods != 0) {
-        propagateImu();
-        return attitude.frame() & 3;
-    }
-    imu_gap = imu_gap < kDead + 3 ? imu_gap + 1 : kDead;
-    published_attitude.aligned = imu_gap < kDead && vehicle.attitude.aligned;
-    return imu_gap & 3;
+void fuseFixPosition() {
+    if (!fix_for.position || !runs()) return;
+    fix_for.position = false;
+    estimation::PositionSettings settings;
+    settings.gps_age_s = gpsAge_s(hal::now_ms());
+    position.useGps(vehicle.gps.position, vehicle.gps.velocity_mps, attitude.gainedSinceFix_mps(),
+                    settings);
 }
 
-}  // namespace
+void fuseFixWind() {
+    if (!fix_for.wind || !runs()) return;
+    fix_for.wind = false;
+    updateWind();
+}
 
-void runEstimator() {
-    if (!vehicle.imu.calibrated || (vehicle.imu.periods == 0 && imu_gap == 0 && !started)) return;
-    if (!started) {
-        attitude.start();
-        wind.start();
-        started = true;
-    }
-    const uint8_t periods = vehicle.imu.periods != 0 ? vehicle.imu.periods : kFramePeriods;
-    gathered = periods > 0xFF - gathered ? 0xFF : gathered + periods;
-    gatherBarometer();
-    switch (quarter()) {
-        case 1:
-            propagateMotion();
-            publishMotion();
-            break;
-        case 3:
-            useBarometer();
-            publishMotion();
-            publishSpeeds();
-            reckon();
-            judgeFlying();
-            break;
-        default:
-            useReference();
-    }
+void fuseFixHeight() {
+    if (!fix_for.height || !runs()) return;
+    fix_for.height = false;
+    useGpsHeight();
+}
+
+void fuseCompass() {
+    if (!vehicle.compass.fresh || !runs()) return;
+    vehicle.compass.fresh = false;
+    if (parameters.compass_use != 0 &&
+        !attitude.useCompass(vehicle.compass.field_mg, attitudeSettings()))
+        reportInconsistency(Sensor::compass);
+}
+
+void fuseAirspeed() {
+    if (runs() && hal::now_ms() - fix_ms > kGpsSilent_ms) attitude.useAirspeed(knownAirspeed_mps());
 }
 
 Vector3 gyroDrift_rads() { return attitude.bias_rads(); }

@@ -7,7 +7,25 @@
 namespace firmware {
 namespace estimator {
 
-void runEstimator();  // every frame, after the sensors
+// Rows of the schedule. They do nothing until the gyros' zero is known.
+void runAttitude();           // 100 Hz, after the inertial sensor: roll, pitch and rates
+void alignAttitude();         // 10 Hz: the first matrix
+void turnMatrix();            // 50 Hz: all angles
+void orthonormalizeMatrix();  // 10 Hz
+void pointYaw();              // 10 Hz
+void gatherPressure();        // 100 Hz, after the barometer
+void propagateMotion();       // 25 Hz: acceleration over ground carries place, speed and height on
+void fusePressure();          // 20 Hz: the barometer's mean to the height
+void publishSpeeds();         // 20 Hz: ground speed, course, airspeed
+void reckonPosition();        // 10 Hz: without fixes the nose and the wind show where it goes
+// 10 Hz. Flying: armed, and fast enough for half a second; standing: slow for three seconds.
+void judgeFlying();
+void fuseFixAttitude();  // 20 Hz, as the next three: the newest fix to the attitude
+void fuseFixPosition();
+void fuseFixWind();
+void fuseFixHeight();
+void fuseCompass();   // 5 Hz
+void fuseAirspeed();  // 5 Hz: holds the attitude while there are no fixes
 
 core::Vector3 gyroDrift_rads();  // learnt in flight, on top of the calibration
 

@@ -7,7 +7,7 @@
 namespace firmware {
 namespace mission {
 
-void rallyFollow();  // 10 Hz: RALLY_TOTAL
+void rallyFollow();  // 1 Hz: RALLY_TOTAL
 
 using FlyTo = void (*)(const geo::Position& place, float height_m);
 

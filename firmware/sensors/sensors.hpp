@@ -32,7 +32,7 @@ void resumeAirspeed(float offset_v);
 float airspeedOffset_v();  // of the sensor with no wind on it
 
 void runInertial();          // every frame, first
-void runInertialSettings();  // 10 Hz: scales, offsets and trim, when a parameter has changed
+void runInertialSettings();  // 5 Hz: scales, offsets and trim, when a parameter has changed
 void runBarometer();         // every frame
 void runCompass();
 void runCompassLearning();  // 10 Hz, behind runCompass: a pair takes a quarter of a millisecond

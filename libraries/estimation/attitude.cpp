@@ -32,11 +32,11 @@ constexpr float kMaxBiasStep_rads = 2e-4f;  // in one correction
 constexpr float kForceBias_s = 10.0f;       // an accelerometer's bias is learnt in this time
 constexpr float kMaxForceBias_mss = 0.3f;   // 0.03 g
 constexpr float kMaxForceStep_mss = 0.01f;
-constexpr float kMaxTime_s = 1.1f;    // between two fixes that are compared
-constexpr uint8_t kCompassEvery = 5;  // 10 Hz of 50
+constexpr float kMaxTime_s = 1.1f;  // between two fixes that are compared
 constexpr float kCompassStep_s = 0.2f;
-constexpr float kOdd = 0.7f;       // cosine: a compass 45 degrees off is not followed
-constexpr float kSlow_mps = 5.0f;  // a slower course is noise
+constexpr uint8_t kMaxFrames = 50;  // that are counted: by then nothing is known any more
+constexpr float kOdd = 0.7f;        // cosine: a compass 45 degrees off is not followed
+constexpr float kSlow_mps = 5.0f;   // a slower course is noise
 
 constexpr int32_t kMaxTurn = Fine::kOne / 5;  // 0.2 rad; more at once would lengthen the rows
 constexpr int32_t kMaxTurned = Fine::kOne;    // 1 rad
@@ -108,11 +108,7 @@ void Attitude::propagate(const Motion& motion) {
     rate_.x = Rate::fromRaw(int32_t{motion.rate_rads.x.raw} - rate_bias_.x.raw);
     rate_.y = Rate::fromRaw(int32_t{motion.rate_rads.y.raw} - rate_bias_.y.raw);
     rate_.z = Rate::fromRaw(int32_t{motion.rate_rads.z.raw} - rate_bias_.z.raw);
-    frame_ = (frame_ + 1) & 7;
-    if (phase_ == Phase::falling) {
-        if (forces_ == kAlignFrames) alignUpright();
-        return;
-    }
+    if (phase_ == Phase::falling) return;
     Turn turned;
     for (uint8_t i = 0; i < 3; ++i) {
         const int32_t bias = bias_.of[i];
@@ -120,17 +116,17 @@ void Attitude::propagate(const Motion& motion) {
             motion.turned.of[i] - (motion.periods == 2 ? bias * 2 : bias * motion.periods);
         accumulate(turned_.of[i], turned.of[i], kMaxTurned);
     }
-    if (!(frame_ & 1)) {
-        rotateDcm();
-        return workOutAngles();
-    }
-    const Turn16 by = {
+    if (behind_ != kMaxFrames) ++behind_;
+    if (since_yaw_ != kMaxFrames) ++since_yaw_;
+    last_turn_ = {
         {inRevolutions(turned.of[0]), inRevolutions(turned.of[1]), inRevolutions(turned.of[2])}};
-    carryAnglesOn(by);
-    // What need not be done every frame is spread over eight.
-    if (frame_ == 3) return orthonormalize();
-    if (frame_ == 7) return pointYaw(by);
-    accelerate();
+    carryAnglesOn(last_turn_);
+}
+
+void Attitude::turnMatrix() {
+    if (phase_ == Phase::falling) return;
+    rotateDcm();
+    workOutAngles();
 }
 
 // What stands still over the ground, seen from a body that has turned by a small angle.
@@ -146,11 +142,13 @@ void Attitude::rotateDcm() {
     for (uint8_t i = 0; i < 3; ++i) by.of[i] = taken(turned_.of[i]);
     turn(down_, by);
     turn(north_, by);
+    behind_ = 0;
 }
 
 void Attitude::start() { *this = Attitude(); }
 
-void Attitude::alignUpright() {
+void Attitude::align() {
+    if (phase_ != Phase::falling || forces_ < kAlignFrames) return;
     const core::Vector3 force_sum = {static_cast<float>(force_sum_[0]),
                                      static_cast<float>(force_sum_[1]),
                                      static_cast<float>(force_sum_[2])};
@@ -191,6 +189,7 @@ void Attitude::normalizeRow(Row& row, int32_t squared) {
 
 // Both rows of length one and square to each other.
 void Attitude::orthonormalize() {
+    if (phase_ == Phase::falling) return;
     const int32_t squared = dot(down_, down_), along = dot(north_, north_);
     constexpr int32_t kHalf = kOne >> 3, kDouble = kOne >> 1;
     if (squared < kHalf || squared > kDouble || along < kHalf || along > kDouble) {
@@ -204,10 +203,12 @@ void Attitude::orthonormalize() {
 }
 
 // What the nose has of north and east is as long as the pitch's cosine.
-void Attitude::pointYaw(const Turn16& turned) {
+void Attitude::pointYaw() {
+    if (phase_ == Phase::falling) return;
     const Row16 n(north_), d(down_);
     yaw_rad_ = arc(levelled(d.cross(n).x), levelled(n.x));
-    const int32_t step = d.dot(turned.of[0], turned.of[1], turned.of[2]);
+    since_yaw_ = behind_;
+    const int32_t step = d.dot(last_turn_.of[0], last_turn_.of[1], last_turn_.of[2]);
     yaw_step_ = core::upperOf16(core::limit(step, -core::kMaxOf16, core::kMaxOf16));
 }
 
@@ -218,9 +219,9 @@ core::Ratio Attitude::levelled(int16_t component) const {
         core::upperOf16(core::limit(share, -core::kMaxOf16, core::kMaxOf16)));
 }
 
-// The mean force of the last four frames, turned into north, east, down.
+// The mean force since the last time, of four frames, turned into north, east, down.
 void Attitude::accelerate() {
-    if (forces_ == 0) return;
+    if (phase_ == Phase::falling || forces_ == 0) return;
     const auto mean = [this](int32_t sum, int32_t bias) {
         const int32_t doubled = forces_ == 4 ? (sum + 1) >> 1 : sum * 2 / forces_;
         return HalfForce::fromRaw(doubled - core::upper(bias)).raw;
@@ -230,12 +231,12 @@ void Attitude::accelerate() {
     const Row16 n(north_), d(down_);
     const Row16 e = d.cross(n);
     const int32_t north = n.dot(x, y, z), east = e.dot(x, y, z);
-    // They were measured, on the mean, two frames ago, and the matrix is one frame old: the nose
-    // was this much behind it. A yaw step is a quarter of an Angle's; four frames are eight
-    // periods.
-    constexpr core::Fixed<16> kBehind(RowAngle::kSteps / core::Angle::kSteps / 4 / 8);
+    // They were measured, on the mean, half of the time ago, and the matrix may be some frames old:
+    // the nose was this much behind it. A yaw step is a quarter of an Angle's, in two periods.
+    constexpr core::Fixed<16> kBehind(RowAngle::kSteps / core::Angle::kSteps / 4 / 4);
+    const int16_t older = static_cast<int16_t>(periods_ - 4 * behind_);
     const int16_t behind = static_cast<int16_t>(
-        core::limit<int32_t>(core::times16(int32_t{yaw_step_} * periods_, kBehind.raw),
+        core::limit<int32_t>(core::times16(int32_t{yaw_step_} * older, kBehind.raw),
                              -RowAngle::kOne / 4, RowAngle::kOne / 4));
     const int32_t then_north = north + 2 * core::times16(east, behind);
     const int32_t then_east = east - 2 * core::times16(north, behind);
@@ -425,8 +426,6 @@ void Attitude::useCourse(const core::Vector3& air_mps) {
 
 bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSettings& settings) {
     if (phase_ == Phase::falling) return true;
-    if (phase_ == Phase::pointed && ++compass_reading_ < kCompassEvery) return true;
-    compass_reading_ = 0;
     catchUp();
     const core::Vector3 field_mg = field_.earths(reading_mg);
     const core::Vector3 north = real(north_), down = real(down_);
@@ -483,8 +482,7 @@ void Attitude::workOutAngles() {
     a.cos_roll = levelled(core::upper(down_.of[2]));
     a.roll_rad = arc(a.sin_roll, a.cos_roll);
     a.pitch_rad = arc(a.sin_pitch, a.cos_pitch);
-    // pointYaw() saw the matrix of the sixth frame
-    const int32_t since = core::product(yaw_step_, frame_ + 2) >> 2;
+    const int32_t since = core::product(yaw_step_, since_yaw_) >> 2;
     a.yaw_rad.raw = static_cast<int16_t>(static_cast<uint16_t>(yaw_rad_.raw + since));
     tan_pitch_.raw = core::times14(inverse_cos_pitch_.raw, a.sin_pitch.raw);
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Attitude from gyros, held upright by comparing what the accelerometers say the airplane gained
 // in speed with what the GPS says, and pointed north by the compass. Two rows of the direction
-// cosine matrix are the state: north and down as the body sees them. The matrix is turned every
-// second frame, by the turns of both; in between the angles are carried on by their rates. What is
-// done in every frame is fixed point; the corrections, five and ten times a second, are floats.
+// cosine matrix are the state: north and down as the body sees them. Roll and pitch are carried on
+// in every frame by their rates; the matrix is turned every second frame, by the turns of both, and
+// gives all angles anew. What is done so often is fixed point; the corrections, five and ten times
+// a second, are floats. Whoever owns it calls the functions as often as they say; one that comes
+// later or is left out once costs accuracy, nothing else.
 #pragma once
 #include <stdint.h>
 
@@ -45,9 +47,14 @@ public:
     // Instead of start(): as it was, and turned on since then, as quick as `turned_rad` says.
     void resume(const Pose& pose, const Learnt& learnt, const core::Vector3& turned_rad);
 
-    void propagate(const Motion& motion);  // every frame
+    void propagate(const Motion& motion);  // 100 Hz: sums up the motion, carries roll and pitch on
+    void align();                          // 10 Hz: until it is upright
+    void turnMatrix();                     // 50 Hz: by what has been summed up; all angles anew
+    void accelerate();      // 25 Hz: acceleration over ground, of what has been measured since
+    void orthonormalize();  // 10 Hz: the matrix
+    void pointYaw();        // 10 Hz: yaw by the matrix, in between it goes on by its rate
 
-    // Every compass reading: body axes, offsets removed; only its direction counts. False: it
+    // A compass reading, 5 Hz: body axes, offsets removed; only its direction counts. False: it
     // points far from where the airplane is known to point, and is not followed.
     bool useCompass(const core::Vector3& reading_mg, const AttitudeSettings& settings);
 
@@ -64,11 +71,8 @@ public:
 
     bool aligned() const { return phase_ == Phase::pointed; }  // upright and pointed
 
-    // Counts the frames, 0..7. propagate() costs least in the even ones: corrections belong there.
-    uint8_t frame() const { return frame_; }
-
-    // Yaw clockwise from true north, -pi..pi. Roll and pitch are new in every frame, the rest in
-    // the even ones.
+    // Yaw clockwise from true north, -pi..pi. Roll and pitch are new in every frame, the rest when
+    // the matrix has been turned.
     const Angles& angles() const { return angles_; }
     // Where the nose points, for the wind: the first column of the matrix.
     float noseNorth() const { return real(north_.of[0]); }
@@ -80,7 +84,7 @@ public:
     // What the compass reads of the airplane itself, learnt in turns; body axes.
     const core::Vector3& compassOffset_mg() const { return field_.own_mg(); }
 
-    // Acceleration over ground of the last frames, gravity removed: north, east, down.
+    // Acceleration over ground, as accelerate() found it, gravity removed: north, east, down.
     const core::Vector3& acceleration_mss() const { return acceleration_; }
     // Gained by the accelerometers since the time of the last fix given to useGps.
     core::Vector3 gainedSinceFix_mps() const;
@@ -105,22 +109,18 @@ private:
     static int32_t dot(const Row& a, const Row& b);
 
     core::Vector3 east() const;
-    void alignUpright();
     void turnTo(float sine, float cosine);
     void turnBy(const core::Vector3& by_rad);
     void pointBy(float error);
     static void turnBy(int32_t& turned, float by_rad);
     void rotateDcm();
     void catchUp() {
-        if (frame_ & 1) rotateDcm();
+        if (behind_ != 0) rotateDcm();
     }
     void workOutAngles();
     void carryAnglesOn(const Turn16& turned);
-    void orthonormalize();
-    void pointYaw(const Turn16& turned);
     core::Ratio levelled(int16_t component) const;
     void pointAlong(const core::Vector3& velocity_mps);
-    void accelerate();
     void forgetForces();
     float quick() const;
     void correct(const core::Vector3& missing_mss, const core::Vector3& felt_mss, float time_s,
@@ -142,6 +142,7 @@ private:
     Angles angles_ = {{}, {}, {}, {}, core::Ratio(1), {}, core::Ratio(1)};
     core::Gain inverse_cos_pitch_{1}, tan_pitch_ = {};
     core::Angle yaw_rad_ = {};  // when pointYaw looked
+    Turn16 last_turn_ = {};     // of the last frame
     int16_t yaw_step_ = 0;      // in a frame, in a quarter of an Angle's step
     CompassField field_;
     VelocityHistory history_;
@@ -150,8 +151,9 @@ private:
     uint8_t since_fix_ = 0xFF;                 // periods, 1.28 s at most
     float settling_ = 1;                       // 1 at start, 0 when settled
     Phase phase_ = Phase::falling;
-    uint8_t frame_ = 0, forces_ = 0, periods_ = 0;
-    uint8_t compass_reading_ = 0;
+    uint8_t forces_ = 0, periods_ = 0;
+    uint8_t behind_ = 0;     // frames that the matrix has not been turned by
+    uint8_t since_yaw_ = 0;  // frames since the matrix that pointYaw looked at
 
     static constexpr int32_t kOne = 1L << 30;
 };

@@ -59,7 +59,7 @@ estimation::Motion motion(const core::Vector3& rate_rads, const core::Vector3& f
             2};
 }
 
-// The estimator fed as the firmware feeds it: 100 Hz of pairs of samples, compass 50 Hz, GPS 5 Hz.
+// The estimator fed as the firmware feeds it: 100 Hz of pairs of samples, compass and GPS 5 Hz.
 Figures fly(Flight& flight, const Sources& sources, Attitude& attitude) {
     AttitudeSettings settings;
     settings.use_compass = sources.compass;
@@ -76,7 +76,12 @@ Figures fly(Flight& flight, const Sources& sources, Attitude& attitude) {
         if (!still.done()) still.update(flight::single(rate), flight::single(force), 0.01f);
         if (!still.done()) continue;
         attitude.propagate(motion(flight::single(rate) - still.zero_rads(), flight::single(force)));
-        if (frame % 2 == 0 && sources.compass) {
+        if (frame % 10 == 2) attitude.align();
+        if (frame % 2 == 0) attitude.turnMatrix();
+        if (frame % 10 == 3) attitude.orthonormalize();
+        if (frame % 10 == 6) attitude.pointYaw();
+        if (frame % 4 == 1) attitude.accelerate();
+        if (frame % 20 == 8 && sources.compass) {
             attitude.useCompass(flight::single(flight.compass()), settings);
         }
         const bool gps = sources.gps && flight.truth().time_s < sources.gps_lost_s;
