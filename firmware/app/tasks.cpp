@@ -77,7 +77,6 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { fast,   runMode,                 1,     0,     105 },
     { fast,   runAttitudeControl,      1,     0,     340 },
     { fast,   runOutputs,              1,     0,     150 },
-    { fast,   endMode,                 1,     0,       2 },
 
     { medium, runBarometer,            1,     0,     160 },
     { medium, gatherPressure,          1,     0,       6 },
@@ -108,10 +107,10 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { medium, missionCatchUp,         10,     5,    1590 },
     { medium, runInverted,            10,     2,       6 },
     { medium, runFence,               10,     1,    1030 },
-    { medium, runFailsafe,            10,     6,     440 },
+    { medium, runFailsafe,            10,     6,     500 },
 
     { slow,   runLog,                  2,     0,    1010 },
-    { slow,   runModeSwitch,          10,     0,     180 },
+    { slow,   runModeSwitch,          10,     0,     215 },
     { slow,   runEvents,              10,     5,      35 },
     { slow,   reportVariables,        10,     7,       7 },
     { slow,   runCamera,              10,     9,     240 },

@@ -215,7 +215,7 @@ void publishAngles() {
 }
 
 void publishHeight() {
-    auto& to = vehicle.estimate;
+    auto& to = published;
     to.height_m = height.height_m() - home_height_m;
     to.climb_mps = height.climb_mps();
     to.velocity_mps.z = -to.climb_mps;
@@ -234,7 +234,7 @@ void runAttitude() {
     }
     const uint8_t periods = imu.periods != 0 ? imu.periods : kFramePeriods;
     gathered = periods > 0xFF - gathered ? 0xFF : gathered + periods;
-    auto& to = vehicle.attitude;
+    auto& to = published_attitude;
     if (imu.periods == 0) {
         if (imu_gap != kDead) ++imu_gap;
         to.aligned = imu_gap < kDead && to.aligned;
@@ -261,8 +261,8 @@ void orthonormalizeMatrix() { attitude.orthonormalize(); }
 void pointYaw() { attitude.pointYaw(); }
 
 void gatherPressure() {
-    if (!vehicle.baro.fresh || !runs()) return;
-    vehicle.baro.fresh = false;
+    if (vehicle.baro.readings == baro_seen || !runs()) return;
+    baro_seen = vehicle.baro.readings;
     baro_sum_pa += vehicle.baro.pressure_pa;
     ++baro_readings;
 }
@@ -276,7 +276,7 @@ void propagateMotion() {
     position.propagate(acceleration_mss, dt_s);
     height.propagate(-acceleration_mss.z, dt_s);
     gathered = 0;
-    auto& to = vehicle.estimate;
+    auto& to = published;
     to.known = position.known();
     to.position = position.position();
     to.reckoned = position.reckoned();
@@ -293,7 +293,7 @@ void fusePressure() {
 
 void publishSpeeds() {
     if (!runs()) return;
-    auto& to = vehicle.estimate;
+    auto& to = published;
     const Vector3& velocity = to.velocity_mps;
     to.ground_speed_mps = sqrtf(core::square(velocity.x) + core::square(velocity.y));
     if (to.ground_speed_mps > 0.01f) {
@@ -323,7 +323,7 @@ void reckonPosition() {
 void judgeFlying() {
     static uint8_t looks;
     if (!runs()) return;
-    auto& estimate = vehicle.estimate;
+    auto& estimate = published;
     const bool fast = vehicle.airspeed.healthy
                           ? vehicle.airspeed.speed_mps > 0.75f * parameters.speed_min_mps
                           : estimate.ground_speed_mps > kFlyingGroundSpeed_mps;
@@ -337,8 +337,8 @@ void judgeFlying() {
 }
 
 void fuseFixAttitude() {
-    if (!vehicle.gps.fresh || !runs()) return;
-    vehicle.gps.fresh = false;
+    if (vehicle.gps.fixes == fixes_seen || !runs()) return;
+    fixes_seen = vehicle.gps.fixes;
     if (!fixIsGood()) return;
     const uint32_t now_ms = hal::now_ms();
     since_fix_s = (now_ms - fix_ms) * 0.001f;
@@ -371,10 +371,10 @@ void fuseFixHeight() {
 }
 
 void fuseCompass() {
-    if (!vehicle.compass.fresh || !runs()) return;
-    vehicle.compass.fresh = false;
-    if (parameters.compass_use != 0 &&
-        !attitude.useCompass(vehicle.compass.field_mg, attitudeSettings()))
+    const auto& compass = vehicle.compass;
+    if (!compass.accepted || compass.readings == compass_seen || !runs()) return;
+    compass_seen = compass.readings;
+    if (parameters.compass_use != 0 && !attitude.useCompass(compass.field_mg, attitudeSettings()))
         reportInconsistency(Sensor::compass);
 }
 

@@ -240,7 +240,7 @@ void runInertial() {
     }
     published.periods = sums.periods;
     if (!still.done() || (mayRock() && !still.settled())) findZero(sums);
-    to.calibrated = still.done();
+    published.calibrated = still.done();
     use(sums);
     if (isFaulty(Sensor::inertial)) restartSensor();
 }

@@ -50,7 +50,7 @@ protected:
         firmware::control::runControlLimits();
     }
 
-    // Frames from the receiver for a quarter of a second, the sticks where they are told to be.
+    // Frames from the receiver for a quarter of a second, the sticks at the given pulses.
     void settle(const std::vector<uint16_t>& sticks) {
         for (int i = 0; i < 25; ++i) {
             if (i % 2 == 0) fakes::receiveRc(sticks);

@@ -138,9 +138,9 @@ private:
     // Not inlined three times into main(), where toolchain/stack_bound.mjs would lose its track.
     // Flat it takes 0.1 % of the processor less.
     __attribute__((noinline, flatten)) void runTimed(uint8_t i, const Task& task) {
-        hal::mark(i + 1);
+        hal::trace(i + 1);
         core::romRead(task.run)();
-        hal::mark(hal::kMarkTaskEnd);
+        hal::trace(hal::kTraceTaskEnd);
         const uint16_t ended = hal::ticks();
         const uint16_t taken = ended - now_;
         now_ = ended;
