@@ -7,6 +7,7 @@
 #include "firmware/app/tasks.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/state/vehicle.hpp"
+#include "host_tests/support/fakes/vehicle.hpp"
 #include "steps.hpp"
 
 namespace {
