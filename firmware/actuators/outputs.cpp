@@ -40,6 +40,8 @@ constexpr uint16_t kShortest_us = 800, kLongest_us = 2200;
 
 uint8_t held;        // a bit an output: its pulse stays as it is
 uint8_t mode_entry;  // that the outputs were released for
+uint16_t idle_us;    // of the motor while disarmed
+bool was_armed;
 
 ::control::ServoRange range(uint8_t output) {
     const Channel& channel = parameters.channel[output];
@@ -80,15 +82,26 @@ uint16_t elevator_us() {
     if (parameters.vtail_output != 0) return tail_us(kElevator);
     return surfacePulse_us(range(kElevator), surfaces.elevator);
 }
-// While disarmed the motor stands, whatever is just being put into RC3_MIN.
+// Low enough for every motor controller. A reversed throttle is idle at its other end, but only who
+// armed it has confirmed that it is reversed: 0, no pulse.
+uint16_t idleAtStart_us() {
+    constexpr int16_t kMax_us = 1100;
+    const ::control::ServoRange servo = range(kThrottle - 1);
+    if (servo.reverse < 0) return 0;
+    return static_cast<uint16_t>(servo.min_us < kMax_us ? servo.min_us : kMax_us);
+}
+
+// While disarmed the pulse is the one that was idle when it was armed, or at the start: what a
+// radio calibration or a parameter set writes meanwhile moves nothing.
 uint16_t throttle_us() {
-    constexpr int16_t kIdle_us = 1300;  // a motor controller's lower end lies below
-    ::control::ServoRange servo = range(kThrottle - 1);
     if (!vehicle.armed) {
-        if (servo.min_us > kIdle_us) servo.min_us = kIdle_us;
-        if (servo.max_us < 3000 - kIdle_us) servo.max_us = 3000 - kIdle_us;
+        was_armed = false;
+        return idle_us;
     }
-    return throttlePulse_us(servo, vehicle.armed ? surfaces.throttle : core::Ratio::fromRaw(0));
+    const ::control::ServoRange servo = range(kThrottle - 1);
+    if (!was_armed) idle_us = throttlePulse_us(servo, core::Ratio::fromRaw(0));
+    was_armed = true;
+    return throttlePulse_us(servo, surfaces.throttle);
 }
 uint16_t rudder_us() {
     const bool alone = parameters.vtail_output == 0 || parameters.elevon_output != 0;
@@ -159,6 +172,8 @@ void startOutputs() {
     held = 0;
     for (uint16_t& pulse_us : published.servo_us) pulse_us = 0;
     surfaces = {};
+    idle_us = idleAtStart_us();
+    was_armed = false;
     if (!wrongBoard()) hal::servoStart(kRefresh_hz);
     runOutputs();
 }

@@ -45,13 +45,6 @@ TEST_F(Outputs, give_the_throttle_its_lowest_pulse_while_disarmed) {
     EXPECT_EQ(outputPulse_us(3), 1100) << "at once";
 }
 
-TEST_F(Outputs, keep_a_reversed_throttle_closed_at_its_longest_pulse) {
-    parameters.channel[2].reverse = -1;
-    mutable_vehicle.throttle_demand = core::Ratio(1);
-    run();
-    EXPECT_EQ(outputPulse_us(3), 1900);
-}
-
 TEST_F(Outputs, pass_the_sticks_through_in_manual) {
     settle({1700, 1350, 1100, 1900, 1500, 1500, 1500, 1815});
     run();
@@ -176,14 +169,47 @@ TEST_F(Outputs, the_throttle_can_never_be_held) {
     }
 }
 
-TEST_F(Outputs, a_disarmed_motor_stays_off_whatever_its_channel_is_set_to) {
-    firmware::state::parameters.channel[2] = {1700, 1800, 1900, 1, 30};
+// A radio calibration writes these one by one, with hands at the propeller.
+TEST_F(Outputs, a_disarmed_motor_keeps_its_idle_pulse_whatever_its_channel_is_set_to) {
+    firmware::state::parameters.channel[2].min_us = 1000;
+    firmware::actuators::startOutputs();
+    const firmware::state::Channel kSettings[] = {{1300, 1500, 1900, 1, 30},
+                                                  {1700, 1800, 1900, 1, 30},
+                                                  {1000, 1200, 1900, -1, 30},
+                                                  {1100, 1500, 1900, 1, 30}};
+    for (const auto& setting : kSettings) {
+        firmware::state::parameters.channel[2] = setting;
+        run();
+        EXPECT_EQ(outputPulse_us(3), 1000) << setting.min_us;
+    }
+    mutable_vehicle.armed = true;
     run();
-    EXPECT_LE(outputPulse_us(3), 1300);
-    firmware::state::parameters.channel[2] = {1100, 1200, 1300, -1,
-                                              30};  // its idle is the long pulse
+    mutable_vehicle.armed = false;
     run();
-    EXPECT_GE(outputPulse_us(3), 1700);
+    EXPECT_EQ(outputPulse_us(3), 1100) << "idle when it was armed";
+}
+
+TEST_F(Outputs, a_motor_whose_idle_is_high_by_its_settings_starts_with_a_low_pulse) {
+    for (const int16_t min_us : {1101, 1300, 1700}) {
+        firmware::state::parameters.channel[2].min_us = min_us;
+        firmware::actuators::startOutputs();
+        EXPECT_EQ(outputPulse_us(3), 1100) << min_us;
+    }
+}
+
+// Which end of it is idle only the pilot knows; full throttle would be the other one.
+TEST_F(Outputs, a_reversed_throttle_gets_no_pulse_until_it_is_armed) {
+    firmware::state::parameters.channel[2] = {1100, 1200, 1900, -1, 30};
+    firmware::actuators::startOutputs();
+    EXPECT_EQ(outputPulse_us(3), 0);
+    mutable_vehicle.armed = true;
+    settle(with(3, 1900));
+    firmware::modes::requestMode(Mode::manual, firmware::modes::ModeReason::ground);
+    run();
+    EXPECT_EQ(outputPulse_us(3), 1900);
+    mutable_vehicle.armed = false;
+    run();
+    EXPECT_EQ(outputPulse_us(3), 1900) << "it was idle when armed";
 }
 
 TEST_F(Outputs, are_written_only_when_they_change) {
