@@ -89,7 +89,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { medium, fusePressure,            5,     3,     330 },
     { medium, publishSpeeds,           5,     1,     290 },
     { medium, reckonPosition,         10,     7,     250 },
-    { medium, judgeFlying,            10,     6,      35 },
+    { medium, updateFlying,           10,     6,      35 },
     { medium, fuseFixAttitude,         5,     0,    1540 },
     { medium, fuseFixPosition,         5,     1,    1220 },
     { medium, fuseFixWind,             5,     3,     570 },

@@ -57,19 +57,23 @@ float gps_above_m;    // the receiver's heights over the estimate's; 0: no fix h
 uint8_t gathered;     // sample periods since motion was last carried on
 int32_t baro_sum_pa;  // of baro_readings
 uint8_t baro_readings;
+uint8_t flying_changes;                       // looks in a row at which `flying` is wrong
 uint8_t fixes_seen, baro_seen, compass_seen;  // of the sensors' counters
 
 constexpr uint8_t kDead = 20;         // frames: after a longer gap the attitude is lost
 constexpr uint8_t kFramePeriods = 2;  // of a sample
-constexpr float kOddAirspeed_mps = 4, kOddAirspeed = 0.3f;  // and this share of what is expected
-constexpr float kOddHeight_m = 20;
+constexpr float kInconsistentAirspeed_mps = 4,
+                kInconsistentAirspeed = 0.3f;  // and this share of what is expected
+constexpr float kInconsistentHeight_m = 20;
 constexpr float kClimbAge_s = 0.19f;   // a u-blox's, which alone reports it: 0.29, less half of 0.2
 constexpr uint16_t kGoodHdop_c = 200;  // with fewer satellites heights are tens of metres off
 constexpr uint16_t kGpsSilent_ms = 500;
 constexpr uint8_t kBeginsFlying = 5;  // looks of 100 ms at speed: half a second
 constexpr uint8_t kEndsFlying = 30;   // looks without: three seconds
 constexpr float kFlyingGroundSpeed_mps = 5.0f;
+constexpr float kFlyingAirspeed = 0.75f;  // of ARSPD_FBW_MIN
 constexpr float kStandingSpeed_mps = 2.0f;
+constexpr float kNearHome_m = 10;
 
 estimation::AttitudeSettings attitudeSettings() {
     estimation::AttitudeSettings settings;
@@ -126,7 +130,7 @@ bool airspeedFits() {
     const float expected_mps = wind.airspeed_mps(vehicle.gps.velocity_mps);
     const float odd_mps = fabsf(vehicle.airspeed.speed_mps * true_speed_ratio - expected_mps);
     const bool odd = wind.known() && expected_mps >= parameters.speed_min_mps &&
-                     odd_mps >= kOddAirspeed_mps + expected_mps * kOddAirspeed;
+                     odd_mps >= kInconsistentAirspeed_mps + expected_mps * kInconsistentAirspeed;
     if (!odd && !(vehicle.airspeed.healthy && divesSlowly())) return true;
     reportInconsistency(Sensor::airspeed);
     return false;
@@ -141,7 +145,7 @@ void updateWind() {
     published.wind_mps = wind.wind_mps();
 }
 
-bool near(float a_m, float b_m) { return fabsf(a_m - b_m) < kOddHeight_m; }
+bool near(float a_m, float b_m) { return fabsf(a_m - b_m) < kInconsistentHeight_m; }
 
 // The receiver's height stands in for the barometer's, whose zero it learns before; and says which
 // of barometer and estimate is wrong where they differ.
@@ -197,6 +201,30 @@ void useBarometer() {
 float knownAirspeed_mps() {
     if (vehicle.airspeed.healthy) return vehicle.estimate.airspeed_mps;
     return vehicle.estimate.flying ? parameters.cruise_speed_cms * 0.01f : 0.0f;
+}
+
+// Without an airspeed sensor the fixes say it; what is reckoned between them says nothing.
+bool fast() {
+    if (vehicle.airspeed.healthy)
+        return vehicle.airspeed.speed_mps > kFlyingAirspeed * parameters.speed_min_mps;
+    return !position.reckoned() && vehicle.estimate.ground_speed_mps > kFlyingGroundSpeed_mps;
+}
+
+bool turns() {
+    const auto& rate = vehicle.imu.rate_rads;
+    constexpr int16_t kMax = core::BodyRate(0.1f).raw;
+    const auto beyond = [](core::BodyRate axis) { return axis.raw > kMax || axis.raw < -kMax; };
+    return beyond(rate.x) || beyond(rate.y) || beyond(rate.z);
+}
+
+// Slow over the ground is also who flies against the wind. With air over its wings the airplane
+// stands only near the height of home and without a motion.
+bool stands() {
+    const auto& estimate = vehicle.estimate;
+    if (estimate.ground_speed_mps >= kStandingSpeed_mps || fabsf(estimate.climb_mps) >= 0.5f)
+        return false;
+    const bool low = fabsf(estimate.height_m) < kNearHome_m;
+    return estimate.airspeed_mps < kFlyingAirspeed * parameters.speed_min_mps || (low && !turns());
 }
 
 int16_t centimetres(float metres) { return core::narrowed(core::rounded(metres * 100.0f)); }
@@ -306,34 +334,32 @@ void publishSpeeds() {
         to.equivalent_airspeed_mps = vehicle.airspeed.speed_mps;
         to.airspeed_mps = vehicle.airspeed.speed_mps * true_speed_ratio;
     } else {
-        to.airspeed_mps =
-            position.reckoned() ? parameters.cruise_speed_cms * 0.01f : wind.airspeed_mps(velocity);
-        to.equivalent_airspeed_mps = to.airspeed_mps / true_speed_ratio;
+        const bool reckoned = position.reckoned();
+        const float airspeed_mps =
+            reckoned ? parameters.cruise_speed_cms * 0.01f : wind.airspeed_mps(velocity);
+        to.airspeed_mps = reckoned && !to.flying ? 0 : airspeed_mps;
+        to.equivalent_airspeed_mps = airspeed_mps / true_speed_ratio;  // the loops need some
     }
 }
 
 void reckonPosition() {
     if (!runs() || position.age_s() < 1.0f) return;
+    if (!vehicle.estimate.flying) return position.reckon(0, 0);
     const float airspeed_mps = vehicle.estimate.airspeed_mps;
     const Vector3 wind_mps = wind.wind_mps();
     position.reckon(attitude.noseNorth() * airspeed_mps + wind_mps.x,
                     attitude.noseEast() * airspeed_mps + wind_mps.y);
 }
 
-void judgeFlying() {
-    static uint8_t looks;
+void updateFlying() {
     if (!runs()) return;
-    auto& estimate = published;
-    const bool fast = vehicle.airspeed.healthy
-                          ? vehicle.airspeed.speed_mps > 0.75f * parameters.speed_min_mps
-                          : estimate.ground_speed_mps > kFlyingGroundSpeed_mps;
-    const bool slow =
-        estimate.ground_speed_mps < kStandingSpeed_mps && fabsf(estimate.climb_mps) < 0.5f;
-    const bool changes = estimate.flying ? slow || !vehicle.armed : fast && vehicle.armed;
-    looks = changes ? looks + 1 : 0;
-    if (looks < (estimate.flying ? kEndsFlying : kBeginsFlying)) return;
-    estimate.flying = !estimate.flying;
-    looks = 0;
+    const bool standing = stands();
+    const bool changes =
+        published.flying ? standing || !vehicle.armed : fast() && !standing && vehicle.armed;
+    flying_changes = changes ? flying_changes + 1 : 0;
+    if (flying_changes < (published.flying ? kEndsFlying : kBeginsFlying)) return;
+    published.flying = !published.flying;
+    flying_changes = 0;
 }
 
 void fuseFixAttitude() {

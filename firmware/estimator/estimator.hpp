@@ -18,8 +18,9 @@ void propagateMotion();       // 25 Hz: acceleration over ground carries place, 
 void fusePressure();          // 20 Hz: the barometer's mean to the height
 void publishSpeeds();         // 20 Hz: ground speed, course, airspeed
 void reckonPosition();        // 10 Hz: without fixes the nose and the wind show where it goes
-// 10 Hz. Flying: armed, and fast enough for half a second; standing: slow for three seconds.
-void judgeFlying();
+// 10 Hz. Flying: armed, and fast enough for half a second; standing for three seconds: slow over
+// the ground, and slow through the air or near the height of home without a motion.
+void updateFlying();
 void fuseFixAttitude();  // 20 Hz, as the next three: the newest fix to the attitude
 void fuseFixPosition();
 void fuseFixWind();

@@ -69,7 +69,7 @@ protected:
         if (due(5, 3)) fusePressure();
         if (due(5, 2)) publishSpeeds();
         if (due(10, 3)) reckonPosition();
-        if (due(10, 9)) judgeFlying();
+        if (due(10, 9)) updateFlying();
         if (due(5, 0)) fuseFixAttitude();
         if (due(5, 1)) fuseFixPosition();
         if (due(5, 3)) fuseFixWind();
@@ -197,7 +197,11 @@ TEST_F(Estimator, flies_after_half_a_second_of_speed_and_only_armed) {
     for (int i = 0; i < 200; ++i) frame(0);
     EXPECT_FALSE(vehicle.estimate.flying) << "wind in the nose of a parked airplane";
 
+    mutable_vehicle.airspeed.speed_mps = 4;
     mutable_vehicle.armed = true;
+    for (int i = 0; i < 200; ++i) frame(2);
+    EXPECT_FALSE(vehicle.estimate.flying) << "on the runway";
+    mutable_vehicle.airspeed.speed_mps = 12;
     for (int i = 0; i < 40; ++i) frame(0);
     EXPECT_FALSE(vehicle.estimate.flying) << "a gust";
     for (int i = 0; i < 20; ++i) frame(0);
@@ -225,6 +229,54 @@ TEST_F(Estimator, goes_on_flying_with_a_blocked_tube_while_the_ground_moves) {
     mutable_vehicle.airspeed.speed_mps = 0;
     for (int i = 0; i < 500; ++i) frame(0);
     EXPECT_TRUE(vehicle.estimate.flying);
+}
+
+TEST_F(Estimator, goes_on_flying_against_a_wind_that_stops_it_over_the_ground) {
+    mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
+    mutable_vehicle.airspeed.speed_mps = 12;
+    mutable_vehicle.baro.pressure_pa -= 960;  // 80 m up
+    for (int i = 0; i < 600; ++i) frame(0);
+    for (int i = 0; i < 1000; ++i) {
+        frame(0);
+        ASSERT_TRUE(vehicle.estimate.flying) << i;
+    }
+    mutable_vehicle.baro.pressure_pa += 960;
+    for (int i = 0; i < 1200; ++i) frame(0);
+}
+
+TEST_F(Estimator, stands_on_the_ground_with_the_wind_in_its_tube) {
+    mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
+    mutable_vehicle.airspeed.speed_mps = 12;
+    for (int i = 0; i < 500; ++i) {
+        frame(0);
+        ASSERT_FALSE(vehicle.estimate.flying) << i;
+    }
+    mutable_vehicle.imu.rate_rads.x = core::BodyRate(0.5f);
+    for (int i = 0; i < 100; ++i) frame(0);
+    EXPECT_TRUE(vehicle.estimate.flying) << "it is rocked";
+    mutable_vehicle.imu.rate_rads.x = core::BodyRate(0.0f);
+    for (int i = 0; i < 310; ++i) frame(0);
+    EXPECT_FALSE(vehicle.estimate.flying);
+}
+
+// Dead reckoning moves whether the airplane does or not: it is evidence of nothing.
+TEST_F(Estimator, neither_flies_nor_moves_by_dead_reckoning_on_the_ground) {
+    mutable_vehicle.armed = true;
+    const geo::Position before = vehicle.estimate.position;
+    late_ = 99;  // no more fixes
+    for (int i = 0; i < 1500; ++i) {
+        frame(0);
+        ASSERT_FALSE(vehicle.estimate.flying) << i;
+        ASSERT_LT(vehicle.estimate.ground_speed_mps, 1) << i;
+        if (i > 300) {
+            ASSERT_LT(vehicle.estimate.airspeed_mps, 1) << i;
+        }
+    }
+    EXPECT_TRUE(vehicle.estimate.reckoned);
+    EXPECT_LT(geo::distance_m(before, vehicle.estimate.position), 5);
+    late_ = 7;
+    for (int i = 0; i < 100; ++i) frame(0);
+    EXPECT_FALSE(vehicle.estimate.fix_refused);
 }
 
 TEST_F(Estimator, flies_by_the_ground_speed_without_an_airspeed_sensor) {
