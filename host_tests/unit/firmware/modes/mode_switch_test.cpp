@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/modes/mode_switch.hpp"
+
+#include "firmware/notify/status_text.hpp"
+#include "firmware/notify/text_queue.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware_bench.hpp"
+
+namespace {
+
+using firmware::modes::ModeReason;
+using firmware::modes::requestMode;
+using firmware::state::Mode;
+using firmware::state::mutable_vehicle;
+using firmware::state::parameters;
+using firmware::state::vehicle;
+
+class RefusedSwitch : public bench::Bench {
+protected:
+    void SetUp() override {
+        Bench::SetUp();
+        parameters.switch_mode[2] = static_cast<int8_t>(Mode::loiter);
+        fly(Mode::fbwa);
+        mutable_vehicle.estimate.known = false;
+        move(1425);
+        ASSERT_EQ(vehicle.mode, Mode::fbwa);
+    }
+    void move(uint16_t pulse_us) { settle(with(8, pulse_us)); }
+    void wait(int quarters) {
+        for (int i = 0; i < quarters; ++i) move(1425);
+    }
+};
+
+TEST_F(RefusedSwitch, is_obeyed_once_its_mode_can_be_entered) {
+    wait(30);
+    EXPECT_EQ(vehicle.mode, Mode::fbwa);
+    mutable_vehicle.estimate.known = true;
+    wait(30);
+    EXPECT_EQ(vehicle.mode, Mode::loiter);
+    EXPECT_EQ(vehicle.mode_reason, ModeReason::pilot);
+}
+
+TEST_F(RefusedSwitch, is_forgotten_when_another_mode_is_chosen) {
+    ASSERT_TRUE(requestMode(Mode::stabilize, ModeReason::ground));
+    mutable_vehicle.estimate.known = true;
+    wait(60);
+    EXPECT_EQ(vehicle.mode, Mode::stabilize);
+}
+
+TEST_F(RefusedSwitch, is_forgotten_when_it_is_moved_on) {
+    move(1815);
+    ASSERT_EQ(vehicle.mode, Mode::manual);
+    mutable_vehicle.estimate.known = true;
+    for (int i = 0; i < 60; ++i) move(1815);
+    EXPECT_EQ(vehicle.mode, Mode::manual);
+}
+
+using SwitchAtRestart = bench::Bench;
+
+TEST_F(SwitchAtRestart, is_left_to_the_restart_and_obeyed_behind_it) {
+    mutable_vehicle.mode = Mode::initialising;
+    mutable_vehicle.resuming = true;
+    settle(with(8, 1425));
+    EXPECT_EQ(vehicle.mode, Mode::initialising);
+    mutable_vehicle.resuming = false;
+    settle(with(8, 1425));
+    EXPECT_EQ(vehicle.mode, Mode::fbwa);
+}
+
+}  // namespace
