@@ -55,7 +55,9 @@ bool onParamSet(Link& link, const mavlink::Frame& frame) {
     const core::Status status = parameterSetAt(index, wanted.param_value);
     if (status == core::Status::busy) return false;
     if (status != core::Status::ok)
-        sendStatusText(Severity::warning, ROM_TEXT("Parameter value refused: out of range"));
+        sendStatusText(Severity::warning, status == core::Status::denied
+                                              ? ROM_TEXT("Parameter refused: armed")
+                                              : ROM_TEXT("Parameter value refused: out of range"));
     for (Link& other : links)  // who has no room now asks again some day
         if (&other != &link) parameterSend(other, index);
     return parameterSend(link, index);

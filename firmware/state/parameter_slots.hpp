@@ -12,6 +12,8 @@ namespace slot {
 // clang-format off
 enum : uint8_t {
     rc1_min        = 30,  // then _TRIM, _MAX, _REV and _DZ, then RC2_MIN and so on
+    rcmap_roll     = 70,  // then _PITCH, _THROTTLE and _YAW
+    fltmode_ch     = 74,
     thr_fs_value   = 83,
     kff_rddrmix    = 86,
     rll2srv_p      = 102,
@@ -33,6 +35,10 @@ enum : uint8_t {
     compass_ofs_x  = 158,
     ins_accoffs_x  = 162,
     ahrs_trim_x    = 168,
+    elevon_output  = 200,
+    vtail_output   = 201,
+    rc5_function   = 216,  // then RC6_, RC7_ and RC8_FUNCTION
+    rc8_function   = 219,
 };
 // clang-format on
 

@@ -67,10 +67,10 @@ constexpr parameters::Row kRows[] ROM = {
     CHANNEL(6, 0),
     CHANNEL(7, 0),
     CHANNEL(8, 0),
-    P(216, "RC5_FUNCTION",      output_function[0],                0,       0,       25),
+    P(slot::rc5_function, "RC5_FUNCTION",      output_function[0],                0,       0,       25),
     P(217, "RC6_FUNCTION",      output_function[1],                0,       0,       25),
     P(218, "RC7_FUNCTION",      output_function[2],                0,       0,       25),
-    P(219, "RC8_FUNCTION",      output_function[3],                0,       0,       25),
+    P(slot::rc8_function, "RC8_FUNCTION",      output_function[3],                0,       0,       25),
     P(227, "FLAP_IN_CHANNEL",   flap_channel,                      0,       0,        8),
     P(228, "FLAP_1_PERCNT",     flap[0].percent,                   0,       0,      100),
     P(229, "FLAP_1_SPEED",      flap[0].speed_mps,                 0,       0,      100),
@@ -78,11 +78,11 @@ constexpr parameters::Row kRows[] ROM = {
     P(241, "FLAP_2_SPEED",      flap[1].speed_mps,                 0,       0,      100),
     P(243, "LAND_FLAP_PERCNT",  land_flap_pct,                     0,       0,      100),
     P(242, "FLAP_SLEWRATE",     flap_slew_pct,                    75,       0,      100),
-    P( 70, "RCMAP_ROLL",        map_roll,                          1,       1,        8),
+    P(slot::rcmap_roll, "RCMAP_ROLL",        map_roll,                          1,       1,        8),
     P( 71, "RCMAP_PITCH",       map_pitch,                         2,       1,        8),
     P( 72, "RCMAP_THROTTLE",    map_throttle,                      3,       1,        8),
     P( 73, "RCMAP_YAW",         map_yaw,                           4,       1,        8),
-    P( 74, "FLTMODE_CH",        mode_channel,                      8,       1,        8),
+    P(slot::fltmode_ch, "FLTMODE_CH",        mode_channel,                      8,       1,        8),
     P( 75, "FLTMODE1",          switch_mode[0],                   11,       0,       16),
     P( 76, "FLTMODE2",          switch_mode[1],                   11,       0,       16),
     P( 77, "FLTMODE3",          switch_mode[2],                    5,       0,       16),
@@ -95,8 +95,8 @@ constexpr parameters::Row kRows[] ROM = {
     P( 84, "STICK_MIXING",      stick_mixing,                      1,       0,        2),
     P( 85, "THROTTLE_NUDGE",    throttle_nudge,                    1,       0,        1),
     P(slot::kff_rddrmix, "KFF_RDDRMIX", rudder_mix,             0.5f,       0,        1),
-    P(200, "ELEVON_OUTPUT",     elevon_output,                     0,       0,        4),
-    P(201, "VTAIL_OUTPUT",      vtail_output,                      0,       0,        4),
+    P(slot::elevon_output, "ELEVON_OUTPUT",     elevon_output,                     0,       0,        4),
+    P(slot::vtail_output, "VTAIL_OUTPUT",      vtail_output,                      0,       0,        4),
     P(202, "MIXING_GAIN",       mixing_gain,                    0.5f,    0.5f,     1.2f),
     P( 87, "LIM_ROLL_CD",       roll_limit_cd,                  4500,     500,     7500),
     P( 88, "LIM_PITCH_MAX",     pitch_max_cd,                   2000,     500,     4500),
@@ -304,14 +304,30 @@ bool takes(uint8_t row, float value) {
     if (!table.fits(row, value)) return false;
     // a restart in the air must find the values it had
     if (row == kFormatRow) return !vehicle.armed;
-    const uint8_t slot = table.slot(row);
+    const uint8_t number = table.slot(row);
     const int32_t whole = core::rounded(value);
-    if (slot >= kFirstMode && slot <= kLastMode) return isMode(static_cast<uint8_t>(whole));
-    if (slot == kFenceTotal) return parameter_host.acceptsFenceTotal(static_cast<uint8_t>(whole));
-    constexpr uint8_t kFirstFunction = 216, kLastFunction = 219;
-    if (slot >= kFirstFunction && slot <= kLastFunction)
+    if (number >= kFirstMode && number <= kLastMode) return isMode(static_cast<uint8_t>(whole));
+    if (number == kFenceTotal) return parameter_host.acceptsFenceTotal(static_cast<uint8_t>(whole));
+    if (number >= slot::rc5_function && number <= slot::rc8_function)
         return parameter_host.isOutputFunction(static_cast<int8_t>(whole));
-    return !isReverse(slot) || whole != 0;
+    return !isReverse(number) || whole != 0;
+}
+
+// What a stick or a servo means: another value turns the airplane over within seconds.
+bool isRigging(uint8_t number) {
+    struct Range {
+        uint8_t first, last;
+    };
+    static constexpr Range kRigging[] ROM = {
+        {slot::rc1_min, slot::ofChannel(8, slot::dead_zone)},
+        {slot::rcmap_roll, slot::fltmode_ch},
+        {slot::elevon_output, slot::vtail_output},
+        {slot::rc5_function, slot::rc8_function},
+    };
+    for (const Range& range : kRigging)
+        if (number >= core::romRead(range.first) && number <= core::romRead(range.last))
+            return true;
+    return false;
 }
 
 }  // namespace
@@ -345,6 +361,7 @@ core::Status parameterSetAt(uint16_t index, float value) {
     if (index >= table.count()) return core::Status::bad_argument;
     const uint8_t row = static_cast<uint8_t>(index);
     if (!takes(row, value)) return core::Status::bad_argument;
+    if (vehicle.armed && isRigging(table.slot(row))) return core::Status::denied;
     if (isListLength(row)) return setListLength(row, value);
     if (store == Store::foreign) {
         sendStatusText(Severity::warning, ROM_TEXT("Not stored: another firmware's EEPROM"));
