@@ -153,8 +153,8 @@ bool parameterLimits(uint16_t index, ParameterLimits& limits);
 
 // Sets, rounds to the field's type and stores. bad_argument: no such index, not finite, out of
 // range or without a meaning, nothing changed. denied: while armed not for what sticks and servos
-// mean (RCn_, RCMAP_, FLTMODE_CH, ELEVON_OUTPUT, VTAIL_OUTPUT), nothing changed. busy: the store has no room yet, nothing changed:
-// ask again later.
+// mean (RCn_, RCMAP_, FLTMODE_CH, ELEVON_OUTPUT, VTAIL_OUTPUT), nothing changed. busy: the store
+// has no room yet, nothing changed: ask again later.
 MUST_USE core::Status parameterSetAt(uint16_t index, float value);
 
 // The same by the eternal slot number, as stored missions name a parameter.

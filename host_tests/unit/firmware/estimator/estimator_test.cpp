@@ -67,13 +67,13 @@ protected:
         if (due(10, 6)) pointYaw();
         if (due(4, 1)) propagateMotion();
         if (due(5, 3)) fusePressure();
-        if (due(5, 2)) publishSpeeds();
+        if (due(5, 1)) publishSpeeds();
         if (due(10, 3)) reckonPosition();
         if (due(10, 9)) updateFlying();
         if (due(5, 0)) fuseFixAttitude();
         if (due(5, 1)) fuseFixPosition();
-        if (due(5, 3)) fuseFixWind();
-        if (due(5, 4)) fuseFixHeight();
+        if (due(5, 1)) fuseFixWind();
+        if (due(5, 0)) fuseFixHeight();
         if (due(20, 8)) fuseCompass();
         if (due(20, 16)) fuseAirspeed();
     }
