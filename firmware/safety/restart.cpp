@@ -51,7 +51,7 @@ constexpr char kCauses[][32] ROM = {"Started by the supply",       "Started by t
 
 bool reported;
 bool records_written;  // since the motor was armed, or by the run that this one goes on with
-bool home_kept;  // in the EEPROM, by this run or the one it goes on with
+bool home_kept;        // in the EEPROM, by this run or the one it goes on with
 uint8_t faults_told;
 
 constexpr uint8_t kFewPeriods = 10;  // of blind samples that give a rate
