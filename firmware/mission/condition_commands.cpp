@@ -60,9 +60,9 @@ void goOnClimbing() {
 }
 
 void stepClimb() {
+    if (vehicle.demand.climb_rate_mps == 0) return;
     PathDemand demand = vehicle.demand;
     const float step_m = demand.climb_rate_mps * 0.1f;
-    if (step_m == 0) return;
     demand.height_m += core::limit(climb.goal_m - demand.height_m, -step_m, step_m);
     changeDemand(demand);
 }

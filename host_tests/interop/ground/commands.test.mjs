@@ -56,6 +56,7 @@ test('what it cannot do is answered', withVehicle({}, async (vehicle) => {
 }));
 
 test('moves a servo and the relay', withVehicle({}, async (vehicle) => {
+  await vehicle.wait(500);  // until the mode switch has been read: a change of mode takes the servo back
   vehicle.send('REQUEST_DATA_STREAM', { reqStreamId: 3, reqMessageRate: 10, startStop: 1 });
   assert.equal(await vehicle.command(183, [6, 1780]), 0);
   await vehicle.expect('SERVO_OUTPUT_RAW', { where: ({ servo6Raw }) => servo6Raw === 1780 });
