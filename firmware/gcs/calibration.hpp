@@ -20,7 +20,7 @@ void calibrationCancel();
 // The airplane lies as it was asked for: a key was pressed on the ground. False: nobody asked.
 bool calibrationSideIsReady();
 bool calibrationSideIsReady(uint16_t accelcal_vehicle_pos);
-void calibrationTick();  // kTurns_hz
+void calibrationTick();  // 50 Hz
 void calibrationReset();
 
 }  // namespace gcs

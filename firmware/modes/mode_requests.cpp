@@ -23,7 +23,7 @@ struct RequestRow {
     Granted resuming, no_attitude, no_sticks;
 };
 
-// In the order of ModeReason, which is that of the priorities.
+// In the order of ModeReason.
 // clang-format off
 constexpr RequestRow kRequests[] ROM = {
     // resuming       no attitude      no sticks

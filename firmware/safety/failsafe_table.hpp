@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The failsafes as tables: what can go wrong (kCauses), and what then is done, by what was being
-// flown (kTransitions). The rows that stand first win; the cause gone, a row says what is flown
-// afterwards. docs/failsafes.md is the same for pilots, and held against these by a test.
+// The failsafes as tables: what can go wrong (kCauseTable), and what then is done, by what was
+// being flown (kTransitions). The rows that stand first win; the cause gone, a row says what is
+// flown afterwards. docs/failsafes.md is the same for pilots, and held against these by a test.
 #pragma once
 #include <stdint.h>
 
@@ -18,7 +18,7 @@ using state::kCauses;
 
 // What was flown before anything went wrong: a bit each.
 enum Flown : uint8_t {
-    by_pilot = 1,     // MANUAL to CRUISE, AUTOTUNE
+    by_pilot = 1,     // MANUAL, STABILIZE to CRUISE, AUTOTUNE
     by_itself = 2,    // AUTO, LOITER, GUIDED
     circling = 4,     // CIRCLE
     returning = 8,    // RTL

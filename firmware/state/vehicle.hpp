@@ -32,7 +32,7 @@ enum class Mode : uint8_t {
     initialising = 16,
 };
 
-// Who asked for the mode, by falling priority: firmware/modes/mode_requests.cpp.
+// Who asked for the mode, in the order of the rows in firmware/modes/mode_requests.cpp.
 enum class ModeReason : uint8_t { restart, failsafe, boot, pilot, ground, mission };
 
 enum class GpsFix : uint8_t { no_gps = 0, none = 1, two_d = 2, three_d = 3 };

@@ -8,8 +8,9 @@
 //   2. the medium rows that are due, those that have waited longest first;
 //   3. the slow rows that are due, likewise.
 // A medium or slow row runs when its budget fits into what is left of the frame, else it waits for
-// the next one. A row that has waited kPatience frames runs whether it fits or not: no medium row
-// waits longer than 5 frames and no slow row longer than 25, whatever the others take.
+// the next one. A row that has waited kMediumPatience or kSlowPatience frames runs whether it fits
+// or not: no medium row waits longer than 5 frames and no slow row longer than 25, whatever the
+// others take.
 // Rows are timed in the clock's ticks, which distinguish what ends within 32 ms.
 #pragma once
 #include <stdint.h>
@@ -135,8 +136,8 @@ private:
         runTimed(i, task);
     }
 
-    // Not inlined three times into main(), where toolchain/stack_bound.mjs would lose its track.
-    // Flat it takes 0.1 % of the processor less.
+    // Not inlined three times into main(), where toolchain/image/stack_bound.mjs would lose its
+    // track. Flat it takes 0.1 % of the processor less.
     __attribute__((noinline, flatten)) void runTimed(uint8_t i, const Task& task) {
         hal::trace(i + 1);
         core::romRead(task.run)();
