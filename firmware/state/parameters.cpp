@@ -222,9 +222,15 @@ constexpr parameters::Row kRows[] ROM = {
     P(176, "BATT_AMP_OFFSET",   battery_amps_offset_v,             0,       0,        5),
     P(173, "BATT_CAPACITY",     battery_capacity_mah,           3300,       0,    60000),
     P(220, "LOG_BITMASK",       log_bitmask,                   16382,       0,  1048575),
-    // never to be used again: 13, 22 (SRn_RAW_CTRL), 18, 27 (SRn_PARAMS)
 };
 // clang-format on
+
+// Slots of parameters that are gone. Boards have stored values there: never to be used again.
+constexpr uint8_t kRetired[] = {
+    13, 22,  // SR0_RAW_CTRL, SR1_RAW_CTRL
+    18, 27,  // SR0_PARAMS, SR1_PARAMS
+};
+constexpr uint16_t kNextSlot = 5;  // the lowest free one, for the next parameter
 
 #undef P
 #undef CHANNEL
@@ -232,6 +238,8 @@ constexpr parameters::Row kRows[] ROM = {
 
 static_assert(core::count(kRows) <= parameters::kMaxRows, "more rows than the store knows");
 static_assert(parameters::slotsAreUnique(kRows), "a slot is used twice");
+static_assert(parameters::slotsAvoid(kRows, kRetired), "a slot was another parameter's once");
+static_assert(parameters::lowestFreeSlot(kRows, kRetired) == kNextSlot, "kNextSlot: try the next");
 static_assert(parameters::initialsAreInRange(kRows), "a default lies outside its range");
 
 constexpr parameters::Table table ROM(kRows, &firmware::state::parameters);

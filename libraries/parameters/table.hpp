@@ -62,6 +62,26 @@ constexpr bool slotsAreUnique(const Row (&rows)[N]) {
     return true;
 }
 
+// No row has one of these slots.
+template <size_t N, size_t M>
+constexpr bool slotsAvoid(const Row (&rows)[N], const uint8_t (&retired)[M]) {
+    for (size_t i = 0; i < N; ++i)
+        for (size_t j = 0; j < M; ++j)
+            if (rows[i].slot == retired[j]) return false;
+    return true;
+}
+
+// The lowest slot that no row has and that is not retired; 256: there is none.
+template <size_t N, size_t M>
+constexpr uint16_t lowestFreeSlot(const Row (&rows)[N], const uint8_t (&retired)[M]) {
+    bool taken[256] = {};
+    for (size_t i = 0; i < N; ++i) taken[rows[i].slot] = true;
+    for (size_t i = 0; i < M; ++i) taken[retired[i]] = true;
+    uint16_t slot = 0;
+    while (slot < 256 && taken[slot]) ++slot;
+    return slot;
+}
+
 constexpr bool same(const char* a, const char* b) {
     while (*a != 0 && *a == *b) {
         ++a;

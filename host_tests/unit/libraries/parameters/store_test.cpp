@@ -41,6 +41,12 @@ constexpr parameters::Row kInitialOutside[] = {
 // clang-format on
 static_assert(parameters::slotsAreUnique(kRows), "");
 static_assert(!parameters::slotsAreUnique(kSlotTwice), "");
+constexpr uint8_t kRetiredElsewhere[] = {0, 4}, kRetiredHere[] = {9, 8};
+static_assert(parameters::slotsAvoid(kRows, kRetiredElsewhere), "");
+static_assert(!parameters::slotsAvoid(kRows, kRetiredHere), "");
+constexpr uint8_t kFirstFour[] = {2, 0, 4, 1};
+static_assert(parameters::lowestFreeSlot(kRows, kRetiredElsewhere) == 1, "");
+static_assert(parameters::lowestFreeSlot(kRows, kFirstFour) == 5, "");
 static_assert(parameters::initialsAreInRange(kRows), "");
 static_assert(!parameters::initialsAreInRange(kInitialOutside), "");
 
