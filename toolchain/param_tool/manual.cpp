@@ -17,7 +17,7 @@ constexpr char kAbove[] = R"(# Parameters
 
 A parameter with a name of ArduPlane has ArduPlane's unit and meaning; defaults and ranges are this
 firmware's own. Every parameter in the list has an effect. This page is made from `firmware/state/parameters.csv`
-by `toolchain/param document > docs/parameters.md`, and a test holds it against the firmware.
+by `toolchain/param document`, and a test holds it against the firmware.
 
 ## Over MAVLink
 
