@@ -121,18 +121,19 @@ export function schedule(source, scheduler) {
   const fast_us = frameLoads(rows.filter(({ tier }) => tier === 'fast'), 1)[0];
   const loads = frameLoads(rows, hyperPeriod(rows));
   const fullest = loads.indexOf(Math.max(...loads));
+  const slowPatience = constant(scheduler, 'kSlowPatience');
   const mean_us = Math.round(loads.reduce((a, b) => a + b) / loads.length);
   return `${table}
 
 By their budgets the fast tier takes ${fast_us} us of each frame of ${frame_us} us. The fullest of ${loads.length} frames
 is number ${fullest} with ${loads[fullest]} us, the mean is ${mean_us} us.
 
-How many frames a row that is due waits at most (a fast one never does):
+How many frames a row that is due waits at most (a fast one never; ${slowPatience} frames are ${slowPatience * frame_us / 1e6} s while frames keep to ${frame_us / 1000} ms):
 
-| tier | every row takes its budget | so again after a lost frame | whatever happens |
+| tier | normal | after one lost frame | worst case |
 | --- | --- | --- | --- |
 | medium | 0 | ${constant(source, 'kMediumCatchesUp')} | ${constant(scheduler, 'kMediumPatience')} |
-| slow | 0 | ${constant(source, 'kSlowCatchesUp')} | ${constant(scheduler, 'kSlowPatience')} |`;
+| slow | 0 | ${constant(source, 'kSlowCatchesUp')} | ${slowPatience} |`;
 }
 
 export function written(document, text) {
