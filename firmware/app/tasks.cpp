@@ -91,7 +91,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { medium, fusePressure,            5,     3,     330 },
     { medium, publishSpeeds,           5,     1,     290 },
     { medium, reckonPosition,         10,     7,     250 },
-    { medium, updateFlying,           10,     6,      35 },
+    { medium, updateFlying,           10,     6,      50 },
     { medium, fuseFixAttitude,         5,     0,    1540 },
     { medium, fuseFixPosition,         5,     1,    1220 },
     { medium, fuseFixWind,             5,     1,     570 },
@@ -187,7 +187,7 @@ bool workWaits() {
 }  // namespace
 
 void setup() {
-    restartJudge();
+    restartBegin();
     board::start();
     findBoard();
     dataflashStart();

@@ -424,8 +424,8 @@ void shiftHeight(float by_m) {
 }
 
 // A place without a fix since then counts as one that is as old as the record.
-void resumeEstimate(const SteadyRecord& steady, const MovingRecord& moving,
-                    const Vector3& turned_rad, float lost_s) {
+void resumeEstimate(const SlowRecord& steady, const FastRecord& moving, const Vector3& turned_rad,
+                    float lost_s) {
     attitude.resume(moving.pose, steady.learnt, turned_rad);
     home_height_m = steady.home_height_m;
     height.resume(home_height_m + moving.height_m, moving.climb_mps);
@@ -442,17 +442,17 @@ void resumeEstimate(const SteadyRecord& steady, const MovingRecord& moving,
     position.useGps(moving.position, {moving.north_mps, moving.east_mps, 0}, {0, 0, 0}, settings);
 }
 
-void keepEstimate(SteadyRecord& to) {
-    attitude.keep(to.learnt);
+void saveEstimate(SlowRecord& to) {
+    attitude.save(to.learnt);
     to.home_height_m = home_height_m;
     const Vector3 wind_mps = wind.wind_mps();
     to.wind_cms[0] = centimetres(wind_mps.x);
     to.wind_cms[1] = centimetres(wind_mps.y);
 }
 
-void keepEstimate(MovingRecord& to) {
+void saveEstimate(FastRecord& to) {
     const auto& estimate = vehicle.estimate;
-    attitude.keep(to.pose);
+    attitude.save(to.pose);
     to.rate_rads = attitude.rate_rads();
     to.position = estimate.position;
     to.place_known = estimate.known;

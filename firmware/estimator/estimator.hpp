@@ -32,9 +32,9 @@ core::Vector3 gyroDrift_rads();  // learnt in flight, on top of the calibration
 
 // For flying on after a restart: what is known, and the same again `lost_s` later, when the
 // airplane has turned on.
-void keepEstimate(state::SteadyRecord& to);
-void keepEstimate(state::MovingRecord& to);
-void resumeEstimate(const state::SteadyRecord& steady, const state::MovingRecord& moving,
+void saveEstimate(state::SlowRecord& to);
+void saveEstimate(state::FastRecord& to);
+void resumeEstimate(const state::SlowRecord& steady, const state::FastRecord& moving,
                     const core::Vector3& turned_rad, float lost_s);
 
 void zeroHeight();             // the airplane stands at height 0 now

@@ -166,7 +166,7 @@ constexpr uint32_t kNotBefore_ms = 10000;  // the sensors need a while
 uint8_t rudder_held;  // for so long, 0.1 s
 uint32_t reminded_ms = kNotBefore_ms - kRemind_ms;
 uint16_t landed;  // for so long, 0.1 s
-uint8_t looked_at;
+uint8_t next_check;
 
 void armNow() {
     published.armed = true;
@@ -214,16 +214,16 @@ void remind(const Check& check) {
 }
 
 // A few at a time, so that they are through in a second; at one that fails it stays.
-void look() {
+void runNextChecks() {
     constexpr uint8_t kAtOnce = 3;
     for (uint8_t i = 0; i < kAtOnce; ++i) {
-        const Check& check = kChecks[looked_at];
+        const Check& check = kChecks[next_check];
         if (fails(check)) {
             published.prearm_ok = false;
             return remind(check);
         }
-        if (++looked_at < core::count(kChecks)) continue;
-        looked_at = 0;
+        if (++next_check < core::count(kChecks)) continue;
+        next_check = 0;
         published.prearm_ok = true;
     }
 }
@@ -274,7 +274,7 @@ bool disarm(ArmReason reason, bool force) {
         return false;
     }
     published.armed = false;
-    keepLearntCompass();
+    saveLearntCompass();
     sendStatusText(Severity::notice, ROM_TEXT("Throttle disarmed"));
     return true;
 }
@@ -284,7 +284,7 @@ void runArming() {
     if (vehicle.armed) {
         runLanded();
     } else {
-        look();
+        runNextChecks();
     }
 }
 

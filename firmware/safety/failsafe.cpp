@@ -68,7 +68,7 @@ void reportOf(const CauseRow& cause, bool begins) {
     sendStatusText(begins ? core::romRead(cause.severity) : Severity::notice, text);
 }
 
-void look() {
+void updateCauses() {
     uint16_t now = 0, bit = 1;
     for (const CauseRow& cause : kCauseTable) {
         const bool holds = vehicle.armed && core::romRead(cause.holds)();
@@ -115,7 +115,7 @@ void runFailsafe() {
     watchHealth();
     watchCauses();
     letOverrule();
-    look();
+    updateCauses();
     memory.overruled &= vehicle.failing;
     follow(resolve(vehicle.failing & static_cast<uint16_t>(~memory.overruled), flownClass()));
     memory.seen = vehicle.mode;

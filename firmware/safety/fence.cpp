@@ -76,7 +76,7 @@ uint8_t heightBreach() {
     return below && fence.floor && fence.above_floor ? Breach::minalt : Breach::none;
 }
 
-uint8_t look() {
+uint8_t presentBreach() {
     const Side side = fenceSide(vehicle.estimate.position);
     if (side != Side::unknown) fence.line_crossed = side == Side::outside;
     if (fence.line_crossed) return Breach::boundary;
@@ -105,7 +105,7 @@ void reportBreach(uint8_t breach) {
     }
 }
 
-void judge(uint8_t breach) {
+void updateBreach(uint8_t breach) {
     const bool begins = fence.breach == Breach::none && breach != Breach::none;
     if (begins) {
         fence.breach_ms = hal::now_ms();
@@ -140,7 +140,7 @@ void watch() {
     if (vehicle.mode != returnMode()) fence.took_over = false;
     if (!fenceOn()) return rest();
     if (!vehicle.armed || !vehicle.estimate.flying) return calm();
-    if (vehicle.estimate.known) judge(look());
+    if (vehicle.estimate.known) updateBreach(presentBreach());
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include "firmware/modes/modes.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/safety/arming.hpp"
-#include "firmware/safety/kept_home.hpp"
-#include "firmware/safety/restart_kept.hpp"
+#include "firmware/safety/restart_records.hpp"
+#include "firmware/safety/saved_home.hpp"
 #include "firmware/sensors/radio.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
@@ -51,7 +51,7 @@ constexpr char kCauses[][32] ROM = {"Started by the supply",       "Started by t
 
 bool reported;
 bool records_written;  // since the motor was armed, or by the run that this one goes on with
-bool home_kept;        // in the EEPROM, by this run or the one it goes on with
+bool home_saved;       // in the EEPROM, by this run or the one it goes on with
 uint8_t faults_told;
 
 constexpr uint8_t kFewPeriods = 10;  // of blind samples that give a rate
@@ -61,8 +61,8 @@ struct {
     uint8_t position, looks;
 } seen;
 
-void fill(MovingRecord& to, bool in_the_air) {
-    keepEstimate(to);
+void fill(FastRecord& to, bool in_the_air) {
+    saveEstimate(to);
     to.at_ms = static_cast<uint16_t>(hal::now_ms());
     to.mode = static_cast<uint8_t>(vehicle.mode);
     to.in_the_air = in_the_air;
@@ -70,12 +70,12 @@ void fill(MovingRecord& to, bool in_the_air) {
     to.number = number;
 }
 
-void keepMoving() {
+void saveFastRecord() {
     const FlightSigns signs = {vehicle.armed, vehicle.estimate.flying,
                                vehicle.estimate.ground_speed_mps, vehicle.estimate.height_m};
-    MovingRecord& to = moving[++number & 1];
+    FastRecord& to = moving[++number & 1];
     fill(to, inTheAir(signs));
-    seal(to);
+    updateChecksum(to);
     records_written = true;
 }
 
@@ -83,18 +83,18 @@ void keepMoving() {
 void forgetFlight() {
     if (!records_written) return;
     records_written = false;
-    for (MovingRecord& each : moving) invalidate(each);
+    for (FastRecord& each : moving) invalidate(each);
 }
 
-void keepSteady() {
+void saveSlowRecord() {
     steady.home = vehicle.home.position;
     steady.home_altitude_cm = vehicle.home.altitude_cm;
     steady.ground_pressure_pa = vehicle.baro.ground_pressure_pa;
     steady.ground_temperature_c = vehicle.baro.ground_temperature_c;
     steady.airspeed_offset_v = airspeedOffset_v();
-    keepGyroZero(steady.gyro_zero_rad);
-    keepEstimate(steady);
-    seal(steady);
+    saveGyroZero(steady.gyro_zero_rad);
+    saveEstimate(steady);
+    updateChecksum(steady);
 }
 
 // Where the pilot's switch stands; without a receiver what was flown before.
@@ -139,22 +139,22 @@ void reportFaults() {
     sendStatusText(Severity::error, ROM_TEXT("Fault #"), static_cast<uint8_t>(broken.last));
 }
 
-bool homeIsKept() {
+bool homeIsSaved() {
     const auto& home = vehicle.home;
-    return home_kept && steady.home.latitude_e7 == home.position.latitude_e7 &&
+    return home_saved && steady.home.latitude_e7 == home.position.latitude_e7 &&
            steady.home.longitude_e7 == home.position.longitude_e7 &&
            steady.home_altitude_cm == home.altitude_cm;
 }
 
-void keepHomeOfFlight() {
-    if (vehicle.armed && vehicle.home.set && !homeIsKept())
-        home_kept = keepHome(vehicle.home.position, vehicle.home.altitude_cm) == core::Status::ok;
-    if (!vehicle.armed && home_kept) home_kept = forgetHome() != core::Status::ok;
+void saveHomeOfFlight() {
+    if (vehicle.armed && vehicle.home.set && !homeIsSaved())
+        home_saved = saveHome(vehicle.home.position, vehicle.home.altitude_cm) == core::Status::ok;
+    if (!vehicle.armed && home_saved) home_saved = forgetHome() != core::Status::ok;
 }
 
 // The power went in flight, or was taken from an armed airplane: it may be in the air.
-void takeKeptHome() {
-    KeptHome home;
+void takeSavedHome() {
+    SavedHome home;
     core::Status status;
     while ((status = readHome(home)) == core::Status::busy) {
     }
@@ -173,40 +173,40 @@ float lostSoFar_s() {
 core::Vector3 turnedSince_rad(float since_s) {
     const auto& rate = last->rate_rads;
     const core::Vector3 rate_rads = {rate.x.toFloat(), rate.y.toFloat(), rate.z.toFloat()};
-    if (!whole(blind, *last) || blind.turn.periods < kFewPeriods) return rate_rads * since_s;
+    if (!isValid(blind, *last) || blind.turn.periods < kFewPeriods) return rate_rads * since_s;
     const float seen_s = blind.turn.periods * estimation::kSamplePeriod_s;
-    return blindTurn_rad(blind.turn) * (since_s / seen_s);
+    return hangTurn_rad(blind.turn) * (since_s / seen_s);
 }
 
 }  // namespace
 
 void restartResume() {
-    reported = home_kept = false;
+    reported = home_saved = false;
     seen = {};
     number = last != nullptr ? last->number : 0;
     published.resuming = records_written = last != nullptr;
-    if (last == nullptr) return takeKeptHome();
+    if (last == nullptr) return takeSavedHome();
     resumeInertial(steady.gyro_zero_rad);
     const float lost_for_s = lostSoFar_s();
     resumeEstimate(steady, *last, turnedSince_rad(lost_for_s), lost_for_s);
     resumeBarometer(steady.ground_pressure_pa, steady.ground_temperature_c);
     resumeAirspeed(steady.airspeed_offset_v);
     if (last->home_set) resumeHome(steady.home, steady.home_altitude_cm);
-    home_kept = true;
+    home_saved = true;
 }
 
 void runRestart() {
     if (vehicle.resuming) decideMode();
     if (vehicle.mode == Mode::initialising) return;
     if (!vehicle.armed) return forgetFlight();
-    if (vehicle.attitude.aligned) keepMoving();
+    if (vehicle.attitude.aligned) saveFastRecord();
 }
 
 void runRestartSlowly() {
     if (!reported) reportCause();
     reportFaults();
-    keepHomeOfFlight();
-    if (vehicle.attitude.aligned && vehicle.mode != Mode::initialising) keepSteady();
+    saveHomeOfFlight();
+    if (vehicle.attitude.aligned && vehicle.mode != Mode::initialising) saveSlowRecord();
 }
 
 }  // namespace safety

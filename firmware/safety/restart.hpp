@@ -9,7 +9,7 @@
 namespace firmware {
 namespace safety {
 
-void restartJudge();   // first of all: was it flying, and may it fly on?
+void restartBegin();   // first of all: was it flying, and may it fly on?
 bool flyingOn();       // this run goes on with a flight
 bool runSurvives();    // what ended the last run leaves memory as it was
 void restartResume();  // when the sensors have been started: knows what was known

@@ -3,7 +3,7 @@
 // gyros measure is kept for the attitude after the restart.
 #include "core/maths.hpp"
 #include "firmware/actuators/outputs.hpp"
-#include "firmware/safety/restart_kept.hpp"
+#include "firmware/safety/restart_records.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -60,8 +60,8 @@ void passSticksToServos() {
     using namespace firmware::sensors;
     using namespace firmware::state;
     if (output == kRudder) {
-        keepBlindTurn(blind.turn);
-        seal(blind, moving[number & 1]);
+        saveHangTurn(blind.turn);
+        updateChecksum(blind, moving[number & 1]);
     }
     output = (output + 1) & 3;
     const bool silent = vehicle.radio.lost || pulse_us(parameters.map_pitch) == 0 || wrongBoard();

@@ -132,7 +132,7 @@ void learnCompass(const core::Vector3& reading_mg) {
     for (uint8_t i = 0; i < 3; ++i) turns.anchor_mg[i] = now_mg[i];
 }
 
-void keepLearntCompass() {
+void saveLearntCompass() {
     if (parameters.compass_learn == 0) return;
     if (!makesSense() || !parametersSetFrom(slot::compass_ofs_x, parameters.compass_offset_mg, 3))
         sendStatusText(Severity::warning, ROM_TEXT("Compass: what it learnt is not kept"));

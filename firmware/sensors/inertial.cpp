@@ -34,7 +34,7 @@ namespace {
 
 constexpr ImuState& published = Publisher<ImuState>::state();
 
-using estimation::KeptTurn;
+using estimation::SavedTurn;
 using estimation::Turn;
 
 board::Inertial imu;
@@ -192,23 +192,23 @@ void startInertial() {
     runInertialSettings();
 }
 
-void keepGyroZero(KeptTurn (&to_rad)[3]) {
+void saveGyroZero(SavedTurn (&to_rad)[3]) {
     for (uint8_t i = 0; i < 3; ++i)
-        to_rad[i] = KeptTurn::fromRaw(zero.of[i] / estimation::kKeptTurnSteps);
+        to_rad[i] = SavedTurn::fromRaw(zero.of[i] / estimation::kSavedTurnSteps);
 }
 
-void keepBlindTurn(BlindTurn& to) { to.periods = imu.peek(to.turned); }
+void saveHangTurn(HangTurn& to) { to.periods = imu.peek(to.turned); }
 
-core::Vector3 blindTurn_rad(const BlindTurn& turn) {
+core::Vector3 hangTurn_rad(const HangTurn& turn) {
     constexpr float kStep = 1.0f / Turn::kSteps;
     const core::Vector3 zeros = {static_cast<float>(zero.of[0]), static_cast<float>(zero.of[1]),
                                  static_cast<float>(zero.of[2])};
     return board::Inertial::peeked(turn.turned) - zeros * (kStep * turn.periods);
 }
 
-void resumeInertial(const KeptTurn (&gyro_zero_rad)[3]) {
+void resumeInertial(const SavedTurn (&gyro_zero_rad)[3]) {
     imu.resume();
-    for (uint8_t i = 0; i < 3; ++i) zero.of[i] = gyro_zero_rad[i].raw * estimation::kKeptTurnSteps;
+    for (uint8_t i = 0; i < 3; ++i) zero.of[i] = gyro_zero_rad[i].raw * estimation::kSavedTurnSteps;
     still.forgo();
 }
 

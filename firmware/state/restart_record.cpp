@@ -34,28 +34,30 @@ uint32_t sums(uint32_t begin, const void* data, uint8_t size) {
 
 template <class Record>
 uint32_t sums(const Record& record) {
-    return sums(kLayout, &record, offsetof(Record, seal));
+    return sums(kLayout, &record, offsetof(Record, checksum));
 }
-uint32_t sums(const BlindRecord& blind, const MovingRecord& after) {
-    return sums(after.seal, &blind.turn, sizeof blind.turn);
+uint32_t sums(const HangGyroRecord& blind, const FastRecord& after) {
+    return sums(after.checksum, &blind.turn, sizeof blind.turn);
 }
 
 }  // namespace
 
-void seal(BlindRecord& blind, const MovingRecord& after) { blind.seal = sums(blind, after); }
-bool whole(const BlindRecord& blind, const MovingRecord& after) {
-    return blind.seal == sums(blind, after);
+void updateChecksum(HangGyroRecord& blind, const FastRecord& after) {
+    blind.checksum = sums(blind, after);
+}
+bool isValid(const HangGyroRecord& blind, const FastRecord& after) {
+    return blind.checksum == sums(blind, after);
 }
 
-void seal(SteadyRecord& record) { record.seal = sums(record); }
-void seal(MovingRecord& record) { record.seal = sums(record); }
-bool whole(const SteadyRecord& record) { return record.seal == sums(record); }
-bool whole(const MovingRecord& record) { return record.seal == sums(record); }
-void invalidate(SteadyRecord& record) { record.seal = ~sums(record); }
-void invalidate(MovingRecord& record) { record.seal = ~sums(record); }
+void updateChecksum(SlowRecord& record) { record.checksum = sums(record); }
+void updateChecksum(FastRecord& record) { record.checksum = sums(record); }
+bool isValid(const SlowRecord& record) { return record.checksum == sums(record); }
+bool isValid(const FastRecord& record) { return record.checksum == sums(record); }
+void invalidate(SlowRecord& record) { record.checksum = ~sums(record); }
+void invalidate(FastRecord& record) { record.checksum = ~sums(record); }
 
-const MovingRecord* newest(const MovingRecord (&two)[2]) {
-    const bool first = whole(two[0]), second = whole(two[1]);
+const FastRecord* newest(const FastRecord (&two)[2]) {
+    const bool first = isValid(two[0]), second = isValid(two[1]);
     if (!first && !second) return nullptr;
     if (!second) return &two[0];
     if (!first) return &two[1];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What lets the airplane fly on after a restart in the air, in memory that a reset leaves alone. A
-// seal, begun with a number of its own (kLayout), distinguishes a whole record from chance, from
-// one that a reset cut short and from one of another firmware.
+// checksum, begun with a number of its own (kLayout), distinguishes a valid record from chance,
+// from one that a reset cut short and from one of another firmware.
 #pragma once
 #include <stdint.h>
 
@@ -13,20 +13,20 @@ namespace firmware {
 namespace state {
 
 // What changes seldom.
-struct SteadyRecord {
+struct SlowRecord {
     geo::Position home;
     int32_t home_altitude_cm;
     float home_height_m;  // above where the barometer was zeroed
     float ground_pressure_pa, ground_temperature_c;
     float airspeed_offset_v;
-    estimation::KeptTurn gyro_zero_rad[3];  // in a sample period
-    estimation::Learnt learnt;
+    estimation::SavedTurn gyro_zero_rad[3];  // in a sample period
+    estimation::SavedBiases learnt;
     int16_t wind_cms[2];  // north, east
-    uint32_t seal;
+    uint32_t checksum;
 };
 
-struct MovingRecord {
-    estimation::Pose pose;
+struct FastRecord {
+    estimation::SavedAttitude pose;
     core::BodyRates rate_rads;
     geo::Position position;
     float north_mps, east_mps, climb_mps;
@@ -35,35 +35,35 @@ struct MovingRecord {
     uint8_t mode;
     uint8_t in_the_air : 1, home_set : 1, place_known : 1, wind_known : 1;
     uint8_t number;  // counts up
-    uint32_t seal;
+    uint32_t checksum;
 };
 
 // How far the airplane has turned, and in how many sample periods, since the program hangs: kept
 // by an interrupt, made radians of after the restart, when the zero is known again.
-struct BlindTurn {
+struct HangTurn {
     int16_t turned[3];
     uint8_t periods;
 };
 
-// What came after a moving record; sealed together with it.
-struct BlindRecord {
-    BlindTurn turn;
-    uint32_t seal;
+// What came after a moving record; under one checksum with it.
+struct HangGyroRecord {
+    HangTurn turn;
+    uint32_t checksum;
 };
-void seal(BlindRecord& blind, const MovingRecord& after);
-bool whole(const BlindRecord& blind, const MovingRecord& after);
+void updateChecksum(HangGyroRecord& blind, const FastRecord& after);
+bool isValid(const HangGyroRecord& blind, const FastRecord& after);
 
-void seal(SteadyRecord& record);
-void seal(MovingRecord& record);
-bool whole(const SteadyRecord& record);
-bool whole(const MovingRecord& record);
-// Not whole any more. What is being written is not either: what has changed does not fit the seal.
-void invalidate(SteadyRecord& record);
-void invalidate(MovingRecord& record);
+void updateChecksum(SlowRecord& record);
+void updateChecksum(FastRecord& record);
+bool isValid(const SlowRecord& record);
+bool isValid(const FastRecord& record);
+// Not valid any more. Nor is what is being written: what has changed does not fit the checksum.
+void invalidate(SlowRecord& record);
+void invalidate(FastRecord& record);
 
-// Two in turn, so that a reset while one is written leaves the other: the newest whole one;
+// Two in turn, so that a reset while one is written leaves the other: the newest valid one;
 // nullptr: neither is.
-const MovingRecord* newest(const MovingRecord (&two)[2]);
+const FastRecord* newest(const FastRecord (&two)[2]);
 
 // Armed alone is not in the air, nor a wind into the pitot tube of an airplane that stands.
 struct FlightSigns {

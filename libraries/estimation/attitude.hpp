@@ -30,11 +30,11 @@ struct Angles {
 
 // What it takes to go on after a restart: how the airplane stood, and what was learnt of the
 // sensors.
-struct Pose {
+struct SavedAttitude {
     core::Ratio north[3], down[3];
 };
-struct Learnt {
-    KeptTurn bias_rad[3];  // of the gyros, in a sample period
+struct SavedBiases {
+    SavedTurn bias_rad[3];  // of the gyros, in a sample period
     CompassField::Known field;
 };
 
@@ -42,10 +42,11 @@ class Attitude {
 public:
     void start();
 
-    void keep(Pose& pose) const;
-    void keep(Learnt& learnt) const;
+    void save(SavedAttitude& pose) const;
+    void save(SavedBiases& learnt) const;
     // Instead of start(): as it was, and turned on since then, as quick as `turned_rad` says.
-    void resume(const Pose& pose, const Learnt& learnt, const core::Vector3& turned_rad);
+    void resume(const SavedAttitude& pose, const SavedBiases& learnt,
+                const core::Vector3& turned_rad);
 
     void propagate(const Motion& motion);  // 100 Hz: sums up the motion, carries roll and pitch on
     void align();                          // 10 Hz: until it is upright

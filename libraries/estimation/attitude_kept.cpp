@@ -7,25 +7,26 @@ namespace estimation {
 constexpr int32_t kRowSteps = Fine::kOne / core::Ratio::kOne;
 constexpr float kHalfSettled = 0.9f;  // a restart leaves an error of degrees, not of tens
 
-void Attitude::keep(Pose& pose) const {
+void Attitude::save(SavedAttitude& pose) const {
     for (uint8_t i = 0; i < 3; ++i) {
         pose.north[i].raw = core::upper(north_.of[i]);
         pose.down[i].raw = core::upper(down_.of[i]);
     }
 }
 
-void Attitude::keep(Learnt& learnt) const {
+void Attitude::save(SavedBiases& learnt) const {
     for (uint8_t i = 0; i < 3; ++i)
-        learnt.bias_rad[i] = KeptTurn::fromRaw(bias_.of[i] / kKeptTurnSteps);
-    field_.keep(learnt.field);
+        learnt.bias_rad[i] = SavedTurn::fromRaw(bias_.of[i] / kSavedTurnSteps);
+    field_.save(learnt.field);
 }
 
-void Attitude::resume(const Pose& pose, const Learnt& learnt, const core::Vector3& turned_rad) {
+void Attitude::resume(const SavedAttitude& pose, const SavedBiases& learnt,
+                      const core::Vector3& turned_rad) {
     start();
     for (uint8_t i = 0; i < 3; ++i) {
         north_.of[i] = pose.north[i].raw * kRowSteps;
         down_.of[i] = pose.down[i].raw * kRowSteps;
-        bias_.of[i] = learnt.bias_rad[i].raw * kKeptTurnSteps;
+        bias_.of[i] = learnt.bias_rad[i].raw * kSavedTurnSteps;
     }
     learnRates({0, 0, 0});
     field_.resume(learnt.field);

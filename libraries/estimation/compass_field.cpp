@@ -30,7 +30,7 @@ void CompassField::learn(const core::Vector3& odd_mg, float dt_s) {
     own_mg_.z = core::limit(own_mg_.z + odd_mg.z * share, -kMaxOwn_mg, kMaxOwn_mg);
 }
 
-void CompassField::keep(Known& known) const {
+void CompassField::save(Known& known) const {
     const auto whole = [](float mg) { return static_cast<int16_t>(core::rounded(mg)); };
     known = {{whole(own_mg_.x), whole(own_mg_.y), whole(own_mg_.z)},
              whole(horizontal_mg_),

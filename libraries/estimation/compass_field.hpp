@@ -19,7 +19,7 @@ public:
     struct Known {
         int16_t own[3], horizontal, down;
     };
-    void keep(Known& known) const;
+    void save(Known& known) const;
     void resume(const Known& known);
 
     // What of the field, own part taken off, along magnetic north, magnetic east and down was not

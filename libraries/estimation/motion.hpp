@@ -17,8 +17,8 @@ struct Turn {
     int32_t of[3];
 };
 // A rotation in a sample period as it is kept over a restart, in radians.
-using KeptTurn = core::Fixed<24>;
-constexpr int32_t kKeptTurnSteps = Fine::kOne / KeptTurn::kOne;
+using SavedTurn = core::Fixed<24>;
+constexpr int32_t kSavedTurnSteps = Fine::kOne / SavedTurn::kOne;
 // Horizontal acceleration over ground in m/s2, before it is summed up.
 using FineAcceleration = core::Fixed32<23>;
 

@@ -3,8 +3,8 @@
 
 #include "firmware/control/attitude_control.hpp"
 #include "firmware/estimator/estimator.hpp"
-#include "firmware/safety/kept_home.hpp"
-#include "firmware/safety/restart_kept.hpp"
+#include "firmware/safety/restart_records.hpp"
+#include "firmware/safety/saved_home.hpp"
 #include "firmware_bench.hpp"
 #include "hal/clock.hpp"
 #include "hal/eeprom.hpp"
@@ -54,7 +54,7 @@ protected:
         fakes::resetClock();
         mutable_vehicle = {};
         mutable_vehicle.mode = Mode::initialising;
-        restartJudge();
+        restartBegin();
         restartResume();
         mutable_vehicle.attitude.aligned = true;
     }
@@ -176,7 +176,7 @@ TEST_F(Restart, rejects_a_record_with_any_bit_changed) {
     EXPECT_FALSE(flyingOn());
 
     SetUp();
-    for (MovingRecord& each : moving) each.position.latitude_e7 ^= 64;
+    for (FastRecord& each : moving) each.position.latitude_e7 ^= 64;
     begin(ResetCause::watchdog);
     EXPECT_FALSE(flyingOn());
 }
@@ -210,7 +210,7 @@ TEST_F(Restart, finds_home_in_the_eeprom_when_the_power_was_lost_in_flight) {
     EXPECT_EQ(vehicle.home.altitude_cm, 48800);
 }
 
-TEST_F(Restart, finds_no_kept_home_when_the_flight_before_was_ended_by_disarming) {
+TEST_F(Restart, finds_no_saved_home_when_the_flight_before_was_ended_by_disarming) {
     mutable_vehicle.armed = false;
     keep();
     begin(ResetCause::power_on);

@@ -10,14 +10,14 @@ namespace {
 using namespace firmware;
 using namespace firmware::state;
 
-MovingRecord movingRecord(uint8_t number) {
-    MovingRecord record = {};
+FastRecord movingRecord(uint8_t number) {
+    FastRecord record = {};
     record.position = {473977000, 85456000};
     record.at_ms = 1234;
     record.mode = 10;
     record.in_the_air = 1;
     record.number = number;
-    seal(record);
+    updateChecksum(record);
     return record;
 }
 
@@ -25,28 +25,28 @@ MovingRecord movingRecord(uint8_t number) {
 
 TEST(Record, random_memory_is_no_record) {
     for (int value = 0; value < 256; ++value) {
-        SteadyRecord steady;
-        MovingRecord moving[2];
+        SlowRecord steady;
+        FastRecord moving[2];
         std::memset(static_cast<void*>(&steady), value, sizeof steady);
         std::memset(static_cast<void*>(moving), value, sizeof moving);
-        EXPECT_FALSE(whole(steady)) << value;
+        EXPECT_FALSE(isValid(steady)) << value;
         EXPECT_EQ(newest(moving), nullptr) << value;
     }
 }
 
 TEST(Record, any_bit_that_changes_breaks_the_seal) {
-    MovingRecord record = movingRecord(1);
-    ASSERT_TRUE(whole(record));
+    FastRecord record = movingRecord(1);
+    ASSERT_TRUE(isValid(record));
     unsigned char* bytes = reinterpret_cast<unsigned char*>(&record);
-    for (size_t bit = 0; bit < 8 * offsetof(MovingRecord, seal); ++bit) {
+    for (size_t bit = 0; bit < 8 * offsetof(FastRecord, checksum); ++bit) {
         bytes[bit / 8] ^= 1 << bit % 8;
-        EXPECT_FALSE(whole(record)) << bit;
+        EXPECT_FALSE(isValid(record)) << bit;
         bytes[bit / 8] ^= 1 << bit % 8;
     }
 }
 
 TEST(Record, a_reset_while_one_is_written_leaves_the_one_before) {
-    MovingRecord two[2] = {movingRecord(7), movingRecord(8)};
+    FastRecord two[2] = {movingRecord(7), movingRecord(8)};
     EXPECT_EQ(newest(two), &two[1]);
     invalidate(two[0]);  // the older one is being written
     EXPECT_EQ(newest(two), &two[1]);
@@ -59,20 +59,20 @@ TEST(Record, a_reset_while_one_is_written_leaves_the_one_before) {
 }
 
 TEST(Record, record_numbers_wrap) {
-    const MovingRecord two[2] = {movingRecord(255), movingRecord(0)};
+    const FastRecord two[2] = {movingRecord(255), movingRecord(0)};
     EXPECT_EQ(newest(two), &two[1]);
 }
 
 TEST(Record, a_changed_record_is_valid_only_after_it_is_sealed_again) {
-    SteadyRecord record = {};
-    seal(record);
-    EXPECT_TRUE(whole(record));
+    SlowRecord record = {};
+    updateChecksum(record);
+    EXPECT_TRUE(isValid(record));
     invalidate(record);
-    EXPECT_FALSE(whole(record));
+    EXPECT_FALSE(isValid(record));
     record.home_altitude_cm = 48800;
-    EXPECT_FALSE(whole(record));
-    seal(record);
-    EXPECT_TRUE(whole(record));
+    EXPECT_FALSE(isValid(record));
+    updateChecksum(record);
+    EXPECT_TRUE(isValid(record));
 }
 
 TEST(Record, in_the_air_means_armed_fast_and_high_or_over_the_ground) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/safety/restart_kept.hpp"
+#include "firmware/safety/restart_records.hpp"
 
 #include "firmware/safety/restart.hpp"
 #include "hal/watchdog.hpp"
@@ -11,11 +11,11 @@ using namespace state;
 
 using hal::ResetCause;
 
-SteadyRecord steady __attribute__((section(".noinit")));
-MovingRecord moving[2] __attribute__((section(".noinit")));
-BlindRecord blind __attribute__((section(".noinit")));
+SlowRecord steady __attribute__((section(".noinit")));
+FastRecord moving[2] __attribute__((section(".noinit")));
+HangGyroRecord blind __attribute__((section(".noinit")));
 uint8_t number;
-const MovingRecord* last;  // to go on with; nullptr: nothing
+const FastRecord* last;  // to go on with; nullptr: nothing
 
 bool runSurvives() {
     const ResetCause cause = hal::resetCause();
@@ -23,11 +23,11 @@ bool runSurvives() {
            cause == ResetCause::fault;
 }
 
-void restartJudge() {
-    last = runSurvives() && whole(steady) ? newest(moving) : nullptr;
+void restartBegin() {
+    last = runSurvives() && isValid(steady) ? newest(moving) : nullptr;
     if (last != nullptr && !last->in_the_air) last = nullptr;
     if (last != nullptr) return;
-    for (MovingRecord& each : moving) invalidate(each);
+    for (FastRecord& each : moving) invalidate(each);
     invalidate(steady);
 }
 

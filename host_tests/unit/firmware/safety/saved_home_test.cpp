@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/safety/kept_home.hpp"
+#include "firmware/safety/saved_home.hpp"
 
 #include <cstring>
 
@@ -33,9 +33,9 @@ protected:
         return status;
     }
     Status keep(int32_t latitude_e7) {
-        return until([&] { return keepHome({latitude_e7, 85456000}, 48800); });
+        return until([&] { return saveHome({latitude_e7, 85456000}, 48800); });
     }
-    Status read(KeptHome& home) {
+    Status read(SavedHome& home) {
         return until([&] { return readHome(home); });
     }
 };
@@ -43,13 +43,13 @@ protected:
 }  // namespace
 
 TEST_F(KeptHomeTest, a_blank_eeprom_has_none) {
-    KeptHome home;
+    SavedHome home;
     EXPECT_EQ(read(home), Status::corrupt);
 }
 
 TEST_F(KeptHomeTest, what_was_kept_is_read_back) {
     ASSERT_EQ(keep(473977000), Status::ok);
-    KeptHome home;
+    SavedHome home;
     ASSERT_EQ(read(home), Status::ok);
     EXPECT_EQ(home.position.latitude_e7, 473977000);
     EXPECT_EQ(home.position.longitude_e7, 85456000);
@@ -59,7 +59,7 @@ TEST_F(KeptHomeTest, what_was_kept_is_read_back) {
 TEST_F(KeptHomeTest, what_was_forgotten_is_not) {
     ASSERT_EQ(keep(473977000), Status::ok);
     ASSERT_EQ(until(forgetHome), Status::ok);
-    KeptHome home;
+    SavedHome home;
     EXPECT_EQ(read(home), Status::corrupt);
     EXPECT_EQ(until(forgetHome), Status::ok) << "twice is no harm";
     ASSERT_EQ(keep(473978000), Status::ok);
@@ -71,9 +71,9 @@ TEST_F(KeptHomeTest, a_power_cut_leaves_one_of_the_two_or_none) {
         SetUp();
         ASSERT_EQ(keep(473977000), Status::ok);
         fakes::cutPowerAfter(writes);
-        (void)until([] { return keepHome({-331234567, 1512345678}, 12300); });
+        (void)until([] { return saveHome({-331234567, 1512345678}, 12300); });
         fakes::restartEeprom();
-        KeptHome home;
+        SavedHome home;
         if (read(home) != Status::ok) continue;
         const bool old = home.position.latitude_e7 == 473977000 && home.altitude_cm == 48800;
         const bool now = home.position.latitude_e7 == -331234567 && home.altitude_cm == 12300;

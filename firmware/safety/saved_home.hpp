@@ -10,16 +10,16 @@
 namespace firmware {
 namespace safety {
 
-struct KeptHome {
+struct SavedHome {
     geo::Position position;
     int32_t altitude_cm;
-    uint16_t seal;
+    uint16_t checksum;
 };
 
-MUST_USE core::Status keepHome(const geo::Position& position, int32_t altitude_cm);
+MUST_USE core::Status saveHome(const geo::Position& position, int32_t altitude_cm);
 MUST_USE core::Status forgetHome();
 // corrupt: there is none.
-MUST_USE core::Status readHome(KeptHome& home);
+MUST_USE core::Status readHome(SavedHome& home);
 
 }  // namespace safety
 }  // namespace firmware

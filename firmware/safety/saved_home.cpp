@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/safety/kept_home.hpp"
+#include "firmware/safety/saved_home.hpp"
 
 #include <stddef.h>
 
@@ -16,12 +16,12 @@ namespace {
 using core::Status;
 
 constexpr uint16_t kAt = storage::kHomeAndLog.begin;
-constexpr uint16_t kSealAt = kAt + offsetof(KeptHome, seal);
+constexpr uint16_t kChecksumAt = kAt + offsetof(SavedHome, checksum);
 constexpr uint8_t kLogs = 4;  // the last bytes of the region are the log's
-static_assert(sizeof(KeptHome) + kLogs <= storage::kHomeAndLog.size, "no room for the home");
+static_assert(sizeof(SavedHome) + kLogs <= storage::kHomeAndLog.size, "no room for the home");
 
-uint16_t sum(const KeptHome& home) {
-    return core::crc16(core::kCrcStart, &home, offsetof(KeptHome, seal));
+uint16_t sum(const SavedHome& home) {
+    return core::crc16(core::kCrcStart, &home, offsetof(SavedHome, checksum));
 }
 
 Status write(uint16_t at, const void* from, uint8_t size) {
@@ -34,25 +34,25 @@ Status write(uint16_t at, const void* from, uint8_t size) {
 
 }  // namespace
 
-// The old seal does not fit the new place: a cut on the way leaves none.
-Status keepHome(const geo::Position& position, int32_t altitude_cm) {
-    KeptHome home = {position, altitude_cm, 0};
-    home.seal = sum(home);
+// The old checksum does not fit the new place: a cut on the way leaves none.
+Status saveHome(const geo::Position& position, int32_t altitude_cm) {
+    SavedHome home = {position, altitude_cm, 0};
+    home.checksum = sum(home);
     return write(kAt, &home, sizeof home);
 }
 
-Status readHome(KeptHome& home) {
+Status readHome(SavedHome& home) {
     const Status status = hal::eepromRead(kAt, &home, sizeof home);
     if (status != Status::ok) return status;
-    return home.seal == sum(home) ? Status::ok : Status::corrupt;
+    return home.checksum == sum(home) ? Status::ok : Status::corrupt;
 }
 
 Status forgetHome() {
-    KeptHome home;
+    SavedHome home;
     const Status status = readHome(home);
     if (status != Status::ok) return status == Status::corrupt ? Status::ok : status;
-    home.seal = static_cast<uint16_t>(~home.seal);
-    return write(kSealAt, &home.seal, sizeof home.seal);
+    home.checksum = static_cast<uint16_t>(~home.checksum);
+    return write(kChecksumAt, &home.checksum, sizeof home.checksum);
 }
 
 }  // namespace safety
