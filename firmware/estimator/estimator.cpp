@@ -152,10 +152,10 @@ bool near(float a_m, float b_m) { return fabsf(a_m - b_m) < kInconsistentHeight_
 void useGpsHeight() {
     const auto& baro = vehicle.baro;
     const float height_m = height.height_m();
-    const float told_m = vehicle.gps.altitude_cm * 0.01f;
+    const float gps_m = vehicle.gps.altitude_cm * 0.01f;
     // begun in the air there is no time to learn it slowly
-    if (gps_above_m == 0 && height_started) gps_above_m = told_m - height_m;
-    const float fix_m = told_m - gps_above_m;
+    if (gps_above_m == 0 && height_started) gps_above_m = gps_m - height_m;
+    const float fix_m = gps_m - gps_above_m;
     if (!baro.healthy) {
         if (!height_started) return;
         if (!near(vehicle.estimate.baro_height_m, height_m)) reportInconsistency(Sensor::barometer);

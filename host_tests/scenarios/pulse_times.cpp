@@ -110,12 +110,12 @@ private:
         station_.upload(someMission(60, seed));
         station_.run_us(500'000);
         bool ok = true;
-        for (size_t i = 0; i < surfaces.size(); ++i) ok = judgeSurface(i, surfaces[i]) && ok;
+        for (size_t i = 0; i < surfaces.size(); ++i) ok = checkSurface(i, surfaces[i]) && ok;
         for (size_t i = 0; i < outputs_.size(); ++i) ok = check(i) && ok;
         return ok;
     }
 
-    bool judgeSurface(size_t which, uint16_t sent_us) const {
+    bool checkSurface(size_t which, uint16_t sent_us) const {
         const int channel = kSurfaces[which];
         const double out_us = outputs_[channel].width_us.farthest(sent_us);
         const double reported_us =

@@ -13,7 +13,7 @@ const retired = [
   /\b(tell|tells|told|telling|tell[A-Z]\w*|\w+Told)\b/, /\bails?\b/, /\b(believ(e[sd]?|able)|doubt[s]?)\b/,
   /\bheals?\b/, /\b(feel|feels|felt|feel[A-Z]\w*)\b/, /\b(haste|hurry|hurries|slowness|pace|paces|kPace\w*)\b/,
   /\bonlooker\b/i, /\bkMost([A-Z]\w*|_\w+)?\b/, /\bkBeyond\w*\b/, /\bhand_held\b/, /\bown_airplane\b/,
-  /\bservosForgotten\b/, /\bspoil(s|t|ed)?\b/i,
+  /\bservosForgotten\b/, /\bspoil(s|t|ed)?\b/i, /\b(judge[sd]?|judging|judge[A-Z]\w*)\b/, /\bkOdd([A-Z]\w*|_\w+)?\b/,
 ];
 
 function* sources(folder) {

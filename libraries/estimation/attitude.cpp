@@ -34,9 +34,9 @@ constexpr float kMaxForceBias_mss = 0.3f;   // 0.03 g
 constexpr float kMaxForceStep_mss = 0.01f;
 constexpr float kMaxTime_s = 1.1f;  // between two fixes that are compared
 constexpr float kCompassStep_s = 0.2f;
-constexpr uint8_t kMaxFrames = 50;  // that are counted: by then nothing is known any more
-constexpr float kOdd = 0.7f;        // cosine: a compass 45 degrees off is not followed
-constexpr float kSlow_mps = 5.0f;   // a slower course is noise
+constexpr uint8_t kMaxFrames = 50;     // that are counted: by then nothing is known any more
+constexpr float kInconsistent = 0.7f;  // cosine: a compass 45 degrees off is not followed
+constexpr float kSlow_mps = 5.0f;      // a slower course is noise
 
 constexpr int32_t kMaxTurn = Fine::kOne / 5;  // 0.2 rad; more at once would lengthen the rows
 constexpr int32_t kMaxTurned = Fine::kOne;    // 1 rad
@@ -445,7 +445,7 @@ bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
         turnTo(-across_mg * inverse, along_mg * inverse);
         return true;
     }
-    const bool elsewhere = settling_ < kQuickEnds && along_mg * inverse < kOdd;
+    const bool elsewhere = settling_ < kQuickEnds && along_mg * inverse < kInconsistent;
     if (elsewhere || !settings.use_compass) return !elsewhere;
     if (along_mg > 0) {
         const core::Vector3 odd =

@@ -97,7 +97,7 @@ export function flattened(summary) {
 
 // What became of a flight: { verdict: 'same' | 'different' | 'failed', words }. Each side is
 // { failure, files }: a failure in words or null, and a Map of path to contents.
-export function judged(before, after, options = {}) {
+export function compared(before, after, options = {}) {
   for (const [which, { failure }] of [['before', before], ['after', after]])
     if (failure) return { verdict: 'failed', words: `${which}: ${failure}` };
   const all = [...new Set([...before.files.keys(), ...after.files.keys()])];

@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 
 import { NotTried, beAlone, commitNamed, workingTree } from '../shared/checkout.mjs';
 import { checkOutput } from '../shared/output.mjs';
-import { flattened, judged } from './compare.mjs';
+import { flattened, compared } from './compare.mjs';
 import { kFlights } from './flights.mjs';
 import { built } from './versions.mjs';
 
@@ -81,7 +81,7 @@ async function compareAll(sides, options) {
   const worker = async () => {
     for (let flight = waiting.shift(); flight; flight = waiting.shift()) {
       const before = await flown(flight, 'before', sides.before);
-      verdicts.set(flight, judged(before, await flown(flight, 'after', sides.after), options));
+      verdicts.set(flight, compared(before, await flown(flight, 'after', sides.after), options));
     }
   };
   await Promise.all(Array.from({ length: kAtOnce }, worker));

@@ -9,7 +9,7 @@ import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
-import { firstDifference, flattened, judged } from '../../../../toolchain/same_tool/compare.mjs';
+import { firstDifference, flattened, compared } from '../../../../toolchain/same_tool/compare.mjs';
 import { kFlights } from '../../../../toolchain/same_tool/flights.mjs';
 import { readOptions, verdictOf } from '../../../../toolchain/same_tool/main.mjs';
 import { commandLong, frame, framesIn, heartbeat, modeOf } from '../../../../toolchain/same_tool/mavlink.mjs';
@@ -76,21 +76,21 @@ const side = (files, failure = null) => ({ failure,
 test('a flight is the same only when all of its files are', () => {
   const one = { 'flight.csv': 'a\n1\n', 'log.bin': 'xy' };
 
-  assert.equal(judged(side(one), side(one)).verdict, 'same');
-  assert.deepEqual(judged(side(one), side({ ...one, 'log.bin': 'xz' })),
+  assert.equal(compared(side(one), side(one)).verdict, 'same');
+  assert.deepEqual(compared(side(one), side({ ...one, 'log.bin': 'xz' })),
     { verdict: 'different', words: 'log.bin page 0, byte 1: 0x79 and 0x7a' });
-  assert.equal(judged(side(one), side({ 'flight.csv': 'a\n1\n' })).verdict, 'different');
+  assert.equal(compared(side(one), side({ 'flight.csv': 'a\n1\n' })).verdict, 'different');
 });
 
 test('a flight that failed, or left nothing, is not the same', () => {
   const one = { 'flight.csv': 'a\n1\n' };
 
-  assert.deepEqual(judged(side(one), side(one, 'crashed at 3 s')),
+  assert.deepEqual(compared(side(one), side(one, 'crashed at 3 s')),
     { verdict: 'failed', words: 'after: crashed at 3 s' });
-  assert.equal(judged(side(one, 'crashed'), side(one, 'crashed')).verdict, 'failed');
-  assert.equal(judged(side({}), side({})).verdict, 'failed');
+  assert.equal(compared(side(one, 'crashed'), side(one, 'crashed')).verdict, 'failed');
+  assert.equal(compared(side({}), side({})).verdict, 'failed');
   const log = { 'log.bin': 'x' };
-  assert.equal(judged(side(log), side(log), { texts_may_differ: true }).verdict, 'failed');
+  assert.equal(compared(side(log), side(log), { texts_may_differ: true }).verdict, 'failed');
 });
 
 test('where texts may differ the path is compared all the same, and the verdict says so', () => {
@@ -98,8 +98,8 @@ test('where texts may differ the path is compared all the same, and the verdict 
   const after = side({ 'flight.csv': 'a\n1\n', 'log.bin': 'y', 'summary.txt': 'y', 'telemetry.bin': 'y' });
   const options = { texts_may_differ: true };
 
-  assert.deepEqual(judged(before, after, options), { verdict: 'same', words: 'flight.csv' });
-  assert.equal(judged(before, side({ 'flight.csv': 'a\n2\n' }), options).verdict, 'different');
+  assert.deepEqual(compared(before, after, options), { verdict: 'same', words: 'flight.csv' });
+  assert.equal(compared(before, side({ 'flight.csv': 'a\n2\n' }), options).verdict, 'different');
   assert.match(verdictOf([{ verdict: 'same' }], options), /only flight\.csv was compared/);
 });
 
