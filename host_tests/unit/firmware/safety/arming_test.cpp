@@ -83,6 +83,7 @@ TEST_F(Arming, arms_when_every_check_passes_and_takes_home_there) {
 }
 
 struct Fault {
+    int16_t bit;  // of ARMING_CHECK
     const char* reason;
     std::function<void()> happens;
 };
@@ -96,42 +97,49 @@ TEST_P(Check, refuses_to_arm_and_says_why) {
     EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
     EXPECT_FALSE(vehicle.armed);
 }
+TEST_P(Check, is_made_by_its_bit_of_arming_check) {
+    GetParam().happens();
+    parameters.arming_check = GetParam().bit;
+    EXPECT_NE(firmware::safety::prearmFailure(), nullptr);
+    parameters.arming_check = static_cast<int16_t>(0x7FFE & ~GetParam().bit);
+    EXPECT_EQ(firmware::safety::prearmFailure(), nullptr);
+}
 INSTANTIATE_TEST_SUITE_P(
     Faults, Check,
     testing::Values(
-        Fault{"PreArm: gyros not ready", [] { mutable_vehicle.imu.calibrated = false; }},
-        Fault{"PreArm: gyros not healthy", [] { mutable_vehicle.imu.healthy = false; }},
-        Fault{"PreArm: accelerometers",
+        Fault{16, "PreArm: gyros not ready", [] { mutable_vehicle.imu.calibrated = false; }},
+        Fault{16, "PreArm: gyros not healthy", [] { mutable_vehicle.imu.healthy = false; }},
+        Fault{16, "PreArm: accelerometers",
               [] { mutable_vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -7.5f); }},
-        Fault{"PreArm: accelerometers",
+        Fault{16, "PreArm: accelerometers",
               [] { mutable_vehicle.imu.accel_mss = core::Accelerations::from(8, 3, -9); }},
-        Fault{"PreArm: attitude", [] { mutable_vehicle.attitude.aligned = false; }},
-        Fault{"PreArm: barometer", [] { mutable_vehicle.baro.healthy = false; }},
-        Fault{"PreArm: compass", [] { mutable_vehicle.compass.healthy = false; }},
-        Fault{"PreArm: check mag field",
+        Fault{16, "PreArm: attitude", [] { mutable_vehicle.attitude.aligned = false; }},
+        Fault{2, "PreArm: barometer", [] { mutable_vehicle.baro.healthy = false; }},
+        Fault{4, "PreArm: compass", [] { mutable_vehicle.compass.healthy = false; }},
+        Fault{4, "PreArm: check mag field",
               [] {
                   mutable_vehicle.compass.field_mg = {90, 90, 90};
               }},
-        Fault{"PreArm: check mag field",
+        Fault{4, "PreArm: check mag field",
               [] {
                   mutable_vehicle.compass.field_mg = {0, 900, 0};
               }},
-        Fault{"PreArm: compass offsets",
+        Fault{4, "PreArm: compass offsets",
               [] { parameters.compass_offset_mg[0] = parameters.compass_offset_mg[1] = 380; }},
-        Fault{"PreArm: no GPS fix",
+        Fault{8, "PreArm: no GPS fix",
               [] { mutable_vehicle.gps.fix = firmware::state::GpsFix::two_d; }},
-        Fault{"PreArm: no GPS fix", [] { mutable_vehicle.estimate.known = false; }},
-        Fault{"PreArm: high GPS HDOP", [] { mutable_vehicle.gps.hdop_c = 400; }},
-        Fault{"PreArm: airspeed sensor", [] { mutable_vehicle.airspeed.healthy = false; }},
-        Fault{"PreArm: no radio", [] { mutable_vehicle.radio.lost = true; }},
-        Fault{"PreArm: no radio", [] { mutable_vehicle.radio.good_ms = 0; }},
-        Fault{"PreArm: RC# not calibrated", [] { parameters.channel[1].min_us = 1400; }},
-        Fault{"PreArm: RC# not calibrated", [] { parameters.channel[3].max_us = 1600; }},
-        Fault{"PreArm: RC# not calibrated", [] { parameters.channel[0].trim_us = 1950; }},
-        Fault{"PreArm: throttle is up", [] { mutable_vehicle.radio.throttle_pct = 10; }},
-        Fault{"PreArm: board voltage", [] { mutable_vehicle.battery.board_mv = 4100; }},
-        Fault{"PreArm: battery low", [] { mutable_vehicle.battery.voltage_mv = 9000; }},
-        Fault{"PreArm: no log chip", [] { parameters.log_bitmask = 1; }}));
+        Fault{8, "PreArm: no GPS fix", [] { mutable_vehicle.estimate.known = false; }},
+        Fault{8, "PreArm: high GPS HDOP", [] { mutable_vehicle.gps.hdop_c = 400; }},
+        Fault{512, "PreArm: airspeed sensor", [] { mutable_vehicle.airspeed.healthy = false; }},
+        Fault{64, "PreArm: no radio", [] { mutable_vehicle.radio.lost = true; }},
+        Fault{64, "PreArm: no radio", [] { mutable_vehicle.radio.good_ms = 0; }},
+        Fault{64, "PreArm: RC# not calibrated", [] { parameters.channel[1].min_us = 1400; }},
+        Fault{64, "PreArm: RC# not calibrated", [] { parameters.channel[3].max_us = 1600; }},
+        Fault{64, "PreArm: RC# not calibrated", [] { parameters.channel[0].trim_us = 1950; }},
+        Fault{64, "PreArm: throttle is up", [] { mutable_vehicle.radio.throttle_pct = 10; }},
+        Fault{128, "PreArm: board voltage", [] { mutable_vehicle.battery.board_mv = 4100; }},
+        Fault{256, "PreArm: battery low", [] { mutable_vehicle.battery.voltage_mv = 9000; }},
+        Fault{1024, "PreArm: no log chip", [] { parameters.log_bitmask = 1; }}));
 
 TEST_F(Arming, accepts_the_battery_that_the_battery_failsafe_accepts) {
     mutable_vehicle.battery.voltage_mv = 7400;
@@ -141,6 +149,36 @@ TEST_F(Arming, accepts_the_battery_that_the_battery_failsafe_accepts) {
     mutable_vehicle.battery.voltage_mv = 6900;
     EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
     EXPECT_TRUE(hasStatusText("PreArm: battery low"));
+}
+
+TEST_F(Arming, accepts_what_is_just_good_enough) {
+    parameters.channel[1].min_us = 1300;
+    parameters.channel[1].max_us = 1700;
+    mutable_vehicle.radio.throttle_pct = 3;
+    mutable_vehicle.gps.hdop_c = 350;
+    mutable_vehicle.battery.board_mv = 4300;
+    EXPECT_EQ(firmware::safety::prearmFailure(), nullptr);
+    mutable_vehicle.battery.board_mv = 5800;
+    EXPECT_EQ(firmware::safety::prearmFailure(), nullptr);
+    mutable_vehicle.radio.throttle_pct = 4;
+    EXPECT_NE(firmware::safety::prearmFailure(), nullptr);
+}
+
+TEST_F(Arming, keeps_its_home_when_it_is_armed_already) {
+    ASSERT_TRUE(firmware::safety::arm(ArmReason::ground, false));
+    const geo::Position home = vehicle.home.position;
+    mutable_vehicle.estimate.position.latitude_e7 += 50000;
+    mutable_vehicle.baro.healthy = false;
+    EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, false)) << "no check either";
+    EXPECT_EQ(vehicle.home.position, home);
+}
+
+TEST_F(Arming, by_the_rudder_takes_three_seconds_and_no_less) {
+    parameters.arming_rudder = 2;
+    holdRudder(1900, 30);
+    EXPECT_FALSE(vehicle.armed);
+    holdRudder(1900, 1);
+    EXPECT_TRUE(vehicle.armed);
 }
 
 TEST_F(Arming, can_be_forced) {
