@@ -29,6 +29,8 @@ protected:
     }
 };
 
+TEST_F(Outputs, are_refreshed_fifty_times_a_second) { EXPECT_EQ(fakes::servos().rate_hz, 50); }
+
 TEST_F(Outputs, give_the_throttle_its_lowest_pulse_while_disarmed) {
     for (Mode mode : {Mode::manual, Mode::stabilize, Mode::fbwa}) {
         firmware::modes::requestMode(mode, firmware::modes::ModeReason::ground);

@@ -126,6 +126,7 @@ INSTANTIATE_TEST_SUITE_P(
               }},
         Fault{4, "PreArm: compass offsets",
               [] { parameters.compass_offset_mg[0] = parameters.compass_offset_mg[1] = 380; }},
+        Fault{4, "PreArm: compass offsets", [] { parameters.compass_offset_mg[2] = 510; }},
         Fault{8, "PreArm: no GPS fix",
               [] { mutable_vehicle.gps.fix = firmware::state::GpsFix::two_d; }},
         Fault{8, "PreArm: no GPS fix", [] { mutable_vehicle.estimate.known = false; }},

@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "firmware/notify/text_queue.hpp"
 #include "firmware_bench.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 #include "mavlink/peer.hpp"
@@ -28,6 +29,31 @@ TEST_F(Failsafe, circles_at_once_and_returns_home_after_the_long_time) {
     loseRadio(kLong_ms);
     EXPECT_EQ(vehicle.mode, Mode::rtl);
     EXPECT_TRUE(vehicle.failsafe_long);
+}
+
+// The texts of a link since the last call, one a line.
+std::string statusTexts() {
+    std::string texts;
+    char text[firmware::notify::kTextSize];
+    firmware::notify::Severity severity;
+    while (firmware::notify::readText(0, severity, text)) {
+        texts += std::string(text, strnlen(text, sizeof text)) + "\n";
+        for (uint8_t reader : {0, 1, 2})
+            if (firmware::notify::textWaits(reader)) firmware::notify::textTaken(reader);
+    }
+    return texts;
+}
+
+TEST_F(Failsafe, reports_a_cause_once_when_it_begins_and_once_when_it_is_over) {
+    fly(Mode::fbwa);
+    (void)statusTexts();
+    loseRadio(kShort_ms);
+    EXPECT_NE(statusTexts().find("Radio lost: short failsafe\n"), std::string::npos);
+    loseRadio(1000);
+    EXPECT_EQ(statusTexts().find("Radio lost: short failsafe"), std::string::npos);
+    settle(bench::kCentred);
+    firmware::safety::runFailsafe();
+    EXPECT_NE(statusTexts().find("Radio back\n"), std::string::npos);
 }
 
 TEST_F(Failsafe, gives_back_the_mode_when_the_radio_is_back_in_time) {

@@ -78,6 +78,23 @@ TEST_F(Radio, is_lost_when_the_throttle_falls_below_the_failsafe_pulse) {
     EXPECT_FALSE(vehicle.radio.lost);
 }
 
+TEST_F(Radio, is_back_with_the_third_good_frame) {
+    settle(with(3, 920));
+    ASSERT_TRUE(vehicle.radio.lost);
+    for (int good = 1; good <= 3; ++good) {
+        fakes::receiveRc(bench::kCentred);
+        firmware::sensors::runRadio();
+        EXPECT_EQ(vehicle.radio.lost, good < 3) << good;
+    }
+}
+
+TEST_F(Radio, takes_no_pulse_for_longer_than_a_servo_can) {
+    settle(with(1, 2190));
+    EXPECT_EQ(vehicle.radio.pulse_us[0], 2100);
+    settle(with(1, 810));
+    EXPECT_EQ(vehicle.radio.pulse_us[0], 900);
+}
+
 TEST_F(Radio, ignores_a_few_low_throttle_pulses) {
     for (int i = 0; i < 9; ++i) {
         fakes::receiveRc(with(3, 920));
