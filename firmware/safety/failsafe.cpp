@@ -83,15 +83,12 @@ void updateCauses() {
     published.failsafe_long = (now & kLong) != 0;
 }
 
-// Whoever chooses a mode while something fails has it, but for sticks that nobody holds and an
-// attitude that nobody knows.
+// Whoever chooses a mode while something fails has it. Which one may be chosen is in
+// modes/mode_requests.cpp; without an attitude there is only MANUAL, which is then the action.
 void letOverrule() {
-    constexpr uint16_t kRadio = bitOf(Cause::radio_short) | bitOf(Cause::radio_long);
     if (vehicle.mode == memory.seen) return;
     memory.row = kNoTransition;
-    uint16_t may = static_cast<uint16_t>(~bitOf(Cause::inertial));
-    if (flownClass() == by_pilot) may &= static_cast<uint16_t>(~kRadio);
-    memory.overruled |= vehicle.failing & may;
+    memory.overruled |= vehicle.failing & static_cast<uint16_t>(~bitOf(Cause::inertial));
 }
 
 void giveBack() {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "firmware/modes/modes.hpp"
+#include "firmware/state/causes.hpp"
 #include "firmware_bench.hpp"
 
 namespace {
@@ -67,6 +68,26 @@ TEST(ModeRequests, have_to_be_granted_by_every_situation_that_holds) {
     for (const Mode mode : kModes)
         EXPECT_FALSE(mayEnter(mode, ModeReason::ground, no_attitude_no_sticks)) << int(mode);
     EXPECT_TRUE(mayEnter(Mode::manual, ModeReason::failsafe, no_attitude_no_sticks));
+}
+
+TEST(ModeRequests, know_what_stands_against_them) {
+    using firmware::state::bitOf;
+    using firmware::state::Cause;
+    const auto situation = [](uint16_t failing) {
+        mutable_vehicle.failing = failing;
+        return firmware::modes::modeSituation();
+    };
+    for (const Cause cause : {Cause::radio_short, Cause::radio_long}) {
+        EXPECT_TRUE(situation(bitOf(cause)).no_sticks);
+        EXPECT_FALSE(situation(bitOf(cause)).no_attitude);
+    }
+    EXPECT_TRUE(situation(bitOf(Cause::inertial)).no_attitude);
+    EXPECT_FALSE(situation(bitOf(Cause::inertial)).no_sticks);
+    EXPECT_FALSE(situation(bitOf(Cause::battery)).no_sticks);
+    mutable_vehicle.failing = 0;
+    mutable_vehicle.resuming = true;
+    EXPECT_TRUE(firmware::modes::modeSituation().resuming);
+    mutable_vehicle.resuming = false;
 }
 
 using ModeRequest = bench::Bench;
