@@ -82,8 +82,8 @@ uint16_t elevator_us() {
     if (parameters.vtail_output != 0) return tail_us(kElevator);
     return surfacePulse_us(range(kElevator), surfaces.elevator);
 }
-// Low enough for every motor controller. A reversed throttle is idle at its other end, but only who
-// armed it has confirmed that it is reversed: 0, no pulse.
+// Low enough for every motor controller. With RC3_REV -1 the long pulse is idle, but a setting that
+// is wrong would start the motor: no pulse (0) until arming has confirmed it.
 uint16_t idleAtStart_us() {
     constexpr int16_t kMax_us = 1100;
     const ::control::ServoRange servo = range(kThrottle - 1);

@@ -82,7 +82,8 @@ estimation::AttitudeSettings attitudeSettings() {
     return settings;
 }
 
-// A fix costs too much for one row: for whom it is still new.
+// Each use of a fix has a row of its own, because all of them cost too much for one. True: this use
+// has not been made of the newest fix.
 struct {
     bool position, wind, height;
 } fix_for;
@@ -203,7 +204,7 @@ float knownAirspeed_mps() {
     return vehicle.estimate.flying ? parameters.cruise_speed_cms * 0.01f : 0.0f;
 }
 
-// Without an airspeed sensor the fixes say it; what is reckoned between them says nothing.
+// By the airspeed sensor, else by the fixes. A speed from dead reckoning is no evidence.
 bool fast() {
     if (vehicle.airspeed.healthy)
         return vehicle.airspeed.speed_mps > kFlyingAirspeed * parameters.speed_min_mps;
@@ -217,8 +218,8 @@ bool turns() {
     return beyond(rate.x) || beyond(rate.y) || beyond(rate.z);
 }
 
-// Slow over the ground is also who flies against the wind. With air over its wings the airplane
-// stands only near the height of home and without a motion.
+// An airplane that flies against the wind is slow over the ground, too. With flying speed through
+// the air it counts as standing only near the height of home and while it does not turn.
 bool stands() {
     const auto& estimate = vehicle.estimate;
     if (estimate.ground_speed_mps >= kStandingSpeed_mps || fabsf(estimate.climb_mps) >= 0.5f)

@@ -14,8 +14,8 @@ namespace {
 
 enum class Granted : uint8_t {
     none,
-    manual,       // MANUAL alone: it needs no attitude
-    without_him,  // what flies without the pilot's sticks
+    manual,          // MANUAL alone: it needs no attitude
+    without_sticks,  // what flies without the pilot's sticks
     any,
 };
 
@@ -26,19 +26,19 @@ struct RequestRow {
 // In the order of ModeReason.
 // clang-format off
 constexpr RequestRow kRequests[] ROM = {
-    // resuming       no attitude      no sticks
-    {Granted::any,  Granted::any,    Granted::any},          // restart
-    {Granted::none, Granted::any,    Granted::any},          // failsafe
-    {Granted::none, Granted::any,    Granted::any},          // boot
-    {Granted::none, Granted::manual, Granted::without_him},  // pilot
-    {Granted::none, Granted::manual, Granted::without_him},  // ground
-    {Granted::none, Granted::manual, Granted::without_him},  // mission
+    // resuming      no attitude      no sticks
+    {Granted::any,  Granted::any,    Granted::any},             // restart
+    {Granted::none, Granted::any,    Granted::any},             // failsafe
+    {Granted::none, Granted::any,    Granted::any},             // boot
+    {Granted::none, Granted::manual, Granted::without_sticks},  // pilot
+    {Granted::none, Granted::manual, Granted::without_sticks},  // ground
+    {Granted::none, Granted::manual, Granted::without_sticks},  // mission
 };
 // clang-format on
 
 bool includes(Granted granted, Mode mode) {
     if (granted == Granted::manual) return mode == Mode::manual;
-    if (granted == Granted::without_him) return fliesAlone(mode);
+    if (granted == Granted::without_sticks) return fliesAlone(mode);
     return granted == Granted::any;
 }
 

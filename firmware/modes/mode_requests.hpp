@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whose request for a mode is granted. Everyone asks by requestMode (modes.hpp); the table here
-// says who may while something stands against it. Among those who may, the last one wins.
+// Which requests for a mode are granted. All go through requestMode (modes.hpp); the table here
+// says who may change the mode in a situation that forbids it to others. Of several requests that
+// are granted, the last one wins.
 #pragma once
 #include "firmware/state/vehicle.hpp"
 
 namespace firmware {
 namespace modes {
 
-// What may stand against a request.
+// Situations in which not everyone may change the mode.
 struct ModeSituation {
     bool resuming;     // the flight from before a restart goes on, in a mode not decided yet
     bool no_attitude;  // armed, and the inertial sensor is lost

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words that this project has replaced by those of the field do not come back in the sources and the
-// documents: send, report or show rather than tell; accept rather than believe; measure rather than
-// feel; check rather than judge; damage rather than spoil.
+// Words that this project has replaced by those of the field (send, report, accept, measure, check,
+// damage) do not come back in the sources and the documents. This file alone names the old ones.
 import assert from 'node:assert/strict';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
