@@ -49,7 +49,7 @@ const rules = [
 
 // What avr-libc offers to code that must also run on the host.
 const freestandingHeaders = new Set(['stdint.h', 'stddef.h', 'string.h', 'math.h']);
-const knowTheChip = new Set(['rom', 'multiply', 'convert', 'crc'].map((name) => `libraries/core/${name}.hpp`));
+const knowTheChip = new Set(['rom', 'multiply', 'convert', 'crc', 'file_state'].map((name) => `libraries/core/${name}.hpp`));
 
 function* sources(folder) {
   for (const entry of readdirSync(folder, { withFileTypes: true })) {
