@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/file_state.hpp"
 #include "firmware/notify/text_queue.hpp"
 
 namespace firmware {
@@ -17,17 +18,25 @@ struct Text {
 };
 
 constexpr uint8_t kTexts = 5;
-Text texts[kTexts];
-uint8_t used;
-uint8_t lost;
-uint8_t listening = kLinkReaders;
+struct TextQueue {
+    Text texts[kTexts];
+    uint8_t used;
+    uint8_t lost;
+};
+core::FileState<TextQueue> queue{};
+
+// Apart from the queue, which is zeros at start and so needs no copy in flash.
+struct Readers {
+    uint8_t listening = kLinkReaders;
+};
+core::FileState<Readers> readers{};
 
 constexpr uint8_t bitOf(uint8_t reader) { return static_cast<uint8_t>(1U << reader); }
 
 void forgetTaken() {
-    while (used > 0 && (texts[0].waiting & listening) == 0) {
-        --used;
-        memmove(texts, texts + 1, used * sizeof texts[0]);
+    while (queue.used > 0 && (queue.texts[0].waiting & readers.listening) == 0) {
+        --queue.used;
+        memmove(queue.texts, queue.texts + 1, queue.used * sizeof queue.texts[0]);
     }
 }
 
@@ -64,14 +73,14 @@ void spell(const Text& from, char* to) {
 // The oldest that the reader has not had; `used`: there is none.
 uint8_t nextFor(uint8_t reader) {
     uint8_t i = 0;
-    while (i < used && (texts[i].waiting & bitOf(reader)) == 0) ++i;
+    while (i < queue.used && (queue.texts[i].waiting & bitOf(reader)) == 0) ++i;
     return i;
 }
 
 void reportLost() {
-    if (lost == 0 || used == kTexts) return;
-    const uint8_t count = lost;
-    lost = 0;
+    if (queue.lost == 0 || queue.used == kTexts) return;
+    const uint8_t count = queue.lost;
+    queue.lost = 0;
     sendStatusText(Severity::warning, ROM_TEXT("# texts lost"), count);
 }
 
@@ -80,37 +89,37 @@ void reportLost() {
 void sendStatusText(Severity severity, core::RomText text) { sendStatusText(severity, text, 0); }
 
 void sendStatusText(Severity severity, core::RomText text, int32_t number) {
-    if (used == kTexts) {
-        if (lost < 0xFF) ++lost;
+    if (queue.used == kTexts) {
+        if (queue.lost < 0xFF) ++queue.lost;
         return;
     }
-    texts[used++] = {text, number, severity, listening};
+    queue.texts[queue.used++] = {text, number, severity, readers.listening};
 }
 
-uint8_t textsLost() { return lost; }
+uint8_t textsLost() { return queue.lost; }
 
 void setTextReader(uint8_t reader, bool listens) {
-    listening =
-        static_cast<uint8_t>(listens ? listening | bitOf(reader) : listening & ~bitOf(reader));
+    readers.listening = static_cast<uint8_t>(listens ? readers.listening | bitOf(reader)
+                                                     : readers.listening & ~bitOf(reader));
 }
 
 bool textWaits(uint8_t reader) {
-    return nextFor(reader) < used || (lost > 0 && reader < kLogReader);
+    return nextFor(reader) < queue.used || (queue.lost > 0 && reader < kLogReader);
 }
 
 bool readText(uint8_t reader, Severity& severity, char* to) {
     if (reader < kLogReader) reportLost();
     const uint8_t i = nextFor(reader);
-    if (i == used) return false;
-    severity = texts[i].severity;
-    spell(texts[i], to);
+    if (i == queue.used) return false;
+    severity = queue.texts[i].severity;
+    spell(queue.texts[i], to);
     return true;
 }
 
 void textTaken(uint8_t reader) {
     const uint8_t i = nextFor(reader);
-    if (i == used) return;
-    texts[i].waiting &= static_cast<uint8_t>(~bitOf(reader));
+    if (i == queue.used) return;
+    queue.texts[i].waiting &= static_cast<uint8_t>(~bitOf(reader));
     forgetTaken();
 }
 
