@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/mode_traits.hpp"
@@ -17,8 +18,8 @@ namespace state {
 
 using namespace notify;
 
-Parameters parameters;
-uint8_t parameter_changes;
+core::FileState<Parameters> parameters{};
+core::FileState<ParameterChanges> parameter_changes{};
 
 namespace {
 
@@ -253,13 +254,17 @@ enum class Store : uint8_t {
     forgetting,
     erasing,
 };
-Store store;
-uint16_t done;  // so far, of forgetting or erasing
+struct Background {
+    Store store;
+    uint16_t done;  // so far, of forgetting or erasing
+};
+core::FileState<Background> background{};
 
 // The format goes last, through the journal: after a cut on the way the next start goes on.
 core::Status forget() {
-    for (; done + 1 < table.count(); ++done) {
-        const core::Status status = parameters::forget(table, static_cast<uint8_t>(done + 1));
+    for (; background.done + 1 < table.count(); ++background.done) {
+        const core::Status status =
+            parameters::forget(table, static_cast<uint8_t>(background.done + 1));
         if (status != core::Status::ok) return status;
     }
     return parameters::save(table, kFormatRow, NAN);
@@ -267,13 +272,13 @@ core::Status forget() {
 
 void runForgetting() {
     if (forget() != core::Status::ok) return;
-    store = Store::ours;
+    background.store = Store::ours;
     sendStatusText(Severity::notice, ROM_TEXT("All parameters are the defaults"));
 }
 
 void runErasing() {
-    if (storage::erase(done) != core::Status::ok) return;
-    store = Store::ours;
+    if (storage::erase(background.done) != core::Status::ok) return;
+    background.store = Store::ours;
     sendStatusText(Severity::notice, ROM_TEXT("Erased: restart the board"));
 }
 
@@ -297,7 +302,7 @@ void assignInitials() {
 
 void assign(uint8_t row, float value) {
     table.assign(row, value);
-    ++parameter_changes;
+    ++parameter_changes.count;
 }
 
 bool isReverse(uint8_t number) {  // RCn_REV
@@ -371,10 +376,10 @@ core::Status parameterSetAt(uint16_t index, float value) {
     if (!takes(row, value)) return core::Status::bad_argument;
     if (vehicle.armed && isRigging(table.slot(row))) return core::Status::denied;
     if (isListLength(row)) return setListLength(row, value);
-    if (store == Store::foreign) {
+    if (background.store == Store::foreign) {
         sendStatusText(Severity::warning, ROM_TEXT("Not stored: another firmware's EEPROM"));
     } else {
-        if (store != Store::ours) return core::Status::busy;
+        if (background.store != Store::ours) return core::Status::busy;
         const core::Status saved = parameters::save(table, row, value);
         if (saved != core::Status::ok) return saved;
     }
@@ -415,28 +420,28 @@ bool parameterSet(uint8_t slot, float value) {
 }
 
 core::Status parametersLoad() {
-    ++parameter_changes;
+    ++parameter_changes.count;
     storage::Owner owner;
     core::Status status = storage::findOwner(owner);
     if (status != core::Status::ok) return status;
     // what another firmware left is not read as ours, and not written over unless asked for
     if (owner == storage::Owner::stranger || owner == storage::Owner::other_version) {
-        store = Store::foreign;
+        background.store = Store::foreign;
         assignInitials();
         return core::Status::ok;
     }
     status = parameters::load(table);
     if (status != core::Status::ok) return status;
-    store = Store::ours;
+    background.store = Store::ours;
     if (firmware::state::parameters.format_version != 0) return core::Status::ok;
-    store = Store::forgetting;
-    done = 0;
+    background.store = Store::forgetting;
+    background.done = 0;
     assignInitials();
     return core::Status::ok;
 }
 
 void parametersRun() {
-    switch (store) {
+    switch (background.store) {
         case Store::ours:
             return parameters::saveWaiting(table);
         case Store::forgetting:
@@ -450,7 +455,7 @@ void parametersRun() {
 
 bool parametersReset() {
     if (vehicle.armed) return false;
-    if (store == Store::foreign) return parametersErase();
+    if (background.store == Store::foreign) return parametersErase();
     if (parameterSetAt(kFormatRow, 0) != core::Status::ok) return false;
     sendStatusText(Severity::notice, ROM_TEXT("Parameters: the defaults after a restart"));
     return true;
@@ -458,8 +463,8 @@ bool parametersReset() {
 
 bool parametersErase() {
     if (vehicle.armed) return false;
-    store = Store::erasing;
-    done = 0;
+    background.store = Store::erasing;
+    background.done = 0;
     return true;
 }
 

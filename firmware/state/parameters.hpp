@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "control/settings.hpp"
+#include "core/file_state.hpp"
 #include "core/status.hpp"
 #include "navigation/settings.hpp"
 
@@ -121,14 +122,17 @@ struct Parameters {
     float rally_limit_km;
     int8_t fence_total, rally_total;  // what is stored, in the terms of FENCE_POINT, RALLY_POINT
 };
-extern Parameters parameters;
-extern uint8_t parameter_changes;  // counts what was set since the start, and wraps
+extern core::FileState<Parameters> parameters;
+struct ParameterChanges {
+    uint8_t count;  // of what was set since the start, wraps
+};
+extern core::FileState<ParameterChanges> parameter_changes;
 
 // For what is worked out of parameters again when one has changed: true then, and at first.
 class ParameterWatch {
 public:
     bool changed() {
-        const uint16_t now = static_cast<uint16_t>(parameter_changes + 1);
+        const uint16_t now = static_cast<uint16_t>(parameter_changes.count + 1);
         if (seen_ == now) return false;
         seen_ = now;
         return true;

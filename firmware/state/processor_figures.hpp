@@ -3,6 +3,8 @@
 #pragma once
 #include <stdint.h>
 
+#include "core/file_state.hpp"
+
 namespace firmware {
 namespace state {
 
@@ -11,7 +13,7 @@ struct ProcessorFigures {
     uint16_t late_frames;       // that ran past their period since start
     uint16_t longest_frame_us;  // since start
 };
-extern ProcessorFigures processor_figures;
+extern core::FileState<ProcessorFigures> processor_figures;
 
 }  // namespace state
 }  // namespace firmware

@@ -6,8 +6,8 @@
 namespace firmware {
 namespace state {
 
-Vehicle VehicleStorage::vehicle_;
-ProcessorFigures processor_figures;
+core::FileState<Vehicle> VehicleStorage::vehicle_{};
+core::FileState<ProcessorFigures> processor_figures{};
 
 }  // namespace state
 }  // namespace firmware

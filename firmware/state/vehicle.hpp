@@ -4,6 +4,7 @@
 #pragma once
 #include <stdint.h>
 
+#include "core/file_state.hpp"
 #include "core/fixed.hpp"
 #include "core/maths.hpp"
 #include "estimation/motion.hpp"
@@ -282,7 +283,7 @@ class VehicleStorage {
     template <class Section>
     friend class Writable;
 
-    static Vehicle vehicle_;
+    static core::FileState<Vehicle> vehicle_;
 
     static constexpr Vehicle& section(Vehicle*) { return vehicle_; }  // of the tests
     static constexpr ImuState& section(ImuState*) { return vehicle_.imu; }

@@ -41,7 +41,7 @@ protected:
 
 TEST_F(Autotune, scales_the_gains_of_the_axis_that_turned) {
     enter(0);
-    const auto before = parameters;
+    const firmware::state::Parameters before = parameters;
     turn(firmware::control::kTunedRoll, 1.2f);
     EXPECT_NEAR(parameters.roll.axis.p, before.roll.axis.p * 1.2f, 0.02f);
     EXPECT_NEAR(parameters.roll.axis.i, before.roll.axis.i * 1.2f, 0.002f);
@@ -53,14 +53,14 @@ TEST_F(Autotune, scales_the_gains_of_the_axis_that_turned) {
 
 TEST_F(Autotune, does_not_tune_the_elevator_in_a_turn) {
     enter(0);
-    const auto before = parameters;
+    const firmware::state::Parameters before = parameters;
     mutable_vehicle.attitude.cos_roll = core::Ratio(0.8f);
     turn(firmware::control::kTunedPitch, 1.2f);
     EXPECT_EQ(parameters.pitch.axis.p, before.pitch.axis.p);
 }
 
 TEST_F(Autotune, sets_the_time_constants_and_keeps_the_surface_for_a_rate) {
-    const auto before = parameters;
+    const firmware::state::Parameters before = parameters;
     enter(9);
     EXPECT_FLOAT_EQ(parameters.roll.axis.time_constant_s, 0.25f);
     EXPECT_FLOAT_EQ(parameters.pitch.axis.time_constant_s, 0.25f);
@@ -81,7 +81,7 @@ TEST_F(Autotune, stops_at_the_ends_of_the_parameters) {
 
 TEST_F(Autotune, changes_nothing_in_another_mode) {
     enter(0);
-    const auto before = parameters;
+    const firmware::state::Parameters before = parameters;
     fly(Mode::fbwa);
     for (int i = 0; i < 10; ++i) firmware::control::tuneStep();
     EXPECT_EQ(parameters.roll.axis.p, before.roll.axis.p);
