@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/battery.hpp"
 
+#include "core/file_state.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/published.hpp"
@@ -24,8 +25,11 @@ namespace {
 
 constexpr BatteryState& published = Publisher<BatteryState>::state();
 
-drivers::Battery pack;
-uint32_t updated_ms;
+struct PowerModule {
+    drivers::Battery pack;
+    uint32_t updated_ms;
+};
+core::FileState<PowerModule> power_module{};
 
 constexpr int8_t kVoltageAndCurrent = 4;  // BATT_MONITOR
 
@@ -48,8 +52,8 @@ void runBattery() {
     if (!whole) return;
     published.board_mv = drivers::boardSupply_mv(static_cast<uint16_t>(band_gap + 0.5f));
     const uint32_t now_ms = hal::now_ms();
-    const float dt_s = (now_ms - updated_ms) * 0.001f;
-    updated_ms = now_ms;
+    const float dt_s = (now_ms - power_module.updated_ms) * 0.001f;
+    power_module.updated_ms = now_ms;
     if (parameters.battery_monitor == 0) {
         published.voltage_mv = 0;
         published.current_ca = -1;
@@ -59,12 +63,12 @@ void runBattery() {
     settings.volts_per_volt = parameters.battery_volt_multiplier;
     settings.amps_per_volt = parameters.battery_amps_per_volt;
     settings.amps_offset_v = parameters.battery_amps_offset_v;
-    pack.update(volts, amps, published.board_mv, dt_s, settings);
-    published.voltage_mv = static_cast<uint16_t>(pack.voltage_v() * 1000.0f);
+    power_module.pack.update(volts, amps, published.board_mv, dt_s, settings);
+    published.voltage_mv = static_cast<uint16_t>(power_module.pack.voltage_v() * 1000.0f);
     published.current_ca = parameters.battery_monitor == kVoltageAndCurrent
-                               ? static_cast<int16_t>(pack.current_a() * 100.0f)
+                               ? static_cast<int16_t>(power_module.pack.current_a() * 100.0f)
                                : -1;
-    published.consumed_mah = pack.consumed_mah();
+    published.consumed_mah = power_module.pack.consumed_mah();
 }
 
 }  // namespace sensors

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "board.hpp"
+#include "core/file_state.hpp"
 #include "core/fixed.hpp"
 #include "core/maths.hpp"
 #include "drivers/hmc5883l.hpp"
@@ -29,9 +30,13 @@ namespace {
 
 constexpr CompassState& published = Publisher<CompassState>::state();
 
-drivers::Hmc5883l compass;
-core::Vector3 unlearnt_mg;  // without the offsets
-bool unlearnt;              // it is there
+core::FileState<drivers::Hmc5883l> compass{};
+
+struct Reading {
+    core::Vector3 unlearnt_mg;  // without the offsets
+    bool unlearnt;              // it is there
+};
+core::FileState<Reading> reading{};
 
 // The earth's field is 220 to 670 mG; the airplane's own comes on top, or takes off.
 bool plausible(const core::Vector3& field_mg) {
@@ -58,8 +63,8 @@ void runCompass() {
     }
     core::Vector3 field_mg = compass.field_mg();
     if (board::kCompassUpsideDown) field_mg = {field_mg.x, -field_mg.y, -field_mg.z};
-    unlearnt_mg = field_mg;
-    unlearnt = true;
+    reading.unlearnt_mg = field_mg;
+    reading.unlearnt = true;
     const float* offset = parameters.compass_offset_mg;
     field_mg = field_mg + core::Vector3{offset[0], offset[1], offset[2]};
     published.field_mg = field_mg;
@@ -69,8 +74,8 @@ void runCompass() {
 }
 
 void runCompassLearning() {
-    if (unlearnt) learnCompass(unlearnt_mg);
-    unlearnt = false;
+    if (reading.unlearnt) learnCompass(reading.unlearnt_mg);
+    reading.unlearnt = false;
 }
 
 // Into the parameter, where the heading is worked out from; what is stored there stays.

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "core/file_state.hpp"
 #include "core/fixed.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/parameter_slots.hpp"
@@ -30,9 +31,11 @@ struct Turns {
     int16_t low_mg[3], high_mg[3];
     uint8_t pairs;
 };
-Turns turns;
-
-uint8_t anchor_left;  // pairs; 0: there is none
+struct Learning {
+    Turns turns;
+    uint8_t anchor_left;  // pairs; 0: there is none
+};
+core::FileState<Learning> learning{};
 
 bool learnsInFlight() {
     return parameters.compass_learn != 0 && vehicle.armed && vehicle.estimate.flying;
@@ -48,8 +51,8 @@ bool makesSense() {
 
 void widen(const int16_t (&reading_mg)[3]) {
     for (uint8_t i = 0; i < 3; ++i) {
-        if (reading_mg[i] < turns.low_mg[i]) turns.low_mg[i] = reading_mg[i];
-        if (reading_mg[i] > turns.high_mg[i]) turns.high_mg[i] = reading_mg[i];
+        if (reading_mg[i] < learning.turns.low_mg[i]) learning.turns.low_mg[i] = reading_mg[i];
+        if (reading_mg[i] > learning.turns.high_mg[i]) learning.turns.high_mg[i] = reading_mg[i];
     }
 }
 
@@ -66,46 +69,47 @@ float approach(const float (&apart_mg)[3], float half_squares, float square, flo
 }
 
 void averageMiss(float miss_mg) {
-    if (turns.pairs == 0) turns.miss_mg = miss_mg;
-    turns.miss_mg += (miss_mg - turns.miss_mg) * 0.05f;
-    if (turns.pairs < kPairs) ++turns.pairs;
+    if (learning.turns.pairs == 0) learning.turns.miss_mg = miss_mg;
+    learning.turns.miss_mg += (miss_mg - learning.turns.miss_mg) * 0.05f;
+    if (learning.turns.pairs < kPairs) ++learning.turns.pairs;
 }
 
 }  // namespace
 
 void compassTurnsStart() {
-    anchor_left = 0;
-    turns = Turns();
+    learning.anchor_left = 0;
+    learning.turns = Turns();
     for (uint8_t i = 0; i < 3; ++i) {
-        turns.before_mg[i] = parameters.compass_offset_mg[i];
-        turns.low_mg[i] = INT16_MAX;
-        turns.high_mg[i] = INT16_MIN;
+        learning.turns.before_mg[i] = parameters.compass_offset_mg[i];
+        learning.turns.low_mg[i] = INT16_MAX;
+        learning.turns.high_mg[i] = INT16_MIN;
     }
 }
 
 void compassTurnsUndo() {
-    for (uint8_t i = 0; i < 3; ++i) parameters.compass_offset_mg[i] = turns.before_mg[i];
+    for (uint8_t i = 0; i < 3; ++i) parameters.compass_offset_mg[i] = learning.turns.before_mg[i];
 }
 
 // Of the pairs wanted, and of having pointed each axis nearly all the way up and down the field.
 uint8_t compassTurns_pct() {
-    float least = static_cast<float>(turns.pairs) / kPairs;
+    float least = static_cast<float>(learning.turns.pairs) / kPairs;
     const float wanted_mg = 1.2f * field_mg();
     for (uint8_t i = 0; i < 3; ++i) {
-        const float way_mg = static_cast<float>(turns.high_mg[i]) - turns.low_mg[i];
+        const float way_mg =
+            static_cast<float>(learning.turns.high_mg[i]) - learning.turns.low_mg[i];
         if (way_mg < least * wanted_mg) least = core::limit(way_mg / wanted_mg, 0.0f, 1.0f);
     }
     return static_cast<uint8_t>(least * 100);
 }
 
-float compassMiss_mg() { return turns.miss_mg; }
+float compassMiss_mg() { return learning.turns.miss_mg; }
 
-bool compassFits(uint8_t within_mg) { return turns.miss_mg < within_mg && makesSense(); }
+bool compassFits(uint8_t within_mg) { return learning.turns.miss_mg < within_mg && makesSense(); }
 
 void learnCompass(const core::Vector3& reading_mg) {
     const bool turned = vehicle.calibrating == Calibrating::compass;
     if (!turned && !learnsInFlight()) {
-        anchor_left = 0;
+        learning.anchor_left = 0;
         return;
     }
     int16_t now_mg[3];
@@ -113,23 +117,23 @@ void learnCompass(const core::Vector3& reading_mg) {
     int32_t square = 0, squares = 0;
     for (uint8_t i = 0; i < 3; ++i) {
         now_mg[i] = static_cast<int16_t>(core::rounded((&reading_mg.x)[i]));
-        const int16_t anchor = turns.anchor_mg[i];
+        const int16_t anchor = learning.turns.anchor_mg[i];
         const int16_t apart = now_mg[i] - anchor;
         square += core::product(apart, apart);
         squares += core::product(anchor, anchor) - core::product(now_mg[i], now_mg[i]);
         apart_mg[i] = apart;
     }
     if (turned) widen(now_mg);
-    if (anchor_left != 0) {
+    if (learning.anchor_left != 0) {
         if (square < kApart_mg * kApart_mg) return;
-        const float gain = !turned ? 0.03f : turns.pairs < kCoarse ? 0.4f : 0.12f;
+        const float gain = !turned ? 0.03f : learning.turns.pairs < kCoarse ? 0.4f : 0.12f;
         const float miss_mg = approach(apart_mg, 0.5f * static_cast<float>(squares),
                                        static_cast<float>(square), gain);
         if (turned) averageMiss(miss_mg);
-        if (--anchor_left != 0) return;
+        if (--learning.anchor_left != 0) return;
     }
-    anchor_left = kPairsOfAnchor;
-    for (uint8_t i = 0; i < 3; ++i) turns.anchor_mg[i] = now_mg[i];
+    learning.anchor_left = kPairsOfAnchor;
+    for (uint8_t i = 0; i < 3; ++i) learning.turns.anchor_mg[i] = now_mg[i];
 }
 
 void saveLearntCompass() {

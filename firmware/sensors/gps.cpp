@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/gps.hpp"
 
+#include "core/file_state.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/sensors.hpp"
@@ -27,17 +28,20 @@ namespace {
 
 constexpr GpsState& published = Publisher<GpsState>::state();
 
-drivers::Gps receiver;
-drivers::GpsProtocol reported;
+struct Reception {
+    drivers::Gps receiver;
+    drivers::GpsProtocol reported;
+};
+core::FileState<Reception> reception{};
 
 constexpr char kFound[][18] ROM = {"GPS: u-blox at #", "GPS: MTK 1.6 at #", "GPS: MTK 1.9 at #",
                                    "GPS: NMEA at #"};
 
 void reportWhatWasFound() {
-    reported = receiver.protocol();
-    if (reported == drivers::GpsProtocol::none) return;
-    sendStatusText(Severity::info, kFound[static_cast<uint8_t>(reported) - 1],
-                   static_cast<int32_t>(receiver.baud()));
+    reception.reported = reception.receiver.protocol();
+    if (reception.reported == drivers::GpsProtocol::none) return;
+    sendStatusText(Severity::info, kFound[static_cast<uint8_t>(reception.reported) - 1],
+                   static_cast<int32_t>(reception.receiver.baud()));
 }
 
 void take(const drivers::GpsFix& fix) {
@@ -60,17 +64,17 @@ void take(const drivers::GpsFix& fix) {
 
 }  // namespace
 
-const drivers::GpsFix& gpsFix() { return receiver.fix(); }
+const drivers::GpsFix& gpsFix() { return reception.receiver.fix(); }
 
-void startGps() { receiver.start(static_cast<uint8_t>(parameters.gps_type)); }
+void startGps() { reception.receiver.start(static_cast<uint8_t>(parameters.gps_type)); }
 
 void runGps() {
-    const bool arrived = receiver.step(hal::now_ms());
-    if (receiver.protocol() != reported) reportWhatWasFound();
-    published.healthy = receiver.healthy();
+    const bool arrived = reception.receiver.step(hal::now_ms());
+    if (reception.receiver.protocol() != reception.reported) reportWhatWasFound();
+    published.healthy = reception.receiver.healthy();
     if (!published.healthy) published.fix = GpsFix::no_gps;
     if (published.healthy && published.fix == GpsFix::no_gps) published.fix = GpsFix::none;
-    if (arrived) take(receiver.fix());
+    if (arrived) take(reception.receiver.fix());
 }
 
 bool gpsWaits() {

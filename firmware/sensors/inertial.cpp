@@ -2,6 +2,7 @@
 // Gyros and accelerometers. The gyros' zero is measured once at start while the airplane stands
 // still: moved, the measurement begins again.
 #include "board.hpp"
+#include "core/file_state.hpp"
 #include "core/fixed.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
@@ -37,24 +38,27 @@ constexpr ImuState& published = Publisher<ImuState>::state();
 using estimation::SavedTurn;
 using estimation::Turn;
 
-board::Inertial imu;
-
-estimation::Still still;
-Turn zero;  // of the gyros, in a sample period
-
-DeadGyros dead_gyros;
-bool yaw_told;
-
 // How an axis of the accelerometers reads: from twice the sum of two samples to a Force.
 using Force = core::Fixed<9>;  // m/s2; sums of it in 32 bits
 struct Reading {
     int16_t factor;
     Force offset_mss;
 };
-Reading readings[3];
 using Trim = core::Fixed<15>;
-Trim trim_x_rad, trim_y_rad;  // AHRS_TRIM
-ParameterWatch watch;
+
+// Apart, as its volatile members, shared with the interrupt, are no constants to start with.
+core::FileState<board::Inertial> imu{};
+
+struct Inertial {
+    estimation::Still still;
+    Turn zero;  // of the gyros, in a sample period
+    DeadGyros dead_gyros;
+    bool yaw_told;
+    Reading readings[3];
+    Trim trim_x_rad, trim_y_rad;  // AHRS_TRIM
+    ParameterWatch watch;
+};
+core::FileState<Inertial> inertial{};
 
 Trim trim(float rad) {
     constexpr float kMax_rad = 0.2f;
@@ -62,14 +66,14 @@ Trim trim(float rad) {
         static_cast<int16_t>(core::limit(rad, -kMax_rad, kMax_rad) * Trim::kSteps));
 }
 void takeTrim() {
-    trim_x_rad = trim(parameters.level_trim_rad[0]);
-    trim_y_rad = trim(parameters.level_trim_rad[1]);
+    inertial.trim_x_rad = trim(parameters.level_trim_rad[0]);
+    inertial.trim_y_rad = trim(parameters.level_trim_rad[1]);
 }
 void takeReading(uint8_t axis) {
     constexpr float kFactor = drivers::kForceStep_mss / 4 * Force::kSteps * 65536;
     const float scale = core::limit(parameters.accel_scale[axis], -1.5f, 1.5f);
     const Force offset_mss(parameters.accel_offset_mss[axis] * scale);
-    readings[axis] = {static_cast<int16_t>(core::rounded(scale * kFactor)), offset_mss};
+    inertial.readings[axis] = {static_cast<int16_t>(core::rounded(scale * kFactor)), offset_mss};
 }
 
 // In two periods.
@@ -98,10 +102,10 @@ core::Acceleration force_mss(int32_t force) {
 // AHRS_TRIM: how the board sits in the airplane, a small rotation taken back.
 void level(Turn& v) {
     const Turn old = v;
-    v.of[0] += 2 * core::times16(old.of[2], trim_y_rad.raw);
-    v.of[1] -= 2 * core::times16(old.of[2], trim_x_rad.raw);
-    v.of[2] +=
-        2 * (core::times16(old.of[1], trim_x_rad.raw) - core::times16(old.of[0], trim_y_rad.raw));
+    v.of[0] += 2 * core::times16(old.of[2], inertial.trim_y_rad.raw);
+    v.of[1] -= 2 * core::times16(old.of[2], inertial.trim_x_rad.raw);
+    v.of[2] += 2 * (core::times16(old.of[1], inertial.trim_x_rad.raw) -
+                    core::times16(old.of[0], inertial.trim_y_rad.raw));
 }
 
 // Of two samples, as there nearly always are.
@@ -128,13 +132,14 @@ core::Vector3 mean(const int32_t (&sums)[3], float a_step) {
 }
 
 void findZero(const drivers::ImuSums& sums) {
-    const bool found = still.update(mean(sums.rate, drivers::kRateStep_rads / sums.count),
-                                    mean(sums.force, drivers::kForceStep_mss / sums.count),
-                                    sums.periods * estimation::kSamplePeriod_s);
+    const bool found = inertial.still.update(mean(sums.rate, drivers::kRateStep_rads / sums.count),
+                                             mean(sums.force, drivers::kForceStep_mss / sums.count),
+                                             sums.periods * estimation::kSamplePeriod_s);
     if (!found) return;
     const core::Vector3 in_period =
-        still.zero_rads() * (estimation::kSamplePeriod_s * Turn::kSteps);
-    zero = {{core::rounded(in_period.x), core::rounded(in_period.y), core::rounded(in_period.z)}};
+        inertial.still.zero_rads() * (estimation::kSamplePeriod_s * Turn::kSteps);
+    inertial.zero = {
+        {core::rounded(in_period.x), core::rounded(in_period.y), core::rounded(in_period.z)}};
 }
 
 // The wind alone moves it, as far as can be seen.
@@ -150,11 +155,11 @@ bool possible(const core::BodyRates& rate) {
 
 // Without the gyro of yaw, compass and fixes are enough to fly on.
 void watchGyros(const drivers::ImuSums& sums) {
-    const uint8_t dead = dead_gyros.look(sums.rate);
+    const uint8_t dead = inertial.dead_gyros.look(sums.rate);
     if ((dead & (kRollGyro | kPitchGyro)) != 0) reportInconsistency(Sensor::inertial);
     const bool blind = (dead & kYawGyro) != 0 && vehicle.estimate.flying;
-    if (blind && !yaw_told) sendStatusText(Severity::critical, ROM_TEXT("Yaw gyro stuck"));
-    yaw_told = blind;
+    if (blind && !inertial.yaw_told) sendStatusText(Severity::critical, ROM_TEXT("Yaw gyro stuck"));
+    inertial.yaw_told = blind;
 }
 
 void use(drivers::ImuSums& sums) {
@@ -162,10 +167,10 @@ void use(drivers::ImuSums& sums) {
     makeTwo(sums);
     Turn turn, specific_force;
     for (uint8_t i = 0; i < 3; ++i) {
-        turn.of[i] = turned(sums.rate[i], zero.of[i]);
-        specific_force.of[i] = force(sums.force[i], readings[i]);
+        turn.of[i] = turned(sums.rate[i], inertial.zero.of[i]);
+        specific_force.of[i] = force(sums.force[i], inertial.readings[i]);
     }
-    const bool trimmed = trim_x_rad.raw != 0 || trim_y_rad.raw != 0;
+    const bool trimmed = inertial.trim_x_rad.raw != 0 || inertial.trim_y_rad.raw != 0;
     if (trimmed) level(turn);
     const core::BodyRates rates = {rate_rads(turn.of[0]), rate_rads(turn.of[1]),
                                    rate_rads(turn.of[2])};
@@ -194,39 +199,41 @@ void startInertial() {
 
 void saveGyroZero(SavedTurn (&to_rad)[3]) {
     for (uint8_t i = 0; i < 3; ++i)
-        to_rad[i] = SavedTurn::fromRaw(zero.of[i] / estimation::kSavedTurnSteps);
+        to_rad[i] = SavedTurn::fromRaw(inertial.zero.of[i] / estimation::kSavedTurnSteps);
 }
 
 void saveHangTurn(HangTurn& to) { to.periods = imu.peek(to.turned); }
 
 core::Vector3 hangTurn_rad(const HangTurn& turn) {
     constexpr float kStep = 1.0f / Turn::kSteps;
-    const core::Vector3 zeros = {static_cast<float>(zero.of[0]), static_cast<float>(zero.of[1]),
-                                 static_cast<float>(zero.of[2])};
+    const core::Vector3 zeros = {static_cast<float>(inertial.zero.of[0]),
+                                 static_cast<float>(inertial.zero.of[1]),
+                                 static_cast<float>(inertial.zero.of[2])};
     return board::Inertial::peeked(turn.turned) - zeros * (kStep * turn.periods);
 }
 
 void resumeInertial(const SavedTurn (&gyro_zero_rad)[3]) {
     imu.resume();
-    for (uint8_t i = 0; i < 3; ++i) zero.of[i] = gyro_zero_rad[i].raw * estimation::kSavedTurnSteps;
-    still.forgo();
+    for (uint8_t i = 0; i < 3; ++i)
+        inertial.zero.of[i] = gyro_zero_rad[i].raw * estimation::kSavedTurnSteps;
+    inertial.still.forgo();
 }
 
 void calibrateGyros() {
     if (vehicle.armed) return;
     published.calibrated = false;
-    still.start();
-    zero = {};
+    inertial.still.start();
+    inertial.zero = {};
 }
 
-core::Vector3 restForce_mss() { return still.force_mss(); }
+core::Vector3 restForce_mss() { return inertial.still.force_mss(); }
 
 uint8_t inertialSamplesWaiting() { return imu.waiting(); }
 uint16_t inertialErrors() { return imu.badReads(); }
 
 void runInertialSettings() {
-    if (!watch.changed()) return;
-    for (uint8_t axis = 0; axis < core::count(readings); ++axis) takeReading(axis);
+    if (!inertial.watch.changed()) return;
+    for (uint8_t axis = 0; axis < core::count(inertial.readings); ++axis) takeReading(axis);
     takeTrim();
 }
 
@@ -239,8 +246,8 @@ void runInertial() {
         return;
     }
     published.periods = sums.periods;
-    if (!still.done() || (mayRock() && !still.settled())) findZero(sums);
-    published.calibrated = still.done();
+    if (!inertial.still.done() || (mayRock() && !inertial.still.settled())) findZero(sums);
+    published.calibrated = inertial.still.done();
     use(sums);
     if (isFaulty(Sensor::inertial)) restartSensor();
 }

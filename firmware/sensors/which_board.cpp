@@ -3,6 +3,7 @@
 // MPU-6000 and an APM 1 its DataFlash. Both are asked who they are. One that is silent, on the
 // right board, does not make it the wrong one: only the other's answer does.
 #include "board.hpp"
+#include "core/file_state.hpp"
 #include "core/rom.hpp"
 #include "firmware/sensors/sensors.hpp"
 
@@ -22,7 +23,10 @@ constexpr Chip kChips[] ROM = {
 // Both answer 20 ms after power-on at the latest; a question takes 40 us at least.
 constexpr uint16_t kTries = 500;
 
-bool wrong;
+struct Board {
+    bool wrong;
+};
+core::FileState<Board> found{};
 
 bool isThere(uint8_t model) {
     const Chip chip = core::romRead(kChips[model - 1]);
@@ -38,13 +42,13 @@ bool isThere(uint8_t model) {
 
 }  // namespace
 
-bool wrongBoard() { return wrong; }
+bool wrongBoard() { return found.wrong; }
 
 void findBoard() {
-    wrong = false;
-    for (uint16_t i = 0; i < kTries && !wrong; ++i) {
+    found.wrong = false;
+    for (uint16_t i = 0; i < kTries && !found.wrong; ++i) {
         if (isThere(board::kModel)) return;
-        wrong = isThere(3 - board::kModel);
+        found.wrong = isThere(3 - board::kModel);
     }
 }
 
