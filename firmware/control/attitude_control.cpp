@@ -2,6 +2,7 @@
 #include "firmware/control/attitude_control.hpp"
 
 #include "control/attitude.hpp"
+#include "core/file_state.hpp"
 #include "firmware/control/autotune.hpp"
 #include "firmware/state/mode_traits.hpp"
 #include "firmware/state/parameters.hpp"
@@ -12,7 +13,7 @@ namespace control {
 
 using namespace state;
 
-Surfaces surfaces;
+core::FileState<Surfaces> surfaces{};
 
 namespace {
 
@@ -21,20 +22,27 @@ using Deflection = core::Ratio;
 // From centidegrees of stick to steps of a Deflection: 45 degrees are full.
 constexpr core::Gain kPerCentidegree(Deflection::kSteps / 4500);
 
-::control::AxisState roll_state, pitch_state;
-::control::YawState yaw_state;
-::control::AxisGains roll_gains, pitch_gains;
-::control::AirFlow air;
-::control::TurnRates turn;
-bool inverted;                                         // with loops that began so
-bool rolls;                                            // so, or on the way there or back
-uint8_t mode_entry;                                    // that the loops began with
-int16_t roll_limit, pitch_min, pitch_max, trim_pitch;  // of an Angle
-Deflection rudder_mix;
-bool yaw_used;
+struct Loops {
+    ::control::AxisState roll_state, pitch_state;
+    ::control::YawState yaw_state;
+    ::control::AxisGains roll_gains, pitch_gains;
+    ::control::AirFlow air;
+    ::control::TurnRates turn;
+    ParameterWatch roll_watch, pitch_watch;  // gains cost much and change little
+};
+core::FileState<Loops> loops{};
 
-// Gains cost much and change little.
-ParameterWatch roll_watch, pitch_watch, limits_watch;
+// Apart from the loops, which go by reference: after that the compiler would load these anew.
+struct Bounds {
+    bool inverted;                                         // with loops that began so
+    bool rolls;                                            // so, or on the way there or back
+    uint8_t mode_entry;                                    // that the loops began with
+    int16_t roll_limit, pitch_min, pitch_max, trim_pitch;  // of an Angle
+    Deflection rudder_mix;
+    bool yaw_used;
+    ParameterWatch limits_watch;
+};
+core::FileState<Bounds> bounds{};
 
 int16_t angle(int16_t cd) {
     constexpr core::Ratio kSteps(core::Angle::kSteps * core::radians(0.01f));
@@ -63,17 +71,17 @@ core::Angle error(core::Angle now_rad, core::BodyRate rate_rads, core::Angle dem
 // How far the wings are from level, whichever way up they are wanted: 1 there.
 int16_t uprightness() {
     const int16_t cosine = vehicle.attitude.cos_roll.raw;
-    return inverted ? static_cast<int16_t>(-cosine) : cosine;
+    return bounds.inverted ? static_cast<int16_t>(-cosine) : cosine;
 }
 
 // Half a roll asks nobody where to turn; where both ways are long it goes to the right.
 core::Angle rollError() {
     constexpr core::Ratio kOver(0.5f);
-    const int16_t upside = inverted ? INT16_MIN : 0;
+    const int16_t upside = bounds.inverted ? INT16_MIN : 0;
     const auto& attitude = vehicle.attitude;
-    if (!rolls || uprightness() > kOver.raw)
+    if (!bounds.rolls || uprightness() > kOver.raw)
         return error(attitude.roll_rad, attitude.rate_rads.x, vehicle.roll_demand_rad,
-                     vehicle.pilot_roll_rad, -roll_limit, roll_limit, upside);
+                     vehicle.pilot_roll_rad, -bounds.roll_limit, bounds.roll_limit, upside);
     const core::Angle left = core::between(attitude.roll_rad, core::Angle::fromRaw(upside));
     constexpr core::Angle kLong_rad(core::radians(150));
     return left.raw < -kLong_rad.raw ? core::Angle::fromRaw(INT16_MAX) : left;
@@ -86,7 +94,8 @@ core::Angle aboutWing(core::Angle up_rad) {
     constexpr core::Ratio kThere(0.8f);
     const int16_t limited =
         core::limit<int16_t>(up_rad.raw, static_cast<int16_t>(-kMax_rad.raw), kMax_rad.raw);
-    if (!inverted && uprightness() > kThere.raw && limited == up_rad.raw) rolls = false;
+    if (!bounds.inverted && uprightness() > kThere.raw && limited == up_rad.raw)
+        bounds.rolls = false;
     return core::Angle::fromRaw(core::times14(limited, vehicle.attitude.cos_roll.raw));
 }
 
@@ -94,15 +103,16 @@ core::Angle aboutWing(core::Angle up_rad) {
 core::Angle pitchError() {
     core::Angle up_rad =
         error(vehicle.attitude.pitch_rad, vehicle.attitude.rate_rads.y, vehicle.pitch_demand_rad,
-              vehicle.pilot_pitch_rad, pitch_min, pitch_max, trim_pitch);
+              vehicle.pilot_pitch_rad, bounds.pitch_min, bounds.pitch_max, bounds.trim_pitch);
     if (vehicle.progress.flaring) up_rad = core::Angle::fromRaw(core::narrowed(2L * up_rad.raw));
-    return rolls ? aboutWing(up_rad) : up_rad;
+    return bounds.rolls ? aboutWing(up_rad) : up_rad;
 }
 
 Deflection yaw() {
-    return Deflection(::control::yawDeflection(
-        parameters.yaw, yaw_state, air, turn, vehicle.attitude.rate_rads.z.toFloat(),
-        vehicle.imu.accel_mss.y.toFloat(), vehicle.imu.periods * estimation::kSamplePeriod_s));
+    return Deflection(::control::yawDeflection(parameters.yaw, loops.yaw_state, loops.air,
+                                               loops.turn, vehicle.attitude.rate_rads.z.toFloat(),
+                                               vehicle.imu.accel_mss.y.toFloat(),
+                                               vehicle.imu.periods * estimation::kSamplePeriod_s));
 }
 
 void add(Deflection& to, int32_t steps) { to = Deflection::fromRaw(to.raw + steps); }
@@ -128,34 +138,35 @@ void bind(Deflection& surface, int16_t stick_cd, core::Angle now_rad, core::Body
 void bindSticks() {
     const auto& attitude = vehicle.attitude;
     bind(surfaces.aileron, vehicle.radio.roll_cd, attitude.roll_rad, attitude.rate_rads.x,
-         -roll_limit, roll_limit, roll_state);
+         -bounds.roll_limit, bounds.roll_limit, loops.roll_state);
     bind(surfaces.elevator, vehicle.radio.pitch_cd, attitude.pitch_rad, attitude.rate_rads.y,
-         pitch_min, pitch_max, pitch_state);
+         bounds.pitch_min, bounds.pitch_max, loops.pitch_state);
 }
 
 // A rate of the pilot's own is not that of a turn.
 ::control::TurnRates turnToFly() {
     const bool turns = vehicle.sticks == Sticks::rates &&
                        (vehicle.radio.pitch_cd != 0 || parameters.acro_locking == 0);
-    if (!turns) return turn;
-    return {core::BodyRate::fromRaw(0), turn.yaw_rads};
+    if (!turns) return loops.turn;
+    return {core::BodyRate::fromRaw(0), loops.turn.yaw_rads};
 }
 
 void stabilise() {
     const auto& rate_rads = vehicle.attitude.rate_rads;
     const uint8_t periods = vehicle.imu.periods;
     const core::Angle roll_error = rollError(), pitch_error = pitchError();
-    surfaces.aileron =
-        ::control::rollDeflection(roll_gains, roll_state, air, roll_error, rate_rads.x, periods);
-    surfaces.elevator = ::control::pitchDeflection(pitch_gains, pitch_state, air, turnToFly(),
-                                                   pitch_error, rate_rads.y, periods);
+    surfaces.aileron = ::control::rollDeflection(loops.roll_gains, loops.roll_state, loops.air,
+                                                 roll_error, rate_rads.x, periods);
+    surfaces.elevator = ::control::pitchDeflection(loops.pitch_gains, loops.pitch_state, loops.air,
+                                                   turnToFly(), pitch_error, rate_rads.y, periods);
     if (vehicle.mode == Mode::autotune) {
-        tune(kTunedRoll, roll_gains, roll_state, air, roll_error, rate_rads.x);
-        tune(kTunedPitch, pitch_gains, pitch_state, air, pitch_error, rate_rads.y);
+        tune(kTunedRoll, loops.roll_gains, loops.roll_state, loops.air, roll_error, rate_rads.x);
+        tune(kTunedPitch, loops.pitch_gains, loops.pitch_state, loops.air, pitch_error,
+             rate_rads.y);
     }
     if (vehicle.sticks == Sticks::bounded) bindSticks();
-    surfaces.rudder = yaw_used ? yaw() : Deflection::fromRaw(0);
-    add(surfaces.rudder, core::times14(surfaces.aileron.raw, rudder_mix.raw));
+    surfaces.rudder = bounds.yaw_used ? yaw() : Deflection::fromRaw(0);
+    add(surfaces.rudder, core::times14(surfaces.aileron.raw, bounds.rudder_mix.raw));
     add(surfaces.rudder, vehicle.rudder_demand.raw);
 }
 
@@ -167,15 +178,15 @@ void addSticks() {
 }  // namespace
 
 void runAttitudeControl() {
-    if (mode_entry != vehicle.mode_entries || inverted != vehicle.inverted) {
-        mode_entry = vehicle.mode_entries;
-        rolls = rolls || vehicle.inverted;
-        inverted = vehicle.inverted;
-        roll_state = pitch_state = ::control::AxisState();
-        yaw_state = ::control::YawState();
+    if (bounds.mode_entry != vehicle.mode_entries || bounds.inverted != vehicle.inverted) {
+        bounds.mode_entry = vehicle.mode_entries;
+        bounds.rolls = bounds.rolls || vehicle.inverted;
+        bounds.inverted = vehicle.inverted;
+        loops.roll_state = loops.pitch_state = ::control::AxisState();
+        loops.yaw_state = ::control::YawState();
     }
-    if (vehicle.attitude.cos_roll.raw < 0) rolls = true;  // whatever has thrown it over
-    if (vehicle.sticks > Sticks::on_top) rolls = false;   // the pilot's own
+    if (vehicle.attitude.cos_roll.raw < 0) bounds.rolls = true;  // whatever has thrown it over
+    if (vehicle.sticks > Sticks::on_top) bounds.rolls = false;   // the pilot's own
     const bool at_trim = vehicle.mode == Mode::initialising;
     if (at_trim || vehicle.sticks == Sticks::direct)
         surfaces = Surfaces();
@@ -189,31 +200,34 @@ void runAttitudeControl() {
 // Without a sensor the estimated airspeed serves: it is the cruise speed until the wind is known.
 void runSpeedScaling() {
     const auto& attitude = vehicle.attitude;
-    air = ::control::airFlow(parameters.scaling_speed_mps, vehicle.estimate.equivalent_airspeed_mps,
-                             parameters.speed_min_mps);
+    loops.air =
+        ::control::airFlow(parameters.scaling_speed_mps, vehicle.estimate.equivalent_airspeed_mps,
+                           parameters.speed_min_mps);
     // upside down both turn the other way about the airplane's own axes
-    const float side = inverted ? -1 : 1;
-    turn = ::control::turnRates(air, attitude.sin_roll.toFloat() * side,
-                                attitude.cos_roll.toFloat() * side, attitude.cos_pitch.toFloat());
-    if (inverted) turn = {core::BodyRate::fromRaw(-turn.pitch_rads.raw), -turn.yaw_rads};
+    const float side = bounds.inverted ? -1 : 1;
+    loops.turn =
+        ::control::turnRates(loops.air, attitude.sin_roll.toFloat() * side,
+                             attitude.cos_roll.toFloat() * side, attitude.cos_pitch.toFloat());
+    if (bounds.inverted)
+        loops.turn = {core::BodyRate::fromRaw(-loops.turn.pitch_rads.raw), -loops.turn.yaw_rads};
 }
 
 void runRollGains() {
-    if (roll_watch.changed()) roll_gains = ::control::rollGains(parameters.roll);
+    if (loops.roll_watch.changed()) loops.roll_gains = ::control::rollGains(parameters.roll);
 }
 
 void runPitchGains() {
-    if (pitch_watch.changed()) pitch_gains = ::control::pitchGains(parameters.pitch);
+    if (loops.pitch_watch.changed()) loops.pitch_gains = ::control::pitchGains(parameters.pitch);
 }
 
 void runControlLimits() {
-    if (!limits_watch.changed()) return;
-    roll_limit = angle(parameters.roll_limit_cd);
-    pitch_min = angle(parameters.pitch_min_cd);
-    pitch_max = angle(parameters.pitch_max_cd);
-    trim_pitch = angle(parameters.trim_pitch_cd);
-    rudder_mix = Deflection(parameters.rudder_mix);
-    yaw_used = ::control::yawUsed(parameters.yaw);
+    if (!bounds.limits_watch.changed()) return;
+    bounds.roll_limit = angle(parameters.roll_limit_cd);
+    bounds.pitch_min = angle(parameters.pitch_min_cd);
+    bounds.pitch_max = angle(parameters.pitch_max_cd);
+    bounds.trim_pitch = angle(parameters.trim_pitch_cd);
+    bounds.rudder_mix = Deflection(parameters.rudder_mix);
+    bounds.yaw_used = ::control::yawUsed(parameters.yaw);
 }
 
 }  // namespace control

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the demanded bank and pitch to the surfaces.
 #pragma once
+#include "core/file_state.hpp"
 #include "core/fixed.hpp"
 
 namespace firmware {
@@ -10,7 +11,7 @@ struct Surfaces {  // -1..1: right wing down, nose up, nose right
     core::Ratio aileron, elevator, rudder;
     core::Ratio throttle;  // 0..1
 };
-extern Surfaces surfaces;
+extern core::FileState<Surfaces> surfaces;
 
 void runAttitudeControl();  // 100 Hz, after the mode and before runOutputs
 // What it works with, and what costs too much for 100 Hz:

@@ -2,6 +2,7 @@
 #include "firmware/control/autotune.hpp"
 
 #include "control/tuner.hpp"
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/notify/status_text.hpp"
@@ -28,7 +29,10 @@ constexpr char kRollFound[] ROM = "Autotune: roll # %";
 constexpr char kPitchFound[] ROM = "Autotune: pitch # %";
 constexpr Axis kAxes[] ROM = {{101, kRollFound}, {107, kPitchFound}};
 
-AxisTuner tuners[core::count(kAxes)];
+struct Tuners {
+    AxisTuner tuners[core::count(kAxes)];
+};
+core::FileState<Tuners> tuning{};
 
 // _TCONST for AUTOTUNE_LEVEL 1 .. 10, 1/100 s
 constexpr uint8_t kTimeConstants[] ROM = {80, 70, 60, 52, 45, 40, 35, 30, 25, 20};
@@ -36,12 +40,13 @@ constexpr uint8_t kTimeConstants[] ROM = {80, 70, 60, 52, 45, 40, 35, 30, 25, 20
 constexpr uint8_t kLeveled = 2 * core::count(kAxes);
 
 // What is still to be set, a parameter each time: finding one by its slot takes long.
-struct {
-    uint8_t level;  // of each axis first P, then the time constant; kLeveled: none
-    uint8_t gain;   // kP .. kD of this axis; kGains: none
+struct DueChanges {
+    uint8_t level = kLeveled;  // of each axis first P, then the time constant; kLeveled: none
+    uint8_t gain = kGains;     // kP .. kD of this axis; kGains: none
     uint8_t axis;
-    float by;
-} due = {kLeveled, kGains, 0, 1};
+    float by = 1;
+};
+core::FileState<DueChanges> due{};
 
 const ::control::AxisSettings& settingsOf(uint8_t axis) {
     return axis == kTunedRoll ? parameters.roll.axis : parameters.pitch.axis;
@@ -73,7 +78,7 @@ void setGain() {
 }  // namespace
 
 void startTuning() {
-    for (AxisTuner& tuner : tuners) tuner = AxisTuner();
+    for (AxisTuner& tuner : tuning.tuners) tuner = AxisTuner();
     due.gain = kGains;
     due.level = parameters.autotune_level == 0 ? kLeveled : 0;
 }
@@ -89,7 +94,7 @@ void tuneStep() {
 void tune(TunedAxis which, const ::control::AxisGains& gains, const ::control::AxisState& state,
           const ::control::AirFlow& air, core::Angle error_rad, core::BodyRate rate_rads) {
     constexpr core::Ratio kLevel_cos(0.94f);
-    AxisTuner& tuner = tuners[which];
+    AxisTuner& tuner = tuning.tuners[which];
     // in a bank the nose turns without the pilot's asking for it
     if (which == kTunedPitch && vehicle.attitude.cos_roll.raw < kLevel_cos.raw) return tuner.drop();
     const auto found =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/control/inverted.hpp"
 
+#include "core/file_state.hpp"
 #include "firmware/sensors/radio.hpp"
 #include "firmware/state/mode_traits.hpp"
 #include "firmware/state/parameters.hpp"
@@ -27,12 +28,15 @@ constexpr InvertedState& published = Publisher<InvertedState>::state();
 // Half a roll costs height, and so does a wing that was not made for it.
 constexpr float kLowestToRoll_m = 30, kLowest_m = 15;
 
-bool ordered;
-Mode ordered_in;
+struct Order {
+    bool ordered;
+    Mode ordered_in;
+};
+core::FileState<Order> order{};
 
 bool wanted() {
-    if (ordered_in != vehicle.mode) ordered = false;
-    return ordered || switchIsUp(parameters.inverted_channel);
+    if (order.ordered_in != vehicle.mode) order.ordered = false;
+    return order.ordered || switchIsUp(parameters.inverted_channel);
 }
 
 bool possible() {
@@ -48,8 +52,8 @@ bool possible() {
 }  // namespace
 
 void orderInverted(bool on) {
-    ordered = on;
-    ordered_in = vehicle.mode;
+    order.ordered = on;
+    order.ordered_in = vehicle.mode;
 }
 
 void runInverted() { published.inverted = wanted() && possible(); }

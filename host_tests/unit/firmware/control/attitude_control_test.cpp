@@ -106,7 +106,7 @@ TEST_F(AttitudeControl, needs_less_surface_the_faster_it_flies) {
 
 TEST_F(AttitudeControl, demands_no_more_than_the_limits) {
     surfacesIn(Mode::fbwa, {1900, 1900, 1900, 1500, 1500, 1500, 1500, 1815});
-    const auto full_stick = surfaces;
+    const firmware::control::Surfaces full_stick = surfaces;
     ASSERT_GT(full_stick.aileron.toFloat(), 0.1f);
     firmware::modes::requestMode(Mode::manual, firmware::modes::ModeReason::ground);
     mutable_vehicle.roll_demand_rad = core::Angle(3);
