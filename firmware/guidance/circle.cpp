@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/file_state.hpp"
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
 #include "firmware/guidance/lateral.hpp"
@@ -12,7 +13,7 @@ using namespace state;
 
 namespace {
 
-navigation::TurnCount turns;
+core::FileState<navigation::TurnCount> turns{};
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/guidance/guidance.hpp"
 
+#include "core/file_state.hpp"
 #include "core/rom.hpp"
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
@@ -21,8 +22,11 @@ using namespace state;
 
 namespace {
 
-Plan plan;     // of the last runGuidance
-bool guiding;  // in the run before as well
+struct LastRun {
+    Plan plan;     // of the last runGuidance
+    bool guiding;  // in the run before as well
+};
+core::FileState<LastRun> last_run{};
 
 // In the order of Path.
 using Flight = Plan (*)();
@@ -47,35 +51,38 @@ void beginPath() {
     beginTakeoff();
 }
 
-bool followsPath() { return guiding && guidesItself() && vehicle.demand.path != Path::none; }
+bool followsPath() {
+    return last_run.guiding && guidesItself() && vehicle.demand.path != Path::none;
+}
 
 }  // namespace
 
 void runGuidance() {
     if (!guidesItself()) {
-        guiding = false;
+        last_run.guiding = false;
         steerNowhere();
         progress.throttle_suppressed = progress.flaring = false;
         return;
     }
-    if (!guiding) takeOver();
-    guiding = true;
+    if (!last_run.guiding) takeOver();
+    last_run.guiding = true;
     host.demandOfMode();
     if (vehicle.demand.new_path) beginPath();
     steerNowhere();
-    plan = core::romRead(kFlights[static_cast<uint8_t>(vehicle.demand.path)])();
+    last_run.plan = core::romRead(kFlights[static_cast<uint8_t>(vehicle.demand.path)])();
     waitForLaunch();
-    progress.height_error_m = plan.height.height_m - vehicle.estimate.height_m;
-    progress.airspeed_error_mps = plan.airspeed_mps - vehicle.estimate.equivalent_airspeed_mps;
+    progress.height_error_m = last_run.plan.height.height_m - vehicle.estimate.height_m;
+    progress.airspeed_error_mps =
+        last_run.plan.airspeed_mps - vehicle.estimate.equivalent_airspeed_mps;
 }
 
 void runSpeedHeight() {
-    if (!guiding || !guidesItself()) return;
+    if (!last_run.guiding || !guidesItself()) return;
     weighBank();
     if (vehicle.progress.throttle_suppressed)
-        waitWithHeight(plan);
+        waitWithHeight(last_run.plan);
     else
-        flyHeight(plan);
+        flyHeight(last_run.plan);
 }
 
 void runTargetBearing() {
@@ -88,11 +95,11 @@ void runLateralGains() {
     if (followsPath()) beginLateral();
 }
 
-float demandedAirspeed_mps() { return plan.airspeed_mps; }
+float demandedAirspeed_mps() { return last_run.plan.airspeed_mps; }
 
 void shiftDemands(float by_m) {
     static constexpr float* kHeights[] ROM = {&path_demand.from_height_m, &path_demand.height_m,
-                                              &plan.height.height_m};
+                                              &last_run.plan.height.height_m};
     for (float* const& height_m : kHeights) *core::romRead(height_m) += by_m;
     shiftHeightFlown(by_m);
 }

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "firmware/control/attitude_demand.hpp"
 #include "firmware/guidance/flights.hpp"
@@ -25,8 +26,11 @@ constexpr float kFlyingSpeed_mps = 5;
 constexpr float kMaxAlpha_rad = 0.2f;
 constexpr float kNudgedDown = 0.3f;  // of the cruise throttle, which still flies
 
-::control::SpeedHeight speed_height;
-core::Angle level_pitch_rad;  // of flight that neither climbs nor sinks, learnt in ten seconds
+struct HeightControl {
+    ::control::SpeedHeight speed_height;
+    core::Angle level_pitch_rad;  // of flight that neither climbs nor sinks, learnt in ten seconds
+};
+core::FileState<HeightControl> height_control{};
 
 // Until the wind is known the estimate is the ground speed, which in a headwind is no airspeed: no
 // airplane in the air flies slower than its lowest.
@@ -132,27 +136,28 @@ void learnLevel() {
     constexpr float kLevel_mps = 1;
     if (!vehicle.baro.healthy || fabsf(vehicle.estimate.climb_mps) > kLevel_mps) return;
     const int16_t pitch = vehicle.attitude.pitch_rad.raw;
-    level_pitch_rad.raw =
-        static_cast<int16_t>(level_pitch_rad.raw + ((pitch - level_pitch_rad.raw) >> 6));
+    height_control.level_pitch_rad.raw = static_cast<int16_t>(
+        height_control.level_pitch_rad.raw + ((pitch - height_control.level_pitch_rad.raw) >> 6));
 }
 
 // With neither barometer nor GPS, a little above level: nobody sees the ground coming.
 core::Angle blindPitch_rad() {
     constexpr core::Angle kAbove_rad(core::radians(0.7f));
-    return core::Angle::fromRaw(static_cast<int16_t>(level_pitch_rad.raw + kAbove_rad.raw));
+    return core::Angle::fromRaw(
+        static_cast<int16_t>(height_control.level_pitch_rad.raw + kAbove_rad.raw));
 }
 
 }  // namespace
 
 void beginHeight() {
-    speed_height.start(measured(), vehicle.attitude.pitch_rad.toFloat(),
-                       vehicle.throttle_demand.toFloat());
+    height_control.speed_height.start(measured(), vehicle.attitude.pitch_rad.toFloat(),
+                                      vehicle.throttle_demand.toFloat());
 }
 
-void shiftHeightFlown(float by_m) { speed_height.shift(by_m); }
+void shiftHeightFlown(float by_m) { height_control.speed_height.shift(by_m); }
 
 void waitWithHeight(const Plan& plan) {
-    speed_height.start(measured(), 0, 0);
+    height_control.speed_height.start(measured(), 0, 0);
     demandPitch(core::Angle(plan.phase == ::control::Phase::climb_out ? plan.pitch_min_rad : 0.0f));
     demandThrottle(
         core::Ratio(parameters.suppressed_manual != 0 ? vehicle.radio.throttle_pct * 0.01f : 0.0f));
@@ -164,9 +169,9 @@ void flyHeight(const Plan& plan) {
     const ::control::SpeedHeightDemand demand = {
         blind ? vehicle.estimate.height_m : plan.height.height_m, plan.height.climb_mps,
         nudged_mps(plan.airspeed_mps) * true_speed};
-    const auto out =
-        speed_height.run(parameters.speed_height, limits(plan, true_speed), demand, measured(),
-                         blind ? ::control::Phase::approach : plan.phase, kPeriod_s);
+    const auto out = height_control.speed_height.run(
+        parameters.speed_height, limits(plan, true_speed), demand, measured(),
+        blind ? ::control::Phase::approach : plan.phase, kPeriod_s);
     learnLevel();
     demandPitch(blind ? blindPitch_rad() : core::Angle(out.pitch_rad));
     demandThrottle(core::Ratio(out.throttle));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "navigation/landing.hpp"
 
+#include "core/file_state.hpp"
 #include "core/fixed.hpp"
 #include "core/maths.hpp"
 #include "firmware/guidance/bank.hpp"
@@ -36,8 +37,11 @@ constexpr float kSofter = 0.6f;
 // Below LAND_PITCH_CD, the higher the more: a fast airplane would not come down.
 constexpr float kNoseDown_radpm = 0.1f, kMaxNoseDown_m = 2;
 
-navigation::Landing landing;
-core::Ratio power;  // of the cruise throttle
+struct Descent {
+    navigation::Landing landing;
+    core::Ratio power;  // of the cruise throttle
+};
+core::FileState<Descent> descent{};
 
 // Between the lowest speed and cruise: slow enough to land, fast enough to flare. Most of the
 // headwind is added, for near the ground it is gone.
@@ -77,7 +81,7 @@ navigation::HeightDemand height(const navigation::Lateral& lateral, float along_
                                            along_mps,
                                            heightAbovePoint_m(),
                                            -vehicle.estimate.climb_mps};
-    const auto above_point = landing.run(settings, approach);
+    const auto above_point = descent.landing.run(settings, approach);
     return {above_point.height_m + demand.height_m, above_point.climb_mps};
 }
 
@@ -88,28 +92,29 @@ float runwayError_rad(float crosstrack_m) {
 
 }  // namespace
 
-void beginLanding() { landing.start(); }
-float flarePower() { return power.toFloat(); }
+void beginLanding() { descent.landing.start(); }
+float flarePower() { return descent.power.toFloat(); }
 
 Plan flyLanding() {
     const auto now = motion();
-    const auto lateral = followDemandedLeg(now, !landing.flaring());
+    const auto lateral = followDemandedLeg(now, !descent.landing.flaring());
     const float speed_mps = along_mps(lateral, now);
     Plan to_fly = levelPlan();
     const float into_wind = intoWind(lateral);
     to_fly.height = height(lateral, speed_mps, into_wind);
     to_fly.airspeed_mps = approachSpeed_mps(to_fly.airspeed_mps, speed_mps);
     to_fly.phase = ::control::Phase::approach;
-    if (landing.flaring()) {
+    if (descent.landing.flaring()) {
         to_fly.phase = ::control::Phase::flare;
         to_fly.pitch_min_rad =
             core::radiansFromCentidegrees(parameters.land_pitch_cd) -
             kNoseDown_radpm * core::limit(heightAbovePoint_m(), 0.0f, kMaxNoseDown_m);
-        power = core::Ratio(powerKept(lateral, into_wind));
+        descent.power = core::Ratio(powerKept(lateral, into_wind));
         steerTowards(legHeading_rad() - runwayError_rad(lateral.crosstrack_m));
     }
-    progress.flaring = landing.flaring();
-    demandBank(lateral.bank_accel_mss, landing.flaring() ? BankLimit::level : BankLimit::flying);
+    progress.flaring = descent.landing.flaring();
+    demandBank(lateral.bank_accel_mss,
+               descent.landing.flaring() ? BankLimit::level : BankLimit::flying);
     return to_fly;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/guidance/lateral.hpp"
 
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "estimation/arc.hpp"
 #include "firmware/guidance/bank.hpp"
@@ -17,9 +18,12 @@ namespace {
 
 constexpr float kBankLoop_s = 0.1f;  // what servo and airframe add to RLL2SRV_TCONST
 
-navigation::LateralGains gains;
-navigation::Leg leg;
-geo::Offset course, place;  // place: from the leg's start or the circle's centre
+struct FlownPath {
+    navigation::LateralGains gains;
+    navigation::Leg leg;
+    geo::Offset course, place;  // place: from the leg's start or the circle's centre
+};
+core::FileState<FlownPath> flown{};
 
 int32_t bearing_cd(const geo::Offset& direction) {
     const float angle_rad = estimation::arc_rad(direction.east_m, direction.north_m);
@@ -30,27 +34,27 @@ int32_t bearing_cd(const geo::Offset& direction) {
 
 void beginLateral() {
     planTurns();
-    gains = navigation::lateralGains(parameters.lateral, turnAccel_mss());
+    flown.gains = navigation::lateralGains(parameters.lateral, turnAccel_mss());
 }
 
 void reportTargetBearing() {
     const float distance_m = vehicle.progress.distance_m;
     if (distance_m < 1) return;  // over it every bearing is as true
     const float share = 1 / distance_m;
-    const float ahead_m = vehicle.demand.path == Path::circle ? 0 : leg.length_m;
+    const float ahead_m = vehicle.demand.path == Path::circle ? 0 : flown.leg.length_m;
     progress.target_bearing_cd =
-        bearing_cd({(leg.forward.north_m * ahead_m - place.north_m) * share,
-                    (leg.forward.east_m * ahead_m - place.east_m) * share});
+        bearing_cd({(flown.leg.forward.north_m * ahead_m - flown.place.north_m) * share,
+                    (flown.leg.forward.east_m * ahead_m - flown.place.east_m) * share});
 }
 
-void reportCourse() { progress.nav_bearing_cd = bearing_cd(course); }
+void reportCourse() { progress.nav_bearing_cd = bearing_cd(flown.course); }
 
 void planLateral() {
-    leg = navigation::legAlong(geo::offset(vehicle.demand.from, vehicle.demand.to));
+    flown.leg = navigation::legAlong(geo::offset(vehicle.demand.from, vehicle.demand.to));
     // a take-off reports no more than this
-    progress.distance_m = leg.length_m;
-    course = leg.forward;
-    place = {0, 0};
+    progress.distance_m = flown.leg.length_m;
+    flown.course = flown.leg.forward;
+    flown.place = {0, 0};
 }
 
 navigation::Motion motion() {
@@ -64,17 +68,19 @@ navigation::Motion motion() {
     return motion;
 }
 
-const navigation::LateralGains& lateralGains() { return gains; }
+const navigation::LateralGains& lateralGains() { return flown.gains; }
 
-float legLength_m() { return leg.length_m; }
+float legLength_m() { return flown.leg.length_m; }
 
-float legHeading_rad() { return estimation::arc_rad(leg.forward.east_m, leg.forward.north_m); }
+float legHeading_rad() {
+    return estimation::arc_rad(flown.leg.forward.east_m, flown.leg.forward.north_m);
+}
 
 navigation::Lateral followDemandedLeg(const navigation::Motion& now, bool learning) {
     const geo::Offset from_start = geo::offset(vehicle.demand.from, vehicle.estimate.position);
-    const auto lateral = navigation::followLeg(gains, now, leg, from_start);
+    const auto lateral = navigation::followLeg(flown.gains, now, flown.leg, from_start);
     reportLateral(lateral, from_start);
-    progress.passed = lateral.along_m >= leg.length_m;
+    progress.passed = lateral.along_m >= flown.leg.length_m;
     if (learning) learnBankTrim(-lateral.crosstrack_m);
     return lateral;
 }
@@ -89,8 +95,8 @@ float along_mps(const navigation::Lateral& lateral, const navigation::Motion& no
 void reportLateral(const navigation::Lateral& lateral, const geo::Offset& from_datum) {
     progress.distance_m = lateral.distance_m;
     progress.crosstrack_m = lateral.crosstrack_m;
-    course = lateral.course;
-    place = from_datum;
+    flown.course = lateral.course;
+    flown.place = from_datum;
 }
 
 }  // namespace guidance

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/guidance/launch.hpp"
 
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "firmware/guidance/path_state.hpp"
 #include "firmware/guidance/plan.hpp"
@@ -20,7 +21,7 @@ namespace {
 constexpr float kUnlaunchedHeight_m = 10;  // farther from home's height the airplane must fly
 constexpr float kFlyingSpeed_mps = 5;
 
-navigation::Launch launch;
+core::FileState<navigation::Launch> launch{};
 
 bool flies() {
     const auto& estimate = vehicle.estimate;

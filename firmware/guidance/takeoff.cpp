@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "navigation/takeoff.hpp"
 
+#include "core/file_state.hpp"
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
 #include "firmware/guidance/lateral.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 constexpr float kRunway_m = 1.5f;  // the barometer is not more certain of the ground
 
-navigation::TakeoffCourse course;
+core::FileState<navigation::TakeoffCourse> course{};
 
 float pitch_rad() {
     const bool measured = vehicle.airspeed.healthy;
