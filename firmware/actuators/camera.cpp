@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/actuators/camera.hpp"
 
+#include "core/file_state.hpp"
 #include "firmware/actuators/relay.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/parameters.hpp"
@@ -16,10 +17,13 @@ namespace {
 
 constexpr float kTick_s = 0.1f;
 
-float every_m;       // 0: not by distance
-geo::Position last;  // of the pictures taken by distance
-uint8_t open_ticks;  // left until the shutter is let go
-uint16_t pictures;
+struct Shutter {
+    float every_m;       // 0: not by distance
+    geo::Position last;  // of the pictures taken by distance
+    uint8_t open_ticks;  // left until the shutter is let go
+    uint16_t pictures;
+};
+core::FileState<Shutter> shutter{};
 
 bool onRelay() { return parameters.camera_on_relay != 0; }
 
@@ -32,63 +36,64 @@ bool connected() {
 
 void open() {
     // a second picture needs a shutter that was let go
-    open_ticks = static_cast<uint8_t>(parameters.camera_duration_ds + 1);
+    shutter.open_ticks = static_cast<uint8_t>(parameters.camera_duration_ds + 1);
     if (onRelay()) relaySet(true);
-    ++pictures;
+    ++shutter.pictures;
 }
 
 void letGo() {
-    if (open_ticks == 0) return;
-    --open_ticks;
-    if (open_ticks == 0 && onRelay()) relaySet(false);
+    if (shutter.open_ticks == 0) return;
+    --shutter.open_ticks;
+    if (shutter.open_ticks == 0 && onRelay()) relaySet(false);
 }
 
 // Half a step early on the average is late by nothing.
 bool farEnough() {
     const float half_step_m = vehicle.estimate.ground_speed_mps * (0.5f * kTick_s);
-    return geo::distance_m(last, vehicle.estimate.position) + half_step_m >= every_m;
+    return geo::distance_m(shutter.last, vehicle.estimate.position) + half_step_m >=
+           shutter.every_m;
 }
 
 }  // namespace
 
 void cameraStart() {
-    every_m = 0;
-    open_ticks = 0;
-    pictures = 0;
+    shutter.every_m = 0;
+    shutter.open_ticks = 0;
+    shutter.pictures = 0;
 }
 
 void cameraTrigger() {
     if (!connected())
         sendStatusText(Severity::warning, ROM_TEXT("Camera: no output has its function"));
-    else if (open_ticks != 0)
+    else if (shutter.open_ticks != 0)
         sendStatusText(Severity::warning, ROM_TEXT("Camera: still busy with the last picture"));
     else
         open();
 }
 
 void cameraEvery(int32_t distance_cm) {
-    every_m = static_cast<float>(distance_cm) * 0.01f;
-    last = vehicle.estimate.position;
+    shutter.every_m = static_cast<float>(distance_cm) * 0.01f;
+    shutter.last = vehicle.estimate.position;
     if (distance_cm != 0 && !connected())
         sendStatusText(Severity::warning, ROM_TEXT("Camera: no output has its function"));
 }
 
 void runCamera() {
-    const bool busy = open_ticks != 0;
+    const bool busy = shutter.open_ticks != 0;
     letGo();
-    if (!vehicle.armed) every_m = 0;
-    if (busy || every_m == 0 || !vehicle.estimate.known || !farEnough()) return;
-    last = vehicle.estimate.position;
+    if (!vehicle.armed) shutter.every_m = 0;
+    if (busy || shutter.every_m == 0 || !vehicle.estimate.known || !farEnough()) return;
+    shutter.last = vehicle.estimate.position;
     open();
 }
 
 uint16_t cameraPulse_us() {
     const int16_t pulse_us =
-        open_ticks != 0 && !onRelay() ? parameters.camera_on_us : parameters.camera_off_us;
+        shutter.open_ticks != 0 && !onRelay() ? parameters.camera_on_us : parameters.camera_off_us;
     return static_cast<uint16_t>(pulse_us);
 }
 
-uint16_t picturesTaken() { return pictures; }
+uint16_t picturesTaken() { return shutter.pictures; }
 
 }  // namespace actuators
 }  // namespace firmware

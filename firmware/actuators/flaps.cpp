@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/actuators/flaps.hpp"
 
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "firmware/guidance/guidance.hpp"
 #include "firmware/state/mode_traits.hpp"
@@ -13,7 +14,7 @@ namespace actuators {
 using namespace state;
 using namespace guidance;
 
-Flaps flaps;
+core::FileState<Flaps> flaps{};
 
 namespace {
 
@@ -21,7 +22,10 @@ constexpr int16_t kFull = core::Ratio::kOne;
 constexpr int16_t kPercent = core::Ratio(0.01f).raw;
 constexpr float kMargin_mps = 0.5f;  // over the speed at which a stage goes out, it goes in
 
-uint8_t stage;  // that is out: 1, 2, or 0
+struct Extension {
+    uint8_t stage;  // that is out: 1, 2, or 0
+};
+core::FileState<Extension> extension{};
 
 // In when the radio has never been heard; when it is lost the lever stays where it was.
 int16_t lever() {
@@ -36,15 +40,15 @@ int16_t lever() {
 
 bool slowEnough(uint8_t which) {
     const int8_t speed_mps = parameters.flap[which - 1].speed_mps;
-    const float margin_mps = which == stage ? kMargin_mps : 0;
+    const float margin_mps = which == extension.stage ? kMargin_mps : 0;
     return speed_mps != 0 && demandedAirspeed_mps() <= speed_mps + margin_mps;
 }
 
 // The demanded airspeed does not come back from what the flaps do.
 int16_t byItself() {
     const bool guides = guidesItself();
-    stage = guides ? (slowEnough(2) ? 2 : slowEnough(1)) : 0;
-    int8_t percent = stage == 0 ? 0 : parameters.flap[stage - 1].percent;
+    extension.stage = guides ? (slowEnough(2) ? 2 : slowEnough(1)) : 0;
+    int8_t percent = extension.stage == 0 ? 0 : parameters.flap[extension.stage - 1].percent;
     const bool lands = guides && vehicle.demand.path == Path::land;
     if (lands && parameters.land_flap_pct != 0) percent = parameters.land_flap_pct;
     return percent * kPercent;

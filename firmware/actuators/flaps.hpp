@@ -3,6 +3,7 @@
 // by themselves by the airspeed that is demanded (FLAP_1_, FLAP_2_), moved no faster than
 // FLAP_SLEWRATE.
 #pragma once
+#include "core/file_state.hpp"
 #include "core/fixed.hpp"
 
 namespace firmware {
@@ -12,7 +13,7 @@ struct Flaps {  // 0 in, 1 all out
     core::Ratio lever;
     core::Ratio out;  // what of both is more
 };
-extern Flaps flaps;
+extern core::FileState<Flaps> flaps;
 
 void runFlaps();  // 10 Hz
 

@@ -2,6 +2,7 @@
 #include "firmware/actuators/lights.hpp"
 
 #include "board.hpp"
+#include "core/file_state.hpp"
 #include "core/rom.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -62,11 +63,14 @@ constexpr Row kBlue[] ROM = {
 };
 // clang-format on
 
-uint8_t tenth;
+struct Blinking {
+    uint8_t tenth;
+};
+core::FileState<Blinking> blinking{};
 
 bool lit(const Row* row) {
     while (!core::romRead(row->holds)()) ++row;
-    return (core::romRead(row->pattern) >> tenth & 1) != 0;
+    return (core::romRead(row->pattern) >> blinking.tenth & 1) != 0;
 }
 
 template <class Led>
@@ -81,7 +85,7 @@ void show(const Row* rows) {
 }  // namespace
 
 void runLights() {
-    tenth = (tenth + 1) % 16;
+    blinking.tenth = (blinking.tenth + 1) % 16;
     show<board::LedA>(kRed);
     show<board::LedB>(kYellow);
     show<board::LedC>(kBlue);

@@ -2,16 +2,22 @@
 #include "firmware/actuators/relay.hpp"
 
 #include "board.hpp"
+#include "core/file_state.hpp"
 
 namespace firmware {
 namespace actuators {
 
 namespace {
-bool is_on;
-}
+
+struct Relay {
+    bool is_on;
+};
+core::FileState<Relay> relay{};
+
+}  // namespace
 
 void relaySet(bool on) {
-    is_on = on;
+    relay.is_on = on;
     if (on)
         board::Relay::high();
     else
@@ -19,7 +25,7 @@ void relaySet(bool on) {
     board::Relay::output();
 }
 
-bool relayGet() { return is_on; }
+bool relayGet() { return relay.is_on; }
 
 }  // namespace actuators
 }  // namespace firmware
