@@ -3,6 +3,7 @@
 // flight goes on. The old records are still there to compare.
 #include <string.h>
 
+#include "core/file_state.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
@@ -14,11 +15,12 @@ namespace {
 
 constexpr uint8_t kPairsPerCall = kRecordsPerCall / 2;
 
-struct {
+struct Comparison {
     ::mission::Sequencer::InFlight items;
     uint8_t at;
     uint8_t runs_left;  // the NAV, the first run, the second
-} compare;
+};
+core::FileState<Comparison> compare{};
 
 // The next run; false: there is none.
 bool nextRun() {

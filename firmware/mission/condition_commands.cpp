@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CONDITIONs: what the commands behind them wait for.
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "firmware/guidance/demand.hpp"
 #include "firmware/mission/handlers.hpp"
@@ -14,22 +15,26 @@ using namespace guidance;
 
 namespace {
 
-uint32_t since_ms;
+struct Delay {
+    uint32_t since_ms;
+};
+core::FileState<Delay> delay{};
 
 // A height that a CHANGE_ALT demands until the next NAV loads.
-struct {
+struct Climb {
     float goal_m;
     float rate_mps;  // 0: none
     bool from_below;
-} climb;
+};
+core::FileState<Climb> climb{};
 
 Progress delayed(uint32_t delay_s) {
-    return (hal::now_ms() - since_ms) / 1000 >= delay_s ? Progress::done : Progress::running;
+    return (hal::now_ms() - delay.since_ms) / 1000 >= delay_s ? Progress::done : Progress::running;
 }
 
 }  // namespace
 
-void startDelay(const Record&) { since_ms = hal::now_ms(); }
+void startDelay(const Record&) { delay.since_ms = hal::now_ms(); }
 Progress delayDoneP1(const Record& record) { return delayed(record.p1); }
 Progress delayDoneP3(const Record& record) { return delayed(static_cast<uint32_t>(record.p3)); }
 

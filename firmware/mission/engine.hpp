@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of firmware/mission/ as they see one another: the engine and the store behind it.
 #pragma once
+#include "core/file_state.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "mission/sequencer.hpp"
@@ -9,8 +10,8 @@
 namespace firmware {
 namespace mission {
 
-extern storage::MissionStore mission_store;
-extern ::mission::Sequencer mission_engine;
+extern core::FileState<storage::MissionStore> mission_store;
+extern core::FileState<::mission::Sequencer> mission_engine;
 
 // The set of the stored mission; of an empty one, MIS_SET.
 ::mission::Set missionSet();
@@ -49,8 +50,8 @@ MissionResult resultOf(core::Status status);
 // The next item of an upload as it is stored.
 MUST_USE core::Status missionUploadRecord(const uint8_t* bytes);
 void missionCommitted();
-bool missionCompared();        // then until it is true
-extern Survey mission_survey;  // of the present mission
+bool missionCompared();                         // then until it is true
+extern core::FileState<Survey> mission_survey;  // of the present mission
 
 // Leaves AUTO for this mode once the pass that runs is over.
 void leaveForMode(state::Mode mode);

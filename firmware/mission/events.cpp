@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/mission/events.hpp"
 
+#include "core/file_state.hpp"
 #include "firmware/actuators/outputs.hpp"
 #include "firmware/actuators/relay.hpp"
 #include "firmware/notify/status_text.hpp"
@@ -21,7 +22,7 @@ constexpr uint16_t kForEver = 0xFFFF;
 // An action begins in the engine's pass, 20 ms before the next tick, which must not count.
 constexpr uint32_t kBeforeFirst = 0xFFFFFFFF;
 
-struct {
+struct RepeatedEvent {
     uint8_t output;    // 0: none
     bool drives_back;  // between two actions it is driven to `before`; else let go
     uint16_t pulse_us;
@@ -29,13 +30,17 @@ struct {
     uint32_t period, on;  // ticks
     uint32_t tick;        // since this action began
     uint16_t left;        // actions still to begin
-} event;
+};
+core::FileState<RepeatedEvent> event{};
 
-uint8_t held;  // a bit an output
-Mode held_in;  // the mode they are held in
-bool was_armed;
+struct HeldOutputs {
+    uint8_t held;  // a bit an output
+    Mode held_in;  // the mode they are held in
+    bool was_armed;
+};
+core::FileState<HeldOutputs> outputs{};
 
-bool isHeld(uint8_t output) { return ((held >> (output - 1)) & 1) != 0; }
+bool isHeld(uint8_t output) { return ((outputs.held >> (output - 1)) & 1) != 0; }
 
 bool refused(uint8_t output, uint16_t pulse_us) {
     if (outputOverride(output, pulse_us)) return false;
@@ -73,9 +78,9 @@ void begin(uint8_t output, uint16_t pulse_us, uint16_t count, uint32_t period, u
 }
 
 void forgetHeldOfOtherModes() {
-    if (held_in == vehicle.mode) return;
-    held_in = vehicle.mode;
-    held = 0;
+    if (outputs.held_in == vehicle.mode) return;
+    outputs.held_in = vehicle.mode;
+    outputs.held = 0;
 }
 
 }  // namespace
@@ -83,7 +88,7 @@ void forgetHeldOfOtherModes() {
 void holdOutput(uint8_t output, uint16_t pulse_us) {
     forgetHeldOfOtherModes();
     if (refused(output, pulse_us)) return;
-    held = static_cast<uint8_t>(held | (1u << (output - 1)));
+    outputs.held = static_cast<uint8_t>(outputs.held | (1u << (output - 1)));
 }
 
 uint16_t servoPulse_us(uint8_t output, int32_t value) {
@@ -115,8 +120,8 @@ bool eventRuns() { return event.output != 0; }
 
 void runEvents() {
     forgetHeldOfOtherModes();
-    if (was_armed && !vehicle.armed) stopEvents();
-    was_armed = vehicle.armed;
+    if (outputs.was_armed && !vehicle.armed) stopEvents();
+    outputs.was_armed = vehicle.armed;
     if (event.output == 0) return;
     ++event.tick;
     if (event.tick < event.on) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/mission/fence_line.hpp"
 
+#include "core/file_state.hpp"
 #include "firmware/mission/points.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/parameters.hpp"
@@ -21,21 +22,25 @@ using core::Status;
 constexpr uint8_t kAtOnce = 7;
 constexpr uint8_t kNoWayBack = 0xFF;
 
-Line line;
-uint8_t generation;  // of the list that `line` is said of
-uint8_t way_back;    // which record
-struct {
+struct FenceLine {
+    Line line;
+    uint8_t generation;  // of the list that `line` is said of
+    uint8_t way_back;    // which record
+};
+core::FileState<FenceLine> fence_line{};
+struct Lap {
     geo::Position place;
     uint8_t next : 6;  // edge
     bool waits : 1;    // for the EEPROM to be at rest
     bool inside : 1;   // as far as has been looked; anew when next is 0
-} lap;
+};
+core::FileState<Lap> lap{};
 
 uint8_t points() { return listCount(ListKind::fence); }
 
 Status readCorner(uint8_t number, geo::Position& to) {
     uint8_t record[storage::kLargestRecord];
-    const uint8_t index = number < way_back ? number : static_cast<uint8_t>(number + 1);
+    const uint8_t index = number < fence_line.way_back ? number : static_cast<uint8_t>(number + 1);
     const Status status = listRead(ListKind::fence, index, record);
     if (status == Status::ok) to = placeOf(record);
     return status;
@@ -67,18 +72,19 @@ Status goOn() {
 }
 
 void restart() {
-    line = Line::unknown;
-    generation = listGeneration(ListKind::fence);
-    way_back = kNoWayBack;
+    fence_line.line = Line::unknown;
+    fence_line.generation = listGeneration(ListKind::fence);
+    fence_line.way_back = kNoWayBack;
     lap.next = 0;
     lap.inside = true;  // here: none is blank, and no more than one the way back
 }
 
 void conclude() {
     parameters.fence_total = static_cast<int8_t>(points() == 0 ? 0 : fenceCorners() + 2);
-    line = Line::unfit;
-    if (lap.inside && fenceCorners() >= 3) line = fenceHasWayBack() ? Line::checking : Line::fit;
-    if (points() == 0) line = Line::none;
+    fence_line.line = Line::unfit;
+    if (lap.inside && fenceCorners() >= 3)
+        fence_line.line = fenceHasWayBack() ? Line::checking : Line::fit;
+    if (points() == 0) fence_line.line = Line::none;
     lap.next = 0;
 }
 
@@ -89,7 +95,7 @@ void survey() {
         if (listRead(ListKind::fence, lap.next, record) != Status::ok) return;
         const bool is_way_back = fencePoint(record) == FencePoint::way_back;
         if ((is_way_back && fenceHasWayBack()) || !isPlace(placeOf(record))) lap.inside = false;
-        if (is_way_back) way_back = lap.next;
+        if (is_way_back) fence_line.way_back = lap.next;
         ++lap.next;
     }
     if (lap.next == points()) conclude();
@@ -100,8 +106,8 @@ void check() {
     if (fenceWayBack(place) != Status::ok) return;
     const Side side = fenceSide(place);
     if (side == Side::unknown) return;
-    line = side == Side::inside ? Line::fit : Line::unfit;
-    if (line == Line::unfit)
+    fence_line.line = side == Side::inside ? Line::fit : Line::unfit;
+    if (fence_line.line == Line::unfit)
         sendStatusText(Severity::warning, ROM_TEXT("Fence: return point is outside"));
 }
 
@@ -112,17 +118,20 @@ void fenceLineStart() { restart(); }
 void fenceLineFollow() {
     lap.waits = false;
     if (!missionKnown()) return;
-    if (generation != listGeneration(ListKind::fence)) restart();
-    if (line == Line::unknown) {
+    if (fence_line.generation != listGeneration(ListKind::fence)) restart();
+    if (fence_line.line == Line::unknown) {
         if (mayRead()) survey();
-    } else if (line == Line::checking) {
+    } else if (fence_line.line == Line::checking) {
         check();
     }
 }
 
 bool fenceLineWaits() { return lap.waits; }
 
-Line fenceLine() { return generation == listGeneration(ListKind::fence) ? line : Line::unknown; }
+Line fenceLine() {
+    return fence_line.generation == listGeneration(ListKind::fence) ? fence_line.line
+                                                                    : Line::unknown;
+}
 
 Side fenceSide(const geo::Position& place) {
     if (lap.next == 0) {
@@ -133,13 +142,15 @@ Side fenceSide(const geo::Position& place) {
     return lap.inside ? Side::inside : Side::outside;
 }
 
-uint8_t fenceCorners() { return static_cast<uint8_t>(points() - (way_back == kNoWayBack ? 0 : 1)); }
+uint8_t fenceCorners() {
+    return static_cast<uint8_t>(points() - (fence_line.way_back == kNoWayBack ? 0 : 1));
+}
 
-bool fenceHasWayBack() { return way_back != kNoWayBack; }
+bool fenceHasWayBack() { return fence_line.way_back != kNoWayBack; }
 
 Status fenceWayBack(geo::Position& to) {
     uint8_t record[storage::kLargestRecord];
-    const Status status = listRead(ListKind::fence, way_back, record);
+    const Status status = listRead(ListKind::fence, fence_line.way_back, record);
     if (status == Status::ok) to = placeOf(record);
     return status;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // AUTO goes on at the nearest DO_LAND_START: for RTL_AUTOLAND, for the ground, and for a landing
 // that is flown again. It is looked for a few records at a time.
+#include "core/file_state.hpp"
 #include "firmware/guidance/demand.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 constexpr uint8_t kLandStart = 0xBD;
 
-struct {
+struct Search {
     uint8_t next;      // record to look at; 0: nothing is looked for
     uint8_t unplaced;  // a start at 0, 0: it lies where the next NAV does; 0: none
     uint8_t best;      // so far
@@ -28,7 +29,8 @@ struct {
     uint8_t generation;
     float best_m;  // below 0: no start so far
     Mode mode;     // in which it was wished for
-} search;
+};
+core::FileState<Search> search{};
 
 void consider(uint8_t index, const geo::Position& place) {
     const float distance_m = geo::distance_m(vehicle.estimate.position, place);

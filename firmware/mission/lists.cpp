@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/mission/lists.hpp"
 
+#include "core/file_state.hpp"
 #include "core/rom.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/fence_line.hpp"
@@ -18,14 +19,17 @@ using core::Status;
 
 // storing, comparing: a commit is under way; it goes on even when nobody asks any more.
 enum class Step : uint8_t { none, filling, storing, comparing };
-Step step;
-MissionResult outcome;  // of the last commit
-uint8_t clearing;       // 1 + the kind; 0: none
+struct ListChange {
+    Step step;
+    MissionResult outcome;  // of the last commit
+    uint8_t clearing;       // 1 + the kind; 0: none
+};
+core::FileState<ListChange> change{};
 
 void finish(MissionResult result) {
     if (result != MissionResult::accepted) mission_store.abort();
-    step = Step::none;
-    outcome = result;
+    change.step = Step::none;
+    change.outcome = result;
 }
 
 void store() {
@@ -37,7 +41,7 @@ void store() {
     }
     if (mission_store.kind() != ListKind::mission) return finish(MissionResult::accepted);
     missionCommitted();
-    step = Step::comparing;
+    change.step = Step::comparing;
 }
 
 // In the order of Status.
@@ -63,13 +67,13 @@ MissionResult resultOf(Status status) {
 }
 
 void listsStart() {
-    step = Step::none;
-    outcome = MissionResult::error;
-    clearing = 0;
+    change.step = Step::none;
+    change.outcome = MissionResult::error;
+    change.clearing = 0;
 }
 
 void listsRun() {
-    switch (step) {
+    switch (change.step) {
         case Step::storing:
             return store();
         case Step::comparing:
@@ -80,7 +84,7 @@ void listsRun() {
     }
 }
 
-bool missionChanging() { return step == Step::comparing; }
+bool missionChanging() { return change.step == Step::comparing; }
 
 uint8_t listCapacity(ListKind kind) { return storage::shapeOf(kind).slots; }
 uint8_t listCount(ListKind kind) { return mission_store.count(kind); }
@@ -95,14 +99,15 @@ Status listRead(ListKind kind, uint8_t index, uint8_t* to) {
 MissionResult listBegin(ListKind kind, uint16_t count, uint8_t set) {
     if (!missionStorable()) return MissionResult::denied;
     if (count > listCapacity(kind)) return MissionResult::no_space;
-    if (!missionReady() || !hal::flashKnown() || step > Step::filling) return MissionResult::busy;
+    if (!missionReady() || !hal::flashKnown() || change.step > Step::filling)
+        return MissionResult::busy;
     const Status status = mission_store.begin(kind, static_cast<uint8_t>(count), set);
     if (status == Status::full)
         sendStatusText(Severity::warning,
                        ROM_TEXT("DataFlash does not work: clear the old one first"));
     if (status == Status::ok) {
-        step = Step::filling;
-        clearing = 0;
+        change.step = Step::filling;
+        change.clearing = 0;
     }
     return resultOf(status);
 }
@@ -113,29 +118,29 @@ uint8_t listStagedCount() { return mission_store.stagedCount(); }
 MissionResult listKeep() { return resultOf(mission_store.copy()); }
 
 MissionResult listCommit() {
-    if (step == Step::none) return outcome;
-    if (step == Step::filling) {
+    if (change.step == Step::none) return change.outcome;
+    if (change.step == Step::filling) {
         if (mission_store.staged() != mission_store.stagedCount())
             return MissionResult::invalid_sequence;
-        step = Step::storing;
+        change.step = Step::storing;
     }
     listsRun();
-    return step == Step::none ? outcome : MissionResult::busy;
+    return change.step == Step::none ? change.outcome : MissionResult::busy;
 }
 
 void listAbort() {
-    if (step == Step::filling) finish(MissionResult::cancelled);
+    if (change.step == Step::filling) finish(MissionResult::cancelled);
 }
 
 MissionResult listClear(ListKind kind, uint8_t set) {
     const uint8_t this_one = static_cast<uint8_t>(1 + static_cast<uint8_t>(kind));
-    if (clearing != this_one) {
+    if (change.clearing != this_one) {
         const MissionResult begun = listBegin(kind, 0, set);
         if (begun != MissionResult::accepted) return begun;
-        clearing = this_one;
+        change.clearing = this_one;
     }
     const MissionResult result = listCommit();
-    if (result != MissionResult::busy) clearing = 0;
+    if (result != MissionResult::busy) change.clearing = 0;
     return result;
 }
 

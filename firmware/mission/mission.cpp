@@ -2,6 +2,7 @@
 // The engine among the rest of the firmware: boot, AUTO, what its events mean.
 #include "firmware/mission/mission.hpp"
 
+#include "core/file_state.hpp"
 #include "firmware/actuators/camera.hpp"
 #include "firmware/control/inverted.hpp"
 #include "firmware/mission/command_table.hpp"
@@ -29,8 +30,8 @@ using namespace actuators;
 static_assert(storage::kRecordSlots <= ::mission::kMaxItems, "the engine has too few jump bits");
 static_assert(storage::kRecordSize == ::mission::kRecordSize, "a slot holds a record");
 
-storage::MissionStore mission_store;
-Survey mission_survey;
+core::FileState<storage::MissionStore> mission_store{};
+core::FileState<Survey> mission_survey{};
 
 namespace {
 
@@ -38,16 +39,23 @@ using core::Status;
 using ::mission::Event;
 
 enum class Boot : uint8_t { owner, store, index, survey, done, foreign };
-Boot boot = Boot::owner;
-storage::IndexStore index_store;
+struct Run {
+    Boot boot = Boot::owner;
+    storage::IndexStore index_store;
+    uint8_t index_wanted;  // to be kept over a loss of power
+    bool index_waits;
+    uint8_t reached;
+    bool reached_waits;
+    bool is_complete;
+    uint16_t skipped;
+    uint16_t poll_began;  // ticks
+};
+core::FileState<Run> run{};
 
-uint8_t index_wanted;  // to be kept over a loss of power
-bool index_waits;
-uint8_t reached;
-bool reached_waits;
-bool is_complete;
-Mode requested_mode = Mode::automatic;  // of a command or the end; AUTO: none
-uint16_t skipped;
+struct ModeWish {
+    Mode requested_mode = Mode::automatic;  // of a command or the end; AUTO: none
+};
+core::FileState<ModeWish> wished{};
 
 Status readRecord(uint8_t index, uint8_t* to) { return mission_store.read(index, to); }
 uint8_t countRecords() { return mission_store.count(); }
@@ -55,24 +63,24 @@ uint8_t countRecords() { return mission_store.count(); }
 uint8_t generation() { return static_cast<uint8_t>(mission_store.generation()); }
 
 void keepIndex(uint8_t index) {
-    index_wanted = index;
-    index_waits = true;
+    run.index_wanted = index;
+    run.index_waits = true;
 }
 
 void ended(bool landed) {
-    is_complete = true;
+    run.is_complete = true;
     resetSpeed();
     keepIndex(0);
     sendStatusText(Severity::notice, ROM_TEXT("Mission complete"));
-    if (!landed) requested_mode = Mode::rtl;
+    if (!landed) wished.requested_mode = Mode::rtl;
 }
 
 // At the end of a run: entering a mode leaves AUTO, and the engine may be in the middle of a pass.
 void applyModeRequest() {
-    const Mode wish = requested_mode;
-    requested_mode = Mode::automatic;
+    const Mode wish = wished.requested_mode;
+    wished.requested_mode = Mode::automatic;
     if (wish == Mode::automatic || host.enterMode(wish)) return;
-    if (is_complete) {  // RTL without a home
+    if (run.is_complete) {  // RTL without a home
         forgetPlace();
         holdPlace();
     } else {
@@ -81,7 +89,7 @@ void applyModeRequest() {
 }
 
 void onReset() {
-    is_complete = false;
+    run.is_complete = false;
     resetSpeed();
     stopEvents();
     cameraEvery(0);
@@ -100,11 +108,11 @@ void onEvent(Event event, uint8_t index) {
             break;
         case Event::reached:
             rememberPlace();
-            reached = index;
-            reached_waits = true;
+            run.reached = index;
+            run.reached_waits = true;
             break;
         case Event::skipped:
-            ++skipped;
+            ++run.skipped;
             sendStatusText(Severity::warning, ROM_TEXT("Mission item # skipped"), index);
             break;
         case Event::looped:
@@ -128,11 +136,9 @@ void onEvent(Event event, uint8_t index) {
 }
 
 // What a record costs depends on what it does: 50 us to look at, 400 to set a gain.
-uint16_t poll_began;  // ticks
-
 bool enough() {
     constexpr uint16_t kLongest = 1300 * hal::kTicksPerUs;
-    return static_cast<uint16_t>(hal::ticks() - poll_began) > kLongest;
+    return static_cast<uint16_t>(hal::ticks() - run.poll_began) > kLongest;
 }
 
 constexpr ::mission::Host kHost ROM = {readRecord, countRecords, onEvent, here, enough};
@@ -152,7 +158,7 @@ Status findStoredMission() {
     }
     if (owner == storage::Owner::us) return Status::ok;
     sendStatusText(Severity::error, ROM_TEXT("EEPROM belongs to other firmware"));
-    boot = Boot::foreign;
+    run.boot = Boot::foreign;
     return Status::unsupported;
 }
 
@@ -175,7 +181,7 @@ Status openLists() {
 Status bootStep() {
     Status status = Status::ok;
     uint8_t index = 0;
-    switch (boot) {
+    switch (run.boot) {
         case Boot::owner:
             status = findStoredMission();
             break;
@@ -183,7 +189,7 @@ Status bootStep() {
             status = openLists();
             break;
         case Boot::index:
-            status = index_store.open(generation(), index);
+            status = run.index_store.open(generation(), index);
             if (status == Status::ok)
                 mission_engine.boot(missionSet(), mission_store.generation(), host.memorySurvived(),
                                     index < mission_store.count() ? index : 0);
@@ -194,8 +200,8 @@ Status bootStep() {
         default:
             break;
     }
-    if (status == Status::ok && boot < Boot::done)
-        boot = static_cast<Boot>(static_cast<uint8_t>(boot) + 1);
+    if (status == Status::ok && run.boot < Boot::done)
+        run.boot = static_cast<Boot>(static_cast<uint8_t>(run.boot) + 1);
     return status;
 }
 
@@ -205,12 +211,14 @@ void background(bool there_is_time) {
         stepLanding();
     }
     mission_store.readAhead(mission_engine.next());
-    if (index_waits) index_waits = index_store.write(generation(), index_wanted) != Status::ok;
+    if (run.index_waits)
+        run.index_waits = run.index_store.write(generation(), run.index_wanted) != Status::ok;
 }
 
 }  // namespace
 
-::mission::Sequencer mission_engine(kCommandTable, kHost, memory);
+core::FileState<::mission::Sequencer> mission_engine(::mission::Sequencer(kCommandTable, kHost,
+                                                                          memory));
 
 ::mission::Set missionSet() {
     const uint8_t set = mission_store.set() != 0 ? mission_store.set()
@@ -221,7 +229,7 @@ void background(bool there_is_time) {
 namespace {
 
 uint8_t poll() {
-    poll_began = hal::ticks();
+    run.poll_began = hal::ticks();
     return mission_engine.poll(parameters.mission_trailing != 0);
 }
 
@@ -231,16 +239,16 @@ void missionBoot() {
     mission_store = storage::MissionStore();
     mission_survey = {};
     listsStart();
-    index_waits = reached_waits = false;
-    boot = Boot::owner;
+    run.index_waits = run.reached_waits = false;
+    run.boot = Boot::owner;
     onReset();
     // enough for the largest mission; what a busy EEPROM keeps waiting is left to missionRun
-    for (uint8_t i = 0; i < 80 && boot < Boot::done; ++i) (void)bootStep();
+    for (uint8_t i = 0; i < 80 && run.boot < Boot::done; ++i) (void)bootStep();
 }
 
-bool missionKnown() { return boot >= Boot::done; }
-bool missionReady() { return boot == Boot::done; }
-bool missionStorable() { return boot != Boot::foreign; }
+bool missionKnown() { return run.boot >= Boot::done; }
+bool missionReady() { return run.boot == Boot::done; }
+bool missionStorable() { return run.boot != Boot::foreign; }
 
 void missionCatchUp() {
     if (!mission_engine.active() || missionChanging()) return;
@@ -251,11 +259,11 @@ void missionCatchUp() {
 }
 
 void missionRun() {
-    if (boot < Boot::done) {
+    if (run.boot < Boot::done) {
         (void)bootStep();
         return;
     }
-    if (boot == Boot::foreign) return;
+    if (run.boot == Boot::foreign) return;
     uint8_t records = 0;
     if (mission_engine.active() && !missionChanging()) {
         records = poll();
@@ -271,14 +279,14 @@ void missionRun() {
 
 bool missionEnter(core::RomText& why_not) {
     why_not = nullptr;
-    if (boot == Boot::foreign)
+    if (run.boot == Boot::foreign)
         why_not = ROM_TEXT("AUTO: EEPROM belongs to other firmware");
-    else if (boot != Boot::done || missionChanging())
+    else if (run.boot != Boot::done || missionChanging())
         why_not = ROM_TEXT("AUTO: mission is being read");
     else if (mission_survey.first_nav == 0)
         why_not = ROM_TEXT("AUTO: mission has no NAV command");
     if (why_not != nullptr) return false;
-    is_complete = false;
+    run.is_complete = false;
     const bool flies_on = host.resumesFlight() && vehicle.mode == Mode::initialising;
     mission_engine.enter(parameters.mission_restart != 0 && !flies_on &&
                          !vehicle.failsafe_gives_back);
@@ -288,25 +296,25 @@ bool missionEnter(core::RomText& why_not) {
 void missionLeave() { mission_engine.leave(); }
 
 void leaveForMode(Mode mode) {
-    requested_mode = mode;
+    wished.requested_mode = mode;
     mission_engine.leave();  // what follows waits until AUTO is entered again
 }
-bool missionComplete() { return is_complete; }
+bool missionComplete() { return run.is_complete; }
 void missionRestart() { (void)mission_engine.setCurrent(0); }
 
 uint16_t missionCount() { return mission_store.count(); }
 uint16_t missionCurrent() { return mission_engine.current(); }
-uint16_t missionSkipped() { return skipped; }
+uint16_t missionSkipped() { return run.skipped; }
 
 bool missionSetCurrent(uint16_t index) {
-    return boot == Boot::done && !missionChanging() && mission_survey.first_nav != 0 &&
+    return run.boot == Boot::done && !missionChanging() && mission_survey.first_nav != 0 &&
            index < mission_store.count() && mission_engine.setCurrent(static_cast<uint8_t>(index));
 }
 
 bool takeReached(uint16_t& index) {
-    if (!reached_waits) return false;
-    reached_waits = false;
-    index = reached;
+    if (!run.reached_waits) return false;
+    run.reached_waits = false;
+    index = run.reached;
     return true;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // NAV: what the airplane flies to. A start writes vehicle.demand, a check reads vehicle.progress.
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "firmware/guidance/demand.hpp"
 #include "firmware/mission/engine.hpp"
@@ -23,23 +24,21 @@ struct Place {
     geo::Position position;
     float height_m;  // above home
 };
-Place last;  // of the NAV that last finished
-bool have_last;
-bool no_place;  // what is flown ends where the airplane is
-
-float acceptance_m;
-bool leg_counts;  // it is longer than the acceptance radius
-
-// Of a loiter: radians or seconds since capture. `before`: until the last resume.
-float loitered_before, loitered;
-uint16_t loiter_ms;
-bool circle_captured;
-
-bool throttle_was_low;  // in a landing: the stick was below what breaks it off
-
-uint32_t still_ms;
-
-bool height_given;  // of a way home
+struct NavCommand {
+    Place last;  // of the NAV that last finished
+    bool have_last;
+    bool no_place;  // what is flown ends where the airplane is
+    float acceptance_m;
+    bool leg_counts;  // it is longer than the acceptance radius
+    // Of a loiter: radians or seconds since capture. `before`: until the last resume.
+    float loitered_before, loitered;
+    uint16_t loiter_ms;
+    bool circle_captured;
+    bool throttle_was_low;  // in a landing: the stick was below what breaks it off
+    uint32_t still_ms;
+    bool height_given;  // of a way home
+};
+core::FileState<NavCommand> nav{};
 
 geo::Position placeOf(const Record& record) { return {record.p3, record.p4}; }
 
@@ -66,8 +65,8 @@ bool worthASlope(const PathDemand& demand) {
 
 void demand(Path path, const Place& to, Entry entry) {
     PathDemand demand = vehicle.demand;
-    const Place from = entry.from_here || !have_last ? airplane() : last;
-    no_place = path == Path::takeoff;
+    const Place from = entry.from_here || !nav.have_last ? airplane() : nav.last;
+    nav.no_place = path == Path::takeoff;
     demand.path = path;
     demand.from = from.position;
     demand.from_height_m = from.height_m;
@@ -97,9 +96,9 @@ void turnCounterClockwise(bool counter_clockwise) {
 
 void demandLeg(const Place& to, float radius_m, Entry entry) {
     demand(Path::leg, to, entry);
-    acceptance_m = radius_m;
-    leg_counts = geo::distance_m(vehicle.demand.from, to.position) > radius_m;
-    if (!leg_counts) changeHeightAtOnce();
+    nav.acceptance_m = radius_m;
+    nav.leg_counts = geo::distance_m(vehicle.demand.from, to.position) > radius_m;
+    if (!nav.leg_counts) changeHeightAtOnce();
 }
 
 Progress done(bool is) { return is ? Progress::done : Progress::running; }
@@ -110,8 +109,8 @@ bool progressIsOld() { return vehicle.demand.new_path; }
 // Captured once is captured, until the loiter is started again.
 bool onCircle() {
     if (progressIsOld()) return false;
-    circle_captured = circle_captured || vehicle.progress.captured;
-    return circle_captured;
+    nav.circle_captured = nav.circle_captured || vehicle.progress.captured;
+    return nav.circle_captured;
 }
 
 }  // namespace
@@ -129,27 +128,27 @@ void here(Record& record) {
     record.p4 = vehicle.estimate.position.longitude_e7;
 }
 
-bool placeless() { return no_place || vehicle.demand.path == Path::none; }
+bool placeless() { return nav.no_place || vehicle.demand.path == Path::none; }
 
 void rememberPlace() {
     const auto& demand = vehicle.demand;
-    last = no_place ? airplane() : Place{demand.to, demand.height_m};
-    have_last = true;
+    nav.last = nav.no_place ? airplane() : Place{demand.to, demand.height_m};
+    nav.have_last = true;
 }
 
-void forgetPlace() { have_last = false; }
+void forgetPlace() { nav.have_last = false; }
 
 void missionShiftHeights(float by_m) {
-    last.height_m += by_m;
+    nav.last.height_m += by_m;
     shiftClimb(by_m);
 }
 
 void holdPlace() {
-    if (!have_last) {
-        last = airplane();
-        have_last = true;
+    if (!nav.have_last) {
+        nav.last = airplane();
+        nav.have_last = true;
     }
-    demand(Path::circle, last, {false, true});
+    demand(Path::circle, nav.last, {false, true});
     turnCounterClockwise(parameters.loiter_radius_m < 0);
 }
 
@@ -161,34 +160,34 @@ void startWaypoint(const Record& record, Entry entry) {
 Progress waypointDone(const Record&) {
     if (progressIsOld()) return Progress::running;
     const auto& progress = vehicle.progress;
-    return done(progress.distance_m <= acceptance_m || (leg_counts && progress.passed));
+    return done(progress.distance_m <= nav.acceptance_m || (nav.leg_counts && progress.passed));
 }
 
 void startCircle(const Record& record, Entry entry) {
     demand(Path::circle, {placeOf(record), heightOf_m(record)}, entry);
     turnCounterClockwise(counterClockwise(record));
-    loitered_before = entry.resumed ? loitered : 0;
-    loitered = loitered_before;
-    loiter_ms = static_cast<uint16_t>(hal::now_ms());
-    circle_captured = false;
+    nav.loitered_before = entry.resumed ? nav.loitered : 0;
+    nav.loitered = nav.loitered_before;
+    nav.loiter_ms = static_cast<uint16_t>(hal::now_ms());
+    nav.circle_captured = false;
 }
 
 Progress never(const Record&) { return Progress::running; }
 
 Progress turnsDone(const Record& record) {
     if (!onCircle()) return Progress::running;
-    loitered = loitered_before + vehicle.progress.turned_rad;
-    return done(loitered >= record.p1 * (2 * core::kPi));
+    nav.loitered = nav.loitered_before + vehicle.progress.turned_rad;
+    return done(nav.loitered >= record.p1 * (2 * core::kPi));
 }
 
 Progress timeDone(const Record& record) {
     const uint16_t now_ms = static_cast<uint16_t>(hal::now_ms());
-    const uint16_t passed_ms = static_cast<uint16_t>(now_ms - loiter_ms);
-    loiter_ms = now_ms;
-    const bool counts = circle_captured;
+    const uint16_t passed_ms = static_cast<uint16_t>(now_ms - nav.loiter_ms);
+    nav.loiter_ms = now_ms;
+    const bool counts = nav.circle_captured;
     if (!onCircle()) return Progress::running;
-    if (counts) loitered += passed_ms * 0.001f;
-    return done(loitered >= record.p1 * 10.0f);
+    if (counts) nav.loitered += passed_ms * 0.001f;
+    return done(nav.loitered >= record.p1 * 10.0f);
 }
 
 void startReturn(const Record& record, Entry entry) {
@@ -199,7 +198,7 @@ void startReturn(const Record& record, Entry entry) {
     else if (parameters.rtl_height_cm >= 0)
         home.height_m = static_cast<float>(parameters.rtl_height_cm) * 0.01f;
     demandLeg(home, parameters.waypoint_radius_m, entry);
-    height_given = record.p2 != 0;
+    nav.height_given = record.p2 != 0;
     rallyBegin();
 }
 
@@ -207,7 +206,7 @@ namespace {
 
 // A climb that has begun goes on.
 void returnTo(const geo::Position& place, float height_m) {
-    if (height_given) height_m = vehicle.demand.height_m;
+    if (nav.height_given) height_m = vehicle.demand.height_m;
     demandLeg({place, height_m}, parameters.waypoint_radius_m, {true, true});
 }
 
@@ -220,8 +219,8 @@ Progress returnDone(const Record& record) {
 
 void startLand(const Record& record, Entry entry) {
     demand(Path::land, {placeOf(record), heightOf_m(record)}, entry);
-    still_ms = hal::now_ms();
-    throttle_was_low = false;
+    nav.still_ms = hal::now_ms();
+    nav.throttle_was_low = false;
 }
 
 namespace {
@@ -238,13 +237,13 @@ Progress climbAway() {
 // Finished when down and disarmed; disarms itself when the airplane has stood long enough.
 Progress landDone(const Record&) {
     if (vehicle.demand.path == Path::leg) return climbAway();
-    breakOffByThrottle(throttle_was_low);
+    breakOffByThrottle(nav.throttle_was_low);
     const uint32_t now_ms = hal::now_ms();
     const bool down = !vehicle.estimate.flying;
     if (down && !vehicle.armed) return Progress::done;
-    if (!down) still_ms = now_ms;
+    if (!down) nav.still_ms = now_ms;
     const uint16_t delay_s = static_cast<uint8_t>(parameters.land_disarm_delay_s);
-    if (delay_s != 0 && now_ms - still_ms >= delay_s * 1000UL) host.disarmAfterLanding();
+    if (delay_s != 0 && now_ms - nav.still_ms >= delay_s * 1000UL) host.disarmAfterLanding();
     return Progress::running;
 }
 
@@ -285,7 +284,7 @@ void startContinue(const Record& record, Entry entry) {
     entry.from_here = true;
     demand(Path::leg, {straightAhead(), heightOf_m(record)}, entry);
     changeHeightAtOnce();
-    no_place = true;
+    nav.no_place = true;
 }
 
 Progress continueDone(const Record& record) {

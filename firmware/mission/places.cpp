@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where NAVs lie that are not flown yet.
+#include "core/file_state.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
@@ -13,10 +14,11 @@ namespace {
 
 using core::Status;
 
-struct {
+struct NextPlace {
     uint8_t nav, generation;  // of which mission
     uint8_t at;               // the record to look at
-} next;
+};
+core::FileState<NextPlace> next{};
 
 uint8_t rowOfNav(const Record& record, Site site) {
     const uint8_t row = kCommandTable.find(missionSet(), record.id);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/mission/rally.hpp"
 
+#include "core/file_state.hpp"
 #include "firmware/mission/points.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/parameters.hpp"
@@ -14,7 +15,10 @@ using namespace state;
 
 namespace {
 
-uint8_t next;
+struct RallyPoint {
+    uint8_t next;
+};
+core::FileState<RallyPoint> rally{};
 
 // Nearer than what is demanded; than home it need only be near.
 bool better(const geo::Position& place) {
@@ -29,18 +33,18 @@ bool better(const geo::Position& place) {
 
 void rallyFollow() { parameters.rally_total = static_cast<int8_t>(listCount(ListKind::rally)); }
 
-void rallyBegin() { next = 0; }
+void rallyBegin() { rally.next = 0; }
 
 void rallyLook(FlyTo fly_to) {
-    if (next >= listCount(ListKind::rally)) return;
+    if (rally.next >= listCount(ListKind::rally)) return;
     uint8_t record[storage::kLargestRecord];
-    const core::Status status = listRead(ListKind::rally, next, record);
+    const core::Status status = listRead(ListKind::rally, rally.next, record);
     if (status == core::Status::busy) return;
-    ++next;
+    ++rally.next;
     const geo::Position place = placeOf(record);
     if (status != core::Status::ok || !isPlace(place) || !better(place)) return;
     fly_to(place, rallyHeight_m(record));
-    sendStatusText(Severity::info, ROM_TEXT("Going to rally point #"), next - 1);
+    sendStatusText(Severity::info, ROM_TEXT("Going to rally point #"), rally.next - 1);
 }
 
 }  // namespace mission

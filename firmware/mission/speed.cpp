@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/mission/speed.hpp"
 
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "firmware/guidance/demand.hpp"
 #include "firmware/state/parameters.hpp"
@@ -17,11 +18,12 @@ namespace {
 constexpr float kStep_s = 0.1f;
 constexpr float kGroundSpeedGain = 0.3f;  // of the error, each second: slower than the throttle
 
-struct {
-    int16_t air_cms;      // 0: the parameter's
-    int16_t ground_cms;   // 0: none demanded
-    int8_t throttle_pct;  // -1: the parameter's
-} speed = {0, 0, -1};
+struct Speed {
+    int16_t air_cms;           // 0: the parameter's
+    int16_t ground_cms;        // 0: none demanded
+    int8_t throttle_pct = -1;  // -1: the parameter's
+};
+core::FileState<Speed> speed{};
 
 float cruise_mps() {
     return static_cast<float>(speed.air_cms != 0 ? speed.air_cms : parameters.cruise_speed_cms) *

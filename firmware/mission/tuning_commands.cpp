@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The level 3 commands that only the APM 1.0 set has.
+#include "core/file_state.hpp"
 #include "firmware/actuators/relay.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/events.hpp"
@@ -46,12 +47,16 @@ constexpr uint8_t kGainSlots[kGainKinds][kGainIndices] ROM = {
 };
 // clang-format on
 
-bool radio_off;
+struct Radio {
+    bool radio_off;
+};
+core::FileState<Radio> radio{};
 
-struct {
+struct Variable {
     uint8_t waiting;  // for it: a bit a link, and the log's
     uint8_t slot;
-} variable;
+};
+core::FileState<Variable> variable{};
 constexpr uint8_t kLog = 1u << kLinks, kEveryLink = kLog - 1;
 
 void sendVariable(uint8_t slot, uint8_t to) {
@@ -95,9 +100,9 @@ void reportVariables() {
         variable.waiting ^= kLog;
 }
 
-void switchRadio(const Record& record) { radio_off = record.p1 == 0; }
-bool telemetryMuted() { return radio_off; }
-void radioHeard() { radio_off = false; }
+void switchRadio(const Record& record) { radio.radio_off = record.p1 == 0; }
+bool telemetryMuted() { return radio.radio_off; }
+void radioHeard() { radio.radio_off = false; }
 
 void cruiseSpeed(const Record& record) { setAirSpeed(record.p1 * 100); }
 void cruiseThrottle(const Record& record) { setCruiseThrottle(static_cast<int8_t>(record.p1)); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Missions up and down. A new one is checked as a whole before it is committed, and the old one
 // flies on until then.
+#include "core/file_state.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/item.hpp"
@@ -18,9 +19,12 @@ namespace {
 
 using core::Status;
 
-Survey staged_survey;
-Notes notes;
-uint8_t partial_last;  // last item of a partial write; 0xFF: all items come from the ground
+struct Upload {
+    Survey staged_survey;
+    Notes notes;
+    uint8_t partial_last;  // last item of a partial write; 0xFF: all items come from the ground
+};
+core::FileState<Upload> upload{};
 constexpr uint8_t kWhole = 0xFF;
 
 ::mission::Set stagedSet() { return static_cast<::mission::Set>(mission_store.stagedSet()); }
@@ -28,9 +32,9 @@ constexpr uint8_t kWhole = 0xFF;
 MissionResult begin(uint16_t count, uint8_t set) {
     const MissionResult result = listBegin(ListKind::mission, count, set);
     if (result != MissionResult::accepted) return result;
-    notes = {};
-    staged_survey = {};
-    partial_last = kWhole;
+    upload.notes = {};
+    upload.staged_survey = {};
+    upload.partial_last = kWhole;
     return result;
 }
 
@@ -46,16 +50,17 @@ Status copyUpTo(uint8_t index) {
 }
 
 void reportNotes() {
-    if (notes.rounded) sendStatusText(Severity::notice, ROM_TEXT("Mission: values were rounded"));
-    if (notes.dropped)
+    if (upload.notes.rounded)
+        sendStatusText(Severity::notice, ROM_TEXT("Mission: values were rounded"));
+    if (upload.notes.dropped)
         sendStatusText(Severity::notice, ROM_TEXT("Mission: unused parameters dropped"));
 }
 
 }  // namespace
 
 void missionCommitted() {
-    if (mission_store.count() == 0) staged_survey = {};
-    mission_survey = staged_survey;
+    if (mission_store.count() == 0) upload.staged_survey = {};
+    mission_survey = upload.staged_survey;
     compareBegin();
 }
 
@@ -90,14 +95,14 @@ MissionResult missionBeginPartial(uint16_t first, uint16_t last) {
     if (mission_store.set() != static_cast<uint8_t>(parameters.mission_set))
         return MissionResult::denied;
     const MissionResult result = begin(count, mission_store.set());
-    if (result == MissionResult::accepted) partial_last = static_cast<uint8_t>(last);
+    if (result == MissionResult::accepted) upload.partial_last = static_cast<uint8_t>(last);
     return result;
 }
 
 Status missionUploadRecord(const uint8_t* bytes) {
     const ::mission::Site at = {mission_store.staged(), mission_store.stagedCount()};
     const Status status = mission_store.put(bytes);
-    if (status == Status::ok) surveyRecord(staged_survey, stagedSet(), bytes, at);
+    if (status == Status::ok) surveyRecord(upload.staged_survey, stagedSet(), bytes, at);
     return status;
 }
 
@@ -106,7 +111,7 @@ MissionResult missionUploadItem(uint16_t index, const MissionItem& item) {
     const uint8_t count = mission_store.stagedCount();
     if (index >= count) return MissionResult::invalid_sequence;
     const uint8_t place = static_cast<uint8_t>(index);
-    if (partial_last != kWhole) {
+    if (upload.partial_last != kWhole) {
         const Status status = copyUpTo(place);
         if (status != Status::ok) return resultOf(status);
     }
@@ -119,18 +124,18 @@ MissionResult missionUploadItem(uint16_t index, const MissionItem& item) {
     ::mission::pack(stagedSet(), record, bytes);
     const Status status = missionUploadRecord(bytes);
     if (status != Status::ok) return resultOf(status);
-    notes.rounded |= item_notes.rounded;
-    notes.dropped |= item_notes.dropped;
+    upload.notes.rounded |= item_notes.rounded;
+    upload.notes.dropped |= item_notes.dropped;
     return MissionResult::accepted;
 }
 
 MissionResult missionCommit() {
     if (mission_store.staging()) {
-        if (partial_last != kWhole && mission_store.staged() > partial_last) {
+        if (upload.partial_last != kWhole && mission_store.staged() > upload.partial_last) {
             const Status status = copyUpTo(mission_store.stagedCount());
             if (status != Status::ok) return resultOf(status);
         }
-        if (staged_survey.counters > ::mission::kMaxCounters) {
+        if (upload.staged_survey.counters > ::mission::kMaxCounters) {
             sendStatusText(Severity::warning, ROM_TEXT("Mission: more than # counted jumps"),
                            ::mission::kMaxCounters);
             listAbort();
