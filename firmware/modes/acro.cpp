@@ -2,6 +2,7 @@
 // ACRO: the sticks demand rates of roll and pitch, and there are no limits. With centred sticks the
 // airplane stops turning; with ACRO_LOCKING it keeps the attitude it has then, whatever pushes it.
 #include "control/settings.hpp"
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "firmware/control/attitude_demand.hpp"
 #include "firmware/modes/modes_table.hpp"
@@ -22,7 +23,10 @@ constexpr float kMax_rad = 3.1f;                                 // an angle has
 constexpr core::BodyRate kStill_rads(0.2f);                      // slow enough to stop here
 constexpr core::Angle kLoose = core::Angle::fromRaw(INT16_MIN);  // held is nothing
 
-core::Angle held_roll_rad, held_pitch_rad;
+struct HeldAttitude {
+    core::Angle held_roll_rad, held_pitch_rad;
+};
+core::FileState<HeldAttitude> held{};
 
 // The angle whose loop makes this rate: error over time constant is what it demands.
 core::Angle forRate(int16_t stick_cd, int16_t full_dps, float time_constant_s) {
@@ -44,8 +48,8 @@ core::Angle rollToTurn() {
     const auto& attitude = vehicle.attitude;
     const int16_t stick_cd = vehicle.radio.roll_cd;
     if (stick_cd == 0 && parameters.acro_locking != 0)
-        return toHold(held_roll_rad, attitude.roll_rad, attitude.rate_rads.x);
-    held_roll_rad = kLoose;
+        return toHold(held.held_roll_rad, attitude.roll_rad, attitude.rate_rads.x);
+    held.held_roll_rad = kLoose;
     return forRate(stick_cd, parameters.acro_roll_rate_dps, parameters.roll.axis.time_constant_s);
 }
 
@@ -55,16 +59,16 @@ core::Angle pitchToTurn() {
     const int16_t stick_cd = vehicle.radio.pitch_cd;
     if (stick_cd == 0 && parameters.acro_locking != 0)
         return core::Angle::fromRaw(
-            core::times14(toHold(held_pitch_rad, attitude.pitch_rad, attitude.rate_rads.y).raw,
+            core::times14(toHold(held.held_pitch_rad, attitude.pitch_rad, attitude.rate_rads.y).raw,
                           attitude.cos_roll.raw));
-    held_pitch_rad = kLoose;
+    held.held_pitch_rad = kLoose;
     return forRate(stick_cd, parameters.acro_pitch_rate_dps, parameters.pitch.axis.time_constant_s);
 }
 
 }  // namespace
 
 Entry startAcro() {
-    held_roll_rad = held_pitch_rad = kLoose;
+    held.held_roll_rad = held.held_pitch_rad = kLoose;
     return Entry::entered;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CRUISE: FBWB that keeps its track. With roll and yaw sticks centred for half a second the course
 // over ground is locked, and the line along it is flown; either stick unlocks it.
+#include "core/file_state.hpp"
 #include "firmware/guidance/demand.hpp"
 #include "firmware/modes/modes_table.hpp"
 #include "firmware/modes/sticks.hpp"
@@ -20,7 +21,10 @@ constexpr float kSlowest_mps = 3;  // a slower course is noise
 constexpr float kAhead_m = 1000;
 constexpr float kMoveOn_m = kAhead_m / 2;
 
-uint8_t centred;
+struct RollStick {
+    uint8_t centred;
+};
+core::FileState<RollStick> roll_stick{};
 
 bool turning() { return vehicle.radio.roll_cd != 0 || vehicle.radio.yaw_cd != 0; }
 
@@ -54,13 +58,13 @@ void unlock() {
     PathDemand demand = vehicle.demand;
     demand.path = Path::none;
     changeDemand(demand);
-    centred = 0;
+    roll_stick.centred = 0;
 }
 
 }  // namespace
 
 Entry startCruise() {
-    centred = 0;
+    roll_stick.centred = 0;
     return startFbwb();
 }
 
@@ -78,7 +82,7 @@ void demandCruise() {
         else if (!vehicle.demand.new_path && vehicle.progress.distance_m < kMoveOn_m)
             moveOn();
     } else if (!turning() && now.known && now.ground_speed_mps >= kSlowest_mps &&
-               ++centred > kCentred) {
+               ++roll_stick.centred > kCentred) {
         lock();
     }
 }

@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "core/file_state.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/modes/modes.hpp"
 #include "firmware/sensors/radio.hpp"
@@ -27,7 +28,7 @@ struct SwitchReading {
     uint8_t entries;   // vehicle.mode_entries when it was
     bool restarts;     // RST_MISSION_CH was up
 };
-SwitchReading mode_switch;
+core::FileState<SwitchReading> mode_switch{};
 
 void ask() {
     mode_switch.asked = mode_switch.settled;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/modes/modes.hpp"
 
+#include "core/file_state.hpp"
 #include "core/rom.hpp"
 #include "firmware/modes/mode_requests.hpp"
 #include "firmware/modes/modes_table.hpp"
@@ -58,7 +59,10 @@ constexpr ModeRow kModes[] ROM = {
 // clang-format on
 
 constexpr uint8_t kNoRow = 0xFF;
-uint8_t row = kNoRow;
+struct PresentMode {
+    uint8_t row = kNoRow;
+};
+core::FileState<PresentMode> present{};
 
 uint8_t find(Mode mode) {
     for (uint8_t i = 0; i < core::count(kModes); ++i)
@@ -75,12 +79,12 @@ void reportRefusal(const ModeSituation& now) {
 }  // namespace
 
 void startModes() {
-    row = kNoRow;
+    present.row = kNoRow;
     published.mode = Mode::initialising;
 }
 
 bool requestMode(Mode mode, ModeReason reason) {
-    if (row != kNoRow && mode == vehicle.mode) return true;
+    if (present.row != kNoRow && mode == vehicle.mode) return true;
     uint8_t wanted = find(mode);
     if (wanted == kNoRow) {
         sendStatusText(Severity::warning, ROM_TEXT("No such mode: #"), static_cast<uint8_t>(mode));
@@ -97,8 +101,8 @@ bool requestMode(Mode mode, ModeReason reason) {
         entry = core::romRead(kModes[wanted].start)();
     }
     if (entry != Entry::entered) return false;
-    if (row != kNoRow) core::romRead(kModes[row].stop)();
-    row = wanted;
+    if (present.row != kNoRow) core::romRead(kModes[present.row].stop)();
+    present.row = wanted;
     published.mode = core::romRead(kModes[wanted].mode);
     published.mode_reason = reason;
     useSticks(Sticks::nothing);
@@ -109,11 +113,11 @@ bool requestMode(Mode mode, ModeReason reason) {
 }
 
 void runMode() {
-    if (row != kNoRow) core::romRead(kModes[row].run)();
+    if (present.row != kNoRow) core::romRead(kModes[present.row].run)();
 }
 
 void demandOfMode() {
-    if (row != kNoRow) core::romRead(kModes[row].demand)();
+    if (present.row != kNoRow) core::romRead(kModes[present.row].demand)();
 }
 
 }  // namespace modes

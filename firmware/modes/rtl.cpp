@@ -3,6 +3,7 @@
 // rally point at its own height. With RTL_AUTOLAND it gives way to the landing of the mission.
 #include <math.h>
 
+#include "core/file_state.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/mission/rally.hpp"
 #include "firmware/modes/circling.hpp"
@@ -21,7 +22,10 @@ using namespace mission;
 
 namespace {
 
-bool lands;  // sooner or later
+struct WayHome {
+    bool lands;  // sooner or later
+};
+core::FileState<WayHome> way_home{};
 
 bool there() {
     constexpr float kNear_m = 10;
@@ -33,7 +37,7 @@ bool there() {
 void land() {
     constexpr int8_t kAtOnce = 2;
     if (parameters.rtl_landing != kAtOnce && !there()) return;
-    lands = false;
+    way_home.lands = false;
     if (!missionLand())
         sendStatusText(Severity::warning, ROM_TEXT("RTL: the mission has no DO_LAND_START"));
 }
@@ -49,14 +53,14 @@ Entry startRtl() {
         parameters.rtl_height_cm < 0 ? vehicle.estimate.height_m : parameters.rtl_height_cm * 0.01f;
     demandCircle(vehicle.home.position, height_m);
     rallyBegin();
-    lands = parameters.rtl_landing != 0;
+    way_home.lands = parameters.rtl_landing != 0;
     return Entry::entered;
 }
 
 void runRtl() {
     rallyLook(demandCircle);
     mixSticks();
-    if (lands && vehicle.estimate.flying) land();
+    if (way_home.lands && vehicle.estimate.flying) land();
 }
 
 }  // namespace modes
