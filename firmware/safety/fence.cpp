@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/fence.hpp"
 
+#include "core/file_state.hpp"
 #include "core/rom.hpp"
 #include "firmware/mission/fence_line.hpp"
 #include "firmware/modes/circling.hpp"
@@ -34,7 +35,7 @@ constexpr FenceState& published = Publisher<FenceState>::state();
 
 enum Action : int8_t { kNothing, kGuided, kReport, kGuidedThrottle };  // FENCE_ACTION
 
-struct {
+struct FenceWatch {
     uint32_t breach_ms;
     uint8_t breaches, breach;
     Mode mode_before;       // of the one that took over
@@ -45,7 +46,8 @@ struct {
     bool took_over : 1;
     bool switch_high : 1;
     bool taking_off : 1;
-} fence;
+};
+core::FileState<FenceWatch> fence{};
 
 // FENCE_CHANNEL: the pilot's switch counts when it moves.
 void followSwitch() {
