@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/file_state.hpp"
 #include "core/rom.hpp"
 #include "firmware/actuators/camera.hpp"
 #include "firmware/logger/records.hpp"
@@ -37,7 +38,7 @@ using namespace actuators;
 using namespace mission;
 using namespace safety;
 
-logging::Book flight_logs;
+core::FileState<logging::Book> flight_logs{};
 
 namespace {
 
@@ -126,19 +127,23 @@ constexpr uint16_t kIntroduction = kFormats + 2;
 constexpr uint8_t kCommands = 4;
 constexpr uint8_t kNoMode = 0xFF;
 
-uint16_t prelude;  // formats, banner, parameters, mission items already logged
-uint16_t due;      // a bit a source
-uint16_t dropped;
-uint8_t run;       // 0 .. kRound - 1
-uint8_t states;    // as logged
-uint16_t failing;  // as logged
-uint8_t mode = kNoMode;
-uint8_t pictures_logged;
-uint32_t gps_logged_ms;  // when the newest fix came that has been seen here
-uint8_t commands[kCommands];
-uint8_t commands_waiting;
-uint8_t dropped_told;
-enum class Request : uint8_t { none, pause, erase } request;
+enum class Request : uint8_t { none, pause, erase };
+struct Progress {
+    uint16_t prelude;  // formats, banner, parameters, mission items already logged
+    uint16_t due;      // a bit a source
+    uint16_t dropped;
+    uint8_t run;       // 0 .. kRound - 1
+    uint8_t states;    // as logged
+    uint16_t failing;  // as logged
+    uint8_t mode;
+    uint8_t pictures_logged;
+    uint32_t gps_logged_ms;  // when the newest fix came that has been seen here
+    uint8_t commands[kCommands];
+    uint8_t commands_waiting;
+    uint8_t dropped_told;
+    Request request;
+};
+core::FileState<Progress> logged{};
 
 uint32_t wantedKinds() {
     uint32_t kinds = static_cast<uint32_t>(parameters.log_bitmask);
@@ -150,7 +155,7 @@ uint32_t wantedKinds() {
 bool wants(uint8_t bit) { return (static_cast<uint32_t>(parameters.log_bitmask) >> bit & 1) != 0; }
 
 void drop() {
-    if (dropped != 0xFFFF) ++dropped;
+    if (logged.dropped != 0xFFFF) ++logged.dropped;
 }
 
 // In which place of its round each kind is now.
@@ -159,34 +164,35 @@ struct Places {
 };
 
 Places places() {
-    Places now = {{0, static_cast<uint8_t>(run % 5), static_cast<uint8_t>(run % 10), run, 1}};
-    if (vehicle.gps.received_ms != gps_logged_ms) now.of[with_fix] = 0;
-    gps_logged_ms = vehicle.gps.received_ms;
+    Places now = {{0, static_cast<uint8_t>(logged.run % 5), static_cast<uint8_t>(logged.run % 10),
+                   logged.run, 1}};
+    if (vehicle.gps.received_ms != logged.gps_logged_ms) now.of[with_fix] = 0;
+    logged.gps_logged_ms = vehicle.gps.received_ms;
     return now;
 }
 
 void findDue() {
-    if (++run == kRound) run = 0;
+    if (++logged.run == kRound) logged.run = 0;
     const uint32_t kinds = wantedKinds();
     const Places now = places();
     uint16_t bit = 1;
     for (const Source& in_flash : kSources) {
         if (now.of[core::romRead(in_flash.round)] == core::romRead(in_flash.place) &&
             (kinds & core::romRead(in_flash.kinds)) != 0) {
-            if ((due & bit) != 0) drop();
-            due |= bit;
+            if ((logged.due & bit) != 0) drop();
+            logged.due |= bit;
         }
         bit <<= 1;
     }
 }
 
 bool putDue() {
-    if (due == 0) return false;
+    if (logged.due == 0) return false;
     uint16_t bit = 1;
     for (const Source& in_flash : kSources) {
-        if ((due & bit) != 0) {
+        if ((logged.due & bit) != 0) {
             if (!core::romRead(in_flash.put)()) return false;
-            due &= static_cast<uint16_t>(~bit);
+            logged.due &= static_cast<uint16_t>(~bit);
             return true;
         }
         bit <<= 1;
@@ -196,7 +202,7 @@ bool putDue() {
 
 // The next part of what every log begins with; false: it is whole, or has to wait.
 bool putPrelude() {
-    uint16_t at = prelude;
+    uint16_t at = logged.prelude;
     bool ok;
     if (at < kFormats) {
         ok = putFormat(static_cast<uint8_t>(at));
@@ -211,7 +217,7 @@ bool putPrelude() {
     } else {
         return false;
     }
-    if (ok) ++prelude;
+    if (ok) ++logged.prelude;
     return ok;
 }
 
@@ -220,10 +226,10 @@ bool putState() {
                                              (vehicle.estimate.flying ? kFlying : 0));
     uint8_t bit = 1;
     for (const State& in_flash : kStates) {
-        if (((now ^ states) & bit) != 0) {
+        if (((now ^ logged.states) & bit) != 0) {
             const State state = core::romRead(in_flash);
             const bool ok = putEvent((now & bit) != 0 ? state.begins : state.ends);
-            if (ok) states ^= bit;
+            if (ok) logged.states ^= bit;
             return ok;
         }
         bit = static_cast<uint8_t>(bit << 1);
@@ -232,13 +238,13 @@ bool putState() {
 }
 
 bool putFailure() {
-    if (vehicle.failing == failing) return false;
+    if (vehicle.failing == logged.failing) return false;
     uint16_t bit = 1;
     for (const CauseRow& cause : kCauseTable) {
-        if (((vehicle.failing ^ failing) & bit) != 0) {
+        if (((vehicle.failing ^ logged.failing) & bit) != 0) {
             const uint8_t code = (vehicle.failing & bit) != 0 ? core::romRead(cause.code) : 0;
             const bool ok = putError(core::romRead(cause.subsystem), code);
-            if (ok) failing ^= bit;
+            if (ok) logged.failing ^= bit;
             return ok;
         }
         bit = static_cast<uint16_t>(bit << 1);
@@ -248,21 +254,21 @@ bool putFailure() {
 
 bool putChange() {
     const uint8_t now = static_cast<uint8_t>(vehicle.mode);
-    if (now != mode && wants(Bit::mode)) {
+    if (now != logged.mode && wants(Bit::mode)) {
         if (!putMode()) return false;
-        mode = now;
+        logged.mode = now;
         return true;
     }
     const uint8_t pictures = static_cast<uint8_t>(picturesTaken());
-    if (pictures != pictures_logged && wants(Bit::camera)) {
+    if (pictures != logged.pictures_logged && wants(Bit::camera)) {
         if (!putPicture()) return false;
-        pictures_logged = pictures;
+        logged.pictures_logged = pictures;
         return true;
     }
-    if (commands_waiting == 0) return false;
-    if (!putCommand(commands[0])) return false;
-    --commands_waiting;
-    memmove(commands, commands + 1, commands_waiting);
+    if (logged.commands_waiting == 0) return false;
+    if (!putCommand(logged.commands[0])) return false;
+    --logged.commands_waiting;
+    memmove(logged.commands, logged.commands + 1, logged.commands_waiting);
     return true;
 }
 
@@ -274,8 +280,8 @@ void putSome() {
     const auto within = [began](uint16_t spend) {
         return static_cast<uint16_t>(hal::ticks() - began) < spend;
     };
-    if (prelude >= kFormats) {
-        const bool introduced = prelude >= kIntroduction;
+    if (logged.prelude >= kFormats) {
+        const bool introduced = logged.prelude >= kIntroduction;
         if (introduced) (void)putEvents();
         (void)putDue();  // however long the event took, or a mission's changes would hold it up
         for (uint8_t i = 2; i < kMaxRecords && within(kSpend); ++i)
@@ -286,12 +292,12 @@ void putSome() {
 
 void begin() {
     if (flight_logs.begin() != core::Status::ok) return;
-    prelude = due = 0;
+    logged.prelude = logged.due = 0;
     (void)places();  // a fix from before is none of this log's
-    states = commands_waiting = 0;
-    failing = 0;
-    mode = kNoMode;
-    pictures_logged = static_cast<uint8_t>(picturesTaken());
+    logged.states = logged.commands_waiting = 0;
+    logged.failing = 0;
+    logged.mode = kNoMode;
+    logged.pictures_logged = static_cast<uint8_t>(picturesTaken());
 }
 
 void end() {
@@ -303,9 +309,9 @@ void end() {
 }
 
 void reportDropped() {
-    if (run != 0 || static_cast<uint8_t>(dropped) == dropped_told) return;
-    dropped_told = static_cast<uint8_t>(dropped);
-    sendStatusText(Severity::warning, ROM_TEXT("Log: # records dropped"), dropped);
+    if (logged.run != 0 || static_cast<uint8_t>(logged.dropped) == logged.dropped_told) return;
+    logged.dropped_told = static_cast<uint8_t>(logged.dropped);
+    sendStatusText(Severity::warning, ROM_TEXT("Log: # records dropped"), logged.dropped);
 }
 
 // Where the ring begins, kept in the EEPROM beside its complement.
@@ -334,24 +340,24 @@ void eraseMore() {
         (void)flight_logs.erase();
     } else if (flight_logs.eraseStep() && keepBase(flight_logs.nextBase())) {
         flight_logs.finishErase();
-        request = Request::none;
+        logged.request = Request::none;
         sendStatusText(Severity::notice, ROM_TEXT("Logs erased"));
     }
 }
 
 void armedMeanwhile() {
-    if (request == Request::erase)
+    if (logged.request == Request::erase)
         sendStatusText(Severity::warning, ROM_TEXT("Erasing logs stopped"));
-    request = Request::none;
+    logged.request = Request::none;
 }
 
 }  // namespace
 
 void logStart() {
     flight_logs.start(readBase());
-    due = dropped = prelude = 0;
-    run = dropped_told = 0;
-    request = Request::none;
+    logged.due = logged.dropped = logged.prelude = 0;
+    logged.run = logged.dropped_told = 0;
+    logged.request = Request::none;
 }
 
 bool logFind() {
@@ -361,39 +367,41 @@ bool logFind() {
     return looked;
 }
 
-void logPause(bool pause) { request = pause ? Request::pause : Request::none; }
+void logPause(bool pause) { logged.request = pause ? Request::pause : Request::none; }
 
 void logErase() {
     if (vehicle.armed) return sendStatusText(Severity::error, ROM_TEXT("Disarm to erase logs"));
     if (!flight_logs.usable()) return sendStatusText(Severity::error, ROM_TEXT("No logs to erase"));
-    request = Request::erase;
+    logged.request = Request::erase;
     sendStatusText(Severity::notice, ROM_TEXT("Erasing logs"));
 }
 
-uint16_t logDropped() { return dropped; }
+uint16_t logDropped() { return logged.dropped; }
 
 void logCommand(uint8_t index) {
     if (!logOpen() || !wants(Bit::command)) return;
-    if (commands_waiting == kCommands) return drop();
-    commands[commands_waiting++] = index;
+    if (logged.commands_waiting == kCommands) return drop();
+    logged.commands[logged.commands_waiting++] = index;
 }
 
-bool logParameter(uint8_t row) { return !logOpen() || (prelude >= kFormats && putParameter(row)); }
+bool logParameter(uint8_t row) {
+    return !logOpen() || (logged.prelude >= kFormats && putParameter(row));
+}
 
 namespace {
 
 void stepLog() {
-    if (vehicle.armed && request != Request::none) armedMeanwhile();
-    const bool wanted = parameters.log_bitmask != 0 && request == Request::none &&
+    if (vehicle.armed && logged.request != Request::none) armedMeanwhile();
+    const bool wanted = parameters.log_bitmask != 0 && logged.request == Request::none &&
                         (vehicle.armed || wants(Bit::disarmed));
     if (!flight_logs.writing()) {
         if (wanted) begin();
-        if (request == Request::erase) eraseMore();
+        if (logged.request == Request::erase) eraseMore();
         return;
     }
     if (!wanted) return end();
     if (hal::flashTrouble() != hal::FlashTrouble::none) return flight_logs.start(0);
-    if (prelude >= kFormats) findDue();
+    if (logged.prelude >= kFormats) findDue();
     putSome();
     reportDropped();
 }

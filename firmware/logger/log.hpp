@@ -7,10 +7,12 @@
 
 #include "logging/book.hpp"
 
+#include "core/file_state.hpp"
+
 namespace firmware {
 namespace logger {
 
-extern logging::Book flight_logs;
+extern core::FileState<logging::Book> flight_logs;
 
 void logStart();
 // In the rest of a frame, until the newest page is found. True: did something.
