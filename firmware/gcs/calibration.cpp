@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/gcs/calibration.hpp"
 
+#include "core/file_state.hpp"
 #include "core/rom.hpp"
 #include "firmware/gcs/commands_orders.hpp"
 #include "firmware/gcs/link.hpp"
@@ -38,17 +39,18 @@ using mavlink::MavResult;
 
 constexpr uint8_t kRest_s = 30, kSide_s = 240, kTurning_s = 180;
 
-SideForces sides;
+core::FileState<SideForces> sides{};
 
 enum class Phase : uint8_t { asks, measures, succeeded, failed };
 
-struct {
+struct Calibration {
     Phase phase;
     uint8_t side;
     uint8_t left_s;
     uint8_t second;  // of the clock
     Asker asker;
-} now;
+};
+core::FileState<Calibration> now{};
 
 // The words by which ground stations know them.
 constexpr char kPrompts[kSides][50] ROM = {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the airplane is, how it lies in the air and where it is going.
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "estimation/arc.hpp"
 #include "firmware/actuators/camera.hpp"
@@ -38,6 +39,12 @@ int16_t degreesOf(int32_t angle_cd) {
     const int16_t wrapped = static_cast<int16_t>(core::wrap180_cd(angle_cd));
     return static_cast<int16_t>((core::upper(core::product(wrapped, kPerCent)) + 16) >> 5);
 }
+
+struct WindSent {
+    core::Vector3 known_mps;
+    float speed_mps, from_deg;
+};
+core::FileState<WindSent> wind_sent{};
 
 }  // namespace
 
@@ -87,17 +94,16 @@ bool fillIn(const Link&, mavlink::VfrHud& to) {
 // Worked out when the wind has changed, five times a second at most, not for each message: 0.15 %
 // of the processor with both links at 10 Hz.
 bool fillIn(const Link&, mavlink::Wind& to) {
-    static core::Vector3 known_mps;
-    static float speed_mps, from_deg;
     const core::Vector3& wind_mps = vehicle.estimate.wind_mps;
-    if (known_mps.x != wind_mps.x || known_mps.y != wind_mps.y) {
-        known_mps = wind_mps;
-        speed_mps = sqrtf(core::square(wind_mps.x) + core::square(wind_mps.y));
-        const float inverse = -1.0f / core::limit(speed_mps, 0.001f, 200.0f);
-        from_deg = core::degrees(estimation::arc_rad(wind_mps.y * inverse, wind_mps.x * inverse));
+    if (wind_sent.known_mps.x != wind_mps.x || wind_sent.known_mps.y != wind_mps.y) {
+        wind_sent.known_mps = wind_mps;
+        wind_sent.speed_mps = sqrtf(core::square(wind_mps.x) + core::square(wind_mps.y));
+        const float inverse = -1.0f / core::limit(wind_sent.speed_mps, 0.001f, 200.0f);
+        wind_sent.from_deg =
+            core::degrees(estimation::arc_rad(wind_mps.y * inverse, wind_mps.x * inverse));
     }
-    to.speed = speed_mps;
-    to.direction = from_deg;
+    to.speed = wind_sent.speed_mps;
+    to.direction = wind_sent.from_deg;
     to.speed_z = wind_mps.z;
     return true;
 }

@@ -13,7 +13,7 @@ using namespace notify;
 
 static_assert(kLinks == kLogReader, "a reader of texts for each link, then the log");
 
-Link links[kLinks];
+core::FileState<Links> links{};
 
 namespace {
 

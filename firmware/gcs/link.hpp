@@ -6,6 +6,7 @@
 #pragma once
 #include <stdint.h>
 
+#include "core/file_state.hpp"
 #include "firmware/gcs/streams.hpp"
 #include "firmware/state/parameters.hpp"
 #include "hal/serial.hpp"
@@ -40,11 +41,17 @@ struct Link {
     uint16_t next_parameter = 0;     // of the list being sent; kNoParameter: none
     Streams streams;
 };
-extern Link links[state::kLinks];
+struct Links {
+    Link of[state::kLinks];
+    Link& operator[](uint8_t number) { return of[number]; }
+    Link* begin() { return of; }
+    Link* end() { return of + state::kLinks; }
+};
+extern core::FileState<Links> links;
 
-inline uint8_t linkNumber(const Link& link) { return static_cast<uint8_t>(&link - links); }
+inline uint8_t linkNumber(const Link& link) { return static_cast<uint8_t>(&link - links.of); }
 inline hal::Port portOf(const Link& link) {
-    return &link == links ? hal::Port::link0 : hal::Port::link1;
+    return &link == links.of ? hal::Port::link0 : hal::Port::link1;
 }
 inline bool hasRoom(const Link& link, uint8_t frame_size) {
     return hal::serialRoom(portOf(link)) >= frame_size;

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/file_state.hpp"
 #include "core/rom.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/logger/log.hpp"
@@ -29,20 +30,23 @@ enum class Doing : uint8_t { nothing, list, date, measure, data };
 
 constexpr logging::Formats kFormatsInFront = {kFormatTable, kFormats};
 
-Doing doing;
-uint8_t to_link;
-bool shorter;  // the log ends before what was asked for
-logging::Reader reader;
-uint32_t offset;    // of the next byte; of a list: the log's size
-uint32_t left;      // bytes; of a list: the last log
-uint16_t searched;  // of a list: the log's bytes in which there was no date
+struct Download {
+    Doing doing;
+    uint8_t to_link;
+    bool shorter;  // the log ends before what was asked for
+    logging::Reader reader;
+    uint32_t offset;    // of the next byte; of a list: the log's size
+    uint32_t left;      // bytes; of a list: the last log
+    uint16_t searched;  // of a list: the log's bytes in which there was no date
+};
+core::FileState<Download> download{};
 
 bool anyLogs() { return flight_logs.ready() && !flight_logs.erasing() && flight_logs.last() != 0; }
 
 void begin(const Link& link, Doing what, uint16_t log) {
-    doing = what;
-    to_link = linkNumber(link);
-    reader.open(flight_logs, log);
+    download.doing = what;
+    download.to_link = linkNumber(link);
+    download.reader.open(flight_logs, log);
 }
 
 bool sendEnd(Link& link, uint16_t log, uint32_t at) {
@@ -53,10 +57,11 @@ bool sendEnd(Link& link, uint16_t log, uint32_t at) {
 }
 
 bool sizeStep() {
-    offset = 0;
-    if (reader.size(flight_logs, kFormatsInFront, offset) == Status::busy) return false;
-    searched = kFormats * sizeof(logging::FormatRecord);
-    doing = Doing::date;
+    download.offset = 0;
+    if (download.reader.size(flight_logs, kFormatsInFront, download.offset) == Status::busy)
+        return false;
+    download.searched = kFormats * sizeof(logging::FormatRecord);
+    download.doing = Doing::date;
     return true;
 }
 
@@ -65,14 +70,14 @@ bool entryStep(Link& link, uint32_t time_utc) {
     if (logging::oldestKey(flight_logs, oldest) != Status::ok) return false;
     LogEntry entry = {};
     entry.time_utc = time_utc;
-    entry.size = offset;
-    entry.id = reader.log();
+    entry.size = download.offset;
+    entry.id = download.reader.log();
     entry.last_log_num = flight_logs.last();
     entry.num_logs = static_cast<uint16_t>(entry.last_log_num - oldest.log + 1);
     if (!send(link, entry)) return false;
-    const bool more = entry.id < static_cast<uint16_t>(left);
-    doing = more ? Doing::list : Doing::nothing;
-    reader.open(flight_logs, static_cast<uint16_t>(entry.id + more));
+    const bool more = entry.id < static_cast<uint16_t>(download.left);
+    download.doing = more ? Doing::list : Doing::nothing;
+    download.reader.open(flight_logs, static_cast<uint16_t>(entry.id + more));
     return true;
 }
 
@@ -94,50 +99,52 @@ uint32_t utc_s(const GpsRecord& record) {
 // A record each call, until one has the date or the log's beginning is over.
 bool dateStep(Link& link) {
     constexpr uint16_t kBeginning = 8000;
-    if (searched >= kBeginning || searched >= offset) return entryStep(link, 0);
+    if (download.searched >= kBeginning || download.searched >= download.offset)
+        return entryStep(link, 0);
     GpsRecord record = {};
     uint8_t size = sizeof record;
-    const Status status = reader.read(flight_logs, kFormatsInFront, searched,
-                                      reinterpret_cast<uint8_t*>(&record), size);
+    const Status status = download.reader.read(flight_logs, kFormatsInFront, download.searched,
+                                               reinterpret_cast<uint8_t*>(&record), size);
     if (status == Status::busy) return false;
     const uint8_t length = status == Status::ok ? lengthOf(record.head) : 0;
     const uint32_t time_utc = utc_s(record);
     if (length == 0 || time_utc != 0) return entryStep(link, time_utc);
-    searched += length;
+    download.searched += length;
     return true;
 }
 
 bool measureStep() {
     uint32_t size = 0;
-    const Status status = reader.size(flight_logs, kFormatsInFront, size);
+    const Status status = download.reader.size(flight_logs, kFormatsInFront, size);
     if (status == Status::busy) return false;
-    const uint32_t rest = offset < size ? size - offset : 0;
-    shorter = left > rest;
-    if (shorter) left = rest;
-    doing = Doing::data;
+    const uint32_t rest = download.offset < size ? size - download.offset : 0;
+    download.shorter = download.left > rest;
+    if (download.shorter) download.left = rest;
+    download.doing = Doing::data;
     return true;
 }
 
 // A message is filled up over the end of a page: one that is not full is the last.
 bool dataStep(Link& link) {
     LogData message;
-    message.id = reader.log();
-    message.ofs = offset;
+    message.id = download.reader.log();
+    message.ofs = download.offset;
     message.count = 0;
-    while (message.count < sizeof message.data && message.count < left) {
-        const uint32_t rest = left - message.count;
+    while (message.count < sizeof message.data && message.count < download.left) {
+        const uint32_t rest = download.left - message.count;
         uint8_t size = sizeof message.data - message.count;
         if (size > rest) size = static_cast<uint8_t>(rest);
-        if (reader.read(flight_logs, kFormatsInFront, offset + message.count,
-                        message.data + message.count, size) != Status::ok)
+        if (download.reader.read(flight_logs, kFormatsInFront, download.offset + message.count,
+                                 message.data + message.count, size) != Status::ok)
             return false;
         message.count += size;
     }
     memset(message.data + message.count, 0, sizeof message.data - message.count);
     if (!send(link, message)) return false;
-    offset += message.count;
-    left -= message.count;
-    if (left == 0 && !(shorter && message.count == sizeof message.data)) doing = Doing::nothing;
+    download.offset += message.count;
+    download.left -= message.count;
+    if (download.left == 0 && !(download.shorter && message.count == sizeof message.data))
+        download.doing = Doing::nothing;
     return true;
 }
 
@@ -148,7 +155,7 @@ bool mayTalk(const Link& link) {
 
 }  // namespace
 
-void logsStart() { doing = Doing::nothing; }
+void logsStart() { download.doing = Doing::nothing; }
 
 bool onLogRequestList(Link& link, const mavlink::Frame& frame) {
     const auto asked = frame.read<mavlink::LogRequestList>();
@@ -158,8 +165,8 @@ bool onLogRequestList(Link& link, const mavlink::Frame& frame) {
     if (status == Status::busy) return false;
     const uint16_t last = flight_logs.last();
     const uint16_t first = asked.start > oldest.log ? asked.start : oldest.log;
-    left = asked.end < last ? asked.end : last;
-    if (status != Status::ok || first > left) {
+    download.left = asked.end < last ? asked.end : last;
+    if (status != Status::ok || first > download.left) {
         const LogEntry none = {};
         return send(link, none);
     }
@@ -176,31 +183,33 @@ bool onLogRequestData(Link& link, const mavlink::Frame& frame) {
     logPause(true);
     if (flight_logs.writing()) return false;  // ends first
     if (!anyLogs()) return sendEnd(link, asked.id, asked.ofs);
-    offset = asked.ofs;
-    left = asked.count;
+    download.offset = asked.ofs;
+    download.left = asked.count;
     begin(link, Doing::measure, asked.id);
     return true;
 }
 
 bool onLogErase(Link&, const mavlink::Frame&) {
-    doing = Doing::nothing;
+    download.doing = Doing::nothing;
     logErase();
     return true;
 }
 
 bool onLogRequestEnd(Link&, const mavlink::Frame&) {
-    doing = Doing::nothing;
+    download.doing = Doing::nothing;
     logPause(false);
     return true;
 }
 
-bool logsWait(const Link& link) { return doing != Doing::nothing && to_link == linkNumber(link); }
+bool logsWait(const Link& link) {
+    return download.doing != Doing::nothing && download.to_link == linkNumber(link);
+}
 
 // Inlined, its record burdens every look whether a log waits: 0.22 % of the processor.
 __attribute__((noinline)) bool logsSend(Link& link) {
     if (!logsWait(link) || !mayTalk(link) || !hasRoom(link, kLogFrame)) return false;
-    if (doing > Doing::date && vehicle.armed) doing = Doing::nothing;
-    switch (doing) {
+    if (download.doing > Doing::date && vehicle.armed) download.doing = Doing::nothing;
+    switch (download.doing) {
         case Doing::list:
             return sizeStep();
         case Doing::date:

@@ -2,6 +2,7 @@
 // What the ground asks of the lists, and gets of the mission.
 #include <stddef.h>
 
+#include "core/file_state.hpp"
 #include "firmware/gcs/degrees.hpp"
 #include "firmware/gcs/mission_transfer.hpp"
 #include "firmware/gcs/plans.hpp"
@@ -16,7 +17,10 @@ using namespace mission;
 
 namespace {
 
-uint16_t reached;
+struct ItemReport {
+    uint16_t reached;
+};
+core::FileState<ItemReport> item_report{};
 
 // True when the answer is complete: the item is not to be had.
 bool refusedRequest(Link& link, const mavlink::Frame& frame, uint8_t type, uint16_t index,
@@ -134,11 +138,11 @@ void reportReached() {
     const uint16_t id = mavlink::Wire<mavlink::MissionItemReached>::id;
     for (const Link& link : links)
         if (isDue(link, id)) return;
-    if (!takeReached(reached)) return;
+    if (!takeReached(item_report.reached)) return;
     for (Link& link : links) requestOnce(link, id);
 }
 
-uint16_t lastReached() { return reached; }
+uint16_t lastReached() { return item_report.reached; }
 
 }  // namespace gcs
 }  // namespace firmware

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "firmware/actuators/camera.hpp"
 
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/gcs/link.hpp"
@@ -153,6 +154,11 @@ bool sendRow(Link& link, uint8_t row) {
     return true;
 }
 
+struct CameraReport {
+    uint16_t reported;
+};
+core::FileState<CameraReport> camera_report{};
+
 }  // namespace
 
 void streamsStart(Link& link) {
@@ -200,10 +206,9 @@ void requestOnce(Link& link, uint16_t message_id) {
 }
 
 void sendCameraFeedback() {
-    static uint16_t reported;
     const uint16_t taken = actuators::picturesTaken();
-    if (taken == reported) return;
-    reported = taken;
+    if (taken == camera_report.reported) return;
+    camera_report.reported = taken;
     if (taken == 0) return;  // counted anew
     for (Link& link : links) requestOnce(link, mavlink::Wire<mavlink::CameraFeedback>::id);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/gcs/telemetry.hpp"
 
+#include "core/file_state.hpp"
 #include "firmware/gcs/commands.hpp"
 #include "firmware/gcs/housekeeping.hpp"
 #include "firmware/gcs/link.hpp"
@@ -25,9 +26,12 @@ constexpr uint8_t kHoldTicks = kTickRate_hz;  // a second, then the frame is ref
 
 constexpr uint8_t kNoRoomWakes = 0xFF;
 
-bool usb;     // as link0 was opened
-bool pumped;  // telemetryPump has been called since the last turn
-bool second_first;
+struct Turn {
+    bool usb;     // as link0 was opened
+    bool pumped;  // telemetryPump has been called since the last turn
+    bool second_first;
+};
+core::FileState<Turn> turn{};
 
 // As the parameters give it: thousands, where the usual rates are named by their first digits.
 uint32_t lineRate(int16_t thousands) {
@@ -51,14 +55,14 @@ void open(Link& link, int16_t thousands) {
     link.next_parameter = kNoParameter;
 }
 
-void openLink0() { open(links[0], usb ? parameters.serial0_baud : parameters.serial1_baud); }
+void openLink0() { open(links[0], turn.usb ? parameters.serial0_baud : parameters.serial1_baud); }
 
 // Another board's sense pin says nothing: it is to be heard on USB.
 bool usbThere() { return hal::usbConnected() || wrongBoard(); }
 
 void followUsb() {
-    if (usbThere() == usb) return;
-    usb = !usb;
+    if (usbThere() == turn.usb) return;
+    turn.usb = !turn.usb;
     openLink0();
 }
 
@@ -145,7 +149,7 @@ void telemetryStart() {
     missionTransferStart();
     commandsStart();
     logsStart();
-    usb = usbThere();
+    turn.usb = usbThere();
     openLink0();
     open(links[1], parameters.serial2_baud);
     for (Link& link : links) streamsStart(link);
@@ -157,9 +161,9 @@ void telemetrySend() {
     for (Link& link : links) {
         if (link.whole && link.held_ticks < kHoldTicks) ++link.held_ticks;
         streamsTick(link);
-        if (!pumped) sendOne(link);
+        if (!turn.pumped) sendOne(link);
     }
-    pumped = false;
+    turn.pumped = false;
     sendCameraFeedback();
     missionTransferTick();
     commandsTick();
@@ -169,9 +173,9 @@ void telemetrySend() {
 // One link's turn at a time: a frame that is due waits for no more than that.
 // Called in every round of the loop: flat it takes 0.15 % of the processor less, for 8 bytes.
 __attribute__((flatten)) bool telemetryPump() {
-    pumped = true;
-    second_first = !second_first;
-    return second_first ? pump<1>() || pump<0>() : pump<0>() || pump<1>();
+    turn.pumped = true;
+    turn.second_first = !turn.second_first;
+    return turn.second_first ? pump<1>() || pump<0>() : pump<0>() || pump<1>();
 }
 // The same, 0.05 % for 58 bytes.
 __attribute__((flatten)) bool telemetryWaits() { return waits<0>() || waits<1>(); }
