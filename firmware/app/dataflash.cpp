@@ -2,6 +2,7 @@
 #include "firmware/app/dataflash.hpp"
 
 #include "board.hpp"
+#include "core/file_state.hpp"
 #include "drivers/at45db.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "hal/clock.hpp"
@@ -20,9 +21,12 @@ using hal::FlashUser;
 constexpr uint8_t kPagesPerBlock = 8;
 static_assert(hal::kFlashMissionPages % kPagesPerBlock == 0, "a block has one owner");
 
-drivers::At45db<board::FlashBus, board::FlashSelect, board::FlashReset> chip;
-bool mission_wants;
-bool trouble_told;
+struct FlashUse {
+    drivers::At45db<board::FlashBus, board::FlashSelect, board::FlashReset> chip;
+    bool mission_wants;
+    bool trouble_told;
+};
+core::FileState<FlashUse> flash{};
 
 uint16_t clock_ms() { return static_cast<uint16_t>(hal::now_ms()); }
 
@@ -33,11 +37,11 @@ bool owns(FlashUser user, uint16_t page) {
 // May this user begin work on this page?
 Status admit(FlashUser user, uint16_t page) {
     if (!owns(user, page)) return Status::bad_argument;
-    return mission_wants && user != FlashUser::mission ? Status::busy : Status::ok;
+    return flash.mission_wants && user != FlashUser::mission ? Status::busy : Status::ok;
 }
 
 void reportTrouble() {
-    switch (chip.trouble()) {
+    switch (flash.chip.trouble()) {
         case drivers::At45dbTrouble::none:
             return;
         case drivers::At45dbTrouble::absent:
@@ -50,19 +54,19 @@ void reportTrouble() {
             sendStatusText(Severity::error, ROM_TEXT("DataFlash: lost, not used any more"));
             break;
     }
-    trouble_told = true;
+    flash.trouble_told = true;
 }
 
 }  // namespace
 
 void dataflashStart() {
-    mission_wants = trouble_told = false;
-    chip.start(clock_ms());
+    flash.mission_wants = flash.trouble_told = false;
+    flash.chip.start(clock_ms());
 }
 
 void dataflashStep() {
-    chip.step(clock_ms());
-    if (!trouble_told) reportTrouble();
+    flash.chip.step(clock_ms());
+    if (!flash.trouble_told) reportTrouble();
 }
 
 }  // namespace app
@@ -73,36 +77,37 @@ namespace hal {
 using namespace firmware::app;
 
 bool flashKnown() {
-    if (!chip.known()) chip.step(clock_ms());
-    return chip.known();
+    if (!flash.chip.known()) flash.chip.step(clock_ms());
+    return flash.chip.known();
 }
 
-FlashShape flashShape() { return {chip.pages(), chip.pageSize()}; }
-FlashTrouble flashTrouble() { return static_cast<FlashTrouble>(chip.trouble()); }
+FlashShape flashShape() { return {flash.chip.pages(), flash.chip.pageSize()}; }
+FlashTrouble flashTrouble() { return static_cast<FlashTrouble>(flash.chip.trouble()); }
 
 Status flashRead(uint16_t page, uint16_t offset, void* to, uint8_t size) {
-    return chip.read(page, offset, to, size, clock_ms());
+    return flash.chip.read(page, offset, to, size, clock_ms());
 }
 
 Status flashFill(FlashUser user, uint16_t offset, const void* from, uint8_t size) {
-    return chip.fill(static_cast<uint8_t>(user), offset, from, size, clock_ms());
+    return flash.chip.fill(static_cast<uint8_t>(user), offset, from, size, clock_ms());
 }
 
 Status flashStore(FlashUser user, uint16_t page) {
     const Status status = admit(user, page);
-    return status == Status::ok ? chip.store(static_cast<uint8_t>(user), page, clock_ms()) : status;
+    return status == Status::ok ? flash.chip.store(static_cast<uint8_t>(user), page, clock_ms())
+                                : status;
 }
 
 Status flashErase(FlashUser user, uint16_t page) {
     if (page % kPagesPerBlock != 0) return Status::bad_argument;
     const Status status = admit(user, page);
-    return status == Status::ok ? chip.eraseBlock(page, clock_ms()) : status;
+    return status == Status::ok ? flash.chip.eraseBlock(page, clock_ms()) : status;
 }
 
-bool flashBusy() { return !chip.known() || chip.busy(clock_ms()); }
+bool flashBusy() { return !flash.chip.known() || flash.chip.busy(clock_ms()); }
 
 void flashWant(FlashUser user, bool wanted) {
-    if (user == FlashUser::mission) mission_wants = wanted;
+    if (user == FlashUser::mission) flash.mission_wants = wanted;
 }
 
 }  // namespace hal

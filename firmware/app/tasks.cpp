@@ -2,6 +2,7 @@
 #include "firmware/app/tasks.hpp"
 
 #include "board.hpp"
+#include "core/file_state.hpp"
 #include "firmware/actuators/camera.hpp"
 #include "firmware/actuators/flaps.hpp"
 #include "firmware/actuators/lights.hpp"
@@ -157,25 +158,28 @@ static_assert(scheduler::longestSilence(kTasks, fast) <= maxSilent(fast), "fast 
 static_assert(scheduler::longestSilence(kTasks, medium) <= maxSilent(medium), "nor medium ones");
 static_assert(scheduler::longestSilence(kTasks, slow) <= maxSilent(slow), "nor slow ones");
 
-scheduler::Scheduler<core::count(kTasks), kTasks, kFrame_us> schedule;
-Supervisor supervisor;
+core::FileState<scheduler::Scheduler<core::count(kTasks), kTasks, kFrame_us>> schedule{};
 
-uint16_t frame_began;  // ticks
-uint32_t load_from_us, load_busy_us;
+struct Loop {
+    Supervisor supervisor;
+    uint16_t frame_began;  // ticks
+    uint32_t load_from_us, load_busy_us;
+};
+core::FileState<Loop> running{};
 
 void measureLoad() {
     const uint32_t now_us = hal::now_us();
-    const uint32_t span_us = now_us - load_from_us;
-    const uint32_t busy_us = schedule.busy_us() - load_busy_us;
-    load_from_us = now_us;
-    load_busy_us = schedule.busy_us();
+    const uint32_t span_us = now_us - running.load_from_us;
+    const uint32_t busy_us = schedule.busy_us() - running.load_busy_us;
+    running.load_from_us = now_us;
+    running.load_busy_us = schedule.busy_us();
     if (span_us > 1000)
         processor_figures.load_permille = static_cast<uint16_t>(busy_us / (span_us / 1000));
 }
 
 bool frameDue() {
     if (inertialSamplesWaiting() >= kSamplesPerFrame) return true;
-    const uint16_t passed = hal::ticks() - frame_began;
+    const uint16_t passed = hal::ticks() - running.frame_began;
     return passed >= hal::kTicksPerUs * (vehicle.imu.healthy ? kSilentImu_us : kFrame_us);
 }
 
@@ -204,18 +208,18 @@ void setup() {
     restartResume();
     if (!flyingOn()) requestMode(static_cast<Mode>(parameters.initial_mode), ModeReason::boot);
     schedule.start();
-    frame_began = hal::ticks();
+    running.frame_began = hal::ticks();
     hal::hangTimerStart();
     hal::watchdogStart();
 }
 
 void loop() {
     if (frameDue()) {
-        frame_began = hal::ticks();
+        running.frame_began = hal::ticks();
         schedule.runFrame(hal::now_us());
         processor_figures.late_frames = schedule.lateFrames();
         processor_figures.longest_frame_us = schedule.longestFrame_us();
-        if (supervisor.wellAfter(schedule.takeServed())) hal::watchdogFeed();
+        if (running.supervisor.wellAfter(schedule.takeServed())) hal::watchdogFeed();
     } else if (gpsWaits()) {
         runGps();
     } else if (!telemetryPump() && !logFind()) {
