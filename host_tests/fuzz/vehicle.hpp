@@ -29,7 +29,6 @@ inline fakes::Serial& line(uint8_t link) {
 inline void start() {
     fakes::reset();
     line(0).room = line(1).room = 127;
-    firmware::state::mutable_vehicle = {};
     while (firmware::state::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
     firmware::gcs::telemetryStart();
     firmware::mission::missionBoot();

@@ -27,17 +27,9 @@ protected:
     void SetUp() override {
         fakes::reset();
         while (firmware::state::parametersLoad() != core::Status::ok) fakes::advance_ms(10);
-        firmware::sensors::rcOverrideRelease();
+        firmware::state::mutable_vehicle.mode = firmware::state::Mode::initialising;
         settle(kCentred);
-        firmware::state::mutable_vehicle.armed = false;
         for (int i = 0; i < 3; ++i) firmware::safety::runFailsafe();
-        const firmware::state::Mode none = firmware::state::Mode::initialising;
-        firmware::state::mutable_vehicle = {};
-        firmware::state::mutable_vehicle.mode = none;
-        settle(kCentred);
-        // through STABILIZE, so that MANUAL is entered anew whatever came before
-        firmware::modes::requestMode(firmware::state::Mode::stabilize,
-                                     firmware::modes::ModeReason::boot);
         firmware::modes::requestMode(firmware::state::Mode::manual,
                                      firmware::modes::ModeReason::boot);
     }

@@ -74,19 +74,9 @@ inline MissionItem command(uint16_t id, float p1 = 0, float p2 = 0, float p3 = 0
 class Rig : public testing::Test {
 protected:
     void SetUp() override {
-        fakes::reset();
-        mutable_vehicle = Vehicle();
-        links[0] = Link();
-        links[1] = Link();
-        setTextReader(kLogReader, false);
-        for (Link& link : links)  // texts that an earlier test left
-            while (sendText(link)) fakes::resetSerial();
-        radioHeard();
-        relaySet(false);
         while (parametersLoad() == core::Status::busy) {
         }
         startOutputs();
-        stopEvents();
         mutable_vehicle.estimate.position = {470000000, 80000000};
         mutable_vehicle.estimate.known = true;
         mutable_vehicle.gps.fix = GpsFix::three_d;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All doubles of the hardware at once, and one call that puts every one back as it was at start.
+// All doubles of the hardware at once, and one call that puts every one back as it was at start,
+// and with them whatever the firmware remembers.
 #pragma once
+#include "core/file_state.hpp"
 #include "fakes/board.hpp"
 #include "fakes/bus.hpp"
 #include "fakes/clock.hpp"
@@ -13,6 +15,7 @@
 namespace fakes {
 
 inline void reset() {
+    core::resetFileStates();
     resetClock();
     resetEeprom();
     resetI2c();

@@ -22,7 +22,6 @@ constexpr FlashUser kMission = FlashUser::mission, kLog = FlashUser::log;
 class Dataflash : public testing::Test {
 protected:
     void SetUp() override {
-        fakes::reset();
         FlashBus::device = [this](uint8_t) { return answer(); };
         FlashBus::on_select = [this](bool low) {
             if (!low && FlashBus::sent.size() > 1) last = FlashBus::sent;
@@ -30,7 +29,6 @@ protected:
             if (!low && last.size() == 4 && last[0] != 0x84 && last[0] != 0x87) busy = true;
         };
     }
-    void TearDown() override { fakes::reset(); }
 
     uint8_t answer() const {
         const std::vector<uint8_t>& sent = FlashBus::sent;

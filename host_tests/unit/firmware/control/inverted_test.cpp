@@ -23,12 +23,10 @@ class Inverted : public bench::Bench {
 protected:
     void SetUp() override {
         Bench::SetUp();
-        firmware::control::orderInverted(false);
         mutable_vehicle.imu.periods = 2;
         mutable_vehicle.estimate.equivalent_airspeed_mps = parameters.scaling_speed_mps;
         attitude(0, 0);
         fly(Mode::fbwa);
-        run();  // upright: what a test before has left is over
     }
     static void attitude(float roll_deg, float pitch_deg) {
         auto& attitude = mutable_vehicle.attitude;

@@ -108,18 +108,14 @@ private:
 class Telemetry : public testing::Test {
 protected:
     void SetUp() override {
-        fakes::reset();
         station.line().room = second.line().room = 127;  // as the real ports, and never less
         doubles::reset();
-        firmware::state::mutable_vehicle = {};
         firmware::state::mutable_vehicle.prearm_ok = true;
         firmware::state::processor_figures = {250, 3, 4321};
         firmware::state::mutable_vehicle.mode = firmware::state::Mode::manual;
         while (firmware::state::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
         for (auto& rates : firmware::state::parameters.streams)
             rates = {};  // silence but for heartbeats
-        firmware::sensors::rcOverrideRelease();
-        firmware::safety::fenceStart();
         firmware::gcs::telemetryStart();
         run_ms(100);
         station.forget();

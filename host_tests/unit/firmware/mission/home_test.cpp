@@ -17,7 +17,6 @@ class Home : public bench::Bench {
 protected:
     void SetUp() override {
         Bench::SetUp();
-        firmware::guidance::runGuidance();  // in MANUAL: whoever guided before has let go
         mutable_vehicle.attitude.cos_roll = mutable_vehicle.attitude.cos_pitch = core::Ratio(1);
         mutable_vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
         mutable_vehicle.gps.fix = firmware::state::GpsFix::three_d;

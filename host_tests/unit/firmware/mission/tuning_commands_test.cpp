@@ -164,15 +164,6 @@ protected:
             fakes::advance_ms(20);
         }
     }
-    void TearDown() override {
-        fakes::reset();
-        dataflashStart();  // no chip any more
-        for (int i = 0; i < 40; ++i) {
-            fakes::advance_ms(100);
-            dataflashStep();
-        }
-        logStart();
-    }
     // The chip keeps nothing, so there is no mission: the row itself is run.
     bool logs(uint8_t id) {
         written.clear();

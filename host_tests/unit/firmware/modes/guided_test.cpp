@@ -32,7 +32,6 @@ class Guided : public bench::Bench {
 protected:
     void SetUp() override {
         Bench::SetUp();
-        firmware::mission::resetSpeed();
         mutable_vehicle.home.position = mutable_vehicle.estimate.position = kHome;
         mutable_vehicle.home.altitude_cm = 40000;
         fly(Mode::fbwa);

@@ -26,7 +26,6 @@ class ModesBench : public bench::Bench {
 protected:
     void SetUp() override {
         Bench::SetUp();
-        firmware::guidance::runGuidance();  // in MANUAL: whoever guided before has let go
         mutable_vehicle.imu.periods = 2;
         mutable_vehicle.imu.accel_mss = core::Accelerations::from(0, 0, -core::kGravity_mss);
         mutable_vehicle.home.position = mutable_vehicle.estimate.position = kHome;
