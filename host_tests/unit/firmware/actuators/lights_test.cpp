@@ -20,21 +20,11 @@ struct Lights : bench::Bench {
         Bench::SetUp();
         mutable_vehicle.imu.healthy = mutable_vehicle.imu.calibrated = true;
         parameters.arming_check = 0;
-        for (uint8_t i = 0; i < 16; ++i) firmware::actuators::runLights();
-        align();
+        look();
+        for (int i = 0; i < 15; ++i) firmware::actuators::runLights();  // to where a flash begins
     }
     static void look() {
         for (int tenth = 0; tenth < 10; ++tenth) firmware::safety::runArming();
-    }
-    void align() {
-        mutable_vehicle.armed = false;
-        look();
-        for (int i = 0; i < 40; ++i) {  // to where a flash begins
-            const bool was = board::LedA::lit;
-            firmware::actuators::runLights();
-            if (i > 16 && board::LedA::lit && !was) break;
-        }
-        for (int i = 0; i < 15; ++i) firmware::actuators::runLights();
     }
     // Of 1.6 s, a letter a tenth of a second.
     template <class Led>

@@ -70,7 +70,6 @@ protected:
         Telemetry::SetUp();
         station.framing = second.framing = Framing::v2;
         firmware::safety::runFence();
-        firmware::mission::rallyFollow();
     }
     // As Telemetry's, and what follows the lists at 10 Hz.
     void live_ms(uint32_t time_ms) {

@@ -29,8 +29,6 @@ struct Arming : bench::Bench {
             firmware::mission::missionRun();
             fakes::advance_ms(10);
         }
-        firmware::safety::runArming();  // the rudder's time begins anew
-        (void)hasStatusText("");        // what others have left
     }
     static void makeReady() {
         mutable_vehicle.imu.healthy = mutable_vehicle.imu.calibrated = true;

@@ -18,11 +18,6 @@ protected:
         firmware::actuators::startOutputs();
         mutable_vehicle.armed = true;
     }
-    void TearDown() override {
-        parameters.elevon_output = parameters.vtail_output = 0;
-        parameters.map_roll = 1;
-        parameters.map_yaw = 4;
-    }
     std::array<uint16_t, 4> now() {
         std::array<uint16_t, 4> pulses_us;
         for (uint8_t i = 0; i < 4; ++i)

@@ -19,10 +19,6 @@ struct Declination : testing::Test {
         mutable_vehicle.gps.position = {400150000,
                                         -1052700000};  // Boulder, 7.6 degrees east in 2027
     }
-    void TearDown() override {
-        mutable_vehicle = {};
-        parameters.compass_declination_rad = 0;
-    }
 };
 
 TEST_F(Declination, comes_from_the_table_where_the_airplane_is) {

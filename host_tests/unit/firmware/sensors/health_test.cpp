@@ -32,7 +32,6 @@ protected:
         tenths(50, 0);
         ASSERT_FALSE(isFaulty());
     }
-    void TearDown() override { mutable_vehicle.estimate.flying = false; }
     bool isFaulty() const { return firmware::sensors::isFaulty(GetParam().sensor); }
     int16_t scattered(int16_t by) {
         return static_cast<int16_t>(std::uniform_int_distribution<int>(-by, by)(random_));
