@@ -4,6 +4,8 @@
 #pragma once
 #include <stdint.h>
 
+#include "core/file_state.hpp"
+
 namespace core {
 
 enum class Fault : uint8_t { none, attitude_matrix };
@@ -15,10 +17,10 @@ struct Broken {
 
 template <class = void>
 struct BrokenSoFar {
-    static Broken is;
+    static FileState<Broken> is;
 };
 template <class Any>
-Broken BrokenSoFar<Any>::is;
+FileState<Broken> BrokenSoFar<Any>::is{};
 
 inline const Broken& brokenSoFar() { return BrokenSoFar<>::is; }
 

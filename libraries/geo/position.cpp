@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geo/position.hpp"
 
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 
 namespace geo {
@@ -25,7 +26,7 @@ struct Scale {
     float east_slope_m;       // change of east_m per 1e-7 degree of latitude
     float convergence_per_m;  // tan(latitude) / (2 R): half the meridians' turn per metre east
 };
-Scale cached = {INT32_MIN, 0, 0, 0, 0};
+core::FileState<Scale> cached(Scale{INT32_MIN, 0, 0, 0, 0});
 
 Scale scaleAt(int32_t latitude_e7) {
     const float latitude_rad = static_cast<float>(latitude_e7) * kRadiansPerE7;

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/file_state.hpp"
 #include "storage/journal.hpp"
 
 namespace parameters {
@@ -10,11 +11,15 @@ namespace {
 
 using core::Status;
 
-storage::Journal journal;
-uint8_t waiting[kMaxRows / 8];  // one bit a row
-bool any_waiting;
-uint8_t next_to_load;
-bool recovered;
+core::FileState<storage::Journal> journal{};
+
+struct Progress {
+    uint8_t waiting[kMaxRows / 8];  // one bit a row
+    bool any_waiting;
+    uint8_t next_to_load;
+    bool recovered;
+};
+core::FileState<Progress> progress{};
 
 uint32_t bitsOf(float value) {
     uint32_t bits;
@@ -43,17 +48,17 @@ Status loadRow(const Table& table, uint8_t index) {
 }  // namespace
 
 Status load(const Table& table) {
-    if (!recovered) {
+    if (!progress.recovered) {
         const Status status = journal.recover();
         if (status != Status::ok) return status;
-        recovered = true;
+        progress.recovered = true;
     }
-    for (; next_to_load < table.count(); ++next_to_load) {
-        const Status status = loadRow(table, next_to_load);
+    for (; progress.next_to_load < table.count(); ++progress.next_to_load) {
+        const Status status = loadRow(table, progress.next_to_load);
         if (status != Status::ok) return status;
     }
-    next_to_load = 0;
-    recovered = false;
+    progress.next_to_load = 0;
+    progress.recovered = false;
     return Status::ok;
 }
 
@@ -64,20 +69,21 @@ Status save(const Table& table, uint8_t index, float value) {
 Status forget(const Table& table, uint8_t index) { return storage::clearSlot(table.slot(index)); }
 
 void saveLater(uint8_t index) {
-    waiting[index / 8] = static_cast<uint8_t>(waiting[index / 8] | (1 << (index % 8)));
-    any_waiting = true;
+    progress.waiting[index / 8] =
+        static_cast<uint8_t>(progress.waiting[index / 8] | (1 << (index % 8)));
+    progress.any_waiting = true;
 }
 
 void saveWaiting(const Table& table) {
     journal.settle();
-    if (!any_waiting) return;
+    if (!progress.any_waiting) return;
     for (uint8_t i = 0; i < table.count(); ++i) {
         const uint8_t bit = static_cast<uint8_t>(1 << (i % 8));
-        if ((waiting[i / 8] & bit) == 0) continue;
+        if ((progress.waiting[i / 8] & bit) == 0) continue;
         if (save(table, i, table.value(i)) != Status::ok) return;
-        waiting[i / 8] = static_cast<uint8_t>(waiting[i / 8] & ~bit);
+        progress.waiting[i / 8] = static_cast<uint8_t>(progress.waiting[i / 8] & ~bit);
     }
-    any_waiting = false;
+    progress.any_waiting = false;
 }
 
 }  // namespace parameters

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a source file of firmware/ remembers from call to call is in a core::FileState, so that one
+// What a source file of firmware/ or libraries/ remembers from call to call is in a core::FileState, so that one
 // call of a test puts all of it back (libraries/core/file_state.hpp). Prints every variable of a file
 // or function that is not, and fails. Constants and what survives a reset (.noinit) are no such state.
 //   node toolchain/check/file_states.mjs [ROOT]
@@ -85,7 +85,7 @@ function* sources(folder) {
 function main() {
   let failures = 0, states = 0;
   const fail = (message) => { console.log(message); ++failures; };
-  for (const path of sources(join(root, 'firmware'))) {
+  for (const path of ['firmware', 'libraries'].flatMap((folder) => [...sources(join(root, folder))])) {
     const name = relative(root, path), text = readFileSync(path, 'utf8');
     states += text.match(/\bcore::FileState</g)?.length ?? 0;
     const lines = looseVariables(text);
