@@ -8,10 +8,14 @@ add_link_options(${AVR_OPTIMISATION} -Wl,--emit-relocs)
 
 # What runs in every frame and at every interrupt is made quick: these folders, not those in them.
 set(every_frame_folders firmware/app firmware/sensors firmware/estimator firmware/control
-    firmware/actuators firmware/gcs hal_avr hal_avr/boards/*)
+    firmware/actuators hal_avr hal_avr/boards/*)
 list(TRANSFORM every_frame_folders PREPEND ${CMAKE_SOURCE_DIR}/)
 list(TRANSFORM every_frame_folders APPEND /*.cpp)
 file(GLOB every_frame CONFIGURE_DEPENDS ${every_frame_folders})
+# Of the ground link only what every byte and every message passes: replies to requests are seldom.
+foreach(source incoming link streams telemetry flight_messages)
+    list(APPEND every_frame ${CMAKE_SOURCE_DIR}/firmware/gcs/${source}.cpp)
+endforeach()
 set_source_files_properties(${every_frame} PROPERTIES COMPILE_OPTIONS -O2)
 
 link_libraries(m)
