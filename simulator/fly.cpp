@@ -93,6 +93,7 @@ WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
     world.wind_from_deg = options.wind_from_deg;
     world.gusts = options.gusts;
     world.calibrated = options.calibrated;
+    world.sensor_noise = options.sensor_noise;
     world.gps = options.gps;
     world.gps_baud = options.gps_baud;
     world.seed = options.seed;

@@ -158,6 +158,10 @@ void addConditions(CLI::App& app, FlyOptions& o, std::string& wind) {
                  "as after the owner's calibrations: the compass without the airplane's own field, "
                  "the pitot tube's ratio right")
         ->disable_flag_override();
+    app.add_option("--sensor-noise", o.sensor_noise,
+                   "times the noise of every sensor's readings, 0.05 to 3: boards differ")
+        ->check(CLI::Range(0.05, 3.0))
+        ->capture_default_str();
     app.add_option("--gps", o.gps, "the receiver on the GPS port, as delivered")
         ->check(CLI::IsMember(gpsKinds()))
         ->capture_default_str();

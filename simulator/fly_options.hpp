@@ -19,6 +19,7 @@ struct FlyOptions {
     double wind_mps = 0, wind_from_deg = 0;
     bool gusts = false;
     bool calibrated = false;
+    double sensor_noise = 1;
     std::string gps = "ublox";
     uint32_t gps_baud = 0;
     uint64_t seed = 1;

@@ -32,6 +32,7 @@ SensorErrors errorsFor(const WorldOptions& options) {
     SensorErrors errors;
     errors.accel_bias_g = options.accel_bias_g;
     errors.accel_scale = options.accel_scale;
+    errors.scaleNoise(options.sensor_noise);
     if (options.calibrated) errors.compass_offset_mg = errors.airspeed_ratio = 0;
     return errors;
 }

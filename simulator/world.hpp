@@ -26,6 +26,7 @@ struct WorldOptions {
     bool bench_model = false;     // it does not fly, it is held on the bench
     double accel_bias_g = 0.004;  // and how wrong its accelerometers are, one sigma
     double accel_scale = 0;
+    double sensor_noise = 1;  // times that of devices/errors.hpp
     // the World Magnetic Model 2025 at this place at the end of 2026
     double declination_deg = 3.67, inclination_deg = 63.54, magnetic_field_mg = 484.1;
     double gps_acquire_s = 3.0;        // from power-on to the first fix

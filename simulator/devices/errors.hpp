@@ -33,6 +33,7 @@ struct SensorErrors {
     double gust_mps = 1;     // of the air, when gusts are on
 
     static constexpr SensorErrors none();
+    void scaleNoise(double factor);  // of one reading against the next; offsets and drift stay
 };
 
 constexpr SensorErrors SensorErrors::none() {
@@ -44,6 +45,12 @@ constexpr SensorErrors SensorErrors::none() {
     errors.airspeed_noise_v = errors.airspeed_offset_v = errors.airspeed_ratio = 0;
     errors.gps_horizontal_m = errors.gps_vertical_m = errors.gps_velocity_mps = 0;
     return errors;
+}
+
+inline void SensorErrors::scaleNoise(double factor) {
+    for (double* noise : {&gyro_noise_dps, &gyro_vibration_dps, &accel_noise_g, &accel_vibration_g,
+                          &compass_noise_mg, &baro_noise_pa, &airspeed_noise_v, &gps_velocity_mps})
+        *noise *= factor;
 }
 
 struct ErrorRow {
