@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds the gyro that is dead while the others live: one that lives never says the same for a fifth
-// of a second, if only for its noise.
+// Finds the gyro that is dead while the others work. A quiet gyro may repeat its reading for a while,
+// in which the others, which are as quiet, repeat theirs: what counts is how often those changed.
 #pragma once
 #include <stdint.h>
 
@@ -9,14 +9,16 @@ namespace sensors {
 
 class DeadGyros {
 public:
-    // Every frame, what was read about x, y, z; a bit for each that is dead.
+    // Every frame, what was read about x, y, z; a bit for each that is dead. When all three stand
+    // still there is no evidence here: that is seen by the sensor's health.
     uint8_t look(const int32_t (&rates)[3]);
 
 private:
-    static constexpr uint8_t kFrames = 20;
-    struct {
-        uint8_t last, still;  // the lowest byte; frames without a change
-    } gyros_[3] = {};
+    struct Gyro {
+        uint8_t last;            // the lowest byte of its reading
+        uint8_t others_changed;  // so often since this one did
+    };
+    Gyro gyros_[3] = {};
 };
 
 constexpr uint8_t kRollGyro = 1, kPitchGyro = 2, kYawGyro = 4;

@@ -12,21 +12,27 @@ using namespace state;
 
 namespace {
 
+// A quiet sensor in calm air may repeat its reading for seconds. What shows that it is stuck.
+enum class Evidence : uint8_t { time, climb, turn };
+
 struct Limits {
-    uint16_t jump;       // from one reading to the next, in the reading's unit
-    uint8_t still;       // 0.1 s without a change
+    uint16_t jump;   // from one reading to the next, in the reading's unit
+    uint8_t silent;  // 0.1 s without a reading
+    uint8_t still;   // 0.1 s without a change, while there is evidence that it must change
+    Evidence evidence;
     uint8_t impossible;  // an impossible reading costs
     uint8_t trust;       // and a possible one earns
 };
 
+// An airspeed that stays while GPS and wind say otherwise is reported by the estimator.
 // clang-format off
 constexpr Limits kLimits[kSensors] ROM = {
-    // jump         still impossible trust
-    {4 * 1024,           2,   20,    1},  // inertial: rates of all axes, 4 rad/s, 100 Hz
-    { 120,              10,   12,    1},  // barometer: 120 Pa, 80 Hz
-    { 160,              20,   12,    1},  // airspeed: 0.1 V in eighths of a count, 50 Hz
-    { 150,              20,   20,    2},  // compass: mG of all axes, 50 Hz
-    {2000,              30,   40,   12},  // GPS: 20 m/s of north and east, 5 Hz, some 1 Hz
+    // jump  silent still                impossible trust
+    {4 * 1024,  2,     2, Evidence::time,  20,    1},  // inertial: rates of all axes, 4 rad/s, 100 Hz
+    { 120,     10,    10, Evidence::climb, 12,    1},  // barometer: 120 Pa, 80 Hz
+    { 160,     20,   250, Evidence::time,  12,    1},  // airspeed: 0.1 V in 1/8 counts, 50 Hz
+    { 150,     20,    20, Evidence::turn,  20,    2},  // compass: mG of all axes, 50 Hz
+    {2000,     30,    30, Evidence::time,  40,   12},  // GPS: 20 m/s, 5 Hz, some 1 Hz
 };
 // clang-format on
 
@@ -36,6 +42,7 @@ constexpr uint8_t kContradicted = 4;  // readings' worth
 
 struct Health {
     int16_t seen;
+    uint8_t silent;     // 0.1 s
     uint8_t still;      // 0.1 s
     uint8_t suspicion;  // above kFaulty it is faulty, until there is none
 };
@@ -51,13 +58,37 @@ void add(Health& health, uint16_t suspicion) {
     health.suspicion = suspicion > kMax ? kMax : static_cast<uint8_t>(suspicion);
 }
 
+bool turns() {
+    constexpr int16_t kLeast = core::BodyRate(0.1f).raw;
+    const auto fast = [](core::BodyRate axis) { return axis.raw > kLeast || axis.raw < -kLeast; };
+    const auto& rate = vehicle.imu.rate_rads;
+    return fast(rate.x) || fast(rate.y) || fast(rate.z);
+}
+
+bool fixesUsable() { return vehicle.gps.fix == GpsFix::three_d && !isFaulty(Sensor::gps); }
+
+// Without fixes nobody sees it climb: then time must do.
+bool mustChange(Evidence evidence) {
+    if (evidence == Evidence::climb)
+        return !fixesUsable() || fabsf(vehicle.gps.velocity_mps.z) > 0.5f;
+    return evidence == Evidence::time || turns();
+}
+
+// True: at its limit, where it stays.
+bool countsUp(uint8_t& count, uint8_t limit) {
+    if (count < limit) ++count;
+    return count >= limit;
+}
+
 void update(uint8_t index) {
     Health& health = healths[index];
     const uint8_t bit = static_cast<uint8_t>(1 << index);
-    if (++health.still >= core::romRead(kLimits[index].still)) {
-        health.still = core::romRead(kLimits[index].still);
-        health.suspicion = kMax;
-    }
+    const uint8_t still = core::romRead(kLimits[index].still);
+    const bool silent = countsUp(health.silent, core::romRead(kLimits[index].silent));
+    const bool stuck = mustChange(core::romRead(kLimits[index].evidence))
+                           ? countsUp(health.still, still)
+                           : health.still >= still;
+    if (silent || stuck) health.suspicion = kMax;
     if (health.suspicion >= kFaulty) ailing |= bit;
     if (health.suspicion == 0) ailing &= static_cast<uint8_t>(~bit);
 }
@@ -66,7 +97,7 @@ void update(uint8_t index) {
 
 void startHealth() {
     ailing = 0;
-    for (Health& health : healths) health.still = health.suspicion = 0;
+    for (Health& health : healths) health.silent = health.still = health.suspicion = 0;
 }
 
 bool acceptReading(Sensor sensor, int16_t reading, bool possible) {
@@ -76,6 +107,7 @@ bool acceptReading(Sensor sensor, int16_t reading, bool possible) {
         static_cast<int16_t>(static_cast<uint16_t>(reading) - static_cast<uint16_t>(health.seen));
     const uint16_t jump = static_cast<uint16_t>(change < 0 ? -change : change);
     health.seen = reading;
+    health.silent = 0;
     if (!possible || jump > core::romRead(limits.jump)) {
         add(health, core::romRead(limits.impossible));
         return !vehicle.estimate.flying;
@@ -86,6 +118,8 @@ bool acceptReading(Sensor sensor, int16_t reading, bool possible) {
     health.suspicion = health.suspicion > trust ? health.suspicion - trust : 0;
     return true;
 }
+
+void reportChange(Sensor sensor) { of(sensor).still = 0; }
 
 void reportInconsistency(Sensor sensor) {
     add(of(sensor), core::romRead(limitsOf(sensor).impossible) * kContradicted);

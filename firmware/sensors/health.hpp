@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a sensor can be trusted in flight: silent or stuck (no new value for too long), noisy
-// (a value too far from the one before) or nonsense (outside what there is, or against what the
-// others say). One row of limits a sensor in health.cpp; on the ground no sensor is checked here.
+// Whether a sensor can be trusted in flight: silent (no reading for too long), stuck (none that
+// differs), noisy (a value too far from the one before) or nonsense (outside what there is, or
+// against what the others say). One row of limits a sensor in health.cpp; on the ground no sensor
+// is checked here.
 #pragma once
 #include <stdint.h>
 
@@ -15,6 +16,8 @@ void startHealth();
 
 // A reading has come, in any unit that changes when the sensor lives. False: do not use it.
 bool acceptReading(Sensor sensor, int16_t reading, bool possible);
+// Another of its values has changed, by which it is seen to work.
+void reportChange(Sensor sensor);
 // Another sensor contradicts it.
 void reportInconsistency(Sensor sensor);
 bool isFaulty(Sensor sensor);

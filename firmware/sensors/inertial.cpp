@@ -54,6 +54,7 @@ struct Inertial {
     Turn zero;  // of the gyros, in a sample period
     DeadGyros dead_gyros;
     bool yaw_told;
+    uint8_t last_force_z;  // the lowest byte of its reading
     Reading readings[3];
     Trim trim_x_rad, trim_y_rad;  // AHRS_TRIM
     ParameterWatch watch;
@@ -153,6 +154,14 @@ bool possible(const core::BodyRates& rate) {
     return acceptReading(Sensor::inertial, static_cast<int16_t>(sum), true);
 }
 
+// Gyros may be quiet. Accelerometers never are in flight: even a calm one shows each tremor of 0.2
+// mg.
+void watchForces(const drivers::ImuSums& sums) {
+    const uint8_t z = static_cast<uint8_t>(sums.force[2]);
+    if (z != inertial.last_force_z) reportChange(Sensor::inertial);
+    inertial.last_force_z = z;
+}
+
 // Without the gyro of yaw, compass and fixes are enough to fly on.
 void watchGyros(const drivers::ImuSums& sums) {
     const uint8_t dead = inertial.dead_gyros.look(sums.rate);
@@ -164,6 +173,7 @@ void watchGyros(const drivers::ImuSums& sums) {
 
 void use(drivers::ImuSums& sums) {
     watchGyros(sums);
+    watchForces(sums);
     makeTwo(sums);
     Turn turn, specific_force;
     for (uint8_t i = 0; i < 3; ++i) {

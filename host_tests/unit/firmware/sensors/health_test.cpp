@@ -18,11 +18,12 @@ struct Rhythm {
     int per_tenth;   // readings
     int16_t quiet;   // how far they scatter in health
     int16_t beyond;  // a jump that is none of nature's
+    int stuck_tenths;
 };
-const Rhythm kRhythms[] = {{Sensor::inertial, 10, 300, 9000},
-                           {Sensor::barometer, 8, 8, 500},
-                           {Sensor::airspeed, 5, 20, 700},
-                           {Sensor::compass, 5, 8, 400}};
+const Rhythm kRhythms[] = {{Sensor::inertial, 10, 300, 9000, 2},
+                           {Sensor::barometer, 8, 8, 500, 10},
+                           {Sensor::airspeed, 5, 20, 700, 250},
+                           {Sensor::compass, 5, 8, 400, 20}};
 
 class Health : public testing::TestWithParam<Rhythm> {
 protected:
@@ -69,11 +70,56 @@ TEST_P(Health, a_silent_sensor_is_noticed_within_two_seconds) {
     EXPECT_TRUE(isFaulty());
 }
 
-TEST_P(Health, a_stuck_value_is_noticed_within_two_seconds_and_not_used_while_it_lasts) {
-    stuck(22);
+// What the airplane does in the seconds in which each must change.
+void climb(bool on) { mutable_vehicle.gps.velocity_mps.z = on ? -0.6f : 0; }
+void turn(bool on) { mutable_vehicle.imu.rate_rads.z = core::BodyRate(on ? 0.12f : 0); }
+
+TEST_P(Health, a_stuck_value_is_noticed_while_the_airplane_moves_and_not_used_while_it_lasts) {
+    climb(true);
+    turn(true);
+    stuck(GetParam().stuck_tenths - 2);
+    EXPECT_FALSE(isFaulty());
+    stuck(3);
     EXPECT_TRUE(isFaulty());
     stuck(100);
     EXPECT_TRUE(isFaulty());
+    climb(false);
+    turn(false);
+    stuck(100);
+    EXPECT_TRUE(isFaulty());
+}
+
+TEST(HealthInCalmAir, a_quiet_barometer_and_compass_may_repeat_their_values) {
+    mutable_vehicle.estimate.flying = true;
+    mutable_vehicle.gps.fix = firmware::state::GpsFix::three_d;
+    for (Sensor each : {Sensor::barometer, Sensor::compass}) {
+        firmware::sensors::startHealth();
+        climb(each == Sensor::compass);
+        turn(each == Sensor::barometer);
+        for (int i = 0; i < 1000; ++i) {
+            acceptReading(each, 5, true);
+            acceptReading(Sensor::gps, static_cast<int16_t>(i), true);
+            if (i % 5 == 0) firmware::sensors::watchHealth();
+        }
+        EXPECT_FALSE(isFaulty(each));
+    }
+    mutable_vehicle.gps.fix = firmware::state::GpsFix::none;
+    firmware::sensors::startHealth();
+    climb(false);
+    for (int i = 0; i < 60; ++i) {
+        acceptReading(Sensor::barometer, 5, true);
+        if (i % 5 == 0) firmware::sensors::watchHealth();
+    }
+    EXPECT_TRUE(isFaulty(Sensor::barometer)) << "without fixes nobody sees it climb";
+    mutable_vehicle.estimate.flying = false;
+}
+
+TEST_P(Health, a_value_stuck_while_another_of_the_sensor_changes_is_no_fault) {
+    for (int i = 0; i < 100; ++i) {
+        stuck(1);
+        firmware::sensors::reportChange(GetParam().sensor);
+    }
+    EXPECT_FALSE(isFaulty());
 }
 
 TEST_P(Health, outliers_are_not_used_and_are_noticed_within_half_a_second) {
