@@ -48,6 +48,7 @@ estimation::Wind wind;
 
 bool started;
 bool height_started;
+bool height_by_gps;   // started by the receiver: the barometer has not been heard yet
 float home_height_m;  // of home above the barometer's zero, which drifts
 float true_speed_ratio = 1.0f;
 uint32_t fix_ms;
@@ -124,6 +125,18 @@ bool divesSlowly() {
            vehicle.estimate.equivalent_airspeed_mps < parameters.speed_min_mps;
 }
 
+// A reading that stays while the speed by GPS and wind changes is stuck. A calm flight alone is no
+// evidence: its speed may stay, too.
+struct {
+    float reading_mps, expected_mps;  // when it changed last
+} airspeed_change;
+bool staysWrongly(float expected_mps) {
+    constexpr float kChanged_mps = 1;
+    if (vehicle.airspeed.speed_mps != airspeed_change.reading_mps)
+        airspeed_change = {vehicle.airspeed.speed_mps, expected_mps};
+    return fabsf(expected_mps - airspeed_change.expected_mps) > kChanged_mps;
+}
+
 // The sensor against ground speed and wind: false when they contradict each other. Too slow to fly,
 // on the ground, the wind comes from anywhere.
 bool airspeedFits() {
@@ -132,7 +145,8 @@ bool airspeedFits() {
     const float odd_mps = fabsf(vehicle.airspeed.speed_mps * true_speed_ratio - expected_mps);
     const bool odd = wind.known() && expected_mps >= parameters.speed_min_mps &&
                      odd_mps >= kInconsistentAirspeed_mps + expected_mps * kInconsistentAirspeed;
-    if (!odd && !(vehicle.airspeed.healthy && divesSlowly())) return true;
+    const bool stuck = wind.known() && staysWrongly(expected_mps);
+    if (!odd && !stuck && !(vehicle.airspeed.healthy && divesSlowly())) return true;
     reportInconsistency(Sensor::airspeed);
     return false;
 }
@@ -148,6 +162,24 @@ void updateWind() {
 
 bool near(float a_m, float b_m) { return fabsf(a_m - b_m) < kInconsistentHeight_m; }
 
+// There has been no barometer since the start: heights are the receiver's, above home, or above
+// where the first fix came while there is none.
+void startHeightByGps(float gps_m) {
+    const float above_home_m = vehicle.home.set ? gps_m - vehicle.home.altitude_cm * 0.01f : 0;
+    height.start(home_height_m + above_home_m);
+    gps_above_m = gps_m - height.height_m();
+    height_started = height_by_gps = true;
+}
+
+// The barometer's zero was taken wherever the airplane was by then: the heights above home stay.
+void moveHeightToBarometer(float reading_m) {
+    const float by_m = reading_m - height.height_m();
+    height.resume(reading_m, height.climb_mps());
+    home_height_m += by_m;
+    gps_above_m -= by_m;
+    height_by_gps = false;
+}
+
 // The receiver's height stands in for the barometer's, whose zero it learns before; and says which
 // of barometer and estimate is wrong where they differ.
 void useGpsHeight() {
@@ -158,7 +190,7 @@ void useGpsHeight() {
     if (gps_above_m == 0 && height_started) gps_above_m = gps_m - height_m;
     const float fix_m = gps_m - gps_above_m;
     if (!baro.healthy) {
-        if (!height_started) return;
+        if (!height_started) return startHeightByGps(gps_m);
         if (!near(vehicle.estimate.baro_height_m, height_m)) reportInconsistency(Sensor::barometer);
         estimation::HeightSettings slow;
         slow.omega_rads = 0.7f;  // of five fixes a second
@@ -187,6 +219,7 @@ void useBarometer() {
     published.baro_height_m = reading_m;
     if (!baro.healthy) return;
     const uint16_t now_ms = static_cast<uint16_t>(hal::now_ms());
+    if (height_by_gps) moveHeightToBarometer(reading_m);
     if (height_started) {
         height.useBarometer(reading_m, static_cast<uint16_t>(now_ms - baro_ms) * 0.001f,
                             estimation::HeightSettings());
@@ -218,14 +251,19 @@ bool turns() {
     return beyond(rate.x) || beyond(rate.y) || beyond(rate.z);
 }
 
-// An airplane that flies against the wind is slow over the ground, too. With flying speed through
-// the air it counts as standing only near the height of home and while it does not turn.
+bool slowThroughTheAir() {
+    const bool known = vehicle.airspeed.healthy || wind.known();
+    return known && vehicle.estimate.airspeed_mps < kFlyingAirspeed * parameters.speed_min_mps;
+}
+
+// An airplane that flies against the wind is slow over the ground, too. Unless it is known to be
+// slow through the air, it stands only near the height of home and while it does not turn.
 bool stands() {
     const auto& estimate = vehicle.estimate;
     if (estimate.ground_speed_mps >= kStandingSpeed_mps || fabsf(estimate.climb_mps) >= 0.5f)
         return false;
     const bool low = fabsf(estimate.height_m) < kNearHome_m;
-    return estimate.airspeed_mps < kFlyingAirspeed * parameters.speed_min_mps || (low && !turns());
+    return slowThroughTheAir() || (low && !turns());
 }
 
 int16_t centimetres(float metres) { return core::narrowed(core::rounded(metres * 100.0f)); }

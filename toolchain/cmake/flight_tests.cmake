@@ -83,6 +83,19 @@ flight_test(native_mtk19 native 5.5 3.3 60 --native --gps mtk19 --seed 2 ${windy
 flight_test(native_nmea native 7 3.5 70 --native --gps nmea --seed 3 ${windy})  # once a second
 flight_test(native_nmea_fast native 5.5 3.3 60 --native --gps nmea --gps-baud 57600 --seed 1 ${windy})
 
+# boards differ: sensors a twentieth as noisy, which repeat their readings, and three times
+foreach(noise 0.05 3)
+    flight_test(native_noise_${noise} native 5 3 60 --native --sensor-noise ${noise} --seed 1 ${windy})
+endforeach()
+
+# no barometer from power-on, armed all the same: the GPS's heights; the chip comes late, or never
+file(READ ${CMAKE_SOURCE_DIR}/simulator/airplanes/foam_trainer.param settings)
+file(WRITE ${flights}/unchecked.param "${settings}ARMING_CHECK,0\n")
+foreach(until 60 2000)
+    flight_test(native_no_barometer_${until} native 5 4 60 --native --seed 1
+                --param ${flights}/unchecked.param --fault baro:lost@0-${until})
+endforeach()
+
 # ---- flights that a program of their own directs
 flight_program(rough_flight)
 image_test(flight.elf_rough apm2 rough_flight ${IMAGE_apm2} ${first_flight} ${flights}/elf_rough
