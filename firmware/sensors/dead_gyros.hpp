@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds the gyro that is dead while the others work. A quiet gyro may repeat its reading for a while,
-// in which the others, which are as quiet, repeat theirs: what counts is how often those changed.
+// Finds the gyro that is dead while the others work. A quiet gyro may repeat its reading for a
+// while, in which the others, which are as quiet, repeat theirs: what counts is how often those
+// changed.
 #pragma once
 #include <stdint.h>
 
