@@ -23,8 +23,14 @@ bool sendParameter(uint8_t link, uint16_t index) {
 
 }  // namespace
 
-const Host host = {enterMode,           disarmAfterLanding, safety::fenceEnable,  safety::flyingOn,
-                   safety::runSurvives, logger::logCommand, logger::logParameter, sendParameter};
+const Host host = {enterMode,
+                   disarmAfterLanding,
+                   safety::fenceEnable,
+                   safety::flyingOn,
+                   safety::memorySurvived,
+                   logger::logCommand,
+                   logger::logParameter,
+                   sendParameter};
 
 }  // namespace mission
 }  // namespace firmware

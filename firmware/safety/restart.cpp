@@ -2,6 +2,7 @@
 #include "firmware/safety/restart.hpp"
 
 #include "core/broken.hpp"
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/estimator/estimator.hpp"
@@ -9,6 +10,7 @@
 #include "firmware/modes/modes.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/safety/arming.hpp"
+#include "firmware/safety/restart_evidence.hpp"
 #include "firmware/safety/restart_records.hpp"
 #include "firmware/safety/saved_home.hpp"
 #include "firmware/sensors/radio.hpp"
@@ -49,17 +51,19 @@ constexpr char kCauses[][32] ROM = {"Started by the supply",       "Started by t
                                     "Started by a reset",          "Restarted by a fault, task #",
                                     "Restarted as asked"};
 
-bool reported;
-bool records_written;  // since the motor was armed, or by the run that this one goes on with
-bool home_saved;       // in the EEPROM, by this run or the one it goes on with
-uint8_t faults_told;
+struct Restart {
+    bool reported;
+    bool arms;             // as soon as there is evidence that the airplane is in the air
+    bool records_written;  // since the motor was armed, or by the run that this one goes on with
+    bool home_saved;       // in the EEPROM, by this run or the one it goes on with
+    uint8_t faults_reported;
+    uint8_t switch_position, switch_looks;  // the same position so often
+};
+core::FileState<Restart> restart{};
 
 constexpr uint8_t kFewPeriods = 10;  // of blind samples that give a rate
 constexpr uint8_t kLooks = 3;        // at the mode switch, 20 ms apart
 constexpr uint16_t kSwitchComesWithin_ms = 200, kSensorsComeWithin_ms = 500;
-struct {
-    uint8_t position, looks;
-} seen;
 
 void fill(FastRecord& to, bool in_the_air) {
     saveEstimate(to);
@@ -76,13 +80,13 @@ void saveFastRecord() {
     FastRecord& to = moving[++number & 1];
     fill(to, inTheAir(signs));
     updateChecksum(to);
-    records_written = true;
+    restart.records_written = true;
 }
 
 // Disarmed there is no flight to go on with, whatever the last record says.
 void forgetFlight() {
-    if (!records_written) return;
-    records_written = false;
+    if (!restart.records_written) return;
+    restart.records_written = false;
     for (FastRecord& each : moving) invalidate(each);
 }
 
@@ -100,9 +104,9 @@ void saveSlowRecord() {
 // Where the pilot's switch stands; without a receiver what was flown before.
 bool modeToFlyOnIn(Mode& mode) {
     const uint8_t position = modeSwitchPosition();
-    seen.looks = position == seen.position ? seen.looks + 1 : 0;
-    seen.position = position;
-    if (position != 0 && seen.looks >= kLooks - 1) {
+    restart.switch_looks = position == restart.switch_position ? restart.switch_looks + 1 : 0;
+    restart.switch_position = position;
+    if (position != 0 && restart.switch_looks >= kLooks - 1) {
         mode = static_cast<Mode>(parameters.switch_mode[position - 1]);
         return true;
     }
@@ -116,40 +120,55 @@ void decideMode() {
     const bool known = modeToFlyOnIn(mode);  // looks at the switch while blind, too
     if (blind || !known) return;
     if (!requestMode(mode, ModeReason::restart)) requestMode(Mode::fbwa, ModeReason::restart);
-    armAfterRestart();
+    if (lostTimeKnown()) {
+        armAfterRestart();
+    } else {
+        restart.arms = true;
+    }
     published.resuming = false;
+}
+
+void armOnEvidence() {
+    if (measuredInTheAir(steady.home_height_m)) {
+        restart.arms = false;
+        armAfterRestart();
+    } else if (hal::now_ms() >= kEvidenceComesWithin_ms) {
+        restart.arms = false;
+        sendStatusText(Severity::critical, ROM_TEXT("Not armed again: not seen flying"));
+    }
 }
 
 // Half a second after the start: in the air the log is open by then.
 void reportCause() {
     const hal::LastRun& run = hal::lastRun();
-    const Severity severity = last != nullptr ? Severity::critical
-                              : runSurvives() ? Severity::warning
-                                              : Severity::info;
+    const Severity severity = last != nullptr    ? Severity::critical
+                              : memorySurvived() ? Severity::warning
+                                                 : Severity::info;
     constexpr uint8_t kBetweenTasks = 0;
     const uint8_t task = run.trace < hal::kTraceTaskEnd ? run.trace : kBetweenTasks;
     sendStatusText(severity, kCauses[static_cast<uint8_t>(run.ended)], task);
-    reported = true;
+    restart.reported = true;
 }
 
 void reportFaults() {
     const core::Broken& broken = core::brokenSoFar();
-    if (broken.count == faults_told) return;
-    faults_told = broken.count;
+    if (broken.count == restart.faults_reported) return;
+    restart.faults_reported = broken.count;
     sendStatusText(Severity::error, ROM_TEXT("Fault #"), static_cast<uint8_t>(broken.last));
 }
 
 bool homeIsSaved() {
     const auto& home = vehicle.home;
-    return home_saved && steady.home.latitude_e7 == home.position.latitude_e7 &&
+    return restart.home_saved && steady.home.latitude_e7 == home.position.latitude_e7 &&
            steady.home.longitude_e7 == home.position.longitude_e7 &&
            steady.home_altitude_cm == home.altitude_cm;
 }
 
 void saveHomeOfFlight() {
     if (vehicle.armed && vehicle.home.set && !homeIsSaved())
-        home_saved = saveHome(vehicle.home.position, vehicle.home.altitude_cm) == core::Status::ok;
-    if (!vehicle.armed && home_saved) home_saved = forgetHome() != core::Status::ok;
+        restart.home_saved =
+            saveHome(vehicle.home.position, vehicle.home.altitude_cm) == core::Status::ok;
+    if (!vehicle.armed && restart.home_saved) restart.home_saved = forgetHome() != core::Status::ok;
 }
 
 // The power went in flight, or was taken from an armed airplane: it may be in the air.
@@ -181,10 +200,9 @@ core::Vector3 turnedSince_rad(float since_s) {
 }  // namespace
 
 void restartResume() {
-    reported = home_saved = false;
-    seen = {};
+    restart = {};
     number = last != nullptr ? last->number : 0;
-    published.resuming = records_written = last != nullptr;
+    published.resuming = restart.records_written = last != nullptr;
     if (last == nullptr) return takeSavedHome();
     resumeInertial(steady.gyro_zero_rad);
     const float lost_for_s = lostSoFar_s();
@@ -192,18 +210,20 @@ void restartResume() {
     resumeBarometer(steady.ground_pressure_pa, steady.ground_temperature_c);
     resumeAirspeed(steady.airspeed_offset_v);
     if (last->home_set) resumeHome(steady.home, steady.home_altitude_cm);
-    home_saved = true;
+    restart.home_saved = true;
 }
 
 void runRestart() {
     if (vehicle.resuming) decideMode();
     if (vehicle.mode == Mode::initialising) return;
+    if (restart.arms) armOnEvidence();
+    if (restart.arms) return;
     if (!vehicle.armed) return forgetFlight();
     if (vehicle.attitude.aligned) saveFastRecord();
 }
 
 void runRestartSlowly() {
-    if (!reported) reportCause();
+    if (!restart.reported) reportCause();
     reportFaults();
     saveHomeOfFlight();
     if (vehicle.attitude.aligned && vehicle.mode != Mode::initialising) saveSlowRecord();

@@ -9,10 +9,11 @@
 namespace firmware {
 namespace safety {
 
-void restartBegin();   // first of all: was it flying, and may it fly on?
-bool flyingOn();       // this run goes on with a flight
-bool runSurvives();    // what ended the last run leaves memory as it was
-void restartResume();  // when the sensors have been started: knows what was known
+void restartBegin();    // first of all: was it flying, and may it fly on?
+bool flyingOn();        // this run goes on with a flight
+bool memorySurvived();  // what ended the last run left memory as it was
+bool lostTimeKnown();   // by what ended the last run: the watchdog or a fault, and no loss of power
+void restartResume();   // when the sensors have been started: knows what was known
 
 void runRestart();        // 50 Hz: keeps the record; finds the mode to fly on in, and arms
 void runRestartSlowly();  // 1 Hz

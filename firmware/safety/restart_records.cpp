@@ -17,18 +17,28 @@ HangGyroRecord blind __attribute__((section(".noinit")));
 uint8_t number;
 const FastRecord* last;  // to go on with; nullptr: nothing
 
-bool runSurvives() {
+bool lostTimeKnown() {
     const ResetCause cause = hal::resetCause();
-    return cause == ResetCause::watchdog || cause == ResetCause::brown_out ||
-           cause == ResetCause::fault;
+    return cause == ResetCause::watchdog || cause == ResetCause::fault;
+}
+
+// A reset that somebody wanted ends the flight. Behind the bootloaders a loss of power looks like
+// many things, and memory survives a short one: there the records alone decide.
+bool mayGoOn() {
+    const ResetCause cause = hal::resetCause();
+    return cause != ResetCause::asked && cause != ResetCause::external;
 }
 
 void restartBegin() {
-    last = runSurvives() && isValid(steady) ? newest(moving) : nullptr;
+    last = mayGoOn() && isValid(steady) ? newest(moving) : nullptr;
     if (last != nullptr && !last->in_the_air) last = nullptr;
     if (last != nullptr) return;
     for (FastRecord& each : moving) invalidate(each);
     invalidate(steady);
+}
+
+bool memorySurvived() {
+    return lostTimeKnown() || hal::resetCause() == ResetCause::brown_out || flyingOn();
 }
 
 bool flyingOn() { return last != nullptr; }

@@ -317,12 +317,11 @@ constexpr char kByWatchdog[] = "Restarted by watchdog, task", kByBrownOut[] = "a
 void watchdogInTheTurn(Bench& bench) { fliesOn(bench, hang, kLoiter, kByWatchdog); }
 void brownOutInTheTurn(Bench& bench) { fliesOn(bench, brownOut, kLoiter, kByBrownOut); }
 
-// A record that says "in the air" is not enough: nobody knows why the button was pressed.
+// Behind the bootloader it looks like a short loss of power, and no hand reaches it there.
 void buttonInTheAir(Bench& bench) {
     bench.pressReset();
-    bench.run_s(0.15);  // until the last pulse is forgotten
-    check(!motorTurns(bench, 8), "the motor stays off");
-    check(!bench.telemetry().armed(), "it is disarmed");
+    bench.run_s(4);
+    check(bench.telemetry().mode() == kLoiter && bench.telemetry().armed(), "in LOITER, armed");
 }
 
 // The switch says more than what was flown before.

@@ -31,7 +31,7 @@ protected:
     void SetUp() override {
         Bench::SetUp();
         while (storage::claim() == core::Status::busy) fakes::advance_ms(10);
-        begin(ResetCause::power_on);  // a run before this flight
+        begin(ResetCause::asked);  // a run before this flight
         parameters.switch_mode[0] = static_cast<int8_t>(Mode::stabilize);
         requestMode(Mode::fbwa, ModeReason::boot);
         mutable_vehicle.attitude.aligned = true;
@@ -72,24 +72,77 @@ protected:
 
 }  // namespace
 
-TEST_F(Restart, flies_on_after_resets_that_keep_memory) {
-    for (const ResetCause cause :
-         {ResetCause::watchdog, ResetCause::brown_out, ResetCause::fault}) {
+TEST_F(Restart, flies_on_after_every_reset_that_keeps_memory_and_that_nobody_asked_for) {
+    for (const ResetCause cause : {ResetCause::watchdog, ResetCause::fault, ResetCause::brown_out,
+                                   ResetCause::power_on, ResetCause::unknown}) {
+        SetUp();
         begin(cause);
         EXPECT_TRUE(flyingOn());
         EXPECT_TRUE(vehicle.estimate.flying);
     }
 }
 
-TEST_F(Restart, starts_disarmed_after_any_other_reset) {
-    for (const ResetCause cause :
-         {ResetCause::power_on, ResetCause::external, ResetCause::unknown, ResetCause::asked}) {
+TEST_F(Restart, starts_disarmed_after_a_reset_that_somebody_wanted) {
+    for (const ResetCause cause : {ResetCause::external, ResetCause::asked}) {
         SetUp();
         begin(cause);
         EXPECT_FALSE(flyingOn());
         lookAtSwitch(1165);
         EXPECT_FALSE(vehicle.armed);
     }
+}
+
+// A battery that is plugged in again beside a hand leaves the same records as a short sag.
+TEST_F(Restart, is_armed_after_a_loss_of_power_only_when_a_sensor_sees_it_in_the_air) {
+    struct Row {
+        float above_zero_m;
+        bool airspeed_healthy;
+        float airspeed_mps;
+        bool armed;
+    };
+    const float flying_mps = parameters.speed_min_mps * 0.75f;
+    const Row rows[] = {{0, false, 0, false},
+                        {8, false, 0, false},
+                        {14.9f, false, 0, false},
+                        {15.1f, false, 0, true},
+                        {60, true, flying_mps - 0.1f, false},
+                        {0, true, flying_mps + 0.1f, true}};
+    for (const ResetCause cause :
+         {ResetCause::brown_out, ResetCause::power_on, ResetCause::unknown}) {
+        for (const Row& row : rows) {
+            SetUp();
+            steady.home_height_m = 5;
+            updateChecksum(steady);
+            begin(cause);
+            lookAtSwitch(1165);
+            EXPECT_EQ(vehicle.mode, Mode::stabilize) << "the surfaces do not wait";
+            EXPECT_FALSE(vehicle.armed);
+            mutable_vehicle.baro.healthy = true;
+            mutable_vehicle.estimate.baro_height_m = row.above_zero_m;
+            mutable_vehicle.airspeed.healthy = row.airspeed_healthy;
+            mutable_vehicle.airspeed.speed_mps = row.airspeed_mps;
+            runRestart();
+            EXPECT_EQ(vehicle.armed, row.armed) << row.above_zero_m << " " << row.airspeed_mps;
+        }
+    }
+}
+
+TEST_F(Restart, waits_two_seconds_to_be_seen_in_the_air_and_forgets_the_flight_then) {
+    begin(ResetCause::unknown);
+    lookAtSwitch(1165);
+    while (hal::now_ms() < 1990) {
+        runRestart();
+        fakes::advance_ms(10);
+    }
+    fakes::advance_ms(20);
+    runRestart();
+    runRestart();
+    mutable_vehicle.baro.healthy = true;
+    mutable_vehicle.estimate.baro_height_m = 60;
+    runRestart();
+    EXPECT_FALSE(vehicle.armed);
+    begin(ResetCause::watchdog);
+    EXPECT_FALSE(flyingOn());
 }
 
 TEST_F(Restart, starts_disarmed_on_the_ground_after_landing_and_after_disarming) {
@@ -149,6 +202,8 @@ TEST_F(Restart, flies_on_as_before_without_a_receiver) {
 TEST_F(Restart, is_armed_again_although_the_mode_switch_is_read_before_the_attitude_is_found) {
     begin(ResetCause::brown_out);
     mutable_vehicle.attitude.aligned = false;
+    mutable_vehicle.baro.healthy = true;
+    mutable_vehicle.estimate.baro_height_m = 60;
     for (int i = 0; i < 60; ++i) {
         if (i % 2 == 0) fakes::receiveRc(with(8, 1165));
         runRadio();
@@ -201,7 +256,8 @@ TEST_F(Restart, holds_its_surfaces_at_trim_until_the_mode_is_known) {
     EXPECT_EQ(surfaces.throttle.raw, 0);
 }
 
-TEST_F(Restart, finds_home_in_the_eeprom_when_the_power_was_lost_in_flight) {
+TEST_F(Restart, finds_home_in_the_eeprom_when_power_and_memory_were_lost_in_flight) {
+    invalidate(steady);
     begin(ResetCause::power_on);
 
     EXPECT_FALSE(flyingOn());

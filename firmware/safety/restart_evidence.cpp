@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/safety/restart_evidence.hpp"
+
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+
+namespace firmware {
+namespace safety {
+
+using namespace state;
+
+bool measuredInTheAir(float home_height_m) {
+    constexpr float kFlying = 0.75f;  // of ARSPD_FBW_MIN, as the estimator
+    constexpr float kOutOfReach_m = 10;
+    if (vehicle.airspeed.healthy)
+        return vehicle.airspeed.speed_mps > kFlying * parameters.speed_min_mps;
+    // 0: it has not been read since the start
+    const float above_zero_m = vehicle.estimate.baro_height_m;
+    return vehicle.baro.healthy && above_zero_m != 0 &&
+           above_zero_m - home_height_m > kOutOfReach_m;
+}
+
+}  // namespace safety
+}  // namespace firmware
