@@ -98,6 +98,8 @@ WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
     world.gps_baud = options.gps_baud;
     world.seed = options.seed;
     world.faults = options.faults;
+    world.gps_backup = !options.gps_cold;
+    world.band_gap_v = options.band_gap_v;
     world.dataflash = !options.no_dataflash;
     return world;
 }

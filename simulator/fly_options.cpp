@@ -101,7 +101,7 @@ std::string seconds(const std::string& text) {
 std::string fault(const std::string& text) {
     return parseFault(text)
                ? ""
-               : "expected SENSOR:HOW@FROM[-TO], like gps:lost@60-90, not '" + text + "'";
+               : "expected PART:HOW@FROM[-TO], like gps:lost@60-90, not '" + text + "'";
 }
 
 // Each adds what belongs together, in the order of the help.
@@ -175,10 +175,23 @@ void addConditions(CLI::App& app, FlyOptions& o, std::string& wind) {
            [&o](const std::vector<std::string>& all) {
                for (const std::string& each : all) o.faults.push_back(*parseFault(each));
            },
-           "SENSOR:HOW@FROM[-TO], more than once if wanted: imu, baro, airspeed, compass, gps or "
-           "radio is lost, stuck, noisy, nonsense, jump or drift (gps: no drift; radio: lost; imu "
-           "also dead_roll, dead_pitch, dead_yaw) in these seconds")
+           "PART:HOW@FROM[-TO], more than once if wanted, in seconds. imu, baro, airspeed, "
+           "compass, "
+           "gps: lost, stuck, noisy, nonsense, jump or drift (gps: no drift; imu also dead_roll, "
+           "dead_pitch, dead_yaw). radio: lost, held, silent, throttle_lost, missed_edge, "
+           "extra_edge, nine_channels or wide. supply: cut, sag_3.2v, or sag_3.2v_20ms, which "
+           "takes 20 ms to fall. docs/simulator.md explains them")
         ->check(fault);
+}
+
+void addHardware(CLI::App& app, FlyOptions& o) {
+    app.add_flag("--gps-cold", o.gps_cold,
+                 "a GPS without a backup battery: after a cut of the supply it starts cold, 26 s "
+                 "instead of 1 s")
+        ->disable_flag_override();
+    app.add_option("--band-gap", o.band_gap_v,
+                   "the chip's reference in volts; if not given 1.1 V, and 1 % off by the seed")
+        ->check(CLI::Range(1.0, 1.2));
 }
 
 void addFlight(CLI::App& app, FlyOptions& o) {
@@ -235,6 +248,7 @@ Parsed parseFlyOptions(int count, char** words) {
     addAirplane(app, options);
     addMemories(app, options);
     addConditions(app, options, wind);
+    addHardware(app, options);
     addFlight(app, options);
     addServer(app, options, telemetry);
     addWatchers(app, options);

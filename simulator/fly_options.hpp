@@ -24,6 +24,8 @@ struct FlyOptions {
     uint32_t gps_baud = 0;
     uint64_t seed = 1;
     std::vector<Fault> faults;
+    bool gps_cold = false;
+    double band_gap_v = 0;
     double time_limit_s = 1200;
     std::string fdm;  // "json:PORT"; empty: the airplane is the simulator's own
     double fdm_wait_s = 30;

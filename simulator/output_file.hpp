@@ -80,7 +80,8 @@ inline void makeFolder(const std::filesystem::path& path) {
 
 // The exit status of a program: `status`, or 1 when its standard output did not arrive.
 inline int finishOutput(const char* tool, int status) {
-    errno = 0;
+    const bool failed_before = !std::cout.good() || std::ferror(stdout) != 0;
+    if (!failed_before) errno = 0;  // else it says why a buffer that was full could not be written
     std::cout.flush();
     const bool whole = std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     if (whole) return status;

@@ -17,6 +17,7 @@
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/devices/supply.hpp"
 #include "simulator/fdm/json_model.hpp"
 
 namespace simulator {
@@ -26,6 +27,32 @@ constexpr int kOutputs = 8;
 constexpr uint64_t kSilent_us = 100'000;
 constexpr double kCentre_us = 1500;
 constexpr double kBoardWarmth_c = 10;  // the board in its box is warmer than the air
+
+// u-blox 6 data sheet, table 1: a hot start takes 1 s, a cold one 26 s.
+constexpr double kHotStart_s = 1, kColdStart_s = 26;
+// Assumed: how long a receiver takes to find its transmitter again.
+constexpr uint64_t kReceiverLinks_us = 500'000;
+// IDG-500: start-up time, to within 1 deg/s.
+constexpr uint64_t kGyrosStart_us = 200'000;
+// ATmega2560, table 31-4: the band gap is 1.0 to 1.2 V, of one chip constant.
+constexpr double kBandGap_v = 1.1, kBandGapSpread = 0.01;
+
+double bandGapFor(const WorldOptions& options) {
+    if (options.band_gap_v > 0) return options.band_gap_v;
+    if (!options.sensor_errors) return kBandGap_v;
+    Random random(options.seed, 14);
+    return kBandGap_v * (1 + kBandGapSpread * random.normal());
+}
+
+std::vector<Sag> sagsOf(const std::vector<Fault>& faults) {
+    std::vector<Sag> sags;
+    const auto us = [](double s) { return static_cast<uint64_t>(s * 1e6 + 0.5); };
+    for (const Fault& fault : faults)
+        if (fault.sensor == Faulty::supply)
+            sags.push_back(
+                {fault.volts, us(fault.from_s), us(fault.to_s), us(fault.fall_ms / 1e3)});
+    return sags;
+}
 
 SensorErrors errorsFor(const WorldOptions& options) {
     if (!options.sensor_errors) return SensorErrors::none();
@@ -37,10 +64,18 @@ SensorErrors errorsFor(const WorldOptions& options) {
     return errors;
 }
 
-std::unique_ptr<GpsReceiver> gpsFor(const WorldOptions& options, const SensorErrors& errors) {
+struct GpsPlug {
+    std::string kind;
+    uint32_t baud;
+    uint64_t seed;
+};
+
+std::unique_ptr<GpsReceiver> gpsFor(const GpsPlug& plug, const SensorErrors& errors,
+                                    double acquire_s, uint64_t powered_us) {
     GpsOptions gps;
-    gps.acquire_s = options.gps_acquire_s;
-    return makeGps(options.gps, options.gps_baud, options.seed, errors, gps);
+    gps.acquire_s = acquire_s;
+    gps.powered_us = powered_us;
+    return makeGps(plug.kind, plug.baud, plug.seed, errors, gps);
 }
 
 At45dbOptions dataflashFor(const WorldOptions& options) {
@@ -71,22 +106,30 @@ struct World::Parts {
           field_mg(northEastDown_mg(
               {options.declination_deg, options.inclination_deg, options.magnetic_field_mg})),
           model(modelFor(options, errors)),
+          band_gap_v(bandGapFor(options)),
+          gps_plug{options.gps, options.gps_baud, options.seed},
+          gps_restart_s(options.gps_backup ? kHotStart_s : kColdStart_s),
           imu(options.seed, errors),
           barometer(options.seed, errors),
           compass(options.seed, errors, compassFor(options)),
-          gps(gpsFor(options, errors)),
+          gps(gpsFor(gps_plug, errors, options.gps_acquire_s, 0)),
           analog(options.seed, errors),
           analog_imu(options.seed, errors),
           i2c_barometer(options.seed, errors),
-          dataflash(options.seed, dataflashFor(options)) {
-        converter.volts = [this](int input) {
-            constexpr int kPitot = 7;
-            const Truth& truth = model->truth();
-            return input == kPitot ? analog.volts(AnalogSensors::kAirspeedPin, truth)
-                                   : analog_imu.volts(input, truth);
-        };
+          dataflash(options.seed, dataflashFor(options)),
+          radio(options.seed) {
+        converter.volts = [this](int input) { return converterVolts(input); };
+        supply.set(sagsOf(faults));
+        addPowered();
         sense();
     }
+
+    void addPowered();
+    void powerGps(bool on, uint64_t now_us);
+    void powerReceiver(bool on, uint64_t now_us);
+    void startReceiver(uint64_t now_us);
+    double pitot_v();
+    double converterVolts(int input);
 
     ServoPulses pulses() const;
     void sense();
@@ -96,6 +139,11 @@ struct World::Parts {
     std::vector<Fault> faults;
     const Vec3 field_mg;
     const std::unique_ptr<FlightModel> model;
+    const double band_gap_v;
+    Supply supply;
+    PoweredParts powered{supply};
+    GpsPlug gps_plug;
+    const double gps_restart_s;
     Mpu6000 imu;
     Ms5611 barometer;
     Hmc5883l compass;
@@ -113,12 +161,65 @@ struct World::Parts {
     };
     std::array<Servo, kOutputs> servos;
     uint64_t now_us = 0;
+    uint64_t receiver_links_us = UINT64_MAX;  // when it has found its transmitter again
+    uint64_t gyros_settle_us = 0;
+    bool analog_imu_on = true;
     bool relay = false;
 
     bool silent(const Servo& servo) const {
         return servo.width_us == 0 || now_us > servo.time_us + kSilent_us;
     }
 };
+
+void World::Parts::addPowered() {
+    const auto part = [this](double at_least_v, auto& device) {
+        powered.add(at_least_v, [&device](bool on, uint64_t at_us) { device.power(on, at_us); });
+    };
+    part(least_v::kMpu6000, imu);
+    part(least_v::kMs5611, barometer);
+    part(least_v::kHmc5883l, compass);
+    part(least_v::kBmp085, i2c_barometer);
+    part(least_v::kAt45db, dataflash);
+    part(least_v::kEncoder, radio);
+    powered.add(least_v::kPowerOnReset, [this](bool, uint64_t) { radio.forgetBrownOut(); });
+    powered.add(least_v::kReceiver, [this](bool on, uint64_t at_us) { powerReceiver(on, at_us); });
+    powered.add(least_v::kGps, [this](bool on, uint64_t at_us) { powerGps(on, at_us); });
+    powered.add(least_v::kAds7844, [this](bool on, uint64_t) { converter.unplug(!on); });
+    powered.add(least_v::kAnalogImu, [this](bool on, uint64_t at_us) {
+        analog_imu_on = on;
+        gyros_settle_us = at_us + kGyrosStart_us;
+    });
+}
+
+// Its configuration is gone; with another seed its place wanders anew.
+void World::Parts::powerGps(bool on, uint64_t at_us) {
+    if (on) ++gps_plug.seed;
+    gps =
+        on ? gpsFor(gps_plug, errors, gps_restart_s, at_us) : gpsFor({"", 0, 1}, errors, 0, at_us);
+}
+
+void World::Parts::powerReceiver(bool on, uint64_t at_us) {
+    receiver_links_us = on ? at_us + kReceiverLinks_us : UINT64_MAX;
+    if (!on) radio.powerReceiver(false, at_us);
+}
+
+void World::Parts::startReceiver(uint64_t at_us) {
+    receiver_links_us = UINT64_MAX;
+    radio.powerReceiver(true, at_us);
+}
+
+// MPXV7002: its output is in proportion to its supply.
+double World::Parts::pitot_v() {
+    return analog.volts(AnalogSensors::kAirspeedPin, model->truth()) * supply.volts(now_us) /
+           Supply::kNominal_v;
+}
+
+double World::Parts::converterVolts(int input) {
+    constexpr int kPitot = 7;
+    if (input == kPitot) return pitot_v();
+    const double seen_v = analog_imu.volts(input, model->truth());
+    return analog_imu_on && now_us >= gyros_settle_us ? seen_v : 0;
+}
 
 ServoPulses World::Parts::pulses() const {
     ServoPulses out;
@@ -157,7 +258,7 @@ void World::Parts::fail() {
     analog.fail(of(Faulty::airspeed), for_s(Faulty::airspeed));
     compass.fail(of(Faulty::compass), for_s(Faulty::compass));
     gps->fail(of(Faulty::gps));
-    radio.jam(of(Faulty::radio) == FaultKind::lost);
+    radio.fail(of(Faulty::radio), now_us);
 }
 
 World::World(const WorldOptions& options) : parts_(std::make_unique<Parts>(options)) {}
@@ -168,10 +269,15 @@ void World::advanceTo(uint64_t now_us) {
     for (;;) {
         const uint64_t step_us = p.model->truth().time_us + Airplane::kStep_us;
         const uint64_t imu_us = p.imu.nextSample_us(), gps_us = p.gps->nextEvent_us();
-        const uint64_t next_us = std::min({step_us, imu_us, gps_us});
+        const uint64_t power_us = p.powered.nextEvent_us(p.now_us);
+        const uint64_t next_us = std::min({step_us, imu_us, gps_us, power_us, p.receiver_links_us});
         if (next_us > now_us) break;
         p.now_us = std::max(p.now_us, next_us);
-        if (next_us == step_us) {
+        if (next_us == power_us) {
+            p.powered.run(next_us);
+        } else if (next_us == p.receiver_links_us) {
+            p.startReceiver(next_us);
+        } else if (next_us == step_us) {
             p.fail();
             p.model->step(p.pulses());
             p.sense();
@@ -193,7 +299,11 @@ void World::turnTo(double roll_rad, double pitch_rad, double yaw_rad) {
 void World::turn(double roll_rads, double pitch_rads, double yaw_rads) {
     parts_->model->turn(roll_rads, pitch_rads, yaw_rads);
 }
-void World::setFaults(const std::vector<Fault>& faults) { parts_->faults = faults; }
+void World::setFaults(const std::vector<Fault>& faults) {
+    parts_->faults = faults;
+    parts_->supply.set(sagsOf(faults));
+    parts_->powered.run(parts_->now_us);
+}
 void World::launch() { parts_->model->launch(); }
 std::string World::fault() const { return parts_->model->fault(); }
 uint64_t World::modelAnswersSkipped() const { return parts_->model->answersSkipped(); }
@@ -217,12 +327,13 @@ Ms5611& World::barometer() { return parts_->barometer; }
 Hmc5883l& World::compass() { return parts_->compass; }
 GpsReceiver& World::gps() { return *parts_->gps; }
 void World::plugGps(const std::string& kind, uint32_t baud) {
-    GpsOptions options;
-    options.acquire_s = 1;
-    options.powered_us = parts_->now_us;
-    parts_->gps = makeGps(kind, baud, 1, parts_->errors, options);
+    parts_->gps_plug = {kind, baud, 1};
+    parts_->gps = gpsFor(parts_->gps_plug, parts_->errors, 1, parts_->now_us);
 }
 PpmEncoder& World::radio() { return parts_->radio; }
+Supply& World::supply() { return parts_->supply; }
+double World::supply_v(uint64_t now_us) const { return parts_->supply.volts(now_us); }
+double World::bandGap_v() const { return parts_->band_gap_v; }
 At45db& World::dataflash() { return parts_->dataflash; }
 const At45db& World::dataflash() const { return parts_->dataflash; }
 
@@ -231,7 +342,8 @@ Bmp085& World::barometerOnI2c() { return parts_->i2c_barometer; }
 
 double World::analog_v(int pin, uint64_t now_us) {
     advanceTo(now_us);
-    return parts_->analog.volts(pin, truth());
+    return pin == AnalogSensors::kAirspeedPin ? parts_->pitot_v()
+                                              : parts_->analog.volts(pin, truth());
 }
 
 }  // namespace simulator

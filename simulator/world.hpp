@@ -30,6 +30,8 @@ struct WorldOptions {
     // the World Magnetic Model 2025 at this place at the end of 2026
     double declination_deg = 3.67, inclination_deg = 63.54, magnetic_field_mg = 484.1;
     double gps_acquire_s = 3.0;        // from power-on to the first fix
+    bool gps_backup = true;            // has a battery of its own: a hot start when power is back
+    double band_gap_v = 0;             // of the chip; 0: 1.1 V and 1 % by the seed
     std::string gps = "ublox";         // one of gpsKinds(), as delivered
     uint32_t gps_baud = 0;             // its rate at power-on; 0: the one it comes with
     bool dataflash = true;             // the board has one
@@ -62,6 +64,7 @@ class Ms5611;
 class Hmc5883l;
 class GpsReceiver;
 class PpmEncoder;
+class Supply;
 class At45db;
 class Ads7844;
 class Bmp085;
@@ -97,6 +100,10 @@ public:
     // the kind has no name.
     void plugGps(const std::string& kind, uint32_t baud = 0);
     PpmEncoder& radio();
+    // The 5 V of the board and all that is plugged into it. Faults of the supply are sags of it.
+    Supply& supply();
+    double supply_v(uint64_t now_us) const;
+    double bandGap_v() const;
     At45db& dataflash();
     const At45db& dataflash() const;
     // Of the first board: the converter with its gyros, accelerometer and pitot sensor, and the
@@ -104,7 +111,7 @@ public:
     Ads7844& converter();
     Bmp085& barometerOnI2c();
 
-    // What the ADC pin A0..A15 of the board sees, in volts; supply 5.00 V.
+    // What the ADC pin A0..A15 of the board sees, in volts.
     double analog_v(int pin, uint64_t now_us);
 
 private:

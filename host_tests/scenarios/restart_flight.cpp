@@ -12,10 +12,12 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include "host_tests/scenarios/flight_report.hpp"
 #include "host_tests/scenarios/station.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/devices/supply.hpp"
 #include "simulator/ground/scripted_flight.hpp"
 #include "simulator/ground/telemetry.hpp"
 #include "simulator/machine/apm2_board.hpp"
@@ -149,12 +151,21 @@ public:
         avr->pc = kSpare;
         avr->state = cpu_Running;
     }
-    // The supply sags in 20 ms until the chip is reset, and comes back.
+    // The supply sags in 20 ms until the chip, and it alone, is reset, and comes back.
     void brownOut() {
-        double& supply_v = board_.chip().adc().supply_v;
+        double supply_v = 5.0;
+        auto& measured = board_.chip().adc().supply_v;
+        const auto before = std::exchange(measured, [&supply_v] { return supply_v; });
         for (; supply_v > 2.7; supply_v -= 0.115) step();
         board_.chip().reset(Reset::brown_out);
-        supply_v = 5.0;
+        measured = before;
+    }
+    // The supply sags in 20 ms to this, and comes back.
+    void sag(double volts) {
+        constexpr uint64_t kFall_us = 20'000;
+        const uint64_t from_us = board_.time_us() + 1;
+        board_.world().supply().add({volts, from_us, from_us + kFall_us, kFall_us});
+        run_s(0.022);
     }
     // Nothing but the fast tier, or nothing of the slow one, is ever due.
     void starve(bool slow_only) {
@@ -311,6 +322,10 @@ void hang(Bench& bench) {
     bench.run_s(0.1);
 }
 void brownOut(Bench& bench) { bench.brownOut(); }
+// The chip is reset, and of the parts those that need more than it does.
+void realBrownOut(Bench& bench) { bench.sag(2.65); }
+// Every part is reset, the memory lasts.
+void deepBrownOut(Bench& bench) { bench.sag(1.5); }
 
 constexpr char kByWatchdog[] = "Restarted by watchdog, task", kByBrownOut[] = "after a brown-out";
 
@@ -401,10 +416,12 @@ void missionGoesOn(Bench& bench, void (*fail)(Bench&)) {
 }
 void watchdogInTheMission(Bench& bench) { missionGoesOn(bench, hang); }
 void brownOutInTheMission(Bench& bench) { missionGoesOn(bench, brownOut); }
+void realBrownOutInTheMission(Bench& bench) { missionGoesOn(bench, realBrownOut); }
 
 const Case kInTheMission[] = {
     {"the loop hangs in a mission", watchdogInTheMission},
     {"the supply breaks down in a mission", brownOutInTheMission},
+    {"and for the parts that need more than the chip", realBrownOutInTheMission},
 };
 
 void staysOnTheGround(Bench& bench, void (*fail)(Bench&), const char* why) {
@@ -417,11 +434,13 @@ void staysOnTheGround(Bench& bench, void (*fail)(Bench&), const char* why) {
 void button(Bench& bench) { bench.pressReset(); }
 void watchdogOnTheGround(Bench& bench) { staysOnTheGround(bench, hang, kByWatchdog); }
 void brownOutOnTheGround(Bench& bench) { staysOnTheGround(bench, brownOut, kByBrownOut); }
+void deepBrownOutOnTheGround(Bench& bench) { staysOnTheGround(bench, deepBrownOut, kByBrownOut); }
 void buttonOnTheGround(Bench& bench) { staysOnTheGround(bench, button, nullptr); }
 
 const Case kOnTheGround[] = {
     {"the loop hangs", watchdogOnTheGround},
     {"the supply breaks down", brownOutOnTheGround},
+    {"and for every part", deepBrownOutOnTheGround},
     {"the reset button", buttonOnTheGround},
 };
 

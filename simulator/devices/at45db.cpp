@@ -149,6 +149,15 @@ std::vector<uint8_t> At45db::image(uint64_t now_us) const {
     return cells;
 }
 
+// Datasheets, "Power-up timing": the select may fall after tVCSL, nothing is written before tPUW.
+void At45db::power(bool on, uint64_t now_us) {
+    constexpr uint64_t kSelectable_us = 70, kWritable_us = 20'000;
+    powered_ = on;
+    if (!on) return cutPower(now_us);
+    ready_us_ = now_us + kSelectable_us;
+    writable_us_ = now_us + kWritable_us;
+}
+
 void At45db::abort(uint64_t now_us) {
     if (operation_ && now_us < operation_->end_us) damage(cells_);
     operation_.reset();
@@ -204,6 +213,7 @@ void At45db::select(bool chosen, uint64_t now_us) {
 
 uint8_t At45db::transfer(uint8_t mosi, uint64_t now_us) {
     if (!options_.fitted || !chosen_ || in_reset_) return 0xFF;
+    if (!powered_ || now_us < ready_us_) return 0xFF;
     const unsigned at = count_++;
     if (at == 0) {
         begin(mosi, now_us);
@@ -225,10 +235,18 @@ void At45db::begin(uint8_t opcode, uint64_t now_us) {
     }
 }
 
+static bool writes(Does does) {
+    constexpr Does kWriting[] = {Does::store,      Does::add,          Does::write_through,
+                                 Does::rewrite,    Does::erase,        Does::erase_sector,
+                                 Does::erase_chip, Does::set_page_size};
+    return std::find(std::begin(kWriting), std::end(kWriting), does) != std::end(kWriting);
+}
+
 // Datasheets, "Operation mode summary": beside the self-timed work go status, identity and the
 // buffer that takes no part in it.
 bool At45db::refuses(const Command& command, uint64_t now_us) const {
     if (asleep_) return command.does != Does::wake;
+    if (now_us < writable_us_ && writes(command.does)) return true;
     if (!busy(now_us)) return false;
     if (command.does == Does::status || command.does == Does::identify) return false;
     const bool of_buffer = command.does == Does::read_buffer || command.does == Does::write_buffer;

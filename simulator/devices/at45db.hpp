@@ -40,6 +40,8 @@ public:
 
     // The power fails and comes back: pages being written are garbage, so are the buffers.
     void cutPower(uint64_t now_us);
+    // As above in two steps: without power it answers nothing.
+    void power(bool on, uint64_t now_us);
 
     // All pages, one after the other, as a cut now would leave them.
     std::vector<uint8_t> image(uint64_t now_us) const;
@@ -90,8 +92,10 @@ private:
     unsigned count_ = 0;  // bytes since the select
     uint32_t address_ = 0;
     bool chosen_ = false, in_reset_ = false, asleep_ = false, jams_ = false;
-    bool differs_ = false;      // what the last compare found
-    bool will_be_512_ = false;  // from the next power-on on
+    bool powered_ = true;
+    uint64_t ready_us_ = 0, writable_us_ = 0;  // after power-on
+    bool differs_ = false;                     // what the last compare found
+    bool will_be_512_ = false;                 // from the next power-on on
 };
 
 }  // namespace simulator

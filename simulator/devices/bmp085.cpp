@@ -12,6 +12,7 @@ constexpr uint8_t kResult = 0xF6, kResultEnd = 0xF9;
 constexpr uint8_t kTemperature = 0x2E, kPressure = 0x34;
 constexpr uint64_t kConversion_us[] = {4500, 7500, 13500, 25500};  // by oversampling
 constexpr uint64_t kTemperature_us = 4500;
+constexpr uint64_t kStart_us = 10'000;  // table 1: from power-on to the first communication
 
 // The data sheet's example.
 constexpr Bmp085::Words kExample = {408,  -72, -14383, 32741, 32757, 23153,
@@ -41,14 +42,23 @@ void Bmp085::sense(double pressure_pa, double temperature_c) {
     temperature_c_ = temperature_c;
 }
 
+void Bmp085::power(bool on, uint64_t now_us) {
+    powered_ = on;
+    ready_us_ = now_us + kStart_us;
+    converted_us_ = UINT64_MAX;
+    next_ = result_ = kNoResult;
+    control_ = pointer_ = 0;
+    pointer_next_ = false;
+}
+
 bool Bmp085::start(bool read, uint64_t now_us) {
     advance(now_us);
     pointer_next_ = !read;
-    return !unplugged_;
+    return !silent() && now_us >= ready_us_;
 }
 
 bool Bmp085::write(uint8_t byte, uint64_t now_us) {
-    if (unplugged_) return false;
+    if (silent()) return false;
     advance(now_us);
     if (pointer_next_) {
         pointer_ = byte;
@@ -61,7 +71,7 @@ bool Bmp085::write(uint8_t byte, uint64_t now_us) {
 }
 
 uint8_t Bmp085::read(bool, uint64_t now_us) {
-    if (unplugged_) return 0xFF;
+    if (silent()) return 0xFF;
     advance(now_us);
     return readRegister(pointer_++);
 }

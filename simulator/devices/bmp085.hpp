@@ -36,8 +36,10 @@ public:
 
     Words& words() { return words_; }  // for tests to damage
     void unplug(bool unplugged) { unplugged_ = unplugged; }
+    void power(bool on, uint64_t now_us);
 
 private:
+    bool silent() const { return unplugged_ || !powered_; }
     void control(uint8_t value, uint64_t now_us);
     void advance(uint64_t now_us);
     uint8_t readRegister(uint8_t at) const;
@@ -54,9 +56,11 @@ private:
     Words words_;
     double pressure_pa_ = 101325, temperature_c_ = 25;
     uint64_t drift_us_ = 0, converted_us_ = UINT64_MAX;
-    uint32_t next_ = 0x800000, result_ = 0x800000;  // 24 bits
+    static constexpr uint32_t kNoResult = 0x800000;
+    uint32_t next_ = kNoResult, result_ = kNoResult;  // 24 bits
     uint8_t control_ = 0, pointer_ = 0;
-    bool pointer_next_ = false, unplugged_ = false;
+    bool pointer_next_ = false, unplugged_ = false, powered_ = true;
+    uint64_t ready_us_ = 0;
 };
 
 }  // namespace simulator

@@ -1,15 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/devices/faults.hpp"
 
+#include <cstdio>
 #include <cstdlib>
+
+#include "simulator/devices/supply.hpp"
 
 namespace simulator {
 namespace {
 
-constexpr const char* kSensors[kFaulty] = {"imu", "baro", "airspeed", "compass", "gps", "radio"};
-constexpr const char* kKinds[kFaultKinds] = {"none",       "lost",    "stuck", "noisy",
-                                             "nonsense",   "jump",    "drift", "dead_roll",
-                                             "dead_pitch", "dead_yaw"};
+constexpr const char* kSensors[kFaulty] = {"imu", "baro",  "airspeed", "compass",
+                                           "gps", "radio", "supply"};
+// clang-format off
+constexpr const char* kKinds[kFaultKinds] = {
+    "none", "lost", "stuck", "noisy", "nonsense", "jump", "drift",
+    "dead_roll", "dead_pitch", "dead_yaw",
+    "cut", "sag",
+    "silent", "held", "throttle_lost", "missed_edge", "extra_edge", "nine_channels", "wide",
+};
+// clang-format on
+
+// The kinds from one to another, as bits.
+constexpr uint32_t kinds(FaultKind from, FaultKind to) {
+    return (2u << static_cast<int>(to)) - (1u << static_cast<int>(from));
+}
+constexpr uint32_t kOfSensor = kinds(FaultKind::lost, FaultKind::drift);
+constexpr uint32_t kMay[kFaulty] = {
+    kinds(FaultKind::lost, FaultKind::dead_yaw),  // imu
+    kOfSensor,                                    // baro
+    kOfSensor,                                    // airspeed
+    kOfSensor,                                    // compass
+    kinds(FaultKind::lost, FaultKind::jump),      // gps
+    kinds(FaultKind::lost, FaultKind::lost) | kinds(FaultKind::silent, FaultKind::wide),  // radio
+    kinds(FaultKind::cut, FaultKind::sag),                                                // supply
+};
 
 template <size_t N>
 std::optional<int> find(const char* const (&names)[N], const std::string& name) {
@@ -25,6 +49,36 @@ std::optional<double> seconds(const std::string& text) {
     return value;
 }
 
+// Capacitors of some 200 uF that feed 200 mA.
+constexpr double kFall_ms_per_v = 1;
+
+// cut, sag_3.2v or sag_3.2v_20ms
+bool parseShape(const std::string& text, Fault& fault) {
+    int end = 0;
+    const char* const words = text.c_str();
+    if (text == "cut") {
+        fault.kind = FaultKind::cut;
+    } else if (std::sscanf(words, "sag_%lfv%n", &fault.volts, &end) == 1 && end > 0) {
+        fault.kind = FaultKind::sag;
+    } else {
+        return false;
+    }
+    if (!(fault.volts >= 0 && fault.volts < Supply::kNominal_v)) return false;
+    fault.fall_ms = (Supply::kNominal_v - fault.volts) * kFall_ms_per_v;
+    if (fault.kind == FaultKind::cut || words[end] == 0) return true;
+    int rest = 0;
+    return std::sscanf(words + end, "_%lfms%n", &fault.fall_ms, &rest) == 1 && rest > 0 &&
+           words[end + rest] == 0 && fault.fall_ms >= 0 && fault.fall_ms <= 1e6;
+}
+
+bool parseKind(const std::string& text, Fault& fault) {
+    if (fault.sensor == Faulty::supply) return parseShape(text, fault);
+    const auto kind = find(kKinds, text);
+    if (!kind || *kind == 0) return false;
+    fault.kind = static_cast<FaultKind>(*kind);
+    return canFail(fault.sensor, fault.kind);
+}
+
 }  // namespace
 
 const char* nameOf(Faulty sensor) { return kSensors[static_cast<int>(sensor)]; }
@@ -35,22 +89,17 @@ std::optional<Fault> parseFault(const std::string& text) {
     if (colon == text.npos || at == text.npos || at < colon) return std::nullopt;
     const size_t dash = text.find('-', at);
     const auto sensor = find(kSensors, text.substr(0, colon));
-    const auto kind = find(kKinds, text.substr(colon + 1, at - colon - 1));
     const size_t from_size = dash == text.npos ? text.npos : dash - at - 1;
     const auto from_s = seconds(text.substr(at + 1, from_size));
     const auto to_s = dash == text.npos ? 1e9 : seconds(text.substr(dash + 1));
-    if (!sensor || !kind || *kind == 0 || !from_s || !to_s || *to_s <= *from_s) return std::nullopt;
-    const Fault fault = {static_cast<Faulty>(*sensor), static_cast<FaultKind>(*kind), *from_s,
-                         *to_s};
-    if (!canFail(fault.sensor, fault.kind)) return std::nullopt;
+    if (!sensor || !from_s || !to_s || *to_s <= *from_s) return std::nullopt;
+    Fault fault = {static_cast<Faulty>(*sensor), FaultKind::none, *from_s, *to_s};
+    if (!parseKind(text.substr(colon + 1, at - colon - 1), fault)) return std::nullopt;
     return fault;
 }
 
-// A receiver of the radio says nothing of what it hears, it is there or not.
 bool canFail(Faulty sensor, FaultKind kind) {
-    if (deadGyro(kind) >= 0) return sensor == Faulty::imu;
-    if (sensor == Faulty::gps) return kind != FaultKind::drift;
-    return sensor != Faulty::radio || kind == FaultKind::lost;
+    return kMay[static_cast<int>(sensor)] >> static_cast<int>(kind) & 1;
 }
 
 int deadGyro(FaultKind kind) {

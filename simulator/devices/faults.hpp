@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sensors that fail in flight: which, how, from when to when. Written SENSOR:HOW@FROM[-TO] in
-// seconds since power-on, as in gps:lost@60-90 or compass:stuck@100.
+// What fails in flight: which part, how, from when to when. Written PART:HOW@FROM[-TO] in seconds
+// since power-on, as in gps:lost@60-90, compass:stuck@100 or supply:sag_3.2v@60-60.012.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -11,7 +11,8 @@
 namespace simulator {
 
 // jump: away from the truth by a constant, with plausible values; drift: ever farther from it;
-// dead: one gyro alone says the same for ever.
+// dead: one gyro alone says the same for ever; cut and sag: the supply falls to nothing, or to so
+// many volts; the last ones are the radio's, see simulator/devices/ppm_encoder.hpp.
 enum class FaultKind {
     none,
     lost,
@@ -22,10 +23,19 @@ enum class FaultKind {
     drift,
     dead_roll,
     dead_pitch,
-    dead_yaw
+    dead_yaw,
+    cut,
+    sag,
+    silent,
+    held,
+    throttle_lost,
+    missed_edge,
+    extra_edge,
+    nine_channels,
+    wide
 };
-enum class Faulty { imu, barometer, airspeed, compass, gps, radio };
-constexpr int kFaulty = 6, kFaultKinds = 10;
+enum class Faulty { imu, barometer, airspeed, compass, gps, radio, supply };
+constexpr int kFaulty = 7, kFaultKinds = 19;
 
 const char* nameOf(Faulty sensor);
 const char* nameOf(FaultKind kind);
@@ -34,7 +44,11 @@ struct Fault {
     Faulty sensor;
     FaultKind kind;
     double from_s = 0, to_s = 1e9;
+    double volts = 0;    // of the supply: how low it falls
+    double fall_ms = 0;  // and how fast
 };
+// The supply's is cut or sag_Vv, which fall by 1 V in a millisecond, or sag_Vv_Nms, which takes
+// that long to fall.
 std::optional<Fault> parseFault(const std::string& text);
 
 bool canFail(Faulty sensor, FaultKind kind);

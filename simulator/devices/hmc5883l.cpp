@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/devices/hmc5883l.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace simulator {
@@ -11,6 +12,8 @@ constexpr int kRegisters = 13;
 constexpr uint8_t kContinuous = 0, kSingle = 1, kIdle = 2;
 constexpr uint8_t kReady = 1, kLock = 2;
 constexpr uint64_t kSingle_us = 6000, kWriting_us = 250;
+// Operating characteristics, turn-on time: for I2C commands and for the analogue circuit.
+constexpr uint64_t kReady_us = 200, kSettled_us = 50'000;
 constexpr uint8_t kWholeSet = 0x3F;
 
 constexpr double kCountsPerGauss[8] = {1370, 1090, 820, 660, 440, 390, 330, 230};
@@ -33,22 +36,37 @@ uint16_t asCounts(double value) {
 }  // namespace
 
 Hmc5883l::Hmc5883l(uint64_t seed, const SensorErrors& errors, CompassMount mount)
-    : errors_(errors), mount_(mount), random_(seed, 3), registers_{0x10, 0x20, kIdle} {
+    : errors_(errors), mount_(mount), random_(seed, 3) {
+    resetRegisters();
+    for (double& offset : offset_mg_)
+        offset = random_.uniform() < 0.5 ? -errors.compass_offset_mg : errors.compass_offset_mg;
+}
+
+void Hmc5883l::resetRegisters() {
+    registers_ = {0x10, 0x20, kIdle};
     registers_[kIdentity] = 'H';
     registers_[kIdentity + 1] = '4';
     registers_[kIdentity + 2] = '3';
-    for (double& offset : offset_mg_)
-        offset = random_.uniform() < 0.5 ? -errors.compass_offset_mg : errors.compass_offset_mg;
+}
+
+void Hmc5883l::power(bool on, uint64_t now_us) {
+    powered_ = on;
+    resetRegisters();
+    pointer_ = read_mask_ = 0;
+    pointer_next_ = false;
+    measured_us_ = UINT64_MAX;
+    ready_us_ = now_us + kReady_us;
+    settled_us_ = now_us + kSettled_us;
 }
 
 bool Hmc5883l::start(bool read, uint64_t now_us) {
     advance(now_us);
     pointer_next_ = !read;
-    return !unplugged_;
+    return !silent() && now_us >= ready_us_;
 }
 
 bool Hmc5883l::write(uint8_t byte, uint64_t now_us) {
-    if (unplugged_) return false;
+    if (silent()) return false;
     advance(now_us);
     if (pointer_next_) {
         pointer_ = byte;
@@ -60,7 +78,7 @@ bool Hmc5883l::write(uint8_t byte, uint64_t now_us) {
 }
 
 uint8_t Hmc5883l::read(bool, uint64_t now_us) {
-    if (unplugged_) return 0xFF;
+    if (silent()) return 0xFF;
     advance(now_us);
     return readRegister();
 }
@@ -98,6 +116,7 @@ void Hmc5883l::begin(uint64_t now_us) {
     measured_us_ = mode == kContinuous ? now_us + period_us()
                    : mode == kSingle   ? now_us + kSingle_us
                                        : UINT64_MAX;
+    if (measured_us_ != UINT64_MAX) measured_us_ = std::max(measured_us_, settled_us_);
 }
 
 uint64_t Hmc5883l::period_us() const {

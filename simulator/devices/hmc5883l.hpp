@@ -34,6 +34,7 @@ public:
     const std::array<double, 3>& offset_mg() const { return offset_mg_; }  // body axes
 
     void unplug(bool unplugged) { unplugged_ = unplugged; }
+    void power(bool on, uint64_t now_us);  // on, its registers are at their reset values
     void fail(FaultKind kind, double for_s = 0);
 
 private:
@@ -45,6 +46,8 @@ private:
     uint8_t readRegister();
     uint64_t period_us() const;
 
+    void resetRegisters();
+    bool silent() const { return unplugged_ || !powered_; }
     bool old() const { return mount_.kind == CompassKind::hmc5843; }
     std::array<double, 3> chipAxes() const;
 
@@ -57,7 +60,8 @@ private:
     bool pointer_next_ = false;
     uint8_t read_mask_ = 0;              // data registers read since the last measurement
     uint64_t measured_us_ = UINT64_MAX;  // when the running measurement ends
-    bool unplugged_ = false;
+    bool unplugged_ = false, powered_ = true;
+    uint64_t ready_us_ = 0, settled_us_ = 0;  // for commands, for measurements
     std::array<FaultyValue, 3> faults_;
 };
 

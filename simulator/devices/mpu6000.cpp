@@ -34,9 +34,11 @@ constexpr double kGravity_mss = 9.80665;
 constexpr double kRadians = M_PI / 180;
 constexpr double kTemperature_c = 35;
 
-// PS-MPU-6000A section 6: registers answer 11 ms after power-on, the gyro has settled 30 ms after
-// it was woken; register map, register 55: an interrupt not latched is a pulse of 50 us.
-constexpr uint64_t kRegistersStart_us = 11'000, kGyroStart_us = 30'000, kPulse_us = 50;
+// PS-MPU-6000A section 6: registers answer 11 ms after power-on as a rule and after 100 ms at the
+// latest, which it takes when a supply came back badly; the gyro has settled 30 ms after it was
+// woken; register map, register 55: an interrupt not latched is a pulse of 50 us.
+constexpr uint64_t kRegistersStart_us = 11'000, kSlowStart_us = 100'000;
+constexpr uint64_t kGyroStart_us = 30'000, kPulse_us = 50;
 
 struct Bandwidth {
     double accel_hz, gyro_hz, rate_hz;
@@ -80,15 +82,15 @@ Mpu6000::Mpu6000(uint64_t seed, const SensorErrors& errors, uint8_t product_id)
     Random of_scale(seed, 11);
     for (int axis = 0; axis < kAxes; ++axis)
         scale_[axis] = axis < 3 ? 1 + errors_.accel_scale * of_scale.normal() : 1;
-    powerOn(0);
+    powerOn(0, kRegistersStart_us);
 }
 
-void Mpu6000::powerOn(uint64_t now_us) {
+void Mpu6000::powerOn(uint64_t now_us, uint64_t start_us) {
     registers_.fill(0);
     registers_[kPower1] = kSleep;
     registers_[kWhoAmI] = 0x68;
     registers_[kProductId] = product_id_;
-    ready_us_ = now_us + kRegistersStart_us;
+    ready_us_ = now_us + start_us;
     unread_ = waiting_ = pin_ = filtered_ = false;
     schedule(now_us);
 }
@@ -102,7 +104,7 @@ void Mpu6000::select(bool chosen, uint64_t) {
 
 uint8_t Mpu6000::transfer(uint8_t mosi, uint64_t now_us) {
     if (!chosen_) return 0xFF;
-    if (fault_ == FaultKind::lost) return 0;
+    if (!answers()) return 0;
     if (!addressed_) {
         addressed_ = true;
         reading_ = mosi & 0x80;
@@ -134,7 +136,7 @@ void Mpu6000::write(uint8_t reg, uint8_t value, uint64_t now_us) {
     const bool read_only =
         (reg >= kInterruptStatus && reg <= kLastReadOnly) || reg == kWhoAmI || reg == kProductId;
     if (read_only) return;
-    if (reg == kPower1 && (value & kReset)) return powerOn(now_us);
+    if (reg == kPower1 && (value & kReset)) return powerOn(now_us, kRegistersStart_us);
     const bool was_asleep = asleep();
     registers_[reg] = value;
     if (reg == kInterruptPin) pin_ = value & kActiveLow;
@@ -200,8 +202,13 @@ void Mpu6000::filter(const Truth& truth, uint64_t now_us) {
 void Mpu6000::fail(FaultKind kind, uint64_t now_us, double for_s) {
     failing_s_ = for_s;
     if (kind == fault_) return;
-    if (kind == FaultKind::lost || fault_ == FaultKind::lost) powerOn(now_us);
+    if (kind == FaultKind::lost || fault_ == FaultKind::lost) powerOn(now_us, kRegistersStart_us);
     fault_ = kind;
+}
+
+void Mpu6000::power(bool on, uint64_t now_us) {
+    powered_ = on;
+    powerOn(now_us, kSlowStart_us);
 }
 
 // In steps of the registers: 4096 are 250 deg/s or 1 g as the firmware sets the ranges.

@@ -36,6 +36,9 @@ public:
     uint64_t nextSample_us() const;
     void sample(const Truth& truth, uint64_t now_us);
 
+    // Without power it answers nothing; with it again its registers are at their reset values.
+    void power(bool on, uint64_t now_us);
+
     SampleCount samples() const { return count_; }
 
     // Lost, it has no supply: it answers nothing, and has forgotten everything when it is back.
@@ -44,7 +47,8 @@ public:
 private:
     static constexpr int kRegisters = 128, kAxes = 6;  // accelerometer, then gyro, chip axes
 
-    void powerOn(uint64_t now_us);
+    void powerOn(uint64_t now_us, uint64_t start_us);
+    bool answers() const { return powered_ && fault_ != FaultKind::lost; }
     void write(uint8_t reg, uint8_t value, uint64_t now_us);
     uint8_t read(uint8_t reg);
     void schedule(uint64_t now_us);
@@ -73,6 +77,7 @@ private:
     FaultKind fault_ = FaultKind::none;
     double failing_s_ = 0;
     uint8_t address_ = 0;
+    bool powered_ = true;
     bool chosen_ = false, addressed_ = false, reading_ = false;
     bool pin_ = false, unread_ = false, waiting_ = false, filtered_ = false;
 };

@@ -73,13 +73,20 @@ void Ms5611::select(bool chosen, uint64_t) {
 
 uint8_t Ms5611::transfer(uint8_t mosi, uint64_t now_us) {
     if (!chosen_) return 0xFF;
-    if (fault_.lost()) return 0;
+    if (fault_.lost() || !powered_) return 0;
     if (first_byte_) {
         first_byte_ = false;
         if (now_us >= ready_us_) command(mosi, now_us);
         return 0xFE;
     }
     return answered_ < answer_size_ ? answer_[answered_++] : 0;
+}
+
+void Ms5611::power(bool on, uint64_t now_us) {
+    powered_ = on;
+    ready_us_ = now_us + kReload_us;
+    converted_us_ = UINT64_MAX;
+    answer_size_ = answered_ = 0;
 }
 
 void Ms5611::command(uint8_t byte, uint64_t now_us) {

@@ -26,6 +26,8 @@ public:
 
     void fail(FaultKind kind, double for_s = 0) { fault_.fail(kind, for_s); }
 
+    void power(bool on, uint64_t now_us);  // on, it loads its PROM first
+
     Prom& prom() { return prom_; }  // for tests to damage
     static uint8_t crc4(Prom prom);
 
@@ -50,6 +52,7 @@ private:
     uint32_t result_ = 0;
     std::array<uint8_t, 3> answer_{};
     unsigned answered_ = 0, answer_size_ = 0;
+    bool powered_ = true;
     bool chosen_ = false, first_byte_ = false;
 };
 

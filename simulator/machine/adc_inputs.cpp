@@ -14,16 +14,16 @@ AdcInputs::AdcInputs(avr_t* avr) : avr_(avr) {
     hookRead<&AdcInputs::readHigh>(avr, kAdch, this);
 }
 
-// Datasheet table 26-4: MUX5 chooses the upper eight pins, 0x1E is the 1.1 V band gap.
+// Datasheet table 26-4: MUX5 chooses the upper eight pins, 0x1E is the band gap.
 double AdcInputs::inputVolts() const {
     const uint8_t mux = avr_->data[kAdmux] & 0x1F;
     const bool upper = avr_->data[kAdcsrb] & 0x08;
     if (mux < 8) return volts ? volts(upper ? mux + 8 : mux) : 0;
-    return mux == 0x1E ? 1.1 : 0;
+    return mux == 0x1E ? band_gap_v : 0;
 }
 
 void AdcInputs::sample(uint32_t) {
-    const double counts = inputVolts() / supply_v * 1024;
+    const double counts = inputVolts() / supply_v() * 1024;
     result_ = static_cast<uint16_t>(std::clamp(counts, 0.0, 1023.0));
 }
 

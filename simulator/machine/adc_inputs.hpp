@@ -15,8 +15,9 @@ public:
     explicit AdcInputs(avr_t* avr);
     void reset() override { result_ = 0; }
 
-    std::function<double(int pin)> volts;  // of A0..A15
-    double supply_v = 5.0;                 // AVcc, the reference of the boards
+    std::function<double(int pin)> volts;                   // of A0..A15
+    std::function<double()> supply_v = [] { return 5.0; };  // AVcc, the boards' reference
+    double band_gap_v = 1.1;
 
 private:
     void sample(uint32_t);

@@ -39,6 +39,7 @@ AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options,
       world_(worldFor(options, wiring)),
       image_(readImage(firmware)),
       chip_(image_),
+      supply_(chip_, world_.supply(), world_.bandGap_v(), options.seed),
       servos_(chip_, wiring_),
       radio_(chip_, world_.radio(), wiring_) {
     chip_.setBootSection(readImage(std::string(SIMULATOR_BOOT "/") + wiring_.name + ".elf"));
@@ -53,6 +54,7 @@ AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options,
     wireMarks();
     chip_.adc().volts = [this](int pin) { return volts(pin); };
     chip_.on_reset = [this] { restart(); };
+    supply_.on_skip = [this](uint64_t now_us) { passTime(now_us); };
     if (wiring_.data_ready) chip_.drive(wiring_.data_ready->port, wiring_.data_ready->bit, false);
     setUsb(false);
     restart();
@@ -147,7 +149,7 @@ void AvrBoard::restart() {
 
 bool AvrBoard::runUntil(uint64_t time_us) {
     radio_.plan();
-    const bool running = chip_.run(time_us * kCyclesPer_us);
+    const bool running = supply_.run(time_us);
     world_.advanceTo(this->time_us());
     return running;
 }
@@ -246,6 +248,14 @@ void AvrBoard::feedGps() {
     while (const auto byte = gps.nextByte(time_us())) {
         if (const auto heard = gps_noise_.through(*byte, gps.baud(), usart.baud()))
             usart.receive(*heard);
+    }
+}
+
+// The chip is held in reset: what comes to its pins is lost.
+void AvrBoard::passTime(uint64_t now_us) {
+    world_.advanceTo(now_us);
+    radio_.pass(now_us);
+    while (world_.gps().nextByte(now_us)) {
     }
 }
 

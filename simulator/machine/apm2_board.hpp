@@ -8,6 +8,7 @@
 #include "simulator/line_noise.hpp"
 #include "simulator/machine/board_wiring.hpp"
 #include "simulator/machine/chip.hpp"
+#include "simulator/machine/chip_supply.hpp"
 #include "simulator/machine/radio_line.hpp"
 #include "simulator/machine/serial_feed.hpp"
 #include "simulator/machine/servo_pulses.hpp"
@@ -48,6 +49,7 @@ public:
     void closeProfile() override;
     void serveGdb(int port) { chip_.serveGdb(port); }  // the CPU waits for the debugger
     Chip& chip() { return chip_; }
+    bool heldInReset() const { return supply_.held(); }  // by a low supply
 
 private:
     void wireSensorBus();
@@ -70,6 +72,7 @@ private:
     uint8_t exchange(uint8_t mosi);
     void sent(int usart, uint8_t byte, uint64_t cycle);
     void feedGps();
+    void passTime(uint64_t now_us);
     void showDataReady();
 
     uint64_t nextEvent();
@@ -81,6 +84,7 @@ private:
     World world_;
     Image image_;
     Chip chip_;
+    ChipSupply supply_;
     std::vector<SerialFeed> feeds_;
     Listener listener_;
     LineNoise gps_noise_;

@@ -198,10 +198,12 @@ int Chip::runProfiled() {
     return state;
 }
 
+// The supply's rise from nothing passes the level of the brown-out detector as well.
 void Chip::reset(Reset cause) {
     const uint8_t flags = avr_->data[kMcusr];
     avr_reset(avr_);
-    avr_->data[kMcusr] = flags;
+    avr_->data[kMcusr] = cause == Reset::power_on ? 0 : flags;
+    if (cause == Reset::power_on) avr_regbit_set(avr_, avr_->reset_flags.porf);
     avr_regbit_set(avr_,
                    cause == Reset::external ? avr_->reset_flags.extrf : avr_->reset_flags.borf);
 }

@@ -24,7 +24,8 @@
 
 namespace simulator {
 
-enum class Reset { external, brown_out };  // power-on is construction; the watchdog acts by itself
+// Power-on is construction as well; the watchdog acts by itself.
+enum class Reset { external, brown_out, power_on };
 
 class Chip {
 public:
@@ -39,6 +40,8 @@ public:
     uint64_t asleepCycles() const { return asleep_; }
     const std::string& fault() const { return fault_; }
     void reset(Reset cause);
+    // Time passes without an instruction, until a reset.
+    void skip(uint64_t until) { avr_->cycle = until; }
     // From now on every reset begins there, as the fuse BOOTRST has it. To be called at once.
     void setBootSection(const Image& program);
 

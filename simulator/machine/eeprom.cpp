@@ -63,15 +63,27 @@ void Eeprom::beginWrite() {
     value_ = mode == 1 ? 0xFF : mode == 2 ? before & data : data;
     if (mode != 2) io_->eeprom[address_] = 0xFF;
     busy_ = true;
+    spoilt_ = endangered_;
     writes_++;
     done_ = avr_->cycle + kTime[mode];
     startTimerAt<&Eeprom::written>(avr_, done_, this);
     avr_->cycle += 2;
 }
 
+void Eeprom::endanger(bool endangered) {
+    endangered_ = endangered;
+    if (busy_ && endangered) spoilt_ = true;
+}
+
+void Eeprom::breakOff() {
+    if (!busy_) return;
+    spoilt_ = true;
+    written(0);
+}
+
 uint64_t Eeprom::written(uint64_t) {
     busy_ = false;
-    io_->eeprom[address_] = value_;
+    io_->eeprom[address_] = spoilt_ ? static_cast<uint8_t>(random_.bits()) : value_;
     avr_->data[kEecr] &= static_cast<uint8_t>(~kWrite);
     ready_interrupt_.refresh();
     return 0;

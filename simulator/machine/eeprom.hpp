@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The EEPROM with the time it takes: 3.4 ms a byte, the CPU halted for 4 cycles by a read and 2
 // by a write, EE_READY for as long as it is ready (datasheet 8.3, tables 8-1 and 8-2). Until the
-// byte is done it reads 0xFF, which is what a power cut then leaves behind.
+// byte is done it reads 0xFF, which is what a power cut then leaves behind in a snapshot of it.
 #pragma once
 #include <simavr/avr_eeprom.h>
 
 #include <vector>
 
+#include "simulator/devices/random.hpp"
 #include "simulator/machine/level_interrupt.hpp"
 
 namespace simulator {
@@ -18,6 +19,12 @@ public:
 
     std::vector<uint8_t> contents() const;
     void setContents(const std::vector<uint8_t>& image);  // what it does not cover: 0xFF
+    // While endangered, as the supply is too low for it, a byte that is being written becomes
+    // whatever chance will have; so it does when the chip is reset by that.
+    void seed(uint64_t seed) { random_ = Random(seed, 16); }
+    void endanger(bool endangered);
+    void breakOff();
+
     bool busy() const { return busy_; }
     uint64_t writes() const { return writes_; }
 
@@ -37,6 +44,8 @@ private:
     uint64_t done_ = 0;           // cycle at which the write ends
     uint64_t enabled_until_ = 0;  // the four cycles after EEMPE
     uint64_t writes_ = 0;
+    Random random_{1, 16};
+    bool endangered_ = false, spoilt_ = false;
 };
 
 }  // namespace simulator

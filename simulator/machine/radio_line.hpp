@@ -28,10 +28,21 @@ public:
         plan();
     }
 
+    // While the chip takes no notice.
+    void pass(uint64_t now_us) {
+        while (encoder_.nextEdge_us_x2() <= 2 * now_us) encoder_.passEdge();
+    }
+
     std::function<void(bool high)> on_level;
 
 private:
     uint64_t rise(uint64_t due) {
+        planned_ = false;
+        const bool withdrawn = encoder_.nextEdge_us_x2() > due * 2 / kCyclesPer_us;
+        if (withdrawn) {
+            plan();
+            return 0;
+        }
         level(true, due);
         startTimerAt<&RadioLine::fall>(chip_.avr(), due + PpmEncoder::kPulse_us * kCyclesPer_us,
                                        this);

@@ -11,7 +11,6 @@ namespace simulator {
 constexpr int kAirspeedPin = 0, kVoltagePin = 13, kCurrentPin = 12;  // A0, power module A13, A12
 constexpr int kAirspeedReadings = 8;
 constexpr uint64_t kConversion_us = 104;  // 13 ADC clocks of 125 kHz, datasheet 26.4
-constexpr double kSupply_v = 5.0;
 
 void AnalogInputs::scan() {
     if (done_us_ == UINT64_MAX) done_us_ = now_us_ + (kAirspeedReadings + 3) * kConversion_us;
@@ -23,11 +22,13 @@ void AnalogInputs::run() {
     for (int i = 0; i < kAirspeedReadings; ++i) add(hal::Analog::airspeed, reading(kAirspeedPin));
     add(hal::Analog::battery_voltage, reading(kVoltagePin));
     add(hal::Analog::battery_current, reading(kCurrentPin));
-    add(hal::Analog::board_voltage, static_cast<uint16_t>(1.1 / kSupply_v * 1024));
+    add(hal::Analog::board_voltage, counts(world_.bandGap_v()));
 }
 
-uint16_t AnalogInputs::reading(int pin) {
-    const double counts = std::floor(world_.analog_v(pin, now_us_) / kSupply_v * 1024);
+uint16_t AnalogInputs::reading(int pin) { return counts(world_.analog_v(pin, now_us_)); }
+
+uint16_t AnalogInputs::counts(double input_v) const {
+    const double counts = std::floor(input_v / world_.supply_v(now_us_) * 1024);
     return static_cast<uint16_t>(std::clamp(counts, 0.0, 1023.0));
 }
 

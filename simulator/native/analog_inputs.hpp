@@ -23,6 +23,7 @@ public:
 
 private:
     uint16_t reading(int pin);
+    uint16_t counts(double input_v) const;
     void add(hal::Analog input, uint16_t reading);
 
     const uint64_t& now_us_;

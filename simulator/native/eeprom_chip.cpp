@@ -10,7 +10,13 @@ namespace simulator {
 constexpr uint64_t kByte_us = 3400;  // ATmega2560 datasheet, table 8-2: 3.4 ms
 constexpr uint64_t kRest_us = 100'000;
 
-EepromChip::EepromChip(const uint64_t& now_us) : now_us_(now_us), cells_(hal::kEepromSize, 0xFF) {}
+EepromChip::EepromChip(const uint64_t& now_us, uint64_t seed)
+    : now_us_(now_us), cells_(hal::kEepromSize, 0xFF), random_(seed, 16) {}
+
+void EepromChip::endanger(bool endangered) {
+    endangered_ = endangered;
+    if (writing() && endangered) spoilt_ = true;
+}
 
 void EepromChip::setCells(const std::vector<uint8_t>& cells) {
     std::copy_n(cells.begin(), std::min(cells.size(), cells_.size()), cells_.begin());
@@ -52,6 +58,7 @@ core::Status EepromChip::write(uint16_t address, const void* from, uint8_t size)
 void EepromChip::begin() {
     if (writing() || queue_.empty() || now_us_ < rest_until_us_) return;
     written_us_ = now_us_ + kByte_us;
+    spoilt_ = endangered_;
 }
 
 uint64_t EepromChip::due_us() const {
@@ -61,7 +68,8 @@ uint64_t EepromChip::due_us() const {
 
 void EepromChip::run() {
     if (writing() && now_us_ >= written_us_) {
-        cells_[queue_.front().address] = queue_.front().value;
+        const auto chance = [this] { return static_cast<uint8_t>(random_.bits()); };
+        cells_[queue_.front().address] = spoilt_ ? chance() : queue_.front().value;
         queue_.pop_front();
         written_us_ = UINT64_MAX;
     }

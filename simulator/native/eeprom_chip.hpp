@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "core/status.hpp"
+#include "simulator/devices/random.hpp"
 
 namespace simulator {
 
 class EepromChip {
 public:
-    explicit EepromChip(const uint64_t& now_us);
+    explicit EepromChip(const uint64_t& now_us, uint64_t seed = 1);
 
     core::Status read(uint16_t address, void* to, uint8_t size);
     core::Status write(uint16_t address, const void* from, uint8_t size);
@@ -19,6 +20,9 @@ public:
 
     const std::vector<uint8_t>& cells() const { return cells_; }
     void setCells(const std::vector<uint8_t>& cells);
+
+    // While the supply is too low, what is written becomes whatever chance will have.
+    void endanger(bool endangered);
 
     uint64_t due_us() const;
     void run();
@@ -36,7 +40,9 @@ private:
     std::vector<uint8_t> cells_;
     std::deque<Write> queue_;           // the front is the one in flight while writing()
     uint64_t written_us_ = UINT64_MAX;  // when the byte in flight is done
-    uint64_t rest_until_us_ = 0;        // a reader was refused and comes back
+    Random random_;
+    bool endangered_ = false, spoilt_ = false;
+    uint64_t rest_until_us_ = 0;  // a reader was refused and comes back
 };
 
 }  // namespace simulator

@@ -12,6 +12,7 @@
 #include "simulator/devices/gps_receiver.hpp"
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
+#include "simulator/devices/supply.hpp"
 
 namespace simulator {
 
@@ -25,7 +26,7 @@ NativeBoard& NativeBoard::running() { return *running_board; }
 NativeBoard::NativeBoard(const WorldOptions& options)
     : world_(options),
       serial_(now_us_, world_),
-      eeprom_(now_us_),
+      eeprom_(now_us_, options.seed),
       i2c_(now_us_, world_.compass()),
       analog_(now_us_, world_),
       servos_(now_us_, world_),
@@ -46,6 +47,7 @@ bool NativeBoard::runUntil(uint64_t time_us) {
             const uint64_t before_us = now_us_;
             firmware::app::loop();
             waitWithFirmware(before_us);
+            checkSupply();
             if (fed_us_ != UINT64_MAX && now_us_ - fed_us_ > kWatchdog_us) {
                 fault_ = "the watchdog was not fed for 250 ms";
             }
@@ -54,6 +56,13 @@ bool NativeBoard::runUntil(uint64_t time_us) {
         fault_ = "the firmware asked for a reboot: natively compiled firmware cannot start twice";
     }
     return fault_.empty();
+}
+
+void NativeBoard::checkSupply() {
+    const Supply& supply = world_.supply();
+    eeprom_.endanger(supply.below(least_v::kEepromWrite, now_us_));
+    if (supply.below(least_v::kChip, now_us_))
+        fault_ = "the supply broke down: natively compiled firmware cannot start twice";
 }
 
 // Firmware that works on waits for time to pass, not for an event: on a chip it does pass.

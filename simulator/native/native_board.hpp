@@ -66,6 +66,7 @@ private:
     void runImu();
     void runDevices();
     void spend_ns(uint32_t duration_ns);
+    void checkSupply();
     void waitWithFirmware(uint64_t before_us);
 
     World world_;

@@ -12,7 +12,7 @@ struct Guard : Bench {
     int causeAfterReset() {
         chip.reset(simulator::Reset::brown_out);
         chip.avr()->data[simulator::kMcusr] = 0;  // a bootloader's work
-        chip.adc().supply_v = 5;
+        chip.adc().supply_v = [] { return 5.0; };
         run_ms(100);
         return words(1).back();
     }
@@ -34,7 +34,7 @@ TEST(HalGuard, calls_every_4_ms_once_nobody_has_touched_it_for_49_ms) {
 TEST(HalGuard, a_run_that_ends_on_a_sagging_supply_counts_as_a_brown_out) {
     Guard bench;
     bench.run_ms(300);
-    bench.chip.adc().supply_v = 4.1;
+    bench.chip.adc().supply_v = [] { return 4.1; };
     bench.run_ms(10);
 
     EXPECT_EQ(bench.causeAfterReset(), kBrownOut);
@@ -50,16 +50,16 @@ TEST(HalGuard, a_run_that_ends_unannounced_on_a_steady_supply_has_no_known_cause
 TEST(HalGuard, a_sag_is_forgotten_after_a_quarter_of_a_second) {
     Guard bench;
     bench.run_ms(300);
-    bench.chip.adc().supply_v = 4.1;
+    bench.chip.adc().supply_v = [] { return 4.1; };
     bench.run_ms(10);
-    bench.chip.adc().supply_v = 5;
+    bench.chip.adc().supply_v = [] { return 5.0; };
     bench.run_ms(100);
     EXPECT_EQ(bench.causeAfterReset(), kBrownOut);
 
     bench.run_ms(300);
-    bench.chip.adc().supply_v = 4.1;
+    bench.chip.adc().supply_v = [] { return 4.1; };
     bench.run_ms(10);
-    bench.chip.adc().supply_v = 5;
+    bench.chip.adc().supply_v = [] { return 5.0; };
     bench.run_ms(300);
     EXPECT_EQ(bench.causeAfterReset(), kUnknown);
 }

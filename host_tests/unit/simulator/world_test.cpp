@@ -5,11 +5,13 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "simulator/devices/hmc5883l.hpp"
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/devices/supply.hpp"
 #include "simulator/devices/ublox_gps.hpp"
 
 using namespace simulator;
@@ -181,4 +183,64 @@ TEST(World, remembers_the_relay) {
     EXPECT_FALSE(world.relayOn());
     world.relay(true);
     EXPECT_TRUE(world.relayOn());
+}
+
+TEST(World, restarts_its_parts_when_the_supply_breaks_down) {
+    WorldOptions options;
+    options.faults = {*parseFault("supply:cut@1-1.1")};
+    World world(options);
+    world.advanceTo(20'000);
+    writeImu(world, 0x6B, 0x03, 20'000);
+    world.radio().sticks({1500, 1500, 1100, 1500, 1500, 1500, 1500, 1500}, true);
+    world.advanceTo(1'000'000);
+    EXPECT_NE(world.imu().nextSample_us(), UINT64_MAX);
+    EXPECT_NE(world.radio().nextEdge_us_x2(), UINT64_MAX);
+    world.advanceTo(1'050'000);
+    EXPECT_EQ(world.supply_v(1'050'000), 0);
+    EXPECT_EQ(world.imu().nextSample_us(), UINT64_MAX) << "asleep";
+    EXPECT_EQ(world.radio().nextEdge_us_x2(), UINT64_MAX);
+    EXPECT_EQ(world.gps().nextByte_us(), UINT64_MAX);
+    world.advanceTo(1'590'000);
+    EXPECT_EQ(world.radio().nextEdge_us_x2(), UINT64_MAX) << "the receiver has found nothing yet";
+    world.advanceTo(1'640'000);
+    EXPECT_NE(world.radio().nextEdge_us_x2(), UINT64_MAX);
+}
+
+TEST(World, sends_failsafe_values_after_a_brown_out_until_the_receiver_is_there) {
+    World world({});
+    world.radio().sticks({1500, 1500, 1800, 1500, 1500, 1500, 1500, 1165}, true);
+    world.supply().add({1.5, 100'000, 120'000, 0});
+    world.advanceTo(390'000);
+    std::vector<uint64_t> widths;
+    uint64_t last = 0;
+    while (world.radio().nextEdge_us_x2() != UINT64_MAX && widths.size() < 9) {
+        widths.push_back((world.radio().nextEdge_us_x2() - last) / 2);
+        last = world.radio().nextEdge_us_x2();
+        world.radio().passEdge();
+    }
+    ASSERT_EQ(widths.size(), 9u);
+    EXPECT_EQ(widths[3], 900u);
+    EXPECT_EQ(widths[5], 1555u);
+    EXPECT_EQ(widths[8], 1500u);
+}
+
+TEST(World, gives_the_pitot_sensor_its_part_of_the_supply) {
+    WorldOptions options;
+    options.sensor_errors = false;
+    options.faults = {*parseFault("supply:sag_4v_0ms@1-2")};
+    World world(options);
+    EXPECT_NEAR(world.analog_v(0, 900'000), 2.5, 1e-6);
+    EXPECT_NEAR(world.analog_v(0, 1'500'000), 2.0, 1e-6);
+    EXPECT_NEAR(world.analog_v(13, 1'500'000) * 10.1, 12.6, 0.05);
+}
+
+TEST(World, has_a_band_gap_of_its_own) {
+    WorldOptions options;
+    EXPECT_NEAR(World(options).bandGap_v(), 1.1, 0.04);
+    EXPECT_NE(World(options).bandGap_v(), 1.1);
+    options.band_gap_v = 1.2;
+    EXPECT_EQ(World(options).bandGap_v(), 1.2);
+    options = {};
+    options.sensor_errors = false;
+    EXPECT_EQ(World(options).bandGap_v(), 1.1);
 }

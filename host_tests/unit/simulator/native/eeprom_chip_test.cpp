@@ -72,3 +72,16 @@ TEST_F(EepromChipTest, queues_all_bytes_of_a_call_or_none) {
     EXPECT_EQ(write(200, std::vector<uint8_t>(33, 1)), Status::bad_argument);
     EXPECT_EQ(write(4095, {1, 2}), Status::bad_argument);
 }
+
+TEST_F(EepromChipTest, writes_noise_while_the_supply_is_low) {
+    ASSERT_EQ(write(7, {1, 2, 3}), Status::ok);
+    pass(1000);
+    chip.endanger(true);
+    pass(2400);
+    EXPECT_NE(chip.cells()[7], 1);
+    chip.endanger(false);
+    pass(3400);
+    EXPECT_NE(chip.cells()[8], 2) << "begun while it was";
+    pass(3400);
+    EXPECT_EQ(chip.cells()[9], 3);
+}
