@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One scan converts each input of the table in turn, by interrupt, and then the converter rests.
-// 125 kHz: 104 us a conversion, 1.4 ms a scan.
+// 125 kHz: 104 us a conversion, 1.4 ms a scan. Resting it is enabled, so each sleep begins a
+// conversion (data sheet 11.2), of the band gap; nobody waits for its end.
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
@@ -16,7 +17,8 @@ namespace {
 static_assert(core::count(wiring::kAnalogSteps) == hal::kAnalogs, "one step for each input");
 
 constexpr uint8_t kMaxReadings = 60;  // of 10 bits in 16
-constexpr uint8_t kEnabled = (1 << ADEN) | (1 << ADIE) | (1 << ADPS2) | (1 << ADPS1) | (1 << ADPS0);
+constexpr uint8_t kResting = (1 << ADEN) | (1 << ADPS2) | (1 << ADPS1) | (1 << ADPS0);
+constexpr uint8_t kScanning = kResting | (1 << ADIE);
 
 hal::AnalogSum sums[hal::kAnalogs];
 
@@ -53,30 +55,31 @@ ISR(ADC_vect) {
         if (--scan.take == 0) {
             if (scan.step + 1 == hal::kAnalogs) {
                 scan.running = false;
+                ADCSRA = kResting;
                 return;
             }
             begin(scan.step + 1);
         }
     }
-    ADCSRA = kEnabled | (1 << ADSC);
+    ADCSRA = kScanning | (1 << ADSC);
 }
 
 namespace avr {
 
-// A scan ends with the band gap, and the multiplexer stays there: one conversion after the other
-// until the next scan, read 4 ms later instead of by an interrupt.
+// A scan ends with the band gap, and the multiplexer stays there: until the next scan every
+// conversion, also one that a sleep has begun, is of it. The newest that is done is read here.
 bool supplyLow() {
     constexpr uint16_t kMaxReading = 1126400 / 4200;
-    if (scan.running || scan.step + 1 != hal::kAnalogs || (ADCSRA & (1 << ADSC))) return false;
+    if (scan.running || scan.step + 1 != hal::kAnalogs) return false;
     const uint16_t reading = ADC;
-    ADCSRA = static_cast<uint8_t>(kEnabled & ~(1 << ADIE)) | (1 << ADIF) | (1 << ADSC);
+    ADCSRA = kResting | (1 << ADIF) | (1 << ADSC);
     return reading > kMaxReading;
 }
 
+// The first scan enables the converter, when its reference has been chosen.
 void adcStart() {
     DIDR0 = wiring::kAnalogPins0;
     DIDR2 = wiring::kAnalogPins2;
-    ADCSRA = kEnabled;
 }
 
 }  // namespace avr
@@ -87,9 +90,10 @@ void analogScan() {
     if (scan.running) return;
     scan.running = true;
     begin(wiring::kFirstAnalogStep);
-    // One of supplyLow() that is under way ends first; the end of another is forgotten.
+    // One of supplyLow() or of a sleep that is under way ends first; the end of another is
+    // forgotten.
     if (ADCSRA & (1 << ADSC)) ++scan.drop;
-    ADCSRA = kEnabled | (1 << ADIF) | (1 << ADSC);
+    ADCSRA = kScanning | (1 << ADIF) | (1 << ADSC);
 }
 
 AnalogSum analogTake(Analog input) {

@@ -22,6 +22,15 @@ double AdcInputs::inputVolts() const {
     return mux == 0x1E ? band_gap_v : 0;
 }
 
+bool AdcInputs::sleepBegins() {
+    enum : uint8_t { kEnable = 0x80, kStart = 0x40, kFlag = 0x10 };
+    const uint8_t control = avr_->data[kAdcsra];
+    if ((control & (kEnable | kStart)) != kEnable) return false;
+    const auto& write = avr_->io[AVR_DATA_TO_IO(kAdcsra)].w;
+    write.c(avr_, kAdcsra, static_cast<uint8_t>((control | kStart) & ~kFlag), write.param);
+    return true;
+}
+
 void AdcInputs::sample(uint32_t) {
     const double counts = inputVolts() / supply_v() * 1024;
     result_ = static_cast<uint16_t>(std::clamp(counts, 0.0, 1023.0));

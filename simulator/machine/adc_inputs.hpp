@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ADC's sixteen pins and its band gap, measured when the conversion starts. libsimavr keeps
-// the conversion times; its data registers know eight pins and look at them too late.
+// The ADC's sixteen pins and its band gap, measured when the conversion starts, and
+// the conversion that the chip starts by itself when it goes to sleep. libsimavr has the times; its
+// data registers know eight pins and look at them too late.
 #pragma once
 #include <simavr/avr_adc.h>
 
@@ -14,6 +15,9 @@ class AdcInputs : public Mend {
 public:
     explicit AdcInputs(avr_t* avr);
     void reset() override { result_ = 0; }
+
+    // An enabled converter that rests begins a conversion with the sleep; whether it did.
+    bool sleepBegins();
 
     std::function<double(int pin)> volts;                   // of A0..A15
     std::function<double()> supply_v = [] { return 5.0; };  // AVcc, the boards' reference

@@ -150,9 +150,19 @@ void Chip::slept(uint64_t cycles) {
         avr_->state = cpu_Running;
         return;
     }
+    const bool entered = avr_->cycle != asleep_until_;
+    if (entered && sleepStartsConversion() && adc_->sleepBegins()) {
+        avr_->cycle -= cycles + 1;  // so long it does not sleep: the conversion ends before
+        asleep_until_ = avr_->cycle + cycles + 1;
+        return;
+    }
+    asleep_until_ = avr_->cycle + cycles + 1;
     asleep_ += cycles + 1;  // libsimavr goes on by one more
     interrupts_->slept();
 }
+
+// Idle and ADC Noise Reduction do (datasheet 11.2, 11.3 and 26.6).
+bool Chip::sleepStartsConversion() const { return (avr_->data[kSmcr] >> 1 & 7) <= 1; }
 
 bool Chip::run(uint64_t until) {
     if (!fault_.empty()) return false;

@@ -88,6 +88,7 @@ private:
     void joinResets();
     void settle();
     void slept(uint64_t cycles);
+    bool sleepStartsConversion() const;
     void trace(uint16_t address, uint8_t value);
     void selectPage(uint16_t address, uint8_t value);
     uint64_t stop(uint64_t) { return 0; }
@@ -109,6 +110,7 @@ private:
     Interrupts* interrupts_ = nullptr;
     StackWatch* stack_ = nullptr;
     uint64_t asleep_ = 0;
+    uint64_t asleep_until_ = UINT64_MAX;  // while a sleep goes on
     bool debugging_ = false;
     std::unique_ptr<Profile> profile_;
     std::string fault_, last_error_;

@@ -34,6 +34,7 @@ enum Register : uint16_t {
     kSph = 0x5E,
     kAdcl = 0x78,
     kAdch = 0x79,
+    kAdcsra = 0x7A,
     kAdcsrb = 0x7B,
     kAdmux = 0x7C,
     kTwbr = 0xB8,

@@ -66,6 +66,15 @@ TEST_F(HalAnalog, sums_that_are_not_read_do_not_overflow) {
     EXPECT_EQ(count(kVoltage)[2], 40);
 }
 
+TEST_F(HalAnalog, disturbs_nobodys_sleep_between_two_scans) {
+    bench.runTo(3);
+    bench.run_ms(2);
+    const auto runs = bench.chip.interrupts().count(kVector).runs;
+    bench.run_ms(200);
+
+    EXPECT_EQ(bench.chip.interrupts().count(kVector).runs, runs);
+}
+
 TEST_F(HalAnalog, a_conversion_is_within_its_cost) {
     bench.runTo(3);
 

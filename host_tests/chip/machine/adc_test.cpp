@@ -33,3 +33,25 @@ TEST_F(AdcTest, a_conversion_takes_13_clocks_the_first_25) {
     EXPECT_NEAR(machine.cyclesBetween(1, 10), 25 * kClock, kClock);
     EXPECT_NEAR(machine.cyclesBetween(10, 11), 13 * kClock, kClock);
 }
+
+class AdcSleepTest : public testing::Test {
+protected:
+    AdcSleepTest() {
+        machine.chip.adc().volts = volts;
+        machine.run_ms(60);
+    }
+    Machine machine{"adc_sleep"};
+};
+
+TEST_F(AdcSleepTest, idle_starts_a_conversion_each_time_it_is_entered) {
+    constexpr int kConversion = 13 * 128, kOverflow = 256 * 1024;
+    EXPECT_NEAR(machine.report(1).low, kOverflow / kConversion, 6);
+    EXPECT_EQ(machine.report(2).word(), counts(volts(3)));
+}
+
+TEST_F(AdcSleepTest, a_converter_that_is_off_stays_at_rest) { EXPECT_EQ(machine.report(3).low, 0); }
+
+TEST_F(AdcSleepTest, without_its_interrupt_one_conversion_is_made_and_nobody_woken) {
+    EXPECT_EQ(machine.report(4).low, 0);
+    EXPECT_EQ(machine.report(5).low & 0x50, 0x10) << "done, its flag set";
+}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reports why it was started, resets the hang timer for half a second and then no more; scans the
-// analogue inputs all the time and reports the first of them.
+// analogue inputs all the time and reports the first of them; sleeps in between.
 #include "hal/hang_timer.hpp"
 
 #include "hal/analog.hpp"
@@ -31,5 +31,6 @@ int main() {
             reported = true;
             report(2, 0);
         }
+        hal::idle(nothingWaits);
     }
 }
