@@ -180,7 +180,8 @@ void addConditions(CLI::App& app, FlyOptions& o, std::string& wind) {
            "gps: lost, stuck, noisy, nonsense, jump or drift (gps: no drift; imu also dead_roll, "
            "dead_pitch, dead_yaw). radio: lost, held, silent, throttle_lost, missed_edge, "
            "extra_edge, nine_channels or wide. supply: cut, sag_3.2v, or sag_3.2v_20ms, which "
-           "takes 20 ms to fall. docs/simulator.md explains them")
+           "takes 20 ms to fall. i2c: scl_low, sda_low or noisy; spi: miso_low, miso_high or "
+           "noisy. docs/simulator.md explains them")
         ->check(fault);
 }
 

@@ -137,6 +137,7 @@ struct World::Parts {
 
     const SensorErrors errors;
     std::vector<Fault> faults;
+    std::array<FaultKind, kFaulty> failing{};
     const Vec3 field_mg;
     const std::unique_ptr<FlightModel> model;
     const double band_gap_v;
@@ -241,7 +242,8 @@ void World::Parts::sense() {
 
 // Two faults of a sensor at once are the later one's.
 void World::Parts::fail() {
-    std::array<FaultKind, kFaulty> now{};
+    std::array<FaultKind, kFaulty>& now = failing;
+    now.fill(FaultKind::none);
     std::array<double, kFaulty> since_s{};
     const double now_s = static_cast<double>(now_us) * 1e-6;
     for (const Fault& fault : faults)
@@ -304,6 +306,7 @@ void World::setFaults(const std::vector<Fault>& faults) {
     parts_->supply.set(sagsOf(faults));
     parts_->powered.run(parts_->now_us);
 }
+FaultKind World::faultOf(Faulty part) const { return parts_->failing[static_cast<size_t>(part)]; }
 void World::launch() { parts_->model->launch(); }
 std::string World::fault() const { return parts_->model->fault(); }
 uint64_t World::modelAnswersSkipped() const { return parts_->model->answersSkipped(); }

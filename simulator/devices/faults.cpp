@@ -9,14 +9,15 @@
 namespace simulator {
 namespace {
 
-constexpr const char* kSensors[kFaulty] = {"imu", "baro",  "airspeed", "compass",
-                                           "gps", "radio", "supply"};
+constexpr const char* kSensors[kFaulty] = {"imu",   "baro",   "airspeed", "compass", "gps",
+                                           "radio", "supply", "i2c",      "spi"};
 // clang-format off
 constexpr const char* kKinds[kFaultKinds] = {
     "none", "lost", "stuck", "noisy", "nonsense", "jump", "drift",
     "dead_roll", "dead_pitch", "dead_yaw",
     "cut", "sag",
     "silent", "held", "throttle_lost", "missed_edge", "extra_edge", "nine_channels", "wide",
+    "scl_low", "sda_low", "miso_low", "miso_high",
 };
 // clang-format on
 
@@ -24,15 +25,19 @@ constexpr const char* kKinds[kFaultKinds] = {
 constexpr uint32_t kinds(FaultKind from, FaultKind to) {
     return (2u << static_cast<int>(to)) - (1u << static_cast<int>(from));
 }
+constexpr uint32_t only(FaultKind kind) { return kinds(kind, kind); }
+
 constexpr uint32_t kOfSensor = kinds(FaultKind::lost, FaultKind::drift);
 constexpr uint32_t kMay[kFaulty] = {
-    kinds(FaultKind::lost, FaultKind::dead_yaw),  // imu
-    kOfSensor,                                    // baro
-    kOfSensor,                                    // airspeed
-    kOfSensor,                                    // compass
-    kinds(FaultKind::lost, FaultKind::jump),      // gps
-    kinds(FaultKind::lost, FaultKind::lost) | kinds(FaultKind::silent, FaultKind::wide),  // radio
-    kinds(FaultKind::cut, FaultKind::sag),                                                // supply
+    kinds(FaultKind::lost, FaultKind::dead_yaw),                                // imu
+    kOfSensor,                                                                  // baro
+    kOfSensor,                                                                  // airspeed
+    kOfSensor,                                                                  // compass
+    kinds(FaultKind::lost, FaultKind::jump),                                    // gps
+    only(FaultKind::lost) | kinds(FaultKind::silent, FaultKind::wide),          // radio
+    kinds(FaultKind::cut, FaultKind::sag),                                      // supply
+    only(FaultKind::noisy) | kinds(FaultKind::scl_low, FaultKind::sda_low),     // i2c
+    only(FaultKind::noisy) | kinds(FaultKind::miso_low, FaultKind::miso_high),  // spi
 };
 
 template <size_t N>

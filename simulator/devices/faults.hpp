@@ -12,7 +12,8 @@ namespace simulator {
 
 // jump: away from the truth by a constant, with plausible values; drift: ever farther from it;
 // dead: one gyro alone says the same for ever; cut and sag: the supply falls to nothing, or to so
-// many volts; the last ones are the radio's, see simulator/devices/ppm_encoder.hpp.
+// many volts; from silent to wide they are the radio's, see simulator/devices/ppm_encoder.hpp; the
+// last ones are lines of the buses that stay where they are.
 enum class FaultKind {
     none,
     lost,
@@ -32,10 +33,14 @@ enum class FaultKind {
     missed_edge,
     extra_edge,
     nine_channels,
-    wide
+    wide,
+    scl_low,
+    sda_low,
+    miso_low,
+    miso_high
 };
-enum class Faulty { imu, barometer, airspeed, compass, gps, radio, supply };
-constexpr int kFaulty = 7, kFaultKinds = 19;
+enum class Faulty { imu, barometer, airspeed, compass, gps, radio, supply, i2c, spi };
+constexpr int kFaulty = 9, kFaultKinds = 23;
 
 const char* nameOf(Faulty sensor);
 const char* nameOf(FaultKind kind);

@@ -73,7 +73,7 @@ double combined(double a, double b) { return std::sqrt(a * a + b * b); }
 }  // namespace
 
 Mpu6000::Mpu6000(uint64_t seed, const SensorErrors& errors, uint8_t product_id)
-    : errors_(errors), product_id_(product_id), random_(seed, 1) {
+    : errors_(errors), product_id_(product_id), random_(seed, 1), line_(seed, 18) {
     for (int axis = 0; axis < kAxes; ++axis) {
         const double deviation =
             axis < 3 ? errors_.accel_bias_g * kGravity_mss : errors_.gyro_bias_dps * kRadians;
@@ -114,9 +114,17 @@ uint8_t Mpu6000::transfer(uint8_t mosi, uint64_t now_us) {
     const uint8_t reg = address_;
     address_ = (address_ + 1) & 0x7F;
     if (now_us < ready_us_) return 0;
-    if (reading_) return read(reg);
+    const bool readable_fast = reading_ && reg >= kInterruptStatus && reg <= kDataEnd;
+    if (too_fast_ && !readable_fast) mosi = garbled(mosi);
+    if (reading_) return too_fast_ && !readable_fast ? mosi : read(reg);
     write(reg, mosi, now_us);
     return 0;
+}
+
+// PS-MPU-6000A, 6.4: 1 MHz +-10 % for all registers.
+uint8_t Mpu6000::garbled(uint8_t byte) {
+    ++bytes_too_fast_;
+    return static_cast<uint8_t>(byte ^ line_.bits());
 }
 
 uint8_t Mpu6000::read(uint8_t reg) {

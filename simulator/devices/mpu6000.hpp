@@ -29,6 +29,10 @@ public:
 
     void select(bool chosen, uint64_t now_us);
     uint8_t transfer(uint8_t mosi, uint64_t now_us);
+    // The clock of the bytes from now on. Over 1 MHz only the sensors' and the interrupt's
+    // registers can be read; another byte arrives as garbage, both ways, and is counted.
+    void clock(uint32_t hz) { too_fast_ = hz > 1'100'000; }
+    uint64_t bytesTooFast() const { return bytes_too_fast_; }
 
     bool interruptPin() const { return pin_; }
 
@@ -51,6 +55,7 @@ private:
     bool answers() const { return powered_ && fault_ != FaultKind::lost; }
     void write(uint8_t reg, uint8_t value, uint64_t now_us);
     uint8_t read(uint8_t reg);
+    uint8_t garbled(uint8_t byte);
     void schedule(uint64_t now_us);
     bool asleep() const;
     uint64_t period_us() const;
@@ -77,7 +82,9 @@ private:
     FaultKind fault_ = FaultKind::none;
     double failing_s_ = 0;
     uint8_t address_ = 0;
-    bool powered_ = true;
+    bool powered_ = true, too_fast_ = false;
+    uint64_t bytes_too_fast_ = 0;
+    Random line_;
     bool chosen_ = false, addressed_ = false, reading_ = false;
     bool pin_ = false, unread_ = false, waiting_ = false, filtered_ = false;
 };

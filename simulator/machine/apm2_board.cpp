@@ -38,6 +38,7 @@ AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options,
     : wiring_(wiring),
       world_(worldFor(options, wiring)),
       image_(readImage(firmware)),
+      spi_line_(options.seed),
       chip_(image_),
       supply_(chip_, world_.supply(), world_.bandGap_v(), options.seed),
       servos_(chip_, wiring_),
@@ -147,8 +148,14 @@ void AvrBoard::restart() {
     selectConverter();
 }
 
+void AvrBoard::showFaults() {
+    chip_.twi().fail(world_.faultOf(Faulty::i2c));
+    spi_line_.fail(world_.faultOf(Faulty::spi));
+}
+
 bool AvrBoard::runUntil(uint64_t time_us) {
     radio_.plan();
+    showFaults();
     const bool running = supply_.run(time_us);
     world_.advanceTo(this->time_us());
     return running;
@@ -211,17 +218,19 @@ void AvrBoard::selectConverter() {
 }
 
 uint8_t AvrBoard::exchange(uint8_t mosi) {
-    if (!wiring_.flash_usart) return world_.dataflash().transfer(mosi, time_us());
+    if (!wiring_.flash_usart)
+        return spi_line_.through(world_.dataflash().transfer(mosi, time_us()));
     const bool barometer = barometer_chosen_ && !barometer_deaf_;
     if (imu_chosen_ && barometer_chosen_) contentions_++;
     uint8_t miso = 0xFF;
+    world_.imu().clock(chip_.spi().clock_hz());
     if (imu_chosen_) miso &= world_.imu().transfer(mosi, time_us());
     if (barometer) miso &= world_.barometer().transfer(mosi, time_us());
     if (imu_chosen_) {
         showDataReady();
         planWake();  // its sample rate may have been set
     }
-    return miso;
+    return spi_line_.through(miso);
 }
 
 void AvrBoard::showDataReady() {
@@ -274,6 +283,7 @@ void AvrBoard::planWake() {
 
 uint64_t AvrBoard::wake(uint64_t) {
     world_.advanceTo(time_us());
+    showFaults();
     showDataReady();
     feedGps();
     radio_.plan();

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "simulator/board.hpp"
+#include "simulator/devices/line_fault.hpp"
 #include "simulator/line_noise.hpp"
 #include "simulator/machine/board_wiring.hpp"
 #include "simulator/machine/chip.hpp"
@@ -73,6 +74,7 @@ private:
     void sent(int usart, uint8_t byte, uint64_t cycle);
     void feedGps();
     void passTime(uint64_t now_us);
+    void showFaults();
     void showDataReady();
 
     uint64_t nextEvent();
@@ -83,6 +85,7 @@ private:
     const BoardWiring wiring_;
     World world_;
     Image image_;
+    LineFault spi_line_;
     Chip chip_;
     ChipSupply supply_;
     std::vector<SerialFeed> feeds_;

@@ -39,6 +39,8 @@ uint64_t SpiMaster::byteCycles() const {
     return 8u * (avr_->data[kSpsr] & k2x ? divider / 2 : divider);
 }
 
+uint32_t SpiMaster::clock_hz() const { return static_cast<uint32_t>(8 * kClock_hz / byteCycles()); }
+
 void SpiMaster::begin(uint16_t, uint8_t value) {
     constexpr uint8_t kMaster = kSpe | kMstr;
     if ((avr_->data[kSpcr] & kMaster) != kMaster) return;

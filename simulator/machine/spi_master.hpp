@@ -16,6 +16,7 @@ public:
     void reset() override;
 
     std::function<uint8_t(uint8_t mosi)> on_exchange;  // at the end of each byte
+    uint32_t clock_hz() const;
 
 private:
     void control(uint16_t address, uint8_t value);

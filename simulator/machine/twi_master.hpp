@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 
+#include "simulator/devices/line_fault.hpp"
 #include "simulator/machine/level_interrupt.hpp"
 
 namespace simulator {
@@ -25,12 +26,16 @@ public:
     void reset() override;
 
     void connect(uint8_t address, TwiDevice device) { devices_[address] = std::move(device); }
-    // A device that has lost count holds SDA low: nothing is ever answered.
-    void hang(bool hung) { hung_ = hung; }
+    // SCL held low stops everything until it is released. SDA held low lets no transfer begin or
+    // end; one under way loses the arbitration with its first one bit, or reads zeros. Noise turns
+    // bits over, or is taken for a start or stop where none may be.
+    void fail(FaultKind kind);
+    // As with SDA held low: a device that has lost count.
+    void hang(bool hung) { fail(hung ? FaultKind::sda_low : FaultKind::none); }
     uint64_t bitCycles() const;
 
 private:
-    enum class Phase { idle, started, writing, reading };
+    enum class Phase { idle, started, writing, reading, refused };
 
     bool flag() const { return avr_->data[io_->r_twcr] & 0x80; }
     void control(uint16_t address, uint8_t value);
@@ -42,6 +47,9 @@ private:
     void address(uint8_t value);
     void proceed(uint8_t control);
     void later(int bits, uint8_t status);
+    void wait();
+    bool held() const;
+    void write(uint8_t data);
     uint64_t happened(uint64_t);
     uint64_t stopped(uint64_t);
 
@@ -53,7 +61,8 @@ private:
     Phase phase_ = Phase::idle;
     uint8_t next_status_ = 0;
     bool stopping_ = false;
-    bool hung_ = false;
+    LineFault line_{1};
+    uint64_t waiting_ = 0;  // cycles of what is under way, while the line is held
 };
 
 }  // namespace simulator

@@ -9,6 +9,7 @@ namespace simulator {
 
 constexpr uint8_t kCompassAddress = 0x1E;  // HMC5883L datasheet: 7-bit address
 constexpr double kBit_us = 2.5;            // 400 kHz
+constexpr uint64_t kGivenUp_us = 5000;     // by hal/i2c.hpp, of a bus that hangs
 
 bool I2cBus::start(uint8_t address, const uint8_t* out, uint8_t out_size, uint8_t in_size) {
     if (done_us_ != UINT64_MAX) return false;
@@ -19,6 +20,7 @@ bool I2cBus::start(uint8_t address, const uint8_t* out, uint8_t out_size, uint8_
     const int bytes =
         address == kCompassAddress ? out_size + in_size + (out_size > 0) + (in_size > 0) : 1;
     done_us_ = now_us_ + static_cast<uint64_t>((9 * bytes + 3) * kBit_us) + 1;
+    if (line_.stuck()) done_us_ = now_us_ + kGivenUp_us;
     status_ = core::Status::busy;
     return true;
 }
@@ -27,9 +29,16 @@ void I2cBus::run() {
     if (now_us_ < done_us_) return;
     done_us_ = UINT64_MAX;
     status_ = core::Status::timeout;
-    if (address_ != kCompassAddress || !writeAll()) return;
+    if (disturbed() || address_ != kCompassAddress || !writeAll()) return;
     status_ = core::Status::ok;
     readAll();
+}
+
+// A bus error ends the transfer.
+bool I2cBus::disturbed() {
+    bool error = line_.stuck();
+    for (size_t i = 0; i < out_.size() + in_.size(); ++i) error = line_.hits() || error;
+    return error;
 }
 
 bool I2cBus::writeAll() {
@@ -45,7 +54,8 @@ void I2cBus::readAll() {
     if (!compass_.start(true, now_us_)) {
         status_ = core::Status::timeout;
     } else {
-        for (uint8_t& byte : in_) byte = compass_.read(&byte != &in_.back(), now_us_);
+        for (uint8_t& byte : in_)
+            byte = line_.through(compass_.read(&byte != &in_.back(), now_us_));
     }
     compass_.stop(now_us_);
 }

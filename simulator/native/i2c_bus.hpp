@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/status.hpp"
+#include "simulator/devices/line_fault.hpp"
 
 namespace simulator {
 
@@ -17,10 +18,13 @@ public:
     bool start(uint8_t address, const uint8_t* out, uint8_t out_size, uint8_t in_size);
     core::Status result(uint8_t* in, uint8_t in_size);
 
+    void fail(FaultKind kind) { line_.fail(kind); }
+
     uint64_t due_us() const { return done_us_; }
     void run();
 
 private:
+    bool disturbed();
     bool writeAll();
     void readAll();
 
@@ -29,6 +33,7 @@ private:
     uint8_t address_ = 0;
     std::vector<uint8_t> out_, in_;
     uint64_t done_us_ = UINT64_MAX;
+    LineFault line_{1};
     core::Status status_ = core::Status::timeout;
 };
 

@@ -16,6 +16,7 @@
 
 namespace simulator {
 
+constexpr uint64_t kBitsPerByte_ns = 8'000'000'000;
 constexpr uint64_t kLongestRest_us = 1000;
 constexpr uint64_t kWatchdog_us = 250'000;
 
@@ -25,6 +26,7 @@ NativeBoard& NativeBoard::running() { return *running_board; }
 
 NativeBoard::NativeBoard(const WorldOptions& options)
     : world_(options),
+      spi_line_(options.seed),
       serial_(now_us_, world_),
       eeprom_(now_us_, options.seed),
       i2c_(now_us_, world_.compass()),
@@ -102,6 +104,8 @@ uint64_t NativeBoard::nextEvent_us() {
 void NativeBoard::moveTo(uint64_t time_us) {
     now_us_ = std::max(now_us_, time_us);
     world_.advanceTo(now_us_);
+    i2c_.fail(world_.faultOf(Faulty::i2c));
+    spi_line_.fail(world_.faultOf(Faulty::spi));
 }
 
 void NativeBoard::runDevices() {
@@ -139,9 +143,10 @@ void NativeBoard::select(bool imu, bool chosen) {
 uint8_t NativeBoard::transfer(uint8_t mosi) {
     spend_ns(byte_ns_);
     uint8_t miso = 0xFF;
+    world_.imu().clock(static_cast<uint32_t>(kBitsPerByte_ns / byte_ns_));
     if (imu_chosen_) miso &= world_.imu().transfer(mosi, now_us_);
     if (barometer_chosen_) miso &= world_.barometer().transfer(mosi, now_us_);
-    return miso;
+    return spi_line_.through(miso);
 }
 
 uint8_t NativeBoard::flashTransfer(uint8_t mosi) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "simulator/board.hpp"
+#include "simulator/devices/line_fault.hpp"
 #include "simulator/native/analog_inputs.hpp"
 #include "simulator/native/eeprom_chip.hpp"
 #include "simulator/native/i2c_bus.hpp"
@@ -71,6 +72,7 @@ private:
 
     World world_;
     uint64_t now_us_ = 0;
+    LineFault spi_line_;
     uint32_t spent_ns_ = 0;  // of bus time, less than a microsecond
     SerialLines serial_;
     EepromChip eeprom_;

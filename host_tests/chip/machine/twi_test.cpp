@@ -55,3 +55,52 @@ TEST_F(TwiTest, a_hung_bus_never_answers_and_the_interface_can_be_turned_off) {
     EXPECT_EQ(machine.report(7).low & 0x80, 0);
     EXPECT_EQ(machine.report(8).low, 0);
 }
+
+class TwiDisturbed : public testing::Test {
+protected:
+    TwiDisturbed() {
+        simulator::TwiDevice device;
+        device.start = [](bool) { return true; };
+        device.write = [this](uint8_t byte) { return written.push_back(byte), true; };
+        device.read = [](bool) { return uint8_t{0x5A}; };
+        device.stop = [] {};
+        machine.chip.twi().connect(0x1E, device);
+    }
+    // After report 5, in the middle of a transfer.
+    void runWith(simulator::FaultKind kind) {
+        machine.chip.on_trace = [this, kind, note = machine.chip.on_trace](uint8_t number) {
+            note(number);
+            if (number == 5) machine.chip.twi().fail(kind);
+        };
+        machine.run_ms(20);
+    }
+    Machine machine{"twi_refused"};
+    std::vector<int> written;
+};
+
+TEST_F(TwiDisturbed, nobody_answers_after_an_address_that_was_refused) {
+    runWith(simulator::FaultKind::none);
+    EXPECT_EQ(machine.report(1).low, 0x20);
+    EXPECT_EQ(machine.report(2).low, 0x30);
+    EXPECT_EQ(machine.report(3).low, 0x48);
+    EXPECT_EQ(machine.report(4).low, 0) << "there is nothing to read";
+    EXPECT_EQ(machine.report(7).low, 0x28);
+    EXPECT_EQ(written, (std::vector<int>{0x12}));
+}
+
+TEST_F(TwiDisturbed, a_one_bit_loses_against_sda_held_low_and_no_stop_comes_through) {
+    runWith(simulator::FaultKind::sda_low);
+    EXPECT_EQ(machine.report(7).low, 0x38);
+    EXPECT_EQ(machine.report(8).low & 0x10, 0x10);
+    EXPECT_TRUE(written.empty());
+}
+
+TEST_F(TwiDisturbed, scl_held_low_stops_everything_until_it_is_released) {
+    runWith(simulator::FaultKind::scl_low);
+    EXPECT_EQ(machine.report(6).low, 0) << "no end";
+    const uint8_t* const data = machine.chip.avr()->data;
+    EXPECT_EQ(data[simulator::kTwcr] & 0x10, 0x10) << "the stop waits";
+    machine.chip.twi().fail(simulator::FaultKind::none);
+    machine.run_ms(1);
+    EXPECT_EQ(data[simulator::kTwcr] & 0x10, 0);
+}

@@ -343,3 +343,23 @@ TEST(Mpu6000, gives_the_same_bits_for_the_same_seed) {
         EXPECT_EQ(first.gyro, second.gyro);
     }
 }
+
+TEST(Mpu6000Clock, over_1_mhz_garbles_all_but_the_sensors_registers) {
+    Bench bench;
+    bench.wake(3, 4);
+    bench.imu.clock(8'000'000);
+    bench.sample(level());
+    EXPECT_EQ(bench.read(0x3A) & 1, 1);
+    EXPECT_EQ(bench.imu.bytesTooFast(), 0u);
+    int wrong = 0;
+    for (int i = 0; i < 10; ++i) wrong += bench.read(0x75) != 0x68;
+    EXPECT_GT(wrong, 5);
+    EXPECT_EQ(bench.imu.bytesTooFast(), 10u);
+    bench.imu.clock(1'000'000);
+    EXPECT_EQ(bench.read(0x75), 0x68);
+    EXPECT_EQ(bench.read(0x19), 4);
+    bench.imu.clock(4'000'000);
+    for (int i = 0; i < 4; ++i) bench.write(0x19, 9);
+    bench.imu.clock(500'000);
+    EXPECT_NE(bench.read(0x19), 9);
+}
