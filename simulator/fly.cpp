@@ -100,6 +100,13 @@ WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
     world.faults = options.faults;
     world.gps_backup = !options.gps_cold;
     world.band_gap_v = options.band_gap_v;
+    world.worn_cells = options.worn_cells;
+    world.bootloader = options.bootloader == "looping" ? Bootloader::looping
+                       : options.bootloader == "slow"  ? Bootloader::slow
+                                                       : Bootloader::stock;
+    world.board_warmth_c = options.board_warmth_c;
+    world.board_warmth_start_c = options.board_warmth_start_c;
+    world.gps_latency_s = options.gps_latency_ms / 1000;
     world.dataflash = !options.no_dataflash;
     return world;
 }

@@ -49,6 +49,8 @@ std::string contradiction(const FlyOptions& options, const CLI::App& app) {
         {options.native && given("--firmware"), "--native flies no --firmware file"},
         {options.native && given("--vcd"), "--vcd needs the emulated chip: no --native"},
         {options.native && given("--profile"), "--profile needs the emulated chip: no --native"},
+        {options.native && given("--bootloader"),
+         "--bootloader needs the emulated chip: no --native"},
         {options.native && given("--gdb"), "--gdb needs the emulated chip: no --native"},
         {!options.fdm.empty() && given("--wind"), "--fdm brings its own air: no --wind"},
         {!options.fdm.empty() && given("--gusts"), "--fdm brings its own air: no --gusts"},
@@ -193,6 +195,26 @@ void addHardware(CLI::App& app, FlyOptions& o) {
     app.add_option("--band-gap", o.band_gap_v,
                    "the chip's reference in volts; if not given 1.1 V, and 1 % off by the seed")
         ->check(CLI::Range(1.0, 1.2));
+    app.add_option("--worn-eeprom", o.worn_cells,
+                   "so many bytes of the EEPROM have a bit that stays as it is")
+        ->check(CLI::Range(0, 4096));
+    app.add_option(
+           "--bootloader", o.bootloader,
+           "what a reset begins with: stock, looping (of many clones: never comes back from "
+           "a watchdog's reset) or slow (the APM 2's without USB takes 1.1 s)")
+        ->check(CLI::IsMember({"stock", "looping", "slow"}))
+        ->capture_default_str();
+    app.add_option("--board-warmth", o.board_warmth_c,
+                   "degrees by which the barometer is warmer than the air once the board is warm")
+        ->check(CLI::Range(-20.0, 40.0))
+        ->capture_default_str();
+    app.add_option("--board-warmth-start", o.board_warmth_start_c, "and at power-on")
+        ->check(CLI::Range(-20.0, 40.0))
+        ->capture_default_str();
+    app.add_option("--gps-latency", o.gps_latency_ms,
+                   "milliseconds from a measurement of the GPS to its message")
+        ->check(CLI::Range(50.0, 400.0))
+        ->capture_default_str();
 }
 
 void addFlight(CLI::App& app, FlyOptions& o) {

@@ -2,6 +2,7 @@
 #include "simulator/world.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "simulator/airplane/atmosphere.hpp"
 #include "simulator/airplane/bench_model.hpp"
@@ -26,7 +27,7 @@ namespace {
 constexpr int kOutputs = 8;
 constexpr uint64_t kSilent_us = 100'000;
 constexpr double kCentre_us = 1500;
-constexpr double kBoardWarmth_c = 10;  // the board in its box is warmer than the air
+constexpr double kWarming_s = 240;  // assumed: a board in its box of foam
 
 // u-blox 6 data sheet, table 1: a hot start takes 1 s, a cold one 26 s.
 constexpr double kHotStart_s = 1, kColdStart_s = 26;
@@ -55,8 +56,9 @@ std::vector<Sag> sagsOf(const std::vector<Fault>& faults) {
 }
 
 SensorErrors errorsFor(const WorldOptions& options) {
-    if (!options.sensor_errors) return SensorErrors::none();
-    SensorErrors errors;
+    SensorErrors errors = options.sensor_errors ? SensorErrors{} : SensorErrors::none();
+    errors.gps_age_s = options.gps_latency_s;
+    if (!options.sensor_errors) return errors;
     errors.accel_bias_g = options.accel_bias_g;
     errors.accel_scale = options.accel_scale;
     errors.scaleNoise(options.sensor_noise);
@@ -107,6 +109,8 @@ struct World::Parts {
               {options.declination_deg, options.inclination_deg, options.magnetic_field_mg})),
           model(modelFor(options, errors)),
           band_gap_v(bandGapFor(options)),
+          warmth_start_c(options.board_warmth_start_c),
+          warmth_end_c(options.board_warmth_c),
           gps_plug{options.gps, options.gps_baud, options.seed},
           gps_restart_s(options.gps_backup ? kHotStart_s : kColdStart_s),
           imu(options.seed, errors),
@@ -141,6 +145,7 @@ struct World::Parts {
     const Vec3 field_mg;
     const std::unique_ptr<FlightModel> model;
     const double band_gap_v;
+    const double warmth_start_c, warmth_end_c;
     Supply supply;
     PoweredParts powered{supply};
     GpsPlug gps_plug;
@@ -233,7 +238,9 @@ ServoPulses World::Parts::pulses() const {
 
 void World::Parts::sense() {
     const Atmosphere air = atmosphere(model->truth().altitude_m);
-    const double board_c = air.temperature_k - 273.15 + kBoardWarmth_c;
+    const double warm = 1 - std::exp(-static_cast<double>(now_us) * 1e-6 / kWarming_s);
+    const double warmth_c = warmth_start_c + (warmth_end_c - warmth_start_c) * warm;
+    const double board_c = air.temperature_k - 273.15 + warmth_c;
     barometer.sense(air.pressure_pa, board_c);
     i2c_barometer.sense(air.pressure_pa, board_c);
     const Vec3 field = model->toBody(field_mg);

@@ -12,6 +12,10 @@
 
 namespace simulator {
 
+// What a reset begins with: the board's own; one that, as those of many clones, does not switch a
+// watchdog off and is bitten by it for ever; the second board's with its waiting times.
+enum class Bootloader { stock, looping, slow };
+
 struct WorldOptions {
     std::string airplane = "foam_trainer";
     std::string fdm;         // a flight model elsewhere instead: "json:PORT"
@@ -29,12 +33,18 @@ struct WorldOptions {
     double sensor_noise = 1;  // times that of devices/errors.hpp
     // the World Magnetic Model 2025 at this place at the end of 2026
     double declination_deg = 3.67, inclination_deg = 63.54, magnetic_field_mg = 484.1;
-    double gps_acquire_s = 3.0;        // from power-on to the first fix
-    bool gps_backup = true;            // has a battery of its own: a hot start when power is back
-    double band_gap_v = 0;             // of the chip; 0: 1.1 V and 1 % by the seed
-    std::string gps = "ublox";         // one of gpsKinds(), as delivered
-    uint32_t gps_baud = 0;             // its rate at power-on; 0: the one it comes with
-    bool dataflash = true;             // the board has one
+    double gps_acquire_s = 3.0;  // from power-on to the first fix
+    bool gps_backup = true;      // has a battery of its own: a hot start when power is back
+    double band_gap_v = 0;       // of the chip; 0: 1.1 V and 1 % by the seed
+    std::string gps = "ublox";   // one of gpsKinds(), as delivered
+    uint32_t gps_baud = 0;       // its rate at power-on; 0: the one it comes with
+    bool dataflash = true;       // the board has one
+    Bootloader bootloader = Bootloader::stock;
+    // The barometer above the air around it, once the board is warm and at power-on.
+    double board_warmth_c = 10;
+    double board_warmth_start_c = 10;
+    double gps_latency_s = 0.2;        // from a measurement to its first byte
+    unsigned worn_cells = 0;           // bytes of the EEPROM with a bit that stays as it is
     bool hmc5843 = false;              // instead of its successor
     bool compass_upside_down = false;  // on the first board's shield
     std::vector<Fault> faults;         // of sensors in flight
@@ -82,7 +92,7 @@ public:
     void turnTo(double roll_rad, double pitch_rad, double yaw_rad);
     void turn(double roll_rads, double pitch_rads, double yaw_rads);
     void setFaults(const std::vector<Fault>& faults);  // instead of those there were
-    FaultKind faultOf(Faulty part) const;  // now
+    FaultKind faultOf(Faulty part) const;              // now
     std::string fault() const;             // why the flight model cannot go on; empty when it can
     uint64_t modelAnswersSkipped() const;  // of a flight model elsewhere: not understood
 

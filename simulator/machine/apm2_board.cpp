@@ -28,6 +28,18 @@ WorldOptions worldFor(WorldOptions options, const BoardWiring& wiring) {
     return options;
 }
 
+// The first board's own loops after a watchdog's reset.
+std::string bootProgram(const WorldOptions& options, const BoardWiring& wiring) {
+    switch (options.bootloader) {
+        case Bootloader::looping:
+            return "apm1";
+        case Bootloader::slow:
+            return "slow";
+        default:
+            return wiring.name;
+    }
+}
+
 // Signals of the trace, after the eight servos.
 enum TraceSignal : size_t { kTracePpm = ServoPulses::kOutputs, kTraceDataReady, kTraceMark };
 
@@ -43,7 +55,8 @@ AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options,
       supply_(chip_, world_.supply(), world_.bandGap_v(), options.seed),
       servos_(chip_, wiring_),
       radio_(chip_, world_.radio(), wiring_) {
-    chip_.setBootSection(readImage(std::string(SIMULATOR_BOOT "/") + wiring_.name + ".elf"));
+    chip_.setBootSection(
+        readImage(std::string(SIMULATOR_BOOT "/") + bootProgram(options, wiring_) + ".elf"));
     for (int usart = 0; usart < 4; usart++) feeds_.emplace_back(chip_, usart);
     wireSensorBus();
     wireFlash();
@@ -54,6 +67,7 @@ AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options,
     wireOutputs();
     wireMarks();
     chip_.adc().volts = [this](int pin) { return volts(pin); };
+    chip_.eeprom().wear(WornCells(options.worn_cells, kEepromBytes, options.seed));
     chip_.on_reset = [this] { restart(); };
     supply_.on_skip = [this](uint64_t now_us) { passTime(now_us); };
     if (wiring_.data_ready) chip_.drive(wiring_.data_ready->port, wiring_.data_ready->bit, false);

@@ -83,7 +83,8 @@ void Eeprom::breakOff() {
 
 uint64_t Eeprom::written(uint64_t) {
     busy_ = false;
-    io_->eeprom[address_] = spoilt_ ? static_cast<uint8_t>(random_.bits()) : value_;
+    const auto becomes = spoilt_ ? static_cast<uint8_t>(random_.bits()) : value_;
+    io_->eeprom[address_] = worn_.written(address_, becomes);
     avr_->data[kEecr] &= static_cast<uint8_t>(~kWrite);
     ready_interrupt_.refresh();
     return 0;

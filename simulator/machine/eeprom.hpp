@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "simulator/devices/random.hpp"
+#include "simulator/devices/worn_cells.hpp"
 #include "simulator/machine/level_interrupt.hpp"
 
 namespace simulator {
@@ -24,6 +25,7 @@ public:
     void seed(uint64_t seed) { random_ = Random(seed, 16); }
     void endanger(bool endangered);
     void breakOff();
+    void wear(const WornCells& worn) { worn_ = worn; }
 
     bool busy() const { return busy_; }
     uint64_t writes() const { return writes_; }
@@ -45,6 +47,7 @@ private:
     uint64_t enabled_until_ = 0;  // the four cycles after EEMPE
     uint64_t writes_ = 0;
     Random random_{1, 16};
+    WornCells worn_;
     bool endangered_ = false, spoilt_ = false;
 };
 

@@ -68,8 +68,9 @@ uint64_t EepromChip::due_us() const {
 
 void EepromChip::run() {
     if (writing() && now_us_ >= written_us_) {
-        const auto chance = [this] { return static_cast<uint8_t>(random_.bits()); };
-        cells_[queue_.front().address] = spoilt_ ? chance() : queue_.front().value;
+        const Write& write = queue_.front();
+        const auto becomes = spoilt_ ? static_cast<uint8_t>(random_.bits()) : write.value;
+        cells_[write.address] = worn_.written(write.address, becomes);
         queue_.pop_front();
         written_us_ = UINT64_MAX;
     }

@@ -7,6 +7,7 @@
 
 #include "core/status.hpp"
 #include "simulator/devices/random.hpp"
+#include "simulator/devices/worn_cells.hpp"
 
 namespace simulator {
 
@@ -23,6 +24,7 @@ public:
 
     // While the supply is too low, what is written becomes whatever chance will have.
     void endanger(bool endangered);
+    void wear(const WornCells& worn) { worn_ = worn; }
 
     uint64_t due_us() const;
     void run();
@@ -41,6 +43,7 @@ private:
     std::deque<Write> queue_;           // the front is the one in flight while writing()
     uint64_t written_us_ = UINT64_MAX;  // when the byte in flight is done
     Random random_;
+    WornCells worn_;
     bool endangered_ = false, spoilt_ = false;
     uint64_t rest_until_us_ = 0;  // a reader was refused and comes back
 };

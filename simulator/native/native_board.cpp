@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "firmware/app/tasks.hpp"
+#include "hal/eeprom.hpp"
 #include "hal/imu_interrupt.hpp"
 #include "hal/trace.hpp"
 #include "simulator/devices/at45db.hpp"
@@ -38,6 +39,7 @@ NativeBoard::NativeBoard(const WorldOptions& options)
         throw std::logic_error("a process can have one native board: its firmware is global");
     }
     running_board = this;
+    eeprom_.wear(WornCells(options.worn_cells, hal::kEepromSize, options.seed));
 }
 
 NativeBoard::~NativeBoard() { running_board = nullptr; }

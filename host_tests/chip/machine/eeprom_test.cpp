@@ -58,3 +58,12 @@ TEST_F(EepromTest, a_reset_lets_the_write_under_way_finish) {
     ASSERT_EQ(second.number, 2);
     EXPECT_NEAR(static_cast<double>(second.cycle), 54400, 1000);
 }
+
+TEST_F(EepromTest, a_worn_cell_holds_its_stuck_bit) {
+    simulator::WornCells worn;
+    worn.stick(0x11, 0x02, true);
+    machine.chip.eeprom().wear(worn);
+    machine.run_ms(30);
+    EXPECT_EQ(byte(0x11), 0xA7);
+    EXPECT_EQ(machine.report(4).low, 0xA7);
+}

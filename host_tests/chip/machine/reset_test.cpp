@@ -87,3 +87,14 @@ TEST(BootSection, the_reset_button_starts_either_board) {
         EXPECT_EQ(words(machine, 1), (std::vector<int>{0, 0})) << board;
     }
 }
+
+TEST(BootSection, the_slow_one_takes_1_1_s_but_not_after_a_watchdog) {
+    Machine machine("boot");
+    machine.boot("slow");
+    machine.run_ms(1160);
+    EXPECT_TRUE(words(machine, 1).empty());
+    machine.run_ms(10);
+    EXPECT_EQ(words(machine, 1).size(), 1u);
+    machine.run_ms(100);
+    EXPECT_EQ(words(machine, 1).size(), 2u) << "bitten, and back after 65 ms";
+}

@@ -234,6 +234,35 @@ TEST(World, gives_the_pitot_sensor_its_part_of_the_supply) {
     EXPECT_NEAR(world.analog_v(13, 1'500'000) * 10.1, 12.6, 0.05);
 }
 
+TEST(World, warms_its_board_up_in_minutes) {
+    WorldOptions options;
+    options.sensor_errors = false;
+    options.board_warmth_start_c = -10;
+    options.board_warmth_c = 25;
+    World world(options);
+    const auto raw = [&](uint64_t now_us) {
+        world.advanceTo(now_us);
+        askBarometer(world, 0x58, 0, now_us);
+        world.advanceTo(now_us + 10'000);
+        return askBarometer(world, 0, 3, now_us + 10'000);
+    };
+    const uint32_t cold = raw(100'000), warming = raw(240'000'000), warm = raw(1'500'000'000);
+    const double part = (double(warming) - cold) / (double(warm) - cold);
+    EXPECT_NEAR(part, 1 - std::exp(-1), 0.02);
+}
+
+TEST(World, delays_the_gps_as_its_receiver_does) {
+    for (const double latency_s : {0.05, 0.4}) {
+        WorldOptions options;
+        options.gps_latency_s = latency_s;
+        World world(options);
+        world.advanceTo(1'000'000);
+        EXPECT_EQ(world.gps().nextByte_us(), UINT64_MAX);
+        world.advanceTo(1'000'000 + static_cast<uint64_t>(latency_s * 1e6));
+        EXPECT_NE(world.gps().nextByte_us(), UINT64_MAX);
+    }
+}
+
 TEST(World, has_a_band_gap_of_its_own) {
     WorldOptions options;
     EXPECT_NEAR(World(options).bandGap_v(), 1.1, 0.04);

@@ -85,3 +85,16 @@ TEST_F(EepromChipTest, writes_noise_while_the_supply_is_low) {
     pass(3400);
     EXPECT_EQ(chip.cells()[9], 3);
 }
+
+TEST_F(EepromChipTest, has_worn_cells) {
+    simulator::WornCells worn;
+    worn.stick(7, 0x01, true);
+    chip.wear(worn);
+    ASSERT_EQ(write(7, {2, 4}), Status::ok);
+    pass(3400);
+    pass(3400);
+    EXPECT_EQ(chip.cells()[7], 3);
+    EXPECT_EQ(chip.cells()[8], 4);
+    EXPECT_EQ(chip.read(7, &byte, 1), Status::ok);
+    EXPECT_EQ(byte, 3);
+}
