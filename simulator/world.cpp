@@ -35,7 +35,7 @@ constexpr double kHotStart_s = 1, kColdStart_s = 26;
 constexpr uint64_t kReceiverLinks_us = 500'000;
 // IDG-500: start-up time, to within 1 deg/s.
 constexpr uint64_t kGyrosStart_us = 200'000;
-// ATmega2560, table 31-4: the band gap is 1.0 to 1.2 V, of one chip constant.
+// ATmega2560, 31.5: the band gap is 1.0 to 1.2 V, of one chip constant.
 constexpr double kBandGap_v = 1.1, kBandGapSpread = 0.01;
 
 double bandGapFor(const WorldOptions& options) {

@@ -69,7 +69,7 @@ constexpr double kEncoder = 3.0;                   // ATmega32U2: brown-out fuse
 constexpr double kReceiver = 3.3;                  // assumed: receivers state 3.2 to 3.6 V
 constexpr double kChip = 2.7;                      // ATmega2560: brown-out fuse 0xFD
 constexpr double kEepromWrite = 4.5;               // ATmega2560, 31.3: 16 MHz from 4.5 V on
-constexpr double kPowerOnReset = 0.9;              // ATmega2560, table 31-4: falling, typical
+constexpr double kPowerOnReset = 0.9;              // ATmega2560, 31.5: falling, typical
 constexpr double kMemory = 1.0;                    // assumed: no data sheet states what RAM needs
 }  // namespace least_v
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the supply does to the chip: its reference, the bytes of the EEPROM that are written while
 // it is too low, the brown-out that holds the chip in reset, and what of the memory is left
-// afterwards (ATmega2560 data sheet 12.2 and 12.3, tables 31-4 and 31-5).
+// afterwards (ATmega2560 data sheet 12.2, 12.3 and 31.5).
 #pragma once
 #include <functional>
 

@@ -78,18 +78,22 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"--native --eeprom /etc/passwd", "4096 bytes"},
         Wrong{"--native --dataflash /etc/passwd", "8192 or 4096 pages"},
         Wrong{"--native --dataflash /no/such/folder/d.bin", "--dataflash"},
-        Wrong{"--no-dataflash --dataflash d.bin", "--no-dataflash"}, Wrong{"a b", "b"}));
+        Wrong{"--native --bootloader looping", "--bootloader"}, Wrong{"--bootloader none", "slow"},
+        Wrong{"--fault supply:sag@5", "PART:HOW"}, Wrong{"--gps-latency 20", "400"},
+        Wrong{"--band-gap 1.3", "1.2"}, Wrong{"--no-dataflash --dataflash d.bin", "--no-dataflash"},
+        Wrong{"a b", "b"}));
 
 TEST(Help, names_every_option) {
     const Outcome run = fly("--help");
 
     EXPECT_EQ(run.status, 0);
     for (const char* option :
-         {"MISSION",        "--board", "--native",    "--airplane",  "--fdm",
-          "--fdm-wait",     "--param", "--firmware",  "--eeprom",    "--dataflash",
-          "--no-dataflash", "--wind",  "--gusts",     "--seed",      "--time-limit",
-          "--out",          "--serve", "--telemetry", "--lock-step", "--listen",
-          "--vcd",          "--gdb"}) {
+         {"MISSION",        "--board",       "--native",      "--airplane",    "--fdm",
+          "--fdm-wait",     "--param",       "--firmware",    "--eeprom",      "--dataflash",
+          "--no-dataflash", "--wind",        "--gusts",       "--seed",        "--time-limit",
+          "--out",          "--serve",       "--telemetry",   "--lock-step",   "--listen",
+          "--vcd",          "--gdb",         "--fault",       "--band-gap",    "--bootloader",
+          "--gps-cold",     "--gps-latency", "--worn-eeprom", "--board-warmth"}) {
         EXPECT_THAT(run.output, HasSubstr(option));
     }
 }
