@@ -139,7 +139,7 @@ void At45db<Bus, Select, Reset>::step(uint16_t now_ms) {
             state_ = State::resetting;
             return;
         case State::resetting:
-            if (inTime(now_ms, 0)) return;
+            if (inTime(now_ms, 1)) return;  // 10 us, tRST; the first tick may come at once
             Reset::high();
             state_ = State::recovering;  // 1 us, tREC; the next step is later than that
             return;

@@ -101,10 +101,10 @@ struct OnModel : testing::Test {
 
 TEST_F(Scripted, asks_who_is_there_after_a_reset_of_a_millisecond_at_least) {
     driver.start(now_ms);
-    EXPECT_TRUE(reset_low);
-    driver.step(++now_ms);
-    EXPECT_TRUE(reset_low);
-    driver.step(++now_ms);
+    for (int tick = 0; tick < 3; ++tick) {  // the first two may come at once
+        EXPECT_TRUE(reset_low);
+        driver.step(++now_ms);
+    }
     EXPECT_FALSE(reset_low);
     EXPECT_FALSE(driver.known());
     driver.step(++now_ms);
