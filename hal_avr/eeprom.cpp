@@ -6,6 +6,7 @@
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
+#include "restart.hpp"
 #include "start.hpp"
 
 namespace {
@@ -62,7 +63,7 @@ void overlay(uint16_t address, uint8_t* to, uint8_t size) {
 
 // One byte a call: a byte that need not be written brings the interrupt at once again.
 ISR(EE_READY_vect) {
-    if (reading || patience != 0 || queue.head == queue.tail) {
+    if (reading || patience != 0 || queue.head == queue.tail || avr::supply_sags) {
         interruptOff();
         return;
     }
@@ -78,9 +79,10 @@ ISR(EE_READY_vect) {
 
 namespace avr {
 
+// The interrupt switches itself off again when there is nothing to do for it.
 void eepromTick() {
-    if (patience == 0) return;
-    if (--patience == 0) interruptOn();
+    if (patience != 0) --patience;
+    if (patience == 0) interruptOn();
 }
 
 }  // namespace avr

@@ -12,6 +12,11 @@ namespace avr {
 // every 4 ms. A run that then ends without a note ended by a brown-out.
 void noteSupply(bool low);
 
+// Now or within that quarter of a second, for at most two seconds: a byte that is written to the
+// EEPROM meanwhile may become any value. A supply that is low for good, or is measured too low (the
+// band gap is off by up to 9 %, data sheet 31.8), must not stop what is to be stored.
+extern volatile bool supply_sags;
+
 // Below 4.2 V, by a conversion between two scans of the analogue inputs; called likewise.
 bool supplyLow();
 

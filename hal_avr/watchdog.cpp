@@ -99,12 +99,19 @@ void restart(ResetCause why) {
     }
 }
 
+volatile bool supply_sags;
+
 void noteSupply(bool low) {
+    constexpr uint16_t kLongest = 500;  // times 4 ms
+    static uint16_t lasts;
     if (low)
         supply.low = kSupplyRemembered;
     else if (supply.low != 0)
         --supply.low;
     supply.high = static_cast<uint8_t>(~supply.low);
+    if (supply.low == 0) lasts = 0;
+    supply_sags = supply.low != 0 && lasts < kLongest;
+    if (supply_sags) ++lasts;
 }
 
 }  // namespace avr

@@ -64,6 +64,33 @@ TEST(HalGuard, a_sag_is_forgotten_after_a_quarter_of_a_second) {
     EXPECT_EQ(bench.causeAfterReset(), kUnknown);
 }
 
+TEST(HalGuard, nothing_is_stored_while_the_supply_sags) {
+    Guard bench;
+    const auto writesIn_ms = [&bench](int ms) {
+        const uint64_t before = bench.chip.eeprom().writes();
+        bench.run_ms(ms);
+        return bench.chip.eeprom().writes() - before;
+    };
+    bench.run_ms(300);
+    EXPECT_NEAR(writesIn_ms(400), 20, 1);
+    bench.chip.adc().supply_v = [] { return 4.1; };
+    EXPECT_LE(writesIn_ms(10), 1u);
+    EXPECT_EQ(writesIn_ms(1500), 0u);
+    bench.chip.adc().supply_v = [] { return 5.0; };
+    EXPECT_EQ(writesIn_ms(200), 0u) << "for a quarter of a second";
+    EXPECT_GT(writesIn_ms(500), 10u);
+}
+
+TEST(HalGuard, a_supply_that_stays_low_does_not_stop_the_storing) {
+    Guard bench;
+    bench.run_ms(300);
+    bench.chip.adc().supply_v = [] { return 4.1; };
+    bench.run_ms(2300);
+    const uint64_t before = bench.chip.eeprom().writes();
+    bench.run_ms(1000);
+    EXPECT_GT(bench.chip.eeprom().writes(), before + 40);
+}
+
 TEST(HalGuard, its_own_conversions_are_not_counted_in_the_scans) {
     Guard bench;
     bench.chip.adc().volts = [](int) { return 2.5; };
