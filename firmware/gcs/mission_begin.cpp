@@ -49,10 +49,10 @@ bool onMissionCount(Link& link, const mavlink::Frame& frame) {
     const auto message = frame.read<mavlink::MissionCount>();
     const uint8_t type = message.mission_type;
     if (refusedBeginning(link, frame, type)) return true;
-    if (transfer.state == Upload::items && transfer.type == type && transfer.next == 0 &&
-        transfer.last + 1U == message.count)
+    if (transfer.state == Upload::items && isOwner(link, frame) && transfer.type == type &&
+        transfer.next == 0 && transfer.last + 1U == message.count)
         return ask();  // said twice
-    forgetTransfer();
+    takeOver(link, frame);
     if (message.count == 0) return clearInstead(link, frame, type);
     return begin(link, frame, type, planBegin(type, message.count), 0,
                  static_cast<uint16_t>(message.count - 1));
@@ -66,7 +66,7 @@ bool onMissionWritePartialList(Link& link, const mavlink::Frame& frame) {
         message.end_index < 0 ? static_cast<int16_t>(planCount(type) - 1) : message.end_index;
     if (message.start_index < 0 || last < message.start_index)
         return answerAck(link, peerOf(frame), MissionResult::invalid_sequence, type);
-    forgetTransfer();
+    takeOver(link, frame);
     const uint16_t from = static_cast<uint16_t>(message.start_index);
     const uint16_t to = static_cast<uint16_t>(last);
     return begin(link, frame, type, planBeginPartial(type, from, to), from, to);

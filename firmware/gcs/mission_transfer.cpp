@@ -15,7 +15,7 @@ using namespace notify;
 using namespace mission;
 using namespace modes;
 
-Transfer transfer;
+core::FileState<Transfer> transfer{};
 
 namespace {
 
@@ -148,6 +148,12 @@ bool ask() {
 void forgetTransfer() {
     if (transfer.state != Upload::none) missionAbort();
     transfer.state = Upload::none;
+}
+
+void takeOver(const Link& link, const mavlink::Frame& frame) {
+    if (transfer.state == Upload::items && !isOwner(link, frame))
+        answerAck(links[transfer.link], transfer.peer, MissionResult::cancelled, transfer.type);
+    forgetTransfer();
 }
 
 bool onMissionItem(Link& link, const mavlink::Frame& frame) {

@@ -2,6 +2,7 @@
 // The one change of a list that may be under way over the links, and whose it is. Shared by the
 // files that carry out the mission protocol; nobody else's business.
 #pragma once
+#include "core/file_state.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/mission/mission.hpp"
 
@@ -32,16 +33,22 @@ struct Transfer {
     uint8_t turns;  // since the last question
     uint8_t tries;
 };
-extern Transfer transfer;
+extern core::FileState<Transfer> transfer;
+
+// Questions without an answer, 0.3 s apart, after which another station may begin: nobody holds up
+// the others by answering seldom.
+constexpr uint8_t kPatientTries = 7;
 
 bool isOwner(const Link& link, const mavlink::Frame& frame);
-// Somebody else has a change under way.
+// Somebody else has a change under way, and is heard.
 inline bool othersTransfer(const Link& link, const mavlink::Frame& frame) {
-    return transfer.state != Upload::none && !isOwner(link, frame);
+    const bool silent = transfer.state == Upload::items && transfer.tries >= kPatientTries;
+    return transfer.state != Upload::none && !silent && !isOwner(link, frame);
 }
 
-bool ask();             // for the item that is due
-void forgetTransfer();  // and what it has staged
+bool ask();                                                    // for the item that is due
+void forgetTransfer();                                         // and what it has staged
+void takeOver(const Link& link, const mavlink::Frame& frame);  // and its owner is told so
 
 void reportReached();
 

@@ -236,6 +236,37 @@ TEST_F(MissionTransfer, one_upload_at_a_time) {
     EXPECT_EQ(plan.items.size(), 2u);
 }
 
+// A station that answers one item every eight seconds would hold the upload for ever.
+TEST_F(MissionTransfer, another_station_may_begin_when_the_owner_has_been_silent_for_two_seconds) {
+    give(count(40));
+    for (uint16_t item = 0; item < 3; ++item) {
+        run_ms(7000);
+        give(itemInt(item));
+        second.send(count(5));
+        run_ms(20);
+        EXPECT_EQ(acks(second), Results{MavMissionResult::denied}) << "it has just been heard";
+    }
+    station.forget();
+    run_ms(2600);
+    second.send(count(1));
+    run_ms(20);
+    EXPECT_EQ(acks(), Results{MavMissionResult::operation_cancelled}) << "the owner is told so";
+    second.send(itemInt(0));
+    run_ms(100);
+    EXPECT_EQ(acks(second), Results{MavMissionResult::accepted});
+}
+
+TEST_F(MissionTransfer, the_same_count_of_another_station_is_no_repetition) {
+    give(count(2));
+    run_ms(2600);
+    second.send(count(2));
+    run_ms(20);
+    second.send(itemInt(0));
+    second.send(itemInt(1));
+    run_ms(100);
+    EXPECT_EQ(acks(second), Results{MavMissionResult::accepted});
+}
+
 TEST_F(MissionTransfer, a_new_count_begins_anew) {
     give(count(5));
     give(itemInt(0));
