@@ -8,11 +8,15 @@
 #include "firmware/gcs/commands_orders.hpp"
 #include "firmware/gcs/degrees.hpp"
 #include "firmware/gcs/link.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/state/parameters.hpp"
 
 namespace firmware {
 namespace gcs {
 
 using namespace mission;
+using namespace notify;
+using namespace state;
 
 namespace {
 
@@ -92,6 +96,12 @@ uint16_t number(float param) {
     if (!(param >= 0 && param < kNoNumber)) return kNoNumber;
     const uint16_t whole = static_cast<uint16_t>(param);
     return static_cast<float>(whole) == param ? whole : kNoNumber;
+}
+
+bool mayForce(const Link& link) {
+    if (parameters.force_everywhere != 0 || isUsb(link)) return true;
+    sendStatusText(Severity::warning, ROM_TEXT("Force refused: only over USB"));
+    return false;
 }
 
 bool isGiven(float param) { return !isnan(param) && param != 0; }

@@ -2,12 +2,14 @@
 // Commands for the board on the ground: calibration, storage, restart.
 #include <string.h>
 
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/gcs/calibration.hpp"
 #include "firmware/gcs/commands.hpp"
 #include "firmware/gcs/commands_orders.hpp"
 #include "firmware/gcs/link.hpp"
+#include "firmware/gcs/parameter_guard.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/sensors/accelerometer_fit.hpp"
 #include "firmware/sensors/sensors.hpp"
@@ -28,7 +30,10 @@ namespace {
 using mavlink::MavResult;
 
 constexpr uint8_t kRebootTurns = 15;  // 0.3 s for the answer to get out
-uint8_t turns_to_reboot;
+struct Restart {
+    uint8_t turns_left;  // until it begins; 0: none is asked for
+};
+core::FileState<Restart> restart{};
 
 // The sticks' present places become their centres.
 uint8_t trimRadio() {
@@ -141,9 +146,9 @@ uint8_t beginCompass(Link& link, const Order& order) {
 }
 
 void rebootTick() {
-    if (turns_to_reboot == 0) return;
-    if (turns_to_reboot > 1) {
-        --turns_to_reboot;
+    if (restart.turns_left == 0) return;
+    if (restart.turns_left > 1) {
+        --restart.turns_left;
     } else if (hal::eepromDrained()) {
         hal::reboot();
     }
@@ -213,25 +218,29 @@ uint8_t resetStorage(Link&, Order& order) {
 }
 
 // After any reset the bootloader waits for a while for somebody to talk to it: all that 3 wants.
-uint8_t reboot(Link&, Order& order) {
+uint8_t reboot(Link& link, Order& order) {
     constexpr uint8_t kRestart = 1, kToBootloader = 3;
     constexpr float kWhateverHappens = 20190226;
     const uint16_t action = number(order.item.param1);
     if (action == 0) return MavResult::accepted;
     if (action != kRestart && action != kToBootloader) return MavResult::denied;
-    if (vehicle.armed && order.param6 != kWhateverHappens) return MavResult::temporarily_rejected;
-    turns_to_reboot = kRebootTurns;
+    if (vehicle.armed) {
+        if (order.param6 != kWhateverHappens) return MavResult::temporarily_rejected;
+        if (!mayForce(link)) return MavResult::denied;
+    }
+    restart.turns_left = kRebootTurns;
     return MavResult::accepted;
 }
 
 void commandsStart() {
-    turns_to_reboot = 0;
+    restart.turns_left = 0;
     calibrationReset();
 }
 
 void commandsTick() {
     calibrationTick();
     rebootTick();
+    parameterGuardTick();
 }
 
 }  // namespace gcs

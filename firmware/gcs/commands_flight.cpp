@@ -150,15 +150,16 @@ uint8_t goAround(Link&, Order& order) {
     return whenTrue(missionGoAround(order.item.param1), MavResult::temporarily_rejected);
 }
 
-uint8_t armOrDisarm(Link&, Order& order) {
+uint8_t armOrDisarm(Link& link, Order& order) {
     constexpr uint16_t kForceArm = 2989, kForceDisarm = 21196;  // as MAVLink documents them
-    const uint16_t magic = number(order.item.param2);
-    switch (number(order.item.param1)) {
+    const uint16_t action = number(order.item.param1), magic = number(order.item.param2);
+    const bool force = magic == kForceDisarm || (action == 1 && magic == kForceArm);
+    if (force && !mayForce(link)) return MavResult::denied;
+    switch (action) {
         case 0:
-            return whenTrue(disarm(ArmReason::ground, magic == kForceDisarm), MavResult::failed);
+            return whenTrue(disarm(ArmReason::ground, force), MavResult::failed);
         case 1:
-            return whenTrue(arm(ArmReason::ground, magic == kForceArm || magic == kForceDisarm),
-                            MavResult::failed);
+            return whenTrue(arm(ArmReason::ground, force), MavResult::failed);
         default:
             return MavResult::denied;
     }

@@ -23,6 +23,9 @@ constexpr int32_t kNoPlace = INT32_MAX;  // in x or y: none is given
 // A parameter that should be a whole number; kNoNumber: is not, or is not one of 0..65534.
 constexpr uint16_t kNoNumber = 0xFFFF;
 uint16_t number(float param);
+// Whether this link may force what is refused else; what it may not is reported to the pilot.
+bool mayForce(const Link& link);
+
 bool isGiven(float param);  // neither 0 nor NaN
 
 uint8_t whenTrue(bool done, uint8_t otherwise);

@@ -17,9 +17,7 @@ core::FileState<Links> links{};
 
 namespace {
 
-bool isSilent(const Link& link) {
-    return telemetryMuted() && !(linkNumber(link) == 0 && hal::usbConnected());
-}
+bool isSilent(const Link& link) { return telemetryMuted() && !isUsb(link); }
 
 }  // namespace
 

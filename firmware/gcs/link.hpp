@@ -53,6 +53,10 @@ inline uint8_t linkNumber(const Link& link) { return static_cast<uint8_t>(&link 
 inline hal::Port portOf(const Link& link) {
     return &link == links.of ? hal::Port::link0 : hal::Port::link1;
 }
+// A cable that somebody has plugged in: on link0, while the board senses USB. What a stranger with
+// a radio must not do is obeyed there alone (docs/security.md).
+inline bool isUsb(const Link& link) { return linkNumber(link) == 0 && hal::usbConnected(); }
+
 inline bool hasRoom(const Link& link, uint8_t frame_size) {
     return hal::serialRoom(portOf(link)) >= frame_size;
 }

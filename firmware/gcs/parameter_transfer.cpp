@@ -2,6 +2,7 @@
 #include "firmware/gcs/parameter_transfer.hpp"
 
 #include "firmware/gcs/link.hpp"
+#include "firmware/gcs/parameter_guard.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/parameters.hpp"
 
@@ -52,12 +53,15 @@ bool onParamSet(Link& link, const mavlink::Frame& frame) {
         sendStatusText(Severity::warning, ROM_TEXT("No such parameter"));
         return true;
     }
+    if (!parameterMayBeSet(link, index)) return parameterSend(link, index);
+    const bool changes = parameterChanges(index, wanted.param_value);
     const core::Status status = parameterSetAt(index, wanted.param_value);
     if (status == core::Status::busy) return false;
     if (status != core::Status::ok)
         sendStatusText(Severity::warning, status == core::Status::denied
                                               ? ROM_TEXT("Parameter refused: armed")
                                               : ROM_TEXT("Parameter value refused: out of range"));
+    if (changes && status == core::Status::ok) parameterWritten();
     for (Link& other : links)  // who has no room now asks again some day
         if (&other != &link) parameterSend(other, index);
     return parameterSend(link, index);

@@ -11,6 +11,7 @@ namespace slot {
 
 // clang-format off
 enum : uint8_t {
+    serial_force   = 5,
     rc1_min        = 30,  // then _TRIM, _MAX, _REV and _DZ, then RC2_MIN and so on
     rcmap_roll     = 70,  // then _PITCH, _THROTTLE and _YAW
     fltmode_ch     = 74,

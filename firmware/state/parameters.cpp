@@ -181,6 +181,7 @@ constexpr parameters::Row kRows[] ROM = {
     P(192, "FS_BATT_MAH",       battery_low_mah,                   0,       0,    32000),
     P(149, "ARMING_CHECK",      arming_check,                      1,       0,    32767),
     P(185, "ARMING_RUDDER",     arming_rudder,                     1,       0,        2),
+    P(slot::serial_force, "SERIAL_FORCE", force_everywhere,        0,       0,        1),
     P(212, "CAM_TRIGG_TYPE",    camera_on_relay,                   0,       0,        1),
     P(213, "CAM_DURATION",      camera_duration_ds,               10,       0,       50),
     P(214, "CAM_SERVO_ON",      camera_on_us,                   1300,    1000,     2000),
@@ -231,7 +232,7 @@ constexpr uint8_t kRetired[] = {
     13, 22,  // SR0_RAW_CTRL, SR1_RAW_CTRL
     18, 27,  // SR0_PARAMS, SR1_PARAMS
 };
-constexpr uint16_t kNextSlot = 5;  // the lowest free one, for the next parameter
+constexpr uint16_t kNextSlot = 6;  // the lowest free one, for the next parameter
 
 #undef P
 #undef CHANNEL

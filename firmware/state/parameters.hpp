@@ -97,6 +97,7 @@ struct Parameters {
     int16_t battery_low_mah;  // left in the pack
     int16_t arming_check;
     int8_t arming_rudder;
+    int8_t force_everywhere;  // SERIAL_FORCE
     // mission
     int8_t mission_restart, mission_trailing, mission_set, altitude_absolute;
     // log

@@ -95,11 +95,56 @@ TEST_F(Telemetry, an_arming_that_fails_says_why) {
 }
 
 TEST_F(Telemetry, arming_is_forced_by_the_documented_number_only) {
+    fakes::setUsb(true);
+    run_ms(20);
     doubles::vehicle.can_arm = false;
     EXPECT_EQ(command(MavCmd::component_arm_disarm, 1, 1), MavResult::failed);
     EXPECT_EQ(command(MavCmd::component_arm_disarm, 1, 2989), MavResult::accepted);
     EXPECT_EQ(command(MavCmd::component_arm_disarm, 0, 21196), MavResult::accepted);
     EXPECT_TRUE(doubles::vehicle.force);
+}
+
+// A stranger with a radio ends no flight, and starts no motor past the checks.
+TEST_F(Telemetry, force_is_refused_unless_it_comes_over_usb) {
+    doubles::vehicle.can_arm = false;
+    EXPECT_EQ(command(MavCmd::component_arm_disarm, 1, 2989), MavResult::denied);
+    EXPECT_EQ(station.texts().at(0), "Force refused: only over USB");
+    EXPECT_FALSE(firmware::state::vehicle.armed);
+    firmware::state::mutable_vehicle.armed = true;
+    EXPECT_EQ(command(MavCmd::component_arm_disarm, 0, 21196), MavResult::denied);
+    EXPECT_TRUE(firmware::state::vehicle.armed);
+
+    firmware::state::parameters.force_everywhere = 1;
+    EXPECT_EQ(command(MavCmd::component_arm_disarm, 0, 21196), MavResult::accepted);
+    EXPECT_FALSE(firmware::state::vehicle.armed);
+}
+
+TEST_F(Telemetry, usb_on_one_link_grants_nothing_to_the_other) {
+    fakes::setUsb(true);
+    run_ms(20);
+    firmware::state::mutable_vehicle.armed = true;
+    mavlink::CommandLong message = {};
+    message.target_system = message.target_component = 1;
+    message.command = MavCmd::component_arm_disarm;
+    message.param2 = 21196;
+    second.send(message);
+    run_ms(40);
+    EXPECT_EQ(second.all<mavlink::CommandAck>().at(0).result, MavResult::denied);
+    EXPECT_TRUE(firmware::state::vehicle.armed);
+}
+
+TEST_F(Telemetry, restarts_armed_by_the_documented_number_over_usb_alone) {
+    firmware::state::mutable_vehicle.armed = true;
+    constexpr float kWhateverHappens = 20190226;
+    const auto forced = [this] {
+        return command(MavCmd::preflight_reboot_shutdown, 1, 0, 0, 0, 0, kWhateverHappens);
+    };
+    EXPECT_EQ(forced(), MavResult::denied);
+    EXPECT_NO_THROW(run_ms(1000));
+    fakes::setUsb(true);
+    run_ms(20);
+    EXPECT_EQ(forced(), MavResult::accepted);
+    EXPECT_THROW(run_ms(1000), fakes::Rebooted);
 }
 
 TEST_F(Telemetry, neither_armed_nor_disarmed_is_denied) {

@@ -138,6 +138,34 @@ TEST_F(Telemetry, many_settings_wait_for_a_slow_store_and_none_is_lost) {
     for (int i = 0; i < 6; ++i) EXPECT_EQ(values[i].param_value, 1501 + i);
 }
 
+TEST_F(Telemetry, a_loop_of_writes_is_stopped_before_it_wears_the_eeprom_out) {
+    constexpr int kMax = 450;
+    float last = 0;
+    for (int i = 0; i < kMax + 5; ++i)
+        last =
+            ask<mavlink::ParamValue>(setting("RC2_TRIM", 1400.0f + i % 2), 100).at(0).param_value;
+    EXPECT_EQ(last, 1400 + (kMax - 1) % 2) << "the last one that was taken";
+    EXPECT_EQ(station.texts().at(0), "Parameter refused: too many writes");
+
+    run_ms(10'100);  // one more is granted
+    const float other = 2801 - last;
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("RC2_TRIM", other)).at(0).param_value, other);
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("RC2_TRIM", last)).at(0).param_value, other);
+}
+
+TEST_F(Telemetry, writes_of_the_same_value_are_no_writes) {
+    for (int i = 0; i < 500; ++i) (void)ask<mavlink::ParamValue>(setting("RC2_TRIM", 1500), 100);
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("RC2_TRIM", 1501)).at(0).param_value, 1501);
+}
+
+TEST_F(Telemetry, what_a_stranger_may_not_do_he_cannot_grant_himself) {
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("SERIAL_FORCE", 1)).at(0).param_value, 0);
+    EXPECT_EQ(station.texts().at(0), "Parameter refused: only over USB");
+    fakes::setUsb(true);
+    run_ms(20);
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("SERIAL_FORCE", 1)).at(0).param_value, 1);
+}
+
 // What the vehicle's first start does to a blank EEPROM.
 void claim() { ASSERT_EQ(storage::claim(), core::Status::ok); }
 
