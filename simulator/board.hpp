@@ -59,6 +59,10 @@ public:
     virtual void setUsb(bool plugged) = 0;       // PA1 low when plugged
 
     virtual void reset() = 0;  // the reset button
+    // Of the processor since power-on, whatever made it; and when the program's first instruction
+    // last ran.
+    virtual unsigned restarts() const { return 0; }
+    virtual uint64_t begun_us() const { return 0; }
     virtual std::vector<uint8_t> eeprom() const = 0;
     virtual void setEeprom(const std::vector<uint8_t>& image) = 0;  // before the first runUntil
     virtual World& world() = 0;

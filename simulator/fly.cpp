@@ -20,6 +20,7 @@
 #include "simulator/ground/scripted_flight.hpp"
 #include "simulator/ground/server.hpp"
 #include "simulator/ground/thrower.hpp"
+#include "simulator/invariants/watched_board.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "simulator/native/native_board.hpp"
 #include "simulator/output_file.hpp"
@@ -236,7 +237,19 @@ void takeErrors(Summary& s, const Recorder& recorder) {
     s.yaw_error_rms_deg = recorder.attitude().yaw_deg.rms();
 }
 
-Summary summarize(const FlyOptions& options, Board& board, const ScriptedFlight& flight,
+// The invariants are of our firmware: another's words for things may be others.
+void takeViolations(Summary& s, const FlyOptions& options, WatchedBoard& board) {
+    const bool ours =
+        options.native || options.firmware == FLY_IMAGE || options.firmware == FLY_IMAGE_1;
+    if (!ours || interrupted != 0) return;
+    for (const invariants::Violation& each : board.violations())
+        s.violations.push_back({each.time_s, each.name + ": " + each.numbers});
+    if (s.violations.empty()) return;
+    s.completed = false;
+    if (s.reason.empty()) s.reason = "violated: " + board.violations().front().line();
+}
+
+Summary summarize(const FlyOptions& options, WatchedBoard& board, const ScriptedFlight& flight,
                   const Recorder& recorder, const Plan& plan) {
     Summary s;
     s.mission = std::filesystem::path(options.mission).filename();
@@ -268,6 +281,7 @@ Summary summarize(const FlyOptions& options, Board& board, const ScriptedFlight&
     if (!options.native) s.task_names = readTaskNames(options.firmware);
     s.events = telemetry.events;
     s.texts = telemetry.texts;
+    takeViolations(s, options, board);
     return s;
 }
 
@@ -320,42 +334,41 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
     warnWithoutLogChip(options, settings);
     const LocalFrame frame(items[0].latitude_deg, items[0].longitude_deg);
     const Plan plan = makePlan(items, frame);
-    const auto board = makeBoard(options, worldFor(options, items));
-    loadMemories(*board, options);
+    WatchedBoard board(makeBoard(options, worldFor(options, items)));
+    loadMemories(board, options);
     const int usart = telemetryUsart(options);
-    ScriptedFlight flight(*board, usart, items, options.time_limit_s, settings);
-    PassiveGcs usb(*board, kUsbUsart);
-    board->listen([&](int from, uint8_t byte, uint64_t time_us) {
+    ScriptedFlight flight(board, usart, items, options.time_limit_s, settings);
+    PassiveGcs usb(board, kUsbUsart);
+    board.listen([&](int from, uint8_t byte, uint64_t time_us) {
         if (from == usart) flight.receive(byte, time_us);
         if (from == kUsbUsart && options.usb) usb.receive(byte, time_us);
     });
-    board->setUsb(options.usb);
-    switchTransmitterOn(board->world());
+    board.setUsb(options.usb);
+    switchTransmitterOn(board.world());
     Recorder recorder(plan, frame);
     StatusLine status(isatty(STDOUT_FILENO) != 0);
     const WallClock clock;
     for (int step = 1; !flight.over() && interrupted == 0; ++step) {
-        if (!runStep(*board, static_cast<uint64_t>(step) * kStep_us, recorder,
-                     flight.telemetry())) {
-            flight.stop("the firmware stopped: " + board->fault());
+        if (!runStep(board, static_cast<uint64_t>(step) * kStep_us, recorder, flight.telemetry())) {
+            flight.stop("the firmware stopped: " + board.fault());
         }
-        if (!board->world().fault().empty()) flight.stop(board->world().fault());
-        flight.step(board->time_us());
-        usb.step(board->time_us());
+        if (!board.world().fault().empty()) flight.stop(board.world().fault());
+        flight.step(board.time_us());
+        usb.step(board.time_us());
         if (step % kStepsPerSample != 0 && !flight.over()) continue;
-        recorder.sample(*board, flight.telemetry(), flight.cruise_speed_mps(),
+        recorder.sample(board, flight.telemetry(), flight.cruise_speed_mps(),
                         flight.loiter_radius_m());
-        status.show(*board, flight.telemetry(), recorder.samples().back(), items.size() - 1,
+        status.show(board, flight.telemetry(), recorder.samples().back(), items.size() - 1,
                     clock.seconds());
     }
     alarm(0);
     status.end();
-    Summary summary = summarize(options, *board, flight, recorder, plan);
-    summary.emulated_s = static_cast<double>(board->time_us()) * 1e-6;
+    Summary summary = summarize(options, board, flight, recorder, plan);
+    summary.emulated_s = static_cast<double>(board.time_us()) * 1e-6;
     summary.speedup = summary.emulated_s / clock.seconds();
     std::cout << closingWords(summary) << std::flush;  // the verdict, whatever becomes of the files
     Results results;
-    saveMemories(*board, options, results);
+    saveMemories(board, options, results);
     writeReport(options, summary, recorder, plan, items, results);
     if (!results.allWritten()) return 2;
     std::cout << reportLine(options.out);

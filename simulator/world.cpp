@@ -314,6 +314,7 @@ void World::setFaults(const std::vector<Fault>& faults) {
     parts_->powered.run(parts_->now_us);
 }
 FaultKind World::faultOf(Faulty part) const { return parts_->failing[static_cast<size_t>(part)]; }
+const std::vector<Fault>& World::faults() const { return parts_->faults; }
 void World::launch() { parts_->model->launch(); }
 std::string World::fault() const { return parts_->model->fault(); }
 uint64_t World::modelAnswersSkipped() const { return parts_->model->answersSkipped(); }

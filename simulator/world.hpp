@@ -93,6 +93,7 @@ public:
     void turn(double roll_rads, double pitch_rads, double yaw_rads);
     void setFaults(const std::vector<Fault>& faults);  // instead of those there were
     FaultKind faultOf(Faulty part) const;              // now
+    const std::vector<Fault>& faults() const;
     std::string fault() const;             // why the flight model cannot go on; empty when it can
     uint64_t modelAnswersSkipped() const;  // of a flight model elsewhere: not understood
 

@@ -18,6 +18,7 @@
 #include "firmware/state/parameters.hpp"
 #include "host_tests/scenarios/flight_scenario.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/invariants/watched_board.hpp"
 #include "simulator/parameter_file.hpp"
 
 using namespace simulator;
@@ -115,15 +116,16 @@ int learnTo(const std::string& airplane, const Waypoints& items, const std::stri
                                                         each.name) > 0;
                                   }),
                    settings.end());
-    NativeBoard board(worldOf(airplane, items));
+    WatchedBoard board(std::make_unique<NativeBoard>(worldOf(airplane, items)));
     Tuning tuning(board, items, settings);
     tuning.learn(1);
+    const bool held = board.held();
     std::filesystem::create_directories(std::filesystem::path(found).parent_path());
     std::ofstream file(found);
     file << "# " << own << ", but for the gains, which AUTOTUNE has found.\n";
     for (const ParameterSetting& each : settings) file << each.name << "," << each.value << "\n";
     for (const char* name : kLearnt) file << name << "," << parameterNow(name) << "\n";
-    return file.good() ? 0 : 1;
+    return file.good() && held ? 0 : 1;
 }
 
 bool near(float one, float other) { return one < kFarthest * other && other < kFarthest * one; }
@@ -143,12 +145,12 @@ int main(int count, char** words) try {
     }
     const Gains right = {std::stof(words[4]), std::stof(words[5])};
     const Waypoints items = readWaypoints(words[2]);
-    NativeBoard board(worldOf(words[1], items));
+    WatchedBoard board(std::make_unique<NativeBoard>(worldOf(words[1], items)));
     Tuning tuning(board, items, settings);
     const Gains found = tuning.learn(std::stof(words[3]));
     const bool ok = near(found.roll_p, right.roll_p) && near(found.pitch_p, right.pitch_p);
     std::printf("  %s wanted about %s and %s\n", ok ? "ok    " : "FAILED", words[4], words[5]);
-    return ok ? 0 : 1;
+    return board.held() && ok ? 0 : 1;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "autotune_flight: %s\n", error.what());
     return 1;

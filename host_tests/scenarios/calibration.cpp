@@ -12,6 +12,7 @@
 #include "host_tests/scenarios/bench.hpp"
 #include "simulator/devices/hmc5883l.hpp"
 #include "simulator/ground/scripted_flight.hpp"
+#include "simulator/invariants/watched_board.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "simulator/native/native_board.hpp"
 
@@ -132,7 +133,8 @@ int main(int argc, char** argv) try {
     if (argc != 4) throw std::runtime_error("expected native|FIRMWARE apm1|apm2 MINUTES_FILE");
     const auto board = boardOf(argv[1], argv[2]);
     switchTransmitterOn(board->world());
-    Bench bench(*board);
+    WatchedBoard watched(*board);
+    Bench bench(watched);
     bench.run_s(8);
     bench.stream(mavlink::MavDataStream::raw_sensors, 10);
     if (auto* avr = dynamic_cast<AvrBoard*>(board.get())) lookAtLights(*avr, bench);
@@ -153,7 +155,7 @@ int main(int argc, char** argv) try {
              *figures.frame_max_us * 1e-3);
     std::filesystem::create_directories(std::filesystem::path(argv[3]).parent_path());
     std::ofstream(argv[3]) << static_cast<double>(board->time_us()) / 60e6 << '\n';
-    return ok ? 0 : 1;
+    return watched.held() && ok ? 0 : 1;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "calibration: %s\n", error.what());
     return 1;

@@ -16,6 +16,7 @@
 
 #include "host_tests/scenarios/flight_report.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/invariants/watched_board.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "simulator/native/native_board.hpp"
 
@@ -213,8 +214,10 @@ WorldOptions worldOf(const Waypoints& items, const Faults& faults) {
 
 bool flyAndTell(Board& board, int telemetry, const Waypoints& items, const Faults& faults,
                 double& seconds) {
-    FaultFlight flight(board, telemetry, items, faults);
-    const std::string why = flight.fly();
+    WatchedBoard watched(board);
+    FaultFlight flight(watched, telemetry, items, faults);
+    std::string why = flight.fly();
+    if (why.empty() && !watched.held()) why = "an invariant was violated";
     seconds = flight.seconds();
     std::printf("%s  %s%s%s\n", why.empty() ? "ok    " : "FAILED", nameOf(faults).c_str(),
                 why.empty() ? "" : ": ", why.c_str());

@@ -8,6 +8,7 @@
 #include "host_tests/scenarios/flight_report.hpp"
 #include "host_tests/scenarios/station.hpp"
 #include "simulator/ground/link.hpp"
+#include "simulator/invariants/watched_board.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "simulator/native/native_board.hpp"
 #include "simulator/report/recorder.hpp"
@@ -104,8 +105,9 @@ int flyAndCheck(const std::string& firmware, const WorldOptions& world,
         board = std::make_unique<NativeBoard>(world);
     else
         board = std::make_unique<AvrBoard>(firmware, world);
-    Flight flight(*board, rest...);
-    const bool kept = flight.fly();
+    WatchedBoard watched(std::move(board));
+    Flight flight(watched, rest...);
+    const bool kept = flight.fly() && watched.held();
     writeOutcome(out, minutes, flight.summary(firmware, world));
     return kept ? 0 : 1;
 }

@@ -9,6 +9,7 @@
 
 #include "host_tests/scenarios/bench.hpp"
 #include "simulator/ground/scripted_flight.hpp"
+#include "simulator/invariants/watched_board.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "simulator/native/native_board.hpp"
 
@@ -59,17 +60,17 @@ bool isFound(Board& board, Bench& bench, const Case& gps) {
 
 int main(int argc, char** argv) try {
     if (argc != 4) throw std::runtime_error("expected FIRMWARE|native apm1|apm2 MINUTES_FILE");
-    const auto board = makeBoard(argv[1], std::strcmp(argv[2], "apm1") == 0);
-    switchTransmitterOn(board->world());
-    Bench bench(*board);
+    WatchedBoard board(makeBoard(argv[1], std::strcmp(argv[2], "apm1") == 0));
+    switchTransmitterOn(board.world());
+    Bench bench(board);
     bool ok = true;
     for (const Case& gps : kCases) {
-        ok = isFound(*board, bench, gps) && ok;
+        ok = isFound(board, bench, gps) && ok;
         bench.stream(2, 10);  // GPS_RAW_INT
     }
     std::filesystem::create_directories(std::filesystem::path(argv[3]).parent_path());
-    std::ofstream(argv[3]) << static_cast<double>(board->time_us()) / 60e6 << '\n';
-    return ok ? 0 : 1;
+    std::ofstream(argv[3]) << static_cast<double>(board.time_us()) / 60e6 << '\n';
+    return board.held() && ok ? 0 : 1;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "gps_bench: %s\n", error.what());
     return 1;

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "host_tests/scenarios/flight_report.hpp"
+#include "simulator/invariants/watched_board.hpp"
 #include "simulator/native/native_board.hpp"
 
 using namespace simulator;
@@ -42,7 +43,7 @@ int main(int count, char** words) {
     const Waypoints items = readWaypoints(words[1]);
     WorldOptions world = worldAt(items, 4, 320);
     world.gusts = true;
-    NativeBoard board(world);
+    WatchedBoard board(std::make_unique<NativeBoard>(world));
     ScriptedFlight flight(board, kTelemetry, items, 1200);
     board.listen([&](int usart, uint8_t byte, uint64_t time_us) {
         if (usart == kTelemetry) flight.receive(byte, time_us);
@@ -60,7 +61,7 @@ int main(int count, char** words) {
         board.world().plugGps(next->kind, next->baud);
         plugged_s[next++ - kSwaps] = now_s;
     }
-    bool ok = flight.completed() && next == std::end(kSwaps);
+    bool ok = flight.completed() && board.held() && next == std::end(kSwaps);
     say(ok, "flown " + flight.reason());
     for (size_t i = 0; i < std::size(kSwaps); ++i) {
         const double after_s = secondsUntil(flight.telemetry(), kSwaps[i], plugged_s[i]);

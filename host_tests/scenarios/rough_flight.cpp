@@ -14,6 +14,7 @@
 #include "host_tests/scenarios/flight_scenario.hpp"
 #include "simulator/devices/at45db.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/invariants/watched_board.hpp"
 
 using namespace simulator;
 namespace fs = std::filesystem;
@@ -221,11 +222,12 @@ int main(int count, char** words) {
     const Waypoints items = readWaypoints(words[2]);
     const WorldOptions world = gustyWorldAt(items, 5, 4);
     AvrBoard board(firmware, world);
-    RoughFlight flight(board, items);
+    WatchedBoard watched(board);
+    RoughFlight flight(watched, items);
     if (count == 6) board.profileTo(words[5]);
     flight.fly();
     board.closeProfile();
-    const bool kept = flight.check();
+    const bool kept = flight.check() && watched.held();
     writeOutcome(out, minutes, flight.summary(firmware, world));
     return kept ? 0 : 1;
 }

@@ -51,14 +51,18 @@ public:
     void forgetBrownOut() { brown_out_ = false; }
     void powerReceiver(bool on, uint64_t now_us);
 
-private:
-    using Channels = std::array<uint16_t, kChannels>;
-
-    void begin();
+    // What the transmitter gives, and whether it is heard.
+    const std::array<uint16_t, kChannels>& sticks() const { return sticks_; }
     bool heard() const {
         return transmitting_ && receiver_on_ && fault_ != FaultKind::lost &&
                fault_ != FaultKind::held;
     }
+
+
+private:
+    using Channels = std::array<uint16_t, kChannels>;
+
+    void begin();
     bool sending() const;
     void noteInput();
     void takeInputs(uint64_t at_us);

@@ -68,7 +68,11 @@ AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options,
     wireMarks();
     chip_.adc().volts = [this](int pin) { return volts(pin); };
     chip_.eeprom().wear(WornCells(options.worn_cells, kEepromBytes, options.seed));
-    chip_.on_reset = [this] { restart(); };
+    chip_.on_reset = [this] {
+        ++restarts_;
+        restart();
+    };
+    clears_ = hookWrite<&AvrBoard::begun>(chip_.avr(), kMcusr, this);
     supply_.on_skip = [this](uint64_t now_us) { passTime(now_us); };
     if (wiring_.data_ready) chip_.drive(wiring_.data_ready->port, wiring_.data_ready->bit, false);
     setUsb(false);
@@ -165,6 +169,13 @@ void AvrBoard::restart() {
 void AvrBoard::showFaults() {
     chip_.twi().fail(world_.faultOf(Faulty::i2c));
     spi_line_.fail(world_.faultOf(Faulty::spi));
+}
+
+// A bootloader clears the flags of the reset, and so does the program first of all: the last one
+// was the program.
+void AvrBoard::begun(uint16_t address, uint8_t value) {
+    clears_(chip_.avr(), address, value);
+    begun_us_ = time_us();
 }
 
 bool AvrBoard::runUntil(uint64_t time_us) {

@@ -33,6 +33,8 @@ public:
     size_t unsent(int usart) const override { return feeds_.at(usart).unsent(); }
     void setUsb(bool plugged) override;
     void reset() override { chip_.reset(Reset::external); }
+    unsigned restarts() const override { return restarts_; }
+    uint64_t begun_us() const override { return begun_us_; }
     std::vector<uint8_t> eeprom() const override { return chip_.eeprom().contents(); }
     void setEeprom(const std::vector<uint8_t>& image) override;
     World& world() override { return world_; }
@@ -63,6 +65,7 @@ private:
     void wireOutputs();
     void wireMarks();
     void restart();
+    void begun(uint16_t address, uint8_t value);
 
     void portChanged();
     void selectSensors();
@@ -102,6 +105,9 @@ private:
     bool converter_chosen_ = false;
     bool data_ready_ = false;
     uint64_t contentions_ = 0;
+    unsigned restarts_ = 0;
+    uint64_t begun_us_ = 0;
+    WriteChain clears_;
 };
 
 }  // namespace simulator

@@ -31,6 +31,12 @@ std::string cards(const Summary& s) {
            "</div>\n";
 }
 
+std::string violations(const Summary& s) {
+    if (s.violations.empty()) return "";
+    return htmlSection("Violations", violationTable(s),
+                       "What must hold in every flight, and did not.");
+}
+
 std::string conditions(const Summary& s) {
     if (s.from_log) return "as the airplane has logged it";
     if (s.wind_mps <= 0 && !s.gusts) return "calm air · seed " + std::to_string(s.seed);
@@ -50,7 +56,7 @@ std::string reportPage(const Summary& summary, const std::vector<Sample>& sample
            (summary.completed ? "" : " bad") + "\">" + escaped(verdict) + "</span></header>\n" +
            "<p class=\"sub\">" + escaped(summary.mission) + " · " + escaped(summary.firmware) +
            " on " + escaped(summary.board) + " · " + escaped(conditions(summary)) + "</p>\n" +
-           cards(summary) + "<div class=\"map\">" +
+           cards(summary) + violations(summary) + "<div class=\"map\">" +
            htmlSection("Ground track", charts.map(),
                        std::string("Dots: the places of the mission's NAV commands. ") +
                            (summary.from_log

@@ -109,6 +109,7 @@ std::string summaryJson(const Summary& summary) {
     addFigures(json, summary.figures, summary.task_names);
     json["events"] = list(summary.events);
     json["texts"] = list(summary.texts);
+    json["violations"] = list(summary.violations);
     // texts come from outside: a byte that is no UTF-8 is replaced, not thrown over
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

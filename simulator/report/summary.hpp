@@ -39,8 +39,8 @@ struct Summary {
     std::optional<uint64_t> imu_samples, imu_samples_lost, imu_samples_repeated;
     uint64_t model_answers_skipped = 0;  // of a flight model elsewhere: not understood
     BoardFigures figures;
-    std::vector<TaskName> task_names;  // empty: numbers must do
-    std::vector<Event> events, texts;
+    std::vector<TaskName> task_names;              // empty: numbers must do
+    std::vector<Event> events, texts, violations;  // of invariants: none in a good flight
 
     void setSamples(const SampleCount& imu) {
         imu_samples = imu.made;

@@ -124,6 +124,13 @@ std::string eventTable(const Summary& summary) {
     return table.done();
 }
 
+std::string violationTable(const Summary& summary) {
+    if (summary.violations.empty()) return "";
+    Table table({"invariant", "time, s"});
+    for (const Event& each : summary.violations) table.row({each.text, fixed(each.time_s, 2)});
+    return table.done();
+}
+
 std::string taskTable(const Summary& summary) {
     if (summary.figures.tasks.empty()) return "";
     Table table({"task", "every, frames", "runs", "mean, µs", "longest, µs", "budget, µs"});

@@ -9,6 +9,7 @@ namespace simulator {
 
 std::string summaryTable(const Summary& summary);
 std::string eventTable(const Summary& summary);
+std::string violationTable(const Summary& summary);
 std::string taskTable(const Summary& summary);
 std::string interruptTable(const BoardFigures& figures, double emulated_s);
 std::string errorTable();

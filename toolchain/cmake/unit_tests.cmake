@@ -32,7 +32,7 @@ endforeach()
 target_compile_definitions(firmware_safety_test PRIVATE FAILSAFE_MANUAL="${CMAKE_SOURCE_DIR}/docs/failsafes.md")
 target_compile_definitions(firmware_modes_test PRIVATE FAILSAFE_MANUAL="${CMAKE_SOURCE_DIR}/docs/failsafes.md")
 
-foreach(part IN ITEMS airplane devices world output_file ground native report)
+foreach(part IN ITEMS airplane devices world output_file ground native report invariants)
     unit_test(unit/simulator/${part} simulator_report simulator_ground simulator_native simulator_world)
 endforeach()
 target_compile_definitions(airplane_test PRIVATE AIRPLANES="${CMAKE_SOURCE_DIR}/simulator/airplanes")

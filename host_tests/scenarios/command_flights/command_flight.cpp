@@ -18,6 +18,7 @@
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/item.hpp"
 #include "host_tests/scenarios/flight_report.hpp"
+#include "simulator/invariants/watched_board.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "toolchain/mission_tool/load.hpp"
 
@@ -79,11 +80,12 @@ public:
         : document_(document),
           items_(itemsOf(document)),
           board_(firmware, worldAt(items_)),
-          flight_(board_, kTelemetry, items_, kTimeLimit_s),
-          usb_(board_, kUsb, [this](const mavlink::Frame& f, uint64_t) { take(f, kUsbSent); }),
-          telemetry_(board_, kTelemetry,
+          watched_(board_),
+          flight_(watched_, kTelemetry, items_, kTimeLimit_s),
+          usb_(watched_, kUsb, [this](const mavlink::Frame& f, uint64_t) { take(f, kUsbSent); }),
+          telemetry_(watched_, kTelemetry,
                      [this](const mavlink::Frame& f, uint64_t) { take(f, kTelemetrySent); }) {
-        board_.listen(
+        watched_.listen(
             [this](int usart, uint8_t byte, uint64_t at_us) { hear(usart, byte, at_us); });
         watchMarks();
         board_.setUsb(true);
@@ -138,7 +140,7 @@ private:
     }
 
     void step() {
-        if (!board_.runUntil(++steps_ * kStep_us)) flight_.stop(board_.fault());
+        if (!watched_.runUntil(++steps_ * kStep_us)) flight_.stop(board_.fault());
         if (seconds() < kSetUp_s) imu_from_ = board_.world().imu().samples();
         Sample sample;
         for (int i = 1; i <= 8; ++i)
@@ -215,6 +217,7 @@ private:
     const Document& document_;
     const Waypoints items_;
     AvrBoard board_;
+    WatchedBoard watched_;
     ScriptedFlight flight_;
     Link usb_, telemetry_;
     CommandLog log_;
@@ -285,6 +288,7 @@ bool CommandFlight::check() {
     kept = say(flight_.landed_s() && !board_.world().truth().crashed, "it landed") && kept;
     kept = say(log_.navsFinished() == navs(), "every NAV was reached in its turn") && kept;
     kept = say(board_.figures().frame_overruns == 0u, "no frame was late") && kept;
+    kept = say(watched_.held(), "no invariant was violated") && kept;
     kept_all_ = say(seconds() < kTimeLimit_s, "in six minutes") && kept;
     if (kept_all_) return true;
     printEvents(flight_);

@@ -13,6 +13,7 @@
 #include "firmware/mission/mission.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "host_tests/scenarios/flight_scenario.hpp"
+#include "simulator/invariants/watched_board.hpp"
 
 using namespace simulator;
 namespace fs = std::filesystem;
@@ -244,9 +245,9 @@ int main(int count, char** words) {
         return 2;
     }
     const Waypoints items = readWaypoints(words[1]);
-    NativeBoard board(worldAt(items, 4, 330));
+    WatchedBoard board(std::make_unique<NativeBoard>(worldAt(items, 4, 330)));
     BeyondFlight flight(board, items);
-    const bool kept = flight.fly();
+    const bool kept = flight.fly() && board.held();
     writeMinutes(fs::path(words[2]) / "native_beyond", flight.seconds() / 60);
     return kept ? 0 : 1;
 }

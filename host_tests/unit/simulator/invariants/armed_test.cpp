@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "host_tests/unit/simulator/invariants/flown.hpp"
+
+namespace simulator::invariants {
+
+using mavlink::MavCmd;
+
+// With the surfaces in motion, as in the air.
+void flyFor(Flown& flown, double seconds) {
+    for (double s = 0; s < seconds - 0.005; s += 0.05) {
+        flown.now.servo_us[0] = flown.now.servo_us[0] > 1500 ? 1490 : 1510;
+        flown.run(0.05);
+    }
+}
+
+Flown flying() {
+    Flown flown;
+    flown.run(2);
+    flown.inTheAir();
+    flyFor(flown, 10);
+    return flown;
+}
+
+TEST(ArmedInTheAir, DisarmingInTheAirIsSeen) {
+    Flown flown = flying();
+    flown.armed = false;
+    flyFor(flown, 2);
+    EXPECT_EQ(flown.violated(), "armed_in_the_air ");
+}
+
+TEST(ArmedInTheAir, ACommandMustBeForced) {
+    constexpr float kForce = 21196;
+    Flown asked = flying(), forced = flying();
+    asked.command(MavCmd::component_arm_disarm, 0);
+    forced.command(MavCmd::component_arm_disarm, 0, kForce);
+    asked.armed = forced.armed = false;
+    flyFor(asked, 2);
+    flyFor(forced, 2);
+    EXPECT_EQ(asked.violated(), "armed_in_the_air ");
+    EXPECT_EQ(forced.violated(), "");
+}
+
+TEST(ArmedInTheAir, OnTheGroundItIsLawful) {
+    Flown flown = flying();
+    flown.onTheGround();
+    flown.run(2);
+    flown.armed = false;
+    flown.run(2);
+    EXPECT_EQ(flown.violated(), "");
+}
+
+TEST(FliesOnAfterARestart, SurfacesMoveAgainAndItIsArmed) {
+    Flown flown = flying();
+    flown.watch.provokedRestart(true);
+    flown.restart();
+    flown.run(0.4);
+    flyFor(flown, 4);
+    EXPECT_EQ(flown.violated(), "");
+}
+
+TEST(FliesOnAfterARestart, SurfacesThatStandTooLongAreSeen) {
+    Flown flown = flying();
+    flown.watch.provokedRestart(true);
+    flown.restart();
+    flown.run(0.6);
+    flyFor(flown, 4);
+    EXPECT_EQ(flown.violated(), "restart_in_the_air ");
+}
+
+TEST(FliesOnAfterARestart, DisarmedIsSeenUnlessItWasTheButton) {
+    for (const bool survivable : {true, false}) {
+        Flown flown = flying();
+        flown.watch.provokedRestart(survivable);
+        flown.restart();
+        flown.armed = false;
+        flyFor(flown, 4);
+        EXPECT_EQ(flown.violated(), survivable ? "restart_in_the_air " : "");
+    }
+}
+
+TEST(NoRestartByItself, ARestartThatNobodyMadeIsSeen) {
+    Flown made, by_itself, asked;
+    for (Flown* flown : {&made, &by_itself, &asked}) flown->run(5);
+    made.watch.provokedRestart(false);
+    asked.command(MavCmd::preflight_reboot_shutdown, 1);
+    for (Flown* flown : {&made, &by_itself, &asked}) {
+        flown->restart();
+        flown->run(1);
+    }
+    EXPECT_EQ(made.violated(), "");
+    EXPECT_EQ(by_itself.violated(), "restart_by_itself ");
+    EXPECT_EQ(asked.violated(), "");
+}
+
+TEST(FrameInTime, ALateFrameAndAStackTooDeepAreSeen) {
+    Flown well, late, deep;
+    well.figures.frame_overruns = 0;
+    late.figures.frame_overruns = 1;
+    well.figures.ram_static_bytes = deep.figures.ram_static_bytes = 7000;
+    well.figures.stack_max_bytes = 1192;
+    deep.figures.stack_max_bytes = 1193;
+    EXPECT_EQ(well.violated(), "");
+    EXPECT_EQ(late.violated(), "late_frame ");
+    EXPECT_EQ(deep.violated(), "late_frame ");
+}
+
+}  // namespace simulator::invariants

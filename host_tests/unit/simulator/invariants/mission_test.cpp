@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "host_tests/unit/simulator/invariants/flown.hpp"
+
+namespace simulator::invariants {
+
+using mavlink::MavCmd;
+
+// Item 0 is home; 4 is a jump to 2.
+constexpr uint16_t kMission[] = {16, 22, 16, MavCmd::do_change_speed, MavCmd::do_jump, 16, 16, 21};
+
+void upload(Flown& flown, uint8_t result = 0) {
+    mavlink::MissionCount count{};
+    count.count = std::size(kMission);
+    flown.sent(count);
+    for (uint16_t i = 0; i < std::size(kMission); ++i) {
+        mavlink::MissionItemInt item{};
+        item.seq = i;
+        item.command = kMission[i];
+        if (item.command == MavCmd::do_jump) item.param1 = 2;
+        flown.sent(item);
+    }
+    mavlink::MissionAck ack{};
+    ack.type = result;
+    flown.told(ack);
+}
+
+void current(Flown& flown, uint16_t item) {
+    mavlink::MissionCurrent message{};
+    message.seq = item;
+    flown.told(message);
+    flown.run(5);
+}
+
+void reached(Flown& flown, uint16_t item) {
+    mavlink::MissionItemReached message{};
+    message.seq = item;
+    flown.told(message);
+}
+
+Flown flownTo(uint16_t item) {
+    Flown flown;
+    flown.mode = 10;
+    upload(flown);
+    flown.run(10);
+    current(flown, item);
+    return flown;
+}
+
+TEST(MissionDoesNotJump, FromAnItemToTheNext) {
+    Flown flown = flownTo(1);
+    reached(flown, 1);
+    current(flown, 2);
+    EXPECT_EQ(flown.violated(), "");
+}
+
+TEST(MissionDoesNotJump, TheItemMustHaveBeenReached) {
+    Flown flown = flownTo(1);
+    current(flown, 2);
+    EXPECT_EQ(flown.violated(), "mission_jump ");
+}
+
+TEST(MissionDoesNotJump, OneThatIsLeftOutIsSeen) {
+    Flown flown = flownTo(5);
+    reached(flown, 5);
+    current(flown, 7);
+    EXPECT_EQ(flown.violated(), "mission_jump ");
+}
+
+TEST(MissionDoesNotJump, WhereAJumpLeadsAndBehindIt) {
+    for (const uint16_t to : {2, 5}) {
+        Flown flown = flownTo(2);
+        reached(flown, 2);
+        if (to == 2) current(flown, 1), flown = flownTo(2), reached(flown, 2);
+        current(flown, to);
+        EXPECT_EQ(flown.violated(), "") << to;
+    }
+    Flown flown = flownTo(2);
+    reached(flown, 2);
+    current(flown, 6);
+    EXPECT_EQ(flown.violated(), "mission_jump ");
+}
+
+TEST(MissionDoesNotJump, TwoThatAreOverAtOnce) {
+    Flown flown = flownTo(5);
+    reached(flown, 5);
+    reached(flown, 6);
+    current(flown, 7);
+    EXPECT_EQ(flown.violated(), "");
+}
+
+TEST(MissionDoesNotJump, SetByCommand) {
+    Flown flown = flownTo(2);
+    mavlink::MissionSetCurrent set{};
+    set.seq = 6;
+    flown.sent(set);
+    current(flown, 6);
+    EXPECT_EQ(flown.violated(), "");
+}
+
+TEST(MissionDoesNotJump, AGoAroundBeginsTheLandingAgainAfterItsClimb) {
+    for (const bool ordered : {true, false}) {
+        Flown flown = flownTo(7);
+        if (ordered) flown.command(MavCmd::do_go_around);
+        flown.run(30);
+        current(flown, 6);
+        EXPECT_EQ(flown.violated(), ordered ? "" : "mission_jump ");
+    }
+}
+
+TEST(MissionDoesNotJump, AMissionThatWasRefusedSaysNothing) {
+    Flown flown;
+    flown.mode = 10;
+    upload(flown, 4);
+    flown.run(10);
+    current(flown, 1);
+    current(flown, 6);
+    EXPECT_EQ(flown.violated(), "");
+}
+
+}  // namespace simulator::invariants

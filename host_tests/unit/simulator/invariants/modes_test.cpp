@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "host_tests/unit/simulator/invariants/flown.hpp"
+
+namespace simulator::invariants {
+
+Flown inAMode() {
+    Flown flown;
+    flown.run(20);
+    return flown;
+}
+
+TEST(ModeHasACause, AChangeByItselfIsSeen) {
+    Flown flown = inAMode();
+    flown.mode = 11;
+    flown.run(5);
+    EXPECT_EQ(flown.violated(), "mode_without_cause ");
+}
+
+struct Reason {
+    const char* name;
+    void (*give)(Flown&);
+};
+TEST(ModeHasACause, WhatMayChangeIt) {
+    const Reason reasons[] = {
+        {"the switch", [](Flown& flown) { flown.now.stick_us[7] = 1165; }},
+        {"a command", [](Flown& flown) { flown.command(mavlink::MavCmd::nav_return_to_launch); }},
+        {"a failsafe", [](Flown& flown) { flown.text("Failsafe: mode 11"); }},
+        {"the radio", [](Flown& flown) { flown.now.transmitting = false; }},
+        {"the mission's end", [](Flown& flown) { flown.text("Mission complete"); }},
+    };
+    for (const Reason& reason : reasons) {
+        Flown flown = inAMode();
+        reason.give(flown);
+        flown.run(0.5);
+        flown.mode = 11;
+        flown.run(5);
+        EXPECT_EQ(flown.violated(), "") << reason.name;
+    }
+}
+
+TEST(ModeHasACause, WhatDoesNot) {
+    const Reason others[] = {
+        {"a stick", [](Flown& flown) { flown.now.stick_us[0] = 1900; }},
+        {"another command", [](Flown& flown) { flown.command(mavlink::MavCmd::do_set_servo); }},
+        {"another text", [](Flown& flown) { flown.text("Compass lost"); }},
+    };
+    for (const Reason& other : others) {
+        Flown flown = inAMode();
+        other.give(flown);
+        flown.run(0.5);
+        flown.mode = 11;
+        flown.run(5);
+        EXPECT_EQ(flown.violated(), "mode_without_cause ") << other.name;
+    }
+}
+
+TEST(ModeHasACause, ACauseOfThreeSecondsAgoIsNone) {
+    Flown flown = inAMode();
+    flown.command(mavlink::MavCmd::nav_return_to_launch);
+    flown.run(4);
+    flown.mode = 11;
+    flown.run(5);
+    EXPECT_EQ(flown.violated(), "mode_without_cause ");
+}
+
+}  // namespace simulator::invariants

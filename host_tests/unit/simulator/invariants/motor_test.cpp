@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "host_tests/unit/simulator/invariants/flown.hpp"
+
+namespace simulator::invariants {
+
+using mavlink::MavCmd;
+
+TEST(MotorIdleWhenDisarmed, APulseWhileDisarmedIsSeen) {
+    Flown flown;
+    flown.run(5);
+    flown.now.servo_us[2] = 1300;
+    flown.run(0.1);
+    flown.now.servo_us[2] = 1100;
+    flown.run(2);
+    EXPECT_EQ(flown.violated(), "motor_idle_disarmed ");
+}
+
+TEST(MotorIdleWhenDisarmed, ArmedForAMomentBetweenTwoHeartbeatsIsLawful) {
+    Flown flown;
+    flown.run(5.1);
+    flown.command(MavCmd::component_arm_disarm, 1);
+    flown.now.servo_us[2] = 1300;
+    flown.run(0.1);
+    flown.now.servo_us[2] = 1100;
+    flown.run(2);
+    EXPECT_EQ(flown.violated(), "");
+}
+
+TEST(MotorIdleWhenDisarmed, ItsIdleIsThatOfItsStart) {
+    Flown low;
+    low.now.servo_us[2] = 1000;
+    low.run(5);
+    low.now.servo_us[2] = 1010;
+    low.run(2);
+    EXPECT_EQ(low.violated(), "motor_idle_disarmed ");
+    Flown high;  // that no controller takes for off
+    high.now.servo_us[2] = 1150;
+    high.run(5);
+    EXPECT_EQ(high.violated(), "motor_idle_disarmed ");
+}
+
+TEST(MotorIdleWhenDisarmed, AClosedEndSetWhileDisarmedCountsOnceItWasArmedSo) {
+    Flown never;
+    never.run(5);
+    never.parameter("RC3_MIN", 1200);
+    never.now.servo_us[2] = 1200;
+    never.run(3);
+    EXPECT_EQ(never.violated(), "motor_idle_disarmed ");
+    Flown armed;
+    armed.run(5);
+    armed.parameter("RC3_MIN", 1200);
+    armed.armed = true;
+    armed.run(1.5);
+    armed.now.servo_us[2] = 1200;
+    armed.armed = false;
+    armed.run(3);
+    EXPECT_EQ(armed.violated(), "");
+}
+
+Flown standsArmedIn(uint32_t mode) {
+    Flown flown;
+    flown.mode = mode;
+    flown.run(5);
+    flown.armed = true;
+    flown.run(10);
+    flown.now.servo_us[2] = 1600;
+    return flown;
+}
+
+TEST(MotorIdleOnTheGround, AMotorThatNobodyAskedForIsSeen) {
+    Flown flown = standsArmedIn(12);  // LOITER
+    flown.run(4);
+    EXPECT_EQ(flown.violated(), "motor_idle_standing ");
+}
+
+TEST(MotorIdleOnTheGround, TheMissionAndThePilotMayAskForIt) {
+    Flown mission = standsArmedIn(10);
+    mission.run(4);
+    EXPECT_EQ(mission.violated(), "");
+    Flown pilot = standsArmedIn(5);
+    pilot.now.stick_us[2] = 1600;
+    pilot.run(4);
+    EXPECT_EQ(pilot.violated(), "");
+}
+
+TEST(MotorIdleOnTheGround, AClosedStickAsksForNothing) {
+    Flown flown = standsArmedIn(5);
+    flown.run(7);
+    EXPECT_EQ(flown.violated(), "motor_idle_standing ");
+}
+
+TEST(MotorIdleOnTheGround, AStickCountsOnlyInAModeThatObeysIt) {
+    Flown flown = standsArmedIn(7);  // CRUISE waits for the flight
+    flown.now.stick_us[2] = 1600;
+    flown.run(4);
+    EXPECT_EQ(flown.violated(), "motor_idle_standing ");
+}
+
+}  // namespace simulator::invariants

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "host_tests/unit/simulator/invariants/flown.hpp"
+
+namespace simulator::invariants {
+
+Flown stands() {
+    Flown flown;
+    flown.tells_place = true;
+    flown.place.lat = 470000000;
+    flown.place.lon = 80000000;
+    flown.place.alt = 488000;
+    flown.run(30);
+    return flown;
+}
+
+struct Told {
+    const char* name;
+    void (*lawful)(Flown&);
+    void (*false_one)(Flown&);
+};
+
+TEST(StandsStill, WhatIsToldOfAnAirplaneThatStands) {
+    const Told all[] = {
+        {"place", [](Flown& flown) { flown.place.lat += 1900; },  // 21 m
+         [](Flown& flown) { flown.place.lat += 2100; }},
+        {"speed", [](Flown& flown) { flown.place.vx = 290; },
+         [](Flown& flown) { flown.place.vx = 310; }},
+        {"height", [](Flown& flown) { flown.place.alt += 14500; },
+         [](Flown& flown) { flown.place.alt -= 15500; }},
+        {"airspeed", [](Flown& flown) { flown.hud.airspeed = 4.9f; },
+         [](Flown& flown) { flown.hud.airspeed = 5.1f; }},
+    };
+    for (const Told& each : all) {
+        Flown lawful = stands(), false_one = stands();
+        each.lawful(lawful);
+        each.false_one(false_one);
+        lawful.run(3);
+        false_one.run(3);
+        EXPECT_EQ(lawful.violated(), "") << each.name;
+        EXPECT_EQ(false_one.violated(), "told_standing ") << each.name;
+    }
+}
+
+TEST(StandsStill, InWindTheAirspeedIsThere) {
+    Flown flown = stands();
+    flown.now.truth.equivalent_airspeed_mps = 8;
+    flown.hud.airspeed = 10;
+    flown.run(3);
+    EXPECT_EQ(flown.violated(), "");
+}
+
+TEST(StandsStill, NotInTheFirstSecondsNorWhileASensorFails) {
+    Flown early, faulty = stands();
+    early.tells_place = true;
+    early.place.lat = 460000000;
+    early.place.lon = 80000000;
+    early.run(20);
+    EXPECT_EQ(early.violated(), "");
+    faulty.now.faulty[4] = true;
+    faulty.run(1);
+    faulty.place.vx = 900;
+    faulty.run(50);
+    EXPECT_EQ(faulty.violated(), "");
+}
+
+}  // namespace simulator::invariants

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Armed in the air, and armed again after a restart there.
+#include <algorithm>
+#include <cmath>
+
+#include "simulator/invariants/invariant.hpp"
+#include "simulator/invariants/modes_of_flight.hpp"
+
+namespace simulator::invariants {
+namespace {
+
+constexpr double kHigh_m = 5;
+
+bool inTheAir(const Truth& truth) { return !truth.on_ground && truth.height_m > kHigh_m; }
+
+// From an armed heartbeat to a disarmed one, high above the ground all the time.
+class ArmedInTheAir : public Invariant {
+    void frame(const Snapshot& now, const History& history, const Report& report) override {
+        if (!inTheAir(now.truth)) low_s_ = now.time_s();
+        if (history.heartbeats() == heartbeats_) return;
+        heartbeats_ = history.heartbeats();
+        const Heard &before = history.heardBefore(), &after = history.heard();
+        if (!before.armed || after.armed) return;
+        const double from_s = before.time_s - 1.5;
+        const bool caused = history.within(Cause::forces, from_s, after.time_s) ||
+                            history.within(Cause::restart, from_s, after.time_s);
+        if (caused || low_s_ > before.time_s - 1) return;
+        report(after.time_s, text("disarmed %.0f m above the ground", now.truth.height_m));
+    }
+
+    uint64_t heartbeats_ = 0;
+    double low_s_ = kNever_s;
+};
+
+// The surfaces are still for as long as the processor starts, then in the airplane's own motion.
+class FliesOnAfterARestart : public Invariant {
+    void frame(const Snapshot& now, const History& history, const Report& report) override {
+        const double now_s = now.time_s();
+        if (now.restarts != restarts_ && waiting_s_ <= 0 && fliesOn()) begin(now_s);
+        restarts_ = now.restarts;
+        if (!inTheAir(now.truth) || now.truth.crashed || !history.heard().armed) low_s_ = now_s;
+        faulty_ = now.faulty[static_cast<size_t>(Faulty::imu)];
+        before_s_ = now_s;
+        if (waiting_s_ > 0) look(now, history, report);
+        pulses_ = now.servo_us;
+    }
+    void provoked(const Provoked& what) override { survivable_ = what.survivable; }
+
+    // Long enough in the air that the record of the flight says so.
+    bool fliesOn() const {
+        constexpr double kFlies_s = 5;
+        return survivable_ && !faulty_ && before_s_ - low_s_ > kFlies_s;
+    }
+    void begin(double now_s) {
+        waiting_s_ = now_s;
+        moved_after_s_ = -1;
+    }
+
+    void look(const Snapshot& now, const History& history, const Report& report) {
+        constexpr double kMovesWithin_s = 0.5, kHeartbeats_s = 3;
+        const double now_s = now.time_s(), begun_s = static_cast<double>(now.begun_us) * 1e-6;
+        if (now.truth.crashed || now.truth.on_ground) return void(waiting_s_ = 0);
+        if (begun_s < waiting_s_ - 0.02) return;  // the bootloader has the processor
+        for (const size_t surface : {0, 1, 3})
+            if (moved_after_s_ < 0 && pulses_[surface] > 0 && now.servo_us[surface] > 0 &&
+                std::abs(pulses_[surface] - now.servo_us[surface]) > 1)
+                moved_after_s_ = now_s - begun_s;
+        if (now_s < begun_s + kHeartbeats_s) return;
+        waiting_s_ = 0;
+        const bool heard = history.heard().time_s > begun_s + 1;
+        if (heard && !history.heard().armed && !history.within(Cause::forces, begun_s - 1, now_s))
+            report(now_s,
+                   text("disarmed after a restart %.0f m above the ground", now.truth.height_m));
+        const bool still = moved_after_s_ < 0 || moved_after_s_ > kMovesWithin_s;
+        if (still && !pilotHasTheSurfaces(history.heard().mode))
+            report(now_s, text("no surface moved within 0.5 s of a restart; after %.2f s",
+                               moved_after_s_));
+    }
+
+    unsigned restarts_ = 0;
+    bool survivable_ = false, faulty_ = false;
+    double low_s_ = 0, before_s_ = 0, waiting_s_ = 0, moved_after_s_ = -1;
+    std::array<double, 8> pulses_{};
+};
+
+}  // namespace
+
+std::unique_ptr<Invariant> armedInTheAir() { return std::make_unique<ArmedInTheAir>(); }
+std::unique_ptr<Invariant> fliesOnAfterARestart() {
+    return std::make_unique<FliesOnAfterARestart>();
+}
+
+}  // namespace simulator::invariants
