@@ -44,7 +44,11 @@ class FliesOnAfterARestart : public Invariant {
         if (waiting_s_ > 0) look(now, history, report);
         pulses_ = now.servo_us;
     }
-    void provoked(const Provoked& what) override { survivable_ = what.survivable; }
+    // After the button it starts disarmed, and what comes next finds it so.
+    void provoked(const Provoked& what) override {
+        survivable_ = what.survivable;
+        if (!survivable_) waiting_s_ = 0, low_s_ = before_s_;
+    }
 
     // Long enough in the air that the record of the flight says so.
     bool fliesOn() const {

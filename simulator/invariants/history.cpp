@@ -96,11 +96,33 @@ void History::frame(const Snapshot& now) {
         fault = fault || now.faulty[i];
     }
     if (fault) mark(Cause::fault, now_s);
+    // the sticks are the pilot's again when no more come for 3 s, which moves them as well
+    constexpr double kOverrideLasts_s = 3.1;
+    if (now_s - override_s_ < kOverrideLasts_s) mark(Cause::overrides, now_s);
     before_ = now;
 }
 
+void History::mark(Cause cause, double now_s) {
+    constexpr double kSame_s = 0.05;
+    constexpr size_t kSpans = 20;
+    std::vector<Span>& spans = causes_[static_cast<size_t>(cause)];
+    if (!spans.empty() && now_s - spans.back().to_s < kSame_s)
+        spans.back().to_s = now_s;
+    else
+        spans.push_back({now_s, now_s});
+    if (spans.size() > kSpans) spans.erase(spans.begin());
+}
+
+double History::last_s(Cause cause) const {
+    const auto& spans = causes_[static_cast<size_t>(cause)];
+    return spans.empty() ? kNever_s : spans.back().to_s;
+}
+
 bool History::within(Cause cause, double from_s, double to_s) const {
-    return last_s(cause) >= from_s && last_s(cause) <= to_s;
+    const auto& spans = causes_[static_cast<size_t>(cause)];
+    return std::any_of(spans.begin(), spans.end(), [&](const Span& span) {
+        return span.to_s >= from_s && span.from_s <= to_s;
+    });
 }
 
 bool History::saidWithin(const char* begins, double from_s, double to_s) const {
@@ -138,7 +160,7 @@ void History::current(int item) {
     ++item_changes_;
 }
 
-void History::told(const Frame& frame, double now_s) {
+void History::received(const Frame& frame, double now_s) {
     if (const auto m = as<Heartbeat>(frame)) heartbeat(*m, now_s);
     if (const auto m = as<Statustext>(frame)) text(*m, now_s);
     if (const auto m = as<MissionCurrent>(frame)) current(m->seq);
@@ -153,7 +175,7 @@ void History::told(const Frame& frame, double now_s) {
         if (asked != asked_s_.end() && now_s - asked->second < kAnswer_s)
             set_[name] = m->param_value;
     }
-    plan_.told(frame);
+    plan_.received(frame);
 }
 
 void History::command(uint16_t number, float param1, float param2, double now_s) {
@@ -169,6 +191,7 @@ void History::sent(const Frame& frame, double now_s) {
         if (row.id == frame.id) mark(row.cause, now_s);
     if (const auto m = as<CommandLong>(frame)) command(m->command, m->param1, m->param2, now_s);
     if (const auto m = as<CommandInt>(frame)) command(m->command, m->param1, m->param2, now_s);
+    if (frame.id == Wire<RcChannelsOverride>::id) override_s_ = now_s;
     if (const auto m = as<ParamSet>(frame)) asked_s_[nameIn(m->param_id)] = now_s;
     plan_.sent(frame);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What came before a frame: what the board has told on its links, what ground stations have sent,
+// What came before a frame: what the board has sent on its links, what ground stations have sent,
 // and when the pilot, the world or the processor last gave a cause for something.
 #pragma once
 #include <map>
@@ -42,11 +42,11 @@ enum class Cause {
 class History {
 public:
     void frame(const Snapshot& now);
-    void told(const mavlink::Frame& frame, double now_s);
+    void received(const mavlink::Frame& frame, double now_s);
     void sent(const mavlink::Frame& frame, double now_s);
 
-    bool within(Cause cause, double from_s, double to_s) const;  // its last time
-    double last_s(Cause cause) const { return last_s_[static_cast<size_t>(cause)]; }
+    bool within(Cause cause, double from_s, double to_s) const;
+    double last_s(Cause cause) const;
     double faulted_s(Faulty sensor) const { return faulted_s_[static_cast<size_t>(sensor)]; }
     // A text that begins so, in this time.
     bool saidWithin(const char* begins, double from_s, double to_s) const;
@@ -68,13 +68,16 @@ public:
     const std::map<std::string, float>& parametersSet() const { return set_; }
 
 private:
-    void mark(Cause cause, double now_s) { last_s_[static_cast<size_t>(cause)] = now_s; }
+    struct Span {
+        double from_s, to_s;
+    };
+    void mark(Cause cause, double now_s);
     void command(uint16_t number, float param1, float param2, double now_s);
     void heartbeat(const mavlink::Heartbeat& message, double now_s);
     void text(const mavlink::Statustext& message, double now_s);
     void current(int item);
 
-    std::array<double, static_cast<size_t>(Cause::count)> last_s_ = filled();
+    std::array<std::vector<Span>, static_cast<size_t>(Cause::count)> causes_;  // the newest
     std::array<double, kFaulty> faulted_s_ = {kNever_s, kNever_s, kNever_s,
                                               kNever_s, kNever_s, kNever_s};
     Snapshot before_;
@@ -83,7 +86,7 @@ private:
     int item_ = -1, item_before_ = -1;
     std::optional<mavlink::GlobalPositionInt> position_;
     std::optional<mavlink::VfrHud> hud_;
-    double position_s_ = kNever_s, hud_s_ = kNever_s;
+    double position_s_ = kNever_s, hud_s_ = kNever_s, override_s_ = kNever_s;
     struct Said {
         double time_s;
         std::string text;
@@ -91,15 +94,9 @@ private:
     std::vector<Said> said_;
     std::map<int, double> reached_s_;
     PlanOnTheWire plan_;
-    std::map<std::string, float> values_;  // as told
+    std::map<std::string, float> values_;  // as reported
     std::map<std::string, float> set_;     // and asked for before: the acknowledged writes
     std::map<std::string, double> asked_s_;
-
-    static std::array<double, static_cast<size_t>(Cause::count)> filled() {
-        std::array<double, static_cast<size_t>(Cause::count)> all{};
-        all.fill(kNever_s);
-        return all;
-    }
 };
 
 }  // namespace simulator::invariants

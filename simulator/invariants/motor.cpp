@@ -11,7 +11,7 @@ namespace simulator::invariants {
 namespace {
 
 constexpr size_t kMotor = 2;
-constexpr double kMostIdle_us = 1100;  // what every motor controller takes for off
+constexpr double kMaxIdle_us = 1100;  // what every motor controller takes for off
 constexpr double kTick_us = 2;
 
 // The pulse that is off: what the board sends first, at most 1100 us; once it was armed, the
@@ -22,7 +22,7 @@ public:
         const double now_s = now.time_s(), pulse_us = now.servo_us[kMotor];
         if (now.restarts != restarts_) boot_us_ = 0;
         restarts_ = now.restarts;
-        if (boot_us_ <= 0) boot_us_ = std::min(pulse_us, kMostIdle_us);
+        if (boot_us_ <= 0) boot_us_ = std::min(pulse_us, kMaxIdle_us);
         constexpr double kText_s = 0.5;
         if (history.heard().armed || history.saidWithin("Throttle armed", now_s - kText_s, now_s))
             armed_us_ = closedEnd_us(history);

@@ -71,7 +71,7 @@ void PlanOnTheWire::sent(const Frame& frame) {
             item(planItem(*each, degreesE7(each->x), degreesE7(each->y)));
 }
 
-void PlanOnTheWire::told(const Frame& frame) {
+void PlanOnTheWire::received(const Frame& frame) {
     const auto ack = as<MissionAck>(frame);
     if (!ack || ack->mission_type != kMissionType || !count_) return;
     if (ack->type == MavMissionResult::accepted) {

@@ -23,7 +23,7 @@ using Plan = std::vector<PlanItem>;
 class PlanOnTheWire {
 public:
     void sent(const mavlink::Frame& frame);
-    void told(const mavlink::Frame& frame);
+    void received(const mavlink::Frame& frame);
 
     // Empty: nobody here has sent one, or it can not be known which of two was stored.
     const std::optional<Plan>& plan() const { return plan_; }

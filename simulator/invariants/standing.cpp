@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is told of an airplane that stands: where it is, and that it does not move. The bounds are
-// the sensors' errors (simulator/devices/errors.hpp) with room for what the filters make of them:
-// the position wanders by 0.6 m one sigma and the height by 1.5 m, the GPS's speed is off by 0.05
-// m/s, the airspeed's zero by 0.02 V, which is learnt.
+// What is reported of an airplane that stands: where it is, and that it does not move. The bounds
+// are the sensors' errors (simulator/devices/errors.hpp) with room for what the filters make of
+// them: the position wanders by 0.6 m one sigma and the height by 1.5 m, the GPS's speed is off by
+// 0.05 m/s, the airspeed's zero by 0.02 V, which is learnt.
 #include <algorithm>
 #include <cmath>
 
@@ -32,25 +32,25 @@ class StandsStill : public Invariant {
         if (history.hud_s() > unsettled_s_) airspeed(truth, *history.hud(), now_s, report);
     }
 
-    static void position(const Truth& truth, const mavlink::GlobalPositionInt& told, double now_s,
-                         const Report& report) {
-        if (told.lat == 0 && told.lon == 0) return;  // not known
-        const double north_m = (told.lat - truth.latitude_deg * 1e7) * kMetresPerE7;
-        const double east_m = (told.lon - truth.longitude_deg * 1e7) * kMetresPerE7 *
+    static void position(const Truth& truth, const mavlink::GlobalPositionInt& reported,
+                         double now_s, const Report& report) {
+        if (reported.lat == 0 && reported.lon == 0) return;  // not known
+        const double north_m = (reported.lat - truth.latitude_deg * 1e7) * kMetresPerE7;
+        const double east_m = (reported.lon - truth.longitude_deg * 1e7) * kMetresPerE7 *
                               std::cos(truth.latitude_deg * kDegree);
         const double away_m = std::hypot(north_m, east_m);
-        const double speed_mps = std::hypot(told.vx, told.vy) * 0.01;
-        const double height_m = told.alt * 0.001 - truth.altitude_m;
+        const double speed_mps = std::hypot(reported.vx, reported.vy) * 0.01;
+        const double height_m = reported.alt * 0.001 - truth.altitude_m;
         if (away_m > kAway_m) report(now_s, text("%.0f m from where it stands", away_m));
         if (speed_mps > kSpeed_mps) report(now_s, text("%.1f m/s over ground", speed_mps));
         if (std::abs(height_m) > kHeight_m) report(now_s, text("%.0f m too high", height_m));
     }
-    static void airspeed(const Truth& truth, const mavlink::VfrHud& told, double now_s,
+    static void airspeed(const Truth& truth, const mavlink::VfrHud& reported, double now_s,
                          const Report& report) {
-        const double more_mps = double(told.airspeed) - truth.equivalent_airspeed_mps;
+        const double more_mps = double(reported.airspeed) - truth.equivalent_airspeed_mps;
         if (more_mps > kAirspeed_mps)
             report(now_s, text("an airspeed of %.1f m/s, the air moves at %.1f m/s",
-                               double(told.airspeed), truth.equivalent_airspeed_mps));
+                               double(reported.airspeed), truth.equivalent_airspeed_mps));
     }
 
     double unsettled_s_ = 0;

@@ -19,7 +19,7 @@ public:
     // `excused`: by name; for a flight that is about to do just that.
     void excuse(const std::string& name) { excused_.insert(name); }
     void frame(const Snapshot& now);
-    void told(const mavlink::Frame& frame, double now_s) { history_.told(frame, now_s); }
+    void received(const mavlink::Frame& frame, double now_s) { history_.received(frame, now_s); }
     void sent(const mavlink::Frame& frame, double now_s) { history_.sent(frame, now_s); }
     // The processor is about to be restarted from outside; survivable: by the supply or the
     // watchdog, after which a flight goes on.

@@ -13,7 +13,7 @@ constexpr uint64_t kFrame_us = 10'000;
 
 WatchedBoard::WatchedBoard(Board& board) : board_(board) {
     board_.listen(
-        [this](int usart, uint8_t byte, uint64_t time_us) { told(usart, byte, time_us); });
+        [this](int usart, uint8_t byte, uint64_t time_us) { received(usart, byte, time_us); });
 }
 
 WatchedBoard::WatchedBoard(std::unique_ptr<Board> board) : WatchedBoard(*board) {
@@ -46,9 +46,9 @@ void WatchedBoard::look() {
     watch_.frame(now);
 }
 
-// A board tells the same on each of its links: the first on which it was heard is listened to, and
+// A board sends the same on each of its links: the first on which it was heard is listened to, and
 // another when that has fallen silent.
-void WatchedBoard::told(int usart, uint8_t byte, uint64_t time_us) {
+void WatchedBoard::received(int usart, uint8_t byte, uint64_t time_us) {
     constexpr uint64_t kSilent_us = 3'000'000;
     if (usart >= 0 && usart < kUsarts) {
         const auto port = static_cast<size_t>(usart);
@@ -60,7 +60,8 @@ void WatchedBoard::told(int usart, uint8_t byte, uint64_t time_us) {
                 link_ = usart;
             const bool answer = frame.id == mavlink::Wire<mavlink::ParamValue>::id ||
                                 frame.id == mavlink::Wire<mavlink::MissionAck>::id;
-            if (usart == link_ || answer) watch_.told(frame, static_cast<double>(time_us) * 1e-6);
+            if (usart == link_ || answer)
+                watch_.received(frame, static_cast<double>(time_us) * 1e-6);
         }
     }
     if (listener_) listener_(usart, byte, time_us);

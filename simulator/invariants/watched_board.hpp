@@ -44,7 +44,7 @@ public:
 
 private:
     void look();
-    void told(int usart, uint8_t byte, uint64_t time_us);
+    void received(int usart, uint8_t byte, uint64_t time_us);
 
     static constexpr int kUsarts = 4;
     std::unique_ptr<Board> owned_;

@@ -18,6 +18,8 @@ public:
     void scan();
     hal::AnalogSum take(hal::Analog input);
 
+    void restart() { done_us_ = UINT64_MAX, sums_ = {}; }
+
     uint64_t due_us() const { return done_us_; }
     void run();
 

@@ -61,6 +61,13 @@ void EepromChip::begin() {
     spoilt_ = endangered_;
 }
 
+void EepromChip::restart() {
+    if (writing()) cells_[queue_.front().address] = queue_.front().value;
+    queue_.clear();
+    written_us_ = UINT64_MAX;
+    rest_until_us_ = 0;
+}
+
 uint64_t EepromChip::due_us() const {
     if (writing()) return written_us_;
     return queue_.empty() ? UINT64_MAX : rest_until_us_;

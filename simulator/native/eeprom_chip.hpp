@@ -25,6 +25,7 @@ public:
     // While the supply is too low, what is written becomes whatever chance will have.
     void endanger(bool endangered);
     void wear(const WornCells& worn) { worn_ = worn; }
+    void restart();  // a write in flight goes on, those that wait are lost
 
     uint64_t due_us() const;
     void run();

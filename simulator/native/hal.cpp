@@ -20,9 +20,9 @@ static simulator::NativeBoard& board() { return simulator::NativeBoard::running(
 static int number(Port port) { return static_cast<int>(port); }
 
 // clock
-uint32_t now_us() { return static_cast<uint32_t>(board().time_us()); }
-uint16_t ticks() { return static_cast<uint16_t>(board().time_us() * kTicksPerUs); }
-uint32_t now_ms() { return static_cast<uint32_t>(board().time_us() / 1000); }
+uint32_t now_us() { return static_cast<uint32_t>(board().sinceBegun_us()); }
+uint16_t ticks() { return static_cast<uint16_t>(board().sinceBegun_us() * kTicksPerUs); }
+uint32_t now_ms() { return static_cast<uint32_t>(board().sinceBegun_us() / 1000); }
 void idle(bool (*work_waits)()) { board().idle(work_waits); }
 
 // serial
@@ -79,10 +79,7 @@ uint8_t lockInterrupts() { return 0; }
 void unlockInterrupts(uint8_t) {}
 
 // watchdog and trace
-const LastRun& lastRun() {
-    static constexpr LastRun kPowerOn = {ResetCause::power_on, 0, 0, 0};
-    return kPowerOn;
-}
+const LastRun& lastRun() { return board().lastRun(); }
 void hangTimerStart() {}
 void hangTimerReset() {}  // its interrupt never runs: the firmware always comes round here
 void watchdogStart() { board().watchdogStart(); }

@@ -19,6 +19,7 @@ public:
     core::Status result(uint8_t* in, uint8_t in_size);
 
     void fail(FaultKind kind) { line_.fail(kind); }
+    void restart() { done_us_ = UINT64_MAX, status_ = core::Status::timeout; }
 
     uint64_t due_us() const { return done_us_; }
     void run();

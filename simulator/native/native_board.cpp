@@ -20,6 +20,7 @@ namespace simulator {
 constexpr uint64_t kBitsPerByte_ns = 8'000'000'000;
 constexpr uint64_t kLongestRest_us = 1000;
 constexpr uint64_t kWatchdog_us = 250'000;
+constexpr uint64_t kStartUp_us = 65'000;  // of the fuses, as simulator/machine/boot has it
 
 static NativeBoard* running_board = nullptr;
 
@@ -45,28 +46,73 @@ NativeBoard::NativeBoard(const WorldOptions& options)
 NativeBoard::~NativeBoard() { running_board = nullptr; }
 
 bool NativeBoard::runUntil(uint64_t time_us) {
-    try {
-        if (fault_.empty() && !std::exchange(started_, true)) firmware::app::setup();
-        while (fault_.empty() && now_us_ < time_us) {
-            const uint64_t before_us = now_us_;
-            firmware::app::loop();
-            waitWithFirmware(before_us);
-            checkSupply();
-            if (fed_us_ != UINT64_MAX && now_us_ - fed_us_ > kWatchdog_us) {
-                fault_ = "the watchdog was not fed for 250 ms";
-            }
+    while (fault_.empty() && now_us_ < time_us) {
+        try {
+            run();
+        } catch (const Reboot&) {
+            restart(hal::ResetCause::asked);
         }
-    } catch (const Reboot&) {
-        fault_ = "the firmware asked for a reboot: natively compiled firmware cannot start twice";
     }
     return fault_.empty();
 }
 
+// The firmware starts anew when the supply is back. Of memory that has been lost this computer knows
+// nothing.
 void NativeBoard::checkSupply() {
     const Supply& supply = world_.supply();
     eeprom_.endanger(supply.below(least_v::kEepromWrite, now_us_));
-    if (supply.below(least_v::kChip, now_us_))
-        fault_ = "the supply broke down: natively compiled firmware cannot start twice";
+    if (!supply.below(least_v::kChip, now_us_)) return;
+    restart(hal::ResetCause::unknown);
+    while (fault_.empty() && supply.below(least_v::kChip, now_us_)) {
+        constexpr uint64_t kLook_us = 100;
+        moveTo(now_us_ + kLook_us);
+        if (supply.below(least_v::kMemory, now_us_))
+            fault_ = "the supply fell so low that memory is lost: only the image shows what follows";
+    }
+}
+
+void NativeBoard::run() {
+    if (!started_) bringUp();
+    const uint64_t before_us = now_us_;
+    firmware::app::loop();
+    waitWithFirmware(before_us);
+    checkSupply();
+    if (fed_us_ != UINT64_MAX && now_us_ - fed_us_ > kWatchdog_us)
+        fault_ = "the watchdog was not fed for 250 ms";
+}
+
+// No pulse leaves the processor while the fuses hold it in reset.
+void NativeBoard::bringUp() {
+    started_ = true;
+    if (restarts_ > 0) moveTo(now_us_ + kStartUp_us);
+    begun_us_ = now_us_;
+    firmware::app::setup();
+}
+
+void NativeBoard::restart(hal::ResetCause cause) {
+    if (!memory_.known()) {
+        fault_ = "reset: this program's firmware cannot start twice";
+        return;
+    }
+    if (!started_) return;
+    last_run_ = {cause, traced_, static_cast<uint16_t>(sinceBegun_us() / 1000),
+                 static_cast<uint8_t>(kStartUp_us / 1000)};
+    memory_.startAnew();
+    serial_.restart();
+    eeprom_.restart();
+    i2c_.restart();
+    analog_.restart();
+    servos_.restart();
+    receiver_.restart();
+    select(true, false);
+    select(false, false);
+    world_.dataflash().select(false, now_us_);
+    byte_ns_ = 16'000;
+    imu_locks_ = 0;
+    imu_waits_ = false;
+    fed_us_ = UINT64_MAX;
+    started_ = false;
+    ++restarts_;
 }
 
 // Firmware that works on waits for time to pass, not for an event: on a chip it does pass.
@@ -172,7 +218,10 @@ core::Status NativeBoard::eepromRead(uint16_t address, void* to, uint8_t size) {
     return status;
 }
 
-void NativeBoard::trace(uint8_t value) { frames_ += value == hal::kTraceFrameBegin; }
+void NativeBoard::trace(uint8_t value) {
+    traced_ = value;
+    frames_ += value == hal::kTraceFrameBegin;
+}
 
 void NativeBoard::watchdogFeed() {
     if (fed_us_ != UINT64_MAX) fed_us_ = now_us_;

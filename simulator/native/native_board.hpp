@@ -2,14 +2,16 @@
 // The board whose firmware is compiled for this computer: the same sources, the same device
 // models, a hal:: that runs on emulated time. Computing takes no emulated time here; resting,
 // bytes on a wire and the chip's own delays do. The firmware is global state, so a process has
-// one NativeBoard, and its reset button ends the run.
+// one NativeBoard. A reset comes between two turns of the firmware, never within one.
 #pragma once
 #include <memory>
 
+#include "hal/watchdog.hpp"
 #include "simulator/board.hpp"
 #include "simulator/devices/line_fault.hpp"
 #include "simulator/native/analog_inputs.hpp"
 #include "simulator/native/eeprom_chip.hpp"
+#include "simulator/native/firmware_memory.hpp"
 #include "simulator/native/i2c_bus.hpp"
 #include "simulator/native/ppm_receiver.hpp"
 #include "simulator/native/serial_lines.hpp"
@@ -33,7 +35,11 @@ public:
     void send(int usart, const uint8_t* bytes, size_t size) override;
     size_t unsent(int usart) const override;
     void setUsb(bool plugged) override { usb_ = plugged; }
-    void reset() override { fault_ = "reset: natively compiled firmware cannot start twice"; }
+    void reset() override { restart(hal::ResetCause::unknown); }  // as behind a bootloader
+    unsigned restarts() const override { return restarts_; }
+    uint64_t begun_us() const override { return begun_us_; }
+    // The processor alone: what hangs on it goes on.
+    void restart(hal::ResetCause cause);
     std::vector<uint8_t> eeprom() const override { return eeprom_.cells(); }
     void setEeprom(const std::vector<uint8_t>& image) override { eeprom_.setCells(image); }
     World& world() override { return world_; }
@@ -52,6 +58,8 @@ public:
     void watchdogStart() { fed_us_ = now_us_; }
     void watchdogFeed();
     [[noreturn]] void reboot();
+    uint64_t sinceBegun_us() const { return now_us_ - begun_us_; }
+    const hal::LastRun& lastRun() const { return last_run_; }
     bool usb() const { return usb_; }
     SerialLines& serial() { return serial_; }
     EepromChip& eepromChip() { return eeprom_; }
@@ -62,6 +70,8 @@ public:
 
 private:
     struct Reboot {};
+    void run();
+    void bringUp();
     uint64_t nextEvent_us();
     void moveTo(uint64_t time_us);
     void runImu();
@@ -70,6 +80,7 @@ private:
     void checkSupply();
     void waitWithFirmware(uint64_t before_us);
 
+    FirmwareMemory memory_;
     World world_;
     uint64_t now_us_ = 0;
     LineFault spi_line_;
@@ -89,6 +100,10 @@ private:
     int still_turns_ = 0;           // of the firmware, one after the other without time between
     uint64_t fed_us_ = UINT64_MAX;  // the watchdog runs once this is a time
     uint32_t frames_ = 0;
+    uint8_t traced_ = 0;
+    unsigned restarts_ = 0;
+    uint64_t begun_us_ = 0;
+    hal::LastRun last_run_ = {hal::ResetCause::power_on, 0, 0, 0};
     std::string fault_;
 };
 

@@ -18,6 +18,13 @@ public:
     uint32_t age_us() const;
     uint16_t newest_us(uint8_t channel) const { return frame_halfus_.at(channel) / 2; }
 
+    void restart() {
+        channel_ = -1;
+        frame_us_ = UINT64_MAX;
+        fresh_ = false;
+        frame_halfus_ = {};
+    }
+
     uint64_t due_us() const;
     void run();
 

@@ -23,6 +23,7 @@ public:
 
     // ---- the firmware's side
     void open(int port, uint32_t baud);
+    void restart() { lines_ = {}; }  // what was under way is lost
     uint8_t available(int port) const;
     bool read(int port, uint8_t& byte);
     uint8_t room(int port) const;

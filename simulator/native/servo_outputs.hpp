@@ -19,6 +19,8 @@ public:
     void write(uint8_t output, uint16_t pulse_halfus);
     uint16_t read(uint8_t output) const;
 
+    void restart() { due_us_ = UINT64_MAX, wanted_halfus_ = running_halfus_ = {}; }
+
     uint64_t due_us() const { return due_us_; }
     void run();
 

@@ -29,9 +29,13 @@ target_compile_options(firmware_native_board PRIVATE ${PROJECT_WARNINGS})
 target_include_directories(firmware_native_board BEFORE PRIVATE ${CMAKE_SOURCE_DIR}/simulator/native
                            ${CMAKE_SOURCE_DIR})
 target_link_libraries(firmware_native_board PRIVATE ${all_libraries})
+# between two marks, so that its variables can be put back to what they were at the start
+add_library(firmware_begins OBJECT ${CMAKE_SOURCE_DIR}/simulator/native/marks/begin.cpp)
+add_library(firmware_ends OBJECT ${CMAKE_SOURCE_DIR}/simulator/native/marks/end.cpp)
 add_library(firmware_native INTERFACE)
-target_sources(firmware_native INTERFACE $<TARGET_OBJECTS:firmware_any_board>
-               $<TARGET_OBJECTS:firmware_native_board>)
+target_sources(firmware_native INTERFACE $<TARGET_OBJECTS:firmware_begins>
+               $<TARGET_OBJECTS:firmware_any_board> $<TARGET_OBJECTS:firmware_native_board>
+               $<TARGET_OBJECTS:firmware_ends>)
 target_include_directories(firmware_native INTERFACE ${CMAKE_SOURCE_DIR}/simulator/native ${CMAKE_SOURCE_DIR})
 target_link_libraries(firmware_native INTERFACE ${all_libraries})
 
@@ -66,6 +70,25 @@ project_tool(campaign simulator/campaign simulator_report simulator_world Thread
 target_compile_definitions(campaign_parts PRIVATE CAMPAIGN_OUT="${CMAKE_SOURCE_DIR}/build/campaign"
                            CAMPAIGN_MISSIONS="${CMAKE_SOURCE_DIR}/simulator/missions")
 target_compile_definitions(campaign PRIVATE CAMPAIGN_FLY="${CMAKE_BINARY_DIR}/fly")
+
+# random scenarios against the invariants, natively or on the emulated board
+if(NOT SANITIZE)
+    set(chaos ${CMAKE_SOURCE_DIR}/simulator/chaos)
+    # what flies nothing
+    add_library(chaos_parts STATIC ${chaos}/scenario.cpp ${chaos}/generator.cpp ${chaos}/shrink.cpp)
+    target_compile_options(chaos_parts PRIVATE ${PROJECT_WARNINGS})
+    target_precompile_headers(chaos_parts REUSE_FROM host_headers)
+    target_link_libraries(chaos_parts PUBLIC mavlink simulator_world)
+    project_program(chaos ${chaos}/main.cpp ${chaos}/options.cpp ${chaos}/totals.cpp ${chaos}/station.cpp
+                    ${chaos}/drill.cpp ${chaos}/flight.cpp ${chaos}/flight_process.cpp
+                    simulator/parameter_file.cpp toolchain/param_tool/settings.cpp
+                    toolchain/mission_tool/wrong_input.cpp
+                    LIBRARIES chaos_parts firmware_native simulator_native simulator_invariants simulator_ground
+                    simulator_machine simulator_world CLI11::CLI11)
+    target_compile_definitions(chaos PRIVATE CHAOS_OUT="${CMAKE_SOURCE_DIR}/build/chaos"
+                               CHAOS_IMAGE="${IMAGE_apm2}"
+                               CHAOS_PARAMETERS="${CMAKE_SOURCE_DIR}/firmware/state/parameters.csv")
+endif()
 
 # The firmware's table of declinations, from the coefficients of the World Magnetic Model:
 #   declination_table toolchain/declination/WMM2025.COF > libraries/geo/declination_table.hpp

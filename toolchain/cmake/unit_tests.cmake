@@ -63,6 +63,9 @@ gtest_program(campaign_test ${tests}/unit/simulator/campaign campaign_parts)
 target_compile_definitions(campaign_test PRIVATE CAMPAIGN_PROGRAM="$<TARGET_FILE:campaign>"
     MISSIONS="${CMAKE_SOURCE_DIR}/simulator/missions")
 gtest_run(campaign_test NEEDS campaign fly LABELS unit quick)
+gtest_program(chaos_test ${tests}/unit/simulator/chaos chaos_parts)
+target_compile_definitions(chaos_test PRIVATE PARAMETERS="${CMAKE_SOURCE_DIR}/firmware/state/parameters.csv")
+gtest_run(chaos_test LABELS unit quick)
 gtest_program(fdm_test ${tests}/unit/simulator/fdm simulator_world)
 gtest_run(fdm_test LABELS unit quick)
 gtest_program(fly_test ${tests}/unit/simulator/fly)
@@ -107,7 +110,7 @@ declare_test(toolchain.scripts COMMAND node --test ${tool_tests} DATA ${document
              ${CMAKE_SOURCE_DIR}/firmware/safety/arming.cpp ${CMAKE_SOURCE_DIR}/firmware/app/tasks.cpp ${task_headers}
              ${CMAKE_SOURCE_DIR}/libraries/scheduler/scheduler.hpp LABELS quick REUSE)
 declare_test(toolchain.help COMMAND node ${tests}/unit/toolchain/help/help.mjs ${CMAKE_BINARY_DIR}
-             NEEDS fly campaign mission_tool param_tool log_tool LABELS unit quick)
+             NEEDS fly campaign chaos mission_tool param_tool log_tool LABELS unit quick)
 declare_test(param_tool.every_parameter_has_an_effect
              COMMAND node --test ${tests}/unit/firmware/state/parameters.test.mjs LABELS quick)
 file(GLOB airplane_parameters CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/airplanes/*.param)

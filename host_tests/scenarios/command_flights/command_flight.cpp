@@ -87,6 +87,10 @@ public:
                      [this](const mavlink::Frame& f, uint64_t) { take(f, kTelemetrySent); }) {
         watched_.listen(
             [this](int usart, uint8_t byte, uint64_t at_us) { hear(usart, byte, at_us); });
+        // whose commands are numbered otherwise than MAVLink's
+        if (document.set == mission::Set::apm1)
+            for (const char* of_missions : {"mission_jump", "mode_without_cause"})
+                watched_.watch().excuse(of_missions);
         watchMarks();
         board_.setUsb(true);
         switchTransmitterOn(board_.world());

@@ -24,7 +24,7 @@ public:
     }
 
     Snapshot now;
-    bool armed = false, tells_place = false;
+    bool armed = false, reports_place = false;
     uint32_t mode = 5;
     mavlink::GlobalPositionInt place{};
     mavlink::VfrHud hud{};
@@ -46,12 +46,13 @@ public:
             now.time_us += 10'000;
             watch.frame(now);
             if (now.time_us % 1'000'000 == 0) beat();
-            if (tells_place && now.time_us % 100'000 == 0) tellPlace();
+            if (reports_place && now.time_us % 100'000 == 0) reportPlace();
         }
     }
     template <class Message>
-    void told(const Message& message) {
-        whole(message, [this](const mavlink::Frame& frame) { watch.told(frame, now.time_s()); });
+    void received(const Message& message) {
+        whole(message,
+              [this](const mavlink::Frame& frame) { watch.received(frame, now.time_s()); });
     }
     template <class Message>
     void sent(const Message& message) {
@@ -60,7 +61,7 @@ public:
     void text(const char* words) {
         mavlink::Statustext message{};
         std::strncpy(message.text, words, sizeof message.text);
-        told(message);
+        received(message);
     }
     void command(uint16_t number, float param1 = 0, float param2 = 0) {
         mavlink::CommandLong message{};
@@ -73,7 +74,7 @@ public:
         mavlink::ParamValue message{};
         std::strncpy(message.param_id, name, sizeof message.param_id);
         message.param_value = value;
-        told(message);
+        received(message);
     }
     // By the program of a bootloader that takes no time.
     void restart() {
@@ -104,11 +105,11 @@ private:
         message.autopilot = 3;
         message.custom_mode = mode;
         message.base_mode = armed ? mavlink::MavModeFlag::safety_armed : 0;
-        told(message);
+        received(message);
     }
-    void tellPlace() {
-        told(place);
-        told(hud);
+    void reportPlace() {
+        received(place);
+        received(hud);
     }
 };
 

@@ -21,20 +21,20 @@ void upload(Flown& flown, uint8_t result = 0) {
     }
     mavlink::MissionAck ack{};
     ack.type = result;
-    flown.told(ack);
+    flown.received(ack);
 }
 
 void current(Flown& flown, uint16_t item) {
     mavlink::MissionCurrent message{};
     message.seq = item;
-    flown.told(message);
+    flown.received(message);
     flown.run(5);
 }
 
 void reached(Flown& flown, uint16_t item) {
     mavlink::MissionItemReached message{};
     message.seq = item;
-    flown.told(message);
+    flown.received(message);
 }
 
 Flown flownTo(uint16_t item) {

@@ -54,6 +54,17 @@ TEST(ModeHasACause, WhatDoesNot) {
     }
 }
 
+TEST(ModeHasACause, AnOverrideOfTheSticksEndsAfterThreeSeconds) {
+    for (const int after_s : {3, 6}) {
+        Flown flown = inAMode();
+        flown.sent(mavlink::RcChannelsOverride{});
+        flown.run(after_s);
+        flown.mode = 11;
+        flown.run(5);
+        EXPECT_EQ(flown.violated(), after_s == 3 ? "" : "mode_without_cause ");
+    }
+}
+
 TEST(ModeHasACause, ACauseOfThreeSecondsAgoIsNone) {
     Flown flown = inAMode();
     flown.command(mavlink::MavCmd::nav_return_to_launch);

@@ -5,7 +5,7 @@ namespace simulator::invariants {
 
 Flown stands() {
     Flown flown;
-    flown.tells_place = true;
+    flown.reports_place = true;
     flown.place.lat = 470000000;
     flown.place.lon = 80000000;
     flown.place.alt = 488000;
@@ -13,14 +13,14 @@ Flown stands() {
     return flown;
 }
 
-struct Told {
+struct Report {
     const char* name;
     void (*lawful)(Flown&);
     void (*false_one)(Flown&);
 };
 
 TEST(StandsStill, WhatIsToldOfAnAirplaneThatStands) {
-    const Told all[] = {
+    const Report all[] = {
         {"place", [](Flown& flown) { flown.place.lat += 1900; },  // 21 m
          [](Flown& flown) { flown.place.lat += 2100; }},
         {"speed", [](Flown& flown) { flown.place.vx = 290; },
@@ -30,14 +30,14 @@ TEST(StandsStill, WhatIsToldOfAnAirplaneThatStands) {
         {"airspeed", [](Flown& flown) { flown.hud.airspeed = 4.9f; },
          [](Flown& flown) { flown.hud.airspeed = 5.1f; }},
     };
-    for (const Told& each : all) {
+    for (const Report& each : all) {
         Flown lawful = stands(), false_one = stands();
         each.lawful(lawful);
         each.false_one(false_one);
         lawful.run(3);
         false_one.run(3);
         EXPECT_EQ(lawful.violated(), "") << each.name;
-        EXPECT_EQ(false_one.violated(), "told_standing ") << each.name;
+        EXPECT_EQ(false_one.violated(), "standing_report ") << each.name;
     }
 }
 
@@ -51,7 +51,7 @@ TEST(StandsStill, InWindTheAirspeedIsThere) {
 
 TEST(StandsStill, NotInTheFirstSecondsNorWhileASensorFails) {
     Flown early, faulty = stands();
-    early.tells_place = true;
+    early.reports_place = true;
     early.place.lat = 460000000;
     early.place.lon = 80000000;
     early.run(20);

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/chaos/generator.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "simulator/devices/faults.hpp"
+
+namespace simulator::chaos {
+
+TEST(Generator, TheSameSeedIsTheSameScenario) {
+    const auto parameters = readParameterRows(PARAMETERS);
+    std::set<std::string> all;
+    for (uint64_t seed = 1; seed <= 100; ++seed) {
+        const std::string text = textOf(drawScenario(seed, parameters));
+        EXPECT_EQ(text, textOf(drawScenario(seed, parameters)));
+        all.insert(text);
+    }
+    EXPECT_EQ(all.size(), 100u);
+}
+
+TEST(Generator, ParametersWithoutThoseThatEndTheLink) {
+    const auto parameters = readParameterRows(PARAMETERS);
+    EXPECT_GT(parameters.size(), 150u);
+    for (const ParameterRow& row : parameters) {
+        EXPECT_LE(row.lowest, row.highest) << row.name;
+        EXPECT_NE(row.name.rfind("SERIAL", 0), 0u);
+        EXPECT_NE(row.name, "SYSID_THISMAV");
+    }
+    EXPECT_THROW(readParameterRows("/nowhere.csv"), ScenarioError);
+}
+
+TEST(Generator, EveryKindOfEventIsDrawnAndEveryFaultExists) {
+    const auto parameters = readParameterRows(PARAMETERS);
+    std::set<std::string> kinds, faults;
+    for (uint64_t seed = 1; seed <= 2000; ++seed) {
+        const Scenario scenario = drawScenario(seed, parameters);
+        EXPECT_GE(scenario.seconds, 60);
+        EXPECT_LE(scenario.seconds, 180);
+        EXPECT_TRUE(std::is_sorted(
+            scenario.events.begin(), scenario.events.end(),
+            [](const Event& one, const Event& other) { return one.at_s < other.at_s; }));
+        for (const Event& event : scenario.events) {
+            kinds.insert(event.kind());
+            if (event.kind() != "fault") continue;
+            faults.insert(event.words[1]);
+            EXPECT_TRUE(parseFault(event.words[1] + "@1")) << event.words[1];
+        }
+    }
+    EXPECT_EQ(kinds, (std::set<std::string>{"clear", "command", "count", "current", "fault",
+                                            "frame", "item", "mode", "noise", "override", "param",
+                                            "restart", "sticks", "switch", "transmitter", "usb"}));
+    size_t possible = 0;
+    for (int sensor = 0; sensor < kFaulty; ++sensor)
+        for (int kind = 1; kind < kFaultKinds; ++kind)
+            possible += canFail(static_cast<Faulty>(sensor), static_cast<FaultKind>(kind));
+    EXPECT_EQ(faults.size(), possible);
+}
+
+TEST(Generator, MissionsBeginAtHomeAndEndWithALanding) {
+    const auto parameters = readParameterRows(PARAMETERS);
+    for (uint64_t seed = 1; seed <= 200; ++seed) {
+        const Waypoints mission = drawScenario(seed, parameters).mission;
+        EXPECT_EQ(mission[0].command, mavlink::MavCmd::nav_waypoint);
+        EXPECT_EQ(mission[1].command, mavlink::MavCmd::nav_takeoff);
+        EXPECT_EQ(mission.back().command, mavlink::MavCmd::nav_land);
+        for (size_t i = 0; i < mission.size(); ++i)
+            EXPECT_EQ(mission[i].index, static_cast<int>(i));
+    }
+}
+
+}  // namespace simulator::chaos

@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/chaos/generator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "mavlink/all_messages.hpp"
+#include "simulator/chaos/dice.hpp"
+#include "simulator/devices/faults.hpp"
+
+namespace simulator::chaos {
+namespace {
+
+using mavlink::MavCmd;
+using Words = std::vector<std::string>;
+
+constexpr double kHomeLatitude_deg = 47.3977, kHomeLongitude_deg = 8.5456, kHome_m = 488;
+constexpr double kMetresPerDegree = 111'319;
+constexpr double kAirborne_s = 15;  // about
+
+std::string print(const char* format, double value) {
+    char text[60];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+std::string whole(int value) { return std::to_string(value); }
+
+// ---- missions
+
+WaypointItem itemAt(uint16_t command, double east_m, double north_m, double height_m) {
+    WaypointItem item;
+    item.command = command;
+    item.frame = 3;
+    item.latitude_deg = kHomeLatitude_deg + north_m / kMetresPerDegree;
+    item.longitude_deg =
+        kHomeLongitude_deg + east_m / kMetresPerDegree / std::cos(kHomeLatitude_deg * M_PI / 180);
+    item.altitude_m = height_m;
+    return item;
+}
+
+WaypointItem action(uint16_t command, double p1 = 0, double p2 = 0, double p3 = 0, double p4 = 0) {
+    WaypointItem item;
+    item.command = command;
+    item.frame = 3;
+    item.params = {p1, p2, p3, p4};
+    return item;
+}
+
+WaypointItem drawPlace(Dice& dice) {
+    constexpr double kFar_m = 350;
+    const uint16_t command =
+        dice.chance(0.75) ? uint16_t{MavCmd::nav_waypoint}
+                          : dice.of<uint16_t>({MavCmd::nav_loiter_turns, MavCmd::nav_loiter_time,
+                                               MavCmd::nav_loiter_unlim});
+    WaypointItem item = itemAt(command, dice.between(-kFar_m, kFar_m),
+                               dice.between(-kFar_m, kFar_m), dice.between(40, 100));
+    if (item.isCircle())
+        item.params[0] = command == MavCmd::nav_loiter_time ? dice.whole(3, 20) : 1;
+    return item;
+}
+
+// What neither ends the flight nor takes a surface from the pilot.
+WaypointItem drawAction(Dice& dice, int items) {
+    switch (dice.below(12)) {
+        case 0:
+            return action(MavCmd::do_change_speed, dice.below(2), dice.between(11, 15), -1);
+        case 1:
+            return action(MavCmd::do_set_servo, dice.whole(5, 8), dice.whole(1000, 2000));
+        case 2:
+            return action(MavCmd::do_repeat_servo, dice.whole(5, 8), dice.whole(1000, 2000), 3, 1);
+        case 3:
+            return action(MavCmd::do_set_relay, 0, dice.below(2));
+        case 4:
+            return action(MavCmd::do_repeat_relay, 0, 3, 1);
+        case 5:
+            return action(MavCmd::condition_delay, dice.whole(1, 10));
+        case 6:
+            return action(MavCmd::condition_distance, dice.whole(20, 150));
+        case 7:
+            return action(MavCmd::do_digicam_control);
+        case 8:
+            return action(MavCmd::do_set_cam_trigg_dist, dice.whole(0, 50));
+        case 9:
+            return action(MavCmd::do_set_home, 1);
+        case 10:
+            return action(MavCmd::condition_change_alt, dice.between(0.5, 2));
+        default:
+            return action(MavCmd::do_jump, dice.whole(2, std::max(2, items - 1)), dice.whole(1, 3));
+    }
+}
+
+Waypoints drawMission(Dice& dice) {
+    Waypoints mission;
+    mission.push_back(itemAt(MavCmd::nav_waypoint, 0, 0, kHome_m));
+    mission.back().frame = 0;
+    mission.push_back(action(MavCmd::nav_takeoff, 15));
+    mission.back().altitude_m = dice.between(30, 60);
+    for (int n = dice.whole(2, 6); n > 0; --n) {
+        mission.push_back(drawPlace(dice));
+        for (int more = dice.whole(-2, 2); more > 0; --more)
+            mission.push_back(drawAction(dice, static_cast<int>(mission.size())));
+    }
+    mission.push_back(itemAt(MavCmd::nav_waypoint, -300, -300, 40));
+    if (dice.chance(0.3)) mission.push_back(action(MavCmd::do_land_start));
+    mission.push_back(itemAt(MavCmd::nav_waypoint, -150, -150, 25));
+    mission.push_back(itemAt(MavCmd::nav_land, 0, 0, 0));
+    for (size_t i = 0; i < mission.size(); ++i) {
+        mission[i].index = static_cast<int>(i);
+        mission[i].current = i == 0;
+    }
+    return mission;
+}
+
+// ---- events
+
+class Drawer {
+public:
+    Drawer(Dice& dice, const std::vector<ParameterRow>& parameters, Scenario& to)
+        : dice_(dice), parameters_(parameters), to_(to) {}
+
+    void faults();
+    void restarts();
+    void pilot();
+    void station(bool hostile);
+
+private:
+    using Draw = void (Drawer::*)();
+
+    void add(double at_s, Words words) {
+        to_.events.push_back({std::round(at_s * 100) / 100, std::move(words)});
+    }
+    double when() { return dice_.between(3, to_.seconds - 5); }
+    double inFlight() { return dice_.between(kAirborne_s + 10, to_.seconds - 5); }
+    std::string link() { return dice_.chance(0.7) ? "telemetry" : "usb"; }
+    std::string value(const ParameterRow& row);
+    std::string hex(size_t bytes);
+    void fault(double at_s, double longest_s);
+    void command(const Words& parameters);
+
+    void setParameter();
+    void setManyParameters();
+    void armOrDisarm();
+    void chooseMode();
+    void anyCommand();
+    void cutUpload();
+    void overrideSticks();
+    void setCurrent();
+    void clearMission();
+    void anyFrame();
+    void anyNoise();
+    void readLogs();
+
+    Dice& dice_;
+    const std::vector<ParameterRow>& parameters_;
+    Scenario& to_;
+};
+
+void Drawer::fault(double at_s, double longest_s) {
+    for (;;) {
+        const auto sensor = static_cast<Faulty>(dice_.below(kFaulty));
+        const auto kind = static_cast<FaultKind>(1 + dice_.below(kFaultKinds - 1));
+        if (!canFail(sensor, kind)) continue;
+        add(at_s, {"fault", std::string(nameOf(sensor)) + ":" + nameOf(kind),
+                   print("%.2f", dice_.between(0.1, longest_s))});
+        return;
+    }
+}
+
+// Alone, in pairs that begin together, or in a burst of short ones.
+void Drawer::faults() {
+    const double at_s = inFlight();
+    switch (dice_.below(3)) {
+        case 0:
+            return fault(at_s, 40);
+        case 1:
+            fault(at_s, 40);
+            return fault(at_s + dice_.between(0, 5), 40);
+        default:
+            for (int n = dice_.whole(3, 8); n > 0; --n) fault(at_s + dice_.between(0, 15), 3);
+    }
+}
+
+void Drawer::restarts() {
+    const double at_s = dice_.chance(0.9) ? inFlight() : when();
+    for (int n = dice_.chance(0.8) ? 1 : 3; n > 0; --n)
+        add(at_s + dice_.between(0, n),
+            {"restart", dice_.of<std::string>({"brown_out", "brown_out", "watchdog", "watchdog",
+                                               "watchdog", "button"})});
+}
+
+void Drawer::pilot() {
+    const double at_s = inFlight();
+    const auto stick = [this] { return whole(dice_.chance(0.3) ? 1500 : dice_.whole(1100, 1900)); };
+    switch (dice_.below(4)) {
+        case 0:
+            add(at_s, {"sticks", stick(), stick(), whole(dice_.whole(1100, 1900)), stick()});
+            return add(at_s + dice_.between(0.2, 4), {"sticks", "1500", "1500", "1100", "1500"});
+        case 1:
+            for (int n = dice_.whole(1, 4); n > 0; --n)
+                add(at_s + dice_.between(0, 10),
+                    {"switch", dice_.of<std::string>(
+                                   {"1165", "1300", "1425", "1550", "1690", "1900", "1300"})});
+            return;
+        default:
+            add(at_s, {"transmitter", "off"});
+            if (dice_.chance(0.8)) add(at_s + dice_.between(0.2, 40), {"transmitter", "on"});
+    }
+}
+
+std::string Drawer::value(const ParameterRow& row) {
+    switch (dice_.below(10)) {
+        case 0:
+            return dice_.of<std::string>({"nan", "inf", "-inf", "1e38", "-1e38", "1e-40", "-0"});
+        case 1:
+            return print("%.6g", row.highest + dice_.between(0, 2) * (row.highest - row.lowest));
+        case 2:
+            return print("%.6g", row.lowest - dice_.between(0, 2) * (row.highest - row.lowest));
+        case 3:
+            return print("%.6g", dice_.chance(0.5) ? row.lowest : row.highest);
+        default:
+            return print("%.6g", dice_.between(row.lowest, row.highest));
+    }
+}
+
+std::string Drawer::hex(size_t bytes) {
+    std::string text;
+    char pair[3];
+    for (size_t i = 0; i < bytes; ++i) {
+        const auto byte = static_cast<unsigned>(dice_.chance(0.4) ? 0 : dice_.below(256));
+        std::snprintf(pair, sizeof pair, "%02x", byte);
+        text += pair;
+    }
+    return text;
+}
+
+void Drawer::setParameter() {
+    const ParameterRow& row = dice_.of(parameters_);
+    add(when(), {"param", link(), row.name, value(row)});
+}
+
+void Drawer::setManyParameters() {
+    const double at_s = when();
+    const std::string on = link();
+    for (int n = dice_.whole(10, 40), i = 0; i < n; ++i) {
+        const ParameterRow& row = dice_.of(parameters_);
+        add(at_s + 0.05 * i, {"param", on, row.name, value(row)});
+    }
+}
+
+void Drawer::command(const Words& parameters) {
+    Words words = {"command", link()};
+    words.insert(words.end(), parameters.begin(), parameters.end());
+    words.resize(10, "0");
+    add(when(), words);
+}
+
+void Drawer::armOrDisarm() {
+    const bool force = dice_.chance(0.1);
+    command({"400", whole(dice_.whole(0, 1)), force ? "21196" : "0"});
+}
+
+void Drawer::chooseMode() { add(when(), {"mode", link(), whole(dice_.whole(0, 17))}); }
+
+void Drawer::anyCommand() {
+    const std::string number = dice_.of<std::string>(
+        {"16",  "17",  "20",  "21",  "22",  "112", "176",   "177",  "178", "179",
+         "180", "181", "182", "183", "184", "186", "189",   "191",  "192", "203",
+         "206", "207", "210", "224", "241", "242", "245",   "300",  "400", "401",
+         "410", "510", "511", "512", "519", "520", "42424", "42425"});
+    Words words = {number};
+    for (int i = 0; i < 7; ++i)
+        words.push_back(dice_.of<std::string>(
+            {"0", "0", "1", "2", "-1", "nan", "1e30", print("%.4g", dice_.between(-100, 2000))}));
+    command(words);
+}
+
+void Drawer::cutUpload() {
+    const double at_s = when();
+    const std::string on = link();
+    const Waypoints other = drawMission(dice_);
+    const int count = static_cast<int>(other.size()), sent = dice_.whole(0, count);
+    add(at_s, {"count", on, whole(count)});
+    for (int i = 0; i < sent; ++i) {
+        const WaypointItem& item = other[static_cast<size_t>(i)];
+        Words words = {"item", on, whole(i), whole(item.command), whole(item.frame)};
+        for (const double each : item.params) words.push_back(print("%.6g", each));
+        words.push_back(print("%.7f", item.latitude_deg));
+        words.push_back(print("%.7f", item.longitude_deg));
+        words.push_back(print("%.6g", item.altitude_m));
+        add(at_s + 0.1 + 0.08 * i, words);
+    }
+}
+
+void Drawer::overrideSticks() {
+    Words words = {"override", link()};
+    for (int i = 0; i < 8; ++i)
+        words.push_back(dice_.of<std::string>({"0", "65535", whole(dice_.whole(700, 2300))}));
+    add(when(), words);
+}
+
+void Drawer::setCurrent() { add(when(), {"current", link(), whole(dice_.whole(0, 12))}); }
+void Drawer::clearMission() { add(when(), {"clear", link()}); }
+
+void Drawer::anyFrame() {
+    const size_t row = dice_.below(core::count(mavlink::kAllMessages));
+    const mavlink::Accepted message = core::romRead(mavlink::kAllMessages[row]);
+    // the radio's report of its buffers throttles the link, the logs' erasure takes them away
+    constexpr uint16_t kNot[] = {109, 121};
+    if (std::find(std::begin(kNot), std::end(kNot), message.id) != std::end(kNot)) return;
+    add(when(), {"frame", link(), whole(message.id), hex(dice_.below(60) + 1)});
+}
+
+void Drawer::anyNoise() { add(when(), {"noise", link(), hex(dice_.below(120) + 1)}); }
+
+// LOG_REQUEST_LIST and LOG_REQUEST_DATA.
+void Drawer::readLogs() {
+    const std::string on = link();
+    const double at_s = when();
+    add(at_s, {"frame", on, "117", "0000ffff0101"});
+    add(at_s + 1, {"frame", on, "119", "00000000ffffffff01000101"});
+}
+
+// An honest one that is confused, or one that wants harm.
+void Drawer::station(bool hostile) {
+    struct Row {
+        Draw draw;
+        unsigned weight, hostile_weight;
+    };
+    static constexpr Row kRows[] = {
+        {&Drawer::setParameter, 4, 4},   {&Drawer::setManyParameters, 0, 1},
+        {&Drawer::armOrDisarm, 2, 3},    {&Drawer::chooseMode, 4, 4},
+        {&Drawer::anyCommand, 1, 8},     {&Drawer::cutUpload, 2, 2},
+        {&Drawer::overrideSticks, 0, 2}, {&Drawer::setCurrent, 2, 2},
+        {&Drawer::clearMission, 1, 1},   {&Drawer::anyFrame, 0, 8},
+        {&Drawer::anyNoise, 2, 3},       {&Drawer::readLogs, 1, 1},
+    };
+    unsigned sum = 0;
+    for (const Row& row : kRows) sum += hostile ? row.hostile_weight : row.weight;
+    auto at = static_cast<unsigned>(dice_.below(sum));
+    for (const Row& row : kRows) {
+        const unsigned weight = hostile ? row.hostile_weight : row.weight;
+        if (at < weight) return (this->*row.draw)();
+        at -= weight;
+    }
+}
+
+}  // namespace
+
+// Without the rate of a line, or under another name, the board would not be heard any more.
+std::vector<ParameterRow> readParameterRows(const std::string& csv_path) {
+    std::ifstream file(csv_path);
+    if (!file) throw ScenarioError(csv_path + ": cannot be read");
+    std::vector<ParameterRow> rows;
+    std::string line;
+    std::getline(file, line);
+    while (std::getline(file, line)) {
+        std::istringstream columns(line);
+        std::string name, unit, lowest, highest;
+        std::getline(columns, name, ',');
+        std::getline(columns, unit, ',');
+        std::getline(columns, lowest, ',');
+        std::getline(columns, highest, ',');
+        if (name.rfind("SERIAL", 0) == 0 || name.rfind("SYSID", 0) == 0 || name.empty() ||
+            name == "FORMAT_VERSION")
+            continue;
+        rows.push_back({name, std::atof(lowest.c_str()), std::atof(highest.c_str())});
+    }
+    return rows;
+}
+
+Scenario drawScenario(uint64_t seed, const std::vector<ParameterRow>& parameters) {
+    Dice dice(seed);
+    Scenario s;
+    s.seed = seed;
+    s.airplane = dice.of<std::string>({"foam_trainer", "trainer_6kg", "flying_wing"});
+    if (dice.chance(0.6)) {
+        s.wind_mps = std::round(dice.between(1, 7) * 10) / 10;
+        s.wind_from_deg = dice.whole(0, 359);
+        s.gusts = true;
+    }
+    s.seconds = dice.whole(60, 180);
+    s.mission = drawMission(dice);
+    Drawer drawer(dice, parameters, s);
+    if (dice.chance(0.5)) s.events.push_back({1, {"usb", "on"}});
+    if (dice.chance(0.6))
+        for (int n = dice.whole(1, 2); n > 0; --n) drawer.faults();
+    if (dice.chance(0.4)) drawer.restarts();
+    if (dice.chance(0.4))
+        for (int n = dice.whole(1, 3); n > 0; --n) drawer.pilot();
+    if (dice.chance(0.5)) {
+        const bool hostile = dice.chance(0.5);
+        for (int n = dice.whole(1, hostile ? 20 : 6); n > 0; --n) drawer.station(hostile);
+    }
+    std::stable_sort(s.events.begin(), s.events.end(),
+                     [](const Event& a, const Event& b) { return a.at_s < b.at_s; });
+    return s;
+}
+
+}  // namespace simulator::chaos

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What happens to an airplane in one flight of chaos, as text that a person can read and cut down:
+// the air and the airplane, the mission, and a line for every event.
+#pragma once
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "simulator/ground/waypoints.hpp"
+
+namespace simulator::chaos {
+
+// The words of an event, by its first one (docs/chaos.md):
+//   fault SENSOR:HOW SECONDS        restart brown_out|watchdog|button
+//   sticks ROLL PITCH THROTTLE YAW  switch US                transmitter on|off
+//   usb on|off                      param LINK NAME VALUE    mode LINK NUMBER
+//   command LINK NUMBER P1 .. P7    override LINK C1 .. C8   current LINK ITEM
+//   count LINK ITEMS                clear LINK
+//   item LINK SEQ COMMAND FRAME P1 P2 P3 P4 LATITUDE LONGITUDE ALTITUDE
+//   frame LINK ID PAYLOAD           noise LINK BYTES
+// LINK is usb or telemetry; PAYLOAD and BYTES are hexadecimal.
+struct Event {
+    double at_s = 0;
+    std::vector<std::string> words;
+
+    const std::string& kind() const { return words.front(); }
+};
+
+struct Scenario {
+    std::string airplane = "foam_trainer";
+    double wind_mps = 0, wind_from_deg = 0;
+    bool gusts = false;
+    uint64_t seed = 1;          // of the sensors' errors
+    double seconds = 120;       // of emulated time
+    Waypoints mission;          // item 0 is home
+    std::vector<Event> events;  // in order of time
+};
+
+class ScenarioError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+std::string textOf(const Scenario& scenario);
+std::string textOf(const Event& event);
+Scenario parseScenario(const std::string& text);  // throws ScenarioError with the line
+
+// All there is in a scenario is survived, says docs/failsafes.md: a crash is the firmware's doing.
+bool promisesToSurvive(const Scenario& scenario);
+
+}  // namespace simulator::chaos

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/chaos/totals.hpp"
+
+#include <cstdio>
+#include <set>
+
+namespace simulator::chaos {
+
+void Totals::add(const Scenario& scenario, const Outcome& outcome) {
+    ++flights_;
+    airborne_ += outcome.airborne;
+    crashed_ += outcome.crashed;
+    promised_ += promisesToSurvive(scenario);
+    violated_ += !outcome.violations.empty();
+    emulated_s_ += outcome.emulated_s;
+    for (const Event& event : scenario.events) {
+        const bool of_a_kind = event.kind() == "fault" || event.kind() == "restart";
+        ++done_[of_a_kind ? event.kind() + " " + event.words[1] : event.kind()];
+    }
+    std::set<std::string> names;
+    for (const auto& each : outcome.violations) names.insert(each.name);
+    for (const auto& name : names) ++violations_[name];
+}
+
+std::string Totals::text() const {
+    char line[160];
+    std::snprintf(line, sizeof line,
+                  "%u flights, %u airborne, %u crashed, %u that must not; %.1f emulated hours\n",
+                  flights_, airborne_, crashed_, promised_, emulated_s_ / 3600);
+    std::string all = line;
+    for (const auto& [name, count] : done_) {
+        std::snprintf(line, sizeof line, "%8u  %s\n", count, name.c_str());
+        all += line;
+    }
+    all += violations_.empty() ? "nothing was violated\n" : "flights that violated\n";
+    for (const auto& [name, count] : violations_) {
+        std::snprintf(line, sizeof line, "%8u  %s\n", count, name.c_str());
+        all += line;
+    }
+    return all;
+}
+
+}  // namespace simulator::chaos
