@@ -137,7 +137,7 @@ private:
             violated("board_stopped", board_.fault());
             return;
         }
-        if (!script_.over()) script_.step(board_.time_us());
+        if (!script_.over() && now_s() >= scenario_.begins_s) script_.step(board_.time_us());
         if (talks_) talk();
         tuned_ = tuned_ || script_.telemetry().mode() == kAutotune;
         if (!switched_ && script_.airborne_s()) switchTo(kAutoSwitch_us);
@@ -202,7 +202,14 @@ private:
         script_.stop("over");
         if (!alive_) return;
         if (!listens()) return violated("board_silent", "no heartbeat at the end");
+        restartOnTheGround();
         readBack();
+    }
+    // After the flight it stays disarmed, whatever restarts it.
+    void restartOnTheGround() {
+        if (!board_.world().truth().on_ground || script_.telemetry().armed()) return;
+        restart(scenario_.seed % 2 == 0 ? "watchdog" : "brown_out");
+        run(3);
     }
     // What was set and acknowledged, from the memory that a restart leaves.
     void readBack();

@@ -132,8 +132,13 @@ private:
     void add(double at_s, Words words) {
         to_.events.push_back({std::round(at_s * 100) / 100, std::move(words)});
     }
-    double when() { return dice_.between(3, to_.seconds - 5); }
-    double inFlight() { return dice_.between(kAirborne_s + 10, to_.seconds - 5); }
+    // Half of what a ground station does comes before the flight, where there is time.
+    double when() {
+        const bool before = to_.begins_s > 0 && dice_.chance(0.5);
+        return dice_.between(3, before ? to_.begins_s : to_.seconds - 5);
+    }
+    const ParameterRow& parameter();
+    double inFlight() { return dice_.between(to_.begins_s + kAirborne_s + 10, to_.seconds - 5); }
     std::string link() { return dice_.chance(0.7) ? "telemetry" : "usb"; }
     std::string value(const ParameterRow& row);
     std::string hex(size_t bytes);
@@ -236,8 +241,17 @@ std::string Drawer::hex(size_t bytes) {
     return text;
 }
 
+// Every third is one of those that move the motor and the surfaces.
+const ParameterRow& Drawer::parameter() {
+    const bool moves = dice_.chance(0.33);
+    for (;;) {
+        const ParameterRow& row = dice_.of(parameters_);
+        if (!moves || row.name.rfind("RC", 0) == 0 || row.name.rfind("THR", 0) == 0) return row;
+    }
+}
+
 void Drawer::setParameter() {
-    const ParameterRow& row = dice_.of(parameters_);
+    const ParameterRow& row = parameter();
     add(when(), {"param", link(), row.name, value(row)});
 }
 
@@ -245,7 +259,7 @@ void Drawer::setManyParameters() {
     const double at_s = when();
     const std::string on = link();
     for (int n = dice_.whole(10, 40), i = 0; i < n; ++i) {
-        const ParameterRow& row = dice_.of(parameters_);
+        const ParameterRow& row = parameter();
         add(at_s + 0.05 * i, {"param", on, row.name, value(row)});
     }
 }
@@ -382,6 +396,7 @@ Scenario drawScenario(uint64_t seed, const std::vector<ParameterRow>& parameters
         s.gusts = true;
     }
     s.seconds = dice.whole(60, 180);
+    if (dice.chance(0.25)) s.begins_s = dice.whole(10, 25);
     s.mission = drawMission(dice);
     Drawer drawer(dice, parameters, s);
     if (dice.chance(0.5)) s.events.push_back({1, {"usb", "on"}});

@@ -66,6 +66,7 @@ private:
         if (first == "wind") return get(words, s.wind_mps), get(words, s.wind_from_deg);
         if (first == "gusts") return get(words, s.gusts);
         if (first == "seed") return get(words, s.seed);
+        if (first == "begins") return get(words, s.begins_s);
         if (first == "seconds") return get(words, s.seconds);
         if (first == "item") return item(words);
         if (first == "at") return event(words);
@@ -115,7 +116,8 @@ std::string textOf(const Event& event) {
 std::string textOf(const Scenario& s) {
     std::string text = "airplane " + s.airplane + "\nwind " + number(s.wind_mps) + " " +
                        number(s.wind_from_deg) + "\ngusts " + (s.gusts ? "1" : "0") + "\nseed " +
-                       std::to_string(s.seed) + "\nseconds " + number(s.seconds) + "\n";
+                       std::to_string(s.seed) + "\nbegins " + number(s.begins_s) + "\nseconds " +
+                       number(s.seconds) + "\n";
     for (const WaypointItem& item : s.mission) text += textOf(item) + "\n";
     for (const Event& event : s.events) text += textOf(event) + "\n";
     return text;
@@ -127,7 +129,8 @@ Scenario parseScenario(const std::string& text) { return Reader(text).read(); }
 // is lost; the processor restarts by itself while all else is well. Whatever is only read, and
 // noise on a link, does nothing.
 bool promisesToSurvive(const Scenario& scenario) {
-    constexpr double kTakeOff_s = 50, kAlone_s = 20;
+    const double take_off_s = 50 + scenario.begins_s;
+    constexpr double kAlone_s = 20;
     struct Span {
         double from_s, to_s;
         bool restart;
@@ -136,7 +139,7 @@ bool promisesToSurvive(const Scenario& scenario) {
     for (const Event& event : scenario.events) {
         const std::string& kind = event.kind();
         if (kind == "noise" || kind == "transmitter" || kind == "usb") continue;
-        if (event.at_s < kTakeOff_s) return false;
+        if (event.at_s < take_off_s) return false;
         if (kind == "fault") {
             if (event.words[1].rfind("imu", 0) == 0) return false;
             spans.push_back({event.at_s, event.at_s + std::stod(event.words[2]) + 10, false});

@@ -32,6 +32,7 @@ struct Scenario {
     double wind_mps = 0, wind_from_deg = 0;
     bool gusts = false;
     uint64_t seed = 1;          // of the sensors' errors
+    double begins_s = 0;        // until then it stands, and nobody wants to fly it
     double seconds = 120;       // of emulated time
     Waypoints mission;          // item 0 is home
     std::vector<Event> events;  // in order of time

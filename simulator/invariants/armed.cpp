@@ -32,6 +32,31 @@ class ArmedInTheAir : public Invariant {
     double low_s_ = kNever_s;
 };
 
+// From a disarmed heartbeat to an armed one, and nobody armed it. One that was armed may say for a
+// moment that it is not, while it finds its flight again after a restart.
+class ArmedByACommand : public Invariant {
+    void frame(const Snapshot& now, const History& history, const Report& report) override {
+        constexpr double kFindsItself_s = 3;
+        const double now_s = now.time_s();
+        if (history.heard().armed) armed_s_ = history.heard().time_s;
+        if (now.restarts != restarts_ && now_s - armed_s_ < kFindsItself_s) resumes_s_ = now_s;
+        restarts_ = now.restarts;
+        if (history.heartbeats() == heartbeats_) return;
+        heartbeats_ = history.heartbeats();
+        const Heard &before = history.heardBefore(), &after = history.heard();
+        if (before.armed || !after.armed || before.time_s <= kNever_s) return;
+        if (now_s - resumes_s_ < kFindsItself_s) return;
+        const double from_s = before.time_s - 1.5;
+        for (const Cause cause : {Cause::arms, Cause::rudder, Cause::overrides})
+            if (history.within(cause, from_s, after.time_s)) return;
+        report(after.time_s, text("armed, in mode %u", after.mode));
+    }
+
+    unsigned restarts_ = 0;
+    double armed_s_ = kNever_s, resumes_s_ = kNever_s;
+    uint64_t heartbeats_ = 0;
+};
+
 // The surfaces are still for as long as the processor starts, then in the airplane's own motion.
 class FliesOnAfterARestart : public Invariant {
     void frame(const Snapshot& now, const History& history, const Report& report) override {
@@ -89,6 +114,7 @@ class FliesOnAfterARestart : public Invariant {
 
 }  // namespace
 
+std::unique_ptr<Invariant> armedByACommand() { return std::make_unique<ArmedByACommand>(); }
 std::unique_ptr<Invariant> armedInTheAir() { return std::make_unique<ArmedInTheAir>(); }
 std::unique_ptr<Invariant> fliesOnAfterARestart() {
     return std::make_unique<FliesOnAfterARestart>();

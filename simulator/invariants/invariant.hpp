@@ -45,6 +45,7 @@ std::string text(const char* format, ...) __attribute__((format(printf, 1, 2)));
 // One function each, in the file of its subject.
 std::unique_ptr<Invariant> motorIdleWhenDisarmed();
 std::unique_ptr<Invariant> motorIdleOnTheGround();
+std::unique_ptr<Invariant> armedByACommand();
 std::unique_ptr<Invariant> armedInTheAir();
 std::unique_ptr<Invariant> surfacesOffTheirStops();
 std::unique_ptr<Invariant> modeHasACause();

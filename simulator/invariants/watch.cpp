@@ -10,6 +10,7 @@ const std::vector<InvariantRow> kInvariants = {
     {"motor_idle_disarmed", "Disarmed, the motor's pulse is its idle.", motorIdleWhenDisarmed},
     {"motor_idle_standing", "Standing on the ground, the motor runs only when that was asked for.",
      motorIdleOnTheGround},
+    {"armed_by_itself", "Nothing arms but a command or the rudder stick.", armedByACommand},
     {"armed_in_the_air", "In the air nothing but a forced command disarms.", armedInTheAir},
     {"surface_at_its_stop", "No surface stays at its stop for two seconds.", surfacesOffTheirStops},
     {"mode_without_cause", "The mode changes only for a cause that can be stated.", modeHasACause},

@@ -218,6 +218,10 @@ declare_test(campaign.replay_on_the_image COMMAND node --test ${tests}/scenarios
              NEEDS fly ${IMAGE_apm2} DATA ${flight_data} LABELS simavr AFTER image_minutes REUSE
              ENVIRONMENT FLY=$<TARGET_FILE:fly> MINUTES=${minutes}/campaign)
 
+# ---- whatever happens, the invariants hold
+declare_test(chaos COMMAND chaos --flights 100 --seed 1 --out ${flights}/chaos DATA ${flight_data}
+             ${CMAKE_SOURCE_DIR}/firmware/state/parameters.csv LABELS native REUSE)
+
 # ---- the tools' images and logs, flown
 declare_test(mission_tool.flies_a_compiled_image COMMAND node --test ${tests}/scenarios/mission_image.test.mjs
              NEEDS fly mission_tool LABELS native REUSE DATA ${flight_data} ENVIRONMENT

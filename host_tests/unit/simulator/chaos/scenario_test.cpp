@@ -6,7 +6,7 @@
 namespace simulator::chaos {
 
 constexpr char kSmall[] =
-    "airplane flying_wing\nwind 3.5 120\ngusts 1\nseed 7\nseconds 90\n"
+    "airplane flying_wing\nwind 3.5 120\ngusts 1\nseed 7\nbegins 12\nseconds 90\n"
     "item 16 0 0 0 0 0 47.3977000 8.5456000 488\n"
     "item 22 3 15 0 0 0 0.0000000 0.0000000 45.5\n"
     "at 30.50 fault gps:lost 12.5\n"
@@ -27,6 +27,7 @@ TEST(Scenario, ItIsReadAsItStands) {
     EXPECT_EQ(scenario.wind_mps, 3.5);
     EXPECT_TRUE(scenario.gusts);
     EXPECT_EQ(scenario.seed, 7u);
+    EXPECT_EQ(scenario.begins_s, 12);
     EXPECT_EQ(scenario.seconds, 90);
     ASSERT_EQ(scenario.mission.size(), 2u);
     EXPECT_EQ(scenario.mission[1].command, 22);

@@ -21,6 +21,49 @@ Flown flying() {
     return flown;
 }
 
+TEST(ArmedByACommand, NothingElseArms) {
+    for (const bool ordered : {true, false}) {
+        Flown flown;
+        flown.run(5);
+        if (ordered) flown.command(MavCmd::component_arm_disarm, 1);
+        flown.armed = true;
+        flown.run(2);
+        EXPECT_EQ(flown.violated(), ordered ? "" : "armed_by_itself ");
+    }
+}
+
+TEST(ArmedByACommand, ARestartOnTheGroundDoesNot) {
+    Flown flown;
+    flown.run(5);
+    flown.watch.provokedRestart(true);
+    flown.restart();
+    flown.armed = true;
+    flown.run(2);
+    EXPECT_EQ(flown.violated(), "armed_by_itself ");
+}
+
+TEST(ArmedByACommand, AFlightThatGoesOnMayBeHeardDisarmedOnce) {
+    Flown flown = flying();
+    flown.watch.provokedRestart(true);
+    flown.restart();
+    flown.armed = false;
+    flyFor(flown, 1);
+    flown.armed = true;
+    flyFor(flown, 5);
+    EXPECT_EQ(flown.violated(), "");
+}
+
+TEST(ArmedByACommand, TheRudderStickDoes) {
+    Flown flown;
+    flown.run(5);
+    flown.now.stick_us[3] = 1900;
+    flown.run(3);
+    flown.now.stick_us[3] = 1500;
+    flown.armed = true;
+    flown.run(2);
+    EXPECT_EQ(flown.violated(), "");
+}
+
 TEST(ArmedInTheAir, DisarmingInTheAirIsSeen) {
     Flown flown = flying();
     flown.armed = false;

@@ -30,8 +30,12 @@ public:
     mavlink::VfrHud hud{};
     Watch watch;
 
-    void inTheAir(double height_m = 100) {
+    void arm() {
+        command(mavlink::MavCmd::component_arm_disarm, 1);
         armed = true;
+    }
+    void inTheAir(double height_m = 100) {
+        arm();
         now.truth.on_ground = false;
         now.truth.height_m = height_m;
         now.truth.airspeed_mps = now.truth.equivalent_airspeed_mps = 12;

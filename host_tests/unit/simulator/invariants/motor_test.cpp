@@ -49,7 +49,7 @@ TEST(MotorIdleWhenDisarmed, AClosedEndSetWhileDisarmedCountsOnceItWasArmedSo) {
     Flown armed;
     armed.run(5);
     armed.parameter("RC3_MIN", 1200);
-    armed.armed = true;
+    armed.arm();
     armed.run(1.5);
     armed.now.servo_us[2] = 1200;
     armed.armed = false;
@@ -61,7 +61,7 @@ Flown standsArmedIn(uint32_t mode) {
     Flown flown;
     flown.mode = mode;
     flown.run(5);
-    flown.armed = true;
+    flown.arm();
     flown.run(10);
     flown.now.servo_us[2] = 1600;
     return flown;
