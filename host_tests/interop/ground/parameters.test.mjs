@@ -162,13 +162,11 @@ for (const [name, reset] of [
       assert.equal(await read(vehicle, 'FORMAT_VERSION'), 1);
     }));
 
-// natively compiled firmware cannot start twice
-if (process.env.FLY_BOARD === 'elf')
-  test('a value that was set stands after a restart by command', withVehicle({}, async (vehicle) => {
-    await setAndStore(vehicle);
-    assert.equal(await vehicle.command(246, [1]), 0);
-    await vehicle.expect('STATUSTEXT',  // of a start
-      { within_ms: 10000, where: ({ text }) => /airplane/.test(text) });
-    assert.equal(await read(vehicle, 'WP_RADIUS'), 42);
-    assert.equal(await read(vehicle, 'TECS_TIME_CONST'), 3.5);
-  }));
+test('a value that was set stands after a restart by command', withVehicle({}, async (vehicle) => {
+  await setAndStore(vehicle);
+  assert.equal(await vehicle.command(246, [1]), 0);
+  await vehicle.expect('STATUSTEXT',  // of a start
+    { within_ms: 10000, where: ({ text }) => /airplane/.test(text) });
+  assert.equal(await read(vehicle, 'WP_RADIUS'), 42);
+  assert.equal(await read(vehicle, 'TECS_TIME_CONST'), 3.5);
+}));

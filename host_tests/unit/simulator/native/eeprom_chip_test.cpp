@@ -98,3 +98,13 @@ TEST_F(EepromChipTest, has_worn_cells) {
     EXPECT_EQ(chip.read(7, &byte, 1), Status::ok);
     EXPECT_EQ(byte, 3);
 }
+
+TEST_F(EepromChipTest, a_restart_ends_the_byte_in_flight_and_loses_those_that_wait) {
+    ASSERT_EQ(write(7, {1, 2}), Status::ok);
+    pass(1000);
+    chip.restart();
+    EXPECT_TRUE(chip.drained());
+    pass(10'000);
+    EXPECT_EQ(chip.cells()[7], 1);
+    EXPECT_EQ(chip.cells()[8], 0xFF);
+}

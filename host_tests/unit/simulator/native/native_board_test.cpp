@@ -38,4 +38,10 @@ TEST(NativeBoard, lets_time_pass_for_firmware_that_waits_for_it_without_resting)
     EXPECT_TRUE(the_time_came);
     EXPECT_GE(board.time_us(), 200'000u);
     EXPECT_GT(loops_waited, 1000);  // as fast as ever at first
+
+    // the linker put no marks around the variables of this firmware: they cannot be put back
+    board.reset();
+    EXPECT_FALSE(board.runUntil(300'000));
+    EXPECT_EQ(board.fault(), "reset: this program's firmware cannot start twice");
+    EXPECT_EQ(board.restarts(), 0u);
 }
