@@ -238,15 +238,22 @@ void takeErrors(Summary& s, const Recorder& recorder) {
 }
 
 // The invariants are of our firmware: another's words for things may be others.
-void takeViolations(Summary& s, const FlyOptions& options, WatchedBoard& board) {
-    const bool ours =
-        options.native || options.firmware == FLY_IMAGE || options.firmware == FLY_IMAGE_1;
-    if (!ours || interrupted != 0) return;
+bool ours(const FlyOptions& options) {
+    return options.native || options.firmware == FLY_IMAGE || options.firmware == FLY_IMAGE_1;
+}
+
+void takeViolations(Summary& s, WatchedBoard& board) {
     for (const invariants::Violation& each : board.violations())
         s.violations.push_back({each.time_s, each.name + ": " + each.numbers});
     if (s.violations.empty()) return;
     s.completed = false;
     if (s.reason.empty()) s.reason = "violated: " + board.violations().front().line();
+}
+
+bool reportViolations(WatchedBoard& board) {
+    for (const invariants::Violation& each : board.violations())
+        std::cerr << "fly: violated: " << each.line() << "\n";
+    return board.violations().empty();
 }
 
 Summary summarize(const FlyOptions& options, WatchedBoard& board, const ScriptedFlight& flight,
@@ -281,7 +288,7 @@ Summary summarize(const FlyOptions& options, WatchedBoard& board, const Scripted
     if (!options.native) s.task_names = readTaskNames(options.firmware);
     s.events = telemetry.events;
     s.texts = telemetry.texts;
-    takeViolations(s, options, board);
+    if (ours(options) && interrupted == 0) takeViolations(s, board);
     return s;
 }
 
@@ -392,16 +399,16 @@ void setByWire(Board& board, int usart, const ParameterSettings& settings) {
 }
 
 int serve(const FlyOptions& options, const Waypoints& items) {
-    const auto board = makeBoard(options, worldFor(options, items));
-    loadMemories(*board, options);
+    WatchedBoard board(makeBoard(options, worldFor(options, items)));
+    loadMemories(board, options);
     const int telemetry = telemetryUsart(options);
     const int other = telemetry == 0 ? wiringOf(options).telemetry_usart : 0;
-    Server server(*board, options.listen, {telemetry, other}, options.lock_step);
-    board->setUsb(!options.telemetry_on_uart0);
-    switchTransmitterOn(board->world());
-    setByWire(*board, telemetry, parametersFor(options));
-    Thrower thrower(*board, telemetry);
-    board->listen([&](int usart, uint8_t byte, uint64_t time_us) {
+    Server server(board, options.listen, {telemetry, other}, options.lock_step);
+    board.setUsb(!options.telemetry_on_uart0);
+    switchTransmitterOn(board.world());
+    setByWire(board, telemetry, parametersFor(options));
+    Thrower thrower(board, telemetry);
+    board.listen([&](int usart, uint8_t byte, uint64_t time_us) {
         server.fromBoard(usart, byte);
         if (usart == telemetry) thrower.receive(byte, time_us);
     });
@@ -409,7 +416,7 @@ int serve(const FlyOptions& options, const Waypoints& items) {
               << (other == 0 ? ", USB (USART0) on " : ", USART2 on ") << server.secondPort();
     if (options.lock_step) std::cout << ", time is granted on " << server.controlPort();
     std::cout << "; Ctrl-C ends" << std::endl;
-    const auto stop = [&board] { return interrupted != 0 || !board->world().fault().empty(); };
+    const auto stop = [&board] { return interrupted != 0 || !board.world().fault().empty(); };
     if (options.lock_step) {
         server.runLockStep(stop);
     } else {
@@ -417,13 +424,13 @@ int serve(const FlyOptions& options, const Waypoints& items) {
     }
     alarm(0);
     Results results;
-    saveMemories(*board, options, results);
-    if (!board->fault().empty())
-        std::cerr << "fly: the firmware stopped: " << board->fault() << "\n";
-    const std::string fault = interrupted != 0 ? "" : board->world().fault();
+    saveMemories(board, options, results);
+    if (!board.fault().empty()) std::cerr << "fly: the firmware stopped: " << board.fault() << "\n";
+    const std::string fault = interrupted != 0 ? "" : board.world().fault();
     if (!fault.empty()) std::cerr << "fly: " << fault << "\n";
+    const bool held = !ours(options) || reportViolations(board);
     if (!results.allWritten()) return 2;
-    return board->fault().empty() && fault.empty() ? 0 : 1;
+    return board.fault().empty() && fault.empty() && held ? 0 : 1;
 }
 
 int fly(const FlyOptions& options) {

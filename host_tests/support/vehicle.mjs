@@ -108,6 +108,7 @@ export class Vehicle {
     await this.gone.catch(() => {});
     for (const line of this.lines) line.socket.destroy();
     this.control.destroy();
+    assert.equal(this.program.exitCode, 0, 'it violated an invariant, or did not end by itself');
   }
 
   // What the image may take of emulated time is counted over all tests.

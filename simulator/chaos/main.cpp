@@ -73,6 +73,9 @@ private:
         Flying& flown = found->second;
         const Outcome outcome = flown.process.take(status);
         totals_.add(flown.scenario, outcome);
+        if (!outcome.violations.empty())
+            std::cout << "seed " << flown.seed << ": " << outcome.violations.front().line()
+                      << std::endl;
         if (!outcome.violations.empty()) failures_[flown.seed] = {flown.scenario, outcome};
         flying_.erase(found);
         if (++flown_ % 100 == 0)
