@@ -147,6 +147,7 @@ private:
 
     void setParameter();
     void setManyParameters();
+    void calibrateRadio();
     void armOrDisarm();
     void chooseMode();
     void anyCommand();
@@ -264,6 +265,24 @@ void Drawer::setManyParameters() {
     }
 }
 
+// As a ground station's page for it ends: ends, middle and direction of every channel, from a
+// transmitter that may be set in any way.
+void Drawer::calibrateRadio() {
+    const double at_s = when();
+    const std::string on = link();
+    int sent = 0;
+    const auto set = [&](int channel, const char* what, int to) {
+        const std::string name = "RC" + whole(channel) + "_" + what;
+        add(at_s + 0.05 * sent++, {"param", on, name, whole(to)});
+    };
+    for (int channel = 1; channel <= 4; ++channel) {
+        set(channel, "MIN", dice_.whole(950, 1300));
+        set(channel, "MAX", dice_.whole(1750, 2050));
+        set(channel, "TRIM", dice_.whole(1400, 1600));
+        set(channel, "REV", dice_.chance(0.3) ? -1 : 1);
+    }
+}
+
 void Drawer::command(const Words& parameters) {
     Words words = {"command", link()};
     words.insert(words.end(), parameters.begin(), parameters.end());
@@ -345,11 +364,12 @@ void Drawer::station(bool hostile) {
     };
     static constexpr Row kRows[] = {
         {&Drawer::setParameter, 4, 4},   {&Drawer::setManyParameters, 0, 1},
-        {&Drawer::armOrDisarm, 2, 3},    {&Drawer::chooseMode, 4, 4},
-        {&Drawer::anyCommand, 1, 8},     {&Drawer::cutUpload, 2, 2},
-        {&Drawer::overrideSticks, 0, 2}, {&Drawer::setCurrent, 2, 2},
-        {&Drawer::clearMission, 1, 1},   {&Drawer::anyFrame, 0, 8},
-        {&Drawer::anyNoise, 2, 3},       {&Drawer::readLogs, 1, 1},
+        {&Drawer::calibrateRadio, 2, 2}, {&Drawer::armOrDisarm, 2, 3},
+        {&Drawer::chooseMode, 4, 4},     {&Drawer::anyCommand, 1, 8},
+        {&Drawer::cutUpload, 2, 2},      {&Drawer::overrideSticks, 0, 2},
+        {&Drawer::setCurrent, 2, 2},     {&Drawer::clearMission, 1, 1},
+        {&Drawer::anyFrame, 0, 8},       {&Drawer::anyNoise, 2, 3},
+        {&Drawer::readLogs, 1, 1},
     };
     unsigned sum = 0;
     for (const Row& row : kRows) sum += hostile ? row.hostile_weight : row.weight;

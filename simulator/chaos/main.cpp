@@ -121,9 +121,25 @@ int replay(const ChaosOptions& options) {
     return outcome.violations.empty() ? 0 : 1;
 }
 
+int cutDown(const ChaosOptions& options) {
+    constexpr unsigned kTries = 1000;
+    const Scenario scenario = parseScenario(wholeFile(options.cut).value_or(""));
+    const auto fly = [&](const Scenario& each) {
+        return FlightProcess(each, options.firmware).wait();
+    };
+    const Outcome outcome = fly(scenario);
+    if (outcome.violations.empty()) throw std::runtime_error("it violates nothing");
+    const std::string name = outcome.violations.front().name;
+    const Scenario least = shrink(
+        scenario, [&](const Scenario& each) { return fly(each).violates(name); }, kTries);
+    std::cout << "# " << fly(least).violations.front().line() << "\n" << textOf(least);
+    return 1;
+}
+
 int chaos(const ChaosOptions& options) {
     std::signal(SIGINT, [](int) { interrupted = 1; });
     try {
+        if (!options.cut.empty()) return cutDown(options);
         return options.replay.empty() ? Run(options).all() : replay(options);
     } catch (const std::exception& error) {
         std::cerr << "chaos: " << error.what() << "\n";

@@ -43,6 +43,8 @@ ParsedChaos parseChaosOptions(int count, char** words) {
         ->default_str("");
     app.add_option("--replay", o.replay, "a scenario's file: flies it alone and says what happens")
         ->check(CLI::ExistingFile);
+    app.add_option("--shrink", o.cut, "a scenario's file that fails: cuts it down")
+        ->check(CLI::ExistingFile);
     app.add_flag("--no-shrink", o.no_shrink, "leaves scenarios as they were drawn")
         ->disable_flag_override();
     app.add_option("--out", o.out, "folder for scenarios that failed")->capture_default_str();

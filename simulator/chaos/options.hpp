@@ -11,7 +11,7 @@ struct ChaosOptions {
     uint64_t flights = 100, seed = 1;
     unsigned jobs = 1;
     std::string firmware;  // empty: natively compiled
-    std::string replay, out;
+    std::string replay, cut, out;
     bool no_shrink = false;
 };
 

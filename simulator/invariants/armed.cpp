@@ -100,8 +100,11 @@ class FliesOnAfterARestart : public Invariant {
         if (heard && !history.heard().armed && !history.within(Cause::forces, begun_s - 1, now_s))
             report(now_s,
                    text("disarmed after a restart %.0f m above the ground", now.truth.height_m));
+        // a mode between two heartbeats is not heard of, a switch that was moved says there may be
+        // one
+        const bool other_mode = history.within(Cause::mode_switch, begun_s - 1.5, begun_s + 1.5);
         const bool still = moved_after_s_ < 0 || moved_after_s_ > kMovesWithin_s;
-        if (still && !pilotHasTheSurfaces(history.heard().mode))
+        if (still && !other_mode && !pilotHasTheSurfaces(history.heard().mode))
             report(now_s, text("no surface moved within 0.5 s of a restart; after %.2f s",
                                moved_after_s_));
     }

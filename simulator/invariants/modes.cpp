@@ -60,6 +60,13 @@ class ModeHasACause : public Invariant {
             if (history.within(cause, from_s, to_s)) return true;
         for (const char* reason : kReasons)
             if (history.saidWithin(reason, from_s, to_s)) return true;
+        // behind a parameter or a mission that waits for the store, what comes on that link waits
+        // too
+        const double waits_s = from_s - kStoreBusy_s;
+        if ((history.within(Cause::parameter, waits_s, to_s) ||
+             history.within(Cause::mission, waits_s, to_s)) &&
+            history.within(Cause::flight_mode, waits_s, to_s))
+            return true;
         if (history.saidWithin("Mode refused", from_s - kAsksAgain_s, to_s) ||
             history.saidWithin("Circling needs", from_s - kAsksAgain_s, to_s))
             return true;
@@ -77,7 +84,7 @@ class ModeHasACause : public Invariant {
         });
     }
 
-    static constexpr double kBefore_s = 1, kAfter_s = 1, kAsksAgain_s = 6;
+    static constexpr double kBefore_s = 1, kAfter_s = 1, kAsksAgain_s = 6, kStoreBusy_s = 2;
     uint64_t heartbeats_ = 0;
     uint32_t from_ = 0, to_ = 0;
     double from_s_ = 0, to_s_ = 0;

@@ -67,14 +67,23 @@ void WatchedBoard::received(int usart, uint8_t byte, uint64_t time_us) {
     if (listener_) listener_(usart, byte, time_us);
 }
 
+// As a rule a call is a frame. In noise before it another parser than the board's may see the
+// beginning of a longer one, and wait for its end.
 void WatchedBoard::send(int usart, const uint8_t* bytes, size_t size) {
     if (usart >= 0 && usart < kUsarts) {
-        auto& parser = up_[static_cast<size_t>(usart)];
-        for (size_t i = 0; i < size; ++i)
-            for (bool whole = parser.put(bytes[i]); whole; whole = parser.next())
-                watch_.sent(parser.frame(), static_cast<double>(board_.time_us()) * 1e-6);
+        mavlink::PeerParser anew;
+        if (sent(anew, bytes, size) == 0) sent(up_[static_cast<size_t>(usart)], bytes, size);
     }
     board_.send(usart, bytes, size);
+}
+
+// How many frames.
+unsigned WatchedBoard::sent(mavlink::PeerParser& parser, const uint8_t* bytes, size_t size) {
+    unsigned frames = 0;
+    for (size_t i = 0; i < size; ++i)
+        for (bool whole = parser.put(bytes[i]); whole; whole = parser.next(), ++frames)
+            watch_.sent(parser.frame(), static_cast<double>(board_.time_us()) * 1e-6);
+    return frames;
 }
 
 void WatchedBoard::reset() {

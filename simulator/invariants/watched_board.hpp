@@ -44,6 +44,7 @@ public:
 
 private:
     void look();
+    unsigned sent(mavlink::PeerParser& parser, const uint8_t* bytes, size_t size);
     void received(int usart, uint8_t byte, uint64_t time_us);
 
     static constexpr int kUsarts = 4;

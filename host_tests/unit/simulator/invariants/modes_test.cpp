@@ -65,6 +65,18 @@ TEST(ModeHasACause, AnOverrideOfTheSticksEndsAfterThreeSeconds) {
     }
 }
 
+TEST(ModeHasACause, ACommandMayWaitBehindAParameter) {
+    for (const bool behind : {true, false}) {
+        Flown flown = inAMode();
+        if (behind) flown.sent(mavlink::ParamSet{});
+        flown.command(mavlink::MavCmd::nav_return_to_launch);
+        flown.run(3);
+        flown.mode = 11;
+        flown.run(5);
+        EXPECT_EQ(flown.violated(), behind ? "" : "mode_without_cause ");
+    }
+}
+
 TEST(ModeHasACause, ACauseOfThreeSecondsAgoIsNone) {
     Flown flown = inAMode();
     flown.command(mavlink::MavCmd::nav_return_to_launch);
