@@ -46,9 +46,10 @@ inline bool othersTransfer(const Link& link, const mavlink::Frame& frame) {
     return transfer.state != Upload::none && !silent && !isOwner(link, frame);
 }
 
-bool ask();                                                    // for the item that is due
-void forgetTransfer();                                         // and what it has staged
-void takeOver(const Link& link, const mavlink::Frame& frame);  // and its owner is told so
+bool ask();             // for the item that is due
+void forgetTransfer();  // and what it has staged
+void takeOver(const Link& link,
+              const mavlink::Frame& frame);  // its owner gets MISSION_ACK, cancelled
 
 void reportReached();
 

@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/chaos/drill.hpp"
 
+#include "simulator/devices/supply.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "simulator/native/native_board.hpp"
 
 namespace simulator::chaos {
 namespace {
+
+// A sag of the supply: to where the fuses' detector resets the chip alone, or so deep that every
+// part restarts with it while the memory survives.
+bool sag(Board& board, const std::string& how) {
+    if (how != "brown_out" && how != "power_dip") return false;
+    constexpr uint64_t kFall_us = 5000, kLow_us = 10'000;
+    const double volts = how == "brown_out" ? 2.65 : 1.5;
+    const uint64_t from_us = board.time_us() + 1;
+    board.world().supply().add({volts, from_us, from_us + kFall_us + kLow_us, kFall_us});
+    board.runUntil(from_us + kFall_us + kLow_us + 2000);
+    return true;
+}
 
 class NativeDrill : public Drill {
 public:
@@ -13,9 +26,9 @@ public:
 
     Board& board() override { return board_; }
     void restart(const std::string& how) override {
-        board_.restart(how == "brown_out"  ? hal::ResetCause::brown_out
-                       : how == "watchdog" ? hal::ResetCause::watchdog
-                                           : hal::ResetCause::unknown);
+        if (!sag(board_, how))
+            board_.restart(how == "watchdog" ? hal::ResetCause::watchdog
+                                             : hal::ResetCause::unknown);
     }
 
 private:
@@ -28,20 +41,12 @@ public:
 
     Board& board() override { return board_; }
     void restart(const std::string& how) override {
-        if (how == "brown_out") return sag();
+        if (sag(board_, how)) return;
         if (how == "watchdog") return hang();
         board_.reset();
     }
 
 private:
-    // In 20 ms down to where the fuses' detector resets the chip.
-    void sag() {
-        constexpr double kDetector_v = 2.7, kStep_v = 0.115;
-        double& supply_v = board_.chip().adc().supply_v;
-        for (; supply_v > kDetector_v; supply_v -= kStep_v) run_us(1000);
-        board_.chip().reset(Reset::brown_out);
-        supply_v = 5.0;
-    }
     // The program stays where it is, interrupts go on: a jump to itself.
     void hang() {
         constexpr uint32_t kSpare = kBootSection - 2;

@@ -193,7 +193,7 @@ void Drawer::restarts() {
     const double at_s = dice_.chance(0.9) ? inFlight() : when();
     for (int n = dice_.chance(0.8) ? 1 : 3; n > 0; --n)
         add(at_s + dice_.between(0, n),
-            {"restart", dice_.of<std::string>({"brown_out", "brown_out", "watchdog", "watchdog",
+            {"restart", dice_.of<std::string>({"brown_out", "power_dip", "watchdog", "watchdog",
                                                "watchdog", "button"})});
 }
 

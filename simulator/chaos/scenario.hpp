@@ -12,7 +12,7 @@
 namespace simulator::chaos {
 
 // The words of an event, by its first one (docs/chaos.md):
-//   fault SENSOR:HOW SECONDS        restart brown_out|watchdog|button
+//   fault SENSOR:HOW SECONDS        restart brown_out|power_dip|watchdog|button
 //   sticks ROLL PITCH THROTTLE YAW  switch US                transmitter on|off
 //   usb on|off                      param LINK NAME VALUE    mode LINK NUMBER
 //   command LINK NUMBER P1 .. P7    override LINK C1 .. C8   current LINK ITEM

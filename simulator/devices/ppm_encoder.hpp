@@ -58,7 +58,6 @@ public:
                fault_ != FaultKind::held;
     }
 
-
 private:
     using Channels = std::array<uint16_t, kChannels>;
 

@@ -56,8 +56,8 @@ bool NativeBoard::runUntil(uint64_t time_us) {
     return fault_.empty();
 }
 
-// The firmware starts anew when the supply is back. Of memory that has been lost this computer knows
-// nothing.
+// The firmware starts anew when the supply is back. Of memory that has been lost this computer
+// knows nothing.
 void NativeBoard::checkSupply() {
     const Supply& supply = world_.supply();
     eeprom_.endanger(supply.below(least_v::kEepromWrite, now_us_));
@@ -67,7 +67,8 @@ void NativeBoard::checkSupply() {
         constexpr uint64_t kLook_us = 100;
         moveTo(now_us_ + kLook_us);
         if (supply.below(least_v::kMemory, now_us_))
-            fault_ = "the supply fell so low that memory is lost: only the image shows what follows";
+            fault_ =
+                "the supply fell so low that memory is lost: only the image shows what follows";
     }
 }
 

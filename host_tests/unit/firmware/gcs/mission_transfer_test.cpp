@@ -250,7 +250,7 @@ TEST_F(MissionTransfer, another_station_may_begin_when_the_owner_has_been_silent
     run_ms(2600);
     second.send(count(1));
     run_ms(20);
-    EXPECT_EQ(acks(), Results{MavMissionResult::operation_cancelled}) << "the owner is told so";
+    EXPECT_EQ(acks(), Results{MavMissionResult::operation_cancelled}) << "to the owner";
     second.send(itemInt(0));
     run_ms(100);
     EXPECT_EQ(acks(second), Results{MavMissionResult::accepted});
