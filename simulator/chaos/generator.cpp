@@ -143,6 +143,7 @@ private:
     std::string value(const ParameterRow& row);
     std::string hex(size_t bytes);
     void fault(double at_s, double longest_s);
+    void sag(double at_s);
     void command(const Words& parameters);
 
     void setParameter();
@@ -169,10 +170,17 @@ void Drawer::fault(double at_s, double longest_s) {
         const auto sensor = static_cast<Faulty>(dice_.below(kFaulty));
         const auto kind = static_cast<FaultKind>(1 + dice_.below(kFaultKinds - 1));
         if (!canFail(sensor, kind)) continue;
+        if (sensor == Faulty::supply) return sag(at_s);
         add(at_s, {"fault", std::string(nameOf(sensor)) + ":" + nameOf(kind),
                    print("%.2f", dice_.between(0.1, longest_s))});
         return;
     }
+}
+
+// Not so low that the processor restarts, which `restart` does.
+void Drawer::sag(double at_s) {
+    add(at_s, {"fault", print("supply:sag_%.2fv", dice_.between(2.75, 4.6)),
+               print("%.2f", dice_.between(0.05, 0.4))});
 }
 
 // Alone, in pairs that begin together, or in a burst of short ones.

@@ -23,7 +23,7 @@ class ArmedInTheAir : public Invariant {
         if (!before.armed || after.armed) return;
         const double from_s = before.time_s - 1.5;
         const bool caused = history.within(Cause::forces, from_s, after.time_s) ||
-                            history.within(Cause::restart, from_s, after.time_s);
+                            history.within(Cause::restart, from_s, now.time_s());
         if (caused || low_s_ > before.time_s - 1) return;
         report(after.time_s, text("disarmed %.0f m above the ground", now.truth.height_m));
     }
