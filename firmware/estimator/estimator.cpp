@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/estimator/estimator.hpp"
 
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "estimation/arc.hpp"
 #include "estimation/atmosphere.hpp"
@@ -40,26 +41,42 @@ constexpr EstimateState& published = Publisher<EstimateState>::state();
 
 using core::Vector3;
 
-estimation::Attitude attitude;
-estimation::Height height;
-estimation::BarometerDrift barometer_drift;
-estimation::Position position;
-estimation::Wind wind;
+core::FileState<estimation::Attitude> attitude{};
+core::FileState<estimation::Height> height{};
+core::FileState<estimation::BarometerDrift> barometer_drift{};
+core::FileState<estimation::Position> position{};
+core::FileState<estimation::Wind> wind{};
 
-bool started;
-bool height_started;
-bool height_by_gps;   // started by the receiver: the barometer has not been heard yet
-float home_height_m;  // of home above the barometer's zero, which drifts
-float true_speed_ratio = 1.0f;
-uint32_t fix_ms;
-uint16_t baro_ms;
-uint8_t imu_gap;      // frames without its samples
-float gps_above_m;    // the receiver's heights over the estimate's; 0: no fix has been seen
-uint8_t gathered;     // sample periods since motion was last carried on
-int32_t baro_sum_pa;  // of baro_readings
-uint8_t baro_readings;
-uint8_t flying_changes;                       // looks in a row at which `flying` is wrong
-uint8_t fixes_seen, baro_seen, compass_seen;  // of the sensors' counters
+struct Motion {
+    bool started;
+    uint8_t imu_gap;         // frames without its samples
+    uint8_t gathered;        // sample periods since motion was last carried on
+    uint8_t flying_changes;  // looks in a row at which `flying` is wrong
+    uint8_t compass_seen;    // of the compass' counter
+};
+core::FileState<Motion> motion{};
+
+struct Heights {
+    bool started;
+    bool by_gps;        // started by the receiver: the barometer has not been heard yet
+    float home_m;       // of home above the barometer's zero, which drifts
+    float gps_above_m;  // the receiver's heights over the estimate's; 0: no fix has been seen
+};
+core::FileState<Heights> heights{};
+
+struct Pressure {
+    int32_t sum_pa;  // of the readings since it was last used
+    uint8_t readings;
+    uint8_t seen;  // of the sensor's counter
+    uint16_t used_ms;
+};
+core::FileState<Pressure> pressure{};
+
+// Apart from the zeros, which need no copy in flash.
+struct TrueSpeed {
+    float ratio = 1.0f;  // to the equivalent one
+};
+core::FileState<TrueSpeed> true_speed{};
 
 constexpr uint8_t kDead = 20;         // frames: after a longer gap the attitude is lost
 constexpr uint8_t kFramePeriods = 2;  // of a sample
@@ -85,13 +102,20 @@ estimation::AttitudeSettings attitudeSettings() {
 
 // Each use of a fix has a row of its own, because all of them cost too much for one. True: this use
 // has not been made of the newest fix.
-struct {
+struct FixUses {
     bool position, wind, height;
-} fix_for;
-float since_fix_s;  // from the fix before
+};
+core::FileState<FixUses> fix_for{};
+
+struct NewestFix {
+    uint32_t ms;
+    float since_s;  // from the fix before
+    uint8_t seen;   // of the receiver's counter
+};
+core::FileState<NewestFix> newest_fix{};
 
 // Rows of the schedule rest until the gyros' zero is known, and while it is measured again.
-bool runs() { return started && vehicle.imu.calibrated; }
+bool runs() { return motion.started && vehicle.imu.calibrated; }
 
 // Since its bytes arrived a fix has aged.
 float gpsAge_s(uint32_t now_ms) {
@@ -127,9 +151,11 @@ bool divesSlowly() {
 
 // A reading that stays while the speed by GPS and wind changes is stuck. A calm flight alone is no
 // evidence: its speed may stay, too.
-struct {
+struct AirspeedChange {
     float reading_mps, expected_mps;  // when it changed last
-} airspeed_change;
+};
+core::FileState<AirspeedChange> airspeed_change{};
+
 bool staysWrongly(float expected_mps) {
     constexpr float kChanged_mps = 1;
     if (vehicle.airspeed.speed_mps != airspeed_change.reading_mps)
@@ -142,7 +168,7 @@ bool staysWrongly(float expected_mps) {
 bool airspeedFits() {
     workOutAirspeed();
     const float expected_mps = wind.airspeed_mps(vehicle.gps.velocity_mps);
-    const float odd_mps = fabsf(vehicle.airspeed.speed_mps * true_speed_ratio - expected_mps);
+    const float odd_mps = fabsf(vehicle.airspeed.speed_mps * true_speed.ratio - expected_mps);
     const bool odd = wind.known() && expected_mps >= parameters.speed_min_mps &&
                      odd_mps >= kInconsistentAirspeed_mps + expected_mps * kInconsistentAirspeed;
     const bool stuck = wind.known() && staysWrongly(expected_mps);
@@ -152,11 +178,11 @@ bool airspeedFits() {
 }
 
 void updateWind() {
-    if (!vehicle.estimate.flying || since_fix_s > 1.5f || pointsByCourse()) return;
+    if (!vehicle.estimate.flying || newest_fix.since_s > 1.5f || pointsByCourse()) return;
     if (!airspeedFits() && vehicle.airspeed.healthy) return;
     const float airspeed_mps = vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f;
     wind.update(vehicle.gps.velocity_mps, {attitude.noseNorth(), attitude.noseEast()}, airspeed_mps,
-                since_fix_s);
+                newest_fix.since_s);
     published.wind_mps = wind.wind_mps();
 }
 
@@ -166,18 +192,18 @@ bool near(float a_m, float b_m) { return fabsf(a_m - b_m) < kInconsistentHeight_
 // where the first fix came while there is none.
 void startHeightByGps(float gps_m) {
     const float above_home_m = vehicle.home.set ? gps_m - vehicle.home.altitude_cm * 0.01f : 0;
-    height.start(home_height_m + above_home_m);
-    gps_above_m = gps_m - height.height_m();
-    height_started = height_by_gps = true;
+    height.start(heights.home_m + above_home_m);
+    heights.gps_above_m = gps_m - height.height_m();
+    heights.started = heights.by_gps = true;
 }
 
 // The barometer's zero was taken wherever the airplane was by then: the heights above home stay.
 void moveHeightToBarometer(float reading_m) {
     const float by_m = reading_m - height.height_m();
     height.resume(reading_m, height.climb_mps());
-    home_height_m += by_m;
-    gps_above_m -= by_m;
-    height_by_gps = false;
+    heights.home_m += by_m;
+    heights.gps_above_m -= by_m;
+    heights.by_gps = false;
 }
 
 // The receiver's height stands in for the barometer's, whose zero it learns before; and says which
@@ -187,10 +213,10 @@ void useGpsHeight() {
     const float height_m = height.height_m();
     const float gps_m = vehicle.gps.altitude_cm * 0.01f;
     // begun in the air there is no time to learn it slowly
-    if (gps_above_m == 0 && height_started) gps_above_m = gps_m - height_m;
-    const float fix_m = gps_m - gps_above_m;
+    if (heights.gps_above_m == 0 && heights.started) heights.gps_above_m = gps_m - height_m;
+    const float fix_m = gps_m - heights.gps_above_m;
     if (!baro.healthy) {
-        if (!height_started) return startHeightByGps(gps_m);
+        if (!heights.started) return startHeightByGps(gps_m);
         if (!near(vehicle.estimate.baro_height_m, height_m)) reportInconsistency(Sensor::barometer);
         estimation::HeightSettings slow;
         slow.omega_rads = 0.7f;  // of five fixes a second
@@ -200,34 +226,34 @@ void useGpsHeight() {
         if (near(fix_m, height_m)) reportInconsistency(Sensor::barometer);
         return;
     }
-    gps_above_m += (fix_m - height_m) * (vehicle.estimate.flying ? 0.002f : 0.2f);
+    heights.gps_above_m += (fix_m - height_m) * (vehicle.estimate.flying ? 0.002f : 0.2f);
     if (!near(fix_m, height_m) && vehicle.gps.hdop_c < kGoodHdop_c)
         reportInconsistency(Sensor::barometer);
-    home_height_m += barometer_drift.useGps(height_m - height.climb_mps() * kClimbAge_s,
-                                            -vehicle.gps.velocity_mps.z, since_fix_s);
+    heights.home_m += barometer_drift.useGps(height_m - height.climb_mps() * kClimbAge_s,
+                                             -vehicle.gps.velocity_mps.z, newest_fix.since_s);
 }
 
 // The mean of what has come since the last time.
 void useBarometer() {
-    if (baro_readings == 0) return;
+    if (pressure.readings == 0) return;
     const auto& baro = vehicle.baro;
     const float reading_m =
-        estimation::pressureHeight_m(static_cast<float>(baro_sum_pa) / baro_readings,
+        estimation::pressureHeight_m(static_cast<float>(pressure.sum_pa) / pressure.readings,
                                      baro.ground_pressure_pa, baro.ground_temperature_c);
-    baro_sum_pa = 0;
-    baro_readings = 0;
+    pressure.sum_pa = 0;
+    pressure.readings = 0;
     published.baro_height_m = reading_m;
     if (!baro.healthy) return;
     const uint16_t now_ms = static_cast<uint16_t>(hal::now_ms());
-    if (height_by_gps) moveHeightToBarometer(reading_m);
-    if (height_started) {
-        height.useBarometer(reading_m, static_cast<uint16_t>(now_ms - baro_ms) * 0.001f,
+    if (heights.by_gps) moveHeightToBarometer(reading_m);
+    if (heights.started) {
+        height.useBarometer(reading_m, static_cast<uint16_t>(now_ms - pressure.used_ms) * 0.001f,
                             estimation::HeightSettings());
     } else {
         height.start(reading_m);
-        height_started = true;
+        heights.started = true;
     }
-    baro_ms = now_ms;
+    pressure.used_ms = now_ms;
 }
 
 // On the ground before the first fix 0 lets the filter settle; in flight it would hold the turn's
@@ -283,7 +309,7 @@ void publishAngles() {
 
 void publishHeight() {
     auto& to = published;
-    to.height_m = height.height_m() - home_height_m;
+    to.height_m = height.height_m() - heights.home_m;
     to.climb_mps = height.climb_mps();
     to.velocity_mps.z = -to.climb_mps;
 }
@@ -293,22 +319,22 @@ void publishHeight() {
 // Without an inertial sensor the attitude stands, and is found anew when it is back.
 void runAttitude() {
     const auto& imu = vehicle.imu;
-    if (!imu.calibrated || (imu.periods == 0 && !started)) return;
-    if (!started) {
+    if (!imu.calibrated || (imu.periods == 0 && !motion.started)) return;
+    if (!motion.started) {
         attitude.start();
         wind.start();
-        started = true;
+        motion.started = true;
     }
     const uint8_t periods = imu.periods != 0 ? imu.periods : kFramePeriods;
-    gathered = periods > 0xFF - gathered ? 0xFF : gathered + periods;
+    motion.gathered = periods > 0xFF - motion.gathered ? 0xFF : motion.gathered + periods;
     auto& to = published_attitude;
     if (imu.periods == 0) {
-        if (imu_gap != kDead) ++imu_gap;
-        to.aligned = imu_gap < kDead && to.aligned;
+        if (motion.imu_gap != kDead) ++motion.imu_gap;
+        to.aligned = motion.imu_gap < kDead && to.aligned;
         return;
     }
-    if (imu_gap == kDead) attitude.start();
-    imu_gap = 0;
+    if (motion.imu_gap == kDead) attitude.start();
+    motion.imu_gap = 0;
     attitude.propagate({imu.turned, imu.rate_rads, imu.accel_mss, imu.periods});
     to.roll_rad = attitude.angles().roll_rad;
     to.pitch_rad = attitude.angles().pitch_rad;
@@ -328,21 +354,21 @@ void orthonormalizeMatrix() { attitude.orthonormalize(); }
 void pointYaw() { attitude.pointYaw(); }
 
 void gatherPressure() {
-    if (vehicle.baro.readings == baro_seen || !runs()) return;
-    baro_seen = vehicle.baro.readings;
-    baro_sum_pa += vehicle.baro.pressure_pa;
-    ++baro_readings;
+    if (vehicle.baro.readings == pressure.seen || !runs()) return;
+    pressure.seen = vehicle.baro.readings;
+    pressure.sum_pa += vehicle.baro.pressure_pa;
+    ++pressure.readings;
 }
 
 void propagateMotion() {
     if (!runs()) return;
     attitude.accelerate();
     const Vector3 acceleration_mss =
-        imu_gap < kDead ? attitude.acceleration_mss() : Vector3{0, 0, 0};
-    const float dt_s = gathered * estimation::kSamplePeriod_s;
+        motion.imu_gap < kDead ? attitude.acceleration_mss() : Vector3{0, 0, 0};
+    const float dt_s = motion.gathered * estimation::kSamplePeriod_s;
     position.propagate(acceleration_mss, dt_s);
     height.propagate(-acceleration_mss.z, dt_s);
-    gathered = 0;
+    motion.gathered = 0;
     auto& to = published;
     to.known = position.known();
     to.position = position.position();
@@ -371,13 +397,13 @@ void publishSpeeds() {
     workOutAirspeed();
     if (vehicle.airspeed.healthy) {
         to.equivalent_airspeed_mps = vehicle.airspeed.speed_mps;
-        to.airspeed_mps = vehicle.airspeed.speed_mps * true_speed_ratio;
+        to.airspeed_mps = vehicle.airspeed.speed_mps * true_speed.ratio;
     } else {
         const bool reckoned = position.reckoned();
         const float airspeed_mps =
             reckoned ? parameters.cruise_speed_cms * 0.01f : wind.airspeed_mps(velocity);
         to.airspeed_mps = reckoned && !to.flying ? 0 : airspeed_mps;
-        to.equivalent_airspeed_mps = airspeed_mps / true_speed_ratio;  // the loops need some
+        to.equivalent_airspeed_mps = airspeed_mps / true_speed.ratio;  // the loops need some
     }
 }
 
@@ -395,19 +421,19 @@ void updateFlying() {
     const bool standing = stands();
     const bool changes =
         published.flying ? standing || !vehicle.armed : fast() && !standing && vehicle.armed;
-    flying_changes = changes ? flying_changes + 1 : 0;
-    if (flying_changes < (published.flying ? kEndsFlying : kBeginsFlying)) return;
+    motion.flying_changes = changes ? motion.flying_changes + 1 : 0;
+    if (motion.flying_changes < (published.flying ? kEndsFlying : kBeginsFlying)) return;
     published.flying = !published.flying;
-    flying_changes = 0;
+    motion.flying_changes = 0;
 }
 
 void fuseFixAttitude() {
-    if (vehicle.gps.fixes == fixes_seen || !runs()) return;
-    fixes_seen = vehicle.gps.fixes;
+    if (vehicle.gps.fixes == newest_fix.seen || !runs()) return;
+    newest_fix.seen = vehicle.gps.fixes;
     if (!fixIsGood()) return;
     const uint32_t now_ms = hal::now_ms();
-    since_fix_s = (now_ms - fix_ms) * 0.001f;
-    fix_ms = now_ms;
+    newest_fix.since_s = (now_ms - newest_fix.ms) * 0.001f;
+    newest_fix.ms = now_ms;
     estimation::AttitudeSettings settings = attitudeSettings();
     settings.gps_age_s = gpsAge_s(now_ms);
     attitude.useGps(vehicle.gps.velocity_mps, settings);
@@ -437,28 +463,29 @@ void fuseFixHeight() {
 
 void fuseCompass() {
     const auto& compass = vehicle.compass;
-    if (!compass.accepted || compass.readings == compass_seen || !runs()) return;
-    compass_seen = compass.readings;
+    if (!compass.accepted || compass.readings == motion.compass_seen || !runs()) return;
+    motion.compass_seen = compass.readings;
     if (parameters.compass_use != 0 && !attitude.useCompass(compass.field_mg, attitudeSettings()))
         reportInconsistency(Sensor::compass);
 }
 
 void fuseAirspeed() {
-    if (runs() && hal::now_ms() - fix_ms > kGpsSilent_ms) attitude.useAirspeed(knownAirspeed_mps());
+    if (runs() && hal::now_ms() - newest_fix.ms > kGpsSilent_ms)
+        attitude.useAirspeed(knownAirspeed_mps());
 }
 
 Vector3 gyroDrift_rads() { return attitude.bias_rads(); }
 
 void zeroHeight() {
     barometer_drift.zero();
-    home_height_m = height.height_m();
+    heights.home_m = height.height_m();
     published.height_m = 0;
-    true_speed_ratio = estimation::trueSpeedRatio(static_cast<float>(vehicle.baro.pressure_pa),
+    true_speed.ratio = estimation::trueSpeedRatio(static_cast<float>(vehicle.baro.pressure_pa),
                                                   vehicle.baro.temperature_cc * 0.01f);
 }
 
 void shiftHeight(float by_m) {
-    home_height_m -= by_m;
+    heights.home_m -= by_m;
     published.height_m += by_m;
 }
 
@@ -466,11 +493,11 @@ void shiftHeight(float by_m) {
 void resumeEstimate(const SlowRecord& steady, const FastRecord& moving, const Vector3& turned_rad,
                     float lost_s) {
     attitude.resume(moving.pose, steady.learnt, turned_rad);
-    home_height_m = steady.home_height_m;
-    height.resume(home_height_m + moving.height_m, moving.climb_mps);
-    height_started = started = true;
-    baro_ms = static_cast<uint16_t>(hal::now_ms());
-    true_speed_ratio =
+    heights.home_m = steady.home_height_m;
+    height.resume(heights.home_m + moving.height_m, moving.climb_mps);
+    heights.started = motion.started = true;
+    pressure.used_ms = static_cast<uint16_t>(hal::now_ms());
+    true_speed.ratio =
         estimation::trueSpeedRatio(steady.ground_pressure_pa, steady.ground_temperature_c);
     if (moving.wind_known) wind.resume(metres(steady.wind_cms[0]), metres(steady.wind_cms[1]));
     published.wind_mps = wind.wind_mps();
@@ -483,7 +510,7 @@ void resumeEstimate(const SlowRecord& steady, const FastRecord& moving, const Ve
 
 void saveEstimate(SlowRecord& to) {
     attitude.save(to.learnt);
-    to.home_height_m = home_height_m;
+    to.home_height_m = heights.home_m;
     const Vector3 wind_mps = wind.wind_mps();
     to.wind_cms[0] = centimetres(wind_mps.x);
     to.wind_cms[1] = centimetres(wind_mps.y);
