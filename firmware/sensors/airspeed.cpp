@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/airspeed.hpp"
 
+#include "core/file_state.hpp"
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
@@ -26,9 +27,13 @@ namespace {
 
 constexpr AirspeedState& published = Publisher<AirspeedState>::state();
 
-drivers::Airspeed pitot;
-uint32_t updated_us;
-bool updated;  // since the speed was last worked out
+core::FileState<drivers::Airspeed> pitot{};
+
+struct Update {
+    uint32_t us;
+    bool waits;  // since the speed was last worked out
+};
+core::FileState<Update> update{};
 
 }  // namespace
 
@@ -49,14 +54,14 @@ void runAirspeed() {
     const uint32_t now_us = hal::now_us();
     drivers::AirspeedSettings settings;
     settings.ratio = parameters.airspeed_ratio;
-    pitot.update(share, now_us - updated_us, settings);
-    updated_us = now_us;
-    updated = true;
+    pitot.update(share, now_us - update.us, settings);
+    update.us = now_us;
+    update.waits = true;
 }
 
 void workOutAirspeed() {
-    if (!updated) return;
-    updated = false;
+    if (!update.waits) return;
+    update.waits = false;
     published.speed_mps = pitot.speed_mps();
 }
 

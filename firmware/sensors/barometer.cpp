@@ -2,6 +2,7 @@
 // Static pressure. The zero of its height is where the airplane stood when it was switched on; the
 // temperature on the ground is held, as the sun on the board would else lift the airplane.
 #include "board.hpp"
+#include "core/file_state.hpp"
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
@@ -25,7 +26,7 @@ namespace {
 
 constexpr BarometerState& published = Publisher<BarometerState>::state();
 
-board::Barometer barometer;
+core::FileState<board::Barometer> barometer{};
 
 // The sensor sits on a board that warms it by about this much over the air around the airplane;
 // taken for the air's, its temperature would make every height 3 % too large.
@@ -38,7 +39,7 @@ struct Zero {
     int32_t sum_pa;
     uint8_t readings;
 };
-Zero zero;
+core::FileState<Zero> zero{};
 
 void takeZero(int32_t pressure_pa) {
     if (++zero.readings <= kSettleReadings) return;

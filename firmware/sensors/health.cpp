@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/sensors/health.hpp"
 
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -46,11 +47,15 @@ struct Health {
     uint8_t still;      // 0.1 s
     uint8_t suspicion;  // above kFaulty it is faulty, until there is none
 };
-Health healths[kSensors];
-uint8_t ailing;  // a bit a sensor
+
+struct Watch {
+    Health sensors[kSensors];
+    uint8_t ailing;  // a bit a sensor
+};
+core::FileState<Watch> watch{};
 
 uint8_t bit(Sensor sensor) { return static_cast<uint8_t>(1 << static_cast<uint8_t>(sensor)); }
-Health& of(Sensor sensor) { return healths[static_cast<uint8_t>(sensor)]; }
+Health& of(Sensor sensor) { return watch.sensors[static_cast<uint8_t>(sensor)]; }
 const Limits& limitsOf(Sensor sensor) { return kLimits[static_cast<uint8_t>(sensor)]; }
 
 void add(Health& health, uint16_t suspicion) {
@@ -81,7 +86,7 @@ bool countsUp(uint8_t& count, uint8_t limit) {
 }
 
 void update(uint8_t index) {
-    Health& health = healths[index];
+    Health& health = watch.sensors[index];
     const uint8_t bit = static_cast<uint8_t>(1 << index);
     const uint8_t still = core::romRead(kLimits[index].still);
     const bool silent = countsUp(health.silent, core::romRead(kLimits[index].silent));
@@ -89,15 +94,15 @@ void update(uint8_t index) {
                            ? countsUp(health.still, still)
                            : health.still >= still;
     if (silent || stuck) health.suspicion = kMax;
-    if (health.suspicion >= kFaulty) ailing |= bit;
-    if (health.suspicion == 0) ailing &= static_cast<uint8_t>(~bit);
+    if (health.suspicion >= kFaulty) watch.ailing |= bit;
+    if (health.suspicion == 0) watch.ailing &= static_cast<uint8_t>(~bit);
 }
 
 }  // namespace
 
 void startHealth() {
-    ailing = 0;
-    for (Health& health : healths) health.silent = health.still = health.suspicion = 0;
+    watch.ailing = 0;
+    for (Health& health : watch.sensors) health.silent = health.still = health.suspicion = 0;
 }
 
 bool acceptReading(Sensor sensor, int16_t reading, bool possible) {
@@ -125,7 +130,7 @@ void reportInconsistency(Sensor sensor) {
     add(of(sensor), core::romRead(limitsOf(sensor).impossible) * kContradicted);
 }
 
-bool isFaulty(Sensor sensor) { return (ailing & bit(sensor)) != 0; }
+bool isFaulty(Sensor sensor) { return (watch.ailing & bit(sensor)) != 0; }
 
 void watchHealth() {
     if (!vehicle.estimate.flying) return startHealth();

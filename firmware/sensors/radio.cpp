@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/sensors/rc_override.hpp"
@@ -36,11 +37,13 @@ constexpr uint16_t kPulseLowest_us = 900;
 constexpr uint16_t kPulseHighest_us = 2100;
 constexpr int32_t kFullStick_cd = 4500;
 
-// The last frame whose throttle was not below THR_FS_VALUE. Without a receiver the encoder goes on
-// with pulses of its own, which would move switches before the radio counts as lost.
-uint16_t good_us[hal::kRcChannels];
-uint8_t bad_readings;
-uint8_t good_readings;
+struct Reception {
+    // The last frame whose throttle was not below THR_FS_VALUE. Without a receiver the encoder goes
+    // on with pulses of its own, which would move switches before the radio counts as lost.
+    uint16_t good_us[hal::kRcChannels];
+    uint8_t bad, good;  // readings in a row
+};
+core::FileState<Reception> reception{};
 
 // Where the stick is the surface it is so from the middle on: a dead zone is for what holds an
 // attitude while the stick is let go.
@@ -94,11 +97,11 @@ bool groundFlies() {
 
 void countReadings(bool throttle_says_lost) {
     if (throttle_says_lost) {
-        good_readings = 0;
-        if (bad_readings < kBadReadings) ++bad_readings;
+        reception.good = 0;
+        if (reception.bad < kBadReadings) ++reception.bad;
     } else {
-        if (good_readings < kGoodReadings) ++good_readings;
-        if (good_readings >= kGoodReadings) bad_readings = 0;
+        if (reception.good < kGoodReadings) ++reception.good;
+        if (reception.good >= kGoodReadings) reception.bad = 0;
     }
 }
 
@@ -137,20 +140,20 @@ void runRadio() {
     if (fresh || ground_flies)
         countReadings(parameters.throttle_failsafe != 0 &&
                       static_cast<int16_t>(throttle_us) < parameters.throttle_failsafe_us);
-    published.lost = gone || bad_readings >= kBadReadings;
+    published.lost = gone || reception.bad >= kBadReadings;
     if (published.lost) {
         centre();
         return;
     }
-    if (bad_readings != 0) return;  // may be the encoder's own: what was received before it counts
+    if (reception.bad != 0) return;  // may be the encoder's own: what was received before it counts
     published.good_ms = hal::now_ms();
-    memcpy(good_us, published.pulse_us, sizeof good_us);
+    memcpy(reception.good_us, published.pulse_us, sizeof reception.good_us);
     scale();
 }
 
 uint8_t modeSwitchPosition() {
     if (published.lost || published.good_ms == 0) return 0;
-    const uint16_t pulse_us = good_us[parameters.mode_channel - 1];
+    const uint16_t pulse_us = reception.good_us[parameters.mode_channel - 1];
     if (pulse_us <= 900) return 0;
     for (uint8_t i = 0; i < core::count(kBands_us); ++i)
         if (pulse_us <= core::romRead(kBands_us[i])) return i + 1;
@@ -158,7 +161,7 @@ uint8_t modeSwitchPosition() {
 }
 
 bool switchIsUp(int8_t channel) {
-    return channel != 0 && !published.lost && good_us[channel - 1] > kSwitchUp_us;
+    return channel != 0 && !published.lost && reception.good_us[channel - 1] > kSwitchUp_us;
 }
 
 }  // namespace sensors

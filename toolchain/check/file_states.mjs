@@ -19,7 +19,6 @@ const kNotYet = new Set([
   'safety/failsafe.cpp',
   'safety/failsafe_causes.cpp',
   'safety/restart_records.cpp',  // restart.cpp writes what it defines
-  'sensors/airspeed.cpp', 'sensors/barometer.cpp', 'sensors/health.cpp', 'sensors/radio.cpp',
 ].map((name) => `firmware/${name}`));
 
 const kAttribute = /__attribute__\s*\(\(.*?\)\)|\balignas\s*\([^)]*\)/g;
