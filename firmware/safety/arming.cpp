@@ -2,6 +2,7 @@
 #include "firmware/safety/arming.hpp"
 
 #include "board.hpp"
+#include "core/file_state.hpp"
 #include "firmware/mission/home.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/modes/modes.hpp"
@@ -163,10 +164,18 @@ constexpr int16_t kFullRudder_cd = 4000;
 constexpr uint16_t kRemind_ms = 30000, kRemindSoon_ms = 5000;
 constexpr uint32_t kNotBefore_ms = 10000;  // the sensors need a while
 
-uint8_t rudder_held;  // for so long, 0.1 s
-uint32_t reminded_ms = kNotBefore_ms - kRemind_ms;
-uint16_t landed;  // for so long, 0.1 s
-uint8_t next_check;
+struct Arming {
+    uint8_t rudder_held;  // for so long, 0.1 s
+    uint8_t next_check;
+    uint16_t landed;  // for so long, 0.1 s
+};
+core::FileState<Arming> arming{};
+
+// Apart from the zeros, which need no copy in flash.
+struct Reminder {
+    uint32_t sent_ms = kNotBefore_ms - kRemind_ms;
+};
+core::FileState<Reminder> reminder{};
 
 void armNow() {
     published.armed = true;
@@ -183,9 +192,9 @@ void runRudderArming() {
                       !vehicle.estimate.flying && radio.throttle_pct == 0 &&
                       rudder_cd > kFullRudder_cd;
     if (!asks) {
-        rudder_held = 0;
-    } else if (++rudder_held > kRudderArms) {
-        rudder_held = 0;
+        arming.rudder_held = 0;
+    } else if (++arming.rudder_held > kRudderArms) {
+        arming.rudder_held = 0;
         if (vehicle.armed) {
             disarm(ArmReason::pilot, false);
         } else {
@@ -208,8 +217,8 @@ void report(Severity severity, const Check& check) {
 void remind(const Check& check) {
     const uint32_t now_ms = hal::now_ms();
     const uint16_t pause_ms = wrongBoard() ? kRemindSoon_ms : kRemind_ms;
-    if (now_ms - reminded_ms < pause_ms) return;
-    reminded_ms = now_ms;
+    if (now_ms - reminder.sent_ms < pause_ms) return;
+    reminder.sent_ms = now_ms;
     report(Severity::warning, check);
 }
 
@@ -217,13 +226,13 @@ void remind(const Check& check) {
 void runNextChecks() {
     constexpr uint8_t kAtOnce = 3;
     for (uint8_t i = 0; i < kAtOnce; ++i) {
-        const Check& check = kChecks[next_check];
+        const Check& check = kChecks[arming.next_check];
         if (fails(check)) {
             published.prearm_ok = false;
             return remind(check);
         }
-        if (++next_check < core::count(kChecks)) continue;
-        next_check = 0;
+        if (++arming.next_check < core::count(kChecks)) continue;
+        arming.next_check = 0;
         published.prearm_ok = true;
     }
 }
@@ -233,9 +242,9 @@ void runNextChecks() {
 void runLanded() {
     const bool down = vehicle.demand.path == Path::land && vehicle.progress.flaring &&
                       vehicle.mode == Mode::automatic && !vehicle.estimate.flying;
-    landed = down ? landed + 1 : 0;
+    arming.landed = down ? arming.landed + 1 : 0;
     const uint8_t delay_s = static_cast<uint8_t>(parameters.land_disarm_delay_s);
-    if (delay_s != 0 && landed > delay_s * 10) disarm(ArmReason::landed, false);
+    if (delay_s != 0 && arming.landed > delay_s * 10) disarm(ArmReason::landed, false);
 }
 
 const Check* firstFailing() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/failsafe.hpp"
 
+#include "core/file_state.hpp"
 #include "core/rom.hpp"
 #include "firmware/modes/modes.hpp"
 #include "firmware/safety/failsafe_causes.hpp"
@@ -35,7 +36,7 @@ struct Memory {
     Mode seen;           // at the end of the last run
     uint16_t overruled;  // causes, while somebody chose another mode
 };
-Memory memory = {kNoTransition, Mode::manual, Mode::manual, 0};
+core::FileState<Memory> memory({kNoTransition, Mode::manual, Mode::manual, 0});
 
 bool enter(Mode mode) { return requestMode(mode, ModeReason::failsafe); }
 

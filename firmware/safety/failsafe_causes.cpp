@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/failsafe_causes.hpp"
 
+#include "core/file_state.hpp"
 #include "firmware/safety/failsafe.hpp"
 #include "firmware/safety/fence.hpp"
 #include "firmware/sensors/health.hpp"
@@ -19,8 +20,11 @@ namespace {
 constexpr uint8_t kRestarted = 3;      // 0.1 s: within this the inertial sensor starts anew
 constexpr uint8_t kBatterySags = 100;  // 0.1 s
 
-uint8_t inertial_lost, battery_low;  // for so long, 0.1 s
-uint16_t radio_lost;
+struct Lasts {  // for so long, 0.1 s
+    uint8_t inertial_lost, battery_low;
+    uint16_t radio_lost;
+};
+core::FileState<Lasts> lasts{};
 
 bool longerThan(uint32_t ms, float s) { return ms >= static_cast<uint32_t>(s * 1000.0f); }
 
@@ -42,27 +46,28 @@ bool packIsLow() {
 
 void watchCauses() {
     const bool lost = vehicle.armed && !vehicle.imu.healthy;
-    count(inertial_lost, lost, kRestarted);
+    count(lasts.inertial_lost, lost, kRestarted);
     // a pack recovers when the motor stops: what was low stays low
-    const bool low = vehicle.armed && (battery_low == kBatterySags || packIsLow());
-    count(battery_low, low, kBatterySags);
+    const bool low = vehicle.armed && (lasts.battery_low == kBatterySags || packIsLow());
+    count(lasts.battery_low, low, kBatterySags);
     if (!vehicle.armed || !vehicle.radio.lost)
-        radio_lost = 0;
-    else if (radio_lost != 0xFFFF)
-        ++radio_lost;
+        lasts.radio_lost = 0;
+    else if (lasts.radio_lost != 0xFFFF)
+        ++lasts.radio_lost;
 }
 
 // Back, the attitude is found anew first.
 bool inertialLost() {
     const bool nonsense = !vehicle.imu.healthy && isFaulty(Sensor::inertial);
-    return inertial_lost >= kRestarted || nonsense ||
+    return lasts.inertial_lost >= kRestarted || nonsense ||
            (failing(Cause::inertial) && !vehicle.attitude.aligned);
 }
 bool fenceBroken() { return fenceReport().breach != Breach::none; }
-bool batteryLow() { return battery_low >= kBatterySags; }
+bool batteryLow() { return lasts.battery_low >= kBatterySags; }
 bool radioLost() { return vehicle.radio.lost; }
 bool radioLostLong() {
-    return radio_lost > 0 && longerThan((radio_lost - 1) * 100UL, parameters.long_timeout_s);
+    return lasts.radio_lost > 0 &&
+           longerThan((lasts.radio_lost - 1) * 100UL, parameters.long_timeout_s);
 }
 // One that was never there is not missed.
 bool groundLostLong() {
