@@ -2,6 +2,7 @@
 #include "firmware/actuators/outputs.hpp"
 
 #include "control/mixing.hpp"
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/actuators/camera.hpp"
@@ -38,10 +39,13 @@ constexpr uint8_t kAileron = 0, kElevator = 1, kRudder = 3;  // counted from 0
 constexpr uint8_t kThrottle = 3;                             // numbered as on the board
 constexpr uint16_t kShortest_us = 800, kLongest_us = 2200;
 
-uint8_t held;        // a bit an output: its pulse stays as it is
-uint8_t mode_entry;  // that the outputs were released for
-uint16_t idle_us;    // of the motor while disarmed
-bool was_armed;
+struct Outputs {
+    uint8_t held;        // a bit an output: its pulse stays as it is
+    uint8_t mode_entry;  // that the outputs were released for
+    uint16_t idle_us;    // of the motor while disarmed
+    bool was_armed;
+};
+core::FileState<Outputs> outputs{};
 
 ::control::ServoRange range(uint8_t output) {
     const Channel& channel = parameters.channel[output];
@@ -95,12 +99,12 @@ uint16_t idleAtStart_us() {
 // radio calibration or a parameter set writes meanwhile moves nothing.
 uint16_t throttle_us() {
     if (!vehicle.armed) {
-        was_armed = false;
-        return idle_us;
+        outputs.was_armed = false;
+        return outputs.idle_us;
     }
     const ::control::ServoRange servo = range(kThrottle - 1);
-    if (!was_armed) idle_us = throttlePulse_us(servo, core::Ratio::fromRaw(0));
-    was_armed = true;
+    if (!outputs.was_armed) outputs.idle_us = throttlePulse_us(servo, core::Ratio::fromRaw(0));
+    outputs.was_armed = true;
     return throttlePulse_us(servo, surfaces.throttle);
 }
 uint16_t rudder_us() {
@@ -169,11 +173,11 @@ uint8_t bit(uint8_t output) { return static_cast<uint8_t>(1u << (output - 1)); }
 bool isOutputFunction(int8_t number) { return number == 0 || functionOf(number) != nullptr; }
 
 void startOutputs() {
-    held = 0;
+    outputs.held = 0;
     for (uint16_t& pulse_us : published.servo_us) pulse_us = 0;
     surfaces = {};
-    idle_us = idleAtStart_us();
-    was_armed = false;
+    outputs.idle_us = idleAtStart_us();
+    outputs.was_armed = false;
     if (!wrongBoard()) hal::servoStart(kRefresh_hz);
     runOutputs();
 }
@@ -181,9 +185,9 @@ void startOutputs() {
 void runOutputs() {
     hal::hangTimerReset();
     if (wrongBoard()) return;
-    if (mode_entry != vehicle.mode_entries) outputReleaseAll();
-    mode_entry = vehicle.mode_entries;
-    uint8_t free = static_cast<uint8_t>(~held);
+    if (outputs.mode_entry != vehicle.mode_entries) outputReleaseAll();
+    outputs.mode_entry = vehicle.mode_entries;
+    uint8_t free = static_cast<uint8_t>(~outputs.held);
     uint8_t i = 0;
     for (; i < kFirstFree; ++i, free >>= 1)
         if (free & 1) put(i, core::romRead(kPulses[i])());
@@ -193,16 +197,16 @@ void runOutputs() {
 
 bool outputOverride(uint8_t output, uint16_t pulse_us) {
     if (!isOutput(output) || output == kThrottle || wrongBoard()) return false;
-    held |= bit(output);
+    outputs.held |= bit(output);
     put(output - 1, pulse_us == 0 ? 0 : core::limit(pulse_us, kShortest_us, kLongest_us));
     return true;
 }
 
 void outputRelease(uint8_t output) {
-    if (isOutput(output)) held &= static_cast<uint8_t>(~bit(output));
+    if (isOutput(output)) outputs.held &= static_cast<uint8_t>(~bit(output));
 }
 
-void outputReleaseAll() { held = 0; }
+void outputReleaseAll() { outputs.held = 0; }
 
 void outputPassStick(uint8_t output, uint16_t pulse_us) {
     published.servo_us[output] = pulse_us;
