@@ -29,18 +29,14 @@ protected:
         mutable_vehicle.baro.ground_temperature_c = 15;
         firmware::state::parameters.compass_use = 1;
         firmware::state::parameters.compass_declination_rad = 0;
-        // the filters outlive a test: they settle, and heights count from here
-        for (int i = 0; i < 3000; ++i) frame(0);
-        firmware::estimator::zeroHeight();
     }
-    void TearDown() override {
-        // to a standstill, without a leap for the next test, which begins with its own round of
-        // rows
-        while (speed_mps_ > 0 || frame_ % 40 != 0) frame(speed_mps_ > 0 ? -2.0f : 0.0f);
+    void frames(int count, float acceleration_mss = 0) {
+        for (int i = 0; i < count; ++i) frame(acceleration_mss);
     }
     void frame(float acceleration_mss) {
         speed_mps_ += acceleration_mss * 0.01f;
         travelled_m_ += speed_mps_ * 0.01f;
+        altitude_m_ += climb_mps_ * 0.01f;
         mutable_vehicle.imu.periods = 2;
         mutable_vehicle.imu.accel_mss =
             core::Accelerations::from(acceleration_mss, 0, -core::kGravity_mss);
@@ -50,7 +46,7 @@ protected:
             mutable_vehicle.compass.accepted = true;
             ++mutable_vehicle.compass.readings;
         }
-        ++mutable_vehicle.baro.readings;
+        if (vehicle.baro.ground_pressure_pa > 0) ++mutable_vehicle.baro.readings;
         if (frame_ % 20 == late_) fix(acceleration_mss);
         fakes::advance_ms(10);
         estimate();
@@ -83,18 +79,20 @@ protected:
         const float then_m = travelled_m_ - (speed_mps_ + then_mps) / 2 * kGpsAge_s;
         gps.fix = firmware::state::GpsFix::three_d;
         gps.position = geo::moved(kStart, {then_m, 0});
-        gps.velocity_mps = {then_mps, 0, 0};
+        gps.velocity_mps = {then_mps, 0, -climb_mps_};
+        gps.altitude_cm = core::rounded((altitude_m_ - climb_mps_ * kGpsAge_s) * 100);
         gps.received_ms = hal::now_ms();
         gps.age_ms = static_cast<uint16_t>(kGpsAge_s * 1000);
         ++gps.fixes;
     }
 
     float speed_mps_ = 0, travelled_m_ = 0;
+    float climb_mps_ = 0, altitude_m_ = 0;  // above the sea
     int frame_ = 0, late_ = 7;
 };
 
 TEST_F(Estimator, does_not_lead_nor_lag_while_the_airplane_gains_speed) {
-    for (int i = 0; i < 300; ++i) frame(0);
+    frames(300);
     for (int i = 0; i < 600; ++i) {
         frame(2);
         if (i < 200 || frame_ % 4 != 1) continue;
@@ -108,12 +106,12 @@ TEST_F(Estimator, does_not_lead_nor_lag_while_the_airplane_gains_speed) {
 
 TEST_F(Estimator, uses_every_fix_and_reading_whatever_frame_they_come_in) {
     for (late_ = 0; late_ < 8; ++late_) {
-        for (int i = 0; i < 150; ++i) frame(0);
+        frames(150);
         EXPECT_FALSE(vehicle.estimate.reckoned) << late_;
         EXPECT_TRUE(vehicle.estimate.known) << late_;
     }
     mutable_vehicle.baro.pressure_pa -= 60;  // five metres
-    for (int i = 0; i < 800; ++i) frame(0);
+    frames(800);
     EXPECT_NEAR(vehicle.estimate.height_m, 5, 0.2);
 }
 
@@ -121,7 +119,7 @@ TEST_F(Estimator, uses_every_fix_and_reading_whatever_frame_they_come_in) {
 TEST_F(Estimator, makes_no_step_when_home_is_moved) {
     firmware::mission::setHome(kStart, 50000);
     mutable_vehicle.baro.pressure_pa -= 600;
-    for (int i = 0; i < 1500; ++i) frame(0);
+    frames(1500);
     const float before_m = vehicle.estimate.height_m;
     const float climb_mps = vehicle.estimate.climb_mps;
     ASSERT_GT(before_m, 40);
@@ -137,27 +135,26 @@ TEST_F(Estimator, makes_no_step_when_home_is_moved) {
 }
 
 TEST_F(Estimator, takes_the_receivers_height_without_a_step_when_the_barometer_is_lost) {
-    mutable_vehicle.gps.altitude_cm = 50000;
-    for (int i = 0; i < 1500; ++i) frame(0);
+    altitude_m_ = 500;
+    frames(1500);
     const float before_m = vehicle.estimate.height_m;
     mutable_vehicle.baro.healthy = false;
     for (int i = 0; i < 500; ++i) {
         frame(0);
         ASSERT_NEAR(vehicle.estimate.height_m, before_m, 0.5) << i;
     }
-    mutable_vehicle.gps.altitude_cm += 1000;
-    for (int i = 0; i < 1500; ++i) frame(0);
+    altitude_m_ += 10;
+    frames(1500);
     EXPECT_NEAR(vehicle.estimate.height_m, before_m + 10, 0.5);
-    mutable_vehicle.baro.healthy = true;
 }
 
 // Falling by a metre a second, as it says, for half a minute.
 TEST_F(Estimator, rejects_a_barometer_that_drifts_away_from_the_gps_height) {
     const auto drifts = [this](uint16_t hdop_c) {
-        mutable_vehicle.gps.altitude_cm = 50000;
+        altitude_m_ = 500;
         mutable_vehicle.gps.hdop_c = hdop_c;
         mutable_vehicle.baro.pressure_pa = 101325;
-        for (int i = 0; i < 3000; ++i) frame(0);
+        frames(3000);
         EXPECT_TRUE(vehicle.estimate.flying);
         firmware::sensors::startHealth();
         for (int i = 0;
@@ -171,63 +168,60 @@ TEST_F(Estimator, rejects_a_barometer_that_drifts_away_from_the_gps_height) {
         return firmware::sensors::isFaulty(firmware::sensors::Sensor::barometer);
     };
     mutable_vehicle.armed = true;
-    for (int i = 0; i < 300; ++i) frame(3);
+    frames(300, 3);
     EXPECT_FALSE(drifts(400)) << "too few satellites to contradict";
     EXPECT_TRUE(drifts(120));
     EXPECT_GT(vehicle.estimate.height_m, -28);
-    firmware::sensors::startHealth();
-    mutable_vehicle.baro.pressure_pa = 101325;
-    for (int i = 0; i < 3000; ++i) frame(0);
 }
 
 TEST_F(Estimator, counts_heights_from_where_home_is_set_on_the_ground) {
     mutable_vehicle.baro.pressure_pa -= 60;  // the weather since the barometer was zeroed
-    for (int i = 0; i < 1500; ++i) frame(0);
-    mutable_vehicle.gps.altitude_cm = 43210;
+    altitude_m_ = 432.1f;
+    frames(1500);
     ASSERT_TRUE(firmware::mission::setHomeHere());
     EXPECT_EQ(vehicle.home.altitude_cm, 43210);
     EXPECT_EQ(vehicle.estimate.height_m, 0);
-    for (int i = 0; i < 100; ++i) frame(0);
+    frames(100);
     EXPECT_NEAR(vehicle.estimate.height_m, 0, 0.1);
 }
 
 TEST_F(Estimator, flies_after_half_a_second_of_speed_and_only_armed) {
     mutable_vehicle.airspeed.healthy = true;
     mutable_vehicle.airspeed.speed_mps = 12;
-    for (int i = 0; i < 200; ++i) frame(0);
+    frames(200);
     EXPECT_FALSE(vehicle.estimate.flying) << "wind in the nose of a parked airplane";
 
     mutable_vehicle.airspeed.speed_mps = 4;
     mutable_vehicle.armed = true;
-    for (int i = 0; i < 200; ++i) frame(2);
+    frames(200, 2);
     EXPECT_FALSE(vehicle.estimate.flying) << "on the runway";
     mutable_vehicle.airspeed.speed_mps = 12;
-    for (int i = 0; i < 40; ++i) frame(0);
+    frames(40);
     EXPECT_FALSE(vehicle.estimate.flying) << "a gust";
-    for (int i = 0; i < 20; ++i) frame(0);
+    frames(20);
     EXPECT_TRUE(vehicle.estimate.flying);
 }
 
 TEST_F(Estimator, stands_after_three_seconds_without_speed) {
     mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
     mutable_vehicle.airspeed.speed_mps = 12;
-    for (int i = 0; i < 300; ++i) frame(2);
-    for (int i = 0; i < 200; ++i) frame(-3);
+    frames(300, 2);
+    frames(200, -3);
     ASSERT_TRUE(vehicle.estimate.flying) << "it has hardly come to rest";
     mutable_vehicle.airspeed.speed_mps = 0;
-    for (int i = 0; i < 200; ++i) frame(0);
+    frames(200);
     EXPECT_TRUE(vehicle.estimate.flying);
-    for (int i = 0; i < 150; ++i) frame(0);
+    frames(150);
     EXPECT_FALSE(vehicle.estimate.flying);
 }
 
 TEST_F(Estimator, goes_on_flying_with_a_blocked_tube_while_the_ground_moves) {
     mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
     mutable_vehicle.airspeed.speed_mps = 12;
-    for (int i = 0; i < 300; ++i) frame(3);
+    frames(300, 3);
     ASSERT_TRUE(vehicle.estimate.flying);
     mutable_vehicle.airspeed.speed_mps = 0;
-    for (int i = 0; i < 500; ++i) frame(0);
+    frames(500);
     EXPECT_TRUE(vehicle.estimate.flying);
 }
 
@@ -235,13 +229,50 @@ TEST_F(Estimator, goes_on_flying_against_a_wind_that_stops_it_over_the_ground) {
     mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
     mutable_vehicle.airspeed.speed_mps = 12;
     mutable_vehicle.baro.pressure_pa -= 960;  // 80 m up
-    for (int i = 0; i < 600; ++i) frame(0);
+    frames(600);
+    for (int i = 0; i < 1000; ++i) {
+        frame(0);
+        ASSERT_TRUE(vehicle.estimate.flying) << i;
+    }
+}
+
+TEST_F(Estimator, goes_on_flying_in_such_a_wind_without_an_airspeed_sensor_while_it_is_high) {
+    mutable_vehicle.armed = true;
+    mutable_vehicle.baro.pressure_pa -= 960;
+    frames(400, 3);
+    frames(400, -3);
     for (int i = 0; i < 1000; ++i) {
         frame(0);
         ASSERT_TRUE(vehicle.estimate.flying) << i;
     }
     mutable_vehicle.baro.pressure_pa += 960;
-    for (int i = 0; i < 1200; ++i) frame(0);
+    frames(1000);
+    EXPECT_FALSE(vehicle.estimate.flying) << "it has come down";
+}
+
+// At home's height, rocked, after an airspeed sensor that has shown the wind has failed.
+struct Stopped : Estimator {
+    void stop(float airspeed_before_mps) {
+        mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
+        mutable_vehicle.airspeed.speed_mps = airspeed_before_mps;
+        frames(400, 3);
+        frames(1000);
+        mutable_vehicle.airspeed.healthy = false;
+        mutable_vehicle.imu.rate_rads.x = core::BodyRate(0.5f);
+        frames(400, -3);
+        frames(350);
+        EXPECT_LT(vehicle.estimate.ground_speed_mps, 1);
+    }
+};
+
+TEST_F(Stopped, stands_when_the_wind_leaves_too_little_airspeed) {
+    stop(12);
+    EXPECT_FALSE(vehicle.estimate.flying);
+}
+
+TEST_F(Stopped, goes_on_flying_when_the_wind_is_airspeed_enough) {
+    stop(24);
+    EXPECT_TRUE(vehicle.estimate.flying);
 }
 
 TEST_F(Estimator, stands_on_the_ground_with_the_wind_in_its_tube) {
@@ -252,16 +283,17 @@ TEST_F(Estimator, stands_on_the_ground_with_the_wind_in_its_tube) {
         ASSERT_FALSE(vehicle.estimate.flying) << i;
     }
     mutable_vehicle.imu.rate_rads.x = core::BodyRate(0.5f);
-    for (int i = 0; i < 100; ++i) frame(0);
+    frames(100);
     EXPECT_TRUE(vehicle.estimate.flying) << "it is rocked";
     mutable_vehicle.imu.rate_rads.x = core::BodyRate(0.0f);
-    for (int i = 0; i < 310; ++i) frame(0);
+    frames(310);
     EXPECT_FALSE(vehicle.estimate.flying);
 }
 
 // Dead reckoning moves whether the airplane does or not: it is evidence of nothing.
 TEST_F(Estimator, neither_flies_nor_moves_by_dead_reckoning_on_the_ground) {
     mutable_vehicle.armed = true;
+    frames(500);
     const geo::Position before = vehicle.estimate.position;
     late_ = 99;  // no more fixes
     for (int i = 0; i < 1500; ++i) {
@@ -275,16 +307,92 @@ TEST_F(Estimator, neither_flies_nor_moves_by_dead_reckoning_on_the_ground) {
     EXPECT_TRUE(vehicle.estimate.reckoned);
     EXPECT_LT(geo::distance_m(before, vehicle.estimate.position), 5);
     late_ = 7;
-    for (int i = 0; i < 100; ++i) frame(0);
+    frames(100);
     EXPECT_FALSE(vehicle.estimate.fix_refused);
 }
 
 TEST_F(Estimator, flies_by_the_ground_speed_without_an_airspeed_sensor) {
     mutable_vehicle.armed = true;
-    for (int i = 0; i < 150; ++i) frame(3);
+    frames(150, 3);
     EXPECT_FALSE(vehicle.estimate.flying);
-    for (int i = 0; i < 150; ++i) frame(3);
+    frames(150, 3);
     EXPECT_TRUE(vehicle.estimate.flying);
 }
+
+// The barometer has not been healthy since the start, at 500 m above the sea.
+struct WithoutBarometer : Estimator {
+    void SetUp() override {
+        Estimator::SetUp();
+        mutable_vehicle.baro.healthy = false;
+        mutable_vehicle.baro.ground_pressure_pa = 0;
+        altitude_m_ = 500;
+    }
+    void climbTo(float altitude_m) {
+        climb_mps_ = 4;
+        while (altitude_m_ < altitude_m) frame(0);
+    }
+    void expectLevel(float height_m, int for_frames) {
+        for (int i = 0; i < for_frames; ++i) {
+            frame(0);
+            ASSERT_NEAR(vehicle.estimate.height_m, height_m, 0.5) << i;
+        }
+    }
+};
+
+TEST_F(WithoutBarometer, counts_heights_from_the_first_fix_while_there_is_no_home) {
+    frames(20);
+    expectLevel(0, 500);
+    climbTo(580);
+    EXPECT_NEAR(vehicle.estimate.height_m, 80, 2);
+    EXPECT_NEAR(vehicle.estimate.climb_mps, 4, 0.3);
+    climb_mps_ = 0;
+    frames(1000);
+    expectLevel(80, 100);
+    EXPECT_NEAR(vehicle.estimate.climb_mps, 0, 0.1);
+}
+
+TEST_F(WithoutBarometer, counts_heights_from_home) {
+    firmware::mission::setHome(kStart, 45000);
+    frames(20);
+    expectLevel(50, 500);
+}
+
+TEST_F(WithoutBarometer, makes_no_step_when_the_barometer_comes_in_flight_nor_when_it_goes_again) {
+    mutable_vehicle.armed = true;
+    frames(400, 3);
+    climbTo(580);
+    climb_mps_ = 0;
+    frames(1000);
+    ASSERT_TRUE(vehicle.estimate.flying);
+    mutable_vehicle.baro.healthy = true;
+    mutable_vehicle.baro.ground_pressure_pa = 101325;  // here, 80 m up
+    expectLevel(80, 500);
+    mutable_vehicle.baro.healthy = false;
+    expectLevel(80, 1000);
+}
+
+// A reading stays for 15 s; the wind is known.
+struct AirspeedStays : Estimator {
+    bool faulty(float acceleration_mss) {
+        using namespace firmware::sensors;
+        mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
+        for (int i = 0; i < 1400; ++i) {
+            frame(i < 400 ? 3 : 0);
+            mutable_vehicle.airspeed.speed_mps = speed_mps_ + i % 2 * 0.05f;
+        }
+        for (int i = 0; i < 1500; ++i) {
+            frame(i < 200 ? acceleration_mss : 0);
+            acceptReading(Sensor::airspeed, 0, true);
+            if (i % 10 == 0) watchHealth();
+        }
+        EXPECT_TRUE(vehicle.estimate.flying);
+        return isFaulty(Sensor::airspeed);
+    }
+};
+
+TEST_F(AirspeedStays, while_gps_and_wind_show_another_speed) { EXPECT_TRUE(faulty(1)); }
+TEST_F(AirspeedStays, while_gps_and_wind_show_a_lower_speed) { EXPECT_TRUE(faulty(-1)); }
+TEST_F(AirspeedStays, as_the_speed_does) { EXPECT_FALSE(faulty(0)); }
+TEST_F(AirspeedStays, within_a_metre_a_second) { EXPECT_FALSE(faulty(0.4f)); }
 
 }  // namespace
