@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "firmware/mission/handlers.hpp"
-#include "meanings.hpp"
 #include "mission_rig.hpp"
+#include "samples.hpp"
 
 namespace firmware {
 using namespace mission;
@@ -170,13 +170,13 @@ std::string fieldsAsTable(Set set, uint8_t beyond) {
         if (id == ::mission::kNoId ||
             (kCommandTable.traits(row) & ::mission::kArduPlaneExtension) != beyond)
             continue;
-        const Meaning* meaning = meaningOf(set, id);
-        EXPECT_NE(meaning, nullptr) << hex(id);
-        if (meaning == nullptr) continue;
+        const Sample sample = commandOf(set, id);
+        EXPECT_NE(sample.does, nullptr) << hex(id);
+        if (sample.does == nullptr) continue;
         table += "| " + hex(id) + " | " + commandName(row);
         for (int field = 1; field <= 4; ++field)
-            table += " | " + cell(set, sampleOf(set, id), field, meaning->field[field - 1]);
-        table += " | " + std::string(meaning->does) + " |\n";
+            table += " | " + cell(set, sample.record, field, sample.field[field - 1]);
+        table += " | " + std::string(sample.does) + " |\n";
     }
     return table;
 }
