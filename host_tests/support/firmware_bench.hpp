@@ -27,9 +27,7 @@ protected:
     void SetUp() override {
         fakes::reset();
         while (firmware::state::parametersLoad() != core::Status::ok) fakes::advance_ms(10);
-        firmware::state::mutable_vehicle.mode = firmware::state::Mode::initialising;
         settle(kCentred);
-        for (int i = 0; i < 3; ++i) firmware::safety::runFailsafe();
         firmware::modes::requestMode(firmware::state::Mode::manual,
                                      firmware::modes::ModeReason::boot);
     }

@@ -91,7 +91,6 @@ protected:
         missionBoot();
         requestMode(Mode::loiter, ModeReason::boot);
         runOutputs();
-        (void)statusTexts();
     }
 
     // All status texts since the last call.

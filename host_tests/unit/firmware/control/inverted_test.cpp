@@ -143,7 +143,6 @@ TEST_F(Inverted, the_switch_turns_it_over_while_it_is_up) {
     loseRadio(2000);
     run();
     EXPECT_FALSE(vehicle.inverted);
-    parameters.inverted_channel = 0;
 }
 
 TEST_F(Inverted, is_flown_only_with_enough_height) {

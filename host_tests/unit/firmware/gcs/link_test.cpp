@@ -95,7 +95,6 @@ TEST_F(Telemetry, usb_is_never_switched_off) {
     run_ms(2000);
     EXPECT_FALSE(station.all<mavlink::Heartbeat>().empty());
     EXPECT_TRUE(second.everything().empty());
-    fakes::setUsb(false);
 }
 
 TEST_F(Telemetry, is_idle_until_bytes_come) {

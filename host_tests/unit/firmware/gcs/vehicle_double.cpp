@@ -15,14 +15,10 @@
 #include "host_tests/support/fakes/vehicle.hpp"
 
 namespace doubles {
-Mission plan;
-Vehicle vehicle;
-Lists lists;
-void reset() {
-    lists = Lists();
-    plan = Mission();
-    vehicle = Vehicle();
-}
+core::FileState<Mission> plan;
+core::FileState<Vehicle> vehicle;
+core::FileState<Lists> lists;
+
 namespace {
 bool isBusy() {
     if (plan.busy == 0) return false;

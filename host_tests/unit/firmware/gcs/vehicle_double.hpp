@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "firmware/mission/lists.hpp"
 #include "firmware/mission/mission.hpp"
@@ -39,7 +40,7 @@ struct Mission {
     firmware::mission::MissionResult answer =
         firmware::mission::MissionResult::accepted;  // to every order
 };
-extern Mission plan;
+extern core::FileState<Mission> plan;
 
 // The fence and the rally points, as records.
 struct Lists {
@@ -51,7 +52,7 @@ struct Lists {
     bool staging = false;
     int slow = 0;  // so many more puts are answered with busy
 };
-extern Lists lists;
+extern core::FileState<Lists> lists;
 
 struct Vehicle {
     std::vector<std::pair<firmware::state::Mode, firmware::modes::ModeReason>> modes;  // asked for
@@ -67,8 +68,6 @@ struct Vehicle {
     int gyro_calibrations = 0;
     int pressure_calibrations = 0;
 };
-extern Vehicle vehicle;
-
-void reset();
+extern core::FileState<Vehicle> vehicle;
 
 }  // namespace doubles

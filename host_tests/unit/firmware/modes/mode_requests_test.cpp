@@ -87,7 +87,6 @@ TEST(ModeRequests, know_what_stands_against_them) {
     mutable_vehicle.failing = 0;
     mutable_vehicle.resuming = true;
     EXPECT_TRUE(firmware::modes::modeSituation().resuming);
-    mutable_vehicle.resuming = false;
 }
 
 using ModeRequest = bench::Bench;

@@ -271,7 +271,6 @@ TEST_F(Arming, stays_armed_after_a_landing_when_the_delay_is_0) {
         fakes::advance_ms(100);
     }
     EXPECT_TRUE(vehicle.armed);
-    mutable_vehicle.mode = Mode::manual;
 }
 
 TEST_F(Arming, disarms_by_itself_some_seconds_after_a_landing) {
@@ -291,7 +290,6 @@ TEST_F(Arming, disarms_by_itself_some_seconds_after_a_landing) {
         fakes::advance_ms(100);
     }
     EXPECT_FALSE(vehicle.armed);
-    mutable_vehicle.mode = Mode::manual;
 }
 
 }  // namespace

@@ -197,7 +197,6 @@ class FailsafeMachine : public FailsafeTable {
 protected:
     void SetUp() override {
         FailsafeTable::SetUp();
-        firmware::sensors::startHealth();
         parameters.battery_monitor = 3;
         mutable_vehicle.airspeed.healthy = true;
     }
@@ -247,8 +246,6 @@ TEST_F(FailsafeMachine, every_pair_of_triggers_at_once_ends_in_one_mode) {
                 const Setting setting = {0, 0, 0, vehicle.estimate.known, true};
                 EXPECT_EQ(vehicle.mode, modeOf(wanted(causes, flown.flown, setting), flown.mode))
                     << a.name << " and " << b.name << " in " << int(flown.mode);
-                b.pull(false);
-                a.pull(false);
             }
 }
 
@@ -269,8 +266,6 @@ TEST_F(FailsafeMachine, order_does_not_matter) {
                     (turn == 0 ? b : a).pull(true);
                     tenths(170);
                     ends[turn] = vehicle.mode;
-                    b.pull(false);
-                    a.pull(false);
                 }
                 EXPECT_EQ(ends[0], ends[1])
                     << a.name << " and " << b.name << " in " << int(flown.mode);

@@ -266,7 +266,6 @@ TEST_F(Fence, switches_itself_on_after_the_take_off_and_off_before_the_landing) 
     mutable_vehicle.demand.path = Path::land;
     tenths(1);
     EXPECT_FALSE(fenceOn());
-    mutable_vehicle.mode = Mode::initialising;
 }
 
 TEST_F(Fence, a_new_fence_is_used_while_the_airplane_is_flown_back_by_the_old_one) {

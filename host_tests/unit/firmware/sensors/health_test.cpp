@@ -28,7 +28,6 @@ const Rhythm kRhythms[] = {{Sensor::inertial, 10, 300, 9000, 2},
 class Health : public testing::TestWithParam<Rhythm> {
 protected:
     void SetUp() override {
-        firmware::sensors::startHealth();
         mutable_vehicle.estimate.flying = true;
         tenths(50, 0);
         ASSERT_FALSE(isFaulty());
@@ -111,7 +110,6 @@ TEST(HealthInCalmAir, a_quiet_barometer_and_compass_may_repeat_their_values) {
         if (i % 5 == 0) firmware::sensors::watchHealth();
     }
     EXPECT_TRUE(isFaulty(Sensor::barometer)) << "without fixes nobody sees it climb";
-    mutable_vehicle.estimate.flying = false;
 }
 
 TEST_P(Health, a_value_stuck_while_another_of_the_sensor_changes_is_no_fault) {
