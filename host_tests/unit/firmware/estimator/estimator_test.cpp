@@ -275,6 +275,20 @@ TEST_F(Stopped, goes_on_flying_when_the_wind_is_airspeed_enough) {
     EXPECT_TRUE(vehicle.estimate.flying);
 }
 
+TEST_F(Estimator, goes_on_flying_while_it_climbs_on_the_spot) {
+    mutable_vehicle.armed = true;
+    mutable_vehicle.baro.pressure_pa += 60;  // five metres below home
+    frames(400, 3);
+    frames(400, -3);
+    for (int i = 0; i < 600; ++i) {
+        mutable_vehicle.baro.pressure_pa = 101385 - i * 12 / 100;  // by a metre a second
+        frame(0);
+        ASSERT_TRUE(vehicle.estimate.flying) << i;
+    }
+    frames(500);
+    EXPECT_FALSE(vehicle.estimate.flying);
+}
+
 TEST_F(Estimator, stands_on_the_ground_with_the_wind_in_its_tube) {
     mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
     mutable_vehicle.airspeed.speed_mps = 12;
@@ -316,6 +330,25 @@ TEST_F(Estimator, flies_by_the_ground_speed_without_an_airspeed_sensor) {
     frames(150, 3);
     EXPECT_FALSE(vehicle.estimate.flying);
     frames(150, 3);
+    EXPECT_TRUE(vehicle.estimate.flying);
+}
+
+TEST_F(Stopped, knows_the_wind_and_its_height_again_after_a_restart) {
+    mutable_vehicle.baro.pressure_pa -= 600;
+    stop(24);
+    const float height_m = vehicle.estimate.height_m, wind_mps = vehicle.estimate.wind_mps.x;
+    ASSERT_LT(wind_mps, -10);
+    firmware::state::SlowRecord steady = {};
+    firmware::state::FastRecord moving = {};
+    firmware::estimator::saveEstimate(steady);
+    firmware::estimator::saveEstimate(moving);
+    core::resetFileStates();
+    Estimator::SetUp();
+    firmware::estimator::resumeEstimate(steady, moving, {0, 0, 0}, 0.1f);
+    mutable_vehicle.baro.pressure_pa -= 600;
+    frames(20);
+    EXPECT_NEAR(vehicle.estimate.wind_mps.x, wind_mps, 0.01);
+    EXPECT_NEAR(vehicle.estimate.height_m, height_m, 0.2);
     EXPECT_TRUE(vehicle.estimate.flying);
 }
 
