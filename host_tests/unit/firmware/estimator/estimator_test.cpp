@@ -364,6 +364,15 @@ struct WithoutBarometer : Estimator {
         climb_mps_ = 4;
         while (altitude_m_ < altitude_m) frame(0);
     }
+    void flyUp() {
+        mutable_vehicle.armed = true;
+        frames(400, 3);
+        climbTo(580);
+    }
+    void giveBarometer() {
+        mutable_vehicle.baro.healthy = true;
+        mutable_vehicle.baro.ground_pressure_pa = 101325;  // here, 80 m up
+    }
     void expectLevel(float height_m, int for_frames) {
         for (int i = 0; i < for_frames; ++i) {
             frame(0);
@@ -390,18 +399,41 @@ TEST_F(WithoutBarometer, counts_heights_from_home) {
     expectLevel(50, 500);
 }
 
-TEST_F(WithoutBarometer, makes_no_step_when_the_barometer_comes_in_flight_nor_when_it_goes_again) {
-    mutable_vehicle.armed = true;
-    frames(400, 3);
+TEST_F(WithoutBarometer, loses_nothing_of_a_climb_between_the_first_two_fixes) {
+    climb_mps_ = 10;
+    while (vehicle.gps.fixes == 0) frame(0);
+    const float first_m = vehicle.gps.altitude_cm * 0.01f;
     climbTo(580);
     climb_mps_ = 0;
+    frames(1500);
+    EXPECT_NEAR(vehicle.estimate.height_m, altitude_m_ - first_m, 0.5);
+}
+
+TEST_F(WithoutBarometer, makes_no_step_when_the_barometer_comes_in_flight_nor_when_it_goes_again) {
+    flyUp();
+    climb_mps_ = 0;
     frames(1000);
-    ASSERT_TRUE(vehicle.estimate.flying);
-    mutable_vehicle.baro.healthy = true;
-    mutable_vehicle.baro.ground_pressure_pa = 101325;  // here, 80 m up
+    giveBarometer();
     expectLevel(80, 500);
+    ASSERT_TRUE(vehicle.estimate.flying);
     mutable_vehicle.baro.healthy = false;
     expectLevel(80, 1000);
+    mutable_vehicle.baro.healthy = true;
+    mutable_vehicle.baro.pressure_pa -= 60;
+    frames(1000);
+    EXPECT_NEAR(vehicle.estimate.height_m, 85, 0.5) << "by the barometer";
+}
+
+TEST_F(WithoutBarometer, climbs_on_when_the_barometer_comes) {
+    flyUp();
+    giveBarometer();
+    const float above_m = altitude_m_ - vehicle.estimate.height_m;
+    for (int i = 0; i < 500; ++i) {
+        mutable_vehicle.baro.pressure_pa = 101325 - core::rounded((altitude_m_ - 580) * 12);
+        frame(0);
+        ASSERT_NEAR(altitude_m_ - vehicle.estimate.height_m, above_m, 0.5) << i;
+        ASSERT_NEAR(vehicle.estimate.climb_mps, 4, 0.5) << i;
+    }
 }
 
 // A reading stays for 15 s; the wind is known.
