@@ -15,7 +15,7 @@ struct Asker {
 };
 // False: another one runs.
 bool calibrationBegin(state::Calibrating what, const Asker& asker);
-// Of the sides and the compass; nothing of it is kept.
+// Of the sides and the compass; nothing of it is stored.
 void calibrationCancel();
 // The airplane lies as it was asked for: a key was pressed on the ground. False: nobody asked.
 bool calibrationSideIsReady();

@@ -75,8 +75,8 @@ MissionResult planBeginPartial(uint8_t mission_type, uint16_t first, uint16_t la
 
 MissionResult planPut(uint8_t mission_type, uint16_t index, const MissionItem& item) {
     if (mission_type == MavMissionType::mission) return missionUploadItem(index, item);
-    const MissionResult kept = keepUpTo(static_cast<uint8_t>(index));
-    if (kept != MissionResult::accepted) return kept;
+    const MissionResult reached = keepUpTo(static_cast<uint8_t>(index));
+    if (reached != MissionResult::accepted) return reached;
     uint8_t record[storage::kLargestRecord];
     const MissionResult result =
         pointFromItem(kindOf(mission_type), item, listStagedCount(), record);
@@ -87,8 +87,8 @@ MissionResult planCommit(uint8_t mission_type) {
     if (mission_type == MavMissionType::mission) return missionCommit();
     const ListKind kind = kindOf(mission_type);
     if (listStaging(kind)) {
-        const MissionResult kept = keepUpTo(listStagedCount());
-        if (kept != MissionResult::accepted) return kept;
+        const MissionResult reached = keepUpTo(listStagedCount());
+        if (reached != MissionResult::accepted) return reached;
     }
     return listCommit();
 }

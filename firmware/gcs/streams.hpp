@@ -14,7 +14,7 @@ struct Link;
 constexpr uint8_t kOutgoingRows = 25;
 constexpr uint8_t kTickRate_hz = 50;  // of telemetrySend for each link
 
-// Rates are kept in quarters of a hertz.
+// Rates are stored in quarters of a hertz.
 constexpr uint8_t kFollowStream = 0;
 constexpr uint8_t kNever = 0xFF;
 

@@ -314,7 +314,7 @@ void reportDropped() {
     sendStatusText(Severity::warning, ROM_TEXT("Log: # records dropped"), logged.dropped);
 }
 
-// Where the ring begins, kept in the EEPROM beside its complement.
+// Where the ring begins, in the EEPROM beside its complement.
 struct Base {
     uint16_t base, complement;
 };

@@ -19,7 +19,7 @@ void logStart();
 bool logFind();
 void runLog();  // 50 Hz
 
-// What is reported must be kept until the log has it.
+// What is reported may not change until the log has it.
 inline bool logOpen() { return flight_logs.writing(); }
 
 // On the ground no log is written while one is read; arming resumes it in any case.

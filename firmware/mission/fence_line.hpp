@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The line of the fence: its polygon as it is stored. Corners are read where they lie, a few each
-// call; no copy is kept.
+// call; there is no copy.
 #pragma once
 #include <stdint.h>
 

@@ -33,8 +33,8 @@ constexpr MissionResult kRadiusWrong =
 void complete(MissionItem& item) {
     const bool same_place = item.x == INT32_MAX && item.y == INT32_MAX;
     if (same_place || (item.x == 0 && item.y == 0)) {
-        const bool keep = same_place && vehicle.mode == Mode::guided;
-        const geo::Position& place = keep ? vehicle.demand.to : vehicle.estimate.position;
+        const bool stays = same_place && vehicle.mode == Mode::guided;
+        const geo::Position& place = stays ? vehicle.demand.to : vehicle.estimate.position;
         item.x = place.latitude_e7;
         item.y = place.longitude_e7;
     }

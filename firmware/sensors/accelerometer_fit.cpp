@@ -29,9 +29,9 @@ uint8_t largestBelow(const Equations& m, uint8_t column) {
 
 void exchange(float (&a)[kUnknowns + 1], float (&b)[kUnknowns + 1]) {
     for (uint8_t i = 0; i <= kUnknowns; ++i) {
-        const float kept = a[i];
+        const float old = a[i];
         a[i] = b[i];
-        b[i] = kept;
+        b[i] = old;
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the shared state keeps to one writer a section. Everybody reads `vehicle`, which is const. A
+// How each section of the shared state has one writer. Everybody reads `vehicle`, which is const. A
 // section is written through Publisher<Section>, which one file defines, beside the code that
 // writes:
 //

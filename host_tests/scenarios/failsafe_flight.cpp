@@ -88,20 +88,20 @@ public:
         }
         board_.world().radio().sticks({1500, 1500, 1550, 1500, 1500, 1500, 1500, 1425}, true);
         sendFence();
-        bool kept = true;
-        for (const Row& row : kRows) kept = flyRow(row) && kept;
+        bool passed = true;
+        for (const Row& row : kRows) passed = flyRow(row) && passed;
         const Check whole[] = {
             {"no frame was late", !frameWasLate()},
             {"the airplane stayed in hand", lowest_m_ > 25 && max_bank_deg_ < 60},
             {"the flight went on to its end", !flight_.over()},
         };
-        kept_ = printChecks(whole) && kept;
-        if (!kept_) printEvents(flight_);
-        return kept_;
+        passed_ = printChecks(whole) && passed;
+        if (!passed_) printEvents(flight_);
+        return passed_;
     }
 
     Summary summary(const std::string& firmware, const WorldOptions& world) const {
-        return summarised("every failsafe", kept_, firmware, world);
+        return summarised("every failsafe", passed_, firmware, world);
     }
 
 private:
@@ -171,10 +171,10 @@ private:
         return expect(row, mode() == row.afterwards, "afterwards " + modeName(mode()));
     }
 
-    bool expect(const Row& row, bool kept, const std::string& otherwise) const {
-        if (!kept)
+    bool expect(const Row& row, bool passed, const std::string& otherwise) const {
+        if (!passed)
             std::printf("  FAILED  row %-2d %s: %s\n", row.number, row.what, otherwise.c_str());
-        return kept;
+        return passed;
     }
 
     void begin(unsigned troubles) {
@@ -251,7 +251,7 @@ private:
     }
 
     unsigned troubles_ = kNone;
-    bool begun_ = false, kept_ = false;
+    bool begun_ = false, passed_ = false;
     size_t said_ = 0;              // texts before this row, then before its trouble
     std::vector<uint32_t> modes_;  // since then
     std::map<std::string, float> sent_;

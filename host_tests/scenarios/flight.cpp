@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flights as tests. Prints what was measured against what is allowed; exits 0 when all is kept.
+// Flights as tests. Prints what was measured against what is allowed; exits 0 when all limits hold.
 //   flight fly FOLDER MINUTES_FOLDER CROSSTRACK_M ALTITUDE_M TOUCHDOWN_M PROGRAM [ARGUMENT...]
 //   flight same SUMMARY_A SUMMARY_B        the same mission events in the same order?
 //   flight minutes MINUTES_FOLDER          emulated minutes of all flights together
@@ -25,7 +25,7 @@ struct Limit {
     const char* unit;
 };
 
-bool kept(const Json& summary, const Limit& limit) {
+bool holds(const Json& summary, const Limit& limit) {
     const Json& value = summary.at(limit.key);
     const bool ok = value.is_number() && value.get<double>() <= limit.most;
     std::cout << (ok ? "  ok      " : "  FAILED  ") << limit.key << ' ' << value << ", at most "
@@ -50,9 +50,9 @@ int fly(const std::vector<std::string>& words) {
     }
     const Json summary = readJson(folder / "summary.json");
     bool ok = status == 0;
-    for (const Limit& limit : limits) ok = kept(summary, limit) && ok;
+    for (const Limit& limit : limits) ok = holds(summary, limit) && ok;
     if (summary.at("frame_overruns").is_number())
-        ok = kept(summary, {"frame_overruns", 0, ""}) && ok;
+        ok = holds(summary, {"frame_overruns", 0, ""}) && ok;
     const double flown_min = summary.at("emulated_s").get<double>() / 60;
     std::cout << "emulated minutes: " << flown_min << '\n';
     fs::create_directories(minutes);

@@ -25,19 +25,19 @@ inline WorldOptions worldAt(const Waypoints& items, double wind_mps = 0, double 
     return world;
 }
 
-inline bool say(bool kept, const std::string& what) {
-    std::printf("  %s  %s\n", kept ? "ok    " : "FAILED", what.c_str());
-    return kept;
+inline bool say(bool passed, const std::string& what) {
+    std::printf("  %s  %s\n", passed ? "ok    " : "FAILED", what.c_str());
+    return passed;
 }
 
 struct Check {
     const char* what;
-    bool kept;
+    bool passed;
 };
 template <size_t kCount>
 bool printChecks(const Check (&rows)[kCount]) {
     bool all = true;
-    for (const Check& row : rows) all = say(row.kept, row.what) && all;
+    for (const Check& row : rows) all = say(row.passed, row.what) && all;
     return all;
 }
 

@@ -107,9 +107,9 @@ int flyAndCheck(const std::string& firmware, const WorldOptions& world,
         board = std::make_unique<AvrBoard>(firmware, world);
     WatchedBoard watched(std::move(board));
     Flight flight(watched, rest...);
-    const bool kept = flight.fly() && watched.held();
+    const bool passed = flight.fly() && watched.held();
     writeOutcome(out, minutes, flight.summary(firmware, world));
-    return kept ? 0 : 1;
+    return passed ? 0 : 1;
 }
 
 }  // namespace simulator

@@ -164,7 +164,7 @@ struct Leg {
     const char* name;
     uint8_t mode;
     Sticks (*pilot)(double t_s, const Truth& truth);
-    bool (*kept)(const Flown& flown);
+    bool (*passes)(const Flown& flown);
     const char* what;
 };
 constexpr Leg kLegs[] = {
@@ -192,22 +192,22 @@ public:
         while (advance() && sinceAirborne_s() <= kFrom_s) {
         }
         set("ACRO_LOCKING", 1);
-        bool kept = true;
+        bool passed = true;
         bool upper = false;
         prepare(kLegs[0], upper);
         for (const Leg& leg : kLegs) {
             const Flown flown = flyLeg(leg, upper);
-            kept = check(leg, flown) && kept;
+            passed = check(leg, flown) && passed;
             upper = !upper;
         }
         if (frameWasLate()) std::printf("  FAILED  a frame was late\n");
-        kept_all_ = kept && !flight_.over() && !frameWasLate();
-        if (!kept_all_) printEvents(flight_);
-        return kept_all_;
+        passed_ = passed && !flight_.over() && !frameWasLate();
+        if (!passed_) printEvents(flight_);
+        return passed_;
     }
 
     Summary summary(const std::string& firmware, const WorldOptions& world) const {
-        return summarised("every mode", kept_all_, firmware, world);
+        return summarised("every mode", passed_, firmware, world);
     }
 
 private:
@@ -240,17 +240,17 @@ private:
         const Range height = range(flown, &Moment::height_m, 0, 99);
         const bool entered = flight_.telemetry().mode() == leg.mode;
         const bool safe = bank.highest < 56 && bank.lowest > -56 && height.lowest > 25;
-        const bool kept = entered && safe && leg.kept(flown);
+        const bool passed = entered && safe && leg.passes(flown);
         std::printf("  %s  %-9s %s: bank %.0f to %.0f, height %.1f to %.1f m, bend %.1f m%s%s\n",
-                    kept ? "ok    " : "FAILED", leg.name, leg.what, bank.lowest, bank.highest,
+                    passed ? "ok    " : "FAILED", leg.name, leg.what, bank.lowest, bank.highest,
                     height.lowest, height.highest, bend_m(flown, 3),
                     entered ? "" : ", was not entered", safe ? "" : ", was not safe");
-        if (!kept)
+        if (!passed)
             for (size_t i = 0; i < flown.size(); i += 5)
                 std::printf("    %5.1f s bank %5.1f height %5.1f speed %4.1f at %.1f %.1f\n",
                             flown[i].t_s, flown[i].roll_deg, flown[i].height_m,
                             flown[i].airspeed_mps, flown[i].north_m, flown[i].east_m);
-        return kept;
+        return passed;
     }
 
     void set(const char* name, float value) {
@@ -258,7 +258,7 @@ private:
     }
 
     const double seconds_a_mode_;
-    bool kept_all_ = false;
+    bool passed_ = false;
 };
 
 }  // namespace

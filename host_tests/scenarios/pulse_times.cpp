@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How exact the image's pulses are while both links, the mission store and the log are busy: what
 // the receiver sends is what is reported, and in MANUAL what leaves on the same channel's output;
-// no output's pulse comes early or late. Exits 0 when all limits are kept.
+// no output's pulse comes early or late. Exits 0 when all limits hold.
 //   pulse_times FIRMWARE apm1|apm2 MINUTES_FILE
 #include <algorithm>
 #include <array>

@@ -49,7 +49,7 @@ public:
 
     bool check();
     Summary summary(const std::string& firmware, const WorldOptions& world) const {
-        return summarised("rough flight", kept_all_, firmware, world);
+        return summarised("rough flight", passed_, firmware, world);
     }
 
 private:
@@ -155,7 +155,7 @@ private:
 
     MissionUpload upload_;
     std::vector<uint32_t> modes_;
-    bool uploading_ = false, asked_for_mission_ = false, kept_all_ = false;
+    bool uploading_ = false, asked_for_mission_ = false, passed_ = false;
     int usb_messages_ = 0, parameters_sent_ = 0;
 };
 
@@ -183,7 +183,7 @@ const std::vector<RoughFlight::Trouble> RoughFlight::kTroubles = {
 
 bool RoughFlight::check() {
     const BoardFigures figures = board_.figures();
-    kept_all_ = printChecks({
+    passed_ = printChecks({
         {"it flew to the end", !flight_.over()},
         {"no frame was late", figures.frame_overruns == 0u},
         {"no inertial sample was lost",
@@ -205,8 +205,8 @@ bool RoughFlight::check() {
         {"it is armed and in AUTO again", telemetry().armed() && telemetry().mode() == kModeAuto},
     });
     if (!upload_.failure().empty()) std::printf("  %s\n", upload_.failure().c_str());
-    if (!kept_all_) printEvents(flight_);
-    return kept_all_;
+    if (!passed_) printEvents(flight_);
+    return passed_;
 }
 
 }  // namespace
@@ -227,7 +227,7 @@ int main(int count, char** words) {
     if (count == 6) board.profileTo(words[5]);
     flight.fly();
     board.closeProfile();
-    const bool kept = flight.check() && watched.held();
+    const bool passed = flight.check() && watched.held();
     writeOutcome(out, minutes, flight.summary(firmware, world));
-    return kept ? 0 : 1;
+    return passed ? 0 : 1;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How long the image takes for a mission of 160 items at 115,200 baud, from MISSION_COUNT to
-// MISSION_ACK. Prints the times, writes the emulated minutes, exits 0 when all limits are kept.
+// MISSION_ACK. Prints the times, writes the emulated minutes, exits 0 when all limits hold.
 //   upload_time FIRMWARE MINUTES_FILE
 #include <cstdio>
 

@@ -94,14 +94,14 @@ public:
         const double cycles = this->cycles(line.step, line.figure) / line.bytes;
         std::printf("%-46s %9.0f cycles %8.1f us", line.what, cycles, cycles / 16);
         if (line.figure == Figure::all) std::printf(" in %u polls", runs(line.step));
-        bool kept = cycles > 0;
+        bool within = cycles > 0;
         if (line.budget != nullptr) {
             const double most = budgets_.at(line.budget);
-            kept = kept && cycles <= most;
-            std::printf(", at most %.0f%s", most, kept ? "" : "  FAILED");
+            within = within && cycles <= most;
+            std::printf(", at most %.0f%s", most, within ? "" : "  FAILED");
         }
         std::printf("\n");
-        return kept;
+        return within;
     }
 
 private:
@@ -136,15 +136,15 @@ int main(int count, char** words) {
     const std::string program = std::string(words[1]) + "/cost_";
     std::ifstream file(words[2]);
     const nlohmann::json budgets = nlohmann::json::parse(file);
-    bool kept = true;
+    bool within = true;
     const auto hold = [&](const auto& lines, const Costs& costs) {
-        for (const Line& line : lines) kept = costs.holds(line) && kept;
+        for (const Line& line : lines) within = costs.holds(line) && within;
     };
     if (what == "link") {
         hold(kLink, Costs(run(program + "link.elf", costs::kNothing, 10), budgets));
     } else {
-        kept = geodesy(Costs(run(program + "geodesy.elf", costs::kNaivePassed, 1), budgets));
+        within = geodesy(Costs(run(program + "geodesy.elf", costs::kNaivePassed, 1), budgets));
         hold(kMission, Costs(run(program + "mission.elf", costs::kNothing, 120), budgets));
     }
-    return kept ? 0 : 1;
+    return within ? 0 : 1;
 }

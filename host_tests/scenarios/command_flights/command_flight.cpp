@@ -225,7 +225,7 @@ private:
     ScriptedFlight flight_;
     Link usb_, telemetry_;
     CommandLog log_;
-    bool kept_all_ = false;
+    bool passed_ = false;
     uint64_t steps_ = 0;
     SampleCount imu_from_;
     double left_s_ = 0;
@@ -280,21 +280,21 @@ bool CommandFlight::sameAsOracle() const {
 }
 
 bool CommandFlight::check() {
-    bool kept = say(sameAsOracle(), "starts and ends of commands are the oracle's, in its order");
-    kept = say(everyCommandRan(), "every CONDITION and DO of the set ran") && kept;
-    for (const Expected& expected : expectedOf(document_.set)) kept = holds(expected) && kept;
+    bool passed = say(sameAsOracle(), "starts and ends of commands are the oracle's, in its order");
+    passed = say(everyCommandRan(), "every CONDITION and DO of the set ran") && passed;
+    for (const Expected& expected : expectedOf(document_.set)) passed = holds(expected) && passed;
     for (const ExpectedParameter& expected : parametersOf(document_.set)) {
         const auto found = parameters_.find(expected.name);
         const bool set = found != parameters_.end() &&
                          std::abs(found->second - expected.value) <= 1e-6 * expected.value;
-        kept = say(set, std::string(expected.name) + " is set") && kept;
+        passed = say(set, std::string(expected.name) + " is set") && passed;
     }
-    kept = say(flight_.landed_s() && !board_.world().truth().crashed, "it landed") && kept;
-    kept = say(log_.navsFinished() == navs(), "every NAV was reached in its turn") && kept;
-    kept = say(board_.figures().frame_overruns == 0u, "no frame was late") && kept;
-    kept = say(watched_.held(), "no invariant was violated") && kept;
-    kept_all_ = say(seconds() < kTimeLimit_s, "in six minutes") && kept;
-    if (kept_all_) return true;
+    passed = say(flight_.landed_s() && !board_.world().truth().crashed, "it landed") && passed;
+    passed = say(log_.navsFinished() == navs(), "every NAV was reached in its turn") && passed;
+    passed = say(board_.figures().frame_overruns == 0u, "no frame was late") && passed;
+    passed = say(watched_.held(), "no invariant was violated") && passed;
+    passed_ = say(seconds() < kTimeLimit_s, "in six minutes") && passed;
+    if (passed_) return true;
     printEvents(flight_);
     for (const CommandLog::Entry& entry : log_.entries())
         std::printf("%8.2f s  %s\n", entry.time_s, entry.word.c_str());
@@ -304,7 +304,7 @@ bool CommandFlight::check() {
 Summary CommandFlight::summary(const std::string& firmware, const std::string& mission) {
     Summary s = summaryOf(board_, flight_, firmware);
     s.mission = fs::path(mission).filename();
-    s.completed = kept_all_;
+    s.completed = passed_;
     const SampleCount imu = board_.world().imu().samples();
     s.setSamples({imu.made - imu_from_.made, imu.read - imu_from_.read, imu.lost - imu_from_.lost,
                   imu.repeated - imu_from_.repeated});
@@ -323,7 +323,7 @@ int main(int count, char** words) {
     const Document document = read(words[2]);
     CommandFlight flight(words[1], document);
     flight.fly();
-    const bool kept = flight.check();
+    const bool passed = flight.check();
     writeOutcome(out, minutes, flight.summary(words[1], words[2]));
-    return kept ? 0 : 1;
+    return passed ? 0 : 1;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An SPI bus that plays a script or asks a device model, and pins that remember what was done to
-// them. What passed is kept as transactions: one from the fall of a pin to its rise.
+// them. What passed is recorded as transactions: one from the fall of a pin to its rise.
 #pragma once
 #include <stdint.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The doubles keep the contracts they stand for; most of all the EEPROM, whose power tests cut.
+// The doubles fulfil the contracts they stand for; most of all the EEPROM, whose power tests cut.
 #include "fakes/fakes.hpp"
 
 #include <gtest/gtest.h>
@@ -87,7 +87,7 @@ TEST_F(Fakes, a_byte_that_holds_its_value_costs_no_write) {
     EXPECT_EQ(fakes::eepromWrites(), 1u);
 }
 
-TEST_F(Fakes, the_bus_keeps_transactions_by_pin) {
+TEST_F(Fakes, the_bus_records_transactions_by_pin) {
     fakes::Bus::reply({0, 0x68});
 
     fakes::Pin<0>::low();

@@ -71,7 +71,7 @@ TEST_F(Outputs, make_flaperons_of_the_ailerons_and_of_a_lever) {
     EXPECT_NEAR(outputPulse_us(7), 1700, 1);
     settle({1700, 1500, 1100, 1500, 1500, 1900, 1100, 1815});
     run();
-    EXPECT_NEAR(outputPulse_us(6), 1900, 1) << "both at their most: the roll is kept";
+    EXPECT_NEAR(outputPulse_us(6), 1900, 1) << "both at their most: roll comes first";
     EXPECT_NEAR(outputPulse_us(7), 1500, 1);
 }
 

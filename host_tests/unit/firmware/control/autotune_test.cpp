@@ -59,7 +59,7 @@ TEST_F(Autotune, does_not_tune_the_elevator_in_a_turn) {
     EXPECT_EQ(parameters.pitch.axis.p, before.pitch.axis.p);
 }
 
-TEST_F(Autotune, sets_the_time_constants_and_keeps_the_surface_for_a_rate) {
+TEST_F(Autotune, sets_the_time_constants_and_moves_the_surface_as_far_for_a_rate_as_before) {
     const firmware::state::Parameters before = parameters;
     enter(9);
     EXPECT_FLOAT_EQ(parameters.roll.axis.time_constant_s, 0.25f);

@@ -76,7 +76,7 @@ TEST_F(Lists, the_old_list_is_the_list_until_the_commit_is_accepted) {
     EXPECT_NE(listGeneration(ListKind::rally), before);
 }
 
-TEST_F(Lists, one_record_is_replaced_and_the_others_are_kept) {
+TEST_F(Lists, one_record_is_replaced_and_the_others_stay) {
     ASSERT_EQ(store(ListKind::fence, 5, 1), MissionResult::accepted);
     ASSERT_EQ(whileBusy([] { return listBegin(ListKind::fence, 5, 1); }), MissionResult::accepted);
     for (int i = 0; i < 5; ++i) {
@@ -122,7 +122,7 @@ TEST_F(Lists, a_commit_goes_on_without_requests) {
     EXPECT_EQ(missionBeginUpload(2), MissionResult::accepted);
 }
 
-TEST_F(Lists, a_damaged_fence_is_reported_and_the_other_lists_are_kept) {
+TEST_F(Lists, a_damaged_fence_is_reported_and_the_other_lists_stay) {
     ASSERT_EQ(upload({waypoint(100)}), MissionResult::accepted);
     ASSERT_EQ(store(ListKind::fence, 5, 1), MissionResult::accepted);
     ASSERT_EQ(store(ListKind::rally, 4, 2), MissionResult::accepted);

@@ -19,7 +19,7 @@ using namespace firmware::modes;
 using namespace firmware::safety;
 using namespace firmware::gcs;
 
-class KeptHomeTest : public testing::Test {
+class SavedHomeTest : public testing::Test {
 protected:
     void SetUp() override {
         fakes::reset();
@@ -32,7 +32,7 @@ protected:
         while (!hal::eepromDrained()) fakes::advance_ms(10);
         return status;
     }
-    Status keep(int32_t latitude_e7) {
+    Status save(int32_t latitude_e7) {
         return until([&] { return saveHome({latitude_e7, 85456000}, 48800); });
     }
     Status read(SavedHome& home) {
@@ -42,13 +42,13 @@ protected:
 
 }  // namespace
 
-TEST_F(KeptHomeTest, a_blank_eeprom_has_none) {
+TEST_F(SavedHomeTest, a_blank_eeprom_has_none) {
     SavedHome home;
     EXPECT_EQ(read(home), Status::corrupt);
 }
 
-TEST_F(KeptHomeTest, what_was_kept_is_read_back) {
-    ASSERT_EQ(keep(473977000), Status::ok);
+TEST_F(SavedHomeTest, what_was_saved_is_read_back) {
+    ASSERT_EQ(save(473977000), Status::ok);
     SavedHome home;
     ASSERT_EQ(read(home), Status::ok);
     EXPECT_EQ(home.position.latitude_e7, 473977000);
@@ -56,20 +56,20 @@ TEST_F(KeptHomeTest, what_was_kept_is_read_back) {
     EXPECT_EQ(home.altitude_cm, 48800);
 }
 
-TEST_F(KeptHomeTest, what_was_forgotten_is_not) {
-    ASSERT_EQ(keep(473977000), Status::ok);
+TEST_F(SavedHomeTest, what_was_forgotten_is_not) {
+    ASSERT_EQ(save(473977000), Status::ok);
     ASSERT_EQ(until(forgetHome), Status::ok);
     SavedHome home;
     EXPECT_EQ(read(home), Status::corrupt);
     EXPECT_EQ(until(forgetHome), Status::ok) << "twice is no harm";
-    ASSERT_EQ(keep(473978000), Status::ok);
+    ASSERT_EQ(save(473978000), Status::ok);
     EXPECT_EQ(read(home), Status::ok);
 }
 
-TEST_F(KeptHomeTest, a_power_cut_leaves_one_of_the_two_or_none) {
+TEST_F(SavedHomeTest, a_power_cut_leaves_one_of_the_two_or_none) {
     for (uint32_t writes = 0; writes < 14; ++writes) {
         SetUp();
-        ASSERT_EQ(keep(473977000), Status::ok);
+        ASSERT_EQ(save(473977000), Status::ok);
         fakes::cutPowerAfter(writes);
         (void)until([] { return saveHome({-331234567, 1512345678}, 12300); });
         fakes::restartEeprom();
@@ -81,11 +81,11 @@ TEST_F(KeptHomeTest, a_power_cut_leaves_one_of_the_two_or_none) {
     }
 }
 
-TEST_F(KeptHomeTest, leaves_the_logs_part_of_the_region_unchanged) {
+TEST_F(SavedHomeTest, leaves_the_logs_part_of_the_region_unchanged) {
     const uint16_t at = storage::kHomeAndLog.end() - 4;
     const uint8_t logs[4] = {1, 2, 3, 4};
     ASSERT_EQ(until([&] { return hal::eepromWrite(at, logs, sizeof logs); }), Status::ok);
-    ASSERT_EQ(keep(473977000), Status::ok);
+    ASSERT_EQ(save(473977000), Status::ok);
     uint8_t now[4];
     ASSERT_EQ(until([&] { return hal::eepromRead(at, now, sizeof now); }), Status::ok);
     EXPECT_EQ(std::memcmp(now, logs, sizeof now), 0);

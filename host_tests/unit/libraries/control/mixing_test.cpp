@@ -60,7 +60,7 @@ TEST(Pair, moves_both_for_the_common_control_and_apart_for_the_other) {
     }
 }
 
-TEST(Pair, pitch_is_kept_when_there_is_not_enough_surface_for_both) {
+TEST(Pair, pitch_comes_first_when_there_is_not_enough_surface_for_both) {
     const auto pair = mixPair(Pair::up_up, 0.8f, 1, 1);
     EXPECT_NEAR((pair.left + pair.right) / 2, 0.8f, 1e-6);
     EXPECT_NEAR(pair.left, 1, 1e-6);

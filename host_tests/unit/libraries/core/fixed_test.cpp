@@ -32,7 +32,7 @@ TEST(Fixed, the_upper_half_of_64_bits_is_right_within_three_steps) {
     }
 }
 
-TEST(Fixed, keeps_a_number_within_a_step_and_stops_at_its_ends) {
+TEST(Fixed, holds_a_number_within_a_step_and_stops_at_its_ends) {
     for (double value = -1.99; value < 1.99; value += 0.00037) {
         const float asked = static_cast<float>(value);
         ASSERT_NEAR(Fixed<14>(asked).toFloat(), value, 1.0 / 16384) << value;
@@ -54,8 +54,8 @@ TEST(Fixed32, loses_what_is_cut_off_towards_the_lower_number) {
 
 TEST(Angle, wraps_as_a_circle_does) {
     for (double angle = -7; angle < 7; angle += 0.001) {
-        const float kept = Angle(static_cast<float>(angle)).toFloat();
-        ASSERT_NEAR(std::remainder(kept - angle, 2 * M_PI), 0, 1e-4) << angle;
+        const float read = Angle(static_cast<float>(angle)).toFloat();
+        ASSERT_NEAR(std::remainder(read - angle, 2 * M_PI), 0, 1e-4) << angle;
     }
     EXPECT_NEAR(core::between(Angle(3.0f), Angle(-3.0f)).toFloat(), 2 * M_PI - 6, 2e-4);
     EXPECT_NEAR(core::between(Angle(-3.0f), Angle(3.0f)).toFloat(), 6 - 2 * M_PI, 2e-4);

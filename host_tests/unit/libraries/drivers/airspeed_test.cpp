@@ -90,7 +90,7 @@ TEST(Airspeed, a_share_is_the_mean_reading_whatever_their_number) {
             ASSERT_EQ(Airspeed::share(sum, count), std::floor(64.0 * sum / count));
 }
 
-TEST(Airspeed, its_filter_keeps_within_a_fifth_of_a_pascal_of_the_exact_one) {
+TEST(Airspeed, its_filter_is_within_a_fifth_of_a_pascal_of_the_exact_one) {
     std::mt19937 random(1);
     std::uniform_int_distribution<int> share(20000, 64000), dt_us(0, 300000);
     Airspeed airspeed;

@@ -28,7 +28,7 @@ TEST(Battery, sums_up_the_charge_and_leaves_gaps_out) {
     EXPECT_NEAR(battery.consumed_mah(), 1000, 1);
 }
 
-TEST(Battery, the_boards_own_supply_is_taken_into_account_and_kept_sane) {
+TEST(Battery, the_boards_own_supply_is_taken_into_account_within_4_to_6_volts) {
     EXPECT_EQ(drivers::boardSupply_mv(225), 5006);
     EXPECT_EQ(drivers::boardSupply_mv(0), 5000);
     EXPECT_EQ(drivers::boardSupply_mv(1), 6000);

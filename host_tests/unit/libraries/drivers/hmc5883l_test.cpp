@@ -166,7 +166,7 @@ TEST_F(Hmc5883l, a_self_test_far_out_is_a_broken_chip) {
     EXPECT_GE(driver.restarts(), 1);
 }
 
-TEST_F(Hmc5883l, a_chip_that_keeps_another_configuration_is_neither_of_the_two) {
+TEST_F(Hmc5883l, a_chip_with_another_configuration_is_neither_of_the_two) {
     Scripted other{1.0};
     other.configuration = 0x58;
     fakes::i2c().device = other;
@@ -196,7 +196,7 @@ TEST_F(Hmc5843, is_identified_and_reads_milligauss_in_body_axes) {
     for (uint8_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(driver.scale(axis), 1, 0.01);
 }
 
-TEST_F(Hmc5843, is_verified_by_what_it_keeps_of_its_configuration) {
+TEST_F(Hmc5843, is_verified_by_the_configuration_that_it_reads_back) {
     fly(20000);
 
     EXPECT_TRUE(driver.healthy());

@@ -17,10 +17,10 @@ TEST(Arc, agrees_with_atan2_all_round) {
 
 TEST(Arc, in_fixed_point_agrees_with_atan2_all_round) {
     for (double angle = -M_PI + 1e-4; angle < M_PI; angle += 0.0007) {
-        const float kept = estimation::arc(core::Ratio(static_cast<float>(std::sin(angle))),
-                                           core::Ratio(static_cast<float>(std::cos(angle))))
-                               .toFloat();
-        EXPECT_NEAR(std::remainder(kept - angle, 2 * M_PI), 0, 2e-4);
+        const float found = estimation::arc(core::Ratio(static_cast<float>(std::sin(angle))),
+                                            core::Ratio(static_cast<float>(std::cos(angle))))
+                                .toFloat();
+        EXPECT_NEAR(std::remainder(found - angle, 2 * M_PI), 0, 2e-4);
     }
 }
 

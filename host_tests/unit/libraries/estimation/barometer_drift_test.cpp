@@ -81,7 +81,7 @@ TEST(BarometerDrift, a_wrong_velocity_moves_the_estimate_by_two_metres_at_most_a
     EXPECT_NEAR(zero.height_m, 0, 0.15);
 }
 
-TEST(BarometerDrift, a_known_zero_is_kept) {
+TEST(BarometerDrift, a_known_zero_does_not_drift) {
     Zero zero(100);
     zero.fly(30, risen, 0);
     zero.drift.zero();

@@ -62,8 +62,9 @@ struct Wander {
     double sigma, time_s, value = 0;
     void start(std::mt19937& random) { value = sigma * std::normal_distribution<>()(random); }
     double step(double dt_s, std::mt19937& random) {
-        const double keep = exp(-dt_s / time_s);
-        value = value * keep + sigma * sqrt(1 - keep * keep) * std::normal_distribution<>()(random);
+        const double share = exp(-dt_s / time_s);
+        value =
+            value * share + sigma * sqrt(1 - share * share) * std::normal_distribution<>()(random);
         return value;
     }
 };

@@ -48,7 +48,7 @@ TEST(Frame, mavlink_2_leaves_out_the_zeros_at_the_end_of_the_payload) {
     EXPECT_EQ(bytes.size(), 30u + 12u);
 }
 
-TEST(Frame, mavlink_2_keeps_one_byte_of_a_payload_of_zeros) {
+TEST(Frame, mavlink_2_sends_one_byte_of_a_payload_of_zeros) {
     const auto bytes = test::frame({Framing::v2, 0, 1, 1}, mavlink::ParamRequestList{});
 
     EXPECT_EQ(bytes[1], 1);

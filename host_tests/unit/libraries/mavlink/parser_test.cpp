@@ -180,14 +180,14 @@ TEST(Parser, what_looks_like_an_incompatible_frame_swallows_nothing) {
 }
 
 TEST(Parser, loses_no_good_frame_to_a_signature_that_was_cut_short) {
-    for (uint8_t kept = 0; kept < 13; ++kept) {
+    for (uint8_t left = 0; left < 13; ++left) {
         VehicleParser parser;
-        const Bytes signature(kept, 0xFE);
+        const Bytes signature(left, 0xFE);
 
         const auto frames =
             feed(parser, flagged(0x01, 4) + signature + heartbeat(5) + heartbeat(6) + heartbeat(7));
 
-        EXPECT_EQ(sequences(frames), (Sequences{4, 5, 6, 7})) << int(kept) << " bytes kept";
+        EXPECT_EQ(sequences(frames), (Sequences{4, 5, 6, 7})) << int(left) << " bytes left";
     }
 }
 
@@ -261,14 +261,14 @@ TEST(Parser, skips_whole_what_its_peer_says_in_messages_it_does_not_know) {
 TEST(Parser, finds_the_good_frame_after_an_unknown_one_of_its_peer_that_was_cut_short) {
     for (const size_t size : {size_t{30}, size_t{200}}) {
         const Bytes whole = unknown(8, Bytes(size, 0x55));
-        for (size_t kept = 1; kept < whole.size(); ++kept) {
+        for (size_t left = 1; left < whole.size(); ++left) {
             VehicleParser parser;
-            const Bytes cut(whole.begin(), whole.begin() + static_cast<long>(kept));
+            const Bytes cut(whole.begin(), whole.begin() + static_cast<long>(left));
 
             const auto frames =
                 feed(parser, heartbeat(1) + cut + heartbeat(2) + heartbeat(3) + heartbeat(4));
 
-            EXPECT_EQ(sequences(frames), (Sequences{1, 2, 3, 4})) << kept << " bytes of " << size;
+            EXPECT_EQ(sequences(frames), (Sequences{1, 2, 3, 4})) << left << " bytes of " << size;
         }
     }
 }
@@ -298,14 +298,14 @@ TEST(Parser, loses_no_good_frame_to_what_looks_like_the_start_of_a_long_one) {
 
 TEST(Parser, finds_the_good_frame_after_one_that_was_cut_short) {
     const Bytes whole = heartbeat(1);
-    for (size_t kept = 1; kept < whole.size(); ++kept) {
+    for (size_t left = 1; left < whole.size(); ++left) {
         VehicleParser parser;
-        const Bytes cut(whole.begin(), whole.begin() + static_cast<long>(kept));
+        const Bytes cut(whole.begin(), whole.begin() + static_cast<long>(left));
 
         // three more, as the cut one's length may reach that far
         const auto frames = feed(parser, cut + heartbeat(2) + heartbeat(3) + heartbeat(4));
 
-        EXPECT_EQ(sequences(frames), (Sequences{2, 3, 4})) << kept << " bytes kept";
+        EXPECT_EQ(sequences(frames), (Sequences{2, 3, 4})) << left << " bytes left";
     }
 }
 

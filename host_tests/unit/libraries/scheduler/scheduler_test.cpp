@@ -103,7 +103,7 @@ TEST_F(Schedule, tasks_run_at_their_period_in_their_phase) {
     EXPECT_EQ(slow.frames, (Frames{7}));
 }
 
-TEST_F(Schedule, the_longest_time_of_a_task_is_kept) {
+TEST_F(Schedule, remembers_the_longest_time_of_a_task) {
     fifth.spends_us = 3001;
     runFrames(10);
     fifth.spends_us = 700;
