@@ -217,7 +217,9 @@ void useGpsHeight() {
     const float fix_m = gps_m - heights.gps_above_m;
     if (!baro.healthy) {
         if (!heights.started) return startHeightByGps(gps_m);
-        if (!near(vehicle.estimate.baro_height_m, height_m)) reportInconsistency(Sensor::barometer);
+        const bool comparable = !heights.by_gps;  // not yet while their zeros differ
+        if (comparable && !near(vehicle.estimate.baro_height_m, height_m))
+            reportInconsistency(Sensor::barometer);
         estimation::HeightSettings slow;
         slow.omega_rads = 0.7f;  // of five fixes a second
         return height.useBarometer(fix_m, 0.1f, slow);

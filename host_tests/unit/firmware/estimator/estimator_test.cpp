@@ -73,6 +73,16 @@ protected:
         if (due(20, 8)) fuseCompass();
         if (due(20, 16)) fuseAirspeed();
     }
+    // The barometer's readings come and change, and it is healthy as far as the watch says so.
+    void watched(int count) {
+        using namespace firmware::sensors;
+        for (int i = 0; i < count; ++i) {
+            frame(0);
+            acceptReading(Sensor::barometer, static_cast<int16_t>(i % 7), true);
+            if (i % 10 == 0) watchHealth();
+            mutable_vehicle.baro.healthy = !isFaulty(Sensor::barometer);
+        }
+    }
     void fix(float acceleration_mss) {
         auto& gps = mutable_vehicle.gps;
         const float then_mps = speed_mps_ - acceleration_mss * kGpsAge_s;
@@ -172,6 +182,22 @@ TEST_F(Estimator, rejects_a_barometer_that_drifts_away_from_the_gps_height) {
     EXPECT_FALSE(drifts(400)) << "too few satellites to contradict";
     EXPECT_TRUE(drifts(120));
     EXPECT_GT(vehicle.estimate.height_m, -28);
+}
+
+TEST_F(Estimator, does_without_a_barometer_as_long_as_it_shows_another_height) {
+    mutable_vehicle.armed = true;
+    altitude_m_ = 500;
+    frames(400, 3);
+    watched(500);
+    ASSERT_TRUE(vehicle.baro.healthy);
+    mutable_vehicle.baro.pressure_pa -= 600;  // 50 m
+    watched(1500);
+    EXPECT_FALSE(vehicle.baro.healthy);
+    EXPECT_NEAR(vehicle.estimate.height_m, 0, 3);
+    mutable_vehicle.baro.pressure_pa += 600;
+    watched(500);
+    EXPECT_TRUE(vehicle.baro.healthy);
+    EXPECT_NEAR(vehicle.estimate.height_m, 0, 3);
 }
 
 TEST_F(Estimator, counts_heights_from_where_home_is_set_on_the_ground) {
@@ -422,6 +448,20 @@ TEST_F(WithoutBarometer, makes_no_step_when_the_barometer_comes_in_flight_nor_wh
     mutable_vehicle.baro.pressure_pa -= 60;
     frames(1000);
     EXPECT_NEAR(vehicle.estimate.height_m, 85, 0.5) << "by the barometer";
+}
+
+TEST_F(WithoutBarometer, trusts_the_one_that_comes_whatever_height_it_begins_with) {
+    flyUp();
+    climb_mps_ = 0;
+    for (int i = 0; i < 20; ++i) {
+        frames(10);
+        firmware::sensors::watchHealth();
+    }
+    ASSERT_TRUE(firmware::sensors::isFaulty(firmware::sensors::Sensor::barometer)) << "silent";
+    giveBarometer();
+    watched(1000);
+    EXPECT_TRUE(vehicle.baro.healthy);
+    EXPECT_NEAR(vehicle.estimate.height_m, 80, 1.5);
 }
 
 TEST_F(WithoutBarometer, climbs_on_when_the_barometer_comes) {
