@@ -18,6 +18,7 @@
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/events.hpp"
+#include "firmware/mission/handlers.hpp"
 #include "firmware/mission/item.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/modes/modes.hpp"
@@ -69,6 +70,17 @@ inline MissionItem waypoint(int32_t north_m, float z = 50) { return placed(16, n
 inline MissionItem takeoff(float z = 50) { return {22, kRelativeFrame, 12, 0, 0, 0, 0, 0, z}; }
 inline MissionItem command(uint16_t id, float p1 = 0, float p2 = 0, float p3 = 0, float p4 = 0) {
     return {id, kMissionFrame, p1, p2, p3, p4, 0, 0, 0};
+}
+
+// Of the parameter; "": there is none in the slot.
+inline std::string nameOfSlot(uint8_t slot) {
+    uint16_t row;
+    char name[16];
+    float value;
+    uint8_t type;
+    if (slot == kNoSlot || !parameterOfSlot(slot, row) || !parameterAt(row, name, value, type))
+        return "";
+    return {name, strnlen(name, sizeof name)};
 }
 
 class Rig : public testing::Test {

@@ -5,7 +5,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "firmware/mission/handlers.hpp"
 #include "mission_rig.hpp"
 #include "samples.hpp"
 
@@ -179,16 +178,6 @@ std::string fieldsAsTable(Set set, uint8_t beyond) {
         table += " | " + std::string(sample.does) + " |\n";
     }
     return table;
-}
-
-std::string nameOfSlot(uint8_t slot) {
-    uint16_t row;
-    char name[16];
-    float value;
-    uint8_t type;
-    if (slot == kNoSlot || !parameterOfSlot(slot, row) || !parameterAt(row, name, value, type))
-        return "";
-    return {name, strnlen(name, sizeof name)};
 }
 
 std::string gainsAsTable() {

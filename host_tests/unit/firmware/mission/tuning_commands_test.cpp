@@ -2,9 +2,10 @@
 // The APM 1.0 set in flight.
 #include "mission_flight.hpp"
 
+#include <map>
+
 #include "firmware/app/dataflash.hpp"
 #include "firmware/logger/log.hpp"
-#include "firmware/mission/handlers.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 
 namespace firmware {
@@ -46,58 +47,32 @@ TEST_F(Apm1Flight, cruise_speed_throttle_gains_and_channels_are_set) {
 }
 
 TEST_F(Apm1Flight, every_gain_it_accepts_goes_to_the_parameter_that_plays_the_part) {
-    struct {
-        uint8_t id, index;
-        const char* name;
-    } const parts[] = {
-        {0x60, 0, "RLL2SRV_P"},     {0x60, 1, "PTCH2SRV_P"},     {0x61, 0, "RLL2SRV_I"},
-        {0x61, 1, "PTCH2SRV_I"},    {0x61, 2, "YAW2SRV_INT"},    {0x61, 6, "TECS_INTEG_GAIN"},
-        {0x62, 0, "RLL2SRV_D"},     {0x62, 1, "PTCH2SRV_D"},     {0x62, 2, "YAW2SRV_DAMP"},
-        {0x62, 3, "NAVL1_DAMPING"}, {0x62, 5, "TECS_PTCH_DAMP"}, {0x62, 6, "TECS_THR_DAMP"},
-        {0x63, 0, "RLL2SRV_IMAX"},  {0x63, 1, "PTCH2SRV_IMAX"},  {0x63, 2, "YAW2SRV_IMAX"},
-        {0x64, 0, "PTCH2SRV_RLL"},  {0x64, 1, "KFF_RDDRMIX"},
+    std::map<std::pair<int, int>, std::string> parts = {
+        {{0x60, 0}, "RLL2SRV_P"},     {{0x60, 1}, "PTCH2SRV_P"},     {{0x61, 0}, "RLL2SRV_I"},
+        {{0x61, 1}, "PTCH2SRV_I"},    {{0x61, 2}, "YAW2SRV_INT"},    {{0x61, 6}, "TECS_INTEG_GAIN"},
+        {{0x62, 0}, "RLL2SRV_D"},     {{0x62, 1}, "PTCH2SRV_D"},     {{0x62, 2}, "YAW2SRV_DAMP"},
+        {{0x62, 3}, "NAVL1_DAMPING"}, {{0x62, 5}, "TECS_PTCH_DAMP"}, {{0x62, 6}, "TECS_THR_DAMP"},
+        {{0x63, 0}, "RLL2SRV_IMAX"},  {{0x63, 1}, "PTCH2SRV_IMAX"},  {{0x63, 2}, "YAW2SRV_IMAX"},
+        {{0x64, 0}, "PTCH2SRV_RLL"},  {{0x64, 1}, "KFF_RDDRMIX"},
     };
-    int mapped = 0;
     for (int id = 0x60; id <= 0x64; ++id) {
         for (int index = 0; index < 8; ++index) {
             const uint8_t slot = gainSlot(uint8_t(id), uint8_t(index));
-            if (slot == kNoSlot) continue;
-            ++mapped;
-            uint16_t row;
-            ASSERT_TRUE(parameterOfSlot(slot, row));
-            char name[16];
-            float value;
-            uint8_t type;
-            ASSERT_TRUE(parameterAt(row, name, value, type));
-            bool found = false;
-            for (const auto& part : parts)
-                found |= part.id == id && part.index == index &&
-                         std::string(name, strnlen(name, 16)) == part.name;
-            EXPECT_TRUE(found) << std::hex << id << " " << index << " " << name;
+            const std::string part = parts[{id, index}];
+            EXPECT_EQ(nameOfSlot(slot), part) << std::hex << id << " " << index;
+            EXPECT_EQ(slot == kNoSlot, part.empty()) << std::hex << id << " " << index;
         }
     }
-    EXPECT_EQ(mapped, 17);
 }
 
 TEST_F(Apm1Flight, every_channel_slot_is_the_parameter_it_should_be) {
-    for (int i = 0; i < 8; ++i) {
+    for (uint8_t i = 0; i < 8; ++i) {
         const std::string channel = "RC" + std::to_string(i + 1);
-        const struct {
-            uint8_t id;
-            const char* part;
-        } kinds[] = {{0x70, "_TRIM"}, {0x71, "_MAX"}, {0x72, "_MIN"}};
-        for (const auto& kind : kinds) {
-            uint16_t row;
-            ASSERT_TRUE(parameterOfSlot(channelSlot(kind.id, uint8_t(i)), row));
-            char name[16];
-            float value;
-            uint8_t type;
-            parameterAt(row, name, value, type);
-            EXPECT_EQ(std::string(name, strnlen(name, 16)), channel + kind.part);
-        }
+        EXPECT_EQ(nameOfSlot(channelSlot(0x70, i)), channel + "_TRIM");
+        EXPECT_EQ(nameOfSlot(channelSlot(0x71, i)), channel + "_MAX");
+        EXPECT_EQ(nameOfSlot(channelSlot(0x72, i)), channel + "_MIN");
     }
-    uint16_t row;
-    ASSERT_TRUE(parameterOfSlot(otherRadioSlot(2), row));
+    EXPECT_EQ(nameOfSlot(otherRadioSlot(2)), "THR_FS_VALUE");
 }
 
 TEST_F(Apm1Flight, home_is_reset_here_or_as_given) {
