@@ -78,8 +78,8 @@ protected:
         using namespace firmware::sensors;
         for (int i = 0; i < count; ++i) {
             frame(0);
-            acceptReading(Sensor::barometer, static_cast<int16_t>(i % 7), true);
-            if (i % 10 == 0) watchHealth();
+            acceptReading(Sensor::barometer, static_cast<int16_t>(frame_ % 7), true);
+            if (frame_ % 10 == 0) watchHealth();
             mutable_vehicle.baro.healthy = !isFaulty(Sensor::barometer);
         }
     }
@@ -159,29 +159,28 @@ TEST_F(Estimator, takes_the_receivers_height_without_a_step_when_the_barometer_i
 }
 
 // Falling by a metre a second, as it says, for half a minute.
-TEST_F(Estimator, rejects_a_barometer_that_drifts_away_from_the_gps_height) {
-    const auto drifts = [this](uint16_t hdop_c) {
-        altitude_m_ = 500;
+struct DriftingBarometer : Estimator {
+    bool rejected(uint16_t hdop_c) {
+        mutable_vehicle.armed = true;
         mutable_vehicle.gps.hdop_c = hdop_c;
-        mutable_vehicle.baro.pressure_pa = 101325;
-        frames(3000);
+        altitude_m_ = 500;
+        frames(300, 3);
         EXPECT_TRUE(vehicle.estimate.flying);
-        firmware::sensors::startHealth();
-        for (int i = 0;
-             i < 3000 && !firmware::sensors::isFaulty(firmware::sensors::Sensor::barometer); ++i) {
+        for (int i = 0; i < 3000 && vehicle.baro.healthy; ++i) {
             mutable_vehicle.baro.pressure_pa = 101325 + i * 12 / 100;
-            frame(0);
-            firmware::sensors::acceptReading(firmware::sensors::Sensor::barometer,
-                                             static_cast<int16_t>(i), true);
-            if (i % 10 == 0) firmware::sensors::watchHealth();
+            watched(1);
         }
-        return firmware::sensors::isFaulty(firmware::sensors::Sensor::barometer);
-    };
-    mutable_vehicle.armed = true;
-    frames(300, 3);
-    EXPECT_FALSE(drifts(400)) << "too few satellites to contradict";
-    EXPECT_TRUE(drifts(120));
+        return !vehicle.baro.healthy;
+    }
+};
+
+TEST_F(DriftingBarometer, is_rejected_by_the_gps_height) {
+    EXPECT_TRUE(rejected(120));
     EXPECT_GT(vehicle.estimate.height_m, -28);
+}
+
+TEST_F(DriftingBarometer, is_used_while_there_are_too_few_satellites_to_contradict) {
+    EXPECT_FALSE(rejected(400));
 }
 
 TEST_F(Estimator, does_without_a_barometer_as_long_as_it_shows_another_height) {
