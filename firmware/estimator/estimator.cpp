@@ -50,6 +50,7 @@ core::FileState<estimation::Wind> wind{};
 struct Motion {
     bool started;
     uint8_t imu_gap;         // frames without its samples
+    bool waits_for_imu;      // since a restart in the air
     uint8_t gathered;        // sample periods since motion was last carried on
     uint8_t flying_changes;  // looks in a row at which `flying` is wrong
     uint8_t compass_seen;    // of the compass' counter
@@ -78,7 +79,10 @@ struct TrueSpeed {
 };
 core::FileState<TrueSpeed> true_speed{};
 
-constexpr uint8_t kDead = 20;         // frames: after a longer gap the attitude is lost
+// Frames without samples after which the attitude is lost: that long no airplane turns far. When
+// the power was lost the sensor needs 0.2 s to start, and an attitude half a second old is better
+// than one found anew in a turn, which takes seconds.
+constexpr uint8_t kDead = 20, kDeadAfterRestart = 50;
 constexpr uint8_t kFramePeriods = 2;  // of a sample
 constexpr float kInconsistentAirspeed_mps = 4,
                 kInconsistentAirspeed = 0.3f;  // and this share of what is expected
@@ -113,6 +117,8 @@ struct NewestFix {
     uint8_t seen;   // of the receiver's counter
 };
 core::FileState<NewestFix> newest_fix{};
+
+bool imuDead() { return motion.imu_gap >= (motion.waits_for_imu ? kDeadAfterRestart : kDead); }
 
 // Rows of the schedule rest until the gyros' zero is known, and while it is measured again.
 bool runs() { return motion.started && vehicle.imu.calibrated; }
@@ -331,12 +337,13 @@ void runAttitude() {
     motion.gathered = periods > 0xFF - motion.gathered ? 0xFF : motion.gathered + periods;
     auto& to = published_attitude;
     if (imu.periods == 0) {
-        if (motion.imu_gap != kDead) ++motion.imu_gap;
-        to.aligned = motion.imu_gap < kDead && to.aligned;
+        if (!imuDead()) ++motion.imu_gap;
+        to.aligned = !imuDead() && to.aligned;
         return;
     }
-    if (motion.imu_gap == kDead) attitude.start();
+    if (imuDead()) attitude.start();
     motion.imu_gap = 0;
+    motion.waits_for_imu = false;
     attitude.propagate({imu.turned, imu.rate_rads, imu.accel_mss, imu.periods});
     to.roll_rad = attitude.angles().roll_rad;
     to.pitch_rad = attitude.angles().pitch_rad;
@@ -365,8 +372,7 @@ void gatherPressure() {
 void propagateMotion() {
     if (!runs()) return;
     attitude.accelerate();
-    const Vector3 acceleration_mss =
-        motion.imu_gap < kDead ? attitude.acceleration_mss() : Vector3{0, 0, 0};
+    const Vector3 acceleration_mss = imuDead() ? Vector3{0, 0, 0} : attitude.acceleration_mss();
     const float dt_s = motion.gathered * estimation::kSamplePeriod_s;
     position.propagate(acceleration_mss, dt_s);
     height.propagate(-acceleration_mss.z, dt_s);
@@ -495,6 +501,7 @@ void shiftHeight(float by_m) {
 void resumeEstimate(const SlowRecord& steady, const FastRecord& moving, const Vector3& turned_rad,
                     float lost_s) {
     attitude.resume(moving.pose, steady.learnt, turned_rad);
+    motion.waits_for_imu = true;
     heights.home_m = steady.home_height_m;
     height.resume(heights.home_m + moving.height_m, moving.climb_mps);
     heights.started = motion.started = true;

@@ -381,6 +381,38 @@ TEST_F(Stopped, knows_the_wind_and_its_height_again_after_a_restart) {
     EXPECT_TRUE(vehicle.estimate.flying);
 }
 
+// A loss of power that resets the inertial sensor, too: after `frames` it gives samples again.
+bool holdsAttitudeThrough(int frames) {
+    firmware::state::SlowRecord steady = {};
+    firmware::state::FastRecord moving = {};
+    firmware::estimator::saveEstimate(steady);
+    firmware::estimator::saveEstimate(moving);
+    core::resetFileStates();
+    mutable_vehicle.imu.calibrated = true;
+    firmware::estimator::resumeEstimate(steady, moving, {0, 0, 0}, 0.1f);
+    mutable_vehicle.imu.periods = 0;
+    for (int i = 0; i < frames; ++i) firmware::estimator::runAttitude();
+    mutable_vehicle.imu.periods = 2;
+    firmware::estimator::runAttitude();
+    return vehicle.attitude.aligned;
+}
+
+TEST_F(Estimator, waits_half_a_second_for_the_inertial_sensor_after_a_restart_in_the_air) {
+    frames(300);
+    ASSERT_TRUE(vehicle.attitude.aligned);
+    EXPECT_TRUE(holdsAttitudeThrough(49));
+    EXPECT_FALSE(holdsAttitudeThrough(50));
+}
+
+TEST_F(Estimator, loses_the_attitude_in_flight_after_a_fifth_of_a_second_without_samples) {
+    for (const int gap : {19, 20}) {
+        frames(300);
+        mutable_vehicle.imu.periods = 0;
+        for (int i = 0; i < gap; ++i) firmware::estimator::runAttitude();
+        EXPECT_EQ(vehicle.attitude.aligned, gap < 20);
+    }
+}
+
 // The barometer has not been healthy since the start, at 500 m above the sea.
 struct WithoutBarometer : Estimator {
     void SetUp() override {
