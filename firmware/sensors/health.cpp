@@ -43,6 +43,7 @@ constexpr uint8_t kContradicted = 4;  // readings' worth
 
 struct Health {
     int16_t seen;
+    bool heard;         // since the checks began: in the air they begin with a restart
     uint8_t silent;     // 0.1 s
     uint8_t still;      // 0.1 s
     uint8_t suspicion;  // above kFaulty it is faulty, until there is none
@@ -87,6 +88,7 @@ bool countsUp(uint8_t& count, uint8_t limit) {
 
 void update(uint8_t index) {
     Health& health = watch.sensors[index];
+    if (!health.heard) return;  // its driver says whether it works
     const uint8_t bit = static_cast<uint8_t>(1 << index);
     const uint8_t still = core::romRead(kLimits[index].still);
     const bool silent = countsUp(health.silent, core::romRead(kLimits[index].silent));
@@ -102,7 +104,10 @@ void update(uint8_t index) {
 
 void startHealth() {
     watch.ailing = 0;
-    for (Health& health : watch.sensors) health.silent = health.still = health.suspicion = 0;
+    for (Health& health : watch.sensors) {
+        health.heard = false;
+        health.silent = health.still = health.suspicion = 0;
+    }
 }
 
 bool acceptReading(Sensor sensor, int16_t reading, bool possible) {
@@ -113,6 +118,7 @@ bool acceptReading(Sensor sensor, int16_t reading, bool possible) {
     const uint16_t jump = static_cast<uint16_t>(change < 0 ? -change : change);
     health.seen = reading;
     health.silent = 0;
+    health.heard = true;
     if (!possible || jump > core::romRead(limits.jump)) {
         add(health, core::romRead(limits.impossible));
         return !vehicle.estimate.flying;

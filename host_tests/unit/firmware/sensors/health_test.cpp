@@ -64,6 +64,15 @@ TEST_P(Health, a_healthy_sensor_stays_healthy) {
     EXPECT_EQ(tenths(100, 0), 100 * GetParam().per_tenth);
 }
 
+TEST_P(Health, a_sensor_that_still_starts_after_a_restart_in_the_air_is_no_fault) {
+    firmware::sensors::startHealth();
+    silence(100);
+    EXPECT_FALSE(isFaulty());
+    tenths(1, 0);
+    silence(31);
+    EXPECT_TRUE(isFaulty());
+}
+
 TEST_P(Health, a_silent_sensor_is_noticed_within_two_seconds) {
     silence(21);
     EXPECT_TRUE(isFaulty());
