@@ -160,12 +160,11 @@ public:
         board_.chip().reset(Reset::brown_out);
         measured = before;
     }
-    // The supply sags in 20 ms to this, and comes back.
-    void sag(double volts) {
-        constexpr uint64_t kFall_us = 20'000;
-        const uint64_t from_us = board_.time_us() + 1;
-        board_.world().supply().add({volts, from_us, from_us + kFall_us, kFall_us});
-        run_s(0.022);
+    // The supply falls to this, stays there, and comes back.
+    void sag(double volts, uint64_t fall_us = 20'000, uint64_t low_us = 0) {
+        const uint64_t from_us = board_.time_us() + 1, to_us = from_us + fall_us + low_us;
+        board_.world().supply().add({volts, from_us, to_us, fall_us});
+        run_s(static_cast<double>(fall_us + low_us) * 1e-6 + 0.002);
     }
     // Nothing but the fast tier, or nothing of the slow one, is ever due.
     void starve(bool slow_only) {
@@ -327,6 +326,38 @@ void realBrownOut(Bench& bench) { bench.sag(2.65); }
 // Every part is reset, the memory lasts.
 void deepBrownOut(Bench& bench) { bench.sag(1.5); }
 
+struct SagShape {
+    const char* name;
+    double volts;
+    uint64_t fall_us, low_us;
+};
+constexpr SagShape kSags[] = {
+    {"2.65 V in 1 ms", 2.65, 1000, 10'000}, {"2.65 V in 8 ms", 2.65, 8000, 10'000},
+    {"1.5 V at once", 1.5, 0, 20'000},      {"1.5 V in 4 ms", 1.5, 4000, 10'000},
+    {"1.5 V in 20 ms", 1.5, 20'000, 0},     {"1.5 V for 0.3 s", 1.5, 20'000, 300'000},
+};
+
+// Every part restarts with the chip, or those that need more than it does. Whatever the processor
+// makes of the cause, it flies on.
+template <uint32_t mode, int shape>
+void fliesOnAfterSag(Bench& bench) {
+    const SagShape& sag = kSags[shape];
+    const double height_m = bench.truth().height_m, failed_s = bench.now_s();
+    bench.sag(sag.volts, sag.fall_us, sag.low_us);
+    const bool armed = bench.runUntil(
+        1.2, [&] { return bench.begun_s() > failed_s && bench.servo_us(3) > kMotorOff_us; });
+    check(armed, "%s: the motor turns %.0f ms after the beginning", sag.name,
+          bench.sinceBegun_s() * 1e3);
+    double lowest_m = height_m;
+    bench.runUntil(10, [&] {
+        lowest_m = std::min(lowest_m, bench.truth().height_m);
+        return false;
+    });
+    check(bench.telemetry().mode() == mode && bench.telemetry().armed(), "in mode %u, armed",
+          bench.telemetry().mode());
+    check(lowest_m > height_m - 10, "never under %.0f m, it was %.0f m high", lowest_m, height_m);
+}
+
 constexpr char kByWatchdog[] = "Restarted by watchdog, task", kByBrownOut[] = "after a brown-out";
 
 void watchdogInTheTurn(Bench& bench) { fliesOn(bench, hang, kLoiter, kByWatchdog); }
@@ -395,6 +426,12 @@ void mediumTierStarves(Bench& bench) { tierStarves(bench, false); }
 const Case kInTheTurn[] = {
     {"the loop hangs in a turn", watchdogInTheTurn},
     {"the supply breaks down in a turn", brownOutInTheTurn},
+    {"a sag for all parts in a turn", fliesOnAfterSag<kLoiter, 0>},
+    {"another", fliesOnAfterSag<kLoiter, 1>},
+    {"another", fliesOnAfterSag<kLoiter, 2>},
+    {"another", fliesOnAfterSag<kLoiter, 3>},
+    {"another", fliesOnAfterSag<kLoiter, 4>},
+    {"another", fliesOnAfterSag<kLoiter, 5>},
     {"the reset button in a turn", buttonInTheAir},
     {"the mode switch is moved meanwhile", otherSwitch},
     {"without a receiver", withoutReceiver},
@@ -422,6 +459,8 @@ const Case kInTheMission[] = {
     {"the loop hangs in a mission", watchdogInTheMission},
     {"the supply breaks down in a mission", brownOutInTheMission},
     {"and for the parts that need more than the chip", realBrownOutInTheMission},
+    {"a sag for all parts", fliesOnAfterSag<kAuto, 2>},
+    {"another", fliesOnAfterSag<kAuto, 4>},
 };
 
 void staysOnTheGround(Bench& bench, void (*fail)(Bench&), const char* why) {
