@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The receiver's channels as one train of pulses on the capture pin of the clock's timer: a
-// channel's width is the time from one rising edge to the next, and a gap of more than 2.7 ms
-// begins a new frame.
+// channel's width is the time from one rising edge to the next, and a gap of more than 4 ms begins
+// a new frame. What lies between the longest pulse and that is two channels whose edge was missed:
+// it must not begin a frame in the middle of another, in which the throttle would be a switch.
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <string.h>
@@ -15,7 +16,7 @@
 namespace {
 
 // in the clock's counts of 0.5 us
-constexpr uint16_t kGap = 2 * 2700;
+constexpr uint16_t kGap = 2 * 4000;
 constexpr uint16_t kShortest = 2 * 700;  // encoders send 900..2100 us; else it is noise
 constexpr uint16_t kLongest = 2 * 2500;
 

@@ -8,7 +8,8 @@
 
 namespace simulator {
 
-constexpr uint64_t kGap_halfus = 2 * 2700;  // longer than any channel: a frame has ended
+// As hal_avr/ppm.cpp has them.
+constexpr uint64_t kGap_halfus = 2 * 4000, kShortest_halfus = 2 * 700, kLongest_halfus = 2 * 2500;
 constexpr int kFewestChannels = 5;
 
 uint64_t PpmReceiver::due_us() const {
@@ -30,6 +31,8 @@ void PpmReceiver::edge(uint64_t time_halfus) {
         if (channel_ >= kFewestChannels) finish();
         channel_ = 0;
         building_halfus_.fill(0);
+    } else if (width_halfus < kShortest_halfus || width_halfus > kLongest_halfus) {
+        channel_ = -1;
     } else if (channel_ >= 0 && channel_ < hal::kRcChannels) {
         building_halfus_[channel_++] = static_cast<uint16_t>(width_halfus);
         if (channel_ == hal::kRcChannels) {

@@ -108,6 +108,19 @@ TEST(HalPpm, throws_a_frame_away_that_noise_has_cut) {
     EXPECT_EQ(bench.frames(), 1u);
 }
 
+TEST(HalPpm, a_missed_edge_begins_no_frame_in_the_middle_of_another) {
+    Receiver bench;
+    bench.interval(kGap_us);
+    bench.frame(kSticks);
+    bench.frame({1000 + 1900, 1200, 1300, 1400, 1500, 1600, 2000});
+    bench.run_ms(1);
+    EXPECT_EQ(bench.frames(), 1u);
+    EXPECT_EQ(bench.channels()[2], 1200) << "of the frame before";
+
+    bench.frame(kSticks);
+    EXPECT_EQ(bench.frames(), 2u);
+}
+
 TEST(HalPpm, a_silence_of_one_turn_of_the_timer_and_a_pulse_is_no_pulse) {
     constexpr double kTurn_us = 32768;
     for (double turns : {1.0, 2.0, 7.0, 256.0}) {
