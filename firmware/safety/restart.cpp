@@ -63,7 +63,7 @@ core::FileState<Restart> restart{};
 
 constexpr uint8_t kFewPeriods = 10;  // of blind samples that give a rate
 constexpr uint8_t kLooks = 3;        // at the mode switch, 20 ms apart
-constexpr uint16_t kSwitchComesWithin_ms = 200, kSensorsComeWithin_ms = 500;
+constexpr uint16_t kSwitchComesWithin_ms = 200, kSensorsComeWithin_ms = 450;
 
 void fill(FastRecord& to, bool in_the_air) {
     saveEstimate(to);

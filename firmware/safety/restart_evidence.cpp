@@ -11,13 +11,14 @@ using namespace state;
 
 bool measuredInTheAir(float home_height_m) {
     constexpr float kFlying = 0.75f;  // of ARSPD_FBW_MIN, as the estimator
-    constexpr float kOutOfReach_m = 10;
+    constexpr float kOutOfReach_m = 10, kFarOutOfReach_m = 30;
+    // 0: it has not been read since the start
+    const bool read = vehicle.baro.healthy && vehicle.estimate.baro_height_m != 0;
+    const float height_m = read ? vehicle.estimate.baro_height_m - home_height_m : 0;
+    if (height_m > kFarOutOfReach_m) return true;
     if (vehicle.airspeed.healthy)
         return vehicle.airspeed.speed_mps > kFlying * parameters.speed_min_mps;
-    // 0: it has not been read since the start
-    const float above_zero_m = vehicle.estimate.baro_height_m;
-    return vehicle.baro.healthy && above_zero_m != 0 &&
-           above_zero_m - home_height_m > kOutOfReach_m;
+    return height_m > kOutOfReach_m;
 }
 
 }  // namespace safety

@@ -8,9 +8,9 @@
 namespace firmware {
 namespace safety {
 
-// By the airspeed sensor where there is one: a speed to fly with. Else by the barometer's own
-// reading since the start: more than 10 m above home, whose height above the barometer's zero is
-// `home_height_m`.
+// By the barometer's own reading since the start, of which `home_height_m` is home's: more than 30
+// m above home. Lower, by the airspeed sensor where there is one: a speed to fly with; else more
+// than 10 m above home.
 bool measuredInTheAir(float home_height_m);
 
 constexpr uint16_t kEvidenceComesWithin_ms = 2000;  // since the start; after that it stays disarmed

@@ -105,7 +105,8 @@ TEST_F(Restart, is_armed_after_a_loss_of_power_only_when_a_sensor_sees_it_in_the
                         {8, false, 0, false},
                         {14.9f, false, 0, false},
                         {15.1f, false, 0, true},
-                        {60, true, flying_mps - 0.1f, false},
+                        {34, true, flying_mps - 0.1f, false},
+                        {36, true, flying_mps - 0.1f, true},
                         {0, true, flying_mps + 0.1f, true}};
     for (const ResetCause cause :
          {ResetCause::brown_out, ResetCause::power_on, ResetCause::unknown}) {
