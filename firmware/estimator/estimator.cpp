@@ -93,7 +93,6 @@ constexpr uint16_t kGpsSilent_ms = 500;
 constexpr uint8_t kBeginsFlying = 5;  // looks of 100 ms at speed: half a second
 constexpr uint8_t kEndsFlying = 30;   // looks without: three seconds
 constexpr float kFlyingGroundSpeed_mps = 5.0f;
-constexpr float kFlyingAirspeed = 0.75f;  // of ARSPD_FBW_MIN
 constexpr float kStandingSpeed_mps = 2.0f;
 constexpr float kNearHome_m = 10;
 
@@ -273,8 +272,7 @@ float knownAirspeed_mps() {
 
 // By the airspeed sensor, else by the fixes. A speed from dead reckoning is no evidence.
 bool fast() {
-    if (vehicle.airspeed.healthy)
-        return vehicle.airspeed.speed_mps > kFlyingAirspeed * parameters.speed_min_mps;
+    if (vehicle.airspeed.healthy) return vehicle.airspeed.speed_mps > flyingAirspeed_mps();
     return !position.reckoned() && vehicle.estimate.ground_speed_mps > kFlyingGroundSpeed_mps;
 }
 
@@ -287,7 +285,7 @@ bool turns() {
 
 bool slowThroughTheAir() {
     const bool known = vehicle.airspeed.healthy || wind.known();
-    return known && vehicle.estimate.airspeed_mps < kFlyingAirspeed * parameters.speed_min_mps;
+    return known && vehicle.estimate.airspeed_mps < flyingAirspeed_mps();
 }
 
 // An airplane that flies against the wind is slow over the ground, too. Unless it is known to be
@@ -483,6 +481,11 @@ void fuseAirspeed() {
 }
 
 Vector3 gyroDrift_rads() { return attitude.bias_rads(); }
+
+float flyingAirspeed_mps() {
+    constexpr float kShare = 0.75f, kMax_mps = 10;
+    return fminf(kShare * parameters.speed_min_mps, kMax_mps);
+}
 
 void zeroHeight() {
     barometer_drift.zero();

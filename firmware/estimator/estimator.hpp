@@ -37,6 +37,10 @@ void saveEstimate(state::FastRecord& to);
 void resumeEstimate(const state::SlowRecord& steady, const state::FastRecord& moving,
                     const core::Vector3& turned_rad, float lost_s);
 
+// From which an airplane is taken for flying: 75 % of ARSPD_FBW_MIN, but 10 m/s at most, so that no
+// parameter makes one in the air count as standing.
+float flyingAirspeed_mps();
+
 void zeroHeight();             // the airplane stands at height 0 now
 void shiftHeight(float by_m);  // added to every height from now on
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/restart_evidence.hpp"
 
-#include "firmware/state/parameters.hpp"
+#include "firmware/estimator/estimator.hpp"
 #include "firmware/state/vehicle.hpp"
 
 namespace firmware {
@@ -10,14 +10,13 @@ namespace safety {
 using namespace state;
 
 bool measuredInTheAir(float home_height_m) {
-    constexpr float kFlying = 0.75f;  // of ARSPD_FBW_MIN, as the estimator
     constexpr float kOutOfReach_m = 10, kFarOutOfReach_m = 30;
     // 0: it has not been read since the start
     const bool read = vehicle.baro.healthy && vehicle.estimate.baro_height_m != 0;
     const float height_m = read ? vehicle.estimate.baro_height_m - home_height_m : 0;
     if (height_m > kFarOutOfReach_m) return true;
     if (vehicle.airspeed.healthy)
-        return vehicle.airspeed.speed_mps > kFlying * parameters.speed_min_mps;
+        return vehicle.airspeed.speed_mps > estimator::flyingAirspeed_mps();
     return height_m > kOutOfReach_m;
 }
 

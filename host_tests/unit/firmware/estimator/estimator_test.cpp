@@ -231,6 +231,19 @@ TEST_F(Estimator, flies_after_half_a_second_of_speed_and_only_armed) {
     EXPECT_TRUE(vehicle.estimate.flying);
 }
 
+// ARSPD_FBW_MIN may be set to anything in its range before arming.
+TEST_F(Estimator, flies_at_ten_metres_a_second_whatever_the_least_airspeed_is) {
+    firmware::state::parameters.speed_min_mps = 25;
+    mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
+    mutable_vehicle.airspeed.speed_mps = 10.5f;
+    frames(300, 3);
+    EXPECT_TRUE(vehicle.estimate.flying);
+    mutable_vehicle.airspeed.speed_mps = 9.5f;
+    frames(200, -4);
+    frames(400);
+    EXPECT_FALSE(vehicle.estimate.flying);
+}
+
 TEST_F(Estimator, stands_after_three_seconds_without_speed) {
     mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
     mutable_vehicle.airspeed.speed_mps = 12;
