@@ -38,10 +38,13 @@ function gathered(flights, list, key) {
   return all;
 }
 
+// Their longest run is not in every flight: a mission sends a parameter while a link has no room.
+const kSeldomLong = new Set(['reportVariables']);
+
 // A budget says what a task takes: never less, and no more than double.
-function verdict(longest_us, budget_us) {
+function verdict(name, longest_us, budget_us) {
   if (longest_us > budget_us) return 'OVER';
-  return longest_us * 2 < budget_us ? 'too roomy' : 'ok';
+  return longest_us * 2 < budget_us && !kSeldomLong.has(name) ? 'too roomy' : 'ok';
 }
 
 function budgets([tasks, ...folders]) {
@@ -51,7 +54,7 @@ function budgets([tasks, ...folders]) {
     if (!seen) return [task.name, '-', '-', task.budget_us, '', 'never ran', ''];
     const longest_us = seen.max_cycles / kCycles_us;
     return [task.name, us(seen.cycles / seen.runs), longest_us.toFixed(1), task.budget_us,
-      `${(100 * longest_us / task.budget_us).toFixed(0)} %`, verdict(longest_us, task.budget_us), seen.where];
+      `${(100 * longest_us / task.budget_us).toFixed(0)} %`, verdict(task.name, longest_us, task.budget_us), seen.where];
   });
   console.log(table([['task', 'mean, us', 'longest, us', 'budget, us', 'used', '', 'longest in'], ...rows]));
   const wrong = rows.filter((row) => row[5] !== 'ok');

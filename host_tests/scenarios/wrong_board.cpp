@@ -34,6 +34,7 @@ int main(int argc, char** argv) try {
     const bool first = std::strcmp(argv[2], "apm1") == 0;
     AvrBoard board(argv[1], WorldOptions{}, first ? kApm1Wiring : kApm2Wiring);
     switchTransmitterOn(board.world());
+    board.setUsb(true);  // force is obeyed there alone
     Bench bench(board);
     const char* const text =
         first ? "Wrong board: made for an APM 2" : "Wrong board: made for an APM 1";

@@ -85,6 +85,8 @@ TEST_F(Item, every_apm2_command_stands_in_its_fields_and_comes_back_as_it_went_u
     }
 }
 
+constexpr float kRetiredSlot = 13;  // no parameter has it, nor will have
+
 struct Refusal {
     MissionItem item;
     MissionResult answer;
@@ -128,7 +130,7 @@ const Refusal kApm2Refusals[] = {
     {command(178, 0, 12, 101), wrong(3)},
     {command(178, 0, 12, -2), wrong(3)},
     {command(179, 2), wrong(1)},
-    {command(180, 5, 1), wrong(1)},
+    {command(180, kRetiredSlot, 1), wrong(1)},
     {command(180, 256, 1), wrong(1)},
     {command(180, 134, 0), wrong(2)},
     {command(180, 102, INFINITY), wrong(2)},
@@ -355,7 +357,7 @@ TEST_F(Apm1Item, every_command_refuses_what_is_out_of_range) {
         {command(0x21, 10, 8000), wrong(1)},
         {command(0x30, 99), wrong(1)},
         {command(0x31), MissionResult::invalid},
-        {command(0x32, 5), wrong(1)},
+        {command(0x32, kRetiredSlot), wrong(1)},
         {command(0x34, 2), wrong(1)},
         {command(0x40, 5), wrong(1)},
         {command(0x41, 101), wrong(1)},

@@ -43,7 +43,8 @@ TEST(Generator, EveryKindOfEventIsDrawnAndEveryFaultExists) {
         for (const Event& event : scenario.events) {
             kinds.insert(event.kind());
             if (event.kind() != "fault") continue;
-            faults.insert(event.words[1]);
+            const bool sag = event.words[1].rfind("supply:sag", 0) == 0;  // of any depth
+            faults.insert(sag ? "supply:sag" : event.words[1]);
             EXPECT_TRUE(parseFault(event.words[1] + "@1")) << event.words[1];
         }
     }
@@ -54,7 +55,7 @@ TEST(Generator, EveryKindOfEventIsDrawnAndEveryFaultExists) {
     for (int sensor = 0; sensor < kFaulty; ++sensor)
         for (int kind = 1; kind < kFaultKinds; ++kind)
             possible += canFail(static_cast<Faulty>(sensor), static_cast<FaultKind>(kind));
-    EXPECT_EQ(faults.size(), possible);
+    EXPECT_EQ(faults.size(), possible - 1) << "a cut of the supply is a restart";
 }
 
 TEST(Generator, MissionsBeginAtHomeAndEndWithALanding) {
