@@ -11,6 +11,7 @@
 #include "firmware/control/attitude_control.hpp"
 #include "firmware/control/autotune.hpp"
 #include "firmware/control/inverted.hpp"
+#include "firmware/control/stall.hpp"
 #include "firmware/estimator/estimator.hpp"
 #include "firmware/gcs/telemetry.hpp"
 #include "firmware/guidance/guidance.hpp"
@@ -107,6 +108,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { medium, missionRun,             10,     3,    2670 },
     { medium, missionCatchUp,         10,     5,    1590 },
     { medium, runInverted,            10,     2,       6 },
+    { medium, runStall,                5,     3,      40 },
     { medium, runFence,               10,     1,    1030 },
     { medium, runFailsafe,            10,     6,     500 },
 

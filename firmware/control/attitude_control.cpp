@@ -4,6 +4,7 @@
 #include "control/attitude.hpp"
 #include "core/file_state.hpp"
 #include "firmware/control/autotune.hpp"
+#include "firmware/control/stall.hpp"
 #include "firmware/state/mode_traits.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -28,6 +29,7 @@ struct Loops {
     ::control::AxisGains roll_gains, pitch_gains;
     ::control::AirFlow air;
     ::control::TurnRates turn;
+    core::Angle pitch_error_rad;             // before a stall takes part of it
     ParameterWatch roll_watch, pitch_watch;  // gains cost much and change little
 };
 core::FileState<Loops> loops{};
@@ -38,6 +40,8 @@ struct Bounds {
     bool rolls;                                            // so, or on the way there or back
     uint8_t mode_entry;                                    // that the loops began with
     int16_t roll_limit, pitch_min, pitch_max, trim_pitch;  // of an Angle
+    int16_t pull_out;                                      // the error that a slow wing bears
+    core::Ratio full_throttle;
     Deflection rudder_mix;
     bool yaw_used;
     ParameterWatch limits_watch;
@@ -108,6 +112,34 @@ core::Angle pitchError() {
     return bounds.rolls ? aboutWing(up_rad) : up_rad;
 }
 
+using StallPhase = ::control::Stall::Phase;
+
+// Out of a stall the nose rises no faster than a slow wing bears, and until there is speed no
+// higher than where it gains some.
+core::Angle pitchErrorInStall() {
+    constexpr core::Angle kGaining_rad(core::radians(-5));
+    int16_t most = bounds.pull_out;
+    if (stallIsSlow()) {
+        const int16_t low = core::between(vehicle.attitude.pitch_rad, kGaining_rad).raw;
+        if (low < most) most = low;
+    }
+    return core::Angle::fromRaw(loops.pitch_error_rad.raw < most ? loops.pitch_error_rad.raw
+                                                                 : most);
+}
+
+// Neutral and a little down; ailerons far out would stall the wing they are to lift.
+void letNoseFall() {
+    constexpr Deflection kDown(-0.1f), kAileron(0.4f);
+    surfaces.elevator = kDown;
+    surfaces.aileron.raw = core::limit<int16_t>(surfaces.aileron.raw,
+                                                static_cast<int16_t>(-kAileron.raw), kAileron.raw);
+    loops.pitch_state = ::control::AxisState();
+}
+
+core::Angle toLevel_rad() {
+    return core::between(vehicle.attitude.roll_rad, core::Angle::fromRaw(0));
+}
+
 Deflection yaw() {
     return Deflection(::control::yawDeflection(parameters.yaw, loops.yaw_state, loops.air,
                                                loops.turn, vehicle.attitude.rate_rads.z.toFloat(),
@@ -154,11 +186,16 @@ void bindSticks() {
 void stabilise() {
     const auto& rate_rads = vehicle.attitude.rate_rads;
     const uint8_t periods = vehicle.imu.periods;
-    const core::Angle roll_error = rollError(), pitch_error = pitchError();
+    const StallPhase stall = stallPhase();
+    loops.pitch_error_rad = pitchError();
+    const bool flying = stall == StallPhase::flying;
+    const core::Angle roll_error = flying ? rollError() : toLevel_rad();
+    const core::Angle pitch_error = flying ? loops.pitch_error_rad : pitchErrorInStall();
     surfaces.aileron = ::control::rollDeflection(loops.roll_gains, loops.roll_state, loops.air,
                                                  roll_error, rate_rads.x, periods);
     surfaces.elevator = ::control::pitchDeflection(loops.pitch_gains, loops.pitch_state, loops.air,
                                                    turnToFly(), pitch_error, rate_rads.y, periods);
+    if (stall == StallPhase::breaking) letNoseFall();
     if (vehicle.mode == Mode::autotune) {
         tune(kTunedRoll, loops.roll_gains, loops.roll_state, loops.air, roll_error, rate_rads.x);
         tune(kTunedPitch, loops.pitch_gains, loops.pitch_state, loops.air, pitch_error,
@@ -194,7 +231,11 @@ void runAttitudeControl() {
         stabilise();
     if (vehicle.sticks == Sticks::direct || vehicle.sticks == Sticks::on_top) addSticks();
     if (!at_trim) addStick(surfaces.rudder, vehicle.radio.yaw_cd);
-    surfaces.throttle = vehicle.throttle_demand;
+    surfaces.throttle = stallNeedsPower() ? bounds.full_throttle : vehicle.throttle_demand;
+}
+
+core::Angle pitchShort_rad() {
+    return bounds.rolls ? core::Angle::fromRaw(0) : loops.pitch_error_rad;
 }
 
 // Without a sensor the estimated airspeed serves: it is the cruise speed until the wind is known.
@@ -228,6 +269,10 @@ void runControlLimits() {
     bounds.trim_pitch = angle(parameters.trim_pitch_cd);
     bounds.rudder_mix = Deflection(parameters.rudder_mix);
     bounds.yaw_used = ::control::yawUsed(parameters.yaw);
+    // 1.6 g at the trainer's cruise speed, 1.4 g at its lowest one, where the wing bears 1.44 g
+    constexpr float kPullOut_rads = core::radians(25);
+    bounds.pull_out = core::Angle(kPullOut_rads * parameters.pitch.axis.time_constant_s).raw;
+    bounds.full_throttle = Deflection(parameters.throttle_max_pct * 0.01f);
 }
 
 }  // namespace control

@@ -20,5 +20,8 @@ void runRollGains();     // 5 Hz, as the next two: of the parameters, when one h
 void runPitchGains();
 void runControlLimits();  // of bank and pitch, the mix of the rudder
 
+// How far the nose is below what is demanded; 0 while the airplane rolls upright or upside down.
+core::Angle pitchShort_rad();
+
 }  // namespace control
 }  // namespace firmware

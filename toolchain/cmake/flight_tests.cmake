@@ -128,6 +128,11 @@ foreach(fault imu:stuck baro:lost)  # other sensors, other drivers
     image_test(${name} apm1 fault_flight apm1 ${IMAGE_apm1} ${first_flight} ${minutes} ${fault})
 endforeach()
 
+# stalled by the pilot, every airplane
+flight_program(stall_flight ${tests}/scenarios/stall_flight.cpp simulator/parameter_file.cpp
+               toolchain/param_tool/settings.cpp toolchain/mission_tool/wrong_input.cpp)
+native_test(flight.native_stall stall_flight ${CMAKE_SOURCE_DIR}/simulator/airplanes)
+
 flight_program(gps_flight)  # another receiver in the middle of the flight
 native_test(flight.native_gps_swapped gps_flight ${first_flight} ${native_minutes})
 
@@ -221,6 +226,13 @@ declare_test(campaign.replay_on_the_image COMMAND node --test ${tests}/scenarios
 # ---- whatever happens, the invariants hold
 declare_test(chaos COMMAND chaos --flights 100 --seed 1 --out ${flights}/chaos DATA ${flight_data}
              ${CMAKE_SOURCE_DIR}/firmware/state/parameters.csv LABELS native REUSE)
+# stalls that chaos found: by sensors that failed, and by a pilot's stick
+file(GLOB stalls CONFIGURE_DEPENDS ${tests}/scenarios/stalls/*.scenario)
+foreach(stall IN LISTS stalls)
+    get_filename_component(name ${stall} NAME_WE)
+    declare_test(chaos.${name} COMMAND chaos --replay ${stall} DATA ${flight_data} ${stall}
+                 LABELS native REUSE)
+endforeach()
 
 # ---- the tools' images and logs, flown
 declare_test(mission_tool.flies_a_compiled_image COMMAND node --test ${tests}/scenarios/mission_image.test.mjs

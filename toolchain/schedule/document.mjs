@@ -52,6 +52,7 @@ const remarks = {
   runAirspeed: 'pressure of the pitot sensor to airspeed',
   missionCatchUp: 'the next part of a long pass of the mission engine',
   runInverted: 'whether the airplane is to fly upside down',
+  runStall: 'whether the wing has stalled, and how far it is out of it',
   runFence: 'whether the fence is crossed, and what follows',
   missionRun: 'one pass of the mission engine in AUTO; uploads and checks in the background',
   runModeSwitch: 'the mode switch and the other switches of the transmitter',

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/control/stall.hpp"
+
+#include "core/file_state.hpp"
+#include "firmware/control/attitude_control.hpp"
+#include "firmware/notify/status_text.hpp"
+#include "firmware/state/mode_traits.hpp"
+#include "firmware/state/parameters.hpp"
+#include "firmware/state/vehicle.hpp"
+
+namespace firmware {
+namespace control {
+
+using namespace notify;
+using namespace state;
+
+namespace {
+
+using Phase = ::control::Stall::Phase;
+
+constexpr float kLowest_m = 10;       // below, a pilot flares, and what is lost is lost
+constexpr float kSinking_mps = 1.5f;  // a stalled wing does; one on the runway does not
+
+struct Watch {
+    ::control::Stall stall;
+    bool slow;
+};
+core::FileState<Watch> watch{};
+
+// The elevator is the loop's alone.
+bool holdsElevator() {
+    if (vehicle.sticks == Sticks::on_top) return vehicle.radio.pitch_cd == 0;
+    return vehicle.sticks == Sticks::nothing && vehicle.mode != Mode::autotune;
+}
+
+bool flares() {
+    if (vehicle.progress.flaring) return true;
+    return vehicle.baro.healthy && vehicle.estimate.height_m < kLowest_m;
+}
+
+bool possible() {
+    const bool takes_off = guidesItself() && vehicle.demand.path == Path::takeoff;
+    return parameters.stall_prevention != 0 && vehicle.armed && vehicle.estimate.flying &&
+           vehicle.imu.healthy && !vehicle.inverted && holdsElevator() && !takes_off && !flares();
+}
+
+}  // namespace
+
+void runStall() {
+    const core::Angle short_rad = pitchShort_rad();
+    auto& stall = watch.stall;
+    if (stall.phase() == Phase::flying && short_rad.raw <= 0) return stall.stop();
+    if (!possible()) return stall.stop();
+    watch.slow = vehicle.estimate.equivalent_airspeed_mps < parameters.speed_min_mps;
+    const bool sinks = !vehicle.baro.healthy || vehicle.estimate.climb_mps < -kSinking_mps;
+    const Phase before = stall.phase();
+    stall.run({surfaces.elevator, short_rad, vehicle.attitude.rate_rads.y, watch.slow, sinks});
+    if (before == Phase::flying && stall.phase() == Phase::breaking)
+        sendStatusText(Severity::warning, ROM_TEXT("Stall: nose down"));
+}
+
+Phase stallPhase() { return watch.stall.phase(); }
+bool stallIsSlow() { return watch.slow; }
+
+bool stallNeedsPower() {
+    const Phase phase = watch.stall.phase();
+    return autoThrottle() &&
+           (phase == Phase::breaking || (phase == Phase::pulling_out && watch.slow));
+}
+
+}  // namespace control
+}  // namespace firmware
