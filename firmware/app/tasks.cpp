@@ -122,7 +122,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { slow,   runBattery,             40,     9,     340 },
     { slow,   runRollGains,           20,     0,     170 },
     { slow,   runPitchGains,          20,     9,     180 },
-    { slow,   runControlLimits,       20,     2,      40 },
+    { slow,   runControlLimits,       20,     2,      75 },
     { slow,   runInertialSettings,    20,     1,     115 },
     { slow,   runLateralGains,        40,    35,     250 },
     { slow,   runTargetBearing,       20,     5,     160 },

@@ -119,7 +119,7 @@ using StallPhase = ::control::Stall::Phase;
 core::Angle pitchErrorInStall() {
     constexpr core::Angle kGaining_rad(core::radians(-5));
     int16_t most = bounds.pull_out;
-    if (stallIsSlow()) {
+    if (stall_recovery.slow) {
         const int16_t low = core::between(vehicle.attitude.pitch_rad, kGaining_rad).raw;
         if (low < most) most = low;
     }
@@ -186,7 +186,7 @@ void bindSticks() {
 void stabilise() {
     const auto& rate_rads = vehicle.attitude.rate_rads;
     const uint8_t periods = vehicle.imu.periods;
-    const StallPhase stall = stallPhase();
+    const StallPhase stall = stall_recovery.phase;
     loops.pitch_error_rad = pitchError();
     const bool flying = stall == StallPhase::flying;
     const core::Angle roll_error = flying ? rollError() : toLevel_rad();
@@ -231,7 +231,7 @@ void runAttitudeControl() {
         stabilise();
     if (vehicle.sticks == Sticks::direct || vehicle.sticks == Sticks::on_top) addSticks();
     if (!at_trim) addStick(surfaces.rudder, vehicle.radio.yaw_cd);
-    surfaces.throttle = stallNeedsPower() ? bounds.full_throttle : vehicle.throttle_demand;
+    surfaces.throttle = stall_recovery.full_power ? bounds.full_throttle : vehicle.throttle_demand;
 }
 
 core::Angle pitchShort_rad() {
@@ -244,11 +244,13 @@ void runSpeedScaling() {
     loops.air =
         ::control::airFlow(parameters.scaling_speed_mps, vehicle.estimate.equivalent_airspeed_mps,
                            parameters.speed_min_mps);
-    // upside down both turn the other way about the airplane's own axes
-    const float side = bounds.inverted ? -1 : 1;
-    loops.turn =
-        ::control::turnRates(loops.air, attitude.sin_roll.toFloat() * side,
-                             attitude.cos_roll.toFloat() * side, attitude.cos_pitch.toFloat());
+    core::Ratio sine = attitude.sin_roll, cosine = attitude.cos_roll;
+    if (bounds.inverted) {  // both turn the other way about the airplane's own axes
+        sine = core::Ratio::fromRaw(-sine.raw);
+        cosine = core::Ratio::fromRaw(-cosine.raw);
+    }
+    loops.turn = ::control::turnRates(loops.air, sine.toFloat(), cosine.toFloat(),
+                                      attitude.cos_pitch.toFloat());
     if (bounds.inverted)
         loops.turn = {core::BodyRate::fromRaw(-loops.turn.pitch_rads.raw), -loops.turn.yaw_rads};
 }

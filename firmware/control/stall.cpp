@@ -14,6 +14,8 @@ namespace control {
 using namespace notify;
 using namespace state;
 
+core::FileState<StallRecovery> stall_recovery{};
+
 namespace {
 
 using Phase = ::control::Stall::Phase;
@@ -23,7 +25,6 @@ constexpr float kSinking_mps = 1.5f;  // a stalled wing does; one on the runway 
 
 struct Watch {
     ::control::Stall stall;
-    bool slow;
 };
 core::FileState<Watch> watch{};
 
@@ -44,28 +45,29 @@ bool possible() {
            vehicle.imu.healthy && !vehicle.inverted && holdsElevator() && !takes_off && !flares();
 }
 
+void lookForStall() {
+    auto& recovery = stall_recovery;
+    recovery.slow = vehicle.estimate.equivalent_airspeed_mps < parameters.speed_min_mps;
+    const bool sinks = !vehicle.baro.healthy || vehicle.estimate.climb_mps < -kSinking_mps;
+    watch.stall.run(
+        {surfaces.elevator, pitchShort_rad(), vehicle.attitude.rate_rads.y, recovery.slow, sinks});
+    const Phase phase = watch.stall.phase();
+    if (recovery.phase == Phase::flying && phase == Phase::breaking)
+        sendStatusText(Severity::warning, ROM_TEXT("Stall: nose down"));
+    recovery.phase = phase;
+    const bool needs_power =
+        phase == Phase::breaking || (phase == Phase::pulling_out && recovery.slow);
+    recovery.full_power = needs_power && autoThrottle();
+}
+
 }  // namespace
 
 void runStall() {
-    const core::Angle short_rad = pitchShort_rad();
-    auto& stall = watch.stall;
-    if (stall.phase() == Phase::flying && short_rad.raw <= 0) return stall.stop();
-    if (!possible()) return stall.stop();
-    watch.slow = vehicle.estimate.equivalent_airspeed_mps < parameters.speed_min_mps;
-    const bool sinks = !vehicle.baro.healthy || vehicle.estimate.climb_mps < -kSinking_mps;
-    const Phase before = stall.phase();
-    stall.run({surfaces.elevator, short_rad, vehicle.attitude.rate_rads.y, watch.slow, sinks});
-    if (before == Phase::flying && stall.phase() == Phase::breaking)
-        sendStatusText(Severity::warning, ROM_TEXT("Stall: nose down"));
-}
-
-Phase stallPhase() { return watch.stall.phase(); }
-bool stallIsSlow() { return watch.slow; }
-
-bool stallNeedsPower() {
-    const Phase phase = watch.stall.phase();
-    return autoThrottle() &&
-           (phase == Phase::breaking || (phase == Phase::pulling_out && watch.slow));
+    if (stall_recovery.phase == Phase::flying && ::control::Stall::calm(surfaces.elevator))
+        return watch.stall.runCalm();
+    if (possible()) return lookForStall();
+    watch.stall.stop();
+    stall_recovery = StallRecovery();
 }
 
 }  // namespace control

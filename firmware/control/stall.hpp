@@ -4,14 +4,19 @@
 // or where the pilot's stick is the elevator.
 #pragma once
 #include "control/stall.hpp"
+#include "core/file_state.hpp"
 
 namespace firmware {
 namespace control {
 
+struct StallRecovery {
+    ::control::Stall::Phase phase;
+    bool slow;        // the nose stays low until there is speed
+    bool full_power;  // and the throttle is the firmware's
+};
+extern core::FileState<StallRecovery> stall_recovery;
+
 void runStall();  // 20 Hz
-::control::Stall::Phase stallPhase();
-bool stallNeedsPower();  // and the throttle is the firmware's
-bool stallIsSlow();      // the nose stays low until there is speed
 
 }  // namespace control
 }  // namespace firmware

@@ -12,7 +12,7 @@ constexpr uint8_t steps(float seconds) { return static_cast<uint8_t>(seconds * 2
 constexpr uint8_t kSeen = steps(0.35f);
 constexpr uint8_t kShortestBreak = steps(0.4f), kLongestBreak = steps(1.5f);
 constexpr uint8_t kLongestPullOut = steps(6);  // whatever the speed: it may be measured wrongly
-constexpr core::Ratio kFarUp(0.55f), kFarUpWhenSlow(0.35f);
+constexpr core::Ratio kFarUp(0.55f);
 constexpr core::Angle kShort_rad(core::radians(6)), kThere_rad(core::radians(3));
 
 // The nose is not going to be where it is demanded within 1.6 s, though the loop wants it there
@@ -23,9 +23,8 @@ bool noseStays(const StallSigns& signs) {
            kAngleInTime * signs.rate_rads.raw < signs.short_rad.raw;
 }
 
-bool looksStalled(const StallSigns& signs) {
-    const core::Ratio far_up = signs.slow ? kFarUpWhenSlow : kFarUp;
-    return signs.elevator.raw > far_up.raw && signs.sinks && noseStays(signs);
+bool isFarUp(const StallSigns& signs) {
+    return !Stall::calm(signs.elevator) && (signs.slow || signs.elevator.raw > kFarUp.raw);
 }
 
 }  // namespace
@@ -40,10 +39,10 @@ void Stall::breakIt(const StallSigns& signs) {
 }
 
 void Stall::watch(const StallSigns& signs) {
-    if (looksStalled(signs))
+    if (isFarUp(signs) && signs.sinks && noseStays(signs))
         ++seen_;
-    else if (seen_ > 0)
-        --seen_;
+    else
+        runCalm();
     if (seen_ >= kSeen) return begin(Phase::breaking);
     const bool there = signs.short_rad.raw < kThere_rad.raw && !signs.slow;
     if (phase_ == Phase::pulling_out && (there || steps_ >= kLongestPullOut)) begin(Phase::flying);

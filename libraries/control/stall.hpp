@@ -26,10 +26,16 @@ public:
     };
 
     void run(const StallSigns& signs);  // 20 Hz
+    void runCalm() {                    // in flight, instead: without this elevator there is none
+        if (seen_ > 0) --seen_;
+    }
+    static constexpr bool calm(core::Ratio elevator) { return elevator.raw <= kLeastUp.raw; }
     void stop() { *this = Stall(); }
     Phase phase() const { return phase_; }
 
 private:
+    static constexpr core::Ratio kLeastUp{0.35f};  // when it is slow
+
     void begin(Phase phase);
     void breakIt(const StallSigns& signs);
     void watch(const StallSigns& signs);

@@ -48,7 +48,7 @@ protected:
             firmware::control::runAttitudeControl();
             if (i % 5 == 3) firmware::control::runStall();
         }
-        return firmware::control::stallPhase();
+        return firmware::control::stall_recovery.phase;
     }
     void guide(Path path) {
         fly(Mode::loiter);
