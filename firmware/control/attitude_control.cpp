@@ -116,15 +116,14 @@ using StallPhase = ::control::Stall::Phase;
 
 // Out of a stall the nose rises no faster than a slow wing bears, and until there is speed no
 // higher than where it gains some.
-core::Angle pitchErrorInStall() {
+core::Angle pitchErrorInStall(core::Angle up_rad) {
     constexpr core::Angle kGaining_rad(core::radians(-5));
     int16_t most = bounds.pull_out;
     if (stall_recovery.slow) {
         const int16_t low = core::between(vehicle.attitude.pitch_rad, kGaining_rad).raw;
         if (low < most) most = low;
     }
-    return core::Angle::fromRaw(loops.pitch_error_rad.raw < most ? loops.pitch_error_rad.raw
-                                                                 : most);
+    return core::Angle::fromRaw(up_rad.raw < most ? up_rad.raw : most);
 }
 
 // Neutral and a little down; ailerons far out would stall the wing they are to lift.
@@ -187,10 +186,12 @@ void stabilise() {
     const auto& rate_rads = vehicle.attitude.rate_rads;
     const uint8_t periods = vehicle.imu.periods;
     const StallPhase stall = stall_recovery.phase;
-    loops.pitch_error_rad = pitchError();
-    const bool flying = stall == StallPhase::flying;
-    const core::Angle roll_error = flying ? rollError() : toLevel_rad();
-    const core::Angle pitch_error = flying ? loops.pitch_error_rad : pitchErrorInStall();
+    core::Angle roll_error = rollError(), pitch_error = pitchError();
+    loops.pitch_error_rad = pitch_error;
+    if (stall != StallPhase::flying) {
+        roll_error = toLevel_rad();
+        pitch_error = pitchErrorInStall(pitch_error);
+    }
     surfaces.aileron = ::control::rollDeflection(loops.roll_gains, loops.roll_state, loops.air,
                                                  roll_error, rate_rads.x, periods);
     surfaces.elevator = ::control::pitchDeflection(loops.pitch_gains, loops.pitch_state, loops.air,
