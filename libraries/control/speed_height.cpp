@@ -260,10 +260,13 @@ SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
     wanted = core::limit(wanted, limits.throttle_min, limits.throttle_max);
     if (phase == Phase::flare) wanted = limits.throttle_max;
     throttle_ = slewed(throttle_, wanted, limits.throttle_slew * dt_s);
-    const float lift_rad =
-        kLowestSpeedAlpha_rad *
-        core::limit(core::square(limits.airspeed_min_mps * step.inverse_speed_spm), 0.0f, kMaxLift);
-    beginOrEndFlare(phase == Phase::flare, lift_rad);
+    const bool flares = phase == Phase::flare;
+    float lift_rad = 0;
+    if (flares || flaring_)  // nowhere else is it needed
+        lift_rad = kLowestSpeedAlpha_rad *
+                   core::limit(core::square(limits.airspeed_min_mps * step.inverse_speed_spm), 0.0f,
+                               kMaxLift);
+    beginOrEndFlare(flares, lift_rad);
     pitch_rad_ = pitch(settings, limits, errors, speed_weight, lift_rad, step);
     return {pitch_rad_, throttle_};
 }
