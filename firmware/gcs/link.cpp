@@ -3,6 +3,7 @@
 
 #include "firmware/mission/mission.hpp"
 #include "firmware/notify/text_queue.hpp"
+#include "firmware/sensors/sensors.hpp"
 
 namespace firmware {
 namespace gcs {
@@ -14,6 +15,11 @@ using namespace notify;
 static_assert(kLinks == kLogReader, "a reader of texts for each link, then the log");
 
 core::FileState<Links> links{};
+
+// The image of the other board knows no pin that senses USB here, and arms for nobody.
+bool isUsb(const Link& link) {
+    return linkNumber(link) == 0 && (hal::usbConnected() || sensors::wrongBoard());
+}
 
 namespace {
 

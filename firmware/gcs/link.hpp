@@ -55,7 +55,7 @@ inline hal::Port portOf(const Link& link) {
 }
 // A cable that somebody has plugged in: on link0, while the board senses USB. What a stranger with
 // a radio must not do is obeyed there alone (docs/security.md).
-inline bool isUsb(const Link& link) { return linkNumber(link) == 0 && hal::usbConnected(); }
+bool isUsb(const Link& link);
 
 inline bool hasRoom(const Link& link, uint8_t frame_size) {
     return hal::serialRoom(portOf(link)) >= frame_size;

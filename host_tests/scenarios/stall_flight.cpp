@@ -24,7 +24,7 @@ namespace {
 constexpr int kTelemetry = 2;
 constexpr uint64_t kStep_us = 20'000;
 constexpr double kDegree = M_PI / 180;
-constexpr double kFrom_m = 120, kMostLost_m = 60, kLimit_s = 240;
+constexpr double kFrom_m = 120, kMaxLost_m = 60, kLimit_s = 240;
 constexpr double kStalled_rad = 20 * kDegree;  // each of them has stalled at 17
 constexpr double kFlying_rad = 12 * kDegree;
 constexpr double kFlyingFor_s = 1;
@@ -123,7 +123,7 @@ bool flyAndTell(const std::string& folder, const Case& flown) {
     WatchedBoard watched(board);
     if (!flown.prevented) watched.watch().excuse("surface_at_its_stop");
     const auto lost_m = StallFlight(watched, items, folder, flown).fly();
-    const bool out = lost_m && *lost_m < kMostLost_m;
+    const bool out = lost_m && *lost_m < kMaxLost_m;
     const bool well = out == flown.prevented && watched.held();
     std::printf("  %s  %s, stick %s, STALL_PREVENTION %d: ", well ? "ok    " : "FAILED",
                 flown.airplane, flown.holds ? "held back" : "let go", flown.prevented);

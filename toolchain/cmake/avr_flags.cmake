@@ -16,6 +16,10 @@ file(GLOB every_frame CONFIGURE_DEPENDS ${every_frame_folders})
 foreach(source incoming link streams telemetry flight_messages)
     list(APPEND every_frame ${CMAKE_SOURCE_DIR}/firmware/gcs/${source}.cpp)
 endforeach()
+# And of the libraries what is worked out 25 to 100 times a second, as far as flash allows.
+foreach(source estimation/height estimation/position control/axis)
+    list(APPEND every_frame ${CMAKE_SOURCE_DIR}/libraries/${source}.cpp)
+endforeach()
 set_source_files_properties(${every_frame} PROPERTIES COMPILE_OPTIONS -O2)
 
 link_libraries(m)
