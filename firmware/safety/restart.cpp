@@ -164,7 +164,9 @@ bool homeIsSaved() {
            steady.home_altitude_cm == home.altitude_cm;
 }
 
+// A flight that goes on after a restart is not over because it is not armed again yet.
 void saveHomeOfFlight() {
+    if (vehicle.resuming || restart.arms) return;
     if (vehicle.armed && vehicle.home.set && !homeIsSaved())
         restart.home_saved =
             saveHome(vehicle.home.position, vehicle.home.altitude_cm) == core::Status::ok;

@@ -267,6 +267,17 @@ TEST_F(Restart, finds_home_in_the_eeprom_when_power_and_memory_were_lost_in_flig
     EXPECT_EQ(vehicle.home.altitude_cm, 48800);
 }
 
+TEST_F(Restart, forgets_no_saved_home_while_it_waits_to_be_armed_again) {
+    begin(ResetCause::unknown);
+    for (int i = 0; i < 5; ++i) runRestartSlowly();
+    lookAtSwitch(1165);
+    ASSERT_FALSE(vehicle.armed) << "it has not been seen in the air";
+    for (int i = 0; i < 5; ++i) runRestartSlowly();
+    invalidate(steady);
+    begin(ResetCause::power_on);
+    EXPECT_TRUE(vehicle.home.set) << "the power was lost once more";
+}
+
 TEST_F(Restart, finds_no_saved_home_when_the_flight_before_was_ended_by_disarming) {
     mutable_vehicle.armed = false;
     keep();
