@@ -276,13 +276,6 @@ bool fast() {
     return !position.reckoned() && vehicle.estimate.ground_speed_mps > kFlyingGroundSpeed_mps;
 }
 
-bool turns() {
-    const auto& rate = vehicle.imu.rate_rads;
-    constexpr int16_t kMax = core::BodyRate(0.1f).raw;
-    const auto beyond = [](core::BodyRate axis) { return axis.raw > kMax || axis.raw < -kMax; };
-    return beyond(rate.x) || beyond(rate.y) || beyond(rate.z);
-}
-
 bool slowThroughTheAir() {
     const bool known = vehicle.airspeed.healthy || wind.known();
     return known && vehicle.estimate.airspeed_mps < flyingAirspeed_mps();

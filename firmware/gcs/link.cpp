@@ -16,10 +16,10 @@ static_assert(kLinks == kLogReader, "a reader of texts for each link, then the l
 
 core::FileState<Links> links{};
 
-// The image of the other board knows no pin that senses USB here, and arms for nobody.
-bool isUsb(const Link& link) {
-    return linkNumber(link) == 0 && (hal::usbConnected() || sensors::wrongBoard());
-}
+// Another board's sense pin says nothing: it is to be heard on USB, and arms for nobody.
+bool usbPlugged() { return hal::usbConnected() || sensors::wrongBoard(); }
+
+bool isUsb(const Link& link) { return linkNumber(link) == 0 && usbPlugged(); }
 
 namespace {
 

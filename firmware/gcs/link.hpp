@@ -56,6 +56,7 @@ inline hal::Port portOf(const Link& link) {
 // A cable that somebody has plugged in: on link0, while the board senses USB. What a stranger with
 // a radio must not do is obeyed there alone (docs/security.md).
 bool isUsb(const Link& link);
+bool usbPlugged();  // what follows the cable: the rate of link0
 
 inline bool hasRoom(const Link& link, uint8_t frame_size) {
     return hal::serialRoom(portOf(link)) >= frame_size;

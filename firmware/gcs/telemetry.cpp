@@ -57,11 +57,8 @@ void open(Link& link, int16_t thousands) {
 
 void openLink0() { open(links[0], turn.usb ? parameters.serial0_baud : parameters.serial1_baud); }
 
-// Another board's sense pin says nothing: it is to be heard on USB.
-bool usbThere() { return hal::usbConnected() || wrongBoard(); }
-
 void followUsb() {
-    if (usbThere() == turn.usb) return;
+    if (usbPlugged() == turn.usb) return;
     turn.usb = !turn.usb;
     openLink0();
 }
@@ -149,7 +146,7 @@ void telemetryStart() {
     missionTransferStart();
     commandsStart();
     logsStart();
-    turn.usb = usbThere();
+    turn.usb = usbPlugged();
     openLink0();
     open(links[1], parameters.serial2_baud);
     for (Link& link : links) streamsStart(link);

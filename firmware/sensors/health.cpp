@@ -64,13 +64,6 @@ void add(Health& health, uint16_t suspicion) {
     health.suspicion = suspicion > kMax ? kMax : static_cast<uint8_t>(suspicion);
 }
 
-bool turns() {
-    constexpr int16_t kLeast = core::BodyRate(0.1f).raw;
-    const auto fast = [](core::BodyRate axis) { return axis.raw > kLeast || axis.raw < -kLeast; };
-    const auto& rate = vehicle.imu.rate_rads;
-    return fast(rate.x) || fast(rate.y) || fast(rate.z);
-}
-
 bool fixesUsable() { return vehicle.gps.fix == GpsFix::three_d && !isFaulty(Sensor::gps); }
 
 // Without fixes nobody sees it climb: then time must do.
@@ -101,6 +94,13 @@ void update(uint8_t index) {
 }
 
 }  // namespace
+
+bool turns() {
+    constexpr int16_t kLeast = core::BodyRate(0.1f).raw;
+    const auto fast = [](core::BodyRate axis) { return axis.raw > kLeast || axis.raw < -kLeast; };
+    const auto& rate = vehicle.imu.rate_rads;
+    return fast(rate.x) || fast(rate.y) || fast(rate.z);
+}
 
 void startHealth() {
     watch.ailing = 0;

@@ -22,6 +22,9 @@ void reportChange(Sensor sensor);
 void reportInconsistency(Sensor sensor);
 bool isFaulty(Sensor sensor);
 
+// The airplane does, about any axis, by more than 0.1 rad/s.
+bool turns();
+
 void watchHealth();  // 10 Hz
 
 }  // namespace sensors
