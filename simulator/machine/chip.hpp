@@ -55,7 +55,9 @@ public:
     bool isOutput(char port, int bit) const;
     bool outputHigh(char port, int bit) const;  // false also when it is no output
     void drive(char port, int bit, bool high);  // from outside
-    void onCompareOutput(char timer, int compare, std::function<void(bool high)> changed);
+    // The cycle is the edge's own, which may lie a few back.
+    void onCompareOutput(char timer, int compare,
+                         std::function<void(bool high, uint64_t cycle)> changed);
 
     void onCompareWrite(char timer, std::function<void()> written);
 

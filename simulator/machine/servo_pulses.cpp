@@ -13,15 +13,15 @@ ServoPulses::ServoPulses(Chip& chip, const BoardWiring& wiring)
     : chip_(chip), wires_(wiring.servos) {
     for (int i = 0; i < kOutputs; i++)
         chip.onCompareOutput(wires_[i].timer, wires_[i].compare,
-                             [this, i](bool high) { changed(i, high); });
+                             [this, i](bool high, uint64_t cycle) { changed(i, high, cycle); });
 }
 
-void ServoPulses::changed(int index, bool high) {
+void ServoPulses::changed(int index, bool high, uint64_t cycle) {
     if (!chip_.isOutput(wires_[index].pin.port, wires_[index].pin.bit)) return;
     Level& level = levels_[index];
     const bool ended = level.high && !high;
-    const uint64_t width = chip_.cycle() - level.since;
-    level = {high, chip_.cycle()};
+    const uint64_t width = cycle - level.since;
+    level = {high, cycle};
     if (on_level) on_level(index + 1, high);
     if (ended && width <= kLongest && on_pulse)
         on_pulse(index + 1, static_cast<double>(width) / kCyclesPer_us);

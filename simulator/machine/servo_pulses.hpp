@@ -25,7 +25,7 @@ private:
         uint64_t since = 0;
     };
 
-    void changed(int index, bool high);
+    void changed(int index, bool high, uint64_t cycle);
 
     Chip& chip_;
     const std::array<ServoWire, kOutputs> wires_;

@@ -156,6 +156,19 @@ bool Timer::fromMatch(int compare, bool high) const {
     return mode < avr_timer_com_clear || high == (mode == avr_timer_com_set);
 }
 
+uint64_t Timer::edge(int compare, bool high) const {
+    constexpr uint64_t kLatest = 64;  // cycles: an instruction and the interrupts served before it
+    const uint64_t clock = prescaler();
+    const int kind = io_->wgm_op_mode_kind;
+    if (kind == avr_timer_wgm_pwm || !clock) return avr_->cycle;
+    const uint64_t period = (io_->tov_top + 1u) * clock;
+    const bool sets = avr_regbit_get(avr_, io_->comp[compare].com) == avr_timer_com_set;
+    const bool matches = kind != avr_timer_wgm_fast_pwm || high == sets;
+    const uint64_t from_begin = matches ? io_->comp[compare].comp_cycles : 0;
+    const uint64_t late = (avr_->cycle - io_->tov_base + period - from_begin % period) % period;
+    return late <= kLatest ? avr_->cycle - late : avr_->cycle;
+}
+
 void Timer::captureEdge(bool rising, uint64_t cycle) {
     if (!wide() || !prescaler() || io_->mode.top == avr_timer_wgm_reg_icr) return;
     if (bool(avr_regbit_get(avr_, io_->ices)) != rising) return;

@@ -22,6 +22,9 @@ public:
     // Whether a level the library gives a compare's pin comes from a match. Outside PWM it also
     // does at each new computing of its events what PWM does at the end of a period.
     bool fromMatch(int compare, bool high) const;
+    // The cycle in which a compare's pin took this level. The library raises its events
+    // between two instructions, the timer changes the pin at the count itself (datasheet 17.8).
+    uint64_t edge(int compare, bool high) const;
     // An edge on the capture pin at this cycle, which may lie a few cycles back.
     void captureEdge(bool rising, uint64_t cycle);
 
