@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/sensors/radio.hpp"
 
-#include <string.h>
-
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
@@ -38,9 +36,10 @@ constexpr uint16_t kPulseHighest_us = 2100;
 constexpr int32_t kFullStick_cd = 4500;
 
 struct Reception {
-    // The last frame whose throttle was not below THR_FS_VALUE. Without a receiver the encoder goes
-    // on with pulses of its own, which would move switches before the radio counts as lost.
-    uint16_t good_us[hal::kRcChannels];
+    // Of the last whole frame whose throttle was not below THR_FS_VALUE. Without a receiver the
+    // encoder goes on with pulses of its own, which would move switches before the radio counts as
+    // lost; 0: the channel was never received.
+    uint16_t switch_us[hal::kRcChannels];
     uint8_t bad, good;  // readings in a row
 };
 core::FileState<Reception> reception{};
@@ -77,6 +76,8 @@ int16_t stick_cd(uint8_t number) {
     return deflection_cd(parameters.channel[number], published.pulse_us[number]);
 }
 
+uint16_t pulseInRange_us(uint16_t us) { return core::limit(us, kPulseLowest_us, kPulseHighest_us); }
+
 // True: the ground station holds all that steers and may stand in for a receiver that is gone. Of
 // one channel alone it may not: the other sticks would stay where they were.
 bool groundFlies() {
@@ -85,7 +86,7 @@ bool groundFlies() {
     for (uint8_t i = 0; i < hal::kRcChannels; ++i) {
         uint16_t us;
         if (!rcOverride(i, us)) continue;
-        published.pulse_us[i] = core::limit(us, kPulseLowest_us, kPulseHighest_us);
+        published.pulse_us[i] = pulseInRange_us(us);
         held |= static_cast<uint8_t>(1 << i);
     }
     if (held == 0) return false;
@@ -102,6 +103,16 @@ void countReadings(bool throttle_says_lost) {
     } else {
         if (reception.good < kGoodReadings) ++reception.good;
         if (reception.good >= kGoodReadings) reception.bad = 0;
+    }
+}
+
+// What is switched lasts, so it is not read from a frame with an edge too many or too few.
+void readSwitches() {
+    uint16_t whole_us[hal::kRcChannels] = {};
+    hal::rcReadWhole(whole_us);
+    for (uint8_t i = 0; i < hal::kRcChannels; ++i) {
+        rcOverride(i, whole_us[i]);
+        if (whole_us[i] != 0) reception.switch_us[i] = pulseInRange_us(whole_us[i]);
     }
 }
 
@@ -130,8 +141,7 @@ void runRadio() {
     const bool fresh = hal::rcRead(pulses);
     if (fresh)
         for (uint8_t i = 0; i < hal::kRcChannels; ++i)
-            if (pulses[i] != 0)
-                published.pulse_us[i] = core::limit(pulses[i], kPulseLowest_us, kPulseHighest_us);
+            if (pulses[i] != 0) published.pulse_us[i] = pulseInRange_us(pulses[i]);
     const bool ground_flies = groundFlies();
     const bool gone = !fresh && !ground_flies;
     if (gone && hal::rcAge_us() < kFramesGone_us) return;
@@ -147,13 +157,13 @@ void runRadio() {
     }
     if (reception.bad != 0) return;  // may be the encoder's own: what was received before it counts
     published.good_ms = hal::now_ms();
-    memcpy(reception.good_us, published.pulse_us, sizeof reception.good_us);
+    readSwitches();
     scale();
 }
 
 uint8_t modeSwitchPosition() {
     if (published.lost || published.good_ms == 0) return 0;
-    const uint16_t pulse_us = reception.good_us[parameters.mode_channel - 1];
+    const uint16_t pulse_us = reception.switch_us[parameters.mode_channel - 1];
     if (pulse_us <= 900) return 0;
     for (uint8_t i = 0; i < core::count(kBands_us); ++i)
         if (pulse_us <= core::romRead(kBands_us[i])) return i + 1;
@@ -161,7 +171,7 @@ uint8_t modeSwitchPosition() {
 }
 
 bool switchIsUp(int8_t channel) {
-    return channel != 0 && !published.lost && reception.good_us[channel - 1] > kSwitchUp_us;
+    return channel != 0 && !published.lost && reception.switch_us[channel - 1] > kSwitchUp_us;
 }
 
 }  // namespace sensors

@@ -66,6 +66,9 @@ AnalogSum analogTake(Analog input) { return board().analog().take(input); }
 
 // receiver and servos
 bool rcRead(uint16_t (&pulse_us)[kRcChannels]) { return board().receiver().read(pulse_us); }
+bool rcReadWhole(uint16_t (&pulse_us)[kRcChannels]) {
+    return board().receiver().readWhole(pulse_us);
+}
 uint16_t rcPulse_us(uint8_t channel) { return board().receiver().newest_us(channel); }
 uint32_t rcAge_us() { return board().receiver().age_us(); }
 void servoStart(uint16_t rate_hz) { board().servos().start(rate_hz); }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decodes the PPM-sum of the on-board encoder from the times of its rising edges.
 #pragma once
-#include <array>
 #include <cstdint>
 
+#include "drivers/ppm_frames.hpp"
 #include "hal/rc_input.hpp"
 
 namespace simulator {
@@ -12,17 +12,20 @@ class PpmEncoder;
 
 class PpmReceiver {
 public:
-    PpmReceiver(const uint64_t& now_us, PpmEncoder& radio) : now_us_(now_us), radio_(radio) {}
+    PpmReceiver(const uint64_t& now_us, PpmEncoder& radio) : now_us_(now_us), radio_(radio) {
+        restart();
+    }
 
     bool read(uint16_t (&pulse_us)[hal::kRcChannels]);
     uint32_t age_us() const;
-    uint16_t newest_us(uint8_t channel) const { return frame_halfus_.at(channel) / 2; }
+    bool readWhole(uint16_t (&pulse_us)[hal::kRcChannels]) const;
+    uint16_t newest_us(uint8_t channel) const { return frames_.newest()[channel] / 2; }
 
     void restart() {
-        channel_ = -1;
+        frames_ = {};
+        frames_.reset();
         frame_us_ = UINT64_MAX;
         fresh_ = false;
-        frame_halfus_ = {};
     }
 
     uint64_t due_us() const;
@@ -30,12 +33,10 @@ public:
 
 private:
     void edge(uint64_t time_halfus);
-    void finish();
 
     const uint64_t& now_us_;
     PpmEncoder& radio_;
-    std::array<uint16_t, hal::kRcChannels> building_halfus_{}, frame_halfus_{};
-    int channel_ = -1;  // -1: no gap seen yet
+    drivers::PpmFrames frames_{};
     uint64_t last_edge_halfus_ = 0;
     uint64_t frame_us_ = UINT64_MAX;  // when the newest frame was complete
     bool fresh_ = false;

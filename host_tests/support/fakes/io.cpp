@@ -20,7 +20,7 @@ struct Input {
 struct {
     Input inputs[hal::kAnalogs];
     uint32_t scans;
-    std::array<uint16_t, hal::kRcChannels> rc;
+    std::array<uint16_t, hal::kRcChannels> rc, whole_rc;
     bool rc_fresh, rc_ever;
     uint64_t rc_us;
     fakes::Servos servos;
@@ -47,6 +47,11 @@ void setAnalog(hal::Analog input, uint16_t reading, uint8_t count, bool every_sc
 uint32_t analogScans() { return io.scans; }
 
 void receiveRc(const std::vector<uint16_t>& pulse_us) {
+    receiveBrokenRc(pulse_us);
+    io.whole_rc = io.rc;
+}
+
+void receiveBrokenRc(const std::vector<uint16_t>& pulse_us) {
     io.rc.fill(0);
     std::copy_n(pulse_us.begin(), std::min(pulse_us.size(), io.rc.size()), io.rc.begin());
     io.rc_fresh = io.rc_ever = true;
@@ -82,6 +87,11 @@ bool rcRead(uint16_t (&pulse_us)[kRcChannels]) {
     const bool fresh = io.rc_fresh;
     io.rc_fresh = false;
     return fresh;
+}
+
+bool rcReadWhole(uint16_t (&pulse_us)[kRcChannels]) {
+    std::copy(io.whole_rc.begin(), io.whole_rc.end(), pulse_us);
+    return io.rc_ever;
 }
 
 uint16_t rcPulse_us(uint8_t channel) { return io.rc.at(channel); }

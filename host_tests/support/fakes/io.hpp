@@ -21,6 +21,8 @@ uint32_t analogScans();
 
 // A whole frame from the receiver, now. Channels not named are 0.
 void receiveRc(const std::vector<uint16_t>& pulse_us);
+// One with an edge too many or too few.
+void receiveBrokenRc(const std::vector<uint16_t>& pulse_us);
 
 struct Servos {
     uint16_t rate_hz = 0;                               // 0: not started

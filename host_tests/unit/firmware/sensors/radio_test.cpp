@@ -129,6 +129,21 @@ TEST_F(Radio, obeys_neither_sticks_nor_switches_of_frames_that_may_be_the_encode
     EXPECT_NE(vehicle.radio.roll_cd, sticks.roll_cd);
 }
 
+// One edge twice: every channel behind it has its neighbour's pulse.
+TEST_F(Radio, follows_sticks_but_no_switches_of_frames_with_an_edge_too_many) {
+    settle({1500, 1500, 1400, 1500, 1500, 1500, 1100, 1815});
+    ASSERT_EQ(vehicle.mode, Mode::manual);
+    for (int i = 0; i < 100; ++i) {
+        if (i % 2 == 0) fakes::receiveBrokenRc({1700, 1500, 1400, 1500, 1500, 750, 1815, 1100});
+        firmware::sensors::runRadio();
+        if (i % 10 == 9) firmware::modes::runModeSwitch();
+        EXPECT_FALSE(firmware::sensors::switchIsUp(7)) << i;
+        fakes::advance_ms(10);
+    }
+    EXPECT_EQ(vehicle.mode, Mode::manual);
+    EXPECT_EQ(vehicle.radio.roll_cd, 2250);
+}
+
 TEST_F(Radio, ignores_the_failsafe_pulse_when_disabled) {
     parameters.throttle_failsafe = 0;
     settle(with(3, 920));
