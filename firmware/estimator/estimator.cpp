@@ -276,11 +276,6 @@ bool fast() {
     return !position.reckoned() && vehicle.estimate.ground_speed_mps > kFlyingGroundSpeed_mps;
 }
 
-bool slowThroughTheAir() {
-    const bool known = vehicle.airspeed.healthy || wind.known();
-    return known && vehicle.estimate.airspeed_mps < flyingAirspeed_mps();
-}
-
 // An airplane that flies against the wind is slow over the ground, too. Unless it is known to be
 // slow through the air, it stands only near the height of home and while it does not turn.
 bool stands() {
@@ -478,6 +473,11 @@ Vector3 gyroDrift_rads() { return attitude.bias_rads(); }
 float flyingAirspeed_mps() {
     constexpr float kShare = 0.75f, kMax_mps = 10;
     return fminf(kShare * parameters.speed_min_mps, kMax_mps);
+}
+
+bool slowThroughTheAir() {
+    const bool known = vehicle.airspeed.healthy || wind.known();
+    return known && vehicle.estimate.airspeed_mps < flyingAirspeed_mps();
 }
 
 void zeroHeight() {

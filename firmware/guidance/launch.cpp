@@ -3,6 +3,7 @@
 
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
+#include "firmware/estimator/estimator.hpp"
 #include "firmware/guidance/path_state.hpp"
 #include "firmware/guidance/plan.hpp"
 #include "firmware/notify/status_text.hpp"
@@ -22,6 +23,11 @@ constexpr float kUnlaunchedHeight_m = 10;  // farther from home's height the air
 constexpr float kFlyingSpeed_mps = 5;
 
 core::FileState<navigation::Launch> launch{};
+
+struct LastFlight {
+    bool flew;  // with the motor turning
+};
+core::FileState<LastFlight> last_flight{};
 
 bool flies() {
     const auto& estimate = vehicle.estimate;
@@ -50,14 +56,24 @@ bool launched() {
     return result == navigation::Launch::flies;
 }
 
+// It came down elsewhere than at the end of a landing, and nobody asked for another take-off.
+bool cameDown() {
+    if (vehicle.estimate.flying) last_flight.flew = true;
+    return last_flight.flew && !vehicle.estimate.flying && estimator::slowThroughTheAir() &&
+           !flies();
+}
+
 }  // namespace
 
-void suppressThrottle() { progress.throttle_suppressed = true; }
+void suppressThrottle() {
+    progress.throttle_suppressed = true;
+    last_flight.flew = false;
+}
 
 void beginLaunch() { launch.start(); }
 
 void waitForLaunch() {
-    if (!vehicle.armed) return suppressThrottle();
+    if (!vehicle.armed || cameDown()) return suppressThrottle();
     if (!vehicle.progress.throttle_suppressed) return;
     if (vehicle.demand.path == Path::takeoff ? launched() : flies())
         progress.throttle_suppressed = false;

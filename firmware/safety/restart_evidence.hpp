@@ -13,7 +13,8 @@ namespace safety {
 // than 10 m above home.
 bool measuredInTheAir(float home_height_m);
 
-constexpr uint16_t kEvidenceComesWithin_ms = 2000;  // since the start; after that it stays disarmed
+// Since the start; after that it stays disarmed. 2 s; 30 s while neither sensor is read.
+uint16_t evidenceComesWithin_ms();
 
 }  // namespace safety
 }  // namespace firmware

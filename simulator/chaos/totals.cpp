@@ -5,6 +5,15 @@
 #include <set>
 
 namespace simulator::chaos {
+namespace {
+
+// A sag's depth is another one each time: supply:sag_3.75v.
+std::string withoutNumber(const std::string& what) {
+    const size_t digit = what.find_first_of("0123456789");
+    return what.substr(0, digit == std::string::npos ? digit : what.rfind('_', digit));
+}
+
+}  // namespace
 
 void Totals::add(const Scenario& scenario, const Outcome& outcome) {
     ++flights_;
@@ -15,7 +24,7 @@ void Totals::add(const Scenario& scenario, const Outcome& outcome) {
     emulated_s_ += outcome.emulated_s;
     for (const Event& event : scenario.events) {
         const bool of_a_kind = event.kind() == "fault" || event.kind() == "restart";
-        ++done_[of_a_kind ? event.kind() + " " + event.words[1] : event.kind()];
+        ++done_[of_a_kind ? event.kind() + " " + withoutNumber(event.words[1]) : event.kind()];
     }
     std::set<std::string> names;
     for (const auto& each : outcome.violations) names.insert(each.name);

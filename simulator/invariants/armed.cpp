@@ -61,10 +61,11 @@ class ArmedByACommand : public Invariant {
 class FliesOnAfterARestart : public Invariant {
     void frame(const Snapshot& now, const History& history, const Report& report) override {
         const double now_s = now.time_s();
-        if (now.restarts != restarts_ && waiting_s_ <= 0 && fliesOn()) begin(now_s);
+        if (now.restarts != restarts_ && waiting_s_ <= 0 && fliesOn()) begin(now_s, history);
         restarts_ = now.restarts;
         if (!inTheAir(now.truth) || now.truth.crashed || !history.heard().armed) low_s_ = now_s;
-        faulty_ = now.faulty[static_cast<size_t>(Faulty::imu)];
+        faulty_ = now.faulty[static_cast<size_t>(Faulty::imu)] ||
+                  now.faulty[static_cast<size_t>(Faulty::spi)];  // and with it the barometer
         before_s_ = now_s;
         if (waiting_s_ > 0) look(now, history, report);
         pulses_ = now.servo_us;
@@ -80,8 +81,9 @@ class FliesOnAfterARestart : public Invariant {
         constexpr double kFlies_s = 5;
         return survivable_ && !faulty_ && before_s_ - low_s_ > kFlies_s;
     }
-    void begin(double now_s) {
+    void begin(double now_s, const History& history) {
         waiting_s_ = now_s;
+        mode_before_ = history.heard().mode;
         moved_after_s_ = -1;
     }
 
@@ -100,11 +102,12 @@ class FliesOnAfterARestart : public Invariant {
         if (heard && !history.heard().armed && !history.within(Cause::forces, begun_s - 1, now_s))
             report(now_s,
                    text("disarmed after a restart %.0f m above the ground", now.truth.height_m));
-        // a mode between two heartbeats is not heard of, a switch that was moved says there may be
-        // one
-        const bool other_mode = history.within(Cause::mode_switch, begun_s - 1.5, begun_s + 1.5);
+        // a mode between two heartbeats is not heard of, what may have set it is
+        const bool other_mode = history.within(Cause::mode_switch, begun_s - 1.5, begun_s + 1.5) ||
+                                history.within(Cause::flight_mode, begun_s - 1.5, begun_s + 1.5);
         const bool still = moved_after_s_ < 0 || moved_after_s_ > kMovesWithin_s;
-        if (still && !other_mode && !pilotHasTheSurfaces(history.heard().mode))
+        if (still && !other_mode && !pilotHasTheSurfaces(mode_before_) &&
+            !pilotHasTheSurfaces(history.heard().mode))
             report(now_s, text("no surface moved within 0.5 s of a restart; after %.2f s",
                                moved_after_s_));
     }
@@ -112,6 +115,7 @@ class FliesOnAfterARestart : public Invariant {
     unsigned restarts_ = 0;
     bool survivable_ = false, faulty_ = false;
     double low_s_ = 0, before_s_ = 0, waiting_s_ = 0, moved_after_s_ = -1;
+    uint32_t mode_before_ = 0;  // in which it goes on; a failsafe may set another meanwhile
     std::array<double, 8> pulses_{};
 };
 

@@ -41,6 +41,7 @@ enum class Cause {
 
 class History {
 public:
+    History() { faulted_s_.fill(kNever_s); }
     void frame(const Snapshot& now);
     void received(const mavlink::Frame& frame, double now_s);
     void sent(const mavlink::Frame& frame, double now_s);
@@ -78,8 +79,7 @@ private:
     void current(int item);
 
     std::array<std::vector<Span>, static_cast<size_t>(Cause::count)> causes_;  // the newest
-    std::array<double, kFaulty> faulted_s_ = {kNever_s, kNever_s, kNever_s,
-                                              kNever_s, kNever_s, kNever_s};
+    std::array<double, kFaulty> faulted_s_;
     Snapshot before_;
     Heard heard_, heard_before_;
     uint64_t heartbeats_ = 0, item_changes_ = 0;

@@ -132,6 +132,33 @@ TEST_F(Guidance, does_not_take_a_fast_position_alone_for_a_launch) {
     EXPECT_TRUE(vehicle.progress.throttle_suppressed);
 }
 
+TEST_F(Guidance, holds_the_motor_after_it_came_down_outside_a_landing_until_it_is_thrown_again) {
+    inTheAir();
+    mutable_vehicle.estimate.flying = true;
+    mutable_vehicle.estimate.height_m = 0;
+    standing();
+    guide(20);
+    EXPECT_FALSE(vehicle.progress.throttle_suppressed) << "not yet known to stand";
+    mutable_vehicle.estimate.flying = false;
+    guide(2);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+    EXPECT_EQ(vehicle.throttle_demand.toFloat(), 0);
+    cruising();
+    guide(1);
+    EXPECT_FALSE(vehicle.progress.throttle_suppressed);
+}
+
+TEST_F(Guidance, does_not_take_a_slow_airplane_high_above_home_for_one_that_came_down) {
+    inTheAir();
+    mutable_vehicle.estimate.flying = true;
+    mutable_vehicle.estimate.height_m = 11;
+    standing();
+    guide(2);
+    mutable_vehicle.estimate.flying = false;
+    guide(20);
+    EXPECT_FALSE(vehicle.progress.throttle_suppressed);
+}
+
 TEST_F(Guidance, never_lets_the_motor_turn_while_disarmed) {
     inTheAir();
     ASSERT_GT(vehicle.throttle_demand.toFloat(), 0);

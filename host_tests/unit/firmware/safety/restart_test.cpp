@@ -92,6 +92,15 @@ TEST_F(Restart, starts_disarmed_after_a_reset_that_somebody_wanted) {
     }
 }
 
+void barometerReads(float above_zero_m) {
+    mutable_vehicle.baro.healthy = true;
+    mutable_vehicle.estimate.baro_height_m = above_zero_m;
+}
+
+void runUntil_ms(uint32_t end_ms) {
+    for (; hal::now_ms() < end_ms; fakes::advance_ms(10)) runRestart();
+}
+
 // A battery that is plugged in again beside a hand leaves the same records as a short sag.
 TEST_F(Restart, is_armed_after_a_loss_of_power_only_when_a_sensor_sees_it_in_the_air) {
     struct Row {
@@ -131,19 +140,27 @@ TEST_F(Restart, is_armed_after_a_loss_of_power_only_when_a_sensor_sees_it_in_the
 TEST_F(Restart, waits_two_seconds_to_be_seen_in_the_air_and_forgets_the_flight_then) {
     begin(ResetCause::unknown);
     lookAtSwitch(1165);
-    while (hal::now_ms() < 1990) {
-        runRestart();
-        fakes::advance_ms(10);
-    }
-    fakes::advance_ms(20);
-    runRestart();
-    runRestart();
-    mutable_vehicle.baro.healthy = true;
-    mutable_vehicle.estimate.baro_height_m = 60;
+    barometerReads(1);
+    runUntil_ms(2010);
+    barometerReads(60);
     runRestart();
     EXPECT_FALSE(vehicle.armed);
     begin(ResetCause::watchdog);
     EXPECT_FALSE(flyingOn());
+}
+
+// The bus of both chips failed and comes back.
+TEST_F(Restart, waits_half_a_minute_for_a_sensor_that_can_see_it_in_the_air) {
+    for (const bool in_time : {true, false}) {
+        SetUp();
+        begin(ResetCause::unknown);
+        lookAtSwitch(1165);
+        runUntil_ms(in_time ? 29900 : 30010);
+        EXPECT_FALSE(vehicle.armed);
+        barometerReads(60);
+        runRestart();
+        EXPECT_EQ(vehicle.armed, in_time);
+    }
 }
 
 TEST_F(Restart, starts_disarmed_on_the_ground_after_landing_and_after_disarming) {

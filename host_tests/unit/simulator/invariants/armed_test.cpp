@@ -110,6 +110,31 @@ TEST(FliesOnAfterARestart, SurfacesThatStandTooLongAreSeen) {
     EXPECT_EQ(flown.violated(), "restart_in_the_air ");
 }
 
+TEST(FliesOnAfterARestart, SurfacesMayStandInAModeOfThePilotThatAFailsafeEnds) {
+    constexpr uint32_t kTraining = 3, kRtl = 11;
+    Flown flown = flying();
+    flown.command(MavCmd::do_set_mode, 1, kTraining);
+    flown.mode = kTraining;
+    flyFor(flown, 4);
+    flown.watch.provokedRestart(true);
+    flown.restart();
+    flown.mode = kRtl;
+    flown.run(0.6);
+    flyFor(flown, 4);
+    EXPECT_EQ(flown.violated(), "");
+}
+
+TEST(FliesOnAfterARestart, NothingMovesWhileTheBusOfTheInertialSensorIsDead) {
+    Flown flown = flying();
+    flown.now.faulty[static_cast<size_t>(Faulty::spi)] = true;
+    flyFor(flown, 0.1);
+    flown.watch.provokedRestart(true);
+    flown.restart();
+    flown.armed = false;
+    flown.run(5);
+    EXPECT_EQ(flown.violated(), "");
+}
+
 TEST(FliesOnAfterARestart, DisarmedIsSeenUnlessItWasTheButton) {
     for (const bool survivable : {true, false}) {
         Flown flown = flying();
