@@ -11,9 +11,9 @@ constexpr uint8_t kRcChannels = 8;
 // keep 0. True once for every frame received; false: there is none, and nothing need be copied.
 bool rcRead(uint16_t (&pulse_us)[kRcChannels]);
 
-// The newest frame that had as many pulses as its transmitter usually sends, known when the next one
-// begins. For switches: an edge too many or too few gives a channel its neighbour's pulse. False:
-// there was none yet, nothing is copied.
+// The newest frame that had as many pulses as its transmitter usually sends, known when the next
+// one begins. For switches: an edge too many or too few gives a channel its neighbour's pulse.
+// False: there was none yet, nothing is copied.
 bool rcReadWhole(uint16_t (&pulse_us)[kRcChannels]);
 
 // Of the newest frame, for whoever is in an interrupt; 0: the frame did not have it.
