@@ -20,14 +20,15 @@ using namespace state;
 namespace {
 
 constexpr float kUnlaunchedHeight_m = 10;  // farther from home's height the airplane must fly
-constexpr float kFlyingSpeed_mps = 5;
+constexpr float kFlyingSpeed_mps = 5, kStandingSpeed_mps = 2;
+constexpr uint8_t kStands = 20;  // looks, 1 s
 
 core::FileState<navigation::Launch> launch{};
 
-struct LastFlight {
-    bool flew;  // with the motor turning
+struct OnTheGround {
+    uint8_t looks;  // in a row
 };
-core::FileState<LastFlight> last_flight{};
+core::FileState<OnTheGround> on_the_ground{};
 
 bool flies() {
     const auto& estimate = vehicle.estimate;
@@ -56,24 +57,26 @@ bool launched() {
     return result == navigation::Launch::flies;
 }
 
-// It came down elsewhere than at the end of a landing, and nobody asked for another take-off.
-bool cameDown() {
-    if (vehicle.estimate.flying) last_flight.flew = true;
-    return last_flight.flew && !vehicle.estimate.flying && estimator::slowThroughTheAir() &&
-           !flies();
+// With the motor turning, elsewhere than in a take-off: it came down, or never left the ground.
+bool stands() {
+    const bool now = !vehicle.estimate.flying && vehicle.demand.path != Path::takeoff &&
+                     vehicle.estimate.ground_speed_mps < kStandingSpeed_mps &&
+                     estimator::slowThroughTheAir() && !flies();
+    on_the_ground.looks = now ? on_the_ground.looks + 1 : 0;
+    return on_the_ground.looks >= kStands;
 }
 
 }  // namespace
 
 void suppressThrottle() {
     progress.throttle_suppressed = true;
-    last_flight.flew = false;
+    on_the_ground.looks = 0;
 }
 
 void beginLaunch() { launch.start(); }
 
 void waitForLaunch() {
-    if (!vehicle.armed || cameDown()) return suppressThrottle();
+    if (!vehicle.armed || stands()) return suppressThrottle();
     if (!vehicle.progress.throttle_suppressed) return;
     if (vehicle.demand.path == Path::takeoff ? launched() : flies())
         progress.throttle_suppressed = false;

@@ -140,12 +140,25 @@ TEST_F(Guidance, holds_the_motor_after_it_came_down_outside_a_landing_until_it_i
     guide(20);
     EXPECT_FALSE(vehicle.progress.throttle_suppressed) << "not yet known to stand";
     mutable_vehicle.estimate.flying = false;
-    guide(2);
+    guide(9);
+    EXPECT_FALSE(vehicle.progress.throttle_suppressed) << "for less than a second";
+    guide(3);
     EXPECT_TRUE(vehicle.progress.throttle_suppressed);
     EXPECT_EQ(vehicle.throttle_demand.toFloat(), 0);
     cruising();
     guide(1);
     EXPECT_FALSE(vehicle.progress.throttle_suppressed);
+}
+
+TEST_F(Guidance, holds_the_motor_when_the_take_off_was_left_on_the_ground) {
+    onTheGround(Mode::loiter);
+    demand(Path::takeoff);
+    mutable_vehicle.progress.throttle_suppressed = false;
+    guide(30);
+    ASSERT_FALSE(vehicle.progress.throttle_suppressed) << "it stands until it rolls";
+    demand(Path::leg);
+    guide(12);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
 }
 
 TEST_F(Guidance, does_not_take_a_slow_airplane_high_above_home_for_one_that_came_down) {
