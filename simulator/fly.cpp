@@ -101,6 +101,8 @@ WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
     world.faults = options.faults;
     world.gps_backup = !options.gps_cold;
     world.band_gap_v = options.band_gap_v;
+    if (const auto& turned_deg = options.external_compass_deg; !turned_deg.empty())
+        world.external_compass_deg = {turned_deg[0], turned_deg[1], turned_deg[2]};
     world.worn_cells = options.worn_cells;
     world.bootloader = options.bootloader == "looping" ? Bootloader::looping
                        : options.bootloader == "slow"  ? Bootloader::slow

@@ -195,6 +195,12 @@ void addHardware(CLI::App& app, FlyOptions& o) {
     app.add_option("--band-gap", o.band_gap_v,
                    "the chip's reference in volts; if not given 1.1 V, and 1 % off by the seed")
         ->check(CLI::Range(1.0, 1.2));
+    app.add_option("--external-compass", o.external_compass_deg,
+                   "ROLL,PITCH,YAW: the compass is outside the board, turned so, in degrees; "
+                   "180,0,0 is the usual GPS with a compass under its chip")
+        ->delimiter(',')
+        ->expected(3)
+        ->check(CLI::Range(-360.0, 360.0));
     app.add_option("--worn-eeprom", o.worn_cells,
                    "so many bytes of the EEPROM have a bit that stays as it is")
         ->check(CLI::Range(0, 4096));

@@ -26,6 +26,7 @@ struct FlyOptions {
     std::vector<Fault> faults;
     bool gps_cold = false;
     double band_gap_v = 0;
+    std::vector<double> external_compass_deg;  // roll, pitch, yaw; empty: it is on the board
     unsigned worn_cells = 0;
     std::string bootloader = "stock";
     double board_warmth_c = 10, board_warmth_start_c = 10, gps_latency_ms = 200;

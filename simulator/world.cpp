@@ -95,7 +95,12 @@ std::unique_ptr<FlightModel> modelFor(const WorldOptions& options, const SensorE
 CompassMount compassFor(const WorldOptions& options) {
     CompassMount compass;
     compass.kind = options.hmc5843 ? CompassKind::hmc5843 : CompassKind::hmc5883l;
-    compass.upside_down = options.compass_upside_down;
+    if (options.compass_upside_down) compass.roll_deg = 180;
+    if (const auto& turned_deg = options.external_compass_deg) {
+        compass.roll_deg = (*turned_deg)[0];
+        compass.pitch_deg = (*turned_deg)[1];
+        compass.yaw_deg = (*turned_deg)[2];
+    }
     return compass;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,9 @@ struct WorldOptions {
     unsigned worn_cells = 0;           // bytes of the EEPROM with a bit that stays as it is
     bool hmc5843 = false;              // instead of its successor
     bool compass_upside_down = false;  // on the first board's shield
-    std::vector<Fault> faults;         // of sensors in flight
+    // outside the board: rolled, pitched and yawed by so many degrees, as COMPASS_ORIENT has it
+    std::optional<std::array<double, 3>> external_compass_deg;
+    std::vector<Fault> faults;  // of sensors in flight
 };
 
 // The truth, in SI units, NED at the start point. Never seen by the firmware.

@@ -87,6 +87,17 @@ bool offsetsBad() {
     return parameters.compass_use != 0 && core::dot(offset, offset) > kMax_mg * kMax_mg;
 }
 
+// Mounted so it would show east for west: COMPASS_ORIENT says how an external one is mounted. At
+// rest the accelerometers measure the way up.
+bool compassUpsideDown() {
+    constexpr float kClearly_mg = 80;
+    const auto& force = vehicle.imu.accel_mss;
+    const core::Vector3 up_mss = {force.x.toFloat(), force.y.toFloat(), force.z.toFloat()};
+    const float up = core::dot(vehicle.compass.field_mg, up_mss);
+    return parameters.compass_use != 0 &&
+           vehicle.compass.points_down * up > kClearly_mg * core::kGravity_mss;
+}
+
 bool gpsBad() { return vehicle.gps.fix != GpsFix::three_d || !vehicle.estimate.known; }
 bool dilutionBad() { return vehicle.gps.hdop_c > 350; }
 
@@ -145,6 +156,7 @@ constexpr Check kChecks[] ROM = {
     {kCompass,      compassBad,        "PreArm: compass", nullptr},
     {kCompass,      fieldBad,          "PreArm: check mag field", nullptr},
     {kCompass,      offsetsBad,        "PreArm: compass offsets", nullptr},
+    {kCompass,      compassUpsideDown, "PreArm: compass upside down", nullptr},
     {kGps,          gpsBad,            "PreArm: no GPS fix", nullptr},
     {kGps,          dilutionBad,       "PreArm: high GPS HDOP", nullptr},
     {kAirspeed,     airspeedBad,       "PreArm: airspeed sensor", nullptr},

@@ -4,6 +4,7 @@
 #include "core/fixed.hpp"
 #include "core/maths.hpp"
 #include "drivers/hmc5883l.hpp"
+#include "drivers/orientation.hpp"
 #include "firmware/sensors/compass_learning.hpp"
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/health.hpp"
@@ -38,6 +39,14 @@ struct Reading {
 };
 core::FileState<Reading> reading{};
 
+core::Vector3 alongTheAirplane(const core::Vector3& measured) {
+    if (parameters.compass_external != 0)
+        return drivers::fromMounting(measured,
+                                     static_cast<uint8_t>(parameters.compass_orientation));
+    if (board::kCompassUpsideDown) return {measured.x, -measured.y, -measured.z};
+    return measured;
+}
+
 // The earth's field is 220 to 670 mG; the airplane's own comes on top, or takes off.
 bool plausible(const core::Vector3& field_mg) {
     constexpr int32_t kLeast_mg = 100, kMax_mg = 1000;
@@ -61,8 +70,7 @@ void runCompass() {
         published.healthy = compass.healthy() && !isFaulty(Sensor::compass);
         return;
     }
-    core::Vector3 field_mg = compass.field_mg();
-    if (board::kCompassUpsideDown) field_mg = {field_mg.x, -field_mg.y, -field_mg.z};
+    core::Vector3 field_mg = alongTheAirplane(compass.field_mg());
     reading.unlearnt_mg = field_mg;
     reading.unlearnt = true;
     const float* offset = parameters.compass_offset_mg;
@@ -80,7 +88,9 @@ void runCompassLearning() {
 
 // Into the parameter, where the heading is worked out from; what is stored there stays.
 void runDeclination() {
-    if (parameters.compass_auto_declination == 0 || vehicle.gps.fix != GpsFix::three_d) return;
+    if (vehicle.gps.fix != GpsFix::three_d) return;
+    published.points_down = geo::fieldPointsDown(vehicle.gps.position);
+    if (parameters.compass_auto_declination == 0) return;
     parameters.compass_declination_rad =
         core::radiansFromCentidegrees(geo::declination_cd(vehicle.gps.position));
 }

@@ -210,6 +210,8 @@ constexpr parameters::Row kRows[] ROM = {
     P(161, "COMPASS_DEC",       compass_declination_rad,           0, -3.142f,   3.142f),
     P(175, "COMPASS_AUTODEC",   compass_auto_declination,          1,       0,        1),
     P(186, "COMPASS_LEARN",     compass_learn,                     0,       0,        1),
+    P(  6, "COMPASS_EXTERNAL",  compass_external,                  0,       0,        1),
+    P(  7, "COMPASS_ORIENT",    compass_orientation,               0,       0,       37),
     P(slot::ins_accoffs_x, "INS_ACCOFFS_X", accel_offset_mss[0],   0,    -3.5f,    3.5f),
     P(163, "INS_ACCOFFS_Y",     accel_offset_mss[1],               0,    -3.5f,    3.5f),
     P(164, "INS_ACCOFFS_Z",     accel_offset_mss[2],               0,    -3.5f,    3.5f),
@@ -232,7 +234,7 @@ constexpr uint8_t kRetired[] = {
     13, 22,  // SR0_RAW_CTRL, SR1_RAW_CTRL
     18, 27,  // SR0_PARAMS, SR1_PARAMS
 };
-constexpr uint16_t kNextSlot = 6;  // the lowest free one, for the next parameter
+constexpr uint16_t kNextSlot = 8;  // the lowest free one, for the next parameter
 
 #undef P
 #undef CHANNEL

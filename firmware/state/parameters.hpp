@@ -107,6 +107,7 @@ struct Parameters {
     float airspeed_ratio;
     int8_t gps_type;
     int8_t compass_use, compass_auto_declination, compass_learn;
+    int8_t compass_external, compass_orientation;  // orientation: drivers/orientation.hpp
     float compass_offset_mg[3];
     float compass_declination_rad;  // the table's while compass_auto_declination is 1
     float accel_offset_mss[3], accel_scale[3];

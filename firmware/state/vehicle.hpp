@@ -82,6 +82,7 @@ struct BarometerState {
 struct CompassState {
     core::Vector3 field_mg;  // body axes, offsets added
     uint8_t readings;        // so far; wraps
+    int8_t points_down;      // as the field does at this place: 1, upwards: -1, hardly: 0
     bool accepted;           // the last of them was plausible
     bool healthy;
 };

@@ -31,7 +31,17 @@ int16_t between(const int16_t (&v)[4], uint8_t f) {
     return static_cast<int16_t>(v[1] + part(slope, f) / 2);
 }
 
+constexpr int16_t kPerDegree = 153, kFromDipEquator_deg = 20;
+
 }  // namespace
+
+int8_t fieldPointsDown(const Position& position) {
+    const int16_t latitude = coarse(position.latitude_e7);
+    const uint8_t column = inTable(coarse(position.longitude_e7), kHalfTurn) >> 8;
+    const int16_t level_deg = core::romRead(kDipEquator_deg[column]);
+    const int16_t north_deg = static_cast<int16_t>(latitude / kPerDegree - level_deg);
+    return north_deg > kFromDipEquator_deg ? 1 : north_deg < -kFromDipEquator_deg ? -1 : 0;
+}
 
 int16_t declination_cd(const Position& position) {
     const int16_t latitude = core::limit<int16_t>(coarse(position.latitude_e7), -kEdge, kEdge - 1);

@@ -12,4 +12,8 @@ namespace geo {
 
 int16_t declination_cd(const Position& position);
 
+// 1: the field points downwards, by 25 degrees at least, -1: upwards; 0: within 20 degrees of where
+// it lies level.
+int8_t fieldPointsDown(const Position& position);
+
 }  // namespace geo

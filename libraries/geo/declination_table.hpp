@@ -66,7 +66,15 @@ constexpr int8_t kDeclinations[] ROM = {
     -35, -33, -28, -21, -14, -6, 1, 8, 14, 20, 24, 28,
     29, 27, 21, 10, -3, -15, -23, -25, -24, -20, -14, -7,
 };
-// clang-format on
 static_assert(sizeof kDeclinations == kDeclinationRows * kDeclinationColumns, "");
+
+// Latitude in degrees at which the field lies level, in the middle of every 10 degrees from 180 W
+// eastwards.
+constexpr int8_t kDipEquator_deg[kDeclinationColumns] ROM = {
+    2, 0, -1, -2, -3, -5, -6, -7, -10, -11, -11, -8,
+    -2, 4, 9, 11, 12, 12, 12, 11, 10, 8, 7, 7,
+    7, 7, 7, 7, 7, 6, 7, 8, 8, 7, 6, 4,
+};
+// clang-format on
 
 }  // namespace geo

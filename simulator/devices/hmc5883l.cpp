@@ -27,6 +27,14 @@ constexpr double kOldRate_hz[8] = {0.5, 1, 2, 5, 10, 20, 50, 50};
 constexpr double kOldBias_mg = 550;
 constexpr uint8_t kAveraging = 0x60;  // of configuration A, which it has not
 
+// Of a vector along two axes, when the axes are turned from the first towards the second.
+void turnAxes(double& first, double& second, double by_deg) {
+    const double sine = std::sin(by_deg * M_PI / 180), cosine = std::cos(by_deg * M_PI / 180);
+    const double along = first * cosine + second * sine;
+    second = second * cosine - first * sine;
+    first = along;
+}
+
 uint16_t asCounts(double value) {
     const double counts = std::round(value);
     const bool overflow = counts < -2048 || counts > 2047;
@@ -163,7 +171,9 @@ std::array<double, 3> Hmc5883l::chipAxes() const {
     std::array<double, 3> body;
     for (size_t i = 0; i < 3; ++i) body[i] = body_mg_[i] + offset_mg_[i];
     if (faults_[0].kind() == FaultKind::jump) body = {-body[1], body[0], body[2]};
-    if (mount_.upside_down) body = {body[0], -body[1], -body[2]};
+    turnAxes(body[0], body[1], mount_.yaw_deg);
+    turnAxes(body[2], body[0], mount_.pitch_deg);
+    turnAxes(body[1], body[2], mount_.roll_deg);
     if (old()) return {-body[0], body[1], -body[2]};
     return {-body[1], -body[0], -body[2]};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Honeywell HMC5883L on I2C (data sheet 900405), or its predecessor HMC5843 (900367), mounted as on
-// the APM 2, body x = -chip y, body y = -chip x, body z = -chip z, or as on the APM 1's shield.
+// the APM 2, body x = -chip y, body y = -chip x, body z = -chip z, or turned against that.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,7 +14,8 @@ namespace simulator {
 enum class CompassKind { hmc5883l, hmc5843 };
 struct CompassMount {
     CompassKind kind = CompassKind::hmc5883l;
-    bool upside_down = false;  // as on the APM 1: rolled over
+    // How it is turned against the airplane, degrees: yawed, then pitched, then rolled.
+    double roll_deg = 0, pitch_deg = 0, yaw_deg = 0;
 };
 
 class Hmc5883l {

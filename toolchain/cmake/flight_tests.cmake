@@ -88,6 +88,12 @@ foreach(noise 0.05 3)
     flight_test(native_noise_${noise} native 5 3 60 --native --sensor-noise ${noise} --seed 1 ${windy})
 endforeach()
 
+# the compass of the usual GPS, chip down, with the parameters that say so
+file(READ ${CMAKE_SOURCE_DIR}/simulator/airplanes/foam_trainer.param settings)
+file(WRITE ${flights}/external_compass.param "${settings}COMPASS_EXTERNAL,1\nCOMPASS_ORIENT,8\n")
+flight_test(native_external_compass native 5 3 60 --native --external-compass 180,0,0 --seed 1
+            --param ${flights}/external_compass.param ${windy})
+
 # no barometer from power-on, armed all the same: the GPS's heights; the chip comes late, or never
 file(READ ${CMAKE_SOURCE_DIR}/simulator/airplanes/foam_trainer.param settings)
 file(WRITE ${flights}/unchecked.param "${settings}ARMING_CHECK,0\n")

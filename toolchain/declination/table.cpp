@@ -28,11 +28,38 @@ constexpr uint8_t kDeclinationRows = 13, kDeclinationColumns = 36;
 constexpr int8_t kDeclinations[] ROM = {
 )";
 constexpr char kBelow[] = R"(};
-// clang-format on
 static_assert(sizeof kDeclinations == kDeclinationRows * kDeclinationColumns, "");
+
+// Latitude in degrees at which the field lies level, in the middle of every 10 degrees from 180 W
+// eastwards.
+constexpr int8_t kDipEquator_deg[kDeclinationColumns] ROM = {
+LEVEL};
+// clang-format on
 
 }  // namespace geo
 )";
+constexpr char kLevel[] = "LEVEL";
+
+double dipEquator_deg(const Model& model, double longitude_deg) {
+    double south_deg = -40, north_deg = 40;
+    while (north_deg - south_deg > 0.01) {
+        const double middle_deg = (south_deg + north_deg) / 2;
+        const bool down = model.at(middle_deg, longitude_deg, 0, kTableYear).down_nt > 0;
+        (down ? north_deg : south_deg) = middle_deg;
+    }
+    return south_deg;
+}
+
+std::string dipEquator(const Model& model) {
+    std::string rows;
+    for (int longitude = -180; longitude < 180; longitude += kStep_deg) {
+        const double level_deg = dipEquator_deg(model, longitude + kStep_deg / 2.0);
+        rows += (longitude + 180) % 120 == 0 ? "    " : " ";
+        rows += std::to_string(std::lround(level_deg)) + ',';
+        if ((longitude + 180) % 120 == 110) rows += '\n';
+    }
+    return rows;
+}
 
 }  // namespace
 
@@ -49,7 +76,9 @@ std::string tableHeader(const Model& model) {
         }
         text += '\n';
     }
-    return text + kBelow;
+    std::string below = kBelow;
+    below.replace(below.find(kLevel), sizeof kLevel - 1, dipEquator(model));
+    return text + below;
 }
 
 }  // namespace declination

@@ -41,6 +41,7 @@ struct Arming : bench::Bench {
         mutable_vehicle.gps.altitude_cm = 48800;
         mutable_vehicle.gps.hdop_c = 180;
         mutable_vehicle.compass.field_mg = {220, 30, 430};
+        mutable_vehicle.compass.points_down = 1;
         mutable_vehicle.estimate.known = true;
         mutable_vehicle.estimate.position = {473977000, 85456000};
         mutable_vehicle.battery.board_mv = 5000;
@@ -125,6 +126,21 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{4, "PreArm: compass offsets",
               [] { parameters.compass_offset_mg[0] = parameters.compass_offset_mg[1] = 380; }},
         Fault{4, "PreArm: compass offsets", [] { parameters.compass_offset_mg[2] = 510; }},
+        Fault{4, "PreArm: compass upside down",
+              [] {
+                  mutable_vehicle.compass.field_mg = {200, 0, -430};
+              }},
+        Fault{4, "PreArm: compass upside down",
+              [] {
+                  mutable_vehicle.compass.field_mg = {200, 0, 430};
+                  mutable_vehicle.compass.points_down = -1;
+              }},
+        Fault{4, "PreArm: compass upside down",
+              [] {  // on its tail
+                  mutable_vehicle.imu.accel_mss =
+                      core::Accelerations::from(core::kGravity_mss, 0, 0);
+                  mutable_vehicle.compass.field_mg = {430, 0, 200};
+              }},
         Fault{8, "PreArm: no GPS fix",
               [] { mutable_vehicle.gps.fix = firmware::state::GpsFix::two_d; }},
         Fault{8, "PreArm: no GPS fix", [] { mutable_vehicle.estimate.known = false; }},

@@ -26,6 +26,15 @@ TEST_F(Declination, comes_from_the_table_where_the_airplane_is) {
     EXPECT_NEAR(core::degrees(parameters.compass_declination_rad), 7.6f, 0.5f);
 }
 
+TEST_F(Declination, comes_with_which_way_the_field_points) {
+    parameters.compass_auto_declination = 0;
+    firmware::sensors::runDeclination();
+    EXPECT_EQ(firmware::state::vehicle.compass.points_down, 1);
+    mutable_vehicle.gps.position.latitude_e7 = -330000000;
+    firmware::sensors::runDeclination();
+    EXPECT_EQ(firmware::state::vehicle.compass.points_down, -1);
+}
+
 TEST_F(Declination, stays_as_it_was_set_without_a_fix) {
     mutable_vehicle.gps.fix = firmware::state::GpsFix::two_d;
     firmware::sensors::runDeclination();

@@ -158,4 +158,24 @@ TEST(DeclinationTable, gives_the_declination_of_known_towns) {
             << row.town;
 }
 
+TEST(FieldPointsDown, is_true_wherever_it_says_so_and_says_so_far_from_the_dip_equator) {
+    constexpr double kRadians = 3.14159265358979 / 180;
+    int known = 0, all = 0;
+    everywhere([&](double latitude_deg, double longitude_deg) {
+        const auto field = model().at(latitude_deg, longitude_deg, 0, declination::kTableYear);
+        const double dip_deg = std::atan2(field.down_nt, field.horizontal_nt()) / kRadians;
+        const int down = geo::fieldPointsDown(place(latitude_deg, longitude_deg));
+        ++all;
+        known += down != 0;
+        if (down != 0) {
+            EXPECT_GT(dip_deg * down, 25) << latitude_deg << " " << longitude_deg;
+        } else {
+            EXPECT_LT(std::abs(dip_deg), 50) << latitude_deg << " " << longitude_deg;
+        }
+    });
+    EXPECT_GT(known, all / 2);
+    EXPECT_EQ(geo::fieldPointsDown(place(89, 8)), 1);
+    EXPECT_EQ(geo::fieldPointsDown(place(-89, 179)), -1);
+}
+
 }  // namespace

@@ -12,8 +12,9 @@ using namespace simulator;
 namespace {
 
 struct Bench {
-    explicit Bench(SensorErrors errors = SensorErrors::none(), uint64_t seed = 1)
-        : compass(seed, errors) {}
+    explicit Bench(SensorErrors errors = SensorErrors::none(), uint64_t seed = 1,
+                   CompassMount mount = {})
+        : compass(seed, errors, mount) {}
 
     void write(uint8_t reg, uint8_t value) {
         EXPECT_TRUE(compass.start(false, now_us));
@@ -75,6 +76,27 @@ TEST(Hmc5883l, gives_the_field_in_body_axes_after_the_documented_rotation) {
     EXPECT_NEAR(field[0], 200, 1);
     EXPECT_NEAR(field[1], -100, 1);
     EXPECT_NEAR(field[2], 400, 1);
+}
+
+// An axis of the airplane as the turned chip's own axes see it, by hand.
+TEST(Hmc5883l, sees_the_field_from_where_it_is_turned_to) {
+    struct Row {
+        double roll_deg, pitch_deg, yaw_deg;
+        std::array<double, 3> seen_mg;
+    };
+    constexpr Row kRows[] = {{180, 0, 0, {200, 100, -400}}, {0, 180, 0, {-200, -100, -400}},
+                             {0, 0, 90, {-100, -200, 400}},   // its x to the right
+                             {90, 0, 0, {200, 400, 100}},     // its y down
+                             {0, 90, 0, {-400, -100, 200}},   // its x up
+                             {90, 0, 90, {-100, 400, 200}}};  // its x to the right, its y down
+    for (const Row& row : kRows) {
+        Bench bench(SensorErrors::none(), 1,
+                    {CompassKind::hmc5883l, row.roll_deg, row.pitch_deg, row.yaw_deg});
+        bench.compass.sense({200, -100, 400});
+        bench.continuous();
+        const auto seen = bench.body_mg();
+        for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(seen[i], row.seen_mg[i], 1) << row.roll_deg;
+    }
 }
 
 TEST(Hmc5883l, gives_x_then_z_then_y) {
