@@ -126,12 +126,10 @@ bool airspeedBad() {
 bool boardVoltageBad() {
     return vehicle.battery.board_mv < 4300 || vehicle.battery.board_mv > 5800;
 }
-// A pack that is there (over 6 V) and below what would bring it home at once; where that is not
-// said, below 3.3 V a cell of three.
+// A pack that is there (over 6 V) and below what would bring it home at once.
 bool batteryBad() {
-    const float least_mv = parameters.battery_low_v > 0 ? parameters.battery_low_v * 1000 : 9900;
     return parameters.battery_monitor != 0 && vehicle.battery.voltage_mv > 6000 &&
-           vehicle.battery.voltage_mv < least_mv;
+           vehicle.battery.voltage_mv < parameters.battery_low_v * 1000;
 }
 bool missionBad() { return !missionKnown(); }
 bool loggingBad() { return parameters.log_bitmask != 0 && !vehicle.log_usable; }

@@ -153,10 +153,19 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{64, "PreArm: RC# not calibrated", [] { parameters.channel[0].trim_us = 1950; }},
         Fault{64, "PreArm: throttle is up", [] { mutable_vehicle.radio.throttle_pct = 10; }},
         Fault{128, "PreArm: board voltage", [] { mutable_vehicle.battery.board_mv = 4100; }},
-        Fault{256, "PreArm: battery low", [] { mutable_vehicle.battery.voltage_mv = 9000; }},
+        Fault{256, "PreArm: battery low",
+              [] {
+                  parameters.battery_monitor = 3;
+                  parameters.battery_low_v = 10;
+                  mutable_vehicle.battery.voltage_mv = 9900;
+              }},
         Fault{1024, "PreArm: no log chip", [] { parameters.log_bitmask = 1; }}));
 
 TEST_F(Arming, accepts_the_battery_that_the_battery_failsafe_accepts) {
+    parameters.battery_monitor = 4;
+    mutable_vehicle.battery.voltage_mv = 7400;
+    EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, false)) << "two cells";
+    mutable_vehicle.armed = false;
     mutable_vehicle.battery.voltage_mv = 7400;
     parameters.battery_low_v = 7.0f;
     EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, false));
