@@ -81,7 +81,7 @@ bool rcRead(uint16_t (&pulse_us)[kRcChannels]) {
 
 bool rcReadWhole(uint16_t (&pulse_us)[kRcChannels]) {
     const Locked locked;
-    const uint16_t* whole = ppm.frames.whole();
+    const uint16_t* whole = ppm.frames.takeWhole();
     if (whole == nullptr) return false;
     copy_us(whole, pulse_us);
     return true;

@@ -40,7 +40,8 @@ struct Reception {
     // encoder goes on with pulses of its own, which would move switches before the radio counts as
     // lost; 0: the channel was never received.
     uint16_t switch_us[hal::kRcChannels];
-    uint8_t bad, good;  // readings in a row
+    uint16_t before_us[hal::kRcChannels];  // in the whole frame before
+    uint8_t bad, good;                     // readings in a row
 };
 core::FileState<Reception> reception{};
 
@@ -106,13 +107,25 @@ void countReadings(bool throttle_says_lost) {
     }
 }
 
-// What is switched lasts, so it is not read from a frame with an edge too many or too few.
+bool same(uint16_t a_us, uint16_t b_us) {
+    constexpr uint16_t kStill_us = 50;
+    return (a_us > b_us ? a_us - b_us : b_us - a_us) <= kStill_us;
+}
+
+// What is switched lasts, so it is not read from a frame with an edge too many or too few, and not
+// from a single one.
 void readSwitches() {
     uint16_t whole_us[hal::kRcChannels] = {};
-    hal::rcReadWhole(whole_us);
+    const bool overridden = rcOverridden();
+    if (!hal::rcReadWhole(whole_us) && !overridden) return;
     for (uint8_t i = 0; i < hal::kRcChannels; ++i) {
-        rcOverride(i, whole_us[i]);
-        if (whole_us[i] != 0) reception.switch_us[i] = pulseInRange_us(whole_us[i]);
+        if (overridden && rcOverride(i, whole_us[i])) {
+            reception.switch_us[i] = pulseInRange_us(whole_us[i]);
+        } else if (whole_us[i] != 0) {
+            const uint16_t us = pulseInRange_us(whole_us[i]);
+            if (same(us, reception.before_us[i])) reception.switch_us[i] = us;
+            reception.before_us[i] = us;
+        }
     }
 }
 

@@ -21,6 +21,7 @@ public:
     PPM_INLINE void reset() {
         channel_ = kNoise;
         whole_ = kNone;
+        whole_new_ = false;
         usual_ = 0;
     }
 
@@ -34,9 +35,12 @@ public:
 
     // 0.5 us steps; 0: the frame did not have the channel.
     PPM_INLINE const uint16_t* newest() const { return frames_ + newest_; }
-    // The newest frame with as many pulses as its transmitter usually sends; null: none yet.
-    PPM_INLINE const uint16_t* whole() const {
-        return whole_ == kNone ? nullptr : frames_ + whole_;
+    // The newest frame with as many pulses as its transmitter usually sends; null: none since it
+    // was last taken.
+    PPM_INLINE const uint16_t* takeWhole() {
+        if (!whole_new_) return nullptr;
+        whole_new_ = false;
+        return frames_ + whole_;
     }
 
 private:
@@ -44,7 +48,8 @@ private:
     static constexpr uint16_t kShortest = 2 * 700;  // encoders send 900..2100 us; else it is noise
     static constexpr uint16_t kLongest = 2 * 2500;
     static constexpr uint8_t kFewestChannels = 5;
-    static constexpr uint8_t kOthersMakeUsual = 8;  // frames in a row with another number
+    static constexpr uint8_t kOthersMakeUsual =
+        40;  // frames, a second, more than there are as usual
     static constexpr uint8_t kComplete = 0xFE, kNoise = 0xFF;  // for channel_, until the next gap
     static constexpr uint8_t kNone = 0xFF;                     // for whole_
 
@@ -64,19 +69,27 @@ private:
             while (channel_ < kChannels) next() = 0;
             accept();
         }
-        if (asUsual() && channel_ == kComplete) whole_ = newest_;
+        if (asUsual() && channel_ == kComplete) {
+            whole_ = newest_;
+            whole_new_ = true;
+        }
         channel_ = pulses_ = 0;
         return ended;
     }
 
     PPM_INLINE bool asUsual() {
         if (pulses_ == usual_) {
-            others_ = 0;
-        } else if (usual_ == 0 || (pulses_ == other_ && ++others_ >= kOthersMakeUsual)) {
-            usual_ = pulses_;
-        } else if (pulses_ != other_) {
+            if (others_ != 0) --others_;
+        } else if (pulses_ == other_) {
+            ++others_;
+        } else if (others_ != 0) {
+            --others_;
+        } else {
             other_ = pulses_;
-            others_ = 1;
+        }
+        if (usual_ == 0 || others_ >= kOthersMakeUsual) {
+            usual_ = pulses_;
+            others_ = 0;
         }
         return pulses_ == usual_;
     }
@@ -97,11 +110,12 @@ private:
 
     uint16_t frames_[3 * kChannels];
     uint8_t newest_, whole_,
-        filling_;             // which of them: where it begins, so that nothing multiplies
+        filling_;  // which of them: where it begins, so that nothing multiplies
+    bool whole_new_;
     uint8_t channel_;         // the next to come
     uint8_t pulses_;          // since the gap, those behind the eighth too
     uint8_t usual_;           // number of pulses; 0: nothing received yet
-    uint8_t other_, others_;  // another number, and how often in a row
+    uint8_t other_, others_;  // another number, and how often more than any else
 };
 
 #undef PPM_INLINE

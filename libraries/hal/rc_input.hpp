@@ -12,8 +12,8 @@ constexpr uint8_t kRcChannels = 8;
 bool rcRead(uint16_t (&pulse_us)[kRcChannels]);
 
 // The newest frame that had as many pulses as its transmitter usually sends, known when the next
-// one begins. For switches: an edge too many or too few gives a channel its neighbour's pulse.
-// False: there was none yet, nothing is copied.
+// one begins. For switches: an edge too many or too few gives a channel its neighbour's pulse. True
+// once for each; false: nothing is copied.
 bool rcReadWhole(uint16_t (&pulse_us)[kRcChannels]);
 
 // Of the newest frame, for whoever is in an interrupt; 0: the frame did not have it.

@@ -34,8 +34,8 @@ bool PpmReceiver::read(uint16_t (&pulse_us)[hal::kRcChannels]) {
     return std::exchange(fresh_, false);
 }
 
-bool PpmReceiver::readWhole(uint16_t (&pulse_us)[hal::kRcChannels]) const {
-    const uint16_t* whole = frames_.whole();
+bool PpmReceiver::readWhole(uint16_t (&pulse_us)[hal::kRcChannels]) {
+    const uint16_t* whole = frames_.takeWhole();
     for (int i = 0; whole && i < hal::kRcChannels; ++i) pulse_us[i] = whole[i] / 2;
     return whole != nullptr;
 }

@@ -18,7 +18,7 @@ public:
 
     bool read(uint16_t (&pulse_us)[hal::kRcChannels]);
     uint32_t age_us() const;
-    bool readWhole(uint16_t (&pulse_us)[hal::kRcChannels]) const;
+    bool readWhole(uint16_t (&pulse_us)[hal::kRcChannels]);
     uint16_t newest_us(uint8_t channel) const { return frames_.newest()[channel] / 2; }
 
     void restart() {

@@ -2,6 +2,7 @@
 #include "fakes/io.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "fakes/clock.hpp"
 #include "hal/hang_timer.hpp"
@@ -21,7 +22,7 @@ struct {
     Input inputs[hal::kAnalogs];
     uint32_t scans;
     std::array<uint16_t, hal::kRcChannels> rc, whole_rc;
-    bool rc_fresh, rc_ever;
+    bool rc_fresh, rc_ever, rc_whole;
     uint64_t rc_us;
     fakes::Servos servos;
     fakes::Watchdog watchdog;
@@ -49,6 +50,7 @@ uint32_t analogScans() { return io.scans; }
 void receiveRc(const std::vector<uint16_t>& pulse_us) {
     receiveBrokenRc(pulse_us);
     io.whole_rc = io.rc;
+    io.rc_whole = true;
 }
 
 void receiveBrokenRc(const std::vector<uint16_t>& pulse_us) {
@@ -91,7 +93,7 @@ bool rcRead(uint16_t (&pulse_us)[kRcChannels]) {
 
 bool rcReadWhole(uint16_t (&pulse_us)[kRcChannels]) {
     std::copy(io.whole_rc.begin(), io.whole_rc.end(), pulse_us);
-    return io.rc_ever;
+    return std::exchange(io.rc_whole, false);
 }
 
 uint16_t rcPulse_us(uint8_t channel) { return io.rc.at(channel); }

@@ -144,6 +144,21 @@ TEST_F(Radio, follows_sticks_but_no_switches_of_frames_with_an_edge_too_many) {
     EXPECT_EQ(vehicle.radio.roll_cd, 2250);
 }
 
+// Two edges of one frame, one too many and one too few: as many pulses as ever.
+TEST_F(Radio, follows_no_switch_that_a_single_frame_shows) {
+    settle({1500, 1500, 1400, 1500, 1500, 1500, 1100, 1815});
+    ASSERT_EQ(vehicle.mode, Mode::manual);
+    for (int i = 0; i < 100; ++i) {
+        if (i % 4 == 0) fakes::receiveRc({1500, 1500, 1400, 1500, 1500, 1500, 1100, 1815});
+        if (i % 4 == 2) fakes::receiveRc({1500, 1500, 1400, 1500, 1500, 1500, 1815, 1100});
+        firmware::sensors::runRadio();
+        if (i % 10 == 9) firmware::modes::runModeSwitch();
+        EXPECT_FALSE(firmware::sensors::switchIsUp(7)) << i;
+        fakes::advance_ms(10);
+    }
+    EXPECT_EQ(vehicle.mode, Mode::manual);
+}
+
 TEST_F(Radio, ignores_the_failsafe_pulse_when_disabled) {
     parameters.throttle_failsafe = 0;
     settle(with(3, 920));

@@ -36,7 +36,13 @@ protected:
         return widths;
     }
     Widths_us newest() const { return us(decoder_.newest()); }
-    Widths_us whole() const { return us(decoder_.whole()); }
+    // The newest so far, taken whenever one is there.
+    Widths_us whole() {
+        const Widths_us taken = us(decoder_.takeWhole());
+        if (!taken.empty()) whole_ = taken;
+        return whole_;
+    }
+    bool wholeIsNew() { return decoder_.takeWhole() != nullptr; }
 
     static Widths_us doubled(Widths_us widths, size_t channel) {
         widths[channel] /= 2;
@@ -50,6 +56,7 @@ protected:
 
 private:
     drivers::PpmFrames decoder_{};
+    Widths_us whole_;
 };
 
 TEST_F(PpmFrames, takes_nothing_before_the_first_gap) {
@@ -64,6 +71,17 @@ TEST_F(PpmFrames, is_complete_with_the_eighth_channel_and_whole_with_the_gap) {
     EXPECT_TRUE(whole().empty());
     EXPECT_FALSE(edge(kGap_us));
     EXPECT_EQ(whole(), kSticks);
+}
+
+TEST_F(PpmFrames, gives_each_whole_frame_once) {
+    begin();
+    frames(2, kSticks);
+    EXPECT_TRUE(wholeIsNew());
+    EXPECT_FALSE(wholeIsNew());
+    frame(doubled(kSticks, 2));
+    EXPECT_FALSE(wholeIsNew());
+    frame(kSticks);
+    EXPECT_TRUE(wholeIsNew());
 }
 
 TEST_F(PpmFrames, gives_0_for_channels_that_are_not_sent) {
@@ -113,19 +131,19 @@ TEST_F(PpmFrames, learns_another_number_of_channels_when_it_lasts) {
     nine.push_back(1800);
     frames(3, kSticks);
     const Widths_us six = only({1900, 1900, 1900, 1900, 1900, 1900, 1900, 1900}, 6);
-    frames(7, six);
+    frames(40, six);
     EXPECT_EQ(whole(), kSticks);
     frame(six);
     EXPECT_EQ(whole(), (Widths_us{1900, 1900, 1900, 1900, 1900, 1900, 0, 0}));
-    frames(8, nine);
+    frames(41, nine);
     EXPECT_EQ(whole(), kSticks);
 }
 
 TEST_F(PpmFrames, learns_through_frames_that_are_broken) {
     begin();
     frame(doubled(kSticks, 2));  // the first of all
-    for (int i = 0; i < 4; ++i) {
-        frames(8, kSticks);
+    for (int i = 0; i < 8; ++i) {
+        frames(7, kSticks);
         frame(doubled(kSticks, 4));
     }
     EXPECT_EQ(whole(), kSticks);
