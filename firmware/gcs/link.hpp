@@ -34,6 +34,7 @@ struct Link {
     uint8_t sequence = 0;
     bool whole = false;              // the parser holds a frame that is not handled yet ...
     uint8_t held_ticks = 0;          // ... for so many turns of telemetrySend
+    uint8_t torn_ticks = 0;          // turns of telemetrySend since a byte came for a frame begun
     uint8_t slowdown_pct = 0;        // of the streams, asked for by the radio
     uint8_t wake_room = 0;           // free bytes in the port at which there is something to send
     bool parameter_is_next = false;  // while a list is sent, streams and list take turns

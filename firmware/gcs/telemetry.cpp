@@ -23,6 +23,8 @@ namespace {
 
 constexpr uint8_t kBytesAtOnce = 16;
 constexpr uint8_t kHoldTicks = kTickRate_hz;  // a second, then the frame is refused
+// Half a second: telemetry radios tear a frame for their turns of a fifth.
+constexpr uint8_t kTornTicks = kTickRate_hz / 2;
 
 constexpr uint8_t kNoRoomWakes = 0xFF;
 
@@ -83,6 +85,7 @@ __attribute__((noinline)) bool receive(Link& link) {
     uint8_t byte;
     for (uint8_t i = 0; i < kBytesAtOnce; ++i) {
         if (!hal::serialRead(portOf(link), byte)) return i > 0;
+        link.torn_ticks = 0;
         if (!link.parser.put(byte)) continue;
         link.whole = true;
         handleWhole(link);
@@ -153,10 +156,19 @@ void telemetryStart() {
     sendStatusText(Severity::info, ROM_TEXT("ArduPilotMega autopilot, airplane"));
 }
 
+// A frame that lost a byte takes the first bytes of the next one for its own. That must not be an
+// order that is obeyed when a third one comes, seconds later.
+void giveUpTornFrame(Link& link) {
+    if (link.whole || !link.parser.waits() || ++link.torn_ticks < kTornTicks) return;
+    link.torn_ticks = 0;
+    link.whole = link.parser.giveUp();
+}
+
 void telemetrySend() {
     followUsb();
     for (Link& link : links) {
         if (link.whole && link.held_ticks < kHoldTicks) ++link.held_ticks;
+        giveUpTornFrame(link);
         streamsTick(link);
         if (!turn.pumped) sendOne(link);
     }

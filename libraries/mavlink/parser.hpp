@@ -43,6 +43,20 @@ public:
         return examine();
     }
 
+    // When the line has been silent for longer than a frame may be torn: what is kept is the
+    // beginning of none. True: a whole frame stood behind it, which must not wait for the bytes of
+    // another.
+    bool giveUp() {
+        signature_ = 0;
+        while (used_ > 0) {
+            ++rejected_;
+            drop(1);
+            if (examine()) return true;
+        }
+        return false;
+    }
+    bool waits() const { return used_ > 0; }  // for the rest of what may be a frame
+
     Frame frame() const {
         Frame frame;
         const bool v1 = isV1();

@@ -97,6 +97,31 @@ TEST_F(Telemetry, usb_is_never_switched_off) {
     EXPECT_TRUE(second.everything().empty());
 }
 
+// The header of a mission item, and an order within what it says is its payload.
+TEST_F(Telemetry, obeys_an_order_behind_a_torn_frame_soon_or_not_at_all) {
+    mavlink::ParamRequestRead question = {};
+    question.target_system = question.target_component = 1;
+    station.line().receive(std::vector<uint8_t>{0xFE, 37, 0, 255, 190, 73});
+    station.send(question);
+    run_ms(300);
+    EXPECT_TRUE(station.all<mavlink::ParamValue>().empty());
+    run_ms(400);
+    EXPECT_EQ(station.all<mavlink::ParamValue>().size(), 1u);
+}
+
+TEST_F(Telemetry, waits_for_a_frame_that_a_radio_tears_for_a_third_of_a_second) {
+    mavlink::ParamRequestRead question = {};
+    question.target_system = question.target_component = 1;
+    uint8_t bytes[mavlink::kLongestFrame];
+    const uint16_t size = mavlink::encode({Framing::v1, 0, 255, 190}, question, bytes);
+    for (uint16_t at = 0; at < size; at += 5) {
+        station.line().receive(
+            std::vector<uint8_t>(bytes + at, bytes + std::min<uint16_t>(size, at + 5)));
+        run_ms(330);
+    }
+    EXPECT_EQ(station.all<mavlink::ParamValue>().size(), 1u);
+}
+
 TEST_F(Telemetry, is_idle_until_bytes_come) {
     rest();
     EXPECT_FALSE(firmware::gcs::telemetryPump());

@@ -337,6 +337,27 @@ TEST(Parser, a_frame_too_long_for_its_buffer_is_left_out) {
     EXPECT_EQ(sequences(feed(parser, bytes + heartbeat(2))), (Sequences{2}));
 }
 
+// The first frame lost a byte on its way: it waits for one of the next and has it.
+TEST(Parser, gives_a_torn_frame_up_and_finds_the_whole_one_behind_it) {
+    VehicleParser parser;
+    Bytes torn = heartbeat(1);
+    torn.erase(torn.begin() + 7);
+    EXPECT_FALSE(parser.waits());
+    EXPECT_TRUE(feed(parser, Bytes(torn.begin(), torn.begin() + 9)).empty());
+    EXPECT_TRUE(parser.waits());
+    EXPECT_FALSE(parser.giveUp()) << "there is no other";
+    EXPECT_FALSE(parser.waits());
+    EXPECT_EQ(sequences(feed(parser, heartbeat(2))), (Sequences{2})) << "as if nothing had been";
+
+    // a long header, and a frame within what it says is its payload
+    const Bytes item = {0xFE, 37, 0, 255, 190, 73};
+    EXPECT_TRUE(feed(parser, item + heartbeat(3)).empty());
+    ASSERT_TRUE(parser.giveUp());
+    EXPECT_EQ(parser.frame().sequence, 3);
+    EXPECT_FALSE(parser.next());
+    EXPECT_FALSE(parser.waits());
+}
+
 TEST(Parser, drops_extension_bytes_younger_than_ours) {
     Bytes bytes = {0xFD, 12, 0, 0, 8, 255, 190, 43, 0, 0};
     bytes =
