@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/control/autotune.hpp"
 
+#include <math.h>
+
 #include "control/tuner.hpp"
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
@@ -62,6 +64,8 @@ void setLevel() {
     const ::control::AxisSettings& now = settingsOf(axis);
     const float time_constant_s =
         core::romRead(kTimeConstants[parameters.autotune_level - 1]) * 0.01f;
+    if (due.level % 2 == 0 && fabsf(now.time_constant_s - time_constant_s) < 0.001f)
+        return (void)(due.level += 2);  // it is what it shall be: nothing is rounded and stored
     const bool last = due.level++ % 2 != 0;
     if (last) return (void)set(axis, kTimeConstant, time_constant_s);
     const float direct = (now.p - now.i * now.time_constant_s) * now.time_constant_s;

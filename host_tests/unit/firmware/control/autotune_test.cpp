@@ -39,6 +39,16 @@ protected:
     }
 };
 
+TEST_F(Autotune, leaves_gains_alone_whose_time_constant_is_the_levels) {
+    parameters.roll.axis.time_constant_s = parameters.pitch.axis.time_constant_s = 0.4f;
+    parameters.roll.axis.p = 2;
+    const firmware::state::Parameters before = parameters;
+    enter(6);
+    EXPECT_EQ(parameters.roll.axis.p, before.roll.axis.p);
+    EXPECT_EQ(parameters.roll.axis.time_constant_s, before.roll.axis.time_constant_s);
+    EXPECT_EQ(parameters.pitch.axis.p, before.pitch.axis.p);
+}
+
 TEST_F(Autotune, scales_the_gains_of_the_axis_that_turned) {
     enter(0);
     const firmware::state::Parameters before = parameters;
