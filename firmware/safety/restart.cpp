@@ -132,7 +132,7 @@ void armOnEvidence() {
     if (measuredInTheAir(steady.home_height_m)) {
         restart.arms = false;
         armAfterRestart();
-    } else if (hal::now_ms() >= evidenceComesWithin_ms()) {
+    } else if (evidenceIsOver()) {
         restart.arms = false;
         sendStatusText(Severity::critical, ROM_TEXT("Not armed again: not seen flying"));
     }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/restart_evidence.hpp"
 
+#include "core/file_state.hpp"
 #include "firmware/estimator/estimator.hpp"
+#include "firmware/sensors/sensors.hpp"
 #include "firmware/state/vehicle.hpp"
+#include "hal/clock.hpp"
 
 namespace firmware {
 namespace safety {
@@ -10,6 +13,11 @@ namespace safety {
 using namespace state;
 
 namespace {
+
+struct Blind {
+    uint16_t until_ms;  // since the start, no sensor was read that can see it in the air
+};
+core::FileState<Blind> blind{};
 
 // 0: it has not been read since the start
 bool barometerRead() { return vehicle.baro.healthy && vehicle.estimate.baro_height_m != 0; }
@@ -20,14 +28,18 @@ bool measuredInTheAir(float home_height_m) {
     constexpr float kOutOfReach_m = 10, kFarOutOfReach_m = 30;
     const float height_m = barometerRead() ? vehicle.estimate.baro_height_m - home_height_m : 0;
     if (height_m > kFarOutOfReach_m) return true;
+    sensors::workOutAirspeed();  // the estimator does not while it has no attitude
     if (vehicle.airspeed.healthy)
         return vehicle.airspeed.speed_mps > estimator::flyingAirspeed_mps();
     return height_m > kOutOfReach_m;
 }
 
-uint16_t evidenceComesWithin_ms() {
-    constexpr uint16_t kRead_ms = 2000, kBlind_ms = 30000;
-    return barometerRead() || vehicle.airspeed.healthy ? kRead_ms : kBlind_ms;
+bool evidenceIsOver() {
+    constexpr uint16_t kLeast_ms = 2000, kReads_ms = 1000, kBlind_ms = 30000;
+    const uint32_t now_ms = hal::now_ms();
+    const bool read = barometerRead() || vehicle.airspeed.healthy;
+    if (!read && now_ms < kBlind_ms) blind.until_ms = static_cast<uint16_t>(now_ms);
+    return now_ms >= kLeast_ms && now_ms - blind.until_ms >= kReads_ms;
 }
 
 }  // namespace safety

@@ -13,8 +13,9 @@ namespace safety {
 // than 10 m above home.
 bool measuredInTheAir(float home_height_m);
 
-// Since the start; after that it stays disarmed. 2 s; 30 s while neither sensor is read.
-uint16_t evidenceComesWithin_ms();
+// 50 Hz, while it is waited for: none has come, and it stays disarmed. 2 s after the start, and one
+// after the first reading of either sensor, for which it waits 30 s.
+bool evidenceIsOver();
 
 }  // namespace safety
 }  // namespace firmware

@@ -13,6 +13,12 @@ constexpr double kHigh_m = 5;
 
 bool inTheAir(const Truth& truth) { return !truth.on_ground && truth.height_m > kHigh_m; }
 
+// The inertial sensor, alone or with the barometer on its bus.
+bool sensorsFail(const Snapshot& now) {
+    return now.faulty[static_cast<size_t>(Faulty::imu)] ||
+           now.faulty[static_cast<size_t>(Faulty::spi)];
+}
+
 // From an armed heartbeat to a disarmed one, high above the ground all the time.
 class ArmedInTheAir : public Invariant {
     void frame(const Snapshot& now, const History& history, const Report& report) override {
@@ -41,6 +47,7 @@ class ArmedByACommand : public Invariant {
         if (history.heard().armed) armed_s_ = history.heard().time_s;
         if (now.restarts != restarts_ && now_s - armed_s_ < kFindsItself_s) resumes_s_ = now_s;
         restarts_ = now.restarts;
+        if (now_s - resumes_s_ < kFindsItself_s && sensorsFail(now)) resumes_s_ = now_s;
         if (history.heartbeats() == heartbeats_) return;
         heartbeats_ = history.heartbeats();
         const Heard &before = history.heardBefore(), &after = history.heard();
@@ -64,9 +71,9 @@ class FliesOnAfterARestart : public Invariant {
         if (now.restarts != restarts_ && waiting_s_ <= 0 && fliesOn()) begin(now_s, history);
         restarts_ = now.restarts;
         if (!inTheAir(now.truth) || now.truth.crashed || !history.heard().armed) low_s_ = now_s;
-        faulty_ = now.faulty[static_cast<size_t>(Faulty::imu)] ||
-                  now.faulty[static_cast<size_t>(Faulty::spi)];  // and with it the barometer
+        faulty_ = sensorsFail(now);
         before_s_ = now_s;
+        if (waiting_s_ > 0 && faulty_) faulted_s_ = now_s;
         if (waiting_s_ > 0) look(now, history, report);
         pulses_ = now.servo_us;
     }
@@ -96,7 +103,7 @@ class FliesOnAfterARestart : public Invariant {
             if (moved_after_s_ < 0 && pulses_[surface] > 0 && now.servo_us[surface] > 0 &&
                 std::abs(pulses_[surface] - now.servo_us[surface]) > 1)
                 moved_after_s_ = now_s - begun_s;
-        if (now_s < begun_s + kHeartbeats_s) return;
+        if (now_s < std::max(begun_s, faulted_s_) + kHeartbeats_s) return;
         waiting_s_ = 0;
         const bool heard = history.heard().time_s > begun_s + 1;
         if (heard && !history.heard().armed && !history.within(Cause::forces, begun_s - 1, now_s))
@@ -106,7 +113,7 @@ class FliesOnAfterARestart : public Invariant {
         const bool other_mode = history.within(Cause::mode_switch, begun_s - 1.5, begun_s + 1.5) ||
                                 history.within(Cause::flight_mode, begun_s - 1.5, begun_s + 1.5);
         const bool still = moved_after_s_ < 0 || moved_after_s_ > kMovesWithin_s;
-        if (still && !other_mode && !pilotHasTheSurfaces(mode_before_) &&
+        if (still && faulted_s_ < begun_s && !other_mode && !pilotHasTheSurfaces(mode_before_) &&
             !pilotHasTheSurfaces(history.heard().mode))
             report(now_s, text("no surface moved within 0.5 s of a restart; after %.2f s",
                                moved_after_s_));
@@ -115,7 +122,8 @@ class FliesOnAfterARestart : public Invariant {
     unsigned restarts_ = 0;
     bool survivable_ = false, faulty_ = false;
     double low_s_ = 0, before_s_ = 0, waiting_s_ = 0, moved_after_s_ = -1;
-    uint32_t mode_before_ = 0;  // in which it goes on; a failsafe may set another meanwhile
+    double faulted_s_ = kNever_s;  // the inertial sensor, last
+    uint32_t mode_before_ = 0;     // in which it goes on; a failsafe may set another meanwhile
     std::array<double, 8> pulses_{};
 };
 

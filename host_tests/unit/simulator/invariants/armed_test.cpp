@@ -124,6 +124,23 @@ TEST(FliesOnAfterARestart, SurfacesMayStandInAModeOfThePilotThatAFailsafeEnds) {
     EXPECT_EQ(flown.violated(), "");
 }
 
+TEST(FliesOnAfterARestart, ItIsArmedSoonAfterTheBusOfItsSensorsIsBack) {
+    for (const bool arms : {true, false}) {
+        Flown flown = flying();
+        flown.watch.provokedRestart(true);
+        flown.restart();
+        flown.armed = false;
+        flown.run(0.1);
+        flown.now.faulty[static_cast<size_t>(Faulty::spi)] = true;
+        flown.run(3.5);
+        flown.now.faulty[static_cast<size_t>(Faulty::spi)] = false;
+        flyFor(flown, 1);
+        flown.armed = arms;
+        flyFor(flown, 3);
+        EXPECT_EQ(flown.violated(), arms ? "" : "restart_in_the_air ");
+    }
+}
+
 TEST(FliesOnAfterARestart, NothingMovesWhileTheBusOfTheInertialSensorIsDead) {
     Flown flown = flying();
     flown.now.faulty[static_cast<size_t>(Faulty::spi)] = true;
