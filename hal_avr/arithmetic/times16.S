@@ -28,7 +28,6 @@ multiplyTimes16:
     adc  r31, r26
     adc  r24, r26
     adc  r25, r26
-    clr  r26
     mulsu r21, r23
     sbc  r26, r26
     add  r30, r0
