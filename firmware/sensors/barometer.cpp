@@ -3,6 +3,7 @@
 // temperature on the ground is held, as the sun on the board would else lift the airplane.
 #include "board.hpp"
 #include "core/file_state.hpp"
+#include "core/seldom.hpp"
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
@@ -41,7 +42,7 @@ struct Zero {
 };
 core::FileState<Zero> zero{};
 
-void takeZero(int32_t pressure_pa) {
+SELDOM void takeZero(int32_t pressure_pa) {
     if (++zero.readings <= kSettleReadings) return;
     zero.sum_pa += pressure_pa;
     if (zero.readings < kSettleReadings + kZeroReadings) return;

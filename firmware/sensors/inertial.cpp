@@ -6,6 +6,7 @@
 #include "core/fixed.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
+#include "core/seldom.hpp"
 #include "estimation/still.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/sensors/dead_gyros.hpp"
@@ -110,8 +111,7 @@ void level(Turn& v) {
 }
 
 // Of two samples, as there nearly always are.
-void makeTwo(drivers::ImuSums& sums) {
-    if (sums.count == 2) return;
+SELDOM void makeTwo(drivers::ImuSums& sums) {
     for (uint8_t i = 0; i < 3; ++i) {
         sums.rate[i] = sums.rate[i] * 2 / sums.count;
         sums.force[i] = sums.force[i] * 2 / sums.count;
@@ -119,9 +119,8 @@ void makeTwo(drivers::ImuSums& sums) {
 }
 
 // After a longer gap nobody knows.
-void stretch(Turn& turn, uint8_t periods) {
+SELDOM void stretch(Turn& turn, uint8_t periods) {
     constexpr uint8_t kMax = 4;
-    if (periods == 2) return;
     if (periods > kMax) periods = kMax;
     for (int32_t& axis : turn.of) axis = axis / 2 * periods;
 }
@@ -132,7 +131,7 @@ core::Vector3 mean(const int32_t (&sums)[3], float a_step) {
            a_step;
 }
 
-void findZero(const drivers::ImuSums& sums) {
+SELDOM void findZero(const drivers::ImuSums& sums) {
     const bool found = inertial.still.update(mean(sums.rate, drivers::kRateStep_rads / sums.count),
                                              mean(sums.force, drivers::kForceStep_mss / sums.count),
                                              sums.periods * estimation::kSamplePeriod_s);
@@ -174,7 +173,7 @@ void watchGyros(const drivers::ImuSums& sums) {
 void use(drivers::ImuSums& sums) {
     watchGyros(sums);
     watchForces(sums);
-    makeTwo(sums);
+    if (sums.count != 2) makeTwo(sums);
     Turn turn, specific_force;
     for (uint8_t i = 0; i < 3; ++i) {
         turn.of[i] = turned(sums.rate[i], inertial.zero.of[i]);
@@ -186,7 +185,7 @@ void use(drivers::ImuSums& sums) {
                                    rate_rads(turn.of[2])};
     if (!possible(rates)) return;
     published.rate_rads = rates;
-    stretch(turn, sums.periods);
+    if (sums.periods != 2) stretch(turn, sums.periods);
     published.turned = turn;
     if (trimmed) level(specific_force);
     published.accel_mss = {force_mss(specific_force.of[0]), force_mss(specific_force.of[1]),
@@ -194,7 +193,7 @@ void use(drivers::ImuSums& sums) {
 }
 
 // A chip that talks nonsense is started anew, but has time to win trust before that comes again.
-void restartSensor() {
+SELDOM void restartSensor() {
     if ((hal::now_ms() & 4095) < 10) imu.start();
     published.healthy = false;
     published.periods = 0;
