@@ -7,21 +7,24 @@ add_compile_options(${AVR_OPTIMISATION})
 # toolchain/image/stack_bound.mjs sees by its relocation that a word is a function's address
 add_link_options(${AVR_OPTIMISATION} -Wl,--emit-relocs)
 
-# What runs in every frame and at every interrupt is made quick: these folders, not those in them.
-set(every_frame_folders firmware/app firmware/sensors firmware/estimator firmware/control
-    firmware/actuators hal_avr hal_avr/boards/*)
-list(TRANSFORM every_frame_folders PREPEND ${CMAKE_SOURCE_DIR}/)
-list(TRANSFORM every_frame_folders APPEND /*.cpp)
-file(GLOB every_frame CONFIGURE_DEPENDS ${every_frame_folders})
-# Of the ground link only what every byte and every message passes: replies to requests are seldom.
-foreach(source incoming link streams telemetry flight_messages)
-    list(APPEND every_frame ${CMAKE_SOURCE_DIR}/firmware/gcs/${source}.cpp)
+# What runs at interrupts is made quick, and of what runs in a frame those files where that gains most
+# for its flash, by measurement: docs/measurements.md.
+file(GLOB quick CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp
+     ${CMAKE_SOURCE_DIR}/hal_avr/boards/*/*.cpp)
+set(quick_in_firmware actuators/flaps actuators/outputs app/dataflash app/main app/tasks
+    gcs/link gcs/streams logger/log logger/sources
+    sensors/barometer sensors/compass sensors/inertial sensors/radio)
+set(quick_in_libraries control/axis drivers/ms5611_compensation geo/position navigation/l1)
+foreach(folder firmware libraries)
+    foreach(source IN LISTS quick_in_${folder})
+        set(path ${CMAKE_SOURCE_DIR}/${folder}/${source}.cpp)
+        if(NOT EXISTS ${path})
+            message(FATAL_ERROR "${path} is no file: name those to be made quick as they are named now")
+        endif()
+        list(APPEND quick ${path})
+    endforeach()
 endforeach()
-# And of the libraries what is worked out 25 to 100 times a second, as far as flash allows.
-foreach(source estimation/height estimation/position control/axis)
-    list(APPEND every_frame ${CMAKE_SOURCE_DIR}/libraries/${source}.cpp)
-endforeach()
-set_source_files_properties(${every_frame} PROPERTIES COMPILE_OPTIONS -O2)
+set_source_files_properties(${quick} PROPERTIES COMPILE_OPTIONS -O2)
 
 link_libraries(m)
 
