@@ -5,7 +5,7 @@
 set(AVR_OPTIMISATION -Os -flto -mrelax -mcall-prologues -mstrict-X -g)
 add_compile_options(${AVR_OPTIMISATION})
 # toolchain/image/stack_bound.mjs sees by its relocation that a word is a function's address
-add_link_options(${AVR_OPTIMISATION} -Wl,--emit-relocs)
+add_link_options(${AVR_OPTIMISATION} -flto-partition=one -Wl,--emit-relocs)
 
 # What runs at interrupts is made quick, and of what runs in a frame those files where that gains most
 # for its flash, by measurement: docs/measurements.md.
