@@ -28,6 +28,8 @@ namespace actuators {
 using namespace state;
 using namespace sensors;
 using namespace control;
+using ::control::surfacePulse_us;
+using ::control::throttlePulse_us;
 
 namespace {
 
@@ -47,10 +49,7 @@ struct Outputs {
 };
 core::FileState<Outputs> outputs{};
 
-::control::ServoRange range(uint8_t output) {
-    const Channel& channel = parameters.channel[output];
-    return {channel.min_us, channel.trim_us, channel.max_us, channel.reverse};
-}
+const Channel& range(uint8_t output) { return parameters.channel[output]; }
 
 // RCn_REV turns the control of a pair, with its stick; the kind of the pair turns the servos.
 core::Ratio upright(uint8_t output, core::Ratio control) {
@@ -60,7 +59,7 @@ core::Ratio upright(uint8_t output, core::Ratio control) {
 uint16_t mixed_us(int8_t kind, float common, float differential, uint8_t output, bool left) {
     const auto pair = ::control::mixPair(static_cast<::control::Pair>(kind), common, differential,
                                          parameters.mixing_gain);
-    ::control::ServoRange servo = range(output);
+    Channel servo = range(output);
     if (output < kFirstFree) servo.reverse = 1;
     return surfacePulse_us(servo, core::Ratio(left ? pair.left : pair.right));
 }
@@ -90,7 +89,7 @@ uint16_t elevator_us() {
 // is wrong would start the motor: no pulse (0) until arming has confirmed it.
 uint16_t idleAtStart_us() {
     constexpr int16_t kMax_us = 1100;
-    const ::control::ServoRange servo = range(kThrottle - 1);
+    const Channel& servo = range(kThrottle - 1);
     if (servo.reverse < 0) return 0;
     return static_cast<uint16_t>(servo.min_us < kMax_us ? servo.min_us : kMax_us);
 }
@@ -102,7 +101,7 @@ uint16_t throttle_us() {
         outputs.was_armed = false;
         return outputs.idle_us;
     }
-    const ::control::ServoRange servo = range(kThrottle - 1);
+    const Channel& servo = range(kThrottle - 1);
     if (!outputs.was_armed) outputs.idle_us = throttlePulse_us(servo, core::Ratio::fromRaw(0));
     outputs.was_armed = true;
     return throttlePulse_us(servo, surfaces.throttle);

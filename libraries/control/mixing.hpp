@@ -5,18 +5,32 @@
 #include <stdint.h>
 
 #include "core/fixed.hpp"
+#include "core/maths.hpp"
 
 namespace control {
 
-struct ServoRange {
-    int16_t min_us, trim_us, max_us;
-    int8_t reverse;  // 1 or -1
-};
+constexpr int16_t kFullTravel = core::Ratio::kOne;
+
+// Range, of a servo: int16_t min_us, trim_us, max_us and reverse, 1 or -1, read where they are.
 
 // -1 .. 0 .. 1 lies on min .. trim .. max, or max .. trim .. min when reversed.
-uint16_t surfacePulse_us(const ServoRange& range, core::Ratio deflection);
+template <class Range>
+uint16_t surfacePulse_us(const Range& range, core::Ratio deflection) {
+    int16_t wanted = core::limit<int16_t>(deflection.raw, -kFullTravel, kFullTravel);
+    if (range.reverse < 0) wanted = -wanted;
+    const int16_t span_us =
+        wanted > 0 ? range.max_us - range.trim_us : range.trim_us - range.min_us;
+    const int16_t pulse_us = range.trim_us + core::times14(span_us, wanted);
+    return static_cast<uint16_t>(core::limit(pulse_us, range.min_us, range.max_us));
+}
+
 // 0 .. 1 lies on min .. max, trim plays no part.
-uint16_t throttlePulse_us(const ServoRange& range, core::Ratio throttle);
+template <class Range>
+uint16_t throttlePulse_us(const Range& range, core::Ratio throttle) {
+    const int16_t wanted = core::limit<int16_t>(throttle.raw, 0, kFullTravel);
+    const int16_t above_us = core::times14(range.max_us - range.min_us, wanted);
+    return range.reverse < 0 ? range.max_us - above_us : range.min_us + above_us;
+}
 
 // A pair of surfaces, each moved by two controls. The parameters' kinds 1..4 are the four ways
 // the linkages can be turned.

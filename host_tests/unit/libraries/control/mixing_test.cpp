@@ -8,9 +8,14 @@
 namespace {
 
 using control::Pair;
-using control::ServoRange;
+using control::surfacePulse_us;
+using control::throttlePulse_us;
 using core::Ratio;
 
+struct ServoRange {
+    int16_t min_us, trim_us, max_us;
+    int8_t reverse;
+};
 constexpr ServoRange kServo{1100, 1450, 1900, 1};
 constexpr ServoRange kReversed{1100, 1450, 1900, -1};
 
