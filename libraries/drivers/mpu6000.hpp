@@ -52,7 +52,7 @@ private:
     struct Setting {
         uint8_t address, value;
     };
-    static constexpr uint8_t kAccel = 0, kGyro = 4, kWords = 7;  // the temperature between them
+    static constexpr uint8_t kAccel = 0, kTemperature = 3, kGyro = 4, kWords = 7;
     struct Sums {
         int32_t chip[kWords];  // in the chip's order and axes
         uint8_t count, dead;   // samples summed; interrupts that found no chip
@@ -76,6 +76,11 @@ private:
         ++restarts_;
         healthy_ = false;
         enter(State::reset, now_ms);
+    }
+    int32_t takeSum(uint8_t word) {
+        const int32_t sum = sums_.chip[word];
+        sums_.chip[word] = 0;
+        return sum;
     }
     void configureNext(uint32_t now_ms);
     void watch(uint32_t now_ms);
@@ -260,21 +265,19 @@ void Mpu6000<Bus, Select>::refuse(bool dead) {
 
 template <class Bus, class Select>
 bool Mpu6000<Bus, Select>::take(ImuSums& to) {
-    Sums sums;
-    {
-        const hal::Locked locked;
-        sums = sums_;
-        sums_ = {};
-    }
-    if (sums.count == 0) return false;
+    const hal::Locked locked;
+    to.count = sums_.count;
+    to.periods = waiting();
     // On this board body x is the chip's y, body y its x, body z its -z.
-    const int32_t* const a = sums.chip + kAccel;
-    const int32_t* const g = sums.chip + kGyro;
-    to = {{g[1], g[0], -g[2]},
-          {a[1], a[0], -a[2]},
-          sums.count,
-          static_cast<uint8_t>(sums.count + sums.dead)};
-    return true;
+    to.rate[0] = takeSum(kGyro + 1);
+    to.rate[1] = takeSum(kGyro);
+    to.rate[2] = -takeSum(kGyro + 2);
+    to.force[0] = takeSum(kAccel + 1);
+    to.force[1] = takeSum(kAccel);
+    to.force[2] = -takeSum(kAccel + 2);
+    takeSum(kTemperature);
+    sums_.count = sums_.dead = 0;
+    return to.count != 0;
 }
 
 template <class Bus, class Select>
