@@ -76,8 +76,10 @@ const CauseRow kCauseTable[kCauses] ROM = {
 
 uint8_t resolve(uint16_t causes, uint8_t flown) {
     for (uint8_t i = 0; i < kTransitionCount; ++i) {
-        const Transition row = core::romRead(kTransitions[i]);
-        if ((row.causes & causes) != 0 && (row.flown & flown) != 0 && row.guard()) return i;
+        const Transition& row = kTransitions[i];
+        if ((core::romRead(row.causes) & causes) != 0 && (core::romRead(row.flown) & flown) != 0 &&
+            core::romRead(row.guard)())
+            return i;
     }
     return kNoTransition;
 }
