@@ -48,14 +48,18 @@ struct RomReader<int16_t, 2> {
         return static_cast<int16_t>(pgm_read_word(&in_flash));
     }
 };
+template <>
+struct RomReader<uint32_t, 4> {
+    static uint32_t read(const uint32_t& in_flash) { return pgm_read_dword(&in_flash); }
+};
 template <class F>
 struct RomReader<F*, 2> {
     static F* read(F* const& in_flash) { return reinterpret_cast<F*>(pgm_read_word(&in_flash)); }
 };
 #endif
 
-// Reads one object out of flash. One byte, whole numbers of two and pointers are plain loads; the
-// rest is copied.
+// Reads one object out of flash. One byte, whole numbers of two, uint32_t and pointers are plain
+// loads; the rest is copied.
 template <class T>
 inline T romRead(const T& in_flash) {
     return RomReader<T>::read(in_flash);
