@@ -11,7 +11,8 @@
 // the next one. A row that has waited kMediumPatience or kSlowPatience frames runs whether it fits
 // or not: no medium row waits longer than 5 frames and no slow row longer than 25, whatever the
 // others take.
-// Rows are timed in the clock's ticks, which distinguish what ends within 32 ms.
+// Rows are timed in the clock's ticks, which distinguish what ends within 32 ms. A frame that is
+// over is known as such for 16 ms.
 #pragma once
 #include <stdint.h>
 
@@ -66,8 +67,8 @@ public:
         hal::trace(hal::kTraceFrameBegin);
         const uint32_t began_us = hal::now_us();
         const uint32_t late_us = began_us - due_us;
-        began_ = now_ = hal::ticks();
-        room_ = late_us < kFrame_us ? ticks(kFrame_us - static_cast<uint16_t>(late_us)) : 0;
+        now_ = hal::ticks();
+        end_ = now_ + (late_us < kFrame_us ? ticks(kFrame_us - static_cast<uint16_t>(late_us)) : 0);
         for (uint8_t i = 0; i < kMedium; ++i) runTimed(i, kTable[i]);
         served_ |= bitOf(Tier::fast);
         serveTier<kMedium, kSlow>(Tier::medium);
@@ -125,8 +126,8 @@ private:
     void serve(uint8_t i, Tier tier) {
         const Task& task = kTable[i];
         int8_t wait = wait_[i];
-        const uint16_t spent = now_ - began_;
-        const bool fits = spent <= room_ && ticks(core::romRead(task.budget_us)) <= room_ - spent;
+        const int16_t left = static_cast<int16_t>(end_ - now_);  // below 0: the frame is over
+        const bool fits = static_cast<int16_t>(ticks(core::romRead(task.budget_us))) <= left;
         if (!fits && wait > -patience(tier)) return;
         const uint8_t period = core::romRead(task.period);
         do wait += period;  // from when it was due, not from now: the phase is kept
@@ -154,9 +155,9 @@ private:
 
     int8_t wait_[kRows] = {};  // frames until due; 0 due, below 0 late by as many; not of the fast
     uint8_t due_[kRows] = {};  // rows of the tier that is being served
-    uint16_t longest_[kRows] = {};  // in ticks, as the next three
-    uint16_t began_ = 0, now_ = 0;
-    uint16_t room_ = 0;  // that the frame had when it began
+    uint16_t longest_[kRows] = {};  // in ticks, as the next two
+    uint16_t now_ = 0;
+    uint16_t end_ = 0;  // when the frame is over
     uint8_t served_ = 0;
     uint16_t late_frames_ = 0;
     uint16_t longest_frame_us_ = 0;
