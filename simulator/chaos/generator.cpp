@@ -147,6 +147,7 @@ private:
     void command(const Words& parameters);
 
     void setParameter();
+    bool changesChannels(FaultKind kind) const;
     void setManyParameters();
     void calibrateRadio();
     void armOrDisarm();
@@ -165,11 +166,22 @@ private:
     Scenario& to_;
 };
 
+// Nine channels belong to a transmitter. One that has them for a while would have eight and an edge
+// too many behind them, which no decoder can know from nine.
+bool Drawer::changesChannels(FaultKind kind) const {
+    const bool nine = kind == FaultKind::nine_channels;
+    if (!nine && kind != FaultKind::extra_edge && kind != FaultKind::missed_edge) return false;
+    const std::string other = nine ? "_edge" : ":nine_channels";
+    return std::any_of(to_.events.begin(), to_.events.end(), [&](const Event& event) {
+        return event.kind() == "fault" && event.words[1].find(other) != std::string::npos;
+    });
+}
+
 void Drawer::fault(double at_s, double longest_s) {
     for (;;) {
         const auto sensor = static_cast<Faulty>(dice_.below(kFaulty));
         const auto kind = static_cast<FaultKind>(1 + dice_.below(kFaultKinds - 1));
-        if (!canFail(sensor, kind)) continue;
+        if (!canFail(sensor, kind) || changesChannels(kind)) continue;
         if (sensor == Faulty::supply) return sag(at_s);
         add(at_s, {"fault", std::string(nameOf(sensor)) + ":" + nameOf(kind),
                    print("%.2f", dice_.between(0.1, longest_s))});

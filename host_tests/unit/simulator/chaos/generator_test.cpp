@@ -70,4 +70,18 @@ TEST(Generator, MissionsBeginAtHomeAndEndWithALanding) {
     }
 }
 
+TEST(Generator, ATransmitterOfNineChannelsDoublesAndMissesNoEdge) {
+    const auto parameters = readParameterRows(PARAMETERS);
+    int nine = 0;
+    for (uint64_t seed = 1; seed <= 2000; ++seed) {
+        std::set<std::string> faults;
+        for (const Event& event : drawScenario(seed, parameters).events)
+            if (event.kind() == "fault") faults.insert(event.words[1]);
+        if (faults.count("radio:nine_channels") == 0) continue;
+        ++nine;
+        EXPECT_EQ(faults.count("radio:extra_edge") + faults.count("radio:missed_edge"), 0u) << seed;
+    }
+    EXPECT_GT(nine, 20);
+}
+
 }  // namespace simulator::chaos
