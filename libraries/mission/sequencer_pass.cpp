@@ -105,12 +105,14 @@ void Sequencer::load(uint8_t index, const Item& item) {
     memory_.nav_record = item.record;
     if ((traits & kPlaced) != 0 && item.record.p3 == 0 && item.record.p4 == 0)
         core::romRead(host_.here)(memory_.nav_record);
-    if (set() == Set::apm1) {
+    const bool apm1 = set() == Set::apm1;
+    if (apm1) {
         memory_.chain_first = static_cast<uint8_t>(index + 1);
         memset(memory_.jumps.blocked, 0, sizeof memory_.jumps.blocked);
     }
     memory_.next = memory_.chain_first;
     memory_.phase = kWalking;
+    if (apm1) startNav();  // no jump of this set abandons it
 }
 
 void Sequencer::noNavLeft() {
@@ -163,7 +165,7 @@ void Sequencer::endOfChain() {
     memory_.phase = kFlying;
 }
 
-// Only now is it certain that no jump abandons the NAV in the pass that loaded it.
+// APM 2.0: only when it is certain that no jump abandons the NAV in the pass that loaded it.
 void Sequencer::startNav() {
     if (has(kStarted) || has(kTrailing)) return;
     put(kStarted, true);

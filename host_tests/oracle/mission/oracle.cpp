@@ -290,6 +290,7 @@ void Interpreter::load(int nav, int chain_begin) {
     chain_begin_ = chain_ = run_begin_ = chain_begin;
     chain_dropped_ = !with_chain_;
     blocked_.clear();
+    if (set_ == CommandSet::apm1) startNav(false);  // no jump of this set abandons it
 }
 
 void Interpreter::startNav(bool resumed) {

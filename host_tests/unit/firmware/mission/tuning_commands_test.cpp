@@ -86,6 +86,12 @@ TEST_F(Apm1Flight, home_is_reset_here_or_as_given) {
     EXPECT_EQ(vehicle.home.altitude_cm, 42000);
 }
 
+TEST_F(Apm1Flight, a_nav_is_being_flown_when_home_moves_behind_it_and_stays_where_it_is) {
+    run(placed(0x42, 0, 0, 410));  // 10 m higher
+    EXPECT_FLOAT_EQ(vehicle.demand.height_m, 40);
+    EXPECT_EQ(missionCurrent(), 1);
+}
+
 TEST_F(Apm1Flight, a_queried_or_broadcast_variable_is_sent_once_on_every_link) {
     const auto reported = [](hal::Port port) {
         auto& out = fakes::serial(port).out;

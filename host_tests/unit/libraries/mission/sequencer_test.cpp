@@ -84,7 +84,7 @@ TEST(Sequencer, flies_every_row_of_the_rules) {
 
 TEST(Sequencer, an_id_of_the_other_set_is_not_run) {
     Flight f(k1, {waypoint(), action2(), action1()});
-    EXPECT_EQ(f.enter().trace(), "?2 a3 W1!");
+    EXPECT_EQ(f.enter().trace(), "W1! ?2 a3");
 }
 
 // ---- 2: one at a time
@@ -178,7 +178,7 @@ TEST(Sequencer, a_change_elsewhere_leaves_the_flight_alone_but_refills_the_jumps
 
 TEST(Sequencer, after_a_change_elsewhere_an_apm1_jump_that_came_round_stays_passed_over) {
     Flight f(k1, {waypoint(), action1(), jump1(2), condition1(), jump1(2)});
-    EXPECT_EQ(f.enter().trace(), "a2 a2 W1! c4");
+    EXPECT_EQ(f.enter().trace(), "W1! a2 a2 c4");
     f.engine.changed(k1, 2, true, false);
     EXPECT_EQ(f.over().trace(), "a2 c4") << "no other NAV has been loaded";
 }
@@ -189,7 +189,7 @@ TEST(Sequencer, a_change_in_flight_restarts_the_mission) {
     f.trace();
     f.store(k1, {waypoint(), action1()});
     f.engine.changed(k1, 2, false, false);
-    EXPECT_EQ(f.pass().trace(), "a2 W1!");
+    EXPECT_EQ(f.pass().trace(), "W1! a2");
 }
 
 TEST(Sequencer, a_clear_in_flight_completes_the_mission) {
