@@ -25,13 +25,9 @@ core::FileState<Comparison> compare{};
 // The next run; false: there is none.
 bool nextRun() {
     --compare.runs_left;
-    const bool apm1 = missionSet() == ::mission::Set::apm1;
-    if (compare.runs_left == 2) {
-        compare.at = compare.items.first;
-        return true;
-    }
-    compare.at = compare.items.second;
-    return compare.runs_left == 1 && apm1 && compare.items.second != compare.items.first;
+    const bool first = compare.runs_left == 2;
+    compare.at = first ? compare.items.first : compare.items.second;
+    return first || (compare.runs_left == 1 && compare.items.second != compare.items.first);
 }
 
 // What one of the two missions has at this place of a run.
@@ -74,8 +70,8 @@ core::Status comparePair(bool& same, bool& ends) {
     ends = now.over;
     if (!same || ends) return core::Status::ok;
     same = memcmp(now.record, before.record, sizeof now.record) == 0;
-    const bool to_nav = missionSet() == ::mission::Set::apm2 && !compare.items.to_end;
-    ends = compare.runs_left == 3 || (to_nav && compare.at == compare.items.nav);
+    ends = compare.runs_left == 3 ||
+           compare.at == (compare.runs_left == 2 ? compare.items.last : compare.items.nav);
     ++compare.at;
     return core::Status::ok;
 }

@@ -27,6 +27,7 @@ struct Survey {
     uint8_t next;       // record to look at
     uint8_t first_nav;  // 0: none
     uint8_t last_nav;
+    uint8_t last_run;           // or the jump behind it that leads on
     uint8_t counters;           // jumps that need one
     uint8_t land_start, mount;  // the first of them; 0: none
 };

@@ -25,11 +25,12 @@ void surveyRecord(Survey& survey, ::mission::Set set, const uint8_t* bytes, ::mi
     const ::mission::Class kind = kCommandTable.kind(row);
     if (kind == ::mission::Class::nav) {
         if (survey.first_nav == 0) survey.first_nav = at.index;
-        survey.last_nav = at.index;
+        survey.last_nav = survey.last_run = at.index;
     }
-    if (set == ::mission::Set::apm2 && kind == ::mission::Class::jump &&
-        record.p3 != ::mission::kForEver)
-        ++survey.counters;
+    if (set == ::mission::Set::apm2 && kind == ::mission::Class::jump) {
+        if (record.p3 != ::mission::kForEver) ++survey.counters;
+        if (record.p1 <= survey.last_nav) survey.last_run = at.index;
+    }
 }
 
 core::Status surveyStep(Survey& survey, ::mission::Set set, uint8_t count, ReadRecord read) {
@@ -51,10 +52,10 @@ void reportWarnings(const Survey& survey, ::mission::Set set, uint8_t count) {
     else if (set == ::mission::Set::apm1 && survey.first_nav > 1)
         sendStatusText(Severity::warning, ROM_TEXT("Mission: nothing before item # is run"),
                        survey.first_nav);
-    else if (set == ::mission::Set::apm2 && survey.last_nav + 1 < count &&
+    else if (set == ::mission::Set::apm2 && survey.last_run + 1 < count &&
              parameters.mission_trailing == 0)
         sendStatusText(Severity::warning, ROM_TEXT("Mission: nothing after item # is run"),
-                       survey.last_nav);
+                       survey.last_run);
 }
 
 }  // namespace mission

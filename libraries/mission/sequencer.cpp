@@ -53,8 +53,15 @@ void Sequencer::reset(uint8_t phase) {
 
 // After a reset, as a jump of the APM 2.0 set would go: the first NAV at or after `index`.
 void Sequencer::beginAt(uint8_t index) {
-    memory_.nav = memory_.condition = 0;
-    memory_.chain_first = memory_.cursor = index;
+    memory_.nav = 0;
+    seekFrom(index, index);
+}
+
+void Sequencer::seekFrom(uint8_t chain_first, uint8_t cursor) {
+    memory_.condition = memory_.loop = 0;
+    put(kLoops, false);
+    memory_.chain_first = chain_first;
+    memory_.cursor = cursor;
     memory_.phase = kSeeking;
 }
 
@@ -142,10 +149,11 @@ void Sequencer::refill() {
 
 bool Sequencer::inFlight(InFlight& items) const {
     if (memory_.phase != kWalking && memory_.phase != kFlying) return false;
+    const bool loops = memory_.loop != 0;
     items.nav = memory_.nav;
-    items.to_end = has(kTrailing);
     items.first = set() == Set::apm1 ? static_cast<uint8_t>(memory_.nav + 1) : memory_.chain_first;
-    items.second = memory_.chain_first;
+    items.last = has(kTrailing) ? kToEnd : loops ? memory_.loop : memory_.nav;
+    items.second = loops ? memory_.loop_to : memory_.chain_first;
     return true;
 }
 

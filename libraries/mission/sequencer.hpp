@@ -61,6 +61,8 @@ struct Memory {
     uint8_t cursor;  // where a NAV is sought
     uint8_t next;    // the next command of the chain
     uint8_t chain_first;
+    uint8_t loop, loop_to;  // APM 2.0: the jump that leads from the last NAVs to the NAV; 0: none
+    int16_t loop_times;
     uint8_t steps;  // taken in this pass
     uint16_t seal;
 };
@@ -96,12 +98,13 @@ public:
     void changed(Set set, uint16_t generation, bool same, bool empty);
 
     // The records that must be equal in the old and the new mission for what is in flight to go
-    // on: `nav`, and the run from `first` to the NAV that ends it (to_end: to the last record).
-    // The second run is another one only when an APM 1.0 jump has been taken.
+    // on: `nav`, the run from `first` and, where it is another one, that from `second`. In the 1.0
+    // set a run ends before a NAV or behind the last record, in the 2.0 set the first one with the
+    // record `last` (kToEnd: the last of all), the second with `nav`.
     struct InFlight {
-        uint8_t nav, first, second;
-        bool to_end;
+        uint8_t nav, first, last, second;
     };
+    static constexpr uint8_t kToEnd = 0xFF;
     bool inFlight(InFlight& items) const;  // false: nothing is
 
 private:
@@ -114,6 +117,7 @@ private:
         kChosen = 16,   // the ground said where AUTO begins
         kDropped = 32,  // the chain is not run
         kLoopReported = 64,
+        kLoops = 128,  // the chain goes on at loop_to when it comes to `loop`
     };
     struct Item {
         Record record;
@@ -129,11 +133,13 @@ private:
 
     void reset(uint8_t phase);
     void beginAt(uint8_t index);
+    void seekFrom(uint8_t chain_first, uint8_t cursor);
     void beginPass();
     void resume();
     bool lookAround();
     void finishNav();
     bool seek();
+    void noticeJump(uint8_t index, const Item& item);
     void load(uint8_t index, const Item& item);
     void noNavLeft();
     bool walk();
@@ -145,7 +151,7 @@ private:
     void takeJump(const Item& item);
     bool jumpApm1(uint8_t index, const Jump& jump);
     bool jumpApm2(uint8_t index, const Jump& jump);
-    bool countDown(uint8_t index, int16_t times);
+    bool countDown(uint8_t index, int16_t times, uint8_t by);
     void abandon(uint8_t target);
     void complete();
     void refill();

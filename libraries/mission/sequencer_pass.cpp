@@ -59,16 +59,14 @@ void Sequencer::finishNav() {
     put(kLanded, (traits & kEndsFlight) != 0);
     put(kDropped, false);
     put(kStarted, false);
-    memory_.condition = 0;
-    memory_.chain_first = static_cast<uint8_t>(memory_.nav + 1);
-    memory_.cursor = set() == Set::apm1 ? memory_.next : memory_.chain_first;
-    memory_.phase = kSeeking;
+    const uint8_t behind = static_cast<uint8_t>(memory_.nav + 1);
+    seekFrom(behind, set() == Set::apm1 ? memory_.next : behind);
     beginPass();
     reportEvent(Event::reached, memory_.nav);
 }
 
-// One that is not used is not looked into: a range may be a parameter's, which must be sought.
-Status Sequencer::read(uint8_t index, bool nav_only, Item& item) {
+// An action that is not run is not looked into: a range may be a parameter's, which must be sought.
+Status Sequencer::read(uint8_t index, bool seeks, Item& item) {
     uint8_t bytes[kRecordSize];
     const Status status = core::romRead(host_.read)(index, bytes);
     starved_ = status != Status::ok;
@@ -76,7 +74,8 @@ Status Sequencer::read(uint8_t index, bool nav_only, Item& item) {
     item.record = unpack(set(), bytes);
     item.row = table_.find(set(), item.record.id);
     if (item.row == kNoRow) return Status::ok;
-    const bool used = !nav_only || table_.kind(item.row) == Class::nav;
+    const Class kind = table_.kind(item.row);
+    const bool used = !seeks || kind == Class::nav || kind == Class::jump;
     if (used && table_.valid(item.row, item.record, {index, count()}) != 0) item.row = kNoRow;
     return Status::ok;
 }
@@ -89,17 +88,31 @@ bool Sequencer::seek() {
     }
     Item item;
     if (read(memory_.cursor, true, item) != Status::ok) return false;
-    if (item.row != kNoRow && table_.kind(item.row) == Class::nav) {
-        load(memory_.cursor, item);
-    } else {
-        ++memory_.cursor;
-    }
+    const uint8_t index = memory_.cursor++;
+    if (item.row == kNoRow) return true;
+    const Class kind = table_.kind(item.row);
+    if (kind == Class::nav) load(index, item);
+    if (kind == Class::jump) noticeJump(index, item);
     return true;
+}
+
+// Where no NAV follows, the first jump with count left leads on to one, if there is one.
+void Sequencer::noticeJump(uint8_t index, const Item& item) {
+    if (set() == Set::apm1 || memory_.loop != 0) return;
+    const Jump jump = core::romRead(table_.rows[item.row].target)(item.record);
+    if (!countDown(index, jump.times, 0)) return;
+    memory_.loop = index;
+    memory_.loop_to = jump.target;
+    memory_.loop_times = jump.times;
 }
 
 void Sequencer::load(uint8_t index, const Item& item) {
     const uint8_t traits = table_.traits(item.row);
     if (has(kLanded) && (traits & kBeginsFlight) == 0) return complete();
+    if (has(kLoops))
+        (void)countDown(memory_.loop, memory_.loop_times, 1);
+    else
+        memory_.loop = 0;
     memory_.nav = index;
     memory_.nav_row = item.row;
     memory_.nav_record = item.record;
@@ -116,6 +129,13 @@ void Sequencer::load(uint8_t index, const Item& item) {
 }
 
 void Sequencer::noNavLeft() {
+    if (memory_.loop != 0 && !has(kLoops)) {
+        put(kLoops, true);
+        memory_.cursor = memory_.loop_to;
+        return;
+    }
+    put(kLoops, false);
+    memory_.loop = 0;
     const bool commands_left = set() == Set::apm2 && memory_.chain_first < count();
     if (!trailing_ || !commands_left || has(kLanded)) return complete();
     put(kTrailing, true);
@@ -135,7 +155,7 @@ void Sequencer::complete() {
 
 // One command of the chain. False: not now, or the pass is over.
 bool Sequencer::walk() {
-    const bool to_nav = set() == Set::apm2 && !has(kTrailing);
+    const bool to_nav = set() == Set::apm2 && !has(kTrailing) && !has(kLoops);
     const uint8_t end = to_nav ? memory_.nav : count();
     if (has(kDropped) || memory_.next >= end) {
         endOfChain();
@@ -200,6 +220,11 @@ void Sequencer::act(const Item& item) {
 
 void Sequencer::takeJump(const Item& item) {
     const uint8_t index = memory_.next;
+    if (has(kLoops) && index == memory_.loop) {
+        put(kLoops, false);
+        memory_.next = memory_.loop_to;
+        return;
+    }
     if (memory_.steps >= count()) {
         if (!has(kLoopReported)) reportEvent(Event::looped, index);
         put(kLoopReported, true);
@@ -225,12 +250,14 @@ bool Sequencer::jumpApm1(uint8_t index, const Jump& jump) {
 }
 
 bool Sequencer::jumpApm2(uint8_t index, const Jump& jump) {
-    if (jump.times != kForEver && !countDown(index, jump.times)) return false;
+    if (!countDown(index, jump.times, 1)) return false;
     abandon(jump.target);
     return true;
 }
 
-bool Sequencer::countDown(uint8_t index, int16_t times) {
+// False: nothing is left of its count. by: 0 to look, 1 to take it.
+bool Sequencer::countDown(uint8_t index, int16_t times, uint8_t by) {
+    if (times == kForEver) return true;
     auto& counters = memory_.counters;
     for (uint8_t i = 0; i < kMaxCounters; ++i) {
         if (counters.index[i] == 0) {
@@ -239,7 +266,7 @@ bool Sequencer::countDown(uint8_t index, int16_t times) {
         }
         if (counters.index[i] != index) continue;
         if (counters.left[i] == 0) return false;
-        --counters.left[i];
+        counters.left[i] = static_cast<uint16_t>(counters.left[i] - by);
         return true;
     }
     reportEvent(Event::skipped,
@@ -251,9 +278,7 @@ void Sequencer::abandon(uint8_t target) {
     if (has(kStarted)) put(kFromHere, true);
     put(kStarted, false);
     put(kTrailing, false);
-    memory_.condition = 0;
-    memory_.chain_first = memory_.cursor = target;
-    memory_.phase = kSeeking;
+    seekFrom(target, target);
 }
 
 }  // namespace mission

@@ -121,10 +121,10 @@ private:
             warn(0, "no NAV command: AUTO is refused");
         } else if (document_.set == Set::apm1 && survey_.first_nav > 1) {
             warn(1, items(1, survey_.first_nav - 1u) + " before the first NAV: never run");
-        } else if (document_.set == Set::apm2 && survey_.last_nav + 1u < count &&
+        } else if (document_.set == Set::apm2 && survey_.last_run + 1u < count &&
                    parameters.mission_trailing == 0) {
-            warn(survey_.last_nav + 1u,
-                 items(survey_.last_nav + 1u, count - 1) +
+            warn(survey_.last_run + 1u,
+                 items(survey_.last_run + 1u, count - 1) +
                      " behind the last NAV: never run while MIS_TRAILING is 0");
         }
     }
@@ -153,6 +153,27 @@ private:
 
 }  // namespace
 
+namespace {
+
+// What stands behind the last NAV and before a jump that leads to one accompanies that one.
+void closeTheLoop(const Document& document, std::vector<size_t>& navs) {
+    const size_t count = document.entries.size();
+    const auto isNav = [&](size_t i) { return document.entries[i].is(Class::nav); };
+    size_t behind = count;
+    while (behind > 1 && !isNav(behind - 1)) --behind;
+    for (size_t jump = behind; jump < count; ++jump) {
+        const Entry& entry = document.entries[jump];
+        if (!entry.is(Class::jump) || !entry.good()) continue;
+        size_t nav = entry.record.p1;
+        while (nav < behind && !isNav(nav)) ++nav;
+        for (size_t i = behind; i <= jump && nav < behind; ++i)
+            if (document.entries[i].good()) navs[i] = nav;
+        return;
+    }
+}
+
+}  // namespace
+
 std::vector<size_t> accompaniedNavs(const Document& document) {
     const size_t count = document.entries.size();
     std::vector<size_t> navs(count, 0);
@@ -163,6 +184,7 @@ std::vector<size_t> accompaniedNavs(const Document& document) {
         if (document.entries[i].is(Class::nav)) nav = i;
         if (document.entries[i].good()) navs[i] = nav;
     }
+    if (document.set == Set::apm2) closeTheLoop(document, navs);
     return navs;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle.hpp"
 
+#include <algorithm>
+
 namespace oracle {
 namespace {
 
@@ -169,8 +171,18 @@ bool Interpreter::sameInFlight(CommandSet set, const Mission& mission) const {
                (nav_ == 0 || mission[index] == mission_[index]) &&
                chainOf(mission, chain_begin_) == chainOf(mission_, chain_begin_);
     if (phase_ != Phase::flying || index >= mission.size()) return false;
-    return mission[index] == mission_[index] &&
-           chainOf(mission, chain_begin_) == chainOf(mission_, chain_begin_) &&
+    if (mission[index] != mission_[index]) return false;
+    if (loop_ != 0) {
+        const auto part = [](const Mission& all, int from, int to) {
+            const auto end = std::min(all.size(), static_cast<size_t>(to) + 1);
+            return std::vector<Bytes>(all.begin() + from, all.begin() + static_cast<long>(end));
+        };
+        const int again = static_cast<int>(targetOf(command(loop_)));
+        return mission.size() > static_cast<size_t>(chain_begin_) &&
+               part(mission, chain_begin_, loop_) == part(mission_, chain_begin_, loop_) &&
+               part(mission, again, nav_) == part(mission_, again, nav_);
+    }
+    return chainOf(mission, chain_begin_) == chainOf(mission_, chain_begin_) &&
            (set_ == CommandSet::apm2 ||
             chainOf(mission, run_begin_) == chainOf(mission_, run_begin_));
 }
@@ -245,11 +257,13 @@ void Interpreter::go(int target, bool with_chain) {
     nav_started_ = false;
     target_ = cursor_ = target;
     with_chain_ = with_chain;
+    loop_ = 0;
+    loop_ahead_ = false;
 }
 
 bool Interpreter::seek() {
     if (cursor_ >= count()) {
-        noNavLeft();
+        if (!goRound()) noNavLeft();
         return true;
     }
     if (!recordIsThere()) return false;
@@ -260,6 +274,20 @@ bool Interpreter::seek() {
     else
         load(cursor_, set_ == CommandSet::apm2 ? target_ : cursor_ + 1);
     return true;
+}
+
+// The first jump behind the last NAV that has count left: the NAV it leads to is flown, with what
+// stands before it for a chain.
+bool Interpreter::goRound() {
+    if (set_ == CommandSet::apm1 || loop_ != 0) return false;
+    for (int i = target_; i < count(); ++i) {
+        const Command now = command(i);
+        if (now.kind != Kind::jump || !countLeft(i, now)) continue;
+        loop_ = i;
+        cursor_ = static_cast<int>(targetOf(now));
+        return true;
+    }
+    return false;
 }
 
 void Interpreter::noNavLeft() {
@@ -281,6 +309,8 @@ void Interpreter::complete() {
 }
 
 void Interpreter::load(int nav, int chain_begin) {
+    loop_ahead_ = loop_ != 0;
+    if (loop_ahead_) (void)mayJumpApm2(loop_, command(loop_));
     phase_ = Phase::flying;
     nav_ = nav;
     nav_command_ = command(nav);
@@ -311,7 +341,8 @@ void Interpreter::finishNav() {
 
 // One command of the chain.
 bool Interpreter::runChain() {
-    const int end = phase_ == Phase::flying && set_ == CommandSet::apm2 ? nav_ : count();
+    const bool to_nav = phase_ == Phase::flying && set_ == CommandSet::apm2 && !loop_ahead_;
+    const int end = to_nav ? nav_ : count();
     if (chain_dropped_ || chain_ >= end) {
         endOfChain();
         return true;
@@ -321,6 +352,9 @@ bool Interpreter::runChain() {
     const Command now = command(at);
     if (now.kind == Kind::nav) {  // 1.0: waits for the one being flown
         endOfChain();
+    } else if (loop_ahead_ && at == loop_) {
+        loop_ahead_ = false;
+        chain_ = static_cast<int>(targetOf(now));
     } else if (now.kind == Kind::jump) {
         runJump(at, now);
     } else if (now.kind == Kind::condition) {
@@ -372,6 +406,11 @@ bool Interpreter::mayJumpApm1(int at) {
     if (jumped_.insert(at).second) return true;
     blocked_.insert(at);
     return false;
+}
+
+bool Interpreter::countLeft(int at, const Command& jump) const {
+    const auto counter = jumps_left_.find(at);
+    return jump.p3 == kForEver || counter == jumps_left_.end() || counter->second != 0;
 }
 
 bool Interpreter::mayJumpApm2(int at, const Command& jump) {

@@ -77,12 +77,14 @@ private:
     void proceed();
     bool recordIsThere();
     bool seek();
+    bool goRound();
     void noNavLeft();
     bool runChain();
     void startCondition(int at, const Command& condition);
     void runJump(int at, const Command& jump);
     bool mayJumpApm1(int at);
     bool mayJumpApm2(int at, const Command& jump);
+    bool countLeft(int at, const Command& jump) const;
     void endOfChain();
     void complete();
     std::vector<Bytes> chainOf(const Mission& mission, int from) const;
@@ -103,8 +105,10 @@ private:
     Phase phase_ = Phase::seeking;
     int target_ = 1, cursor_ = 1;  // where a NAV is sought from, and how far
     bool with_chain_ = true;
-    int nav_ = 0;          // loaded
-    Command nav_command_;  // with the place it took
+    int loop_ = 0;  // 2.0: the jump that leads on behind the last NAV; its place in the chain ...
+    bool loop_ahead_ = false;  // ... has not been come to
+    int nav_ = 0;              // loaded
+    Command nav_command_;      // with the place it took
     bool nav_started_ = false;
     bool from_here_ = true;
     bool on_ground_ = false;           // a LAND was the last to finish

@@ -256,18 +256,18 @@ bool Rig::sameInFlight(CommandSet set, const Mission& before, const Mission& now
         return one != nullptr && other != nullptr && *one == *other;
     };
     if (items.nav != 0 && !equal(items.nav)) return false;
-    const auto sameRun = [&](size_t i) {
+    const auto sameRun = [&](size_t i, size_t last) {
         for (;; ++i) {
             const bool ends = i >= now.size() || (set == CommandSet::apm1 && isNav(set, now, i));
             const bool ended =
                 i >= before.size() || (set == CommandSet::apm1 && isNav(set, before, i));
             if (ends || ended) return ends && ended;
             if (!equal(i)) return false;
-            if (set == CommandSet::apm2 && !items.to_end && i == items.nav) return true;
+            if (set == CommandSet::apm2 && i == last) return true;
         }
     };
-    return sameRun(items.first) &&
-           (set == CommandSet::apm2 || items.second == items.first || sameRun(items.second));
+    return sameRun(items.first, items.last) &&
+           (items.second == items.first || sameRun(items.second, items.nav));
 }
 
 void Rig::commit(CommandSet set, const Mission& mission) {
@@ -292,6 +292,11 @@ std::map<int, int> Rig::jumpsLeft() const {
     const auto& counters = memory_.counters;
     for (int i = 0; i < mission::kMaxCounters; ++i)
         if (counters.index[i] != 0) left[counters.index[i]] = counters.left[i];
+    for (auto counter = left.begin(); counter != left.end();) {  // none of it taken: looked at
+        const Bytes& jump = mission_[static_cast<size_t>(counter->first)];
+        const bool whole = counter->second == jump[6] + (jump[7] << 8);
+        counter = whole ? left.erase(counter) : std::next(counter);
+    }
     return left;
 }
 

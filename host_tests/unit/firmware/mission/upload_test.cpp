@@ -113,6 +113,12 @@ TEST_F(Upload, commands_that_will_not_run_are_warned_about) {
     (void)statusTexts();
     ASSERT_EQ(upload({waypoint(1), command(181, 0, 1)}), MissionResult::accepted);
     EXPECT_TRUE(hasStatusText("nothing after item 1"));
+    ASSERT_EQ(upload({waypoint(1), command(181, 0, 1), command(177, 1, 3)}),
+              MissionResult::accepted);
+    EXPECT_FALSE(hasStatusText("nothing after")) << "the jump closes a loop";
+    ASSERT_EQ(upload({waypoint(1), command(177, 1, 3), command(181, 0, 1)}),
+              MissionResult::accepted);
+    EXPECT_TRUE(hasStatusText("nothing after item 2"));
     parameters.mission_trailing = 1;
     ASSERT_EQ(upload({waypoint(1), command(181, 0, 1)}), MissionResult::accepted);
     EXPECT_FALSE(hasStatusText("nothing after"));

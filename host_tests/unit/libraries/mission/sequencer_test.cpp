@@ -166,7 +166,8 @@ TEST(Sequencer, a_change_elsewhere_leaves_the_flight_alone_but_refills_the_jumps
     ASSERT_TRUE(f.engine.inFlight(items));
     EXPECT_EQ(items.nav, 5);
     EXPECT_EQ(items.first, 2);
-    EXPECT_FALSE(items.to_end);
+    EXPECT_EQ(items.last, 5);
+    EXPECT_EQ(items.second, items.first);
 
     f.engine.changed(k2, 2, true, false);
 

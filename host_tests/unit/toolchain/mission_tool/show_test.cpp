@@ -23,6 +23,13 @@ TEST(Warnings, commands_behind_the_last_nav_of_the_second_set_are_never_run) {
               "2: items 2 to 3 behind the last NAV: never run while MIS_TRAILING is 0\n");
 }
 
+TEST(Warnings, what_stands_before_a_jump_that_closes_a_loop_is_run) {
+    const std::string closed = std::string(kNear2) + kNorth2 + "0xB5 0 0 1 0 0\n0xB1 0 1 0 3 0\n";
+    EXPECT_EQ(warningsOf(apm2(closed)), "");
+    EXPECT_EQ(warningsOf(apm2(closed + "0xB5 0 0 0 0 0\n")),
+              "5: item 5 behind the last NAV: never run while MIS_TRAILING is 0\n");
+}
+
 TEST(Warnings, commands_before_the_first_nav_of_the_first_set_are_never_run) {
     EXPECT_EQ(warningsOf(apm1(std::string("0x81 1 0 0 0\n") + kNorth1 + "0x81 0 0 0 0\n")),
               "1: item 1 before the first NAV: never run\n");
