@@ -118,7 +118,10 @@ const MissionRule kMissionRules[] = {
     // 8: what never stops a mission
     {2, "WP WHAT ODD DO WP", "auto nav", "W1! / +1 ?2 ?3 a4 W5"},
     {2, "WP J2 WP", "auto nav", "W1! / +1 ?2 W3"},
-    {2, "DO J1 DO WP", "auto pass nav", "a1 a1 a1 loop2 a3 W4! / / +4 RTL"},
+    {2, "DO J1 DO WP", "auto pass nav", "a1 a1 loop2 a3 W4! / / +4 RTL"},
+    {2, "WP DO DO DO DO DO J1x1 WP", "auto nav nav",
+        "W1! / +1 a2 a3 a4 a5 a6 W1 / +1 a2 a3 a4 a5 a6 W8"},
+    {2, "J2 J1 DO DO WP", "auto", "loop1 a3 a4 W5!"},
     {2, "WP DO J2x9 WP", "auto nav set2 pass set2 pass set2 pass set2 pass",
         "W1! / +1 a2 a2 a2 loop3 W4 / / a2 a2 a2 loop3 W4! / / a2 a2 a2 loop3 W4! /"
         " / a2 a2 a2 loop3 W4! / / a2 a2 W4!"},

@@ -51,6 +51,7 @@ struct Memory {
     } jumps;
     Record nav_record, condition_record;
     uint16_t generation;
+    uint16_t steps;  // taken in this pass
     uint8_t set;
     uint8_t phase;
     uint8_t flags;
@@ -63,7 +64,6 @@ struct Memory {
     uint8_t chain_first;
     uint8_t loop, loop_to;  // APM 2.0: the jump that leads from the last NAVs to the NAV; 0: none
     int16_t loop_times;
-    uint8_t steps;  // taken in this pass
     uint16_t seal;
 };
 
@@ -129,7 +129,8 @@ private:
     void put(Flag flag, bool on);
     uint8_t count() const { return core::romRead(host_.count)(); }
     void reportEvent(Event event, uint8_t index) { core::romRead(host_.event)(event, index); }
-    core::Status read(uint8_t index, bool nav_only, Item& item);
+    core::Status read(uint8_t index, bool seeks, Item& item);
+    bool wentRound() const { return memory_.steps >= 2u * count(); }
 
     void reset(uint8_t phase);
     void beginAt(uint8_t index);

@@ -89,6 +89,7 @@ bool Sequencer::seek() {
     Item item;
     if (read(memory_.cursor, true, item) != Status::ok) return false;
     const uint8_t index = memory_.cursor++;
+    ++memory_.steps;
     if (item.row == kNoRow) return true;
     const Class kind = table_.kind(item.row);
     if (kind == Class::nav) load(index, item);
@@ -212,7 +213,7 @@ void Sequencer::wait() {
 // the engine in the middle of its pass.
 void Sequencer::act(const Item& item) {
     const uint8_t index = memory_.next++;
-    if (memory_.steps < count()) ++memory_.steps;
+    ++memory_.steps;
     if (item.row == kNoRow) return reportEvent(Event::skipped, index);
     reportEvent(Event::runs, index);
     core::romRead(table_.rows[item.row].act)(item.record);
@@ -225,7 +226,7 @@ void Sequencer::takeJump(const Item& item) {
         memory_.next = memory_.loop_to;
         return;
     }
-    if (memory_.steps >= count()) {
+    if (wentRound()) {
         if (!has(kLoopReported)) reportEvent(Event::looped, index);
         put(kLoopReported, true);
         ++memory_.next;

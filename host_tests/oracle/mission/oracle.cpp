@@ -267,6 +267,7 @@ bool Interpreter::seek() {
         return true;
     }
     if (!recordIsThere()) return false;
+    ++steps_;
     if (!command(cursor_).isNav())
         ++cursor_;
     else if (on_ground_ && command(cursor_).id != kTakeoff)
@@ -385,7 +386,7 @@ void Interpreter::endOfChain() {
 
 void Interpreter::runJump(int at, const Command& jump) {
     chain_ = at + 1;
-    if (steps_ >= count()) {
+    if (steps_ >= 2 * count()) {
         if (!loop_reported_) say("loop" + std::to_string(at));
         loop_reported_ = true;
         return;

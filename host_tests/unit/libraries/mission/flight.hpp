@@ -46,7 +46,7 @@ struct World {
     std::string trace;
     bool nav_done = false, condition_done = false;
     std::set<int> busy;  // records the store does not have yet
-    int reads = 0, max_reads = 0;
+    int reads = 0, max_reads = 0, all_reads = 0;
     int here = 500;  // where the airplane is
     Sequencer* engine = nullptr;
 };
@@ -102,6 +102,7 @@ const Table table = {kRows, static_cast<uint8_t>(core::count(kRows))};
 
 inline core::Status readStored(uint8_t index, uint8_t* to) {
     ++world.reads;
+    ++world.all_reads;
     if (world.busy.count(index) != 0) return core::Status::busy;
     std::copy(world.stored[index].begin(), world.stored[index].end(), to);
     return core::Status::ok;

@@ -250,6 +250,18 @@ TEST(Sequencer, a_record_the_store_does_not_have_yet_is_waited_for_without_losin
     EXPECT_EQ(f.pass().trace(), "a2 a3 W4");
 }
 
+// Two jumps that lead to one another: either has the next NAV sought among all the others again.
+TEST(Sequencer, jumps_that_go_round_do_not_have_the_next_nav_sought_without_end) {
+    std::vector<Record> items(169, action2());
+    items[0] = jump2(2, -1);
+    items[1] = jump2(1, -1);
+    items.push_back(waypoint());
+    Flight f(k2, items);
+    f.enter();
+    EXPECT_NE(f.trace().find("a169 W170!"), std::string::npos);
+    EXPECT_LE(world.all_reads, 4 * 171);
+}
+
 TEST(Sequencer, random_missions_of_both_sets_never_hang_and_every_poll_is_bounded) {
     uint32_t seed = 12345;
     const auto random = [&](uint32_t below) {
