@@ -63,8 +63,8 @@ core::Status readBefore(uint8_t index, uint8_t* to) {
 core::Status comparePair(bool& same, bool& ends) {
     Side now, before;
     core::Status status = look(readNow, mission_store.count(), now);
-    if (status != core::Status::ok) return status;
-    status = look(readBefore, mission_store.previousCount(), before);
+    if (status == core::Status::ok)
+        status = look(readBefore, mission_store.previousCount(), before);
     if (status == core::Status::busy) return status;
     same = status == core::Status::ok && now.over == before.over;
     ends = now.over;
@@ -89,8 +89,7 @@ core::Status compareStep(bool& same) {
     same = compare.runs_left != 0;
     for (uint8_t n = 0; n < kPairsPerCall && compare.runs_left != 0; ++n) {
         bool ends = false;
-        const core::Status status = comparePair(same, ends);
-        if (status != core::Status::ok) return status;
+        if (comparePair(same, ends) != core::Status::ok) return core::Status::busy;
         if (!same || (ends && !nextRun())) compare.runs_left = 0;
     }
     return compare.runs_left == 0 ? core::Status::ok : core::Status::busy;

@@ -24,13 +24,14 @@ constexpr uint8_t kRecordsPerCall = 8;
 
 // ---- survey.cpp: what a mission holds, found by looking at a few records each call
 struct Survey {
-    uint8_t next;       // record to look at
+    uint8_t next;       // record to look at; kUnreadable: the mission is lost
     uint8_t first_nav;  // 0: none
     uint8_t last_nav;
     uint8_t last_run;           // or the jump behind it that leads on
     uint8_t counters;           // jumps that need one
     uint8_t land_start, mount;  // the first of them; 0: none
 };
+constexpr uint8_t kUnreadable = 0xFF;
 void surveyRecord(Survey& survey, ::mission::Set set, const uint8_t* bytes, ::mission::Site at);
 using ReadRecord = core::Status (*)(uint8_t index, uint8_t* to);
 MUST_USE core::Status surveyStep(Survey& survey, ::mission::Set set, uint8_t count,

@@ -115,7 +115,7 @@ void flyInverted(const Record&);
 // False: no NAV, or none with a place that is known before it loads.
 bool placeOfNav(const Record&, Site, geo::Position& place);
 // Of the NAV behind the one flown, whatever jumps there are. busy: not found yet; bad_argument:
-// there is none, or it has no place.
+// there is none, or it has no place; else it cannot be read.
 MUST_USE core::Status nextPlace(geo::Position& place);
 
 // ---- tuning_commands.cpp: APM 1.0 only

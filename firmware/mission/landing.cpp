@@ -107,8 +107,9 @@ void stepLanding() {
     for (uint8_t n = 0; n < kRecordsPerCall && search.next != 0; ++n) {
         const Site site = {search.next, mission_store.count()};
         uint8_t bytes[::mission::kRecordSize];
-        if (mission_store.read(site.index, bytes) != core::Status::ok) return;
-        look(::mission::unpack(missionSet(), bytes), site);
+        const core::Status status = mission_store.read(site.index, bytes);
+        if (status == core::Status::busy) return;
+        if (status == core::Status::ok) look(::mission::unpack(missionSet(), bytes), site);
         if (++search.next < site.count) continue;
         search.next = 0;
         goThere();

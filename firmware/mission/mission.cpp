@@ -118,6 +118,9 @@ void onEvent(Event event, uint8_t index) {
         case Event::looped:
             sendStatusText(Severity::warning, ROM_TEXT("Mission: jumps go round at item #"), index);
             break;
+        case Event::lost:
+            sendStatusText(Severity::error, ROM_TEXT("Mission item # cannot be read"), index);
+            break;
         case Event::hold:
             holdPlace();
             break;
@@ -162,6 +165,12 @@ Status findStoredMission() {
     return Status::unsupported;
 }
 
+void missionLost() {
+    mission_survey = {};
+    mission_survey.next = kUnreadable;
+    sendStatusText(Severity::error, ROM_TEXT("No mission: cannot be read"));
+}
+
 // Nothing is wiped: what a silent DataFlash holds may be there at the next start.
 Status openLists() {
     storage::ListKind which;
@@ -170,11 +179,12 @@ Status openLists() {
     sendStatusText(Severity::error, status == Status::unsupported
                                         ? ROM_TEXT("DataFlash does not answer")
                                         : ROM_TEXT("Memory has not kept what was stored"));
-    sendStatusText(Severity::error, which == storage::ListKind::mission
-                                        ? ROM_TEXT("No mission: cannot be read")
-                                    : which == storage::ListKind::fence
-                                        ? ROM_TEXT("No fence: cannot be read")
-                                        : ROM_TEXT("No rally points: cannot be read"));
+    if (which == storage::ListKind::mission)
+        missionLost();
+    else
+        sendStatusText(Severity::error, which == storage::ListKind::fence
+                                            ? ROM_TEXT("No fence: cannot be read")
+                                            : ROM_TEXT("No rally points: cannot be read"));
     return Status::busy;
 }
 
@@ -196,6 +206,9 @@ Status bootStep() {
             break;
         case Boot::survey:
             status = surveyStep(mission_survey, missionSet(), mission_store.count(), readRecord);
+            if (status == Status::ok || status == Status::busy) break;
+            missionLost();
+            status = Status::ok;
             break;
         default:
             break;
@@ -284,7 +297,8 @@ bool missionEnter(core::RomText& why_not) {
     else if (run.boot != Boot::done || missionChanging())
         why_not = ROM_TEXT("AUTO: mission is being read");
     else if (mission_survey.first_nav == 0)
-        why_not = ROM_TEXT("AUTO: mission has no NAV command");
+        why_not = mission_survey.next == kUnreadable ? ROM_TEXT("AUTO: mission cannot be read")
+                                                     : ROM_TEXT("AUTO: mission has no NAV command");
     if (why_not != nullptr) return false;
     run.is_complete = false;
     const bool flies_on = host.resumesFlight() && vehicle.mode == Mode::initialising;

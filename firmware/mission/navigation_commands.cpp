@@ -302,7 +302,7 @@ bool headsForNext() {
     constexpr int32_t kNear_cd = 1000;
     geo::Position place;
     const core::Status status = nextPlace(place);
-    if (status != core::Status::ok) return status == core::Status::bad_argument;
+    if (status != core::Status::ok) return status != core::Status::busy;
     const int32_t off_cd =
         core::wrap180_cd(vehicle.estimate.course_cd - geo::bearing_cd(vehicle.demand.to, place));
     return off_cd >= -kNear_cd && off_cd <= kNear_cd;

@@ -27,11 +27,12 @@ enum class Event : uint8_t {
     complete,  // no NAV is left
     landed,    // as complete, and the airplane stands on the ground
     reset,     // from the first: everything a mission changed in flight goes back
+    lost,      // index: the record that cannot be read, for which the mission ends
 };
 
 // What the engine asks of its surroundings; lies in flash.
 struct Host {
-    core::Status (*read)(uint8_t index, uint8_t* to);  // 14 bytes; busy: ask again
+    core::Status (*read)(uint8_t index, uint8_t* to);  // 14 bytes; busy: ask again; else an error
     uint8_t (*count)();
     void (*event)(Event, uint8_t index);
     void (*here)(Record&);  // fills in the airplane's place
@@ -129,7 +130,7 @@ private:
     void put(Flag flag, bool on);
     uint8_t count() const { return core::romRead(host_.count)(); }
     void reportEvent(Event event, uint8_t index) { core::romRead(host_.event)(event, index); }
-    core::Status read(uint8_t index, bool seeks, Item& item);
+    bool read(uint8_t index, bool seeks, Item& item);
     bool wentRound() const { return memory_.steps >= 2u * count(); }
 
     void reset(uint8_t phase);

@@ -65,19 +65,25 @@ void Sequencer::finishNav() {
     reportEvent(Event::reached, memory_.nav);
 }
 
-// An action that is not run is not looked into: a range may be a parameter's, which must be sought.
-Status Sequencer::read(uint8_t index, bool seeks, Item& item) {
+// False: not there yet, or never again. An action that is not run is not looked into: a range may
+// be a parameter's, which must be sought.
+bool Sequencer::read(uint8_t index, bool seeks, Item& item) {
     uint8_t bytes[kRecordSize];
     const Status status = core::romRead(host_.read)(index, bytes);
-    starved_ = status != Status::ok;
-    if (starved_) return status;
+    starved_ = status == Status::busy;
+    if (starved_) return false;
+    if (status != Status::ok) {
+        reportEvent(Event::lost, index);
+        complete();
+        return false;
+    }
     item.record = unpack(set(), bytes);
     item.row = table_.find(set(), item.record.id);
-    if (item.row == kNoRow) return Status::ok;
+    if (item.row == kNoRow) return true;
     const Class kind = table_.kind(item.row);
     const bool used = !seeks || kind == Class::nav || kind == Class::jump;
     if (used && table_.valid(item.row, item.record, {index, count()}) != 0) item.row = kNoRow;
-    return Status::ok;
+    return true;
 }
 
 // One record towards the next NAV. False: not now.
@@ -87,7 +93,7 @@ bool Sequencer::seek() {
         return true;
     }
     Item item;
-    if (read(memory_.cursor, true, item) != Status::ok) return false;
+    if (!read(memory_.cursor, true, item)) return false;
     const uint8_t index = memory_.cursor++;
     ++memory_.steps;
     if (item.row == kNoRow) return true;
@@ -163,7 +169,7 @@ bool Sequencer::walk() {
         return false;
     }
     Item item;
-    if (read(memory_.next, false, item) != Status::ok) return false;
+    if (!read(memory_.next, false, item)) return false;
     const bool known = item.row != kNoRow;
     const Class kind = known ? table_.kind(item.row) : Class::action;
     if (kind == Class::nav) {  // APM 1.0: it waits for the one being flown

@@ -29,6 +29,7 @@ foreach(room IN LISTS rooms)
     get_filename_component(name ${room} NAME)
     target_sources(firmware_${name}_test PRIVATE ${tests}/support/fresh_start.cpp)
 endforeach()
+target_link_libraries(firmware_mission_test PRIVATE simulator_world)  # for its DataFlash
 target_compile_definitions(firmware_safety_test PRIVATE FAILSAFE_MANUAL="${CMAKE_SOURCE_DIR}/docs/failsafes.md")
 target_compile_definitions(firmware_modes_test PRIVATE FAILSAFE_MANUAL="${CMAKE_SOURCE_DIR}/docs/failsafes.md")
 

@@ -166,6 +166,9 @@ void reportEvent(mission::Event event, uint8_t index) {
         case mission::Event::reset:
             say("reset");
             break;
+        case mission::Event::lost:
+            say("lost" + i);
+            break;
         default:
             break;
     }

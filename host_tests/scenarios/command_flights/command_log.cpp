@@ -34,6 +34,8 @@ std::string wordOf(mission::Event event, int item) {
             return "landed";
         case mission::Event::reset:
             return "reset";
+        case mission::Event::lost:
+            return "lost" + i;
     }
     return "event " + std::to_string(static_cast<int>(event));
 }

@@ -46,6 +46,7 @@ struct World {
     std::string trace;
     bool nav_done = false, condition_done = false;
     std::set<int> busy;  // records the store does not have yet
+    std::set<int> lost;  // and those it will not have again
     int reads = 0, max_reads = 0, all_reads = 0;
     int here = 500;  // where the airplane is
     Sequencer* engine = nullptr;
@@ -104,6 +105,7 @@ inline core::Status readStored(uint8_t index, uint8_t* to) {
     ++world.reads;
     ++world.all_reads;
     if (world.busy.count(index) != 0) return core::Status::busy;
+    if (world.lost.count(index) != 0) return core::Status::unsupported;
     std::copy(world.stored[index].begin(), world.stored[index].end(), to);
     return core::Status::ok;
 }
@@ -124,6 +126,9 @@ inline void reportEvent(Event event, uint8_t index) {
             break;
         case Event::hold:
             say("hold" + i);
+            break;
+        case Event::lost:
+            say("lost" + i);
             break;
         case Event::complete:
             say("RTL");

@@ -250,6 +250,24 @@ TEST(Sequencer, a_record_the_store_does_not_have_yet_is_waited_for_without_losin
     EXPECT_EQ(f.pass().trace(), "a2 a3 W4");
 }
 
+TEST(Sequencer, a_record_that_cannot_be_read_is_reported_and_ends_the_mission) {
+    for (const int lost : {2, 4}) {
+        Flight f(k2, {waypoint(), action2(), action2(), waypoint()});
+        f.enter();
+        f.trace();
+        world.lost = {lost};
+        EXPECT_EQ(f.reach().trace(), "+1 lost" + std::to_string(lost) + " RTL");
+        EXPECT_TRUE(f.engine.ended());
+        EXPECT_FALSE(f.engine.starved());
+    }
+    Flight f(k1, {waypoint(), condition1(), action1(), waypoint()});
+    EXPECT_EQ(f.enter().trace(), "W1! c2");
+    world.lost = {3};
+    EXPECT_EQ(f.over().trace(), "lost3 RTL") << "behind a CONDITION";
+    f.engine.leave();
+    EXPECT_EQ(f.enter().trace(), "W1! c2") << "AUTO afterwards begins again";
+}
+
 // Two jumps that lead to one another: either has the next NAV sought among all the others again.
 TEST(Sequencer, jumps_that_go_round_do_not_have_the_next_nav_sought_without_end) {
     std::vector<Record> items(169, action2());
