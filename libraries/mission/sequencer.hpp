@@ -42,17 +42,11 @@ struct Host {
 // Everything the engine remembers, in one struct with one reset. Plain bytes: it may lie in
 // memory that a watchdog reset leaves alone, and the seal shows whether it did.
 struct Memory {
-    struct {                          // APM 2.0
-        uint16_t left[kMaxCounters];  // times
-        uint8_t index[kMaxCounters];  // of the jump; 0: free
-    } counters;
-    struct {                             // APM 1.0, a bit an item
-        uint8_t visited[kMaxItems / 8];  // jumps taken in this pass
-        uint8_t blocked[kMaxItems / 8];  // passed over until the next NAV loads
-    } jumps;
-    Record nav_record, condition_record;
+    // What is used most stands within the 64 bytes that an instruction of the chip reaches.
     uint16_t generation;
     uint16_t steps;  // taken in this pass
+    int16_t loop_times;
+    uint8_t loop, loop_to;  // APM 2.0: the jump that leads from the last NAVs to the NAV; 0: none
     uint8_t set;
     uint8_t phase;
     uint8_t flags;
@@ -63,8 +57,15 @@ struct Memory {
     uint8_t cursor;  // where a NAV is sought
     uint8_t next;    // the next command of the chain
     uint8_t chain_first;
-    uint8_t loop, loop_to;  // APM 2.0: the jump that leads from the last NAVs to the NAV; 0: none
-    int16_t loop_times;
+    Record nav_record, condition_record;
+    struct {                          // APM 2.0
+        uint16_t left[kMaxCounters];  // times
+        uint8_t index[kMaxCounters];  // of the jump; 0: free
+    } counters;
+    struct {                             // APM 1.0, a bit an item
+        uint8_t visited[kMaxItems / 8];  // jumps taken in this pass
+        uint8_t blocked[kMaxItems / 8];  // passed over until the next NAV loads
+    } jumps;
     uint16_t seal;
 };
 
