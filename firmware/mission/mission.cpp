@@ -47,6 +47,7 @@ struct Run {
     uint8_t reached;
     bool reached_waits;
     bool is_complete;
+    bool armed;  // when it was looked at last
     uint16_t skipped;
     uint16_t poll_began;  // ticks
 };
@@ -200,6 +201,7 @@ Status bootStep() {
             break;
         case Boot::index:
             status = run.index_store.open(generation(), index);
+            run.index_wanted = index;
             if (status == Status::ok)
                 mission_engine.boot(missionSet(), mission_store.generation(), host.memorySurvived(),
                                     index < mission_store.count() ? index : 0);
@@ -246,6 +248,27 @@ uint8_t poll() {
     return mission_engine.poll(parameters.mission_trailing != 0);
 }
 
+// Not where a flight goes on after a restart, which may not have been seen flying yet.
+bool onGround() { return !vehicle.estimate.flying && !host.resumesFlight(); }
+
+// Nothing goes on in another flight.
+void beginAfresh() {
+    missionRestart();
+    if (run.index_wanted != 0) keepIndex(0);
+}
+
+// What the ground has chosen since the disarm counts. In AUTO a TAKEOFF may wait for arming.
+void noticeArming() {
+    if (vehicle.armed == run.armed) return;
+    run.armed = vehicle.armed;
+    const bool goes_on = mission_engine.active() || (run.armed && mission_engine.chosen());
+    if (!goes_on && onGround()) beginAfresh();
+    if (!run.armed || mission_survey.first_nav == 0) return;
+    const uint8_t first = mission_engine.current();
+    sendStatusText(Severity::info, ROM_TEXT("AUTO begins at item #"),
+                   first != 0 ? first : mission_survey.first_nav);
+}
+
 }  // namespace
 
 void missionBoot() {
@@ -253,6 +276,7 @@ void missionBoot() {
     mission_survey = {};
     listsStart();
     run.index_waits = run.reached_waits = false;
+    run.armed = vehicle.armed;
     run.boot = Boot::owner;
     onReset();
     // enough for the largest mission; what a busy EEPROM keeps waiting is left to missionRun
@@ -277,6 +301,7 @@ void missionRun() {
         return;
     }
     if (run.boot == Boot::foreign) return;
+    noticeArming();
     uint8_t records = 0;
     if (mission_engine.active() && !missionChanging()) {
         records = poll();
@@ -302,12 +327,16 @@ bool missionEnter(core::RomText& why_not) {
     if (why_not != nullptr) return false;
     run.is_complete = false;
     const bool flies_on = host.resumesFlight() && vehicle.mode == Mode::initialising;
-    mission_engine.enter(parameters.mission_restart != 0 && !flies_on &&
-                         !vehicle.failsafe_gives_back);
+    const bool again = parameters.mission_restart != 0 && !flies_on && !vehicle.failsafe_gives_back;
+    noticeArming();
+    mission_engine.enter(again || (!run.armed && onGround()));
     return true;
 }
 
-void missionLeave() { mission_engine.leave(); }
+void missionLeave() {
+    mission_engine.leave();
+    if (!vehicle.armed && onGround()) beginAfresh();
+}
 
 void leaveForMode(Mode mode) {
     wished.requested_mode = mode;

@@ -85,7 +85,8 @@ public:
     uint8_t poll(bool trailing);
     bool midPass() const { return memory_.phase == kSeeking || memory_.phase == kWalking; }
     bool active() const { return active_; }
-    bool starved() const { return starved_; }  // the last poll ended at a record not there yet
+    bool chosen() const { return has(kChosen); }  // the ground said where AUTO begins
+    bool starved() const { return starved_; }     // the last poll ended at a record not there yet
 
     bool setCurrent(uint8_t index);  // 0: from the first; false: no such item
     uint8_t current() const;         // the NAV flown; before there is one, where AUTO will begin
