@@ -15,19 +15,25 @@ namespace {
 
 constexpr uint8_t kPairsPerCall = kRecordsPerCall / 2;
 
+enum class Part : uint8_t { nothing, nav, first_run, further_run };
 struct Comparison {
     ::mission::Sequencer::InFlight items;
     uint8_t at;
-    uint8_t runs_left;  // the NAV, the first run, the second
+    uint8_t run;  // where the further one began
+    Part part;
 };
 core::FileState<Comparison> compare{};
 
 // The next run; false: there is none.
 bool nextRun() {
-    --compare.runs_left;
-    const bool first = compare.runs_left == 2;
-    compare.at = first ? compare.items.first : compare.items.second;
-    return first || (compare.runs_left == 1 && compare.items.second != compare.items.first);
+    if (compare.part == Part::nav) {
+        compare.part = Part::first_run;
+        compare.at = compare.items.first;
+        return true;
+    }
+    compare.part = Part::further_run;
+    compare.at = compare.run = mission_engine.nextRun(compare.run);
+    return compare.run != 0;
 }
 
 // What one of the two missions has at this place of a run.
@@ -49,7 +55,7 @@ core::Status look(ReadRecord read, uint8_t count, Side& side) {
     if (side.over) return core::Status::ok;
     const core::Status status = read(compare.at, side.record);
     if (status == core::Status::ok)
-        side.over = compare.runs_left != 3 && missionSet() == ::mission::Set::apm1 &&
+        side.over = compare.part != Part::nav && missionSet() == ::mission::Set::apm1 &&
                     isNav(side.record, count);
     return status;
 }
@@ -70,8 +76,7 @@ core::Status comparePair(bool& same, bool& ends) {
     ends = now.over;
     if (!same || ends) return core::Status::ok;
     same = memcmp(now.record, before.record, sizeof now.record) == 0;
-    ends = compare.runs_left == 3 ||
-           compare.at == (compare.runs_left == 2 ? compare.items.last : compare.items.nav);
+    ends = compare.at == (compare.part == Part::first_run ? compare.items.last : compare.items.nav);
     ++compare.at;
     return core::Status::ok;
 }
@@ -81,18 +86,19 @@ core::Status comparePair(bool& same, bool& ends) {
 void compareBegin() {
     const bool comparable = mission_engine.active() && mission_engine.inFlight(compare.items) &&
                             mission_store.set() == mission_store.previousSet();
-    compare.runs_left = comparable ? 3 : 0;
+    compare.part = comparable ? Part::nav : Part::nothing;
     compare.at = compare.items.nav;
+    compare.run = 0;
 }
 
 core::Status compareStep(bool& same) {
-    same = compare.runs_left != 0;
-    for (uint8_t n = 0; n < kPairsPerCall && compare.runs_left != 0; ++n) {
+    same = compare.part != Part::nothing;
+    for (uint8_t n = 0; n < kPairsPerCall && compare.part != Part::nothing; ++n) {
         bool ends = false;
         if (comparePair(same, ends) != core::Status::ok) return core::Status::busy;
-        if (!same || (ends && !nextRun())) compare.runs_left = 0;
+        if (!same || (ends && !nextRun())) compare.part = Part::nothing;
     }
-    return compare.runs_left == 0 ? core::Status::ok : core::Status::busy;
+    return compare.part == Part::nothing ? core::Status::ok : core::Status::busy;
 }
 
 }  // namespace mission

@@ -350,8 +350,11 @@ uint16_t missionCurrent() { return mission_engine.current(); }
 uint16_t missionSkipped() { return run.skipped; }
 
 bool missionSetCurrent(uint16_t index) {
-    return run.boot == Boot::done && !missionChanging() && mission_survey.first_nav != 0 &&
-           index < mission_store.count() && mission_engine.setCurrent(static_cast<uint8_t>(index));
+    const bool done = run.boot == Boot::done && !missionChanging() &&
+                      mission_survey.first_nav != 0 && index < mission_store.count() &&
+                      mission_engine.setCurrent(static_cast<uint8_t>(index));
+    if (done) run.is_complete = false;
+    return done;
 }
 
 bool takeReached(uint16_t& index) {

@@ -120,7 +120,7 @@ float heightOf_m(const Record& record) {
                               ? parameters.altitude_absolute == 0
                               : (record.options & ::mission::kRelativeAltitude) != 0;
     const int32_t zero_cm = relative ? 0 : vehicle.home.altitude_cm;
-    return static_cast<float>(record.p2 - zero_cm) * 0.01f;
+    return (static_cast<float>(record.p2) - static_cast<float>(zero_cm)) * 0.01f;
 }
 
 void here(Record& record) {

@@ -113,6 +113,10 @@ const MissionRule kMissionRules[] = {
     {2, "DO WP WP COND DO J1x1 DO", "auto nav nav commit cond",
         "a1 W2! +2 W3 +3 W2 c4 ?1 W2!", "WHAT WP WP COND DO J1x1 DO"},
     {1, "WP DO", "auto commit nav", "W1! a2 +1 W3", "WP DO WP"},
+    {1, "WP J4 WP DO J7 WP DO COND DO", "auto commit pass", "W1! a4 a7 c8 W1! ?4 a7 c8",
+        "WP J4 WP WHAT J7 WP DO COND DO"},
+    {1, "WP J4 WP DO J7 WP DO COND DO", "auto commit cond", "W1! a4 a7 c8 a9",
+        "WP J4 LAND DO J7 LAND DO COND DO"},
     {2, "WP", "auto commit", "W1! RTL", ""},
     {2, "LAND", "auto nav commit", "W1! +1 landed landed", ""},
     // 8: what never stops a mission

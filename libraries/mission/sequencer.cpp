@@ -88,7 +88,6 @@ void Sequencer::enter(bool restart) {
         beginPass();
         resuming_ = true;
     }
-    put(kChosen, false);
     seal();
 }
 
@@ -149,12 +148,17 @@ void Sequencer::refill() {
 
 bool Sequencer::inFlight(InFlight& items) const {
     if (memory_.phase != kWalking && memory_.phase != kFlying) return false;
-    const bool loops = memory_.loop != 0;
     items.nav = memory_.nav;
     items.first = set() == Set::apm1 ? static_cast<uint8_t>(memory_.nav + 1) : memory_.chain_first;
-    items.last = has(kTrailing) ? kToEnd : loops ? memory_.loop : memory_.nav;
-    items.second = loops ? memory_.loop_to : memory_.chain_first;
+    items.last = has(kTrailing) ? kToEnd : memory_.loop != 0 ? memory_.loop : memory_.nav;
     return true;
+}
+
+uint8_t Sequencer::nextRun(uint8_t behind) const {
+    if (set() == Set::apm2) return memory_.loop != 0 && behind == 0 ? memory_.loop_to : 0;
+    while (++behind < kMaxItems)
+        if (bit(memory_.jumps.chain.targets, behind)) return behind;
+    return 0;
 }
 
 }  // namespace mission

@@ -58,14 +58,19 @@ struct Memory {
     uint8_t next;    // the next command of the chain
     uint8_t chain_first;
     Record nav_record, condition_record;
-    struct {                          // APM 2.0
-        uint16_t left[kMaxCounters];  // times
-        uint8_t index[kMaxCounters];  // of the jump; 0: free
-    } counters;
-    struct {                             // APM 1.0, a bit an item
-        uint8_t visited[kMaxItems / 8];  // jumps taken in this pass
-        uint8_t blocked[kMaxItems / 8];  // passed over until the next NAV loads
-    } jumps;
+    union {
+        struct {                          // APM 2.0
+            uint16_t left[kMaxCounters];  // times
+            uint8_t index[kMaxCounters];  // of the jump; 0: free
+        } counters;
+        struct {                                 // APM 1.0, a bit an item
+            uint8_t visited[kMaxItems / 8];      // jumps taken in this pass
+            struct {                             // since the NAV loaded
+                uint8_t blocked[kMaxItems / 8];  // passed over until the next one loads
+                uint8_t targets[kMaxItems / 8];  // jumped to
+            } chain;
+        } jumps;
+    };
     uint16_t seal;
 };
 
@@ -101,14 +106,15 @@ public:
     void changed(Set set, uint16_t generation, bool same, bool empty);
 
     // The records that must be equal in the old and the new mission for what is in flight to go
-    // on: `nav`, the run from `first` and, where it is another one, that from `second`. In the 1.0
-    // set a run ends before a NAV or behind the last record, in the 2.0 set the first one with the
-    // record `last` (kToEnd: the last of all), the second with `nav`.
+    // on: `nav`, the run from `first`, and those that nextRun() names. In the 1.0 set a run ends
+    // before a NAV or behind the last record, in the 2.0 set the first one with the record `last`
+    // (kToEnd: the last of all), another with `nav`.
     struct InFlight {
-        uint8_t nav, first, last, second;
+        uint8_t nav, first, last;
     };
     static constexpr uint8_t kToEnd = 0xFF;
-    bool inFlight(InFlight& items) const;  // false: nothing is
+    bool inFlight(InFlight& items) const;   // false: nothing is
+    uint8_t nextRun(uint8_t behind) const;  // where one begins that a jump led to; 0: none
 
 private:
     enum Phase : uint8_t { kFresh, kSeeking, kWalking, kFlying, kEnded };
@@ -128,6 +134,9 @@ private:
     };
 
     Set set() const { return static_cast<Set>(memory_.set); }
+    static bool bit(const uint8_t* bits, uint8_t index) {
+        return (bits[index / 8] >> (index % 8)) & 1;
+    }
     bool has(Flag flag) const { return (memory_.flags & flag) != 0; }
     void put(Flag flag, bool on);
     uint8_t count() const { return core::romRead(host_.count)(); }

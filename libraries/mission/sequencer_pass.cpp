@@ -10,7 +10,6 @@ namespace {
 
 using core::Status;
 
-bool bit(const uint8_t* bits, uint8_t index) { return (bits[index / 8] >> (index % 8)) & 1; }
 void setBit(uint8_t* bits, uint8_t index) {
     bits[index / 8] = static_cast<uint8_t>(bits[index / 8] | (1u << (index % 8)));
 }
@@ -21,6 +20,7 @@ uint8_t Sequencer::poll(bool trailing) {
     if (!active_) return 0;
     trailing_ = trailing;
     starved_ = false;
+    put(kChosen, false);
     if (resuming_) {
         resume();
         if (memory_.phase == kFlying) return 0;
@@ -128,7 +128,7 @@ void Sequencer::load(uint8_t index, const Item& item) {
     const bool apm1 = set() == Set::apm1;
     if (apm1) {
         memory_.chain_first = static_cast<uint8_t>(index + 1);
-        memset(memory_.jumps.blocked, 0, sizeof memory_.jumps.blocked);
+        memset(&memory_.jumps.chain, 0, sizeof memory_.jumps.chain);
     }
     memory_.next = memory_.chain_first;
     memory_.phase = kWalking;
@@ -246,12 +246,13 @@ void Sequencer::takeJump(const Item& item) {
 
 // The NAV being flown goes on; only the place from where commands are taken changes.
 bool Sequencer::jumpApm1(uint8_t index, const Jump& jump) {
-    if (index >= kMaxItems || bit(memory_.jumps.blocked, index)) return false;
+    if (index >= kMaxItems || bit(memory_.jumps.chain.blocked, index)) return false;
     if (bit(memory_.jumps.visited, index)) {
-        setBit(memory_.jumps.blocked, index);
+        setBit(memory_.jumps.chain.blocked, index);
         return false;
     }
     setBit(memory_.jumps.visited, index);
+    setBit(memory_.jumps.chain.targets, jump.target);
     memory_.next = memory_.chain_first = jump.target;
     return true;
 }

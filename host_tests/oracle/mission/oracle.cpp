@@ -110,7 +110,6 @@ void Interpreter::enterAuto(bool restart_wanted) {
         }
         comes_back_ = true;
     }
-    chosen_ = false;
 }
 
 void Interpreter::restart() {
@@ -182,9 +181,9 @@ bool Interpreter::sameInFlight(CommandSet set, const Mission& mission) const {
                part(mission, chain_begin_, loop_) == part(mission_, chain_begin_, loop_) &&
                part(mission, again, nav_) == part(mission_, again, nav_);
     }
-    return chainOf(mission, chain_begin_) == chainOf(mission_, chain_begin_) &&
-           (set_ == CommandSet::apm2 ||
-            chainOf(mission, run_begin_) == chainOf(mission_, run_begin_));
+    for (const int begin : run_begins_)
+        if (chainOf(mission, begin) != chainOf(mission_, begin)) return false;
+    return chainOf(mission, chain_begin_) == chainOf(mission_, chain_begin_);
 }
 
 void Interpreter::commit(CommandSet set, Mission mission) {
@@ -205,7 +204,9 @@ void Interpreter::commit(CommandSet set, Mission mission) {
 // ---- one pass
 
 void Interpreter::pass(bool nav_finished, bool condition_finished, int records) {
-    if (!in_auto_ || phase_ == Phase::over) return;
+    if (!in_auto_) return;
+    chosen_ = false;
+    if (phase_ == Phase::over) return;
     records_left_ = records;
     const bool goes_on = mid_pass_ && !comes_back_;
     if (!goes_on) beginPass();
@@ -318,7 +319,8 @@ void Interpreter::load(int nav, int chain_begin) {
     nav_started_ = false;
     if (hasPlace(nav_command_.id) && nav_command_.p3 == 0 && nav_command_.p4 == 0)
         nav_command_.p3 = airplane_;
-    chain_begin_ = chain_ = run_begin_ = chain_begin;
+    chain_begin_ = chain_ = chain_begin;
+    run_begins_.clear();
     chain_dropped_ = !with_chain_;
     blocked_.clear();
     if (set_ == CommandSet::apm1) startNav(false);  // no jump of this set abandons it
@@ -395,7 +397,8 @@ void Interpreter::runJump(int at, const Command& jump) {
     const int target = static_cast<int>(targetOf(jump));
     if (set_ == CommandSet::apm1) {
         if (!mayJumpApm1(at)) return;
-        chain_ = run_begin_ = target;
+        chain_ = target;
+        run_begins_.insert(target);
     } else if (mayJumpApm2(at, jump)) {
         if (navFlies()) from_here_ = true;
         go(target, true);

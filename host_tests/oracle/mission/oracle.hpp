@@ -114,8 +114,8 @@ private:
     bool on_ground_ = false;           // a LAND was the last to finish
     int chain_begin_ = 0, chain_ = 0;  // where the chain began, where it stands
     bool chain_dropped_ = false;
-    int run_begin_ = 0;  // 1.0: where the chain went on after its last jump
-    int condition_ = 0;  // running
+    std::set<int> run_begins_;  // 1.0: where the chain went on after its jumps
+    int condition_ = 0;         // running
     std::map<int, int> jumps_left_;
     std::set<int> jumped_, blocked_;  // 1.0: in this pass; until the next NAV loads
     int steps_ = 0;

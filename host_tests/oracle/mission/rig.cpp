@@ -269,8 +269,10 @@ bool Rig::sameInFlight(CommandSet set, const Mission& before, const Mission& now
             if (set == CommandSet::apm2 && i == last) return true;
         }
     };
-    return sameRun(items.first, items.last) &&
-           (items.second == items.first || sameRun(items.second, items.nav));
+    bool same = sameRun(items.first, items.last);
+    for (uint8_t run = 0; same && (run = engine_.nextRun(run)) != 0;)
+        same = sameRun(run, items.nav);
+    return same;
 }
 
 void Rig::commit(CommandSet set, const Mission& mission) {

@@ -252,6 +252,27 @@ TEST_F(MissionFlight, a_land_finishes_when_down_and_disarmed_and_auto_stays) {
     EXPECT_EQ(vehicle.demand.path, Path::land);
 }
 
+TEST_F(MissionFlight, a_mission_is_not_complete_once_an_item_is_chosen_after_the_landing) {
+    fly({waypoint(500), placed(21, 900, 0, 0)});
+    reach();
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = false;
+    pass(2);
+    ASSERT_TRUE(missionComplete());
+    EXPECT_FALSE(missionSetCurrent(9));
+    EXPECT_TRUE(missionComplete());
+    EXPECT_TRUE(missionSetCurrent(1));
+    EXPECT_FALSE(missionComplete());
+    pass();
+    EXPECT_EQ(missionCurrent(), 1);
+}
+
+TEST_F(Apm1Flight, any_altitude_of_a_record_above_the_sea_is_a_height) {
+    parameters.altitude_absolute = 1;
+    EXPECT_FLOAT_EQ(heightOf_m({0x10, 0, 0, INT32_MIN, 0, 0}), -21475236.0f);
+    mutable_vehicle.home.altitude_cm = -40000;
+    EXPECT_FLOAT_EQ(heightOf_m({0x10, 0, 0, INT32_MAX, 0, 0}), 21475236.0f);
+}
+
 TEST_F(MissionFlight, after_a_land_a_takeoff_waits_for_arming) {
     fly({placed(21, 900, 0, 0), takeoff(40), waypoint(900)});
     mutable_vehicle.estimate.flying = false;

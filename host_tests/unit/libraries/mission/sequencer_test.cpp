@@ -167,7 +167,7 @@ TEST(Sequencer, a_change_elsewhere_leaves_the_flight_alone_but_refills_the_jumps
     EXPECT_EQ(items.nav, 5);
     EXPECT_EQ(items.first, 2);
     EXPECT_EQ(items.last, 5);
-    EXPECT_EQ(items.second, items.first);
+    EXPECT_EQ(f.engine.nextRun(0), 0);
 
     f.engine.changed(k2, 2, true, false);
 
@@ -343,6 +343,17 @@ TEST(Sequencer, set_current_beyond_the_end_is_refused_and_changes_nothing) {
     f.enter();
     f.trace();
     EXPECT_EQ(f.reach().trace(), "+1 W2");
+}
+
+TEST(Sequencer, a_choice_holds_until_auto_has_taken_it_up) {
+    Flight f(k2, {waypoint(), waypoint()});
+    f.engine.setCurrent(2);
+    f.engine.enter(true);
+    f.engine.leave();  // before the next poll
+    EXPECT_EQ(f.engine.current(), 2);
+    EXPECT_EQ(f.enter(true).trace(), "W2!");
+    f.engine.leave();
+    EXPECT_EQ(f.enter(true).trace(), "W1!") << "once";
 }
 
 }  // namespace
