@@ -27,20 +27,21 @@ constexpr uint8_t kGainIndices = 8;
 constexpr uint8_t kFirstGainId = 0x60;
 constexpr uint8_t n = kNoSlot;
 
-// Which parameter plays the part: its slot. The loops of this firmware are not those of APM 1.0;
-// where a gain has no counterpart, the command is refused.
+// Which parameter plays the part: its slot. The loops of this firmware are not those of APM 1.0:
+// one controller of speed and height has the part of four, and where a time stands for a gain, or
+// limits for an integrator's own, there is no counterpart and the command is refused.
 // clang-format off
 constexpr uint8_t kGainSlots[kGainKinds][kGainIndices] ROM = {
-    // servo roll           servo pitch          servo rudder        nav roll             pitch by airspeed
-    // pitch by altitude    throttle by energy   throttle by altitude
-    {slot::rll2srv_p,       slot::ptch2srv_p,    n,                  n,                   n,  // Kp
-     n,                     n,                   n},
-    {slot::rll2srv_i,       slot::ptch2srv_i,    slot::yaw2srv_int,  n,                   n,  // Ki
-     n,                     slot::tecs_integ_gain, n},
-    {slot::rll2srv_d,       slot::ptch2srv_d,    slot::yaw2srv_damp, slot::navl1_damping, n,  // Kd
-     slot::tecs_ptch_damp,  slot::tecs_thr_damp, n},
-    {slot::rll2srv_imax,    slot::ptch2srv_imax, slot::yaw2srv_imax, n,                   n,  // integrator max
-     n,                     n,                   n},
+    // servo roll           servo pitch            servo rudder          nav roll              pitch by airspeed
+    // pitch by altitude    throttle by energy     throttle by altitude
+    {slot::rll2srv_p,       slot::ptch2srv_p,      slot::yaw2srv_slip,   n,                    slot::tecs_spdweight,   // Kp
+     n,                     n,                     n},
+    {slot::rll2srv_i,       slot::ptch2srv_i,      slot::yaw2srv_int,    n,                    slot::tecs_integ_gain,  // Ki
+     slot::tecs_integ_gain, slot::tecs_integ_gain, slot::tecs_integ_gain},
+    {slot::rll2srv_d,       slot::ptch2srv_d,      slot::yaw2srv_damp,   slot::navl1_damping,  slot::tecs_ptch_damp,   // Kd
+     slot::tecs_ptch_damp,  slot::tecs_thr_damp,   slot::tecs_thr_damp},
+    {slot::rll2srv_imax,    slot::ptch2srv_imax,   slot::yaw2srv_imax,   n,                    n,  // integrator max
+     n,                     n,                     n},
     // Kff: pitch comp, rudder mix, pitch to throttle
     {slot::ptch2srv_rll,    slot::kff_rddrmix,   n,                  n,                   n,
      n,                     n,                   n},
@@ -135,8 +136,10 @@ void setChannel(const Record& record) {
     setSlot(channelSlot(record.id, record.p1), static_cast<float>(record.p2));
 }
 
-// The elevon trims (0, 1) have no counterpart: this firmware mixes after the channels' trims.
+// The trims of elevons (0, 1) are those of their channels, where there are elevons.
 uint8_t otherRadioSlot(uint8_t index) {
+    if (index < 2 && parameters.elevon_output != 0)
+        return slot::ofChannel(static_cast<uint8_t>(index + 1), slot::trim);
     return index == 2 ? static_cast<uint8_t>(slot::thr_fs_value) : kNoSlot;
 }
 

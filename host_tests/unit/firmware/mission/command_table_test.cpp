@@ -257,7 +257,7 @@ TEST_F(Rows, every_gain_is_held_to_the_range_of_its_own_parameter) {
             EXPECT_EQ(answerTo(kSet1, with(record, 2, taken[0].lowest - 1)), 7);
         }
     }
-    EXPECT_EQ(gains, 17);
+    EXPECT_EQ(gains, 24);
 }
 
 TEST_F(Rows, survive_download_and_upload_unchanged) {

@@ -180,6 +180,21 @@ std::string fieldsAsTable(Set set, uint8_t beyond) {
     return table;
 }
 
+// What stands where a gain has no counterpart.
+std::string whyRefused(uint8_t id, uint8_t index) {
+    constexpr uint8_t kKp = 0x60, kFeedForward = 0x64, kNavRoll = 3;
+    if (id == kFeedForward) return "refused: throttle follows the energy that is demanded";
+    if (index == kNavRoll)
+        return id == kKp ? "refused: a time instead, NAVL1_PERIOD" : "refused: no integrator";
+    return id == kKp ? "refused: a time instead, TECS_TIME_CONST"
+                     : "refused: limited by the limits of pitch and throttle";
+}
+
+std::string partOf(uint8_t id, uint8_t index) {
+    const uint8_t slot = gainSlot(id, index);
+    return slot == kNoSlot ? whyRefused(id, index) : nameOfSlot(slot);
+}
+
 std::string gainsAsTable() {
     const char* const parts[] = {"servo roll",
                                  "servo pitch",
@@ -194,14 +209,13 @@ std::string gainsAsTable() {
         "| index | Kp | Ki | Kd | integrator max |\n| --- | --- | --- | --- | --- |\n";
     for (uint8_t index = 0; index < 8; ++index) {
         table += "| " + std::to_string(index) + " " + parts[index] + " |";
-        for (uint8_t id = 0x60; id <= 0x63; ++id)
-            table += " " + nameOfSlot(gainSlot(id, index)) + " |";
+        for (uint8_t id = 0x60; id <= 0x63; ++id) table += " " + partOf(id, index) + " |";
         table += "\n";
     }
     table += "\n| index | Kff |\n| --- | --- |\n";
     for (uint8_t index = 0; index < 3; ++index)
         table += "| " + std::to_string(index) + " " + feedforward[index] + " | " +
-                 nameOfSlot(gainSlot(0x64, index)) + " |\n";
+                 partOf(0x64, index) + " |\n";
     return table;
 }
 

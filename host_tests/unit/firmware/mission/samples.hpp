@@ -90,7 +90,7 @@ constexpr Sample kSamples[] = {
     {kSet1, {0x70, 0, 4, 1510, 0, 0}, {"channel less 1", "us", nullptr, nullptr}, "sets `RCn_TRIM`"},
     {kSet1, {0x71, 0, 7, 1910, 0, 0}, {"channel less 1", "us", nullptr, nullptr}, "sets `RCn_MAX`"},
     {kSet1, {0x72, 0, 0, 1090, 0, 0}, {"channel less 1", "us", nullptr, nullptr}, "sets `RCn_MIN`"},
-    {kSet1, {0x73, 0, 2, 960, 0, 0}, {"2: throttle failsafe (0, 1: elevon trims, refused)", "us", nullptr, nullptr}, "sets `THR_FS_VALUE`"},
+    {kSet1, {0x73, 0, 2, 960, 0, 0}, {"2: throttle failsafe; 0, 1: trim of elevon 1, 2, where `ELEVON_OUTPUT` is not 0", "us", nullptr, nullptr}, "sets `THR_FS_VALUE`, `RC1_TRIM`, `RC2_TRIM`"},
     {kSet1, {0x75, 0, 0, 3, 0, 0}, {"item, where p2 is 0", "item", nullptr, nullptr}, "goes on there"},
     {kSet1, {0x80, 0, 3, 1800, 5, 10}, {"1 to 5: output 4 to 8, 6: relay; 0 or 10 stops", "pulse, us", "seconds, under 2 counts as 2", "times; 0: for ever"}, "at the value for a second, then back to what was read; replaces what repeats"},
     {kSet1, {0x81, 0, 1, 0, 0, 0}, {"on", nullptr, nullptr, nullptr}, "switches it"},

@@ -48,12 +48,18 @@ TEST_F(Apm1Flight, cruise_speed_throttle_gains_and_channels_are_set) {
 
 TEST_F(Apm1Flight, every_gain_it_accepts_goes_to_the_parameter_that_plays_the_part) {
     std::map<std::pair<int, int>, std::string> parts = {
-        {{0x60, 0}, "RLL2SRV_P"},     {{0x60, 1}, "PTCH2SRV_P"},     {{0x61, 0}, "RLL2SRV_I"},
-        {{0x61, 1}, "PTCH2SRV_I"},    {{0x61, 2}, "YAW2SRV_INT"},    {{0x61, 6}, "TECS_INTEG_GAIN"},
-        {{0x62, 0}, "RLL2SRV_D"},     {{0x62, 1}, "PTCH2SRV_D"},     {{0x62, 2}, "YAW2SRV_DAMP"},
-        {{0x62, 3}, "NAVL1_DAMPING"}, {{0x62, 5}, "TECS_PTCH_DAMP"}, {{0x62, 6}, "TECS_THR_DAMP"},
-        {{0x63, 0}, "RLL2SRV_IMAX"},  {{0x63, 1}, "PTCH2SRV_IMAX"},  {{0x63, 2}, "YAW2SRV_IMAX"},
-        {{0x64, 0}, "PTCH2SRV_RLL"},  {{0x64, 1}, "KFF_RDDRMIX"},
+        {{0x60, 2}, "YAW2SRV_SLIP"},    {{0x60, 4}, "TECS_SPDWEIGHT"},
+        {{0x61, 4}, "TECS_INTEG_GAIN"}, {{0x61, 5}, "TECS_INTEG_GAIN"},
+        {{0x61, 7}, "TECS_INTEG_GAIN"}, {{0x62, 4}, "TECS_PTCH_DAMP"},
+        {{0x62, 7}, "TECS_THR_DAMP"},   {{0x60, 0}, "RLL2SRV_P"},
+        {{0x60, 1}, "PTCH2SRV_P"},      {{0x61, 0}, "RLL2SRV_I"},
+        {{0x61, 1}, "PTCH2SRV_I"},      {{0x61, 2}, "YAW2SRV_INT"},
+        {{0x61, 6}, "TECS_INTEG_GAIN"}, {{0x62, 0}, "RLL2SRV_D"},
+        {{0x62, 1}, "PTCH2SRV_D"},      {{0x62, 2}, "YAW2SRV_DAMP"},
+        {{0x62, 3}, "NAVL1_DAMPING"},   {{0x62, 5}, "TECS_PTCH_DAMP"},
+        {{0x62, 6}, "TECS_THR_DAMP"},   {{0x63, 0}, "RLL2SRV_IMAX"},
+        {{0x63, 1}, "PTCH2SRV_IMAX"},   {{0x63, 2}, "YAW2SRV_IMAX"},
+        {{0x64, 0}, "PTCH2SRV_RLL"},    {{0x64, 1}, "KFF_RDDRMIX"},
     };
     for (int id = 0x60; id <= 0x64; ++id) {
         for (int index = 0; index < 8; ++index) {
@@ -73,6 +79,17 @@ TEST_F(Apm1Flight, every_channel_slot_is_the_parameter_it_should_be) {
         EXPECT_EQ(nameOfSlot(channelSlot(0x72, i)), channel + "_MIN");
     }
     EXPECT_EQ(nameOfSlot(otherRadioSlot(2)), "THR_FS_VALUE");
+    EXPECT_EQ(otherRadioSlot(3), kNoSlot);
+}
+
+TEST_F(Apm1Flight, trims_of_elevons_are_those_of_their_channels_where_there_are_elevons) {
+    EXPECT_EQ(answer(command(0x73, 0, 1480)), MissionResult::invalid_param1);
+    EXPECT_EQ(answer(command(0x73, 1, 1480)), MissionResult::invalid_param1);
+    parameters.elevon_output = 1;
+    fly({waypoint(500), command(0x73, 0, 1480), command(0x73, 1, 1530)});
+    EXPECT_EQ(parameters.channel[0].trim_us, 1480);
+    EXPECT_EQ(parameters.channel[1].trim_us, 1530);
+    EXPECT_EQ(answer(command(0x73, 3, 1480)), MissionResult::invalid_param1);
 }
 
 TEST_F(Apm1Flight, home_is_reset_here_or_as_given) {
