@@ -2,12 +2,14 @@
 #include "toolchain/mission_tool/findings.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/state/parameters.hpp"
 #include "toolchain/mission_tool/board.hpp"
 #include "toolchain/mission_tool/legs.hpp"
+#include "toolchain/mission_tool/passes.hpp"
 
 namespace mission_tool {
 namespace {
@@ -19,6 +21,12 @@ using mission::Set;
 
 constexpr uint8_t kWaypoint = 0x10, kLoiterUnlimited = 0x11, kTakeoff = 0x16, kTarget = 0x17;
 constexpr float kFar_m = 50'000;
+
+// What the board needs: twenty polls a second of up to 16 records each; of relays it runs seven in
+// one. on_board.costs: 168 of them, which are also looked at, take 33 polls.
+constexpr double kPoll_s = 0.05;
+constexpr PassCost kBoardCost = {kPoll_s / 16, kPoll_s / 7 - kPoll_s / 16};
+constexpr double kLongestPass_s = 1.5;
 
 const Document* surveyed;
 core::Status readSurveyed(uint8_t index, uint8_t* to) {
@@ -59,6 +67,7 @@ public:
             if (document_.entries[i].is(Class::nav)) nav(i);
         }
         whole(count);
+        passes();
         legs();
         std::stable_sort(found_.begin(), found_.end(),
                          [](const Finding& a, const Finding& b) { return a.index < b.index; });
@@ -127,6 +136,29 @@ private:
                  items(survey_.last_run + 1u, count - 1) +
                      " behind the last NAV: never run while MIS_TRAILING is 0");
         }
+    }
+
+    // What the engine cuts short, and what holds up the next NAV for longer than it may.
+    void passes() {
+        std::vector<PassItem> items(std::min(document_.entries.size(), kMaxItems));
+        for (size_t i = 1; i < items.size(); ++i) {
+            const Entry& entry = document_.entries[i];
+            if (!entry.good()) return;  // refused
+            items[i].good = true;
+            items[i].kind = kCommandTable.kind(entry.row);
+            if (items[i].kind == Class::jump) items[i].target = target(entry);
+            items[i].counted = document_.set == Set::apm2 && entry.record.p3 != mission::kForEver;
+        }
+        if (const size_t jump = jumpThatGoesRound(document_.set, items))
+            warn(jump,
+                 "jumps go round here with no NAV or CONDITION on the way: passed over when "
+                 "a pass has taken all its steps");
+        const LongPass longest =
+            longestPass(document_.set, items, parameters.mission_trailing != 0, kBoardCost);
+        if (longest.cost > kLongestPass_s)
+            warn(longest.begins, "what is run from here on may hold up the next NAV for " +
+                                     std::to_string(std::lround(longest.cost * 10) / 10) + "." +
+                                     std::to_string(std::lround(longest.cost * 10) % 10) + " s");
     }
 
     void legs() {

@@ -305,6 +305,7 @@ std::map<int, int> Rig::jumpsLeft() const {
     return left;
 }
 
+int Rig::reads() const { return world.read; }
 std::string Rig::broken() const { return world.broken; }
 
 }  // namespace oracle

@@ -36,6 +36,7 @@ public:
     void trailing(bool on) { mis_trailing_ = on; }
     void airplaneAt(int place);
 
+    int reads() const;  // of the last pass
     std::string trace();
     bool inAuto() const { return engine_.active(); }
     bool over() const { return engine_.ended(); }

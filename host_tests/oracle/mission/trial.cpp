@@ -225,7 +225,7 @@ Bytes make(CommandSet set, int id, int p1, int64_t p2, int64_t p3, int64_t p4) {
     return bytes;
 }
 
-std::string fly(const Trial& trial, std::string* said, long* passes) {
+std::string fly(const Trial& trial, std::string* said, long* passes, int* most) {
     const Stored& first = trial.missions.front();
     Interpreter oracle(first.set, first.mission);
     Rig engine(first.set, first.mission);
@@ -237,6 +237,7 @@ std::string fly(const Trial& trial, std::string* said, long* passes) {
         const bool in_auto = oracle.inAuto();
         happen(trial, step, oracle, engine);
         if (passes != nullptr && step.what == Happens::pass && in_auto) ++*passes;
+        if (most != nullptr) *most = std::max(*most, engine.reads());
         const std::string different = difference(oracle, engine, said);
         if (!different.empty())
             return "step " + std::to_string(number) + " (" + readable(step) + ")\n" + different;

@@ -42,8 +42,9 @@ struct Trial {
 };
 
 // Empty: they agree. Otherwise what each said in the step where they part. `said`: all of it.
-// `passes`: made in AUTO.
-std::string fly(const Trial& trial, std::string* said = nullptr, long* passes = nullptr);
+// `passes`: made in AUTO. `most`: records of the longest of them.
+std::string fly(const Trial& trial, std::string* said = nullptr, long* passes = nullptr,
+                int* most = nullptr);
 
 Trial minimise(Trial trial);
 std::string readable(const Trial& trial);
