@@ -257,11 +257,15 @@ void beginAfresh() {
     if (run.index_wanted != 0) keepIndex(0);
 }
 
-// What the ground has chosen since the disarm counts. In AUTO a TAKEOFF may wait for arming.
+// What the ground has chosen since the disarm counts. In AUTO a LAND ends with the disarm, and a
+// TAKEOFF waits for arming.
 void noticeArming() {
     if (vehicle.armed == run.armed) return;
     run.armed = vehicle.armed;
-    const bool goes_on = mission_engine.active() || (run.armed && mission_engine.chosen());
+    static_assert(Path::takeoff > Path::circle && Path::land > Path::takeoff, "the last ones");
+    const bool waits = vehicle.demand.path >= Path::takeoff;
+    const bool goes_on =
+        mission_engine.active() ? run.armed || waits : run.armed && mission_engine.chosen();
     if (!goes_on && onGround()) beginAfresh();
     if (!run.armed || mission_survey.first_nav == 0) return;
     const uint8_t first = mission_engine.current();

@@ -97,6 +97,18 @@ TEST_F(NewFlight, goes_on_after_a_disarm_in_the_air) {
     EXPECT_EQ(missionCurrent(), 2);
 }
 
+TEST_F(NewFlight, in_auto_begins_at_the_first_nav_too) {
+    flyAndLandByHand();
+    enterAuto();
+    ASSERT_EQ(missionCurrent(), 2);
+    arm(false);
+    EXPECT_EQ(missionCurrent(), 1) << "not on to a waypoint from the ground";
+    EXPECT_TRUE(missionSetCurrent(3));
+    pass();
+    arm(true);
+    EXPECT_EQ(missionCurrent(), 3) << "but where the ground says";
+}
+
 TEST_F(NewFlight, of_the_same_mission_follows_a_landing_in_auto_and_is_over_when_auto_is_left) {
     fly({placed(21, 900, 0, 0), takeoff(), waypoint(900)});
     mutable_vehicle.estimate.flying = false;
