@@ -7,11 +7,6 @@
 
 namespace mission {
 
-void Sequencer::put(Flag flag, bool on) {
-    const uint8_t flags = memory_.flags;
-    memory_.flags = static_cast<uint8_t>(on ? flags | flag : flags & ~flag);
-}
-
 uint8_t Sequencer::current() const {
     const bool ahead = memory_.phase == kSeeking && (has(kChosen) || memory_.nav == 0);
     return ahead ? memory_.cursor : memory_.nav;
@@ -36,7 +31,7 @@ void Sequencer::boot(Set set, uint16_t generation, bool survived, uint8_t index)
     reset(kFresh);
     if (index != 0) {
         beginAt(index);
-        put(kDropped, true);
+        mark(kDropped);
     }
     seal();
 }
@@ -59,7 +54,7 @@ void Sequencer::beginAt(uint8_t index) {
 
 void Sequencer::seekFrom(uint8_t chain_first, uint8_t cursor) {
     memory_.condition = memory_.loop = 0;
-    put(kLoops, false);
+    clear(kLoops);
     memory_.chain_first = chain_first;
     memory_.cursor = cursor;
     memory_.phase = kSeeking;
@@ -67,7 +62,7 @@ void Sequencer::seekFrom(uint8_t chain_first, uint8_t cursor) {
 
 void Sequencer::beginPass() {
     memory_.steps = 0;
-    put(kLoopReported, false);
+    clear(kLoopReported);
     if (set() == Set::apm1) memset(memory_.jumps.visited, 0, sizeof memory_.jumps.visited);
 }
 
@@ -84,7 +79,7 @@ void Sequencer::enter(bool restart) {
             refill();
             reportEvent(Event::reset, 0);
         }
-        put(kFromHere, true);
+        mark(kFromHere);
         beginPass();
         resuming_ = true;
     }
@@ -112,8 +107,7 @@ bool Sequencer::setCurrent(uint8_t index) {
         if (active_) beginAt(1);
     } else {
         if (memory_.phase == kEnded) reset(kFresh);
-        put(kLanded, false);
-        put(kDropped, false);
+        clear(kLanded | kDropped);
         put(kChosen, !active_);
         abandon(index);
         beginPass();

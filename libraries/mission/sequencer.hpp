@@ -138,7 +138,9 @@ private:
         return (bits[index / 8] >> (index % 8)) & 1;
     }
     bool has(Flag flag) const { return (memory_.flags & flag) != 0; }
-    void put(Flag flag, bool on);
+    void put(uint8_t flags, bool on) { on ? mark(flags) : clear(flags); }
+    void mark(uint8_t flags) { memory_.flags = static_cast<uint8_t>(memory_.flags | flags); }
+    void clear(uint8_t flags) { memory_.flags = static_cast<uint8_t>(memory_.flags & ~flags); }
     uint8_t count() const { return core::romRead(host_.count)(); }
     void reportEvent(Event event, uint8_t index) { core::romRead(host_.event)(event, index); }
     bool read(uint8_t index, bool seeks, Item& item);

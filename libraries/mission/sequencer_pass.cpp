@@ -20,7 +20,7 @@ uint8_t Sequencer::poll(bool trailing) {
     if (!active_) return 0;
     trailing_ = trailing;
     starved_ = false;
-    put(kChosen, false);
+    clear(kChosen);
     if (resuming_) {
         resume();
         if (memory_.phase == kFlying) return 0;
@@ -54,11 +54,11 @@ bool Sequencer::lookAround() {
 }
 
 void Sequencer::finishNav() {
-    const uint8_t traits = table_.traits(memory_.nav_row);
-    put(kFromHere, (traits & kEndsNowhere) != 0);
-    put(kLanded, (traits & kEndsFlight) != 0);
-    put(kDropped, false);
-    put(kStarted, false);
+    static_assert(
+        uint8_t{kFromHere} == uint8_t{kEndsNowhere} && uint8_t{kLanded} == uint8_t{kEndsFlight},
+        "what the NAV leaves behind is a flag of its own");
+    clear(kFromHere | kLanded | kDropped | kStarted);
+    mark(table_.traits(memory_.nav_row) & (kEndsNowhere | kEndsFlight));
     const uint8_t behind = static_cast<uint8_t>(memory_.nav + 1);
     seekFrom(behind, set() == Set::apm1 ? memory_.next : behind);
     beginPass();
@@ -137,15 +137,15 @@ void Sequencer::load(uint8_t index, const Item& item) {
 
 void Sequencer::noNavLeft() {
     if (memory_.loop != 0 && !has(kLoops)) {
-        put(kLoops, true);
+        mark(kLoops);
         memory_.cursor = memory_.loop_to;
         return;
     }
-    put(kLoops, false);
+    clear(kLoops);
     memory_.loop = 0;
     const bool commands_left = set() == Set::apm2 && memory_.chain_first < count();
     if (!trailing_ || !commands_left || has(kLanded)) return complete();
-    put(kTrailing, true);
+    mark(kTrailing);
     memory_.next = memory_.chain_first;
     memory_.phase = kWalking;
     reportEvent(Event::hold, memory_.nav);
@@ -195,8 +195,8 @@ void Sequencer::endOfChain() {
 // APM 2.0: only when it is certain that no jump abandons the NAV in the pass that loaded it.
 void Sequencer::startNav() {
     if (has(kStarted) || has(kTrailing)) return;
-    put(kStarted, true);
-    put(kLanded, false);
+    mark(kStarted);
+    clear(kLanded);
     core::romRead(table_.rows[memory_.nav_row].begin)(memory_.nav_record, {false, has(kFromHere)});
     reportEvent(Event::started, memory_.nav);
 }
@@ -228,13 +228,13 @@ void Sequencer::act(const Item& item) {
 void Sequencer::takeJump(const Item& item) {
     const uint8_t index = memory_.next;
     if (has(kLoops) && index == memory_.loop) {
-        put(kLoops, false);
+        clear(kLoops);
         memory_.next = memory_.loop_to;
         return;
     }
     if (wentRound()) {
         if (!has(kLoopReported)) reportEvent(Event::looped, index);
-        put(kLoopReported, true);
+        mark(kLoopReported);
         ++memory_.next;
         return;
     }
@@ -283,9 +283,8 @@ bool Sequencer::countDown(uint8_t index, int16_t times, uint8_t by) {
 }
 
 void Sequencer::abandon(uint8_t target) {
-    if (has(kStarted)) put(kFromHere, true);
-    put(kStarted, false);
-    put(kTrailing, false);
+    if (has(kStarted)) mark(kFromHere);
+    clear(kStarted | kTrailing);
     seekFrom(target, target);
 }
 
