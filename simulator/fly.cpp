@@ -337,7 +337,8 @@ bool runStep(Board& board, uint64_t until_us, Recorder& recorder, const Telemetr
     return goes_on;
 }
 
-int flyScript(const FlyOptions& options, const Waypoints& items) {
+int flyScript(const FlyOptions& options, const MissionFile& mission) {
+    const Waypoints& items = mission.items;
     prepareReport(options.out);
     const ParameterSettings settings = parametersFor(options);
     warnWithoutLogChip(options, settings);
@@ -346,7 +347,7 @@ int flyScript(const FlyOptions& options, const Waypoints& items) {
     WatchedBoard board(makeBoard(options, worldFor(options, items)));
     loadMemories(board, options);
     const int usart = telemetryUsart(options);
-    ScriptedFlight flight(board, usart, items, options.time_limit_s, settings);
+    ScriptedFlight flight(board, usart, mission, options.time_limit_s, settings);
     PassiveGcs usb(board, kUsbUsart);
     board.listen([&](int from, uint8_t byte, uint64_t time_us) {
         if (from == usart) flight.receive(byte, time_us);
@@ -441,8 +442,11 @@ int fly(const FlyOptions& options) {
     std::signal(SIGALRM, stopNow);
     std::signal(SIGPIPE, SIG_IGN);  // a debugger or ground station that has gone
     try {
-        const Waypoints items = readWaypoints(options.mission);
-        return options.serve ? serve(options, items) : flyScript(options, items);
+        const MissionFile mission = readMissionFile(options.mission);
+        for (const Remark& each : mission.remarks)
+            std::cerr << "fly: " << options.mission << ':' << each.line << ':' << each.column
+                      << ": " << each.text << "\n";
+        return options.serve ? serve(options, mission.items) : flyScript(options, mission);
     } catch (const std::runtime_error& error) {  // a file, an airplane, a port
         std::cerr << "fly: " << error.what() << "\n";
     }

@@ -108,7 +108,10 @@ std::string fault(const std::string& text) {
 
 // Each adds what belongs together, in the order of the help.
 void addImage(CLI::App& app, FlyOptions& o, std::string& board) {
-    app.add_option("MISSION", o.mission, "mission file, QGC WPL 110")->capture_default_str();
+    app.add_option("MISSION", o.mission,
+                   "mission file: QGC WPL 110, or a .plan of QGroundControl, whose "
+                   "fence and rally points are uploaded too")
+        ->capture_default_str();
     app.add_option("--board", board, "board to simulate")
         ->check(CLI::IsMember({"apm1", "apm2"}))
         ->capture_default_str();

@@ -32,23 +32,30 @@ static std::string resultName(uint8_t result) {
     return result < kNames.size() ? kNames[result] : "result " + std::to_string(result);
 }
 
+std::string MissionUpload::name() const {
+    return type_ == UploadOf::fence   ? "fence"
+           : type_ == UploadOf::rally ? "rally points"
+                                      : "mission";
+}
+
 void MissionUpload::step(uint64_t now_us, uint8_t system, uint8_t component) {
     system_ = system;
     component_ = component;
     if (accepted_ || !failure_.empty()) return;
     if (last_item_ >= 0) {
         if (now_us - asked_us_ > kSilence_us) {
-            failure_ = "mission upload: nothing heard after item " + std::to_string(last_item_);
+            failure_ = name() + " upload: nothing heard after item " + std::to_string(last_item_);
         }
     } else if (announcements_ == 0 || now_us - asked_us_ > kAnnounceAgain_us) {
         if (announcements_++ >= kAnnouncements) {
-            failure_ = "mission upload: the autopilot does not ask for the items";
+            failure_ = name() + " upload: the autopilot does not ask for the items";
             return;
         }
         MissionCount count{};
         count.count = static_cast<uint16_t>(items_.size());
         count.target_system = system;
         count.target_component = component;
+        count.mission_type = static_cast<uint8_t>(type_);
         link_.send(count);
         asked_us_ = now_us;
     }
@@ -56,15 +63,18 @@ void MissionUpload::step(uint64_t now_us, uint8_t system, uint8_t component) {
 
 void MissionUpload::take(const Frame& frame, uint64_t time_us) {
     if (accepted_ || !failure_.empty() || announcements_ == 0) return;
-    if (auto request = as<MissionRequest>(frame)) answer(request->seq, false, time_us);
-    if (auto request = as<MissionRequestInt>(frame)) answer(request->seq, true, time_us);
+    if (auto request = as<MissionRequest>(frame))
+        if (ours(request->mission_type)) answer(request->seq, false, time_us);
+    if (auto request = as<MissionRequestInt>(frame))
+        if (ours(request->mission_type)) answer(request->seq, true, time_us);
     if (auto ack = as<MissionAck>(frame)) {
+        if (!ours(ack->mission_type)) return;
         accepted_ = ack->type == MavMissionResult::accepted;
         if (accepted_) return;
         // its store is busy with the parameters: announced again, as a user would
         const bool early = ack->type == MavMissionResult::error && last_item_ < 0;
         if (early && announcements_ < kAnnouncements) return;
-        failure_ = "mission refused: " + resultName(ack->type);
+        failure_ = name() + " refused: " + resultName(ack->type);
         if (last_item_ >= 0) failure_ += " at item " + std::to_string(last_item_);
     }
 }
@@ -84,6 +94,7 @@ Item MissionUpload::header(const WaypointItem& from) const {
     item.frame = from.frame;
     item.current = from.current;
     item.autocontinue = from.autocontinue;
+    item.mission_type = static_cast<uint8_t>(type_);
     return item;
 }
 

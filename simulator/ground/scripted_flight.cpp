@@ -26,6 +26,8 @@ const ScriptedFlight::Stage ScriptedFlight::kStages[] = {
     {&ScriptedFlight::setParameters, 120, "the parameters were not set"},
     {&ScriptedFlight::requestStreams, 20, "the autopilot sends no telemetry streams"},
     {&ScriptedFlight::upload, 120, "the mission upload did not end"},
+    {&ScriptedFlight::uploadFence, 60, "the upload of the fence did not end"},
+    {&ScriptedFlight::uploadRally, 60, "the upload of the rally points did not end"},
     {&ScriptedFlight::waitReady, 120, "not ready to arm"},
     {&ScriptedFlight::arm, 60, "arming is refused"},
     {&ScriptedFlight::setAuto, 20, "AUTO is refused"},
@@ -38,21 +40,27 @@ void switchTransmitterOn(World& world) {
     world.radio().sticks({1500, 1500, 1100, 1500, 1500, 1500, 1500, 1425}, true);
 }
 
-ScriptedFlight::ScriptedFlight(Board& board, int usart, const Waypoints& items, double time_limit_s,
-                               const ParameterSettings& settings)
+ScriptedFlight::ScriptedFlight(Board& board, int usart, const MissionFile& mission,
+                               double time_limit_s, const ParameterSettings& settings)
     : board_(board),
-      items_(items),
-      frame_(items[0].latitude_deg, items[0].longitude_deg),
-      plan_(makePlan(items, frame_)),
+      items_(mission.items),
+      fence_(fenceItems(mission.fence)),
+      rally_(rallyItems(mission.rally)),
+      frame_(items_[0].latitude_deg, items_[0].longitude_deg),
+      plan_(makePlan(items_, frame_)),
       time_limit_s_(time_limit_s),
       link_(board, usart, [this](const Frame& frame, uint64_t time_us) { take(frame, time_us); }),
       parameters_(link_, settings),
-      upload_(link_, items_) {}
+      upload_(link_, items_),
+      fence_upload_(link_, fence_, UploadOf::fence),
+      rally_upload_(link_, rally_, UploadOf::rally) {}
 
 void ScriptedFlight::take(const Frame& frame, uint64_t time_us) {
     telemetry_.take(frame, time_us);
     parameters_.take(frame);
     upload_.take(frame, time_us);
+    fence_upload_.take(frame, time_us);
+    rally_upload_.take(frame, time_us);
     if (auto value = as<ParamValue>(frame)) {
         const std::string name(value->param_id, strnlen(value->param_id, sizeof value->param_id));
         if (name == kCruiseSpeed) cruise_speed_mps_ = value->param_value * 0.01;
@@ -161,11 +169,21 @@ bool ScriptedFlight::requestStreams(uint64_t now_us) {
     return false;
 }
 
-bool ScriptedFlight::upload(uint64_t now_us) {
-    upload_.step(now_us, telemetry_.system, telemetry_.component);
-    if (!upload_.failure().empty()) fail(upload_.failure());
-    if (upload_.accepted()) telemetry_.note(now_us, "mission uploaded");
-    return upload_.accepted();
+bool ScriptedFlight::send(MissionUpload& upload, const char* said, uint64_t now_us) {
+    upload.step(now_us, telemetry_.system, telemetry_.component);
+    if (!upload.failure().empty()) fail(upload.failure());
+    if (upload.accepted()) telemetry_.note(now_us, said);
+    return upload.accepted();
+}
+
+bool ScriptedFlight::upload(uint64_t now_us) { return send(upload_, "mission uploaded", now_us); }
+
+bool ScriptedFlight::uploadFence(uint64_t now_us) {
+    return fence_.empty() || send(fence_upload_, "fence uploaded", now_us);
+}
+
+bool ScriptedFlight::uploadRally(uint64_t now_us) {
+    return rally_.empty() || send(rally_upload_, "rally points uploaded", now_us);
 }
 
 // Meanwhile the radius of circles is asked for, which the report draws.

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A flight from the ground station's chair: connect, set the airplane's parameters, send the
-// mission up, arm, AUTO, let go of what is thrown, watch until the airplane stands again. What only
-// a ground station can know, where it stands and whether it crashed, is read from the truth.
+// mission up with its fence and rally points, arm, AUTO, let go of what is thrown, watch until the
+// airplane stands again. What only a ground station can know, where it stands and whether it
+// crashed, is read from the truth.
 #pragma once
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "simulator/ground/link.hpp"
+#include "simulator/ground/mission_file.hpp"
 #include "simulator/ground/mission_upload.hpp"
 #include "simulator/ground/parameter_upload.hpp"
 #include "simulator/ground/plan.hpp"
@@ -22,8 +24,12 @@ void switchTransmitterOn(World& world);
 
 class ScriptedFlight {
 public:
-    ScriptedFlight(Board& board, int usart, const Waypoints& items, double time_limit_s,
+    ScriptedFlight(Board& board, int usart, const MissionFile& mission, double time_limit_s,
                    const ParameterSettings& settings = {});
+    ScriptedFlight(Board& board, int usart, const Waypoints& items, double time_limit_s,
+                   const ParameterSettings& settings = {})
+        : ScriptedFlight(board, usart, MissionFile{items, {}, {}, {}, {}}, time_limit_s, settings) {
+    }
 
     void receive(uint8_t byte, uint64_t time_us) { link_.receive(byte, time_us); }
     void step(uint64_t now_us);  // every 20 ms or so
@@ -55,6 +61,9 @@ private:
     bool requestStreams(uint64_t now_us);
     bool setParameters(uint64_t now_us);
     bool upload(uint64_t now_us);
+    bool uploadFence(uint64_t now_us);
+    bool uploadRally(uint64_t now_us);
+    bool send(MissionUpload& upload, const char* said, uint64_t now_us);
     bool waitReady(uint64_t now_us);
     bool arm(uint64_t now_us);
     bool setAuto(uint64_t now_us);
@@ -75,14 +84,14 @@ private:
     void askFor(const char* parameter);
 
     Board& board_;
-    const Waypoints items_;
+    const Waypoints items_, fence_, rally_;
     const LocalFrame frame_;
     const Plan plan_;
     const double time_limit_s_;
     Link link_;
     Telemetry telemetry_;
     ParameterUpload parameters_;
-    MissionUpload upload_;
+    MissionUpload upload_, fence_upload_, rally_upload_;
     int stage_ = 0;
     uint64_t stage_us_ = 0, sent_us_ = 0, beat_us_ = 0;
     int tries_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/ground/text_file.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace simulator {
@@ -52,6 +53,17 @@ std::string fromUtf16(const std::string& bytes, bool big_endian) {
     return text;
 }
 
+// ASCII in units of 16 bits: every other byte is 0, and no others are.
+bool looksLikeUtf16(const std::string& bytes) {
+    constexpr size_t kEnough = 200;
+    const size_t size = std::min(bytes.size(), kEnough) / 2 * 2;
+    size_t zeros[2] = {0, 0};
+    for (size_t at = 0; at < size; ++at)
+        if (bytes[at] == 0) ++zeros[at % 2];
+    return size > 8 &&
+           ((zeros[0] == size / 2 && zeros[1] == 0) || (zeros[1] == size / 2 && zeros[0] == 0));
+}
+
 std::string withoutMark(const std::string& bytes) {
     if (beginsWith(bytes, "\xEF\xBB\xBF")) return bytes.substr(3);
     if (beginsWith(bytes, "\xFF\xFE")) return fromUtf16(bytes, false);
@@ -72,7 +84,9 @@ std::string decodedText(const std::string& bytes) {
 std::string whyNoText(const std::string& bytes) {
     const std::string text = decodedText(bytes);
     if (text.find_first_not_of(" \t\r\n") == text.npos) return "the file is empty";
-    return text.find('\0') == text.npos ? "" : "not a text file";
+    if (text.find('\0') == text.npos) return "";
+    return looksLikeUtf16(bytes) ? "UTF-16 without a byte order mark: save it as UTF-8"
+                                 : "not a text file";
 }
 
 std::string printable(const std::string& text) {

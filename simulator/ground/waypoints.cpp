@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "simulator/ground/mission_file.hpp"
 #include "simulator/ground/text_file.hpp"
-#include "simulator/input_file.hpp"
 
 namespace simulator {
 namespace {
@@ -87,7 +87,7 @@ private:
 
 // A number that is missing is one error, not one in every line behind it.
 int readIndex(Row& row, int expected) {
-    constexpr int kMax = 100'000;
+    constexpr int kMax = 1'000'000'000;
     const size_t index = static_cast<size_t>(expected);
     const int found = row.whole("index " + std::to_string(index), 0, kMax);
     if (row.good() && found != expected)
@@ -126,6 +126,7 @@ WaypointReading readWaypointLines(const std::string& bytes, const std::string& n
     std::string line;
     int number = 1;
     std::getline(lines, line);
+    size_t next_line = line.size() + 1;
     line.erase(line.find_last_not_of(kSpace) + 1);
     if (line != kHeader) {
         Row(line, name, 1, reading.errors).fail("'QGC WPL 110'", line);
@@ -133,9 +134,12 @@ WaypointReading readWaypointLines(const std::string& bytes, const std::string& n
     }
     int index = 0;
     while (std::getline(lines, line)) {
+        const size_t begins = next_line;
+        next_line += line.size() + 1;
         Row row(line, name, ++number, reading.errors);
         if (row.blank()) continue;
         reading.items.push_back(parseRow(row, index));
+        reading.items.back().begins = begins;
         index = reading.items.back().index + 1;
     }
     if (reading.errors.empty() && reading.items.size() < 2)
@@ -144,17 +148,9 @@ WaypointReading readWaypointLines(const std::string& bytes, const std::string& n
 }
 
 Waypoints parseWaypoints(const std::string& bytes, const std::string& name) {
-    const WaypointReading reading = readWaypointLines(bytes, name);
-    std::vector<std::string> texts;
-    for (const LineError& error : reading.errors) texts.push_back(error.text);
-    if (!texts.empty()) throw WaypointError(listed(texts));
-    return reading.items;
+    return parseMissionFile(bytes, name).items;
 }
 
-Waypoints readWaypoints(const std::string& path) {
-    const auto bytes = wholeFile(path);
-    if (!bytes) throw WaypointError(path + ": cannot be read");
-    return parseWaypoints(*bytes, path);
-}
+Waypoints readWaypoints(const std::string& path) { return readMissionFile(path).items; }
 
 }  // namespace simulator

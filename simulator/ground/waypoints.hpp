@@ -22,6 +22,7 @@ struct WaypointItem {
     bool autocontinue = true;
     bool readable = true;           // false: an error of its line is reported
     int line = 0;                   // of the file, from 1
+    size_t begins = 0;              // of that line in the file's decodedText
     std::array<int, 12> columns{};  // where each number begins, from 1
 
     bool isNav() const { return command < 96; }  // below MAV_CMD_NAV_LAST, 95
@@ -55,6 +56,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+// The items alone of any file that mission_file.hpp reads.
 Waypoints parseWaypoints(const std::string& bytes, const std::string& name);
 Waypoints readWaypoints(const std::string& path);  // throws WaypointError also when unreadable
 

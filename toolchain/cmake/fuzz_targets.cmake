@@ -30,5 +30,7 @@ endforeach()
 # the readers of the mission tool, without its command line
 file(GLOB tool_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/toolchain/mission_tool/*.cpp)
 list(FILTER tool_sources EXCLUDE REGEX "/(main|program)\\.cpp$")
+set(ground ${CMAKE_SOURCE_DIR}/simulator/ground)
 fuzzer(mission_tool ${CMAKE_SOURCE_DIR}/host_tests/fuzz/mission_tool_fuzz.cpp ${tool_sources}
-       ${CMAKE_SOURCE_DIR}/simulator/ground/waypoints.cpp ${CMAKE_SOURCE_DIR}/simulator/ground/text_file.cpp)
+       ${ground}/waypoints.cpp ${ground}/mission_file.cpp ${ground}/plan_file.cpp ${ground}/json_places.cpp
+       ${ground}/text_file.cpp)

@@ -73,7 +73,7 @@ file(GLOB_RECURSE text_users CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/*.c
 list(FILTER text_users EXCLUDE REGEX "_test\\.cpp$")  # these share precompiled headers
 foreach(source IN LISTS text_users)
     file(STRINGS ${source} found LIMIT_COUNT 1
-         REGEX "^#include (<CLI/CLI.hpp>|<nlohmann/json.hpp>|\"toolchain/mission_tool/command_line.hpp\")")
+         REGEX "^#include (<CLI/CLI.hpp>|<nlohmann/json.hpp>|\"(toolchain/mission_tool/command_line|simulator/ground/json_places).hpp\")")
     if(found)
         set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
     endif()
