@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes into a reader of the mission tool, from missions of both sets as a beginning.
-//   node fuzz.mjs PROGRAM waypoints|records|image|eeprom
+//   node fuzz.mjs PROGRAM waypoints|plan|records|image|eeprom
 import { readFileSync } from 'node:fs';
 import { fuzz } from './libfuzzer.mjs';
 
@@ -23,9 +23,21 @@ function pieces([head, home, ...rest], size, renumbered) {
 const hex = (text) => Buffer.from(text.replaceAll(' ', ''), 'hex');
 const north15 = '10 01 1e 70170000 2028051c 00b4c404', north14 = '10 01 1e 701700 2028051c 00b4c404';
 const repeat15 = 'b8 00 06 6c070000 03000000 04000000', jump14 = 'b1 00 01 000000 02000000 00000000';
+const simple = (command, params) =>
+  `{"type":"SimpleItem","command":${command},"doJumpId":1,"frame":3,"params":[${params}]}`;
+const plan = (item, fence) => Buffer.from(`{"fileType":"Plan","version":1,"mission":{"version":2,
+"plannedHomePosition":[47,8,400],"items":[${item}]},"geoFence":${fence},
+"rallyPoints":{"version":2,"points":[[47,8,70]]}}`);
 const readers = {
   waypoints: { longest: 400,
     seeds: pieces(linesOf('every_command_2.waypoints'), 4, true) },
+  plan: { longest: 1500, seeds: [
+    plan(simple(16, '0,0,0,null,47.1,8,60'), '{"version":2}'),
+    plan(`{"type":"ComplexItem","complexItemType":"survey","TransectStyleComplexItem":{"Items":[${
+      simple(177, '1,2,0,0,0,0,0')}]}}`, '{"version":2,"circles":[{"circle":{"center":[1,2],"radius":9}}]}'),
+    plan('{"type":"ComplexItem","complexItemType":"fwLandingPattern","version":2,"landCoordinate":[47,8,0],'
+      + '"landingApproachCoordinate":[47,8,9],"loiterRadius":9}',
+    '{"version":2,"breachReturn":[1,2],"polygons":[{"inclusion":true,"polygon":[[1,2],[3,4],[5,6]]}]}')] },
   records: { longest: 400, seeds: [
     ...pieces(linesOf('every_command_1.txt'), 4, false),
     Buffer.from('APM 2.0\n0x10 0 0 40000 470000000 80000000\n0x72 2 9 1 50 77\n')] },

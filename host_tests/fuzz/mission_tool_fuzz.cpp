@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes into a reader of the mission tool, FUZZ_READER by its name: waypoints, records (the
-// text form), image (Intel hex, 15-byte records) or eeprom (this firmware's). Whatever they were:
-// every item is good or has words that say why not, and what is written of a good mission is read
-// back as the same records.
+// Any bytes into a reader of the mission tool, FUZZ_READER by its name: waypoints, plan, records
+// (the text form), image (Intel hex, 15-byte records) or eeprom (this firmware's). Whatever they
+// were: every item is good or has words that say why not, and what is written of a good mission is
+// read back as the same records.
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,6 +11,7 @@
 #include "fakes/fakes.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/state/parameters.hpp"
+#include "simulator/ground/plan_file.hpp"
 #include "toolchain/mission_tool/arduplane.hpp"
 #include "toolchain/mission_tool/board.hpp"
 #include "toolchain/mission_tool/expectations.hpp"
@@ -42,7 +43,8 @@ Bytes packed(const Document& document) {
 
 void readBack(const Document& document, const std::string& text) {
     const Document again = looksLikeWaypoints(text) ? parseWaypointFile(text, "again", document.set)
-                                                    : parseRecords(text, "again");
+                           : simulator::looksLikeJson(text) ? parsePlan(text, "again", document.set)
+                                                            : parseRecords(text, "again");
     require(packed(again) == packed(document));
 }
 
@@ -52,9 +54,11 @@ void digest(const Document& document) {
         require(entry.good() == (entry.result == firmware::mission::MissionResult::accepted));
         good = good && entry.good();
     }
-    const std::string text = recordsAsText(document), waypoints = recordsAsWaypoints(document);
+    const std::string text = recordsAsText(document), waypoints = recordsAsWaypoints(document),
+                      plan = good ? recordsAsPlan(document) : "";
     if (good) readBack(document, text);
     if (good && !waypoints.empty()) readBack(document, waypoints);
+    if (good && !plan.empty()) readBack(document, plan);
     (void)findings(document);
     require(!tableOf(document).empty());
 }
@@ -63,6 +67,10 @@ void readWaypointFile(const uint8_t* bytes, size_t size) {
     const Set set = size > 0 && bytes[size - 1] == '!' ? Set::apm1 : Set::apm2;
     const auto* text = reinterpret_cast<const char*>(bytes);
     digest(parseWaypointFile(std::string(text, size), "fuzz", set));
+}
+
+void readPlan(const uint8_t* bytes, size_t size) {
+    digest(parsePlan(std::string(reinterpret_cast<const char*>(bytes), size), "fuzz", Set::apm2));
 }
 
 void readText(const uint8_t* bytes, size_t size) {
@@ -133,6 +141,7 @@ const struct {
     const char* name;
     void (*read)(const uint8_t* bytes, size_t size);
 } kReaders[] = {{"waypoints", readWaypointFile},
+                {"plan", readPlan},
                 {"records", readText},
                 {"image", readImage},
                 {"eeprom", readEeprom}};

@@ -27,7 +27,7 @@ foreach(row IN LISTS handled)
 endforeach()
 fuzz_test(gps gps_fuzz ${tests}/fuzz/gps.mjs ${FUZZ_TREE}/gps_fuzz)
 # the mission tool: any bytes into each of its readers
-foreach(reader waypoints records image eeprom)
+foreach(reader waypoints plan records image eeprom)
     fuzz_test(mission_tool.${reader} mission_tool_fuzz ${tests}/fuzz/mission_tool.mjs
               ${FUZZ_TREE}/mission_tool_fuzz ${reader})
 endforeach()

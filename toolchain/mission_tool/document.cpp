@@ -15,8 +15,9 @@ bool Entry::is(mission::Class kind) const { return good() && kCommandTable.kind(
 
 std::string Document::at(size_t index, const std::string& text) const {
     const Entry& entry = entries[index];
-    if (entry.line == 0) return name + ": item " + std::to_string(index) + ": " + text;
-    return placed(name, entry.line, entry.column, text);
+    const std::string item = "item " + std::to_string(index) + ": ";
+    if (entry.line == 0) return name + ": " + item + text;
+    return placed(name, entry.line, entry.column, (names_items ? item : "") + text);
 }
 
 MissionResult check(mission::Set set, size_t index, size_t count, Entry& entry) {

@@ -7,6 +7,7 @@
 
 #include "firmware/mission/mission.hpp"
 #include "mission/command_table.hpp"
+#include "simulator/ground/mission_file.hpp"
 
 namespace mission_tool {
 
@@ -27,6 +28,12 @@ struct Document {
     std::string name;
     mission::Set set = mission::Set::apm2;
     std::vector<Entry> entries;  // entries[0] is home
+
+    // Of a .plan.
+    simulator::Fence fence;
+    std::vector<simulator::RallyPlace> rally;
+    std::vector<simulator::Remark> remarks;
+    bool names_items = false;  // at() names the item: its line does not
 
     // "name:line:column: text", or "name: item 3: text" of an image.
     std::string at(size_t index, const std::string& text) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toolchain/mission_tool/load.hpp"
 
+#include "simulator/ground/plan_file.hpp"
 #include "simulator/ground/text_file.hpp"
 #include "simulator/input_file.hpp"
 #include "toolchain/mission_tool/arduplane.hpp"
@@ -32,6 +33,15 @@ std::string textOf(const std::string& bytes, const std::string& name) {
     return simulator::decodedText(bytes);
 }
 
+[[noreturn]] void refuseUnknown(const std::string& contents, const std::string& name) {
+    const std::string kinds =
+        "'QGC WPL 110', a .plan, 'APM 1.0', 'APM 2.0', Intel hex or a 4096-byte image";
+    const std::string kind = simulator::foreignMission(contents);
+    if (!kind.empty()) throw WrongInput(placed(name, 1, 1, "expected " + kinds + ", found " + kind));
+    throw WrongInput(placed(
+        name, 1, 1, expected(kinds, contents.substr(0, contents.find_first_of("\r\n")))));
+}
+
 }  // namespace
 
 std::string readFile(const std::string& path) {
@@ -44,7 +54,8 @@ bool isImage(const std::string& contents) {
     if (looksLikeHex(contents)) return true;
     if (contents.size() != blankImage().size()) return false;
     const std::string text = simulator::decodedText(contents);
-    return !looksLikeWaypoints(text) && !looksLikeRecords(text);
+    const bool json = simulator::looksLikeJson(text) && simulator::whyNoText(contents).empty();
+    return !looksLikeWaypoints(text) && !looksLikeRecords(text) && !json;
 }
 
 Image imageOf(const std::string& contents, const std::string& name) {
@@ -67,11 +78,10 @@ Document load(const std::string& bytes, const std::string& name, const Reading& 
         document = parseWaypointFile(contents, name, reading.set.value_or(mission::Set::apm2));
     } else if (looksLikeRecords(contents)) {
         document = parseRecords(contents, name);
+    } else if (simulator::looksLikeJson(contents)) {
+        document = parsePlan(contents, name, reading.set.value_or(mission::Set::apm2));
     } else {
-        throw WrongInput(
-            placed(name, 1, 1,
-                   expected("'QGC WPL 110', 'APM 1.0', 'APM 2.0', Intel hex or a 4096-byte image",
-                            contents.substr(0, contents.find_first_of("\r\n")))));
+        refuseUnknown(contents, name);
     }
     if (reading.set && *reading.set != document.set) {
         throw WrongInput(name + ": expected the set that --set names, found the other");

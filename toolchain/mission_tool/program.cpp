@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toolchain/mission_tool/program.hpp"
 
+#include <filesystem>
+
 #include "simulator/ground/text_file.hpp"
 #include "toolchain/mission_tool/arduplane.hpp"
 #include "toolchain/mission_tool/board.hpp"
@@ -17,9 +19,12 @@ namespace {
 
 constexpr char kWhat[] = "Missions as files and as EEPROM images for the board.";
 constexpr char kFooter[] =
-    "FILE is a QGC WPL 110 file, the text form of docs/mission.md, or an image: Intel hex or 4096\n"
-    "raw bytes. Exit status: 0 when all is well (there may be warnings), 1 when the mission is\n"
+    "FILE is a QGC WPL 110 file, a .plan of QGroundControl, the text form of docs/mission.md, or an\n"
+    "image: Intel hex or 4096 raw bytes. Exit status: 0 when all is well (there may be warnings), 1 when the mission is\n"
     "wrong, 2 when the command line is.";
+
+constexpr char kTextForm[] = "the text form";
+constexpr size_t kMaxWarnings = 20;
 
 struct Options {
     std::string file, out, set, onto;
@@ -76,16 +81,47 @@ public:
         return 0;
     }
 
+    int convert() {
+        load();
+        const Form form = formOf(options_.out);
+        if (reportFindings()) return 1;
+        const std::string text = (*form.write)(document_);
+        if (text.empty()) {
+            throw WrongInput(options_.file + ": holds what " + form.name +
+                             " cannot say; " + kTextForm + " (.txt) can say it");
+        }
+        simulator::writeFile(options_.out, text);
+        const bool around = document_.fence.given() || !document_.rally.empty();
+        if (around && form.write != recordsAsPlan)
+            err_ << options_.out << ": has no place for the fence and the rally points of "
+                 << options_.file << ": left out\n";
+        return 0;
+    }
+
     int show() {
         load();
         out_ << tableOf(document_);
-        for (const Finding& finding : findings(document_))
-            out_ << (finding.error ? "refused: item " : "warning: item ") << finding.index << ": "
-                 << finding.text << '\n';
+        printFindings(findings(document_), out_, [](const Finding& finding) {
+            return (finding.error ? "refused: item " : "warning: item ") +
+                   std::to_string(finding.index) + ": " + finding.text;
+        });
         return 0;
     }
 
 private:
+    struct Form {
+        const char *ending, *name;
+        std::string (*write)(const Document&);
+    };
+    static Form formOf(const std::string& path) {
+        constexpr Form kForms[] = {{".plan", "a .plan", recordsAsPlan},
+                                   {".waypoints", "a waypoint file", recordsAsWaypoints},
+                                   {".txt", kTextForm, recordsAsText}};
+        for (const Form& form : kForms)
+            if (std::filesystem::path(path).extension() == form.ending) return form;
+        throw WrongInput(path + ": expected a name that ends in .plan, .waypoints or .txt");
+    }
+
     std::string load() {
         reading_.onto = blankImage();
         reading_.records15 = options_.records == 15;
@@ -98,6 +134,8 @@ private:
             reading_.set = options_.set == "apm1" ? mission::Set::apm1 : mission::Set::apm2;
         const std::string contents = readFile(options_.file);
         document_ = mission_tool::load(contents, options_.file, reading_);
+        for (const simulator::Remark& each : document_.remarks)
+            err_ << placed(options_.file, each.line, each.column, "warning: " + each.text) << '\n';
         if (reading_.records15 && reading_.count == 0 && isImage(contents))
             err_ << options_.file << ": taken as " << document_.entries.size()
                  << " items, up to the first never written; --count gives the number for certain\n";
@@ -105,16 +143,24 @@ private:
     }
 
     bool reportFindings() {
-        const std::vector<Finding> all = findings(document_);
-        size_t errors = 0;
-        for (const Finding& finding : all) {
-            if (finding.error && ++errors > simulator::kMaxListed) continue;
-            err_ << document_.at(finding.index, (finding.error ? "" : "warning: ") + finding.text)
-                 << '\n';
-        }
-        if (errors > simulator::kMaxListed)
-            err_ << "and " << errors - simulator::kMaxListed << " more\n";
-        return errors > 0;
+        return printFindings(findings(document_), err_, [&](const Finding& finding) {
+            return document_.at(finding.index,
+                                (finding.error ? "" : "warning: ") + finding.text);
+        });
+    }
+
+    // Errors come last, where they are seen, however many warnings there are.
+    template <class LineOf>
+    static bool printFindings(const std::vector<Finding>& all, std::ostream& to, LineOf lineOf) {
+        const auto print = [&](bool errors, size_t most, const char* more) {
+            size_t found = 0;
+            for (const Finding& finding : all)
+                if (finding.error == errors && ++found <= most) to << lineOf(finding) << '\n';
+            if (found > most) to << "and " << found - most << more << '\n';
+            return found;
+        };
+        print(false, kMaxWarnings, " more warnings");
+        return print(true, simulator::kMaxListed, " more") > 0;
     }
 
     const Options& options_;
@@ -133,6 +179,7 @@ constexpr Command kCommands[] = {
     {"check", "checks whether the firmware takes a mission, and what it would never run",
      &Program::check},
     {"compile", "makes an EEPROM image that the board boots with", &Program::compile},
+    {"convert", "writes the mission as another kind of file", &Program::convert},
     {"decode", "writes the mission in an image as text", &Program::decode},
     {"show", "prints a table to be read before the flight", &Program::show},
 };
@@ -153,6 +200,11 @@ void addOptions(CLI::App& app, const Command& command, Options& o) {
                    "parameters set the ranges; else a blank EEPROM");
     if (command.run == &Program::compile)
         app.add_option("-o,--out", o.out, "image to write: .eep or .hex (Intel hex), .bin (raw)")
+            ->required();
+    if (command.run == &Program::convert)
+        app.add_option("-o,--out", o.out,
+                       "file to write: .plan (QGroundControl), .waypoints (QGC WPL 110) or .txt "
+                       "(the text form)")
             ->required();
     if (command.run == &Program::decode) {
         app.add_option("-o,--out", o.out, "file to write instead of the standard output");

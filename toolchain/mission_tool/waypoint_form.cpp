@@ -4,11 +4,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/item.hpp"
 #include "firmware/state/parameters.hpp"
-#include "simulator/ground/waypoints.hpp"
+#include "simulator/ground/plan_file.hpp"
 #include "toolchain/mission_tool/expectations.hpp"
 #include "toolchain/mission_tool/wrong_input.hpp"
 
@@ -45,11 +46,24 @@ size_t columnOf(MissionResult result) {
     return result == MissionResult::unsupported_frame ? kFrame : kCommand;
 }
 
-std::string wordAt(const std::string& contents, int line, int column) {
-    size_t begin = 0;
-    for (int i = 1; i < line; ++i) begin = contents.find('\n', begin) + 1;
-    begin += static_cast<size_t>(column) - 1;
+std::string wordAt(const std::string& contents, const WaypointItem& item, int column) {
+    const size_t begin = item.begins + static_cast<size_t>(column) - 1;
     return contents.substr(begin, contents.find_first_of(" \t\r\n", begin) - begin);
+}
+
+template <class Number>
+std::string shortest(Number value) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+// Of an item that has no columns: what would stand there.
+std::string valueOf(const WaypointItem& item, size_t column) {
+    if (column == kFrame) return std::to_string(item.frame);
+    if (column == kCommand) return std::to_string(item.command);
+    const double values[] = {item.params[0],    item.params[1],     item.params[2], item.params[3],
+                             item.latitude_deg, item.longitude_deg, item.altitude_m};
+    return shortest(values[column - kParam1]);
 }
 
 Entry entryOf(const WaypointItem& from, Set set, size_t index, size_t count) {
@@ -80,12 +94,6 @@ Entry entryOf(const WaypointItem& from, Set set, size_t index, size_t count) {
     return entry;
 }
 
-std::string shortest(float value) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-    return {text, end};
-}
-
 // Seven decimals, exactly.
 std::string degrees(int32_t e7) {
     const int64_t size = std::llabs(e7);
@@ -105,6 +113,28 @@ std::string lineOf(size_t index, const MissionItem& item) {
            "\t1\n";
 }
 
+// The items as entries; `found`: gives the word that is refused in this column. Throws WrongInput
+// for what could not be read.
+template <class Found>
+void fill(Document& document, simulator::MissionFile& mission, Found found) {
+    std::vector<LineProblem> problems;
+    for (const auto& error : mission.errors)
+        problems.push_back({error.line, error.column, error.text});
+    const size_t count = mission.items.size();
+    for (size_t i = 0; i < count; ++i) {
+        WaypointItem& item = mission.items[i];
+        Entry entry = entryOf(item, document.set, i, count);
+        if (entry.result != MissionResult::accepted) {
+            const std::string word = found(item, entry, columnOf(entry.result));
+            entry.problem = expected(expectation(document.set, entry), word);
+        }
+        document.entries.push_back(entry);
+        if (item.readable && !entry.good())
+            problems.push_back({entry.line, entry.column, document.at(i, entry.problem)});
+    }
+    if (!mission.errors.empty()) throwProblems(problems);
+}
+
 bool sameRecords(const Document& a, const Document& b) {
     if (a.entries.size() != b.entries.size()) return false;
     for (size_t i = 0; i < a.entries.size(); ++i) {
@@ -116,29 +146,73 @@ bool sameRecords(const Document& a, const Document& b) {
     return true;
 }
 
+std::vector<MissionItem> itemsOf(const Document& document) {
+    std::vector<MissionItem> items(document.entries.size());
+    for (size_t i = 0; i < items.size(); ++i)
+        firmware::mission::decodeItem(document.set, static_cast<uint8_t>(i),
+                                      document.entries[i].record, items[i]);
+    return items;
+}
+
+// As short as a float may be written.
+double asWritten(float value) { return std::isfinite(value) ? std::strtod(shortest(value).c_str(), nullptr) : value; }
+
+WaypointItem fileItemOf(const MissionItem& from) {
+    WaypointItem item;
+    item.command = from.command;
+    item.frame = from.frame;
+    item.params = {asWritten(from.param1), asWritten(from.param2), asWritten(from.param3),
+                   asWritten(from.param4)};
+    item.latitude_deg = from.x / 1e7;
+    item.longitude_deg = from.y / 1e7;
+    item.altitude_m = asWritten(from.z);
+    return item;
+}
+
+// Does reading give the document's records again?
+template <class Parse>
+bool readBack(const Document& document, Parse parse) {
+    try {
+        const Document again = parse();
+        for (const Entry& entry : again.entries)
+            if (!entry.good()) return false;
+        return sameRecords(document, again);
+    } catch (const WrongInput&) {
+        return false;
+    }
+}
+
 }  // namespace
 
 bool looksLikeWaypoints(const std::string& contents) { return contents.rfind("QGC", 0) == 0; }
 
 Document parseWaypointFile(const std::string& contents, const std::string& name, Set set) {
-    const auto [items, errors] = simulator::readWaypointLines(contents, name);
-    std::vector<LineProblem> problems;
-    for (const auto& error : errors) problems.push_back({error.line, error.column, error.text});
+    auto [items, errors] = simulator::readWaypointLines(contents, name);
+    simulator::MissionFile mission;
+    mission.items = std::move(items);
+    mission.errors = std::move(errors);
     Document document;
     document.name = name;
     document.set = set;
-    for (size_t i = 0; i < items.size(); ++i) {
-        Entry entry = entryOf(items[i], set, i, items.size());
-        if (entry.result != MissionResult::accepted) {
-            entry.column = items[i].columns[columnOf(entry.result)];
-            entry.problem =
-                expected(expectation(set, entry), wordAt(contents, entry.line, entry.column));
-        }
-        document.entries.push_back(entry);
-        if (items[i].readable && !entry.good())
-            problems.push_back({entry.line, entry.column, document.at(i, entry.problem)});
-    }
-    if (!errors.empty()) throwProblems(problems);
+    fill(document, mission, [&](WaypointItem& item, Entry& entry, size_t column) {
+        entry.column = item.columns[column];
+        return wordAt(contents, item, entry.column);
+    });
+    return document;
+}
+
+Document parsePlan(const std::string& contents, const std::string& name, Set set) {
+    simulator::MissionFile mission = simulator::readPlan(contents, name);
+    Document document;
+    document.name = name;
+    document.set = set;
+    document.names_items = true;
+    fill(document, mission, [](const WaypointItem& item, const Entry&, size_t column) {
+        return valueOf(item, column);
+    });
+    document.fence = mission.fence;
+    document.rally = mission.rally;
+    document.remarks = mission.remarks;
     return document;
 }
 
@@ -150,19 +224,22 @@ std::string itemsAsWaypoints(const std::vector<MissionItem>& items) {
 
 std::string recordsAsWaypoints(const Document& document) {
     if (document.set != Set::apm2) return "";
-    std::vector<MissionItem> items(document.entries.size());
-    for (size_t i = 0; i < items.size(); ++i)
-        firmware::mission::decodeItem(document.set, static_cast<uint8_t>(i),
-                                      document.entries[i].record, items[i]);
-    const std::string text = itemsAsWaypoints(items);
-    try {
-        const Document again = parseWaypointFile(text, document.name, document.set);
-        for (const Entry& entry : again.entries)
-            if (!entry.good()) return "";
-        return sameRecords(document, again) ? text : "";
-    } catch (const WrongInput&) {
-        return "";
-    }
+    const std::string text = itemsAsWaypoints(itemsOf(document));
+    return readBack(document, [&] { return parseWaypointFile(text, document.name, document.set); })
+               ? text
+               : "";
+}
+
+std::string recordsAsPlan(const Document& document) {
+    if (document.set != Set::apm2) return "";
+    simulator::MissionFile mission;
+    for (const MissionItem& item : itemsOf(document)) mission.items.push_back(fileItemOf(item));
+    mission.fence = document.fence;
+    mission.rally = document.rally;
+    const std::string text =
+        simulator::planOf(mission, firmware::state::parameters.cruise_speed_cms * 0.01);
+    return readBack(document, [&] { return parsePlan(text, document.name, document.set); }) ? text
+                                                                                            : "";
 }
 
 }  // namespace mission_tool

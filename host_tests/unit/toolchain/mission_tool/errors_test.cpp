@@ -62,8 +62,8 @@ TEST(Refusals, of_the_text_form_stand_at_the_field_that_holds_the_value) {
 TEST(Refusals, a_file_of_no_known_kind_is_refused_with_the_kinds_there_are) {
     EXPECT_EQ(
         refusalOf("hello\n"),
-        "m:1:1: expected 'QGC WPL 110', 'APM 1.0', 'APM 2.0', Intel hex or a 4096-byte image, "
-        "found 'hello'");
+        "m:1:1: expected 'QGC WPL 110', a .plan, 'APM 1.0', 'APM 2.0', Intel hex or a 4096-byte "
+        "image, found 'hello'");
     EXPECT_EQ(refusalOf(""), "m: the file is empty");
     EXPECT_EQ(refusalOf(" \n\n"), "m: the file is empty");
     EXPECT_EQ(refusalOf(std::string("\x7f"
