@@ -11,19 +11,12 @@ constexpr uint8_t kReturn = 0x14, kSetHome = 0xB3, kResetHome = 0x42;
 
 geo::Position placeOf(const Entry& entry) { return {entry.record.p3, entry.record.p4}; }
 
-// Item 0 may be anything, refused or not a place at all.
-bool onEarth(const geo::Position& place) {
-    constexpr int32_t kPole_e7 = 900000000, kHalfTurn_e7 = 1800000000;
-    return place.latitude_e7 >= -kPole_e7 && place.latitude_e7 <= kPole_e7 &&
-           place.longitude_e7 >= -kHalfTurn_e7 && place.longitude_e7 <= kHalfTurn_e7;
-}
-
 }  // namespace
 
 std::vector<Leg> legsOf(const Document& document) {
     std::vector<Leg> legs(document.entries.size());
     const geo::Position home = placeOf(document.entries[0]);
-    const bool home_known = onEarth(home);
+    const bool home_known = onEarth(document.entries[0].record);
     geo::Position from = home;
     bool about = true, from_known = home_known;
     for (size_t i = 1; i < legs.size(); ++i) {
@@ -42,6 +35,12 @@ std::vector<Leg> legsOf(const Document& document) {
         about = false;
     }
     return legs;
+}
+
+bool onEarth(const mission::Record& record) {
+    constexpr int32_t kPole_e7 = 900000000, kHalfTurn_e7 = 1800000000;
+    return record.p3 >= -kPole_e7 && record.p3 <= kPole_e7 && record.p4 >= -kHalfTurn_e7 &&
+           record.p4 <= kHalfTurn_e7;
 }
 
 bool aboveHome(const Document& document, size_t index) {

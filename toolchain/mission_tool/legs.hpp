@@ -15,6 +15,9 @@ struct Leg {
 };
 std::vector<Leg> legsOf(const Document& document);  // an entry an item
 
+// Item 0 may be anything, refused or not a place at all.
+bool onEarth(const mission::Record& record);
+
 // What the altitude of item `index` is measured from; else the sea.
 bool aboveHome(const Document& document, size_t index);
 

@@ -71,6 +71,7 @@ Document load(const std::string& bytes, const std::string& name, const Reading& 
     Document document;
     powerUp(reading.onto);
     const bool is_image = isImage(bytes);
+    if (!is_image && reading.prepare) reading.prepare();
     const std::string contents = is_image ? bytes : textOf(bytes, name);
     if (is_image) {
         document = fromImage(contents, name, reading);

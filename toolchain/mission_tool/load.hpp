@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any file the tool reads, by what is in it.
 #pragma once
+#include <functional>
 #include <optional>
 
 #include "toolchain/mission_tool/document.hpp"
@@ -13,7 +14,8 @@ struct Reading {
     Image onto;                       // the board the mission is for: its parameters set the ranges
     std::string onto_name;
     bool records15 = false;
-    size_t count = 0;  // of 15-byte records; 0: not given
+    std::function<void()> prepare;  // the board once it runs, for what is not an image
+    size_t count = 0;               // of 15-byte records; 0: not given
 };
 
 std::string readFile(const std::string& path);  // throws WrongInput

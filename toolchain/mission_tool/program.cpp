@@ -4,10 +4,12 @@
 #include <filesystem>
 
 #include "simulator/ground/text_file.hpp"
+#include "toolchain/mission_tool/airplane.hpp"
 #include "toolchain/mission_tool/arduplane.hpp"
 #include "toolchain/mission_tool/board.hpp"
 #include "toolchain/mission_tool/command_line.hpp"
 #include "toolchain/mission_tool/findings.hpp"
+#include "toolchain/mission_tool/flight_table.hpp"
 #include "toolchain/mission_tool/load.hpp"
 #include "toolchain/mission_tool/table.hpp"
 #include "toolchain/mission_tool/text_form.hpp"
@@ -27,7 +29,8 @@ constexpr char kTextForm[] = "the text form";
 constexpr size_t kMaxWarnings = 20;
 
 struct Options {
-    std::string file, out, set, onto;
+    std::string file, out, set, onto, airplane;
+    Wind wind;
     int records = 14;
     size_t count = 0;
     bool raw = false;
@@ -101,6 +104,7 @@ public:
     int show() {
         load();
         out_ << tableOf(document_);
+        showFlight();
         printFindings(findings(document_), out_, [](const Finding& finding) {
             return (finding.error ? "refused: item " : "warning: item ") +
                    std::to_string(finding.index) + ": " + finding.text;
@@ -109,6 +113,22 @@ public:
     }
 
 private:
+    std::string airplane() const {
+        return options_.airplane.empty() ? kUsualAirplane : options_.airplane;
+    }
+
+    void showFlight() {
+        const FlightOrder order = flightOrder(document_);
+        if (order.visits.empty()) return;
+        const Estimate flight =
+            estimate(document_, order, Power(airplaneNamed(airplane())), options_.wind);
+        out_ << "\nIn the order of the flight, " << airplane() << ", " << windInWords(options_.wind)
+             << ", estimated:\n"
+             << flightTableOf(document_, order, flight) << '\n';
+        out_ << (flight.stretches.empty() ? "home is no place: nothing can be reckoned\n"
+                                          : sumsOf(order, flight));
+    }
+
     struct Form {
         const char *ending, *name;
         std::string (*write)(const Document&);
@@ -130,6 +150,8 @@ private:
             reading_.onto = imageOf(readFile(options_.onto), options_.onto);
             reading_.onto_name = options_.onto;
         }
+        if (!options_.airplane.empty() && options_.onto.empty())
+            reading_.prepare = [this] { setParametersOf(options_.airplane); };
         if (!options_.set.empty())
             reading_.set = options_.set == "apm1" ? mission::Set::apm1 : mission::Set::apm2;
         const std::string contents = readFile(options_.file);
@@ -184,6 +206,31 @@ constexpr Command kCommands[] = {
     {"show", "prints a table to be read before the flight", &Program::show},
 };
 
+std::string parseWind(const std::string& text, Wind& wind) {
+    constexpr double kStrongest_mps = 30;
+    char* rest = nullptr;
+    wind.speed_mps = std::strtod(text.c_str(), &rest);
+    bool good = rest != text.c_str() && wind.speed_mps >= 0 && wind.speed_mps <= kStrongest_mps;
+    if (good && *rest == ',') {
+        const char* from = rest + 1;
+        wind.from_deg = std::strtod(from, &rest);
+        good = rest != from && *wind.from_deg >= 0 && *wind.from_deg <= 360;
+    }
+    return good && *rest == 0 ? ""
+                              : "expected SPEED or SPEED,FROM_DEGREES with 0 to 30 m/s and 0 to "
+                                "360 degrees, like 5,270, not '" + text + "'";
+}
+
+void addAirplane(CLI::App& app, Options& o) {
+    app.add_option("--airplane", o.airplane,
+                   "what flies: a name of simulator/airplanes or the path of a .json file; the "
+                   ".param file beside it counts unless --onto gives a board's; else foam_trainer");
+    app.add_option("--wind", "SPEED or SPEED,FROM_DEGREES: mean wind in m/s, up to 30, and where it "
+                             "comes from; else calm air")
+        ->type_name("TEXT")
+        ->check([&o](const std::string& text) { return parseWind(text, o.wind); });
+}
+
 void addOptions(CLI::App& app, const Command& command, Options& o) {
     app.add_option(command.run == &Program::decode ? "IMAGE" : "FILE", o.file, "what to read")
         ->required();
@@ -198,6 +245,7 @@ void addOptions(CLI::App& app, const Command& command, Options& o) {
     app.add_option("--onto", o.onto,
                    "image of the board the mission is for: everything else in it stays, and its "
                    "parameters set the ranges; else a blank EEPROM");
+    if (command.run == &Program::show) addAirplane(app, o);
     if (command.run == &Program::compile)
         app.add_option("-o,--out", o.out, "image to write: .eep or .hex (Intel hex), .bin (raw)")
             ->required();

@@ -2,29 +2,18 @@
 #include "toolchain/mission_tool/table.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 
 #include "firmware/mission/command_table.hpp"
 #include "toolchain/mission_tool/board.hpp"
+#include "toolchain/mission_tool/columns.hpp"
 #include "toolchain/mission_tool/findings.hpp"
+#include "toolchain/mission_tool/flight_order.hpp"
 #include "toolchain/mission_tool/legs.hpp"
 
 namespace mission_tool {
 namespace {
 
 using mission::Class;
-
-constexpr size_t kColumns = 8;
-using Line = std::array<std::string, kColumns>;
-
-template <class... Values>
-std::string format(const char* how, Values... values) {
-    char text[80];
-    std::snprintf(text, sizeof text, how, values...);
-    return text;
-}
 
 std::string classOf(size_t index, const Entry& entry) {
     constexpr const char* kNames[] = {"NAV", "CONDITION", "DO", "jump"};
@@ -76,38 +65,26 @@ std::string valuesOf(const Document& document, size_t index) {
     return text;
 }
 
-Line lineOf(const Document& document, size_t index, const Leg& leg, size_t nav) {
+// The NAVs that it is flown beside; in brackets the one that it stands beside and is not reached.
+std::string besideOf(const std::vector<size_t>& flown, size_t written) {
+    std::string text;
+    for (const size_t nav : flown) text += (text.empty() ? "" : ", ") + (nav == 0 ? "the end" : std::to_string(nav));
+    if (!text.empty()) return text;
+    return written == 0 ? "never run" : '(' + std::to_string(written) + ')';
+}
+
+Cells lineOf(const Document& document, size_t index, const Leg& leg, const std::string& beside) {
     const Entry& entry = document.entries[index];
     const bool alone = index == 0 || entry.is(Class::nav) || !entry.good();
     return {std::to_string(index),
             classOf(index, entry),
             index == 0 ? "" : commandOf(entry),
-            alone      ? ""
-            : nav == 0 ? "never run"
-                       : std::to_string(nav),
+            alone ? "" : beside,
             altitudeOf(document, index),
             leg.known ? format("%s%.0f m", leg.about ? "~" : "", static_cast<double>(leg.length_m))
                       : "",
             leg.known ? format("%03ld", static_cast<long>((leg.bearing_cd + 50) / 100 % 360)) : "",
             valuesOf(document, index)};
-}
-
-std::string aligned(const std::vector<Line>& lines) {
-    constexpr bool kRight[kColumns] = {true, false, false, false, true, true, true, false};
-    std::array<size_t, kColumns> widths{};
-    for (const Line& line : lines)
-        for (size_t c = 0; c < kColumns; ++c) widths[c] = std::max(widths[c], line[c].size());
-    std::string text;
-    for (const Line& line : lines) {
-        std::string row;
-        for (size_t c = 0; c < kColumns; ++c) {
-            const std::string space(widths[c] - line[c].size(), ' ');
-            row += (c == 0 ? "" : "  ") + (kRight[c] ? space + line[c] : line[c] + space);
-        }
-        row.erase(row.find_last_not_of(' ') + 1);
-        text += row + '\n';
-    }
-    return text;
 }
 
 std::string summaryOf(const Document& document, const std::vector<Leg>& legs) {
@@ -123,10 +100,19 @@ std::string summaryOf(const Document& document, const std::vector<Leg>& legs) {
 std::string tableOf(const Document& document) {
     const std::vector<Leg> legs = legsOf(document);
     const std::vector<size_t> navs = accompaniedNavs(document);
-    std::vector<Line> lines = {
+    const FlightOrder order = flightOrder(document);
+    const auto flown = flownBeside(document, order);
+    std::vector<Cells> lines = {
         {"item", "class", "command", "beside NAV", "altitude", "leg", "bearing", "values"}};
-    for (size_t i = 0; i < legs.size(); ++i) lines.push_back(lineOf(document, i, legs[i], navs[i]));
-    std::string text = aligned(lines) + '\n' + summaryOf(document, legs) + '\n';
+    for (size_t i = 0; i < legs.size(); ++i) {
+        const std::string beside = order.visits.empty() && navs[i] != 0
+                                       ? std::to_string(navs[i])
+                                       : besideOf(flown[i], navs[i]);
+        lines.push_back(lineOf(document, i, legs[i], beside));
+    }
+    std::string text =
+        inColumns(lines, {true, false, false, false, true, true, true, false}) + '\n' +
+        summaryOf(document, legs) + '\n';
     if (std::any_of(legs.begin(), legs.end(), [](const Leg& leg) { return leg.about; }))
         text += "~ begins wherever the airplane is; reckoned from the place known last\n";
     return text;
