@@ -132,7 +132,7 @@ private:
         const double course = courseTo(stretch.from, stretch.to);
         const double length_m = simulator::distance_m(stretch.from, stretch.to);
         const double indicated_mps = indicated_mps_;
-        if (landing) indicated_mps_ = (parameters.speed_min_mps + indicated_mps_) / 2;
+        if (landing) indicated_mps_ = approachSpeed_mps(course);
         stretch.airspeed_mps = airspeed_mps(course, stretch.from_height_m);
         stretch.ground_mps = groundSpeed_mps(stretch.airspeed_mps, wind_, course);
         indicated_mps_ = indicated_mps;
@@ -145,6 +145,16 @@ private:
                                    : climbLimited(stretch, time_s, total_.largest_climb_mps);
         if (stretch.circle_m > 0 || time_s == 0) stretch.needed_climb_mps = 0;
         spend(stretch, time_s, stretch.height_m - stretch.from_height_m, 1);
+    }
+
+    // As firmware/guidance/landing.cpp has it.
+    double approachSpeed_mps(double course_rad) const {
+        constexpr double kShare = 0.55, kOfHeadwind = 0.6, kMaxForHeadwind_mps = 3;
+        const double headwind_mps =
+            wind_.from_deg ? wind_.speed_mps * std::cos(*wind_.from_deg * M_PI / 180 - course_rad)
+                           : wind_.speed_mps;
+        return parameters.speed_min_mps + kShare * (indicated_mps_ - parameters.speed_min_mps) +
+               std::clamp(kOfHeadwind * headwind_mps, 0.0, kMaxForHeadwind_mps);
     }
 
     void climbStraightOn(size_t number, Stretch& stretch) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toolchain/mission_tool/program.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "simulator/ground/text_file.hpp"
@@ -9,6 +10,7 @@
 #include "toolchain/mission_tool/board.hpp"
 #include "toolchain/mission_tool/command_line.hpp"
 #include "toolchain/mission_tool/findings.hpp"
+#include "toolchain/mission_tool/flight_findings.hpp"
 #include "toolchain/mission_tool/flight_table.hpp"
 #include "toolchain/mission_tool/load.hpp"
 #include "toolchain/mission_tool/table.hpp"
@@ -30,6 +32,8 @@ constexpr size_t kMaxWarnings = 20;
 
 struct Options {
     std::string file, out, set, onto, airplane;
+    std::string fence;
+    double range_m = Conditions().range_m;
     Wind wind;
     int records = 14;
     size_t count = 0;
@@ -43,9 +47,16 @@ public:
 
     int check() {
         load();
-        if (reportFindings()) return 1;
-        out_ << options_.file << ": the firmware takes it\n";
-        return 0;
+        std::vector<Finding> all = findings(document_);
+        const bool refused = hasError(all);
+        if (!refused) addFlight(all);
+        const bool wrong = printFindings(all, err_, [&](const Finding& each) {
+            return document_.at(each.index, (each.error ? "" : "warning: ") + each.text);
+        });
+        if (!refused)
+            out_ << options_.file << ": the firmware takes it"
+                 << (wrong ? ", but it cannot be flown as it is written\n" : "\n");
+        return wrong ? 1 : 0;
     }
 
     int compile() {
@@ -117,11 +128,44 @@ private:
         return options_.airplane.empty() ? kUsualAirplane : options_.airplane;
     }
 
+    // What the flight itself is found to be.
+    std::vector<Finding> inspected(const FlightOrder& order, const Estimate& flight) const {
+        Conditions conditions = {options_.wind, options_.range_m, document_.fence};
+        if (!options_.fence.empty()) conditions.fence = fenceOf(options_.fence);
+        return flightFindings(document_, order, flight, conditions);
+    }
+
+    static simulator::Fence fenceOf(const std::string& path) {
+        try {
+            const simulator::Fence fence = simulator::readMissionFile(path).fence;
+            if (!fence.given()) throw WrongInput(path + ": has no fence");
+            return fence;
+        } catch (const simulator::WaypointError& error) {
+            throw WrongInput(error.what());
+        }
+    }
+
+    Estimate reckoned(const FlightOrder& order) const {
+        return estimate(document_, order, Power(airplaneNamed(airplane())), options_.wind);
+    }
+
+    static bool hasError(const std::vector<Finding>& all) {
+        return std::any_of(all.begin(), all.end(), [](const Finding& each) { return each.error; });
+    }
+
+    void addFlight(std::vector<Finding>& all) const {
+        const FlightOrder order = flightOrder(document_);
+        for (Finding& each : inspected(order, reckoned(order))) {
+            const bool named = document_.entries[each.index].line == 0 || document_.names_items;
+            if (!named) each.text = "item " + std::to_string(each.index) + ": " + each.text;
+            all.push_back(each);
+        }
+    }
+
     void showFlight() {
         const FlightOrder order = flightOrder(document_);
         if (order.visits.empty()) return;
-        const Estimate flight =
-            estimate(document_, order, Power(airplaneNamed(airplane())), options_.wind);
+        const Estimate flight = reckoned(order);
         out_ << "\nIn the order of the flight, " << airplane() << ", " << windInWords(options_.wind)
              << ", estimated:\n"
              << flightTableOf(document_, order, flight) << '\n';
@@ -198,7 +242,9 @@ struct Command {
     int (Program::*run)();
 };
 constexpr Command kCommands[] = {
-    {"check", "checks whether the firmware takes a mission, and what it would never run",
+    {"check",
+     "checks whether the firmware takes a mission, what it would never run, and whether the airplane "
+     "can fly it",
      &Program::check},
     {"compile", "makes an EEPROM image that the board boots with", &Program::compile},
     {"convert", "writes the mission as another kind of file", &Program::convert},
@@ -245,7 +291,13 @@ void addOptions(CLI::App& app, const Command& command, Options& o) {
     app.add_option("--onto", o.onto,
                    "image of the board the mission is for: everything else in it stays, and its "
                    "parameters set the ranges; else a blank EEPROM");
-    if (command.run == &Program::show) addAirplane(app, o);
+    if (command.run == &Program::show || command.run == &Program::check) addAirplane(app, o);
+    if (command.run == &Program::check) {
+        app.add_option("--fence", o.fence, "a .plan whose fence counts, instead of FILE's own");
+        app.add_option("--range", o.range_m, "metres from home beyond which there is a warning")
+            ->check(CLI::Range(1.0, 1e7))
+            ->capture_default_str();
+    }
     if (command.run == &Program::compile)
         app.add_option("-o,--out", o.out, "image to write: .eep or .hex (Intel hex), .bin (raw)")
             ->required();
