@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/campaign/flight.hpp"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "simulator/input_file.hpp"
-
-extern char** environ;
+#include "simulator/run_program.hpp"
 
 namespace simulator {
 namespace {
@@ -73,31 +67,6 @@ std::string brokenFrames(const Json& summary) {
     return "";
 }
 
-struct Ending {
-    int status = 0, signal = 0;
-};
-
-Ending run(const std::string& program, const std::vector<std::string>& words, const fs::path& log) {
-    std::vector<char*> arguments = {const_cast<char*>(program.c_str())};
-    for (const auto& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    posix_spawn_file_actions_adddup2(&files, 1, 2);
-    pid_t child = 0;
-    const int failed =
-        posix_spawn(&child, program.c_str(), &files, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&files);
-    if (failed != 0) throw std::runtime_error(program + ": " + std::strerror(failed));
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (WIFSIGNALED(status)) return {0, WTERMSIG(status)};
-    return {WEXITSTATUS(status), 0};
-}
-
 }  // namespace
 
 std::string CampaignWind::name() const {
@@ -152,7 +121,7 @@ static CampaignResult flyIn(const std::string& folder, const std::string& progra
     std::vector<std::string> words = {"--native", "--out", folder};
     for (const auto& word : flight.arguments()) words.push_back(word);
     const fs::path log = fs::path(folder) / "fly.log";
-    const Ending ending = run(program, words, log);
+    const Ending ending = runProgram(program, words, log);
     CampaignResult result = resultOf(flight, contents(fs::path(folder) / "summary.json"));
     if (ending.signal != 0) {
         result.failure = "the program died of signal " + std::to_string(ending.signal);

@@ -241,6 +241,9 @@ foreach(stall IN LISTS stalls)
 endforeach()
 
 # ---- the tools' images and logs, flown
+declare_test(mission_tool.rehearses COMMAND node --test ${tests}/scenarios/mission_rehearsal.test.mjs
+             NEEDS fly mission_tool LABELS native REUSE DATA ${flight_data} ENVIRONMENT
+             MISSION_TOOL=$<TARGET_FILE:mission_tool>)
 declare_test(mission_tool.flies_a_compiled_image COMMAND node --test ${tests}/scenarios/mission_image.test.mjs
              NEEDS fly mission_tool LABELS native REUSE DATA ${flight_data} ENVIRONMENT
              FLY=$<TARGET_FILE:fly> FLY_BOARD=native MISSION_TOOL=$<TARGET_FILE:mission_tool>)

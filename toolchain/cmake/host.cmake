@@ -61,6 +61,8 @@ endfunction()
 # missions and parameters as files and EEPROM images, by the firmware's own tables and stores
 project_tool(mission_tool toolchain/mission_tool firmware_on_fakes simulator_ground fakes)
 target_sources(mission_tool_parts PRIVATE simulator/parameter_file.cpp toolchain/param_tool/settings.cpp)
+target_compile_definitions(mission_tool_parts PRIVATE MISSION_FLY="${CMAKE_BINARY_DIR}/fly"
+                           MISSION_OUT="${CMAKE_SOURCE_DIR}/build/rehearsal")
 project_tool(param_tool toolchain/param_tool mission_tool_parts)
 target_compile_definitions(param_tool_parts PRIVATE
                            PARAMETERS_CSV="${CMAKE_SOURCE_DIR}/firmware/state/parameters.csv")

@@ -50,6 +50,12 @@ std::string readFile(const std::string& path) {
     return *contents;
 }
 
+bool looksLikeGroundStations(const std::string& contents) {
+    if (isImage(contents)) return false;
+    const std::string text = simulator::decodedText(contents);
+    return looksLikeWaypoints(text) || simulator::looksLikeJson(text);
+}
+
 bool isImage(const std::string& contents) {
     if (looksLikeHex(contents)) return true;
     if (contents.size() != blankImage().size()) return false;

@@ -20,6 +20,8 @@ struct Reading {
 
 std::string readFile(const std::string& path);  // throws WrongInput
 
+// QGC WPL 110 or JSON, which the simulator reads too.
+bool looksLikeGroundStations(const std::string& contents);
 bool isImage(const std::string& contents);
 Image imageOf(const std::string& contents, const std::string& name);  // throws WrongInput
 

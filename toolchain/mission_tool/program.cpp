@@ -13,6 +13,7 @@
 #include "toolchain/mission_tool/flight_findings.hpp"
 #include "toolchain/mission_tool/flight_table.hpp"
 #include "toolchain/mission_tool/load.hpp"
+#include "toolchain/mission_tool/rehearse.hpp"
 #include "toolchain/mission_tool/table.hpp"
 #include "toolchain/mission_tool/text_form.hpp"
 #include "toolchain/mission_tool/waypoint_form.hpp"
@@ -32,9 +33,11 @@ constexpr size_t kMaxWarnings = 20;
 
 struct Options {
     std::string file, out, set, onto, airplane;
-    std::string fence;
+    std::string fence, reports = MISSION_OUT;
     double range_m = Conditions().range_m;
+    uint64_t seed = 1;
     Wind wind;
+    bool wind_given = false;
     int records = 14;
     size_t count = 0;
     bool raw = false;
@@ -112,6 +115,20 @@ public:
         return 0;
     }
 
+    int rehearse() {
+        const std::string contents = load();
+        if (reportFindings()) return 1;
+        Rehearsal rehearsal;
+        rehearsal.folder = options_.reports;
+        rehearsal.airplane = airplane();
+        if (options_.wind_given) rehearsal.wind = options_.wind;
+        rehearsal.seed = options_.seed;
+        if (!options_.onto.empty()) rehearsal.board = rawOf(reading_.onto);
+        const bool as_it_is = looksLikeGroundStations(contents);
+        rehearsal.mission = as_it_is ? options_.file : missionIn(rehearsal.folder);
+        return rehearseFlights(rehearsal, out_) ? 0 : 1;
+    }
+
     int show() {
         load();
         out_ << tableOf(document_);
@@ -126,6 +143,20 @@ public:
 private:
     std::string airplane() const {
         return options_.airplane.empty() ? kUsualAirplane : options_.airplane;
+    }
+
+    // A file that the ground station of the simulator reads.
+    std::string missionIn(const std::string& folder) const {
+        const std::string plan = recordsAsPlan(document_);
+        if (plan.empty())
+            throw WrongInput(options_.file +
+                             (document_.set == mission::Set::apm1
+                                  ? ": rehearse uploads the mission, and flies the APM 2.0 set only"
+                                  : ": holds what no ground station can upload"));
+        simulator::makeFolder(folder);
+        const std::string path = (std::filesystem::path(folder) / "mission.plan").string();
+        simulator::writeFile(path, plan);
+        return path;
     }
 
     // What the flight itself is found to be.
@@ -249,6 +280,8 @@ constexpr Command kCommands[] = {
     {"compile", "makes an EEPROM image that the board boots with", &Program::compile},
     {"convert", "writes the mission as another kind of file", &Program::convert},
     {"decode", "writes the mission in an image as text", &Program::decode},
+    {"rehearse", "flies it natively, in calm air and in wind, and prints how that went",
+     &Program::rehearse},
     {"show", "prints a table to be read before the flight", &Program::show},
 };
 
@@ -267,13 +300,21 @@ std::string parseWind(const std::string& text, Wind& wind) {
                                 "360 degrees, like 5,270, not '" + text + "'";
 }
 
-void addAirplane(CLI::App& app, Options& o) {
+void addRehearsal(CLI::App& app, Options& o) {
+    app.add_option("--seed", o.seed, "of every random error; the same seed gives the same flight")
+        ->capture_default_str();
+    app.add_option("-o,--out", o.reports, "folder for the reports of both flights")
+        ->capture_default_str();
+}
+
+void addAirplane(CLI::App& app, Options& o, const char* no_wind) {
     app.add_option("--airplane", o.airplane,
                    "what flies: a name of simulator/airplanes or the path of a .json file; the "
                    ".param file beside it counts unless --onto gives a board's; else foam_trainer");
-    app.add_option("--wind", "SPEED or SPEED,FROM_DEGREES: mean wind in m/s, up to 30, and where it "
-                             "comes from; else calm air")
-        ->type_name("TEXT")
+    const std::string what =
+        "SPEED or SPEED,FROM_DEGREES: mean wind in m/s, up to 30, and where it comes from; else ";
+    app.add_option_function<std::string>("--wind", [&o](const std::string&) { o.wind_given = true; },
+                                         what + no_wind)
         ->check([&o](const std::string& text) { return parseWind(text, o.wind); });
 }
 
@@ -291,7 +332,10 @@ void addOptions(CLI::App& app, const Command& command, Options& o) {
     app.add_option("--onto", o.onto,
                    "image of the board the mission is for: everything else in it stays, and its "
                    "parameters set the ranges; else a blank EEPROM");
-    if (command.run == &Program::show || command.run == &Program::check) addAirplane(app, o);
+    const bool rehearses = command.run == &Program::rehearse;
+    if (rehearses || command.run == &Program::show || command.run == &Program::check)
+        addAirplane(app, o, rehearses ? "6,270; always with gusts of 1 m/s" : "calm air");
+    if (rehearses) addRehearsal(app, o);
     if (command.run == &Program::check) {
         app.add_option("--fence", o.fence, "a .plan whose fence counts, instead of FILE's own");
         app.add_option("--range", o.range_m, "metres from home beyond which there is a warning")

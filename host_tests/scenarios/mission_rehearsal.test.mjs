@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// toolchain/mission rehearse flies a mission in calm air and in wind; and what show has estimated
+// of time and charge is near what the simulated flight takes. MISSION_TOOL names the program.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+
+const folder = mkdtempSync(join(tmpdir(), 'mission-rehearsal-'));
+after(() => rmSync(folder, { recursive: true }));
+
+const missionNamed = (name) => new URL(`../../simulator/missions/${name}`, import.meta.url).pathname;
+const tool = (...words) => spawnSync(process.env.MISSION_TOOL, words, { encoding: 'utf8' });
+
+// Of a flight's report: seconds from the first two metres of height to the landing, and mAh till the end.
+function flown(report) {
+  const { flight_time_s: time_s } = JSON.parse(readFileSync(join(report, 'summary.json'), 'utf8'));
+  const [head, ...rows] = readFileSync(join(report, 'flight.csv'), 'utf8').trim().split('\n').map((row) => row.split(','));
+  const at = (row, name) => Number(row[head.indexOf(name)]);
+  const begin = rows.findIndex((row) => at(row, 'height_m') > 2);
+  let used_mah = 0;
+  for (let i = begin + 1; i < rows.length; ++i)
+    used_mah += at(rows[i], 'motor_current_a') * (at(rows[i], 'time_s') - at(rows[i - 1], 'time_s')) / 3.6;
+  return { time_s, used_mah };
+}
+
+function estimated(words) {
+  const { stdout, status } = tool('show', ...words);
+  assert.equal(status, 0);
+  const [, minutes, seconds, used_mah] = /km in (\d+):(\d+) min, (\d+) mAh/.exec(stdout);
+  return { time_s: 60 * Number(minutes) + Number(seconds), used_mah: Number(used_mah) };
+}
+
+// The estimate flies every corner to its point, which costs more against a wind.
+function assertNear(found, expected, what, most) {
+  const ratio = found / expected;
+  assert.ok(ratio > 0.98 && ratio < most, `${what}: ${found} estimated, ${expected} flown`);
+}
+
+for (const airplane of ['foam_trainer', 'trainer_6kg', 'flying_wing'])
+  for (const mission of ['first_flight.waypoints', 'box_600.waypoints', 'survey.plan'])
+    test(`${mission} with the ${airplane}: both flights, and near the estimate`, () => {
+      const out = join(folder, `${airplane}.${mission}`), words = [missionNamed(mission), '--airplane', airplane];
+      const { stdout, status } = tool('rehearse', ...words, '--wind', '5,300', '-o', out);
+      assert.equal(status, 0, stdout);
+      assert.match(stdout, /\ncalm air: mission completed\n/);
+      assert.match(stdout, /\n5\.0 m\/s from 300, gusts of 1 m\/s: mission completed\n/);
+      for (const [name, wind, most] of [['calm', '0', 1.08], ['wind', '5,300', 1.17]]) {
+        assert.ok(stdout.includes(`${out}/${name}/report.html`) && existsSync(join(out, name, 'report.html')));
+        const found = estimated([...words, '--wind', wind]), expected = flown(join(out, name));
+        assertNear(found.time_s, expected.time_s, `${name}, seconds`, most);
+        assertNear(found.used_mah, expected.used_mah, `${name}, mAh`, most);
+      }
+    });
+
+test('the fence and the rally points of a plan are uploaded', () => {
+  const out = join(folder, 'plan');
+  assert.equal(tool('rehearse', missionNamed('survey.plan'), '--wind', '0', '-o', out).status, 0);
+  const { events } = JSON.parse(readFileSync(join(out, 'calm/summary.json'), 'utf8'));
+  const said = events.map(({ text }) => text);
+  assert.ok(said.includes('fence uploaded') && said.includes('rally points uploaded'), said.join());
+  assert.ok(!existsSync(join(out, 'wind')), 'no second flight without wind');
+});
+
+test('an image is flown with its board\'s parameters', () => {
+  const image = join(folder, 'board.bin'), out = join(folder, 'image');
+  assert.equal(tool('compile', missionNamed('first_flight.waypoints'), '-o', image).status, 0);
+  const { stdout, status } = tool('rehearse', image, '--onto', image, '--wind', '0', '-o', out);
+  assert.equal(status, 0, stdout);
+  assert.ok(existsSync(join(out, 'calm/eeprom.bin')));
+});
+
+test('what is not completed, not flown or refused is reported as such', () => {
+  const out = join(folder, 'wrong'), file = join(folder, 'm.waypoints');
+  const home = 'QGC WPL 110\n0 1 0 16 0 0 0 0 47.3977 8.5456 488 1\n1 0 3 22 15 0 0 0 0 0 40 1\n';
+  const write = (lines) => {
+    writeFileSync(file, home + lines);
+    return tool('rehearse', file, '--wind', '0', '-o', out);
+  };
+  const open = write('2 0 3 16 0 0 0 0 47.4 8.5456 60 1\n');
+  assert.equal(open.status, 1);
+  assert.match(open.stdout, /calm air: not completed: /);
+  const refused = write('2 0 3 2000 0 0 0 0 47.4 8.5456 60 1\n');
+  assert.equal(refused.status, 1);
+  assert.match(refused.stderr, /m\.waypoints:4:7: expected a command of the APM 2\.0 set/);
+  assert.equal(refused.stdout, '');
+  const first = tool('rehearse', missionNamed('every_command_1.txt'), '-o', out);
+  assert.equal(first.status, 1);
+  assert.match(first.stderr, /flies the APM 2\.0 set only/);
+});

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mission flown before its flight: by the program behind toolchain/fly --native, once in calm air
+// and once in wind.
+#pragma once
+#include <ostream>
+#include <string>
+
+#include "toolchain/mission_tool/estimate.hpp"
+
+namespace mission_tool {
+
+struct Rehearsal {
+    std::string mission;  // a file that the simulator reads
+    std::string airplane;
+    std::string folder;  // receives calm/ and wind/
+    std::string board;   // its EEPROM, 4096 bytes; empty: blank, and the airplane's .param is set
+    Wind wind = {6, 270.0};
+    uint64_t seed = 1;
+};
+
+// Prints how both went and where their reports are. False: one was not completed. Throws WrongInput
+// when the simulator does not fly it at all.
+bool rehearseFlights(const Rehearsal& rehearsal, std::ostream& out);
+
+}  // namespace mission_tool
