@@ -11,17 +11,6 @@ namespace {
 
 constexpr size_t kMaxRows = 200;
 
-std::string besideOf(const Document& document, const Visit& visit) {
-    constexpr size_t kMaxNamed = 12;
-    std::string text;
-    for (size_t i = 0; i < std::min(visit.beside.size(), kMaxNamed); ++i)
-        text += (i == 0 ? "" : ", ") + std::to_string(visit.beside[i]) + ' ' +
-                nameOf(document.entries[visit.beside[i]]);
-    if (visit.beside.size() > kMaxNamed)
-        text += " and " + std::to_string(visit.beside.size() - kMaxNamed) + " more";
-    return text;
-}
-
 Cells rowOf(const Document& document, const Visit& visit, const Stretch* stretch) {
     if (visit.nav == 0)
         return {"", "(circles)", "", "", "", "", "", "", besideOf(document, visit)};
@@ -43,6 +32,17 @@ Cells rowOf(const Document& document, const Visit& visit, const Stretch* stretch
 }
 
 }  // namespace
+
+std::string besideOf(const Document& document, const Visit& visit) {
+    constexpr size_t kMaxNamed = 12;
+    std::string text;
+    for (size_t i = 0; i < std::min(visit.beside.size(), kMaxNamed); ++i)
+        text += (i == 0 ? "" : ", ") + std::to_string(visit.beside[i]) + ' ' +
+                nameOf(document.entries[visit.beside[i]]);
+    if (visit.beside.size() > kMaxNamed)
+        text += " and " + std::to_string(visit.beside.size() - kMaxNamed) + " more";
+    return text;
+}
 
 std::string windInWords(const Wind& wind) {
     if (wind.speed_mps == 0) return "calm air";

@@ -10,6 +10,7 @@ namespace mission_tool {
 std::string flightTableOf(const Document& document, const FlightOrder& order,
                           const Estimate& estimate);
 std::string sumsOf(const FlightOrder& order, const Estimate& estimate);  // a line each
+std::string besideOf(const Document& document, const Visit& visit);
 std::string windInWords(const Wind& wind);
 
 }  // namespace mission_tool

@@ -13,6 +13,7 @@
 #include "toolchain/mission_tool/flight_findings.hpp"
 #include "toolchain/mission_tool/flight_table.hpp"
 #include "toolchain/mission_tool/load.hpp"
+#include "toolchain/mission_tool/page.hpp"
 #include "toolchain/mission_tool/rehearse.hpp"
 #include "toolchain/mission_tool/table.hpp"
 #include "toolchain/mission_tool/text_form.hpp"
@@ -33,7 +34,7 @@ constexpr size_t kMaxWarnings = 20;
 
 struct Options {
     std::string file, out, set, onto, airplane;
-    std::string fence, reports = MISSION_OUT;
+    std::string fence, html, reports = MISSION_OUT;
     double range_m = Conditions().range_m;
     uint64_t seed = 1;
     Wind wind;
@@ -133,6 +134,8 @@ public:
         load();
         out_ << tableOf(document_);
         showFlight();
+        if (!options_.html.empty() && !page_written_)
+            throw WrongInput(options_.html + ": not written: there is no flight to draw");
         printFindings(findings(document_), out_, [](const Finding& finding) {
             return (finding.error ? "refused: item " : "warning: item ") +
                    std::to_string(finding.index) + ": " + finding.text;
@@ -193,6 +196,14 @@ private:
         }
     }
 
+    void writePage(const FlightOrder& order, const Estimate& flight) {
+        std::vector<Finding> all = findings(document_);
+        for (const Finding& each : inspected(order, flight)) all.push_back(each);
+        simulator::writeFile(options_.html,
+                             pageOf({document_, order, flight, all, airplane(), options_.wind}));
+        page_written_ = true;
+    }
+
     void showFlight() {
         const FlightOrder order = flightOrder(document_);
         if (order.visits.empty()) return;
@@ -202,6 +213,7 @@ private:
              << flightTableOf(document_, order, flight) << '\n';
         out_ << (flight.stretches.empty() ? "home is no place: nothing can be reckoned\n"
                                           : sumsOf(order, flight));
+        if (!options_.html.empty() && !flight.stretches.empty()) writePage(order, flight);
     }
 
     struct Form {
@@ -265,6 +277,7 @@ private:
     std::ostream& err_;
     Reading reading_;
     Document document_;
+    bool page_written_ = false;
 };
 
 struct Command {
@@ -336,6 +349,8 @@ void addOptions(CLI::App& app, const Command& command, Options& o) {
     if (rehearses || command.run == &Program::show || command.run == &Program::check)
         addAirplane(app, o, rehearses ? "6,270; always with gusts of 1 m/s" : "calm air");
     if (rehearses) addRehearsal(app, o);
+    if (command.run == &Program::show)
+        app.add_option("--html", o.html, "page to write as well: map, height profile, findings");
     if (command.run == &Program::check) {
         app.add_option("--fence", o.fence, "a .plan whose fence counts, instead of FILE's own");
         app.add_option("--range", o.range_m, "metres from home beyond which there is a warning")
