@@ -24,7 +24,7 @@ std::string inColumns(const std::vector<Cells>& lines, const std::vector<bool>& 
 }
 
 std::string minutesAndSeconds(double time_s) {
-    const long seconds = std::lround(std::min(time_s, 1e7));
+    const long seconds = std::lround(std::min(1e7, std::max(0.0, time_s)));
     return format("%ld:%02ld", seconds / 60, seconds % 60);
 }
 

@@ -48,8 +48,8 @@ public:
         total_.capacity_mah = power_.capacity_mah();
         const double cruise_mps = airspeedOf_mps(indicated_mps_, home_m_);
         full_climb_mps_ = power_.largestClimb_mps(cruise_mps);
-        total_.largest_climb_mps =
-            std::min<double>(parameters.speed_height.climb_max_mps, full_climb_mps_);
+        total_.largest_climb_mps = std::max(
+            0.0, std::min<double>(parameters.speed_height.climb_max_mps, full_climb_mps_));
         total_.largest_sink_mps = parameters.speed_height.sink_max_mps;
         for (size_t i = 0; i < order_.visits.size(); ++i)
             if (order_.visits[i].nav != 0) fly(i);
@@ -92,8 +92,8 @@ private:
         if (!demanded_ground_mps_) return true_mps;
         const double missing_mps =
             *demanded_ground_mps_ - groundSpeed_mps(true_mps, wind_, course_rad);
-        return std::clamp<double>(true_mps + missing_mps, parameters.speed_min_mps,
-                                  parameters.speed_max_mps);
+        return std::max<double>(parameters.speed_min_mps,
+                                std::min<double>(parameters.speed_max_mps, true_mps + missing_mps));
     }
 
     void fly(size_t number) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toolchain/mission_tool/power.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "simulator/airplane/atmosphere.hpp"
@@ -12,7 +13,10 @@ namespace {
 using simulator::kGravity_mss;
 using simulator::kSeaLevelDensity_kgm3;
 
-int hundredths(double value) { return static_cast<int>(std::lround(value * 100)); }
+int hundredths(double value) {
+    constexpr double kLargest = 1e6;
+    return static_cast<int>(std::lround(std::max(-kLargest, std::min(kLargest, value)) * 100));
+}
 
 }  // namespace
 
