@@ -11,8 +11,9 @@
 namespace simulator {
 namespace {
 
-constexpr int kMaxLevels = 50;     // a plan has eight
-constexpr size_t kMaxKeys = 1000;  // of one object, which is searched from its beginning
+constexpr int kMaxLevels = 50;        // a plan has eight
+constexpr size_t kMaxEntries = 5000;  // the parser looks through a list at each of its entries
+constexpr size_t kMaxKeys = 1000;     // of one object, which is searched from its beginning
 
 // Counts what the parser has taken.
 class Counting {
@@ -71,9 +72,13 @@ public:
         using Event = Json::parse_event_t;
         if (depth > kMaxLevels) throw TooMuch("at most 50 levels of brackets");
         if (event == Event::object_start || event == Event::array_start) {
+            const auto level = static_cast<size_t>(depth);
             begins.push_back(taken_ - 1);
-            keys_.resize(static_cast<size_t>(depth) + 2);
-            keys_.back() = 0;
+            keys_.resize(level + 2);
+            entries_.resize(level + 2);
+            keys_.back() = entries_.back() = 0;
+            if (++entries_[level] > kMaxEntries)
+                throw TooMuch("at most 5000 objects or lists in a list");
         }
         if (event == Event::key && ++keys_.at(static_cast<size_t>(depth)) > kMaxKeys)
             throw TooMuch("at most 1000 keys in an object");
@@ -83,7 +88,7 @@ public:
 
 private:
     const size_t& taken_;
-    std::vector<size_t> keys_;
+    std::vector<size_t> keys_, entries_;  // by the level of brackets
 };
 
 // The containers in the order of the text; the depth is limited above.

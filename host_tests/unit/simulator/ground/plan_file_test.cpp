@@ -153,6 +153,13 @@ TEST(PlanFile, other_json_and_what_is_none_are_distinguished) {
     EXPECT_THAT(problems("{\"a\":1e999}"), HasSubstr("a number that can be held"));
     EXPECT_THAT(problems("{\"a\":{},\"a\":{}}"), HasSubstr("found one twice"));
     EXPECT_THAT(problems(std::string(100'000, '[')), HasSubstr("50 levels"));
+    std::string long_list = "[", many_keys = "{";
+    for (int i = 0; i < 6000; ++i) {
+        long_list += "[],\n";
+        many_keys += "\"k" + std::to_string(i) + "\":1,";
+    }
+    EXPECT_THAT(problems(long_list), HasSubstr("m.plan:5001:1: expected at most 5000"));
+    EXPECT_THAT(problems(many_keys), HasSubstr("expected at most 1000 keys"));
     EXPECT_THAT(problems(R"({"fileType":"Plan","version":7})"), HasSubstr("expected version 1"));
 }
 
