@@ -67,9 +67,12 @@ public:
     Progress conditionDone() const {
         return finish_condition_ ? Progress::done : Progress::running;
     }
-    void jumps(uint8_t target) {
+    // Asked also of one that the engine only looks at, and does not come to.
+    void jumps(const Record& record, uint8_t target) {
+        const uint8_t at = engine_.next();
+        if (at >= count() || !same(record, document_.entries[at].record)) return;
         jump_target_ = target;
-        accompany(engine_.next());
+        accompany(at);
     }
     void event(Event event, uint8_t index) {
         switch (event) {
@@ -100,6 +103,13 @@ public:
 
 private:
     static const mission::Host kHost;
+
+    bool same(const Record& a, const Record& b) const {
+        uint8_t bytes[2][mission::kRecordSize];
+        mission::pack(document_.set, a, bytes[0]);
+        mission::pack(document_.set, b, bytes[1]);
+        return std::equal(bytes[0], bytes[0] + sizeof bytes[0], bytes[1]);
+    }
 
     void accompany(size_t index) {
         auto& to = flying_ ? order_.visits.back().beside : pending_;
@@ -170,7 +180,7 @@ mission::Jump jumpOf(const Record& record) {
     const uint8_t row1 = rows().table.find(mission::Set::apm1, record.id);
     const bool is2 = row != mission::kNoRow && rows().targets[row] != nullptr;
     const mission::Jump jump = rows().targets[is2 ? row : row1](record);
-    flown->jumps(jump.target);
+    flown->jumps(record, jump.target);
     return jump;
 }
 
