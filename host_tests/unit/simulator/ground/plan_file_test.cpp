@@ -94,6 +94,14 @@ TEST(PlanFile, expands_a_landing_pattern_as_qgroundcontrol_sends_it) {
     const MissionFile straight =
         read(plan(complex("fwLandingPattern", rest + R"("useLoiterToAlt":false)")));
     EXPECT_THAT(commands(straight), ElementsAre(16, 189, 206, 16, 21));
+    EXPECT_EQ(straight.items[4].frame, 3);
+
+    const std::string above_sea =
+        rest.substr(rest.find(",\"landCoordinate")) + R"("altitudesAreRelative":false)";
+    const MissionFile absolute = read(plan(complex("fwLandingPattern", above_sea)));
+    ASSERT_TRUE(absolute.errors.empty());
+    EXPECT_EQ(absolute.items[3].frame, 0);
+    EXPECT_EQ(absolute.items[4].frame, 0);
 }
 
 TEST(PlanFile, says_what_of_a_landing_pattern_it_leaves_out) {
@@ -189,6 +197,19 @@ TEST(PlanFile, has_fence_and_rally_points) {
     const Waypoints rally = rallyItems(mission.rally);
     EXPECT_EQ(rally.at(0).command, 5100);
     EXPECT_EQ(rally.at(0).frame, 3);
+}
+
+TEST(PlanFile, fence_and_rally_points_have_a_version) {
+    EXPECT_THAT(problems(plan(waypoint(1), R"(,"rallyPoints":{"points":[]})")),
+                HasSubstr("rallyPoints: expected version 2, found nothing"));
+    EXPECT_THAT(problems(plan(waypoint(1), R"(,"geoFence":{"version":3})")),
+                HasSubstr("geoFence: expected version 2, found '3'"));
+    const MissionFile first = read(
+        plan(waypoint(1),
+             R"(,"geoFence":{"version":1,"polygon":[[1,2],[3,4],[5,6]],"breachReturn":[3,4]})"));
+    EXPECT_TRUE(first.errors.empty());
+    ASSERT_EQ(first.fence.areas.size(), 1u);
+    EXPECT_EQ(first.fence.areas[0].rim.size(), 3u);
 }
 
 TEST(PlanFile, a_fence_of_two_corners_is_none) {

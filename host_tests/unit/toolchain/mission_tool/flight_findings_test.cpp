@@ -128,8 +128,10 @@ TEST(FlightFindings, a_circle_that_needs_too_much_bank_in_the_wind) {
 
 TEST(FlightFindings, a_leg_too_short_for_its_turns) {
     const std::string hook = "0x10 1 0 6000 470050000 80005000\n";  // 38 m east
-    EXPECT_THAT(found(good(kNorth + hook)),
-                HasSubstr("3: warning: the leg of 38 m is shorter than the "));
+    EXPECT_THAT(
+        found(good(kNorth + hook)),
+        HasSubstr("3: warning: the leg of 38 m is shorter than the 51 m that the turns at its ends "
+                  "take at 13.0 m/s, planned with 35 of 45 degrees of bank\n"));
 }
 
 TEST(FlightFindings, climbs_and_sinks_that_the_airplane_cannot_fly) {
@@ -157,6 +159,9 @@ TEST(FlightFindings, far_places_and_a_battery_that_does_not_last) {
     const std::string far = "0x10 1 0 6000 471000000 80000000\n";  // 11.1 km, and back
     EXPECT_THAT(found(good(far)),
                 HasSubstr("2: warning: 11117 m from home, farther than 5000 m (--range)\n"));
+    const std::string circle = "0x12 1 1 6000 470447000 80000000\n";  // 4,970 m
+    EXPECT_THAT(found(good(circle)),
+                HasSubstr("2: warning: 5029 m from home, farther than 5000 m (--range)\n"));
     std::string laps;
     for (int i = 0; i < 4; ++i) laps += far + kNorth;
     EXPECT_THAT(found(good(laps)), HasSubstr("0: the flight takes "));
@@ -177,6 +182,7 @@ TEST(FlightFindings, jumps_in_a_circle_with_nothing_between) {
     EXPECT_THAT(found(kHome + std::string(kNorth) + circle + kEast),
                 HasSubstr("2: warning: jumps in a circle, 2 to 4 to 2, with neither a NAV nor a "
                           "CONDITION on the way"));
+    EXPECT_THAT(found(kHome + std::string(kNorth) + circle + kEast), Not(HasSubstr("4 to 2 to 4")));
     const std::string waits = "0xB1 0 4 0 5 0\n0x70 0 0 0 5 0\n0xB1 0 3 0 -1 0\n";
     EXPECT_THAT(found(kHome + std::string(kNorth) + waits + kEast), Not(HasSubstr("circle,")));
     EXPECT_THAT(found(apm1("0x10 0 6000 470100000 80000000\n0x75 0 3 0 0\n0x75 0 2 0 0\n")),
