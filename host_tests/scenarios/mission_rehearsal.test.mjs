@@ -64,6 +64,18 @@ test('the fence and the rally points of a plan are uploaded', () => {
   assert.ok(!existsSync(join(out, 'wind')), 'no second flight without wind');
 });
 
+test('a flight of more than 20 minutes has the time it takes', () => {
+  const file = join(folder, 'long.waypoints'), out = join(folder, 'long');
+  const lines = readFileSync(missionNamed('box_600.waypoints'), 'utf8').trim().split('\n');
+  const home = lines[1], rest = lines.slice(2);
+  rest.splice(8, 0, '0\t0\t3\t177\t3\t3\t0\t0\t0\t0\t0\t1');  // three times more from item 3 on
+  writeFileSync(file, `${[lines[0], home, ...rest.map((line, i) => line.replace(/^\d+/, i + 1))].join('\n')}\n`);
+  const { stdout, status } = tool('rehearse', file, '--wind', '0', '-o', out);
+  const { emulated_s } = JSON.parse(readFileSync(join(out, 'calm/summary.json'), 'utf8'));
+  assert.ok(emulated_s > 1200, `${emulated_s} s, ${stdout}`);
+  assert.equal(status, 0, stdout);
+});
+
 test('an image is flown with its board\'s parameters', () => {
   const image = join(folder, 'board.bin'), out = join(folder, 'image');
   assert.equal(tool('compile', missionNamed('first_flight.waypoints'), '-o', image).status, 0);

@@ -52,6 +52,27 @@ double Plan::height_m(const PlannedNav& nav, const Point& from, const Point& pla
     return nav.from_height_m + share * (nav.height_m - nav.from_height_m);
 }
 
+std::vector<int> navsInTurn(const Waypoints& items) {
+    constexpr uint16_t kJump = 177;  // MAV_CMD_DO_JUMP
+    constexpr int kMaxSteps = 100'000;
+    const double count = static_cast<double>(items.size());
+    std::vector<int> navs;
+    std::vector<double> taken(items.size(), 0);  // of a jump: times
+    size_t i = 1;
+    for (int steps = 0; i < items.size() && steps < kMaxSteps; ++steps, ++i) {
+        const WaypointItem& item = items[i];
+        if (item.isNav()) navs.push_back(item.index);
+        if (item.command != kJump) continue;
+        const double target = item.params[0], times = item.params[1];
+        const bool ahead = target > static_cast<double>(i) && target < count;
+        const bool again = target >= 1 && target < static_cast<double>(i) && taken[i] < times;
+        if (!again && !(ahead && (times < 0 || taken[i] < times))) continue;
+        ++taken[i];
+        i = static_cast<size_t>(target) - 1;
+    }
+    return navs;
+}
+
 Plan makePlan(const Waypoints& items, const LocalFrame& frame) {
     Plan plan;
     std::optional<double> airspeed;

@@ -52,6 +52,10 @@ struct Plan {
     static double height_m(const PlannedNav& nav, const Point& from, const Point& place);
 };
 
+// The items that are reached, in their order, with the jumps between them. One back for ever counts
+// as passed over: with it no flight ends.
+std::vector<int> navsInTurn(const Waypoints& items);
+
 Plan makePlan(const Waypoints& items, const LocalFrame& frame);
 
 }  // namespace simulator

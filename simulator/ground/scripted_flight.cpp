@@ -286,8 +286,7 @@ std::optional<double> ScriptedFlight::standing_distance_m() const {
 
 // Says in reason_ what is missing for a completed mission; nothing when it is one.
 void ScriptedFlight::check() {
-    std::vector<int> wanted;
-    for (const PlannedNav& nav : plan_.navs) wanted.push_back(nav.item);
+    const std::vector<int> wanted = navsInTurn(items_);
     // Firmware that does not send MISSION_ITEM_REACHED shows its way by MISSION_CURRENT.
     const auto& flown = telemetry_.reached.empty() ? telemetry_.visited : telemetry_.reached;
     if (flown != wanted) {

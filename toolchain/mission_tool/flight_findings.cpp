@@ -65,8 +65,13 @@ private:
             warn(order_.visits.front().nav,
                  std::string("no TAKEOFF before it: the flight begins with ") +
                      nameOf(document_.entries[order_.visits.front().nav]));
-        if (order_.end != FlightOrder::End::landed)
-            warn(order_.visits.back().nav, "no LAND: the mission " + endOf(order_));
+        const size_t last = order_.visits.back().nav;
+        if (order_.end == FlightOrder::End::longer) {
+            warn(last, "more than " + std::to_string(order_.visits.size()) +
+                           " NAVs are flown: what follows is not looked at");
+        } else if (order_.end != FlightOrder::End::landed) {
+            warn(last, "no LAND: the mission " + endOf(order_));
+        }
     }
 
     // ---- without an airplane

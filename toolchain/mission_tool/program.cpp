@@ -124,6 +124,7 @@ public:
         rehearsal.airplane = airplane();
         if (options_.wind_given) rehearsal.wind = options_.wind;
         rehearsal.seed = options_.seed;
+        rehearsal.expected_s = reckoned(flightOrder(document_)).time_s;
         if (!options_.onto.empty()) rehearsal.board = rawOf(reading_.onto);
         const bool as_it_is = looksLikeGroundStations(contents);
         rehearsal.mission = as_it_is ? options_.file : missionIn(rehearsal.folder);

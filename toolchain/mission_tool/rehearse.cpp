@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toolchain/mission_tool/rehearse.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "simulator/input_file.hpp"
@@ -21,11 +23,19 @@ Wind directed(const Wind& wind) {
     return {wind.speed_mps, wind.from_deg.value_or(kWest_deg)};
 }
 
+// In wind it may take more than twice as long; the simulator's own limit is 20 minutes.
+long timeLimit_s(double expected_s) {
+    constexpr double kLeast_s = 1200, kMax_s = 100'000, kTimes = 3, kBesides_s = 300;
+    return std::lround(
+        std::min(kMax_s, std::max(kLeast_s, kTimes * expected_s + kBesides_s)));
+}
+
 std::vector<std::string> wordsFor(const Rehearsal& rehearsal, const Wind& wind,
                                   const fs::path& folder) {
     std::vector<std::string> words = {"--native",    "--airplane",     rehearsal.airplane,
                                       "--out",       folder.string(),  "--seed",
                                       std::to_string(rehearsal.seed)};
+    words.insert(words.end(), {"--time-limit", std::to_string(timeLimit_s(rehearsal.expected_s))});
     if (wind.speed_mps > 0) {
         words.push_back("--gusts");
         words.push_back("--wind");

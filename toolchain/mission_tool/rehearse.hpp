@@ -15,6 +15,7 @@ struct Rehearsal {
     std::string folder;  // receives calm/ and wind/
     std::string board;   // its EEPROM, 4096 bytes; empty: blank, and the airplane's .param is set
     Wind wind = {6, 270.0};
+    double expected_s = 0;  // of the flight in calm air; it is given up some time after that
     uint64_t seed = 1;
 };
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace simulator;
 
 static Plan planOf(const std::string& rows) {
@@ -69,4 +71,26 @@ TEST(Plan, slopes_a_leg_between_the_heights_of_its_ends) {
 TEST(Plan, knows_the_landing_point_only_of_a_mission_that_ends_with_a_landing) {
     EXPECT_TRUE(planOf("1 0 3 21 0 0 0 0 47 8 0 1\n").landing());
     EXPECT_FALSE(planOf("1 0 3 21 0 0 0 0 47 8 0 1\n2 0 3 16 0 0 0 0 47 8 0 1\n").landing());
+}
+
+TEST(NavsInTurn, repeat_what_a_jump_leads_back_to) {
+    Waypoints items(6);
+    for (size_t i = 0; i < items.size(); ++i) {
+        items[i].index = static_cast<int>(i);
+        items[i].command = 16;
+    }
+    EXPECT_EQ(navsInTurn(items), (std::vector<int>{1, 2, 3, 4, 5}));
+    items[3].command = 177;
+    items[3].params = {2, 2, 0, 0};
+    EXPECT_EQ(navsInTurn(items), (std::vector<int>{1, 2, 2, 2, 4, 5}));
+    items[3].params = {1, 1, 0, 0};
+    EXPECT_EQ(navsInTurn(items), (std::vector<int>{1, 2, 1, 2, 4, 5}));
+    items[3].params = {1, -1, 0, 0};
+    EXPECT_EQ(navsInTurn(items), (std::vector<int>{1, 2, 4, 5}));
+    items[3].params = {5, 1, 0, 0};
+    EXPECT_EQ(navsInTurn(items), (std::vector<int>{1, 2, 5}));
+    items[3].params = {5, -1, 0, 0};
+    EXPECT_EQ(navsInTurn(items), (std::vector<int>{1, 2, 5}));
+    items[3].params = {NAN, 1, 0, 0};
+    EXPECT_EQ(navsInTurn(items), (std::vector<int>{1, 2, 4, 5}));
 }

@@ -155,6 +155,13 @@ TEST(FlightFindings, neither_takeoff_nor_landing) {
               "1: warning: no LAND: the mission ends in RTL\n");
 }
 
+TEST(FlightFindings, a_flight_that_is_longer_than_what_is_looked_at) {
+    const std::string all = found(good(std::string(kNorth) + kEast + "0xB1 0 2 0 32767 0\n"));
+    EXPECT_THAT(all,
+                HasSubstr("warning: more than 5000 NAVs are flown: what follows is not looked at"));
+    EXPECT_THAT(all, Not(HasSubstr("no LAND")));
+}
+
 TEST(FlightFindings, far_places_and_a_battery_that_does_not_last) {
     const std::string far = "0x10 1 0 6000 471000000 80000000\n";  // 11.1 km, and back
     EXPECT_THAT(found(good(far)),
