@@ -104,16 +104,23 @@ private:
         return 0;
     }
 
+    bool counts(size_t jump) const {
+        return document_.set == Set::apm2 && document_.entries[jump].record.p3 != mission::kForEver;
+    }
+
+    // Of jumps for ever it is said for every form of a mission, findings.cpp.
     void loop(size_t jump) {
         std::string way = std::to_string(jump);
         size_t at = jump;
+        bool counted = counts(jump);
         for (size_t steps = 0; steps < document_.entries.size(); ++steps) {
             at = nextJump(at);
             if (at == 0 || at < jump) return;  // of one that began before, it is said there
             way += " to " + std::to_string(at);
+            counted = counted || counts(at);
             if (at == jump) break;
         }
-        if (at == jump)
+        if (at == jump && counted)
             warn(jump, "jumps in a circle, " + way +
                            ", with neither a NAV nor a CONDITION on the way: the firmware passes "
                            "over them when it has gone round");
@@ -132,7 +139,8 @@ private:
             const double outside_m =
                 fence_.outside_m(frame_.at(place.latitude_deg, place.longitude_deg));
             if (outside_m > 0)
-                refuse(0, format("rally point %zu lies %.0f m outside the fence", i + 1, outside_m));
+                refuse(0,
+                       format("rally point %zu lies %.0f m outside the fence", i + 1, outside_m));
         }
     }
 
@@ -197,7 +205,9 @@ private:
         warn(s.nav, text);
     }
 
-    double fastest_mps(const Stretch& s) const { return s.airspeed_mps + conditions_.wind.speed_mps; }
+    double fastest_mps(const Stretch& s) const {
+        return s.airspeed_mps + conditions_.wind.speed_mps;
+    }
 
     // Of the parameters, and of what the wings carry at this speed.
     double bankLimit_deg(const Stretch& s) const {
@@ -212,9 +222,10 @@ private:
         const double bank_deg =
             std::atan2(speed_mps * speed_mps, s.circle_m * kGravity_mss) / kDegree;
         if (bank_deg > limit_deg)
-            warn(s.nav, format("the circle of %.0f m needs %.0f degrees of bank at %.1f m/s over the "
-                               "ground, more than %.0f (LIM_ROLL_CD and the lowest speed)",
-                               s.circle_m, bank_deg, speed_mps, limit_deg));
+            warn(s.nav,
+                 format("the circle of %.0f m needs %.0f degrees of bank at %.1f m/s over the "
+                        "ground, more than %.0f (LIM_ROLL_CD and the lowest speed)",
+                        s.circle_m, bank_deg, speed_mps, limit_deg));
     }
 
     // Turns are planned with seven tenths of the bank (firmware/guidance/bank.cpp).
@@ -226,14 +237,14 @@ private:
         const double tangent = kTurnShare * std::tan(std::min(limit_deg, 80.0) * kDegree);
         const double radius_m = speed_mps * speed_mps / (kGravity_mss * tangent);
         const double needed_m =
-            radius_m * (leadOf(number) + (number + 1 < flight_.stretches.size() ? leadOf(number + 1)
-                                                                                : 0));
+            radius_m *
+            (leadOf(number) + (number + 1 < flight_.stretches.size() ? leadOf(number + 1) : 0));
         const double length_m = simulator::distance_m(s.from, s.to);
         if (length_m > 1 && length_m < needed_m)
-            warn(s.nav, format("the leg of %.0f m is shorter than the %.0f m that the turns at its "
-                               "ends take at %.1f m/s, planned with %.0f of %.0f degrees of bank",
-                               length_m, needed_m, speed_mps, std::atan(tangent) / kDegree,
-                               limit_deg));
+            warn(s.nav,
+                 format("the leg of %.0f m is shorter than the %.0f m that the turns at its "
+                        "ends take at %.1f m/s, planned with %.0f of %.0f degrees of bank",
+                        length_m, needed_m, speed_mps, std::atan(tangent) / kDegree, limit_deg));
     }
 
     // Of the turn into this stretch: how far before the corner it begins, in radii.
@@ -256,13 +267,14 @@ private:
         if (parameters.rtl_height_cm < 0) return;
         const double height_m = parameters.rtl_height_cm * 0.01;
         if (parameters.fence_max_m > parameters.fence_min_m && height_m > parameters.fence_max_m)
-            refuse(0, format("RTL flies at %.0f m (ALT_HOLD_RTL), over FENCE_MAXALT, %d m", height_m,
-                             int{parameters.fence_max_m}));
+            refuse(0, format("RTL flies at %.0f m (ALT_HOLD_RTL), over FENCE_MAXALT, %d m",
+                             height_m, int{parameters.fence_max_m}));
         double lowest_m = INFINITY;
         size_t lowest = 0;
         for (const Stretch& s : flight_.stretches) {
             const uint8_t id = idOf(s.nav);
-            if (!s.placed || id == kReturn || id == kLand || s.wanted_height_m >= lowest_m) continue;
+            if (!s.placed || id == kReturn || id == kLand || s.wanted_height_m >= lowest_m)
+                continue;
             lowest_m = s.wanted_height_m;
             lowest = s.nav;
         }
@@ -275,8 +287,7 @@ private:
     void battery() {
         constexpr double kShare = 0.8;
         if (flight_.capacity_mah <= 0 || flight_.used_mah <= kShare * flight_.capacity_mah) return;
-        const std::string text =
-            format("the flight takes %.0f mAh, more than ", flight_.used_mah);
+        const std::string text = format("the flight takes %.0f mAh, more than ", flight_.used_mah);
         if (flight_.used_mah > flight_.capacity_mah) {
             refuse(0, text + format("the battery's %.0f", flight_.capacity_mah));
         } else {

@@ -193,7 +193,8 @@ TEST(FlightFindings, jumps_in_a_circle_with_nothing_between) {
     const std::string waits = "0xB1 0 4 0 5 0\n0x70 0 0 0 5 0\n0xB1 0 3 0 -1 0\n";
     EXPECT_THAT(found(kHome + std::string(kNorth) + waits + kEast), Not(HasSubstr("circle,")));
     EXPECT_THAT(found(apm1("0x10 0 6000 470100000 80000000\n0x75 0 3 0 0\n0x75 0 2 0 0\n")),
-                HasSubstr("2: warning: jumps in a circle, 2 to 3 to 2,"));
+                Not(HasSubstr("circle,")))
+        << "of jumps without a count every verb says it";
 }
 
 class Check : public Tool {};
