@@ -169,11 +169,13 @@ void History::received(const Frame& frame, double now_s) {
     if (const auto m = as<VfrHud>(frame)) hud_ = m, hud_s_ = now_s;
     if (const auto m = as<ParamValue>(frame)) {
         constexpr double kAnswer_s = 5;
+        constexpr float kRounding = 0.5f;  // a refusal is answered by the value as it was
         const std::string name = nameIn(m->param_id);
         values_[name] = m->param_value;
-        const auto asked = asked_s_.find(name);
-        if (asked != asked_s_.end() && now_s - asked->second < kAnswer_s)
-            set_[name] = m->param_value;
+        const auto asked = asked_.find(name);
+        const bool taken = asked != asked_.end() && now_s - asked->second.time_s < kAnswer_s &&
+                           std::abs(asked->second.value - m->param_value) <= kRounding;
+        if (taken) set_[name] = m->param_value;
     }
     plan_.received(frame);
 }
@@ -192,7 +194,7 @@ void History::sent(const Frame& frame, double now_s) {
     if (const auto m = as<CommandLong>(frame)) command(m->command, m->param1, m->param2, now_s);
     if (const auto m = as<CommandInt>(frame)) command(m->command, m->param1, m->param2, now_s);
     if (frame.id == Wire<RcChannelsOverride>::id) override_s_ = now_s;
-    if (const auto m = as<ParamSet>(frame)) asked_s_[nameIn(m->param_id)] = now_s;
+    if (const auto m = as<ParamSet>(frame)) asked_[nameIn(m->param_id)] = {now_s, m->param_value};
     plan_.sent(frame);
 }
 

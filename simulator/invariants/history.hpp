@@ -96,7 +96,11 @@ private:
     PlanOnTheWire plan_;
     std::map<std::string, float> values_;  // as reported
     std::map<std::string, float> set_;     // and asked for before: the acknowledged writes
-    std::map<std::string, double> asked_s_;
+    struct Asked {
+        double time_s;
+        float value;
+    };
+    std::map<std::string, Asked> asked_;
 };
 
 }  // namespace simulator::invariants
