@@ -71,6 +71,19 @@ function runNinja({ tree, targets }, progress) {
   });
 }
 
+// avr-gcc 5.4's linker plugin jumps onto its own stack once in some hundred links and is gone; what
+// it was given is built the next time.
+export const compilerCrashed = ({ status, said }) =>
+  status !== 0 && said.some((line) => line.includes('internal compiler error'));
+
+async function runTree(request, progress) {
+  const result = await runNinja(request, progress);
+  if (!compilerCrashed(result)) return result;
+  progress.clear();
+  console.error(`build/${request.tree}: the compiler crashed; once more`);
+  return runNinja(request, progress);
+}
+
 function report({ tree, status, said }) {
   if (status === 0) {
     for (const line of said) if (kShown.test(line)) console.error(line);
@@ -88,7 +101,7 @@ export async function build(requests, { tests = false } = {}) {
   const waiting = [...requests];
   const worker = async () => {
     while (waiting.length > 0) {
-      const result = await runNinja(waiting.shift(), progress);
+      const result = await runTree(waiting.shift(), progress);
       if (result.status !== 0) waiting.length = 0;
       progress.clear();
       report(result);
