@@ -157,7 +157,11 @@ void runRadio() {
             if (pulses[i] != 0) published.pulse_us[i] = pulseInRange_us(pulses[i]);
     const bool ground_flies = groundFlies();
     const bool gone = !fresh && !ground_flies;
-    if (gone && hal::rcAge_us() < kFramesGone_us) return;
+    if (gone && hal::rcAge_us() < kFramesGone_us) {
+        // between two frames: whether the last was whole is known with the first edge of the next
+        if (reception.bad == 0 && !published.lost && published.good_ms != 0) readSwitches();
+        return;
+    }
 
     const uint16_t throttle_us = published.pulse_us[parameters.map_throttle - 1];
     if (fresh || ground_flies)
@@ -170,7 +174,7 @@ void runRadio() {
     }
     if (reception.bad != 0) return;  // may be the encoder's own: what was received before it counts
     published.good_ms = hal::now_ms();
-    readSwitches();
+    if (ground_flies) readSwitches();
     scale();
 }
 

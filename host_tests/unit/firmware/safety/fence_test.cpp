@@ -233,8 +233,8 @@ TEST_F(Fence, with_its_return_point_outside_is_not_valid) {
 TEST_F(Fence, follows_its_channel_when_that_moves) {
     raise();
     const auto moveSwitch = [](uint16_t pulse_us) {
-        for (int i = 0; i < 4; ++i) {
-            fakes::receiveRc({1500, 1500, 1100, 1500, 1500, 1500, pulse_us, 1500});
+        for (int i = 0; i < 8; ++i) {  // a frame comes every other time
+            if (i % 2 == 0) fakes::receiveRc({1500, 1500, 1100, 1500, 1500, 1500, pulse_us, 1500});
             firmware::sensors::runRadio();
         }
         tenths(1);
