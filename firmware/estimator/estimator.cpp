@@ -2,6 +2,7 @@
 #include "firmware/estimator/estimator.hpp"
 
 #include "core/file_state.hpp"
+#include "core/internal_error.hpp"
 #include "core/maths.hpp"
 #include "estimation/arc.hpp"
 #include "estimation/atmosphere.hpp"
@@ -410,11 +411,23 @@ void reckonPosition() {
                     attitude.noseEast() * airspeed_mps + wind_mps.y);
 }
 
+// A number that is none spreads with every step of its filter: that one begins again.
+void checkEstimate() {
+    const bool height_good = isfinite(height.height_m()) && isfinite(height.climb_mps());
+    if (!core::check(height_good, core::InternalError::height_not_finite, __LINE__)) {
+        height.start(0);
+        heights.started = false;
+    }
+    const core::Vector3 velocity_mps = position.velocity_mps();
+    const bool position_good = isfinite(velocity_mps.x) && isfinite(velocity_mps.y);
+    if (!core::check(position_good, core::InternalError::position_not_finite, __LINE__))
+        position = estimation::Position();
+}
+
 void updateFlying() {
     if (!runs()) return;
-    const bool standing = stands();
     const bool changes =
-        published.flying ? standing || !vehicle.armed : fast() && !standing && vehicle.armed;
+        published.flying ? !vehicle.armed || stands() : vehicle.armed && fast() && !stands();
     motion.flying_changes = changes ? motion.flying_changes + 1 : 0;
     if (motion.flying_changes < (published.flying ? kEndsFlying : kBeginsFlying)) return;
     published.flying = !published.flying;

@@ -18,6 +18,7 @@ void propagateMotion();       // 25 Hz: acceleration over ground carries place, 
 void fusePressure();          // 20 Hz: the barometer's mean to the height
 void publishSpeeds();         // 20 Hz: ground speed, course, airspeed
 void reckonPosition();        // 10 Hz: without fixes the nose and the wind show where it goes
+void checkEstimate();         // 10 Hz: height and velocity are numbers, or begin again
 // 10 Hz. Flying: armed, and fast enough for half a second; standing for three seconds: slow over
 // the ground, and slow through the air or near the height of home without a motion.
 void updateFlying();

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/file_state.hpp"
+#include "core/internal_error.hpp"
 #include "core/rom.hpp"
 #include "firmware/actuators/camera.hpp"
 #include "firmware/logger/records.hpp"
@@ -135,6 +136,7 @@ struct Progress {
     uint8_t run;       // 0 .. kRound - 1
     uint8_t states;    // as logged
     uint16_t failing;  // as logged
+    uint8_t internal_errors;
     uint8_t mode;
     uint8_t pictures_logged;
     uint32_t gps_logged_ms;  // when the newest fix came that has been seen here
@@ -272,7 +274,19 @@ bool putChange() {
     return true;
 }
 
-bool putEvents() { return putState() || putFailure() || putChange() || putText(); }
+// ERR's subsystem 30 is ArduPilot's INTERNAL_ERROR.
+bool putInternalError() {
+    constexpr uint8_t kInternalError = 30;
+    const core::InternalErrors& errors = core::internalErrors();
+    if (errors.changes == logged.internal_errors) return false;
+    if (!putError(kInternalError, static_cast<uint8_t>(errors.last))) return false;
+    logged.internal_errors = errors.changes;
+    return true;
+}
+
+bool putEvents() {
+    return putState() || putInternalError() || putFailure() || putChange() || putText();
+}
 
 // What happened goes first, then what is measured, and beside it the rest of the prelude.
 void putSome() {
@@ -295,7 +309,7 @@ void begin() {
     logged.prelude = logged.due = 0;
     (void)places();  // a fix from before is none of this log's
     logged.states = logged.commands_waiting = 0;
-    logged.failing = 0;
+    logged.failing = logged.internal_errors = 0;
     logged.mode = kNoMode;
     logged.pictures_logged = static_cast<uint8_t>(picturesTaken());
 }

@@ -3,6 +3,7 @@
 
 #include "board.hpp"
 #include "core/file_state.hpp"
+#include "core/internal_error.hpp"
 #include "firmware/mission/home.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/modes/modes.hpp"
@@ -53,6 +54,8 @@ enum CheckBit : uint16_t {
 
 bool boardBad() { return wrongBoard(); }
 uint8_t boardModel() { return board::kModel; }
+uint8_t internalError() { return static_cast<uint8_t>(core::internalErrors().last); }
+bool hadInternalError() { return internalError() != 0; }
 bool calibrationRuns() { return vehicle.calibrating > Calibrating::rest; }
 bool inertialBad() { return !vehicle.imu.healthy; }
 bool gyrosUnknown() { return !vehicle.imu.calibrated; }
@@ -90,12 +93,14 @@ bool offsetsBad() {
 // Mounted so it would show east for west: COMPASS_ORIENT says how an external one is mounted. At
 // rest the accelerometers measure the way up.
 bool compassUpsideDown() {
-    constexpr float kClearly_mg = 80;
+    constexpr int32_t kClearly_mg = 80;
+    const auto& field_mg = vehicle.compass.field_mg;
     const auto& force = vehicle.imu.accel_mss;
-    const core::Vector3 up_mss = {force.x.toFloat(), force.y.toFloat(), force.z.toFloat()};
-    const float up = core::dot(vehicle.compass.field_mg, up_mss);
-    return parameters.compass_use != 0 &&
-           vehicle.compass.points_down * up > kClearly_mg * core::kGravity_mss;
+    const int32_t up = core::product(core::toFixed(field_mg.x, 0), force.x.raw) +
+                       core::product(core::toFixed(field_mg.y, 0), force.y.raw) +
+                       core::product(core::toFixed(field_mg.z, 0), force.z.raw);
+    constexpr int32_t kGravity = static_cast<int32_t>(core::kGravity_mss * 256);
+    return parameters.compass_use != 0 && vehicle.compass.points_down * up > kClearly_mg * kGravity;
 }
 
 bool gpsBad() { return vehicle.gps.fix != GpsFix::three_d || !vehicle.estimate.known; }
@@ -145,6 +150,7 @@ struct Check {
 // clang-format off
 constexpr Check kChecks[] ROM = {
     {kAlways,       boardBad,          "Wrong board: made for an APM #", boardModel},
+    {kAlways,       hadInternalError,  "PreArm: internal error #", internalError},
     {kAlways,       calibrationRuns,   "PreArm: calibrating", nullptr},
     {kInertial,     inertialBad,       "PreArm: gyros not healthy", nullptr},
     {kInertial,     gyrosUnknown,      "PreArm: gyros not ready", nullptr},

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/restart.hpp"
 
-#include "core/broken.hpp"
 #include "core/file_state.hpp"
+#include "core/internal_error.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/estimator/estimator.hpp"
@@ -56,7 +56,7 @@ struct Restart {
     bool arms;             // as soon as there is evidence that the airplane is in the air
     bool records_written;  // since the motor was armed, or by the run that this one goes on with
     bool home_saved;       // in the EEPROM, by this run or the one it goes on with
-    uint8_t faults_reported;
+    uint8_t errors_reported;
     uint8_t switch_position, switch_looks;  // the same position so often
 };
 core::FileState<Restart> restart{};
@@ -150,11 +150,12 @@ void reportCause() {
     restart.reported = true;
 }
 
-void reportFaults() {
-    const core::Broken& broken = core::brokenSoFar();
-    if (broken.count == restart.faults_reported) return;
-    restart.faults_reported = broken.count;
-    sendStatusText(Severity::error, ROM_TEXT("Fault #"), static_cast<uint8_t>(broken.last));
+void reportInternalErrors() {
+    const core::InternalErrors& errors = core::internalErrors();
+    if (errors.changes == restart.errors_reported) return;
+    restart.errors_reported = errors.changes;
+    sendStatusText(Severity::critical, ROM_TEXT("Internal error #"),
+                   static_cast<uint8_t>(errors.last));
 }
 
 bool homeIsSaved() {
@@ -226,7 +227,7 @@ void runRestart() {
 
 void runRestartSlowly() {
     if (!restart.reported) reportCause();
-    reportFaults();
+    reportInternalErrors();
     saveHomeOfFlight();
     if (vehicle.attitude.aligned && vehicle.mode != Mode::initialising) saveSlowRecord();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimation/attitude.hpp"
 
-#include "core/broken.hpp"
+#include "core/internal_error.hpp"
 #include "estimation/arc.hpp"
 
 namespace estimation {
@@ -192,10 +192,9 @@ void Attitude::orthonormalize() {
     if (phase_ == Phase::falling) return;
     const int32_t squared = dot(down_, down_), along = dot(north_, north_);
     constexpr int32_t kHalf = kOne >> 3, kDouble = kOne >> 1;
-    if (squared < kHalf || squared > kDouble || along < kHalf || along > kDouble) {
-        core::broken(core::Fault::attitude_matrix);
-        return start();  // no matrix any more: begin again
-    }
+    const bool rotates =
+        squared >= kHalf && squared <= kDouble && along >= kHalf && along <= kDouble;
+    if (!core::check(rotates, core::InternalError::attitude_matrix, __LINE__)) return start();
     normalizeRow(down_, squared);
     const int16_t skew = core::upperOf4(dot(north_, down_));
     add(north_, down_, static_cast<int16_t>(-skew));

@@ -22,6 +22,7 @@ const remarks = {
   fusePressure: 'the mean pressure to the height',
   publishSpeeds: 'ground speed, course, airspeed',
   reckonPosition: 'without fixes the nose and the wind show where it goes',
+  checkEstimate: 'height and velocity are numbers, or begin again',
   updateFlying: 'whether the airplane flies or stands',
   fuseFixAttitude: 'the newest fix to the attitude',
   fuseFixPosition: 'the newest fix to place and speed',

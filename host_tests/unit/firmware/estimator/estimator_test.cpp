@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/estimator/estimator.hpp"
 
+#include <cmath>
+
+#include "core/internal_error.hpp"
 #include "firmware/mission/home.hpp"
 #include "firmware/sensors/health.hpp"
 #include "firmware_bench.hpp"
@@ -65,6 +68,7 @@ protected:
         if (due(5, 3)) fusePressure();
         if (due(5, 1)) publishSpeeds();
         if (due(10, 3)) reckonPosition();
+        if (due(10, 8)) checkEstimate();
         if (due(10, 9)) updateFlying();
         if (due(5, 0)) fuseFixAttitude();
         if (due(5, 1)) fuseFixPosition();
@@ -549,5 +553,34 @@ TEST_F(AirspeedStays, while_gps_and_wind_show_another_speed) { EXPECT_TRUE(fault
 TEST_F(AirspeedStays, while_gps_and_wind_show_a_lower_speed) { EXPECT_TRUE(faulty(-1)); }
 TEST_F(AirspeedStays, as_the_speed_does) { EXPECT_FALSE(faulty(0)); }
 TEST_F(AirspeedStays, within_a_metre_a_second) { EXPECT_FALSE(faulty(0.4f)); }
+
+// A sensor's conversion has gone wrong for a moment; nothing else would ever take the NaN out
+// again.
+TEST_F(Estimator, begins_again_with_a_height_that_is_no_number) {
+    frames(300);
+    ASSERT_NEAR(vehicle.estimate.height_m, 0, 1);
+    mutable_vehicle.baro.ground_temperature_c = NAN;
+    frames(6);
+    ASSERT_TRUE(std::isnan(vehicle.estimate.height_m) ||
+                core::internalErrors().last == core::InternalError::height_not_finite);
+    mutable_vehicle.baro.ground_temperature_c = 15;
+    frames(30);
+    EXPECT_NEAR(vehicle.estimate.height_m, 0, 1);
+    EXPECT_EQ(core::internalErrors().last, core::InternalError::height_not_finite);
+    const uint8_t changes = core::internalErrors().changes;
+    frames(100);
+    EXPECT_EQ(core::internalErrors().changes, changes);
+}
+
+TEST_F(Estimator, begins_again_with_a_velocity_that_is_no_number) {
+    frames(300);
+    mutable_vehicle.gps.velocity_mps.x = NAN;
+    ++mutable_vehicle.gps.fixes;
+    frames(9);
+    frames(60);
+    EXPECT_EQ(core::internalErrors().last, core::InternalError::position_not_finite);
+    EXPECT_TRUE(std::isfinite(vehicle.estimate.velocity_mps.x));
+    EXPECT_TRUE(std::isfinite(vehicle.estimate.ground_speed_mps));
+}
 
 }  // namespace

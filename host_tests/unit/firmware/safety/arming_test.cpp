@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "core/internal_error.hpp"
 #include "core/maths.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/mission/mission.hpp"
@@ -160,6 +161,17 @@ INSTANTIATE_TEST_SUITE_P(
                   mutable_vehicle.battery.voltage_mv = 9900;
               }},
         Fault{1024, "PreArm: no log chip", [] { parameters.log_bitmask = 1; }}));
+
+TEST_F(Arming, does_not_arm_after_an_internal_error_whatever_is_left_out) {
+    parameters.arming_check = 0;
+    EXPECT_TRUE(core::check(true, core::InternalError::height_not_finite, __LINE__));
+    EXPECT_EQ(firmware::safety::prearmFailure(), nullptr);
+    EXPECT_FALSE(core::check(false, core::InternalError::height_not_finite, __LINE__));
+    EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
+    EXPECT_TRUE(hasStatusText("PreArm: internal error 2"));
+    EXPECT_EQ(core::internalErrors().times[2], 1);
+    EXPECT_EQ(core::internalErrors().line, __LINE__ - 4);
+}
 
 TEST_F(Arming, accepts_the_battery_that_the_battery_failsafe_accepts) {
     parameters.battery_monitor = 4;
