@@ -50,7 +50,10 @@ WorldOptions worldOf(const Scenario& scenario) {
 ParameterSettings parametersOf(const std::string& airplane) {
     const std::filesystem::path beside =
         std::filesystem::path(airplanePath(airplane)).replace_extension(".param");
-    return std::filesystem::exists(beside) ? readParameterFile(beside) : ParameterSettings{};
+    ParameterSettings settings =
+        std::filesystem::exists(beside) ? readParameterFile(beside) : ParameterSettings{};
+    settings.push_back({"FLTMODE2", 10});  // AUTO, where kAutoSwitch_us is
+    return settings;
 }
 
 bool has(const Scenario& scenario, std::initializer_list<const char*> kinds) {

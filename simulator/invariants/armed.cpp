@@ -19,6 +19,12 @@ bool sensorsFail(const Snapshot& now) {
            now.faulty[static_cast<size_t>(Faulty::spi)];
 }
 
+// By one of these it is seen in the air after a restart.
+bool evidenceFails(const Snapshot& now) {
+    return now.faulty[static_cast<size_t>(Faulty::barometer)] ||
+           now.faulty[static_cast<size_t>(Faulty::airspeed)];
+}
+
 // From an armed heartbeat to a disarmed one, high above the ground all the time.
 class ArmedInTheAir : public Invariant {
     void frame(const Snapshot& now, const History& history, const Report& report) override {
@@ -42,12 +48,13 @@ class ArmedInTheAir : public Invariant {
 // moment that it is not, while it finds its flight again after a restart.
 class ArmedByACommand : public Invariant {
     void frame(const Snapshot& now, const History& history, const Report& report) override {
-        constexpr double kFindsItself_s = 3;
+        constexpr double kFindsItself_s = 4;
         const double now_s = now.time_s();
         if (history.heard().armed) armed_s_ = history.heard().time_s;
         if (now.restarts != restarts_ && now_s - armed_s_ < kFindsItself_s) resumes_s_ = now_s;
         restarts_ = now.restarts;
-        if (now_s - resumes_s_ < kFindsItself_s && sensorsFail(now)) resumes_s_ = now_s;
+        if (now_s - resumes_s_ < kFindsItself_s && (sensorsFail(now) || evidenceFails(now)))
+            resumes_s_ = now_s;
         if (history.heartbeats() == heartbeats_) return;
         heartbeats_ = history.heartbeats();
         const Heard &before = history.heardBefore(), &after = history.heard();

@@ -83,7 +83,9 @@ void History::frame(const Snapshot& now) {
     for (size_t i = 4; i < now.stick_us.size(); ++i)
         moved = moved || std::abs(now.stick_us[i] - before_.stick_us[i]) > kSwitchMoves_us;
     if (moved) mark(Cause::mode_switch, now_s);
-    if (now.transmitting != before_.transmitting) mark(Cause::radio, now_s);
+    constexpr auto kRadio = static_cast<size_t>(Faulty::radio);
+    if (now.transmitting != before_.transmitting || now.faulty[kRadio] != before_.faulty[kRadio])
+        mark(Cause::radio, now_s);
     if (now.restarts != before_.restarts) mark(Cause::restart, now_s);
     if (now.transmitting) {
         if (atEnd(now.stick_us[0]) || atEnd(now.stick_us[1]) || atEnd(now.stick_us[3]))

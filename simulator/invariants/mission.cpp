@@ -24,15 +24,17 @@ class MissionDoesNotJump : public Invariant {
             at_s_ = now.time_s();
         }
         if (at_s_ <= 0 || now.time_s() < at_s_ + kAfter_s) return;
-        if (from_ > 0 && to_ > 0 && history.plan() && !caused(history) && !goesOn(history))
+        if (from_ > 0 && to_ > 0 && history.plan() && !caused(history) && !goesOn(history) &&
+            !jumpsAway(history))
             report(at_s_, text("item %d became %d", from_, to_));
         at_s_ = 0;
     }
 
     bool caused(const History& history) const {
         const double from_s = at_s_ - kBefore_s, to_s = at_s_ + kAfter_s;
-        for (const Cause cause : {Cause::mission, Cause::flight_mode, Cause::mode_switch,
-                                  Cause::overrides, Cause::restart, Cause::parameter})
+        for (const Cause cause :
+             {Cause::mission, Cause::arms, Cause::flight_mode, Cause::mode_switch, Cause::overrides,
+              Cause::restart, Cause::parameter})
             if (history.within(cause, from_s, to_s)) return true;
         return (mode_s_ >= from_s && mode_s_ <= to_s) ||
                history.saidWithin("Fence", from_s, to_s) || goesAround(history);
@@ -46,6 +48,19 @@ class MissionDoesNotJump : public Invariant {
                            plan[static_cast<size_t>(from_)].command == mavlink::MavCmd::nav_land;
         return lands && (history.within(Cause::go_around, at_s_ - kClimb_s, at_s_) ||
                          history.saidWithin("Landing broken", at_s_ - kClimb_s, at_s_));
+    }
+
+    // In the APM 2.0 set a jump beside a NAV leads away from it while it is flown.
+    bool jumpsAway(const History& history) const {
+        const Plan& plan = *history.plan();
+        std::set<int> led, seen;
+        for (int at = std::min(from_, static_cast<int>(plan.size())) - 1;
+             at > 0 && !plan[static_cast<size_t>(at)].isNav(); --at) {
+            const PlanItem& item = plan[static_cast<size_t>(at)];
+            if (item.command == mavlink::MavCmd::do_jump)
+                follow(static_cast<int>(item.params[0]), plan, led, seen);
+        }
+        return led.count(to_) != 0;
     }
 
     // Several short items may be over between two messages.

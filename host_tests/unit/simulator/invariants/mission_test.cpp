@@ -117,4 +117,36 @@ TEST(MissionDoesNotJump, AMissionThatWasRefusedSaysNothing) {
     EXPECT_EQ(flown.violated(), "");
 }
 
+TEST(MissionDoesNotJump, AJumpBesideANavLeadsAwayFromIt) {
+    Flown led = flownTo(5), astray = flownTo(5);
+    current(led, 2);
+    current(astray, 7);
+    EXPECT_EQ(led.violated(), "");
+    EXPECT_EQ(astray.violated(), "mission_jump ");
+}
+
+TEST(MissionDoesNotJump, NorIsAnUploadWhoseAnswerIsNotHeardTheOldMission) {
+    Flown flown = flownTo(1);
+    flown.run(5);
+    mavlink::MissionCount count{};
+    count.count = 2;
+    flown.sent(count);
+    for (uint16_t i = 0; i < 2; ++i) {
+        mavlink::MissionItemInt item{};
+        item.seq = i;
+        item.command = 16;
+        flown.sent(item);
+    }
+    flown.run(10);
+    current(flown, 7);
+    EXPECT_EQ(flown.violated(), "");
+}
+
+TEST(MissionDoesNotJump, ADisarmOnTheGroundBeginsAgain) {
+    Flown flown = flownTo(5);
+    flown.command(MavCmd::component_arm_disarm, 0);
+    current(flown, 1);
+    EXPECT_EQ(flown.violated(), "");
+}
+
 }  // namespace simulator::invariants
