@@ -30,6 +30,14 @@ inline volatile uint8_t& interruptFlags(uint8_t number) { return (&TIFR0)[number
 constexpr uint8_t comparePin(uint8_t compare) {
     return static_cast<uint8_t>(0x80 >> (2 * compare));
 }
+// `bit` is that of A; each compare's after it lies `step` to the right. Those of `first` to `last`.
+constexpr uint8_t comparesBetween(uint8_t bit, uint8_t step, char first, char last) {
+    uint8_t bits = 0;
+    for (char name = first; name <= last; ++name) {
+        bits = static_cast<uint8_t>(bits | bit >> (step * (name - 'A')));
+    }
+    return bits;
+}
 constexpr uint8_t compareBit(uint8_t compare) { return static_cast<uint8_t>(2 << compare); }
 
 }  // namespace avr

@@ -46,17 +46,7 @@ void widenMemory(avr_t* avr) {
 
 struct Chip::Listener {
     std::function<void()> port_changed;
-    std::function<void(bool, uint64_t)> pin_changed;
-    const Timer* timer = nullptr;
-    int compare = 0;
-    bool high = false;
-
     void port(uint32_t) { port_changed(); }
-    void pin(uint32_t value) {  // raised for every event, changed or not
-        if (bool(value & 1) == high || !timer->fromMatch(compare, value & 1)) return;
-        high = value & 1;
-        pin_changed(high, timer->edge(compare, high));
-    }
 };
 
 // A peripheral without registers, last in the list, so its reset comes after all others.
@@ -241,13 +231,7 @@ void Chip::onPort(char port, std::function<void()> changed) {
 }
 
 void Chip::onCompareOutput(char timer, int compare, std::function<void(bool, uint64_t)> changed) {
-    listeners_.push_back(std::make_unique<Listener>());
-    listeners_.back()->pin_changed = std::move(changed);
-    listeners_.back()->timer = timers_.at(static_cast<size_t>(timer - '0'));
-    listeners_.back()->compare = compare;
-    avr_irq_t* line =
-        avr_io_getirq(avr_, AVR_IOCTL_TIMER_GETIRQ(timer), TIMER_IRQ_OUT_COMP + compare);
-    hookLine<&Listener::pin>(line, listeners_.back().get());
+    timers_.at(static_cast<size_t>(timer - '0'))->onPin(compare, std::move(changed));
 }
 
 void Chip::onCompareWrite(char timer, std::function<void()> written) {

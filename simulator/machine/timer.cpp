@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/machine/timer.hpp"
 
+#include <utility>
+
 namespace simulator {
+namespace {
+
+constexpr uint16_t kControlCAfterA = 2;  // TCCRnC of a 16-bit timer
+
+}  // namespace
 
 Timer::Timer(avr_t* avr, char name) : avr_(avr) {
     io_ = findPeripheral<avr_timer_t>(avr, "timer", name);
@@ -18,7 +25,13 @@ Timer::Timer(avr_t* avr, char name) : avr_(avr) {
         hookWrite<&Timer::writeHigh>(avr, compare.r_ocrh, this);
         hookRead<&Timer::readCompare>(avr, compare.r_ocrh, this);
     }
+    for (int i = 0; i < AVR_TIMER_COMP_COUNT; i++) {
+        outputs_[i].timer = this;
+        outputs_[i].compare = i;
+        hookLine<&Output::raised>(io_->io.irq + TIMER_IRQ_OUT_COMP + i, &outputs_[i]);
+    }
     if (wide()) {
+        hookWrite<&Timer::writeForce>(avr, io_->wgm[0].reg + kControlCAfterA, this);
         hookWrite<&Timer::writeHigh>(avr, io_->r_tcnth, this);
         hookWrite<&Timer::writeHigh>(avr, io_->r_icrh, this);
         hookWrite<&Timer::writeTop>(avr, io_->r_icr, this);
@@ -29,6 +42,14 @@ Timer::Timer(avr_t* avr, char name) : avr_(avr) {
 void Timer::reset() {
     temp_ = 0;
     for (Compare& compare : compares_) compare.waiting = false;
+    for (Output& output : outputs_) {
+        output.latch = false;
+        show(output.compare, avr_->cycle);
+    }
+}
+
+void Timer::onPin(int compare, std::function<void(bool, uint64_t)> changed) {
+    outputs_.at(static_cast<size_t>(compare)).changed.push_back(std::move(changed));
 }
 
 uint32_t Timer::prescaler() const {
@@ -65,6 +86,7 @@ void Timer::writeControl(uint16_t address, uint8_t value) {
                                                   (wide() ? avr_->data[io_->r_tcnth] << 8 : 0));
     const uint16_t before = ran && countsUp() ? count(avr_->cycle) : stored;
     write(avr_, address, value);
+    for (const Output& output : outputs_) show(output.compare, avr_->cycle);
     if (!countsUp()) return;
     if (!prescaler()) {
         avr_->data[io_->r_tcnt] = static_cast<uint8_t>(before);
@@ -149,6 +171,43 @@ uint64_t Timer::takeOver(uint64_t) {
     return 0;
 }
 
+// A strobe that reads as zero. In PWM modes it does nothing (datasheet 17.11.9).
+void Timer::writeForce(uint16_t address, uint8_t value) {
+    avr_->data[address] = 0;
+    const int mode = avr_regbit_get_array(avr_, io_->wgm, 4);  // the library's kind is late
+    const int kind = io_->wgm_op[mode].kind;
+    if (kind != avr_timer_wgm_normal && kind != avr_timer_wgm_ctc) return;
+    for (int i = 0; i < 3; i++)
+        if (value & 0x80 >> i) force(i);
+}
+
+// As a match would, but without its flag.
+void Timer::force(int compare) {
+    bool& latch = outputs_[compare].latch;
+    const uint8_t mode = avr_regbit_get(avr_, io_->comp[compare].com);
+    if (mode == avr_timer_com_normal) return;
+    latch = mode == avr_timer_com_toggle ? !latch : mode == avr_timer_com_set;
+    show(compare, avr_->cycle);
+}
+
+// Raised for every event, changed or not.
+void Timer::matched(int compare, bool high) {
+    bool& latch = outputs_[compare].latch;
+    if (high == latch || !fromMatch(compare, high)) return;
+    latch = high;
+    show(compare, edge(compare, high));
+}
+
+void Timer::show(int compare, uint64_t cycle) {
+    Output& output = outputs_[compare];
+    const bool high = output.latch && avr_regbit_get(avr_, io_->comp[compare].com) != 0;
+    if (high == output.pin) return;
+    output.pin = high;
+    for (const auto& each : output.changed) each(high, cycle);
+}
+
+// Whether a level the library gives a compare's pin comes from a match. Outside PWM it also does
+// at each new computing of its events what PWM does at the end of a period.
 bool Timer::fromMatch(int compare, bool high) const {
     const int kind = io_->wgm_op_mode_kind;
     if (kind != avr_timer_wgm_normal && kind != avr_timer_wgm_ctc) return true;
@@ -156,6 +215,8 @@ bool Timer::fromMatch(int compare, bool high) const {
     return mode < avr_timer_com_clear || high == (mode == avr_timer_com_set);
 }
 
+// The cycle in which a compare's pin took this level. The library raises its events between two
+// instructions, the timer changes the pin at the count itself (datasheet 17.8).
 uint64_t Timer::edge(int compare, bool high) const {
     constexpr uint64_t kLatest = 64;  // cycles: an instruction and the interrupts served before it
     const uint64_t clock = prescaler();

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One of the six timers: exact counts where libsimavr's scaling loses a tick, starting from the
 // count that was written, compare values that wait for the end of the period and a TOP in ICRn
-// that counts at once (datasheet 17.3, 17.9.3 and table 17-2).
+// that counts at once (datasheet 17.3, 17.9.3 and table 17-2). The level a match gives a compare's
+// output stays in its register while the port has the pin, until the next match, a forced one or a
+// reset (17.7.1, 17.7.3, 17.8).
 #pragma once
 #include <simavr/avr_timer.h>
 
 #include <array>
 #include <functional>
+#include <vector>
 
 #include "simulator/machine/hooks.hpp"
 
@@ -19,22 +22,28 @@ public:
 
     uint32_t prescaler() const;  // 0: stopped, or clocked from a pin
     uint16_t count(uint64_t cycle) const;
-    // Whether a level the library gives a compare's pin comes from a match. Outside PWM it also
-    // does at each new computing of its events what PWM does at the end of a period.
-    bool fromMatch(int compare, bool high) const;
-    // The cycle in which a compare's pin took this level. The library raises its events
-    // between two instructions, the timer changes the pin at the count itself (datasheet 17.8).
-    uint64_t edge(int compare, bool high) const;
     // An edge on the capture pin at this cycle, which may lie a few cycles back.
     void captureEdge(bool rising, uint64_t cycle);
 
     std::function<void()> on_compare;  // the program has written a compare value
+    // An edge of a compare's pin, low while the port has it, and the cycle of it.
+    void onPin(int compare, std::function<void(bool high, uint64_t cycle)> changed);
 
 private:
     struct Compare {
         WriteChain write;  // the library's own
         bool waiting = false;
         uint8_t low = 0, high = 0;
+    };
+
+    // A compare's output register and its pin.
+    struct Output {
+        Timer* timer = nullptr;
+        int compare = 0;
+        bool latch = false, pin = false;
+        std::vector<std::function<void(bool, uint64_t)>> changed;
+
+        void raised(uint32_t value) { timer->matched(compare, value & 1); }
     };
 
     bool wide() const { return io_->r_tcnth != 0; }
@@ -51,6 +60,12 @@ private:
     void writeCompare(uint16_t address, uint8_t value);
     uint8_t readCount(uint16_t address);
     uint8_t readCompare(uint16_t address);
+    void writeForce(uint16_t address, uint8_t value);
+    bool fromMatch(int compare, bool high) const;
+    uint64_t edge(int compare, bool high) const;
+    void matched(int compare, bool high);
+    void force(int compare);
+    void show(int compare, uint64_t cycle);
     void overflowed(uint32_t raised);
     uint64_t takeOver(uint64_t);
 
@@ -58,6 +73,7 @@ private:
     avr_timer_t* io_;
     WriteChain write_control_[2];
     std::array<Compare, AVR_TIMER_COMP_COUNT> compares_ = {};
+    std::array<Output, AVR_TIMER_COMP_COUNT> outputs_;
     uint8_t temp_ = 0;  // the high byte on its way, one for all 16-bit registers of a timer
 };
 

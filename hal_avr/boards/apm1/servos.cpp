@@ -17,10 +17,11 @@ ISR(TIMER4_COMPC_vect) { avr::clockPulseEdge<'C'>(); }
 namespace avr {
 
 void servoTimersStart(uint16_t top) {
-    startServoTimer<1>(top);
-    startServoTimer<3>(top);
-    startServoTimer<5>(top);
+    startServoTimer<1, 'B', 'C'>(top);
+    startServoTimer<3, 'B', 'C'>(top);
+    startServoTimer<5, 'B', 'C'>(top);
     clockPulsesStart(top + 1);
+    forceServosLow<4, 'B', 'C'>();
     Pin<PortL, 4>::output();
     Pin<PortL, 5>::output();
     Pin<PortB, 6>::output();

@@ -16,9 +16,9 @@ ISR(TIMER4_COMPC_vect) { avr::endServo<4, 'C'>(); }
 namespace avr {
 
 void servoTimersStart(uint16_t top) {
-    startServoTimer<1>(top);
-    startServoTimer<3>(top);
-    startServoTimer<4>(top);
+    startServoTimer<1, 'A', 'B'>(top);
+    startServoTimer<3, 'A', 'C'>(top);
+    startServoTimer<4, 'A', 'C'>(top);
     Pin<PortB, 6>::output();
     Pin<PortB, 5>::output();
     Pin<PortE, 5>::output();

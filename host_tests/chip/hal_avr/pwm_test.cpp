@@ -119,6 +119,21 @@ TEST(HalPwm, runs_at_400_Hz_and_keeps_a_pulse_within_its_period) {
     EXPECT_LT(bench.report(7).word(), 5000);
 }
 
+TEST(HalPwm, a_start_in_the_middle_of_a_pulse_lengthens_none_after_it) {
+    Servos bench;
+    bench.runTo(11, 60000);
+
+    for (int i = 0; i < 8; ++i) {
+        for (const int from : {8, 10}) {
+            const auto pulses = bench.between(i, from, from + 1);
+            ASSERT_GE(pulses.size(), 2u);
+            for (const Pulse& each : pulses) {
+                EXPECT_NEAR(each.us(), 1500, 1.0 / 16) << "output " << i + 1 << ", " << from;
+            }
+        }
+    }
+}
+
 // On the first board the clock counts with the timer of two outputs.
 TEST(HalPwm, leaves_the_clock_alone) {
     Servos bench;

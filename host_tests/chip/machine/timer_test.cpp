@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+
 #include "machine.hpp"
 
 class TimerTest : public testing::Test {
@@ -66,4 +68,43 @@ TEST_F(PwmTest, a_new_width_counts_from_the_next_period_on_without_a_glitch) {
 TEST_F(PwmTest, the_period_is_top_plus_one_and_a_new_top_counts_at_once) {
     for (size_t i = 0; i < 11; i++) EXPECT_NEAR(period(i), 40000 * 8, kJitter) << "pulse " << i;
     for (size_t i = 12; i < 30; i++) EXPECT_NEAR(period(i), 20000 * 8, kJitter) << "pulse " << i;
+}
+
+class OutputLatchTest : public testing::Test {
+protected:
+    OutputLatchTest() {
+        machine.chip.onCompareOutput('3', 0, [this](bool high, uint64_t) { now = high; });
+        const auto traced = machine.chip.on_trace;
+        machine.chip.on_trace = [this, traced](uint8_t number) {
+            traced(number);
+            high_at[number] = now;
+        };
+        machine.run_ms(200);
+    }
+
+    Machine machine{"output_latch"};
+    bool now = false;
+    std::map<int, bool> high_at;
+};
+
+TEST_F(OutputLatchTest, a_level_outlives_the_time_in_which_the_port_has_the_pin) {
+    EXPECT_TRUE(high_at.at(1));
+    EXPECT_FALSE(high_at.at(2)) << "the port's";
+    EXPECT_TRUE(high_at.at(3)) << "without a match in between";
+}
+
+TEST_F(OutputLatchTest, a_forced_match_counts_outside_PWM_and_with_an_output_mode) {
+    EXPECT_TRUE(high_at.at(4));
+    EXPECT_TRUE(high_at.at(5));
+    EXPECT_FALSE(high_at.at(6));
+    EXPECT_TRUE(high_at.at(7));
+}
+
+TEST_F(OutputLatchTest, a_reset_clears_it) {
+    ASSERT_TRUE(now);
+    machine.chip.reset(simulator::Reset::external);
+    EXPECT_FALSE(now);
+    high_at.clear();
+    machine.run_ms(1);
+    EXPECT_FALSE(high_at.at(8)) << "with the pin given to it";
 }

@@ -40,6 +40,26 @@ static void silenceAtEveryPhase() {
     }
 }
 
+static void writeAll(uint16_t pulse_halfus) {
+    for (uint8_t output = 0; output < hal::kServos; ++output) {
+        hal::servoWrite(output, pulse_halfus);
+    }
+}
+
+// As a program does that begins again through address 0.
+static void startAgainAfter(uint16_t time_ms, uint8_t number) {
+    hal::servoStart(50);
+    wait_ms(3);
+    writeAll(3000);
+    wait_ms(time_ms);
+    hal::servoStart(50);
+    wait_ms(3);
+    report(number, 0);
+    writeAll(3000);
+    wait_ms(50);
+    report(number + 1, 0);
+}
+
 int main() {
     board::start();
     hal::servoStart(50);
@@ -65,5 +85,7 @@ int main() {
     hal::servoWrite(7, 6000);  // longer than the period
     wait_ms(100);
     report(7, hal::servoRead(7));
+    startAgainAfter(38, 8);   // in the middle of a pulse that the period began
+    startAgainAfter(41, 10);  // of one that the first writing began
     for (;;) hal::idle(nothingWaits);
 }
