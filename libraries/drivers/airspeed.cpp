@@ -10,18 +10,29 @@ namespace {
 constexpr uint8_t kFraction = 29;
 constexpr float kSteps = 1UL << kFraction;
 constexpr float kSupply_v = 5.0f;
-// Data sheet, figure 4: Vout = Vs (0.2 P[kPa] + 0.5).
+// Data sheets: Vout = Vs (0.2 P[kPa] + 0.5) of the MPXV7002DP, figure 4, and
+// Vs (0.2 P[kPa] + 0.2) of the MPXV5004DP.
 constexpr float kPascalsPerSupply = 5000.0f;
 constexpr float kPascalsPerUnit = 1000.0f / 819.0f;  // the unit that ratio is given for
 constexpr float kPascalsPerStep = kPascalsPerSupply / kSteps;
 constexpr float kUnitsPerStep = kPascalsPerStep / kPascalsPerUnit;
 constexpr uint32_t kFilter_us = 170000;
-// Zero is at half the supply within 2.5 % of 4 V (data sheet), with the board's own share 0.3 V.
-constexpr uint16_t kLeastZero = 28836, kMaxZero = 36700;  // 0.44 and 0.56
-constexpr uint16_t kLowRail = 1311, kHighRail = 64225;    // 0.02 and 0.98
+// Half the supply within 6.25 % of 4 V, and a fifth of it within 0.25 V (data sheets). The sensor's
+// supply is not the measure on APM 1, whose converter has a reference of its own: 4.7 to 5.3 V.
+constexpr float kLeastRail = 4.7f / kSupply_v, kMaxRail = 5.3f / kSupply_v;
+constexpr uint16_t ofSupply(float share) { return static_cast<uint16_t>(65536 * share); }
+constexpr uint16_t kLeastZero = ofSupply(0.45f * kLeastRail), kMaxZero = ofSupply(0.55f * kMaxRail);
+constexpr uint16_t kLeastLowZero = ofSupply(0.15f * kLeastRail);
+constexpr uint16_t kMaxLowZero = ofSupply(0.25f * kMaxRail);
+constexpr uint16_t kLowRail = 1311, kHighRail = 64225;  // 0.02 and 0.98
 constexpr int32_t kLeast =
     static_cast<int32_t>(-39.0f / kPascalsPerStep);  // -8 m/s: the hoses
                                                      // are swapped or one is off
+
+bool canBeZero(uint16_t share) {
+    return (share >= kLeastZero && share <= kMaxZero) ||
+           (share >= kLeastLowZero && share <= kMaxLowZero);
+}
 
 int32_t inSteps(uint16_t share) { return int32_t{share} << (kFraction - 16); }
 
@@ -41,7 +52,7 @@ void Airspeed::keepZero(float offset_v) {
 
 void Airspeed::calibrate(uint16_t share, uint16_t passed, const AirspeedSettings& settings) {
     if (settings.keep_offset) return keepZero(settings.offset_v);
-    if (share < kLeastZero || share > kMaxZero) {  // nothing fitted, or wind
+    if (!canBeZero(share)) {  // nothing fitted, or wind
         means_ = 0;
         calibrating_ = 0;
         return;

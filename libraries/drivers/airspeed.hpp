@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MPXV7002DP pitot sensor on an analogue input: readings in, dynamic pressure and equivalent
-// airspeed out. The zero is measured at start-up, in still air.
+// MPXV7002DP or MPXV5004DP pitot sensor on an analogue input: readings in, dynamic pressure and
+// equivalent airspeed out. The zero is measured at start-up, in still air; the two have the same
+// span, and differ in where it may lie.
 #pragma once
 #include <stdint.h>
 

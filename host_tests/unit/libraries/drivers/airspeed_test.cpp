@@ -51,6 +51,44 @@ TEST(Airspeed, takes_no_zero_from_an_input_with_nothing_on_it) {
     EXPECT_FALSE(airspeed.healthy());
 }
 
+// The MPXV7002DP's is 2.5 V within 0.25 V, the MPXV5004DP's 1 V within 0.25 V, either in proportion
+// to a supply that APM 1 does not measure.
+TEST(Airspeed, takes_the_zero_of_either_sensor_at_any_supply) {
+    for (const double sensor_v : {2.26, 2.5, 2.74, 0.76, 1.0, 1.24}) {
+        for (const double supply_v : {4.7, 5.0, 5.3}) {
+            const double zero_v = sensor_v * supply_v / 5;
+            Airspeed airspeed;
+            feed(airspeed, readings(0, zero_v), 1.2);
+            ASSERT_TRUE(airspeed.calibrated()) << zero_v;
+            EXPECT_NEAR(airspeed.offset_v(), zero_v, 0.002);
+        }
+    }
+}
+
+TEST(Airspeed, takes_no_zero_that_neither_sensor_has) {
+    for (const double zero_v : {0.3, 0.65, 1.4, 1.8, 2.05, 3.0, 4.0}) {
+        Airspeed airspeed;
+        feed(airspeed, readings(0, zero_v), 5);
+        EXPECT_FALSE(airspeed.calibrated()) << zero_v;
+    }
+}
+
+TEST(Airspeed, reads_a_sensor_of_one_direction_and_sees_its_wire_break) {
+    Airspeed airspeed;
+    feed(airspeed, readings(0, 1.0), 1.2);
+    for (double speed_mps : {8.0, 25.0, 60.0}) {
+        feed(airspeed, readings(pressure(speed_mps), 1.0), 2);
+        EXPECT_NEAR(airspeed.speed_mps(), speed_mps, 0.15);
+    }
+    EXPECT_TRUE(airspeed.healthy());
+    feed(airspeed, 0, 2);
+    EXPECT_FALSE(airspeed.healthy());
+    feed(airspeed, readings(100, 1.0), 3);
+    EXPECT_TRUE(airspeed.healthy());
+    feed(airspeed, 4 * 1023, 2);
+    EXPECT_FALSE(airspeed.healthy());
+}
+
 TEST(Airspeed, a_zero_that_is_known_is_not_measured_again) {
     AirspeedSettings settings;
     settings.keep_offset = true;
