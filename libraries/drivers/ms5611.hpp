@@ -29,8 +29,10 @@ private:
     static constexpr uint8_t kReset = 0x1E, kReadProm = 0xA0, kReadAdc = 0x00;
     static constexpr uint8_t kConvertPressure = 0x48, kConvertTemperature = 0x58;  // OSR 4096
     static constexpr uint8_t kPressuresPerTemperature = 4;
-    static constexpr uint16_t kReset_us = 4000;       // data sheet: 2.8 ms
-    static constexpr uint16_t kConversion_us = 9040;  // data sheet, OSR 4096, longest
+    static constexpr uint16_t kReset_us = 4000;  // data sheet: 2.8 ms
+    // The data sheet's longest at OSR 4096, and the time a step may take from when it was called
+    // to its command: the reading and the computing before it, and interrupts.
+    static constexpr uint16_t kConversion_us = 9040 + 250;
     static constexpr uint32_t kRetry_us = 250000;
 
     static void command(uint8_t code) {
