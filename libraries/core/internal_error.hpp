@@ -9,7 +9,7 @@
 
 namespace core {
 
-// The numbers are told to the pilot and logged: docs/failsafes.md.
+// The numbers are those of the texts and the log: docs/failsafes.md.
 enum class InternalError : uint8_t {
     none,
     attitude_matrix,      // no rotation any more: the attitude begins again
