@@ -62,6 +62,8 @@ void ppmStart() {
     // a level counts when seen four cycles running
     timer<wiring::kClockTimer>().control_b |= (1 << ICNC1) | (1 << ICES1);
     ppm.frames.reset();
+    // Silence counts from now on: the first edge seen may lie in the middle of a frame.
+    ppm.edge = timer<wiring::kClockTimer>().count;
     ppm.received_overflows = kManyOverflows;
     interruptFlags(wiring::kClockTimer) = 1 << ICF1;
     interruptMask(wiring::kClockTimer) |= 1 << ICIE1;

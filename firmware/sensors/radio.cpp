@@ -123,8 +123,10 @@ void readSwitches() {
             reception.switch_us[i] = pulseInRange_us(whole_us[i]);
         } else if (whole_us[i] != 0) {
             const uint16_t us = pulseInRange_us(whole_us[i]);
-            if (same(us, reception.before_us[i])) reception.switch_us[i] = us;
-            reception.before_us[i] = us;
+            // the first is taken as it is: after a restart in the air the mode waits for it
+            uint16_t& before_us = reception.before_us[i];
+            if (before_us == 0 || same(us, before_us)) reception.switch_us[i] = us;
+            before_us = us;
         }
     }
 }

@@ -69,7 +69,7 @@ private:
             while (channel_ < kChannels) next() = 0;
             accept();
         }
-        if (asUsual() && channel_ == kComplete) {
+        if (channel_ == kComplete && asUsual()) {
             whole_ = newest_;
             whole_new_ = true;
         }

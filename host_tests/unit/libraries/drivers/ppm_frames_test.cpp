@@ -139,6 +139,14 @@ TEST_F(PpmFrames, learns_another_number_of_channels_when_it_lasts) {
     EXPECT_EQ(whole(), kSticks);
 }
 
+TEST_F(PpmFrames, learns_nothing_from_the_frame_in_whose_middle_it_began) {
+    for (int i = 0; i < 5; ++i) edge(1500);
+    edge(kGap_us);
+    EXPECT_TRUE(whole().empty());
+    frame(kSticks);
+    EXPECT_EQ(whole(), kSticks);
+}
+
 TEST_F(PpmFrames, learns_through_frames_that_are_broken) {
     begin();
     frame(doubled(kSticks, 2));  // the first of all
