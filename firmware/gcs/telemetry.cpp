@@ -78,6 +78,14 @@ bool handleWhole(Link& link) {
     return true;
 }
 
+// A frame that lost a byte takes the first bytes of the next one for its own. That must not be an
+// order that is obeyed when a third one comes, seconds later.
+void giveUpTornFrame(Link& link) {
+    if (link.whole || !link.parser.waits() || ++link.torn_ticks < kTornTicks) return;
+    link.torn_ticks = 0;
+    link.whole = link.parser.giveUp();
+}
+
 // For whose answers there is room.
 // With what it calls inside, telemetryPump() could not be flat: the build fails.
 __attribute__((noinline)) bool receive(Link& link) {
@@ -154,14 +162,6 @@ void telemetryStart() {
     open(links[1], parameters.serial2_baud);
     for (Link& link : links) streamsStart(link);
     sendStatusText(Severity::info, ROM_TEXT("ArduPilotMega autopilot, airplane"));
-}
-
-// A frame that lost a byte takes the first bytes of the next one for its own. That must not be an
-// order that is obeyed when a third one comes, seconds later.
-void giveUpTornFrame(Link& link) {
-    if (link.whole || !link.parser.waits() || ++link.torn_ticks < kTornTicks) return;
-    link.torn_ticks = 0;
-    link.whole = link.parser.giveUp();
 }
 
 void telemetrySend() {

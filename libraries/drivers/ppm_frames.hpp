@@ -48,8 +48,8 @@ private:
     static constexpr uint16_t kShortest = 2 * 700;  // encoders send 900..2100 us; else it is noise
     static constexpr uint16_t kLongest = 2 * 2500;
     static constexpr uint8_t kFewestChannels = 5;
-    static constexpr uint8_t kOthersMakeUsual =
-        40;  // frames, a second, more than there are as usual
+    // Frames with another number, more than there are as usual: a second.
+    static constexpr uint8_t kOthersMakeUsual = 40;
     static constexpr uint8_t kComplete = 0xFE, kNoise = 0xFF;  // for channel_, until the next gap
     static constexpr uint8_t kNone = 0xFF;                     // for whole_
 
@@ -58,7 +58,7 @@ private:
         if (whole_ == newest_ || whole_ == kNone) {
             filling_ = newest_ == 0 ? kChannels : 0;
         } else {
-            filling_ = static_cast<uint8_t>(kChannels + 2 * kChannels - newest_ - whole_);
+            filling_ = static_cast<uint8_t>(3 * kChannels - newest_ - whole_);  // the third
         }
         channel_ = kComplete;
     }
@@ -109,8 +109,7 @@ private:
     PPM_INLINE uint16_t& next() { return frames_[static_cast<uint8_t>(filling_ + channel_++)]; }
 
     uint16_t frames_[3 * kChannels];
-    uint8_t newest_, whole_,
-        filling_;  // which of them: where it begins, so that nothing multiplies
+    uint8_t newest_, whole_, filling_;  // where each begins there, so that nothing multiplies
     bool whole_new_;
     uint8_t channel_;         // the next to come
     uint8_t pulses_;          // since the gap, those behind the eighth too
