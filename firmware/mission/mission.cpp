@@ -48,6 +48,7 @@ struct Run {
     bool reached_waits;
     bool is_complete;
     bool armed;  // when it was looked at last
+    bool flew;   // was seen flying since the start
     uint16_t skipped;
     uint16_t poll_began;  // ticks
 };
@@ -248,8 +249,8 @@ uint8_t poll() {
     return mission_engine.poll(parameters.mission_trailing != 0);
 }
 
-// Not where a flight goes on after a restart, which may not have been seen flying yet.
-bool onGround() { return !vehicle.estimate.flying && !host.resumesFlight(); }
+// Not where a flight goes on after a restart, until it has been seen flying again.
+bool onGround() { return !vehicle.estimate.flying && (run.flew || !host.resumesFlight()); }
 
 // Nothing goes on in another flight.
 void beginAfresh() {
@@ -260,6 +261,7 @@ void beginAfresh() {
 // What the ground has chosen since the disarm counts. In AUTO a LAND ends with the disarm, and a
 // TAKEOFF waits for arming.
 void noticeArming() {
+    if (vehicle.estimate.flying) run.flew = true;
     if (vehicle.armed == run.armed) return;
     run.armed = vehicle.armed;
     static_assert(Path::takeoff > Path::circle && Path::land > Path::takeoff, "the last ones");
@@ -267,7 +269,7 @@ void noticeArming() {
     const bool goes_on =
         mission_engine.active() ? run.armed || waits : run.armed && mission_engine.chosen();
     if (!goes_on && onGround()) beginAfresh();
-    if (!run.armed || mission_survey.first_nav == 0) return;
+    if (!run.armed || !onGround() || mission_survey.first_nav == 0) return;
     const uint8_t first = mission_engine.current();
     sendStatusText(Severity::info, ROM_TEXT("AUTO begins at item #"),
                    first != 0 ? first : mission_survey.first_nav);
@@ -281,6 +283,7 @@ void missionBoot() {
     listsStart();
     run.index_waits = run.reached_waits = false;
     run.armed = vehicle.armed;
+    run.flew = false;
     run.boot = Boot::owner;
     onReset();
     // enough for the largest mission; what a busy EEPROM keeps waiting is left to missionRun

@@ -2,6 +2,8 @@
 // Where AUTO begins in another flight: a disarm on the ground ends the progress of a mission.
 #include "mission_flight.hpp"
 
+#include "firmware/safety/restart_records.hpp"
+
 namespace firmware {
 using namespace mission;
 namespace {
@@ -107,6 +109,35 @@ TEST_F(NewFlight, in_auto_begins_at_the_first_nav_too) {
     pass();
     arm(true);
     EXPECT_EQ(missionCurrent(), 3) << "but where the ground says";
+}
+
+// A run that goes on with a flight, as long as this lives.
+struct ResumesFlight {
+    ResumesFlight() { safety::last = &safety::moving[0]; }
+    ~ResumesFlight() { safety::last = nullptr; }
+};
+
+TEST_F(NewFlight, is_none_when_it_is_armed_again_after_a_restart_in_the_air) {
+    flyAndLandByHand();
+    const ResumesFlight resumes;
+    missionBoot();
+    requestMode(Mode::loiter, ModeReason::restart);
+    arm(false);
+    (void)statusTexts();
+    arm(true);  // before it is known to fly
+    EXPECT_EQ(missionCurrent(), 2);
+    EXPECT_FALSE(hasStatusText("AUTO begins"));
+}
+
+TEST_F(NewFlight, begins_at_the_first_nav_also_when_the_last_one_went_on_after_a_restart) {
+    const ResumesFlight resumes;
+    flyAndLandByHand();
+    arm(false);
+    (void)statusTexts();
+    arm(true);
+    EXPECT_TRUE(hasStatusText("AUTO begins at item 1"));
+    enterAuto();
+    EXPECT_EQ(missionCurrent(), 1);
 }
 
 TEST_F(NewFlight, of_the_same_mission_follows_a_landing_in_auto_and_is_over_when_auto_is_left) {
