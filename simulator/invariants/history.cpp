@@ -77,11 +77,23 @@ std::string nameIn(const char (&id)[16]) { return {id, strnlen(id, sizeof id)}; 
 
 }  // namespace
 
+// A stick may have been made the mode switch; whether it was taken may be heard on another link.
+size_t History::modeChannel() const {
+    constexpr size_t kDefault = 7;
+    const auto asked = asked_.find("FLTMODE_CH");
+    if (asked == asked_.end()) return kDefault;
+    const float channel = std::round(asked->second.value);
+    return channel >= 1 && channel <= 8 ? static_cast<size_t>(channel) - 1 : kDefault;
+}
+
 void History::frame(const Snapshot& now) {
     const double now_s = now.time_s();
-    bool moved = false, fault = false;
-    for (size_t i = 4; i < now.stick_us.size(); ++i)
-        moved = moved || std::abs(now.stick_us[i] - before_.stick_us[i]) > kSwitchMoves_us;
+    bool fault = false;
+    const auto moves = [&](size_t channel) {
+        return std::abs(now.stick_us[channel] - before_.stick_us[channel]) > kSwitchMoves_us;
+    };
+    bool moved = moves(modeChannel());
+    for (size_t i = 4; i < now.stick_us.size(); ++i) moved = moved || moves(i);
     if (moved) mark(Cause::mode_switch, now_s);
     constexpr auto kRadio = static_cast<size_t>(Faulty::radio);
     if (now.transmitting != before_.transmitting || now.faulty[kRadio] != before_.faulty[kRadio])

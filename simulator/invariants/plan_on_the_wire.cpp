@@ -48,8 +48,9 @@ void PlanOnTheWire::item(const PlanItem& item) {
                          (known->second.command != item.command || known->second.x != item.x);
     mixed_ = mixed_ || differs;
     coming_[item.seq] = item;
-    // Whole: stored or not, as the answer will say, which may go to a link nobody listens to.
-    if (count_ && coming_.size() == *count_) plan_.reset();
+    // Whole, or of an upload whose announcement another station's answer seemed to end: stored or
+    // not, as an answer will say that may go to a link nobody listens to.
+    if (!count_ || coming_.size() == *count_) plan_.reset();
 }
 
 void PlanOnTheWire::sent(const Frame& frame) {

@@ -23,6 +23,15 @@ struct Reason {
 TEST(ModeHasACause, WhatMayChangeIt) {
     const Reason reasons[] = {
         {"the switch", [](Flown& flown) { flown.now.stick_us[7] = 1165; }},
+        {"a stick that is the switch",
+         [](Flown& flown) {
+             mavlink::ParamSet set{};
+             std::strncpy(set.param_id, "FLTMODE_CH", sizeof set.param_id);
+             set.param_value = 1;
+             flown.sent(set);
+             flown.run(0.1);
+             flown.now.stick_us[0] = 1700;
+         }},
         {"a command", [](Flown& flown) { flown.command(mavlink::MavCmd::nav_return_to_launch); }},
         {"a failsafe", [](Flown& flown) { flown.text("Failsafe: mode 11"); }},
         {"the radio", [](Flown& flown) { flown.now.transmitting = false; }},
