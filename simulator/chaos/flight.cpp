@@ -24,6 +24,14 @@ constexpr uint64_t kStep_us = 20'000;
 constexpr uint32_t kAutotune = 8;
 constexpr uint16_t kAutoSwitch_us = 1300, kFbwaSwitch_us = 1425;
 
+constexpr double kRunway_deg = 340;
+
+// A runway lies as it does; who throws an airplane turns into the wind.
+double departureHeading_deg(const Scenario& scenario) {
+    const bool thrown = loadAirplane(scenario.airplane).launch.speed_mps > 0;
+    return thrown && scenario.wind_mps > 0 ? scenario.wind_from_deg : kRunway_deg;
+}
+
 WorldOptions worldOf(const Scenario& scenario) {
     WorldOptions world;
     const WaypointItem& home = scenario.mission[0];
@@ -31,7 +39,7 @@ WorldOptions worldOf(const Scenario& scenario) {
     world.latitude_deg = home.latitude_deg;
     world.longitude_deg = home.longitude_deg;
     world.altitude_m = home.altitude_m;
-    world.heading_deg = 340;
+    world.heading_deg = departureHeading_deg(scenario);
     world.wind_mps = scenario.wind_mps;
     world.wind_from_deg = scenario.wind_from_deg;
     world.gusts = scenario.gusts;
