@@ -128,6 +128,13 @@ Scenario parseScenario(const std::string& text) { return Reader(text).read(); }
 // Sensors but the inertial one fail, two at a time at most and not in the take-off; the transmitter
 // is lost; the processor restarts by itself while all else is well. Whatever is only read, and
 // noise on a link, does nothing.
+namespace {
+// The inertial sensor, or the bus it is on: then the pilot flies, by MANUAL.
+bool failsInertial(const std::string& fault) {
+    return fault.rfind("imu", 0) == 0 || fault.rfind("spi", 0) == 0;
+}
+}  // namespace
+
 bool promisesToSurvive(const Scenario& scenario) {
     const double take_off_s = 50 + scenario.begins_s;
     constexpr double kAlone_s = 20;
@@ -141,7 +148,7 @@ bool promisesToSurvive(const Scenario& scenario) {
         if (kind == "noise" || kind == "transmitter" || kind == "usb") continue;
         if (event.at_s < take_off_s) return false;
         if (kind == "fault") {
-            if (event.words[1].rfind("imu", 0) == 0) return false;
+            if (failsInertial(event.words[1])) return false;
             spans.push_back({event.at_s, event.at_s + std::stod(event.words[2]) + 10, false});
         } else if (kind == "restart" && event.words[1] != "button") {
             spans.push_back({event.at_s - kAlone_s, event.at_s + kAlone_s, true});

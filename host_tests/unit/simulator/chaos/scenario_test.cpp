@@ -74,6 +74,7 @@ TEST(Scenario, WhatMustNotCrashAnAirplane) {
         {"at 60 fault gps:lost 20\n", true},
         {"at 30 fault gps:lost 20\n", false},  // in the take-off
         {"at 60 fault imu:lost 1\n", false},
+        {"at 60 fault spi:noisy 1\n", false},  // the inertial sensor's bus
         {"at 60 fault gps:lost 20\nat 65 fault baro:stuck 20\n", true},
         {"at 60 fault gps:lost 20\nat 65 fault baro:stuck 9\nat 70 fault airspeed:lost 9\n", false},
         {"at 60 restart watchdog\n", true},
