@@ -58,6 +58,7 @@ bool followsPath() {
 }  // namespace
 
 void runGuidance() {
+    noteGround();
     if (!guidesItself()) {
         last_run.guiding = false;
         steerNowhere();

@@ -172,6 +172,36 @@ TEST_F(Guidance, does_not_take_a_slow_airplane_high_above_home_for_one_that_came
     EXPECT_FALSE(vehicle.progress.throttle_suppressed);
 }
 
+TEST_F(Guidance, holds_the_motor_in_a_new_mode_where_it_landed_far_below_home) {
+    inTheAir();
+    mutable_vehicle.estimate.flying = true;
+    guide(1);
+    demand(Path::land);
+    mutable_vehicle.estimate.height_m = -45;  // home was set in the air
+    standing();
+    guide(1);
+    mutable_vehicle.estimate.flying = false;
+    guide(1);
+    using namespace firmware::modes;
+    requestMode(Mode::manual, ModeReason::ground);
+    guide(1);
+    requestMode(Mode::loiter, ModeReason::ground);
+    guide(20);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+    mutable_vehicle.estimate.height_m = -34;
+    guide(1);
+    EXPECT_FALSE(vehicle.progress.throttle_suppressed) << "11 m above where it stood";
+}
+
+TEST_F(Guidance, does_not_take_another_home_for_a_launch) {
+    onTheGround(Mode::loiter);
+    guide(1);
+    mutable_vehicle.home.altitude_cm -= 10000;
+    mutable_vehicle.estimate.height_m += 100;
+    guide(20);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+}
+
 TEST_F(Guidance, never_lets_the_motor_turn_while_disarmed) {
     inTheAir();
     ASSERT_GT(vehicle.throttle_demand.toFloat(), 0);
