@@ -7,6 +7,7 @@
 #include "firmware/estimator/estimator.hpp"
 #include "firmware/gcs/messages.hpp"
 #include "firmware/gcs/mission_transfer.hpp"
+#include "firmware/gcs/plans.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
@@ -27,6 +28,18 @@ int16_t centi(float value) { return static_cast<int16_t>(core::rounded(value * 1
 uint16_t heading(uint16_t turn) {
     const uint16_t raw = static_cast<uint16_t>(vehicle.attitude.yaw_rad.raw);
     return static_cast<uint16_t>(static_cast<uint32_t>(raw) * turn >> 16);
+}
+
+// MISSION_CURRENT.mission_mode
+constexpr uint8_t kInMissionMode = 1, kMissionSuspended = 2;
+
+// `count` has home in it.
+uint8_t missionState(uint16_t count) {
+    if (count <= 1) return mavlink::MissionState::no_mission;
+    if (missionComplete()) return mavlink::MissionState::complete;
+    if (vehicle.mode == Mode::automatic) return mavlink::MissionState::active;
+    return missionCurrent() == 0 ? mavlink::MissionState::not_started
+                                 : mavlink::MissionState::paused;
 }
 
 int32_t altitude_mm() {  // above sea level
@@ -130,7 +143,14 @@ bool fillIn(const Link&, mavlink::HomePosition& to) {
 }
 
 bool fillIn(const Link&, mavlink::MissionCurrent& to) {
+    const uint16_t count = missionCount();  // home is one of them
     to.seq = missionCurrent();
+    to.total = count == 0 ? 0xFFFF : static_cast<uint16_t>(count - 1);
+    to.mission_state = missionState(count);
+    to.mission_mode = vehicle.mode == Mode::automatic ? kInMissionMode : kMissionSuspended;
+    to.mission_id = planId(mavlink::MavMissionType::mission);
+    to.fence_id = planId(mavlink::MavMissionType::fence);
+    to.rally_points_id = planId(mavlink::MavMissionType::rally);
     return true;
 }
 

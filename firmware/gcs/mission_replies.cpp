@@ -72,6 +72,7 @@ bool giveCount(Link& link, const mavlink::Frame& frame, uint8_t type, uint16_t c
     message.target_component = frame.component;
     message.mission_type = type;
     message.count = count;
+    message.opaque_id = planId(type);
     return send(link, message);
 }
 

@@ -135,6 +135,7 @@ bool answerAck(Link& link, Peer peer, MissionResult result, uint8_t mission_type
     message.target_component = peer.component;
     message.type = static_cast<uint8_t>(result);
     message.mission_type = mission_type;
+    if (result == MissionResult::accepted) message.opaque_id = planId(mission_type);
     return send(link, message);
 }
 

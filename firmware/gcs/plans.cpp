@@ -50,6 +50,10 @@ uint8_t planCount(uint8_t mission_type) {
     return listCount(kindOf(mission_type));
 }
 
+uint32_t planId(uint8_t mission_type) {
+    return isPlan(mission_type) ? listId(kindOf(mission_type)) : 0;
+}
+
 core::Status planItem(uint8_t mission_type, uint16_t index, MissionItem& to) {
     if (mission_type == MavMissionType::mission) return missionItem(index, to);
     const ListKind kind = kindOf(mission_type);

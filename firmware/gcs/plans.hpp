@@ -9,6 +9,7 @@ namespace gcs {
 
 bool isPlan(uint8_t mission_type);
 uint8_t planCount(uint8_t mission_type);
+uint32_t planId(uint8_t mission_type);  // MAVLink's opaque_id; 0: nothing is stored
 MUST_USE core::Status planItem(uint8_t mission_type, uint16_t index, mission::MissionItem& to);
 
 mission::MissionResult planBegin(uint8_t mission_type, uint16_t count);

@@ -50,7 +50,7 @@ bool fillAndSend(Link& link) {
 
 template <class Message>
 constexpr OutgoingRow row(Stream stream) {
-    // no row makes use of extension fields
+    // of the rows MISSION_CURRENT alone fills in extension fields, 16 bytes
     static_assert(
         mavlink::kHeaderV2 + mavlink::Wire<Message>::length + mavlink::kChecksum <= kLargestFrame,
         "larger than kLargestFrame");

@@ -90,6 +90,7 @@ uint8_t listCapacity(ListKind kind) { return storage::shapeOf(kind).slots; }
 uint8_t listCount(ListKind kind) { return mission_store.count(kind); }
 uint8_t listSet(ListKind kind) { return mission_store.set(kind); }
 uint8_t listGeneration(ListKind kind) { return mission_store.generation(kind); }
+uint32_t listId(ListKind kind) { return mission_store.id(kind); }
 bool listStaging(ListKind kind) { return mission_store.staging(kind); }
 
 Status listRead(ListKind kind, uint8_t index, uint8_t* to) {

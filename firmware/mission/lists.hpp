@@ -16,6 +16,7 @@ using storage::ListKind;
 uint8_t listCapacity(ListKind kind);    // 171 records of 14 bytes, 20 of 10, 10 of 11
 uint8_t listCount(ListKind kind);       // 0 also while missionKnown() is false
 uint8_t listGeneration(ListKind kind);  // another one after every commit
+uint32_t listId(ListKind kind);         // of its contents: storage::listId()
 // busy: in a later frame. bad_argument: no such record.
 MUST_USE core::Status listRead(ListKind kind, uint8_t index, uint8_t* to);
 

@@ -129,6 +129,17 @@ struct MavMissionType {
     };
 };
 
+struct MissionState {
+    enum : uint8_t {
+        unknown = 0,
+        no_mission = 1,
+        not_started = 2,
+        active = 3,
+        paused = 4,
+        complete = 5,
+    };
+};
+
 struct MavSeverity {
     enum : uint8_t {
         emergency = 0,

@@ -22,6 +22,7 @@ public:
     uint8_t count(ListKind kind) const { return of(kind).count; }
     uint8_t set(ListKind kind) const { return of(kind).set; }
     uint8_t generation(ListKind kind) const { return of(kind).generation; }  // differs after commit
+    uint32_t id(ListKind kind) const { return listId(of(kind).set, of(kind).count, of(kind).crc); }
 
     // busy: in a later frame. bad_argument: no such record.
     MUST_USE core::Status read(ListKind kind, uint8_t index, uint8_t* to) {

@@ -36,6 +36,11 @@ struct Extent {
     uint16_t crc;        // of the records
 };
 
+// What a list holds as one number: the same list has the same one on any board, an empty one has 0.
+constexpr uint32_t listId(uint8_t set, uint8_t count, uint16_t crc) {
+    return count == 0 ? 0 : uint32_t{set} << 24 | uint32_t{count} << 16 | crc;
+}
+
 // busy: in a later frame. unsupported: it lies in a DataFlash that is not there.
 MUST_USE core::Status readRecord(ListKind kind, const Extent& extent, uint8_t index, uint8_t* to);
 // To the EEPROM, or into the chip's buffer, from where storePage() brings it into the DataFlash.

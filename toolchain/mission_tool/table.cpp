@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "core/crc.hpp"
 #include "firmware/mission/command_table.hpp"
+#include "storage/lists.hpp"
 #include "toolchain/mission_tool/board.hpp"
 #include "toolchain/mission_tool/columns.hpp"
 #include "toolchain/mission_tool/findings.hpp"
@@ -87,12 +89,27 @@ Cells lineOf(const Document& document, size_t index, const Leg& leg, const std::
             valuesOf(document, index)};
 }
 
+// What the board answers as opaque_id once it has stored this.
+std::string idOf(const Document& document) {
+    uint16_t crc = core::kCrcStart;
+    for (const Entry& entry : document.entries) {
+        if (!entry.good()) return "none: not all items can be stored";
+        uint8_t bytes[mission::kRecordSize];
+        mission::pack(document.set, entry.record, bytes);
+        crc = core::crc16(crc, bytes, sizeof bytes);
+    }
+    return format("%lu", static_cast<unsigned long>(storage::listId(
+                             static_cast<uint8_t>(document.set),
+                             static_cast<uint8_t>(document.entries.size()), crc)));
+}
+
 std::string summaryOf(const Document& document, const std::vector<Leg>& legs) {
     double length_m = 0;
     for (const Leg& leg : legs) length_m += static_cast<double>(leg.length_m);
-    return format("%s set, %zu of %zu items, legs of %.1f km in all",
+    return format("%s set, %zu of %zu items, legs of %.1f km in all, id ",
                   document.set == mission::Set::apm1 ? "APM 1.0" : "APM 2.0",
-                  document.entries.size(), kMaxItems, length_m / 1000);
+                  document.entries.size(), kMaxItems, length_m / 1000) +
+           idOf(document);
 }
 
 }  // namespace

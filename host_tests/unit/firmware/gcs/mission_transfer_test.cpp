@@ -99,6 +99,57 @@ TEST_F(MissionTransfer, takes_a_mission_in_mavlink_2) {
     EXPECT_EQ(acks(), Results{MavMissionResult::accepted});
 }
 
+TEST_F(MissionTransfer, count_and_ack_carry_the_id_of_the_stored_plan) {
+    station.framing = Framing::v2;
+    plan.id = 0x1004BEEF;
+    give(count(1));
+    give(itemInt(0));
+    EXPECT_EQ(station.all<mavlink::MissionAck>().at(0).opaque_id, 0x1004BEEFu);
+
+    mavlink::MissionRequestList list = {};
+    list.target_system = list.target_component = 1;
+    EXPECT_EQ(ask<mavlink::MissionCount>(list).at(0).opaque_id, 0x1004BEEFu);
+}
+
+TEST_F(MissionTransfer, a_refusal_carries_no_id) {
+    station.framing = Framing::v2;
+    plan.id = 0x1004BEEF;
+    give(count(1, 7));
+    const auto ack = station.all<mavlink::MissionAck>().at(0);
+    EXPECT_EQ(ack.type, MavMissionResult::unsupported);
+    EXPECT_EQ(ack.opaque_id, 0u);
+}
+
+TEST_F(MissionTransfer, mission_current_says_which_plans_are_stored_and_how_far_the_mission_is) {
+    using mavlink::MissionState;
+    station.framing = Framing::v2;
+    auto current = [&] {
+        mavlink::MissionSetCurrent message = {};
+        message.target_system = message.target_component = 1;
+        message.seq = plan.current;
+        return ask<mavlink::MissionCurrent>(message).at(0);
+    };
+    EXPECT_EQ(current().mission_state, MissionState::no_mission);
+    EXPECT_EQ(current().total, 0xFFFF);
+
+    plan.items = {stored(0), stored(1), stored(2)};
+    plan.id = 77;
+    EXPECT_EQ(current().mission_state, MissionState::not_started);
+    EXPECT_EQ(current().total, 2) << "the last item's number";
+    EXPECT_EQ(current().mission_id, 77u);
+    EXPECT_EQ(current().fence_id, 1000u);
+    EXPECT_EQ(current().rally_points_id, 2000u);
+    EXPECT_EQ(current().mission_mode, 2) << "suspended: not in AUTO";
+
+    plan.current = 1;
+    EXPECT_EQ(current().mission_state, MissionState::paused);
+    firmware::state::mutable_vehicle.mode = firmware::state::Mode::automatic;
+    EXPECT_EQ(current().mission_state, MissionState::active);
+    EXPECT_EQ(current().mission_mode, 1);
+    plan.complete = true;
+    EXPECT_EQ(current().mission_state, MissionState::complete);
+}
+
 TEST_F(MissionTransfer, takes_items_in_whole_degrees_too) {
     give(count(1));
     auto message = item<mavlink::MissionItem>(0);

@@ -40,6 +40,7 @@ void radioHeard() { plan.radio_off = false; }
 
 uint16_t missionCount() { return static_cast<uint16_t>(plan.items.size()); }
 uint16_t missionCurrent() { return plan.current; }
+bool missionComplete() { return plan.complete; }
 }  // namespace mission
 
 namespace actuators {
@@ -143,6 +144,10 @@ const std::vector<doubles::Lists::Record>& records(ListKind kind) {
 uint8_t listCapacity(ListKind kind) { return kCapacity[static_cast<int>(kind)]; }
 uint8_t listCount(ListKind kind) { return static_cast<uint8_t>(records(kind).size()); }
 uint8_t listGeneration(ListKind kind) { return lists.generation[static_cast<int>(kind)]; }
+uint32_t listId(ListKind kind) {
+    return kind == ListKind::mission ? plan.id
+                                     : 1000u * static_cast<uint32_t>(kind) + listCount(kind);
+}
 core::Status listRead(ListKind kind, uint8_t index, uint8_t* to) {
     if (isBusy()) return core::Status::busy;
     if (index >= records(kind).size()) return core::Status::bad_argument;

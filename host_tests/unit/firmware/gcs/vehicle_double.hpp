@@ -29,6 +29,8 @@ struct Mission {
     uint16_t room = 170;
     int busy = 0;  // so many more calls are answered with busy
     uint16_t current = 0;
+    uint32_t id = 0;  // listId
+    bool complete = false;
     std::vector<uint16_t> reached;
     std::optional<uint16_t> unsupported;  // a command the vehicle does not know
     int aborts = 0;

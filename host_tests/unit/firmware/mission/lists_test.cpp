@@ -76,6 +76,24 @@ TEST_F(Lists, the_old_list_is_the_list_until_the_commit_is_accepted) {
     EXPECT_NE(listGeneration(ListKind::rally), before);
 }
 
+TEST_F(Lists, the_id_is_that_of_the_contents_wherever_they_lie) {
+    EXPECT_EQ(listId(ListKind::rally), 0u) << "empty";
+    ASSERT_EQ(store(ListKind::rally, 3, 1), MissionResult::accepted);
+    const uint32_t id = listId(ListKind::rally);
+    EXPECT_NE(id, 0u);
+    ASSERT_EQ(store(ListKind::rally, 3, 2), MissionResult::accepted);
+    EXPECT_NE(listId(ListKind::rally), id) << "other points";
+    ASSERT_EQ(store(ListKind::rally, 2, 1), MissionResult::accepted);
+    EXPECT_NE(listId(ListKind::rally), id) << "fewer";
+    ASSERT_EQ(store(ListKind::rally, 3, 1), MissionResult::accepted);
+    EXPECT_EQ(listId(ListKind::rally), id) << "the same again";
+    EXPECT_EQ(listId(ListKind::fence), 0u);
+
+    fakes::restartEeprom();
+    missionBoot();
+    EXPECT_EQ(listId(ListKind::rally), id);
+}
+
 TEST_F(Lists, one_record_is_replaced_and_the_others_stay) {
     ASSERT_EQ(store(ListKind::fence, 5, 1), MissionResult::accepted);
     ASSERT_EQ(whileBusy([] { return listBegin(ListKind::fence, 5, 1); }), MissionResult::accepted);

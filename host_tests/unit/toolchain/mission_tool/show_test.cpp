@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/mission/lists.hpp"
 #include "mission_tool_rig.hpp"
+#include "toolchain/mission_tool/board.hpp"
 #include "toolchain/mission_tool/table.hpp"
 
 namespace mission_tool {
@@ -121,6 +123,19 @@ TEST(Table, has_class_altitude_length_and_bearing_of_every_leg) {
     EXPECT_THAT(lineWith(table, "LOITER_TURNS"), HasSubstr("1001 m      090"));
     EXPECT_THAT(lineWith(table, "RETURN"), HasSubstr("ALT_HOLD_RTL   1496 m      222"));
     EXPECT_THAT(table, HasSubstr("APM 2.0 set, 5 of 171 items, legs of 3.6 km in all"));
+}
+
+TEST(Table, has_the_id_that_the_board_answers_with_once_it_has_stored_the_mission) {
+    const Document document = loaded(apm2(std::string(kNear2) + kNorth2));
+    boot(uploaded(document, blankImage(), ""), "");
+    const uint32_t id = firmware::mission::listId(storage::ListKind::mission);
+    EXPECT_NE(id, 0u);
+    EXPECT_THAT(tableOf(document), HasSubstr("in all, id " + std::to_string(id) + '\n'));
+}
+
+TEST(Table, has_no_id_for_what_cannot_be_stored) {
+    EXPECT_THAT(tableOf(loaded(apm2("0x10 1 0 6000 950000000 80000000\n"))),
+                HasSubstr("id none: not all items can be stored"));
 }
 
 TEST(Table, has_no_leg_from_or_to_a_home_that_is_no_place) {
