@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program behind toolchain/build.
-import { BuildFailed, build, kTrees } from './trees.mjs';
+import { WrongUsage, requestsOf } from './requests.mjs';
+import { BuildFailed, build } from './trees.mjs';
 
 const usage = `usage: toolchain/build TREE[:TARGET,TARGET...]...
 
@@ -12,18 +13,10 @@ the compilers' output is in build/TREE/build.log and is shown when something fai
   sanitize  the unit tests with the sanitizers
   fuzz      the fuzzers (needs clang)`;
 
-class WrongUsage extends Error {}
-
-function requestOf(word) {
-  const [, tree, targets] = /^(\w+)(?::(.+))?$/.exec(word) ?? [];
-  if (!kTrees.includes(tree)) throw new WrongUsage(`there is no tree ${word}: ${kTrees.join(', ')}`);
-  return { tree, targets: targets?.split(',') ?? [] };
-}
-
 async function main(words) {
   if (words.includes('--help') || words.includes('-h')) return console.log(usage);
   if (words.length === 0) throw new WrongUsage('which tree? toolchain/build TREE[:TARGET,TARGET...], see --help');
-  const requests = words.map(requestOf);
+  const requests = requestsOf(words);
   const tests = requests.some(({ targets }) => targets.some((target) => target.endsWith('_test')));
   return build(requests, { tests });
 }

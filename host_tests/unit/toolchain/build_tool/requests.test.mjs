@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { WrongUsage, requestsOf } from '../../../../toolchain/build_tool/requests.mjs';
+
+test('a tree that is named twice is built once, with the targets of both', () => {
+  assert.deepEqual(requestsOf(['host:fly,param_tool', 'avr:firmware_apm2', 'host:chaos,fly']), [
+    { tree: 'host', targets: ['fly', 'param_tool', 'chaos'] },
+    { tree: 'avr', targets: ['firmware_apm2'] },
+  ]);
+});
+
+test('a tree without targets is all of it', () => {
+  assert.deepEqual(requestsOf(['host:fly', 'host']), [{ tree: 'host', targets: [] }]);
+  assert.deepEqual(requestsOf(['host', 'host:fly']), [{ tree: 'host', targets: [] }]);
+});
+
+test('a tree that does not exist is refused by name', () => {
+  assert.throws(() => requestsOf(['hots:fly']), (error) => error instanceof WrongUsage && /hots:fly/.test(error.message));
+});
