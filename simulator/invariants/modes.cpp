@@ -30,6 +30,7 @@ constexpr const char* kReasons[] = {
     "Started",
     "Restarted",
     "Going to rally",
+    "AUTO: mission",  // without a NAV command: RTL in its place, once it flies
 };
 
 class ModeHasACause : public Invariant {

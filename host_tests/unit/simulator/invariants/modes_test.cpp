@@ -35,6 +35,8 @@ TEST(ModeHasACause, WhatMayChangeIt) {
         {"a command", [](Flown& flown) { flown.command(mavlink::MavCmd::nav_return_to_launch); }},
         {"a failsafe", [](Flown& flown) { flown.text("Failsafe: mode 11"); }},
         {"the radio", [](Flown& flown) { flown.now.transmitting = false; }},
+        {"a mission that cannot be flown, RTL in its place",
+         [](Flown& flown) { flown.text("AUTO: mission has no NAV command"); }},
         {"the mission's end", [](Flown& flown) { flown.text("Mission complete"); }},
     };
     for (const Reason& reason : reasons) {
