@@ -24,8 +24,7 @@ class MissionDoesNotJump : public Invariant {
             at_s_ = now.time_s();
         }
         if (at_s_ <= 0 || now.time_s() < at_s_ + kAfter_s) return;
-        if (from_ > 0 && to_ > 0 && history.plan() && !caused(history) && !goesOn(history) &&
-            !jumpsAway(history))
+        if (from_ > 0 && to_ > 0 && history.plan() && !caused(history) && !follows(history))
             report(at_s_, text("item %d became %d", from_, to_));
         at_s_ = 0;
     }
@@ -50,9 +49,13 @@ class MissionDoesNotJump : public Invariant {
                          history.saidWithin("Landing broken", at_s_ - kClimb_s, at_s_));
     }
 
+    bool follows(const History& history) const {
+        const std::set<int> led = ledAway(*history.plan());
+        return led.count(to_) != 0 || goesOn({from_}, history) || goesOn(led, history);
+    }
+
     // In the APM 2.0 set a jump beside a NAV leads away from it while it is flown.
-    bool jumpsAway(const History& history) const {
-        const Plan& plan = *history.plan();
+    std::set<int> ledAway(const Plan& plan) const {
         std::set<int> led, seen;
         for (int at = std::min(from_, static_cast<int>(plan.size())) - 1;
              at > 0 && !plan[static_cast<size_t>(at)].isNav(); --at) {
@@ -60,12 +63,12 @@ class MissionDoesNotJump : public Invariant {
             if (item.command == mavlink::MavCmd::do_jump)
                 follow(static_cast<int>(item.params[0]), plan, led, seen);
         }
-        return led.count(to_) != 0;
+        return led;
     }
 
     // Several short items may be over between two messages.
-    bool goesOn(const History& history) const {
-        std::set<int> seen, open = {from_};
+    bool goesOn(std::set<int> open, const History& history) const {
+        std::set<int> seen;
         while (!open.empty()) {
             const int item = *open.begin();
             open.erase(open.begin());

@@ -5,10 +5,10 @@ namespace simulator::invariants {
 
 using mavlink::MavCmd;
 
-// Item 0 is home; 4 is a jump to 2.
+// Item 0 is home; 4 is a jump, to 2 unless it is given.
 constexpr uint16_t kMission[] = {16, 22, 16, MavCmd::do_change_speed, MavCmd::do_jump, 16, 16, 21};
 
-void upload(Flown& flown, uint8_t result = 0) {
+void upload(Flown& flown, uint8_t result = 0, float jumps_to = 2) {
     mavlink::MissionCount count{};
     count.count = std::size(kMission);
     flown.sent(count);
@@ -16,7 +16,7 @@ void upload(Flown& flown, uint8_t result = 0) {
         mavlink::MissionItemInt item{};
         item.seq = i;
         item.command = kMission[i];
-        if (item.command == MavCmd::do_jump) item.param1 = 2;
+        if (item.command == MavCmd::do_jump) item.param1 = jumps_to;
         flown.sent(item);
     }
     mavlink::MissionAck ack{};
@@ -37,10 +37,10 @@ void reached(Flown& flown, uint16_t item) {
     flown.received(message);
 }
 
-Flown flownTo(uint16_t item) {
+Flown flownTo(uint16_t item, float jumps_to = 2) {
     Flown flown;
     flown.mode = 10;
-    upload(flown);
+    upload(flown, 0, jumps_to);
     flown.run(10);
     current(flown, item);
     return flown;
@@ -123,6 +123,15 @@ TEST(MissionDoesNotJump, AJumpBesideANavLeadsAwayFromIt) {
     current(astray, 7);
     EXPECT_EQ(led.violated(), "");
     EXPECT_EQ(astray.violated(), "mission_jump ");
+}
+
+TEST(MissionDoesNotJump, WhereItIsLedAwayToMayBeOverAtOnce) {
+    for (const bool over : {true, false}) {
+        Flown flown = flownTo(5, 1);
+        if (over) reached(flown, 1);
+        current(flown, 2);
+        EXPECT_EQ(flown.violated(), over ? "" : "mission_jump ");
+    }
 }
 
 TEST(MissionDoesNotJump, NorIsAnUploadWhoseAnswerIsNotHeardTheOldMission) {
