@@ -66,7 +66,8 @@ class ModeHasACause : public Invariant {
         const double waits_s = from_s - kStoreBusy_s;
         if ((history.within(Cause::parameter, waits_s, to_s) ||
              history.within(Cause::mission, waits_s, to_s)) &&
-            history.within(Cause::flight_mode, waits_s, to_s))
+            (history.within(Cause::flight_mode, waits_s, to_s) ||
+             history.within(Cause::overrides, waits_s, to_s)))
             return true;
         if (history.saidWithin("Mode refused", from_s - kAsksAgain_s, to_s) ||
             history.saidWithin("Circling needs", from_s - kAsksAgain_s, to_s))

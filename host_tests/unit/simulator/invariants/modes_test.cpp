@@ -88,6 +88,19 @@ TEST(ModeHasACause, ACommandMayWaitBehindAParameter) {
     }
 }
 
+TEST(ModeHasACause, AnOverrideMayWaitBehindAParameterToo) {
+    for (const bool behind : {true, false}) {
+        Flown flown = inAMode();
+        flown.sent(mavlink::RcChannelsOverride{});
+        flown.run(4.5);
+        if (behind) flown.sent(mavlink::ParamSet{});
+        flown.run(1.4);
+        flown.mode = 11;
+        flown.run(5);
+        EXPECT_EQ(flown.violated(), behind ? "" : "mode_without_cause ");
+    }
+}
+
 TEST(ModeHasACause, ACauseOfThreeSecondsAgoIsNone) {
     Flown flown = inAMode();
     flown.command(mavlink::MavCmd::nav_return_to_launch);
