@@ -193,6 +193,41 @@ TEST_F(Guidance, holds_the_motor_in_a_new_mode_where_it_landed_far_below_home) {
     EXPECT_FALSE(vehicle.progress.throttle_suppressed) << "11 m above where it stood";
 }
 
+TEST_F(Guidance, takes_less_than_10_m_of_height_for_no_launch) {
+    onTheGround(Mode::loiter);
+    guide(1);
+    mutable_vehicle.estimate.height_m = 9;
+    guide(20);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+    mutable_vehicle.estimate.height_m = -9;
+    guide(20);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+}
+
+TEST_F(Guidance, leaves_the_motor_to_an_airplane_that_still_moves) {
+    inTheAir();
+    mutable_vehicle.estimate.height_m = 0;
+    mutable_vehicle.estimate.flying = false;
+    standing();
+    move(3, 0);
+    guide(30);
+    EXPECT_FALSE(vehicle.progress.throttle_suppressed);
+}
+
+TEST_F(Guidance, counts_the_height_of_a_launch_from_home_before_it_has_stood_armed) {
+    inTheAir();
+    mutable_vehicle.armed = false;
+    mutable_vehicle.estimate.flying = false;
+    mutable_vehicle.estimate.height_m = 3;
+    guide(1);
+    mutable_vehicle.estimate.flying = true;  // resumes, after a restart in the air
+    mutable_vehicle.armed = true;
+    standing();
+    mutable_vehicle.estimate.height_m = 11;
+    guide(1);
+    EXPECT_FALSE(vehicle.progress.throttle_suppressed);
+}
+
 TEST_F(Guidance, does_not_take_another_home_for_a_launch) {
     onTheGround(Mode::loiter);
     guide(1);

@@ -55,6 +55,35 @@ TEST_F(RefusedSwitch, is_forgotten_when_it_is_moved_on) {
     EXPECT_EQ(vehicle.mode, Mode::manual);
 }
 
+TEST_F(RefusedSwitch, is_asked_for_again_every_5_s) {
+    mutable_vehicle.estimate.known = true;
+    for (int tenths = 1; tenths < 50; ++tenths) firmware::modes::runModeSwitch();
+    EXPECT_EQ(vehicle.mode, Mode::fbwa);
+    firmware::modes::runModeSwitch();
+    EXPECT_EQ(vehicle.mode, Mode::loiter);
+}
+
+struct ModeSwitch : bench::Bench {
+    // What the receiver sends, without a look at the switch.
+    void send(const std::vector<uint16_t>& sticks) {
+        for (int i = 0; i < 10; ++i) {
+            fakes::receiveRc(sticks);
+            firmware::sensors::runRadio();
+            fakes::advance_ms(10);
+            firmware::sensors::runRadio();
+            fakes::advance_ms(10);
+        }
+    }
+};
+
+TEST_F(ModeSwitch, is_obeyed_when_it_is_seen_twice_in_a_position) {
+    send(with(8, 1425));
+    firmware::modes::runModeSwitch();
+    EXPECT_EQ(vehicle.mode, Mode::manual) << "it may be on its way";
+    firmware::modes::runModeSwitch();
+    EXPECT_EQ(vehicle.mode, Mode::fbwa);
+}
+
 using SwitchAtRestart = bench::Bench;
 
 TEST_F(SwitchAtRestart, is_left_to_the_restart_and_obeyed_behind_it) {

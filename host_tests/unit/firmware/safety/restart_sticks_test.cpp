@@ -2,6 +2,8 @@
 // What the hang timer's interrupt puts out, against MANUAL's own way from the same sticks.
 #include "firmware/actuators/outputs.hpp"
 #include "firmware/control/attitude_control.hpp"
+#include "firmware/safety/restart_records.hpp"
+#include "firmware/state/restart_record.hpp"
 #include "firmware_bench.hpp"
 #include "hal/hang_timer.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
@@ -65,6 +67,46 @@ TEST_F(SticksWhileItHangs, are_mixed_for_elevons_and_for_a_v_tail_of_every_kind)
             expectNear(forgotten(sticks_), as_in_manual, 45);
         }
     }
+}
+
+TEST_F(SticksWhileItHangs, are_mixed_from_the_trims_of_their_own_channels) {
+    parameters.elevon_output = 1;
+    parameters.channel[0].trim_us = 1400;
+    parameters.channel[1].trim_us = 1600;
+    parameters.channel[2].trim_us = 1200;
+    const std::vector<uint16_t> trimmed = {1400, 1600, 1100, 1500, 1500, 1500, 1500, 1815};
+    EXPECT_EQ(forgotten(trimmed)[0], 1400) << "sticks at trim, servo at trim";
+    EXPECT_EQ(forgotten(trimmed)[1], 1600);
+}
+
+TEST_F(SticksWhileItHangs, leave_the_gyros_turn_for_the_restart_after_each_round) {
+    using namespace firmware::safety;
+    for (const uint8_t records : {6, 7}) {
+        number = records;
+        moving[0].checksum = 0x1111;
+        moving[1].checksum = 0x2222;
+        blind.checksum = 0;
+        forgotten(sticks_);
+        EXPECT_TRUE(isValid(blind, moving[records & 1])) << "beside the newest record";
+        EXPECT_FALSE(isValid(blind, moving[~records & 1]));
+    }
+}
+
+TEST_F(SticksWhileItHangs, go_to_the_outputs_in_turn) {
+    manual(bench::kCentred);
+    fakes::receiveRc(sticks_);
+    int changed = 0;
+    for (int i = 0; i < 4; ++i) {
+        const auto before = now();
+        hal::passSticksToServos();
+        const auto after = now();
+        for (size_t output = 0; output < 4; ++output) {
+            if (before[output] == after[output]) continue;
+            ++changed;
+            EXPECT_EQ(output, (1u + i) % 4) << "call " << i;
+        }
+    }
+    EXPECT_EQ(changed, 4);
 }
 
 TEST_F(SticksWhileItHangs, never_turn_the_motor_of_a_disarmed_airplane) {

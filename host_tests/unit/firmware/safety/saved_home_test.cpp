@@ -81,6 +81,27 @@ TEST_F(SavedHomeTest, a_power_cut_leaves_one_of_the_two_or_none) {
     }
 }
 
+TEST_F(SavedHomeTest, waits_while_the_eeprom_is_busy) {
+    ASSERT_EQ(save(473977000), Status::ok);
+    fakes::setEepromSlow(true);
+    const uint8_t other[4] = {1, 2, 3, 4};
+    ASSERT_EQ(hal::eepromWrite(storage::kHomeAndLog.end() - 4, other, sizeof other), Status::ok);
+    SavedHome home = {};
+    EXPECT_EQ(readHome(home), Status::busy);
+    EXPECT_EQ(forgetHome(), Status::busy);
+    EXPECT_EQ(saveHome({1, 2}, 3), Status::busy);
+    ASSERT_EQ(read(home), Status::ok);
+    EXPECT_EQ(home.position.latitude_e7, 473977000);
+}
+
+TEST_F(SavedHomeTest, writes_nothing_into_another_firmwares_eeprom) {
+    const std::vector<uint8_t> foreign(4096, 0x5A);
+    fakes::setEepromCells(foreign);
+    EXPECT_EQ(save(473977000), Status::ok);
+    EXPECT_EQ(until(forgetHome), Status::ok);
+    EXPECT_EQ(fakes::eepromCells(), foreign);
+}
+
 TEST_F(SavedHomeTest, leaves_the_logs_part_of_the_region_unchanged) {
     const uint16_t at = storage::kHomeAndLog.end() - 4;
     const uint8_t logs[4] = {1, 2, 3, 4};
