@@ -131,6 +131,12 @@ void readSwitches() {
     }
 }
 
+// The encoder's own frames are whole, too: none of them may be left for later.
+void ignoreSwitches() {
+    uint16_t unused[hal::kRcChannels];
+    (void)hal::rcReadWhole(unused);
+}
+
 void scale() {
     published.roll_cd = stick_cd(parameters.map_roll - 1);
     published.pitch_cd = stick_cd(parameters.map_pitch - 1);
@@ -161,8 +167,8 @@ void runRadio() {
     const bool gone = !fresh && !ground_flies;
     if (gone && hal::rcAge_us() < kFramesGone_us) {
         // between two frames: whether the last was whole is known with the first edge of the next
-        if (reception.bad == 0 && !published.lost && published.good_ms != 0) readSwitches();
-        return;
+        const bool obeyed = reception.bad == 0 && !published.lost && published.good_ms != 0;
+        return obeyed ? readSwitches() : ignoreSwitches();
     }
 
     const uint16_t throttle_us = published.pulse_us[parameters.map_throttle - 1];

@@ -83,7 +83,8 @@ TEST_F(FailsafeCauses, a_sensor_that_is_not_used_is_not_missed) {
         int8_t enable, use;
         bool lost;
     };
-    for (const Use& each : {Use{1, 1, true}, Use{0, 1, false}, Use{1, 0, false}, Use{0, 0, false}}) {
+    for (const Use& each :
+         {Use{1, 1, true}, Use{0, 1, false}, Use{1, 0, false}, Use{0, 0, false}}) {
         parameters.airspeed_enable = each.enable;
         parameters.airspeed_use = each.use;
         EXPECT_EQ(airspeedLost(), each.lost) << int(each.enable) << int(each.use);

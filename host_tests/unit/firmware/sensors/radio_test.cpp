@@ -129,6 +129,27 @@ TEST_F(Radio, obeys_neither_sticks_nor_switches_of_frames_that_may_be_the_encode
     EXPECT_NE(vehicle.radio.roll_cd, sticks.roll_cd);
 }
 
+// A start without a receiver, which then has another number of channels: for a second none of its
+// frames counts as whole.
+TEST_F(Radio, obeys_no_switch_of_the_encoders_own_frames_once_the_receiver_is_there) {
+    fakes::reset();
+    while (firmware::state::parametersLoad() != core::Status::ok) fakes::advance_ms(10);
+    parameters.switch_mode[3] = static_cast<int8_t>(Mode::fbwa);  // where the encoder's 1500 us is
+    const auto frames = [](const std::vector<uint16_t>& sticks, bool whole) {
+        for (int i = 0; i < 100; ++i) {
+            if (i % 2 == 0) whole ? fakes::receiveRc(sticks) : fakes::receiveBrokenRc(sticks);
+            firmware::sensors::runRadio();
+            if (i % 10 == 9) firmware::modes::runModeSwitch();
+            fakes::advance_ms(10);
+        }
+    };
+    frames(kEncoderFailsafe, true);
+    ASSERT_TRUE(vehicle.radio.lost);
+    frames({1500, 1500, 1400, 1500, 1500, 1500, 1500, 1815}, false);
+    EXPECT_FALSE(vehicle.radio.lost);
+    EXPECT_NE(vehicle.mode, Mode::fbwa);
+}
+
 // One edge twice: every channel behind it has its neighbour's pulse.
 TEST_F(Radio, follows_sticks_but_no_switches_of_frames_with_an_edge_too_many) {
     settle({1500, 1500, 1400, 1500, 1500, 1500, 1100, 1815});
