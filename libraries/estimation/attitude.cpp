@@ -38,6 +38,10 @@ constexpr uint8_t kMaxFrames = 50;     // that are counted: by then nothing is k
 constexpr float kInconsistent = 0.7f;  // cosine: a compass 45 degrees off is not followed
 constexpr float kSlow_mps = 5.0f;      // a slower course is noise
 
+// Between two fixes: a tilt that is 30 degrees wrong. A receiver whose velocity is wrong by 20 m/s
+// shows 100 m/s2, more than any tilt can.
+constexpr float kMaxMissing_mss = 0.5f * kGravity, kNoTilt_mss = 2 * kGravity;
+
 constexpr int32_t kMaxTurn = Fine::kOne / 5;  // 0.2 rad; more at once would lengthen the rows
 constexpr int32_t kMaxTurned = Fine::kOne;    // 1 rad
 using RowAngle = core::Fixed<15>;             // rad, that a row is turned by
@@ -64,6 +68,14 @@ int16_t taken(int32_t& turned) {
 int16_t inRevolutions(int32_t fine) {
     constexpr core::Fixed<15> kTwoOverPi(2 / core::kPi);
     return core::upper(2 * core::times16(fine, kTwoOverPi.raw));
+}
+
+// What fixes may show of a wrong tilt at once.
+core::Vector3 asTilt_mss(const core::Vector3& missing) {
+    const float squared = core::square(missing.x) + core::square(missing.y);
+    if (squared <= kMaxMissing_mss * kMaxMissing_mss) return missing;
+    if (squared > kNoTilt_mss * kNoTilt_mss) return {0, 0, 0};
+    return missing * (kMaxMissing_mss / sqrtf(squared));
 }
 }  // namespace
 
@@ -360,7 +372,7 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
         const core::Vector3 seen = VelocityHistory::difference_mps(ground, fix_ground_);
         const core::Vector3 measured = VelocityHistory::difference_mps(then, fix_);
         const float inverse = 1.0f / time_s;
-        correct((seen - measured) * inverse, measured * inverse, time_s, true);
+        correct(asTilt_mss((seen - measured) * inverse), measured * inverse, time_s, true);
     }
     fix_ = then;
     fix_ground_ = ground;

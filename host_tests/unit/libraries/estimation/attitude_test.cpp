@@ -47,6 +47,8 @@ struct Sources {
     double gps_lost_s = 1e9;  // from this time on
     double scored_s = 12;     // from this time on
     int fix_quarter = 3;      // of four frames, in which fixes come
+    double wrong_s = 1e9;     // for two seconds from this time on fixes are wrong by ...
+    double wrong_mps = 0;     // ... a random velocity
 };
 
 estimation::Motion motion(const core::Vector3& rate_rads, const core::Vector3& force_mss) {
@@ -86,7 +88,12 @@ Figures fly(Flight& flight, const Sources& sources, Attitude& attitude) {
         }
         const bool gps = sources.gps && flight.truth().time_s < sources.gps_lost_s;
         if (frame % 20 == 4 + sources.fix_quarter && gps) {
-            attitude.useGps(flight::single(flight.gps().velocity), settings);
+            flight::V3 velocity = flight.gps().velocity;
+            const double wrong_for_s = flight.truth().time_s - sources.wrong_s;
+            if (wrong_for_s > 0 && wrong_for_s < 2)
+                for (double* part : {&velocity.x, &velocity.y})
+                    *part += sources.wrong_mps * std::normal_distribution<>()(flight.random());
+            attitude.useGps(flight::single(velocity), settings);
         }
         if (frame % 20 == 4 + sources.fix_quarter && !gps) {
             attitude.useAirspeed(sources.airspeed ? static_cast<float>(flight.airspeed_mps()) : 0);
@@ -171,6 +178,19 @@ TEST(Attitude, tolerates_a_fix_older_than_assumed) {
     EXPECT_LT(rms.roll, 0.3);
     EXPECT_LT(rms.pitch, 0.3);
     EXPECT_LT(rms.yaw, 1.0);
+}
+
+// Until the receiver is known to be wrong; then its fixes are not used any more.
+TEST(Attitude, stays_upright_while_fixes_are_wrong_for_two_seconds) {
+    for (const double wrong_mps : {2.0, 5.0, 20.0, 100.0}) {
+        Sources sources;
+        sources.wrong_s = 180;
+        sources.wrong_mps = wrong_mps;
+        const Figures rms = overSeeds(Errors(), sources, 6);
+        EXPECT_LT(rms.worst_roll, 6) << wrong_mps << " m/s";
+        EXPECT_LT(rms.worst_pitch, 6) << wrong_mps << " m/s";
+        EXPECT_LT(rms.worst_yaw, 12) << wrong_mps << " m/s";
+    }
 }
 
 TEST(Attitude, corrects_compass_offsets_that_are_50_mG_wrong) {
