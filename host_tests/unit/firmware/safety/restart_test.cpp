@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/restart.hpp"
 
+#include <string.h>
+
+#include <string>
+#include <vector>
+
+#include "core/internal_error.hpp"
 #include "firmware/control/attitude_control.hpp"
 #include "firmware/estimator/estimator.hpp"
+#include "firmware/notify/text_queue.hpp"
 #include "firmware/safety/restart_records.hpp"
 #include "firmware/safety/saved_home.hpp"
 #include "firmware_bench.hpp"
 #include "hal/clock.hpp"
 #include "hal/eeprom.hpp"
+#include "hal/trace.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 #include "storage/owner.hpp"
 
@@ -209,6 +217,153 @@ TEST_F(Restart, is_armed_and_in_a_mode_only_when_the_switch_has_been_seen) {
     lookAtSwitch(1165);
     EXPECT_TRUE(vehicle.armed);
     EXPECT_EQ(vehicle.mode, Mode::stabilize);
+}
+
+TEST_F(Restart, obeys_no_switch_that_has_not_been_seen_three_times_in_one_place) {
+    const auto look = [this](uint16_t pulse_us) {
+        fakes::receiveRc(with(8, pulse_us));
+        runRadio();
+        fakes::advance_ms(10);
+        runRadio();
+        runRestart();
+        fakes::advance_ms(10);
+    };
+    begin(ResetCause::watchdog);
+    for (int i = 0; i < 9; ++i) {  // moved on after every second frame
+        look(i / 2 % 2 == 0 ? 1165 : 1425);
+        EXPECT_EQ(vehicle.mode, Mode::initialising) << i;
+    }
+    SetUp();
+    begin(ResetCause::watchdog);
+    for (int i = 0; i < 5; ++i) {  // a moved switch counts from the third frame on
+        EXPECT_EQ(vehicle.mode, Mode::initialising) << i;
+        look(1165);
+    }
+    EXPECT_EQ(vehicle.mode, Mode::stabilize);
+}
+
+// A brown-out resets the inertial sensor as well, which then has to be aligned first.
+TEST_F(Restart, decides_nothing_before_the_attitude_is_known_or_450_ms_are_over) {
+    begin(ResetCause::watchdog);
+    mutable_vehicle.attitude.aligned = false;
+    mutable_vehicle.radio.good_ms = 0;
+    runUntil_ms(450);
+    EXPECT_TRUE(vehicle.resuming);
+    runRestart();
+    EXPECT_FALSE(vehicle.resuming);
+}
+
+TEST_F(Restart, goes_on_saving_records_once_it_is_armed_on_evidence) {
+    begin(ResetCause::unknown);
+    lookAtSwitch(1165);
+    const uint8_t before = number;
+    runRestart();
+    EXPECT_EQ(number, before) << "not armed yet: the last record stays";
+    barometerReads(60);
+    runRestart();
+    ASSERT_TRUE(vehicle.armed);
+    const uint8_t armed = number;
+    runRestart();
+    EXPECT_NE(number, armed);
+}
+
+TEST_F(Restart, flies_on_when_the_power_goes_again_before_there_was_evidence) {
+    begin(ResetCause::unknown);
+    lookAtSwitch(1165);
+    runRestart();
+    ASSERT_FALSE(vehicle.armed);
+    begin(ResetCause::unknown);
+    EXPECT_TRUE(flyingOn());
+}
+
+TEST_F(Restart, forgets_the_saved_home_when_it_is_disarmed_after_flying_on) {
+    begin(ResetCause::watchdog);
+    lookAtSwitch(1165);
+    ASSERT_TRUE(vehicle.armed);
+    mutable_vehicle.armed = false;
+    keep();
+    begin(ResetCause::power_on);
+    EXPECT_FALSE(vehicle.home.set);
+}
+
+TEST_F(Restart, saves_home_again_whichever_part_of_it_has_changed_and_else_never) {
+    const auto saved = [] {
+        SavedHome home;
+        EXPECT_EQ(readHome(home), core::Status::ok);
+        return home;
+    };
+    keep();
+    const uint32_t writes = fakes::eepromWrites();
+    keep();
+    EXPECT_EQ(fakes::eepromWrites(), writes);
+    mutable_vehicle.home.position.latitude_e7 += 10;
+    keep();
+    EXPECT_EQ(saved().position.latitude_e7, kHome.latitude_e7 + 10);
+    mutable_vehicle.home.position.longitude_e7 += 20;
+    keep();
+    EXPECT_EQ(saved().position.longitude_e7, kHome.longitude_e7 + 20);
+    mutable_vehicle.home.altitude_cm += 30;
+    keep();
+    EXPECT_EQ(saved().altitude_cm, 48830);
+}
+
+TEST_F(Restart, keeps_the_record_before_while_the_attitude_is_not_known) {
+    mutable_vehicle.attitude.aligned = false;
+    mutable_vehicle.home.altitude_cm = 1;
+    runRestartSlowly();
+    EXPECT_EQ(steady.home_altitude_cm, 48800);
+}
+
+std::vector<std::string> statusTexts() {
+    std::vector<std::string> texts;
+    char text[kTextSize];
+    Severity severity;
+    while (readText(0, severity, text)) {
+        texts.push_back(std::to_string(static_cast<int>(severity)) + ' ' +
+                        std::string(text, strnlen(text, sizeof text)));
+        for (uint8_t reader : {0, 1, 2})
+            if (textWaits(reader)) textTaken(reader);
+    }
+    return texts;
+}
+
+TEST_F(Restart, reports_once_what_started_it) {
+    using Texts = std::vector<std::string>;
+    struct Row {
+        ResetCause cause;
+        uint8_t trace;
+        bool flew;
+        const char* text;
+    };
+    const Row rows[] = {
+        {ResetCause::watchdog, 3, true, "2 Restarted by watchdog, task 3"},
+        {ResetCause::watchdog, 3, false, "4 Restarted by watchdog, task 3"},
+        {ResetCause::fault, hal::kTraceTaskEnd, true, "2 Restarted by a fault, task 0"},
+        {ResetCause::power_on, 0, false, "6 Started by the supply"},
+    };
+    for (const Row& row : rows) {
+        SetUp();
+        mutable_vehicle.armed = row.flew;
+        keep();
+        begin(row.cause);
+        fakes::watchdog().last_run.trace = row.trace;
+        (void)statusTexts();
+        runRestartSlowly();
+        EXPECT_EQ(statusTexts(), Texts{row.text});
+        runRestartSlowly();
+        EXPECT_EQ(statusTexts(), Texts{});
+    }
+}
+
+TEST_F(Restart, reports_an_internal_error_once) {
+    begin(ResetCause::power_on);
+    runRestartSlowly();
+    (void)statusTexts();
+    (void)core::check(false, core::InternalError::attitude_matrix, 7);
+    runRestartSlowly();
+    EXPECT_EQ(statusTexts(), std::vector<std::string>{"2 Internal error 1"});
+    runRestartSlowly();
+    EXPECT_TRUE(statusTexts().empty());
 }
 
 TEST_F(Restart, flies_on_as_before_without_a_receiver) {
