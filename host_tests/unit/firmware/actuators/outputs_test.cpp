@@ -191,6 +191,27 @@ TEST_F(Outputs, a_disarmed_motor_keeps_its_idle_pulse_whatever_its_channel_is_se
     EXPECT_EQ(outputPulse_us(3), 1100) << "idle when it was armed";
 }
 
+TEST_F(Outputs, the_idle_pulse_is_that_of_arming_though_the_channel_changes_while_armed) {
+    mutable_vehicle.armed = true;
+    run();
+    parameters.channel[2].min_us = 1300;  // by a mission's command
+    run();
+    mutable_vehicle.armed = false;
+    run();
+    EXPECT_EQ(outputPulse_us(3), 1100);
+}
+
+TEST_F(Outputs, a_flaperon_is_turned_by_its_own_channel) {
+    parameters.output_function[0] = firmware::actuators::kLeftFlaperonFunction;
+    parameters.mixing_gain = 1;
+    for (const int8_t reverse : {1, -1}) {
+        parameters.channel[4].reverse = reverse;
+        settle({1600, 1500, 1100, 1500, 1500, 1100, 1900, 1815});
+        run();
+        EXPECT_NEAR(outputPulse_us(5), 1500 + 100 * reverse, 1);
+    }
+}
+
 TEST_F(Outputs, a_motor_whose_idle_is_high_by_its_settings_starts_with_a_low_pulse) {
     for (const int16_t min_us : {1101, 1300, 1700}) {
         firmware::state::parameters.channel[2].min_us = min_us;

@@ -66,6 +66,33 @@ TEST_F(Failsafe, gives_back_the_mode_when_the_radio_is_back_in_time) {
 
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
     EXPECT_FALSE(vehicle.failsafe_short);
+    EXPECT_FALSE(vehicle.failsafe_gives_back) << "any other mode may be asked for again";
+}
+
+TEST_F(Failsafe, sends_no_text_for_a_cause_that_ends_without_one) {
+    fly(Mode::fbwa);
+    parameters.battery_monitor = 4;
+    parameters.battery_low_v = 10.5f;
+    mutable_vehicle.battery.voltage_mv = 10000;
+    (void)statusTexts();
+    for (int i = 0; i < 101; ++i) firmware::safety::runFailsafe();
+    const std::string begun = statusTexts();
+    EXPECT_NE(begun.find("Battery low\n"), std::string::npos);
+    mutable_vehicle.armed = false;
+    firmware::safety::runFailsafe();
+    for (const std::string& texts : {begun, statusTexts()}) {
+        EXPECT_NE(texts.rfind("\n", 0), 0u) << texts;
+        EXPECT_EQ(texts.find("\n\n"), std::string::npos) << texts;
+    }
+}
+
+TEST_F(Failsafe, is_asked_nothing_more_by_a_mode_that_circles_already) {
+    parameters.short_action = 1;
+    fly(Mode::circle);
+    const uint8_t entries = vehicle.mode_entries;
+    loseRadio(kShort_ms);
+    EXPECT_EQ(vehicle.mode, Mode::circle);
+    EXPECT_EQ(vehicle.mode_entries, entries);
 }
 
 TEST_F(Failsafe, leaves_a_mode_that_was_chosen_meanwhile) {
