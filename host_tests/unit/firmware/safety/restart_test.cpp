@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/restart.hpp"
 
+#include <math.h>
 #include <string.h>
 
 #include <string>
@@ -364,6 +365,54 @@ TEST_F(Restart, reports_an_internal_error_once) {
     EXPECT_EQ(statusTexts(), std::vector<std::string>{"2 Internal error 1"});
     runRestartSlowly();
     EXPECT_TRUE(statusTexts().empty());
+}
+
+// The last record: level, and turning so quickly about the nose.
+void lastRecordTurns(float roll_rads) {
+    FastRecord& record = moving[number & 1];
+    record.pose = {{core::Ratio(1), core::Ratio(0), core::Ratio(0)},
+                   {core::Ratio(0), core::Ratio(0), core::Ratio(1)}};
+    record.rate_rads = core::BodyRates::from(roll_rads, 0, 0);
+    updateChecksum(record);
+}
+float rollNow_rad() {
+    mutable_vehicle.imu.calibrated = true;
+    for (int i = 0; i < 10; ++i) turnMatrix();  // at most 0.2 rad at once
+    return vehicle.attitude.roll_rad.toFloat();
+}
+
+TEST_F(Restart, turns_the_attitude_on_for_as_long_as_the_program_was_gone) {
+    struct Row {
+        ResetCause cause;
+        float lost_s;
+    };
+    // 0.3 s from the record to the end, which a brown-out leaves no time to note; 80 ms to the
+    // start
+    for (const Row& row : {Row{ResetCause::watchdog, 0.38f}, Row{ResetCause::brown_out, 0.08f}}) {
+        SetUp();
+        keep();
+        lastRecordTurns(1);
+        fakes::advance_ms(300);
+        begin(row.cause);
+        EXPECT_NEAR(rollNow_rad(), row.lost_s, 0.01f);
+    }
+}
+
+TEST_F(Restart, turns_it_as_the_gyros_were_watched_while_the_program_hung) {
+    struct Row {
+        uint8_t periods;
+        bool valid, used;
+    };
+    for (const Row& row : {Row{10, true, true}, Row{9, true, false}, Row{10, false, false}}) {
+        SetUp();
+        keep();
+        lastRecordTurns(0);
+        blind.turn = {{500, 500, 500}, row.periods};
+        updateChecksum(blind, moving[number & 1]);
+        if (!row.valid) ++blind.checksum;
+        begin(ResetCause::watchdog);
+        EXPECT_EQ(fabsf(rollNow_rad()) > 0.001f, row.used) << int(row.periods) << row.valid;
+    }
 }
 
 TEST_F(Restart, flies_on_as_before_without_a_receiver) {
