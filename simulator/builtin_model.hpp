@@ -17,6 +17,10 @@ public:
     const Truth& truth() const override { return airplane_.truth(); }
     Vec3 toBody(const Vec3& earth) const override { return airplane_.toBody(earth); }
     void launch() override { airplane_.launch(); }
+    bool setWind(double mps, double from_deg) override {
+        airplane_.setWind(mps, from_deg);
+        return true;
+    }
 
     // Outputs 1..4 are aileron, elevator, throttle, rudder; 1 and 2 the right and left elevon.
     static Controls controlsOf(const ServoPulses& pulses, bool elevons);

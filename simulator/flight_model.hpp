@@ -24,6 +24,8 @@ public:
     virtual const Truth& truth() const = 0;
     virtual Vec3 toBody(const Vec3& earth) const = 0;
     virtual void launch() {}
+    // The mean wind from now on; false: the air is not the simulator's to change.
+    virtual bool setWind(double /*mps*/, double /*from_deg*/) { return false; }
     // Of one that is held in hands: lays it that way, or turns it at these body rates.
     virtual void turnTo(double /*roll_rad*/, double /*pitch_rad*/, double /*yaw_rad*/) {}
     virtual void turn(double /*roll_rads*/, double /*pitch_rads*/, double /*yaw_rads*/) {}

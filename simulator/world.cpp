@@ -321,6 +321,7 @@ void World::setFaults(const std::vector<Fault>& faults) {
 FaultKind World::faultOf(Faulty part) const { return parts_->failing[static_cast<size_t>(part)]; }
 const std::vector<Fault>& World::faults() const { return parts_->faults; }
 void World::launch() { parts_->model->launch(); }
+bool World::setWind(double mps, double from_deg) { return parts_->model->setWind(mps, from_deg); }
 std::string World::fault() const { return parts_->model->fault(); }
 uint64_t World::modelAnswersSkipped() const { return parts_->model->answersSkipped(); }
 

@@ -91,6 +91,8 @@ public:
     void advanceTo(uint64_t now_us);
     const Truth& truth() const;
     void launch();  // lets an airplane go that is thrown
+    // The mean wind at and above 10 m from now on; false: the flight model brings its own air.
+    bool setWind(double mps, double from_deg);
     // With bench_model: lays it that way, or turns it about at these body rates.
     void turnTo(double roll_rad, double pitch_rad, double yaw_rad);
     void turn(double roll_rads, double pitch_rads, double yaw_rads);

@@ -152,7 +152,7 @@ void Airplane::moveAir() {
     const double yaw = Rotation(motion_.attitude).yaw_rad(), c = std::cos(yaw), s = std::sin(yaw);
     const Gust& gust = dryden_.advance(kStep_s, truth_.airspeed_mps, height_m);
     const Vec3& g = gust.velocity_mps;
-    air_mps_ = meanWind_mps(options_.wind_mps, options_.wind_from_deg, height_m) +
+    air_mps_ = meanWind_mps(wind_mps_, wind_from_deg_, height_m) +
                Vec3{c * g.x - s * g.y, s * g.x + c * g.y, g.z};
     air_rates_rads_ = gust.rates_rads;
     density_kgm3_ = atmosphere(options_.altitude_m + height_m - standing_m_).density_kgm3;

@@ -27,6 +27,8 @@ public:
     // One that is thrown stands still until this is called, or until its motor has pulled hard for
     // a second, as one throws a model whose motor runs. Nothing to one on wheels.
     void launch();
+    // The mean wind at and above 10 m from now on, and where it comes from. Gusts stay as they are.
+    void setWind(double mps, double from_deg) { wind_mps_ = mps, wind_from_deg_ = from_deg; }
     const Truth& truth() const { return truth_; }
     Vec3 toBody(const Vec3& earth) const { return Rotation(motion_.attitude).toBody(earth); }
     const AirplaneParameters& parameters() const { return p_; }
@@ -52,6 +54,7 @@ private:
 
     const AirplaneParameters p_;
     const WorldOptions options_;
+    double wind_mps_ = options_.wind_mps, wind_from_deg_ = options_.wind_from_deg;
     Servos servos_;
     Propulsion propulsion_;
     Ground ground_;

@@ -273,3 +273,17 @@ TEST(World, has_a_band_gap_of_its_own) {
     options.sensor_errors = false;
     EXPECT_EQ(World(options).bandGap_v(), 1.1);
 }
+
+TEST(World, changes_the_mean_wind) {
+    World world({});
+    world.advanceTo(100'000);
+    EXPECT_EQ(world.truth().wind_north_mps, 0);
+    EXPECT_TRUE(world.setWind(5, 180));
+    world.advanceTo(200'000);
+    EXPECT_GT(world.truth().wind_north_mps, 0.3);  // standing it is below 10 m
+    EXPECT_NEAR(world.truth().wind_east_mps, 0, 1e-9);
+
+    WorldOptions held;
+    held.bench_model = true;
+    EXPECT_FALSE(World(held).setWind(5, 180));
+}
