@@ -23,6 +23,7 @@ public:
     int usart() const { return usart_; }
     void receive(uint8_t byte, uint64_t time_us);
     void setFraming(mavlink::Framing framing) { sender_.framing = framing; }
+    void setComponent(uint8_t component) { sender_.component = component; }
 
     template <class Message>
     void send(const Message& message) {

@@ -61,6 +61,7 @@ simulator_library(ground mavlink simulator_world)
 simulator_library(invariants mavlink simulator_ground)
 simulator_library(report simulator_ground simulator_invariants)
 target_include_directories(simulator_report PRIVATE ${CMAKE_BINARY_DIR}/generated)
+simulator_library(live mavlink simulator_ground)
 simulator_library(native simulator_world core hal)
 target_include_directories(simulator_native BEFORE PRIVATE ${CMAKE_SOURCE_DIR}/simulator/native)
 

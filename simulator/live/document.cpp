@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/live/document.hpp"
+
+#include <cmath>
+
+#include "simulator/live/command_names.hpp"
+#include "simulator/live/order.hpp"
+
+namespace simulator::live {
+namespace {
+
+// Hundredths say all there is to say of a moment.
+double rounded(double time_s) { return std::round(time_s * 100) / 100; }
+
+Json placeJson(const WaypointItem& item) {
+    return {{"lat_deg", item.latitude_deg}, {"lon_deg", item.longitude_deg}};
+}
+
+Json placeJson(const WaypointItem& item, double home_m) {
+    Json json = placeJson(item);
+    json["altitude_m"] = item.altitude_m + (item.relative() ? home_m : 0);
+    return json;
+}
+
+// 0, 0 is that of a home which is not set yet.
+bool isPlaced(const WaypointItem& item) {
+    return item.hasPlace() && (item.latitude_deg != 0 || item.longitude_deg != 0);
+}
+
+Json itemJson(const WaypointItem& item, double home_m) {
+    Json json = {{"index", item.index},
+                 {"name", item.index == 0 ? "HOME" : commandName(item.command)},
+                 {"text", itemText(item)}};
+    if (isPlaced(item)) json.update(placeJson(item, home_m));
+    return json;
+}
+
+Json provenanceJson(const Provenance& from) {
+    Json json = {{"command", from.command},
+                 {"mission", from.mission},
+                 {"airplane", from.airplane},
+                 {"board", from.board},
+                 {"native", from.native},
+                 {"seed", from.seed},
+                 {"wind", from.wind},
+                 {"faults", from.faults},
+                 {"firmware", {{"file", from.firmware}}},
+                 {"date", from.date}};
+    json["parameters"] = Json::object();
+    for (const auto& [name, value] : from.parameters) json["parameters"][name] = value;
+    for (const char* name : {"mission", "wind"})
+        if (json[name] == "") json.erase(name);
+    return json;
+}
+
+}  // namespace
+
+Json eventJson(const ChronicleEvent& event) {
+    Json json = {{"time_s", rounded(event.time_s)}, {"kind", event.kind}, {"text", event.text}};
+    if (event.severity) json["severity"] = *event.severity;
+    return json;
+}
+
+Json bandJson(const Band& band) {
+    Json json = {{"kind", band.kind}, {"name", band.name}, {"from_s", rounded(band.from_s)}};
+    if (band.to_s) json["to_s"] = rounded(*band.to_s);
+    return json;
+}
+
+Json planJson(const PlanDownload& plans, const Truth& start) {
+    Json json = {{"items", Json::array()}, {"fence", Json::array()}, {"rally", Json::array()}};
+    const Waypoints& mission = plans.items(0);
+    const bool has_home = !mission.empty() && isPlaced(mission[0]);
+    const double home_m = has_home ? mission[0].altitude_m : start.altitude_m;
+    json["home"] = {{"lat_deg", start.latitude_deg},
+                    {"lon_deg", start.longitude_deg},
+                    {"altitude_m", start.altitude_m}};
+    if (has_home) json["home"] = placeJson(mission[0], 0);
+    for (const WaypointItem& item : mission) json["items"].push_back(itemJson(item, home_m));
+    for (const WaypointItem& corner : plans.items(1))
+        if (corner.command == mavlink::MavCmd::nav_fence_polygon_vertex_inclusion)
+            json["fence"].push_back(placeJson(corner));
+    for (const WaypointItem& point : plans.items(2))
+        json["rally"].push_back(placeJson(point, home_m));
+    return json;
+}
+
+std::string documentJson(const Provenance& provenance, const PlanDownload& plans,
+                         const Chronicle& chronicle) {
+    Json json = {{"format", "apm-flight"}, {"version", 1}, {"kind", "live"}};
+    json["title"] = provenance.mission.empty() ? "Live flight" : provenance.mission + ", live";
+    json["provenance"] = provenanceJson(provenance);
+    json["plan"] = planJson(plans, provenance.start);
+    json["offers"] = {{"modes", modeNames()}, {"faults", faultNames()}};
+    json["times"] = Json::array();
+    json["series"] = seriesJson();
+    json["events"] = Json::array();
+    for (const ChronicleEvent& event : chronicle.events())
+        json["events"].push_back(eventJson(event));
+    json["bands"] = Json::array();
+    for (const Band& band : chronicle.bands()) json["bands"].push_back(bandJson(band));
+    return dumped(json);
+}
+
+std::string dumped(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace simulator::live
