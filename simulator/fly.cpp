@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
@@ -16,6 +15,7 @@
 #include "simulator/devices/at45db.hpp"
 #include "simulator/fdm/udp_peer.hpp"
 #include "simulator/fly_options.hpp"
+#include "simulator/fly_served.hpp"
 #include "simulator/ground/passive_gcs.hpp"
 #include "simulator/ground/scripted_flight.hpp"
 #include "simulator/ground/server.hpp"
@@ -25,7 +25,6 @@
 #include "simulator/native/native_board.hpp"
 #include "simulator/output_file.hpp"
 #include "simulator/parameter_file.hpp"
-#include "simulator/report/page.hpp"
 #include "simulator/report/recorder.hpp"
 #include "simulator/report/status_line.hpp"
 #include "simulator/report/summary.hpp"
@@ -33,8 +32,6 @@
 namespace simulator {
 namespace {
 
-constexpr uint64_t kFrame_us = 10'000, kStep_us = 2 * kFrame_us;
-constexpr int kStepsPerSample = 5;
 constexpr int kUsbUsart = 0;
 constexpr size_t kEepromBytes = 4096;
 
@@ -53,22 +50,6 @@ void stopNow(int) {
     (void)!write(STDERR_FILENO, kWhy, sizeof kWhy - 1);
     _exit(1);
 }
-
-// What the user gave and we cannot use: one line, exit 2.
-class WrongInput : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
-};
-
-class WallClock {
-public:
-    double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 // The runway points at the first place of the mission.
 double runwayHeading_deg(const Waypoints& items) {
@@ -158,27 +139,6 @@ void loadMemories(Board& board, const FlyOptions& options) {
     }
 }
 
-// The files of a flight: each is tried, whatever became of the others; a line for each that failed.
-class Results {
-public:
-    template <class Write>
-    void add(Write write) {
-        try {
-            write();
-        } catch (const OutputError& error) {
-            std::cerr << "fly: " << error.what() << "\n";
-            all_written_ = false;
-        }
-    }
-    void addFile(const std::filesystem::path& path, const std::string& contents) {
-        add([&] { writeFile(path, contents); });
-    }
-    bool allWritten() const { return all_written_; }
-
-private:
-    bool all_written_ = true;
-};
-
 void saveMemories(Board& board, const FlyOptions& options, Results& results) {
     const auto save = [&](const std::string& path, const std::vector<uint8_t>& image) {
         if (!path.empty()) results.addFile(path, std::string(image.begin(), image.end()));
@@ -198,12 +158,12 @@ void serveGdb(AvrBoard& board, int port) {
               << std::endl;
 }
 
-const BoardWiring& wiringOf(const FlyOptions& options) {
-    return options.apm1 ? kApm1Wiring : kApm2Wiring;
-}
-
 int telemetryUsart(const FlyOptions& options) {
     return options.telemetry_on_uart0 ? 0 : wiringOf(options).telemetry_usart;
+}
+
+int otherUsart(const FlyOptions& options) {
+    return options.telemetry_on_uart0 ? wiringOf(options).telemetry_usart : 0;
 }
 
 std::unique_ptr<Board> makeBoard(const FlyOptions& options, const WorldOptions& world) {
@@ -223,52 +183,14 @@ std::unique_ptr<Board> makeBoard(const FlyOptions& options, const WorldOptions& 
     }
 }
 
-void takeErrors(Summary& s, const Recorder& recorder) {
-    const Metrics& m = recorder.metrics();
-    s.crosstrack_rms_m = m.crosstrack.rms();
-    s.crosstrack_settled_rms_m = m.settled.rms();
-    s.crosstrack_max_m = m.crosstrack.max();
-    s.altitude_rms_m = m.altitude.rms();
-    s.altitude_level_rms_m = m.level.rms();
-    s.altitude_sloped_rms_m = m.sloped.rms();
-    s.altitude_max_m = m.altitude.max();
-    s.airspeed_rms_mps = m.airspeed.rms();
-    s.loiter_radius_rms_m = m.radius.rms();
-    s.roll_error_rms_deg = recorder.attitude().roll_deg.rms();
-    s.pitch_error_rms_deg = recorder.attitude().pitch_deg.rms();
-    s.yaw_error_rms_deg = recorder.attitude().yaw_deg.rms();
-}
-
-// The invariants are of our firmware: another's words for things may be others.
-bool ours(const FlyOptions& options) {
-    return options.native || options.firmware == FLY_IMAGE || options.firmware == FLY_IMAGE_1;
-}
-
-void takeViolations(Summary& s, WatchedBoard& board) {
-    for (const invariants::Violation& each : board.violations())
-        s.violations.push_back({each.time_s, each.name + ": " + each.numbers});
-    if (s.violations.empty()) return;
-    s.completed = false;
-    if (s.reason.empty()) s.reason = "violated: " + board.violations().front().line();
-}
-
 bool reportViolations(WatchedBoard& board) {
     for (const invariants::Violation& each : board.violations())
         std::cerr << "fly: violated: " << each.line() << "\n";
     return board.violations().empty();
 }
 
-Summary summarize(const FlyOptions& options, WatchedBoard& board, const ScriptedFlight& flight,
-                  const Recorder& recorder, const Plan& plan) {
-    Summary s;
-    s.mission = std::filesystem::path(options.mission).filename();
-    s.firmware = options.native ? "natively compiled"
-                                : std::filesystem::path(options.firmware).filename().string();
-    s.board = options.native ? "native" : wiringOf(options).name;
-    s.wind_mps = options.wind_mps;
-    s.wind_from_deg = options.wind_from_deg;
-    s.gusts = options.gusts;
-    s.seed = options.seed;
+Summary summarize(Summary s, const FlyOptions& options, WatchedBoard& board,
+                  const ScriptedFlight& flight, const Recorder& recorder, const Plan& plan) {
     s.completed = flight.completed();
     s.reason = flight.over() ? flight.reason() : "interrupted";
     if (flight.airborne_s() && flight.landed_s()) {
@@ -278,39 +200,11 @@ Summary summarize(const FlyOptions& options, WatchedBoard& board, const Scripted
         s.touchdown_sink_mps = flight.touchdown_sink_mps();
     }
     s.loiter_radius_m = flight.loiter_radius_m();
-    takeErrors(s, recorder);
-    const Telemetry& telemetry = flight.telemetry();
-    // firmware that flies from item to item and never says that it reached one does not report it
-    if (!telemetry.reached.empty() || telemetry.visited.size() < 2)
-        s.items_reached = telemetry.reached;
-    if (const auto imu = recorder.imuSamples()) s.setSamples(*imu);
+    takeErrors(s, recorder.metrics(), recorder.attitude());
+    addTelemetry(s, flight.telemetry());
     for (const PlannedNav& nav : plan.navs) s.items_planned.push_back(nav.item);
-    s.model_answers_skipped = board.world().modelAnswersSkipped();
-    s.figures = board.figures();
-    if (!options.native) s.task_names = readTaskNames(options.firmware);
-    s.events = telemetry.events;
-    s.texts = telemetry.texts;
     if (ours(options) && interrupted == 0) takeViolations(s, board);
     return s;
-}
-
-void prepareReport(const std::filesystem::path& folder) {
-    try {
-        makeFolder(folder);
-        for (const char* name : {"summary.json", "flight.csv", "track.kml", "report.html"})
-            mustBeWritable(folder / name);
-    } catch (const OutputError& error) {
-        throw WrongInput(std::string("--out ") + error.what());
-    }
-}
-
-void writeReport(const FlyOptions& options, const Summary& summary, const Recorder& recorder,
-                 const Plan& plan, const Waypoints& items, Results& results) {
-    const std::filesystem::path folder(options.out);
-    results.addFile(folder / "summary.json", summaryJson(summary));
-    results.addFile(folder / "flight.csv", flightCsv(recorder.samples()));
-    results.addFile(folder / "track.kml", trackKml(recorder.samples(), items, summary.mission));
-    results.addFile(folder / "report.html", reportPage(summary, recorder.samples(), plan));
 }
 
 // Without the chip no log can be written, and the firmware refuses to arm when one is wanted.
@@ -339,7 +233,7 @@ bool runStep(Board& board, uint64_t until_us, Recorder& recorder, const Telemetr
 
 int flyScript(const FlyOptions& options, const MissionFile& mission) {
     const Waypoints& items = mission.items;
-    prepareReport(options.out);
+    const auto folder = prepareReport(options);
     const ParameterSettings settings = parametersFor(options);
     warnWithoutLogChip(options, settings);
     const LocalFrame frame(items[0].latitude_deg, items[0].longitude_deg);
@@ -349,44 +243,51 @@ int flyScript(const FlyOptions& options, const MissionFile& mission) {
     const int usart = telemetryUsart(options);
     ScriptedFlight flight(board, usart, mission, options.time_limit_s, settings);
     PassiveGcs usb(board, kUsbUsart);
+    FlyWatchers watchers(options, board, otherUsart(options), settings);
     board.listen([&](int from, uint8_t byte, uint64_t time_us) {
         if (from == usart) flight.receive(byte, time_us);
         if (from == kUsbUsart && options.usb) usb.receive(byte, time_us);
+        watchers.receive(from, byte, time_us);
     });
-    board.setUsb(options.usb);
+    board.setUsb(options.usb || (options.watch && !options.telemetry_on_uart0));
     switchTransmitterOn(board.world());
     Recorder recorder(plan, frame);
     StatusLine status(isatty(STDOUT_FILENO) != 0);
     const WallClock clock;
+    const auto stop = [] { return interrupted != 0; };
     for (int step = 1; !flight.over() && interrupted == 0; ++step) {
-        if (!runStep(board, static_cast<uint64_t>(step) * kStep_us, recorder, flight.telemetry())) {
+        const uint64_t until_us = static_cast<uint64_t>(step) * kStep_us;
+        if (!watchers.awaitStep(until_us, stop)) break;
+        if (!runStep(board, until_us, recorder, flight.telemetry())) {
             flight.stop("the firmware stopped: " + board.fault());
         }
+        watchers.step();
         if (!board.world().fault().empty()) flight.stop(board.world().fault());
         flight.step(board.time_us());
         usb.step(board.time_us());
         if (step % kStepsPerSample != 0 && !flight.over()) continue;
         recorder.sample(board, flight.telemetry(), flight.cruise_speed_mps(),
                         flight.loiter_radius_m());
+        if (watchers.live()) continue;  // which reports what happens
         status.show(board, flight.telemetry(), recorder.samples().back(), items.size() - 1,
                     clock.seconds());
     }
     alarm(0);
     status.end();
-    Summary summary = summarize(options, board, flight, recorder, plan);
-    summary.emulated_s = static_cast<double>(board.time_us()) * 1e-6;
-    summary.speedup = summary.emulated_s / clock.seconds();
+    Summary summary = summarize(summaryOf(options, board, recorder, clock), options, board, flight,
+                                recorder, plan);
+    watchers.end(summary.completed ? "mission completed" : summary.reason, summary);
     std::cout << closingWords(summary) << std::flush;  // the verdict, whatever becomes of the files
     Results results;
     saveMemories(board, options, results);
-    writeReport(options, summary, recorder, plan, items, results);
+    writeReport(options, *folder, summary, recorder.samples(), plan, mission, results);
     if (!results.allWritten()) return 2;
-    std::cout << reportLine(options.out);
+    std::cout << reportLine(folder->path());
     return summary.completed ? 0 : 1;
 }
 
 // Whoever connects finds the airplane's parameters set.
-void setByWire(Board& board, int usart, const ParameterSettings& settings) {
+void setByWire(Board& board, int usart, const ParameterSettings& settings, FlyWatchers& watchers) {
     constexpr uint8_t kAnyone = 0;
     ParameterUpload* upload = nullptr;
     Link link(board, usart, [&](const mavlink::Frame& frame, uint64_t) { upload->take(frame); });
@@ -394,6 +295,7 @@ void setByWire(Board& board, int usart, const ParameterSettings& settings) {
     upload = &setting;
     board.listen([&](int from, uint8_t byte, uint64_t time_us) {
         if (from == usart) link.receive(byte, time_us);
+        watchers.receive(from, byte, time_us);
     });
     while (interrupted == 0 && !setting.done() && board.runUntil(board.time_us() + kStep_us)) {
         setting.step(board.time_us(), kAnyone, kAnyone);
@@ -401,32 +303,61 @@ void setByWire(Board& board, int usart, const ParameterSettings& settings) {
     }
 }
 
+void runServed(const FlyOptions& options, WatchedBoard& board, Server& server,
+               FlyWatchers& watchers, ServedRecord& record, Results& results) {
+    bool had_client = false;
+    const auto stop = [&] {
+        had_client = had_client || server.clients() > 0;
+        const bool left = options.end_with_client && had_client && server.clients() == 0;
+        return interrupted != 0 || left || !board.world().fault().empty();
+    };
+    server.run([&](uint64_t until_us) { return watchers.awaitStep(until_us, stop); },
+               [&] {
+                   watchers.live()->setClients(server.clients());
+                   watchers.step();
+                   record.step(board, *watchers.live());
+               });
+    alarm(0);
+    std::string fault = interrupted != 0 ? "" : board.world().fault();
+    if (!board.fault().empty()) fault = "the firmware stopped: " + board.fault();
+    record.write(board, watchers, fault, results);
+}
+
+void sayPorts(const FlyOptions& options, const Server& server, const FlyWatchers& watchers) {
+    const int other = otherUsart(options);
+    std::cout << "telemetry (USART" << telemetryUsart(options) << ") on TCP port " << server.port()
+              << (other == 0 ? ", USB (USART0) on " : ", USART2 on ") << server.secondPort();
+    if (options.lock_step) std::cout << ", time is granted on " << server.controlPort();
+    if (!watchers.address().empty()) std::cout << ", page " << watchers.address();
+    std::cout << "; Ctrl-C ends" << std::endl;
+}
+
 int serve(const FlyOptions& options, const Waypoints& items) {
+    const auto record =
+        options.lock_step ? nullptr : std::make_unique<ServedRecord>(options, items);
     WatchedBoard board(makeBoard(options, worldFor(options, items)));
     loadMemories(board, options);
     const int telemetry = telemetryUsart(options);
-    const int other = telemetry == 0 ? wiringOf(options).telemetry_usart : 0;
-    Server server(board, options.listen, {telemetry, other}, options.lock_step);
+    Server server(board, options.listen, {telemetry, otherUsart(options)}, options.lock_step);
+    const ParameterSettings settings = parametersFor(options);
+    FlyWatchers watchers(options, board, otherUsart(options), settings);
     board.setUsb(!options.telemetry_on_uart0);
     switchTransmitterOn(board.world());
-    setByWire(board, telemetry, parametersFor(options));
+    setByWire(board, telemetry, settings, watchers);
     Thrower thrower(board, telemetry);
     board.listen([&](int usart, uint8_t byte, uint64_t time_us) {
         server.fromBoard(usart, byte);
         if (usart == telemetry) thrower.receive(byte, time_us);
+        watchers.receive(usart, byte, time_us);
     });
-    std::cout << "telemetry (USART" << telemetry << ") on TCP port " << server.port()
-              << (other == 0 ? ", USB (USART0) on " : ", USART2 on ") << server.secondPort();
-    if (options.lock_step) std::cout << ", time is granted on " << server.controlPort();
-    std::cout << "; Ctrl-C ends" << std::endl;
-    const auto stop = [&board] { return interrupted != 0 || !board.world().fault().empty(); };
+    sayPorts(options, server, watchers);
+    Results results;
     if (options.lock_step) {
-        server.runLockStep(stop);
+        server.runLockStep([&board] { return interrupted != 0 || !board.world().fault().empty(); });
     } else {
-        server.runRealTime(stop);
+        runServed(options, board, server, watchers, *record, results);
     }
     alarm(0);
-    Results results;
     saveMemories(board, options, results);
     if (!board.fault().empty()) std::cerr << "fly: the firmware stopped: " << board.fault() << "\n";
     const std::string fault = interrupted != 0 ? "" : board.world().fault();

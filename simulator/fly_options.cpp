@@ -8,6 +8,7 @@
 
 #include "simulator/devices/gps_kinds.hpp"
 #include "simulator/fdm/json_model.hpp"
+#include "simulator/live/flightgear.hpp"
 
 namespace simulator {
 namespace {
@@ -18,7 +19,11 @@ constexpr char kFooter[] =
     "Exit status: 0 when the mission was flown and the airplane stands at its landing point,\n"
     "1 when not (the reason in one line), 2 when the command line or a file is wrong or a file\n"
     "could not be written, which is reported after the verdict.\n"
-    "The folder of --out receives report.html, flight.csv, track.kml and summary.json.";
+    "The folder of --out receives report.html, flight.csv, track.kml and summary.json. Without "
+    "--out\n"
+    "each flight has a folder of its own in build/flights, where index.html lists them; "
+    "build/flight\n"
+    "is a link to the newest.";
 
 constexpr char kWindForm[] =
     "expected SPEED,FROM_DEGREES with 0 to 30 m/s and 0 to 360 degrees, like 5,270";
@@ -59,10 +64,20 @@ std::string contradiction(const FlyOptions& options, const CLI::App& app) {
          "--dataflash needs the chip: no --no-dataflash"},
         {!options.serve && given("--listen"), "--listen needs --serve or --lock-step"},
         {options.serve && given("MISSION"), " flies no script: leave out MISSION"},
+        {options.serve && options.watch, " flies no script: leave out --watch"},
+        {options.watch && options.usb, "--watch has a ground station of its own on USB: no --usb"},
+        {options.lock_step && (given("--http") || given("--no-http")),
+         "--lock-step has no page: no --http or --no-http"},
+        {!options.serve && !options.watch && (given("--http") || given("--no-http")),
+         "--http and --no-http need --serve or --watch"},
+        {given("--http") && given("--no-http"), "--http and --no-http exclude each other"},
+        {options.lock_step && given("--flightgear"), "--lock-step sends nothing: no --flightgear"},
+        {options.end_with_client && (!options.serve || options.lock_step),
+         "--end-with-client needs --serve"},
         {options.usb && options.telemetry_on_uart0, "--usb takes the USART of --telemetry uart0"},
         {options.serve && given("--usb"), " is for whoever connects: no --usb"},
         {options.serve && given("--time-limit"), " has no --time-limit"},
-        {options.serve && given("--out"), " writes no report: leave out --out"},
+        {options.lock_step && given("--out"), " writes no report: leave out --out"},
     };
     for (const auto& [has, why] : all) {
         if (has) return why[0] == ' ' ? server + why : why;
@@ -90,6 +105,10 @@ std::string flightModel(const std::string& text) {
 // A forgotten value would take the next option for a file.
 std::string fileName(const std::string& text) {
     return !text.empty() && text[0] != '-' ? "" : "expected a path, not '" + text + "'";
+}
+
+std::string flightGear(const std::string& text) {
+    return live::flightGearAddress(text) ? "" : "expected HOST:PORT, not '" + text + "'";
 }
 
 std::string seconds(const std::string& text) {
@@ -232,14 +251,33 @@ void addFlight(CLI::App& app, FlyOptions& o) {
     app.add_option("--time-limit", o.time_limit_s, "emulated seconds until the flight is given up")
         ->check(seconds)
         ->capture_default_str();
-    app.add_option("--out", o.out, "folder for the report")->check(fileName)->capture_default_str();
+    app.add_option("--out", o.out, "folder for the report; if not given a new one in build/flights")
+        ->check(fileName);
+    app.add_option("--flightgear", o.flightgear,
+                   "HOST:PORT: also send the airplane's state there as FlightGear's native-fdm "
+                   "packets, 30 a second; fgfs --fdm=null --native-fdm=socket,in,30,,PORT,udp")
+        ->check(flightGear);
 }
 
 void addServer(CLI::App& app, FlyOptions& o, std::string& telemetry) {
     app.add_flag("--serve", o.serve,
-                 "no script: real time for a ground station, until Ctrl-C; TCP port 5760 is the "
-                 "telemetry on USART2 (APM 1: USART3), 5761 is USB on USART0 with the USB sense "
-                 "pin PA1 low")
+                 "no script: real time for a ground station and the live page, until Ctrl-C; TCP "
+                 "port 5760 is the telemetry on USART2 (APM 1: USART3), 5761 is USB on USART0 with "
+                 "the USB sense pin PA1 low")
+        ->disable_flag_override();
+    app.add_flag("--watch", o.watch,
+                 "fly the mission at real time, with the live page, which is opened where there is "
+                 "a display")
+        ->disable_flag_override();
+    app.add_option("--http", o.http,
+                   "port of the live page on 127.0.0.1, 0: any; if not given 5770, or any when "
+                   "that one is taken or --listen is 0; printed at start")
+        ->check(wholeNumber("65535"));
+    app.add_flag_callback(
+           "--no-http", [&o] { o.page = false; }, "no live page")
+        ->disable_flag_override();
+    app.add_flag("--end-with-client", o.end_with_client,
+                 "end the served flight when the last ground station has gone")
         ->disable_flag_override();
     app.add_option("--telemetry", telemetry,
                    "uart2, or uart0: the factory wiring, telemetry on USART0 with PA1 high")
@@ -268,11 +306,26 @@ void addWatchers(CLI::App& app, FlyOptions& o) {
 
 }  // namespace
 
+// For a shell: what is no plain word stands in quotes.
+static std::string commandLine(int count, char** words) {
+    std::string line = "toolchain/fly";
+    for (int i = 1; i < count; ++i) {
+        const std::string word = words[i];
+        const bool plain =
+            !word.empty() &&
+            word.find_first_not_of(
+                "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=@+") ==
+                word.npos;
+        line += plain ? " " + word : " '" + word + "'";
+    }
+    return line;
+}
+
 Parsed parseFlyOptions(int count, char** words) {
     Parsed parsed;
     FlyOptions& options = parsed.options;
     options.mission = FLY_MISSION;
-    options.out = FLY_OUT;
+    options.command = commandLine(count, words);
     std::string board = "apm2", wind, telemetry = "uart2";
     CLI::App app(kWhat, "fly");
     app.footer(kFooter);

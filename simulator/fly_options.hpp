@@ -12,8 +12,10 @@ namespace simulator {
 
 struct FlyOptions {
     std::string airplane = "foam_trainer", parameters;
-    std::string mission, firmware, eeprom, dataflash, out, vcd, profile;
-    bool apm1 = false;  // the first board, not an APM 2
+    std::string mission, firmware, eeprom, dataflash, vcd, profile;
+    std::string out;      // empty: a new folder of build/flights
+    std::string command;  // the command line, to fly it again
+    bool apm1 = false;    // the first board, not an APM 2
     bool native = false;
     bool no_dataflash = false;
     double wind_mps = 0, wind_from_deg = 0;
@@ -34,6 +36,11 @@ struct FlyOptions {
     std::string fdm;  // "json:PORT"; empty: the airplane is the simulator's own
     double fdm_wait_s = 30;
     bool serve = false, lock_step = false;
+    bool watch = false;            // a script at real time, with the live page
+    bool page = true;              // served and watched flights have one
+    std::optional<uint16_t> http;  // its port, 0: any; empty: any when the usual one is taken
+    bool end_with_client = false;  // of a served flight
+    std::string flightgear;        // HOST:PORT; empty: nowhere
     bool telemetry_on_uart0 = false;
     bool usb = false;  // plugged in, and all streams there too
     uint16_t listen = 5760;

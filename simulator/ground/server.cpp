@@ -4,7 +4,6 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <thread>
 
 #include "simulator/devices/ppm_encoder.hpp"
 
@@ -61,16 +60,12 @@ bool Server::advance(uint64_t until_us) {
     return goes_on;
 }
 
-void Server::runRealTime(const std::function<bool()>& stop) {
-    const auto start = Clock::now();
-    const uint64_t start_us = board_.time_us();
-    uint64_t until_us = start_us;
-    do {
+void Server::run(const std::function<bool(uint64_t)>& await, const std::function<void()>& stepped) {
+    for (uint64_t until_us = board_.time_us() + kStep_us; await(until_us); until_us += kStep_us) {
         takeInput();
-        until_us += kStep_us;
-        const auto due = start + std::chrono::microseconds(until_us - start_us);
-        std::this_thread::sleep_until(due);
-    } while (!stop() && advance(until_us));
+        if (!advance(until_us)) return;
+        stepped();
+    }
 }
 
 void Server::runLockStep(const std::function<bool()>& stop) {

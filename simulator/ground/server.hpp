@@ -37,8 +37,13 @@ public:
     // For the board's listener; sent on when the present step ends.
     void fromBoard(int usart, uint8_t byte);
 
+    size_t clients() const { return lines_[0].tcp.clients() + lines_[1].tcp.clients(); }
+
+    // Steps of 10 ms, each when `await` has returned true, `stepped` behind it; until it returns
+    // false or the board cannot go on.
+    void run(const std::function<bool(uint64_t until_us)>& await,
+             const std::function<void()>& stepped);
     // Until `stop` says so or the board cannot go on.
-    void runRealTime(const std::function<bool()>& stop);
     void runLockStep(const std::function<bool()>& stop);
 
 private:

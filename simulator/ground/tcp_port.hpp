@@ -24,6 +24,7 @@ public:
 
     uint16_t port() const { return port_; }
     bool hasClient() const { return !clients_.empty(); }
+    size_t clients() const { return clients_.size(); }
 
     std::vector<uint8_t> receive();  // lets new clients in, takes what has come
     void send(const uint8_t* bytes, size_t size);

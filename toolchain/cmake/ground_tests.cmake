@@ -28,6 +28,7 @@ foreach(vehicle native elf)
     endforeach()
     vehicle_test(fdm.flight ${vehicle} ${tests}/interop/fdm/flight.test.mjs NEEDS example_peer
                  ENVIRONMENT PEER=$<TARGET_FILE:example_peer>)
+    vehicle_test(live.page ${vehicle} ${tests}/interop/live/live.test.mjs)
     # an EEPROM image that the tool has made
     vehicle_test(param_tool.boots_a_compiled_image ${vehicle} ${tests}/scenarios/parameter_image.test.mjs
                  NEEDS param_tool ENVIRONMENT PARAM_TOOL=$<TARGET_FILE:param_tool>)

@@ -97,10 +97,12 @@ add_dependencies(simulator_machine boot_programs)
 target_compile_definitions(simulator_machine PUBLIC SIMULATOR_BOOT="${boot_sections}")
 
 # ---- the program that flies
-set(simulator_sources simulator/fly.cpp simulator/fly_options.cpp simulator/parameter_file.cpp
+set(simulator_sources simulator/fly.cpp simulator/fly_live.cpp simulator/fly_options.cpp
+    simulator/fly_report.cpp simulator/fly_served.cpp simulator/flight_folder.cpp simulator/parameter_file.cpp
     toolchain/param_tool/settings.cpp toolchain/mission_tool/wrong_input.cpp)
 project_program(fly ${simulator_sources} LIBRARIES firmware_native simulator_native
-    simulator_report simulator_ground simulator_machine simulator_world CLI11::CLI11)
+    simulator_live simulator_report simulator_ground simulator_machine simulator_world
+    CLI11::CLI11)
 target_compile_definitions(fly PRIVATE FLY_IMAGE="${IMAGE_apm2}" FLY_IMAGE_1="${IMAGE_apm1}"
     FLY_MISSION="${CMAKE_SOURCE_DIR}/simulator/missions/first_flight.waypoints"
-    FLY_OUT="${CMAKE_SOURCE_DIR}/build/flight")
+    FLY_OUT="${CMAKE_SOURCE_DIR}/build/flight" FLY_FLIGHTS="${CMAKE_SOURCE_DIR}/build/flights")

@@ -241,9 +241,9 @@ onNative('a signal ends the wait for a model', async () => {
 onNative('a server stops with the reason too', async () => {
   const port = await freePort();
   const run = await withPeer([`${port}`, 'foam_trainer', 'rubbish', '100'],
-    () => fly(port, '--serve', '--listen', '0').then((r) => r));
+    () => fly(port, '--lock-step', '--listen', '0').then((r) => r));
   assert.match(run.said, /leave out --out/);
-  const child = spawn(FLY, ['--native', '--fdm', `json:${port}`, '--serve', '--listen', '0']);
+  const child = spawn(FLY, ['--native', '--fdm', `json:${port}`, '--serve', '--listen', '0', '--out', out]);
   let said = '';
   child.stderr.on('data', (text) => { said += text; });
   await withPeer([`${port}`, 'foam_trainer', 'rubbish', '100'], async () => {

@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"--listen 65536 --serve", "65535"}, Wrong{"--gusts=2", "gusts"},
         Wrong{"--out --native", "--out"}, Wrong{"--native --eeprom /tmp", "is no file"},
         Wrong{"--native --eeprom /no/such/folder/e.bin", "cannot be written"},
-        Wrong{"--listen 5000", "--serve"}, Wrong{"--serve --out x", "--out"},
+        Wrong{"--listen 5000", "--serve"}, Wrong{"--lock-step --out x", "--out"},
         Wrong{"--serve --time-limit 9", "--time-limit"},
         Wrong{"--lock-step some.waypoints", "--lock-step"}, Wrong{"--time-limit 0", "--time-limit"},
         Wrong{"--telemetry uart7", "--telemetry"}, Wrong{"--listen 70000 --serve", "--listen"},
@@ -81,19 +81,28 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"--native --bootloader looping", "--bootloader"}, Wrong{"--bootloader none", "slow"},
         Wrong{"--fault supply:sag@5", "PART:HOW"}, Wrong{"--gps-latency 20", "400"},
         Wrong{"--band-gap 1.3", "1.2"}, Wrong{"--no-dataflash --dataflash d.bin", "--no-dataflash"},
-        Wrong{"a b", "b"}));
+        Wrong{"--serve --watch", "--watch"}, Wrong{"--watch --usb", "--usb"},
+        Wrong{"--http 5000", "--serve or --watch"}, Wrong{"--no-http", "--serve or --watch"},
+        Wrong{"--watch --http 1 --no-http", "exclude"}, Wrong{"--serve --http 65536", "--http"},
+        Wrong{"--lock-step --http 0", "--lock-step"}, Wrong{"--end-with-client", "--serve"},
+        Wrong{"--lock-step --end-with-client", "--serve"}, Wrong{"--flightgear 5500", "HOST:PORT"},
+        Wrong{"--flightgear host:0", "HOST:PORT"},
+        Wrong{"--native --flightgear no.such.host.invalid:5500", "no.such.host.invalid"},
+        Wrong{"--lock-step --flightgear x:1", "--flightgear"},
+        Wrong{"--native --serve --out /dev/null", "--out /dev/null"}, Wrong{"a b", "b"}));
 
 TEST(Help, names_every_option) {
     const Outcome run = fly("--help");
 
     EXPECT_EQ(run.status, 0);
     for (const char* option :
-         {"MISSION",        "--board",       "--native",      "--airplane",    "--fdm",
-          "--fdm-wait",     "--param",       "--firmware",    "--eeprom",      "--dataflash",
-          "--no-dataflash", "--wind",        "--gusts",       "--seed",        "--time-limit",
-          "--out",          "--serve",       "--telemetry",   "--lock-step",   "--listen",
-          "--vcd",          "--gdb",         "--fault",       "--band-gap",    "--bootloader",
-          "--gps-cold",     "--gps-latency", "--worn-eeprom", "--board-warmth"}) {
+         {"MISSION",        "--board",       "--native",          "--airplane",     "--fdm",
+          "--fdm-wait",     "--param",       "--firmware",        "--eeprom",       "--dataflash",
+          "--no-dataflash", "--wind",        "--gusts",           "--seed",         "--time-limit",
+          "--out",          "--serve",       "--telemetry",       "--lock-step",    "--listen",
+          "--vcd",          "--gdb",         "--fault",           "--band-gap",     "--bootloader",
+          "--gps-cold",     "--gps-latency", "--worn-eeprom",     "--board-warmth", "--watch",
+          "--http",         "--no-http",     "--end-with-client", "--flightgear"}) {
         EXPECT_THAT(run.output, HasSubstr(option));
     }
 }

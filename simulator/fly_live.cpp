@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/fly_live.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+
+namespace simulator {
+namespace {
+
+constexpr uint16_t kUsualPort = 5770;
+
+std::string windText(const FlyOptions& options) {
+    if (options.wind_mps == 0 && !options.gusts) return "";
+    char text[64];
+    std::snprintf(text, sizeof text, "%g,%g", options.wind_mps, options.wind_from_deg);
+    return text + std::string(options.gusts ? ", gusts" : "");
+}
+
+live::Provenance provenanceOf(const FlyOptions& options, const ParameterSettings& settings) {
+    live::Provenance from;
+    from.command = options.command;
+    from.mission = options.serve ? "" : std::filesystem::path(options.mission).filename().string();
+    from.airplane = std::filesystem::path(options.airplane).stem();
+    from.board = options.apm1 ? "apm1" : "apm2";
+    from.native = options.native;
+    from.seed = options.seed;
+    from.wind = windText(options);
+    from.firmware = options.native ? "natively compiled"
+                                   : std::filesystem::path(options.firmware).filename().string();
+    from.date = dateNow();
+    for (const Fault& fault : options.faults) from.faults.push_back(live::faultName(fault));
+    for (const ParameterSetting& each : settings)
+        from.parameters.emplace_back(each.name, each.value);
+    return from;
+}
+
+std::unique_ptr<live::Live> makeLive(const FlyOptions& options, Board& board, int usart,
+                                     const ParameterSettings& settings) {
+    if (options.lock_step || (!options.serve && !options.watch)) return nullptr;
+    live::LiveOptions live;
+    live.usart = usart;
+    if (options.page)
+        live.http_port = options.http ? *options.http : options.listen == 0 ? 0 : kUsualPort;
+    live.any_port = !options.http;
+    live.provenance = provenanceOf(options, settings);
+    live.provenance.start = board.world().truth();
+    live.say = [](const std::string& line) { std::cout << line << std::endl; };
+    return std::make_unique<live::Live>(board, live);
+}
+
+// Where there is a display. A browser outlives the flight and says nothing here.
+void open(const std::string& address) {
+    const char *x11 = std::getenv("DISPLAY"), *wayland = std::getenv("WAYLAND_DISPLAY");
+    if ((!x11 || !*x11) && (!wayland || !*wayland)) return;
+    if (fork() != 0) return;
+    setsid();
+    const int nowhere = ::open("/dev/null", O_RDWR);
+    for (const int stream : {0, 1, 2}) dup2(nowhere, stream);
+    execlp("xdg-open", "xdg-open", address.c_str(), static_cast<char*>(nullptr));
+    _exit(127);  // there is none: the address was printed
+}
+
+}  // namespace
+
+std::string dateNow() {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+    return text;
+}
+
+FlyWatchers::FlyWatchers(const FlyOptions& options, Board& board, int usart,
+                         const ParameterSettings& settings)
+    : board_(board), live_(makeLive(options, board, usart, settings)) {
+    if (const auto address = live::flightGearAddress(options.flightgear))
+        flightgear_ = std::make_unique<live::FlightGear>(*address);
+    if (!options.watch || FlyWatchers::address().empty()) return;
+    std::cout << "page " << FlyWatchers::address() << "; Ctrl-C ends" << std::endl;
+    open(FlyWatchers::address());
+}
+
+std::string FlyWatchers::address() const {
+    if (!live_ || live_->port() == 0) return "";
+    return "http://127.0.0.1:" + std::to_string(live_->port());
+}
+
+void FlyWatchers::receive(int usart, uint8_t byte, uint64_t time_us) {
+    if (live_) live_->receive(usart, byte, time_us);
+}
+
+bool FlyWatchers::awaitStep(uint64_t until_us, const std::function<bool()>& stop) {
+    return !live_ || live_->awaitStep(until_us, stop);
+}
+
+void FlyWatchers::step() {
+    if (live_) live_->step();
+    if (flightgear_) flightgear_->step(board_.world().truth(), board_.time_us());
+}
+
+void FlyWatchers::end(const std::string& why, Summary& summary) {
+    if (!live_) return;
+    for (const live::ChronicleEvent& each : live_->chronicle().events())
+        if (each.kind == "fault") summary.events.push_back({each.time_s, each.text});
+    std::stable_sort(summary.events.begin(), summary.events.end(),
+                     [](const Event& a, const Event& b) { return a.time_s < b.time_s; });
+    live_->end(why);
+}
+
+}  // namespace simulator
