@@ -28,6 +28,8 @@
 #include "simulator/report/recorder.hpp"
 #include "simulator/report/status_line.hpp"
 #include "simulator/report/summary.hpp"
+#include "simulator/report/touchdown.hpp"
+#include "simulator/report/track_files.hpp"
 
 namespace simulator {
 namespace {
@@ -198,6 +200,10 @@ Summary summarize(Summary s, const FlyOptions& options, WatchedBoard& board,
         s.landed_distance_m = flight.touchdown_distance_m();
         s.standing_distance_m = flight.standing_distance_m();
         s.touchdown_sink_mps = flight.touchdown_sink_mps();
+        if (const auto at = touchdownAt(*flight.landed_s(), recorder.samples(), plan)) {
+            s.touchdown_long_m = at->long_m;
+            s.touchdown_right_m = at->right_m;
+        }
     }
     s.loiter_radius_m = flight.loiter_radius_m();
     takeErrors(s, recorder.metrics(), recorder.attitude());
@@ -276,11 +282,12 @@ int flyScript(const FlyOptions& options, const MissionFile& mission) {
     status.end();
     Summary summary = summarize(summaryOf(options, board, recorder, clock), options, board, flight,
                                 recorder, plan);
+    takeProvenance(summary, options, settings);
     watchers.end(summary.completed ? "mission completed" : summary.reason, summary);
     std::cout << closingWords(summary) << std::flush;  // the verdict, whatever becomes of the files
     Results results;
     saveMemories(board, options, results);
-    writeReport(options, *folder, summary, recorder.samples(), plan, mission, results);
+    writeReport(options, *folder, summary, recorder.samples(), mission, results);
     if (!results.allWritten()) return 2;
     std::cout << reportLine(folder->path());
     return summary.completed ? 0 : 1;
@@ -333,13 +340,13 @@ void sayPorts(const FlyOptions& options, const Server& server, const FlyWatchers
 }
 
 int serve(const FlyOptions& options, const Waypoints& items) {
+    const ParameterSettings settings = parametersFor(options);
     const auto record =
-        options.lock_step ? nullptr : std::make_unique<ServedRecord>(options, items);
+        options.lock_step ? nullptr : std::make_unique<ServedRecord>(options, items, settings);
     WatchedBoard board(makeBoard(options, worldFor(options, items)));
     loadMemories(board, options);
     const int telemetry = telemetryUsart(options);
     Server server(board, options.listen, {telemetry, otherUsart(options)}, options.lock_step);
-    const ParameterSettings settings = parametersFor(options);
     FlyWatchers watchers(options, board, otherUsart(options), settings);
     board.setUsb(!options.telemetry_on_uart0);
     switchTransmitterOn(board.world());

@@ -9,35 +9,13 @@
 #include <filesystem>
 #include <iostream>
 
+#include "simulator/flight_provenance.hpp"
+#include "simulator/report/page.hpp"
+
 namespace simulator {
 namespace {
 
 constexpr uint16_t kUsualPort = 5770;
-
-std::string windText(const FlyOptions& options) {
-    if (options.wind_mps == 0 && !options.gusts) return "";
-    char text[64];
-    std::snprintf(text, sizeof text, "%g,%g", options.wind_mps, options.wind_from_deg);
-    return text + std::string(options.gusts ? ", gusts" : "");
-}
-
-live::Provenance provenanceOf(const FlyOptions& options, const ParameterSettings& settings) {
-    live::Provenance from;
-    from.command = options.command;
-    from.mission = options.serve ? "" : std::filesystem::path(options.mission).filename().string();
-    from.airplane = std::filesystem::path(options.airplane).stem();
-    from.board = options.apm1 ? "apm1" : "apm2";
-    from.native = options.native;
-    from.seed = options.seed;
-    from.wind = windText(options);
-    from.firmware = options.native ? "natively compiled"
-                                   : std::filesystem::path(options.firmware).filename().string();
-    from.date = dateNow();
-    for (const Fault& fault : options.faults) from.faults.push_back(live::faultName(fault));
-    for (const ParameterSetting& each : settings)
-        from.parameters.emplace_back(each.name, each.value);
-    return from;
-}
 
 std::unique_ptr<live::Live> makeLive(const FlyOptions& options, Board& board, int usart,
                                      const ParameterSettings& settings) {
@@ -47,8 +25,11 @@ std::unique_ptr<live::Live> makeLive(const FlyOptions& options, Board& board, in
     if (options.page)
         live.http_port = options.http ? *options.http : options.listen == 0 ? 0 : kUsualPort;
     live.any_port = !options.http;
-    live.provenance = provenanceOf(options, settings);
-    live.provenance.start = board.world().truth();
+    live.origin.provenance = provenanceJson(provenanceOf(options, settings));
+    if (!options.serve)
+        live.origin.title = std::filesystem::path(options.mission).filename().string() + ", live";
+    live.origin.start = board.world().truth();
+    live.page = livePage();
     live.say = [](const std::string& line) { std::cout << line << std::endl; };
     return std::make_unique<live::Live>(board, live);
 }

@@ -306,26 +306,11 @@ void addWatchers(CLI::App& app, FlyOptions& o) {
 
 }  // namespace
 
-// For a shell: what is no plain word stands in quotes.
-static std::string commandLine(int count, char** words) {
-    std::string line = "toolchain/fly";
-    for (int i = 1; i < count; ++i) {
-        const std::string word = words[i];
-        const bool plain =
-            !word.empty() &&
-            word.find_first_not_of(
-                "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=@+") ==
-                word.npos;
-        line += plain ? " " + word : " '" + word + "'";
-    }
-    return line;
-}
-
 Parsed parseFlyOptions(int count, char** words) {
     Parsed parsed;
     FlyOptions& options = parsed.options;
+    options.words.assign(words + 1, words + count);
     options.mission = FLY_MISSION;
-    options.command = commandLine(count, words);
     std::string board = "apm2", wind, telemetry = "uart2";
     CLI::App app(kWhat, "fly");
     app.footer(kFooter);

@@ -11,10 +11,10 @@
 namespace simulator {
 
 struct FlyOptions {
+    std::vector<std::string> words;  // of the command line
     std::string airplane = "foam_trainer", parameters;
     std::string mission, firmware, eeprom, dataflash, vcd, profile;
     std::string out;      // empty: a new folder of build/flights
-    std::string command;  // the command line, to fly it again
     bool apm1 = false;    // the first board, not an APM 2
     bool native = false;
     bool no_dataflash = false;

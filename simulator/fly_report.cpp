@@ -3,10 +3,13 @@
 
 #include <cmath>
 
+#include "simulator/flight_provenance.hpp"
 #include "simulator/fly_live.hpp"
 #include "simulator/machine/apm2_board.hpp"
 #include "simulator/report/page.hpp"
+#include "simulator/report/recorded_flight.hpp"
 #include "simulator/report/task_names.hpp"
+#include "simulator/report/track_files.hpp"
 
 namespace simulator {
 
@@ -73,12 +76,21 @@ void takeViolations(Summary& s, WatchedBoard& board) {
     if (s.reason.empty()) s.reason = "violated: " + board.violations().front().line();
 }
 
+void takeProvenance(Summary& s, const FlyOptions& options, const ParameterSettings& settings) {
+    s.provenance = provenanceOf(options, settings);
+    s.provenance.firmware = s.firmware;
+    s.provenance.flash_bytes = s.figures.flash_bytes;
+    s.provenance.ram_bytes = s.figures.ram_static_bytes;
+    s.faults = faultSpans(options.faults);
+}
+
 std::unique_ptr<FlightFolder> prepareReport(const FlyOptions& options) {
     try {
         auto folder = options.out.empty() ? std::make_unique<FlightFolder>(FLY_FLIGHTS, FLY_OUT,
                                                                            missionName(options))
                                           : std::make_unique<FlightFolder>(options.out);
-        for (const char* name : {"summary.json", "flight.csv", "track.kml", "report.html"})
+        for (const char* name :
+             {"summary.json", "flight.csv", "track.kml", "track.gpx", "report.html"})
             mustBeWritable(folder->path() / name);
         return folder;
     } catch (const OutputError& error) {
@@ -91,13 +103,17 @@ static bool endedWell(const Summary& s) {
 }
 
 void writeReport(const FlyOptions& options, const FlightFolder& folder, const Summary& summary,
-                 const std::vector<Sample>& samples, const Plan& plan, const MissionFile& mission,
+                 const std::vector<Sample>& samples, const MissionFile& mission,
                  Results& results) {
     const std::filesystem::path& path = folder.path();
+    const FlightDocument document = documentOf(summary, samples, mission);
     results.addFile(path / "summary.json", summaryJson(summary));
     results.addFile(path / "flight.csv", flightCsv(samples));
-    results.addFile(path / "track.kml", trackKml(samples, mission.items, summary.mission));
-    results.addFile(path / "report.html", reportPage(summary, samples, plan));
+    results.addFile(path / "track.kml",
+                    trackKml(samples, document.plan, summary.mission, kSimulatedEpoch_s));
+    results.addFile(path / "track.gpx",
+                    trackGpx(samples, document.plan, summary.mission, kSimulatedEpoch_s));
+    results.addFile(path / "report.html", flightPage(document));
     const std::string airplane = std::filesystem::path(options.airplane).stem();
     const std::string result = summary.completed ? "mission completed" : summary.reason;
     results.add([&] {

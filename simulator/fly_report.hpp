@@ -12,6 +12,7 @@
 #include "simulator/invariants/watched_board.hpp"
 #include "simulator/machine/board_wiring.hpp"
 #include "simulator/output_file.hpp"
+#include "simulator/parameter_file.hpp"
 #include "simulator/report/recorder.hpp"
 #include "simulator/report/summary.hpp"
 
@@ -61,6 +62,9 @@ const BoardWiring& wiringOf(const FlyOptions& options);
 // The invariants are of our firmware: another's words for things may be others.
 bool ours(const FlyOptions& options);
 
+// Needs the firmware and the figures of summaryOf().
+void takeProvenance(Summary& s, const FlyOptions& options, const ParameterSettings& settings);
+
 // The name of the mission in report and index.
 std::string missionName(const FlyOptions& options);
 
@@ -79,7 +83,6 @@ std::unique_ptr<FlightFolder> prepareReport(const FlyOptions& options);
 constexpr char kServedEnd[] = "served flight: ended";
 
 void writeReport(const FlyOptions& options, const FlightFolder& folder, const Summary& summary,
-                 const std::vector<Sample>& samples, const Plan& plan, const MissionFile& mission,
-                 Results& results);
+                 const std::vector<Sample>& samples, const MissionFile& mission, Results& results);
 
 }  // namespace simulator

@@ -29,8 +29,10 @@ std::optional<double> airborne_s(const std::vector<Sample>& samples) {
 
 }  // namespace
 
-ServedRecord::ServedRecord(const FlyOptions& options, const Waypoints& items)
+ServedRecord::ServedRecord(const FlyOptions& options, const Waypoints& items,
+                           const ParameterSettings& settings)
     : options_(options),
+      settings_(settings),
       folder_(prepareReport(options)),
       frame_(items[0].latitude_deg, items[0].longitude_deg),
       recorder_(no_plan_, frame_) {}
@@ -82,7 +84,8 @@ void ServedRecord::write(WatchedBoard& board, FlyWatchers& watchers, const std::
         std::cout << "never armed: no report" << std::endl;
         return;
     }
-    writeReport(options_, *folder_, s, samples, plan, held, results);
+    takeProvenance(s, options_, settings_);
+    writeReport(options_, *folder_, s, samples, held, results);
     if (results.allWritten()) std::cout << reportLine(folder_->path()) << std::flush;
 }
 

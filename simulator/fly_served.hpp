@@ -10,7 +10,8 @@ class ServedRecord {
 public:
     // `items`: the first is where the airplane stands. Throws WrongInput when the report cannot be
     // written.
-    ServedRecord(const FlyOptions& options, const Waypoints& items);
+    ServedRecord(const FlyOptions& options, const Waypoints& items,
+                 const ParameterSettings& settings);
 
     void step(WatchedBoard& board, live::Live& live);  // after each frame
     // `fault`: why it could not go on; empty: somebody ended it.
@@ -22,6 +23,7 @@ private:
                  const live::Station& station) const;
 
     const FlyOptions& options_;
+    const ParameterSettings settings_;
     const std::unique_ptr<FlightFolder> folder_;
     const LocalFrame frame_;
     const Plan no_plan_;

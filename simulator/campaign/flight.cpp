@@ -19,7 +19,8 @@ using Json = nlohmann::json;
 constexpr double kFrames_hz = 100;
 constexpr double kStartFrames = 5;  // before the first frame is due
 // What is given to a flight, or says nothing about how well it was flown.
-constexpr const char* kNoFigures[] = {"wind_mps", "wind_from_deg", "emulated_s", "flight_time_s"};
+constexpr const char* kNoFigures[] = {"wind_mps",      "wind_from_deg",    "emulated_s",
+                                      "flight_time_s", "touchdown_long_m", "touchdown_right_m"};
 constexpr char kInterrupted[] = "interrupted";  // the reason when a signal has ended a flight
 constexpr const char* kUnits[] = {"_m", "_mps", "_deg", "_ms"};
 
@@ -95,7 +96,7 @@ std::string CampaignFlight::replay(bool native) const {
 }
 
 CampaignResult resultOf(const CampaignFlight& flight, const std::string& summary_json) {
-    CampaignResult result{flight, true, "", {}, 0};
+    CampaignResult result{flight, true, "", {}, 0, {}};
     const Json summary = Json::parse(summary_json, nullptr, false);
     if (!summary.is_object()) {
         result.failure = "no summary was written";
@@ -109,6 +110,10 @@ CampaignResult resultOf(const CampaignFlight& flight, const std::string& summary
     } else {
         result.failure = brokenFrames(summary);
     }
+    const Json past = summary.value("touchdown_long_m", Json());
+    const Json right = summary.value("touchdown_right_m", Json());
+    if (past.is_number() && right.is_number())
+        result.touchdown = {past.get<double>(), right.get<double>()};
     for (const auto& [name, value] : summary.items())
         if (isFigure(name, value)) result.figures[name] = value.get<double>();
     return result;
@@ -128,7 +133,7 @@ static CampaignResult flyIn(const std::string& folder, const std::string& progra
     } else if (ending.status > 1) {
         result.failure = complaintIn(contents(log));
     }
-    for (const char* large : {"report.html", "flight.csv", "track.kml"})
+    for (const char* large : {"report.html", "flight.csv", "track.kml", "track.gpx"})
         fs::remove(fs::path(folder) / large);
     return result;
 }
@@ -139,7 +144,7 @@ CampaignResult flyOne(const std::string& program, const CampaignFlight& flight,
     try {
         return flyIn(folder, program, flight);
     } catch (const std::exception& error) {
-        return {flight, true, error.what(), {}, 0};
+        return {flight, true, error.what(), {}, 0, {}};
     }
 }
 

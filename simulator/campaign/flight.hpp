@@ -4,7 +4,9 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace simulator {
@@ -34,6 +36,8 @@ struct CampaignResult {
     std::string failure;  // one line; empty: all is well
     std::map<std::string, double> figures;
     double emulated_s = 0;
+    // past the landing point along the last leg and right of it, in m
+    std::optional<std::pair<double, double>> touchdown;
 };
 
 // Flies it in `folder`, which afterwards holds summary.json and fly.log.

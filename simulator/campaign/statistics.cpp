@@ -5,8 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "simulator/report/html.hpp"
-
 namespace simulator {
 
 double percentile(const std::vector<double>& sorted, double share) {

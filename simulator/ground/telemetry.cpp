@@ -45,6 +45,10 @@ void Telemetry::take(const Frame& frame, uint64_t time_us) {
     if (auto m = as<VfrHud>(frame)) hud = m;
     if (auto m = as<NavControllerOutput>(frame)) navigation = m;
     if (auto m = as<ServoOutputRaw>(frame)) servos = m;
+    if (auto m = as<RcChannels>(frame)) rc = m;
+    if (auto m = as<RawImu>(frame)) imu = m;
+    if (auto m = as<Wind>(frame)) wind = m;
+    if (auto m = as<Hwstatus>(frame)) hardware = m;
     if (auto m = as<MissionCurrent>(frame)) takeCurrent(*m, time_us);
     if (auto m = as<MissionItemReached>(frame)) takeReached(m->seq, time_us);
     if (auto m = as<Statustext>(frame)) takeText(*m, time_us);
@@ -78,7 +82,7 @@ void Telemetry::takeReached(int item, uint64_t time_us) {
 
 void Telemetry::takeText(const Statustext& message, uint64_t time_us) {
     const std::string text(message.text, strnlen(message.text, sizeof message.text));
-    texts.push_back({static_cast<double>(time_us) * 1e-6, text});
+    texts.push_back({static_cast<double>(time_us) * 1e-6, text, message.severity});
 }
 
 }  // namespace simulator

@@ -18,6 +18,7 @@ std::string modeName(uint32_t custom_mode);  // ArduPlane's numbers
 struct Event {
     double time_s;
     std::string text;
+    int severity = 6;  // MAV_SEVERITY of a status text
 };
 
 class Telemetry {
@@ -42,6 +43,10 @@ public:
     std::optional<mavlink::NavControllerOutput> navigation;
     std::optional<mavlink::MissionCurrent> mission_current;
     std::optional<mavlink::ServoOutputRaw> servos;
+    std::optional<mavlink::RcChannels> rc;
+    std::optional<mavlink::RawImu> imu;
+    std::optional<mavlink::Wind> wind;
+    std::optional<mavlink::Hwstatus> hardware;
     std::vector<int> reached;   // MISSION_ITEM_REACHED in order
     std::vector<int> visited;   // what MISSION_CURRENT has named in AUTO, in order
     std::vector<Event> events;  // mode, arming and mission progress

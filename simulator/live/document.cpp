@@ -35,24 +35,6 @@ Json itemJson(const WaypointItem& item, double home_m) {
     return json;
 }
 
-Json provenanceJson(const Provenance& from) {
-    Json json = {{"command", from.command},
-                 {"mission", from.mission},
-                 {"airplane", from.airplane},
-                 {"board", from.board},
-                 {"native", from.native},
-                 {"seed", from.seed},
-                 {"wind", from.wind},
-                 {"faults", from.faults},
-                 {"firmware", {{"file", from.firmware}}},
-                 {"date", from.date}};
-    json["parameters"] = Json::object();
-    for (const auto& [name, value] : from.parameters) json["parameters"][name] = value;
-    for (const char* name : {"mission", "wind"})
-        if (json[name] == "") json.erase(name);
-    return json;
-}
-
 }  // namespace
 
 Json eventJson(const ChronicleEvent& event) {
@@ -85,12 +67,12 @@ Json planJson(const PlanDownload& plans, const Truth& start) {
     return json;
 }
 
-std::string documentJson(const Provenance& provenance, const PlanDownload& plans,
+std::string documentJson(const Origin& origin, const PlanDownload& plans,
                          const Chronicle& chronicle) {
     Json json = {{"format", "apm-flight"}, {"version", 1}, {"kind", "live"}};
-    json["title"] = provenance.mission.empty() ? "Live flight" : provenance.mission + ", live";
-    json["provenance"] = provenanceJson(provenance);
-    json["plan"] = planJson(plans, provenance.start);
+    json["title"] = origin.title;
+    json["provenance"] = Json::parse(origin.provenance);
+    json["plan"] = planJson(plans, origin.start);
     json["offers"] = {{"modes", modeNames()}, {"faults", faultNames()}};
     json["times"] = Json::array();
     json["series"] = seriesJson();

@@ -7,13 +7,10 @@
 
 namespace simulator::live {
 
-struct Provenance {
-    std::string command, mission, airplane, board, wind, firmware, date;  // date: ISO 8601
-    bool native = false;
-    uint64_t seed = 1;
-    std::vector<std::string> faults;                         // as given on the command line
-    std::vector<std::pair<std::string, double>> parameters;  // set by wire
-    Truth start{};                                           // where the airplane stood
+// What is known of where the flight comes from.
+struct Origin {
+    std::string title = "Live flight", provenance = "{}";  // JSON of report/provenance.hpp
+    Truth start{};                                         // where the airplane stood
 };
 
 Json eventJson(const ChronicleEvent& event);
@@ -21,7 +18,7 @@ Json bandJson(const Band& band);
 // Mission, fence and rally points as the board holds them. Home is `start` while it has none.
 Json planJson(const PlanDownload& plans, const Truth& start);
 
-std::string documentJson(const Provenance& provenance, const PlanDownload& plans,
+std::string documentJson(const Origin& origin, const PlanDownload& plans,
                          const Chronicle& chronicle);
 
 // As JSON, with bytes that are no UTF-8 replaced: texts come from outside.

@@ -6,7 +6,6 @@
 
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/ground/tcp_port.hpp"
-#include "simulator/live/page.hpp"
 
 namespace simulator::live {
 namespace {
@@ -159,14 +158,14 @@ void Live::end(const std::string& why) {
 }
 
 std::string Live::document() const {
-    return documentJson(options_.provenance, station_.plans(), chronicle_);
+    return documentJson(options_.origin, station_.plans(), chronicle_);
 }
 
 void Live::serve(HttpServer::Client client, const Request& request) {
     if (const auto refused = refusal(request, port())) return http_->respond(client, *refused);
     if (request.path == "/live") return sendHistory(client, request.header("last-event-id"));
     if (request.path == "/") {
-        return http_->respond(client, {200, "text/html; charset=utf-8", std::string(livePage())});
+        return http_->respond(client, {200, "text/html; charset=utf-8", options_.page});
     }
     try {
         take(readOrder(request.body), client);

@@ -18,7 +18,8 @@ struct LiveOptions {
     std::optional<uint16_t> http_port;  // empty: no page; 0: any
     bool any_port = false;              // another when that one is taken
     double speed = 1;                   // times real time, 0: as fast as it goes
-    Provenance provenance;
+    Origin origin;
+    std::string page;  // HTML
     std::function<void(const std::string& line)> say = [](const std::string&) {};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The recording for other programs: a table and a track.
+// The recording for other programs, as a table.
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -70,18 +70,6 @@ std::string number(double value, int decimals) {
     return text;
 }
 
-std::string coordinates(double longitude_deg, double latitude_deg, double altitude_m) {
-    return number(longitude_deg, 7) + "," + number(latitude_deg, 7) + "," + number(altitude_m, 1) +
-           "\n";
-}
-
-std::string lineString(const std::string& name, const std::string& style,
-                       const std::string& points) {
-    return "<Placemark><name>" + name + "</name><styleUrl>#" + style +
-           "</styleUrl><LineString><altitudeMode>absolute</altitudeMode><coordinates>\n" + points +
-           "</coordinates></LineString></Placemark>\n";
-}
-
 }  // namespace
 
 std::string flightCsv(const std::vector<Sample>& samples) {
@@ -98,30 +86,6 @@ std::string flightCsv(const std::vector<Sample>& samples) {
         text += '\n';
     }
     return text;
-}
-
-std::string trackKml(const std::vector<Sample>& samples, const Waypoints& items,
-                     const std::string& name) {
-    std::string flown, planned;
-    for (const Sample& s : samples) {
-        flown += coordinates(s.truth.longitude_deg, s.truth.latitude_deg, s.truth.altitude_m);
-    }
-    for (const WaypointItem& item : items) {
-        if (!item.hasPlace() || item.longitude_deg == 0) continue;
-        const double above = item.relative() ? items[0].altitude_m : 0;
-        const double altitude = item.index == 0 ? item.altitude_m : above + item.altitude_m;
-        planned += coordinates(item.longitude_deg, item.latitude_deg, altitude);
-    }
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-           "<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document><name>" +
-           name +
-           "</name>\n"
-           "<Style id=\"flown\"><LineStyle><color>ffc06a1f</color><width>3</width></LineStyle>"
-           "</Style>\n"
-           "<Style id=\"planned\"><LineStyle><color>ff8a8a8a</color><width>2</width></LineStyle>"
-           "</Style>\n" +
-           lineString("flown", "flown", flown) + lineString("planned", "planned", planned) +
-           "</Document></kml>\n";
 }
 
 }  // namespace simulator

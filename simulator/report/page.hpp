@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// report.html: one file that opens offline.
+// The pages that show flights and campaigns: one file each that opens offline (docs/page.md).
 #pragma once
 #include <string>
-#include <vector>
 
-#include "simulator/ground/plan.hpp"
-#include "simulator/report/recorder.hpp"
-#include "simulator/report/summary.hpp"
+#include "simulator/report/flight_document.hpp"
 
 namespace simulator {
 
-std::string reportPage(const Summary& summary, const std::vector<Sample>& samples,
-                       const Plan& plan);
+std::string flightPage(const FlightDocument& document);
+std::string livePage();                               // of a server, which gives it the flight
+std::string campaignPageOf(const std::string& json);  // with this campaign document
 
 }  // namespace simulator

@@ -41,6 +41,7 @@ static void copyTelemetry(Sample& sample, const Telemetry& from) {
         sample.pitch_demand_deg = from.navigation->nav_pitch;
         sample.distance_m = from.navigation->wp_dist;
     }
+    sample.reported = reportedBy(from);
 }
 
 void Recorder::sample(Board& board, const Telemetry& telemetry,

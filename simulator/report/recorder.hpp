@@ -13,6 +13,7 @@
 #include "simulator/ground/telemetry.hpp"
 #include "simulator/report/attitude_errors.hpp"
 #include "simulator/report/metrics.hpp"
+#include "simulator/report/reported.hpp"
 
 namespace simulator {
 
@@ -26,6 +27,7 @@ struct Sample {
     std::optional<double> roll_deg, pitch_deg, yaw_deg, height_m, airspeed_mps;  // as reported
     std::optional<double> roll_demand_deg, pitch_demand_deg, distance_m;
     std::array<double, 8> servo_us{};  // 0: silent
+    Reported reported;
     // of the frames since the last sample
     std::optional<double> frame_us, frame_mean_us;
 };
@@ -57,7 +59,5 @@ private:
 };
 
 std::string flightCsv(const std::vector<Sample>& samples);
-std::string trackKml(const std::vector<Sample>& samples, const Waypoints& items,
-                     const std::string& name);
 
 }  // namespace simulator

@@ -94,6 +94,8 @@ std::string summaryJson(const Summary& summary) {
     json["gusts"] = summary.gusts;
     json["seed"] = summary.seed;
     json["landed_distance_m"] = orNull(summary.landed_distance_m);
+    json["touchdown_long_m"] = orNull(summary.touchdown_long_m);
+    json["touchdown_right_m"] = orNull(summary.touchdown_right_m);
     json["standing_distance_m"] = orNull(summary.standing_distance_m);
     json["touchdown_sink_mps"] = orNull(summary.touchdown_sink_mps);
     json["flight_time_s"] = orNull(summary.flight_time_s);
@@ -107,6 +109,7 @@ std::string summaryJson(const Summary& summary) {
     json["imu_samples_repeated"] = orNull(summary.imu_samples_repeated);
     json["model_answers_skipped"] = summary.model_answers_skipped;
     addFigures(json, summary.figures, summary.task_names);
+    json["provenance"] = Json::parse(provenanceJson(summary.provenance));
     json["events"] = list(summary.events);
     json["texts"] = list(summary.texts);
     json["violations"] = list(summary.violations);

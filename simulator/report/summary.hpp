@@ -9,11 +9,19 @@
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/ground/telemetry.hpp"
 #include "simulator/report/metrics.hpp"
+#include "simulator/report/provenance.hpp"
 #include "simulator/report/task_names.hpp"
 
 namespace simulator {
 
+struct FaultSpan {
+    std::string name;  // "gps:lost"
+    double from_s, to_s;
+};
+
 struct Summary {
+    Provenance provenance;
+    std::vector<FaultSpan> faults;
     std::string mission, firmware, board;  // as shown: file names, "apm2" or "native"
     double wind_mps = 0, wind_from_deg = 0;
     bool gusts = false;
@@ -21,9 +29,10 @@ struct Summary {
 
     bool from_log = false;  // all that is known is what the airplane has logged: no truth
     bool completed = false;
-    std::string reason;                         // empty when completed
-    std::optional<double> landed_distance_m;    // of the touch-down from the landing point
-    std::optional<double> standing_distance_m;  // of where it came to rest
+    std::string reason;                       // empty when completed
+    std::optional<double> landed_distance_m;  // of the touch-down from the landing point
+    std::optional<double> touchdown_long_m, touchdown_right_m;  // of it along and across the leg
+    std::optional<double> standing_distance_m;                  // of where it came to rest
     std::optional<double> touchdown_sink_mps;
     std::optional<double> flight_time_s;
     double emulated_s = 0;

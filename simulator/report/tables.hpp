@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables of a flight report as HTML; empty strings where nothing is known.
+// A flight in figures, with the goals and limits that there are; and what the board did, as tables.
 #pragma once
-#include <string>
+#include <vector>
 
+#include "simulator/report/flight_document.hpp"
 #include "simulator/report/summary.hpp"
 
 namespace simulator {
 
-std::string summaryTable(const Summary& summary);
-std::string eventTable(const Summary& summary);
-std::string violationTable(const Summary& summary);
-std::string taskTable(const Summary& summary);
-std::string interruptTable(const BoardFigures& figures, double emulated_s);
-std::string errorTable();
+std::vector<Deviation> deviationsOf(const Summary& summary);  // those that are known
+std::vector<DocumentTable> tablesOf(const Summary& summary);
 
 }  // namespace simulator

@@ -68,6 +68,7 @@ target_compile_definitions(param_tool_parts PRIVATE
                            PARAMETERS_CSV="${CMAKE_SOURCE_DIR}/firmware/state/parameters.csv")
 # flight logs from the DataFlash as tables, summaries and .bin files
 project_tool(log_tool toolchain/log_tool logging simulator_report)
+target_include_directories(log_tool_parts PRIVATE ${CMAKE_BINARY_DIR}/generated)
 # many flights at once, natively
 project_tool(campaign simulator/campaign simulator_report simulator_world Threads::Threads)
 target_compile_definitions(campaign_parts PRIVATE CAMPAIGN_OUT="${CMAKE_SOURCE_DIR}/build/campaign"

@@ -59,8 +59,10 @@ function(simulator_library name)
 endfunction()
 simulator_library(ground mavlink simulator_world)
 simulator_library(invariants mavlink simulator_ground)
+include(web)
 simulator_library(report simulator_ground simulator_invariants)
 target_include_directories(simulator_report PRIVATE ${CMAKE_BINARY_DIR}/generated)
+add_dependencies(simulator_report pages)
 simulator_library(live mavlink simulator_ground)
 simulator_library(native simulator_world core hal)
 target_include_directories(simulator_native BEFORE PRIVATE ${CMAKE_SOURCE_DIR}/simulator/native)
@@ -98,7 +100,8 @@ target_compile_definitions(simulator_machine PUBLIC SIMULATOR_BOOT="${boot_secti
 
 # ---- the program that flies
 set(simulator_sources simulator/fly.cpp simulator/fly_live.cpp simulator/fly_options.cpp
-    simulator/fly_report.cpp simulator/fly_served.cpp simulator/flight_folder.cpp simulator/parameter_file.cpp
+    simulator/fly_report.cpp simulator/fly_served.cpp simulator/flight_folder.cpp
+    simulator/flight_provenance.cpp simulator/parameter_file.cpp
     toolchain/param_tool/settings.cpp toolchain/mission_tool/wrong_input.cpp)
 project_program(fly ${simulator_sources} LIBRARIES firmware_native simulator_native
     simulator_live simulator_report simulator_ground simulator_machine simulator_world

@@ -12,8 +12,8 @@ namespace log_tool {
 struct StoredLog {
     int number;
     unsigned pages = 0, damaged = 0;  // damaged: their data do not match their checksum
-    uint32_t lost = 0;               // bytes of its beginning that the ring has overwritten
-    Bytes bytes;                     // without the pages' heads
+    uint32_t lost = 0;                // bytes of its beginning that the ring has overwritten
+    Bytes bytes;                      // without the pages' heads
 };
 
 bool isImage(size_t bytes);

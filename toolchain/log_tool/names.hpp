@@ -14,8 +14,6 @@ Firmware firmwareOf(const LogFile& log);
 
 std::string banner(const LogFile& log);  // the text that names the firmware; empty: none
 
-std::string eventName(int id);                                      // "armed"
-std::string errorName(int subsystem, int code, Firmware firmware);  // "BARO: barometer lost"
-std::string meaningOf(const Record& record, Firmware firmware);     // of MODE, EV, ERR and MSG
+std::string meaningOf(const Record& record, Firmware firmware);  // of MODE, EV, ERR and MSG
 
 }  // namespace log_tool

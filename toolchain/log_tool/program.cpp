@@ -8,8 +8,9 @@
 
 #include "simulator/input_file.hpp"
 #include "simulator/output_file.hpp"
+#include "simulator/report/page.hpp"
 #include "toolchain/log_tool/image.hpp"
-#include "toolchain/log_tool/report.hpp"
+#include "toolchain/log_tool/log_document.hpp"
 
 namespace log_tool {
 namespace {
@@ -118,9 +119,8 @@ void writeCsv(const Options& options, std::ostream& out) {
 }
 
 void writeReport(const Options& options, std::ostream&) {
-    const std::string page =
-        report(LogFile(load(options)), std::filesystem::path(options.file).filename().string());
-    simulator::writeFile(options.out, page);
+    const std::string name = std::filesystem::path(options.file).filename().string();
+    simulator::writeFile(options.out, flightPage(documentOf(LogFile(load(options)), name)));
 }
 
 struct Command {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// node main.mjs REPORT MISSIONS OUT: one SVG of a flight, from the charts of its report.html, the
+// node main.mjs REPORT MISSIONS OUT: one SVG of a flight, from the document in its report.html, the
 // figures of its summary.json and the mission of that name in the folder MISSIONS.
 import { readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+
+import { altitudeOf, documentOf, mapOf } from './charts.mjs';
 
 const kWidth = 960, kMapWidth = 600, kMapTop = 76, kPanelLeft = 640, kMargin = 24, kLine = 21;
 
@@ -62,10 +64,11 @@ function missionItems(file) {
 
 // ---- the charts of the report
 
-function chartsOf(page) {
-  const charts = page.match(/<svg class="chart"[^]*?<\/svg>/g) ?? [];
-  const of = (label) => charts.find((chart) => chart.includes(`aria-label="${label}`));
-  const found = { map: of('north of home'), altitude: of('altitude above home') };
+function chartsOf(page, summary) {
+  const document = documentOf(page);
+  if (!document) throw new Refusal('report.html has no flight document');
+  const wind = { mps: summary.wind_mps, from_deg: summary.wind_from_deg, gusts: summary.gusts };
+  const found = { map: mapOf(document, wind), altitude: altitudeOf(document) };
   if (!found.map || !found.altitude) throw new Refusal('report.html has no ground track or no altitude');
   return found;
 }
@@ -130,7 +133,7 @@ export function picture(folder, missions) {
   const summary = JSON.parse(read(join(folder, 'summary.json')));
   if (!summary.completed) throw new Refusal(`the mission was not completed: ${summary.reason}`);
   const items = missionItems(join(missions, summary.mission));
-  const charts = chartsOf(read(join(folder, 'report.html')));
+  const charts = chartsOf(read(join(folder, 'report.html')), summary);
   const map = placed(nameDots(charts.map, items), 0, kMapTop, kMapWidth);
   const altitude = placed(charts.altitude, 0, map.bottom + 40, kWidth);
   const tall = altitude.bottom + 10;

@@ -83,13 +83,13 @@ export function firstDifference(path, before, after) {
   return kindOf(path).difference(before, after);
 }
 
-// summary.json as a line for each value, without how fast this computer was.
+// summary.json as a line for each value, without how fast this computer was and which command flew it.
 export function flattened(summary) {
   const lines = [];
   const walk = (value, path) => {
     if (value !== null && typeof value === 'object')
       for (const [key, inner] of Object.entries(value)) walk(inner, path ? `${path}.${key}` : key);
-    else if (path !== 'speedup') lines.push(`${path}: ${value}`);
+    else if (path !== 'speedup' && !path.startsWith('provenance.')) lines.push(`${path}: ${value}`);
   };
   walk(summary, '');
   return `${lines.join('\n')}\n`;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/report/provenance.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+using namespace simulator;
+using nlohmann::json;
+
+TEST(Provenance, leaves_out_what_is_not_known) {
+    const json made = json::parse(provenanceJson(Provenance()));
+
+    EXPECT_FALSE(made.contains("command"));
+    EXPECT_FALSE(made.contains("seed"));
+    EXPECT_FALSE(made["firmware"].contains("commit"));
+}
+
+TEST(Provenance, tells_no_faults_from_unknown_ones) {
+    Provenance none;
+    none.faults.emplace();
+
+    EXPECT_EQ(json::parse(provenanceJson(none))["faults"], json::array());
+    EXPECT_FALSE(json::parse(provenanceJson(Provenance())).contains("faults"));
+}
+
+TEST(Provenance, takes_the_commit_from_the_environment) {
+    Provenance with, without;
+    setenv("APM_COMMIT", "0123abc 2026-01-02T03:04:05+00:00", 1);
+    takeCommit(with);
+    unsetenv("APM_COMMIT");
+    takeCommit(without);
+
+    EXPECT_EQ(with.commit, "0123abc");
+    EXPECT_EQ(with.date, "2026-01-02T03:04:05+00:00");
+    EXPECT_EQ(without.commit, "");
+}

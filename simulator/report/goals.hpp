@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How exactly a flight ought to be flown, by the figures of summary.json (docs/airplanes.md).
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace simulator {
+
+struct Goal {
+    std::string figure, name, unit;  // "crosstrack_rms_m", its words, "m"
+    double calm = 0, windy = 0;      // the most it may be
+};
+
+const std::vector<Goal>& goals();
+std::optional<double> goalOf(const std::string& figure, bool windy);  // empty: it has none
+
+}  // namespace simulator

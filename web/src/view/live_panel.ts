@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a ground station and the simulator's own commands can do to a live flight; and gamepad or
+// keyboard as its sticks.
+import { byId, make } from '../dom';
+import type { Page } from '../page';
+import type { Answer, Command } from '../source/live';
+import { Sticks } from './sticks';
+
+export interface LiveStatus { armed: boolean; mode: string; item: number; speed: number; paused: boolean; clients: number; ended?: string }
+type Send = (command: Command) => Promise<Answer>;
+
+const kModes = ['MANUAL', 'STABILIZE', 'FBWA', 'FBWB', 'CRUISE', 'AUTO', 'LOITER', 'CIRCLE', 'RTL', 'GUIDED', 'AUTOTUNE'];
+const kSpeeds: [string, number | 'max'][] = [['1×', 1], ['2×', 2], ['5×', 5], ['10×', 10], ['max', 'max']];
+const kFaults = ['gps_lost', 'baro_lost', 'airspeed_lost', 'compass_lost', 'imu_lost', 'radio_lost'];
+
+export class LivePanel {
+  private readonly state = make('span', { class: 'state', 'aria-live': 'polite' }, 'waiting…');
+  private readonly answer = make('div', { id: 'live-answer', role: 'status' });
+  private readonly arm = make('button', { id: 'arm', type: 'button', class: 'main' }, 'arm');
+  private readonly pause = make('button', { id: 'pause', type: 'button' }, 'pause');
+  private readonly goTo = make('button', { id: 'goto', type: 'button', 'aria-pressed': 'false' }, 'fly to here');
+  private readonly height = make('input', { type: 'number', value: 60, min: 10, max: 500, 'aria-label': 'Height of fly to here, m' });
+  private status?: LiveStatus;
+
+  constructor(private readonly page: Page, private readonly send: Send, private readonly notice: (words: string) => void) {
+    const panel = byId('live-panel');
+    panel.hidden = false;
+    panel.replaceChildren(this.flying(), this.world(), this.answer);
+    this.arm.addEventListener('click', () => void this.do({ do: this.status?.armed ? 'disarm' : 'arm' }));
+    this.pause.addEventListener('click', () => void this.do({ do: this.status?.paused ? 'resume' : 'pause' }));
+    this.goTo.addEventListener('click', () => this.aim(this.goTo.getAttribute('aria-pressed') !== 'true'));
+    new Sticks((command) => void this.send(command), panel);
+  }
+  private row(...children: Node[]): HTMLElement { return make('div', { class: 'row' }, ...children); }
+  private choice(label: string, names: string[], run: (name: string) => void): HTMLElement {
+    const select = make('select', { 'aria-label': label }, make('option', { value: '' }, `${label}…`), ...names.map((name) => make('option', { value: name }, name)));
+    select.addEventListener('change', () => {
+      if (select.value) run(select.value);
+      select.value = '';
+    });
+    return select;
+  }
+  private flying(): HTMLElement {
+    const takeoff = make('button', { type: 'button' }, 'take-off');
+    takeoff.addEventListener('click', () => void this.do({ do: 'takeoff' }));
+    return this.row(this.state, make('span', { class: 'grow' }), this.arm, takeoff,
+      this.choice('mode', kModes, (mode) => void this.do({ do: 'mode', mode })), this.goTo, this.height);
+  }
+  private world(): HTMLElement {
+    const speed = make('input', { type: 'number', value: 5, min: 0, max: 30, 'aria-label': 'Wind, m/s' });
+    const from = make('input', { type: 'number', value: 320, min: 0, max: 360, 'aria-label': 'Wind from, degrees' });
+    const wind = make('button', { type: 'button' }, 'set wind');
+    wind.addEventListener('click', () => void this.do({ do: 'wind', speed_mps: Number(speed.value), from_deg: Number(from.value) }));
+    const speeds = make('span', { role: 'group', 'aria-label': 'Speed of the simulation', class: 'row' }, ...kSpeeds.map(([name, times]) => {
+      const button = make('button', { type: 'button' }, name);
+      button.addEventListener('click', () => void this.do({ do: 'speed', times }));
+      return button;
+    }));
+    return this.row(this.pause, speeds, make('span', { class: 'grow' }),
+      this.choice('inject a fault', kFaults, (name) => void this.do({ do: 'fault', name, on: true })),
+      this.choice('end a fault', kFaults, (name) => void this.do({ do: 'fault', name, on: false })), speed, from, wind);
+  }
+  private aim(on: boolean): void {
+    this.goTo.setAttribute('aria-pressed', String(on));
+    this.page.map.onPlace = !on ? undefined : ({ lat, lng }) => {
+      this.aim(false);
+      void this.do({ do: 'goto', lat_deg: lat, lon_deg: lng, altitude_m: Number(this.height.value) });
+    };
+    if (on) this.answer.textContent = 'click on the map';
+  }
+  private async do(command: Command): Promise<void> {
+    const { ok, text } = await this.send(command);
+    this.answer.textContent = text;
+    this.answer.style.color = ok ? '' : 'var(--bad)';
+  }
+  show(status: LiveStatus): void {
+    this.status = status;
+    this.arm.textContent = status.armed ? 'disarm' : 'arm';
+    this.pause.textContent = status.paused ? 'resume' : 'pause';
+    const clients = status.clients > 0 ? ` · ${status.clients} ground station${status.clients > 1 ? 's' : ''}` : '';
+    this.state.textContent = `${status.armed ? 'armed' : 'disarmed'} · ${status.mode} · item ${status.item} · ${status.paused ? 'paused' : `${status.speed.toFixed(1)}×`}${clients}`;
+    if (status.ended) this.notice(`The flight has ended: ${status.ended}`);
+  }
+}
