@@ -124,6 +124,22 @@ foreach(file IN LISTS airplane_parameters)
     declare_test(airplanes.param.${airplane} COMMAND param_tool check ${file} LABELS quick)
 endforeach()
 
+# ---- the pages, in a browser where there is one
+set(page_programs FLY=$<TARGET_FILE:fly> LOG_TOOL=$<TARGET_FILE:log_tool> CAMPAIGN=$<TARGET_FILE:campaign>)
+declare_test(web.log_document COMMAND node --test ${tests}/web/log_document.test.mjs NEEDS fly log_tool
+             ENVIRONMENT ${page_programs} LABELS unit quick)
+find_program(CHROMIUM chromium NO_CMAKE_SYSTEM_PATH)
+if(CHROMIUM)
+    foreach(name page campaign)
+        declare_test(web.${name} COMMAND node --test ${tests}/web/${name}.test.mjs NEEDS fly log_tool campaign
+                     ENVIRONMENT ${page_programs} CHROMIUM=${CHROMIUM} PAGES=${pages} SHOTS=${pages}/shots
+                     LABELS unit quick)
+        set_tests_properties(web.${name} PROPERTIES RUN_SERIAL ON)
+    endforeach()
+else()
+    message(STATUS "chromium is missing: the pages are not tried in a browser (toolchain/setup test)")
+endif()
+
 # ---- MAVLink against an independent implementation (npm node-mavlink, see toolchain/node)
 project_program(mavlink_repeat ${tests}/interop/mavlink/repeat.cpp LIBRARIES mavlink)
 declare_test(mavlink.definitions COMMAND node --test ${tests}/interop/mavlink/definitions.test.mjs LABELS interop)

@@ -238,11 +238,13 @@ std::map<std::string, double> parametersIn(const LogFile& log) {
 }
 
 // Its heights are those of the items themselves.
-simulator::DocumentPlan planIn(simulator::Waypoints mission) {
+simulator::DocumentPlan planIn(const LogFile& log, simulator::Waypoints mission) {
     for (simulator::WaypointItem& item : mission) item.frame = 0;
     simulator::MissionFile file;
     file.items = mission;
-    simulator::DocumentPlan plan = planOf(file, std::nullopt);
+    const double radius_m = parameter(log, "WP_LOITER_RAD");
+    const auto known_m = std::isfinite(radius_m) ? std::optional<double>(radius_m) : std::nullopt;
+    simulator::DocumentPlan plan = planOf(file, known_m);
     if (plan.home && plan.home->longitude_deg == 0) plan.home.reset();
     return plan;
 }
@@ -263,7 +265,7 @@ simulator::FlightDocument documentOf(const LogFile& log, const std::string& name
     document.provenance.log = name;
     document.provenance.firmware = version.empty() ? "unknown" : version;
     document.provenance.parameters = parametersIn(log);
-    document.plan = planIn(mission);
+    document.plan = planIn(log, mission);
     addSeries(document, log);
     document.events = eventsOf(log, firmware);
     document.bands = bandsOf(log, firmware);

@@ -67,13 +67,12 @@ export class View {
     this.live = live;
     this.changed.emit();
   }
-  // A live flight has become longer.
+  // A live flight has become longer; who draws the span looks at it when it draws next.
   grow(from_s: number, to_s: number): void {
     const whole = this.whole();
     this.from_s = from_s;
     this.to_s = to_s;
     if (whole) this.span = [from_s, to_s];
     if (this.live) this.moveTo(to_s);
-    if (whole) this.zoomed.emit(this.span);
   }
 }

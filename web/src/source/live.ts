@@ -9,7 +9,7 @@ import type { LiveStatus } from '../view/live_panel';
 export type Command = Record<string, string | number | boolean>;
 export interface Answer { ok: boolean; text: string }
 
-const kRedraw_ms = 250;  // of plots and timeline; map, display and attitude follow every sample
+const kRedraw_ms = 400;  // of plots and timeline; map, display and attitude follow every picture
 
 export async function send(command: Command): Promise<Answer> {
   try {
@@ -24,6 +24,8 @@ class LiveFlight {
   private page?: Page;
   private panel?: LivePanel;
   private due = false;
+  private pictured = true;
+  private bandsChanged = false;
 
   constructor(private readonly notice: (words: string) => void) {
     const stream = new EventSource('/live');
@@ -51,11 +53,20 @@ class LiveFlight {
   }
   private sample(time_s: number, values: Record<string, number | null>): void {
     if (!this.page) return;
-    const { flight, view, map } = this.page;
-    flight.append(time_s, values);
-    map.grow();
-    view.grow(flight.from_s, flight.to_s);
+    this.page.flight.append(time_s, values);
     this.redrawSoon();
+    if (!this.pictured) return;
+    this.pictured = false;
+    requestAnimationFrame(() => this.picture());
+  }
+  private picture(): void {
+    this.pictured = true;
+    if (!this.page) return;
+    const { flight, view, map } = this.page;
+    if (this.bandsChanged) map.draw();
+    else map.grow();
+    this.bandsChanged = false;
+    view.grow(flight.from_s, flight.to_s);
   }
   private redrawSoon(): void {
     if (this.due) return;
@@ -80,7 +91,7 @@ class LiveFlight {
       if (open) open.to_s = entry.from_s;
       bands.push(entry);
     }
-    this.page.map.draw();
+    this.bandsChanged = true;
   }
 }
 

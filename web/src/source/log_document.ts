@@ -11,6 +11,7 @@ interface Row { message: string; field: string; name: string; title: string; uni
 type Table = Record<string, string | undefined>;
 
 const kMostSamples = 5000, kOurs = 'ArduPilotMega autopilot';
+const kCircles = [17, 19];  // MAV_CMD_NAV_LOITER_UNLIM to ..._TIME
 const kArmed = 10, kDisarmed = 11, kInTheAir = 28;
 
 const seconds = (fields: Fields): number => Number(fields.TimeUS) * 1e-6;
@@ -39,6 +40,7 @@ export function itemText(command: number, altitude_m: number, parameters: number
 
 function planOf(log: DataflashLog): Plan {
   const items = new Map<number, PlanItem>();
+  const loiter_m = log.named('PARM').filter(({ Name }) => Name === 'WP_LOITER_RAD').map(({ Value }) => Number(Value)).at(-1);
   for (const { CNum, CId, Lat, Lng, Alt, Prm1, Prm2, Prm3, Prm4 } of log.named('CMD')) {
     if (items.has(Number(CNum))) continue;
     const placed = Number(CId) < 96 && Number(Lng) !== 0;
@@ -46,6 +48,7 @@ function planOf(log: DataflashLog): Plan {
       index: Number(CNum), name: (names.commands as Table)[Number(CId)] ?? `COMMAND ${CId}`,
       text: itemText(Number(CId), Number(Alt), [Prm1, Prm2, Prm3, Prm4].map(Number)),
       ...(placed ? { lat_deg: Number(Lat), lon_deg: Number(Lng), altitude_m: Number(Alt) } : {}),
+      ...(placed && Number(CId) >= kCircles[0] && Number(CId) <= kCircles[1] ? { radius_m: Number(Prm3) || loiter_m } : {}),
     });
   }
   const home = items.get(0);

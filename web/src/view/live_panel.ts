@@ -29,6 +29,7 @@ export class LivePanel {
     this.arm.addEventListener('click', () => void this.do({ do: this.status?.armed ? 'disarm' : 'arm' }));
     this.pause.addEventListener('click', () => void this.do({ do: this.status?.paused ? 'resume' : 'pause' }));
     this.goTo.addEventListener('click', () => this.aim(this.goTo.getAttribute('aria-pressed') !== 'true'));
+    page.map.fit();
     new Sticks((command) => void this.send(command), panel);
   }
   private row(...children: Node[]): HTMLElement { return make('div', { class: 'row' }, ...children); }
@@ -56,7 +57,7 @@ export class LivePanel {
       button.addEventListener('click', () => void this.do({ do: 'speed', times }));
       return button;
     }));
-    return this.row(this.pause, speeds, make('span', { class: 'grow' }),
+    return this.row(this.pause, speeds,
       this.choice('inject a fault', kFaults, (name) => void this.do({ do: 'fault', name, on: true })),
       this.choice('end a fault', kFaults, (name) => void this.do({ do: 'fault', name, on: false })), speed, from, wind);
   }

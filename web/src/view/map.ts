@@ -61,7 +61,8 @@ export class FlightMap {
   }
   private items(): Placed[] { return (this.flight.document.plan?.items ?? []).filter(isPlaced); }
 
-  private fit(): void {
+  fit(): void {
+    this.map.invalidateSize();
     const bounds = L.latLngBounds([]);
     for (const item of this.items()) bounds.extend([item.lat_deg, item.lon_deg]);
     for (const [at] of this.points()) bounds.extend(at);

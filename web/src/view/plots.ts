@@ -155,7 +155,9 @@ class Plot {
   }
   grow(): void {
     if (!this.visible || !this.plot) return;
-    this.plot.setData(aligned(this.series));
+    this.plot.setData(aligned(this.series), false);
+    const [min, max] = this.view.span;
+    this.plot.setScale('x', { min, max });
   }
   move(time_s: number): void {
     if (!this.visible) return;
