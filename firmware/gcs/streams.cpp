@@ -9,6 +9,7 @@
 #include "core/rom.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/gcs/messages.hpp"
+#include "firmware/state/vehicle.hpp"
 
 namespace firmware {
 namespace gcs {
@@ -154,10 +155,15 @@ bool sendRow(Link& link, uint8_t row) {
     return true;
 }
 
-struct CameraReport {
-    uint16_t reported;
+struct Reported {
+    uint16_t pictures;
+    uint8_t home_changes;
 };
-core::FileState<CameraReport> camera_report{};
+core::FileState<Reported> reported{};
+
+void requestOnAll(uint16_t message_id) {
+    for (Link& link : links) requestOnce(link, message_id);
+}
 
 }  // namespace
 
@@ -207,10 +213,16 @@ void requestOnce(Link& link, uint16_t message_id) {
 
 void sendCameraFeedback() {
     const uint16_t taken = actuators::picturesTaken();
-    if (taken == camera_report.reported) return;
-    camera_report.reported = taken;
+    if (taken == reported.pictures) return;
+    reported.pictures = taken;
     if (taken == 0) return;  // counted anew
-    for (Link& link : links) requestOnce(link, mavlink::Wire<mavlink::CameraFeedback>::id);
+    requestOnAll(mavlink::Wire<mavlink::CameraFeedback>::id);
+}
+
+void sendHomePosition() {
+    if (vehicle.home.changes == reported.home_changes) return;
+    reported.home_changes = vehicle.home.changes;
+    requestOnAll(mavlink::Wire<mavlink::HomePosition>::id);
 }
 
 bool isDue(const Link& link, uint16_t message_id) {

@@ -38,6 +38,7 @@ constexpr uint8_t kNoMessage = 0xFF;
 uint8_t outgoingRow(uint16_t message_id);  // kNoMessage: none of ours
 void requestOnce(Link& link, uint16_t message_id);
 void sendCameraFeedback();  // 50 Hz: CAMERA_FEEDBACK on every link for each new picture
+void sendHomePosition();    // 50 Hz: HOME_POSITION on every link for each change of home
 bool isDue(const Link& link, uint16_t message_id);
 bool setStreamRate(Link& link, uint8_t mav_data_stream, uint16_t rate_hz);  // false: no such stream
 

@@ -174,6 +174,7 @@ void telemetrySend() {
     }
     turn.pumped = false;
     sendCameraFeedback();
+    sendHomePosition();
     missionTransferTick();
     commandsTick();
 }

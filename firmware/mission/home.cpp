@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/mission/home.hpp"
 
+#include <math.h>
+
+#include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "firmware/estimator/estimator.hpp"
 #include "firmware/guidance/guidance.hpp"
@@ -26,6 +29,32 @@ namespace {
 
 constexpr HomeState& published = Publisher<HomeState>::state();
 
+struct Refining {
+    uint8_t waited;  // 0.1 s
+};
+core::FileState<Refining> refining{};
+
+void publish(const geo::Position& position, int32_t altitude_cm) {
+    published.position = position;
+    published.altitude_cm = altitude_cm;
+    published.set = true;
+    ++published.changes;
+}
+
+void setWhereItStands() {
+    publish(vehicle.estimate.position, vehicle.gps.altitude_cm);
+    zeroHeight();
+}
+
+// More than a fix wanders within some seconds.
+bool movedClearly() {
+    constexpr float kMoved_m = 3, kDrifted_m = 1.5f;
+    const int32_t higher_cm = vehicle.gps.altitude_cm - vehicle.home.altitude_cm;
+    return fabsf(vehicle.estimate.height_m) > kDrifted_m ||
+           fabsf(static_cast<float>(higher_cm)) > kMoved_m * 100 ||
+           geo::distance_m(vehicle.home.position, vehicle.estimate.position) > kMoved_m;
+}
+
 }  // namespace
 
 bool setHomeHere() {
@@ -36,9 +65,8 @@ bool setHomeHere() {
         setHome(vehicle.estimate.position, vehicle.home.altitude_cm + above_cm);
         return true;
     }
-    published.set = false;
-    setHome(vehicle.estimate.position, vehicle.gps.altitude_cm);
-    zeroHeight();
+    setWhereItStands();
+    published.ordered = true;
     return true;
 }
 
@@ -50,11 +78,27 @@ void setHome(const geo::Position& position, int32_t altitude_cm) {
         shiftDemands(by_m);
         missionShiftHeights(by_m);
     }
-    published = {position, altitude_cm, true};
+    resumeHome(position, altitude_cm);
 }
 
 void resumeHome(const geo::Position& position, int32_t altitude_cm) {
-    published = {position, altitude_cm, true};
+    publish(position, altitude_cm);
+    published.ordered = true;
+}
+
+bool setHomeOfFlight() {
+    const bool done = setHomeHere();
+    published.ordered = false;
+    return done;
+}
+
+void refineHome() {
+    constexpr float kStands_mps = 3;  // carried it may be
+    constexpr uint8_t kEvery = 50;
+    if (published.ordered || vehicle.estimate.ground_speed_mps > kStands_mps) return;
+    if (published.set && ++refining.waited < kEvery) return;
+    refining.waited = 0;
+    if (!published.set || movedClearly()) setWhereItStands();
 }
 
 }  // namespace mission

@@ -4,6 +4,7 @@
 #include "board.hpp"
 #include "core/file_state.hpp"
 #include "core/internal_error.hpp"
+#include "core/maths.hpp"
 #include "firmware/mission/home.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/modes/modes.hpp"
@@ -193,9 +194,20 @@ struct Reminder {
 };
 core::FileState<Reminder> reminder{};
 
+void fixHome() {
+    constexpr float kWorthReporting_m = 5;
+    const HomeState before = vehicle.home;
+    if (!setHomeOfFlight())
+        return sendStatusText(Severity::warning, before.set ? ROM_TEXT("Armed, home as before")
+                                                            : ROM_TEXT("Armed without a home"));
+    const float moved_m = geo::distance_m(before.position, vehicle.home.position);
+    if (before.set && moved_m > kWorthReporting_m)
+        sendStatusText(Severity::notice, ROM_TEXT("Home moved by # m"), core::rounded(moved_m));
+}
+
 void armNow() {
     published.armed = true;
-    if (!setHomeHere()) sendStatusText(Severity::warning, ROM_TEXT("Armed without a home"));
+    fixHome();
     sendStatusText(Severity::notice, ROM_TEXT("Throttle armed"));
 }
 
@@ -310,6 +322,7 @@ void runArming() {
         runLanded();
     } else {
         runNextChecks();
+        if (!gpsBad() && !dilutionBad()) refineHome();
     }
 }
 

@@ -24,7 +24,8 @@ core::RomText prearmFailure();
 bool reportPrearmFailure(
     notify::Severity severity);  // the same as a text to the pilot; false: none fails
 
-// 10 Hz: arming and disarming by rudder, reports why arming would fail, disarms after landing
+// 10 Hz: arming and disarming by rudder, reports why arming would fail, has home refined, disarms
+// after landing
 void runArming();
 
 }  // namespace safety

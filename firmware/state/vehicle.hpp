@@ -148,11 +148,13 @@ struct EstimateState {
     core::Vector3 wind_mps;  // where it blows to: north, east, 0
 };
 
-// Set at arming or by command.
+// Set by the first good fix, refined until arming, or set by command.
 struct HomeState {
     geo::Position position;
     int32_t altitude_cm;  // above sea level
-    bool set;
+    bool set : 1;
+    bool ordered : 1;  // or of the flight before a restart: arming alone changes it by itself
+    uint8_t changes;   // so far; wraps
 };
 
 // ---- what is in force

@@ -326,4 +326,22 @@ TEST_F(Telemetry, each_picture_is_reported_once_on_every_link) {
     }
 }
 
+TEST_F(Telemetry, each_change_of_home_is_sent_once_on_every_link) {
+    auto& home = firmware::state::mutable_vehicle.home;
+    run_ms(300);
+    EXPECT_EQ(station.all<mavlink::HomePosition>().size(), 0u);
+    home.set = true;
+    for (const int32_t altitude_cm : {48800, 48900}) {
+        home.altitude_cm = altitude_cm;
+        ++home.changes;
+        run_ms(300);
+    }
+    for (ground::Station* each : {&station, &second}) {
+        const auto sent = each->all<mavlink::HomePosition>();
+        ASSERT_EQ(sent.size(), 2u);
+        EXPECT_EQ(sent[0].altitude, 488000);
+        EXPECT_EQ(sent[1].altitude, 489000);
+    }
+}
+
 }  // namespace

@@ -7,6 +7,7 @@
 #include "core/internal_error.hpp"
 #include "core/maths.hpp"
 #include "firmware/gcs/link.hpp"
+#include "firmware/mission/home.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/notify/text_queue.hpp"
 #include "firmware_bench.hpp"
@@ -80,6 +81,111 @@ TEST_F(Arming, arms_when_every_check_passes_and_takes_home_there) {
     EXPECT_TRUE(vehicle.home.set);
     EXPECT_EQ(vehicle.home.position, (geo::Position{473977000, 85456000}));
     EXPECT_EQ(vehicle.home.altitude_cm, 48800);
+}
+
+struct Refined : Arming {
+    static void run(int tenths) {
+        for (int tenth = 0; tenth < tenths; ++tenth) firmware::safety::runArming();
+    }
+    void SetUp() override {
+        Arming::SetUp();
+        mutable_vehicle.gps.fix = firmware::state::GpsFix::none;
+    }
+    static void fix() { mutable_vehicle.gps.fix = firmware::state::GpsFix::three_d; }
+    static void moveBy(float north_m) {
+        mutable_vehicle.estimate.position = geo::moved(vehicle.estimate.position, {north_m, 0});
+    }
+};
+
+TEST_F(Refined, home_is_there_with_the_first_good_fix) {
+    run(10);
+    EXPECT_FALSE(vehicle.home.set);
+    fix();
+    mutable_vehicle.gps.hdop_c = 360;
+    run(10);
+    EXPECT_FALSE(vehicle.home.set);
+    mutable_vehicle.gps.hdop_c = 180;
+    run(2);
+    EXPECT_TRUE(vehicle.home.set);
+    EXPECT_EQ(vehicle.home.position, vehicle.estimate.position);
+    EXPECT_EQ(vehicle.home.altitude_cm, 48800);
+    EXPECT_FALSE(vehicle.armed);
+}
+
+TEST_F(Refined, home_follows_an_airplane_that_is_carried_and_stays_with_one_that_stands) {
+    fix();
+    run(2);
+    const uint8_t changes = vehicle.home.changes;
+    moveBy(2);
+    run(120);
+    EXPECT_EQ(vehicle.home.changes, changes);
+    moveBy(20);
+    run(60);
+    EXPECT_EQ(vehicle.home.position, vehicle.estimate.position);
+    EXPECT_EQ(static_cast<uint8_t>(vehicle.home.changes - changes), 1);
+}
+
+TEST_F(Refined, home_follows_a_height_that_has_drifted) {
+    fix();
+    run(2);
+    const uint8_t changes = vehicle.home.changes;
+    mutable_vehicle.gps.altitude_cm += 400;
+    run(60);
+    EXPECT_EQ(vehicle.home.altitude_cm, 49200);
+    mutable_vehicle.estimate.height_m = 3;
+    run(60);
+    EXPECT_FLOAT_EQ(vehicle.estimate.height_m, 0);
+    EXPECT_EQ(static_cast<uint8_t>(vehicle.home.changes - changes), 2);
+}
+
+TEST_F(Refined, home_is_not_set_while_it_moves) {
+    fix();
+    mutable_vehicle.estimate.ground_speed_mps = 4;
+    run(60);
+    EXPECT_FALSE(vehicle.home.set);
+}
+
+TEST_F(Refined, home_that_the_pilot_has_set_stays_until_arming) {
+    fix();
+    run(2);
+    const geo::Position place = geo::moved(vehicle.estimate.position, {300, 0});
+    firmware::mission::setHome(place, 50000);
+    run(120);
+    EXPECT_EQ(vehicle.home.position, place);
+    EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, false));
+    EXPECT_EQ(vehicle.home.position, vehicle.estimate.position);
+    EXPECT_TRUE(hasStatusText("Home moved by 300 m"));
+    EXPECT_TRUE(firmware::safety::disarm(ArmReason::ground, false));
+    moveBy(50);
+    run(60);
+    EXPECT_EQ(vehicle.home.position, vehicle.estimate.position);
+}
+
+TEST_F(Refined, home_that_moved_a_little_is_not_reported) {
+    fix();
+    run(2);
+    moveBy(4);
+    EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, false));
+    EXPECT_EQ(vehicle.home.position, vehicle.estimate.position);
+    EXPECT_FALSE(hasStatusText("Home moved"));
+}
+
+TEST_F(Refined, home_of_before_is_named_when_there_is_no_fix_at_arming) {
+    fix();
+    run(2);
+    const geo::Position home = vehicle.home.position;
+    mutable_vehicle.gps.fix = firmware::state::GpsFix::none;
+    EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, true));
+    EXPECT_EQ(vehicle.home.position, home);
+    EXPECT_TRUE(hasStatusText("Armed, home as before"));
+}
+
+TEST_F(Refined, home_of_a_flight_that_goes_on_after_a_restart_stays) {
+    fix();
+    const geo::Position home = geo::moved(vehicle.estimate.position, {-800, 0});
+    firmware::mission::resumeHome(home, 40000);
+    run(120);
+    EXPECT_EQ(vehicle.home.position, home);
 }
 
 struct Fault {

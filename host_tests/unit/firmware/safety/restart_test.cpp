@@ -48,7 +48,7 @@ protected:
         mutable_vehicle.estimate.flying = true;
         mutable_vehicle.estimate.ground_speed_mps = 14;
         mutable_vehicle.estimate.height_m = 40;
-        mutable_vehicle.home = {kHome, 48800, true};
+        mutable_vehicle.home = {kHome, 48800, true, false, 0};
         mutable_vehicle.baro.ground_pressure_pa = 95600;
         mutable_vehicle.baro.ground_temperature_c = 12;
         keep();
