@@ -13,6 +13,7 @@ bool fillIn(const Link& link, mavlink::Heartbeat& to);
 bool fillIn(const Link& link, mavlink::SysStatus& to);
 bool fillIn(const Link& link, mavlink::PowerStatus& to);
 bool fillIn(const Link& link, mavlink::FenceStatus& to);
+bool fillIn(const Link& link, mavlink::ExtendedSysState& to);
 bool fillIn(const Link& link, mavlink::Hwstatus& to);
 bool fillIn(const Link& link, mavlink::Meminfo& to);
 bool fillIn(const Link& link, mavlink::SystemTime& to);

@@ -44,6 +44,15 @@ uint8_t systemState() {
     return vehicle.estimate.flying ? MavState::active : MavState::standby;
 }
 
+// A path that was demanded before the pilot took over is flown no more.
+uint8_t landedState() {
+    using Landed = mavlink::MavLandedState;
+    if (!vehicle.estimate.flying) return Landed::on_ground;
+    const Path path = guidesItself() ? vehicle.demand.path : Path::none;
+    if (path == Path::takeoff) return Landed::takeoff;
+    return path == Path::land ? Landed::landing : Landed::in_air;
+}
+
 constexpr uint32_t kFitted =
     Sensor::sensor_3d_gyro | Sensor::sensor_3d_accel | Sensor::sensor_absolute_pressure |
     Sensor::sensor_gps | Sensor::sensor_angular_rate_control |
@@ -134,6 +143,12 @@ bool fillIn(const Link&, mavlink::FenceStatus& to) {
     to.breach_status = report.breach != Breach::none;
     to.breach_type = report.breach;
     return fenceThere();
+}
+
+bool fillIn(const Link&, mavlink::ExtendedSysState& to) {
+    to.vtol_state = mavlink::MavVtolState::undefined;
+    to.landed_state = landedState();
+    return true;
 }
 
 bool fillIn(const Link&, mavlink::PowerStatus& to) {

@@ -73,6 +73,7 @@ constexpr Accepted kAllMessages[] ROM = {
     accepts<MagCalReport>(),
     accepts<HomePosition>(),
     accepts<MessageInterval>(),
+    accepts<ExtendedSysState>(),
     accepts<Statustext>(),
     accepts<ProtocolVersion>(),
 };

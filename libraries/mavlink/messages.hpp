@@ -58,6 +58,22 @@ struct MavState {
     };
 };
 
+struct MavLandedState {
+    enum : uint8_t {
+        undefined = 0,
+        on_ground = 1,
+        in_air = 2,
+        takeoff = 3,
+        landing = 4,
+    };
+};
+
+struct MavVtolState {
+    enum : uint8_t {
+        undefined = 0,
+    };
+};
+
 struct MavFrame {
     enum : uint8_t {
         global = 0,
@@ -1163,6 +1179,14 @@ struct __attribute__((packed)) MessageInterval {
 template <>
 struct Wire<MessageInterval> : Shape<244, 6, 6, 95> {};
 static_assert(sizeof(MessageInterval) == Wire<MessageInterval>::length_with_extensions, "MESSAGE_INTERVAL");
+
+struct __attribute__((packed)) ExtendedSysState {
+    uint8_t vtol_state;
+    uint8_t landed_state;
+};
+template <>
+struct Wire<ExtendedSysState> : Shape<245, 2, 2, 130> {};
+static_assert(sizeof(ExtendedSysState) == Wire<ExtendedSysState>::length_with_extensions, "EXTENDED_SYS_STATE");
 
 struct __attribute__((packed)) Statustext {
     uint8_t severity;

@@ -97,7 +97,7 @@ TEST_F(Telemetry, all_streams_start_and_stop_together) {
     station.send(streamRequest(MavDataStream::all, 10));
     run_ms(2000);
     for (const uint16_t id :
-         {1, 24, 27, 29, 30, 33, 35, 36, 42, 62, 65, 74, 125, 152, 163, 165, 168}) {
+         {1, 24, 27, 29, 30, 33, 35, 36, 42, 62, 65, 74, 125, 152, 163, 165, 168, 245}) {
         station.forget();
         run_ms(1000);
         size_t count = 0;
@@ -288,6 +288,42 @@ TEST_F(Telemetry, sys_status_names_the_failed_sensors) {
     EXPECT_FALSE(status.onboard_control_sensors_health & Sensor::sensor_gps);
     EXPECT_TRUE(status.onboard_control_sensors_health & Sensor::sensor_absolute_pressure);
     EXPECT_FALSE(status.onboard_control_sensors_health & Sensor::prearm_check);
+}
+
+TEST_F(Telemetry, extended_sys_state_shows_take_off_flight_and_landing) {
+    using firmware::state::Mode;
+    using firmware::state::Path;
+    using Landed = mavlink::MavLandedState;
+    auto& mutable_vehicle = firmware::state::mutable_vehicle;
+    firmware::state::parameters.streams[0].extended_status = 1;
+    const struct {
+        Mode mode;
+        Path path;
+        bool flying;
+        uint8_t landed_state;
+    } cases[] = {
+        {Mode::manual, Path::none, false, Landed::on_ground},
+        {Mode::automatic, Path::takeoff, false, Landed::on_ground},  // waits for its launch
+        {Mode::automatic, Path::takeoff, true, Landed::takeoff},
+        {Mode::automatic, Path::leg, true, Landed::in_air},
+        {Mode::automatic, Path::land, true, Landed::landing},
+        {Mode::fbwa, Path::land, true, Landed::in_air},  // the pilot has taken over
+        {Mode::automatic, Path::land, false, Landed::on_ground},
+    };
+    for (const auto& each : cases) {
+        mutable_vehicle.mode = each.mode;
+        mutable_vehicle.demand.path = each.path;
+        mutable_vehicle.estimate.flying = each.flying;
+        run_ms(1000);
+        station.forget();
+
+        run_ms(1000);
+
+        const auto states = station.all<mavlink::ExtendedSysState>();
+        ASSERT_EQ(states.size(), 1u);
+        EXPECT_EQ(states[0].landed_state, each.landed_state);
+        EXPECT_EQ(states[0].vtol_state, mavlink::MavVtolState::undefined);
+    }
 }
 
 TEST_F(Telemetry, a_reached_item_is_reported_once_on_every_link) {
