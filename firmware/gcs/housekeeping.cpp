@@ -99,5 +99,17 @@ bool onRcChannelsOverride(Link&, const mavlink::Frame& frame) {
     return true;
 }
 
+// A joystick of the ground station. Its buttons mean what each ground station wants and are not
+// looked at. Forward is nose down.
+bool onManualControl(Link&, const mavlink::Frame& frame) {
+    if (!fromGround(frame)) return true;
+    const auto message = frame.read<mavlink::ManualControl>();
+    const int16_t forward = core::limit<int16_t>(message.x, -kFullStick, kFullStick);
+    const int16_t pitch = message.x == kNoStick ? kNoStick : -forward;
+    setStickOverride({message.y, pitch, message.z, message.r});
+    published.ground_heard_ms = hal::now_ms();
+    return true;
+}
+
 }  // namespace gcs
 }  // namespace firmware

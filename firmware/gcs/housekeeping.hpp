@@ -17,6 +17,7 @@ bool onTimesync(Link& link, const mavlink::Frame& frame);
 bool onRequestDataStream(Link& link, const mavlink::Frame& frame);
 bool onRadioStatus(Link& link, const mavlink::Frame& frame);
 bool onRcChannelsOverride(Link& link, const mavlink::Frame& frame);
+bool onManualControl(Link& link, const mavlink::Frame& frame);
 
 }  // namespace gcs
 }  // namespace firmware

@@ -21,10 +21,11 @@ using namespace mission;
 namespace {
 
 constexpr uint8_t kNotAddressed = 0xFF;
+constexpr uint8_t kSystemOnly = 0x80;  // in Incoming::target: no component follows the system
 
 struct Incoming {
     mavlink::Accepted accepted;
-    uint8_t target;  // where in the payload target_system and target_component stand
+    uint8_t target;  // where in the payload the system and the component stand that are meant
     Handler handle;
     Handler refuse;  // says that it could not be done in time
 };
@@ -40,13 +41,26 @@ constexpr Incoming row(uint8_t target, Handler handle, Handler refuse) {
 }
 
 template <class Message>
+constexpr uint8_t targetOf() {
+    return offsetof(Message, target_system);
+}
+template <>
+constexpr uint8_t targetOf<mavlink::SetMode>() {
+    return kSystemOnly | offsetof(mavlink::SetMode, target_system);
+}
+template <>
+constexpr uint8_t targetOf<mavlink::ManualControl>() {
+    return kSystemOnly | offsetof(mavlink::ManualControl, target);
+}
+
+template <class Message>
 constexpr Incoming toAll(Handler handle) {
     return row<Message>(kNotAddressed, handle, ignoreTimeout);
 }
 
 template <class Message>
 constexpr Incoming toUs(Handler handle, Handler refuse = ignoreTimeout) {
-    return row<Message>(offsetof(Message, target_system), handle, refuse);
+    return row<Message>(targetOf<Message>(), handle, refuse);
 }
 
 // clang-format off
@@ -57,6 +71,7 @@ constexpr Incoming kIncoming[] ROM = {
     toAll<mavlink::RadioStatus>(onRadioStatus),
     toAll<mavlink::Radio>(onRadioStatus),  // the same fields under its older number
     toUs<mavlink::RcChannelsOverride>(onRcChannelsOverride),
+    toUs<mavlink::ManualControl>(onManualControl),
     toUs<mavlink::RequestDataStream>(onRequestDataStream),
     toUs<mavlink::SetMode>(onSetMode),
     toUs<mavlink::CommandLong>(onCommand),
@@ -88,15 +103,15 @@ constexpr Incoming kIncoming[] ROM = {
 };
 // clang-format on
 
-// Target 0 is everyone; what a MAVLink 2 sender left out is 0. SET_MODE has no component: the
-// byte after its target is another field, and is not looked at.
+// Target 0 is everyone; what a MAVLink 2 sender left out is 0.
 bool meantForUs(const mavlink::Frame& frame, const Incoming& row) {
     if (row.target == kNotAddressed) return true;
-    const uint8_t system = row.target < frame.length ? frame.payload[row.target] : 0;
+    const uint8_t at = row.target & ~kSystemOnly & 0xFF;
+    const uint8_t system = at < frame.length ? frame.payload[at] : 0;
     if (system != 0 && system != static_cast<uint8_t>(parameters.system_id)) return false;
-    if (row.accepted.id == mavlink::Wire<mavlink::SetMode>::id) return true;
-    const uint8_t at = static_cast<uint8_t>(row.target + 1);
-    const uint8_t component = at < frame.length ? frame.payload[at] : 0;
+    if ((row.target & kSystemOnly) != 0) return true;
+    const uint8_t next = static_cast<uint8_t>(at + 1);
+    const uint8_t component = next < frame.length ? frame.payload[next] : 0;
     return component == mavlink::MavComponent::all || component == kComponent;
 }
 

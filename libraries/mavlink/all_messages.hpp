@@ -41,6 +41,7 @@ constexpr Accepted kAllMessages[] ROM = {
     accepts<NavControllerOutput>(),
     accepts<RcChannels>(),
     accepts<RequestDataStream>(),
+    accepts<ManualControl>(),
     accepts<RcChannelsOverride>(),
     accepts<MissionItemInt>(),
     accepts<VfrHud>(),

@@ -754,6 +754,29 @@ template <>
 struct Wire<RequestDataStream> : Shape<66, 6, 6, 148> {};
 static_assert(sizeof(RequestDataStream) == Wire<RequestDataStream>::length_with_extensions, "REQUEST_DATA_STREAM");
 
+struct __attribute__((packed)) ManualControl {
+    int16_t x;
+    int16_t y;
+    int16_t z;
+    int16_t r;
+    uint16_t buttons;
+    uint8_t target;
+    // extensions: MAVLink 2 only
+    uint16_t buttons2;
+    uint8_t enabled_extensions;
+    int16_t s;
+    int16_t t;
+    int16_t aux1;
+    int16_t aux2;
+    int16_t aux3;
+    int16_t aux4;
+    int16_t aux5;
+    int16_t aux6;
+};
+template <>
+struct Wire<ManualControl> : Shape<69, 11, 30, 243> {};
+static_assert(sizeof(ManualControl) == Wire<ManualControl>::length_with_extensions, "MANUAL_CONTROL");
+
 struct __attribute__((packed)) RcChannelsOverride {
     uint16_t chan1_raw;
     uint16_t chan2_raw;

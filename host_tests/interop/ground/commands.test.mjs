@@ -104,4 +104,8 @@ test('the ground station can take the place of the receiver', withVehicle({}, as
   await vehicle.expect('RC_CHANNELS_RAW', { where: ({ chan1Raw }) => chan1Raw === 1234 });
   vehicle.send('RC_CHANNELS_OVERRIDE', { ...sticks, chan1Raw: 0 });
   await vehicle.expect('RC_CHANNELS_RAW', { where: ({ chan1Raw }) => Math.abs(chan1Raw - 1500) < 20 });
+  const released = 32_767;
+  vehicle.send('MANUAL_CONTROL', { target: 1, x: 1000, y: -500, z: released, r: released });
+  await vehicle.expect('RC_CHANNELS_RAW',
+    { where: ({ chan1Raw, chan2Raw }) => chan1Raw === 1300 && chan2Raw === 1100 });
 }));

@@ -89,6 +89,7 @@ const questions = [
   ['REQUEST_DATA_STREAM', () => ({ reqStreamId: 0, reqMessageRate: 50, startStop: 1 })],
   ['LOG_REQUEST_DATA', () => ({ id: random(10), ofs: 0, count: 90 })],
   ['RC_CHANNELS_OVERRIDE', () => ({ chan1Raw: 1400 + random(200) })],
+  ['MANUAL_CONTROL', () => ({ target: 1, y: random(2000) - 1000, x: 32_767, z: 32_767, r: 32_767 })],
   ['PING', () => ({ timeUsec: 1n, seq: 1, targetSystem: 0, targetComponent: 0 })],
   ['TIMESYNC', () => ({ ts1: 5n })],
 ];

@@ -329,6 +329,67 @@ TEST_F(Telemetry, sticks_that_are_no_longer_repeated_are_released) {
     EXPECT_FALSE(firmware::sensors::rcOverride(0, pulse_us));
 }
 
+mavlink::ManualControl joystick(int16_t forward, int16_t right) {
+    mavlink::ManualControl message = {};
+    message.target = 1;
+    message.x = forward;
+    message.y = right;
+    message.z = 250;
+    message.r = INT16_MAX;
+    return message;
+}
+
+TEST_F(Telemetry, a_joystick_of_the_ground_station_replaces_the_sticks) {
+    uint16_t pulse_us = 0;
+    station.send(joystick(500, 1000));
+    run_ms(20);
+    ASSERT_TRUE(firmware::sensors::rcOverride(0, pulse_us));
+    EXPECT_EQ(pulse_us, 1900);
+    ASSERT_TRUE(firmware::sensors::rcOverride(1, pulse_us));
+    EXPECT_EQ(pulse_us, 1300);  // forward: nose down
+    ASSERT_TRUE(firmware::sensors::rcOverride(2, pulse_us));
+    EXPECT_EQ(pulse_us, 1300);
+    for (uint8_t channel = 3; channel < 8; ++channel)
+        EXPECT_FALSE(firmware::sensors::rcOverride(channel, pulse_us)) << int{channel};
+    EXPECT_GT(firmware::state::vehicle.ground_heard_ms, 0u);
+}
+
+TEST_F(Telemetry, a_joystick_is_understood_whatever_stands_behind_its_target) {
+    station.framing = Framing::v2;
+    mavlink::ManualControl message = joystick(0, -1000);
+    message.buttons2 = 0x0102;  // where other messages have the component
+    station.send(message);
+    run_ms(20);
+    uint16_t pulse_us = 0;
+    ASSERT_TRUE(firmware::sensors::rcOverride(0, pulse_us));
+    EXPECT_EQ(pulse_us, 1100);
+}
+
+TEST_F(Telemetry, a_joystick_past_its_end_is_at_its_end) {
+    uint16_t pulse_us = 0;
+    for (const int forward : {INT16_MIN, -INT16_MAX, -1001}) {
+        station.send(joystick(static_cast<int16_t>(forward), 0));
+        run_ms(20);
+        ASSERT_TRUE(firmware::sensors::rcOverride(1, pulse_us)) << forward;
+        EXPECT_EQ(pulse_us, 1900) << forward;
+    }
+    station.send(joystick(INT16_MAX, 0));
+    run_ms(20);
+    EXPECT_FALSE(firmware::sensors::rcOverride(1, pulse_us));
+}
+
+TEST_F(Telemetry, a_joystick_for_another_or_from_another_is_ignored) {
+    uint16_t pulse_us = 0;
+    mavlink::ManualControl message = joystick(0, 1000);
+    message.target = 2;
+    station.send(message);
+    station.system = 254;
+    station.send(joystick(0, 1000));
+    run_ms(20);
+    EXPECT_FALSE(firmware::sensors::rcOverride(0, pulse_us));
+    EXPECT_EQ(firmware::state::vehicle.ground_heard_ms, 0u);
+}
+
 TEST_F(Telemetry, knows_when_the_ground_station_was_last_heard) {
     mavlink::Heartbeat message = {};
     station.system = 42;
