@@ -29,6 +29,9 @@ public:
     // Of one that is held in hands: lays it that way, or turns it at these body rates.
     virtual void turnTo(double /*roll_rad*/, double /*pitch_rad*/, double /*yaw_rad*/) {}
     virtual void turn(double /*roll_rads*/, double /*pitch_rads*/, double /*yaw_rads*/) {}
+    // Holds it so high above the bench, and blows so fast at its pitot tube.
+    virtual void lift(double /*height_m*/) {}
+    virtual void blow(double /*airspeed_mps*/) {}
     // Of a model that has a transmitter of its own.
     virtual std::optional<std::array<uint16_t, 8>> radio_us() const { return std::nullopt; }
     virtual std::string fault() const { return ""; }       // why it stands still for good

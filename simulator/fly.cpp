@@ -67,6 +67,7 @@ double runwayHeading_deg(const Waypoints& items) {
 WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
     WorldOptions world;
     world.airplane = options.airplane;
+    world.bench_model = options.bench;
     world.fdm = options.fdm;
     world.fdm_wait_s = options.fdm_wait_s;
     world.latitude_deg = items[0].latitude_deg;

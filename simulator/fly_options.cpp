@@ -75,6 +75,8 @@ std::string contradiction(const FlyOptions& options, const CLI::App& app) {
         {options.end_with_client && (!options.serve || options.lock_step),
          "--end-with-client needs --serve"},
         {options.usb && options.telemetry_on_uart0, "--usb takes the USART of --telemetry uart0"},
+        {!options.serve && given("--bench"), "--bench needs --serve or --lock-step"},
+        {options.bench && !options.fdm.empty(), "--bench does not fly: no --fdm"},
         {options.serve && given("--usb"), " is for whoever connects: no --usb"},
         {options.serve && given("--time-limit"), " has no --time-limit"},
         {options.lock_step && given("--out"), " writes no report: leave out --out"},
@@ -286,6 +288,10 @@ void addServer(CLI::App& app, FlyOptions& o, std::string& telemetry) {
     app.add_flag("--lock-step", o.lock_step,
                  "serve, but the client grants emulated time on a third TCP port (5762): "
                  "'advance MS', 'state'; simulator/ground/server.hpp has the protocol")
+        ->disable_flag_override();
+    app.add_flag("--bench", o.bench,
+                 "the airplane is held on the bench and not flown; with --lock-step the client "
+                 "turns and lifts it")
         ->disable_flag_override();
     app.add_option("--listen", o.listen, "first TCP port instead of 5760; 0: any, printed at start")
         ->check(wholeNumber("65535"))

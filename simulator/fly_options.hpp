@@ -41,6 +41,7 @@ struct FlyOptions {
     std::optional<uint16_t> http;  // its port, 0: any; empty: any when the usual one is taken
     bool end_with_client = false;  // of a served flight
     std::string flightgear;        // HOST:PORT; empty: nowhere
+    bool bench = false;  // held in hands instead of flown
     bool telemetry_on_uart0 = false;
     bool usb = false;  // plugged in, and all streams there too
     uint16_t listen = 5760;

@@ -313,6 +313,8 @@ void World::turnTo(double roll_rad, double pitch_rad, double yaw_rad) {
 void World::turn(double roll_rads, double pitch_rads, double yaw_rads) {
     parts_->model->turn(roll_rads, pitch_rads, yaw_rads);
 }
+void World::lift(double height_m) { parts_->model->lift(height_m); }
+void World::blow(double airspeed_mps) { parts_->model->blow(airspeed_mps); }
 void World::setFaults(const std::vector<Fault>& faults) {
     parts_->faults = faults;
     parts_->supply.set(sagsOf(faults));

@@ -96,6 +96,9 @@ public:
     // With bench_model: lays it that way, or turns it about at these body rates.
     void turnTo(double roll_rad, double pitch_rad, double yaw_rad);
     void turn(double roll_rads, double pitch_rads, double yaw_rads);
+    // Likewise: so high above the bench, and what blows at its pitot tube.
+    void lift(double height_m);
+    void blow(double airspeed_mps);
     void setFaults(const std::vector<Fault>& faults);  // instead of those there were
     FaultKind faultOf(Faulty part) const;              // now
     const std::vector<Fault>& faults() const;

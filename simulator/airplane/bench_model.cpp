@@ -15,7 +15,9 @@ constexpr double kPack_v = 12.4;
 }  // namespace
 
 BenchModel::BenchModel(const WorldOptions& options)
-    : attitude_(quaternion(0, 0, options.heading_deg * kRadians)), target_(attitude_) {
+    : attitude_(quaternion(0, 0, options.heading_deg * kRadians)),
+      target_(attitude_),
+      bench_altitude_m_(options.altitude_m) {
     truth_.latitude_deg = options.latitude_deg;
     truth_.longitude_deg = options.longitude_deg;
     truth_.altitude_m = options.altitude_m;
@@ -32,6 +34,16 @@ void BenchModel::turnTo(double roll_rad, double pitch_rad, double yaw_rad) {
 void BenchModel::turn(double roll_rads, double pitch_rads, double yaw_rads) {
     turning_rads_ = {roll_rads, pitch_rads, yaw_rads};
     turns_ = true;
+}
+
+void BenchModel::lift(double height_m) {
+    truth_.height_m = height_m;
+    truth_.altitude_m = bench_altitude_m_ + height_m;
+    truth_.on_ground = height_m <= 0;
+}
+
+void BenchModel::blow(double airspeed_mps) {
+    truth_.airspeed_mps = truth_.equivalent_airspeed_mps = airspeed_mps;
 }
 
 // Body rates that bring it there in this step, or as fast as hands do.

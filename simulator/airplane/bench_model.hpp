@@ -18,6 +18,10 @@ public:
     void turnTo(double roll_rad, double pitch_rad, double yaw_rad) override;
     // On and on, until it is laid down again.
     void turn(double roll_rads, double pitch_rads, double yaw_rads) override;
+    // At once; the height of the bench is 0.
+    void lift(double height_m) override;
+    // Equivalent airspeed, of a pump at the tube: nothing else sees it.
+    void blow(double airspeed_mps) override;
 
 private:
     Vec3 ratesToTarget() const;
@@ -26,6 +30,7 @@ private:
     Quaternion attitude_, target_;
     Vec3 turning_rads_;
     bool turns_ = false;
+    double bench_altitude_m_;
     Truth truth_{};
 };
 

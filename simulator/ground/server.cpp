@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/ground/server.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "simulator/devices/gps_kinds.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 
 namespace simulator {
@@ -101,8 +104,75 @@ std::string Server::answer(const std::string& line) {
         board_.world().launch();
         return "ok";
     }
-    return "error: expected 'advance MS [BYTES0 [BYTES1]]', 'state', 'sticks ...', 'usb in|out' or "
-           "'launch'";
+    if (verb == "servos" && rest.empty()) return answerServos();
+    if (verb == "reset" && rest.empty()) {
+        board_.reset();
+        return "ok";
+    }
+    if (verb == "fault") return answerFault(rest);
+    if (verb == "gps") return answerGps(rest);
+    return answerHands(verb, rest);
+}
+
+std::string Server::answerServos() {
+    auto widths = nlohmann::json::array();
+    for (int output = 1; output <= 8; ++output)
+        widths.push_back(board_.world().servoPulse_us(output));
+    return widths.dump();
+}
+
+std::string Server::answerFault(const std::string& rest) {
+    World& world = board_.world();
+    if (rest == " none") {
+        world.setFaults({});
+        return "ok";
+    }
+    std::istringstream words(rest);
+    std::string what;
+    double for_s = 0;
+    words >> what >> for_s;
+    const auto fault = parseFault(what + "@0");
+    if (!words || !(for_s > 0) || !fault) return "error: fault takes PART:HOW SECONDS, or 'none'";
+    std::vector<Fault> all = world.faults();
+    all.push_back(*fault);
+    all.back().from_s = static_cast<double>(board_.time_us()) * 1e-6 + 0.001;
+    all.back().to_s = all.back().from_s + for_s;
+    world.setFaults(all);
+    return "ok";
+}
+
+std::string Server::answerGps(const std::string& rest) {
+    std::istringstream words(rest);
+    std::string kind;
+    uint32_t baud = 0;
+    const auto kinds = gpsKinds();
+    if (!(words >> kind >> baud) || std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+        return "error: gps takes KIND BAUD";
+    board_.world().plugGps(kind, baud);
+    return "ok";
+}
+
+// What a person does with a board in the hands.
+std::string Server::answerHands(const std::string& verb, const std::string& rest) {
+    constexpr double kRadians = M_PI / 180;
+    std::istringstream words(rest);
+    double value[3];
+    int count = 0;
+    while (count < 3 && words >> value[count]) ++count;
+    World& world = board_.world();
+    if (verb == "turn-to" && count == 3)
+        world.turnTo(value[0] * kRadians, value[1] * kRadians, value[2] * kRadians);
+    else if (verb == "turn" && count == 3)
+        world.turn(value[0] * kRadians, value[1] * kRadians, value[2] * kRadians);
+    else if (verb == "lift" && count == 1)
+        world.lift(value[0]);
+    else if (verb == "blow" && count == 1)
+        world.blow(value[0]);
+    else
+        return "error: expected 'advance MS [BYTES0 [BYTES1]]', 'state', 'sticks ...', "
+               "'usb in|out', 'launch', 'servos', 'reset', 'fault ...', 'gps KIND BAUD', "
+               "'turn-to R P Y', 'turn P Q R', 'lift M' or 'blow MPS'";
+    return "ok";
 }
 
 std::string Server::answerAdvance(const std::string& rest) {

@@ -12,6 +12,14 @@
 //   sticks P1 ... P8 | sticks off  the transmitter's pulses in us, or switched off; answers "ok"
 //   usb in | usb out               the USB sense pin PA1; answers "ok"
 //   launch                         throws an airplane that has no wheels; answers "ok"
+//   servos                         answers one line of JSON: the last pulse of each output in us, 0
+//                                  where there is none
+//   reset                          presses the reset button; answers "ok"
+//   fault PART:HOW SECONDS         fails from now on for so long (simulator/devices/faults.hpp);
+//                                  "fault none" ends all; answers "ok"
+//   gps KIND BAUD                  plugs another receiver in; answers "ok"
+// and with --bench, angles and rates in degrees:
+//   turn-to ROLL PITCH YAW | turn ROLL PITCH YAW | lift METRES | blow MPS
 // Anything else is answered "error: ...".
 #pragma once
 #include <array>
@@ -61,6 +69,10 @@ private:
     std::string answer(const std::string& line);
     std::string answerAdvance(const std::string& rest);
     std::string answerSticks(const std::string& rest);
+    std::string answerServos();
+    std::string answerFault(const std::string& rest);
+    std::string answerGps(const std::string& rest);
+    std::string answerHands(const std::string& verb, const std::string& rest);
     void awaitInput(const std::array<uint64_t, kLines>& wanted);
     std::vector<TcpPort*> ports();
 
