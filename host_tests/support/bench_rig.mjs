@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A bench session with a simulated board in lock step, and a person who does with it what is asked.
+// FLY names the program, FLY_BOARD is `native` or `elf`, MINUTES a file for the emulated minutes.
+import assert from 'node:assert/strict';
+import { mkdtempSync, readFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+import { Board } from '../../toolchain/bench_tool/board.mjs';
+import { Person } from '../../toolchain/bench_tool/person.mjs';
+import { Session } from '../../toolchain/bench_tool/session.mjs';
+import { loadState } from '../../toolchain/bench_tool/state.mjs';
+import { Vehicle } from './vehicle.mjs';
+
+const kUsb = 1;
+
+// A serial line of the vehicle as the port of a session.
+class LinePort {
+  connected = true;
+  canReset = false;
+  constructor(vehicle, line) {
+    this.vehicle = vehicle;
+    this.line = line;
+  }
+  // Every byte goes to the session; the vehicle's own reader counts them only.
+  onBytes(listener) {
+    this.line.takeFrame = () => {
+      listener(this.line.waiting);
+      this.line.waiting = Buffer.alloc(0);
+      return false;
+    };
+  }
+  write(bytes) {
+    this.line.written += bytes.length;
+    this.line.socket.write(bytes);
+  }
+  close() {}
+}
+
+export class Rig {
+  static async start({ options = [], board = 'apm2', folder = mkdtempSync(join(tmpdir(), 'bench-')) } = {}) {
+    const rig = new Rig();
+    rig.folder = folder;
+    rig.printed = [];
+    rig.asked = [];
+    rig.vehicle = await Vehicle.start({ options: ['--bench', ...options] });
+    const clock = { now_ms: () => rig.vehicle.now_ms, sleep: (time_ms) => rig.sleep(time_ms) };
+    rig.board = new Board(new LinePort(rig.vehicle, rig.vehicle.lines[kUsb]), clock);
+    rig.motor_us = 0;
+    rig.kind = board;
+    rig.clock = clock;
+    return rig;
+  }
+  // The highest pulse of the motor's pin over all the time.
+  async sleep(time_ms) {
+    await this.vehicle.wait(time_ms);
+    if (this.watching) this.motor_us = Math.max(this.motor_us, JSON.parse(await this.order('servos'))[2]);
+  }
+  async order(text) {
+    const answer = await this.vehicle.order(text);
+    assert.ok(!answer.startsWith('error'), `${text}: ${answer}`);
+    return answer;
+  }
+  // `answers`: by question, a text or what gives one (and does what was asked); others are done
+  // without a word, `propeller` is confirmed.
+  async run(steps, answers = {}, name = 'test') {
+    const state = loadState(this.folder, { board: this.kind, name });
+    const all = { propeller: 'the propeller is off', ...answers };
+    const person = new Person(async (id, question) => {
+      this.asked.push(id);
+      const answer = all[id] ?? all['*'] ?? '';
+      return typeof answer === 'function' ? answer(this, question) : answer;
+    }, (line) => this.printed.push(line));
+    person.scripted = true;
+    this.session = new Session({ board: this.board, person, state, print: (line) => this.printed.push(line),
+      now: () => new Date(Date.UTC(2026, 0, 2, 3, 4)),
+      options: { folder: this.folder, port: 'simulator', board: this.kind, commit: 'abc', telemetry: 'line 0',
+        openTelemetry: () => new LinePort(this.vehicle, this.vehicle.lines[0]) } });
+    this.state = state;
+    return this.session.run(steps);
+  }
+  step(number) { return this.state.steps[number]; }
+  part(id) { return this.step(id.split('.')[0]).parts.find((part) => part.id === id); }
+  form() { return readFileSync(join(this.folder, 'form.html'), 'utf8'); }
+  passes(number) {
+    const step = this.step(number);
+    assert.equal(step.verdict, 'pass', JSON.stringify(step.parts.filter(({ verdict }) => verdict !== 'pass'), null, 1));
+  }
+}
+
+export const withRig = (options, body) => async () => {
+  const rig = await Rig.start(options);
+  try {
+    await body(rig);
+  } catch (error) {
+    console.log(rig.printed.join('\n'));
+    throw error;
+  } finally {
+    await rig.vehicle.stop();
+  }
+};
+
+// The person's hands.
+export const order = (text, answer = '') => async (rig) => { await rig.order(text); return answer; };
+export const turnTo = (roll, pitch, yaw, wait_ms = 2500) => async (rig) => {
+  await rig.order(`turn-to ${roll} ${pitch} ${yaw}`);
+  await rig.vehicle.wait(wait_ms);
+  return '';
+};

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The protocol: 15 steps of parts. A part has a title, a limit, and `measure`, which asks the person
+// and the board; `failed` is what to do when it does not come to the limit.
+import { flash, fuses, wrongImage } from './image.mjs';
+import { links, receiver } from './links.mjs';
+import { memory } from './memory.mjs';
+import { outputs } from './outputs.mjs';
+import { restarts } from './restarts.mjs';
+import { air, compass, inertial } from './sensors.mjs';
+import { coldStarts, load, supply, supplyMeasured } from './supply.mjs';
+
+export const kSteps = [supply, fuses, flash, wrongImage, coldStarts, load, supplyMeasured, inertial, compass, air, outputs,
+  receiver, links, memory, restarts];
