@@ -103,6 +103,7 @@ void HttpServer::letIn() {
         setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
         setNonBlocking(socket);
         connections_.push_back({++last_, socket});
+        connections_.back().since = now();
         if (connections_.size() > limits_.clients)
             answer(connections_.back(), {503, "text/plain", "too many clients\n"}, false);
     }
@@ -147,7 +148,7 @@ void HttpServer::read(Connection& connection) {
         if (size == 0 || (size < 0 && errno != EAGAIN && errno != EINTR)) connection.gone = true;
         if (size <= 0) return;
         if (connection.doing != Connection::Doing::reading) continue;  // of no interest any more
-        if (!connection.parser.begun()) connection.since = Clock::now();
+        if (!connection.parser.begun()) connection.since = now();
         const std::string_view bytes(part.data(), static_cast<size_t>(size));
         take(connection, connection.parser.put(bytes));
     }
@@ -169,7 +170,7 @@ void HttpServer::answer(Connection& connection, const Response& response, bool k
         head(response) + "Content-Length: " + std::to_string(response.body.size()) +
         "\r\nConnection: " + (keep_alive ? "keep-alive" : "close") + "\r\n\r\n" + response.body;
     connection.doing = keep_alive ? Connection::Doing::reading : Connection::Doing::closing;
-    connection.since = connection.written = Clock::now();
+    connection.since = connection.written = now();
 }
 
 void HttpServer::respond(Client client, const Response& response) {
@@ -185,14 +186,14 @@ void HttpServer::stream(Client client, const std::string& first_events) {
     connection->unsent +=
         head({200, "text/event-stream", ""}) + "Connection: keep-alive\r\n\r\n" + first_events;
     connection->doing = Connection::Doing::streaming;
-    connection->written = Clock::now();
+    connection->written = now();
 }
 
 void HttpServer::broadcast(const std::string& event, bool droppable) {
     for (Connection& each : connections_) {
         if (each.doing != Connection::Doing::streaming) continue;
         if (droppable && each.unsent.size() > limits_.droppable) continue;
-        if (each.unsent.empty()) each.written = Clock::now();
+        if (each.unsent.empty()) each.written = now();
         each.unsent += event;
         if (each.unsent.size() > limits_.backlog) each.gone = true;
     }
@@ -206,7 +207,7 @@ void HttpServer::write(Connection& connection) {
         if (size < 0 && errno != EAGAIN) connection.gone = true;
         if (size <= 0) break;
         sent += static_cast<size_t>(size);
-        connection.written = Clock::now();
+        connection.written = now();
     }
     connection.unsent.erase(0, sent);
     const bool said_all = connection.unsent.empty();
@@ -216,10 +217,10 @@ void HttpServer::write(Connection& connection) {
 }
 
 void HttpServer::dropLate(Connection& connection) {
-    const auto now = Clock::now();
-    const auto waited = now - connection.since;
+    const auto time = now();
+    const auto waited = time - connection.since;
     if (!connection.unsent.empty()) {
-        if (now - connection.written > limits_.stalled) connection.gone = true;
+        if (time - connection.written > limits_.stalled) connection.gone = true;
     } else if (connection.doing == Connection::Doing::closing) {
         if (waited > kLinger) connection.gone = true;
     } else if (connection.doing == Connection::Doing::reading) {

@@ -41,6 +41,8 @@ public:
     uint16_t port() const { return port_; }
     size_t streams() const;  // clients that listen to events
 
+    std::function<Clock::time_point()> now = Clock::now;
+
     // Called for each request; it is answered now or later, once, by respond() or stream().
     std::function<void(Client, const Request&)> on_request = [](Client, const Request&) {};
 
@@ -63,8 +65,8 @@ private:
         std::string unsent = {};
         enum class Doing { reading, waiting_for_answer, streaming, closing } doing = Doing::reading;
         bool keep_alive = false, shut = false, gone = false;
-        Clock::time_point since = Clock::now();    // of the present wait
-        Clock::time_point written = Clock::now();  // when it last took something
+        Clock::time_point since = {};    // of the present wait
+        Clock::time_point written = {};  // when it last took something
     };
 
     void letIn();

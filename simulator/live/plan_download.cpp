@@ -20,8 +20,8 @@ WaypointItem waypoint(const MissionItemInt& from) {
     to.frame = from.frame;
     to.command = from.command;
     to.params = {from.param1, from.param2, from.param3, from.param4};
-    to.latitude_deg = from.x * 1e-7;
-    to.longitude_deg = from.y * 1e-7;
+    to.latitude_deg = from.x / 1e7;
+    to.longitude_deg = from.y / 1e7;
     to.altitude_m = from.z;
     to.autocontinue = from.autocontinue != 0;
     return to;

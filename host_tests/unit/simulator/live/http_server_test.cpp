@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 
 #include <memory>
-#include <thread>
 
 #include "http_client.hpp"
 #include "simulator/ground/tcp_port.hpp"
@@ -22,6 +21,7 @@ const std::string kGet = "GET / HTTP/1.1\r\nHost: x\r\n\r\n";
 class Http : public testing::Test {
 protected:
     Http() {
+        setClock(server);
         server.on_request = [this](HttpServer::Client client, const Request& request) {
             last = client;
             if (request.path == "/live") return server.stream(client, "event: first\n\n");
@@ -30,9 +30,14 @@ protected:
     }
     HttpServer server{0, {4, 4000, 1000, milliseconds(50), milliseconds(300), milliseconds(80)}};
     HttpServer::Client last = 0;
-};
 
-void rest(int ms) { std::this_thread::sleep_for(milliseconds(ms)); }
+    // Time passes when a test says so.
+    void setClock(HttpServer& of) {
+        of.now = [this] { return HttpServer::Clock::time_point() + milliseconds(time_ms); };
+    }
+    void rest(int ms) { time_ms += ms; }
+    int time_ms = 1000;
+};
 
 }  // namespace
 
@@ -122,6 +127,7 @@ TEST_F(Http, does_not_drop_a_stream_that_is_silent) {
 TEST_F(Http, leaves_samples_out_for_a_slow_client_and_drops_one_that_reads_nothing) {
     HttpServer wide(0,
                     {4, 32 << 20, 100'000, milliseconds(50), milliseconds(300), milliseconds(80)});
+    setClock(wide);
     wide.on_request = [&](HttpServer::Client client, const Request&) { wide.stream(client, ""); };
     HttpClient slow(wide, 4096);
     slow.write("GET /live HTTP/1.1\r\n\r\n");
