@@ -5,6 +5,7 @@
 
 #include "core/file_state.hpp"
 #include "core/rom.hpp"
+#include "firmware/gcs/gps_time.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/logger/log.hpp"
 #include "firmware/logger/records.hpp"
@@ -89,11 +90,10 @@ uint8_t lengthOf(const logging::RecordHead& head) {
     return 0;
 }
 
-// Of a record with the time that a receiver sent; GPS time has no leap seconds: 18 since 2017.
+// Of a record with the time that a receiver sent.
 uint32_t utc_s(const GpsRecord& record) {
-    constexpr uint32_t kGpsBegan_s = 315964800, kWeek_s = 604800, kLeap_s = 18;
     if (record.head.type != static_cast<uint8_t>(RecordType::gps) || record.week == 0) return 0;
-    return kGpsBegan_s - kLeap_s + record.week * kWeek_s + record.time_ms / 1000;
+    return weekBegan_utc_s(record.week) + record.time_ms / 1000;
 }
 
 // A record each call, until one has the date or the log's beginning is over.

@@ -12,6 +12,7 @@ struct Link;
 bool fillIn(const Link& link, mavlink::Heartbeat& to);
 bool fillIn(const Link& link, mavlink::SysStatus& to);
 bool fillIn(const Link& link, mavlink::PowerStatus& to);
+bool fillIn(const Link& link, mavlink::BatteryStatus& to);
 bool fillIn(const Link& link, mavlink::FenceStatus& to);
 bool fillIn(const Link& link, mavlink::ExtendedSysState& to);
 bool fillIn(const Link& link, mavlink::Hwstatus& to);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the vehicle is and what it is.
+#include <string.h>
+
+#include "board.hpp"
 #include "core/maths.hpp"
+#include "firmware/gcs/gps_time.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/gcs/messages.hpp"
 #include "firmware/modes/modes.hpp"
@@ -8,6 +12,7 @@
 #include "firmware/safety/arming.hpp"
 #include "firmware/safety/failsafe.hpp"
 #include "firmware/safety/fence.hpp"
+#include "firmware/sensors/sensors.hpp"
 #include "firmware/state/processor_figures.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
@@ -122,7 +127,8 @@ bool fillIn(const Link& link, mavlink::SysStatus& to) {
     const uint32_t fitted = fittedSensors();
     to.onboard_control_sensors_present = fitted;
     to.onboard_control_sensors_enabled = fitted & ~unusedSensors();
-    to.onboard_control_sensors_health = fitted & ~ailingSensors();
+    // a fence that is not there is not broken: MAVProxy announces a breach when it is not healthy
+    to.onboard_control_sensors_health = (fitted | Sensor::geofence) & ~ailingSensors();
     to.load = processor_figures.load_permille;
     to.voltage_battery = vehicle.battery.voltage_mv;
     to.current_battery = vehicle.battery.current_ca;
@@ -134,6 +140,19 @@ bool fillIn(const Link& link, mavlink::SysStatus& to) {
     to.errors_count3 = processor_figures.longest_frame_us;
     to.errors_count4 = textsLost();
     return true;
+}
+
+// Only the pack's voltage is measured, no cell's.
+bool fillIn(const Link&, mavlink::BatteryStatus& to) {
+    const auto& battery = vehicle.battery;
+    memset(to.voltages, 0xFF, sizeof to.voltages);  // UINT16_MAX: not known
+    to.voltages[0] = battery.voltage_mv;
+    to.current_battery = battery.current_ca;
+    to.current_consumed = battery.current_ca < 0 ? -1 : core::rounded(battery.consumed_mah);
+    to.energy_consumed = -1;
+    to.temperature = INT16_MAX;
+    to.battery_remaining = batteryLeft_pct();
+    return parameters.battery_monitor != 0;
 }
 
 bool fillIn(const Link&, mavlink::FenceStatus& to) {
@@ -167,17 +186,27 @@ bool fillIn(const Link&, mavlink::Meminfo& to) {
     return to.freemem != 0;
 }
 
+// UTC once there has been a fix, and by our own clock while the receiver is silent.
 bool fillIn(const Link&, mavlink::SystemTime& to) {
+    const drivers::GpsFix& fix = sensors::gpsFix();
     to.time_boot_ms = hal::now_ms();
+    const uint32_t week_utc_s = weekBegan_utc_s(fix.week);
+    if (week_utc_s == 0 || !vehicle.home.set) return true;
+    const uint32_t since_ms = to.time_boot_ms - vehicle.gps.received_ms + fix.age_ms + fix.time_ms;
+    to.time_unix_usec = uint64_t{week_utc_s} * 1000000UL + uint64_t{since_ms} * 1000U;
     return true;
 }
 
 bool fillIn(const Link&, mavlink::AutopilotVersion& to) {
     using Can = mavlink::MavProtocolCapability;
     to.capabilities = Can::mission_float | Can::mission_int | Can::param_float |
+                      Can::set_position_target_global_int | Can::compass_calibration |
                       Can::mission_fence | Can::mission_rally | Can::param_encode_c_cast |
                       Can::command_int | Can::mavlink2;
     to.flight_sw_version = kVersion;
+    to.board_version = board::kModel;
+    to.vendor_id = 0x1E;  // the chip's signature: Atmel, ATmega2560; it has no number of its own
+    to.product_id = 0x9801;
     return true;
 }
 

@@ -29,11 +29,12 @@ enum class Stream : uint8_t {
     extra1,
     extra2,
     extra3,
-    always,      // once a second, whatever was asked for
-    on_request,  // when asked for, or by an event
+    always,           // once a second, whatever was asked for
+    on_request,       // when asked for, or by an event
+    extended_slowly,  // once a second while there is extended_status
 };
 constexpr uint8_t kRatedStreams = 7;
-constexpr uint8_t kStreams = 9;
+constexpr uint8_t kStreams = 10;
 constexpr uint8_t kAlwaysRate = 4;  // quarters of a hertz
 
 struct OutgoingRow {
@@ -62,6 +63,7 @@ constexpr OutgoingRow kOutgoing[] ROM = {
     row<mavlink::Heartbeat>(Stream::always),
     row<mavlink::SysStatus>(Stream::extended_status),
     row<mavlink::PowerStatus>(Stream::extended_status),
+    row<mavlink::BatteryStatus>(Stream::extended_slowly),
     row<mavlink::Meminfo>(Stream::extended_status),
     row<mavlink::GpsRawInt>(Stream::extended_status),
     row<mavlink::NavControllerOutput>(Stream::extended_status),
@@ -104,6 +106,8 @@ Rates ratesOf(const Link& link) {
     }
     rates.of[static_cast<uint8_t>(Stream::always)] = kAlwaysRate;
     rates.of[static_cast<uint8_t>(Stream::on_request)] = 0;
+    rates.of[static_cast<uint8_t>(Stream::extended_slowly)] =
+        rates.of[static_cast<uint8_t>(Stream::extended_status)] != 0 ? kAlwaysRate : 0;
     return rates;
 }
 

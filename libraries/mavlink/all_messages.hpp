@@ -48,6 +48,9 @@ constexpr Accepted kAllMessages[] ROM = {
     accepts<CommandInt>(),
     accepts<CommandLong>(),
     accepts<CommandAck>(),
+    accepts<SetAttitudeTarget>(),
+    accepts<SetPositionTargetLocalNed>(),
+    accepts<SetPositionTargetGlobalInt>(),
     accepts<RadioStatus>(),
     accepts<Timesync>(),
     accepts<LogRequestList>(),
@@ -57,6 +60,7 @@ constexpr Accepted kAllMessages[] ROM = {
     accepts<LogErase>(),
     accepts<LogRequestEnd>(),
     accepts<PowerStatus>(),
+    accepts<BatteryStatus>(),
     accepts<AutopilotVersion>(),
     accepts<Meminfo>(),
     accepts<FencePoint>(),
@@ -76,6 +80,7 @@ constexpr Accepted kAllMessages[] ROM = {
     accepts<MessageInterval>(),
     accepts<ExtendedSysState>(),
     accepts<Statustext>(),
+    accepts<SetupSigning>(),
     accepts<ProtocolVersion>(),
 };
 

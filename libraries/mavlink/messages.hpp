@@ -83,6 +83,7 @@ struct MavFrame {
         global_relative_alt_int = 6,
         global_terrain_alt = 10,
         global_terrain_alt_int = 11,
+        local_offset_ned = 7,
     };
 };
 
@@ -208,6 +209,8 @@ struct MavProtocolCapability {
         param_float = 2UL,
         mission_int = 4UL,
         command_int = 8UL,
+        set_position_target_global_int = 256UL,
+        compass_calibration = 4096UL,
         mavlink2 = 8192UL,
         mission_fence = 16384UL,
         mission_rally = 32768UL,
@@ -327,6 +330,12 @@ struct MavCmd {
         request_message = 512,
         request_protocol_version = 519,
         request_autopilot_capabilities = 520,
+        do_flighttermination = 185,
+        do_autotune_enable = 212,
+        do_send_banner = 42428,
+        guided_change_speed = 43000,
+        guided_change_altitude = 43001,
+        guided_change_heading = 43002,
         do_start_mag_cal = 42424,
         do_accept_mag_cal = 42425,
         do_cancel_mag_cal = 42426,
@@ -887,6 +896,67 @@ template <>
 struct Wire<CommandAck> : Shape<77, 3, 10, 143> {};
 static_assert(sizeof(CommandAck) == Wire<CommandAck>::length_with_extensions, "COMMAND_ACK");
 
+struct __attribute__((packed)) SetAttitudeTarget {
+    uint32_t time_boot_ms;
+    float q[4];
+    float body_roll_rate;
+    float body_pitch_rate;
+    float body_yaw_rate;
+    float thrust;
+    uint8_t target_system;
+    uint8_t target_component;
+    uint8_t type_mask;
+    // extensions: MAVLink 2 only
+    float thrust_body[3];
+};
+template <>
+struct Wire<SetAttitudeTarget> : Shape<82, 39, 51, 49> {};
+static_assert(sizeof(SetAttitudeTarget) == Wire<SetAttitudeTarget>::length_with_extensions, "SET_ATTITUDE_TARGET");
+
+struct __attribute__((packed)) SetPositionTargetLocalNed {
+    uint32_t time_boot_ms;
+    float x;
+    float y;
+    float z;
+    float vx;
+    float vy;
+    float vz;
+    float afx;
+    float afy;
+    float afz;
+    float yaw;
+    float yaw_rate;
+    uint16_t type_mask;
+    uint8_t target_system;
+    uint8_t target_component;
+    uint8_t coordinate_frame;
+};
+template <>
+struct Wire<SetPositionTargetLocalNed> : Shape<84, 53, 53, 143> {};
+static_assert(sizeof(SetPositionTargetLocalNed) == Wire<SetPositionTargetLocalNed>::length_with_extensions, "SET_POSITION_TARGET_LOCAL_NED");
+
+struct __attribute__((packed)) SetPositionTargetGlobalInt {
+    uint32_t time_boot_ms;
+    int32_t lat_int;
+    int32_t lon_int;
+    float alt;
+    float vx;
+    float vy;
+    float vz;
+    float afx;
+    float afy;
+    float afz;
+    float yaw;
+    float yaw_rate;
+    uint16_t type_mask;
+    uint8_t target_system;
+    uint8_t target_component;
+    uint8_t coordinate_frame;
+};
+template <>
+struct Wire<SetPositionTargetGlobalInt> : Shape<86, 53, 53, 5> {};
+static_assert(sizeof(SetPositionTargetGlobalInt) == Wire<SetPositionTargetGlobalInt>::length_with_extensions, "SET_POSITION_TARGET_GLOBAL_INT");
+
 struct __attribute__((packed)) RadioStatus {
     uint16_t rxerrors;
     uint16_t fixed;
@@ -977,6 +1047,27 @@ struct __attribute__((packed)) PowerStatus {
 template <>
 struct Wire<PowerStatus> : Shape<125, 6, 6, 203> {};
 static_assert(sizeof(PowerStatus) == Wire<PowerStatus>::length_with_extensions, "POWER_STATUS");
+
+struct __attribute__((packed)) BatteryStatus {
+    int32_t current_consumed;
+    int32_t energy_consumed;
+    int16_t temperature;
+    uint16_t voltages[10];
+    int16_t current_battery;
+    uint8_t id;
+    uint8_t battery_function;
+    uint8_t type;
+    int8_t battery_remaining;
+    // extensions: MAVLink 2 only
+    int32_t time_remaining;
+    uint8_t charge_state;
+    uint16_t voltages_ext[4];
+    uint8_t mode;
+    uint32_t fault_bitmask;
+};
+template <>
+struct Wire<BatteryStatus> : Shape<147, 36, 54, 154> {};
+static_assert(sizeof(BatteryStatus) == Wire<BatteryStatus>::length_with_extensions, "BATTERY_STATUS");
 
 struct __attribute__((packed)) AutopilotVersion {
     uint64_t capabilities;
@@ -1221,6 +1312,16 @@ struct __attribute__((packed)) Statustext {
 template <>
 struct Wire<Statustext> : Shape<253, 51, 54, 83> {};
 static_assert(sizeof(Statustext) == Wire<Statustext>::length_with_extensions, "STATUSTEXT");
+
+struct __attribute__((packed)) SetupSigning {
+    uint64_t initial_timestamp;
+    uint8_t target_system;
+    uint8_t target_component;
+    uint8_t secret_key[32];
+};
+template <>
+struct Wire<SetupSigning> : Shape<256, 42, 42, 71> {};
+static_assert(sizeof(SetupSigning) == Wire<SetupSigning>::length_with_extensions, "SETUP_SIGNING");
 
 struct __attribute__((packed)) ProtocolVersion {
     uint16_t version;

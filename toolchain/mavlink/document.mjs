@@ -23,7 +23,8 @@ const folded = (text) => text.replace(/(.{1,119}[,.])(?: |$)/g, '$1\n').trimEnd(
 const parameters = { raw_sensors: '`SRn_RAW_SENS`', extended_status: '`SRn_EXT_STAT`',
   rc_channels: '`SRn_RC_CHAN`', raw_controller: '`SRn_RAW_CTRL`', position: '`SRn_POSITION`',
   extra1: '`SRn_EXTRA1`', extra2: '`SRn_EXTRA2`', extra3: '`SRn_EXTRA3`',
-  always: 'once a second, always', on_request: 'when asked for, or when it happens' };
+  always: 'once a second, always', on_request: 'when asked for, or when it happens',
+  extended_slowly: 'once a second, unless `SRn_EXT_STAT` is 0' };
 
 function sent() {
   const rows = [...read('firmware/gcs/streams.cpp')
@@ -34,7 +35,7 @@ function sent() {
 
 function understood() {
   const rows = [...read('firmware/gcs/incoming.cpp')
-    .matchAll(/to(?:All|Us)<mavlink::(\w+)>\(on/g)].map(([, struct]) => message(struct));
+    .matchAll(/to(?:All|Us)<mavlink::(\w+)>\((?:on|refuse)/g)].map(([, struct]) => message(struct));
   return folded(rows.sort((a, b) => a.id - b.id).map(({ id, name }) => `\`${name}\` (${id})`).join(', ') + '.');
 }
 
@@ -42,6 +43,14 @@ const remarks = {
   do_set_mode: 'p1 = 1: p2 is the mode\'s number; or the older base modes',
   do_change_speed: 'p1 = 0 airspeed, 1 ground speed (AUTO and GUIDED), p2 m/s within `ARSPD_FBW_MIN`..`_MAX`, p3 throttle; -1 leaves it',
   do_set_home: 'p1 = 1: here; else p5, p6, p7. In flight the airplane stays where it is',
+  nav_land: 'as DO_LAND_START',
+  nav_takeoff: 'refused with a text: a take-off is an item of a mission, in AUTO',
+  do_flighttermination: 'refused with a text',
+  do_autotune_enable: 'p1 = 1: AUTOTUNE, 0: from it to FBWA',
+  do_send_banner: 'a text: what this is',
+  guided_change_speed: 'GUIDED: p1 = 0 airspeed, 1 ground speed, p2 m/s; p3, the acceleration, is not used',
+  guided_change_altitude: 'GUIDED: p7 m, by COMMAND_INT in its frame; p3, the rate, is not used',
+  guided_change_heading: 'refused with a text',
   do_set_relay: 'p1 = 0, p2 = 0 or 1',
   do_repeat_relay: 'p1 = 0, p2 times, p3 seconds each',
   do_set_servo: 'p1 = output 5..8, p2 µs',

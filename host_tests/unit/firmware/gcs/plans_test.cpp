@@ -192,6 +192,7 @@ TEST_F(Points, the_fence_is_switched_by_command_and_shown_in_sys_status) {
     };
     EXPECT_EQ(command(MavCmd::do_fence_enable, 1), +mavlink::MavResult::denied);
     EXPECT_EQ(status().onboard_control_sensors_present & kBit, 0u);
+    EXPECT_NE(status().onboard_control_sensors_health & kBit, 0u) << "none is not a broken one";
     upload(square(), kFence);
     EXPECT_NE(status().onboard_control_sensors_present & kBit, 0u);
     EXPECT_EQ(status().onboard_control_sensors_enabled & kBit, 0u);

@@ -5,6 +5,7 @@
 #include "core/maths.hpp"
 #include "firmware/gcs/streams.hpp"
 #include "ground.hpp"
+#include "hal/clock.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 
 using ground::Framing;
@@ -377,6 +378,68 @@ TEST_F(Telemetry, each_change_of_home_is_sent_once_on_every_link) {
         ASSERT_EQ(sent.size(), 2u);
         EXPECT_EQ(sent[0].altitude, 488000);
         EXPECT_EQ(sent[1].altitude, 489000);
+    }
+}
+
+TEST_F(Telemetry, battery_status_carries_the_pack_and_says_what_is_not_known) {
+    using firmware::state::mutable_vehicle;
+    using firmware::state::parameters;
+    mutable_vehicle.battery = {11800, 1250, 440.6f, 5000};
+    parameters.battery_monitor = 4;
+    parameters.battery_capacity_mah = 2200;
+    parameters.streams[0].extended_status = 10;
+    run_ms(1100);
+    const auto sent = station.all<mavlink::BatteryStatus>();
+    ASSERT_GE(sent.size(), 1u);
+    ASSERT_LE(sent.size(), 2u) << "once a second is often enough";
+    const auto& status = sent[0];
+    EXPECT_EQ(status.voltages[0], 11800);
+    EXPECT_EQ(status.voltages[1], UINT16_MAX);
+    EXPECT_EQ(status.voltages[9], UINT16_MAX);
+    EXPECT_EQ(status.current_battery, 1250);
+    EXPECT_EQ(status.current_consumed, 441);
+    EXPECT_EQ(status.battery_remaining, 79);
+    EXPECT_EQ(status.energy_consumed, -1);
+    EXPECT_EQ(status.temperature, INT16_MAX);
+
+    mutable_vehicle.battery.current_ca = -1;
+    run_ms(1100);
+    const auto voltage_alone = station.all<mavlink::BatteryStatus>().back();
+    EXPECT_EQ(voltage_alone.current_battery, -1);
+    EXPECT_EQ(voltage_alone.current_consumed, -1);
+    EXPECT_EQ(voltage_alone.battery_remaining, -1);
+
+    const auto comes = [this] {
+        station.forget();
+        run_ms(1100);
+        return !station.all<mavlink::BatteryStatus>().empty();
+    };
+    EXPECT_TRUE(comes());
+    parameters.streams[0].extended_status = 0;
+    EXPECT_FALSE(comes());
+    parameters.streams[0].extended_status = 10;
+    parameters.battery_monitor = 0;
+    EXPECT_FALSE(comes());
+}
+
+TEST_F(Telemetry, system_time_is_utc_once_there_was_a_fix_and_goes_on_without) {
+    using firmware::state::mutable_vehicle;
+    firmware::state::parameters.streams[0].extra3 = 4;
+    doubles::vehicle.fix.week = 2400;  // began on 2026-01-04
+    doubles::vehicle.fix.time_ms = 518400000 + 250;
+    doubles::vehicle.fix.age_ms = 50;
+    run_ms(500);
+    EXPECT_EQ(station.all<mavlink::SystemTime>().back().time_unix_usec, 0u);
+
+    mutable_vehicle.home.set = true;
+    mutable_vehicle.gps.received_ms = hal::now_ms();
+    for (const int later_ms : {500, 4000}) {
+        run_ms(later_ms);
+        const auto time = station.all<mavlink::SystemTime>().back();
+        // 2026-01-10T00:00:00.300Z, 18 leap seconds before that
+        const uint64_t began_us = (1767484800ull + 6 * 86400 - 18) * 1000000 + 300000;
+        EXPECT_EQ(time.time_unix_usec,
+                  began_us + (time.time_boot_ms - mutable_vehicle.gps.received_ms) * 1000ull);
     }
 }
 

@@ -234,6 +234,7 @@ void setHome(const geo::Position& position, int32_t altitude_cm) {
 namespace sensors {
 using namespace state;
 
+const drivers::GpsFix& gpsFix() { return doubles::vehicle.fix; }
 core::Vector3 restForce_mss() { return doubles::vehicle.rest_force_mss; }
 bool wrongBoard() { return doubles::vehicle.wrong_board; }
 void calibrateGyros() {

@@ -11,6 +11,7 @@
 
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
+#include "drivers/gps_fix.hpp"
 #include "firmware/mission/lists.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/modes/modes.hpp"
@@ -67,6 +68,7 @@ struct Vehicle {
     std::vector<firmware::mission::MissionItem> targets, heights;  // of GUIDED
     core::Vector3 rest_force_mss = {0, 0, -core::kGravity_mss};
     bool wrong_board = false;
+    drivers::GpsFix fix = {};
     int gyro_calibrations = 0;
     int pressure_calibrations = 0;
 };
