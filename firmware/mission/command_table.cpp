@@ -86,6 +86,16 @@ constexpr Named kNamed[] ROM = {
     {"SET_CAM_TRIGG_DIST",  beyond(action(   none, 0xCE, F::distance,  pictureEveryInRange,    pictureEvery))},
     {"FENCE_ENABLE",        beyond(action(   none, 0xCF, F::one,       fenceInRange,           enableFence))},
     {"INVERTED_FLIGHT",     beyond(action(   none, 0xD2, F::one,       onOffInRange,           flyInverted))},
+
+    {"NAV_DELAY",           beyond(action(   none, 0x5D, F::seconds,   anything,               nothingToDo))},
+    {"YAW",                 beyond(condition(none, 0x73, F::mount,     anything,               nothingToDo,         done))},
+    {"GO_AROUND",           beyond(action(   none, 0xBF, F::seconds,   anything,               nothingToDo))},
+    {"SET_ROI_LOCATION",    beyond(action(   none, 0xC3, F::place,     placeInRange,           nothingToDo))},
+    {"SET_ROI_NONE",        beyond(action(   none, 0xC5, F::none,      anything,               nothingToDo))},
+    {"AUTOTUNE_ENABLE",     beyond(action(   none, 0xD4, F::one,       onOffInRange,           nothingToDo))},
+    {"SET_CAMERA_MODE",     beyond(action(   none, 0xF0, F::two,       anything,               nothingToDo))},
+    {"IMAGE_START_CAPTURE", beyond(action(   none, 0xF1, F::three,     onePictureInRange,      takePicture))},
+    {"IMAGE_STOP_CAPTURE",  beyond(action(   none, 0xF2, F::one,       anything,               nothingToDo))},
 };
 // clang-format on
 

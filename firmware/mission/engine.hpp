@@ -27,9 +27,10 @@ struct Survey {
     uint8_t next;       // record to look at; kUnreadable: the mission is lost
     uint8_t first_nav;  // 0: none
     uint8_t last_nav;
-    uint8_t last_run;           // or the jump behind it that leads on
-    uint8_t counters;           // jumps that need one
-    uint8_t land_start, mount;  // the first of them; 0: none
+    uint8_t last_run;    // or the jump behind it that leads on
+    uint8_t counters;    // jumps that need one
+    uint8_t land_start;  // the first of them; 0: none
+    uint8_t idle;        // how many do nothing on this board
 };
 constexpr uint8_t kUnreadable = 0xFF;
 void surveyRecord(Survey& survey, ::mission::Set set, const uint8_t* bytes, ::mission::Site at);

@@ -35,6 +35,7 @@ uint8_t toHeightInRange(const Record&, Site);
 uint8_t interestInRange(const Record&, Site);
 uint8_t mountInRange(const Record&, Site);
 uint8_t pictureEveryInRange(const Record&, Site);
+uint8_t onePictureInRange(const Record&, Site);
 uint8_t fenceInRange(const Record&, Site);
 // APM 1.0
 uint8_t modeInRange(const Record&, Site);
@@ -56,6 +57,7 @@ void startWaypoint(const Record&, Entry);
 Progress waypointDone(const Record&);
 void startCircle(const Record&, Entry);
 Progress never(const Record&);
+Progress done(const Record&);
 Progress turnsDone(const Record&);
 Progress timeDone(const Record&);
 void startReturn(const Record&, Entry);

@@ -34,24 +34,18 @@ struct Refining {
 };
 core::FileState<Refining> refining{};
 
-void publish(const geo::Position& position, int32_t altitude_cm) {
-    published.position = position;
-    published.altitude_cm = altitude_cm;
-    published.set = true;
-    ++published.changes;
-}
-
 void setWhereItStands() {
-    publish(vehicle.estimate.position, vehicle.gps.altitude_cm);
+    resumeHome(vehicle.estimate.position, vehicle.gps.altitude_cm);
     zeroHeight();
 }
 
 // More than a fix wanders within some seconds.
 bool movedClearly() {
     constexpr float kMoved_m = 3, kDrifted_m = 1.5f;
+    constexpr int32_t kMoved_cm = 300;
     const int32_t higher_cm = vehicle.gps.altitude_cm - vehicle.home.altitude_cm;
-    return fabsf(vehicle.estimate.height_m) > kDrifted_m ||
-           fabsf(static_cast<float>(higher_cm)) > kMoved_m * 100 ||
+    return fabsf(vehicle.estimate.height_m) > kDrifted_m || higher_cm > kMoved_cm ||
+           higher_cm < -kMoved_cm ||
            geo::distance_m(vehicle.home.position, vehicle.estimate.position) > kMoved_m;
 }
 
@@ -66,7 +60,6 @@ bool setHomeHere() {
         return true;
     }
     setWhereItStands();
-    published.ordered = true;
     return true;
 }
 
@@ -82,8 +75,10 @@ void setHome(const geo::Position& position, int32_t altitude_cm) {
 }
 
 void resumeHome(const geo::Position& position, int32_t altitude_cm) {
-    publish(position, altitude_cm);
-    published.ordered = true;
+    published.position = position;
+    published.altitude_cm = altitude_cm;
+    published.set = published.ordered = true;
+    ++published.changes;
 }
 
 bool setHomeOfFlight() {
@@ -98,7 +93,9 @@ void refineHome() {
     if (published.ordered || vehicle.estimate.ground_speed_mps > kStands_mps) return;
     if (published.set && ++refining.waited < kEvery) return;
     refining.waited = 0;
-    if (!published.set || movedClearly()) setWhereItStands();
+    if (published.set && !movedClearly()) return;
+    setWhereItStands();
+    published.ordered = false;
 }
 
 }  // namespace mission

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "core/maths.hpp"
+#include "core/rom.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/forms.hpp"
 #include "firmware/state/parameters.hpp"
@@ -148,17 +149,35 @@ FormRow formOf(Set set, uint8_t row) {
 
 }  // namespace
 
+// MAV_CMDs that are no byte, from this id on.
+namespace {
+
+constexpr uint8_t kFirstLarge = 0xF0;
+constexpr uint16_t kLarge[] ROM = {530, 2000, 2001};
+
+uint8_t idOf(uint16_t command) {
+    for (uint8_t i = 0; i < core::count(kLarge); ++i)
+        if (core::romRead(kLarge[i]) == command) return kFirstLarge + i;
+    return command < kFirstLarge ? static_cast<uint8_t>(command) : ::mission::kNoId;
+}
+
+uint16_t commandOf(uint8_t id) {
+    const uint8_t large = static_cast<uint8_t>(id - kFirstLarge);
+    return large < core::count(kLarge) ? core::romRead(kLarge[large]) : id;
+}
+
+}  // namespace
+
 MissionResult encodeItem(Set set, ::mission::Site site, const MissionItem& item, Record& record,
                          Notes& notes) {
-    const uint8_t row = item.command > 0xFF
-                            ? ::mission::kNoRow
-                            : kCommandTable.find(set, static_cast<uint8_t>(item.command));
+    const uint8_t id = idOf(item.command);
+    const uint8_t row = kCommandTable.find(set, id);
     if (row == ::mission::kNoRow) return MissionResult::unsupported;
     if (!knownFrame(item.frame)) return MissionResult::unsupported_frame;
     const bool relative = relativeFrame(item.frame);
     const FormRow form = formOf(set, row);
     record = {};
-    record.id = static_cast<uint8_t>(item.command);
+    record.id = id;
     const float parameter[] = {0, item.param1, item.param2, item.param3, item.param4};
     MissionResult result;
     if (set == Set::apm2) {
@@ -201,7 +220,7 @@ uint8_t frameOf(Set set, uint8_t row, const Record& record, uint8_t index, uint8
 
 void decodeItem(Set set, uint8_t index, const Record& record, MissionItem& item) {
     item = {};
-    item.command = record.id;
+    item.command = commandOf(record.id);
     item.frame = kMission;
     const uint8_t row = kCommandTable.find(set, record.id);
     if (row == ::mission::kNoRow) return;

@@ -173,6 +173,7 @@ void startCircle(const Record& record, Entry entry) {
 }
 
 Progress never(const Record&) { return Progress::running; }
+Progress done(const Record&) { return Progress::done; }
 
 Progress turnsDone(const Record& record) {
     if (!onCircle()) return Progress::running;

@@ -155,6 +155,9 @@ uint8_t pictureEveryInRange(const Record& record, Site) {
                                                                                         : wrong(1);
 }
 
+// A series by time is nothing that we have.
+uint8_t onePictureInRange(const Record& record, Site) { return record.p3 == 1 ? kFine : wrong(3); }
+
 uint8_t fenceInRange(const Record& record, Site) { return record.p1 <= 2 ? kFine : wrong(1); }
 
 uint8_t modeInRange(const Record& record, Site) { return isMode(record.p1) ? kFine : wrong(1); }

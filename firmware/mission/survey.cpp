@@ -16,11 +16,12 @@ void surveyRecord(Survey& survey, ::mission::Set set, const uint8_t* bytes, ::mi
     const Record record = ::mission::unpack(set, bytes);
     const uint8_t row = kCommandTable.find(set, record.id);
     if (row == ::mission::kNoRow || kCommandTable.valid(row, record, at) != 0) return;
-    constexpr uint8_t kLandStart = 0xBD, kInterest = 0xC9, kMount = 0xCD;
-    if (set == ::mission::Set::apm2) {
-        if (record.id == kLandStart && survey.land_start == 0) survey.land_start = at.index;
-        if ((record.id == kInterest || record.id == kMount) && survey.mount == 0)
-            survey.mount = at.index;
+    constexpr uint8_t kLandStart = 0xBD;
+    if (kCommandTable.act(row) == nothingToDo) {
+        if (record.id != kLandStart)
+            ++survey.idle;
+        else if (survey.land_start == 0)
+            survey.land_start = at.index;
     }
     const ::mission::Class kind = kCommandTable.kind(row);
     if (kind == ::mission::Class::nav) {
@@ -45,8 +46,8 @@ core::Status surveyStep(Survey& survey, ::mission::Set set, uint8_t count, ReadR
 
 void reportWarnings(const Survey& survey, ::mission::Set set, uint8_t count) {
     if (count < 2) return;
-    if (survey.mount != 0)
-        sendStatusText(Severity::warning, ROM_TEXT("Mission: no mount for item #"), survey.mount);
+    if (survey.idle != 0)
+        sendStatusText(Severity::notice, ROM_TEXT("Mission: # items have no effect"), survey.idle);
     if (survey.first_nav == 0)
         sendStatusText(Severity::warning, ROM_TEXT("Mission has no NAV command"));
     else if (set == ::mission::Set::apm1 && survey.first_nav > 1)

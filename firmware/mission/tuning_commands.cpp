@@ -5,7 +5,6 @@
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/events.hpp"
 #include "firmware/mission/handlers.hpp"
-#include "firmware/mission/home.hpp"
 #include "firmware/mission/host.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/mission/speed.hpp"
@@ -110,10 +109,9 @@ void cruiseSpeed(const Record& record) { setAirSpeed(record.p1 * 100); }
 void cruiseThrottle(const Record& record) { setCruiseThrottle(static_cast<int8_t>(record.p1)); }
 
 void resetHome(const Record& record) {
-    if (record.p2 != 0 || record.p3 != 0 || record.p4 != 0)
-        setHome({record.p3, record.p4}, record.p2);
-    else if (!setHomeHere())
-        sendStatusText(Severity::warning, ROM_TEXT("Mission: no fix, home not set"));
+    Record marked = record;
+    marked.p1 = record.p2 == 0 && record.p3 == 0 && record.p4 == 0;
+    setHomeAction(marked);
 }
 
 uint8_t gainSlot(uint8_t id, uint8_t index) {

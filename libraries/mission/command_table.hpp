@@ -128,6 +128,7 @@ struct Table {
     Class kind(uint8_t row) const { return core::romRead(rows[row].kind); }
     uint8_t traits(uint8_t row) const { return core::romRead(rows[row].traits); }
     uint8_t form(uint8_t row) const { return core::romRead(rows[row].form); }
+    Act act(uint8_t row) const { return core::romRead(rows[row].act); }
     Check check(uint8_t row) const { return core::romRead(rows[row].check); }
     uint8_t id(Set set, uint8_t row) const {
         return core::romRead(set == Set::apm1 ? rows[row].apm1_id : rows[row].apm2_id);

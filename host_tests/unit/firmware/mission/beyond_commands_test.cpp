@@ -202,17 +202,33 @@ TEST_F(Beyond, fence_enable_reports_why_the_fence_stays_off) {
     EXPECT_EQ(missionCurrent(), 2) << "and the mission goes on";
 }
 
-TEST_F(Beyond, a_missing_mount_is_reported_at_upload) {
-    for (const uint16_t id : {201, 205}) {
+// What QGroundControl puts into plans and this board has no use for.
+TEST_F(Beyond, items_without_an_effect_are_counted_at_upload_and_stored) {
+    const std::vector<uint16_t> idle = {201, 205, 93, 115, 191, 195, 197, 212, 530, 2001};
+    for (const uint16_t id : idle) {
         (void)statusTexts();
         ASSERT_EQ(upload({waypoint(500), command(id), command(id), waypoint(900)}),
-                  MissionResult::accepted);
+                  MissionResult::accepted)
+            << id;
         pass(3);
-        EXPECT_TRUE(hasStatusText("Mission: no mount for item 2")) << id;
+        EXPECT_TRUE(hasStatusText("Mission: 2 items have no effect")) << id;
+        MissionItem stored;
+        ASSERT_EQ(missionItem(2, stored), core::Status::ok);
+        EXPECT_EQ(stored.command, id);
     }
-    ASSERT_EQ(upload({waypoint(500), waypoint(900)}), MissionResult::accepted);
+    ASSERT_EQ(upload({waypoint(500), command(189), waypoint(900)}), MissionResult::accepted);
     pass(3);
-    EXPECT_FALSE(hasStatusText("no mount"));
+    EXPECT_FALSE(hasStatusText("no effect"));
+}
+
+TEST_F(Beyond, an_image_is_a_picture_and_a_series_by_time_is_refused) {
+    constexpr auto kThirdWrong = static_cast<MissionResult>(8);
+    EXPECT_EQ(upload({waypoint(500), command(2000, 0, 2, 0), waypoint(900)}), kThirdWrong);
+    EXPECT_EQ(upload({waypoint(500), command(2000, 0, 2, 5), waypoint(900)}), kThirdWrong);
+    parameters.output_function[2] = kCameraFunction;
+    const uint16_t before = actuators::picturesTaken();
+    fly({command(2000, 0, 0, 1), waypoint(500)});
+    EXPECT_EQ(actuators::picturesTaken(), before + 1);
 }
 
 TEST_F(Beyond, only_what_an_output_can_do_is_its_function) {

@@ -41,7 +41,8 @@ TEST_F(Rows, outside_the_documents_are_marked_as_such) {
         EXPECT_EQ(set, kSet2);
         beyond.insert(kCommandTable.id(set, row));
     });
-    EXPECT_EQ(beyond, (std::set<int>{30, 31, 189, 201, 203, 205, 206, 207, 210}));
+    EXPECT_EQ(beyond, (std::set<int>{30, 31, 93, 115, 189, 191, 195, 197, 201, 203, 205, 206, 207,
+                                     210, 212, 240, 241, 242}));
 }
 
 TEST_F(Rows, are_of_the_class_that_their_id_says) {
@@ -105,6 +106,8 @@ const std::vector<Ends> kEnds = {
     {kSet2, 0xCE, 3, {{0, 1000000}}, 1},
     {kSet2, 0xCF, 1, {{0, 2}}, 1},
     {kSet2, 0xD2, 1, {{0, 1}}, 1},
+    {kSet2, 0xD4, 1, {{0, 1}}, 1},
+    {kSet2, 0xF1, 3, {{1, 1}}, 3},
     {kSet1, 0x16, 1, {{0, 60}}, 1},
     {kSet1, 0x21, 1, {{11, 255}}, 1},
     {kSet1, 0x21, 3, {{0, 0}, {11, 10000}}, 1},
@@ -133,7 +136,7 @@ const std::vector<Ends> kEnds = {
 std::vector<Ends> everyEnd() {
     std::vector<Ends> ends = kEnds;
     for (const uint8_t id :
-         {0x10, 0x11, 0x12, 0x13, 0x14, 0x15, 0x17, 0x1E, 0x1F, 0xB3, 0xBD, 0xC9}) {
+         {0x10, 0x11, 0x12, 0x13, 0x14, 0x15, 0x17, 0x1E, 0x1F, 0xB3, 0xBD, 0xC3, 0xC9}) {
         ends.push_back({kSet2, id, 3, {kLatitudes}, 5});
         ends.push_back({kSet2, id, 4, {kLongitudes}, 6});
     }

@@ -36,6 +36,7 @@ constexpr char kUp[] = "finishes within 1 m of the altitude";
 constexpr char kWaits[] = "finishes after that time";
 constexpr char kClimbs[] = "finishes within 2 m of the altitude, or past it. The demanded height starts at the airplane's and moves at the rate; it stays until the next NAV";
 constexpr char kCycles[] = "half of each cycle at the value, half at what was read; replaces what repeats";
+constexpr char kIdle[] = "stored, has no effect; a text reports at the upload how many there are";
 constexpr Sample kSamples[] = {
     {kSet2, {0x10, 1, 25, 12345, kNorth, kEast}, {kRadius_, kAltitude_, kLatitude_, kLongitude_}, kPassed},
     {kSet2, {0x11, 1, 0, 12345, kNorth, kEast}, {nullptr, kAltitude_, kLatitude_, kLongitude_}, kEndless},
@@ -59,12 +60,21 @@ constexpr Sample kSamples[] = {
     {kSet2, {0x1E, 1, 2, 12345, kNorth, kEast}, {"0 either way, 1 climb, 2 descend", kAltitude_, "latitude, not used", "longitude, not used"}, "straight on over the ground; finishes within 5 m of the altitude; with p1 1 or 2 at it (within 1 m) or past it"},
     {kSet2, {0x1F, 5, 1, 12345, kNorth, kEast}, {"1: leaves on the next leg's course", kAltitude_, kLatitude_, kLongitude_}, "finishes on the circle within 5 m of the altitude; with p1 1 when the course is then within 10 degrees of the one from the circle's centre to the next NAV as they are stored"},
     {kSet2, {0xBD, 1, 0, 12345, kNorth, kEast}, {nullptr, kAltitude_, "latitude", "longitude"}, "marks where a landing begins, for `RTL_AUTOLAND` and the ground's DO_LAND_START; 0, 0: where the next NAV lies"},
-    {kSet2, {0xC9, 1, 3, 12345, kNorth, kEast}, {"MAV_ROI", kAltitude_, kLatitude_, kLongitude_}, "stored; a text reports at the upload: there is no mount"},
+    {kSet2, {0xC9, 1, 3, 12345, kNorth, kEast}, {"MAV_ROI", kAltitude_, kLatitude_, kLongitude_}, kIdle},
     {kSet2, {0xCB, 0, 1, 2, -3, 4}, {"session", "zoom", "zoom step", "focus lock"}, "takes a picture, whatever the numbers are"},
-    {kSet2, {0xCD, 0, 2, -45, 10, 180}, {"MAV_MOUNT_MODE", "pitch, degrees", "roll, degrees", "yaw, degrees"}, "stored; a text reports at the upload: there is no mount"},
+    {kSet2, {0xCD, 0, 2, -45, 10, 180}, {"MAV_MOUNT_MODE", "pitch, degrees", "roll, degrees", "yaw, degrees"}, kIdle},
     {kSet2, {0xCE, 0, 0, 25, 0, 0}, {nullptr, "metres, rounded", "exact, cm; 0: as p2", nullptr}, "takes a picture whenever so much is flown over the ground; 0 ends that, and so do disarming and a restart of the mission"},
     {kSet2, {0xCF, 0, 2, 0, 0, 0}, {"0 off, 1 on, 2 the floor off", nullptr, nullptr, nullptr}, "switches the fence"},
     {kSet2, {0xD2, 0, 1, 0, 0, 0}, {"1 inverted, 0 upright", nullptr, nullptr, nullptr}, "upside down until 0 or a change of mode; above 30 m, and upright below 15 m and in take-off and landing"},
+    {kSet2, {0x5D, 0, 0, 0, 30, 0}, {nullptr, nullptr, "seconds", nullptr}, kIdle},
+    {kSet2, {0x73, 0, 0, 90, 10, 1}, {"not used", "angle, degrees", "rate, degrees/s", "direction"}, kIdle},
+    {kSet2, {0xBF, 0, 0, 0, 40, 0}, {nullptr, nullptr, "height, m", nullptr}, kIdle},
+    {kSet2, {0xC3, 1, 0, 12345, kNorth, kEast}, {nullptr, kAltitude_, kLatitude_, kLongitude_}, kIdle},
+    {kSet2, {0xC5, 0, 0, 0, 0, 0}, {nullptr, nullptr, nullptr, nullptr}, kIdle},
+    {kSet2, {0xD4, 0, 1, 0, 0, 0}, {"on", nullptr, nullptr, nullptr}, kIdle},
+    {kSet2, {0xF0, 0, 0, 2, 0, 0}, {"camera", "mode", nullptr, nullptr}, "MAV_CMD 530; stored, has no effect"},
+    {kSet2, {0xF1, 0, 0, 0, 1, 0}, {"camera", "seconds", "pictures", nullptr}, "MAV_CMD 2000; takes a picture, one alone"},
+    {kSet2, {0xF2, 0, 1, 0, 0, 0}, {"camera", nullptr, nullptr, nullptr}, "MAV_CMD 2001; stored, has no effect"},
     {kSet1, {0x10, 0, 25, 12345, kNorth, kEast}, {kRadius_, kAltitude_, kLatitude_, kLongitude_}, kPassed},
     {kSet1, {0x11, 0, 0, 12345, kNorth, kEast}, {nullptr, kAltitude_, kLatitude_, kLongitude_}, kEndless},
     {kSet1, {0x12, 0, 3, 12345, kNorth, kEast}, {"turns", kAltitude_, kLatitude_, kLongitude_}, kTicks},
