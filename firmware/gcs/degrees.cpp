@@ -13,7 +13,11 @@ int32_t degreesE7(float degrees) {
     return whole * 10000000 + core::rounded((degrees - static_cast<float>(whole)) * 1e7f);
 }
 
-float degreesFromE7(int32_t angle_e7) { return static_cast<float>(angle_e7) * 1e-7f; }
+// Rounded once, where whole and rest are added: a float nearest to the place is up to 0.9 m off.
+float degreesFromE7(int32_t angle_e7) {
+    const int32_t whole = angle_e7 / 10000000;
+    return static_cast<float>(whole) + static_cast<float>(angle_e7 - whole * 10000000) * 1e-7f;
+}
 
 }  // namespace gcs
 }  // namespace firmware

@@ -118,10 +118,12 @@ bool onMissionRequestInt(Link& link, const mavlink::Frame& frame) {
 
 bool onMissionSetCurrent(Link& link, const mavlink::Frame& frame) {
     const auto message = frame.read<mavlink::MissionSetCurrent>();
-    if (!missionSetCurrent(message.seq))
+    // MAVSDK takes MISSION_CURRENT with another item for a lost order and sends it again, for ever
+    if (missionSetCurrent(message.seq))
+        requestOnce(link, mavlink::Wire<mavlink::MissionCurrent>::id);
+    else
         sendStatusText(Severity::warning, ROM_TEXT("No mission item #"),
                        static_cast<int32_t>(message.seq));
-    requestOnce(link, mavlink::Wire<mavlink::MissionCurrent>::id);
     return true;
 }
 

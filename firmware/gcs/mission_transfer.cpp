@@ -66,6 +66,7 @@ bool takeItem(Link& link, const mavlink::Frame& frame, uint16_t index, uint8_t c
     if (result == MissionResult::busy) return false;
     if (result != MissionResult::accepted) return endUpload(result);
     transfer.tries = 0;
+    transfer.whole_degrees = false;
     if (transfer.next == transfer.last) {
         transfer.state = Upload::commit;
         missionTransferTick();
