@@ -32,9 +32,12 @@ struct CommandRow {
 constexpr CommandRow kCommands[] ROM = {
     {MavCmd::nav_loiter_unlim,               loiterHere},
     {MavCmd::nav_return_to_launch,           returnToLaunch},
+    {MavCmd::nav_land,                       startLanding},
+    {MavCmd::nav_takeoff,                    refuseTakeoff},
     {MavCmd::do_set_mode,                    doSetMode},
     {MavCmd::do_change_speed,                changeSpeedNow},
     {MavCmd::do_set_home,                    doSetHome},
+    {MavCmd::do_flighttermination,           refuseHere},
     {MavCmd::do_set_relay,                   actNow},
     {MavCmd::do_repeat_relay,                actNow},
     {MavCmd::do_set_servo,                   actNow},
@@ -46,6 +49,7 @@ constexpr CommandRow kCommands[] ROM = {
     {MavCmd::do_digicam_control,             actNow},
     {MavCmd::do_set_cam_trigg_dist,          actNow},
     {MavCmd::do_inverted_flight,             actNow},
+    {MavCmd::do_autotune_enable,             enableAutotune},
     {MavCmd::do_fence_enable,                enableFence},
     {MavCmd::do_set_mission_current,         setCurrentItem},
     {MavCmd::preflight_calibration,          calibrate},
@@ -65,6 +69,10 @@ constexpr CommandRow kCommands[] ROM = {
     {MavCmd::do_accept_mag_cal,              acceptCompass},
     {MavCmd::do_cancel_mag_cal,              cancelCalibration},
     {MavCmd::accelcal_vehicle_pos,           sideIsReady},
+    {MavCmd::do_send_banner,                 sendBanner},
+    {MavCmd::guided_change_speed,            guidedSpeed},
+    {MavCmd::guided_change_altitude,         guidedAltitude},
+    {MavCmd::guided_change_heading,          refuseHere},
 };
 // clang-format on
 

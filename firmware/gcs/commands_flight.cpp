@@ -137,6 +137,38 @@ uint8_t changeSpeedNow(Link& link, Order& order) {
     return actNow(link, order);
 }
 
+// The acceleration is not ours to choose.
+uint8_t guidedSpeed(Link& link, Order& order) {
+    if (vehicle.mode != Mode::guided) return MavResult::temporarily_rejected;
+    order.item.command = mavlink::MavCmd::do_change_speed;
+    order.item.param3 = -1;  // the throttle
+    order.item.param4 = 0;
+    return changeSpeedNow(link, order);
+}
+
+// Nor is the rate of climb.
+uint8_t guidedAltitude(Link&, Order& order) {
+    if (vehicle.mode != Mode::guided) return MavResult::temporarily_rejected;
+    order.item.command = mavlink::MavCmd::nav_waypoint;
+    return answer(guideToHeight(order.item));
+}
+
+uint8_t enableAutotune(Link&, Order& order) {
+    if (number(order.item.param1) == 1) return enter(Mode::autotune);
+    if (vehicle.mode == Mode::autotune) return enter(Mode::fbwa);
+    return MavResult::accepted;
+}
+
+uint8_t refuseTakeoff(Link&, Order&) {
+    sendStatusText(Severity::warning, ROM_TEXT("Take-off: by a mission, in AUTO"));
+    return MavResult::unsupported;
+}
+
+uint8_t refuseHere(Link&, Order& order) {
+    sendStatusText(Severity::warning, ROM_TEXT("Command # is not supported"), order.command);
+    return MavResult::unsupported;
+}
+
 uint8_t enableFence(Link&, Order& order) {
     return whenTrue(fenceEnable(number(order.item.param1)), MavResult::denied);
 }

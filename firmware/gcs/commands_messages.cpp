@@ -2,6 +2,7 @@
 // Commands that ask for messages.
 #include "firmware/gcs/commands_orders.hpp"
 #include "firmware/gcs/link.hpp"
+#include "firmware/gcs/telemetry.hpp"
 #include "firmware/state/vehicle.hpp"
 
 namespace firmware {
@@ -55,6 +56,11 @@ uint8_t autopilotVersion(Link& link, Order&) {
 
 uint8_t protocolVersion(Link& link, Order&) {
     return request(link, mavlink::Wire<mavlink::ProtocolVersion>::id);
+}
+
+uint8_t sendBanner(Link&, Order&) {
+    sayHello();
+    return MavResult::accepted;
 }
 
 }  // namespace gcs

@@ -41,7 +41,12 @@ uint8_t setCurrentItem(Link&, Order&);
 uint8_t reposition(Link&, Order&);
 uint8_t changeAltitude(Link&, Order&);
 uint8_t changeSpeedNow(Link&, Order&);
-uint8_t actNow(Link&, Order&);  // what a mission does at once
+uint8_t guidedSpeed(Link&, Order&);
+uint8_t guidedAltitude(Link&, Order&);
+uint8_t enableAutotune(Link&, Order&);
+uint8_t refuseTakeoff(Link&, Order&);
+uint8_t refuseHere(Link&, Order&);  // what a pilot expects of others; says so
+uint8_t actNow(Link&, Order&);      // what a mission does at once
 uint8_t enableFence(Link&, Order&);
 uint8_t startLanding(Link&, Order&);
 uint8_t goAround(Link&, Order&);
@@ -56,6 +61,7 @@ uint8_t setMessageInterval(Link&, Order&);
 uint8_t getMessageInterval(Link&, Order&);
 uint8_t autopilotVersion(Link&, Order&);
 uint8_t protocolVersion(Link&, Order&);
+uint8_t sendBanner(Link&, Order&);
 
 // ---- commands_board.cpp
 uint8_t calibrate(Link&, Order&);

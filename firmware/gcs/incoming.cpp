@@ -10,6 +10,7 @@
 #include "firmware/gcs/logs.hpp"
 #include "firmware/gcs/mission_transfer.hpp"
 #include "firmware/gcs/parameter_transfer.hpp"
+#include "firmware/gcs/targets.hpp"
 #include "firmware/mission/mission.hpp"
 
 namespace firmware {
@@ -35,7 +36,7 @@ bool ignoreTimeout(Link&, const mavlink::Frame&) { return true; }
 
 template <class Message>
 constexpr Incoming row(uint8_t target, Handler handle, Handler refuse) {
-    static_assert(mavlink::kHeaderV2 + sizeof(Message) + mavlink::kChecksum <= kLongestTalk,
+    static_assert(mavlink::kHeaderV2 + sizeof(Message) + mavlink::kChecksum <= kLongestQuestion,
                   "longer than the parser's buffer");
     return {mavlink::accepts<Message>(), target, handle, refuse};
 }
@@ -72,6 +73,10 @@ constexpr Incoming kIncoming[] ROM = {
     toAll<mavlink::Radio>(onRadioStatus),  // the same fields under its older number
     toUs<mavlink::RcChannelsOverride>(onRcChannelsOverride),
     toUs<mavlink::ManualControl>(onManualControl),
+    toUs<mavlink::SetPositionTargetLocalNed>(onPositionTarget),
+    toUs<mavlink::SetPositionTargetGlobalInt>(onPositionTarget),
+    toUs<mavlink::SetAttitudeTarget>(refuseTarget),
+    toUs<mavlink::SetupSigning>(refuseTarget),
     toUs<mavlink::RequestDataStream>(onRequestDataStream),
     toUs<mavlink::SetMode>(onSetMode),
     toUs<mavlink::CommandLong>(onCommand),

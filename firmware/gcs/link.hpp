@@ -20,16 +20,20 @@ struct IncomingTable {
     static uint8_t find(uint16_t id, mavlink::Accepted& to);
 };
 
-// MISSION_ITEM_INT is the longest message we take, and, coming or going, the longest answer.
+// MISSION_ITEM_INT is, coming or going, the longest answer.
 constexpr uint8_t kLongestTalk =
     mavlink::kHeaderV2 + sizeof(mavlink::MissionItemInt) + mavlink::kChecksum;
+
+// SET_POSITION_TARGET_... is the longest message we take that has no answer.
+constexpr uint8_t kLongestQuestion =
+    mavlink::kHeaderV2 + sizeof(mavlink::SetPositionTargetGlobalInt) + mavlink::kChecksum;
 
 // Whatever goes out by itself is only tried when the largest such frame would fit.
 constexpr uint8_t kLargestFrame =
     mavlink::kHeaderV2 + mavlink::Wire<mavlink::AutopilotVersion>::length + mavlink::kChecksum;
 
 struct Link {
-    mavlink::Parser<IncomingTable, kLongestTalk> parser;
+    // what is used most first: an instruction reaches 63 bytes
     mavlink::Framing framing = mavlink::Framing::v1;
     uint8_t sequence = 0;
     bool whole = false;              // the parser holds a frame that is not handled yet ...
@@ -40,6 +44,7 @@ struct Link {
     bool parameter_is_next = false;  // while a list is sent, streams and list take turns
     bool log_is_next = false;        // likewise a log and all else
     uint16_t next_parameter = 0;     // of the list being sent; kNoParameter: none
+    mavlink::Parser<IncomingTable, kLongestQuestion> parser;
     Streams streams;
 };
 struct Links {

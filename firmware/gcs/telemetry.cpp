@@ -161,8 +161,10 @@ void telemetryStart() {
     openLink0();
     open(links[1], parameters.serial2_baud);
     for (Link& link : links) streamsStart(link);
-    sendStatusText(Severity::info, ROM_TEXT("ArduPilotMega autopilot, airplane"));
+    sayHello();
 }
+
+void sayHello() { sendStatusText(Severity::info, ROM_TEXT("ArduPilotMega autopilot, airplane")); }
 
 void telemetrySend() {
     followUsb();

@@ -14,7 +14,7 @@ using mavlink::MavResult;
 namespace {
 
 TEST_F(Telemetry, a_command_it_does_not_know_is_answered_unsupported) {
-    for (const uint16_t id : {0, 21, 42, 30001}) EXPECT_EQ(command(id), MavResult::unsupported);
+    for (const uint16_t id : {0, 23, 42, 30001}) EXPECT_EQ(command(id), MavResult::unsupported);
 }
 
 TEST_F(Telemetry, an_ack_is_addressed_to_who_asked) {
@@ -305,7 +305,7 @@ const Case kCases[] = {
     {"restart what", MavCmd::preflight_reboot_shutdown, {kNan}, MavResult::denied},
     {"an interval of nothing", MavCmd::set_message_interval, {30, kNan}, MavResult::denied},
     {"an interval of no message", MavCmd::get_message_interval, {-1}, MavResult::denied},
-    {"a landing from here", MavCmd::nav_land, {}, MavResult::unsupported},
+    {"to land on the ground", MavCmd::nav_land, {}, MavResult::temporarily_rejected},
     {"a parachute", 208, {2}, MavResult::unsupported},
     {"a go-around of nothing", MavCmd::do_go_around, {30}, MavResult::temporarily_rejected},
     {"a landing on the ground", MavCmd::do_land_start, {}, MavResult::temporarily_rejected},
@@ -344,6 +344,7 @@ TEST_F(Telemetry, what_a_mission_does_at_once_is_done_on_command) {
 TEST_F(Telemetry, starts_the_landing_of_the_mission_and_aborts_it) {
     firmware::state::mutable_vehicle.estimate.flying = true;
     EXPECT_EQ(command(MavCmd::do_land_start), MavResult::denied) << "the mission has none";
+    EXPECT_EQ(command(MavCmd::nav_land), MavResult::denied);
     doubles::plan.land_start = doubles::plan.landing = true;
     EXPECT_EQ(command(MavCmd::do_land_start), MavResult::accepted);
     EXPECT_EQ(command(MavCmd::do_go_around, 45), MavResult::accepted);
@@ -423,6 +424,46 @@ TEST_F(Telemetry, a_mission_item_that_is_an_order_for_guided_is_acknowledged_as_
     EXPECT_EQ(ask<mavlink::MissionAck>(item).at(0).type, 2);
     item.current = 4;
     EXPECT_EQ(ask<mavlink::MissionAck>(item).at(0).type, 3);
+}
+
+TEST_F(Telemetry, changes_height_and_speed_by_the_orders_for_guided) {
+    EXPECT_EQ(command(MavCmd::guided_change_altitude, 0, 0, 0, 0, 0, 0, 90),
+              MavResult::temporarily_rejected);
+    EXPECT_EQ(command(MavCmd::guided_change_speed, 0, 14), MavResult::temporarily_rejected);
+    firmware::state::mutable_vehicle.mode = Mode::guided;
+    EXPECT_EQ(command(MavCmd::guided_change_altitude, 0, 0, 0, 0, 0, 0, 90), MavResult::accepted);
+    EXPECT_EQ(doubles::vehicle.heights.at(0).z, 90);
+    EXPECT_EQ(doubles::vehicle.heights.at(0).command, +MavCmd::nav_waypoint);
+    EXPECT_EQ(command(MavCmd::guided_change_speed, 0, 14, 2.5f), MavResult::accepted);
+    EXPECT_EQ(doubles::plan.acts.at(0).command, +MavCmd::do_change_speed);
+    EXPECT_EQ(doubles::plan.acts.at(0).param2, 14);
+    EXPECT_EQ(doubles::plan.acts.at(0).param3, -1) << "an acceleration is no throttle";
+}
+
+TEST_F(Telemetry, what_others_can_and_this_cannot_is_refused_with_a_text) {
+    EXPECT_EQ(command(MavCmd::nav_takeoff, 0, 0, 0, 0, 0, 0, 50), MavResult::unsupported);
+    EXPECT_EQ(station.texts().back(), "Take-off: by a mission, in AUTO");
+    EXPECT_EQ(command(MavCmd::do_flighttermination, 1), MavResult::unsupported);
+    EXPECT_EQ(station.texts(), std::vector<std::string>{"Command 185 is not supported"});
+    EXPECT_EQ(command(MavCmd::guided_change_heading, 0, 90), MavResult::unsupported);
+    EXPECT_EQ(station.texts(), std::vector<std::string>{"Command 43002 is not supported"});
+}
+
+TEST_F(Telemetry, autotune_begins_and_ends_by_command) {
+    EXPECT_EQ(command(MavCmd::do_autotune_enable, 0), MavResult::accepted);
+    EXPECT_EQ(firmware::state::vehicle.mode, Mode::manual);
+    EXPECT_EQ(command(MavCmd::do_autotune_enable, 1), MavResult::accepted);
+    EXPECT_EQ(firmware::state::vehicle.mode, Mode::autotune);
+    EXPECT_EQ(command(MavCmd::do_autotune_enable, 0), MavResult::accepted);
+    EXPECT_EQ(firmware::state::vehicle.mode, Mode::fbwa);
+}
+
+TEST_F(Telemetry, the_banner_is_sent_when_asked_for) {
+    run_ms(100);
+    station.forget();
+    EXPECT_EQ(command(MavCmd::do_send_banner), MavResult::accepted);
+    run_ms(40);
+    EXPECT_EQ(station.texts(), std::vector<std::string>{"ArduPilotMega autopilot, airplane"});
 }
 
 TEST_F(Telemetry, changes_the_height_alone) {
