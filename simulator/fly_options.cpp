@@ -19,11 +19,9 @@ constexpr char kFooter[] =
     "Exit status: 0 when the mission was flown and the airplane stands at its landing point,\n"
     "1 when not (the reason in one line), 2 when the command line or a file is wrong or a file\n"
     "could not be written, which is reported after the verdict.\n"
-    "The folder of --out receives report.html, flight.csv, track.kml and summary.json. Without "
-    "--out\n"
-    "each flight has a folder of its own in build/flights, where index.html lists them; "
-    "build/flight\n"
-    "is a link to the newest.";
+    "The folder of --out receives report.html, flight.csv, track.kml, track.gpx and\n"
+    "summary.json. Without --out each flight has a folder of its own in build/flights, where\n"
+    "index.html lists them; build/flight is a link to the newest.";
 
 constexpr char kWindForm[] =
     "expected SPEED,FROM_DEGREES with 0 to 30 m/s and 0 to 360 degrees, like 5,270";

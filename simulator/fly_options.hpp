@@ -14,8 +14,8 @@ struct FlyOptions {
     std::vector<std::string> words;  // of the command line
     std::string airplane = "foam_trainer", parameters;
     std::string mission, firmware, eeprom, dataflash, vcd, profile;
-    std::string out;      // empty: a new folder of build/flights
-    bool apm1 = false;    // the first board, not an APM 2
+    std::string out;    // empty: a new folder of build/flights
+    bool apm1 = false;  // the first board, not an APM 2
     bool native = false;
     bool no_dataflash = false;
     double wind_mps = 0, wind_from_deg = 0;
@@ -41,7 +41,7 @@ struct FlyOptions {
     std::optional<uint16_t> http;  // its port, 0: any; empty: any when the usual one is taken
     bool end_with_client = false;  // of a served flight
     std::string flightgear;        // HOST:PORT; empty: nowhere
-    bool bench = false;  // held in hands instead of flown
+    bool bench = false;            // held in hands instead of flown
     bool telemetry_on_uart0 = false;
     bool usb = false;  // plugged in, and all streams there too
     uint16_t listen = 5760;

@@ -35,6 +35,7 @@ Summary summaryOf(const FlyOptions& options, WatchedBoard& board, const Recorder
     s.wind_mps = options.wind_mps;
     s.wind_from_deg = options.wind_from_deg;
     s.gusts = options.gusts;
+    s.calibrated = options.calibrated;
     s.seed = options.seed;
     if (const auto imu = recorder.imuSamples()) s.setSamples(*imu);
     s.model_answers_skipped = board.world().modelAnswersSkipped();
@@ -103,8 +104,7 @@ static bool endedWell(const Summary& s) {
 }
 
 void writeReport(const FlyOptions& options, const FlightFolder& folder, const Summary& summary,
-                 const std::vector<Sample>& samples, const MissionFile& mission,
-                 Results& results) {
+                 const std::vector<Sample>& samples, const MissionFile& mission, Results& results) {
     const std::filesystem::path& path = folder.path();
     const FlightDocument document = documentOf(summary, samples, mission);
     results.addFile(path / "summary.json", summaryJson(summary));

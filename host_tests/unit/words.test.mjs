@@ -19,7 +19,7 @@ function* sources(folder) {
   for (const entry of readdirSync(folder, { withFileTypes: true })) {
     const path = join(folder, entry.name);
     if (entry.isDirectory() && entry.name !== 'node_modules') yield* sources(path);
-    else if (entry.isFile() && /\.(hpp|cpp|S|mjs|md|txt|cmake|sh)$|^[a-z_]+$/.test(entry.name)) yield path;
+    else if (entry.isFile() && /\.(hpp|cpp|S|mjs|ts|css|html|md|txt|cmake|sh)$|^[a-z_]+$/.test(entry.name)) yield path;
   }
 }
 
@@ -39,7 +39,7 @@ test('a retired word is found with its line', () => {
   assert.deepEqual(retiredIn(sentences('TEST_F(Fence,\n  tells_the_pilot) {')), ['2: tells']);
 });
 
-for (const folder of ['firmware', 'libraries', 'hal_avr', 'simulator', 'toolchain', 'docs', 'host_tests'])
+for (const folder of ['firmware', 'libraries', 'hal_avr', 'simulator', 'toolchain', 'docs', 'host_tests', 'web'])
   test(`${folder} speaks the words of the field`, () => {
     const others = [...sources(join(root, folder))].filter((path) => path !== fileURLToPath(import.meta.url));
     const found = others.flatMap((path) =>

@@ -67,7 +67,8 @@ std::string campaignPage(const std::vector<CampaignResult>& results, size_t plan
     json["wall_s"] = std::round(wall_s * 10) / 10;
     json["emulated_s"] = std::round(emulated_s);
     json["goals"] = Json::array();
-    for (const Goal& goal : goals()) json["goals"].push_back(goalOf(goal));
+    for (const Goal& goal : goals())
+        if (!goal.calibrated) json["goals"].push_back(goalOf(goal));
     json["flights"] = Json::array();
     for (const auto& result : results) json["flights"].push_back(flightOf(result));
     return campaignPageOf(json.dump(-1, ' ', false, Json::error_handler_t::replace));

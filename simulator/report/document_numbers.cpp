@@ -10,7 +10,7 @@ namespace simulator {
 namespace {
 
 constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-constexpr double kMostSteps = 32767;
+constexpr double kMaxSteps = 32767;
 
 void append(std::vector<uint8_t>& bytes, uint32_t value, int count) {
     for (int i = 0; i < count; ++i) bytes.push_back(static_cast<uint8_t>(value >> (8 * i)));
@@ -41,11 +41,11 @@ Steps stepsOf(const std::vector<double>& values) {
     Steps steps;
     if (least > most) least = most = 0;
     steps.offset = least + (most - least) / 2;
-    steps.scale = (most - least) / (2 * kMostSteps);
+    steps.scale = (most - least) / (2 * kMaxSteps);
     std::vector<uint8_t> bytes;
     for (const double value : values) {
         const double step = steps.scale > 0 ? (value - steps.offset) / steps.scale : 0;
-        const double whole = std::clamp(std::round(step), -kMostSteps, kMostSteps);
+        const double whole = std::clamp(std::round(step), -kMaxSteps, kMaxSteps);
         const int16_t stored = std::isfinite(value) ? static_cast<int16_t>(whole) : Steps::kNoStep;
         append(bytes, static_cast<uint16_t>(stored), 2);
     }

@@ -11,8 +11,8 @@ static std::vector<Goal> read() {
     std::vector<Goal> all;
     const nlohmann::json found = nlohmann::json::parse(tables::k_limits);
     for (const auto& row : found["figures"])
-        all.push_back(
-            {row["key"], row["name"], row["unit"], row["goal"]["calm"], row["goal"]["wind"]});
+        all.push_back({row["key"], row["name"], row["unit"], row["goal"]["calm"],
+                       row["goal"]["wind"], row.value("calibrated", false)});
     return all;
 }
 
@@ -21,9 +21,10 @@ const std::vector<Goal>& goals() {
     return all;
 }
 
-std::optional<double> goalOf(const std::string& figure, bool windy) {
+std::optional<double> goalOf(const std::string& figure, bool windy, bool calibrated) {
     for (const Goal& goal : goals())
-        if (goal.figure == figure) return windy ? goal.windy : goal.calm;
+        if (goal.figure == figure && (calibrated || !goal.calibrated))
+            return windy ? goal.windy : goal.calm;
     return std::nullopt;
 }
 

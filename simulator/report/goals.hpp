@@ -10,9 +10,11 @@ namespace simulator {
 struct Goal {
     std::string figure, name, unit;  // "crosstrack_rms_m", its words, "m"
     double calm = 0, windy = 0;      // the most it may be
+    bool calibrated = false;         // only of an airplane with a calibrated compass
 };
 
 const std::vector<Goal>& goals();
-std::optional<double> goalOf(const std::string& figure, bool windy);  // empty: it has none
+// Empty: it has none.
+std::optional<double> goalOf(const std::string& figure, bool windy, bool calibrated);
 
 }  // namespace simulator

@@ -108,7 +108,7 @@ std::vector<RecordedSeries> table() {
 // clang-format on
 
 // Every so many samples: longer flights in larger steps, so that a report stays small.
-constexpr size_t kMostSamples = 6000, kSlowEvery = 5;
+constexpr size_t kMaxSamples = 6000, kSlowEvery = 5;
 
 std::vector<double> valuesOf(const RecordedSeries& series, const std::vector<Sample>& samples,
                              size_t every) {
@@ -132,7 +132,7 @@ const std::vector<RecordedSeries>& recordedSeries() {
 }
 
 void addSeries(FlightDocument& document, const std::vector<Sample>& samples) {
-    const size_t every = (samples.size() + kMostSamples - 1) / kMostSamples;
+    const size_t every = (samples.size() + kMaxSamples - 1) / kMaxSamples;
     if (every == 0) return;
     const size_t steps[] = {every, every * kSlowEvery};
     for (const size_t step : steps) {

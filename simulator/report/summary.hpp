@@ -24,7 +24,7 @@ struct Summary {
     std::vector<FaultSpan> faults;
     std::string mission, firmware, board;  // as shown: file names, "apm2" or "native"
     double wind_mps = 0, wind_from_deg = 0;
-    bool gusts = false;
+    bool gusts = false, calibrated = false;
     uint64_t seed = 1;
 
     bool from_log = false;  // all that is known is what the airplane has logged: no truth

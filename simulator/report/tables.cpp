@@ -52,7 +52,7 @@ std::vector<Deviation> deviationsOf(const Summary& s) {
     const BoardFigures& f = s.figures;
     const bool windy = s.wind_mps > 0 || s.gusts;
     const auto goal = [&](const char* figure) {
-        return s.from_log ? std::nullopt : goalOf(figure, windy);
+        return s.from_log ? std::nullopt : goalOf(figure, windy, s.calibrated);
     };
     const budgets::BoardBudget& board = s.board == "apm1" ? budgets::k_apm1 : budgets::k_apm2;
     // clang-format off

@@ -14,7 +14,7 @@ namespace {
 using simulator::DocumentSeries;
 using simulator::FlightDocument;
 
-constexpr size_t kMostSamples = 5000;
+constexpr size_t kMaxSamples = 5000;
 
 struct Thinned {
     size_t time = 0;  // index into the document's times
@@ -55,7 +55,7 @@ private:
                                  [](const Record* each) { return !std::isfinite(seconds(*each)); }),
                   all.end());
         Thinned made{document_.times.size(), {}};
-        const size_t every = std::max<size_t>(1, (all.size() + kMostSamples - 1) / kMostSamples);
+        const size_t every = std::max<size_t>(1, (all.size() + kMaxSamples - 1) / kMaxSamples);
         std::vector<double> times;
         for (size_t i = 0; i < all.size(); i += every) {
             made.records.push_back(all[i]);

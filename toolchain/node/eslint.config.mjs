@@ -6,6 +6,11 @@ import js from '@eslint/js';
 const globals = ['AbortController', 'AbortSignal', 'Buffer', 'URL', 'clearInterval', 'clearTimeout', 'console',
   'performance', 'process', 'setImmediate', 'setInterval', 'setTimeout', 'structuredClone', 'TextDecoder', 'TextEncoder'];
 
+// Of what a browser runs for a test.
+const inBrowser = ['atob', 'DataTransfer', 'document', 'File', 'innerWidth', 'requestAnimationFrame'];
+
+const readonly = (names) => Object.fromEntries(names.map((name) => [name, 'readonly']));
+
 export default [
   js.configs.recommended,
   {
@@ -13,7 +18,7 @@ export default [
     languageOptions: {
       ecmaVersion: 2022,
       sourceType: 'module',
-      globals: Object.fromEntries(globals.map((name) => [name, 'readonly'])),
+      globals: readonly(globals),
     },
     linterOptions: { reportUnusedDisableDirectives: 'error' },
     rules: {
@@ -31,4 +36,5 @@ export default [
       'prefer-const': 'error',
     },
   },
+  { files: ['**/host_tests/web/*.mjs', '**/host_tests/support/browser.mjs'], languageOptions: { globals: readonly(inBrowser) } },
 ];

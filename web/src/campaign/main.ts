@@ -1,1 +1,116 @@
-export {};
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page of a campaign: how many flights keep each goal, where they touch down, the worst ten.
+import { byId, colour, make } from '../dom';
+import { table } from '../view/tables';
+import { airplaneColour, distribution, scatter } from './charts';
+import { different, goalFor, parse, percentile, sortedValues, worst } from './document';
+import type { Campaign, Flight, Worst } from './document';
+
+const kWorst = 10, kMaxFailures = 50;
+
+const groupOf = ({ airplane, mission, wind }: Flight): string => `${airplane} ${mission} ${wind}`;
+const count = (all: string[], word: string): string => `${different(all).length} ${word}${different(all).length === 1 ? '' : 's'}`;
+
+function head(campaign: Campaign): void {
+  const { flights, verdict, wall_s, emulated_s } = campaign;
+  const chip = byId('verdict');
+  chip.textContent = verdict.text;
+  if (!verdict.good) chip.className = 'chip bad';
+  byId('subtitle').textContent = [
+    `${flights.length} flights`, count(flights.map(({ airplane }) => airplane), 'airplane'), count(flights.map(({ mission }) => mission), 'mission'),
+    count(flights.map(({ wind }) => wind), 'wind'), `${(emulated_s / 3600).toFixed(1)} h of flight in ${(wall_s / 60).toFixed(1)} min`,
+    'natively compiled firmware · sensor errors and gusts drawn from each seed'].join(' · ');
+}
+
+function legend(campaign: Campaign): HTMLElement {
+  const entries = different(campaign.flights.map(({ airplane }) => airplane)).map((airplane) => {
+    const line = make('i');
+    line.style.borderColor = airplaneColour(campaign, airplane);
+    return make('span', {}, line, airplane);
+  });
+  const goal = make('i');
+  goal.style.borderColor = colour('bad');
+  return make('p', { class: 'legend' }, ...entries, make('span', {}, make('i'), 'calm'), make('span', {}, make('i', { class: 'demand' }), 'wind'), make('span', {}, goal, 'goal'));
+}
+
+function copyButton(command: string): HTMLElement {
+  const button = make('button', { type: 'button', title: command, 'aria-label': `copy: ${command}` }, 'copy');
+  button.addEventListener('click', () => void navigator.clipboard.writeText(command).then(
+    () => { button.textContent = 'copied'; }, () => { button.textContent = 'not allowed'; }));
+  return button;
+}
+
+function worstTable(all: Worst[]): HTMLElement {
+  return table(['flight', 'seed', 'worst figure', 'value', 'goal', 'times', 'fly it again'], all.map(({ flight, goal, times }) => [
+    groupOf(flight), flight.seed,
+    flight.failure ? make('span', { class: 'missed' }, flight.failure) : goal ? `${goal.name}, ${goal.unit}` : '',
+    goal && !flight.failure ? flight.figures[goal.figure].toFixed(2) : '', goal && !flight.failure ? goalFor(goal, flight) : '',
+    Number.isFinite(times) ? make('span', { class: times > 1 ? 'missed' : 'met' }, times.toFixed(2)) : '',
+    make('div', { class: 'again' }, copyButton(flight.command), make('code', { tabindex: 0 }, flight.command)),
+  ]));
+}
+
+function spreads(flights: Flight[], figure: string): HTMLElement {
+  return table(['', 'flights', 'median', '95 of 100', 'worst', 'its seed'], different(flights.map(groupOf)).flatMap((group) => {
+    const own = flights.filter((flight) => groupOf(flight) === group), values = sortedValues(own, figure);
+    if (values.length === 0) return [];
+    const last = values[values.length - 1];
+    return [[group, values.length, ...[percentile(values, 0.5), percentile(values, 0.95), last].map((value) => value.toFixed(2)),
+      own.find(({ figures }) => figures[figure] === last)?.seed ?? '']];
+  }));
+}
+
+function chosen(name: string, all: string[], run: () => void): HTMLSelectElement {
+  const select = make('select', { 'aria-label': name }, ...all.map((each) => make('option', { value: each }, each)));
+  select.addEventListener('change', run);
+  return select;
+}
+
+class Page {
+  private readonly charts = make('div', { id: 'distributions' });
+  private readonly landing = make('div', {});
+  private readonly spread = make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Spread of a figure by group' });
+  private readonly mission: HTMLSelectElement;
+  private readonly wind: HTMLSelectElement;
+  private readonly figure: HTMLSelectElement;
+
+  constructor(private readonly campaign: Campaign) {
+    const { flights, goals } = campaign;
+    const draw = (): void => this.draw();
+    this.mission = chosen('Mission', ['every mission', ...different(flights.map(({ mission }) => mission))], draw);
+    this.wind = chosen('Wind', ['every wind', ...different(flights.map(({ wind }) => wind))], draw);
+    const figures = different([...goals.map(({ figure }) => figure), ...flights.flatMap((flight) => Object.keys(flight.figures))]);
+    this.figure = chosen('Figure', figures.filter((figure) => flights.some((flight) => figure in flight.figures)), draw);
+    byId('campaign-main').append(
+      make('div', { class: 'bar' }, make('h2', {}, 'Goals kept'), legend(campaign), make('span', { class: 'grow' }), this.mission, this.wind),
+      this.charts,
+      make('div', { class: 'columns' },
+        make('section', { class: 'box' }, make('h2', {}, 'Touch-downs'), make('p', { class: 'soft' }, 'filled: calm; rings: wind; circles: the goals'), this.landing),
+        make('section', { class: 'box' }, make('h2', {}, `The worst ${Math.min(kWorst, flights.length)}, by their worst figure over its goal`),
+          make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'The worst flights' }, worstTable(worst(campaign, kWorst))))),
+      make('section', { class: 'box' }, make('div', { class: 'bar' }, make('h2', {}, 'Spread of'), this.figure), this.spread));
+    this.failures();
+    this.draw();
+  }
+  private shown(): Flight[] {
+    const [mission, wind] = [this.mission, this.wind].map((select) => (select.selectedIndex === 0 ? undefined : select.value));
+    return this.campaign.flights.filter((flight) => (mission ?? flight.mission) === flight.mission && (wind ?? flight.wind) === flight.wind);
+  }
+  private draw(): void {
+    const flights = this.shown();
+    this.charts.replaceChildren(...this.campaign.goals.map((goal) => distribution(this.campaign, flights, goal)).filter((each) => each !== undefined));
+    this.landing.replaceChildren(scatter(this.campaign, flights));
+    this.spread.replaceChildren(spreads(flights, this.figure.value));
+  }
+  private failures(): void {
+    const failed = this.campaign.flights.filter(({ failure }) => failure);
+    if (failed.length === 0) return;
+    byId('campaign-main').prepend(make('details', { class: 'box', open: failed.length <= 3 },
+      make('summary', {}, `${failed.length} flights failed`), ...failed.slice(0, kMaxFailures).map((flight) =>
+        make('p', {}, make('b', {}, `${groupOf(flight)}, seed ${flight.seed}: `), flight.failure ?? '', make('br'), make('code', {}, flight.command)))));
+  }
+}
+
+const campaign = parse(byId('campaign').textContent ?? '');
+head(campaign);
+new Page(campaign);

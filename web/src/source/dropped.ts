@@ -5,10 +5,10 @@ import { parseDocument } from '../document';
 import type { FlightDocument } from '../document';
 import { logDocument } from './log_document';
 
-const kMost_bytes = 256 << 20;
+const kMax_bytes = 256 << 20;
 
 async function read(file: File): Promise<FlightDocument> {
-  if (file.size > kMost_bytes) throw new Error(`${file.name} is larger than 256 MB`);
+  if (file.size > kMax_bytes) throw new Error(`${file.name} is larger than 256 MB`);
   if (file.name.toLowerCase().endsWith('.json')) return parseDocument(await file.text());
   return logDocument(await file.arrayBuffer(), file.name);
 }

@@ -10,7 +10,7 @@ import names from './names.json';
 interface Row { message: string; field: string; name: string; title: string; unit: string; group: string; kind?: string; scale?: number }
 type Table = Record<string, string | undefined>;
 
-const kMostSamples = 5000, kOurs = 'ArduPilotMega autopilot';
+const kMaxSamples = 5000, kOurs = 'ArduPilotMega autopilot';
 const kCircles = [17, 19];  // MAV_CMD_NAV_LOITER_UNLIM to ..._TIME
 const kArmed = 10, kDisarmed = 11, kInTheAir = 28;
 
@@ -109,7 +109,7 @@ class SeriesMaker {
     const known = this.of.get(message);
     if (known) return known;
     const all = this.log.named(message).filter((fields) => Number.isFinite(seconds(fields)));
-    const by = Math.max(1, Math.ceil(all.length / kMostSamples));
+    const by = Math.max(1, Math.ceil(all.length / kMaxSamples));
     const made = { index: this.times.length, records: all.filter((_, i) => i % by === 0) };
     this.of.set(message, made);
     if (made.records.length > 0) this.times.push(made.records.map(seconds));

@@ -10,7 +10,7 @@ import { kRamp, modeColour, rampColour } from './colours';
 import { Graticule } from './graticule';
 
 const kAirplane = '<svg viewBox="-17 -17 34 34" aria-hidden="true"><path d="M0-15c1.6 0 2 3 2 6v2l13 6v3.2L2 0l-.6 8 4.1 3v2.4L0 12l-5.5 1.4V11l4.1-3L-2 0l-13 2.2V-1l13-6v-2c0-3 .4-6 2-6z"/></svg>';
-const kPick_px = 24, kMostPoints = 4000;
+const kPick_px = 24, kMaxPoints = 4000;
 const kTiles = 'https://tile.openstreetmap.org/{z}/{x}/{y}.png';
 
 type Placed = PlanItem & { lat_deg: number; lon_deg: number };
@@ -73,7 +73,7 @@ export class FlightMap {
   private points(): [L.LatLngTuple, number][] {
     const { lat, lon } = this;
     if (!lat || !lon) return [];
-    const by = this.flight.document.kind === 'live' ? 1 : Math.max(1, Math.floor(lat.values.length / kMostPoints));
+    const by = this.flight.document.kind === 'live' ? 1 : Math.max(1, Math.floor(lat.values.length / kMaxPoints));
     const found: [L.LatLngTuple, number][] = [];
     for (let i = 0; i < lat.values.length; i += by)
       if (Number.isFinite(lat.values[i]) && Number.isFinite(lon.values[i])) found.push([[lat.values[i], lon.values[i]], i]);

@@ -25,7 +25,7 @@ export function deviations(all: Deviation[]): HTMLElement {
     name, value, goal === undefined ? '' : goal === 0 ? '0' : `≤ ${number(goal)}`, unit,
     met === undefined ? '' : make('span', { class: met ? 'met' : 'missed' }, met ? '✓ met' : '✗ missed'),
   ]);
-  return table(['figure', 'value', 'goal', 'unit', 'judged'], rows);
+  return table(['figure', 'value', 'goal', 'unit', 'goal kept'], rows);
 }
 
 export const documentTable = ({ title, note, heads, rows }: TableEntry): Node[] => [make('h2', {}, title), table(heads, rows, note)];

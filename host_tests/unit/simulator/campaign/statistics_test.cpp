@@ -15,7 +15,8 @@ CampaignResult flown(uint64_t seed, double crosstrack_m, double wind_mps = 0) {
             true,
             "",
             {{"crosstrack_rms_m", crosstrack_m}},
-            100};
+            100,
+            {}};
 }
 
 constexpr char kWell[] =
@@ -55,6 +56,21 @@ TEST(Spreads, leave_out_a_figure_that_a_group_does_not_have) {
     lost.failure = "crashed";
     EXPECT_THAT(spreadsOf({lost}), IsEmpty());
     EXPECT_THAT(campaignPage({lost, flown(2, 1)}, 2, 1), HasSubstr("crashed"));
+}
+
+TEST(Page, has_the_goals_and_every_flight_with_its_command) {
+    const std::string page = campaignPage({flown(1, 1), flown(2, 1)}, 2, 1);
+    EXPECT_THAT(page, HasSubstr("\"figure\":\"crosstrack_rms_m\""));
+    EXPECT_THAT(page, HasSubstr("toolchain/fly --native --airplane foam_trainer --seed 2"));
+}
+
+TEST(Result, has_the_touch_down_apart_from_the_figures) {
+    const CampaignResult result =
+        resultOf(flown(1, 1).flight,
+                 replaced(kWell, "{", R"({"touchdown_long_m":3,"touchdown_right_m":-1,)"));
+    ASSERT_TRUE(result.touchdown);
+    EXPECT_EQ(result.touchdown->first, 3);
+    EXPECT_EQ(result.figures.count("touchdown_long_m"), 0u);
 }
 
 TEST(Page, distinguishes_an_interrupted_campaign_from_a_whole_one) {

@@ -44,7 +44,7 @@ TEST(FlightDocument, holds_series_events_bands_and_plan) {
     EXPECT_FALSE(made["plan"]["items"][0].contains("lat_deg"));
 }
 
-TEST(FlightDocument, judges_only_what_has_a_goal) {
+TEST(FlightDocument, says_of_what_has_a_goal_whether_it_is_met) {
     const json made = json::parse(flightJson(small()));
 
     EXPECT_EQ(made["deviations"][0]["met"], false);

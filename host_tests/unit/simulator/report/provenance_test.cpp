@@ -17,7 +17,7 @@ TEST(Provenance, leaves_out_what_is_not_known) {
     EXPECT_FALSE(made["firmware"].contains("commit"));
 }
 
-TEST(Provenance, tells_no_faults_from_unknown_ones) {
+TEST(Provenance, keeps_no_faults_apart_from_unknown_ones) {
     Provenance none;
     none.faults.emplace();
 

@@ -54,5 +54,11 @@ TEST(Tables, of_a_foreign_firmware_are_the_sensors_errors_alone) {
 TEST(Goals, are_stricter_in_calm_air) {
     ASSERT_GE(goals().size(), 10u);
     for (const Goal& goal : goals()) EXPECT_LE(goal.calm, goal.windy) << goal.figure;
-    EXPECT_FALSE(goalOf("flight_time_s", true));
+    EXPECT_FALSE(goalOf("flight_time_s", true, true));
+}
+
+TEST(Goals, of_the_heading_are_those_of_a_calibrated_compass) {
+    EXPECT_TRUE(goalOf("yaw_error_rms_deg", true, true));
+    EXPECT_FALSE(goalOf("yaw_error_rms_deg", true, false));
+    EXPECT_TRUE(goalOf("crosstrack_rms_m", true, false));
 }
