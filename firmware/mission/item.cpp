@@ -155,18 +155,18 @@ namespace {
 constexpr uint8_t kFirstLarge = 0xF0;
 constexpr uint16_t kLarge[] ROM = {530, 2000, 2001};
 
-uint8_t idOf(uint16_t command) {
-    for (uint8_t i = 0; i < core::count(kLarge); ++i)
-        if (core::romRead(kLarge[i]) == command) return kFirstLarge + i;
-    return command < kFirstLarge ? static_cast<uint8_t>(command) : ::mission::kNoId;
-}
-
 uint16_t commandOf(uint8_t id) {
     const uint8_t large = static_cast<uint8_t>(id - kFirstLarge);
     return large < core::count(kLarge) ? core::romRead(kLarge[large]) : id;
 }
 
 }  // namespace
+
+uint8_t idOf(uint16_t command) {
+    for (uint8_t i = 0; i < core::count(kLarge); ++i)
+        if (core::romRead(kLarge[i]) == command) return kFirstLarge + i;
+    return command < kFirstLarge ? static_cast<uint8_t>(command) : ::mission::kNoId;
+}
 
 MissionResult encodeItem(Set set, ::mission::Site site, const MissionItem& item, Record& record,
                          Notes& notes) {

@@ -42,6 +42,9 @@ struct Notes {     // what the ground should be sent once an upload
     bool dropped;  // a parameter has no field, or was not needed
 };
 
+// The id that a MAV_CMD has in a record of the 2.0 set; kNoId: none.
+uint8_t idOf(uint16_t command);
+
 MissionResult encodeItem(::mission::Set set, ::mission::Site site, const MissionItem& item,
                          ::mission::Record& record, Notes& notes);
 void decodeItem(::mission::Set set, uint8_t index, const ::mission::Record& record,

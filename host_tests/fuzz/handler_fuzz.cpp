@@ -11,7 +11,7 @@ uint8_t row;
 mavlink::Accepted accepted;
 
 constexpr uint8_t kLongestPayload =
-    firmware::gcs::kLongestTalk - mavlink::kHeaderV1 - mavlink::kChecksum;
+    firmware::gcs::kLongestQuestion - mavlink::kHeaderV1 - mavlink::kChecksum;
 
 mavlink::Frame frameOf(uint8_t how, const uint8_t* payload, uint8_t length) {
     mavlink::Frame frame = {};

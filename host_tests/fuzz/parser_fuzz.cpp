@@ -9,7 +9,8 @@
 
 namespace {
 
-using VehicleParser = mavlink::Parser<firmware::gcs::IncomingTable, firmware::gcs::kLongestTalk>;
+using VehicleParser =
+    mavlink::Parser<firmware::gcs::IncomingTable, firmware::gcs::kLongestQuestion>;
 
 void require(bool holds) {
     if (!holds) abort();
@@ -61,7 +62,7 @@ void tryOut(const uint8_t* bytes, size_t size, uint16_t longest) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size) {
     const bool vehicles = size == 0 || bytes[0] != 0;
     if (vehicles) {
-        tryOut<VehicleParser>(bytes, size, firmware::gcs::kLongestTalk);
+        tryOut<VehicleParser>(bytes, size, firmware::gcs::kLongestQuestion);
     } else {
         tryOut<mavlink::PeerParser>(bytes + 1, size - 1, mavlink::kLongestFrame);
     }

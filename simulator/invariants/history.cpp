@@ -36,6 +36,9 @@ constexpr CommandRow kCommands[] = {
     {MavCmd::mission_start, Cause::flight_mode},
     {MavCmd::do_reposition, Cause::flight_mode},
     {MavCmd::do_change_altitude, Cause::flight_mode},
+    {MavCmd::do_autotune_enable, Cause::flight_mode},
+    {MavCmd::guided_change_altitude, Cause::flight_mode},
+    {MavCmd::guided_change_speed, Cause::flight_mode},
     {MavCmd::do_land_start, Cause::flight_mode},
     {MavCmd::do_go_around, Cause::flight_mode},
     {MavCmd::do_fence_enable, Cause::flight_mode},
@@ -61,6 +64,8 @@ constexpr MessageRow kMessages[] = {
     {Wire<SetMode>::id, Cause::flight_mode},
     {Wire<MissionItem>::id, Cause::flight_mode},  // "current" 2: GUIDED's target
     {Wire<MissionItemInt>::id, Cause::flight_mode},
+    {Wire<SetPositionTargetGlobalInt>::id, Cause::flight_mode},
+    {Wire<SetPositionTargetLocalNed>::id, Cause::flight_mode},
     {Wire<MissionSetCurrent>::id, Cause::mission},
     {Wire<MissionCount>::id, Cause::mission},
     {Wire<MissionClearAll>::id, Cause::mission},
@@ -68,6 +73,7 @@ constexpr MessageRow kMessages[] = {
     {Wire<MissionItem>::id, Cause::mission},
     {Wire<MissionItemInt>::id, Cause::mission},
     {Wire<RcChannelsOverride>::id, Cause::overrides},
+    {Wire<ManualControl>::id, Cause::overrides},
     {Wire<ParamSet>::id, Cause::parameter},
 };
 
@@ -207,7 +213,8 @@ void History::sent(const Frame& frame, double now_s) {
         if (row.id == frame.id) mark(row.cause, now_s);
     if (const auto m = as<CommandLong>(frame)) command(m->command, m->param1, m->param2, now_s);
     if (const auto m = as<CommandInt>(frame)) command(m->command, m->param1, m->param2, now_s);
-    if (frame.id == Wire<RcChannelsOverride>::id) override_s_ = now_s;
+    if (frame.id == Wire<RcChannelsOverride>::id || frame.id == Wire<ManualControl>::id)
+        override_s_ = now_s;
     if (const auto m = as<ParamSet>(frame)) asked_[nameIn(m->param_id)] = {now_s, m->param_value};
     plan_.sent(frame);
 }

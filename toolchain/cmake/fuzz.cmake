@@ -20,7 +20,7 @@ run_fuzzer(conversation conversation)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
              ${CMAKE_SOURCE_DIR}/firmware/gcs/incoming.cpp)
 file(STRINGS ${CMAKE_SOURCE_DIR}/firmware/gcs/incoming.cpp handled
-     REGEX "to(All|Us)<mavlink::[A-Za-z]+>\\(on")
+     REGEX "to(All|Us)<mavlink::[A-Za-z]+>\\((on|refuse)")
 foreach(row IN LISTS handled)
     string(REGEX REPLACE ".*<mavlink::([A-Za-z]+)>.*" "\\1" message "${row}")
     run_fuzzer(${message} handler ${message})

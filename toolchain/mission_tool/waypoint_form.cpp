@@ -81,9 +81,8 @@ Entry entryOf(const WaypointItem& from, Set set, size_t index, size_t count) {
         entry.result = check(set, index, count, entry);
     } else {
         // what can be said of it although it has no record
-        const bool is_byte = from.command <= 0xFF;
-        if (!is_byte) entry.command = from.command;
-        entry.record.id = is_byte ? static_cast<uint8_t>(from.command) : mission::kNoId;
+        entry.record.id = firmware::mission::idOf(from.command);
+        if (entry.record.id == mission::kNoId) entry.command = from.command;
         entry.row = firmware::mission::kCommandTable.find(set, entry.record.id);
     }
     if (notes.rounded) entry.notes.push_back("a value is rounded to what the record can hold");

@@ -12,7 +12,7 @@ uint8_t bytes[64];
 uint8_t size;
 
 bool take(uint8_t byte) {
-    mavlink::Parser<firmware::gcs::IncomingTable, firmware::gcs::kLongestTalk>& parser =
+    mavlink::Parser<firmware::gcs::IncomingTable, firmware::gcs::kLongestQuestion>& parser =
         firmware::gcs::links[0].parser;
     return parser.put(byte);
 }

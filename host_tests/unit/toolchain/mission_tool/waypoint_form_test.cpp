@@ -38,8 +38,17 @@ TEST_F(Plan, refusals_name_line_item_and_value) {
         refusalOf(planWith(item(16, "0,0,0,0,47.1,8,60") + ",\n" + item(181, "0,9,0,0,0,0,0"))),
         "m:4:1: item 2: expected 0 or 1, found '9'");
     EXPECT_EQ(
-        refusalOf(planWith(item(16, "0,0,0,0,47.1,8,60") + ",\n" + item(2000, "0,0,0,0,0,0,0"))),
-        "m:4:1: item 2: expected a command of the APM 2.0 set, found '2000'");
+        refusalOf(planWith(item(16, "0,0,0,0,47.1,8,60") + ",\n" + item(2500, "0,0,0,0,0,0,0"))),
+        "m:4:1: item 2: expected a command of the APM 2.0 set, found '2500'");
+}
+
+TEST_F(Plan, keeps_the_commands_past_255_that_have_an_id) {
+    EXPECT_EQ(
+        refusalOf(planWith(item(16, "0,0,0,0,47.1,8,60") + ",\n" + item(2000, "0,3,0,0,0,0,0"))),
+        "m:4:1: item 2: expected 1: one picture, a series by time there is none, found '0'");
+    const std::string plan = file(
+        "m.plan", planWith(item(16, "0,0,0,0,47.1,8,60") + ",\n" + item(530, "0,2,0,0,0,0,0")));
+    EXPECT_EQ(tool({"check", plan}), 0) << err_;
 }
 
 TEST_F(Plan, converts_to_the_other_forms_and_back_to_the_same_records) {
