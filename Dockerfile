@@ -10,6 +10,7 @@ WORKDIR /project
 # First what is installed, so that a change of the sources does not install it again.
 COPY toolchain/setup toolchain/setup
 COPY toolchain/node toolchain/node
+COPY toolchain/shared toolchain/shared
 COPY web/package.json web/package-lock.json web/
 RUN toolchain/setup test && rm -rf /var/lib/apt/lists/*
 

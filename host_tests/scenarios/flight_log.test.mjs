@@ -9,6 +9,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { named, readLog } from '../support/bin.mjs';
+import { embedded } from '../support/flight_document.mjs';
 
 const kMetresPerDegree = 111_195;
 let folder, image, records, truth;
@@ -209,16 +210,17 @@ test('what cannot be written or read is one line and a failure', () => {
 test('the report made of the log alone says what the simulator\'s says', () => {
   const page = join(folder, 'report.html');
   tool('report', image, '-o', page);
-  const html = readFileSync(page, 'utf8');
+  const document = embedded(page);
   const summary = JSON.parse(readFileSync(join(folder, 'flight', 'summary.json'), 'utf8'));
-  const shown = (name) => +new RegExp(`<td>${name}</td><td[^>]*>([\\d.]+)`).exec(html)[1];
+  const shown = (name) => document.deviations.find((each) => each.name === name).value;
   for (const [name, truly, within] of [['Crosstrack, RMS', summary.crosstrack_rms_m, 0.5],
     ['Altitude, RMS', summary.altitude_rms_m, 0.5], ['Flight time', summary.flight_time_s, 20]]) {
     console.log(`${name}: logged ${shown(name)}, truly ${truly}`);
     assert.ok(Math.abs(shown(name) - truly) < within, name);
   }
-  assert.match(html, /<p class="sub">[^<]*ArduPilotMega autopilot V/);
-  for (const word of ['mission completed', 'Ground track', 'mode AUTO', 'Control surfaces', 'as the airplane has logged it'])
-    assert.ok(html.includes(word), word);
-  assert.ok(!html.includes('truth'), 'a log does not know it');
+  assert.match(document.title, /^flash\.bin · ArduPilotMega autopilot V/);
+  assert.deepEqual([document.kind, document.verdict], ['log', { good: true, text: 'flown and disarmed' }]);
+  assert.ok(document.bands.some(({ name }) => name === 'AUTO') && document.events.some(({ text }) => text === 'mode AUTO'));
+  assert.ok(document.series.some(({ group }) => group === 'servos'));
+  assert.ok(!document.series.some(({ kind }) => kind === 'truth'), 'a log does not know it');
 });

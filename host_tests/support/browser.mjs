@@ -11,6 +11,8 @@ const require = createRequire(join(web, 'package.json'));
 const { chromium } = require('playwright-core');
 const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
 
+const kTimeout_ms = 120_000;  // other programs may have the processor
+
 export const launch = () => chromium.launch({
   executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
   args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
@@ -19,6 +21,7 @@ export const launch = () => chromium.launch({
 // A page whose errors and requests are kept: page.faults, page.requests.
 export async function open(browser, url, { width = 1200, height = 800, dark = false } = {}) {
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light' });
+  context.setDefaultTimeout(kTimeout_ms);
   const page = await context.newPage();
   page.faults = [];
   page.requests = [];

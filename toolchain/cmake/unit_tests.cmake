@@ -126,15 +126,17 @@ endforeach()
 
 # ---- the pages, in a browser where there is one
 set(page_programs FLY=$<TARGET_FILE:fly> LOG_TOOL=$<TARGET_FILE:log_tool> CAMPAIGN=$<TARGET_FILE:campaign>)
+file(GLOB page_tests CONFIGURE_DEPENDS ${tests}/web/*.mjs ${tests}/support/*.mjs)
+set(page_data ${page_tests} ${page_sources} ${CMAKE_SOURCE_DIR}/docs/failsafes.md
+    ${CMAKE_SOURCE_DIR}/simulator/ground/telemetry.cpp)
 declare_test(web.log_document COMMAND node --test ${tests}/web/log_document.test.mjs NEEDS fly log_tool
-             ENVIRONMENT ${page_programs} LABELS unit quick)
+             DATA ${page_data} ENVIRONMENT ${page_programs} LABELS unit quick REUSE)
 find_program(CHROMIUM chromium NO_CMAKE_SYSTEM_PATH)
 if(CHROMIUM)
     foreach(name page campaign)
         declare_test(web.${name} COMMAND node --test ${tests}/web/${name}.test.mjs NEEDS fly log_tool campaign
                      ENVIRONMENT ${page_programs} CHROMIUM=${CHROMIUM} PAGES=${pages} SHOTS=${pages}/shots
-                     LABELS unit quick)
-        set_tests_properties(web.${name} PROPERTIES RUN_SERIAL ON)
+                     DATA ${page_data} ${pages}/${name}.html LABELS unit quick REUSE)
     endforeach()
 else()
     message(STATUS "chromium is missing: the pages are not tried in a browser (toolchain/setup test)")

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The pages of web/, each one file, and the tables that they share with the tools.
-find_program(NODE_FOR_PAGES node NO_CMAKE_SYSTEM_PATH REQUIRED)
 set(web ${CMAKE_SOURCE_DIR}/web)
 set(pages ${CMAKE_BINARY_DIR}/web)
 file(GLOB_RECURSE page_sources CONFIGURE_DEPENDS ${web}/src/*)
 add_custom_command(OUTPUT ${pages}/page.html ${pages}/campaign.html
-    COMMAND ${NODE_FOR_PAGES} ${web}/build.mjs page campaign ${pages}
+    COMMAND node ${web}/build.mjs page campaign ${pages}
     DEPENDS ${page_sources} ${web}/build.mjs ${web}/package-lock.json VERBATIM)
 add_custom_target(pages DEPENDS ${pages}/page.html ${pages}/campaign.html)
 

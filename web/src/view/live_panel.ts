@@ -32,7 +32,7 @@ export class LivePanel {
     page.map.fit();
     new Sticks((command) => void this.send(command), panel);
   }
-  private row(...children: Node[]): HTMLElement { return make('div', { class: 'row' }, ...children); }
+  private row(...children: (Node | string)[]): HTMLElement { return make('div', { class: 'row' }, ...children); }
   private choice(label: string, names: string[], run: (name: string) => void): HTMLElement {
     const select = make('select', { 'aria-label': label }, make('option', { value: '' }, `${label}…`), ...names.map((name) => make('option', { value: name }, name)));
     select.addEventListener('change', () => {
@@ -45,12 +45,12 @@ export class LivePanel {
     const takeoff = make('button', { type: 'button' }, 'take-off');
     takeoff.addEventListener('click', () => void this.do({ do: 'takeoff' }));
     return this.row(this.state, make('span', { class: 'grow' }), this.arm, takeoff,
-      this.choice('mode', kModes, (mode) => void this.do({ do: 'mode', mode })), this.goTo, this.height);
+      this.choice('mode', kModes, (mode) => void this.do({ do: 'mode', mode })), this.goTo, 'at', this.height, 'm');
   }
   private world(): HTMLElement {
     const speed = make('input', { type: 'number', value: 5, min: 0, max: 30, 'aria-label': 'Wind, m/s' });
     const from = make('input', { type: 'number', value: 320, min: 0, max: 360, 'aria-label': 'Wind from, degrees' });
-    const wind = make('button', { type: 'button' }, 'set wind');
+    const wind = make('button', { type: 'button', 'aria-label': 'set wind' }, 'set');
     wind.addEventListener('click', () => void this.do({ do: 'wind', speed_mps: Number(speed.value), from_deg: Number(from.value) }));
     const speeds = make('span', { role: 'group', 'aria-label': 'Speed of the simulation', class: 'row' }, ...kSpeeds.map(([name, times]) => {
       const button = make('button', { type: 'button' }, name);
@@ -59,7 +59,8 @@ export class LivePanel {
     }));
     return this.row(this.pause, speeds,
       this.choice('inject a fault', kFaults, (name) => void this.do({ do: 'fault', name, on: true })),
-      this.choice('end a fault', kFaults, (name) => void this.do({ do: 'fault', name, on: false })), speed, from, wind);
+      this.choice('end a fault', kFaults, (name) => void this.do({ do: 'fault', name, on: false })),
+      'wind', speed, 'm/s from', from, '°', wind);
   }
   private aim(on: boolean): void {
     this.goTo.setAttribute('aria-pressed', String(on));
