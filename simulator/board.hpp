@@ -58,7 +58,8 @@ public:
     virtual size_t unsent(int usart) const = 0;  // bytes still waiting for the line
     virtual void setUsb(bool plugged) = 0;       // PA1 low when plugged
 
-    virtual void reset() = 0;  // the reset button
+    virtual void reset() = 0;        // the reset button
+    virtual void expectRestart() {}  // the supply is going to make one
     // Of the processor since power-on, whatever made it; and when the program's first instruction
     // last ran.
     virtual unsigned restarts() const { return 0; }

@@ -9,6 +9,7 @@
 
 #include "simulator/devices/gps_kinds.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/devices/supply.hpp"
 
 namespace simulator {
 
@@ -138,6 +139,10 @@ std::string Server::answerFault(const std::string& rest) {
     all.back().from_s = static_cast<double>(board_.time_us()) * 1e-6 + 0.001;
     all.back().to_s = all.back().from_s + for_s;
     world.setFaults(all);
+    if (fault->sensor != Faulty::supply) return "ok";
+    // by brown-out, and again by power-on
+    for (const double level_v : {least_v::kChip, least_v::kPowerOnReset})
+        if (fault->volts < level_v) board_.expectRestart();
     return "ok";
 }
 

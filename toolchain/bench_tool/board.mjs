@@ -75,6 +75,7 @@ export class Board {
       await this.tick();
     }
   }
+  always(listener) { this.#listeners.add(listener); }
   // What `body` gives while `listener` hears every message.
   async listening(listener, body) {
     this.#listeners.add(listener);

@@ -7,7 +7,7 @@ const shown = (value, digits) => value.toFixed(digits).replace(/^-(0(\.0*)?)$/, 
 // `low` to `high`, both allowed; either may be left out. `why`: where the limit comes from.
 export function within({ low = -Infinity, high = Infinity, unit, digits = 1, why }) {
   const ends = low === -Infinity ? `at most ${high}` : high === Infinity ? `at least ${low}`
-    : low === high ? `${low}` : low === -high ? `±${high}` : `${low} to ${high}`;
+    : low === high ? `${low}` : low === -high ? `±${high}` : `${Number(low.toFixed(2))} to ${Number(high.toFixed(2))}`;
   return {
     text: `${ends} ${unit}`.trim(), why,
     has: (value) => Number.isFinite(value) && value >= low && value <= high,

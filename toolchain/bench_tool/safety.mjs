@@ -4,7 +4,7 @@
 import { NotDone, NotMeasured } from './errors.mjs';
 
 const kArm = 400, kWithoutChecks = 2989, kDisarmAtOnce = 21196, kSetMode = 176;
-const kManual = 0, kSticks_ms = 500;
+const kManual = 0, kArmedFlag = 128, kSticks_ms = 500;
 export const kConfirmations = [
   ['propeller', 'The motor\'s output will rise in this step. Is the propeller off the motor?', 'the propeller is off'],
   ['people', 'Is nobody, and nothing loose, near the motor, and is it fixed?', 'nobody is near the motor'],
@@ -20,6 +20,13 @@ export class Safety {
     this.print = print;
     this.armed = false;
     this.sticks = null;
+    board.always(({ name, data }) => this.watch(name, data));
+  }
+
+  // Armed by something else, as a pilot's rudder: disarmed at once, and the part has failed.
+  watch(name, { baseMode }) {
+    if (name !== 'HEARTBEAT' || this.armed || !(baseMode & kArmedFlag)) return;
+    this.armed = this.surprised = true;
   }
 
   // Throws NotDone unless all three are given; each time anew.
@@ -45,6 +52,10 @@ export class Safety {
   }
   // In each tick of the board's waiting: the vehicle forgets sticks after 3 s.
   tick() {
+    if (this.surprised && this.armed) {
+      this.surprised = false;
+      throw new NotMeasured('the board was armed, and not by this program');
+    }
     if (this.sticks && this.board.now_ms() - this.sent_ms > kSticks_ms) this.sendSticks();
   }
 
@@ -77,7 +88,7 @@ export class Safety {
   // At the end of each step and of the session, however it ends: what could not be undone.
   async end() {
     const left = [];
-    this.board.stopping = false;
+    this.board.stopping = this.surprised = false;
     const within = async (undo, what) => {
       try {
         await undo();

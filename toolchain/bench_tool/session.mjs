@@ -105,6 +105,7 @@ export class Session {
       Object.assign(record, verdictOn(part.limit, await part.measure({ ...this.context(), id: part.id })));
     } catch (error) {
       Object.assign(record, this.without(error));
+      if (this.safety.armed) await this.atEnd();
     }
     this.print(`  ${kMarks[record.verdict]}  ${record.title}: ${record.value} (${record.limit})`);
     if (record.verdict === kFail) this.print(`            ${part.failed ?? step.failed}`);

@@ -107,6 +107,7 @@ if(TESTS)
         include(image_tests)
         include(flight_tests)
         include(ground_tests)
+        include(bench_tests)
         include(fuzz)
         # begun first, the longest do not end alone
         foreach(test toolchain.flash fdm.flight.native fuzz.mission_tool.eeprom flight.native_fault_pairs)

@@ -32,8 +32,8 @@ export const fuses = {
     { id: '2.button', title: 'silent over a reset by the button, without USB',
       limit: within({ high: 5, unit: 's', digits: 2, why: 'a brown-out in the air costs the same; some 0.4 s with the loader of the APM 2, 1.2 s with its slow variant' }),
       measure: async (b) => {
-        await b.person.action(b.id, 'Connected through the telemetry socket and without USB, press Enter, then the reset button.');
-        const { silent_s, text } = await restart(b, () => {});
+        const { silent_s, text } = await restart(b, () => b.person.action(b.id,
+          'Connected through the telemetry socket and without USB, press Enter, then the reset button.'));
         return { value: silent_s, note: text };
       } },
   ],

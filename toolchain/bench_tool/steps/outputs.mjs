@@ -28,11 +28,19 @@ const worstOf = (all) => {
 };
 const kExact = { low: -1, high: 1, unit: 'us', why: 'the timers count half microseconds; read over sent' };
 
+// The whole range for the time of the part; Safety restores what it was.
+async function widen({ safety }, output) {
+  await safety.change(`RC${output}_MIN`, 1000);
+  await safety.change(`RC${output}_MAX`, 2000);
+}
+
 // Outputs 1, 2 and 4 follow the sticks in MANUAL, which the ground station holds.
 const stickOutput = (output) => ({
   id: `11.output_${output}`, title: `output ${output}: read against sent`, limit: within(kExact),
   measure: async (b) => {
     await b.person.action(b.id, `The oscilloscope at output ${output}. This program holds the sticks meanwhile: switch the transmitter off.`);
+    await widen(b, output);
+    await b.safety.change('ARMING_RUDDER', 0);  // full right rudder and a closed throttle would arm
     await b.board.mustAccept(kSetMode, [1, kManual], 'mode MANUAL');
     const all = [];
     for (const wanted_us of [1000, 1500, 2000]) {
@@ -43,7 +51,7 @@ const stickOutput = (output) => ({
     }
     return worstOf(all);
   },
-  failed: 'RCn_MIN, _MAX and _REV at their defaults? Else the chip\'s crystal: compare it by the 50 Hz.',
+  failed: 'RCn_TRIM, RCn_REV and ELEVON_OUTPUT at their defaults? Else the chip\'s crystal: compare it by the 50 Hz.',
 });
 // Outputs 5 to 8 go where a command sends them, while RCn_FUNCTION is 0.
 const commandOutput = (output) => ({
@@ -97,13 +105,14 @@ const motor = {
   id: '11.motor', title: `output ${kMotor}, armed: read against sent`, limit: within(kExact),
   measure: async (b) => {
     await b.safety.confirmed('11.motor');
-    b.safety.hold([...kMiddle]);
+    const low_us = await b.board.parameter('RC3_MIN'), high_us = await b.board.parameter('RC3_MAX');
+    b.safety.hold([1500, 1500, low_us, 1500]);
     await b.board.wait(kSettle_ms);
     await b.safety.arm('11.motor');
     const all = [];
-    for (const wanted_us of [1000, 1500, 2000, 1000]) {
+    for (const wanted_us of [low_us, Math.round((low_us + high_us) / 2), high_us, low_us]) {
       b.safety.hold([1500, 1500, wanted_us, 1500]);
-      all.push(await compared(b, b.id, kMotor, wanted_us === 1000 ? Math.max(1000, await lowest_us(b.board)) : wanted_us));
+      all.push(await compared(b, b.id, kMotor, wanted_us));
     }
     await b.safety.disarm();
     const after_us = await highest_us(b.board, kMotor, 2000);
@@ -111,7 +120,6 @@ const motor = {
     return { ...result, ok: after_us <= kSafe_us, note: `${result.note}; disarmed ${after_us} (limit ${kSafe_us})` };
   },
 };
-const lowest_us = (board) => board.parameter('RC3_MIN');
 
 export const outputs = {
   number: 11, title: 'Servo outputs', tools: 'an oscilloscope; for the last part a speed controller with its motor fixed, PROPELLER OFF',

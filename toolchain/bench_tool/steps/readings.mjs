@@ -3,7 +3,7 @@
 import { NotMeasured } from '../errors.mjs';
 import { idOf } from '../mavlink.mjs';
 
-const kGone_ms = 150, kAskAgain_ms = 100, kFast_hz = 50;
+const kGone_ms = 150, kRestart_ms = 70, kAskAgain_ms = 100, kFast_hz = 50;
 const kSetInterval = 511, kGyro = 1;  // MAV_SYS_STATUS_SENSOR_3D_GYRO
 const kCause = /^(Started|Restarted) /;
 
@@ -33,7 +33,7 @@ export async function restart({ board }, begin, within_ms = 60_000) {
     const silent_ms = silence.to_ms - silence.from_ms;
     if (!text) throw new NotMeasured(`no text of a restart within ${within_ms / 1000} s` +
       `${board.port.connected ? '' : '; the port is gone'}`);
-    if (silent_ms < kGone_ms) throw new NotMeasured('it reported a restart without having been silent');
+    if (silent_ms < kRestart_ms) throw new NotMeasured('it reported a restart without having been silent');
     await board.until(() => beat_ms, 2000);
     return { text, silent_s: silent_ms / 1000, up_ms: silence.to_ms, beat_ms };
   });
@@ -44,7 +44,7 @@ const ask = (board, name, rate_hz) => board.send('COMMAND_LONG',
 
 // Of a start from no power: seconds from the program's beginning to the first heartbeat, to the
 // first plausible inertial sample, and to gyros that are calibrated.
-export async function coldStart({ board }, within_ms = 60_000) {
+export async function coldStart({ board }, begin, within_ms = 60_000) {
   const times = { began_ms: Infinity };
   let asked_ms = -Infinity, silent_since_ms = board.now_ms(), gone = false;
   const hears = {
@@ -64,13 +64,13 @@ export async function coldStart({ board }, within_ms = 60_000) {
   };
   if (board.port.connected) await board.rate('ATTITUDE', kFast_hz);
   silent_since_ms = board.now_ms();
-  const ended = await board.listening(listener, () => board.until(() => {
+  const ended = await board.listening(listener, async () => begin().then(() => board.until(() => {
     if (gone && board.now_ms() - asked_ms > kAskAgain_ms) {
       asked_ms = board.now_ms();
       for (const name of ['RAW_IMU', 'SYS_STATUS']) ask(board, name, kFast_hz);
     }
     return times.beat_ms !== undefined && times.sample_s !== undefined && times.ready_ms !== undefined;
-  }, within_ms));
+  }, within_ms)));
   if (!gone) throw new NotMeasured(`the board was never silent within ${within_ms / 1000} s`);
   if (!ended) {
     const missing = { beat_ms: 'a heartbeat', sample_s: 'an inertial sample of 1 g', ready_ms: 'calibrated gyros' };

@@ -3,9 +3,11 @@
 import { NotMeasured } from '../errors.mjs';
 import { degrees, wrapped_deg } from '../figures.mjs';
 import { within } from '../limits.mjs';
+import { idOf } from '../mavlink.mjs';
 import { attitude, restart } from './readings.mjs';
 
 const kFlying = 4;  // MAV_STATE_ACTIVE
+const kAhrs = 0x200000, kRequest = 512, kRightWithin_s = 1.5;  // MAV_SYS_STATUS_AHRS
 const kOff_deg = 5, kAligned_ms = 8000, kFlyingWithin_ms = 60_000;
 
 // The largest difference of two attitudes, of a level board.
@@ -18,36 +20,40 @@ const limit = within({ high: kOff_deg, unit: '°', why: 'docs/restart.md: right 
 const atRest = {
   id: '15.rest', title: 'attitude after a restart at rest, against that before', limit,
   measure: async (b) => {
-    await b.person.action(b.id, 'Lay the board level and leave it. Press Enter, then the reset button.');
     const before = await attitude(b);
-    await restart(b, () => {});
+    await restart(b, () => b.person.action(b.id, 'The board lies level and is left alone. Press Enter, then the reset button.'));
     await b.board.wait(kAligned_ms);
     const after = await attitude(b);
     return { value: off_deg(before, after), note: `roll/pitch/yaw ${shown(before)}, then ${shown(after)}` };
   },
 };
 
-// The first attitude that comes after the silence.
+// The attitude before the silence, and the first one after it that the board calls right.
 async function firstAttitude(b, begin) {
   await b.board.rate('ATTITUDE', 50);
-  let last_ms = b.board.now_ms(), before, after, back_ms;
+  let last_ms = b.board.now_ms(), before, after, back_ms, right = false, after_s;
   const listener = ({ name, data, at_ms }) => {
     if (at_ms - last_ms > 150) back_ms ??= at_ms;
     last_ms = at_ms;
+    if (name === 'SYS_STATUS' && back_ms !== undefined) right ||= (data.onboardControlSensorsHealth & kAhrs) !== 0;
     if (name !== 'ATTITUDE') return;
     const now = { roll_rad: data.roll, pitch_rad: data.pitch, yaw_rad: data.yaw };
     if (back_ms === undefined) before = now;
-    else after ??= now;
+    else if (right && !after) {
+      after = now;
+      after_s = (at_ms - back_ms) / 1000;
+    }
   };
   return b.board.listening(listener, async () => {
+    await b.board.until(() => before, 2000);
     await begin();
     await b.board.until(() => back_ms, 30_000);
-    for (let tries = 0; tries < 20 && !after; ++tries) {
-      b.board.send('COMMAND_LONG', { command: 512, _param1: 30 });
+    for (let tries = 0; tries < 100 && back_ms !== undefined && !after; ++tries) {
+      for (const message of ['SYS_STATUS', 'ATTITUDE']) b.board.send('COMMAND_LONG', { command: kRequest, _param1: idOf(message) });
       await b.board.until(() => after, 100);
     }
-    if (!before || !after) throw new NotMeasured(back_ms === undefined ? 'the board was never silent' : 'no attitude came within 2 s of its return');
-    return { before, after };
+    if (!before || !after) throw new NotMeasured(back_ms === undefined ? 'the board was never silent' : 'no attitude came within 10 s of its return');
+    return { before, after, after_s };
   });
 }
 
@@ -64,10 +70,11 @@ const inFlight = {
     await b.board.listening(({ name, data }) => { if (name === 'HEARTBEAT') status = data.systemStatus; },
       () => b.board.until(() => status === kFlying, kFlyingWithin_ms));
     if (status !== kFlying) throw new NotMeasured('it does not take itself for flying: system status is not ACTIVE');
-    const { before, after } = await firstAttitude(b, () =>
+    const { before, after, after_s } = await firstAttitude(b, () =>
       b.person.action(`${b.id}.cut`, 'Press Enter, then cut the supply for 0.2 s (a turntable shows errors of turning; at rest only those of the estimate).'));
     const resumed = await b.board.text(/Restarted|Started/, 3000, b.board.now_ms() - 3000);
-    return { value: off_deg(before, after), note: `roll/pitch/yaw ${shown(before)}, then ${shown(after)}; ${resumed ?? 'no text'}` };
+    return { value: off_deg(before, after), ok: after_s <= kRightWithin_s,
+      note: `roll/pitch/yaw ${shown(before)}, then ${shown(after)}, ${after_s.toFixed(2)} s after its first byte (limit ${kRightWithin_s}); ${resumed ?? 'no text'}` };
   },
 };
 

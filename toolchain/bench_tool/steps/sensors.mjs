@@ -146,6 +146,7 @@ export const air = {
       measure: async ({ board, person, id }) => {
         const true_pa = await person.number(id, 'Press about 500 Pa (51 mm of water) into the tube with the syringe and hold it.',
           { unit: 'Pa', low: 100, high: 2000 });
+        await board.wait(1500);  // its low-pass filter
         const board_pa = 100 * mean(field(await board.collect('SCALED_PRESSURE', 2000, 20), 'pressDiff'));
         return { value: percentOff(board_pa, true_pa), note: `board ${board_pa.toFixed(0)} Pa, manometer ${true_pa.toFixed(0)} Pa` };
       } },

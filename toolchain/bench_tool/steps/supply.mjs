@@ -36,13 +36,9 @@ const starts = (id, title, count, how) => ({
   measure: async (b) => {
     const all = [];
     for (let i = 1; i <= count; ++i) {
-      try {
-        await b.person.action(b.id, `Start ${i} of ${count}: press Enter, then ${how}. Keep the board still.`);
-      } catch (error) {
+      const begin = () => b.person.action(b.id, `Start ${i} of ${count}: press Enter, then ${how}. Keep the board still.`);
+      const start = await coldStart(b, begin).catch((error) => {
         if (error instanceof NotDone) throw new NotDone(`${all.length} of ${count} starts were made`);
-        throw error;
-      }
-      const start = await coldStart(b).catch((error) => {
         if (error instanceof NotMeasured) throw new NotMeasured(`start ${i} of ${count}: ${error.message}`);
         throw error;
       });
@@ -93,8 +89,7 @@ const volts = (set_v) => ({
 const cause = (id, title, what, expected, instruction) => ({
   id, title, limit: holds(what, 'docs/restart.md: the supply decides between brown-out and button'),
   measure: async (b) => {
-    await b.person.action(b.id, `${instruction} Press Enter first.`);
-    const { text } = await restart(b, () => {});
+    const { text } = await restart(b, () => b.person.action(b.id, `${instruction} Press Enter first.`));
     return { ok: expected.test(text), note: text };
   },
 });
