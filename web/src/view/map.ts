@@ -66,7 +66,9 @@ export class FlightMap {
     const bounds = L.latLngBounds([]);
     for (const item of this.items()) bounds.extend([item.lat_deg, item.lon_deg]);
     for (const [at] of this.points()) bounds.extend(at);
-    if (bounds.isValid()) this.map.fitBounds(bounds, { paddingTopLeft: [30, 46], paddingBottomRight: [50, 46] });
+    if (!bounds.isValid()) return;
+    // a single place has no size: an airplane that stands still
+    this.map.fitBounds(bounds, { paddingTopLeft: [30, 46], paddingBottomRight: [50, 46], maxZoom: 18 });
   }
 
   // [place, index of the sample], so many that a canvas draws them at once.
