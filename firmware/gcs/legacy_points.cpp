@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/gcs/legacy_points.hpp"
 
+#include <stddef.h>
 #include <string.h>
 
 #include "core/maths.hpp"
@@ -204,6 +205,13 @@ bool onRallyFetchPoint(Link& link, const mavlink::Frame& frame) {
     message.idx = index;
     message.count = listCount(ListKind::rally);
     return send(link, message);
+}
+
+bool refusePoint(Link&, const mavlink::Frame& frame) {
+    const bool fence = frame.id == mavlink::Wire<mavlink::FencePoint>::id;
+    const uint8_t at =
+        fence ? offsetof(mavlink::FencePoint, idx) : offsetof(mavlink::RallyPoint, idx);
+    return refuse(at < frame.length ? frame.payload[at] : 0);
 }
 
 }  // namespace gcs

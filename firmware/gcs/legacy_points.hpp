@@ -15,6 +15,7 @@ bool onFencePoint(Link& link, const mavlink::Frame& frame);
 bool onFenceFetchPoint(Link& link, const mavlink::Frame& frame);
 bool onRallyPoint(Link& link, const mavlink::Frame& frame);
 bool onRallyFetchPoint(Link& link, const mavlink::Frame& frame);
+bool refusePoint(Link& link, const mavlink::Frame& frame);  // the store stayed busy
 
 // FENCE_TOTAL, RALLY_TOTAL: cuts the list off, or adds blank points. To be called with the same
 // arguments until it is not busy.

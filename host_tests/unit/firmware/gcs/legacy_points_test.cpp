@@ -125,6 +125,24 @@ TEST_F(OldPoints, a_point_is_stored_though_the_store_is_slow) {
     EXPECT_EQ(acks(second, kRally), Results{MavMissionResult::denied});
 }
 
+TEST_F(OldPoints, a_point_that_is_given_up_is_named) {
+    EXPECT_EQ(setParameter("FENCE_TOTAL", 6), 6);
+    EXPECT_EQ(setParameter("RALLY_TOTAL", 2), 2);
+    live_ms(200);
+    station.forget();
+    lists.slow = 1000;
+    give(fencePoint(3, 6));
+    live_ms(1500);
+    EXPECT_EQ(station.texts(), std::vector<std::string>{"Point 3 refused"});
+    live_ms(3000);
+    auto rally = toVehicle<mavlink::RallyPoint>();
+    rally.idx = 1;
+    rally.count = 2;
+    give(rally);
+    live_ms(1500);
+    EXPECT_EQ(station.texts(), std::vector<std::string>{"Point 1 refused"});
+}
+
 TEST_F(OldPoints, rally_points_one_by_one) {
     EXPECT_EQ(setParameter("RALLY_TOTAL", 2), 2);
     live_ms(200);
