@@ -74,6 +74,33 @@ TEST_F(LockStep, grants_time_and_says_how_much_was_sent) {
     EXPECT_EQ(board.time_us(), 150'000u);
 }
 
+TEST_F(LockStep, takes_the_orders_of_a_person_at_the_bench) {
+    Client control(server.controlPort());
+
+    for (const char* good :
+         {"turn-to 10 -20 30", "turn 1 2 3", "lift 1.5", "blow 12", "reset", "gps nmea 9600",
+          "fault baro:lost 3", "fault supply:sag_1.5v 0.2", "fault none"}) {
+        EXPECT_EQ(control.ask(good), "ok") << good;
+    }
+    EXPECT_EQ(control.ask("servos"), "[0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0]");
+    for (const char* wrong : {"turn-to 1 2", "lift", "blow x", "gps none 9600", "gps nmea",
+                              "fault baro:lost", "fault baro:cut 3", "fault baro:lost -1"}) {
+        EXPECT_EQ(control.ask(wrong).rfind("error: ", 0), 0u) << wrong;
+    }
+}
+
+TEST_F(LockStep, fails_a_part_from_now_on_for_as_long_as_asked) {
+    Client control(server.controlPort());
+    control.ask("advance 2000");
+    control.ask("fault baro:lost 3");
+
+    ASSERT_EQ(board.world().faults().size(), 1u);
+    EXPECT_NEAR(board.world().faults()[0].from_s, 2, 0.01);
+    EXPECT_NEAR(board.world().faults()[0].to_s, 5, 0.01);
+    EXPECT_EQ(control.ask("fault none"), "ok");
+    EXPECT_TRUE(board.world().faults().empty());
+}
+
 TEST_F(LockStep, lets_no_time_pass_by_itself) {
     Client control(server.controlPort());
 
