@@ -11,13 +11,12 @@ function requestOf(word) {
   return { tree, targets: targets?.split(',') ?? [] };
 }
 
-// A tree without targets is all of it.
+// A tree without targets is its target all, which leaves out what is only built by name.
 export function requestsOf(words) {
   const byTree = new Map();
   for (const { tree, targets } of words.map(requestOf)) {
-    const before = byTree.get(tree);
-    const all = targets.length === 0 || before?.length === 0;
-    byTree.set(tree, all ? [] : [...new Set([...(before ?? []), ...targets])]);
+    const wanted = targets.length > 0 ? targets : ['all'];
+    byTree.set(tree, [...new Set([...(byTree.get(tree) ?? []), ...wanted])]);
   }
   return [...byTree].map(([tree, targets]) => ({ tree, targets }));
 }

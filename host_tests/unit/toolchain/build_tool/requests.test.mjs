@@ -10,9 +10,10 @@ test('a tree that is named twice is built once, with the targets of both', () =>
   ]);
 });
 
-test('a tree without targets is all of it', () => {
-  assert.deepEqual(requestsOf(['host:fly', 'host']), [{ tree: 'host', targets: [] }]);
-  assert.deepEqual(requestsOf(['host', 'host:fly']), [{ tree: 'host', targets: [] }]);
+test('a tree without targets is all of it, and what is named beside it', () => {
+  assert.deepEqual(requestsOf(['host']), [{ tree: 'host', targets: ['all'] }]);
+  assert.deepEqual(requestsOf(['avr:cost_programs', 'avr']), [{ tree: 'avr', targets: ['cost_programs', 'all'] }]);
+  assert.deepEqual(requestsOf(['avr', 'avr:cost_programs']), [{ tree: 'avr', targets: ['all', 'cost_programs'] }]);
 });
 
 test('a tree that does not exist is refused by name', () => {
