@@ -13,6 +13,7 @@ namespace mission {
 constexpr uint8_t kMaxItems = 176;
 constexpr uint8_t kMaxCounters = 15;
 constexpr uint8_t kRecordsPerPoll = 16;
+constexpr uint8_t kRecordsBesideNav = 4;  // more in a poll, and the next one starts the NAV
 
 enum class Event : uint8_t {
     started,   // index: the NAV that is flown from now on
@@ -158,6 +159,7 @@ private:
     void load(uint8_t index, const Item& item);
     void noNavLeft();
     bool walk();
+    bool roomForNav() const;
     void endOfChain();
     void startNav();
     void startCondition(const Item& item);
@@ -180,6 +182,7 @@ private:
     bool resuming_ = false;
     bool trailing_ = false;
     bool starved_ = false;
+    uint8_t polled_ = 0;  // records of this poll
 };
 
 }  // namespace mission

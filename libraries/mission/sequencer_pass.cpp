@@ -27,14 +27,14 @@ uint8_t Sequencer::poll(bool trailing) {
     } else if (memory_.phase == kFlying && !lookAround()) {
         return 0;
     }
-    uint8_t records = 0;
-    while (records < kRecordsPerPoll && active_ && midPass()) {
-        ++records;
+    polled_ = 0;
+    while (polled_ < kRecordsPerPoll && active_ && midPass()) {
+        ++polled_;
         if (!(memory_.phase == kSeeking ? seek() : walk())) break;
         if (core::romRead(host_.enough)()) break;
     }
     seal();
-    return records;
+    return polled_;
 }
 
 // The NAV first, then the CONDITION beside it. True when one of them has finished.
@@ -165,7 +165,7 @@ bool Sequencer::walk() {
     const bool to_nav = set() == Set::apm2 && !has(kTrailing) && !has(kLoops);
     const uint8_t end = to_nav ? memory_.nav : count();
     if (has(kDropped) || memory_.next >= end) {
-        endOfChain();
+        if (roomForNav()) endOfChain();
         return false;
     }
     Item item;
@@ -179,12 +179,16 @@ bool Sequencer::walk() {
     if (kind == Class::jump) {
         takeJump(item);
     } else if (kind == Class::condition) {
+        if (!roomForNav()) return false;
         startCondition(item);
     } else {
         act(item);
     }
     return memory_.phase != kFlying;
 }
+
+// Starting a NAV takes as long as many records: behind those it waits for the next poll.
+bool Sequencer::roomForNav() const { return has(kStarted) || polled_ <= kRecordsBesideNav; }
 
 void Sequencer::endOfChain() {
     if (has(kTrailing)) return complete();
