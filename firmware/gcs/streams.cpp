@@ -69,7 +69,7 @@ constexpr OutgoingRow kOutgoing[] ROM = {
     row<mavlink::NavControllerOutput>(Stream::extended_status),
     row<mavlink::MissionCurrent>(Stream::extended_status),
     row<mavlink::FenceStatus>(Stream::extended_status),
-    row<mavlink::ExtendedSysState>(Stream::extended_status),
+    row<mavlink::ExtendedSysState>(Stream::extended_slowly),
     row<mavlink::MissionItemReached>(Stream::on_request),
     row<mavlink::CameraFeedback>(Stream::on_request),
     row<mavlink::Attitude>(Stream::extra1),

@@ -6,6 +6,7 @@ LEFT_OUT(Attitude, compares_a_fix_with_its_own_time_whichever_frame_it_comes_in,
 LEFT_OUT(Attitude, knows_the_accelerometers_bias_after_a_few_turns, "whole flights")
 LEFT_OUT(Attitude, does_not_take_other_errors_in_turns_for_accelerometer_bias, "whole flights")
 LEFT_OUT(Attitude, tolerates_a_fix_older_than_assumed, "whole flights")
+LEFT_OUT(Attitude, stays_upright_while_fixes_are_wrong_for_two_seconds, "whole flights")
 LEFT_OUT(Attitude, corrects_compass_offsets_that_are_50_mG_wrong, "whole flights")
 LEFT_OUT(Attitude, stays_upright_for_two_minutes_without_gps, "whole flights")
 LEFT_OUT(Attitude, stays_upright_with_neither_gps_nor_airspeed, "whole flights")

@@ -12,6 +12,7 @@
 using namespace simulator;
 using namespace simulator::live;
 using testing::Contains;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -59,6 +60,7 @@ protected:
         LiveOptions options;
         options.http_port = 0;
         options.speed = 0;
+        options.page = "<title>the page</title>";
         options.say = [said](const std::string& line) { said->push_back(line); };
         return options;
     }
@@ -100,7 +102,7 @@ TEST_F(LiveTest, serves_its_page) {
     run(0.1);
 
     EXPECT_THAT(page.read(), HasSubstr("Content-Type: text/html"));
-    EXPECT_THAT(page.read(), HasSubstr("<meta name=\"source\" content=\"live\">"));
+    EXPECT_THAT(page.read(), EndsWith("\r\n\r\n<title>the page</title>"));
 }
 
 TEST_F(LiveTest, streams_document_status_and_ten_samples_a_second) {
