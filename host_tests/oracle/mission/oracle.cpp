@@ -29,9 +29,10 @@ Kind kindApm1(int id) {
 
 Kind kindApm2(int id) {
     if ((id >= 0x10 && id <= 0x17) || id == kContinue || id == kToHeight) return Kind::nav;
-    if (id >= 0x70 && id <= 0x72) return Kind::condition;
+    if (id >= 0x70 && id <= 0x73) return Kind::condition;
     if (id == kDoJump) return Kind::jump;
-    static const std::set<int> beyond = {0xBD, 0xC9, 0xCB, 0xCD, 0xCE, 0xCF, 0xD2};
+    static const std::set<int> beyond = {0x5D, 0xBD, 0xBF, 0xC3, 0xC5, 0xC9, 0xCB, 0xCD,
+                                         0xCE, 0xCF, 0xD2, 0xD4, 0xF0, 0xF1, 0xF2};
     const bool action = (id > kDoJump && id <= 0xB8) || beyond.count(id) != 0;
     return action ? Kind::action : Kind::nothing;
 }

@@ -33,7 +33,8 @@ int randomNavId(Random& random, CommandSet set) {
 int randomActionId(Random& random, CommandSet set) {
     static constexpr int kApm1[] = {0x30, 0x32, 0x33, 0x34, 0x40, 0x41, 0x42, 0x60,
                                     0x61, 0x64, 0x70, 0x72, 0x73, 0x80, 0x81, 0x82};
-    static constexpr int kArduPlaneExtension[] = {0xBD, 0xC9, 0xCB, 0xCD, 0xCE, 0xCF, 0xD2};
+    static constexpr int kArduPlaneExtension[] = {0x5D, 0xBD, 0xBF, 0xC3, 0xC5, 0xC9, 0xCB, 0xCD,
+                                                  0xCE, 0xCF, 0xD2, 0xD4, 0xF0, 0xF1, 0xF2};
     if (set == CommandSet::apm1) return oneOf(random, kApm1);
     return random.percent(30) ? oneOf(random, kArduPlaneExtension) : random.from(0xB2, 0xB8);
 }
@@ -81,7 +82,7 @@ Bytes randomItem(Random& random, CommandSet set, const Mix& mix, int index, int 
                     here || random.percent(5) ? 0 : p4);
     }
     if (dice < mix.jump + mix.nav + mix.condition) {
-        const int id = set == CommandSet::apm1 ? random.from(0x20, 0x21) : random.from(0x70, 0x72);
+        const int id = set == CommandSet::apm1 ? random.from(0x20, 0x21) : random.from(0x70, 0x73);
         return make(set, id, p1, p2, p3, p4);
     }
     const bool leaves = random.percent(8);

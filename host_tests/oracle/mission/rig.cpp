@@ -22,6 +22,8 @@ struct {
     uint32_t chance = 1;
     uint32_t busy;  // the seed; 0: never
     int asked, read, here, begun;
+    const mission::Memory* memory;
+    mission::Memory at_read;  // as it was when a record was read last
 } world;
 
 void say(const std::string& word) { world.trace += (world.trace.empty() ? "" : " ") + word; }
@@ -103,7 +105,7 @@ std::vector<mission::Row> makeRows() {
         rows.push_back(mission::action(kNone, id, 0, inRange, act));
     };
     range(0x20, 0x21, condition1);
-    range(0x70, 0x72, condition2);
+    range(0x70, 0x73, condition2);
     for (const auto& ids : {std::pair<int, int>{0x30, 0x30},
                             {0x32, 0x34},
                             {0x40, 0x42},
@@ -112,7 +114,9 @@ std::vector<mission::Row> makeRows() {
                             {0x80, 0x82}})
         range(ids.first, ids.second, action1);
     range(0xB2, 0xB8, action2);
-    for (const uint8_t id : {0xBD, 0xC9, 0xCB, 0xCD, 0xCE, 0xCF, 0xD2}) action2(id);
+    for (const uint8_t id :
+         {0x5D, 0xBD, 0xBF, 0xC3, 0xC5, 0xC9, 0xCB, 0xCD, 0xCE, 0xCF, 0xD2, 0xD4, 0xF0, 0xF1, 0xF2})
+        action2(id);
     rows.push_back(mission::jump(kNone, 0xB1, 0, jumpInRange, jumpOf));
     rows.push_back(mission::jump(0x31, kNone, 0, always, toFirst));
     rows.push_back(mission::jump(0x75, kNone, 0, indexInRange, toIndex));
@@ -133,6 +137,7 @@ core::Status readStored(uint8_t index, uint8_t* to) {
         return core::Status::busy;
     }
     ++world.read;
+    world.at_read = *world.memory;
     const Bytes& bytes = (*world.stored)[index];
     std::copy(bytes.begin(), bytes.end(), to);
     return core::Status::ok;
@@ -222,16 +227,22 @@ Rig::Passed Rig::pass(const Pass& how) {
     world.condition_done = how.condition;
     world.busy = how.busy;
     world.read = 0;
+    world.memory = &memory_;
     Passed passed;
     int late = 0;
     for (int polls = 0; polls <= 5000; ++polls) {
         const mission::Memory before = memory_;
         world.asked = 0;
+        const int read_before = world.read;
         engine_.poll(mis_trailing_);
         if (world.asked > mission::kRecordsPerPoll) world.broken = "too many records in a poll";
         if (polls == 5000) world.broken = "a pass without end";
         if (late == 0) world.nav_done = world.condition_done = false;
         const bool starved = engine_.active() && engine_.starved();
+        // what there was no room for in this poll will be read again
+        const bool unused = world.read != read_before && !starved &&
+                            memcmp(&world.at_read, &memory_, offsetof(mission::Memory, seal)) == 0;
+        if (unused) --world.read;
         if (!starved && memcmp(&before, &memory_, sizeof before) == 0) break;
         if (!starved) continue;
         if (++late == how.cut) {

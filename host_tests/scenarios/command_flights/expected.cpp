@@ -53,6 +53,8 @@ const std::vector<Expected> kApm2 = {
     pulse("and let go",                         "a35",  3.4, 7, 1100),
     pulse("SET_CAM_TRIGG_DIST 0: no more",      "a38",  4.0, 7, 1100),
     pulse("SET_CAM_TRIGG_DIST 0: no more",      "a38",  7.0, 7, 1100),
+    pulse("IMAGE_START_CAPTURE: the shutter",   "a46",  0.15, 7, 1300),
+    pulse("and let go",                         "a46",  1.4, 7, 1100),
 };
 
 const std::vector<Expected> kApm1 = {
@@ -63,10 +65,10 @@ const std::vector<Expected> kApm1 = {
     relay("RESET_INDEX leads to SET_RELAY 0",   "a1",   0.1, 0),
     {"RESET_HOME here: it flies at 0 m",        "a22",  1.0, kHeight, -6, 6},
     {"RESET_HOME as given: 488 m again",        "a24",  1.0, kHeight, 40, 75},
-    {"CHANGE_ALT ends near 70 m",               "-25",  kReported_s, kHeight, 66, 74},
-    {"QUERY_VARIABLE: not sent before",         "a28", -0.1, kUsbSent, 0, 0},
+    {"CHANGE_ALT ends near 70 m",               "-26",  kReported_s, kHeight, 66, 74},
+    {"QUERY_VARIABLE: not sent before",         "a25", -0.1, kUsbSent, 0, 0},
     {"QUERY_, BROADCAST_VARIABLE over USB",     "c31",  0.5, kUsbSent, 2, 2},
-    {"and over the telemetry port",             "c31",  0.5, kTelemetrySent, 2, 2},
+    {"and over the telemetry port",             "c34",  1.0, kTelemetrySent, 2, 2},
     {"RADIO 1: it talks",                       "a30",  0.0, kTelemetryBytes, 500, kMany},
     {"RADIO 0: silence",                        "a30",  2.0, kTelemetryBytes, 0, 0},
     {"RADIO 0: USB is never off",               "a30",  2.0, kUsbBytes, 10, kMany},
