@@ -38,9 +38,10 @@ constexpr uint8_t kMaxFrames = 50;     // that are counted: by then nothing is k
 constexpr float kInconsistent = 0.7f;  // cosine: a compass 45 degrees off is not followed
 constexpr float kSlow_mps = 5.0f;      // a slower course is noise
 
-// Between two fixes: a tilt that is 30 degrees wrong. A receiver whose velocity is wrong by 20 m/s
-// shows 100 m/s2, more than any tilt can.
-constexpr float kMaxMissing_mss = 0.5f * kGravity, kNoTilt_mss = 2 * kGravity;
+// Between two fixes: a tilt that is 45 degrees wrong. A receiver whose velocity is wrong by 20 m/s
+// shows 100 m/s2, more than any tilt can. Less than that, and an airplane whose gyros drift by
+// 6 deg/s within a minute loses 10 m more of its height.
+constexpr float kMaxMissing_mss = 0.7f * kGravity, kNoTilt_mss = 2 * kGravity;
 
 constexpr int32_t kMaxTurn = Fine::kOne / 5;  // 0.2 rad; more at once would lengthen the rows
 constexpr int32_t kMaxTurned = Fine::kOne;    // 1 rad

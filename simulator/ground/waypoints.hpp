@@ -12,6 +12,12 @@
 
 namespace simulator {
 
+// Below MAV_CMD_NAV_LAST, 95. NAV_DELAY is one by its number only: it has no effect here.
+constexpr bool isNavCommand(int command) {
+    constexpr int kNavDelay = 93;
+    return command < 96 && command != kNavDelay;
+}
+
 struct WaypointItem {
     int index = 0;
     bool current = false;
@@ -25,7 +31,7 @@ struct WaypointItem {
     size_t begins = 0;              // of that line in the file's decodedText
     std::array<int, 12> columns{};  // where each number begins, from 1
 
-    bool isNav() const { return command < 96; }  // below MAV_CMD_NAV_LAST, 95
+    bool isNav() const { return isNavCommand(command); }
     bool isCircle() const {
         return command >= mavlink::MavCmd::nav_loiter_unlim &&
                command <= mavlink::MavCmd::nav_loiter_time;

@@ -69,9 +69,8 @@ class ModeHasACause : public Invariant {
             (history.within(Cause::flight_mode, waits_s, to_s) ||
              history.within(Cause::overrides, waits_s, to_s)))
             return true;
-        if (history.saidWithin("Mode refused", from_s - kAsksAgain_s, to_s) ||
-            history.saidWithin("Circling needs", from_s - kAsksAgain_s, to_s))
-            return true;
+        for (const char* refused : {"Mode refused", "Circling needs", "RTL needs"})
+            if (history.saidWithin(refused, from_s - kAsksAgain_s, to_s)) return true;
         return byMission(history, from_s, to_s);
     }
 

@@ -7,6 +7,7 @@
 
 #include "mavlink/frame.hpp"
 #include "mavlink/messages.hpp"
+#include "simulator/ground/waypoints.hpp"
 
 namespace simulator::invariants {
 
@@ -16,7 +17,7 @@ struct PlanItem {
     float params[4] = {}, z = 0;
     int32_t x = 0, y = 0;
 
-    bool isNav() const { return command < 96; }  // below MAV_CMD_NAV_LAST
+    bool isNav() const { return isNavCommand(command); }
 };
 using Plan = std::vector<PlanItem>;
 

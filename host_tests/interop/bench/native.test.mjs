@@ -51,7 +51,7 @@ for (const [what, options, fault, steps, answers, bad] of [
   ['a silent inertial sensor', kCalibrated, 'imu:lost 10000', [8], person.sides, ['8.level']],
   ['a compass that is upside down', [...kCalibrated, '--external-compass', '180,0,0'], null, [9], person.headings, ['9.east', '9.west']],
   ['a pitot sensor that drifts', kCalibrated, 'airspeed:noisy 10000', [10], person.air, ['10.dips']],
-  ['a receiver of which one edge of fifty is missing', kCalibrated, 'radio:missed_edge 10000', [12], person.receiver, ['12.channel_1']],
+  ['a receiver of which one edge of fifty is missing', kCalibrated, 'radio:missed_edge 10000', [12], person.receiver, ['12.channel_4']],
 ])
   test(`${what} fails in its step`, withRig({ options }, async (rig) => {
     if (fault) await rig.vehicle.boot();
@@ -104,7 +104,8 @@ test('nothing is asked before the propeller is off', withRig(good, async (rig) =
 // A pilot's rudder in the middle of a step.
 test('what is armed by somebody else is disarmed, and the part fails', withRig(good, async (rig) => {
   await rig.run([12], { ...person.receiver, '12.channel_1': async (each) => {
-    await each.order('sticks 1500 1500 1100 1900 1500 1500 1500 1100');
+    await each.vehicle.wait(6000);  // what arming needs is there
+    await each.order('sticks 1500 1500 1100 1900 1500 1500 1500 1800');
     await each.vehicle.wait(6000);
     return '1500';
   } });

@@ -20,6 +20,7 @@ const limit = within({ high: kOff_deg, unit: '°', why: 'docs/restart.md: right 
 const atRest = {
   id: '15.rest', title: 'attitude after a restart at rest, against that before', limit,
   measure: async (b) => {
+    await b.board.wait(kAligned_ms);  // the step before may have restarted it
     const before = await attitude(b);
     await restart(b, () => b.person.action(b.id, 'The board lies level and is left alone. Press Enter, then the reset button.'));
     await b.board.wait(kAligned_ms);
