@@ -30,6 +30,7 @@
 #include "simulator/report/summary.hpp"
 #include "simulator/report/touchdown.hpp"
 #include "simulator/report/track_files.hpp"
+#include "simulator/world_file.hpp"
 
 namespace simulator {
 namespace {
@@ -95,6 +96,7 @@ WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
     world.board_warmth_start_c = options.board_warmth_start_c;
     world.gps_latency_s = options.gps_latency_ms / 1000;
     world.dataflash = !options.no_dataflash;
+    if (!options.world.empty()) readWorldFile(options.world, world);
     return world;
 }
 

@@ -55,6 +55,14 @@ std::string contradiction(const FlyOptions& options, const CLI::App& app) {
         {options.native && given("--bootloader"),
          "--bootloader needs the emulated chip: no --native"},
         {options.native && given("--gdb"), "--gdb needs the emulated chip: no --native"},
+        {given("--world") && given("--wind"), "--world has the wind: no --wind"},
+        {given("--world") && given("--gusts"), "--world has the gusts: no --gusts"},
+        {given("--world") && given("--calibrated"), "--world has the errors: no --calibrated"},
+        {given("--world") && given("--sensor-noise"), "--world has the noise: no --sensor-noise"},
+        {given("--world") && given("--gps-latency"), "--world has the latency: no --gps-latency"},
+        {given("--world") && (given("--board-warmth") || given("--board-warmth-start")),
+         "--world has the board's warmth: no --board-warmth"},
+        {!options.fdm.empty() && given("--world"), "--fdm brings its own air: no --world"},
         {!options.fdm.empty() && given("--wind"), "--fdm brings its own air: no --wind"},
         {!options.fdm.empty() && given("--gusts"), "--fdm brings its own air: no --gusts"},
         {options.fdm.empty() && given("--fdm-wait"), "--fdm-wait needs --fdm"},
@@ -175,6 +183,11 @@ void addMemories(CLI::App& app, FlyOptions& o) {
 }
 
 void addConditions(CLI::App& app, FlyOptions& o, std::string& wind) {
+    app.add_option(
+           "--world", o.world,
+           ".json file of the conditions: wind, gusts, thermals, magnetic field, the errors "
+           "of every sensor; docs/airplanes.md has its keys")
+        ->check(fileName);
     app.add_option("--wind", wind,
                    "SPEED,FROM_DEGREES: mean wind in m/s, up to 30, and where it comes from");
     app.add_flag("--gusts", o.gusts, "Dryden gusts of 1 m/s RMS")->disable_flag_override();

@@ -18,6 +18,7 @@ struct FlyOptions {
     bool apm1 = false;  // the first board, not an APM 2
     bool native = false;
     bool no_dataflash = false;
+    std::string world;  // file of the conditions
     double wind_mps = 0, wind_from_deg = 0;
     bool gusts = false;
     bool calibrated = false;

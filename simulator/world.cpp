@@ -56,6 +56,7 @@ std::vector<Sag> sagsOf(const std::vector<Fault>& faults) {
 }
 
 SensorErrors errorsFor(const WorldOptions& options) {
+    if (options.errors) return *options.errors;
     SensorErrors errors = options.sensor_errors ? SensorErrors{} : SensorErrors::none();
     errors.gps_age_s = options.gps_latency_s;
     if (!options.sensor_errors) return errors;
@@ -112,6 +113,7 @@ struct World::Parts {
           faults(options.faults),
           field_mg(northEastDown_mg(
               {options.declination_deg, options.inclination_deg, options.magnetic_field_mg})),
+          motor_field_mg_a(options.motor_field_mg_a),
           model(modelFor(options, errors)),
           band_gap_v(bandGapFor(options)),
           warmth_start_c(options.board_warmth_start_c),
@@ -148,6 +150,7 @@ struct World::Parts {
     std::vector<Fault> faults;
     std::array<FaultKind, kFaulty> failing{};
     const Vec3 field_mg;
+    const std::array<double, 3> motor_field_mg_a;
     const std::unique_ptr<FlightModel> model;
     const double band_gap_v;
     const double warmth_start_c, warmth_end_c;
@@ -249,7 +252,9 @@ void World::Parts::sense() {
     barometer.sense(air.pressure_pa, board_c);
     i2c_barometer.sense(air.pressure_pa, board_c);
     const Vec3 field = model->toBody(field_mg);
-    compass.sense({field.x, field.y, field.z});
+    const double motor_a = model->truth().motor_current_a;
+    compass.sense({field.x + motor_field_mg_a[0] * motor_a, field.y + motor_field_mg_a[1] * motor_a,
+                   field.z + motor_field_mg_a[2] * motor_a});
 }
 
 // Two faults of a sensor at once are the later one's.

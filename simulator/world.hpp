@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "simulator/devices/errors.hpp"
 #include "simulator/devices/faults.hpp"
 
 namespace simulator {
@@ -25,8 +26,10 @@ struct WorldOptions {
     double heading_deg = 0.0;
     double wind_mps = 0.0, wind_from_deg = 0.0;  // mean wind at and above 10 m
     bool gusts = false;                          // Dryden, 1 m/s RMS
+    double thermal_mps = 0;                      // the strongest rise, and as much sink
     uint64_t seed = 1;
     bool sensor_errors = true;
+    std::optional<SensorErrors> errors;  // instead of those of devices/errors.hpp
     bool calibrated = false;      // compass and pitot: no offsets of the airplane, no scale error
     bool bench_model = false;     // it does not fly, it is held on the bench
     double accel_bias_g = 0.004;  // and how wrong its accelerometers are, one sigma
@@ -34,6 +37,8 @@ struct WorldOptions {
     double sensor_noise = 1;  // times that of devices/errors.hpp
     // the World Magnetic Model 2025 at this place at the end of 2026
     double declination_deg = 3.67, inclination_deg = 63.54, magnetic_field_mg = 484.1;
+    // What the motor's current adds to the field at the compass, body axes, for each ampere.
+    std::array<double, 3> motor_field_mg_a{};
     double gps_acquire_s = 3.0;  // from power-on to the first fix
     bool gps_backup = true;      // has a battery of its own: a hot start when power is back
     double band_gap_v = 0;       // of the chip; 0: 1.1 V and 1 % by the seed

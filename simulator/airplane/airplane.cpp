@@ -22,6 +22,7 @@ Airplane::Airplane(const AirplaneParameters& parameters, const WorldOptions& opt
       propulsion_(p_),
       ground_(p_),
       dryden_(options.gusts ? gust_mps : 0, p_.span_m, options.seed),
+      thermals_(options.thermal_mps, options.seed),
       standing_m_(ground_.standingHeight_m()) {
     motion_.position_m = {0, 0, -standing_m_};
     motion_.attitude = quaternion(0, 0, options.heading_deg * kRadians);
@@ -153,7 +154,8 @@ void Airplane::moveAir() {
     const Gust& gust = dryden_.advance(kStep_s, truth_.airspeed_mps, height_m);
     const Vec3& g = gust.velocity_mps;
     air_mps_ = meanWind_mps(wind_mps_, wind_from_deg_, height_m) +
-               Vec3{c * g.x - s * g.y, s * g.x + c * g.y, g.z};
+               Vec3{c * g.x - s * g.y, s * g.x + c * g.y,
+                    g.z - thermals_.rise_mps(motion_.position_m.x, motion_.position_m.y, height_m)};
     air_rates_rads_ = gust.rates_rads;
     density_kgm3_ = atmosphere(options_.altitude_m + height_m - standing_m_).density_kgm3;
 }
@@ -195,9 +197,12 @@ void Airplane::publish() {
     t.roll_rate_rads = motion_.rates_rads.x;
     t.pitch_rate_rads = motion_.rates_rads.y;
     t.yaw_rate_rads = motion_.rates_rads.z;
-    t.force_x_mss = specific_force_.x;
-    t.force_y_mss = specific_force_.y;
-    t.force_z_mss = specific_force_.z;
+    const Vec3 turned = cross(motion_.rates_rads, cross(motion_.rates_rads, p_.imu_place_m)) +
+                        cross(now_.angular, p_.imu_place_m);
+    const Vec3 sensed = specific_force_ + (launch_ == Launch::gone ? turned : Vec3{});
+    t.force_x_mss = sensed.x;
+    t.force_y_mss = sensed.y;
+    t.force_z_mss = sensed.z;
     t.airspeed_mps = through.speed_mps();
     t.equivalent_airspeed_mps = t.airspeed_mps * std::sqrt(density_kgm3_ / kSeaLevelDensity_kgm3);
     t.alpha_rad = through.alpha_rad();

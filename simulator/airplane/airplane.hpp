@@ -59,6 +59,7 @@ private:
     Propulsion propulsion_;
     Ground ground_;
     Dryden dryden_;
+    const Thermals thermals_;
     Motion motion_;
     Derivative now_;  // at motion_
     Vec3 specific_force_;

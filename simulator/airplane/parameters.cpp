@@ -72,9 +72,22 @@ std::vector<Field> fields(AirplaneParameters& p) {
 }
 // clang-format on
 
-void readLaunch(Json& json, AirplaneParameters& out) {
+Vec3 vectorOf(const Json& json) {
+    return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+void readExtras(Json& json, AirplaneParameters& out) {
     out.elevons = json.value("elevons", false);
     json.erase("elevons");
+    if (json.contains("imu_place_m")) out.imu_place_m = vectorOf(json["imu_place_m"]);
+    json.erase("imu_place_m");
+    if (!json.contains("linkage")) return;
+    out.linkage = {json["linkage"].at("deadband").get<double>(),
+                   json["linkage"].at("curve").get<double>()};
+    json.erase("linkage");
+}
+
+void readLaunch(Json& json, AirplaneParameters& out) {
     if (!json.contains("launch")) return;
     const Json launch = json["launch"];
     json.erase("launch");
@@ -87,8 +100,7 @@ void readLaunch(Json& json, AirplaneParameters& out) {
 Contact contact(const Json& from) {
     Contact to;
     to.name = from.at("name").get<std::string>();
-    const auto& place = from.at("place_m");
-    to.place_m = {place.at(0).get<double>(), place.at(1).get<double>(), place.at(2).get<double>()};
+    to.place_m = vectorOf(from.at("place_m"));
     to.wheel = from.value("wheel", false);
     to.steered = from.value("steered", false);
     to.stiffness_nm = from.at("stiffness_nm").get<double>();
@@ -104,6 +116,7 @@ AirplaneParameters parse(Json json) {
     for (const Json& one : json.at("contacts")) out.contacts.push_back(contact(one));
     json.erase("contacts");
     json.erase("about");
+    readExtras(json, out);
     readLaunch(json, out);
     Json flat = json.flatten();
     for (const Field& field : fields(out)) {
@@ -115,7 +128,39 @@ AirplaneParameters parse(Json json) {
     return out;
 }
 
+Json jsonOf(const Vec3& vector) { return {vector.x, vector.y, vector.z}; }
+
+Json jsonOf(const Contact& from) {
+    return {{"name", from.name},
+            {"place_m", jsonOf(from.place_m)},
+            {"wheel", from.wheel},
+            {"steered", from.steered},
+            {"stiffness_nm", from.stiffness_nm},
+            {"damping_nsm", from.damping_nsm},
+            {"rolling", from.rolling},
+            {"sliding", from.sliding},
+            {"breaks_at_mps", from.breaks_at_mps}};
+}
+
 }  // namespace
+
+std::string airplaneText(AirplaneParameters airplane, const std::string& about) {
+    Json flat = Json::object();
+    for (const Field& field : fields(airplane)) flat[field.key] = *field.to;
+    Json json = flat.unflatten();
+    json["about"] = about;
+    json["contacts"] = Json::array();
+    for (const Contact& each : airplane.contacts) json["contacts"].push_back(jsonOf(each));
+    json["elevons"] = airplane.elevons;
+    json["imu_place_m"] = jsonOf(airplane.imu_place_m);
+    json["linkage"] = {{"deadband", airplane.linkage.deadband}, {"curve", airplane.linkage.curve}};
+    if (const auto& launch = airplane.launch; launch.speed_mps > 0)
+        json["launch"] = {{"speed_mps", launch.speed_mps},
+                          {"acceleration_mss", launch.acceleration_mss},
+                          {"pitch_deg", launch.pitch_deg},
+                          {"height_m", launch.height_m}};
+    return json.dump(4) + "\n";
+}
 
 std::string airplanePath(const std::string& name) {
     const bool path =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An airplane as data: simulator/airplanes/*.json, every value required but "launch" and
-// "elevons", none unknown.
+// An airplane as data: simulator/airplanes/*.json, every value required but "launch", "elevons",
+// "imu_place_m" and "linkage", none unknown.
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -53,6 +53,12 @@ struct AirplaneParameters {
         double aileron_deg = 0, elevator_deg = 0, rudder_deg = 0, nose_wheel_deg = 0;
         double rate_per_s = 0, lag_s = 0;  // of a servo whose full travel is -1..1
     } controls;
+    // What stands between a servo and what it was sent: it stays where it is while it is no farther
+    // off than the deadband, and the surface moves by (1 - curve) x + curve x^3 of its travel x.
+    struct {
+        double deadband = 0, curve = 0;
+    } linkage;
+    Vec3 imu_place_m;      // body axes from the centre of gravity
     bool elevons = false;  // output 1 moves the right one, output 2 the left one; no rudder
     struct {
         double diameter_m = 0, inertia_kgm2 = 0;
@@ -83,6 +89,8 @@ struct AirplaneParameters {
 // Throws AirplaneError with one line that names the file and what is wrong with it.
 AirplaneParameters loadAirplane(const std::string& name);
 std::string airplanePath(const std::string& name);
+// The text of such a file; `about` is its first line.
+std::string airplaneText(AirplaneParameters airplane, const std::string& about);
 
 class AirplaneError : public std::runtime_error {
 public:

@@ -24,6 +24,26 @@ Vec3 meanWind_mps(double wind_mps, double from_deg, double height_m) {
     return {-here_mps * std::cos(from), -here_mps * std::sin(from), 0};
 }
 
+Thermals::Thermals(double strength_mps, uint64_t seed) : strength_mps_(strength_mps) {
+    constexpr double kShortest_m = 250, kLongest_m = 600;  // from one thermal to the next
+    Random random(seed, 15);
+    const auto wave_m = [&random] {
+        return kShortest_m + (kLongest_m - kShortest_m) * random.uniform();
+    };
+    north_wave_m_ = wave_m();
+    east_wave_m_ = wave_m();
+    north_phase_ = 2 * M_PI * random.uniform();
+    east_phase_ = 2 * M_PI * random.uniform();
+}
+
+double Thermals::rise_mps(double north_m, double east_m, double height_m) const {
+    constexpr double kWhole_m = 60;
+    if (strength_mps_ == 0) return 0;
+    return strength_mps_ * std::clamp(height_m / kWhole_m, 0.0, 1.0) *
+           std::sin(2 * M_PI * north_m / north_wave_m_ + north_phase_) *
+           std::sin(2 * M_PI * east_m / east_wave_m_ + east_phase_);
+}
+
 Dryden::Dryden(double deviation_mps, double span_m, uint64_t seed)
     : deviation_mps_(deviation_mps), span_m_(span_m), random_(seed, 6) {}
 

@@ -18,6 +18,19 @@ struct Gust {
     Vec3 rates_rads;  // of the air about the body axes
 };
 
+// Thermals and the sinking air between them, side by side in both directions and as strong; they
+// begin at the ground and have their whole strength from 60 m on.
+class Thermals {
+public:
+    Thermals(double strength_mps, uint64_t seed);
+
+    double rise_mps(double north_m, double east_m, double height_m) const;
+
+private:
+    double strength_mps_;
+    double north_wave_m_, east_wave_m_, north_phase_, east_phase_;
+};
+
 class Dryden {
 public:
     // `deviation_mps` is the RMS of the forward and of the sideward gust.

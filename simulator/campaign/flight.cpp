@@ -2,6 +2,7 @@
 #include "simulator/campaign/flight.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -28,8 +29,8 @@ std::string contents(const fs::path& path) { return wholeFile(path).value_or("")
 
 // The last line of the log that the program speaks to its user in; else the first.
 std::string complaintIn(const std::string& log) {
-    constexpr char kSpeaks[] = "fly: ";
-    const size_t at = log.rfind(kSpeaks);
+    const size_t flown = log.rfind("fly: "), drawn = log.rfind("drawn: ");
+    const size_t at = flown == log.npos ? drawn : flown;
     const size_t begin = at == log.npos ? 0 : at;
     return log.substr(begin, log.find('\n', begin) - begin);
 }
@@ -78,10 +79,12 @@ std::string CampaignFlight::missionName() const { return fs::path(mission).stem(
 std::string CampaignFlight::airplaneName() const { return fs::path(airplane).stem(); }
 
 std::string CampaignFlight::group() const {
+    if (drawn) return "drawn";
     return airplaneName() + " " + missionName() + " " + wind.name();
 }
 
 std::vector<std::string> CampaignFlight::arguments() const {
+    if (drawn) return {"--drawn", std::to_string(seed) + "-" + std::to_string(seed)};
     std::vector<std::string> words = {"--airplane", airplane};
     if (!wind.calm()) words.insert(words.end(), {"--wind", wind.name(), "--gusts"});
     words.insert(words.end(), {"--seed", std::to_string(seed), mission});
@@ -89,7 +92,9 @@ std::vector<std::string> CampaignFlight::arguments() const {
 }
 
 std::string CampaignFlight::replay(bool native) const {
-    std::string line = native ? "toolchain/fly --native" : "toolchain/fly";
+    std::string line = drawn    ? "toolchain/campaign"
+                       : native ? "toolchain/fly --native"
+                                : "toolchain/fly";
     for (const auto& word : arguments())
         line += word.find(' ') == std::string::npos ? " " + word : " '" + word + "'";
     return line;
@@ -119,18 +124,30 @@ CampaignResult resultOf(const CampaignFlight& flight, const std::string& summary
     return result;
 }
 
-static CampaignResult flyIn(const std::string& folder, const std::string& program,
+static Ending run(const CampaignPrograms& programs, const CampaignFlight& flight,
+                  const std::string& folder, const fs::path& log) {
+    if (flight.drawn)
+        return runProgram(programs.drawn,
+                          {std::to_string(flight.seed), "--out", folder, "--fly", programs.fly},
+                          log);
+    std::vector<std::string> words = {"--native", "--out", folder};
+    for (const auto& word : flight.arguments()) words.push_back(word);
+    return runProgram(programs.fly, words, log);
+}
+
+static CampaignResult flyIn(const std::string& folder, const CampaignPrograms& programs,
                             const CampaignFlight& flight) {
     fs::remove_all(folder);
     fs::create_directories(folder);
-    std::vector<std::string> words = {"--native", "--out", folder};
-    for (const auto& word : flight.arguments()) words.push_back(word);
     const fs::path log = fs::path(folder) / "fly.log";
-    const Ending ending = runProgram(program, words, log);
+    const Ending ending = run(programs, flight, folder, log);
     CampaignResult result = resultOf(flight, contents(fs::path(folder) / "summary.json"));
-    if (ending.signal != 0) {
+    if (ending.signal == SIGINT || ending.signal == SIGTERM) {
+        result.failure = kInterrupted;
+        result.flown = false;
+    } else if (ending.signal != 0) {
         result.failure = "the program died of signal " + std::to_string(ending.signal);
-    } else if (ending.status > 1) {
+    } else if (ending.status > 1 || (flight.drawn && result.emulated_s <= 0)) {
         result.failure = complaintIn(contents(log));
     }
     for (const char* large : {"report.html", "flight.csv", "track.kml", "track.gpx"})
@@ -139,10 +156,10 @@ static CampaignResult flyIn(const std::string& folder, const std::string& progra
 }
 
 // A full disk fails the flight, not the program.
-CampaignResult flyOne(const std::string& program, const CampaignFlight& flight,
+CampaignResult flyOne(const CampaignPrograms& programs, const CampaignFlight& flight,
                       const std::string& folder) {
     try {
-        return flyIn(folder, program, flight);
+        return flyIn(folder, programs, flight);
     } catch (const std::exception& error) {
         return {flight, true, error.what(), {}, 0, {}};
     }

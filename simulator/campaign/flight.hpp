@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One flight of a campaign: what is flown, how it is flown again, what came of it. Every flight is
-// a run of the fly program, so that one that dies takes no other with it.
+// a run of the fly program, so that one that dies takes no other with it; one in a drawn world is a
+// run of the program that draws it, flies AUTOTUNE, and then becomes the fly program.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -22,12 +23,15 @@ struct CampaignFlight {
     std::string airplane, mission;
     CampaignWind wind;
     uint64_t seed = 1;
+    bool drawn = false;  // airplane, mission and wind by the seed
 
     std::string missionName() const;  // without folder and ending
     std::string airplaneName() const;
     std::string group() const;  // all but the seed
     std::vector<std::string> arguments() const;
-    std::string replay(bool native) const;  // the command line that flies it again
+    // The command line that flies it again; of a drawn world natively alone, as AUTOTUNE comes
+    // first.
+    std::string replay(bool native) const;
 };
 
 struct CampaignResult {
@@ -40,8 +44,12 @@ struct CampaignResult {
     std::optional<std::pair<double, double>> touchdown;
 };
 
+struct CampaignPrograms {
+    std::string fly, drawn;
+};
+
 // Flies it in `folder`, which afterwards holds summary.json and fly.log.
-CampaignResult flyOne(const std::string& program, const CampaignFlight& flight,
+CampaignResult flyOne(const CampaignPrograms& programs, const CampaignFlight& flight,
                       const std::string& folder);
 
 // What the summary says of the flight, on its own.

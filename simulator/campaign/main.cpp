@@ -14,6 +14,7 @@
 #include "simulator/airplane/parameters.hpp"
 #include "simulator/campaign/options.hpp"
 #include "simulator/campaign/progress.hpp"
+#include "simulator/campaign/shares.hpp"
 #include "simulator/campaign/statistics.hpp"
 #include "simulator/ground/waypoints.hpp"
 #include "simulator/output_file.hpp"
@@ -53,7 +54,8 @@ std::vector<CampaignResult> flyAll(const CampaignOptions& options,
     Progress progress(flights.size(), isatty(STDOUT_FILENO) != 0);
     const auto work = [&] {
         for (size_t i; interrupted == 0 && (i = next++) < flights.size();) {
-            results[i] = flyOne(CAMPAIGN_FLY, flights[i], folderOf(options, flights[i]));
+            results[i] =
+                flyOne({CAMPAIGN_FLY, CAMPAIGN_DRAWN}, flights[i], folderOf(options, flights[i]));
             const std::lock_guard<std::mutex> lock(at_once);
             if (results[i].flown) progress.flown(results[i].failure.empty());
         }
@@ -74,8 +76,8 @@ size_t reportFailures(const std::vector<CampaignResult>& results) {
     for (const auto& result : results) {
         if (result.failure.empty() || failed++ >= kMaxShown) continue;
         std::cout << "\nfailed: " << result.flight.group() << ", seed " << result.flight.seed
-                  << ": " << result.failure << "\n  " << result.flight.replay(true) << "\n  "
-                  << result.flight.replay(false) << "\n";
+                  << ": " << result.failure << "\n  " << result.flight.replay(true) << "\n";
+        if (!result.flight.drawn) std::cout << "  " << result.flight.replay(false) << "\n";
     }
     if (failed > kMaxShown) std::cout << "\nand " << failed - kMaxShown << " more\n";
     return failed;
@@ -96,7 +98,8 @@ int campaign(const CampaignOptions& options) {
     const double wall_s =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     const fs::path page = fs::path(options.out) / "campaign.html";
-    std::cout << tableText(results);
+    std::cout << (options.drawn ? sharesText(sharesOf(results)) : tableText(results));
+    if (options.drawn) std::cout << worstText(results);
     const size_t failed = reportFailures(results);
     std::cout << "\n" << flownText(results.size(), flights.size(), failed) << "\n";
     if (!results.empty()) std::cout << "any again: " << results.front().flight.replay(true) << "\n";

@@ -34,13 +34,13 @@ bool wholeNumber(const std::string& text, uint64_t& value) {
 }
 
 // N: 1 to N; or A-B.
-void readSeeds(const std::string& text, CampaignOptions& options) {
+void readSeeds(const std::string& option, const std::string& text, CampaignOptions& options) {
     const size_t dash = text.find('-');
     const std::string first = dash == text.npos ? "1" : text.substr(0, dash);
     const std::string last = dash == text.npos ? text : text.substr(dash + 1);
     if (!wholeNumber(first, options.first_seed) || !wholeNumber(last, options.last_seed) ||
         options.last_seed < options.first_seed || options.last_seed == 0)
-        throw Wrong("--seeds: expected how many, like 84, or a range, like 5-9, not '" + text +
+        throw Wrong(option + ": expected how many, like 84, or a range, like 5-9, not '" + text +
                     "'");
 }
 
@@ -71,7 +71,7 @@ void readJobs(const std::string& text, CampaignOptions& options) {
 
 struct Words {
     std::vector<std::string> winds = {"calm", "5,320"};
-    std::string seeds = "10",
+    std::string seeds = "10", drawn,
                 jobs = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
 };
 
@@ -87,19 +87,33 @@ void addOptions(CLI::App& app, CampaignOptions& o, Words& words) {
         ->capture_default_str();
     app.add_option("--seeds", words.seeds, "how many, or a range FIRST-LAST")
         ->capture_default_str();
+    app.add_option("--drawn", words.drawn,
+                   "instead: how many drawn worlds, or a range FIRST-LAST. Each draws an airplane, "
+                   "its sensors, the air and the field; AUTOTUNE flies first, then a box and a "
+                   "landing")
+        ->excludes(app.get_option("MISSION"))
+        ->excludes(app.get_option("--airplane"))
+        ->excludes(app.get_option("--wind"))
+        ->excludes(app.get_option("--seeds"));
     app.add_option("--jobs", words.jobs, "flights at the same time; if not given as many as cores");
     app.add_option("--out", o.out, "folder for the page and the summaries")->capture_default_str();
 }
 
 void readWords(const Words& words, CampaignOptions& options) {
     for (const auto& wind : words.winds) options.winds.push_back(readWind(wind));
-    readSeeds(words.seeds, options);
+    options.drawn = !words.drawn.empty();
+    if (options.drawn)
+        readSeeds("--drawn", words.drawn, options);
+    else
+        readSeeds("--seeds", words.seeds, options);
     readJobs(words.jobs, options);
     const uint64_t seeds = options.last_seed - options.first_seed + 1;
     const uint64_t groups =
-        options.missions.size() * options.airplanes.size() * options.winds.size();
+        options.drawn ? 1
+                      : options.missions.size() * options.airplanes.size() * options.winds.size();
     if (seeds > kMaxFlights / groups)
-        throw Wrong("--seeds: more than 1000000 flights are asked for");
+        throw Wrong(std::string(options.drawn ? "--drawn" : "--seeds") +
+                    ": more than 1000000 flights are asked for");
 }
 
 }  // namespace
@@ -137,11 +151,16 @@ ParsedCampaign parseCampaignOptions(int count, char** arguments) {
 
 std::vector<CampaignFlight> flightsOf(const CampaignOptions& options) {
     std::vector<CampaignFlight> flights;
+    if (options.drawn) {
+        for (uint64_t seed = options.first_seed; seed <= options.last_seed; ++seed)
+            flights.push_back({"drawn", "box", {}, seed, true});
+        return flights;
+    }
     for (uint64_t seed = options.first_seed; seed <= options.last_seed; ++seed)
         for (const auto& airplane : options.airplanes)
             for (const auto& mission : options.missions)
                 for (const auto& wind : options.winds)
-                    flights.push_back({airplane, mission, wind, seed});
+                    flights.push_back({airplane, mission, wind, seed, false});
     return flights;
 }
 

@@ -13,6 +13,7 @@ struct CampaignOptions {
     std::vector<std::string> missions, airplanes;
     std::vector<CampaignWind> winds;
     uint64_t first_seed = 1, last_seed = 10;
+    bool drawn = false;  // worlds by the seeds, instead of airplanes, missions and winds
     unsigned jobs = 1;
     std::string out;
 };

@@ -225,6 +225,9 @@ declare_test(figures.tuned COMMAND ${table} ${CMAKE_BINARY_DIR}/figures/tuned ${
 # ---- three airplanes, two missions, calm and wind: who crashes or gets lost fails
 declare_test(campaign.slice COMMAND campaign --seeds 2 --out ${flights}/campaign NEEDS fly
              DATA ${flight_data} LABELS native REUSE)
+declare_test(campaign.drawn COMMAND node ${figures}/drawn.mjs ${figures}/drawn.json $<TARGET_FILE:campaign>
+             ${flights}/drawn NEEDS campaign drawn fly DATA ${flight_data}
+             ${CMAKE_SOURCE_DIR}/toolchain/declination/WMM2025.COF LABELS native REUSE)
 declare_test(campaign.replay_on_the_image COMMAND node --test ${tests}/scenarios/campaign_replay.test.mjs
              NEEDS fly ${IMAGE_apm2} DATA ${flight_data} LABELS simavr AFTER image_minutes REUSE
              ENVIRONMENT FLY=$<TARGET_FILE:fly> MINUTES=${minutes}/campaign)

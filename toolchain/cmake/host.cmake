@@ -69,11 +69,26 @@ target_compile_definitions(param_tool_parts PRIVATE
 # flight logs from the DataFlash as tables, summaries and .bin files
 project_tool(log_tool toolchain/log_tool logging simulator_report)
 target_include_directories(log_tool_parts PRIVATE ${CMAKE_BINARY_DIR}/generated)
+# flights in worlds that are drawn: airplane, sensors, air, place
+if(NOT SANITIZE)
+    set(drawn ${CMAKE_SOURCE_DIR}/simulator/drawn)
+    add_library(drawn_parts STATIC ${drawn}/estimate.cpp ${drawn}/draw.cpp ${drawn}/field.cpp ${drawn}/files.cpp)
+    target_compile_options(drawn_parts PRIVATE ${PROJECT_WARNINGS})
+    target_precompile_headers(drawn_parts REUSE_FROM host_headers)
+    target_link_libraries(drawn_parts PUBLIC mavlink simulator_world declination_table_parts)
+    project_program(drawn ${drawn}/main.cpp ${drawn}/tuning.cpp
+                    LIBRARIES drawn_parts firmware_native simulator_native simulator_invariants
+                    simulator_ground simulator_world CLI11::CLI11)
+    target_compile_definitions(drawn PRIVATE DRAWN_FLY="${CMAKE_BINARY_DIR}/fly"
+                               DRAWN_MAGNETIC_MODEL="${CMAKE_SOURCE_DIR}/toolchain/declination/WMM2025.COF")
+endif()
+
 # many flights at once, natively
 project_tool(campaign simulator/campaign simulator_report simulator_world Threads::Threads)
 target_compile_definitions(campaign_parts PRIVATE CAMPAIGN_OUT="${CMAKE_SOURCE_DIR}/build/campaign"
                            CAMPAIGN_MISSIONS="${CMAKE_SOURCE_DIR}/simulator/missions")
-target_compile_definitions(campaign PRIVATE CAMPAIGN_FLY="${CMAKE_BINARY_DIR}/fly")
+target_compile_definitions(campaign PRIVATE CAMPAIGN_FLY="${CMAKE_BINARY_DIR}/fly"
+                           CAMPAIGN_DRAWN="${CMAKE_BINARY_DIR}/drawn")
 
 # random scenarios against the invariants, natively or on the emulated board
 if(NOT SANITIZE)

@@ -3,7 +3,7 @@
 
 # ---- everything outside the board's pins
 file(GLOB world_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/world.cpp
-     ${CMAKE_SOURCE_DIR}/simulator/builtin_model.cpp ${CMAKE_SOURCE_DIR}/simulator/fdm/*.cpp
+     ${CMAKE_SOURCE_DIR}/simulator/world_file.cpp ${CMAKE_SOURCE_DIR}/simulator/builtin_model.cpp ${CMAKE_SOURCE_DIR}/simulator/fdm/*.cpp
      ${CMAKE_SOURCE_DIR}/simulator/devices/*.cpp ${CMAKE_SOURCE_DIR}/simulator/airplane/*.cpp)
 add_library(simulator_world STATIC ${world_sources})
 target_compile_options(simulator_world PRIVATE ${PROJECT_WARNINGS})

@@ -33,7 +33,7 @@ target_link_libraries(firmware_mission_test PRIVATE simulator_world)  # for its 
 target_compile_definitions(firmware_safety_test PRIVATE FAILSAFE_MANUAL="${CMAKE_SOURCE_DIR}/docs/failsafes.md")
 target_compile_definitions(firmware_modes_test PRIVATE FAILSAFE_MANUAL="${CMAKE_SOURCE_DIR}/docs/failsafes.md")
 
-foreach(part IN ITEMS airplane devices world output_file ground native report invariants live flight_folder)
+foreach(part IN ITEMS airplane devices world world_file output_file ground native report invariants live flight_folder)
     unit_test(unit/simulator/${part} simulator_live simulator_report simulator_ground simulator_native simulator_world)
 endforeach()
 target_sources(flight_folder_test PRIVATE ${CMAKE_SOURCE_DIR}/simulator/flight_folder.cpp)
@@ -68,6 +68,10 @@ gtest_program(campaign_test ${tests}/unit/simulator/campaign campaign_parts)
 target_compile_definitions(campaign_test PRIVATE CAMPAIGN_PROGRAM="$<TARGET_FILE:campaign>"
     MISSIONS="${CMAKE_SOURCE_DIR}/simulator/missions")
 gtest_run(campaign_test NEEDS campaign fly LABELS unit quick)
+gtest_program(drawn_test ${tests}/unit/simulator/drawn drawn_parts simulator_ground)
+target_compile_definitions(drawn_test PRIVATE
+    MAGNETIC_MODEL="${CMAKE_SOURCE_DIR}/toolchain/declination/WMM2025.COF")
+gtest_run(drawn_test LABELS unit quick)
 gtest_program(chaos_test ${tests}/unit/simulator/chaos chaos_parts)
 target_compile_definitions(chaos_test PRIVATE PARAMETERS="${CMAKE_SOURCE_DIR}/firmware/state/parameters.csv")
 gtest_run(chaos_test LABELS unit quick)

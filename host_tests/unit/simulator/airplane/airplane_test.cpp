@@ -172,3 +172,33 @@ TEST(Airplane, flies_the_same_bits_for_the_same_seed) {
     options.seed = 2;
     EXPECT_NE(flown().north_m, first.north_m);
 }
+
+// f + w x (w x r) + dw/dt x r, with dw/dt from the rates before and after.
+TEST(RigidBody, turns_an_inertial_sensor_that_is_not_at_its_centre) {
+    AirplaneParameters p = inVacuum();
+    Airplane centred(p, stillAir(), 0);
+    p.imu_place_m = {0.08, -0.03, 0.05};
+    Airplane offset(p, stillAir(), 0);
+    Motion spinning = levelFlight(20, 0, 500);
+    spinning.rates_rads = {1.5, -2, 3};
+    for (Airplane* each : {&centred, &offset}) each->place(spinning, {});
+    Vec3 before = spinning.rates_rads;
+    for (int i = 0; i < 100; ++i) {
+        const Truth now = centred.truth();
+        const Vec3 rates = {now.roll_rate_rads, now.pitch_rate_rads, now.yaw_rate_rads};
+        centred.step({});
+        const Truth& next = centred.truth();
+        const Vec3 after = {next.roll_rate_rads, next.pitch_rate_rads, next.yaw_rate_rads};
+        if (i > 0) {
+            const Vec3 angular = (after - before) * (1 / (2 * Airplane::kStep_s));
+            const Vec3 expected =
+                cross(rates, cross(rates, p.imu_place_m)) + cross(angular, p.imu_place_m);
+            const Truth& seen = offset.truth();
+            EXPECT_NEAR(seen.force_x_mss - now.force_x_mss, expected.x, 0.01);
+            EXPECT_NEAR(seen.force_y_mss - now.force_y_mss, expected.y, 0.01);
+            EXPECT_NEAR(seen.force_z_mss - now.force_z_mss, expected.z, 0.01);
+        }
+        offset.step({});
+        before = rates;
+    }
+}

@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -49,4 +52,19 @@ TEST(Airplanes, are_refused_with_the_reason_when_something_is_wrong) {
     EXPECT_THAT(complaint(replaced(trainerText(), "\"mass_kg\"", "\"wheels\": 3, \"mass_kg\"")),
                 HasSubstr("does not know /wheels"));
     EXPECT_THAT(complaint("{"), HasSubstr("parse error"));
+}
+
+TEST(AirplaneText, is_read_back_as_it_was) {
+    const std::string path =
+        std::filesystem::temp_directory_path() / ("text_" + std::to_string(getpid()) + ".json");
+    for (const char* name : {"foam_trainer", "trainer_6kg", "flying_wing"}) {
+        AirplaneParameters airplane = loadAirplane(name);
+        EXPECT_EQ(airplane.linkage.curve, 0) << "no file of ours has one";
+        airplane.linkage = {0.01, -0.2};
+        airplane.imu_place_m = {0.1, 0, -0.02};
+        const std::string text = airplaneText(airplane, "for a test");
+        std::ofstream(path) << text;
+        EXPECT_EQ(airplaneText(loadAirplane(path), "for a test"), text) << name;
+    }
+    std::filesystem::remove(path);
 }

@@ -79,3 +79,15 @@ TEST(Dryden, forgets_a_gust_over_the_standards_length) {
     // Of the second-order form: exp(-x)(1 - x / 2) with x = 1.
     EXPECT_NEAR(correlation(before.right, after.right), std::exp(-1) / 2, 0.08);
 }
+
+TEST(Thermals, rise_and_sink_as_strongly_and_not_at_the_ground) {
+    const Thermals thermals(2, 5);
+    Statistics air;
+    for (double north_m = 0; north_m < 6000; north_m += 20)
+        for (double east_m = 0; east_m < 6000; east_m += 20)
+            air.add(thermals.rise_mps(north_m, east_m, 100));
+    EXPECT_NEAR(air.mean(), 0, 0.05);
+    EXPECT_NEAR(air.deviation(), 1, 0.05);  // half of the strength, of two sines
+    EXPECT_EQ(thermals.rise_mps(100, 200, 0), 0);
+    EXPECT_EQ(Thermals(0, 5).rise_mps(100, 200, 100), 0);
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/drawn/files.hpp"
+
+#include <cstdio>
+#include <sstream>
+
+#include "simulator/output_file.hpp"
+#include "simulator/world_file.hpp"
+
+namespace simulator::drawn {
+namespace {
+
+std::string waypointText(const Waypoints& items) {
+    std::string text = "QGC WPL 110\n";
+    for (const WaypointItem& item : items) {
+        char line[200];
+        std::snprintf(line, sizeof line, "%d\t%d\t%d\t%d\t%g\t%g\t%g\t%g\t%.7f\t%.7f\t%.2f\t1\n",
+                      item.index, item.index == 0, item.frame, item.command, item.params[0],
+                      item.params[1], item.params[2], item.params[3], item.latitude_deg,
+                      item.longitude_deg, item.altitude_m);
+        text += line;
+    }
+    return text;
+}
+
+}  // namespace
+
+void writeParameters(const std::filesystem::path& path, const std::string& about,
+                     const ParameterSettings& settings) {
+    std::ostringstream text;
+    text << "# " << about << "\n";
+    for (const ParameterSetting& each : settings) text << each.name << "," << each.value << "\n";
+    writeFile(path, text.str());
+}
+
+void writeFiles(const DrawnFiles& files, const DrawnWorld& drawn) {
+    writeFile(files.airplane, airplaneText(drawn.airplane, drawn.about));
+    writeParameters(files.owner, "What its owner knows.", drawn.owner);
+    writeFile(files.world, worldFileText(drawn.world));
+    writeFile(files.mission, waypointText(drawn.mission));
+}
+
+}  // namespace simulator::drawn
