@@ -139,8 +139,18 @@ void Timer::writeCompare(uint16_t address, uint8_t value) {
     compare.waiting = buffered(i);
     if (on_compare) on_compare();
     if (compare.waiting) return;
-    if (wide()) avr_->data[io_->comp[i].r_ocrh] = compare.high;
-    compare.write(avr_, address, value);
+    setCompare(i);
+}
+
+// The library looks at the low byte alone to see whether the value changes.
+void Timer::setCompare(int compare) {
+    const avr_timer_comp_t& registers = io_->comp[compare];
+    const Compare& written = compares_[compare];
+    if (wide() && avr_->data[registers.r_ocrh] != written.high) {
+        avr_->data[registers.r_ocrh] = written.high;
+        avr_->data[registers.r_ocr] = static_cast<uint8_t>(~written.low);
+    }
+    written.write(avr_, registers.r_ocr, written.low);
 }
 
 uint8_t Timer::readCompare(uint16_t address) {
@@ -165,8 +175,7 @@ uint64_t Timer::takeOver(uint64_t) {
         Compare& compare = compares_[i];
         if (!compare.waiting) continue;
         compare.waiting = false;
-        if (wide()) avr_->data[io_->comp[i].r_ocrh] = compare.high;
-        compare.write(avr_, io_->comp[i].r_ocr, compare.low);
+        setCompare(i);
     }
     return 0;
 }

@@ -58,6 +58,7 @@ private:
     void writeHigh(uint16_t, uint8_t value) { temp_ = value; }
     void writeTop(uint16_t address, uint8_t value);
     void writeCompare(uint16_t address, uint8_t value);
+    void setCompare(int compare);
     uint8_t readCount(uint16_t address);
     uint8_t readCompare(uint16_t address);
     void writeForce(uint16_t address, uint8_t value);

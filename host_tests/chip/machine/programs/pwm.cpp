@@ -21,6 +21,7 @@ int main() {
         if (period == 8) PORTB |= _BV(7);  // a write to the port must not touch the output
         if (period == 10) report(1, OCR1A);
         if (period == 12) ICR1 = 19999;
+        if (period == 20) OCR1A = 1800 + 2 * 256;  // the same low byte
     }
     for (;;) {
     }
