@@ -67,6 +67,7 @@ private:
     static constexpr uint8_t kAwake = 0x03;
     static constexpr int8_t kPeekSteps = 8;  // 1.4 rad in 16 bits
     static constexpr uint8_t kLastSetting = 9;
+    static constexpr uint8_t kMaxTries = 5;  // 5 ms apart: some chips wake up only after the first
 
     void enter(State state, uint32_t now_ms) {
         state_ = state;
@@ -98,7 +99,8 @@ private:
 
     uint32_t since_ms_ = 0;
     uint8_t setting_ = 0;
-    uint8_t seen_ = 0;  // beat_ at the last step
+    uint8_t tries_ = 0;  // of this setting
+    uint8_t seen_ = 0;   // beat_ at the last step
     bool healthy_ = false;
     uint16_t restarts_ = 0;
 };
@@ -164,7 +166,7 @@ void Mpu6000<Bus, Select>::step(uint32_t now_ms) {
         case State::settle:
             if (waited_ms < 100) break;
             if (readRegister(kWhoAmI) != 0x68) return fail(now_ms);
-            setting_ = 0;
+            setting_ = tries_ = 0;
             enter(State::configure, now_ms - 5);
             break;
         case State::configure:
@@ -188,15 +190,19 @@ void Mpu6000<Bus, Select>::configureNext(uint32_t now_ms) {
     const Setting setting = core::romRead(kSettings[setting_]);
     const uint8_t value = setting.address == kAccelConfig ? accelRange() : setting.value;
     writeRegister(setting.address, value);
-    if (readRegister(setting.address) != value) return fail(now_ms);
-    ++setting_;
     since_ms_ = now_ms;
+    if (readRegister(setting.address) == value) {
+        ++setting_;
+        tries_ = 0;
+    } else if (++tries_ == kMaxTries) {
+        fail(now_ms);
+    }
 }
 
 template <class Bus, class Select>
 void Mpu6000<Bus, Select>::resume() {
     if (readRegister(kWhoAmI) != 0x68 || readRegister(kPowerManagement1) != kAwake) return;
-    setting_ = 0;
+    setting_ = tries_ = 0;
     enter(State::configure, 0);
     while (state_ == State::configure) configureNext(0);
 }

@@ -39,6 +39,9 @@ constexpr double kTemperature_c = 35;
 // woken; register map, register 55: an interrupt not latched is a pulse of 50 us.
 constexpr uint64_t kRegistersStart_us = 11'000, kSlowStart_us = 100'000;
 constexpr uint64_t kGyroStart_us = 30'000, kPulse_us = 50;
+// No document gives it: drivers that have flown these boards write the wake-up up to five times,
+// 5 ms apart, until the register no longer reads as asleep.
+constexpr uint64_t kWakes_us = 4'000;
 
 struct Bandwidth {
     double accel_hz, gyro_hz, rate_hz;
@@ -91,6 +94,7 @@ void Mpu6000::powerOn(uint64_t now_us, uint64_t start_us) {
     registers_[kWhoAmI] = 0x68;
     registers_[kProductId] = product_id_;
     ready_us_ = now_us + start_us;
+    wake_us_ = UINT64_MAX;
     unread_ = waiting_ = pin_ = filtered_ = false;
     schedule(now_us);
 }
@@ -146,6 +150,10 @@ void Mpu6000::write(uint8_t reg, uint8_t value, uint64_t now_us) {
     if (read_only) return;
     if (reg == kPower1 && (value & kReset)) return powerOn(now_us, kRegistersStart_us);
     const bool was_asleep = asleep();
+    if (reg == kPower1 && was_asleep && !(value & kSleep)) {
+        wake_us_ = std::min(wake_us_, now_us + kWakes_us);
+        if (now_us < wake_us_) return;
+    }
     registers_[reg] = value;
     if (reg == kInterruptPin) pin_ = value & kActiveLow;
     if (reg == kPower1 && asleep() != was_asleep) schedule(now_us);

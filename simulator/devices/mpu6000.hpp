@@ -76,7 +76,8 @@ private:
     std::array<uint8_t, 14>
         measured_{};  // of the newest sample, while a burst still reads the last
     SampleCount count_;
-    uint64_t ready_us_ = 0;  // registers answer from here on
+    uint64_t ready_us_ = 0;          // registers answer from here on
+    uint64_t wake_us_ = UINT64_MAX;  // from the first order on: until then it is not obeyed
     uint64_t next_sample_us_ = UINT64_MAX, last_sample_us_ = 0;
     uint64_t pulse_end_us_ = UINT64_MAX;
     FaultKind fault_ = FaultKind::none;
