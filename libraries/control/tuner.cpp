@@ -10,6 +10,7 @@ constexpr core::BodyRate kBegins_rads(0.4f), kRest_rads(0.117f), kFastEnough_rad
     kSwing_rads(0.254f);
 constexpr uint16_t kLongest = 400;  // frames
 constexpr uint8_t kSwingLasts = 60, kMaxSwings = 6;
+constexpr core::Ratio kFar(0.4f);
 
 constexpr int32_t kFull = AxisState::Output::kOne;
 
@@ -28,14 +29,21 @@ int16_t expected(const AxisGains& gains, const AirFlow& air, int16_t rate) {
 
 }  // namespace
 
-// A swing is a rate that comes back with the other sign soon.
-AxisTuner::Finding AxisTuner::swing(int16_t rate) {
+// A swing is a rate that comes back with the other sign soon, and moves the surface far: gusts
+// swing a small airplane as fast, but the surface of gains that are right hardly moves then.
+AxisTuner::Finding AxisTuner::swing(int16_t rate, int16_t surface) {
     if (since_ < kSwingLasts) ++since_;
+    if (surface < low_) low_ = surface;
+    if (surface > high_) high_ = surface;
     if (since_ == kSwingLasts) swings_ = 0;
     const int8_t side = rate > kSwing_rads.raw ? 1 : (rate < -kSwing_rads.raw ? -1 : 0);
     if (side == 0 || side == side_) return Finding::nothing;
     side_ = side;
     since_ = 0;
+    const bool far = int32_t{high_} - low_ > kFar.raw;
+    low_ = INT16_MAX;
+    high_ = INT16_MIN;
+    if (!far) return Finding::nothing;
     if (++swings_ < kMaxSwings) return Finding::nothing;
     swings_ = 0;
     return Finding::shakes;
@@ -47,15 +55,14 @@ AxisTuner::Finding AxisTuner::watch(const AxisGains& gains, const AxisState& sta
     const int16_t rate = rate_rads.raw;
     const bool rests = size(rate) < kRest_rads.raw;
     if (frames_ == 0) {
-        if (size(demand_rads.raw) < kBegins_rads.raw) return swing(rate);
+        if (size(demand_rads.raw) < kBegins_rads.raw) return swing(rate, surface(state).raw);
         if (!rests || air.too_slow) return Finding::nothing;
-        crossed_ = squared_ = 0;
+        used_ = expected_ = 0;
         fastest_rads_.raw = 0;
         rest_.raw = static_cast<int16_t>(state.integrator.as<14>().raw);
     }
-    const int16_t wanted = expected(gains, air, rate);
-    crossed_ += core::product(core::narrowed(int32_t{surface(state).raw} - rest_.raw), wanted) >> 8;
-    squared_ += core::product(wanted, wanted) >> 8;
+    used_ += int32_t{surface(state).raw} - rest_.raw;
+    expected_ += expected(gains, air, rate);
     fastest_rads_.raw = core::limit<int16_t>(size(rate), fastest_rads_.raw, INT16_MAX);
     const bool over = rests && fastest_rads_.raw >= kFastEnough_rads.raw;
     if (!over && ++frames_ < kLongest) return Finding::nothing;
@@ -64,8 +71,8 @@ AxisTuner::Finding AxisTuner::watch(const AxisGains& gains, const AxisState& sta
 }
 
 float AxisTuner::factor() const {
-    if (squared_ <= 0) return 1;
-    return core::limit(static_cast<float>(crossed_) / static_cast<float>(squared_), kLeast, kMax);
+    if (expected_ == 0) return 1;
+    return core::limit(static_cast<float>(used_) / static_cast<float>(expected_), kLeast, kMax);
 }
 
 }  // namespace control

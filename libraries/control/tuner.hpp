@@ -2,7 +2,8 @@
 // Learns from the turns of one axis, from rest to rest, how strong its surface is: over such a turn
 // the surface that was used, against the one that the feed-forward expects for the rates that
 // came, is a ratio in which the axis's inertia has no part (what it takes at the beginning it gives
-// back at the end). The gains of a loop want to be multiplied by that ratio.
+// back at the end), nor gusts, which turn the airplane to either side. The gains of a loop want to
+// be multiplied by that ratio.
 #pragma once
 #include "control/axis.hpp"
 
@@ -13,7 +14,8 @@ public:
     enum class Finding : uint8_t {
         nothing,
         measured,  // factor() holds
-        shakes,    // the airplane swings about where it is to be: the gains are too high
+        shakes,    // the airplane swings about where it is to be: the gains are too high; what
+                   // the surface hardly moves at is gusts
     };
 
     constexpr AxisTuner() {}
@@ -29,14 +31,15 @@ public:
     static constexpr float kLeast = 0.8f, kMax = 1.25f;
 
 private:
-    Finding swing(int16_t rate);
+    Finding swing(int16_t rate, int16_t surface);
 
-    int32_t crossed_ = 0, squared_ = 0;
-    core::Ratio rest_ = {};  // the surface before the turn
+    int32_t used_ = 0, expected_ = 0;  // of the surface, summed up
+    core::Ratio rest_ = {};            // the surface before the turn
     core::BodyRate fastest_rads_ = {};
     uint16_t frames_ = 0;  // of the turn under way; 0: none
     int8_t side_ = 0;      // which way it swung last
     uint8_t swings_ = 0, since_ = 0;
+    int16_t low_ = INT16_MAX, high_ = INT16_MIN;  // of the surface since the last swing
 };
 
 }  // namespace control

@@ -107,6 +107,19 @@ TEST(Tuner, is_not_misled_by_gusts_nor_by_a_surface_out_of_trim) {
     EXPECT_NEAR(tuning.feedForward() * axis.strength, 1, 0.15);
 }
 
+// Gusts roll a light airplane as fast as gains that are too high would.
+TEST(Tuner, is_not_misled_by_gusts_that_swing_a_small_quick_airplane) {
+    for (const float gust_rads : {0.6f, 1.0f, 2.0f}) {
+        Axis axis{8};
+        axis.gust_rads = gust_rads;
+        Tuning tuning;
+        tuning.roll(axis, 40);
+        EXPECT_GT(tuning.measured, 10) << gust_rads;
+        EXPECT_EQ(tuning.shaken, 0) << gust_rads;
+        EXPECT_NEAR(tuning.feedForward() * axis.strength, 1, 0.25) << gust_rads;
+    }
+}
+
 TEST(Tuner, learns_nothing_without_rotation) {
     Axis axis{4};
     axis.gust_rads = 0.3f;
