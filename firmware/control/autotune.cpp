@@ -39,6 +39,9 @@ core::FileState<Tuners> tuning{};
 // _TCONST for AUTOTUNE_LEVEL 1 .. 10, 1/100 s
 constexpr uint8_t kTimeConstants[] ROM = {80, 70, 60, 52, 45, 40, 35, 30, 25, 20};
 
+// Of a small quick airplane, and where the parameters end. A gain that is there stays.
+constexpr float kLeastP = 0.05f, kMostP = 4.0f;
+
 constexpr uint8_t kLeveled = 2 * core::count(kAxes);
 
 // What is still to be set, a parameter each time: finding one by its slot takes long.
@@ -105,6 +108,8 @@ void tune(TunedAxis which, const ::control::AxisGains& gains, const ::control::A
         tuner.watch(gains, state, air, ::control::demandedRate_rads(gains, error_rad), rate_rads);
     if (found == AxisTuner::Finding::nothing || due.gain < kGains) return;
     due.by = found == AxisTuner::Finding::shakes ? AxisTuner::kLeast : tuner.factor();
+    const float p = fmaxf(settingsOf(which).p, kLeastP);
+    due.by = core::limit(p * due.by, kLeastP, kMostP) / p;
     due.axis = which;
     due.gain = kP;
     sendStatusText(Severity::info, core::romRead(kAxes[which].found),

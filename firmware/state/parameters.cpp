@@ -131,7 +131,7 @@ constexpr parameters::Row kRows[] ROM = {
     P(slot::rll2srv_imax, "RLL2SRV_IMAX", roll.axis.integrator_max_cd, 3000,       0,     4500),
     P(106, "RLL2SRV_RMAX",      roll.rate_max_dps,                 0,       0,      180),
     P(107, "PTCH2SRV_TCONST",   pitch.axis.time_constant_s,     0.4f,    0.2f,        2),
-    P(slot::ptch2srv_p, "PTCH2SRV_P", pitch.axis.p,                1,       0,        3),
+    P(slot::ptch2srv_p, "PTCH2SRV_P", pitch.axis.p,                1,       0,        4),
     P(slot::ptch2srv_i, "PTCH2SRV_I", pitch.axis.i,             0.3f,       0,        1),
     P(slot::ptch2srv_d, "PTCH2SRV_D", pitch.axis.d,            0.05f,       0,     0.2f),
     P(slot::ptch2srv_imax, "PTCH2SRV_IMAX", pitch.axis.integrator_max_cd, 3000,       0,     4500),
