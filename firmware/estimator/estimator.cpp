@@ -90,7 +90,7 @@ constexpr float kInconsistentAirspeed_mps = 4,
 constexpr float kInconsistentHeight_m = 20;
 constexpr float kClimbAge_s = 0.19f;   // a u-blox's, which alone reports it: 0.29, less half of 0.2
 constexpr uint16_t kGoodHdop_c = 200;  // with fewer satellites heights are tens of metres off
-constexpr uint16_t kGpsSilent_ms = 500;
+constexpr float kSilentIntervals = 1.5f, kLeastInterval_s = 0.33f, kMostInterval_s = 1.1f;
 constexpr uint8_t kBeginsFlying = 5;  // looks of 100 ms at speed: half a second
 constexpr uint8_t kEndsFlying = 30;   // looks without: three seconds
 constexpr float kFlyingGroundSpeed_mps = 5.0f;
@@ -304,8 +304,8 @@ void publishAngles() {
 
 void publishHeight() {
     auto& to = published;
-    to.height_m = height.height_m() - heights.home_m;
-    to.climb_mps = height.climb_mps();
+    to.height_m = (height.height_m() - heights.home_m) * barometer_drift.scale();
+    to.climb_mps = height.climb_mps() * barometer_drift.scale();
     to.velocity_mps.z = -to.climb_mps;
 }
 
@@ -476,8 +476,11 @@ void fuseCompass() {
         reportInconsistency(Sensor::compass);
 }
 
+// A slow receiver is not silent between two of its fixes.
 void fuseAirspeed() {
-    if (runs() && hal::now_ms() - newest_fix.ms > kGpsSilent_ms)
+    const float interval_s = core::limit(newest_fix.since_s, kLeastInterval_s, kMostInterval_s);
+    const uint16_t silent_ms = static_cast<uint16_t>(interval_s * (kSilentIntervals * 1000));
+    if (runs() && hal::now_ms() - newest_fix.ms > silent_ms)
         attitude.useAirspeed(knownAirspeed_mps());
 }
 
@@ -498,11 +501,11 @@ void zeroHeight() {
     heights.home_m = height.height_m();
     published.height_m = 0;
     true_speed.ratio = estimation::trueSpeedRatio(static_cast<float>(vehicle.baro.pressure_pa),
-                                                  vehicle.baro.temperature_cc * 0.01f);
+                                                  vehicle.baro.ground_temperature_c);
 }
 
 void shiftHeight(float by_m) {
-    heights.home_m -= by_m;
+    heights.home_m -= by_m / barometer_drift.scale();
     published.height_m += by_m;
 }
 
@@ -512,7 +515,8 @@ void resumeEstimate(const SlowRecord& steady, const FastRecord& moving, const Ve
     attitude.resume(moving.pose, steady.learnt, turned_rad);
     motion.waits_for_imu = true;
     heights.home_m = steady.home_height_m;
-    height.resume(heights.home_m + moving.height_m, moving.climb_mps);
+    barometer_drift.resumeScale(steady.height_scale);
+    height.resume(heights.home_m + moving.height_m / barometer_drift.scale(), moving.climb_mps);
     heights.started = motion.started = true;
     pressure.used_ms = static_cast<uint16_t>(hal::now_ms());
     true_speed.ratio =
@@ -529,6 +533,7 @@ void resumeEstimate(const SlowRecord& steady, const FastRecord& moving, const Ve
 void saveEstimate(SlowRecord& to) {
     attitude.save(to.learnt);
     to.home_height_m = heights.home_m;
+    to.height_scale = barometer_drift.scale();
     const Vector3 wind_mps = wind.wind_mps();
     to.wind_cms[0] = centimetres(wind_mps.x);
     to.wind_cms[1] = centimetres(wind_mps.y);

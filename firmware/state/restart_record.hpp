@@ -18,6 +18,7 @@ struct SlowRecord {
     int32_t home_altitude_cm;
     float home_height_m;  // above where the barometer was zeroed
     float ground_pressure_pa, ground_temperature_c;
+    float height_scale;
     float airspeed_offset_v;
     estimation::SavedTurn gyro_zero_rad[3];  // in a sample period
     estimation::SavedBiases learnt;

@@ -410,7 +410,7 @@ void Attitude::useAirspeed(float true_airspeed_mps) {
     const core::Vector3 swung = {-yaw_rate * east_mps, yaw_rate * north_mps, 0};
     core::Vector3 missing = swung - acceleration_;
     missing.z = 0;
-    correct(missing, acceleration_, 0.2f, false);
+    correct(asTilt_mss(missing), acceleration_, 0.2f, false);
 }
 
 float Attitude::quick() const {

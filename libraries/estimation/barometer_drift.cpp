@@ -14,17 +14,38 @@ constexpr float kMissed_s = 1.5f;   // between two fixes nobody knows how far it
 constexpr float kMaxStep_m = 0.3f;  // between two fixes; a larger one is no drift
 constexpr float kMax_m = 2.0f;      // what a wrong velocity can do
 
+// The scale is not learnt from a slower climb: there errors of the velocity would show as one.
+constexpr float kClimbs_mps = 1.0f;
+// Rises err by about 0.06 m between two fixes, and the scale by 0.05 before anything is known.
+constexpr float kPrior_m2 = 1.4f;
+constexpr float kForgets_m2 = 400.0f;  // air changes: what was learnt long ago counts less
+constexpr float kLeastScale = 0.87f, kMostScale = 1.18f;  // the air -25 to 40 degrees off
+
 }  // namespace
 
 float BarometerDrift::useGps(float height_m, float climb_mps, float dt_s) {
     const float rise_m = height_m - last_m_;
     last_m_ = height_m;
-    const float apart_m = rise_m - climb_mps * dt_s;
-    if (dt_s > kMissed_s || fabsf(apart_m) > kMaxStep_m) return 0;
+    const float climbed_m = climb_mps * dt_s;
+    if (dt_s > kMissed_s || fabsf(rise_m - climbed_m) > kMaxStep_m + 0.2f * fabsf(climbed_m))
+        return 0;
+    if (fabsf(climb_mps) > kClimbs_mps) learnScale(rise_m, climbed_m);
+    const float apart_m = rise_m - climbed_m / scale_;
     const float step_m = kShare * apart_m - drift_m_ * (dt_s * (1.0f / kForgotten_s));
     if (fabsf(drift_m_ + step_m) > kMax_m) return 0;
     drift_m_ += step_m;
     return step_m;
+}
+
+void BarometerDrift::resumeScale(float scale) {
+    scale_ = core::limit(scale, kLeastScale, kMostScale);
+}
+
+// Least squares, one climb after the other.
+void BarometerDrift::learnScale(float rise_m, float climbed_m) {
+    known_m2_ = fminf(known_m2_ + climbed_m * climbed_m, kForgets_m2);
+    const float missing_m = climbed_m - rise_m * scale_;
+    resumeScale(scale_ + missing_m * climbed_m / (known_m2_ + kPrior_m2));
 }
 
 }  // namespace estimation

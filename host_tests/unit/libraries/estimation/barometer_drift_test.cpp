@@ -46,6 +46,26 @@ TEST(BarometerDrift, a_climb_is_not_taken_for_drift) {
     EXPECT_NEAR(zero.height_m, 0, 0.01);
 }
 
+TEST(BarometerDrift, a_climb_shows_how_many_metres_a_metre_of_pressure_is) {
+    for (const double share : {0.93, 1.05}) {  // the air 20 degrees warmer, 14 degrees colder
+        Zero zero(0);
+        std::mt19937 random(1);
+        std::normal_distribution<> normal;
+        zero.fly(
+            30, [&](double t) { return share * 2.5 * t + 0.05 * normal(random); }, 2.5);
+
+        EXPECT_NEAR(zero.drift.scale(), 1 / share, 0.01);
+        EXPECT_NEAR(zero.height_m, 0, 0.6) << "what the scale explains is not drift";
+    }
+}
+
+TEST(BarometerDrift, a_wrong_velocity_in_level_flight_shows_no_scale) {
+    Zero zero(100);
+    zero.fly(300, level, -0.5);
+
+    EXPECT_EQ(zero.drift.scale(), 1);
+}
+
 TEST(BarometerDrift, a_velocity_error_is_forgotten_within_minutes) {
     Zero zero(100);
     zero.fly(3600, level, -0.005);
