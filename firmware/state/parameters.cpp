@@ -50,7 +50,7 @@ constexpr uint8_t kFenceTotal = 231, kRallyTotal = 237;
         P(17 + 9 * n, "SR" #n "_EXTRA3", streams[n].extra3, 1, 0, 50)
 
 // clang-format off
-constexpr parameters::Row kRows[] ROM = {
+constexpr parameters::Row kRows[] = {
     // slot  name                field                         initial   lowest   highest
     P(178, "FORMAT_VERSION",    format_version,                    1,       0,        1),
     P(  0, "SYSID_THISMAV",     system_id,                         1,       1,      255),
@@ -246,7 +246,11 @@ static_assert(parameters::slotsAvoid(kRows, kRetired), "a slot was another param
 static_assert(parameters::lowestFreeSlot(kRows, kRetired) == kNextSlot, "kNextSlot: try the next");
 static_assert(parameters::initialsAreInRange(kRows), "a default lies outside its range");
 
-constexpr parameters::Table table ROM(kRows, &firmware::state::parameters);
+static_assert(sizeof(Parameters) <= 1 << parameters::kOffsetBits, "an offset has too few bits");
+
+constexpr parameters::Packed<core::count(kRows), parameters::distinctNumbers(kRows)> kPacked
+    ROM(kRows);
+constexpr parameters::Table table ROM(kPacked, &firmware::state::parameters);
 
 constexpr uint8_t kFormatRow = 0;
 static_assert(parameters::same(kRows[kFormatRow].name, "FORMAT_VERSION"), "the row of the format");

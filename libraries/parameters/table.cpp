@@ -22,15 +22,23 @@ bool isName(const char (&name)[kNameSize], const char* in_flash) {
 
 uint8_t Table::slot(uint8_t index) const { return core::romRead(row(index).slot); }
 
-Type Table::type(uint8_t index) const { return core::romRead(row(index).type); }
-
-uint8_t* Table::field(uint8_t index) const {
-    return static_cast<uint8_t*>(core::romRead(fields_)) + core::romRead(row(index).offset);
+Type Table::type(uint8_t index) const {
+    return static_cast<Type>(core::romRead(row(index).type_and_offset) >> kOffsetBits);
 }
 
-float Table::initial(uint8_t index) const { return core::romRead(row(index).initial); }
-float Table::lowest(uint8_t index) const { return core::romRead(row(index).lowest); }
-float Table::highest(uint8_t index) const { return core::romRead(row(index).highest); }
+uint8_t* Table::field(uint8_t index) const {
+    constexpr uint16_t kOffset = (1 << kOffsetBits) - 1;
+    return static_cast<uint8_t*>(core::romRead(fields_)) +
+           (core::romRead(row(index).type_and_offset) & kOffset);
+}
+
+float Table::number(const uint8_t& in_flash) const {
+    return core::romRead(core::romRead(numbers_)[core::romRead(in_flash)]);
+}
+
+float Table::initial(uint8_t index) const { return number(row(index).initial); }
+float Table::lowest(uint8_t index) const { return number(row(index).lowest); }
+float Table::highest(uint8_t index) const { return number(row(index).highest); }
 
 void Table::name(uint8_t index, char (&to)[kNameSize]) const {
     core::copyText(to, row(index).name, kNameSize);
@@ -71,7 +79,7 @@ bool Table::findName(const char (&name)[kNameSize], uint8_t& index) const {
 
 bool Table::findSlot(uint8_t slot, uint8_t& index) const {
     const uint8_t rows = count();
-    const Row* at = &row(0);  // a mission may seek a dozen in one pass
+    const PackedRow* at = &row(0);  // a mission may seek a dozen in one pass
     for (uint8_t i = 0; i < rows; ++i, ++at) {
         if (core::romRead(at->slot) != slot) continue;
         index = i;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shape of a parameter row and the proofs on a table of them. A parameter is stored at its
-// slot number, for ever: rows may be sorted or renamed, slots may not.
+// The shape of a parameter row, the proofs on a table of them and how it is packed into flash. A
+// parameter is stored at its slot number, for ever: rows may be sorted or renamed, slots may not.
 #pragma once
 #include <stddef.h>
 #include <stdint.h>
@@ -98,13 +98,79 @@ constexpr bool initialsAreInRange(const Row (&rows)[N]) {
     return true;
 }
 
+// The numbers of all rows, each once: two hundred rows share a hundred.
+template <size_t N>
+struct Numbers {
+    constexpr explicit Numbers(const Row (&rows)[N]) {
+        for (size_t i = 0; i < N; ++i) {
+            add(rows[i].initial);
+            add(rows[i].lowest);
+            add(rows[i].highest);
+        }
+    }
+    // Where it is; `count`: nowhere.
+    constexpr size_t find(float value) const {
+        size_t at = 0;
+        while (at < count && !(values[at] == value)) ++at;
+        return at;
+    }
+
+    size_t count = 0;
+    float values[3 * N] = {};
+
+private:
+    constexpr void add(float value) {
+        if (find(value) == count) values[count++] = value;
+    }
+};
+
+// How many there are, to declare the Packed: Packed<core::count(rows), distinctNumbers(rows)>.
+template <size_t N>
+constexpr size_t distinctNumbers(const Row (&rows)[N]) {
+    return Numbers<N>(rows).count;
+}
+
+// A row as it lies in flash.
+struct PackedRow {
+    char name[kNameSize];  // padded with zeros
+    uint8_t slot;
+    uint8_t initial, lowest, highest;  // places among the numbers
+    uint16_t type_and_offset;          // the upper four bits and the lower twelve
+};
+constexpr uint8_t kOffsetBits = 12;
+
+// In flash, ROM: rows of 22 bytes instead of 33, and their numbers.
+template <size_t kRows, size_t kNumbers>
+struct Packed {
+    constexpr explicit Packed(const Row (&from)[kRows]) {
+        const Numbers<kRows> all(from);
+        for (size_t i = 0; i < kNumbers; ++i) number[i] = all.values[i];
+        for (size_t i = 0; i < kRows; ++i) {
+            for (size_t j = 0; j < kNameSize; ++j) row[i].name[j] = from[i].name[j];
+            row[i].slot = from[i].slot;
+            row[i].initial = static_cast<uint8_t>(all.find(from[i].initial));
+            row[i].lowest = static_cast<uint8_t>(all.find(from[i].lowest));
+            row[i].highest = static_cast<uint8_t>(all.find(from[i].highest));
+            row[i].type_and_offset = static_cast<uint16_t>(
+                (static_cast<unsigned>(from[i].type) << kOffsetBits) | from[i].offset);
+        }
+    }
+
+    PackedRow row[kRows] = {};
+    float number[kNumbers] = {};
+};
+
 // A table of rows over one struct of fields. Rows and table lie in flash: ROM.
 class Table {
 public:
-    template <size_t N>
-    constexpr Table(const Row (&rows)[N], void* fields)
-        : rows_(rows), count_(static_cast<uint8_t>(N)), fields_(fields) {
-        static_assert(N <= 255, "rows are numbered by a byte");
+    template <size_t kRows, size_t kNumbers>
+    constexpr Table(const Packed<kRows, kNumbers>& packed, void* fields)
+        : rows_(packed.row),
+          numbers_(packed.number),
+          count_(static_cast<uint8_t>(kRows)),
+          fields_(fields) {
+        static_assert(kRows <= 255, "rows are numbered by a byte");
+        static_assert(kNumbers <= 256, "a row has a byte for the place of a number");
     }
 
     uint8_t count() const { return core::romRead(count_); }
@@ -126,10 +192,12 @@ public:
     void assignInitial(uint8_t index) const { assign(index, initial(index)); }
 
 private:
-    const Row& row(uint8_t index) const { return core::romRead(rows_)[index]; }
+    const PackedRow& row(uint8_t index) const { return core::romRead(rows_)[index]; }
+    float number(const uint8_t& in_flash) const;
     uint8_t* field(uint8_t index) const;
 
-    const Row* rows_;
+    const PackedRow* rows_;
+    const float* numbers_;
     uint8_t count_;
     void* fields_;
 };

@@ -25,7 +25,7 @@ struct Fields {
 Fields fields;
 
 // clang-format off
-constexpr parameters::Row kRows[] ROM = {
+constexpr parameters::Row kRows[] = {
     PARAMETER(3,  "SMALL",            Fields, small,  1.0f,  -100.0f, 100.0f),
     PARAMETER(7,  "MIDDLE",           Fields, middle, 300.0f, 0.0f,   30000.0f),
     PARAMETER(8,  "LARGE",            Fields, large,  -1.0f, -1.0f,   1000000.0f),
@@ -51,7 +51,10 @@ static_assert(parameters::initialsAreInRange(kRows), "");
 static_assert(!parameters::initialsAreInRange(kInitialOutside), "");
 
 constexpr uint8_t kSmall = 0, kMiddle = 1, kLarge = 2, kReal = 3;
-constexpr Table table ROM(kRows, &fields);
+constexpr parameters::Packed<core::count(kRows), parameters::distinctNumbers(kRows)> kPacked
+    ROM(kRows);
+static_assert(parameters::distinctNumbers(kRows) == 9, "1, -1 and 0 come twice");
+constexpr Table table ROM(kPacked, &fields);
 
 void loadAll() {
     for (int i = 0; i < 100; ++i) {
