@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # How the image is compiled; docs/measurements.md has the table of what was tried. -g costs the chip
 # nothing: debug information stays in the ELF file. -mstrict-X: the register X, which has no offsets, is
-# not stepped to and fro for fields of a struct.
-set(AVR_OPTIMISATION -Os -flto -mrelax -mcall-prologues -mstrict-X -g)
+# not stepped to and fro for fields of a struct. The others after it: what is kept in registers over
+# more of a function, because it is used there again, costs more moves and places in the stack frame
+# than it saves.
+set(AVR_OPTIMISATION -Os -flto -mrelax -mcall-prologues -mstrict-X -fira-algorithm=priority -fno-gcse
+    -fno-tree-pre -fno-tree-dominator-opts -fno-move-loop-invariants -g)
 add_compile_options(${AVR_OPTIMISATION})
 # toolchain/image/stack_bound.mjs sees by its relocation that a word is a function's address
 add_link_options(${AVR_OPTIMISATION} -flto-partition=one -Wl,--emit-relocs)
@@ -25,7 +28,7 @@ foreach(folder firmware libraries)
         list(APPEND quick ${path})
     endforeach()
 endforeach()
-set_source_files_properties(${quick} PROPERTIES COMPILE_OPTIONS -O2)
+set_source_files_properties(${quick} PROPERTIES COMPILE_OPTIONS "-O2;-fgcse;-ftree-dominator-opts")
 
 link_libraries(m)
 
