@@ -41,7 +41,8 @@ public:
     static constexpr int32_t kOne = 1L << kFraction;
 
     Fixed() = default;
-    explicit constexpr Fixed(float value)
+    // Always inlined: else the compiler calls it with the address of a copy on the stack.
+    __attribute__((always_inline)) explicit constexpr Fixed(float value)
         : raw(__builtin_constant_p(value) ? narrowed(steps(value, 2 * kSteps))
                                           : toFixed(value, kFraction)) {}
     static constexpr Fixed fromRaw(int32_t raw) { return Fixed(narrowed(raw), 0); }
