@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "firmware/control/attitude_demand.hpp"
@@ -150,14 +151,14 @@ core::Angle blindPitch_rad() {
 }  // namespace
 
 void beginHeight() {
-    height_control.speed_height.start(measured(), vehicle.attitude.pitch_rad.toFloat(),
-                                      vehicle.throttle_demand.toFloat());
+    core::based(height_control.speed_height)
+        .start(measured(), vehicle.attitude.pitch_rad.toFloat(), vehicle.throttle_demand.toFloat());
 }
 
 void shiftHeightFlown(float by_m) { height_control.speed_height.shift(by_m); }
 
 void waitWithHeight(const Plan& plan) {
-    height_control.speed_height.start(measured(), 0, 0);
+    core::based(height_control.speed_height).start(measured(), 0, 0);
     demandPitch(core::Angle(plan.phase == ::control::Phase::climb_out ? plan.pitch_min_rad : 0.0f));
     demandThrottle(
         core::Ratio(parameters.suppressed_manual != 0 ? vehicle.radio.throttle_pct * 0.01f : 0.0f));
@@ -169,9 +170,9 @@ void flyHeight(const Plan& plan) {
     const ::control::SpeedHeightDemand demand = {
         blind ? vehicle.estimate.height_m : plan.height.height_m, plan.height.climb_mps,
         nudged_mps(plan.airspeed_mps) * true_speed};
-    const auto out = height_control.speed_height.run(
-        parameters.speed_height, limits(plan, true_speed), demand, measured(),
-        blind ? ::control::Phase::approach : plan.phase, kPeriod_s);
+    const auto out = core::based(height_control.speed_height)
+                         .run(parameters.speed_height, limits(plan, true_speed), demand, measured(),
+                              blind ? ::control::Phase::approach : plan.phase, kPeriod_s);
     learnLevel();
     demandPitch(blind ? blindPitch_rad() : core::Angle(out.pitch_rad));
     demandThrottle(core::Ratio(out.throttle));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "board.hpp"
+#include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/fixed.hpp"
 #include "core/maths.hpp"
@@ -66,7 +67,7 @@ bool plausible(const core::Vector3& field_mg) {
 void startCompass() { compass.start(); }
 
 void runCompass() {
-    if (!compass.step(hal::now_ms())) {
+    if (!core::based(compass).step(hal::now_ms())) {
         published.healthy = compass.healthy() && !isFaulty(Sensor::compass);
         return;
     }
