@@ -41,8 +41,7 @@ AxisTuner::Finding AxisTuner::swing(int16_t rate, int16_t surface) {
     side_ = side;
     since_ = 0;
     const bool far = int32_t{high_} - low_ > kFar.raw;
-    low_ = INT16_MAX;
-    high_ = INT16_MIN;
+    low_ = high_ = surface;
     if (!far) return Finding::nothing;
     if (++swings_ < kMaxSwings) return Finding::nothing;
     swings_ = 0;

@@ -39,7 +39,7 @@ private:
     uint16_t frames_ = 0;  // of the turn under way; 0: none
     int8_t side_ = 0;      // which way it swung last
     uint8_t swings_ = 0, since_ = 0;
-    int16_t low_ = INT16_MAX, high_ = INT16_MIN;  // of the surface since the last swing
+    int16_t low_ = 0, high_ = 0;  // of the surface since the last swing
 };
 
 }  // namespace control

@@ -30,7 +30,7 @@ float BarometerDrift::useGps(float height_m, float climb_mps, float dt_s) {
     if (dt_s > kMissed_s || fabsf(rise_m - climbed_m) > kMaxStep_m + 0.2f * fabsf(climbed_m))
         return 0;
     if (fabsf(climb_mps) > kClimbs_mps) learnScale(rise_m, climbed_m);
-    const float apart_m = rise_m - climbed_m / scale_;
+    const float apart_m = rise_m - climbed_m / scale();
     const float step_m = kShare * apart_m - drift_m_ * (dt_s * (1.0f / kForgotten_s));
     if (fabsf(drift_m_ + step_m) > kMax_m) return 0;
     drift_m_ += step_m;
@@ -38,14 +38,14 @@ float BarometerDrift::useGps(float height_m, float climb_mps, float dt_s) {
 }
 
 void BarometerDrift::resumeScale(float scale) {
-    scale_ = core::limit(scale, kLeastScale, kMostScale);
+    scale_more_ = core::limit(scale, kLeastScale, kMostScale) - 1;
 }
 
 // Least squares, one climb after the other.
 void BarometerDrift::learnScale(float rise_m, float climbed_m) {
     known_m2_ = fminf(known_m2_ + climbed_m * climbed_m, kForgets_m2);
-    const float missing_m = climbed_m - rise_m * scale_;
-    resumeScale(scale_ + missing_m * climbed_m / (known_m2_ + kPrior_m2));
+    const float missing_m = climbed_m - rise_m * scale();
+    resumeScale(scale() + missing_m * climbed_m / (known_m2_ + kPrior_m2));
 }
 
 }  // namespace estimation
