@@ -209,7 +209,7 @@ constexpr parameters::Row kRows[] = {
     P(160, "COMPASS_OFS_Z",     compass_offset_mg[2],              0,    -400,      400),
     P(161, "COMPASS_DEC",       compass_declination_rad,           0, -3.142f,   3.142f),
     P(175, "COMPASS_AUTODEC",   compass_auto_declination,          1,       0,        1),
-    P(186, "COMPASS_LEARN",     compass_learn,                     0,       0,        1),
+    P(186, "COMPASS_LEARN",     compass_learn,                     1,       0,        1),
     P(  6, "COMPASS_EXTERNAL",  compass_external,                  0,       0,        1),
     P(  7, "COMPASS_ORIENT",    compass_orientation,               0,       0,       37),
     P(slot::ins_accoffs_x, "INS_ACCOFFS_X", accel_offset_mss[0],   0,    -3.5f,    3.5f),
