@@ -44,6 +44,8 @@ export class Rig {
     rig.printed = [];
     rig.asked = [];
     rig.vehicle = await Vehicle.start({ options: ['--bench', ...options] });
+    // A cut of the supply ends a frame anywhere: the lines that no session reads are not taken apart.
+    for (const line of rig.vehicle.lines.filter((each) => each !== rig.vehicle.lines[kUsb])) new LinePort(rig.vehicle, line).onBytes(() => {});
     const clock = { now_ms: () => rig.vehicle.now_ms, sleep: (time_ms) => rig.sleep(time_ms) };
     rig.board = new Board(new LinePort(rig.vehicle, rig.vehicle.lines[kUsb]), clock);
     rig.motor_us = 0;
