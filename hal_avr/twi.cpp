@@ -40,6 +40,31 @@ struct Transfer {
 Transfer transfers[wiring::kI2cUsers];
 Transfer* on_the_bus = transfers;  // running, or the last
 
+// Who has found the bus taken so many times in a row goes next, or one that comes first in every
+// frame would keep it from the other for ever. The others are refused meanwhile, but not for ever.
+struct Turn {
+    const Transfer* waits;
+    uint8_t refused;  // times: first it, then the others
+};
+Turn turn;
+constexpr uint8_t kPatience = 5, kGivesUp = kPatience + 4;
+
+bool mustWait(const Transfer& transfer, bool taken) {
+    if (wiring::kI2cUsers == 1) return taken;
+    if (turn.waits != &transfer && turn.refused >= kPatience && turn.refused < kGivesUp) {
+        ++turn.refused;
+        return true;
+    }
+    if (!taken) {
+        if (turn.waits == &transfer || turn.refused >= kGivesUp) turn = Turn();
+    } else if (turn.waits == &transfer) {
+        ++turn.refused;
+    } else {
+        turn = {&transfer, 1};
+    }
+    return taken;
+}
+
 inline __attribute__((always_inline)) Transfer& transferOf(uint8_t user) {
     return transfers[wiring::kI2cUsers == 1 ? 0 : user];
 }
@@ -155,9 +180,10 @@ namespace hal {
 
 bool i2cStart(I2cUser user, uint8_t address, const uint8_t* out, uint8_t out_size,
               uint8_t in_size) {
-    if (current().state == State::running || (TWCR & (1 << TWSTO))) return false;
     if (out_size > kI2cBytes || in_size > kI2cBytes) return false;
     Transfer& transfer = transferOf(static_cast<uint8_t>(user));
+    const bool taken = current().state == State::running || (TWCR & (1 << TWSTO));
+    if (mustWait(transfer, taken)) return false;
     if (wiring::kI2cUsers > 1) on_the_bus = &transfer;
     memcpy(transfer.bytes, out, out_size);
     transfer.address_rw = static_cast<uint8_t>(address << 1);
