@@ -24,11 +24,17 @@ void takePosition(const uint8_t* at, GpsFix& fix) {
     fix.altitude_cm = loaded<int32_t>(at + 12) / 10;
 }
 
+// Cut off instead of rounded, millimetres would make every speed half a centimetre too small.
+int32_t rounded(int32_t value, uint8_t per) {
+    const int32_t half = per / 2;
+    return (value < 0 ? value - half : value + half) / per;
+}
+
 // North, east and down at `velocity`; speed over ground and course at `ground`.
 void takeVelocity(const uint8_t* velocity, const uint8_t* ground, uint8_t per_cms,
                   GpsEpoch& epoch) {
     GpsFix& fix = epoch.fix;
-    const auto at = [&](const uint8_t* from) { return loaded<int32_t>(from) / per_cms; };
+    const auto at = [&](const uint8_t* from) { return rounded(loaded<int32_t>(from), per_cms); };
     fix.north_cms = epoch.speed(at(velocity));
     fix.east_cms = epoch.speed(at(velocity + 4));
     fix.down_cms = epoch.speed(at(velocity + 8));

@@ -15,7 +15,7 @@ public:
     void zero() { drift_m_ = 0; }  // the barometer's zero is known
 
     // Metres for each metre of the barometer's, 0.87 .. 1.18; 1 until it has climbed with fixes.
-    float scale() const { return 1 + scale_more_; }
+    float scale() const;
     void resumeScale(float scale);  // what is outside its range is brought back into it
 
     // Every fix: the barometer's height half an interval before the fix was taken, as its climb is
@@ -26,7 +26,7 @@ private:
     void learnScale(float rise_m, float climbed_m);
 
     float last_m_ = 0, drift_m_ = 0;
-    float scale_more_ = 0;  // than 1: all begin with 0, which takes no flash
+    float scale_more_ = 0;  // than 1, as the climbs alone have it; 0 takes no flash
     float known_m2_ = 0;    // how much climbing has shown of it, squared
 };
 

@@ -135,7 +135,7 @@ TEST_F(UbloxBytes, the_one_message_of_newer_receivers_does_as_well) {
         EXPECT_EQ(fix.altitude_cm, 1234);
         EXPECT_EQ(fix.north_cms, 150);
         EXPECT_EQ(fix.east_cms, -250);
-        EXPECT_EQ(fix.speed_cms, 291);
+        EXPECT_EQ(fix.speed_cms, 292);
         EXPECT_EQ(fix.course_cd, 30096);
         EXPECT_EQ(fix.satellites, 11);
         EXPECT_EQ(fix.hdop_c, 180);

@@ -52,11 +52,29 @@ TEST(BarometerDrift, a_climb_shows_how_many_metres_a_metre_of_pressure_is) {
         std::mt19937 random(1);
         std::normal_distribution<> normal;
         zero.fly(
-            30, [&](double t) { return share * 2.5 * t + 0.05 * normal(random); }, 2.5);
+            60, [&](double t) { return share * 2.5 * t + 0.05 * normal(random); }, 2.5);
 
         EXPECT_NEAR(zero.drift.scale(), 1 / share, 0.01);
-        EXPECT_NEAR(zero.height_m, 0, 0.6) << "what the scale explains is not drift";
+        EXPECT_NEAR(zero.height_m, 0, 1) << "what the scale explains is not drift";
     }
+}
+
+TEST(BarometerDrift, the_scale_goes_on_after_a_restart_where_it_was) {
+    for (const float scale : {0.9f, 0.99f, 1.0f, 1.004f, 1.07f}) {
+        BarometerDrift drift;
+        drift.resumeScale(scale);
+        EXPECT_NEAR(drift.scale(), scale, 1e-6);
+    }
+    BarometerDrift drift;
+    drift.resumeScale(0);  // no record of ours
+    EXPECT_NEAR(drift.scale(), 0.87, 1e-6);
+}
+
+TEST(BarometerDrift, a_drift_during_a_climb_is_no_scale) {
+    Zero zero(0);
+    zero.fly(
+        40, [](double t) { return 2.5 * t * 1.004; }, 2.5);
+    EXPECT_EQ(zero.drift.scale(), 1);
 }
 
 TEST(BarometerDrift, a_wrong_velocity_in_level_flight_shows_no_scale) {
