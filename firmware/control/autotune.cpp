@@ -40,7 +40,7 @@ core::FileState<Tuners> tuning{};
 constexpr uint8_t kTimeConstants[] ROM = {80, 70, 60, 52, 45, 40, 35, 30, 25, 20};
 
 // Of a small quick airplane, and where the parameters end. A gain that is there stays.
-constexpr float kLeastP = 0.05f, kMostP = 4.0f;
+constexpr float kLeastP = 0.05f, kMaxP = 4.0f;
 
 constexpr uint8_t kLeveled = 2 * core::count(kAxes);
 
@@ -109,7 +109,7 @@ void tune(TunedAxis which, const ::control::AxisGains& gains, const ::control::A
     if (found == AxisTuner::Finding::nothing || due.gain < kGains) return;
     due.by = found == AxisTuner::Finding::shakes ? AxisTuner::kLeast : tuner.factor();
     const float p = fmaxf(settingsOf(which).p, kLeastP);
-    due.by = core::limit(p * due.by, kLeastP, kMostP) / p;
+    due.by = core::limit(p * due.by, kLeastP, kMaxP) / p;
     due.axis = which;
     due.gain = kP;
     sendStatusText(Severity::info, core::romRead(kAxes[which].found),

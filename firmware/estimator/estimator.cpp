@@ -90,7 +90,7 @@ constexpr float kInconsistentAirspeed_mps = 4,
 constexpr float kInconsistentHeight_m = 20;
 constexpr float kClimbAge_s = 0.19f;   // a u-blox's, which alone reports it: 0.29, less half of 0.2
 constexpr uint16_t kGoodHdop_c = 200;  // with fewer satellites heights are tens of metres off
-constexpr float kSilentIntervals = 1.5f, kLeastInterval_s = 0.33f, kMostInterval_s = 1.1f;
+constexpr float kSilentIntervals = 1.5f, kLeastInterval_s = 0.33f, kMaxInterval_s = 1.1f;
 constexpr uint8_t kBeginsFlying = 5;  // looks of 100 ms at speed: half a second
 constexpr uint8_t kEndsFlying = 30;   // looks without: three seconds
 constexpr float kFlyingGroundSpeed_mps = 5.0f;
@@ -478,7 +478,7 @@ void fuseCompass() {
 
 // A slow receiver is not silent between two of its fixes.
 void fuseAirspeed() {
-    const float interval_s = core::limit(newest_fix.since_s, kLeastInterval_s, kMostInterval_s);
+    const float interval_s = core::limit(newest_fix.since_s, kLeastInterval_s, kMaxInterval_s);
     const uint16_t silent_ms = static_cast<uint16_t>(interval_s * (kSilentIntervals * 1000));
     if (runs() && hal::now_ms() - newest_fix.ms > silent_ms)
         attitude.useAirspeed(knownAirspeed_mps());

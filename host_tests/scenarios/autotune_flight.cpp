@@ -18,6 +18,7 @@
 #include "firmware/state/parameters.hpp"
 #include "host_tests/scenarios/flight_scenario.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/ground/tuning_pilot.hpp"
 #include "simulator/invariants/watched_board.hpp"
 #include "simulator/parameter_file.hpp"
 
@@ -26,9 +27,18 @@ using namespace simulator;
 namespace {
 
 constexpr uint64_t kStep_us = 20'000;
-constexpr double kRolls_s = 100, kAll_s = 200;  // then the nose; limits of the learning
-constexpr double kLow_m = 60;                   // lower the nose is not put down
-constexpr float kFarthest = 1.25f;              // from what it is to come to
+constexpr float kFarthest = 1.25f;  // from what it is to come to
+
+float parameterNow(const char* name) {
+    char padded[16] = {};
+    std::memcpy(padded, name, std::min(std::strlen(name), sizeof padded));
+    uint16_t index;
+    float value = NAN;
+    uint8_t type;
+    if (firmware::state::parameterFind(padded, index))
+        firmware::state::parameterAt(index, padded, value, type);
+    return value;
+}
 
 struct Gains {
     float roll_p, pitch_p;
@@ -50,8 +60,10 @@ public:
              {"PTCH2SRV_P", 1 * by},
              {"PTCH2SRV_I", 0.3f * by},
              {"PTCH2SRV_D", 0.05f * by}});
-        const double from_s = seconds();
-        for (double t_s = 0; t_s < kAll_s && advance(); t_s = seconds() - from_s) pilot(t_s);
+        const double from_s = seconds(), cruise_mps = double{parameterNow("TRIM_ARSPD_CM")} * 0.01;
+        for (double t_s = 0; t_s < kTuneAll_s && advance(); t_s = seconds() - from_s)
+            board_.world().radio().sticks(tuningSticks(t_s, board_.world().truth(), cruise_mps),
+                                          true);
         if (flight_.over()) throw std::runtime_error("the flight ended: " + flight_.reason());
         const Gains found = {firmware::state::parameters.roll.axis.p,
                              firmware::state::parameters.pitch.axis.p};
@@ -67,23 +79,6 @@ private:
             for (int i = 0; i < 10; ++i) advance();
         }
     }
-
-    // Full roll to either side; then the wings held level and the nose up and down. The throttle
-    // keeps the height that the elevator leaves.
-    void pilot(double t_s) {
-        const Truth& truth = board_.world().truth();
-        const bool other = std::fmod(t_s, 6) >= 3;
-        int roll = 0, pitch = 0;
-        if (t_s < kRolls_s)
-            roll = other ? 400 : -400;
-        else
-            pitch = other ? 350 : (truth.height_m > kLow_m ? -350 : 0);
-        if (t_s < kRolls_s) pitch = truth.height_m < 90 ? 120 : 0;
-        const double throttle = std::clamp(0.6 + (100 - truth.height_m) * 0.02, 0.3, 1.0);
-        const auto us = [](double by) { return static_cast<uint16_t>(1500 + by); };
-        board_.world().radio().sticks(
-            {us(roll), us(pitch), us(-400 + 800 * throttle), 1500, 1500, 1500, 1500, 1165}, true);
-    }
 };
 
 WorldOptions worldOf(const std::string& airplane, const Waypoints& items) {
@@ -95,17 +90,6 @@ WorldOptions worldOf(const std::string& airplane, const Waypoints& items) {
 
 constexpr const char* kLearnt[] = {"RLL2SRV_TCONST",  "RLL2SRV_P",  "RLL2SRV_I",  "RLL2SRV_D",
                                    "PTCH2SRV_TCONST", "PTCH2SRV_P", "PTCH2SRV_I", "PTCH2SRV_D"};
-
-float parameterNow(const char* name) {
-    char padded[16] = {};
-    std::memcpy(padded, name, std::min(std::strlen(name), sizeof padded));
-    uint16_t index;
-    float value = NAN;
-    uint8_t type;
-    if (firmware::state::parameterFind(padded, index))
-        firmware::state::parameterAt(index, padded, value, type);
-    return value;
-}
 
 int learnTo(const std::string& airplane, const Waypoints& items, const std::string& own,
             const std::string& found) {

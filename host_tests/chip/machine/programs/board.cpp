@@ -80,6 +80,8 @@ static void sensorBus() {
     imu(0x80 | 0x75, 0);  // both at once
     PORTG |= _BV(1);
     imu(0x6B, 0x01);
+    _delay_ms(5);
+    imu(0x6B, 0x01);  // it obeys the second
     _delay_ms(50);
     imu(0x19, 4);  // 1 kHz / 5
     imu(0x1A, 3);

@@ -266,6 +266,7 @@ TEST_F(Compass, a_missing_compass_is_not_calibrated) {
 
 TEST_F(Compass, learns_in_flight_when_enabled) {
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
+    parameters.compass_learn = 0;
     turnAbout(4);
     EXPECT_EQ(parameters.compass_offset_mg[0], 0);
     parameters.compass_learn = 1;
