@@ -237,6 +237,7 @@ void useGpsHeight() {
     heights.gps_above_m += (fix_m - height_m) * (vehicle.estimate.flying ? 0.002f : 0.2f);
     if (!near(fix_m, height_m) && vehicle.gps.hdop_c < kGoodHdop_c)
         reportInconsistency(Sensor::barometer);
+    if (!vehicle.gps.measures_climb) return;  // from its own climb nothing is learnt
     heights.home_m += barometer_drift.useGps(height_m - height.climb_mps() * kClimbAge_s,
                                              -vehicle.gps.velocity_mps.z, newest_fix.since_s);
 }

@@ -57,6 +57,7 @@ void take(const drivers::GpsFix& fix) {
     // what the receiver does not report of climbing and sinking the barometer does
     published.velocity_mps = {fix.north_cms * kMetre, fix.east_cms * kMetre,
                               fix.has_down ? fix.down_cms * kMetre : -vehicle.estimate.climb_mps};
+    published.measures_climb = fix.has_down;
     published.ground_speed_mps = fix.speed_cms * kMetre;
     published.course_cd = fix.course_cd;
     ++published.fixes;

@@ -94,6 +94,7 @@ struct GpsState {
     geo::Position position;
     int32_t altitude_cm;         // above sea level
     core::Vector3 velocity_mps;  // north, east, down
+    bool measures_climb;         // else velocity_mps.z repeats the estimate
     float ground_speed_mps;
     uint16_t course_cd;
     uint32_t received_ms;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/internal_error.hpp"
+#include "estimation/atmosphere.hpp"
 #include "firmware/mission/home.hpp"
 #include "firmware/sensors/health.hpp"
 #include "firmware_bench.hpp"
@@ -93,7 +94,9 @@ protected:
         const float then_m = travelled_m_ - (speed_mps_ + then_mps) / 2 * kGpsAge_s;
         gps.fix = firmware::state::GpsFix::three_d;
         gps.position = geo::moved(kStart, {then_m, 0});
-        gps.velocity_mps = {then_mps, 0, -climb_mps_};
+        gps.measures_climb = measures_climb_;
+        const float climb_mps = measures_climb_ ? climb_mps_ : vehicle.estimate.climb_mps;
+        gps.velocity_mps = {then_mps, 0, -climb_mps};
         gps.altitude_cm = core::rounded((altitude_m_ - climb_mps_ * kGpsAge_s) * 100);
         gps.received_ms = hal::now_ms();
         gps.age_ms = static_cast<uint16_t>(kGpsAge_s * 1000);
@@ -103,6 +106,7 @@ protected:
     float speed_mps_ = 0, travelled_m_ = 0;
     float climb_mps_ = 0, altitude_m_ = 0;  // above the sea
     int frame_ = 0, late_ = 7;
+    bool measures_climb_ = true;  // its receiver
 };
 
 TEST_F(Estimator, does_not_lead_nor_lag_while_the_airplane_gains_speed) {
@@ -160,6 +164,20 @@ TEST_F(Estimator, takes_the_receivers_height_without_a_step_when_the_barometer_i
     altitude_m_ += 10;
     frames(1500);
     EXPECT_NEAR(vehicle.estimate.height_m, before_m + 10, 0.5);
+}
+
+// As NMEA and MTK receivers are: their climb is ours, and says nothing about the barometer.
+TEST_F(Estimator, learns_nothing_about_heights_from_a_receiver_without_climb) {
+    measures_climb_ = false;
+    frames(500);
+    for (int i = 0; i < 3000; ++i) {
+        mutable_vehicle.baro.pressure_pa = 101325 - i * 12 / 30;
+        frame(0);
+    }
+    frames(500);
+    const float shown_m =
+        estimation::pressureHeight_m(static_cast<float>(vehicle.baro.pressure_pa), 101325, 15);
+    EXPECT_NEAR(vehicle.estimate.height_m, shown_m, 0.05);
 }
 
 // Falling by a metre a second, as it says, for half a minute.
