@@ -88,8 +88,8 @@ constexpr uint8_t kFramePeriods = 2;  // of a sample
 constexpr float kInconsistentAirspeed_mps = 4,
                 kInconsistentAirspeed = 0.3f;  // and this share of what is expected
 constexpr float kInconsistentHeight_m = 20;
-constexpr float kClimbAge_s = 0.19f;   // a u-blox's, which alone reports it: 0.29, less half of 0.2
-constexpr uint16_t kGoodHdop_c = 200;  // with fewer satellites heights are tens of metres off
+constexpr float kPressureAge_s = 0.025f;  // the mean of what came in 50 ms
+constexpr uint16_t kGoodHdop_c = 200;     // with fewer satellites heights are tens of metres off
 constexpr float kSilentIntervals = 1.5f, kLeastInterval_s = 0.33f, kMaxInterval_s = 1.1f;
 constexpr uint8_t kBeginsFlying = 5;  // looks of 100 ms at speed: half a second
 constexpr uint8_t kEndsFlying = 30;   // looks without: three seconds
@@ -210,6 +210,7 @@ void moveHeightToBarometer(float reading_m) {
     heights.home_m += by_m;
     heights.gps_above_m -= by_m;
     heights.by_gps = false;
+    barometer_drift.pause();
 }
 
 // The receiver's height stands in for the barometer's, whose zero it learns before; and says which
@@ -238,8 +239,12 @@ void useGpsHeight() {
     if (!near(fix_m, height_m) && vehicle.gps.hdop_c < kGoodHdop_c)
         reportInconsistency(Sensor::barometer);
     if (!vehicle.gps.measures_climb) return;  // from its own climb nothing is learnt
-    heights.home_m += barometer_drift.useGps(height_m - height.climb_mps() * kClimbAge_s,
-                                             -vehicle.gps.velocity_mps.z, newest_fix.since_s);
+    // its climb is taken for the time half an interval before and after it
+    const float interval_s = newest_fix.since_s;
+    const float ago_s = gpsAge_s(hal::now_ms()) - kPressureAge_s - 0.5f * interval_s;
+    const float end_m = height_m - height.climb_mps() * ago_s;
+    heights.home_m += barometer_drift.useGps(
+        end_m, {height.climb_mps(), -vehicle.gps.velocity_mps.z}, interval_s);
 }
 
 // The mean of what has come since the last time.

@@ -5,29 +5,40 @@
 //
 // In a climb it also shows how many metres of air a metre of the pressure's height is: that goes
 // with the temperature of the air, which a sensor on a warm board does not know. 10 degrees are 3.5
-// %.
+// %. What is missing in a climb is drift or scale: a Kalman filter of both divides it.
 #pragma once
+#include <stdint.h>
 
 namespace estimation {
 
 class BarometerDrift {
 public:
-    void zero() { drift_m_ = 0; }  // the barometer's zero is known
+    void zero();                        // the barometer's zero is known
+    void pause() { paused_ = kPause; }  // the heights begin anew: for so many fixes they settle
 
     // Metres for each metre of the barometer's, 0.87 .. 1.18; 1 until it has climbed with fixes.
     float scale() const;
     void resumeScale(float scale);  // what is outside its range is brought back into it
 
-    // Every fix: the barometer's height half an interval before the fix was taken, as its climb is
-    // taken for the whole of it. By how much the barometer's zero rises.
-    float useGps(float height_m, float climb_mps, float dt_s);
+    struct Climb {
+        float barometer_mps;  // the estimate's
+        float receiver_mps;
+    };
+    // Every fix: the barometer's height half an interval after the fix was taken, as its climb is
+    // taken for the time around it. By how much the barometer's zero rises.
+    float useGps(float height_m, const Climb& climb, float dt_s);
 
 private:
-    void learnScale(float rise_m, float climbed_m);
+    float learn(float apart_m, float climbed_m);
+    static bool agree(float climb_mps, float other_mps);
+    static constexpr uint8_t kPause = 10;
 
-    float last_m_ = 0, drift_m_ = 0;
-    float scale_more_ = 0;  // than 1, as the climbs alone have it; 0 takes no flash
-    float known_m2_ = 0;    // how much climbing has shown of it, squared
+    float last_m_ = 0, last_mps_ = 0, drift_m_ = 0;
+    float scale_more_ = 0;  // than 1, as the filter has it; 0 takes no flash
+    // Of the scale, by the variance of what a fix shows: less than that of the start, which is
+    // no zero; and the covariance with the drift.
+    float variance_less_ = 0, covariance_ = 0;
+    uint8_t paused_ = 0;
 };
 
 }  // namespace estimation
