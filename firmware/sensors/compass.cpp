@@ -85,6 +85,7 @@ void runCompass() {
 void runCompassLearning() {
     if (reading.unlearnt) learnCompass(reading.unlearnt_mg);
     reading.unlearnt = false;
+    storeLearntCompass();
 }
 
 // Into the parameter, where the heading is worked out from; what is stored there stays.

@@ -34,6 +34,7 @@ struct Turns {
 struct Learning {
     Turns turns;
     uint8_t anchor_left;  // pairs; 0: there is none
+    uint8_t axes_to_keep;
 };
 core::FileState<Learning> learning{};
 
@@ -136,10 +137,21 @@ void learnCompass(const core::Vector3& reading_mg) {
     for (uint8_t i = 0; i < 3; ++i) learning.turns.anchor_mg[i] = now_mg[i];
 }
 
-void saveLearntCompass() {
+void keepLearntCompass() {
     if (parameters.compass_learn == 0) return;
-    if (!makesSense() || !parametersSetFrom(slot::compass_ofs_x, parameters.compass_offset_mg, 3))
-        sendStatusText(Severity::warning, ROM_TEXT("Compass: what it learnt is not kept"));
+    if (makesSense())
+        learning.axes_to_keep = 3;
+    else
+        sendStatusText(Severity::warning,
+                       ROM_TEXT("Compass offsets learnt make no sense: not stored"));
+}
+
+// One at a time: all three at once took 1.4 ms of the frame in which it was disarmed.
+void storeLearntCompass() {
+    if (learning.axes_to_keep == 0) return;
+    const uint8_t axis = --learning.axes_to_keep;
+    parameterSet(static_cast<uint8_t>(slot::compass_ofs_x + axis),
+                 parameters.compass_offset_mg[axis]);
 }
 
 }  // namespace sensors

@@ -7,6 +7,7 @@
 #include "firmware/sensors/compass_learning.hpp"
 #include "ground.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
+#include "storage/owner.hpp"
 
 namespace {
 
@@ -271,6 +272,22 @@ TEST_F(Compass, learns_in_flight_when_enabled) {
     EXPECT_EQ(parameters.compass_offset_mg[0], 0);
     parameters.compass_learn = 1;
     turnAbout(60);
+    expectFound();
+}
+
+TEST_F(Compass, keeps_what_it_has_learnt_after_disarming) {
+    ASSERT_EQ(storage::claim(), core::Status::ok);
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
+    turnAbout(60);
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = false;
+    firmware::sensors::keepLearntCompass();
+    for (int i = 0; i < 100; ++i) {
+        firmware::sensors::storeLearntCompass();
+        firmware::state::parametersRun();
+    }
+    for (float& offset_mg : parameters.compass_offset_mg) offset_mg = 0;
+    fakes::restartEeprom();
+    while (firmware::state::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
     expectFound();
 }
 
