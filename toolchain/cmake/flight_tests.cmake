@@ -153,7 +153,7 @@ function(autotune_test airplane roll_p pitch_p)
 endfunction()
 autotune_test(foam_trainer 0.57 0.67)
 autotune_test(trainer_6kg 1.04 1.32)
-autotune_test(flying_wing 0.46 0.72 ELEVON_OUTPUT=1 MIXING_GAIN=1 KFF_RDDRMIX=0 TKOFF_THR_MINACC=15)
+autotune_test(flying_wing 0.58 0.92 ELEVON_OUTPUT=1 MIXING_GAIN=1 KFF_RDDRMIX=0 TKOFF_THR_MINACC=15)
 
 # every CONDITION and DO of each set, beside the oracle
 file(GLOB command_flight_sources CONFIGURE_DEPENDS ${tests}/scenarios/command_flights/*.cpp)
