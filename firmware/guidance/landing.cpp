@@ -24,16 +24,17 @@ constexpr float kApproachShare = 0.55f;  // of the way from the lowest speed to 
 
 constexpr float kMiddle_radpm = 0.03f, kMaxToMiddle_rad = 0.1f;
 
-// What the wind loses near the ground comes off the airspeed within a second: into wind the flare
-// keeps power, and with it goes a little farther and sinks less. None is left at the ground, or,
-// wherever that is, so far behind the point.
+// What the wind loses near the ground comes off the airspeed within a second. The flare keeps power
+// for what the speed over the ground is below the approach's in calm air: the airspeed that is left
+// once the wind is gone. None is left at the ground, or, wherever that is, so far behind the point.
 constexpr float kPerHeadwind_spm = 0.3f;
 constexpr float kMaxPower = 1.4f;   // of the cruise throttle
 constexpr float kPowered_m = 0.9f;  // less below
 constexpr float kPoweredBehind_m = 15, kPowerFades_m = 20;
+constexpr float kPerMissing_spm = 0.75f;
 constexpr float kLate_s = 0.2f;
 constexpr float kEarly_s = 0.02f;  // a sink that is to grow less does so late
-constexpr float kSofter = 0.6f;
+constexpr float kSofter = 0.5f;
 // Below LAND_PITCH_CD, the higher the more: a fast airplane would not come down.
 constexpr float kNoseDown_radpm = 0.1f, kMaxNoseDown_m = 2;
 
@@ -45,9 +46,13 @@ core::FileState<Descent> descent{};
 
 // Between the lowest speed and cruise: slow enough to land, fast enough to flare. Most of the
 // headwind is added, for near the ground it is gone.
+float calmApproachSpeed_mps(float cruise_mps) {
+    return parameters.speed_min_mps + kApproachShare * (cruise_mps - parameters.speed_min_mps);
+}
+
 float approachSpeed_mps(float cruise_mps, float along_mps) {
     const float headwind_mps = vehicle.estimate.airspeed_mps - along_mps;
-    return parameters.speed_min_mps + kApproachShare * (cruise_mps - parameters.speed_min_mps) +
+    return calmApproachSpeed_mps(cruise_mps) +
            core::limit(0.6f * headwind_mps, 0.0f, kMaxForHeadwind_mps);
 }
 
@@ -62,10 +67,10 @@ float intoWind(const navigation::Lateral& lateral) {
     return share(-tailwind_mps * kPerHeadwind_spm);
 }
 
-float powerKept(const navigation::Lateral& lateral, float into_wind) {
+float powerKept(const navigation::Lateral& lateral, float missing_mps) {
     const float left_m = legLength_m() + kPoweredBehind_m - lateral.along_m;
-    return kMaxPower * into_wind * share(heightAbovePoint_m() * (1 / kPowered_m)) *
-           share(left_m * (1 / kPowerFades_m));
+    return kMaxPower * share(missing_mps * kPerMissing_spm) *
+           share(heightAbovePoint_m() * (1 / kPowered_m)) * share(left_m * (1 / kPowerFades_m));
 }
 
 navigation::HeightDemand height(const navigation::Lateral& lateral, float along_mps,
@@ -102,6 +107,7 @@ Plan flyLanding() {
     Plan to_fly = levelPlan();
     const float into_wind = intoWind(lateral);
     to_fly.height = height(lateral, speed_mps, into_wind);
+    const float calm_mps = calmApproachSpeed_mps(to_fly.airspeed_mps);
     to_fly.airspeed_mps = approachSpeed_mps(to_fly.airspeed_mps, speed_mps);
     to_fly.phase = ::control::Phase::approach;
     if (descent.landing.flaring()) {
@@ -109,7 +115,8 @@ Plan flyLanding() {
         to_fly.pitch_min_rad =
             core::radiansFromCentidegrees(parameters.land_pitch_cd) -
             kNoseDown_radpm * core::limit(heightAbovePoint_m(), 0.0f, kMaxNoseDown_m);
-        descent.power = core::Ratio(powerKept(lateral, into_wind));
+        descent.power =
+            core::Ratio(powerKept(lateral, calm_mps - vehicle.estimate.ground_speed_mps));
         steerTowards(legHeading_rad() - runwayError_rad(lateral.crosstrack_m));
     }
     progress.flaring = descent.landing.flaring();

@@ -4,12 +4,12 @@
 namespace navigation {
 namespace {
 
-constexpr float kSteepestFlare = 1.2f;  // of what an evenly falling sink leaves at a height
+constexpr float kSteepestFlare = 1.0f;  // of what an evenly falling sink leaves at a height
 constexpr float kSteepestSink = 1.1f;   // of the slope's: no diving at the point
 // Below where the ground should be the height is wrong, and the airplane is to come down.
 constexpr float kSinkBelow_hz = 0.4f;
 constexpr float kMaxBelow_m = 0.7f;
-constexpr float kFlareLead_s = 0.5f;  // until the path answers the pitch
+constexpr float kFlareLead_s = 1.0f;  // until the path answers the pitch
 // Of its height an airplane above the slope dives no more than this: what an updraft has given
 // would be taken away with a sink that no flare ends in time.
 constexpr float kDive = 0.15f;
@@ -45,10 +45,12 @@ HeightDemand flare(const LandingSettings& settings, const Approach& approach, co
 
 }  // namespace
 
-HeightDemand Landing::run(const LandingSettings& settings, Approach approach) {
+HeightDemand Landing::run(LandingSettings settings, Approach approach) {
     const bool past = approach.along_m >= approach.length_m;
     approach.length_m += settings.late_s * core::limit(approach.along_mps, 0.0f, 50.0f);
     const Slope slope = slopeOf(settings, approach);
+    // on a slope that sinks less the flare would dive below it
+    settings.touchdown_sink_mps = core::limit(settings.touchdown_sink_mps, 0.0f, slope.sink_mps);
     if (past || approach.height_m <= slope.flare_m + approach.sink_mps * kFlareLead_s)
         flaring_ = true;
     if (flaring_) return flare(settings, approach, slope);

@@ -13,7 +13,7 @@ namespace navigation {
 struct LandingSettings {
     float flare_height_m;      // LAND_FLARE_ALT: the flare begins no lower than this ...
     float flare_time_s;        // LAND_FLARE_SEC: ... nor later than this before the ground
-    float touchdown_sink_mps;  // never sinks slower than this in the flare
+    float touchdown_sink_mps;  // never sinks slower than this in the flare, or than on the slope
     float late_s;              // the parabola ends so much behind the point
 };
 
@@ -29,7 +29,7 @@ struct Approach {
 class Landing {
 public:
     void start() { flaring_ = false; }
-    HeightDemand run(const LandingSettings& settings, Approach approach);
+    HeightDemand run(LandingSettings settings, Approach approach);
     bool flaring() const { return flaring_; }
 
 private:

@@ -415,22 +415,23 @@ TEST_F(Guidance, flares_without_throttle_in_calm_air_and_with_level_wings) {
                 1e-4);
 }
 
-TEST_F(Guidance, against_the_wind_the_flare_keeps_power_until_it_is_low_or_far_behind_the_point) {
-    const auto throttle = [this](float wind_mps, float height_m, float left_m) {
+TEST_F(Guidance, what_the_ground_speed_is_short_of_keeps_power_in_the_flare) {
+    const float calm_mps = parameters.speed_min_mps + 0.55f * (13 - parameters.speed_min_mps);
+    const auto throttle = [&](float short_mps, float height_m, float left_m) {
         inTheAir();
         onFinal(height_m, left_m);
-        mutable_vehicle.estimate.wind_mps = {wind_mps, 0, 0};
+        move(calm_mps - short_mps, 0);
         guide(15);
         EXPECT_TRUE(vehicle.progress.flaring);
         return vehicle.throttle_demand.toFloat();
     };
     const float cruise = parameters.cruise_throttle_pct * 0.01f;
-    EXPECT_NEAR(throttle(-5, 1.2f, 12), 1.4f * cruise, 0.01);
-    EXPECT_NEAR(throttle(-1, 1.2f, 12), 0.3f * 1.4f * cruise, 0.01);
-    EXPECT_NEAR(throttle(-5, 0.3f, 12), 1.4f / 3 * cruise, 0.01);
-    EXPECT_EQ(throttle(-5, 0, 12), 0);
-    EXPECT_EQ(throttle(-5, 1.2f, -16), 0) << "it stands on the ground, and the height is wrong";
-    EXPECT_EQ(throttle(5, 1.2f, 12), 0) << "from behind";
+    EXPECT_NEAR(throttle(3, 1.2f, 12), 1.4f * cruise, 0.01);
+    EXPECT_NEAR(throttle(0.4f, 1.2f, 12), 0.3f * 1.4f * cruise, 0.01);
+    EXPECT_NEAR(throttle(3, 0.3f, 12), 1.4f / 3 * cruise, 0.01);
+    EXPECT_EQ(throttle(3, 0, 12), 0);
+    EXPECT_EQ(throttle(3, 1.2f, -16), 0) << "it stands on the ground, and the height is wrong";
+    EXPECT_EQ(throttle(-2, 1.2f, 12), 0) << "fast enough";
 }
 
 TEST_F(Guidance, the_nose_may_be_lower_in_the_flare_than_at_the_ground) {

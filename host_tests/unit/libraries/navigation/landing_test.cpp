@@ -29,12 +29,25 @@ TEST(Landing, flares_at_the_height_or_the_time_whichever_comes_first) {
     navigation::Landing low, early;
     low.start();
     early.start();
-    low.run(kLanding, {10, 500, 400, 10, 1.7f, 0.2f});
+    low.run(kLanding, {10, 500, 400, 10, 1.75f, 0.2f});
     EXPECT_FALSE(low.flaring());
     low.run(kLanding, {10, 500, 410, 10, 1.55f, 0.2f});
     EXPECT_TRUE(low.flaring());
     early.run(kLanding, {60, 300, 270, 12, 3.5f, 2.4f});
     EXPECT_TRUE(early.flaring()) << "1.5 s at 2.4 m/s";
+}
+
+TEST(Landing, never_dives_below_a_slope_that_sinks_less_than_a_touchdown) {
+    navigation::Landing landing;
+    landing.start();
+    constexpr float kAlong_mps = 12, kSink_mps = kAlong_mps * 7 / 350;
+    for (float height_m : {1.6f, 1.2f, 0.6f, 0.1f}) {
+        const float along_m = 350 * (1 - height_m / 7);
+        const auto demand = landing.run({1.5f, 1.5f, 0.65f, 0.0f},
+                                        {7, 350, along_m, kAlong_mps, height_m, kSink_mps});
+        EXPECT_GE(demand.climb_mps, -kSink_mps * 1.2f) << height_m;
+        EXPECT_LT(demand.climb_mps, 0) << height_m;
+    }
 }
 
 TEST(Landing, flares_past_the_point_however_high_it_is) {
