@@ -25,6 +25,14 @@ void writeImu(World& world, uint8_t reg, uint8_t value, uint64_t now_us) {
     world.imu().select(false, now_us);
 }
 
+// It obeys when it is asked again.
+void wakeImu(World& world, uint64_t done_us) {
+    for (const uint64_t at_us : {done_us - 5'000, done_us}) {
+        world.advanceTo(at_us);
+        writeImu(world, 0x6B, 0x03, at_us);
+    }
+}
+
 uint32_t askBarometer(World& world, uint8_t command, int size, uint64_t now_us) {
     uint32_t value = 0;
     world.barometer().select(true, now_us);
@@ -66,9 +74,9 @@ TEST(World, does_not_depend_on_the_steps_in_which_it_is_moved) {
 TEST(World, samples_the_imu_at_the_imus_own_times) {
     World world({});
     world.advanceTo(100'000);
-    writeImu(world, 0x6B, 0x03, 100'000);
-    writeImu(world, 0x1A, 0x03, 100'000);
-    writeImu(world, 0x19, 4, 100'000);
+    wakeImu(world, 105'000);
+    writeImu(world, 0x1A, 0x03, 105'000);
+    writeImu(world, 0x19, 4, 105'000);
     const uint64_t first_us = world.imu().nextSample_us();
     world.advanceTo(first_us - 1);
     EXPECT_EQ(world.imu().samples().made, 0u);
@@ -190,7 +198,7 @@ TEST(World, restarts_its_parts_when_the_supply_breaks_down) {
     options.faults = {*parseFault("supply:cut@1-1.1")};
     World world(options);
     world.advanceTo(20'000);
-    writeImu(world, 0x6B, 0x03, 20'000);
+    wakeImu(world, 25'000);
     world.radio().sticks({1500, 1500, 1100, 1500, 1500, 1500, 1500, 1500}, true);
     world.advanceTo(1'000'000);
     EXPECT_NE(world.imu().nextSample_us(), UINT64_MAX);
