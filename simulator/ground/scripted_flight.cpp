@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "simulator/devices/ppm_encoder.hpp"
+#include "simulator/ground/landing_check.hpp"
 
 namespace simulator {
 
@@ -13,8 +14,6 @@ using namespace mavlink;
 
 constexpr double kNever = 1e9;
 constexpr double kStanding_mps = 0.5;
-// Where it stands is the wheels' and the grass's doing: they roll 150 m from 14 m/s.
-constexpr double kTouchesWithin_m = 60, kStandsWithin_m = 250;
 constexpr double kDisarmWithin_s = 60;  // LAND_DISARMDELAY is 20 s
 constexpr double kLastWords_s = 3;
 constexpr double kSilence_s = 10;
@@ -300,20 +299,9 @@ void ScriptedFlight::check() {
     }
 }
 
-// A heavy airplane that touches down near the point may roll on for a while.
 void ScriptedFlight::checkLanding() {
-    const auto tooFar = [this](const char* does, double away_m, double most_m) {
-        if (away_m > most_m && reason_.empty())
-            reason_ = does + std::to_string(std::lround(away_m)) +
-                      " m from the landing point, more than " +
-                      std::to_string(std::lround(most_m)) + " m";
-    };
-    if (!plan_.landing()) {
-        reason_ = "the mission has no landing to check";
-        return;
-    }
-    tooFar("it touched down ", touchdown_m_.value_or(0), kTouchesWithin_m);
-    tooFar("it stands ", *fromLanding_m(), kStandsWithin_m);
+    reason_ = plan_.landing() ? landingFault(touchdown_m_, *fromLanding_m())
+                              : "the mission has no landing to check";
 }
 
 }  // namespace simulator
