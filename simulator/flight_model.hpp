@@ -36,6 +36,7 @@ public:
     virtual std::optional<std::array<uint16_t, 8>> radio_us() const { return std::nullopt; }
     virtual std::string fault() const { return ""; }       // why it stands still for good
     virtual uint64_t answersSkipped() const { return 0; }  // which could not be understood
+    virtual uint64_t timesBegunAnew() const { return 0; }  // in the middle of a flight
 };
 
 }  // namespace simulator

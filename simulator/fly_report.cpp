@@ -39,6 +39,7 @@ Summary summaryOf(const FlyOptions& options, WatchedBoard& board, const Recorder
     s.seed = options.seed;
     if (const auto imu = recorder.imuSamples()) s.setSamples(*imu);
     s.model_answers_skipped = board.world().modelAnswersSkipped();
+    s.model_begun_anew = board.world().modelBegunAnew();
     s.figures = board.figures();
     if (!options.native) s.task_names = readTaskNames(options.firmware);
     s.emulated_s = static_cast<double>(board.time_us()) * 1e-6;

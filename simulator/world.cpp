@@ -331,6 +331,7 @@ void World::launch() { parts_->model->launch(); }
 bool World::setWind(double mps, double from_deg) { return parts_->model->setWind(mps, from_deg); }
 std::string World::fault() const { return parts_->model->fault(); }
 uint64_t World::modelAnswersSkipped() const { return parts_->model->answersSkipped(); }
+uint64_t World::modelBegunAnew() const { return parts_->model->timesBegunAnew(); }
 
 void World::servoPulse(int output, double width_us, uint64_t now_us) {
     if (output < 1 || output > kOutputs || width_us <= 0) return;

@@ -107,8 +107,10 @@ public:
     void setFaults(const std::vector<Fault>& faults);  // instead of those there were
     FaultKind faultOf(Faulty part) const;              // now
     const std::vector<Fault>& faults() const;
-    std::string fault() const;             // why the flight model cannot go on; empty when it can
-    uint64_t modelAnswersSkipped() const;  // of a flight model elsewhere: not understood
+    std::string fault() const;  // why the flight model cannot go on; empty when it can
+    // Of a flight model elsewhere: not understood; and how often it was begun anew in flight.
+    uint64_t modelAnswersSkipped() const;
+    uint64_t modelBegunAnew() const;
 
     // Servo output 1..8: the width of a pulse that has just ended. An output without a pulse for
     // 100 ms lets its servo stand where it is and stops the motor.

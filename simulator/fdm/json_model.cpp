@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
+#include <sstream>
 #include <utility>
 
 #include "simulator/airplane/atmosphere.hpp"
@@ -20,9 +21,10 @@ constexpr uint16_t kRate_hz = 400;
 constexpr double kStep_s = 1.0 / kRate_hz;
 constexpr double kLongestStep_s = 1;  // more is a model that was begun anew
 constexpr double kSilence_s = 10;     // in the middle of a flight
-constexpr auto kAgain = std::chrono::milliseconds(1000);
+constexpr auto kAgain = std::chrono::milliseconds(1000), kMaxAgain = 5 * kAgain;
 constexpr int kMaxSkipped = 1000;        // answers in a row
 constexpr int kMaxStandstills = 10'000;  // answers without a newer timestamp
+constexpr int kMaxBegunAnew = 100;       // in a row: no program is begun that often
 constexpr double kWheels_m = 0.3;        // standing on the ground is not higher
 constexpr double kFullBattery_v = 12.4;
 constexpr double kIdle_us = 1100, kFull_us = 1900;
@@ -63,7 +65,8 @@ JsonModel::JsonModel(const WorldOptions& options)
     : options_(options),
       name_("the flight model at " + options.fdm.substr(sizeof "json:" - 1)),
       peer_(addressIn(options).host, addressIn(options).port,
-            static_cast<uint16_t>(addressIn(options).port + 1)) {
+            static_cast<uint16_t>(addressIn(options).port + 1)),
+      again_(kAgain) {
     ModelState standing;
     standing.force_mss = {0, 0, -kGravity_mss};
     standing.attitude = quaternion(0, 0, options.heading_deg * M_PI / 180);
@@ -97,12 +100,13 @@ void JsonModel::ask(const ServoPulses& pulses) {
 bool JsonModel::exchange(const ServoPulses& pulses, ModelState& to) {
     const std::chrono::duration<double> longest(heard_ ? kSilence_s : options_.fdm_wait_s);
     const auto end = Clock::now() + std::chrono::ceil<Clock::duration>(longest);
-    bool reported = heard_;
+    bool reported = heard_, repeated = false;
     peer_.newest();  // what came late answers no question any more
     while (fault_.empty() && Clock::now() < end) {
+        if (heard_ && std::exchange(repeated, true)) askLessOften();
         ask(pulses);
         const auto rest = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now());
-        if (peer_.wait(std::min(kAgain, rest)) == UdpPeer::Waited::interrupted) {
+        if (peer_.wait(std::min(again_, rest)) == UdpPeer::Waited::interrupted) {
             stop("interrupted while waiting for it");
             return false;
         }
@@ -115,6 +119,13 @@ bool JsonModel::exchange(const ServoPulses& pulses, ModelState& to) {
         stop("no answer for " + std::to_string(std::lround(longest.count())) + " s" +
              (skipped_in_a_row_ > 0 ? " that makes sense: " + complaint_ : ""));
     return false;
+}
+
+// Questions that a slow model has not come to yet wait in its socket, and each is another step.
+void JsonModel::askLessOften() {
+    if (again_ == kAgain)
+        std::cout << name_ << " is slow: no answer for " << kAgain.count() << " ms" << std::endl;
+    again_ = std::min(2 * again_, kMaxAgain);
 }
 
 void JsonModel::step(const ServoPulses& pulses) {
@@ -132,9 +143,19 @@ void JsonModel::step(const ServoPulses& pulses) {
 }
 
 // A timestamp from before, or from long after: it was begun anew, and goes on from here.
+void JsonModel::beginAnew(double gone_s) {
+    ++begun_anew_;
+    if (++begun_anew_in_a_row_ < kMaxBegunAnew) return;
+    std::ostringstream steps;
+    steps << (gone_s < 0 ? "back by " : "on by ") << std::abs(gone_s);
+    stop("its timestamp goes " + steps.str() + " s with every answer; expected up to 1 s on");
+}
+
 void JsonModel::take(const ModelState& state) {
     const double gone_s = state.timestamp_s - last_timestamp_s_;
     const bool follows = heard_ && gone_s > 0 && gone_s <= kLongestStep_s;
+    if (follows) begun_anew_in_a_row_ = 0;
+    if (heard_ && !follows) beginAnew(gone_s);
     if (!heard_) standing_down_m_ = state.position_m.z;
     const double step_s = follows ? gone_s : kStep_s;
     elapsed_s_ += step_s;

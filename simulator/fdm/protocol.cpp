@@ -10,7 +10,9 @@ namespace {
 using Json = nlohmann::json;
 constexpr uint16_t kMagic = 18458;
 constexpr size_t kShown = 60;
-constexpr double kMax = 1e7;  // m, m/s, m/s2, rad/s: beyond it a model has come apart
+constexpr double kMax = 1e7;              // m, m/s, m/s2, rad/s: beyond it a model has come apart
+constexpr double kMaxTimestamp_s = 1e10;  // microseconds can still be seen in it
+constexpr double kMaxSpeed_mps = 1000, kMaxBattery_v = 100, kMaxBattery_a = 1000;
 
 // One line of letters that a terminal shows.
 std::string excerpt(const std::string& text) {
@@ -31,6 +33,14 @@ double numberOf(const Json& value, const std::string& path) {
         throw ModelStateError(path.substr(1) + ": expected a number, found " +
                               excerpt(value.dump()));
     return value.get<double>();
+}
+
+double numberWithin(const Json& object, const std::string& path, double least, double most) {
+    const double value = numberOf(fieldOf(object, path), path);
+    if (value < least || value > most)
+        throw ModelStateError(path.substr(1) + ": expected " + Json(least).dump() + " to " +
+                              Json(most).dump() + ", found " + Json(value).dump());
+    return value;
 }
 
 template <size_t size>
@@ -73,11 +83,7 @@ void readRadio(const Json& object, ModelState& state) {
     for (size_t i = 0; i < state.radio_us->size(); ++i) {
         const std::string path = "/rc/rc_" + std::to_string(i + 1);
         if (!object.contains(Json::json_pointer(path))) continue;
-        const double pulse_us = numberOf(fieldOf(object, path), path);
-        if (pulse_us < 800 || pulse_us > 2200)
-            throw ModelStateError(path.substr(1) + ": expected 800 to 2200, found " +
-                                  excerpt(std::to_string(pulse_us)));
-        (*state.radio_us)[i] = static_cast<uint16_t>(pulse_us);
+        (*state.radio_us)[i] = static_cast<uint16_t>(numberWithin(object, path, 800, 2200));
     }
 }
 
@@ -108,17 +114,18 @@ ModelState readModelState(const std::string& datagram) {
     const Json json = Json::parse(line, nullptr, false);
     if (!json.is_object()) throw ModelStateError("expected a JSON object, found " + excerpt(line));
     ModelState state;
-    state.timestamp_s = numberOf(fieldOf(json, "/timestamp"), "/timestamp");
+    state.timestamp_s = numberWithin(json, "/timestamp", -kMaxTimestamp_s, kMaxTimestamp_s);
     state.rates_rads = vectorOf(json, "/imu/gyro");
     state.force_mss = vectorOf(json, "/imu/accel_body");
     state.position_m = vectorOf(json, "/position");
     state.velocity_mps = vectorOf(json, "/velocity");
     state.attitude = attitudeOf(json);
-    if (json.contains("airspeed")) state.airspeed_mps = numberOf(json["airspeed"], "/airspeed");
+    if (json.contains("airspeed"))
+        state.airspeed_mps = numberWithin(json, "/airspeed", -kMaxSpeed_mps, kMaxSpeed_mps);
     if (json.contains("velocity_wind")) state.wind_mps = vectorOf(json, "/velocity_wind");
     if (json.contains("battery"))
-        state.battery = {numberOf(fieldOf(json, "/battery/voltage"), "/battery/voltage"),
-                         numberOf(fieldOf(json, "/battery/current"), "/battery/current")};
+        state.battery = {numberWithin(json, "/battery/voltage", 0, kMaxBattery_v),
+                         numberWithin(json, "/battery/current", -kMaxBattery_a, kMaxBattery_a)};
     readRadio(json, state);
     return state;
 }

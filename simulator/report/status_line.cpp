@@ -78,6 +78,9 @@ std::string closingWords(const Summary& s) {
     if (s.model_answers_skipped > 0)
         words += print("  flight model    %llu answers skipped: not understood\n",
                        static_cast<unsigned long long>(s.model_answers_skipped));
+    if (s.model_begun_anew > 0)
+        words += print("  flight model    begun anew %llu times in flight\n",
+                       static_cast<unsigned long long>(s.model_begun_anew));
     return words + print("  emulated        %.1f min at %.1f times real time\n", s.emulated_s / 60,
                          s.speedup.value_or(0));
 }

@@ -108,6 +108,7 @@ std::string summaryJson(const Summary& summary) {
     json["imu_samples_lost"] = orNull(summary.imu_samples_lost);
     json["imu_samples_repeated"] = orNull(summary.imu_samples_repeated);
     json["model_answers_skipped"] = summary.model_answers_skipped;
+    json["model_begun_anew"] = summary.model_begun_anew;
     addFigures(json, summary.figures, summary.task_names);
     json["provenance"] = Json::parse(provenanceJson(summary.provenance));
     json["events"] = list(summary.events);

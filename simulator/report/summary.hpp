@@ -47,6 +47,7 @@ struct Summary {
     std::optional<double> loiter_radius_m;  // the autopilot's own
     std::optional<uint64_t> imu_samples, imu_samples_lost, imu_samples_repeated;
     uint64_t model_answers_skipped = 0;  // of a flight model elsewhere: not understood
+    uint64_t model_begun_anew = 0;       // in flight
     BoardFigures figures;
     std::vector<TaskName> task_names;              // empty: numbers must do
     std::vector<Event> events, texts, violations;  // of invariants: none in a good flight

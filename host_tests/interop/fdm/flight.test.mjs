@@ -135,7 +135,48 @@ onNative('a model that was begun anew goes on', async () => {
   const run = await fly(port, '--time-limit', '3');
   model.close();
   assert.match(run.said, /time limit reached/);
+  assert.match(run.said, /flight model +begun anew 1 times in flight/);
   assert.ok(Math.abs(answers - 1200) < 20, `${answers} answers`);
+});
+
+const state = (time_s) => `{"timestamp":${time_s},"imu":{"gyro":[0,0,0],"accel_body":[0,0,-9.8]},` +
+  '"position":[0,0,0],"attitude":[0,0,0],"velocity":[0,0,0]}';
+
+for (const [what, time_s, says] of [
+  ['goes back', (answer) => 100 - answer * 0.0025, /its timestamp goes back by 0\.0025 s with every answer; expected up to 1 s on/],
+  ['counts milliseconds', (answer) => answer * 2.5, /its timestamp goes on by 2\.5 s with every answer; expected up to 1 s on/],
+  ['stands still', () => 7, /its timestamp stands still/]])
+  onNative(`a model whose time ${what} ends the flight with its reason`, async () => {
+    const port = await freePort();
+    const model = await bound(port);
+    let answers = 0;
+    model.on('message', (bytes, from) => model.send(state(time_s(++answers)), from.port, from.address));
+    const run = await fly(port, '--time-limit', '3');
+    model.close();
+    assert.equal(run.status, 1);
+    assert.match(run.said, says);
+  });
+
+// It takes one question after the other, and each is a step to it.
+onNative('a slow model is not asked faster than it answers', async () => {
+  const port = await freePort();
+  const model = await bound(port);
+  const kSlow_ms = 1300, kSlowAnswers = 5;
+  let asked = 0, answers = 0, queue = Promise.resolve();
+  model.on('message', (bytes, from) => {
+    ++asked;
+    queue = queue.then(async () => {
+      if (answers < kSlowAnswers) await new Promise((resolve) => setTimeout(resolve, kSlow_ms));
+      ++answers;
+      model.send(state(answers * 0.0025), from.port, from.address);
+    });
+  });
+  const run = await fly(port, '--time-limit', '1');
+  model.close();
+  assert.match(run.said, /the flight model at \d+ is slow: no answer for 1000 ms/);
+  assert.equal(run.said.match(/is slow/g).length, 1);
+  assert.match(run.said, /time limit reached/);
+  assert.ok(asked <= 400 + 3, `${asked} questions`);
 });
 
 test('a port that is taken is named', async () => {
@@ -167,9 +208,6 @@ test('a model that falls silent or talks nonsense ends the flight with its reaso
     count(1 / 60);
   }
 });
-
-const state = (time_s) => `{"timestamp":${time_s},"imu":{"gyro":[0,0,0],"accel_body":[0,0,-9.8]},` +
-  '"position":[0,0,0],"attitude":[0,0,0],"velocity":[0,0,0]}';
 
 test('a model that starts later is waited for', async () => {
   const port = await freePort();

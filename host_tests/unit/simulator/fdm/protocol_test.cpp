@@ -19,6 +19,11 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(text.find(from), from.size(), to);
 }
 
+// With another field.
+std::string with(const std::string& field) {
+    return replaced(kState, "\"velocity\"", field + ",\"velocity\"");
+}
+
 std::string complaint(const std::string& datagram) {
     try {
         readModelState(datagram);
@@ -104,8 +109,16 @@ INSTANTIATE_TEST_SUITE_P(
                     Nonsense{replaced(kState, "2500", "1e999"), "expected"},
                     Nonsense{replaced(kState, "\"attitude\":[0,0,0]", "\"quaternion\":[0,0,0,0]"),
                              "of length 0"},
-                    Nonsense{replaced(kState, "\"velocity\"", "\"rc\":{\"rc_1\":99},\"velocity\""),
-                             "rc/rc_1: expected 800 to 2200"}));
+                    Nonsense{with("\"rc\":{\"rc_1\":99}"), "rc/rc_1: expected 800"},
+                    Nonsense{replaced(kState, "2500", "1e300"), "timestamp: expected -1"},
+                    Nonsense{with("\"airspeed\":1e6"), "airspeed: expected -1000"},
+                    Nonsense{with("\"airspeed\":\"13\""), "airspeed: expected a number"},
+                    Nonsense{with("\"battery\":12"), "the field battery/voltage"},
+                    Nonsense{with("\"battery\":{\"voltage\":-4,\"current\":1}"),
+                             "battery/voltage: expected 0"},
+                    Nonsense{with("\"battery\":{\"voltage\":4,\"current\":1e9}"),
+                             "battery/current: expected -1000"},
+                    Nonsense{with("\"velocity_wind\":[1,2]"), "velocity_wind: expected 3"}));
 
 TEST(ModelAddress, is_a_port_or_a_host_and_a_port) {
     EXPECT_EQ(modelAddress("json:9002")->port, 9002);
