@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/world_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -111,13 +112,25 @@ void read(const Json& json, WorldOptions& world) {
     world.gps_latency_s = errors.gps_age_s;
 }
 
+Json parsed(const std::string& text) {
+    if (text.empty()) throw std::runtime_error("expected JSON, found nothing");
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        const auto end = text.begin() + std::min<ptrdiff_t>(static_cast<ptrdiff_t>(error.byte),
+                                                            static_cast<ptrdiff_t>(text.size()));
+        throw std::runtime_error("expected JSON, found an error in line " +
+                                 std::to_string(1 + std::count(text.begin(), end, '\n')));
+    }
+}
+
 }  // namespace
 
 void readWorldFile(const std::string& path, WorldOptions& world) {
     const auto text = wholeFile(path);
     if (!text) throw WorldFileError(path + ": cannot be read");
     try {
-        read(Json::parse(*text), world);
+        read(parsed(*text), world);
     } catch (const std::exception& error) {
         throw WorldFileError(path + ": " + error.what());
     }

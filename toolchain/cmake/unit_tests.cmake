@@ -78,7 +78,8 @@ gtest_run(chaos_test LABELS unit quick)
 gtest_program(fdm_test ${tests}/unit/simulator/fdm simulator_world)
 gtest_run(fdm_test LABELS unit quick)
 gtest_program(fly_test ${tests}/unit/simulator/fly)
-target_compile_definitions(fly_test PRIVATE FLY_PROGRAM="$<TARGET_FILE:fly>")
+target_compile_definitions(fly_test PRIVATE FLY_PROGRAM="$<TARGET_FILE:fly>"
+    AIRPLANES="${CMAKE_SOURCE_DIR}/simulator/airplanes")
 gtest_run(fly_test NEEDS fly ${IMAGE_apm2} ${IMAGE_apm1} LABELS unit)
 
 # ---- the layers

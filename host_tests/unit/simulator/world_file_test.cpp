@@ -62,7 +62,10 @@ TEST_F(WorldFile, complains_in_one_line_that_names_the_file) {
         {R"({"errors": {"gps_rate_hz": -1}})", "'gps_rate_hz': expected 0"},
         {R"({"motor_field_mg_a": [1, 2]})", "expected three numbers"},
         {"[]", "expected a JSON object"},
-        {"{", "parse error"},
+        {"{", "expected JSON, found an error in line 1"},
+        {"{\n\"wind_mps\": 5,\n", "expected JSON, found an error in line 3"},
+        {"", "expected JSON, found nothing"},
+        {R"({"wind_mps": NaN})", "expected JSON, found an error in line 1"},
     };
     for (const auto& [text, expected] : wrong) {
         const std::string said = complaint(text);
