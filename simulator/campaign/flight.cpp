@@ -124,6 +124,17 @@ CampaignResult resultOf(const CampaignFlight& flight, const std::string& summary
     return result;
 }
 
+std::vector<WorldValue> worldValuesOf(const std::string& drawn_json) {
+    const Json drawn = Json::parse(drawn_json, nullptr, false);
+    std::vector<WorldValue> values;
+    if (!drawn.is_object() || drawn.value("format", Json()) != "apm-drawn") return values;
+    for (const Json& each : drawn.value("values", Json()))
+        if (each.is_object())
+            values.push_back({each.value("key", ""), each.value("name", ""), each.value("unit", ""),
+                              each.value("value", 0.0)});
+    return values;
+}
+
 static Ending run(const CampaignPrograms& programs, const CampaignFlight& flight,
                   const std::string& folder, const fs::path& log) {
     if (flight.drawn)
@@ -150,8 +161,10 @@ static CampaignResult flyIn(const std::string& folder, const CampaignPrograms& p
     } else if (ending.status > 1 || (flight.drawn && result.emulated_s <= 0)) {
         result.failure = complaintIn(contents(log));
     }
+    if (flight.drawn) result.world = worldValuesOf(contents(fs::path(folder) / "drawn.json"));
     for (const char* large : {"report.html", "flight.csv", "track.kml", "track.gpx"})
-        fs::remove(fs::path(folder) / large);
+        if (!flight.drawn || large != std::string("report.html"))
+            fs::remove(fs::path(folder) / large);
     return result;
 }
 

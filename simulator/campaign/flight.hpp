@@ -34,6 +34,11 @@ struct CampaignFlight {
     std::string replay(bool native) const;
 };
 
+struct WorldValue {  // of a drawn world
+    std::string key, name, unit;
+    double value = 0;
+};
+
 struct CampaignResult {
     CampaignFlight flight;
     bool flown = false;   // to its end; false: it was interrupted, or never begun
@@ -42,15 +47,21 @@ struct CampaignResult {
     double emulated_s = 0;
     // past the landing point along the last leg and right of it, in m
     std::optional<std::pair<double, double>> touchdown;
+    std::vector<WorldValue> world = {};
+    std::string report = {};  // from the folder of the campaign; empty: there is none
 };
 
 struct CampaignPrograms {
     std::string fly, drawn;
 };
 
-// Flies it in `folder`, which afterwards holds summary.json and fly.log.
+// Flies it in `folder`, which afterwards holds summary.json and fly.log; in a drawn world also the
+// files of that world and report.html.
 CampaignResult flyOne(const CampaignPrograms& programs, const CampaignFlight& flight,
                       const std::string& folder);
+
+// What drawn.json says of a drawn world; nothing when it is no such file.
+std::vector<WorldValue> worldValuesOf(const std::string& drawn_json);
 
 // What the summary says of the flight, on its own.
 CampaignResult resultOf(const CampaignFlight& flight, const std::string& summary_json);

@@ -12,8 +12,10 @@
 #include <thread>
 
 #include "simulator/airplane/parameters.hpp"
+#include "simulator/campaign/document.hpp"
 #include "simulator/campaign/options.hpp"
 #include "simulator/campaign/progress.hpp"
+#include "simulator/campaign/reports_held.hpp"
 #include "simulator/campaign/shares.hpp"
 #include "simulator/campaign/statistics.hpp"
 #include "simulator/ground/waypoints.hpp"
@@ -25,7 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 
 volatile std::sig_atomic_t interrupted = 0;
-constexpr size_t kMaxShown = 10;
+constexpr size_t kMaxShown = 10, kReportsHeld = 10;
+constexpr const char* kDocuments[] = {"campaign.html", "campaign.json"};
 
 // Said before the first flight, not by each of a thousand.
 void mustBeUsable(const CampaignOptions& options) {
@@ -33,7 +36,7 @@ void mustBeUsable(const CampaignOptions& options) {
     for (const auto& airplane : options.airplanes) loadAirplane(airplane);
     try {
         makeFolder(fs::path(options.out) / "flights");
-        mustBeWritable(fs::path(options.out) / "campaign.html");
+        for (const char* name : kDocuments) mustBeWritable(fs::path(options.out) / name);
     } catch (const OutputError& error) {
         throw std::runtime_error(std::string("--out ") + error.what());
     }
@@ -46,17 +49,45 @@ std::string folderOf(const CampaignOptions& options, const CampaignFlight& fligh
     return fs::path(options.out) / "flights" / name;
 }
 
+// In drawn worlds: of those that failed the first, of the others those that miss a limit by most.
+class DrawnReports {
+public:
+    void add(const CampaignResult& result, const fs::path& report) {
+        std::error_code ignored;
+        if (!result.flight.drawn || !fs::exists(report, ignored)) return;
+        const bool good = result.failure.empty();
+        const auto seed = static_cast<double>(result.flight.seed);
+        const std::string goes =
+            good ? worst_.add(excessOf(result), report) : failed_.add(-seed, report);
+        if (!goes.empty()) fs::remove(goes, ignored);
+    }
+
+private:
+    ReportsHeld failed_{kReportsHeld}, worst_{kReportsHeld};
+};
+
+void nameReports(std::vector<CampaignResult>& results, const CampaignOptions& options) {
+    std::error_code ignored;
+    for (CampaignResult& each : results) {
+        const fs::path report = fs::path(folderOf(options, each.flight)) / "report.html";
+        if (fs::exists(report, ignored))
+            each.report = report.lexically_relative(options.out).generic_string();
+    }
+}
+
 std::vector<CampaignResult> flyAll(const CampaignOptions& options,
                                    const std::vector<CampaignFlight>& flights) {
     std::vector<CampaignResult> results(flights.size());
     std::atomic<size_t> next{0};
     std::mutex at_once;
+    DrawnReports reports;
     Progress progress(flights.size(), isatty(STDOUT_FILENO) != 0);
     const auto work = [&] {
         for (size_t i; interrupted == 0 && (i = next++) < flights.size();) {
             results[i] =
                 flyOne({CAMPAIGN_FLY, CAMPAIGN_DRAWN}, flights[i], folderOf(options, flights[i]));
             const std::lock_guard<std::mutex> lock(at_once);
+            reports.add(results[i], fs::path(folderOf(options, flights[i])) / "report.html");
             if (results[i].flown) progress.flown(results[i].failure.empty());
         }
     };
@@ -67,6 +98,7 @@ std::vector<CampaignResult> flyAll(const CampaignOptions& options,
     results.erase(std::remove_if(results.begin(), results.end(),
                                  [](const CampaignResult& result) { return !result.flown; }),
                   results.end());
+    nameReports(results, options);
     return results;
 }
 
@@ -105,6 +137,8 @@ int campaign(const CampaignOptions& options) {
     if (!results.empty()) std::cout << "any again: " << results.front().flight.replay(true) << "\n";
     try {
         writeFile(page, campaignPage(results, flights.size(), wall_s));
+        writeFile(fs::path(options.out) / "campaign.json",
+                  campaignJson(results, flights.size(), wall_s));
     } catch (const OutputError& error) {
         std::cerr << "campaign: " << error.what() << "\n";
         return 2;

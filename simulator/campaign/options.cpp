@@ -15,8 +15,9 @@ constexpr char kWhat[] =
 constexpr char kFooter[] =
     "Exit status: 0 when every flight was flown to its end without a crash and without a broken\n"
     "frame, 1 when not or when it was interrupted, 2 when the command line or a file is wrong or\n"
-    "the page could not be written. The folder of --out receives campaign.html, and flights/ with\n"
-    "the summary of each. 1,000 flights: --seeds 84.";
+    "the page could not be written. The folder of --out receives campaign.html, campaign.json\n"
+    "(docs/campaign_document.md) and flights/ with the summary of each, in drawn worlds also the\n"
+    "reports of ten that failed and the ten worst. 1,000 flights: --seeds 84.";
 constexpr char kEnding[] = ".waypoints";
 constexpr uint64_t kMaxFlights = 1'000'000;
 
@@ -90,18 +91,23 @@ void addOptions(CLI::App& app, CampaignOptions& o, Words& words) {
     app.add_option("--drawn", words.drawn,
                    "instead: how many drawn worlds, or a range FIRST-LAST. Each draws an airplane, "
                    "its sensors, the air and the field; AUTOTUNE flies first, then a box and a "
-                   "landing")
-        ->excludes(app.get_option("MISSION"))
-        ->excludes(app.get_option("--airplane"))
-        ->excludes(app.get_option("--wind"))
-        ->excludes(app.get_option("--seeds"));
+                   "landing; goes with --jobs and --out alone");
     app.add_option("--jobs", words.jobs, "flights at the same time; if not given as many as cores");
     app.add_option("--out", o.out, "folder for the page and the summaries")->capture_default_str();
 }
 
+void mustNotContradict(const CLI::App& app) {
+    if (app.count("--drawn") == 0) return;
+    for (const auto& [option, drawn] : {std::pair{"MISSION", "mission"},
+                                        {"--airplane", "airplane"},
+                                        {"--wind", "wind"},
+                                        {"--seeds", "seeds"}})
+        if (app.count(option) > 0)
+            throw Wrong(std::string("--drawn draws the ") + drawn + " itself: no " + option);
+}
+
 void readWords(const Words& words, CampaignOptions& options) {
     for (const auto& wind : words.winds) options.winds.push_back(readWind(wind));
-    options.drawn = !words.drawn.empty();
     if (options.drawn)
         readSeeds("--drawn", words.drawn, options);
     else
@@ -128,6 +134,8 @@ ParsedCampaign parseCampaignOptions(int count, char** arguments) {
     addOptions(app, options, words);
     try {
         app.parse(count, arguments);
+        mustNotContradict(app);
+        options.drawn = app.count("--drawn") > 0;
         if (options.missions.empty())
             for (const char* name : {"first_flight", "box_600"})
                 options.missions.push_back(std::filesystem::proximate(CAMPAIGN_MISSIONS) /

@@ -31,8 +31,5 @@ std::vector<Spread95> spreadsOf(const std::vector<CampaignResult>& results);
 
 // For the terminal.
 std::string tableText(const std::vector<CampaignResult>& results);
-// "240 flights, 2 failed", or that it was interrupted and how far it came.
-std::string flownText(size_t flown, size_t planned, size_t failed);
-std::string campaignPage(const std::vector<CampaignResult>& results, size_t planned, double wall_s);
 
 }  // namespace simulator

@@ -188,6 +188,11 @@ ParameterSettings ownerOf(const AirplaneParameters& airplane, double cruise_mps)
     return owner;
 }
 
+double windAcross_mps(const WorldOptions& world) {
+    const double off_deg = world.wind_from_deg - world.heading_deg;
+    return std::abs(world.wind_mps * std::sin(off_deg * M_PI / 180));
+}
+
 std::string aboutOf(const DrawnWorld& w, const Design& d, const FieldPlan& field) {
     char text[400];
     std::snprintf(
@@ -201,6 +206,37 @@ std::string aboutOf(const DrawnWorld& w, const Design& d, const FieldPlan& field
         w.world.wind_from_deg, w.world.errors->gust_mps, w.world.thermal_mps, w.world.altitude_m,
         w.world.latitude_deg, w.world.longitude_deg, field.slope * 100);
     return text;
+}
+
+std::vector<DrawnValue> valuesOf(const DrawnWorld& w, const Design& d, const FieldPlan& field,
+                                 double cruise_mps) {
+    const AirplaneParameters& p = w.airplane;
+    const SensorErrors& errors = *w.world.errors;
+    return {
+        {"mass_kg", "mass", "kg", p.mass_kg},
+        {"wing_loading_kgm2", "wing loading", "kg/m²", d.wing_loading_kgm2},
+        {"span_m", "span", "m", p.span_m},
+        {"thrown", "thrown", "", d.thrown ? 1.0 : 0.0},
+        {"stall_mps", "stall", "m/s", stallSpeed_mps(p)},
+        {"cruise_mps", "cruise", "m/s", cruise_mps},
+        {"thrust_to_weight", "thrust by weight", "", d.thrust_to_weight},
+        {"servo_s", "servo, 60°", "s", 1.5 / p.controls.rate_per_s},
+        {"servo_deadband_us", "servo's deadband", "us", p.linkage.deadband * 400},
+        {"imu_from_cg_m", "IMU from CG", "m", length(p.imu_place_m)},
+        {"noise", "noise of sensors", "times",
+         errors.gyro_noise_dps / SensorErrors{}.gyro_noise_dps},
+        {"gps_rate_hz", "GPS rate", "Hz", errors.gps_rate_hz},
+        {"gps_age_ms", "age of fixes", "ms", errors.gps_age_s * 1000},
+        {"compass_offset_mg", "compass offset", "mG", errors.compass_offset_mg},
+        {"board_warmth_c", "board's warmth", "°C", w.world.board_warmth_c},
+        {"wind_mps", "wind", "m/s", w.world.wind_mps},
+        {"wind_across_mps", "wind across", "m/s", windAcross_mps(w.world)},
+        {"gust_mps", "gusts", "m/s", errors.gust_mps},
+        {"thermal_mps", "thermals", "m/s", w.world.thermal_mps},
+        {"altitude_m", "field above the sea", "m", w.world.altitude_m},
+        {"latitude_deg", "latitude", "°", w.world.latitude_deg},
+        {"slope_pct", "slope of the approach", "%", field.slope * 100},
+    };
 }
 
 }  // namespace
@@ -229,6 +265,7 @@ DrawnWorld drawWorld(uint64_t seed, const std::string& magnetic_model) {
     drawn.mission = boxMission(drawn.world, field);
     drawn.tuning = tuningMission(drawn.world);
     drawn.about = aboutOf(drawn, design, field);
+    drawn.values = valuesOf(drawn, design, field, cruise_mps);
     return drawn;
 }
 

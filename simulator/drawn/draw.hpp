@@ -4,6 +4,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "simulator/airplane/parameters.hpp"
 #include "simulator/ground/parameter_upload.hpp"
@@ -12,6 +13,12 @@
 
 namespace simulator::drawn {
 
+// What of a world its flight may depend on; docs/campaign_document.md lists the keys.
+struct DrawnValue {
+    const char *key, *name, *unit;
+    double value;
+};
+
 struct DrawnWorld {
     AirplaneParameters airplane;
     WorldOptions world;       // its place, air and sensors; not the airplane
@@ -19,6 +26,7 @@ struct DrawnWorld {
     Waypoints mission;        // a box with a climb, a descent, a loiter and a landing
     Waypoints tuning;         // where AUTOTUNE begins: a take-off and a place to fly to
     std::string about;        // one line
+    std::vector<DrawnValue> values;
 };
 
 // `magnetic_model` is the file of the World Magnetic Model's coefficients. Throws when it cannot be

@@ -2,6 +2,7 @@
 #include "simulator/drawn/files.hpp"
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "simulator/output_file.hpp"
@@ -23,6 +24,19 @@ std::string waypointText(const Waypoints& items) {
     return text;
 }
 
+// docs/campaign_document.md
+std::string drawnText(const DrawnWorld& drawn) {
+    nlohmann::ordered_json json = {{"format", "apm-drawn"},
+                                   {"version", 1},
+                                   {"seed", drawn.world.seed},
+                                   {"about", drawn.about},
+                                   {"values", nlohmann::ordered_json::array()}};
+    for (const DrawnValue& each : drawn.values)
+        json["values"].push_back(
+            {{"key", each.key}, {"name", each.name}, {"unit", each.unit}, {"value", each.value}});
+    return json.dump(1) + "\n";
+}
+
 }  // namespace
 
 void writeParameters(const std::filesystem::path& path, const std::string& about,
@@ -38,6 +52,7 @@ void writeFiles(const DrawnFiles& files, const DrawnWorld& drawn) {
     writeParameters(files.owner, "What its owner knows.", drawn.owner);
     writeFile(files.world, worldFileText(drawn.world));
     writeFile(files.mission, waypointText(drawn.mission));
+    writeFile(files.drawn, drawnText(drawn));
 }
 
 }  // namespace simulator::drawn

@@ -13,9 +13,10 @@ struct DrawnFiles {
           owner(folder / "owner.param"),
           tuned(folder / "tuned.param"),
           world(folder / "world.json"),
-          mission(folder / "mission.waypoints") {}
+          mission(folder / "mission.waypoints"),
+          drawn(folder / "drawn.json") {}
 
-    std::filesystem::path airplane, owner, tuned, world, mission;
+    std::filesystem::path airplane, owner, tuned, world, mission, drawn;
 };
 
 // All but `tuned`. Throws OutputError.

@@ -67,7 +67,7 @@ endif()
 gtest_program(campaign_test ${tests}/unit/simulator/campaign campaign_parts)
 target_compile_definitions(campaign_test PRIVATE CAMPAIGN_PROGRAM="$<TARGET_FILE:campaign>"
     MISSIONS="${CMAKE_SOURCE_DIR}/simulator/missions")
-gtest_run(campaign_test NEEDS campaign fly LABELS unit quick)
+gtest_run(campaign_test NEEDS campaign drawn fly LABELS unit quick)
 gtest_program(drawn_test ${tests}/unit/simulator/drawn drawn_parts simulator_ground)
 target_compile_definitions(drawn_test PRIVATE
     MAGNETIC_MODEL="${CMAKE_SOURCE_DIR}/toolchain/declination/WMM2025.COF")
@@ -136,12 +136,14 @@ set(page_data ${page_tests} ${page_sources} ${CMAKE_SOURCE_DIR}/docs/failsafes.m
     ${CMAKE_SOURCE_DIR}/simulator/ground/telemetry.cpp)
 declare_test(web.log_document COMMAND node --test ${tests}/web/log_document.test.mjs NEEDS fly log_tool
              DATA ${page_data} ENVIRONMENT ${page_programs} LABELS unit quick REUSE)
+declare_test(web.drawn_document COMMAND node --test ${tests}/web/drawn_document.test.mjs
+             DATA ${page_data} LABELS unit quick REUSE)
 find_program(CHROMIUM chromium NO_CMAKE_SYSTEM_PATH)
 if(CHROMIUM)
-    foreach(name page campaign)
-        declare_test(web.${name} COMMAND node --test ${tests}/web/${name}.test.mjs NEEDS fly log_tool campaign
+    foreach(name page campaign drawn)
+        declare_test(web.${name} COMMAND node --test ${tests}/web/${name}.test.mjs NEEDS fly log_tool campaign drawn
                      ENVIRONMENT ${page_programs} CHROMIUM=${CHROMIUM} PAGES=${pages} SHOTS=${pages}/shots
-                     DATA ${page_data} ${pages}/${name}.html LABELS unit quick REUSE)
+                     DATA ${page_data} ${pages}/page.html ${pages}/campaign.html LABELS unit quick REUSE)
     endforeach()
 else()
     message(STATUS "chromium is missing: the pages are not tried in a browser (toolchain/setup test)")

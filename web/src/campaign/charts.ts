@@ -5,10 +5,14 @@ import { colour, make, onThemeChange, sized } from '../dom';
 import { different, shareWithin, sortedValues } from './document';
 import type { Campaign, Flight, Goal } from './document';
 
+export interface Mark { at: number; dashed: boolean }
+export interface Curve { colour: string; dashed: boolean; values: number[] }
+
 const kColours = 8, kFont = '11px system-ui, sans-serif';
 
-export const airplaneColour = (campaign: Campaign, airplane: string): string =>
-  colour(`c${different(campaign.flights.map((flight) => flight.airplane)).indexOf(airplane) % kColours}`);
+const airplaneColourName = (campaign: Campaign, airplane: string): string =>
+  `c${different(campaign.flights.map((flight) => flight.airplane)).indexOf(airplane) % kColours}`;
+export const airplaneColour = (campaign: Campaign, airplane: string): string => colour(airplaneColourName(campaign, airplane));
 
 interface Line { airplane: string; calm: boolean; values: number[] }
 
@@ -18,22 +22,22 @@ function linesOf(campaign: Campaign, flights: Flight[], goal: Goal): Line[] {
   }))).filter(({ values }) => values.length > 0);
 }
 
-// The share of the flights that stay at or below each value.
-const curve = (values: number[]): uPlot.AlignedData => {
+// The share of `all` flights that stay at or below each value.
+const steps = (values: number[], all: number): uPlot.AlignedData => {
   const last = new Map<number, number>();
-  values.forEach((value, i) => last.set(value, 100 * (i + 1) / values.length));
+  values.forEach((value, i) => last.set(value, 100 * (i + 1) / all));
   return [[...last.keys()], [...last.values()]];
 };
 
-function goalLines(goal: Goal, kinds: boolean[]): (u: uPlot) => void {
+function goalLines(marks: Mark[]): (u: uPlot) => void {
   return (u) => {
     const { ctx, bbox } = u;
     ctx.save();
     ctx.strokeStyle = colour('bad');
     ctx.lineWidth = 1.5 * (devicePixelRatio || 1);
-    for (const calm of kinds) {
-      const x = Math.round(u.valToPos(calm ? goal.calm : goal.windy, 'x', true));
-      ctx.setLineDash(calm || goal.calm === goal.windy ? [] : [6, 4]);
+    for (const { at, dashed } of marks) {
+      const x = Math.round(u.valToPos(at, 'x', true));
+      ctx.setLineDash(dashed ? [6, 4] : []);
       ctx.beginPath();
       ctx.moveTo(x, bbox.top);
       ctx.lineTo(x, bbox.top + bbox.height);
@@ -43,12 +47,8 @@ function goalLines(goal: Goal, kinds: boolean[]): (u: uPlot) => void {
   };
 }
 
-export function distribution(campaign: Campaign, flights: Flight[], goal: Goal): HTMLElement | undefined {
-  const lines = linesOf(campaign, flights, goal);
-  if (lines.length === 0) return undefined;
-  const share = shareWithin(flights, goal), kinds = different(lines.map(({ calm }) => String(calm))).map((calm) => calm === 'true');
-  const most = Math.max(...lines.map(({ values }) => values[values.length - 1]), ...kinds.map((calm) => (calm ? goal.calm : goal.windy)));
-  const place = make('div', { class: 'canvas-box', role: 'img', 'aria-label': `Distribution of ${goal.name}: ${(share * 100).toFixed(0)} of 100 flights within the goal` });
+// `all`: of how many flights a curve shows the share; without it of those that have the figure.
+export function plotted(place: HTMLElement, curves: Curve[], marks: Mark[], most: number, all?: number): void {
   let plot: uPlot | undefined;
   const draw = (): void => {
     plot?.destroy();
@@ -57,30 +57,39 @@ export function distribution(campaign: Campaign, flights: Flight[], goal: Goal):
       width: place.clientWidth || 260, height: place.clientHeight || 120, legend: { show: false }, padding: [6, 12, 0, 0],
       cursor: { show: false },
       scales: { x: { time: false, range: [0, most * 1.06] }, y: { range: [0, 100] } },
-      axes: [{ ...axis, size: 20, gap: 2, space: 40 }, { ...axis, size: 38, gap: 3, space: 24, values: (_, all) => all.map((value) => `${value} %`) }],
-      series: [{}, ...lines.map(({ airplane, calm }): uPlot.Series => ({
-        stroke: airplaneColour(campaign, airplane), width: 1.6, dash: calm ? undefined : [5, 3], points: { show: false }, spanGaps: true,
+      axes: [{ ...axis, size: 20, gap: 2, space: 40 }, { ...axis, size: 38, gap: 3, space: 24, values: (_, values) => values.map((value) => `${value} %`) }],
+      series: [{}, ...curves.map(({ colour: name, dashed }): uPlot.Series => ({
+        stroke: colour(name), width: 1.6, dash: dashed ? [5, 3] : undefined, points: { show: false }, spanGaps: true,
         paths: uPlot.paths.stepped?.({ align: 1 }),
       }))],
-      hooks: { draw: [goalLines(goal, kinds)] },
-    }, uPlot.join(lines.map(({ values }) => curve(values))), place);
+      hooks: { draw: [goalLines(marks)] },
+    }, uPlot.join(curves.map(({ values }) => steps(values, all ?? values.length))), place);
   };
   onThemeChange(draw);
   new ResizeObserver(draw).observe(place);
+}
+
+export function distribution(campaign: Campaign, flights: Flight[], goal: Goal): HTMLElement | undefined {
+  const lines = linesOf(campaign, flights, goal);
+  if (lines.length === 0) return undefined;
+  const share = shareWithin(flights, goal), kinds = different(lines.map(({ calm }) => String(calm))).map((calm) => calm === 'true');
+  const marks = kinds.map((calm) => ({ at: calm ? goal.calm : goal.windy, dashed: !calm && goal.calm !== goal.windy }));
+  const most = Math.max(...lines.map(({ values }) => values[values.length - 1]), ...marks.map(({ at }) => at));
+  const place = make('div', { class: 'canvas-box', role: 'img', 'aria-label': `Distribution of ${goal.name}: ${(share * 100).toFixed(0)} of 100 flights within the goal` });
+  plotted(place, lines.map(({ airplane, calm, values }) => ({ colour: airplaneColourName(campaign, airplane), dashed: !calm, values })), marks, most);
   const chip = make('b', { class: share >= 1 ? 'met' : share >= 0.95 ? '' : 'missed' }, `${(Math.floor(share * 1000) / 10).toFixed(share === 1 ? 0 : 1)} % within`);
   return make('section', { class: 'distribution', 'data-figure': goal.figure }, make('h3', {}, `${goal.name}, ${goal.unit} `, chip), place);
 }
 
-// Seen from above, the airplanes come from below.
-export function scatter(campaign: Campaign, flights: Flight[]): HTMLElement {
+export interface Dot { long_m: number; right_m: number; colour: string; filled: boolean }
+
+// Seen from above, the airplanes come from below. Dots farther away than `far_m` lie on the edge.
+export function scattered(dots: Dot[], rings: { m: number; dashed: boolean }[], far_m: number): HTMLElement {
   const canvas = make('canvas', { id: 'scatter', role: 'img', 'aria-label': 'Touch-downs around the landing point' });
-  const known = flights.filter(({ touchdown_m }) => touchdown_m);
-  const rings = campaign.goals.filter(({ figure }) => figure === 'landed_distance_m').flatMap(({ calm, windy }) => [calm, windy]);
-  const far = Math.max(...rings, ...known.map(({ touchdown_m: at }) => Math.hypot(...(at as [number, number])))) * 1.08;
   const draw = (): void => {
     const { context, width, height } = sized(canvas);
     if (width === 0) return;
-    const scale = Math.min(width, height) / 2 / far, [x0, y0] = [width / 2, height / 2];
+    const scale = Math.min(width, height) / 2 / far_m, [x0, y0] = [width / 2, height / 2];
     context.clearRect(0, 0, width, height);
     context.font = kFont;
     context.strokeStyle = colour('grid');
@@ -90,22 +99,22 @@ export function scatter(campaign: Campaign, flights: Flight[]): HTMLElement {
       context.lineTo(x2, y2);
       context.stroke();
     }
-    for (const [i, ring] of rings.entries()) {
+    for (const { m, dashed } of rings) {
       context.strokeStyle = context.fillStyle = colour('bad');
-      context.setLineDash(i === 0 ? [] : [6, 4]);
+      context.setLineDash(dashed ? [6, 4] : []);
       context.beginPath();
-      context.arc(x0, y0, ring * scale, 0, 2 * Math.PI);
+      context.arc(x0, y0, m * scale, 0, 2 * Math.PI);
       context.stroke();
-      context.fillText(`${ring} m`, x0 + ring * scale * 0.72 + 3, y0 - ring * scale * 0.72 - 3);
+      context.fillText(`${m} m`, x0 + m * scale * 0.72 + 3, y0 - m * scale * 0.72 - 3);
     }
     context.setLineDash([]);
-    for (const { airplane, calm, touchdown_m: at } of known) {
-      const [long, right] = at as [number, number];
-      context.fillStyle = context.strokeStyle = airplaneColour(campaign, airplane);
+    for (const { long_m, right_m, colour: name, filled } of dots) {
+      const out = Math.min(1, far_m * 0.98 / Math.hypot(long_m, right_m));
+      context.fillStyle = context.strokeStyle = colour(name);
       context.globalAlpha = 0.75;
       context.beginPath();
-      context.arc(x0 + right * scale, y0 - long * scale, 3, 0, 2 * Math.PI);
-      if (calm) context.fill();
+      context.arc(x0 + out * right_m * scale, y0 - out * long_m * scale, 3, 0, 2 * Math.PI);
+      if (filled) context.fill();
       else context.stroke();
       context.globalAlpha = 1;
     }
@@ -115,4 +124,11 @@ export function scatter(campaign: Campaign, flights: Flight[]): HTMLElement {
   onThemeChange(draw);
   new ResizeObserver(draw).observe(canvas);
   return canvas;
+}
+
+export function scatter(campaign: Campaign, flights: Flight[]): HTMLElement {
+  const dots = flights.flatMap(({ airplane, calm, touchdown_m: at }) =>
+    (at ? [{ long_m: at[0], right_m: at[1], colour: airplaneColourName(campaign, airplane), filled: calm }] : []));
+  const rings = campaign.goals.filter(({ figure }) => figure === 'landed_distance_m').flatMap(({ calm, windy }) => [{ m: calm, dashed: false }, { m: windy, dashed: true }]);
+  return scattered(dots, rings, 1.08 * Math.max(...rings.map(({ m }) => m), ...dots.map(({ long_m, right_m }) => Math.hypot(long_m, right_m))));
 }

@@ -1,26 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What simulator/campaign/page.cpp gives to the page, and what is worked out of it.
+// What simulator/campaign/document.cpp gives to the page (docs/campaign_document.md), and what is worked out of it.
 
-export interface Flight {
-  airplane: string; mission: string; wind: string; calm: boolean; seed: number; command: string; command_on_the_chip: string;
-  figures: Record<string, number>; failure?: string; touchdown_m?: [long: number, right: number];
+export interface Flown {
+  seed: number; command: string; completed: boolean; figures: Record<string, number>; failure?: string;
+  touchdown_m?: [long: number, right: number];
 }
-export interface Goal { figure: string; name: string; unit: string; calm: number; windy: number }
-export interface Campaign {
-  format: 'apm-campaign'; version: number; verdict: { good: boolean; text: string }; wall_s: number; emulated_s: number;
-  goals: Goal[]; flights: Flight[];
+export interface Figure { figure: string; name: string; unit: string }
+interface Document {
+  format: 'apm-campaign'; version: number; verdict: { good: boolean; text: string }; planned: number; wall_s: number; emulated_s: number;
 }
 
-export function parse(text: string): Campaign {
-  const found = JSON.parse(text) as Partial<Campaign>;
-  if (found.format !== 'apm-campaign' || found.version !== 1) throw new Error('this is no campaign');
-  return found as Campaign;
+export interface Flight extends Flown { airplane: string; mission: string; wind: string; calm: boolean; command_on_the_chip: string }
+export interface Goal extends Figure { calm: number; windy: number }
+export interface Campaign extends Document { kind: 'planned'; goals: Goal[]; flights: Flight[] }
+
+export interface DrawnFlight extends Flown { met_all: boolean; world: Record<string, number>; report?: string }
+export interface Limit extends Figure { limit: number }
+export interface Drawn { key: string; name: string; unit: string }
+export interface DrawnCampaign extends Document {
+  kind: 'drawn'; limit_times: number; met_all: number; drawn: Drawn[]; goals: Limit[]; flights: DrawnFlight[];
+}
+
+export function parse(text: string): Campaign | DrawnCampaign {
+  const found = JSON.parse(text) as Partial<Campaign | DrawnCampaign>;
+  if (found.format !== 'apm-campaign' || found.version !== 2) throw new Error('this is no campaign');
+  return found as Campaign | DrawnCampaign;
 }
 
 export const different = (names: string[]): string[] => [...new Set(names)];
 export const goalFor = (goal: Goal, flight: Flight): number => (flight.calm ? goal.calm : goal.windy);
 
-export function sortedValues(flights: Flight[], figure: string): number[] {
+export function sortedValues(flights: Flown[], figure: string): number[] {
   return flights.map(({ figures }) => figures[figure]).filter((value) => Number.isFinite(value)).sort((a, b) => a - b);
 }
 

@@ -3,8 +3,10 @@
 import { byId, colour, make } from '../dom';
 import { table } from '../view/tables';
 import { airplaneColour, distribution, scatter } from './charts';
+import { again } from './copy';
 import { different, goalFor, parse, percentile, sortedValues, worst } from './document';
 import type { Campaign, Flight, Worst } from './document';
+import { showDrawn } from './drawn';
 
 const kWorst = 10, kMaxFailures = 50;
 
@@ -33,20 +35,13 @@ function legend(campaign: Campaign): HTMLElement {
   return make('p', { class: 'legend' }, ...entries, make('span', {}, make('i'), 'calm'), make('span', {}, make('i', { class: 'demand' }), 'wind'), make('span', {}, goal, 'goal'));
 }
 
-function copyButton(command: string): HTMLElement {
-  const button = make('button', { type: 'button', title: command, 'aria-label': `copy: ${command}` }, 'copy');
-  button.addEventListener('click', () => void navigator.clipboard.writeText(command).then(
-    () => { button.textContent = 'copied'; }, () => { button.textContent = 'not allowed'; }));
-  return button;
-}
-
 function worstTable(all: Worst[]): HTMLElement {
   return table(['flight', 'seed', 'worst figure', 'value', 'goal', 'times', 'fly it again'], all.map(({ flight, goal, times }) => [
     groupOf(flight), flight.seed,
     flight.failure ? make('span', { class: 'missed' }, flight.failure) : goal ? `${goal.name}, ${goal.unit}` : '',
     goal && !flight.failure ? flight.figures[goal.figure].toFixed(2) : '', goal && !flight.failure ? goalFor(goal, flight) : '',
     Number.isFinite(times) ? make('span', { class: times > 1 ? 'missed' : 'met' }, times.toFixed(2)) : '',
-    make('div', { class: 'again' }, copyButton(flight.command), make('code', { tabindex: 0 }, flight.command)),
+    again(flight.command),
   ]));
 }
 
@@ -112,5 +107,9 @@ class Page {
 }
 
 const campaign = parse(byId('campaign').textContent ?? '');
-head(campaign);
-new Page(campaign);
+if (campaign.kind === 'drawn') {
+  showDrawn(campaign);
+} else {
+  head(campaign);
+  new Page(campaign);
+}

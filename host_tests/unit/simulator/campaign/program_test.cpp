@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "program_run.hpp"
 
@@ -55,7 +56,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"/no/such.waypoints", "/no/such.waypoints"},
                     Wrong{"--out /proc/nowhere", "/proc/nowhere"},
                     Wrong{"--out /dev/null", "--out /dev/null"},
-                    Wrong{"--airplane /tmp", "/tmp: is a folder"}, Wrong{"--loud", "--loud"}));
+                    Wrong{"--airplane /tmp", "/tmp: is a folder"}, Wrong{"--loud", "--loud"},
+                    Wrong{"--drawn 3 --airplane foam_trainer",
+                          "--drawn draws the airplane itself: no --airplane"},
+                    Wrong{"--drawn 3 --wind calm", "--drawn draws the wind itself: no --wind"},
+                    Wrong{"--drawn 3 --seeds 10", "--drawn draws the seeds itself: no --seeds"},
+                    Wrong{"--seeds 10 --drawn 3", "--drawn draws the seeds itself: no --seeds"},
+                    Wrong{"--drawn 3 my.waypoints", "--drawn draws the mission itself: no MISSION"},
+                    Wrong{"--drawn ''", "--drawn: expected how many"},
+                    Wrong{"--drawn 0", "--drawn: expected how many"},
+                    Wrong{"--drawn 9-5", "--drawn: expected how many"},
+                    Wrong{"--drawn 9000000", "--drawn: more than 1000000"}));
 
 TEST(Campaign, names_every_option_in_its_help) {
     const Outcome run = campaign("--help");
@@ -93,8 +104,27 @@ TEST(Campaign, shows_what_was_flown_in_a_table_and_on_a_page) {
     const std::string page = contents(out / "campaign.html");
     EXPECT_THAT(page, HasSubstr("every flight completed"));
     EXPECT_THAT(page, Not(HasSubstr(" src=")));
+    EXPECT_THAT(contents(out / "campaign.json"), HasSubstr("\"kind\": \"planned\""));
     EXPECT_TRUE(fs::exists(out / "flights/foam_trainer-first_flight-calm-4/summary.json"));
     EXPECT_FALSE(fs::exists(out / "flights/foam_trainer-first_flight-calm-4/flight.csv"));
+}
+
+TEST(Campaign, writes_of_drawn_worlds_what_was_drawn_and_leaves_the_report) {
+    const fs::path out = folder("drawn");
+    const Outcome run = campaign("--drawn 2-2 --out " + out.string());
+
+    EXPECT_LE(run.status, 1) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("every limit is met by"));
+    const auto json = nlohmann::json::parse(contents(out / "campaign.json"));
+    EXPECT_EQ(json["kind"], "drawn");
+    const auto& flight = json["flights"].at(0);
+    EXPECT_EQ(flight["seed"], 2);
+    EXPECT_GT(flight["world"]["mass_kg"], 0.5);
+    EXPECT_EQ(flight["world"].size(), json["drawn"].size());
+    EXPECT_EQ(flight["report"], "flights/drawn-2/report.html");
+    EXPECT_TRUE(fs::exists(out / "flights/drawn-2/report.html"));
+    EXPECT_FALSE(fs::exists(out / "flights/drawn-2/flight.csv"));
+    EXPECT_THAT(contents(out / "campaign.html"), HasSubstr("\"kind\":\"drawn\""));
 }
 
 // A signal before the end: whatever was flown until then, the campaign is not reported as complete.

@@ -5,7 +5,6 @@
 
 using namespace simulator;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 namespace {
@@ -55,13 +54,6 @@ TEST(Spreads, leave_out_a_figure_that_a_group_does_not_have) {
     lost.figures.clear();
     lost.failure = "crashed";
     EXPECT_THAT(spreadsOf({lost}), IsEmpty());
-    EXPECT_THAT(campaignPage({lost, flown(2, 1)}, 2, 1), HasSubstr("crashed"));
-}
-
-TEST(Page, has_the_goals_and_every_flight_with_its_command) {
-    const std::string page = campaignPage({flown(1, 1), flown(2, 1)}, 2, 1);
-    EXPECT_THAT(page, HasSubstr("\"figure\":\"crosstrack_rms_m\""));
-    EXPECT_THAT(page, HasSubstr("toolchain/fly --native --airplane foam_trainer --seed 2"));
 }
 
 TEST(Result, has_the_touch_down_apart_from_the_figures) {
@@ -71,15 +63,6 @@ TEST(Result, has_the_touch_down_apart_from_the_figures) {
     ASSERT_TRUE(result.touchdown);
     EXPECT_EQ(result.touchdown->first, 3);
     EXPECT_EQ(result.figures.count("touchdown_long_m"), 0u);
-}
-
-TEST(Page, distinguishes_an_interrupted_campaign_from_a_whole_one) {
-    EXPECT_THAT(campaignPage({flown(1, 1), flown(2, 1)}, 2, 1),
-                HasSubstr("every flight completed"));
-    const std::string part = campaignPage({flown(1, 1), flown(2, 1)}, 240, 1);
-    EXPECT_THAT(part, HasSubstr("interrupted: 2 of 240 flights were flown, 0 failed"));
-    EXPECT_THAT(part, testing::Not(HasSubstr("every flight completed")));
-    EXPECT_THAT(campaignPage({}, 240, 1), HasSubstr("interrupted: 0 of 240"));
 }
 
 TEST(Judged, a_flight_that_was_interrupted_was_not_flown) {

@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "simulator/airplane/airplane.hpp"
@@ -60,6 +62,17 @@ TEST(Draw, stays_within_what_owners_have) {
         const double inclination = w.inclination_deg * M_PI / 180;
         EXPECT_GE(w.magnetic_field_mg * std::cos(inclination), 79.9) << seed;
     }
+}
+
+TEST(Draw, says_of_each_world_the_same_values_of_which_none_is_constant) {
+    std::map<std::string, std::set<double>> found;
+    for (uint64_t seed = 1; seed <= 20; ++seed)
+        for (const auto& each : drawnBy(seed).values) {
+            EXPECT_TRUE(std::isfinite(each.value)) << seed << ": " << each.key;
+            found[each.key].insert(each.value);
+        }
+    EXPECT_EQ(found.size(), drawnBy(1).values.size());
+    for (const auto& [key, values] : found) EXPECT_GT(values.size(), 1u) << key;
 }
 
 TEST(Draw, has_receivers_of_every_rate_and_airplanes_that_are_thrown) {
@@ -159,6 +172,13 @@ TEST(DrawnFiles, are_what_was_drawn) {
         EXPECT_NEAR(read[i].latitude_deg, drawn.mission[i].latitude_deg, 1e-7);
         EXPECT_NEAR(read[i].altitude_m, drawn.mission[i].altitude_m, 0.01);
     }
+    const auto json = nlohmann::json::parse(std::ifstream(files.drawn));
+    EXPECT_EQ(json["format"], "apm-drawn");
+    EXPECT_EQ(json["seed"], 3);
+    EXPECT_EQ(json["about"], drawn.about);
+    ASSERT_EQ(json["values"].size(), drawn.values.size());
+    EXPECT_EQ(json["values"][0]["key"], "mass_kg");
+    EXPECT_EQ(json["values"][0]["value"], drawn.airplane.mass_kg);
     std::filesystem::remove_all(folder);
 }
 
