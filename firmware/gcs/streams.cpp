@@ -119,7 +119,8 @@ inline uint8_t rate(uint8_t own_rate, const Rates& rates, uint8_t row) {
 
 bool ratesHaveChanged(const Link& link) {
     const StreamRates& now = parameters.streams[linkNumber(link)];
-    return link.streams.rates_stale || memcmp(&link.streams.worked_out_of, &now, sizeof now) != 0;
+    return !link.streams.rates_worked_out ||
+           memcmp(&link.streams.worked_out_of, &now, sizeof now) != 0;
 }
 
 void workOutRates(Link& link) {
@@ -128,7 +129,7 @@ void workOutRates(Link& link) {
     for (uint8_t row = 0; row < kOutgoingRows; ++row)
         streams.rate[row] = rate(streams.own_rate[row], rates, row);
     streams.worked_out_of = parameters.streams[linkNumber(link)];
-    streams.rates_stale = false;
+    streams.rates_worked_out = true;
 }
 
 // Time that passes while a message waits for room counts for its next one. 1: it has become due.
@@ -173,7 +174,7 @@ void requestOnAll(uint16_t message_id) {
 }  // namespace
 
 void streamsStart(Link& link) {
-    link.streams.rates_stale = true;
+    link.streams.rates_worked_out = false;
     for (uint8_t row = 0; row < kOutgoingRows; ++row) {
         link.streams.own_rate[row] = kFollowStream;
         // spread, so that messages of one rate do not all fall into one turn
@@ -256,7 +257,7 @@ bool setStreamRate(Link& link, uint8_t mav_data_stream, uint16_t rate_hz) {
 bool setInterval(Link& link, uint8_t row, int32_t interval_us) {
     constexpr int32_t kSecond_us = 1000000;
     if (row == kHeartbeatRow) return interval_us == 0 || interval_us == kSecond_us;  // always
-    link.streams.rates_stale = true;
+    link.streams.rates_worked_out = false;
     uint8_t& own = link.streams.own_rate[row];
     if (interval_us == 0) {
         own = kFollowStream;

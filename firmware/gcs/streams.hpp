@@ -22,7 +22,7 @@ struct Streams {
     uint8_t own_rate[kOutgoingRows] = {};   // kFollowStream, kNever, or the row's own rate
     uint8_t rate[kOutgoingRows] = {};       // what comes of it and of the parameters
     state::StreamRates worked_out_of = {};  // these parameters
-    bool rates_stale = true;
+    bool rates_worked_out = false;
     uint8_t phase[kOutgoingRows] = {};  // grows by the rate each turn; due from kDue on
     uint8_t due = 0;                    // how many rows are
     uint8_t last_row = 0;               // the one sent last, so that no row starves another

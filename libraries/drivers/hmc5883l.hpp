@@ -38,8 +38,8 @@ private:
     void fail(uint32_t now_ms);
 
     core::Vector3 field_mg_ = {0, 0, 0};
-    float scale_[3] = {1, 1, 1};  // mG a count
-    float measured_[3] = {};      // self-test sums
+    float scale_[3] = {};     // mG a count, by the self-test
+    float measured_[3] = {};  // its sums
     uint32_t since_ms_ = 0;
     uint32_t good_ms_ = 0;
     uint16_t wait_ms_ = 0;

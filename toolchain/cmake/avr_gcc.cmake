@@ -12,4 +12,5 @@ set(CMAKE_OBJDUMP avr-objdump)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_CXX_FLAGS_INIT "-mmcu=atmega2560 -DF_CPU=16000000UL -fno-exceptions -fno-rtti -fno-threadsafe-statics -ffunction-sections -fdata-sections")
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-mmcu=atmega2560 -Wl,--gc-sections")
+# variables by their alignment: what is aligned to 256 bytes leaves one gap in the RAM, not several
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-mmcu=atmega2560 -Wl,--gc-sections -Wl,--sort-section=alignment")
