@@ -31,7 +31,7 @@ core::FileState<Watch> watch{};
 // The elevator is the loop's alone.
 bool holdsElevator() {
     if (vehicle.sticks == Sticks::on_top) return vehicle.radio.pitch_cd == 0;
-    return vehicle.sticks == Sticks::nothing && vehicle.mode != Mode::autotune;
+    return vehicle.sticks == Sticks::nothing;
 }
 
 bool flares() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stalls, in every mode whose elevator is the firmware's (STALL_PREVENTION): attitude control lets
-// the nose fall and pulls out gently. Not near the ground, in a take-off, upside down, in AUTOTUNE,
-// or where the pilot's stick is the elevator.
+// the nose fall and pulls out gently. Not near the ground, in a take-off, upside down, or where the
+// pilot's stick is the elevator.
 #pragma once
 #include "control/stall.hpp"
 #include "core/file_state.hpp"
