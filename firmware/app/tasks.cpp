@@ -99,6 +99,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { medium, fuseFixPosition,         5,     1,    1220 },
     { medium, fuseFixWind,             5,     1,     570 },
     { medium, fuseFixHeight,           5,     0,     460 },
+    { medium, learnGpsDelay,           5,     4,     520 },
     { medium, fuseCompass,            20,    11,    1210 },
     { medium, fuseAirspeed,           20,    19,    1200 },
     { medium, telemetrySend,           2,     0,    1100 },

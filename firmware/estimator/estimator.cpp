@@ -8,6 +8,7 @@
 #include "estimation/atmosphere.hpp"
 #include "estimation/attitude.hpp"
 #include "estimation/barometer_drift.hpp"
+#include "estimation/gps_delay.hpp"
 #include "estimation/height.hpp"
 #include "estimation/position.hpp"
 #include "estimation/wind.hpp"
@@ -47,6 +48,8 @@ core::FileState<estimation::Height> height{};
 core::FileState<estimation::BarometerDrift> barometer_drift{};
 core::FileState<estimation::Position> position{};
 core::FileState<estimation::Wind> wind{};
+core::FileState<estimation::FixComparison> fix_comparison{};
+core::FileState<estimation::GpsDelay> gps_delay{};
 
 struct Motion {
     bool started;
@@ -107,7 +110,7 @@ estimation::AttitudeSettings attitudeSettings() {
 // Each use of a fix has a row of its own, because all of them cost too much for one. True: this use
 // has not been made of the newest fix.
 struct FixUses {
-    bool position, wind, height;
+    bool position, wind, height, delay;
 };
 core::FileState<FixUses> fix_for{};
 
@@ -125,7 +128,9 @@ bool runs() { return motion.started && vehicle.imu.calibrated; }
 
 // Since its bytes arrived a fix has aged.
 float gpsAge_s(uint32_t now_ms) {
-    return (now_ms - vehicle.gps.received_ms + vehicle.gps.age_ms) * 0.001f;
+    const uint32_t waited_ms = now_ms - vehicle.gps.received_ms;
+    if (parameters.gps_delay_ms > 0) return (waited_ms + parameters.gps_delay_ms) * 0.001f;
+    return (waited_ms + vehicle.gps.age_ms) * 0.001f + gps_delay.correction_s();
 }
 
 // The last bits of the place change even while the velocity does not.
@@ -449,8 +454,14 @@ void fuseFixAttitude() {
     newest_fix.ms = now_ms;
     estimation::AttitudeSettings settings = attitudeSettings();
     settings.gps_age_s = gpsAge_s(now_ms);
-    attitude.useGps(vehicle.gps.velocity_mps, settings);
-    fix_for = {true, true, true};
+    attitude.useGps(vehicle.gps.velocity_mps, settings, fix_comparison);
+    fix_for = {true, true, true, parameters.gps_delay_ms == 0};
+}
+
+void learnGpsDelay() {
+    if (!fix_for.delay || !runs()) return;
+    fix_for.delay = false;
+    if (fix_comparison.whole()) gps_delay.learn(fix_comparison, gps_delay.correction_s());
 }
 
 void fuseFixPosition() {

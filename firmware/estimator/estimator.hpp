@@ -26,8 +26,9 @@ void fuseFixAttitude();  // 20 Hz, as the next three: the newest fix to the atti
 void fuseFixPosition();
 void fuseFixWind();
 void fuseFixHeight();
-void fuseCompass();   // 5 Hz
-void fuseAirspeed();  // 5 Hz: holds the attitude while there are no fixes
+void learnGpsDelay();  // 20 Hz, after the attitude: by how much fixes are older than GPS_TYPE says
+void fuseCompass();    // 5 Hz
+void fuseAirspeed();   // 5 Hz: holds the attitude while there are no fixes
 
 core::Vector3 gyroDrift_rads();  // learnt in flight, on top of the calibration
 

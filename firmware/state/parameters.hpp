@@ -106,6 +106,7 @@ struct Parameters {
     int8_t airspeed_enable, airspeed_use;
     float airspeed_ratio;
     int8_t gps_type;
+    int16_t gps_delay_ms;  // 0: by the receiver, and learnt in turns
     int8_t compass_use, compass_auto_declination, compass_learn;
     int8_t compass_external, compass_orientation;  // orientation: drivers/orientation.hpp
     float compass_offset_mg[3];

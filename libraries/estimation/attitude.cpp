@@ -362,7 +362,8 @@ void Attitude::learnForce(int32_t& bias, float missing_mss) {
     accumulate(bias, -steps(missing_mss, kMaxForceStep_mss, kSteps), kMax);
 }
 
-void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings) {
+void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings,
+                      FixComparison& seen) {
     catchUp();
     // what has been measured since is not in the history yet
     const VelocityHistory::Moment then =
@@ -370,10 +371,15 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
     const VelocityHistory::Moment ground = VelocityHistory::moment(velocity_mps.x, velocity_mps.y);
     const float time_s = since_fix_ * kSamplePeriod_s;
     if (phase_ != Phase::falling && time_s < kMaxTime_s && time_s > 0.05f) {
-        const core::Vector3 seen = VelocityHistory::difference_mps(ground, fix_ground_);
+        const core::Vector3 flown = VelocityHistory::difference_mps(ground, fix_ground_);
         const core::Vector3 measured = VelocityHistory::difference_mps(then, fix_);
         const float inverse = 1.0f / time_s;
-        correct(asTilt_mss((seen - measured) * inverse), measured * inverse, time_s, true);
+        const core::Vector3 missing_mss = (flown - measured) * inverse;
+        const core::Vector3 mean_mss = measured * inverse;
+        seen.add(missing_mss, mean_mss, inverse);
+        correct(asTilt_mss(missing_mss), mean_mss, time_s, true);
+    } else {
+        seen = {};
     }
     fix_ = then;
     fix_ground_ = ground;

@@ -11,6 +11,7 @@
 
 #include "core/maths.hpp"
 #include "estimation/compass_field.hpp"
+#include "estimation/gps_delay.hpp"
 #include "estimation/motion.hpp"
 #include "estimation/velocity_history.hpp"
 
@@ -60,7 +61,9 @@ public:
     bool useCompass(const core::Vector3& reading_mg, const AttitudeSettings& settings);
 
     // Once for every fix: north, east, down. Without a compass its course gives the first heading.
-    void useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings);
+    // What it showed against the accelerometers is added to `seen`.
+    void useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings,
+                FixComparison& seen);
 
     // While the compass is lost, with every fix: the velocity through the air, which is along the
     // nose.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the accelerometers have summed up to, now and over the last third of a second, so that a fix
-// can be compared with its own time. Millimetres a second in 16 bits that wrap: only differences
+// What the accelerometers have summed up to, now and over the last 0.6 s, so that a fix can be
+// compared with its own time. Millimetres a second in 16 bits that wrap: only differences
 // below 32 m/s mean anything.
 #pragma once
 #include <stdint.h>
@@ -28,7 +28,7 @@ public:
 
     static constexpr uint8_t kStepPeriods = 8;
     static constexpr float kStep_s = kStepPeriods * kSamplePeriod_s;
-    static constexpr uint8_t kEntries = 9;
+    static constexpr uint8_t kEntries = 16;
     static constexpr float kLongest_s = kStep_s * (kEntries - 1);
 
 private:

@@ -28,6 +28,7 @@ const remarks = {
   fuseFixPosition: 'the newest fix to place and speed',
   fuseFixWind: 'the newest fix to the wind',
   fuseFixHeight: 'the newest fix to the height, and whether the barometer fits it',
+  learnGpsDelay: 'by how much fixes are older than their receiver is known for, from turns',
   fuseCompass: 'the newest compass field to the heading',
   fuseAirspeed: 'holds the attitude by the airspeed while there are no fixes',
   runMode: 'the work of the present flight mode: sticks to demands',

@@ -64,6 +64,7 @@ estimation::Motion motion(const core::Vector3& rate_rads, const core::Vector3& f
 // The estimator fed as the firmware feeds it: 100 Hz of pairs of samples, compass and GPS 5 Hz.
 Figures fly(Flight& flight, const Sources& sources, Attitude& attitude) {
     AttitudeSettings settings;
+    estimation::FixComparison seen;
     settings.use_compass = sources.compass;
     estimation::Still still;
     Figures figures;
@@ -93,7 +94,7 @@ Figures fly(Flight& flight, const Sources& sources, Attitude& attitude) {
             if (wrong_for_s > 0 && wrong_for_s < 2)
                 for (double* part : {&velocity.x, &velocity.y})
                     *part += sources.wrong_mps * std::normal_distribution<>()(flight.random());
-            attitude.useGps(flight::single(velocity), settings);
+            attitude.useGps(flight::single(velocity), settings, seen);
         }
         if (frame % 20 == 4 + sources.fix_quarter && !gps) {
             attitude.useAirspeed(sources.airspeed ? static_cast<float>(flight.airspeed_mps()) : 0);
