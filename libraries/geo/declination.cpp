@@ -8,15 +8,22 @@ namespace geo {
 namespace {
 
 // Angles in 65536e-7 degrees: sixteen bits, 700 m.
-constexpr int16_t kEdge = 9155, kHalfTurn = 27466;  // 60 and 180 degrees
-constexpr uint16_t kPart = 10995;                   // 65536 * 256 / such angles in 10 degrees
+constexpr int16_t kEdge = 10681, kHalfTurn = 27466;  // 70 and 180 degrees
+constexpr uint16_t kPart = 10995;                    // 65536 * 256 / such angles in 10 degrees
 constexpr uint8_t kLastRow = kDeclinationRows - 1;
-constexpr int8_t kScale = 32;  // of the numbers in between
+constexpr int8_t kScale = 16;  // of the numbers in between
 
 int16_t coarse(int32_t angle_e7) { return static_cast<int16_t>(angle_e7 >> 16); }
 // The place in the table below or left of it, and 256ths of the way to the next.
 uint16_t inTable(int16_t angle, int16_t from) {
     return static_cast<uint16_t>((uint32_t{static_cast<uint16_t>(angle + from)} * kPart) >> 16);
+}
+
+// In 5/8 / kScale degrees. The first row is near the magnetic pole and has double steps.
+int16_t scaledAt(uint8_t row, uint8_t column) {
+    const int16_t scaled =
+        core::romRead(kDeclinations[row * kDeclinationColumns + column]) * kScale;
+    return row == 0 ? 2 * scaled : scaled;
 }
 
 int16_t part(int16_t of, uint8_t f) { return static_cast<int16_t>((int32_t{of} * f) >> 8); }
@@ -56,16 +63,16 @@ int16_t declination_cd(const Position& position) {
         for (uint8_t j = 0; j < 4; ++j) {
             uint8_t at = column + j + kDeclinationColumns - 1;
             while (at >= kDeclinationColumns) at -= kDeclinationColumns;
-            places[j] = core::romRead(kDeclinations[from * kDeclinationColumns + at]) * kScale;
+            places[j] = scaledAt(from, at);
         }
         rows[i] = between(places, across & 0xFF);
     }
     // beyond its edges the table goes straight on
     if (row == 0) rows[0] = 2 * rows[1] - rows[2];
     if (row + 2 > kLastRow) rows[3] = 2 * rows[2] - rows[1];
-    // from 5/8 / kScale degrees: times 125 / 64
+    // from 5/8 / kScale degrees: times 125 / 32
     const int16_t fine = between(rows, up & 0xFF);
-    return static_cast<int16_t>(2 * fine - (3 * fine >> 6));
+    return static_cast<int16_t>(4 * fine - (3 * fine >> 5));
 }
 
 }  // namespace geo

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Magnetic declination in 5/8 degrees every 10 degrees, from 60 S northwards and from 180 W
-// eastwards, at sea level in mid-2027. Made by toolchain/declination from the World Magnetic Model
-// 2025 of NOAA NCEI and the British Geological Survey: do not edit.
+// Magnetic declination in 5/8 degrees (at 70 S in 5/4, where it is larger: at most 158) every 10
+// degrees, from 70 S northwards and from 180 W eastwards, at sea level in mid-2027. Made by
+// toolchain/declination from the World Magnetic Model 2025 of NOAA NCEI and the British Geological
+// Survey: do not edit.
 #pragma once
 #include <stdint.h>
 
@@ -9,10 +10,14 @@
 
 namespace geo {
 
-constexpr uint8_t kDeclinationRows = 13, kDeclinationColumns = 36;
+constexpr uint8_t kDeclinationRows = 15, kDeclinationColumns = 36;
 
 // clang-format off
 constexpr int8_t kDeclinations[] ROM = {
+    // -70
+    69, 62, 57, 53, 49, 45, 41, 37, 32, 28, 23, 18,
+    13, 8, 3, -1, -6, -11, -17, -23, -29, -36, -43, -49,
+    -56, -62, -69, -76, -83, -92, -104, -122, 127, 110, 90, 77,
     // -60
     78, 76, 73, 70, 68, 65, 62, 58, 52, 45, 35, 25,
     15, 6, -2, -9, -15, -23, -33, -44, -56, -69, -81, -93,
@@ -65,6 +70,10 @@ constexpr int8_t kDeclinations[] ROM = {
     1, 8, 16, 22, 27, 29, 27, 20, 7, -10, -24, -33,
     -35, -33, -28, -21, -14, -6, 1, 8, 14, 20, 24, 28,
     29, 27, 21, 10, -3, -15, -23, -25, -24, -20, -14, -7,
+    // 70
+    -3, 6, 14, 21, 27, 29, 27, 18, 0, -22, -38, -46,
+    -47, -43, -36, -28, -19, -9, 1, 10, 19, 28, 36, 42,
+    46, 46, 40, 25, 5, -15, -26, -31, -29, -25, -18, -11,
 };
 static_assert(sizeof kDeclinations == kDeclinationRows * kDeclinationColumns, "");
 

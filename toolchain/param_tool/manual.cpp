@@ -51,7 +51,7 @@ With `COMPASS_AUTODEC` 1 the declination comes from a table of the World Magneti
 NCEI and British Geological Survey), for the middle of 2027, once there is a 3D fix. `COMPASS_DEC`
 then shows the value in use; the value that was stored there counts while `COMPASS_AUTODEC` is 0. Between
 60 S and 60 N the table is within a degree of the model, but for the seas within 30 degrees of the
-southern magnetic pole (64 S, 135 E); beyond 60 degrees it gives the declination of the 60th parallel.
+southern magnetic pole (64 S, 135 E); up to 70 degrees within 1.2; beyond that it gives the 70th parallel's.
 The model's year is the table's: `toolchain/declination` makes it from NOAA's file of coefficients.
 
 ## Files

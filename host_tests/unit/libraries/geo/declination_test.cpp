@@ -46,10 +46,20 @@ double fromPole_deg(double latitude_deg, double longitude_deg) {
 }
 
 template <class Visit>
-void everywhere(Visit visit) {
-    for (double latitude = -60; latitude <= 60; latitude += 0.5)
+void everywhere(Visit visit, double from_equator_deg = 60) {
+    for (double latitude = -from_equator_deg; latitude <= from_equator_deg; latitude += 0.5)
         for (double longitude = -180; longitude <= 180; longitude += 0.75)
             visit(latitude, longitude);
+}
+
+double worstWithin70_deg(bool (*counts)(double latitude_deg, double longitude_deg)) {
+    double worst_deg = 0;
+    const auto visit = [&](double latitude, double longitude) {
+        if (counts(latitude, longitude))
+            worst_deg = std::max(worst_deg, error_deg(latitude, longitude));
+    };
+    everywhere(visit, 70);
+    return worst_deg;
 }
 
 // WMM2025_TestValues.txt, published with the model by NOAA NCEI: every third of its rows.
@@ -111,23 +121,37 @@ TEST(DeclinationTable, is_accurate_wherever_a_compass_is_usable) {
     EXPECT_LT(worst_deg, 10.0);
 }
 
-TEST(DeclinationTable, has_no_seam_and_no_step) {
-    everywhere([&](double latitude, double longitude) {
-        if (fromPole_deg(latitude, longitude) < 30) return;
-        const int here_cd = geo::declination_cd(place(latitude, longitude));
-        const double east = longitude + 0.01 > 180 ? longitude - 359.99 : longitude + 0.01;
-        ASSERT_NEAR(geo::declination_cd(place(latitude, east)), here_cd, 15);
-        const double north = std::min(latitude + 0.01, 59.99);
-        ASSERT_NEAR(geo::declination_cd(place(north, longitude)), here_cd, 15);
-    });
+TEST(DeclinationTable, goes_to_70_degrees_as_exactly_but_near_the_poles) {
+    const auto far_from_pole = [](double latitude, double longitude) {
+        return fromPole_deg(latitude, longitude) >= 30;
+    };
+    EXPECT_LT(worstWithin70_deg(far_from_pole), 1.2);
+    // As weak as the level field may be where drawn airplanes fly.
+    const auto compass_is_good = [](double latitude, double longitude) {
+        return model().at(latitude, longitude, 0, declination::kTableYear).horizontal_nt() >= 8000;
+    };
+    EXPECT_LT(worstWithin70_deg(compass_is_good), 5);
 }
 
-TEST(DeclinationTable, goes_on_with_its_last_row_beyond_60_degrees) {
+TEST(DeclinationTable, has_no_seam_and_no_step) {
+    everywhere(
+        [&](double latitude, double longitude) {
+            if (fromPole_deg(latitude, longitude) < 30) return;
+            const int here_cd = geo::declination_cd(place(latitude, longitude));
+            const double east = longitude + 0.01 > 180 ? longitude - 359.99 : longitude + 0.01;
+            ASSERT_NEAR(geo::declination_cd(place(latitude, east)), here_cd, 15);
+            const double north = std::min(latitude + 0.01, 69.99);
+            ASSERT_NEAR(geo::declination_cd(place(north, longitude)), here_cd, 15);
+        },
+        70);
+}
+
+TEST(DeclinationTable, goes_on_with_its_last_row_beyond_70_degrees) {
     for (const double longitude : {-180.0, -71.3, 0.0, 12.5, 180.0}) {
         EXPECT_NEAR(geo::declination_cd(place(90, longitude)),
-                    geo::declination_cd(place(59.999, longitude)), 2);
+                    geo::declination_cd(place(69.999, longitude)), 2);
         EXPECT_EQ(geo::declination_cd(place(-90, longitude)),
-                  geo::declination_cd(place(-60, longitude)));
+                  geo::declination_cd(place(-70, longitude)));
     }
 }
 
