@@ -20,7 +20,7 @@ constexpr Region after(Region previous, uint16_t size) { return {previous.end(),
 constexpr bool overlap(Region a, Region b) { return a.begin < b.end() && b.begin < a.end(); }
 
 constexpr uint8_t kParameterSize = 4;
-constexpr uint16_t kParameterSlots = 272;
+constexpr uint16_t kParameterSlots = 256;  // a table's slot numbers are bytes
 constexpr uint8_t kJournalEntrySize = 8;
 constexpr uint8_t kJournalEntries = 8;
 constexpr uint8_t kHeadSize = 16;
@@ -36,7 +36,8 @@ constexpr uint8_t kIndexEntries = 21;
 // clang-format off
 constexpr Region kHeader      = {0, 16};                                 // magic, layout version
 constexpr Region kParameters  = after(kHeader,      kParameterSlots * kParameterSize);
-constexpr Region kJournal     = after(kParameters,  kJournalEntries * kJournalEntrySize);
+constexpr Region kSigning     = after(kParameters,  64);                 // key and time of signed links
+constexpr Region kJournal     = after(kSigning,     kJournalEntries * kJournalEntrySize);
 constexpr Region kMissionHead = after(kJournal,     2 * kHeadSize);
 constexpr Region kMission     = after(kMissionHead, kRecordSlots * kRecordSize);
 constexpr Region kFence       = after(kMission,     kFencePoints * kFenceSize);
@@ -54,8 +55,9 @@ static_assert(kSpare.end() == hal::kEepromSize, "the EEPROM map must account for
 static_assert(!overlap(kParameters, kMission), "a full mission must not reach the parameters");
 static_assert(kIndexEntries * kIndexEntrySize <= kIndex.size, "index entries do not fit");
 static_assert(kHeadSize <= hal::kEepromQueue, "a head is queued in one piece");
-// Fence and rally points came later, into places that were blank until then.
-static_assert(kMission.begin == 1200 && kIndex.begin == 3882 && kHomeAndLog.begin == 3946,
+// Fence and rally points came later, into places that were blank until then, and so did signing.
+static_assert(kJournal.begin == 1104 && kMission.begin == 1200 && kIndex.begin == 3882 &&
+                  kHomeAndLog.begin == 3946,
               "layout 1 has these where its first boards have them");
 
 constexpr uint16_t parameterAddress(uint16_t slot) {

@@ -28,10 +28,10 @@ TEST_F(JournalTest, a_value_is_in_its_slot_after_it_was_written) {
     Journal journal;
     ASSERT_EQ(journal.recover(), Status::ok);
 
-    ASSERT_EQ(journal.write(271, 0x12345678), Status::ok);
+    ASSERT_EQ(journal.write(255, 0x12345678), Status::ok);
 
-    EXPECT_EQ(slot(271), 0x12345678u);
-    EXPECT_EQ(slot(270), 0xFFFFFFFFu);
+    EXPECT_EQ(slot(255), 0x12345678u);
+    EXPECT_EQ(slot(254), 0xFFFFFFFFu);
 }
 
 TEST_F(JournalTest, a_slot_outside_the_region_is_refused) {
@@ -39,8 +39,8 @@ TEST_F(JournalTest, a_slot_outside_the_region_is_refused) {
     ASSERT_EQ(journal.recover(), Status::ok);
     uint32_t value;
 
-    EXPECT_EQ(journal.write(272, 1), Status::bad_argument);
-    EXPECT_EQ(storage::readSlot(272, value), Status::bad_argument);
+    EXPECT_EQ(journal.write(256, 1), Status::bad_argument);
+    EXPECT_EQ(storage::readSlot(256, value), Status::bad_argument);
     EXPECT_EQ(fakes::eepromWrites(), 0u);
 }
 
