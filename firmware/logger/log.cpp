@@ -344,7 +344,7 @@ uint16_t readBase() {
 bool keepBase(uint16_t base) {
     storage::Owner owner;
     if (storage::findOwner(owner) != core::Status::ok) return false;
-    if (owner != storage::Owner::us) return true;  // not to be written to
+    if (owner != storage::Owner::ours) return true;  // not to be written to
     const Base stored = {base, static_cast<uint16_t>(~base)};
     return hal::eepromWrite(kBaseAddress, &stored, sizeof stored) == core::Status::ok;
 }

@@ -53,9 +53,9 @@ constexpr MissionResult kResults[] ROM = {
 };
 
 // What was committed in the DataFlash goes home to the EEPROM when nothing else is to be done.
-void settle() {
+void migrate() {
     if (fenceLineWaits()) return;
-    const Status status = mission_store.settle();
+    const Status status = mission_store.migrateToEeprom();
     if (status != Status::ok && status != Status::busy)
         sendStatusText(Severity::error, ROM_TEXT("EEPROM is worn: lists stay in the DataFlash"));
 }
@@ -80,7 +80,7 @@ void listsRun() {
             if (missionCompared()) finish(MissionResult::accepted);
             return;
         default:
-            return settle();
+            return migrate();
     }
 }
 

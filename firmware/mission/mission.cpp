@@ -155,13 +155,13 @@ Status findStoredMission() {
     storage::Owner owner;
     const Status status = storage::findOwner(owner);
     if (status != Status::ok) return status;
-    if (owner == storage::Owner::nobody) {
+    if (owner == storage::Owner::blank) {
         const Status claimed = storage::claim();
         if (claimed == Status::ok)
             sendStatusText(Severity::notice, ROM_TEXT("EEPROM blank: defaults"));
         return claimed;
     }
-    if (owner == storage::Owner::us) return Status::ok;
+    if (owner == storage::Owner::ours) return Status::ok;
     sendStatusText(Severity::error, ROM_TEXT("EEPROM belongs to other firmware"));
     run.boot = Boot::foreign;
     return Status::unsupported;

@@ -28,7 +28,7 @@ Status write(uint16_t at, const void* from, uint8_t size) {
     storage::Owner owner;
     const Status status = storage::findOwner(owner);
     if (status != Status::ok) return status;
-    if (owner != storage::Owner::us) return Status::ok;  // not to be written to
+    if (owner != storage::Owner::ours) return Status::ok;  // not to be written to
     return hal::eepromWrite(at, from, size);
 }
 

@@ -433,7 +433,7 @@ core::Status parametersLoad() {
     core::Status status = storage::findOwner(owner);
     if (status != core::Status::ok) return status;
     // what another firmware left is not read as ours, and not written over unless asked for
-    if (owner == storage::Owner::stranger || owner == storage::Owner::other_version) {
+    if (owner == storage::Owner::foreign || owner == storage::Owner::other_version) {
         background.store = Store::foreign;
         assignInitials();
         return core::Status::ok;

@@ -75,7 +75,7 @@ void saveLater(uint8_t index) {
 }
 
 void saveWaiting(const Table& table) {
-    journal.settle();
+    journal.applyPending();
     if (!progress.any_waiting) return;
     for (uint8_t i = 0; i < table.count(); ++i) {
         const uint8_t bit = static_cast<uint8_t>(1 << (i % 8));

@@ -35,7 +35,7 @@ bool newer(uint8_t a, uint8_t b) {
 }  // namespace
 
 Status Journal::recover() {
-    if (pending_) return settle() ? Status::ok : Status::busy;
+    if (pending_) return applyPending() ? Status::ok : Status::busy;
     bool found = false;
     for (uint8_t i = 0; i < kJournalEntries; ++i) {
         uint8_t entry[kJournalEntrySize];
@@ -50,12 +50,12 @@ Status Journal::recover() {
         value_ = get32(entry + 2);
     }
     pending_ = found;
-    return settle() ? Status::ok : Status::busy;
+    return applyPending() ? Status::ok : Status::busy;
 }
 
 Status Journal::write(uint16_t slot, uint32_t value) {
     if (slot >= kParameterSlots) return Status::bad_argument;
-    if (!settle()) return Status::busy;
+    if (!applyPending()) return Status::busy;
     const uint8_t place = (newest_ + 1) % kJournalEntries;
     const uint8_t sequence = (sequence_ + 1) & kSequenceMask;
     uint8_t entry[kJournalEntrySize];
@@ -69,11 +69,11 @@ Status Journal::write(uint16_t slot, uint32_t value) {
     slot_ = slot;
     value_ = value;
     pending_ = true;
-    settle();
+    applyPending();
     return Status::ok;
 }
 
-bool Journal::settle() {
+bool Journal::applyPending() {
     if (!pending_) return true;
     uint8_t bytes[kParameterSize];
     put32(bytes, value_);

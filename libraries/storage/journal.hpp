@@ -19,7 +19,7 @@ public:
     MUST_USE core::Status write(uint16_t slot, uint32_t value);
 
     // Finishes what the last write could not yet queue. True when nothing is left over.
-    bool settle();
+    bool applyPending();
 
 private:
     uint8_t newest_ = 0;    // place of the newest entry

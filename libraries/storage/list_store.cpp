@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finding the lists, staging and committing new ones. The copying is in list_settle.cpp.
+// Finding the lists, staging and committing new ones. The copying is in list_migrate.cpp.
 #include "storage/list_store.hpp"
 
 #include "core/crc.hpp"

@@ -44,7 +44,7 @@ public:
     MUST_USE core::Status commit();
     void abort();  // without effect once the head is being written
 
-    // The list before the last commit, until the next begin() or settle().
+    // The list before the last commit, until the next begin() or migrateToEeprom().
     uint8_t previousCount() const { return other_.count; }
     uint8_t previousSet() const { return other_.set; }
     MUST_USE core::Status readPrevious(uint8_t index, uint8_t* to) {
@@ -53,7 +53,7 @@ public:
 
     // Carries the copying on. ok: nothing is to be done. corrupt, once: the EEPROM does not keep
     // what is written; the list stays in the DataFlash.
-    MUST_USE core::Status settle();
+    MUST_USE core::Status migrateToEeprom();
 
     // Whether new lists are staged in the DataFlash.
     bool flashWorks() const;
@@ -65,7 +65,7 @@ private:
         idle,
         copying,
         summing_copy,
-        settling,  // settle()
+        migrating,  // migrateToEeprom()
         filling,
         storing,
         verifying,
@@ -84,8 +84,8 @@ private:
     core::Status storePages();
     core::Status failed(core::Status status);
     core::Status makeDurable();
-    bool findUnsettled();
-    core::Status migrateToEeprom();
+    bool findUnmigrated();
+    core::Status copyRecords();
     core::Status head(const Extent& target, Phase writing);
 
     Extent present_[kListKinds] = {};

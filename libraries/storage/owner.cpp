@@ -61,7 +61,7 @@ Status findOwner(Owner& owner) {
     uint8_t wanted[kOurSize];
     ours(wanted, header[kTraceSize]);
     if (memcmp(header, wanted, sizeof header) == 0) {
-        owner = header[kTraceSize] == kLayoutVersion ? Owner::us : Owner::other_version;
+        owner = header[kTraceSize] == kLayoutVersion ? Owner::ours : Owner::other_version;
         return Status::ok;
     }
     ours(wanted, kLayoutVersion);
@@ -70,7 +70,7 @@ Status findOwner(Owner& owner) {
         const Status scanned = restIsBlank(unused);
         if (scanned != Status::ok) return scanned;
     }
-    owner = unused ? Owner::nobody : Owner::stranger;
+    owner = unused ? Owner::blank : Owner::foreign;
     return Status::ok;
 }
 

@@ -9,17 +9,17 @@
 namespace storage {
 
 enum class Owner : uint8_t {
-    nobody,         // blank
-    us,             // this layout
+    blank,
+    ours,           // this layout
     other_version,  // this firmware, another layout version
-    stranger,
+    foreign,
 };
 
 MUST_USE core::Status findOwner(Owner& owner);  // busy: in a later frame
 MUST_USE core::Status claim();                  // writes our mark; of use on a blank EEPROM only
 
 // Erases everything, a part each call, and claims it; `at` starts at 0. A power cut on the way
-// leaves a stranger's EEPROM, never half of ours.
+// leaves another firmware's EEPROM, never half of ours.
 MUST_USE core::Status erase(uint16_t& at);
 
 }  // namespace storage

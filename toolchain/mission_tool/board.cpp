@@ -32,9 +32,9 @@ Answer whileBusy(Call call) {
 }
 
 void refuseForeign(const Image& image, const std::string& name) {
-    storage::Owner owner = storage::Owner::nobody;
+    storage::Owner owner = storage::Owner::blank;
     (void)whileBusy<Status>([&] { return storage::findOwner(owner); });
-    if (owner == storage::Owner::us || owner == storage::Owner::nobody) return;
+    if (owner == storage::Owner::ours || owner == storage::Owner::blank) return;
     const std::string maker = arduPlaneIn(image);
     if (!maker.empty()) throw WrongInput(name + ": " + maker);
     throw WrongInput(name + (owner == storage::Owner::other_version

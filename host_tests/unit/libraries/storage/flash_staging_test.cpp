@@ -20,7 +20,7 @@ protected:
     uint32_t writesOf(const Mission& wanted) {
         const uint32_t before = fakes::eepromWrites();
         EXPECT_EQ(upload(store, wanted), Status::ok);
-        EXPECT_EQ(settle(store), Status::ok);
+        EXPECT_EQ(migrateToEeprom(store), Status::ok);
         return fakes::eepromWrites() - before;
     }
 
@@ -38,7 +38,7 @@ TEST_F(FlashStaging, what_was_committed_is_there_before_it_is_copied_and_after) 
     const Mission wanted = mission(80, 1);
     ASSERT_EQ(upload(store, wanted), Status::ok);
     EXPECT_EQ(afterRestart(), wanted);
-    EXPECT_EQ(settle(store), Status::ok);
+    EXPECT_EQ(migrateToEeprom(store), Status::ok);
     fakes::removePageFlash();
     EXPECT_EQ(afterRestart(), wanted) << "at home in the EEPROM";
 }
@@ -78,12 +78,12 @@ TEST_F(FlashStaging, an_upload_may_begin_in_the_middle_of_the_copying) {
     fakes::setPageFlashSlow(true);
     ASSERT_EQ(upload(store, mission(90, 1)), Status::ok);
     for (int i = 0; i < 100; ++i) {
-        ASSERT_EQ(store.settle(), Status::busy);
+        ASSERT_EQ(store.migrateToEeprom(), Status::busy);
         fakes::advance_ms(10);
     }
     ASSERT_EQ(upload(store, mission(70, 2)), Status::ok);
     EXPECT_EQ(stored(store), mission(70, 2));
-    EXPECT_EQ(settle(store), Status::ok);
+    EXPECT_EQ(migrateToEeprom(store), Status::ok);
     EXPECT_EQ(stored(store), mission(70, 2));
     EXPECT_EQ(afterRestart(), mission(70, 2));
 }
@@ -91,9 +91,9 @@ TEST_F(FlashStaging, an_upload_may_begin_in_the_middle_of_the_copying) {
 TEST_F(FlashStaging, an_aborted_upload_does_not_keep_the_copying_from_its_end) {
     ASSERT_EQ(upload(store, mission(90, 1)), Status::ok);
     ASSERT_EQ(store.begin(5, 2), Status::ok);
-    EXPECT_EQ(store.settle(), Status::busy);
+    EXPECT_EQ(store.migrateToEeprom(), Status::busy);
     store.abort();
-    EXPECT_EQ(settle(store), Status::ok);
+    EXPECT_EQ(migrateToEeprom(store), Status::ok);
     fakes::removePageFlash();
     EXPECT_EQ(afterRestart(), mission(90, 1));
 }
@@ -101,7 +101,7 @@ TEST_F(FlashStaging, an_aborted_upload_does_not_keep_the_copying_from_its_end) {
 TEST_F(FlashStaging, a_commit_has_another_generation_and_the_copying_has_not) {
     ASSERT_EQ(upload(store, mission(5, 1)), Status::ok);
     const uint8_t first = store.generation();
-    ASSERT_EQ(settle(store), Status::ok);
+    ASSERT_EQ(migrateToEeprom(store), Status::ok);
     EXPECT_EQ(store.generation(), first);
     restart();
     MissionStore reader;
@@ -114,7 +114,7 @@ TEST_F(FlashStaging, a_commit_has_another_generation_and_the_copying_has_not) {
 TEST_F(FlashStaging, a_mission_in_a_lost_chip_is_reported_and_returns_with_the_chip) {
     const Mission wanted = mission(80, 1);
     ASSERT_EQ(upload(store, mission(20, 3)), Status::ok);
-    ASSERT_EQ(settle(store), Status::ok);
+    ASSERT_EQ(migrateToEeprom(store), Status::ok);
     ASSERT_EQ(upload(store, wanted), Status::ok);
     const auto cells = fakes::eepromCells();
     fakes::removePageFlash();
@@ -126,7 +126,7 @@ TEST_F(FlashStaging, a_mission_in_a_lost_chip_is_reported_and_returns_with_the_c
     EXPECT_EQ(which, ListKind::mission);
     EXPECT_EQ(open(without), Status::ok) << "of the other lists";
     EXPECT_EQ(without.count(), 0) << "not the mission before: that was replaced";
-    EXPECT_EQ(settle(without), Status::ok);
+    EXPECT_EQ(migrateToEeprom(without), Status::ok);
     EXPECT_EQ(fakes::eepromCells(), cells);
 
     const auto pages = fakes::flashPages();
@@ -143,7 +143,7 @@ TEST_F(FlashStaging, a_mission_in_a_corrupt_page_is_reported_and_nothing_is_eras
     MissionStore reader;
     EXPECT_EQ(open(reader), Status::corrupt);
     EXPECT_EQ(reader.count(), 0);
-    EXPECT_EQ(settle(reader), Status::ok);
+    EXPECT_EQ(migrateToEeprom(reader), Status::ok);
     EXPECT_EQ(fakes::eepromCells(), cells);
     ASSERT_EQ(upload(reader, mission(30, 2)), Status::ok);
     EXPECT_EQ(afterRestart(), mission(30, 2));
@@ -151,21 +151,21 @@ TEST_F(FlashStaging, a_mission_in_a_corrupt_page_is_reported_and_nothing_is_eras
 
 TEST_F(FlashStaging, records_corrupt_in_the_eeprom_are_read_from_the_dataflash) {
     ASSERT_EQ(upload(store, mission(80, 1)), Status::ok);
-    ASSERT_EQ(settle(store), Status::ok);
+    ASSERT_EQ(migrateToEeprom(store), Status::ok);
     const uint16_t at = storage::recordAddress(50);
     fakes::setEepromCell(at, fakes::eepromCell(at) ^ 0x20);
     restart();
     MissionStore reader;
     EXPECT_EQ(open(reader), Status::ok);
     EXPECT_EQ(stored(reader), mission(80, 1));
-    EXPECT_EQ(settle(reader), Status::ok);
+    EXPECT_EQ(migrateToEeprom(reader), Status::ok);
     fakes::removePageFlash();
     EXPECT_EQ(afterRestart(), mission(80, 1)) << "and are mended";
 }
 
 TEST_F(FlashStaging, a_chip_that_does_not_keep_what_is_written_is_not_used_again) {
     ASSERT_EQ(upload(store, mission(60, 1)), Status::ok);
-    ASSERT_EQ(settle(store), Status::ok);
+    ASSERT_EQ(migrateToEeprom(store), Status::ok);
     ASSERT_EQ(store.begin(80, 2), Status::ok);
     for (const Record& record : mission(80, 2)) {
         ASSERT_EQ(whileBusy([&] { return store.put(record.data()); }), Status::ok);
@@ -184,10 +184,10 @@ TEST_F(FlashStaging, a_chip_that_does_not_keep_what_is_written_is_not_used_again
 TEST_F(FlashStaging, an_eeprom_that_does_not_keep_the_copy_is_reported_once) {
     const Mission wanted = mission(10, 1);
     ASSERT_EQ(upload(store, wanted), Status::ok);
-    for (int i = 0; i < 3; ++i) ASSERT_EQ(store.settle(), Status::busy);
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(store.migrateToEeprom(), Status::busy);
     fakes::setEepromCell(storage::recordAddress(0), 0x55);
-    EXPECT_EQ(settle(store), Status::corrupt);
-    EXPECT_EQ(settle(store), Status::ok);
+    EXPECT_EQ(migrateToEeprom(store), Status::corrupt);
+    EXPECT_EQ(migrateToEeprom(store), Status::ok);
     EXPECT_EQ(stored(store), wanted);
     EXPECT_EQ(afterRestart(), wanted);
 }
@@ -239,7 +239,7 @@ TEST_F(FlashStaging, the_lists_do_not_touch_one_another) {
         EXPECT_EQ(stored(reader), mission(171, 4));
         EXPECT_EQ(stored(reader, ListKind::fence), records(ListKind::fence, 20, 2));
         EXPECT_EQ(stored(reader, ListKind::rally), records(ListKind::rally, 10, 3));
-        ASSERT_EQ(settle(reader), Status::ok);
+        ASSERT_EQ(migrateToEeprom(reader), Status::ok);
         fakes::removePageFlash();
     }
 }
@@ -248,7 +248,7 @@ TEST_F(FlashStaging, the_lists_do_not_touch_one_another) {
 TEST_F(FlashStaging, a_cut_while_the_copying_is_done_again_changes_nothing) {
     const Mission wanted = mission(60, 2);
     ASSERT_EQ(upload(store, mission(50, 1)), Status::ok);
-    ASSERT_EQ(settle(store), Status::ok);
+    ASSERT_EQ(migrateToEeprom(store), Status::ok);
     ASSERT_EQ(upload(store, wanted), Status::ok);
     const auto pages = fakes::flashPages();
     const auto cells = fakes::eepromCells();
@@ -261,7 +261,7 @@ TEST_F(FlashStaging, a_cut_while_the_copying_is_done_again_changes_nothing) {
                 MissionStore writer;
                 ASSERT_EQ(open(writer), Status::ok);
                 fakes::cutPowerAfter(at);
-                (void)settle(writer);
+                (void)migrateToEeprom(writer);
                 restart();
             }
             MissionStore reader;

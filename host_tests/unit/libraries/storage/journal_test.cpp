@@ -98,7 +98,7 @@ TEST_F(JournalTest, nothing_is_lost_while_the_queue_is_full) {
         if (status == Status::busy) ++busy;
         fakes::advance_ms(10);
     }
-    while (!journal.settle()) fakes::advance_ms(10);
+    while (!journal.applyPending()) fakes::advance_ms(10);
     fakes::advance_ms(1000);
     ASSERT_TRUE(hal::eepromDrained());
     fakes::restartEeprom();

@@ -17,16 +17,16 @@ class OwnerTest : public testing::Test {
 protected:
     void SetUp() override { fakes::reset(); }
     static Owner owner() {
-        Owner found = Owner::stranger;
+        Owner found = Owner::foreign;
         EXPECT_EQ(storage::findOwner(found), Status::ok);
         return found;
     }
 };
 
 TEST_F(OwnerTest, a_blank_eeprom_has_no_owner_and_can_be_claimed) {
-    EXPECT_EQ(owner(), Owner::nobody);
+    EXPECT_EQ(owner(), Owner::blank);
     ASSERT_EQ(storage::claim(), Status::ok);
-    EXPECT_EQ(owner(), Owner::us);
+    EXPECT_EQ(owner(), Owner::ours);
 }
 
 TEST_F(OwnerTest, a_claim_that_a_power_cut_broke_can_be_made_again) {
@@ -35,18 +35,18 @@ TEST_F(OwnerTest, a_claim_that_a_power_cut_broke_can_be_made_again) {
         fakes::cutPowerAfter(cut);
         ASSERT_EQ(storage::claim(), Status::ok);
         fakes::restartEeprom();
-        EXPECT_EQ(owner(), Owner::nobody) << cut;
+        EXPECT_EQ(owner(), Owner::blank) << cut;
     }
 }
 
 TEST_F(OwnerTest, data_of_arduplane_and_a_blank_header_before_old_data_belong_to_other_firmware) {
     const uint8_t arduplane[] = {0x41, 0x50, 0x06, 0x00};
     ASSERT_EQ(hal::eepromWrite(0, arduplane, 4), Status::ok);
-    EXPECT_EQ(owner(), Owner::stranger);
+    EXPECT_EQ(owner(), Owner::foreign);
 
     fakes::resetEeprom();
     fakes::setEepromCell(4000, 1);
-    EXPECT_EQ(owner(), Owner::stranger);
+    EXPECT_EQ(owner(), Owner::foreign);
 }
 
 TEST_F(OwnerTest, another_layout_version_of_ours_is_recognised_as_such) {
@@ -58,7 +58,7 @@ TEST_F(OwnerTest, another_layout_version_of_ours_is_recognised_as_such) {
     EXPECT_EQ(owner(), Owner::other_version);
 
     fakes::setEepromCell(5, fakes::eepromCell(5) ^ 1);
-    EXPECT_EQ(owner(), Owner::stranger) << "its CRC is wrong";
+    EXPECT_EQ(owner(), Owner::foreign) << "its CRC is wrong";
 }
 
 TEST_F(OwnerTest, erasing_on_demand_makes_it_ours_and_a_cut_on_the_way_does_not_make_half_of_it) {
@@ -71,12 +71,12 @@ TEST_F(OwnerTest, erasing_on_demand_makes_it_ours_and_a_cut_on_the_way_does_not_
         uint16_t at = 0;
         ASSERT_EQ(storage::erase(at), Status::ok);
         fakes::restartEeprom();
-        EXPECT_EQ(owner(), Owner::stranger) << cut;
+        EXPECT_EQ(owner(), Owner::foreign) << cut;
     }
     fakes::setEepromCells(before);
     uint16_t at = 0;
     ASSERT_EQ(storage::erase(at), Status::ok);
-    EXPECT_EQ(owner(), Owner::us);
+    EXPECT_EQ(owner(), Owner::ours);
     EXPECT_EQ(fakes::eepromCell(2000), 0xFF);
 }
 

@@ -91,7 +91,7 @@ protected:
             ASSERT_EQ(upload(store, earlier, 2, change.kind), Status::ok);
         }
         ASSERT_EQ(upload(store, change.before, 2, change.kind), Status::ok);
-        ASSERT_EQ(settle(store), Status::ok);
+        ASSERT_EQ(migrateToEeprom(store), Status::ok);
         ASSERT_EQ(upload(store, bystander(change), 2, otherKind(change)), Status::ok);
     }
 
@@ -114,7 +114,7 @@ protected:
             const bool now = isNew(store, change, cut);
             if (boot == 0) is_new = now;
             ASSERT_EQ(now, is_new) << "another one after another start";
-            ASSERT_EQ(settle(store), Status::ok);
+            ASSERT_EQ(migrateToEeprom(store), Status::ok);
             ASSERT_EQ(isNew(store, change, cut), is_new);
             ASSERT_EQ(stored(store, otherKind(change)), bystander(change));
             restart();
@@ -124,7 +124,7 @@ protected:
         MissionStore store;  // and life goes on
         ASSERT_EQ(open(store), Status::ok);
         ASSERT_EQ(upload(store, change.after, 2, change.kind), Status::ok);
-        ASSERT_EQ(settle(store), Status::ok);
+        ASSERT_EQ(migrateToEeprom(store), Status::ok);
         ASSERT_EQ(stored(store, change.kind), change.after);
     }
 
@@ -140,7 +140,7 @@ protected:
             ASSERT_EQ(open(writer), Status::ok);
             fakes::cutPowerAfter(static_cast<uint32_t>(at));
             (void)change.make(writer, change);
-            if (!fakes::powerWasCut()) (void)settle(writer);
+            if (!fakes::powerWasCut()) (void)migrateToEeprom(writer);
             const bool was_cut = fakes::powerWasCut();
             restart();
             if (!was_cut) break;

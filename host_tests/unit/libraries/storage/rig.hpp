@@ -80,8 +80,8 @@ inline Status partial(MissionStore& store, uint8_t first, uint8_t last, const Mi
     return whileBusy([&] { return store.commit(); });
 }
 
-inline Status settle(MissionStore& store) {
-    return whileBusy([&] { return store.settle(); });
+inline Status migrateToEeprom(MissionStore& store) {
+    return whileBusy([&] { return store.migrateToEeprom(); });
 }
 
 inline Mission stored(MissionStore& store, ListKind kind = ListKind::mission) {

@@ -20,7 +20,7 @@ Extent inEeprom(Extent extent) {
 
 }  // namespace
 
-bool ListStore::findUnsettled() {
+bool ListStore::findUnmigrated() {
     for (uint8_t i = 0; i < kListKinds; ++i) {
         if (present_[i].place == Place::eeprom) continue;
         kind_ = static_cast<ListKind>(i);
@@ -31,7 +31,7 @@ bool ListStore::findUnsettled() {
 
 // Begins when the EEPROM has nothing else to do, and leaves room behind it for others. Bytes that
 // are the same already take no time, so records go on while there is room.
-Status ListStore::migrateToEeprom() {
+Status ListStore::copyRecords() {
     if (!hal::eepromDrained()) return Status::busy;
     const Extent target = inEeprom(present());
     for (uint8_t n = 0; n < kCopiedPerCall && put_ < target.count; ++n, ++put_) {
@@ -47,14 +47,14 @@ Status ListStore::migrateToEeprom() {
     return Status::busy;
 }
 
-Status ListStore::settle() {
+Status ListStore::migrateToEeprom() {
     if (phase_ == Phase::idle) {
-        if (eeprom_bad_ || !findUnsettled()) return Status::ok;
+        if (eeprom_bad_ || !findUnmigrated()) return Status::ok;
         put_ = 0;
         phase_ = Phase::copying;
     }
-    if (phase_ == Phase::copying) return migrateToEeprom();
-    if (phase_ > Phase::settling || phase_ < Phase::idle) return Status::busy;
+    if (phase_ == Phase::copying) return copyRecords();
+    if (phase_ > Phase::migrating || phase_ < Phase::idle) return Status::busy;
     const Extent target = inEeprom(present());
     if (phase_ == Phase::summing_copy) {
         if (!hal::eepromDrained()) return Status::busy;
@@ -66,7 +66,7 @@ Status ListStore::settle() {
             return status;
         }
     }
-    if (head(target, Phase::settling) != Status::ok) return Status::busy;
+    if (head(target, Phase::migrating) != Status::ok) return Status::busy;
     present() = target;
     phase_ = Phase::idle;
     return Status::busy;
