@@ -7,6 +7,7 @@
 #include "firmware/guidance/path_state.hpp"
 #include "firmware/guidance/plan.hpp"
 #include "firmware/notify/status_text.hpp"
+#include "firmware/sensors/health.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "navigation/takeoff.hpp"
@@ -19,7 +20,7 @@ using namespace state;
 
 namespace {
 
-constexpr float kUnlaunchedHeight_m = 10;  // farther from the ground's height it must fly
+constexpr int32_t kUnlaunchedHeight_cm = 1000;  // farther from the ground's height it must fly
 constexpr float kFlyingSpeed_mps = 5, kStandingSpeed_mps = 2;
 constexpr uint8_t kStands = 20;  // looks, 1 s
 
@@ -32,26 +33,44 @@ struct OnTheGround {
 };
 core::FileState<OnTheGround> on_the_ground{};
 
-bool fast() {
-    const auto& estimate = vehicle.estimate;
-    return vehicle.gps.fix >= GpsFix::two_d && estimate.ground_speed_mps >= kFlyingSpeed_mps &&
-           (!vehicle.airspeed.healthy || estimate.airspeed_mps >= kFlyingSpeed_mps);
-}
-
 int32_t altitude_cm() {
     return vehicle.home.altitude_cm + core::rounded(vehicle.estimate.height_m * 100.0f);
 }
 
-float aboveGround_m() {
-    if (!on_the_ground.known) return vehicle.estimate.height_m;
-    return (altitude_cm() - on_the_ground.altitude_cm) * 0.01f;
+// Of where it stood armed.
+int32_t ground_cm() {
+    return on_the_ground.known ? on_the_ground.altitude_cm : vehicle.home.altitude_cm;
 }
 
-bool faraway(float height_m) {
-    return height_m > kUnlaunchedHeight_m || height_m < -kUnlaunchedHeight_m;
+bool faraway(int32_t altitude_cm, int32_t from_cm) {
+    const int32_t height_cm = altitude_cm - from_cm;
+    return height_cm > kUnlaunchedHeight_cm || height_cm < -kUnlaunchedHeight_cm;
 }
 
-bool flies() { return fast() || faraway(aboveGround_m()); }
+bool located() { return vehicle.gps.fix >= GpsFix::two_d && !vehicle.estimate.reckoned; }
+bool slow() { return vehicle.estimate.ground_speed_mps < kStandingSpeed_mps; }
+
+// Both heights: one that says otherwise may be wrong.
+bool highAbove(int32_t from_cm) {
+    return faraway(altitude_cm(), from_cm) && faraway(vehicle.gps.altitude_cm, from_cm);
+}
+bool seenToStand(int32_t from_cm) { return located() && slow() && !highAbove(from_cm); }
+
+// On the ground each sensor alone has been wrong: a barometer that breaks, wind in the tube, a
+// receiver whose fixes hop. So two must see it fly, and a receiver must not see it stand. Where
+// there is one sensor alone the gyros must see it turn, or it must have flown before.
+bool flies() {
+    if (seenToStand(ground_cm())) return false;
+    const bool has_tube = vehicle.airspeed.healthy;
+    const bool in_the_wind = has_tube && vehicle.estimate.airspeed_mps >= kFlyingSpeed_mps;
+    const bool fast = located() && (vehicle.estimate.ground_speed_mps >= kFlyingSpeed_mps ||
+                                    faraway(vehicle.gps.altitude_cm, ground_cm()));
+    const bool high = faraway(altitude_cm(), ground_cm());
+    if (in_the_wind + fast + high >= 2) return true;
+    const bool turning = !has_tube && sensors::turns();
+    if (located()) return fast && turning;
+    return high && (turning || vehicle.estimate.flying);
+}
 
 bool launched() {
     if (vehicle.gps.fix != GpsFix::three_d) return false;
@@ -71,13 +90,17 @@ bool launched() {
     return result == navigation::Launch::flies;
 }
 
+// Without a receiver that sees it stand. Near the height of home alone: an airplane that hovers in
+// a strong wind is slow as well.
+bool seemsToStand() {
+    return slow() && estimator::slowThroughTheAir() &&
+           !faraway(altitude_cm(), vehicle.home.altitude_cm);
+}
+
 // With the motor turning, elsewhere than in a take-off: it came down, or never left the ground.
-// Near the height of home alone: an airplane that hovers in a strong wind is slow as well.
 bool stands() {
-    const bool now = !vehicle.estimate.flying && vehicle.demand.path != Path::takeoff &&
-                     vehicle.estimate.ground_speed_mps < kStandingSpeed_mps &&
-                     estimator::slowThroughTheAir() && !fast() &&
-                     !faraway(vehicle.estimate.height_m);
+    const bool now = !vehicle.estimate.flying && vehicle.demand.path != Path::takeoff && !flies() &&
+                     (seenToStand(vehicle.home.altitude_cm) || seemsToStand());
     on_the_ground.looks = now ? on_the_ground.looks + 1 : 0;
     return on_the_ground.looks >= kStands;
 }

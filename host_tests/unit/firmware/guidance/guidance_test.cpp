@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/guidance/guidance.hpp"
 
+#include "firmware/guidance/launch.hpp"
 #include "firmware_bench.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 
@@ -37,6 +38,11 @@ protected:
     void move(float north_mps, float east_mps) {
         mutable_vehicle.estimate.velocity_mps = {north_mps, east_mps, 0};
         mutable_vehicle.estimate.ground_speed_mps = std::hypot(north_mps, east_mps);
+    }
+    // By both that measure it, above home, which is at sea level.
+    void rise(float height_m) {
+        mutable_vehicle.estimate.height_m = height_m;
+        mutable_vehicle.gps.altitude_cm = static_cast<int32_t>(height_m * 100);
     }
     void bank(float roll_rad) {
         mutable_vehicle.attitude.roll_rad = core::Angle(roll_rad);
@@ -164,7 +170,7 @@ TEST_F(Guidance, holds_the_motor_when_the_take_off_was_left_on_the_ground) {
 TEST_F(Guidance, does_not_take_a_slow_airplane_high_above_home_for_one_that_came_down) {
     inTheAir();
     mutable_vehicle.estimate.flying = true;
-    mutable_vehicle.estimate.height_m = 11;
+    rise(11);
     standing();
     guide(2);
     mutable_vehicle.estimate.flying = false;
@@ -177,7 +183,7 @@ TEST_F(Guidance, holds_the_motor_in_a_new_mode_where_it_landed_far_below_home) {
     mutable_vehicle.estimate.flying = true;
     guide(1);
     demand(Path::land);
-    mutable_vehicle.estimate.height_m = -45;  // home was set in the air
+    rise(-45);  // home was set in the air
     standing();
     guide(1);
     mutable_vehicle.estimate.flying = false;
@@ -188,7 +194,7 @@ TEST_F(Guidance, holds_the_motor_in_a_new_mode_where_it_landed_far_below_home) {
     requestMode(Mode::loiter, ModeReason::ground);
     guide(20);
     EXPECT_TRUE(vehicle.progress.throttle_suppressed);
-    mutable_vehicle.estimate.height_m = -34;
+    rise(-34);
     guide(1);
     EXPECT_FALSE(vehicle.progress.throttle_suppressed) << "11 m above where it stood";
 }
@@ -202,6 +208,85 @@ TEST_F(Guidance, takes_less_than_10_m_of_height_for_no_launch) {
     mutable_vehicle.estimate.height_m = -9;
     guide(20);
     EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+}
+
+TEST_F(Guidance, takes_no_barometer_alone_for_a_launch) {
+    onTheGround(Mode::loiter);
+    guide(1);
+    for (const float height_m : {200.0f, -200.0f}) {
+        mutable_vehicle.estimate.height_m = height_m;
+        guide(20);
+        EXPECT_TRUE(vehicle.progress.throttle_suppressed) << height_m;
+    }
+}
+
+TEST_F(Guidance, stops_the_motor_where_it_stands_whatever_the_barometer_says) {
+    for (const bool tube : {true, false}) {
+        onTheGround(Mode::loiter);
+        guide(1);
+        mutable_vehicle.airspeed.healthy = tube;
+        mutable_vehicle.estimate.height_m = 200;
+        mutable_vehicle.progress.throttle_suppressed = false;
+        guide(12);
+        EXPECT_TRUE(vehicle.progress.throttle_suppressed) << tube;
+    }
+}
+
+// What each sensor shows of a flight, standing armed before.
+struct Seen {
+    const char* what;
+    float ground_mps, air_mps, height_m, gps_height_m;
+    bool fix, tube, turns, flew;
+    bool flies;
+};
+constexpr Seen kSeen[] = {
+    {"standing", 0, 0, 0, 0, true, true, false, false, false},
+    {"wind in the tube", 0, 12, 0, 0, true, true, true, true, false},
+    {"wind in the tube, and a broken barometer", 0, 12, 500, 0, true, true, true, true, false},
+    {"wind in the tube, and a fix too high", 0, 12, 0, 50, true, true, true, true, false},
+    {"carried fast", 9, 0, 0, 0, true, true, true, false, false},
+    {"thrown", 9, 9, 0, 0, true, true, false, false, true},
+    {"the tube clogged", 9, 0, 30, 30, true, true, false, false, true},
+    {"hovering high in the wind", 0, 12, 30, 30, true, true, false, false, true},
+    {"hovering, the tube clogged", 0, 0, 30, 30, true, true, false, false, true},
+    {"the barometer at rest", 9, 9, 0, 30, true, true, false, false, true},
+    {"the receiver's height at rest", 9, 9, 30, 0, true, true, false, false, true},
+    {"no tube, the receiver hops", 9, 0, 0, 0, true, false, false, false, false},
+    {"no tube, a broken barometer, rocked", 0, 0, 500, 0, true, false, true, false, false},
+    {"no tube, a broken barometer, carried", 3, 0, 500, 0, true, false, true, false, false},
+    {"no tube, thrown", 9, 0, 0, 0, true, false, true, false, true},
+    {"no tube, high", 9, 0, 30, 30, true, false, false, false, true},
+    {"no receiver, wind in the tube", 0, 12, 0, 0, false, true, true, true, false},
+    {"no receiver, a broken barometer", 0, 0, 500, 0, false, true, true, false, false},
+    {"no receiver, high", 0, 12, 30, 0, false, true, false, false, true},
+    {"no receiver, high, the tube clogged", 0, 0, 30, 0, false, true, false, true, true},
+    {"neither, standing", 0, 0, 0, 0, false, false, true, false, false},
+    {"neither, a broken barometer", 0, 0, 500, 0, false, false, false, false, false},
+    {"neither, high", 0, 0, 30, 0, false, false, true, false, true},
+    {"neither, high, after a restart", 0, 0, 30, 0, false, false, false, true, true},
+};
+
+TEST_F(Guidance, takes_two_sensors_that_agree_for_a_launch) {
+    for (const Seen& seen : kSeen) {
+        onTheGround(Mode::loiter);
+        rise(0);
+        mutable_vehicle.imu.rate_rads.y = core::BodyRate(0.0f);
+        mutable_vehicle.gps.fix = firmware::state::GpsFix::three_d;
+        mutable_vehicle.airspeed.healthy = true;
+        firmware::guidance::suppressThrottle();
+        guide(2);
+        ASSERT_TRUE(vehicle.progress.throttle_suppressed) << seen.what;
+        move(seen.ground_mps, 0);
+        rise(seen.gps_height_m);
+        mutable_vehicle.estimate.height_m = seen.height_m;
+        mutable_vehicle.estimate.airspeed_mps = seen.air_mps;
+        mutable_vehicle.estimate.flying = seen.flew;
+        mutable_vehicle.airspeed.healthy = seen.tube;
+        if (!seen.fix) mutable_vehicle.gps.fix = firmware::state::GpsFix::none;
+        if (seen.turns) mutable_vehicle.imu.rate_rads.y = core::BodyRate(0.3f);
+        guide(2);
+        EXPECT_EQ(vehicle.progress.throttle_suppressed, !seen.flies) << seen.what;
+    }
 }
 
 TEST_F(Guidance, leaves_the_motor_to_an_airplane_that_still_moves) {
@@ -223,7 +308,7 @@ TEST_F(Guidance, counts_the_height_of_a_launch_from_home_before_it_has_stood_arm
     mutable_vehicle.estimate.flying = true;  // resumes, after a restart in the air
     mutable_vehicle.armed = true;
     standing();
-    mutable_vehicle.estimate.height_m = 11;
+    rise(11);
     guide(1);
     EXPECT_FALSE(vehicle.progress.throttle_suppressed);
 }
