@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables that stay in flash. On AVR a const object is copied to RAM at start-up unless it is
 // marked and read through the program-memory bus; on the host both words mean nothing. This
-// header, multiply.hpp, convert.hpp and crc.hpp are all in libraries/ that knows the difference.
+// header, multiply.hpp, convert.hpp, crc.hpp and crypto/rounds.hpp are all in libraries/ that knows
+// the difference.
 #pragma once
 #include <stddef.h>
 #include <stdint.h>

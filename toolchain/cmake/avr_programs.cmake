@@ -31,6 +31,7 @@ endfunction()
 cost_program(geodesy hal_apm2 geo)
 cost_program(mission firmware_parts_apm2)
 cost_program(link firmware_parts_apm2)
+cost_program(signing firmware_parts_apm2)
 
 # ---- on_chip_program(LIBRARY TEST...): the library's tests, compiled like the firmware.
 # GoogleTest's macros and the little of the standard library that tests use are in
@@ -81,6 +82,7 @@ on_chip_program(navigation l1_test.cpp landing_test.cpp slope_test.cpp takeoff_t
 on_chip_program(parameters store_test.cpp)
 on_chip_program(mission record_test.cpp sequencer_test.cpp)
 on_chip_program(storage index_store_test.cpp journal_test.cpp mission_store_test.cpp owner_test.cpp)
+on_chip_program(crypto sha256_test.cpp)
 on_chip_program(mavlink frame_test.cpp parser_test.cpp)
 on_chip_program(estimation arc_test.cpp atmosphere_test.cpp attitude_test.cpp height_test.cpp position_test.cpp
                 still_test.cpp wind_test.cpp)

@@ -60,10 +60,11 @@ function(cost_test name what)
 endfunction()
 cost_test(on_board.costs mission geodesy mission)
 cost_test(mavlink.costs link link)
+cost_test(signing.costs signing signing)
 
 # ---- the libraries' tests once more, on the emulated ATmega2560
 project_program(run_on_chip ${tests}/chip/on_chip/run_on_chip.cpp LIBRARIES simulator_machine)
-foreach(library core geo control estimation navigation storage parameters mission mavlink
+foreach(library core geo control estimation navigation storage parameters mission crypto mavlink
                 floats std)
     set(elf ${AVR_TREE}/on_chip/on_chip_${library}.elf)
     declare_test(on_chip.${library} COMMAND run_on_chip ${elf} NEEDS ${elf} LABELS simavr REUSE)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What geodesy, the mission engine and the ground link take on the chip, in cycles without
 // interrupts. Prints them all; fails when one that has a limit in BUDGETS is past it.
-//   costs PROGRAMS_FOLDER BUDGETS.json mission|link
+//   costs PROGRAMS_FOLDER BUDGETS.json mission|link|signing
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -46,6 +46,10 @@ const Line kLink[] = {
     {"HEARTBEAT sent, MAVLink 1, 17 bytes",           costs::kSendHeartbeat, Figure::each, "link_sent_heartbeat_cycles"},
     {"GLOBAL_POSITION_INT sent, MAVLink 2, 40 bytes", costs::kSendPosition,  Figure::each, "link_sent_position_cycles"},
     {"STATUSTEXT sent, MAVLink 2, 63 bytes",          costs::kSendText,      Figure::each, "link_sent_text_cycles"},
+};
+const Line kSigning[] = {
+    {"a block of SHA-256",            costs::kHashBlock,   Figure::each,    "sha256_block_cycles"},
+    {"a quarter of a block, longest", costs::kHashQuarter, Figure::longest, "sha256_quarter_cycles"},
 };
 struct Pair {
     const char* what;
@@ -129,8 +133,8 @@ bool geodesy(const Costs& costs) {
 
 int main(int count, char** words) {
     const std::string what = count == 4 ? words[3] : "";
-    if (what != "mission" && what != "link") {
-        std::fprintf(stderr, "usage: costs PROGRAMS_FOLDER BUDGETS.json mission|link\n");
+    if (what != "mission" && what != "link" && what != "signing") {
+        std::fprintf(stderr, "usage: costs PROGRAMS_FOLDER BUDGETS.json mission|link|signing\n");
         return 2;
     }
     const std::string program = std::string(words[1]) + "/cost_";
@@ -142,6 +146,8 @@ int main(int count, char** words) {
     };
     if (what == "link") {
         hold(kLink, Costs(run(program + "link.elf", costs::kNothing, 10), budgets));
+    } else if (what == "signing") {
+        hold(kSigning, Costs(run(program + "signing.elf", costs::kNothing, 10), budgets));
     } else {
         within = geodesy(Costs(run(program + "geodesy.elf", costs::kNaivePassed, 1), budgets));
         hold(kMission, Costs(run(program + "mission.elf", costs::kNothing, 120), budgets));

@@ -32,6 +32,8 @@ enum Step : uint8_t {
     kSendHeartbeat,  // MAVLink 1
     kSendPosition,   // GLOBAL_POSITION_INT, MAVLink 2
     kSendText,       // STATUSTEXT, MAVLink 2, of 50 letters
+    kHashBlock,      // 64 bytes of SHA-256
+    kHashQuarter,    // what is done of it at once
     kBroken = 0x7F,  // the program has not done what is to be timed
 };
 
