@@ -18,6 +18,7 @@ extern core::FileState<::mission::Sequencer> mission_engine;
 
 bool missionReady();     // the stored one has been found and checked
 bool missionStorable();  // the EEPROM is ours
+void missionLost();      // it is there no more: reported, and AUTO is refused with that reason
 
 // Records that background work looks at in one call: with the engine's, 16 a frame.
 constexpr uint8_t kRecordsPerCall = 8;
@@ -48,6 +49,7 @@ void listsStart();
 void listsRun();         // carries a commit on, copies what was committed; 10 Hz
 bool missionChanging();  // the engine must not run now
 MissionResult resultOf(core::Status status);
+void reportMemory();  // it has not kept what was stored
 
 // ---- upload.cpp
 // The next item of an upload as it is stored.

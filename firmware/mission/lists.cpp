@@ -52,15 +52,39 @@ constexpr MissionResult kResults[] ROM = {
     MissionResult::error,
 };
 
+void reportMended() {
+    ListKind which;
+    if (!mission_store.takeMended(which)) return;
+    reportMemory();
+    sendStatusText(Severity::notice, which == ListKind::mission ? ROM_TEXT("Mission mended")
+                                     : which == ListKind::fence ? ROM_TEXT("Fence mended")
+                                                                : ROM_TEXT("Rally points mended"));
+}
+
+// A record that changes by itself is noticed before it is flown, within nine seconds.
+void recheck() {
+    if (mission_store.recheck() != Status::corrupt) return;
+    reportMemory();
+    missionLost();
+    mission_engine.changed(missionSet(), mission_store.generation(), false, true);
+}
+
 // What was committed in the DataFlash goes home to the EEPROM when nothing else is to be done.
 void migrate() {
     if (fenceLineWaits()) return;
     const Status status = mission_store.migrateToEeprom();
-    if (status != Status::ok && status != Status::busy)
-        sendStatusText(Severity::error, ROM_TEXT("EEPROM is worn: lists stay in the DataFlash"));
+    if (status == Status::busy) return;
+    if (status != Status::ok)
+        sendStatusText(Severity::error, ROM_TEXT("EEPROM is worn: lists are at risk"));
+    reportMended();
+    recheck();
 }
 
 }  // namespace
+
+void reportMemory() {
+    sendStatusText(Severity::error, ROM_TEXT("Memory has not kept what was stored"));
+}
 
 MissionResult resultOf(Status status) {
     return core::romRead(kResults[static_cast<uint8_t>(status)]);

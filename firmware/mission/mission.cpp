@@ -167,20 +167,15 @@ Status findStoredMission() {
     return Status::unsupported;
 }
 
-void missionLost() {
-    mission_survey = {};
-    mission_survey.next = kUnreadable;
-    sendStatusText(Severity::error, ROM_TEXT("No mission: cannot be read"));
-}
-
 // Nothing is wiped: what a silent DataFlash holds may be there at the next start.
 Status openLists() {
     storage::ListKind which;
     const Status status = mission_store.open(which);
     if (status == Status::ok || status == Status::busy) return status;
-    sendStatusText(Severity::error, status == Status::unsupported
-                                        ? ROM_TEXT("DataFlash does not answer")
-                                        : ROM_TEXT("Memory has not kept what was stored"));
+    if (status == Status::unsupported)
+        sendStatusText(Severity::error, ROM_TEXT("DataFlash does not answer"));
+    else
+        reportMemory();
     if (which == storage::ListKind::mission)
         missionLost();
     else
@@ -240,6 +235,12 @@ core::FileState<::mission::Sequencer> mission_engine(::mission::Sequencer(kComma
     const uint8_t set = mission_store.set() != 0 ? mission_store.set()
                                                  : static_cast<uint8_t>(parameters.mission_set);
     return static_cast<::mission::Set>(set);
+}
+
+void missionLost() {
+    mission_survey = {};
+    mission_survey.next = kUnreadable;
+    sendStatusText(Severity::error, ROM_TEXT("No mission: cannot be read"));
 }
 
 namespace {

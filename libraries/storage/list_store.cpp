@@ -18,6 +18,7 @@ constexpr uint8_t kSummedPerPut = 2;
 
 void ListStore::sumFromStart() {
     summed_ = 0;
+    rechecks_ = false;
     crc_ = core::kCrcStart;
 }
 
@@ -39,20 +40,27 @@ Status ListStore::sumMatches(const Extent& extent) {
     return crc_ == extent.crc ? Status::ok : Status::corrupt;
 }
 
-// Leaves the newer head in other_, or the older one when it is the last to try.
+// Leaves the newer head in other_, or the other one of the same list when the newer one's records
+// are damaged. An older list is never looked at: what replaced it was acknowledged, or is whole.
 Status ListStore::find() {
-    Extent heads[2];
-    bool blank = false;
-    const Status status = readHeads(kind_, heads, blank);
-    if (status != Status::ok) return status;
-    const bool both = heads[0].set != 0 && heads[1].set != 0;
-    const bool newest = both ? newer(heads[1].sequence, heads[0].sequence) : heads[0].set == 0;
-    other_ = heads[last_head_ ? !newest : newest];
-    if (!both) last_head_ = true;
+    Head heads[2];
+    for (uint8_t turn = 0; turn < 2; ++turn) {
+        const Status status = readHead(kind_, turn, heads[turn]);
+        if (status != Status::ok) return status;
+    }
+    const Extent &even = heads[0].extent, &odd = heads[1].extent;
+    const bool both = even.set != 0 && odd.set != 0;
+    const bool newest = both ? newer(odd.sequence, even.sequence) : even.set == 0;
+    const bool twins = both && even.generation == odd.generation;
+    other_ = heads[last_head_ ? !newest : newest].extent;
     if (other_.set == 0) {
         other_ = {};
-        return blank ? Status::ok : Status::corrupt;
+        last_head_ = true;
+        return heads[0].blank && heads[1].blank ? Status::ok : Status::corrupt;
     }
+    setLone(!twins);
+    if (last_head_ || (!both && !heads[!newest].blank)) mended_ |= bit();
+    if (!twins) last_head_ = true;
     sumFromStart();
     phase_ = Phase::checking;
     return Status::busy;
@@ -72,6 +80,8 @@ Status ListStore::open(ListKind& which) {
         // its number is kept: the next head has to be newer
         other_.place = Place::eeprom;
         other_.set = other_.count = 0;
+        setLone(false);
+        mended_ = static_cast<uint8_t>(mended_ & ~bit());
     }
     present() = other_;
     other_ = {};
@@ -103,7 +113,7 @@ Status ListStore::place(Extent& staged, const Extent& now, uint8_t slots) const 
 
 Status ListStore::begin(ListKind kind, uint8_t count, uint8_t set) {
     abort();
-    if (phase_ == Phase::copying || phase_ == Phase::summing_copy) phase_ = Phase::idle;
+    if (phase_ >= Phase::copying && phase_ <= Phase::copied) phase_ = Phase::idle;
     if (phase_ != Phase::idle) return Status::busy;
     if (set == 0) return Status::bad_argument;
     Extent staged = of(kind);
@@ -169,9 +179,9 @@ Status ListStore::failed(Status status) {
     return status;
 }
 
-// ok: the head of `target` is in the EEPROM.
+// ok: the head of `target` is in the EEPROM, read back.
 Status ListStore::head(const Extent& target, Phase writing) {
-    if (phase_ == writing) return hal::eepromDrained() ? Status::ok : Status::busy;
+    if (phase_ == writing) return hal::eepromDrained() ? checkHead(kind_, target) : Status::busy;
     if (writeHead(kind_, target) == Status::ok) phase_ = writing;
     return Status::busy;
 }
@@ -188,6 +198,8 @@ Status ListStore::makeDurable() {
     return sumMatches(other_);
 }
 
+// From its first head on the new list is the one that the next start finds; it is acknowledged
+// when the second one names it too.
 Status ListStore::commit() {
     if (phase_ == Phase::filling && put_ == other_.count) phase_ = Phase::storing;
     if (phase_ < Phase::storing) return Status::bad_argument;
@@ -196,7 +208,20 @@ Status ListStore::commit() {
         if (status != Status::ok) return failed(status);
         other_.sequence = static_cast<uint16_t>(present().sequence + 1);
     }
-    if (head(other_, Phase::heading) != Status::ok) return Status::busy;
+    if (phase_ <= Phase::heading) {
+        const Status status = head(other_, Phase::heading);
+        if (status == Status::busy) return status;
+        setLone(present().set != 0 || status == Status::ok);
+        phase_ = status == Status::ok ? Phase::headed : Phase::idle;
+        if (status != Status::ok) return status;
+        ++other_.sequence;
+    }
+    const Status status = head(other_, Phase::heading_twice);
+    if (status == Status::busy) return status;
+    if (status == Status::ok)
+        setLone(false);
+    else
+        --other_.sequence;  // migrateToEeprom() tries again, and reports it
     const Extent previous = present();
     present() = other_;
     other_ = previous;

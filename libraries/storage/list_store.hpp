@@ -2,8 +2,10 @@
 // Lists of fixed-size records, each of which changes as a whole: a power cut at any moment leaves
 // the old or the new one. A new list is staged where the present one is not (in the DataFlash, or
 // without one in the free part of the EEPROM's ring), read back, and made the present one by a
-// single small write, its head. What is in the DataFlash is copied to the EEPROM when there is
-// time, and has another head after that. Knows nothing of what is in the records.
+// single small write, its head. Then the other head is made to name the same list, so that one of
+// them may be damaged: never does an older list come back. What is in the DataFlash is copied to
+// the EEPROM when there is time, and has another head after that. Knows nothing of what is in the
+// records.
 #pragma once
 #include <stdint.h>
 
@@ -39,8 +41,8 @@ public:
     uint8_t stagedSet() const { return other_.set; }
     ListKind kind() const { return kind_; }  // of what is staged, or was committed last
     bool staging(ListKind kind) const { return phase_ == Phase::filling && kind_ == kind; }
-    // Until it is not busy. ok: the new list is the list and would survive a power cut. corrupt:
-    // what was read back is not what was put; the old list stays.
+    // Until it is not busy. ok: the new list is the list and would survive a power cut; its heads
+    // have been read back. corrupt: what was read back is not what was put; the old list stays.
     MUST_USE core::Status commit();
     void abort();  // without effect once the head is being written
 
@@ -51,9 +53,18 @@ public:
         return readRecord(kind_, other_, index, to);
     }
 
-    // Carries the copying on. ok: nothing is to be done. corrupt, once: the EEPROM does not keep
-    // what is written; the list stays in the DataFlash.
+    // Carries the copying on, and writes the head that a list is short of. ok: nothing is to be
+    // done. corrupt, once: the EEPROM does not keep what is written; the list stays in the
+    // DataFlash, or has one head only.
     MUST_USE core::Status migrateToEeprom();
+    // Once that is ok: a list of which open() had found a head or the records damaged, and which
+    // has both again. False: there is none, or no other one.
+    bool takeMended(ListKind& which);
+
+    // Also then, again and again: whether the mission's records still are what was committed. ok:
+    // they are, all of them. corrupt: they are not, and the mission is empty now; the next start
+    // looks for the other copy.
+    MUST_USE core::Status recheck();
 
     // Whether new lists are staged in the DataFlash.
     bool flashWorks() const;
@@ -65,11 +76,14 @@ private:
         idle,
         copying,
         summing_copy,
+        copied,
         migrating,  // migrateToEeprom()
         filling,
         storing,
         verifying,
-        heading  // a new list
+        heading,
+        headed,
+        heading_twice  // a new list
     };
 
     const Extent& of(ListKind kind) const { return present_[static_cast<uint8_t>(kind)]; }
@@ -85,6 +99,8 @@ private:
     core::Status failed(core::Status status);
     core::Status makeDurable();
     bool findUnmigrated();
+    uint8_t bit() const { return static_cast<uint8_t>(1 << static_cast<uint8_t>(kind_)); }
+    void setLone(bool lone) { lone_ = static_cast<uint8_t>(lone ? lone_ | bit() : lone_ & ~bit()); }
     core::Status copyRecords();
     core::Status head(const Extent& target, Phase writing);
 
@@ -96,7 +112,10 @@ private:
     uint8_t stored_ = 0;                 // pages handed to the DataFlash
     ListKind kind_ = ListKind::mission;  // being worked on
     Phase phase_ = Phase::finding;
-    bool last_head_ = false;  // no older one is left to try
+    uint8_t lone_ = 0;        // lists, a bit each, that only one head names
+    uint8_t mended_ = 0;      // that were damaged
+    bool rechecks_ = false;   // what is summed is for recheck()
+    bool last_head_ = false;  // no other one is left to try
     bool flash_bad_ = false;  // it has not kept what was written
     bool eeprom_bad_ = false;
 };

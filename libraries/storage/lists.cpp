@@ -87,6 +87,24 @@ void decodeHead(const ListShape& list, const uint8_t* head, Extent& extent) {
     if (!whole) extent.set = 0;
 }
 
+void encodeHead(const Extent& extent, uint8_t (&head)[kHeadSize]) {
+    memset(head, 0, sizeof head);
+    head[kTraceAt] = kHeadMark;
+    head[kVersionAt] = kLayoutVersion;
+    put16(head + kSequenceAt, extent.sequence);
+    head[kFirstAt] = extent.first;
+    head[kCountAt] = extent.count;
+    head[kSetAt] = extent.set;
+    head[kPlaceAt] = static_cast<uint8_t>(extent.place);
+    put16(head + kRecordsCrcAt, extent.crc);
+    head[kUnchangedAt] = static_cast<uint8_t>(extent.sequence - extent.generation);
+    put16(head + kHeadCrcAt, core::crc16(core::kCrcStart, head, kHeadCrcAt));
+}
+
+uint16_t addressOf(ListKind kind, const Extent& extent) {
+    return headAddress(shapeOf(kind), static_cast<uint8_t>(extent.sequence));
+}
+
 }  // namespace
 
 ListShape shapeOf(ListKind kind) { return core::romRead(kLists[static_cast<uint8_t>(kind)]); }
@@ -118,34 +136,28 @@ Status storePage(ListKind kind, const Extent& extent, uint8_t page) {
                            static_cast<uint16_t>(areaPage(shapeOf(kind), extent) + page));
 }
 
-Status readHeads(ListKind kind, Extent (&heads)[2], bool& blank) {
+Status readHead(ListKind kind, uint8_t turn, Head& head) {
     const ListShape list = shapeOf(kind);
-    blank = true;
-    for (uint8_t turn = 0; turn < 2; ++turn) {
-        uint8_t head[kHeadSize];
-        const Status status = hal::eepromRead(headAddress(list, turn), head, sizeof head);
-        if (status != Status::ok) return status;
-        blank = blank && allOnes(head, sizeof head);
-        decodeHead(list, head, heads[turn]);
-    }
+    uint8_t bytes[kHeadSize];
+    const Status status = hal::eepromRead(headAddress(list, turn), bytes, sizeof bytes);
+    if (status != Status::ok) return status;
+    head.blank = allOnes(bytes, sizeof bytes);
+    decodeHead(list, bytes, head.extent);
     return Status::ok;
 }
 
 Status writeHead(ListKind kind, const Extent& extent) {
     uint8_t head[kHeadSize];
-    memset(head, 0, sizeof head);
-    head[kTraceAt] = kHeadMark;
-    head[kVersionAt] = kLayoutVersion;
-    put16(head + kSequenceAt, extent.sequence);
-    head[kFirstAt] = extent.first;
-    head[kCountAt] = extent.count;
-    head[kSetAt] = extent.set;
-    head[kPlaceAt] = static_cast<uint8_t>(extent.place);
-    put16(head + kRecordsCrcAt, extent.crc);
-    head[kUnchangedAt] = static_cast<uint8_t>(extent.sequence - extent.generation);
-    put16(head + kHeadCrcAt, core::crc16(core::kCrcStart, head, kHeadCrcAt));
-    return hal::eepromWrite(headAddress(shapeOf(kind), static_cast<uint8_t>(extent.sequence)), head,
-                            sizeof head);
+    encodeHead(extent, head);
+    return hal::eepromWrite(addressOf(kind, extent), head, sizeof head);
+}
+
+Status checkHead(ListKind kind, const Extent& extent) {
+    uint8_t wanted[kHeadSize], found[kHeadSize];
+    encodeHead(extent, wanted);
+    const Status status = hal::eepromRead(addressOf(kind, extent), found, sizeof found);
+    if (status != Status::ok) return status;
+    return memcmp(wanted, found, sizeof found) == 0 ? Status::ok : Status::corrupt;
 }
 
 }  // namespace storage

@@ -49,8 +49,14 @@ MUST_USE core::Status writeRecord(ListKind kind, const Extent& extent, uint8_t i
 MUST_USE core::Status storePage(ListKind kind, const Extent& extent, uint8_t page);
 
 // Heads are written in turn, so that the older one gives way. One that is not whole has set 0.
-MUST_USE core::Status readHeads(ListKind kind, Extent (&heads)[2], bool& blank);
+struct Head {
+    Extent extent;
+    bool blank;
+};
+MUST_USE core::Status readHead(ListKind kind, uint8_t turn, Head& head);
 MUST_USE core::Status writeHead(ListKind kind, const Extent& extent);
+// ok: it reads as it was written. corrupt: it does not.
+MUST_USE core::Status checkHead(ListKind kind, const Extent& extent);
 
 inline bool newer(uint16_t a, uint16_t b) { return static_cast<int16_t>(a - b) > 0; }
 

@@ -22,6 +22,7 @@ struct Entry {
 
 struct Chip {
     std::array<uint8_t, hal::kEepromSize> cells, seen;  // seen: with all that was queued
+    std::array<uint8_t, hal::kEepromSize> stuck_high, stuck_low;
     std::deque<Entry> queue;
     bool slow, in_flight, reader_waits;
     uint64_t done_us, reader_since_us;
@@ -31,6 +32,8 @@ struct Chip {
 
     void erase() {
         cells.fill(0xFF);
+        stuck_high.fill(0);
+        stuck_low.fill(0);
         writes = 0;
         slow = false;
         restart();
@@ -43,12 +46,18 @@ struct Chip {
         fakes::restorePower();
     }
 
+    void put(uint16_t address, uint8_t value) {
+        cells[address] = static_cast<uint8_t>((value | stuck_high[address]) & ~stuck_low[address]);
+    }
+
     // Writes one cell, or loses it with the power.
     void program(const Entry& entry) {
         const fakes::Fate fate = fakes::beginWrite();
         if (fate == fakes::Fate::lost) return;
         ++writes;
-        cells[entry.address] = fate == fakes::Fate::done ? entry.value : 0xFF;
+        put(entry.address, fate == fakes::Fate::done ? entry.value : 0xFF);
+        const bool worn = (stuck_high[entry.address] | stuck_low[entry.address]) != 0;
+        if (worn && seen[entry.address] == entry.value) seen[entry.address] = cells[entry.address];
     }
 
     // The interrupt's part: begins the next byte that differs.
@@ -94,7 +103,8 @@ void resetEeprom() { chip.erase(); }
 std::vector<uint8_t> eepromCells() { return {chip.cells.begin(), chip.cells.end()}; }
 
 void setEepromCells(const std::vector<uint8_t>& cells) {
-    std::copy_n(cells.begin(), std::min(cells.size(), chip.cells.size()), chip.cells.begin());
+    for (size_t i = 0; i < std::min(cells.size(), chip.cells.size()); ++i)
+        chip.put(static_cast<uint16_t>(i), cells[i]);
     chip.restart();
 }
 
@@ -105,6 +115,13 @@ void setEepromCell(uint16_t address, uint8_t value) {
 uint8_t eepromCell(uint16_t address) {
     chip.catchUp();
     return chip.cells.at(address);
+}
+
+void wearEepromCell(uint16_t address, uint8_t bits, bool high) {
+    uint8_t& stuck = high ? chip.stuck_high.at(address) : chip.stuck_low.at(address);
+    stuck = static_cast<uint8_t>(stuck | bits);
+    chip.put(address, chip.cells[address]);
+    chip.seen[address] = chip.cells[address];
 }
 
 void setEepromSlow(bool slow) { chip.slow = slow; }

@@ -19,6 +19,10 @@ void setEepromCells(const std::vector<uint8_t>& cells);
 void setEepromCell(uint16_t address, uint8_t value);
 uint8_t eepromCell(uint16_t address);
 
+// These bits of a cell stay as they are from now on, whatever is written; all wear is gone with
+// resetEeprom().
+void wearEepromCell(uint16_t address, uint8_t bits, bool high);
+
 // Slow: a byte takes 3.4 ms of the fake clock, the queue holds hal::kEepromQueue bytes, and reads
 // and writes answer busy by the contract's rules. Quick: everything is in its cell at once.
 void setEepromSlow(bool slow);

@@ -36,7 +36,7 @@ const Change kAnywhere[] = {
     {"other set", ListKind::mission, kSixty, kSixty, 1, makeUpload},
     {"fence", ListKind::fence, records(ListKind::fence, 9, 5), records(ListKind::fence, 11, 6), 2,
      makeUpload},
-    {"rally", ListKind::rally, records(ListKind::rally, 4, 5), records(ListKind::rally, 6, 6), 2,
+    {"rally", ListKind::rally, records(ListKind::rally, 4, 5), records(ListKind::rally, 5, 6), 2,
      makeUpload},
 };
 const Change kBeside[] = {

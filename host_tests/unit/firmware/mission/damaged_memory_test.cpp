@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Memory that does not keep what was stored: mended or reported, and never flown.
+#include "firmware/mission/lists.hpp"
+#include "mission_flight.hpp"
+#include "storage/eeprom_map.hpp"
+
+namespace firmware {
+using namespace mission;
+namespace {
+
+class DamagedMemory : public MissionFlight {
+protected:
+    void SetUp() override {
+        MissionFlight::SetUp();
+        ASSERT_EQ(upload({waypoint(500), waypoint(900), waypoint(1500)}), MissionResult::accepted);
+        (void)statusTexts();
+    }
+    static void flip(uint16_t at) {
+        fakes::setEepromCell(at, static_cast<uint8_t>(fakes::eepromCell(at) ^ 0x10));
+    }
+    static std::string textsOfStart() {
+        missionBoot();
+        for (int i = 0; i < 100; ++i) missionRun();
+        return statusTexts();
+    }
+    static bool has(const std::string& texts, const char* part) {
+        return texts.find(part) != std::string::npos;
+    }
+};
+
+TEST_F(DamagedMemory, with_either_head_damaged_the_mission_stays_and_is_mended) {
+    const auto cells = fakes::eepromCells();
+    for (const uint16_t head : {0, 1}) {
+        fakes::setEepromCells(cells);
+        flip(static_cast<uint16_t>(storage::kMissionHead.begin + head * storage::kHeadSize + 5));
+        const std::string texts = textsOfStart();
+        EXPECT_TRUE(has(texts, "Memory has not kept")) << texts;
+        EXPECT_TRUE(has(texts, "Mission mended")) << texts;
+        EXPECT_EQ(missionCount(), 4);
+        EXPECT_EQ(textsOfStart(), "") << "the next start finds nothing";
+    }
+}
+
+TEST_F(DamagedMemory, a_record_that_changed_is_not_flown_but_reported_at_the_start) {
+    flip(storage::recordAddress(2) + 8);
+    const std::string texts = textsOfStart();
+    EXPECT_TRUE(has(texts, "No mission: cannot be read")) << texts;
+    EXPECT_EQ(missionCount(), 0);
+}
+
+TEST_F(DamagedMemory, a_record_that_changes_in_flight_ends_the_mission_in_rtl) {
+    ASSERT_TRUE(requestMode(Mode::automatic, ModeReason::ground));
+    seconds(1);
+    ASSERT_EQ(missionCurrent(), 1);
+    (void)statusTexts();
+    flip(storage::recordAddress(3) + 8);
+    seconds(10);
+    EXPECT_TRUE(hasStatusText("No mission: cannot be read"));
+    EXPECT_EQ(vehicle.mode, Mode::rtl);
+    core::RomText why_not;
+    EXPECT_FALSE(missionEnter(why_not));
+    EXPECT_STREQ(why_not, "AUTO: mission cannot be read");
+}
+
+TEST_F(DamagedMemory, a_worn_head_is_reported_and_the_upload_not_acknowledged_on_it) {
+    for (uint16_t at = storage::kMissionHead.begin; at < storage::kMission.begin; ++at)
+        fakes::wearEepromCell(at, 0x40, (at & 1) != 0);
+    EXPECT_EQ(upload({waypoint(700)}), MissionResult::error);
+    EXPECT_TRUE(hasStatusText("Not stored: memory error"));
+    EXPECT_EQ(missionCount(), 4) << "as long as the power stays";
+}
+
+TEST_F(DamagedMemory, a_worn_second_head_is_reported_but_the_upload_is_stored) {
+    fakes::wearEepromCell(storage::kMissionHead.begin, 0x40, false);
+    EXPECT_EQ(upload({waypoint(700)}), MissionResult::accepted);
+    for (int i = 0; i < 20; ++i) missionRun();
+    EXPECT_TRUE(hasStatusText("EEPROM is worn"));
+    (void)textsOfStart();
+    EXPECT_EQ(missionCount(), 2);
+}
+
+}  // namespace
+}  // namespace firmware
