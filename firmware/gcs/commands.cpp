@@ -33,7 +33,7 @@ constexpr CommandRow kCommands[] ROM = {
     {MavCmd::nav_loiter_unlim,               loiterHere},
     {MavCmd::nav_return_to_launch,           returnToLaunch},
     {MavCmd::nav_land,                       startLanding},
-    {MavCmd::nav_takeoff,                    refuseTakeoff},
+    {MavCmd::nav_takeoff,                    takeOffNow},
     {MavCmd::do_set_mode,                    doSetMode},
     {MavCmd::do_change_speed,                changeSpeedNow},
     {MavCmd::do_set_home,                    doSetHome},
@@ -139,7 +139,8 @@ bool onCommand(Link& link, const mavlink::Frame& frame) {
     memcpy(&order.item.param1, &message, kParameters);
     order.param5 = static_cast<float>(message.x);
     order.param6 = static_cast<float>(message.y);
-    if (frame.id == mavlink::Wire<mavlink::CommandLong>::id) {
+    order.has_frame = frame.id != mavlink::Wire<mavlink::CommandLong>::id;
+    if (!order.has_frame) {
         memcpy(&order.param5, &message.x, sizeof order.param5);
         memcpy(&order.param6, &message.y, sizeof order.param6);
         order.item.x = placeOf(order.param5);

@@ -10,6 +10,7 @@
 #include "firmware/mission/speed.hpp"
 #include "firmware/modes/guided.hpp"
 #include "firmware/modes/modes.hpp"
+#include "firmware/modes/takeoff.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/safety/arming.hpp"
 #include "firmware/safety/fence.hpp"
@@ -159,9 +160,10 @@ uint8_t enableAutotune(Link&, Order& order) {
     return MavResult::accepted;
 }
 
-uint8_t refuseTakeoff(Link&, Order&) {
-    sendStatusText(Severity::warning, ROM_TEXT("Take-off: by a mission, in AUTO"));
-    return MavResult::unsupported;
+// A COMMAND_LONG has no frame; ground stations give the height above home.
+uint8_t takeOffNow(Link&, Order& order) {
+    if (!order.has_frame) order.item.frame = MavFrame::global_relative_alt;
+    return answer(takeOff(order.item));
 }
 
 uint8_t refuseHere(Link&, Order& order) {

@@ -16,6 +16,7 @@ struct Order {
     mission::MissionItem item;  // x, y: parameters 5 and 6 as a place, z: parameter 7
     float param5, param6;       // as numbers
     uint8_t system, component;  // who gives it
+    bool has_frame;             // it came as COMMAND_INT
 };
 
 constexpr int32_t kNoPlace = INT32_MAX;  // in x or y: none is given
@@ -44,7 +45,7 @@ uint8_t changeSpeedNow(Link&, Order&);
 uint8_t guidedSpeed(Link&, Order&);
 uint8_t guidedAltitude(Link&, Order&);
 uint8_t enableAutotune(Link&, Order&);
-uint8_t refuseTakeoff(Link&, Order&);
+uint8_t takeOffNow(Link&, Order&);
 uint8_t refuseHere(Link&, Order&);  // what a pilot expects of others; says so
 uint8_t actNow(Link&, Order&);      // what a mission does at once
 uint8_t enableFence(Link&, Order&);

@@ -87,9 +87,13 @@ MissionResult guideTo(MissionItem& item) {
     return result;
 }
 
-MissionResult guideToHeight(MissionItem& item) {
+MissionResult aboveHome(MissionItem& item) {
     item.x = item.y = 0;
-    const MissionResult result = understand(item);
+    return understand(item);
+}
+
+MissionResult guideToHeight(MissionItem& item) {
+    const MissionResult result = aboveHome(item);
     if (result != MissionResult::accepted) return result;
     if (!guidesItself() || stickSetsSpeed() || vehicle.mode == Mode::automatic)
         return MissionResult::error;

@@ -13,5 +13,9 @@ mission::MissionResult guideTo(mission::MissionItem& target);
 // The height alone, in every mode that holds one by itself but AUTO.
 mission::MissionResult guideToHeight(mission::MissionItem& target);
 
+// Makes z the height above home: by the rules of a mission's waypoint, NaN is the present height.
+// The rest of the item is used up. Of NAV_WAYPOINT alone.
+mission::MissionResult aboveHome(mission::MissionItem& item);
+
 }  // namespace modes
 }  // namespace firmware

@@ -54,6 +54,7 @@ constexpr ModeRow kModes[] ROM = {
     {Mode::automatic, startAuto,      runAuto,      nothing,      stopAuto},
     {Mode::rtl,       startRtl,       runRtl,       nothing,      nothing},
     {Mode::loiter,    startLoiter,    runLoiter,    nothing,      nothing},
+    {Mode::takeoff,   startTakeoff,   runTakeoff,   demandTakeoff, nothing},
     {Mode::guided,    startGuided,    runGuided,    nothing,      nothing},
 };
 // clang-format on

@@ -48,6 +48,10 @@ void runRtl();
 Entry startLoiter();
 void runLoiter();
 
+Entry startTakeoff();
+void runTakeoff();
+void demandTakeoff();
+
 Entry startGuided();
 void runGuided();
 

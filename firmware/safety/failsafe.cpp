@@ -57,9 +57,10 @@ uint8_t flownClass() {
     const Path path = vehicle.demand.path;
     if (mode == Mode::rtl) return returning;
     if (mode == Mode::circle) return circling;
-    if (mode != Mode::automatic && mode != Mode::loiter && mode != Mode::guided) return by_pilot;
+    const bool near = mode == Mode::automatic || mode == Mode::takeoff;
+    if (!near && mode != Mode::loiter && mode != Mode::guided) return by_pilot;
     const bool low = path == Path::takeoff || path == Path::land;
-    return mode == Mode::automatic && !acts() && low ? near_ground : by_itself;
+    return near && !acts() && low ? near_ground : by_itself;
 }
 
 // Each is reported once, when it begins and when it is over.

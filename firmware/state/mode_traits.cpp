@@ -28,7 +28,7 @@ constexpr uint8_t kTraits[] ROM = {
     kAlone,     // 10 AUTO
     kAlone,     // 11 RTL
     kAlone,     // 12 LOITER
-    0,
+    kAlone,     // 13 TAKEOFF
     0,
     kAlone,     // 15 GUIDED
     0,          // 16 initialising

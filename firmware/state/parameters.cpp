@@ -163,6 +163,8 @@ constexpr parameters::Row kRows[] = {
     P(211, "RTL_AUTOLAND",      rtl_landing,                       0,       0,        2),
     P(209, "GLIDE_SLOPE_MIN",   glide_slope_min_m,                 0,       0,     1000),
     P(226, "GLIDE_SLOPE_THR",   glide_slope_threshold_m,          15,       0,      100),
+    P(  9, "TKOFF_ALT",         takeoff_height_m,                 50,      10,      200),
+    P( 28, "TKOFF_LVL_PITCH",   takeoff_level_pitch_deg,          15,       0,       30),
     P(137, "TKOFF_THR_MAX",     takeoff_throttle_max_pct,        100,       0,      100),
     P(138, "TKOFF_THR_MINSPD",  takeoff_min_speed_mps,             0,       0,       30),
     P(139, "TKOFF_THR_MINACC",  takeoff_min_accel_mss,             0,       0,       30),
@@ -235,7 +237,7 @@ constexpr uint8_t kRetired[] = {
     13, 22,  // SR0_RAW_CTRL, SR1_RAW_CTRL
     18, 27,  // SR0_PARAMS, SR1_PARAMS
 };
-constexpr uint16_t kNextSlot = 9;  // the lowest free one, for the next parameter
+constexpr uint16_t kNextSlot = 29;  // the lowest free one, for the next parameter
 
 #undef P
 #undef CHANNEL

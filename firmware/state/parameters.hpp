@@ -81,6 +81,8 @@ struct Parameters {
     int16_t glide_slope_min_m;
     int8_t glide_slope_threshold_m;  // GLIDE_SLOPE_THR
     // take-off and landing
+    int16_t takeoff_height_m;        // TKOFF_ALT: of the mode TAKEOFF
+    int8_t takeoff_level_pitch_deg;  // TKOFF_LVL_PITCH
     int8_t takeoff_throttle_max_pct;
     int8_t suppressed_manual;  // THR_SUPP_MAN
     float takeoff_min_speed_mps, takeoff_min_accel_mss;

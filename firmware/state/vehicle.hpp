@@ -29,6 +29,7 @@ enum class Mode : uint8_t {
     automatic = 10,  // AUTO
     rtl = 11,
     loiter = 12,
+    takeoff = 13,
     guided = 15,
     initialising = 16,
 };

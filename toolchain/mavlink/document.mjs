@@ -44,7 +44,7 @@ const remarks = {
   do_change_speed: 'p1 = 0 airspeed, 1 ground speed (AUTO and GUIDED), p2 m/s within `ARSPD_FBW_MIN`..`_MAX`, p3 throttle; -1 leaves it',
   do_set_home: 'p1 = 1: here; else p5, p6, p7. In flight the airplane stays where it is',
   nav_land: 'as DO_LAND_START',
-  nav_takeoff: 'refused with a text: a take-off is an item of a mission, in AUTO',
+  nav_takeoff: 'enters TAKEOFF: p7 m above home, or in the frame of COMMAND_INT (0: `TKOFF_ALT`), p1 the nose\'s least pitch in ° (0: `TKOFF_LVL_PITCH`)',
   do_flighttermination: 'refused with a text',
   do_autotune_enable: 'p1 = 1: AUTOTUNE, 0: from it to FBWA',
   do_send_banner: 'a text: what this is',

@@ -9,7 +9,8 @@ import { Sticks } from './sticks';
 export interface LiveStatus { armed: boolean; mode: string; item: number; speed: number; paused: boolean; clients: number; ended?: string }
 type Send = (command: Command) => Promise<Answer>;
 
-const kModes = ['MANUAL', 'STABILIZE', 'FBWA', 'FBWB', 'CRUISE', 'AUTO', 'LOITER', 'CIRCLE', 'RTL', 'GUIDED', 'AUTOTUNE'];
+const kModes = ['MANUAL', 'STABILIZE', 'FBWA', 'FBWB', 'CRUISE', 'AUTO', 'LOITER', 'CIRCLE', 'RTL', 'TAKEOFF', 'GUIDED',
+  'AUTOTUNE'];
 const kSpeeds: [string, number | 'max'][] = [['1×', 1], ['2×', 2], ['5×', 5], ['10×', 10], ['max', 'max']];
 const kFaults = ['gps_lost', 'baro_lost', 'airspeed_lost', 'compass_lost', 'imu_lost', 'radio_lost'];
 

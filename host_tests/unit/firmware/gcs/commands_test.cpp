@@ -440,9 +440,24 @@ TEST_F(Telemetry, changes_height_and_speed_by_the_orders_for_guided) {
     EXPECT_EQ(doubles::plan.acts.at(0).param3, -1) << "an acceleration is no throttle";
 }
 
+TEST_F(Telemetry, a_take_off_is_above_home_but_in_a_frame_that_was_given) {
+    EXPECT_EQ(command(MavCmd::nav_takeoff, 12, 0, 0, 0, 0, 0, 50), MavResult::accepted);
+    EXPECT_EQ(doubles::vehicle.takeoffs.at(0).z, 50);
+    EXPECT_EQ(doubles::vehicle.takeoffs.at(0).param1, 12);
+    EXPECT_EQ(doubles::vehicle.takeoffs.at(0).frame, +MavFrame::global_relative_alt);
+    mavlink::CommandInt message = {};
+    message.command = MavCmd::nav_takeoff;
+    message.frame = MavFrame::global;
+    message.z = 450;
+    message.target_system = message.target_component = 1;
+    EXPECT_EQ(ask<mavlink::CommandAck>(message).at(0).result, MavResult::accepted);
+    EXPECT_EQ(doubles::vehicle.takeoffs.at(1).z, 450);
+    EXPECT_EQ(doubles::vehicle.takeoffs.at(1).frame, +MavFrame::global);
+    doubles::plan.answer = firmware::mission::MissionResult::error;
+    EXPECT_EQ(command(MavCmd::nav_takeoff), MavResult::temporarily_rejected);
+}
+
 TEST_F(Telemetry, what_others_can_and_this_cannot_is_refused_with_a_text) {
-    EXPECT_EQ(command(MavCmd::nav_takeoff, 0, 0, 0, 0, 0, 0, 50), MavResult::unsupported);
-    EXPECT_EQ(station.texts().back(), "Take-off: by a mission, in AUTO");
     EXPECT_EQ(command(MavCmd::do_flighttermination, 1), MavResult::unsupported);
     EXPECT_EQ(station.texts(), std::vector<std::string>{"Command 185 is not supported"});
     EXPECT_EQ(command(MavCmd::guided_change_heading, 0, 90), MavResult::unsupported);

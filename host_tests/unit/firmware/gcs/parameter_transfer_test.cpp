@@ -176,9 +176,9 @@ void restart() {
 }
 
 TEST_F(Telemetry, a_mode_that_does_not_exist_is_no_mode_of_the_switch) {
-    constexpr float kThermal = 13;  // of ArduPlane, not of this airplane
+    constexpr float kAvoid = 14;  // of ArduPlane, not of this airplane
     const float before = firmware::state::parameters.switch_mode[0];
-    const auto values = ask<mavlink::ParamValue>(setting("FLTMODE1", kThermal));
+    const auto values = ask<mavlink::ParamValue>(setting("FLTMODE1", kAvoid));
 
     EXPECT_EQ(values.at(0).param_value, before);
     EXPECT_EQ(ask<mavlink::ParamValue>(setting("FLTMODE1", 10)).at(0).param_value, 10);

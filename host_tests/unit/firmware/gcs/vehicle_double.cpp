@@ -8,6 +8,7 @@
 #include "firmware/gcs/legacy_points.hpp"
 #include "firmware/mission/home.hpp"
 #include "firmware/modes/guided.hpp"
+#include "firmware/modes/takeoff.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameter_host.hpp"
@@ -127,6 +128,10 @@ MissionResult guideTo(MissionItem& item) {
 }
 MissionResult guideToHeight(MissionItem& item) {
     doubles::vehicle.heights.push_back(item);
+    return plan.answer;
+}
+MissionResult takeOff(MissionItem& item) {
+    doubles::vehicle.takeoffs.push_back(item);
     return plan.answer;
 }
 }  // namespace modes

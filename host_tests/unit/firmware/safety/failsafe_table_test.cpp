@@ -229,6 +229,7 @@ struct FlownMode {
 };
 const FlownMode kModes[] = {{Mode::fbwa, firmware::safety::by_pilot},
                             {Mode::loiter, firmware::safety::by_itself},
+                            {Mode::takeoff, firmware::safety::by_itself},
                             {Mode::circle, firmware::safety::circling},
                             {Mode::rtl, firmware::safety::returning}};
 
@@ -336,17 +337,23 @@ TEST_F(FailsafeMachine, fbwa_of_the_pilot_is_no_glide_and_a_glide_ends_with_the_
 }
 
 TEST_F(FailsafeMachine, take_off_and_landing_are_flown_to_their_end) {
-    for (firmware::state::Path path :
-         {firmware::state::Path::takeoff, firmware::state::Path::land}) {
+    using firmware::state::Path;
+    const struct {
+        Mode mode;
+        Path path;
+    } all[] = {{Mode::automatic, Path::takeoff},
+               {Mode::automatic, Path::land},
+               {Mode::takeoff, Path::takeoff}};
+    for (const auto& each : all) {
         start(Mode::loiter);
-        mutable_vehicle.mode = Mode::automatic;
-        mutable_vehicle.demand.path = path;
+        mutable_vehicle.mode = each.mode;
+        mutable_vehicle.demand.path = each.path;
         tenths(1);
         parameters.long_action = parameters.short_action = 1;
         mutable_vehicle.radio.lost = true;
         kTriggers[4].pull(true);
         tenths(100);
-        EXPECT_EQ(vehicle.mode, Mode::automatic);
+        EXPECT_EQ(vehicle.mode, each.mode);
         kTriggers[4].pull(false);
         mutable_vehicle.demand.path = firmware::state::Path::leg;
         tenths(2);
