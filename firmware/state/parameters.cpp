@@ -315,10 +315,26 @@ void assign(uint8_t row, float value) {
     ++parameter_changes.count;
 }
 
+bool isOfChannel(uint8_t number) {
+    return number >= slot::rc1_min && number <= slot::ofChannel(8, slot::dead_zone);
+}
+uint8_t channelPart(uint8_t number) {
+    return static_cast<uint8_t>(number - slot::rc1_min) % slot::kChannelParts;
+}
 bool isReverse(uint8_t number) {  // RCn_REV
-    for (uint8_t channel = 1; channel <= 8; ++channel)
-        if (number == slot::ofChannel(channel, slot::reverse)) return true;
-    return false;
+    return isOfChannel(number) && channelPart(number) == slot::reverse;
+}
+
+// A stick has both of its ways. The throttle's centre is its closed end for many ground stations.
+bool hasBothWays(uint8_t number, int16_t whole) {
+    const uint8_t part = channelPart(number);
+    if (!isOfChannel(number) || part > slot::max) return true;
+    const uint8_t channel = static_cast<uint8_t>(number - slot::rc1_min) / slot::kChannelParts;
+    Channel to_be = firmware::state::parameters.channel[channel];
+    int16_t* const parts[] = {&to_be.min_us, &to_be.trim_us, &to_be.max_us};
+    *parts[part] = whole;
+    const bool throttle = channel + 1 == firmware::state::parameters.map_throttle;
+    return to_be.min_us < to_be.trim_us + throttle && to_be.trim_us < to_be.max_us;
 }
 
 // In range, and not without a meaning or a danger.
@@ -353,6 +369,12 @@ bool isRigging(uint8_t number) {
     return false;
 }
 
+core::Status maySet(uint8_t number, float value) {
+    if (vehicle.armed && isRigging(number)) return core::Status::denied;
+    const bool fits = hasBothWays(number, static_cast<int16_t>(core::rounded(value)));
+    return fits ? core::Status::ok : core::Status::bad_argument;
+}
+
 }  // namespace
 
 uint16_t parameterCount() { return table.count(); }
@@ -384,7 +406,8 @@ core::Status parameterSetAt(uint16_t index, float value) {
     if (index >= table.count()) return core::Status::bad_argument;
     const uint8_t row = static_cast<uint8_t>(index);
     if (!takes(row, value)) return core::Status::bad_argument;
-    if (vehicle.armed && isRigging(table.slot(row))) return core::Status::denied;
+    const core::Status status = maySet(table.slot(row), value);
+    if (status != core::Status::ok) return status;
     if (isListLength(row)) return setListLength(row, value);
     if (background.store == Store::foreign) {
         sendStatusText(Severity::warning, ROM_TEXT("Not stored: another firmware's EEPROM"));
@@ -411,9 +434,11 @@ bool parameterGet(uint8_t slot, float& value) {
     return true;
 }
 
-// One search, as a mission sets a dozen in a row.
+// One search, as a mission sets a dozen in a row. Whoever uploads a mission may not grant himself
+// what only USB may.
 static bool findTaker(uint8_t slot, float value, uint8_t& row) {
-    return table.findSlot(slot, row) && !isListLength(row) && takes(row, value);
+    return slot != slot::serial_force && table.findSlot(slot, row) && !isListLength(row) &&
+           takes(row, value);
 }
 
 bool parameterSlotTakes(uint8_t slot, float value) {
@@ -423,7 +448,7 @@ bool parameterSlotTakes(uint8_t slot, float value) {
 
 bool parameterSet(uint8_t slot, float value) {
     uint8_t row;
-    if (!findTaker(slot, value, row)) return false;
+    if (!findTaker(slot, value, row) || maySet(slot, value) != core::Status::ok) return false;
     assign(row, value);
     parameters::saveLater(row);
     return true;

@@ -161,16 +161,20 @@ struct ParameterLimits {
 bool parameterLimits(uint16_t index, ParameterLimits& limits);
 
 // Sets, rounds to the field's type and stores. bad_argument: no such index, not finite, out of
-// range or without a meaning, nothing changed. denied: while armed not for what sticks and servos
-// mean (RCn_, RCMAP_, FLTMODE_CH, ELEVON_OUTPUT, VTAIL_OUTPUT), nothing changed. busy: the store
-// has no room yet, nothing changed: ask again later.
+// range, without a meaning, or RCn_MIN, _TRIM and _MAX would not ascend (but RCn_TRIM of the
+// throttle, which may be RCn_MIN), nothing changed. denied: while armed not for what sticks and
+// servos mean (RCn_, RCMAP_, FLTMODE_CH, ELEVON_OUTPUT, VTAIL_OUTPUT), nothing changed. busy: the
+// store has no room yet, nothing changed: ask again later.
 MUST_USE core::Status parameterSetAt(uint16_t index, float value);
 
 // The same by the eternal slot number, as stored missions name a parameter.
 bool parameterOfSlot(uint8_t slot, uint16_t& index);
 bool parameterGet(uint8_t slot, float& value);
-bool parameterSlotTakes(uint8_t slot, float value);  // exists, and the value is in its range
-bool parameterSet(uint8_t slot, float value);        // false: refused; stored in the background
+// Exists, is not SERIAL_FORCE, and the value is in its range.
+bool parameterSlotTakes(uint8_t slot, float value);
+// For missions and what the firmware finds out by itself; stored in the background. False: refused,
+// as parameterSetAt and parameterSlotTakes do.
+bool parameterSet(uint8_t slot, float value);
 // From this slot on. False: a value is none for its parameter, nothing was stored.
 bool parametersSetFrom(uint8_t slot, const float* values, uint8_t count);
 

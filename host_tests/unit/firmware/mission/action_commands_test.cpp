@@ -12,6 +12,29 @@ namespace firmware {
 using namespace mission;
 namespace {
 
+// SERIAL_FORCE would let the radio arm it past the checks.
+TEST_F(MissionFlight, nobody_grants_himself_by_a_mission_what_only_usb_may) {
+    constexpr uint8_t kForce = 5, kSetParameter = 0xB4;
+    EXPECT_EQ(answer(command(kSetParameter, kForce, 1)), static_cast<MissionResult>(7));
+    storeImage(2, {{16, 1, 0, 0, 0, 0},
+                   {16, 1, 0, 5000, 470050000, 80000000},
+                   {kSetParameter, 0, kForce, 1, 0, 0},
+                   {16, 1, 0, 5000, 470190000, 80000000}});
+    ASSERT_TRUE(enterAuto());
+    reach();
+    EXPECT_EQ(parameters.force_everywhere, 0);
+}
+
+TEST_F(MissionFlight, set_parameter_leaves_sticks_and_servos_alone_while_armed) {
+    constexpr uint8_t kElevon = 200;
+    fly({waypoint(500), command(180, kElevon, 1), command(180, 102, 0.75f), waypoint(900)});
+    statusTexts();
+    reach();
+    EXPECT_EQ(parameters.elevon_output, 0);
+    EXPECT_TRUE(hasStatusText("Mission: parameter 200 not set"));
+    EXPECT_FLOAT_EQ(parameters.roll.axis.p, 0.75f);
+}
+
 TEST_F(MissionFlight, change_speed_lasts_until_the_mission_restarts_or_ends) {
     fly({waypoint(500), command(178, 0, 16.5f, 60), waypoint(900), waypoint(1500)});
     reach();

@@ -30,20 +30,38 @@ TEST_F(Apm1Flight, changing_the_mode_to_auto_does_nothing) {
     EXPECT_EQ(missionCurrent(), 1);
 }
 
-TEST_F(Apm1Flight, cruise_speed_throttle_gains_and_channels_are_set) {
+TEST_F(Apm1Flight, cruise_speed_throttle_and_gains_are_set) {
     fly({waypoint(500), command(0x40, 15), command(0x41, 70), command(0x60, 0, 45000),
-         command(0x61, 6, 20000), command(0x64, 1, 70000), command(0x70, 4, 1510),
-         command(0x71, 7, 1950), command(0x72, 0, 1050), command(0x73, 2, 960)});
+         command(0x61, 6, 20000), command(0x64, 1, 70000), command(0x73, 2, 960)});
     pass();  // more than the engine looks at in one
     EXPECT_FLOAT_EQ(vehicle.demand.airspeed_mps, 15);
     EXPECT_EQ(vehicle.demand.throttle_pct, 70);
     EXPECT_FLOAT_EQ(parameters.roll.axis.p, 0.45f);
     EXPECT_FLOAT_EQ(parameters.speed_height.integral_gain, 0.2f);
     EXPECT_FLOAT_EQ(parameters.rudder_mix, 0.7f);
-    EXPECT_EQ(parameters.channel[4].trim_us, 1510);
-    EXPECT_EQ(parameters.channel[7].max_us, 1950);
-    EXPECT_EQ(parameters.channel[0].min_us, 1050);
     EXPECT_EQ(parameters.throttle_failsafe_us, 960);
+}
+
+// Armed, as a mission is flown, what sticks and servos mean is refused to it too.
+TEST_F(Apm1Flight, channels_are_set_while_disarmed_only) {
+    constexpr struct {
+        uint8_t id, p1;
+        int16_t us;
+    } kCases[] = {{0x70, 4, 1510}, {0x71, 7, 1950}, {0x72, 0, 1050}};
+    for (const auto& each : kCases) {
+        const uint8_t slot = channelSlot(each.id, each.p1);
+        float before, after;
+        ASSERT_TRUE(parameterGet(slot, before));
+        run(command(each.id, each.p1, each.us));
+        ASSERT_TRUE(parameterGet(slot, after));
+        EXPECT_EQ(after, before) << int(each.id);
+        EXPECT_TRUE(hasStatusText("Mission: parameter " + std::to_string(slot) + " not set"));
+        mutable_vehicle.armed = false;
+        setChannel({each.id, 0, each.p1, each.us, 0, 0});
+        ASSERT_TRUE(parameterGet(slot, after));
+        EXPECT_EQ(after, each.us) << int(each.id);
+        mutable_vehicle.armed = true;
+    }
 }
 
 TEST_F(Apm1Flight, every_gain_it_accepts_goes_to_the_parameter_that_plays_the_part) {
@@ -86,7 +104,10 @@ TEST_F(Apm1Flight, trims_of_elevons_are_those_of_their_channels_where_there_are_
     EXPECT_EQ(answer(command(0x73, 0, 1480)), MissionResult::invalid_param1);
     EXPECT_EQ(answer(command(0x73, 1, 1480)), MissionResult::invalid_param1);
     parameters.elevon_output = 1;
-    fly({waypoint(500), command(0x73, 0, 1480), command(0x73, 1, 1530)});
+    EXPECT_EQ(answer(command(0x73, 0, 1480)), MissionResult::accepted);
+    mutable_vehicle.armed = false;
+    setOtherRadio({0x73, 0, 0, 1480, 0, 0});
+    setOtherRadio({0x73, 0, 1, 1530, 0, 0});
     EXPECT_EQ(parameters.channel[0].trim_us, 1480);
     EXPECT_EQ(parameters.channel[1].trim_us, 1530);
     EXPECT_EQ(answer(command(0x73, 3, 1480)), MissionResult::invalid_param1);

@@ -60,8 +60,57 @@ TEST_F(Rigging, is_changed_while_disarmed_only) {
     ASSERT_TRUE(parameterFind(name, index));
     mutable_vehicle.armed = true;
     EXPECT_NE(parameterSetAt(index, 4000), core::Status::denied);
-    EXPECT_TRUE(parameterSet(slot::ofChannel(2, slot::trim), 1510))
-        << "a mission has been written so";
+}
+
+TEST_F(Rigging, is_not_changed_by_a_mission_either_while_armed) {
+    using namespace firmware::state;
+    const uint8_t trim = slot::ofChannel(2, slot::trim);
+    mutable_vehicle.armed = true;
+    const uint8_t kSlots[] = {trim, slot::ofChannel(2, slot::max), slot::rcmap_roll,
+                              slot::elevon_output, slot::rc5_function};
+    for (const uint8_t slot : kSlots) {
+        float before, after;
+        ASSERT_TRUE(parameterGet(slot, before));
+        EXPECT_FALSE(parameterSet(slot, before)) << int(slot);
+        ASSERT_TRUE(parameterGet(slot, after));
+        EXPECT_EQ(after, before);
+    }
+    mutable_vehicle.armed = false;
+    EXPECT_TRUE(parameterSet(trim, 1510));
+    EXPECT_EQ(parameters.channel[1].trim_us, 1510);
+}
+
+// 1100, 1500 and 1900 us at first.
+TEST_F(Rigging, leaves_every_stick_both_its_ways) {
+    using namespace firmware::state;
+    const struct {
+        uint8_t channel;
+        slot::ChannelPart part;
+        int16_t us;
+        bool taken;
+    } kCases[] = {
+        {2, slot::max, 1500, false},     {2, slot::max, 1501, true},   {2, slot::min, 1500, false},
+        {2, slot::min, 1499, true},      {2, slot::trim, 1100, false}, {2, slot::trim, 1101, true},
+        {2, slot::trim, 1900, false},    {2, slot::trim, 1899, true},  {8, slot::max, 1000, false},
+        {3, slot::trim, 1100, true},     {3, slot::trim, 1099, false}, {3, slot::trim, 1900, false},
+        {1, slot::dead_zone, 200, true},
+    };
+    for (const auto& each : kCases) {
+        fakes::reset();
+        while (parametersLoad() != core::Status::ok) fakes::advance_ms(10);
+        const uint8_t number = slot::ofChannel(each.channel, each.part);
+        EXPECT_EQ(parameterSet(number, each.us), each.taken) << int(number) << " " << each.us;
+        uint16_t index;
+        ASSERT_TRUE(parameterOfSlot(number, index));
+        EXPECT_EQ(parameterSetAt(index, each.us) == core::Status::bad_argument, !each.taken);
+    }
+}
+
+TEST_F(Rigging, is_not_all_that_a_mission_may_not_set) {
+    using namespace firmware::state;
+    EXPECT_FALSE(parameterSlotTakes(slot::serial_force, 1));
+    EXPECT_FALSE(parameterSet(slot::serial_force, 1));
+    EXPECT_EQ(parameters.force_everywhere, 0);
 }
 
 }  // namespace
