@@ -83,6 +83,19 @@ void saveFastRecord() {
     restart.records_written = true;
 }
 
+// Without an attitude the last pose stays, and is said to be old; its clock alone would go round.
+void saveOldPose() {
+    constexpr uint16_t kOld_ms = 1000;
+    const uint16_t at_ms = static_cast<uint16_t>(hal::now_ms()) - kOld_ms;
+    const FastRecord& from = moving[number & 1];
+    if (!restart.records_written || static_cast<int16_t>(at_ms - from.at_ms) <= 0) return;
+    FastRecord& to = moving[(number + 1) & 1];
+    to = from;
+    to.at_ms = at_ms;
+    to.number = ++number;
+    updateChecksum(to);
+}
+
 // Disarmed there is no flight to go on with, whatever the last record says.
 void forgetFlight() {
     if (!restart.records_written) return;
@@ -222,7 +235,7 @@ void runRestart() {
     if (restart.arms) armOnEvidence();
     if (restart.arms) return;
     if (!vehicle.armed) return forgetFlight();
-    if (vehicle.attitude.aligned) saveFastRecord();
+    vehicle.attitude.aligned ? saveFastRecord() : saveOldPose();
 }
 
 void runRestartSlowly() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/restart_evidence.hpp"
 
+#include <math.h>
+
 #include "core/file_state.hpp"
 #include "firmware/estimator/estimator.hpp"
 #include "firmware/sensors/sensors.hpp"
@@ -26,7 +28,8 @@ bool barometerRead() { return vehicle.baro.healthy && vehicle.estimate.baro_heig
 
 bool measuredInTheAir(float home_height_m) {
     constexpr float kOutOfReach_m = 10, kFarOutOfReach_m = 30;
-    const float height_m = barometerRead() ? vehicle.estimate.baro_height_m - home_height_m : 0;
+    const float height_m =
+        barometerRead() ? fabsf(vehicle.estimate.baro_height_m - home_height_m) : 0;
     if (height_m > kFarOutOfReach_m) return true;
     sensors::workOutAirspeed();  // the estimator does not while it has no attitude
     if (vehicle.airspeed.healthy)

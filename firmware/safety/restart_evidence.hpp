@@ -9,8 +9,8 @@ namespace firmware {
 namespace safety {
 
 // By the barometer's own reading since the start, of which `home_height_m` is home's: more than 30
-// m above home. Lower, by the airspeed sensor where there is one: a speed to fly with; else more
-// than 10 m above home.
+// m above or below home, where nobody can be beside it within the seconds that memory survives. By
+// the airspeed sensor where there is one: a speed to fly with; else more than 10 m above or below.
 bool measuredInTheAir(float home_height_m);
 
 // 50 Hz, while it is waited for: none has come, and it stays disarmed. 2 s after the start, and one

@@ -75,4 +75,16 @@ TEST_F(RestartEvidence, ten_metres_are_out_of_reach_and_thirty_whatever_the_airs
     EXPECT_TRUE(measuredInTheAir(0));
 }
 
+// A slope is flown below home, too.
+TEST_F(RestartEvidence, counts_as_much_below_home_as_above) {
+    barometer(-10);
+    EXPECT_FALSE(measuredInTheAir(0));
+    barometer(-10.5f);
+    EXPECT_TRUE(measuredInTheAir(0));
+    mutable_vehicle.airspeed.healthy = true;
+    EXPECT_FALSE(measuredInTheAir(0));
+    barometer(-30.5f);
+    EXPECT_TRUE(measuredInTheAir(0));
+}
+
 }  // namespace

@@ -398,6 +398,19 @@ TEST_F(Restart, turns_the_attitude_on_for_as_long_as_the_program_was_gone) {
     }
 }
 
+// The clock of a record has 16 bits: 65.536 s.
+TEST_F(Restart, takes_a_record_of_a_minute_ago_for_an_old_one) {
+    lastRecordTurns(0.3f);
+    mutable_vehicle.attitude.aligned = false;
+    for (int i = 0; i < 3290; ++i) {  // 65.8 s, at 50 Hz
+        fakes::advance_ms(20);
+        runRestart();
+    }
+    begin(ResetCause::watchdog);
+    EXPECT_TRUE(flyingOn());
+    EXPECT_NEAR(rollNow_rad(), 0.3f, 0.01f) << "a second is the most that is taken";
+}
+
 TEST_F(Restart, turns_it_as_the_gyros_were_watched_while_the_program_hung) {
     struct Row {
         uint8_t periods;
