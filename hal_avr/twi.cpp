@@ -93,7 +93,7 @@ inline __attribute__((always_inline)) void receiveNext(const Transfer& transfer)
     TWCR = more ? kGo | (1 << TWEA) : kGo;
 }
 
-inline void keepByte(Transfer& transfer) { transfer.bytes[transfer.at++] = TWDR; }
+inline void storeByte(Transfer& transfer) { transfer.bytes[transfer.at++] = TWDR; }
 
 // Without the pointer where there is but one.
 inline __attribute__((always_inline)) Transfer& current() {
@@ -151,11 +151,11 @@ ISR(TWI_vect) {
             receiveNext(transfer);
             break;
         case TW_MR_DATA_ACK:
-            keepByte(transfer);
+            storeByte(transfer);
             receiveNext(transfer);
             break;
         case TW_MR_DATA_NACK:
-            keepByte(transfer);
+            storeByte(transfer);
             finish(transfer, State::done);
             break;
         default:  // nobody answered, somebody else sends, or the bus is in disorder

@@ -14,10 +14,10 @@ using hal::ResetCause;
 
 namespace {
 
-// Of this run once it ends; until then of the last one, and without a seal.
+// Of this run once it ends; until then of the last one, and without a checksum.
 struct Note {
     hal::LastRun run;
-    uint16_t seal;  // of chance contents it is wrong
+    uint16_t checksum;  // of chance contents it is wrong
 };
 Note note __attribute__((section(".noinit")));
 
@@ -28,15 +28,16 @@ struct {
 constexpr uint8_t kBite_ms = 15;
 constexpr uint8_t kSupplyRemembered = 60;  // times 4 ms
 
-uint16_t sealOf(const hal::LastRun& run) {
-    constexpr uint16_t kSeal = 0x5AC3;
-    return static_cast<uint16_t>(kSeal ^ run.ended_ms ^ (run.trace << 8 | uint8_t(run.ended)));
+uint16_t checksumOf(const hal::LastRun& run) {
+    constexpr uint16_t kChecksumStart = 0x5AC3;
+    return static_cast<uint16_t>(kChecksumStart ^ run.ended_ms ^
+                                 (run.trace << 8 | uint8_t(run.ended)));
 }
 
 ResetCause causeOf(uint8_t flags) {
     // The supply's rise sets other flags along with its own.
     if (flags & (1 << PORF)) return ResetCause::power_on;
-    if (note.seal == sealOf(note.run)) return note.run.ended;
+    if (note.checksum == checksumOf(note.run)) return note.run.ended;
     if (flags & (1 << WDRF)) return ResetCause::watchdog;
     if (flags & (1 << BORF)) return ResetCause::brown_out;
     if (flags & (1 << EXTRF)) return ResetCause::external;
@@ -55,7 +56,7 @@ __attribute__((noinline)) void examineLastRun() {
     run.restart_ms = wiring::kStartUp_ms;
     if (run.ended == ResetCause::watchdog || run.ended == ResetCause::fault)
         run.restart_ms = wiring::kWatchdogResets ? kBite_ms + wiring::kStartUp_ms : 0;
-    note.seal = static_cast<uint16_t>(~sealOf(note.run));
+    note.checksum = static_cast<uint16_t>(~checksumOf(note.run));
     supply.low = 0;
 }
 
@@ -63,7 +64,7 @@ void leaveNote(ResetCause why) {
     note.run.ended = why;
     note.run.trace = GPIOR0;
     note.run.ended_ms = static_cast<uint16_t>(hal::now_ms());
-    note.seal = sealOf(note.run);
+    note.checksum = checksumOf(note.run);
 }
 
 // Everything that could still act or interrupt is as after a reset: all of the extended registers

@@ -21,7 +21,7 @@ struct Shutter {
     float every_m;       // 0: not by distance
     geo::Position last;  // of the pictures taken by distance
     uint8_t open_ticks;  // left until the shutter is let go
-    uint16_t pictures;
+    uint16_t triggers;
 };
 core::FileState<Shutter> shutter{};
 
@@ -38,7 +38,7 @@ void open() {
     // a second picture needs a shutter that was let go
     shutter.open_ticks = static_cast<uint8_t>(parameters.camera_duration_ds + 1);
     if (onRelay()) relaySet(true);
-    ++shutter.pictures;
+    ++shutter.triggers;
 }
 
 void letGo() {
@@ -59,7 +59,7 @@ bool farEnough() {
 void cameraStart() {
     shutter.every_m = 0;
     shutter.open_ticks = 0;
-    shutter.pictures = 0;
+    shutter.triggers = 0;
 }
 
 void cameraTrigger() {
@@ -93,7 +93,7 @@ uint16_t cameraPulse_us() {
     return static_cast<uint16_t>(pulse_us);
 }
 
-uint16_t picturesTaken() { return shutter.pictures; }
+uint16_t cameraTriggerCount() { return shutter.triggers; }
 
 }  // namespace actuators
 }  // namespace firmware

@@ -15,7 +15,7 @@ void cameraEvery(int32_t distance_cm);  // flown over the ground; 0: no more
 void runCamera();                       // 10 Hz
 
 uint16_t cameraPulse_us();
-uint16_t picturesTaken();  // since the start
+uint16_t cameraTriggerCount();  // since the start
 
 }  // namespace actuators
 }  // namespace firmware

@@ -24,7 +24,7 @@ static_assert(hal::kFlashMissionPages % kPagesPerBlock == 0, "a block has one ow
 struct FlashUse {
     drivers::At45db<board::FlashBus, board::FlashSelect, board::FlashReset> chip;
     bool mission_wants;
-    bool trouble_told;
+    bool trouble_reported;
 };
 core::FileState<FlashUse> flash{};
 
@@ -54,19 +54,19 @@ void reportTrouble() {
             sendStatusText(Severity::error, ROM_TEXT("DataFlash: lost, not used any more"));
             break;
     }
-    flash.trouble_told = true;
+    flash.trouble_reported = true;
 }
 
 }  // namespace
 
 void dataflashStart() {
-    flash.mission_wants = flash.trouble_told = false;
+    flash.mission_wants = flash.trouble_reported = false;
     flash.chip.start(clock_ms());
 }
 
 void dataflashStep() {
     flash.chip.step(clock_ms());
-    if (!flash.trouble_told) reportTrouble();
+    if (!flash.trouble_reported) reportTrouble();
 }
 
 }  // namespace app

@@ -16,9 +16,9 @@
 #include "firmware/gcs/telemetry.hpp"
 #include "firmware/guidance/guidance.hpp"
 #include "firmware/logger/log.hpp"
-#include "firmware/mission/events.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/mission/rally.hpp"
+#include "firmware/mission/servo_relay_events.hpp"
 #include "firmware/modes/mode_switch.hpp"
 #include "firmware/modes/modes.hpp"
 #include "firmware/safety/arming.hpp"
@@ -86,7 +86,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { medium, runCompass,              2,     1,     250 },
     { medium, runAirspeed,             2,     1,      85 },
     { medium, alignAttitude,          10,     9,     610 },
-    { medium, turnMatrix,              2,     0,     280 },
+    { medium, rotateDcm,              2,     0,     280 },
     { medium, orthonormalizeMatrix,   10,     7,     330 },
     { medium, pointYaw,               10,     0,     105 },
     { medium, propagateMotion,         4,     1,     590 },

@@ -28,15 +28,15 @@ constexpr InvertedState& published = Publisher<InvertedState>::state();
 // Half a roll costs height, and so does a wing that was not made for it.
 constexpr float kLowestToRoll_m = 30, kLowest_m = 15;
 
-struct Order {
+struct InvertedRequest {
     bool ordered;
     Mode ordered_in;
 };
-core::FileState<Order> order{};
+core::FileState<InvertedRequest> request{};
 
 bool wanted() {
-    if (order.ordered_in != vehicle.mode) order.ordered = false;
-    return order.ordered || switchIsUp(parameters.inverted_channel);
+    if (request.ordered_in != vehicle.mode) request.ordered = false;
+    return request.ordered || switchIsUp(parameters.inverted_channel);
 }
 
 bool possible() {
@@ -51,9 +51,9 @@ bool possible() {
 
 }  // namespace
 
-void orderInverted(bool on) {
-    order.ordered = on;
-    order.ordered_in = vehicle.mode;
+void requestInverted(bool on) {
+    request.ordered = on;
+    request.ordered_in = vehicle.mode;
 }
 
 void runInverted() { published.inverted = wanted() && possible(); }

@@ -7,7 +7,7 @@
 namespace firmware {
 namespace control {
 
-void orderInverted(bool on);
+void requestInverted(bool on);
 void runInverted();  // 10 Hz
 
 }  // namespace control

@@ -4,7 +4,7 @@
 #include "core/file_state.hpp"
 #include "core/internal_error.hpp"
 #include "core/maths.hpp"
-#include "estimation/arc.hpp"
+#include "estimation/atan2_table.hpp"
 #include "estimation/atmosphere.hpp"
 #include "estimation/attitude.hpp"
 #include "estimation/barometer_drift.hpp"
@@ -351,9 +351,9 @@ void runAttitude() {
 
 void alignAttitude() { attitude.align(); }
 
-void turnMatrix() {
+void rotateDcm() {
     if (!runs()) return;
-    attitude.turnMatrix();
+    attitude.rotateDcm();
     publishAngles();
 }
 
@@ -397,8 +397,8 @@ void publishSpeeds() {
     to.ground_speed_mps = sqrtf(core::square(velocity.x) + core::square(velocity.y));
     if (to.ground_speed_mps > 0.01f) {
         const float inverse = 1.0f / to.ground_speed_mps;
-        to.course_cd = core::wrap360_cd(core::rounded(
-            core::centidegrees(estimation::arc_rad(velocity.y * inverse, velocity.x * inverse))));
+        to.course_cd = core::wrap360_cd(core::rounded(core::centidegrees(
+            estimation::tableAtan2_rad(velocity.y * inverse, velocity.x * inverse))));
     }
     workOutAirspeed();
     if (vehicle.airspeed.healthy) {

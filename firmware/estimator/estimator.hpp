@@ -10,7 +10,7 @@ namespace estimator {
 // Rows of the schedule. They do nothing until the gyros' zero is known.
 void runAttitude();           // 100 Hz, after the inertial sensor: roll, pitch and rates
 void alignAttitude();         // 10 Hz: the first matrix
-void turnMatrix();            // 50 Hz: all angles
+void rotateDcm();             // 50 Hz: all angles
 void orthonormalizeMatrix();  // 10 Hz
 void pointYaw();              // 10 Hz
 void gatherPressure();        // 100 Hz, after the barometer

@@ -3,7 +3,7 @@
 
 #include "core/file_state.hpp"
 #include "core/rom.hpp"
-#include "firmware/gcs/commands_orders.hpp"
+#include "firmware/gcs/command_handlers.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/sensors/accelerometer_fit.hpp"
@@ -72,16 +72,16 @@ bool secondHasPassed() {
     return true;
 }
 
-Order orderFor(uint16_t command) {
-    Order order;
-    order.command = command;
-    order.system = now.asker.system;
-    order.component = now.asker.component;
-    return order;
+CommandRequest requestFor(uint16_t command) {
+    CommandRequest request;
+    request.command = command;
+    request.system = now.asker.system;
+    request.component = now.asker.component;
+    return request;
 }
 
 bool acknowledge(uint8_t result) {
-    return gcs::acknowledge(link(), orderFor(MavCmd::preflight_calibration), result);
+    return gcs::acknowledge(link(), requestFor(MavCmd::preflight_calibration), result);
 }
 
 bool reportSide(uint32_t position) {

@@ -5,7 +5,7 @@
 #include <stddef.h>
 
 #include "core/rom.hpp"
-#include "firmware/gcs/commands_orders.hpp"
+#include "firmware/gcs/command_handlers.hpp"
 #include "firmware/gcs/degrees.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/notify/status_text.hpp"
@@ -25,7 +25,7 @@ using mavlink::MavResult;
 
 struct CommandRow {
     uint16_t command;
-    uint8_t (*carryOut)(Link& link, Order& order);
+    uint8_t (*carryOut)(Link& link, CommandRequest& request);
 };
 
 // clang-format off
@@ -76,10 +76,10 @@ constexpr CommandRow kCommands[] ROM = {
 };
 // clang-format on
 
-uint8_t carryOut(Link& link, Order& order) {
+uint8_t carryOut(Link& link, CommandRequest& request) {
     for (const CommandRow& row : kCommands)
-        if (core::romRead(row.command) == order.command)
-            return core::romRead(row.carryOut)(link, order);
+        if (core::romRead(row.command) == request.command)
+            return core::romRead(row.carryOut)(link, request);
     return MavResult::unsupported;
 }
 
@@ -119,44 +119,44 @@ uint8_t whenTrue(bool done, uint8_t otherwise) {
     return done ? kAccepted : otherwise;
 }
 
-bool acknowledge(Link& link, const Order& order, uint8_t result) {
+bool acknowledge(Link& link, const CommandRequest& request, uint8_t result) {
     mavlink::CommandAck message = {};
-    message.command = order.command;
+    message.command = request.command;
     message.result = result;
     if (result == MavResult::in_progress) message.progress = UINT8_MAX;  // not known
-    message.target_system = order.system;
-    message.target_component = order.component;
+    message.target_system = request.system;
+    message.target_component = request.component;
     return send(link, message);
 }
 
 bool onCommand(Link& link, const mavlink::Frame& frame) {
     const auto message = frame.read<mavlink::CommandInt>();
-    Order order;
-    order.system = frame.system;
-    order.component = frame.component;
-    order.command = order.item.command = message.command;
-    order.item.frame = message.frame;
-    memcpy(&order.item.param1, &message, kParameters);
-    order.param5 = static_cast<float>(message.x);
-    order.param6 = static_cast<float>(message.y);
-    order.has_frame = frame.id != mavlink::Wire<mavlink::CommandLong>::id;
-    if (!order.has_frame) {
-        memcpy(&order.param5, &message.x, sizeof order.param5);
-        memcpy(&order.param6, &message.y, sizeof order.param6);
-        order.item.x = placeOf(order.param5);
-        order.item.y = placeOf(order.param6);
-        order.item.frame = mavlink::MavFrame::global;
+    CommandRequest request;
+    request.system = frame.system;
+    request.component = frame.component;
+    request.command = request.item.command = message.command;
+    request.item.frame = message.frame;
+    memcpy(&request.item.param1, &message, kParameters);
+    request.param5 = static_cast<float>(message.x);
+    request.param6 = static_cast<float>(message.y);
+    request.has_frame = frame.id != mavlink::Wire<mavlink::CommandLong>::id;
+    if (!request.has_frame) {
+        memcpy(&request.param5, &message.x, sizeof request.param5);
+        memcpy(&request.param6, &message.y, sizeof request.param6);
+        request.item.x = placeOf(request.param5);
+        request.item.y = placeOf(request.param6);
+        request.item.frame = mavlink::MavFrame::global;
     }
-    return acknowledge(link, order, carryOut(link, order));
+    return acknowledge(link, request, carryOut(link, request));
 }
 
 bool onSetMode(Link& link, const mavlink::Frame& frame) {
     const auto message = frame.read<mavlink::SetMode>();
-    Order order;
-    order.command = mavlink::Wire<mavlink::SetMode>::id;
-    order.system = frame.system;
-    order.component = frame.component;
-    return acknowledge(link, order, setModeOf(message.base_mode, message.custom_mode));
+    CommandRequest request;
+    request.command = mavlink::Wire<mavlink::SetMode>::id;
+    request.system = frame.system;
+    request.component = frame.component;
+    return acknowledge(link, request, setModeOf(message.base_mode, message.custom_mode));
 }
 
 bool onAutopilotVersionRequest(Link& link, const mavlink::Frame&) {

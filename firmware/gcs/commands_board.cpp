@@ -6,8 +6,8 @@
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/gcs/calibration.hpp"
+#include "firmware/gcs/command_handlers.hpp"
 #include "firmware/gcs/commands.hpp"
-#include "firmware/gcs/commands_orders.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/gcs/parameter_guard.hpp"
 #include "firmware/notify/status_text.hpp"
@@ -61,7 +61,7 @@ uint8_t trimLevel() {
 }
 
 // Bits of what a command asks for.
-enum Wish : uint8_t {
+enum Part : uint8_t {
     kGyros = 1,
     kCompass = 2,
     kPressures = 4,
@@ -70,12 +70,12 @@ enum Wish : uint8_t {
     kSixSides = 32,
     kOneSide = 64,
 };
-struct WishRow {
+struct PartRow {
     uint8_t param, value;  // param 1: 0
-    uint8_t wish;
+    uint8_t part;
 };
 // clang-format off
-constexpr WishRow kWishes[] ROM = {
+constexpr PartRow kParts[] ROM = {
     {0, 1, kGyros},
     {1, 1, kCompass},
     {2, 1, kPressures},
@@ -89,30 +89,30 @@ constexpr WishRow kWishes[] ROM = {
 // clang-format on
 constexpr uint8_t kParams = 7;
 
-uint8_t wishOf(uint8_t param, float value) {
-    for (const WishRow& in_flash : kWishes) {
-        const WishRow row = core::romRead(in_flash);
-        if (row.param == param && number(value) == row.value) return row.wish;
+uint8_t partOf(uint8_t param, float value) {
+    for (const PartRow& in_flash : kParts) {
+        const PartRow row = core::romRead(in_flash);
+        if (row.param == param && number(value) == row.value) return row.part;
     }
     return 0;
 }
 
 // False: there is something in it that cannot be had here.
-bool wishesOf(const Order& order, uint8_t& wishes) {
+bool partsOf(const CommandRequest& request, uint8_t& parts) {
     float param[kParams];
-    memcpy(param, &order.item.param1, 4 * sizeof(float));
-    param[4] = order.param5;
-    param[5] = order.param6;
-    param[6] = order.item.z;
-    wishes = 0;
+    memcpy(param, &request.item.param1, 4 * sizeof(float));
+    param[4] = request.param5;
+    param[5] = request.param6;
+    param[6] = request.item.z;
+    parts = 0;
     for (uint8_t i = 0; i < kParams; ++i) {
         if (!isGiven(param[i])) continue;
-        const uint8_t wish = wishOf(i, param[i]);
-        if (wish == 0) return false;
-        wishes |= wish;
+        const uint8_t part = partOf(i, param[i]);
+        if (part == 0) return false;
+        parts |= part;
     }
     // "ground start" of some ground stations: the compass needs more than standing still
-    if ((wishes & kGyros) != 0) wishes &= static_cast<uint8_t>(~kCompass);
+    if ((parts & kGyros) != 0) parts &= static_cast<uint8_t>(~kCompass);
     return true;
 }
 
@@ -124,27 +124,28 @@ uint8_t mayCalibrate() {
     return MavResult::temporarily_rejected;
 }
 
-uint8_t begin(Calibrating what, Link& link, const Order& order, uint8_t answer) {
-    if (calibrationBegin(what, {linkNumber(link), order.system, order.component})) return answer;
+uint8_t begin(Calibrating what, Link& link, const CommandRequest& request, uint8_t answer) {
+    if (calibrationBegin(what, {linkNumber(link), request.system, request.component}))
+        return answer;
     sendStatusText(Severity::error, ROM_TEXT("Calibration refused: another runs"));
     return MavResult::temporarily_rejected;
 }
 
-uint8_t beginRest(Link& link, const Order& order, uint8_t wishes) {
+uint8_t beginRest(Link& link, const CommandRequest& request, uint8_t parts) {
     const bool again = vehicle.calibrating == Calibrating::rest;
-    const uint8_t result = begin(Calibrating::rest, link, order, MavResult::in_progress);
+    const uint8_t result = begin(Calibrating::rest, link, request, MavResult::in_progress);
     if (again || result != MavResult::in_progress) return result;
-    if ((wishes & kGyros) != 0) calibrateGyros();
-    if ((wishes & kPressures) != 0) calibratePressures();
+    if ((parts & kGyros) != 0) calibrateGyros();
+    if ((parts & kPressures) != 0) calibratePressures();
     return result;
 }
 
-uint8_t beginCompass(Link& link, const Order& order) {
+uint8_t beginCompass(Link& link, const CommandRequest& request) {
     if (!vehicle.compass.healthy) {
         sendStatusText(Severity::error, ROM_TEXT("Calibration refused: no compass"));
         return MavResult::failed;
     }
-    return begin(Calibrating::compass, link, order, MavResult::accepted);
+    return begin(Calibrating::compass, link, request, MavResult::accepted);
 }
 
 void rebootTick() {
@@ -158,40 +159,40 @@ void rebootTick() {
 
 }  // namespace
 
-uint8_t calibrate(Link& link, Order& order) {
-    uint8_t wishes;
-    if (!wishesOf(order, wishes)) return MavResult::unsupported;
-    if (wishes == 0) {
+uint8_t calibrate(Link& link, CommandRequest& request) {
+    uint8_t parts;
+    if (!partsOf(request, parts)) return MavResult::unsupported;
+    if (parts == 0) {
         if (vehicle.calibrating == Calibrating::nothing) return MavResult::unsupported;
-        return cancelCalibration(link, order);
+        return cancelCalibration(link, request);
     }
     uint8_t result = mayCalibrate();
     if (result != MavResult::accepted) return result;
-    if (wishes == kSixSides) return begin(Calibrating::sides, link, order, MavResult::accepted);
-    if (wishes == kOneSide) return begin(Calibrating::level, link, order, MavResult::in_progress);
-    if (wishes == kCompass) return beginCompass(link, order);
-    if ((wishes & (kSixSides | kOneSide | kCompass)) != 0) return MavResult::unsupported;
-    if ((wishes & kRadio) != 0) result = trimRadio();
-    if ((wishes & kLevel) != 0) result = trimLevel();
-    if (result != MavResult::accepted || (wishes & (kGyros | kPressures)) == 0) return result;
-    return beginRest(link, order, wishes);
+    if (parts == kSixSides) return begin(Calibrating::sides, link, request, MavResult::accepted);
+    if (parts == kOneSide) return begin(Calibrating::level, link, request, MavResult::in_progress);
+    if (parts == kCompass) return beginCompass(link, request);
+    if ((parts & (kSixSides | kOneSide | kCompass)) != 0) return MavResult::unsupported;
+    if ((parts & kRadio) != 0) result = trimRadio();
+    if ((parts & kLevel) != 0) result = trimLevel();
+    if (result != MavResult::accepted || (parts & (kGyros | kPressures)) == 0) return result;
+    return beginRest(link, request, parts);
 }
 
-uint8_t calibrateCompass(Link& link, Order& order) {
+uint8_t calibrateCompass(Link& link, CommandRequest& request) {
     const uint8_t result = mayCalibrate();
-    return result == MavResult::accepted ? beginCompass(link, order) : result;
+    return result == MavResult::accepted ? beginCompass(link, request) : result;
 }
 
 // What fits is kept without being asked.
-uint8_t acceptCompass(Link&, Order&) { return MavResult::accepted; }
+uint8_t acceptCompass(Link&, CommandRequest&) { return MavResult::accepted; }
 
-uint8_t cancelCalibration(Link&, Order&) {
+uint8_t cancelCalibration(Link&, CommandRequest&) {
     calibrationCancel();
     return MavResult::accepted;
 }
 
-uint8_t sideIsReady(Link&, Order& order) {
-    return whenTrue(calibrationSideIsReady(number(order.item.param1)), MavResult::denied);
+uint8_t sideIsReady(Link&, CommandRequest& request) {
+    return whenTrue(calibrationSideIsReady(number(request.item.param1)), MavResult::denied);
 }
 
 // A key that was pressed on the ground reaches the airplane as the answer to a command that never
@@ -201,33 +202,33 @@ bool onCommandAck(Link&, const mavlink::Frame& frame) {
     return true;
 }
 
-uint8_t setSensorOffsets(Link&, Order& order) {
+uint8_t setSensorOffsets(Link&, CommandRequest& request) {
     constexpr uint8_t kCompass = 2;
-    if (order.item.param1 != kCompass) return MavResult::unsupported;
-    const float offsets_mg[] = {order.item.param2, order.item.param3, order.item.param4};
+    if (request.item.param1 != kCompass) return MavResult::unsupported;
+    const float offsets_mg[] = {request.item.param2, request.item.param3, request.item.param4};
     return whenTrue(parametersSetFrom(slot::compass_ofs_x, offsets_mg, 3), MavResult::failed);
 }
 
 // Values are stored as they are set: reading and writing "all" has nothing to do. Parameters may be
 // reset alone, missions only with them: then everything is erased.
-uint8_t resetStorage(Link&, Order& order) {
+uint8_t resetStorage(Link&, CommandRequest& request) {
     constexpr uint8_t kReset = 2;
-    const uint16_t action = number(order.item.param1);
-    const bool missions = order.item.param2 == kReset;
+    const uint16_t action = number(request.item.param1);
+    const bool missions = request.item.param2 == kReset;
     if (action != kReset) return whenTrue(action < kReset && !missions, MavResult::unsupported);
     return whenTrue(missions ? parametersErase() : parametersReset(),
                     MavResult::temporarily_rejected);
 }
 
 // After any reset the bootloader waits for a while for somebody to talk to it: all that 3 wants.
-uint8_t reboot(Link& link, Order& order) {
+uint8_t reboot(Link& link, CommandRequest& request) {
     constexpr uint8_t kRestart = 1, kToBootloader = 3;
     constexpr float kWhateverHappens = 20190226;
-    const uint16_t action = number(order.item.param1);
+    const uint16_t action = number(request.item.param1);
     if (action == 0) return MavResult::accepted;
     if (action != kRestart && action != kToBootloader) return MavResult::denied;
     if (vehicle.armed) {
-        if (order.param6 != kWhateverHappens) return MavResult::temporarily_rejected;
+        if (request.param6 != kWhateverHappens) return MavResult::temporarily_rejected;
         if (!mayForce(link)) return MavResult::denied;
     }
     restart.turns_left = kRebootTurns;

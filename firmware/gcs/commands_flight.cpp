@@ -4,7 +4,7 @@
 
 #include "core/maths.hpp"
 #include "core/rom.hpp"
-#include "firmware/gcs/commands_orders.hpp"
+#include "firmware/gcs/command_handlers.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/mission/home.hpp"
 #include "firmware/mission/speed.hpp"
@@ -78,115 +78,116 @@ uint8_t setModeOf(uint8_t base_mode, uint32_t custom_mode) {
     return enterBaseMode(base_mode);
 }
 
-uint8_t doSetMode(Link&, Order& order) {
-    const uint16_t base_mode = number(order.item.param1);
+uint8_t doSetMode(Link&, CommandRequest& request) {
+    const uint16_t base_mode = number(request.item.param1);
     if (base_mode > 0xFF) return MavResult::denied;
-    return setModeOf(static_cast<uint8_t>(base_mode), number(order.item.param2));
+    return setModeOf(static_cast<uint8_t>(base_mode), number(request.item.param2));
 }
 
-uint8_t returnToLaunch(Link&, Order&) { return enter(Mode::rtl); }
-uint8_t loiterHere(Link&, Order&) { return enter(Mode::loiter); }
+uint8_t returnToLaunch(Link&, CommandRequest&) { return enter(Mode::rtl); }
+uint8_t loiterHere(Link&, CommandRequest&) { return enter(Mode::loiter); }
 
-uint8_t startMission(Link&, Order& order) {
+uint8_t startMission(Link&, CommandRequest& request) {
     // a part of the mission cannot be flown alone
-    if (isGiven(order.item.param1) || isGiven(order.item.param2)) return MavResult::denied;
+    if (isGiven(request.item.param1) || isGiven(request.item.param2)) return MavResult::denied;
     return enter(Mode::automatic);
 }
 
-uint8_t setCurrentItem(Link& link, Order& order) {
-    const uint16_t index = order.item.param1 == -1 ? missionCurrent() : number(order.item.param1);
+uint8_t setCurrentItem(Link& link, CommandRequest& request) {
+    const uint16_t index =
+        request.item.param1 == -1 ? missionCurrent() : number(request.item.param1);
     if (index >= missionCount()) return MavResult::denied;
-    if (number(order.item.param2) == 1) missionRestart();  // with the counts of its jumps
+    if (number(request.item.param2) == 1) missionRestart();  // with the counts of its jumps
     if (!missionSetCurrent(index)) return MavResult::denied;
     requestOnce(link, mavlink::Wire<mavlink::MissionCurrent>::id);
     return MavResult::accepted;
 }
 
 // NaN, and INT32_MAX of a place, leave things as they are.
-uint8_t reposition(Link&, Order& order) {
+uint8_t reposition(Link&, CommandRequest& request) {
     constexpr uint8_t kChangeMode = 1;  // MAV_DO_REPOSITION_FLAGS
     constexpr float kFastest_mps = 200;
-    const float speed_mps = order.item.param1;
+    const float speed_mps = request.item.param1;
     if (speed_mps > kFastest_mps) return MavResult::denied;
-    if (vehicle.mode != Mode::guided && (number(order.item.param2) & kChangeMode) == 0)
+    if (vehicle.mode != Mode::guided && (number(request.item.param2) & kChangeMode) == 0)
         return MavResult::temporarily_rejected;
-    order.item.command = mavlink::MavCmd::nav_waypoint;
-    const MissionResult result = guideTo(order.item);
+    request.item.command = mavlink::MavCmd::nav_waypoint;
+    const MissionResult result = guideTo(request.item);
     if (result == MissionResult::accepted && speed_mps > 0)
         setGroundSpeed(core::rounded(speed_mps * 100));
     return answer(result);
 }
 
-uint8_t changeAltitude(Link&, Order& order) {
-    const uint16_t frame = number(order.item.param2);
+uint8_t changeAltitude(Link&, CommandRequest& request) {
+    const uint16_t frame = number(request.item.param2);
     if (frame > 0xFF) return MavResult::denied;
-    MissionItem& target = order.item;
+    MissionItem& target = request.item;
     target.command = mavlink::MavCmd::nav_waypoint;
     target.frame = static_cast<uint8_t>(frame);
     target.z = target.param1;
     return answer(guideToHeight(target));
 }
 
-uint8_t actNow(Link&, Order& order) {
-    order.item.frame = MavFrame::mission;  // none of them has a place
-    return answer(missionAct(order.item));
+uint8_t actNow(Link&, CommandRequest& request) {
+    request.item.frame = MavFrame::mission;  // none of them has a place
+    return answer(missionAct(request.item));
 }
 
-uint8_t changeSpeedNow(Link& link, Order& order) {
-    if (number(order.item.param1) == 1 && !followsGroundSpeed())
+uint8_t changeSpeedNow(Link& link, CommandRequest& request) {
+    if (number(request.item.param1) == 1 && !followsGroundSpeed())
         return MavResult::temporarily_rejected;
-    return actNow(link, order);
+    return actNow(link, request);
 }
 
 // The acceleration is not ours to choose.
-uint8_t guidedSpeed(Link& link, Order& order) {
+uint8_t guidedSpeed(Link& link, CommandRequest& request) {
     if (vehicle.mode != Mode::guided) return MavResult::temporarily_rejected;
-    order.item.command = mavlink::MavCmd::do_change_speed;
-    order.item.param3 = -1;  // the throttle
-    order.item.param4 = 0;
-    return changeSpeedNow(link, order);
+    request.item.command = mavlink::MavCmd::do_change_speed;
+    request.item.param3 = -1;  // the throttle
+    request.item.param4 = 0;
+    return changeSpeedNow(link, request);
 }
 
 // Nor is the rate of climb.
-uint8_t guidedAltitude(Link&, Order& order) {
+uint8_t guidedAltitude(Link&, CommandRequest& request) {
     if (vehicle.mode != Mode::guided) return MavResult::temporarily_rejected;
-    order.item.command = mavlink::MavCmd::nav_waypoint;
-    return answer(guideToHeight(order.item));
+    request.item.command = mavlink::MavCmd::nav_waypoint;
+    return answer(guideToHeight(request.item));
 }
 
-uint8_t enableAutotune(Link&, Order& order) {
-    if (number(order.item.param1) == 1) return enter(Mode::autotune);
+uint8_t enableAutotune(Link&, CommandRequest& request) {
+    if (number(request.item.param1) == 1) return enter(Mode::autotune);
     if (vehicle.mode == Mode::autotune) return enter(Mode::fbwa);
     return MavResult::accepted;
 }
 
 // A COMMAND_LONG has no frame; ground stations give the height above home.
-uint8_t takeOffNow(Link&, Order& order) {
-    if (!order.has_frame) order.item.frame = MavFrame::global_relative_alt;
-    return answer(takeOff(order.item));
+uint8_t takeOffNow(Link&, CommandRequest& request) {
+    if (!request.has_frame) request.item.frame = MavFrame::global_relative_alt;
+    return answer(takeOff(request.item));
 }
 
-uint8_t refuseHere(Link&, Order& order) {
-    sendStatusText(Severity::warning, ROM_TEXT("Command # is not supported"), order.command);
+uint8_t refuseHere(Link&, CommandRequest& request) {
+    sendStatusText(Severity::warning, ROM_TEXT("Command # is not supported"), request.command);
     return MavResult::unsupported;
 }
 
-uint8_t enableFence(Link&, Order& order) {
-    return whenTrue(fenceEnable(number(order.item.param1)), MavResult::denied);
+uint8_t enableFence(Link&, CommandRequest& request) {
+    return whenTrue(fenceEnable(number(request.item.param1)), MavResult::denied);
 }
 
-uint8_t startLanding(Link&, Order&) {
+uint8_t startLanding(Link&, CommandRequest&) {
     if (!vehicle.estimate.flying) return MavResult::temporarily_rejected;
     return whenTrue(missionLand(), MavResult::denied);
 }
 
-uint8_t goAround(Link&, Order& order) {
-    return whenTrue(missionGoAround(order.item.param1), MavResult::temporarily_rejected);
+uint8_t goAround(Link&, CommandRequest& request) {
+    return whenTrue(missionGoAround(request.item.param1), MavResult::temporarily_rejected);
 }
 
-uint8_t armOrDisarm(Link& link, Order& order) {
+uint8_t armOrDisarm(Link& link, CommandRequest& request) {
     constexpr uint16_t kForceArm = 2989, kForceDisarm = 21196;  // as MAVLink documents them
-    const uint16_t action = number(order.item.param1), magic = number(order.item.param2);
+    const uint16_t action = number(request.item.param1), magic = number(request.item.param2);
     const bool force = magic == kForceDisarm || (action == 1 && magic == kForceArm);
     if (force && !mayForce(link)) return MavResult::denied;
     switch (action) {
@@ -199,13 +200,13 @@ uint8_t armOrDisarm(Link& link, Order& order) {
     }
 }
 
-uint8_t runPrearmChecks(Link&, Order&) {
+uint8_t runPrearmChecks(Link&, CommandRequest&) {
     return whenTrue(!reportPrearmFailure(Severity::error), MavResult::failed);
 }
 
 // MAVLink leaves roll, pitch and yaw of the ground there to whoever has use for them.
-uint8_t doSetHome(Link&, Order& order) {
-    MissionItem& item = order.item;
+uint8_t doSetHome(Link&, CommandRequest& request) {
+    MissionItem& item = request.item;
     if (number(item.param1) == 1) return whenTrue(setHomeHere(), MavResult::temporarily_rejected);
     // 0, 0 is what a client sends that has no place to give
     if (item.x == 0 && item.y == 0) return MavResult::denied;

@@ -2,12 +2,12 @@
 // Where the airplane is, how it lies in the air and where it is going.
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
-#include "estimation/arc.hpp"
+#include "estimation/atan2_table.hpp"
 #include "firmware/actuators/camera.hpp"
 #include "firmware/estimator/estimator.hpp"
 #include "firmware/gcs/messages.hpp"
 #include "firmware/gcs/mission_transfer.hpp"
-#include "firmware/gcs/plans.hpp"
+#include "firmware/gcs/mission_types.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
@@ -113,7 +113,7 @@ bool fillIn(const Link&, mavlink::Wind& to) {
         wind_sent.speed_mps = sqrtf(core::square(wind_mps.x) + core::square(wind_mps.y));
         const float inverse = -1.0f / core::limit(wind_sent.speed_mps, 0.001f, 200.0f);
         wind_sent.from_deg =
-            core::degrees(estimation::arc_rad(wind_mps.y * inverse, wind_mps.x * inverse));
+            core::degrees(estimation::tableAtan2_rad(wind_mps.y * inverse, wind_mps.x * inverse));
     }
     to.speed = wind_sent.speed_mps;
     to.direction = wind_sent.from_deg;
@@ -148,9 +148,9 @@ bool fillIn(const Link&, mavlink::MissionCurrent& to) {
     to.total = count == 0 ? 0xFFFF : static_cast<uint16_t>(count - 1);
     to.mission_state = missionState(count);
     to.mission_mode = vehicle.mode == Mode::automatic ? kInMissionMode : kMissionSuspended;
-    to.mission_id = planId(mavlink::MavMissionType::mission);
-    to.fence_id = planId(mavlink::MavMissionType::fence);
-    to.rally_points_id = planId(mavlink::MavMissionType::rally);
+    to.mission_id = itemsId(mavlink::MavMissionType::mission);
+    to.fence_id = itemsId(mavlink::MavMissionType::fence);
+    to.rally_points_id = itemsId(mavlink::MavMissionType::rally);
     return true;
 }
 
@@ -170,7 +170,7 @@ bool fillIn(const Link&, mavlink::CameraFeedback& to) {
     to.roll = vehicle.attitude.roll_rad.toFloat() * kDegrees;
     to.pitch = vehicle.attitude.pitch_rad.toFloat() * kDegrees;
     to.yaw = vehicle.attitude.yaw_rad.toFloat() * kDegrees;
-    to.img_idx = picturesTaken();
+    to.img_idx = cameraTriggerCount();
     return true;
 }
 

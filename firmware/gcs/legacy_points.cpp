@@ -8,7 +8,7 @@
 #include "firmware/gcs/degrees.hpp"
 #include "firmware/gcs/transfer.hpp"
 #include "firmware/mission/fence_line.hpp"
-#include "firmware/mission/points.hpp"
+#include "firmware/mission/fence_rally_items.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/safety/fence.hpp"
 #include "firmware/state/parameters.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a change of a list begins, and how the ground takes it back.
 #include "firmware/gcs/mission_transfer.hpp"
-#include "firmware/gcs/plans.hpp"
+#include "firmware/gcs/mission_types.hpp"
 #include "firmware/gcs/transfer.hpp"
 
 namespace firmware {
@@ -29,7 +29,7 @@ bool begin(Link& link, const mavlink::Frame& frame, uint8_t type, MissionResult 
 // What may not begin now is answered, and that is that.
 bool refusedBeginning(Link& link, const mavlink::Frame& frame, uint8_t type) {
     MissionResult why = MissionResult::denied;
-    if (!isPlan(type)) {
+    if (!isMissionType(type)) {
         why = MissionResult::unsupported;
     } else if (!othersTransfer(link, frame)) {
         return false;
@@ -39,7 +39,7 @@ bool refusedBeginning(Link& link, const mavlink::Frame& frame, uint8_t type) {
 }
 
 bool clearInstead(Link& link, const mavlink::Frame& frame, uint8_t type) {
-    const MissionResult result = planClear(type);
+    const MissionResult result = clearItems(type);
     return result != MissionResult::busy && answerAck(link, peerOf(frame), result, type);
 }
 
@@ -54,7 +54,7 @@ bool onMissionCount(Link& link, const mavlink::Frame& frame) {
         return ask();  // said twice
     takeOver(link, frame);
     if (message.count == 0) return clearInstead(link, frame, type);
-    return begin(link, frame, type, planBegin(type, message.count), 0,
+    return begin(link, frame, type, uploadBegin(type, message.count), 0,
                  static_cast<uint16_t>(message.count - 1));
 }
 
@@ -63,13 +63,13 @@ bool onMissionWritePartialList(Link& link, const mavlink::Frame& frame) {
     const uint8_t type = message.mission_type;
     if (refusedBeginning(link, frame, type)) return true;
     const int16_t last =
-        message.end_index < 0 ? static_cast<int16_t>(planCount(type) - 1) : message.end_index;
+        message.end_index < 0 ? static_cast<int16_t>(itemCount(type) - 1) : message.end_index;
     if (message.start_index < 0 || last < message.start_index)
         return answerAck(link, peerOf(frame), MissionResult::invalid_sequence, type);
     takeOver(link, frame);
     const uint16_t from = static_cast<uint16_t>(message.start_index);
     const uint16_t to = static_cast<uint16_t>(last);
-    return begin(link, frame, type, planBeginPartial(type, from, to), from, to);
+    return begin(link, frame, type, uploadBeginPartial(type, from, to), from, to);
 }
 
 bool onMissionAck(Link& link, const mavlink::Frame& frame) {
@@ -83,11 +83,11 @@ bool onMissionAck(Link& link, const mavlink::Frame& frame) {
 bool onMissionClearAll(Link& link, const mavlink::Frame& frame) {
     const auto message = frame.read<mavlink::MissionClearAll>();
     const uint8_t type = message.mission_type;
-    if (type != mavlink::MavMissionType::all && !isPlan(type))
+    if (type != mavlink::MavMissionType::all && !isMissionType(type))
         return answerAck(link, peerOf(frame), MissionResult::unsupported, type);
     if (othersTransfer(link, frame))
         return answerAck(link, peerOf(frame), MissionResult::denied, type);
-    const MissionResult result = planClear(type);
+    const MissionResult result = clearItems(type);
     if (result == MissionResult::busy) return false;
     transfer.state = Upload::none;
     return answerAck(link, peerOf(frame), result, type);

@@ -5,7 +5,7 @@
 #include "core/file_state.hpp"
 #include "firmware/gcs/degrees.hpp"
 #include "firmware/gcs/mission_transfer.hpp"
-#include "firmware/gcs/plans.hpp"
+#include "firmware/gcs/mission_types.hpp"
 #include "firmware/gcs/transfer.hpp"
 #include "firmware/notify/status_text.hpp"
 
@@ -26,8 +26,8 @@ core::FileState<ItemReport> item_report{};
 bool refusedRequest(Link& link, const mavlink::Frame& frame, uint8_t type, uint16_t index,
                     core::Status& status, MissionItem& item) {
     MissionResult why = MissionResult::unsupported;
-    if (isPlan(type)) {
-        status = planItem(type, index, item);
+    if (isMissionType(type)) {
+        status = readItem(type, index, item);
         if (status == core::Status::ok || status == core::Status::busy) return false;
         why = MissionResult::invalid_sequence;
     }
@@ -72,7 +72,7 @@ bool giveCount(Link& link, const mavlink::Frame& frame, uint8_t type, uint16_t c
     message.target_component = frame.component;
     message.mission_type = type;
     message.count = count;
-    message.opaque_id = planId(type);
+    message.opaque_id = itemsId(type);
     return send(link, message);
 }
 
@@ -80,17 +80,19 @@ bool giveCount(Link& link, const mavlink::Frame& frame, uint8_t type, uint16_t c
 
 bool onMissionRequestList(Link& link, const mavlink::Frame& frame) {
     const uint8_t type = frame.read<mavlink::MissionRequestList>().mission_type;
-    if (!isPlan(type)) return answerAck(link, peerOf(frame), MissionResult::unsupported, type);
-    return missionKnown() && giveCount(link, frame, type, planCount(type));
+    if (!isMissionType(type))
+        return answerAck(link, peerOf(frame), MissionResult::unsupported, type);
+    return missionKnown() && giveCount(link, frame, type, itemCount(type));
 }
 
 // One item is simply sent; of more the number is, and they are asked for as always.
 bool onMissionRequestPartialList(Link& link, const mavlink::Frame& frame) {
     const auto asked = frame.read<mavlink::MissionRequestPartialList>();
     const uint8_t type = asked.mission_type;
-    if (!isPlan(type)) return answerAck(link, peerOf(frame), MissionResult::unsupported, type);
+    if (!isMissionType(type))
+        return answerAck(link, peerOf(frame), MissionResult::unsupported, type);
     if (!missionKnown()) return false;
-    const int16_t count = planCount(type);
+    const int16_t count = itemCount(type);
     const int16_t last = asked.end_index < 0 ? count - 1 : asked.end_index;
     if (asked.start_index < 0 || last < asked.start_index || last >= count)
         return answerAck(link, peerOf(frame), MissionResult::invalid_sequence, type);

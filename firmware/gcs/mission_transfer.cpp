@@ -3,7 +3,7 @@
 #include "firmware/gcs/mission_transfer.hpp"
 
 #include "firmware/gcs/degrees.hpp"
-#include "firmware/gcs/plans.hpp"
+#include "firmware/gcs/mission_types.hpp"
 #include "firmware/gcs/transfer.hpp"
 #include "firmware/modes/guided.hpp"
 #include "firmware/notify/status_text.hpp"
@@ -62,7 +62,7 @@ bool takeItem(Link& link, const mavlink::Frame& frame, uint16_t index, uint8_t c
     // come twice: the next has been asked for, and asking again would double all that follow
     if (index + 1U == transfer.next) return true;
     if (index != transfer.next) return ask();
-    const MissionResult result = planPut(type, index, item);
+    const MissionResult result = uploadPut(type, index, item);
     if (result == MissionResult::busy) return false;
     if (result != MissionResult::accepted) return endUpload(result);
     transfer.tries = 0;
@@ -90,7 +90,7 @@ MissionItem common(const Message& from) {
 }
 
 void reportStored() {
-    const int32_t count = planCount(transfer.type);
+    const int32_t count = itemCount(transfer.type);
     switch (transfer.type) {
         case mavlink::MavMissionType::fence:
             return sendStatusText(Severity::info, ROM_TEXT("Fence stored: # points"), count);
@@ -102,7 +102,7 @@ void reportStored() {
 }
 
 void turnCommit() {
-    const MissionResult result = planCommit(transfer.type);
+    const MissionResult result = uploadCommit(transfer.type);
     if (result == MissionResult::busy) return;
     if (endUpload(result) && result == MissionResult::accepted) reportStored();
 }
@@ -136,7 +136,7 @@ bool answerAck(Link& link, Peer peer, MissionResult result, uint8_t mission_type
     message.target_component = peer.component;
     message.type = static_cast<uint8_t>(result);
     message.mission_type = mission_type;
-    if (result == MissionResult::accepted) message.opaque_id = planId(mission_type);
+    if (result == MissionResult::accepted) message.opaque_id = itemsId(mission_type);
     return send(link, message);
 }
 

@@ -162,7 +162,7 @@ bool sendRow(Link& link, uint8_t row) {
 }
 
 struct Reported {
-    uint16_t pictures;
+    uint16_t triggers;
     uint8_t home_changes;
 };
 core::FileState<Reported> reported{};
@@ -218,9 +218,9 @@ void requestOnce(Link& link, uint16_t message_id) {
 }
 
 void sendCameraFeedback() {
-    const uint16_t taken = actuators::picturesTaken();
-    if (taken == reported.pictures) return;
-    reported.pictures = taken;
+    const uint16_t taken = actuators::cameraTriggerCount();
+    if (taken == reported.triggers) return;
+    reported.triggers = taken;
     if (taken == 0) return;  // counted anew
     requestOnAll(mavlink::Wire<mavlink::CameraFeedback>::id);
 }

@@ -161,10 +161,12 @@ void telemetryStart() {
     openLink0();
     open(links[1], parameters.serial2_baud);
     for (Link& link : links) streamsStart(link);
-    sayHello();
+    sendBannerText();
 }
 
-void sayHello() { sendStatusText(Severity::info, ROM_TEXT("ArduPilotMega autopilot, airplane")); }
+void sendBannerText() {
+    sendStatusText(Severity::info, ROM_TEXT("ArduPilotMega autopilot, airplane"));
+}
 
 void telemetrySend() {
     followUsb();

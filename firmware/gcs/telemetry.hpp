@@ -9,7 +9,7 @@ namespace firmware {
 namespace gcs {
 
 void telemetryStart();  // after the parameters have been read
-void sayHello();        // a text: what this is
+void sendBannerText();  // a text: what this is
 void telemetrySend();   // 50 Hz: finds what is due
 // In the rest of a frame: handles received bytes, then sends what is due, a little each call.
 // False: nothing is left to do until an interrupt makes telemetryWaits true.

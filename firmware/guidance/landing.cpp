@@ -67,7 +67,7 @@ float intoWind(const navigation::Lateral& lateral) {
     return share(-tailwind_mps * kPerHeadwind_spm);
 }
 
-float powerKept(const navigation::Lateral& lateral, float missing_mps) {
+float demandedPower(const navigation::Lateral& lateral, float missing_mps) {
     const float left_m = legLength_m() + kPoweredBehind_m - lateral.along_m;
     return kMaxPower * share(missing_mps * kPerMissing_spm) *
            share(heightAbovePoint_m() * (1 / kPowered_m)) * share(left_m * (1 / kPowerFades_m));
@@ -116,7 +116,7 @@ Plan flyLanding() {
             core::radiansFromCentidegrees(parameters.land_pitch_cd) -
             kNoseDown_radpm * core::limit(heightAbovePoint_m(), 0.0f, kMaxNoseDown_m);
         descent.power =
-            core::Ratio(powerKept(lateral, calm_mps - vehicle.estimate.ground_speed_mps));
+            core::Ratio(demandedPower(lateral, calm_mps - vehicle.estimate.ground_speed_mps));
         steerTowards(legHeading_rad() - runwayError_rad(lateral.crosstrack_m));
     }
     progress.flaring = descent.landing.flaring();

@@ -3,7 +3,7 @@
 
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
-#include "estimation/arc.hpp"
+#include "estimation/atan2_table.hpp"
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/path_state.hpp"
 #include "firmware/state/parameters.hpp"
@@ -26,7 +26,7 @@ struct FlownPath {
 core::FileState<FlownPath> flown{};
 
 int32_t bearing_cd(const geo::Offset& direction) {
-    const float angle_rad = estimation::arc_rad(direction.east_m, direction.north_m);
+    const float angle_rad = estimation::tableAtan2_rad(direction.east_m, direction.north_m);
     return core::wrap360_cd(core::rounded(core::centidegrees(angle_rad)));
 }
 
@@ -73,7 +73,7 @@ const navigation::LateralGains& lateralGains() { return flown.gains; }
 float legLength_m() { return flown.leg.length_m; }
 
 float legHeading_rad() {
-    return estimation::arc_rad(flown.leg.forward.east_m, flown.leg.forward.north_m);
+    return estimation::tableAtan2_rad(flown.leg.forward.east_m, flown.leg.forward.north_m);
 }
 
 navigation::Lateral followDemandedLeg(const navigation::Motion& now, bool learning) {

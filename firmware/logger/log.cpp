@@ -39,7 +39,7 @@ using namespace actuators;
 using namespace mission;
 using namespace safety;
 
-core::FileState<logging::Book> flight_logs{};
+core::FileState<logging::LogStore> flight_logs{};
 
 namespace {
 
@@ -138,11 +138,11 @@ struct Progress {
     uint16_t failing;  // as logged
     uint8_t internal_errors;
     uint8_t mode;
-    uint8_t pictures_logged;
+    uint8_t triggers_logged;
     uint32_t gps_logged_ms;  // when the newest fix came that has been seen here
     uint8_t commands[kCommands];
     uint8_t commands_waiting;
-    uint8_t dropped_told;
+    uint8_t dropped_reported;
     Request request;
 };
 core::FileState<Progress> logged{};
@@ -261,10 +261,10 @@ bool putChange() {
         logged.mode = now;
         return true;
     }
-    const uint8_t pictures = static_cast<uint8_t>(picturesTaken());
-    if (pictures != logged.pictures_logged && wants(Bit::camera)) {
-        if (!putPicture()) return false;
-        logged.pictures_logged = pictures;
+    const uint8_t triggers = static_cast<uint8_t>(cameraTriggerCount());
+    if (triggers != logged.triggers_logged && wants(Bit::camera)) {
+        if (!putCameraFeedback()) return false;
+        logged.triggers_logged = triggers;
         return true;
     }
     if (logged.commands_waiting == 0) return false;
@@ -311,7 +311,7 @@ void begin() {
     logged.states = logged.commands_waiting = 0;
     logged.failing = logged.internal_errors = 0;
     logged.mode = kNoMode;
-    logged.pictures_logged = static_cast<uint8_t>(picturesTaken());
+    logged.triggers_logged = static_cast<uint8_t>(cameraTriggerCount());
 }
 
 void end() {
@@ -323,8 +323,8 @@ void end() {
 }
 
 void reportDropped() {
-    if (logged.run != 0 || static_cast<uint8_t>(logged.dropped) == logged.dropped_told) return;
-    logged.dropped_told = static_cast<uint8_t>(logged.dropped);
+    if (logged.run != 0 || static_cast<uint8_t>(logged.dropped) == logged.dropped_reported) return;
+    logged.dropped_reported = static_cast<uint8_t>(logged.dropped);
     sendStatusText(Severity::warning, ROM_TEXT("Log: # records dropped"), logged.dropped);
 }
 
@@ -341,7 +341,7 @@ uint16_t readBase() {
     return (stored.base ^ stored.complement) == 0xFFFF ? stored.base : 0;
 }
 
-bool keepBase(uint16_t base) {
+bool saveBase(uint16_t base) {
     storage::Owner owner;
     if (storage::findOwner(owner) != core::Status::ok) return false;
     if (owner != storage::Owner::ours) return true;  // not to be written to
@@ -352,7 +352,7 @@ bool keepBase(uint16_t base) {
 void eraseMore() {
     if (!flight_logs.erasing()) {
         (void)flight_logs.erase();
-    } else if (flight_logs.eraseStep() && keepBase(flight_logs.nextBase())) {
+    } else if (flight_logs.eraseStep() && saveBase(flight_logs.nextBase())) {
         flight_logs.finishErase();
         logged.request = Request::none;
         sendStatusText(Severity::notice, ROM_TEXT("Logs erased"));
@@ -370,7 +370,7 @@ void armedMeanwhile() {
 void logStart() {
     flight_logs.start(readBase());
     logged.due = logged.dropped = logged.prelude = 0;
-    logged.run = logged.dropped_told = 0;
+    logged.run = logged.dropped_reported = 0;
     logged.request = Request::none;
 }
 

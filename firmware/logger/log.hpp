@@ -5,14 +5,14 @@
 #pragma once
 #include <stdint.h>
 
-#include "logging/book.hpp"
+#include "logging/log_store.hpp"
 
 #include "core/file_state.hpp"
 
 namespace firmware {
 namespace logger {
 
-extern core::FileState<logging::Book> flight_logs;
+extern core::FileState<logging::LogStore> flight_logs;
 
 void logStart();
 // In the rest of a frame, until the newest page is found. True: did something.

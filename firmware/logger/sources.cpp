@@ -170,7 +170,7 @@ bool putGps() {
     return log(RecordType::gps, record);
 }
 
-bool putPicture() {
+bool putCameraFeedback() {
     const auto& estimate = vehicle.estimate;
     CameraRecord record;
     record.time_ms = gpsFix().time_ms;

@@ -17,7 +17,7 @@ bool putText();    // the oldest that the log does not have; false also when the
 bool putBanner();  // what flies
 bool putEvent(uint8_t id);
 bool putError(uint8_t subsystem, uint8_t code);
-bool putPicture();
+bool putCameraFeedback();
 
 bool putAttitude();
 bool putGps();

@@ -5,10 +5,10 @@
 #include "firmware/actuators/camera.hpp"
 #include "firmware/actuators/relay.hpp"
 #include "firmware/control/inverted.hpp"
-#include "firmware/mission/events.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/home.hpp"
 #include "firmware/mission/host.hpp"
+#include "firmware/mission/servo_relay_events.hpp"
 #include "firmware/mission/speed.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/parameters.hpp"
@@ -66,16 +66,16 @@ void repeatServo(const Record& record) {
 // A mark for whoever looks for it, or what this board has no hardware for.
 void nothingToDo(const Record&) {}
 
-void takePicture(const Record&) { cameraTrigger(); }
+void triggerCamera(const Record&) { cameraTrigger(); }
 
-int32_t pictureEvery_cm(const Record& record) {
+int32_t triggerDistance_cm(const Record& record) {
     return record.p3 != 0 ? record.p3 : record.p2 * 100;
 }
-void pictureEvery(const Record& record) { cameraEvery(pictureEvery_cm(record)); }
+void triggerByDistance(const Record& record) { cameraEvery(triggerDistance_cm(record)); }
 
 void enableFence(const Record& record) { (void)host.enableFence(record.p1); }
 
-void flyInverted(const Record& record) { orderInverted(record.p1 != 0); }
+void flyInverted(const Record& record) { requestInverted(record.p1 != 0); }
 
 }  // namespace mission
 }  // namespace firmware

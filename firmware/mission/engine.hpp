@@ -23,8 +23,8 @@ void missionLost();      // it is there no more: reported, and AUTO is refused w
 // Records that background work looks at in one call: with the engine's, 16 a frame.
 constexpr uint8_t kRecordsPerCall = 8;
 
-// ---- survey.cpp: what a mission holds, found by looking at a few records each call
-struct Survey {
+// ---- summary.cpp: what a mission holds, found by looking at a few records each call
+struct MissionSummary {
     uint8_t next;       // record to look at; kUnreadable: the mission is lost
     uint8_t first_nav;  // 0: none
     uint8_t last_nav;
@@ -34,11 +34,12 @@ struct Survey {
     uint8_t idle;        // how many do nothing on this board
 };
 constexpr uint8_t kUnreadable = 0xFF;
-void surveyRecord(Survey& survey, ::mission::Set set, const uint8_t* bytes, ::mission::Site at);
+void summarizeRecord(MissionSummary& summary, ::mission::Set set, const uint8_t* bytes,
+                     ::mission::ItemPosition at);
 using ReadRecord = core::Status (*)(uint8_t index, uint8_t* to);
-MUST_USE core::Status surveyStep(Survey& survey, ::mission::Set set, uint8_t count,
-                                 ReadRecord read);
-void reportWarnings(const Survey& survey, ::mission::Set set, uint8_t count);
+MUST_USE core::Status summarizeStep(MissionSummary& summary, ::mission::Set set, uint8_t count,
+                                    ReadRecord read);
+void reportWarnings(const MissionSummary& summary, ::mission::Set set, uint8_t count);
 
 // ---- change.cpp: whether what is in flight is the same in the mission just committed
 void compareBegin();
@@ -55,8 +56,8 @@ void reportMemory();  // it has not kept what was stored
 // The next item of an upload as it is stored.
 MUST_USE core::Status missionUploadRecord(const uint8_t* bytes);
 void missionCommitted();
-bool missionCompared();                         // then until it is true
-extern core::FileState<Survey> mission_survey;  // of the present mission
+bool missionCompared();                                  // then until it is true
+extern core::FileState<MissionSummary> mission_summary;  // of the present mission
 
 // Leaves AUTO for this mode once the pass that runs is over.
 void leaveForMode(state::Mode mode);

@@ -2,7 +2,7 @@
 #include "firmware/mission/fence_line.hpp"
 
 #include "core/file_state.hpp"
-#include "firmware/mission/points.hpp"
+#include "firmware/mission/fence_rally_items.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/parameters.hpp"
 #include "geo/polygon.hpp"
@@ -89,7 +89,7 @@ void conclude() {
 }
 
 // What the records say by themselves.
-void survey() {
+void summary() {
     for (uint8_t n = 0; n < kAtOnce && lap.next < points(); ++n) {
         uint8_t record[storage::kLargestRecord];
         if (listRead(ListKind::fence, lap.next, record) != Status::ok) return;
@@ -120,7 +120,7 @@ void fenceLineFollow() {
     if (!missionKnown()) return;
     if (fence_line.generation != listGeneration(ListKind::fence)) restart();
     if (fence_line.line == Line::unknown) {
-        if (mayRead()) survey();
+        if (mayRead()) summary();
     } else if (fence_line.line == Line::checking) {
         check();
     }

@@ -14,30 +14,30 @@ namespace {
 using ::mission::Record;
 
 // One unit of the stored byte is 10 s.
-MissionResult encodeTime(const float* parameter, Record& record, Notes& notes) {
+MissionResult encodeTime(const float* parameter, Record& record, EncodeWarnings& warnings) {
     const float seconds = orZero(parameter[1]);
     if (!(seconds >= 0 && seconds <= 2550)) return wrong(1);
     record.p1 = static_cast<uint8_t>(core::rounded(seconds / 10));
     if (record.p1 == 0 && seconds > 0) record.p1 = 1;
-    noteRounding(seconds, record.p1 * 10.0f, notes);
+    flagRounding(seconds, record.p1 * 10.0f, warnings);
     return kFine;
 }
 void decodeTime(const Record& record, float* parameter) { parameter[1] = record.p1 * 10.0f; }
 
-MissionResult encodeClimb(const float* parameter, Record& record, Notes& notes) {
+MissionResult encodeClimb(const float* parameter, Record& record, EncodeWarnings& warnings) {
     const float rate_mps = orZero(parameter[1]);
     if (!(rate_mps > 0 && rate_mps < 1000)) return wrong(1);
     const int32_t rate_cms = core::rounded(rate_mps * 100);
     record.p1 = rate_cms > 255 ? 255 : static_cast<uint8_t>(rate_cms);
     record.p3 = rate_cms > 255 ? rate_cms : 0;
-    noteRounding(rate_mps, static_cast<float>(rate_cms) / 100, notes);
+    flagRounding(rate_mps, static_cast<float>(rate_cms) / 100, warnings);
     return kFine;
 }
 void decodeClimb(const Record& record, float* parameter) {
     parameter[1] = static_cast<float>(record.p3 != 0 ? record.p3 : record.p1) / 100;
 }
 
-MissionResult encodeSpeed(const float* parameter, Record& record, Notes& notes) {
+MissionResult encodeSpeed(const float* parameter, Record& record, EncodeWarnings& warnings) {
     const float speed_mps = isnan(parameter[2]) ? -1 : parameter[2];
     const float throttle_pct = isnan(parameter[3]) ? -1 : parameter[3];
     if (!(speed_mps == -1 || (speed_mps > 0 && speed_mps < 1000))) return wrong(2);
@@ -46,10 +46,10 @@ MissionResult encodeSpeed(const float* parameter, Record& record, Notes& notes) 
     const int32_t speed_cms = core::rounded(speed_mps * 100);
     if (static_cast<float>(record.p2) != speed_mps) {
         record.p4 = speed_cms;
-        noteRounding(speed_mps, static_cast<float>(speed_cms) / 100, notes);
+        flagRounding(speed_mps, static_cast<float>(speed_cms) / 100, warnings);
     }
     record.p3 = core::rounded(throttle_pct);
-    noteRounding(throttle_pct, static_cast<float>(record.p3), notes);
+    flagRounding(throttle_pct, static_cast<float>(record.p3), warnings);
     return kFine;
 }
 void decodeSpeed(const Record& record, float* parameter) {
@@ -58,7 +58,7 @@ void decodeSpeed(const Record& record, float* parameter) {
     parameter[3] = static_cast<float>(record.p3);
 }
 
-MissionResult encodeParameter(const float* parameter, Record& record, Notes&) {
+MissionResult encodeParameter(const float* parameter, Record& record, EncodeWarnings&) {
     const float value = orZero(parameter[2]);
     if (!isfinite(value)) return wrong(2);
     const float nearest = core::limit(value, -8388608.0f, 8388607.0f);
@@ -71,14 +71,14 @@ void decodeParameter(const Record& record, float* parameter) {
     if (record.p3 != 0) memcpy(&parameter[2], &record.p3, sizeof record.p3);
 }
 
-MissionResult encodeDistance(const float* parameter, Record& record, Notes& notes) {
+MissionResult encodeDistance(const float* parameter, Record& record, EncodeWarnings& warnings) {
     constexpr float kFarthest_m = 10000;
     const float distance_m = orZero(parameter[1]);
     if (!(distance_m >= 0 && distance_m <= kFarthest_m)) return wrong(1);
     record.p2 = core::rounded(distance_m);
     if (static_cast<float>(record.p2) == distance_m) return kFine;
     record.p3 = core::rounded(distance_m * 100);
-    noteRounding(distance_m, static_cast<float>(record.p3) / 100, notes);
+    flagRounding(distance_m, static_cast<float>(record.p3) / 100, warnings);
     return record.p3 != 0 ? kFine : wrong(1);  // 0 would be none
 }
 void decodeDistance(const Record& record, float* parameter) {
@@ -100,13 +100,13 @@ constexpr FormRow kFormRows[] ROM = {
     /* seconds */   {{0, 0, 1, 0}, 0,                  0,               nullptr,         nullptr},
     /* jump */      {{1, 0, 2, 0}, 0,                  0,               nullptr,         nullptr},
     /* speed */     {{1, 0, 0, 0}, 0,                  use(2) | use(3), encodeSpeed,     decodeSpeed},
-    /* marked */    {{1, 0, 0, 0}, kPlace,             0,               nullptr,         nullptr},
+    /* place_p1 */  {{1, 0, 0, 0}, kPlace,             0,               nullptr,         nullptr},
     /* parameter */ {{1, 0, 0, 0}, 0,                  use(2),          encodeParameter, decodeParameter},
-    /* two */       {{1, 2, 0, 0}, 0,                  0,               nullptr,         nullptr},
-    /* three */     {{1, 2, 3, 0}, 0,                  0,               nullptr,         nullptr},
+    /* p1_p2 */     {{1, 2, 0, 0}, 0,                  0,               nullptr,         nullptr},
+    /* p1_p2_p3 */  {{1, 2, 3, 0}, 0,                  0,               nullptr,         nullptr},
     /* repeat */    {{1, 3, 4, 2}, 0,                  0,               nullptr,         nullptr},
-    /* one */       {{1, 0, 0, 0}, 0,                  0,               nullptr,         nullptr},
-    /* four */      {{1, 2, 3, 4}, 0,                  0,               nullptr,         nullptr},
+    /* p1 */        {{1, 0, 0, 0}, 0,                  0,               nullptr,         nullptr},
+    /* p1_to_p4 */  {{1, 2, 3, 4}, 0,                  0,               nullptr,         nullptr},
     /* to_height */ {{1, 0, 0, 0}, kPlace | kDirectionInTwo, 0,         nullptr,         nullptr},
     /* mount */     {{0, 1, 2, 3}, kNumberInAltitude,  0,               nullptr,         nullptr},
     /* distance */  {{0, 0, 0, 0}, 0,                  use(1),          encodeDistance,  decodeDistance},

@@ -23,7 +23,8 @@ enum Part : uint8_t {
 };
 
 // For fields that need more than rounding. parameter[1] .. parameter[4]; unset ones are NaN.
-using EncodeSpecial = MissionResult (*)(const float* parameter, ::mission::Record&, Notes&);
+using EncodeSpecial = MissionResult (*)(const float* parameter, ::mission::Record&,
+                                        EncodeWarnings&);
 using DecodeSpecial = void (*)(const ::mission::Record&, float* parameter);
 
 struct FormRow {
@@ -38,8 +39,8 @@ constexpr uint8_t use(uint8_t parameter) { return static_cast<uint8_t>(1u << par
 
 inline float orZero(float value) { return isnan(value) ? 0 : value; }
 
-inline void noteRounding(float value, float stored, Notes& notes) {
-    if (value != stored) notes.rounded = true;
+inline void flagRounding(float value, float stored, EncodeWarnings& warnings) {
+    if (value != stored) warnings.rounded = true;
 }
 
 FormRow formRow(uint8_t form);

@@ -9,64 +9,64 @@
 namespace firmware {
 namespace mission {
 
-using ::mission::Entry;
+using ::mission::ItemPosition;
 using ::mission::Jump;
+using ::mission::LegStart;
 using ::mission::Progress;
 using ::mission::Record;
-using ::mission::Site;
 
 // ---- ranges.cpp: 0 or a MissionResult
-uint8_t anything(const Record&, Site);
-uint8_t placeInRange(const Record&, Site);
-uint8_t takeoffInRange(const Record&, Site);
-uint8_t delayInRange(const Record&, Site);
-uint8_t changeAltitudeInRange(const Record&, Site);
-uint8_t distanceInRange(const Record&, Site);
-uint8_t jumpInRange(const Record&, Site);
-uint8_t changeSpeedInRange(const Record&, Site);
-uint8_t setHomeInRange(const Record&, Site);
-uint8_t setParameterInRange(const Record&, Site);
-uint8_t setRelayInRange(const Record&, Site);
-uint8_t repeatRelayInRange(const Record&, Site);
-uint8_t setServoInRange(const Record&, Site);
-uint8_t repeatServoInRange(const Record&, Site);
-uint8_t continueInRange(const Record&, Site);
-uint8_t toHeightInRange(const Record&, Site);
-uint8_t interestInRange(const Record&, Site);
-uint8_t mountInRange(const Record&, Site);
-uint8_t pictureEveryInRange(const Record&, Site);
-uint8_t onePictureInRange(const Record&, Site);
-uint8_t fenceInRange(const Record&, Site);
+uint8_t anything(const Record&, ItemPosition);
+uint8_t placeInRange(const Record&, ItemPosition);
+uint8_t takeoffInRange(const Record&, ItemPosition);
+uint8_t delayInRange(const Record&, ItemPosition);
+uint8_t changeAltitudeInRange(const Record&, ItemPosition);
+uint8_t distanceInRange(const Record&, ItemPosition);
+uint8_t jumpInRange(const Record&, ItemPosition);
+uint8_t changeSpeedInRange(const Record&, ItemPosition);
+uint8_t setHomeInRange(const Record&, ItemPosition);
+uint8_t setParameterInRange(const Record&, ItemPosition);
+uint8_t setRelayInRange(const Record&, ItemPosition);
+uint8_t repeatRelayInRange(const Record&, ItemPosition);
+uint8_t setServoInRange(const Record&, ItemPosition);
+uint8_t repeatServoInRange(const Record&, ItemPosition);
+uint8_t continueInRange(const Record&, ItemPosition);
+uint8_t toHeightInRange(const Record&, ItemPosition);
+uint8_t interestInRange(const Record&, ItemPosition);
+uint8_t mountInRange(const Record&, ItemPosition);
+uint8_t triggerDistanceInRange(const Record&, ItemPosition);
+uint8_t oneImageInRange(const Record&, ItemPosition);
+uint8_t fenceInRange(const Record&, ItemPosition);
 // APM 1.0
-uint8_t modeInRange(const Record&, Site);
-uint8_t firstInRange(const Record&, Site);
-uint8_t indexInRange(const Record&, Site);
-uint8_t variableInRange(const Record&, Site);
-uint8_t onOffInRange(const Record&, Site);
-uint8_t cruiseSpeedInRange(const Record&, Site);
-uint8_t cruiseThrottleInRange(const Record&, Site);
-uint8_t resetHomeInRange(const Record&, Site);
-uint8_t gainInRange(const Record&, Site);
-uint8_t channelInRange(const Record&, Site);
-uint8_t otherRadioInRange(const Record&, Site);
-uint8_t eventInRange(const Record&, Site);
-uint8_t pulseInRange(const Record&, Site);
+uint8_t modeInRange(const Record&, ItemPosition);
+uint8_t firstInRange(const Record&, ItemPosition);
+uint8_t indexInRange(const Record&, ItemPosition);
+uint8_t variableInRange(const Record&, ItemPosition);
+uint8_t onOffInRange(const Record&, ItemPosition);
+uint8_t cruiseSpeedInRange(const Record&, ItemPosition);
+uint8_t cruiseThrottleInRange(const Record&, ItemPosition);
+uint8_t resetHomeInRange(const Record&, ItemPosition);
+uint8_t gainInRange(const Record&, ItemPosition);
+uint8_t channelInRange(const Record&, ItemPosition);
+uint8_t otherRadioInRange(const Record&, ItemPosition);
+uint8_t eventInRange(const Record&, ItemPosition);
+uint8_t pulseInRange(const Record&, ItemPosition);
 
 // ---- navigation_commands.cpp
-void startWaypoint(const Record&, Entry);
+void startWaypoint(const Record&, LegStart);
 Progress waypointDone(const Record&);
-void startCircle(const Record&, Entry);
+void startCircle(const Record&, LegStart);
 Progress never(const Record&);
 Progress done(const Record&);
 Progress turnsDone(const Record&);
 Progress timeDone(const Record&);
-void startReturn(const Record&, Entry);
+void startReturn(const Record&, LegStart);
 Progress returnDone(const Record&);
-void startLand(const Record&, Entry);
+void startLand(const Record&, LegStart);
 Progress landDone(const Record&);
-void startTakeoff(const Record&, Entry);
+void startTakeoff(const Record&, LegStart);
 Progress takeoffDone(const Record&);
-void startContinue(const Record&, Entry);
+void startContinue(const Record&, LegStart);
 Progress continueDone(const Record&);
 Progress toHeightDone(const Record&);
 
@@ -107,15 +107,15 @@ void repeatRelay(const Record&);
 void setServo(const Record&);
 void repeatServo(const Record&);
 void nothingToDo(const Record&);
-void takePicture(const Record&);
-void pictureEvery(const Record&);
-int32_t pictureEvery_cm(const Record&);
+void triggerCamera(const Record&);
+void triggerByDistance(const Record&);
+int32_t triggerDistance_cm(const Record&);
 void enableFence(const Record&);
 void flyInverted(const Record&);
 
 // ---- places.cpp
 // False: no NAV, or none with a place that is known before it loads.
-bool placeOfNav(const Record&, Site, geo::Position& place);
+bool placeOfNav(const Record&, ItemPosition, geo::Position& place);
 // Of the NAV behind the one flown, whatever jumps there are. busy: not found yet; bad_argument:
 // there is none, or it has no place; else it cannot be read.
 MUST_USE core::Status nextPlace(geo::Position& place);

@@ -87,16 +87,16 @@ uint8_t radiusIn(uint8_t parts) {
 }
 
 MissionResult encodeDirection(const float* parameter, uint8_t radius, Record& record,
-                              Notes& notes) {
+                              EncodeWarnings& warnings) {
     const float radius_m = orZero(parameter[radius]);
     if (!isfinite(radius_m)) return wrong(radius);
     if (radius_m < 0) record.options |= ::mission::kCounterClockwise;
-    if (fabsf(radius_m) > 1) notes.dropped = true;
+    if (fabsf(radius_m) > 1) warnings.dropped = true;
     return kFine;
 }
 
 MissionResult encodeApm2(const MissionItem& item, const float* parameter, const FormRow& form,
-                         Record& record, Notes& notes) {
+                         Record& record, EncodeWarnings& warnings) {
     uint8_t used = form.special_uses;
     for (uint8_t i = 0; i < 4; ++i) {
         const uint8_t from = form.from[i];
@@ -105,24 +105,24 @@ MissionResult encodeApm2(const MissionItem& item, const float* parameter, const 
         const float value = orZero(parameter[from]);
         const int32_t stored = whole(value);
         if (!setField(record, i, stored)) return wrong(from);
-        noteRounding(value, static_cast<float>(stored), notes);
+        flagRounding(value, static_cast<float>(stored), warnings);
     }
     const uint8_t radius = radiusIn(form.parts);
     if (radius != 0) {
         used = static_cast<uint8_t>(used | use(radius));
-        const MissionResult result = encodeDirection(parameter, radius, record, notes);
+        const MissionResult result = encodeDirection(parameter, radius, record, warnings);
         if (result != kFine) return result;
     }
     if ((form.parts & kNumberInAltitude) != 0 && !setField(record, 0, whole(orZero(item.z))))
         return wrong(7);
     if (form.encode != nullptr) {
-        const MissionResult result = form.encode(parameter, record, notes);
+        const MissionResult result = form.encode(parameter, record, warnings);
         if (result != kFine) return result;
     }
     for (uint8_t i = 1; i <= 4; ++i)
-        if ((used & use(i)) == 0 && orZero(parameter[i]) != 0) notes.dropped = true;
+        if ((used & use(i)) == 0 && orZero(parameter[i]) != 0) warnings.dropped = true;
     const bool alone = form.parts == kAltitude || form.parts == kNumberInAltitude;
-    if (alone && (item.x != 0 || item.y != 0)) notes.dropped = true;
+    if (alone && (item.x != 0 || item.y != 0)) warnings.dropped = true;
     return kFine;
 }
 
@@ -168,8 +168,8 @@ uint8_t idOf(uint16_t command) {
     return command < kFirstLarge ? static_cast<uint8_t>(command) : ::mission::kNoId;
 }
 
-MissionResult encodeItem(Set set, ::mission::Site site, const MissionItem& item, Record& record,
-                         Notes& notes) {
+MissionResult encodeItem(Set set, ::mission::ItemPosition position, const MissionItem& item,
+                         Record& record, EncodeWarnings& warnings) {
     const uint8_t id = idOf(item.command);
     const uint8_t row = kCommandTable.find(set, id);
     if (row == ::mission::kNoRow) return MissionResult::unsupported;
@@ -182,10 +182,10 @@ MissionResult encodeItem(Set set, ::mission::Site site, const MissionItem& item,
     MissionResult result;
     if (set == Set::apm2) {
         if (relative) record.options = ::mission::kRelativeAltitude;
-        result = encodeApm2(item, parameter, form, record, notes);
+        result = encodeApm2(item, parameter, form, record, warnings);
     } else {
         // home lies above the sea
-        if (isNav(row) && site.index != 0 && relative != (parameters.altitude_absolute == 0))
+        if (isNav(row) && position.index != 0 && relative != (parameters.altitude_absolute == 0))
             return MissionResult::unsupported_frame;
         result = encodeApm1(parameter, form.parts == kPlace ? 1 : 4, record);
     }
@@ -200,7 +200,7 @@ MissionResult encodeItem(Set set, ::mission::Site site, const MissionItem& item,
     }
     result = layoutHolds(set, record, form);
     if (result != kFine) return result;
-    return static_cast<MissionResult>(kCommandTable.valid(row, record, site));
+    return static_cast<MissionResult>(kCommandTable.valid(row, record, position));
 }
 
 namespace {

@@ -22,13 +22,13 @@ enum Form : uint8_t {
     seconds,  // or metres
     jump,
     speed,
-    marked,  // a place with a number
+    place_p1,  // a place with a number
     parameter,
-    two,
-    three,
+    p1_p2,
+    p1_p2_p3,
     repeat,
-    one,
-    four,
+    p1,
+    p1_to_p4,
     to_height,
     mount,
     distance,
@@ -37,16 +37,17 @@ enum Form : uint8_t {
 }
 using Form = FormOf::Form;
 
-struct Notes {     // what the ground should be sent once an upload
-    bool rounded;  // a value was
-    bool dropped;  // a parameter has no field, or was not needed
+struct EncodeWarnings {  // what the ground should be sent once an upload
+    bool rounded;        // a value was
+    bool dropped;        // a parameter has no field, or was not needed
 };
 
 // The id that a MAV_CMD has in a record of the 2.0 set; kNoId: none.
 uint8_t idOf(uint16_t command);
 
-MissionResult encodeItem(::mission::Set set, ::mission::Site site, const MissionItem& item,
-                         ::mission::Record& record, Notes& notes);
+MissionResult encodeItem(::mission::Set set, ::mission::ItemPosition position,
+                         const MissionItem& item, ::mission::Record& record,
+                         EncodeWarnings& warnings);
 void decodeItem(::mission::Set set, uint8_t index, const ::mission::Record& record,
                 MissionItem& item);
 

@@ -28,7 +28,7 @@ struct Search {
     uint8_t landing;   // to be flown again, at least from the place before it; 0: none
     uint8_t generation;
     float best_m;  // below 0: no start so far
-    Mode mode;     // in which it was wished for
+    Mode mode;     // in which it was requested
 };
 core::FileState<Search> search{};
 
@@ -39,17 +39,17 @@ void consider(uint8_t index, const geo::Position& place) {
     search.best_m = distance_m;
 }
 
-void look(const Record& record, Site site) {
+void look(const Record& record, ItemPosition position) {
     geo::Position place = {record.p3, record.p4};
     if (record.id != kLandStart) {
-        if (!placeOfNav(record, site, place)) return;
+        if (!placeOfNav(record, position, place)) return;
         if (search.unplaced != 0) consider(search.unplaced, place);
-        if (search.best_m < 0 && site.index < search.landing) search.best = site.index;
+        if (search.best_m < 0 && position.index < search.landing) search.best = position.index;
         search.unplaced = 0;
     } else if (record.p3 == 0 && record.p4 == 0) {
-        search.unplaced = site.index;
+        search.unplaced = position.index;
     } else {
-        consider(site.index, place);
+        consider(position.index, place);
     }
 }
 
@@ -66,9 +66,9 @@ void goThere() {
 }  // namespace
 
 bool missionLand() {
-    if (mission_survey.land_start == 0 || !missionReady()) return false;
+    if (mission_summary.land_start == 0 || !missionReady()) return false;
     if (landing()) return missionGoAround(0);
-    begin(mission_survey.land_start, 0);
+    begin(mission_summary.land_start, 0);
     return true;
 }
 
@@ -105,12 +105,12 @@ void stepLanding() {
     const bool other = search.generation != mission_store.generation() || missionChanging();
     if (other || vehicle.mode != search.mode) search.next = 0;
     for (uint8_t n = 0; n < kRecordsPerCall && search.next != 0; ++n) {
-        const Site site = {search.next, mission_store.count()};
+        const ItemPosition position = {search.next, mission_store.count()};
         uint8_t bytes[::mission::kRecordSize];
-        const core::Status status = mission_store.read(site.index, bytes);
+        const core::Status status = mission_store.read(position.index, bytes);
         if (status == core::Status::busy) return;
-        if (status == core::Status::ok) look(::mission::unpack(missionSet(), bytes), site);
-        if (++search.next < site.count) continue;
+        if (status == core::Status::ok) look(::mission::unpack(missionSet(), bytes), position);
+        if (++search.next < position.count) continue;
         search.next = 0;
         goThere();
     }

@@ -140,7 +140,7 @@ MissionResult listBegin(ListKind kind, uint16_t count, uint8_t set) {
 MissionResult listPut(const uint8_t* record) { return resultOf(mission_store.put(record)); }
 uint8_t listStaged() { return mission_store.staged(); }
 uint8_t listStagedCount() { return mission_store.stagedCount(); }
-MissionResult listKeep() { return resultOf(mission_store.copy()); }
+MissionResult listCopy() { return resultOf(mission_store.copy()); }
 
 MissionResult listCommit() {
     if (change.step == Step::none) return change.outcome;

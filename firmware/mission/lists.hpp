@@ -20,15 +20,15 @@ uint32_t listId(ListKind kind);         // of its contents: storage::listId()
 // busy: in a later frame. bad_argument: no such record.
 MUST_USE core::Status listRead(ListKind kind, uint8_t index, uint8_t* to);
 
-// begin, then every record in order, put or kept, then commit until it is not busy. A begin
+// begin, then every record in order, put or copied, then commit until it is not busy. A begin
 // forgets what was staged before, of any kind: who has an upload open denies it to others. `set`
 // (1..255) is stored with the list; the fence and the rally points have the version of their
 // records there. denied: the EEPROM is another firmware's. no_space: more than the capacity, or no
 // room beside the present list, which only is so without a DataFlash, and reported.
 MissionResult listBegin(ListKind kind, uint16_t count, uint8_t set);
 MissionResult listPut(const uint8_t* record);
-MissionResult listKeep();   // the record that the present list has in this place
-uint8_t listStaged();       // records put or kept so far ...
+MissionResult listCopy();   // the record that the present list has in this place
+uint8_t listStaged();       // records put or copied so far ...
 uint8_t listStagedCount();  // ... of so many
 MissionResult listCommit();
 void listAbort();

@@ -7,9 +7,9 @@
 #include "firmware/control/inverted.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
-#include "firmware/mission/events.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/host.hpp"
+#include "firmware/mission/servo_relay_events.hpp"
 #include "firmware/mission/speed.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/parameters.hpp"
@@ -31,18 +31,18 @@ static_assert(storage::kRecordSlots <= ::mission::kMaxItems, "the engine has too
 static_assert(storage::kRecordSize == ::mission::kRecordSize, "a slot holds a record");
 
 core::FileState<storage::MissionStore> mission_store{};
-core::FileState<Survey> mission_survey{};
+core::FileState<MissionSummary> mission_summary{};
 
 namespace {
 
 using core::Status;
 using ::mission::Event;
 
-enum class Boot : uint8_t { owner, store, index, survey, done, foreign };
+enum class Boot : uint8_t { owner, store, index, summary, done, foreign };
 struct Run {
     Boot boot = Boot::owner;
     storage::IndexStore index_store;
-    uint8_t index_wanted;  // to be kept over a loss of power
+    uint8_t index_wanted;  // to be saved over a loss of power
     bool index_waits;
     uint8_t reached;
     bool reached_waits;
@@ -54,17 +54,17 @@ struct Run {
 };
 core::FileState<Run> run{};
 
-struct ModeWish {
-    Mode requested_mode = Mode::automatic;  // of a command or the end; AUTO: none
+struct ModeRequest {
+    Mode mode = Mode::automatic;  // of a command or the end; AUTO: none
 };
-core::FileState<ModeWish> wished{};
+core::FileState<ModeRequest> mode_request{};
 
 Status readRecord(uint8_t index, uint8_t* to) { return mission_store.read(index, to); }
 uint8_t countRecords() { return mission_store.count(); }
 
 uint8_t generation() { return static_cast<uint8_t>(mission_store.generation()); }
 
-void keepIndex(uint8_t index) {
+void saveIndex(uint8_t index) {
     run.index_wanted = index;
     run.index_waits = true;
 }
@@ -72,16 +72,16 @@ void keepIndex(uint8_t index) {
 void ended(bool landed) {
     run.is_complete = true;
     resetSpeed();
-    keepIndex(0);
+    saveIndex(0);
     sendStatusText(Severity::notice, ROM_TEXT("Mission complete"));
-    if (!landed) wished.requested_mode = Mode::rtl;
+    if (!landed) mode_request.mode = Mode::rtl;
 }
 
 // At the end of a run: entering a mode leaves AUTO, and the engine may be in the middle of a pass.
 void applyModeRequest() {
-    const Mode wish = wished.requested_mode;
-    wished.requested_mode = Mode::automatic;
-    if (wish == Mode::automatic || host.enterMode(wish)) return;
+    const Mode mode = mode_request.mode;
+    mode_request.mode = Mode::automatic;
+    if (mode == Mode::automatic || host.enterMode(mode)) return;
     if (run.is_complete) {  // RTL without a home
         forgetPlace();
         holdPlace();
@@ -95,7 +95,7 @@ void onReset() {
     resetSpeed();
     stopEvents();
     cameraEvery(0);
-    orderInverted(false);
+    requestInverted(false);
     forgetPlace();
 }
 
@@ -105,7 +105,7 @@ void onEvent(Event event, uint8_t index) {
         host.logCommand(index);
     switch (event) {
         case Event::started:
-            keepIndex(index);
+            saveIndex(index);
             sendStatusText(Severity::info, ROM_TEXT("Mission item #"), index);
             break;
         case Event::reached:
@@ -148,7 +148,7 @@ bool enough() {
 
 constexpr ::mission::Host kHost ROM = {readRecord, countRecords, onEvent, here, enough};
 
-// Left alone by a watchdog or brown-out reset; the engine's seal shows whether it still holds.
+// Left alone by a watchdog or brown-out reset; the engine's checksum shows whether it still holds.
 ::mission::Memory memory __attribute__((section(".noinit")));
 
 Status findStoredMission() {
@@ -202,8 +202,9 @@ Status bootStep() {
                 mission_engine.boot(missionSet(), mission_store.generation(), host.memorySurvived(),
                                     index < mission_store.count() ? index : 0);
             break;
-        case Boot::survey:
-            status = surveyStep(mission_survey, missionSet(), mission_store.count(), readRecord);
+        case Boot::summary:
+            status =
+                summarizeStep(mission_summary, missionSet(), mission_store.count(), readRecord);
             if (status == Status::ok || status == Status::busy) break;
             missionLost();
             status = Status::ok;
@@ -238,8 +239,8 @@ core::FileState<::mission::Sequencer> mission_engine(::mission::Sequencer(kComma
 }
 
 void missionLost() {
-    mission_survey = {};
-    mission_survey.next = kUnreadable;
+    mission_summary = {};
+    mission_summary.next = kUnreadable;
     sendStatusText(Severity::error, ROM_TEXT("No mission: cannot be read"));
 }
 
@@ -256,7 +257,7 @@ bool onGround() { return !vehicle.estimate.flying && (run.flew || !host.resumesF
 // Nothing goes on in another flight.
 void beginAfresh() {
     missionRestart();
-    if (run.index_wanted != 0) keepIndex(0);
+    if (run.index_wanted != 0) saveIndex(0);
 }
 
 // What the ground has chosen since the disarm counts. In AUTO a LAND ends with the disarm, and a
@@ -270,17 +271,17 @@ void noticeArming() {
     const bool goes_on =
         mission_engine.active() ? run.armed || waits : run.armed && mission_engine.chosen();
     if (!goes_on && onGround()) beginAfresh();
-    if (!run.armed || !onGround() || mission_survey.first_nav == 0) return;
+    if (!run.armed || !onGround() || mission_summary.first_nav == 0) return;
     const uint8_t first = mission_engine.current();
     sendStatusText(Severity::info, ROM_TEXT("AUTO begins at item #"),
-                   first != 0 ? first : mission_survey.first_nav);
+                   first != 0 ? first : mission_summary.first_nav);
 }
 
 }  // namespace
 
 void missionBoot() {
     mission_store = storage::MissionStore();
-    mission_survey = {};
+    mission_summary = {};
     listsStart();
     run.index_waits = run.reached_waits = false;
     run.armed = vehicle.armed;
@@ -329,9 +330,10 @@ bool missionEnter(core::RomText& why_not) {
         why_not = ROM_TEXT("AUTO: EEPROM belongs to other firmware");
     else if (run.boot != Boot::done || missionChanging())
         why_not = ROM_TEXT("AUTO: mission is being read");
-    else if (mission_survey.first_nav == 0)
-        why_not = mission_survey.next == kUnreadable ? ROM_TEXT("AUTO: mission cannot be read")
-                                                     : ROM_TEXT("AUTO: mission has no NAV command");
+    else if (mission_summary.first_nav == 0)
+        why_not = mission_summary.next == kUnreadable
+                      ? ROM_TEXT("AUTO: mission cannot be read")
+                      : ROM_TEXT("AUTO: mission has no NAV command");
     if (why_not != nullptr) return false;
     run.is_complete = false;
     const bool flies_on = host.resumesFlight() && vehicle.mode == Mode::initialising;
@@ -347,7 +349,7 @@ void missionLeave() {
 }
 
 void leaveForMode(Mode mode) {
-    wished.requested_mode = mode;
+    mode_request.mode = mode;
     mission_engine.leave();  // what follows waits until AUTO is entered again
 }
 bool missionComplete() { return run.is_complete; }
@@ -359,7 +361,7 @@ uint16_t missionSkipped() { return run.skipped; }
 
 bool missionSetCurrent(uint16_t index) {
     const bool done = run.boot == Boot::done && !missionChanging() &&
-                      mission_survey.first_nav != 0 && index < mission_store.count() &&
+                      mission_summary.first_nav != 0 && index < mission_store.count() &&
                       mission_engine.setCurrent(static_cast<uint8_t>(index));
     if (done) run.is_complete = false;
     return done;

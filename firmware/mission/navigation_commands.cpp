@@ -63,9 +63,9 @@ bool worthASlope(const PathDemand& demand) {
            (up_m < 0 || vehicle.estimate.height_m > kLow_m);
 }
 
-void demand(Path path, const Place& to, Entry entry) {
+void demand(Path path, const Place& to, LegStart start) {
     PathDemand demand = vehicle.demand;
-    const Place from = entry.from_here || !nav.have_last ? airplane() : nav.last;
+    const Place from = start.from_here || !nav.have_last ? airplane() : nav.last;
     nav.no_place = path == Path::takeoff;
     demand.path = path;
     demand.from = from.position;
@@ -77,9 +77,9 @@ void demand(Path path, const Place& to, Entry entry) {
     demand.counter_clockwise = false;
     demand.climb_rate_mps = 0;
     demandPath(demand);
-    if (!entry.resumed) forgetClimb();
+    if (!start.resumed) forgetClimb();
     demandSpeed();
-    if (entry.resumed) goOnClimbing();
+    if (start.resumed) goOnClimbing();
 }
 
 void changeHeightAtOnce() {
@@ -94,8 +94,8 @@ void turnCounterClockwise(bool counter_clockwise) {
     changeDemand(demand);
 }
 
-void demandLeg(const Place& to, float radius_m, Entry entry) {
-    demand(Path::leg, to, entry);
+void demandLeg(const Place& to, float radius_m, LegStart start) {
+    demand(Path::leg, to, start);
     nav.acceptance_m = radius_m;
     nav.leg_counts = geo::distance_m(vehicle.demand.from, to.position) > radius_m;
     if (!nav.leg_counts) changeHeightAtOnce();
@@ -152,9 +152,9 @@ void holdPlace() {
     turnCounterClockwise(parameters.loiter_radius_m < 0);
 }
 
-void startWaypoint(const Record& record, Entry entry) {
+void startWaypoint(const Record& record, LegStart start) {
     const float radius_m = record.p1 != 0 ? record.p1 : parameters.waypoint_radius_m;
-    demandLeg({placeOf(record), heightOf_m(record)}, radius_m, entry);
+    demandLeg({placeOf(record), heightOf_m(record)}, radius_m, start);
 }
 
 Progress waypointDone(const Record&) {
@@ -163,10 +163,10 @@ Progress waypointDone(const Record&) {
     return done(progress.distance_m <= nav.acceptance_m || (nav.leg_counts && progress.passed));
 }
 
-void startCircle(const Record& record, Entry entry) {
-    demand(Path::circle, {placeOf(record), heightOf_m(record)}, entry);
+void startCircle(const Record& record, LegStart start) {
+    demand(Path::circle, {placeOf(record), heightOf_m(record)}, start);
     turnCounterClockwise(counterClockwise(record));
-    nav.loitered_before = entry.resumed ? nav.loitered : 0;
+    nav.loitered_before = start.resumed ? nav.loitered : 0;
     nav.loitered = nav.loitered_before;
     nav.loiter_ms = static_cast<uint16_t>(hal::now_ms());
     nav.circle_captured = false;
@@ -191,14 +191,14 @@ Progress timeDone(const Record& record) {
     return done(nav.loitered >= record.p1 * 10.0f);
 }
 
-void startReturn(const Record& record, Entry entry) {
+void startReturn(const Record& record, LegStart start) {
     Place home = airplane();
     if (vehicle.home.set) home.position = vehicle.home.position;
     if (record.p2 != 0)
         home.height_m = heightOf_m(record);
     else if (parameters.rtl_height_cm >= 0)
         home.height_m = static_cast<float>(parameters.rtl_height_cm) * 0.01f;
-    demandLeg(home, parameters.waypoint_radius_m, entry);
+    demandLeg(home, parameters.waypoint_radius_m, start);
     nav.height_given = record.p2 != 0;
     rallyBegin();
 }
@@ -218,8 +218,8 @@ Progress returnDone(const Record& record) {
     return waypointDone(record);
 }
 
-void startLand(const Record& record, Entry entry) {
-    demand(Path::land, {placeOf(record), heightOf_m(record)}, entry);
+void startLand(const Record& record, LegStart start) {
+    demand(Path::land, {placeOf(record), heightOf_m(record)}, start);
     nav.still_ms = hal::now_ms();
     nav.throttle_was_low = false;
 }
@@ -248,9 +248,9 @@ Progress landDone(const Record&) {
     return Progress::running;
 }
 
-void startTakeoff(const Record& record, Entry entry) {
-    entry.from_here = true;
-    demand(Path::takeoff, {vehicle.estimate.position, heightOf_m(record)}, entry);
+void startTakeoff(const Record& record, LegStart start) {
+    start.from_here = true;
+    demand(Path::takeoff, {vehicle.estimate.position, heightOf_m(record)}, start);
     PathDemand takeoff = vehicle.demand;
     takeoff.takeoff_pitch_rad = core::radians(record.p1);
     changeDemand(takeoff);
@@ -281,9 +281,9 @@ constexpr float kNear_m = 5, kAlmost_m = 1;
 }  // namespace
 
 // The whole line is flown, also beyond its end.
-void startContinue(const Record& record, Entry entry) {
-    entry.from_here = true;
-    demand(Path::leg, {straightAhead(), heightOf_m(record)}, entry);
+void startContinue(const Record& record, LegStart start) {
+    start.from_here = true;
+    demand(Path::leg, {straightAhead(), heightOf_m(record)}, start);
     changeHeightAtOnce();
     nav.no_place = true;
 }

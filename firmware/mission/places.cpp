@@ -20,18 +20,18 @@ struct NextPlace {
 };
 core::FileState<NextPlace> next{};
 
-uint8_t rowOfNav(const Record& record, Site site) {
+uint8_t rowOfNav(const Record& record, ItemPosition position) {
     const uint8_t row = kCommandTable.find(missionSet(), record.id);
     const bool nav = row != ::mission::kNoRow && kCommandTable.kind(row) == ::mission::Class::nav &&
-                     kCommandTable.valid(row, record, site) == 0;
+                     kCommandTable.valid(row, record, position) == 0;
     return nav ? row : ::mission::kNoRow;
 }
 
 }  // namespace
 
-bool placeOfNav(const Record& record, Site site, geo::Position& place) {
+bool placeOfNav(const Record& record, ItemPosition position, geo::Position& place) {
     constexpr uint8_t kReturn = 0x14;
-    const uint8_t row = rowOfNav(record, site);
+    const uint8_t row = rowOfNav(record, position);
     if (row == ::mission::kNoRow) return false;
     if (record.id == kReturn) {
         place = vehicle.home.position;
@@ -47,14 +47,14 @@ Status nextPlace(geo::Position& place) {
     if (next.nav != nav || next.generation != mission_store.generation())
         next = {nav, mission_store.generation(), static_cast<uint8_t>(nav + 1)};
     for (uint8_t n = 0; n < kRecordsPerCall; ++n, ++next.at) {
-        const Site site = {next.at, mission_store.count()};
-        if (site.index >= site.count) return Status::bad_argument;
+        const ItemPosition position = {next.at, mission_store.count()};
+        if (position.index >= position.count) return Status::bad_argument;
         uint8_t bytes[::mission::kRecordSize];
-        const Status status = mission_store.read(site.index, bytes);
+        const Status status = mission_store.read(position.index, bytes);
         if (status != Status::ok) return status;
         const Record record = ::mission::unpack(missionSet(), bytes);
-        if (rowOfNav(record, site) == ::mission::kNoRow) continue;
-        return placeOfNav(record, site, place) ? Status::ok : Status::bad_argument;
+        if (rowOfNav(record, position) == ::mission::kNoRow) continue;
+        return placeOfNav(record, position, place) ? Status::ok : Status::bad_argument;
     }
     return Status::busy;
 }

@@ -2,7 +2,7 @@
 #include "firmware/mission/rally.hpp"
 
 #include "core/file_state.hpp"
-#include "firmware/mission/points.hpp"
+#include "firmware/mission/fence_rally_items.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"

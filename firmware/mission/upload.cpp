@@ -20,8 +20,8 @@ namespace {
 using core::Status;
 
 struct Upload {
-    Survey staged_survey;
-    Notes notes;
+    MissionSummary staged_summary;
+    EncodeWarnings warnings;
     uint8_t partial_last;  // last item of a partial write; 0xFF: all items come from the ground
 };
 core::FileState<Upload> upload{};
@@ -32,8 +32,8 @@ constexpr uint8_t kWhole = 0xFF;
 MissionResult begin(uint16_t count, uint8_t set) {
     const MissionResult result = listBegin(ListKind::mission, count, set);
     if (result != MissionResult::accepted) return result;
-    upload.notes = {};
-    upload.staged_survey = {};
+    upload.warnings = {};
+    upload.staged_summary = {};
     upload.partial_last = kWhole;
     return result;
 }
@@ -50,26 +50,26 @@ Status copyUpTo(uint8_t index) {
 }
 
 void reportNotes() {
-    if (upload.notes.rounded)
+    if (upload.warnings.rounded)
         sendStatusText(Severity::notice, ROM_TEXT("Mission: values were rounded"));
-    if (upload.notes.dropped)
+    if (upload.warnings.dropped)
         sendStatusText(Severity::notice, ROM_TEXT("Mission: unused parameters dropped"));
 }
 
 }  // namespace
 
 void missionCommitted() {
-    if (mission_store.count() == 0) upload.staged_survey = {};
-    mission_survey = upload.staged_survey;
+    if (mission_store.count() == 0) upload.staged_summary = {};
+    mission_summary = upload.staged_summary;
     compareBegin();
 }
 
 bool missionCompared() {
     bool same = false;
     if (compareStep(same) == Status::busy) return false;
-    const bool empty = mission_survey.first_nav == 0;
+    const bool empty = mission_summary.first_nav == 0;
     if (mission_store.count() > 0) reportNotes();
-    reportWarnings(mission_survey, missionSet(), mission_store.count());
+    reportWarnings(mission_summary, missionSet(), mission_store.count());
     mission_engine.changed(missionSet(), mission_store.generation(), same && !empty, empty);
     return true;
 }
@@ -100,9 +100,9 @@ MissionResult missionBeginPartial(uint16_t first, uint16_t last) {
 }
 
 Status missionUploadRecord(const uint8_t* bytes) {
-    const ::mission::Site at = {mission_store.staged(), mission_store.stagedCount()};
+    const ::mission::ItemPosition at = {mission_store.staged(), mission_store.stagedCount()};
     const Status status = mission_store.put(bytes);
-    if (status == Status::ok) surveyRecord(upload.staged_survey, stagedSet(), bytes, at);
+    if (status == Status::ok) summarizeRecord(upload.staged_summary, stagedSet(), bytes, at);
     return status;
 }
 
@@ -117,15 +117,16 @@ MissionResult missionUploadItem(uint16_t index, const MissionItem& item) {
     }
     if (place != mission_store.staged()) return MissionResult::invalid_sequence;
     Record record;
-    Notes item_notes = {};
-    const MissionResult result = encodeItem(stagedSet(), {place, count}, item, record, item_notes);
+    EncodeWarnings item_warnings = {};
+    const MissionResult result =
+        encodeItem(stagedSet(), {place, count}, item, record, item_warnings);
     if (result != MissionResult::accepted) return result;
     uint8_t bytes[::mission::kRecordSize];
     ::mission::pack(stagedSet(), record, bytes);
     const Status status = missionUploadRecord(bytes);
     if (status != Status::ok) return resultOf(status);
-    upload.notes.rounded |= item_notes.rounded;
-    upload.notes.dropped |= item_notes.dropped;
+    upload.warnings.rounded |= item_warnings.rounded;
+    upload.warnings.dropped |= item_warnings.dropped;
     return MissionResult::accepted;
 }
 
@@ -135,7 +136,7 @@ MissionResult missionCommit() {
             const Status status = copyUpTo(mission_store.stagedCount());
             if (status != Status::ok) return resultOf(status);
         }
-        if (upload.staged_survey.counters > ::mission::kMaxCounters) {
+        if (upload.staged_summary.counters > ::mission::kMaxCounters) {
             sendStatusText(Severity::warning, ROM_TEXT("Mission: more than # counted jumps"),
                            ::mission::kMaxCounters);
             listAbort();

@@ -67,9 +67,9 @@ core::Angle pitchToTurn() {
 
 }  // namespace
 
-Entry startAcro() {
+EntryResult startAcro() {
     held.held_roll_rad = held.held_pitch_rad = kLoose;
-    return Entry::entered;
+    return EntryResult::entered;
 }
 
 void runAcro() {

@@ -13,12 +13,13 @@ using namespace notify;
 using namespace state;
 using namespace mission;
 
-Entry startAuto() {
+EntryResult startAuto() {
     core::RomText why_not = nullptr;
-    if (missionEnter(why_not)) return Entry::entered;
+    if (missionEnter(why_not)) return EntryResult::entered;
     if (why_not != nullptr) sendStatusText(Severity::warning, why_not);
     // in the air an empty mission means home; on the ground nothing changes
-    return vehicle.armed && vehicle.estimate.flying ? Entry::home_instead : Entry::refused;
+    return vehicle.armed && vehicle.estimate.flying ? EntryResult::home_instead
+                                                    : EntryResult::refused;
 }
 
 void runAuto() { mixSticks(); }

@@ -7,9 +7,9 @@ namespace firmware {
 namespace modes {
 
 // FBWA flies it (runFbwa); the gains are tuned behind the control loops.
-Entry startAutotune() {
+EntryResult startAutotune() {
     control::startTuning();
-    return Entry::entered;
+    return EntryResult::entered;
 }
 
 }  // namespace modes

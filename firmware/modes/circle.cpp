@@ -15,9 +15,9 @@ namespace modes {
 using namespace state;
 using namespace control;
 
-Entry startCircle() {
+EntryResult startCircle() {
     demandLevel(vehicle.estimate.height_m);
-    return Entry::entered;
+    return EntryResult::entered;
 }
 
 void runCircle() {

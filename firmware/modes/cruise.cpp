@@ -63,7 +63,7 @@ void unlock() {
 
 }  // namespace
 
-Entry startCruise() {
+EntryResult startCruise() {
     roll_stick.centred = 0;
     return startFbwb();
 }

@@ -13,7 +13,7 @@ namespace modes {
 using namespace state;
 using namespace control;
 
-Entry startFbwa() { return Entry::entered; }
+EntryResult startFbwa() { return EntryResult::entered; }
 
 void runFbwa() {
     demandRoll(stickRoll_rad());

@@ -42,9 +42,9 @@ void hold(PathDemand& demand, float lowest_m) {
 
 }  // namespace
 
-Entry startFbwb() {
+EntryResult startFbwb() {
     demandLevel(vehicle.estimate.height_m);
-    return Entry::entered;
+    return EntryResult::entered;
 }
 
 void runFbwb() { demandRoll(stickRoll_rad()); }

@@ -50,8 +50,8 @@ MissionResult understand(MissionItem& item) {
     complete(item);
     item.param2 = 0;  // how near is near enough: it circles
     ::mission::Record record;
-    Notes notes;
-    const MissionResult result = encodeItem(::mission::Set::apm2, {1, 2}, item, record, notes);
+    EncodeWarnings warnings;
+    const MissionResult result = encodeItem(::mission::Set::apm2, {1, 2}, item, record, warnings);
     if (result != MissionResult::accepted) return result;
     const bool relative = (record.options & ::mission::kRelativeAltitude) != 0;
     item.z = (record.p2 - (relative ? 0 : vehicle.home.altitude_cm)) * 0.01f;
@@ -60,9 +60,9 @@ MissionResult understand(MissionItem& item) {
 
 }  // namespace
 
-Entry startGuided() {
-    const Entry entry = startLoiter();
-    if (entry == Entry::entered) demandSpeed();
+EntryResult startGuided() {
+    const EntryResult entry = startLoiter();
+    if (entry == EntryResult::entered) demandSpeed();
     return entry;
 }
 

@@ -13,15 +13,15 @@ namespace modes {
 using namespace notify;
 using namespace state;
 
-Entry startLoiter() {
+EntryResult startLoiter() {
     if (!vehicle.estimate.known) {
         sendStatusText(Severity::warning, ROM_TEXT("Circling needs a position"));
-        return Entry::refused;
+        return EntryResult::refused;
     }
     const geo::Position& place =
         vehicle.failsafe_gives_back ? vehicle.demand.to : vehicle.estimate.position;
     demandCircle(place, vehicle.estimate.height_m);
-    return Entry::entered;
+    return EntryResult::entered;
 }
 
 void runLoiter() { mixSticks(); }

@@ -11,7 +11,7 @@ namespace modes {
 using namespace state;
 using namespace control;
 
-Entry startManual() { return Entry::entered; }
+EntryResult startManual() { return EntryResult::entered; }
 
 void runManual() {
     useSticks(Sticks::direct);

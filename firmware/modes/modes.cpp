@@ -27,7 +27,7 @@ namespace {
 
 constexpr ModeState& published = Publisher<ModeState>::state();
 
-using Start = Entry (*)();
+using Start = EntryResult (*)();
 using Run = void (*)();
 
 struct ModeRow {
@@ -96,12 +96,12 @@ bool requestMode(Mode mode, ModeReason reason) {
         reportRefusal(now);
         return false;
     }
-    Entry entry = core::romRead(kModes[wanted].start)();
-    if (entry == Entry::home_instead) {
+    EntryResult entry = core::romRead(kModes[wanted].start)();
+    if (entry == EntryResult::home_instead) {
         wanted = find(Mode::rtl);
         entry = core::romRead(kModes[wanted].start)();
     }
-    if (entry != Entry::entered) return false;
+    if (entry != EntryResult::entered) return false;
     if (present.row != kNoRow) core::romRead(kModes[present.row].stop)();
     present.row = wanted;
     published.mode = core::romRead(kModes[wanted].mode);

@@ -8,51 +8,51 @@
 namespace firmware {
 namespace modes {
 
-enum class Entry : uint8_t { entered, refused, home_instead };
+enum class EntryResult : uint8_t { entered, refused, home_instead };
 
-Entry startManual();
+EntryResult startManual();
 void runManual();
 
-Entry startStabilize();
+EntryResult startStabilize();
 void runStabilize();
 
-Entry startTraining();
+EntryResult startTraining();
 void runTraining();
 
-Entry startAcro();
+EntryResult startAcro();
 void runAcro();
 
-Entry startFbwa();
+EntryResult startFbwa();
 void runFbwa();
 
-Entry startAutotune();
+EntryResult startAutotune();
 
-Entry startFbwb();
+EntryResult startFbwb();
 void runFbwb();
 void demandFbwb();
 
-Entry startCruise();
+EntryResult startCruise();
 void runCruise();
 void demandCruise();
 
-Entry startCircle();
+EntryResult startCircle();
 void runCircle();
 
-Entry startAuto();
+EntryResult startAuto();
 void runAuto();
 void stopAuto();
 
-Entry startRtl();
+EntryResult startRtl();
 void runRtl();
 
-Entry startLoiter();
+EntryResult startLoiter();
 void runLoiter();
 
-Entry startTakeoff();
+EntryResult startTakeoff();
 void runTakeoff();
 void demandTakeoff();
 
-Entry startGuided();
+EntryResult startGuided();
 void runGuided();
 
 }  // namespace modes

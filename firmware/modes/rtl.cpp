@@ -44,17 +44,17 @@ void land() {
 
 }  // namespace
 
-Entry startRtl() {
+EntryResult startRtl() {
     if (!vehicle.home.set) {
         sendStatusText(Severity::warning, ROM_TEXT("RTL needs a home"));
-        return Entry::refused;
+        return EntryResult::refused;
     }
     const float height_m =
         parameters.rtl_height_cm < 0 ? vehicle.estimate.height_m : parameters.rtl_height_cm * 0.01f;
     demandCircle(vehicle.home.position, height_m);
     rallyBegin();
     way_home.lands = parameters.rtl_landing != 0;
-    return Entry::entered;
+    return EntryResult::entered;
 }
 
 void runRtl() {

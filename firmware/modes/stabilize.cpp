@@ -11,7 +11,7 @@ namespace modes {
 using namespace state;
 using namespace control;
 
-Entry startStabilize() { return Entry::entered; }
+EntryResult startStabilize() { return EntryResult::entered; }
 
 void runStabilize() {
     useSticks(Sticks::on_top);

@@ -51,9 +51,9 @@ bool isHigh() {
 
 }  // namespace
 
-Entry startTakeoff() {
-    const Entry entry = startLoiter();
-    if (entry == Entry::entered)
+EntryResult startTakeoff() {
+    const EntryResult entry = startLoiter();
+    if (entry == EntryResult::entered)
         climbTo(parameters.takeoff_height_m, parameters.takeoff_level_pitch_deg);
     departure.waits = !vehicle.armed;
     return entry;

@@ -12,7 +12,7 @@ namespace modes {
 using namespace state;
 using namespace control;
 
-Entry startTraining() { return Entry::entered; }
+EntryResult startTraining() { return EntryResult::entered; }
 
 void runTraining() {
     useSticks(Sticks::bounded);

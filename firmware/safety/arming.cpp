@@ -311,7 +311,7 @@ bool disarm(ArmReason reason, bool force) {
         return false;
     }
     published.armed = false;
-    keepLearntCompass();
+    saveLearntCompass();
     sendStatusText(Severity::notice, ROM_TEXT("Throttle disarmed"));
     return true;
 }

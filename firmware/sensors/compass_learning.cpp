@@ -34,7 +34,7 @@ struct Turns {
 struct Learning {
     Turns turns;
     uint8_t anchor_left;  // pairs; 0: there is none
-    uint8_t axes_to_keep;
+    uint8_t axes_to_save;
 };
 core::FileState<Learning> learning{};
 
@@ -137,10 +137,10 @@ void learnCompass(const core::Vector3& reading_mg) {
     for (uint8_t i = 0; i < 3; ++i) learning.turns.anchor_mg[i] = now_mg[i];
 }
 
-void keepLearntCompass() {
+void saveLearntCompass() {
     if (parameters.compass_learn == 0) return;
     if (makesSense())
-        learning.axes_to_keep = 3;
+        learning.axes_to_save = 3;
     else
         sendStatusText(Severity::warning,
                        ROM_TEXT("Compass offsets learnt make no sense: not stored"));
@@ -148,8 +148,8 @@ void keepLearntCompass() {
 
 // One at a time: all three at once took 1.4 ms of the frame in which it was disarmed.
 void storeLearntCompass() {
-    if (learning.axes_to_keep == 0) return;
-    const uint8_t axis = --learning.axes_to_keep;
+    if (learning.axes_to_save == 0) return;
+    const uint8_t axis = --learning.axes_to_save;
     parameterSet(static_cast<uint8_t>(slot::compass_ofs_x + axis),
                  parameters.compass_offset_mg[axis]);
 }

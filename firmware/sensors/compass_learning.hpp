@@ -20,7 +20,7 @@ bool compassFits(uint8_t within_mg);  // the offsets found make sense
 // From the compass, without the offsets. Does something while it is turned about on
 // the ground for that, or in flight when COMPASS_LEARN is 1.
 void learnCompass(const core::Vector3& reading_mg);
-void keepLearntCompass();   // at disarming: offsets that make sense are stored by and by, ...
+void saveLearntCompass();   // at disarming: offsets that make sense are stored by and by, ...
 void storeLearntCompass();  // ... an axis each call
 
 }  // namespace sensors

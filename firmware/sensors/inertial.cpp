@@ -7,7 +7,7 @@
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "core/seldom.hpp"
-#include "estimation/still.hpp"
+#include "estimation/gyro_bias_init.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/sensors/dead_gyros.hpp"
 #include "firmware/sensors/devices.hpp"
@@ -36,8 +36,8 @@ namespace {
 
 constexpr ImuState& published = Publisher<ImuState>::state();
 
-using estimation::SavedTurn;
-using estimation::Turn;
+using estimation::DeltaAngle;
+using estimation::SavedDeltaAngle;
 
 // How an axis of the accelerometers reads: from twice the sum of two samples to a Force.
 using Force = core::Fixed<9>;  // m/s2; sums of it in 32 bits
@@ -51,10 +51,10 @@ using Trim = core::Fixed<15>;
 core::FileState<board::Inertial> imu{};
 
 struct Inertial {
-    estimation::Still still;
-    Turn zero;  // of the gyros, in a sample period
+    estimation::GyroBiasInit bias_init;
+    DeltaAngle zero;  // of the gyros, in a sample period
     DeadGyros dead_gyros;
-    bool yaw_told;
+    bool yaw_reported;
     uint8_t last_force_z;  // the lowest byte of its reading
     Reading readings[3];
     Trim trim_x_rad, trim_y_rad;  // AHRS_TRIM
@@ -80,13 +80,14 @@ void takeReading(uint8_t axis) {
 
 // In two periods.
 int32_t turned(int32_t two, int32_t zero_here) {
-    constexpr float kFactor = drivers::kRateStep_rads * estimation::kSamplePeriod_s * Turn::kSteps;
+    constexpr float kFactor =
+        drivers::kRateStep_rads * estimation::kSamplePeriod_s * DeltaAngle::kSteps;
     return two * static_cast<int32_t>(kFactor + 0.5f) - zero_here * 2;
 }
 
 core::BodyRate rate_rads(int32_t turned_in_two) {
     constexpr float kFactor =
-        core::BodyRate::kSteps / (2 * estimation::kSamplePeriod_s) / Turn::kSteps * 4096;
+        core::BodyRate::kSteps / (2 * estimation::kSamplePeriod_s) / DeltaAngle::kSteps * 4096;
     const int32_t rate = core::times16(turned_in_two, static_cast<int16_t>(kFactor * 65536 + 0.5f));
     return core::BodyRate::fromRaw(
         core::upperOf16(core::limit(rate, -core::kMaxOf16, core::kMaxOf16)));
@@ -102,8 +103,8 @@ core::Acceleration force_mss(int32_t force) {
 }
 
 // AHRS_TRIM: how the board sits in the airplane, a small rotation taken back.
-void level(Turn& v) {
-    const Turn old = v;
+void level(DeltaAngle& v) {
+    const DeltaAngle old = v;
     v.of[0] += 2 * core::times16(old.of[2], inertial.trim_y_rad.raw);
     v.of[1] -= 2 * core::times16(old.of[2], inertial.trim_x_rad.raw);
     v.of[2] += 2 * (core::times16(old.of[1], inertial.trim_x_rad.raw) -
@@ -119,7 +120,7 @@ SELDOM void makeTwo(drivers::ImuSums& sums) {
 }
 
 // After a longer gap nobody knows.
-SELDOM void stretch(Turn& turn, uint8_t periods) {
+SELDOM void stretch(DeltaAngle& turn, uint8_t periods) {
     constexpr uint8_t kMax = 4;
     if (periods > kMax) periods = kMax;
     for (int32_t& axis : turn.of) axis = axis / 2 * periods;
@@ -132,12 +133,13 @@ core::Vector3 mean(const int32_t (&sums)[3], float a_step) {
 }
 
 SELDOM void findZero(const drivers::ImuSums& sums) {
-    const bool found = inertial.still.update(mean(sums.rate, drivers::kRateStep_rads / sums.count),
-                                             mean(sums.force, drivers::kForceStep_mss / sums.count),
-                                             sums.periods * estimation::kSamplePeriod_s);
+    const bool found =
+        inertial.bias_init.update(mean(sums.rate, drivers::kRateStep_rads / sums.count),
+                                  mean(sums.force, drivers::kForceStep_mss / sums.count),
+                                  sums.periods * estimation::kSamplePeriod_s);
     if (!found) return;
     const core::Vector3 in_period =
-        inertial.still.zero_rads() * (estimation::kSamplePeriod_s * Turn::kSteps);
+        inertial.bias_init.zero_rads() * (estimation::kSamplePeriod_s * DeltaAngle::kSteps);
     inertial.zero = {
         {core::rounded(in_period.x), core::rounded(in_period.y), core::rounded(in_period.z)}};
 }
@@ -166,15 +168,16 @@ void watchGyros(const drivers::ImuSums& sums) {
     const uint8_t dead = inertial.dead_gyros.look(sums.rate);
     if ((dead & (kRollGyro | kPitchGyro)) != 0) reportInconsistency(Sensor::inertial);
     const bool blind = (dead & kYawGyro) != 0 && vehicle.estimate.flying;
-    if (blind && !inertial.yaw_told) sendStatusText(Severity::critical, ROM_TEXT("Yaw gyro stuck"));
-    inertial.yaw_told = blind;
+    if (blind && !inertial.yaw_reported)
+        sendStatusText(Severity::critical, ROM_TEXT("Yaw gyro stuck"));
+    inertial.yaw_reported = blind;
 }
 
 void use(drivers::ImuSums& sums) {
     watchGyros(sums);
     watchForces(sums);
     if (sums.count != 2) makeTwo(sums);
-    Turn turn, specific_force;
+    DeltaAngle turn, specific_force;
     for (uint8_t i = 0; i < 3; ++i) {
         turn.of[i] = turned(sums.rate[i], inertial.zero.of[i]);
         specific_force.of[i] = force(sums.force[i], inertial.readings[i]);
@@ -206,36 +209,37 @@ void startInertial() {
     runInertialSettings();
 }
 
-void saveGyroZero(SavedTurn (&to_rad)[3]) {
+void saveGyroZero(SavedDeltaAngle (&to_rad)[3]) {
     for (uint8_t i = 0; i < 3; ++i)
-        to_rad[i] = SavedTurn::fromRaw(inertial.zero.of[i] / estimation::kSavedTurnSteps);
+        to_rad[i] =
+            SavedDeltaAngle::fromRaw(inertial.zero.of[i] / estimation::kSavedDeltaAngleSteps);
 }
 
-void saveHangTurn(HangTurn& to) { to.periods = imu.peek(to.turned); }
+void saveHangTurn(HangDeltaAngle& to) { to.periods = imu.peek(to.turned); }
 
-core::Vector3 hangTurn_rad(const HangTurn& turn) {
-    constexpr float kStep = 1.0f / Turn::kSteps;
+core::Vector3 hangTurn_rad(const HangDeltaAngle& turn) {
+    constexpr float kStep = 1.0f / DeltaAngle::kSteps;
     const core::Vector3 zeros = {static_cast<float>(inertial.zero.of[0]),
                                  static_cast<float>(inertial.zero.of[1]),
                                  static_cast<float>(inertial.zero.of[2])};
     return board::Inertial::peeked(turn.turned) - zeros * (kStep * turn.periods);
 }
 
-void resumeInertial(const SavedTurn (&gyro_zero_rad)[3]) {
+void resumeInertial(const SavedDeltaAngle (&gyro_zero_rad)[3]) {
     imu.resume();
     for (uint8_t i = 0; i < 3; ++i)
-        inertial.zero.of[i] = gyro_zero_rad[i].raw * estimation::kSavedTurnSteps;
-    inertial.still.forgo();
+        inertial.zero.of[i] = gyro_zero_rad[i].raw * estimation::kSavedDeltaAngleSteps;
+    inertial.bias_init.forgo();
 }
 
 void calibrateGyros() {
     if (vehicle.armed) return;
     published.calibrated = false;
-    inertial.still.start();
+    inertial.bias_init.start();
     inertial.zero = {};
 }
 
-core::Vector3 restForce_mss() { return inertial.still.force_mss(); }
+core::Vector3 restForce_mss() { return inertial.bias_init.force_mss(); }
 
 uint8_t inertialSamplesWaiting() { return imu.waiting(); }
 uint16_t inertialErrors() { return imu.badReads(); }
@@ -255,8 +259,8 @@ void runInertial() {
         return;
     }
     published.periods = sums.periods;
-    if (!inertial.still.done() || (mayRock() && !inertial.still.settled())) findZero(sums);
-    published.calibrated = inertial.still.done();
+    if (!inertial.bias_init.done() || (mayRock() && !inertial.bias_init.settled())) findZero(sums);
+    published.calibrated = inertial.bias_init.done();
     use(sums);
     if (isFaulty(Sensor::inertial)) restartSensor();
 }

@@ -19,13 +19,13 @@ bool wrongBoard();
 
 void startSensors();
 
-void saveHangTurn(state::HangTurn& to);
-core::Vector3 hangTurn_rad(const state::HangTurn& turn);
+void saveHangTurn(state::HangDeltaAngle& to);
+core::Vector3 hangTurn_rad(const state::HangDeltaAngle& turn);
 
 // The gyros' zero, in a sample period; and how to go on with one from before a restart, without
 // bringing up a sensor that is up already.
-void saveGyroZero(estimation::SavedTurn (&to_rad)[3]);
-void resumeInertial(const estimation::SavedTurn (&gyro_zero_rad)[3]);
+void saveGyroZero(estimation::SavedDeltaAngle (&to_rad)[3]);
+void resumeInertial(const estimation::SavedDeltaAngle (&gyro_zero_rad)[3]);
 // After a restart in the air: the zero that was measured before it.
 void resumeBarometer(float ground_pressure_pa, float ground_temperature_c);
 void resumeAirspeed(float offset_v);

@@ -20,7 +20,7 @@ struct SlowRecord {
     float ground_pressure_pa, ground_temperature_c;
     float height_scale;
     float airspeed_offset_v;
-    estimation::SavedTurn gyro_zero_rad[3];  // in a sample period
+    estimation::SavedDeltaAngle gyro_zero_rad[3];  // in a sample period
     estimation::SavedBiases learnt;
     int16_t wind_cms[2];  // north, east
     uint32_t checksum;
@@ -41,14 +41,14 @@ struct FastRecord {
 
 // How far the airplane has turned, and in how many sample periods, since the program hangs: kept
 // by an interrupt, made radians of after the restart, when the zero is known again.
-struct HangTurn {
+struct HangDeltaAngle {
     int16_t turned[3];
     uint8_t periods;
 };
 
 // What came after a moving record; under one checksum with it.
 struct HangGyroRecord {
-    HangTurn turn;
+    HangDeltaAngle turn;
     uint32_t checksum;
 };
 void updateChecksum(HangGyroRecord& blind, const FastRecord& after);

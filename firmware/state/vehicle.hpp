@@ -63,7 +63,7 @@ enum class Sticks : uint8_t {
 // ---- sensors
 
 struct ImuState {
-    estimation::Turn turned;        // body axes: x forward, y right, z down; bias removed
+    estimation::DeltaAngle turned;  // body axes: x forward, y right, z down; bias removed
     core::BodyRates rate_rads;      // the same, by the time
     core::Accelerations accel_mss;  // specific force: (0, 0, -g) at rest and level
     uint8_t periods;                // of estimation::kSamplePeriod_s in this frame's samples

@@ -122,7 +122,7 @@ private:
         highest_m_ = std::max(highest_m_, t.height_m);
         max_bank_deg_ = std::max(max_bank_deg_, std::abs(t.roll_rad) / kDegree);
         circled_ = circled_ || flight_.telemetry().mode() == kModeCircle;
-        by_hand_ = by_hand_ || flight_.telemetry().mode() == kModeManual;
+        manual_ = manual_ || flight_.telemetry().mode() == kModeManual;
     }
 
     bool reported(const std::string& text) const {
@@ -149,8 +149,8 @@ private:
                 return std::string("not reported: ") + each.ends;
         }
         if (isJumpOfGps() && !reported("GPS jump refused")) return "the jump was not refused";
-        if (by_hand_ != needsPilot(faults_)) return by_hand_ ? "MANUAL" : "no MANUAL";
-        if (has(faults_, Faulty::gps) && !isJumpOfGps() && !by_hand_ && !circled_)
+        if (manual_ != needsPilot(faults_)) return manual_ ? "MANUAL" : "no MANUAL";
+        if (has(faults_, Faulty::gps) && !isJumpOfGps() && !manual_ && !circled_)
             return "no CIRCLE";
         if (flight_.telemetry().mode() != kModeAuto) return "AUTO was not gone back to";
         return "";
@@ -172,7 +172,7 @@ private:
     ScriptedFlight flight_;
     double over_s_ = 0, steered_s_ = -10, height_m_ = 0;
     double lowest_m_ = 1e9, highest_m_ = 0, max_bank_deg_ = 0;
-    bool circled_ = false, by_hand_ = false;
+    bool circled_ = false, manual_ = false;
 };
 
 Fault faultOf(Faulty sensor, FaultKind kind) {

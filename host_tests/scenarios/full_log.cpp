@@ -121,9 +121,9 @@ private:
 
 bool all_well = true;
 
-void expect(bool as_wished, const char* what, double value, const char* unit) {
-    std::printf("  %s %s: %.4g %s\n", as_wished ? "ok    " : "FAILED", what, value, unit);
-    all_well = all_well && as_wished;
+void expect(bool as_expected, const char* what, double value, const char* unit) {
+    std::printf("  %s %s: %.4g %s\n", as_expected ? "ok    " : "FAILED", what, value, unit);
+    all_well = all_well && as_expected;
 }
 
 bool inSequence(const std::vector<uint16_t>& pages, uint16_t first) {

@@ -68,17 +68,17 @@ struct Sticks {
 int pull(double wanted, double is, double gain) {
     return static_cast<int>(std::clamp((wanted - is) * gain, -250.0, 250.0));
 }
-Sticks keepLevel(double, const Truth& truth) {
+Sticks holdLevel(double, const Truth& truth) {
     const double climb_rad = std::clamp((70 - truth.height_m) * 0.01, -0.1, 0.15);
     return {pull(0, truth.roll_rad + 0.3 * truth.roll_rate_rads, 350),
             pull(climb_rad + 0.03, truth.pitch_rad + 0.3 * truth.pitch_rate_rads, 500), 40};
 }
 Sticks hands_off(double, const Truth&) { return {}; }
-Sticks keepHeight(double t_s, const Truth& truth) {
-    return {0, keepLevel(t_s, truth).pitch / 2, 40};
+Sticks holdHeight(double t_s, const Truth& truth) {
+    return {0, holdLevel(t_s, truth).pitch / 2, 40};
 }
 Sticks bankHard(double t_s, const Truth& truth) {
-    if (t_s < 1 || t_s > 5) return keepLevel(t_s, truth);
+    if (t_s < 1 || t_s > 5) return holdLevel(t_s, truth);
     return {400, pull(0.1, truth.pitch_rad, 500), 60};
 }
 Sticks bankByFbw(double t_s, const Truth&) { return {t_s > 1 && t_s < 5 ? 400 : 0, 30, 60}; }
@@ -168,8 +168,8 @@ struct Leg {
     const char* what;
 };
 constexpr Leg kLegs[] = {
-    {"MANUAL", 0, keepLevel, controlled, "flew as the pilot did"},
-    {"STABILIZE", 2, keepHeight, straight, "levelled the wings"},
+    {"MANUAL", 0, holdLevel, controlled, "flew as the pilot did"},
+    {"STABILIZE", 2, holdHeight, straight, "levelled the wings"},
     {"TRAINING", 3, bankHard, heldAtTheLimit, "banked to the limit and no further"},
     {"ACRO", 4, rollAndStop, stoppedWhereLetGo, "stayed where the stick was let go"},
     {"FBWA", 5, bankByFbw, bankedAsDemanded, "banked as demanded"},

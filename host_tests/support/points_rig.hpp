@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fence and rally points through the store they really lie in, and an airplane that follows them.
 #pragma once
-#include "firmware/gcs/plans.hpp"
+#include "firmware/gcs/mission_types.hpp"
 #include "firmware/safety/failsafe.hpp"
 #include "firmware/safety/fence.hpp"
 #include "mission_rig.hpp"
@@ -25,10 +25,10 @@ class Points : public Rig {
 protected:
     static MissionResult store(uint8_t type, const Items& items) {
         const auto count = static_cast<uint16_t>(items.size());
-        MissionResult result = whileBusy([&] { return planBegin(type, count); });
+        MissionResult result = whileBusy([&] { return uploadBegin(type, count); });
         for (uint16_t i = 0; i < count && result == MissionResult::accepted; ++i)
-            result = whileBusy([&] { return planPut(type, i, items[i]); });
-        return result == MissionResult::accepted ? whileBusy([&] { return planCommit(type); })
+            result = whileBusy([&] { return uploadPut(type, i, items[i]); });
+        return result == MissionResult::accepted ? whileBusy([&] { return uploadCommit(type); })
                                                  : result;
     }
     static void tenths(int count) {

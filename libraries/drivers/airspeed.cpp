@@ -45,13 +45,13 @@ int16_t taken(uint32_t dt_us) {
 
 }  // namespace
 
-void Airspeed::keepZero(float offset_v) {
+void Airspeed::setZero(float offset_v) {
     zero_ = static_cast<int32_t>(offset_v * (kSteps / kSupply_v));
     calibrated_ = true;
 }
 
 void Airspeed::calibrate(uint16_t share, uint16_t passed, const AirspeedSettings& settings) {
-    if (settings.keep_offset) return keepZero(settings.offset_v);
+    if (settings.offset_known) return setZero(settings.offset_v);
     if (!canBeZero(share)) {  // nothing fitted, or wind
         means_ = 0;
         calibrating_ = 0;

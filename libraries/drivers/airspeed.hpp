@@ -8,10 +8,10 @@
 namespace drivers {
 
 struct AirspeedSettings {
-    float ratio = 1.9936f;     // ARSPD_RATIO: speed^2 = ratio * pressure in units of 1/819 V
-    float offset_v = 0;        // used when `keep_offset`
-    bool keep_offset = false;  // do not measure the zero, it is known
-    bool either_tube = false;  // the hoses may be swapped: the sign of the pressure is ignored
+    float ratio = 1.9936f;      // ARSPD_RATIO: speed^2 = ratio * pressure in units of 1/819 V
+    float offset_v = 0;         // used when `offset_known`
+    bool offset_known = false;  // do not measure the zero, it is known
+    bool either_tube = false;   // the hoses may be swapped: the sign of the pressure is ignored
 };
 
 class Airspeed {
@@ -19,7 +19,7 @@ public:
     void startCalibration() { *this = Airspeed(); }
     void resume(float offset_v) {  // the zero is known already
         startCalibration();
-        keepZero(offset_v);
+        setZero(offset_v);
     }
     // The mean of `count` 10-bit readings, as a share of the sensor's supply in 2^-16.
     static uint16_t share(uint16_t sum, uint8_t count) {
@@ -37,7 +37,7 @@ public:
 private:
     static constexpr uint16_t kSecond = 977;  // of 1024 us
 
-    void keepZero(float offset_v);
+    void setZero(float offset_v);
     void calibrate(uint16_t share, uint16_t passed, const AirspeedSettings& settings);
     void check(int32_t above, uint16_t share, uint16_t passed, bool either_tube);
 

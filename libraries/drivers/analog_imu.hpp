@@ -81,7 +81,7 @@ private:
     }
     static int32_t steps(const Axis& axis, uint16_t sum, uint8_t count);
     static bool plausible(const Ads7844Sums& sums);
-    static void keepAirspeed(const Ads7844Sums& sums);
+    static void storeAirspeed(const Ads7844Sums& sums);
 
     // One converter, one pitot sensor: asked by those who know no object of this.
     static uint16_t airspeed_;
@@ -143,7 +143,7 @@ bool AnalogImu<Converter>::plausible(const Ads7844Sums& sums) {
 }
 
 template <class Converter>
-void AnalogImu<Converter>::keepAirspeed(const Ads7844Sums& sums) {
+void AnalogImu<Converter>::storeAirspeed(const Ads7844Sums& sums) {
     const uint8_t count = sums.count[Ads7844Sums::airspeed];
     if (airspeed_count_ + count > kMaxReadings) airspeed_ = airspeed_count_ = 0;
     airspeed_ += sums.sum[Ads7844Sums::airspeed];
@@ -191,7 +191,7 @@ bool AnalogImu<Converter>::take(ImuSums& to) {
     to.periods = lost_;
     lost_ = 0;
     fresh_ = true;
-    keepAirspeed(sums);
+    storeAirspeed(sums);
     return true;
 }
 

@@ -2,7 +2,7 @@
 #include "estimation/attitude.hpp"
 
 #include "core/internal_error.hpp"
-#include "estimation/arc.hpp"
+#include "estimation/atan2_table.hpp"
 
 namespace estimation {
 namespace {
@@ -19,7 +19,7 @@ constexpr float kBiasShare = 1.0f / 100.0f;  // bias taken over, per second of t
 constexpr float kQuick = 8.0f;               // so much faster at first, for a sixth of the time
 // The zero of gyros that gusts rocked is 0.1 to 0.2 deg/s wrong at first, and has to be learnt
 // soon.
-constexpr float kEager = 8.0f;
+constexpr float kStartupGain = 8.0f;
 constexpr float kSettle_s = 60.0f, kQuickEnds = 5.0f / 6;
 
 // In a turn a small error of heading or of the fix's age shows as acceleration along the path, not
@@ -100,15 +100,15 @@ struct Attitude::Row16 {
 };
 
 float Attitude::real(int32_t component) {
-    return static_cast<float>(component) * (1.0f / Turn::kSteps);
+    return static_cast<float>(component) * (1.0f / DeltaAngle::kSteps);
 }
 core::Vector3 Attitude::real(const Row& row) {
     return {real(row.of[0]), real(row.of[1]), real(row.of[2])};
 }
 Attitude::Row Attitude::row(const core::Vector3& unit) {
     constexpr float kMax = 1.5f;
-    return {{steps(unit.x, kMax, Turn::kSteps), steps(unit.y, kMax, Turn::kSteps),
-             steps(unit.z, kMax, Turn::kSteps)}};
+    return {{steps(unit.x, kMax, DeltaAngle::kSteps), steps(unit.y, kMax, DeltaAngle::kSteps),
+             steps(unit.z, kMax, DeltaAngle::kSteps)}};
 }
 
 void Attitude::propagate(const Motion& motion) {
@@ -122,7 +122,7 @@ void Attitude::propagate(const Motion& motion) {
     rate_.y = Rate::fromRaw(int32_t{motion.rate_rads.y.raw} - rate_bias_.y.raw);
     rate_.z = Rate::fromRaw(int32_t{motion.rate_rads.z.raw} - rate_bias_.z.raw);
     if (phase_ == Phase::falling) return;
-    Turn turned;
+    DeltaAngle turned;
     for (uint8_t i = 0; i < 3; ++i) {
         const int32_t bias = bias_.of[i];
         turned.of[i] =
@@ -136,22 +136,22 @@ void Attitude::propagate(const Motion& motion) {
     carryAnglesOn(last_turn_);
 }
 
-void Attitude::turnMatrix() {
+void Attitude::rotateDcm() {
     if (phase_ == Phase::falling) return;
-    rotateDcm();
+    rotateRows();
     workOutAngles();
 }
 
 // What stands still over the ground, seen from a body that has turned by a small angle.
-void Attitude::turn(Row& row, const Turn16& by) {
+void Attitude::turn(Row& row, const DeltaAngle16& by) {
     const int32_t x = row.of[0], y = row.of[1], z = row.of[2];
     row.of[0] += 2 * (core::times16(y, by.of[2]) - core::times16(z, by.of[1]));
     row.of[1] += 2 * (core::times16(z, by.of[0]) - core::times16(x, by.of[2]));
     row.of[2] += 2 * (core::times16(x, by.of[1]) - core::times16(y, by.of[0]));
 }
 
-void Attitude::rotateDcm() {
-    Turn16 by;
+void Attitude::rotateRows() {
+    DeltaAngle16 by;
     for (uint8_t i = 0; i < 3; ++i) by.of[i] = taken(turned_.of[i]);
     turn(down_, by);
     turn(north_, by);
@@ -218,7 +218,7 @@ void Attitude::orthonormalize() {
 void Attitude::pointYaw() {
     if (phase_ == Phase::falling) return;
     const Row16 n(north_), d(down_);
-    yaw_rad_ = arc(levelled(d.cross(n).x), levelled(n.x));
+    yaw_rad_ = tableAtan2(levelled(d.cross(n).x), levelled(n.x));
     since_yaw_ = behind_;
     const int32_t step = d.dot(last_turn_.of[0], last_turn_.of[1], last_turn_.of[2]);
     yaw_step_ = core::upperOf16(core::limit(step, -core::kMaxOf16, core::kMaxOf16));
@@ -281,7 +281,7 @@ void Attitude::turnBy(const core::Vector3& by_rad) {
     turnBy(turned_.of[2], by_rad.z);
 }
 void Attitude::turnBy(int32_t& turned, float by_rad) {
-    accumulate(turned, steps(by_rad, 0.5f, Turn::kSteps), kMaxTurned);
+    accumulate(turned, steps(by_rad, 0.5f, DeltaAngle::kSteps), kMaxTurned);
 }
 
 // `missing`: acceleration the reference saw and the accelerometers did not, over time_s. A tilt of
@@ -309,8 +309,8 @@ void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& fe
     const core::Vector3 east = core::cross(down, north);
     const core::Vector3 by =
         north * (used.y * gain) - east * (used.x * gain) + down * core::limit(yaw, -0.05f, 0.05f);
-    const float eager = 1.0f + kEager * settling_;
-    learnRates({by.x * eager, by.y * eager, by.z});
+    const float startup_gain = 1.0f + kStartupGain * settling_;
+    learnRates({by.x * startup_gain, by.y * startup_gain, by.z});
     if (by_fix) learnForces(used, east.x, (1.0f - turning_share) * (1.0f - settling_));
     turnBy(by);
 }
@@ -323,7 +323,7 @@ void Attitude::learnRates(const core::Vector3& turn_rad) {
 }
 
 void Attitude::learnRate(int32_t& bias, core::BodyRate& rate, float turned_rad) {
-    constexpr float kPeriod = Turn::kSteps * kSamplePeriod_s;
+    constexpr float kPeriod = DeltaAngle::kSteps * kSamplePeriod_s;
     constexpr int32_t kMax = static_cast<int32_t>(kMaxBias_rads * kPeriod);
     accumulate(bias, -steps(turned_rad * kBiasShare, kMaxBiasStep_rads, kPeriod), kMax);
     constexpr int16_t kPeriodsASecond = static_cast<int16_t>(1 / kSamplePeriod_s + 0.5f);
@@ -498,15 +498,15 @@ void Attitude::workOutAngles() {
     }
     a.sin_roll = levelled(core::upper(down_.of[1]));
     a.cos_roll = levelled(core::upper(down_.of[2]));
-    a.roll_rad = arc(a.sin_roll, a.cos_roll);
-    a.pitch_rad = arc(a.sin_pitch, a.cos_pitch);
+    a.roll_rad = tableAtan2(a.sin_roll, a.cos_roll);
+    a.pitch_rad = tableAtan2(a.sin_pitch, a.cos_pitch);
     const int32_t since = core::product(yaw_step_, since_yaw_) >> 2;
     a.yaw_rad.raw = static_cast<int16_t>(static_cast<uint16_t>(yaw_rad_.raw + since));
     tan_pitch_.raw = core::times14(inverse_cos_pitch_.raw, a.sin_pitch.raw);
 }
 
 // One frame on, by the rates of Euler's angles. Near the vertical roll has no rate of its own.
-void Attitude::carryAnglesOn(const Turn16& turned) {
+void Attitude::carryAnglesOn(const DeltaAngle16& turned) {
     Angles& a = angles_;
     const int16_t sine = a.sin_roll.raw, cosine = a.cos_roll.raw;
     const int16_t up =

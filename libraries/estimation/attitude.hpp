@@ -35,7 +35,7 @@ struct SavedAttitude {
     core::Ratio north[3], down[3];
 };
 struct SavedBiases {
-    SavedTurn bias_rad[3];  // of the gyros, in a sample period
+    SavedDeltaAngle bias_rad[3];  // of the gyros, in a sample period
     CompassField::Known field;
 };
 
@@ -51,7 +51,7 @@ public:
 
     void propagate(const Motion& motion);  // 100 Hz: sums up the motion, carries roll and pitch on
     void align();                          // 10 Hz: until it is upright
-    void turnMatrix();                     // 50 Hz: by what has been summed up; all angles anew
+    void rotateDcm();                      // 50 Hz: by what has been summed up; all angles anew
     void accelerate();      // 25 Hz: acceleration over ground, of what has been measured since
     void orthonormalize();  // 10 Hz: the matrix
     void pointYaw();        // 10 Hz: yaw by the matrix, in between it goes on by its rate
@@ -98,7 +98,8 @@ private:
     struct Row {  // a unit vector in body axes, as a Fine's steps
         int32_t of[3];
     };
-    struct Turn16 {  // steps of a Fixed<15> of radians for the matrix, of an Angle for the angles
+    struct DeltaAngle16 {  // steps of a Fixed<15> of radians for the matrix, of an Angle for the
+                           // angles
         int16_t of[3];
     };
 
@@ -107,7 +108,7 @@ private:
     static float real(int32_t component);
     static core::Vector3 real(const Row& row);
     static Row row(const core::Vector3& unit);
-    static void turn(Row& row, const Turn16& by);
+    static void turn(Row& row, const DeltaAngle16& by);
     static void add(Row& row, const Row& other, int16_t share);
     static void normalizeRow(Row& row, int32_t squared);
     static int32_t dot(const Row& a, const Row& b);
@@ -117,12 +118,12 @@ private:
     void turnBy(const core::Vector3& by_rad);
     void pointBy(float error);
     static void turnBy(int32_t& turned, float by_rad);
-    void rotateDcm();
+    void rotateRows();
     void catchUp() {
-        if (behind_ != 0) rotateDcm();
+        if (behind_ != 0) rotateRows();
     }
     void workOutAngles();
-    void carryAnglesOn(const Turn16& turned);
+    void carryAnglesOn(const DeltaAngle16& turned);
     core::Ratio levelled(int16_t component) const;
     void pointAlong(const core::Vector3& velocity_mps);
     void forgetForces();
@@ -135,19 +136,19 @@ private:
     static void learnForce(int32_t& bias, float missing_mss);
 
     Row north_ = {{kOne, 0, 0}}, down_ = {{0, 0, kOne}};
-    Turn bias_ = {};                                   // of the gyros, in a sample period
+    DeltaAngle bias_ = {};                             // of the gyros, in a sample period
     core::BodyRates rate_bias_ = {};                   // the same
     int32_t force_bias_x_ = 0, force_bias_y_ = 0;      // of the accelerometers, a ForceBias' steps
     core::Ratio mean_nose_[2] = {core::Ratio(1), {}};  // north and east of it lately
     core::BodyRates rate_ = {};
-    Turn turned_ = {};           // since the matrix was last turned
+    DeltaAngle turned_ = {};     // since the matrix was last turned
     int32_t force_sum_[3] = {};  // of forces_ frames that took periods_
     core::Vector3 acceleration_ = {0, 0, 0};
     Angles angles_ = {{}, {}, {}, {}, core::Ratio(1), {}, core::Ratio(1)};
     core::Gain inverse_cos_pitch_{1}, tan_pitch_ = {};
-    core::Angle yaw_rad_ = {};  // when pointYaw looked
-    Turn16 last_turn_ = {};     // of the last frame
-    int16_t yaw_step_ = 0;      // in a frame, in a quarter of an Angle's step
+    core::Angle yaw_rad_ = {};     // when pointYaw looked
+    DeltaAngle16 last_turn_ = {};  // of the last frame
+    int16_t yaw_step_ = 0;         // in a frame, in a quarter of an Angle's step
     CompassField field_;
     VelocityHistory history_;
     VelocityHistory::Moment fix_ = {};         // the accelerometers' velocity at the last fix

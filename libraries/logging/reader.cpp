@@ -31,49 +31,49 @@ bool holds(const PageHead& head, const Key& key) {
 
 }  // namespace
 
-Status oldestKey(const Book& book, Key& key) {
+Status oldestKey(const LogStore& store, Key& key) {
     PageHead head;
     Status status = Status::corrupt;
     for (uint8_t page = 0; page <= kSpoilt && status == Status::corrupt; ++page)
-        status = book.readHead(page, head);
+        status = store.readHead(page, head);
     key = head.key;
     return status;
 }
 
 // Of the beginning of this log.
-Status Reader::missing(const Book& book, uint32_t& bytes) const {
+Status Reader::missing(const LogStore& store, uint32_t& bytes) const {
     Key key;
-    const Status status = oldestKey(book, key);
+    const Status status = oldestKey(store, key);
     bytes = key.log == log_ ? key.offset : 0;
     return status;
 }
 
-Status Reader::size(const Book& book, const Formats& formats, uint32_t& bytes) {
-    Status status = book.seek({log_, UINT32_MAX}, found_);
+Status Reader::size(const LogStore& store, const Formats& formats, uint32_t& bytes) {
+    Status status = store.seek({log_, UINT32_MAX}, found_);
     if (status != Status::ok) return status;
     PageHead head;
     uint32_t cut;
-    status = book.readHead(found_.first, head);
-    if (status == Status::ok) status = missing(book, cut);
+    status = store.readHead(found_.first, head);
+    if (status == Status::ok) status = missing(store, cut);
     if (status != Status::ok) return status;
     if (head.key.log != log_) return Status::corrupt;
     bytes = head.key.offset + head.used - cut + (cut > 0 ? sizeOf(formats) : 0);
-    open(book, log_);
+    open(store, log_);
     return Status::ok;
 }
 
 // The page that holds this byte, or, where it is lost, the last before it.
-Status Reader::findPage(const Book& book, uint32_t offset, PageHead& head) {
+Status Reader::findPage(const LogStore& store, uint32_t offset, PageHead& head) {
     const Key key = {log_, offset};
-    Status status = book.seek(key, found_);
+    Status status = store.seek(key, found_);
     if (status != Status::ok) return status;
-    status = book.readHead(found_.first, head);
+    status = store.readHead(found_.first, head);
     if (status == Status::busy || (status == Status::ok && holds(head, key))) return status;
     PageHead after;
     Status next = Status::corrupt;
     uint16_t page = found_.first;
-    while (next == Status::corrupt && ++page < book.pages() && page <= found_.first + kSpoilt + 1)
-        next = book.readHead(page, after);
+    while (next == Status::corrupt && ++page < store.pages() && page <= found_.first + kSpoilt + 1)
+        next = store.readHead(page, after);
     if (next == Status::busy) return next;
     if (next == Status::ok && holds(after, key)) {
         found_ = {page, static_cast<uint16_t>(page + 1)};
@@ -84,14 +84,14 @@ Status Reader::findPage(const Book& book, uint32_t offset, PageHead& head) {
     const bool lies_between = status == Status::ok && !before(key, head.key) &&
                               (next != Status::ok || before(key, after.key));
     if (lies_between && head.key.log == log_) return Status::ok;
-    open(book, log_);
+    open(store, log_);
     return Status::busy;
 }
 
-Status Reader::read(const Book& book, const Formats& formats, uint32_t at, uint8_t* to,
+Status Reader::read(const LogStore& store, const Formats& formats, uint32_t at, uint8_t* to,
                     uint8_t& size) {
     uint32_t cut;
-    Status status = missing(book, cut);
+    Status status = missing(store, cut);
     if (status != Status::ok) return status;
     if (cut > 0) {
         uint8_t done = 0;
@@ -104,7 +104,7 @@ Status Reader::read(const Book& book, const Formats& formats, uint32_t at, uint8
         at += cut - sizeOf(formats);
     }
     PageHead head;
-    status = findPage(book, at, head);
+    status = findPage(store, at, head);
     if (status != Status::ok) return status;
     const uint32_t from = at - head.key.offset;
     if (from >= head.used) {
@@ -113,7 +113,7 @@ Status Reader::read(const Book& book, const Formats& formats, uint32_t at, uint8
     }
     const uint16_t rest = head.used - static_cast<uint16_t>(from);
     if (size > rest) size = static_cast<uint8_t>(rest);
-    return book.read(found_.first, static_cast<uint16_t>(from), to, size);
+    return store.read(found_.first, static_cast<uint16_t>(from), to, size);
 }
 
 }  // namespace logging

@@ -16,7 +16,7 @@ enum class Class : uint8_t { nav, condition, action, jump };
 
 enum class Progress : uint8_t { running, done };
 
-enum Trait : uint8_t {
+enum CommandFlag : uint8_t {
     kPlaced = 1,       // latitude and longitude 0 mean: where the airplane is
     kEndsNowhere = 2,  // the next leg begins at the airplane, not at this command's place
     kEndsFlight = 4,   // only a command that begins a flight can follow
@@ -24,12 +24,12 @@ enum Trait : uint8_t {
     kArduPlaneExtension = 16,  // in neither of the two sets' documents
 };
 
-struct Entry {
+struct LegStart {
     bool resumed;    // it was being flown before, and goes on
     bool from_here;  // the leg begins at the airplane; else at the place of the last one finished
 };
 
-struct Site {  // where in which mission a record stands
+struct ItemPosition {  // where in which mission a record stands
     uint8_t index;
     uint8_t count;
 };
@@ -40,8 +40,9 @@ struct Jump {
 };
 constexpr int16_t kForEver = -1;
 
-using Valid = uint8_t (*)(const Record&, Site);  // 0: in range; else the answer for the ground
-using Begin = void (*)(const Record&, Entry);
+using Valid = uint8_t (*)(const Record&,
+                          ItemPosition);  // 0: in range; else the answer for the ground
+using Begin = void (*)(const Record&, LegStart);
 using Act = void (*)(const Record&);
 using Check = Progress (*)(const Record&);
 using Target = Jump (*)(const Record&);
@@ -133,8 +134,8 @@ struct Table {
     uint8_t id(Set set, uint8_t row) const {
         return core::romRead(set == Set::apm1 ? rows[row].apm1_id : rows[row].apm2_id);
     }
-    uint8_t valid(uint8_t row, const Record& record, Site site) const {
-        return core::romRead(rows[row].valid)(record, site);
+    uint8_t valid(uint8_t row, const Record& record, ItemPosition position) const {
+        return core::romRead(rows[row].valid)(record, position);
     }
 };
 

@@ -16,13 +16,13 @@ bool Sequencer::ended() const { return memory_.phase == kEnded; }
 
 uint16_t Sequencer::sum() const {
     // the host pads the struct; memset at every reset keeps the padding still
-    return core::crc16(core::kCrcStart, &memory_, offsetof(Memory, seal));
+    return core::crc16(core::kCrcStart, &memory_, offsetof(Memory, checksum));
 }
-void Sequencer::seal() { memory_.seal = sum(); }
+void Sequencer::updateChecksum() { memory_.checksum = sum(); }
 
 void Sequencer::boot(Set set, uint16_t generation, bool survived, uint8_t index) {
     active_ = resuming_ = false;
-    if (survived && memory_.seal == sum() && memory_.generation == generation &&
+    if (survived && memory_.checksum == sum() && memory_.generation == generation &&
         memory_.set == static_cast<uint8_t>(set))
         return;
     memset(&memory_, 0, sizeof memory_);
@@ -33,7 +33,7 @@ void Sequencer::boot(Set set, uint16_t generation, bool survived, uint8_t index)
         beginAt(index);
         mark(kDropped);
     }
-    seal();
+    updateChecksum();
 }
 
 void Sequencer::reset(uint8_t phase) {
@@ -83,7 +83,7 @@ void Sequencer::enter(bool restart) {
         beginPass();
         resuming_ = true;
     }
-    seal();
+    updateChecksum();
 }
 
 void Sequencer::leave() { active_ = false; }
@@ -113,7 +113,7 @@ bool Sequencer::setCurrent(uint8_t index) {
         beginPass();
     }
     resuming_ = false;
-    seal();
+    updateChecksum();
     return true;
 }
 
@@ -121,7 +121,7 @@ void Sequencer::changed(Set set, uint16_t generation, bool same, bool empty) {
     memory_.generation = generation;
     if (same && !empty) {
         refill();
-        return seal();
+        return updateChecksum();
     }
     memory_.set = static_cast<uint8_t>(set);
     const uint8_t flags = memory_.flags;
@@ -133,7 +133,7 @@ void Sequencer::changed(Set set, uint16_t generation, bool same, bool empty) {
         return complete();
     }
     if (active_) beginAt(1);
-    seal();
+    updateChecksum();
 }
 
 void Sequencer::refill() {

@@ -41,7 +41,7 @@ struct Host {
 };
 
 // Everything the engine remembers, in one struct with one reset. Plain bytes: it may lie in
-// memory that a watchdog reset leaves alone, and the seal shows whether it did.
+// memory that a watchdog reset leaves alone, and the checksum shows whether it did.
 struct Memory {
     // What is used most stands within the 64 bytes that an instruction of the chip reaches.
     uint16_t generation;
@@ -72,7 +72,7 @@ struct Memory {
             } chain;
         } jumps;
     };
-    uint16_t seal;
+    uint16_t checksum;
 };
 
 class Sequencer {
@@ -80,9 +80,9 @@ public:
     constexpr Sequencer(const Table& table, const Host& host, Memory& memory)
         : table_(table), host_(host), memory_(memory) {}
 
-    // After a reset. survived: memory may still hold what it held; it counts when its seal and the
-    // generation are right. Otherwise the mission begins at `index`, without the chain of that NAV
-    // (0: at its beginning).
+    // After a reset. survived: memory may still hold what it held; it counts when its checksum and
+    // the generation are right. Otherwise the mission begins at `index`, without the chain of that
+    // NAV (0: at its beginning).
     void boot(Set set, uint16_t generation, bool survived, uint8_t index);
 
     void enter(bool restart);  // AUTO; resumes, or begins when there is nothing to resume
@@ -172,7 +172,7 @@ private:
     void abandon(uint8_t target);
     void complete();
     void refill();
-    void seal();
+    void updateChecksum();
     uint16_t sum() const;
 
     const Table& table_;

@@ -33,7 +33,7 @@ uint8_t Sequencer::poll(bool trailing) {
         if (!(memory_.phase == kSeeking ? seek() : walk())) break;
         if (core::romRead(host_.enough)()) break;
     }
-    seal();
+    updateChecksum();
     return polled_;
 }
 
@@ -156,7 +156,7 @@ void Sequencer::complete() {
     const uint8_t last = memory_.nav;
     reset(kEnded);
     put(kLanded, event == Event::landed);
-    seal();
+    updateChecksum();
     reportEvent(event, last);
 }
 

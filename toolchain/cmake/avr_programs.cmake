@@ -84,8 +84,8 @@ on_chip_program(mission record_test.cpp sequencer_test.cpp)
 on_chip_program(storage index_store_test.cpp journal_test.cpp mission_store_test.cpp owner_test.cpp)
 on_chip_program(crypto sha256_test.cpp)
 on_chip_program(mavlink frame_test.cpp parser_test.cpp)
-on_chip_program(estimation arc_test.cpp atmosphere_test.cpp attitude_test.cpp height_test.cpp position_test.cpp
-                still_test.cpp wind_test.cpp)
+on_chip_program(estimation atan2_table_test.cpp atmosphere_test.cpp attitude_test.cpp height_test.cpp position_test.cpp
+                gyro_bias_init_test.cpp wind_test.cpp)
 
 on_chip_program(floats floats_test.cpp)
 on_chip_program(std std_test.cpp)

@@ -28,21 +28,21 @@ constexpr double kPoll_s = 0.05;
 constexpr PassCost kBoardCost = {kPoll_s / 16, kPoll_s / 7 - kPoll_s / 16};
 constexpr double kLongestPass_s = 1.5;
 
-const Document* surveyed;
-core::Status readSurveyed(uint8_t index, uint8_t* to) {
-    mission::pack(surveyed->set, surveyed->entries[index].record, to);
+const Document* read_from;
+core::Status readRecord(uint8_t index, uint8_t* to) {
+    mission::pack(read_from->set, read_from->entries[index].record, to);
     return core::Status::ok;
 }
 
 // The firmware's own look at a mission.
-firmware::mission::Survey survey(const Document& document) {
-    surveyed = &document;
-    firmware::mission::Survey survey = {};
+firmware::mission::MissionSummary summaryOf(const Document& document) {
+    read_from = &document;
+    firmware::mission::MissionSummary summary = {};
     const auto count = static_cast<uint8_t>(std::min(document.entries.size(), kMaxItems));
-    while (count > 1 && firmware::mission::surveyStep(survey, document.set, count, readSurveyed) ==
+    while (count > 1 && firmware::mission::summarizeStep(summary, document.set, count, readRecord) ==
                             core::Status::busy) {
     }
-    return survey;
+    return summary;
 }
 
 std::string metres(float length_m) { return std::to_string(static_cast<int>(length_m)) + " m"; }
@@ -55,7 +55,7 @@ std::string items(size_t first, size_t last) {
 class Inspection {
 public:
     explicit Inspection(const Document& document)
-        : document_(document), survey_(survey(document)), accompanied_(accompaniedNavs(document)) {}
+        : document_(document), summary_(summaryOf(document)), accompanied_(accompaniedNavs(document)) {}
 
     std::vector<Finding> all() {
         const size_t count = document_.entries.size();
@@ -94,7 +94,7 @@ private:
     }
 
     void jump(size_t i) {
-        if (document_.set == Set::apm2 && target(document_.entries[i]) > survey_.last_nav)
+        if (document_.set == Set::apm2 && target(document_.entries[i]) > summary_.last_nav)
             warn(i, "no NAV follows item " + std::to_string(target(document_.entries[i])) +
                         ": this jump ends the mission");
     }
@@ -107,7 +107,7 @@ private:
         if (last_land_ != 0 && (kCommandTable.traits(entry.row) & mission::kBeginsFlight) == 0)
             warn(i, "never flown: only a TAKEOFF can follow the LAND of item " +
                         std::to_string(last_land_));
-        if (i < survey_.last_nav && entry.record.id == kLoiterUnlimited && !abandoned(i))
+        if (i < summary_.last_nav && entry.record.id == kLoiterUnlimited && !abandoned(i))
             warn(i, "never finishes: what follows is flown only when it is chosen");
         last_land_ = (kCommandTable.traits(entry.row) & mission::kEndsFlight) != 0 ? i : 0;
     }
@@ -123,17 +123,17 @@ private:
         if (count > kMaxItems)
             refuse(kMaxItems, "expected at most " + std::to_string(kMaxItems) +
                                   " items, home included, found " + std::to_string(count));
-        if (survey_.counters > mission::kMaxCounters)
+        if (summary_.counters > mission::kMaxCounters)
             refuse(0, "expected at most " + std::to_string(mission::kMaxCounters) +
-                          " jumps with a count, found " + std::to_string(survey_.counters));
-        if (survey_.first_nav == 0) {
+                          " jumps with a count, found " + std::to_string(summary_.counters));
+        if (summary_.first_nav == 0) {
             warn(0, "no NAV command: AUTO is refused");
-        } else if (document_.set == Set::apm1 && survey_.first_nav > 1) {
-            warn(1, items(1, survey_.first_nav - 1u) + " before the first NAV: never run");
-        } else if (document_.set == Set::apm2 && survey_.last_run + 1u < count &&
+        } else if (document_.set == Set::apm1 && summary_.first_nav > 1) {
+            warn(1, items(1, summary_.first_nav - 1u) + " before the first NAV: never run");
+        } else if (document_.set == Set::apm2 && summary_.last_run + 1u < count &&
                    parameters.mission_trailing == 0) {
-            warn(survey_.last_run + 1u,
-                 items(survey_.last_run + 1u, count - 1) +
+            warn(summary_.last_run + 1u,
+                 items(summary_.last_run + 1u, count - 1) +
                      " behind the last NAV: never run while MIS_TRAILING is 0");
         }
     }
@@ -177,7 +177,7 @@ private:
     }
 
     const Document& document_;
-    firmware::mission::Survey survey_;
+    firmware::mission::MissionSummary summary_;
     std::vector<size_t> accompanied_;
     std::vector<Finding> found_;
     size_t last_land_ = 0;

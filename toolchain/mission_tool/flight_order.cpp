@@ -191,7 +191,7 @@ Rows makeRows() {
         mission::Row row = core::romRead(kCommandTable.rows[i]);
         made.targets.push_back(row.target);
         row.act = [](const Record&) {};
-        row.begin = [](const Record&, mission::Entry entry) { flown->begin(entry.from_here); };
+        row.begin = [](const Record&, mission::LegStart entry) { flown->begin(entry.from_here); };
         row.check = row.kind == Class::nav ? [](const Record&) { return flown->navDone(); }
                                            : [](const Record&) { return flown->conditionDone(); };
         if (row.kind == Class::jump) row.target = jumpOf;

@@ -74,9 +74,9 @@ Entry entryOf(const WaypointItem& from, Set set, size_t index, size_t count) {
     if (set == Set::apm1 && index == 0) {
         item.frame = firmware::state::parameters.altitude_absolute != 0 ? kAboveSea : kAboveHome;
     }
-    firmware::mission::Notes notes = {};
+    firmware::mission::EncodeWarnings warnings = {};
     entry.result =
-        firmware::mission::encodeItem(set, {byte(index), byte(count)}, item, entry.record, notes);
+        firmware::mission::encodeItem(set, {byte(index), byte(count)}, item, entry.record, warnings);
     if (entry.result == MissionResult::accepted) {
         entry.result = check(set, index, count, entry);
     } else {
@@ -85,8 +85,8 @@ Entry entryOf(const WaypointItem& from, Set set, size_t index, size_t count) {
         if (entry.record.id == mission::kNoId) entry.command = from.command;
         entry.row = firmware::mission::kCommandTable.find(set, entry.record.id);
     }
-    if (notes.rounded) entry.notes.push_back("a value is rounded to what the record can hold");
-    if (notes.dropped)
+    if (warnings.rounded) entry.notes.push_back("a value is rounded to what the record can hold");
+    if (warnings.dropped)
         entry.notes.push_back("a parameter that the command does not use is dropped");
     entry.line = from.line;
     entry.column = from.columns[0];

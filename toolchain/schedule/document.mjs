@@ -14,7 +14,7 @@ const remarks = {
   runRadio: 'pulses of the receiver, or overrides of the ground station, to stick positions; radio lost',
   runAttitude: 'roll, pitch and rates from the gyros',
   alignAttitude: 'the first attitude matrix, from the accelerometers at rest',
-  turnMatrix: 'the attitude matrix by what the gyros have summed up, all angles',
+  rotateDcm: 'the attitude matrix by what the gyros have summed up, all angles',
   orthonormalizeMatrix: 'both rows of the matrix to length one and square to each other',
   pointYaw: 'yaw by the matrix; in between it goes on by its rate',
   gatherPressure: 'sums up the readings of the barometer',

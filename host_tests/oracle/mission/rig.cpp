@@ -35,8 +35,10 @@ std::string tuple(const Record& r) {
 }
 
 // ---- the commands
-uint8_t inRange(const Record& record, mission::Site) { return record.p1 == kOutOfRange ? 5 : 0; }
-void begin(const Record& record, mission::Entry entry) {
+uint8_t inRange(const Record& record, mission::ItemPosition) {
+    return record.p1 == kOutOfRange ? 5 : 0;
+}
+void begin(const Record& record, mission::LegStart entry) {
     const char* how = entry.resumed ? "~" : entry.from_here ? "!" : "";
     say("W" + name(record) + how + tuple(record));
     world.begun = indexOf(record);
@@ -59,17 +61,17 @@ void act(const Record& record) {
     say("a" + name(record) + tuple(record));
     if (record.p1 == kLeavesAuto) world.engine->leave();
 }
-uint8_t jumpInRange(const Record& record, mission::Site site) {
+uint8_t jumpInRange(const Record& record, mission::ItemPosition position) {
     const bool times = record.p3 == -1 || (record.p3 >= 1 && record.p3 <= 32767);
-    const bool target = record.p1 != 0 && record.p1 < site.count && record.p1 != site.index;
+    const bool target = record.p1 != 0 && record.p1 < position.count && record.p1 != position.index;
     return times && target ? 0 : 5;
 }
 mission::Jump jumpOf(const Record& record) { return {record.p1, static_cast<int16_t>(record.p3)}; }
-uint8_t always(const Record&, mission::Site) { return 0; }
+uint8_t always(const Record&, mission::ItemPosition) { return 0; }
 mission::Jump toFirst(const Record&) { return {1, mission::kForEver}; }
 int32_t indexTarget(const Record& record) { return record.p2 != 0 ? record.p2 : record.p1; }
-uint8_t indexInRange(const Record& record, mission::Site site) {
-    return indexTarget(record) >= 1 && indexTarget(record) < site.count ? 0 : 5;
+uint8_t indexInRange(const Record& record, mission::ItemPosition position) {
+    return indexTarget(record) >= 1 && indexTarget(record) < position.count ? 0 : 5;
 }
 mission::Jump toIndex(const Record& record) {
     return {static_cast<uint8_t>(indexTarget(record)), mission::kForEver};
@@ -194,8 +196,9 @@ bool isNav(CommandSet set, const Mission& mission, size_t i) {
     const uint8_t* bytes = mission[i].data();
     const uint8_t row = kTable.find(engineSet(set), bytes[0]);
     if (row == mission::kNoRow || kTable.kind(row) != Class::nav) return false;
-    const mission::Site site = {static_cast<uint8_t>(i), static_cast<uint8_t>(mission.size())};
-    return kTable.valid(row, mission::unpack(engineSet(set), bytes), site) == 0;
+    const mission::ItemPosition position = {static_cast<uint8_t>(i),
+                                            static_cast<uint8_t>(mission.size())};
+    return kTable.valid(row, mission::unpack(engineSet(set), bytes), position) == 0;
 }
 
 }  // namespace
@@ -240,8 +243,9 @@ Rig::Passed Rig::pass(const Pass& how) {
         if (late == 0) world.nav_done = world.condition_done = false;
         const bool starved = engine_.active() && engine_.starved();
         // what there was no room for in this poll will be read again
-        const bool unused = world.read != read_before && !starved &&
-                            memcmp(&world.at_read, &memory_, offsetof(mission::Memory, seal)) == 0;
+        const bool unused =
+            world.read != read_before && !starved &&
+            memcmp(&world.at_read, &memory_, offsetof(mission::Memory, checksum)) == 0;
         if (unused) --world.read;
         if (!starved && memcmp(&before, &memory_, sizeof before) == 0) break;
         if (!starved) continue;

@@ -62,7 +62,7 @@ void fitPageFlash() {
 void removePageFlash() { chip.fitted = false; }
 void setPageFlashKnown(bool known) { chip.known = known; }
 void setPageFlashSlow(bool slow) { chip.slow = slow; }
-void keepPageFlashBusy(bool busy) { chip.occupied = busy; }
+void holdPageFlashBusy(bool busy) { chip.occupied = busy; }
 bool missionWantsPageFlash() { return chip.wanted; }
 uint32_t pageWrites() { return chip.writes; }
 

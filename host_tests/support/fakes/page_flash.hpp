@@ -18,7 +18,7 @@ void setPageFlashKnown(bool known);  // false: it has not answered yet
 
 // A page takes 20 ms of the fake clock.
 void setPageFlashSlow(bool slow);
-void keepPageFlashBusy(bool busy);  // as if the log had it
+void holdPageFlashBusy(bool busy);  // as if the log had it
 bool missionWantsPageFlash();
 
 using FlashPages = std::vector<std::vector<uint8_t>>;  // the mission's

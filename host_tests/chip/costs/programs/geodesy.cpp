@@ -17,8 +17,8 @@ volatile int32_t places[][2] = {
     {473977000, 85456000}, {474012499, 85436971}, {473990000, 85450000}};
 volatile int32_t far_places[][2] = {{373977000, 85456000}, {374012499, 85436971}};
 volatile float kept;
-volatile bool kept_bool;
-volatile int32_t kept_cd;
+volatile bool result_bool;
+volatile int32_t result_cd;
 
 geo::Position place(volatile int32_t (&at)[2]) { return {at[0], at[1]}; }
 
@@ -79,15 +79,15 @@ int main() {
                  [] { kept = geo::distance_m(place(far_places[0]), place(far_places[1])); });
     kept = geo::distance_m(a(), b());
     costs::timed(costs::kDistance, [=] { kept = geo::distance_m(a(), b()); });
-    costs::timed(costs::kBearing, [=] { kept_cd = geo::bearing_cd(a(), b()); });
+    costs::timed(costs::kBearing, [=] { result_cd = geo::bearing_cd(a(), b()); });
     costs::timed(costs::kOffset, [=] { keep(geo::offset(a(), b())); });
     costs::timed(costs::kTrack, [=] { keep(geo::track(a(), b(), c())); });
-    costs::timed(costs::kPassed, [=] { kept_bool = geo::passed(a(), b(), c()); });
+    costs::timed(costs::kPassed, [=] { result_bool = geo::passed(a(), b(), c()); });
     costs::timed(costs::kNaiveDistance, [=] { kept = naiveDistance_m(da(), db()); });
     costs::timed(costs::kNaiveBearing, [=] { kept = naiveBearing_deg(da(), db()); });
     costs::timed(costs::kNaiveOffset, [=] { keep(naiveOffset(da(), db())); });
     costs::timed(costs::kNaiveTrack, [=] { keep(naiveTrack(da(), db(), dc())); });
-    costs::timed(costs::kNaivePassed, [=] { kept_bool = naivePassed(da(), db(), dc()); });
+    costs::timed(costs::kNaivePassed, [=] { result_bool = naivePassed(da(), db(), dc()); });
     for (;;) {
     }
 }

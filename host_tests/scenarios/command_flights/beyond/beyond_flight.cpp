@@ -173,7 +173,7 @@ private:
         std::printf("          %zu pictures in %.0f m, %.1f to %.1f m apart\n", pictures_.size(),
                     length_m, nearest_m, farthest_m);
         return std::abs(static_cast<double>(pictures_.size()) - wanted) < 2 && nearest_m > 21 &&
-               farthest_m < 29 && pictures_.size() == firmware::actuators::picturesTaken();
+               farthest_m < 29 && pictures_.size() == firmware::actuators::cameraTriggerCount();
     }
     // From the tenth second on, for fifteen.
     bool flewInverted() const {

@@ -23,7 +23,7 @@ protected:
 TEST_F(Camera, digicam_control_holds_the_shutter_for_its_duration) {
     EXPECT_EQ(shutter_us(), 1100);
     fly({command(203), waypoint(500)});
-    EXPECT_EQ(picturesTaken(), 1);
+    EXPECT_EQ(cameraTriggerCount(), 1);
     EXPECT_EQ(shutter_us(), 1300);
     pass(9);
     EXPECT_EQ(shutter_us(), 1300);
@@ -47,32 +47,32 @@ TEST_F(Camera, reports_a_missing_camera_output) {
     parameters.output_function[2] = 0;
     fly({command(203), waypoint(500)});
     EXPECT_TRUE(hasStatusText("Camera: no output has its function"));
-    EXPECT_EQ(picturesTaken(), 0);
+    EXPECT_EQ(cameraTriggerCount(), 0);
 }
 
 TEST_F(Camera, reports_busy_rather_than_losing_a_picture) {
     fly({command(203), command(203), waypoint(500)});
     EXPECT_TRUE(hasStatusText("Camera: still busy"));
-    EXPECT_EQ(picturesTaken(), 1);
+    EXPECT_EQ(cameraTriggerCount(), 1);
 }
 
 TEST_F(Camera, takes_a_picture_each_so_many_metres_until_0) {
     parameters.camera_duration_ds = 0;
     mutable_vehicle.estimate.ground_speed_mps = 10;
     fly({command(206, 25), waypoint(5000), command(206, 0), waypoint(9000)});
-    EXPECT_EQ(picturesTaken(), 0) << "the first is due 25 m on";
+    EXPECT_EQ(cameraTriggerCount(), 0) << "the first is due 25 m on";
     for (int i = 0; i < 250; ++i) {
         flyOn(1);
         pass();
     }
-    EXPECT_NEAR(picturesTaken(), 10, 1);
-    const int before = picturesTaken();
+    EXPECT_NEAR(cameraTriggerCount(), 10, 1);
+    const int before = cameraTriggerCount();
     reach();
     for (int i = 0; i < 100; ++i) {
         flyOn(1);
         pass();
     }
-    EXPECT_EQ(picturesTaken(), before);
+    EXPECT_EQ(cameraTriggerCount(), before);
 }
 
 TEST_F(Camera, the_exact_distance_of_a_picture_counts) {
@@ -81,10 +81,10 @@ TEST_F(Camera, the_exact_distance_of_a_picture_counts) {
     fly({command(206, 12.5f), waypoint(5000)});
     flyOn(12);
     pass();
-    EXPECT_EQ(picturesTaken(), 0);
+    EXPECT_EQ(cameraTriggerCount(), 0);
     flyOn(1);
     pass();
-    EXPECT_EQ(picturesTaken(), 1);
+    EXPECT_EQ(cameraTriggerCount(), 1);
 }
 
 TEST_F(Camera, waits_until_the_shutter_is_released) {
@@ -94,7 +94,7 @@ TEST_F(Camera, waits_until_the_shutter_is_released) {
         flyOn(10);
         pass();
     }
-    EXPECT_EQ(picturesTaken(), 3);
+    EXPECT_EQ(cameraTriggerCount(), 3);
 }
 
 TEST_F(Camera, stops_when_disarmed_and_when_the_mission_restarts) {
@@ -109,10 +109,10 @@ TEST_F(Camera, stops_when_disarmed_and_when_the_mission_restarts) {
         } else {
             missionRestart();
         }
-        const int before = picturesTaken();
+        const int before = cameraTriggerCount();
         flyOn(100);
         pass(3);
-        EXPECT_EQ(picturesTaken(), before) << disarmed;
+        EXPECT_EQ(cameraTriggerCount(), before) << disarmed;
     }
 }
 

@@ -142,7 +142,7 @@ TEST_F(Dataflash, serves_the_mission_first) {
     EXPECT_EQ(hal::flashStore(kMission, 1), Status::ok);
     busy = false;
     hal::flashWant(kLog, true);
-    EXPECT_EQ(hal::flashStore(kLog, 100), Status::busy) << "the log's wish changes nothing";
+    EXPECT_EQ(hal::flashStore(kLog, 100), Status::busy) << "what the log asks for changes nothing";
     hal::flashWant(kMission, false);
     EXPECT_EQ(hal::flashStore(kLog, 100), Status::ok);
 }

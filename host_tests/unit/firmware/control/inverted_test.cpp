@@ -55,23 +55,23 @@ protected:
 };
 
 TEST_F(Inverted, is_level_on_its_back) {
-    firmware::control::orderInverted(true);
+    firmware::control::requestInverted(true);
     EXPECT_NEAR(at(179.9f, 0).aileron.toFloat(), 0, 0.02);
     EXPECT_GT(at(160, 0).aileron.toFloat(), 0.05f);
     EXPECT_LT(at(-160, 0).aileron.toFloat(), -0.05f);
 }
 
 TEST_F(Inverted, is_pushed_up) {
-    firmware::control::orderInverted(true);
+    firmware::control::requestInverted(true);
     EXPECT_LT(at(180, -10).elevator.toFloat(), -0.1f);
-    firmware::control::orderInverted(false);
+    firmware::control::requestInverted(false);
     (void)at(0, 0);
-    firmware::control::orderInverted(true);
+    firmware::control::requestInverted(true);
     EXPECT_GT(at(180, 10).elevator.toFloat(), 0.1f);
 }
 
 TEST_F(Inverted, turns_the_way_the_stick_does) {
-    firmware::control::orderInverted(true);
+    firmware::control::requestInverted(true);
     settle(with(1, 1800));
     const float right = at(180, 0).aileron.toFloat();
     settle(with(1, 1200));
@@ -80,20 +80,20 @@ TEST_F(Inverted, turns_the_way_the_stick_does) {
 }
 
 TEST_F(Inverted, is_reached_by_half_a_roll_to_the_right_and_left_the_same_way) {
-    firmware::control::orderInverted(true);
+    firmware::control::requestInverted(true);
     settle(with(1, 1200));
     for (const float roll_deg : {-5.0f, 0.0f, 5.0f, 90.0f, 115.0f})
         EXPECT_GT(at(roll_deg, 0).aileron.toFloat(), 0.5f)
             << roll_deg << ": whatever the stick asks for";
-    firmware::control::orderInverted(false);
+    firmware::control::requestInverted(false);
     for (const float roll_deg : {175.0f, -175.0f, -90.0f, -65.0f})
         EXPECT_GT(at(roll_deg, 0).aileron.toFloat(), 0.4f) << roll_deg;
 }
 
 TEST_F(Inverted, never_pulls_through) {
-    firmware::control::orderInverted(true);
+    firmware::control::requestInverted(true);
     (void)at(180, 0);
-    firmware::control::orderInverted(false);
+    firmware::control::requestInverted(false);
     EXPECT_LT(at(-175, -15).elevator.toFloat(), 0);
     EXPECT_NEAR(at(-90, -15).elevator.toFloat(), 0, 0.1);
     EXPECT_GT(at(-30, -15).elevator.toFloat(), 0.1f);
@@ -110,7 +110,7 @@ TEST_F(Inverted, an_airplane_thrown_over_rolls_upright_the_short_way_and_is_not_
 }
 
 TEST_F(Inverted, an_order_for_inverted_flight_ends_in_acro) {
-    firmware::control::orderInverted(true);
+    firmware::control::requestInverted(true);
     (void)at(180, 0);
     firmware::modes::requestMode(Mode::acro, firmware::modes::ModeReason::pilot);
     EXPECT_NEAR(at(180, 0).aileron.toFloat(), 0, 0.02);
@@ -146,7 +146,7 @@ TEST_F(Inverted, the_switch_turns_it_over_while_it_is_up) {
 }
 
 TEST_F(Inverted, is_flown_only_with_enough_height) {
-    firmware::control::orderInverted(true);
+    firmware::control::requestInverted(true);
     mutable_vehicle.estimate.height_m = 29;
     run();
     EXPECT_FALSE(vehicle.inverted);
@@ -163,7 +163,7 @@ TEST_F(Inverted, is_flown_only_with_enough_height) {
 
 TEST_F(Inverted, is_not_flown_on_the_ground_nor_in_manual_modes) {
     const auto flies = [] {
-        firmware::control::orderInverted(true);
+        firmware::control::requestInverted(true);
         run();
         return vehicle.inverted;
     };
@@ -186,7 +186,7 @@ TEST_F(Inverted, is_not_flown_on_the_ground_nor_in_manual_modes) {
 
 TEST_F(Inverted, neither_takes_off_nor_lands) {
     firmware::modes::requestMode(Mode::loiter, firmware::modes::ModeReason::pilot);
-    firmware::control::orderInverted(true);
+    firmware::control::requestInverted(true);
     for (const Path path : {Path::takeoff, Path::land}) {
         mutable_vehicle.demand.path = path;
         run();

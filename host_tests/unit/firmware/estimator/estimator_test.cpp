@@ -62,7 +62,7 @@ protected:
         runAttitude();
         gatherPressure();
         if (due(10, 2)) alignAttitude();
-        if (due(2, 0)) turnMatrix();
+        if (due(2, 0)) rotateDcm();
         if (due(10, 3)) orthonormalizeMatrix();
         if (due(10, 6)) pointYaw();
         if (due(4, 1)) propagateMotion();

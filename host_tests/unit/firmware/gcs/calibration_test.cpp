@@ -280,7 +280,7 @@ TEST_F(Compass, keeps_what_it_has_learnt_after_disarming) {
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
     turnAbout(60);
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = false;
-    firmware::sensors::keepLearntCompass();
+    firmware::sensors::saveLearntCompass();
     for (int i = 0; i < 100; ++i) {
         firmware::sensors::storeLearntCompass();
         firmware::state::parametersRun();

@@ -353,7 +353,7 @@ TEST_F(Telemetry, each_picture_is_reported_once_on_every_link) {
     mutable_vehicle.attitude.pitch_rad = core::Angle(core::radians(5));
     run_ms(300);
     for (uint16_t picture : {1, 2}) {
-        doubles::plan.pictures = picture;
+        doubles::plan.triggers = picture;
         run_ms(300);
     }
     for (ground::Station* each : {&station, &second}) {

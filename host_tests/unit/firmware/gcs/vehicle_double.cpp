@@ -45,7 +45,7 @@ bool missionComplete() { return plan.complete; }
 }  // namespace mission
 
 namespace actuators {
-uint16_t picturesTaken() { return plan.pictures; }
+uint16_t cameraTriggerCount() { return plan.triggers; }
 bool isOutputFunction(int8_t) { return true; }
 }  // namespace actuators
 
@@ -173,7 +173,7 @@ MissionResult listPut(const uint8_t* record) {
     lists.staged.emplace_back(record, record + kRecordSize[static_cast<int>(lists.kind)]);
     return MissionResult::accepted;
 }
-MissionResult listKeep() { return listPut(records(lists.kind).at(lists.staged.size()).data()); }
+MissionResult listCopy() { return listPut(records(lists.kind).at(lists.staged.size()).data()); }
 uint8_t listStaged() { return static_cast<uint8_t>(lists.staged.size()); }
 uint8_t listStagedCount() { return lists.count; }
 bool listStaging(ListKind kind) { return lists.staging && lists.kind == kind; }

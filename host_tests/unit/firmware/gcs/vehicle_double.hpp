@@ -21,7 +21,7 @@
 namespace doubles {
 
 struct Mission {
-    uint16_t pictures = 0;
+    uint16_t triggers = 0;
     bool radio_off = false;
     std::vector<firmware::mission::MissionItem> items;
     std::vector<firmware::mission::MissionItem> staged;

@@ -226,9 +226,9 @@ TEST_F(Beyond, an_image_is_a_picture_and_a_series_by_time_is_refused) {
     EXPECT_EQ(upload({waypoint(500), command(2000, 0, 2, 0), waypoint(900)}), kThirdWrong);
     EXPECT_EQ(upload({waypoint(500), command(2000, 0, 2, 5), waypoint(900)}), kThirdWrong);
     parameters.output_function[2] = kCameraFunction;
-    const uint16_t before = actuators::picturesTaken();
+    const uint16_t before = actuators::cameraTriggerCount();
     fly({command(2000, 0, 0, 1), waypoint(500)});
-    EXPECT_EQ(actuators::picturesTaken(), before + 1);
+    EXPECT_EQ(actuators::cameraTriggerCount(), before + 1);
 }
 
 TEST_F(Beyond, only_what_an_output_can_do_is_its_function) {

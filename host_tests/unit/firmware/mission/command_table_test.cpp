@@ -266,17 +266,18 @@ TEST_F(Rows, every_gain_is_held_to_the_range_of_its_own_parameter) {
 TEST_F(Rows, survive_download_and_upload_unchanged) {
     for (const Sample& sample : kSamples) {
         MissionItem item;
-        decodeItem(sample.set, kSampleSite.index, sample.record, item);
+        decodeItem(sample.set, kSamplePosition.index, sample.record, item);
         ::mission::Record again;
-        Notes notes = {};
-        ASSERT_EQ(encodeItem(sample.set, kSampleSite, item, again, notes), MissionResult::accepted)
+        EncodeWarnings warnings = {};
+        ASSERT_EQ(encodeItem(sample.set, kSamplePosition, item, again, warnings),
+                  MissionResult::accepted)
             << int(sample.set) << " id " << int(sample.record.id);
         uint8_t bytes[::mission::kRecordSize], expected[::mission::kRecordSize];
         ::mission::pack(sample.set, again, bytes);
         ::mission::pack(sample.set, sample.record, expected);
         EXPECT_EQ(memcmp(bytes, expected, sizeof bytes), 0)
             << int(sample.set) << " id " << int(sample.record.id);
-        EXPECT_FALSE(notes.rounded || notes.dropped) << int(sample.record.id);
+        EXPECT_FALSE(warnings.rounded || warnings.dropped) << int(sample.record.id);
     }
 }
 
@@ -284,7 +285,7 @@ TEST_F(Rows, above_terrain_is_refused_of_every_command_with_an_altitude) {
     for (const Sample& sample : kSamples) {
         if (sample.set == kSet1) continue;
         MissionItem item;
-        decodeItem(kSet2, kSampleSite.index, sample.record, item);
+        decodeItem(kSet2, kSamplePosition.index, sample.record, item);
         const bool altitude = item.z != 0 && sample.record.id != 0xCD;  // a mount's z is a number
         ::mission::Record record = sample.record;
         record.options = ::mission::kAboveTerrain;
@@ -297,8 +298,9 @@ TEST_F(Rows, halves_of_a_centimetre_are_rounded_away_from_zero) {
         MissionItem item = waypoint(100, altitude_m);
         const int32_t expected_cm = altitude_m > 0 ? 13 : -13;
         ::mission::Record record;
-        Notes notes = {};
-        ASSERT_EQ(encodeItem(kSet2, kSampleSite, item, record, notes), MissionResult::accepted);
+        EncodeWarnings warnings = {};
+        ASSERT_EQ(encodeItem(kSet2, kSamplePosition, item, record, warnings),
+                  MissionResult::accepted);
         EXPECT_EQ(record.p2, expected_cm);
     }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the commands of both sets share, command by command: places, altitudes, ends.
 #include "core/maths.hpp"
+#include "firmware/mission/fence_rally_items.hpp"
 #include "firmware/mission/lists.hpp"
-#include "firmware/mission/points.hpp"
 #include "hal/watchdog.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 #include "mission_rig.hpp"
@@ -409,8 +409,8 @@ TEST_F(EveryCommand, with_options_that_mean_nothing_is_flown_as_without_them) {
 TEST_F(EveryCommand, parameter_value_beyond_24_bits_stands_exactly_in_p3) {
     const float value = 12345678;
     ::mission::Record record = {};
-    Notes notes = {};
-    EXPECT_EQ(encodeItem(::mission::Set::apm2, {1, 4}, command(180, 134, value), record, notes),
+    EncodeWarnings warnings = {};
+    EXPECT_EQ(encodeItem(::mission::Set::apm2, {1, 4}, command(180, 134, value), record, warnings),
               static_cast<MissionResult>(7))
         << "no parameter is that large";
     EXPECT_EQ(record.p2, 8388607) << "the nearest";

@@ -222,21 +222,21 @@ TEST_F(Item, nan_means_unset) {
 TEST_F(Item, speeds_rates_and_parameter_values_are_exact_over_their_whole_range) {
     for (int cms = 900; cms <= 2200; ++cms) {
         ::mission::Record r;
-        Notes notes = {};
+        EncodeWarnings warnings = {};
         const MissionItem item = command(178, 0, cms / 100.0f, -1);
-        ASSERT_EQ(encodeItem(::mission::Set::apm2, {1, 4}, item, r, notes),
+        ASSERT_EQ(encodeItem(::mission::Set::apm2, {1, 4}, item, r, warnings),
                   MissionResult::accepted);
-        EXPECT_FALSE(notes.rounded) << cms;
+        EXPECT_FALSE(warnings.rounded) << cms;
         MissionItem back;
         decodeItem(::mission::Set::apm2, 1, r, back);
         EXPECT_EQ(back.param2, item.param2);
     }
     for (int cms = 11; cms <= 2000; ++cms) {
         ::mission::Record r;
-        Notes notes = {};
+        EncodeWarnings warnings = {};
         MissionItem item = command(113, cms / 100.0f);
         item.frame = kRelativeFrame;
-        ASSERT_EQ(encodeItem(::mission::Set::apm2, {1, 4}, item, r, notes),
+        ASSERT_EQ(encodeItem(::mission::Set::apm2, {1, 4}, item, r, warnings),
                   MissionResult::accepted);
         EXPECT_EQ(int(r.p1), cms > 255 ? 255 : cms);
         MissionItem back;
@@ -274,8 +274,8 @@ TEST_F(Item, every_valid_apm2_record_survives_the_way_down_and_up) {
         MissionItem item;
         decodeItem(::mission::Set::apm2, 1, r, item);
         ::mission::Record again;
-        Notes notes = {};
-        ASSERT_EQ(encodeItem(::mission::Set::apm2, {1, 20}, item, again, notes),
+        EncodeWarnings warnings = {};
+        ASSERT_EQ(encodeItem(::mission::Set::apm2, {1, 20}, item, again, warnings),
                   MissionResult::accepted)
             << testing::PrintToString(item);
         MissionItem item_again;
@@ -406,10 +406,10 @@ TEST_F(Apm1Item, a_frame_that_disagrees_with_alt_abs_is_refused) {
     EXPECT_EQ(answer(at(0x10)), MissionResult::accepted);
     parameters.altitude_absolute = 1;
     ::mission::Record r;
-    Notes notes = {};
-    EXPECT_EQ(encodeItem(::mission::Set::apm1, {1, 4}, absolute, r, notes),
+    EncodeWarnings warnings = {};
+    EXPECT_EQ(encodeItem(::mission::Set::apm1, {1, 4}, absolute, r, warnings),
               MissionResult::accepted);
-    EXPECT_EQ(encodeItem(::mission::Set::apm1, {1, 4}, at(0x10), r, notes),
+    EXPECT_EQ(encodeItem(::mission::Set::apm1, {1, 4}, at(0x10), r, warnings),
               MissionResult::unsupported_frame);
 }
 

@@ -99,7 +99,7 @@ TEST_F(Lists, one_record_is_replaced_and_the_others_stay) {
     ASSERT_EQ(whileBusy([] { return listBegin(ListKind::fence, 5, 1); }), MissionResult::accepted);
     for (int i = 0; i < 5; ++i) {
         const Record changed = record(100);
-        EXPECT_EQ(i == 3 ? listPut(changed.data()) : listKeep(), MissionResult::accepted);
+        EXPECT_EQ(i == 3 ? listPut(changed.data()) : listCopy(), MissionResult::accepted);
     }
     ASSERT_EQ(commit(), MissionResult::accepted);
     EXPECT_EQ(firstWrong(ListKind::fence, 1), 3);

@@ -33,8 +33,8 @@ protected:
         ASSERT_TRUE(begin != std::string::npos && end != std::string::npos) << name;
         const size_t at = begin + from.size();
         const std::string listed = manual.substr(at, end - at);
-        const char* wish = std::getenv("MANUAL");
-        if (wish != nullptr && std::string(wish) == "write") {
+        const char* value = std::getenv("MANUAL");
+        if (value != nullptr && std::string(value) == "write") {
             manual.replace(at, end - at, right);
             std::ofstream(manualPath()) << manual;
             return;
@@ -125,8 +125,8 @@ std::string sourceOf(Set set, const ::mission::Record& sample, int field) {
     const int32_t before[] = {0, one.p1, one.p2, one.p3, one.p4};
     ::mission::Record other = with(one, field, before[field] + 1);
     MissionItem a, b;
-    decodeItem(set, kSampleSite.index, one, a);
-    decodeItem(set, kSampleSite.index, other, b);
+    decodeItem(set, kSamplePosition.index, one, a);
+    decodeItem(set, kSamplePosition.index, other, b);
     const struct {
         const char* name;
         double by;

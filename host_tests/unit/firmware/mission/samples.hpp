@@ -12,7 +12,7 @@
 namespace firmware {
 using namespace mission;
 
-constexpr ::mission::Site kSampleSite = {5, 20};  // item 5 of 20
+constexpr ::mission::ItemPosition kSamplePosition = {5, 20};  // item 5 of 20
 
 struct Sample {
     ::mission::Set set;
@@ -127,7 +127,7 @@ inline ::mission::Record with(::mission::Record record, int field, int32_t value
 }
 
 inline uint8_t answerTo(::mission::Set set, const ::mission::Record& record) {
-    return kCommandTable.valid(kCommandTable.find(set, record.id), record, kSampleSite);
+    return kCommandTable.valid(kCommandTable.find(set, record.id), record, kSamplePosition);
 }
 
 struct Interval {

@@ -377,7 +377,7 @@ void lastRecordTurns(float roll_rads) {
 }
 float rollNow_rad() {
     mutable_vehicle.imu.calibrated = true;
-    for (int i = 0; i < 10; ++i) turnMatrix();  // at most 0.2 rad at once
+    for (int i = 0; i < 10; ++i) rotateDcm();  // at most 0.2 rad at once
     return vehicle.attitude.roll_rad.toFloat();
 }
 

@@ -91,7 +91,7 @@ TEST(Airspeed, reads_a_sensor_of_one_direction_and_sees_its_wire_break) {
 
 TEST(Airspeed, a_zero_that_is_known_is_not_measured_again) {
     AirspeedSettings settings;
-    settings.keep_offset = true;
+    settings.offset_known = true;
     settings.offset_v = 2.45f;
     Airspeed airspeed;
     feed(airspeed, readings(pressure(15), 2.45), 2, settings);

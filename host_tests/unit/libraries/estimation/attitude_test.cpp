@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "estimation/still.hpp"
+#include "estimation/gyro_bias_init.hpp"
 #include "flight.hpp"
 
 namespace {
@@ -53,7 +53,7 @@ struct Sources {
 
 estimation::Motion motion(const core::Vector3& rate_rads, const core::Vector3& force_mss) {
     const auto turned = [](float rate) {
-        return static_cast<int32_t>(rate * 0.01f * estimation::Turn::kSteps);
+        return static_cast<int32_t>(rate * 0.01f * estimation::DeltaAngle::kSteps);
     };
     return {{{turned(rate_rads.x), turned(rate_rads.y), turned(rate_rads.z)}},
             core::BodyRates::from(rate_rads.x, rate_rads.y, rate_rads.z),
@@ -66,7 +66,7 @@ Figures fly(Flight& flight, const Sources& sources, Attitude& attitude) {
     AttitudeSettings settings;
     estimation::FixComparison seen;
     settings.use_compass = sources.compass;
-    estimation::Still still;
+    estimation::GyroBiasInit still;
     Figures figures;
     attitude.start();
     for (int frame = 0;; ++frame) {
@@ -80,7 +80,7 @@ Figures fly(Flight& flight, const Sources& sources, Attitude& attitude) {
         if (!still.done()) continue;
         attitude.propagate(motion(flight::single(rate) - still.zero_rads(), flight::single(force)));
         if (frame % 10 == 2) attitude.align();
-        if (frame % 2 == 0) attitude.turnMatrix();
+        if (frame % 2 == 0) attitude.rotateDcm();
         if (frame % 10 == 3) attitude.orthonormalize();
         if (frame % 10 == 6) attitude.pointYaw();
         if (frame % 4 == 1) attitude.accelerate();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A book on the simulator's chip, and what a test has written into it, byte for byte.
+// A store on the simulator's chip, and what a test has written into it, byte for byte.
 #pragma once
 #include <gtest/gtest.h>
 #include <string.h>
@@ -11,13 +11,13 @@
 
 #include "chip.hpp"
 #include "hal/page_flash.hpp"
-#include "logging/book.hpp"
+#include "logging/log_store.hpp"
 
 namespace chip {
 
 using core::Status;
-using logging::Book;
 using logging::Key;
+using logging::LogStore;
 using logging::PageHead;
 using Bytes = std::vector<uint8_t>;
 
@@ -33,13 +33,13 @@ protected:
     // As at a start; returns how long it took.
     uint64_t open(uint16_t base = 0) {
         const uint64_t began_us = fakes::time_us();
-        book = Book();
-        book.start(base);
+        store = LogStore();
+        store.start(base);
         looks = 0;
         longest_us = 0;
-        while (book.usable() && !book.ready()) {
+        while (store.usable() && !store.ready()) {
             const uint64_t before_us = fakes::time_us();
-            if (!book.find()) fakes::advance_us(100);
+            if (!store.find()) fakes::advance_us(100);
             longest_us = std::max(longest_us, fakes::time_us() - before_us);
             if (++looks > 10'000) ADD_FAILURE() << "the end is never found";
             if (looks > 10'000) break;
@@ -57,7 +57,7 @@ protected:
     }
     void put(const Bytes& bytes) {
         for (int i = 0; i < 100'000; ++i) {
-            const Status status = book.put(bytes.data(), static_cast<uint8_t>(bytes.size()));
+            const Status status = store.put(bytes.data(), static_cast<uint8_t>(bytes.size()));
             if (status == Status::ok) {
                 written[log].insert(written[log].end(), bytes.begin(), bytes.end());
                 return;
@@ -68,13 +68,13 @@ protected:
         FAIL() << "busy for ever";
     }
     void begin() {
-        while (book.begin() == Status::busy) fakes::advance_us(500);
-        ASSERT_TRUE(book.writing());
-        log = static_cast<uint16_t>(book.last() + 1);
+        while (store.begin() == Status::busy) fakes::advance_us(500);
+        ASSERT_TRUE(store.writing());
+        log = static_cast<uint16_t>(store.last() + 1);
         written[log].clear();
     }
     void end() {
-        while (book.end() == Status::busy) fakes::advance_us(500);
+        while (store.end() == Status::busy) fakes::advance_us(500);
         settle();
     }
     void settle() { fakes::advance_ms(50); }
@@ -87,37 +87,37 @@ protected:
         end();
     }
     uint16_t pageOf(uint16_t number, uint32_t offset, PageHead& head) {
-        Book::Search search = {0, book.pages()};
+        LogStore::Search search = {0, store.pages()};
         Status status = Status::busy;
         for (int i = 0; i < 100 && status == Status::busy; ++i) {
-            status = book.seek({number, offset}, search);
+            status = store.seek({number, offset}, search);
             fakes::advance_us(100);
         }
         EXPECT_EQ(status, Status::ok);
-        EXPECT_EQ(book.readHead(search.first, head), Status::ok);
+        EXPECT_EQ(store.readHead(search.first, head), Status::ok);
         return search.first;
     }
     // What the chip has of this log from its first page there on.
     Bytes readBack(uint16_t number, uint32_t* first = nullptr) {
         Bytes bytes;
         bool begun = false;
-        for (uint16_t page = 0; page < book.pages(); ++page) {
+        for (uint16_t page = 0; page < store.pages(); ++page) {
             PageHead head;
-            const Status status = book.readHead(page, head);
+            const Status status = store.readHead(page, head);
             if (status != Status::ok || head.key.log != number) continue;
             if (!begun && first) *first = head.key.offset;
             begun = true;
             Bytes part(head.used);
             for (uint16_t at = 0; at < head.used; at += 64) {
                 const auto size = static_cast<uint8_t>(std::min<int>(64, head.used - at));
-                EXPECT_EQ(book.read(page, at, &part[at], size), Status::ok);
+                EXPECT_EQ(store.read(page, at, &part[at], size), Status::ok);
             }
             bytes.insert(bytes.end(), part.begin(), part.end());
         }
         return bytes;
     }
 
-    Book book;
+    LogStore store;
     uint16_t log = 0;  // the one being written
     std::map<uint16_t, Bytes> written;
     std::mt19937 random{1};

@@ -19,11 +19,11 @@ constexpr size_t kInFront = 2 * sizeof(logging::FormatRecord);
 class Reading : public Logs {
 protected:
     uint32_t sizeOf(uint16_t number, Status expected = Status::ok) {
-        reader.open(book, number);
+        reader.open(store, number);
         uint32_t size = 0;
         Status status = Status::busy;
         for (int i = 0; i < 100 && status == Status::busy; ++i) {
-            status = reader.size(book, kFormats, size);
+            status = reader.size(store, kFormats, size);
             fakes::advance_us(100);
         }
         EXPECT_EQ(status, expected);
@@ -34,7 +34,7 @@ protected:
         Status status = Status::busy;
         for (int i = 0; i < 100 && status == Status::busy; ++i) {
             uint8_t got = size;
-            status = reader.read(book, kFormats, at, bytes.data(), got);
+            status = reader.read(store, kFormats, at, bytes.data(), got);
             if (status == Status::ok) bytes.resize(got);
             fakes::advance_us(100);
         }
@@ -124,7 +124,7 @@ TEST_F(Reading, an_unreadable_page_is_sent_as_zeros) {
 
 TEST_F(Reading, no_step_takes_longer_than_half_a_millisecond) {
     for (int i = 0; i < 4; ++i) writeLog(1500);
-    reader.open(book, 3);
+    reader.open(store, 3);
     uint32_t size = 0;
     uint64_t longest = 0;
     const auto step = [&](auto what) {
@@ -133,11 +133,11 @@ TEST_F(Reading, no_step_takes_longer_than_half_a_millisecond) {
         longest = std::max(longest, fakes::time_us() - before_us);
         return status;
     };
-    while (step([&] { return reader.size(book, kFormats, size); }) == Status::busy) {
+    while (step([&] { return reader.size(store, kFormats, size); }) == Status::busy) {
     }
     for (uint32_t at = 0; at < 20'000;) {
         uint8_t bytes[90], got = sizeof bytes;
-        const Status status = step([&] { return reader.read(book, kFormats, at, bytes, got); });
+        const Status status = step([&] { return reader.read(store, kFormats, at, bytes, got); });
         if (status == Status::ok) at += got;
     }
     EXPECT_LT(longest, 500u);  // of the bus alone, 2 us a byte

@@ -58,11 +58,11 @@ inline std::string number(const Record& record) {
     return std::to_string(record.p4 != 0 ? record.p4 : record.p2);
 }
 
-inline uint8_t inRange(const Record& record, Site) { return record.p1 == 99 ? 5 : 0; }
-inline void begin(const Record& record, Entry entry) {
+inline uint8_t inRange(const Record& record, ItemPosition) { return record.p1 == 99 ? 5 : 0; }
+inline void begin(const Record& record, LegStart start) {
     say("W" + number(record) +
-        (entry.resumed     ? "~"
-         : entry.from_here ? "!"
+        (start.resumed     ? "~"
+         : start.from_here ? "!"
                            : "") +
         (record.p3 >= 500 ? "@" + std::to_string(record.p3) : ""));
 }
@@ -77,8 +77,8 @@ inline void doIt(const Record& record) {
     say("a" + number(record));
     if (record.p1 == 98) world.engine->leave();
 }
-inline uint8_t jumpInRange(const Record& record, Site site) {
-    return record.p1 == 0 || record.p1 >= site.count || record.p1 == site.index ? 6 : 0;
+inline uint8_t jumpInRange(const Record& record, ItemPosition position) {
+    return record.p1 == 0 || record.p1 >= position.count || record.p1 == position.index ? 6 : 0;
 }
 inline Jump counted(const Record& record) { return {record.p1, static_cast<int16_t>(record.p3)}; }
 inline Jump first(const Record&) { return {1, kForEver}; }

@@ -195,11 +195,11 @@ TEST_F(FlashStaging, an_eeprom_that_does_not_keep_the_copy_is_reported_once) {
 TEST_F(FlashStaging, while_the_log_has_the_chip_the_mission_wants_it) {
     ASSERT_EQ(store.begin(60, 2), Status::ok);
     const Mission wanted = mission(60, 1);
-    fakes::keepPageFlashBusy(true);
+    fakes::holdPageFlashBusy(true);
     for (int i = 0; i < 36; ++i) ASSERT_EQ(store.put(wanted[i].data()), Status::ok);
     EXPECT_EQ(store.put(wanted[36].data()), Status::busy);
     EXPECT_TRUE(fakes::missionWantsPageFlash());
-    fakes::keepPageFlashBusy(false);
+    fakes::holdPageFlashBusy(false);
     for (int i = 36; i < 60; ++i)
         ASSERT_EQ(whileBusy([&] { return store.put(wanted[i].data()); }), Status::ok);
     EXPECT_FALSE(fakes::missionWantsPageFlash());
@@ -209,7 +209,7 @@ TEST_F(FlashStaging, while_the_log_has_the_chip_the_mission_wants_it) {
 
 TEST_F(FlashStaging, an_upload_given_up_leaves_the_chip_to_the_log) {
     ASSERT_EQ(store.begin(60, 2), Status::ok);
-    fakes::keepPageFlashBusy(true);
+    fakes::holdPageFlashBusy(true);
     for (int i = 0; i < 36; ++i) ASSERT_EQ(store.put(mission(1, 1)[0].data()), Status::ok);
     ASSERT_EQ(store.put(mission(1, 1)[0].data()), Status::busy);
     store.abort();

@@ -11,7 +11,7 @@
 
 namespace logging {
 
-class Book {
+class LogStore {
 public:
     // `base`: the page at which the ring begins, a nextBase(); what cannot be one is taken for 0.
     void start(uint16_t base);

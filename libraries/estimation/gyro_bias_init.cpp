@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "estimation/still.hpp"
+#include "estimation/gyro_bias_init.hpp"
 
 namespace estimation {
 namespace {
@@ -19,7 +19,8 @@ bool near(const core::Vector3& a, const core::Vector3& b, float limit, float lim
 
 }  // namespace
 
-bool Still::update(const core::Vector3& rate_rads, const core::Vector3& force_mss, float dt_s) {
+bool GyroBiasInit::update(const core::Vector3& rate_rads, const core::Vector3& force_mss,
+                          float dt_s) {
     if (settled()) return false;
     rate_sum_ = rate_sum_ + rate_rads * dt_s;
     force_sum_ = force_sum_ + force_mss * dt_s;
@@ -29,13 +30,13 @@ bool Still::update(const core::Vector3& rate_rads, const core::Vector3& force_ms
 }
 
 // Neither tilted nor turned about since the first part. A gust tips it, a hand does more.
-bool Still::isStill(const core::Vector3& rate_rads, const core::Vector3& force_mss) const {
+bool GyroBiasInit::isStill(const core::Vector3& rate_rads, const core::Vector3& force_mss) const {
     return near(rate_rads, mean_, done() ? kRocked_rads : kSwayed_rads, kTurned_rads) &&
            near(force_mss, force_, kForce_mss, kForce_mss) &&
            near(rate_rads, {0, 0, 0}, kMaxZero_rads, kMaxZero_rads);
 }
 
-bool Still::usePart() {
+bool GyroBiasInit::usePart() {
     const float inverse_s = 1000.0f / part_ms_;
     const core::Vector3 rate = rate_sum_ * inverse_s;
     const core::Vector3 force = force_sum_ * inverse_s;
@@ -60,7 +61,7 @@ bool Still::usePart() {
 
 // Rocked, the mean of two seconds still holds a part of the last tilt to and fro; the next two
 // must agree. A hand's movements do not.
-bool Still::useFirst() {
+bool GyroBiasInit::useFirst() {
     if (rocked_) {
         const bool agreed = compared_ && near(mean_, zero_, kAgreed_rads, kAgreed_rads);
         mean_ = agreed ? (mean_ + zero_) * 0.5f : mean_;
@@ -73,7 +74,7 @@ bool Still::useFirst() {
 }
 
 // What a hand begins to move is found out within a second: until then a better mean waits.
-bool Still::useMean() {
+bool GyroBiasInit::useMean() {
     const uint8_t over = parts_ % kSecond;
     if (over == 1 && parts_ > known_) {
         zero_ = mean_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/mission/points.hpp"
+#include "firmware/mission/fence_rally_items.hpp"
 
 #include <math.h>
 

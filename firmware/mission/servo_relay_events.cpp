@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/mission/events.hpp"
+#include "firmware/mission/servo_relay_events.hpp"
 
 #include "core/file_state.hpp"
 #include "firmware/actuators/outputs.hpp"

@@ -7,8 +7,8 @@ namespace {
 
 constexpr int kBrownOut = 2, kUnknown = 4;
 
-struct Guard : Bench {
-    Guard() : Bench("guard") {}
+struct HangTimer : Bench {
+    HangTimer() : Bench("hang_timer") {}
     int causeAfterReset() {
         chip.reset(simulator::Reset::brown_out);
         chip.avr()->data[simulator::kMcusr] = 0;  // a bootloader's work
@@ -21,7 +21,7 @@ struct Guard : Bench {
 }  // namespace
 
 TEST(HalGuard, calls_every_4_ms_once_nobody_has_touched_it_for_49_ms) {
-    Guard bench;
+    HangTimer bench;
     bench.run_ms(900);
 
     EXPECT_NEAR(static_cast<double>(bench.cyclesBetween(2, 3)) / 16000, 49, 5);
@@ -32,7 +32,7 @@ TEST(HalGuard, calls_every_4_ms_once_nobody_has_touched_it_for_49_ms) {
 }
 
 TEST(HalGuard, a_run_that_ends_on_a_sagging_supply_counts_as_a_brown_out) {
-    Guard bench;
+    HangTimer bench;
     bench.run_ms(300);
     bench.chip.adc().supply_v = [] { return 4.1; };
     bench.run_ms(10);
@@ -41,14 +41,14 @@ TEST(HalGuard, a_run_that_ends_on_a_sagging_supply_counts_as_a_brown_out) {
 }
 
 TEST(HalGuard, a_run_that_ends_unannounced_on_a_steady_supply_has_no_known_cause) {
-    Guard bench;
+    HangTimer bench;
     bench.run_ms(300);
 
     EXPECT_EQ(bench.causeAfterReset(), kUnknown);
 }
 
 TEST(HalGuard, a_sag_is_forgotten_after_a_quarter_of_a_second) {
-    Guard bench;
+    HangTimer bench;
     bench.run_ms(300);
     bench.chip.adc().supply_v = [] { return 4.1; };
     bench.run_ms(10);
@@ -65,7 +65,7 @@ TEST(HalGuard, a_sag_is_forgotten_after_a_quarter_of_a_second) {
 }
 
 TEST(HalGuard, nothing_is_stored_while_the_supply_sags) {
-    Guard bench;
+    HangTimer bench;
     const auto writesIn_ms = [&bench](int ms) {
         const uint64_t before = bench.chip.eeprom().writes();
         bench.run_ms(ms);
@@ -82,7 +82,7 @@ TEST(HalGuard, nothing_is_stored_while_the_supply_sags) {
 }
 
 TEST(HalGuard, a_supply_that_stays_low_does_not_stop_the_storing) {
-    Guard bench;
+    HangTimer bench;
     bench.run_ms(300);
     bench.chip.adc().supply_v = [] { return 4.1; };
     bench.run_ms(2300);
@@ -92,7 +92,7 @@ TEST(HalGuard, a_supply_that_stays_low_does_not_stop_the_storing) {
 }
 
 TEST(HalGuard, its_own_conversions_are_not_counted_in_the_scans) {
-    Guard bench;
+    HangTimer bench;
     bench.chip.adc().volts = [](int) { return 2.5; };
     bench.run_ms(3000);
 

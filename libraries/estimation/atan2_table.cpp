@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "estimation/arc.hpp"
+#include "estimation/atan2_table.hpp"
 
 #include <stdint.h>
 
@@ -62,14 +62,14 @@ uint16_t tableArcsine_turn(uint16_t x) {
 
 }  // namespace
 
-float arc_rad(float sine, float cosine) {
+float tableAtan2_rad(float sine, float cosine) {
     const float rise = fabsf(sine), run = fabsf(cosine);
     float angle = rise < run ? tableArcsine_rad(rise) : core::kPi / 2 - tableArcsine_rad(run);
     if (cosine < 0) angle = core::kPi - angle;
     return sine < 0 ? -angle : angle;
 }
 
-core::Angle arc(core::Ratio sine, core::Ratio cosine) {
+core::Angle tableAtan2(core::Ratio sine, core::Ratio cosine) {
     const uint16_t rise = static_cast<uint16_t>(sine.raw < 0 ? -sine.raw : sine.raw);
     const uint16_t run = static_cast<uint16_t>(cosine.raw < 0 ? -cosine.raw : cosine.raw);
     uint16_t angle = rise < run ? tableArcsine_turn(rise) : 0x4000 - tableArcsine_turn(run);

@@ -7,7 +7,7 @@
 namespace estimation {
 
 // Radians in -pi..pi, within 1.5e-4, of a sine and cosine whose squares sum to one (within 1 %).
-float arc_rad(float sine, float cosine);
-core::Angle arc(core::Ratio sine, core::Ratio cosine);  // as well, within 2e-4
+float tableAtan2_rad(float sine, float cosine);
+core::Angle tableAtan2(core::Ratio sine, core::Ratio cosine);  // as well, within 2e-4
 
 }  // namespace estimation

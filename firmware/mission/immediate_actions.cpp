@@ -9,8 +9,8 @@ namespace mission {
 
 MissionResult missionAct(const MissionItem& item) {
     ::mission::Record record;
-    Notes notes;
-    const MissionResult result = encodeItem(::mission::Set::apm2, {1, 2}, item, record, notes);
+    EncodeWarnings warnings;
+    const MissionResult result = encodeItem(::mission::Set::apm2, {1, 2}, item, record, warnings);
     if (result != MissionResult::accepted) return result;
     const uint8_t row = kCommandTable.find(::mission::Set::apm2, record.id);
     if (kCommandTable.kind(row) != ::mission::Class::action) return MissionResult::unsupported;

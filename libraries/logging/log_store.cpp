@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logging/book.hpp"
+#include "logging/log_store.hpp"
 
 #include "hal/page_flash.hpp"
 
@@ -17,7 +17,7 @@ uint16_t pageSize() { return hal::flashShape().page_size; }
 
 }  // namespace
 
-void Book::start(uint16_t base) {
+void LogStore::start(uint16_t base) {
     state_ = State::asking;
     key_ = {};
     last_ = next_ = 0;
@@ -25,31 +25,31 @@ void Book::start(uint16_t base) {
     wrapped_ = stored_ = false;
 }
 
-uint16_t Book::ring() const { return hal::flashShape().pages - hal::kFlashMissionPages; }
+uint16_t LogStore::ring() const { return hal::flashShape().pages - hal::kFlashMissionPages; }
 
-uint16_t Book::place(uint16_t index) const {
+uint16_t LogStore::place(uint16_t index) const {
     return hal::kFlashMissionPages + roundRing(index + base_);
 }
 
-uint16_t Book::fromOldest(uint16_t page) const {
+uint16_t LogStore::fromOldest(uint16_t page) const {
     return wrapped_ ? roundRing(next_ + 1 + page) : page;
 }
 
-Status Book::headAt(uint16_t index, PageHead& head) const {
+Status LogStore::headAt(uint16_t index, PageHead& head) const {
     const Status status = hal::flashRead(place(index), 0, &head, sizeof head);
     return status == Status::ok && !isWhole(head, pageSize()) ? Status::corrupt : status;
 }
 
-Status Book::readHead(uint16_t page, PageHead& head) const {
+Status LogStore::readHead(uint16_t page, PageHead& head) const {
     return headAt(fromOldest(page), head);
 }
 
-Status Book::read(uint16_t page, uint16_t at, void* to, uint8_t size) const {
+Status LogStore::read(uint16_t page, uint16_t at, void* to, uint8_t size) const {
     return hal::flashRead(place(fromOldest(page)), sizeof(PageHead) + at, to, size);
 }
 
 // Halves what is left by one look. A damaged page has no number: the one after it is read.
-Status Book::narrow(uint16_t from, const Key& key, bool upward, Search& search) const {
+Status LogStore::narrow(uint16_t from, const Key& key, bool upward, Search& search) const {
     if (search.end - search.first <= 1) return Status::ok;
     const uint16_t middle = search.first + (search.end - search.first) / 2;
     PageHead head;
@@ -67,12 +67,12 @@ Status Book::narrow(uint16_t from, const Key& key, bool upward, Search& search) 
     return search.end - search.first <= 1 ? Status::ok : Status::busy;
 }
 
-Status Book::seek(const Key& key, Search& found) const {
+Status LogStore::seek(const Key& key, Search& found) const {
     return narrow(fromOldest(0), key, false, found);
 }
 
 // The ring's last page shows whether it has been full, its first where the newest turn began.
-Status Book::findEnds() {
+Status LogStore::findEnds() {
     PageHead head;
     const Status last = headAt(ring() - 1, head);
     if (last != Status::ok && last != Status::corrupt) return last;
@@ -90,7 +90,7 @@ Status Book::findEnds() {
 }
 
 // The newest page, a piece each look: its head may be whole and what follows not.
-Status Book::check() {
+Status LogStore::check() {
     PageHead head;
     Status status = headAt(next_, head);
     if (status == Status::ok && checked_.bytes < head.used) {
@@ -110,7 +110,7 @@ Status Book::check() {
 }
 
 // The log that the newest page belongs to.
-Status Book::number() {
+Status LogStore::number() {
     PageHead head;
     Status status = Status::corrupt;
     if (next_ > 0 || wrapped_) status = headAt(next_ > 0 ? next_ - 1 : ring() - 1, head);
@@ -120,7 +120,7 @@ Status Book::number() {
     return Status::ok;
 }
 
-bool Book::find() {
+bool LogStore::find() {
     if (state_ == State::none || state_ >= State::ready) return false;
     if (!hal::flashKnown()) return false;
     if (hal::flashShape().pages == 0) {
@@ -150,7 +150,7 @@ bool Book::find() {
     }
 }
 
-Status Book::begin() {
+Status LogStore::begin() {
     if (state_ == State::none) return Status::unsupported;
     if (state_ == State::erasing) {
         if (erased_ < next_) next_ = erased_;
@@ -169,7 +169,7 @@ Status Book::begin() {
     return Status::ok;
 }
 
-Status Book::put(const void* record, uint8_t size) {
+Status LogStore::put(const void* record, uint8_t size) {
     if (state_ != State::writing) return Status::unsupported;
     if (filling_.used + size > pageSize() - sizeof(PageHead)) {
         const Status status = storePage();
@@ -184,7 +184,7 @@ Status Book::put(const void* record, uint8_t size) {
     return Status::ok;
 }
 
-Status Book::storePage() {
+Status LogStore::storePage() {
     PageHead head = {key_, filling_.used, filling_.crc, 0};
     head.head_crc = crcOf(head);
     Status status = hal::flashFill(FlashUser::log, 0, &head, sizeof head);
@@ -198,7 +198,7 @@ Status Book::storePage() {
     return Status::ok;
 }
 
-Status Book::end() {
+Status LogStore::end() {
     if (state_ != State::writing) return Status::ok;
     const Status status = filling_.used > 0 ? storePage() : Status::ok;
     if (status == Status::busy) return status;
@@ -207,14 +207,14 @@ Status Book::end() {
     return Status::ok;
 }
 
-bool Book::erase() {
+bool LogStore::erase() {
     if (state_ != State::ready) return state_ == State::erasing;
     erased_ = ring();
     state_ = State::erasing;
     return true;
 }
 
-bool Book::eraseStep() {
+bool LogStore::eraseStep() {
     if (state_ != State::erasing) return false;
     if (erased_ == 0) return !hal::flashBusy();
     const uint16_t block = erased_ - kPagesPerBlock;
@@ -222,11 +222,11 @@ bool Book::eraseStep() {
     return false;
 }
 
-uint16_t Book::nextBase() const {
+uint16_t LogStore::nextBase() const {
     return roundRing(base_ + (next_ + kPagesPerBlock - 1) / kPagesPerBlock * kPagesPerBlock);
 }
 
-void Book::finishErase() {
+void LogStore::finishErase() {
     base_ = nextBase();
     next_ = last_ = 0;
     wrapped_ = false;

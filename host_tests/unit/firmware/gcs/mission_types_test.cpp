@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fence and rally points by the mission protocol.
-#include "firmware/gcs/plans.hpp"
+#include "firmware/gcs/mission_types.hpp"
 
 #include <cmath>
 

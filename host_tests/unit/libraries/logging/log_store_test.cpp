@@ -11,18 +11,18 @@ bool isBeginningOf(const Bytes& part, const Bytes& whole) {
 }
 
 TEST_F(Logs, a_blank_chip_holds_none) {
-    EXPECT_EQ(book.last(), 0);
-    EXPECT_EQ(book.pages(), 0);
-    EXPECT_TRUE(book.usable());
+    EXPECT_EQ(store.last(), 0);
+    EXPECT_EQ(store.pages(), 0);
+    EXPECT_TRUE(store.usable());
 }
 
 TEST_F(Logs, without_a_chip_there_is_nothing_to_use) {
     chip::fit({false});
     open();
-    EXPECT_FALSE(book.usable());
-    EXPECT_EQ(book.begin(), Status::unsupported);
+    EXPECT_FALSE(store.usable());
+    EXPECT_EQ(store.begin(), Status::unsupported);
     uint8_t byte = 0;
-    EXPECT_EQ(book.put(&byte, 1), Status::unsupported);
+    EXPECT_EQ(store.put(&byte, 1), Status::unsupported);
 }
 
 TEST_F(Logs, what_was_written_is_read_back_after_a_restart) {
@@ -33,7 +33,7 @@ TEST_F(Logs, what_was_written_is_read_back_after_a_restart) {
     chip::restart();
     open();
 
-    EXPECT_EQ(book.last(), 2);
+    EXPECT_EQ(store.last(), 2);
     EXPECT_EQ(readBack(1), written[1]);
     EXPECT_EQ(readBack(2), written[2]);
 }
@@ -41,11 +41,11 @@ TEST_F(Logs, what_was_written_is_read_back_after_a_restart) {
 TEST_F(Logs, a_log_of_which_nothing_was_stored_has_no_number) {
     writeLog(1);
     begin();
-    EXPECT_EQ(book.last(), 1);
+    EXPECT_EQ(store.last(), 1);
     end();
-    EXPECT_EQ(book.last(), 1);
+    EXPECT_EQ(store.last(), 1);
     writeLog(1);
-    EXPECT_EQ(book.last(), 2);
+    EXPECT_EQ(store.last(), 2);
     EXPECT_EQ(readBack(2), written[2]);
 }
 
@@ -74,7 +74,7 @@ TEST_F(Logs, any_byte_of_any_log_is_found_by_its_place) {
         ASSERT_GE(offset, head.key.offset);
         ASSERT_LT(offset, head.key.offset + head.used);
         uint8_t byte;
-        ASSERT_EQ(book.read(page, static_cast<uint16_t>(offset - head.key.offset), &byte, 1),
+        ASSERT_EQ(store.read(page, static_cast<uint16_t>(offset - head.key.offset), &byte, 1),
                   Status::ok);
         ASSERT_EQ(byte, written[number][offset]);
     }
@@ -107,13 +107,13 @@ TEST_F(Logs, the_end_of_a_full_chip_is_found_in_time_wherever_it_is) {
         ASSERT_TRUE(chip::model().setImage(image));
         chip::restart();
         const uint64_t took_us = open();
-        EXPECT_EQ(book.last(), 1 + (end - 1) / 100) << end;
-        EXPECT_EQ(book.pages(), end < all ? end : all - 1) << end;
+        EXPECT_EQ(store.last(), 1 + (end - 1) / 100) << end;
+        EXPECT_EQ(store.pages(), end < all ? end : all - 1) << end;
         longest_search_us = std::max(longest_search_us, took_us);
         EXPECT_LT(longest_us, 400u) << "one look at a time";
         // the newest page is the last of what is read
         PageHead head;
-        ASSERT_EQ(book.readHead(book.pages() - 1, head), Status::ok);
+        ASSERT_EQ(store.readHead(store.pages() - 1, head), Status::ok);
         EXPECT_EQ(head.key.log, 1 + (end - 1) / 100);
         EXPECT_EQ(head.key.offset, (end - 1) % 100 * 500);
     }
@@ -133,7 +133,7 @@ TEST_F(Logs, a_full_chip_loses_its_oldest_log_and_nothing_else) {
             chip::restart();
             open();
         }
-        ASSERT_EQ(book.last(), logs);
+        ASSERT_EQ(store.last(), logs);
         const unsigned whole = (ring() - 1) / per_log;
         for (unsigned number = logs - whole + 1; number <= logs; ++number)
             EXPECT_EQ(readBack(static_cast<uint16_t>(number)),
@@ -185,7 +185,7 @@ TEST_P(PowerCut, loses_only_the_page_being_written) {
         open();
 
         const size_t stored = pages - (damaged ? 1 : 0);
-        ASSERT_EQ(book.last(), stored > 0 ? number : number - 1);
+        ASSERT_EQ(store.last(), stored > 0 ? number : number - 1);
         const Bytes left = readBack(number);
         EXPECT_TRUE(isBeginningOf(left, written[number]));
         EXPECT_GE(left.size() + 2 * room(), written[number].size());
@@ -204,20 +204,20 @@ INSTANTIATE_TEST_SUITE_P(places, PowerCut, testing::Values(0u, 1u, 300u, 4070u, 
 
 TEST_F(Logs, an_erase_leaves_nothing_and_lets_the_ring_begin_elsewhere) {
     writeLog(30);
-    ASSERT_TRUE(book.erase());
+    ASSERT_TRUE(store.erase());
     uint64_t longest = 0;
-    while (book.erasing()) {
+    while (store.erasing()) {
         const uint64_t before_us = fakes::time_us();
-        if (book.eraseStep()) {
-            EXPECT_EQ(book.nextBase(), 32);
-            book.finishErase();
+        if (store.eraseStep()) {
+            EXPECT_EQ(store.nextBase(), 32);
+            store.finishErase();
         }
         longest = std::max(longest, fakes::time_us() - before_us);
         fakes::advance_ms(20);
     }
     EXPECT_LT(longest, 200u) << "in the background";
-    EXPECT_EQ(book.last(), 0);
-    EXPECT_EQ(book.pages(), 0);
+    EXPECT_EQ(store.last(), 0);
+    EXPECT_EQ(store.pages(), 0);
     const uint32_t erased = chip::model().erases(kFirst);
     writeLog(2);
     EXPECT_EQ(chip::model().erases(kFirst), erased) << "where the next log begins";
@@ -225,42 +225,42 @@ TEST_F(Logs, an_erase_leaves_nothing_and_lets_the_ring_begin_elsewhere) {
 
     chip::restart();
     open(32);
-    EXPECT_EQ(book.last(), 1);
+    EXPECT_EQ(store.last(), 1);
     EXPECT_EQ(readBack(1), written[1]);
 }
 
 TEST_F(Logs, a_log_that_begins_stops_the_erase_and_keeps_what_is_left) {
     for (int i = 0; i < 5; ++i) writeLog(1000);  // the ring is full
-    ASSERT_TRUE(book.erase());
+    ASSERT_TRUE(store.erase());
     const unsigned steps = (ring() / 8) / 2;
-    for (unsigned i = 0; i < 2000 && book.erasing() && i < steps * 5; ++i) {
-        book.eraseStep();
+    for (unsigned i = 0; i < 2000 && store.erasing() && i < steps * 5; ++i) {
+        store.eraseStep();
         fakes::advance_ms(20);
     }
-    ASSERT_TRUE(book.erasing());
+    ASSERT_TRUE(store.erasing());
     writeLog(4);
 
     const Bytes now = readBack(log);
     EXPECT_EQ(now, written[log]);
-    const uint16_t last = book.last();
+    const uint16_t last = store.last();
     chip::restart();
     open();
-    EXPECT_EQ(book.last(), last);
+    EXPECT_EQ(store.last(), last);
     EXPECT_EQ(readBack(last), written[last]);
 }
 
 TEST_F(Logs, a_power_cut_during_the_erase_leaves_logs_that_can_be_read_and_added_to) {
     for (int i = 0; i < 5; ++i) writeLog(1000);
     const std::map<uint16_t, Bytes> before = written;
-    ASSERT_TRUE(book.erase());
+    ASSERT_TRUE(store.erase());
     for (int i = 0; i < 700; ++i) {
-        book.eraseStep();
+        store.eraseStep();
         fakes::advance_ms(20);
     }
-    ASSERT_TRUE(book.erasing());
+    ASSERT_TRUE(store.erasing());
     chip::cutPower();
     open();
-    for (uint16_t number = 1; number <= book.last(); ++number) {
+    for (uint16_t number = 1; number <= store.last(); ++number) {
         uint32_t first = 0;
         const Bytes left = readBack(number, &first);
         ASSERT_LE(first + left.size(), before.at(number).size());
@@ -276,7 +276,7 @@ TEST_F(Logs, the_mission_goes_first_and_nothing_is_lost) {
         chip::wantByMission(i % 10 != 0);
         uint8_t byte[60];
         memset(byte, i, sizeof byte);
-        if (book.put(byte, sizeof byte) == Status::ok)
+        if (store.put(byte, sizeof byte) == Status::ok)
             written[log].insert(written[log].end(), byte, byte + sizeof byte);
         fakes::advance_ms(10);
     }
@@ -294,8 +294,8 @@ TEST_F(Logs, a_corrupt_page_hides_only_itself) {
     ASSERT_TRUE(chip::model().setImage(image));
     chip::restart();
     open();
-    EXPECT_EQ(book.last(), 1);
-    EXPECT_EQ(book.pages(), 200);
+    EXPECT_EQ(store.last(), 1);
+    EXPECT_EQ(store.pages(), 200);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "estimation/still.hpp"
+#include "estimation/gyro_bias_init.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@ namespace {
 
 const core::Vector3 kRest = {0, 0, -9.81f};
 
-TEST(Still, a_second_of_rest_gives_the_gyros_zero) {
-    estimation::Still still;
+TEST(GyroBiasInit, a_second_of_rest_gives_the_gyros_zero) {
+    estimation::GyroBiasInit still;
     int frames = 0;
     while (!still.update({0.01f, -0.02f, 0.005f}, kRest, 0.01f) && frames < 1000) ++frames;
 
@@ -20,8 +20,8 @@ TEST(Still, a_second_of_rest_gives_the_gyros_zero) {
     EXPECT_NEAR(still.zero_rads().z, 0.005, 1e-5);
 }
 
-TEST(Still, movement_restarts_the_mean) {
-    estimation::Still still;
+TEST(GyroBiasInit, movement_restarts_the_mean) {
+    estimation::GyroBiasInit still;
     for (int i = 0; i < 3000; ++i) {
         const float rate = 0.1f * std::sin(i * 0.05f);
         still.update({rate, 0, 0}, kRest, 0.01f);
@@ -36,8 +36,8 @@ float rocked_rads(int frame, float max_rads) {
     return max_rads * std::sin(static_cast<float>(frame) * 0.01f * static_cast<float>(M_PI));
 }
 
-TEST(Still, an_airplane_rocked_by_gusts_gets_a_longer_mean) {
-    estimation::Still still;
+TEST(GyroBiasInit, an_airplane_rocked_by_gusts_gets_a_longer_mean) {
+    estimation::GyroBiasInit still;
     int frames = 0;
     while (!still.update({0.01f + rocked_rads(frames, 0.015f), 0, 0}, kRest, 0.01f)) ++frames;
     EXPECT_GT(still.zero_rads().x, 0.015);  // of half a swing
@@ -48,9 +48,9 @@ TEST(Still, an_airplane_rocked_by_gusts_gets_a_longer_mean) {
 }
 
 // Its wheels let it tip to and fro four times a second, by up to 4 degrees a second.
-TEST(Still, an_airplane_always_rocked_by_gusts_gets_its_zero_within_ten_seconds) {
+TEST(GyroBiasInit, an_airplane_always_rocked_by_gusts_gets_its_zero_within_ten_seconds) {
     for (float phase = 0; phase < 6.28f; phase += 0.3f) {
-        estimation::Still still;
+        estimation::GyroBiasInit still;
         int frames = 0;
         for (; !still.done() && frames < 1000; ++frames) {
             const float time_s = static_cast<float>(frames) * 0.01f;
@@ -65,8 +65,8 @@ TEST(Still, an_airplane_always_rocked_by_gusts_gets_its_zero_within_ten_seconds)
     }
 }
 
-TEST(Still, slow_turning_by_hand_is_not_taken_for_rocking) {
-    estimation::Still still;
+TEST(GyroBiasInit, slow_turning_by_hand_is_not_taken_for_rocking) {
+    estimation::GyroBiasInit still;
     for (int i = 0; i < 3000; ++i) {  // once in 4.4 seconds
         const float rate = 0.05f * std::sin(static_cast<float>(i) * 0.01f * 1.428f);
         still.update({rate, 0, 0}, kRest, 0.01f);
@@ -74,8 +74,8 @@ TEST(Still, slow_turning_by_hand_is_not_taken_for_rocking) {
     }
 }
 
-TEST(Still, a_better_zero_is_not_given_up_for_a_shorter_one) {
-    estimation::Still still;
+TEST(GyroBiasInit, a_better_zero_is_not_given_up_for_a_shorter_one) {
+    estimation::GyroBiasInit still;
     for (int i = 0; i < 1500; ++i) still.update({0.01f, 0, 0}, kRest, 0.01f);
     for (int i = 0; i < 50; ++i) still.update({0.3f, 0, 0}, kRest, 0.01f);
     int reported = 0;
@@ -85,9 +85,9 @@ TEST(Still, a_better_zero_is_not_given_up_for_a_shorter_one) {
     EXPECT_NEAR(still.zero_rads().x, 0.01, 1e-5);
 }
 
-TEST(Still, an_airplane_picked_up_slowly_keeps_the_zero_measured_before) {
+TEST(GyroBiasInit, an_airplane_picked_up_slowly_keeps_the_zero_measured_before) {
     for (int rest = 115; rest < 800; rest += 7) {
-        estimation::Still still;
+        estimation::GyroBiasInit still;
         float zero_rads = 0;
         const auto update = [&](float rate_rads, const core::Vector3& force_mss) {
             if (still.update({rate_rads, 0, 0}, force_mss, 0.01f)) zero_rads = still.zero_rads().x;
@@ -102,8 +102,8 @@ TEST(Still, an_airplane_picked_up_slowly_keeps_the_zero_measured_before) {
     }
 }
 
-TEST(Still, reports_a_better_zero_for_half_a_minute) {
-    estimation::Still still;
+TEST(GyroBiasInit, reports_a_better_zero_for_half_a_minute) {
+    estimation::GyroBiasInit still;
     int reported = 0;
     for (int i = 0; i < 6000; ++i) reported += still.update({0.01f, 0, 0}, kRest, 0.01f);
 
@@ -112,24 +112,24 @@ TEST(Still, reports_a_better_zero_for_half_a_minute) {
     EXPECT_LE(reported, 30);
 }
 
-TEST(Still, keeps_the_force_of_its_first_second) {
-    estimation::Still still;
+TEST(GyroBiasInit, keeps_the_force_of_its_first_second) {
+    estimation::GyroBiasInit still;
     for (int i = 0; i < 150; ++i) still.update({0, 0, 0}, kRest, 0.01f);
     for (int i = 0; i < 300; ++i) still.update({0, 0, 0}, {0.3f, 0, -9.8f}, 0.01f);
 
     EXPECT_NEAR(still.force_mss().x, 0, 1e-5);
 }
 
-TEST(Still, carrying_it_about_without_turning_is_not_rest) {
-    estimation::Still still;
+TEST(GyroBiasInit, carrying_it_about_without_turning_is_not_rest) {
+    estimation::GyroBiasInit still;
     for (int i = 0; i < 3000; ++i)
         still.update({0, 0, 0}, {2 * std::sin(i * 0.05f), 0, -9.81f}, 0.01f);
 
     EXPECT_FALSE(still.done());
 }
 
-TEST(Still, a_broken_gyros_zero_is_not_taken) {
-    estimation::Still still;
+TEST(GyroBiasInit, a_broken_gyros_zero_is_not_taken) {
+    estimation::GyroBiasInit still;
     for (int i = 0; i < 1000; ++i) still.update({0.6f, 0, 0}, kRest, 0.01f);
 
     EXPECT_FALSE(still.done());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "firmware/gcs/plans.hpp"
+#include "firmware/gcs/mission_types.hpp"
 
 #include "firmware/mission/fence_line.hpp"
-#include "firmware/mission/points.hpp"
+#include "firmware/mission/fence_rally_items.hpp"
 #include "mavlink/messages.hpp"
 
 namespace firmware {
@@ -19,9 +19,9 @@ static_assert(static_cast<uint8_t>(ListKind::fence) == MavMissionType::fence &&
               "the kinds are MAVLink's types");
 ListKind kindOf(uint8_t mission_type) { return static_cast<ListKind>(mission_type); }
 
-MissionResult keepUpTo(uint8_t index) {
+MissionResult copyUpTo(uint8_t index) {
     while (listStaged() < index) {
-        const MissionResult result = listKeep();
+        const MissionResult result = listCopy();
         if (result != MissionResult::accepted) return result;
     }
     return MissionResult::accepted;
@@ -33,8 +33,8 @@ MissionResult clearOne(uint8_t type) {
 }
 
 MissionResult clearAll() {
-    for (uint8_t type = 0; isPlan(type); ++type) {
-        if (planCount(type) == 0) continue;
+    for (uint8_t type = 0; isMissionType(type); ++type) {
+        if (itemCount(type) == 0) continue;
         const MissionResult result = clearOne(type);
         if (result != MissionResult::accepted) return result;
     }
@@ -43,18 +43,18 @@ MissionResult clearAll() {
 
 }  // namespace
 
-bool isPlan(uint8_t mission_type) { return mission_type <= MavMissionType::rally; }
+bool isMissionType(uint8_t mission_type) { return mission_type <= MavMissionType::rally; }
 
-uint8_t planCount(uint8_t mission_type) {
+uint8_t itemCount(uint8_t mission_type) {
     if (mission_type == MavMissionType::mission) return static_cast<uint8_t>(missionCount());
     return listCount(kindOf(mission_type));
 }
 
-uint32_t planId(uint8_t mission_type) {
-    return isPlan(mission_type) ? listId(kindOf(mission_type)) : 0;
+uint32_t itemsId(uint8_t mission_type) {
+    return isMissionType(mission_type) ? listId(kindOf(mission_type)) : 0;
 }
 
-core::Status planItem(uint8_t mission_type, uint16_t index, MissionItem& to) {
+core::Status readItem(uint8_t mission_type, uint16_t index, MissionItem& to) {
     if (mission_type == MavMissionType::mission) return missionItem(index, to);
     const ListKind kind = kindOf(mission_type);
     if (kind == ListKind::fence && fenceLine() == Line::unknown) return core::Status::busy;
@@ -65,21 +65,21 @@ core::Status planItem(uint8_t mission_type, uint16_t index, MissionItem& to) {
     return status;
 }
 
-MissionResult planBegin(uint8_t mission_type, uint16_t count) {
+MissionResult uploadBegin(uint8_t mission_type, uint16_t count) {
     if (mission_type == MavMissionType::mission) return missionBeginUpload(count);
     return listBegin(kindOf(mission_type), count, kPointSet);
 }
 
-MissionResult planBeginPartial(uint8_t mission_type, uint16_t first, uint16_t last) {
+MissionResult uploadBeginPartial(uint8_t mission_type, uint16_t first, uint16_t last) {
     if (mission_type == MavMissionType::mission) return missionBeginPartial(first, last);
-    const uint8_t count = planCount(mission_type);
+    const uint8_t count = itemCount(mission_type);
     if (first > last || last >= count) return MissionResult::invalid_sequence;
-    return planBegin(mission_type, count);
+    return uploadBegin(mission_type, count);
 }
 
-MissionResult planPut(uint8_t mission_type, uint16_t index, const MissionItem& item) {
+MissionResult uploadPut(uint8_t mission_type, uint16_t index, const MissionItem& item) {
     if (mission_type == MavMissionType::mission) return missionUploadItem(index, item);
-    const MissionResult reached = keepUpTo(static_cast<uint8_t>(index));
+    const MissionResult reached = copyUpTo(static_cast<uint8_t>(index));
     if (reached != MissionResult::accepted) return reached;
     uint8_t record[storage::kLargestRecord];
     const MissionResult result =
@@ -87,17 +87,17 @@ MissionResult planPut(uint8_t mission_type, uint16_t index, const MissionItem& i
     return result == MissionResult::accepted ? listPut(record) : result;
 }
 
-MissionResult planCommit(uint8_t mission_type) {
+MissionResult uploadCommit(uint8_t mission_type) {
     if (mission_type == MavMissionType::mission) return missionCommit();
     const ListKind kind = kindOf(mission_type);
     if (listStaging(kind)) {
-        const MissionResult reached = keepUpTo(listStagedCount());
+        const MissionResult reached = copyUpTo(listStagedCount());
         if (reached != MissionResult::accepted) return reached;
     }
     return listCommit();
 }
 
-MissionResult planClear(uint8_t mission_type) {
+MissionResult clearItems(uint8_t mission_type) {
     return mission_type == MavMissionType::all ? clearAll() : clearOne(mission_type);
 }
 

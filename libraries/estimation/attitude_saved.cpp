@@ -16,7 +16,7 @@ void Attitude::save(SavedAttitude& pose) const {
 
 void Attitude::save(SavedBiases& learnt) const {
     for (uint8_t i = 0; i < 3; ++i)
-        learnt.bias_rad[i] = SavedTurn::fromRaw(bias_.of[i] / kSavedTurnSteps);
+        learnt.bias_rad[i] = SavedDeltaAngle::fromRaw(bias_.of[i] / kSavedDeltaAngleSteps);
     field_.save(learnt.field);
 }
 
@@ -26,7 +26,7 @@ void Attitude::resume(const SavedAttitude& pose, const SavedBiases& learnt,
     for (uint8_t i = 0; i < 3; ++i) {
         north_.of[i] = pose.north[i].raw * kRowSteps;
         down_.of[i] = pose.down[i].raw * kRowSteps;
-        bias_.of[i] = learnt.bias_rad[i].raw * kSavedTurnSteps;
+        bias_.of[i] = learnt.bias_rad[i].raw * kSavedDeltaAngleSteps;
     }
     learnRates({0, 0, 0});
     field_.resume(learnt.field);

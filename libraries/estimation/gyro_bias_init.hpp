@@ -10,9 +10,9 @@
 
 namespace estimation {
 
-class Still {
+class GyroBiasInit {
 public:
-    void start() { *this = Still(); }
+    void start() { *this = GyroBiasInit(); }
     // Every frame. True when the zero is known, and when it is known better.
     bool update(const core::Vector3& rate_rads, const core::Vector3& force_mss, float dt_s);
 
