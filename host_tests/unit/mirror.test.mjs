@@ -9,9 +9,9 @@ import { fileURLToPath } from 'node:url';
 
 const unit = dirname(fileURLToPath(import.meta.url)), root = join(unit, '../..');
 const ofAFolder = new Set([
-  'firmware/mission/beyond_commands', 'firmware/mission/every_command', 'firmware/mission/lost_flash',
-  'firmware/mission/manual', 'firmware/mission/new_flight', 'firmware/mission/upgrade',
-  'firmware/safety/manual', 'libraries/storage/flash_staging',
+  'firmware/mission/beyond_commands', 'firmware/mission/damaged_memory', 'firmware/mission/every_command',
+  'firmware/mission/lost_flash', 'firmware/mission/manual', 'firmware/mission/new_flight', 'firmware/mission/upgrade',
+  'firmware/safety/manual', 'libraries/storage/damaged_lists', 'libraries/storage/flash_staging',
   'libraries/storage/power_cut', 'simulator/airplane/parameter_files', 'simulator/campaign/program',
   'simulator/report/report', 'toolchain/cmake/configure', 'toolchain/flash_tool/flash',
   ...['errors', 'garbage', 'round_trip', 'show'].map((name) => `toolchain/mission_tool/${name}`),
