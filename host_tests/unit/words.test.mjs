@@ -47,6 +47,22 @@ for (const folder of ['firmware', 'libraries', 'hal_avr', 'simulator', 'toolchai
     assert.deepEqual(found, []);
   });
 
+// "has_a_name_of_three_words_or_more", so that the list of a program's tests reads as what it promises
+export const isSentence = (name) => /^[a-z][a-z0-9]*(_[a-zA-Z0-9]+){2,}$/.test(name);
+
+test('a name that is no sentence is found', () => {
+  assert.deepEqual(['keeps_its_height', 'KeepsItsHeight', 'height', 'of_nothing'].map(isSentence),
+    [true, false, false, false]);
+});
+
+test('the name of every test of a program is a sentence', () => {
+  const tests = [...sources(join(root, 'host_tests'))].filter((path) => path.endsWith('.cpp'));
+  const found = tests.flatMap((path) =>
+    [...readFileSync(path, 'utf8').matchAll(/\bTEST(?:_F|_P)?\(\s*\w+,\s*(\w+)\)/g)]
+      .filter(([, name]) => !isSentence(name)).map(([, name]) => `${relative(root, path)}: ${name}`));
+  assert.deepEqual(found, []);
+});
+
 test('the two documents of the root speak them too', () => {
   const found = ['README.md', 'CONTRIBUTING.md'].filter((path) => existsSync(join(root, path)))
     .flatMap((path) => retiredIn(readFileSync(join(root, path), 'utf8')).map((place) => `${path}:${place}`));

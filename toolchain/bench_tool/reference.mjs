@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the simulator measures where a real board is compared with it. A test holds these numbers to
-// the simulator: bench.image in toolchain/cmake/bench_tests.cmake.
+// the simulator: bench.image in toolchain/cmake/interop_tests.cmake.
 export const kLoadReference_pct = { apm1: 25, apm2: 17.7 };
 
 // Noise of RAW_IMU of a board that lies still, one standard deviation of the worst axis.

@@ -38,7 +38,7 @@ std::string repeated(int count, char letter) {
     return text;
 }
 
-TEST(Sha256, of_nothing) {
+TEST(Sha256, hashes_an_empty_message) {
     EXPECT_EQ(hashOf(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 

@@ -8,7 +8,7 @@
 
 namespace simulator::chaos {
 
-TEST(Generator, TheSameSeedIsTheSameScenario) {
+TEST(Generator, the_same_seed_gives_the_same_scenario) {
     const auto parameters = readParameterRows(PARAMETERS);
     std::set<std::string> all;
     for (uint64_t seed = 1; seed <= 100; ++seed) {
@@ -19,7 +19,7 @@ TEST(Generator, TheSameSeedIsTheSameScenario) {
     EXPECT_EQ(all.size(), 100u);
 }
 
-TEST(Generator, ParametersWithoutThoseThatEndTheLink) {
+TEST(Generator, leaves_out_parameters_that_end_the_link) {
     const auto parameters = readParameterRows(PARAMETERS);
     EXPECT_GT(parameters.size(), 150u);
     for (const ParameterRow& row : parameters) {
@@ -30,7 +30,7 @@ TEST(Generator, ParametersWithoutThoseThatEndTheLink) {
     EXPECT_THROW(readParameterRows("/nowhere.csv"), ScenarioError);
 }
 
-TEST(Generator, EveryKindOfEventIsDrawnAndEveryFaultExists) {
+TEST(Generator, draws_every_kind_of_event_and_only_faults_that_exist) {
     const auto parameters = readParameterRows(PARAMETERS);
     std::set<std::string> kinds, faults;
     for (uint64_t seed = 1; seed <= 2000; ++seed) {
@@ -58,7 +58,7 @@ TEST(Generator, EveryKindOfEventIsDrawnAndEveryFaultExists) {
     EXPECT_EQ(faults.size(), possible - 1) << "a cut of the supply is a restart";
 }
 
-TEST(Generator, MissionsBeginAtHomeAndEndWithALanding) {
+TEST(Generator, missions_begin_at_home_and_end_with_a_landing) {
     const auto parameters = readParameterRows(PARAMETERS);
     for (uint64_t seed = 1; seed <= 200; ++seed) {
         const Waypoints mission = drawScenario(seed, parameters).mission;
@@ -70,7 +70,7 @@ TEST(Generator, MissionsBeginAtHomeAndEndWithALanding) {
     }
 }
 
-TEST(Generator, ATransmitterOfNineChannelsDoublesAndMissesNoEdge) {
+TEST(Generator, a_transmitter_of_nine_channels_doubles_and_misses_no_edge) {
     const auto parameters = readParameterRows(PARAMETERS);
     int nine = 0;
     for (uint64_t seed = 1; seed <= 2000; ++seed) {

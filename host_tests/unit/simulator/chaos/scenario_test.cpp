@@ -12,7 +12,7 @@ constexpr char kSmall[] =
     "at 30.50 fault gps:lost 12.5\n"
     "at 31.00 param usb RLL2SRV_P nan\n";
 
-TEST(Scenario, TextAndBackIsTheSameText) {
+TEST(Scenario, reads_back_the_text_it_writes) {
     EXPECT_EQ(textOf(parseScenario(kSmall)), kSmall);
     const auto parameters = readParameterRows(PARAMETERS);
     for (uint64_t seed = 1; seed <= 200; ++seed) {
@@ -21,7 +21,7 @@ TEST(Scenario, TextAndBackIsTheSameText) {
     }
 }
 
-TEST(Scenario, ItIsReadAsItStands) {
+TEST(Scenario, reads_each_line_as_it_stands) {
     const Scenario scenario = parseScenario(kSmall);
     EXPECT_EQ(scenario.airplane, "flying_wing");
     EXPECT_EQ(scenario.wind_mps, 3.5);
@@ -38,7 +38,7 @@ TEST(Scenario, ItIsReadAsItStands) {
     EXPECT_EQ(scenario.events[1].words[3], "nan");
 }
 
-TEST(Scenario, EventsComeInOrderAndCommentsAreLeftOut) {
+TEST(Scenario, sorts_events_and_leaves_comments_out) {
     const Scenario scenario =
         parseScenario("item 16 0 0 0 0 0 47 8 488\nat 9 usb on # later\n# nothing\nat 3 usb off\n");
     EXPECT_EQ(scenario.events[0].words[1], "off");
@@ -54,7 +54,7 @@ std::string errorOf(const std::string& text) {
     return "";
 }
 
-TEST(Scenario, WhatIsWrongIsSaidWithItsLine) {
+TEST(Scenario, reports_what_is_wrong_with_its_line) {
     const std::string item = "item 16 0 0 0 0 0 47 8 488\n";
     EXPECT_EQ(errorOf(item + "at 3 usb on\n"), "");
     EXPECT_EQ(errorOf(item + "at 3 hail\n"), "line 2: unknown event: hail");
@@ -68,7 +68,7 @@ struct Promise {
     const char* events;
     bool survives;
 };
-TEST(Scenario, WhatMustNotCrashAnAirplane) {
+TEST(Scenario, knows_which_events_must_not_crash_an_airplane) {
     const Promise all[] = {
         {"", true},
         {"at 60 fault gps:lost 20\n", true},

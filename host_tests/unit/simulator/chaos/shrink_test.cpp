@@ -22,7 +22,7 @@ bool has(const Scenario& scenario, const char* word) {
                        [word](const Event& event) { return event.words[1] == word; });
 }
 
-TEST(Shrink, TwoEventsOfFiftyThatItTakesBothOf) {
+TEST(Shrink, finds_the_two_of_fifty_events_that_fail_together) {
     const Scenario least = shrink(
         withEvents(50),
         [](const Scenario& each) { return has(each, "7") && has(each, "41") && each.seconds > 60; },
@@ -38,7 +38,7 @@ TEST(Shrink, TwoEventsOfFiftyThatItTakesBothOf) {
     EXPECT_EQ(least.mission.back().index, 2);
 }
 
-TEST(Shrink, WhatTheFailureNeedsStays) {
+TEST(Shrink, keeps_what_the_failure_needs) {
     const Scenario least = shrink(
         withEvents(3),
         [](const Scenario& each) { return each.wind_mps > 0 && each.mission.size() >= 6; }, 10'000);
@@ -48,7 +48,7 @@ TEST(Shrink, WhatTheFailureNeedsStays) {
     EXPECT_LE(least.seconds, 1.1);
 }
 
-TEST(Shrink, ItEndsWithTheTriesAndStillFails) {
+TEST(Shrink, ends_with_the_tries_in_a_scenario_that_still_fails) {
     unsigned tried = 0;
     const auto fails = [&tried](const Scenario& each) {
         ++tried;

@@ -21,7 +21,7 @@ Flown flying() {
     return flown;
 }
 
-TEST(ArmedByACommand, NothingElseArms) {
+TEST(ArmedByACommand, arming_without_a_command_violates_it) {
     for (const bool ordered : {true, false}) {
         Flown flown;
         flown.run(5);
@@ -32,7 +32,7 @@ TEST(ArmedByACommand, NothingElseArms) {
     }
 }
 
-TEST(ArmedByACommand, ARestartOnTheGroundDoesNot) {
+TEST(ArmedByACommand, a_restart_on_the_ground_does_not_arm) {
     Flown flown;
     flown.run(5);
     flown.watch.provokedRestart(true);
@@ -42,7 +42,7 @@ TEST(ArmedByACommand, ARestartOnTheGroundDoesNot) {
     EXPECT_EQ(flown.violated(), "armed_by_itself ");
 }
 
-TEST(ArmedByACommand, AFlightThatGoesOnMayBeHeardDisarmedOnce) {
+TEST(ArmedByACommand, one_disarmed_heartbeat_after_a_restart_in_the_air_is_allowed) {
     Flown flown = flying();
     flown.watch.provokedRestart(true);
     flown.restart();
@@ -53,7 +53,7 @@ TEST(ArmedByACommand, AFlightThatGoesOnMayBeHeardDisarmedOnce) {
     EXPECT_EQ(flown.violated(), "");
 }
 
-TEST(ArmedByACommand, TheRudderStickDoes) {
+TEST(ArmedByACommand, the_rudder_stick_may_arm) {
     Flown flown;
     flown.run(5);
     flown.now.stick_us[3] = 1900;
@@ -64,14 +64,14 @@ TEST(ArmedByACommand, TheRudderStickDoes) {
     EXPECT_EQ(flown.violated(), "");
 }
 
-TEST(ArmedInTheAir, DisarmingInTheAirIsSeen) {
+TEST(ArmedInTheAir, disarming_in_the_air_violates_it) {
     Flown flown = flying();
     flown.armed = false;
     flyFor(flown, 2);
     EXPECT_EQ(flown.violated(), "armed_in_the_air ");
 }
 
-TEST(ArmedInTheAir, ACommandMustBeForced) {
+TEST(ArmedInTheAir, a_disarm_command_in_the_air_must_be_forced) {
     constexpr float kForce = 21196;
     Flown asked = flying(), forced = flying();
     asked.command(MavCmd::component_arm_disarm, 0);
@@ -83,7 +83,7 @@ TEST(ArmedInTheAir, ACommandMustBeForced) {
     EXPECT_EQ(forced.violated(), "");
 }
 
-TEST(ArmedInTheAir, OnTheGroundItIsLawful) {
+TEST(ArmedInTheAir, disarming_on_the_ground_is_allowed) {
     Flown flown = flying();
     flown.onTheGround();
     flown.run(2);
@@ -92,7 +92,7 @@ TEST(ArmedInTheAir, OnTheGroundItIsLawful) {
     EXPECT_EQ(flown.violated(), "");
 }
 
-TEST(FliesOnAfterARestart, SurfacesMoveAgainAndItIsArmed) {
+TEST(FliesOnAfterARestart, surfaces_that_move_again_while_armed_fulfil_it) {
     Flown flown = flying();
     flown.watch.provokedRestart(true);
     flown.restart();
@@ -101,7 +101,7 @@ TEST(FliesOnAfterARestart, SurfacesMoveAgainAndItIsArmed) {
     EXPECT_EQ(flown.violated(), "");
 }
 
-TEST(FliesOnAfterARestart, SurfacesThatStandTooLongAreSeen) {
+TEST(FliesOnAfterARestart, surfaces_that_stand_too_long_violate_it) {
     Flown flown = flying();
     flown.watch.provokedRestart(true);
     flown.restart();
@@ -110,7 +110,7 @@ TEST(FliesOnAfterARestart, SurfacesThatStandTooLongAreSeen) {
     EXPECT_EQ(flown.violated(), "restart_in_the_air ");
 }
 
-TEST(FliesOnAfterARestart, SurfacesMayStandInAModeOfThePilotThatAFailsafeEnds) {
+TEST(FliesOnAfterARestart, surfaces_may_stand_in_a_pilot_mode_that_a_failsafe_ends) {
     constexpr uint32_t kTraining = 3, kRtl = 11;
     Flown flown = flying();
     flown.command(MavCmd::do_set_mode, 1, kTraining);
@@ -124,7 +124,7 @@ TEST(FliesOnAfterARestart, SurfacesMayStandInAModeOfThePilotThatAFailsafeEnds) {
     EXPECT_EQ(flown.violated(), "");
 }
 
-TEST(FliesOnAfterARestart, ItIsArmedSoonAfterTheBusOfItsSensorsIsBack) {
+TEST(FliesOnAfterARestart, it_is_armed_soon_after_its_sensors_bus_is_back) {
     for (const bool arms : {true, false}) {
         Flown flown = flying();
         flown.watch.provokedRestart(true);
@@ -141,7 +141,7 @@ TEST(FliesOnAfterARestart, ItIsArmedSoonAfterTheBusOfItsSensorsIsBack) {
     }
 }
 
-TEST(FliesOnAfterARestart, NothingMovesWhileTheBusOfTheInertialSensorIsDead) {
+TEST(FliesOnAfterARestart, surfaces_may_stand_while_the_inertial_sensors_bus_is_dead) {
     Flown flown = flying();
     flown.now.faulty[static_cast<size_t>(Faulty::spi)] = true;
     flyFor(flown, 0.1);
@@ -152,7 +152,7 @@ TEST(FliesOnAfterARestart, NothingMovesWhileTheBusOfTheInertialSensorIsDead) {
     EXPECT_EQ(flown.violated(), "");
 }
 
-TEST(FliesOnAfterARestart, DisarmedIsSeenUnlessItWasTheButton) {
+TEST(FliesOnAfterARestart, disarmed_after_a_restart_violates_it_unless_the_button_was_pressed) {
     for (const bool survivable : {true, false}) {
         Flown flown = flying();
         flown.watch.provokedRestart(survivable);
@@ -163,7 +163,7 @@ TEST(FliesOnAfterARestart, DisarmedIsSeenUnlessItWasTheButton) {
     }
 }
 
-TEST(FliesOnAfterARestart, TheButtonBetweenTwoOthersDisarms) {
+TEST(FliesOnAfterARestart, the_button_between_two_other_restarts_may_disarm) {
     for (const bool button_first : {true, false}) {
         Flown flown = flying();
         flown.watch.provokedRestart(!button_first);

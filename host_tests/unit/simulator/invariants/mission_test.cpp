@@ -46,27 +46,27 @@ Flown flownTo(uint16_t item, float jumps_to = 2) {
     return flown;
 }
 
-TEST(MissionDoesNotJump, FromAnItemToTheNext) {
+TEST(MissionDoesNotJump, from_an_item_to_the_next_is_allowed) {
     Flown flown = flownTo(1);
     reached(flown, 1);
     current(flown, 2);
     EXPECT_EQ(flown.violated(), "");
 }
 
-TEST(MissionDoesNotJump, TheItemMustHaveBeenReached) {
+TEST(MissionDoesNotJump, the_item_must_have_been_reached) {
     Flown flown = flownTo(1);
     current(flown, 2);
     EXPECT_EQ(flown.violated(), "mission_jump ");
 }
 
-TEST(MissionDoesNotJump, OneThatIsLeftOutIsSeen) {
+TEST(MissionDoesNotJump, an_item_left_out_violates_it) {
     Flown flown = flownTo(5);
     reached(flown, 5);
     current(flown, 7);
     EXPECT_EQ(flown.violated(), "mission_jump ");
 }
 
-TEST(MissionDoesNotJump, WhereAJumpLeadsAndBehindIt) {
+TEST(MissionDoesNotJump, the_target_of_a_jump_and_the_item_behind_it_are_allowed) {
     for (const uint16_t to : {2, 5}) {
         Flown flown = flownTo(2);
         reached(flown, 2);
@@ -80,7 +80,7 @@ TEST(MissionDoesNotJump, WhereAJumpLeadsAndBehindIt) {
     EXPECT_EQ(flown.violated(), "mission_jump ");
 }
 
-TEST(MissionDoesNotJump, TwoThatAreOverAtOnce) {
+TEST(MissionDoesNotJump, two_items_that_end_at_once_are_allowed) {
     Flown flown = flownTo(5);
     reached(flown, 5);
     reached(flown, 6);
@@ -88,7 +88,7 @@ TEST(MissionDoesNotJump, TwoThatAreOverAtOnce) {
     EXPECT_EQ(flown.violated(), "");
 }
 
-TEST(MissionDoesNotJump, SetByCommand) {
+TEST(MissionDoesNotJump, an_index_set_by_command_is_allowed) {
     Flown flown = flownTo(2);
     mavlink::MissionSetCurrent set{};
     set.seq = 6;
@@ -97,7 +97,7 @@ TEST(MissionDoesNotJump, SetByCommand) {
     EXPECT_EQ(flown.violated(), "");
 }
 
-TEST(MissionDoesNotJump, AGoAroundBeginsTheLandingAgainAfterItsClimb) {
+TEST(MissionDoesNotJump, a_go_around_begins_the_landing_again_after_its_climb) {
     for (const bool ordered : {true, false}) {
         Flown flown = flownTo(7);
         if (ordered) flown.command(MavCmd::do_go_around);
@@ -107,7 +107,7 @@ TEST(MissionDoesNotJump, AGoAroundBeginsTheLandingAgainAfterItsClimb) {
     }
 }
 
-TEST(MissionDoesNotJump, AMissionThatWasRefusedSaysNothing) {
+TEST(MissionDoesNotJump, a_refused_mission_changes_nothing) {
     Flown flown;
     flown.mode = 10;
     upload(flown, 4);
@@ -117,7 +117,7 @@ TEST(MissionDoesNotJump, AMissionThatWasRefusedSaysNothing) {
     EXPECT_EQ(flown.violated(), "");
 }
 
-TEST(MissionDoesNotJump, AJumpBesideANavLeadsAwayFromIt) {
+TEST(MissionDoesNotJump, a_jump_beside_a_nav_leads_away_from_it) {
     Flown led = flownTo(5), astray = flownTo(5);
     current(led, 2);
     current(astray, 7);
@@ -125,7 +125,7 @@ TEST(MissionDoesNotJump, AJumpBesideANavLeadsAwayFromIt) {
     EXPECT_EQ(astray.violated(), "mission_jump ");
 }
 
-TEST(MissionDoesNotJump, WhereItIsLedAwayToMayBeOverAtOnce) {
+TEST(MissionDoesNotJump, the_item_a_jump_leads_to_may_end_at_once) {
     for (const bool over : {true, false}) {
         Flown flown = flownTo(5, 1);
         if (over) reached(flown, 1);
@@ -134,7 +134,7 @@ TEST(MissionDoesNotJump, WhereItIsLedAwayToMayBeOverAtOnce) {
     }
 }
 
-TEST(MissionDoesNotJump, NorIsAnUploadWhoseAnswerIsNotHeardTheOldMission) {
+TEST(MissionDoesNotJump, an_upload_whose_answer_is_lost_may_be_either_mission) {
     Flown flown = flownTo(1);
     flown.run(5);
     mavlink::MissionCount count{};
@@ -151,7 +151,7 @@ TEST(MissionDoesNotJump, NorIsAnUploadWhoseAnswerIsNotHeardTheOldMission) {
     EXPECT_EQ(flown.violated(), "");
 }
 
-TEST(MissionDoesNotJump, ADisarmOnTheGroundBeginsAgain) {
+TEST(MissionDoesNotJump, a_disarm_on_the_ground_begins_the_mission_again) {
     Flown flown = flownTo(5);
     flown.command(MavCmd::component_arm_disarm, 0);
     current(flown, 1);

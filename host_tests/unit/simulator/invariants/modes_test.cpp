@@ -9,7 +9,7 @@ Flown inAMode() {
     return flown;
 }
 
-TEST(ModeHasACause, AChangeByItselfIsSeen) {
+TEST(ModeHasACause, a_change_without_a_cause_violates_it) {
     Flown flown = inAMode();
     flown.mode = 11;
     flown.run(5);
@@ -20,7 +20,7 @@ struct Reason {
     const char* name;
     void (*give)(Flown&);
 };
-TEST(ModeHasACause, WhatMayChangeIt) {
+TEST(ModeHasACause, each_stated_cause_is_allowed) {
     const Reason reasons[] = {
         {"the switch", [](Flown& flown) { flown.now.stick_us[7] = 1165; }},
         {"a stick that is the switch",
@@ -49,7 +49,7 @@ TEST(ModeHasACause, WhatMayChangeIt) {
     }
 }
 
-TEST(ModeHasACause, WhatDoesNot) {
+TEST(ModeHasACause, other_events_are_no_cause) {
     const Reason others[] = {
         {"a stick", [](Flown& flown) { flown.now.stick_us[0] = 1900; }},
         {"another command", [](Flown& flown) { flown.command(mavlink::MavCmd::do_set_servo); }},
@@ -65,7 +65,7 @@ TEST(ModeHasACause, WhatDoesNot) {
     }
 }
 
-TEST(ModeHasACause, AnOverrideOfTheSticksEndsAfterThreeSeconds) {
+TEST(ModeHasACause, an_override_of_the_sticks_ends_after_three_seconds) {
     for (const int after_s : {3, 6}) {
         Flown flown = inAMode();
         flown.sent(mavlink::RcChannelsOverride{});
@@ -76,7 +76,7 @@ TEST(ModeHasACause, AnOverrideOfTheSticksEndsAfterThreeSeconds) {
     }
 }
 
-TEST(ModeHasACause, ACommandMayWaitBehindAParameter) {
+TEST(ModeHasACause, a_command_may_wait_behind_a_parameter) {
     for (const bool behind : {true, false}) {
         Flown flown = inAMode();
         if (behind) flown.sent(mavlink::ParamSet{});
@@ -88,7 +88,7 @@ TEST(ModeHasACause, ACommandMayWaitBehindAParameter) {
     }
 }
 
-TEST(ModeHasACause, AnOverrideMayWaitBehindAParameterToo) {
+TEST(ModeHasACause, an_override_may_wait_behind_a_parameter_too) {
     for (const bool behind : {true, false}) {
         Flown flown = inAMode();
         flown.sent(mavlink::RcChannelsOverride{});
@@ -101,7 +101,7 @@ TEST(ModeHasACause, AnOverrideMayWaitBehindAParameterToo) {
     }
 }
 
-TEST(ModeHasACause, ACauseOfThreeSecondsAgoIsNone) {
+TEST(ModeHasACause, a_cause_of_three_seconds_ago_is_none) {
     Flown flown = inAMode();
     flown.command(mavlink::MavCmd::nav_return_to_launch);
     flown.run(4);

@@ -5,7 +5,7 @@ namespace simulator::invariants {
 
 using mavlink::MavCmd;
 
-TEST(MotorIdleWhenDisarmed, APulseWhileDisarmedIsSeen) {
+TEST(MotorIdleWhenDisarmed, a_pulse_while_disarmed_violates_it) {
     Flown flown;
     flown.run(5);
     flown.now.servo_us[2] = 1300;
@@ -15,7 +15,7 @@ TEST(MotorIdleWhenDisarmed, APulseWhileDisarmedIsSeen) {
     EXPECT_EQ(flown.violated(), "motor_idle_disarmed ");
 }
 
-TEST(MotorIdleWhenDisarmed, ArmedForAMomentBetweenTwoHeartbeatsIsLawful) {
+TEST(MotorIdleWhenDisarmed, armed_for_a_moment_between_two_heartbeats_is_allowed) {
     Flown flown;
     flown.run(5.1);
     flown.command(MavCmd::component_arm_disarm, 1);
@@ -26,7 +26,7 @@ TEST(MotorIdleWhenDisarmed, ArmedForAMomentBetweenTwoHeartbeatsIsLawful) {
     EXPECT_EQ(flown.violated(), "");
 }
 
-TEST(MotorIdleWhenDisarmed, ItsIdleIsThatOfItsStart) {
+TEST(MotorIdleWhenDisarmed, the_idle_pulse_is_the_one_at_the_start) {
     Flown low;
     low.now.servo_us[2] = 1000;
     low.run(5);
@@ -39,7 +39,7 @@ TEST(MotorIdleWhenDisarmed, ItsIdleIsThatOfItsStart) {
     EXPECT_EQ(high.violated(), "motor_idle_disarmed ");
 }
 
-TEST(MotorIdleWhenDisarmed, AClosedEndSetWhileDisarmedCountsOnceItWasArmedSo) {
+TEST(MotorIdleWhenDisarmed, a_closed_end_set_while_disarmed_counts_from_the_next_arming) {
     Flown never;
     never.run(5);
     never.parameter("RC3_MIN", 1200);
@@ -67,13 +67,13 @@ Flown standsArmedIn(uint32_t mode) {
     return flown;
 }
 
-TEST(MotorIdleOnTheGround, AMotorThatNobodyAskedForIsSeen) {
+TEST(MotorIdleOnTheGround, a_motor_that_nobody_asked_for_violates_it) {
     Flown flown = standsArmedIn(12);  // LOITER
     flown.run(4);
     EXPECT_EQ(flown.violated(), "motor_idle_standing ");
 }
 
-TEST(MotorIdleOnTheGround, TheMissionAndThePilotMayAskForIt) {
+TEST(MotorIdleOnTheGround, the_mission_and_the_pilot_may_ask_for_it) {
     Flown mission = standsArmedIn(10);
     mission.run(4);
     EXPECT_EQ(mission.violated(), "");
@@ -83,13 +83,13 @@ TEST(MotorIdleOnTheGround, TheMissionAndThePilotMayAskForIt) {
     EXPECT_EQ(pilot.violated(), "");
 }
 
-TEST(MotorIdleOnTheGround, AClosedStickAsksForNothing) {
+TEST(MotorIdleOnTheGround, a_closed_stick_asks_for_nothing) {
     Flown flown = standsArmedIn(5);
     flown.run(7);
     EXPECT_EQ(flown.violated(), "motor_idle_standing ");
 }
 
-TEST(MotorIdleOnTheGround, AStickCountsOnlyInAModeThatObeysIt) {
+TEST(MotorIdleOnTheGround, a_stick_counts_only_in_a_mode_that_obeys_it) {
     Flown flown = standsArmedIn(7);  // CRUISE waits for the flight
     flown.now.stick_us[2] = 1600;
     flown.run(4);

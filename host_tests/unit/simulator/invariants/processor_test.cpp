@@ -5,7 +5,7 @@ namespace simulator::invariants {
 
 using mavlink::MavCmd;
 
-TEST(NoRestartByItself, ARestartThatNobodyMadeIsSeen) {
+TEST(NoRestartByItself, a_restart_that_nobody_provoked_violates_it) {
     Flown made, by_itself, asked;
     for (Flown* flown : {&made, &by_itself, &asked}) flown->run(5);
     made.watch.provokedRestart(false);
@@ -19,7 +19,7 @@ TEST(NoRestartByItself, ARestartThatNobodyMadeIsSeen) {
     EXPECT_EQ(asked.violated(), "");
 }
 
-TEST(FrameInTime, ALateFrameAndAStackTooDeepAreSeen) {
+TEST(FrameInTime, a_late_frame_and_a_stack_too_deep_violate_it) {
     Flown well, late, deep;
     well.figures.frame_overruns = 0;
     late.figures.frame_overruns = 1;

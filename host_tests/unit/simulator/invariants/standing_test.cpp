@@ -19,7 +19,7 @@ struct Report {
     void (*false_one)(Flown&);
 };
 
-TEST(StandsStill, WhatIsToldOfAnAirplaneThatStands) {
+TEST(StandsStill, reported_motion_of_a_standing_airplane_violates_it) {
     const Report all[] = {
         {"place", [](Flown& flown) { flown.place.lat += 1900; },  // 21 m
          [](Flown& flown) { flown.place.lat += 2100; }},
@@ -41,7 +41,7 @@ TEST(StandsStill, WhatIsToldOfAnAirplaneThatStands) {
     }
 }
 
-TEST(StandsStill, InWindTheAirspeedIsThere) {
+TEST(StandsStill, in_wind_an_airspeed_is_allowed) {
     Flown flown = stands();
     flown.now.truth.equivalent_airspeed_mps = 8;
     flown.hud.airspeed = 10;
@@ -49,7 +49,7 @@ TEST(StandsStill, InWindTheAirspeedIsThere) {
     EXPECT_EQ(flown.violated(), "");
 }
 
-TEST(StandsStill, NotInTheFirstSecondsNorWhileASensorFails) {
+TEST(StandsStill, the_first_seconds_and_a_failed_sensor_are_excused) {
     Flown early, faulty = stands();
     early.reports_place = true;
     early.place.lat = 460000000;

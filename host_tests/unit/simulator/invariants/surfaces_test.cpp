@@ -12,7 +12,7 @@ Flown atTheStop() {
     return flown;
 }
 
-TEST(SurfacesOffTheirStops, TwoSecondsAreTooLong) {
+TEST(SurfacesOffTheirStops, two_seconds_at_a_stop_violate_it) {
     Flown long_enough = atTheStop(), too_long = atTheStop();
     long_enough.run(1.9);
     long_enough.now.servo_us[1] = 1890;
@@ -22,7 +22,7 @@ TEST(SurfacesOffTheirStops, TwoSecondsAreTooLong) {
     EXPECT_EQ(too_long.violated(), "surface_at_its_stop ");
 }
 
-TEST(SurfacesOffTheirStops, TheStopIsWhereItWasSet) {
+TEST(SurfacesOffTheirStops, the_stop_is_where_the_parameters_set_it) {
     Flown wider = atTheStop(), narrower = atTheStop();
     wider.parameter("RC2_MAX", 2000);
     narrower.parameter("RC2_MAX", 1700);
@@ -37,7 +37,7 @@ struct Excuse {
     const char* name;
     void (*give)(Flown&);
 };
-TEST(SurfacesOffTheirStops, WhatExcusesIt) {
+TEST(SurfacesOffTheirStops, a_cause_outside_the_firmware_excuses_it) {
     const Excuse excuses[] = {
         {"MANUAL", [](Flown& flown) { flown.mode = 0; }},
         {"the pilot's stick", [](Flown& flown) { flown.now.stick_us[1] = 1900; }},
@@ -54,7 +54,7 @@ TEST(SurfacesOffTheirStops, WhatExcusesIt) {
     }
 }
 
-TEST(SurfacesOffTheirStops, AFaultOfTheCompassDoesNot) {
+TEST(SurfacesOffTheirStops, a_faulty_compass_is_no_excuse) {
     Flown flown = atTheStop();
     flown.now.faulty[3] = true;
     flown.run(4);

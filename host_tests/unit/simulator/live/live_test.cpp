@@ -143,7 +143,7 @@ TEST_F(LiveTest, answers_commands_when_the_autopilot_has) {
     EXPECT_THAT(page.read(), StartsWith("HTTP/1.1 200"));
 }
 
-TEST_F(LiveTest, refuses_nonsense) {
+TEST_F(LiveTest, refuses_what_is_no_request) {
     EXPECT_THAT(answerTo("{}", 0), HasSubstr("\"ok\":false"));
     EXPECT_THAT(page.read(), StartsWith("HTTP/1.1 400"));
 }

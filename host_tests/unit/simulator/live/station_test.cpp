@@ -193,7 +193,7 @@ TEST_F(StationTest, reads_a_plan_again_that_somebody_has_changed) {
     EXPECT_EQ(station.plans().changes(), before + 1);
 }
 
-TEST(ResultName, is_mavlinks) {
+TEST(ResultName, is_the_name_mavlink_gives_it) {
     EXPECT_EQ(resultName(1), "TEMPORARILY_REJECTED");
     EXPECT_EQ(resultName(99), "result 99");
 }

@@ -17,7 +17,7 @@ TEST(Page, holds_its_document_and_cannot_be_left_by_it) {
     EXPECT_THAT(page, Not(HasSubstr("id=\"flight\">{}<")));
 }
 
-TEST(Page, loads_nothing) {
+TEST(Page, loads_nothing_from_the_network) {
     const std::string page = flightPage(FlightDocument());
 
     EXPECT_THAT(page, Not(HasSubstr(" src=")));
