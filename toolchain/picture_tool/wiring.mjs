@@ -14,7 +14,7 @@ text{font-family:system-ui,"DejaVu Sans",sans-serif;font-size:13px;fill:var(--in
 rect{fill:var(--box);stroke:var(--line)}.page{fill:var(--page);stroke:none}
 path{fill:none;stroke-width:3}.power{stroke:#d1495b}.signal{stroke:#2e86de}.serial{stroke:#2a9d5c}.bus{stroke:#9b5de5}.analog{stroke:#e08e1a}`;
 
-const escaped = (text) => text.replace(/[<>&"]/g, (c) => `&#${c.charCodeAt(0)};`);
+export const escaped = (text) => text.replace(/[<>&"]/g, (c) => `&#${c.charCodeAt(0)};`);
 const text = (x, y, words, kind, anchor = 'start') => `<text x="${x}" y="${y}" class="${kind}" text-anchor="${anchor}">${escaped(words)}</text>`;
 
 // { title, board, left, right } of the lines; a wrong one is an error with its number.
