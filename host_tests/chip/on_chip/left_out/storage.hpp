@@ -3,3 +3,4 @@
 // clang-format off
 LEFT_OUT(JournalTest, a_power_cut_at_any_byte_leaves_the_old_or_the_new_value, "2,500 power cuts")
 LEFT_OUT(IndexStoreTest, a_power_cut_at_any_byte_leaves_the_old_or_the_new_index, "2,500 power cuts")
+LEFT_OUT(MissionStoreTest, the_last_of_65600_heads_counts, "32,800 uploads")
