@@ -54,3 +54,16 @@ test('armed, then the command', withVehicle({}, async (vehicle) => {
   assert.equal(await landed(vehicle), kInAir);
   assert.equal(await vehicle.command(kArm, [0]), 4, 'in the air');
 }));
+
+test('before there is a position it is put off, with the reason', withVehicle({}, async (vehicle) => {
+  assert.equal(await vehicle.command(kNavTakeoff, [15]), 1, 'no position');
+  assert.match((await vehicle.expect('STATUSTEXT', { where: ({ text }) => /position/.test(text) })).text,
+    /^Circling needs a position/);
+  assert.equal(await vehicle.command(kNavTakeoff, [15, 0, 0, 0, 0, 0, 55]), 1, 'no home');
+  assert.equal(await vehicle.command(kDoSetMode, [1, kTakeoff]), 1);
+  assert.equal(await vehicle.command(kNavTakeoff, [100]), 2, 'too steep, whatever the position');
+  await vehicle.wait(25_000);
+  assert.equal(await vehicle.command(kNavTakeoff, [15]), 0, 'to TKOFF_ALT, once it is armed');
+  vehicle.forget();
+  assert.equal((await vehicle.expect('HEARTBEAT', { within_ms: 1500 })).customMode, kTakeoff);
+}));
