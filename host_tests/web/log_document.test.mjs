@@ -3,7 +3,7 @@
 // LOG_TOOL name the programs.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
@@ -66,6 +66,37 @@ test('it has the same plan, title, verdict and parameters', () => {
   }
   assert.deepEqual(Object.keys(page.provenance.parameters).sort(), Object.keys(tool.provenance.parameters).sort());
   assert.ok(Object.keys(page.provenance.parameters).length > 200);
+});
+
+// The same log, with every item of the mission on the meridian of Greenwich.
+function atGreenwich(path) {
+  const bytes = readFileSync(path), kCmd = 'CMD\0';
+  const formats = new Map();
+  for (let at = 0; at < bytes.length;) {
+    const type = bytes[at + 2];
+    if (type === 128) formats.set(bytes[at + 3], { length: bytes[at + 4], name: bytes.toString('latin1', at + 5, at + 9),
+      fields: bytes.toString('latin1', at + 9, at + 25), labels: bytes.toString('latin1', at + 25, at + 89).replace(/\0.*/s, '').split(',') });
+    const format = type === 128 ? { length: 89 } : formats.get(type);
+    if (format.name === kCmd) {
+      const size = (letter) => ({ Q: 8, H: 2, B: 1, f: 4, L: 4 })[letter];
+      const before_ = [...format.fields].slice(0, format.labels.indexOf('Lng')).reduce((sum, letter) => sum + size(letter), 3);
+      bytes.writeInt32LE(0, at + before_);
+    }
+    at += format.length;
+  }
+  return bytes;
+}
+
+test('a mission on the meridian of Greenwich is drawn from both', () => {
+  const path = join(folder, 'greenwich.bin'), html = join(folder, 'greenwich.html'), bytes = atGreenwich(join(folder, 'log.bin'));
+  writeFileSync(path, bytes);
+  execFileSync(process.env.LOG_TOOL, ['report', path, '-o', html]);
+  const plans = [embedded(html), source.logDocument(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length), 'greenwich.bin')];
+  for (const { plan } of plans) {
+    assert.equal(plan.home.lon_deg, 0);
+    assert.deepEqual(plan.items.map(({ lat_deg }) => lat_deg !== undefined), page.plan.items.map(({ lat_deg }) => lat_deg !== undefined));
+    assert.ok(plan.items.filter(({ lon_deg }) => lon_deg === 0).length > 5);
+  }
 });
 
 test('what is no log is refused, and a cut one is read as far as it goes', () => {

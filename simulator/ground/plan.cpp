@@ -90,9 +90,7 @@ Plan makePlan(const Waypoints& items, const LocalFrame& frame) {
         PlannedNav nav{item.index,    item.command, {},       height, last,
                        last_height_m, loose,        airspeed, {}};
         if (item.isCircle()) nav.circle_m = item.params[2];
-        if (item.hasPlace() && (item.latitude_deg != 0 || item.longitude_deg != 0)) {
-            nav.place = frame.at(item.latitude_deg, item.longitude_deg);
-        }
+        if (item.isPlaced()) nav.place = frame.at(item.latitude_deg, item.longitude_deg);
         if (nav.place && item.isCircle()) nav.from_height_m = height;
         plan.navs.push_back(nav);
         last = nav.place;

@@ -40,6 +40,9 @@ struct WaypointItem {
         return isNav() && command != mavlink::MavCmd::nav_takeoff &&
                command != mavlink::MavCmd::nav_return_to_launch;
     }
+    // 0, 0 stands for the place where the airplane is; one of both alone is a meridian or the
+    // equator.
+    bool isPlaced() const { return hasPlace() && (latitude_deg != 0 || longitude_deg != 0); }
     bool relative() const { return frame == 3 || frame == 6; }  // to home
 };
 using Waypoints = std::vector<WaypointItem>;

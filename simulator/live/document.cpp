@@ -22,16 +22,11 @@ Json placeJson(const WaypointItem& item, double home_m) {
     return json;
 }
 
-// 0, 0 is that of a home which is not set yet.
-bool isPlaced(const WaypointItem& item) {
-    return item.hasPlace() && (item.latitude_deg != 0 || item.longitude_deg != 0);
-}
-
 Json itemJson(const WaypointItem& item, double home_m) {
     Json json = {{"index", item.index},
                  {"name", item.index == 0 ? "HOME" : commandName(item.command)},
                  {"text", itemText(item)}};
-    if (isPlaced(item)) json.update(placeJson(item, home_m));
+    if (item.isPlaced()) json.update(placeJson(item, home_m));
     return json;
 }
 
@@ -52,7 +47,7 @@ Json bandJson(const Band& band) {
 Json planJson(const PlanDownload& plans, const Truth& start) {
     Json json = {{"items", Json::array()}, {"fence", Json::array()}, {"rally", Json::array()}};
     const Waypoints& mission = plans.items(0);
-    const bool has_home = !mission.empty() && isPlaced(mission[0]);
+    const bool has_home = !mission.empty() && mission[0].isPlaced();
     const double home_m = has_home ? mission[0].altitude_m : start.altitude_m;
     json["home"] = {{"lat_deg", start.latitude_deg},
                     {"lon_deg", start.longitude_deg},

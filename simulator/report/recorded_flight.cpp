@@ -17,7 +17,7 @@ bool begins(const std::string& text, const std::string& with) { return text.rfin
 DocumentItem itemOf(const WaypointItem& item, double home_altitude_m,
                     std::optional<double> loiter_radius_m) {
     DocumentItem made{item.index, commandName(item.command), itemText(item), {}, {}};
-    if (!item.hasPlace() || item.longitude_deg == 0) return made;
+    if (!item.isPlaced()) return made;
     const double above_m = item.relative() ? home_altitude_m : 0;
     made.place = {item.latitude_deg, item.longitude_deg, above_m + item.altitude_m};
     if (item.isCircle()) made.radius_m = item.params[2] != 0 ? item.params[2] : loiter_radius_m;

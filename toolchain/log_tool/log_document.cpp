@@ -207,7 +207,7 @@ Flown flownIn(const LogFile& log) {
 
 // Around home, or where the airplane was first.
 simulator::LocalFrame frameOf(const LogFile& log, const simulator::Waypoints& mission) {
-    if (!mission.empty() && mission[0].latitude_deg != 0)
+    if (!mission.empty() && mission[0].isPlaced())
         return {mission[0].latitude_deg, mission[0].longitude_deg};
     const auto places = log.named("NTUN");
     if (places.empty()) return {0, 0};
@@ -245,7 +245,7 @@ simulator::DocumentPlan planIn(const LogFile& log, simulator::Waypoints mission)
     const double radius_m = parameter(log, "WP_LOITER_RAD");
     const auto known_m = std::isfinite(radius_m) ? std::optional<double>(radius_m) : std::nullopt;
     simulator::DocumentPlan plan = planOf(file, known_m);
-    if (plan.home && plan.home->longitude_deg == 0) plan.home.reset();
+    if (!mission.empty() && mission[0].index == 0 && !mission[0].isPlaced()) plan.home.reset();
     return plan;
 }
 

@@ -43,7 +43,7 @@ function planOf(log: DataflashLog): Plan {
   const loiter_m = log.named('PARM').filter(({ Name }) => Name === 'WP_LOITER_RAD').map(({ Value }) => Number(Value)).at(-1);
   for (const { CNum, CId, Lat, Lng, Alt, Prm1, Prm2, Prm3, Prm4 } of log.named('CMD')) {
     if (items.has(Number(CNum))) continue;
-    const placed = Number(CId) < 96 && Number(Lng) !== 0;
+    const placed = Number(CId) < 96 && (Number(Lat) !== 0 || Number(Lng) !== 0);
     items.set(Number(CNum), {
       index: Number(CNum), name: (names.commands as Table)[Number(CId)] ?? `COMMAND ${CId}`,
       text: itemText(Number(CId), Number(Alt), [Prm1, Prm2, Prm3, Prm4].map(Number)),

@@ -96,6 +96,22 @@ TEST(RecordedFlight, has_the_heights_of_its_plan_above_the_sea) {
     EXPECT_EQ(plan.items[1].text, "do change speed, parameters 0 13 -1 0");
 }
 
+TEST(RecordedFlight, has_places_on_the_meridian_of_greenwich_and_on_the_equator) {
+    MissionFile mission;
+    mission.items = parseWaypoints(
+        "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t51.4\t0\t40\t1\n"
+        "1\t0\t3\t16\t0\t0\t0\t0\t51.41\t0\t60\t1\n"
+        "2\t0\t3\t16\t0\t0\t0\t0\t0\t9.5\t60\t1\n3\t0\t3\t16\t0\t0\t0\t0\t0\t0\t60\t1\n",
+        "plan");
+    const DocumentPlan plan = planOf(mission, {});
+
+    ASSERT_EQ(plan.items.size(), 3u);
+    ASSERT_TRUE(plan.items[0].place);
+    EXPECT_EQ(plan.items[0].place->latitude_deg, 51.41);
+    EXPECT_TRUE(plan.items[1].place);
+    EXPECT_FALSE(plan.items[2].place) << "0, 0 is where the airplane is";
+}
+
 TEST(Names, fall_back_to_numbers) {
     EXPECT_EQ(commandName(16), "WAYPOINT");
     EXPECT_EQ(commandName(999), "COMMAND 999");
