@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 namespace simulator {
 namespace {
@@ -55,10 +56,29 @@ std::string spanText(const FaultSpan& span) {
 
 std::vector<FaultSpan> faultSpans(const std::vector<Fault>& faults) {
     std::vector<FaultSpan> spans;
-    for (const Fault& fault : faults)
-        spans.push_back({std::string(nameOf(fault.sensor)) + ":" + nameOf(fault.kind), fault.from_s,
-                         fault.to_s});
+    for (const Fault& fault : faults) spans.push_back({faultName(fault), fault.from_s, fault.to_s});
     return spans;
+}
+
+std::vector<std::string> faultTexts(const std::vector<Fault>& faults) {
+    std::vector<std::string> texts;
+    for (const FaultSpan& span : faultSpans(faults)) texts.push_back(spanText(span));
+    return texts;
+}
+
+std::map<std::string, double> parametersOf(const ParameterSettings& settings,
+                                           const std::map<std::string, double>& set) {
+    std::map<std::string, double> all;
+    for (const ParameterSetting& setting : settings) all[setting.name] = setting.value;
+    for (const auto& [name, value] : set) {
+        const auto known = all.find(name);
+        const auto real = static_cast<float>(value);
+        if (known != all.end() && static_cast<float>(known->second) == real) continue;
+        char shortest[32];
+        std::snprintf(shortest, sizeof shortest, "%.7g", value);
+        all[name] = std::strtod(shortest, nullptr);
+    }
+    return all;
 }
 
 Provenance provenanceOf(const FlyOptions& options, const ParameterSettings& settings) {
@@ -72,11 +92,8 @@ Provenance provenanceOf(const FlyOptions& options, const ParameterSettings& sett
     from.native = options.native;
     from.seed = options.seed;
     from.wind = windText(options);
-    from.faults.emplace();
-    for (const FaultSpan& span : faultSpans(options.faults)) from.faults->push_back(spanText(span));
-    from.parameters.emplace();
-    for (const ParameterSetting& setting : settings)
-        (*from.parameters)[setting.name] = setting.value;
+    from.faults = faultTexts(options.faults);
+    from.parameters = parametersOf(settings, {});
     takeCommit(from);
     return from;
 }

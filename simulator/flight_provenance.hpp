@@ -9,5 +9,11 @@ namespace simulator {
 
 Provenance provenanceOf(const FlyOptions& options, const ParameterSettings& settings);
 std::vector<FaultSpan> faultSpans(const std::vector<Fault>& faults);
+std::vector<std::string> faultTexts(const std::vector<Fault>& faults);  // as on the command line
+
+// The settings a flight began with and those that ground stations have set in it (MAVLink's are
+// floats: of 0.46 the nearest).
+std::map<std::string, double> parametersOf(const ParameterSettings& settings,
+                                           const std::map<std::string, double>& set);
 
 }  // namespace simulator

@@ -285,7 +285,7 @@ int flyScript(const FlyOptions& options, const MissionFile& mission) {
     status.end();
     Summary summary = summarize(summaryOf(options, board, recorder, clock), options, board, flight,
                                 recorder, plan);
-    takeProvenance(summary, options, settings);
+    takeProvenance(summary, options, settings, board);
     watchers.end(summary.completed ? "mission completed" : summary.reason, summary);
     std::cout << closingWords(summary) << std::flush;  // the verdict, whatever becomes of the files
     Results results;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "simulator/built_image.hpp"
 #include "simulator/flight_provenance.hpp"
 #include "simulator/fly_live.hpp"
 #include "simulator/machine/apm2_board.hpp"
@@ -78,12 +79,21 @@ void takeViolations(Summary& s, WatchedBoard& board) {
     if (s.reason.empty()) s.reason = "violated: " + board.violations().front().line();
 }
 
-void takeProvenance(Summary& s, const FlyOptions& options, const ParameterSettings& settings) {
-    s.provenance = provenanceOf(options, settings);
-    s.provenance.firmware = s.firmware;
-    s.provenance.flash_bytes = s.figures.flash_bytes;
-    s.provenance.ram_bytes = s.figures.ram_static_bytes;
-    s.faults = faultSpans(options.faults);
+void takeProvenance(Summary& s, const FlyOptions& options, const ParameterSettings& settings,
+                    WatchedBoard& board) {
+    Provenance& from = s.provenance;
+    from = provenanceOf(options, settings);
+    from.parameters = parametersOf(settings, board.parametersSet().values());
+    from.faults = faultTexts(board.world().faults());
+    from.firmware = s.firmware;
+    from.flash_bytes = s.figures.flash_bytes;
+    from.ram_bytes = s.figures.ram_static_bytes;
+    s.faults = faultSpans(board.world().faults());
+    if (!options.native) return;
+    if (const auto image = imageOfSources(FLY_IMAGE, FLY_SOURCES)) {
+        from.flash_bytes = image->flash_bytes;
+        from.ram_bytes = image->ram_static_bytes;
+    }
 }
 
 std::unique_ptr<FlightFolder> prepareReport(const FlyOptions& options) {

@@ -62,8 +62,10 @@ const BoardWiring& wiringOf(const FlyOptions& options);
 // The invariants are of our firmware: another's words for things may be others.
 bool ours(const FlyOptions& options);
 
-// Needs the firmware and the figures of summaryOf().
-void takeProvenance(Summary& s, const FlyOptions& options, const ParameterSettings& settings);
+// Needs the firmware and the figures of summaryOf(). With the faults and parameters that were set
+// in flight.
+void takeProvenance(Summary& s, const FlyOptions& options, const ParameterSettings& settings,
+                    WatchedBoard& board);
 
 // The name of the mission in report and index.
 std::string missionName(const FlyOptions& options);

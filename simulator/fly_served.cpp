@@ -84,7 +84,7 @@ void ServedRecord::write(WatchedBoard& board, FlyWatchers& watchers, const std::
         std::cout << "never armed: no report" << std::endl;
         return;
     }
-    takeProvenance(s, options_, settings_);
+    takeProvenance(s, options_, settings_, board);
     writeReport(options_, *folder_, s, samples, held, results);
     if (results.allWritten()) std::cout << reportLine(folder_->path()) << std::flush;
 }

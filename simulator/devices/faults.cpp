@@ -103,6 +103,14 @@ std::optional<Fault> parseFault(const std::string& text) {
     return fault;
 }
 
+std::string faultName(const Fault& fault) {
+    const std::string name = nameOf(fault.sensor) + std::string(":") + nameOf(fault.kind);
+    if (fault.kind != FaultKind::sag) return name;
+    char depth[16];
+    std::snprintf(depth, sizeof depth, "_%gv", fault.volts);
+    return name + depth;
+}
+
 bool canFail(Faulty sensor, FaultKind kind) {
     return kMay[static_cast<int>(sensor)] >> static_cast<int>(kind) & 1;
 }

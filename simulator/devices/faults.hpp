@@ -56,6 +56,8 @@ struct Fault {
 // that long to fall.
 std::optional<Fault> parseFault(const std::string& text);
 
+std::string faultName(const Fault& fault);  // PART:HOW, of a sag with its depth
+
 bool canFail(Faulty sensor, FaultKind kind);
 // The gyro that is dead, about x, y or z; -1: none.
 int deadGyro(FaultKind kind);

@@ -56,6 +56,7 @@ void WatchedBoard::received(int usart, uint8_t byte, uint64_t time_us) {
         for (bool whole = parser.put(byte); whole; whole = parser.next()) {
             const mavlink::Frame frame = parser.frame();
             heard_us_[port] = time_us;
+            parameters_set_.received(frame);
             if (link_ < 0 || heard_us_[static_cast<size_t>(link_)] + kSilent_us < time_us)
                 link_ = usart;
             const bool answer = frame.id == mavlink::Wire<mavlink::ParamValue>::id ||
@@ -81,8 +82,10 @@ void WatchedBoard::send(int usart, const uint8_t* bytes, size_t size) {
 unsigned WatchedBoard::sent(mavlink::PeerParser& parser, const uint8_t* bytes, size_t size) {
     unsigned frames = 0;
     for (size_t i = 0; i < size; ++i)
-        for (bool whole = parser.put(bytes[i]); whole; whole = parser.next(), ++frames)
+        for (bool whole = parser.put(bytes[i]); whole; whole = parser.next(), ++frames) {
             watch_.sent(parser.frame(), static_cast<double>(board_.time_us()) * 1e-6);
+            parameters_set_.sent(parser.frame());
+        }
     return frames;
 }
 

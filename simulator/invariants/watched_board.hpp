@@ -8,6 +8,7 @@
 
 #include "mavlink/peer.hpp"
 #include "simulator/board.hpp"
+#include "simulator/ground/parameters_set.hpp"
 #include "simulator/invariants/watch.hpp"
 
 namespace simulator {
@@ -42,6 +43,8 @@ public:
     const std::vector<invariants::Violation>& violations();
     // Prints them; true when there are none.
     bool held();
+    // By whatever has sent PARAM_SET on any of its ports.
+    const ParametersSet& parametersSet() const { return parameters_set_; }
 
 private:
     void look();
@@ -53,6 +56,7 @@ private:
     Board& board_;
     Listener listener_;
     invariants::Watch watch_;
+    ParametersSet parameters_set_;
     std::array<mavlink::PeerParser, kUsarts> down_, up_;
     std::array<uint64_t, kUsarts> heard_us_{};
     int link_ = -1;  // the one that is listened to: where a heartbeat came first

@@ -9,14 +9,6 @@ namespace simulator::live {
 
 constexpr int kWarning = 4, kCritical = 2;  // MAV_SEVERITY
 
-std::string faultName(const Fault& fault) {
-    std::string name = nameOf(fault.sensor) + std::string(":") + nameOf(fault.kind);
-    if (fault.kind != FaultKind::sag) return name;
-    char depth[16];
-    std::snprintf(depth, sizeof depth, "_%gv", fault.volts);
-    return name + depth;
-}
-
 void Chronicle::add(const ChronicleEvent& event) {
     events_.push_back(event);
     on_event(event);

@@ -55,6 +55,4 @@ private:
     std::vector<std::string> failing_;
 };
 
-std::string faultName(const Fault& fault);  // PART:HOW
-
 }  // namespace simulator::live

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/report/provenance.hpp"
 
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
+
+#include "simulator/input_file.hpp"
 
 namespace simulator {
 namespace {
@@ -43,9 +44,10 @@ std::string provenanceJson(const Provenance& from) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-void takeCommit(Provenance& provenance) {
-    const char* const given = std::getenv("APM_COMMIT");
-    std::istringstream words(given ? given : "");
+void takeCommit(Provenance& provenance) { takeCommit(provenance, COMMIT_FILE); }
+
+void takeCommit(Provenance& provenance, const std::filesystem::path& file) {
+    std::istringstream words(wholeFile(file).value_or(""));
     words >> provenance.commit >> provenance.date;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a flight comes from, and the command that flies it again. Empty is not known.
 #pragma once
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,8 +21,9 @@ struct Provenance {
 
 std::string provenanceJson(const Provenance& provenance);
 
-// What toolchain/fly has put into the environment: APM_COMMIT, "HASH DATE", of the sources that it
-// has built. A program that is run without it does not know.
+// Hash and date of the sources that the program was built of, which the build has left beside it
+// (toolchain/cmake/commit.cmake). Unknown where they have no history.
 void takeCommit(Provenance& provenance);
+void takeCommit(Provenance& provenance, const std::filesystem::path& file);
 
 }  // namespace simulator

@@ -10,9 +10,14 @@
 namespace simulator {
 namespace {
 
-constexpr char kMode[] = "mode ";
+// Of a flight that somebody acted upon (simulator/live/chronicle.cpp).
+constexpr char kMode[] = "mode ", kWind[] = "wind ", kOver[] = " is over";
 
 bool begins(const std::string& text, const std::string& with) { return text.rfind(with, 0) == 0; }
+bool ends(const std::string& text, const std::string& with) {
+    return text.size() >= with.size() &&
+           text.compare(text.size() - with.size(), with.npos, with) == 0;
+}
 
 DocumentItem itemOf(const WaypointItem& item, double home_altitude_m,
                     std::optional<double> loiter_radius_m) {
@@ -26,6 +31,7 @@ DocumentItem itemOf(const WaypointItem& item, double home_altitude_m,
 
 std::string kindOf(const std::string& event) {
     if (begins(event, kMode)) return "mode";
+    if (begins(event, kWind) || ends(event, kOver)) return "fault";
     if (event == "armed" || event == "disarmed") return "armed";
     return "item";
 }
@@ -38,8 +44,13 @@ bool isFailsafe(const std::string& text) {
 
 std::vector<DocumentEvent> eventsOf(const Summary& summary) {
     std::vector<DocumentEvent> events;
+    const auto isFault = [&](const std::string& text) {
+        return std::any_of(summary.faults.begin(), summary.faults.end(),
+                           [&](const FaultSpan& fault) { return fault.name == text; });
+    };
     for (const Event& event : summary.events)
-        events.push_back({event.time_s, kindOf(event.text), event.text, {}});
+        if (!isFault(event.text))  // they follow below
+            events.push_back({event.time_s, kindOf(event.text), event.text, {}});
     for (const Event& text : summary.texts)
         events.push_back(
             {text.time_s, isFailsafe(text.text) ? "failsafe" : "text", text.text, text.severity});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "simulator/report/goals.hpp"
 #include "simulator/report/vectors.hpp"
 
 namespace simulator {
@@ -43,6 +44,16 @@ void addErrors(Json& json, const Summary& summary) {
     json["roll_error_rms_deg"] = orNull(summary.roll_error_rms_deg);
     json["pitch_error_rms_deg"] = orNull(summary.pitch_error_rms_deg);
     json["yaw_error_rms_deg"] = orNull(summary.yaw_error_rms_deg);
+}
+
+// The most that a figure may be, of those that have a goal.
+Json goalsOf(const Summary& summary) {
+    Json json = Json::object();
+    const bool windy = summary.wind_mps > 0 || summary.gusts;
+    for (const Goal& goal : goals())
+        if (const auto most = goalOf(goal.figure, windy, summary.calibrated))
+            json[goal.figure] = *most;
+    return json;
 }
 
 void addFigures(Json& json, const BoardFigures& figures, const std::vector<TaskName>& names) {
@@ -102,6 +113,7 @@ std::string summaryJson(const Summary& summary) {
     json["emulated_s"] = orNull(std::optional<double>(summary.emulated_s));
     json["speedup"] = orNull(summary.speedup);
     addErrors(json, summary);
+    if (!summary.from_log) json["goals"] = goalsOf(summary);
     json["items_reached"] = orNull(summary.items_reached);
     json["items_planned"] = summary.items_planned;
     json["imu_samples"] = orNull(summary.imu_samples);

@@ -62,7 +62,12 @@ simulator_library(invariants mavlink simulator_ground)
 include(web)
 simulator_library(report simulator_ground simulator_invariants)
 target_include_directories(simulator_report PRIVATE ${CMAKE_BINARY_DIR}/generated)
-add_dependencies(simulator_report pages)
+add_dependencies(simulator_report pages commit_of_sources)
+# which commit a program was built of is in a file beside it: inside, each commit would be another
+# program, and no test that has passed would count
+add_custom_target(commit_of_sources COMMAND ${CMAKE_COMMAND} -DROOT=${CMAKE_SOURCE_DIR} -DOUT=${CMAKE_BINARY_DIR}/commit.txt
+                  -P ${CMAKE_SOURCE_DIR}/toolchain/cmake/commit.cmake VERBATIM)
+target_compile_definitions(simulator_report PRIVATE COMMIT_FILE="${CMAKE_BINARY_DIR}/commit.txt")
 simulator_library(live mavlink simulator_ground)
 simulator_library(native simulator_world core hal)
 target_include_directories(simulator_native BEFORE PRIVATE ${CMAKE_SOURCE_DIR}/simulator/native)
@@ -99,7 +104,7 @@ add_dependencies(simulator_machine boot_programs)
 target_compile_definitions(simulator_machine PUBLIC SIMULATOR_BOOT="${boot_sections}")
 
 # ---- the program that flies
-set(simulator_sources simulator/fly.cpp simulator/fly_live.cpp simulator/fly_options.cpp
+set(simulator_sources simulator/built_image.cpp simulator/fly.cpp simulator/fly_live.cpp simulator/fly_options.cpp
     simulator/fly_report.cpp simulator/fly_served.cpp simulator/flight_folder.cpp
     simulator/flight_provenance.cpp simulator/parameter_file.cpp
     toolchain/param_tool/settings.cpp toolchain/mission_tool/wrong_input.cpp)
@@ -107,5 +112,5 @@ project_program(fly ${simulator_sources} LIBRARIES firmware_native simulator_nat
     simulator_live simulator_report simulator_ground simulator_machine simulator_world
     CLI11::CLI11)
 target_compile_definitions(fly PRIVATE FLY_IMAGE="${IMAGE_apm2}" FLY_IMAGE_1="${IMAGE_apm1}"
-    FLY_MISSION="${CMAKE_SOURCE_DIR}/simulator/missions/first_flight.waypoints"
+    FLY_SOURCES="${CMAKE_SOURCE_DIR}" FLY_MISSION="${CMAKE_SOURCE_DIR}/simulator/missions/first_flight.waypoints"
     FLY_OUT="${CMAKE_SOURCE_DIR}/build/flight" FLY_FLIGHTS="${CMAKE_SOURCE_DIR}/build/flights")

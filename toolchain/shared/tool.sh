@@ -20,15 +20,6 @@ answer_help() {
     done
 }
 
-# name_commit: APM_COMMIT, "HASH DATE" of the sources, for the provenance of a flight.
-name_commit() {
-    local changed=
-    command -v git >/dev/null && git -C "$root" rev-parse --git-dir >/dev/null 2>&1 || return 0
-    git -C "$root" diff --quiet HEAD 2>/dev/null || changed=+changes
-    APM_COMMIT=$(git -C "$root" log -1 --format="%h$changed %cI" 2>/dev/null) || APM_COMMIT=
-    export APM_COMMIT
-}
-
 # run_tool TOOL PROGRAM WORD...: installs and builds what is missing, then becomes the program,
 # whose output alone goes to standard output.
 run_tool() {

@@ -8,6 +8,8 @@ import { appendFileSync, mkdirSync, readFileSync } from 'node:fs';
 import { connect } from 'node:net';
 import { dirname, join } from 'node:path';
 import test from 'node:test';
+import { embedded } from '../../support/flight_document.mjs';
+import { messages, nodeMavlink } from '../../support/node_mavlink.mjs';
 import { Stream, withServed } from './served.mjs';
 
 const { FLY_BOARD, MINUTES } = process.env;
@@ -127,6 +129,37 @@ test('it arms, changes its mode and is flown by ground stations beside the page'
   count(stream.last.time_s);
   assert.equal(await served.stop(), 0, served.said);
   assert.match(served.said, /client connected[^]*armed[^]*mode LOITER[^]*disarmed[^]*client disconnected/);
+}));
+
+// PARAM_SET of MAVLink 1, in node-mavlink's words.
+function parameterSet(name, value) {
+  const message = Object.assign(new messages.PARAM_SET(), { targetSystem: 1, targetComponent: 1, paramId: name, paramValue: value, paramType: 9 });
+  return new nodeMavlink.MavLinkProtocolV1(255, 190).serialize(message, 0);
+}
+
+onNative('what was set and injected on the way is in the provenance of the flight', withServed(async (served) => {
+  const { stream } = served;
+  const station = connect(served.telemetry, '127.0.0.1');
+  await once(station, 'data');
+  await stream.until('status', ({ mode }) => mode !== 'unknown');
+  station.write(parameterSet('WP_RADIUS', 44.7));
+  station.write(parameterSet('TRIM_ARSPD_CM', 1310));
+  station.write(parameterSet('NO_SUCH_THING', 7));
+  await served.must({ do: 'fault', name: 'compass:lost', on: true });
+  await stream.until('band', ({ kind, name }) => kind === 'fault' && name === 'compass:lost');
+  const { time_s } = stream.last;
+  await stream.until('samples', (sample) => sample.time_s > time_s + 1);
+  await served.must({ do: 'fault', name: 'compass:lost', on: false });
+  await stream.until('band', ({ kind, to_s }) => kind === 'fault' && to_s > 0);
+  assert.equal(await served.stop(), 0, served.said);
+  const { provenance } = JSON.parse(readFileSync(join(served.out, 'summary.json')));
+  assert.deepEqual(provenance.parameters, { TRIM_ARSPD_CM: 1310, WP_RADIUS: 45 });
+  assert.match(provenance.faults.join(), /^compass:lost@[\d.]+-[\d.]+$/);
+  const { bands, events } = embedded(join(served.out, 'report.html'));
+  const [band] = bands.filter(({ kind }) => kind === 'fault');
+  assert.ok(band.name === 'compass:lost' && band.to_s > band.from_s + 0.9, JSON.stringify(band));
+  assert.deepEqual(events.filter(({ kind }) => kind === 'fault').map(({ text }) => text),
+    ['fault injected: compass:lost', 'compass:lost is over']);
 }));
 
 onNative('two pages look on and see the same', withServed(async (served) => {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "program_run.hpp"
 
@@ -142,6 +143,19 @@ TEST(Seed, makes_the_same_flight_again_bit_by_bit) {
     EXPECT_GT(a.size(), 10'000u);
     EXPECT_EQ(a, contents(folder("b") / "flight.csv"));
     EXPECT_NE(a, contents(folder("c") / "flight.csv"));
+}
+
+TEST(Provenance, of_a_native_flight_has_the_size_of_the_image_of_the_same_sources) {
+    const auto firmwareOf = [](const std::string& board, const char* name) {
+        fly(board + " --time-limit 1 --out " + folder(name).string());
+        const auto summary = nlohmann::json::parse(contents(folder(name) / "summary.json"));
+        return summary["provenance"]["firmware"];
+    };
+    const auto native = firmwareOf("--native", "pn"), image = firmwareOf("--board apm2", "pi");
+
+    EXPECT_GT(image["flash_bytes"], 100'000);
+    EXPECT_EQ(native["flash_bytes"], image["flash_bytes"]);
+    EXPECT_EQ(native["ram_bytes"], image["ram_bytes"]);
 }
 
 TEST(Dataflash, keeps_its_pages_over_power_off) {

@@ -2,8 +2,9 @@
 #include "simulator/report/provenance.hpp"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
-#include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 using namespace simulator;
@@ -25,12 +26,14 @@ TEST(Provenance, keeps_no_faults_apart_from_unknown_ones) {
     EXPECT_FALSE(json::parse(provenanceJson(Provenance())).contains("faults"));
 }
 
-TEST(Provenance, takes_the_commit_from_the_environment) {
+TEST(Provenance, takes_the_commit_from_the_file_of_the_build) {
     Provenance with, without;
-    setenv("APM_COMMIT", "0123abc 2026-01-02T03:04:05+00:00", 1);
-    takeCommit(with);
-    unsetenv("APM_COMMIT");
-    takeCommit(without);
+    const auto file =
+        std::filesystem::temp_directory_path() / ("commit_" + std::to_string(getpid()) + ".txt");
+    std::ofstream(file) << "0123abc 2026-01-02T03:04:05+00:00\n";
+    takeCommit(with, file);
+    std::filesystem::remove(file);
+    takeCommit(without, file);
 
     EXPECT_EQ(with.commit, "0123abc");
     EXPECT_EQ(with.date, "2026-01-02T03:04:05+00:00");

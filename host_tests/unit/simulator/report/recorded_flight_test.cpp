@@ -79,6 +79,18 @@ TEST(RecordedFlight, has_bands_of_modes_and_of_injected_faults) {
     EXPECT_EQ(document.events.back().text, "fault injected: gps:lost");
 }
 
+TEST(RecordedFlight, names_a_fault_that_was_injected_on_the_way_once) {
+    Summary summary;
+    summary.emulated_s = 100;
+    summary.events = {{60, "gps:lost"}, {61, "wind 6 m/s from 270 deg"}, {90, "gps:lost is over"}};
+    summary.faults = {{"gps:lost", 60, 90}};
+    const FlightDocument document = documentOf(summary, flown(3), MissionFile());
+
+    ASSERT_EQ(document.events.size(), 3u);
+    EXPECT_EQ(document.events[0].text, "fault injected: gps:lost");
+    for (const DocumentEvent& event : document.events) EXPECT_EQ(event.kind, "fault") << event.text;
+}
+
 TEST(RecordedFlight, has_the_heights_of_its_plan_above_the_sea) {
     MissionFile mission;
     mission.items = parseWaypoints(

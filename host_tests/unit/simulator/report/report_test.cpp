@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "simulator/report/goals.hpp"
 #include "simulator/report/recorder.hpp"
 #include "simulator/report/status_line.hpp"
 #include "simulator/report/summary.hpp"
@@ -40,6 +41,20 @@ TEST(Summary, says_what_is_known) {
     EXPECT_EQ(json["cpu_load"], 0.25);
     EXPECT_EQ(json["frame_overruns"], 0);
     EXPECT_EQ(json["items_reached"], (std::vector<int>{1, 3}));
+}
+
+TEST(Summary, has_the_goals_of_the_air_it_was_flown_in) {
+    Summary calm, windy, log;
+    windy.wind_mps = 5;
+    log.from_log = true;
+    const auto goals = [](const Summary& s) {
+        return nlohmann::json::parse(summaryJson(s))["goals"];
+    };
+
+    EXPECT_EQ(goals(calm)["landed_distance_m"], *goalOf("landed_distance_m", false, false));
+    EXPECT_EQ(goals(windy)["crosstrack_rms_m"], *goalOf("crosstrack_rms_m", true, false));
+    EXPECT_FALSE(goals(calm).contains("yaw_error_rms_deg")) << "its compass is not calibrated";
+    EXPECT_TRUE(goals(log).is_null());
 }
 
 TEST(Summary, names_the_tasks_whose_names_are_known) {
