@@ -91,7 +91,8 @@ std::string titleOf(const Summary& summary) {
     const Provenance& from = summary.provenance;
     std::string title = summary.mission;
     if (!from.airplane.empty()) title += " · " + from.airplane;
-    title += " · " + summary.firmware + " on " + summary.board;
+    title += " · " + summary.firmware;
+    if (!from.native) title += " on " + summary.board;
     if (!from.wind.empty()) title += " · " + from.wind;
     return title + " · seed " + std::to_string(summary.seed);
 }

@@ -91,6 +91,21 @@ TEST(RecordedFlight, names_a_fault_that_was_injected_on_the_way_once) {
     for (const DocumentEvent& event : document.events) EXPECT_EQ(event.kind, "fault") << event.text;
 }
 
+TEST(RecordedFlight, is_titled_by_what_flew_and_names_a_board_where_there_is_one) {
+    Summary summary;
+    summary.mission = "square.waypoints";
+    summary.firmware = "firmware_apm2.elf";
+    summary.board = "apm2";
+    summary.seed = 3;
+    EXPECT_EQ(documentOf(summary, flown(3), MissionFile()).title,
+              "square.waypoints · firmware_apm2.elf on apm2 · seed 3");
+    summary.firmware = "natively compiled";
+    summary.board = "native";
+    summary.provenance.native = true;
+    EXPECT_EQ(documentOf(summary, flown(3), MissionFile()).title,
+              "square.waypoints · natively compiled · seed 3");
+}
+
 TEST(RecordedFlight, has_the_heights_of_its_plan_above_the_sea) {
     MissionFile mission;
     mission.items = parseWaypoints(
