@@ -63,14 +63,20 @@ set(windy --wind 5,320 --gusts)
 flight_test(apm1_calm simavr 3 2 30 --board apm1 --seed 1)
 flight_test(apm1_wind simavr 5 3 60 --board apm1 --seed 2 --usb ${windy})
 foreach(seed 1 2 3)
+    set(elf_chip)
+    set(native_chip)
+    if(seed EQUAL 1)  # and the log that stays in the DataFlash
+        set(elf_chip --dataflash ${flights}/elf_wind_1/flash.bin)
+        set(native_chip --dataflash ${flights}/native_wind_1/flash.bin)
+    endif()
     set(wiring)
     if(seed EQUAL 2)  # one flight of three on the factory's wiring
         set(wiring --telemetry uart0)
     endif()
     flight_test(elf_calm_${seed} simavr 3 2 30 --seed ${seed} ${wiring})
-    flight_test(elf_wind_${seed} simavr 5 3 60 --seed ${seed} ${windy} ${wiring})
+    flight_test(elf_wind_${seed} simavr 5 3 60 --seed ${seed} ${windy} ${wiring} ${elf_chip})
     flight_test(native_calm_${seed} native 3 2 30 --native --seed ${seed} ${wiring})
-    flight_test(native_wind_${seed} native 5 3 60 --native --seed ${seed} ${windy} ${wiring})
+    flight_test(native_wind_${seed} native 5 3 60 --native --seed ${seed} ${windy} ${wiring} ${native_chip})
     foreach(air calm wind)
         declare_test(flight.same_events_${air}_${seed}
             COMMAND flight same ${flights}/elf_${air}_${seed}/summary.json
@@ -78,6 +84,9 @@ foreach(seed 1 2 3)
             AFTER elf_${air}_${seed} native_${air}_${seed} LABELS simavr)
     endforeach()
 endforeach()
+declare_test(log_tool.order_is_that_of_the_image COMMAND node --test ${tests}/scenarios/log_order.test.mjs NEEDS log_tool
+             AFTER elf_wind_1 native_wind_1 LABELS simavr ENVIRONMENT LOG_TOOL=$<TARGET_FILE:log_tool>
+             IMAGE_FLASH=${flights}/elf_wind_1/flash.bin NATIVE_FLASH=${flights}/native_wind_1/flash.bin)
 flight_test(native_mtk16 native 5.5 3.3 60 --native --gps mtk16 --seed 1 ${windy})
 flight_test(native_mtk19 native 5.5 3.3 60 --native --gps mtk19 --seed 2 ${windy})
 flight_test(native_nmea native 7 3.5 70 --native --gps nmea --seed 3 ${windy})  # once a second
