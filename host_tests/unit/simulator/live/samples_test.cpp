@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
+#include "simulator/report/recorded_series.hpp"
 #include "talking_board.hpp"
 
 using namespace simulator;
@@ -29,6 +31,21 @@ TEST(Samples, have_a_value_for_each_series_of_the_document) {
           "airspeed_mps", "ground_speed_mps", "climb_mps", "throttle_percent", "battery_v",
           "wind_mps", "wind_from_deg"})
         EXPECT_TRUE(declared.count(name)) << name;
+}
+
+// So that the page of a live flight shows what its report will show.
+TEST(Samples, are_called_as_in_a_report) {
+    for (const Json& each : seriesJson()) {
+        const std::string name = each["name"];
+        if (name == "frame_us") continue;  // reports have the mean and the longest of ten
+        const auto& all = recordedSeries();
+        const auto found = std::find_if(
+            all.begin(), all.end(), [&](const RecordedSeries& row) { return row.name == name; });
+        ASSERT_NE(found, all.end()) << name;
+        EXPECT_EQ(each["title"], found->title) << name;
+        EXPECT_EQ(each["unit"], found->unit) << name;
+        EXPECT_EQ(each["group"], found->group) << name;
+    }
 }
 
 TEST(Samples, are_the_truth_and_what_the_board_reports) {
