@@ -7,7 +7,8 @@ import { decoded } from './flight_document.mjs';
 
 const kEvery_ms = 10, kSampled_s = 0.1;
 
-const empty = (document) => ({ ...document, kind: 'live', verdict: undefined, times: [[]], events: [], bands: [], deviations: [],
+const kOffers = { modes: ['MANUAL', 'FBWA', 'AUTO'], faults: ['baro:lost', 'gps:lost', 'gps:stuck'] };
+const empty = (document) => ({ ...document, kind: 'live', offers: kOffers, verdict: undefined, times: [[]], events: [], bands: [], deviations: [],
   tables: [], series: document.series.map((each) => ({ ...each, time: 0, values: [] })) });
 
 function sampler(document) {

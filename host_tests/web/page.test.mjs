@@ -214,6 +214,25 @@ for (const [name, options] of [['report', {}], ['report_dark', { dark: true }], 
   });
 }
 
+test('nothing on the map covers anything else, however wide the page is', async () => {
+  const parts = ['#map-tools', '#map-legend', '#wind', '.leaflet-control-zoom', '.leaflet-control-scale'];
+  const page = await opened(report);
+  await page.getByRole('button', { name: 'GPS lost: dead reckoning' }).click();
+  for (const width of [390, 640, 901, 960, 1040, 1200, 1600]) {
+    await page.setViewportSize({ width, height: 800 });
+    await page.waitForTimeout(100);
+    const boxes = await Promise.all(parts.map((part) => page.locator(part).boundingBox()));
+    for (const [i, a] of boxes.entries())
+      for (const [j, b] of boxes.entries())
+        assert.ok(i >= j || a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y,
+          `${parts[i]} and ${parts[j]} at ${width} pixels`);
+  }
+  const [airplane, names] = await page.evaluate(() => ['.airplane', '.place'].map((what) =>
+    Number(getComputedStyle(document.querySelector(what).closest('.leaflet-pane')).zIndex)));
+  assert.ok(airplane > names, 'the airplane is above the names of items');
+  await page.context().close();
+});
+
 test('the report of a log shows the same flight', async () => {
   assert.ok(statSync(logReport).size <= kMax_bytes);
   const page = await opened(logReport);
@@ -274,7 +293,7 @@ test('a live flight is drawn as it comes, and does what it is asked', async () =
   await page.locator('#map').click({ position: { x: 150, y: 250 } });
   await page.getByText('done: goto').waitFor();
   await page.getByRole('button', { name: '5×', exact: true }).click();
-  await page.getByLabel('inject a fault').selectOption('gps_lost');
+  await page.getByLabel('inject a fault').selectOption('gps:lost');
   await page.getByRole('button', { name: 'set wind' }).click();
   await page.getByText('done: wind').waitFor();
   await page.waitForFunction(() => Number(document.querySelector('#timeline input').max) > 70);
@@ -288,7 +307,7 @@ test('a live flight is drawn as it comes, and does what it is asked', async () =
   assert.deepEqual(server.commands.map((command) => command.do), ['arm', 'mode', 'goto', 'speed', 'fault', 'wind', 'pause']);
   const { lat_deg, lon_deg, altitude_m } = server.commands[2];
   assert.ok(Math.abs(lat_deg - 47.4) < 0.05 && Math.abs(lon_deg - 8.54) < 0.05 && altitude_m === 60);
-  assert.deepEqual(server.commands[4], { do: 'fault', name: 'gps_lost', on: true });
+  assert.deepEqual(server.commands[4], { do: 'fault', name: 'gps:lost', on: true });
   assert.deepEqual(page.faults, []);
   await page.context().close();
   server.close();

@@ -25,11 +25,13 @@ export interface BandEntry { kind: BandKind; name: string; from_s: number; to_s?
 export interface Deviation { name: string; value: number; unit: string; goal?: number; met?: boolean }
 export interface TableEntry { title: string; note?: string; heads: string[]; rows: (string | number)[][] }
 export type Provenance = Record<string, unknown>;
+// What a live flight can be asked for: modes of its firmware, faults as PART:HOW.
+export interface Offers { modes: string[]; faults: string[] }
 
 export interface FlightDocument {
   format: 'apm-flight'; version: number; kind: 'simulated' | 'log' | 'live'; title: string;
   verdict?: { good: boolean; text: string };
-  provenance?: Provenance; plan?: Plan;
+  provenance?: Provenance; plan?: Plan; offers?: Offers;
   series: SeriesEntry[]; times: Numbers[];
   events?: EventEntry[]; bands?: BandEntry[]; deviations?: Deviation[]; tables?: TableEntry[];
 }

@@ -26,6 +26,7 @@ class LiveFlight {
   private due = false;
   private pictured = true;
   private bandsChanged = false;
+  private ended = '';  // why, once it has
 
   constructor(private readonly notice: (words: string) => void) {
     const stream = new EventSource('/live');
@@ -35,9 +36,16 @@ class LiveFlight {
     on<{ time_s: number; values: Record<string, number | null> }>('samples', ({ time_s, values }) => this.sample(time_s, values));
     on<EventEntry>('event', (entry) => this.event(entry));
     on<BandEntry>('band', (entry) => this.band(entry));
-    on<LiveStatus>('status', (status) => this.panel?.show(status));
-    stream.addEventListener('open', () => notice(''));
-    stream.addEventListener('error', () => notice('The simulator has gone; this page waits for it.'));
+    on<LiveStatus>('status', (status) => this.status(status));
+    stream.addEventListener('open', () => { this.ended = ''; notice(''); });
+    stream.addEventListener('error', () => notice(this.ended || 'The simulator has gone; this page waits for it.'));
+  }
+
+  private status(status: LiveStatus): void {
+    this.panel?.show(status);
+    if (!status.ended) return;
+    this.ended = `The flight has ended: ${status.ended}`;
+    this.notice(this.ended);
   }
 
   // The first one begins the page; a later one brings another plan, and what was flown stays.
@@ -49,7 +57,7 @@ class LiveFlight {
     }
     if (before) clear();
     this.page = show(found);
-    this.panel = new LivePanel(this.page, send, this.notice);
+    this.panel = new LivePanel(this.page, send);
   }
   private sample(time_s: number, values: Record<string, number | null>): void {
     if (!this.page) return;
@@ -92,6 +100,7 @@ class LiveFlight {
       bands.push(entry);
     }
     this.bandsChanged = true;
+    if (entry.kind === 'fault') this.panel?.faultsChanged();
   }
 }
 

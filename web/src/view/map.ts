@@ -9,8 +9,10 @@ import type { View } from '../view';
 import { kRamp, modeColour, rampColour } from './colours';
 import { Graticule } from './graticule';
 
-const kAirplane = '<svg viewBox="-17 -17 34 34" aria-hidden="true"><path d="M0-15c1.6 0 2 3 2 6v2l13 6v3.2L2 0l-.6 8 4.1 3v2.4L0 12l-5.5 1.4V11l4.1-3L-2 0l-13 2.2V-1l13-6v-2c0-3 .4-6 2-6z"/></svg>';
+const iconOf = (path: string): string => `<svg viewBox="-17 -17 34 34" aria-hidden="true"><path d="${path}"/></svg>`;
+const kAirplane = iconOf('M0-15c1.6 0 2 3 2 6v2l13 6v3.2L2 0l-.6 8 4.1 3v2.4L0 12l-5.5 1.4V11l4.1-3L-2 0l-13 2.2V-1l13-6v-2c0-3 .4-6 2-6z');
 const kPick_px = 24, kMaxPoints = 4000;
+const kAboveNames = '660';  // Leaflet's tooltips are at 650, its popups at 700
 const kTiles = 'https://tile.openstreetmap.org/{z}/{x}/{y}.png';
 
 type Placed = PlanItem & { lat_deg: number; lon_deg: number };
@@ -28,6 +30,7 @@ export class FlightMap {
   private yaw?: Series;
   private by = 'mode';
   private drawn = 0;  // samples of a live track
+  private held = false;  // by a user who has moved it
   private tail?: L.Polyline;
   onPlace?: (place: L.LatLng) => void;  // instead of the cursor's jump
 
@@ -35,9 +38,10 @@ export class FlightMap {
     this.map = L.map('map', { preferCanvas: true, zoomSnap: 0.25, zoomAnimation: false, fadeAnimation: false, attributionControl: false, keyboard: true });
     L.control.attribution({ prefix: false }).addTo(this.map);
     L.control.scale({ imperial: false }).addTo(this.map);
+    this.map.createPane('airplane').style.zIndex = kAboveNames;
     this.airplane = L.marker([0, 0], {
       icon: L.divIcon({ className: 'airplane', html: kAirplane, iconSize: [34, 34] }), interactive: false, keyboard: false,
-      zIndexOffset: 1000, alt: 'the airplane',
+      pane: 'airplane', alt: 'the airplane',
     });
     this.lat = flight.find('lat_deg', 'truth', 'estimate');
     this.lon = flight.find('lon_deg', 'truth', 'estimate');
@@ -68,7 +72,7 @@ export class FlightMap {
     for (const [at] of this.points()) bounds.extend(at);
     if (!bounds.isValid()) return;
     // a single place has no size: an airplane that stands still
-    this.map.fitBounds(bounds, { paddingTopLeft: [30, 46], paddingBottomRight: [50, 46], maxZoom: 18 });
+    this.map.fitBounds(bounds, { paddingTopLeft: [30, 46], paddingBottomRight: [50, 56], maxZoom: 18 });
   }
 
   // [place, index of the sample], so many that a canvas draws them at once.
@@ -175,6 +179,7 @@ export class FlightMap {
     const yaw = flight.smooth(this.yaw, time_s, true);
     if (picture) picture.style.transform = `rotate(${Number.isFinite(yaw) ? yaw : 0}deg)`;
     if (byId<HTMLInputElement>('follow').checked) this.map.panTo(at, { animate: false });
+    else if (this.view.live && !this.held && !this.map.getBounds().contains(at)) this.fit();
     this.wind(time_s);
   }
   private wind(time_s: number): void {
@@ -201,6 +206,10 @@ export class FlightMap {
     if (found >= 0 && this.lat) this.view.jumpTo(this.lat.times[found]);
   }
   private controls(): void {
+    const hold = (): void => { this.held = true; };
+    this.map.on('dragstart', hold);
+    for (const name of ['wheel', 'dblclick']) byId('map').addEventListener(name, hold);
+    byId('map').querySelector('.leaflet-control-zoom')?.addEventListener('click', hold);
     const by = byId<HTMLSelectElement>('track-by');
     by.addEventListener('change', () => { this.by = by.value; this.drawTrack(); });
     const tiles = byId<HTMLInputElement>('tiles');
