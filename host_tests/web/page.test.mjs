@@ -2,7 +2,7 @@
 // The page of a flight in a browser: a report, a log's report, a log that is dropped, a live flight.
 // FLY and LOG_TOOL name the programs, PAGES the folder of the pages, SHOTS where screenshots go.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -231,6 +231,18 @@ test('nothing on the map covers anything else, however wide the page is', async 
     Number(getComputedStyle(document.querySelector(what).closest('.leaflet-pane')).zIndex)));
   assert.ok(airplane > names, 'the airplane is above the names of items');
   await page.context().close();
+});
+
+test('the airplane that is drawn is the one that flew', async () => {
+  const wing = join(folder, 'wing');
+  spawnSync(FLY, ['--native', '--airplane', 'flying_wing', '--time-limit', '60', '--out', wing]);  // it ends on its way
+  for (const [path, shape] of [[report, 'with a tail'], [join(wing, 'report.html'), 'flying wing']]) {
+    const page = await opened(path);
+    await page.locator(`#attitude[data-shape="${shape}"]`).waitFor();
+    await page.waitForTimeout(300);
+    if (shape === 'flying wing') await page.locator('#attitude-box').screenshot({ path: join(SHOTS, 'wing.png') });
+    await page.context().close();
+  }
 });
 
 test('the report of a log shows the same flight', async () => {

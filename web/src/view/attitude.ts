@@ -1,40 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The airplane in three dimensions, from behind its track; what the autopilot takes to be its
 // attitude is the outline beside the truth.
-import { AmbientLight, BoxGeometry, BufferGeometry, Color, CylinderGeometry, DirectionalLight, EdgesGeometry, Group, GridHelper,
-  LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { AmbientLight, Color, DirectionalLight, EdgesGeometry, Group, GridHelper, LineBasicMaterial, LineSegments, Mesh,
+  MeshLambertMaterial, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import { byId, colour, onThemeChange } from '../dom';
 import type { Kind } from '../document';
 import type { Flight, Series } from '../flight';
 import type { View } from '../view';
+import { isFlyingWing } from './airplane';
+import { kTailed, kWing } from './shapes';
+import type { Part } from './shapes';
 
 interface Angles { roll?: Series; pitch?: Series; yaw?: Series }
 
-// Nose along -z, right wing along +x.
-const kParts: [BufferGeometry, [number, number, number], [number, number, number]][] = [
-  [new CylinderGeometry(0.13, 0.07, 2, 10), [0, 0, 0], [Math.PI / 2, 0, 0]],
-  [new BoxGeometry(2.8, 0.05, 0.42), [0, 0.14, -0.3], [0, 0, 0]],
-  [new BoxGeometry(0.95, 0.04, 0.26), [0, 0.04, 0.88], [0, 0, 0]],
-  [new BoxGeometry(0.04, 0.42, 0.28), [0, 0.22, 0.88], [0, 0, 0]],
-];
-
-function outline(): Group {
+function outline(parts: Part[]): Group {
   const group = new Group();
-  for (const [geometry, at, turned] of kParts) {
+  for (const { geometry, at } of parts) {
     const lines = new LineSegments(new EdgesGeometry(geometry, 30), new LineBasicMaterial());
     lines.position.set(...at);
-    lines.rotation.set(...turned);
     group.add(lines);
   }
   return group;
 }
 
-function solid(): Group {
+function solid(parts: Part[]): Group {
   const group = new Group();
-  for (const [geometry, at, turned] of kParts) {
+  for (const { geometry, at } of parts) {
     const mesh = new Mesh(geometry, new MeshLambertMaterial());
     mesh.position.set(...at);
-    mesh.rotation.set(...turned);
     group.add(mesh);
   }
   return group;
@@ -45,14 +38,19 @@ export class Attitude {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(35, 1, 0.1, 60);
-  private readonly airplane = solid();
-  private readonly estimated = outline();
+  private readonly parts: Part[];
+  private readonly airplane: Group;
+  private readonly estimated: Group;
   private readonly grid = new GridHelper(24, 24);
   private readonly truth: Angles;
   private readonly estimate?: Angles;
 
   // Throws where there is no WebGL.
   constructor(private readonly flight: Flight, private readonly view: View) {
+    this.parts = isFlyingWing(flight.document) ? kWing : kTailed;
+    this.airplane = solid(this.parts);
+    this.estimated = outline(this.parts);
+    this.canvas.dataset.shape = this.parts === kWing ? 'flying wing' : 'with a tail';
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, powerPreference: 'low-power' });
     this.truth = this.angles('truth', 'estimate');
     const estimate = this.angles('estimate');
@@ -81,8 +79,7 @@ export class Attitude {
     grid.transparent = true;
     grid.opacity = 0.45;
     grid.needsUpdate = true;
-    const inks = ['c7', 'c0', 'c1', 'c1'];
-    this.airplane.children.forEach((part, i) => { ((part as Mesh).material as MeshLambertMaterial).color.set(colour(inks[i])); });
+    this.airplane.children.forEach((part, i) => { ((part as Mesh).material as MeshLambertMaterial).color.set(colour(this.parts[i].ink)); });
     for (const part of this.estimated.children) ((part as LineSegments).material as LineBasicMaterial).color.set(colour('c2'));
   }
   private resize(): void {

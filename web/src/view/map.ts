@@ -6,11 +6,13 @@ import type { PlanItem } from '../document';
 import { indexAt } from '../flight';
 import type { Flight, Series } from '../flight';
 import type { View } from '../view';
+import { isFlyingWing } from './airplane';
 import { kRamp, modeColour, rampColour } from './colours';
 import { Graticule } from './graticule';
 
 const iconOf = (path: string): string => `<svg viewBox="-17 -17 34 34" aria-hidden="true"><path d="${path}"/></svg>`;
 const kAirplane = iconOf('M0-15c1.6 0 2 3 2 6v2l13 6v3.2L2 0l-.6 8 4.1 3v2.4L0 12l-5.5 1.4V11l4.1-3L-2 0l-13 2.2V-1l13-6v-2c0-3 .4-6 2-6z');
+const kWing = iconOf('M0-11c1.8 0 2.6 2 3.2 4L15 4V2h1.6v8H15L2.6 4.6 0 5.6l-2.6-1L-15 10h-1.6V2H-15v2L-3.2-7C-2.6-9-1.8-11 0-11z');
 const kPick_px = 24, kMaxPoints = 4000;
 const kAboveNames = '660';  // Leaflet's tooltips are at 650, its popups at 700
 const kTiles = 'https://tile.openstreetmap.org/{z}/{x}/{y}.png';
@@ -40,7 +42,7 @@ export class FlightMap {
     L.control.scale({ imperial: false }).addTo(this.map);
     this.map.createPane('airplane').style.zIndex = kAboveNames;
     this.airplane = L.marker([0, 0], {
-      icon: L.divIcon({ className: 'airplane', html: kAirplane, iconSize: [34, 34] }), interactive: false, keyboard: false,
+      icon: L.divIcon({ className: 'airplane', html: isFlyingWing(flight.document) ? kWing : kAirplane, iconSize: [34, 34] }), interactive: false, keyboard: false,
       pane: 'airplane', alt: 'the airplane',
     });
     this.lat = flight.find('lat_deg', 'truth', 'estimate');
