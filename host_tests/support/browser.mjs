@@ -19,8 +19,8 @@ export const launch = () => chromium.launch({
 });
 
 // A page whose errors and requests are kept: page.faults, page.requests.
-export async function open(browser, url, { width = 1200, height = 800, dark = false } = {}) {
-  const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light' });
+export async function open(browser, url, { width = 1200, height = 800, dark = false, touch = false } = {}) {
+  const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light', hasTouch: touch, isMobile: touch });
   context.setDefaultTimeout(kTimeout_ms);
   const page = await context.newPage();
   page.faults = [];

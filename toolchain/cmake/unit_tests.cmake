@@ -140,7 +140,7 @@ declare_test(web.drawn_document COMMAND node --test ${tests}/web/drawn_document.
              DATA ${page_data} LABELS unit quick REUSE)
 find_program(CHROMIUM chromium NO_CMAKE_SYSTEM_PATH)
 if(CHROMIUM)
-    foreach(name page served campaign drawn)
+    foreach(name page touch served campaign drawn)
         declare_test(web.${name} COMMAND node --test ${tests}/web/${name}.test.mjs NEEDS fly log_tool campaign drawn
                      ENVIRONMENT ${page_programs} CHROMIUM=${CHROMIUM} PAGES=${pages} SHOTS=${pages}/shots
                      DATA ${page_data} ${pages}/page.html ${pages}/campaign.html LABELS unit quick REUSE)

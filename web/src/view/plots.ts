@@ -6,6 +6,7 @@ import type { Flight, Series } from '../flight';
 import type { View } from '../view';
 import { clock, shown } from '../units';
 import { drawModes, drawTroubles } from './bands';
+import { Touch } from './touch';
 
 const kTitles: Record<string, string> = {
   height: 'Height', speed: 'Speeds', roll: 'Roll', pitch: 'Pitch', heading: 'Heading', climb: 'Climb', track: 'Crosstrack',
@@ -80,6 +81,7 @@ class Plot {
     this.plot.over.append(this.line);
     this.plot.over.setAttribute('data-group', this.group);
     this.pointer(this.plot);
+    this.touch(this.plot);
     this.move(this.view.time_s);
   }
   private options(shownSeries?: (boolean | undefined)[]): uPlot.Options {
@@ -125,7 +127,18 @@ class Plot {
   private selected(u: uPlot): void {
     const { left, width } = u.select;
     if (width > 4) this.view.zoom(u.posToVal(left, 'x'), u.posToVal(left + width, 'x'));
-    if (width > 0) u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+    if (width > 0) this.unselect(u);
+  }
+  private unselect(u: uPlot): void { u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false); }
+  private touch(u: uPlot): void {
+    const time = (x_px: number): number => u.posToVal(x_px, 'x');
+    new Touch(u.over, {
+      time,
+      drawn: (from_px, to_px) => u.setSelect({ left: from_px, top: 0, width: to_px - from_px, height: u.over.clientHeight }, false),
+      chosen: (from_px, to_px) => this.view.zoom(time(from_px), time(to_px)),
+      dropped: () => this.unselect(u),
+      zoom: (from_s, to_s) => this.view.zoom(from_s, to_s),
+    });
   }
   private pointer(u: uPlot): void {
     const to = (event: MouseEvent): void => {
