@@ -37,7 +37,7 @@ test('a document of another version is refused', () => {
 });
 
 test('the landing comes first, what the autopilot knows of itself last', () => {
-  assert.deepEqual(logic.inOrder(kGoals).map(({ name }) => name), ['Touch-down', 'Crosstrack', 'Yaw']);
+  assert.deepEqual(page.inOrder(kGoals).map(({ name }) => name), ['Touch-down', 'Crosstrack', 'Yaw']);
   assert.equal(kGoals[0], kYaw, 'the document is left as it is');
 });
 

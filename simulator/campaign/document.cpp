@@ -37,7 +37,6 @@ Json plannedOf(const CampaignFlight& flight) {
 Json drawnOf(const CampaignResult& result) {
     Json json = {{"met_all", excessOf(result) <= 1}, {"world", Json::object()}};
     for (const WorldValue& each : result.world) json["world"][each.key] = each.value;
-    if (!result.report.empty()) json["report"] = result.report;
     return json;
 }
 
@@ -49,6 +48,7 @@ Json flightOf(const CampaignResult& result) {
                  {"figures", result.figures}};
     json.update(flight.drawn ? drawnOf(result) : plannedOf(flight));
     if (!result.failure.empty()) json["failure"] = result.failure;
+    if (!result.report.empty()) json["report"] = result.report;
     if (result.touchdown) json["touchdown_m"] = {result.touchdown->first, result.touchdown->second};
     return json;
 }

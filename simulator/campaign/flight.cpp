@@ -162,9 +162,8 @@ static CampaignResult flyIn(const std::string& folder, const CampaignPrograms& p
         result.failure = complaintIn(contents(log));
     }
     if (flight.drawn) result.world = worldValuesOf(contents(fs::path(folder) / "drawn.json"));
-    for (const char* large : {"report.html", "flight.csv", "track.kml", "track.gpx"})
-        if (!flight.drawn || large != std::string("report.html"))
-            fs::remove(fs::path(folder) / large);
+    for (const char* large : {"flight.csv", "track.kml", "track.gpx"})
+        fs::remove(fs::path(folder) / large);
     return result;
 }
 

@@ -55,8 +55,8 @@ struct CampaignPrograms {
     std::string fly, drawn;
 };
 
-// Flies it in `folder`, which afterwards holds summary.json and fly.log; in a drawn world also the
-// files of that world and report.html.
+// Flies it in `folder`, which afterwards holds summary.json, fly.log and report.html; in a drawn
+// world also the files of that world.
 CampaignResult flyOne(const CampaignPrograms& programs, const CampaignFlight& flight,
                       const std::string& folder);
 

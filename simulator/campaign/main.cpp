@@ -49,16 +49,16 @@ std::string folderOf(const CampaignOptions& options, const CampaignFlight& fligh
     return fs::path(options.out) / "flights" / name;
 }
 
-// In drawn worlds: of those that failed the first, of the others those that miss a limit by most.
-class DrawnReports {
+// Of those that failed the first, of the others those that are farthest beyond a goal or a limit.
+class Reports {
 public:
-    void add(const CampaignResult& result, const fs::path& report) {
+    // `number`: of the flight in the campaign.
+    void add(const CampaignResult& result, size_t number, const fs::path& report) {
         std::error_code ignored;
-        if (!result.flight.drawn || !fs::exists(report, ignored)) return;
-        const bool good = result.failure.empty();
-        const auto seed = static_cast<double>(result.flight.seed);
-        const std::string goes =
-            good ? worst_.add(excessOf(result), report) : failed_.add(-seed, report);
+        if (!fs::exists(report, ignored)) return;
+        const std::string goes = result.failure.empty()
+                                     ? worst_.add(excessOf(result), report)
+                                     : failed_.add(-static_cast<double>(number), report);
         if (!goes.empty()) fs::remove(goes, ignored);
     }
 
@@ -80,14 +80,14 @@ std::vector<CampaignResult> flyAll(const CampaignOptions& options,
     std::vector<CampaignResult> results(flights.size());
     std::atomic<size_t> next{0};
     std::mutex at_once;
-    DrawnReports reports;
+    Reports reports;
     Progress progress(flights.size(), isatty(STDOUT_FILENO) != 0);
     const auto work = [&] {
         for (size_t i; interrupted == 0 && (i = next++) < flights.size();) {
             results[i] =
                 flyOne({CAMPAIGN_FLY, CAMPAIGN_DRAWN}, flights[i], folderOf(options, flights[i]));
             const std::lock_guard<std::mutex> lock(at_once);
-            reports.add(results[i], fs::path(folderOf(options, flights[i])) / "report.html");
+            reports.add(results[i], i, fs::path(folderOf(options, flights[i])) / "report.html");
             if (results[i].flown) progress.flown(results[i].failure.empty());
         }
     };

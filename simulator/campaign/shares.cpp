@@ -47,6 +47,16 @@ const Goal& worstGoalOf(const CampaignResult& result) {
     });
 }
 
+double plannedExcess(const CampaignResult& result) {
+    double most = 0;
+    for (const Goal& goal : goals()) {
+        const auto found = result.figures.find(goal.figure);
+        if (goal.calibrated || found == result.figures.end()) continue;
+        most = std::max(most, found->second / (result.flight.wind.calm() ? goal.calm : goal.windy));
+    }
+    return most;
+}
+
 }  // namespace
 
 std::vector<Share> sharesOf(const std::vector<CampaignResult>& results) {
@@ -57,6 +67,7 @@ std::vector<Share> sharesOf(const std::vector<CampaignResult>& results) {
 
 double excessOf(const CampaignResult& result) {
     if (!result.failure.empty()) return std::numeric_limits<double>::infinity();
+    if (!result.flight.drawn) return plannedExcess(result);
     const Goal& goal = worstGoalOf(result);
     return valueOf(result, goal.figure) / limitOf(goal);
 }

@@ -21,7 +21,8 @@ struct Share {
 
 // In the order of the goals. A flight without the figure has not met its goal.
 std::vector<Share> sharesOf(const std::vector<CampaignResult>& results);
-// How many times its limit the worst figure of a flight is; infinite when it failed.
+// How many times its limit the worst figure of a flight is, in a drawn world; else its goal, among
+// the figures that it has. Infinite when it failed.
 double excessOf(const CampaignResult& result);
 size_t meetingAll(const std::vector<CampaignResult>& results);
 

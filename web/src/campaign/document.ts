@@ -4,6 +4,7 @@
 export interface Flown {
   seed: number; command: string; completed: boolean; figures: Record<string, number>; failure?: string;
   touchdown_m?: [long: number, right: number];
+  report?: string;
 }
 export interface Figure { figure: string; name: string; unit: string }
 interface Document {
@@ -14,18 +15,26 @@ export interface Flight extends Flown { airplane: string; mission: string; wind:
 export interface Goal extends Figure { calm: number; windy: number }
 export interface Campaign extends Document { kind: 'planned'; goals: Goal[]; flights: Flight[] }
 
-export interface DrawnFlight extends Flown { met_all: boolean; world: Record<string, number>; report?: string }
+export interface DrawnFlight extends Flown { met_all: boolean; world: Record<string, number> }
 export interface Limit extends Figure { limit: number }
 export interface Drawn { key: string; name: string; unit: string }
 export interface DrawnCampaign extends Document {
   kind: 'drawn'; limit_times: number; met_all: number; drawn: Drawn[]; goals: Limit[]; flights: DrawnFlight[];
 }
 
-export function parse(text: string): Campaign | DrawnCampaign {
-  const found = JSON.parse(text) as Partial<Campaign | DrawnCampaign>;
+export type AnyCampaign = Campaign | DrawnCampaign;
+
+export function parse(text: string): AnyCampaign {
+  const found = JSON.parse(text) as Partial<AnyCampaign>;
   if (found.format !== 'apm-campaign' || found.version !== 2) throw new Error('this is no campaign');
-  return found as Campaign | DrawnCampaign;
+  return found as AnyCampaign;
 }
+
+// Whether it lands and where, then how it keeps its way, then what it knows of itself.
+const kOrder = ['landed_distance_m', 'touchdown_sink_mps', 'crosstrack_rms_m', 'crosstrack_settled_rms_m', 'altitude_level_rms_m',
+  'altitude_sloped_rms_m', 'airspeed_rms_mps', 'loiter_radius_rms_m'];
+const placeOf = ({ figure }: Figure): number => (kOrder.includes(figure) ? kOrder.indexOf(figure) : kOrder.length);
+export const inOrder = <T extends Figure>(figures: T[]): T[] => [...figures].sort((a, b) => placeOf(a) - placeOf(b));
 
 export const different = (names: string[]): string[] => [...new Set(names)];
 export const goalFor = (goal: Goal, flight: Flight): number => (flight.calm ? goal.calm : goal.windy);
@@ -44,6 +53,10 @@ export function shareWithin(flights: Flight[], goal: Goal): number {
   const known = flights.filter(({ figures }) => Number.isFinite(figures[goal.figure]));
   return known.length === 0 ? NaN : known.filter((flight) => flight.figures[goal.figure] <= goalFor(goal, flight)).length / known.length;
 }
+
+// A figure that a flight does not have is held against nothing.
+export const keepsAll = (flight: Flight, goals: Goal[]): boolean => flight.completed
+  && goals.every((goal) => !(flight.figures[goal.figure] > goalFor(goal, flight)));
 
 export interface Worst { flight: Flight; goal?: Goal; times: number }
 

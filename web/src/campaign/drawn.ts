@@ -5,10 +5,11 @@ import { byId, make } from '../dom';
 import { table } from '../view/tables';
 import { plotted, scattered } from './charts';
 import { again } from './copy';
-import { sortedValues } from './document';
+import { inOrder, sortedValues } from './document';
+import { bar, box, percent, reportLink, scrolling, tile } from './parts';
 import type { DrawnCampaign, DrawnFlight, Limit } from './document';
-import { dependences, failuresOf, inOrder, meets, misses, shareOf } from './drawn_document';
-import type { Dependence, Part, Share } from './drawn_document';
+import { dependences, failuresOf, meets, misses, shareOf } from './drawn_document';
+import type { Dependence, Part } from './drawn_document';
 
 const kWorst = 10, kFailures = 8, kSeeds = 12, kDependences = 12;
 const kLanding = 'landed_distance_m';
@@ -19,7 +20,6 @@ const kWhat = 'Each number is a world: an airplane of 0.5 to 8 kg with the deriv
   + '10 m/s, gusts, thermals; a field anywhere from 70°S to 70°N, up to 3,000 m high. A third is thrown. AUTOTUNE flies first, from the defaults '
   + 'and what an owner knows, then a box with a climb, a descent, a loiter and a landing on what it found.';
 
-const percent = (met: number, all: number): string => `${all === 0 ? 0 : Math.floor(100 * met / all)} %`;
 const shown = (value: number): string => (Number.isFinite(value) ? value.toFixed(2) : '');
 const amount = (value: number): string => (Math.abs(value) >= 100 ? value.toFixed(0) : String(+value.toPrecision(2)));
 
@@ -37,10 +37,6 @@ function head(campaign: DrawnCampaign): void {
     `${(emulated_s / 3600).toFixed(1)} h of flight in ${(wall_s / 60).toFixed(1)} min`, 'natively compiled firmware'].join(' · ');
 }
 
-function tile(value: string, label: string, about: string): HTMLElement {
-  return make('div', { class: 'tile' }, make('b', {}, value), make('span', {}, label), make('span', { class: 'soft' }, about));
-}
-
 function tiles({ flights, goals, met_all }: DrawnCampaign): HTMLElement {
   const of = (met: number): string => `${met} of ${flights.length}`, done = flights.filter(({ completed }) => completed).length;
   const landing = goals.find(({ figure }) => figure === kLanding), misses_one = flights.filter((flight) => flight.completed
@@ -52,16 +48,10 @@ function tiles({ flights, goals, met_all }: DrawnCampaign): HTMLElement {
     tile(String(misses_one), 'miss one limit alone', 'flown to the end'));
 }
 
-function bar({ met, flights }: Share): HTMLElement {
-  const fill = make('i');
-  fill.style.width = `${flights === 0 ? 0 : 100 * met / flights}%`;
-  return make('div', { class: 'share' }, make('span', { class: 'track' }, fill), make('b', {}, percent(met, flights)));
-}
-
 function limits({ flights, goals }: DrawnCampaign): HTMLElement {
   return table(['figure', 'limit', 'flights within', 'median', '95 of 100', 'worst', 'its world'], inOrder(goals).map((limit) => {
     const share = shareOf(flights, limit);
-    return [`${limit.name}, ${limit.unit}`, shown(limit.limit), bar(share), shown(share.median), shown(share.p95), shown(share.worst), share.worst_seed ?? ''];
+    return [`${limit.name}, ${limit.unit}`, shown(limit.limit), bar(share.met, share.flights), shown(share.median), shown(share.p95), shown(share.worst), share.worst_seed ?? ''];
   }));
 }
 
@@ -89,12 +79,10 @@ function airplaneOf({ world }: DrawnFlight): string {
   return `${amount(world.mass_kg)} kg, ${world.thrown ? 'thrown' : 'wheels'}, stall ${amount(world.stall_mps)}; servo ${amount(world.servo_s)} s; GPS ${world.gps_rate_hz} Hz ${world.gps_age_ms.toFixed(0)} ms; wind ${amount(world.wind_mps)}, gusts ${amount(world.gust_mps)}`;
 }
 
-const reportOf = ({ report, seed }: DrawnFlight): Node | string => (report ? make('a', { href: report, 'aria-label': `report of world ${seed}` }, 'report') : '');
-
 function worst(campaign: DrawnCampaign): HTMLElement {
   return table(['world', 'worst figure', 'value', 'limit', 'times', 'what was drawn', 'report', 'fly it again'], misses(campaign).slice(0, kWorst).map(({ flight, limit, times }) => [
     make('b', {}, String(flight.seed)), `${limit.name}, ${limit.unit}`, limit.figure in flight.figures ? shown(flight.figures[limit.figure]) : 'none', shown(limit.limit),
-    Number.isFinite(times) ? make('span', { class: 'missed' }, times.toFixed(1)) : '', airplaneOf(flight), reportOf(flight), again(flight.command)]));
+    Number.isFinite(times) ? make('span', { class: 'missed' }, times.toFixed(1)) : '', airplaneOf(flight), reportLink(flight.report, `world ${flight.seed}`), again(flight.command)]));
 }
 
 function seeds(flights: DrawnFlight[]): HTMLElement {
@@ -137,20 +125,17 @@ function depends(campaign: DrawnCampaign): HTMLElement[] {
     make('p', { class: 'soft' }, `the ${Math.min(kDependences, campaign.drawn.length)} it depends on most; flights in thirds by what was drawn`)];
 }
 
-const box = (title: string, ...children: Node[]): HTMLElement => make('section', { class: 'box' }, make('h2', {}, title), ...children);
-const region = (name: string, child: Node): HTMLElement => make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': name }, child);
-
 export function showDrawn(campaign: DrawnCampaign): void {
   const { flights, goals, met_all } = campaign, missing = misses(campaign).length, failures = flights.filter(({ completed }) => !completed).length;
   head(campaign);
   byId('campaign-main').append(
     tiles(campaign),
     make('div', { class: 'columns wide-left' },
-      box(`Limits: every limit met by ${met_all} of ${flights.length}`, region('Limits', limits(campaign))),
+      box(`Limits: every limit met by ${met_all} of ${flights.length}`, scrolling('Limits', limits(campaign))),
       box('Touch-downs', ...touchdowns(campaign))),
     make('div', { id: 'distributions', class: 'drawn' }, ...inOrder(goals).map((limit) => distribution(flights, limit))),
-    box(`The worst ${Math.min(kWorst, missing)} of ${missing} that were flown to the end and miss a limit`, region('The worst flights', worst(campaign))),
+    box(`The worst ${Math.min(kWorst, missing)} of ${missing} that were flown to the end and miss a limit`, scrolling('The worst flights', worst(campaign))),
     make('div', { class: 'columns halves' },
       make('section', { class: 'box' }, ...depends(campaign)),
-      make('div', { class: 'stack' }, box(`Failed: ${failures} of ${flights.length}`, region('Failed flights', failed(flights))), box('What is drawn', make('p', {}, kWhat)))));
+      make('div', { class: 'stack' }, box(`Failed: ${failures} of ${flights.length}`, scrolling('Failed flights', failed(flights))), box('What is drawn', make('p', {}, kWhat)))));
 }

@@ -3,12 +3,6 @@
 import { percentile, sortedValues } from './document';
 import type { Drawn, DrawnCampaign, DrawnFlight, Limit } from './document';
 
-// Whether it lands and where, then how it keeps its way, then what it knows of itself.
-const kOrder = ['landed_distance_m', 'touchdown_sink_mps', 'crosstrack_rms_m', 'crosstrack_settled_rms_m', 'altitude_level_rms_m',
-  'altitude_sloped_rms_m', 'airspeed_rms_mps', 'loiter_radius_rms_m'];
-const rank = ({ figure }: Limit): number => (kOrder.includes(figure) ? kOrder.indexOf(figure) : kOrder.length);
-export const inOrder = (limits: Limit[]): Limit[] => [...limits].sort((a, b) => rank(a) - rank(b));
-
 // A flight that does not have the figure has not met its limit.
 export const meets = (flight: DrawnFlight, { figure, limit }: Limit): boolean => flight.figures[figure] <= limit;
 

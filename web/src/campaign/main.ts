@@ -4,12 +4,14 @@ import { byId, colour, make } from '../dom';
 import { table } from '../view/tables';
 import { airplaneColour, distribution, scatter } from './charts';
 import { again } from './copy';
-import { different, goalFor, parse, percentile, sortedValues, worst } from './document';
+import { different, goalFor, inOrder, keepsAll, parse, percentile, sortedValues, worst } from './document';
 import type { Campaign, Flight, Worst } from './document';
 import { showDrawn } from './drawn';
+import { box, percent, reportLink, scrolling, tile } from './parts';
 
-const kWorst = 10, kMaxFailures = 50;
+const kWorst = 10, kMaxFailures = 50, kLanding = 'landed_distance_m';
 
+const nameOf = ({ airplane, mission, wind, seed }: Flight): string => `${airplane} ${mission} ${wind}, seed ${seed}`;
 const groupOf = ({ airplane, mission, wind }: Flight): string => `${airplane} ${mission} ${wind}`;
 const count = (all: string[], word: string): string => `${different(all).length} ${word}${different(all).length === 1 ? '' : 's'}`;
 
@@ -24,6 +26,18 @@ function head(campaign: Campaign): void {
     'natively compiled firmware · sensor errors and gusts drawn from each seed'].join(' · ');
 }
 
+function tiles({ flights, goals, planned }: Campaign): HTMLElement {
+  const of = (count_: number): string => `${count_} of ${flights.length}`;
+  const kept = flights.filter((flight) => keepsAll(flight, goals)).length, done = flights.filter(({ completed }) => completed).length;
+  const landing = goals.find(({ figure }) => figure === kLanding);
+  const landed = flights.filter((flight) => landing && flight.figures[kLanding] <= goalFor(landing, flight)).length;
+  return make('div', { id: 'tiles' },
+    tile(percent(kept, flights.length), 'every goal kept', `by ${of(kept)}`),
+    tile(percent(done, flights.length), 'flown to the end', of(done)),
+    ...(landing ? [tile(percent(landed, flights.length), 'touched down in place', `within ${landing.calm} m, in wind ${landing.windy} m`)] : []),
+    ...(flights.length < planned ? [tile(String(planned - flights.length), 'not flown', `of ${planned}`)] : []));
+}
+
 function legend(campaign: Campaign): HTMLElement {
   const entries = different(campaign.flights.map(({ airplane }) => airplane)).map((airplane) => {
     const line = make('i');
@@ -36,12 +50,12 @@ function legend(campaign: Campaign): HTMLElement {
 }
 
 function worstTable(all: Worst[]): HTMLElement {
-  return table(['flight', 'seed', 'worst figure', 'value', 'goal', 'times', 'fly it again'], all.map(({ flight, goal, times }) => [
+  return table(['flight', 'seed', 'worst figure', 'value', 'goal', 'times', 'report', 'fly it again'], all.map(({ flight, goal, times }) => [
     groupOf(flight), flight.seed,
     flight.failure ? make('span', { class: 'missed' }, flight.failure) : goal ? `${goal.name}, ${goal.unit}` : '',
     goal && !flight.failure ? flight.figures[goal.figure].toFixed(2) : '', goal && !flight.failure ? goalFor(goal, flight) : '',
     Number.isFinite(times) ? make('span', { class: times > 1 ? 'missed' : 'met' }, times.toFixed(2)) : '',
-    again(flight.command),
+    reportLink(flight.report, nameOf(flight)), again(flight.command),
   ]));
 }
 
@@ -74,15 +88,15 @@ class Page {
     const draw = (): void => this.draw();
     this.mission = chosen('Mission', ['every mission', ...different(flights.map(({ mission }) => mission))], draw);
     this.wind = chosen('Wind', ['every wind', ...different(flights.map(({ wind }) => wind))], draw);
-    const figures = different([...goals.map(({ figure }) => figure), ...flights.flatMap((flight) => Object.keys(flight.figures))]);
+    const figures = different([...inOrder(goals).map(({ figure }) => figure), ...flights.flatMap((flight) => Object.keys(flight.figures))]);
     this.figure = chosen('Figure', figures.filter((figure) => flights.some((flight) => figure in flight.figures)), draw);
-    byId('campaign-main').append(
+    byId('campaign-main').append(tiles(campaign),
       make('div', { class: 'bar' }, make('h2', {}, 'Goals kept'), legend(campaign), make('span', { class: 'grow' }), this.mission, this.wind),
       this.charts,
       make('div', { class: 'columns' },
-        make('section', { class: 'box' }, make('h2', {}, 'Touch-downs'), make('p', { class: 'soft' }, 'filled: calm; rings: wind; circles: the goals'), this.landing),
-        make('section', { class: 'box' }, make('h2', {}, `The worst ${Math.min(kWorst, flights.length)}, by their worst figure over its goal`),
-          make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'The worst flights' }, worstTable(worst(campaign, kWorst))))),
+        box('Touch-downs', make('p', { class: 'soft' }, 'filled: calm; rings: wind; circles: the goals'), this.landing),
+        box(`The worst ${Math.min(kWorst, flights.length)}, by their worst figure over its goal`,
+          scrolling('The worst flights', worstTable(worst(campaign, kWorst))))),
       make('section', { class: 'box' }, make('div', { class: 'bar' }, make('h2', {}, 'Spread of'), this.figure), this.spread));
     this.failures();
     this.draw();
@@ -93,7 +107,7 @@ class Page {
   }
   private draw(): void {
     const flights = this.shown();
-    this.charts.replaceChildren(...this.campaign.goals.map((goal) => distribution(this.campaign, flights, goal)).filter((each) => each !== undefined));
+    this.charts.replaceChildren(...inOrder(this.campaign.goals).map((goal) => distribution(this.campaign, flights, goal)).filter((each) => each !== undefined));
     this.landing.replaceChildren(scatter(this.campaign, flights));
     this.spread.replaceChildren(spreads(flights, this.figure.value));
   }
@@ -102,7 +116,7 @@ class Page {
     if (failed.length === 0) return;
     byId('campaign-main').prepend(make('details', { class: 'box', open: failed.length <= 3 },
       make('summary', {}, `${failed.length} flights failed`), ...failed.slice(0, kMaxFailures).map((flight) =>
-        make('p', {}, make('b', {}, `${groupOf(flight)}, seed ${flight.seed}: `), flight.failure ?? '', make('br'), make('code', {}, flight.command)))));
+        make('p', {}, make('b', {}, `${nameOf(flight)}: `), flight.failure ?? '', ' ', reportLink(flight.report, nameOf(flight)), make('br'), make('code', {}, flight.command)))));
   }
 }
 

@@ -109,6 +109,31 @@ TEST(Campaign, shows_what_was_flown_in_a_table_and_on_a_page) {
     EXPECT_FALSE(fs::exists(out / "flights/foam_trainer-first_flight-calm-4/flight.csv"));
 }
 
+TEST(Campaign, leaves_the_reports_of_the_ten_worst_flights) {
+    const fs::path out = folder("reports");
+    firstFlights("1-12", out);
+
+    std::vector<double> reported, others;  // by how many times its goal the worst figure is
+    const auto json = nlohmann::json::parse(contents(out / "campaign.json"));
+    for (const auto& flight : json["flights"]) {
+        double most = 0;
+        for (const auto& goal : json["goals"])
+            if (flight["figures"].contains(goal["figure"]))
+                most = std::max(most,
+                                flight["figures"][goal["figure"].get<std::string>()].get<double>() /
+                                    goal["calm"].get<double>());
+        const bool has = flight.contains("report");
+        (has ? reported : others).push_back(most);
+        if (has) {
+            EXPECT_TRUE(fs::exists(out / flight["report"].get<std::string>())) << flight["report"];
+        }
+    }
+    ASSERT_EQ(reported.size(), 10u);
+    ASSERT_EQ(others.size(), 2u);
+    EXPECT_GE(*std::min_element(reported.begin(), reported.end()),
+              *std::max_element(others.begin(), others.end()));
+}
+
 TEST(Campaign, writes_of_drawn_worlds_what_was_drawn_and_leaves_the_report) {
     const fs::path out = folder("drawn");
     const Outcome run = campaign("--drawn 2-2 --out " + out.string());
