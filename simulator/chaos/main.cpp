@@ -4,12 +4,14 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <set>
 
+#include "simulator/chaos/document.hpp"
 #include "simulator/chaos/generator.hpp"
 #include "simulator/chaos/options.hpp"
 #include "simulator/chaos/outcome.hpp"
@@ -25,6 +27,9 @@ namespace fs = std::filesystem;
 
 constexpr unsigned kMaxTries = 120;   // of one shrinking
 constexpr size_t kShrunkPerName = 3;  // scenarios of the same invariant that are cut down
+constexpr size_t kListed = 5000;      // flights that the document names; those that violate all
+constexpr const char* kPage = "campaign.html";
+constexpr const char* kDocument = "campaign.json";
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -39,7 +44,9 @@ public:
         : options_(options), parameters_(readParameterRows(CHAOS_PARAMETERS)) {}
 
     int all() {
+        const auto begun = std::chrono::steady_clock::now();
         makeFolder(options_.out);
+        for (const char* name : {kPage, kDocument}) mustBeWritable(fs::path(options_.out) / name);
         for (uint64_t next = 0;
              (next < options_.flights && interrupted == 0) || !flying_.empty();) {
             while (flying_.size() < options_.jobs && next < options_.flights && interrupted == 0)
@@ -48,6 +55,7 @@ public:
         }
         for (const auto& [seed, failure] : failures_) report(seed, failure);
         std::cout << "\n" << totals_.text();
+        write(std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count());
         return totals_.violated() == 0 && interrupted == 0 ? 0 : 1;
     }
 
@@ -77,6 +85,8 @@ private:
             std::cout << "seed " << flown.seed << ": " << outcome.violations.front().line()
                       << std::endl;
         if (!outcome.violations.empty()) failures_[flown.seed] = {flown.scenario, outcome};
+        if (!outcome.violations.empty() || listed_.size() < kListed)
+            listed_[flown.seed] = flownScenario(flown.seed, flown.scenario, outcome);
         flying_.erase(found);
         if (++flown_ % 100 == 0)
             std::cout << flown_ << " flights, " << failures_.size() << " failed" << std::endl;
@@ -97,15 +107,35 @@ private:
         const fs::path file =
             fs::path(options_.out) / (first.name + "_" + std::to_string(seed) + ".scenario");
         writeFile(file, "# " + first.line() + "\n" + textOf(least));
-        std::cout << "  toolchain/chaos" << (options_.firmware.empty() ? "" : " --elf")
-                  << " --replay " << file.string() << "\n";
+        listed_[seed].file = file.filename();
+        std::cout << "  toolchain/chaos" << firmwareOption() << " --replay " << file.string()
+                  << "\n";
         if (shrinks) std::cout << textOf(least);
+    }
+
+    std::string firmwareOption() const {
+        if (options_.firmware.empty()) return "";
+        return options_.firmware == CHAOS_IMAGE ? " --elf" : " --firmware " + options_.firmware;
+    }
+
+    void write(double wall_s) const {
+        const std::string firmware = options_.firmware.empty()
+                                         ? "natively compiled firmware"
+                                         : fs::path(options_.firmware).filename().string();
+        const ChaosRun run{options_.flights, firmware, firmwareOption(), options_.out, wall_s};
+        std::vector<FlownScenario> flights;
+        for (const auto& [seed, flown] : listed_) flights.push_back(flown);
+        const fs::path page = fs::path(options_.out) / kPage;
+        writeFile(page, chaosPage(run, totals_, flights));
+        writeFile(fs::path(options_.out) / kDocument, chaosJson(run, totals_, flights));
+        std::cout << "page: " << page.string() << "\n";
     }
 
     const ChaosOptions& options_;
     const std::vector<ParameterRow> parameters_;
     std::map<int, Flying> flying_;
     std::map<uint64_t, Failure> failures_;
+    std::map<uint64_t, FlownScenario> listed_;
     std::map<std::string, size_t> shrunk_;
     Totals totals_;
     uint64_t flown_ = 0;

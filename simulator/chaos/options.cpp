@@ -16,7 +16,8 @@ constexpr char kFooter[] =
     "Exit status: 0 when nothing was violated, 1 when something was, 2 when the command line or a\n"
     "file is wrong. A scenario that violates an invariant is cut down to what it needs, written "
     "to\n"
-    "the folder of --out, and printed as the command that flies it again. docs/chaos.md says more.";
+    "the folder of --out, and printed as the command that flies it again. The folder also gets a\n"
+    "page, campaign.html, and campaign.json. docs/chaos.md says more.";
 constexpr uint64_t kMaxFlights = 10'000'000;
 constexpr unsigned kMaxJobs = 256;
 
@@ -47,7 +48,8 @@ ParsedChaos parseChaosOptions(int count, char** words) {
         ->check(CLI::ExistingFile);
     app.add_flag("--no-shrink", o.no_shrink, "leaves scenarios as they were drawn")
         ->disable_flag_override();
-    app.add_option("--out", o.out, "folder for scenarios that failed")->capture_default_str();
+    app.add_option("--out", o.out, "folder for the page and for scenarios that failed")
+        ->capture_default_str();
     try {
         app.parse(count, words);
         if (elf && o.firmware.empty()) o.firmware = CHAOS_IMAGE;

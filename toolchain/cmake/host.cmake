@@ -94,11 +94,12 @@ target_compile_definitions(campaign PRIVATE CAMPAIGN_FLY="${CMAKE_BINARY_DIR}/fl
 if(NOT SANITIZE)
     set(chaos ${CMAKE_SOURCE_DIR}/simulator/chaos)
     # what flies nothing
-    add_library(chaos_parts STATIC ${chaos}/scenario.cpp ${chaos}/generator.cpp ${chaos}/shrink.cpp)
+    add_library(chaos_parts STATIC ${chaos}/scenario.cpp ${chaos}/generator.cpp ${chaos}/shrink.cpp
+                ${chaos}/totals.cpp ${chaos}/document.cpp)
     target_compile_options(chaos_parts PRIVATE ${PROJECT_WARNINGS})
     target_precompile_headers(chaos_parts REUSE_FROM host_headers)
-    target_link_libraries(chaos_parts PUBLIC mavlink simulator_world)
-    project_program(chaos ${chaos}/main.cpp ${chaos}/options.cpp ${chaos}/totals.cpp ${chaos}/station.cpp
+    target_link_libraries(chaos_parts PUBLIC mavlink simulator_report simulator_invariants simulator_world)
+    project_program(chaos ${chaos}/main.cpp ${chaos}/options.cpp ${chaos}/station.cpp
                     ${chaos}/drill.cpp ${chaos}/flight.cpp ${chaos}/flight_process.cpp
                     simulator/parameter_file.cpp toolchain/param_tool/settings.cpp
                     toolchain/mission_tool/wrong_input.cpp

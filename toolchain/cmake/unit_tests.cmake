@@ -130,7 +130,8 @@ foreach(file IN LISTS airplane_parameters)
 endforeach()
 
 # ---- the pages, in a browser where there is one
-set(page_programs FLY=$<TARGET_FILE:fly> LOG_TOOL=$<TARGET_FILE:log_tool> CAMPAIGN=$<TARGET_FILE:campaign>)
+set(page_programs FLY=$<TARGET_FILE:fly> LOG_TOOL=$<TARGET_FILE:log_tool> CAMPAIGN=$<TARGET_FILE:campaign>
+    CHAOS=$<TARGET_FILE:chaos>)
 file(GLOB page_tests CONFIGURE_DEPENDS ${tests}/web/*.mjs ${tests}/support/*.mjs)
 set(page_data ${page_tests} ${page_sources} ${CMAKE_SOURCE_DIR}/docs/failsafes.md
     ${CMAKE_SOURCE_DIR}/simulator/ground/telemetry.cpp)
@@ -140,8 +141,8 @@ declare_test(web.drawn_document COMMAND node --test ${tests}/web/drawn_document.
              DATA ${page_data} LABELS unit quick REUSE)
 find_program(CHROMIUM chromium NO_CMAKE_SYSTEM_PATH)
 if(CHROMIUM)
-    foreach(name page touch served campaign drawn)
-        declare_test(web.${name} COMMAND node --test ${tests}/web/${name}.test.mjs NEEDS fly log_tool campaign drawn
+    foreach(name page touch served campaign drawn chaos)
+        declare_test(web.${name} COMMAND node --test ${tests}/web/${name}.test.mjs NEEDS fly log_tool campaign drawn chaos
                      ENVIRONMENT ${page_programs} CHROMIUM=${CHROMIUM} PAGES=${pages} SHOTS=${pages}/shots
                      DATA ${page_data} ${pages}/page.html ${pages}/campaign.html LABELS unit quick REUSE)
     endforeach()

@@ -22,7 +22,19 @@ export interface DrawnCampaign extends Document {
   kind: 'drawn'; limit_times: number; met_all: number; drawn: Drawn[]; goals: Limit[]; flights: DrawnFlight[];
 }
 
-export type AnyCampaign = Campaign | DrawnCampaign;
+// Of flights of chaos: an event, an airplane; how often it came, in how many flights, and what became of those.
+export interface Happened { name: string; times: number; flights: number; crashed: number; violated: number }
+export interface Violation { time_s: number; name: string; numbers: string }
+export interface ChaosFlight {
+  seed: number; command: string; airplane: string; wind_mps: number; gusts: boolean; emulated_s: number; airborne: boolean; crashed: boolean;
+  must_survive: boolean; events: Record<string, number>; violations: Violation[]; scenario?: string; replay?: string;
+}
+export interface ChaosCampaign extends Document {
+  kind: 'chaos'; firmware: string; flown: number; airborne: number; crashed: number; must_survive: number; violated: number;
+  airplanes: Happened[]; events: Happened[]; violations: { name: string; flights: number }[]; flights: ChaosFlight[];
+}
+
+export type AnyCampaign = Campaign | DrawnCampaign | ChaosCampaign;
 
 export function parse(text: string): AnyCampaign {
   const found = JSON.parse(text) as Partial<AnyCampaign>;

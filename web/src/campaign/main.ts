@@ -3,6 +3,7 @@
 import { byId, colour, make } from '../dom';
 import { table } from '../view/tables';
 import { airplaneColour, distribution, scatter } from './charts';
+import { showChaos } from './chaos';
 import { again } from './copy';
 import { different, goalFor, inOrder, keepsAll, parse, percentile, sortedValues, worst } from './document';
 import type { Campaign, Flight, Worst } from './document';
@@ -123,6 +124,8 @@ class Page {
 const campaign = parse(byId('campaign').textContent ?? '');
 if (campaign.kind === 'drawn') {
   showDrawn(campaign);
+} else if (campaign.kind === 'chaos') {
+  showChaos(campaign);
 } else {
   head(campaign);
   new Page(campaign);
