@@ -26,8 +26,8 @@ std::unique_ptr<live::Live> makeLive(const FlyOptions& options, Board& board, in
         live.http_port = options.http ? *options.http : options.listen == 0 ? 0 : kUsualPort;
     live.any_port = !options.http;
     live.origin.provenance = provenanceJson(provenanceOf(options, settings));
-    if (!options.serve)
-        live.origin.title = std::filesystem::path(options.mission).filename().string() + ", live";
+    const std::filesystem::path flown = options.serve ? options.airplane : options.mission;
+    live.origin.title = flown.filename().string() + ", live";
     live.origin.start = board.world().truth();
     live.page = livePage();
     live.say = [](const std::string& line) { std::cout << line << std::endl; };

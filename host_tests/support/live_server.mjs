@@ -44,7 +44,7 @@ class Replay {
   }
   status() {
     const { armed, mode, paused } = this.state;
-    const text = JSON.stringify({ armed, mode, item: 2, speed: 10, paused, clients: 1 });
+    const text = JSON.stringify({ armed, mode, item: 2, speed: 10, times: 10, paused, clients: 1 });
     if (text === this.said) return;
     this.said = text;
     this.send('status', JSON.parse(text));

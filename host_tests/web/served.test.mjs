@@ -40,7 +40,11 @@ async function served(body, words = kServe, init = undefined) {
 
 const state = (page) => page.locator('#live-panel .state');
 const says = (page, text) => page.locator('#message-list li').filter({ hasText: text }).first().waitFor();
-const speed = (page, name) => page.getByRole('group', { name: 'Speed of the simulation' }).getByRole('button', { name, exact: true }).click();
+async function speed(page, name) {
+  const button = page.getByRole('group', { name: 'Speed of the simulation' }).getByRole('button', { name, exact: true });
+  await button.click();
+  await page.getByRole('group', { name: 'Speed of the simulation' }).locator('[aria-pressed="true"]').getByText(name, { exact: true }).waitFor();
+}
 const shown = (page, series) => page.locator(`.plot-head button[title^="${series},"]`).first().locator('b').textContent();
 const height_m = async (page) => parseFloat(await shown(page, 'height_m'));
 const place = (page) => page.locator('.airplane').evaluate((element) => element.style.transform);
@@ -70,6 +74,7 @@ async function takeOff(page) {
 
 test('a flight by the page: arm, modes, fly to here, pause, speed, faults, wind', () => served(async (page, flight) => {
   await page.getByText(/^disarmed · /).waitFor();
+  assert.equal(await page.locator('#subtitle').textContent(), 'foam_trainer, live');
   assert.equal(await page.getByLabel('end a fault').isDisabled(), true);
   await takeOff(page);
   await page.locator('#map .place').filter({ hasText: '2 loiter unlim' }).waitFor();  // of the mission that the board holds

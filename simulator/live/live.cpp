@@ -134,6 +134,7 @@ void Live::announceStatus(bool again) {
                  {"mode", said.heard() ? modeName(said.mode()) : "unknown"},
                  {"item", said.current()},
                  {"paused", clock_.paused()},
+                 {"times", clock_.times() > 0 ? Json(clock_.times()) : Json("max")},
                  {"clients", clients_}};
     if (!ended_.empty()) json["ended"] = ended_;
     const std::string fixed = dumped(json);

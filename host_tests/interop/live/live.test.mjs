@@ -86,8 +86,9 @@ onNative('a flight by the page: arm, take off, fly to here, fail, pause, end', w
   await served.must({ do: 'resume' });
   await served.must({ do: 'speed', times: 'max' });
   await stream.until('samples', ({ time_s }) => time_s > stood_s + 30);
-  await stream.until('status', ({ speed }) => speed > 25, 'a speed of more than 25 times real time');
+  await stream.until('status', ({ speed, times }) => speed > 25 && times === 'max', 'a speed of more than 25 times real time');
   await served.must({ do: 'speed', times: 5 });
+  await stream.until('status', ({ times }) => times === 5);
   await served.must({ do: 'mode', mode: 'RTL' });
   await stream.until('status', ({ mode }) => mode === 'RTL');
 

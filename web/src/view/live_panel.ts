@@ -7,7 +7,7 @@ import type { Page } from '../page';
 import type { Answer, Command } from '../source/live';
 import { Sticks } from './sticks';
 
-export interface LiveStatus { armed: boolean; mode: string; item: number; speed: number; paused: boolean; clients: number; ended?: string }
+export interface LiveStatus { armed: boolean; mode: string; item: number; speed: number; times: number | 'max'; paused: boolean; clients: number; ended?: string }
 type Send = (command: Command) => Promise<Answer>;
 
 const kSpeeds: [string, number | 'max'][] = [['1×', 1], ['2×', 2], ['5×', 5], ['10×', 10], ['max', 'max']];
@@ -29,6 +29,7 @@ export class LivePanel {
   private readonly pause = make('button', { id: 'pause', type: 'button' }, 'pause');
   private readonly goTo = make('button', { id: 'goto', type: 'button', 'aria-pressed': 'false' }, 'fly to here');
   private readonly height = make('input', { type: 'number', value: 60, min: 10, max: 500, 'aria-label': 'Height of fly to here, m' });
+  private readonly speeds = kSpeeds.map(([name, times]) => this.speed(name, times));
   private readonly over = this.choice('end a fault', [], (name) => void this.do({ do: 'fault', name, on: false }));
   private status?: LiveStatus;
 
@@ -59,6 +60,11 @@ export class LivePanel {
     });
     return select;
   }
+  private speed(name: string, times: number | 'max'): HTMLElement {
+    const button = make('button', { type: 'button', 'aria-pressed': 'false' }, name);
+    button.addEventListener('click', () => void this.do({ do: 'speed', times }));
+    return button;
+  }
   private flying(): HTMLElement {
     const takeoff = make('button', { type: 'button' }, 'take-off');
     takeoff.addEventListener('click', () => void this.do({ do: 'takeoff' }));
@@ -70,11 +76,7 @@ export class LivePanel {
     const from = make('input', { type: 'number', value: 320, min: 0, max: 360, 'aria-label': 'Wind from, degrees' });
     const wind = make('button', { type: 'button', 'aria-label': 'set wind' }, 'set');
     wind.addEventListener('click', () => void this.do({ do: 'wind', speed_mps: Number(speed.value), from_deg: Number(from.value) }));
-    const speeds = make('span', { role: 'group', 'aria-label': 'Speed of the simulation', class: 'row' }, ...kSpeeds.map(([name, times]) => {
-      const button = make('button', { type: 'button' }, name);
-      button.addEventListener('click', () => void this.do({ do: 'speed', times }));
-      return button;
-    }));
+    const speeds = make('span', { role: 'group', 'aria-label': 'Speed of the simulation', class: 'row' }, ...this.speeds);
     return this.row(this.pause, speeds,
       this.choice('inject a fault', faultOptions(this.offers.faults), (name) => void this.do({ do: 'fault', name, on: true })), this.over,
       make('span', {}, 'wind ', speed, ' m/s from ', from, '° ', wind));
@@ -95,6 +97,7 @@ export class LivePanel {
   show(status: LiveStatus): void {
     this.status = status;
     this.arm.textContent = status.armed ? 'disarm' : 'arm';
+    for (const [i, [, times]] of kSpeeds.entries()) this.speeds[i].setAttribute('aria-pressed', String(times === status.times));
     this.pause.textContent = status.paused ? 'resume' : 'pause';
     const clients = status.clients > 0 ? ` · ${status.clients} ground station${status.clients > 1 ? 's' : ''}` : '';
     this.state.textContent = `${status.armed ? 'armed' : 'disarmed'} · ${status.mode} · item ${status.item} · ${status.paused ? 'paused' : `${status.speed.toFixed(1)}×`}${clients}`;
