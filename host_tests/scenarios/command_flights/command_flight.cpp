@@ -81,7 +81,7 @@ public:
           items_(itemsOf(document)),
           board_(firmware, worldAt(items_)),
           watched_(board_),
-          flight_(watched_, kTelemetry, items_, kTimeLimit_s),
+          flight_(watched_, kTelemetry, items_, kTimeLimit_s, settingsOf(document.set)),
           usb_(watched_, kUsb, [this](const mavlink::Frame& f, uint64_t) { take(f, kUsbSent); }),
           telemetry_(watched_, kTelemetry,
                      [this](const mavlink::Frame& f, uint64_t) { take(f, kTelemetrySent); }) {
@@ -103,6 +103,7 @@ public:
             flight_.step(board_.time_us());
             backToAuto();
         }
+        parameters_.clear();
         for (const ExpectedParameter& expected : parametersOf(document_.set)) ask(expected.name);
     }
 
@@ -217,6 +218,11 @@ private:
     bool holds(const Expected& expected) const;
     bool everyCommandRan() const;
     bool sameAsOracle() const;
+    bool said(const std::string& wanted) const {
+        const std::vector<Event>& texts = telemetry().texts;
+        return std::any_of(texts.begin(), texts.end(),
+                           [&](const Event& text) { return text.text == wanted; });
+    }
 
     const Document& document_;
     const Waypoints items_;
@@ -289,6 +295,8 @@ bool CommandFlight::check() {
                          std::abs(found->second - expected.value) <= 1e-6 * expected.value;
         passed = say(set, std::string(expected.name) + " is set") && passed;
     }
+    for (const std::string& text : textsOf(document_.set))
+        passed = say(said(text), "it said: " + text) && passed;
     passed = say(flight_.landed_s() && !board_.world().truth().crashed, "it landed") && passed;
     passed = say(log_.navsFinished() == navs(), "every NAV was reached in its turn") && passed;
     passed = say(board_.figures().frame_overruns == 0u, "no frame was late") && passed;

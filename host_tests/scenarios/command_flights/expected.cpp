@@ -40,12 +40,12 @@ const std::vector<Expected> kApm2 = {
     relay("the second cycle",                   "a15",  2.2, 1),
     relay("counted out",                        "a15",  3.2, 0),
     relay("counted out",                        "a15",  4.5, 0),
-    pulse("a taken jump passes SET_SERVO over", "+24",  0.0, 7, 1500),
+    pulse("a taken jump passes SET_SERVO over", "+24",  0.0, 6, 1500),
     pulse("SET_SERVO behind the jump",          "a21",  0.1, 8, 1200),
     {"SET_HOME here: it flies at 0 m",          "a12",  1.0, kHeight, -6, 6},
     {"SET_HOME as given: 488 m again",          "a14",  1.0, kHeight, 45, 75},
     {"CHANGE_ALT ends near 50 m",               "-16",  kReported_s, kHeight, 47, 53},
-    pulse("RC7_FUNCTION 10: before",            "a29", -0.05, 7, 1500),
+    pulse("RC7_FUNCTION 10: let go",            "a29", -0.05, 7, 1100),
     pulse("DIGICAM_CONTROL: the shutter",       "a36",  0.15, 7, 1300),
     pulse("for CAM_DURATION",                   "a36",  0.9, 7, 1300),
     pulse("and let go",                         "a36",  1.4, 7, 1100),
@@ -115,6 +115,13 @@ const std::vector<ExpectedParameter> kApm1Parameters = {
     {"RC5_MAX", 1900},     {"RC5_MIN", 1100},    {"THR_FS_VALUE", 960},
 };
 
+const simulator::ParameterSettings kApm2Settings = {{"RC7_FUNCTION", 10}}, kNoSettings;
+
+const std::vector<std::string> kApm2Texts = {"Mission: parameter 218 not set"};  // RC7_FUNCTION
+const std::vector<std::string> kApm1Texts = {
+    "Mission: parameter 51 not set", "Mission: parameter 52 not set",
+    "Mission: parameter 50 not set"};  // RC5_TRIM, RC5_MAX, RC5_MIN
+
 }  // namespace
 
 const std::vector<Expected>& expectedOf(mission::Set set) {
@@ -122,4 +129,10 @@ const std::vector<Expected>& expectedOf(mission::Set set) {
 }
 const std::vector<ExpectedParameter>& parametersOf(mission::Set set) {
     return set == mission::Set::apm1 ? kApm1Parameters : kApm2Parameters;
+}
+const simulator::ParameterSettings& settingsOf(mission::Set set) {
+    return set == mission::Set::apm1 ? kNoSettings : kApm2Settings;
+}
+const std::vector<std::string>& textsOf(mission::Set set) {
+    return set == mission::Set::apm1 ? kApm1Texts : kApm2Texts;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mission/record.hpp"
+#include "simulator/ground/parameter_upload.hpp"
 
 enum Channel {
     kOutput1,  // pulse, us; 0: silent
@@ -33,4 +34,7 @@ struct ExpectedParameter {
 };
 
 const std::vector<Expected>& expectedOf(mission::Set set);
-const std::vector<ExpectedParameter>& parametersOf(mission::Set set);
+const std::vector<ExpectedParameter>& parametersOf(mission::Set set);  // after the flight
+// What is rigged on the ground; missions in flight may not.
+const simulator::ParameterSettings& settingsOf(mission::Set set);
+const std::vector<std::string>& textsOf(mission::Set set);  // STATUSTEXT that must come
