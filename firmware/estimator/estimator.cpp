@@ -315,8 +315,9 @@ void publishAngles() {
 
 void publishHeight() {
     auto& to = published;
-    to.height_m = (height.height_m() - heights.home_m) * barometer_drift.scale();
-    to.climb_mps = height.climb_mps() * barometer_drift.scale();
+    const float scale = barometer_drift.scale();
+    to.height_m = (height.height_m() - heights.home_m) * scale;
+    to.climb_mps = height.climb_mps() * scale;
     to.velocity_mps.z = -to.climb_mps;
 }
 

@@ -22,8 +22,10 @@ namespace {
 
 constexpr StickState& published = Publisher<StickState>::state();
 
-// 100 Hz: in integers, a float costs ten times as much.
+// 100 Hz: in integers, a float costs ten times as much. In modes that guide themselves the sticks
+// rest in the middle, as a rule.
 core::Angle angle(int16_t stick_cd, int16_t full_cd) {
+    if (stick_cd == 0) return core::Angle::fromRaw(0);
     constexpr float kFullStick_cd = 4500;
     using Product = core::Fixed32<26>;
     constexpr float kSteps = core::Angle::kSteps * core::radians(0.01f) / kFullStick_cd;

@@ -56,6 +56,7 @@ struct Restart {
     bool arms;             // as soon as there is evidence that the airplane is in the air
     bool records_written;  // since the motor was armed, or by the run that this one goes on with
     bool home_saved;       // in the EEPROM, by this run or the one it goes on with
+    bool saves_next;       // 25 Hz: the rate is known, for which the attitude is turned on
     uint8_t errors_reported;
     uint8_t switch_position, switch_looks;  // the same position so often
 };
@@ -235,6 +236,8 @@ void runRestart() {
     if (restart.arms) armOnEvidence();
     if (restart.arms) return;
     if (!vehicle.armed) return forgetFlight();
+    restart.saves_next = !restart.saves_next;
+    if (!restart.saves_next) return;
     vehicle.attitude.aligned ? saveFastRecord() : saveOldPose();
 }
 

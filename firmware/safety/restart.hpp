@@ -15,7 +15,7 @@ bool memorySurvived();  // what ended the last run left memory as it was
 bool lostTimeKnown();   // by what ended the last run: the watchdog or a fault, and no loss of power
 void restartResume();   // when the sensors have been started: knows what was known
 
-void runRestart();        // 50 Hz: keeps the record; finds the mode to fly on in, and arms
+void runRestart();  // 50 Hz: keeps the record, at 25 Hz; finds the mode to fly on in, and arms
 void runRestartSlowly();  // 1 Hz
 
 }  // namespace safety
