@@ -228,7 +228,7 @@ test('nothing on the map covers anything else, however wide the page is', async 
           `${parts[i]} and ${parts[j]} at ${width} pixels`);
   }
   const [airplane, names] = await page.evaluate(() => ['.airplane', '.place'].map((what) =>
-    Number(getComputedStyle(document.querySelector(what).closest('.leaflet-pane')).zIndex)));
+    Number(globalThis.getComputedStyle(document.querySelector(what).closest('.leaflet-pane')).zIndex)));
   assert.ok(airplane > names, 'the airplane is above the names of items');
   await page.context().close();
 });
