@@ -92,7 +92,10 @@ void PpmEncoder::takeWire(int channel, uint64_t at_us) {
         if (at_us >= failed_us_ + kThrottleLost_us) sent_[i] = kFailsafe_us[i];
         return;
     }
-    if (sticks_[i] >= kShortest_us && sticks_[i] <= kLongest_us) sent_[i] = sticks_[i];
+    if (fault_ == FaultKind::wide)
+        sent_[i] = widened(sticks_[i]);
+    else if (sticks_[i] >= kShortest_us && sticks_[i] <= kLongest_us)
+        sent_[i] = sticks_[i];
 }
 
 void PpmEncoder::takeNothing(uint64_t at_us) {
@@ -106,8 +109,6 @@ std::vector<uint16_t> PpmEncoder::nextFrame(uint64_t at_us) {
     takeInputs(at_us);
     std::vector<uint16_t> frame(sent_.begin(), sent_.end());
     if (!heard()) return frame;
-    if (fault_ == FaultKind::wide)
-        std::transform(sticks_.begin(), sticks_.end(), frame.begin(), widened);
     if (fault_ == FaultKind::nine_channels) frame.push_back(1500);
     return frame;
 }

@@ -160,6 +160,8 @@ TEST(PpmEncoder, passes_a_receivers_own_sum_through) {
     radio.fail(FaultKind::wide, 2'000'000);
     EXPECT_EQ(frames(radio, 3).back(),
               (std::vector<double>{1500, 1300, 700, 1700, 1610, 968, 2100, 2300, 10'900}));
+    radio.sticks({}, false);
+    EXPECT_EQ(frames(radio, 3.2).front()[7], 2300) << "what was received last is what is repeated";
 }
 
 TEST(PpmEncoder, starts_with_failsafe_values_after_a_brown_out) {
