@@ -100,10 +100,13 @@ void History::frame(const Snapshot& now) {
     };
     bool moved = moves(modeChannel());
     for (size_t i = 4; i < now.stick_us.size(); ++i) moved = moved || moves(i);
-    if (moved) mark(Cause::mode_switch, now_s);
+    if (moved || now.wide != before_.wide) mark(Cause::mode_switch, now_s);
     constexpr auto kRadio = static_cast<size_t>(Faulty::radio);
-    if (now.transmitting != before_.transmitting || now.faulty[kRadio] != before_.faulty[kRadio])
-        mark(Cause::radio, now_s);
+    const auto heard = [](const Snapshot& at) { return at.transmitting && !at.faulty[kRadio]; };
+    if (heard(now) && !heard(before_)) mark(Cause::radio_back, now_s);
+    const bool obeyed =
+        parameter("THR_FAILSAFE", 1) < 0.5;  // what the encoder makes of no receiver
+    if (obeyed && heard(now) != heard(before_)) mark(Cause::mode_switch, now_s);
     if (now.restarts != before_.restarts) mark(Cause::restart, now_s);
     if (now.transmitting) {
         if (atEnd(now.stick_us[0]) || atEnd(now.stick_us[1]) || atEnd(now.stick_us[3]))

@@ -33,7 +33,7 @@ enum class Cause {
     stick,        // one of roll, pitch and yaw at its end
     rudder,       // yaw at its end
     throttle,     // the pilot's, open
-    radio,        // lost or back, or its pulses become other ones
+    radio_back,   // heard again, and so the mode switch
     restart,
     fault,  // a sensor failed, fails, or has failed a moment ago
     count

@@ -11,25 +11,9 @@ namespace {
 // The beginnings of texts that state why; those of sensors that no mode depends on are not among
 // them.
 constexpr const char* kReasons[] = {
-    "Failsafe: mode",
-    "Radio",
-    "Ground station",
-    "Inertial",
-    "Position",
-    "GPS",
-    "Height",
-    "Barometer",
-    "Battery",
-    "Fence",
-    "RTL",
-    "Mode",
-    "Circling",
-    "Mission complete",
-    "Landing broken",
-    "No such mode",
-    "Started",
-    "Restarted",
-    "Going to rally",
+    "Radio back",       "Ground station", "Inertial",     "Position", "GPS",       "Height",
+    "Barometer",        "Battery",        "Fence",        "RTL",      "Mode",      "Circling",
+    "Mission complete", "Landing broken", "No such mode", "Started",  "Restarted", "Going to rally",
     "AUTO: mission",  // without a NAV command: RTL in its place, once it flies
 };
 
@@ -57,8 +41,13 @@ class ModeHasACause : public Invariant {
         const double from_s = from_s_ - kBefore_s, to_s = to_s_ + kAfter_s;
         if (from_ == kInitialising) return true;
         for (const Cause cause : {Cause::flight_mode, Cause::mode_switch, Cause::overrides,
-                                  Cause::radio, Cause::restart, Cause::parameter})
+                                  Cause::restart, Cause::parameter})
             if (history.within(cause, from_s, to_s)) return true;
+        // armed, a text says so
+        if (!history.heardBefore().armed && history.within(Cause::radio_back, from_s, to_s))
+            return true;
+        // a receiver that is lost changes no mode but by a failsafe, which names it
+        if (history.saidWithin(text("Failsafe: mode %u", to_).c_str(), from_s, to_s)) return true;
         for (const char* reason : kReasons)
             if (history.saidWithin(reason, from_s, to_s)) return true;
         // behind a parameter or a mission that waits for the store, what comes on that link waits

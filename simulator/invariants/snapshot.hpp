@@ -20,8 +20,9 @@ struct Snapshot {
     std::array<uint16_t, 8> stick_us{};
     bool transmitting = false;           // and heard by the receiver
     std::array<bool, kFaulty> faulty{};  // sensors that fail now
-    unsigned restarts = 0;               // of the processor since power-on
-    uint64_t begun_us = 0;               // when the program's first instruction last ran
+    bool wide = false;  // the receiver's travel is another than usual: all switches move with it
+    unsigned restarts = 0;  // of the processor since power-on
+    uint64_t begun_us = 0;  // when the program's first instruction last ran
 
     double time_s() const { return static_cast<double>(time_us) * 1e-6; }
 };

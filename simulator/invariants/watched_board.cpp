@@ -41,6 +41,7 @@ void WatchedBoard::look() {
     for (const Fault& fault : world.faults())
         if (now_s >= fault.from_s && now_s < fault.to_s)
             now.faulty[static_cast<size_t>(fault.sensor)] = true;
+    now.wide = world.faultOf(Faulty::radio) == FaultKind::wide;
     now.restarts = board_.restarts();
     now.begun_us = board_.begun_us();
     watch_.frame(now);

@@ -34,7 +34,21 @@ TEST(ModeHasACause, each_stated_cause_is_allowed) {
          }},
         {"a command", [](Flown& flown) { flown.command(mavlink::MavCmd::nav_return_to_launch); }},
         {"a failsafe", [](Flown& flown) { flown.text("Failsafe: mode 11"); }},
-        {"the radio", [](Flown& flown) { flown.now.transmitting = false; }},
+        {"the radio that is back", [](Flown& flown) { flown.text("Radio back"); }},
+        {"the first receiver",
+         [](Flown& flown) {
+             flown.now.transmitting = false;
+             flown.run(3);
+             flown.now.transmitting = true;
+         }},
+        {"a lost receiver where no failsafe looks for it",
+         [](Flown& flown) {
+             flown.parameter("THR_FAILSAFE", 0);
+             flown.inTheAir();
+             flown.run(2);
+             flown.now.transmitting = false;
+         }},
+        {"a receiver of another travel", [](Flown& flown) { flown.now.wide = true; }},
         {"a mission that cannot be flown, RTL in its place",
          [](Flown& flown) { flown.text("AUTO: mission has no NAV command"); }},
         {"the mission's end", [](Flown& flown) { flown.text("Mission complete"); }},
@@ -53,6 +67,19 @@ TEST(ModeHasACause, other_events_are_no_cause) {
     const Reason others[] = {
         {"a stick", [](Flown& flown) { flown.now.stick_us[0] = 1900; }},
         {"another command", [](Flown& flown) { flown.command(mavlink::MavCmd::do_set_servo); }},
+        {"the receiver's loss alone",
+         [](Flown& flown) {
+             flown.now.transmitting = false;
+             flown.text("Radio lost: short failsafe");
+         }},
+        {"a receiver that is back in the air, and no text says so",
+         [](Flown& flown) {
+             flown.inTheAir();
+             flown.now.transmitting = false;
+             flown.run(3);
+             flown.now.transmitting = true;
+         }},
+        {"a failsafe to another mode", [](Flown& flown) { flown.text("Failsafe: mode 5"); }},
         {"another text", [](Flown& flown) { flown.text("Compass lost"); }},
     };
     for (const Reason& other : others) {
