@@ -285,7 +285,7 @@ float knownAirspeed_mps() {
 // By the airspeed sensor, else by the fixes. A speed from dead reckoning is no evidence.
 bool fast() {
     if (vehicle.airspeed.healthy) return vehicle.airspeed.speed_mps > flyingAirspeed_mps();
-    return !position.reckoned() && vehicle.estimate.ground_speed_mps > kFlyingGroundSpeed_mps;
+    return !position.reckoned() && measuredGroundSpeed_mps() > kFlyingGroundSpeed_mps;
 }
 
 // An airplane that flies against the wind is slow over the ground, too. Unless it is known to be
@@ -507,6 +507,10 @@ Vector3 gyroDrift_rads() { return attitude.bias_rads(); }
 float flyingAirspeed_mps() {
     constexpr float kShare = 0.75f, kMax_mps = 10;
     return fminf(kShare * parameters.speed_min_mps, kMax_mps);
+}
+
+float measuredGroundSpeed_mps() {
+    return fminf(vehicle.estimate.ground_speed_mps, vehicle.gps.ground_speed_mps);
 }
 
 bool slowThroughTheAir() {

@@ -42,6 +42,9 @@ void resumeEstimate(const state::SlowRecord& steady, const state::FastRecord& mo
 // From which an airplane is taken for flying: 75 % of ARSPD_FBW_MIN, but 10 m/s at most, so that no
 // parameter makes one in the air count as standing.
 float flyingAirspeed_mps();
+// The slower of the estimate and the last fix, m/s: accelerometers gone mad move the estimate
+// alone, a fix that hops moves it little. Not while the position is reckoned.
+float measuredGroundSpeed_mps();
 bool slowThroughTheAir();  // slower than that, by the sensor or the known wind; false: not known
 
 void zeroHeight();             // the airplane stands at height 0 now

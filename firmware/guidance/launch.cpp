@@ -63,7 +63,7 @@ bool flies() {
     if (seenToStand(ground_cm())) return false;
     const bool has_tube = vehicle.airspeed.healthy;
     const bool in_the_wind = has_tube && vehicle.estimate.airspeed_mps >= kFlyingSpeed_mps;
-    const bool fast = located() && (vehicle.estimate.ground_speed_mps >= kFlyingSpeed_mps ||
+    const bool fast = located() && (estimator::measuredGroundSpeed_mps() >= kFlyingSpeed_mps ||
                                     faraway(vehicle.gps.altitude_cm, ground_cm()));
     const bool high = faraway(altitude_cm(), ground_cm());
     if (in_the_wind + fast + high >= 2) return true;

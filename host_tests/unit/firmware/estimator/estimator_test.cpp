@@ -43,7 +43,7 @@ protected:
         altitude_m_ += climb_mps_ * 0.01f;
         mutable_vehicle.imu.periods = 2;
         mutable_vehicle.imu.accel_mss =
-            core::Accelerations::from(acceleration_mss, 0, -core::kGravity_mss);
+            core::Accelerations::from(acceleration_mss + imu_lies_mss_, 0, -core::kGravity_mss);
         ++frame_;
         if (frame_ % 2 == 0) {
             mutable_vehicle.compass.field_mg = {210, 0, 430};
@@ -97,6 +97,7 @@ protected:
         gps.measures_climb = measures_climb_;
         const float climb_mps = measures_climb_ ? climb_mps_ : vehicle.estimate.climb_mps;
         gps.velocity_mps = {then_mps, 0, -climb_mps};
+        gps.ground_speed_mps = std::fabs(then_mps);
         gps.altitude_cm = core::rounded((altitude_m_ - climb_mps_ * kGpsAge_s) * 100);
         gps.received_ms = hal::now_ms();
         gps.age_ms = static_cast<uint16_t>(kGpsAge_s * 1000);
@@ -104,6 +105,7 @@ protected:
     }
 
     float speed_mps_ = 0, travelled_m_ = 0;
+    float imu_lies_mss_ = 0;
     float climb_mps_ = 0, altitude_m_ = 0;  // above the sea
     int frame_ = 0, late_ = 7;
     bool measures_climb_ = true;  // its receiver
@@ -387,6 +389,19 @@ TEST_F(Estimator, neither_flies_nor_moves_by_dead_reckoning_on_the_ground) {
     late_ = 7;
     frames(100);
     EXPECT_FALSE(vehicle.estimate.fix_refused);
+}
+
+TEST_F(Estimator, does_not_fly_by_accelerometers_that_the_fixes_deny) {
+    mutable_vehicle.armed = true;
+    frames(500);
+    imu_lies_mss_ = 40;
+    float fastest_mps = 0;
+    for (int i = 0; i < 300; ++i) {
+        frame(0);
+        fastest_mps = std::max(fastest_mps, vehicle.estimate.ground_speed_mps);
+        ASSERT_FALSE(vehicle.estimate.flying) << i;
+    }
+    EXPECT_GT(fastest_mps, 8);
 }
 
 TEST_F(Estimator, flies_by_the_ground_speed_without_an_airspeed_sensor) {

@@ -37,7 +37,8 @@ protected:
     }
     void move(float north_mps, float east_mps) {
         mutable_vehicle.estimate.velocity_mps = {north_mps, east_mps, 0};
-        mutable_vehicle.estimate.ground_speed_mps = std::hypot(north_mps, east_mps);
+        mutable_vehicle.estimate.ground_speed_mps = mutable_vehicle.gps.ground_speed_mps =
+            std::hypot(north_mps, east_mps);
     }
     // By both that measure it, above home, which is at sea level.
     void rise(float height_m) {
@@ -287,6 +288,20 @@ TEST_F(Guidance, takes_two_sensors_that_agree_for_a_launch) {
         guide(2);
         EXPECT_EQ(vehicle.progress.throttle_suppressed, !seen.flies) << seen.what;
     }
+}
+
+// The accelerometers move the estimate; an inertial sensor gone mad turns as well.
+TEST_F(Guidance, takes_no_speed_for_a_launch_that_the_receiver_does_not_measure) {
+    onTheGround(Mode::loiter);
+    mutable_vehicle.airspeed.healthy = false;
+    mutable_vehicle.imu.rate_rads.y = core::BodyRate(0.3f);
+    move(9, 0);
+    mutable_vehicle.gps.ground_speed_mps = 0.2f;
+    guide(20);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+    mutable_vehicle.gps.ground_speed_mps = 9;
+    guide(1);
+    EXPECT_FALSE(vehicle.progress.throttle_suppressed);
 }
 
 TEST_F(Guidance, leaves_the_motor_to_an_airplane_that_still_moves) {

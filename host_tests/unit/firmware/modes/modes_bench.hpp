@@ -38,7 +38,8 @@ protected:
     }
     static void course(float north_mps, float east_mps) {
         mutable_vehicle.estimate.velocity_mps = {north_mps, east_mps, 0};
-        mutable_vehicle.estimate.ground_speed_mps = std::hypot(north_mps, east_mps);
+        mutable_vehicle.estimate.ground_speed_mps = mutable_vehicle.gps.ground_speed_mps =
+            std::hypot(north_mps, east_mps);
     }
     static void attitude(float roll_rad, float pitch_rad) {
         auto& attitude = mutable_vehicle.attitude;
