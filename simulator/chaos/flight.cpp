@@ -44,6 +44,16 @@ WorldOptions worldOf(const Scenario& scenario) {
     world.wind_from_deg = scenario.wind_from_deg;
     world.gusts = scenario.gusts;
     world.seed = scenario.seed;
+    const Conditions& drawn = scenario.conditions;
+    world.gps_latency_s = drawn.gps_latency_s;
+    world.board_warmth_c = drawn.board_warmth_c;
+    world.board_warmth_start_c = drawn.board_warmth_start_c;
+    world.band_gap_v = drawn.band_gap_v;
+    world.worn_cells = static_cast<unsigned>(drawn.worn_cells);
+    world.bootloader = static_cast<Bootloader>(drawn.bootloader);
+    world.declination_deg = drawn.declination_deg;
+    world.inclination_deg = drawn.inclination_deg;
+    world.magnetic_field_mg = drawn.magnetic_field_mg;
     for (const Event& event : scenario.events) {
         if (event.kind() != "fault") continue;
         const double to_s = event.at_s + std::stod(event.words[2]);
@@ -55,12 +65,13 @@ WorldOptions worldOf(const Scenario& scenario) {
     return world;
 }
 
-ParameterSettings parametersOf(const std::string& airplane) {
+ParameterSettings parametersOf(const Scenario& scenario) {
     const std::filesystem::path beside =
-        std::filesystem::path(airplanePath(airplane)).replace_extension(".param");
+        std::filesystem::path(airplanePath(scenario.airplane)).replace_extension(".param");
     ParameterSettings settings =
         std::filesystem::exists(beside) ? readParameterFile(beside) : ParameterSettings{};
     settings.push_back({"FLTMODE2", 10});  // AUTO, where kAutoSwitch_us is
+    if (scenario.conditions.tube == 0) settings.push_back({"ARSPD_USE", 0});
     return settings;
 }
 
@@ -76,7 +87,7 @@ public:
         : scenario_(scenario),
           drill_(makeDrill(firmware, worldOf(scenario))),
           board_(drill_->board()),
-          script_(board_, kTelemetry, scenario.mission, 1e6, parametersOf(scenario.airplane)),
+          script_(board_, kTelemetry, scenario.mission, 1e6, parametersOf(scenario)),
           station_(board_, kTelemetry),
           reader_(board_, kTelemetry,
                   [this](const mavlink::Frame& frame, uint64_t) { answers(frame); }),

@@ -10,6 +10,7 @@
 #include "mavlink/all_messages.hpp"
 #include "simulator/chaos/dice.hpp"
 #include "simulator/devices/faults.hpp"
+#include "toolchain/declination/model.hpp"
 
 namespace simulator::chaos {
 namespace {
@@ -17,7 +18,9 @@ namespace {
 using mavlink::MavCmd;
 using Words = std::vector<std::string>;
 
-constexpr double kHomeLatitude_deg = 47.3977, kHomeLongitude_deg = 8.5456, kHome_m = 488;
+struct Home {
+    double latitude_deg = 47.3977, longitude_deg = 8.5456, altitude_m = 488;
+};
 constexpr double kMetresPerDegree = 111'319;
 constexpr double kAirborne_s = 15;  // about
 
@@ -30,13 +33,14 @@ std::string whole(int value) { return std::to_string(value); }
 
 // ---- missions
 
-WaypointItem itemAt(uint16_t command, double east_m, double north_m, double height_m) {
+WaypointItem itemAt(const Home& home, uint16_t command, double east_m, double north_m,
+                    double height_m) {
     WaypointItem item;
     item.command = command;
     item.frame = 3;
-    item.latitude_deg = kHomeLatitude_deg + north_m / kMetresPerDegree;
+    item.latitude_deg = home.latitude_deg + north_m / kMetresPerDegree;
     item.longitude_deg =
-        kHomeLongitude_deg + east_m / kMetresPerDegree / std::cos(kHomeLatitude_deg * M_PI / 180);
+        home.longitude_deg + east_m / kMetresPerDegree / std::cos(home.latitude_deg * M_PI / 180);
     item.altitude_m = height_m;
     return item;
 }
@@ -49,13 +53,13 @@ WaypointItem action(uint16_t command, double p1 = 0, double p2 = 0, double p3 = 
     return item;
 }
 
-WaypointItem drawPlace(Dice& dice) {
+WaypointItem drawPlace(Dice& dice, const Home& home) {
     constexpr double kFar_m = 350;
     const uint16_t command =
         dice.chance(0.75) ? uint16_t{MavCmd::nav_waypoint}
                           : dice.of<uint16_t>({MavCmd::nav_loiter_turns, MavCmd::nav_loiter_time,
                                                MavCmd::nav_loiter_unlim});
-    WaypointItem item = itemAt(command, dice.between(-kFar_m, kFar_m),
+    WaypointItem item = itemAt(home, command, dice.between(-kFar_m, kFar_m),
                                dice.between(-kFar_m, kFar_m), dice.between(40, 100));
     if (item.isCircle())
         item.params[0] = command == MavCmd::nav_loiter_time ? dice.whole(3, 20) : 1;
@@ -92,21 +96,21 @@ WaypointItem drawAction(Dice& dice, int items) {
     }
 }
 
-Waypoints drawMission(Dice& dice) {
+Waypoints drawMission(Dice& dice, const Home& home) {
     Waypoints mission;
-    mission.push_back(itemAt(MavCmd::nav_waypoint, 0, 0, kHome_m));
+    mission.push_back(itemAt(home, MavCmd::nav_waypoint, 0, 0, home.altitude_m));
     mission.back().frame = 0;
     mission.push_back(action(MavCmd::nav_takeoff, 15));
     mission.back().altitude_m = dice.between(30, 60);
     for (int n = dice.whole(2, 6); n > 0; --n) {
-        mission.push_back(drawPlace(dice));
+        mission.push_back(drawPlace(dice, home));
         for (int more = dice.whole(-2, 2); more > 0; --more)
             mission.push_back(drawAction(dice, static_cast<int>(mission.size())));
     }
-    mission.push_back(itemAt(MavCmd::nav_waypoint, -300, -300, 40));
+    mission.push_back(itemAt(home, MavCmd::nav_waypoint, -300, -300, 40));
     if (dice.chance(0.3)) mission.push_back(action(MavCmd::do_land_start));
-    mission.push_back(itemAt(MavCmd::nav_waypoint, -150, -150, 25));
-    mission.push_back(itemAt(MavCmd::nav_land, 0, 0, 0));
+    mission.push_back(itemAt(home, MavCmd::nav_waypoint, -150, -150, 25));
+    mission.push_back(itemAt(home, MavCmd::nav_land, 0, 0, 0));
     for (size_t i = 0; i < mission.size(); ++i) {
         mission[i].index = static_cast<int>(i);
         mission[i].current = i == 0;
@@ -118,9 +122,10 @@ Waypoints drawMission(Dice& dice) {
 
 class Drawer {
 public:
-    Drawer(Dice& dice, const std::vector<ParameterRow>& parameters, Scenario& to)
-        : dice_(dice), parameters_(parameters), to_(to) {}
+    Drawer(Dice& dice, const Home& home, const std::vector<ParameterRow>& parameters, Scenario& to)
+        : dice_(dice), home_(home), parameters_(parameters), to_(to) {}
 
+    void standsArmed();
     void faults();
     void restarts();
     void pilot();
@@ -138,6 +143,12 @@ private:
         return dice_.between(3, before ? to_.begins_s : to_.seconds - 5);
     }
     const ParameterRow& parameter();
+    // Mostly in flight; every fourth from the start on, as it stands, is armed and takes off.
+    double fails() {
+        const double flies_s = to_.begins_s + kAirborne_s + 10;
+        if (dice_.chance(0.25)) return dice_.between(0.5, flies_s);
+        return dice_.between(flies_s, to_.seconds - 5);
+    }
     double inFlight() { return dice_.between(to_.begins_s + kAirborne_s + 10, to_.seconds - 5); }
     std::string link() { return dice_.chance(0.7) ? "telemetry" : "usb"; }
     std::string value(const ParameterRow& row);
@@ -162,6 +173,7 @@ private:
     void readLogs();
 
     Dice& dice_;
+    const Home& home_;
     const std::vector<ParameterRow>& parameters_;
     Scenario& to_;
 };
@@ -195,9 +207,19 @@ void Drawer::sag(double at_s) {
                print("%.2f", dice_.between(0.05, 0.4))});
 }
 
+// Before the flight: armed, in a mode whose throttle is the firmware's, for whatever comes then.
+void Drawer::standsArmed() {
+    const double at_s = dice_.between(6, 10);
+    const std::string mode = dice_.of<std::string>({"1", "7", "11", "12", "15"});
+    add(at_s, {"command", "telemetry", "400", "1", "0", "0", "0", "0", "0", "0"});
+    add(at_s + dice_.between(0.5, 5), {"mode", "telemetry", mode});
+    if (dice_.chance(0.7)) fault(at_s + dice_.between(0, 15), 30);
+    if (dice_.chance(0.3)) fault(at_s + dice_.between(0, 15), 30);
+}
+
 // Alone, in pairs that begin together, or in a burst of short ones.
 void Drawer::faults() {
-    const double at_s = inFlight();
+    const double at_s = fails();
     switch (dice_.below(3)) {
         case 0:
             return fault(at_s, 40);
@@ -210,7 +232,7 @@ void Drawer::faults() {
 }
 
 void Drawer::restarts() {
-    const double at_s = dice_.chance(0.9) ? inFlight() : when();
+    const double at_s = dice_.chance(0.9) ? fails() : when();
     for (int n = dice_.chance(0.8) ? 1 : 3; n > 0; --n)
         add(at_s + dice_.between(0, n),
             {"restart", dice_.of<std::string>({"brown_out", "power_dip", "watchdog", "watchdog",
@@ -333,7 +355,7 @@ void Drawer::anyCommand() {
 void Drawer::cutUpload() {
     const double at_s = when();
     const std::string on = link();
-    const Waypoints other = drawMission(dice_);
+    const Waypoints other = drawMission(dice_, home_);
     const int count = static_cast<int>(other.size()), sent = dice_.whole(0, count);
     add(at_s, {"count", on, whole(count)});
     for (int i = 0; i < sent; ++i) {
@@ -401,6 +423,59 @@ void Drawer::station(bool hostile) {
     }
 }
 
+constexpr double kYear = 2026.9;
+
+declination::Model readMagneticModel() {
+    std::ifstream file(CHAOS_MAGNETIC_MODEL);
+    if (!file) throw ScenarioError(CHAOS_MAGNETIC_MODEL ": cannot be read");
+    return declination::Model(file);
+}
+
+// A field anywhere, but where a compass shows the way and the firmware knows the declination.
+Home drawHome(Dice& dice, Conditions& drawn) {
+    static const declination::Model model = readMagneticModel();
+    constexpr double kLeastLevelField_mg = 80;
+    for (;;) {
+        Home home;
+        home.latitude_deg = dice.whole(-600'000, 600'000) * 1e-4;
+        home.longitude_deg = dice.whole(-1'790'000, 1'790'000) * 1e-4;
+        home.altitude_m = dice.whole(0, 2000);
+        const auto field =
+            model.at(home.latitude_deg, home.longitude_deg, home.altitude_m / 1000, kYear);
+        const double level_mg = field.horizontal_nt() / 100, down_mg = field.down_nt / 100;
+        const auto rounded = [](double value) { return std::round(value * 100) / 100; };
+        drawn.declination_deg = rounded(field.declination_deg());
+        drawn.inclination_deg = rounded(std::atan2(down_mg, level_mg) * 180 / M_PI);
+        drawn.magnetic_field_mg = rounded(std::hypot(level_mg, down_mg));
+        if (level_mg >= kLeastLevelField_mg) return home;
+    }
+}
+
+// By dice of its own, so that the rest of a scenario does not depend on it.
+Home drawWorld(Dice dice, Scenario& s) {
+    Conditions& drawn = s.conditions;
+    const auto tenths = [&](double from, double to) {
+        return std::round(dice.between(from, to) * 10) / 10;
+    };
+    Home home;
+    if (dice.chance(0.5)) home = drawHome(dice, drawn);
+    drawn.tube = dice.chance(0.3) ? 0 : 1;
+    if (dice.chance(0.5)) drawn.gps_latency_s = dice.whole(50, 400) * 0.001;
+    if (dice.chance(0.5)) {
+        drawn.board_warmth_c = tenths(0, 20);
+        drawn.board_warmth_start_c = tenths(-10, 25);
+    }
+    if (dice.chance(0.5)) drawn.band_gap_v = dice.whole(1001, 1199) * 0.001;  // 9 %
+    if (dice.chance(0.1)) drawn.worn_cells = dice.whole(1, 20);
+    drawn.bootloader = dice.of<double>({0, 0, 1, 2});
+    if (dice.chance(0.15)) {
+        s.wind_mps = tenths(7, 12);
+        s.wind_from_deg = dice.whole(0, 359);
+        s.gusts = true;
+    }
+    return home;
+}
+
 }  // namespace
 
 // Without the rate of a line, or under another name, the board would not be heard any more.
@@ -435,11 +510,18 @@ Scenario drawScenario(uint64_t seed, const std::vector<ParameterRow>& parameters
         s.wind_from_deg = dice.whole(0, 359);
         s.gusts = true;
     }
+    constexpr uint64_t kOther = 0x9E3779B97F4A7C15;
+    const Home home = drawWorld(Dice(seed ^ kOther), s);
     s.seconds = dice.whole(60, 180);
     if (dice.chance(0.25)) s.begins_s = dice.whole(10, 25);
-    s.mission = drawMission(dice);
-    Drawer drawer(dice, parameters, s);
+    s.mission = drawMission(dice, home);
+    Drawer drawer(dice, home, parameters, s);
     if (dice.chance(0.5)) s.events.push_back({1, {"usb", "on"}});
+    if (s.begins_s > 0 && dice.chance(0.5)) {
+        s.begins_s += 15;
+        s.seconds += 15;
+        drawer.standsArmed();
+    }
     if (dice.chance(0.6))
         for (int n = dice.whole(1, 2); n > 0; --n) drawer.faults();
     if (dice.chance(0.4)) drawer.restarts();

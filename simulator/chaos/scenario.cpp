@@ -11,6 +11,8 @@
 namespace simulator::chaos {
 namespace {
 
+const Conditions kUsual;
+
 // How many words an event has at least, its name included.
 const std::map<std::string, size_t> kWords = {
     {"fault", 3},       {"restart", 2},   {"sticks", 5},  {"switch", 2},
@@ -70,6 +72,8 @@ private:
         if (first == "seconds") return get(words, s.seconds);
         if (first == "item") return item(words);
         if (first == "at") return event(words);
+        for (const Condition& each : kConditions)
+            if (first == each.name) return get(words, s.conditions.*each.value);
         wrong(number_, "unknown: " + first);
     }
     void item(std::istringstream& words) {
@@ -105,6 +109,19 @@ private:
 
 }  // namespace
 
+const std::vector<Condition> kConditions = {
+    {"tube", &Conditions::tube, false},
+    {"gps_latency", &Conditions::gps_latency_s, false},
+    {"board_warmth", &Conditions::board_warmth_c, false},
+    {"board_warmth_start", &Conditions::board_warmth_start_c, false},
+    {"band_gap", &Conditions::band_gap_v, false},
+    {"worn_cells", &Conditions::worn_cells, false},
+    {"bootloader", &Conditions::bootloader, false},
+    {"declination", &Conditions::declination_deg, true},
+    {"inclination", &Conditions::inclination_deg, true},
+    {"magnetic_field", &Conditions::magnetic_field_mg, true},
+};
+
 std::string textOf(const Event& event) {
     char time[40];
     std::snprintf(time, sizeof time, "at %.2f", event.at_s);
@@ -118,6 +135,9 @@ std::string textOf(const Scenario& s) {
                        number(s.wind_from_deg) + "\ngusts " + (s.gusts ? "1" : "0") + "\nseed " +
                        std::to_string(s.seed) + "\nbegins " + number(s.begins_s) + "\nseconds " +
                        number(s.seconds) + "\n";
+    for (const Condition& each : kConditions)
+        if (s.conditions.*each.value != kUsual.*each.value)
+            text += std::string(each.name) + " " + number(s.conditions.*each.value) + "\n";
     for (const WaypointItem& item : s.mission) text += textOf(item) + "\n";
     for (const Event& event : s.events) text += textOf(event) + "\n";
     return text;
@@ -127,7 +147,7 @@ Scenario parseScenario(const std::string& text) { return Reader(text).read(); }
 
 // Sensors but the inertial one fail, two at a time at most and not in the take-off; the transmitter
 // is lost; the processor restarts by itself while all else is well. Whatever is only read, and
-// noise on a link, does nothing.
+// noise on a link, does nothing. More wind than these airplanes take off and land in is no promise.
 namespace {
 // The inertial sensor, or the bus it is on: then the pilot flies, by MANUAL.
 bool failsInertial(const std::string& fault) {
@@ -136,6 +156,8 @@ bool failsInertial(const std::string& fault) {
 }  // namespace
 
 bool promisesToSurvive(const Scenario& scenario) {
+    constexpr double kMaxWind_mps = 7;
+    if (scenario.wind_mps > kMaxWind_mps) return false;
     const double take_off_s = 50 + scenario.begins_s;
     constexpr double kAlone_s = 20;
     struct Span {

@@ -27,13 +27,31 @@ struct Event {
     const std::string& kind() const { return words.front(); }
 };
 
+// What is drawn of the world besides; as in WorldOptions. A line of its name, where it is unusual.
+struct Conditions {
+    double tube = 1;  // 0: no airspeed sensor
+    double gps_latency_s = 0.2;
+    double board_warmth_c = 10, board_warmth_start_c = 10;
+    double band_gap_v = 0;
+    double worn_cells = 0;
+    double bootloader = 0;  // of enum Bootloader
+    double declination_deg = 3.67, inclination_deg = 63.54, magnetic_field_mg = 484.1;
+};
+struct Condition {
+    const char* name;
+    double Conditions::*value;
+    bool of_the_place;  // goes with the mission's
+};
+extern const std::vector<Condition> kConditions;
+
 struct Scenario {
     std::string airplane = "foam_trainer";
     double wind_mps = 0, wind_from_deg = 0;
     bool gusts = false;
-    uint64_t seed = 1;          // of the sensors' errors
-    double begins_s = 0;        // until then it stands, and nobody wants to fly it
-    double seconds = 120;       // of emulated time
+    uint64_t seed = 1;     // of the sensors' errors
+    double begins_s = 0;   // until then it stands, and nobody wants to fly it
+    double seconds = 120;  // of emulated time
+    Conditions conditions;
     Waypoints mission;          // item 0 is home
     std::vector<Event> events;  // in order of time
 };

@@ -16,6 +16,7 @@ public:
         leaveOutEvents();
         leaveOutItems();
         calm();
+        makeUsual();
         leaveOutEvents();
         shortenTime();
         return best_;
@@ -70,6 +71,17 @@ private:
         candidate.wind_mps = candidate.wind_from_deg = 0;
         candidate.gusts = false;
         better(candidate);
+    }
+
+    void makeUsual() {
+        const Conditions usual;
+        for (const Condition& each : kConditions) {
+            Scenario candidate = best_;
+            double& value = candidate.conditions.*each.value;
+            if (each.of_the_place || value == usual.*each.value) continue;
+            value = usual.*each.value;
+            better(candidate);
+        }
     }
 
     // To a second.

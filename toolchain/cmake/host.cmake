@@ -98,7 +98,10 @@ if(NOT SANITIZE)
                 ${chaos}/totals.cpp ${chaos}/document.cpp)
     target_compile_options(chaos_parts PRIVATE ${PROJECT_WARNINGS})
     target_precompile_headers(chaos_parts REUSE_FROM host_headers)
-    target_link_libraries(chaos_parts PUBLIC mavlink simulator_report simulator_invariants simulator_world)
+    target_link_libraries(chaos_parts PUBLIC mavlink simulator_report simulator_invariants simulator_world
+                          declination_table_parts)
+    target_compile_definitions(chaos_parts PRIVATE
+        CHAOS_MAGNETIC_MODEL="${CMAKE_SOURCE_DIR}/toolchain/declination/WMM2025.COF")
     project_program(chaos ${chaos}/main.cpp ${chaos}/options.cpp ${chaos}/station.cpp
                     ${chaos}/drill.cpp ${chaos}/flight.cpp ${chaos}/flight_process.cpp
                     simulator/parameter_file.cpp toolchain/param_tool/settings.cpp

@@ -36,7 +36,7 @@ TEST(Generator, draws_every_kind_of_event_and_only_faults_that_exist) {
     for (uint64_t seed = 1; seed <= 2000; ++seed) {
         const Scenario scenario = drawScenario(seed, parameters);
         EXPECT_GE(scenario.seconds, 60);
-        EXPECT_LE(scenario.seconds, 180);
+        EXPECT_LE(scenario.seconds, 195);
         EXPECT_TRUE(std::is_sorted(
             scenario.events.begin(), scenario.events.end(),
             [](const Event& one, const Event& other) { return one.at_s < other.at_s; }));
@@ -56,6 +56,32 @@ TEST(Generator, draws_every_kind_of_event_and_only_faults_that_exist) {
         for (int kind = 1; kind < kFaultKinds; ++kind)
             possible += canFail(static_cast<Faulty>(sensor), static_cast<FaultKind>(kind));
     EXPECT_EQ(faults.size(), possible - 1) << "a cut of the supply is a restart";
+}
+
+TEST(Generator, draws_every_condition_and_faults_and_restarts_in_every_part_of_a_flight) {
+    const auto parameters = readParameterRows(PARAMETERS);
+    const Conditions usual;
+    std::set<std::string> unusual;
+    int early = 0, late = 0, early_restarts = 0, stormy = 0, armed_standing = 0;
+    for (uint64_t seed = 1; seed <= 500; ++seed) {
+        const Scenario s = drawScenario(seed, parameters);
+        for (const Condition& each : kConditions)
+            if (s.conditions.*each.value != usual.*each.value) unusual.insert(each.name);
+        for (const Event& event : s.events) {
+            const bool before = event.at_s < s.begins_s + 15;
+            if (event.kind() == "fault") ++(before ? early : late);
+            if (event.kind() == "restart") early_restarts += before;
+            if (event.kind() == "mode") armed_standing += before;
+        }
+        EXPECT_LE(s.wind_mps, 12);
+        stormy += s.wind_mps > 10;
+    }
+    EXPECT_EQ(unusual.size(), kConditions.size());
+    EXPECT_GT(early, 100);
+    EXPECT_GT(late, 300);
+    EXPECT_GT(early_restarts, 20);
+    EXPECT_GT(armed_standing, 50);
+    EXPECT_GT(stormy, 10);
 }
 
 TEST(Generator, missions_begin_at_home_and_end_with_a_landing) {

@@ -38,6 +38,16 @@ TEST(Scenario, reads_each_line_as_it_stands) {
     EXPECT_EQ(scenario.events[1].words[3], "nan");
 }
 
+TEST(Scenario, writes_a_line_only_for_what_is_unusual) {
+    const Scenario scenario =
+        parseScenario("tube 0\ndeclination -12.5\nitem 16 0 0 0 0 0 47 8 488\n");
+    EXPECT_EQ(scenario.conditions.tube, 0);
+    EXPECT_EQ(scenario.conditions.declination_deg, -12.5);
+    EXPECT_EQ(scenario.conditions.gps_latency_s, 0.2);
+    const std::string text = textOf(scenario);
+    EXPECT_NE(text.find("\ntube 0\ndeclination -12.5\nitem"), std::string::npos) << text;
+}
+
 TEST(Scenario, sorts_events_and_leaves_comments_out) {
     const Scenario scenario =
         parseScenario("item 16 0 0 0 0 0 47 8 488\nat 9 usb on # later\n# nothing\nat 3 usb off\n");
@@ -88,6 +98,7 @@ TEST(Scenario, knows_which_events_must_not_crash_an_airplane) {
     for (const Promise& each : all) {
         const std::string text = std::string("item 16 0 0 0 0 0 47 8 488\n") + each.events;
         EXPECT_EQ(promisesToSurvive(parseScenario(text)), each.survives) << each.events;
+        EXPECT_FALSE(promisesToSurvive(parseScenario("wind 7.1 0\n" + text)));
     }
 }
 

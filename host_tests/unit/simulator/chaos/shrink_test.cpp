@@ -10,6 +10,8 @@ Scenario withEvents(int count) {
     scenario.seconds = 128;
     scenario.wind_mps = 5;
     scenario.gusts = true;
+    scenario.conditions.tube = 0;
+    scenario.conditions.declination_deg = 9;
     scenario.mission.resize(8);
     for (int i = 0; i < 8; ++i) scenario.mission[static_cast<size_t>(i)].index = i;
     for (int i = 0; i < count; ++i)
@@ -34,6 +36,8 @@ TEST(Shrink, finds_the_two_of_fifty_events_that_fail_together) {
     EXPECT_LE(least.seconds, 61.1);
     EXPECT_EQ(least.wind_mps, 0);
     EXPECT_FALSE(least.gusts);
+    EXPECT_EQ(least.conditions.tube, 1);
+    EXPECT_EQ(least.conditions.declination_deg, 9) << "that of the mission's place";
     EXPECT_EQ(least.mission.size(), 3u) << "home, take-off, landing";
     EXPECT_EQ(least.mission.back().index, 2);
 }
