@@ -161,7 +161,12 @@ Status findStoredMission() {
             sendStatusText(Severity::notice, ROM_TEXT("EEPROM blank: defaults"));
         return claimed;
     }
-    if (owner == storage::Owner::ours) return Status::ok;
+    if (owner == storage::Owner::ours) {
+        bool damaged;
+        const Status mended = storage::mendMarks(damaged);
+        if (mended == Status::ok && damaged) reportMemory();
+        return mended;
+    }
     sendStatusText(Severity::error, ROM_TEXT("EEPROM belongs to other firmware"));
     run.boot = Boot::foreign;
     return Status::unsupported;

@@ -13,16 +13,18 @@ namespace {
 
 using core::Status;
 
-// The mark, the layout version, the CRC of these five bytes.
+// The mark, the layout version, the CRC of these five bytes, a blank: twice.
 constexpr uint8_t kMark[] ROM = {0xB7, 'A', 'P', 'M'};
 constexpr uint8_t kTraceSize = sizeof kMark;
-constexpr uint8_t kOurSize = kTraceSize + 3;
-static_assert(kOurSize <= kHeader.size, "our mark is longer than the header");
+constexpr uint8_t kOurSize = 8, kTwice = 2 * kOurSize;
+static_assert(kTwice == kHeader.size, "our marks fill the header");
 
-void ours(uint8_t (&header)[kOurSize], uint8_t version) {
+void ours(uint8_t (&header)[kTwice], uint8_t version) {
     for (uint8_t i = 0; i < kTraceSize; ++i) header[i] = core::romRead(kMark[i]);
     header[kTraceSize] = version;
     put16(header + kTraceSize + 1, core::crc16(core::kCrcStart, header, kTraceSize + 1));
+    header[kOurSize - 1] = 0xFF;
+    memcpy(header + kOurSize, header, kOurSize);
 }
 
 bool blank(const uint8_t* bytes, uint8_t size) {
@@ -31,11 +33,19 @@ bool blank(const uint8_t* bytes, uint8_t size) {
     return true;
 }
 
-// The first bytes of our mark and then nothing: the power went while it was being written.
-bool begun(const uint8_t (&header)[kOurSize], const uint8_t (&wanted)[kOurSize]) {
+// The first bytes of our marks and then nothing: the power went while they were being written.
+bool begun(const uint8_t (&header)[kTwice], const uint8_t (&wanted)[kTwice]) {
     uint8_t same = 0;
-    while (same < kOurSize && header[same] == wanted[same]) ++same;
-    return blank(header + same, static_cast<uint8_t>(kOurSize - same));
+    while (same < kTwice && header[same] == wanted[same]) ++same;
+    return blank(header + same, static_cast<uint8_t>(kTwice - same));
+}
+
+// One of the two is whole, of the version it has.
+bool marked(const uint8_t* mark, uint8_t& version) {
+    uint8_t wanted[kTwice];
+    version = mark[kTraceSize];
+    ours(wanted, version);
+    return memcmp(mark, wanted, kOurSize - 1) == 0;
 }
 
 Status restIsBlank(bool& is) {
@@ -55,15 +65,15 @@ Status restIsBlank(bool& is) {
 }  // namespace
 
 Status findOwner(Owner& owner) {
-    uint8_t header[kOurSize];
+    uint8_t header[kTwice];
     const Status status = hal::eepromRead(kHeader.begin, header, sizeof header);
     if (status != Status::ok) return status;
-    uint8_t wanted[kOurSize];
-    ours(wanted, header[kTraceSize]);
-    if (memcmp(header, wanted, sizeof header) == 0) {
-        owner = header[kTraceSize] == kLayoutVersion ? Owner::ours : Owner::other_version;
+    uint8_t version;
+    if (marked(header, version) || marked(header + kOurSize, version)) {
+        owner = version == kLayoutVersion ? Owner::ours : Owner::other_version;
         return Status::ok;
     }
+    uint8_t wanted[kTwice];
     ours(wanted, kLayoutVersion);
     bool unused = false;
     if (begun(header, wanted)) {
@@ -75,9 +85,19 @@ Status findOwner(Owner& owner) {
 }
 
 Status claim() {
-    uint8_t header[kOurSize];
+    uint8_t header[kTwice];
     ours(header, kLayoutVersion);
     return hal::eepromWrite(kHeader.begin, header, sizeof header);
+}
+
+Status mendMarks(bool& damaged) {
+    uint8_t header[kTwice], wanted[kTwice];
+    damaged = false;
+    const Status status = hal::eepromRead(kHeader.begin, header, sizeof header);
+    if (status != Status::ok) return status;
+    ours(wanted, kLayoutVersion);
+    damaged = !begun(header, wanted);
+    return claim();
 }
 
 Status erase(uint16_t& at) {

@@ -16,7 +16,10 @@ enum class Owner : uint8_t {
 };
 
 MUST_USE core::Status findOwner(Owner& owner);  // busy: in a later frame
-MUST_USE core::Status claim();                  // writes our mark; of use on a blank EEPROM only
+// Of ours: a mark that is missing or damaged is written again by the other one. damaged: it was not
+// only missing, as in EEPROMs from before there were two. busy: in a later frame.
+MUST_USE core::Status mendMarks(bool& damaged);
+MUST_USE core::Status claim();  // writes our marks; of use on a blank EEPROM only
 
 // Erases everything, a part each call, and claims it; `at` starts at 0. A power cut on the way
 // leaves another firmware's EEPROM, never half of ours.

@@ -21,6 +21,11 @@ protected:
         EXPECT_EQ(storage::findOwner(found), Status::ok);
         return found;
     }
+    static bool mendedDamage() {
+        bool damaged = false;
+        EXPECT_EQ(storage::mendMarks(damaged), Status::ok);
+        return damaged;
+    }
 };
 
 TEST_F(OwnerTest, a_blank_eeprom_has_no_owner_and_can_be_claimed) {
@@ -37,6 +42,34 @@ TEST_F(OwnerTest, a_claim_that_a_power_cut_broke_can_be_made_again) {
         fakes::restartEeprom();
         EXPECT_EQ(owner(), Owner::blank) << cut;
     }
+}
+
+TEST_F(OwnerTest, a_claim_cut_in_its_second_mark_is_ours_and_is_completed) {
+    fakes::cutPowerAfter(10);
+    ASSERT_EQ(storage::claim(), Status::ok);
+    fakes::restartEeprom();
+    EXPECT_EQ(owner(), Owner::ours);
+    EXPECT_FALSE(mendedDamage()) << "it was only not yet there, as in what had one mark";
+    EXPECT_EQ(fakes::eepromCell(8), 0xB7);
+}
+
+TEST_F(OwnerTest, any_bit_of_it_may_change_or_be_worn_and_it_still_is_ours) {
+    ASSERT_EQ(storage::claim(), Status::ok);
+    const auto whole = fakes::eepromCells();
+    for (uint16_t at = 0; at < storage::kHeader.size; ++at)
+        for (int bit = 0; bit < 8; ++bit) {
+            fakes::setEepromCells(whole);
+            fakes::setEepromCell(at, static_cast<uint8_t>(whole[at] ^ 1 << bit));
+            ASSERT_EQ(owner(), Owner::ours) << at;
+            EXPECT_TRUE(mendedDamage()) << at;
+            EXPECT_EQ(fakes::eepromCells(), whole) << at;
+            EXPECT_FALSE(mendedDamage()) << at;
+            fakes::wearEepromCell(at, static_cast<uint8_t>(1 << bit), (whole[at] >> bit & 1) == 0);
+            ASSERT_EQ(owner(), Owner::ours) << at;
+            EXPECT_TRUE(mendedDamage()) << at;
+            EXPECT_EQ(owner(), Owner::ours) << at;
+            fakes::resetEeprom();
+        }
 }
 
 TEST_F(OwnerTest, data_of_arduplane_and_a_blank_header_before_old_data_belong_to_other_firmware) {

@@ -219,7 +219,9 @@ TEST_F(Errors, images_without_a_mission_of_ours_say_why) {
     Image image = compiled(kTwoWaypoints);
     image[storage::kMission.begin + 20] ^= 1;
     EXPECT_THAT(refusalOf(rawOf(image)), HasSubstr("damaged"));
-    image[4] ^= 1;
+    image[4] ^= 1;  // one of the two marks
+    EXPECT_THAT(refusalOf(rawOf(image)), HasSubstr("damaged"));
+    image[8 + 4] ^= 1;
     EXPECT_THAT(refusalOf(rawOf(image)), HasSubstr("not an EEPROM of this firmware"));
 }
 
