@@ -209,12 +209,14 @@ uint8_t setSensorOffsets(Link&, CommandRequest& request) {
     return whenTrue(parametersSetFrom(slot::compass_ofs_x, offsets_mg, 3), MavResult::failed);
 }
 
-// Values are stored as they are set: reading and writing "all" has nothing to do. Parameters may be
-// reset alone, missions only with them: then everything is erased.
+// Values are stored as they are set: reading and writing "all" has nothing to do, but damaged ones
+// are accepted by writing. Parameters may be reset alone, missions only with them: then everything
+// is erased.
 uint8_t resetStorage(Link&, CommandRequest& request) {
-    constexpr uint8_t kReset = 2;
+    constexpr uint8_t kWrite = 1, kReset = 2;
     const uint16_t action = number(request.item.param1);
     const bool missions = request.item.param2 == kReset;
+    if (action == kWrite && !parametersAccept()) return MavResult::temporarily_rejected;
     if (action != kReset) return whenTrue(action < kReset && !missions, MavResult::unsupported);
     return whenTrue(missions ? parametersErase() : parametersReset(),
                     MavResult::temporarily_rejected);

@@ -171,6 +171,8 @@ constexpr Check kChecks[] ROM = {
     {kBoardVoltage, boardVoltageBad,   "PreArm: board voltage", nullptr},
     {kBattery,      batteryBad,        "PreArm: battery low", nullptr},
     {kMission,      missionBad,        "PreArm: mission not readable", nullptr},
+    {kParameters,   parametersForeign, "PreArm: EEPROM is not ours", nullptr},
+    {kParameters,   parametersDamaged, "PreArm: parameters damaged", nullptr},
     {kParameters,   fenceBad,          "PreArm: fence not fit", nullptr},
     {kLogging,      loggingBad,        "PreArm: no log chip", nullptr},
 };

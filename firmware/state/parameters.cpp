@@ -263,6 +263,7 @@ enum class Store : uint8_t {
     foreign,  // another firmware's: neither read nor written
     forgetting,
     erasing,
+    trusting,  // as they are
 };
 struct Background {
     Store store;
@@ -277,6 +278,11 @@ core::Status forget() {
             parameters::forget(table, static_cast<uint8_t>(background.done + 1));
         if (status != core::Status::ok) return status;
     }
+    if (background.done < table.count()) {
+        const core::Status trusted = parameters::trust();
+        if (trusted != core::Status::ok) return trusted;
+        ++background.done;
+    }
     return parameters::save(table, kFormatRow, NAN);
 }
 
@@ -288,8 +294,20 @@ void runForgetting() {
 
 void runErasing() {
     if (storage::erase(background.done) != core::Status::ok) return;
+    parameters::erased();
     background.store = Store::ours;
     sendStatusText(Severity::notice, ROM_TEXT("Erased: restart the board"));
+}
+
+void runTrusting() {
+    if (parameters::trust() == core::Status::ok) background.store = Store::ours;
+}
+
+void reportFound() {
+    if (parameters::found() == parameters::Found::mended)
+        sendStatusText(Severity::error, ROM_TEXT("Memory fault: parameters mended"));
+    if (parameters::found() == parameters::Found::damaged)
+        sendStatusText(Severity::critical, ROM_TEXT("Memory fault: check all parameters"));
 }
 
 bool isListLength(uint8_t row) {
@@ -468,7 +486,10 @@ core::Status parametersLoad() {
     status = parameters::load(table);
     if (status != core::Status::ok) return status;
     background.store = Store::ours;
-    if (firmware::state::parameters.format_version != 0) return core::Status::ok;
+    if (firmware::state::parameters.format_version != 0) {
+        reportFound();
+        return core::Status::ok;
+    }
     background.store = Store::forgetting;
     background.done = 0;
     assignInitials();
@@ -478,20 +499,37 @@ core::Status parametersLoad() {
 void parametersRun() {
     switch (background.store) {
         case Store::ours:
+            if (parameters::takeWorn())
+                sendStatusText(Severity::error, ROM_TEXT("EEPROM is worn: a parameter is at risk"));
             return parameters::saveWaiting(table);
         case Store::forgetting:
             return runForgetting();
         case Store::erasing:
             return runErasing();
+        case Store::trusting:
+            return runTrusting();
         case Store::foreign:
             return;
     }
 }
 
+bool parametersForeign() { return background.store == Store::foreign; }
+bool parametersDamaged() { return parameters::found() == parameters::Found::damaged; }
+
+bool parametersAccept() {
+    if (!parametersDamaged()) return true;
+    if (vehicle.armed) return false;
+    background.store = Store::trusting;
+    return true;
+}
+
 bool parametersReset() {
     if (vehicle.armed) return false;
     if (background.store == Store::foreign) return parametersErase();
-    if (parameterSetAt(kFormatRow, 0) != core::Status::ok) return false;
+    if (background.store != Store::ours) return false;
+    assign(kFormatRow, 0);
+    if (parameters::save(table, kFormatRow, 0) != core::Status::ok)
+        parameters::saveLater(kFormatRow);
     sendStatusText(Severity::notice, ROM_TEXT("Parameters: the defaults after a restart"));
     return true;
 }

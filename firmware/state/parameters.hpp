@@ -181,7 +181,13 @@ bool parametersSetFrom(uint8_t slot, const float* values, uint8_t count);
 MUST_USE core::Status parametersLoad();  // at boot, a part each call: busy until all are read
 void parametersRun();                    // 10 Hz: background stores
 
-// Lets the next start forget every stored value; the mission stays. False: armed, or no room yet.
+bool parametersForeign();  // the EEPROM is another firmware's: all of them are the defaults
+bool parametersDamaged();  // more of them has changed by itself than could be mended
+// Takes damaged ones for right as they are. False: armed.
+bool parametersAccept();
+
+// Lets the next start forget every stored value; the mission stays. False: armed, or the last such
+// work is not done yet.
 bool parametersReset();
 // Begins to erase the whole EEPROM, parameters and mission, ours or another firmware's; reported
 // when done, in force after a restart. False: armed.

@@ -11,8 +11,8 @@ const unit = dirname(fileURLToPath(import.meta.url)), root = join(unit, '../..')
 const ofAFolder = new Set([
   'firmware/mission/beyond_commands', 'firmware/mission/damaged_memory', 'firmware/mission/every_command',
   'firmware/mission/lost_flash', 'firmware/mission/manual', 'firmware/mission/new_flight', 'firmware/mission/upgrade',
-  'firmware/safety/manual', 'libraries/storage/damaged_lists', 'libraries/storage/flash_staging',
-  'libraries/storage/power_cut', 'simulator/airplane/parameter_files', 'simulator/campaign/program',
+  'firmware/safety/manual', 'libraries/storage/damaged_lists', 'libraries/storage/damaged_parameters',
+  'libraries/storage/flash_staging', 'libraries/storage/power_cut', 'simulator/airplane/parameter_files', 'simulator/campaign/program',
   'simulator/report/report', 'toolchain/cmake/configure', 'toolchain/flash_tool/flash',
   ...['errors', 'garbage', 'round_trip', 'show'].map((name) => `toolchain/mission_tool/${name}`),
   'toolchain/mutate_tool/mutate', ...['errors', 'garbage', 'round_trip'].map((name) => `toolchain/param_tool/${name}`),

@@ -34,7 +34,7 @@ float floatOf(uint32_t bits) {
 
 Status loadRow(const Table& table, uint8_t index) {
     uint32_t bits;
-    const Status status = storage::readSlot(table.slot(index), bits);
+    const Status status = journal.read(table.slot(index), bits);
     if (status != Status::ok) return status;
     const float value = floatOf(bits);
     if (table.fits(index, value)) {  // blank EEPROM reads as NaN, which fits nothing
@@ -65,6 +65,11 @@ Status load(const Table& table) {
 Status save(const Table& table, uint8_t index, float value) {
     return journal.write(table.slot(index), bitsOf(value));
 }
+
+Found found() { return journal.found(); }
+Status trust() { return journal.trust(); }
+bool takeWorn() { return journal.takeWorn(); }
+void erased() { journal = storage::Journal(); }
 
 Status forget(const Table& table, uint8_t index) { return storage::clearSlot(table.slot(index)); }
 

@@ -6,6 +6,7 @@
 
 #include "core/status.hpp"
 #include "parameters/table.hpp"
+#include "storage/journal.hpp"
 
 namespace parameters {
 
@@ -16,11 +17,18 @@ static_assert(kMaxRows % 8 == 0, "the bits fill whole bytes");
 // initial one where nothing is stored or what is stored is out of range. busy: call again.
 MUST_USE core::Status load(const Table& table);
 
+// What load() has found of them all, and how to accept them as they are: storage/journal.hpp.
+using Found = storage::Journal::Found;
+Found found();
+MUST_USE core::Status trust();
+bool takeWorn();
+void erased();  // the whole EEPROM is
+
 // Stores a value for the row; the field is the caller's. busy: no room yet, nothing was changed.
 MUST_USE core::Status save(const Table& table, uint8_t index, float value);
 
 // Leaves nothing stored for the row, so that the next load finds its initial value; the field
-// stays. Past the journal: what a cut leaves is forgotten by asking again.
+// stays. Past the journal: what a cut leaves is forgotten by asking again. trust() has to follow.
 MUST_USE core::Status forget(const Table& table, uint8_t index);
 
 // Stores the row's present value when there is room: saveWaiting carries it out.

@@ -23,6 +23,7 @@ constexpr uint8_t kParameterSize = 4;
 constexpr uint16_t kParameterSlots = 256;  // a table's slot numbers are bytes
 constexpr uint8_t kJournalEntrySize = 8;
 constexpr uint8_t kJournalEntries = 8;
+constexpr uint8_t kCheckSize = 4;
 constexpr uint8_t kHeadSize = 16;
 constexpr uint8_t kRecordSize = 14;
 constexpr uint8_t kRecordSlots = 171;  // home and 170 commands
@@ -43,7 +44,8 @@ constexpr Region kMission     = after(kMissionHead, kRecordSlots * kRecordSize);
 constexpr Region kFence       = after(kMission,     kFencePoints * kFenceSize);
 constexpr Region kFenceHead   = after(kFence,       2 * kHeadSize);
 constexpr Region kRallyHead   = after(kFenceHead,   2 * kHeadSize);
-constexpr Region kGap         = after(kRallyHead,   24);
+constexpr Region kChecks      = after(kRallyHead,   2 * kCheckSize);     // of the parameters, twice
+constexpr Region kGap         = after(kChecks,      16);
 constexpr Region kIndex       = after(kGap,         64);                 // the mission's, wear spread
 constexpr Region kHomeAndLog  = after(kIndex,       32);
 constexpr Region kRally       = after(kHomeAndLog,  kRallyPoints * kRallySize);
@@ -55,7 +57,7 @@ static_assert(kSpare.end() == hal::kEepromSize, "the EEPROM map must account for
 static_assert(!overlap(kParameters, kMission), "a full mission must not reach the parameters");
 static_assert(kIndexEntries * kIndexEntrySize <= kIndex.size, "index entries do not fit");
 static_assert(kHeadSize <= hal::kEepromQueue, "a head is queued in one piece");
-// Fence and rally points came later, into places that were blank until then, and so did signing.
+// Fence, rally points, signing and the parameters' checks came later, into places that were blank.
 static_assert(kJournal.begin == 1104 && kMission.begin == 1200 && kIndex.begin == 3882 &&
                   kHomeAndLog.begin == 3946,
               "layout 1 has these where its first boards have them");

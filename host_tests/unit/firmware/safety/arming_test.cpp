@@ -10,8 +10,11 @@
 #include "firmware/mission/home.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/notify/text_queue.hpp"
+#include "firmware/state/parameters.hpp"
 #include "firmware_bench.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
+#include "storage/eeprom_map.hpp"
+#include "storage/owner.hpp"
 
 namespace {
 
@@ -193,6 +196,16 @@ struct Fault {
     const char* reason;
     std::function<void()> happens;
 };
+// Parameters that stand in an EEPROM with this first byte, and of which two bits have changed.
+void storedBy(uint8_t first) {
+    fakes::setEepromCell(0, first);
+    if (first != 0xB7) fakes::setEepromCell(8, first);
+    fakes::setEepromCell(storage::parameterAddress(100), 0xFE);
+    fakes::setEepromCell(storage::parameterAddress(101), 0xFE);
+    const firmware::state::Parameters now = parameters;
+    while (firmware::state::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
+    static_cast<firmware::state::Parameters&>(parameters) = now;
+}
 class Check : public Arming, public testing::WithParamInterface<Fault> {};
 
 TEST_P(Check, refuses_to_arm_and_says_why) {
@@ -265,6 +278,14 @@ INSTANTIATE_TEST_SUITE_P(
                   parameters.battery_monitor = 3;
                   parameters.battery_low_v = 10;
                   mutable_vehicle.battery.voltage_mv = 9900;
+              }},
+        Fault{32, "PreArm: EEPROM is not ours", [] { storedBy(0x41); }},
+        Fault{32, "PreArm: parameters damaged",
+              [] {
+                  ASSERT_EQ(storage::claim(), core::Status::ok);
+                  firmware::state::parameterSet(3, 90);
+                  firmware::state::parametersRun();
+                  storedBy(0xB7);
               }},
         Fault{1024, "PreArm: no log chip", [] { parameters.log_bitmask = 1; }}));
 
