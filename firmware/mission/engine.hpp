@@ -59,6 +59,9 @@ void missionCommitted();
 bool missionCompared();                                  // then until it is true
 extern core::FileState<MissionSummary> mission_summary;  // of the present mission
 
+// ---- refusals.cpp: why an item was not taken, as a text
+void reportRefused(uint16_t index, const MissionItem& item, MissionResult result);
+
 // Leaves AUTO for this mode once the pass that runs is over.
 void leaveForMode(state::Mode mode);
 

@@ -23,6 +23,7 @@ struct Upload {
     MissionSummary staged_summary;
     EncodeWarnings warnings;
     uint8_t partial_last;  // last item of a partial write; 0xFF: all items come from the ground
+    bool refused;          // an item was, and a text said why
 };
 core::FileState<Upload> upload{};
 constexpr uint8_t kWhole = 0xFF;
@@ -35,6 +36,7 @@ MissionResult begin(uint16_t count, uint8_t set) {
     upload.warnings = {};
     upload.staged_summary = {};
     upload.partial_last = kWhole;
+    upload.refused = false;
     return result;
 }
 
@@ -120,7 +122,11 @@ MissionResult missionUploadItem(uint16_t index, const MissionItem& item) {
     EncodeWarnings item_warnings = {};
     const MissionResult result =
         encodeItem(stagedSet(), {place, count}, item, record, item_warnings);
-    if (result != MissionResult::accepted) return result;
+    if (result != MissionResult::accepted) {
+        if (!upload.refused) reportRefused(index, item, result);
+        upload.refused = true;
+        return result;
+    }
     uint8_t bytes[::mission::kRecordSize];
     ::mission::pack(stagedSet(), record, bytes);
     const Status status = missionUploadRecord(bytes);
