@@ -13,10 +13,19 @@ const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
 
 const kTimeout_ms = 120_000;  // other programs may have the processor
 
+// The page is drawn as on any computer without a graphics chip; WebGL has to be asked for there.
 export const launch = () => chromium.launch({
   executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+  args: ['--no-sandbox', '--enable-unsafe-swiftshader'],
 });
+
+// What the busiest of the browser's processes has taken of the processor since: one runs the page, one draws the screen, at once.
+export async function busiest(browser) {
+  const session = await browser.newBrowserCDPSession();
+  const times = async () => new Map((await session.send('SystemInfo.getProcessInfo')).processInfo.map(({ id, cpuTime }) => [id, cpuTime * 1000]));
+  const begun = await times();
+  return async () => Math.max(...[...await times()].map(([id, spent_ms]) => spent_ms - (begun.get(id) ?? 0)));
+}
 
 // A page whose errors and requests are kept: page.faults, page.requests.
 export async function open(browser, url, { width = 1200, height = 800, dark = false, touch = false } = {}) {
