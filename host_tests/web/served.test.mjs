@@ -176,3 +176,27 @@ test('a gamepad banks the airplane', () => served(async (page) => {
   await page.evaluate(() => { globalThis.stickRoll = 0.04; });
   await until('level again, as the middle of a stick is wide', async () => Math.abs(await roll_deg()) < 8);
 }, kServe, gamepad));
+
+test('keys bank the airplane, and the throttle begins where its stick is, on a page that is opened again, too', () => served(async (page) => {
+  await takeOff(page);
+  await speed(page, '1×');
+  await page.getByLabel('mode', { exact: true }).selectOption('FBWA');
+  await state(page).getByText('armed · FBWA').waitFor();
+  const inputs = () => page.locator('#groups [data-group="rc"]').click();
+  const throttle_us = async () => parseFloat(await shown(page, 'rc3_us'));
+  await inputs();
+  await page.click('#sticks');
+  await page.keyboard.down('w');
+  await until('more throttle', async () => await throttle_us() > 1500);
+  await page.keyboard.up('w');
+
+  await page.reload();
+  await page.locator('.u-over[data-group="height"]').waitFor();
+  await inputs();
+  await until('heard again', async () => await throttle_us() > 1500);
+  await page.click('#sticks');
+  await page.keyboard.down('ArrowLeft');
+  await until('banked to the left', async () => parseFloat(await shown(page, 'roll_deg')) < -20);
+  assert.ok(await throttle_us() > 1500, `${await throttle_us()} us`);
+  await page.keyboard.up('ArrowLeft');
+}));

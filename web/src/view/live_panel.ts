@@ -42,7 +42,8 @@ export class LivePanel {
     this.goTo.addEventListener('click', () => this.aim(this.goTo.getAttribute('aria-pressed') !== 'true'));
     this.faultsChanged();
     page.map.fit();
-    new Sticks((command) => void this.send(command), panel);
+    const { flight } = page;
+    new Sticks((command) => void this.send(command), () => flight.at(flight.find('rc3_us'), flight.to_s), panel);
   }
   private get offers(): Offers { return this.page.flight.document.offers ?? { modes: [], faults: [] }; }
   // What fails now can be ended.

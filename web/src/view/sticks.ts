@@ -4,6 +4,7 @@ import { make } from '../dom';
 import type { Command } from '../source/live';
 
 const kEvery_ms = 50, kDeadZone = 0.06, kThrottleStep = 0.02;
+const kIdle_us = 1100, kTravel_us = 800;  // of the throttle's stick
 
 const beyond = (value: number): number => (Math.abs(value) < kDeadZone ? 0 : value);
 
@@ -15,7 +16,8 @@ export class Sticks {
   private timer?: ReturnType<typeof setInterval>;
   private last = '';
 
-  constructor(private readonly send: (command: Command) => void, panel: HTMLElement) {
+  // `throttle_us`: where that stick is now, NaN while it is not known.
+  constructor(private readonly send: (command: Command) => void, private readonly throttle_us: () => number, panel: HTMLElement) {
     panel.firstElementChild?.append(this.button);
     this.button.addEventListener('click', () => this.set(this.timer === undefined));
     addEventListener('keydown', (event) => this.key(event, true), true);
@@ -25,6 +27,8 @@ export class Sticks {
   private set(on: boolean): void {
     this.button.setAttribute('aria-pressed', String(on));
     clearInterval(this.timer);
+    const now = (this.throttle_us() - kIdle_us) / kTravel_us;
+    if (on && Number.isFinite(now)) this.throttle = Math.min(Math.max(now, 0), 1);
     this.timer = on ? setInterval(() => this.tick(), kEvery_ms) : undefined;
   }
   private key(event: KeyboardEvent, down: boolean): void {
