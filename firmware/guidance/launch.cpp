@@ -72,6 +72,11 @@ bool flies() {
     return high && (turning || vehicle.estimate.flying);
 }
 
+// A take-off that a restart has cut short: there is no push any more, and no fix yet.
+bool climbsAlready() {
+    return vehicle.estimate.flying && faraway(altitude_cm(), ground_cm()) && flies();
+}
+
 bool launched() {
     if (vehicle.gps.fix != GpsFix::three_d) return false;
     const navigation::LaunchSettings settings = {parameters.takeoff_min_speed_mps,
@@ -127,7 +132,7 @@ void noteGround() {
 void waitForLaunch() {
     if (!vehicle.armed || stands()) return suppressThrottle();
     if (!vehicle.progress.throttle_suppressed) return;
-    if (vehicle.demand.path == Path::takeoff ? launched() : flies())
+    if (vehicle.demand.path == Path::takeoff ? launched() || climbsAlready() : flies())
         progress.throttle_suppressed = false;
 }
 

@@ -384,6 +384,24 @@ TEST_F(Guidance,
     }
 }
 
+TEST_F(Guidance, goes_on_with_a_take_off_that_a_restart_has_cut_short) {
+    onTheGround(Mode::loiter);
+    demand(Path::takeoff);
+    mutable_vehicle.airspeed.healthy = false;
+    mutable_vehicle.gps.fix = firmware::state::GpsFix::none;
+    guide(1);
+    mutable_vehicle.estimate.height_m = 30;
+    guide(20);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed) << "a broken barometer";
+    mutable_vehicle.estimate.flying = true;
+    mutable_vehicle.estimate.height_m = 8;
+    guide(20);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed) << "within reach of a hand";
+    mutable_vehicle.estimate.height_m = 30;
+    guide(1);
+    EXPECT_FALSE(vehicle.progress.throttle_suppressed);
+}
+
 TEST_F(Guidance, waits_for_a_three_dimensional_fix_before_a_take_off) {
     onTheGround(Mode::loiter);
     demand(Path::takeoff);
