@@ -4,8 +4,10 @@
 
 namespace avr {
 
-// Ends this run, leaves a note why, and begins anew: by the watchdog's reset, or through address 0
-// on a board whose bootloader does not survive one.
+// Ends this run, leaves a note why, and begins anew through address 0, which no bootloader can turn
+// into an end: some loop for ever after a watchdog's reset. Where one asks for it, on the ground,
+// it is that reset, on a board whose bootloader should survive it: one that does not is found
+// there.
 [[noreturn]] void restart(hal::ResetCause why);
 
 // While the supply is below what the board needs, and for a quarter of a second afterwards; called

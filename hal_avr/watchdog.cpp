@@ -25,7 +25,6 @@ struct {
     uint8_t low, high;  // how long a low supply is still remembered, and its complement
 } supply __attribute__((section(".noinit")));
 
-constexpr uint8_t kBite_ms = 15;
 constexpr uint8_t kSupplyRemembered = 60;  // times 4 ms
 
 uint16_t checksumOf(const hal::LastRun& run) {
@@ -34,10 +33,12 @@ uint16_t checksumOf(const hal::LastRun& run) {
                                  (run.trace << 8 | uint8_t(run.ended)));
 }
 
+bool noted() { return note.checksum == checksumOf(note.run); }
+
 ResetCause causeOf(uint8_t flags) {
     // The supply's rise sets other flags along with its own.
     if (flags & (1 << PORF)) return ResetCause::power_on;
-    if (note.checksum == checksumOf(note.run)) return note.run.ended;
+    if (noted()) return note.run.ended;
     if (flags & (1 << WDRF)) return ResetCause::watchdog;
     if (flags & (1 << BORF)) return ResetCause::brown_out;
     if (flags & (1 << EXTRF)) return ResetCause::external;
@@ -52,10 +53,11 @@ __attribute__((noinline)) void examineLastRun() {
     MCUSR = 0;
     wdt_disable();
     hal::LastRun& run = note.run;
+    const bool known = noted();
     run.ended = causeOf(flags);
-    run.restart_ms = wiring::kStartUp_ms;
-    if (run.ended == ResetCause::watchdog || run.ended == ResetCause::fault)
-        run.restart_ms = wiring::kWatchdogResets ? kBite_ms + wiring::kStartUp_ms : 0;
+    const bool through_zero =
+        known && (run.ended == ResetCause::watchdog || run.ended == ResetCause::fault);
+    run.restart_ms = through_zero ? 0 : wiring::kStartUp_ms;
     note.checksum = static_cast<uint16_t>(~checksumOf(note.run));
     supply.low = 0;
 }
@@ -69,7 +71,7 @@ void leaveNote(ResetCause why) {
 
 // Everything that could still act or interrupt is as after a reset: all of the extended registers
 // from the pin change control on (OSCCAL and the clock's divider lie before it), the ports, and
-// the few below; then the flags.
+// the few below; then the flags. The watchdog is switched off by examineLastRun().
 [[noreturn]] void beginThroughZero() {
     for (uint16_t at = 0x68; at <= 0x136; ++at) *reinterpret_cast<volatile uint8_t*>(at) = 0;
     for (uint16_t at = 0x20; at <= 0x34; ++at) *reinterpret_cast<volatile uint8_t*>(at) = 0;
@@ -85,7 +87,7 @@ void leaveNote(ResetCause why) {
 extern "C" void saveResetFlags() __attribute__((naked, used, section(".init3")));
 void saveResetFlags() { examineLastRun(); }
 
-// Where a reset may follow, it does so as well when interrupts are off for too long.
+// Where a reset may follow, it does so when interrupts are off for too long.
 ISR(WDT_vect) { avr::restart(ResetCause::watchdog); }
 
 namespace avr {
@@ -93,7 +95,8 @@ namespace avr {
 void restart(ResetCause why) {
     cli();
     leaveNote(why);
-    if (!wiring::kWatchdogResets) beginThroughZero();
+    const bool resets = wiring::kWatchdogResets && why == ResetCause::asked;
+    if (!resets) beginThroughZero();
     wdt_enable(WDTO_15MS);
     wdt_reset();  // the 15 ms count from here, whatever it counted before
     for (;;) {
