@@ -55,7 +55,9 @@ struct Chip {
         const fakes::Fate fate = fakes::beginWrite();
         if (fate == fakes::Fate::lost) return;
         ++writes;
-        put(entry.address, fate == fakes::Fate::done ? entry.value : 0xFF);
+        const uint8_t torn =
+            fakes::tearsWrites() ? static_cast<uint8_t>(fakes::tornNoise()) : uint8_t{0xFF};
+        put(entry.address, fate == fakes::Fate::done ? entry.value : torn);
         const bool worn = (stuck_high[entry.address] | stuck_low[entry.address]) != 0;
         if (worn && seen[entry.address] == entry.value) seen[entry.address] = cells[entry.address];
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tests' EEPROM: quick by default, on request as slow as the real one, and its power can be
-// cut in the middle of a byte, which then reads 0xFF.
+// cut in the middle of a byte, which then reads 0xFF or noise (power.hpp).
 #pragma once
 #include <stdint.h>
 

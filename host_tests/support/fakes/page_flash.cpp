@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include <algorithm>
+
 #include "fakes/clock.hpp"
 #include "hal/page_flash.hpp"
 
@@ -24,6 +26,12 @@ struct Chip {
     void damage(std::vector<uint8_t>& cells) {
         for (uint8_t& cell : cells)
             cell = static_cast<uint8_t>((noise = noise * 1664525u + 1013904223u) >> 24);
+    }
+    void damageInFlight(std::vector<uint8_t>& cells, const std::vector<uint8_t>& written) {
+        const bool half = fakes::tearsWrites();
+        if (!half || fakes::tornNoise() % 2 == 0) damage(cells);
+        const auto whole = static_cast<long>(half ? fakes::tornNoise() % cells.size() : 0);
+        std::copy(written.begin(), written.begin() + whole, cells.begin());
     }
     void catchUp() {
         if (page < 0 || fakes::time_us() < until_us) return;
@@ -78,7 +86,8 @@ void damagePage(uint16_t page) { chip.damage(chip.pages.at(page)); }
 
 void restartPageFlash() {
     chip.catchUp();
-    if (chip.page >= 0 && powerWasCut()) chip.damage(chip.pages[static_cast<size_t>(chip.page)]);
+    if (chip.page >= 0 && powerWasCut())
+        chip.damageInFlight(chip.pages[static_cast<size_t>(chip.page)], chip.buffers[chip.buffer]);
     chip.page = -1;
     chip.occupied = chip.wanted = false;
     for (std::vector<uint8_t>& buffer : chip.buffers) chip.damage(buffer);
@@ -125,7 +134,7 @@ Status flashStore(FlashUser user, uint16_t page) {
     chip.buffer = static_cast<int>(user);
     chip.until_us = fakes::time_us() + (chip.slow ? kPage_us : 0);
     if (fate == fakes::Fate::damaged) {
-        chip.damage(chip.pages.at(page));
+        chip.damageInFlight(chip.pages.at(page), chip.buffers[chip.buffer]);
         chip.page = -1;
     }
     return Status::ok;

@@ -13,8 +13,14 @@ bool powerWasCut();
 uint64_t powerCut_us();  // when; UINT64_MAX: it has not been
 void restorePower();
 
+// What the damaged one leaves: with 0 as usual, a cell blank and a page full of noise; else a cell
+// with noise, and a page with the first of the new bytes and behind them the old ones or noise.
+void tearWrites(uint32_t seed);
+
 // For the memories: what becomes of the write that begins now.
 enum class Fate { done, damaged, lost };
 Fate beginWrite();
+bool tearsWrites();
+uint32_t tornNoise();
 
 }  // namespace fakes

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Power cuts in the middle of every single write to EEPROM and DataFlash of a change, and of the
 // copying after it. Whoever boots after one finds the old or the new list, whole.
+// STORAGE_CUTS=n makes so many of those that are drawn: torn, and again in the recovery.
+#include <cstdlib>
+
 #include "rig.hpp"
 
 namespace {
@@ -182,6 +185,63 @@ TEST_P(PowerCuts, in_every_write_leave_the_old_or_the_new_list) {
 // In the chips' own time, so that a byte and a page are in flight at once.
 TEST_P(PowerCuts, in_slow_chips_leave_the_old_or_the_new_list) {
     EXPECT_GT(cutEverything(7, true), 600);
+}
+
+struct Draw {
+    uint32_t state;
+    uint32_t below(uint32_t limit) {
+        state = state * 1664525u + 1013904223u;
+        return (state >> 8) % limit;
+    }
+};
+
+// The write in flight is torn, at any moment of a change and then again of the start after it.
+TEST_P(PowerCuts, torn_ones_and_more_of_them_in_the_recovery_leave_the_old_or_the_new_list) {
+    const char* wanted = std::getenv("STORAGE_CUTS");
+    const int each = (wanted != nullptr ? std::atoi(wanted) : 900) / 9;
+    Counts sum;
+    Draw draw = {GetParam() ? 7u : 8u};
+    const auto recover = [](uint32_t writes) {
+        fakes::cutPowerAfter(writes);
+        MissionStore store;
+        (void)open(store);
+        if (!fakes::powerWasCut()) (void)migrateToEeprom(store);
+        const bool was_cut = fakes::powerWasCut();
+        restart();
+        return was_cut;
+    };
+    const auto cutOne = [&](const Change& change) {
+        newChips(false);
+        prepare(change);
+        const Memories before = remember();
+        uint32_t writes = 400;  // of the change; less as it turns out
+        for (int n = 0; n < each && !HasFatalFailure(); ++n) {
+            recall(before);
+            fakes::setEepromSlow(n % 8 == 0);
+            fakes::setPageFlashSlow(n % 8 == 0);
+            fakes::tearWrites(draw.below(0xFFFFFF) + 1);
+            const uint32_t at = draw.below(writes);
+            MissionStore writer;
+            ASSERT_EQ(open(writer), Status::ok);
+            fakes::cutPowerAfter(at);
+            (void)change.make(writer, change);
+            if (!fakes::powerWasCut()) (void)migrateToEeprom(writer);
+            if (!fakes::powerWasCut()) writes = std::max(at, 10u);
+            restart();
+            for (uint32_t again = draw.below(3); again > 0; --again)
+                sum.cuts += recover(draw.below(n % 2 == 0 ? 40 : writes));
+            ++sum.cuts;
+            fakes::tearWrites(0);
+            const bool one_more_fits = GetParam();
+            checkAfter(change, one_more_fits ? n : 1, sum);
+        }
+    };
+    for (const Change& change : kAnywhere) cutOne(change);
+    cutOne(GetParam() ? kFull[2] : kBeside[0]);
+    printf("%d torn power cuts: %d old, %d new\n", sum.cuts, sum.old_list, sum.new_list);
+    RecordProperty("cuts", sum.cuts);
+    EXPECT_GT(sum.old_list, each / 4);
+    EXPECT_GT(sum.new_list, each / 4);
 }
 
 INSTANTIATE_TEST_SUITE_P(DataFlash, PowerCuts, testing::Bool(), [](const auto& row) {
