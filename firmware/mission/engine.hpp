@@ -4,6 +4,7 @@
 #include "core/file_state.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/state/vehicle.hpp"
+#include "mission/longest_pass.hpp"
 #include "mission/sequencer.hpp"
 #include "storage/mission_store.hpp"
 
@@ -34,8 +35,9 @@ struct MissionSummary {
     uint8_t idle;        // how many do nothing on this board
 };
 constexpr uint8_t kUnreadable = 0xFF;
-void summarizeRecord(MissionSummary& summary, ::mission::Set set, const uint8_t* bytes,
-                     ::mission::ItemPosition at);
+// Returns the command's row; kNoRow: home, or unknown or out of range.
+uint8_t summarizeRecord(MissionSummary& summary, ::mission::Set set, const uint8_t* bytes,
+                        ::mission::ItemPosition at);
 using ReadRecord = core::Status (*)(uint8_t index, uint8_t* to);
 MUST_USE core::Status summarizeStep(MissionSummary& summary, ::mission::Set set, uint8_t count,
                                     ReadRecord read);
@@ -59,8 +61,9 @@ void missionCommitted();
 bool missionCompared();                                  // then until it is true
 extern core::FileState<MissionSummary> mission_summary;  // of the present mission
 
-// ---- refusals.cpp: why an item was not taken, as a text
+// ---- refusals.cpp: why an item, or the mission for one, was not taken, as a text
 void reportRefused(uint16_t index, const MissionItem& item, MissionResult result);
+void reportRefused(uint16_t index, ::mission::LongestPass::Verdict verdict);
 
 // Leaves AUTO for this mode once the pass that runs is over.
 void leaveForMode(state::Mode mode);

@@ -11,12 +11,13 @@ namespace mission {
 using namespace notify;
 using namespace state;
 
-void summarizeRecord(MissionSummary& summary, ::mission::Set set, const uint8_t* bytes,
-                     ::mission::ItemPosition at) {
-    if (at.index == 0) return;  // home
+uint8_t summarizeRecord(MissionSummary& summary, ::mission::Set set, const uint8_t* bytes,
+                        ::mission::ItemPosition at) {
+    if (at.index == 0) return ::mission::kNoRow;  // home
     const Record record = ::mission::unpack(set, bytes);
     const uint8_t row = kCommandTable.find(set, record.id);
-    if (row == ::mission::kNoRow || kCommandTable.valid(row, record, at) != 0) return;
+    if (row == ::mission::kNoRow || kCommandTable.valid(row, record, at) != 0)
+        return ::mission::kNoRow;
     constexpr uint8_t kLandStart = 0xBD;
     if (kCommandTable.act(row) == nothingToDo) {
         if (record.id != kLandStart)
@@ -33,6 +34,7 @@ void summarizeRecord(MissionSummary& summary, ::mission::Set set, const uint8_t*
         if (record.p3 != ::mission::kForEver) ++summary.counters;
         if (record.p1 <= summary.last_nav) summary.last_run = at.index;
     }
+    return row;
 }
 
 core::Status summarizeStep(MissionSummary& summary, ::mission::Set set, uint8_t count,
@@ -41,7 +43,7 @@ core::Status summarizeStep(MissionSummary& summary, ::mission::Set set, uint8_t 
         uint8_t bytes[::mission::kRecordSize];
         const core::Status status = read(summary.next, bytes);
         if (status != core::Status::ok) return status;
-        summarizeRecord(summary, set, bytes, {summary.next, count});
+        (void)summarizeRecord(summary, set, bytes, {summary.next, count});
     }
     return summary.next >= count ? core::Status::ok : core::Status::busy;
 }

@@ -2,6 +2,7 @@
 // Missions up and down. A new one is checked as a whole before it is committed, and the old one
 // flies on until then.
 #include "core/file_state.hpp"
+#include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/item.hpp"
@@ -21,6 +22,7 @@ using core::Status;
 
 struct Upload {
     MissionSummary staged_summary;
+    ::mission::LongestPass passes;
     EncodeWarnings warnings;
     uint8_t partial_last;  // last item of a partial write; 0xFF: all items come from the ground
     bool refused;          // an item was, and a text said why
@@ -35,6 +37,7 @@ MissionResult begin(uint16_t count, uint8_t set) {
     if (result != MissionResult::accepted) return result;
     upload.warnings = {};
     upload.staged_summary = {};
+    upload.passes.begin(static_cast<::mission::Set>(set));
     upload.partial_last = kWhole;
     upload.refused = false;
     return result;
@@ -101,10 +104,35 @@ MissionResult missionBeginPartial(uint16_t first, uint16_t last) {
     return result;
 }
 
+namespace {
+
+void takeIn(const uint8_t* bytes, ::mission::ItemPosition at) {
+    const uint8_t row = summarizeRecord(upload.staged_summary, stagedSet(), bytes, at);
+    const ::mission::Class kind =
+        row == ::mission::kNoRow ? ::mission::Class::action : kCommandTable.kind(row);
+    ::mission::Jump jump = {};
+    if (kind == ::mission::Class::jump)
+        jump = core::romRead(kCommandTable.rows[row].target)(::mission::unpack(stagedSet(), bytes));
+    upload.passes.add(at.index, kind, jump);
+}
+
+// What may hold up the next NAV for too long is refused: part by part, at the end of an upload.
+MissionResult checkPasses() {
+    using Verdict = ::mission::LongestPass::Verdict;
+    const Verdict verdict = upload.passes.step(mission_store.stagedCount());
+    if (verdict == Verdict::busy) return MissionResult::busy;
+    if (verdict == Verdict::fine) return MissionResult::accepted;
+    reportRefused(upload.passes.item(), verdict);
+    listAbort();
+    return MissionResult::invalid;
+}
+
+}  // namespace
+
 Status missionUploadRecord(const uint8_t* bytes) {
     const ::mission::ItemPosition at = {mission_store.staged(), mission_store.stagedCount()};
     const Status status = mission_store.put(bytes);
-    if (status == Status::ok) summarizeRecord(upload.staged_summary, stagedSet(), bytes, at);
+    if (status == Status::ok) takeIn(bytes, at);
     return status;
 }
 
@@ -148,6 +176,8 @@ MissionResult missionCommit() {
             listAbort();
             return MissionResult::no_space;
         }
+        const MissionResult passes = checkPasses();
+        if (passes != MissionResult::accepted) return passes;
     }
     return listCommit();
 }

@@ -48,7 +48,6 @@ unit_test(support/fakes)
 
 # ---- against implementations that are not the project's own, or written a second time
 unit_test(oracle/mission mission)
-target_sources(oracle_mission_test PRIVATE ${CMAKE_SOURCE_DIR}/toolchain/mission_tool/passes.cpp)
 unit_test(oracle/airplane simulator_world)
 find_library(GEOGRAPHICLIB NAMES GeographicLib Geographic REQUIRED)
 unit_test(oracle/geo geo ${GEOGRAPHICLIB})

@@ -7,9 +7,9 @@
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/state/parameters.hpp"
+#include "mission/longest_pass.hpp"
 #include "toolchain/mission_tool/board.hpp"
 #include "toolchain/mission_tool/legs.hpp"
-#include "toolchain/mission_tool/passes.hpp"
 
 namespace mission_tool {
 namespace {
@@ -21,12 +21,6 @@ using mission::Set;
 
 constexpr uint8_t kWaypoint = 0x10, kLoiterUnlimited = 0x11, kTakeoff = 0x16, kTarget = 0x17;
 constexpr float kFar_m = 50'000;
-
-// What the board needs: twenty polls a second of up to 16 records each; of relays it runs seven in
-// one. on_board.costs: 168 of them, which are also looked at, take 33 polls.
-constexpr double kPoll_s = 0.05;
-constexpr PassCost kBoardCost = {kPoll_s / 16, kPoll_s / 7 - kPoll_s / 16};
-constexpr double kLongestPass_s = 1.5;
 
 const Document* read_from;
 core::Status readRecord(uint8_t index, uint8_t* to) {
@@ -138,27 +132,28 @@ private:
         }
     }
 
-    // What the engine cuts short, and what holds up the next NAV for longer than it may.
+    // What may hold up the next NAV for too long, as the board computes it.
     void passes() {
-        std::vector<PassItem> items(std::min(document_.entries.size(), kMaxItems));
-        for (size_t i = 1; i < items.size(); ++i) {
+        using mission::LongestPass;
+        LongestPass passes;
+        passes.begin(document_.set);
+        const auto count = static_cast<uint8_t>(std::min(document_.entries.size(), kMaxItems));
+        for (uint8_t i = 1; i < count; ++i) {
             const Entry& entry = document_.entries[i];
             if (!entry.good()) return;  // refused
-            items[i].good = true;
-            items[i].kind = kCommandTable.kind(entry.row);
-            if (items[i].kind == Class::jump) items[i].target = target(entry);
-            items[i].counted = document_.set == Set::apm2 && entry.record.p3 != mission::kForEver;
+            const Class kind = kCommandTable.kind(entry.row);
+            mission::Jump jump = {};
+            if (kind == Class::jump) jump = kCommandTable.rows[entry.row].target(entry.record);
+            passes.add(i, kind, jump);
         }
-        if (const size_t jump = jumpThatGoesRound(document_.set, items))
-            warn(jump,
-                 "jumps go round here with no NAV or CONDITION on the way: passed over when "
-                 "a pass has taken all its steps");
-        const LongPass longest =
-            longestPass(document_.set, items, parameters.mission_trailing != 0, kBoardCost);
-        if (longest.cost > kLongestPass_s)
-            warn(longest.begins, "what is run from here on may hold up the next NAV for " +
-                                     std::to_string(std::lround(longest.cost * 10) / 10) + "." +
-                                     std::to_string(std::lround(longest.cost * 10) % 10) + " s");
+        LongestPass::Verdict verdict = LongestPass::Verdict::busy;
+        while (verdict == LongestPass::Verdict::busy) verdict = passes.step(count);
+        if (verdict == LongestPass::Verdict::goes_round)
+            refuse(passes.item(), "jumps go round here with neither NAV nor CONDITION on the way");
+        if (verdict == LongestPass::Verdict::too_long)
+            refuse(passes.item(), "what is run from here on holds up the next NAV for more than 1.5 s");
+        if (verdict == LongestPass::Verdict::too_many)
+            refuse(passes.item(), "too many jumps in one pass from here on, or in the mission");
     }
 
     void legs() {

@@ -30,8 +30,8 @@ struct Line {
 const Line kMission[] = {
     {"idle poll",                                   costs::kIdlePoll,   Figure::longest, "mission_idle_poll_cycles"},
     {"step that sets a parameter and begins a NAV", costs::kHeavyStep,  Figure::longest, "mission_heavy_step_cycles"},
-    {"advance over 168 actions, longest poll",      costs::kAdvance,    Figure::longest, "mission_advance_poll_cycles"},
-    {"advance over 168 actions, all polls",         costs::kAdvance,    Figure::all,     "mission_advance_cycles"},
+    {"advance over 145 actions, longest poll",      costs::kAdvance,    Figure::longest, "mission_advance_poll_cycles"},
+    {"advance over 145 actions, all polls",         costs::kAdvance,    Figure::all,     "mission_advance_cycles"},
     {"upload of an item, longest",                  costs::kUploadItem, Figure::longest, "mission_upload_item_cycles"},
     {"upload of an item, mean",                     costs::kUploadItem, Figure::each,    nullptr},
 };

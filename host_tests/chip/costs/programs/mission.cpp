@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole firmware, and what its mission engine takes: an upload of 170 commands item by item,
-// polls in which nothing ends, the advance from the first of them over 168 actions to the last,
+// polls in which nothing ends, the advance from the first of them over 145 actions to the last,
 // a step that sets a parameter and begins a NAV.
 #include "firmware/mission/mission.hpp"
 #include "board.hpp"
@@ -17,7 +17,7 @@ using namespace firmware::state;
 using namespace firmware::mission;
 using namespace firmware::app;
 
-constexpr uint8_t kItems = 171;
+constexpr uint8_t kItems = 148;
 constexpr int32_t kLatitude_e7 = 473977000, kLongitude_e7 = 85456000;
 
 MissionItem waypoint(uint8_t index) {

@@ -93,9 +93,9 @@ TEST_F(MissionFlight, set_parameter_sets_the_one_in_the_slot) {
 }
 
 TEST_F(MissionFlight,
-       an_advance_over_168_actions_takes_several_frames_of_16_records_and_loses_none) {
+       an_advance_over_145_actions_takes_several_frames_of_16_records_and_loses_none) {
     Items items = {waypoint(500)};
-    for (int i = 0; i < 168; ++i) items.push_back(command(181, 0, float(i % 2)));
+    for (int i = 0; i < 145; ++i) items.push_back(command(181, 0, float((i + 1) % 2)));
     items.push_back(waypoint(900));
     fly(items);
     const auto actions = [] {
@@ -106,7 +106,7 @@ TEST_F(MissionFlight,
     const auto before = actions();
     mutable_vehicle.progress.distance_m = 0;
     int tenths = 0;
-    for (auto seen = before; missionCurrent() != 170 ||
+    for (auto seen = before; missionCurrent() != 147 ||
                              vehicle.demand.to != geo::Position{waypoint(900).x, waypoint(900).y};
          ++tenths) {
         ASSERT_LT(tenths, 20);
@@ -114,9 +114,9 @@ TEST_F(MissionFlight,
         EXPECT_LE(actions() - seen, 2 * 16) << "two frames in a tenth of a second";
         seen = actions();
     }
-    EXPECT_EQ(actions() - before, 168);
+    EXPECT_EQ(actions() - before, 145);
     // looked at once for the NAV behind them and once to be run, 32 records in a tenth
-    EXPECT_EQ(tenths, (169 + 168 + 31) / 32);
+    EXPECT_EQ(tenths, (146 + 145 + 31) / 32);
     EXPECT_TRUE(relayGet());
 }
 

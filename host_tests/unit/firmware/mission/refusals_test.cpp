@@ -51,6 +51,46 @@ TEST_F(Refusals, there_is_none_for_what_is_taken) {
     EXPECT_FALSE(hasStatusText("refused"));
 }
 
+// ---- of the whole mission, when its last item has come
+
+Items relays(int count) {
+    Items items = {waypoint(100)};
+    for (int i = 0; i < count; ++i) items.push_back(command(181, 0, 1));
+    items.push_back(waypoint(200));
+    return items;
+}
+
+TEST_F(Refusals, a_mission_that_holds_up_its_next_nav_is_refused_and_the_old_one_stays) {
+    ASSERT_EQ(upload({waypoint(300), waypoint(400)}), MissionResult::accepted);
+    EXPECT_EQ(upload(relays(146)), MissionResult::invalid);
+    expectReason(": over 1.5 s to next NAV");
+    EXPECT_EQ(missionCount(), 3);
+    EXPECT_EQ(upload(relays(145)), MissionResult::accepted);
+    EXPECT_EQ(missionCount(), 148);
+}
+
+TEST_F(Refusals, jumps_that_go_round_are_refused_with_their_item) {
+    EXPECT_EQ(upload({waypoint(100), command(177, 3, -1), command(177, 2, -1), waypoint(200)}),
+              MissionResult::invalid);
+    expectReason(": jumps go round");
+    EXPECT_EQ(missionCount(), 0);
+    EXPECT_EQ(upload({waypoint(100), waypoint(200), command(177, 1, -1)}), MissionResult::accepted);
+}
+
+TEST_F(Refusals, a_part_is_computed_together_with_what_stays) {
+    ASSERT_EQ(upload({waypoint(100), command(181, 0, 1), waypoint(200)}), MissionResult::accepted);
+    EXPECT_EQ(uploadPartial(2, {command(177, 3, -1)}), MissionResult::accepted);
+    ASSERT_EQ(upload({waypoint(100), command(177, 3, -1), command(181, 0, 1), waypoint(200)}),
+              MissionResult::accepted);
+    EXPECT_EQ(uploadPartial(3, {command(177, 2, -1)}), MissionResult::invalid);
+}
+
+TEST_F(RefusalsApm1, jumps_that_go_round_are_refused_too) {
+    EXPECT_EQ(upload({waypoint(100), command(0x81, 1), command(0x75, 0, 2)}),
+              MissionResult::invalid);
+    EXPECT_TRUE(hasStatusText("Item 3 refused: jumps go round"));
+}
+
 TEST_F(RefusalsApm1, of_a_gain_say_what_plays_its_part_or_that_nothing_does) {
     expectRefused(command(0x60, 3, 1000), ": NAVL1_PERIOD instead");
     expectRefused(command(0x60, 5, 1000), ": TECS_TIME_CONST instead");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "toolchain/mission_tool/passes.hpp"
+#include "passes.hpp"
 
 #include <algorithm>
 #include <map>
