@@ -10,6 +10,9 @@ constexpr float kSteepestSink = 1.1f;   // of the slope's: no diving at the poin
 constexpr float kSinkBelow_hz = 0.4f;
 constexpr float kMaxBelow_m = 0.7f;
 constexpr float kFlareLead_s = 1.0f;  // until the path answers the pitch
+// Of the slope's. What a gust adds is the approach's to end: a flare would go on with it from
+// there, without power, a hundred metres short of the point on a shallow slope.
+constexpr float kMaxLeadSink = 1.5f;
 // Of its height an airplane above the slope dives no more than this: what an updraft has given
 // would be taken away with a sink that no flare ends in time.
 constexpr float kDive = 0.15f;
@@ -51,8 +54,8 @@ HeightDemand Landing::run(LandingSettings settings, Approach approach) {
     const Slope slope = slopeOf(settings, approach);
     // on a slope that sinks less the flare would dive below it
     settings.touchdown_sink_mps = core::limit(settings.touchdown_sink_mps, 0.0f, slope.sink_mps);
-    if (past || approach.height_m <= slope.flare_m + approach.sink_mps * kFlareLead_s)
-        flaring_ = true;
+    const float lead_mps = core::limit(approach.sink_mps, 0.0f, kMaxLeadSink * slope.sink_mps);
+    if (past || approach.height_m <= slope.flare_m + lead_mps * kFlareLead_s) flaring_ = true;
     if (flaring_) return flare(settings, approach, slope);
 
     const float evenness = 2 * slope.sink_mps / (slope.sink_mps + settings.touchdown_sink_mps);

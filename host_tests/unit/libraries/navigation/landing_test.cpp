@@ -37,6 +37,15 @@ TEST(Landing, flares_at_the_height_or_the_time_whichever_comes_first) {
     EXPECT_TRUE(early.flaring()) << "1.5 s at 2.4 m/s";
 }
 
+TEST(Landing, does_not_flare_earlier_for_a_gust_that_pushes_it_down) {
+    navigation::Landing landing;
+    landing.start();
+    landing.run(kLanding, {10, 500, 400, 10, 2.5f, 1.5f});
+    EXPECT_FALSE(landing.flaring()) << "it would come down a hundred metres before the point";
+    landing.run(kLanding, {10, 500, 400, 10, 1.7f, 1.5f});
+    EXPECT_TRUE(landing.flaring());
+}
+
 TEST(Landing, never_dives_below_a_slope_that_sinks_less_than_a_touchdown) {
     navigation::Landing landing;
     landing.start();
