@@ -27,6 +27,9 @@ struct Loops {
     ::control::AxisState roll_state, pitch_state;
     ::control::YawState yaw_state;
     ::control::AxisGains roll_gains, pitch_gains;
+    ::control::YawGains yaw_gains;
+    Deflection yaw_rudder;
+    uint8_t yaw_periods;  // since it was worked out
     ::control::AirFlow air;
     ::control::TurnRates turn;
     core::Angle pitch_error_rad;             // before a stall takes part of it
@@ -43,7 +46,6 @@ struct Bounds {
     int16_t pull_out;                                      // the error that a slow wing bears
     core::Ratio full_throttle;
     Deflection rudder_mix;
-    bool yaw_used;
     ParameterWatch limits_watch;
 };
 core::FileState<Bounds> bounds{};
@@ -139,11 +141,17 @@ core::Angle toLevel_rad() {
     return core::between(vehicle.attitude.roll_rad, core::Angle::fromRaw(0));
 }
 
+// The servos are sent a pulse every 20 ms, and the airplane's swing takes a second.
 Deflection yaw() {
-    return Deflection(::control::yawDeflection(parameters.yaw, loops.yaw_state, loops.air,
-                                               loops.turn, vehicle.attitude.rate_rads.z.toFloat(),
-                                               vehicle.imu.accel_mss.y.toFloat(),
-                                               vehicle.imu.periods * estimation::kSamplePeriod_s));
+    constexpr uint8_t kEvery = 4;  // periods
+    const uint16_t periods = loops.yaw_periods + vehicle.imu.periods;
+    loops.yaw_periods = static_cast<uint8_t>(periods);
+    if (periods < kEvery) return loops.yaw_rudder;
+    loops.yaw_periods = 0;
+    loops.yaw_rudder = ::control::yawDeflection(
+        loops.yaw_gains, loops.yaw_state, loops.air, loops.turn, vehicle.attitude.rate_rads.z,
+        vehicle.imu.accel_mss.y, static_cast<uint8_t>(periods < 0xFF ? periods : 0xFF));
+    return loops.yaw_rudder;
 }
 
 void add(Deflection& to, int32_t steps) { to = Deflection::fromRaw(to.raw + steps); }
@@ -203,7 +211,8 @@ void stabilise() {
              rate_rads.y);
     }
     if (vehicle.sticks == Sticks::bounded) bindSticks();
-    surfaces.rudder = bounds.yaw_used ? yaw() : Deflection::fromRaw(0);
+    surfaces.rudder = yaw();
+    if (vehicle.progress.flaring) surfaces.rudder = Deflection::fromRaw(0);  // steering damps, too
     add(surfaces.rudder, core::times14(surfaces.aileron.raw, bounds.rudder_mix.raw));
     add(surfaces.rudder, vehicle.rudder_demand.raw);
 }
@@ -253,11 +262,14 @@ void runSpeedScaling() {
     loops.turn = ::control::turnRates(loops.air, sine.toFloat(), cosine.toFloat(),
                                       attitude.cos_pitch.toFloat());
     if (bounds.inverted)
-        loops.turn = {core::BodyRate::fromRaw(-loops.turn.pitch_rads.raw), -loops.turn.yaw_rads};
+        loops.turn = {core::BodyRate::fromRaw(-loops.turn.pitch_rads.raw),
+                      core::BodyRate::fromRaw(-loops.turn.yaw_rads.raw)};
 }
 
 void runRollGains() {
-    if (loops.roll_watch.changed()) loops.roll_gains = ::control::rollGains(parameters.roll);
+    if (!loops.roll_watch.changed()) return;
+    loops.roll_gains = ::control::rollGains(parameters.roll);
+    loops.yaw_gains = ::control::yawGains(parameters.yaw);
 }
 
 void runPitchGains() {
@@ -271,7 +283,6 @@ void runControlLimits() {
     bounds.pitch_max = angle(parameters.pitch_max_cd);
     bounds.trim_pitch = angle(parameters.trim_pitch_cd);
     bounds.rudder_mix = Deflection(parameters.rudder_mix);
-    bounds.yaw_used = ::control::yawUsed(parameters.yaw);
     // 1.6 g at the trainer's cruise speed, 1.4 g at its lowest one, where the wing bears 1.44 g
     constexpr float kPullOut_rads = core::radians(25);
     bounds.pull_out = core::Angle(kPullOut_rads * parameters.pitch.axis.time_constant_s).raw;

@@ -140,7 +140,7 @@ constexpr parameters::Row kRows[] = {
     P(slot::ptch2srv_rll, "PTCH2SRV_RLL", pitch.turn_compensation, 1,    0.5f,     1.5f),
     P(slot::yaw2srv_slip, "YAW2SRV_SLIP", yaw.slip,                          0,       0,        4),
     P(slot::yaw2srv_int, "YAW2SRV_INT", yaw.integral,              0,       0,        2),
-    P(slot::yaw2srv_damp, "YAW2SRV_DAMP", yaw.damping,             0,       0,        2),
+    P(slot::yaw2srv_damp, "YAW2SRV_DAMP", yaw.damping,          0.2f,       0,        2),
     P(118, "YAW2SRV_RLL",       yaw.coordination,                  1,    0.5f,     1.5f),
     P(slot::yaw2srv_imax, "YAW2SRV_IMAX", yaw.integrator_max_cd, 1500,       0,     4500),
     P(120, "TECS_CLMB_MAX",     speed_height.climb_max_mps,        4,    0.1f,       20),

@@ -7,7 +7,7 @@ namespace control {
 namespace {
 
 constexpr float kSteepest_cos = 0.17f;  // 80 degrees: beyond, the turn's rate is not a turn's
-constexpr float kYawHighPass_rads = 0.2f;
+constexpr float kYawHighPass_rads = 0.2f, kPeriod_s = 0.005f;
 constexpr float kSlipPerAccel = 0.01f;  // deflection for a m/s2 at SLIP 1, INT 1
 
 }  // namespace
@@ -22,9 +22,9 @@ TurnRates turnRates(const AirFlow& air, float sin_roll, float cos_roll, float co
     // g / V * tan(bank) about the vertical, sin(bank) of it about the wing
     const float yaw_rads = core::kGravity_mss * air.inverse_airspeed_spm * cos_pitch * sin_roll;
     // inverted the nose must not be pulled through
-    if (cos_roll <= 0) return {core::BodyRate::fromRaw(0), yaw_rads};
+    if (cos_roll <= 0) return {core::BodyRate::fromRaw(0), core::BodyRate(yaw_rads)};
     const float steep_cos = core::limit(cos_roll, kSteepest_cos, 1.0f);
-    return {core::BodyRate(yaw_rads * sin_roll / steep_cos), yaw_rads};
+    return {core::BodyRate(yaw_rads * sin_roll / steep_cos), core::BodyRate(yaw_rads)};
 }
 
 core::Ratio pitchDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
@@ -36,33 +36,58 @@ core::Ratio pitchDeflection(const AxisGains& gains, AxisState& state, const AirF
     return axisDeflection(gains, state, air, demand_rads, rate_rads, periods);
 }
 
-bool yawUsed(const YawSettings& settings) {
-    return settings.damping > 0 || settings.slip > 0 || settings.integral > 0;
+YawGains yawGains(const YawSettings& settings) {
+    return {core::Gain(settings.damping), core::Gain(settings.coordination), settings.slip,
+            settings.integral, settings.integrator_max_cd * (1.0f / 4500)};
 }
 
-float yawDeflection(const YawSettings& settings, YawState& state, const AirFlow& air,
-                    const TurnRates& turn, float rate_rads, float lateral_accel_mss, float dt_s) {
-    if (!yawUsed(settings)) return 0;
-    const float error_rads = turn.yaw_rads * settings.coordination - rate_rads;
-    // high pass: what stays is the turn's or the gyro's, not to be damped
-    state.high_passed_rads += error_rads - state.last_error_rads;
-    state.high_passed_rads -= state.high_passed_rads * kYawHighPass_rads * dt_s;
-    state.last_error_rads = error_rads;
+namespace {
 
-    // air that pushes to the right comes from the left: the nose goes to meet it
-    const float slip = lateral_accel_mss * settings.slip * kSlipPerAccel;
-    if (settings.integral <= 0) {
+// High pass: what stays is the turn's or the gyro's, not to be damped.
+core::BodyRate swing_rads(const YawGains& gains, YawState& state, const TurnRates& turn,
+                          core::BodyRate rate_rads, uint8_t periods) {
+    constexpr int16_t kLeak = static_cast<int16_t>(65536 * kYawHighPass_rads * kPeriod_s + 0.5f);
+    constexpr uint8_t kFiner = 8;  // than a BodyRate: a shift by whole bytes
+    const auto error_rads = core::BodyRate::fromRaw(
+        int32_t{core::times12(gains.coordination.raw, turn.yaw_rads.raw)} - rate_rads.raw);
+    int32_t& swing = state.high_passed_rads.raw;
+    swing += (int32_t{error_rads.raw} - state.last_error_rads.raw) * (1L << kFiner);
+    // which rounds down; the smallest swing, too, shall end
+    swing -= core::times16(swing, static_cast<int16_t>(kLeak * periods)) + (swing > 0 ? 1 : 0);
+    state.last_error_rads = error_rads;
+    return core::BodyRate::fromRaw(swing >> kFiner);
+}
+
+// Air that pushes to the right comes from the left: the nose goes to meet it.
+float againstSlip(const YawGains& gains, YawState& state, const AirFlow& air, float swing_rads,
+                  float lateral_mss, float dt_s) {
+    if (gains.integral <= 0) {
         state.integrator = 0;
     } else if (!air.too_slow) {
-        const float limit = settings.integrator_max_cd / 4500.0f;
-        const float step =
-            (state.high_passed_rads - lateral_accel_mss * kSlipPerAccel) * settings.integral;
-        state.integrator = core::limit(state.integrator + step * dt_s, -limit, limit);
+        const float step = (swing_rads - lateral_mss * kSlipPerAccel) * gains.integral;
+        state.integrator = core::limit(state.integrator + step * dt_s, -gains.integrator_max,
+                                       gains.integrator_max);
     }
-    const float output = (state.high_passed_rads * settings.damping - slip) *
-                             core::square(air.speed_scale.toFloat()) +
-                         state.integrator;
-    return core::limit(output, -1.0f, 1.0f);
+    const float slip = lateral_mss * gains.slip * kSlipPerAccel;
+    return state.integrator - slip * core::square(air.speed_scale.toFloat());
+}
+
+}  // namespace
+
+core::Ratio yawDeflection(const YawGains& gains, YawState& state, const AirFlow& air,
+                          const TurnRates& turn, core::BodyRate rate_rads,
+                          core::Acceleration lateral_mss, uint8_t periods) {
+    constexpr uint8_t kGainBits = 8;  // a Gain times a BodyRate has so many more than a Ratio
+    const core::BodyRate swing = swing_rads(gains, state, turn, rate_rads, periods);
+    const int16_t scale = air.speed_scale.raw;
+    const int16_t effective = core::times14(core::times14(swing.raw, scale), scale);
+    int32_t output = core::product(gains.damping.raw, effective) >> kGainBits;
+    if (gains.slip > 0 || gains.integral > 0)
+        output += core::Ratio(againstSlip(gains, state, air, swing.toFloat(), lateral_mss.toFloat(),
+                                          periods * kPeriod_s))
+                      .raw;
+    constexpr int32_t kFull = core::Ratio::kOne;
+    return core::Ratio::fromRaw(core::limit(output, -kFull, kFull));
 }
 
 }  // namespace control

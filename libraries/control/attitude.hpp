@@ -14,8 +14,7 @@ core::Ratio rollDeflection(const AxisGains& gains, AxisState& state, const AirFl
 // The body rates of a coordinated turn with the present bank. In it the nose has to come up along
 // the horizon without the pitch angle changing.
 struct TurnRates {
-    core::BodyRate pitch_rads;
-    float yaw_rads;
+    core::BodyRate pitch_rads, yaw_rads;
 };
 TurnRates turnRates(const AirFlow& air, float sin_roll, float cos_roll, float cos_pitch);
 
@@ -24,15 +23,23 @@ core::Ratio pitchDeflection(const AxisGains& gains, AxisState& state, const AirF
                             const TurnRates& turn, core::Angle error_rad, core::BodyRate rate_rads,
                             uint8_t periods);
 
+struct YawGains {
+    core::Gain damping;       // of full deflection for a radian a second, at the scaling speed
+    core::Gain coordination;  // of the turn's yaw rate
+    float slip, integral, integrator_max;
+};
+YawGains yawGains(const YawSettings& settings);
+
 struct YawState {
-    float high_passed_rads = 0;
-    float last_error_rads = 0;
+    core::Fixed32<18> high_passed_rads = {};
+    core::BodyRate last_error_rads = {};
     float integrator = 0;
 };
 
-bool yawUsed(const YawSettings& settings);  // yawDeflection is always 0 otherwise
-// Nose right is positive. Damps what the turn does not ask for, and takes side-slip away.
-float yawDeflection(const YawSettings& settings, YawState& state, const AirFlow& air,
-                    const TurnRates& turn, float rate_rads, float lateral_accel_mss, float dt_s);
+// Nose right is positive. Damps what the turn does not ask for, and takes side-slip away. `periods`
+// of 5 ms. Limited to -1..1.
+core::Ratio yawDeflection(const YawGains& gains, YawState& state, const AirFlow& air,
+                          const TurnRates& turn, core::BodyRate rate_rads,
+                          core::Acceleration lateral_mss, uint8_t periods);
 
 }  // namespace control

@@ -143,6 +143,16 @@ TEST_F(AttitudeControl, mixes_aileron_into_the_rudder_when_it_stabilises) {
     ASSERT_LT(surfaces.rudder.toFloat(), -0.01f);
 }
 
+TEST_F(AttitudeControl, damps_a_swing_of_the_yaw_but_not_in_the_flare) {
+    surfacesIn(Mode::fbwa, bench::kCentred);
+    mutable_vehicle.attitude.rate_rads.z = core::BodyRate(1);
+    for (int i = 0; i < 2; ++i) run();  // one of them for each pulse of the servos
+    EXPECT_NEAR(surfaces.rudder.toFloat(), -parameters.yaw.damping, 0.01f);
+    mutable_vehicle.progress.flaring = true;
+    run();
+    EXPECT_EQ(surfaces.rudder.toFloat(), 0);
+}
+
 TEST_F(AttitudeControl, adds_the_demanded_rudder_but_not_in_manual) {
     mutable_vehicle.rudder_demand = core::Ratio(0.2f);
     EXPECT_NEAR(surfacesIn(Mode::fbwa, bench::kCentred).rudder.toFloat(), 0.2f, 0.01);

@@ -11,8 +11,7 @@ using control::AirFlow;
 using control::AxisState;
 
 constexpr float kDegree = 3.14159265f / 180;
-constexpr control::TurnRates kStraight{core::BodyRate(0), 0};
-constexpr float kFrame_s = 0.01f;
+constexpr control::TurnRates kStraight{core::BodyRate(0), core::BodyRate(0)};
 constexpr uint8_t kPeriods = 2;
 constexpr float kSteps = 2e-4f;  // what the fixed point of gains and rates loses
 
@@ -138,6 +137,13 @@ TEST(Pitch, a_turn_adds_the_rate_that_holds_the_nose_on_the_horizon) {
     EXPECT_FLOAT_EQ(turnRates(at(15), 0.1f, -0.9f, 1).pitch_rads.toFloat(), 0) << "inverted";
 }
 
+float yawFor(const control::YawSettings& settings, control::YawState& state,
+             const control::TurnRates& turn, float rate_rads, float lateral_mss = 0) {
+    return yawDeflection(control::yawGains(settings), state, at(12), turn,
+                         core::BodyRate(rate_rads), core::Acceleration(lateral_mss), kPeriods)
+        .toFloat();
+}
+
 TEST(Yaw, a_coordinated_turn_needs_no_rudder_and_a_swing_is_damped) {
     const control::YawSettings settings{0, 0, 0.3f, 1, 1500};
     const float bank = 30 * kDegree;
@@ -145,27 +151,44 @@ TEST(Yaw, a_coordinated_turn_needs_no_rudder_and_a_swing_is_damped) {
     const float turn_rads = 9.80665f / 12 * std::sin(bank);
     control::YawState state;
 
-    EXPECT_NEAR(yawDeflection(settings, state, at(12), turn, turn_rads, 0, kFrame_s), 0, 1e-6);
-    EXPECT_LT(yawDeflection(settings, state, at(12), turn, turn_rads + 0.3f, 0, kFrame_s), -0.05f);
+    EXPECT_NEAR(yawFor(settings, state, turn, turn_rads), 0, 1e-3);
+    EXPECT_NEAR(yawFor(settings, state, turn, turn_rads + 0.3f), -0.3f * 0.3f * 1.25f * 1.25f,
+                2e-3);
 }
 
 TEST(Yaw, a_steady_rate_is_not_damped) {
     const control::YawSettings settings{0, 0, 0.5f, 1, 1500};
     control::YawState state;
-    const float first = yawDeflection(settings, state, at(12), kStraight, 0.2f, 0, kFrame_s);
+    const float first = yawFor(settings, state, kStraight, 0.2f);
     float last = first;
-    for (int i = 0; i < 3000; ++i)
-        last = yawDeflection(settings, state, at(12), kStraight, 0.2f, 0, kFrame_s);
+    for (int i = 0; i < 3000; ++i) last = yawFor(settings, state, kStraight, 0.2f);
 
     EXPECT_LT(first, -0.05f);
-    EXPECT_GT(last, first * 0.01f);
+    EXPECT_NEAR(last, 0, 1e-3);
+}
+
+TEST(Yaw, damping_stays_within_what_the_rudder_can_at_any_rate) {
+    const control::YawSettings settings{0, 0, 2, 1, 1500};
+    for (const float rate_rads : {-30.0f, 30.0f}) {
+        control::YawState state;
+        EXPECT_EQ(yawFor(settings, state, kStraight, rate_rads), rate_rads > 0 ? -1 : 1);
+    }
 }
 
 TEST(Yaw, the_nose_is_turned_into_the_slip) {
     const control::YawSettings settings{1, 0, 0, 1, 1500};
     control::YawState state;
 
-    EXPECT_LT(yawDeflection(settings, state, at(12), kStraight, 0, 3.0f, kFrame_s), 0);
+    EXPECT_LT(yawFor(settings, state, kStraight, 0, 3.0f), 0);
+}
+
+TEST(Yaw, a_lasting_slip_is_gathered_as_far_as_its_limit) {
+    const control::YawSettings settings{0, 1, 0, 1, 1500};
+    control::YawState state;
+    EXPECT_NEAR(yawFor(settings, state, kStraight, 0, 3.0f), 0, 1e-3);
+    float last = 0;
+    for (int i = 0; i < 3000; ++i) last = yawFor(settings, state, kStraight, 0, 3.0f);
+    EXPECT_NEAR(last, -1500.0f / 4500, 1e-3);
 }
 
 }  // namespace
