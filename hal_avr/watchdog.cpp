@@ -25,6 +25,7 @@ struct {
     uint8_t low, high;  // how long a low supply is still remembered, and its complement
 } supply __attribute__((section(".noinit")));
 
+constexpr uint8_t kStartUp_ms = 65;  // that the fuses add to every reset: data sheet 10.4, SUT 11
 constexpr uint8_t kSupplyRemembered = 60;  // times 4 ms
 
 uint16_t checksumOf(const hal::LastRun& run) {
@@ -57,7 +58,7 @@ __attribute__((noinline)) void examineLastRun() {
     run.ended = causeOf(flags);
     const bool through_zero =
         known && (run.ended == ResetCause::watchdog || run.ended == ResetCause::fault);
-    run.restart_ms = through_zero ? 0 : wiring::kStartUp_ms;
+    run.restart_ms = through_zero ? 0 : kStartUp_ms;
     note.checksum = static_cast<uint16_t>(~checksumOf(note.run));
     supply.low = 0;
 }

@@ -90,6 +90,7 @@ WorldOptions worldFor(const FlyOptions& options, const Waypoints& items) {
         world.external_compass_deg = {turned_deg[0], turned_deg[1], turned_deg[2]};
     world.worn_cells = options.worn_cells;
     world.bootloader = options.bootloader == "looping" ? Bootloader::looping
+                       : options.bootloader == "quick" ? Bootloader::quick
                        : options.bootloader == "slow"  ? Bootloader::slow
                                                        : Bootloader::stock;
     world.board_warmth_c = options.board_warmth_c;

@@ -241,9 +241,10 @@ void addHardware(CLI::App& app, FlyOptions& o) {
         ->check(CLI::Range(0, 4096));
     app.add_option(
            "--bootloader", o.bootloader,
-           "what a reset begins with: stock, looping (of many clones: never comes back from "
-           "a watchdog's reset) or slow (the APM 2's without USB takes 1.1 s)")
-        ->check(CLI::IsMember({"stock", "looping", "slow"}))
+           "what a reset begins with: stock (what the board has), quick (65 ms), looping (of many "
+           "clones: never comes back from a watchdog's reset) or slow (the APM 2's without USB, "
+           "1.1 s)")
+        ->check(CLI::IsMember({"stock", "quick", "looping", "slow"}))
         ->capture_default_str();
     app.add_option("--board-warmth", o.board_warmth_c,
                    "degrees by which the barometer is warmer than the air once the board is warm")

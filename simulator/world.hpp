@@ -16,7 +16,7 @@ namespace simulator {
 
 // What a reset begins with: the board's own; one that, as those of many clones, does not switch a
 // watchdog off and is bitten by it for ever; the second board's with its waiting times.
-enum class Bootloader { stock, looping, slow };
+enum class Bootloader { stock, quick, looping, slow };
 
 struct WorldOptions {
     std::string airplane = "foam_trainer";

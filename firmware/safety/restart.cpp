@@ -200,9 +200,11 @@ void takeSavedHome() {
 
 float lostSoFar_s() {
     const hal::LastRun& run = hal::lastRun();
-    const bool noted = run.ended != ResetCause::brown_out;
+    const bool noted = lostTimeKnown();
     const uint16_t ended_ms = noted ? run.ended_ms : last->at_ms;
-    return lost_s(last->at_ms, ended_ms, static_cast<uint16_t>(hal::now_ms()) + run.restart_ms);
+    const uint16_t restart_ms =
+        noted ? run.restart_ms : static_cast<uint16_t>(parameters.loader_ms);
+    return lost_s(last->at_ms, ended_ms, static_cast<uint16_t>(hal::now_ms()) + restart_ms);
 }
 
 // As an interrupt has watched it while the program hung; the rest as quick as before.

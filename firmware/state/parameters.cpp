@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "board.hpp"
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "firmware/notify/status_text.hpp"
@@ -228,6 +229,7 @@ constexpr parameters::Row kRows[] = {
     P(172, "BATT_AMP_PERVOLT",  battery_amps_per_volt,            17,       0,      200),
     P(176, "BATT_AMP_OFFSET",   battery_amps_offset_v,             0,       0,        5),
     P(173, "BATT_CAPACITY",     battery_capacity_mah,           3300,       0,    60000),
+    P( 29, "BRD_LOADER_MS",     loader_ms,         board::kLoader_ms,       0,     2900),
     P(220, "LOG_BITMASK",       log_bitmask,                   16382,       0,  1048575),
 };
 // clang-format on
@@ -237,7 +239,7 @@ constexpr uint8_t kRetired[] = {
     13, 22,  // SR0_RAW_CTRL, SR1_RAW_CTRL
     18, 27,  // SR0_PARAMS, SR1_PARAMS
 };
-constexpr uint16_t kNextSlot = 29;  // the lowest free one, for the next parameter
+constexpr uint16_t kNextSlot = 174;  // the lowest free one, for the next parameter
 
 #undef P
 #undef CHANNEL

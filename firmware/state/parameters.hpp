@@ -118,6 +118,8 @@ struct Parameters {
     int8_t battery_monitor;
     float battery_volt_multiplier, battery_amps_per_volt, battery_amps_offset_v;
     int32_t battery_capacity_mah;
+
+    int16_t loader_ms;  // from a reset to the first instruction, unless the watchdog made it
     // camera
     int8_t camera_on_relay, camera_duration_ds;
     int16_t camera_on_us, camera_off_us;

@@ -71,7 +71,7 @@ bool inTheAir(const FlightSigns& signs) {
 }
 
 float lost_s(uint16_t record_ms, uint16_t ended_ms, uint16_t since_ms) {
-    constexpr uint16_t kMax_ms = 1000;
+    constexpr uint16_t kMax_ms = 3000;
     const uint16_t before_ms = ended_ms - record_ms;
     const uint32_t all_ms = uint32_t{before_ms} + since_ms;
     return all_ms < kMax_ms ? static_cast<float>(all_ms) * 0.001f : kMax_ms * 0.001f;

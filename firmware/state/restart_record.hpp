@@ -74,7 +74,7 @@ struct FlightSigns {
 bool inTheAir(const FlightSigns& signs);
 
 // From the record to the first new sample: `record_ms` and `ended_ms` by the clock of the run that
-// ended, what followed by the one that began. At most a second is accepted.
+// ended, what followed by the one that began. At most 3 s are accepted.
 float lost_s(uint16_t record_ms, uint16_t ended_ms, uint16_t since_ms);
 
 }  // namespace state

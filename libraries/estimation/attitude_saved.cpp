@@ -32,7 +32,13 @@ void Attitude::resume(const SavedAttitude& pose, const SavedBiases& learnt,
     field_.resume(learnt.field);
     settling_ = kHalfSettled;
     phase_ = Phase::pointed;
-    turnBy(turned_rad);
+    // in parts, each small enough for its axis to stay where it is
+    constexpr uint8_t kParts = 8;
+    for (uint8_t part = 0; part < kParts; ++part) {
+        turnBy(turned_rad * (1.0f / kParts));
+        rotateDcm();
+        orthonormalize();
+    }
 }
 
 }  // namespace estimation

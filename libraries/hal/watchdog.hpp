@@ -11,10 +11,12 @@ namespace hal {
 enum class ResetCause : uint8_t { power_on, external, brown_out, watchdog, unknown, fault, asked };
 
 struct LastRun {
-    ResetCause ended;    // why
-    uint8_t trace;       // the last value (trace.hpp), for a reset by the watchdog and a fault
-    uint16_t ended_ms;   // likewise: now_ms() then, its lower half
-    uint8_t restart_ms;  // from its end to the application's first instruction
+    ResetCause ended;   // why
+    uint8_t trace;      // the last value (trace.hpp), for a reset by the watchdog and a fault
+    uint16_t ended_ms;  // likewise: now_ms() then, its lower half
+    // Likewise: from its end to the application's first instruction. After any other reset that is
+    // the time of the bootloader, which nothing measures.
+    uint8_t restart_ms;
 };
 const LastRun& lastRun();
 inline ResetCause resetCause() { return lastRun().ended; }

@@ -28,13 +28,15 @@ WorldOptions worldFor(WorldOptions options, const BoardWiring& wiring) {
     return options;
 }
 
-// The first board's own loops after a watchdog's reset.
+// The first board's own loops after a watchdog's reset; the second's is the slow one.
 std::string bootProgram(const WorldOptions& options, const BoardWiring& wiring) {
     switch (options.bootloader) {
         case Bootloader::looping:
             return "apm1";
         case Bootloader::slow:
-            return "slow";
+            return "apm2";
+        case Bootloader::quick:
+            return "quick";
         default:
             return wiring.name;
     }
@@ -171,11 +173,10 @@ void AvrBoard::showFaults() {
     spi_line_.fail(world_.faultOf(Faulty::spi));
 }
 
-// A bootloader clears the flags of the reset, and so does the program first of all: the last one
-// was the program.
+// A bootloader clears the flags of the reset, and so does the program first of all.
 void AvrBoard::begun(uint16_t address, uint8_t value) {
     clears_(chip_.avr(), address, value);
-    begun_us_ = time_us();
+    if (chip_.avr()->pc < kBootSection) begun_us_ = time_us();
 }
 
 bool AvrBoard::runUntil(uint64_t time_us) {

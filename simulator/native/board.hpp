@@ -9,6 +9,8 @@
 
 namespace board {
 
+constexpr uint16_t kLoader_ms = 1165;
+
 constexpr char kName[] = "APM 2 (native)";
 constexpr uint8_t kModel = 2;
 

@@ -17,13 +17,13 @@ void AttitudeErrors::watch(const Truth& truth) {
     while (past_.front().time_us + kRemembered_us < truth.time_us) past_.pop_front();
 }
 
-void AttitudeErrors::take(const mavlink::Attitude& sent) {
+void AttitudeErrors::take(const mavlink::Attitude& sent, uint64_t begun_us) {
     if (sent.time_boot_ms == taken_ms_) return;
     taken_ms_ = sent.time_boot_ms;
-    const uint64_t when_us = uint64_t{sent.time_boot_ms} * 1000;
+    const uint64_t when_us = begun_us + uint64_t{sent.time_boot_ms} * 1000;
     const auto next = std::find_if(past_.begin(), past_.end(),
                                    [&](const Truth& truth) { return truth.time_us >= when_us; });
-    // after a restart in flight its clock says another time
+    // the message may be of the run before a restart
     if (next == past_.end() || next == past_.begin() || next->on_ground) return;
     const Truth& before = *std::prev(next);
     const double share = static_cast<double>(when_us - before.time_us) /

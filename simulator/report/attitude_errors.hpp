@@ -11,8 +11,10 @@ namespace simulator {
 
 class AttitudeErrors {
 public:
-    void watch(const Truth& truth);            // as often as there is one, in order
-    void take(const mavlink::Attitude& sent);  // again and again: counted once
+    void watch(const Truth& truth);  // as often as there is one, in order
+    // Again and again: counted once. `begun_us`: when the autopilot's clock began, by the
+    // simulator's.
+    void take(const mavlink::Attitude& sent, uint64_t begun_us);
 
     Spread roll_deg, pitch_deg, yaw_deg;
 

@@ -11,7 +11,7 @@ constexpr double kSetUp_s = 1;
 
 void Recorder::watchFrame(Board& board, const Telemetry& telemetry) {
     attitude_.watch(board.world().truth());
-    if (telemetry.attitude) attitude_.take(*telemetry.attitude);
+    if (telemetry.attitude) attitude_.take(*telemetry.attitude, board.begun_us());
     const std::optional<uint32_t> frame_us = board.lastFrame_us();
     if (!frame_us) return;
     frame_us_ = std::max(frame_us_, static_cast<double>(*frame_us));

@@ -90,7 +90,7 @@ target_link_libraries(simulator_machine PUBLIC simulator_world PkgConfig::SIMAVR
 # What every reset of a board begins with, in place of its bootloader.
 set(boot_sections ${CMAKE_BINARY_DIR}/boot)
 file(MAKE_DIRECTORY ${boot_sections})
-foreach(board apm1 apm2 slow)
+foreach(board apm1 apm2 quick)
     set(source ${CMAKE_SOURCE_DIR}/simulator/machine/boot/${board}.cpp)
     add_custom_command(OUTPUT ${boot_sections}/${board}.elf
         COMMAND ${AVR_GXX} -mmcu=atmega2560 -DF_CPU=16000000UL -std=c++14 -Os -Wall -Wextra

@@ -31,6 +31,10 @@ using LedC = avr::ActiveHighLed<avr::Pin<avr::PortC, 2>>;  // blue: GPS
 using SlideSwitch = avr::Pin<avr::PortG, 1>;
 using PushButton = avr::Pin<avr::PortG, 0>;
 
+// From a reset to the first instruction: Arduino's bootloader listens for a second, after the 65 ms
+// of the fuses. BRD_LOADER_MS.
+constexpr uint16_t kLoader_ms = 65 + 1000;
+
 constexpr char kName[] = "APM 1";
 constexpr uint8_t kModel = 1;
 struct ProbeBus : avr::Spi0 {  // to whatever is at PB0

@@ -29,7 +29,6 @@ using UsbSense = AlwaysUsb;
 
 // Its bootloader leaves the watchdog on after such a reset and would be reset for ever.
 constexpr bool kWatchdogResets = false;
-constexpr uint8_t kStartUp_ms = 65;  // that the fuses add to every reset
 
 constexpr uint8_t kI2cUsers = 2;  // compass and barometer
 

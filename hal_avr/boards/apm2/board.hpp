@@ -26,6 +26,10 @@ using LedA = avr::ActiveLowLed<avr::Pin<avr::PortA, 5>>;  // red: armed
 using LedB = avr::ActiveLowLed<avr::Pin<avr::PortA, 4>>;  // yellow
 using LedC = avr::ActiveLowLed<avr::Pin<avr::PortA, 3>>;  // blue: GPS
 
+// From a reset to the first instruction: its bootloader without USB waits 400, 200 and 500 ms,
+// after the 65 of the fuses. BRD_LOADER_MS.
+constexpr uint16_t kLoader_ms = 65 + 400 + 200 + 500;
+
 constexpr char kName[] = "APM 2";
 constexpr uint8_t kModel = 2;
 using ProbeBus = SensorBus;  // to whatever is at PB0

@@ -23,7 +23,6 @@ using Link1Receive = avr::Pin<avr::PortH, 0>;
 using UsbSense = avr::Pin<avr::PortA, 1>;  // low while USB is plugged in
 
 constexpr bool kWatchdogResets = true;  // its bootloader then passes on at once
-constexpr uint8_t kStartUp_ms = 65;     // that the fuses add to every reset
 
 constexpr uint8_t kI2cUsers = 1;  // the compass
 

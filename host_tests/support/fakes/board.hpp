@@ -25,6 +25,8 @@ using LedA = fakes::Switch<1>;
 using LedB = fakes::Switch<2>;
 using LedC = fakes::Switch<3>;
 
+constexpr uint16_t kLoader_ms = 1165;
+
 constexpr char kName[] = "fake";
 constexpr uint8_t kModel = 2;
 using ProbeBus = SensorBus;

@@ -30,7 +30,7 @@ export const fuses = {
       },
       failed: 'The loader does not leave a watchdog\'s reset at once: a restart in the air would last as long. Replace it (docs/flashing.md).' },
     { id: '2.button', title: 'silent over a reset by the button, without USB',
-      limit: within({ high: 5, unit: 's', digits: 2, why: 'a brown-out in the air costs the same; some 0.4 s with the loader of the APM 2, 1.2 s with its slow variant' }),
+      limit: within({ high: 5, unit: 's', digits: 2, why: 'a brown-out in the air costs the same; 1.5 s with the loader of the APM 2; less 0.3 s it is BRD_LOADER_MS' }),
       measure: async (b) => {
         const { silent_s, text } = await restart(b, () => b.person.action(b.id,
           'Connected through the telemetry socket and without USB, press Enter, then the reset button.'));

@@ -38,18 +38,26 @@ void watch(AttitudeErrors& errors, uint64_t until_us) {
 TEST(AttitudeErrors, are_those_of_the_messages_time) {
     AttitudeErrors errors;
     watch(errors, 200'000);
-    errors.take(reported(105, 10.5f, 0.5f));  // and 20 degrees by now
+    errors.take(reported(105, 10.5f, 0.5f), 0);  // and 20 degrees by now
 
     EXPECT_NEAR(*errors.roll_deg.rms(), 0, 1e-3);
     EXPECT_NEAR(*errors.pitch_deg.rms(), 0, 1e-3);
     EXPECT_NEAR(*errors.yaw_deg.rms(), 1, 1e-3);
 }
 
+TEST(AttitudeErrors, reckon_with_the_time_that_the_bootloader_takes) {
+    AttitudeErrors errors;
+    watch(errors, 200'000);
+    errors.take(reported(40, 10.5f, 0), 65'000);
+
+    EXPECT_NEAR(*errors.roll_deg.rms(), 0, 1e-3);
+}
+
 TEST(AttitudeErrors, count_a_message_once) {
     AttitudeErrors errors;
     watch(errors, 200'000);
-    errors.take(reported(105, 10.5f, 0));
-    errors.take(reported(105, 30, 0));
+    errors.take(reported(105, 10.5f, 0), 0);
+    errors.take(reported(105, 30, 0), 0);
 
     EXPECT_NEAR(*errors.roll_deg.max(), 0, 1e-3);
 }
@@ -61,7 +69,7 @@ TEST(AttitudeErrors, do_not_count_what_stands) {
         truth.on_ground = true;
         errors.watch(truth);
     }
-    errors.take(reported(105, 0, 0));
+    errors.take(reported(105, 0, 0), 0);
 
     EXPECT_FALSE(errors.roll_deg.rms());
 }
@@ -69,8 +77,8 @@ TEST(AttitudeErrors, do_not_count_what_stands) {
 TEST(AttitudeErrors, pass_over_a_clock_that_was_begun_anew) {
     AttitudeErrors errors;
     watch(errors, 3'000'000);
-    errors.take(reported(500, 0, 0));
-    errors.take(reported(5000, 0, 0));
+    errors.take(reported(500, 0, 0), 0);
+    errors.take(reported(5000, 0, 0), 0);
 
     EXPECT_FALSE(errors.roll_deg.rms());
 }
