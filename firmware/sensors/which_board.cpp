@@ -20,8 +20,10 @@ constexpr Chip kChips[] ROM = {
     {0xF5, 0x68},  // the MPU-6000: its register 117
 };
 
-// Both answer 20 ms after power-on at the latest; a question takes 40 us at least.
-constexpr uint16_t kTries = 500;
+// The DataFlash answers 20 ms after power-on, the MPU-6000 after 100 at the latest
+// (PS-MPU-6000A 6.3, start-up time for register access); a question takes 40 us at least. No output
+// is driven before.
+constexpr uint16_t kTries = 2500;
 
 struct Board {
     bool wrong;
