@@ -10,12 +10,12 @@ namespace {
 constexpr uint8_t kAddress = 0x1E;
 constexpr uint8_t kConfigA = 0, kData = 3, kIdentification = 10;
 
-// Configuration A, B and mode, written in one transfer; data sheet tables 3 to 11.
-constexpr uint8_t kSettings = 4;
-constexpr uint8_t kSelfTest[kSettings] ROM = {kConfigA, 0x11, 0x60,
-                                              0x01};  // + bias field, 660 LSB/G, single
+// Configuration A, B and mode: data sheet tables 3 to 11. Each has a transfer of its own, for the
+// increment of the register is promised for reads alone. The self-test needs A and B once.
+constexpr uint8_t kConfigB = 1, kMode = 2, kSettings = 3;
+constexpr uint8_t kSelfTest[kSettings] ROM = {0x11, 0x60, 0x01};  // + bias field, 660 LSB/G, single
 constexpr uint8_t kConfiguration = 0x78, kGain = 0x20;
-constexpr uint8_t kMeasure[kSettings] ROM = {kConfigA, kConfiguration, kGain,
+constexpr uint8_t kMeasure[kSettings] ROM = {kConfiguration, kGain,
                                              0x00};  // mean of 8, 75 Hz, 1090 LSB/G
 constexpr float kMilligaussPerCount = 1000.0f / 1090.0f;
 
@@ -78,13 +78,14 @@ bool Hmc5883l::step(uint32_t now_ms) {
 }
 
 void Hmc5883l::begin() {
-    uint8_t out[kSettings] = {kData};
+    uint8_t out[2] = {kData};
     uint8_t out_size = 1;
     expected_bytes_ = 6;
     if (state_ == State::excite || state_ == State::configure) {
-        ROM_COPY(out, state_ == State::excite ? kSelfTest : kMeasure, kSettings);
-        if (old_) out[2] = kGain;
-        out_size = kSettings;
+        out[0] = setting_;
+        out[1] = core::romRead((state_ == State::excite ? kSelfTest : kMeasure)[setting_]);
+        if (old_ && setting_ == kConfigB) out[1] = kGain;
+        out_size = 2;
         expected_bytes_ = 0;
     } else if (state_ == State::probe) {
         out[0] = kConfigA;
@@ -114,12 +115,13 @@ bool Hmc5883l::finish(const uint8_t* bytes, uint32_t now_ms) {
             identifyChip(bytes[0], now_ms);
             return false;
         case State::excite:
-            enter(State::excited, now_ms, kExcite_ms);
+            if (allSet(now_ms)) enter(State::excited, now_ms, kExcite_ms);
             return false;
         case State::excited:
             checkSelfTest(bytes, now_ms);
             return false;
         case State::configure:
+            if (!allSet(now_ms)) return false;
             discard_ = 2;  // a new gain holds from the second measurement on
             reads_ = 0;
             good_ms_ = now_ms;
@@ -139,10 +141,17 @@ bool Hmc5883l::finish(const uint8_t* bytes, uint32_t now_ms) {
     return false;
 }
 
+bool Hmc5883l::allSet(uint32_t now_ms) {
+    if (setting_ == kMode) return true;
+    ++setting_;
+    enter(state_, now_ms, 0);
+    return false;
+}
+
 void Hmc5883l::identifyChip(uint8_t configuration, uint32_t now_ms) {
     old_ = configuration == kOldConfiguration;
     if (!old_ && configuration != kConfiguration) return fail(now_ms);
-    tries_ = good_tries_ = 0;
+    tries_ = good_tries_ = setting_ = 0;
     measured_[0] = measured_[1] = measured_[2] = 0;
     enter(State::excite, now_ms, 0);
 }
@@ -152,8 +161,11 @@ float Hmc5883l::expectedOf(uint8_t axis) const {
 }
 
 void Hmc5883l::checkSelfTest(const uint8_t* bytes, uint32_t now_ms) {
-    const Counts read = counts(bytes, old_);
+    Counts read = counts(bytes, old_);
     bool good = tries_ >= kDroppedTries && !overflowed(read);
+    // the coil of some clones is wound the other way round
+    if (read.axis[0] < 0)
+        for (int16_t& axis : read.axis) axis = static_cast<int16_t>(-axis);
     for (uint8_t i = 0; good && i < 3; ++i) {
         const float expected = expectedOf(i);
         good = read.axis[i] * kMaxScale >= expected && read.axis[i] * kLeastScale <= expected;
@@ -166,6 +178,7 @@ void Hmc5883l::checkSelfTest(const uint8_t* bytes, uint32_t now_ms) {
         for (uint8_t i = 0; i < 3; ++i) {
             scale_[i] = expectedOf(i) * kGoodTries / measured_[i] * milligaussPerCount(old_);
         }
+        setting_ = kConfigA;
         enter(State::configure, now_ms, 0);
     } else if (++tries_ >= kMaxTries) {
         fail(now_ms);

@@ -31,6 +31,7 @@ private:
     }
     void begin();
     bool finish(const uint8_t* bytes, uint32_t now_ms);
+    bool allSet(uint32_t now_ms);
     void identifyChip(uint8_t configuration, uint32_t now_ms);
     float expectedOf(uint8_t axis) const;
     void checkSelfTest(const uint8_t* bytes, uint32_t now_ms);
@@ -49,6 +50,7 @@ private:
     uint8_t tries_ = 0, good_tries_ = 0;  // of the self-test
     uint8_t reads_ = 0;                   // since the configuration was last verified
     uint8_t discard_ = 0;                 // fields still measured with another gain
+    uint8_t setting_ = 0;                 // the configuration register that is written next
     uint8_t errors_in_a_row_ = 0;
     uint8_t expected_bytes_ = 0;
     bool under_way_ = false;

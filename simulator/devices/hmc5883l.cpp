@@ -78,7 +78,7 @@ bool Hmc5883l::write(uint8_t byte, uint64_t now_us) {
     advance(now_us);
     if (pointer_next_) {
         pointer_ = byte;
-        pointer_next_ = false;
+        pointer_next_ = written_ = false;
     } else {
         writeRegister(byte, now_us);
     }
@@ -93,10 +93,12 @@ uint8_t Hmc5883l::read(bool, uint64_t now_us) {
 
 void Hmc5883l::stop(uint64_t) { pointer_next_ = false; }
 
+// The register is promised to go up by itself for reads (900405, I2C interface protocol): here a
+// second byte of a write goes nowhere.
 void Hmc5883l::writeRegister(uint8_t value, uint64_t now_us) {
     const uint8_t at = pointer_;
-    pointer_ = static_cast<uint8_t>((pointer_ + 1) % kRegisters);
-    if (at > kMode) return;
+    if (at > kMode || written_) return;
+    written_ = true;
     registers_[at] = value;
     if (at == kConfigA && old()) registers_[at] &= static_cast<uint8_t>(~kAveraging);
     read_mask_ = 0;  // any write to a configuration register ends a lock
@@ -183,7 +185,8 @@ std::array<double, 3> Hmc5883l::chipField_mg() {
     std::array<double, 3> chip = chipAxes();
     const int test = registers_[kConfigA] & 3;
     for (int i = 0; i < 3; ++i) {
-        const double bias_mg = old() ? kOldBias_mg : kBias_mg[i];
+        const double coil_mg = old() ? kOldBias_mg : kBias_mg[i];
+        const double bias_mg = mount_.inverted_self_test ? -coil_mg : coil_mg;
         if (test == 1) chip[i] = bias_mg;
         if (test == 2) chip[i] = -bias_mg;
         chip[i] += errors_.compass_noise_mg * random_.normal();

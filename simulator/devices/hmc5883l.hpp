@@ -16,6 +16,8 @@ struct CompassMount {
     CompassKind kind = CompassKind::hmc5883l;
     // How it is turned against the airplane, degrees: yawed, then pitched, then rolled.
     double roll_deg = 0, pitch_deg = 0, yaw_deg = 0;
+    // Of some clones the coil of the self-test is wound the other way round.
+    bool inverted_self_test = false;
 };
 
 class Hmc5883l {
@@ -58,6 +60,7 @@ private:
     std::array<double, 3> body_mg_{}, offset_mg_{};
     std::array<uint8_t, 13> registers_{};
     uint8_t pointer_ = 0;
+    bool written_ = false;  // in this transfer
     bool pointer_next_ = false;
     uint8_t read_mask_ = 0;              // data registers read since the last measurement
     uint64_t measured_us_ = UINT64_MAX;  // when the running measurement ends

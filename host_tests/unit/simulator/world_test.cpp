@@ -109,9 +109,12 @@ TEST(World, turns_the_compass_with_the_airplane) {
     World world(options);
     world.advanceTo(10'000);
     Hmc5883l& compass = world.compass();
-    compass.start(false, 10'000);
-    for (uint8_t byte : {0, 0x78, 0x20, 0x00}) compass.write(byte, 10'000);
-    compass.stop(10'000);
+    for (auto [at, value] : {std::pair{0, 0x78}, {1, 0x20}, {2, 0x00}}) {
+        compass.start(false, 10'000);
+        compass.write(static_cast<uint8_t>(at), 10'000);
+        compass.write(static_cast<uint8_t>(value), 10'000);
+        compass.stop(10'000);
+    }
     world.advanceTo(100'000);
     compass.start(false, 100'000);
     compass.write(3, 100'000);

@@ -135,7 +135,7 @@ struct Scripted {
     uint8_t configuration = 0x78;
     std::vector<uint8_t> operator()(const fakes::I2cTransfer& t) {
         if (t.out[0] == 10) return {'H', '4', '3'};
-        if (t.out.size() == 4) testing = t.out[1] == 0x11;
+        if (t.out.size() == 2 && t.out[0] == 0) testing = t.out[1] == 0x11;
         if (t.out[0] == 0) return {configuration, 0x20, 0x00};
         auto put = [](std::vector<uint8_t>& to, double counts) {
             const int16_t value = static_cast<int16_t>(counts);
@@ -156,6 +156,18 @@ TEST_F(Hmc5883l, takes_the_self_tests_scale_out_of_the_field) {
 
     EXPECT_NEAR(driver.scale(0), 1 / 0.85, 0.01);
     EXPECT_NEAR(driver.field_mg().y, -200, 2);
+}
+
+TEST_F(Hmc5883l, takes_a_coil_that_is_wound_the_other_way_round) {
+    simulator::CompassMount clone;
+    clone.inverted_self_test = true;
+    chip = std::make_unique<simulator::Hmc5883l>(1, simulator::SensorErrors::none(), clone);
+    chip->sense({200, -50, 430});
+    fly(2000);
+
+    EXPECT_TRUE(driver.healthy());
+    EXPECT_NEAR(driver.field_mg().x, 200, 2);
+    EXPECT_NEAR(driver.scale(2), 1, 0.01);
 }
 
 TEST_F(Hmc5883l, a_self_test_far_out_is_a_broken_chip) {

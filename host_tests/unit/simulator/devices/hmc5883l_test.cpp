@@ -68,6 +68,14 @@ TEST(Hmc5883l, names_itself_and_keeps_what_is_written) {
     EXPECT_EQ(bench.read(10, 1)[0], 'H');
 }
 
+TEST(Hmc5883l, writes_one_register_in_a_transfer) {
+    Bench bench;
+    bench.compass.start(false, bench.now_us);
+    for (const uint8_t byte : {0, 0x78, 0x60, 0x00}) bench.compass.write(byte, bench.now_us);
+    bench.compass.stop(bench.now_us);
+    EXPECT_EQ(bench.read(0, 3), (std::vector<uint8_t>{0x78, 0x20, 0x02}));
+}
+
 TEST(Hmc5883l, gives_the_field_in_body_axes_after_the_documented_rotation) {
     Bench bench;
     bench.compass.sense({200, -100, 400});
