@@ -18,6 +18,7 @@ struct Exactly {
         for (uint8_t i = 0; i < size; ++i) of[i] = script.bytes[i];
     }
 };
+constexpr Exactly<ubloxValues().size> kUbloxValues ROM(ubloxValues());
 constexpr Exactly<ubloxGreeting().size> kUbloxGreeting ROM(ubloxGreeting());
 constexpr Exactly<ubloxConfiguration().size> kUbloxConfiguration ROM(ubloxConfiguration());
 constexpr Exactly<ubloxQuestion().size> kUbloxQuestion ROM(ubloxQuestion());
@@ -28,16 +29,17 @@ struct Script {
     const uint8_t* bytes;
     uint8_t size;
 };
-// Sent in this order.
+// Sent in this order: a greeting that is obeyed changes the rate, and the rest is not understood.
 constexpr Script kScripts[] ROM = {
+    {kUbloxValues.of, sizeof kUbloxValues},
     {kUbloxGreeting.of, sizeof kUbloxGreeting},
     {kMtkConfiguration.of, kMtkGreetingSize},
     {kUbloxConfiguration.of, sizeof kUbloxConfiguration},
     {kUbloxQuestion.of, sizeof kUbloxQuestion},
     {kMtkConfiguration.of, sizeof kMtkConfiguration},
 };
-constexpr uint8_t kGreetUblox = 1, kGreetMtk = 2, kConfigureUblox = 4, kAskUblox = 8,
-                  kConfigureMtk = 16;
+constexpr uint8_t kSetUblox = 1, kGreetUblox = kSetUblox | 2, kGreetMtk = 4,
+                  kConfigureUblox = kSetUblox | 8, kAskUblox = 16, kConfigureMtk = 32;
 
 // The rate a receiver is set to, and then those it may have at first, the usual ones first.
 constexpr uint32_t kBauds[] ROM = {38400, 9600, 57600, 115200, 4800, 19200};

@@ -56,6 +56,8 @@ struct GpsScript {
     }
 };
 
+constexpr uint8_t kAirborne4g = 8;
+
 // Sent at every rate the receiver may listen at: talk UBX at 38400 from now on. Once as UBX
 // (CFG-PRT: UART 1, 8N1, in UBX and NMEA, out UBX) and once for those that only take text. What was
 // sent at another rate may have looked like the beginning of a sentence: a line's end comes first.
@@ -68,7 +70,24 @@ constexpr GpsScript ubloxGreeting() {
     return script;
 }
 
-constexpr uint8_t kAirborne4g = 8;
+// All that the two scripts below ask for, for receivers that take CFG-VALSET: the M9, and the M10,
+// which takes nothing else (M10 SPG 5.10 Interface Description, UBX-21035062, chapter 6). Into the
+// RAM; older ones refuse it. NAV-PVT is one message with all of an epoch.
+constexpr GpsScript ubloxValues() {
+    GpsScript script;
+    constexpr uint8_t values[] = {
+        0,    1,    0,    0,                              // version, layer
+        0x01, 0x00, 0x74, 0x10, 1,                        // CFG-UART1OUTPROT-UBX
+        0x02, 0x00, 0x74, 0x10, 0,                        // CFG-UART1OUTPROT-NMEA
+        0x01, 0x00, 0x21, 0x30, 200,         0,           // CFG-RATE-MEAS
+        0x07, 0x00, 0x91, 0x20, 1,                        // CFG-MSGOUT-UBX_NAV_PVT_UART1
+        0x21, 0x00, 0x11, 0x20, kAirborne4g,              // CFG-NAVSPG-DYNMODEL
+        0x01, 0x00, 0x52, 0x40, 0x00,        0x96, 0, 0,  // CFG-UART1-BAUDRATE
+    };
+    script.endLine();
+    script.message(0x06, 0x8A, sizeof values, values);
+    return script;
+}
 
 // 5 Hz; NAV-POSLLH, STATUS, SOL and VELNED once an epoch; dynamic model airborne < 4 g.
 constexpr GpsScript ubloxConfiguration() {

@@ -51,12 +51,25 @@ bool report(GpsEpoch& epoch) {
     return true;
 }
 
+// Of PVT, which has no week; its time of the week is the header's.
+void takeWeek(const uint8_t* payload, GpsEpoch& epoch) {
+    constexpr uint8_t kDateAndTime = 3;
+    if ((payload[11] & kDateAndTime) != kDateAndTime) return;
+    const uint16_t hhmm = payload[8] * 100U + payload[9], ddmm = payload[7] * 100U + payload[6];
+    const uint32_t time_ms = epoch.fix.time_ms;
+    epoch.setUtc(hhmm * 100000UL + payload[10] * 1000U,
+                 ddmm * 100UL + static_cast<uint8_t>(loaded<uint16_t>(payload + 4) - 2000));
+    epoch.fix.time_ms = time_ms;
+}
+
 bool readPvt(const uint8_t* payload, GpsEpoch& epoch) {
+    // an M9 sends it behind POSLLH and VELNED, which have none of these, and has no SOL
+    epoch.fix.satellites = payload[23];
+    epoch.fix.hdop_c = loaded<uint16_t>(payload + 76);
+    takeWeek(payload, epoch);
     if (!epoch.takes(GpsEpoch::kPosition | GpsEpoch::kVelocity, loaded<uint32_t>(payload)))
         return false;
     epoch.type = fixType(payload + 20);
-    epoch.fix.satellites = payload[23];
-    epoch.fix.hdop_c = loaded<uint16_t>(payload + 76);
     takePosition(payload + 24, epoch.fix);
     takeVelocity(payload + 48, payload + 60, 10, epoch);
     return report(epoch);

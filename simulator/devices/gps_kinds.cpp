@@ -24,6 +24,17 @@ Made make(const Order& order, Options options) {
 }
 
 Made ublox(const Order& order) { return make<UbloxGps>(order, UbloxOptions{}); }
+Made ubloxM9(const Order& order) {
+    UbloxOptions options;
+    options.generation = UbloxGeneration::m9;
+    options.baud = 38400;
+    return make<UbloxGps>(order, options);
+}
+Made ubloxM10(const Order& order) {
+    UbloxOptions options;
+    options.generation = UbloxGeneration::m10;
+    return make<UbloxGps>(order, options);
+}
 Made mtk(const Order& order, bool version_19) {
     MtkOptions options;
     options.version_19 = version_19;
@@ -41,7 +52,8 @@ struct Kind {
     const char* name;
     Made (*make)(const Order& order);
 };
-constexpr Kind kKinds[] = {{"ublox", ublox}, {"mtk16", mtk16}, {"mtk19", mtk19}, {"nmea", nmea}};
+constexpr Kind kKinds[] = {{"ublox", ublox}, {"ublox_m9", ubloxM9}, {"ublox_m10", ubloxM10},
+                           {"mtk16", mtk16}, {"mtk19", mtk19},      {"nmea", nmea}};
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/devices/nmea_reports.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "simulator/devices/ublox_parser.hpp"
@@ -63,6 +64,29 @@ std::vector<uint8_t> nmeaVtg(const GpsFix& fix, const std::string& talker) {
         std::snprintf(motion, sizeof motion, "%.2f,T,,M,%.3f,N,%.3f,K,A", course_deg(fix),
                       groundSpeed_mps(fix) * kKnots, groundSpeed_mps(fix) * 3.6);
     return sentence(talker + "VTG," + motion);
+}
+
+std::vector<uint8_t> nmeaGll(const GpsFix& fix, const std::string& talker) {
+    return sentence(talker + "GLL," + nmeaPlace(fix) + "," + nmeaTime(fix) +
+                    (fix.valid ? ",A,A" : ",V,N"));
+}
+
+// Four satellites in a sentence; where in the sky they are does not matter here.
+std::vector<uint8_t> nmeaGsv(const GpsFix& fix, const std::string& talker) {
+    const int in_view = fix.satellites, sentences = std::max(1, (in_view + 3) / 4);
+    std::vector<uint8_t> all;
+    for (int number = 1; number <= sentences; ++number) {
+        char text[32];
+        std::snprintf(text, sizeof text, "GSV,%d,%d,%02d", sentences, number, in_view);
+        std::string body = talker + text;
+        for (int i = 4 * (number - 1); i < std::min(in_view, 4 * number); ++i) {
+            std::snprintf(text, sizeof text, ",%02d,%02d,%03d,%02d", 10 + i, 30, 40 * i % 360, 40);
+            body += text;
+        }
+        const std::vector<uint8_t> bytes = sentence(body);
+        all.insert(all.end(), bytes.begin(), bytes.end());
+    }
+    return all;
 }
 
 std::vector<uint8_t> nmeaGsa(const GpsFix& fix, const std::string& talker) {

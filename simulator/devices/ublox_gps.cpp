@@ -9,7 +9,10 @@ namespace {
 
 constexpr uint8_t kAcknowledge = 0x05, kConfigure = 0x06;
 constexpr uint8_t kPort = 0x00, kMessage = 0x01, kRate = 0x08, kSave = 0x09, kSbas = 0x16,
-                  kNavigation = 0x24;
+                  kNavigation = 0x24, kSetValues = 0x8A;
+constexpr uint8_t kNav = 0x01, kSolution = 0x06, kPvt = 0x07;
+// No document gives it; an answer is on its way milliseconds after the last byte of the order.
+constexpr uint64_t kAnswer_us = 5000;
 constexpr uint16_t kUbx = 1, kNmea = 2;  // protocol mask
 constexpr uint8_t kUart1 = 1;
 constexpr uint16_t kFactoryPeriod_ms = 1000;
@@ -26,18 +29,31 @@ constexpr MaskedField kNavigationFields[] = {
     {0x01, 2, 1}, {0x02, 12, 1}, {0x04, 3, 1}, {0x10, 14, 8}, {0x20, 22, 1}, {0x40, 23, 1},
 };
 
+// Of CFG-VALSET, and of which there are how many bytes (bits 28 to 30 of the key).
+enum Key : uint32_t {
+    kDynamicModel = 0x20110021,   // CFG-NAVSPG-DYNMODEL
+    kMeasurePeriod = 0x30210001,  // CFG-RATE-MEAS, ms
+    kBaudRate = 0x40520001,       // CFG-UART1-BAUDRATE
+    kUbxOut = 0x10740001,         // CFG-UART1OUTPROT-UBX
+    kNmeaOut = 0x10740002,        // CFG-UART1OUTPROT-NMEA
+    kPvtOnUart1 = 0x20910007,     // CFG-MSGOUT-UBX_NAV_PVT_UART1
+};
+constexpr uint8_t kValueBytes[8] = {0, 1, 1, 2, 4, 8, 0, 0};
+
+bool isModel(uint32_t model) { return model <= 8 && model != 1; }
+
 }  // namespace
 
 UbloxGps::UbloxGps(uint64_t seed, const SensorErrors& errors, const UbloxOptions& options)
     : GpsReceiver(
           seed, errors, options, options.baud,
           options.ubx ? static_cast<uint16_t>(1000 / errors.gps_rate_hz) : kFactoryPeriod_ms),
+      generation_(options.generation),
       protocols_out_(kUbx | kNmea),
       navigation_(kFactoryNavigation) {
     for (int i = 0; i < kReportCount; ++i) {
         const bool nmea = kReports[i].message_class == kNmeaClass;
-        const bool pvt = kReports[i].id == 0x07;  // not of the u-blox 6
-        rates_[i] = nmea ? options.nmea : options.ubx && !pvt;
+        rates_[i] = nmea ? options.nmea : options.ubx && kReports[i].id != kPvt;
     }
 }
 
@@ -57,10 +73,20 @@ void UbloxGps::take(uint8_t byte, uint64_t now_us) {
 void UbloxGps::obey(const UbxFrame& frame, uint64_t now_us) {
     if (frame.message_class != kConfigure) return;
     const bool good = configure(frame, now_us);
-    send(ubxBytes({kAcknowledge, good, {frame.message_class, frame.id}}), now_us);
+    send(ubxBytes({kAcknowledge, good, {frame.message_class, frame.id}}), now_us + kAnswer_us);
+}
+
+bool UbloxGps::knows(const UbxFrame& frame) const {
+    if (frame.id == kSetValues) return generation_ != UbloxGeneration::six;
+    return generation_ != UbloxGeneration::m10 || frame.id == kSave;
+}
+
+bool UbloxGps::sends(uint8_t message_class, uint8_t id) const {
+    return message_class != kNav || id != kSolution || generation_ == UbloxGeneration::six;
 }
 
 bool UbloxGps::configure(const UbxFrame& frame, uint64_t now_us) {
+    if (!knows(frame)) return false;
     if (frame.payload.empty()) return poll(frame, now_us);
     switch (frame.id) {
         case kPort:
@@ -71,6 +97,8 @@ bool UbloxGps::configure(const UbxFrame& frame, uint64_t now_us) {
             return configureRate(frame, now_us);
         case kNavigation:
             return configureNavigation(frame);
+        case kSetValues:
+            return setValues(frame, now_us);
         case kSave:
         case kSbas:
             return true;  // accepted, without effect here
@@ -87,7 +115,7 @@ bool UbloxGps::poll(const UbxFrame& frame, uint64_t now_us) {
         answer = {
             static_cast<uint8_t>(period_ms()), static_cast<uint8_t>(period_ms() >> 8), 1, 0, 1, 0};
     if (answer.empty()) return false;
-    send(ubxBytes({kConfigure, frame.id, answer}), now_us);
+    send(ubxBytes({kConfigure, frame.id, answer}), now_us + kAnswer_us);
     return true;
 }
 
@@ -105,6 +133,7 @@ bool UbloxGps::configurePort(const UbxFrame& frame, uint64_t now_us) {
 bool UbloxGps::configureMessage(const UbxFrame& frame) {
     const size_t size = frame.payload.size();
     if (size != 3 && size != 8) return false;
+    if (!sends(frame.payload[0], frame.payload[1])) return false;
     for (int i = 0; i < kReportCount; ++i) {
         if (kReports[i].message_class != frame.payload[0] || kReports[i].id != frame.payload[1])
             continue;
@@ -124,15 +153,65 @@ bool UbloxGps::configureRate(const UbxFrame& frame, uint64_t now_us) {
 
 bool UbloxGps::configureNavigation(const UbxFrame& frame) {
     if (frame.payload.size() != navigation_.size()) return false;
-    constexpr uint8_t kModels[] = {0, 2, 3, 4, 5, 6, 7, 8};
-    const bool model =
-        std::find(std::begin(kModels), std::end(kModels), frame.payload[2]) != std::end(kModels);
-    if ((frame.u16(0) & 1) && !model) return false;
+    if ((frame.u16(0) & 1) && !isModel(frame.payload[2])) return false;
     for (const MaskedField& field : kNavigationFields)
         if (frame.u16(0) & field.bit)
             std::copy_n(frame.payload.begin() + static_cast<std::ptrdiff_t>(field.offset),
                         field.size, navigation_.begin() + field.offset);
     return true;
+}
+
+// Version, layers (bit 0: the RAM), two reserved; then keys with their values.
+bool UbloxGps::setValues(const UbxFrame& frame, uint64_t now_us) {
+    const auto& payload = frame.payload;
+    if (payload.size() < 4 || payload[0] > 1 || !(payload[1] & 1)) return false;
+    for (size_t at = 4; at < payload.size();) {
+        if (at + 4 > payload.size()) return false;
+        const uint32_t key = frame.u32(at);
+        const size_t bytes = kValueBytes[key >> 28 & 7];
+        at += 4;
+        if (bytes == 0 || at + bytes > payload.size()) return false;
+        uint32_t value = 0;
+        for (size_t i = bytes; i-- > 0;) value = value << 8 | payload[at + i];
+        if (!setValue(key, value, now_us)) return false;
+        at += bytes;
+    }
+    return true;
+}
+
+bool UbloxGps::setValue(uint32_t key, uint32_t value, uint64_t now_us) {
+    const auto protocol = [&](uint16_t bit) {
+        protocols_out_ =
+            static_cast<uint16_t>(value ? protocols_out_ | bit : protocols_out_ & ~bit);
+        return true;
+    };
+    switch (key) {
+        case kUbxOut:
+            return protocol(kUbx);
+        case kNmeaOut:
+            return protocol(kNmea);
+        case kBaudRate:
+            setBaud(value, now_us);
+            return true;
+        case kMeasurePeriod:
+            if (value * errors_.gps_rate_hz < 1000) return false;
+            setPeriod(static_cast<uint16_t>(value), now_us);
+            return true;
+        case kPvtOnUart1:
+            rateOf(kNav, kPvt) = static_cast<uint8_t>(value);
+            return true;
+        case kDynamicModel:
+            navigation_[2] = static_cast<uint8_t>(value);
+            return isModel(value);
+        default:
+            return false;
+    }
+}
+
+uint8_t& UbloxGps::rateOf(uint8_t message_class, uint8_t id) {
+    int i = 0;
+    while (kReports[i].message_class != message_class || kReports[i].id != id) ++i;
+    return rates_[static_cast<size_t>(i)];
 }
 
 // $PUBX,41,port,in,out,baud,autobauding

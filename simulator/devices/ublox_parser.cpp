@@ -57,6 +57,9 @@ std::string nmeaSentence(const std::string& body) {
 
 void UbloxParser::take(uint8_t byte) {
     if (bytes_.empty() && byte != kSync1 && byte != '$') return;
+    // Text has neither of the two: what begins there is another message.
+    const bool text = !bytes_.empty() && bytes_[0] == '$';
+    if (text && (byte == kSync1 || byte == '$')) bytes_.clear();
     bytes_.push_back(byte);
     bytes_[0] == '$' ? takeNmea() : takeUbx();
 }

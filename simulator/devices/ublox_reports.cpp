@@ -132,13 +132,19 @@ std::vector<uint8_t> pvt(const GpsFix& fix) {
 }
 
 std::vector<uint8_t> gga(const GpsFix& fix) { return nmeaGga(fix, "GP"); }
+std::vector<uint8_t> gll(const GpsFix& fix) { return nmeaGll(fix, "GP"); }
+std::vector<uint8_t> gsa(const GpsFix& fix) { return nmeaGsa(fix, "GP"); }
+std::vector<uint8_t> gsv(const GpsFix& fix) { return nmeaGsv(fix, "GP"); }
 std::vector<uint8_t> rmc(const GpsFix& fix) { return nmeaRmc(fix, "GP"); }
+std::vector<uint8_t> vtg(const GpsFix& fix) { return nmeaVtg(fix, "GP"); }
 
 }  // namespace
 
 const UbloxReport kReports[kReportCount] = {
-    {0x01, 0x02, posllh}, {0x01, 0x03, status},    {0x01, 0x06, solution},  {0x01, 0x12, velned},
-    {0x01, 0x07, pvt},    {kNmeaClass, 0x00, gga}, {kNmeaClass, 0x04, rmc},
+    {0x01, 0x02, posllh},    {0x01, 0x03, status},    {0x01, 0x06, solution},
+    {0x01, 0x12, velned},    {0x01, 0x07, pvt},       {kNmeaClass, 0x04, rmc},
+    {kNmeaClass, 0x05, vtg}, {kNmeaClass, 0x00, gga}, {kNmeaClass, 0x02, gsa},
+    {kNmeaClass, 0x03, gsv}, {kNmeaClass, 0x01, gll},
 };
 
 }  // namespace simulator

@@ -12,7 +12,7 @@ struct UbloxReport {
     uint8_t message_class, id;
     std::vector<uint8_t> (*bytes)(const GpsFix& fix);  // as they go over the line
 };
-constexpr int kReportCount = 7;
+constexpr int kReportCount = 11;
 extern const UbloxReport kReports[kReportCount];
 
 constexpr uint8_t kNmeaClass = 0xF0;

@@ -87,6 +87,8 @@ endforeach()
 declare_test(log_tool.order_is_that_of_the_image COMMAND node --test ${tests}/scenarios/log_order.test.mjs NEEDS log_tool
              AFTER elf_wind_1 native_wind_1 LABELS simavr ENVIRONMENT LOG_TOOL=$<TARGET_FILE:log_tool>
              IMAGE_FLASH=${flights}/elf_wind_1/flash.bin NATIVE_FLASH=${flights}/native_wind_1/flash.bin)
+flight_test(native_ublox_m9 native 5.5 3.3 60 --native --gps ublox_m9 --seed 1 ${windy})
+flight_test(native_ublox_m10 native 5.5 3.3 60 --native --gps ublox_m10 --seed 2 ${windy})
 flight_test(native_mtk16 native 5.5 3.3 60 --native --gps mtk16 --seed 1 ${windy})
 flight_test(native_mtk19 native 5.5 3.3 60 --native --gps mtk19 --seed 2 ${windy})
 flight_test(native_nmea native 7 3.5 70 --native --gps nmea --seed 3 ${windy})  # once a second

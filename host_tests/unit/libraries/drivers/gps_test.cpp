@@ -18,10 +18,9 @@ struct Kind {
     const char* name;
     GpsProtocol protocol;
 };
-constexpr Kind kKinds[] = {{"ublox", GpsProtocol::ublox},
-                           {"mtk16", GpsProtocol::mtk16},
-                           {"mtk19", GpsProtocol::mtk19},
-                           {"nmea", GpsProtocol::nmea}};
+constexpr Kind kKinds[] = {{"ublox", GpsProtocol::ublox},     {"ublox_m9", GpsProtocol::ublox},
+                           {"ublox_m10", GpsProtocol::ublox}, {"mtk16", GpsProtocol::mtk16},
+                           {"mtk19", GpsProtocol::mtk19},     {"nmea", GpsProtocol::nmea}};
 constexpr uint32_t kRates[] = {4800, 9600, 19200, 38400, 57600, 115200};
 
 struct GpsOnItsLine : gps_line::Line {
@@ -285,6 +284,9 @@ TEST(GpsScript, carries_the_checksums_of_the_receiver_description) {
     EXPECT_EQ(script.bytes[2 + 13], 0x68);
     EXPECT_EQ(script.bytes[16 + 9], 0x0E);
     EXPECT_EQ(script.bytes[16 + 10], 0x47);
+    const drivers::GpsScript values = drivers::ubloxValues();
+    EXPECT_EQ(values.bytes[2 + 4], 38) << "its length";
+    EXPECT_EQ(values.size, 2 + 8 + 38);
     EXPECT_NE(text(greeting).find("$PUBX,41,1,0003,0001,38400,0*26\r\n"), std::string::npos);
 }
 

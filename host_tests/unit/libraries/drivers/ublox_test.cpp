@@ -175,7 +175,8 @@ TEST_F(UbloxBytes, another_model_than_airborne_4g_brings_the_configuration_again
     navigation[2] = 3;
     receive(frame(6, 0x24, navigation));
     for (int i = 0; i < 20; ++i) step();
-    EXPECT_EQ(port().out.size(), drivers::ubloxConfiguration().size);
+    EXPECT_EQ(port().out.size(),
+              drivers::ubloxValues().size + size_t{drivers::ubloxConfiguration().size});
 
     port().out.clear();
     navigation[2] = 8;

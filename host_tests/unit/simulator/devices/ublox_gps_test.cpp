@@ -108,13 +108,18 @@ std::vector<uint8_t> portPayload(uint32_t baud, uint8_t out_mask) {
 
 TEST(UbloxGps, starts_with_nmea_at_9600_baud_once_a_second) {
     Bench bench;
-    bench.runUntil(10'500'000);
+    bench.runUntil(10'900'000);
     EXPECT_EQ(bench.gps.baud(), 9600u);
-    EXPECT_EQ(bench.sentences.size(), 20u);
     EXPECT_TRUE(bench.frames.empty());
-    EXPECT_THAT(bench.sentences[0], testing::StartsWith("GPGGA,100001.00,"));
-    EXPECT_THAT(bench.sentences.back(),
-                testing::StartsWith("GPRMC,100010.00,A,4723.86200,N,00832.73600,E,"));
+    EXPECT_THAT(bench.sentences[0], testing::StartsWith("GPRMC,100001.00,V,"));
+    const std::vector<std::string> last(bench.sentences.end() - 8, bench.sentences.end());
+    using testing::StartsWith;
+    EXPECT_THAT(last,
+                testing::ElementsAre(StartsWith("GPRMC,100010.00,A,4723.86200,N,00832.73600,E,"),
+                                     StartsWith("GPVTG,"), StartsWith("GPGGA,100010.00,"),
+                                     StartsWith("GPGSA,A,3,"), StartsWith("GPGSV,3,1,09,"),
+                                     StartsWith("GPGSV,3,2,09,"), StartsWith("GPGSV,3,3,09,"),
+                                     StartsWith("GPGLL,4723.86200,N,")));
 }
 
 TEST(UbloxGps, finds_its_position_after_the_time_to_acquire) {
@@ -168,6 +173,47 @@ TEST(UbloxGps, ignores_a_sentence_with_a_wrong_checksum) {
     Bench bench;
     bench.send("$PUBX,41,1,0003,0001,38400,0*27\r\n", 9600);
     EXPECT_EQ(bench.gps.baud(), 9600u);
+}
+
+TEST(UbloxGps, understands_a_frame_behind_the_beginning_of_a_sentence) {
+    Bench bench;
+    bench.send("$PUBX,41,1", 9600);
+    EXPECT_EQ(bench.configure({6, 8, {200, 0, 1, 0, 1, 0}}), 1);
+}
+
+// DYNMODEL 8, and PVT.
+const std::vector<uint8_t> kValues = {0,    1, 0,    0,    0x21, 0x00, 0x11,
+                                      0x20, 8, 0x07, 0x00, 0x91, 0x20, 1};
+
+TEST(UbloxGps, takes_values_by_key_from_the_m9_on) {
+    for (auto [generation, taken] : {std::pair{UbloxGeneration::six, 0},
+                                     {UbloxGeneration::m9, 1},
+                                     {UbloxGeneration::m10, 1}}) {
+        UbloxOptions options = ready();
+        options.generation = generation;
+        Bench bench(options);
+        EXPECT_EQ(bench.configure({6, 0x8A, kValues}), taken);
+        bench.runUntil(bench.now_us + 1'000'000);
+        EXPECT_EQ(bench.of(1, 7).empty(), taken == 0);
+        std::vector<uint8_t> unknown = kValues;
+        unknown[4] = 0x77;
+        EXPECT_EQ(bench.configure({6, 0x8A, unknown}), 0);
+        std::vector<uint8_t> cut(kValues.begin(), kValues.end() - 1);
+        EXPECT_EQ(bench.configure({6, 0x8A, cut}), 0);
+    }
+}
+
+TEST(UbloxGps, has_no_solution_message_from_the_m9_on_and_an_m10_takes_keys_alone) {
+    UbloxOptions options = ready();
+    options.generation = UbloxGeneration::m9;
+    Bench m9(options);
+    EXPECT_EQ(m9.configure({6, 1, {1, 6, 1}}), 0);
+    EXPECT_EQ(m9.configure({6, 1, {1, 2, 1}}), 1);
+    options.generation = UbloxGeneration::m10;
+    Bench m10(options);
+    EXPECT_EQ(m10.configure({6, 1, {1, 2, 1}}), 0);
+    EXPECT_EQ(m10.configure({6, 0, portPayload(115'200, 1)}), 0);
+    EXPECT_EQ(m10.configure({6, 0x24, {}}), 0);
 }
 
 TEST(UbloxGps, changes_rate_by_cfg_prt_and_refuses_a_wrong_one) {
