@@ -4,7 +4,8 @@
 // A board has the budgets of all but for those that stand under its name.
 // The budgets are those of avr-gcc 5.4, and so is what is known of the code a compiler writes: of an
 // image by another one they are notes.
-// Also fails when the image reaches the bootloader, constructs a global object at start-up, or
+// Also fails when the image has `!!!` and the board's loader may have a monitor that is called by it,
+// when it reaches the bootloader, constructs a global object at start-up, or
 // has tables in flash where the short load instruction does not reach. The interrupts' budget in
 // cycles is held by the simulated flight, which measures it.
 import { readFileSync } from 'node:fs';
@@ -48,6 +49,8 @@ export function checkImage(path, budgets) {
   }
 
   if (flash > kBootloader) faults.push(`the image ends at 0x${flash.toString(16)}, behind the bootloader's 0x${kBootloader.toString(16)}`);
+  const call = Buffer.concat([elf.text, elf.data]).indexOf('!!!');
+  if (budgets.loader_monitor && call >= 0) faults.push(`'!!!' at 0x${call.toString(16)} calls the monitor of old Mega 2560 loaders: flashing hangs`);
   const tables = elf.symbol('__ctors_start')?.value ?? 0;
   if (tables >= kNearFlash) faults.push(`tables in flash reach 0x${tables.toString(16)}, past 64 KiB`);
   const constructors = elf.symbols.filter((symbol) => symbol.name.startsWith('_GLOBAL__sub_I'));

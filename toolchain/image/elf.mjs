@@ -65,10 +65,12 @@ export function readElf(path) {
   const sections = readSections(file);
   const symbols = readSymbols(sections);
   const length = (name) => sections.find((section) => section.name === name)?.length ?? 0;
+  const bytesOf = (name) => sections.find((section) => section.name === name)?.bytes ?? Buffer.alloc(0);
   return {
     path, sections, symbols, length,
     relocations: readRelocations(sections, symbols),
-    text: sections.find((section) => section.name === '.text')?.bytes ?? Buffer.alloc(0),
+    text: bytesOf('.text'),
+    data: bytesOf('.data'),
     compiler: cString(sections.find((section) => section.name === '.comment')?.bytes ?? Buffer.of(0), 0),
     symbol: (name) => symbols.find((symbol) => symbol.name === name),
   };

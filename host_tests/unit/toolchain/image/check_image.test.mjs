@@ -41,6 +41,14 @@ test('a global object with a constructor is a fault', () => {
   assert.match(faults.join('\n'), /constructed at start-up/);
 });
 
+test('three exclamation marks are a fault on a board whose loader may have a monitor', () => {
+  const path = compile('volatile char ram[] = "never!!!"; int main() { for (;;) PORTA = ram[PINA]; }');
+
+  assert.match(checkImage(path, { ...plenty, loader_monitor: true }).faults.join('\n'), /'!!!' at 0x/);
+  assert.deepEqual(checkImage(path, plenty).faults, []);
+  assert.deepEqual(checkImage(compile(plain), { ...plenty, loader_monitor: true }).faults, []);
+});
+
 test('tables past 64 KiB are a fault', () => {
   const { faults } = checkImage(compile(
     `const char a[32700] PROGMEM = {1}; const char b[32700] PROGMEM = {1}; const char c[300] PROGMEM = {1};
