@@ -193,11 +193,15 @@ declare_test(on_board.cycles_apm1 COMMAND ${work_report} cycles ${CMAKE_SOURCE_D
 # ---- the boards on the bench: calibration, GPS receivers, each image in the other's chip, pulses,
 # a full and a blank DataFlash, uploads and power cuts, restarts
 foreach(name wrong_board pulse_times full_log upload_time power_cuts calibration gps_bench
-             restart_flight)
+             restart_flight register_writes)
     flight_program(${name})
 endforeach()
 image_test(preflight.apm2_image_on_an_apm1 apm2 wrong_board ${IMAGE_apm2} apm1 ${minutes}/wrong_board_1)
 image_test(preflight.apm1_image_on_an_apm2 apm1 wrong_board ${IMAGE_apm1} apm2 ${minutes}/wrong_board_2)
+# what the images write to the chip's registers, against the document
+declare_test(on_board.registers COMMAND node ${CMAKE_SOURCE_DIR}/toolchain/image/registers.mjs
+             $<TARGET_FILE:register_writes> ${IMAGE_apm2} ${IMAGE_apm1} --check
+             NEEDS register_writes ${IMAGE_apm1} ${IMAGE_apm2} LABELS simavr)
 image_test(storing.upload_time apm2 upload_time ${IMAGE_apm2} ${minutes}/upload_time)
 image_test(storing.power_cuts apm2 power_cuts ${IMAGE_apm2} ${minutes}/power_cuts)
 foreach(board apm1 apm2)
