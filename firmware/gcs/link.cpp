@@ -27,8 +27,12 @@ bool isSilent(const Link& link) { return telemetryMuted() && !isUsb(link); }
 
 }  // namespace
 
-bool sendMessage(Link& link, mavlink::Framing framing, const mavlink::Outgoing& message) {
+bool sendPayload(Link& link, const void* payload, const mavlink::Layout& in_flash) {
     if (isSilent(link)) return true;
+    const mavlink::Layout layout = core::romRead(in_flash);
+    // an id past 255 has no MAVLink 1 frame; who asks for such a message can read the other kind
+    const mavlink::Framing framing = layout.id > 255 ? mavlink::Framing::v2 : link.framing;
+    const mavlink::Outgoing message = mavlink::outgoing(framing, payload, layout);
     const hal::Port port = portOf(link);
     if (hal::serialRoom(port) < mavlink::frameSize(framing, message.length)) return false;
     const mavlink::Sender sender = {framing, link.sequence++,
@@ -38,6 +42,10 @@ bool sendMessage(Link& link, mavlink::Framing framing, const mavlink::Outgoing& 
     hal::linkWriteFrame(port, {header, header_size}, {message.payload, message.length},
                         mavlink::crcBefore(header[0]), message.crc_extra);
     return true;
+}
+
+bool sendAnswer(Link& link, const void* payload, uint8_t answer) {
+    return sendPayload(link, payload, kAnswers[answer]);
 }
 
 bool textWaits(const Link& link) { return notify::textWaits(linkNumber(link)); }

@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "core/file_state.hpp"
+#include "core/rom.hpp"
 #include "firmware/gcs/streams.hpp"
 #include "firmware/state/parameters.hpp"
 #include "hal/serial.hpp"
@@ -68,16 +69,45 @@ inline bool hasRoom(const Link& link, uint8_t frame_size) {
     return hal::serialRoom(portOf(link)) >= frame_size;
 }
 
+// What is sent as an answer or by an event, besides the rows of streams.cpp. send() finds a message
+// here when it is compiled; its caller then names it by one byte.
+constexpr mavlink::Layout kAnswers[] ROM = {
+    mavlink::layoutOf<mavlink::Ping>(),
+    mavlink::layoutOf<mavlink::ParamValue>(),
+    mavlink::layoutOf<mavlink::MissionItem>(),
+    mavlink::layoutOf<mavlink::MissionRequest>(),
+    mavlink::layoutOf<mavlink::MissionCount>(),
+    mavlink::layoutOf<mavlink::MissionAck>(),
+    mavlink::layoutOf<mavlink::MissionRequestInt>(),
+    mavlink::layoutOf<mavlink::MissionItemInt>(),
+    mavlink::layoutOf<mavlink::CommandLong>(),
+    mavlink::layoutOf<mavlink::CommandAck>(),
+    mavlink::layoutOf<mavlink::Timesync>(),
+    mavlink::layoutOf<mavlink::LogEntry>(),
+    mavlink::layoutOf<mavlink::LogData>(),
+    mavlink::layoutOf<mavlink::FencePoint>(),
+    mavlink::layoutOf<mavlink::RallyPoint>(),
+    mavlink::layoutOf<mavlink::MagCalProgress>(),
+    mavlink::layoutOf<mavlink::MagCalReport>(),
+    mavlink::layoutOf<mavlink::MessageInterval>(),
+    mavlink::layoutOf<mavlink::Statustext>(),
+};
+constexpr uint8_t answerOf(uint16_t id, uint8_t from = 0) {
+    return from >= core::count(kAnswers) || kAnswers[from].id == id
+               ? from
+               : answerOf(id, static_cast<uint8_t>(from + 1));
+}
+
 // False: the whole frame does not fit now, nothing was sent. While a mission has switched the radio
 // off, what does not go over USB is dropped.
-bool sendMessage(Link& link, mavlink::Framing framing, const mavlink::Outgoing& message);
+bool sendPayload(Link& link, const void* payload, const mavlink::Layout& in_flash);
+bool sendAnswer(Link& link, const void* payload, uint8_t answer);
 
 template <class Message>
 bool send(Link& link, const Message& message) {
-    // an id past 255 has no MAVLink 1 frame; who asks for such a message can read the other kind
-    const mavlink::Framing framing =
-        mavlink::Wire<Message>::id > 255 ? mavlink::Framing::v2 : link.framing;
-    return sendMessage(link, framing, mavlink::outgoing(framing, message));
+    constexpr uint8_t kAnswer = answerOf(mavlink::Wire<Message>::id);
+    static_assert(kAnswer < core::count(kAnswers), "not in kAnswers");
+    return sendAnswer(link, &message, kAnswer);
 }
 
 bool textWaits(const Link& link);

@@ -39,16 +39,17 @@ constexpr uint8_t kAlwaysRate = 4;  // quarters of a hertz
 
 struct OutgoingRow {
     Stream stream;
-    uint16_t id;
-    bool (*send)(Link& link);
+    mavlink::Layout layout;
+    bool (*fill)(const Link& link, void* message);
 };
 
 template <class Message>
-bool fillAndSend(Link& link) {
-    Message message = {};
-    if (!fillIn(link, message)) return true;
-    return send(link, message);
+bool fill(const Link& link, void* message) {
+    return fillIn(link, *static_cast<Message*>(message));
 }
+
+// Of the streams' messages AUTOPILOT_VERSION is the longest.
+constexpr uint8_t kLongestMessage = sizeof(mavlink::AutopilotVersion);
 
 template <class Message>
 constexpr OutgoingRow row(Stream stream) {
@@ -56,7 +57,8 @@ constexpr OutgoingRow row(Stream stream) {
     static_assert(
         mavlink::kHeaderV2 + mavlink::Wire<Message>::length + mavlink::kChecksum <= kLargestFrame,
         "larger than kLargestFrame");
-    return {stream, mavlink::Wire<Message>::id, fillAndSend<Message>};
+    static_assert(sizeof(Message) <= kLongestMessage, "longer than kLongestMessage");
+    return {stream, mavlink::layoutOf<Message>(), fill<Message>};
 }
 
 constexpr OutgoingRow kOutgoing[] ROM = {
@@ -154,8 +156,15 @@ bool tickIsDue(Link& link) {
     return true;
 }
 
+// One place for all messages, and for their bytes: each with its own would be 2 kB more.
+bool fillAndSend(Link& link, const OutgoingRow& row) {
+    uint8_t message[kLongestMessage] = {};
+    if (!core::romRead(row.fill)(link, message)) return true;
+    return sendPayload(link, message, row.layout);
+}
+
 bool sendRow(Link& link, uint8_t row) {
-    if (!core::romRead(kOutgoing[row].send)(link)) return false;
+    if (!fillAndSend(link, kOutgoing[row])) return false;
     link.streams.phase[row] = static_cast<uint8_t>(link.streams.phase[row] - kDue);
     --link.streams.due;
     return true;
@@ -208,7 +217,7 @@ bool streamsSend(Link& link) {
 
 uint8_t outgoingRow(uint16_t message_id) {
     for (uint8_t row = 0; row < kOutgoingRows; ++row)
-        if (core::romRead(kOutgoing[row].id) == message_id) return row;
+        if (core::romRead(kOutgoing[row].layout.id) == message_id) return row;
     return kNoMessage;
 }
 

@@ -43,14 +43,16 @@ inline uint8_t withoutTrailingZeros(const uint8_t* payload, uint8_t length) {
     return length;
 }
 
+inline Outgoing outgoing(Framing framing, const void* message, const Layout& layout) {
+    const uint8_t* payload = static_cast<const uint8_t*>(message);
+    const uint8_t length = framing == Framing::v1
+                               ? layout.length
+                               : withoutTrailingZeros(payload, layout.length_with_extensions);
+    return {payload, layout.id, length, layout.crc_extra};
+}
 template <class Message>
 Outgoing outgoing(Framing framing, const Message& message) {
-    const uint8_t* payload = reinterpret_cast<const uint8_t*>(&message);
-    const uint8_t length =
-        framing == Framing::v1
-            ? Wire<Message>::length
-            : withoutTrailingZeros(payload, Wire<Message>::length_with_extensions);
-    return {payload, Wire<Message>::id, length, Wire<Message>::crc_extra};
+    return outgoing(framing, &message, layoutOf<Message>());
 }
 
 inline uint16_t frameSize(Framing framing, uint8_t payload_length) {

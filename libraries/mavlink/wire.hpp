@@ -27,6 +27,19 @@ constexpr uint8_t Shape<i, l, e, c>::crc_extra;
 template <class Message>
 struct Wire;
 
+// What a sender must know of a message, for code that does not depend on its type.
+struct Layout {
+    uint16_t id;
+    uint8_t length;
+    uint8_t length_with_extensions;
+    uint8_t crc_extra;
+};
+template <class Message>
+constexpr Layout layoutOf() {
+    return {Wire<Message>::id, Wire<Message>::length, Wire<Message>::length_with_extensions,
+            Wire<Message>::crc_extra};
+}
+
 // What a receiver must know of a message it accepts.
 struct Accepted {
     uint16_t id;
