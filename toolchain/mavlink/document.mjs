@@ -70,7 +70,7 @@ const remarks = {
   do_cancel_mag_cal: 'calls off any calibration',
   accelcal_vehicle_pos: 'p1 = the side on which it lies now, as it was asked for by the same command',
   preflight_set_sensor_offsets: 'p1 = 2: the compass\'s, p2..p4 mgauss',
-  preflight_storage: 'p1 = 2: resets the parameters, with p2 = 2 erases the missions as well; not armed',
+  preflight_storage: 'p1 = 1: accepts damaged parameters as they are; p1 = 2: resets the parameters, with p2 = 2 erases the missions as well; not armed',
   preflight_reboot_shutdown: 'p1 = 1: restart, 3: the same, for the bootloader; not armed, unless p6 = 20190226 over USB: [security.md](security.md)',
   mission_start: 'p1 = p2 = 0: all of it',
   component_arm_disarm: 'p1 = 1 arm, 0 disarm; p2 = 2989 / 21196: without the checks, over USB: [security.md](security.md)',
