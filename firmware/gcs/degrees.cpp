@@ -2,6 +2,7 @@
 #include "firmware/gcs/degrees.hpp"
 
 #include "core/maths.hpp"
+#include "core/seldom.hpp"
 
 namespace firmware {
 namespace gcs {
@@ -14,7 +15,7 @@ int32_t degreesE7(float degrees) {
 }
 
 // Rounded once, where whole and rest are added: a float nearest to the place is up to 0.9 m off.
-float degreesFromE7(int32_t angle_e7) {
+SELDOM float degreesFromE7(int32_t angle_e7) {
     const int32_t whole = angle_e7 / 10000000;
     return static_cast<float>(whole) + static_cast<float>(angle_e7 - whole * 10000000) * 1e-7f;
 }

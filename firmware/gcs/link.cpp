@@ -29,7 +29,10 @@ bool isSilent(const Link& link) { return telemetryMuted() && !isUsb(link); }
 
 bool sendPayload(Link& link, const void* payload, const mavlink::Layout& in_flash) {
     if (isSilent(link)) return true;
-    const mavlink::Layout layout = core::romRead(in_flash);
+    // field by field: as a whole it would be copied three times
+    const mavlink::Layout layout = {core::romRead(in_flash.id), core::romRead(in_flash.length),
+                                    core::romRead(in_flash.length_with_extensions),
+                                    core::romRead(in_flash.crc_extra)};
     // an id past 255 has no MAVLink 1 frame; who asks for such a message can read the other kind
     const mavlink::Framing framing = layout.id > 255 ? mavlink::Framing::v2 : link.framing;
     const mavlink::Outgoing message = mavlink::outgoing(framing, payload, layout);

@@ -104,10 +104,14 @@ bool sendPayload(Link& link, const void* payload, const mavlink::Layout& in_flas
 bool sendAnswer(Link& link, const void* payload, uint8_t answer);
 
 template <class Message>
-bool send(Link& link, const Message& message) {
+bool sendAs(Link& link, const void* message) {
     constexpr uint8_t kAnswer = answerOf(mavlink::Wire<Message>::id);
     static_assert(kAnswer < core::count(kAnswers), "not in kAnswers");
-    return sendAnswer(link, &message, kAnswer);
+    return sendAnswer(link, message, kAnswer);
+}
+template <class Message>
+bool send(Link& link, const Message& message) {
+    return sendAs<Message>(link, &message);
 }
 
 bool textWaits(const Link& link);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the ground asks of the lists, and gets of the mission.
 #include <stddef.h>
+#include <string.h>
 
 #include "core/file_state.hpp"
 #include "firmware/gcs/degrees.hpp"
@@ -35,9 +36,21 @@ bool refusedRequest(Link& link, const mavlink::Frame& frame, uint8_t type, uint1
     return true;
 }
 
-template <class Message>
-bool sendItem(Link& link, const mavlink::Frame& frame, uint8_t type, uint16_t index,
-              const MissionItem& item, Message& message) {
+// Both kinds of item stand alike, but for the place: whole numbers in one, degrees in the other.
+static_assert(sizeof(mavlink::MissionItem) == sizeof(mavlink::MissionItemInt) &&
+                  offsetof(mavlink::MissionItem, x) == offsetof(mavlink::MissionItemInt, x) &&
+                  offsetof(mavlink::MissionItem, seq) == offsetof(mavlink::MissionItemInt, seq) &&
+                  offsetof(mavlink::MissionItem, mission_type) ==
+                      offsetof(mavlink::MissionItemInt, mission_type),
+              "one is written as the other");
+
+bool giveItem(Link& link, const mavlink::Frame& frame, bool in_degrees, uint8_t type,
+              uint16_t index) {
+    core::Status status;
+    MissionItem item;
+    if (refusedRequest(link, frame, type, index, status, item)) return true;
+    if (status == core::Status::busy) return false;
+    mavlink::MissionItemInt message = {};
     message.target_system = frame.system;
     message.target_component = frame.component;
     message.seq = index;
@@ -47,23 +60,17 @@ bool sendItem(Link& link, const mavlink::Frame& frame, uint8_t type, uint16_t in
     message.param2 = item.param2;
     message.param3 = item.param3;
     message.param4 = item.param4;
+    message.x = item.x;
+    message.y = item.y;
     message.z = item.z;
     message.current =
         type == mavlink::MavMissionType::mission && index == missionCurrent() && index != 0;
     message.autocontinue = 1;
     message.mission_type = type;
-    return send(link, message);
-}
-
-bool giveItemInt(Link& link, const mavlink::Frame& frame, uint8_t type, uint16_t index) {
-    core::Status status;
-    MissionItem item;
-    if (refusedRequest(link, frame, type, index, status, item)) return true;
-    if (status == core::Status::busy) return false;
-    mavlink::MissionItemInt message = {};
-    message.x = item.x;
-    message.y = item.y;
-    return sendItem(link, frame, type, index, item, message);
+    if (!in_degrees) return send(link, message);
+    const float place[] = {degreesFromE7(item.x), degreesFromE7(item.y)};
+    memcpy(&message.x, place, sizeof place);
+    return sendAs<mavlink::MissionItem>(link, &message);
 }
 
 bool giveCount(Link& link, const mavlink::Frame& frame, uint8_t type, uint16_t count) {
@@ -97,25 +104,15 @@ bool onMissionRequestPartialList(Link& link, const mavlink::Frame& frame) {
     if (asked.start_index < 0 || last < asked.start_index || last >= count)
         return answerAck(link, peerOf(frame), MissionResult::invalid_sequence, type);
     const uint16_t first = static_cast<uint16_t>(asked.start_index);
-    if (last == asked.start_index) return giveItemInt(link, frame, type, first);
+    if (last == asked.start_index) return giveItem(link, frame, false, type, first);
     return giveCount(link, frame, type, static_cast<uint16_t>(last + 1 - asked.start_index));
 }
 
+// Both kinds of request stand alike, too.
 bool onMissionRequest(Link& link, const mavlink::Frame& frame) {
     const auto asked = frame.read<mavlink::MissionRequest>();
-    core::Status status;
-    MissionItem item;
-    if (refusedRequest(link, frame, asked.mission_type, asked.seq, status, item)) return true;
-    if (status == core::Status::busy) return false;
-    mavlink::MissionItem message = {};
-    message.x = degreesFromE7(item.x);
-    message.y = degreesFromE7(item.y);
-    return sendItem(link, frame, asked.mission_type, asked.seq, item, message);
-}
-
-bool onMissionRequestInt(Link& link, const mavlink::Frame& frame) {
-    const auto asked = frame.read<mavlink::MissionRequestInt>();
-    return giveItemInt(link, frame, asked.mission_type, asked.seq);
+    const bool in_degrees = frame.id == mavlink::Wire<mavlink::MissionRequest>::id;
+    return giveItem(link, frame, in_degrees, asked.mission_type, asked.seq);
 }
 
 bool onMissionSetCurrent(Link& link, const mavlink::Frame& frame) {

@@ -2,6 +2,8 @@
 // Uploads, item by item.
 #include "firmware/gcs/mission_transfer.hpp"
 
+#include <string.h>
+
 #include "firmware/gcs/degrees.hpp"
 #include "firmware/gcs/mission_types.hpp"
 #include "firmware/gcs/transfer.hpp"
@@ -27,14 +29,15 @@ constexpr uint8_t kTries = 30;
 // A point whose frame is given up is not carried on by anyone.
 constexpr uint8_t kPointTurns = kTickRate_hz + kTickRate_hz / 2;
 
-template <class Message>
+// The one in floats stands as the one in whole numbers.
 bool sendRequest(Link& link) {
-    Message message = {};
+    mavlink::MissionRequestInt message = {};
     message.target_system = transfer.peer.system;
     message.target_component = transfer.peer.component;
     message.seq = transfer.next;
     message.mission_type = transfer.type;
-    return send(link, message);
+    return transfer.whole_degrees ? sendAs<mavlink::MissionRequest>(link, &message)
+                                  : send(link, message);
 }
 
 bool endUpload(MissionResult result) {
@@ -74,19 +77,6 @@ bool takeItem(Link& link, const mavlink::Frame& frame, uint16_t index, uint8_t c
     }
     ++transfer.next;
     return ask();
-}
-
-template <class Message>
-MissionItem common(const Message& from) {
-    MissionItem item;
-    item.command = from.command;
-    item.frame = from.frame;
-    item.param1 = from.param1;
-    item.param2 = from.param2;
-    item.param3 = from.param3;
-    item.param4 = from.param4;
-    item.z = from.z;
-    return item;
 }
 
 void reportStored() {
@@ -142,9 +132,7 @@ bool answerAck(Link& link, Peer peer, MissionResult result, uint8_t mission_type
 
 bool ask() {
     transfer.turns = 0;
-    Link& link = links[transfer.link];
-    return transfer.whole_degrees ? sendRequest<mavlink::MissionRequest>(link)
-                                  : sendRequest<mavlink::MissionRequestInt>(link);
+    return sendRequest(links[transfer.link]);
 }
 
 void forgetTransfer() {
@@ -158,19 +146,25 @@ void takeOver(const Link& link, const mavlink::Frame& frame) {
     forgetTransfer();
 }
 
+// Both kinds stand alike, but for the place: degrees in the one, whole numbers in the other.
 bool onMissionItem(Link& link, const mavlink::Frame& frame) {
-    const auto message = frame.read<mavlink::MissionItem>();
-    MissionItem item = common(message);
-    item.x = degreesE7(message.x);
-    item.y = degreesE7(message.y);
-    return takeItem(link, frame, message.seq, message.current, message.mission_type, item);
-}
-
-bool onMissionItemInt(Link& link, const mavlink::Frame& frame) {
     const auto message = frame.read<mavlink::MissionItemInt>();
-    MissionItem item = common(message);
+    MissionItem item;
+    item.command = message.command;
+    item.frame = message.frame;
+    item.param1 = message.param1;
+    item.param2 = message.param2;
+    item.param3 = message.param3;
+    item.param4 = message.param4;
     item.x = message.x;
     item.y = message.y;
+    item.z = message.z;
+    if (frame.id == mavlink::Wire<mavlink::MissionItem>::id) {
+        float place[2];
+        memcpy(place, &message.x, sizeof place);
+        item.x = degreesE7(place[0]);
+        item.y = degreesE7(place[1]);
+    }
     return takeItem(link, frame, message.seq, message.current, message.mission_type, item);
 }
 

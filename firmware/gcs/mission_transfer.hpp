@@ -14,12 +14,10 @@ struct Link;
 bool onMissionCount(Link& link, const mavlink::Frame& frame);
 bool onMissionWritePartialList(Link& link, const mavlink::Frame& frame);
 bool onMissionItem(Link& link, const mavlink::Frame& frame);
-bool onMissionItemInt(Link& link, const mavlink::Frame& frame);
 bool onMissionAck(Link& link, const mavlink::Frame& frame);  // the ground station gives up
 bool onMissionRequestList(Link& link, const mavlink::Frame& frame);
 bool onMissionRequestPartialList(Link& link, const mavlink::Frame& frame);
 bool onMissionRequest(Link& link, const mavlink::Frame& frame);
-bool onMissionRequestInt(Link& link, const mavlink::Frame& frame);
 bool onMissionClearAll(Link& link, const mavlink::Frame& frame);
 bool onMissionSetCurrent(Link& link, const mavlink::Frame& frame);
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/maths.hpp"
+#include "core/seldom.hpp"
 #include "firmware/gcs/messages.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -20,11 +21,11 @@ namespace {
 constexpr uint8_t kUnknownRssi = 255;
 
 // Thousandths of g, and of a rad/s; rounded.
-int16_t milliG(core::Acceleration accel_mss) {
+SELDOM int16_t milliG(core::Acceleration accel_mss) {
     constexpr float kFactor = 1000 / core::kGravity_mss / core::Acceleration::kSteps * 65536;
     return core::upper(core::product(accel_mss.raw, static_cast<int16_t>(kFactor + 0.5f)));
 }
-int16_t milli(core::BodyRate rate_rads) {
+SELDOM int16_t milli(core::BodyRate rate_rads) {
     constexpr float kFactor = 1000 / core::BodyRate::kSteps * 65536 / 2;  // twice is past 16 bits
     return core::upper(core::product(rate_rads.raw, static_cast<int16_t>(kFactor)) * 2);
 }

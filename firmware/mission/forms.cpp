@@ -5,6 +5,7 @@
 
 #include "core/maths.hpp"
 #include "core/rom.hpp"
+#include "core/seldom.hpp"
 
 namespace firmware {
 namespace mission {
@@ -12,6 +13,9 @@ namespace mission {
 namespace {
 
 using ::mission::Record;
+
+// Divided: the factor 0.01 rounds another way, and what was uploaded has to come back.
+SELDOM float hundredthsOf(int32_t count) { return static_cast<float>(count) / 100; }
 
 // One unit of the stored byte is 10 s.
 MissionResult encodeTime(const float* parameter, Record& record, EncodeWarnings& warnings) {
@@ -30,11 +34,11 @@ MissionResult encodeClimb(const float* parameter, Record& record, EncodeWarnings
     const int32_t rate_cms = core::rounded(rate_mps * 100);
     record.p1 = rate_cms > 255 ? 255 : static_cast<uint8_t>(rate_cms);
     record.p3 = rate_cms > 255 ? rate_cms : 0;
-    flagRounding(rate_mps, static_cast<float>(rate_cms) / 100, warnings);
+    flagRounding(rate_mps, hundredthsOf(rate_cms), warnings);
     return kFine;
 }
 void decodeClimb(const Record& record, float* parameter) {
-    parameter[1] = static_cast<float>(record.p3 != 0 ? record.p3 : record.p1) / 100;
+    parameter[1] = hundredthsOf(record.p3 != 0 ? record.p3 : record.p1);
 }
 
 MissionResult encodeSpeed(const float* parameter, Record& record, EncodeWarnings& warnings) {
@@ -46,7 +50,7 @@ MissionResult encodeSpeed(const float* parameter, Record& record, EncodeWarnings
     const int32_t speed_cms = core::rounded(speed_mps * 100);
     if (static_cast<float>(record.p2) != speed_mps) {
         record.p4 = speed_cms;
-        flagRounding(speed_mps, static_cast<float>(speed_cms) / 100, warnings);
+        flagRounding(speed_mps, hundredthsOf(speed_cms), warnings);
     }
     record.p3 = core::rounded(throttle_pct);
     flagRounding(throttle_pct, static_cast<float>(record.p3), warnings);
@@ -54,7 +58,7 @@ MissionResult encodeSpeed(const float* parameter, Record& record, EncodeWarnings
 }
 void decodeSpeed(const Record& record, float* parameter) {
     const bool exact = record.p2 >= 0 && record.p4 != 0;  // below 0: no change, whatever p4 holds
-    parameter[2] = exact ? static_cast<float>(record.p4) / 100 : static_cast<float>(record.p2);
+    parameter[2] = exact ? hundredthsOf(record.p4) : static_cast<float>(record.p2);
     parameter[3] = static_cast<float>(record.p3);
 }
 
@@ -78,12 +82,11 @@ MissionResult encodeDistance(const float* parameter, Record& record, EncodeWarni
     record.p2 = core::rounded(distance_m);
     if (static_cast<float>(record.p2) == distance_m) return kFine;
     record.p3 = core::rounded(distance_m * 100);
-    flagRounding(distance_m, static_cast<float>(record.p3) / 100, warnings);
+    flagRounding(distance_m, hundredthsOf(record.p3), warnings);
     return record.p3 != 0 ? kFine : wrong(1);  // 0 would be none
 }
 void decodeDistance(const Record& record, float* parameter) {
-    parameter[1] =
-        record.p3 != 0 ? static_cast<float>(record.p3) / 100 : static_cast<float>(record.p2);
+    parameter[1] = record.p3 != 0 ? hundredthsOf(record.p3) : static_cast<float>(record.p2);
 }
 
 // clang-format off
