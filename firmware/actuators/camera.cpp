@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/actuators/camera.hpp"
 
+#include "core/convert.hpp"
 #include "core/file_state.hpp"
 #include "firmware/actuators/relay.hpp"
 #include "firmware/notify/status_text.hpp"
@@ -72,7 +73,7 @@ void cameraTrigger() {
 }
 
 void cameraEvery(int32_t distance_cm) {
-    shutter.every_m = static_cast<float>(distance_cm) * 0.01f;
+    shutter.every_m = core::hundredths(distance_cm);
     shutter.last = vehicle.estimate.position;
     if (distance_cm != 0 && !connected())
         sendStatusText(Severity::warning, ROM_TEXT("Camera: no output has its function"));

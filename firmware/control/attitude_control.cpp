@@ -2,6 +2,7 @@
 #include "firmware/control/attitude_control.hpp"
 
 #include "control/attitude.hpp"
+#include "core/convert.hpp"
 #include "core/file_state.hpp"
 #include "firmware/control/autotune.hpp"
 #include "firmware/control/stall.hpp"
@@ -286,7 +287,7 @@ void runControlLimits() {
     // 1.6 g at the trainer's cruise speed, 1.4 g at its lowest one, where the wing bears 1.44 g
     constexpr float kPullOut_rads = core::radians(25);
     bounds.pull_out = core::Angle(kPullOut_rads * parameters.pitch.axis.time_constant_s).raw;
-    bounds.full_throttle = Deflection(parameters.throttle_max_pct * 0.01f);
+    bounds.full_throttle = Deflection(core::hundredths(parameters.throttle_max_pct));
 }
 
 }  // namespace control

@@ -202,7 +202,8 @@ bool near(float a_m, float b_m) { return fabsf(a_m - b_m) < kInconsistentHeight_
 // There has been no barometer since the start: heights are the receiver's, above home, or above
 // where the first fix came while there is none.
 void startHeightByGps(float gps_m) {
-    const float above_home_m = vehicle.home.set ? gps_m - vehicle.home.altitude_cm * 0.01f : 0;
+    const float above_home_m =
+        vehicle.home.set ? gps_m - core::hundredths(vehicle.home.altitude_cm) : 0;
     height.start(heights.home_m + above_home_m);
     heights.gps_above_m = gps_m - height.height_m();
     heights.started = heights.by_gps = true;
@@ -223,7 +224,7 @@ void moveHeightToBarometer(float reading_m) {
 void useGpsHeight() {
     const auto& baro = vehicle.baro;
     const float height_m = height.height_m();
-    const float gps_m = vehicle.gps.altitude_cm * 0.01f;
+    const float gps_m = core::hundredths(vehicle.gps.altitude_cm);
     // begun in the air there is no time to learn it slowly
     if (heights.gps_above_m == 0 && heights.started) heights.gps_above_m = gps_m - height_m;
     const float fix_m = gps_m - heights.gps_above_m;
@@ -279,7 +280,7 @@ void useBarometer() {
 // acceleration for gravity.
 float knownAirspeed_mps() {
     if (vehicle.airspeed.healthy) return vehicle.estimate.airspeed_mps;
-    return vehicle.estimate.flying ? parameters.cruise_speed_cms * 0.01f : 0.0f;
+    return vehicle.estimate.flying ? core::hundredths(parameters.cruise_speed_cms) : 0.0f;
 }
 
 // By the airspeed sensor, else by the fixes. A speed from dead reckoning is no evidence.
@@ -299,7 +300,7 @@ bool stands() {
 }
 
 int16_t centimetres(float metres) { return core::narrowed(core::rounded(metres * 100.0f)); }
-float metres(int16_t centimetres) { return centimetres * 0.01f; }
+float metres(int16_t centimetres) { return core::hundredths(centimetres); }
 
 void publishAngles() {
     const estimation::Angles& angles = attitude.angles();
@@ -408,7 +409,7 @@ void publishSpeeds() {
     } else {
         const bool reckoned = position.reckoned();
         const float airspeed_mps =
-            reckoned ? parameters.cruise_speed_cms * 0.01f : wind.airspeed_mps(velocity);
+            reckoned ? core::hundredths(parameters.cruise_speed_cms) : wind.airspeed_mps(velocity);
         to.airspeed_mps = reckoned && !to.flying ? 0 : airspeed_mps;
         to.equivalent_airspeed_mps = airspeed_mps / true_speed.ratio;  // the loops need some
     }

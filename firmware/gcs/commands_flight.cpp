@@ -213,7 +213,7 @@ uint8_t doSetHome(Link&, CommandRequest& request) {
     if (item.frame == MavFrame::global_relative_alt ||
         item.frame == MavFrame::global_relative_alt_int) {
         if (!vehicle.home.set) return MavResult::temporarily_rejected;
-        item.z += vehicle.home.altitude_cm * 0.01f;
+        item.z += core::hundredths(vehicle.home.altitude_cm);
         item.frame = MavFrame::global;
     }
     return answer(missionAct(item));

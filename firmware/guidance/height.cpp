@@ -110,7 +110,7 @@ float nudged_mps(float airspeed_mps) {
 
 // Without a sensor the stick moves the throttle itself.
 float cruiseThrottle(float most) {
-    const float cruise = vehicle.demand.throttle_pct * 0.01f;
+    const float cruise = core::hundredths(vehicle.demand.throttle_pct);
     if (vehicle.airspeed.healthy) return cruise;
     const float share = nudge();
     return cruise + share * (share > 0 ? most - cruise : cruise * kNudgedDown);
@@ -120,14 +120,14 @@ float cruiseThrottle(float most) {
     ::control::SpeedHeightLimits limits;
     limits.pitch_min_rad = plan.pitch_min_rad;
     limits.pitch_max_rad = pitchMax_rad(plan);
-    limits.throttle_min = parameters.throttle_min_pct * 0.01f;
-    limits.throttle_max = throttleMax_pct(plan.phase) * 0.01f;
+    limits.throttle_min = core::hundredths(parameters.throttle_min_pct);
+    limits.throttle_max = core::hundredths(throttleMax_pct(plan.phase));
     limits.throttle_cruise = cruiseThrottle(limits.throttle_max);
     if (plan.phase == ::control::Phase::flare)
         limits.throttle_max =
             core::limit(flarePower() * limits.throttle_cruise, 0.0f, limits.throttle_max);
     limits.throttle_slew =
-        parameters.throttle_slew_pct > 0 ? parameters.throttle_slew_pct * 0.01f : 100.0f;
+        parameters.throttle_slew_pct > 0 ? core::hundredths(parameters.throttle_slew_pct) : 100.0f;
     limits.airspeed_min_mps = parameters.speed_min_mps * true_speed;
     limits.airspeed_max_mps = parameters.speed_max_mps * true_speed;
     return limits;
@@ -160,8 +160,8 @@ void shiftHeightFlown(float by_m) { height_control.speed_height.shift(by_m); }
 void waitWithHeight(const Plan& plan) {
     core::based(height_control.speed_height).start(measured(), 0, 0);
     demandPitch(core::Angle(plan.phase == ::control::Phase::climb_out ? plan.pitch_min_rad : 0.0f));
-    demandThrottle(
-        core::Ratio(parameters.suppressed_manual != 0 ? vehicle.radio.throttle_pct * 0.01f : 0.0f));
+    demandThrottle(core::Ratio(
+        parameters.suppressed_manual != 0 ? core::hundredths(vehicle.radio.throttle_pct) : 0.0f));
 }
 
 void flyHeight(const Plan& plan) {

@@ -165,7 +165,7 @@ bool putGps() {
     record.longitude_e7 = gps.position.longitude_e7;
     record.altitude_cm = gps.altitude_cm;
     record.speed_mps = gps.ground_speed_mps;
-    record.course_deg = static_cast<float>(gps.course_cd) * 0.01f;
+    record.course_deg = core::hundredths(static_cast<int32_t>(gps.course_cd));
     record.down_mps = gps.velocity_mps.z;
     return log(RecordType::gps, record);
 }

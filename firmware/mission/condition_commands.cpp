@@ -42,7 +42,7 @@ int32_t climbRate_cms(const Record& record) { return record.p3 != 0 ? record.p3 
 
 void startChangeAltitude(const Record& record) {
     climb.goal_m = heightOf_m(record);
-    climb.rate_mps = static_cast<float>(climbRate_cms(record)) * 0.01f;
+    climb.rate_mps = core::hundredths(climbRate_cms(record));
     climb.from_below = vehicle.estimate.height_m < climb.goal_m;
     goOnClimbing();
 }

@@ -60,7 +60,7 @@ MissionResult rallyFromItem(const MissionItem& item, uint8_t frame, uint8_t* rec
 
 float storedHeight_m(const uint8_t* record) {
     const int16_t whole_m = static_cast<int16_t>(storage::get16(record + kMetres));
-    return whole_m + (record[kRest] & ~kAboveHome & 0xFF) * 0.01f;
+    return whole_m + core::hundredths(record[kRest] & ~kAboveHome & 0xFF);
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ void setRallyHeight(uint8_t* record, float height_m, bool above_home) {
 float rallyHeight_m(const uint8_t* record) {
     const float height_m = storedHeight_m(record);
     if ((record[kRest] & kAboveHome) != 0) return height_m;
-    return height_m - static_cast<float>(vehicle.home.altitude_cm) * 0.01f;
+    return height_m - core::hundredths(vehicle.home.altitude_cm);
 }
 
 MissionResult pointFromItem(ListKind kind, const MissionItem& item, uint8_t count,

@@ -66,7 +66,7 @@ bool setHomeHere() {
 void setHome(const geo::Position& position, int32_t altitude_cm) {
     if (published.set) {
         // what is being flown stays where it is
-        const float by_m = (published.altitude_cm - altitude_cm) * 0.01f;
+        const float by_m = core::hundredths(published.altitude_cm - altitude_cm);
         shiftHeight(by_m);
         shiftDemands(by_m);
         missionShiftHeights(by_m);

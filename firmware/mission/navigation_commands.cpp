@@ -197,7 +197,7 @@ void startReturn(const Record& record, LegStart start) {
     if (record.p2 != 0)
         home.height_m = heightOf_m(record);
     else if (parameters.rtl_height_cm >= 0)
-        home.height_m = static_cast<float>(parameters.rtl_height_cm) * 0.01f;
+        home.height_m = core::hundredths(parameters.rtl_height_cm);
     demandLeg(home, parameters.waypoint_radius_m, start);
     nav.height_given = record.p2 != 0;
     rallyBegin();

@@ -26,8 +26,7 @@ struct Speed {
 core::FileState<Speed> speed{};
 
 float cruise_mps() {
-    return static_cast<float>(speed.air_cms != 0 ? speed.air_cms : parameters.cruise_speed_cms) *
-           0.01f;
+    return core::hundredths(speed.air_cms != 0 ? speed.air_cms : parameters.cruise_speed_cms);
 }
 
 }  // namespace
@@ -61,7 +60,7 @@ void demandSpeed() {
 
 void stepSpeed() {
     if (speed.ground_cms == 0) return;
-    const float error_mps = speed.ground_cms * 0.01f - vehicle.estimate.ground_speed_mps;
+    const float error_mps = core::hundredths(speed.ground_cms) - vehicle.estimate.ground_speed_mps;
     PathDemand demand = vehicle.demand;
     demand.airspeed_mps = core::limit(
         demand.airspeed_mps + error_mps * (kGroundSpeedGain * kStep_s),

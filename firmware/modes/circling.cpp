@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/modes/circling.hpp"
 
+#include "core/convert.hpp"
 #include "firmware/guidance/demand.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -19,7 +20,7 @@ PathDemand level(float height_m) {
     demand.height_m = height_m;
     demand.sloped = false;
     demand.climb_rate_mps = 0;
-    demand.airspeed_mps = parameters.cruise_speed_cms * 0.01f;
+    demand.airspeed_mps = core::hundredths(parameters.cruise_speed_cms);
     demand.throttle_pct = parameters.cruise_throttle_pct;
     return demand;
 }

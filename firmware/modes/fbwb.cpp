@@ -53,7 +53,7 @@ void demandFbwb() {
     const int16_t stick_cd = vehicle.radio.pitch_cd;
     const int16_t pulled_cd = parameters.fbwb_elevator_reverse != 0 ? -stick_cd : stick_cd;
     const float lowest_m =
-        parameters.fbwb_lowest_cm > 0 ? parameters.fbwb_lowest_cm * 0.01f : -kFar_m;
+        parameters.fbwb_lowest_cm > 0 ? core::hundredths(parameters.fbwb_lowest_cm) : -kFar_m;
     PathDemand demand = vehicle.demand;
     if (pulled_cd == 0)
         hold(demand, lowest_m);

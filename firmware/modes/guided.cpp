@@ -54,7 +54,7 @@ MissionResult understand(MissionItem& item) {
     const MissionResult result = encodeItem(::mission::Set::apm2, {1, 2}, item, record, warnings);
     if (result != MissionResult::accepted) return result;
     const bool relative = (record.options & ::mission::kRelativeAltitude) != 0;
-    item.z = (record.p2 - (relative ? 0 : vehicle.home.altitude_cm)) * 0.01f;
+    item.z = core::hundredths(record.p2 - (relative ? 0 : vehicle.home.altitude_cm));
     return result;
 }
 

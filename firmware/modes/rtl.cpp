@@ -3,6 +3,7 @@
 // rally point at its own height. With RTL_AUTOLAND it gives way to the landing of the mission.
 #include <math.h>
 
+#include "core/convert.hpp"
 #include "core/file_state.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/mission/rally.hpp"
@@ -49,8 +50,9 @@ EntryResult startRtl() {
         sendStatusText(Severity::warning, ROM_TEXT("RTL needs a home"));
         return EntryResult::refused;
     }
-    const float height_m =
-        parameters.rtl_height_cm < 0 ? vehicle.estimate.height_m : parameters.rtl_height_cm * 0.01f;
+    const float height_m = parameters.rtl_height_cm < 0
+                               ? vehicle.estimate.height_m
+                               : core::hundredths(parameters.rtl_height_cm);
     demandCircle(vehicle.home.position, height_m);
     rallyBegin();
     way_home.lands = parameters.rtl_landing != 0;

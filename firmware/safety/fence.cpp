@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/fence.hpp"
 
+#include "core/convert.hpp"
 #include "core/file_state.hpp"
 #include "core/rom.hpp"
 #include "firmware/mission/fence_line.hpp"
@@ -89,7 +90,7 @@ float returnHeight_m() {
     if (parameters.fence_return_m > 0) return parameters.fence_return_m;
     if (limitsHeight()) return (parameters.fence_min_m + parameters.fence_max_m) * 0.5f;
     if (parameters.rtl_height_cm < 0) return vehicle.estimate.height_m;
-    return parameters.rtl_height_cm * 0.01f;
+    return core::hundredths(parameters.rtl_height_cm);
 }
 
 Mode returnMode() { return fenceHasWayBack() ? Mode::guided : Mode::rtl; }

@@ -2,6 +2,7 @@
 // Static pressure. The zero of its height is where the airplane stood when it was switched on; the
 // temperature on the ground is held, as the sun on the board would else lift the airplane.
 #include "board.hpp"
+#include "core/convert.hpp"
 #include "core/file_state.hpp"
 #include "core/seldom.hpp"
 #include "firmware/sensors/devices.hpp"
@@ -47,7 +48,7 @@ SELDOM void takeZero(int32_t pressure_pa) {
     zero.sum_pa += pressure_pa;
     if (zero.readings < kSettleReadings + kZeroReadings) return;
     published.ground_pressure_pa = static_cast<float>(zero.sum_pa) / kZeroReadings;
-    published.ground_temperature_c = published.temperature_cc * 0.01f - kBoardWarmth_c;
+    published.ground_temperature_c = core::hundredths(published.temperature_cc) - kBoardWarmth_c;
 }
 
 }  // namespace

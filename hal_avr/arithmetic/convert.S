@@ -53,6 +53,11 @@ fixedFromFloat:             ; times 2^r20, into r25 r24
     .size fixedFromFloat, . - fixedFromFloat
 
     .section .text.libgcc.float_from_fixed, "ax", @progbits
+    .global floatFromInt16
+    .type   floatFromInt16, @function
+floatFromInt16:             ; r25 r24
+    ldi  r22, 0
+    .size floatFromInt16, . - floatFromInt16
     .global floatFromFixed
     .type   floatFromFixed, @function
 floatFromFixed:             ; r25 r24 times 2^-r22
@@ -136,3 +141,32 @@ roundedFloat:               ; into r25..r22
     clr  r25
     ret
     .size roundedFloat, . - roundedFloat
+
+    .section .text.libgcc.scaled_floats, "ax", @progbits
+    .global floatFromAngle
+    .type   floatFromAngle, @function
+floatFromAngle:             ; r25 r24 times pi / 32768
+    call floatFromInt16
+    ldi  r21, 0x38
+    ldi  r20, 0xC9
+    ldi  r19, 0x0F
+    ldi  r18, 0xDB
+    jmp  __mulsf3
+    .size floatFromAngle, . - floatFromAngle
+
+    .global hundredthsOfInt32
+    .type   hundredthsOfInt32, @function
+hundredthsOfInt32:          ; r25..r22 times 0.01
+    call __floatsisf
+    rjmp 1f
+    .size hundredthsOfInt32, . - hundredthsOfInt32
+    .global hundredthsOfInt16
+    .type   hundredthsOfInt16, @function
+hundredthsOfInt16:          ; r25 r24 times 0.01
+    call floatFromInt16
+1:  ldi  r21, 0x3C
+    ldi  r20, 0x23
+    ldi  r19, 0xD7
+    ldi  r18, 0x0A
+    jmp  __mulsf3
+    .size hundredthsOfInt16, . - hundredthsOfInt16

@@ -83,7 +83,7 @@ public:
         : raw(__builtin_constant_p(rad) ? static_cast<int16_t>(steps(rad, 2 * kSteps))
                                         : toAngle(rad, 2 * kSteps)) {}
     static constexpr Angle fromRaw(int16_t raw) { return Angle(raw, 0); }
-    float toFloat() const { return static_cast<float>(raw) * (1.0f / kSteps); }  // rad
+    float toFloat() const { return fromAngle(raw); }  // rad
 
     int16_t raw;
 
