@@ -10,6 +10,7 @@
 #include "firmware/gcs/logs.hpp"
 #include "firmware/gcs/mission_transfer.hpp"
 #include "firmware/gcs/parameter_transfer.hpp"
+#include "firmware/gcs/signing.hpp"
 #include "firmware/gcs/targets.hpp"
 #include "firmware/mission/mission.hpp"
 
@@ -76,7 +77,7 @@ constexpr Incoming kIncoming[] ROM = {
     toUs<mavlink::SetPositionTargetLocalNed>(onPositionTarget),
     toUs<mavlink::SetPositionTargetGlobalInt>(onPositionTarget),
     toUs<mavlink::SetAttitudeTarget>(refuseTarget),
-    toUs<mavlink::SetupSigning>(refuseTarget),
+    toUs<mavlink::SetupSigning>(onSetupSigning, refuseSetupSigning),
     toUs<mavlink::RequestDataStream>(onRequestDataStream),
     toUs<mavlink::SetMode>(onSetMode),
     toUs<mavlink::CommandLong>(onCommand),

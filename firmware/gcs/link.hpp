@@ -38,6 +38,7 @@ struct Link {
     mavlink::Framing framing = mavlink::Framing::v1;
     uint8_t sequence = 0;
     bool whole = false;              // the parser holds a frame that is not handled yet ...
+    bool passed = false;             // its signature was right, or none is asked for
     uint8_t held_ticks = 0;          // ... for so many turns of telemetrySend
     uint8_t torn_ticks = 0;          // turns of telemetrySend since a byte came for a frame begun
     uint8_t slowdown_pct = 0;        // of the streams, asked for by the radio

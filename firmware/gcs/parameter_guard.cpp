@@ -25,8 +25,9 @@ struct Writes {
 core::FileState<Writes> writes{};
 
 bool isForUsbAlone(uint16_t index) {
-    uint16_t force;
-    return parameterOfSlot(slot::serial_force, force) && index == force;
+    uint16_t found;
+    return (parameterOfSlot(slot::serial_force, found) && index == found) ||
+           (parameterOfSlot(slot::sign_policy, found) && index == found);
 }
 
 }  // namespace

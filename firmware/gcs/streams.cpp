@@ -113,11 +113,8 @@ Rates ratesOf(const Link& link) {
     return rates;
 }
 
-inline uint8_t rate(uint8_t own_rate, const Rates& rates, uint8_t row) {
-    if (own_rate == kNever) return 0;
-    if (own_rate != kFollowStream) return own_rate;
-    return rates.of[static_cast<uint8_t>(core::romRead(kOutgoing[row].stream))];
-}
+uint8_t& ownBits(Streams& streams, uint8_t row) { return streams.own[row / 8]; }
+constexpr uint8_t ownBit(uint8_t row) { return static_cast<uint8_t>(1 << row % 8); }
 
 bool ratesHaveChanged(const Link& link) {
     const StreamRates& now = parameters.streams[linkNumber(link)];
@@ -129,7 +126,9 @@ void workOutRates(Link& link) {
     Streams& streams = link.streams;
     const Rates rates = ratesOf(link);
     for (uint8_t row = 0; row < kOutgoingRows; ++row)
-        streams.rate[row] = rate(streams.own_rate[row], rates, row);
+        if ((ownBits(streams, row) & ownBit(row)) == 0)
+            streams.rate[row] =
+                rates.of[static_cast<uint8_t>(core::romRead(kOutgoing[row].stream))];
     streams.worked_out_of = parameters.streams[linkNumber(link)];
     streams.rates_worked_out = true;
 }
@@ -184,8 +183,8 @@ void requestOnAll(uint16_t message_id) {
 
 void streamsStart(Link& link) {
     link.streams.rates_worked_out = false;
+    memset(link.streams.own, 0, sizeof link.streams.own);
     for (uint8_t row = 0; row < kOutgoingRows; ++row) {
-        link.streams.own_rate[row] = kFollowStream;
         // spread, so that messages of one rate do not all fall into one turn
         link.streams.phase[row] = static_cast<uint8_t>(row * 77U % kDue);
     }
@@ -266,22 +265,25 @@ bool setStreamRate(Link& link, uint8_t mav_data_stream, uint16_t rate_hz) {
 bool setInterval(Link& link, uint8_t row, int32_t interval_us) {
     constexpr int32_t kSecond_us = 1000000;
     if (row == kHeartbeatRow) return interval_us == 0 || interval_us == kSecond_us;  // always
-    link.streams.rates_worked_out = false;
-    uint8_t& own = link.streams.own_rate[row];
+    uint8_t quarters = 0;
+    if (interval_us > 0) {
+        const int32_t whole = (4000000 + interval_us / 2) / interval_us;
+        if (whole < 1) return false;  // slower than one in eight seconds
+        quarters = static_cast<uint8_t>(whole < kDue ? whole : kDue);
+    }
+    uint8_t& own = ownBits(link.streams, row);
+    own |= ownBit(row);
+    link.streams.rate[row] = quarters;
     if (interval_us == 0) {
-        own = kFollowStream;
-    } else if (interval_us < 0) {
-        own = kNever;
-    } else {
-        const int32_t quarters = (4000000 + interval_us / 2) / interval_us;
-        if (quarters < 1) return false;  // slower than one in eight seconds
-        own = static_cast<uint8_t>(quarters < kDue ? quarters : kDue);
+        own = static_cast<uint8_t>(own & ~ownBit(row));
+        workOutRates(link);
     }
     return true;
 }
 
-int32_t interval_us(const Link& link, uint8_t row) {
-    const uint8_t quarters = rate(link.streams.own_rate[row], ratesOf(link), row);
+int32_t interval_us(Link& link, uint8_t row) {
+    if (ratesHaveChanged(link)) workOutRates(link);
+    const uint8_t quarters = link.streams.rate[row];
     return quarters == 0 ? -1 : 4000000 / quarters;
 }
 

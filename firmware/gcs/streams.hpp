@@ -14,14 +14,11 @@ struct Link;
 constexpr uint8_t kOutgoingRows = 27;
 constexpr uint8_t kTickRate_hz = 50;  // of telemetrySend for each link
 
-// Rates are stored in quarters of a hertz.
-constexpr uint8_t kFollowStream = 0;
-constexpr uint8_t kNever = 0xFF;
-
 struct Streams {
-    uint8_t own_rate[kOutgoingRows] = {};   // kFollowStream, kNever, or the row's own rate
-    uint8_t rate[kOutgoingRows] = {};       // what comes of it and of the parameters
-    state::StreamRates worked_out_of = {};  // these parameters
+    uint8_t own[(kOutgoingRows + 7) / 8] =
+        {};                                 // a bit for each row that does not follow its stream
+    uint8_t rate[kOutgoingRows] = {};       // in quarters of a hertz
+    state::StreamRates worked_out_of = {};  // these parameters, where it follows
     bool rates_worked_out = false;
     uint8_t phase[kOutgoingRows] = {};  // grows by the rate each turn; due from kDue on
     uint8_t due = 0;                    // how many rows are
@@ -44,7 +41,7 @@ bool setStreamRate(Link& link, uint8_t mav_data_stream, uint16_t rate_hz);  // f
 
 // SET_MESSAGE_INTERVAL: -1 never, 0 the stream's rate; false: cannot be had.
 bool setInterval(Link& link, uint8_t row, int32_t interval_us);
-int32_t interval_us(const Link& link, uint8_t row);  // -1: not sent
+int32_t interval_us(Link& link, uint8_t row);  // -1: not sent
 
 }  // namespace gcs
 }  // namespace firmware

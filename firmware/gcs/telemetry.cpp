@@ -8,6 +8,7 @@
 #include "firmware/gcs/logs.hpp"
 #include "firmware/gcs/mission_transfer.hpp"
 #include "firmware/gcs/parameter_transfer.hpp"
+#include "firmware/gcs/signing.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/notify/text_queue.hpp"
 #include "firmware/sensors/sensors.hpp"
@@ -69,10 +70,18 @@ void followUsb() {
 bool handleWhole(Link& link) {
     const mavlink::Frame frame = link.parser.frame();
     if (frame.framing == mavlink::Framing::v2) link.framing = mavlink::Framing::v2;
-    if (!handleFrame(link, frame)) {
+    if (!link.passed) {
+        const Verdict verdict = signingVerdict(link, frame);
+        if (verdict == Verdict::works) return true;
+        if (verdict == Verdict::waits && link.held_ticks < kHoldTicks) return false;
+        signingForget(link);
+        link.passed = verdict == Verdict::obeyed;
+    }
+    if (link.passed && !handleFrame(link, frame)) {
         if (link.held_ticks < kHoldTicks) return false;
         refuseFrame(link, frame);
     }
+    link.passed = false;
     link.held_ticks = 0;
     link.whole = link.parser.next();
     return true;
@@ -157,6 +166,7 @@ void telemetryStart() {
     missionTransferStart();
     commandsStart();
     logsStart();
+    signingStart();
     turn.usb = usbPlugged();
     openLink0();
     open(links[1], parameters.serial2_baud);

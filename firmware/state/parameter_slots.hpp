@@ -38,6 +38,7 @@ enum : uint8_t {
     compass_ofs_x  = 158,
     ins_accoffs_x  = 162,
     ahrs_trim_x    = 168,
+    sign_policy    = 174,
     elevon_output  = 200,
     vtail_output   = 201,
     rc5_function   = 216,  // then RC6_, RC7_ and RC8_FUNCTION

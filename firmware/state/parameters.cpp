@@ -185,6 +185,7 @@ constexpr parameters::Row kRows[] = {
     P(149, "ARMING_CHECK",      arming_check,                      1,       0,    32767),
     P(185, "ARMING_RUDDER",     arming_rudder,                     1,       0,        2),
     P(slot::serial_force, "SERIAL_FORCE", force_everywhere,        0,       0,        1),
+    P(slot::sign_policy, "SIGN_POLICY", sign_policy,               1,       0,        2),
     P(212, "CAM_TRIGG_TYPE",    camera_on_relay,                   0,       0,        1),
     P(213, "CAM_DURATION",      camera_duration_ds,               10,       0,       50),
     P(214, "CAM_SERVO_ON",      camera_on_us,                   1300,    1000,     2000),
@@ -239,7 +240,7 @@ constexpr uint8_t kRetired[] = {
     13, 22,  // SR0_RAW_CTRL, SR1_RAW_CTRL
     18, 27,  // SR0_PARAMS, SR1_PARAMS
 };
-constexpr uint16_t kNextSlot = 174;  // the lowest free one, for the next parameter
+constexpr uint16_t kNextSlot = 179;  // the lowest free one, for the next parameter
 
 #undef P
 #undef CHANNEL
@@ -457,8 +458,8 @@ bool parameterGet(uint8_t slot, float& value) {
 // One search, as a mission sets a dozen in a row. Whoever uploads a mission may not grant himself
 // what only USB may.
 static bool findTaker(uint8_t slot, float value, uint8_t& row) {
-    return slot != slot::serial_force && table.findSlot(slot, row) && !isListLength(row) &&
-           takes(row, value);
+    return slot != slot::serial_force && slot != slot::sign_policy && table.findSlot(slot, row) &&
+           !isListLength(row) && takes(row, value);
 }
 
 bool parameterSlotTakes(uint8_t slot, float value) {

@@ -100,6 +100,7 @@ struct Parameters {
     int16_t arming_check;
     int8_t arming_rudder;
     int8_t force_everywhere;  // SERIAL_FORCE
+    int8_t sign_policy;       // SIGN_POLICY
     // mission
     int8_t mission_restart, mission_trailing, mission_set, altitude_absolute;
     // log
@@ -172,7 +173,7 @@ MUST_USE core::Status parameterSetAt(uint16_t index, float value);
 // The same by the eternal slot number, as stored missions name a parameter.
 bool parameterOfSlot(uint8_t slot, uint16_t& index);
 bool parameterGet(uint8_t slot, float& value);
-// Exists, is not SERIAL_FORCE, and the value is in its range.
+// Exists, is not SERIAL_FORCE or SIGN_POLICY, and the value is in its range.
 bool parameterSlotTakes(uint8_t slot, float value);
 // For missions and what the firmware finds out by itself; stored in the background. False: refused,
 // as parameterSetAt and parameterSlotTakes do.

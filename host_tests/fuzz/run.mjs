@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a fuzzer of the ground link from a corpus of real frames as npm node-mavlink writes them.
-//   node run.mjs PROGRAM parser|conversation
+//   node run.mjs PROGRAM parser|conversation|signing
 //   node run.mjs PROGRAM handler MESSAGE_STRUCT
 import { readFileSync } from 'node:fs';
 import { messages, nodeMavlink } from '../support/node_mavlink.mjs';
@@ -37,6 +37,10 @@ const payload = (frame) => (frame[0] === 0xfd ? frame.subarray(10, 10 + frame[1]
 function seeds() {
   if (kind === 'parser')  // for the vehicle's parser, and behind a zero for the peer's
     return known.flatMap(frames).flatMap((frame) => [frame, Buffer.concat([Buffer.of(0), frame])]);
+  if (kind === 'signing') {  // with a key that is not the vehicle's
+    const signer = new nodeMavlink.MavLinkProtocolV2(255, 190, nodeMavlink.MavLinkProtocolV2.IFLAG_SIGNED);
+    return known.map((type) => signer.sign(signer.serialize(filled(type, false), 0), 1, Buffer.alloc(32, 7), Date.UTC(2026, 0, 1)));
+  }
   if (kind === 'handler')
     return frames(subject).flatMap((frame) => [0x10, 0xb7].map((how) =>
       Buffer.concat([Buffer.from([how | (frame[0] === 0xfd ? 8 : 0)]), payload(frame)])));
@@ -53,6 +57,6 @@ function seeds() {
 const spelled = (name) => name.replaceAll('_', '').toLowerCase();
 const subject = known.find(({ MSG_NAME }) => spelled(MSG_NAME) === struct?.toLowerCase());
 const name = kind === 'handler' ? subject.MSG_NAME : kind;
-const lengths = { parser: 120, conversation: 120, handler: 64 };
+const lengths = { parser: 120, conversation: 120, signing: 160, handler: 64 };
 fuzz({ program, name, seeds: seeds(), longest: lengths[kind],
   environment: { FUZZ_MESSAGE: `${subject?.MSG_ID}` } });

@@ -72,6 +72,18 @@ public:
         return frame;
     }
 
+    // For who checks the signature of the frame that is held: its bytes come behind the frame, some
+    // of them may be here already. Once they are taken, none are left out behind the frame.
+    bool isSigned() const { return signatureSize() > 0; }
+    bool takeBehind(uint8_t& byte) {
+        if (used_ <= need_) return false;
+        byte = bytes_[need_];
+        --used_;
+        memmove(bytes_ + need_, bytes_ + need_ + 1, used_ - need_);
+        return true;
+    }
+    void forgetSignature() { bytes_[2] &= static_cast<uint8_t>(~kSignedFlag); }
+
     // Frames whose checksum was wrong, noise that looked like one included.
     uint16_t rejected() const { return rejected_; }
 

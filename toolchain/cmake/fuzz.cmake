@@ -27,7 +27,7 @@ if(FUZZ)
         target_link_libraries(${name}_fuzz PRIVATE fuzzed)
         target_link_options(${name}_fuzz PRIVATE -fsanitize=fuzzer,address,undefined)
     endfunction()
-    foreach(name parser handler conversation gps)
+    foreach(name parser handler conversation signing gps)
         fuzzer(${name} ${CMAKE_SOURCE_DIR}/host_tests/fuzz/${name}_fuzz.cpp)
     endforeach()
 
@@ -58,6 +58,7 @@ endfunction()
 
 run_fuzzer(parser parser)
 run_fuzzer(conversation conversation)
+run_fuzzer(signing signing)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
              ${CMAKE_SOURCE_DIR}/firmware/gcs/incoming.cpp)
 file(STRINGS ${CMAKE_SOURCE_DIR}/firmware/gcs/incoming.cpp handled

@@ -34,6 +34,7 @@ enum Step : uint8_t {
     kSendText,       // STATUSTEXT, MAVLink 2, of 50 letters
     kHashBlock,      // 64 bytes of SHA-256
     kHashQuarter,    // what is done of it at once
+    kCheckSlice,     // one slice of checking a signed COMMAND_LONG
     kBroken = 0x7F,  // the program has not done what is to be timed
 };
 

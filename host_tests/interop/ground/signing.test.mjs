@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Signed frames by node-mavlink: a key over USB, then the radio obeys what is signed with it, once.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { messages, nodeMavlink } from '../../support/node_mavlink.mjs';
+import { withVehicle } from '../../support/vehicle.mjs';
+
+const { MavLinkPacketSignature, MavLinkProtocolV2 } = nodeMavlink;
+const kKey = MavLinkPacketSignature.key('what only the two of us know');
+const kBegins_ms = Date.UTC(2026, 0, 1), kLink = 1;
+const signer = new MavLinkProtocolV2(255, 190, MavLinkProtocolV2.IFLAG_SIGNED);
+const since2015 = (time_ms) => BigInt(time_ms - MavLinkProtocolV2.SIGNATURE_START_TIME) * 100n;
+
+const write = (line, bytes) => {
+  line.written += bytes.length;
+  line.socket.write(bytes);
+};
+
+let sequence = 0;
+function signed(name, fields, { time_ms, key = kKey, link = kLink }) {
+  const message = Object.assign(new messages[name](), { targetSystem: 1, targetComponent: 1 }, fields);
+  return signer.sign(signer.serialize(message, sequence++ & 255), link, key, time_ms);
+}
+
+async function setKey(vehicle, key) {
+  const usb = vehicle.lines[1];
+  assert.equal(await vehicle.order('usb in'), 'ok');
+  await vehicle.wait(200);
+  usb.version = 2;
+  usb.send('SETUP_SIGNING', { secretKey: [...key], initialTimestamp: since2015(kBegins_ms) });
+  await vehicle.wait(1000);
+}
+
+const read = { paramId: 'SYSID_THISMAV', paramIndex: -1 };
+async function answered(vehicle, bytes) {
+  vehicle.forget();
+  write(vehicle.line, bytes);
+  return (await vehicle.next('PARAM_VALUE', { within_ms: 500 })) !== undefined;
+}
+
+test('the radio obeys what is signed with the key, once', withVehicle({}, async (vehicle) => {
+  await setKey(vehicle, kKey);
+  vehicle.line.version = 2;
+  vehicle.forget();
+  vehicle.send('PARAM_REQUEST_READ', read);
+  assert.equal(await vehicle.next('PARAM_VALUE', { within_ms: 500 }), undefined, 'unsigned');
+
+  const first = signed('PARAM_REQUEST_READ', read, { time_ms: kBegins_ms + 1000 });
+  assert.ok(await answered(vehicle, first));
+  assert.ok(!await answered(vehicle, first), 'heard twice');
+  const strange = MavLinkPacketSignature.key('another');
+  assert.ok(!await answered(vehicle, signed('PARAM_REQUEST_READ', read, { time_ms: kBegins_ms + 2000, key: strange })));
+  assert.ok(await answered(vehicle, signed('PARAM_REQUEST_READ', read, { time_ms: kBegins_ms + 2000 })));
+
+  const usb = vehicle.lines[1];
+  usb.inbox.length = 0;
+  usb.send('PARAM_REQUEST_READ', read);
+  await vehicle.wait(500);
+  assert.ok(usb.inbox.some(({ name }) => name === 'PARAM_VALUE'), 'USB needs no signature');
+}));
+
+test('a list of all parameters comes by signed requests at 20 a second', withVehicle({}, async (vehicle) => {
+  await setKey(vehicle, kKey);
+  vehicle.line.version = 2;
+  vehicle.forget();
+  let heard = 0;
+  for (let i = 0; i < 100; ++i) {
+    write(vehicle.line, signed('PARAM_REQUEST_READ', { paramId: '', paramIndex: i }, { time_ms: kBegins_ms + 1000 + 50 * i }));
+    await vehicle.wait(50);
+  }
+  await vehicle.wait(200);
+  heard = vehicle.line.inbox.filter(({ name }) => name === 'PARAM_VALUE').length;
+  assert.equal(heard, 100);
+}));
+
+test('a key of zeros ends it', withVehicle({}, async (vehicle) => {
+  await setKey(vehicle, kKey);
+  await setKey(vehicle, Buffer.alloc(32));
+  vehicle.line.version = 2;
+  vehicle.forget();
+  vehicle.send('PARAM_REQUEST_READ', read);
+  await vehicle.expect('PARAM_VALUE');
+}));

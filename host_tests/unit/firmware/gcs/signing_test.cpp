@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The radio is link1, `second`; USB is link0, `station`.
+#include "crypto/sha256.hpp"
+#include "firmware/gcs/link.hpp"
+#include "ground.hpp"
+#include "storage/eeprom_map.hpp"
+
+namespace ground {
+namespace {
+
+using Texts = std::vector<std::string>;
+using Bytes = std::vector<uint8_t>;
+
+// Of node-mavlink: PING from 255/190 by link 3 on 2026-01-01, its key 1, 8, 15 and so on.
+const Bytes kPublished = {0xfd, 0x09, 0x01, 0x00, 0x05, 0xff, 0xbe, 0x04, 0x00, 0x00, 0x89, 0x67,
+                          0x45, 0x23, 0x01, 0x00, 0x00, 0x00, 0x07, 0xab, 0x4a, 0x03, 0x00, 0xe0,
+                          0x3c, 0xd6, 0x92, 0x1f, 0x13, 0x52, 0xf0, 0x0f, 0xf9, 0x75};
+constexpr uint64_t kPublishedTime = 0x1f92d63ce000;
+constexpr uint64_t kSecond = 100000, kMinute = 60 * kSecond;
+
+Bytes keyOf(uint8_t step = 7) {
+    Bytes key;
+    for (int i = 0; i < 32; ++i) key.push_back(static_cast<uint8_t>(i * step + 1));
+    return key;
+}
+
+// What stands behind a signed frame.
+Bytes signatureOf(const Bytes& frame, const Bytes& key, uint8_t link, uint64_t time) {
+    Bytes message = key;
+    message.insert(message.end(), frame.begin(), frame.end());
+    Bytes signature = {link};
+    for (int i = 0; i < 6; ++i) signature.push_back(static_cast<uint8_t>(time >> 8 * i));
+    message.insert(message.end(), signature.begin(), signature.end());
+    crypto::Sha256 sha;
+    sha.begin();
+    const uint16_t size = static_cast<uint16_t>(message.size());
+    for (uint8_t block = 0; block < crypto::blocksOf(size); ++block) {
+        for (size_t i = 0; i < 64 && block * 64u + i < size; ++i)
+            sha.byte(static_cast<uint8_t>(i)) = message[block * 64u + i];
+        sha.pad(block, size);
+        while (!sha.quarter()) {
+        }
+    }
+    for (uint8_t i = 0; i < 6; ++i) signature.push_back(sha.hash(i));
+    return signature;
+}
+
+class Signing : public Telemetry {
+protected:
+    void SetUp() override {
+        Telemetry::SetUp();
+        fakes::setUsb(true);
+        run_ms(100);
+        station.framing = second.framing = Framing::v2;
+        station.forget();
+        second.forget();
+    }
+
+    static mavlink::SetupSigning setup(const Bytes& key, uint64_t time = 0) {
+        mavlink::SetupSigning message = {};
+        message.target_system = message.target_component = 1;
+        message.initial_timestamp = time;
+        memcpy(message.secret_key, key.data(), key.size());
+        return message;
+    }
+    void setKey(const Bytes& key = keyOf(), uint64_t time = 0) {
+        station.send(setup(key, time));
+        run_ms(1000);
+        EXPECT_EQ(station.texts(), Texts{"Signing: key stored"});
+        second.forget();
+    }
+    static Bytes ping(uint8_t system = 255, uint8_t component = 190) {
+        mavlink::Ping message = {};
+        message.seq = 7;
+        Bytes bytes;
+        const auto put = [&bytes](const uint8_t* from, uint8_t count) {
+            bytes.insert(bytes.end(), from, from + count);
+        };
+        mavlink::writeFrame(put, {Framing::v2, 5, system, component},
+                            mavlink::outgoing(Framing::v2, message));
+        return flagged(bytes, mavlink::Wire<mavlink::Ping>::crc_extra);
+    }
+    // With the flag, and the checksum that belongs to it.
+    static Bytes flagged(Bytes frame, uint8_t crc_extra) {
+        frame[2] = mavlink::kSignedFlag;
+        uint16_t crc =
+            core::crc16(core::kCrcStart, frame.data() + 1, static_cast<uint16_t>(frame.size() - 3));
+        crc = core::crc16(crc, crc_extra);
+        frame[frame.size() - 2] = static_cast<uint8_t>(crc);
+        frame[frame.size() - 1] = static_cast<uint8_t>(crc >> 8);
+        return frame;
+    }
+    static Bytes signedPing(uint64_t time, uint8_t link = 3, const Bytes& key = keyOf(),
+                            uint8_t system = 255) {
+        Bytes frame = ping(system);
+        const Bytes signature = signatureOf(frame, key, link, time);
+        frame.insert(frame.end(), signature.begin(), signature.end());
+        return frame;
+    }
+    // How many of the answers a PING has come over the radio.
+    size_t answers(const Bytes& bytes, uint32_t wait_ms = 100) {
+        second.line().receive(bytes);
+        run_ms(wait_ms);
+        return second.all<mavlink::Ping>().size();
+    }
+    void restart() {
+        fakes::restartEeprom();
+        firmware::gcs::telemetryStart();
+        run_ms(100);
+        second.forget();
+        station.forget();
+    }
+};
+
+TEST_F(Signing, without_a_key_everything_is_obeyed_as_it_was) {
+    EXPECT_EQ(answers(kPublished), 1u);
+    EXPECT_EQ(answers(kPublished), 1u);
+    EXPECT_EQ(answers(signedPing(1, 3, keyOf(9))), 1u);
+    EXPECT_EQ(ask<mavlink::Ping>(mavlink::Ping{}).size(), 1u);
+}
+
+TEST_F(Signing, the_signature_of_another_implementation_is_right) {
+    setKey();
+    EXPECT_EQ(answers(kPublished), 1u);
+    for (size_t at = 10; at < kPublished.size(); ++at) {
+        setKey(keyOf(), 0);  // else it were too old
+        Bytes changed = kPublished;
+        changed[at] ^= 0x10;
+        EXPECT_EQ(answers(changed, 1500), 0u) << at;
+    }
+}
+
+TEST_F(Signing, over_the_radio_nothing_unsigned_is_obeyed) {
+    setKey();
+    second.send(mavlink::Ping{});
+    second.framing = Framing::v1;
+    second.send(mavlink::Ping{});
+    run_ms(100);
+    EXPECT_TRUE(second.all<mavlink::Ping>().empty());
+    EXPECT_EQ(answers(signedPing(kPublishedTime, 3, keyOf(9))), 0u) << "another key";
+    EXPECT_EQ(answers(signedPing(kPublishedTime)), 1u);
+}
+
+TEST_F(Signing, a_heartbeat_and_what_a_radio_says_need_no_signature) {
+    setKey();
+    const uint32_t before_ms = firmware::state::vehicle.ground_heard_ms;
+    second.send(mavlink::Heartbeat{});
+    mavlink::RadioStatus full = {};
+    full.txbuf = 10;
+    second.send(full);
+    run_ms(100);
+    EXPECT_GT(firmware::state::vehicle.ground_heard_ms, before_ms);
+    EXPECT_GT(firmware::gcs::links[1].slowdown_pct, 0);
+}
+
+TEST_F(Signing, the_policy_says_what_unsigned_frames_may_do) {
+    setKey();
+    const auto overUsb = [this] { return ask<mavlink::Ping>(mavlink::Ping{}, 100).size(); };
+    const auto overRadio = [this] {
+        second.send(mavlink::Ping{});
+        run_ms(100);
+        return second.all<mavlink::Ping>().size();
+    };
+    EXPECT_EQ(firmware::state::parameters.sign_policy, 1);
+    EXPECT_EQ(overUsb(), 1u);
+    EXPECT_EQ(overRadio(), 0u);
+    firmware::state::parameters.sign_policy = 2;
+    EXPECT_EQ(overUsb(), 0u);
+    EXPECT_EQ(overRadio(), 0u);
+    firmware::state::parameters.sign_policy = 0;
+    EXPECT_EQ(overUsb(), 1u);
+    EXPECT_EQ(overRadio(), 1u);
+}
+
+TEST_F(Signing, nothing_is_heard_twice) {
+    setKey();
+    EXPECT_EQ(answers(signedPing(kPublishedTime)), 1u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime)), 0u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime - 1)), 0u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime + 1)), 1u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime + (1 << 16))), 1u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime + 2)), 0u);
+}
+
+TEST_F(Signing, a_new_stream_may_be_a_minute_behind) {
+    setKey();
+    EXPECT_EQ(answers(signedPing(kPublishedTime, 1)), 1u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime - kMinute - kSecond, 2)), 0u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime - kMinute + kSecond, 2)), 1u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime - kMinute + kSecond, 2)), 0u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime + 1, 1)), 1u) << "the first goes on";
+}
+
+TEST_F(Signing, what_gave_way_to_a_third_stream_is_not_heard_again) {
+    setKey();
+    EXPECT_EQ(answers(signedPing(kPublishedTime, 1)), 1u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime + kSecond, 2)), 1u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime + 2 * kSecond, 1, keyOf(), 254)), 1u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime, 1)), 0u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime + 3 * kSecond, 1)), 1u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime + kSecond, 2)), 0u);
+}
+
+TEST_F(Signing, nothing_is_heard_twice_over_a_restart) {
+    setKey();
+    EXPECT_EQ(answers(signedPing(kPublishedTime)), 1u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime + kSecond)), 1u);
+    restart();
+    EXPECT_EQ(answers(signedPing(kPublishedTime)), 0u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime + kSecond, 9)), 0u);
+    second.send(mavlink::Ping{});
+    run_ms(100);
+    EXPECT_TRUE(second.all<mavlink::Ping>().empty()) << "the key is still there";
+    EXPECT_EQ(answers(signedPing(kPublishedTime + 40 * kSecond)), 1u) << "half a minute later";
+}
+
+TEST_F(Signing, the_time_is_written_once_in_half_a_minute) {
+    setKey();
+    EXPECT_EQ(answers(signedPing(kPublishedTime)), 1u);
+    const uint32_t before = fakes::eepromWrites();
+    for (int i = 1; i < 250; ++i)
+        EXPECT_EQ(answers(signedPing(kPublishedTime + static_cast<uint64_t>(i) * kSecond)), 1u);
+    EXPECT_LE(fakes::eepromWrites() - before, 6u * 9);
+}
+
+TEST_F(Signing, a_time_whose_writing_was_cut_short_does_not_count) {
+    setKey();
+    EXPECT_EQ(answers(signedPing(kPublishedTime)), 1u);
+    const uint16_t times = storage::kSigning.begin + 34;
+    for (uint16_t i = 0; i < 24; i += 6) {  // the one that was written gets noise in its top byte
+        if (fakes::eepromCell(static_cast<uint16_t>(times + i + 3)) == 0) continue;
+        fakes::setEepromCell(static_cast<uint16_t>(times + i + 3), 0xFF);
+    }
+    restart();
+    EXPECT_EQ(answers(signedPing(kPublishedTime + 40 * kSecond)), 1u);
+}
+
+TEST_F(Signing, a_signature_may_come_late_or_not_at_all) {
+    setKey();
+    Bytes first = signedPing(kPublishedTime);
+    const Bytes rest(first.end() - 9, first.end());
+    first.resize(first.size() - 9);
+    EXPECT_EQ(answers(first), 0u);
+    EXPECT_EQ(answers(rest), 1u);
+    EXPECT_EQ(answers(first, 2000), 0u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime + kSecond)), 1u);
+}
+
+TEST_F(Signing, both_links_get_their_turn) {
+    setKey();
+    firmware::state::parameters.sign_policy = 2;
+    station.line().receive(signedPing(kPublishedTime, 1));
+    second.line().receive(signedPing(kPublishedTime, 2));
+    run_ms(100);
+    EXPECT_EQ(station.all<mavlink::Ping>().size(), 1u);
+    EXPECT_EQ(second.all<mavlink::Ping>().size(), 1u);
+}
+
+TEST_F(Signing, a_signed_frame_behind_noise_is_found) {
+    setKey();
+    Bytes bytes = {0xfd, 30, 1, 0, 1, 255, 190, 4, 0, 0, 1, 2};
+    const Bytes frame = signedPing(kPublishedTime);
+    bytes.insert(bytes.end(), frame.begin(), frame.end());
+    bytes.insert(bytes.end(), 12, 0);
+    EXPECT_EQ(answers(bytes, 2000), 1u);
+}
+
+TEST_F(Signing, a_key_comes_over_usb_and_disarmed_alone) {
+    const Texts refused = {"Signing key refused: only over USB, disarmed"};
+    second.send(setup(keyOf()));
+    run_ms(500);
+    EXPECT_EQ(second.texts(), refused);
+    station.forget();
+    firmware::state::mutable_vehicle.armed = true;
+    station.send(setup(keyOf()));
+    run_ms(500);
+    EXPECT_EQ(station.texts(), refused);
+    second.send(mavlink::Ping{});
+    run_ms(100);
+    EXPECT_EQ(second.all<mavlink::Ping>().size(), 1u) << "there is no key";
+}
+
+TEST_F(Signing, a_key_of_zeros_clears_and_leaves_nothing_behind) {
+    setKey();
+    firmware::state::parameters.sign_policy = 2;
+    station.send(setup(Bytes(32, 0)));
+    run_ms(1000);
+    EXPECT_EQ(station.texts(), Texts{"Signing: no key"});
+    second.send(mavlink::Ping{});
+    run_ms(100);
+    EXPECT_EQ(second.all<mavlink::Ping>().size(), 1u);
+    for (uint16_t i = 0; i < 32; ++i)
+        EXPECT_EQ(fakes::eepromCell(static_cast<uint16_t>(storage::kSigning.begin + i)), 0);
+}
+
+TEST_F(Signing, a_new_key_is_in_force_at_once_and_begins_at_its_time) {
+    setKey();
+    EXPECT_EQ(answers(signedPing(kPublishedTime + kMinute)), 1u);
+    setKey(keyOf(9), kPublishedTime);
+    EXPECT_EQ(answers(signedPing(kPublishedTime + 2 * kMinute)), 0u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime - kSecond, 3, keyOf(9))), 0u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime + kSecond, 3, keyOf(9))), 1u);
+}
+
+TEST_F(Signing, a_slow_eeprom_takes_a_key_and_hears_on) {
+    fakes::setEepromSlow(true);
+    setKey();
+    EXPECT_EQ(answers(signedPing(kPublishedTime), 500), 1u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime + kMinute), 500), 1u);
+    run_ms(500);
+    restart();
+    EXPECT_EQ(answers(signedPing(kPublishedTime + kMinute), 500), 0u);
+    station.send(setup(Bytes(32, 0)));
+    run_ms(1500);
+    EXPECT_EQ(station.texts(), Texts{"Signing: no key"});
+}
+
+TEST_F(Signing, the_policy_is_set_over_usb_alone) {
+    mavlink::ParamSet message = {};
+    message.target_system = message.target_component = 1;
+    memcpy(message.param_id, "SIGN_POLICY", 11);
+    message.param_value = 0;
+    message.param_type = mavlink::MavParamType::int8;
+    second.send(message);
+    run_ms(100);
+    EXPECT_EQ(firmware::state::parameters.sign_policy, 1);
+    EXPECT_EQ(second.texts(), Texts{"Parameter refused: only over USB"});
+    station.send(message);
+    run_ms(100);
+    EXPECT_EQ(firmware::state::parameters.sign_policy, 0);
+    EXPECT_FALSE(firmware::state::parameterSlotTakes(174, 0)) << "a mission's command";
+}
+
+}  // namespace
+}  // namespace ground
