@@ -49,16 +49,32 @@ bool fill(const Link& link, void* message) {
 }
 
 // Of the streams' messages AUTOPILOT_VERSION is the longest.
-constexpr uint8_t kLongestMessage = sizeof(mavlink::AutopilotVersion);
+constexpr uint8_t kLongestMessage = (sizeof(mavlink::AutopilotVersion) + 3) / 4 * 4;
+
+// Extension fields that nobody fills in would be cleared and then left out as zeros.
+template <class Message>
+constexpr bool fillsExtensions() {
+    return false;
+}
+template <>
+constexpr bool fillsExtensions<mavlink::MissionCurrent>() {
+    return true;
+}
+template <class Message>
+constexpr mavlink::Layout layoutToFill() {
+    using Wire = mavlink::Wire<Message>;
+    return {Wire::id, Wire::length,
+            fillsExtensions<Message>() ? Wire::length_with_extensions : Wire::length,
+            Wire::crc_extra};
+}
 
 template <class Message>
 constexpr OutgoingRow row(Stream stream) {
-    // of the rows MISSION_CURRENT alone fills in extension fields, 16 bytes
     static_assert(
         mavlink::kHeaderV2 + mavlink::Wire<Message>::length + mavlink::kChecksum <= kLargestFrame,
         "larger than kLargestFrame");
     static_assert(sizeof(Message) <= kLongestMessage, "longer than kLongestMessage");
-    return {stream, mavlink::layoutOf<Message>(), fill<Message>};
+    return {stream, layoutToFill<Message>(), fill<Message>};
 }
 
 constexpr OutgoingRow kOutgoing[] ROM = {
@@ -155,9 +171,20 @@ bool tickIsDue(Link& link) {
     return true;
 }
 
+// By fours: half the work of memset, which in all would be 0.2 % of the processor.
+void clear(uint8_t* bytes, uint8_t size) {
+    for (uint8_t fours = static_cast<uint8_t>((size + 3) / 4); fours > 0; --fours) {
+        *bytes++ = 0;
+        *bytes++ = 0;
+        *bytes++ = 0;
+        *bytes++ = 0;
+    }
+}
+
 // One place for all messages, and for their bytes: each with its own would be 2 kB more.
 bool fillAndSend(Link& link, const OutgoingRow& row) {
-    uint8_t message[kLongestMessage] = {};
+    uint8_t message[kLongestMessage];
+    clear(message, core::romRead(row.layout.length_with_extensions));
     if (!core::romRead(row.fill)(link, message)) return true;
     return sendPayload(link, message, row.layout);
 }
