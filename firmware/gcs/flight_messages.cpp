@@ -96,7 +96,7 @@ bool fillIn(const Link&, mavlink::GlobalPositionInt& to) {
 bool fillIn(const Link&, mavlink::VfrHud& to) {
     to.airspeed = vehicle.estimate.equivalent_airspeed_mps;
     to.groundspeed = vehicle.estimate.ground_speed_mps;
-    to.alt = static_cast<float>(altitude_mm()) * 0.001f;
+    to.alt = core::thousandths(altitude_mm());
     to.climb = vehicle.estimate.climb_mps;
     to.heading = static_cast<int16_t>(heading(360));
     to.throttle = static_cast<uint16_t>(
@@ -165,7 +165,7 @@ bool fillIn(const Link&, mavlink::CameraFeedback& to) {
     to.time_usec = hal::now_ms() * uint64_t{1000};
     to.lat = vehicle.estimate.position.latitude_e7;
     to.lng = vehicle.estimate.position.longitude_e7;
-    to.alt_msl = static_cast<float>(altitude_mm()) * 0.001f;
+    to.alt_msl = core::thousandths(altitude_mm());
     to.alt_rel = vehicle.estimate.height_m;
     to.roll = vehicle.attitude.roll_rad.toFloat() * kDegrees;
     to.pitch = vehicle.attitude.pitch_rad.toFloat() * kDegrees;

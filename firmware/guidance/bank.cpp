@@ -32,7 +32,7 @@ core::FileState<Banking> banking{};
 
 float limit_rad(BankLimit limit) {
     if (limit == BankLimit::level) return core::radians(parameters.level_roll_limit_deg);
-    const float most_rad = core::radiansFromCentidegrees(parameters.roll_limit_cd);
+    const float most_rad = core::fromCentidegrees(parameters.roll_limit_cd);
     return vehicle.inverted ? kInvertedShare * most_rad : most_rad;
 }
 

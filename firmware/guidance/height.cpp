@@ -80,7 +80,7 @@ float trueFromEquivalent() {
 // The highest angle of attack is kept away from the stall near the ground; without an airspeed
 // sensor there is no speed to climb at, and the pitch is the take-off's own.
 float pitchMax_rad(const Plan& plan) {
-    float most_rad = core::radiansFromCentidegrees(parameters.pitch_max_cd);
+    float most_rad = core::fromCentidegrees(parameters.pitch_max_cd);
     const bool landing =
         plan.phase == ::control::Phase::approach || plan.phase == ::control::Phase::flare;
     if (landing || !vehicle.airspeed.healthy)

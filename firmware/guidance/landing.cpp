@@ -113,7 +113,7 @@ Plan flyLanding() {
     if (descent.landing.flaring()) {
         to_fly.phase = ::control::Phase::flare;
         to_fly.pitch_min_rad =
-            core::radiansFromCentidegrees(parameters.land_pitch_cd) -
+            core::fromCentidegrees(parameters.land_pitch_cd) -
             kNoseDown_radpm * core::limit(heightAbovePoint_m(), 0.0f, kMaxNoseDown_m);
         descent.power =
             core::Ratio(demandedPower(lateral, calm_mps - vehicle.estimate.ground_speed_mps));

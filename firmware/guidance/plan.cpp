@@ -47,7 +47,7 @@ void followSlope(Plan& plan, float length_m, float along_m, float along_mps) {
 
 Plan levelPlan() {
     return {changingHeight(), ::control::Phase::cruise,
-            core::radiansFromCentidegrees(parameters.pitch_min_cd), vehicle.demand.airspeed_mps};
+            core::fromCentidegrees(parameters.pitch_min_cd), vehicle.demand.airspeed_mps};
 }
 
 }  // namespace guidance

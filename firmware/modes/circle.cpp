@@ -21,7 +21,7 @@ EntryResult startCircle() {
 }
 
 void runCircle() {
-    demandRoll(core::Angle(core::radiansFromCentidegrees(parameters.roll_limit_cd / 3)));
+    demandRoll(core::Angle(core::fromCentidegrees(parameters.roll_limit_cd / 3)));
     mixSticks();
 }
 

@@ -143,6 +143,45 @@ roundedFloat:               ; into r25..r22
     .size roundedFloat, . - roundedFloat
 
     .section .text.libgcc.scaled_floats, "ax", @progbits
+    .global floatFromCentidegrees
+    .type   floatFromCentidegrees, @function
+floatFromCentidegrees:      ; r25 r24 times pi / 18000
+    call floatFromInt16
+    ldi  r21, 0x39
+    ldi  r20, 0x37
+    ldi  r19, 0x02
+    ldi  r18, 0xD4
+    jmp  __mulsf3
+    .size floatFromCentidegrees, . - floatFromCentidegrees
+
+    .global thousandthsOfInt16
+    .type   thousandthsOfInt16, @function
+thousandthsOfInt16:         ; r25 r24 times 0.001
+    call floatFromInt16
+    rjmp 1f
+    .size thousandthsOfInt16, . - thousandthsOfInt16
+    .global thousandthsOfInt32
+    .type   thousandthsOfInt32, @function
+thousandthsOfInt32:         ; r25..r22 times 0.001
+    call __floatsisf
+1:  ldi  r21, 0x3A
+    ldi  r20, 0x83
+    ldi  r19, 0x12
+    ldi  r18, 0x6F
+    jmp  __mulsf3
+    .size thousandthsOfInt32, . - thousandthsOfInt32
+
+    .global floatFromFixed30
+    .type   floatFromFixed30, @function
+floatFromFixed30:           ; r25..r22 times 2^-30
+    call __floatsisf
+    ldi  r21, 0x30
+    ldi  r20, 0x80
+    ldi  r19, 0
+    ldi  r18, 0
+    jmp  __mulsf3
+    .size floatFromFixed30, . - floatFromFixed30
+
     .global floatFromAngle
     .type   floatFromAngle, @function
 floatFromAngle:             ; r25 r24 times pi / 32768

@@ -12,6 +12,10 @@ int16_t fixedFromFloat(float value, int8_t power) __attribute__((const));
 float floatFromFixed(int16_t raw, int8_t fraction) __attribute__((const));
 float floatFromInt16(int16_t value) __attribute__((const));
 float floatFromAngle(int16_t raw) __attribute__((const));
+float floatFromCentidegrees(int16_t value) __attribute__((const));
+float floatFromFixed30(int32_t raw) __attribute__((const));
+float thousandthsOfInt16(int16_t value) __attribute__((const));
+float thousandthsOfInt32(int32_t value) __attribute__((const));
 float hundredthsOfInt16(int16_t value) __attribute__((const));
 float hundredthsOfInt32(int32_t value) __attribute__((const));
 int32_t roundedFloat(float value) __attribute__((const));
@@ -27,6 +31,10 @@ inline int16_t toFixed(float value, int8_t power) { return fixedFromFloat(value,
 inline float fromFixed(int16_t raw, int8_t fraction) { return floatFromFixed(raw, fraction); }
 inline float real(int16_t value) { return floatFromInt16(value); }
 inline float fromAngle(int16_t raw) { return floatFromAngle(raw); }
+inline float fromCentidegrees(int16_t value) { return floatFromCentidegrees(value); }
+inline float fromFixed30(int32_t raw) { return floatFromFixed30(raw); }
+inline float thousandths(int16_t value) { return thousandthsOfInt16(value); }
+inline float thousandths(int32_t value) { return thousandthsOfInt32(value); }
 inline float hundredths(int16_t value) { return hundredthsOfInt16(value); }
 inline float hundredths(int32_t value) { return hundredthsOfInt32(value); }
 inline float limitedByBits(float value, float lowest, float highest) {
@@ -56,6 +64,11 @@ inline float real(int16_t value) { return static_cast<float>(value); }
 inline float fromAngle(int16_t raw) {
     return static_cast<float>(raw) * (1.0f / (32768.0f / 3.14159265f));
 }
+inline float fromCentidegrees(int16_t value) {
+    return static_cast<float>(value) * (3.14159265f / 18000.0f);
+}
+inline float fromFixed30(int32_t raw) { return static_cast<float>(raw) * (1.0f / (1L << 30)); }
+inline float thousandths(int32_t value) { return static_cast<float>(value) * 0.001f; }
 inline float hundredths(int32_t value) { return static_cast<float>(value) * 0.01f; }
 inline float limitedByBits(float value, float lowest, float highest) {
     const int32_t order = orderOf(value);

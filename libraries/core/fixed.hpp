@@ -62,7 +62,9 @@ struct Fixed32 {
     static constexpr int32_t kOne = 1L << kFraction;
 
     static constexpr Fixed32 fromRaw(int32_t raw) { return Fixed32{raw}; }
-    constexpr float toFloat() const { return static_cast<float>(raw) * (1.0f / kSteps); }
+    float toFloat() const {
+        return kFraction == 30 ? fromFixed30(raw) : static_cast<float>(raw) * (1.0f / kSteps);
+    }
     // With fewer bits behind the point, what is cut off lost towards the lower number.
     template <uint8_t kFewer>
     constexpr Fixed32<kFewer> as() const {

@@ -6,7 +6,7 @@ namespace {
 
 uint16_t wrapped(float mps) { return static_cast<uint16_t>(static_cast<int32_t>(mps * 1000.0f)); }
 float difference(uint16_t later, uint16_t earlier) {
-    return static_cast<int16_t>(static_cast<uint16_t>(later - earlier)) * 0.001f;
+    return core::thousandths(static_cast<int16_t>(static_cast<uint16_t>(later - earlier)));
 }
 uint16_t between(uint16_t from, uint16_t to, float share) {
     const int16_t rise = static_cast<int16_t>(static_cast<uint16_t>(to - from));

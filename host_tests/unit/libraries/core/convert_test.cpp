@@ -25,6 +25,22 @@ TEST(Convert, hundredths_are_the_product_with_their_factor) {
                   core::bitsOf(static_cast<float>(value) * 0.01f));
 }
 
+TEST(Convert, thousandths_and_centidegrees_are_products_too) {
+    for (const int16_t value : kValues) {
+        const float number = static_cast<float>(value);
+        EXPECT_EQ(core::bitsOf(core::thousandths(value)), core::bitsOf(number * 0.001f));
+        EXPECT_EQ(core::bitsOf(core::thousandths(int32_t{value})), core::bitsOf(number * 0.001f));
+        EXPECT_EQ(core::bitsOf(core::fromCentidegrees(value)),
+                  core::bitsOf(number * (3.14159265f / 18000.0f)));
+    }
+}
+
+TEST(Convert, thirty_bits_behind_the_point_are_taken_off) {
+    for (const int32_t raw : {0, 1, -1, 1 << 30, -(1 << 30), 123456789, INT32_MAX, INT32_MIN})
+        EXPECT_EQ(core::bitsOf(core::fromFixed30(raw)),
+                  core::bitsOf(static_cast<float>(raw) * (1.0f / (1L << 30))));
+}
+
 TEST(Convert, an_angle_is_its_share_of_half_a_turn) {
     for (const int16_t raw : kValues)
         EXPECT_EQ(core::bitsOf(core::fromAngle(raw)),
