@@ -4,7 +4,11 @@
 #include <stdint.h>
 
 #ifdef __AVR__
-extern "C" int32_t multiplyTimes16(int32_t a, int16_t b) __attribute__((const));  // hal_avr
+extern "C" {  // hal_avr
+int32_t multiplyTimes16(int32_t a, int16_t b) __attribute__((const));
+int16_t multiplyTimes14(int16_t a, int16_t b) __attribute__((const));
+int16_t multiplyTimes12(int16_t a, int16_t b) __attribute__((const));
+}
 #endif
 
 namespace core {
@@ -29,7 +33,12 @@ constexpr int16_t upperOf16(int32_t value) { return upper(value * 16); }
 constexpr int32_t kMaxOf16 = 0x7FF0000;  // times 16 it still fits, rounded up as well
 // The product of two numbers one of which has so many bits behind the point, rounded, in the form
 // of the other.
+#ifdef __AVR__
+inline int16_t times14(int16_t a, int16_t b) { return multiplyTimes14(a, b); }
+inline int16_t times12(int16_t a, int16_t b) { return multiplyTimes12(a, b); }
+#else
 constexpr int16_t times14(int16_t a, int16_t b) { return upperOf4(product(a, b)); }
 constexpr int16_t times12(int16_t a, int16_t b) { return upperOf16(product(a, b)); }
+#endif
 
 }  // namespace core
