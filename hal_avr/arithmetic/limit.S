@@ -46,3 +46,24 @@ limitFloat:
     movw r24, r20
     ret
     .size limitFloat, . - limitFloat
+
+; The same between 0 and 1, of which the caller then need not bring either.
+    .section .text.libgcc.limit_share, "ax", @progbits
+    .global limitShare
+    .type   limitShare, @function
+limitShare:
+    tst  r25
+    brmi 1f
+    ldi  r18, 0x3F      ; 1.0 begins with 0x3F80
+    cpi  r24, 0x80
+    cpc  r25, r18
+    brlo 3f
+    mov  r25, r18
+    ldi  r24, 0x80
+    rjmp 2f
+1:  clr  r25
+    clr  r24
+2:  clr  r23
+    clr  r22
+3:  ret
+    .size limitShare, . - limitShare

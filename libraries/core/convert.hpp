@@ -20,6 +20,7 @@ float hundredthsOfInt16(int16_t value) __attribute__((const));
 float hundredthsOfInt32(int32_t value) __attribute__((const));
 int32_t roundedFloat(float value) __attribute__((const));
 float limitFloat(float value, float lowest, float highest) __attribute__((const));
+float limitShare(float value) __attribute__((const));
 }
 #endif
 
@@ -37,7 +38,11 @@ inline float thousandths(int16_t value) { return thousandthsOfInt16(value); }
 inline float thousandths(int32_t value) { return thousandthsOfInt32(value); }
 inline float hundredths(int16_t value) { return hundredthsOfInt16(value); }
 inline float hundredths(int32_t value) { return hundredthsOfInt32(value); }
-inline float limitedByBits(float value, float lowest, float highest) {
+__attribute__((always_inline)) inline float limitedByBits(float value, float lowest,
+                                                          float highest) {
+    if (__builtin_constant_p(lowest) && __builtin_constant_p(highest) && bitsOf(lowest) == 0 &&
+        highest == 1)
+        return limitShare(value);
     return limitFloat(value, lowest, highest);
 }
 #else

@@ -24,7 +24,7 @@ constexpr T limit(T value, T lowest, T highest) {
 // Comparing floats takes five times as long as comparing their bits. What is no number counts as
 // infinity with its sign, so what comes back lies between the two whatever goes in.
 template <>
-inline float limit(float value, float lowest, float highest) {
+__attribute__((always_inline)) inline float limit(float value, float lowest, float highest) {
     return limitedByBits(value, lowest, highest);
 }
 

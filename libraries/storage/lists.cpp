@@ -5,6 +5,7 @@
 
 #include "core/crc.hpp"
 #include "core/rom.hpp"
+#include "core/seldom.hpp"
 #include "hal/page_flash.hpp"
 #include "storage/bytes.hpp"
 
@@ -107,7 +108,9 @@ uint16_t addressOf(ListKind kind, const Extent& extent) {
 
 }  // namespace
 
-ListShape shapeOf(ListKind kind) { return core::romRead(kLists[static_cast<uint8_t>(kind)]); }
+SELDOM ListShape shapeOf(ListKind kind) {
+    return core::romRead(kLists[static_cast<uint8_t>(kind)]);
+}
 
 Status readRecord(ListKind kind, const Extent& extent, uint8_t index, uint8_t* to) {
     if (index >= extent.count) return Status::bad_argument;

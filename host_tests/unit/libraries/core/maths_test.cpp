@@ -17,6 +17,15 @@ TEST(Limit, keeps_what_lies_between_and_stops_at_the_ends) {
     EXPECT_EQ(core::limit(-5, -3, 3), -3);
 }
 
+TEST(Limit, of_a_share_is_what_it_is_of_any_two) {
+    const volatile float zero = 0, one = 1;  // not known to the compiler
+    for (const float value : {0.0f, -0.0f, 1.0f, 0.5f, -0.5f, 0.99999994f, 1.0000001f, 1e-40f,
+                              -1e-40f, 2.0f, 1e30f, -1e30f, float(INFINITY), -float(INFINITY),
+                              float(copysignf(NAN, 1)), float(copysignf(NAN, -1))})
+        EXPECT_EQ(core::bitsOf(core::limit(value, 0.0f, 1.0f)),
+                  core::bitsOf(core::limit(value, float(zero), float(one))));
+}
+
 TEST(Limit, takes_no_number_for_infinity_with_its_sign) {
     EXPECT_EQ(core::limit(float(INFINITY), -1.0f, 2.0f), 2.0f);
     EXPECT_EQ(core::limit(-float(INFINITY), -1.0f, 2.0f), -1.0f);
