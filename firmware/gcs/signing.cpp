@@ -224,7 +224,7 @@ Verdict hashOn(const mavlink::Frame& frame) {
 }
 
 bool hashFits() {
-    uint8_t differs = 0;  // looked at whole, so that the time it takes tells nothing
+    uint8_t differs = 0;  // looked at whole: the time it takes says nothing
     for (uint8_t i = 0; i < sizeof signing.signature.hash; ++i)
         differs |= static_cast<uint8_t>(signing.sha.hash(i) ^ signing.signature.hash[i]);
     return differs == 0;
