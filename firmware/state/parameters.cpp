@@ -373,6 +373,18 @@ bool takes(uint8_t row, float value) {
     return !isReverse(number) || whole != 0;
 }
 
+// An output that nothing drives but a mission and its pilot, and no stick: what its pulses are is
+// what the mission commands CHANNEL_TRIM, CHANNEL_MAX and CHANNEL_MIN are for.
+bool isEndOfFreeChannel(uint8_t number) {
+    if (!isOfChannel(number) || channelPart(number) > slot::max) return false;
+    const auto& in_use = firmware::state::parameters;
+    const uint8_t channel = static_cast<uint8_t>(number - slot::rc1_min) / slot::kChannelParts;
+    if (channel < 4 || in_use.output_function[channel - 4] != 0) return false;
+    for (uint8_t stick = 0; stick < 4; ++stick)
+        if ((&in_use.map_roll)[stick] == channel + 1) return false;
+    return true;
+}
+
 // What a stick or a servo means: another value turns the airplane over within seconds.
 bool isRigging(uint8_t number) {
     struct Range {
@@ -391,7 +403,8 @@ bool isRigging(uint8_t number) {
 }
 
 core::Status maySet(uint8_t number, float value) {
-    if (vehicle.armed && isRigging(number)) return core::Status::denied;
+    if (vehicle.armed && isRigging(number) && !isEndOfFreeChannel(number))
+        return core::Status::denied;
     const bool fits = hasBothWays(number, static_cast<int16_t>(core::rounded(value)));
     return fits ? core::Status::ok : core::Status::bad_argument;
 }

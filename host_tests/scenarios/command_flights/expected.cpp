@@ -111,16 +111,14 @@ const std::vector<ExpectedParameter> kApm2Parameters = {
     {"WP_RADIUS", 35}, {"YAW2SRV_DAMP", 0.35}, {"RC7_FUNCTION", 10}};
 const std::vector<ExpectedParameter> kApm1Parameters = {
     {"RLL2SRV_P", 0.8},    {"RLL2SRV_I", 0.25},  {"PTCH2SRV_D", 0.04},
-    {"YAW2SRV_IMAX", 125}, {"KFF_RDDRMIX", 0.4}, {"RC5_TRIM", 1500},  // refused while armed
-    {"RC5_MAX", 1900},     {"RC5_MIN", 1100},    {"THR_FS_VALUE", 960},
+    {"YAW2SRV_IMAX", 125}, {"KFF_RDDRMIX", 0.4}, {"RC5_TRIM", 1510},
+    {"RC5_MAX", 1910},     {"RC5_MIN", 1090},    {"THR_FS_VALUE", 960},
 };
 
 const simulator::ParameterSettings kApm2Settings = {{"RC7_FUNCTION", 10}}, kNoSettings;
 
 const std::vector<std::string> kApm2Texts = {"Mission: parameter 218 not set"};  // RC7_FUNCTION
-const std::vector<std::string> kApm1Texts = {
-    "Mission: parameter 51 not set", "Mission: parameter 52 not set",
-    "Mission: parameter 50 not set"};  // RC5_TRIM, RC5_MAX, RC5_MIN
+const std::vector<std::string> kApm1Texts;
 
 }  // namespace
 

@@ -42,8 +42,19 @@ TEST_F(Apm1Flight, cruise_speed_throttle_and_gains_are_set) {
     EXPECT_EQ(parameters.throttle_failsafe_us, 960);
 }
 
+TEST_F(Apm1Flight, free_channels_are_set_in_flight) {
+    run(command(0x71, 4, 1910));
+    run(command(0x70, 4, 1510));
+    run(command(0x72, 7, 1090));
+    EXPECT_EQ(parameters.channel[4].max_us, 1910);
+    EXPECT_EQ(parameters.channel[4].trim_us, 1510);
+    EXPECT_EQ(parameters.channel[7].min_us, 1090);
+}
+
 // Armed, as a mission is flown, what sticks and servos mean is refused to it too.
-TEST_F(Apm1Flight, channels_are_set_while_disarmed_only) {
+TEST_F(Apm1Flight, channels_of_sticks_and_functions_are_set_while_disarmed_only) {
+    parameters.output_function[0] = 2;  // flaps on output 5
+    parameters.map_yaw = 8;
     constexpr struct {
         uint8_t id, p1;
         int16_t us;

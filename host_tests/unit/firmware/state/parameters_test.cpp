@@ -80,6 +80,26 @@ TEST_F(Rigging, is_not_changed_by_a_mission_either_while_armed) {
     EXPECT_EQ(parameters.channel[1].trim_us, 1510);
 }
 
+TEST_F(Rigging, is_not_the_pulses_of_a_free_channel) {
+    using namespace firmware::state;
+    mutable_vehicle.armed = true;
+    const uint8_t max = slot::ofChannel(5, slot::max);
+    EXPECT_TRUE(parameterSet(max, 1800));
+    EXPECT_FALSE(parameterSet(slot::ofChannel(5, slot::reverse), -1));
+    EXPECT_FALSE(parameterSet(max, 1400)) << "below its trim";
+    EXPECT_FALSE(parameterSet(slot::ofChannel(4, slot::max), 1800)) << "a stick's";
+    for (int8_t* stick : {&parameters.map_roll, &parameters.map_pitch, &parameters.map_throttle,
+                          &parameters.map_yaw}) {
+        const int8_t was = *stick;
+        *stick = 5;
+        EXPECT_FALSE(parameterSet(max, 1850)) << "a stick's";
+        *stick = was;
+    }
+    parameters.output_function[0] = 2;
+    EXPECT_FALSE(parameterSet(max, 1850)) << "a servo's";
+    EXPECT_EQ(parameters.channel[4].max_us, 1800);
+}
+
 // 1100, 1500 and 1900 us at first.
 TEST_F(Rigging, leaves_every_stick_both_its_ways) {
     using namespace firmware::state;
