@@ -124,6 +124,20 @@ uint8_t uncalibratedChannel() {
 }
 bool radioUncalibrated() { return uncalibratedChannel() != 0; }
 
+// Two RCMAP_ name it: one stick would do what two are for, and a receiver's failsafe pulse on the
+// throttle's channel would not be seen. 0: there is none.
+uint8_t sharedChannel() {
+    uint16_t seen = 0;
+    for (uint8_t stick = 0; stick < 4; ++stick) {
+        const int8_t channel = (&parameters.map_roll)[stick];
+        const uint16_t bit = static_cast<uint16_t>(1 << channel);
+        if ((seen & bit) != 0) return static_cast<uint8_t>(channel);
+        seen |= bit;
+    }
+    return 0;
+}
+bool channelShared() { return sharedChannel() != 0; }
+
 bool airspeedBad() {
     return parameters.airspeed_enable != 0 && parameters.airspeed_use != 0 &&
            !vehicle.airspeed.healthy;
@@ -167,6 +181,7 @@ constexpr Check kChecks[] ROM = {
     {kAirspeed,     airspeedBad,       "PreArm: airspeed sensor", nullptr},
     {kRadio,        radioBad,          "PreArm: no radio", nullptr},
     {kRadio,        radioUncalibrated, "PreArm: RC# not calibrated", uncalibratedChannel},
+    {kRadio,        channelShared,     "PreArm: RCMAP: RC# twice", sharedChannel},
     {kRadio,        throttleUp,        "PreArm: throttle is up", nullptr},
     {kBoardVoltage, boardVoltageBad,   "PreArm: board voltage", nullptr},
     {kBattery,      batteryBad,        "PreArm: battery low", nullptr},

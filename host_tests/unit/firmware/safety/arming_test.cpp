@@ -271,6 +271,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{64, "PreArm: RC# not calibrated", [] { parameters.channel[1].min_us = 1400; }},
         Fault{64, "PreArm: RC# not calibrated", [] { parameters.channel[3].max_us = 1600; }},
         Fault{64, "PreArm: RC# not calibrated", [] { parameters.channel[0].trim_us = 1950; }},
+        Fault{64, "PreArm: RCMAP: RC# twice", [] { parameters.map_throttle = 2; }},
         Fault{64, "PreArm: throttle is up", [] { mutable_vehicle.radio.throttle_pct = 10; }},
         Fault{128, "PreArm: board voltage", [] { mutable_vehicle.battery.board_mv = 4100; }},
         Fault{256, "PreArm: battery low",
@@ -402,6 +403,14 @@ TEST_F(Arming, names_the_channel_that_is_not_calibrated) {
     parameters.channel[3].max_us = 1600;
     EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
     EXPECT_TRUE(hasStatusText("PreArm: RC4 not calibrated"));
+}
+
+TEST_F(Arming, names_the_channel_that_two_sticks_share) {
+    parameters.map_yaw = 1;
+    EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
+    EXPECT_TRUE(hasStatusText("PreArm: RCMAP: RC1 twice"));
+    parameters.map_yaw = 8;
+    EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, false));
 }
 
 TEST_F(Arming, reports_the_failed_check_twice_a_minute) {
