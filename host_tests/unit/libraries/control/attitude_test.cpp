@@ -138,8 +138,9 @@ TEST(Pitch, a_turn_adds_the_rate_that_holds_the_nose_on_the_horizon) {
 }
 
 float yawFor(const control::YawSettings& settings, control::YawState& state,
-             const control::TurnRates& turn, float rate_rads, float lateral_mss = 0) {
-    return yawDeflection(control::yawGains(settings), state, at(12), turn,
+             const control::TurnRates& turn, float rate_rads, float lateral_mss = 0,
+             float airspeed_mps = 12) {
+    return yawDeflection(control::yawGains(settings), state, at(airspeed_mps), turn,
                          core::BodyRate(rate_rads), core::Acceleration(lateral_mss), kPeriods)
         .toFloat();
 }
@@ -169,10 +170,12 @@ TEST(Yaw, a_steady_rate_is_not_damped) {
 
 TEST(Yaw, damping_stays_within_what_the_rudder_can_at_any_rate) {
     const control::YawSettings settings{0, 0, 2, 1, 1500};
-    for (const float rate_rads : {-30.0f, 30.0f}) {
-        control::YawState state;
-        EXPECT_EQ(yawFor(settings, state, kStraight, rate_rads), rate_rads > 0 ? -1 : 1);
-    }
+    for (const float rate_rads : {-31.9f, -30.0f, -8.1f, 8.1f, 30.0f, 31.9f})
+        for (const float airspeed_mps : {0.0f, 7.5f, 12.0f}) {
+            control::YawState state;
+            EXPECT_EQ(yawFor(settings, state, kStraight, rate_rads, 0, airspeed_mps),
+                      rate_rads > 0 ? -1 : 1);
+        }
 }
 
 TEST(Yaw, the_nose_is_turned_into_the_slip) {
