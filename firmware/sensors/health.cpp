@@ -66,11 +66,11 @@ void add(Health& health, uint16_t suspicion) {
 
 bool fixesUsable() { return vehicle.gps.fix == GpsFix::three_d && !isFaulty(Sensor::gps); }
 
-// Without fixes nobody sees it climb: then time must do.
+// Without fixes nobody sees it climb, without gyros nobody sees it turn: then time must do.
 bool mustChange(Evidence evidence) {
     if (evidence == Evidence::climb)
         return !fixesUsable() || fabsf(vehicle.gps.velocity_mps.z) > 0.5f;
-    return evidence == Evidence::time || turns();
+    return evidence == Evidence::time || isFaulty(Sensor::inertial) || turns();
 }
 
 // True: at its limit, where it stays.
