@@ -4,8 +4,10 @@
 namespace navigation {
 namespace {
 
-constexpr float kSteepestFlare = 1.0f;  // of what an evenly falling sink leaves at a height
-constexpr float kSteepestSink = 1.1f;   // of the slope's: no diving at the point
+constexpr float kSteepestFlare = 2.5f;  // of what an evenly falling sink leaves at a height
+// What is too high comes down faster than the slope, if that is shallow, but does not dive at the
+// point. Of the slope's sink, m/s, and of a steep slope's.
+constexpr float kSteepestSink = 2.0f, kSteepest_mps = 1.4f, kSteepestOfSteep = 1.1f;
 // Below where the ground should be the height is wrong, and the airplane is to come down.
 constexpr float kSinkBelow_hz = 0.4f;
 constexpr float kMaxBelow_m = 0.7f;
@@ -41,7 +43,8 @@ HeightDemand flare(const LandingSettings& settings, const Approach& approach, co
     const float sink_mps = 2 * height_m * approach.along_mps / left_m - last_mps;
     const float more_mps = larger(slope.sink_mps - last_mps, 0);
     const float most_mps = last_mps + kSteepestFlare * more_mps * height_m / slope.flare_m;
-    const float steepest_mps = larger(kSteepestSink * slope.sink_mps, last_mps);
+    const float steeper_mps = core::limit(kSteepestSink * slope.sink_mps, last_mps, kSteepest_mps);
+    const float steepest_mps = larger(kSteepestOfSteep * slope.sink_mps, steeper_mps);
     return {approach.height_m,
             -core::limit(core::limit(sink_mps, last_mps, most_mps), last_mps, steepest_mps)};
 }
