@@ -176,7 +176,9 @@ void AvrBoard::showFaults() {
 // A bootloader clears the flags of the reset, and so does the program first of all.
 void AvrBoard::begun(uint16_t address, uint8_t value) {
     clears_(chip_.avr(), address, value);
-    if (chip_.avr()->pc < kBootSection) begun_us_ = time_us();
+    if (chip_.avr()->pc >= kBootSection) return;
+    begun_us_ = time_us();
+    if (!first_cycle_) first_cycle_ = chip_.cycle();
 }
 
 bool AvrBoard::runUntil(uint64_t time_us) {
@@ -352,8 +354,9 @@ BoardFigures AvrBoard::figures() const {
     figures.ram_static_bytes = image_.ram_static_bytes;
     figures.stack_max_bytes = chip_.stack().maxBytes();
     work_.report(figures);
-    const auto cycles = static_cast<double>(chip_.cycle());
-    if (chip_.cycle() == 0) return figures;
+    // of the program, not of the bootloader that waits for a programmer before it
+    const auto cycles = static_cast<double>(chip_.cycle() - first_cycle_.value_or(0));
+    if (cycles == 0) return figures;
     figures.cpu_load = 1 - static_cast<double>(chip_.asleepCycles()) / cycles;
     figures.interrupt_load = static_cast<double>(chip_.interrupts().cycles()) / cycles;
     for (int vector = 1; vector < Interrupts::kVectors; vector++) {

@@ -3,6 +3,7 @@
 // its pins. It knows the wiring, nothing of the firmware.
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "simulator/board.hpp"
 #include "simulator/devices/line_fault.hpp"
@@ -107,6 +108,7 @@ private:
     uint64_t contentions_ = 0;
     unsigned restarts_ = 0;
     uint64_t begun_us_ = 0;
+    std::optional<uint64_t> first_cycle_;  // of the program, after the first reset
     WriteChain clears_;
 };
 

@@ -7,7 +7,7 @@
 namespace simulator {
 
 constexpr double kDegrees = 180 / M_PI;
-constexpr double kSetUp_s = 1;
+constexpr uint64_t kSetUp_us = 1'000'000;  // from when the program begins
 
 void Recorder::watchFrame(Board& board, const Telemetry& telemetry) {
     attitude_.watch(board.world().truth());
@@ -68,7 +68,8 @@ void Recorder::sample(Board& board, const Telemetry& telemetry,
     frame_us_ = frames_us_ = 0;
     frames_ = 0;
     imu_ = board.world().imu().samples();
-    if (!imu_from_ && sample.time_s >= kSetUp_s) imu_from_ = imu_;
+    if (!imu_from_ && imu_.made > 0 && board.time_us() >= board.begun_us() + kSetUp_us)
+        imu_from_ = imu_;
     samples_.push_back(sample);
 }
 

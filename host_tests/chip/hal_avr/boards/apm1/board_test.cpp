@@ -11,8 +11,14 @@ namespace {
 
 using simulator::AvrBoard;
 
+simulator::WorldOptions quickBootloader() {
+    simulator::WorldOptions options;
+    options.bootloader = simulator::Bootloader::quick;
+    return options;
+}
+
 struct Apm1Board : testing::Test {
-    explicit Apm1Board(const simulator::WorldOptions& options = {})
+    explicit Apm1Board(const simulator::WorldOptions& options = quickBootloader())
         : board(IMAGE_APM1, options, simulator::kApm1Wiring) {
         board.listen([this](int usart, uint8_t byte, uint64_t time_us) {
             auto& seen = heard[usart];
@@ -44,6 +50,18 @@ TEST_F(Apm1Board, sends_on_usb_and_on_the_radio) {
     EXPECT_GE(heartbeats(3), 2);
     EXPECT_LT(first_us[0], 300'000u);
     EXPECT_TRUE(heard[2].empty());  // the converter's bus
+}
+
+// The stock bootloader is busy for a second before the program begins.
+TEST(Apm1Load, is_that_of_the_program_and_not_of_the_bootloader) {
+    const auto loadAfter = [](const simulator::WorldOptions& options, uint64_t time_us) {
+        AvrBoard board(IMAGE_APM1, options, simulator::kApm1Wiring);
+        EXPECT_TRUE(board.runUntil(time_us)) << board.fault();
+        return board.figures().cpu_load.value();
+    };
+    const double load = loadAfter(quickBootloader(), 2'065'000);
+    EXPECT_LT(load, 0.5);
+    EXPECT_NEAR(loadAfter({}, 3'065'000), load, 0.02);
 }
 
 TEST_F(Apm1Board, reads_the_sensors_of_the_first_board_and_not_those_of_the_second) {
