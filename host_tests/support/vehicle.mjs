@@ -96,8 +96,9 @@ export class Vehicle {
     return vehicle;
   }
 
+  // behind a bootloader that listens for a second
   async boot() {
-    await this.expect('HEARTBEAT');
+    await this.expect('HEARTBEAT', { within_ms: 2500 });
     await this.wait(2 * kStep_ms);
     this.forget();
   }

@@ -68,7 +68,9 @@ const Pair kGeodesy[] = {
 
 // Runs until the program has done its last step.
 Tasks run(const std::string& program, costs::Step last, double at_most_s) {
-    AvrBoard board(program, WorldOptions());
+    WorldOptions options;
+    options.bootloader = Bootloader::quick;
+    AvrBoard board(program, options);
     Tasks tasks;
     for (uint64_t time_us = 0; time_us < at_most_s * 1e6; time_us += 100'000) {
         if (!board.runUntil(time_us)) break;

@@ -16,8 +16,15 @@ using simulator::BoardFigures;
 static constexpr std::array<uint16_t, 8> kSticks_us = {1100, 1234, 1300, 1400,
                                                        1500, 1600, 1700, 1800};
 
-static simulator::WorldOptions exactSensors() {
+// The programs begin after 65 ms.
+static simulator::WorldOptions quickBootloader() {
     simulator::WorldOptions options;
+    options.bootloader = simulator::Bootloader::quick;
+    return options;
+}
+
+static simulator::WorldOptions exactSensors() {
+    simulator::WorldOptions options = quickBootloader();
     options.sensor_errors = false;
     return options;
 }
@@ -169,7 +176,7 @@ TEST(Board, the_trace_holds_servo_edges) {
 
 TEST(Board, two_boards_with_the_same_seed_do_the_same) {
     const auto heardAfter = [](double step_us) {
-        AvrBoard board(program("board.elf"), simulator::WorldOptions());
+        AvrBoard board(program("board.elf"), quickBootloader());
         std::vector<std::pair<uint8_t, uint64_t>> bytes;
         board.listen([&](int, uint8_t byte, uint64_t us) { bytes.push_back({byte, us}); });
         for (double t = 0; t < 1e6; t += step_us) board.runUntil(uint64_t(t));

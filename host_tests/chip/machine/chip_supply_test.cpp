@@ -100,6 +100,7 @@ TEST(ChipSupply, damages_the_byte_that_a_brown_out_breaks_off) {
 
 TEST(ChipSupply, silences_the_board_and_starts_it_again) {
     simulator::WorldOptions options;
+    options.bootloader = simulator::Bootloader::quick;
     options.faults = {*simulator::parseFault("supply:cut@1-1.2")};
     simulator::AvrBoard board(program("board.elf"), options);
     uint64_t last_us = 0, longest_us = 0;
