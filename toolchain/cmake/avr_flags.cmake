@@ -3,9 +3,10 @@
 # nothing: debug information stays in the ELF file. -mstrict-X: the register X, which has no offsets, is
 # not stepped to and fro for fields of a struct. The others after it: what is kept in registers over
 # more of a function, because it is used there again, costs more moves and places in the stack frame
-# than it saves.
+# than it saves. What is inlined before link time stays in all who use it, so little is; 14 instructions
+# are the compiler's own limit.
 set(AVR_OPTIMISATION -Os -flto -mrelax -mcall-prologues -mstrict-X -fira-algorithm=priority -fno-gcse
-    -fno-tree-pre -fno-tree-dominator-opts -fno-move-loop-invariants -g)
+    -fno-tree-pre -fno-tree-dominator-opts -fno-move-loop-invariants --param early-inlining-insns=3 -g)
 add_compile_options(${AVR_OPTIMISATION})
 # toolchain/image/stack_bound.mjs sees by its relocation that a word is a function's address
 add_link_options(${AVR_OPTIMISATION} -flto-partition=one -Wl,--emit-relocs)
@@ -28,7 +29,7 @@ foreach(folder firmware libraries)
         list(APPEND quick ${path})
     endforeach()
 endforeach()
-set_source_files_properties(${quick} PROPERTIES COMPILE_OPTIONS "-O2;-fgcse;-ftree-dominator-opts")
+set_source_files_properties(${quick} PROPERTIES COMPILE_OPTIONS "-O2;-fgcse;-ftree-dominator-opts;--param;early-inlining-insns=10")
 
 link_libraries(m)
 
