@@ -56,8 +56,8 @@ core::BodyRate swing_rads(const YawGains& gains, YawState& state, const TurnRate
     swing -= core::times16(swing, static_cast<int16_t>(kLeak * periods)) + (swing > 0 ? 1 : 0);
     state.last_error_rads = error_rads;
     // 8 rad/s: times 2 twice, which is the most that a speed asks for, it still fits
-    constexpr int32_t kMost = 8 * core::BodyRate::kOne - 1;
-    return core::BodyRate::fromRaw(core::limit(swing >> kFiner, -kMost, kMost));
+    constexpr int32_t kMaxSwing = 8 * core::BodyRate::kOne - 1;
+    return core::BodyRate::fromRaw(core::limit(swing >> kFiner, -kMaxSwing, kMaxSwing));
 }
 
 // Air that pushes to the right comes from the left: the nose goes to meet it.
