@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/arming.hpp"
 
+#include <fstream>
 #include <functional>
+#include <sstream>
 #include <string>
 
 #include "core/internal_error.hpp"
@@ -411,6 +413,62 @@ TEST_F(Arming, names_the_channel_that_two_sticks_share) {
     EXPECT_TRUE(hasStatusText("PreArm: RCMAP: RC1 twice"));
     parameters.map_yaw = 8;
     EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, false));
+}
+
+// What requests do in each state, with and without a check that fails.
+struct ArmingTable : Arming {
+    bool armedAfter(const std::function<void()>& ask, bool armed, bool flying, bool checks_pass) {
+        TearDown();
+        SetUp();
+        parameters.arming_rudder = 2;
+        mutable_vehicle.baro.healthy = checks_pass;
+        mutable_vehicle.armed = armed;
+        mutable_vehicle.estimate.flying = flying;
+        ask();
+        return vehicle.armed;
+    }
+    std::string cell(const std::function<void()>& ask, bool armed, bool flying) {
+        const bool then = armedAfter(ask, armed, flying, true);
+        const bool unchecked = armedAfter(ask, armed, flying, false);
+        if (armed) {
+            EXPECT_EQ(then, unchecked) << "disarming has no checks";
+            return then ? "-" : "disarms";
+        }
+        return !then ? "-" : unchecked ? "arms" : "arms after the checks";
+    }
+    std::string row(const std::string& who, const std::function<void()>& ask) {
+        std::string row = "\n| " + who + " |";
+        for (const bool armed : {false, true})
+            for (const bool flying : {false, true}) row += " " + cell(ask, armed, flying) + " |";
+        return row + "\n";
+    }
+    void ground(bool force) {
+        if (vehicle.armed)
+            (void)firmware::safety::disarm(ArmReason::ground, force);
+        else
+            (void)firmware::safety::arm(ArmReason::ground, force);
+    }
+    void rudder() { holdRudder(vehicle.armed ? 1100 : 1900, 40); }
+    void lands() {
+        mutable_vehicle.mode = Mode::automatic;
+        mutable_vehicle.demand.path = firmware::state::Path::land;
+        mutable_vehicle.progress.flaring = true;
+        for (int s = 0; s < parameters.land_disarm_delay_s + 2; ++s) look();
+    }
+};
+
+TEST_F(ArmingTable, is_that_of_the_manual) {
+    std::stringstream page;
+    page << std::ifstream(FAILSAFE_MANUAL).rdbuf();
+    const std::string manual = page.str();
+    const std::string rows[] = {
+        row("rudder, `ARMING_RUDDER` 2", [this] { rudder(); }),
+        row("ground station", [this] { ground(false); }),
+        row("ground station by force", [this] { ground(true); }),
+        row("landing of AUTO", [this] { lands(); }),
+        row("restart in the air", [] { firmware::safety::armAfterRestart(); }),
+    };
+    for (const std::string& each : rows) EXPECT_NE(manual.find(each), manual.npos) << each;
 }
 
 TEST_F(Arming, reports_the_failed_check_twice_a_minute) {
