@@ -25,9 +25,8 @@ struct Writes {
 core::FileState<Writes> writes{};
 
 bool isForUsbAlone(uint16_t index) {
-    uint16_t found;
-    return (parameterOfSlot(slot::serial_force, found) && index == found) ||
-           (parameterOfSlot(slot::sign_policy, found) && index == found);
+    const uint8_t number = parameterSlot(index);
+    return number == slot::serial_force || number == slot::sign_policy;
 }
 
 }  // namespace

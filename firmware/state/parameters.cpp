@@ -347,13 +347,14 @@ bool isReverse(uint8_t number) {  // RCn_REV
 }
 
 // A stick has both of its ways. The throttle's centre is its closed end for many ground stations.
-bool hasBothWays(uint8_t number, int16_t whole) {
+bool hasBothWays(uint8_t number, float value) {
+    if (!isOfChannel(number)) return true;
     const uint8_t part = channelPart(number);
-    if (!isOfChannel(number) || part > slot::max) return true;
+    if (part > slot::max) return true;
     const uint8_t channel = static_cast<uint8_t>(number - slot::rc1_min) / slot::kChannelParts;
     Channel to_be = firmware::state::parameters.channel[channel];
     int16_t* const parts[] = {&to_be.min_us, &to_be.trim_us, &to_be.max_us};
-    *parts[part] = whole;
+    *parts[part] = static_cast<int16_t>(core::rounded(value));
     const bool throttle = channel + 1 == firmware::state::parameters.map_throttle;
     return to_be.min_us < to_be.trim_us + throttle && to_be.trim_us < to_be.max_us;
 }
@@ -365,12 +366,14 @@ bool takes(uint8_t row, float value) {
     // a restart in the air must find the values it had
     if (row == kFormatRow) return !vehicle.armed;
     const uint8_t number = table.slot(row);
-    const int32_t whole = core::rounded(value);
-    if (number >= kFirstMode && number <= kLastMode) return isMode(static_cast<uint8_t>(whole));
-    if (number == kFenceTotal) return parameter_host.acceptsFenceTotal(static_cast<uint8_t>(whole));
+    // rounded where it is needed: a mission may set a dozen in one step
+    const auto whole = [value] { return core::rounded(value); };
+    if (number >= kFirstMode && number <= kLastMode) return isMode(static_cast<uint8_t>(whole()));
+    if (number == kFenceTotal)
+        return parameter_host.acceptsFenceTotal(static_cast<uint8_t>(whole()));
     if (number >= slot::rc5_function && number <= slot::rc8_function)
-        return parameter_host.isOutputFunction(static_cast<int8_t>(whole));
-    return !isReverse(number) || whole != 0;
+        return parameter_host.isOutputFunction(static_cast<int8_t>(whole()));
+    return !isReverse(number) || whole() != 0;
 }
 
 // An output that nothing drives but a mission and its pilot, and no stick: what its pulses are is
@@ -405,8 +408,7 @@ bool isRigging(uint8_t number) {
 core::Status maySet(uint8_t number, float value) {
     if (vehicle.armed && isRigging(number) && !isEndOfFreeChannel(number))
         return core::Status::denied;
-    const bool fits = hasBothWays(number, static_cast<int16_t>(core::rounded(value)));
-    return fits ? core::Status::ok : core::Status::bad_argument;
+    return hasBothWays(number, value) ? core::Status::ok : core::Status::bad_argument;
 }
 
 }  // namespace
@@ -454,6 +456,8 @@ core::Status parameterSetAt(uint16_t index, float value) {
     return core::Status::ok;
 }
 
+uint8_t parameterSlot(uint16_t index) { return table.slot(static_cast<uint8_t>(index)); }
+
 bool parameterOfSlot(uint8_t slot, uint16_t& index) {
     uint8_t row;
     if (!table.findSlot(slot, row)) return false;
@@ -471,8 +475,8 @@ bool parameterGet(uint8_t slot, float& value) {
 // One search, as a mission sets a dozen in a row. Whoever uploads a mission may not grant himself
 // what only USB may.
 static bool findTaker(uint8_t slot, float value, uint8_t& row) {
-    return slot != slot::serial_force && slot != slot::sign_policy && table.findSlot(slot, row) &&
-           !isListLength(row) && takes(row, value);
+    return slot != slot::serial_force && slot != slot::sign_policy && slot != kFenceTotal &&
+           slot != kRallyTotal && table.findSlot(slot, row) && takes(row, value);
 }
 
 bool parameterSlotTakes(uint8_t slot, float value) {

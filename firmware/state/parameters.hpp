@@ -171,6 +171,7 @@ bool parameterLimits(uint16_t index, ParameterLimits& limits);
 MUST_USE core::Status parameterSetAt(uint16_t index, float value);
 
 // The same by the eternal slot number, as stored missions name a parameter.
+uint8_t parameterSlot(uint16_t index);  // below parameterCount()
 bool parameterOfSlot(uint8_t slot, uint16_t& index);
 bool parameterGet(uint8_t slot, float& value);
 // Exists, is not SERIAL_FORCE or SIGN_POLICY, and the value is in its range.
