@@ -411,11 +411,9 @@ void Attitude::useAirspeed(float true_airspeed_mps) {
     // Its own velocity swings round with the nose; changes of speed are not known.
     const float yaw_rate =
         core::dot(real(down_), {rate_.x.toFloat(), rate_.y.toFloat(), rate_.z.toFloat()});
-    const float north_mps = true_airspeed_mps * noseNorth();
-    const float east_mps = true_airspeed_mps * noseEast();
-    const core::Vector3 swung = {-yaw_rate * east_mps, yaw_rate * north_mps, 0};
-    core::Vector3 missing = swung - acceleration_;
-    missing.z = 0;
+    const float swing_mss = yaw_rate * true_airspeed_mps;
+    const core::Vector3 missing = {-(swing_mss * noseEast() + acceleration_.x),
+                                   swing_mss * noseNorth() - acceleration_.y, 0};
     correct(asTilt_mss(missing), acceleration_, 0.2f, false);
 }
 
