@@ -137,10 +137,21 @@ void AvrBoard::wireSerial() {
         };
 }
 
+// Outputs 1 to 4. A mission and the camera write the others when they come to it.
+bool AvrBoard::flies(char timer, int compare) const {
+    constexpr size_t kFlown = 4;
+    const auto* const begin = std::begin(wiring_.servos);
+    return std::any_of(begin, begin + kFlown, [=](const ServoWire& servo) {
+        return servo.timer == timer && servo.compare == compare;
+    });
+}
+
 void AvrBoard::wireOutputs() {
     for (const ServoWire& servo : wiring_.servos) {
         if (servo.timer == '5') continue;  // the clock's, compared for other reasons too
-        chip_.onCompareWrite(servo.timer, [this] { work_.servoWritten(chip_.cycle()); });
+        chip_.onCompareWrite(servo.timer, [this, timer = servo.timer](int compare) {
+            if (flies(timer, compare)) work_.servoWritten(chip_.cycle());
+        });
     }
     servos_.on_pulse = [this](int output, double width_us) {
         world_.servoPulse(output, width_us, time_us());

@@ -63,6 +63,7 @@ private:
     void wireTwoWire(Device& device);
     double volts(int pin);
     void wireSerial();
+    bool flies(char timer, int compare) const;
     void wireOutputs();
     void wireMarks();
     void restart();

@@ -234,7 +234,7 @@ void Chip::onCompareOutput(char timer, int compare, std::function<void(bool, uin
     timers_.at(static_cast<size_t>(timer - '0'))->onPin(compare, std::move(changed));
 }
 
-void Chip::onCompareWrite(char timer, std::function<void()> written) {
+void Chip::onCompareWrite(char timer, std::function<void(int)> written) {
     timers_.at(static_cast<size_t>(timer - '0'))->on_compare = std::move(written);
 }
 

@@ -59,7 +59,7 @@ public:
     void onCompareOutput(char timer, int compare,
                          std::function<void(bool high, uint64_t cycle)> changed);
 
-    void onCompareWrite(char timer, std::function<void()> written);
+    void onCompareWrite(char timer, std::function<void(int compare)> written);
 
     // An edge on ICP4 (PL0) or ICP5 (PL1); the cycle may lie an instruction back.
     void captureEdge(char timer, bool rising, uint64_t cycle);

@@ -137,7 +137,7 @@ void Timer::writeCompare(uint16_t address, uint8_t value) {
     compare.low = value;
     compare.high = temp_;
     compare.waiting = buffered(i);
-    if (on_compare) on_compare();
+    if (on_compare) on_compare(i);
     if (compare.waiting) return;
     setCompare(i);
 }

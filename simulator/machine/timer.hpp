@@ -25,7 +25,7 @@ public:
     // An edge on the capture pin at this cycle, which may lie a few cycles back.
     void captureEdge(bool rising, uint64_t cycle);
 
-    std::function<void()> on_compare;  // the program has written a compare value
+    std::function<void(int compare)> on_compare;  // the program has written a compare value
     // An edge of a compare's pin, low while the port has it, and the cycle of it.
     void onPin(int compare, std::function<void(bool high, uint64_t cycle)> changed);
 

@@ -2,7 +2,8 @@
 // What the firmware traces (hal/trace.hpp) of its frames and tasks, in cycles. A frame is
 // counted from its begin to the next one's: its tasks, the interrupts in it and what is done in
 // the rest of it, all that is not sleep. Tasks are counted without interrupts. The latency of a
-// frame is from the newest inertial sample that it uses to the last compare value it writes.
+// frame is from the newest inertial sample that it uses to the last compare value it writes
+// for outputs 1 to 4.
 #pragma once
 #include <array>
 #include <optional>
