@@ -30,7 +30,7 @@ namespace {
 
 constexpr int kTelemetry = 2, kUsb = 0;
 constexpr uint64_t kStep_us = 10'000;
-constexpr double kSetUp_s = 1;  // until then the sensor is being set up
+constexpr uint64_t kSetUp_us = 1'000'000;  // of the program: until then the sensor is being set up
 constexpr double kTimeLimit_s = 360;
 constexpr double kInOtherMode_s = 3;
 
@@ -146,7 +146,8 @@ private:
 
     void step() {
         if (!watched_.runUntil(++steps_ * kStep_us)) flight_.stop(board_.fault());
-        if (seconds() < kSetUp_s) imu_from_ = board_.world().imu().samples();
+        if (board_.time_us() < board_.begun_us() + kSetUp_us)
+            imu_from_ = board_.world().imu().samples();
         Sample sample;
         for (int i = 1; i <= 8; ++i)
             sample[output(i)] = static_cast<float>(board_.world().servoPulse_us(i));
