@@ -7,7 +7,8 @@ test('beats soon after power-on and once a second, unasked', withVehicle({ boote
   const bootloader_ms = process.env.FLY_BOARD === 'elf' ? 1165 : 0;
   const first = await vehicle.next('HEARTBEAT', { within_ms: bootloader_ms + 1000 });
   assert.ok(first, 'no heartbeat in the first second of the program');
-  assert.ok(first.at_ms <= 300, `the first heartbeat came at ${first.at_ms} ms`);
+  const after_ms = first.at_ms - bootloader_ms;
+  assert.ok(after_ms <= 300, `the first heartbeat came after ${after_ms} ms`);
   assert.equal(first.version, 1);
   assert.equal(first.header.sysid, 1);
   assert.equal(first.header.compid, 1);
