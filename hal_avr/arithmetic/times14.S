@@ -3,19 +3,21 @@
 ; the compiler makes of either is as quick, but stands at each of 50 places.
 ; In: r25 r24 and r23 r22. Out: r25 r24.
 
+    .macro quadruple    ; r25 r24 r19 r18
+    .rept 2
+    lsl  r18
+    rol  r19
+    rol  r24
+    rol  r25
+    .endr
+    .endm
+
     .section .text.libgcc.times14, "ax", @progbits
     .global multiplyTimes12
     .type   multiplyTimes12, @function
 multiplyTimes12:
     rcall 1f
-    lsl  r18
-    rol  r19
-    rol  r24
-    rol  r25
-    lsl  r18
-    rol  r19
-    rol  r24
-    rol  r25
+    quadruple
     rjmp 2f
     .size multiplyTimes12, . - multiplyTimes12
 
@@ -23,14 +25,7 @@ multiplyTimes12:
     .type   multiplyTimes14, @function
 multiplyTimes14:
     rcall 1f
-2:  lsl  r18
-    rol  r19
-    rol  r24
-    rol  r25
-    lsl  r18
-    rol  r19
-    rol  r24
-    rol  r25
+2:  quadruple
     subi r19, 0x80      ; the half
     sbci r24, 0xFF
     sbci r25, 0xFF
