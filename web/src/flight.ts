@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A flight document with its numbers decoded, to which a live source adds samples.
 import { decode } from './document';
-import type { BandEntry, EventEntry, FlightDocument, Kind } from './document';
+import type { BandEntry, EventEntry, FlightDocument, Kind, SeriesEntry } from './document';
 
 export interface Series {
   name: string; title: string; unit: string; group: string; kind?: Kind;
-  times: number[]; values: number[];
+  times: number[]; readonly values: number[];
+}
+
+// Its values are decoded when they are first asked for: most series of a flight are never looked at.
+function seriesOf(entry: SeriesEntry, times: number[]): Series {
+  const { name, title, unit, group, kind } = entry;
+  let values: number[] | undefined;
+  return { name, title, unit, group, kind, times, get values() { return values ??= decode(entry.values); } };
 }
 
 // The index of the last time that is not after `time_s`; -1: all are.
@@ -30,9 +37,7 @@ export class Flight {
 
   constructor(readonly document: FlightDocument) {
     const times = document.times.map(decode);
-    this.series = document.series.map((entry) => ({
-      ...entry, times: times[entry.time] ?? [], values: decode(entry.values),
-    }));
+    this.series = document.series.map((entry) => seriesOf(entry, times[entry.time] ?? []));
     if (document.kind === 'live') for (const each of this.series) each.times = [...each.times];
     this.events = [...(document.events ?? [])].sort((a, b) => a.time_s - b.time_s);
     this.bands = document.bands ?? [];

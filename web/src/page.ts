@@ -4,7 +4,7 @@ import { byId } from './dom';
 import { Flight } from './flight';
 import type { FlightDocument } from './document';
 import { View } from './view';
-import { Attitude } from './view/attitude';
+import type * as AttitudeView from './view/attitude';
 import { Hud } from './view/hud';
 import { FlightMap } from './view/map';
 import { Messages } from './view/messages';
@@ -38,9 +38,14 @@ function tabs(flight: Flight, view: View): Plots {
   return plots;
 }
 
-function attitude(flight: Flight, view: View): void {
+// In a script of its own, see web/build.mjs.
+declare function unpack(id: string): Promise<void>;
+declare const attitudeView: typeof AttitudeView | undefined;
+
+async function attitude(flight: Flight, view: View): Promise<void> {
   try {
-    new Attitude(flight, view);
+    if (typeof attitudeView === 'undefined') await unpack('attitude-code');
+    new attitudeView!.Attitude(flight, view);
   } catch {
     byId('attitude').hidden = true;
     byId('attitude-box').style.gridTemplate = '1fr / 1fr';
@@ -51,7 +56,7 @@ function attitude(flight: Flight, view: View): void {
 function attitudeLater(flight: Flight, view: View): void {
   const soon = (): void => {
     performance.mark('shown');
-    setTimeout(() => attitude(flight, view), kAttitudeAfter_ms);
+    setTimeout(() => void attitude(flight, view), kAttitudeAfter_ms);
   };
   requestAnimationFrame(() => setTimeout(soon));
 }
