@@ -2,6 +2,7 @@
 #include "simulator/report/recorded_series.hpp"
 
 #include <cmath>
+#include <string>
 
 namespace simulator {
 namespace {
@@ -26,8 +27,9 @@ double energyHeight_m(const Truth& truth) {
 }
 
 // clang-format off
-std::vector<RecordedSeries> table() {
-    using S = const Sample&;
+using S = const Sample&;
+
+std::vector<RecordedSeries> path() {
     return {
         {"lat_deg", "latitude", "°", "", "truth", kFast, [](S s) { return s.truth.latitude_deg; }},
         {"lon_deg", "longitude", "°", "", "truth", kFast, [](S s) { return s.truth.longitude_deg; }},
@@ -43,6 +45,16 @@ std::vector<RecordedSeries> table() {
         {"airspeed_mps", "airspeed", "m/s", "speed", "demand", kFast, [](S s) { return s.reported.airspeed_demand_mps; }},
         {"ground_speed_mps", "ground speed", "m/s", "speed", "truth", kFast, [](S s) { return std::hypot(s.truth.velocity_north_mps, s.truth.velocity_east_mps); }},
         {"ground_speed_mps", "ground speed", "m/s", "speed", "estimate", kFast, [](S s) { return s.reported.ground_speed_mps; }},
+        {"climb_mps", "climb", "m/s", "climb", "truth", kFast, [](S s) { return -s.truth.velocity_down_mps; }},
+        {"climb_mps", "climb", "m/s", "climb", "estimate", kFast, [](S s) { return s.reported.climb_mps; }},
+        {"crosstrack_m", "crosstrack", "m", "track", "truth", kFast, [](S s) { return s.planned.crosstrack_m; }},
+        {"crosstrack_m", "crosstrack", "m", "track", "estimate", kSlow, [](S s) { return s.reported.crosstrack_m; }},
+        {"distance_m", "distance to the item", "m", "track", "", kSlow, [](S s) { return s.distance_m; }},
+    };
+}
+
+std::vector<RecordedSeries> attitude() {
+    return {
         {"roll_deg", "roll", "°", "roll", "truth", kFast, [](S s) { return s.truth.roll_rad * kDegrees; }},
         {"roll_deg", "roll", "°", "roll", "estimate", kFast, [](S s) { return s.roll_deg; }},
         {"roll_deg", "roll", "°", "roll", "demand", kFast, [](S s) { return s.roll_demand_deg; }},
@@ -53,23 +65,26 @@ std::vector<RecordedSeries> table() {
         {"yaw_deg", "yaw", "°", "heading", "truth", kFast, [](S s) { return positive(s.truth.yaw_rad * kDegrees); }},
         {"yaw_deg", "yaw", "°", "heading", "estimate", kFast, [](S s) { return positive(s.yaw_deg); }},
         {"bearing_deg", "bearing", "°", "heading", "demand", kSlow, [](S s) { return positive(s.reported.bearing_demand_deg); }},
-        {"climb_mps", "climb", "m/s", "climb", "truth", kFast, [](S s) { return -s.truth.velocity_down_mps; }},
-        {"climb_mps", "climb", "m/s", "climb", "estimate", kFast, [](S s) { return s.reported.climb_mps; }},
-        {"crosstrack_m", "crosstrack", "m", "track", "truth", kFast, [](S s) { return s.planned.crosstrack_m; }},
-        {"crosstrack_m", "crosstrack", "m", "track", "estimate", kSlow, [](S s) { return s.reported.crosstrack_m; }},
-        {"distance_m", "distance to the item", "m", "track", "", kSlow, [](S s) { return s.distance_m; }},
+        {"roll_rate_dps", "roll", "°/s", "rates", "truth", kFast, [](S s) { return s.truth.roll_rate_rads * kDegrees; }},
+        {"pitch_rate_dps", "pitch", "°/s", "rates", "truth", kFast, [](S s) { return s.truth.pitch_rate_rads * kDegrees; }},
+        {"yaw_rate_dps", "yaw", "°/s", "rates", "truth", kFast, [](S s) { return s.truth.yaw_rate_rads * kDegrees; }},
+        {"acceleration_x_mss", "acceleration x", "m/s²", "vibration", "measured", kFast, [](S s) { return s.reported.acceleration_mss[0]; }},
+        {"acceleration_y_mss", "acceleration y", "m/s²", "vibration", "measured", kFast, [](S s) { return s.reported.acceleration_mss[1]; }},
+        {"acceleration_z_mss", "acceleration z", "m/s²", "vibration", "measured", kFast, [](S s) { return s.reported.acceleration_mss[2]; }},
+    };
+}
+
+std::vector<RecordedSeries> controls() {
+    return {
         {"throttle_percent", "throttle", "%", "controls", "", kFast, [](S s) { return s.truth.throttle * 100; }},
         {"aileron_percent", "aileron", "%", "controls", "", kFast, [](S s) { return s.truth.aileron * 100; }},
         {"elevator_percent", "elevator", "%", "controls", "", kFast, [](S s) { return s.truth.elevator * 100; }},
         {"rudder_percent", "rudder", "%", "controls", "", kFast, [](S s) { return s.truth.rudder * 100; }},
-        {"servo1_us", "output 1", "µs", "servos", "", kFast, [](S s) { return whileKnown(s.servo_us[0] > 0, s.servo_us[0]); }},
-        {"servo2_us", "output 2", "µs", "servos", "", kFast, [](S s) { return whileKnown(s.servo_us[1] > 0, s.servo_us[1]); }},
-        {"servo3_us", "output 3", "µs", "servos", "", kFast, [](S s) { return whileKnown(s.servo_us[2] > 0, s.servo_us[2]); }},
-        {"servo4_us", "output 4", "µs", "servos", "", kFast, [](S s) { return whileKnown(s.servo_us[3] > 0, s.servo_us[3]); }},
-        {"servo5_us", "output 5", "µs", "servos", "", kSlow, [](S s) { return whileKnown(s.servo_us[4] > 0, s.servo_us[4]); }},
-        {"servo6_us", "output 6", "µs", "servos", "", kSlow, [](S s) { return whileKnown(s.servo_us[5] > 0, s.servo_us[5]); }},
-        {"servo7_us", "output 7", "µs", "servos", "", kSlow, [](S s) { return whileKnown(s.servo_us[6] > 0, s.servo_us[6]); }},
-        {"servo8_us", "output 8", "µs", "servos", "", kSlow, [](S s) { return whileKnown(s.servo_us[7] > 0, s.servo_us[7]); }},
+    };
+}
+
+std::vector<RecordedSeries> energy() {
+    return {
         {"energy_height_m", "energy as height", "m", "energy", "truth", kFast, [](S s) { return energyHeight_m(s.truth); }},
         {"battery_used_mah", "used", "mAh", "energy", "truth", kSlow, [](S s) { return s.truth.battery_used_mah; }},
         {"battery_v", "voltage", "V", "battery", "truth", kSlow, [](S s) { return s.truth.battery_v; }},
@@ -77,6 +92,11 @@ std::vector<RecordedSeries> table() {
         {"battery_a", "current", "A", "battery", "truth", kSlow, [](S s) { return s.truth.motor_current_a; }},
         {"battery_a", "current", "A", "battery", "estimate", kSlow, [](S s) { return s.reported.battery_a; }},
         {"board_v", "board supply", "V", "battery", "measured", kSlow, [](S s) { return s.reported.board_v; }},
+    };
+}
+
+std::vector<RecordedSeries> windAndGps() {
+    return {
         {"wind_mps", "wind", "m/s", "wind", "truth", kSlow, [](S s) { return std::hypot(s.truth.wind_north_mps, s.truth.wind_east_mps); }},
         {"wind_mps", "wind", "m/s", "wind", "estimate", kSlow, [](S s) { return s.reported.wind_mps; }},
         {"wind_from_deg", "wind from", "°", "wind", "truth", kSlow, [](S s) { return whileKnown(std::hypot(s.truth.wind_north_mps, s.truth.wind_east_mps) > 0.1, windFrom_deg(s.truth)); }},
@@ -85,27 +105,48 @@ std::vector<RecordedSeries> table() {
         {"gps_fix", "fix", "", "gps", "", kSlow, [](S s) { return s.reported.fix; }},
         {"hdop", "HDOP", "", "gps", "", kSlow, [](S s) { return s.reported.hdop; }},
         {"gps_speed_mps", "GPS speed", "m/s", "gps", "measured", kSlow, [](S s) { return s.reported.gps_speed_mps; }},
-        {"roll_rate_dps", "roll", "°/s", "rates", "truth", kFast, [](S s) { return s.truth.roll_rate_rads * kDegrees; }},
-        {"pitch_rate_dps", "pitch", "°/s", "rates", "truth", kFast, [](S s) { return s.truth.pitch_rate_rads * kDegrees; }},
-        {"yaw_rate_dps", "yaw", "°/s", "rates", "truth", kFast, [](S s) { return s.truth.yaw_rate_rads * kDegrees; }},
-        {"acceleration_x_mss", "acceleration x", "m/s²", "vibration", "measured", kFast, [](S s) { return s.reported.acceleration_mss[0]; }},
-        {"acceleration_y_mss", "acceleration y", "m/s²", "vibration", "measured", kFast, [](S s) { return s.reported.acceleration_mss[1]; }},
-        {"acceleration_z_mss", "acceleration z", "m/s²", "vibration", "measured", kFast, [](S s) { return s.reported.acceleration_mss[2]; }},
-        {"rc1_us", "input 1", "µs", "rc", "", kSlow, [](S s) { return s.reported.rc_us[0]; }},
-        {"rc2_us", "input 2", "µs", "rc", "", kSlow, [](S s) { return s.reported.rc_us[1]; }},
-        {"rc3_us", "input 3", "µs", "rc", "", kSlow, [](S s) { return s.reported.rc_us[2]; }},
-        {"rc4_us", "input 4", "µs", "rc", "", kSlow, [](S s) { return s.reported.rc_us[3]; }},
-        {"rc5_us", "input 5", "µs", "rc", "", kSlow, [](S s) { return s.reported.rc_us[4]; }},
-        {"rc6_us", "input 6", "µs", "rc", "", kSlow, [](S s) { return s.reported.rc_us[5]; }},
-        {"rc7_us", "input 7", "µs", "rc", "", kSlow, [](S s) { return s.reported.rc_us[6]; }},
-        {"rc8_us", "input 8", "µs", "rc", "", kSlow, [](S s) { return s.reported.rc_us[7]; }},
+    };
+}
+
+std::vector<RecordedSeries> processor() {
+    return {
         {"cpu_percent", "load reported", "%", "cpu", "", kSlow, [](S s) { return s.reported.load_percent; }},
         {"frame_mean_percent", "mean of the frames", "%", "cpu", "", kFast, [](S s) { return share(s.frame_mean_us); }},
         {"frame_mean_us", "mean frame", "µs", "frames", "", kFast, [](S s) { return s.frame_mean_us; }},
         {"longest_frame_us", "longest frame", "µs", "frames", "", kFast, [](S s) { return s.frame_us; }},
     };
 }
+
 // clang-format on
+
+// Outputs 1 to 4 move quickly.
+std::vector<RecordedSeries> servos() {
+    std::vector<RecordedSeries> rows;
+    for (size_t i = 0; i < Sample{}.servo_us.size(); ++i) {
+        const std::string number = std::to_string(i + 1);
+        rows.push_back({"servo" + number + "_us", "output " + number, "µs", "servos", "", i >= 4,
+                        [i](S s) { return whileKnown(s.servo_us[i] > 0, s.servo_us[i]); }});
+    }
+    return rows;
+}
+
+std::vector<RecordedSeries> sticks() {
+    std::vector<RecordedSeries> rows;
+    for (size_t i = 0; i < Sample{}.reported.rc_us.size(); ++i) {
+        const std::string number = std::to_string(i + 1);
+        rows.push_back({"rc" + number + "_us", "input " + number, "µs", "rc", "", kSlow,
+                        [i](S s) { return s.reported.rc_us[i]; }});
+    }
+    return rows;
+}
+
+std::vector<RecordedSeries> table() {
+    std::vector<RecordedSeries> all;
+    for (const auto& rows :
+         {path(), attitude(), controls(), servos(), energy(), windAndGps(), sticks(), processor()})
+        all.insert(all.end(), rows.begin(), rows.end());
+    return all;
+}
 
 // Every so many samples: longer flights in larger steps, so that a report stays small.
 constexpr size_t kMaxSamples = 6000, kSlowEvery = 5;

@@ -12,8 +12,9 @@
 namespace simulator {
 
 struct RecordedSeries {
-    const char *name, *title, *unit, *group, *kind;  // kind: truth, estimate, demand, measured, ""
-    bool slow;  // changes so slowly that every fifth sample says it all
+    std::string name, title;
+    const char *unit, *group, *kind;  // kind: truth, estimate, demand, measured, ""
+    bool slow;                        // changes so slowly that every fifth sample says it all
     std::function<std::optional<double>(const Sample&)> value;
 };
 
