@@ -533,24 +533,24 @@ void shiftHeight(float by_m) {
 }
 
 // A place without a fix since then counts as one that is as old as the record.
-void resumeEstimate(const SlowRecord& steady, const FastRecord& moving, const Vector3& turned_rad,
+void resumeEstimate(const SlowRecord& slow, const FastRecord& fast, const Vector3& turned_rad,
                     float lost_s) {
-    attitude.resume(moving.pose, steady.learnt, turned_rad);
+    attitude.resume(fast.pose, slow.learnt, turned_rad);
     motion.waits_for_imu = true;
-    heights.home_m = steady.home_height_m;
-    barometer_drift.resumeScale(steady.height_scale);
-    height.resume(heights.home_m + moving.height_m / barometer_drift.scale(), moving.climb_mps);
+    heights.home_m = slow.home_height_m;
+    barometer_drift.resumeScale(slow.height_scale);
+    height.resume(heights.home_m + fast.height_m / barometer_drift.scale(), fast.climb_mps);
     heights.started = motion.started = true;
     pressure.used_ms = static_cast<uint16_t>(hal::now_ms());
     true_speed.ratio =
-        estimation::trueSpeedRatio(steady.ground_pressure_pa, steady.ground_temperature_c);
-    if (moving.wind_known) wind.resume(metres(steady.wind_cms[0]), metres(steady.wind_cms[1]));
+        estimation::trueSpeedRatio(slow.ground_pressure_pa, slow.ground_temperature_c);
+    if (fast.wind_known) wind.resume(metres(slow.wind_cms[0]), metres(slow.wind_cms[1]));
     published.wind_mps = wind.wind_mps();
     published.flying = true;
-    if (!moving.place_known) return;
+    if (!fast.place_known) return;
     estimation::PositionSettings settings;
     settings.gps_age_s = lost_s;
-    position.useGps(moving.position, {moving.north_mps, moving.east_mps, 0}, {0, 0, 0}, settings);
+    position.useGps(fast.position, {fast.north_mps, fast.east_mps, 0}, {0, 0, 0}, settings);
 }
 
 void saveEstimate(SlowRecord& to) {

@@ -36,7 +36,7 @@ core::Vector3 gyroDrift_rads();  // learnt in flight, on top of the calibration
 // airplane has turned on.
 void saveEstimate(state::SlowRecord& to);
 void saveEstimate(state::FastRecord& to);
-void resumeEstimate(const state::SlowRecord& steady, const state::FastRecord& moving,
+void resumeEstimate(const state::SlowRecord& slow, const state::FastRecord& fast,
                     const core::Vector3& turned_rad, float lost_s);
 
 // From which an airplane is taken for flying: 75 % of ARSPD_FBW_MIN, but 10 m/s at most, so that no

@@ -72,15 +72,13 @@ void fill(FastRecord& to, bool in_the_air) {
     to.mode = static_cast<uint8_t>(vehicle.mode);
     to.in_the_air = in_the_air;
     to.home_set = vehicle.home.set;
-    to.number = number;
 }
 
 void saveFastRecord() {
     const FlightSigns signs = {vehicle.armed, vehicle.estimate.flying,
                                vehicle.estimate.ground_speed_mps, vehicle.estimate.height_m};
-    FastRecord& to = moving[++number & 1];
-    fill(to, inTheAir(signs));
-    updateChecksum(to);
+    fill(nextFastRecord(), inTheAir(signs));
+    finishFastRecord();
     restart.records_written = true;
 }
 
@@ -88,31 +86,31 @@ void saveFastRecord() {
 void saveOldPose() {
     constexpr uint16_t kOld_ms = 1000;
     const uint16_t at_ms = static_cast<uint16_t>(hal::now_ms()) - kOld_ms;
-    const FastRecord& from = moving[number & 1];
+    const FastRecord& from = newestFastRecord();
     if (!restart.records_written || static_cast<int16_t>(at_ms - from.at_ms) <= 0) return;
-    FastRecord& to = moving[(number + 1) & 1];
+    FastRecord& to = nextFastRecord();
     to = from;
     to.at_ms = at_ms;
-    to.number = ++number;
-    updateChecksum(to);
+    finishFastRecord();
 }
 
 // Disarmed there is no flight to go on with, whatever the last record says.
 void forgetFlight() {
     if (!restart.records_written) return;
     restart.records_written = false;
-    for (FastRecord& each : moving) invalidate(each);
+    for (FastRecord& each : records.fast) invalidate(each);
 }
 
 void saveSlowRecord() {
-    steady.home = vehicle.home.position;
-    steady.home_altitude_cm = vehicle.home.altitude_cm;
-    steady.ground_pressure_pa = vehicle.baro.ground_pressure_pa;
-    steady.ground_temperature_c = vehicle.baro.ground_temperature_c;
-    steady.airspeed_offset_v = airspeedOffset_v();
-    saveGyroZero(steady.gyro_zero_rad);
-    saveEstimate(steady);
-    updateChecksum(steady);
+    SlowRecord& slow = records.slow;
+    slow.home = vehicle.home.position;
+    slow.home_altitude_cm = vehicle.home.altitude_cm;
+    slow.ground_pressure_pa = vehicle.baro.ground_pressure_pa;
+    slow.ground_temperature_c = vehicle.baro.ground_temperature_c;
+    slow.airspeed_offset_v = airspeedOffset_v();
+    saveGyroZero(slow.gyro_zero_rad);
+    saveEstimate(slow);
+    updateChecksum(slow);
 }
 
 // Where the pilot's switch stands; without a receiver what was flown before.
@@ -124,7 +122,7 @@ bool modeToFlyOnIn(Mode& mode) {
         mode = static_cast<Mode>(parameters.switch_mode[position - 1]);
         return true;
     }
-    mode = static_cast<Mode>(last->mode);
+    mode = static_cast<Mode>(flightToResume()->mode);
     return hal::now_ms() >= kSwitchComesWithin_ms;
 }
 
@@ -143,7 +141,7 @@ void decideMode() {
 }
 
 void armOnEvidence() {
-    if (measuredInTheAir(steady.home_height_m)) {
+    if (measuredInTheAir(records.slow.home_height_m)) {
         restart.arms = false;
         armAfterRestart();
     } else if (evidenceIsOver()) {
@@ -155,7 +153,7 @@ void armOnEvidence() {
 // Half a second after the start: in the air the log is open by then.
 void reportCause() {
     const hal::LastRun& run = hal::lastRun();
-    const Severity severity = last != nullptr    ? Severity::critical
+    const Severity severity = flyingOn()         ? Severity::critical
                               : memorySurvived() ? Severity::warning
                                                  : Severity::info;
     constexpr uint8_t kBetweenTasks = 0;
@@ -174,9 +172,9 @@ void reportInternalErrors() {
 
 bool homeIsSaved() {
     const auto& home = vehicle.home;
-    return restart.home_saved && steady.home.latitude_e7 == home.position.latitude_e7 &&
-           steady.home.longitude_e7 == home.position.longitude_e7 &&
-           steady.home_altitude_cm == home.altitude_cm;
+    return restart.home_saved && records.slow.home.latitude_e7 == home.position.latitude_e7 &&
+           records.slow.home.longitude_e7 == home.position.longitude_e7 &&
+           records.slow.home_altitude_cm == home.altitude_cm;
 }
 
 // A flight that goes on after a restart is not over because it is not armed again yet.
@@ -201,34 +199,37 @@ void takeSavedHome() {
 float lostSoFar_s() {
     const hal::LastRun& run = hal::lastRun();
     const bool noted = lostTimeKnown();
-    const uint16_t ended_ms = noted ? run.ended_ms : last->at_ms;
+    const uint16_t saved_ms = flightToResume()->at_ms;
+    const uint16_t ended_ms = noted ? run.ended_ms : saved_ms;
     const uint16_t restart_ms =
         noted ? run.restart_ms : static_cast<uint16_t>(parameters.loader_ms);
-    return lost_s(last->at_ms, ended_ms, static_cast<uint16_t>(hal::now_ms()) + restart_ms);
+    return lost_s(saved_ms, ended_ms, static_cast<uint16_t>(hal::now_ms()) + restart_ms);
 }
 
 // As an interrupt has watched it while the program hung; the rest as quick as before.
 core::Vector3 turnedSince_rad(float since_s) {
-    const auto& rate = last->rate_rads;
+    const auto& rate = flightToResume()->rate_rads;
+    const HangDeltaAngle& turn = records.hang.turn;
     const core::Vector3 rate_rads = {rate.x.toFloat(), rate.y.toFloat(), rate.z.toFloat()};
-    if (!isValid(blind, *last) || blind.turn.periods < kFewPeriods) return rate_rads * since_s;
-    const float seen_s = blind.turn.periods * estimation::kSamplePeriod_s;
-    return hangTurn_rad(blind.turn) * (since_s / seen_s);
+    if (!isValid(records.hang, *flightToResume()) || turn.periods < kFewPeriods)
+        return rate_rads * since_s;
+    const float seen_s = turn.periods * estimation::kSamplePeriod_s;
+    return hangTurn_rad(turn) * (since_s / seen_s);
 }
 
 }  // namespace
 
 void restartResume() {
     restart = {};
-    number = last != nullptr ? last->number : 0;
-    published.resuming = restart.records_written = last != nullptr;
-    if (last == nullptr) return takeSavedHome();
-    resumeInertial(steady.gyro_zero_rad);
+    published.resuming = restart.records_written = flyingOn();
+    if (!flyingOn()) return takeSavedHome();
+    const FastRecord& last = *flightToResume();
+    resumeInertial(records.slow.gyro_zero_rad);
     const float lost_for_s = lostSoFar_s();
-    resumeEstimate(steady, *last, turnedSince_rad(lost_for_s), lost_for_s);
-    resumeBarometer(steady.ground_pressure_pa, steady.ground_temperature_c);
-    resumeAirspeed(steady.airspeed_offset_v);
-    if (last->home_set) resumeHome(steady.home, steady.home_altitude_cm);
+    resumeEstimate(records.slow, last, turnedSince_rad(lost_for_s), lost_for_s);
+    resumeBarometer(records.slow.ground_pressure_pa, records.slow.ground_temperature_c);
+    resumeAirspeed(records.slow.airspeed_offset_v);
+    if (last.home_set) resumeHome(records.slow.home, records.slow.home_altitude_cm);
     restart.home_saved = true;
 }
 

@@ -64,8 +64,8 @@ void passSticksToServos() {
     using namespace firmware::sensors;
     using namespace firmware::state;
     if (turn.output == kRudder) {
-        saveHangTurn(blind.turn);
-        updateChecksum(blind, moving[number & 1]);
+        saveHangTurn(records.hang.turn);
+        updateChecksum(records.hang, newestFastRecord());
     }
     turn.output = (turn.output + 1) & 3;
     const bool silent = vehicle.radio.lost || pulse_us(parameters.map_pitch) == 0 || wrongBoard();

@@ -36,17 +36,17 @@ template <class Record>
 uint32_t sums(const Record& record) {
     return sums(kLayout, &record, offsetof(Record, checksum));
 }
-uint32_t sums(const HangGyroRecord& blind, const FastRecord& after) {
-    return sums(after.checksum, &blind.turn, sizeof blind.turn);
+uint32_t sums(const HangGyroRecord& hang, const FastRecord& after) {
+    return sums(after.checksum, &hang.turn, sizeof hang.turn);
 }
 
 }  // namespace
 
-void updateChecksum(HangGyroRecord& blind, const FastRecord& after) {
-    blind.checksum = sums(blind, after);
+void updateChecksum(HangGyroRecord& hang, const FastRecord& after) {
+    hang.checksum = sums(hang, after);
 }
-bool isValid(const HangGyroRecord& blind, const FastRecord& after) {
-    return blind.checksum == sums(blind, after);
+bool isValid(const HangGyroRecord& hang, const FastRecord& after) {
+    return hang.checksum == sums(hang, after);
 }
 
 void updateChecksum(SlowRecord& record) { record.checksum = sums(record); }

@@ -46,13 +46,13 @@ struct HangDeltaAngle {
     uint8_t periods;
 };
 
-// What came after a moving record; under one checksum with it.
+// What came after a fast record; under one checksum with it.
 struct HangGyroRecord {
     HangDeltaAngle turn;
     uint32_t checksum;
 };
-void updateChecksum(HangGyroRecord& blind, const FastRecord& after);
-bool isValid(const HangGyroRecord& blind, const FastRecord& after);
+void updateChecksum(HangGyroRecord& hang, const FastRecord& after);
+bool isValid(const HangGyroRecord& hang, const FastRecord& after);
 
 void updateChecksum(SlowRecord& record);
 void updateChecksum(FastRecord& record);

@@ -49,7 +49,7 @@ const remarks = {
   runGuidance: 'the demanded path to a bank, and the height and speed that belong to it',
   runSpeedHeight: 'height and speed to pitch and throttle (total energy)',
   runLog: 'begins and ends logs, writes the records that are due',
-  runRestart: 'keeps the moving record for a restart in the air; carries one on',
+  runRestart: 'keeps the fast record for a restart in the air; carries one on',
   runCompass: 'steps the compass, takes the offsets off',
   runAirspeed: 'pressure of the pitot sensor to airspeed',
   missionCatchUp: 'the next part of a long pass of the mission engine',
@@ -72,7 +72,7 @@ const remarks = {
   dataflashStep: 'steps the DataFlash',
   measureLoad: 'load of the processor in the last second',
   runDeclination: 'magnetic declination of the place',
-  runRestartSlowly: 'keeps the steady record for a restart in the air',
+  runRestartSlowly: 'keeps the slow record for a restart in the air',
 };
 
 function* headers() {

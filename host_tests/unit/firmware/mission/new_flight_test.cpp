@@ -2,6 +2,7 @@
 // Where AUTO begins in another flight: a disarm on the ground ends the progress of a mission.
 #include "mission_flight.hpp"
 
+#include "firmware/safety/restart.hpp"
 #include "firmware/safety/restart_records.hpp"
 
 namespace firmware {
@@ -113,8 +114,19 @@ TEST_F(NewFlight, in_auto_begins_at_the_first_nav_too) {
 
 // A run that goes on with a flight, as long as this lives.
 struct ResumesFlight {
-    ResumesFlight() { safety::last = &safety::moving[0]; }
-    ~ResumesFlight() { safety::last = nullptr; }
+    ResumesFlight() {
+        safety::nextFastRecord().in_the_air = true;
+        safety::finishFastRecord();
+        updateChecksum(safety::records.slow);
+        begin(hal::ResetCause::watchdog);
+    }
+    ~ResumesFlight() { begin(hal::ResetCause::asked); }
+
+private:
+    static void begin(hal::ResetCause cause) {
+        fakes::watchdog().last_run.ended = cause;
+        safety::restartBegin();
+    }
 };
 
 TEST_F(NewFlight, is_none_when_it_is_armed_again_after_a_restart_in_the_air) {

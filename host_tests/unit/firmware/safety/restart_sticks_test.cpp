@@ -81,14 +81,14 @@ TEST_F(SticksWhileItHangs, are_mixed_from_the_trims_of_their_own_channels) {
 
 TEST_F(SticksWhileItHangs, leave_the_gyros_turn_for_the_restart_after_each_round) {
     using namespace firmware::safety;
-    for (const uint8_t records : {6, 7}) {
-        number = records;
-        moving[0].checksum = 0x1111;
-        moving[1].checksum = 0x2222;
-        blind.checksum = 0;
+    for (int record = 0; record < 2; ++record) {
+        finishFastRecord();
+        records.fast[0].checksum = 0x1111;
+        records.fast[1].checksum = 0x2222;
+        records.hang.checksum = 0;
         forgotten(sticks_);
-        EXPECT_TRUE(isValid(blind, moving[records & 1])) << "beside the newest record";
-        EXPECT_FALSE(isValid(blind, moving[~records & 1]));
+        EXPECT_TRUE(isValid(records.hang, newestFastRecord()));
+        EXPECT_FALSE(isValid(records.hang, nextFastRecord()));
     }
 }
 

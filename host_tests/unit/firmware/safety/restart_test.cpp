@@ -130,8 +130,8 @@ TEST_F(Restart, is_armed_after_a_loss_of_power_only_when_a_sensor_sees_it_in_the
          {ResetCause::brown_out, ResetCause::power_on, ResetCause::unknown}) {
         for (const Row& row : rows) {
             SetUp();
-            steady.home_height_m = 5;
-            updateChecksum(steady);
+            records.slow.home_height_m = 5;
+            updateChecksum(records.slow);
             begin(cause);
             lookAtSwitch(1165);
             EXPECT_EQ(vehicle.mode, Mode::stabilize) << "the surfaces do not wait";
@@ -257,15 +257,15 @@ TEST_F(Restart, decides_nothing_before_the_attitude_is_known_or_450_ms_are_over)
 TEST_F(Restart, goes_on_saving_records_once_it_is_armed_on_evidence) {
     begin(ResetCause::unknown);
     lookAtSwitch(1165);
-    const uint8_t before = number;
+    const uint8_t before = newestFastRecord().number;
     runRestart();
-    EXPECT_EQ(number, before) << "not armed yet: the last record stays";
+    EXPECT_EQ(newestFastRecord().number, before) << "not armed yet: the last record stays";
     barometerReads(60);
     runRestart();
     ASSERT_TRUE(vehicle.armed);
-    const uint8_t armed = number;
+    const uint8_t armed = newestFastRecord().number;
     keep();
-    EXPECT_NE(number, armed);
+    EXPECT_NE(newestFastRecord().number, armed);
 }
 
 TEST_F(Restart, flies_on_when_the_power_goes_again_before_there_was_evidence) {
@@ -309,16 +309,16 @@ TEST_F(Restart, saves_home_again_whichever_part_of_it_has_changed_and_else_never
 }
 
 TEST_F(Restart, writes_the_moving_record_in_every_second_run) {
-    const uint8_t before = number;
+    const uint8_t before = newestFastRecord().number;
     for (int i = 0; i < 10; ++i) runRestart();
-    EXPECT_EQ(static_cast<uint8_t>(number - before), 5);
+    EXPECT_EQ(static_cast<uint8_t>(newestFastRecord().number - before), 5);
 }
 
 TEST_F(Restart, keeps_the_record_before_while_the_attitude_is_not_known) {
     mutable_vehicle.attitude.aligned = false;
     mutable_vehicle.home.altitude_cm = 1;
     runRestartSlowly();
-    EXPECT_EQ(steady.home_altitude_cm, 48800);
+    EXPECT_EQ(records.slow.home_altitude_cm, 48800);
 }
 
 std::vector<std::string> statusTexts() {
@@ -375,7 +375,7 @@ TEST_F(Restart, reports_an_internal_error_once) {
 
 // The last record: level, and turning so quickly about the nose.
 void lastRecordTurns(float roll_rads) {
-    FastRecord& record = moving[number & 1];
+    FastRecord& record = records.fast[newestFastRecord().number & 1];
     record.pose = {{core::Ratio(1), core::Ratio(0), core::Ratio(0)},
                    {core::Ratio(0), core::Ratio(0), core::Ratio(1)}};
     record.rate_rads = core::BodyRates::from(roll_rads, 0, 0);
@@ -427,9 +427,9 @@ TEST_F(Restart, turns_it_as_the_gyros_were_watched_while_the_program_hung) {
         SetUp();
         keep();
         lastRecordTurns(0);
-        blind.turn = {{500, 500, 500}, row.periods};
-        updateChecksum(blind, moving[number & 1]);
-        if (!row.valid) ++blind.checksum;
+        records.hang.turn = {{500, 500, 500}, row.periods};
+        updateChecksum(records.hang, newestFastRecord());
+        if (!row.valid) ++records.hang.checksum;
         begin(ResetCause::watchdog);
         EXPECT_EQ(fabsf(rollNow_rad()) > 0.001f, row.used) << int(row.periods) << row.valid;
     }
@@ -480,19 +480,19 @@ TEST_F(Restart, starts_disarmed_after_disarming_although_the_inertial_sensor_has
 }
 
 TEST_F(Restart, rejects_a_record_with_any_bit_changed) {
-    steady.home_altitude_cm ^= 1;
+    records.slow.home_altitude_cm ^= 1;
     begin(ResetCause::watchdog);
     EXPECT_FALSE(flyingOn());
 
     SetUp();
-    for (FastRecord& each : moving) each.position.latitude_e7 ^= 64;
+    for (FastRecord& each : records.fast) each.position.latitude_e7 ^= 64;
     begin(ResetCause::watchdog);
     EXPECT_FALSE(flyingOn());
 }
 
 TEST_F(Restart, falls_back_on_the_record_before) {
     runRestart();
-    moving[number & 1].at_ms ^= 1;
+    records.fast[newestFastRecord().number & 1].at_ms ^= 1;
     begin(ResetCause::watchdog);
     EXPECT_TRUE(flyingOn());
 }
@@ -511,7 +511,7 @@ TEST_F(Restart, holds_its_surfaces_at_trim_until_the_mode_is_known) {
 }
 
 TEST_F(Restart, finds_home_in_the_eeprom_when_power_and_memory_were_lost_in_flight) {
-    invalidate(steady);
+    invalidate(records.slow);
     begin(ResetCause::power_on);
 
     EXPECT_FALSE(flyingOn());
@@ -526,7 +526,7 @@ TEST_F(Restart, forgets_no_saved_home_while_it_waits_to_be_armed_again) {
     lookAtSwitch(1165);
     ASSERT_FALSE(vehicle.armed) << "it has not been seen in the air";
     for (int i = 0; i < 5; ++i) runRestartSlowly();
-    invalidate(steady);
+    invalidate(records.slow);
     begin(ResetCause::power_on);
     EXPECT_TRUE(vehicle.home.set) << "the power was lost once more";
 }
