@@ -12,7 +12,7 @@ public:
         : airplane_(loadAirplane(options.airplane), options, gust_mps) {}
 
     void step(const ServoPulses& pulses) override {
-        airplane_.step(controlsOf(pulses, airplane_.parameters().elevons));
+        airplane_.step(controlsOf(pulses, airplane_.parameters()));
     }
     const Truth& truth() const override { return airplane_.truth(); }
     Vec3 toBody(const Vec3& earth) const override { return airplane_.toBody(earth); }
@@ -22,8 +22,9 @@ public:
         return true;
     }
 
-    // Outputs 1..4 are aileron, elevator, throttle, rudder; 1 and 2 the right and left elevon.
-    static Controls controlsOf(const ServoPulses& pulses, bool elevons);
+    // Outputs 1..4 are aileron, elevator, throttle, rudder, where the airplane has none that are
+    // mixed of two (AirplaneParameters).
+    static Controls controlsOf(const ServoPulses& pulses, const AirplaneParameters& airplane);
 
 private:
     Airplane airplane_;

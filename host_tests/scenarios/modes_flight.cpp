@@ -17,6 +17,8 @@ namespace {
 constexpr uint64_t kStep_us = 20'000;
 constexpr double kFrom_s = 20;  // in the air and past the take-off
 constexpr double kBankLimit_deg = 45;
+constexpr int kInvertedChannel = 7;
+constexpr uint16_t kUp_us = 1815, kMiddle_us = 1500, kDown_us = 1165;
 
 struct Moment {
     double t_s, roll_deg, north_m, east_m, height_m, airspeed_mps;
@@ -160,12 +162,24 @@ bool cameNearer(const Flown& flown) {
     return now_m < max_m - 30 || now_m < 100;
 }
 
+// Half a roll each way takes the time before and after.
+constexpr double kInvertedFrom_s = 1, kInvertedUntil_s = 5;  // of the start, before the end
+bool flewInverted(const Flown& flown) {
+    const double end_s = flown.back().t_s;
+    for (const Moment& each : flown)
+        if (each.t_s > 4.5 && each.t_s < end_s - kInvertedUntil_s && std::abs(each.roll_deg) < 150)
+            return false;
+    const Range height = range(flown, &Moment::height_m, 0, end_s);
+    return height.span() < 12 && std::abs(flown.back().roll_deg) < 25;
+}
+
 struct Leg {
     const char* name;
     uint8_t mode;
     Sticks (*pilot)(double t_s, const Truth& truth);
     bool (*passes)(const Flown& flown);
     const char* what;
+    bool inverted = false;  // by the pilot's switch
 };
 constexpr Leg kLegs[] = {
     {"MANUAL", 0, holdLevel, controlled, "flew as the pilot did"},
@@ -176,6 +190,7 @@ constexpr Leg kLegs[] = {
     {"AUTOTUNE", 8, bankBothWays, bankedBothWays, "banked both ways"},
     {"FBWB", 6, climbAWhile, heldAndClimbed, "held height and speed, climbed as demanded"},
     {"CRUISE", 7, hands_off, heldTrackAndHeight, "held track and height"},
+    {"CRUISE", 7, hands_off, flewInverted, "flew upside down, and rolled back", true},
     {"CIRCLE", 1, hands_off, circledGently, "circled at a third of the bank"},
     {"LOITER", 12, hands_off, stayedNear, "stayed near"},
     {"GUIDED", 15, hands_off, stayedNear, "stayed near"},
@@ -192,6 +207,7 @@ public:
         while (advance() && sinceAirborne_s() <= kFrom_s) {
         }
         set("ACRO_LOCKING", 1);
+        set("INVERTEDFLT_CH", kInvertedChannel);
         bool passed = true;
         bool upper = false;
         prepare(kLegs[0], upper);
@@ -221,10 +237,12 @@ private:
         for (double t_s = 0; t_s < seconds_a_mode_ && advance(); t_s = seconds() - from_s) {
             const Truth& truth = board_.world().truth();
             const Sticks sticks = leg.pilot(t_s, truth);
-            const auto us = [](int by) { return static_cast<uint16_t>(1500 + by); };
+            const auto us = [](int by) { return static_cast<uint16_t>(kMiddle_us + by); };
+            const bool inverted =
+                leg.inverted && t_s > kInvertedFrom_s && t_s < seconds_a_mode_ - kInvertedUntil_s;
             board_.world().radio().sticks(
-                {us(sticks.roll), us(sticks.pitch), us(sticks.throttle), 1500, 1500, 1500, 1500,
-                 static_cast<uint16_t>(upper ? 1815 : 1165)},
+                {us(sticks.roll), us(sticks.pitch), us(sticks.throttle), kMiddle_us, kMiddle_us,
+                 kMiddle_us, inverted ? kUp_us : kMiddle_us, upper ? kUp_us : kDown_us},
                 true);
             if (step_ % 5 != 0) continue;
             flown.push_back({t_s, truth.roll_rad / kDegree, truth.north_m, truth.east_m,
@@ -239,7 +257,8 @@ private:
         const Range bank = range(flown, &Moment::roll_deg, 0, 99);
         const Range height = range(flown, &Moment::height_m, 0, 99);
         const bool entered = flight_.telemetry().mode() == leg.mode;
-        const bool safe = bank.highest < 56 && bank.lowest > -56 && height.lowest > 25;
+        const bool banked = bank.highest < 56 && bank.lowest > -56;
+        const bool safe = (banked || leg.inverted) && height.lowest > 25;
         const bool passed = entered && safe && leg.passes(flown);
         std::printf("  %s  %-9s %s: bank %.0f to %.0f, height %.1f to %.1f m, bend %.1f m%s%s\n",
                     passed ? "ok    " : "FAILED", leg.name, leg.what, bank.lowest, bank.highest,

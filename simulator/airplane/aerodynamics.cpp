@@ -18,6 +18,7 @@ struct State {
     Polar polar;
     double p, q, r;                    // rates, made dimensionless
     double aileron, elevator, rudder;  // radians, of the free stream's dynamic pressure
+    double flap;                       // 0 .. 1
 };
 
 State stateOf(const AirplaneParameters& p, const Flow& flow, const Controls& controls) {
@@ -37,13 +38,15 @@ State stateOf(const AirplaneParameters& p, const Flow& flow, const Controls& con
     s.aileron = controls.aileron * p.controls.aileron_deg * kRadians;
     s.elevator = controls.elevator * p.controls.elevator_deg * kRadians * blown;
     s.rudder = controls.rudder * p.controls.rudder_deg * kRadians * blown;
+    s.flap = controls.flap;
     return s;
 }
 
 // Lift is across the flow in the plane of symmetry, drag along it.
 Vec3 forceCoefficients(const AirplaneParameters& p, const State& s) {
-    const double lift = s.polar.lift + p.lift.pitch_rate * s.q + p.lift.elevator * s.elevator;
-    const double drag = s.polar.drag + p.drag.beta2 * s.beta * s.beta;
+    const double lift = s.polar.lift + p.lift.pitch_rate * s.q + p.lift.elevator * s.elevator +
+                        p.flaps.lift * s.flap;
+    const double drag = s.polar.drag + p.drag.beta2 * s.beta * s.beta + p.flaps.drag * s.flap;
     const double side = p.side.beta * s.beta + p.side.roll_rate * s.p + p.side.yaw_rate * s.r +
                         p.side.rudder * s.rudder;
     return Vec3{lift * s.sin_alpha, side, -lift * s.ahead.x / s.level} - s.ahead * drag;
@@ -55,7 +58,8 @@ Vec3 momentCoefficients(const AirplaneParameters& p, const State& s) {
                 flying * (p.roll.roll_rate * s.p + p.roll.aileron * s.aileron) +
                 p.roll.rudder * s.rudder,
             p.pitch.at_zero + p.pitch.alpha * s.sin_alpha + p.pitch.pitch_rate * s.q +
-                p.pitch.elevator * s.elevator + p.pitch.stall * s.polar.stalled * s.sin_alpha,
+                p.pitch.elevator * s.elevator + p.pitch.stall * s.polar.stalled * s.sin_alpha +
+                p.flaps.pitch * s.flap,
             p.yaw.beta * s.beta + p.yaw.roll_rate * s.p + p.yaw.yaw_rate * s.r +
                 p.yaw.aileron * s.aileron + p.yaw.rudder * s.rudder};
 }

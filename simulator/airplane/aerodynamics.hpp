@@ -13,7 +13,7 @@ struct Loads {
 
 struct Controls {
     double aileron = 0, elevator = 0, rudder = 0;  // -1..1 of their full deflections
-    double throttle = 0;                           // 0..1
+    double throttle = 0, flap = 0;                 // 0..1
 };
 
 struct Flow {

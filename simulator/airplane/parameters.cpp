@@ -77,8 +77,18 @@ Vec3 vectorOf(const Json& json) {
 }
 
 void readExtras(Json& json, AirplaneParameters& out) {
-    out.elevons = json.value("elevons", false);
-    json.erase("elevons");
+    for (const auto& [key, to] : {std::pair{"elevons", &out.elevons},
+                                  {"v_tail", &out.v_tail},
+                                  {"flaperons", &out.flaperons}}) {
+        *to = json.value(key, false);
+        json.erase(key);
+    }
+    if (out.elevons && (out.v_tail || out.flaperons))
+        throw std::runtime_error("/elevons goes with neither /v_tail nor /flaperons");
+    if (json.contains("flaps"))
+        out.flaps = {json["flaps"].at("lift").get<double>(), json["flaps"].at("drag").get<double>(),
+                     json["flaps"].at("pitch").get<double>()};
+    json.erase("flaps");
     if (json.contains("imu_place_m")) out.imu_place_m = vectorOf(json["imu_place_m"]);
     json.erase("imu_place_m");
     if (!json.contains("linkage")) return;
@@ -152,6 +162,11 @@ std::string airplaneText(AirplaneParameters airplane, const std::string& about) 
     json["contacts"] = Json::array();
     for (const Contact& each : airplane.contacts) json["contacts"].push_back(jsonOf(each));
     json["elevons"] = airplane.elevons;
+    json["v_tail"] = airplane.v_tail;
+    json["flaperons"] = airplane.flaperons;
+    json["flaps"] = {{"lift", airplane.flaps.lift},
+                     {"drag", airplane.flaps.drag},
+                     {"pitch", airplane.flaps.pitch}};
     json["imu_place_m"] = jsonOf(airplane.imu_place_m);
     json["linkage"] = {{"deadband", airplane.linkage.deadband}, {"curve", airplane.linkage.curve}};
     if (const auto& launch = airplane.launch; launch.speed_mps > 0)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An airplane as data: simulator/airplanes/*.json, every value required but "launch", "elevons",
-// "imu_place_m" and "linkage", none unknown.
+// "v_tail", "flaperons", "flaps", "imu_place_m" and "linkage", none unknown.
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -22,7 +22,8 @@ struct Contact {
 
 // Derivatives are per radian and dimensionless as in textbooks: rates by b/2V (roll, yaw) and c/2V.
 // A positive aileron rolls right, a positive elevator pitches up, a positive rudder yaws right.
-// Of elevons the aileron is half their difference and the elevator half their sum.
+// Of elevons the aileron is half their difference and the elevator half their sum; of a V-tail the
+// elevator is half the sum and the rudder half the difference, of flaperons aileron and flap.
 struct AirplaneParameters {
     double mass_kg = 0;
     struct {
@@ -58,8 +59,13 @@ struct AirplaneParameters {
     struct {
         double deadband = 0, curve = 0;
     } linkage;
-    Vec3 imu_place_m;      // body axes from the centre of gravity
-    bool elevons = false;  // output 1 moves the right one, output 2 the left one; no rudder
+    Vec3 imu_place_m;        // body axes from the centre of gravity
+    bool elevons = false;    // output 1 moves the right one, output 2 the left one; no rudder
+    bool v_tail = false;     // outputs 2 and 4: both alike pitch up, a longer one of 4 yaws right
+    bool flaperons = false;  // output 5 the left one, 6 the right one: a longer pulse is down
+    struct {
+        double lift = 0, drag = 0, pitch = 0;  // added when they are wholly out
+    } flaps;
     struct {
         double diameter_m = 0, inertia_kgm2 = 0;
         double thrust0 = 0, thrust1 = 0, thrust2 = 0;  // CT = thrust0 + thrust1 J + thrust2 J^2

@@ -21,6 +21,7 @@ void Servos::advance(double dt_s, const Controls& demand) {
     at_.aileron = follow(at_.aileron, demand.aileron, dt_s);
     at_.elevator = follow(at_.elevator, demand.elevator, dt_s);
     at_.rudder = follow(at_.rudder, demand.rudder, dt_s);
+    at_.flap = follow(at_.flap, demand.flap, dt_s);
     surfaces_ = at_;
     for (double* surface : {&surfaces_.aileron, &surfaces_.elevator, &surfaces_.rudder})
         *surface = linked(*surface);

@@ -105,6 +105,19 @@ file(WRITE ${flights}/external_compass.param "${settings}COMPASS_EXTERNAL,1\nCOM
 flight_test(native_external_compass native 5 3 60 --native --external-compass 180,0,0 --seed 1
             --param ${flights}/external_compass.param ${windy})
 
+# a V-tail and flaperons, which are half out for the landing
+file(READ ${CMAKE_SOURCE_DIR}/simulator/airplanes/foam_trainer.json airplane)
+string(JSON airplane SET "${airplane}" v_tail true)
+string(JSON airplane SET "${airplane}" flaperons true)
+string(JSON airplane SET "${airplane}" flaps [[{"lift": 0.6, "drag": 0.04, "pitch": -0.1}]])
+set(mixed ${flights}/mixed)
+file(WRITE ${mixed}.json "${airplane}")
+file(WRITE ${mixed}.param "${settings}VTAIL_OUTPUT,1\nMIXING_GAIN,1\nRC5_FUNCTION,24\nRC6_FUNCTION,25\n"
+     "LAND_FLAP_PERCNT,50\n")
+set(mixed --airplane ${mixed}.json --param ${mixed}.param)
+flight_test(native_v_tail_and_flaperons native 3 2 30 --native --seed 1 ${mixed})
+flight_test(elf_v_tail_and_flaperons simavr 5 3 60 --seed 1 ${mixed} ${windy})
+
 # no barometer from power-on, armed all the same: the GPS's heights; the chip comes late, or never
 file(READ ${CMAKE_SOURCE_DIR}/simulator/airplanes/foam_trainer.param settings)
 file(WRITE ${flights}/unchecked.param "${settings}ARMING_CHECK,0\n")

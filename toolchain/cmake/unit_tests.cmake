@@ -33,7 +33,7 @@ target_link_libraries(firmware_mission_test PRIVATE simulator_world)  # for its 
 target_compile_definitions(firmware_safety_test PRIVATE FAILSAFE_MANUAL="${CMAKE_SOURCE_DIR}/docs/failsafes.md")
 target_compile_definitions(firmware_modes_test PRIVATE FAILSAFE_MANUAL="${CMAKE_SOURCE_DIR}/docs/failsafes.md")
 
-foreach(part IN ITEMS airplane devices world world_file output_file ground native report invariants live flight_folder)
+foreach(part IN ITEMS airplane builtin_model devices world world_file output_file ground native report invariants live flight_folder)
     unit_test(unit/simulator/${part} simulator_live simulator_report simulator_ground simulator_native simulator_world)
 endforeach()
 target_sources(flight_folder_test PRIVATE ${CMAKE_SOURCE_DIR}/simulator/flight_folder.cpp)

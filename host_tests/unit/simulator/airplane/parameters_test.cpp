@@ -52,6 +52,9 @@ TEST(Airplanes, are_refused_with_the_reason_when_something_is_wrong) {
     EXPECT_THAT(complaint(replaced(trainerText(), "\"mass_kg\"", "\"wheels\": 3, \"mass_kg\"")),
                 HasSubstr("does not know /wheels"));
     EXPECT_THAT(complaint("{"), HasSubstr("parse error"));
+    EXPECT_THAT(complaint(replaced(trainerText(), "\"mass_kg\"",
+                                   "\"elevons\": true, \"v_tail\": true, \"mass_kg\"")),
+                HasSubstr("/elevons goes with neither /v_tail nor /flaperons"));
 }
 
 TEST(AirplaneText, is_read_back_as_it_was) {
@@ -61,6 +64,8 @@ TEST(AirplaneText, is_read_back_as_it_was) {
         AirplaneParameters airplane = loadAirplane(name);
         EXPECT_EQ(airplane.linkage.curve, 0) << "no file of ours has one";
         airplane.linkage = {0.01, -0.2};
+        airplane.v_tail = airplane.flaperons = !airplane.elevons;
+        airplane.flaps = {0.6, 0.04, -0.1};
         airplane.imu_place_m = {0.1, 0, -0.02};
         const std::string text = airplaneText(airplane, "for a test");
         std::ofstream(path) << text;
