@@ -66,6 +66,7 @@ struct Heights {
     bool by_gps;        // started by the receiver: the barometer has not been heard yet
     float home_m;       // of home above the barometer's zero, which drifts
     float gps_above_m;  // the receiver's heights over the estimate's; 0: no fix has been seen
+    int16_t home_above_field_dm;  // home may be set in the air, the field is where it was zeroed
 };
 core::FileState<Heights> heights{};
 
@@ -522,6 +523,7 @@ bool slowThroughTheAir() {
 void zeroHeight() {
     barometer_drift.zero();
     heights.home_m = height.height_m();
+    heights.home_above_field_dm = 0;
     published.height_m = 0;
     true_speed.ratio = estimation::trueSpeedRatio(static_cast<float>(vehicle.baro.pressure_pa),
                                                   vehicle.baro.ground_temperature_c);
@@ -529,6 +531,7 @@ void zeroHeight() {
 
 void shiftHeight(float by_m) {
     heights.home_m -= by_m / barometer_drift.scale();
+    heights.home_above_field_dm -= static_cast<int16_t>(core::rounded(by_m * 10.0f));
     published.height_m += by_m;
 }
 
@@ -538,6 +541,7 @@ void resumeEstimate(const SlowRecord& slow, const FastRecord& fast, const Vector
     attitude.resume(fast.pose, slow.learnt, turned_rad);
     motion.waits_for_imu = true;
     heights.home_m = slow.home_height_m;
+    heights.home_above_field_dm = slow.home_above_field_dm;
     barometer_drift.resumeScale(slow.height_scale);
     height.resume(heights.home_m + fast.height_m / barometer_drift.scale(), fast.climb_mps);
     heights.started = motion.started = true;
@@ -556,6 +560,7 @@ void resumeEstimate(const SlowRecord& slow, const FastRecord& fast, const Vector
 void saveEstimate(SlowRecord& to) {
     attitude.save(to.learnt);
     to.home_height_m = heights.home_m;
+    to.home_above_field_dm = heights.home_above_field_dm;
     to.height_scale = barometer_drift.scale();
     const Vector3 wind_mps = wind.wind_mps();
     to.wind_cms[0] = centimetres(wind_mps.x);

@@ -140,14 +140,20 @@ void decideMode() {
     published.resuming = false;
 }
 
+float fieldHeight_m() {
+    return records.slow.home_height_m - records.slow.home_above_field_dm * 0.1f;
+}
+
+// Once barometer and airspeed sensor have had their time only the receiver can say so, and another
+// restart does not find a flight to go on with.
 void armOnEvidence() {
-    if (measuredInTheAir(records.slow.home_height_m)) {
-        restart.arms = false;
-        armAfterRestart();
-    } else if (evidenceIsOver()) {
-        restart.arms = false;
-        sendStatusText(Severity::critical, ROM_TEXT("Not armed again: not seen flying"));
-    }
+    const bool sensors_count = !sensorsHadTheirTime();
+    const bool seen = receiverSeesItMove() || (sensors_count && measuredInTheAir(fieldHeight_m()));
+    if (!sensors_count && !seen) forgetFlight();
+    restart.arms = !vehicle.armed && !seen && (sensors_count || !receiverHadItsTime());
+    if (vehicle.armed || restart.arms) return;
+    if (seen) return armAfterRestart();
+    sendStatusText(Severity::critical, ROM_TEXT("Not armed again: not seen flying"));
 }
 
 // Half a second after the start: in the air the log is open by then.

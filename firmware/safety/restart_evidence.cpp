@@ -26,10 +26,10 @@ bool barometerRead() { return vehicle.baro.healthy && vehicle.estimate.baro_heig
 
 }  // namespace
 
-bool measuredInTheAir(float home_height_m) {
+bool measuredInTheAir(float field_height_m) {
     constexpr float kOutOfReach_m = 10, kFarOutOfReach_m = 30;
     const float height_m =
-        barometerRead() ? fabsf(vehicle.estimate.baro_height_m - home_height_m) : 0;
+        barometerRead() ? fabsf(vehicle.estimate.baro_height_m - field_height_m) : 0;
     if (height_m > kFarOutOfReach_m) return true;
     sensors::workOutAirspeed();  // the estimator does not while it has no attitude
     if (vehicle.airspeed.healthy)
@@ -37,12 +37,24 @@ bool measuredInTheAir(float home_height_m) {
     return height_m > kOutOfReach_m;
 }
 
-bool evidenceIsOver() {
+bool sensorsHadTheirTime() {
     constexpr uint16_t kLeast_ms = 2000, kReads_ms = 1000, kBlind_ms = 30000;
     const uint32_t now_ms = hal::now_ms();
     const bool read = barometerRead() || vehicle.airspeed.healthy;
     if (!read && now_ms < kBlind_ms) blind.until_ms = static_cast<uint16_t>(now_ms);
     return now_ms >= kLeast_ms && now_ms - blind.until_ms >= kReads_ms;
+}
+
+// The first fix of a receiver that has just been switched on may be far off.
+bool receiverSeesItMove() {
+    return vehicle.gps.healthy && vehicle.gps.fixes > 1 &&
+           vehicle.gps.ground_speed_mps > estimator::flyingAirspeed_mps();
+}
+
+bool receiverHadItsTime() {
+    constexpr uint16_t kStarts_ms = 30000;
+    constexpr uint8_t kEnoughFixes = 6;
+    return hal::now_ms() >= kStarts_ms || vehicle.gps.fixes >= kEnoughFixes;
 }
 
 }  // namespace safety

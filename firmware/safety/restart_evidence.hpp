@@ -8,14 +8,20 @@
 namespace firmware {
 namespace safety {
 
-// By the barometer's own reading since the start, of which `home_height_m` is home's: more than 30
-// m above or below home, where nobody can be beside it within the seconds that memory survives. By
-// the airspeed sensor where there is one: a speed to fly with; else more than 10 m above or below.
-bool measuredInTheAir(float home_height_m);
+// By the barometer's own reading since the start, of which `field_height_m` is that of where it was
+// armed: more than 30 m above or below that, where nobody can be beside it within the seconds that
+// memory survives. By the airspeed sensor where there is one: a speed to fly with; else more than
+// 10 m above or below.
+bool measuredInTheAir(float field_height_m);
 
-// 50 Hz, while it is waited for: none has come, and it stays disarmed. 2 s after the start, and one
-// after the first reading of either sensor, for which it waits 30 s.
-bool evidenceIsOver();
+// 50 Hz, while it is waited for: 2 s after the start, and one after the first reading of either
+// sensor, for which it waits 30 s. Later a gust into the tube is no evidence.
+bool sensorsHadTheirTime();
+
+// As fast over the ground as one flies, in the receiver's second fix or later. It starts more
+// slowly than the board does: six fixes are its time, or 30 s.
+bool receiverSeesItMove();
+bool receiverHadItsTime();
 
 }  // namespace safety
 }  // namespace firmware

@@ -81,6 +81,7 @@ class FliesOnAfterARestart : public Invariant {
         faulty_ = sensorsFail(now);
         before_s_ = now_s;
         if (waiting_s_ > 0 && faulty_) faulted_s_ = now_s;
+        if (waiting_s_ > 0 && now.faulty[static_cast<size_t>(Faulty::barometer)]) unseen_s_ = now_s;
         if (waiting_s_ > 0) look(now, history, report);
         pulses_ = now.servo_us;
     }
@@ -110,7 +111,7 @@ class FliesOnAfterARestart : public Invariant {
             if (moved_after_s_ < 0 && pulses_[surface] > 0 && now.servo_us[surface] > 0 &&
                 std::abs(pulses_[surface] - now.servo_us[surface]) > 1)
                 moved_after_s_ = now_s - begun_s;
-        if (now_s < std::max(begun_s, faulted_s_) + kHeartbeats_s) return;
+        if (now_s < std::max({begun_s, faulted_s_, unseen_s_}) + kHeartbeats_s) return;
         waiting_s_ = 0;
         const bool heard = history.heard().time_s > begun_s + 1;
         if (heard && !history.heard().armed && !history.within(Cause::forces, begun_s - 1, now_s))
@@ -130,6 +131,7 @@ class FliesOnAfterARestart : public Invariant {
     bool survivable_ = false, faulty_ = false;
     double low_s_ = 0, before_s_ = 0, waiting_s_ = 0, moved_after_s_ = -1;
     double faulted_s_ = kNever_s;  // the inertial sensor, last
+    double unseen_s_ = kNever_s;   // the barometer, by which it may be seen in the air
     uint32_t mode_before_ = 0;     // in which it goes on; a failsafe may set another meanwhile
     std::array<double, 8> pulses_{};
 };

@@ -417,13 +417,13 @@ TEST_F(Stopped, knows_the_wind_and_its_height_again_after_a_restart) {
     stop(24);
     const float height_m = vehicle.estimate.height_m, wind_mps = vehicle.estimate.wind_mps.x;
     ASSERT_LT(wind_mps, -10);
-    firmware::state::SlowRecord steady = {};
-    firmware::state::FastRecord moving = {};
-    firmware::estimator::saveEstimate(steady);
-    firmware::estimator::saveEstimate(moving);
+    firmware::state::SlowRecord slow = {};
+    firmware::state::FastRecord fast = {};
+    firmware::estimator::saveEstimate(slow);
+    firmware::estimator::saveEstimate(fast);
     core::resetFileStates();
     Estimator::SetUp();
-    firmware::estimator::resumeEstimate(steady, moving, {0, 0, 0}, 0.1f);
+    firmware::estimator::resumeEstimate(slow, fast, {0, 0, 0}, 0.1f);
     mutable_vehicle.baro.pressure_pa -= 600;
     frames(20);
     EXPECT_NEAR(vehicle.estimate.wind_mps.x, wind_mps, 0.01);
@@ -431,15 +431,27 @@ TEST_F(Stopped, knows_the_wind_and_its_height_again_after_a_restart) {
     EXPECT_TRUE(vehicle.estimate.flying);
 }
 
+TEST_F(Estimator, records_how_far_home_was_moved_above_the_field) {
+    frames(20);
+    firmware::state::SlowRecord slow = {};
+    firmware::estimator::zeroHeight();
+    firmware::estimator::shiftHeight(-12.5f);
+    firmware::estimator::saveEstimate(slow);
+    EXPECT_EQ(slow.home_above_field_dm, 125);
+    firmware::estimator::zeroHeight();
+    firmware::estimator::saveEstimate(slow);
+    EXPECT_EQ(slow.home_above_field_dm, 0);
+}
+
 // A loss of power that resets the inertial sensor, too: after `frames` it gives samples again.
 bool holdsAttitudeThrough(int frames) {
-    firmware::state::SlowRecord steady = {};
-    firmware::state::FastRecord moving = {};
-    firmware::estimator::saveEstimate(steady);
-    firmware::estimator::saveEstimate(moving);
+    firmware::state::SlowRecord slow = {};
+    firmware::state::FastRecord fast = {};
+    firmware::estimator::saveEstimate(slow);
+    firmware::estimator::saveEstimate(fast);
     core::resetFileStates();
     mutable_vehicle.imu.calibrated = true;
-    firmware::estimator::resumeEstimate(steady, moving, {0, 0, 0}, 0.1f);
+    firmware::estimator::resumeEstimate(slow, fast, {0, 0, 0}, 0.1f);
     mutable_vehicle.imu.periods = 0;
     for (int i = 0; i < frames; ++i) firmware::estimator::runAttitude();
     mutable_vehicle.imu.periods = 2;

@@ -26,30 +26,30 @@ protected:
 
 TEST_F(RestartEvidence, is_over_after_two_seconds_with_a_sensor_there_from_the_start) {
     barometer(1);
-    EXPECT_FALSE(evidenceIsOver());
+    EXPECT_FALSE(sensorsHadTheirTime());
     fakes::advance_ms(1999);
-    EXPECT_FALSE(evidenceIsOver());
+    EXPECT_FALSE(sensorsHadTheirTime());
     fakes::advance_ms(1);
-    EXPECT_TRUE(evidenceIsOver());
+    EXPECT_TRUE(sensorsHadTheirTime());
 }
 
 TEST_F(RestartEvidence, is_over_a_second_after_a_sensor_that_came_late) {
     fakes::advance_ms(5000);
-    EXPECT_FALSE(evidenceIsOver());
+    EXPECT_FALSE(sensorsHadTheirTime());
     barometer(1);
     fakes::advance_ms(999);
-    EXPECT_FALSE(evidenceIsOver());
+    EXPECT_FALSE(sensorsHadTheirTime());
     fakes::advance_ms(1);
-    EXPECT_TRUE(evidenceIsOver());
+    EXPECT_TRUE(sensorsHadTheirTime());
 }
 
 TEST_F(RestartEvidence, is_not_waited_for_longer_than_half_a_minute_and_a_second) {
     fakes::advance_ms(29999);
-    EXPECT_FALSE(evidenceIsOver());
+    EXPECT_FALSE(sensorsHadTheirTime());
     fakes::advance_ms(999);
-    EXPECT_FALSE(evidenceIsOver());
+    EXPECT_FALSE(sensorsHadTheirTime());
     fakes::advance_ms(1);
-    EXPECT_TRUE(evidenceIsOver());
+    EXPECT_TRUE(sensorsHadTheirTime());
 }
 
 TEST_F(RestartEvidence, a_barometer_counts_once_it_is_healthy_and_has_been_read) {
@@ -75,8 +75,8 @@ TEST_F(RestartEvidence, ten_metres_are_out_of_reach_and_thirty_whatever_the_airs
     EXPECT_TRUE(measuredInTheAir(0));
 }
 
-// A slope is flown below home, too.
-TEST_F(RestartEvidence, counts_as_much_below_home_as_above) {
+// A slope is flown below the field, too.
+TEST_F(RestartEvidence, counts_as_much_below_the_field_as_above) {
     barometer(-10);
     EXPECT_FALSE(measuredInTheAir(0));
     barometer(-10.5f);
@@ -85,6 +85,35 @@ TEST_F(RestartEvidence, counts_as_much_below_home_as_above) {
     EXPECT_FALSE(measuredInTheAir(0));
     barometer(-30.5f);
     EXPECT_TRUE(measuredInTheAir(0));
+}
+
+TEST_F(RestartEvidence, of_the_receiver_is_its_second_fix_as_fast_as_one_flies) {
+    const float flying_mps = firmware::estimator::flyingAirspeed_mps();
+    struct Row {
+        uint8_t fixes;
+        float speed_mps;
+        bool healthy, seen;
+    };
+    for (const Row& row : {Row{2, flying_mps + 0.1f, true, true},
+                           {1, flying_mps + 0.1f, true, false},
+                           {2, flying_mps - 0.1f, true, false},
+                           {2, flying_mps + 0.1f, false, false}}) {
+        mutable_vehicle.gps.fixes = row.fixes;
+        mutable_vehicle.gps.ground_speed_mps = row.speed_mps;
+        mutable_vehicle.gps.healthy = row.healthy;
+        EXPECT_EQ(receiverSeesItMove(), row.seen) << int(row.fixes) << " " << row.speed_mps;
+    }
+}
+
+TEST_F(RestartEvidence, of_the_receiver_is_waited_for_six_fixes_or_half_a_minute) {
+    mutable_vehicle.gps.fixes = 5;
+    fakes::advance_ms(29999);
+    EXPECT_FALSE(receiverHadItsTime());
+    fakes::advance_ms(1);
+    EXPECT_TRUE(receiverHadItsTime());
+    fakes::resetClock();
+    mutable_vehicle.gps.fixes = 6;
+    EXPECT_TRUE(receiverHadItsTime());
 }
 
 }  // namespace

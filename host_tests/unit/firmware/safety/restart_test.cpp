@@ -146,6 +146,49 @@ TEST_F(Restart, is_armed_after_a_loss_of_power_only_when_a_sensor_sees_it_in_the
     }
 }
 
+// The receiver starts more slowly than the board: 2 to 30 s.
+TEST_F(Restart, is_armed_after_a_loss_of_power_when_the_receiver_sees_it_move_in_the_end) {
+    for (const bool moves : {true, false}) {
+        SetUp();
+        begin(ResetCause::unknown);
+        lookAtSwitch(1165);
+        barometerReads(1);
+        runUntil_ms(20000);
+        EXPECT_FALSE(vehicle.armed);
+        mutable_vehicle.gps.healthy = true;
+        mutable_vehicle.gps.ground_speed_mps = moves ? 14 : 1;
+        for (mutable_vehicle.gps.fixes = 2; vehicle.gps.fixes <= 6; ++mutable_vehicle.gps.fixes)
+            runRestart();
+        EXPECT_EQ(vehicle.armed, moves);
+        mutable_vehicle.gps.ground_speed_mps = 14;
+        runRestart();
+        runRestart();
+        EXPECT_EQ(vehicle.armed, moves) << "carried away later, it stays disarmed";
+    }
+}
+
+// It is set in the air by a mission.
+TEST_F(Restart, is_seen_in_the_air_by_its_height_over_the_field_wherever_home_is) {
+    records.slow.home_height_m = 60;
+    records.slow.home_above_field_dm = 550;
+    updateChecksum(records.slow);
+    begin(ResetCause::unknown);
+    lookAtSwitch(1165);
+    barometerReads(60);
+    runRestart();
+    EXPECT_TRUE(vehicle.armed);
+}
+
+TEST_F(Restart, leaves_one_that_the_pilot_has_armed_meanwhile_as_it_is) {
+    begin(ResetCause::unknown);
+    lookAtSwitch(1165);
+    barometerReads(1);
+    runUntil_ms(3000);
+    mutable_vehicle.armed = true;
+    keep();
+    EXPECT_EQ(records.fast[newestFastRecord().number & 1].at_ms, 3000) << "its flight is recorded";
+}
+
 TEST_F(Restart, waits_two_seconds_to_be_seen_in_the_air_and_forgets_the_flight_then) {
     begin(ResetCause::unknown);
     lookAtSwitch(1165);
