@@ -156,7 +156,8 @@ bool pointsByCourse() {
 bool divesSlowly() {
     constexpr float kDown = -0.14f;  // sine of 8 degrees
     const float most = parameters.throttle_max_pct * 0.0095f;
-    return vehicle.attitude.sin_pitch.toFloat() < kDown &&
+    return vehicle.airspeed.healthy && vehicle.estimate.flying &&
+           vehicle.attitude.sin_pitch.toFloat() < kDown &&
            vehicle.throttle_demand.toFloat() >= most &&
            vehicle.estimate.equivalent_airspeed_mps < parameters.speed_min_mps;
 }
@@ -184,9 +185,8 @@ bool airspeedFits() {
     const bool odd = wind.known() && expected_mps >= parameters.speed_min_mps &&
                      odd_mps >= kInconsistentAirspeed_mps + expected_mps * kInconsistentAirspeed;
     const bool stuck = wind.known() && staysWrongly(expected_mps);
-    if (!odd && !stuck && !(vehicle.airspeed.healthy && divesSlowly())) return true;
-    reportInconsistency(Sensor::airspeed);
-    return false;
+    if (odd || stuck) reportInconsistency(Sensor::airspeed);
+    return !odd && !stuck && !divesSlowly();
 }
 
 void updateWind() {
@@ -242,7 +242,7 @@ void useGpsHeight() {
         if (near(fix_m, height_m)) reportInconsistency(Sensor::barometer);
         return;
     }
-    heights.gps_above_m += (fix_m - height_m) * (vehicle.estimate.flying ? 0.002f : 0.2f);
+    heights.gps_above_m += (fix_m - height_m) * (vehicle.estimate.flying ? 0.002f : 0.02f);
     if (!near(fix_m, height_m) && vehicle.gps.hdop_c < kGoodHdop_c)
         reportInconsistency(Sensor::barometer);
     if (!vehicle.gps.measures_climb) return;  // from its own climb nothing is learnt
@@ -498,6 +498,7 @@ void fuseCompass() {
 
 // A slow receiver is not silent between two of its fixes.
 void fuseAirspeed() {
+    if (divesSlowly()) reportInconsistency(Sensor::airspeed);  // also when there are no fixes
     const float interval_s = core::limit(newest_fix.since_s, kLeastInterval_s, kMaxInterval_s);
     const uint16_t silent_ms = static_cast<uint16_t>(interval_s * (kSilentIntervals * 1000));
     if (runs() && hal::now_ms() - newest_fix.ms > silent_ms)
@@ -522,6 +523,7 @@ bool slowThroughTheAir() {
 
 void zeroHeight() {
     barometer_drift.zero();
+    if (vehicle.baro.healthy) height.resume(vehicle.estimate.baro_height_m, 0);
     heights.home_m = height.height_m();
     heights.home_above_field_dm = 0;
     published.height_m = 0;

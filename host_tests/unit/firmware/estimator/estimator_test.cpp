@@ -599,6 +599,26 @@ TEST_F(AirspeedStays, while_gps_and_wind_show_a_lower_speed) { EXPECT_TRUE(fault
 TEST_F(AirspeedStays, as_the_speed_does) { EXPECT_FALSE(faulty(0)); }
 TEST_F(AirspeedStays, within_a_metre_a_second) { EXPECT_FALSE(faulty(0.4f)); }
 
+// Neither does a wind say so when there are no fixes.
+TEST_F(Estimator, loses_an_airspeed_that_stays_slow_in_a_dive_at_full_throttle_without_fixes_too) {
+    using namespace firmware::sensors;
+    for (const bool dives : {false, true}) {
+        SetUp();
+        mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
+        mutable_vehicle.airspeed.speed_mps = firmware::state::parameters.speed_min_mps - 1;
+        frames(400, 4);
+        ASSERT_TRUE(vehicle.estimate.flying);
+        mutable_vehicle.throttle_demand = core::Ratio(1);
+        mutable_vehicle.attitude.sin_pitch = core::Ratio(dives ? -0.2f : -0.1f);
+        for (int i = 0; i < 25; ++i) {
+            firmware::estimator::fuseAirspeed();
+            acceptReading(Sensor::airspeed, static_cast<int16_t>(i % 5), true);
+            watchHealth();
+        }
+        EXPECT_EQ(isFaulty(Sensor::airspeed), dives);
+    }
+}
+
 // A sensor's conversion has gone wrong for a moment; nothing else would ever take the NaN out
 // again.
 TEST_F(Estimator, begins_again_with_a_height_that_is_no_number) {
