@@ -187,6 +187,7 @@ Status Journal::write(uint16_t slot, uint32_t value) {
     check_.toggle(static_cast<uint8_t>(slot), before);
     check_.toggle(static_cast<uint8_t>(slot), value);
     summed_ = 0;
+    tries_ = 0;
     step_ = checks_ ? Step::first_check : Step::value;
     applyPending();
     return Status::ok;
@@ -215,7 +216,7 @@ bool Journal::applyPending() {
     for (; step_ != Step::done; step_ = nextStep())
         if (!queueStep()) return false;
     verify();
-    return true;
+    return step_ == Step::done;
 }
 
 // Where a cell has not kept the last value, the check must go on from what it should be. Of two
@@ -225,6 +226,10 @@ void Journal::verify() {
     if (!unverified_ || !hal::eepromDrained() || readSlot(last_.slot, value) != Status::ok) return;
     unverified_ = false;
     if (value == last_.value || worn_.slot == last_.slot) return;
+    if (tries_++ < kTries) {  // the supply may have been low: once more
+        step_ = checks_ ? Step::first_check : Step::value;
+        return;
+    }
     if (worn_.slot != kNoSlot) check_.crc = static_cast<uint16_t>(~check_.crc);
     worn_ = last_;
     worn_now_ = true;

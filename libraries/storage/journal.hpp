@@ -42,6 +42,7 @@ public:
 private:
     enum class Step : uint8_t { done, first_check, value, second_check };
     static constexpr uint16_t kNoSlot = kParameterSlots;
+    static constexpr uint8_t kTries = 8;  // of a value that was not kept
     struct Word {  // of a slot
         uint16_t slot = kNoSlot;
         uint32_t value = 0;
@@ -62,6 +63,7 @@ private:
     Step step_ = Step::done;   // to be queued next
     bool checks_ = false;      // recover() has been through
     bool unverified_ = false;  // `last_` has not been read back
+    uint8_t tries_ = kTries;   // of writing it once more; at the start there are none
     bool worn_now_ = false;
     Found found_ = Found::sound;
     uint8_t summed_ = 0;             // slots
