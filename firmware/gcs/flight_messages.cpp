@@ -93,8 +93,15 @@ bool fillIn(const Link&, mavlink::GlobalPositionInt& to) {
     return true;
 }
 
+// Without a sensor it follows from the wind aloft, of which one that stands on the ground feels
+// little.
+float reportedAirspeed_mps() {
+    const bool known = vehicle.airspeed.healthy || vehicle.estimate.flying;
+    return known ? vehicle.estimate.equivalent_airspeed_mps : vehicle.estimate.ground_speed_mps;
+}
+
 bool fillIn(const Link&, mavlink::VfrHud& to) {
-    to.airspeed = vehicle.estimate.equivalent_airspeed_mps;
+    to.airspeed = reportedAirspeed_mps();
     to.groundspeed = vehicle.estimate.ground_speed_mps;
     to.alt = core::thousandths(altitude_mm());
     to.climb = vehicle.estimate.climb_mps;

@@ -5,7 +5,7 @@ namespace estimation {
 namespace {
 
 constexpr float kSlow_s = 15.0f;  // the mean wind, not its gusts
-constexpr float kTurn = 0.5f;     // change of the nose's direction that shows enough
+constexpr float kTurn = 1.0f;     // change of the nose's direction that shows enough
 constexpr float kMaxWind_mps = 50.0f;
 constexpr float kLeastAirspeed_mps = 4.0f;
 

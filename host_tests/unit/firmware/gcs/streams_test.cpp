@@ -279,6 +279,23 @@ TEST_F(Telemetry, messages_carry_the_vehicle_in_the_units_of_the_protocol) {
     EXPECT_EQ(channels.chan18_raw, 65535);
 }
 
+TEST_F(Telemetry, airspeed_is_the_speed_over_ground_while_it_stands_without_a_sensor) {
+    struct Row {
+        bool healthy, flying;
+        float reported_mps;
+    };
+    for (const Row& row : {Row{false, false, 1}, {false, true, 9}, {true, false, 9}}) {
+        SetUp();
+        firmware::state::mutable_vehicle.airspeed.healthy = row.healthy;
+        firmware::state::mutable_vehicle.estimate.flying = row.flying;
+        firmware::state::mutable_vehicle.estimate.equivalent_airspeed_mps = 9;
+        firmware::state::mutable_vehicle.estimate.ground_speed_mps = 1;
+        station.send(streamRequest(MavDataStream::all, 4));
+        run_ms(1000);
+        EXPECT_EQ(station.all<mavlink::VfrHud>().back().airspeed, row.reported_mps);
+    }
+}
+
 TEST_F(Telemetry, sys_status_names_the_failed_sensors) {
     using Sensor = mavlink::MavSysStatusSensor;
     firmware::state::mutable_vehicle.gps.healthy = false;
