@@ -81,7 +81,7 @@ class FliesOnAfterARestart : public Invariant {
         faulty_ = sensorsFail(now);
         before_s_ = now_s;
         if (waiting_s_ > 0 && faulty_) faulted_s_ = now_s;
-        if (waiting_s_ > 0 && now.faulty[static_cast<size_t>(Faulty::barometer)]) unseen_s_ = now_s;
+        if (waiting_s_ > 0 && !mayBeSeen(now)) unseen_s_ = now_s;
         if (waiting_s_ > 0) look(now, history, report);
         pulses_ = now.servo_us;
     }
@@ -91,6 +91,12 @@ class FliesOnAfterARestart : public Invariant {
         if (!survivable_) waiting_s_ = 0, low_s_ = before_s_;
     }
 
+    // By the barometer, where no other sensor says so: out of reach of a hand, and a little more.
+    static bool mayBeSeen(const Snapshot& now) {
+        constexpr double kOutOfReach_m = 12;
+        return !now.faulty[static_cast<size_t>(Faulty::barometer)] &&
+               std::abs(now.truth.height_m) > kOutOfReach_m;
+    }
     // Long enough in the air that the record of the flight says so.
     bool fliesOn() const {
         constexpr double kFlies_s = 5;
@@ -131,7 +137,7 @@ class FliesOnAfterARestart : public Invariant {
     bool survivable_ = false, faulty_ = false;
     double low_s_ = 0, before_s_ = 0, waiting_s_ = 0, moved_after_s_ = -1;
     double faulted_s_ = kNever_s;  // the inertial sensor, last
-    double unseen_s_ = kNever_s;   // the barometer, by which it may be seen in the air
+    double unseen_s_ = kNever_s;   // when no barometer could see it in the air, last
     uint32_t mode_before_ = 0;     // in which it goes on; a failsafe may set another meanwhile
     std::array<double, 8> pulses_{};
 };

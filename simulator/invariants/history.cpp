@@ -104,8 +104,9 @@ void History::frame(const Snapshot& now) {
     constexpr auto kRadio = static_cast<size_t>(Faulty::radio);
     const auto heard = [](const Snapshot& at) { return at.transmitting && !at.faulty[kRadio]; };
     if (heard(now) && !heard(before_)) mark(Cause::radio_back, now_s);
+    // what the encoder makes of no receiver: a low throttle on channel 3, where nobody looks for it
     const bool obeyed =
-        parameter("THR_FAILSAFE", 1) < 0.5;  // what the encoder makes of no receiver
+        parameter("THR_FAILSAFE", 1) < 0.5 || std::lround(parameter("RCMAP_THROTTLE", 3)) != 3;
     if (obeyed && heard(now) != heard(before_)) mark(Cause::mode_switch, now_s);
     if (now.restarts != before_.restarts) mark(Cause::restart, now_s);
     if (now.transmitting) {
