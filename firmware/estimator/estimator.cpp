@@ -521,6 +521,12 @@ bool slowThroughTheAir() {
     return known && vehicle.estimate.airspeed_mps < flyingAirspeed_mps();
 }
 
+bool barometerSteady() {
+    const float gps_m = core::hundredths(vehicle.gps.altitude_cm) - heights.gps_above_m;
+    const bool alone = !vehicle.gps.healthy || heights.gps_above_m == 0;
+    return !height.lastReadingFarOff() && (alone || near(gps_m, height.height_m()));
+}
+
 void zeroHeight() {
     barometer_drift.zero();
     if (vehicle.baro.healthy) height.resume(vehicle.estimate.baro_height_m, 0);

@@ -47,6 +47,9 @@ float flyingAirspeed_mps();
 float measuredGroundSpeed_mps();
 bool slowThroughTheAir();  // slower than that, by the sensor or the known wind; false: not known
 
+// It has not jumped lately, neither against its own last readings nor by more than 20 m against the
+// receiver's height.
+bool barometerSteady();
 void zeroHeight();             // the airplane stands at height 0 now
 void shiftHeight(float by_m);  // added to every height from now on
 

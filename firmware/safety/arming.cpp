@@ -5,6 +5,7 @@
 #include "core/file_state.hpp"
 #include "core/internal_error.hpp"
 #include "core/maths.hpp"
+#include "firmware/estimator/estimator.hpp"
 #include "firmware/mission/home.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/modes/modes.hpp"
@@ -72,7 +73,7 @@ bool accelerometersBad() {
     return length < 78L * 78 || length > 118L * 118;
 }
 bool attitudeBad() { return !vehicle.attitude.aligned; }
-bool barometerBad() { return !vehicle.baro.healthy; }
+bool barometerBad() { return !vehicle.baro.healthy || !estimator::barometerSteady(); }
 
 bool compassBad() { return parameters.compass_use != 0 && !vehicle.compass.healthy; }
 // The earth's field is 230 to 670 milligauss; what is far from that is a magnet or a motor's wire.

@@ -43,7 +43,7 @@ private:
     enum class Step : uint8_t { done, first_check, value, second_check };
     static constexpr uint16_t kNoSlot = kParameterSlots;
     static constexpr uint8_t kTries = 8;  // of a value that was not kept
-    struct Word {  // of a slot
+    struct Word {                         // of a slot
         uint16_t slot = kNoSlot;
         uint32_t value = 0;
     };

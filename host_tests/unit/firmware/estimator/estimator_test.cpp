@@ -599,6 +599,29 @@ TEST_F(AirspeedStays, while_gps_and_wind_show_a_lower_speed) { EXPECT_TRUE(fault
 TEST_F(AirspeedStays, as_the_speed_does) { EXPECT_FALSE(faulty(0)); }
 TEST_F(AirspeedStays, within_a_metre_a_second) { EXPECT_FALSE(faulty(0.4f)); }
 
+TEST_F(Estimator, knows_a_barometer_that_has_jumped_before_arming) {
+    using firmware::estimator::barometerSteady;
+    frames(600);
+    EXPECT_TRUE(barometerSteady());
+    mutable_vehicle.baro.pressure_pa -= 1200;  // a hundred metres
+    frames(20);
+    EXPECT_FALSE(barometerSteady()) << "against its own readings";
+    frames(300);
+    EXPECT_NEAR(vehicle.estimate.height_m, 100, 5) << "it insists";
+    EXPECT_FALSE(barometerSteady()) << "against the receiver";
+    frames(3000);
+    EXPECT_TRUE(barometerSteady()) << "the receiver may have been far off before";
+}
+
+TEST_F(Estimator, begins_at_the_barometers_reading_when_heights_are_zeroed) {
+    frames(600);
+    mutable_vehicle.baro.pressure_pa -= 1200;
+    frames(20);
+    firmware::estimator::zeroHeight();
+    frames(20);
+    EXPECT_NEAR(vehicle.estimate.height_m, 0, 1);
+}
+
 // Neither does a wind say so when there are no fixes.
 TEST_F(Estimator, loses_an_airspeed_that_stays_slow_in_a_dive_at_full_throttle_without_fixes_too) {
     using namespace firmware::sensors;
