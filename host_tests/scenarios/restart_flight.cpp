@@ -39,24 +39,6 @@ struct Sticks {
     uint16_t roll = 1500, pitch = 1500, throttle = 1100, yaw = 1500, mode = kFbwa_us;
 };
 
-// The moments at which the application begins: the first thing it does is to clear MCUSR, as the
-// bootloader has done before it.
-class Beginnings {
-public:
-    explicit Beginnings(Chip& chip) : avr_(chip.avr()) {
-        hookWrite<&Beginnings::cleared>(avr_, kMcusr, this);
-    }
-    double last_s() const { return static_cast<double>(last_) / kClock_hz; }
-
-private:
-    void cleared(uint16_t address, uint8_t value) {
-        avr_->data[address] = value;
-        if (avr_->pc < kBootSection) last_ = avr_->cycle;
-    }
-    avr_t* avr_;
-    uint64_t last_ = 0;
-};
-
 struct Symbol {
     size_t address = 0, size = 0;
 };
@@ -82,7 +64,6 @@ public:
           schedule_(symbolOf(firmware, "schedule")),
           tasks_(readTaskNames(firmware)),
           usart_(wiring.telemetry_usart),
-          begun_(board_.chip()),
           link_(board_, usart_, [this](const mavlink::Frame& frame, uint64_t at_us) {
               telemetry_.take(frame, at_us);
               if (on_frame) on_frame(frame);
@@ -143,16 +124,8 @@ public:
     void dismiss() { script_.reset(); }
 
     // ---- what goes wrong
-    // The program stays where it is for ever, interrupts go on.
-    void hang() {
-        constexpr uint32_t kSpare = kBootSection - 2;
-        avr_t* avr = board_.chip().avr();
-        while (board_.chip().interrupts().running() || !avr->sreg[S_I]) step_us(1);
-        avr->flash[kSpare] = 0xFF;
-        avr->flash[kSpare + 1] = 0xCF;  // RJMP to itself
-        avr->pc = kSpare;
-        avr->state = cpu_Running;
-    }
+    void hang() { board_.hang(); }
+    unsigned restarts() const { return board_.restarts(); }
     // The supply sags in 20 ms until the chip, and it alone, is reset, and comes back.
     void brownOut() {
         double supply_v = 5.0;
@@ -178,8 +151,8 @@ public:
     }
     void pressReset() { board_.chip().reset(Reset::external); }
 
-    double sinceBegun_s() const { return now_s() - begun_.last_s(); }
-    double begun_s() const { return begun_.last_s(); }
+    double sinceBegun_s() const { return now_s() - begun_s(); }
+    double begun_s() const { return static_cast<double>(board_.begun_us()) * 1e-6; }
     double now_s() const { return static_cast<double>(board_.time_us()) * 1e-6; }
     const Truth& truth() { return board_.world().truth(); }
     double servo_us(int output) { return board_.world().servoPulse_us(output); }
@@ -199,7 +172,6 @@ private:
     const Symbol schedule_;
     const std::vector<TaskName> tasks_;
     const int usart_;
-    Beginnings begun_;
     Link link_;
     Telemetry telemetry_;
     std::unique_ptr<ScriptedFlight> script_;
@@ -293,6 +265,7 @@ void fliesOn(Bench& bench, void (*fail)(Bench&), uint32_t mode, const char* why)
                 bench.truth().airspeed_mps, bench.truth().height_m);
     Watch watch(bench);
     const double height_m = bench.truth().height_m, failed_s = bench.now_s();
+    const unsigned restarts = bench.restarts();
     fail(bench);
     double motor_s = 0, pulses_s = 0;
     watch.run(0.001);
@@ -313,6 +286,7 @@ void fliesOn(Bench& bench, void (*fail)(Bench&), uint32_t mode, const char* why)
     bench.run_s(8.4);
     check(bench.telemetry().mode() == mode && bench.telemetry().armed(), "in mode %u, armed",
           bench.telemetry().mode());
+    check(bench.restarts() == restarts + 1, "%u restarts", bench.restarts() - restarts);
     check(!bench.truth().crashed && bench.truth().height_m > height_m - 15,
           "10 s later it is %.0f m high, it was %.0f", bench.truth().height_m, height_m);
     checkSaid(bench, failed_s, why);

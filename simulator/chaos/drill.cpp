@@ -41,23 +41,11 @@ public:
     Board& board() override { return board_; }
     void restart(const std::string& how) override {
         if (sag(board_, how)) return;
-        if (how == "watchdog") return hang();
+        if (how == "watchdog") return board_.hang();
         board_.reset();
     }
 
 private:
-    // The program stays where it is, interrupts go on: a jump to itself.
-    void hang() {
-        constexpr uint32_t kSpare = kBootSection - 2;
-        avr_t* avr = board_.chip().avr();
-        while (board_.chip().interrupts().running() || !avr->sreg[S_I]) run_us(1);
-        avr->flash[kSpare] = 0xFF;
-        avr->flash[kSpare + 1] = 0xCF;
-        avr->pc = kSpare;
-        avr->state = cpu_Running;
-    }
-    void run_us(uint64_t us) { board_.runUntil(board_.time_us() + us); }
-
     AvrBoard board_;
 };
 

@@ -71,7 +71,9 @@ AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options,
     chip_.adc().volts = [this](int pin) { return volts(pin); };
     chip_.eeprom().wear(WornCells(options.worn_cells, kEepromBytes, options.seed));
     chip_.on_reset = [this] {
-        ++restarts_;
+        // a low supply resets twice: when it falls and when it is back
+        if (program_runs_) ++restarts_;
+        program_runs_ = false;
         restart();
     };
     clears_ = hookWrite<&AvrBoard::begun>(chip_.avr(), kMcusr, this);
@@ -185,10 +187,29 @@ void AvrBoard::showFaults() {
 }
 
 // A bootloader clears the flags of the reset, and so does the program first of all.
+// A jump to itself, in a word of flash that no program uses.
+void AvrBoard::hang() {
+    constexpr uint32_t kSpare = kBootSection - 2;
+    constexpr uint64_t kStart_us = 1000;
+    avr_t* avr = chip_.avr();
+    const auto guarded = [&] { return program_runs_ && (avr->data[kWdtcsr] & kWatchdogOn) != 0; };
+    while (!guarded()) runUntil(time_us() + kStart_us);
+    while (chip_.interrupts().running() || !avr->sreg[S_I]) runUntil(time_us() + 1);
+    avr->flash[kSpare] = 0xFF;
+    avr->flash[kSpare + 1] = 0xCF;
+    avr->pc = kSpare;
+    avr->state = cpu_Running;
+}
+
 void AvrBoard::begun(uint16_t address, uint8_t value) {
     clears_(chip_.avr(), address, value);
     if (chip_.avr()->pc >= kBootSection) return;
     begun_us_ = time_us();
+    if (program_runs_) {  // it has jumped to its beginning
+        ++restarts_;
+        work_.reset();
+    }
+    program_runs_ = true;
     if (!first_cycle_) first_cycle_ = chip_.cycle();
 }
 

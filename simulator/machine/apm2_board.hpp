@@ -35,6 +35,9 @@ public:
     void setUsb(bool plugged) override;
     void reset() override { chip_.reset(Reset::external); }
     unsigned restarts() const override { return restarts_; }
+    // The program stays where it is for ever, as soon as it runs and has switched its watchdog on;
+    // interrupts go on.
+    void hang();
     uint64_t begun_us() const override { return begun_us_; }
     std::vector<uint8_t> eeprom() const override { return chip_.eeprom().contents(); }
     void setEeprom(const std::vector<uint8_t>& image) override;
@@ -108,6 +111,7 @@ private:
     bool data_ready_ = false;
     uint64_t contentions_ = 0;
     unsigned restarts_ = 0;
+    bool program_runs_ = false;  // since the last reset
     uint64_t begun_us_ = 0;
     std::optional<uint64_t> first_cycle_;  // of the program, after the first reset
     WriteChain clears_;

@@ -12,7 +12,8 @@ constexpr uint32_t kFlashSize = 0x40000;
 constexpr uint32_t kBootSection = 0x3E000;  // of 4096 words, as the boards are fused
 constexpr uint16_t kRamEnd = 0x21FF;
 constexpr uint16_t kEepromBytes = 4096;
-constexpr uint8_t kSleepEnable = 1;  // in SMCR
+constexpr uint8_t kSleepEnable = 1;    // in SMCR
+constexpr uint8_t kWatchdogOn = 0x48;  // in WDTCSR: reset or interrupt
 
 enum Register : uint16_t {
     kEifr = 0x3C,
@@ -32,6 +33,7 @@ enum Register : uint16_t {
     kRampz = 0x5B,
     kSpl = 0x5D,
     kSph = 0x5E,
+    kWdtcsr = 0x60,
     kAdcl = 0x78,
     kAdch = 0x79,
     kAdcsra = 0x7A,
