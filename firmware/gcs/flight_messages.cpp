@@ -93,8 +93,7 @@ bool fillIn(const Link&, mavlink::GlobalPositionInt& to) {
     return true;
 }
 
-// Without a sensor it follows from the wind aloft, of which one that stands on the ground feels
-// little.
+// Without a sensor it follows from the wind aloft, which hardly blows at the ground.
 float reportedAirspeed_mps() {
     const bool known = vehicle.airspeed.healthy || vehicle.estimate.flying;
     return known ? vehicle.estimate.equivalent_airspeed_mps : vehicle.estimate.ground_speed_mps;
