@@ -14,6 +14,7 @@
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
 #include "simulator/devices/supply.hpp"
+#include "simulator/native/board.hpp"
 
 namespace simulator {
 
@@ -82,10 +83,13 @@ void NativeBoard::run() {
         fault_ = "the watchdog was not fed for 250 ms";
 }
 
-// No pulse leaves the processor while the fuses hold it in reset.
+// No pulse leaves the processor while the fuses hold it in reset, nor while its bootloader waits.
 void NativeBoard::bringUp() {
+    constexpr uint64_t kLoader_us = 1000ULL * board::kLoader_ms;  // with the fuses' time
     started_ = true;
-    if (restarts_ > 0) moveTo(now_us_ + kStartUp_us);
+    const bool passes_loader =
+        last_run_.ended != hal::ResetCause::watchdog && last_run_.ended != hal::ResetCause::fault;
+    if (restarts_ > 0) moveTo(now_us_ + (passes_loader ? kLoader_us : kStartUp_us));
     begun_us_ = now_us_;
     firmware::app::setup();
 }
