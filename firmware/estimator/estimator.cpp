@@ -284,10 +284,13 @@ float knownAirspeed_mps() {
     return vehicle.estimate.flying ? core::hundredths(parameters.cruise_speed_cms) : 0.0f;
 }
 
-// By the airspeed sensor, else by the fixes. A speed from dead reckoning is no evidence.
+// By the airspeed sensor, else by the fixes, which a tube that is still covered does not belie when
+// they are as fast as one flies. A speed from dead reckoning is no evidence.
 bool fast() {
-    if (vehicle.airspeed.healthy) return vehicle.airspeed.speed_mps > flyingAirspeed_mps();
-    return !position.reckoned() && measuredGroundSpeed_mps() > kFlyingGroundSpeed_mps;
+    const bool measured = vehicle.airspeed.healthy;
+    if (measured && vehicle.airspeed.speed_mps > flyingAirspeed_mps()) return true;
+    const float least_mps = measured ? parameters.speed_min_mps : kFlyingGroundSpeed_mps;
+    return !position.reckoned() && measuredGroundSpeed_mps() > least_mps;
 }
 
 // An airplane that flies against the wind is slow over the ground, too. Unless it is known to be

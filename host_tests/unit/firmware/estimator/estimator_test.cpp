@@ -431,6 +431,20 @@ TEST_F(Stopped, knows_the_wind_and_its_height_again_after_a_restart) {
     EXPECT_TRUE(vehicle.estimate.flying);
 }
 
+// The tube is still covered.
+TEST_F(Estimator, flies_by_the_ground_speed_beside_an_airspeed_sensor_that_reads_nothing) {
+    const float least_mps = firmware::state::parameters.speed_min_mps;
+    for (const float speed_mps : {least_mps - 0.5f, least_mps + 0.5f}) {
+        SetUp();
+        mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
+        mutable_vehicle.airspeed.speed_mps = 0;
+        speed_mps_ = 0;
+        frames(400, speed_mps / 4);
+        frames(300);
+        EXPECT_EQ(vehicle.estimate.flying, speed_mps > least_mps) << speed_mps;
+    }
+}
+
 TEST_F(Estimator, records_how_far_home_was_moved_above_the_field) {
     frames(20);
     firmware::state::SlowRecord slow = {};
