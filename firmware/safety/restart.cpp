@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/restart.hpp"
 
+#include <math.h>
+
 #include "core/file_state.hpp"
 #include "core/internal_error.hpp"
 #include "core/maths.hpp"
@@ -216,9 +218,11 @@ float lostSoFar_s() {
 core::Vector3 turnedSince_rad(float since_s) {
     const auto& rate = flightToResume()->rate_rads;
     const HangDeltaAngle& turn = records.hang.turn;
-    const core::Vector3 rate_rads = {rate.x.toFloat(), rate.y.toFloat(), rate.z.toFloat()};
-    if (!isValid(records.hang, *flightToResume()) || turn.periods < kFewPeriods)
-        return rate_rads * since_s;
+    // A roll dies out within some tenths of a second, a turn goes on.
+    constexpr float kRollGoesOn_s = 0.4f;
+    const core::Vector3 goes_on_rad = {rate.x.toFloat() * fminf(since_s, kRollGoesOn_s),
+                                       rate.y.toFloat() * since_s, rate.z.toFloat() * since_s};
+    if (!isValid(records.hang, *flightToResume()) || turn.periods < kFewPeriods) return goes_on_rad;
     const float seen_s = turn.periods * estimation::kSamplePeriod_s;
     return hangTurn_rad(turn) * (since_s / seen_s);
 }
