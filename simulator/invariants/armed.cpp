@@ -51,7 +51,8 @@ class ArmedByACommand : public Invariant {
         constexpr double kFindsItself_s = 4;
         const double now_s = now.time_s();
         if (history.heard().armed) armed_s_ = history.heard().time_s;
-        if (now.restarts != restarts_ && now_s - armed_s_ < kFindsItself_s) resumes_s_ = now_s;
+        if (now.restarts != restarts_ && now_s - armed_s_ < kFindsItself_s)
+            resumes_s_ = restarted_s_ = now_s;
         restarts_ = now.restarts;
         if (now_s - resumes_s_ < kFindsItself_s && (sensorsFail(now) || evidenceFails(now)))
             resumes_s_ = now_s;
@@ -59,15 +60,22 @@ class ArmedByACommand : public Invariant {
         heartbeats_ = history.heartbeats();
         const Heard &before = history.heardBefore(), &after = history.heard();
         if (before.armed || !after.armed || before.time_s <= kNever_s) return;
-        if (now_s - resumes_s_ < kFindsItself_s) return;
+        if (now_s - resumes_s_ < kFindsItself_s || receiverSaysSo(now)) return;
         const double from_s = before.time_s - 1.5;
         for (const Cause cause : {Cause::arms, Cause::rudder, Cause::overrides})
             if (history.within(cause, from_s, after.time_s)) return;
         report(after.time_s, text("armed, in mode %u", after.mode));
     }
 
+    // It starts within half a minute, and sees what moves as fast as one flies.
+    bool receiverSaysSo(const Snapshot& now) const {
+        constexpr double kStarts_s = 32, kMoves_mps = 6;
+        return now.time_s() - restarted_s_ < kStarts_s &&
+               std::hypot(now.truth.velocity_north_mps, now.truth.velocity_east_mps) > kMoves_mps;
+    }
+
     unsigned restarts_ = 0;
-    double armed_s_ = kNever_s, resumes_s_ = kNever_s;
+    double armed_s_ = kNever_s, resumes_s_ = kNever_s, restarted_s_ = kNever_s;
     uint64_t heartbeats_ = 0;
 };
 

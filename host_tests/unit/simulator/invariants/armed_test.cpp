@@ -53,6 +53,22 @@ TEST(ArmedByACommand, one_disarmed_heartbeat_after_a_restart_in_the_air_is_allow
     EXPECT_EQ(flown.violated(), "");
 }
 
+TEST(ArmedByACommand, a_receiver_that_starts_late_may_arm_what_moves_as_fast_as_one_flies) {
+    for (const bool moves : {true, false}) {
+        Flown flown = flying();
+        flown.watch.provokedRestart(true);
+        flown.restart();
+        flown.armed = false;
+        flown.now.truth.velocity_north_mps = moves ? 12 : 1;
+        flown.now.truth.velocity_east_mps = 0;
+        flown.run(10);
+        flown.armed = true;
+        flown.run(3);
+        const bool violated = flown.violated().find("armed_by_itself") != std::string::npos;
+        EXPECT_EQ(violated, !moves);
+    }
+}
+
 TEST(ArmedByACommand, the_rudder_stick_may_arm) {
     Flown flown;
     flown.run(5);
