@@ -45,6 +45,8 @@ constexpr CommandRow kCommands[] = {
     {MavCmd::do_land_start, Cause::mission},
     {MavCmd::do_go_around, Cause::mission},
     {MavCmd::do_go_around, Cause::go_around},
+    {MavCmd::do_land_start, Cause::go_around},  // on a final it is one
+    {MavCmd::nav_land, Cause::go_around},       // the same
     {MavCmd::do_set_mission_current, Cause::mission},
     {MavCmd::do_jump, Cause::mission},
     {MavCmd::mission_start, Cause::mission},
