@@ -540,6 +540,8 @@ void zeroHeight() {
                                                   vehicle.baro.ground_temperature_c);
 }
 
+float aboveField_m() { return published.height_m + heights.home_above_field_dm * 0.1f; }
+
 void shiftHeight(float by_m) {
     heights.home_m -= by_m / barometer_drift.scale();
     heights.home_above_field_dm -= static_cast<int16_t>(core::rounded(by_m * 10.0f));

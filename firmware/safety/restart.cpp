@@ -78,7 +78,7 @@ void fill(FastRecord& to, bool in_the_air) {
 
 void saveFastRecord() {
     const FlightSigns signs = {vehicle.armed, vehicle.estimate.flying,
-                               vehicle.estimate.ground_speed_mps, vehicle.estimate.height_m};
+                               vehicle.estimate.ground_speed_mps, aboveField_m()};
     fill(nextFastRecord(), inTheAir(signs));
     finishFastRecord();
     restart.records_written = true;

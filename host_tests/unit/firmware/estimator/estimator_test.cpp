@@ -452,6 +452,7 @@ TEST_F(Estimator, records_how_far_home_was_moved_above_the_field) {
     firmware::estimator::shiftHeight(-12.5f);
     firmware::estimator::saveEstimate(slow);
     EXPECT_EQ(slow.home_above_field_dm, 125);
+    EXPECT_NEAR(firmware::estimator::aboveField_m(), 0, 0.1);
     firmware::estimator::zeroHeight();
     firmware::estimator::saveEstimate(slow);
     EXPECT_EQ(slow.home_above_field_dm, 0);

@@ -179,6 +179,19 @@ TEST_F(Restart, is_seen_in_the_air_by_its_height_over_the_field_wherever_home_is
     EXPECT_TRUE(vehicle.armed);
 }
 
+TEST_F(Restart, flies_on_slowly_over_the_ground_at_the_height_of_a_home_that_was_set_in_the_air) {
+    for (const float home_above_field_m : {4.0f, 40.0f}) {
+        SetUp();
+        zeroHeight();
+        shiftHeight(-home_above_field_m);
+        mutable_vehicle.estimate.height_m = 0;
+        mutable_vehicle.estimate.ground_speed_mps = 3;
+        keep();
+        begin(ResetCause::watchdog);
+        EXPECT_EQ(flyingOn(), home_above_field_m > 5);
+    }
+}
+
 TEST_F(Restart, leaves_one_that_the_pilot_has_armed_meanwhile_as_it_is) {
     begin(ResetCause::unknown);
     lookAtSwitch(1165);
