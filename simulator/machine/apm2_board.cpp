@@ -190,11 +190,15 @@ void AvrBoard::showFaults() {
 // A jump to itself, in a word of flash that no program uses.
 void AvrBoard::hang() {
     constexpr uint32_t kSpare = kBootSection - 2;
-    constexpr uint64_t kStart_us = 1000;
+    constexpr uint64_t kStart_us = 1000, kBegins_us = 5'000'000;
     avr_t* avr = chip_.avr();
     const auto guarded = [&] { return program_runs_ && (avr->data[kWdtcsr] & kWatchdogOn) != 0; };
-    while (!guarded()) runUntil(time_us() + kStart_us);
-    while (chip_.interrupts().running() || !avr->sreg[S_I]) runUntil(time_us() + 1);
+    const uint64_t until_us = time_us() + kBegins_us;
+    const auto run = [&](uint64_t us) { return time_us() < until_us && runUntil(time_us() + us); };
+    while (!guarded())
+        if (!run(kStart_us)) return;
+    while (chip_.interrupts().running() || !avr->sreg[S_I])
+        if (!run(1)) return;
     avr->flash[kSpare] = 0xFF;
     avr->flash[kSpare + 1] = 0xCF;
     avr->pc = kSpare;

@@ -35,8 +35,8 @@ public:
     void setUsb(bool plugged) override;
     void reset() override { chip_.reset(Reset::external); }
     unsigned restarts() const override { return restarts_; }
-    // The program stays where it is for ever, as soon as it runs and has switched its watchdog on;
-    // interrupts go on.
+    // The program stays where it is for ever, as soon as it runs and has switched its watchdog on,
+    // within 5 s; interrupts go on.
     void hang();
     uint64_t begun_us() const override { return begun_us_; }
     std::vector<uint8_t> eeprom() const override { return chip_.eeprom().contents(); }
