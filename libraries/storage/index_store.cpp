@@ -84,8 +84,8 @@ Status IndexStore::open(uint8_t generation, uint8_t& index, bool& damaged) {
 Status IndexStore::write(uint8_t generation, uint8_t index) {
     const uint8_t sequence = next(sequence_);
     const uint8_t place = sequence % kIndexEntries;
-    const uint8_t high = static_cast<uint8_t>(sequence / kIndexEntries * kCheckedBy +
-                                              checkOf(index, generation));
+    const uint8_t high =
+        static_cast<uint8_t>(sequence / kIndexEntries * kCheckedBy + checkOf(index, generation));
     const uint8_t number = static_cast<uint8_t>(high * kIndexEntries + shifted(place));
     const uint8_t entry[kIndexEntrySize] = {index, generation, number};
     const Status status = hal::eepromWrite(entryAddress(place), entry, sizeof entry);
