@@ -16,11 +16,9 @@
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/published.hpp"
 #include "hal/clock.hpp"
-#include "hal/eeprom.hpp"
 #include "hal/page_flash.hpp"
 #include "hal/watchdog.hpp"
-#include "storage/eeprom_map.hpp"
-#include "storage/owner.hpp"
+#include "storage/log_base.hpp"
 
 namespace firmware {
 
@@ -328,31 +326,25 @@ void reportDropped() {
     sendStatusText(Severity::warning, ROM_TEXT("Log: # records dropped"), logged.dropped);
 }
 
-// Where the ring begins, in the EEPROM beside its complement.
-struct Base {
-    uint16_t base, complement;
-};
-constexpr uint16_t kBaseAddress = storage::kHomeAndLog.end() - sizeof(Base);
-
 uint16_t readBase() {
-    Base stored;
-    while (hal::eepromRead(kBaseAddress, &stored, sizeof stored) == core::Status::busy) {
+    uint16_t base;
+    while (storage::readLogBase(base) == core::Status::busy) {
     }
-    return (stored.base ^ stored.complement) == 0xFFFF ? stored.base : 0;
+    return base;
 }
 
-bool saveBase(uint16_t base) {
-    storage::Owner owner;
-    if (storage::findOwner(owner) != core::Status::ok) return false;
-    if (owner != storage::Owner::ours) return true;  // not to be written to
-    const Base stored = {base, static_cast<uint16_t>(~base)};
-    return hal::eepromWrite(kBaseAddress, &stored, sizeof stored) == core::Status::ok;
+// A changed bit. When the EEPROM is busy, at the next start.
+void mendBase(uint16_t base) {
+    if (base == storage::kNoLogBase) return;
+    const core::Status status = storage::writeLogBase(base);
+    (void)status;
 }
 
 void eraseMore() {
     if (!flight_logs.erasing()) {
         (void)flight_logs.erase();
-    } else if (flight_logs.eraseStep() && saveBase(flight_logs.nextBase())) {
+    } else if (flight_logs.eraseStep() &&
+               storage::writeLogBase(flight_logs.nextBase()) == core::Status::ok) {
         flight_logs.finishErase();
         logged.request = Request::none;
         sendStatusText(Severity::notice, ROM_TEXT("Logs erased"));
@@ -368,7 +360,9 @@ void armedMeanwhile() {
 }  // namespace
 
 void logStart() {
-    flight_logs.start(readBase());
+    const uint16_t base = readBase();
+    flight_logs.start(base);
+    mendBase(base);
     logged.due = logged.dropped = logged.prelude = 0;
     logged.run = logged.dropped_reported = 0;
     logged.request = Request::none;

@@ -28,11 +28,7 @@ uint16_t forgotten(const SavedHome& home) { return static_cast<uint16_t>(~sum(ho
 Status readBoth(SavedHome (&homes)[2]) { return hal::eepromRead(kAt, homes, sizeof homes); }
 
 Status writeBoth(const SavedHome (&homes)[2]) {
-    storage::Owner owner;
-    const Status status = storage::findOwner(owner);
-    if (status != Status::ok) return status;
-    if (owner != storage::Owner::ours) return Status::ok;  // not to be written to
-    return hal::eepromWrite(kAt, homes, sizeof homes);
+    return storage::writeIfOurs(kAt, homes, sizeof homes);
 }
 
 }  // namespace
