@@ -29,13 +29,13 @@ uint8_t opened(uint8_t generation) {
 // As at a start that reports what is damaged, and writes again what is left.
 struct Start {
     uint8_t index = 99;
-    bool told = false;
+    bool reported = false;
 };
 Start started(uint8_t generation) {
     IndexStore store;
     Start start;
-    EXPECT_EQ(store.open(generation, start.index, start.told), Status::ok);
-    if (start.told) {
+    EXPECT_EQ(store.open(generation, start.index, start.reported), Status::ok);
+    if (start.reported) {
         EXPECT_EQ(store.write(generation, start.index), Status::ok);
     }
     return start;
@@ -111,32 +111,32 @@ TEST_F(IndexStoreTest, any_changed_bit_leaves_the_index_or_is_reported_once) {
     uint8_t index;
     bool damaged;
     ASSERT_EQ(store.open(7, index, damaged), Status::ok);
-    int flips = 0, told = 0;
+    int flips = 0, reported = 0;
     for (uint8_t n = 0; n < 90; ++n) {
         const uint8_t newest = static_cast<uint8_t>(1 + n * 37 % 170);
         ASSERT_EQ(store.write(7, newest), Status::ok);
         const auto cells = fakes::eepromCells();
-        ASSERT_FALSE(started(7).told) << "whole after write " << +n;
+        ASSERT_FALSE(started(7).reported) << "whole after write " << +n;
         for (uint16_t at = storage::kIndex.begin; at < storage::kIndex.end(); ++at)
             for (int bit = 0; bit < 8; ++bit) {
                 fakes::setEepromCells(cells);
                 fakes::setEepromCell(at, static_cast<uint8_t>(cells[at] ^ 1 << bit));
                 const Start start = started(7);
-                ASSERT_TRUE(start.index == newest || start.told) << at << ", " << bit;
+                ASSERT_TRUE(start.index == newest || start.reported) << at << ", " << bit;
                 const Start next = started(7);
                 ASSERT_EQ(next.index, start.index);
-                ASSERT_FALSE(next.told) << at << ", " << bit;
+                ASSERT_FALSE(next.reported) << at << ", " << bit;
                 ++flips;
-                told += start.told;
+                reported += start.reported;
             }
         fakes::setEepromCells(cells);
     }
-    printf("%d changed bits, %d of them reported, none silent\n", flips, told);
+    printf("%d changed bits, %d of them reported, none silent\n", flips, reported);
 }
 
 // Two rounds and a half over a cell that holds its bit.
 TEST_F(IndexStoreTest, a_worn_cell_leaves_the_index_or_is_reported) {
-    int told = 0;
+    int reported = 0;
     for (uint16_t at = storage::kIndex.begin; at < storage::kIndex.end(); ++at)
         for (int bit = 0; bit < 16; ++bit) {
             fakes::resetEeprom();
@@ -149,11 +149,12 @@ TEST_F(IndexStoreTest, a_worn_cell_leaves_the_index_or_is_reported) {
                 ASSERT_EQ(store.open(7, index, damaged), Status::ok);
                 ASSERT_EQ(store.write(7, newest), Status::ok);
                 const Start start = started(7);
-                ASSERT_TRUE(start.index == newest || start.told) << at << ", " << bit << ", " << +n;
-                told += start.told;
+                ASSERT_TRUE(start.index == newest || start.reported)
+                    << at << ", " << bit << ", " << +n;
+                reported += start.reported;
             }
         }
-    EXPECT_GT(told, 0);
+    EXPECT_GT(reported, 0);
 }
 
 TEST_F(IndexStoreTest, the_index_of_the_first_boards_is_read_and_followed_by_those_with_a_check) {
@@ -163,7 +164,7 @@ TEST_F(IndexStoreTest, the_index_of_the_first_boards_is_read_and_followed_by_tho
             writeOld(static_cast<uint8_t>(number), 7, static_cast<uint8_t>(number % 171));
         const Start start = started(7);
         ASSERT_EQ(start.index, last % 171);
-        ASSERT_FALSE(start.told) << last;
+        ASSERT_FALSE(start.reported) << last;
         for (int n = 0; n < 50; ++n) {
             const uint8_t newest = static_cast<uint8_t>(1 + n * 37 % 170);
             IndexStore store;
@@ -173,7 +174,7 @@ TEST_F(IndexStoreTest, the_index_of_the_first_boards_is_read_and_followed_by_tho
             ASSERT_EQ(store.write(7, newest), Status::ok);
             const Start next = started(7);
             ASSERT_EQ(next.index, newest) << last << ", " << n;
-            ASSERT_FALSE(next.told) << last << ", " << n;
+            ASSERT_FALSE(next.reported) << last << ", " << n;
         }
     }
 }
