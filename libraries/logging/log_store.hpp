@@ -79,7 +79,7 @@ private:
     core::Status number();
     core::Status storePage();
 
-    Key key_;        // of the page being filled; while the end is sought, of the ring's first
+    Key key_;  // of the page being filled; while the end is sought, of the ring's first
     uint16_t last_;
     uint16_t next_;  // index of the page to be written next
     uint16_t base_;
