@@ -9,6 +9,7 @@
 #include "firmware/actuators/camera.hpp"
 #include "firmware/logger/records.hpp"
 #include "firmware/logger/sources.hpp"
+#include "firmware/mission/host.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/notify/text_queue.hpp"
@@ -128,7 +129,7 @@ constexpr uint8_t kNoMode = 0xFF;
 
 enum class Request : uint8_t { none, pause, erase };
 struct Progress {
-    uint16_t prelude;  // formats, banner, parameters, mission items already logged
+    uint16_t prelude;  // formats, banner, lists, parameters, mission items already logged
     uint16_t due;      // a bit a source
     uint16_t dropped;
     uint8_t run;       // 0 .. kRound - 1
@@ -210,6 +211,8 @@ bool putPrelude() {
         ok = putBanner();
     } else if (--at == 0) {
         ok = putError(kProcessor, static_cast<uint8_t>(hal::resetCause()));
+    } else if (--at == 0) {
+        ok = putLists();
     } else if (--at < parameterCount()) {
         ok = putParameter(static_cast<uint8_t>(at));
     } else if ((at -= parameterCount()) < missionCount() && wants(Bit::command)) {
@@ -266,7 +269,8 @@ bool putChange() {
         return true;
     }
     if (logged.commands_waiting == 0) return false;
-    if (!putCommand(logged.commands[0])) return false;
+    const uint8_t index = logged.commands[0];
+    if (!(index == kNoItem ? putLists() : putCommand(index))) return false;
     --logged.commands_waiting;
     memmove(logged.commands, logged.commands + 1, logged.commands_waiting);
     return true;
