@@ -384,7 +384,8 @@ int fly(const FlyOptions& options) {
     std::signal(SIGALRM, stopNow);
     std::signal(SIGPIPE, SIG_IGN);  // a debugger or ground station that has gone
     try {
-        const MissionFile mission = readMissionFile(options.mission);
+        MissionFile mission = readMissionFile(options.mission);
+        mission.stored_navs = options.stored_navs;
         for (const Remark& each : mission.remarks)
             std::cerr << "fly: " << options.mission << ':' << each.line << ':' << each.column
                       << ": " << each.text << "\n";

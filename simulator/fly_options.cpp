@@ -66,6 +66,8 @@ std::string contradiction(const FlyOptions& options, const CLI::App& app) {
         {!options.fdm.empty() && given("--wind"), "--fdm brings its own air: no --wind"},
         {!options.fdm.empty() && given("--gusts"), "--fdm brings its own air: no --gusts"},
         {options.fdm.empty() && given("--fdm-wait"), "--fdm-wait needs --fdm"},
+        {given("--stored") && options.eeprom.empty(), "--stored needs --eeprom"},
+        {options.serve && given("--stored"), " flies no script: leave out --stored"},
         {options.no_dataflash && given("--dataflash"),
          "--dataflash needs the chip: no --no-dataflash"},
         {!options.serve && given("--listen"), "--listen needs --serve or --lock-step"},
@@ -234,8 +236,8 @@ void addHardware(CLI::App& app, FlyOptions& o) {
                    "ROLL,PITCH,YAW: the compass is outside the board, turned so, in degrees; "
                    "180,0,0 is the usual GPS with a compass under its chip")
         ->delimiter(',')
-        ->expected(3)
-        ->check(CLI::Range(-360.0, 360.0));
+        ->expected(1)
+        ->check(CLI::Range(1, 255));
     app.add_option("--worn-eeprom", o.worn_cells,
                    "so many bytes of the EEPROM have a bit that stays as it is")
         ->check(CLI::Range(0, 4096));
@@ -259,9 +261,34 @@ void addHardware(CLI::App& app, FlyOptions& o) {
         ->capture_default_str();
 }
 
+// Whole numbers from 1 to 255 with commas between; of anything else nothing.
+std::vector<int> itemsIn(const std::string& text) {
+    std::vector<int> items;
+    for (size_t at = 0; at <= text.size();) {
+        const size_t end = std::min(text.find(',', at), text.size());
+        const std::string word = text.substr(at, end - at);
+        const bool is_number = !word.empty() && word.size() <= 3 &&
+                               word.find_first_not_of("0123456789") == std::string::npos;
+        const int item = is_number ? std::stoi(word) : 0;
+        if (item < 1 || item > 255) return {};
+        items.push_back(item);
+        at = end + 1;
+    }
+    return items;
+}
+
+std::string itemList(const std::string& text) {
+    return itemsIn(text).empty() ? "expected ITEM,ITEM..., not '" + text + "'" : "";
+}
+
 void addFlight(CLI::App& app, FlyOptions& o) {
     app.add_flag("--usb", o.usb, "a second ground station on USB, which asks for all streams too")
         ->disable_flag_override();
+    app.add_option_function<std::string>(
+           "--stored", [&o](const std::string& items) { o.stored_navs = itemsIn(items); },
+           "ITEM,ITEM...: nothing is uploaded, the mission is that in the EEPROM. MISSION says "
+           "where it leads; these of its NAVs are to be reached, in this order")
+        ->check(itemList);
     app.add_option("--time-limit", o.time_limit_s, "emulated seconds until the flight is given up")
         ->check(seconds)
         ->capture_default_str();

@@ -33,6 +33,7 @@ struct FlyOptions {
     unsigned worn_cells = 0;
     std::string bootloader = "stock";
     double board_warmth_c = 10, board_warmth_start_c = 10, gps_latency_ms = 200;
+    std::vector<int> stored_navs;
     double time_limit_s = 1200;
     std::string fdm;  // "json:PORT"; empty: the airplane is the simulator's own
     double fdm_wait_s = 30;

@@ -74,11 +74,12 @@ bool entryStep(Link& link, uint32_t time_utc) {
     entry.size = download.offset;
     entry.id = download.reader.log();
     entry.last_log_num = flight_logs.last();
-    entry.num_logs = static_cast<uint16_t>(entry.last_log_num - oldest.log + 1);
+    const bool round = entry.last_log_num < oldest.log;  // no log has number 0
+    entry.num_logs = static_cast<uint16_t>(entry.last_log_num - oldest.log + 1 - round);
     if (!send(link, entry)) return false;
-    const bool more = entry.id < static_cast<uint16_t>(download.left);
+    const bool more = entry.id != static_cast<uint16_t>(download.left);
     download.doing = more ? Doing::list : Doing::nothing;
-    download.reader.open(flight_logs, static_cast<uint16_t>(entry.id + more));
+    download.reader.open(flight_logs, more ? logging::following(entry.id) : entry.id);
     return true;
 }
 
@@ -153,6 +154,17 @@ bool mayTalk(const Link& link) {
     return static_cast<uint8_t>(hal::now_ms()) % 100 >= link.slowdown_pct;
 }
 
+// The first one to be listed; the last one is in download.left. 0: none. While the numbers have
+// gone round, from 65535 to 1, all are listed or the one that is asked for.
+uint16_t chooseListed(const mavlink::LogRequestList& asked, uint16_t oldest, uint16_t last) {
+    download.left = last;
+    if (oldest > last && asked.start != asked.end) return oldest;
+    if (asked.end < last || oldest > last) download.left = asked.end;
+    const uint16_t first = asked.start > oldest || oldest > last ? asked.start : oldest;
+    const bool is_there = oldest > last ? first >= oldest || first <= last : first <= download.left;
+    return is_there ? first : 0;
+}
+
 }  // namespace
 
 void logsStart() { download.doing = Doing::nothing; }
@@ -163,10 +175,9 @@ bool onLogRequestList(Link& link, const mavlink::Frame& frame) {
     logging::Key oldest = {};
     const Status status = anyLogs() ? logging::oldestKey(flight_logs, oldest) : Status::corrupt;
     if (status == Status::busy) return false;
-    const uint16_t last = flight_logs.last();
-    const uint16_t first = asked.start > oldest.log ? asked.start : oldest.log;
-    download.left = asked.end < last ? asked.end : last;
-    if (status != Status::ok || first > download.left) {
+    const uint16_t first =
+        status == Status::ok ? chooseListed(asked, oldest.log, flight_logs.last()) : 0;
+    if (first == 0) {
         const LogEntry none = {};
         return send(link, none);
     }

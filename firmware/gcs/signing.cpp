@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/gcs/signing.hpp"
 
+#include <stddef.h>
 #include <string.h>
 
 #include "core/crc.hpp"
@@ -27,7 +28,8 @@ using core::Status;
 constexpr uint8_t kKeySize = 32;
 constexpr uint16_t kKeyAt = storage::kSigning.begin;
 constexpr uint16_t kMarkAt = kKeyAt + kKeySize;
-constexpr uint16_t kThereIsAKey = 0xC35A;
+// There is a key: as the first boards have it, and with its CRC. One wrong bit does not count.
+constexpr uint16_t kUncheckedKey = 0xC35A, kCheckedKey = 0x3CA5;
 
 // Of a time in 10 us since 2015 the upper 32 of its 48 bits: 0.655 s each.
 constexpr uint32_t kMinute = 91;
@@ -43,8 +45,11 @@ struct __attribute__((packed)) StoredTime {
 struct __attribute__((packed)) Stored {  // behind the key
     uint16_t mark;
     StoredTime times[kTimes];
+    uint16_t key_crc;
 };
 static_assert(kKeySize + sizeof(Stored) <= storage::kSigning.size, "what is stored does not fit");
+
+constexpr uint16_t kKeyCrcAt = kMarkAt + offsetof(Stored, key_crc);
 
 struct __attribute__((packed)) Signature {
     uint8_t link;
@@ -95,19 +100,45 @@ SELDOM StoredTime storedTime(uint32_t upper) {
     return time;
 }
 
-SELDOM void readStored() {
-    Stored stored;
-    if (hal::eepromRead(kMarkAt, &stored, sizeof stored) != Status::ok) return;
-    signing.key = stored.mark == kThereIsAKey ? Key::set : Key::none;
-    memset(signing.streams, 0, sizeof signing.streams);
+bool isMark(uint16_t stored, uint16_t mark) {
+    const uint16_t wrong = stored ^ mark;
+    return (wrong & (wrong - 1)) == 0;
+}
+
+// The newest. False: one is damaged and may have been newer, so that what was heard since the one
+// before may be heard again.
+bool takeTimes(const StoredTime (&times)[kTimes]) {
+    bool whole = true;
     signing.stored = 0;
     for (uint8_t i = 0; i < kTimes; ++i) {
-        const StoredTime& time = stored.times[i];
-        if (time.crc != crcOf(time) || time.upper < signing.stored) continue;
-        signing.stored = time.upper;
-        signing.stored_at = i;
+        const StoredTime& time = times[i];
+        if (time.crc != crcOf(time)) {
+            whole = false;
+        } else if (time.upper >= signing.stored) {
+            signing.stored = time.upper;
+            signing.stored_at = i;
+        }
     }
     signing.floor = signing.stored;
+    return whole;
+}
+
+// By a key that has changed every signed frame is refused.
+SELDOM void readStored() {
+    struct __attribute__((packed)) {
+        uint8_t key[kKeySize];
+        Stored rest;
+    } stored;
+    if (hal::eepromRead(kKeyAt, &stored, sizeof stored) != Status::ok) return;
+    memset(signing.streams, 0, sizeof signing.streams);
+    bool whole = takeTimes(stored.rest.times);
+    signing.key = Key::set;
+    if (isMark(stored.rest.mark, kCheckedKey))
+        whole &= stored.rest.key_crc == core::crc16(core::kCrcStart, stored.key, kKeySize);
+    else if (!isMark(stored.rest.mark, kUncheckedKey))
+        signing.key = Key::none;
+    if (!whole && signing.key == Key::set)
+        sendStatusText(Severity::error, ROM_TEXT("Signing key or its time is damaged"));
 }
 
 // What a link is kept alive by, and what a radio says of itself; and over USB a new key.
@@ -252,11 +283,16 @@ bool isZero(const uint8_t* key) {
 }
 
 // Without its mark there is no key: a power cut leaves none. In small parts, as others write too.
-constexpr uint8_t kPart = 8, kKeySteps = kKeySize / kPart, kSteps = kKeySteps + kTimes + 2;
+constexpr uint8_t kPart = 8, kKeySteps = kKeySize / kPart;
+constexpr uint8_t kSteps = kKeySteps + kTimes + 3;
 
 Status storeStep(uint8_t step, const mavlink::SetupSigning& setup, bool clears) {
-    const uint16_t mark = step == 0 || clears ? 0 : kThereIsAKey;
+    const uint16_t mark = step == 0 || clears ? 0 : kCheckedKey;
     if (step == 0 || step == kSteps - 1) return hal::eepromWrite(kMarkAt, &mark, sizeof mark);
+    if (step == kSteps - 2) {
+        const uint16_t crc = core::crc16(core::kCrcStart, setup.secret_key, kKeySize);
+        return hal::eepromWrite(kKeyCrcAt, &crc, sizeof crc);
+    }
     const uint8_t at = static_cast<uint8_t>((step - 1) * kPart);
     if (at < kKeySize)
         return hal::eepromWrite(static_cast<uint16_t>(kKeyAt + at), setup.secret_key + at, kPart);

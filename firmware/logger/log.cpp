@@ -9,6 +9,7 @@
 #include "firmware/actuators/camera.hpp"
 #include "firmware/logger/records.hpp"
 #include "firmware/logger/sources.hpp"
+#include "firmware/mission/host.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/notify/text_queue.hpp"
@@ -16,11 +17,9 @@
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/published.hpp"
 #include "hal/clock.hpp"
-#include "hal/eeprom.hpp"
 #include "hal/page_flash.hpp"
 #include "hal/watchdog.hpp"
-#include "storage/eeprom_map.hpp"
-#include "storage/owner.hpp"
+#include "storage/log_base.hpp"
 
 namespace firmware {
 
@@ -130,7 +129,7 @@ constexpr uint8_t kNoMode = 0xFF;
 
 enum class Request : uint8_t { none, pause, erase };
 struct Progress {
-    uint16_t prelude;  // formats, banner, parameters, mission items already logged
+    uint16_t prelude;  // formats, banner, lists, parameters, mission items already logged
     uint16_t due;      // a bit a source
     uint16_t dropped;
     uint8_t run;       // 0 .. kRound - 1
@@ -212,6 +211,8 @@ bool putPrelude() {
         ok = putBanner();
     } else if (--at == 0) {
         ok = putError(kProcessor, static_cast<uint8_t>(hal::resetCause()));
+    } else if (--at == 0) {
+        ok = putLists();
     } else if (--at < parameterCount()) {
         ok = putParameter(static_cast<uint8_t>(at));
     } else if ((at -= parameterCount()) < missionCount() && wants(Bit::command)) {
@@ -268,7 +269,8 @@ bool putChange() {
         return true;
     }
     if (logged.commands_waiting == 0) return false;
-    if (!putCommand(logged.commands[0])) return false;
+    const uint8_t index = logged.commands[0];
+    if (!(index == kNoItem ? putLists() : putCommand(index))) return false;
     --logged.commands_waiting;
     memmove(logged.commands, logged.commands + 1, logged.commands_waiting);
     return true;
@@ -328,31 +330,25 @@ void reportDropped() {
     sendStatusText(Severity::warning, ROM_TEXT("Log: # records dropped"), logged.dropped);
 }
 
-// Where the ring begins, in the EEPROM beside its complement.
-struct Base {
-    uint16_t base, complement;
-};
-constexpr uint16_t kBaseAddress = storage::kHomeAndLog.end() - sizeof(Base);
-
 uint16_t readBase() {
-    Base stored;
-    while (hal::eepromRead(kBaseAddress, &stored, sizeof stored) == core::Status::busy) {
+    uint16_t base;
+    while (storage::readLogBase(base) == core::Status::busy) {
     }
-    return (stored.base ^ stored.complement) == 0xFFFF ? stored.base : 0;
+    return base;
 }
 
-bool saveBase(uint16_t base) {
-    storage::Owner owner;
-    if (storage::findOwner(owner) != core::Status::ok) return false;
-    if (owner != storage::Owner::ours) return true;  // not to be written to
-    const Base stored = {base, static_cast<uint16_t>(~base)};
-    return hal::eepromWrite(kBaseAddress, &stored, sizeof stored) == core::Status::ok;
+// A changed bit. When the EEPROM is busy, at the next start.
+void mendBase(uint16_t base) {
+    if (base == storage::kNoLogBase) return;
+    const core::Status status = storage::writeLogBase(base);
+    (void)status;
 }
 
 void eraseMore() {
     if (!flight_logs.erasing()) {
         (void)flight_logs.erase();
-    } else if (flight_logs.eraseStep() && saveBase(flight_logs.nextBase())) {
+    } else if (flight_logs.eraseStep() &&
+               storage::writeLogBase(flight_logs.nextBase()) == core::Status::ok) {
         flight_logs.finishErase();
         logged.request = Request::none;
         sendStatusText(Severity::notice, ROM_TEXT("Logs erased"));
@@ -368,7 +364,9 @@ void armedMeanwhile() {
 }  // namespace
 
 void logStart() {
-    flight_logs.start(readBase());
+    const uint16_t base = readBase();
+    flight_logs.start(base);
+    mendBase(base);
     logged.due = logged.dropped = logged.prelude = 0;
     logged.run = logged.dropped_reported = 0;
     logged.request = Request::none;

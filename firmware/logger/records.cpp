@@ -48,6 +48,7 @@ constexpr Shape kShapes[] = {
     row<ErrorRecord>(RecordType::error, "ERR", "QBB", "TimeUS,Subsys,ECode"),
     row<CameraRecord>(RecordType::camera, "CAM", "QIHLLeccC",
         "TimeUS,GPSTime,GPSWeek,Lat,Lng,Alt,Roll,Pitch,Yaw"),
+    row<ListsRecord>(RecordType::lists, "LIST", "QIII", "TimeUS,Mission,Fence,Rally"),
 };
 // clang-format on
 static_assert(core::count(kShapes) == kFormats, "kFormats does not fit the table");
@@ -77,7 +78,7 @@ constexpr logging::Format format(uint8_t i) {
 constexpr logging::Format kFormatTable[kFormats] ROM = {
     format(0),  format(1),  format(2),  format(3),  format(4),  format(5),  format(6),
     format(7),  format(8),  format(9),  format(10), format(11), format(12), format(13),
-    format(14), format(15), format(16), format(17), format(18),
+    format(14), format(15), format(16), format(17), format(18), format(19),
 };
 
 }  // namespace logger

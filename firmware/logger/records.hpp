@@ -83,6 +83,7 @@ RECORD(Camera) {
 };
 RECORD(Event) { uint8_t id; };
 RECORD(Error) { uint8_t subsystem, code; };
+RECORD(Lists) { uint32_t mission_id, fence_id, rally_points_id; };
 
 #undef RECORD
 
@@ -106,10 +107,11 @@ enum class RecordType : uint8_t {
     event,
     error,
     camera,
+    lists,
 };
 
 // FMT itself first.
-constexpr uint8_t kFormats = 19;
+constexpr uint8_t kFormats = 20;
 extern const logging::Format kFormatTable[kFormats];
 
 }  // namespace logger

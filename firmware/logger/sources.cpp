@@ -7,6 +7,7 @@
 #include "drivers/ublox.hpp"
 #include "firmware/logger/log.hpp"
 #include "firmware/logger/records.hpp"
+#include "firmware/mission/lists.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/notify/text_queue.hpp"
 #include "firmware/sensors/sensors.hpp"
@@ -127,6 +128,14 @@ bool putBanner() {
     core::copyText(record.text, ROM_TEXT("ArduPilotMega autopilot V0.1 (Plane)"),
                    sizeof record.text);
     return log(RecordType::message, record);
+}
+
+bool putLists() {
+    ListsRecord record;
+    record.mission_id = listId(ListKind::mission);
+    record.fence_id = listId(ListKind::fence);
+    record.rally_points_id = listId(ListKind::rally);
+    return log(RecordType::lists, record);
 }
 
 bool putEvent(uint8_t id) {

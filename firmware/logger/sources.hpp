@@ -15,6 +15,7 @@ bool putCommand(uint8_t index);
 bool putMode();
 bool putText();    // the oldest that the log does not have; false also when there is none
 bool putBanner();  // what flies
+bool putLists();   // which mission, fence and rally points are stored
 bool putEvent(uint8_t id);
 bool putError(uint8_t subsystem, uint8_t code);
 bool putCameraFeedback();

@@ -5,6 +5,7 @@
 #include "core/rom.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/fence_line.hpp"
+#include "firmware/mission/host.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "hal/page_flash.hpp"
 
@@ -30,6 +31,7 @@ void finish(MissionResult result) {
     if (result != MissionResult::accepted) mission_store.abort();
     change.step = Step::none;
     change.outcome = result;
+    if (result == MissionResult::accepted) host.logCommand(kNoItem);
 }
 
 void store() {

@@ -190,6 +190,14 @@ Status openLists() {
     return Status::busy;
 }
 
+// A damaged one is written over by what is left.
+Status openIndex(uint8_t& index) {
+    const Status status = run.index_store.open(generation(), index, run.index_waits);
+    run.index_wanted = index;
+    if (status == Status::ok && run.index_waits) reportMemory();
+    return status;
+}
+
 Status bootStep() {
     Status status = Status::ok;
     uint8_t index = 0;
@@ -201,8 +209,7 @@ Status bootStep() {
             status = openLists();
             break;
         case Boot::index:
-            status = run.index_store.open(generation(), index);
-            run.index_wanted = index;
+            status = openIndex(index);
             if (status == Status::ok)
                 mission_engine.boot(missionSet(), mission_store.generation(), host.memorySurvived(),
                                     index < mission_store.count() ? index : 0);

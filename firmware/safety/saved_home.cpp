@@ -16,43 +16,49 @@ namespace {
 using core::Status;
 
 constexpr uint16_t kAt = storage::kHomeAndLog.begin;
-constexpr uint16_t kChecksumAt = kAt + offsetof(SavedHome, checksum);
+constexpr uint8_t kChecksumAt = offsetof(SavedHome, checksum);
 constexpr uint8_t kLogs = 4;  // the last bytes of the region are the log's
-static_assert(sizeof(SavedHome) + kLogs <= storage::kHomeAndLog.size, "no room for the home");
+static_assert(2 * sizeof(SavedHome) + kLogs <= storage::kHomeAndLog.size, "no room for two homes");
+static_assert(2 * sizeof(SavedHome) <= hal::kEepromQueue, "both are queued in one piece");
 
-uint16_t sum(const SavedHome& home) {
-    return core::crc16(core::kCrcStart, &home, offsetof(SavedHome, checksum));
-}
+uint16_t sum(const SavedHome& home) { return core::crc16(core::kCrcStart, &home, kChecksumAt); }
 
-Status write(uint16_t at, const void* from, uint8_t size) {
-    storage::Owner owner;
-    const Status status = storage::findOwner(owner);
-    if (status != Status::ok) return status;
-    if (owner != storage::Owner::ours) return Status::ok;  // not to be written to
-    return hal::eepromWrite(at, from, size);
+uint16_t forgotten(const SavedHome& home) { return static_cast<uint16_t>(~sum(home)); }
+
+Status readBoth(SavedHome (&homes)[2]) { return hal::eepromRead(kAt, homes, sizeof homes); }
+
+Status writeBoth(const SavedHome (&homes)[2]) {
+    return storage::writeIfOurs(kAt, homes, sizeof homes);
 }
 
 }  // namespace
 
-// The old checksum does not fit the new place: a cut on the way leaves none.
+// The old checksum does not fit the new place: a cut on the way leaves none, or the second one,
+// which then is still the old.
 Status saveHome(const geo::Position& position, int32_t altitude_cm) {
     SavedHome home = {position, altitude_cm, 0};
     home.checksum = sum(home);
-    return write(kAt, &home, sizeof home);
+    const SavedHome homes[2] = {home, home};
+    return writeBoth(homes);
 }
 
+// The second one counts where the first is damaged; in what has only one it is blank.
 Status readHome(SavedHome& home) {
-    const Status status = hal::eepromRead(kAt, &home, sizeof home);
+    SavedHome homes[2];
+    const Status status = readBoth(homes);
     if (status != Status::ok) return status;
+    const bool damaged =
+        homes[0].checksum != sum(homes[0]) && homes[0].checksum != forgotten(homes[0]);
+    home = homes[damaged];
     return home.checksum == sum(home) ? Status::ok : Status::corrupt;
 }
 
 Status forgetHome() {
-    SavedHome home;
-    const Status status = readHome(home);
-    if (status != Status::ok) return status == Status::corrupt ? Status::ok : status;
-    home.checksum = static_cast<uint16_t>(~home.checksum);
-    return write(kChecksumAt, &home.checksum, sizeof home.checksum);
+    SavedHome homes[2];
+    const Status status = readBoth(homes);
+    if (status != Status::ok) return status;
+    for (SavedHome& home : homes) home.checksum = forgotten(home);
+    return writeBoth(homes);
 }
 
 }  // namespace safety

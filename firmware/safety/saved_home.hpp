@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Home in the EEPROM while the airplane is armed, for a loss of power that takes the memory too.
-// Disarming takes it away again: where a flight ended properly nobody returns to an old place.
+// Disarming takes it away again: where a flight ended properly nobody returns to an old place. It
+// stands there twice, so that a bit that changes by itself costs nothing.
 #pragma once
 #include <stdint.h>
 
@@ -10,7 +11,7 @@
 namespace firmware {
 namespace safety {
 
-struct SavedHome {
+struct __attribute__((packed)) SavedHome {
     geo::Position position;
     int32_t altitude_cm;
     uint16_t checksum;

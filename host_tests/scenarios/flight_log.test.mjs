@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The log of a flight of the first mission, held against what the simulator knows of that flight.
-// FLY and LOG_TOOL name the programs.
+// FLY, LOG_TOOL and MISSION_TOOL name the programs.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
 import { closeSync, mkdtempSync, openSync, readdirSync, readFileSync, rmSync, symlinkSync,
@@ -116,6 +116,15 @@ test('the log begins with who wrote it and why the board started, before anythin
   const [first, second] = records.filter(({ name }) => ['MSG', 'ERR', 'EV', 'MODE'].includes(name));
   assert.match(first.Message, /^ArduPilotMega autopilot/);
   assert.deepEqual([second.name, second.Subsys], ['ERR', 19]);
+});
+
+// As `toolchain/mission show` has it, and the board in MISSION_CURRENT.
+test('the log says which mission is flown', () => {
+  const mission = join(import.meta.dirname, '../../simulator/missions/first_flight.waypoints');
+  const shown = execFileSync(process.env.MISSION_TOOL, ['show', mission], { encoding: 'utf8' });
+  const id = +/, id (\d+)/.exec(shown)[1];
+  assert.deepEqual(named(records, 'LIST').map(({ Mission, Fence, Rally }) => [Mission, Fence, Rally]), [[id, 0, 0]]);
+  assert.match(tool('summary', image), new RegExp(`\\d s  LIST  mission id ${id}, fence 0, rally points 0\n`));
 });
 
 test('modes, events and errors are shown by their names', () => {

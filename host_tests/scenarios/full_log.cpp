@@ -22,7 +22,8 @@ constexpr uint64_t kLongestSearch_us = 50'000;
 constexpr uint16_t kFirstPage = hal::kFlashMissionPages;
 constexpr uint16_t kPagesOfLog = 700;
 constexpr uint16_t kNewestAt = 2900;  // place of the newest page in the ring, in mid-chip
-constexpr uint16_t kNewest = 40;      // its log's number
+// Its log's number: with all others before it, and where they have gone round at 65535.
+constexpr uint16_t kNewest = 40, kNewestRound = 3;
 
 void putPage(std::vector<uint8_t>& pages, size_t page, size_t page_size, logging::Key key) {
     uint8_t* at = &pages[page * page_size];
@@ -35,14 +36,16 @@ void putPage(std::vector<uint8_t>& pages, size_t page, size_t page_size, logging
     std::memcpy(at, &head, sizeof head);
 }
 
+uint16_t numberOf(int log) { return static_cast<uint16_t>(log > 0 ? log : log + 65535); }
+
 // Logs of equal length, the newest ending at kNewestAt, then round the ring to the oldest.
-std::vector<uint8_t> fullChip(const At45db& chip) {
+std::vector<uint8_t> fullChip(const At45db& chip, uint16_t newest) {
     const uint16_t ring = chip.pages() - kFirstPage;
     std::vector<uint8_t> pages(size_t{chip.pages()} * chip.pageSize(), 0xFF);
     const uint32_t room = chip.pageSize() - sizeof(logging::PageHead);
     for (uint16_t age = 0; age + 1 < ring; ++age) {  // the one to be written next is blank
         const uint16_t place = static_cast<uint16_t>((kNewestAt + ring - age) % ring);
-        const uint16_t log = static_cast<uint16_t>(kNewest - age / kPagesOfLog);
+        const uint16_t log = numberOf(newest - age / kPagesOfLog);
         const uint32_t before = (kPagesOfLog - 1 - age % kPagesOfLog) * room;
         putPage(pages, kFirstPage + place, chip.pageSize(), {log, before});
     }
@@ -132,11 +135,11 @@ bool inSequence(const std::vector<uint16_t>& pages, uint16_t first) {
     return true;
 }
 
-double tryFull(const std::string& firmware, const BoardWiring& wiring) {
-    std::printf("a full chip\n");
+double tryFull(const std::string& firmware, const BoardWiring& wiring, uint16_t newest) {
+    std::printf("a full chip, its newest log number %d\n", newest);
     Bench bench(firmware, wiring);
     const uint16_t ring = bench.chip().pages() - kFirstPage;
-    bench.chip().setImage(fullChip(bench.chip()));
+    bench.chip().setImage(fullChip(bench.chip(), newest));
     bench.start();
     expect(bench.search_us() <= kLongestSearch_us, "looked for the end of the logs",
            static_cast<double>(bench.search_us()) / 1000, "ms");
@@ -147,12 +150,15 @@ double tryFull(const std::string& firmware, const BoardWiring& wiring) {
     const auto before = bench.list();
     expect(static_cast<int>(before.size()) == logs, "lists as many logs as there are",
            static_cast<double>(before.size()), "logs");
-    expect(before.back().id == kNewest, "the newest is", before.back().id, "");
+    expect(before.back().id == newest, "the newest is", before.back().id, "");
+    expect(before.front().id == numberOf(newest - logs + 1), "the oldest is", before.front().id,
+           "");
+    expect(before.front().num_logs == logs, "says that there are", before.front().num_logs, "logs");
     const auto pages = bench.fly(8'000'000);
     expect(pages.size() > 10 && inSequence(pages, kFirstPage + kNewestAt + 1),
            "wrote on behind the newest page", static_cast<double>(pages.size()), "pages");
     const auto after = bench.list();
-    expect(after.back().id == kNewest + 1 && after.back().size > 10'000, "the new log has",
+    expect(after.back().id == newest + 1 && after.back().size > 10'000, "the new log has",
            after.back().size, "bytes");
     expect(after.front().size < before.front().size, "the oldest gave way to it, by",
            static_cast<double>(before.front().size) - after.front().size, "bytes");
@@ -183,7 +189,8 @@ double tryBlank(const std::string& firmware, const BoardWiring& wiring) {
 int main(int argc, char** argv) try {
     if (argc != 4) throw std::runtime_error("expected FIRMWARE apm1|apm2 MINUTES_FILE");
     const BoardWiring& wiring = std::string(argv[2]) == "apm1" ? kApm1Wiring : kApm2Wiring;
-    writeMinutes(argv[3], tryFull(argv[1], wiring) + tryBlank(argv[1], wiring));
+    writeMinutes(argv[3], tryFull(argv[1], wiring, kNewest) +
+                              tryFull(argv[1], wiring, kNewestRound) + tryBlank(argv[1], wiring));
     return all_well ? 0 : 1;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "full_log: %s\n", error.what());

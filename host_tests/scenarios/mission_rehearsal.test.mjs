@@ -84,6 +84,53 @@ test('an image is flown with its board\'s parameters', () => {
   assert.ok(existsSync(join(out, 'calm/eeprom.bin')));
 });
 
+// SET_INDEX leaves out item 5 and works the relay beside item 6 till that is reached.
+const first = `APM 1.0
+0x10 0  48800 473977000 85456000   # 0 home
+0x16 15 4500  0         0          # 1 TAKEOFF
+0x40 14 0     0         0          # 2 CRUISE_AIRSPEED
+0x10 30 6000  474012499 85436971   # 3 WAYPOINT
+0x75 0  6     0         0          # 4 SET_INDEX
+0x10 30 6000  474200000 85436971   # 5 WAYPOINT
+0x10 30 6000  473978072 85437099   # 6 WAYPOINT
+0x81 1  0     0         0          # 7 SET_RELAY
+0x20 2  0     0         0          # 8 DELAY
+0x81 0  0     0         0          # 9 SET_RELAY
+0x75 0  7     0         0          # 10 SET_INDEX
+0x10 30 4000  473953325 85422171   # 11 WAYPOINT
+0x10 30 3000  473927969 85435763   # 12 WAYPOINT
+0x10 30 2500  473938120 85476841   # 13 WAYPOINT
+0x15 0  0     473977000 85456000   # 14 LAND
+`;
+
+for (const onto of [false, true])
+  test(`a mission of the 1.0 set is flown ${onto ? "on a board's image" : 'with the airplane\'s parameters'}`, () => {
+    const file = join(folder, 'first.txt'), out = join(folder, `first.${onto}`), image = join(folder, 'onto.bin');
+    writeFileSync(file, first);
+    assert.equal(tool('compile', missionNamed('first_flight.waypoints'), '-o', image).status, 0);
+    const words = onto ? ['--onto', image] : [];
+    const { stdout, status } = tool('rehearse', file, '--wind', '5,300', ...words, '-o', out);
+    assert.equal(status, 0, stdout);
+    assert.match(stdout, /\ncalm air: mission completed\n/);
+    assert.match(stdout, /\n5\.0 m\/s from 300, gusts of 1 m\/s: mission completed\n/);
+    const { events } = JSON.parse(readFileSync(join(out, 'calm/summary.json'), 'utf8'));
+    assert.ok(!events.some(({ text }) => text === 'mission uploaded'));
+    if (onto) return;
+    for (const [name, wind, most] of [['calm', '0', 1.08], ['wind', '5,300', 1.17]]) {
+      const found = estimated([file, '--wind', wind]), expected = flown(join(out, name));
+      assertNear(found.time_s, expected.time_s, `${name}, seconds`, most);
+      assertNear(found.used_mah, expected.used_mah, `${name}, mAh`, most);
+    }
+  });
+
+test('what a mission of the 1.0 set does not reach, and what leaves AUTO, is reported', () => {
+  const file = join(folder, 'leaves.txt'), out = join(folder, 'leaves');
+  writeFileSync(file, first.replace('0x81 1  0 ', '0x30 11 0 '));  // RTL beside item 6
+  const { stdout, status } = tool('rehearse', file, '--wind', '0', '-o', out);
+  assert.equal(status, 1);
+  assert.match(stdout, /calm air: not completed: time limit reached after item 6\n/);
+});
+
 test('what is not completed, not flown or refused is reported as such', () => {
   const out = join(folder, 'wrong'), file = join(folder, 'm.waypoints');
   const home = 'QGC WPL 110\n0 1 0 16 0 0 0 0 47.3977 8.5456 488 1\n1 0 3 22 15 0 0 0 0 0 40 1\n';
@@ -98,7 +145,4 @@ test('what is not completed, not flown or refused is reported as such', () => {
   assert.equal(refused.status, 1);
   assert.match(refused.stderr, /m\.waypoints:4:7: expected a command of the APM 2\.0 set/);
   assert.equal(refused.stdout, '');
-  const first = tool('rehearse', missionNamed('every_command_1.txt'), '-o', out);
-  assert.equal(first.status, 1);
-  assert.match(first.stderr, /flies the APM 2\.0 set only/);
 });

@@ -22,7 +22,7 @@ void LogStore::start(uint16_t base) {
     key_ = {};
     last_ = next_ = 0;
     base_ = base;
-    wrapped_ = stored_ = false;
+    wrapped_ = false;
 }
 
 uint16_t LogStore::ring() const { return hal::flashShape().pages - hal::kFlashMissionPages; }
@@ -162,9 +162,8 @@ Status LogStore::begin() {
         if (status != Status::ok) return status;
     }
     if (state_ != State::ready) return Status::busy;
-    key_ = {++last_, 0};
+    key_ = {following(last_), 0};
     filling_ = {0, core::kCrcStart};
-    stored_ = false;
     state_ = State::writing;
     return Status::ok;
 }
@@ -192,7 +191,7 @@ Status LogStore::storePage() {
     if (status != Status::ok) return status;
     key_.offset += filling_.used;
     filling_ = {0, core::kCrcStart};
-    stored_ = true;
+    last_ = key_.log;
     next_ = roundRing(next_ + 1);
     if (next_ == 0) wrapped_ = true;
     return Status::ok;
@@ -202,7 +201,6 @@ Status LogStore::end() {
     if (state_ != State::writing) return Status::ok;
     const Status status = filling_.used > 0 ? storePage() : Status::ok;
     if (status == Status::busy) return status;
-    if (!stored_) --last_;
     state_ = State::ready;
     return Status::ok;
 }

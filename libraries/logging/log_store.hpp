@@ -30,7 +30,8 @@ public:
     // Stores the page begun. ok: the log has ended.
     MUST_USE core::Status end();
     bool writing() const { return state_ == State::writing; }
-    uint16_t last() const { return state_ == State::writing && !stored_ ? last_ - 1 : last_; }
+    // Number of the newest log of which a page is in the chip; 0: none.
+    uint16_t last() const { return last_; }
 
     // Erases everything, from the end of the ring down, a block each step. Stopped by begin(): the
     // logs in the blocks not yet reached are still there. False: a log is written, or no chip.
@@ -78,8 +79,8 @@ private:
     core::Status number();
     core::Status storePage();
 
-    Key key_;        // of the page being filled; while the end is sought, of the ring's first
-    uint16_t last_;  // number of the newest log; 0: none
+    Key key_;  // of the page being filled; while the end is sought, of the ring's first
+    uint16_t last_;
     uint16_t next_;  // index of the page to be written next
     uint16_t base_;
     union {
@@ -94,7 +95,6 @@ private:
     };
     State state_;
     bool wrapped_;  // the ring has been full: behind the newest page stands the oldest
-    bool stored_;   // a page of the log being written is in the chip
 };
 
 }  // namespace logging

@@ -12,12 +12,15 @@ namespace logging {
 
 // Where something stands: in which log, and how many bytes after its beginning.
 struct __attribute__((packed)) Key {
-    uint16_t log;  // from 1 on
+    uint16_t log;  // 1 to 65535, then from 1 again
     uint32_t offset;
 };
 
+constexpr uint16_t following(uint16_t log) { return log == 0xFFFF ? 1 : log + 1; }
+
+// Of logs in one ring, which has a quarter of 32768 pages at most.
 constexpr bool before(const Key& a, const Key& b) {
-    return a.log != b.log ? a.log < b.log : a.offset < b.offset;
+    return a.log != b.log ? static_cast<int16_t>(a.log - b.log) < 0 : a.offset < b.offset;
 }
 
 struct __attribute__((packed)) PageHead {

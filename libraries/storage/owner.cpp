@@ -100,6 +100,13 @@ Status mendMarks(bool& damaged) {
     return claim();
 }
 
+Status writeIfOurs(uint16_t address, const void* from, uint8_t size) {
+    Owner owner;
+    const Status status = findOwner(owner);
+    if (status != Status::ok || owner != Owner::ours) return status;
+    return hal::eepromWrite(address, from, size);
+}
+
 Status erase(uint16_t& at) {
     uint8_t nothing[16];
     memset(nothing, 0xFF, sizeof nothing);

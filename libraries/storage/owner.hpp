@@ -21,6 +21,9 @@ MUST_USE core::Status findOwner(Owner& owner);  // busy: in a later frame
 MUST_USE core::Status mendMarks(bool& damaged);
 MUST_USE core::Status claim();  // writes our marks; of use on a blank EEPROM only
 
+// As hal::eepromWrite, but into another firmware's EEPROM nothing is written; that is ok too.
+MUST_USE core::Status writeIfOurs(uint16_t address, const void* from, uint8_t size);
+
 // Erases everything, a part each call, and claims it; `at` starts at 0. A power cut on the way
 // leaves another firmware's EEPROM, never half of ours.
 MUST_USE core::Status erase(uint16_t& at);

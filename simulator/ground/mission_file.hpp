@@ -41,6 +41,10 @@ struct MissionFile {
     std::vector<RallyPlace> rally;
     std::vector<Remark> remarks;
     std::vector<LineError> errors;
+
+    // Not empty: the board has the mission already, and the items only say where it leads. These
+    // NAVs are reached, in this order.
+    std::vector<int> stored_navs = {};
 };
 
 // Never throws: what cannot be read is in `errors`.

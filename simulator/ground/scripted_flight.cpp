@@ -46,6 +46,7 @@ ScriptedFlight::ScriptedFlight(Board& board, int usart, const MissionFile& missi
       items_(mission.items),
       fence_(fenceItems(mission.fence)),
       rally_(rallyItems(mission.rally)),
+      stored_navs_(mission.stored_navs),
       frame_(items_[0].latitude_deg, items_[0].longitude_deg),
       plan_(makePlan(items_, frame_)),
       time_limit_s_(time_limit_s),
@@ -176,7 +177,9 @@ bool ScriptedFlight::send(MissionUpload& upload, const char* said, uint64_t now_
     return upload.accepted();
 }
 
-bool ScriptedFlight::upload(uint64_t now_us) { return send(upload_, "mission uploaded", now_us); }
+bool ScriptedFlight::upload(uint64_t now_us) {
+    return !stored_navs_.empty() || send(upload_, "mission uploaded", now_us);
+}
 
 bool ScriptedFlight::uploadFence(uint64_t now_us) {
     return fence_.empty() || send(fence_upload_, "fence uploaded", now_us);
@@ -286,7 +289,7 @@ std::optional<double> ScriptedFlight::standing_distance_m() const {
 
 // Says in reason_ what is missing for a completed mission; nothing when it is one.
 void ScriptedFlight::check() {
-    const std::vector<int> wanted = navsInTurn(items_);
+    const std::vector<int> wanted = stored_navs_.empty() ? navsInTurn(items_) : stored_navs_;
     // Firmware that does not send MISSION_ITEM_REACHED shows its way by MISSION_CURRENT.
     const auto& flown = telemetry_.reached.empty() ? telemetry_.visited : telemetry_.reached;
     if (flown != wanted) {

@@ -28,8 +28,8 @@ public:
                    const ParameterSettings& settings = {});
     ScriptedFlight(Board& board, int usart, const Waypoints& items, double time_limit_s,
                    const ParameterSettings& settings = {})
-        : ScriptedFlight(board, usart, MissionFile{items, {}, {}, {}, {}}, time_limit_s, settings) {
-    }
+        : ScriptedFlight(board, usart, MissionFile{items, {}, {}, {}, {}, {}}, time_limit_s,
+                         settings) {}
 
     void receive(uint8_t byte, uint64_t time_us) { link_.receive(byte, time_us); }
     void step(uint64_t now_us);  // every 20 ms or so
@@ -85,6 +85,7 @@ private:
 
     Board& board_;
     const Waypoints items_, fence_, rally_;
+    const std::vector<int> stored_navs_;
     const LocalFrame frame_;
     const Plan plan_;
     const double time_limit_s_;

@@ -279,8 +279,9 @@ declare_test(mission_tool.flies_a_compiled_image COMMAND node --test ${tests}/sc
              NEEDS fly mission_tool LABELS native REUSE DATA ${flight_data} ENVIRONMENT
              FLY=$<TARGET_FILE:fly> FLY_BOARD=native MISSION_TOOL=$<TARGET_FILE:mission_tool>)
 declare_test(log_tool.flight_log_agrees_with_the_simulator COMMAND node --test ${tests}/scenarios/flight_log.test.mjs
-             NEEDS fly log_tool LABELS native REUSE DATA ${flight_data}
-             ENVIRONMENT FLY=$<TARGET_FILE:fly> LOG_TOOL=$<TARGET_FILE:log_tool>)
+             NEEDS fly log_tool mission_tool LABELS native REUSE DATA ${flight_data}
+             ENVIRONMENT FLY=$<TARGET_FILE:fly> LOG_TOOL=$<TARGET_FILE:log_tool>
+                         MISSION_TOOL=$<TARGET_FILE:mission_tool>)
 
 declare_test(flight.minutes_begin COMMAND ${CMAKE_COMMAND} -E rm -rf ${minutes} SETUP image_minutes
              LABELS simavr)

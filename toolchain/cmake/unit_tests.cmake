@@ -42,6 +42,7 @@ target_compile_definitions(airplane_test PRIVATE AIRPLANES="${CMAKE_SOURCE_DIR}/
 
 unit_test(unit/toolchain/mission_tool mission_tool_parts)
 target_compile_definitions(mission_tool_test PRIVATE MISSIONS="${CMAKE_SOURCE_DIR}/simulator/missions")
+unit_test(unit/toolchain/log_tool log_tool_parts)
 unit_test(unit/toolchain/param_tool param_tool_parts)
 target_compile_definitions(param_tool_test PRIVATE PARAMETERS_MANUAL="${CMAKE_SOURCE_DIR}/docs/parameters.md")
 unit_test(support/fakes)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toolchain/log_tool/image.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 
@@ -9,6 +10,8 @@
 
 namespace log_tool {
 namespace {
+
+constexpr int kHalf = 0x8000;  // of the numbers that logs can have
 
 size_t pageSize(size_t bytes) {
     for (const size_t page : {528u, 512u})
@@ -21,6 +24,13 @@ struct Page {
     logging::PageHead head;
     const uint8_t* data;
 };
+
+// Behind 65535 comes 1 again: the oldest is behind the gap.
+void bringInOrder(std::vector<StoredLog>& logs) {
+    const auto oldest = std::adjacent_find(
+        logs.begin(), logs.end(), [](auto& a, auto& b) { return b.number - a.number > kHalf; });
+    if (oldest != logs.end()) std::rotate(logs.begin(), oldest + 1, logs.end());
+}
 
 }  // namespace
 
@@ -49,6 +59,7 @@ std::vector<StoredLog> logsIn(const Bytes& image) {
         log.damaged += crc != page.head.data_crc;
         log.bytes.insert(log.bytes.end(), page.data, page.data + page.head.used);
     }
+    bringInOrder(logs);
     return logs;
 }
 

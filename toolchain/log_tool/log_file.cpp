@@ -232,6 +232,12 @@ constexpr Line kLines[] = {
     {"records dropped", "PM", "Drop", "%.0f to %.0f"},
 };
 
+bool isListed(const std::string& kind) {
+    constexpr const char* kListed[] = {"MSG", "MODE", "EV", "ERR", "LIST"};
+    return std::any_of(std::begin(kListed), std::end(kListed),
+                       [&](const char* each) { return kind == each; });
+}
+
 }  // namespace
 
 std::string summary(const LogFile& log) {
@@ -263,7 +269,7 @@ std::string summary(const LogFile& log) {
     const Firmware firmware = firmwareOf(log);
     for (const Record& record : log.records()) {
         const std::string& name = record.kind->name;
-        if (name != "MSG" && name != "MODE" && name != "EV" && name != "ERR") continue;
+        if (!isListed(name)) continue;
         std::snprintf(text, sizeof text, "%10.2f s  %-5s ", record["TimeUS"] * 1e-6, name.c_str());
         out << text << meaningOf(record, firmware) << '\n';
     }

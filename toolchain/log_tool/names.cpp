@@ -37,6 +37,9 @@ std::string meaningOf(const Record& record, Firmware firmware) {
     if (name == "ERR")
         return simulator::logErrorName(wholeOf(record, "Subsys"), wholeOf(record, "ECode"),
                                        firmware == Firmware::ours);
+    if (name == "LIST")
+        return "mission id " + record.text("Mission") + ", fence " + record.text("Fence") +
+               ", rally points " + record.text("Rally");
     return record.text("Message");
 }
 

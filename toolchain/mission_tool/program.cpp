@@ -120,14 +120,18 @@ public:
         const std::string contents = load();
         if (reportFindings()) return 1;
         Rehearsal rehearsal;
+        rehearsal.name = options_.file;
         rehearsal.folder = options_.reports;
         rehearsal.airplane = airplane();
         if (options_.wind_given) rehearsal.wind = options_.wind;
         rehearsal.seed = options_.seed;
-        rehearsal.expected_s = reckoned(flightOrder(document_)).time_s;
-        if (!options_.onto.empty()) rehearsal.board = rawOf(reading_.onto);
-        const bool as_it_is = looksLikeGroundStations(contents);
-        rehearsal.mission = as_it_is ? options_.file : missionIn(rehearsal.folder);
+        const FlightOrder order = flightOrder(document_);
+        rehearsal.expected_s = reckoned(order).time_s;
+        rehearsal.has_parameters = !options_.onto.empty();
+        if (document_.set == mission::Set::apm1)
+            store(order, rehearsal);
+        else
+            upload(contents, rehearsal);
         return rehearseFlights(rehearsal, out_) ? 0 : 1;
     }
 
@@ -149,18 +153,33 @@ private:
         return options_.airplane.empty() ? kUsualAirplane : options_.airplane;
     }
 
-    // A file that the ground station of the simulator reads.
-    std::string missionIn(const std::string& folder) const {
+    static std::string written(const std::string& folder, const char* name,
+                               const std::string& text) {
+        simulator::makeFolder(folder);
+        const std::string path = (std::filesystem::path(folder) / name).string();
+        simulator::writeFile(path, text);
+        return path;
+    }
+
+    // The ground station of the simulator uploads the file, or one that it reads.
+    void upload(const std::string& contents, Rehearsal& rehearsal) const {
+        if (rehearsal.has_parameters) rehearsal.board = rawOf(reading_.onto);
+        rehearsal.mission = options_.file;
+        if (looksLikeGroundStations(contents)) return;
         const std::string plan = recordsAsPlan(document_);
         if (plan.empty())
-            throw WrongInput(options_.file +
-                             (document_.set == mission::Set::apm1
-                                  ? ": rehearse uploads the mission, and flies the APM 2.0 set only"
-                                  : ": holds what no ground station can upload"));
-        simulator::makeFolder(folder);
-        const std::string path = (std::filesystem::path(folder) / "mission.plan").string();
-        simulator::writeFile(path, plan);
-        return path;
+            throw WrongInput(options_.file + ": holds what no ground station can upload");
+        rehearsal.mission = written(rehearsal.folder, "mission.plan", plan);
+    }
+
+    // The simulated board gets it in its EEPROM, as no ground station knows the 1.0 set.
+    void store(const FlightOrder& order, Rehearsal& rehearsal) const {
+        rehearsal.mission = written(rehearsal.folder, "places.waypoints", placesOf(document_));
+        for (const Visit& visit : order.visits)
+            rehearsal.stored_navs.push_back(static_cast<int>(visit.nav));
+        if (rehearsal.stored_navs.empty())
+            throw WrongInput(options_.file + ": has no NAV: there is nothing to fly");
+        rehearsal.board = rawOf(uploaded(document_, reading_.onto, reading_.onto_name));
     }
 
     // What the flight itself is found to be.

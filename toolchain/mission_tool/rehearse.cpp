@@ -42,10 +42,20 @@ std::vector<std::string> wordsFor(const Rehearsal& rehearsal, const Wind& wind,
         words.push_back(format("%g,%g", wind.speed_mps, *wind.from_deg));
     }
     if (!rehearsal.board.empty()) {
-        const fs::path eeprom = folder / "eeprom.bin", parameters = folder / "none.param";
+        const fs::path eeprom = folder / "eeprom.bin";
         simulator::writeFile(eeprom, rehearsal.board);
+        words.insert(words.end(), {"--eeprom", eeprom.string()});
+    }
+    if (rehearsal.has_parameters) {
+        const fs::path parameters = folder / "none.param";
         simulator::writeFile(parameters, "# the board has its own\n");
-        words.insert(words.end(), {"--eeprom", eeprom.string(), "--param", parameters.string()});
+        words.insert(words.end(), {"--param", parameters.string()});
+    }
+    if (!rehearsal.stored_navs.empty()) {
+        std::string navs;
+        for (const int nav : rehearsal.stored_navs)
+            navs += (navs.empty() ? "" : ",") + std::to_string(nav);
+        words.insert(words.end(), {"--stored", navs});
     }
     words.push_back(rehearsal.mission);
     return words;
@@ -85,7 +95,7 @@ bool flies(const Rehearsal& rehearsal, const Wind& wind, const char* name, std::
 }  // namespace
 
 bool rehearseFlights(const Rehearsal& rehearsal, std::ostream& out) {
-    out << rehearsal.mission << ", " << rehearsal.airplane << ", flown by the simulator:\n";
+    out << rehearsal.name << ", " << rehearsal.airplane << ", flown by the simulator:\n";
     const bool calm = flies(rehearsal, {}, "calm", out);
     if (rehearsal.wind.speed_mps == 0) return calm;
     const bool windy = flies(rehearsal, directed(rehearsal.wind), "wind", out);

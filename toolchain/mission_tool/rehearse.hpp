@@ -4,16 +4,20 @@
 #pragma once
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "toolchain/mission_tool/estimate.hpp"
 
 namespace mission_tool {
 
 struct Rehearsal {
+    std::string name;     // of the mission, for whoever reads how it went
     std::string mission;  // a file that the simulator reads
     std::string airplane;
     std::string folder;  // receives calm/ and wind/
-    std::string board;   // its EEPROM, 4096 bytes; empty: blank, and the airplane's .param is set
+    std::string board;   // its EEPROM, 4096 bytes; empty: blank
+    bool has_parameters = false;   // the board; else the airplane's .param is set
+    std::vector<int> stored_navs;  // the mission is on the board: what is to be reached of it
     Wind wind = {6, 270.0};
     double expected_s = 0;  // of the flight in calm air; it is given up some time after that
     uint64_t seed = 1;

@@ -153,6 +153,29 @@ std::vector<MissionItem> itemsOf(const Document& document) {
     return items;
 }
 
+struct Nearest {
+    uint8_t id;  // of the 1.0 set
+    uint16_t command;
+};
+// MAV_CMD; DO_SET_PARAMETER for what sets a gain, a channel, or reports a parameter.
+constexpr uint16_t kSetParameter = 180, kChangeSpeed = 178;
+constexpr uint8_t kCruiseAirspeed = 0x40, kFirstNotNav = 0x20;
+constexpr Nearest kNearest[] = {
+    {0x20, 112}, {0x21, 113}, {0x30, 176}, {0x31, 177}, {kCruiseAirspeed, kChangeSpeed},
+    {0x41, kChangeSpeed}, {0x42, 179}, {0x75, 177}, {0x80, 184}, {0x81, 181}, {0x82, 183},
+};
+
+MissionItem nearest(const MissionItem& from) {
+    if (from.command < kFirstNotNav) return from;
+    MissionItem item = {};
+    item.command = kSetParameter;
+    for (const Nearest& each : kNearest)
+        if (each.id == from.command) item.command = each.command;
+    if (item.command == kChangeSpeed)
+        item.param2 = from.command == kCruiseAirspeed ? from.param1 : -1;
+    return item;
+}
+
 // As short as a float may be written.
 double asWritten(float value) { return std::isfinite(value) ? std::strtod(shortest(value).c_str(), nullptr) : value; }
 
@@ -219,6 +242,12 @@ std::string itemsAsWaypoints(const std::vector<MissionItem>& items) {
     std::string text = std::string(kHeader) + '\n';
     for (size_t i = 0; i < items.size(); ++i) text += lineOf(i, items[i]);
     return text;
+}
+
+std::string placesOf(const Document& document) {
+    std::vector<MissionItem> items = itemsOf(document);
+    for (MissionItem& item : items) item = nearest(item);
+    return itemsAsWaypoints(items);
 }
 
 std::string recordsAsWaypoints(const Document& document) {

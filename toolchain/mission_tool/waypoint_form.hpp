@@ -12,6 +12,10 @@ bool looksLikeWaypoints(const std::string& contents);
 Document parseWaypointFile(const std::string& contents, const std::string& name, mission::Set set);
 Document parsePlan(const std::string& contents, const std::string& name, mission::Set set);
 
+// Of the 1.0 set: a waypoint file with the same NAVs under the same numbers, for who knows only
+// MAVLink's commands. The others are in it as MAVLink's nearest, without their values.
+std::string placesOf(const Document& document);
+
 std::string itemsAsWaypoints(const std::vector<firmware::mission::MissionItem>& items);
 
 // Only when reading it back would give the same records; else empty: some stored values have no

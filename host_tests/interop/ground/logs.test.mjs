@@ -6,6 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { named, readLog } from '../../support/bin.mjs';
+import { upload, wholePlan } from './points.mjs';
 import { withVehicle } from '../../support/vehicle.mjs';
 
 const kUsb = 1, kArm = 400, kForce = 21196, kAll = 0xffffffff, kChunk = 90;
@@ -84,6 +85,26 @@ test('a log is downloaded at the speed of the line beside heartbeats, whole and 
     vehicle.send('LOG_REQUEST_END', {});
     vehicle.send('REQUEST_DATA_STREAM', { reqStreamId: 2, reqMessageRate: 2, startStop: 1 });
     assert.equal((await vehicle.expect('SYS_STATUS', { within_ms: 2000 })).errorsCount2, 0, 'late frames');
+  }));
+
+test('the log has the ids of what is stored, again when a list becomes another one',
+  withVehicle({ line: kUsb }, async (vehicle) => {
+    vehicle.line.version = 2;
+    await vehicle.wait(4000);
+    assert.equal(await vehicle.command(kArm, [1, kForce]), 0);
+    await vehicle.wait(3000);
+    assert.equal(await upload(vehicle, wholePlan), 0);
+    vehicle.send('MISSION_REQUEST_LIST', { missionType: 0 });
+    const { opaqueId } = await vehicle.expect('MISSION_COUNT');
+    assert.notEqual(opaqueId, 0);
+    assert.equal(await upload(vehicle, [], 0), 0);
+    await vehicle.wait(1000);
+    assert.equal(await vehicle.command(kArm, [0, kForce]), 0);
+    await vehicle.wait(300);
+    const [entry] = await list(vehicle);
+    const lists = named(readLog(await download(vehicle, entry)), 'LIST');
+    assert.deepEqual(lists.map(({ Mission, Fence, Rally }) => [Mission, Fence, Rally]),
+      [[0, 0, 0], [opaqueId, 0, 0], [0, 0, 0]]);
   }));
 
 test('parts are had by asking, also past the end; while armed there are none',

@@ -96,7 +96,11 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"--flightgear host:0", "HOST:PORT"},
         Wrong{"--native --flightgear no.such.host.invalid:5500", "no.such.host.invalid"},
         Wrong{"--lock-step --flightgear x:1", "--flightgear"},
-        Wrong{"--native --serve --out /dev/null", "--out /dev/null"}, Wrong{"a b", "b"}));
+        Wrong{"--native --serve --out /dev/null", "--out /dev/null"},
+        Wrong{"--stored 1,2", "--stored needs --eeprom"},
+        Wrong{"--eeprom e.bin --stored 1,,2", "ITEM,ITEM"},
+        Wrong{"--eeprom e.bin --stored 0", "ITEM,ITEM"},
+        Wrong{"--serve --eeprom e.bin --stored 1", "--stored"}, Wrong{"a b", "b"}));
 
 TEST(Help, names_every_option) {
     const Outcome run = fly("--help");
@@ -109,7 +113,7 @@ TEST(Help, names_every_option) {
           "--out",          "--serve",       "--telemetry",       "--lock-step",    "--listen",
           "--vcd",          "--gdb",         "--fault",           "--band-gap",     "--bootloader",
           "--gps-cold",     "--gps-latency", "--worn-eeprom",     "--board-warmth", "--watch",
-          "--http",         "--no-http",     "--end-with-client", "--flightgear"}) {
+          "--http",         "--no-http",     "--end-with-client", "--flightgear",   "--stored"}) {
         EXPECT_THAT(run.output, HasSubstr(option));
     }
 }

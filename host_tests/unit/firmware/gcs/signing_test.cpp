@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The radio is link1, `second`; USB is link0, `station`.
+#include <algorithm>
+#include <cstdlib>
+
 #include "crypto/sha256.hpp"
 #include "firmware/gcs/link.hpp"
 #include "ground.hpp"
@@ -104,11 +107,18 @@ protected:
         return second.all<mavlink::Ping>().size();
     }
     void restart() {
+        startAgain();
+        second.forget();
+        station.forget();
+    }
+    void startAgain() {
         fakes::restartEeprom();
         firmware::gcs::telemetryStart();
         run_ms(100);
-        second.forget();
-        station.forget();
+    }
+    bool saysDamaged() {
+        const Texts texts = second.texts();
+        return std::count(texts.begin(), texts.end(), "Signing key or its time is damaged") != 0;
     }
 };
 
@@ -291,6 +301,56 @@ TEST_F(Signing, a_key_of_zeros_clears_and_leaves_nothing_behind) {
     EXPECT_EQ(second.all<mavlink::Ping>().size(), 1u);
     for (uint16_t i = 0; i < 32; ++i)
         EXPECT_EQ(fakes::eepromCell(static_cast<uint16_t>(storage::kSigning.begin + i)), 0);
+}
+
+// After each the key holds and nothing is heard twice, or it is said. STORAGE_BITS=1 changes every
+// bit; without it every seventh.
+TEST_F(Signing, any_changed_or_worn_bit_of_what_is_stored_is_of_no_effect_or_reported) {
+    const int step = std::getenv("STORAGE_BITS") != nullptr ? 1 : 7;
+    setKey();
+    EXPECT_EQ(answers(signedPing(kPublishedTime)), 1u);
+    EXPECT_EQ(answers(signedPing(kPublishedTime + 40 * kSecond)), 1u);
+    const auto cells = fakes::eepromCells();
+    startAgain();
+    EXPECT_FALSE(saysDamaged());
+    int flips = 0, reported = 0;
+    for (int bit = 0; bit < 8 * storage::kSigning.size; bit += step) {
+        const uint16_t at = static_cast<uint16_t>(storage::kSigning.begin + bit / 8);
+        const uint8_t mask = static_cast<uint8_t>(1 << bit % 8);
+        fakes::resetEeprom();
+        fakes::setEepromCells(cells);
+        fakes::wearEepromCell(at, mask, (cells[at] & mask) == 0);
+        startAgain();
+        const bool said = saysDamaged();
+        second.forget();
+        second.send(mavlink::Ping{});
+        run_ms(100);
+        ASSERT_TRUE(second.all<mavlink::Ping>().empty()) << at << ", " << bit << ": unsigned";
+        const bool again = answers(signedPing(kPublishedTime + 40 * kSecond)) != 0;
+        second.forget();
+        const bool later = answers(signedPing(kPublishedTime + 3 * kMinute)) != 0;
+        second.forget();
+        ASSERT_TRUE((!again && later) || said) << at << ", " << bit;
+        ++flips;
+        reported += said;
+    }
+    EXPECT_LT(reported, flips) << "the mark's and the blanks'";
+    printf("%d changed bits, %d of them reported, none silent\n", flips, reported);
+}
+
+TEST_F(Signing, a_key_of_the_first_boards_without_a_check_is_in_force) {
+    setKey();
+    fakes::setEepromCell(storage::kSigning.begin + 32, 0x5A);
+    fakes::setEepromCell(storage::kSigning.begin + 33, 0xC3);
+    for (uint16_t at = storage::kSigning.begin + 58; at < storage::kSigning.end(); ++at)
+        fakes::setEepromCell(at, 0xFF);
+    startAgain();
+    EXPECT_FALSE(saysDamaged());
+    second.forget();
+    second.send(mavlink::Ping{});
+    run_ms(100);
+    EXPECT_TRUE(second.all<mavlink::Ping>().empty());
+    EXPECT_EQ(answers(signedPing(kPublishedTime)), 1u);
 }
 
 TEST_F(Signing, a_new_key_is_in_force_at_once_and_begins_at_its_time) {

@@ -3,6 +3,7 @@
 #include "firmware/mission/lists.hpp"
 #include "mission_flight.hpp"
 #include "storage/eeprom_map.hpp"
+#include "storage/index_store.hpp"
 
 namespace firmware {
 using namespace mission;
@@ -60,6 +61,31 @@ TEST_F(DamagedMemory, a_record_that_changes_in_flight_ends_the_mission_in_rtl) {
     core::RomText why_not;
     EXPECT_FALSE(missionEnter(why_not));
     EXPECT_STREQ(why_not, "AUTO: mission cannot be read");
+}
+
+TEST_F(DamagedMemory, an_index_that_changed_is_reported_and_the_one_before_stored_again) {
+    const auto isIndex = [](uint8_t wanted) {
+        storage::IndexStore store;
+        uint8_t index = 0;
+        bool damaged = true;
+        EXPECT_EQ(store.open(static_cast<uint8_t>(mission_store.generation()), index, damaged),
+                  core::Status::ok);
+        EXPECT_FALSE(damaged);
+        return index == wanted;
+    };
+    ASSERT_TRUE(requestMode(Mode::automatic, ModeReason::ground));
+    seconds(1);
+    const auto before = fakes::eepromCells();
+    missionSetCurrent(2);
+    seconds(1);
+    ASSERT_TRUE(isIndex(2));
+    uint16_t newest = storage::kIndex.begin;
+    while (fakes::eepromCell(newest) == before[newest]) ++newest;
+    flip(newest);
+    const std::string texts = textsOfStart();
+    EXPECT_TRUE(has(texts, "Memory has not kept")) << texts;
+    EXPECT_TRUE(isIndex(1));
+    EXPECT_EQ(textsOfStart(), "") << "the next start finds nothing";
 }
 
 TEST_F(DamagedMemory, a_worn_head_is_reported_and_the_upload_not_acknowledged_on_it) {

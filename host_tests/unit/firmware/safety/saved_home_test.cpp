@@ -67,7 +67,7 @@ TEST_F(SavedHomeTest, what_was_forgotten_is_not) {
 }
 
 TEST_F(SavedHomeTest, a_power_cut_leaves_one_of_the_two_or_none) {
-    for (uint32_t writes = 0; writes < 14; ++writes) {
+    for (uint32_t writes = 0; writes < 28; ++writes) {
         SetUp();
         ASSERT_EQ(save(473977000), Status::ok);
         fakes::cutPowerAfter(writes);
@@ -79,6 +79,64 @@ TEST_F(SavedHomeTest, a_power_cut_leaves_one_of_the_two_or_none) {
         const bool now = home.position.latitude_e7 == -331234567 && home.altitude_cm == 12300;
         EXPECT_TRUE(old || now) << writes;
     }
+}
+
+TEST_F(SavedHomeTest, a_power_cut_of_the_forgetting_leaves_it_or_none) {
+    bool gone = false;
+    for (uint32_t writes = 0; writes < 5; ++writes) {
+        SetUp();
+        ASSERT_EQ(save(473977000), Status::ok);
+        fakes::cutPowerAfter(writes);
+        (void)until(forgetHome);
+        fakes::restartEeprom();
+        SavedHome home;
+        gone = read(home) == Status::corrupt;
+        if (!gone) {
+            EXPECT_EQ(home.position.latitude_e7, 473977000);
+        }
+    }
+    EXPECT_TRUE(gone);
+}
+
+TEST_F(SavedHomeTest, any_bit_may_change_or_be_worn_saved_and_forgotten) {
+    for (uint16_t at = storage::kHomeAndLog.begin; at < storage::kHomeAndLog.end(); ++at)
+        for (int bit = 0; bit < 8; ++bit) {
+            SetUp();
+            ASSERT_EQ(save(473977000), Status::ok);
+            const uint8_t mask = static_cast<uint8_t>(1 << bit);
+            fakes::wearEepromCell(at, mask, (fakes::eepromCell(at) & mask) == 0);
+            SavedHome home;
+            ASSERT_EQ(read(home), Status::ok) << at << ", " << bit;
+            EXPECT_EQ(home.position.latitude_e7, 473977000);
+            EXPECT_EQ(home.position.longitude_e7, 85456000);
+            EXPECT_EQ(home.altitude_cm, 48800);
+            ASSERT_EQ(until(forgetHome), Status::ok);
+            ASSERT_EQ(read(home), Status::corrupt) << at << ", " << bit;
+            fakes::resetEeprom();
+            SetUp();
+            ASSERT_EQ(save(473977000), Status::ok);
+            ASSERT_EQ(until(forgetHome), Status::ok);
+            fakes::setEepromCell(at, static_cast<uint8_t>(fakes::eepromCell(at) ^ mask));
+            ASSERT_EQ(read(home), Status::corrupt) << at << ", " << bit;
+        }
+}
+
+TEST_F(SavedHomeTest, of_a_version_that_had_one_is_read_and_forgotten) {
+    ASSERT_EQ(save(473977000), Status::ok);
+    for (uint16_t at = 14; at < 28; ++at)
+        fakes::setEepromCell(static_cast<uint16_t>(storage::kHomeAndLog.begin + at), 0xFF);
+    const auto saved = fakes::eepromCells();
+    SavedHome home;
+    ASSERT_EQ(read(home), Status::ok);
+    EXPECT_EQ(home.position.latitude_e7, 473977000);
+    ASSERT_EQ(until(forgetHome), Status::ok);
+    EXPECT_EQ(read(home), Status::corrupt);
+    fakes::setEepromCells(saved);
+    for (uint16_t at = 12; at < 14; ++at) {  // forgotten by that version
+        const auto cell = static_cast<uint16_t>(storage::kHomeAndLog.begin + at);
+        fakes::setEepromCell(cell, static_cast<uint8_t>(~fakes::eepromCell(cell)));
+    }
+    EXPECT_EQ(read(home), Status::corrupt);
 }
 
 TEST_F(SavedHomeTest, waits_while_the_eeprom_is_busy) {

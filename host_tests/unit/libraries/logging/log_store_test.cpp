@@ -121,6 +121,67 @@ TEST_F(Logs, the_end_of_a_full_chip_is_found_in_time_wherever_it_is) {
     RecordProperty("longest_search_us", static_cast<int>(longest_search_us));
 }
 
+// A log of 10 pages after the other, 65,530 the first, as this firmware would have written them.
+TEST_F(Logs, behind_65535_comes_1_wherever_the_ring_then_is) {
+    const uint16_t all = ring();
+    const uint16_t page_size = hal::flashShape().page_size;
+    const auto numberOf = [](unsigned page) {
+        const unsigned number = 65530 + page / 10;
+        return static_cast<uint16_t>(number > 65535 ? number - 65535 : number);
+    };
+    for (const unsigned end : {1u, 59u, 60u, 61u, 70u, 4000u, all + 3u, all + 60u, all + 75u}) {
+        std::vector<uint8_t> image(size_t{4096} * page_size, 0xFF);
+        for (unsigned i = end > all ? end - all : 0; i < end; ++i) {
+            PageHead head = {{numberOf(i), i % 10 * 500}, 500, 0, 0};
+            uint8_t* at = &image[size_t{kFirst + i % all} * page_size];
+            memset(at + sizeof head, static_cast<int>(i), 500);
+            head.data_crc = core::crc16(core::kCrcStart, at + sizeof head, 500);
+            head.head_crc = crcOf(head);
+            memcpy(at, &head, sizeof head);
+        }
+        ASSERT_TRUE(chip::model().setImage(image));
+        chip::restart();
+        open();
+        ASSERT_EQ(store.last(), numberOf(end - 1)) << end;
+        ASSERT_EQ(store.pages(), end < all ? end : all - 1) << end;
+        const unsigned oldest = end - store.pages();
+        for (unsigned page = oldest; page < end; page += page < oldest + 100 ? 1 : 97) {
+            PageHead head;
+            ASSERT_EQ(pageOf(numberOf(page), page % 10 * 500, head), page - oldest);
+            ASSERT_EQ(head.key.log, numberOf(page));
+        }
+        for (int i = 0; i < 8; ++i) {
+            writeLog(2);
+            ASSERT_EQ(store.last(), log) << end;
+            ASSERT_EQ(readBack(log), written[log]) << end << ": " << log;
+        }
+        chip::restart();
+        open();
+        EXPECT_EQ(store.last(), log) << end;
+    }
+}
+
+TEST_F(Logs, a_log_behind_65535_of_which_nothing_was_stored_has_no_number) {
+    writeLog(1);
+    std::vector<uint8_t> image = chip::model().image(fakes::time_us());
+    PageHead head;
+    uint8_t* const at = &image[size_t{kFirst} * hal::flashShape().page_size];
+    memcpy(&head, at, sizeof head);
+    head.key.log = 65535;
+    head.head_crc = crcOf(head);
+    memcpy(at, &head, sizeof head);
+    ASSERT_TRUE(chip::model().setImage(image));
+    chip::restart();
+    open();
+    ASSERT_EQ(store.last(), 65535);
+    begin();
+    EXPECT_EQ(store.last(), 65535);
+    end();
+    EXPECT_EQ(store.last(), 65535);
+    writeLog(1);
+    EXPECT_EQ(store.last(), 1);
+}
+
 TEST_F(Logs, a_full_chip_loses_its_oldest_log_and_nothing_else) {
     const unsigned per_log = 500;
     const unsigned logs = 2 * ring() / per_log + 2;

@@ -70,7 +70,7 @@ protected:
     void begin() {
         while (store.begin() == Status::busy) fakes::advance_us(500);
         ASSERT_TRUE(store.writing());
-        log = static_cast<uint16_t>(store.last() + 1);
+        log = store.last() == 65535 ? 1 : static_cast<uint16_t>(store.last() + 1);
         written[log].clear();
     }
     void end() {

@@ -280,6 +280,15 @@ TEST(Sequencer, jumps_that_go_round_do_not_have_the_next_nav_sought_without_end)
     EXPECT_LE(world.all_reads, 4 * 171);
 }
 
+// Its turn comes after more steps than the mission has items: the search for the NAV, the actions.
+TEST(Sequencer, a_jump_behind_a_chain_of_most_of_the_mission_is_taken) {
+    std::vector<Record> items(14, action2());
+    items[0] = items[12] = items[13] = waypoint();
+    items[11] = jump2(14, 1);
+    Flight f(k2, items);
+    EXPECT_EQ(f.enter().reach().trace(), "W1! +1 a2 a3 a4 a5 a6 a7 a8 a9 a10 a11 W14");
+}
+
 TEST(Sequencer, random_missions_of_both_sets_never_hang_and_every_poll_is_bounded) {
     uint32_t seed = 12345;
     const auto random = [&](uint32_t below) {
