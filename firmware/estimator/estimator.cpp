@@ -66,7 +66,7 @@ struct Heights {
     bool by_gps;        // started by the receiver: the barometer has not been heard yet
     float home_m;       // of home above the barometer's zero, which drifts
     float gps_above_m;  // the receiver's heights over the estimate's; 0: no fix has been seen
-    int16_t home_above_field_dm;  // home may be set in the air, the field is where it was zeroed
+    float home_above_field_m;  // home may be set in the air, the field is where it was zeroed
 };
 core::FileState<Heights> heights{};
 
@@ -154,11 +154,11 @@ bool pointsByCourse() {
 // Nose down at full throttle no airplane stays slow: then the tube is clogged, which so slowly that
 // the wind has been made to fit.
 bool divesSlowly() {
-    constexpr float kDown = -0.14f;  // sine of 8 degrees
-    const float most = parameters.throttle_max_pct * 0.0095f;
+    constexpr core::Ratio kDown(-0.14f);  // sine of 8 degrees
+    constexpr int16_t kFullPerPercent = core::Ratio::kOne * 95 / 10000;
     return vehicle.airspeed.healthy && vehicle.estimate.flying &&
-           vehicle.attitude.sin_pitch.toFloat() < kDown &&
-           vehicle.throttle_demand.toFloat() >= most &&
+           vehicle.attitude.sin_pitch.raw < kDown.raw &&
+           vehicle.throttle_demand.raw >= parameters.throttle_max_pct * kFullPerPercent &&
            vehicle.estimate.equivalent_airspeed_mps < parameters.speed_min_mps;
 }
 
@@ -526,25 +526,25 @@ bool slowThroughTheAir() {
 
 bool barometerSteady() {
     const float gps_m = core::hundredths(vehicle.gps.altitude_cm) - heights.gps_above_m;
-    const bool alone = !vehicle.gps.healthy || heights.gps_above_m == 0;
-    return !height.lastReadingFarOff() && (alone || near(gps_m, height.height_m()));
+    return !height.lastReadingFarOff() &&
+           (heights.gps_above_m == 0 || near(gps_m, height.height_m()));
 }
 
 void zeroHeight() {
     barometer_drift.zero();
     if (vehicle.baro.healthy) height.resume(vehicle.estimate.baro_height_m, 0);
     heights.home_m = height.height_m();
-    heights.home_above_field_dm = 0;
+    heights.home_above_field_m = 0;
     published.height_m = 0;
     true_speed.ratio = estimation::trueSpeedRatio(static_cast<float>(vehicle.baro.pressure_pa),
                                                   vehicle.baro.ground_temperature_c);
 }
 
-float aboveField_m() { return published.height_m + heights.home_above_field_dm * 0.1f; }
+float aboveField_m() { return published.height_m + heights.home_above_field_m; }
 
 void shiftHeight(float by_m) {
     heights.home_m -= by_m / barometer_drift.scale();
-    heights.home_above_field_dm -= static_cast<int16_t>(core::rounded(by_m * 10.0f));
+    heights.home_above_field_m -= by_m;
     published.height_m += by_m;
 }
 
@@ -554,7 +554,7 @@ void resumeEstimate(const SlowRecord& slow, const FastRecord& fast, const Vector
     attitude.resume(fast.pose, slow.learnt, turned_rad);
     motion.waits_for_imu = true;
     heights.home_m = slow.home_height_m;
-    heights.home_above_field_dm = slow.home_above_field_dm;
+    heights.home_above_field_m = slow.home_above_field_m;
     barometer_drift.resumeScale(slow.height_scale);
     height.resume(heights.home_m + fast.height_m / barometer_drift.scale(), fast.climb_mps);
     heights.started = motion.started = true;
@@ -573,7 +573,7 @@ void resumeEstimate(const SlowRecord& slow, const FastRecord& fast, const Vector
 void saveEstimate(SlowRecord& to) {
     attitude.save(to.learnt);
     to.home_height_m = heights.home_m;
-    to.home_above_field_dm = heights.home_above_field_dm;
+    to.home_above_field_m = heights.home_above_field_m;
     to.height_scale = barometer_drift.scale();
     const Vector3 wind_mps = wind.wind_mps();
     to.wind_cms[0] = centimetres(wind_mps.x);

@@ -138,7 +138,7 @@ SELDOM void readStored() {
     else if (!isMark(stored.rest.mark, kUncheckedKey))
         signing.key = Key::none;
     if (!whole && signing.key == Key::set)
-        sendStatusText(Severity::error, ROM_TEXT("Signing key or its time is damaged"));
+        sendStatusText(Severity::error, ROM_TEXT("Signing key or time damaged"));
 }
 
 // What a link is kept alive by, and what a radio says of itself; and over USB a new key.

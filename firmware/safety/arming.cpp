@@ -158,14 +158,14 @@ bool loggingBad() { return parameters.log_bitmask != 0 && !vehicle.log_usable; }
 struct Check {
     uint16_t bit;
     bool (*fails)();
-    char reason[31];
+    char reason[29];
     uint8_t (*number)();  // that takes the place of '#'; nullptr: there is none
 };
 
 // The first that fails is reported.
 // clang-format off
 constexpr Check kChecks[] ROM = {
-    {kAlways,       boardBad,          "Wrong board: made for an APM #", boardModel},
+    {kAlways,       boardBad,          "Wrong board: is for an APM #", boardModel},
     {kAlways,       hadInternalError,  "PreArm: internal error #", internalError},
     {kAlways,       calibrationRuns,   "PreArm: calibrating", nullptr},
     {kInertial,     inertialBad,       "PreArm: gyros not healthy", nullptr},

@@ -142,9 +142,7 @@ void decideMode() {
     published.resuming = false;
 }
 
-float fieldHeight_m() {
-    return records.slow.home_height_m - records.slow.home_above_field_dm * 0.1f;
-}
+float fieldHeight_m() { return records.slow.home_height_m - records.slow.home_above_field_m; }
 
 // Once barometer and airspeed sensor have had their time only the receiver can say so, and another
 // restart does not find a flight to go on with.

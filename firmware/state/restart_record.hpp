@@ -16,8 +16,8 @@ namespace state {
 struct SlowRecord {
     geo::Position home;
     int32_t home_altitude_cm;
-    float home_height_m;          // above where the barometer was zeroed
-    int16_t home_above_field_dm;  // above where it was armed
+    float home_height_m;       // above where the barometer was zeroed
+    float home_above_field_m;  // above where it was armed
     float ground_pressure_pa, ground_temperature_c;
     float height_scale;
     float airspeed_offset_v;

@@ -451,11 +451,11 @@ TEST_F(Estimator, records_how_far_home_was_moved_above_the_field) {
     firmware::estimator::zeroHeight();
     firmware::estimator::shiftHeight(-12.5f);
     firmware::estimator::saveEstimate(slow);
-    EXPECT_EQ(slow.home_above_field_dm, 125);
+    EXPECT_EQ(slow.home_above_field_m, 12.5f);
     EXPECT_NEAR(firmware::estimator::aboveField_m(), 0, 0.1);
     firmware::estimator::zeroHeight();
     firmware::estimator::saveEstimate(slow);
-    EXPECT_EQ(slow.home_above_field_dm, 0);
+    EXPECT_EQ(slow.home_above_field_m, 0);
 }
 
 // A loss of power that resets the inertial sensor, too: after `frames` it gives samples again.

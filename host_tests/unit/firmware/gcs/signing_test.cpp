@@ -118,7 +118,7 @@ protected:
     }
     bool saysDamaged() {
         const Texts texts = second.texts();
-        return std::count(texts.begin(), texts.end(), "Signing key or its time is damaged") != 0;
+        return std::count(texts.begin(), texts.end(), "Signing key or time damaged") != 0;
     }
 };
 

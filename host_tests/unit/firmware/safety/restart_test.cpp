@@ -170,7 +170,7 @@ TEST_F(Restart, is_armed_after_a_loss_of_power_when_the_receiver_sees_it_move_in
 // It is set in the air by a mission.
 TEST_F(Restart, is_seen_in_the_air_by_its_height_over_the_field_wherever_home_is) {
     records.slow.home_height_m = 60;
-    records.slow.home_above_field_dm = 550;
+    records.slow.home_above_field_m = 55;
     updateChecksum(records.slow);
     begin(ResetCause::unknown);
     lookAtSwitch(1165);
