@@ -236,8 +236,8 @@ void addHardware(CLI::App& app, FlyOptions& o) {
                    "ROLL,PITCH,YAW: the compass is outside the board, turned so, in degrees; "
                    "180,0,0 is the usual GPS with a compass under its chip")
         ->delimiter(',')
-        ->expected(1)
-        ->check(CLI::Range(1, 255));
+        ->expected(3)
+        ->check(CLI::Range(-360.0, 360.0));
     app.add_option("--worn-eeprom", o.worn_cells,
                    "so many bytes of the EEPROM have a bit that stays as it is")
         ->check(CLI::Range(0, 4096));

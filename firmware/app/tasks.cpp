@@ -109,8 +109,8 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { medium, runRestart,              2,     1,      90 },
     { medium, missionRun,             10,     3,    2670 },
     { medium, missionCatchUp,         10,     5,    1590 },
-    { medium, runInverted,            10,     2,       6 },
-    { medium, runStall,                5,     3,      40 },
+    { medium, runInverted,            10,     2,      15 },
+    { medium, runStall,                5,     3,      48 },
     { medium, runFence,               10,     1,    1030 },
     { medium, runFailsafe,            10,     6,     500 },
 
@@ -120,7 +120,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { slow,   reportVariables,        10,     7,     340 },
     { slow,   runCamera,              10,     9,     240 },
     { slow,   runFlaps,               10,     8,      40 },
-    { slow,   runArming,              10,     9,     210 },
+    { slow,   runArming,              10,     9,     425 },
     { slow,   runBattery,             40,     9,     340 },
     { slow,   runRollGains,           20,     0,     170 },
     { slow,   runPitchGains,          20,     9,     180 },
@@ -137,7 +137,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { slow,   dataflashStep,          10,     9,      25 },
     { slow,   measureLoad,           100,    59,      75 },
     { slow,   runDeclination,        100,    41,     190 },
-    { slow,   runRestartSlowly,      100,    63,     280 },
+    { slow,   runRestartSlowly,      100,    63,     400 },
 };
 // clang-format on
 

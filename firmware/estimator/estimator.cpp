@@ -532,12 +532,14 @@ bool barometerSteady() {
 
 void zeroHeight() {
     barometer_drift.zero();
-    if (vehicle.baro.healthy) height.resume(vehicle.estimate.baro_height_m, 0);
-    heights.home_m = height.height_m();
     heights.home_above_field_m = 0;
     published.height_m = 0;
-    true_speed.ratio = estimation::trueSpeedRatio(static_cast<float>(vehicle.baro.pressure_pa),
-                                                  vehicle.baro.ground_temperature_c);
+    if (vehicle.baro.healthy) {
+        if (height.lastReadingFarOff()) height.resume(vehicle.estimate.baro_height_m, 0);
+        true_speed.ratio = estimation::trueSpeedRatio(static_cast<float>(vehicle.baro.pressure_pa),
+                                                      vehicle.baro.ground_temperature_c);
+    }
+    heights.home_m = height.height_m();
 }
 
 float aboveField_m() { return published.height_m + heights.home_above_field_m; }

@@ -158,14 +158,14 @@ bool loggingBad() { return parameters.log_bitmask != 0 && !vehicle.log_usable; }
 struct Check {
     uint16_t bit;
     bool (*fails)();
-    char reason[29];
+    char reason[28];
     uint8_t (*number)();  // that takes the place of '#'; nullptr: there is none
 };
 
 // The first that fails is reported.
 // clang-format off
 constexpr Check kChecks[] ROM = {
-    {kAlways,       boardBad,          "Wrong board: is for an APM #", boardModel},
+    {kAlways,       boardBad,          "Wrong board: for an APM #", boardModel},
     {kAlways,       hadInternalError,  "PreArm: internal error #", internalError},
     {kAlways,       calibrationRuns,   "PreArm: calibrating", nullptr},
     {kInertial,     inertialBad,       "PreArm: gyros not healthy", nullptr},
@@ -186,7 +186,7 @@ constexpr Check kChecks[] ROM = {
     {kRadio,        throttleUp,        "PreArm: throttle is up", nullptr},
     {kBoardVoltage, boardVoltageBad,   "PreArm: board voltage", nullptr},
     {kBattery,      batteryBad,        "PreArm: battery low", nullptr},
-    {kMission,      missionBad,        "PreArm: mission not readable", nullptr},
+    {kMission,      missionBad,        "PreArm: mission unreadable", nullptr},
     {kParameters,   parametersForeign, "PreArm: EEPROM is not ours", nullptr},
     {kParameters,   parametersDamaged, "PreArm: parameters damaged", nullptr},
     {kParameters,   fenceBad,          "PreArm: fence not fit", nullptr},

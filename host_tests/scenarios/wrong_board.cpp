@@ -46,8 +46,7 @@ int main(int argc, char** argv) try {
     switchTransmitterOn(board.world());
     board.setUsb(true);  // force is obeyed there alone
     Bench bench(board);
-    const char* const text =
-        first ? "Wrong board: is for an APM 2" : "Wrong board: made for an APM 1";
+    const char* const text = first ? "Wrong board: for an APM 2" : "Wrong board: for an APM 1";
 
     bool pulses = false;
     const auto watched = [&](bool done) {

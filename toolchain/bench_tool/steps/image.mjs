@@ -8,7 +8,7 @@ import { equals, holds, within } from '../limits.mjs';
 import { meter, restart } from './readings.mjs';
 
 const kReboot = 246, kPrearm = 401;
-const kWrong = /^Wrong board: is for an APM [12]/;
+const kWrong = /^Wrong board: for an APM [12]/;
 const kRead = 'avrdude -c usbasp -p m2560 -U lfuse:r:-:h -U hfuse:r:-:h -U efuse:r:-:h';
 
 const fuse = (id, name, value) => ({
