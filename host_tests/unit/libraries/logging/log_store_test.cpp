@@ -84,6 +84,15 @@ TEST_F(Logs, any_byte_of_any_log_is_found_by_its_place) {
     EXPECT_EQ(head.key.offset + head.used, written[4].size());
 }
 
+// 500 bytes of a log, as the store writes them.
+void putPage(uint8_t* at, const Key& key, int byte) {
+    PageHead head = {key, 500, 0, 0};
+    memset(at + sizeof head, byte, head.used);
+    head.data_crc = core::crc16(core::kCrcStart, at + sizeof head, head.used);
+    head.head_crc = crcOf(head);
+    memcpy(at, &head, sizeof head);
+}
+
 // Wherever the newest page is: the first, the last, anywhere, before the ring is full and after.
 TEST_F(Logs, the_end_of_a_full_chip_is_found_in_time_wherever_it_is) {
     chip::fit({true, false});  // the larger one
@@ -97,12 +106,8 @@ TEST_F(Logs, the_end_of_a_full_chip_is_found_in_time_wherever_it_is) {
         // a log of 100 pages after the other, as this firmware would have written them
         std::vector<uint8_t> image(size_t{8192} * page_size, 0xFF);
         for (unsigned i = end > all ? end - all : 0; i < end; ++i) {
-            PageHead head = {{static_cast<uint16_t>(1 + i / 100), i % 100 * 500}, 500, 0, 0};
-            uint8_t* at = &image[size_t{kFirst + i % all} * page_size];
-            memset(at + sizeof head, static_cast<int>(i), 500);
-            head.data_crc = core::crc16(core::kCrcStart, at + sizeof head, 500);
-            head.head_crc = crcOf(head);
-            memcpy(at, &head, sizeof head);
+            putPage(&image[size_t{kFirst + i % all} * page_size],
+                    {static_cast<uint16_t>(1 + i / 100), i % 100 * 500}, static_cast<int>(i));
         }
         ASSERT_TRUE(chip::model().setImage(image));
         chip::restart();
@@ -132,12 +137,8 @@ TEST_F(Logs, behind_65535_comes_1_wherever_the_ring_then_is) {
     for (const unsigned end : {1u, 59u, 60u, 61u, 70u, 4000u, all + 3u, all + 60u, all + 75u}) {
         std::vector<uint8_t> image(size_t{4096} * page_size, 0xFF);
         for (unsigned i = end > all ? end - all : 0; i < end; ++i) {
-            PageHead head = {{numberOf(i), i % 10 * 500}, 500, 0, 0};
-            uint8_t* at = &image[size_t{kFirst + i % all} * page_size];
-            memset(at + sizeof head, static_cast<int>(i), 500);
-            head.data_crc = core::crc16(core::kCrcStart, at + sizeof head, 500);
-            head.head_crc = crcOf(head);
-            memcpy(at, &head, sizeof head);
+            putPage(&image[size_t{kFirst + i % all} * page_size], {numberOf(i), i % 10 * 500},
+                    static_cast<int>(i));
         }
         ASSERT_TRUE(chip::model().setImage(image));
         chip::restart();

@@ -106,6 +106,18 @@ TEST_F(IndexStoreTest, a_power_cut_at_any_byte_leaves_the_old_or_the_new_index) 
 }
 
 // The newest in each place and round, with each check.
+// 1 to 170, in no order.
+uint8_t someIndex(int n) { return static_cast<uint8_t>(1 + n * 37 % 170); }
+
+// As a run that starts does, of mission 7.
+void writeAfterStart(uint8_t newest) {
+    IndexStore store;
+    uint8_t index;
+    bool damaged;
+    ASSERT_EQ(store.open(7, index, damaged), Status::ok);
+    ASSERT_EQ(store.write(7, newest), Status::ok);
+}
+
 TEST_F(IndexStoreTest, any_changed_bit_leaves_the_index_or_is_reported_once) {
     IndexStore store;
     uint8_t index;
@@ -113,7 +125,7 @@ TEST_F(IndexStoreTest, any_changed_bit_leaves_the_index_or_is_reported_once) {
     ASSERT_EQ(store.open(7, index, damaged), Status::ok);
     int flips = 0, reported = 0;
     for (uint8_t n = 0; n < 90; ++n) {
-        const uint8_t newest = static_cast<uint8_t>(1 + n * 37 % 170);
+        const uint8_t newest = someIndex(n);
         ASSERT_EQ(store.write(7, newest), Status::ok);
         const auto cells = fakes::eepromCells();
         ASSERT_FALSE(started(7).reported) << "whole after write " << +n;
@@ -142,12 +154,8 @@ TEST_F(IndexStoreTest, a_worn_cell_leaves_the_index_or_is_reported) {
             fakes::resetEeprom();
             fakes::wearEepromCell(at, static_cast<uint8_t>(1 << bit % 8), bit > 7);
             for (uint8_t n = 0; n < 53; ++n) {
-                const uint8_t newest = static_cast<uint8_t>(1 + n * 37 % 170);
-                IndexStore store;
-                uint8_t index;
-                bool damaged;
-                ASSERT_EQ(store.open(7, index, damaged), Status::ok);
-                ASSERT_EQ(store.write(7, newest), Status::ok);
+                const uint8_t newest = someIndex(n);
+                writeAfterStart(newest);
                 const Start start = started(7);
                 ASSERT_TRUE(start.index == newest || start.reported)
                     << at << ", " << bit << ", " << +n;
@@ -166,12 +174,8 @@ TEST_F(IndexStoreTest, the_index_of_the_first_boards_is_read_and_followed_by_tho
         ASSERT_EQ(start.index, last % 171);
         ASSERT_FALSE(start.reported) << last;
         for (int n = 0; n < 50; ++n) {
-            const uint8_t newest = static_cast<uint8_t>(1 + n * 37 % 170);
-            IndexStore store;
-            uint8_t index;
-            bool damaged;
-            ASSERT_EQ(store.open(7, index, damaged), Status::ok);
-            ASSERT_EQ(store.write(7, newest), Status::ok);
+            const uint8_t newest = someIndex(n);
+            writeAfterStart(newest);
             const Start next = started(7);
             ASSERT_EQ(next.index, newest) << last << ", " << n;
             ASSERT_FALSE(next.reported) << last << ", " << n;
