@@ -186,7 +186,6 @@ void AvrBoard::showFaults() {
     spi_line_.fail(world_.faultOf(Faulty::spi));
 }
 
-// A bootloader clears the flags of the reset, and so does the program first of all.
 // A jump to itself, in a word of flash that no program uses.
 void AvrBoard::hang() {
     constexpr uint32_t kSpare = kBootSection - 2;
@@ -205,6 +204,7 @@ void AvrBoard::hang() {
     avr->state = cpu_Running;
 }
 
+// A bootloader clears the flags of the reset, and so does the program first of all.
 void AvrBoard::begun(uint16_t address, uint8_t value) {
     clears_(chip_.avr(), address, value);
     if (chip_.avr()->pc >= kBootSection) return;
