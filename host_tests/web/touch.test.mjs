@@ -50,8 +50,10 @@ async function dragged(hand, from, to, steps = 6) {
 // The span that the height's plot shows, by the cursor's place on it.
 async function shownAt(page, over, part) {
   const box = await over.boundingBox();
+  // Chromium makes a click of a tap when it has the time: what is read before that is where the cursor was.
+  await over.evaluate((element) => { globalThis.clicked = new Promise((resolve) => { element.addEventListener('click', resolve, { once: true }); }); });
   await page.touchscreen.tap(box.x + part * box.width, box.y + box.height / 2);
-  await page.waitForTimeout(100);
+  await page.evaluate(() => globalThis.clicked.then(() => undefined));
   return cursor_s(page);
 }
 
