@@ -65,9 +65,9 @@ void cameraStart() {
 
 void cameraTrigger() {
     if (!connected())
-        sendStatusText(Severity::warning, ROM_TEXT("Camera: no output has its function"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Camera: no output has its function"));
     else if (shutter.open_ticks != 0)
-        sendStatusText(Severity::warning, ROM_TEXT("Camera: still busy with the last picture"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Camera: still busy with the last picture"));
     else
         open();
 }
@@ -76,7 +76,7 @@ void cameraEvery(int32_t distance_cm) {
     shutter.every_m = core::hundredths(distance_cm);
     shutter.last = vehicle.estimate.position;
     if (distance_cm != 0 && !connected())
-        sendStatusText(Severity::warning, ROM_TEXT("Camera: no output has its function"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Camera: no output has its function"));
 }
 
 void runCamera() {

@@ -45,13 +45,14 @@ void reportTrouble() {
         case drivers::At45dbTrouble::none:
             return;
         case drivers::At45dbTrouble::absent:
-            sendStatusText(Severity::warning, ROM_TEXT("DataFlash: none found"));
+            sendStatusText(Severity::warning, STATUS_TEXT("DataFlash: none found"));
             break;
         case drivers::At45dbTrouble::stuck:
-            sendStatusText(Severity::error, ROM_TEXT("DataFlash: stays busy, not used any more"));
+            sendStatusText(Severity::error,
+                           STATUS_TEXT("DataFlash: stays busy, not used any more"));
             break;
         case drivers::At45dbTrouble::garbled:
-            sendStatusText(Severity::error, ROM_TEXT("DataFlash: lost, not used any more"));
+            sendStatusText(Severity::error, STATUS_TEXT("DataFlash: lost, not used any more"));
             break;
     }
     flash.trouble_reported = true;

@@ -25,11 +25,9 @@ enum Gain : uint8_t { kTimeConstant, kP, kI, kD, kGains };  // as their slots fo
 
 struct Axis {
     uint8_t slots;  // the first one's
-    core::RomText found;
+    TextField<16> found;
 };
-constexpr char kRollFound[] ROM = "Autotune: roll # %";
-constexpr char kPitchFound[] ROM = "Autotune: pitch # %";
-constexpr Axis kAxes[] ROM = {{101, kRollFound}, {107, kPitchFound}};
+constexpr Axis kAxes[] ROM = {{101, "Autotune: roll # %"}, {107, "Autotune: pitch # %"}};
 
 struct Tuners {
     AxisTuner tuners[core::count(kAxes)];
@@ -112,7 +110,7 @@ void tune(TunedAxis which, const ::control::AxisGains& gains, const ::control::A
     due.by = core::limit(p * due.by, kLeastP, kMaxP) / p;
     due.axis = which;
     due.gain = kP;
-    sendStatusText(Severity::info, core::romRead(kAxes[which].found),
+    sendStatusText(Severity::info, kAxes[which].found,
                    static_cast<uint16_t>(core::rounded(due.by * 100)));
 }
 

@@ -53,7 +53,7 @@ void lookForStall() {
         {surfaces.elevator, pitchShort_rad(), vehicle.attitude.rate_rads.y, recovery.slow, sinks});
     const Phase phase = watch.stall.phase();
     if (recovery.phase == Phase::flying && phase == Phase::breaking)
-        sendStatusText(Severity::warning, ROM_TEXT("Stall: nose down"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Stall: nose down"));
     recovery.phase = phase;
     const bool needs_power =
         phase == Phase::breaking || (phase == Phase::pulling_out && recovery.slow);

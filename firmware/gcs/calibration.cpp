@@ -53,7 +53,7 @@ struct Calibration {
 core::FileState<Calibration> now{};
 
 // The words by which ground stations know them.
-constexpr char kPrompts[kSides][50] ROM = {
+constexpr TextField<25> kPrompts[kSides] ROM = {
     "Place vehicle level and press any key.",
     "Place vehicle on its LEFT side and press any key.",
     "Place vehicle on its RIGHT side and press any key",
@@ -100,11 +100,11 @@ void askForSide() {
     reportSide(now.side + 1U);
 }
 
-void end(bool well, core::RomText why) {
+void end(bool well, StatusText why) {
     now.phase = well ? Phase::succeeded : Phase::failed;
     sendStatusText(well ? Severity::notice : Severity::error, why);
 }
-void endWell() { end(true, ROM_TEXT("Calibration successful")); }
+void endWell() { end(true, STATUS_TEXT("Calibration successful")); }
 
 // ---- level
 uint8_t takeLevel() {
@@ -124,20 +124,20 @@ void takeTrim(const AccelerometerFit& fit) {
     float lie_rad[2];
     lieOf(force_mss, lie_rad);
     if (!parametersSetFrom(slot::ahrs_trim_x, lie_rad, 2))
-        sendStatusText(Severity::warning, ROM_TEXT("Level was not: AHRS_TRIM stays"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Level was not: AHRS_TRIM stays"));
 }
 
 void finishSides() {
     AccelerometerFit fit;
     if (!fitSides(sides, fit) || !parametersSetFrom(slot::ins_accoffs_x, fit.offset_mss, 6))
-        return end(false, ROM_TEXT("Calibration FAILED: out of range"));
+        return end(false, STATUS_TEXT("Calibration FAILED: out of range"));
     takeTrim(fit);
     endWell();
 }
 
 void takeSide() {
     if (!liesOn(now.side, restForce_mss())) {
-        sendStatusText(Severity::warning, ROM_TEXT("That is another side: not taken"));
+        sendStatusText(Severity::warning, STATUS_TEXT("That is another side: not taken"));
         return askForSide();
     }
     sides.put(now.side, restForce_mss());
@@ -150,11 +150,11 @@ void sidesTick() {
     switch (now.phase) {
         case Phase::asks:
             if (passed) reportSide(now.side + 1U);
-            if (now.left_s == 0) end(false, ROM_TEXT("Calibration FAILED: nobody answers"));
+            if (now.left_s == 0) end(false, STATUS_TEXT("Calibration FAILED: nobody answers"));
             return;
         case Phase::measures:
             if (vehicle.imu.calibrated) return takeSide();
-            if (now.left_s == 0) end(false, ROM_TEXT("Calibration FAILED: keep it still"));
+            if (now.left_s == 0) end(false, STATUS_TEXT("Calibration FAILED: keep it still"));
             return;
         default: {
             const uint32_t outcome = now.phase == Phase::succeeded ? AccelcalVehiclePos::success
@@ -193,7 +193,7 @@ void finishCompass() {
         parametersSetFrom(slot::compass_ofs_x, parameters.compass_offset_mg, 3)) {
         endWell();
     } else if (now.left_s == 0) {
-        end(false, ROM_TEXT("Calibration FAILED: magnet or iron near?"));
+        end(false, STATUS_TEXT("Calibration FAILED: magnet or iron near?"));
     }
 }
 
@@ -208,7 +208,7 @@ void compassTick() {
     if (compassTurns_pct() == 100) {
         finishCompass();
     } else if (now.left_s == 0) {
-        end(false, ROM_TEXT("Calibration FAILED: turn it all about"));
+        end(false, STATUS_TEXT("Calibration FAILED: turn it all about"));
     }
     reportProgress();
 }

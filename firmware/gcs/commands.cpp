@@ -108,7 +108,7 @@ uint16_t number(float param) {
 
 bool mayForce(const Link& link) {
     if (parameters.force_everywhere != 0 || isUsb(link)) return true;
-    sendStatusText(Severity::warning, ROM_TEXT("Force refused: only over USB"));
+    sendStatusText(Severity::warning, STATUS_TEXT("Force refused: only over USB"));
     return false;
 }
 

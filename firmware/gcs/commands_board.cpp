@@ -53,7 +53,7 @@ uint8_t trimLevel() {
     const auto& rate = vehicle.attitude.rate_rads;
     const bool still =
         rate.x.raw < kStill && rate.x.raw > -kStill && rate.y.raw < kStill && rate.y.raw > -kStill;
-    if (!still) sendStatusText(Severity::error, ROM_TEXT("Level: keep it still"));
+    if (!still) sendStatusText(Severity::error, STATUS_TEXT("Level: keep it still"));
     if (!still || !vehicle.attitude.aligned) return MavResult::failed;
     const float lie_rad[] = {parameters.level_trim_rad[0] + vehicle.attitude.roll_rad.toFloat(),
                              parameters.level_trim_rad[1] + vehicle.attitude.pitch_rad.toFloat()};
@@ -119,7 +119,7 @@ bool partsOf(const CommandRequest& request, uint8_t& parts) {
 // Accepted: it stands on the ground, disarmed.
 uint8_t mayCalibrate() {
     if (!vehicle.armed && !vehicle.estimate.flying) return MavResult::accepted;
-    sendStatusText(Severity::error, ROM_TEXT("Calibration refused: disarm first"));
+    sendStatusText(Severity::error, STATUS_TEXT("Calibration refused: disarm first"));
     if (vehicle.estimate.flying) return MavResult::denied;
     return MavResult::temporarily_rejected;
 }
@@ -127,7 +127,7 @@ uint8_t mayCalibrate() {
 uint8_t begin(Calibrating what, Link& link, const CommandRequest& request, uint8_t answer) {
     if (calibrationBegin(what, {linkNumber(link), request.system, request.component}))
         return answer;
-    sendStatusText(Severity::error, ROM_TEXT("Calibration refused: another runs"));
+    sendStatusText(Severity::error, STATUS_TEXT("Calibration refused: another runs"));
     return MavResult::temporarily_rejected;
 }
 
@@ -142,7 +142,7 @@ uint8_t beginRest(Link& link, const CommandRequest& request, uint8_t parts) {
 
 uint8_t beginCompass(Link& link, const CommandRequest& request) {
     if (!vehicle.compass.healthy) {
-        sendStatusText(Severity::error, ROM_TEXT("Calibration refused: no compass"));
+        sendStatusText(Severity::error, STATUS_TEXT("Calibration refused: no compass"));
         return MavResult::failed;
     }
     return begin(Calibrating::compass, link, request, MavResult::accepted);

@@ -168,7 +168,7 @@ uint8_t takeOffNow(Link&, CommandRequest& request) {
 }
 
 uint8_t refuseHere(Link&, CommandRequest& request) {
-    sendStatusText(Severity::warning, ROM_TEXT("Command # is not supported"), request.command);
+    sendStatusText(Severity::warning, STATUS_TEXT("Command # is not supported"), request.command);
     return MavResult::unsupported;
 }
 

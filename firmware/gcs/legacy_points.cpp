@@ -96,12 +96,12 @@ bool change(Link& link, const mavlink::Frame& frame, ListKind kind, uint8_t coun
             : rewrite(linkNumber(link), peerOf(frame), kind, count, index, record);
     if (result == MissionResult::busy) return false;
     if (result != MissionResult::accepted)
-        sendStatusText(Severity::warning, ROM_TEXT("Point # not stored"), index);
+        sendStatusText(Severity::warning, STATUS_TEXT("Point # not stored"), index);
     return true;
 }
 
 bool refuse(uint8_t index) {
-    sendStatusText(Severity::warning, ROM_TEXT("Point # refused"), index);
+    sendStatusText(Severity::warning, STATUS_TEXT("Point # refused"), index);
     return true;
 }
 
@@ -125,7 +125,7 @@ Status resizePoints(ListKind kind, uint8_t total) {
     const bool under_way = transfer.state == Upload::points && transfer.link == kNoLink;
     if (present == total && !under_way) return Status::ok;
     if (fence && fenceOn() && !under_way) {
-        sendStatusText(Severity::warning, ROM_TEXT("The fence is on"));
+        sendStatusText(Severity::warning, STATUS_TEXT("The fence is on"));
         return Status::bad_argument;
     }
     const uint8_t count = fence && total > 0 ? total - 1 : total;

@@ -188,7 +188,7 @@ bool onLogRequestList(Link& link, const mavlink::Frame& frame) {
 bool onLogRequestData(Link& link, const mavlink::Frame& frame) {
     const auto asked = frame.read<mavlink::LogRequestData>();
     if (vehicle.armed) {
-        sendStatusText(Severity::notice, ROM_TEXT("Logs are sent when disarmed"));
+        sendStatusText(Severity::notice, STATUS_TEXT("Logs are sent when disarmed"));
         return sendEnd(link, asked.id, asked.ofs);
     }
     logPause(true);

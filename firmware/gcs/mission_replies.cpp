@@ -121,7 +121,7 @@ bool onMissionSetCurrent(Link& link, const mavlink::Frame& frame) {
     if (missionSetCurrent(message.seq))
         requestOnce(link, mavlink::Wire<mavlink::MissionCurrent>::id);
     else
-        sendStatusText(Severity::warning, ROM_TEXT("No mission item #"),
+        sendStatusText(Severity::warning, STATUS_TEXT("No mission item #"),
                        static_cast<int32_t>(message.seq));
     return true;
 }

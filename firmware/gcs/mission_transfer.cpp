@@ -83,11 +83,11 @@ void reportStored() {
     const int32_t count = itemCount(transfer.type);
     switch (transfer.type) {
         case mavlink::MavMissionType::fence:
-            return sendStatusText(Severity::info, ROM_TEXT("Fence stored: # points"), count);
+            return sendStatusText(Severity::info, STATUS_TEXT("Fence stored: # points"), count);
         case mavlink::MavMissionType::rally:
-            return sendStatusText(Severity::info, ROM_TEXT("Rally stored: # points"), count);
+            return sendStatusText(Severity::info, STATUS_TEXT("Rally stored: # points"), count);
         default:
-            return sendStatusText(Severity::info, ROM_TEXT("Mission stored: # items"), count);
+            return sendStatusText(Severity::info, STATUS_TEXT("Mission stored: # items"), count);
     }
 }
 
@@ -101,7 +101,7 @@ void turnItems() {
     if (++transfer.turns < kAskAgainTurns) return;
     if (transfer.tries >= kTries) {
         if (endUpload(MissionResult::cancelled))
-            sendStatusText(Severity::warning, ROM_TEXT("Upload given up at item #"),
+            sendStatusText(Severity::warning, STATUS_TEXT("Upload given up at item #"),
                            static_cast<int32_t>(transfer.next));
         return;
     }

@@ -33,11 +33,11 @@ bool isForUsbAlone(uint16_t index) {
 
 bool parameterMayBeSet(const Link& link, uint16_t index) {
     if (isForUsbAlone(index) && !isUsb(link)) {
-        sendStatusText(Severity::warning, ROM_TEXT("Parameter refused: only over USB"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Parameter refused: only over USB"));
         return false;
     }
     if (writes.recent < kMaxWrites) return true;
-    sendStatusText(Severity::warning, ROM_TEXT("Parameter refused: too many writes"));
+    sendStatusText(Severity::warning, STATUS_TEXT("Parameter refused: too many writes"));
     return false;
 }
 

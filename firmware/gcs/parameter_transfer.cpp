@@ -50,7 +50,7 @@ bool onParamSet(Link& link, const mavlink::Frame& frame) {
     const auto wanted = frame.read<mavlink::ParamSet>();
     uint16_t index;
     if (!parameterFind(wanted.param_id, index)) {
-        sendStatusText(Severity::warning, ROM_TEXT("No such parameter"));
+        sendStatusText(Severity::warning, STATUS_TEXT("No such parameter"));
         return true;
     }
     if (!parameterMayBeSet(link, index)) return parameterSend(link, index);
@@ -58,9 +58,10 @@ bool onParamSet(Link& link, const mavlink::Frame& frame) {
     const core::Status status = parameterSetAt(index, wanted.param_value);
     if (status == core::Status::busy) return false;
     if (status != core::Status::ok)
-        sendStatusText(Severity::warning, status == core::Status::denied
-                                              ? ROM_TEXT("Parameter refused: armed")
-                                              : ROM_TEXT("Parameter value refused: out of range"));
+        sendStatusText(Severity::warning,
+                       status == core::Status::denied
+                           ? STATUS_TEXT("Parameter refused: armed")
+                           : STATUS_TEXT("Parameter value refused: out of range"));
     if (changes && status == core::Status::ok) parameterWritten();
     for (Link& other : links)  // who has no room now asks again some day
         if (&other != &link) parameterSend(other, index);
@@ -70,7 +71,7 @@ bool onParamSet(Link& link, const mavlink::Frame& frame) {
 bool refuseParamSet(Link& link, const mavlink::Frame& frame) {
     const auto wanted = frame.read<mavlink::ParamSet>();
     uint16_t index;
-    sendStatusText(Severity::warning, ROM_TEXT("Parameter not set: store busy"));
+    sendStatusText(Severity::warning, STATUS_TEXT("Parameter not set: store busy"));
     return !parameterFind(wanted.param_id, index) || parameterSend(link, index);
 }
 

@@ -138,7 +138,7 @@ SELDOM void readStored() {
     else if (!isMark(stored.rest.mark, kUncheckedKey))
         signing.key = Key::none;
     if (!whole && signing.key == Key::set)
-        sendStatusText(Severity::error, ROM_TEXT("Signing key or time damaged"));
+        sendStatusText(Severity::error, STATUS_TEXT("Signing key or time damaged"));
 }
 
 // What a link is kept alive by, and what a radio says of itself; and over USB a new key.
@@ -328,7 +328,8 @@ void signingForget(Link& link) {
 
 bool onSetupSigning(Link& link, const mavlink::Frame& frame) {
     if (!isUsb(link) || vehicle.armed) {
-        sendStatusText(Severity::warning, ROM_TEXT("Signing key refused: only over USB, disarmed"));
+        sendStatusText(Severity::warning,
+                       STATUS_TEXT("Signing key refused: only over USB, disarmed"));
         return true;
     }
     const auto setup = frame.read<mavlink::SetupSigning>();
@@ -338,13 +339,13 @@ bool onSetupSigning(Link& link, const mavlink::Frame& frame) {
     signing.step = 0;
     signing.key = Key::unknown;
     sendStatusText(Severity::notice,
-                   clears ? ROM_TEXT("Signing: no key") : ROM_TEXT("Signing: key stored"));
+                   clears ? STATUS_TEXT("Signing: no key") : STATUS_TEXT("Signing: key stored"));
     return true;
 }
 
 bool refuseSetupSigning(Link&, const mavlink::Frame&) {
     signing.step = 0;
-    sendStatusText(Severity::error, ROM_TEXT("Signing key not stored: again, please"));
+    sendStatusText(Severity::error, STATUS_TEXT("Signing key not stored: again, please"));
     return true;
 }
 

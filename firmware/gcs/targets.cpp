@@ -74,7 +74,7 @@ bool onPositionTarget(Link& link, const mavlink::Frame& frame) {
 bool refuseTarget(Link&, const mavlink::Frame& frame) {
     const uint8_t now = static_cast<uint8_t>(1 + (hal::now_ms() >> 12));
     if (now != refusal.at)
-        sendStatusText(Severity::warning, ROM_TEXT("Message # refused"), frame.id);
+        sendStatusText(Severity::warning, STATUS_TEXT("Message # refused"), frame.id);
     refusal.at = now;
     return true;
 }

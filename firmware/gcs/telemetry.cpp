@@ -175,7 +175,7 @@ void telemetryStart() {
 }
 
 void sendBannerText() {
-    sendStatusText(Severity::info, ROM_TEXT("ArduPilotMega autopilot, airplane"));
+    sendStatusText(Severity::info, STATUS_TEXT("ArduPilotMega autopilot, airplane"));
 }
 
 void telemetrySend() {

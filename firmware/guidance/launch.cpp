@@ -89,9 +89,9 @@ bool launched() {
         vehicle.attitude.pitch_rad.toFloat(), kGuidancePeriod_s};
     const navigation::Launch::Result result = launch.run(settings, now);
     if (result == navigation::Launch::tilted)
-        sendStatusText(Severity::warning, ROM_TEXT("Bad launch AUTO"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Bad launch AUTO"));
     if (result == navigation::Launch::slow)
-        sendStatusText(Severity::warning, ROM_TEXT("Timeout AUTO"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Timeout AUTO"));
     return result == navigation::Launch::flies;
 }
 

@@ -327,7 +327,7 @@ void end() {
 void reportDropped() {
     if (logged.run != 0 || static_cast<uint8_t>(logged.dropped) == logged.dropped_reported) return;
     logged.dropped_reported = static_cast<uint8_t>(logged.dropped);
-    sendStatusText(Severity::warning, ROM_TEXT("Log: # records dropped"), logged.dropped);
+    sendStatusText(Severity::warning, STATUS_TEXT("Log: # records dropped"), logged.dropped);
 }
 
 uint16_t readBase() {
@@ -351,13 +351,13 @@ void eraseMore() {
                storage::writeLogBase(flight_logs.nextBase()) == core::Status::ok) {
         flight_logs.finishErase();
         logged.request = Request::none;
-        sendStatusText(Severity::notice, ROM_TEXT("Logs erased"));
+        sendStatusText(Severity::notice, STATUS_TEXT("Logs erased"));
     }
 }
 
 void armedMeanwhile() {
     if (logged.request == Request::erase)
-        sendStatusText(Severity::warning, ROM_TEXT("Erasing logs stopped"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Erasing logs stopped"));
     logged.request = Request::none;
 }
 
@@ -375,17 +375,18 @@ void logStart() {
 bool logFind() {
     const bool looked = flight_logs.find();
     if (looked && flight_logs.ready() && flight_logs.last() == 0)
-        sendStatusText(Severity::info, ROM_TEXT("No logs"));
+        sendStatusText(Severity::info, STATUS_TEXT("No logs"));
     return looked;
 }
 
 void logPause(bool pause) { logged.request = pause ? Request::pause : Request::none; }
 
 void logErase() {
-    if (vehicle.armed) return sendStatusText(Severity::error, ROM_TEXT("Disarm to erase logs"));
-    if (!flight_logs.usable()) return sendStatusText(Severity::error, ROM_TEXT("No logs to erase"));
+    if (vehicle.armed) return sendStatusText(Severity::error, STATUS_TEXT("Disarm to erase logs"));
+    if (!flight_logs.usable())
+        return sendStatusText(Severity::error, STATUS_TEXT("No logs to erase"));
     logged.request = Request::erase;
-    sendStatusText(Severity::notice, ROM_TEXT("Erasing logs"));
+    sendStatusText(Severity::notice, STATUS_TEXT("Erasing logs"));
 }
 
 uint16_t logDropped() { return logged.dropped; }

@@ -125,8 +125,8 @@ bool putText() { return textWaits(kLogReader) && logText(); }
 // Readers look for "Plane".
 bool putBanner() {
     MessageRecord record;
-    core::copyText(record.text, ROM_TEXT("ArduPilotMega autopilot V0.1 (Plane)"),
-                   sizeof record.text);
+    core::unpack(STATUS_TEXT("ArduPilotMega autopilot V0.1 (Plane)").letters(), record.text,
+                 sizeof record.text);
     return log(RecordType::message, record);
 }
 

@@ -33,7 +33,7 @@ void setHomeAction(const Record& record) {
     if (record.p1 == 0)
         setHome({record.p3, record.p4}, record.p2);
     else if (!setHomeHere())
-        sendStatusText(Severity::warning, ROM_TEXT("Mission: no fix, home not set"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Mission: no fix, home not set"));
 }
 
 float parameterValue(const Record& record) {
@@ -45,7 +45,7 @@ float parameterValue(const Record& record) {
 
 void setParameterAction(const Record& record) {
     if (!parameterSet(record.p1, parameterValue(record)))
-        sendStatusText(Severity::warning, ROM_TEXT("Mission: parameter # not set"), record.p1);
+        sendStatusText(Severity::warning, STATUS_TEXT("Mission: parameter # not set"), record.p1);
 }
 
 void setRelay(const Record& record) { relaySet(record.p2 != 0); }

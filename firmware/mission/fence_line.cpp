@@ -108,7 +108,7 @@ void check() {
     if (side == Side::unknown) return;
     fence_line.line = side == Side::inside ? Line::fit : Line::unfit;
     if (fence_line.line == Line::unfit)
-        sendStatusText(Severity::warning, ROM_TEXT("Fence: return point is outside"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Fence: return point is outside"));
 }
 
 }  // namespace

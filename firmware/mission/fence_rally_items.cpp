@@ -42,7 +42,7 @@ MissionResult fenceFromItem(const MissionItem& item, uint8_t count, uint8_t* rec
     const bool ours = item.command == MavCmd::nav_fence_polygon_vertex_inclusion &&
                       (item.param1 == count || item.param1 == count - 1);
     if (!ours) {
-        sendStatusText(Severity::warning, ROM_TEXT("Fence: one inclusion polygon, no more"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Fence: one inclusion polygon, no more"));
         return MissionResult::unsupported;
     }
     setFencePoint(record, FencePoint::corner);

@@ -91,7 +91,7 @@ void breakOffByThrottle(bool& was_below) {
     if (vehicle.radio.lost) return;
     const bool all = vehicle.radio.throttle_pct >= kAll_pct;
     if (all && was_below && missionGoAround(0))
-        sendStatusText(Severity::warning, ROM_TEXT("Landing broken off by the throttle"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Landing broken off by the throttle"));
     was_below = !all;
 }
 

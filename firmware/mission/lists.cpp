@@ -38,7 +38,7 @@ void store() {
     const Status status = mission_store.commit();
     if (status == Status::busy) return;
     if (status != Status::ok) {
-        sendStatusText(Severity::error, ROM_TEXT("Not stored: memory error"));
+        sendStatusText(Severity::error, STATUS_TEXT("Not stored: memory error"));
         return finish(MissionResult::error);
     }
     if (mission_store.kind() != ListKind::mission) return finish(MissionResult::accepted);
@@ -58,9 +58,10 @@ void reportMended() {
     ListKind which;
     if (!mission_store.takeMended(which)) return;
     reportMemory();
-    sendStatusText(Severity::notice, which == ListKind::mission ? ROM_TEXT("Mission mended")
-                                     : which == ListKind::fence ? ROM_TEXT("Fence mended")
-                                                                : ROM_TEXT("Rally points mended"));
+    sendStatusText(Severity::notice, which == ListKind::mission ? STATUS_TEXT("Mission mended")
+                                     : which == ListKind::fence
+                                         ? STATUS_TEXT("Fence mended")
+                                         : STATUS_TEXT("Rally points mended"));
 }
 
 // A record that changes by itself is noticed before it is flown, within nine seconds.
@@ -77,7 +78,7 @@ void migrate() {
     const Status status = mission_store.migrateToEeprom();
     if (status == Status::busy) return;
     if (status != Status::ok)
-        sendStatusText(Severity::error, ROM_TEXT("EEPROM is worn: lists are at risk"));
+        sendStatusText(Severity::error, STATUS_TEXT("EEPROM is worn: lists are at risk"));
     reportMended();
     recheck();
 }
@@ -85,7 +86,7 @@ void migrate() {
 }  // namespace
 
 void reportMemory() {
-    sendStatusText(Severity::error, ROM_TEXT("Memory has not kept what was stored"));
+    sendStatusText(Severity::error, STATUS_TEXT("Memory has not kept what was stored"));
 }
 
 MissionResult resultOf(Status status) {
@@ -131,7 +132,7 @@ MissionResult listBegin(ListKind kind, uint16_t count, uint8_t set) {
     const Status status = mission_store.begin(kind, static_cast<uint8_t>(count), set);
     if (status == Status::full)
         sendStatusText(Severity::warning,
-                       ROM_TEXT("DataFlash does not work: clear the old one first"));
+                       STATUS_TEXT("DataFlash does not work: clear the old one first"));
     if (status == Status::ok) {
         change.step = Step::filling;
         change.clearing = 0;

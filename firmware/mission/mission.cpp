@@ -73,7 +73,7 @@ void ended(bool landed) {
     run.is_complete = true;
     resetSpeed();
     saveIndex(0);
-    sendStatusText(Severity::notice, ROM_TEXT("Mission complete"));
+    sendStatusText(Severity::notice, STATUS_TEXT("Mission complete"));
     if (!landed) mode_request.mode = Mode::rtl;
 }
 
@@ -106,7 +106,7 @@ void onEvent(Event event, uint8_t index) {
     switch (event) {
         case Event::started:
             saveIndex(index);
-            sendStatusText(Severity::info, ROM_TEXT("Mission item #"), index);
+            sendStatusText(Severity::info, STATUS_TEXT("Mission item #"), index);
             break;
         case Event::reached:
             rememberPlace();
@@ -115,13 +115,14 @@ void onEvent(Event event, uint8_t index) {
             break;
         case Event::skipped:
             ++run.skipped;
-            sendStatusText(Severity::warning, ROM_TEXT("Mission item # skipped"), index);
+            sendStatusText(Severity::warning, STATUS_TEXT("Mission item # skipped"), index);
             break;
         case Event::looped:
-            sendStatusText(Severity::warning, ROM_TEXT("Mission: jumps go round at item #"), index);
+            sendStatusText(Severity::warning, STATUS_TEXT("Mission: jumps go round at item #"),
+                           index);
             break;
         case Event::lost:
-            sendStatusText(Severity::error, ROM_TEXT("Mission item # cannot be read"), index);
+            sendStatusText(Severity::error, STATUS_TEXT("Mission item # cannot be read"), index);
             break;
         case Event::hold:
             holdPlace();
@@ -158,7 +159,7 @@ Status findStoredMission() {
     if (owner == storage::Owner::blank) {
         const Status claimed = storage::claim();
         if (claimed == Status::ok)
-            sendStatusText(Severity::notice, ROM_TEXT("EEPROM blank: defaults"));
+            sendStatusText(Severity::notice, STATUS_TEXT("EEPROM blank: defaults"));
         return claimed;
     }
     if (owner == storage::Owner::ours) {
@@ -167,7 +168,7 @@ Status findStoredMission() {
         if (mended == Status::ok && damaged) reportMemory();
         return mended;
     }
-    sendStatusText(Severity::error, ROM_TEXT("EEPROM belongs to other firmware"));
+    sendStatusText(Severity::error, STATUS_TEXT("EEPROM belongs to other firmware"));
     run.boot = Boot::foreign;
     return Status::unsupported;
 }
@@ -178,15 +179,15 @@ Status openLists() {
     const Status status = mission_store.open(which);
     if (status == Status::ok || status == Status::busy) return status;
     if (status == Status::unsupported)
-        sendStatusText(Severity::error, ROM_TEXT("DataFlash does not answer"));
+        sendStatusText(Severity::error, STATUS_TEXT("DataFlash does not answer"));
     else
         reportMemory();
     if (which == storage::ListKind::mission)
         missionLost();
     else
         sendStatusText(Severity::error, which == storage::ListKind::fence
-                                            ? ROM_TEXT("No fence: cannot be read")
-                                            : ROM_TEXT("No rally points: cannot be read"));
+                                            ? STATUS_TEXT("No fence: cannot be read")
+                                            : STATUS_TEXT("No rally points: cannot be read"));
     return Status::busy;
 }
 
@@ -253,7 +254,7 @@ core::FileState<::mission::Sequencer> mission_engine(::mission::Sequencer(kComma
 void missionLost() {
     mission_summary = {};
     mission_summary.next = kUnreadable;
-    sendStatusText(Severity::error, ROM_TEXT("No mission: cannot be read"));
+    sendStatusText(Severity::error, STATUS_TEXT("No mission: cannot be read"));
 }
 
 namespace {
@@ -285,7 +286,7 @@ void noticeArming() {
     if (!goes_on && onGround()) beginAfresh();
     if (!run.armed || !onGround() || mission_summary.first_nav == 0) return;
     const uint8_t first = mission_engine.current();
-    sendStatusText(Severity::info, ROM_TEXT("AUTO begins at item #"),
+    sendStatusText(Severity::info, STATUS_TEXT("AUTO begins at item #"),
                    first != 0 ? first : mission_summary.first_nav);
 }
 
@@ -336,17 +337,17 @@ void missionRun() {
     applyModeRequest();
 }
 
-bool missionEnter(core::RomText& why_not) {
-    why_not = nullptr;
+bool missionEnter(notify::StatusText& why_not) {
+    why_not = StatusText();
     if (run.boot == Boot::foreign)
-        why_not = ROM_TEXT("AUTO: EEPROM belongs to other firmware");
+        why_not = STATUS_TEXT("AUTO: EEPROM belongs to other firmware");
     else if (run.boot != Boot::done || missionChanging())
-        why_not = ROM_TEXT("AUTO: mission is being read");
+        why_not = STATUS_TEXT("AUTO: mission is being read");
     else if (mission_summary.first_nav == 0)
         why_not = mission_summary.next == kUnreadable
-                      ? ROM_TEXT("AUTO: mission cannot be read")
-                      : ROM_TEXT("AUTO: mission has no NAV command");
-    if (why_not != nullptr) return false;
+                      ? STATUS_TEXT("AUTO: mission cannot be read")
+                      : STATUS_TEXT("AUTO: mission has no NAV command");
+    if (!why_not.isNone()) return false;
     run.is_complete = false;
     const bool flies_on = host.resumesFlight() && vehicle.mode == Mode::initialising;
     const bool again = parameters.mission_restart != 0 && !flies_on && !vehicle.failsafe_gives_back;

@@ -7,6 +7,7 @@
 
 #include "core/rom.hpp"
 #include "core/status.hpp"
+#include "firmware/notify/status_text.hpp"
 
 namespace firmware {
 namespace mission {
@@ -44,7 +45,7 @@ void missionCatchUp();
 void reportVariables();
 
 // AUTO. Entering fails when there is nothing to fly; why_not is then a flash text.
-bool missionEnter(core::RomText& why_not);
+bool missionEnter(notify::StatusText& why_not);
 void missionLeave();
 bool missionComplete();  // no NAV left: AUTO gives way to RTL (or stays after a LAND)
 void missionRestart();

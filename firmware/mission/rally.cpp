@@ -44,7 +44,7 @@ void rallyLook(FlyTo fly_to) {
     const geo::Position place = placeOf(record);
     if (status != core::Status::ok || !isPlace(place) || !better(place)) return;
     fly_to(place, rallyHeight_m(record));
-    sendStatusText(Severity::info, ROM_TEXT("Going to rally point #"), rally.next - 1);
+    sendStatusText(Severity::info, STATUS_TEXT("Going to rally point #"), rally.next - 1);
 }
 
 }  // namespace mission

@@ -36,7 +36,7 @@ constexpr Reason of(LongestPass::Verdict verdict) {
 
 struct Row {
     Reason is;
-    char text[42];
+    TextField<21> text;
 };
 
 // A parameter out of range has no text: the answer to the item says which it is.
@@ -56,7 +56,7 @@ void report(Reason reason, uint16_t index) {
     for (const Row& in_flash : kRows)
         if (core::romRead(in_flash.is) == reason)
             return sendStatusText(Severity::warning, in_flash.text, index);
-    sendStatusText(Severity::warning, ROM_TEXT("Item # refused"), index);
+    sendStatusText(Severity::warning, STATUS_TEXT("Item # refused"), index);
 }
 
 // A gain or other radio value of an index that no parameter plays the part of; `unless`: it is not.

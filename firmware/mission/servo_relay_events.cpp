@@ -44,7 +44,7 @@ bool isHeld(uint8_t output) { return ((outputs.held >> (output - 1)) & 1) != 0; 
 
 bool refused(uint8_t output, uint16_t pulse_us) {
     if (outputOverride(output, pulse_us)) return false;
-    sendStatusText(Severity::warning, ROM_TEXT("Mission: output # refused"), output);
+    sendStatusText(Severity::warning, STATUS_TEXT("Mission: output # refused"), output);
     return true;
 }
 

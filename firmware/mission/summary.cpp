@@ -51,15 +51,16 @@ core::Status summarizeStep(MissionSummary& summary, ::mission::Set set, uint8_t 
 void reportWarnings(const MissionSummary& summary, ::mission::Set set, uint8_t count) {
     if (count < 2) return;
     if (summary.idle != 0)
-        sendStatusText(Severity::notice, ROM_TEXT("Mission: # items have no effect"), summary.idle);
+        sendStatusText(Severity::notice, STATUS_TEXT("Mission: # items have no effect"),
+                       summary.idle);
     if (summary.first_nav == 0)
-        sendStatusText(Severity::warning, ROM_TEXT("Mission has no NAV command"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Mission has no NAV command"));
     else if (set == ::mission::Set::apm1 && summary.first_nav > 1)
-        sendStatusText(Severity::warning, ROM_TEXT("Mission: nothing before item # is run"),
+        sendStatusText(Severity::warning, STATUS_TEXT("Mission: nothing before item # is run"),
                        summary.first_nav);
     else if (set == ::mission::Set::apm2 && summary.last_run + 1 < count &&
              parameters.mission_trailing == 0)
-        sendStatusText(Severity::warning, ROM_TEXT("Mission: nothing after item # is run"),
+        sendStatusText(Severity::warning, STATUS_TEXT("Mission: nothing after item # is run"),
                        summary.last_run);
 }
 

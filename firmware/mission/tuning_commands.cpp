@@ -61,7 +61,8 @@ constexpr uint8_t kLog = 1u << kLinks, kEveryLink = kLog - 1;
 
 void sendVariable(uint8_t slot, uint8_t to) {
     if (variable.waiting != 0 && variable.slot != slot)
-        sendStatusText(Severity::warning, ROM_TEXT("Mission: parameter # not sent"), variable.slot);
+        sendStatusText(Severity::warning, STATUS_TEXT("Mission: parameter # not sent"),
+                       variable.slot);
     variable.slot = slot;
     variable.waiting = to;
     reportVariables();
@@ -69,7 +70,7 @@ void sendVariable(uint8_t slot, uint8_t to) {
 
 void setSlot(uint8_t slot, float value) {
     if (slot == kNoSlot || !parameterSet(slot, value))
-        sendStatusText(Severity::warning, ROM_TEXT("Mission: parameter # not set"), slot);
+        sendStatusText(Severity::warning, STATUS_TEXT("Mission: parameter # not set"), slot);
 }
 
 }  // namespace

@@ -56,9 +56,9 @@ Status copyUpTo(uint8_t index) {
 
 void reportNotes() {
     if (upload.warnings.rounded)
-        sendStatusText(Severity::notice, ROM_TEXT("Mission: values were rounded"));
+        sendStatusText(Severity::notice, STATUS_TEXT("Mission: values were rounded"));
     if (upload.warnings.dropped)
-        sendStatusText(Severity::notice, ROM_TEXT("Mission: unused parameters dropped"));
+        sendStatusText(Severity::notice, STATUS_TEXT("Mission: unused parameters dropped"));
 }
 
 }  // namespace
@@ -171,7 +171,7 @@ MissionResult missionCommit() {
             if (status != Status::ok) return resultOf(status);
         }
         if (upload.staged_summary.counters > ::mission::kMaxCounters) {
-            sendStatusText(Severity::warning, ROM_TEXT("Mission: more than # counted jumps"),
+            sendStatusText(Severity::warning, STATUS_TEXT("Mission: more than # counted jumps"),
                            ::mission::kMaxCounters);
             listAbort();
             return MissionResult::no_space;

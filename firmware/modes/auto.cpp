@@ -14,9 +14,9 @@ using namespace state;
 using namespace mission;
 
 EntryResult startAuto() {
-    core::RomText why_not = nullptr;
+    StatusText why_not;
     if (missionEnter(why_not)) return EntryResult::entered;
-    if (why_not != nullptr) sendStatusText(Severity::warning, why_not);
+    sendStatusText(Severity::warning, why_not);
     // in the air an empty mission means home; on the ground nothing changes
     return vehicle.armed && vehicle.estimate.flying ? EntryResult::home_instead
                                                     : EntryResult::refused;

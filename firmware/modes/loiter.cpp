@@ -15,7 +15,7 @@ using namespace state;
 
 EntryResult startLoiter() {
     if (!vehicle.estimate.known) {
-        sendStatusText(Severity::warning, ROM_TEXT("Circling needs a position"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Circling needs a position"));
         return EntryResult::refused;
     }
     const geo::Position& place =

@@ -72,9 +72,9 @@ uint8_t find(Mode mode) {
 }
 
 void reportRefusal(const ModeSituation& now) {
-    sendStatusText(Severity::warning, now.resuming      ? ROM_TEXT("Mode refused: restarting")
-                                      : now.no_attitude ? ROM_TEXT("Mode refused: no attitude")
-                                                        : ROM_TEXT("Mode refused: no radio"));
+    sendStatusText(Severity::warning, now.resuming      ? STATUS_TEXT("Mode refused: restarting")
+                                      : now.no_attitude ? STATUS_TEXT("Mode refused: no attitude")
+                                                        : STATUS_TEXT("Mode refused: no radio"));
 }
 
 }  // namespace
@@ -88,7 +88,8 @@ bool requestMode(Mode mode, ModeReason reason) {
     if (present.row != kNoRow && mode == vehicle.mode) return true;
     uint8_t wanted = find(mode);
     if (wanted == kNoRow) {
-        sendStatusText(Severity::warning, ROM_TEXT("No such mode: #"), static_cast<uint8_t>(mode));
+        sendStatusText(Severity::warning, STATUS_TEXT("No such mode: #"),
+                       static_cast<uint8_t>(mode));
         return false;
     }
     const ModeSituation now = modeSituation();
@@ -109,7 +110,8 @@ bool requestMode(Mode mode, ModeReason reason) {
     useSticks(Sticks::nothing);
     ++published.mode_entries;
     if (reason == ModeReason::failsafe)
-        sendStatusText(Severity::warning, ROM_TEXT("Failsafe: mode #"), static_cast<uint8_t>(mode));
+        sendStatusText(Severity::warning, STATUS_TEXT("Failsafe: mode #"),
+                       static_cast<uint8_t>(mode));
     return true;
 }
 

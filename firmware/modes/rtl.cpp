@@ -40,14 +40,14 @@ void land() {
     if (parameters.rtl_landing != kAtOnce && !there()) return;
     way_home.lands = false;
     if (!missionLand())
-        sendStatusText(Severity::warning, ROM_TEXT("RTL: the mission has no DO_LAND_START"));
+        sendStatusText(Severity::warning, STATUS_TEXT("RTL: the mission has no DO_LAND_START"));
 }
 
 }  // namespace
 
 EntryResult startRtl() {
     if (!vehicle.home.set) {
-        sendStatusText(Severity::warning, ROM_TEXT("RTL needs a home"));
+        sendStatusText(Severity::warning, STATUS_TEXT("RTL needs a home"));
         return EntryResult::refused;
     }
     const float height_m = parameters.rtl_height_cm < 0

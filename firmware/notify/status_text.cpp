@@ -10,8 +10,18 @@ namespace firmware {
 namespace notify {
 namespace {
 
+// What the compiler packs by, once more for reading in flight.
+struct PairsInFlash {
+    constexpr PairsInFlash() {
+        for (size_t i = 0; i < core::count(kTextPairs); ++i) pair[i] = kTextPairs[i];
+    }
+    core::CodePair pair[core::count(kTextPairs)] = {};
+};
+constexpr PairsInFlash pairs ROM;
+static_assert(core::pairsDeep(kTextPairs) <= core::kPairsDeep, "an Unpacker has no room");
+
 struct Text {
-    core::RomText text;
+    StatusText text;
     int32_t number;
     Severity severity;
     uint8_t waiting;  // a bit a reader that has not taken it yet
@@ -57,9 +67,8 @@ uint8_t decimal(int32_t number, char (&to)[11]) {
 void spell(const Text& from, char* to) {
     char number[11];
     uint8_t length = 0;
-    for (core::RomText c = from.text; length < kTextSize; ++c) {
-        const char letter = core::romRead(*c);
-        if (letter == 0) break;
+    core::Unpacker letters = from.text.letters();
+    for (char letter; length < kTextSize && (letter = letters.next()) != 0;) {
         if (letter != '#') {
             to[length++] = letter;
             continue;
@@ -81,14 +90,16 @@ void reportLost() {
     if (queue.lost == 0 || queue.used == kTexts) return;
     const uint8_t count = queue.lost;
     queue.lost = 0;
-    sendStatusText(Severity::warning, ROM_TEXT("# texts lost"), count);
+    sendStatusText(Severity::warning, STATUS_TEXT("# texts lost"), count);
 }
 
 }  // namespace
 
-void sendStatusText(Severity severity, core::RomText text) { sendStatusText(severity, text, 0); }
+core::Unpacker StatusText::letters() const { return {codes_, 0xFF, pairs.pair}; }
 
-void sendStatusText(Severity severity, core::RomText text, int32_t number) {
+void sendStatusText(Severity severity, StatusText text) { sendStatusText(severity, text, 0); }
+
+void sendStatusText(Severity severity, StatusText text, int32_t number) {
     if (queue.used == kTexts) {
         if (queue.lost < 0xFF) ++queue.lost;
         return;

@@ -9,7 +9,6 @@
 namespace firmware {
 namespace notify {
 
-constexpr uint8_t kTextSize = 50;    // of STATUSTEXT
 constexpr uint8_t kLogReader = 2;    // behind the links
 constexpr uint8_t kLinkReaders = 3;  // a bit a link: they always listen
 

@@ -158,7 +158,7 @@ bool loggingBad() { return parameters.log_bitmask != 0 && !vehicle.log_usable; }
 struct Check {
     uint16_t bit;
     bool (*fails)();
-    char reason[28];
+    TextField<19> reason;
     uint8_t (*number)();  // that takes the place of '#'; nullptr: there is none
 };
 
@@ -216,17 +216,17 @@ void fixHome() {
     constexpr float kWorthReporting_m = 5;
     const HomeState before = vehicle.home;
     if (!setHomeOfFlight())
-        return sendStatusText(Severity::warning, before.set ? ROM_TEXT("Armed, home as before")
-                                                            : ROM_TEXT("Armed without a home"));
+        return sendStatusText(Severity::warning, before.set ? STATUS_TEXT("Armed, home as before")
+                                                            : STATUS_TEXT("Armed without a home"));
     const float moved_m = geo::distance_m(before.position, vehicle.home.position);
     if (before.set && moved_m > kWorthReporting_m)
-        sendStatusText(Severity::notice, ROM_TEXT("Home moved by # m"), core::rounded(moved_m));
+        sendStatusText(Severity::notice, STATUS_TEXT("Home moved by # m"), core::rounded(moved_m));
 }
 
 void armNow() {
     published.armed = true;
     fixHome();
-    sendStatusText(Severity::notice, ROM_TEXT("Throttle armed"));
+    sendStatusText(Severity::notice, STATUS_TEXT("Throttle armed"));
 }
 
 // Full rudder for three seconds with the throttle closed, in a mode where the pilot has it: to the
@@ -301,9 +301,9 @@ const Check* firstFailing() {
 
 }  // namespace
 
-core::RomText prearmFailure() {
+notify::StatusText prearmFailure() {
     const Check* const check = firstFailing();
-    return check != nullptr ? check->reason : nullptr;
+    return check != nullptr ? check->reason : StatusText();
 }
 
 bool reportPrearmFailure(Severity severity) {
@@ -325,12 +325,12 @@ void armAfterRestart() { published.armed = true; }
 bool disarm(ArmReason reason, bool force) {
     if (!vehicle.armed) return true;
     if (vehicle.estimate.flying && reason != ArmReason::landed && !force) {
-        sendStatusText(Severity::error, ROM_TEXT("Disarm refused: flying"));
+        sendStatusText(Severity::error, STATUS_TEXT("Disarm refused: flying"));
         return false;
     }
     published.armed = false;
     saveLearntCompass();
-    sendStatusText(Severity::notice, ROM_TEXT("Throttle disarmed"));
+    sendStatusText(Severity::notice, STATUS_TEXT("Throttle disarmed"));
     return true;
 }
 

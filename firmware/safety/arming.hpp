@@ -20,7 +20,7 @@ void armAfterRestart();
 bool disarm(ArmReason reason, bool force);
 
 // The first check that fails, as a flash text; nullptr when none does.
-core::RomText prearmFailure();
+notify::StatusText prearmFailure();
 bool reportPrearmFailure(
     notify::Severity severity);  // the same as a text to the pilot; false: none fails
 

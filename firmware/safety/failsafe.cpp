@@ -65,8 +65,8 @@ uint8_t flownClass() {
 
 // Each is reported once, when it begins and when it is over.
 void reportOf(const CauseRow& cause, bool begins) {
-    const core::RomText text = begins ? cause.begins : cause.ends;
-    if (core::romRead(*text) == 0) return;
+    const StatusText text = begins ? StatusText(cause.begins) : StatusText(cause.ends);
+    if (text.isEmpty()) return;
     sendStatusText(begins ? core::romRead(cause.severity) : Severity::notice, text);
 }
 

@@ -56,7 +56,7 @@ const Transition kTransitions[kTransitionCount] ROM = {
 
 // ERR's subsystems as ArduCopter counts them: 3 compass, 5 radio, 6 battery, 7 failsafe GPS, 8 ground
 // station, 9 fence, 11 GPS (2: glitch), 18 barometer, 26 sensors.
-const CauseRow kCauseTable[kCauses] ROM = {
+constexpr CauseRow kCauseTable[kCauses] ROM = {
     // holds          severity            ERR    begins                           ends
     {inertialLost,   Severity::emergency, 26, 1, "Inertial sensor lost",          "Inertial back"},
     {fenceBroken,    Severity::critical,   9, 1, "",                              ""},

@@ -41,8 +41,9 @@ struct Transition {
 struct CauseRow {
     bool (*holds)();
     notify::Severity severity;
-    uint8_t subsystem, code;    // of ERR in the log; over: code 0
-    char begins[30], ends[20];  // empty: reported by another row, by others, or never over
+    uint8_t subsystem, code;       // of ERR in the log; over: code 0
+    notify::TextField<18> begins;  // empty: reported by another row, by others, or never over
+    notify::TextField<10> ends;
 };
 
 constexpr uint8_t kTransitionCount = 13;

@@ -98,13 +98,13 @@ Mode returnMode() { return fenceHasWayBack() ? Mode::guided : Mode::rtl; }
 void reportBreach(uint8_t breach) {
     switch (breach) {
         case Breach::minalt:
-            return sendStatusText(Severity::critical, ROM_TEXT("Fence breach: too low"));
+            return sendStatusText(Severity::critical, STATUS_TEXT("Fence breach: too low"));
         case Breach::maxalt:
-            return sendStatusText(Severity::critical, ROM_TEXT("Fence breach: too high"));
+            return sendStatusText(Severity::critical, STATUS_TEXT("Fence breach: too high"));
         case Breach::boundary:
-            return sendStatusText(Severity::critical, ROM_TEXT("Fence breach: outside"));
+            return sendStatusText(Severity::critical, STATUS_TEXT("Fence breach: outside"));
         default:
-            return sendStatusText(Severity::notice, ROM_TEXT("Fence: inside again"));
+            return sendStatusText(Severity::notice, STATUS_TEXT("Fence: inside again"));
     }
 }
 
@@ -176,7 +176,7 @@ void runFence() {
 bool fenceEnable(uint16_t how) {
     if (how > 2) return false;
     if (how != 0 && fenceLine() != Line::fit) {
-        sendStatusText(Severity::warning, ROM_TEXT("No fence that is fit"));
+        sendStatusText(Severity::warning, STATUS_TEXT("No fence that is fit"));
         return false;
     }
     if (how == 2) {
@@ -185,7 +185,7 @@ bool fenceEnable(uint16_t how) {
     }
     fence.on = fence.floor = how != 0;
     fence.above_floor = false;
-    sendStatusText(Severity::info, fence.on ? ROM_TEXT("Fence on") : ROM_TEXT("Fence off"));
+    sendStatusText(Severity::info, fence.on ? STATUS_TEXT("Fence on") : STATUS_TEXT("Fence off"));
     return true;
 }
 

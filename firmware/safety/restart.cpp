@@ -48,10 +48,12 @@ constexpr RestartState& published = Publisher<RestartState>::state();
 using hal::ResetCause;
 
 // In the order of ResetCause; the number is that of the task, from 1 on.
-constexpr char kCauses[][32] ROM = {"Started by the supply",       "Started by the reset button",
-                                    "Restarted after a brown-out", "Restarted by watchdog, task #",
-                                    "Started by a reset",          "Restarted by a fault, task #",
-                                    "Restarted as asked"};
+constexpr TextField<18> kCauses[] ROM = {
+    "Started by the supply",       "Started by the reset button",
+    "Restarted after a brown-out", "Restarted by watchdog, task #",
+    "Started by a reset",          "Restarted by a fault, task #",
+    "Restarted as asked",
+};
 
 struct Restart {
     bool reported;
@@ -153,7 +155,7 @@ void armOnEvidence() {
     restart.arms = !vehicle.armed && !seen && (sensors_count || !receiverHadItsTime());
     if (vehicle.armed || restart.arms) return;
     if (seen) return armAfterRestart();
-    sendStatusText(Severity::critical, ROM_TEXT("Not armed again: not seen flying"));
+    sendStatusText(Severity::critical, STATUS_TEXT("Not armed again: not seen flying"));
 }
 
 // Half a second after the start: in the air the log is open by then.
@@ -172,7 +174,7 @@ void reportInternalErrors() {
     const core::InternalErrors& errors = core::internalErrors();
     if (errors.changes == restart.errors_reported) return;
     restart.errors_reported = errors.changes;
-    sendStatusText(Severity::critical, ROM_TEXT("Internal error #"),
+    sendStatusText(Severity::critical, STATUS_TEXT("Internal error #"),
                    static_cast<uint8_t>(errors.last));
 }
 

@@ -143,7 +143,7 @@ void saveLearntCompass() {
         learning.axes_to_save = 3;
     else
         sendStatusText(Severity::warning,
-                       ROM_TEXT("Compass offsets learnt make no sense: not stored"));
+                       STATUS_TEXT("Compass offsets learnt make no sense: not stored"));
 }
 
 // One at a time: all three at once took 1.4 ms of the frame in which it was disarmed.

@@ -34,8 +34,12 @@ struct Reception {
 };
 core::FileState<Reception> reception{};
 
-constexpr char kFound[][18] ROM = {"GPS: u-blox at #", "GPS: MTK 1.6 at #", "GPS: MTK 1.9 at #",
-                                   "GPS: NMEA at #"};
+constexpr TextField<11> kFound[] ROM = {
+    "GPS: u-blox at #",
+    "GPS: MTK 1.6 at #",
+    "GPS: MTK 1.9 at #",
+    "GPS: NMEA at #",
+};
 
 void reportWhatWasFound() {
     reception.reported = reception.receiver.protocol();

@@ -169,7 +169,7 @@ void watchGyros(const drivers::ImuSums& sums) {
     if ((dead & (kRollGyro | kPitchGyro)) != 0) reportInconsistency(Sensor::inertial);
     const bool blind = (dead & kYawGyro) != 0 && vehicle.estimate.flying;
     if (blind && !inertial.yaw_reported)
-        sendStatusText(Severity::critical, ROM_TEXT("Yaw gyro stuck"));
+        sendStatusText(Severity::critical, STATUS_TEXT("Yaw gyro stuck"));
     inertial.yaw_reported = blind;
 }
 

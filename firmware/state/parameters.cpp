@@ -8,6 +8,7 @@
 #include "core/maths.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/mode_traits.hpp"
+#include "firmware/state/name_pairs.hpp"
 #include "firmware/state/parameter_host.hpp"
 #include "firmware/state/parameter_slots.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -254,8 +255,12 @@ static_assert(parameters::initialsAreInRange(kRows), "a default lies outside its
 
 static_assert(sizeof(Parameters) <= 1 << parameters::kOffsetBits, "an offset has too few bits");
 
-constexpr parameters::Packed<core::count(kRows), parameters::distinctNumbers(kRows)> kPacked
-    ROM(kRows);
+static_assert(parameters::namesFit(kRows, kNamePairs), "a name packs badly: toolchain/texts");
+static_assert(core::pairsDeep(kNamePairs) <= core::kPairsDeep, "an Unpacker has no room");
+
+constexpr parameters::Packed<core::count(kRows), parameters::distinctNumbers(kRows),
+                             parameters::nameCodes(kRows, kNamePairs), core::count(kNamePairs)>
+    kPacked ROM(kRows, kNamePairs);
 constexpr parameters::Table table ROM(kPacked, &firmware::state::parameters);
 
 constexpr uint8_t kFormatRow = 0;
@@ -292,14 +297,14 @@ core::Status forget() {
 void runForgetting() {
     if (forget() != core::Status::ok) return;
     background.store = Store::ours;
-    sendStatusText(Severity::notice, ROM_TEXT("All parameters are the defaults"));
+    sendStatusText(Severity::notice, STATUS_TEXT("All parameters are the defaults"));
 }
 
 void runErasing() {
     if (storage::erase(background.done) != core::Status::ok) return;
     parameters::erased();
     background.store = Store::ours;
-    sendStatusText(Severity::notice, ROM_TEXT("Erased: restart the board"));
+    sendStatusText(Severity::notice, STATUS_TEXT("Erased: restart the board"));
 }
 
 void runTrusting() {
@@ -308,9 +313,9 @@ void runTrusting() {
 
 void reportFound() {
     if (parameters::found() == parameters::Found::mended)
-        sendStatusText(Severity::error, ROM_TEXT("Memory fault: parameters mended"));
+        sendStatusText(Severity::error, STATUS_TEXT("Memory fault: parameters mended"));
     if (parameters::found() == parameters::Found::damaged)
-        sendStatusText(Severity::critical, ROM_TEXT("Memory fault: check all parameters"));
+        sendStatusText(Severity::critical, STATUS_TEXT("Memory fault: check all parameters"));
 }
 
 bool isListLength(uint8_t row) {
@@ -446,7 +451,7 @@ core::Status parameterSetAt(uint16_t index, float value) {
     if (status != core::Status::ok) return status;
     if (isListLength(row)) return setListLength(row, value);
     if (background.store == Store::foreign) {
-        sendStatusText(Severity::warning, ROM_TEXT("Not stored: another firmware's EEPROM"));
+        sendStatusText(Severity::warning, STATUS_TEXT("Not stored: another firmware's EEPROM"));
     } else {
         if (background.store != Store::ours) return core::Status::busy;
         const core::Status saved = parameters::save(table, row, value);
@@ -520,7 +525,8 @@ void parametersRun() {
     switch (background.store) {
         case Store::ours:
             if (parameters::takeWorn())
-                sendStatusText(Severity::error, ROM_TEXT("EEPROM is worn: a parameter is at risk"));
+                sendStatusText(Severity::error,
+                               STATUS_TEXT("EEPROM is worn: a parameter is at risk"));
             return parameters::saveWaiting(table);
         case Store::forgetting:
             return runForgetting();
@@ -550,7 +556,7 @@ bool parametersReset() {
     assign(kFormatRow, 0);
     if (parameters::save(table, kFormatRow, 0) != core::Status::ok)
         parameters::saveLater(kFormatRow);
-    sendStatusText(Severity::notice, ROM_TEXT("Parameters: the defaults after a restart"));
+    sendStatusText(Severity::notice, STATUS_TEXT("Parameters: the defaults after a restart"));
     return true;
 }
 

@@ -21,8 +21,8 @@
 
 namespace core {
 
-// A text that lies in flash: made by ROM_TEXT("...") inside a function, read by romRead or
-// copyText. Never dereference it.
+// A text that lies in flash in letters: made by ROM_TEXT("...") inside a function, read by romRead.
+// Never dereference it. Texts to people are packed: packed_text.hpp.
 using RomText = const char*;
 
 template <class T, size_t size = sizeof(T)>
@@ -64,15 +64,6 @@ struct RomReader<F*, 2> {
 template <class T>
 inline T romRead(const T& in_flash) {
     return RomReader<T>::read(in_flash);
-}
-
-// Copies a flash text into `to`, at most `size` characters, zero padded (MAVLink's char arrays
-// need no terminator when full). Returns the characters copied.
-inline uint8_t copyText(char* to, RomText text, uint8_t size) {
-    uint8_t length = 0;
-    for (char c; length < size && (c = romRead(text[length])) != 0; ++length) to[length] = c;
-    for (uint8_t i = length; i < size; ++i) to[i] = 0;
-    return length;
 }
 
 template <class T, size_t N>

@@ -9,13 +9,17 @@ namespace parameters {
 namespace {
 
 // `name` is padded with zeros, as MAVLink has it.
-bool isName(const char (&name)[kNameSize], const char* in_flash) {
+bool isName(const char (&name)[kNameSize], core::Unpacker letters) {
     for (uint8_t i = 0; i < kNameSize; ++i) {
-        const char letter = core::romRead(in_flash[i]);
+        const char letter = letters.next();
         if (letter != name[i]) return false;
         if (letter == 0) return true;
     }
     return true;
+}
+
+uint8_t nameCodesOf(const PackedRow& row) {
+    return core::romRead(row.offset_name_type) >> kOffsetBits & kMaxNameCodes;
 }
 
 }  // namespace
@@ -23,17 +27,22 @@ bool isName(const char (&name)[kNameSize], const char* in_flash) {
 uint8_t Table::slot(uint8_t index) const { return core::romRead(row(index).slot); }
 
 Type Table::type(uint8_t index) const {
-    return static_cast<Type>(core::romRead(row(index).type_and_offset) >> kOffsetBits);
+    const uint8_t place = core::romRead(row(index).offset_name_type) >> (kOffsetBits + kNameBits);
+    return core::romRead(kTypes[place]);
 }
 
 uint8_t* Table::field(uint8_t index) const {
     constexpr uint16_t kOffset = (1 << kOffsetBits) - 1;
     return static_cast<uint8_t*>(core::romRead(fields_)) +
-           (core::romRead(row(index).type_and_offset) & kOffset);
+           (core::romRead(row(index).offset_name_type) & kOffset);
 }
 
 float Table::number(const uint8_t& in_flash) const {
     return core::romRead(core::romRead(numbers_)[core::romRead(in_flash)]);
+}
+
+core::Unpacker Table::letters(const PackedRow& row, const uint8_t* codes) const {
+    return {codes, nameCodesOf(row), core::romRead(pairs_)};
 }
 
 float Table::initial(uint8_t index) const { return number(row(index).initial); }
@@ -41,7 +50,10 @@ float Table::lowest(uint8_t index) const { return number(row(index).lowest); }
 float Table::highest(uint8_t index) const { return number(row(index).highest); }
 
 void Table::name(uint8_t index, char (&to)[kNameSize]) const {
-    core::copyText(to, row(index).name, kNameSize);
+    const PackedRow* const rows = &row(0);
+    const uint8_t* codes = core::romRead(names_);
+    for (uint8_t i = 0; i < index; ++i) codes += nameCodesOf(rows[i]);
+    core::unpack(letters(rows[index], codes), to, kNameSize);
 }
 
 float Table::value(uint8_t index) const {
@@ -69,10 +81,14 @@ float Table::value(uint8_t index) const {
 
 bool Table::findName(const char (&name)[kNameSize], uint8_t& index) const {
     const uint8_t rows = count();
-    for (uint8_t i = 0; i < rows; ++i) {
-        if (!isName(name, row(i).name)) continue;
-        index = i;
-        return true;
+    const PackedRow* at = &row(0);
+    const uint8_t* codes = core::romRead(names_);
+    for (uint8_t i = 0; i < rows; ++i, ++at) {
+        if (isName(name, letters(*at, codes))) {
+            index = i;
+            return true;
+        }
+        codes += nameCodesOf(*at);
     }
     return false;
 }

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/rom.hpp"
+#include "core/packed_text.hpp"
 #include "core/status.hpp"
 
 namespace parameters {
@@ -36,6 +36,7 @@ template <class T>
 struct TypeOf<T&> : TypeOf<T> {};
 
 constexpr uint8_t kNameSize = 16;
+constexpr uint8_t kMaxNameCodes = 15;  // of a packed name
 
 struct Row {
     uint8_t slot;
@@ -130,43 +131,71 @@ constexpr size_t distinctNumbers(const Row (&rows)[N]) {
     return Numbers<N>(rows).count;
 }
 
+// The codes of all names together, to declare the Packed.
+template <size_t N, size_t kPairs>
+constexpr size_t nameCodes(const Row (&rows)[N], const core::CodePair (&pairs)[kPairs]) {
+    size_t codes = 0;
+    for (size_t i = 0; i < N; ++i) codes += core::packedSize(rows[i].name, pairs);
+    return codes;
+}
+
+template <size_t N, size_t kPairs>
+constexpr bool namesFit(const Row (&rows)[N], const core::CodePair (&pairs)[kPairs]) {
+    for (size_t i = 0; i < N; ++i)
+        if (core::packedSize(rows[i].name, pairs) > kMaxNameCodes) return false;
+    return true;
+}
+
 // A row as it lies in flash.
 struct PackedRow {
-    char name[kNameSize];  // padded with zeros
     uint8_t slot;
     uint8_t initial, lowest, highest;  // places among the numbers
-    uint16_t type_and_offset;          // the upper four bits and the lower twelve
+    uint16_t offset_name_type;         // from below: ten bits, four of the name's codes, two
 };
-constexpr uint8_t kOffsetBits = 12;
+constexpr uint8_t kOffsetBits = 10, kNameBits = 4;
 
-// In flash, ROM: rows of 22 bytes instead of 33, and their numbers.
-template <size_t kRows, size_t kNumbers>
+constexpr Type kTypes[] ROM = {Type::int8, Type::int16, Type::int32, Type::real32};
+constexpr unsigned placeOf(Type type) {
+    return type == Type::int8 ? 0 : type == Type::int16 ? 1 : type == Type::int32 ? 2 : 3;
+}
+
+// In flash, ROM: rows of 6 bytes instead of 33, their numbers, and their names, packed, one behind
+// the other.
+template <size_t kRows, size_t kNumbers, size_t kCodes, size_t kPairs>
 struct Packed {
-    constexpr explicit Packed(const Row (&from)[kRows]) {
+    constexpr Packed(const Row (&from)[kRows], const core::CodePair (&pairs)[kPairs]) {
         const Numbers<kRows> all(from);
         for (size_t i = 0; i < kNumbers; ++i) number[i] = all.values[i];
+        for (size_t i = 0; i < kPairs; ++i) pair[i] = pairs[i];
+        size_t at = 0;
         for (size_t i = 0; i < kRows; ++i) {
-            for (size_t j = 0; j < kNameSize; ++j) row[i].name[j] = from[i].name[j];
+            const core::Packing<kNameSize> packed(from[i].name, pairs);
+            for (size_t j = 0; j < packed.size; ++j) name[at++] = packed.codes[j];
             row[i].slot = from[i].slot;
             row[i].initial = static_cast<uint8_t>(all.find(from[i].initial));
             row[i].lowest = static_cast<uint8_t>(all.find(from[i].lowest));
             row[i].highest = static_cast<uint8_t>(all.find(from[i].highest));
-            row[i].type_and_offset = static_cast<uint16_t>(
-                (static_cast<unsigned>(from[i].type) << kOffsetBits) | from[i].offset);
+            row[i].offset_name_type =
+                static_cast<uint16_t>(from[i].offset | packed.size << kOffsetBits |
+                                      placeOf(from[i].type) << (kOffsetBits + kNameBits));
         }
     }
 
     PackedRow row[kRows] = {};
     float number[kNumbers] = {};
+    uint8_t name[kCodes] = {};
+    core::CodePair pair[kPairs] = {};
 };
 
 // A table of rows over one struct of fields. Rows and table lie in flash: ROM.
 class Table {
 public:
-    template <size_t kRows, size_t kNumbers>
-    constexpr Table(const Packed<kRows, kNumbers>& packed, void* fields)
+    template <size_t kRows, size_t kNumbers, size_t kCodes, size_t kPairs>
+    constexpr Table(const Packed<kRows, kNumbers, kCodes, kPairs>& packed, void* fields)
         : rows_(packed.row),
           numbers_(packed.number),
+          names_(packed.name),
+          pairs_(packed.pair),
           count_(static_cast<uint8_t>(kRows)),
           fields_(fields) {
         static_assert(kRows <= 255, "rows are numbered by a byte");
@@ -194,10 +223,13 @@ public:
 private:
     const PackedRow& row(uint8_t index) const { return core::romRead(rows_)[index]; }
     float number(const uint8_t& in_flash) const;
+    core::Unpacker letters(const PackedRow& row, const uint8_t* codes) const;
     uint8_t* field(uint8_t index) const;
 
     const PackedRow* rows_;
     const float* numbers_;
+    const uint8_t* names_;
+    const core::CodePair* pairs_;
     uint8_t count_;
     void* fields_;
 };

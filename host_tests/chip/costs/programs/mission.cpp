@@ -70,7 +70,7 @@ void advance(uint8_t step) {
 }
 
 void fly() {
-    core::RomText why_not;
+    firmware::notify::StatusText why_not;
     while (!missionEnter(why_not)) turns(10);
     do missionRun();
     while (mission_engine.midPass());

@@ -68,7 +68,7 @@ TEST_F(Telemetry, a_muted_link_is_silent_until_a_message_arrives) {
     (void)station.everything();
     (void)second.everything();
     doubles::plan.radio_off = true;
-    sendStatusText(Severity::notice, ROM_TEXT("Nobody hears this"));
+    sendStatusText(Severity::notice, STATUS_TEXT("Nobody hears this"));
     for (int i = 0; i < 3; ++i) {
         second.send(mavlink::Heartbeat{});  // to everyone, which is not to the airplane
         run_ms(1000);
@@ -137,7 +137,7 @@ TEST_F(Telemetry, is_idle_until_bytes_come) {
 TEST_F(Telemetry, is_idle_until_there_is_room_to_send) {
     rest();
     station.line().room = 30;
-    sendStatusText(Severity::info, ROM_TEXT("news"));
+    sendStatusText(Severity::info, STATUS_TEXT("news"));
     rest();
     EXPECT_FALSE(firmware::gcs::telemetryWaits());
 
@@ -243,8 +243,9 @@ TEST_F(Telemetry, erasing_logs_that_do_not_exist_is_answered_by_a_text) {
 }
 
 TEST_F(Telemetry, texts_reach_both_links_with_their_number) {
-    sendStatusText(Severity::warning, ROM_TEXT("Item # refused"), -17);
-    sendStatusText(Severity::info, ROM_TEXT("12345678901234567890123456789012345678901234567890"));
+    sendStatusText(Severity::warning, STATUS_TEXT("Item # refused"), -17);
+    sendStatusText(Severity::info,
+                   STATUS_TEXT("12345678901234567890123456789012345678901234567890"));
 
     run_ms(100);
 
@@ -257,20 +258,20 @@ TEST_F(Telemetry, texts_reach_both_links_with_their_number) {
 }
 
 TEST_F(Telemetry, texts_queued_before_the_links_are_open_are_sent_after) {
-    sendStatusText(Severity::info, ROM_TEXT("early"));
+    sendStatusText(Severity::info, STATUS_TEXT("early"));
     firmware::gcs::telemetryStart();
     run_ms(100);
     EXPECT_EQ(station.texts().at(0), "early");
 }
 
 TEST_F(Telemetry, a_text_carries_its_severity) {
-    sendStatusText(Severity::critical, ROM_TEXT("down"));
+    sendStatusText(Severity::critical, STATUS_TEXT("down"));
     run_ms(20);
     EXPECT_EQ(station.all<mavlink::Statustext>().at(0).severity, mavlink::MavSeverity::critical);
 }
 
 TEST_F(Telemetry, dropped_texts_are_counted_and_reported) {
-    for (int i = 0; i < 12; ++i) sendStatusText(Severity::info, ROM_TEXT("text #"), i);
+    for (int i = 0; i < 12; ++i) sendStatusText(Severity::info, STATUS_TEXT("text #"), i);
 
     run_ms(500);
 
@@ -282,7 +283,7 @@ TEST_F(Telemetry, dropped_texts_are_counted_and_reported) {
 }
 
 TEST_F(Telemetry, the_most_negative_number_is_spelled) {
-    sendStatusText(Severity::info, ROM_TEXT("#"), INT32_MIN);
+    sendStatusText(Severity::info, STATUS_TEXT("#"), INT32_MIN);
     run_ms(20);
     EXPECT_EQ(station.texts().at(0), "-2147483648");
 }

@@ -208,7 +208,7 @@ using namespace state;
 bool arm(ArmReason, bool force) {
     doubles::vehicle.force = force;
     if (!doubles::vehicle.can_arm && !force) {
-        sendStatusText(Severity::error, ROM_TEXT("PreArm: no GPS fix"));
+        sendStatusText(Severity::error, STATUS_TEXT("PreArm: no GPS fix"));
         return false;
     }
     mutable_vehicle.armed = true;
@@ -220,7 +220,7 @@ bool disarm(ArmReason, bool force) {
     return true;
 }
 bool reportPrearmFailure(Severity severity) {
-    if (!doubles::vehicle.can_arm) sendStatusText(severity, "PreArm: no GPS fix");
+    if (!doubles::vehicle.can_arm) sendStatusText(severity, STATUS_TEXT("PreArm: no GPS fix"));
     return !doubles::vehicle.can_arm;
 }
 }  // namespace safety

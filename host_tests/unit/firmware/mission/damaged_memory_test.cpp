@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Memory that does not keep what was stored: mended or reported, and never flown.
 #include "firmware/mission/lists.hpp"
+#include "host_tests/support/spelt.hpp"
 #include "mission_flight.hpp"
 #include "storage/eeprom_map.hpp"
 #include "storage/index_store.hpp"
@@ -58,9 +59,9 @@ TEST_F(DamagedMemory, a_record_that_changes_in_flight_ends_the_mission_in_rtl) {
     seconds(10);
     EXPECT_TRUE(hasStatusText("No mission: cannot be read"));
     EXPECT_EQ(vehicle.mode, Mode::rtl);
-    core::RomText why_not;
+    firmware::notify::StatusText why_not;
     EXPECT_FALSE(missionEnter(why_not));
-    EXPECT_STREQ(why_not, "AUTO: mission cannot be read");
+    EXPECT_EQ(spelt(why_not), "AUTO: mission cannot be read");
 }
 
 TEST_F(DamagedMemory, an_index_that_changed_is_reported_and_the_one_before_stored_again) {

@@ -3,6 +3,7 @@
 // cannot be read any more is never waited for.
 #include "firmware/app/dataflash.hpp"
 #include "hal/page_flash.hpp"
+#include "host_tests/support/spelt.hpp"
 #include "mission_flight.hpp"
 #include "simulator/devices/at45db.hpp"
 
@@ -107,9 +108,9 @@ TEST_F(LostFlash, does_not_make_auto_wait_for_a_mission_it_lost_while_that_was_l
     lose();
     missionBoot();
     for (int i = 0; i < 50; ++i) missionRun();
-    core::RomText why_not;
+    firmware::notify::StatusText why_not;
     EXPECT_FALSE(missionEnter(why_not));
-    EXPECT_STREQ(why_not, "AUTO: mission cannot be read");
+    EXPECT_EQ(spelt(why_not), "AUTO: mission cannot be read");
 }
 
 }  // namespace

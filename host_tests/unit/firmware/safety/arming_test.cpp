@@ -15,6 +15,7 @@
 #include "firmware/state/parameters.hpp"
 #include "firmware_bench.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
+#include "host_tests/support/spelt.hpp"
 #include "storage/eeprom_map.hpp"
 #include "storage/owner.hpp"
 
@@ -212,18 +213,18 @@ class Check : public Arming, public testing::WithParamInterface<Fault> {};
 
 TEST_P(Check, refuses_to_arm_and_says_why) {
     GetParam().happens();
-    const core::RomText why = firmware::safety::prearmFailure();
-    ASSERT_NE(why, nullptr);
-    EXPECT_STREQ(why, GetParam().reason);
+    const firmware::notify::StatusText why = firmware::safety::prearmFailure();
+    ASSERT_FALSE(why.isNone());
+    EXPECT_EQ(spelt(why), GetParam().reason);
     EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
     EXPECT_FALSE(vehicle.armed);
 }
 TEST_P(Check, is_made_by_its_bit_of_arming_check) {
     GetParam().happens();
     parameters.arming_check = GetParam().bit;
-    EXPECT_NE(firmware::safety::prearmFailure(), nullptr);
+    EXPECT_FALSE(firmware::safety::prearmFailure().isNone());
     parameters.arming_check = static_cast<int16_t>(0x7FFE & ~GetParam().bit);
-    EXPECT_EQ(firmware::safety::prearmFailure(), nullptr);
+    EXPECT_TRUE(firmware::safety::prearmFailure().isNone());
 }
 INSTANTIATE_TEST_SUITE_P(
     Faults, Check,
@@ -295,7 +296,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_F(Arming, does_not_arm_after_an_internal_error_whatever_is_left_out) {
     parameters.arming_check = 0;
     EXPECT_TRUE(core::check(true, core::InternalError::height_not_finite, __LINE__));
-    EXPECT_EQ(firmware::safety::prearmFailure(), nullptr);
+    EXPECT_TRUE(firmware::safety::prearmFailure().isNone());
     EXPECT_FALSE(core::check(false, core::InternalError::height_not_finite, __LINE__));
     EXPECT_FALSE(firmware::safety::arm(ArmReason::ground, false));
     EXPECT_TRUE(hasStatusText("PreArm: internal error 2"));
@@ -323,11 +324,11 @@ TEST_F(Arming, accepts_what_is_just_good_enough) {
     mutable_vehicle.radio.throttle_pct = 3;
     mutable_vehicle.gps.hdop_c = 350;
     mutable_vehicle.battery.board_mv = 4300;
-    EXPECT_EQ(firmware::safety::prearmFailure(), nullptr);
+    EXPECT_TRUE(firmware::safety::prearmFailure().isNone());
     mutable_vehicle.battery.board_mv = 5800;
-    EXPECT_EQ(firmware::safety::prearmFailure(), nullptr);
+    EXPECT_TRUE(firmware::safety::prearmFailure().isNone());
     mutable_vehicle.radio.throttle_pct = 4;
-    EXPECT_NE(firmware::safety::prearmFailure(), nullptr);
+    EXPECT_FALSE(firmware::safety::prearmFailure().isNone());
 }
 
 TEST_F(Arming, keeps_its_home_when_it_is_armed_already) {

@@ -6,6 +6,7 @@
 
 #include "firmware/safety/failsafe_table.hpp"
 #include "firmware_bench.hpp"
+#include "host_tests/support/spelt.hpp"
 
 namespace {
 
@@ -43,7 +44,9 @@ std::string flownOf(uint8_t flown) {
 }
 
 // "" where nothing is reported.
-std::string quoted(const char* text) { return *text == 0 ? "" : " \"" + std::string(text) + "\""; }
+std::string quoted(firmware::notify::StatusText text) {
+    return text.isEmpty() ? "" : " \"" + spelt(text) + "\"";
+}
 
 TEST(FailsafeManual, lists_every_cause_with_its_words_and_its_number_in_the_log) {
     const std::string page = manual();

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Texts that lie packed in flash: about half the bytes of the same texts in letters. Pairs of
+// letters that are frequent have a code of their own, and so have pairs of such codes (byte pair
+// encoding: Gage, "A New Algorithm for Data Compression", 1994). The compiler packs; what reads
+// them is an Unpacker. The pairs come from toolchain/texts.
+#pragma once
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/rom.hpp"
+
+namespace core {
+
+constexpr uint8_t kFirstPair = 0x80;  // a code below is a letter, 0 the end
+constexpr uint8_t kPairsDeep = 8;     // pairs in pairs in pairs: what an Unpacker has room for
+
+// What code kFirstPair + i stands for. Each is a letter or an earlier pair.
+struct CodePair {
+    uint8_t first, second;
+};
+
+// The codes of a text of N letters at most. Compile time only; a longer text does not compile.
+template <size_t N>
+struct Packing {
+    template <size_t kPairs>
+    constexpr Packing(const char* text, const CodePair (&pairs)[kPairs]) {
+        for (; text[size] != 0; ++size) codes[size] = static_cast<uint8_t>(text[size]);
+        for (size_t i = 0; i < kPairs; ++i) join(pairs[i], static_cast<uint8_t>(kFirstPair + i));
+    }
+
+    uint8_t codes[N] = {};  // zeros behind
+    size_t size = 0;
+
+private:
+    constexpr void join(const CodePair& pair, uint8_t code) {
+        size_t kept = 0;
+        for (size_t i = 0; i < size; ++i) {
+            const bool is = i + 1 < size && codes[i] == pair.first && codes[i + 1] == pair.second;
+            codes[kept++] = is ? code : codes[i];
+            if (is) ++i;
+        }
+        for (size_t i = kept; i < size; ++i) codes[i] = 0;
+        size = kept;
+    }
+};
+
+// Not defined: where the compiler would have to call it the text is too long.
+void packedTextIsTooLong();
+
+// For ROM, with its end. A text of as many codes or more does not compile.
+template <size_t kSize>
+struct PackedText {
+    constexpr PackedText() = default;
+    template <size_t N>
+    constexpr explicit PackedText(const Packing<N>& from) {
+        if (from.size >= kSize) packedTextIsTooLong();
+        for (size_t i = 0; i < from.size; ++i) codes[i] = from.codes[i];
+    }
+    uint8_t codes[kSize] = {};
+};
+
+template <size_t N, size_t kPairs>
+constexpr size_t packedSize(const char (&text)[N], const CodePair (&pairs)[kPairs]) {
+    return Packing<N>(text, pairs).size;
+}
+
+// How many codes wait at most while a text is unpacked.
+template <size_t kPairs>
+constexpr uint8_t pairsDeep(const CodePair (&pairs)[kPairs]) {
+    uint8_t deep[kPairs] = {}, deepest = 0;
+    for (size_t i = 0; i < kPairs; ++i) {
+        const uint8_t first = pairs[i].first, second = pairs[i].second;
+        const uint8_t in_first = first < kFirstPair ? 0 : deep[first - kFirstPair];
+        const uint8_t in_second = second < kFirstPair ? 0 : deep[second - kFirstPair];
+        // the second waits while the first is spelt
+        deep[i] = static_cast<uint8_t>(in_first + 1 > in_second ? in_first + 1 : in_second);
+        if (deep[i] > deepest) deepest = deep[i];
+    }
+    return deepest;
+}
+
+// Spells codes out of flash, a letter at a time.
+class Unpacker {
+public:
+    // Both lie in flash; no more than kPairsDeep deep. Ends behind `size` codes or at a zero.
+    Unpacker(const uint8_t* codes, uint8_t size, const CodePair* pairs)
+        : codes_(codes), pairs_(pairs), left_(size), waiting_count_(0) {}
+
+    // 0: the end, and then again.
+    char next() {
+        uint8_t code = 0;
+        if (waiting_count_ > 0) {
+            code = waiting_[--waiting_count_];
+        } else if (left_ > 0 && (code = romRead(*codes_)) != 0) {
+            ++codes_;
+            --left_;
+        }
+        while (code >= kFirstPair) {
+            const CodePair& pair = pairs_[code - kFirstPair];
+            waiting_[waiting_count_++] = romRead(pair.second);
+            code = romRead(pair.first);
+        }
+        return static_cast<char>(code);
+    }
+
+private:
+    const uint8_t* codes_;
+    const CodePair* pairs_;
+    uint8_t left_, waiting_count_;
+    uint8_t waiting_[kPairsDeep];
+};
+
+// Spells into `to`, at most `size` letters, zeros behind (MAVLink's char arrays need no terminator
+// when full). Returns the letters.
+inline uint8_t unpack(Unpacker from, char* to, uint8_t size) {
+    uint8_t length = 0;
+    for (char letter; length < size && (letter = from.next()) != 0; ++length) to[length] = letter;
+    for (uint8_t i = length; i < size; ++i) to[i] = 0;
+    return length;
+}
+
+}  // namespace core
