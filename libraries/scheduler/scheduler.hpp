@@ -152,10 +152,12 @@ private:
     // Where these tiers begin.
     static constexpr uint8_t kMedium = rowsOf(kTable, Tier::fast);
     static constexpr uint8_t kSlow = kRows - rowsOf(kTable, Tier::slow);
+    static constexpr uint8_t kLargerTier =
+        kSlow - kMedium > kRows - kSlow ? kSlow - kMedium : kRows - kSlow;
 
     int8_t wait_[kRows] = {};  // frames until due; 0 due, below 0 late by as many; not of the fast
-    uint8_t due_[kRows] = {};  // rows of the tier that is being served
-    uint16_t longest_[kRows] = {};  // in ticks, as the next two
+    uint8_t due_[kLargerTier > 0 ? kLargerTier : 1] = {};  // rows of the tier that is being served
+    uint16_t longest_[kRows] = {};                         // in ticks, as the next two
     uint16_t now_ = 0;
     uint16_t end_ = 0;  // when the frame is over
     uint8_t served_ = 0;
