@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the airplane is, how it lies in the air and where it is going.
+#include <math.h>
+
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "estimation/atan2_table.hpp"
@@ -9,7 +11,9 @@
 #include "firmware/gcs/mission_transfer.hpp"
 #include "firmware/gcs/mission_types.hpp"
 #include "firmware/mission/mission.hpp"
+#include "firmware/state/mode_traits.hpp"
 #include "firmware/state/vehicle.hpp"
+#include "geo/position.hpp"
 #include "hal/clock.hpp"
 
 namespace firmware {
@@ -53,6 +57,15 @@ int16_t degreesOf(int32_t angle_cd) {
     return static_cast<int16_t>((core::upper(core::product(wrapped, kPerCent)) + 16) >> 5);
 }
 
+struct HalfTurn {
+    explicit HalfTurn(core::Angle angle) {
+        const float half_rad = angle.toFloat() * 0.5f;
+        sine = sinf(half_rad);
+        cosine = cosf(half_rad);
+    }
+    float sine, cosine;
+};
+
 struct WindSent {
     core::Vector3 known_mps;
     float speed_mps, from_deg;
@@ -66,6 +79,23 @@ bool fillIn(const Link&, mavlink::Attitude& to) {
     to.roll = vehicle.attitude.roll_rad.toFloat();
     to.pitch = vehicle.attitude.pitch_rad.toFloat();
     to.yaw = vehicle.attitude.yaw_rad.toFloat();
+    to.rollspeed = vehicle.attitude.rate_rads.x.toFloat();
+    to.pitchspeed = vehicle.attitude.rate_rads.y.toFloat();
+    to.yawspeed = vehicle.attitude.rate_rads.z.toFloat();
+    return true;
+}
+
+// From the body to north, east, down: yaw, then pitch, then roll.
+bool fillIn(const Link&, mavlink::AttitudeQuaternion& to) {
+    const HalfTurn roll(vehicle.attitude.roll_rad), pitch(vehicle.attitude.pitch_rad),
+        yaw(vehicle.attitude.yaw_rad);
+    const float level_cosine = pitch.cosine * yaw.cosine, level_sine = pitch.sine * yaw.sine;
+    const float across_cosine = pitch.cosine * yaw.sine, across_sine = pitch.sine * yaw.cosine;
+    to.time_boot_ms = hal::now_ms();
+    to.q1 = roll.cosine * level_cosine + roll.sine * level_sine;
+    to.q2 = roll.sine * level_cosine - roll.cosine * level_sine;
+    to.q3 = roll.cosine * across_sine + roll.sine * across_cosine;
+    to.q4 = roll.cosine * across_cosine - roll.sine * across_sine;
     to.rollspeed = vehicle.attitude.rate_rads.x.toFloat();
     to.pitchspeed = vehicle.attitude.rate_rads.y.toFloat();
     to.yawspeed = vehicle.attitude.rate_rads.z.toFloat();
@@ -90,6 +120,36 @@ bool fillIn(const Link&, mavlink::GlobalPositionInt& to) {
     to.vy = centi(vehicle.estimate.velocity_mps.y);
     to.vz = centi(vehicle.estimate.velocity_mps.z);
     to.hdg = heading(36000);
+    return true;
+}
+
+// From home, which is where height 0 is too.
+bool fillIn(const Link&, mavlink::LocalPositionNed& to) {
+    if (!vehicle.home.set || !vehicle.estimate.known) return false;
+    const geo::Offset away = geo::offset(vehicle.home.position, vehicle.estimate.position);
+    to.time_boot_ms = hal::now_ms();
+    to.x = away.north_m;
+    to.y = away.east_m;
+    to.z = -vehicle.estimate.height_m;
+    to.vx = vehicle.estimate.velocity_mps.x;
+    to.vy = vehicle.estimate.velocity_mps.y;
+    to.vz = vehicle.estimate.velocity_mps.z;
+    return true;
+}
+
+// Where a mode that guides itself flies to.
+bool fillIn(const Link&, mavlink::PositionTargetGlobalInt& to) {
+    constexpr uint16_t kPositionAlone = 0xFFF8;  // of type_mask: what is to be ignored
+    const auto& demand = vehicle.demand;
+    const bool has_place =
+        demand.path == Path::leg || demand.path == Path::circle || demand.path == Path::land;
+    if (!guidesItself() || !has_place) return false;
+    to.time_boot_ms = hal::now_ms();
+    to.lat_int = demand.to.latitude_e7;
+    to.lon_int = demand.to.longitude_e7;
+    to.alt = core::hundredths(vehicle.home.altitude_cm) + demand.height_m;
+    to.type_mask = kPositionAlone;
+    to.coordinate_frame = mavlink::MavFrame::global;
     return true;
 }
 

@@ -20,8 +20,10 @@ bool fillIn(const Link& link, mavlink::Meminfo& to);
 bool fillIn(const Link& link, mavlink::SystemTime& to);
 bool fillIn(const Link& link, mavlink::AutopilotVersion& to);
 bool fillIn(const Link& link, mavlink::ProtocolVersion& to);
+bool fillIn(const Link& link, mavlink::CurrentMode& to);
 
 bool fillIn(const Link& link, mavlink::RawImu& to);
+bool fillIn(const Link& link, mavlink::ScaledImu& to);
 bool fillIn(const Link& link, mavlink::ScaledPressure& to);
 bool fillIn(const Link& link, mavlink::GpsRawInt& to);
 bool fillIn(const Link& link, mavlink::RcChannelsRaw& to);
@@ -29,8 +31,11 @@ bool fillIn(const Link& link, mavlink::RcChannels& to);
 bool fillIn(const Link& link, mavlink::ServoOutputRaw& to);
 
 bool fillIn(const Link& link, mavlink::Attitude& to);
+bool fillIn(const Link& link, mavlink::AttitudeQuaternion& to);
 bool fillIn(const Link& link, mavlink::Ahrs& to);
 bool fillIn(const Link& link, mavlink::GlobalPositionInt& to);
+bool fillIn(const Link& link, mavlink::LocalPositionNed& to);
+bool fillIn(const Link& link, mavlink::PositionTargetGlobalInt& to);
 bool fillIn(const Link& link, mavlink::VfrHud& to);
 bool fillIn(const Link& link, mavlink::Wind& to);
 bool fillIn(const Link& link, mavlink::NavControllerOutput& to);

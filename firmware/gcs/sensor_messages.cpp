@@ -30,20 +30,39 @@ SELDOM int16_t milli(core::BodyRate rate_rads) {
     return core::upper(core::product(rate_rads.raw, static_cast<int16_t>(kFactor)) * 2);
 }
 
+// The nine numbers that RAW_IMU and SCALED_IMU have one behind the other.
+constexpr uint8_t kNumbers = 9;
+static_assert(offsetof(mavlink::RawImu, zmag) - offsetof(mavlink::RawImu, xacc) == 16, "");
+static_assert(offsetof(mavlink::ScaledImu, zmag) - offsetof(mavlink::ScaledImu, xacc) == 16, "");
+
+void inertialAndField(void* to) {
+    const auto& accel_mss = vehicle.imu.accel_mss;
+    const auto& rate_rads = vehicle.imu.rate_rads;
+    const auto& field_mg = vehicle.compass.field_mg;
+    const int16_t numbers[kNumbers] = {milliG(accel_mss.x),
+                                       milliG(accel_mss.y),
+                                       milliG(accel_mss.z),
+                                       milli(rate_rads.x),
+                                       milli(rate_rads.y),
+                                       milli(rate_rads.z),
+                                       static_cast<int16_t>(field_mg.x),
+                                       static_cast<int16_t>(field_mg.y),
+                                       static_cast<int16_t>(field_mg.z)};
+    memcpy(to, numbers, sizeof numbers);
+}
+
 }  // namespace
 
 bool fillIn(const Link&, mavlink::RawImu& to) {
     // as ArduPilot sends it: mg, mrad/s, mgauss
     to.time_usec = hal::now_us();
-    to.xacc = milliG(vehicle.imu.accel_mss.x);
-    to.yacc = milliG(vehicle.imu.accel_mss.y);
-    to.zacc = milliG(vehicle.imu.accel_mss.z);
-    to.xgyro = milli(vehicle.imu.rate_rads.x);
-    to.ygyro = milli(vehicle.imu.rate_rads.y);
-    to.zgyro = milli(vehicle.imu.rate_rads.z);
-    to.xmag = static_cast<int16_t>(vehicle.compass.field_mg.x);
-    to.ymag = static_cast<int16_t>(vehicle.compass.field_mg.y);
-    to.zmag = static_cast<int16_t>(vehicle.compass.field_mg.z);
+    inertialAndField(&to.xacc);
+    return true;
+}
+
+bool fillIn(const Link&, mavlink::ScaledImu& to) {
+    to.time_boot_ms = hal::now_ms();
+    inertialAndField(&to.xacc);
     return true;
 }
 

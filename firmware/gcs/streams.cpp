@@ -105,6 +105,11 @@ constexpr OutgoingRow kOutgoing[] ROM = {
     row<mavlink::HomePosition>(Stream::on_request),
     row<mavlink::AutopilotVersion>(Stream::on_request),
     row<mavlink::ProtocolVersion>(Stream::on_request),
+    row<mavlink::CurrentMode>(Stream::on_request),
+    row<mavlink::ScaledImu>(Stream::on_request),
+    row<mavlink::AttitudeQuaternion>(Stream::on_request),
+    row<mavlink::LocalPositionNed>(Stream::on_request),
+    row<mavlink::PositionTargetGlobalInt>(Stream::on_request),
 };
 static_assert(core::count(kOutgoing) == kOutgoingRows, "kOutgoingRows does not fit the table");
 

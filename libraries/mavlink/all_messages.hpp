@@ -20,9 +20,12 @@ constexpr Accepted kAllMessages[] ROM = {
     accepts<ParamValue>(),
     accepts<ParamSet>(),
     accepts<GpsRawInt>(),
+    accepts<ScaledImu>(),
     accepts<RawImu>(),
     accepts<ScaledPressure>(),
     accepts<Attitude>(),
+    accepts<AttitudeQuaternion>(),
+    accepts<LocalPositionNed>(),
     accepts<GlobalPositionInt>(),
     accepts<RcChannelsRaw>(),
     accepts<ServoOutputRaw>(),
@@ -51,6 +54,7 @@ constexpr Accepted kAllMessages[] ROM = {
     accepts<SetAttitudeTarget>(),
     accepts<SetPositionTargetLocalNed>(),
     accepts<SetPositionTargetGlobalInt>(),
+    accepts<PositionTargetGlobalInt>(),
     accepts<RadioStatus>(),
     accepts<Timesync>(),
     accepts<LogRequestList>(),
@@ -82,6 +86,7 @@ constexpr Accepted kAllMessages[] ROM = {
     accepts<Statustext>(),
     accepts<SetupSigning>(),
     accepts<ProtocolVersion>(),
+    accepts<CurrentMode>(),
 };
 
 }  // namespace mavlink

@@ -468,6 +468,24 @@ template <>
 struct Wire<GpsRawInt> : Shape<24, 30, 52, 24> {};
 static_assert(sizeof(GpsRawInt) == Wire<GpsRawInt>::length_with_extensions, "GPS_RAW_INT");
 
+struct __attribute__((packed)) ScaledImu {
+    uint32_t time_boot_ms;
+    int16_t xacc;
+    int16_t yacc;
+    int16_t zacc;
+    int16_t xgyro;
+    int16_t ygyro;
+    int16_t zgyro;
+    int16_t xmag;
+    int16_t ymag;
+    int16_t zmag;
+    // extensions: MAVLink 2 only
+    int16_t temperature;
+};
+template <>
+struct Wire<ScaledImu> : Shape<26, 22, 24, 170> {};
+static_assert(sizeof(ScaledImu) == Wire<ScaledImu>::length_with_extensions, "SCALED_IMU");
+
 struct __attribute__((packed)) RawImu {
     uint64_t time_usec;
     int16_t xacc;
@@ -511,6 +529,35 @@ struct __attribute__((packed)) Attitude {
 template <>
 struct Wire<Attitude> : Shape<30, 28, 28, 39> {};
 static_assert(sizeof(Attitude) == Wire<Attitude>::length_with_extensions, "ATTITUDE");
+
+struct __attribute__((packed)) AttitudeQuaternion {
+    uint32_t time_boot_ms;
+    float q1;
+    float q2;
+    float q3;
+    float q4;
+    float rollspeed;
+    float pitchspeed;
+    float yawspeed;
+    // extensions: MAVLink 2 only
+    float repr_offset_q[4];
+};
+template <>
+struct Wire<AttitudeQuaternion> : Shape<31, 32, 48, 246> {};
+static_assert(sizeof(AttitudeQuaternion) == Wire<AttitudeQuaternion>::length_with_extensions, "ATTITUDE_QUATERNION");
+
+struct __attribute__((packed)) LocalPositionNed {
+    uint32_t time_boot_ms;
+    float x;
+    float y;
+    float z;
+    float vx;
+    float vy;
+    float vz;
+};
+template <>
+struct Wire<LocalPositionNed> : Shape<32, 28, 28, 185> {};
+static_assert(sizeof(LocalPositionNed) == Wire<LocalPositionNed>::length_with_extensions, "LOCAL_POSITION_NED");
 
 struct __attribute__((packed)) GlobalPositionInt {
     uint32_t time_boot_ms;
@@ -957,6 +1004,26 @@ template <>
 struct Wire<SetPositionTargetGlobalInt> : Shape<86, 53, 53, 5> {};
 static_assert(sizeof(SetPositionTargetGlobalInt) == Wire<SetPositionTargetGlobalInt>::length_with_extensions, "SET_POSITION_TARGET_GLOBAL_INT");
 
+struct __attribute__((packed)) PositionTargetGlobalInt {
+    uint32_t time_boot_ms;
+    int32_t lat_int;
+    int32_t lon_int;
+    float alt;
+    float vx;
+    float vy;
+    float vz;
+    float afx;
+    float afy;
+    float afz;
+    float yaw;
+    float yaw_rate;
+    uint16_t type_mask;
+    uint8_t coordinate_frame;
+};
+template <>
+struct Wire<PositionTargetGlobalInt> : Shape<87, 51, 51, 150> {};
+static_assert(sizeof(PositionTargetGlobalInt) == Wire<PositionTargetGlobalInt>::length_with_extensions, "POSITION_TARGET_GLOBAL_INT");
+
 struct __attribute__((packed)) RadioStatus {
     uint16_t rxerrors;
     uint16_t fixed;
@@ -1333,6 +1400,15 @@ struct __attribute__((packed)) ProtocolVersion {
 template <>
 struct Wire<ProtocolVersion> : Shape<300, 22, 22, 217> {};
 static_assert(sizeof(ProtocolVersion) == Wire<ProtocolVersion>::length_with_extensions, "PROTOCOL_VERSION");
+
+struct __attribute__((packed)) CurrentMode {
+    uint32_t custom_mode;
+    uint32_t intended_custom_mode;
+    uint8_t standard_mode;
+};
+template <>
+struct Wire<CurrentMode> : Shape<436, 9, 9, 193> {};
+static_assert(sizeof(CurrentMode) == Wire<CurrentMode>::length_with_extensions, "CURRENT_MODE");
 
 }  // namespace mavlink
 // clang-format on

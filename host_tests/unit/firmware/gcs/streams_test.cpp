@@ -279,6 +279,97 @@ TEST_F(Telemetry, messages_carry_the_vehicle_in_the_units_of_the_protocol) {
     EXPECT_EQ(channels.chan18_raw, 65535);
 }
 
+// The matrix that turns a vector from the body to north, east and down, by quaternion and by
+// angles.
+TEST_F(Telemetry, the_quaternion_is_the_attitude) {
+    constexpr uint16_t kAttitudeQuaternion = 31;
+    auto& attitude = firmware::state::mutable_vehicle.attitude;
+    for (const float roll : {-2.5f, -0.4f, 0.0f, 0.9f, 3.0f})
+        for (const float pitch : {-1.2f, 0.3f, 1.5f})
+            for (const float yaw : {-3.1f, -1.0f, 0.2f, 2.0f}) {
+                attitude.roll_rad = core::Angle(roll);
+                attitude.pitch_rad = core::Angle(pitch);
+                attitude.yaw_rad = core::Angle(yaw);
+                station.forget();
+                EXPECT_EQ(command(mavlink::MavCmd::request_message, kAttitudeQuaternion), 0);
+                run_ms(100);
+                const auto q = station.all<mavlink::AttitudeQuaternion>().at(0);
+                EXPECT_NEAR(q.q1 * q.q1 + q.q2 * q.q2 + q.q3 * q.q3 + q.q4 * q.q4, 1, 1e-4);
+                // nose and right wing, as seen from the ground
+                EXPECT_NEAR(1 - 2 * (q.q3 * q.q3 + q.q4 * q.q4), cosf(pitch) * cosf(yaw), 1e-3);
+                EXPECT_NEAR(2 * (q.q2 * q.q3 + q.q1 * q.q4), cosf(pitch) * sinf(yaw), 1e-3);
+                EXPECT_NEAR(2 * (q.q2 * q.q4 - q.q1 * q.q3), -sinf(pitch), 1e-3);
+                EXPECT_NEAR(2 * (q.q3 * q.q4 + q.q1 * q.q2), sinf(roll) * cosf(pitch), 1e-3);
+            }
+}
+
+TEST_F(Telemetry, the_local_position_counts_from_home_and_waits_for_one) {
+    constexpr uint16_t kLocalPosition = 32;
+    auto& now = firmware::state::mutable_vehicle;
+    EXPECT_EQ(command(mavlink::MavCmd::request_message, kLocalPosition), 0);
+    run_ms(100);
+    EXPECT_TRUE(station.all<mavlink::LocalPositionNed>().empty());
+
+    now.home.set = now.estimate.known = true;
+    now.home.position = {473977420, 85455940};
+    now.estimate.position = {473977420 + 9000, 85455940 - 13000};  // 100 m north, 98 m west
+    now.estimate.height_m = 42;
+    now.estimate.velocity_mps = {3, -4, 0.5f};
+    EXPECT_EQ(command(mavlink::MavCmd::request_message, kLocalPosition), 0);
+    run_ms(100);
+    const auto local = station.all<mavlink::LocalPositionNed>().at(0);
+    EXPECT_NEAR(local.x, 100.2f, 0.5f);
+    EXPECT_NEAR(local.y, -98.1f, 0.5f);
+    EXPECT_EQ(local.z, -42);
+    EXPECT_EQ(local.vx, 3);
+    EXPECT_EQ(local.vy, -4);
+    EXPECT_EQ(local.vz, 0.5f);
+}
+
+TEST_F(Telemetry, the_target_is_where_a_mode_flies_that_guides_itself) {
+    using firmware::state::Mode;
+    using firmware::state::Path;
+    constexpr uint16_t kTarget = 87;
+    auto& now = firmware::state::mutable_vehicle;
+    now.home.altitude_cm = 50000;
+    now.demand.to = {473977420, 85455940};
+    now.demand.height_m = 60;
+    const auto sent = [&](Mode mode, Path path) {
+        now.mode = mode;
+        now.demand.path = path;
+        station.forget();
+        EXPECT_EQ(command(mavlink::MavCmd::request_message, kTarget), 0);
+        run_ms(100);
+        return station.all<mavlink::PositionTargetGlobalInt>();
+    };
+    EXPECT_TRUE(sent(Mode::fbwa, Path::circle).empty()) << "what an earlier mode has left";
+    EXPECT_TRUE(sent(Mode::automatic, Path::takeoff).empty());
+    for (const Path path : {Path::leg, Path::circle, Path::land}) {
+        const auto target = sent(Mode::guided, path).at(0);
+        EXPECT_EQ(target.lat_int, 473977420);
+        EXPECT_EQ(target.lon_int, 85455940);
+        EXPECT_NEAR(target.alt, 560, 0.01f);
+        EXPECT_EQ(target.coordinate_frame, mavlink::MavFrame::global);
+        EXPECT_EQ(target.type_mask & 7, 0) << "the position counts";
+    }
+}
+
+TEST_F(Telemetry, mode_and_inertial_numbers_come_when_asked_for) {
+    auto& now = firmware::state::mutable_vehicle;
+    now.mode = firmware::state::Mode::loiter;
+    now.imu.accel_mss.z = core::Acceleration(-9.80665f);
+    now.compass.field_mg = {200, -30, 400};
+    EXPECT_EQ(command(mavlink::MavCmd::request_message, 436), 0);
+    EXPECT_EQ(command(mavlink::MavCmd::request_message, 26), 0);
+    run_ms(100);
+    EXPECT_EQ(station.all<mavlink::CurrentMode>().at(0).custom_mode, 12u);
+    const auto imu = station.all<mavlink::ScaledImu>().at(0);
+    EXPECT_EQ(imu.zacc, -1000);
+    EXPECT_EQ(imu.xmag, 200);
+    EXPECT_EQ(imu.ymag, -30);
+    EXPECT_EQ(imu.zmag, 400);
+}
+
 TEST_F(Telemetry, airspeed_is_the_speed_over_ground_while_it_stands_without_a_sensor) {
     struct Row {
         bool healthy, flying;
