@@ -17,9 +17,6 @@ const message = (struct) => {
 const table = (head, rows) =>
   [head, head.map(() => '---'), ...rows].map((row) => `| ${row.join(' | ')} |`).join('\n');
 
-// In lines of up to 120 columns, not parted within `CODE` (NUMBER).
-const folded = (text) => text.replace(/(.{1,119}[,.])(?: |$)/g, '$1\n').trimEnd();
-
 const parameters = { raw_sensors: '`SRn_RAW_SENS`', extended_status: '`SRn_EXT_STAT`',
   rc_channels: '`SRn_RC_CHAN`', raw_controller: '`SRn_RAW_CTRL`', position: '`SRn_POSITION`',
   extra1: '`SRn_EXTRA1`', extra2: '`SRn_EXTRA2`', extra3: '`SRn_EXTRA3`',
@@ -33,10 +30,58 @@ function sent() {
     [message(struct).id, message(struct).name, parameters[stream]]));
 }
 
+// What a sender gets for it. What has no answer by MAVLink's definition says so.
+const answers = {
+  HEARTBEAT: 'none; from `SYSID_MYGCS` it is the ground station\'s sign of life',
+  PING: '`PING` with the sender as its target, when it asks (target 0)',
+  TIMESYNC: '`TIMESYNC` with both times, when it asks (`tc1` 0)',
+  RADIO_STATUS: 'none; the streams keep to what the modem\'s buffer can take',
+  RADIO: 'none; as `RADIO_STATUS`',
+  RC_CHANNELS_OVERRIDE: 'none; `RC_CHANNELS` has the channels in force',
+  MANUAL_CONTROL: 'none; `RC_CHANNELS` has the channels in force',
+  SET_POSITION_TARGET_LOCAL_NED: 'none when flown, a text when not',
+  SET_POSITION_TARGET_GLOBAL_INT: 'none when flown, a text when not',
+  SET_ATTITUDE_TARGET: 'a text: it is not flown',
+  SETUP_SIGNING: 'a text: stored, cleared or refused and why',
+  REQUEST_DATA_STREAM: 'the streams themselves',
+  SET_MODE: '`COMMAND_ACK` of command 11',
+  COMMAND_LONG: '`COMMAND_ACK`',
+  COMMAND_INT: '`COMMAND_ACK`',
+  COMMAND_ACK: 'none; it says that a side is in place for the calibration of the accelerometers',
+  AUTOPILOT_VERSION_REQUEST: '`AUTOPILOT_VERSION`',
+  PARAM_REQUEST_LIST: 'every `PARAM_VALUE`',
+  PARAM_REQUEST_READ: '`PARAM_VALUE`; none when there is no such parameter',
+  PARAM_SET: '`PARAM_VALUE` with the value in force; a text when that is another, or there is no such parameter',
+  MISSION_REQUEST_LIST: '`MISSION_COUNT`',
+  MISSION_REQUEST_PARTIAL_LIST: '`MISSION_COUNT`, or the item when it is one',
+  MISSION_REQUEST: '`MISSION_ITEM`, or `MISSION_ACK` with what is wrong',
+  MISSION_REQUEST_INT: '`MISSION_ITEM_INT`, or `MISSION_ACK` with what is wrong',
+  MISSION_COUNT: '`MISSION_REQUEST_INT` of the first item, or `MISSION_ACK` with what is wrong',
+  MISSION_WRITE_PARTIAL_LIST: '`MISSION_REQUEST_INT` of the first item, or `MISSION_ACK` with what is wrong',
+  MISSION_ITEM: '`MISSION_REQUEST` of the next or `MISSION_ACK`; refused also by a text with the item\'s number',
+  MISSION_ITEM_INT: '`MISSION_REQUEST_INT` of the next or `MISSION_ACK`; refused also by a text with the item\'s number',
+  MISSION_ACK: 'none; it ends a download',
+  MISSION_CLEAR_ALL: '`MISSION_ACK`',
+  MISSION_SET_CURRENT: '`MISSION_CURRENT` when it is set, a text when not',
+  FENCE_POINT: 'none when it is stored, a text when it is refused',
+  FENCE_FETCH_POINT: '`FENCE_POINT`, or a text when there is no such point',
+  RALLY_POINT: 'none when it is stored, a text when it is refused',
+  RALLY_FETCH_POINT: '`RALLY_POINT`, or a text when there is no such point',
+  LOG_REQUEST_LIST: '`LOG_ENTRY` of each',
+  LOG_REQUEST_DATA: '`LOG_DATA`; a text while armed',
+  LOG_ERASE: 'a text when it begins and when it has ended, or why it does not',
+  LOG_REQUEST_END: 'none',
+};
+const late = { refuseMission: '`MISSION_ACK`: ERROR', refuseParamSet: 'a text', refusePoint: 'a text', refuseSetupSigning: 'a text' };
+
 function understood() {
-  const rows = [...read('firmware/gcs/incoming.cpp')
-    .matchAll(/to(?:All|Us)<mavlink::(\w+)>\((?:on|refuse)/g)].map(([, struct]) => message(struct));
-  return folded(rows.sort((a, b) => a.id - b.id).map(({ id, name }) => `\`${name}\` (${id})`).join(', ') + '.');
+  const rows = [...read('firmware/gcs/incoming.cpp').matchAll(/to(?:All|Us)<mavlink::(\w+)>\((?:on|refuse)\w+(?:, (\w+))?\)/g)]
+    .map(([, struct, refuse]) => ({ ...message(struct), refuse })).sort((a, b) => a.id - b.id);
+  return table(['id', 'message', 'answered by', 'when the memory was busy for a second'], rows.map(({ id, name, refuse }) => {
+    if (!answers[name]) throw new Error(`how ${name} is answered is not said`);
+    if (refuse && !late[refuse]) throw new Error(`what ${refuse} sends is not said`);
+    return [id, name, answers[name], late[refuse] ?? ''];
+  }));
 }
 
 const remarks = {
