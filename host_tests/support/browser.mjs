@@ -41,6 +41,15 @@ export async function open(browser, url, { width = 1200, height = 800, dark = fa
   return page;
 }
 
+// For up to five seconds, until it holds: other programs may have the processor.
+export async function eventually(page, holds) {
+  for (let i = 0; i < 100; ++i) {
+    if (await holds()) return true;
+    await page.waitForTimeout(50);
+  }
+  return holds();
+}
+
 // Fails with what axe finds, by rule and element.
 export async function assertAccessible(page) {
   await page.evaluate(axe);

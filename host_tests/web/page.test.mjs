@@ -8,7 +8,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 
-import { assertAccessible, busiest, launch, open } from '../support/browser.mjs';
+import { assertAccessible, busiest, eventually, launch, open } from '../support/browser.mjs';
 import { embedded } from '../support/flight_document.mjs';
 import { liveServer } from '../support/live_server.mjs';
 
@@ -118,8 +118,7 @@ test('a span that is drawn with the pointer is shown by all plots; a double clic
   await page.mouse.move(box.x + 220, box.y + 24, { steps: 4 });
   await page.mouse.up();
   assert.ok(await whole.isEnabled());
-  await page.waitForTimeout(100);
-  assert.notEqual(await spanLabels(page, 'speed'), before_zoom);
+  assert.ok(await eventually(page, async () => await spanLabels(page, 'speed') !== before_zoom));
   await plot(page, 'height').dblclick();
   assert.ok(await whole.isDisabled());
   await page.context().close();
@@ -244,12 +243,14 @@ test('nothing on the map covers anything else, however wide the page is', async 
   await page.getByRole('button', { name: 'GPS lost: dead reckoning' }).click();
   for (const width of [390, 640, 901, 960, 1040, 1200, 1600]) {
     await page.setViewportSize({ width, height: 800 });
-    await page.waitForTimeout(100);
-    const boxes = await Promise.all(parts.map((part) => page.locator(part).boundingBox()));
-    for (const [i, a] of boxes.entries())
-      for (const [j, b] of boxes.entries())
-        assert.ok(i >= j || a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y,
-          `${parts[i]} and ${parts[j]} at ${width} pixels`);
+    let covered = [];
+    await eventually(page, async () => {
+      const boxes = await Promise.all(parts.map((part) => page.locator(part).boundingBox()));
+      covered = boxes.flatMap((a, i) => boxes.slice(i + 1)
+        .flatMap((b, j) => (a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y ? [] : [`${parts[i]} and ${parts[i + 1 + j]}`])));
+      return covered.length === 0;
+    });
+    assert.deepEqual(covered, [], `at ${width} pixels`);
   }
   const [airplane, names] = await page.evaluate(() => ['.airplane', '.place'].map((what) =>
     Number(globalThis.getComputedStyle(document.querySelector(what).closest('.leaflet-pane')).zIndex)));
@@ -361,9 +362,9 @@ test('the keyboard flies as sticks while that is switched on', async () => {
   await page.waitForTimeout(300);
   await page.keyboard.up('w');
   await page.keyboard.up('ArrowRight');
-  await page.waitForTimeout(150);
-  const sticks = server.commands.filter((command) => command.do === 'sticks');
-  assert.ok(sticks.some(({ roll }) => roll > 0) && sticks.at(-1).roll === 0 && sticks.at(-1).throttle > 0, JSON.stringify(sticks));
+  const sticks = () => server.commands.filter((command) => command.do === 'sticks');
+  assert.ok(await eventually(page, async () => sticks().at(-1)?.roll === 0 && sticks().at(-1).throttle > 0), JSON.stringify(sticks()));
+  assert.ok(sticks().some(({ roll }) => roll > 0), JSON.stringify(sticks()));
   await page.context().close();
   server.close();
 });
