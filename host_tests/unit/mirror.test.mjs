@@ -14,7 +14,7 @@ const ofAFolder = new Set([
   'firmware/safety/manual', 'libraries/storage/damaged_lists', 'libraries/storage/damaged_parameters',
   'libraries/storage/flash_staging', 'libraries/storage/power_cut', 'simulator/airplane/parameter_files', 'simulator/campaign/program',
   'simulator/report/report', 'toolchain/cmake/configure', 'toolchain/flash_tool/flash',
-  ...['errors', 'garbage', 'round_trip', 'show'].map((name) => `toolchain/mission_tool/${name}`),
+  ...['errors', 'flight_limits', 'garbage', 'round_trip', 'show'].map((name) => `toolchain/mission_tool/${name}`),
   'toolchain/mutate_tool/mutate', ...['errors', 'garbage', 'round_trip'].map((name) => `toolchain/param_tool/${name}`),
   'toolchain/same_tool/same', 'toolchain/test_tool/test_tool',
 ]);
