@@ -43,10 +43,7 @@ float parameterValue(const Record& record) {
     return exact;
 }
 
-void setParameterAction(const Record& record) {
-    if (!parameterSet(record.p1, parameterValue(record)))
-        sendStatusText(Severity::warning, STATUS_TEXT("Mission: parameter # not set"), record.p1);
-}
+void setParameterAction(const Record& record) { setSlot(record.p1, parameterValue(record)); }
 
 void setRelay(const Record& record) { relaySet(record.p2 != 0); }
 

@@ -53,6 +53,7 @@ void listsRun();         // carries a commit on, copies what was committed; 10 H
 bool missionChanging();  // the engine must not run now
 MissionResult resultOf(core::Status status);
 void reportMemory();  // it has not kept what was stored
+void reportWorn();    // it does not keep what is being stored
 
 // ---- upload.cpp
 // The next item of an upload as it is stored.

@@ -41,17 +41,20 @@ void decodeClimb(const Record& record, float* parameter) {
     parameter[1] = hundredthsOf(record.p3 != 0 ? record.p3 : record.p1);
 }
 
+// Rounded, and in hundredths when that is not the value.
+SELDOM void putExactly(float value, int32_t& whole, int32_t& hundredths, EncodeWarnings& warnings) {
+    whole = core::rounded(value);
+    if (static_cast<float>(whole) == value) return;
+    hundredths = core::rounded(value * 100);
+    flagRounding(value, hundredthsOf(hundredths), warnings);
+}
+
 MissionResult encodeSpeed(const float* parameter, Record& record, EncodeWarnings& warnings) {
     const float speed_mps = isnan(parameter[2]) ? -1 : parameter[2];
     const float throttle_pct = isnan(parameter[3]) ? -1 : parameter[3];
     if (!(speed_mps == -1 || (speed_mps > 0 && speed_mps < 1000))) return wrong(2);
     if (!(throttle_pct >= -1 && throttle_pct <= 100)) return wrong(3);
-    record.p2 = core::rounded(speed_mps);
-    const int32_t speed_cms = core::rounded(speed_mps * 100);
-    if (static_cast<float>(record.p2) != speed_mps) {
-        record.p4 = speed_cms;
-        flagRounding(speed_mps, hundredthsOf(speed_cms), warnings);
-    }
+    putExactly(speed_mps, record.p2, record.p4, warnings);
     record.p3 = core::rounded(throttle_pct);
     flagRounding(throttle_pct, static_cast<float>(record.p3), warnings);
     return kFine;
@@ -79,11 +82,9 @@ MissionResult encodeDistance(const float* parameter, Record& record, EncodeWarni
     constexpr float kFarthest_m = 10000;
     const float distance_m = orZero(parameter[1]);
     if (!(distance_m >= 0 && distance_m <= kFarthest_m)) return wrong(1);
-    record.p2 = core::rounded(distance_m);
-    if (static_cast<float>(record.p2) == distance_m) return kFine;
-    record.p3 = core::rounded(distance_m * 100);
-    flagRounding(distance_m, hundredthsOf(record.p3), warnings);
-    return record.p3 != 0 ? kFine : wrong(1);  // 0 would be none
+    putExactly(distance_m, record.p2, record.p3, warnings);
+    const bool none = record.p2 == 0 && record.p3 == 0;
+    return none && distance_m != 0 ? wrong(1) : kFine;
 }
 void decodeDistance(const Record& record, float* parameter) {
     parameter[1] = record.p3 != 0 ? hundredthsOf(record.p3) : static_cast<float>(record.p2);

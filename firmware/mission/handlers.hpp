@@ -120,7 +120,9 @@ bool placeOfNav(const Record&, ItemPosition, geo::Position& place);
 // there is none, or it has no place; else it cannot be read.
 MUST_USE core::Status nextPlace(geo::Position& place);
 
-// ---- tuning_commands.cpp: APM 1.0 only
+// ---- tuning_commands.cpp: of both sets
+void setSlot(uint8_t slot, float value);  // a parameter's; what is refused is reported
+// ---- and of APM 1.0 only
 Jump jumpToFirst(const Record&);
 Jump jumpToIndex(const Record&);
 void changeMode(const Record&);

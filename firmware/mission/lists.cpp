@@ -77,8 +77,7 @@ void migrate() {
     if (fenceLineWaits()) return;
     const Status status = mission_store.migrateToEeprom();
     if (status == Status::busy) return;
-    if (status != Status::ok)
-        sendStatusText(Severity::error, STATUS_TEXT("EEPROM is worn: lists are at risk"));
+    if (status != Status::ok) reportWorn();
     reportMended();
     recheck();
 }
@@ -87,6 +86,10 @@ void migrate() {
 
 void reportMemory() {
     sendStatusText(Severity::error, STATUS_TEXT("Memory has not kept what was stored"));
+}
+
+void reportWorn() {
+    sendStatusText(Severity::error, STATUS_TEXT("EEPROM is worn: lists are at risk"));
 }
 
 MissionResult resultOf(Status status) {

@@ -15,6 +15,7 @@
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
+#include "hal/eeprom.hpp"
 #include "hal/trace.hpp"
 #include "storage/index_store.hpp"
 #include "storage/owner.hpp"
@@ -39,11 +40,13 @@ using core::Status;
 using ::mission::Event;
 
 enum class Boot : uint8_t { owner, store, index, summary, done, foreign };
+// What the index has yet to go through; in the next place once, if the first has not kept it.
+enum IndexStep : uint8_t { kIndexDone, kIndexAgain, kIndexCheck, kIndexStore };
 struct Run {
     Boot boot = Boot::owner;
     storage::IndexStore index_store;
     uint8_t index_wanted;  // to be saved over a loss of power
-    bool index_waits;
+    uint8_t index_step;
     uint8_t reached;
     bool reached_waits;
     bool is_complete;
@@ -66,7 +69,7 @@ uint8_t generation() { return static_cast<uint8_t>(mission_store.generation()); 
 
 void saveIndex(uint8_t index) {
     run.index_wanted = index;
-    run.index_waits = true;
+    run.index_step = kIndexStore;
 }
 
 void ended(bool landed) {
@@ -103,10 +106,13 @@ void onEvent(Event event, uint8_t index) {
     hal::traceItem(static_cast<uint8_t>(hal::kTraceMission + static_cast<uint8_t>(event)), index);
     if (event == Event::started || event == Event::waits || event == Event::runs)
         host.logCommand(index);
+    Severity severity = Severity::warning;
+    StatusText text;  // of the item
     switch (event) {
         case Event::started:
             saveIndex(index);
-            sendStatusText(Severity::info, STATUS_TEXT("Mission item #"), index);
+            severity = Severity::info;
+            text = STATUS_TEXT("Mission item #");
             break;
         case Event::reached:
             rememberPlace();
@@ -115,14 +121,14 @@ void onEvent(Event event, uint8_t index) {
             break;
         case Event::skipped:
             ++run.skipped;
-            sendStatusText(Severity::warning, STATUS_TEXT("Mission item # skipped"), index);
+            text = STATUS_TEXT("Mission item # skipped");
             break;
         case Event::looped:
-            sendStatusText(Severity::warning, STATUS_TEXT("Mission: jumps go round at item #"),
-                           index);
+            text = STATUS_TEXT("Mission: jumps go round at item #");
             break;
         case Event::lost:
-            sendStatusText(Severity::error, STATUS_TEXT("Mission item # cannot be read"), index);
+            severity = Severity::error;
+            text = STATUS_TEXT("Mission item # cannot be read");
             break;
         case Event::hold:
             holdPlace();
@@ -139,6 +145,7 @@ void onEvent(Event event, uint8_t index) {
         default:
             break;
     }
+    if (!text.isNone()) sendStatusText(severity, text, index);
 }
 
 // What a record costs depends on what it does: 50 us to look at, 400 to set a gain.
@@ -193,9 +200,13 @@ Status openLists() {
 
 // A damaged one is written over by what is left.
 Status openIndex(uint8_t& index) {
-    const Status status = run.index_store.open(generation(), index, run.index_waits);
+    bool damaged = false;
+    const Status status = run.index_store.open(generation(), index, damaged);
     run.index_wanted = index;
-    if (status == Status::ok && run.index_waits) reportMemory();
+    if (damaged) {
+        run.index_step = kIndexStore;
+        reportMemory();
+    }
     return status;
 }
 
@@ -230,14 +241,30 @@ Status bootStep() {
     return status;
 }
 
+void storeIndex() {
+    if (run.index_step == kIndexCheck) {
+        storage::IndexStore stored;
+        uint8_t index;
+        bool damaged;
+        if (!hal::eepromDrained() || stored.open(generation(), index, damaged) != Status::ok)
+            return;
+        run.index_step = kIndexDone;
+        if (index == run.index_wanted) return;
+        run.index_step = kIndexAgain;
+        reportWorn();
+    }
+    if (run.index_step != kIndexDone &&
+        run.index_store.write(generation(), run.index_wanted) == Status::ok)
+        --run.index_step;
+}
+
 void background(bool there_is_time) {
     if (there_is_time) {
         listsRun();
         stepLanding();
     }
     mission_store.readAhead(mission_engine.next());
-    if (run.index_waits)
-        run.index_waits = run.index_store.write(generation(), run.index_wanted) != Status::ok;
+    storeIndex();
 }
 
 }  // namespace
@@ -296,7 +323,8 @@ void missionBoot() {
     mission_store = storage::MissionStore();
     mission_summary = {};
     listsStart();
-    run.index_waits = run.reached_waits = false;
+    run.index_step = kIndexDone;
+    run.reached_waits = false;
     run.armed = vehicle.armed;
     run.flew = false;
     run.boot = Boot::owner;

@@ -68,12 +68,12 @@ void sendVariable(uint8_t slot, uint8_t to) {
     reportVariables();
 }
 
+}  // namespace
+
 void setSlot(uint8_t slot, float value) {
     if (slot == kNoSlot || !parameterSet(slot, value))
         sendStatusText(Severity::warning, STATUS_TEXT("Mission: parameter # not set"), slot);
 }
-
-}  // namespace
 
 Jump jumpToFirst(const Record&) { return {1, ::mission::kForEver}; }
 

@@ -89,6 +89,37 @@ TEST_F(DamagedMemory, an_index_that_changed_is_reported_and_the_one_before_store
     EXPECT_EQ(textsOfStart(), "") << "the next start finds nothing";
 }
 
+// Of each place of the index, with items that need each value of the bit.
+TEST_F(DamagedMemory, a_worn_cell_of_the_index_is_reported_and_the_next_place_taken) {
+    int reported = 0;
+    for (uint16_t at = storage::kIndex.begin; at < storage::kIndex.begin + 63; ++at)
+        for (const int bit : {0, 1, 9, 3 + at % 5}) {
+            fakes::resetEeprom();
+            ASSERT_TRUE(requestMode(Mode::loiter, ModeReason::ground));
+            missionBoot();
+            ASSERT_EQ(upload({waypoint(500), waypoint(900), waypoint(1500)}),
+                      MissionResult::accepted);
+            ASSERT_TRUE(enterAuto());
+            fakes::wearEepromCell(at, static_cast<uint8_t>(1 << bit % 8), bit > 7);
+            bool noticed = false;
+            for (uint16_t n = 0; n < 25; ++n) {
+                const auto item = static_cast<uint16_t>(1 + (n + n / 21) % 3);
+                ASSERT_TRUE(missionSetCurrent(item));
+                pass(4);
+                storage::IndexStore store;
+                uint8_t index = 0;
+                bool damaged = false;
+                ASSERT_EQ(
+                    store.open(static_cast<uint8_t>(mission_store.generation()), index, damaged),
+                    core::Status::ok);
+                ASSERT_EQ(index, item) << at << ", " << bit;
+                noticed |= hasStatusText("EEPROM is worn");
+            }
+            reported += noticed;
+        }
+    EXPECT_GT(reported, 100) << "in every other cell the bit is as it should be";
+}
+
 TEST_F(DamagedMemory, a_worn_head_is_reported_and_the_upload_not_acknowledged_on_it) {
     for (uint16_t at = storage::kMissionHead.begin; at < storage::kMission.begin; ++at)
         fakes::wearEepromCell(at, 0x40, (at & 1) != 0);
