@@ -26,6 +26,14 @@ function flown(report) {
   return { time_s, used_mah };
 }
 
+// By the board's own texts.
+function assertPointsStored(report) {
+  const texts = readFileSync(join(report, 'summary.json'), 'utf8');
+  assert.match(texts, /Fence stored: 5 points/);
+  assert.match(texts, /Rally stored: 1 points/);
+  assert.doesNotMatch(texts, /[Bb]reach/);
+}
+
 function estimated(words) {
   const { stdout, status } = tool('show', ...words);
   assert.equal(status, 0);
@@ -62,6 +70,22 @@ test('the fence and the rally points of a plan are uploaded', () => {
   const said = events.map(({ text }) => text);
   assert.ok(said.includes('fence uploaded') && said.includes('rally points uploaded'), said.join());
   assert.ok(!existsSync(join(out, 'wind')), 'no second flight without wind');
+});
+
+test('a plan of a survey and a corridor is flown within its fence', () => {
+  const plan = missionNamed('corridor.plan'), out = join(folder, 'corridor');
+  const kinds = JSON.parse(readFileSync(plan, 'utf8')).mission.items.map(({ complexItemType }) => complexItemType).filter(Boolean);
+  assert.deepEqual(kinds, ['survey', 'CorridorScan', 'fwLandingPattern']);
+  const { stdout, status } = tool('rehearse', plan, '--wind', '5,300', '-o', out);
+  assert.equal(status, 0, stdout);
+  for (const name of ['calm', 'wind']) assertPointsStored(join(out, name));
+});
+
+test('fence and rally points from files of Mission Planner are uploaded', () => {
+  const plan = missionNamed('survey.plan'), fen = join(folder, 'f.fen'), ral = join(folder, 'r.ral'), out = join(folder, 'points');
+  for (const file of [fen, ral]) assert.equal(tool('convert', plan, '-o', file).status, 0);
+  assert.equal(tool('rehearse', missionNamed('first_flight.waypoints'), '--fence', fen, '--rally', ral, '--wind', '0', '-o', out).status, 0);
+  assertPointsStored(join(out, 'calm'));
 });
 
 test('a flight of more than 20 minutes has the time it takes', () => {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "simulator/ground/plan_file.hpp"
+#include "simulator/ground/points_file.hpp"
 #include "simulator/ground/text_file.hpp"
 #include "simulator/input_file.hpp"
 
@@ -17,14 +18,8 @@ constexpr struct {
     {"<gpx", "a GPX file: it has places, but no commands"},
     {"<?xml", "an XML file"},
     {"PK\x03\x04", "a compressed file (of KML it is .kmz)"},
-    {"#saved by APM Planner", "a file of fence points"},
-    {"#saved by Mission Planner", "a file of fence points"},
-    {"RALLY\t", "a file of rally points"},
 };
 
-// MAV_CMD_NAV_FENCE_...
-constexpr uint16_t kPolygonInside = 5001, kPolygonOutside = 5002, kCircleInside = 5003,
-                   kCircleOutside = 5004;
 constexpr uint8_t kGlobal = 0, kAboveHome = 3;  // MAV_FRAME
 
 void addPoint(Waypoints& to, uint16_t command, double param1, const Place& place,
@@ -68,6 +63,7 @@ std::string foreignMission(const std::string& text) {
     constexpr size_t kHead = 500;
     const std::string head = text.substr(0, kHead);
     const size_t first = head.find_first_not_of(" \t\r\n");
+    if (looksLikePoints(text)) return "a file of fence or rally points, which has no mission";
     for (const auto& each : kForeign) {
         const size_t at = head.find(each.holds);
         const bool is_tag = each.holds[0] == '<';
@@ -95,11 +91,15 @@ MissionFile readMissionLines(const std::string& bytes, const std::string& name) 
     return mission;
 }
 
-MissionFile parseMissionFile(const std::string& bytes, const std::string& name) {
-    MissionFile mission = readMissionLines(bytes, name);
+void throwErrors(const MissionFile& mission) {
     std::vector<std::string> texts;
     for (const LineError& error : mission.errors) texts.push_back(error.text);
     if (!texts.empty()) throw WaypointError(listed(texts));
+}
+
+MissionFile parseMissionFile(const std::string& bytes, const std::string& name) {
+    MissionFile mission = readMissionLines(bytes, name);
+    throwErrors(mission);
     return mission;
 }
 

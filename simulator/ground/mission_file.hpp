@@ -8,6 +8,10 @@
 
 namespace simulator {
 
+// MAV_CMD_NAV_FENCE_...
+constexpr uint16_t kPolygonInside = 5001, kPolygonOutside = 5002, kCircleInside = 5003,
+                   kCircleOutside = 5004;
+
 struct Place {
     double latitude_deg = 0, longitude_deg = 0;
 };
@@ -49,6 +53,8 @@ struct MissionFile {
 
 // Never throws: what cannot be read is in `errors`.
 MissionFile readMissionLines(const std::string& bytes, const std::string& name);
+
+void throwErrors(const MissionFile& mission);  // if there are any; a WaypointError
 
 // Throw WaypointError.
 MissionFile parseMissionFile(const std::string& bytes, const std::string& name);

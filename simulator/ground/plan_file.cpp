@@ -46,7 +46,9 @@ public:
 
     MissionFile read() {
         const Json& root = json_.root();
-        if (!root.is_object() || member(root, "fileType") != "Plan") {
+        planners_ = root.is_object() && member(root, "groundStation") == "MissionPlanner";
+        const bool unnamed = planners_ && member(root, "fileType").is_null();
+        if (!root.is_object() || (member(root, "fileType") != "Plan" && !unnamed)) {
             fail(root, {},
                  "expected a .plan of QGroundControl (\"fileType\": \"Plan\"), found other JSON" +
                      otherKind(root));
@@ -86,6 +88,8 @@ private:
         return "";
     }
 
+    // Mission Planner does not always write its versions.
+    int lowest(int version) const { return planners_ ? 0 : version; }
     bool version(const Json& object, const std::string& what, int lowest, int highest) {
         const Json& found = member(object, "version");
         if (found.is_number_integer() && found >= lowest && found <= highest) return true;
@@ -142,7 +146,7 @@ private:
     // ---- the mission
     void readMission(const Json& mission) {
         if (!mission.is_object()) return expect(json_.root(), {}, "an object \"mission\"", mission);
-        if (!version(mission, "mission", 2, 2)) return;
+        if (!version(mission, "mission", lowest(2), 2)) return;
         remarkOnVehicle(mission);
         readHome(mission);
         const Json* items = list(mission, "mission", "items", true);
@@ -155,6 +159,7 @@ private:
     void remarkOnVehicle(const Json& mission) {
         const Json &firmware = member(mission, "firmwareType"),
                    &vehicle = member(mission, "vehicleType");
+        if (planners_ && firmware == 0) return;
         if (firmware.is_number() && firmware != kArduPilot)
             remark(mission, "firmwareType " + shown(firmware) +
                                 " is not ArduPilot's 3: its "
@@ -191,9 +196,10 @@ private:
 
     void readItem(const Json& item) {
         const Json& type = item.is_object() ? member(item, "type") : kNothing;
-        if (type == "SimpleItem") {
+        if (type == "SimpleItem" || (planners_ && type.is_null() && item.is_object())) {
             const Json& id = member(item, "doJumpId");
-            if (id.is_number_integer()) jump_ids_.emplace(id.get<int64_t>(), mission_.items.size());
+            if (id.is_number_integer() && (!planners_ || id > 0))
+                jump_ids_.emplace(id.get<int64_t>(), mission_.items.size());
             readSimple(item);
         } else if (type == "ComplexItem") {
             readComplex(item);
@@ -210,28 +216,40 @@ private:
             itemAt(from, static_cast<uint16_t>(whole(from, what, "command", 1, 65535)),
                    static_cast<uint8_t>(whole(from, what, "frame", 0, 255)));
         item.autocontinue = flag(from, "autoContinue", true);
-        const Json& params = member(from, "params");
+        const Json& params = allParams(from);
+        const Json& at = &params == &joined_ ? from : params;
         if (!params.is_array() || params.size() != 7) {
             expect(from, what, "a list \"params\" of seven numbers", params);
         } else {
             for (size_t i = 0; i < 4; ++i)
                 item.params[i] =
-                    params[i].is_null() ? kUnset : number(params, what, params[i], kParameter);
-            readPlace(item, what, params);
+                    params[i].is_null() ? kUnset : number(at, what, params[i], kParameter);
+            readPlace(item, what, at, params);
         }
         item.readable = mission_.errors.size() == errors_before;
         mission_.items.push_back(item);
     }
 
+    // Mission Planner has written four and the coordinate beside them.
+    const Json& allParams(const Json& from) {
+        const Json &params = member(from, "params"), &place = member(from, "coordinate");
+        if (!planners_ || !params.is_array() || params.size() != 4 || !place.is_array())
+            return params;
+        joined_ = params;
+        joined_.insert(joined_.end(), place.begin(), place.end());
+        return joined_;
+    }
+
     // null is "here" of a place, and nothing of a command that has none.
-    void readPlace(WaypointItem& item, const std::string& what, const Json& params) {
+    void readPlace(WaypointItem& item, const std::string& what, const Json& at,
+                   const Json& params) {
         const auto orZero = [&](size_t i, const Range& range) {
-            return params[i].is_null() ? 0 : number(params, what, params[i], range);
+            return params[i].is_null() ? 0 : number(at, what, params[i], range);
         };
         item.latitude_deg = orZero(4, kLatitude);
         item.longitude_deg = orZero(5, kLongitude);
         item.altitude_m = item.hasPlace() || item.command == MavCmd::nav_takeoff
-                              ? number(params, what, params[6], kAltitude)
+                              ? number(at, what, params[6], kAltitude)
                               : orZero(6, kAltitude);
     }
 
@@ -291,6 +309,7 @@ private:
             if (item.command != kJump || !item.readable) continue;
             const double wanted = item.params[0];
             const bool is_id = wanted == std::floor(wanted) && std::abs(wanted) < 1e9;
+            if (planners_ && jump_ids_.empty()) continue;  // by the item's number
             const auto found =
                 is_id ? jump_ids_.find(static_cast<int64_t>(wanted)) : jump_ids_.end();
             if (found != jump_ids_.end()) {
@@ -313,8 +332,8 @@ private:
     void readFence(const Json& fence) {
         if (fence.is_null()) return;
         if (!fence.is_object()) return expect(json_.root(), {}, "an object \"geoFence\"", fence);
-        if (!version(fence, "geoFence", 1, 2)) return;
-        if (member(fence, "version") == 1) {
+        if (!version(fence, "geoFence", lowest(1), 2)) return;
+        if (member(fence, "version") == 1 || member(fence, "polygon").is_array()) {
             readPolygon(fence, true);
         } else {
             if (const Json* polygons = list(fence, "geoFence", "polygons", false))
@@ -359,7 +378,7 @@ private:
     void readRally(const Json& rally) {
         if (rally.is_null()) return;
         if (!rally.is_object()) return expect(json_.root(), {}, "an object \"rallyPoints\"", rally);
-        if (!version(rally, "rallyPoints", 1, 2)) return;
+        if (!version(rally, "rallyPoints", lowest(1), 2)) return;
         const Json* points = list(rally, "rallyPoints", "points", false);
         if (points == nullptr) return;
         for (const Json& each : *points) {
@@ -372,6 +391,8 @@ private:
     const std::string& name_;
     MissionFile mission_;
     std::map<int64_t, size_t> jump_ids_;
+    bool planners_ = false;  // Mission Planner's
+    Json joined_;
 };
 
 // ---- writing

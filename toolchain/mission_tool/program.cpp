@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "simulator/ground/points_file.hpp"
 #include "simulator/ground/text_file.hpp"
 #include "toolchain/mission_tool/airplane.hpp"
 #include "toolchain/mission_tool/arduplane.hpp"
@@ -25,16 +26,16 @@ namespace {
 
 constexpr char kWhat[] = "Missions as files and as EEPROM images for the board.";
 constexpr char kFooter[] =
-    "FILE is a QGC WPL 110 file, a .plan of QGroundControl, the text form of docs/mission.md, or an\n"
-    "image: Intel hex or 4096 raw bytes. Exit status: 0 when all is well (there may be warnings), 1 when the mission is\n"
-    "wrong, 2 when the command line is.";
+    "FILE is a QGC WPL 110 file, a .plan of QGroundControl, a .mission of Mission Planner, the\n"
+    "text form of docs/mission.md, or an image: Intel hex or 4096 raw bytes. Exit status: 0 when all is well (there may\n"
+    "be warnings), 1 when the mission is wrong, 2 when the command line is.";
 
 constexpr char kTextForm[] = "the text form";
 constexpr size_t kMaxWarnings = 20;
 
 struct Options {
     std::string file, out, set, onto, airplane;
-    std::string fence, html, reports = MISSION_OUT;
+    std::string fence, rally, html, reports = MISSION_OUT;
     double range_m = Conditions().range_m;
     uint64_t seed = 1;
     Wind wind;
@@ -105,12 +106,14 @@ public:
         if (reportFindings()) return 1;
         const std::string text = (*form.write)(document_);
         if (text.empty()) {
+            if (!form.leaves_out && form.write != recordsAsPlan)
+                throw WrongInput(options_.file + ": has no " + form.name);
             throw WrongInput(options_.file + ": holds what " + form.name +
                              " cannot say; " + kTextForm + " (.txt) can say it");
         }
         simulator::writeFile(options_.out, text);
         const bool around = document_.fence.given() || !document_.rally.empty();
-        if (around && form.write != recordsAsPlan)
+        if (around && form.leaves_out)
             err_ << options_.out << ": has no place for the fence and the rally points of "
                  << options_.file << ": left out\n";
         return 0;
@@ -165,7 +168,8 @@ private:
     void upload(const std::string& contents, Rehearsal& rehearsal) const {
         if (rehearsal.has_parameters) rehearsal.board = rawOf(reading_.onto);
         rehearsal.mission = options_.file;
-        if (looksLikeGroundStations(contents)) return;
+        if (looksLikeGroundStations(contents) && options_.fence.empty() && options_.rally.empty())
+            return;
         const std::string plan = recordsAsPlan(document_);
         if (plan.empty())
             throw WrongInput(options_.file + ": holds what no ground station can upload");
@@ -174,6 +178,9 @@ private:
 
     // The simulated board gets it in its EEPROM, as no ground station knows the 1.0 set.
     void store(const FlightOrder& order, Rehearsal& rehearsal) const {
+        if (document_.fence.given() || !document_.rally.empty())
+            throw WrongInput(options_.file + ": a mission of the 1.0 set is not uploaded, nor are "
+                                             "fence and rally points");
         rehearsal.mission = written(rehearsal.folder, "places.waypoints", placesOf(document_));
         for (const Visit& visit : order.visits)
             rehearsal.stored_navs.push_back(static_cast<int>(visit.nav));
@@ -184,18 +191,26 @@ private:
 
     // What the flight itself is found to be.
     std::vector<Finding> inspected(const FlightOrder& order, const Estimate& flight) const {
-        Conditions conditions = {options_.wind, options_.range_m, document_.fence};
-        if (!options_.fence.empty()) conditions.fence = fenceOf(options_.fence);
-        return flightFindings(document_, order, flight, conditions);
+        return flightFindings(document_, order, flight,
+                              {options_.wind, options_.range_m, document_.fence});
     }
 
-    static simulator::Fence fenceOf(const std::string& path) {
+    static simulator::MissionFile pointsOf(const std::string& path) {
         try {
-            const simulator::Fence fence = simulator::readMissionFile(path).fence;
-            if (!fence.given()) throw WrongInput(path + ": has no fence");
-            return fence;
+            return simulator::readPointsFile(path);
         } catch (const simulator::WaypointError& error) {
             throw WrongInput(error.what());
+        }
+    }
+    // Those of files of their own instead of FILE's.
+    void takePoints() {
+        if (!options_.fence.empty()) {
+            document_.fence = pointsOf(options_.fence).fence;
+            if (!document_.fence.given()) throw WrongInput(options_.fence + ": has no fence");
+        }
+        if (!options_.rally.empty()) {
+            document_.rally = pointsOf(options_.rally).rally;
+            if (document_.rally.empty()) throw WrongInput(options_.rally + ": has no rally points");
         }
     }
 
@@ -239,14 +254,23 @@ private:
     struct Form {
         const char *ending, *name;
         std::string (*write)(const Document&);
+        bool leaves_out;  // fence and rally points
     };
+    static std::string fenceAlone(const Document& document) {
+        return simulator::fenceAsPoints(document.fence);
+    }
+    static std::string rallyAlone(const Document& document) {
+        return simulator::rallyAsPoints(document.rally);
+    }
     static Form formOf(const std::string& path) {
-        constexpr Form kForms[] = {{".plan", "a .plan", recordsAsPlan},
-                                   {".waypoints", "a waypoint file", recordsAsWaypoints},
-                                   {".txt", kTextForm, recordsAsText}};
+        constexpr Form kForms[] = {{".plan", "a .plan", recordsAsPlan, false},
+                                   {".waypoints", "a waypoint file", recordsAsWaypoints, true},
+                                   {".txt", kTextForm, recordsAsText, true},
+                                   {".fen", "fence of one polygon with a return point", fenceAlone, false},
+                                   {".ral", "rally points", rallyAlone, false}};
         for (const Form& form : kForms)
             if (std::filesystem::path(path).extension() == form.ending) return form;
-        throw WrongInput(path + ": expected a name that ends in .plan, .waypoints or .txt");
+        throw WrongInput(path + ": expected a name that ends in .plan, .waypoints, .txt, .fen or .ral");
     }
 
     std::string load() {
@@ -263,6 +287,7 @@ private:
             reading_.set = options_.set == "apm1" ? mission::Set::apm1 : mission::Set::apm2;
         const std::string contents = readFile(options_.file);
         document_ = mission_tool::load(contents, options_.file, reading_);
+        takePoints();
         for (const simulator::Remark& each : document_.remarks)
             err_ << placed(options_.file, each.line, each.column, "warning: " + each.text) << '\n';
         if (reading_.records15 && reading_.count == 0 && isImage(contents))
@@ -351,6 +376,15 @@ void addAirplane(CLI::App& app, Options& o, const char* no_wind) {
         ->check([&o](const std::string& text) { return parseWind(text, o.wind); });
 }
 
+void addPoints(CLI::App& app, Options& o) {
+    app.add_option("--fence", o.fence,
+                   "file whose fence counts instead of FILE's own: a .plan, Mission Planner's .fen "
+                   "or .poly, or a waypoint file of fence items");
+    app.add_option("--rally", o.rally,
+                   "file whose rally points count instead: a .plan, Mission Planner's .ral, or a "
+                   "waypoint file of rally points");
+}
+
 void addOptions(CLI::App& app, const Command& command, Options& o) {
     app.add_option(command.run == &Program::decode ? "IMAGE" : "FILE", o.file, "what to read")
         ->required();
@@ -371,19 +405,21 @@ void addOptions(CLI::App& app, const Command& command, Options& o) {
     if (rehearses) addRehearsal(app, o);
     if (command.run == &Program::show)
         app.add_option("--html", o.html, "page to write as well: map, height profile, findings");
-    if (command.run == &Program::check) {
-        app.add_option("--fence", o.fence, "a .plan whose fence counts, instead of FILE's own");
+    if (rehearses || command.run == &Program::show || command.run == &Program::check ||
+        command.run == &Program::convert)
+        addPoints(app, o);
+    if (command.run == &Program::check)
         app.add_option("--range", o.range_m, "metres from home beyond which there is a warning")
             ->check(CLI::Range(1.0, 1e7))
             ->capture_default_str();
-    }
     if (command.run == &Program::compile)
         app.add_option("-o,--out", o.out, "image to write: .eep or .hex (Intel hex), .bin (raw)")
             ->required();
     if (command.run == &Program::convert)
         app.add_option("-o,--out", o.out,
                        "file to write: .plan (QGroundControl), .waypoints (QGC WPL 110) or .txt "
-                       "(the text form)")
+                       "(the text form); .fen or .ral (Mission Planner): the fence or the rally "
+                       "points alone")
             ->required();
     if (command.run == &Program::decode) {
         app.add_option("-o,--out", o.out, "file to write instead of the standard output");

@@ -171,6 +171,42 @@ TEST(PlanFile, other_json_and_what_is_none_are_distinguished) {
     EXPECT_THAT(problems(R"({"fileType":"Plan","version":7})"), HasSubstr("expected version 1"));
 }
 
+// By its MissionFile.cs of several years: neither fileType nor types and versions, and params of
+// four with the coordinate beside them.
+TEST(PlanFile, of_mission_planner_is_read_whatever_it_leaves_out) {
+    const MissionFile mission = read(R"({"fileType":null,"geoFence":null,
+"groundStation":"MissionPlanner","mission":{"cruiseSpeed":0,"firmwareType":0,"hoverSpeed":0,"items":[
+{"autoContinue":false,"command":22,"coordinate":[0,0,40],"doJumpId":0,"frame":3,"params":[15,0,0,0],
+"type":null,"camera":null},
+{"command":16,"coordinate":[47.1,8.1,60],"doJumpId":0,"frame":3,"params":[0,0,0,0],"type":null},
+{"command":177,"doJumpId":0,"frame":3,"params":[2,3,0,0,0,0,0],"type":null}],
+"plannedHomePosition":[47,8,400],"vehicleType":0,"version":0},"rallyPoints":null,"version":1})");
+    ASSERT_TRUE(mission.errors.empty()) << mission.errors[0].text;
+    ASSERT_EQ(mission.items.size(), 4u);
+    EXPECT_EQ(mission.items[0].altitude_m, 400);
+    EXPECT_EQ(mission.items[1].params[0], 15);
+    EXPECT_EQ(mission.items[2].longitude_deg, 8.1);
+    EXPECT_EQ(mission.items[2].altitude_m, 60);
+    EXPECT_EQ(mission.items[3].params[0], 2) << "jumps go to items by number";
+    EXPECT_TRUE(mission.remarks.empty());
+}
+
+TEST(PlanFile, of_mission_planner_has_fence_and_rally_points_and_its_errors) {
+    const std::string begin = R"({"groundStation":"MissionPlanner","version":1,
+"mission":{"version":0,"plannedHomePosition":[47,8,400],"items":[
+{"command":16,"coordinate":[)",
+                      rest = R"(,8.1,60],"frame":3,"params":[0,0,0,0]}]},
+"geoFence":{"breachReturn":[47.1,8.1],"polygon":[[47,8],[47,8.2],[47.2,8]],"version":0},
+"rallyPoints":{"points":[[47.1,8.1,50]],"version":0}})";
+    const MissionFile mission = read(begin + "47.1" + rest);
+    ASSERT_TRUE(mission.errors.empty()) << mission.errors[0].text;
+    EXPECT_EQ(mission.fence.areas.at(0).rim.size(), 3u);
+    EXPECT_TRUE(mission.fence.way_back);
+    EXPECT_EQ(mission.rally.size(), 1u);
+    EXPECT_EQ(problems(begin + "97.1" + rest),
+              "m.plan:3:1: item 1: expected a latitude, -90 to 90 degrees, found '97.1'");
+}
+
 TEST(PlanFile, has_fence_and_rally_points) {
     const MissionFile mission = read(plan(waypoint(1), R"(,"geoFence":{"version":2,
 "breachReturn":[47.1,8.1],"polygons":[{"version":1,"inclusion":true,"polygon":[[1,2],[3,4],[5,6]]}],

@@ -81,13 +81,48 @@ TEST_F(Plan, retains_fence_and_rally_points_or_says_that_it_cannot) {
                 HasSubstr("lines.waypoints: has no place for the fence and the rally points"));
 }
 
+TEST_F(Plan, takes_fence_and_rally_points_from_files_of_mission_planner) {
+    const std::string mission = MISSIONS "/first_flight.waypoints", fen = path("f.fen"),
+                      ral = path("r.ral"), joined = path("joined.plan");
+    ASSERT_EQ(tool({"convert", kSurvey, "-o", fen}), 0) << err_;
+    ASSERT_EQ(tool({"convert", kSurvey, "-o", ral}), 0) << err_;
+    EXPECT_THAT(*simulator::wholeFile(fen),
+                testing::StartsWith("#saved by APM Planner\n47.3982397 "
+                                    "8.5458654\n47.3918536 8.5396281\n"));
+    EXPECT_THAT(*simulator::wholeFile(ral), HasSubstr("RALLY\t"));
+    ASSERT_EQ(tool({"convert", mission, "--fence", fen, "--rally", ral, "-o", joined}), 0) << err_;
+    const Document document = loaded(*simulator::wholeFile(joined));
+    EXPECT_EQ(document.fence.areas.at(0).rim.size(), 4u);
+    EXPECT_TRUE(document.fence.way_back);
+    EXPECT_EQ(document.rally.size(), 1u);
+
+    EXPECT_EQ(tool({"check", mission, "--fence", fen, "--rally", ral}), 0) << err_;
+    const std::string small = file("small.fen",
+                                   "47.3977 8.5456\n47.397 8.545\n47.397 8.546\n"
+                                   "47.398 8.546\n47.398 8.545\n");
+    EXPECT_EQ(tool({"check", mission, "--fence", small}), 1);
+    EXPECT_THAT(err_, HasSubstr("the leg leaves the fence by"));
+    EXPECT_EQ(tool({"check", mission, "--fence", ral}), 1);
+    EXPECT_THAT(err_, EndsWith("r.ral: has no fence\n"));
+    EXPECT_EQ(tool({"check", mission, "--rally", fen}), 1);
+    EXPECT_THAT(err_, EndsWith("f.fen: has no rally points\n"));
+    EXPECT_EQ(tool({"convert", mission, "-o", path("none.fen")}), 1);
+    EXPECT_THAT(err_, EndsWith("has no fence of one polygon with a return point\n"));
+    const std::string first = file("m", apm1("0x10 0 6000 470100000 80000000\n"));
+    EXPECT_EQ(tool({"rehearse", first, "--fence", fen}), 1);
+    EXPECT_THAT(err_, HasSubstr("nor are fence and rally points\n"));
+    EXPECT_EQ(tool({"check", fen}), 1);
+    EXPECT_THAT(err_, HasSubstr("a file of fence or rally points, which has no mission"));
+}
+
 TEST_F(Plan, cannot_hold_the_first_set) {
     const std::string first = file("m", apm1("0x10 0 6000 470100000 80000000\n"));
     EXPECT_EQ(tool({"convert", first, "-o", path("m.plan")}), 1);
     EXPECT_THAT(err_, HasSubstr("holds what a .plan cannot say"));
     EXPECT_FALSE(std::filesystem::exists(path("m.plan")));
     EXPECT_EQ(tool({"convert", first, "-o", path("m.kml")}), 1);
-    EXPECT_THAT(err_, EndsWith("expected a name that ends in .plan, .waypoints or .txt\n"));
+    EXPECT_THAT(err_,
+                EndsWith("expected a name that ends in .plan, .waypoints, .txt, .fen or .ral\n"));
 }
 
 TEST_F(Plan, foreign_files_are_named) {
