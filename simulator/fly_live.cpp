@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/fly_live.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <ctime>
 #include <filesystem>
 #include <iostream>
 
 #include "simulator/flight_provenance.hpp"
+#include "simulator/open_page.hpp"
 #include "simulator/report/page.hpp"
 
 namespace simulator {
@@ -34,18 +32,6 @@ std::unique_ptr<live::Live> makeLive(const FlyOptions& options, Board& board, in
     return std::make_unique<live::Live>(board, live);
 }
 
-// Where there is a display. A browser outlives the flight and says nothing here.
-void open(const std::string& address) {
-    const char *x11 = std::getenv("DISPLAY"), *wayland = std::getenv("WAYLAND_DISPLAY");
-    if ((!x11 || !*x11) && (!wayland || !*wayland)) return;
-    if (fork() != 0) return;
-    setsid();
-    const int nowhere = ::open("/dev/null", O_RDWR);
-    for (const int stream : {0, 1, 2}) dup2(nowhere, stream);
-    execlp("xdg-open", "xdg-open", address.c_str(), static_cast<char*>(nullptr));
-    _exit(127);  // there is none: the address was printed
-}
-
 }  // namespace
 
 std::string dateNow() {
@@ -64,7 +50,7 @@ FlyWatchers::FlyWatchers(const FlyOptions& options, Board& board, int usart,
         flightgear_ = std::make_unique<live::FlightGear>(*address);
     if (!options.watch || FlyWatchers::address().empty()) return;
     std::cout << "page " << FlyWatchers::address() << "; Ctrl-C ends" << std::endl;
-    open(FlyWatchers::address());
+    openPage(FlyWatchers::address());
 }
 
 std::string FlyWatchers::address() const {

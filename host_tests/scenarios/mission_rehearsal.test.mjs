@@ -3,7 +3,7 @@
 // of time and charge is near what the simulated flight takes. MISSION_TOOL names the program.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
@@ -86,6 +86,20 @@ test('fence and rally points from files of Mission Planner are uploaded', () => 
   for (const file of [fen, ral]) assert.equal(tool('convert', plan, '-o', file).status, 0);
   assert.equal(tool('rehearse', missionNamed('first_flight.waypoints'), '--fence', fen, '--rally', ral, '--wind', '0', '-o', out).status, 0);
   assertPointsStored(join(out, 'calm'));
+});
+
+// `script` runs it on a terminal, which stays until the page is open.
+test('in a terminal with a display the report of the flight in wind is opened', () => {
+  const bin = join(folder, 'bin'), opened = join(folder, 'opened'), out = join(folder, 'shown'), log = join(folder, 'typescript');
+  mkdirSync(bin);
+  writeFileSync(join(bin, 'xdg-open'), `#!/bin/sh\necho "$1" > '${opened}.part' && mv '${opened}.part' '${opened}'\n`, { mode: 0o755 });
+  const env = { ...process.env, PATH: `${bin}:${process.env.PATH}`, DISPLAY: ':9' };
+  const words = `rehearse ${missionNamed('first_flight.waypoints')} -o ${out}`;
+  assert.equal(spawnSync(process.env.MISSION_TOOL, words.split(' '), { env }).status, 0);
+  assert.ok(!existsSync(opened), 'not where its output goes elsewhere');
+  const command = `${process.env.MISSION_TOOL} ${words} && timeout 20 sh -c 'until [ -e ${opened} ]; do sleep 0.1; done'`;
+  assert.equal(spawnSync('script', ['-qec', command, log], { env, stdio: 'ignore' }).status, 0);
+  assert.equal(readFileSync(opened, 'utf8').trim(), join(out, 'wind/report.html'));
 });
 
 test('a flight of more than 20 minutes has the time it takes', () => {

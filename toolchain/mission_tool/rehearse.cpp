@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toolchain/mission_tool/rehearse.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "simulator/input_file.hpp"
+#include "simulator/open_page.hpp"
 #include "simulator/output_file.hpp"
 #include "simulator/run_program.hpp"
 #include "toolchain/mission_tool/columns.hpp"
@@ -92,14 +95,21 @@ bool flies(const Rehearsal& rehearsal, const Wind& wind, const char* name, std::
     return ending.status == 0;
 }
 
+// Who runs it by hand wants to see it: of both flights the one in wind.
+void showReport(const Rehearsal& rehearsal, const char* name) {
+    if (isatty(STDOUT_FILENO) != 0)
+        simulator::openPage((fs::absolute(rehearsal.folder) / name / "report.html").string());
+}
+
 }  // namespace
 
 bool rehearseFlights(const Rehearsal& rehearsal, std::ostream& out) {
     out << rehearsal.name << ", " << rehearsal.airplane << ", flown by the simulator:\n";
-    const bool calm = flies(rehearsal, {}, "calm", out);
-    if (rehearsal.wind.speed_mps == 0) return calm;
-    const bool windy = flies(rehearsal, directed(rehearsal.wind), "wind", out);
-    return calm && windy;
+    bool completed = flies(rehearsal, {}, "calm", out);
+    const bool windy = rehearsal.wind.speed_mps > 0;
+    if (windy) completed = flies(rehearsal, directed(rehearsal.wind), "wind", out) && completed;
+    showReport(rehearsal, windy ? "wind" : "calm");
+    return completed;
 }
 
 }  // namespace mission_tool
