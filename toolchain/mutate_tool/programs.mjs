@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The copy of the sources in which mutations are tried, and its unit tests: which of them depend on
-// a file, how one is built, and how it ends. One thing runs at a time, and can be stopped.
+// a file, how one is built, and how it ends. What runs can be stopped.
 import { spawn } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, readFileSync } from 'node:fs';
@@ -9,6 +9,7 @@ import { basename, dirname, join, resolve } from 'node:path';
 import { NotTried } from '../shared/checkout.mjs';
 
 const kGrace_s = 10, kTimes = 10;  // a test may take ten times as long as without a mutation
+const kShort_s = 1, kLong_s = 5;
 
 export class Interrupted extends Error {}
 
@@ -24,17 +25,19 @@ export class Runner {
     this.tree = tree;
     this.host = join(tree, 'build/host');
     this.env = env;
+    this.children = new Set();
   }
   stop() {
     this.stopped = true;
-    if (this.child) kill(this.child);
+    for (const child of this.children) kill(child);
   }
   // { status, output, late, seconds }
-  async run(program, words, { cwd = this.tree, limit_s } = {}) {
+  async run(program, words, { cwd = this.tree, limit_s, env = {} } = {}) {
     if (this.stopped) throw new Interrupted();
     const begun = Date.now();
-    const child = this.child = spawn(program, words,
-      { cwd, env: this.env, stdio: ['ignore', 'pipe', 'pipe'], detached: true });
+    const child = spawn(program, words,
+      { cwd, env: { ...this.env, ...env }, stdio: ['ignore', 'pipe', 'pipe'], detached: true });
+    this.children.add(child);
     let output = '', late = false;
     for (const stream of [child.stdout, child.stderr]) stream.on('data', (bytes) => { output += bytes; });
     const timer = limit_s && setTimeout(() => { late = true; kill(child); }, limit_s * 1000);
@@ -43,7 +46,7 @@ export class Runner {
       child.on('close', ended);
     });
     clearTimeout(timer);
-    this.child = undefined;
+    this.children.delete(child);
     if (this.stopped) throw new Interrupted();
     return { status, output, late, seconds: (Date.now() - begun) / 1000 };
   }
@@ -62,8 +65,10 @@ export class Runner {
     return (await this.run('ninja', ['-C', this.host, ...targets])).status === 0;
   }
   mustBuild(...targets) { return this.must('ninja', ['-C', this.host, ...targets]); }
-  test(name, limit_s) {
-    return this.run(join(this.host, name), ['--gtest_brief=1', '--gtest_fail_fast'], { cwd: this.host, limit_s });
+  // A program of this tree, or one that is named with its folder.
+  test(name, limit_s, words = [], env = {}) {
+    return this.run(resolve(this.host, name), ['--gtest_brief=1', '--gtest_fail_fast', ...words],
+      { cwd: this.host, limit_s, env });
   }
   hashOf(name) {
     return createHash('sha256').update(readFileSync(join(this.host, name))).digest('hex');
@@ -108,15 +113,37 @@ async function dependents(runner, candidates, file) {
   return found;
 }
 
-// Tests of the file's own folder first, then the quick ones.
-export function inOrder(programs, file) {
+const ownProgram = (file) => {
   const folder = basename(dirname(file));
-  const own = file.startsWith('firmware/') ? `firmware_${folder}_test` : `${folder}_test`;
-  const rank = ({ name }) => (name === own ? 0 : 1);
-  return [...programs].sort((a, b) => rank(a) - rank(b) || a.seconds - b.seconds);
+  return file.startsWith('firmware/') ? `firmware_${folder}_test` : `${folder}_test`;
+};
+
+// The tests of FILE_test.cpp, as a filter for its program; undefined when there are none.
+export function filterOf(text) {
+  const suites = [...text.matchAll(/^TEST(?:_[FP])?\(\s*(\w+),/gm)].map(([, suite]) => suite);
+  return suites.length > 0
+    ? `--gtest_filter=${[...new Set(suites)].flatMap((suite) => [`${suite}.*`, `*/${suite}.*`]).join(':')}`
+    : undefined;
 }
 
-// Built and run as they are: file to [{ name, hash, seconds, limit_s }], in the order to try them.
+// Tests of the file's own folder first, then the quick ones. What takes long is run only when it is
+// the file's own, and then the tests of the file itself come before the whole of it.
+export function inOrder(programs, file, filter) {
+  const own = ownProgram(file);
+  const rank = ({ name }) => (name === own ? 0 : 1);
+  const few = programs.filter(({ name, seconds }) => name === own || seconds < kLong_s);
+  const ordered = (few.length > 0 ? few : programs).sort((a, b) => rank(a) - rank(b) || a.seconds - b.seconds);
+  const [first] = ordered;
+  return filter && first?.name === own && first.seconds > kShort_s
+    ? [{ ...first, words: [filter] }, ...ordered] : ordered;
+}
+
+function mirrorOf(tree, file) {
+  const path = join(tree, 'host_tests/unit', file.replace(/\.(cpp|hpp)$/, '_test.cpp'));
+  return existsSync(path) ? filterOf(readFileSync(path, 'utf8')) : undefined;
+}
+
+// Built and run as they are: file to [{ name, seconds, limit_s }], in the order to try them.
 export async function prepared(runner, files) {
   const list = JSON.parse(await runner.must('ctest', ['--test-dir', runner.host, '--show-only=json-v1']));
   const candidates = unitPrograms(list, runner.host), known = new Map(), ready = new Map();
@@ -127,9 +154,9 @@ export async function prepared(runner, files) {
     for (const name of names.filter((each) => !known.has(each))) {
       const { status, seconds } = await runner.test(name);
       if (status !== 0) throw new NotTried(`without any mutation ${name} fails`);
-      known.set(name, { name, seconds, limit_s: kTimes * seconds + kGrace_s, hash: runner.hashOf(name) });
+      known.set(name, { name, seconds, limit_s: kTimes * seconds + kGrace_s });
     }
-    ready.set(file, inOrder(names.map((name) => known.get(name)), file));
+    ready.set(file, inOrder(names.map((name) => known.get(name)), file, mirrorOf(runner.tree, file)));
   }
   return ready;
 }

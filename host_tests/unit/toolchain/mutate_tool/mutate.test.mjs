@@ -3,14 +3,16 @@
 // mutation, and what a user is answered.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
+import { cpus } from 'node:os';
 import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 import { codeOf } from '../../../../toolchain/mutate_tool/code.mjs';
+import { compileLine, headersOf, linkLine, stepsOf } from '../../../../toolchain/mutate_tool/direct.mjs';
 import { readOptions } from '../../../../toolchain/mutate_tool/main.mjs';
 import { mutated, mutationsIn, sample } from '../../../../toolchain/mutate_tool/mutations.mjs';
-import { Interrupted, Runner, inOrder, objectsWith, unitPrograms } from '../../../../toolchain/mutate_tool/programs.mjs';
+import { Interrupted, Runner, filterOf, inOrder, objectsWith, unitPrograms } from '../../../../toolchain/mutate_tool/programs.mjs';
 import { outcomeOf, summaryOf } from '../../../../toolchain/mutate_tool/trial.mjs';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '../../../..');
@@ -104,7 +106,9 @@ function rig(built) {
         hangs: { status: null, late: true }, crashes: { status: null, late: false } }[built[name]];
     },
   };
-  return { ran, runner, programs: Object.keys(built).map((name) => ({ name, hash: 'before', limit_s: 1 })) };
+  const names = Object.keys(built);
+  return { ran, runner, programs: names.map((name) => ({ name, limit_s: 1 })),
+    hashes: new Map(names.map((name) => [name, 'before'])) };
 }
 
 for (const [built, outcome, run] of [
@@ -118,16 +122,16 @@ for (const [built, outcome, run] of [
   [{ a: 'as before', b: 'as before' }, 'the same program', []],
 ]) {
   test(`${JSON.stringify(built)}: ${outcome}`, async () => {
-    const { ran, runner, programs } = rig(built);
-    assert.equal(await outcomeOf(runner, programs), outcome);
+    const { ran, runner, programs, hashes } = rig(built);
+    assert.equal(await outcomeOf(runner, programs, hashes), outcome);
     assert.deepEqual(ran, run);
   });
 }
 
 test('who kills is tried first the next time', async () => {
-  const { ran, runner, programs } = rig({ a: 'passes', b: 'fails' });
-  await outcomeOf(runner, programs);
-  await outcomeOf(runner, programs);
+  const { ran, runner, programs, hashes } = rig({ a: 'passes', b: 'fails' });
+  await outcomeOf(runner, programs, hashes);
+  await outcomeOf(runner, programs, hashes);
 
   assert.deepEqual(ran, ['a', 'b', 'b']);
 });
@@ -136,7 +140,7 @@ test('the summary counts each outcome, and says what was not tried', () => {
   const outcomes = ['killed', 'killed', 'survived', 'not compiled', 'timed out', 'the same program'];
 
   assert.equal(summaryOf(outcomes, 6, 6), '6 mutations: killed 2, survived 1, did not compile 1, timed out 1, ' +
-    'compiled to the same program 1');
+    'compiled to the same program 1; noticed 75.0 % of 4');
   assert.match(summaryOf(['killed'], 30, 200), /^1 of 30 mutations tried \(a sample of 200\): killed 1,/);
 });
 
@@ -175,14 +179,60 @@ test('the tests of the file itself come first, then the quick ones', () => {
     .map(([name, seconds]) => ({ name, seconds }));
 
   assert.deepEqual(inOrder(programs, 'libraries/mission/record.cpp').map(({ name }) => name),
-    ['mission_test', 'b_test', 'c_test', 'firmware_mission_test']);
+    ['mission_test', 'b_test', 'c_test']);
   assert.deepEqual(inOrder(programs, 'firmware/mission/item.cpp').map(({ name }) => name),
-    ['firmware_mission_test', 'b_test', 'c_test', 'mission_test']);
+    ['firmware_mission_test', 'b_test', 'c_test']);
+});
+
+test('tests that take long are left out when they are not of the folder of the file', () => {
+  const programs = [{ name: 'x_test', seconds: 6 }, { name: 'core_test', seconds: 7 }, { name: 'a_test', seconds: 4 }];
+  const names = (file, few = programs) => inOrder(few, file).map(({ name }) => name);
+
+  assert.deepEqual(names('libraries/core/a.cpp'), ['core_test', 'a_test']);
+  assert.deepEqual(names('libraries/geo/a.cpp'), ['a_test']);
+  assert.deepEqual(names('libraries/geo/a.cpp', programs.slice(0, 1)), ['x_test'], 'rather than none');
+});
+
+test('of a program that takes more than a second, the tests of the file itself come first', () => {
+  const filter = filterOf('TEST(Item, IsRead) {\n}\nTEST_P(\n    Items, AreRead) {}\n// TEST(None, Here)\n');
+  const of = (seconds) => inOrder([{ name: 'core_test', seconds }], 'libraries/core/a.cpp', filter);
+
+  assert.equal(filter, '--gtest_filter=Item.*:*/Item.*:Items.*:*/Items.*');
+  assert.deepEqual(of(2).map(({ name, words }) => [name, words]), [['core_test', [filter]], ['core_test', undefined]]);
+  assert.deepEqual(of(0.5).map(({ words }) => words), [undefined]);
+  assert.equal(filterOf('int main() {}'), undefined);
+});
+
+const kCompile = 'ccache /usr/bin/c++ -I/x/t -Wall -Werror -std=gnu++17 -MD -MT d/a.cpp.o -MF d/a.cpp.o.d -o d/a.cpp.o -c /x/t/a.cpp';
+const kLink = ': && /usr/bin/c++ -O2 d/b.o -o core_test lib.a -lm && :';
+
+test('the source is compiled as the build does, to another object, warnings let pass, headers compiled before', () => {
+  const steps = stepsOf(`cc -c other\n${kCompile}\nar lib.a d/a.cpp.o\n${kLink}\n`, '/x/t/a.cpp', 'core_test');
+
+  assert.equal(steps.object, 'd/a.cpp.o');
+  assert.equal(compileLine(steps.compile, '/j/a.cpp', '/j/a.o', '/j/h.hpp'),
+    "/usr/bin/c++ -I/x/t -Wall -w -std=gnu++17 -include '/j/h.hpp' -o '/j/a.o' -c '/j/a.cpp'");
+  assert.equal(stepsOf(`${kLink}\n`, '/x/t/a.cpp', 'core_test'), undefined);
+  assert.equal(stepsOf(`${kCompile}\n: && cp a b && :\n`, '/x/t/a.cpp', 'core_test'), undefined);
+});
+
+test('the object takes the place of its original, or comes before the archive that has it', () => {
+  const line = (link) => linkLine({ link, object: 'd/a.o' }, 'core_test', '/j/core_test', '/j/a.o', 'lld');
+
+  assert.equal(line('c++ d/a.o d/b.o -o core_test lib.a'), "c++ '/j/a.o' d/b.o -o '/j/core_test' lib.a -fuse-ld=lld");
+  assert.equal(line('c++ d/b.o -o core_test lib.a'), "c++ d/b.o -o '/j/core_test' '/j/a.o' lib.a -fuse-ld=lld");
+});
+
+test('headers are the #include lines before anything else', () => {
+  assert.equal(headersOf('// a\n#include "a.hpp"\n\n#include <b>\n\nint x;\n#include "c.inc"\n'),
+    '#include "a.hpp"\n#include <b>\n');
+  assert.equal(headersOf('#define A\n#include "a.hpp"\n'), '');
 });
 
 test('options', () => {
   assert.deepEqual(readOptions(['a.cpp', '--at', '5-9', '--limit', '3', '--seed', '7', '--list']),
-    { files: ['a.cpp'], at: { first: 5, last: 9 }, limit: 3, seed: 7, list: true });
+    { files: ['a.cpp'], at: { first: 5, last: 9 }, limit: 3, seed: 7, jobs: cpus().length, list: true });
+  assert.equal(readOptions(['a.cpp', '--jobs', '3']).jobs, 3);
   assert.deepEqual(readOptions(['a.cpp', '--at', '5']).at, { first: 5, last: 5 });
 });
 
