@@ -14,10 +14,12 @@
 #include "firmware/notify/text_queue.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware_bench.hpp"
+#include "hal/eeprom.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 #include "host_tests/support/spelt.hpp"
 #include "storage/eeprom_map.hpp"
 #include "storage/owner.hpp"
+#include "wrong_board.hpp"
 
 namespace {
 
@@ -176,6 +178,14 @@ TEST_F(Refined, home_that_moved_a_little_is_not_reported) {
     EXPECT_FALSE(hasStatusText("Home moved"));
 }
 
+TEST_F(Refined, home_that_moved_by_more_than_five_metres_is_reported) {
+    fix();
+    run(2);
+    moveBy(7);
+    EXPECT_TRUE(firmware::safety::arm(ArmReason::ground, false));
+    EXPECT_TRUE(hasStatusText("Home moved by 7 m"));
+}
+
 TEST_F(Refined, home_of_before_is_named_when_there_is_no_fix_at_arming) {
     fix();
     run(2);
@@ -264,6 +274,12 @@ INSTANTIATE_TEST_SUITE_P(
                       core::Accelerations::from(core::kGravity_mss, 0, 0);
                   mutable_vehicle.compass.field_mg = {430, 0, 200};
               }},
+        Fault{4, "PreArm: compass upside down",
+              [] {  // on its side
+                  mutable_vehicle.imu.accel_mss =
+                      core::Accelerations::from(0, core::kGravity_mss, 0);
+                  mutable_vehicle.compass.field_mg = {0, 430, 200};
+              }},
         Fault{8, "PreArm: no GPS fix",
               [] { mutable_vehicle.gps.fix = firmware::state::GpsFix::two_d; }},
         Fault{8, "PreArm: no GPS fix", [] { mutable_vehicle.estimate.known = false; }},
@@ -282,6 +298,13 @@ INSTANTIATE_TEST_SUITE_P(
                   parameters.battery_monitor = 3;
                   parameters.battery_low_v = 10;
                   mutable_vehicle.battery.voltage_mv = 9900;
+              }},
+        Fault{16384, "PreArm: mission unreadable",
+              [] {  // yet: the EEPROM is busy
+                  fakes::setEepromSlow(true);
+                  const uint8_t other = 1;
+                  ASSERT_EQ(hal::eepromWrite(100, &other, 1), core::Status::ok);
+                  firmware::mission::missionBoot();
               }},
         Fault{32, "PreArm: EEPROM is not ours", [] { storedBy(0x41); }},
         Fault{32, "PreArm: parameters damaged",
@@ -329,6 +352,89 @@ TEST_F(Arming, accepts_what_is_just_good_enough) {
     EXPECT_TRUE(firmware::safety::prearmFailure().isNone());
     mutable_vehicle.radio.throttle_pct = 4;
     EXPECT_FALSE(firmware::safety::prearmFailure().isNone());
+}
+
+TEST_F(Arming, accepts_sensors_at_the_bounds_of_what_is_plausible) {
+    const auto rawForce = [](int16_t x, int16_t y, int16_t z) {
+        auto& force = mutable_vehicle.imu.accel_mss;
+        force.x.raw = x;
+        force.y.raw = y;
+        force.z.raw = z;
+    };
+    for (const int16_t tenths : {78, 118}) {
+        rawForce(0, 0, static_cast<int16_t>(-26 * tenths));
+        EXPECT_TRUE(firmware::safety::prearmFailure().isNone()) << tenths;
+    }
+    makeReady();
+    for (const float field_mg : {185.0f, 875.0f}) {
+        mutable_vehicle.compass.field_mg = {0, 0, field_mg};
+        EXPECT_TRUE(firmware::safety::prearmFailure().isNone()) << field_mg;
+    }
+    makeReady();
+    parameters.compass_offset_mg[1] = 500;
+    EXPECT_TRUE(firmware::safety::prearmFailure().isNone());
+    rawForce(0, 0, -2510);  // 1 g
+    mutable_vehicle.compass.field_mg = {200, 0, -80};
+    EXPECT_TRUE(firmware::safety::prearmFailure().isNone()) << "hardly upside down";
+    mutable_vehicle.compass.field_mg = {200, 0, -81};
+    EXPECT_EQ(spelt(firmware::safety::prearmFailure()), "PreArm: compass upside down");
+}
+
+TEST_F(Arming, accepts_settings_at_the_bounds_of_what_is_plausible) {
+    parameters.battery_monitor = 4;
+    parameters.battery_low_v = 7;
+    mutable_vehicle.battery.voltage_mv = 7000;
+    EXPECT_TRUE(firmware::safety::prearmFailure().isNone());
+    for (const int16_t trim_us : {parameters.channel[0].min_us, parameters.channel[0].max_us}) {
+        parameters.channel[0].trim_us = trim_us;
+        EXPECT_TRUE(firmware::safety::prearmFailure().isNone()) << trim_us;
+    }
+}
+
+TEST_F(Arming, waits_for_a_calibration_but_not_for_the_airplane_to_lie_still) {
+    using firmware::state::Calibrating;
+    mutable_vehicle.calibrating = Calibrating::rest;
+    EXPECT_TRUE(firmware::safety::prearmFailure().isNone());
+    mutable_vehicle.calibrating = static_cast<Calibrating>(uint8_t(Calibrating::rest) + 1);
+    parameters.arming_check = 0;
+    EXPECT_EQ(spelt(firmware::safety::prearmFailure()), "PreArm: calibrating");
+}
+
+TEST_F(Arming, looks_at_three_checks_in_a_run_so_that_all_are_made_within_a_second) {
+    for (int run = 0; run < 8; ++run) firmware::safety::runArming();
+    EXPECT_FALSE(vehicle.prearm_ok);
+    firmware::safety::runArming();
+    EXPECT_TRUE(vehicle.prearm_ok);
+}
+
+TEST_F(Arming, reports_a_failed_check_ten_seconds_after_the_start_at_the_earliest) {
+    fakes::resetClock();
+    mutable_vehicle.baro.healthy = false;
+    fakes::advance_ms(9999);
+    look();
+    EXPECT_FALSE(hasStatusText("PreArm: barometer"));
+    fakes::advance_ms(1);
+    look();
+    EXPECT_TRUE(hasStatusText("PreArm: barometer"));
+    fakes::advance_ms(29999);
+    look();
+    EXPECT_FALSE(hasStatusText("PreArm: barometer"));
+    fakes::advance_ms(1);
+    look();
+    EXPECT_TRUE(hasStatusText("PreArm: barometer"));
+}
+
+TEST_F(Arming, reports_the_wrong_board_every_five_seconds) {
+    bench::findBoard(true);
+    fakes::advance_ms(10000);
+    look();
+    EXPECT_TRUE(hasStatusText("Wrong board: for an APM 2"));
+    fakes::advance_ms(4999);
+    look();
+    EXPECT_FALSE(hasStatusText("Wrong board"));
+    fakes::advance_ms(1);
+    look();
+    EXPECT_TRUE(hasStatusText("Wrong board"));
 }
 
 TEST_F(Arming, keeps_its_home_when_it_is_armed_already) {
@@ -490,6 +596,12 @@ TEST_F(Arming, refuses_to_disarm_in_flight_unless_forced) {
     EXPECT_TRUE(vehicle.armed);
     EXPECT_TRUE(firmware::safety::disarm(ArmReason::ground, true));
     EXPECT_FALSE(vehicle.armed);
+}
+
+TEST_F(Arming, disarmed_already_it_is_disarmed_without_a_text) {
+    mutable_vehicle.estimate.flying = true;
+    EXPECT_TRUE(firmware::safety::disarm(ArmReason::ground, false));
+    EXPECT_FALSE(hasStatusText("isarm"));
 }
 
 TEST_F(Arming, stays_armed_after_a_landing_when_the_delay_is_0) {

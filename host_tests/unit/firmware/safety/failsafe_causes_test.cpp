@@ -34,6 +34,17 @@ TEST_F(FailsafeCauses, the_radio_is_lost_for_long_after_FS_LONG_TIMEOUT_to_the_t
     EXPECT_FALSE(radioLostLong());
 }
 
+TEST_F(FailsafeCauses, a_radio_that_stays_lost_for_hours_stays_lost_for_long) {
+    constexpr int kTwoHours = 72000;
+    parameters.long_timeout_s = 5;
+    mutable_vehicle.radio.lost = true;
+    watch(51);
+    for (int i = 51; i < kTwoHours; ++i) {
+        watchCauses();
+        ASSERT_TRUE(radioLostLong()) << i;
+    }
+}
+
 TEST_F(FailsafeCauses, the_ground_station_is_lost_after_FS_LONG_TIMEOUT_to_the_millisecond) {
     parameters.ground_failsafe = 1;
     parameters.long_timeout_s = 5;

@@ -26,6 +26,7 @@ TEST_F(Failsafe, circles_at_once_and_returns_home_after_the_long_time) {
     loseRadio(kShort_ms);
     EXPECT_EQ(vehicle.mode, Mode::circle);
     EXPECT_TRUE(vehicle.failsafe_short);
+    EXPECT_FALSE(vehicle.failsafe_glides);
     loseRadio(kLong_ms);
     EXPECT_EQ(vehicle.mode, Mode::rtl);
     EXPECT_TRUE(vehicle.failsafe_long);
@@ -93,6 +94,14 @@ TEST_F(Failsafe, is_asked_nothing_more_by_a_mode_that_circles_already) {
     loseRadio(kShort_ms);
     EXPECT_EQ(vehicle.mode, Mode::circle);
     EXPECT_EQ(vehicle.mode_entries, entries);
+}
+
+TEST_F(Failsafe, does_not_make_a_mode_that_circles_glide) {
+    parameters.short_action = 2;
+    fly(Mode::circle);
+    loseRadio(kShort_ms);
+    EXPECT_EQ(vehicle.mode, Mode::circle);
+    EXPECT_FALSE(vehicle.failsafe_glides);
 }
 
 TEST_F(Failsafe, leaves_a_mode_that_was_chosen_meanwhile) {

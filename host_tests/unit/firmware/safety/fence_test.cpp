@@ -3,6 +3,7 @@
 #include "firmware/sensors/radio.hpp"
 
 #include "firmware/mission/fence_line.hpp"
+#include "firmware/modes/guided.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 #include "points_rig.hpp"
 
@@ -109,6 +110,20 @@ TEST_F(Fence, the_sticks_are_ignored_until_the_pilot_takes_over) {
     leave();
     EXPECT_EQ(vehicle.mode, Mode::guided);
     EXPECT_EQ(fenceReport().breaches, 2);
+}
+
+TEST_F(Fence, turns_back_once_and_the_ground_station_may_guide_on) {
+    raise();
+    leave();
+    ASSERT_EQ(vehicle.mode, Mode::guided);
+    MissionItem target = {};
+    target.command = MavCmd::nav_waypoint;
+    target.x = beside(300, 300).latitude_e7;
+    target.y = beside(300, 300).longitude_e7;
+    target.z = 90;
+    ASSERT_EQ(firmware::modes::guideTo(target), MissionResult::accepted);
+    tenths(5);
+    EXPECT_EQ(vehicle.demand.to, beside(300, 300));
 }
 
 TEST_F(Fence, switched_off_gives_back_the_mode_it_took) {

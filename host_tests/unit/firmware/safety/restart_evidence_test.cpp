@@ -52,6 +52,11 @@ TEST_F(RestartEvidence, is_not_waited_for_longer_than_half_a_minute_and_a_second
     EXPECT_TRUE(sensorsHadTheirTime());
 }
 
+TEST_F(RestartEvidence, of_blindness_is_no_longer_noted_half_a_minute_after_the_start) {
+    fakes::advance_ms(30000);
+    EXPECT_TRUE(sensorsHadTheirTime());
+}
+
 TEST_F(RestartEvidence, a_barometer_counts_once_it_is_healthy_and_has_been_read) {
     mutable_vehicle.estimate.baro_height_m = 60;
     EXPECT_FALSE(measuredInTheAir(0)) << "it is not healthy";
@@ -96,6 +101,7 @@ TEST_F(RestartEvidence, of_the_receiver_is_its_second_fix_as_fast_as_one_flies) 
     };
     for (const Row& row : {Row{2, flying_mps + 0.1f, true, true},
                            {1, flying_mps + 0.1f, true, false},
+                           {2, flying_mps, true, false},
                            {2, flying_mps - 0.1f, true, false},
                            {2, flying_mps + 0.1f, false, false}}) {
         mutable_vehicle.gps.fixes = row.fixes;

@@ -7,6 +7,7 @@
 #include "firmware_bench.hpp"
 #include "hal/hang_timer.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
+#include "wrong_board.hpp"
 
 namespace {
 
@@ -92,6 +93,18 @@ TEST_F(SticksWhileItHangs, leave_the_gyros_turn_for_the_restart_after_each_round
     }
 }
 
+TEST_F(SticksWhileItHangs, leave_the_gyros_turn_once_a_round) {
+    using namespace firmware::safety;
+    finishFastRecord();
+    records.hang.checksum = 0;
+    for (int i = 0; i < 3; ++i) {
+        hal::passSticksToServos();
+        EXPECT_FALSE(isValid(records.hang, newestFastRecord())) << i;
+    }
+    hal::passSticksToServos();
+    EXPECT_TRUE(isValid(records.hang, newestFastRecord()));
+}
+
 TEST_F(SticksWhileItHangs, go_to_the_outputs_in_turn) {
     manual(bench::kCentred);
     fakes::receiveRc(sticks_);
@@ -119,6 +132,19 @@ TEST_F(SticksWhileItHangs, never_turn_the_motor_of_a_disarmed_airplane) {
 TEST_F(SticksWhileItHangs, stay_where_they_were_when_the_radio_was_lost) {
     const auto before = manual(bench::kCentred);
     mutable_vehicle.radio.lost = true;
+
+    EXPECT_EQ(forgotten(sticks_), before);
+}
+
+TEST_F(SticksWhileItHangs, move_nothing_before_a_frame_was_received) {
+    const auto before = manual(bench::kCentred);
+
+    EXPECT_EQ(forgotten({1640, 0, 1550, 1580, 1500, 1500, 1500, 1815}), before);
+}
+
+TEST_F(SticksWhileItHangs, move_nothing_on_a_board_with_other_pins) {
+    const auto before = manual(bench::kCentred);
+    bench::findBoard(true);
 
     EXPECT_EQ(forgotten(sticks_), before);
 }

@@ -101,6 +101,25 @@ TEST_F(Restart, starts_disarmed_after_a_reset_that_somebody_wanted) {
     }
 }
 
+std::vector<std::string> statusTexts() {
+    std::vector<std::string> texts;
+    char text[kTextSize];
+    Severity severity;
+    while (readText(0, severity, text)) {
+        texts.push_back(std::to_string(static_cast<int>(severity)) + ' ' +
+                        std::string(text, strnlen(text, sizeof text)));
+        for (uint8_t reader : {0, 1, 2})
+            if (textWaits(reader)) textTaken(reader);
+    }
+    return texts;
+}
+
+bool reported(const std::string& part) {
+    for (const std::string& text : statusTexts())
+        if (text.find(part) != std::string::npos) return true;
+    return false;
+}
+
 void barometerReads(float above_zero_m) {
     mutable_vehicle.baro.healthy = true;
     mutable_vehicle.estimate.baro_height_m = above_zero_m;
@@ -174,6 +193,9 @@ TEST_F(Restart, is_seen_in_the_air_by_its_height_over_the_field_wherever_home_is
     updateChecksum(records.slow);
     begin(ResetCause::unknown);
     lookAtSwitch(1165);
+    barometerReads(5);
+    runRestart();
+    EXPECT_FALSE(vehicle.armed) << "it stands on the field";
     barometerReads(60);
     runRestart();
     EXPECT_TRUE(vehicle.armed);
@@ -200,6 +222,7 @@ TEST_F(Restart, leaves_one_that_the_pilot_has_armed_meanwhile_as_it_is) {
     mutable_vehicle.armed = true;
     keep();
     EXPECT_EQ(records.fast[newestFastRecord().number & 1].at_ms, 3000) << "its flight is recorded";
+    EXPECT_FALSE(reported("Not armed again"));
 }
 
 TEST_F(Restart, waits_two_seconds_to_be_seen_in_the_air_and_forgets_the_flight_then) {
@@ -207,11 +230,34 @@ TEST_F(Restart, waits_two_seconds_to_be_seen_in_the_air_and_forgets_the_flight_t
     lookAtSwitch(1165);
     barometerReads(1);
     runUntil_ms(2010);
+    EXPECT_FALSE(reported("Not armed again")) << "the receiver may still see it move";
     barometerReads(60);
     runRestart();
     EXPECT_FALSE(vehicle.armed);
     begin(ResetCause::watchdog);
     EXPECT_FALSE(flyingOn());
+}
+
+TEST_F(Restart, reports_once_that_it_stays_disarmed_when_nothing_has_seen_it_in_the_air) {
+    begin(ResetCause::unknown);
+    lookAtSwitch(1165);
+    barometerReads(1);
+    (void)statusTexts();
+    runUntil_ms(29990);
+    EXPECT_FALSE(reported("Not armed again"));
+    runUntil_ms(30020);
+    EXPECT_TRUE(reported("Not armed again: not seen flying"));
+    runUntil_ms(31000);
+    EXPECT_FALSE(reported("Not armed again"));
+}
+
+TEST_F(Restart, waits_200_ms_for_the_mode_switch) {
+    begin(ResetCause::watchdog);
+    mutable_vehicle.radio.good_ms = 0;
+    runUntil_ms(200);
+    EXPECT_TRUE(vehicle.resuming);
+    runRestart();
+    EXPECT_FALSE(vehicle.resuming);
 }
 
 TEST_F(Restart, gives_a_sensor_that_comes_late_a_second) {
@@ -364,6 +410,32 @@ TEST_F(Restart, saves_home_again_whichever_part_of_it_has_changed_and_else_never
     EXPECT_EQ(saved().altitude_cm, 48830);
 }
 
+TEST_F(Restart, saves_no_home_while_disarmed_and_none_that_is_not_set) {
+    begin(ResetCause::asked);
+    const uint32_t writes = fakes::eepromWrites();
+    requestMode(Mode::manual, ModeReason::boot);
+    mutable_vehicle.home = {kHome, 12300, true, false, 0};
+    keep();
+    EXPECT_EQ(fakes::eepromWrites(), writes) << "disarmed";
+    mutable_vehicle.armed = true;
+    mutable_vehicle.home.set = false;
+    keep();
+    EXPECT_EQ(fakes::eepromWrites(), writes) << "not set";
+    mutable_vehicle.home.set = true;
+    keep();
+    EXPECT_GT(fakes::eepromWrites(), writes);
+}
+
+TEST_F(Restart, writes_once_that_the_saved_home_is_forgotten) {
+    mutable_vehicle.armed = false;
+    keep();
+    SavedHome home;
+    ASSERT_NE(readHome(home), core::Status::ok);
+    ASSERT_EQ(saveHome(kHome, 48800), core::Status::ok);  // by nobody who has it forgotten
+    keep();
+    EXPECT_EQ(readHome(home), core::Status::ok);
+}
+
 TEST_F(Restart, writes_the_moving_record_in_every_second_run) {
     const uint8_t before = newestFastRecord().number;
     for (int i = 0; i < 10; ++i) runRestart();
@@ -375,19 +447,6 @@ TEST_F(Restart, keeps_the_record_before_while_the_attitude_is_not_known) {
     mutable_vehicle.home.altitude_cm = 1;
     runRestartSlowly();
     EXPECT_EQ(records.slow.home_altitude_cm, 48800);
-}
-
-std::vector<std::string> statusTexts() {
-    std::vector<std::string> texts;
-    char text[kTextSize];
-    Severity severity;
-    while (readText(0, severity, text)) {
-        texts.push_back(std::to_string(static_cast<int>(severity)) + ' ' +
-                        std::string(text, strnlen(text, sizeof text)));
-        for (uint8_t reader : {0, 1, 2})
-            if (textWaits(reader)) textTaken(reader);
-    }
-    return texts;
 }
 
 TEST_F(Restart, reports_once_what_started_it) {
@@ -402,6 +461,7 @@ TEST_F(Restart, reports_once_what_started_it) {
         {ResetCause::watchdog, 3, true, "2 Restarted by watchdog, task 3"},
         {ResetCause::watchdog, 3, false, "4 Restarted by watchdog, task 3"},
         {ResetCause::fault, hal::kTraceTaskEnd, true, "2 Restarted by a fault, task 0"},
+        {ResetCause::brown_out, 0, false, "4 Restarted after a brown-out"},
         {ResetCause::power_on, 0, false, "6 Started by the supply"},
     };
     for (const Row& row : rows) {
@@ -464,6 +524,40 @@ TEST_F(Restart, turns_the_attitude_on_for_as_long_as_the_program_was_gone) {
             EXPECT_NEAR(vehicle.attitude.pitch_rad.toFloat(), rolls ? 0 : 0.5f * row.lost_s, 0.01f);
         }
     }
+}
+
+// Records of a flight that was ended, or never saved, are not made valid by an attitude that is
+// lost.
+TEST_F(Restart, makes_no_record_old_that_is_none_of_this_flight) {
+    for (const bool disarmed_before : {true, false}) {
+        SetUp();
+        if (disarmed_before) {
+            mutable_vehicle.armed = false;
+            keep();
+        } else {
+            begin(ResetCause::asked);
+            requestMode(Mode::manual, ModeReason::boot);
+        }
+        mutable_vehicle.armed = true;
+        mutable_vehicle.attitude.aligned = false;
+        fakes::advance_ms(3000);
+        keep();
+        begin(ResetCause::watchdog);
+        EXPECT_FALSE(flyingOn()) << disarmed_before;
+    }
+}
+
+TEST_F(Restart, leaves_a_record_of_less_than_a_second_ago_as_it_is) {
+    fakes::advance_ms(2000);
+    keep();
+    const uint8_t before = newestFastRecord().number;
+    mutable_vehicle.attitude.aligned = false;
+    fakes::advance_ms(900);
+    keep();
+    EXPECT_EQ(newestFastRecord().number, before);
+    fakes::advance_ms(200);
+    keep();
+    EXPECT_NE(newestFastRecord().number, before);
 }
 
 // The clock of a record has 16 bits: 65.536 s.

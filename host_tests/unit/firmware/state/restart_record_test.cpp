@@ -75,6 +75,19 @@ TEST(Record, a_changed_record_is_valid_only_after_it_is_sealed_again) {
     EXPECT_TRUE(isValid(record));
 }
 
+TEST(Record, what_the_gyros_showed_belongs_to_one_record_and_no_other) {
+    FastRecord record = movingRecord(1);
+    HangGyroRecord hang = {};
+    hang.turn = {{1, 2, 3}, 4};
+    updateChecksum(hang, record);
+    ASSERT_TRUE(isValid(hang, record));
+    for (int bit = 0; bit < 32; ++bit) {
+        record.checksum ^= 1u << bit;
+        EXPECT_FALSE(isValid(hang, record)) << bit;
+        record.checksum ^= 1u << bit;
+    }
+}
+
 TEST(Record, in_the_air_means_armed_fast_and_high_or_over_the_ground) {
     struct {
         FlightSigns signs;
@@ -85,6 +98,11 @@ TEST(Record, in_the_air_means_armed_fast_and_high_or_over_the_ground) {
         {{true, true, 1, 40}, true, "against a wind as fast as it is"},
         {{true, true, 14, -30}, true, "below where it started, over a valley"},
         {{true, true, 12, 1}, true, "just off the ground"},
+        {{true, true, 0, 5.1f}, true, "standing in the wind over the field"},
+        {{true, true, 0, -5.1f}, true, "and beside a slope"},
+        {{true, true, 5.1f, 0}, true, "slowly over the runway"},
+        {{true, true, 5, 5}, false, "at the bounds of what a drift may show"},
+        {{true, true, 5, -5}, false, "on either side"},
         {{true, true, 0, 0}, false, "standing armed in a gale"},
         {{true, false, 4, 0}, false, "rolling"},
         {{true, false, 0, 0}, false, "standing armed"},
