@@ -111,7 +111,10 @@ export class Direct {
   async uses(name) { return (await this.link(name)).status === 0; }
   async test(name, limit_s, words = []) {
     const { status, output } = await this.link(name);
-    if (status !== 0) throw new NotTried(`${name} cannot be linked: ${output.trim().split('\n').at(-1)}`);
+    if (status !== 0) {
+      console.error(`${name}: ${output.trim().split('\n')[0]}`);
+      return { unlinked: true };
+    }
     return this.runner.test(join(this.folder, name), limit_s, words, this.env);
   }
 }

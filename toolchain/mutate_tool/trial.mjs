@@ -11,7 +11,8 @@ export async function outcomeOf(builder, programs, hashes) {
     if (!await builder.builds(name)) return 'not compiled';
     if (await builder.hashOf(name) === hashes.get(name)) continue;
     differs = true;
-    const { status, late } = await builder.test(name, limit_s, words);
+    const { status, late, unlinked } = await builder.test(name, limit_s, words);
+    if (unlinked) return 'not compiled';
     if (status === 0 && !late) continue;
     programs.splice(programs.indexOf(program), 1);
     programs.unshift(program);

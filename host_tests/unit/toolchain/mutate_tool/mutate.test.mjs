@@ -103,7 +103,7 @@ function rig(built) {
     test: async (name) => {
       ran.push(name);
       return { passes: { status: 0, late: false }, fails: { status: 1, late: false },
-        hangs: { status: null, late: true }, crashes: { status: null, late: false } }[built[name]];
+        hangs: { status: null, late: true }, 'not linked': { unlinked: true }, crashes: { status: null, late: false } }[built[name]];
     },
   };
   const names = Object.keys(built);
@@ -118,6 +118,7 @@ for (const [built, outcome, run] of [
   [{ a: 'passes', b: 'passes' }, 'survived', ['a', 'b']],
   [{ a: 'as before', b: 'passes' }, 'survived', ['b']],
   [{ a: 'broken', b: 'fails' }, 'not compiled', []],
+  [{ a: 'not linked', b: 'fails' }, 'not compiled', ['a']],
   [{ a: 'passes', b: 'hangs' }, 'timed out', ['a', 'b']],
   [{ a: 'as before', b: 'as before' }, 'the same program', []],
 ]) {
