@@ -176,7 +176,6 @@ void startOutputs() {
     for (uint16_t& pulse_us : published.servo_us) pulse_us = 0;
     surfaces = {};
     outputs.idle_us = idleAtStart_us();
-    outputs.was_armed = false;
     if (!wrongBoard()) hal::servoStart(kRefresh_hz);
     runOutputs();
 }

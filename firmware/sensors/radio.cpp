@@ -90,7 +90,6 @@ bool groundFlies() {
         published.pulse_us[i] = pulseInRange_us(us);
         held |= static_cast<uint8_t>(1 << i);
     }
-    if (held == 0) return false;
     const uint8_t wanted =
         static_cast<uint8_t>(1 << (parameters.map_roll - 1) | 1 << (parameters.map_pitch - 1) |
                              1 << (parameters.map_throttle - 1));

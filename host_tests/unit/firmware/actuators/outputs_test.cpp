@@ -5,6 +5,7 @@
 #include "firmware/control/attitude_control.hpp"
 #include "firmware_bench.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
+#include "wrong_board.hpp"
 
 namespace {
 
@@ -109,6 +110,17 @@ TEST_F(Outputs, rest_at_the_trim_and_reach_both_ends_from_there) {
     settle(with(2, 1900));
     run();
     EXPECT_EQ(outputPulse_us(2), 1900);
+}
+
+TEST_F(Outputs, rest_at_the_trims_of_their_own_channels) {
+    parameters.channel[0].trim_us = 1420;
+    parameters.channel[1].trim_us = 1440;
+    parameters.channel[3].trim_us = 1460;
+    settle({1420, 1440, 1100, 1460, 1500, 1500, 1500, 1815});
+    run();
+    EXPECT_EQ(outputPulse_us(1), 1420);
+    EXPECT_EQ(outputPulse_us(2), 1440);
+    EXPECT_EQ(outputPulse_us(4), 1460);
 }
 
 TEST_F(Outputs, follow_the_receiver_when_not_held) {
@@ -220,6 +232,12 @@ TEST_F(Outputs, a_motor_whose_idle_is_high_by_its_settings_starts_with_a_low_pul
     }
 }
 
+TEST_F(Outputs, a_throttle_whose_REV_is_0_has_its_idle_pulse_from_the_start) {
+    firmware::state::parameters.channel[2].reverse = 0;
+    firmware::actuators::startOutputs();
+    EXPECT_EQ(outputPulse_us(3), 1100);
+}
+
 // Which end of it is idle only the pilot knows; full throttle would be the other one.
 TEST_F(Outputs, a_reversed_throttle_gets_no_pulse_until_it_is_armed) {
     firmware::state::parameters.channel[2] = {1100, 1200, 1900, -1, 30};
@@ -243,6 +261,22 @@ TEST_F(Outputs, are_written_only_when_they_change) {
     settle(with(1, 1700));
     run();
     EXPECT_EQ(fakes::servos().writes, writes + 1);
+}
+
+// Its pins may be anything there.
+TEST_F(Outputs, of_another_board_are_neither_started_nor_written_nor_held) {
+    fakes::servos() = {};
+    bench::findBoard(true);
+    firmware::actuators::startOutputs();
+    settle(with(1, 1700));
+    run();
+    EXPECT_FALSE(firmware::actuators::outputOverride(6, 1850));
+    EXPECT_EQ(fakes::servos().rate_hz, 0);
+    EXPECT_EQ(fakes::servos().writes, 0u);
+    bench::findBoard(false);
+    firmware::actuators::startOutputs();
+    EXPECT_EQ(fakes::servos().rate_hz, 50);
+    EXPECT_GT(fakes::servos().writes, 0u);
 }
 
 // Stick and deflection of a pair, in shares of the servo's way.
@@ -298,6 +332,24 @@ TEST_F(Pairs, full_sticks_together_are_all_a_surface_has) {
     EXPECT_NEAR(both.second, 0, 1);
     parameters.mixing_gain = 1.2f;
     EXPECT_NEAR(moved(with(2, 1700), 1, 2).first, 1.2f * 200, 2);
+}
+
+TEST_F(Pairs, a_v_tail_takes_the_trim_and_the_turn_of_the_rudders_channel) {
+    parameters.vtail_output = 1;
+    parameters.channel[0].reverse = -1;  // the aileron's is none of its own
+    parameters.channel[3].trim_us = 1460;
+    const Moved right = moved({1500, 1500, 1100, 1900, 1500, 1500, 1500, 1815}, 2, 4);
+    EXPECT_NEAR(right.first, -200, 1);
+    EXPECT_NEAR(right.second, -40 + 220, 1);
+}
+
+TEST_F(Pairs, a_channel_whose_REV_is_0_is_not_turned) {
+    parameters.elevon_output = 1;
+    const Moved plain = moved(with(1, 1800), 1, 2);
+    parameters.channel[0].reverse = 0;
+    const Moved same = moved(with(1, 1800), 1, 2);
+    EXPECT_EQ(same.first, plain.first);
+    EXPECT_EQ(same.second, plain.second);
 }
 
 // As on a plain airplane: in MANUAL the servos follow the sticks, and what stabilises is reversed.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/sensors/radio.hpp"
 
+#include "firmware/sensors/rc_override.hpp"
 #include "firmware_bench.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 
@@ -57,6 +58,20 @@ TEST_F(Radio, survives_channels_calibrated_to_nothing) {
     EXPECT_EQ(vehicle.radio.roll_cd, 0);
 }
 
+TEST_F(Radio, closes_a_throttle_that_is_calibrated_to_nothing) {
+    parameters.channel[2].max_us =
+        parameters.channel[2].min_us + parameters.channel[2].dead_zone_us;
+    settle(with(3, 1900));
+    EXPECT_EQ(vehicle.radio.throttle_pct, 0);
+}
+
+TEST_F(Radio, turns_no_channel_round_whose_REV_is_0) {
+    parameters.channel[0].reverse = parameters.channel[2].reverse = 0;
+    settle({1900, 1500, 1900, 1500, 1500, 1500, 1500, 1815});
+    EXPECT_EQ(vehicle.radio.roll_cd, 4500);
+    EXPECT_EQ(vehicle.radio.throttle_pct, 100);
+}
+
 TEST_F(Radio, follows_a_swapped_channel_map) {
     parameters.map_roll = 4;
     settle(with(4, 1900));
@@ -69,6 +84,70 @@ TEST_F(Radio, is_lost_a_second_after_the_last_frame_and_not_before) {
     loseRadio(200);
     EXPECT_TRUE(vehicle.radio.lost);
     EXPECT_EQ(vehicle.radio.roll_cd, 0);
+}
+
+TEST_F(Radio, is_lost_when_the_second_is_full) {
+    settle(bench::kCentred);  // 10 ms after a frame
+    fakes::advance_ms(980);
+    firmware::sensors::runRadio();
+    EXPECT_FALSE(vehicle.radio.lost);
+    fakes::advance_ms(10);
+    firmware::sensors::runRadio();
+    EXPECT_TRUE(vehicle.radio.lost);
+}
+
+// Of one stick alone the others would stay where they were.
+TEST_F(Radio, is_replaced_by_a_ground_station_that_holds_roll_pitch_and_throttle) {
+    constexpr uint16_t kNotHeld = UINT16_MAX;
+    for (const bool moved : {false, true}) {
+        for (int missing = 0; missing < 4; ++missing) {
+            SCOPED_TRACE(testing::Message() << moved << ' ' << missing);
+            SetUp();
+            int8_t* const map = &parameters.map_roll;  // roll, pitch, throttle, yaw
+            if (moved) map[0] = 8, map[1] = 6, map[2] = 7, map[3] = 5;
+            uint16_t held[8] = {kNotHeld, kNotHeld, kNotHeld, kNotHeld,
+                                kNotHeld, kNotHeld, kNotHeld, kNotHeld};
+            for (int stick = 0; stick < 4; ++stick)
+                if (stick != missing) held[map[stick] - 1] = 1600;
+            loseRadio(1100);
+            ASSERT_TRUE(vehicle.radio.lost);
+            firmware::sensors::setRcOverride(held);
+            for (int i = 0; i < 3; ++i) firmware::sensors::runRadio();
+            EXPECT_EQ(vehicle.radio.lost, missing < 3);
+            firmware::sensors::rcOverrideRelease();
+        }
+    }
+}
+
+TEST_F(Radio, keeps_the_switches_that_a_ground_station_with_the_sticks_does_not_hold) {
+    parameters.throttle_failsafe = 0;
+    settle(with(7, 1900));
+    firmware::sensors::setRcOverride(
+        {1600, 1600, 1600, UINT16_MAX, UINT16_MAX, UINT16_MAX, UINT16_MAX, UINT16_MAX});
+    loseRadio(500);
+    EXPECT_FALSE(vehicle.radio.lost);
+    EXPECT_TRUE(firmware::sensors::switchIsUp(7));
+    EXPECT_EQ(firmware::sensors::modeSwitchPosition(), 6);
+}
+
+// From frame to frame: a knob that is turned is followed, a switch that jumps waits for a second
+// one.
+TEST_F(Radio, takes_a_switch_as_lasting_that_moves_by_no_more_than_50_us) {
+    const auto frame = [this](uint16_t pulse_us) {
+        fakes::receiveRc(with(8, pulse_us));
+        firmware::sensors::runRadio();
+        fakes::advance_ms(10);
+        firmware::sensors::runRadio();
+        fakes::advance_ms(10);
+        return firmware::sensors::modeSwitchPosition();
+    };
+    settle(with(8, 1210));
+    ASSERT_EQ(firmware::sensors::modeSwitchPosition(), 1);
+    EXPECT_EQ(frame(1260), 2);
+    EXPECT_EQ(frame(1210), 1);
+    EXPECT_EQ(frame(1261), 1) << "a jump";
+    EXPECT_EQ(frame(1261), 2) << "that lasts";
+    EXPECT_EQ(frame(1210), 2) << "back";
 }
 
 TEST_F(Radio, is_lost_when_the_throttle_falls_below_the_failsafe_pulse) {
