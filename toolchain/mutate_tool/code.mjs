@@ -33,7 +33,7 @@ function withoutCalls(text) {
   return result;
 }
 
-// How long a text may be.
-const kTextSize = /\bchar \w+(?:\[[^\]\n]*\])+/g;
+// How long a text may be, and how many bits a boolean has.
+const kSizes = /\bchar \w+(?:\[[^\]\n]*\])+|\bbool \w+ : \d+/g;
 
-export const codeOf = (text) => withoutCalls(text.replace(kNoCode, blank)).replace(kTextSize, blank);
+export const codeOf = (text) => withoutCalls(text.replace(kNoCode, blank)).replace(kSizes, blank);

@@ -4,6 +4,7 @@
 
 #include "firmware/mission/fence_line.hpp"
 #include "firmware/modes/guided.hpp"
+#include "hal/eeprom.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 #include "points_rig.hpp"
 
@@ -132,9 +133,11 @@ TEST_F(Fence, switched_off_gives_back_the_mode_it_took) {
     leave();
     comeBack();
     EXPECT_EQ(vehicle.mode, Mode::guided);
+    EXPECT_TRUE(vehicle.fence_holds);
     EXPECT_TRUE(fenceEnable(0));
     tenths(1);
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
+    EXPECT_FALSE(vehicle.fence_holds);
 }
 
 TEST_F(Fence, switched_off_leaves_a_mode_that_was_chosen_since) {
@@ -173,6 +176,40 @@ TEST_F(Fence, leaves_the_throttle_to_the_pilot_when_its_action_says_so) {
     mutable_vehicle.radio.throttle_pct = 20;
     tenths(1);
     EXPECT_NEAR(vehicle.throttle_demand.toFloat(), 0.2f, 1e-3f);
+}
+
+TEST_F(Fence, has_the_throttle_too_when_its_action_does_not_say_so) {
+    raise();
+    leave();
+    EXPECT_TRUE(vehicle.fence_holds);
+    EXPECT_FALSE(vehicle.fence_throttle);
+    requestMode(Mode::fbwa, ModeReason::pilot);
+    parameters.fence_action = 3;
+    tenths(1);
+    EXPECT_FALSE(vehicle.fence_throttle) << "it does not hold the airplane";
+}
+
+TEST_F(Fence, returns_at_the_height_of_ALT_HOLD_RTL_or_at_the_present_one) {
+    raise();
+    parameters.rtl_height_cm = -1;
+    mutable_vehicle.estimate.height_m = 83;
+    leave();
+    EXPECT_FLOAT_EQ(vehicle.demand.height_m, 83);
+    requestMode(Mode::fbwa, ModeReason::pilot);
+    comeBack();
+    parameters.rtl_height_cm = 0;
+    leave();
+    EXPECT_FLOAT_EQ(vehicle.demand.height_m, 0);
+}
+
+TEST_F(Fence, counts_255_breaches_and_no_more) {
+    raise();
+    parameters.fence_action = 2;
+    for (int i = 0; i < 257; ++i) {
+        leave();
+        comeBack();
+    }
+    EXPECT_EQ(fenceReport().breaches, 255);
 }
 
 TEST_F(Fence, without_a_return_point_sends_home) {
@@ -217,6 +254,37 @@ TEST_F(Fence, limits_the_height_from_above_and_once_climbed_from_below) {
     EXPECT_EQ(fenceReport().breach, +Breach::none);
 }
 
+TEST_F(Fence, limits_the_height_beyond_its_bounds_and_not_at_them) {
+    parameters.fence_action = 2;
+    parameters.fence_min_m = 30;
+    parameters.fence_max_m = 120;
+    mutable_vehicle.estimate.height_m = 10;
+    raise();
+    for (const Limits& each : {Limits{30, Breach::none},
+                               {29, Breach::none},  // at the floor it was not above it
+                               {120, Breach::none},
+                               {30, Breach::none},
+                               {29, Breach::minalt}}) {
+        mutable_vehicle.estimate.height_m = each.height_m;
+        tenths(1);
+        EXPECT_EQ(fenceReport().breach, each.breach) << each.height_m;
+    }
+}
+
+TEST_F(Fence, forgets_on_the_ground_that_the_airplane_has_been_above_the_floor) {
+    parameters.fence_min_m = 30;
+    parameters.fence_max_m = 120;
+    raise();
+    mutable_vehicle.estimate.height_m = 50;
+    tenths(1);
+    mutable_vehicle.estimate.flying = false;
+    tenths(1);
+    mutable_vehicle.estimate.flying = true;
+    mutable_vehicle.estimate.height_m = 10;
+    tenths(1);
+    EXPECT_EQ(fenceReport().breach, +Breach::none) << "it takes off again";
+}
+
 TEST_F(Fence, has_no_height_limits_when_minimum_and_maximum_are_equal) {
     parameters.fence_min_m = parameters.fence_max_m = 100;
     raise();
@@ -245,6 +313,53 @@ TEST_F(Fence, with_its_return_point_outside_is_not_valid) {
     EXPECT_TRUE(fenceBad());
 }
 
+TEST_F(Fence, stands_against_arming_when_it_is_on_or_its_switch_is_and_it_is_not_fit) {
+    raise();
+    EXPECT_FALSE(fenceBad());
+    ASSERT_EQ(store(MavMissionType::fence, square(beside(kSide_e7 + 9, 0))),
+              MissionResult::accepted);
+    tenths(5);
+    ASSERT_EQ(fenceLine(), Line::unfit);
+    EXPECT_TRUE(fenceBad()) << "it is on";
+    ASSERT_TRUE(fenceEnable(0));
+    EXPECT_FALSE(fenceBad());
+    parameters.fence_channel = 7;
+    for (int i = 0; i < 8; ++i) {
+        if (i % 2 == 0) fakes::receiveRc({1500, 1500, 1100, 1500, 1500, 1500, 1900, 1500});
+        firmware::sensors::runRadio();
+    }
+    tenths(1);
+    EXPECT_TRUE(fenceBad()) << "its switch is";
+}
+
+TEST_F(Fence, without_its_floor_is_on_or_off_as_before) {
+    parameters.fence_min_m = 30;
+    parameters.fence_max_m = 120;
+    raise();
+    ASSERT_TRUE(fenceEnable(2));
+    EXPECT_TRUE(fenceOn());
+    for (const float height_m : {50.0f, 20.0f}) {
+        mutable_vehicle.estimate.height_m = height_m;
+        tenths(1);
+        EXPECT_EQ(fenceReport().breach, +Breach::none) << height_m;
+    }
+    fenceEnable(0);
+    ASSERT_TRUE(fenceEnable(2));
+    EXPECT_FALSE(fenceOn());
+}
+
+TEST_F(Fence, has_not_turned_back_before_its_return_point_is_read) {
+    raise();
+    fakes::setEepromSlow(true);
+    const uint8_t other = 1;
+    ASSERT_EQ(hal::eepromWrite(100, &other, 1), core::Status::ok);
+    EXPECT_FALSE(fenceTurnBack());
+    EXPECT_NE(vehicle.mode, Mode::guided);
+    fakes::advance_ms(100);
+    EXPECT_TRUE(fenceTurnBack());
+    EXPECT_EQ(vehicle.mode, Mode::guided);
+}
+
 TEST_F(Fence, follows_its_channel_when_that_moves) {
     raise();
     const auto moveSwitch = [](uint16_t pulse_us) {
@@ -265,6 +380,47 @@ TEST_F(Fence, follows_its_channel_when_that_moves) {
     EXPECT_TRUE(fenceOn());
     moveSwitch(1100);
     EXPECT_FALSE(fenceOn());
+}
+
+TEST_F(Fence, stays_on_when_the_receiver_is_lost_and_when_its_channel_is_taken_away) {
+    raise();
+    fenceEnable(0);
+    parameters.fence_channel = 7;
+    for (int i = 0; i < 8; ++i) {
+        if (i % 2 == 0) fakes::receiveRc({1500, 1500, 1100, 1500, 1500, 1500, 1900, 1500});
+        firmware::sensors::runRadio();
+    }
+    tenths(1);
+    ASSERT_TRUE(fenceOn());
+    mutable_vehicle.radio.lost = true;
+    tenths(2);
+    EXPECT_TRUE(fenceOn());
+    mutable_vehicle.radio.lost = false;
+    parameters.fence_channel = 0;
+    tenths(2);
+    EXPECT_TRUE(fenceOn());
+}
+
+TEST_F(Fence, leaves_a_flight_alone_whose_take_off_or_landing_is_none_of_AUTO) {
+    const auto flown = [](Mode mode, Path path) {
+        mutable_vehicle.mode = mode;
+        mutable_vehicle.demand.path = path;
+        tenths(1);
+    };
+    raise();
+    flown(Mode::automatic, Path::land);
+    EXPECT_TRUE(fenceOn()) << "FENCE_AUTOENABLE is 0";
+    fenceEnable(0);
+    flown(Mode::automatic, Path::takeoff);
+    flown(Mode::automatic, Path::leg);
+    EXPECT_FALSE(fenceOn());
+    parameters.fence_auto_enable = 1;
+    flown(Mode::takeoff, Path::takeoff);
+    flown(Mode::automatic, Path::leg);
+    EXPECT_FALSE(fenceOn());
+    fenceEnable(1);
+    flown(Mode::loiter, Path::land);
+    EXPECT_TRUE(fenceOn());
 }
 
 TEST_F(Fence, switches_itself_on_after_the_take_off_and_off_before_the_landing) {
