@@ -5,6 +5,7 @@
 #include "firmware/notify/text_queue.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware_bench.hpp"
+#include "mission_rig.hpp"
 
 namespace {
 
@@ -94,6 +95,39 @@ TEST_F(SwitchAtRestart, is_left_to_the_restart_and_obeyed_behind_it) {
     mutable_vehicle.resuming = false;
     settle(with(8, 1425));
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
+}
+
+class MissionSwitch : public firmware::Rig {
+protected:
+    void SetUp() override {
+        Rig::SetUp();
+        parameters.reset_mission_channel = 7;
+        move(1100);
+        fly({firmware::waypoint(500), firmware::waypoint(900), firmware::waypoint(1300)});
+        reach();
+        ASSERT_EQ(firmware::mission::missionCurrent(), 2);
+    }
+    void move(uint16_t pulse_us) {
+        for (int i = 0; i < 8; ++i) {
+            if (i % 2 == 0) fakes::receiveRc({1500, 1500, 1100, 1500, 1500, 1500, pulse_us, 0});
+            firmware::sensors::runRadio();
+        }
+    }
+    void look() {
+        for (int i = 0; i < 3; ++i) firmware::modes::runModeSwitch();
+        pass();
+    }
+};
+
+TEST_F(MissionSwitch, begins_the_mission_anew_once_when_it_is_moved_up) {
+    look();
+    EXPECT_EQ(firmware::mission::missionCurrent(), 2) << "it is down";
+    move(1900);
+    look();
+    EXPECT_EQ(firmware::mission::missionCurrent(), 1);
+    reach();
+    look();
+    EXPECT_EQ(firmware::mission::missionCurrent(), 2) << "it stays up";
 }
 
 }  // namespace

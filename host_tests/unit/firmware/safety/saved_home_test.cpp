@@ -160,6 +160,17 @@ TEST_F(SavedHomeTest, writes_nothing_into_another_firmwares_eeprom) {
     EXPECT_EQ(fakes::eepromCells(), foreign);
 }
 
+TEST_F(SavedHomeTest, is_not_forgotten_before_it_can_be_read) {
+    ASSERT_EQ(save(473977000), Status::ok);
+    fakes::setEepromSlow(true);
+    const uint8_t other = 1;
+    ASSERT_EQ(hal::eepromWrite(storage::kHomeAndLog.end() - 4, &other, 1), Status::ok);
+    EXPECT_EQ(forgetHome(), Status::busy);
+    SavedHome home;
+    EXPECT_EQ(read(home), Status::ok);
+    EXPECT_EQ(home.position.latitude_e7, 473977000);
+}
+
 TEST_F(SavedHomeTest, leaves_the_logs_part_of_the_region_unchanged) {
     const uint16_t at = storage::kHomeAndLog.end() - 4;
     const uint8_t logs[4] = {1, 2, 3, 4};

@@ -54,6 +54,23 @@ struct StickOverride : bench::Bench {
     }
 };
 
+TEST_F(StickOverride, turns_no_channel_round_whose_REV_is_0) {
+    parameters.channel[0].reverse = parameters.channel[2].reverse = 0;
+    setStickOverride({500, 0, 1000, 0});
+    settle(bench::kCentred);
+    EXPECT_EQ(vehicle.radio.roll_cd, 2250);
+    EXPECT_EQ(vehicle.radio.throttle_pct, 100);
+}
+
+TEST_F(StickOverride, leaves_a_switch_held_that_the_ground_station_holds) {
+    setRcOverride(
+        {UINT16_MAX, UINT16_MAX, UINT16_MAX, UINT16_MAX, UINT16_MAX, UINT16_MAX, 1900, UINT16_MAX});
+    setStickOverride({500, 0, 1000, 0});
+    uint16_t held_us = 0;
+    EXPECT_TRUE(rcOverride(6, held_us));
+    EXPECT_EQ(held_us, 1900);
+}
+
 TEST_F(StickOverride, deflects_as_a_receivers_stick_does) {
     setStickOverride({500, -250, 1000, -1000});
     settle(bench::kCentred);
