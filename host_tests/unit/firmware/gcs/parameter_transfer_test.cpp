@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "firmware/gcs/parameter_transfer.hpp"
+
 #include <cmath>
 
+#include "firmware/gcs/link.hpp"
 #include "ground.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 #include "storage/owner.hpp"
@@ -105,7 +108,44 @@ TEST_F(Telemetry, a_missing_parameter_is_not_answered) {
     EXPECT_TRUE(ask<mavlink::ParamValue>(request).empty());
 
     EXPECT_TRUE(ask<mavlink::ParamValue>(setting("NO_SUCH_NAME", 1)).empty());
-    EXPECT_EQ(station.texts().at(0), "No such parameter");
+    run_ms(1000);
+    EXPECT_EQ(station.texts(), std::vector<std::string>{"No such parameter"}) << "once";
+}
+
+TEST_F(Telemetry, the_parameter_list_has_an_end_and_then_nothing_to_send) {
+    firmware::gcs::Link& link = firmware::gcs::links[0];
+    EXPECT_FALSE(firmware::gcs::parameterListSend(link)) << "nobody has asked";
+    link.next_parameter = static_cast<uint16_t>(firmware::state::parameterCount() - 1);
+    EXPECT_TRUE(firmware::gcs::parameterListSend(link));
+    EXPECT_FALSE(firmware::gcs::parameterListSend(link));
+}
+
+TEST_F(Telemetry, a_refused_setting_says_whether_the_value_or_being_armed_is_why) {
+    (void)ask<mavlink::ParamValue>(setting("SYSID_MYGCS", -1));
+    EXPECT_EQ(station.texts().at(0), "Parameter value refused: out of range");
+    firmware::state::mutable_vehicle.armed = true;
+    (void)ask<mavlink::ParamValue>(setting("RCMAP_ROLL", 4));
+    EXPECT_EQ(station.texts().at(0), "Parameter refused: armed");
+}
+
+TEST_F(Telemetry, a_setting_that_the_store_has_no_time_for_is_answered_with_the_old_value) {
+    for (const char* name : {"RC2_TRIM", "NO_SUCH_NAME"}) {
+        uint8_t bytes[mavlink::kLongestFrame];
+        const uint16_t size =
+            mavlink::encode({mavlink::Framing::v1, 0, 255, 190}, setting(name, 1501), bytes);
+        mavlink::PeerParser parser;
+        for (uint16_t i = 0; i < size; ++i) (void)parser.put(bytes[i]);
+        EXPECT_TRUE(firmware::gcs::refuseParamSet(firmware::gcs::links[0], parser.frame()));
+        run_ms(100);
+        const auto values = station.all<mavlink::ParamValue>();
+        EXPECT_EQ(station.texts().at(0), "Parameter not set: store busy");
+        if (std::string(name) == "RC2_TRIM") {
+            ASSERT_EQ(values.size(), 1u);
+            EXPECT_EQ(values[0].param_value, 1500);
+        } else {
+            EXPECT_TRUE(values.empty());
+        }
+    }
 }
 
 TEST_F(Telemetry, setting_a_parameter_is_answered_with_what_it_now_is) {
