@@ -130,6 +130,21 @@ TEST_F(Radio, keeps_the_switches_that_a_ground_station_with_the_sticks_does_not_
     EXPECT_EQ(firmware::sensors::modeSwitchPosition(), 6);
 }
 
+TEST_F(Radio, gives_way_to_a_ground_station_that_holds_a_switch) {
+    settle(with(7, 1900));
+    ASSERT_TRUE(firmware::sensors::switchIsUp(7));
+    firmware::sensors::setRcOverride(
+        {UINT16_MAX, UINT16_MAX, UINT16_MAX, UINT16_MAX, UINT16_MAX, UINT16_MAX, 1100, UINT16_MAX});
+    settle(with(7, 1900));
+    EXPECT_FALSE(firmware::sensors::switchIsUp(7));
+    EXPECT_EQ(firmware::sensors::modeSwitchPosition(), 6) << "that one is the receiver's";
+}
+
+TEST_F(Radio, is_not_lost_while_the_throttle_is_at_the_failsafe_pulse) {
+    settle(with(3, static_cast<uint16_t>(parameters.throttle_failsafe_us)));
+    EXPECT_FALSE(vehicle.radio.lost);
+}
+
 // From frame to frame: a knob that is turned is followed, a switch that jumps waits for a second
 // one.
 TEST_F(Radio, takes_a_switch_as_lasting_that_moves_by_no_more_than_50_us) {
