@@ -106,6 +106,7 @@ TEST_F(Telemetry, a_missing_parameter_is_not_answered) {
 
     request.param_index = 9999;
     EXPECT_TRUE(ask<mavlink::ParamValue>(request).empty());
+    EXPECT_EQ(ask<mavlink::ParamValue>(setting("RC2_TRIM", 1501)).size(), 1u) << "nor waited for";
 
     EXPECT_TRUE(ask<mavlink::ParamValue>(setting("NO_SUCH_NAME", 1)).empty());
     run_ms(1000);

@@ -50,6 +50,10 @@ TEST(Record, a_reset_while_one_is_written_leaves_the_one_before) {
     EXPECT_EQ(newest(two), &two[1]);
     invalidate(two[0]);  // the older one is being written
     EXPECT_EQ(newest(two), &two[1]);
+    two[0] = movingRecord(7);
+    invalidate(two[1]);  // of both the newer one was hit
+    EXPECT_EQ(newest(two), &two[0]);
+    two[1] = movingRecord(8);
     two[0] = movingRecord(9);
     EXPECT_EQ(newest(two), &two[0]);
     invalidate(two[1]);
