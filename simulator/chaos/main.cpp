@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -47,9 +48,8 @@ public:
         const auto begun = std::chrono::steady_clock::now();
         makeFolder(options_.out);
         for (const char* name : {kPage, kDocument}) mustBeWritable(fs::path(options_.out) / name);
-        for (uint64_t next = 0;
-             (next < options_.flights && interrupted == 0) || !flying_.empty();) {
-            while (flying_.size() < options_.jobs && next < options_.flights && interrupted == 0)
+        for (uint64_t next = 0; (next < options_.flights && goesOn()) || !flying_.empty();) {
+            while (flying_.size() < options_.jobs && next < options_.flights && goesOn())
                 begin(options_.seed + next++);
             end();
         }
@@ -65,6 +65,13 @@ private:
         Scenario scenario;
         FlightProcess process;
     };
+
+    bool goesOn() const {
+        return interrupted == 0 &&
+               std::none_of(options_.until.begin(), options_.until.end(), [&](const auto& name) {
+                   return totals_.violations().count(name) != 0;
+               });
+    }
 
     void begin(uint64_t seed) {
         Scenario scenario = drawScenario(seed, parameters_);

@@ -46,6 +46,8 @@ ParsedChaos parseChaosOptions(int count, char** words) {
         ->check(CLI::ExistingFile);
     app.add_option("--shrink", o.cut, "a scenario's file that fails: cuts it down")
         ->check(CLI::ExistingFile);
+    app.add_option("--until", o.until,
+                   "ends with the first flight that violates an invariant of this name");
     app.add_flag("--no-shrink", o.no_shrink, "leaves scenarios as they were drawn")
         ->disable_flag_override();
     app.add_option("--out", o.out, "folder for the page and for scenarios that failed")

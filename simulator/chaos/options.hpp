@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace simulator::chaos {
 
@@ -12,6 +13,7 @@ struct ChaosOptions {
     unsigned jobs = 1;
     std::string firmware;  // empty: natively compiled
     std::string replay, cut, out;
+    std::vector<std::string> until;  // names of invariants; empty: all flights
     bool no_shrink = false;
 };
 
