@@ -22,7 +22,8 @@ struct Home {
     double latitude_deg = 47.3977, longitude_deg = 8.5456, altitude_m = 488;
 };
 constexpr double kMetresPerDegree = 111'319;
-constexpr double kAirborne_s = 15;  // about
+constexpr double kAirborne_s = 15;                  // about
+constexpr double kLowest_m = 40, kHighest_m = 100;  // to fly at
 
 std::string print(const char* format, double value) {
     char text[60];
@@ -60,7 +61,7 @@ WaypointItem drawPlace(Dice& dice, const Home& home) {
                           : dice.of<uint16_t>({MavCmd::nav_loiter_turns, MavCmd::nav_loiter_time,
                                                MavCmd::nav_loiter_unlim});
     WaypointItem item = itemAt(home, command, dice.between(-kFar_m, kFar_m),
-                               dice.between(-kFar_m, kFar_m), dice.between(40, 100));
+                               dice.between(-kFar_m, kFar_m), dice.between(kLowest_m, kHighest_m));
     if (item.isCircle())
         item.params[0] = command == MavCmd::nav_loiter_time ? dice.whole(3, 20) : 1;
     return item;
@@ -89,8 +90,11 @@ WaypointItem drawAction(Dice& dice, int items) {
             return action(MavCmd::do_set_cam_trigg_dist, dice.whole(0, 50));
         case 9:
             return action(MavCmd::do_set_home, 1);
-        case 10:
-            return action(MavCmd::condition_change_alt, dice.between(0.5, 2));
+        case 10: {
+            WaypointItem item = action(MavCmd::condition_change_alt, dice.between(0.5, 2));
+            item.altitude_m = dice.between(kLowest_m, kHighest_m);
+            return item;
+        }
         default:
             return action(MavCmd::do_jump, dice.whole(2, std::max(2, items - 1)), dice.whole(1, 3));
     }

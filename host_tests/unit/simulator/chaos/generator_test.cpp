@@ -96,6 +96,21 @@ TEST(Generator, missions_begin_at_home_and_end_with_a_landing) {
     }
 }
 
+// A CONDITION_CHANGE_ALT without a height is an order to fly into the ground.
+TEST(Generator, missions_change_to_heights_to_fly_at) {
+    const auto parameters = readParameterRows(PARAMETERS);
+    int changes = 0;
+    for (uint64_t seed = 1; seed <= 200; ++seed) {
+        for (const WaypointItem& item : drawScenario(seed, parameters).mission) {
+            if (item.command != mavlink::MavCmd::condition_change_alt) continue;
+            ++changes;
+            EXPECT_GE(item.altitude_m, 40) << seed;
+            EXPECT_LE(item.altitude_m, 100) << seed;
+        }
+    }
+    EXPECT_GT(changes, 20);
+}
+
 TEST(Generator, a_transmitter_of_nine_channels_doubles_and_misses_no_edge) {
     const auto parameters = readParameterRows(PARAMETERS);
     int nine = 0;
