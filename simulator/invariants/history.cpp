@@ -104,12 +104,14 @@ void History::frame(const Snapshot& now) {
     for (size_t i = 4; i < now.stick_us.size(); ++i) moved = moved || moves(i);
     if (moved || now.wide != before_.wide) mark(Cause::mode_switch, now_s);
     constexpr auto kRadio = static_cast<size_t>(Faulty::radio);
-    const auto heard = [](const Snapshot& at) { return at.transmitting && !at.faulty[kRadio]; };
-    if (heard(now) && !heard(before_)) mark(Cause::radio_back, now_s);
+    const bool on = now.transmitting, was_on = before_.transmitting;
+    const bool faulty = now.faulty[kRadio], was_faulty = before_.faulty[kRadio];
+    // with a fault it may still be heard, as when its pulses have an edge too many
+    if (on && (!was_on || (was_faulty && !faulty))) mark(Cause::radio_back, now_s);
     // what the encoder makes of no receiver: a low throttle on channel 3, where nobody looks for it
     const bool obeyed =
         parameter("THR_FAILSAFE", 1) < 0.5 || std::lround(parameter("RCMAP_THROTTLE", 3)) != 3;
-    if (obeyed && heard(now) != heard(before_)) mark(Cause::mode_switch, now_s);
+    if (obeyed && (on != was_on || faulty != was_faulty)) mark(Cause::mode_switch, now_s);
     if (now.restarts != before_.restarts) mark(Cause::restart, now_s);
     if (now.transmitting) {
         if (atEnd(now.stick_us[0]) || atEnd(now.stick_us[1]) || atEnd(now.stick_us[3]))

@@ -58,7 +58,7 @@ class ModeHasACause : public Invariant {
             (history.within(Cause::flight_mode, waits_s, to_s) ||
              history.within(Cause::overrides, waits_s, to_s)))
             return true;
-        for (const char* refused : {"Mode refused", "Circling needs", "RTL needs"})
+        for (const char* refused : {"Mode refused", "Circling needs", "RTL needs", "AUTO: mission"})
             if (history.saidWithin(refused, from_s - kAsksAgain_s, to_s)) return true;
         return byMission(history, from_s, to_s);
     }

@@ -48,6 +48,21 @@ TEST(ModeHasACause, each_stated_cause_is_allowed) {
              flown.run(2);
              flown.now.transmitting = false;
          }},
+        {"a receiver that is lost while its pulses have an edge too many, and nobody looks for it",
+         [](Flown& flown) {
+             flown.parameter("THR_FAILSAFE", 0);
+             flown.inTheAir();
+             flown.now.faulty[static_cast<size_t>(Faulty::radio)] = true;
+             flown.run(2);
+             flown.now.transmitting = false;
+         }},
+        {"the first receiver, while its pulses have an edge too many",
+         [](Flown& flown) {
+             flown.now.transmitting = false;
+             flown.now.faulty[static_cast<size_t>(Faulty::radio)] = true;
+             flown.run(3);
+             flown.now.transmitting = true;
+         }},
         {"a receiver of another travel", [](Flown& flown) { flown.now.wide = true; }},
         {"a mission that cannot be flown, RTL in its place",
          [](Flown& flown) { flown.text("AUTO: mission has no NAV command"); }},
@@ -125,6 +140,20 @@ TEST(ModeHasACause, an_override_may_wait_behind_a_parameter_too) {
         flown.mode = 11;
         flown.run(5);
         EXPECT_EQ(flown.violated(), behind ? "" : "mode_without_cause ");
+    }
+}
+
+TEST(ModeHasACause, what_was_refused_is_asked_for_again) {
+    for (const char* refused :
+         {"Mode refused: no radio", "RTL needs a home", "AUTO: mission is being read"}) {
+        for (const int after_s : {4, 8}) {
+            Flown flown = inAMode();
+            flown.text(refused);
+            flown.run(after_s);
+            flown.mode = 10;
+            flown.run(5);
+            EXPECT_EQ(flown.violated(), after_s == 4 ? "" : "mode_without_cause ") << refused;
+        }
     }
 }
 
