@@ -78,24 +78,27 @@ void fill(FastRecord& to, bool in_the_air) {
     to.home_set = vehicle.home.set;
 }
 
-void saveFastRecord() {
-    const FlightSigns signs = {vehicle.armed, vehicle.estimate.flying,
-                               vehicle.estimate.ground_speed_mps, aboveField_m()};
-    fill(nextFastRecord(), inTheAir(signs));
-    finishFastRecord();
-    restart.records_written = true;
+// Without an attitude the last pose stays, and is said to be old; its clock alone would go round.
+// Height and place are still measured.
+void keepPose(FastRecord& to, const FastRecord& from) {
+    constexpr uint16_t kOld_ms = 1000;
+    to.pose = from.pose;
+    to.rate_rads = from.rate_rads;
+    to.mode = from.mode;
+    to.at_ms -= kOld_ms;
+    if (static_cast<int16_t>(to.at_ms - from.at_ms) < 0) to.at_ms = from.at_ms;
 }
 
-// Without an attitude the last pose stays, and is said to be old; its clock alone would go round.
-void saveOldPose() {
-    constexpr uint16_t kOld_ms = 1000;
-    const uint16_t at_ms = static_cast<uint16_t>(hal::now_ms()) - kOld_ms;
-    const FastRecord& from = newestFastRecord();
-    if (!restart.records_written || static_cast<int16_t>(at_ms - from.at_ms) <= 0) return;
+void saveFastRecord() {
+    const bool aligned = vehicle.attitude.aligned;
+    if (!aligned && !restart.records_written) return;
+    const FlightSigns signs = {vehicle.armed, vehicle.estimate.flying,
+                               vehicle.estimate.ground_speed_mps, aboveField_m()};
     FastRecord& to = nextFastRecord();
-    to = from;
-    to.at_ms = at_ms;
+    fill(to, inTheAir(signs));
+    if (!aligned) keepPose(to, newestFastRecord());
     finishFastRecord();
+    restart.records_written = true;
 }
 
 // Disarmed there is no flight to go on with, whatever the last record says.
@@ -251,7 +254,7 @@ void runRestart() {
     if (!vehicle.armed) return forgetFlight();
     restart.saves_next = !restart.saves_next;
     if (!restart.saves_next) return;
-    vehicle.attitude.aligned ? saveFastRecord() : saveOldPose();
+    saveFastRecord();
 }
 
 void runRestartSlowly() {

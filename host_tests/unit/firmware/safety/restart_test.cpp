@@ -636,6 +636,35 @@ TEST_F(Restart, starts_disarmed_after_disarming_although_the_inertial_sensor_has
     EXPECT_FALSE(flyingOn());
 }
 
+// It came down with the sensor dead: the heights of when that began would be wrong by all of the
+// descent.
+TEST_F(Restart, records_height_and_place_but_no_other_pose_while_the_inertial_sensor_is_dead) {
+    const FastRecord before = newestFastRecord();
+    mutable_vehicle.attitude.aligned = false;
+    mutable_vehicle.mode = Mode::manual;
+    mutable_vehicle.estimate.height_m = 12;
+    mutable_vehicle.estimate.climb_mps = -2;
+    mutable_vehicle.estimate.position = {473970000, 85450000};
+    mutable_vehicle.estimate.known = true;
+    keep();
+    const FastRecord& now = newestFastRecord();
+    EXPECT_NE(now.number, before.number);
+    EXPECT_EQ(now.height_m, 12);
+    EXPECT_EQ(now.climb_mps, -2);
+    EXPECT_EQ(now.position.latitude_e7, 473970000);
+    EXPECT_EQ(now.place_known, 1);
+    EXPECT_EQ(memcmp(&now.pose, &before.pose, sizeof now.pose), 0);
+    EXPECT_EQ(now.mode, before.mode) << "MANUAL is the failsafe's";
+}
+
+TEST_F(Restart, a_flight_that_ends_with_a_dead_inertial_sensor_is_over) {
+    mutable_vehicle.attitude.aligned = false;
+    mutable_vehicle.estimate.flying = false;
+    keep();
+    begin(ResetCause::watchdog);
+    EXPECT_FALSE(flyingOn());
+}
+
 TEST_F(Restart, rejects_a_record_with_any_bit_changed) {
     records.slow.home_altitude_cm ^= 1;
     begin(ResetCause::watchdog);
