@@ -19,6 +19,7 @@ struct {
     uint16_t addresses[hal::kEepromQueue];
     uint8_t values[hal::kEepromQueue];
     volatile uint8_t head, tail;
+    uint8_t writes;  // of the byte at the tail
 } queue;
 
 // No write begins while somebody is reading, or waits to: then for so many overflows of the clock.
@@ -61,7 +62,8 @@ void overlay(uint16_t address, uint8_t* to, uint8_t size) {
 
 }  // namespace
 
-// One byte a call: a byte that need not be written brings the interrupt at once again.
+// One byte a call: a byte that need not be written brings the interrupt at once again, and so does
+// one that has been: it leaves the queue when it is read back.
 ISR(EE_READY_vect) {
     if (reading || patience != 0 || queue.head == queue.tail || avr::supply_sags) {
         interruptOff();
@@ -69,12 +71,15 @@ ISR(EE_READY_vect) {
     }
     const uint8_t at = queue.tail & kMask;
     const uint8_t value = queue.values[at];
-    if (readCell(queue.addresses[at]) != value) {
-        EEDR = value;
-        EECR |= 1 << EEMPE;
-        EECR |= 1 << EEPE;  // within four cycles of the line above
+    if (readCell(queue.addresses[at]) == value || queue.writes == hal::kEepromWrites) {
+        queue.writes = 0;
+        ++queue.tail;
+        return;
     }
-    ++queue.tail;
+    ++queue.writes;
+    EEDR = value;
+    EECR |= 1 << EEMPE;
+    EECR |= 1 << EEPE;  // within four cycles of the line above
 }
 
 namespace avr {

@@ -42,7 +42,7 @@ public:
 private:
     enum class Step : uint8_t { done, first_check, value, second_check };
     static constexpr uint16_t kNoSlot = kParameterSlots;
-    static constexpr uint8_t kTries = 8;  // of a value that was not kept
+    static constexpr uint8_t kTries = 1;  // of a value that was not kept; the driver has tried long
     struct Word {                         // of a slot
         uint16_t slot = kNoSlot;
         uint32_t value = 0;

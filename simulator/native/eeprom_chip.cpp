@@ -64,6 +64,7 @@ void EepromChip::begin() {
 void EepromChip::restart() {
     if (writing()) cells_[queue_.front().address] = queue_.front().value;
     queue_.clear();
+    writes_ = 0;
     written_us_ = UINT64_MAX;
     rest_until_us_ = 0;
 }
@@ -78,8 +79,11 @@ void EepromChip::run() {
         const Write& write = queue_.front();
         const auto becomes = spoilt_ ? static_cast<uint8_t>(random_.bits()) : write.value;
         cells_[write.address] = worn_.written(write.address, becomes);
-        queue_.pop_front();
         written_us_ = UINT64_MAX;
+        if (cells_[write.address] == write.value || ++writes_ == hal::kEepromWrites) {
+            queue_.pop_front();
+            writes_ = 0;
+        }
     }
     begin();
 }

@@ -43,6 +43,7 @@ private:
     std::vector<uint8_t> cells_;
     std::deque<Write> queue_;           // the front is the one in flight while writing()
     uint64_t written_us_ = UINT64_MAX;  // when the byte in flight is done
+    unsigned writes_ = 0;               // of it, as long as it does not read back
     Random random_;
     WornCells worn_;
     bool endangered_ = false, spoilt_ = false;

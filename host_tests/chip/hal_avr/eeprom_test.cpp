@@ -27,6 +27,27 @@ TEST(HalEeprom, writes_what_was_queued_in_its_order) {
     EXPECT_EQ(bench.chip.eeprom().writes(), 5u);  // 1 2 3 4, then 9 for the 2; 3 was there
 }
 
+TEST(HalEeprom, writes_again_what_a_low_supply_has_changed) {
+    Bench bench("eeprom");
+    bench.chip.eeprom().endanger(true);
+    bench.run_ms(20);
+    EXPECT_GT(bench.chip.eeprom().writes(), 2u);
+    EXPECT_THAT(cells(bench, 101, 3), ElementsAre(0xFF, 0xFF, 0xFF)) << "no other before it";
+    bench.chip.eeprom().endanger(false);
+    bench.runTo(4);
+    EXPECT_THAT(cells(bench, 100, 4), ElementsAre(1, 9, 3, 4));
+}
+
+TEST(HalEeprom, gives_up_on_a_worn_cell_and_goes_on) {
+    Bench bench("eeprom");
+    simulator::WornCells worn;
+    worn.stick(100, 0x80, true);
+    bench.chip.eeprom().wear(worn);
+    bench.runTo(4, 2000);
+    EXPECT_THAT(cells(bench, 100, 4), ElementsAre(0x81, 9, 3, 4));
+    EXPECT_EQ(bench.chip.eeprom().writes(), 250 + 4u);
+}
+
 TEST(HalEeprom, shows_queued_bytes_as_if_written) {
     Bench bench("eeprom");
     bench.runTo(4);
