@@ -3,6 +3,7 @@
 
 #include "core/file_state.hpp"
 #include "firmware/control/attitude_control.hpp"
+#include "firmware/estimator/estimator.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/mode_traits.hpp"
 #include "firmware/state/parameters.hpp"
@@ -36,7 +37,7 @@ bool holdsElevator() {
 
 bool flares() {
     if (vehicle.progress.flaring) return true;
-    return vehicle.baro.healthy && vehicle.estimate.height_m < kLowest_m;
+    return vehicle.baro.healthy && estimator::aboveField_m() < kLowest_m;
 }
 
 bool possible() {

@@ -99,7 +99,7 @@ constexpr uint8_t kBeginsFlying = 5;  // looks of 100 ms at speed: half a second
 constexpr uint8_t kEndsFlying = 30;   // looks without: three seconds
 constexpr float kFlyingGroundSpeed_mps = 5.0f;
 constexpr float kStandingSpeed_mps = 2.0f;
-constexpr float kNearHome_m = 10;
+constexpr float kNearField_m = 10;
 
 estimation::AttitudeSettings attitudeSettings() {
     estimation::AttitudeSettings settings;
@@ -294,12 +294,12 @@ bool fast() {
 }
 
 // An airplane that flies against the wind is slow over the ground, too. Unless it is known to be
-// slow through the air, it stands only near the height of home and while it does not turn.
+// slow through the air, it stands only near the height of the field and while it does not turn.
 bool stands() {
     const auto& estimate = vehicle.estimate;
     if (estimate.ground_speed_mps >= kStandingSpeed_mps || fabsf(estimate.climb_mps) >= 0.5f)
         return false;
-    const bool low = fabsf(estimate.height_m) < kNearHome_m;
+    const bool low = fabsf(aboveField_m()) < kNearField_m;
     return slowThroughTheAir() || (low && !turns());
 }
 

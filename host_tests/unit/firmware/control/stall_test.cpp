@@ -5,6 +5,7 @@
 
 #include "core/maths.hpp"
 #include "firmware/control/attitude_control.hpp"
+#include "firmware/estimator/estimator.hpp"
 #include "firmware_bench.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 
@@ -111,6 +112,13 @@ TEST_F(StallInFlight, needs_neither_height_nor_sink_without_a_barometer) {
     mutable_vehicle.baro.healthy = false;
     mutable_vehicle.estimate.climb_mps = 0;
     mutable_vehicle.estimate.height_m = 0;
+    EXPECT_EQ(after(0.6f), Phase::breaking);
+}
+
+// A mission may set home where the airplane is.
+TEST_F(StallInFlight, is_looked_for_high_above_the_field_wherever_home_is) {
+    mutable_vehicle.estimate.height_m = 80;
+    firmware::estimator::shiftHeight(-75);
     EXPECT_EQ(after(0.6f), Phase::breaking);
 }
 

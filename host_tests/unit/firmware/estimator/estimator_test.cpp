@@ -316,6 +316,18 @@ TEST_F(Estimator, goes_on_flying_in_such_a_wind_without_an_airspeed_sensor_while
     EXPECT_FALSE(vehicle.estimate.flying) << "it has come down";
 }
 
+TEST_F(Estimator, goes_on_flying_in_such_a_wind_after_home_was_set_where_it_is) {
+    mutable_vehicle.armed = true;
+    mutable_vehicle.baro.pressure_pa -= 960;
+    frames(400, 3);
+    frames(400, -3);
+    firmware::estimator::shiftHeight(-vehicle.estimate.height_m);
+    for (int i = 0; i < 1000; ++i) {
+        frame(0);
+        ASSERT_TRUE(vehicle.estimate.flying) << i;
+    }
+}
+
 // At home's height, rocked, after an airspeed sensor that has shown the wind has failed.
 struct Stopped : Estimator {
     void stop(float airspeed_before_mps) {
