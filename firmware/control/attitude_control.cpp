@@ -250,11 +250,16 @@ core::Angle pitchShort_rad() {
 }
 
 // Without a sensor the estimated airspeed serves: it is the cruise speed until the wind is known.
+// Below the lowest flying speed it is wrong, in a head wind that is not known, and the gains for it
+// would be too high.
 void runSpeedScaling() {
     const auto& attitude = vehicle.attitude;
+    float airspeed_mps = vehicle.estimate.equivalent_airspeed_mps;
+    const bool too_slow = airspeed_mps < parameters.speed_min_mps;
+    if (too_slow && !vehicle.airspeed.healthy) airspeed_mps = parameters.speed_min_mps;
     loops.air =
-        ::control::airFlow(parameters.scaling_speed_mps, vehicle.estimate.equivalent_airspeed_mps,
-                           parameters.speed_min_mps);
+        ::control::airFlow(parameters.scaling_speed_mps, airspeed_mps, parameters.speed_min_mps);
+    loops.air.too_slow = too_slow;
     core::Ratio sine = attitude.sin_roll, cosine = attitude.cos_roll;
     if (bounds.inverted) {  // both turn the other way about the airplane's own axes
         sine = core::Ratio::fromRaw(-sine.raw);

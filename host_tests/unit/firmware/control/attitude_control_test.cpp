@@ -53,6 +53,23 @@ TEST_F(AttitudeControl, leaves_the_airplane_alone_in_manual) {
     EXPECT_EQ(surfaces.rudder.toFloat(), 0);
 }
 
+// Against a wind that is not known yet the estimate is little more than the speed over the ground,
+// and gains for it are three times those that the airplane bears.
+TEST_F(AttitudeControl, takes_no_estimated_airspeed_below_the_lowest_for_its_gains) {
+    const auto aileronAt = [&](float airspeed_mps, bool measured) {
+        SetUp();
+        mutable_vehicle.airspeed.healthy = measured;
+        mutable_vehicle.estimate.equivalent_airspeed_mps = airspeed_mps;
+        mutable_vehicle.attitude.rate_rads = core::BodyRates::from(0.3f, 0, 0);
+        return surfacesIn(Mode::fbwa, bench::kCentred).aileron.toFloat();
+    };
+    const float lowest_mps = parameters.speed_min_mps, at_lowest = aileronAt(lowest_mps, false);
+    EXPECT_LT(at_lowest, -0.01f);
+    EXPECT_NEAR(aileronAt(lowest_mps - 3, false), at_lowest, 0.001) << "but for an integrator";
+    EXPECT_LT(aileronAt(lowest_mps - 3, true), 1.2f * at_lowest) << "what is measured is so";
+    EXPECT_GT(aileronAt(lowest_mps + 3, false), 0.9f * at_lowest);
+}
+
 TEST_F(AttitudeControl, uses_a_gain_from_when_it_is_set) {
     const char name[16] = "RLL2SRV_P";
     uint16_t index;
