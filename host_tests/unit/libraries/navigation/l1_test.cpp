@@ -270,6 +270,27 @@ TEST(Course, is_held_across_the_wind) {
     EXPECT_NEAR(pilot.plane.velocity_e, 0, 0.3);
 }
 
+// Gusts turn the little that it moves over the ground to every side.
+TEST(Course, is_held_by_the_nose_in_a_wind_as_fast_as_the_airplane) {
+    constexpr float kWind_mps = 13;
+    const auto bank_mss = [&](float nose_rad, const geo::Offset& drift_mps) {
+        Motion motion{};
+        motion.airspeed_mps = kWind_mps;
+        motion.bank_lag_s = 0.6f;
+        motion.velocity_mps = drift_mps;
+        motion.wind_mps = {drift_mps.north_m - kWind_mps * std::cos(nose_rad),
+                           drift_mps.east_m - kWind_mps * std::sin(nose_rad)};
+        return followCourse(kGains, motion, {1, 0}).bank_accel_mss;
+    };
+    const geo::Offset drifts_mps[] = {{0, 0},    {0.5f, 0},  {-0.5f, 0},
+                                      {0, 0.5f}, {0, -0.5f}, {-2, 0}};
+    for (const geo::Offset& drift_mps : drifts_mps) {
+        EXPECT_LT(std::abs(bank_mss(0, drift_mps)), 2) << drift_mps.north_m << drift_mps.east_m;
+        EXPECT_LT(bank_mss(1, drift_mps), -1) << "the nose is right of the course";
+        EXPECT_GT(bank_mss(-1, drift_mps), 1);
+    }
+}
+
 TEST(Bank, is_the_arc_tangent_within_a_third_of_a_degree) {
     for (double accel = -40; accel <= 40; accel += 0.25)
         EXPECT_NEAR(navigation::bankFor_rad(static_cast<float>(accel)), std::atan(accel / 9.80665),
