@@ -36,8 +36,8 @@ if(FUZZ)
     list(FILTER tool_sources EXCLUDE REGEX "/(main|program|airplane|power|page|drawing|rehearse|estimate|fence_check|flight_[ft][a-z]*)\\.cpp$")
     set(ground ${CMAKE_SOURCE_DIR}/simulator/ground)
     fuzzer(mission_tool ${CMAKE_SOURCE_DIR}/host_tests/fuzz/mission_tool_fuzz.cpp ${tool_sources}
-           ${ground}/waypoints.cpp ${ground}/mission_file.cpp ${ground}/plan_file.cpp ${ground}/json_places.cpp
-           ${ground}/text_file.cpp)
+           ${ground}/waypoints.cpp ${ground}/mission_file.cpp ${ground}/points_file.cpp ${ground}/plan_file.cpp
+           ${ground}/json_places.cpp ${ground}/text_file.cpp)
     return()
 endif()
 
