@@ -255,7 +255,6 @@ static_assert(parameters::initialsAreInRange(kRows), "a default lies outside its
 
 static_assert(sizeof(Parameters) <= 1 << parameters::kOffsetBits, "an offset has too few bits");
 
-static_assert(parameters::namesFit(kRows, kNamePairs), "a name packs badly: toolchain/texts");
 static_assert(core::pairsDeep(kNamePairs) <= core::kPairsDeep, "an Unpacker has no room");
 
 constexpr parameters::Packed<core::count(kRows), parameters::distinctNumbers(kRows),

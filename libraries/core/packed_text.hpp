@@ -117,6 +117,12 @@ private:
     uint8_t waiting_[kPairsDeep];
 };
 
+// The letter that a code's text begins with.
+inline char firstLetter(uint8_t code, const CodePair* pairs) {
+    while (code >= kFirstPair) code = romRead(pairs[code - kFirstPair].first);
+    return static_cast<char>(code);
+}
+
 // Spells into `to`, at most `size` letters, zeros behind (MAVLink's char arrays need no terminator
 // when full). Returns the letters.
 inline uint8_t unpack(Unpacker from, char* to, uint8_t size) {

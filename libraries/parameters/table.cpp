@@ -18,31 +18,26 @@ bool isName(const char (&name)[kNameSize], core::Unpacker letters) {
     return true;
 }
 
-uint8_t nameCodesOf(const PackedRow& row) {
-    return core::romRead(row.offset_name_type) >> kOffsetBits & kMaxNameCodes;
-}
-
 }  // namespace
 
 uint8_t Table::slot(uint8_t index) const { return core::romRead(row(index).slot); }
 
 Type Table::type(uint8_t index) const {
-    const uint8_t place = core::romRead(row(index).offset_name_type) >> (kOffsetBits + kNameBits);
-    return core::romRead(kTypes[place]);
+    return static_cast<Type>(core::romRead(row(index).type_and_offset) >> kOffsetBits);
 }
 
 uint8_t* Table::field(uint8_t index) const {
     constexpr uint16_t kOffset = (1 << kOffsetBits) - 1;
     return static_cast<uint8_t*>(core::romRead(fields_)) +
-           (core::romRead(row(index).offset_name_type) & kOffset);
+           (core::romRead(row(index).type_and_offset) & kOffset);
 }
 
 float Table::number(const uint8_t& in_flash) const {
     return core::romRead(core::romRead(numbers_)[core::romRead(in_flash)]);
 }
 
-core::Unpacker Table::letters(const PackedRow& row, const uint8_t* codes) const {
-    return {codes, nameCodesOf(row), core::romRead(pairs_)};
+const uint8_t* Table::codes(const PackedRow& row) const {
+    return core::romRead(names_) + core::romRead(row.name);
 }
 
 float Table::initial(uint8_t index) const { return number(row(index).initial); }
@@ -50,10 +45,7 @@ float Table::lowest(uint8_t index) const { return number(row(index).lowest); }
 float Table::highest(uint8_t index) const { return number(row(index).highest); }
 
 void Table::name(uint8_t index, char (&to)[kNameSize]) const {
-    const PackedRow* const rows = &row(0);
-    const uint8_t* codes = core::romRead(names_);
-    for (uint8_t i = 0; i < index; ++i) codes += nameCodesOf(rows[i]);
-    core::unpack(letters(rows[index], codes), to, kNameSize);
+    core::unpack({codes(row(index)), kNameSize, core::romRead(pairs_)}, to, kNameSize);
 }
 
 float Table::value(uint8_t index) const {
@@ -82,13 +74,14 @@ float Table::value(uint8_t index) const {
 bool Table::findName(const char (&name)[kNameSize], uint8_t& index) const {
     const uint8_t rows = count();
     const PackedRow* at = &row(0);
-    const uint8_t* codes = core::romRead(names_);
+    const core::CodePair* const pairs = core::romRead(pairs_);
     for (uint8_t i = 0; i < rows; ++i, ++at) {
-        if (isName(name, letters(*at, codes))) {
-            index = i;
-            return true;
-        }
-        codes += nameCodesOf(*at);
+        // spelling two hundred names would take 4 ms
+        const uint8_t* const in_flash = codes(*at);
+        if (core::firstLetter(core::romRead(*in_flash), pairs) != name[0]) continue;
+        if (!isName(name, {in_flash, kNameSize, pairs})) continue;
+        index = i;
+        return true;
     }
     return false;
 }

@@ -36,7 +36,6 @@ template <class T>
 struct TypeOf<T&> : TypeOf<T> {};
 
 constexpr uint8_t kNameSize = 16;
-constexpr uint8_t kMaxNameCodes = 15;  // of a packed name
 
 struct Row {
     uint8_t slot;
@@ -131,36 +130,24 @@ constexpr size_t distinctNumbers(const Row (&rows)[N]) {
     return Numbers<N>(rows).count;
 }
 
-// The codes of all names together, to declare the Packed.
+// The codes of all names with their ends together, to declare the Packed.
 template <size_t N, size_t kPairs>
 constexpr size_t nameCodes(const Row (&rows)[N], const core::CodePair (&pairs)[kPairs]) {
     size_t codes = 0;
-    for (size_t i = 0; i < N; ++i) codes += core::packedSize(rows[i].name, pairs);
+    for (size_t i = 0; i < N; ++i) codes += core::packedSize(rows[i].name, pairs) + 1;
     return codes;
-}
-
-template <size_t N, size_t kPairs>
-constexpr bool namesFit(const Row (&rows)[N], const core::CodePair (&pairs)[kPairs]) {
-    for (size_t i = 0; i < N; ++i)
-        if (core::packedSize(rows[i].name, pairs) > kMaxNameCodes) return false;
-    return true;
 }
 
 // A row as it lies in flash.
 struct PackedRow {
     uint8_t slot;
     uint8_t initial, lowest, highest;  // places among the numbers
-    uint16_t offset_name_type;         // from below: ten bits, four of the name's codes, two
+    uint16_t type_and_offset;          // the upper four bits and the lower twelve
+    uint16_t name;                     // where it begins among the codes
 };
-constexpr uint8_t kOffsetBits = 10, kNameBits = 4;
+constexpr uint8_t kOffsetBits = 12;
 
-constexpr Type kTypes[] ROM = {Type::int8, Type::int16, Type::int32, Type::real32};
-constexpr unsigned placeOf(Type type) {
-    return type == Type::int8 ? 0 : type == Type::int16 ? 1 : type == Type::int32 ? 2 : 3;
-}
-
-// In flash, ROM: rows of 6 bytes instead of 33, their numbers, and their names, packed, one behind
-// the other.
+// In flash, ROM: rows of 8 bytes instead of 33, their numbers, and their names, packed.
 template <size_t kRows, size_t kNumbers, size_t kCodes, size_t kPairs>
 struct Packed {
     constexpr Packed(const Row (&from)[kRows], const core::CodePair (&pairs)[kPairs]) {
@@ -170,14 +157,15 @@ struct Packed {
         size_t at = 0;
         for (size_t i = 0; i < kRows; ++i) {
             const core::Packing<kNameSize> packed(from[i].name, pairs);
+            row[i].name = static_cast<uint16_t>(at);
             for (size_t j = 0; j < packed.size; ++j) name[at++] = packed.codes[j];
+            ++at;  // a zero
             row[i].slot = from[i].slot;
             row[i].initial = static_cast<uint8_t>(all.find(from[i].initial));
             row[i].lowest = static_cast<uint8_t>(all.find(from[i].lowest));
             row[i].highest = static_cast<uint8_t>(all.find(from[i].highest));
-            row[i].offset_name_type =
-                static_cast<uint16_t>(from[i].offset | packed.size << kOffsetBits |
-                                      placeOf(from[i].type) << (kOffsetBits + kNameBits));
+            row[i].type_and_offset = static_cast<uint16_t>(
+                (static_cast<unsigned>(from[i].type) << kOffsetBits) | from[i].offset);
         }
     }
 
@@ -223,7 +211,7 @@ public:
 private:
     const PackedRow& row(uint8_t index) const { return core::romRead(rows_)[index]; }
     float number(const uint8_t& in_flash) const;
-    core::Unpacker letters(const PackedRow& row, const uint8_t* codes) const;
+    const uint8_t* codes(const PackedRow& row) const;
     uint8_t* field(uint8_t index) const;
 
     const PackedRow* rows_;

@@ -60,4 +60,10 @@ TEST(PackedText, needs_the_room_that_is_worked_out_from_the_pairs) {
     EXPECT_EQ(spelt(codes, 2, kOnTheLeft), "abcd");
 }
 
+TEST(PackedText, is_known_by_the_letter_it_begins_with) {
+    EXPECT_EQ(core::firstLetter('x', kPairs), 'x');
+    EXPECT_EQ(core::firstLetter(0x81, kPairs), 'a');
+    EXPECT_EQ(core::firstLetter(0x82, kPairs), 'b');
+}
+
 }  // namespace

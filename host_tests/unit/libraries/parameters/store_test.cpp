@@ -55,9 +55,6 @@ constexpr core::CodePair kPairs[] = {{'A', 'L'}, {'E', 0x80}, {'T', 'E'}};
 constexpr parameters::Packed<core::count(kRows), parameters::distinctNumbers(kRows),
                              parameters::nameCodes(kRows, kPairs), core::count(kPairs)>
     kPacked ROM(kRows, kPairs);
-static_assert(parameters::namesFit(kRows, kPairs), "");
-constexpr core::CodePair kNoPairs[] = {{'?', '?'}};
-static_assert(!parameters::namesFit(kRows, kNoPairs), "sixteen codes are one too many");
 static_assert(parameters::distinctNumbers(kRows) == 9, "1, -1 and 0 come twice");
 constexpr Table table ROM(kPacked, &fields);
 
