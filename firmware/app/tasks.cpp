@@ -110,11 +110,11 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { medium, missionRun,             10,     3,    2670 },
     { medium, missionCatchUp,         10,     5,    1590 },
     { medium, runInverted,            10,     2,      15 },
-    { medium, runStall,                5,     3,      48 },
+    { medium, runStall,                5,     3,      53 },
     { medium, runFence,               10,     1,    1030 },
     { medium, runFailsafe,            10,     6,     500 },
 
-    { slow,   runLog,                  2,     0,    1010 },
+    { slow,   runLog,                  2,     0,    1065 },
     { slow,   runModeSwitch,          10,     0,     215 },
     { slow,   runEvents,              10,     5,      35 },
     { slow,   reportVariables,        10,     7,     340 },
