@@ -106,7 +106,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { medium, runGuidance,             5,     2,    2050 },
     { medium, runSpeedHeight,         10,     4,    1750 },
     { medium, runSpeedScaling,         5,     4,     160 },
-    { medium, runRestart,              2,     1,      90 },
+    { medium, runRestart,              2,     1,      95 },
     { medium, missionRun,             10,     3,    2670 },
     { medium, missionCatchUp,         10,     5,    1590 },
     { medium, runInverted,            10,     2,      15 },
@@ -114,7 +114,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { medium, runFence,               10,     1,    1030 },
     { medium, runFailsafe,            10,     6,     500 },
 
-    { slow,   runLog,                  2,     0,    1065 },
+    { slow,   runLog,                  2,     0,    1010 },
     { slow,   runModeSwitch,          10,     0,     215 },
     { slow,   runEvents,              10,     5,      35 },
     { slow,   reportVariables,        10,     7,     340 },
