@@ -116,7 +116,7 @@ void known(bool is) { mutable_vehicle.estimate.known = is; }
 void homeSet(bool is) { mutable_vehicle.home.set = is; }
 void armed(bool is) { mutable_vehicle.armed = is; }
 
-TEST_F(Conditions, of_each_check_before_arming_turn_it_alone) {
+TEST_F(Conditions, of_each_check_of_the_sensors_turn_it_alone) {
     check({
         {"accelerometers",
          {[](bool is) {
@@ -157,6 +157,10 @@ TEST_F(Conditions, of_each_check_before_arming_turn_it_alone) {
           [](bool is) { known(!is); }},
          [] { return refused(8, "PreArm: no GPS fix"); },
          any},
+    });
+}
+TEST_F(Conditions, of_each_check_of_the_receiver_turn_it_alone) {
+    check({
         {"radio", {radioLost, neverReceived}, [] { return refused(64, "PreArm: no radio"); }, any},
         {"throttle",
          {radioLost, neverReceived,
@@ -174,6 +178,10 @@ TEST_F(Conditions, of_each_check_before_arming_turn_it_alone) {
           }},
          [] { return refused(64, "PreArm: RC# not calibrated"); },
          any},
+    });
+}
+TEST_F(Conditions, of_each_check_of_airspeed_supply_and_log_turn_it_alone) {
+    check({
         {"airspeed",
          {[](bool is) { parameters.airspeed_enable = is; },
           [](bool is) { parameters.airspeed_use = is; },
