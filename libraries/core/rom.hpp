@@ -11,19 +11,13 @@
 #include <avr/pgmspace.h>
 #define ROM PROGMEM
 #define ROM_COPY memcpy_P
-#define ROM_TEXT(text) PSTR(text)
 #else
 #include <string.h>
 #define ROM
 #define ROM_COPY memcpy
-#define ROM_TEXT(text) (text)
 #endif
 
 namespace core {
-
-// A text that lies in flash in letters: made by ROM_TEXT("...") inside a function, read by romRead.
-// Never dereference it. Texts to people are packed: packed_text.hpp.
-using RomText = const char*;
 
 template <class T, size_t size = sizeof(T)>
 struct RomReader {

@@ -12,7 +12,7 @@ const kNoCode = new RegExp([
 ].map(({ source }) => source).join('|'), 'gm');
 
 // Checked by the compiler, or texts: a mutation of it would say nothing about a test.
-const kCalls = /\b(?:static_assert|ROM_TEXT|STATUS_TEXT|PSTR)\s*\(/g;
+const kCalls = /\b(?:static_assert|STATUS_TEXT|PSTR)\s*\(/g;
 
 // The place behind the bracket that closes the one at `open`.
 export function closing(text, open) {

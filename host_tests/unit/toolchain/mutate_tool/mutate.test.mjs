@@ -54,7 +54,7 @@ for (const text of [
   'x = 0;', 'x = 0.0f;', 'x = 5_m;', 'x1 = y2;', 'x = 010;',
   '// a < b && c == 1\n', 'f(); // a + 1\n', '/* a < 1\n b == 2 */', 'f("a < 1, -b");', 'f("\\" < 1");', "f('<', '1');",
   '#include <vector>\n', '#define A 1 + \\\n  2\n', '  #if A == 1\n',
-  'static_assert(sizeof(a) == 4, "x");', 'f(ROM_TEXT(a + b));', 'constexpr char kName[16] ROM = "a";', 'bool on : 1;',
+  'static_assert(sizeof(a) == 4, "x");', 'f(STATUS_TEXT(a + b));', 'constexpr char kName[16] ROM = "a";', 'bool on : 1;',
   'template <class T> void f(T&& t);', 'std::vector<int> a;', 'p->x;', 'a << b;', 'a >> b;', 'auto&& x = y;',
   'if (const auto x = f()) return;', 'R"(a < 1)";',
 ]) test(`nothing is changed in ${JSON.stringify(text)}`, () => assert.deepEqual(after(text), []));
