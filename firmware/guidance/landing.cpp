@@ -4,6 +4,7 @@
 #include "core/file_state.hpp"
 #include "core/fixed.hpp"
 #include "core/maths.hpp"
+#include "firmware/estimator/estimator.hpp"
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
 #include "firmware/guidance/lateral.hpp"
@@ -60,6 +61,10 @@ float share(float value) { return core::limit(value, 0.0f, 1.0f); }
 
 float heightAbovePoint_m() { return vehicle.estimate.height_m - vehicle.demand.height_m; }
 
+float aboveGround_m() {
+    return descent.landing.byField() ? estimator::aboveField_m() : heightAbovePoint_m();
+}
+
 // 0 in calm air or with the wind from behind, 1 against more than 3 m/s.
 float intoWind(const navigation::Lateral& lateral) {
     const auto& wind = vehicle.estimate.wind_mps;
@@ -70,7 +75,7 @@ float intoWind(const navigation::Lateral& lateral) {
 float demandedPower(const navigation::Lateral& lateral, float missing_mps) {
     const float left_m = legLength_m() + kPoweredBehind_m - lateral.along_m;
     return kMaxPower * share(missing_mps * kPerMissing_spm) *
-           share(heightAbovePoint_m() * (1 / kPowered_m)) * share(left_m * (1 / kPowerFades_m));
+           share(aboveGround_m() * (1 / kPowered_m)) * share(left_m * (1 / kPowerFades_m));
 }
 
 navigation::HeightDemand height(const navigation::Lateral& lateral, float along_mps,
@@ -85,7 +90,8 @@ navigation::HeightDemand height(const navigation::Lateral& lateral, float along_
                                            lateral.along_m,
                                            along_mps,
                                            heightAbovePoint_m(),
-                                           -vehicle.estimate.climb_mps};
+                                           -vehicle.estimate.climb_mps,
+                                           estimator::aboveField_m()};
     const auto above_point = descent.landing.run(settings, approach);
     return {above_point.height_m + demand.height_m, above_point.climb_mps};
 }
@@ -112,9 +118,8 @@ Plan flyLanding() {
     to_fly.phase = ::control::Phase::approach;
     if (descent.landing.flaring()) {
         to_fly.phase = ::control::Phase::flare;
-        to_fly.pitch_min_rad =
-            core::fromCentidegrees(parameters.land_pitch_cd) -
-            kNoseDown_radpm * core::limit(heightAbovePoint_m(), 0.0f, kMaxNoseDown_m);
+        to_fly.pitch_min_rad = core::fromCentidegrees(parameters.land_pitch_cd) -
+                               kNoseDown_radpm * core::limit(aboveGround_m(), 0.0f, kMaxNoseDown_m);
         descent.power =
             core::Ratio(demandedPower(lateral, calm_mps - vehicle.estimate.ground_speed_mps));
         steerTowards(legHeading_rad() - runwayError_rad(lateral.crosstrack_m));

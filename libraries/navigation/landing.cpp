@@ -18,6 +18,10 @@ constexpr float kMaxLeadSink = 1.5f;
 // Of its height an airplane above the slope dives no more than this: what an updraft has given
 // would be taken away with a sink that no flare ends in time.
 constexpr float kDive = 0.15f;
+// A flare this far below the point, so far above the field, is none: the airplane would stall.
+constexpr float kNoGround_m = 3, kFieldIsLower_m = 10;
+// Past the point the flare begins higher, but not where it would end in a stall.
+constexpr float kHigherPast = 4;
 
 float larger(float a, float b) { return a > b ? a : b; }
 
@@ -52,13 +56,27 @@ HeightDemand flare(const LandingSettings& settings, const Approach& approach, co
 }  // namespace
 
 HeightDemand Landing::run(LandingSettings settings, Approach approach) {
+    const bool no_ground = approach.height_m < -kNoGround_m;
+    if (flaring_ && no_ground && approach.above_field_m > kFieldIsLower_m) {
+        by_field_ = true;
+        flaring_ = false;
+    }
+    const float ground_m = by_field_ ? approach.height_m - approach.above_field_m : 0;
+    approach.height_m -= ground_m;
+    HeightDemand demand = aboveGround(settings, approach);
+    demand.height_m += ground_m;
+    return demand;
+}
+
+HeightDemand Landing::aboveGround(LandingSettings settings, Approach approach) {
     const bool past = approach.along_m >= approach.length_m;
     approach.length_m += settings.late_s * core::limit(approach.along_mps, 0.0f, 50.0f);
     const Slope slope = slopeOf(settings, approach);
     // on a slope that sinks less the flare would dive below it
     settings.touchdown_sink_mps = core::limit(settings.touchdown_sink_mps, 0.0f, slope.sink_mps);
     const float lead_mps = core::limit(approach.sink_mps, 0.0f, kMaxLeadSink * slope.sink_mps);
-    if (past || approach.height_m <= slope.flare_m + lead_mps * kFlareLead_s) flaring_ = true;
+    const float begins_m = slope.flare_m * (past ? kHigherPast : 1) + lead_mps * kFlareLead_s;
+    if (approach.height_m <= begins_m) flaring_ = true;
     if (flaring_) return flare(settings, approach, slope);
 
     const float evenness = 2 * slope.sink_mps / (slope.sink_mps + settings.touchdown_sink_mps);
@@ -67,6 +85,7 @@ HeightDemand Landing::run(LandingSettings settings, Approach approach) {
     if (aim_m < 1) return {0, -slope.sink_mps};
     HeightDemand demand =
         heightOnSlope(approach.from_height_m, 0, aim_m, approach.along_m, approach.along_mps);
+    if (past) demand.climb_mps = -slope.sink_mps;
     demand.height_m = larger(demand.height_m, approach.height_m * (1 - kDive));
     return demand;
 }

@@ -22,18 +22,25 @@ struct Approach {
     float length_m;
     float along_m;
     float along_mps;
-    float height_m;  // now, above the landing point
-    float sink_mps;  // now
+    float height_m;           // now, above the landing point
+    float sink_mps;           // now
+    float above_field_m = 0;  // now; the field is where the airplane was armed
 };
 
 class Landing {
 public:
-    void start() { flaring_ = false; }
+    void start() { *this = Landing(); }
     HeightDemand run(LandingSettings settings, Approach approach);
     bool flaring() const { return flaring_; }
+    // No ground was where the point should be, and the field lies lower: it flares again by the
+    // height above that.
+    bool byField() const { return by_field_; }
 
 private:
+    HeightDemand aboveGround(LandingSettings settings, Approach approach);
+
     bool flaring_ = false;
+    bool by_field_ = false;
 };
 
 }  // namespace navigation

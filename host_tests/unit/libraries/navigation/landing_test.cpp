@@ -59,12 +59,43 @@ TEST(Landing, never_dives_below_a_slope_that_sinks_less_than_a_touchdown) {
     }
 }
 
-TEST(Landing, flares_past_the_point_however_high_it_is) {
+TEST(Landing, past_the_point_flares_a_little_higher_but_not_where_it_would_stall) {
     navigation::Landing landing;
     landing.start();
-    landing.run(kLanding, {30, 300, 301, 11, 9, 1});
+    const auto demand = landing.run(kLanding, {30, 300, 301, 11, 45, 1});
+    EXPECT_FALSE(landing.flaring()) << "45 m without power end in a stall";
+    EXPECT_LT(demand.climb_mps, -1.0f) << "it comes down all the same";
+    EXPECT_LT(demand.height_m, 45);
 
+    landing.run(kLanding, {30, 300, 301, 11, 7, 1});
     EXPECT_TRUE(landing.flaring());
+}
+
+TEST(Landing, flares_again_by_the_height_above_the_field_where_no_ground_was) {
+    navigation::Landing landing;
+    landing.start();
+    landing.run(kLanding, {30, 300, 290, 11, 1, 1, 50});
+    ASSERT_TRUE(landing.flaring());
+    landing.run(kLanding, {30, 300, 300, 11, -2.5f, 1, 46.5f});
+    EXPECT_TRUE(landing.flaring()) << "the barometer may be wrong by so much";
+
+    const auto demand = landing.run(kLanding, {30, 300, 310, 11, -3.5f, 1, 45.5f});
+    EXPECT_FALSE(landing.flaring());
+    EXPECT_TRUE(landing.byField());
+    EXPECT_LT(demand.height_m, -3.5f);
+    EXPECT_GT(demand.height_m, -3.5f - 45.5f);
+    landing.run(kLanding, {30, 300, 500, 11, -48, 1, 1});
+    EXPECT_TRUE(landing.flaring());
+}
+
+TEST(Landing, flares_on_below_the_field_and_below_a_point_that_is_as_high_as_the_field) {
+    for (const float above_field_m : {-20.0f, 5.0f}) {
+        navigation::Landing landing;
+        landing.start();
+        landing.run(kLanding, {30, 300, 290, 11, 1, 1, above_field_m + 8});
+        landing.run(kLanding, {30, 300, 310, 11, -7, 1, above_field_m});
+        EXPECT_TRUE(landing.flaring()) << above_field_m;
+    }
 }
 
 navigation::Landing flaring() {
