@@ -29,7 +29,7 @@ using mavlink::LogEntry;
 
 enum class Doing : uint8_t { nothing, list, date, measure, data };
 
-constexpr logging::Formats kFormatsInFront = {kFormatTable, kFormats};
+constexpr logging::Formats kFormatsInFront = {spellFormat, kFormats};
 
 struct Download {
     Doing doing;
@@ -86,9 +86,7 @@ bool entryStep(Link& link, uint32_t time_utc) {
 // 0: not a record.
 uint8_t lengthOf(const logging::RecordHead& head) {
     if (head.head1 != logging::kHead1 || head.head2 != logging::kHead2) return 0;
-    for (const logging::Format& format : kFormatTable)
-        if (core::romRead(format.type) == head.type) return core::romRead(format.length);
-    return 0;
+    return lengthOfRecord(head.type);
 }
 
 // Of a record with the time that a receiver sent.

@@ -129,7 +129,7 @@ constexpr uint8_t kNoMode = 0xFF;
 
 enum class Request : uint8_t { none, pause, erase };
 struct Progress {
-    uint16_t prelude;  // formats, banner, lists, parameters, mission items already logged
+    uint16_t prelude;  // formats, banner, lists, units, parameters, items that are in it already
     uint16_t due;      // a bit a source
     uint16_t dropped;
     uint8_t run;       // 0 .. kRound - 1
@@ -213,7 +213,13 @@ bool putPrelude() {
         ok = putError(kProcessor, static_cast<uint8_t>(hal::resetCause()));
     } else if (--at == 0) {
         ok = putLists();
-    } else if (--at < parameterCount()) {
+    } else if (--at < kUnits) {
+        ok = putUnit(static_cast<uint8_t>(at));
+    } else if ((at -= kUnits) < kMultipliers) {
+        ok = putMultiplier(static_cast<uint8_t>(at));
+    } else if ((at -= kMultipliers) < kFormats) {
+        ok = putUnits(static_cast<uint8_t>(at));
+    } else if ((at -= kFormats) < parameterCount()) {
         ok = putParameter(static_cast<uint8_t>(at));
     } else if ((at -= parameterCount()) < missionCount() && wants(Bit::command)) {
         ok = putCommand(static_cast<uint8_t>(at));

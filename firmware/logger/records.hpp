@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The records of the flight log: each a packed struct and a row of kFormats, which says the same
+// The records of the flight log: each a packed struct and a row of records.cpp, which says the same
 // to whoever reads the log. Names and fields as ArduPlane's logs have them where they mean the
 // same; TimeUS is microseconds since start. docs/log.md says what each holds.
 #pragma once
@@ -84,12 +84,23 @@ RECORD(Camera) {
 RECORD(Event) { uint8_t id; };
 RECORD(Error) { uint8_t subsystem, code; };
 RECORD(Lists) { uint32_t mission_id, fence_id, rally_points_id; };
+RECORD(Unit) { char id, label[64]; };
+RECORD(Multiplier) {
+    char id;
+    uint32_t value_lower, value_upper;  // a double of 64 bits, which this compiler does not have
+};
+RECORD(Units) {
+    uint8_t of_type;
+    char units[16], multipliers[16];
+};
 
 #undef RECORD
 
-// The type byte of each; by name is how a log is read, so none of them is a promise.
+// The type byte of each; by name is how a log is read, so none of them is a promise. In the order
+// of the rows, of which FMT is the first.
 enum class RecordType : uint8_t {
-    parameter = 129,
+    format = logging::kFormatType,
+    parameter,
     gps,
     inertial,
     message,
@@ -108,11 +119,22 @@ enum class RecordType : uint8_t {
     error,
     camera,
     lists,
+    unit,
+    multiplier,
+    units,
+    end,
 };
 
-// FMT itself first.
-constexpr uint8_t kFormats = 20;
-extern const logging::Format kFormatTable[kFormats];
+constexpr uint8_t kFormats = static_cast<uint8_t>(RecordType::end) - logging::kFormatType;
+constexpr uint8_t kUnits = 22, kMultipliers = 7;
+
+// They are spelt out of flash. The first is the format of FMT itself.
+void spellFormat(uint8_t index, logging::Format& to);
+void spellUnits(uint8_t index, UnitsRecord& to);  // of the fields of a format
+void spellUnit(uint8_t index, UnitRecord& to);
+void spellMultiplier(uint8_t index, MultiplierRecord& to);
+
+uint8_t lengthOfRecord(uint8_t type);  // 0: there is no such type
 
 }  // namespace logger
 }  // namespace firmware

@@ -64,8 +64,26 @@ bool logRecord(void* record, uint8_t type, uint8_t size) {
 bool putFormat(uint8_t index) {
     logging::FormatRecord record;
     record.head = {logging::kHead1, logging::kHead2, logging::kFormatType};
-    record.format = core::romRead(kFormatTable[index]);
+    spellFormat(index, record.format);
     return flight_logs.put(&record, sizeof record) == core::Status::ok;
+}
+
+bool putUnit(uint8_t index) {
+    UnitRecord record;
+    spellUnit(index, record);
+    return log(RecordType::unit, record);
+}
+
+bool putMultiplier(uint8_t index) {
+    MultiplierRecord record;
+    spellMultiplier(index, record);
+    return log(RecordType::multiplier, record);
+}
+
+bool putUnits(uint8_t index) {
+    UnitsRecord record;
+    spellUnits(index, record);
+    return log(RecordType::units, record);
 }
 
 bool putParameter(uint8_t index) {

@@ -10,6 +10,9 @@ namespace logger {
 bool logRecord(void* record, uint8_t type, uint8_t size);  // with its head and time
 
 bool putFormat(uint8_t index);
+bool putUnit(uint8_t index);
+bool putMultiplier(uint8_t index);
+bool putUnits(uint8_t index);  // of a format
 bool putParameter(uint8_t index);
 bool putCommand(uint8_t index);
 bool putMode();

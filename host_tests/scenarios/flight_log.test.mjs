@@ -118,6 +118,30 @@ test('the log begins with who wrote it and why the board started, before anythin
   assert.deepEqual([second.name, second.Subsys], ['ERR', 19]);
 });
 
+// The names are ArduPilot's (LogStructure.h): a viewer shows "deg" for d times what 0 multiplies by.
+test('every field has its unit and its multiplier, which agrees with the letter of its format', () => {
+  const units = new Map(named(records, 'UNIT').map(({ Id, Label }) => [String.fromCharCode(Id), Label]));
+  const multipliers = new Map(named(records, 'MULT').map(({ Id, Mult }) => [String.fromCharCode(Id), Mult]));
+  assert.deepEqual([...multipliers], [['-', 0], ['0', 1], ['A', 0.1], ['B', 0.01], ['C', 0.001], ['F', 1e-6], ['G', 1e-7]]);
+  assert.deepEqual(['s', 'd', 'n', 'D', 'G', '#', '-'].map((id) => units.get(id)),
+    ['s', 'deg', 'm/s', 'deglatitude', 'Gauss', 'instance', '']);
+  const formats = new Map(named(records, 'FMT').map((format) => [format.Type, format]));
+  const of = named(records, 'FMTU');
+  assert.deepEqual(of.map(({ FmtType }) => FmtType), [...formats.keys()], 'each format once');
+  const own = { c: 'B', C: 'B', e: 'B', E: 'B', L: 'G' };
+  for (const { FmtType, UnitIds, MultIds } of of) {
+    const { Name, Format } = formats.get(FmtType);
+    assert.deepEqual([UnitIds.length, MultIds.length], [Format.length, Format.length], Name);
+    for (const [i, letter] of [...Format].entries()) {
+      assert.ok(units.has(UnitIds[i]), `${Name}: unit ${UnitIds[i]}`);
+      assert.ok(multipliers.has(MultIds[i]), `${Name}: multiplier ${MultIds[i]}`);
+      if (own[letter]) assert.equal(MultIds[i], own[letter], `${Name}, field ${i + 1}`);
+    }
+  }
+  const ofType = (name) => of.find(({ FmtType }) => formats.get(FmtType).Name === name);
+  assert.deepEqual([ofType('ATT').UnitIds, ofType('ATT').MultIds], ['sddddhh', 'FBBBBBB']);
+});
+
 // As `toolchain/mission show` has it, and the board in MISSION_CURRENT.
 test('the log says which mission is flown', () => {
   const mission = join(import.meta.dirname, '../../simulator/missions/first_flight.waypoints');

@@ -3,6 +3,9 @@
 // fields; what they are is said by an FMT record that comes before the first of its type.
 //   b B int8 uint8   h H int16 uint16   i I int32 uint32   Q uint64   f float   M uint8, a mode
 //   c C int16 uint16, 0.01   e E int32 uint32, 0.01   L int32, 1e-7 degrees   n N Z char[4 16 64]
+//   d double of 64 bits
+// UNIT and MULT records name units and multipliers by letters, FMTU records give them to the
+// fields.
 #pragma once
 #include <stddef.h>
 #include <stdint.h>
@@ -17,7 +20,7 @@ struct __attribute__((packed)) RecordHead {
     uint8_t head1, head2, type;
 };
 
-// An FMT record after its head, which is also how the table of formats lies in flash.
+// An FMT record after its head.
 struct __attribute__((packed)) Format {
     uint8_t type, length;
     char name[4], fields[16], labels[64];  // padded with zeros, full without
@@ -49,6 +52,7 @@ constexpr uint8_t sizeOfField(char field) {
         case 'L':
         case 'n':
             return 4;
+        case 'd':
         case 'Q':
             return 8;
         case 'N':
@@ -60,30 +64,45 @@ constexpr uint8_t sizeOfField(char field) {
     }
 }
 
-template <size_t N>
-constexpr void copyTo(char (&to)[N], const char* from) {
-    for (size_t i = 0; i < N && from[i] != 0; ++i) to[i] = from[i];
-}
+// What a format is spelt as: name, fields, units, multipliers and labels, a blank between them.
+enum Word : uint8_t { kName, kFields, kUnits, kMultipliers, kLabels, kWords };
 
-constexpr Format format(uint8_t type, const char* name, const char* fields, const char* labels) {
-    Format row = {type, sizeof(RecordHead), {}, {}, {}};
-    copyTo(row.name, name);
-    copyTo(row.fields, fields);
-    copyTo(row.labels, labels);
-    for (const char* field = fields; *field != 0; ++field) {
-        const uint8_t size = sizeOfField(*field);
-        // an unknown letter makes a length that no record has
-        row.length = static_cast<uint8_t>(size == 0 ? 255 : row.length + size);
+struct Letters {
+    const char* from;
+    uint8_t count;
+};
+
+constexpr Letters wordOf(const char* text, Word word) {
+    for (uint8_t i = 0; i < word; ++i) {
+        while (*text != ' ' && *text != 0) ++text;
+        if (*text == ' ') ++text;
     }
-    return row;
+    uint8_t count = 0;
+    while (text[count] != ' ' && text[count] != 0) ++count;
+    return {text, count};
 }
 
-// As many labels as fields, none of them cut off.
-constexpr bool isSound(const char* fields, const char* labels) {
-    size_t count = 0, commas = 0, size = 0;
-    while (fields[count] != 0) ++count;
-    for (; labels[size] != 0; ++size) commas += labels[size] == ',';
-    return count <= 16 && size <= 64 && commas + 1 == count;
+// Of the whole record; 0: there is a letter that stands for no field.
+constexpr uint8_t lengthOf(const char* text) {
+    const Letters fields = wordOf(text, kFields);
+    uint8_t length = sizeof(RecordHead);
+    for (uint8_t i = 0; i < fields.count; ++i) {
+        const uint8_t size = sizeOfField(fields.from[i]);
+        if (size == 0) return 0;
+        length = static_cast<uint8_t>(length + size);
+    }
+    return length;
+}
+
+// A unit, a multiplier and a label for each field, and nothing that is cut off.
+constexpr bool isSound(const char* text) {
+    const Letters labels = wordOf(text, kLabels);
+    const uint8_t fields = wordOf(text, kFields).count;
+    uint8_t commas = 0;
+    for (uint8_t i = 0; i < labels.count; ++i) commas += labels.from[i] == ',';
+    return wordOf(text, kName).count <= 4 && fields <= 16 && labels.count <= 64 &&
+           wordOf(text, kUnits).count == fields && wordOf(text, kMultipliers).count == fields &&
+           commas + 1 == fields;
 }
 
 }  // namespace logging

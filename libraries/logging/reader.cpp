@@ -13,12 +13,15 @@ uint32_t sizeOf(const Formats& formats) {
     return static_cast<uint32_t>(formats.count * sizeof(FormatRecord));
 }
 
-uint8_t formatByte(const Formats& formats, uint16_t at) {
-    const uint16_t row = at / sizeof(FormatRecord);
-    const uint16_t within = at % sizeof(FormatRecord);
-    if (within >= sizeof(RecordHead))
-        return core::romRead((&formats.rows[row].type)[within - sizeof(RecordHead)]);
-    return within == 0 ? kHead1 : within == 1 ? kHead2 : kFormatType;
+// As much of one FMT record as there is from `at` on.
+uint8_t copyFormat(const Formats& formats, uint16_t at, uint8_t* to, uint8_t size) {
+    const uint8_t within = static_cast<uint8_t>(at % sizeof(FormatRecord));
+    FormatRecord record = {{kHead1, kHead2, kFormatType}, {}};
+    formats.spell(static_cast<uint8_t>(at / sizeof(FormatRecord)), record.format);
+    const uint8_t rest = static_cast<uint8_t>(sizeof record - within);
+    if (size > rest) size = rest;
+    memcpy(to, reinterpret_cast<const uint8_t*>(&record) + within, size);
+    return size;
 }
 
 // Damaged pages in a row that are skipped.
@@ -94,11 +97,8 @@ Status Reader::read(const LogStore& store, const Formats& formats, uint32_t at, 
     Status status = missing(store, cut);
     if (status != Status::ok) return status;
     if (cut > 0) {
-        uint8_t done = 0;
-        for (; done < size && at + done < sizeOf(formats); ++done)
-            to[done] = formatByte(formats, static_cast<uint16_t>(at + done));
-        if (done > 0) {
-            size = done;
+        if (at < sizeOf(formats)) {
+            size = copyFormat(formats, static_cast<uint16_t>(at), to, size);
             return Status::ok;
         }
         at += cut - sizeOf(formats);

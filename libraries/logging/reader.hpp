@@ -11,7 +11,7 @@
 namespace logging {
 
 struct Formats {
-    const Format* rows;  // in flash
+    void (*spell)(uint8_t index, Format& to);
     uint8_t count;
 };
 

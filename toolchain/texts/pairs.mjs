@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the pairs by which texts are packed into the image (core/packed_text.hpp) and writes them
-// into two headers: for the texts to the pilot and for the names of parameters. Any pairs are
-// right; the nearer to today's texts, the smaller the image.
+// into three headers: for the texts to the pilot, for the log's formats and for the names of
+// parameters. Any pairs are right; the nearer to today's texts, the smaller the image.
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -31,6 +31,13 @@ export function statusTexts() {
 export function parameterNames() {
   const [, ...rows] = readFileSync(join(root, 'firmware/state/parameters.csv'), 'utf8').trim().split('\n');
   return rows.map((row) => row.split(',')[0]);
+}
+
+// The rows of the log's formats, and its units.
+export function formatTexts() {
+  const source = readFileSync(join(root, 'firmware/logger/records.cpp'), 'utf8');
+  const table = source.slice(source.indexOf('kShapes[kFormats] = {'), source.indexOf('// clang-format on'));
+  return [...table.matchAll(/"([^"]+)"/g)].map(([, text]) => text);
 }
 
 function joined(codes, [first, second], code) {
@@ -106,6 +113,7 @@ ${rows.join('\n')}
 
 export const kHeaders = [
   { file: 'firmware/notify/text_pairs.hpp', namespace: 'notify', name: 'kTextPairs', of: 'the texts to the pilot', texts: statusTexts },
+  { file: 'firmware/logger/format_pairs.hpp', namespace: 'logger', name: 'kFormatPairs', of: "the log's formats and units", texts: formatTexts },
   { file: 'firmware/state/name_pairs.hpp', namespace: 'state', name: 'kNamePairs', of: "the parameters' names", texts: parameterNames },
 ];
 

@@ -9,11 +9,12 @@ using namespace chip;
 
 namespace {
 
-constexpr logging::Format kRows[] ROM = {
-    logging::format(128, "FMT", "BBnNZ", "Type,Length,Name,Format,Columns"),
-    logging::format(129, "ONE", "QB", "TimeUS,Id"),
+constexpr logging::Format kRows[] = {
+    {128, 89, "FMT", "BBnNZ", "Type,Length,Name,Format,Columns"},
+    {129, 12, "ONE", "QB", "TimeUS,Id"},
 };
-constexpr logging::Formats kFormats = {kRows, 2};
+constexpr logging::Formats kFormats = {
+    [](uint8_t index, logging::Format& to) { to = kRows[index]; }, 2};
 constexpr size_t kInFront = 2 * sizeof(logging::FormatRecord);
 
 class Reading : public Logs {
