@@ -66,7 +66,7 @@ enum : uint8_t {
 }
 
 // When a source is due: at a place in a round of so many runs of 20 ms, or with each fix.
-enum Round : uint8_t { always, of_5, of_10, of_50, with_fix, kRounds };
+enum Round : uint8_t { always, of_5, of_10, of_25, of_50, with_fix, kRounds };
 
 struct Source {
     uint32_t kinds;
@@ -86,11 +86,13 @@ constexpr Source kSources[] ROM = {
     source(Bit::inertial_fast, always,   0, putInertial),
     source(Bit::attitude,      of_5,     0, putAttitude),
     source(Bit::inertial,      of_5,     1, putInertial),
-    source(Bit::control,       of_5,     2, putControl),
-    source(Bit::navigation,    of_10,    3, putNavigation),
+    source(Bit::control,       of_10,    2, putControl),
+    source(Bit::navigation,    of_25,    3, putNavigation),
+    source(Bit::navigation,    of_10,    7, putPlace),
     source(Bit::control,       of_10,    4, putBarometer),
     source(Bit::compass,       of_10,    8, putCompass),
-    source(Bit::current,       of_10,    9, putCurrent),
+    source(Bit::current,       of_25,    9, putBattery),
+    source(Bit::current,       of_50,   19, putPower),
     source(Bit::radio,         of_10,    0, putRadioIn),
     source(Bit::radio,         of_10,    5, putServoOut),
     source(Bit::performance,   of_50,    6, putPerformance),
@@ -166,7 +168,7 @@ struct Places {
 
 Places places() {
     Places now = {{0, static_cast<uint8_t>(logged.run % 5), static_cast<uint8_t>(logged.run % 10),
-                   logged.run, 1}};
+                   static_cast<uint8_t>(logged.run % 25), logged.run, 1}};
     if (vehicle.gps.received_ms != logged.gps_logged_ms) now.of[with_fix] = 0;
     logged.gps_logged_ms = vehicle.gps.received_ms;
     return now;

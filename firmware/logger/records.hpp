@@ -36,44 +36,53 @@ RECORD(Attitude) {
     int16_t roll_demand_cd, roll_cd, pitch_demand_cd, pitch_cd;
     uint16_t bearing_cd, yaw_cd;
 };
-RECORD(Gps) {
+// One of several that might be fitted: as a field of unit "#" it makes IMU[0] of an IMU record.
+struct __attribute__((packed)) InstanceRecord : TimedRecord {
+    uint8_t instance;
+};
+#define INSTANCE_RECORD(Name) struct __attribute__((packed)) Name##Record : InstanceRecord
+
+INSTANCE_RECORD(Gps) {
     uint8_t status;
     uint32_t time_ms;
     uint16_t week;
     uint8_t satellites;
     int16_t hdop_c;
     int32_t latitude_e7, longitude_e7, altitude_cm;
-    float speed_mps, course_deg, down_mps;
+    uint16_t speed_cmps, course_cd;
+    int16_t down_cmps;
+    uint8_t used;
 };
 RECORD(ControlTuning) {
     int16_t roll_demand_cd, roll_cd, pitch_demand_cd, pitch_cd;
-    int16_t throttle_pct, rudder_us;
-    float accel_y_mss, airspeed_mps, height_m;
+    uint8_t throttle_pct, throttle_demand_pct;
+    int16_t rudder_cpct, airspeed_cmps;
+    uint16_t true_from_equivalent_c;  // 0.01
 };
 RECORD(NavigationTuning) {
-    uint16_t distance_m;
-    int16_t target_bearing_deg, bearing_deg;
-    float crosstrack_m, height_error_m, airspeed_error_mps, ground_speed_mps;
-    int32_t latitude_e7, longitude_e7;
+    uint16_t distance_m, target_bearing_cd, bearing_cd;
+    float height_error_m, crosstrack_m;
+    int16_t airspeed_error_cmps;
 };
-RECORD(Inertial) {
+RECORD(Place) { int32_t latitude_e7, longitude_e7, altitude_cm, height_cm; };
+INSTANCE_RECORD(Inertial) {
     float gyro_x_rads, gyro_y_rads, gyro_z_rads;
     float accel_x_mss, accel_y_mss, accel_z_mss;
 };
-RECORD(Compass) { int16_t field_x_mg, field_y_mg, field_z_mg, offset_mg[3]; };
-RECORD(Barometer) {
+INSTANCE_RECORD(Compass) { int16_t field_x_mg, field_y_mg, field_z_mg, offset_mg[3]; };
+INSTANCE_RECORD(Barometer) {
     float height_m, pressure_pa;
-    int16_t temperature_cdeg;
-    float climb_mps;
+    int16_t temperature_cdeg, climb_cmps;
 };
-RECORD(Current) {
-    int16_t throttle_pct, voltage_cv, current_ca;
-    uint16_t board_mv;
+INSTANCE_RECORD(Battery) {
+    uint16_t voltage_cv;
+    int16_t current_ca;
     float consumed_mah;
 };
+RECORD(Power) { uint16_t board_cv; };
 RECORD(RadioIn) { uint16_t pulse_us[hal::kRcChannels]; };
 RECORD(ServoOut) { uint16_t pulse_us[hal::kServos]; };
-RECORD(Performance) { uint16_t load_permille, late_frames, longest_frame_us, free_bytes, dropped; };
+RECORD(Performance) { uint16_t late_frames, longest_frame_us, free_bytes, load_permille, dropped; };
 RECORD(Camera) {
     uint32_t time_ms;
     uint16_t week;
@@ -95,6 +104,7 @@ RECORD(Units) {
 };
 
 #undef RECORD
+#undef INSTANCE_RECORD
 
 // The type byte of each; by name is how a log is read, so none of them is a promise. In the order
 // of the rows, of which FMT is the first.
@@ -109,7 +119,7 @@ enum class RecordType : uint8_t {
     barometer,
     command,
     attitude,
-    current,
+    battery,
     compass,
     mode,
     control,
@@ -122,6 +132,8 @@ enum class RecordType : uint8_t {
     unit,
     multiplier,
     units,
+    place,
+    power,
     end,
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/maths.hpp"
 #include "drivers/ublox.hpp"
+#include "firmware/control/attitude_control.hpp"
 #include "firmware/logger/log.hpp"
 #include "firmware/logger/records.hpp"
 #include "firmware/mission/lists.hpp"
@@ -42,14 +43,27 @@ bool log(RecordType type, Record& record) {
     return logRecord(&record, static_cast<uint8_t>(type), sizeof record);
 }
 
+template <class Record>
+bool logFirst(RecordType type, Record& record) {
+    record.instance = 0;
+    return log(type, record);
+}
+
 int16_t centidegrees(core::Angle angle) { return core::upper(angle.raw * 36000L); }
 uint16_t heading_cd() {
     return static_cast<uint16_t>(
         core::wrap360_cd(core::rounded(core::centidegrees(vehicle.attitude.yaw_rad.toFloat()))));
 }
-int16_t throttle_pct() {
-    return static_cast<int16_t>(
-        core::rounded(core::limit(vehicle.throttle_demand.toFloat(), 0.0f, 1.0f) * 100));
+uint8_t percent(core::Ratio of_all) {
+    return static_cast<uint8_t>(
+        core::times14(core::limit<int16_t>(of_all.raw, 0, core::Ratio::kOne), 100));
+}
+// Of which each record has some: inlined they would take three times the flash.
+__attribute__((noinline)) int16_t hundredths(float value) {
+    return core::narrowed(core::rounded(value * 100));
+}
+int32_t altitude_cm() {
+    return vehicle.home.altitude_cm + core::rounded(vehicle.estimate.height_m * 100);
 }
 
 }  // namespace
@@ -191,10 +205,11 @@ bool putGps() {
     record.latitude_e7 = gps.position.latitude_e7;
     record.longitude_e7 = gps.position.longitude_e7;
     record.altitude_cm = gps.altitude_cm;
-    record.speed_mps = gps.ground_speed_mps;
-    record.course_deg = core::hundredths(static_cast<int32_t>(gps.course_cd));
-    record.down_mps = gps.velocity_mps.z;
-    return log(RecordType::gps, record);
+    record.speed_cmps = static_cast<uint16_t>(hundredths(gps.ground_speed_mps));
+    record.course_cd = gps.course_cd;
+    record.down_cmps = hundredths(gps.velocity_mps.z);
+    record.used = 1;
+    return logFirst(RecordType::gps, record);
 }
 
 bool putCameraFeedback() {
@@ -204,7 +219,7 @@ bool putCameraFeedback() {
     record.week = gpsFix().week;
     record.latitude_e7 = estimate.position.latitude_e7;
     record.longitude_e7 = estimate.position.longitude_e7;
-    record.altitude_cm = vehicle.home.altitude_cm + core::rounded(estimate.height_m * 100);
+    record.altitude_cm = altitude_cm();
     record.roll_cd = centidegrees(vehicle.attitude.roll_rad);
     record.pitch_cd = centidegrees(vehicle.attitude.pitch_rad);
     record.yaw_cd = heading_cd();
@@ -217,11 +232,16 @@ bool putControl() {
     record.roll_cd = centidegrees(vehicle.attitude.roll_rad);
     record.pitch_demand_cd = centidegrees(vehicle.pitch_demand_rad);
     record.pitch_cd = centidegrees(vehicle.attitude.pitch_rad);
-    record.throttle_pct = throttle_pct();
-    record.rudder_us = static_cast<int16_t>(vehicle.servo_us[3]);
-    record.accel_y_mss = vehicle.imu.accel_mss.y.toFloat();
-    record.airspeed_mps = vehicle.estimate.equivalent_airspeed_mps;
-    record.height_m = vehicle.estimate.height_m;
+    record.throttle_pct = percent(control::surfaces.throttle);
+    record.throttle_demand_pct = percent(vehicle.throttle_demand);
+    record.rudder_cpct = core::times14(control::surfaces.rudder.raw, 10000);
+    const float equivalent_mps = vehicle.estimate.equivalent_airspeed_mps;
+    record.airspeed_cmps = hundredths(equivalent_mps);
+    constexpr float kFlying_mps = 5;
+    record.true_from_equivalent_c = 100;
+    if (equivalent_mps > kFlying_mps)
+        record.true_from_equivalent_c =
+            static_cast<uint16_t>(hundredths(vehicle.estimate.airspeed_mps / equivalent_mps));
     return log(RecordType::control, record);
 }
 
@@ -229,15 +249,22 @@ bool putNavigation() {
     const auto& progress = vehicle.progress;
     NavigationTuningRecord record;
     record.distance_m = static_cast<uint16_t>(core::limit(progress.distance_m, 0.0f, 65535.0f));
-    record.target_bearing_deg = static_cast<int16_t>(progress.target_bearing_cd / 100);
-    record.bearing_deg = static_cast<int16_t>(progress.nav_bearing_cd / 100);
-    record.crosstrack_m = progress.crosstrack_m;
+    record.target_bearing_cd = progress.target_bearing_cd;
+    record.bearing_cd = progress.nav_bearing_cd;
     record.height_error_m = progress.height_error_m;
-    record.airspeed_error_mps = progress.airspeed_error_mps;
-    record.ground_speed_mps = vehicle.estimate.ground_speed_mps;
-    record.latitude_e7 = vehicle.estimate.position.latitude_e7;
-    record.longitude_e7 = vehicle.estimate.position.longitude_e7;
+    record.crosstrack_m = progress.crosstrack_m;
+    record.airspeed_error_cmps = hundredths(progress.airspeed_error_mps);
     return log(RecordType::navigation, record);
+}
+
+bool putPlace() {
+    const auto& estimate = vehicle.estimate;
+    PlaceRecord record;
+    record.latitude_e7 = estimate.position.latitude_e7;
+    record.longitude_e7 = estimate.position.longitude_e7;
+    record.altitude_cm = altitude_cm();
+    record.height_cm = core::rounded(estimate.height_m * 100);
+    return log(RecordType::place, record);
 }
 
 bool putInertial() {
@@ -250,7 +277,7 @@ bool putInertial() {
     record.accel_x_mss = accel.x.toFloat();
     record.accel_y_mss = accel.y.toFloat();
     record.accel_z_mss = accel.z.toFloat();
-    return log(RecordType::inertial, record);
+    return logFirst(RecordType::inertial, record);
 }
 
 bool putCompass() {
@@ -261,7 +288,7 @@ bool putCompass() {
     record.field_z_mg = static_cast<int16_t>(field.z);
     for (uint8_t i = 0; i < 3; ++i)
         record.offset_mg[i] = static_cast<int16_t>(parameters.compass_offset_mg[i]);
-    return log(RecordType::compass, record);
+    return logFirst(RecordType::compass, record);
 }
 
 bool putBarometer() {
@@ -269,18 +296,22 @@ bool putBarometer() {
     record.height_m = vehicle.estimate.baro_height_m;
     record.pressure_pa = static_cast<float>(vehicle.baro.pressure_pa);
     record.temperature_cdeg = vehicle.baro.temperature_cc;
-    record.climb_mps = vehicle.estimate.climb_mps;
-    return log(RecordType::barometer, record);
+    record.climb_cmps = hundredths(vehicle.estimate.climb_mps);
+    return logFirst(RecordType::barometer, record);
 }
 
-bool putCurrent() {
-    CurrentRecord record;
-    record.throttle_pct = throttle_pct();
-    record.voltage_cv = static_cast<int16_t>(vehicle.battery.voltage_mv / 10);
+bool putBattery() {
+    BatteryRecord record;
+    record.voltage_cv = vehicle.battery.voltage_mv / 10;
     record.current_ca = vehicle.battery.current_ca;
-    record.board_mv = vehicle.battery.board_mv;
     record.consumed_mah = vehicle.battery.consumed_mah;
-    return log(RecordType::current, record);
+    return logFirst(RecordType::battery, record);
+}
+
+bool putPower() {
+    PowerRecord record;
+    record.board_cv = vehicle.battery.board_mv / 10;
+    return log(RecordType::power, record);
 }
 
 bool putRadioIn() {

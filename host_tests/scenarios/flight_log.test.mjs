@@ -64,12 +64,12 @@ test('roll, pitch and heading are where the airplane was', () => {
 test('the place is where the airplane was', () => {
   const north = (record, time_s) => (record.Lat - at(time_s, 'latitude_deg')) * kMetresPerDegree;
   const east = (record, time_s) => (record.Lng - at(time_s, 'longitude_deg')) * kMetresPerDegree * Math.cos(record.Lat * Math.PI / 180);
-  spread('NTUN', north, { rms: 2.5, peak: 8 });
-  spread('NTUN', east, { rms: 2.5, peak: 8 });
+  spread('POS', north, { rms: 2.5, peak: 8 });
+  spread('POS', east, { rms: 2.5, peak: 8 });
   spread('GPS', north, { rms: 4, peak: 10 });  // what the receiver knew was 0.2 s old
   spread('GPS', east, { rms: 4, peak: 10 });
-  spread('CTUN', (ctun, time_s) => ctun.Alt - at(time_s, 'height_m'), { rms: 1.5, peak: 5 });
-  spread('CTUN', (ctun, time_s) => ctun.Aspd - at(time_s, 'equivalent_airspeed_mps'), { rms: 1, peak: 4 });
+  spread('POS', (pos, time_s) => pos.RelHomeAlt - at(time_s, 'height_m'), { rms: 1.5, peak: 5 });
+  spread('CTUN', (ctun, time_s) => ctun.As - at(time_s, 'equivalent_airspeed_mps'), { rms: 1, peak: 4 });
 });
 
 test('the gyros show how the roll changes, and the accelerometer which way is down', () => {
@@ -86,7 +86,7 @@ test('pulses, modes, mission and the end of the flight are in it', () => {
   spread('RCOU', (rcou, time_s) => {
     const [before_us, after_us] = [at(time_s - 0.1, 'servo1_us'), at(time_s + 0.1, 'servo1_us')];
     const low = Math.min(before_us, at(time_s, 'servo1_us'), after_us), high = Math.max(before_us, at(time_s, 'servo1_us'), after_us);
-    return Math.max(0, low - rcou.Ch1, rcou.Ch1 - high);
+    return Math.max(0, low - rcou.C1, rcou.C1 - high);
   }, { rms: 15, peak: 200 });
   assert.deepEqual(named(records, 'MODE').map(({ ModeNum }) => ModeNum).slice(-1), [10]);
   assert.deepEqual(named(records, 'EV').map(({ Id }) => Id), [10, 28, 18, 11], 'armed, off, down, disarmed');
@@ -95,7 +95,7 @@ test('pulses, modes, mission and the end of the flight are in it', () => {
   assert.ok(named(records, 'MSG').some(({ Message }) => Message === 'Throttle disarmed'));
   const parameters = new Map(named(records, 'PARM').map(({ Name, Value }) => [Name, Value]));
   assert.equal(parameters.get('WP_RADIUS'), 30);
-  assert.equal(named(records, 'PM').at(-1).Drop, 0);
+  assert.equal(named(records, 'PM').at(-1).LogDrop, 0);
   const gps = named(records, 'GPS');
   assert.ok(gps.every(({ GWk, GMS }, i) => GWk === 2317 && (i === 0 || GMS - gps[i - 1].GMS === 200)), 'each fix once');
 });

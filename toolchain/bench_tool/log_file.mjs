@@ -27,7 +27,7 @@ export function readLog(bytes, timed = 'ATT') {
     if (at + format.length > bytes.length) break;
     if (format.name === 'FMT') formats.set(bytes[at + 3], formatIn(bytes, at));
     if (format.name === timed) log.times_s.push(Number(bytes.readBigUInt64LE(at + format.offsets.TimeUS)) * 1e-6);
-    if (format.name === 'PM' && format.offsets.Drop !== undefined) log.dropped = Math.max(log.dropped, bytes.readUInt16LE(at + format.offsets.Drop));
+    if (format.name === 'PM' && format.offsets.LogDrop !== undefined) log.dropped = Math.max(log.dropped, bytes.readUInt16LE(at + format.offsets.LogDrop));
     ++log.records;
     at += format.length;
   }

@@ -71,20 +71,20 @@ private:
         const std::string& name = record.kind->name;
         if (name == "ATT") sample(record);
         if (name == "CTUN") takeControl(record);
-        if (name == "NTUN") takePlace(record);
+        if (name == "NTUN") now_.distance_m = record["Dist"];
+        if (name == "POS") takePlace(record);
         if (name == "MODE") now_.mode = static_cast<int>(record["ModeNum"]);
         if (name == "EV" && record["Id"] == kArmed) now_.armed = true;
         if (name == "EV" && record["Id"] == kDisarmed) now_.armed = false;
         if (name == "RCOU")
-            for (size_t i = 0; i < 8; ++i) now_.servo_us[i] = record["Ch" + std::to_string(i + 1)];
+            for (size_t i = 0; i < 8; ++i) now_.servo_us[i] = record["C" + std::to_string(i + 1)];
         if (name == "MSG" && record.text("Message").rfind("Mission item ", 0) == 0) {
             const int item = std::atoi(record.text("Message").c_str() + 13);
             if (plan.nav(item) != nullptr) item_ = item;
         }
     }
     void takeControl(const Record& record) {
-        now_.truth.height_m = record["Alt"];
-        now_.truth.equivalent_airspeed_mps = record["Aspd"];
+        now_.truth.equivalent_airspeed_mps = record["As"];
         now_.roll_demand_deg = record["NavRoll"];
         now_.pitch_demand_deg = record["NavPitch"];
     }
@@ -94,7 +94,7 @@ private:
         now_.place = frame_.at(record["Lat"], record["Lng"]);
         now_.truth.north_m = now_.place.north_m;
         now_.truth.east_m = now_.place.east_m;
-        now_.distance_m = record["WpDist"];
+        now_.truth.height_m = record["RelHomeAlt"];
         placed_ = true;
     }
     void sample(const Record& record) {
@@ -209,7 +209,7 @@ Flown flownIn(const LogFile& log) {
 simulator::LocalFrame frameOf(const LogFile& log, const simulator::Waypoints& mission) {
     if (!mission.empty() && mission[0].isPlaced())
         return {mission[0].latitude_deg, mission[0].longitude_deg};
-    const auto places = log.named("NTUN");
+    const auto places = log.named("POS");
     if (places.empty()) return {0, 0};
     return {(*places[0])["Lat"], (*places[0])["Lng"]};
 }

@@ -219,17 +219,17 @@ struct Line {
 };
 
 constexpr Line kLines[] = {
-    {"height above home", "CTUN", "Alt", "%.1f to %.1f m"},
-    {"airspeed", "CTUN", "Aspd", "%.1f to %.1f m/s"},
-    {"ground speed", "NTUN", "GSpd", "%.1f to %.1f m/s"},
+    {"height above home", "POS", "RelHomeAlt", "%.1f to %.1f m"},
+    {"airspeed", "CTUN", "As", "%.1f to %.1f m/s"},
+    {"ground speed", "GPS", "Spd", "%.1f to %.1f m/s"},
     {"roll", "ATT", "Roll", "%.1f to %.1f deg"},
     {"pitch", "ATT", "Pitch", "%.1f to %.1f deg"},
-    {"battery", "CURR", "Volt", "%.2f to %.2f V"},
-    {"used", "CURR", "CurrTot", "%.0f to %.0f mAh"},
+    {"battery", "BAT", "Volt", "%.2f to %.2f V"},
+    {"used", "BAT", "CurrTot", "%.0f to %.0f mAh"},
     {"satellites", "GPS", "NSats", "%.0f to %.0f"},
     {"processor load", "PM", "Load", "%.0f to %.0f permille"},
     {"late frames", "PM", "NLon", "%.0f to %.0f"},
-    {"records dropped", "PM", "Drop", "%.0f to %.0f"},
+    {"records dropped", "PM", "LogDrop", "%.0f to %.0f"},
 };
 
 bool isListed(const std::string& kind) {

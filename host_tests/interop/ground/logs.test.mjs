@@ -73,7 +73,7 @@ test('a log is downloaded at the speed of the line beside heartbeats, whole and 
     const records = readLog(bytes);
     assert.equal(records[0].name, 'FMT');
     assert.equal(records[0].Name, 'FMT');
-    for (const name of ['PARM', 'MODE', 'MSG', 'ATT', 'GPS', 'CTUN', 'NTUN', 'IMU', 'MAG', 'BARO', 'CURR', 'RCIN', 'RCOU', 'PM', 'EV'])
+    for (const name of ['PARM', 'MODE', 'MSG', 'ATT', 'GPS', 'CTUN', 'NTUN', 'IMU', 'MAG', 'BARO', 'BAT', 'POWR', 'POS', 'RCIN', 'RCOU', 'PM', 'EV'])
       assert.ok(named(records, name).length > 0, name);
     const times = records.filter(({ TimeUS }) => TimeUS !== undefined).map(({ TimeUS }) => TimeUS);
     assert.ok(times.every((time, i) => i === 0 || time >= times[i - 1]), 'in the order of time');
@@ -81,7 +81,7 @@ test('a log is downloaded at the speed of the line beside heartbeats, whole and 
     assert.ok(Math.abs(att.length - 120) < 15, `${att.length} ATT in 12 s`);
     assert.ok(named(records, 'MSG').some(({ Message }) => Message.includes('Plane')));
     assert.deepEqual(named(records, 'EV').map(({ Id }) => Id), [10, 11], 'armed, disarmed');
-    assert.equal(named(records, 'PM').at(-1).Drop, 0, 'no record was lost');
+    assert.equal(named(records, 'PM').at(-1).LogDrop, 0, 'no record was lost');
     vehicle.send('LOG_REQUEST_END', {});
     vehicle.send('REQUEST_DATA_STREAM', { reqStreamId: 2, reqMessageRate: 2, startStop: 1 });
     assert.equal((await vehicle.expect('SYS_STATUS', { within_ms: 2000 })).errorsCount2, 0, 'late frames');
@@ -208,7 +208,7 @@ for (const end of [0, 4711, 8175])
       const now = await list(vehicle);
       assert.equal(now.at(-1).id, last + 1);
       const records = readLog(await download(vehicle, now.at(-1)));
-      assert.equal(named(records, 'PM').at(-1).Drop, 0);
+      assert.equal(named(records, 'PM').at(-1).LogDrop, 0);
     })());
   });
 
