@@ -4,6 +4,7 @@
 #include "control/attitude.hpp"
 #include "core/convert.hpp"
 #include "core/file_state.hpp"
+#include "core/seldom.hpp"
 #include "firmware/control/autotune.hpp"
 #include "firmware/control/stall.hpp"
 #include "firmware/state/mode_traits.hpp"
@@ -243,6 +244,23 @@ void runAttitudeControl() {
     if (vehicle.sticks == Sticks::direct || vehicle.sticks == Sticks::on_top) addSticks();
     if (!at_trim) addStick(surfaces.rudder, vehicle.radio.yaw_cd);
     surfaces.throttle = stall_recovery.full_power ? bounds.full_throttle : vehicle.throttle_demand;
+}
+
+SELDOM void loopFigures(bool roll, LoopFigures& to) {
+    constexpr float kPerRadian = core::centidegrees(1.0f), kFull_cd = 4500;
+    const ::control::AxisGains& gains = roll ? loops.roll_gains : loops.pitch_gains;
+    const ::control::AxisState& state = roll ? loops.roll_state : loops.pitch_state;
+    const auto& rate_rads = vehicle.attitude.rate_rads;
+    float demand_rads =
+        demandedRate_rads(gains, roll ? rollError() : loops.pitch_error_rad).toFloat();
+    if (!roll) demand_rads += gains.turn_compensation.toFloat() * turnToFly().pitch_rads.toFloat();
+    to.demand_cdps = demand_rads * kPerRadian;
+    to.rate_cdps = (roll ? rate_rads.x : rate_rads.y).toFloat() * kPerRadian;
+    to.feed_forward_cd =
+        gains.feed_forward.toFloat() * demand_rads * loops.air.speed_scale.toFloat() * kFull_cd;
+    to.integral_cd = state.integrator.toFloat() * kFull_cd;
+    to.proportional_cd =
+        state.last_output.toFloat() * kFull_cd - to.integral_cd - to.feed_forward_cd;
 }
 
 core::Angle pitchShort_rad() {

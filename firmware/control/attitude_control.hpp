@@ -20,6 +20,14 @@ void runRollGains();     // 5 Hz, as the next two: of the parameters, when one h
 void runPitchGains();
 void runControlLimits();  // of bank and pitch, the mix of the rudder
 
+// Of the loop of roll or pitch, for the log: the rate that is demanded now and the present one, and
+// what the last deflection is the sum of. 45 degrees are all of a surface.
+struct LoopFigures {
+    float demand_cdps, rate_cdps;
+    float proportional_cd, integral_cd, feed_forward_cd;
+};
+void loopFigures(bool roll, LoopFigures& to);
+
 // How far the nose is below what is demanded; 0 while the airplane rolls upright or upside down.
 core::Angle pitchShort_rad();
 

@@ -157,6 +157,8 @@ void beginHeight() {
 
 void shiftHeightFlown(float by_m) { height_control.speed_height.shift(by_m); }
 
+const ::control::SpeedHeightFlown& heightFlown() { return height_control.speed_height.flown(); }
+
 void waitWithHeight(const Plan& plan) {
     core::based(height_control.speed_height).start(measured(), 0, 0);
     demandPitch(core::Angle(plan.phase == ::control::Phase::climb_out ? plan.pitch_min_rad : 0.0f));

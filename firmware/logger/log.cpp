@@ -58,6 +58,7 @@ enum : uint8_t {
     command = 8,
     current = 9,
     compass = 10,
+    speed_height = 11,
     camera = 12,
     radio = 13,
     disarmed = 16,
@@ -66,7 +67,7 @@ enum : uint8_t {
 }
 
 // When a source is due: at a place in a round of so many runs of 20 ms, or with each fix.
-enum Round : uint8_t { always, of_5, of_10, of_25, of_50, with_fix, kRounds };
+enum Round : uint8_t { always, of_5, of_10, with_fix, kRounds };
 
 struct Source {
     uint32_t kinds;
@@ -79,6 +80,33 @@ constexpr Source source(uint8_t bit, Round round, uint8_t place, bool (*put)()) 
     return {static_cast<uint32_t>(1) << bit, round, place, put};
 }
 
+constexpr uint32_t kAnyAttitude = 1 << Bit::attitude_fast | 1 << Bit::attitude;
+
+// Once or twice a second, one each tenth of it.
+struct SlowSource {
+    uint16_t kinds;
+    bool (*put)();
+};
+constexpr SlowSource slow(uint8_t bit, bool (*put)()) {
+    return {static_cast<uint16_t>(1U << bit), put};
+}
+// clang-format off
+constexpr SlowSource kSlowSources[] ROM = {
+    slow(Bit::performance,  putPerformance),
+    slow(Bit::navigation,   putNavigation),
+    slow(Bit::speed_height, putSpeedHeight),
+    slow(Bit::control,      putAirspeed),
+    slow(Bit::current,      putBattery),
+    slow(Bit::inertial,     putVibration),
+    slow(Bit::navigation,   putNavigation),
+    slow(Bit::speed_height, putSpeedHeight),
+    slow(Bit::attitude,     putAttitude2),
+    slow(Bit::current,      putPower),
+};
+// clang-format on
+bool putSlow();
+bool putLoops();  // roll and pitch in turn
+
 // clang-format off
 constexpr Source kSources[] ROM = {
     source(Bit::gps,           with_fix, 0, putGps),
@@ -86,21 +114,20 @@ constexpr Source kSources[] ROM = {
     source(Bit::inertial_fast, always,   0, putInertial),
     source(Bit::attitude,      of_5,     0, putAttitude),
     source(Bit::inertial,      of_5,     1, putInertial),
-    source(Bit::control,       of_10,    2, putControl),
-    source(Bit::navigation,    of_25,    3, putNavigation),
-    source(Bit::navigation,    of_10,    7, putPlace),
-    source(Bit::control,       of_10,    4, putBarometer),
-    source(Bit::compass,       of_10,    8, putCompass),
-    source(Bit::current,       of_25,    9, putBattery),
-    source(Bit::current,       of_50,   19, putPower),
+    {0xFFFF,                   of_5,     1, putSlow},
     source(Bit::radio,         of_10,    0, putRadioIn),
+    source(Bit::control,       of_10,    2, putControl),
+    source(Bit::control,       of_10,    9, putBarometer),
     source(Bit::radio,         of_10,    5, putServoOut),
-    source(Bit::performance,   of_50,    6, putPerformance),
+    source(Bit::navigation,    of_10,    7, putPlace),
+    source(Bit::compass,       of_10,    8, putCompass),
+    {kAnyAttitude,             of_10,    4, putLoops},
 };
 // clang-format on
 constexpr uint8_t kSourceCount = core::count(kSources);
 constexpr uint8_t kRound = 50;
 static_assert(kSourceCount <= 16, "a bit each");
+static_assert(core::count(kSlowSources) == kRound / 5, "each has its turn");
 
 // A run stops beginning records after so long: what is left comes in the next.
 constexpr uint16_t kSpend = 400 * hal::kTicksPerUs;
@@ -167,8 +194,8 @@ struct Places {
 };
 
 Places places() {
-    Places now = {{0, static_cast<uint8_t>(logged.run % 5), static_cast<uint8_t>(logged.run % 10),
-                   static_cast<uint8_t>(logged.run % 25), logged.run, 1}};
+    Places now = {
+        {0, static_cast<uint8_t>(logged.run % 5), static_cast<uint8_t>(logged.run % 10), 1}};
     if (vehicle.gps.received_ms != logged.gps_logged_ms) now.of[with_fix] = 0;
     logged.gps_logged_ms = vehicle.gps.received_ms;
     return now;
@@ -188,6 +215,13 @@ void findDue() {
         bit <<= 1;
     }
 }
+
+bool putSlow() {
+    const SlowSource source = core::romRead(kSlowSources[logged.run / 5]);
+    return (static_cast<uint16_t>(parameters.log_bitmask) & source.kinds) == 0 || source.put();
+}
+
+bool putLoops() { return putLoop(logged.run / 10 % 2 != 0); }
 
 bool putDue() {
     if (logged.due == 0) return false;

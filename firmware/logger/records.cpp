@@ -48,12 +48,18 @@ constexpr Shape kShapes[kFormats] = {
     row<UnitsRecord>(RecordType::units, "FMTU QBNN s--- F--- TimeUS,FmtType,UnitIds,MultIds"),
     row<PlaceRecord>(RecordType::place, "POS QLLee sDUmm FGGBB TimeUS,Lat,Lng,Alt,RelHomeAlt"),
     row<PowerRecord>(RecordType::power, "POWR QC sv FB TimeUS,Vcc"),
+    row<Attitude2Record>(RecordType::attitude2, "AHR2 QLLeccC sDUmddh FGGBBBB TimeUS,Lat,Lng,Alt,Roll,Pitch,Yaw"),
+    row<SpeedHeightRecord>(RecordType::speed_height, "TECS Qffffffffff smnmnnno--o F0000000--0 TimeUS,h,dh,hdem,dhdem,spdem,sp,dsp,th,ph,dspdem"),
+    row<LoopRecord>(RecordType::roll_loop, "PIDR Qcccccc skkdddd FBBBBBB TimeUS,Tar,Act,P,I,FF,D"),
+    row<LoopRecord>(RecordType::pitch_loop, "PIDP Qcccccc skkdddd FBBBBBB TimeUS,Tar,Act,P,I,FF,D"),
+    row<AirspeedRecord>(RecordType::airspeed, "ARSP QBCB s#n- F-B- TimeUS,I,Airspeed,H"),
+    row<VibrationRecord>(RecordType::vibration, "VIBE QBCCCH s#ooo- F-BBB- TimeUS,IMU,VibeX,VibeY,VibeZ,Clip"),
 };
 
 // ArduPilot's letters; behind each what it stands for.
 constexpr const char* kUnitTexts[kUnits] = {
-    "-", "#instance", "%%", "AA", "Ddeglatitude", "Erad/s", "GGauss", "OdegC", "PPa", "Ssatellites",
-    "Udeglongitude", "YPWM", "aAh", "bB", "ddeg", "hdegheading", "kdeg/s", "mm", "nm/s", "om/s/s", "ss", "vV",
+    "- ", "# instance", "% %", "A A", "D deglatitude", "E rad/s", "G Gauss", "O degC", "P Pa", "S satellites",
+    "U deglongitude", "Y PWM", "a Ah", "b B", "d deg", "h degheading", "k deg/s", "m m", "n m/s", "o m/s/s", "s s", "v V",
 };
 // clang-format on
 
@@ -153,14 +159,11 @@ core::Unpacker unpacked(uint8_t index) {
     return {codes, core::romRead(packed.size[index]), packed.pair};
 }
 
-// The next word, zeros behind it.
+// The next word, zeros behind it. None is longer than what it is spelt into.
 void spellWord(core::Unpacker& from, char* to, uint8_t size) {
-    char letter = from.next();
-    for (uint8_t i = 0; i < size; ++i) {
-        const bool ended = letter == ' ' || letter == 0;
-        to[i] = ended ? '\0' : letter;
-        if (!ended) letter = from.next();
-    }
+    uint8_t count = 0;
+    for (char letter; (letter = from.next()) != 0 && letter != ' '; ++count) to[count] = letter;
+    while (count < size) to[count++] = 0;
 }
 
 template <size_t kSize>
@@ -192,7 +195,7 @@ void spellUnits(uint8_t index, UnitsRecord& to) {
 
 void spellUnit(uint8_t index, UnitRecord& to) {
     core::Unpacker text = unpacked(static_cast<uint8_t>(kFormats + index));
-    to.id = text.next();
+    spellWord(text, &to.id, 1);
     spellWord(text, to.label);
 }
 

@@ -3,8 +3,12 @@
 // to whoever reads the log. Names and fields as ArduPlane's logs have them where they mean the
 // same; TimeUS is microseconds since start. docs/log.md says what each holds.
 #pragma once
+#include <stddef.h>
 #include <stdint.h>
 
+#include "control/speed_height.hpp"
+#include "firmware/mission/mission.hpp"
+#include "geo/position.hpp"
 #include "hal/rc_input.hpp"
 #include "hal/servo_output.hpp"
 #include "logging/format.hpp"
@@ -26,14 +30,16 @@ RECORD(Parameter) {
 RECORD(Mode) { uint8_t mode, number; };
 RECORD(Command) {
     uint16_t count, index, command;
-    float param1, param2, param3, param4;
-    int32_t latitude_e7, longitude_e7;
-    float altitude_m;
+    uint8_t params_and_place[offsetof(mission::MissionItem, z) + sizeof(float) -
+                             offsetof(mission::MissionItem, param1)];
     uint8_t frame;
 };
 RECORD(Message) { char text[64]; };
-RECORD(Attitude) {
+struct __attribute__((packed)) Tilt {
     int16_t roll_demand_cd, roll_cd, pitch_demand_cd, pitch_cd;
+};
+RECORD(Attitude) {
+    Tilt tilt;
     uint16_t bearing_cd, yaw_cd;
 };
 // One of several that might be fitted: as a field of unit "#" it makes IMU[0] of an IMU record.
@@ -48,13 +54,14 @@ INSTANCE_RECORD(Gps) {
     uint16_t week;
     uint8_t satellites;
     int16_t hdop_c;
-    int32_t latitude_e7, longitude_e7, altitude_cm;
+    geo::Position position;
+    int32_t altitude_cm;
     uint16_t speed_cmps, course_cd;
     int16_t down_cmps;
     uint8_t used;
 };
 RECORD(ControlTuning) {
-    int16_t roll_demand_cd, roll_cd, pitch_demand_cd, pitch_cd;
+    Tilt tilt;
     uint8_t throttle_pct, throttle_demand_pct;
     int16_t rudder_cpct, airspeed_cmps;
     uint16_t true_from_equivalent_c;  // 0.01
@@ -64,12 +71,35 @@ RECORD(NavigationTuning) {
     float height_error_m, crosstrack_m;
     int16_t airspeed_error_cmps;
 };
-RECORD(Place) { int32_t latitude_e7, longitude_e7, altitude_cm, height_cm; };
-INSTANCE_RECORD(Inertial) {
-    float gyro_x_rads, gyro_y_rads, gyro_z_rads;
-    float accel_x_mss, accel_y_mss, accel_z_mss;
+struct __attribute__((packed)) Place {
+    geo::Position position;
+    int32_t altitude_cm;
 };
-INSTANCE_RECORD(Compass) { int16_t field_x_mg, field_y_mg, field_z_mg, offset_mg[3]; };
+struct __attribute__((packed)) Pose {
+    Place place;
+    int16_t roll_cd, pitch_cd;
+    uint16_t yaw_cd;
+};
+RECORD(Place) {
+    Place place;
+    int32_t height_cm;
+};
+RECORD(Attitude2) { Pose pose; };
+RECORD(SpeedHeight) {
+    float height_m, climb_mps;
+    float flown[sizeof(::control::SpeedHeightFlown) / sizeof(float)];
+};
+RECORD(Loop) {
+    int16_t figures[5];  // of control::LoopFigures
+    int16_t derivative_cd;
+};
+INSTANCE_RECORD(Airspeed) {
+    uint16_t speed_cmps;
+    uint8_t healthy;
+};
+INSTANCE_RECORD(Vibration) { uint16_t vibration_cmss[3], clips; };
+INSTANCE_RECORD(Inertial) { float rate_rads[3], accel_mss[3]; };
+INSTANCE_RECORD(Compass) { int16_t field_mg[3], offset_mg[3]; };
 INSTANCE_RECORD(Barometer) {
     float height_m, pressure_pa;
     int16_t temperature_cdeg, climb_cmps;
@@ -86,9 +116,7 @@ RECORD(Performance) { uint16_t late_frames, longest_frame_us, free_bytes, load_p
 RECORD(Camera) {
     uint32_t time_ms;
     uint16_t week;
-    int32_t latitude_e7, longitude_e7, altitude_cm;
-    int16_t roll_cd, pitch_cd;
-    uint16_t yaw_cd;
+    Pose pose;
 };
 RECORD(Event) { uint8_t id; };
 RECORD(Error) { uint8_t subsystem, code; };
@@ -134,6 +162,12 @@ enum class RecordType : uint8_t {
     units,
     place,
     power,
+    attitude2,
+    speed_height,
+    roll_loop,
+    pitch_loop,
+    airspeed,
+    vibration,
     end,
 };
 

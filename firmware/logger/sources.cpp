@@ -4,14 +4,17 @@
 #include <string.h>
 
 #include "core/maths.hpp"
+#include "core/seldom.hpp"
 #include "drivers/ublox.hpp"
 #include "firmware/control/attitude_control.hpp"
+#include "firmware/guidance/height.hpp"
 #include "firmware/logger/log.hpp"
 #include "firmware/logger/records.hpp"
 #include "firmware/mission/lists.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/notify/text_queue.hpp"
 #include "firmware/sensors/sensors.hpp"
+#include "firmware/state/mode_traits.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/processor_figures.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -49,7 +52,7 @@ bool logFirst(RecordType type, Record& record) {
     return log(type, record);
 }
 
-int16_t centidegrees(core::Angle angle) { return core::upper(angle.raw * 36000L); }
+SELDOM int16_t centidegrees(core::Angle angle) { return core::upper(angle.raw * 36000L); }
 uint16_t heading_cd() {
     return static_cast<uint16_t>(
         core::wrap360_cd(core::rounded(core::centidegrees(vehicle.attitude.yaw_rad.toFloat()))));
@@ -58,13 +61,8 @@ uint8_t percent(core::Ratio of_all) {
     return static_cast<uint8_t>(
         core::times14(core::limit<int16_t>(of_all.raw, 0, core::Ratio::kOne), 100));
 }
-// Of which each record has some: inlined they would take three times the flash.
-__attribute__((noinline)) int16_t hundredths(float value) {
-    return core::narrowed(core::rounded(value * 100));
-}
-int32_t altitude_cm() {
-    return vehicle.home.altitude_cm + core::rounded(vehicle.estimate.height_m * 100);
-}
+SELDOM int16_t hundredths(float value) { return core::narrowed(core::rounded(value * 100)); }
+SELDOM int32_t height_cm() { return core::rounded(vehicle.estimate.height_m * 100); }
 
 }  // namespace
 
@@ -118,13 +116,9 @@ bool logItem(uint8_t index, const MissionItem& item) {
     record.count = missionCount();
     record.index = index;
     record.command = item.command;
-    record.param1 = item.param1;
-    record.param2 = item.param2;
-    record.param3 = item.param3;
-    record.param4 = item.param4;
-    record.latitude_e7 = item.x;
-    record.longitude_e7 = item.y;
-    record.altitude_m = item.z;
+    memcpy(record.params_and_place,
+           reinterpret_cast<const uint8_t*>(&item) + offsetof(MissionItem, param1),
+           sizeof record.params_and_place);
     record.frame = item.frame;
     return log(RecordType::command, record);
 }
@@ -183,12 +177,20 @@ bool putError(uint8_t subsystem, uint8_t code) {
     return log(RecordType::error, record);
 }
 
+namespace {
+
+SELDOM void fill(Tilt& tilt) {
+    tilt.roll_demand_cd = centidegrees(vehicle.roll_demand_rad);
+    tilt.roll_cd = centidegrees(vehicle.attitude.roll_rad);
+    tilt.pitch_demand_cd = centidegrees(vehicle.pitch_demand_rad);
+    tilt.pitch_cd = centidegrees(vehicle.attitude.pitch_rad);
+}
+
+}  // namespace
+
 bool putAttitude() {
     AttitudeRecord record;
-    record.roll_demand_cd = centidegrees(vehicle.roll_demand_rad);
-    record.roll_cd = centidegrees(vehicle.attitude.roll_rad);
-    record.pitch_demand_cd = centidegrees(vehicle.pitch_demand_rad);
-    record.pitch_cd = centidegrees(vehicle.attitude.pitch_rad);
+    fill(record.tilt);
     record.bearing_cd = static_cast<uint16_t>(core::wrap360_cd(vehicle.progress.nav_bearing_cd));
     record.yaw_cd = heading_cd();
     return log(RecordType::attitude, record);
@@ -202,8 +204,7 @@ bool putGps() {
     record.week = gpsFix().week;
     record.satellites = gps.satellites;
     record.hdop_c = static_cast<int16_t>(gps.hdop_c);
-    record.latitude_e7 = gps.position.latitude_e7;
-    record.longitude_e7 = gps.position.longitude_e7;
+    record.position = gps.position;
     record.altitude_cm = gps.altitude_cm;
     record.speed_cmps = static_cast<uint16_t>(hundredths(gps.ground_speed_mps));
     record.course_cd = gps.course_cd;
@@ -212,26 +213,81 @@ bool putGps() {
     return logFirst(RecordType::gps, record);
 }
 
+namespace {
+
+void fill(Place& place, int32_t height_cm) {
+    place.position = vehicle.estimate.position;
+    place.altitude_cm = vehicle.home.altitude_cm + height_cm;
+}
+
+void fill(Pose& pose) {
+    fill(pose.place, height_cm());
+    pose.roll_cd = centidegrees(vehicle.attitude.roll_rad);
+    pose.pitch_cd = centidegrees(vehicle.attitude.pitch_rad);
+    pose.yaw_cd = heading_cd();
+}
+
+}  // namespace
+
 bool putCameraFeedback() {
-    const auto& estimate = vehicle.estimate;
     CameraRecord record;
     record.time_ms = gpsFix().time_ms;
     record.week = gpsFix().week;
-    record.latitude_e7 = estimate.position.latitude_e7;
-    record.longitude_e7 = estimate.position.longitude_e7;
-    record.altitude_cm = altitude_cm();
-    record.roll_cd = centidegrees(vehicle.attitude.roll_rad);
-    record.pitch_cd = centidegrees(vehicle.attitude.pitch_rad);
-    record.yaw_cd = heading_cd();
+    fill(record.pose);
     return log(RecordType::camera, record);
+}
+
+bool putPlace() {
+    PlaceRecord record;
+    record.height_cm = height_cm();
+    fill(record.place, record.height_cm);
+    return log(RecordType::place, record);
+}
+
+bool putAttitude2() {
+    Attitude2Record record;
+    fill(record.pose);
+    return log(RecordType::attitude2, record);
+}
+
+bool putSpeedHeight() {
+    if (!guidesItself()) return true;
+    SpeedHeightRecord record;
+    record.height_m = vehicle.estimate.height_m;
+    record.climb_mps = vehicle.estimate.climb_mps;
+    memcpy(record.flown, &guidance::heightFlown(), sizeof record.flown);
+    return log(RecordType::speed_height, record);
+}
+
+bool putLoop(bool roll) {
+    control::LoopFigures figures;
+    control::loopFigures(roll, figures);
+    const float* figure = &figures.demand_cdps;
+    LoopRecord record;
+    for (uint8_t i = 0; i < core::count(record.figures); ++i)
+        record.figures[i] = core::toFixed(*figure++, 0);
+    record.derivative_cd = 0;  // there is no such term
+    return log(roll ? RecordType::roll_loop : RecordType::pitch_loop, record);
+}
+
+bool putAirspeed() {
+    if (parameters.airspeed_enable == 0) return true;
+    AirspeedRecord record;
+    record.speed_cmps = static_cast<uint16_t>(hundredths(vehicle.airspeed.speed_mps));
+    record.healthy = vehicle.airspeed.healthy;
+    return logFirst(RecordType::airspeed, record);
+}
+
+bool putVibration() {
+    VibrationRecord record;
+    for (uint8_t axis = 0; axis < 3; ++axis) record.vibration_cmss[axis] = vibration_cmss(axis);
+    record.clips = accelerometerClips();
+    return logFirst(RecordType::vibration, record);
 }
 
 bool putControl() {
     ControlTuningRecord record;
-    record.roll_demand_cd = centidegrees(vehicle.roll_demand_rad);
-    record.roll_cd = centidegrees(vehicle.attitude.roll_rad);
-    record.pitch_demand_cd = centidegrees(vehicle.pitch_demand_rad);
-    record.pitch_cd = centidegrees(vehicle.attitude.pitch_rad);
+    fill(record.tilt);
     record.throttle_pct = percent(control::surfaces.throttle);
     record.throttle_demand_pct = percent(vehicle.throttle_demand);
     record.rudder_cpct = core::times14(control::surfaces.rudder.raw, 10000);
@@ -257,37 +313,24 @@ bool putNavigation() {
     return log(RecordType::navigation, record);
 }
 
-bool putPlace() {
-    const auto& estimate = vehicle.estimate;
-    PlaceRecord record;
-    record.latitude_e7 = estimate.position.latitude_e7;
-    record.longitude_e7 = estimate.position.longitude_e7;
-    record.altitude_cm = altitude_cm();
-    record.height_cm = core::rounded(estimate.height_m * 100);
-    return log(RecordType::place, record);
-}
-
 bool putInertial() {
-    const auto& rate = vehicle.imu.rate_rads;
-    const auto& accel = vehicle.imu.accel_mss;
+    const core::BodyRate* rate = &vehicle.imu.rate_rads.x;
+    const core::Acceleration* accel = &vehicle.imu.accel_mss.x;
     InertialRecord record;
-    record.gyro_x_rads = rate.x.toFloat();
-    record.gyro_y_rads = rate.y.toFloat();
-    record.gyro_z_rads = rate.z.toFloat();
-    record.accel_x_mss = accel.x.toFloat();
-    record.accel_y_mss = accel.y.toFloat();
-    record.accel_z_mss = accel.z.toFloat();
+    for (uint8_t i = 0; i < 3; ++i) {
+        record.rate_rads[i] = (rate++)->toFloat();
+        record.accel_mss[i] = (accel++)->toFloat();
+    }
     return logFirst(RecordType::inertial, record);
 }
 
 bool putCompass() {
-    const core::Vector3& field = vehicle.compass.field_mg;
+    const float* field_mg = &vehicle.compass.field_mg.x;
     CompassRecord record;
-    record.field_x_mg = static_cast<int16_t>(field.x);
-    record.field_y_mg = static_cast<int16_t>(field.y);
-    record.field_z_mg = static_cast<int16_t>(field.z);
-    for (uint8_t i = 0; i < 3; ++i)
+    for (uint8_t i = 0; i < 3; ++i) {
+        record.field_mg[i] = static_cast<int16_t>(*field_mg++);
         record.offset_mg[i] = static_cast<int16_t>(parameters.compass_offset_mg[i]);
+    }
     return logFirst(RecordType::compass, record);
 }
 

@@ -36,6 +36,11 @@ bool putPower();
 bool putRadioIn();
 bool putServoOut();
 bool putPerformance();
+bool putAttitude2();
+bool putSpeedHeight();
+bool putLoop(bool roll);  // or of pitch
+bool putAirspeed();
+bool putVibration();
 
 }  // namespace logger
 }  // namespace firmware

@@ -50,6 +50,16 @@ using Trim = core::Fixed<15>;
 // Apart, as its volatile members, shared with the interrupt, are no constants to start with.
 core::FileState<board::Inertial> imu{};
 
+// Of the specific force: its slow part, and the mean size of the rest.
+struct Vibration {
+    core::Acceleration slow_mss, size_mss;
+};
+struct Vibrations {
+    Vibration axes[3];
+    uint8_t axis, clips;
+};
+core::FileState<Vibrations> vibration{};
+
 struct Inertial {
     estimation::GyroBiasInit bias_init;
     DeltaAngle zero;  // of the gyros, in a sample period
@@ -173,6 +183,21 @@ void watchGyros(const drivers::ImuSums& sums) {
     inertial.yaw_reported = blind;
 }
 
+// Another axis in each frame: it takes some of the samples to know how large all are.
+void watchVibration(const core::Accelerations& accel_mss) {
+    constexpr core::Acceleration kRange_mss(0.95f * board::Inertial::kRange_g * core::kGravity_mss);
+    if (++vibration.axis == core::count(vibration.axes)) vibration.axis = 0;
+    Vibration& axis = vibration.axes[vibration.axis];
+    const int16_t force = (&accel_mss.x)[vibration.axis].raw;
+    int16_t rest = static_cast<int16_t>(force - axis.slow_mss.raw);
+    axis.slow_mss.raw = static_cast<int16_t>(axis.slow_mss.raw + (rest >> 1));  // 4 Hz
+    if (rest < 0) rest = static_cast<int16_t>(-rest);
+    axis.size_mss.raw =
+        static_cast<int16_t>(axis.size_mss.raw + ((rest - axis.size_mss.raw) >> 2));  // 2 Hz
+    if ((force > kRange_mss.raw || force < -kRange_mss.raw) && vibration.clips != 0xFF)
+        ++vibration.clips;
+}
+
 void use(drivers::ImuSums& sums) {
     watchGyros(sums);
     watchForces(sums);
@@ -193,6 +218,7 @@ void use(drivers::ImuSums& sums) {
     if (trimmed) level(specific_force);
     published.accel_mss = {force_mss(specific_force.of[0]), force_mss(specific_force.of[1]),
                            force_mss(specific_force.of[2])};
+    watchVibration(published.accel_mss);
 }
 
 // A chip that talks nonsense is started anew, but has time to win trust before that comes again.
@@ -243,6 +269,15 @@ core::Vector3 restForce_mss() { return inertial.bias_init.force_mss(); }
 
 uint8_t inertialSamplesWaiting() { return imu.waiting(); }
 uint16_t inertialErrors() { return imu.badReads(); }
+
+// The root of the mean square is 1.11 times the mean size of a sine, and 1.25 times that of noise.
+uint16_t vibration_cmss(uint8_t axis) {
+    constexpr uint8_t kFactor = 118;
+    static_assert(core::Acceleration::kOne == 256, "a byte less");
+    return static_cast<uint16_t>(core::product(vibration.axes[axis].size_mss.raw, kFactor) >> 8);
+}
+
+uint8_t accelerometerClips() { return vibration.clips; }
 
 void runInertialSettings() {
     if (!inertial.watch.changed()) return;

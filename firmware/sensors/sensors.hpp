@@ -51,6 +51,10 @@ const drivers::GpsFix& gpsFix();  // the newest as it came: its time and week
 constexpr uint8_t kSamplesPerFrame = 2;
 uint8_t inertialSamplesWaiting();
 uint16_t inertialErrors();
+// What the accelerometers measure beside the flight, as ArduPilot's: within 6 % of the root of the
+// mean square of 0.1 s.
+uint16_t vibration_cmss(uint8_t axis);
+uint8_t accelerometerClips();  // samples at the end of their range, of those looked at
 
 // Begins the zeroing of gyros, or of barometer and airspeed, again; the airplane must stand still.
 void calibrateGyros();

@@ -142,6 +142,119 @@ test('every field has its unit and its multiplier, which agrees with the letter 
   assert.deepEqual([ofType('ATT').UnitIds, ofType('ATT').MultIds], ['sddddhh', 'FBBBBBB']);
 });
 
+// Each record of one name with that of another that was written nearest to it.
+function pairs(name, other, within_us) {
+  const others = named(records, other).filter(flying);
+  return named(records, name).filter(flying).map((record) =>
+    [record, others.find(({ TimeUS }) => Math.abs(TimeUS - record.TimeUS) < within_us)]).filter(([, near]) => near);
+}
+const rms = (values) => Math.sqrt(values.reduce((sum, value) => sum + value * value, 0) / values.length);
+
+// 45 degrees are all of a surface, which is 400 us of its servo.
+test('the terms of a loop add up to the deflection of its surface', () => {
+  for (const [name, output] of [['PIDR', 'C1'], ['PIDP', 'C2']]) {
+    const both = pairs(name, 'RCOU', 45_000);
+    assert.ok(both.length > 150, `${both.length} ${name}`);
+    const mean = (of) => both.reduce((sum, pair) => sum + of(pair), 0) / both.length;
+    const deflection = ([{ P, I, D, FF }]) => P + I + D + FF, pulse = ([, outputs]) => outputs[output];
+    const [x, y] = [mean(deflection), mean(pulse)];
+    const covariance = (a, b) => mean((pair) => (a(pair) - (a === pulse ? y : x)) * (b(pair) - (b === pulse ? y : x)));
+    const slope = covariance(deflection, pulse) / covariance(deflection, deflection);
+    const alike = covariance(deflection, pulse) / Math.sqrt(covariance(deflection, deflection) * covariance(pulse, pulse));
+    console.log(`${name}: ${slope.toFixed(2)} us for a degree, alike by ${alike.toFixed(3)}`);
+    assert.ok(Math.abs(slope) > 7.5 && Math.abs(slope) < 9.5 && Math.abs(alike) > 0.85, name);
+  }
+});
+
+test('the rate of a loop is what the gyro measures, a moment before or after', () => {
+  const both = pairs('PIDR', 'IMU', 45_000), errors = both.map(([pid, imu]) => pid.Act - imu.GyrX * 180 / Math.PI);
+  const turning = rms(both.map(([pid]) => pid.Act));
+  console.log(`PIDR.Act: RMS ${turning.toFixed(2)} deg/s, ${rms(errors).toFixed(2)} from the gyro's`);
+  assert.ok(errors.length > 150 && rms(errors) < 0.7 * turning, `${errors.length} with ${rms(errors)} deg/s`);
+});
+
+test('TECS has the height that is flown and speeds that are held', () => {
+  const both = pairs('TECS', 'POS', 110_000);
+  assert.ok(both.length > 400, `${both.length} TECS`);
+  assert.ok(rms(both.map(([tecs, pos]) => tecs.h - pos.RelHomeAlt)) < 0.3);
+  assert.ok(rms(both.map(([tecs]) => tecs.sp - tecs.spdem)) < 1.5);
+  assert.ok(named(records, 'TECS').every(({ th }) => th >= 0 && th <= 1));
+});
+
+// What changes from one sample to the next is the vibration: the propeller's, along the nose.
+test('VIBE is the root of the mean square of what shakes the accelerometer', () => {
+  const imu = named(records, 'IMU').filter(flying), vibe = named(records, 'VIBE').filter(flying);
+  const shaken = rms(imu.slice(1).map(({ AccX }, i) => (AccX - imu[i].AccX) / Math.SQRT2));
+  const logged = rms(vibe.map(({ VibeX }) => VibeX));
+  console.log(`VibeX ${logged.toFixed(3)} m/s/s, by the samples ${shaken.toFixed(3)}`);
+  assert.ok(logged > 0.7 * shaken && logged < 1.2 * shaken, `${logged} of ${shaken} m/s/s`);
+  assert.equal(vibe.at(-1).Clip, 0, 'nothing knocked against it');
+});
+
+test('AHR2 is the attitude and the place of ATT and POS, ARSP the measured airspeed', () => {
+  assert.ok(rms(pairs('AHR2', 'ATT', 60_000).map(([ahr2, att]) => ahr2.Pitch - att.Pitch)) < 3);
+  assert.ok(rms(pairs('AHR2', 'POS', 110_000).map(([ahr2, pos]) => (ahr2.Lat - pos.Lat) * kMetresPerDegree)) < 2);
+  const speeds = pairs('ARSP', 'CTUN', 110_000);
+  assert.ok(speeds.length > 200 && rms(speeds.map(([arsp, ctun]) => arsp.Airspeed - ctun.As)) < 1.5);
+});
+
+// ---- the graphs that viewers come with
+
+// What keeps a field out of this log, so that a graph of it does not draw.
+const kAbsent = [
+  [/^(IMU|VIBE|GPS|BARO|MAG|GPA)\[[1-9]\]|^(IMU[23]|GPS2|GPA2|BAR[23]|MAG[23])\./, 'a second sensor of a kind'],
+  [/^(NKF\d|XKF\d|XKY\d|EKF\d)\b/, 'an extended Kalman filter'],
+  [/^(RCOU|RCIN)\.C(9|1\d)$/, 'more than eight channels'],
+  [/^SIM\./, "ArduPilot's simulator"],
+  [/^(QTUN|QPOS|PSC.|PIQ.|RATE|CTRL|PIDA|STER|ADAP)\./, 'a copter, a quadplane or a rover'],
+  [/^(OF|ROF|RFND(\[0\])?|TERR)\./, 'optical flow, a rangefinder or terrain'],
+  [/^(RCOU\.Ch\d+|TECS\.sp_dem|NTUN\.WpDist|VIBE\.Clip[012]|PID.\.Des|AETR\.SS[xyz]|ACC1\..*)$/, 'a name that ArduPlane had or has given up'],
+  [/^GPA(\[0\])?\./, "the receiver's own accuracy"],
+  [/^RAD\./, "the telemetry radio's figures"],
+  [/^PID.\.(Dmod|SRate)$/, 'a limiter of oscillations'],
+  [/^PIDY\./, 'the terms of the yaw loop'],
+  [/^PIDS\./, 'a loop of its own for steering on the ground'],
+  [/^AETR\./, 'demands before the mixer'],
+  [/^IMU\[\d\]\.T$/, 'the temperature of the inertial sensor'],
+];
+
+// "IMU[0].GyrX" is a field of IMU where IMU has an instance field.
+function fieldsIn(log) {
+  const formats = new Map(named(log, 'FMT').map((format) => [format.Type, format])), fields = new Set();
+  for (const { FmtType, UnitIds } of named(log, 'FMTU')) {
+    const { Name, Columns } = formats.get(FmtType);
+    if (named(log, Name).length === 0) continue;  // a viewer does not offer what no record fills
+    for (const column of Columns.split(',')) {
+      fields.add(`${Name}.${column}`);
+      if (UnitIds.includes('#')) fields.add(`${Name}[0].${column}`);
+    }
+  }
+  return fields;
+}
+
+test('the predefined graphs of viewers draw, but those of what this airplane has not', () => {
+  const fields = fieldsIn(records);
+  const graphs = readFileSync(join(import.meta.dirname, 'viewer_graphs.txt'), 'utf8').trimEnd().split('\n')
+    .filter((line) => !line.startsWith('#')).map((line) => line.split(': '));
+  const reasons = new Map();
+  let drawn = 0;
+  for (const [name, expression] of graphs) {
+    const missing = expression.split(' ').filter((field) => !fields.has(field));
+    if (missing.length === 0) ++drawn;
+    for (const field of missing)
+      assert.ok(kAbsent.some(([which]) => which.test(field)), `${name}: ${field} is not logged`);
+    if (missing.length === 0) continue;
+    const [, reason] = kAbsent.find(([which]) => missing.some((field) => which.test(field)));
+    reasons.set(reason, (reasons.get(reason) ?? 0) + 1);
+  }
+  for (const field of fields)
+    assert.ok(!kAbsent.some(([which]) => which.test(field)), `${field} is logged`);
+  console.log(`${drawn} of ${graphs.length} graphs draw; not`);
+  for (const [reason, count] of [...reasons].sort(([, a], [, b]) => b - a)) console.log(`${String(count).padStart(5)}  ${reason}`);
+  assert.ok(graphs.length >= 270, `${graphs.length} graphs`);
+  assert.ok(drawn >= 56, `${drawn} of them draw`);
+});
+
 // As `toolchain/mission show` has it, and the board in MISSION_CURRENT.
 test('the log says which mission is flown', () => {
   const mission = join(import.meta.dirname, '../../simulator/missions/first_flight.waypoints');

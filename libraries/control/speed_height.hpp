@@ -43,7 +43,16 @@ struct SpeedHeightOutput {
     float throttle;
 };
 
-class SpeedHeight {
+// What it works with, each as it has been made of what was demanded and measured: for the log.
+struct SpeedHeightFlown {
+    float height_m_ = 0, climb_mps_ = 0;        // the shaped height demand
+    float speed_demand_mps_ = 0;                // shaped
+    float speed_mps_ = 0, speed_rate_mss_ = 0;  // filtered
+    float throttle_ = 0, pitch_rad_ = 0;        // put out
+    float speed_demand_rate_mss_ = 0;
+};
+
+class SpeedHeight : private SpeedHeightFlown {
 public:
     // Takes over from whoever flew, without a step.
     void start(const SpeedHeightMeasured& now, float pitch_rad, float throttle);
@@ -56,6 +65,7 @@ public:
 
     float heightDemand_m() const { return height_m_; }  // shaped
     float airspeed_mps() const { return speed_mps_; }   // filtered
+    const SpeedHeightFlown& flown() const { return *this; }
     bool underspeed() const { return underspeed_; }
 
 private:
@@ -85,11 +95,9 @@ private:
                 const Errors& errors, float speed_weight, float lift_rad, const Step& step);
     void beginOrEndFlare(bool flares, float lift_rad);
 
-    float height_m_ = 0, climb_mps_ = 0, climb_rate_mss_ = 0;  // the shaped height demand
-    float speed_demand_mps_ = 0, speed_demand_rate_mss_ = 0;   // the shaped speed demand
-    float speed_mps_ = 0, speed_bias_mss_ = 0, speed_rate_mss_ = 0;
+    float climb_rate_mss_ = 0;
+    float speed_bias_mss_ = 0;
     float pitch_integral_rad_ = 0, throttle_integral_ = 0;
-    float pitch_rad_ = 0, throttle_ = 0;
     bool underspeed_ = false;
     bool flaring_ = false;  // then the pitch's integral is without the angle of attack
 };

@@ -22,6 +22,8 @@ public:
     static constexpr uint8_t kSetsPerSample = kPeriod_us / kSet_us;
     static constexpr uint8_t kUsual = 2 * kSetsPerSample;  // readings of a frame
 
+    static constexpr float kRange_g = 3.6f;  // of the accelerometers, as they usually have it
+
     void start() { Converter::start(); }
     void resume() {}
     // Its converter stops when nobody takes what it has.

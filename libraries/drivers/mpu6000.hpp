@@ -17,6 +17,8 @@ class Mpu6000 {
 public:
     static constexpr uint16_t kPeriod_us = 5000;  // 200 Hz
 
+    static constexpr float kRange_g = 8;  // of the accelerometers
+
     void start() {
         Select::output();
         Select::high();
