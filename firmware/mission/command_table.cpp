@@ -96,6 +96,10 @@ constexpr Named kNamed[] ROM = {
     {"SET_CAMERA_MODE",     beyond(action(   none, 0xF0, F::p1_p2,       anything,               nothingToDo))},
     {"IMAGE_START_CAPTURE", beyond(action(   none, 0xF1, F::p1_p2_p3,     oneImageInRange,      triggerCamera))},
     {"IMAGE_STOP_CAPTURE",  beyond(action(   none, 0xF2, F::p1,       anything,               nothingToDo))},
+    {"CAM_TRIGG_INTERVAL",  beyond(action(   none, 0xD6, F::seconds,   anything,               nothingToDo))},
+    {"JUMP_TAG",            beyond(action(   none, 0xF3, F::seconds,   anything,               nothingToDo))},
+    {"VIDEO_START_CAPTURE", beyond(action(   none, 0xF4, F::p1_p2,       anything,               nothingToDo))},
+    {"VIDEO_STOP_CAPTURE",  beyond(action(   none, 0xF5, F::p1,       anything,               nothingToDo))},
 };
 // clang-format on
 

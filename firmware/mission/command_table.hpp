@@ -10,7 +10,7 @@ const char* commandName(uint8_t row);  // on a computer, not on the board
 
 constexpr uint8_t kApm1Commands = 30;
 constexpr uint8_t kApm2Commands = 19;
-constexpr uint8_t kArduPlaneExtensionCommands = 18;  // of the APM 2.0 set, in neither document
+constexpr uint8_t kArduPlaneExtensionCommands = 22;  // of the APM 2.0 set, in neither document
 
 }  // namespace mission
 }  // namespace firmware

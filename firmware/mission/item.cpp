@@ -153,7 +153,7 @@ FormRow formOf(Set set, uint8_t row) {
 namespace {
 
 constexpr uint8_t kFirstLarge = 0xF0;
-constexpr uint16_t kLarge[] ROM = {530, 2000, 2001};
+constexpr uint16_t kLarge[] ROM = {530, 2000, 2001, 600, 2500, 2501};
 
 uint16_t commandOf(uint8_t id) {
     const uint8_t large = static_cast<uint8_t>(id - kFirstLarge);

@@ -204,7 +204,8 @@ TEST_F(Beyond, fence_enable_reports_why_the_fence_stays_off) {
 
 // What QGroundControl puts into plans and this board has no use for.
 TEST_F(Beyond, items_without_an_effect_are_counted_at_upload_and_stored) {
-    const std::vector<uint16_t> idle = {201, 205, 93, 115, 191, 195, 197, 212, 530, 2001};
+    const std::vector<uint16_t> idle = {201, 205, 93,  115, 191,  195,  197,
+                                        212, 214, 530, 600, 2001, 2500, 2501};
     for (const uint16_t id : idle) {
         (void)statusTexts();
         ASSERT_EQ(upload({waypoint(500), command(id), command(id), waypoint(900)}),
@@ -219,6 +220,16 @@ TEST_F(Beyond, items_without_an_effect_are_counted_at_upload_and_stored) {
     ASSERT_EQ(upload({waypoint(500), command(189), waypoint(900)}), MissionResult::accepted);
     pass(3);
     EXPECT_FALSE(hasStatusText("no effect"));
+}
+
+// A load that is to be set down, and a jump to a tag, are no part of a flight that goes on without.
+TEST_F(Beyond, what_would_change_the_flight_is_refused_by_its_item) {
+    for (const uint16_t id : {94, 601}) {
+        (void)statusTexts();
+        EXPECT_EQ(upload({waypoint(500), command(id), waypoint(900)}), MissionResult::unsupported)
+            << id;
+        EXPECT_TRUE(hasStatusText("Item 2 refused")) << id;
+    }
 }
 
 TEST_F(Beyond, an_image_is_a_picture_and_a_series_by_time_is_refused) {
