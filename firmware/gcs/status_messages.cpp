@@ -202,6 +202,15 @@ bool fillIn(const Link&, mavlink::SystemTime& to) {
     return true;
 }
 
+namespace {
+
+struct Commit {
+    char digits[sizeof mavlink::AutopilotVersion::flight_custom_version + 1];
+};
+constexpr Commit kCommit ROM = {FIRMWARE_COMMIT};  // by the build; empty: not known
+
+}  // namespace
+
 bool fillIn(const Link&, mavlink::AutopilotVersion& to) {
     using Can = mavlink::MavProtocolCapability;
     to.capabilities = Can::mission_float | Can::mission_int | Can::param_float |
@@ -209,6 +218,8 @@ bool fillIn(const Link&, mavlink::AutopilotVersion& to) {
                       Can::mission_fence | Can::mission_rally | Can::param_encode_c_cast |
                       Can::command_int | Can::mavlink2;
     to.flight_sw_version = kVersion;
+    const Commit commit = core::romRead(kCommit);
+    memcpy(to.flight_custom_version, commit.digits, sizeof to.flight_custom_version);
     to.board_version = board::kModel;
     to.vendor_id = 0x1E;  // the chip's signature: Atmel, ATmega2560; it has no number of its own
     to.product_id = 0x9801;
