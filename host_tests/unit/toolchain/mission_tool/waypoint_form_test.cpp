@@ -38,8 +38,8 @@ TEST_F(Plan, refusals_name_line_item_and_value) {
         refusalOf(planWith(item(16, "0,0,0,0,47.1,8,60") + ",\n" + item(181, "0,9,0,0,0,0,0"))),
         "m:4:1: item 2: expected 0 or 1, found '9'");
     EXPECT_EQ(
-        refusalOf(planWith(item(16, "0,0,0,0,47.1,8,60") + ",\n" + item(2500, "0,0,0,0,0,0,0"))),
-        "m:4:1: item 2: expected a command of the APM 2.0 set, found '2500'");
+        refusalOf(planWith(item(16, "0,0,0,0,47.1,8,60") + ",\n" + item(601, "0,0,0,0,0,0,0"))),
+        "m:4:1: item 2: expected a command of the APM 2.0 set, found '601'");
 }
 
 TEST_F(Plan, keeps_the_commands_past_255_that_have_an_id) {
