@@ -60,6 +60,8 @@ public:
 
     virtual void reset() = 0;        // the reset button
     virtual void expectRestart() {}  // the supply is going to make one
+    // Another image instead of the one that is in the flash, then a reset; what is wrong with it.
+    virtual std::string flash(const std::string&) { return "this board has no flash"; }
     // Of the processor since power-on, whatever made it; and when the program's first instruction
     // last ran.
     virtual unsigned restarts() const { return 0; }

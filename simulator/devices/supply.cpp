@@ -9,44 +9,46 @@ namespace {
 
 constexpr double kRise_v_per_us = Supply::kNominal_v / 1000;
 
-double fallen(const Sag& sag, uint64_t since_us) {
+double fallen(const Sag& sag, uint64_t since_us, double from_v) {
     if (since_us >= sag.fall_us) return sag.volts;
     const double part = static_cast<double>(since_us) / static_cast<double>(sag.fall_us);
-    return Supply::kNominal_v - (Supply::kNominal_v - sag.volts) * part;
+    return from_v - (from_v - sag.volts) * part;
 }
 
-double deepest(const Sag& sag) { return fallen(sag, sag.to_us - sag.from_us); }
+double deepest(const Sag& sag, double from_v) {
+    return fallen(sag, sag.to_us - sag.from_us, from_v);
+}
 
-double voltsOf(const Sag& sag, uint64_t now_us) {
-    if (now_us < sag.from_us) return Supply::kNominal_v;
-    if (now_us < sag.to_us) return fallen(sag, now_us - sag.from_us);
+double voltsOf(const Sag& sag, uint64_t now_us, double from_v) {
+    if (now_us < sag.from_us) return from_v;
+    if (now_us < sag.to_us) return fallen(sag, now_us - sag.from_us, from_v);
     const double risen = static_cast<double>(now_us - sag.to_us) * kRise_v_per_us;
-    return std::min(Supply::kNominal_v, deepest(sag) + risen);
+    return std::min(from_v, deepest(sag, from_v) + risen);
 }
 
 struct Interval {
     uint64_t from_us, to_us;
 };
 
-std::optional<Interval> intervalBelow(const Sag& sag, double level_v) {
-    if (deepest(sag) >= level_v) return std::nullopt;
-    const double part = (Supply::kNominal_v - level_v) / (Supply::kNominal_v - sag.volts);
+std::optional<Interval> intervalBelow(const Sag& sag, double level_v, double from_v) {
+    if (deepest(sag, from_v) >= level_v) return std::nullopt;
+    const double part = (from_v - level_v) / (from_v - sag.volts);
     const auto down_us = static_cast<uint64_t>(static_cast<double>(sag.fall_us) * part);
-    const double up_us = std::ceil((level_v - deepest(sag)) / kRise_v_per_us);
+    const double up_us = std::ceil((level_v - deepest(sag, from_v)) / kRise_v_per_us);
     return Interval{sag.from_us + down_us, sag.to_us + static_cast<uint64_t>(up_us)};
 }
 
 }  // namespace
 
 double Supply::volts(uint64_t now_us) const {
-    double least = kNominal_v;
-    for (const Sag& sag : sags_) least = std::min(least, voltsOf(sag, now_us));
+    double least = level_v_;
+    for (const Sag& sag : sags_) least = std::min(least, voltsOf(sag, now_us, level_v_));
     return least;
 }
 
 bool Supply::below(double level_v, uint64_t now_us) const {
     return std::any_of(sags_.begin(), sags_.end(), [&](const Sag& sag) {
-        const auto low = intervalBelow(sag, level_v);
+        const auto low = intervalBelow(sag, level_v, level_v_);
         return low && now_us >= low->from_us && now_us < low->to_us;
     });
 }
@@ -54,7 +56,7 @@ bool Supply::below(double level_v, uint64_t now_us) const {
 uint64_t Supply::nextCrossing_us(double level_v, uint64_t now_us) const {
     uint64_t next_us = UINT64_MAX;
     for (const Sag& sag : sags_) {
-        const auto low = intervalBelow(sag, level_v);
+        const auto low = intervalBelow(sag, level_v, level_v_);
         if (!low) continue;
         for (const uint64_t at_us : {low->from_us, low->to_us})
             if (at_us > now_us) next_us = std::min(next_us, at_us);

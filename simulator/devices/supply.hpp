@@ -9,8 +9,9 @@
 
 namespace simulator {
 
-// It falls at `from_us`, within `fall_us`, from 5 V to `volts`, and comes back from `to_us` on by
-// 5 V in a millisecond, as a regulator starts. Where the fall is longer than that it turns early.
+// It falls at `from_us`, within `fall_us`, from what is set to `volts`, and comes back from `to_us`
+// on by 5 V in a millisecond, as a regulator starts. Where the fall is longer than that it turns
+// early.
 struct Sag {
     double volts;
     uint64_t from_us, to_us, fall_us;
@@ -19,7 +20,11 @@ struct Sag {
 class Supply {
 public:
     static constexpr double kNominal_v = 5.0;
+    // What a supply on the bench may be set to: below it is a sag, above ends what the chip may
+    // have (ATmega2560, 31.1).
+    static constexpr double kLowest_v = 4.5, kHighest_v = 5.5;
 
+    void adjust(double volts) { level_v_ = volts; }
     void set(const std::vector<Sag>& sags) { sags_ = sags; }  // instead of those there were
     void add(const Sag& sag) { sags_.push_back(sag); }
 
@@ -30,6 +35,7 @@ public:
 
 private:
     std::vector<Sag> sags_;
+    double level_v_ = kNominal_v;
 };
 
 // Parts by the voltage they need. World moves it on.

@@ -112,6 +112,7 @@ std::string Server::answer(const std::string& line) {
     }
     if (verb == "fault") return answerFault(rest);
     if (verb == "gps") return answerGps(rest);
+    if (verb == "flash") return answerFlash(rest);
     return answerHands(verb, rest);
 }
 
@@ -157,6 +158,20 @@ std::string Server::answerGps(const std::string& rest) {
     return "ok";
 }
 
+std::string Server::answerFlash(const std::string& rest) {
+    const size_t name = rest.find_first_not_of(' ');
+    if (name == rest.npos) return "error: flash takes the FILE of an image";
+    const std::string wrong = board_.flash(rest.substr(name));
+    return wrong.empty() ? "ok" : "error: " + wrong;
+}
+
+std::string Server::answerSupply(double volts) {
+    if (!(volts >= Supply::kLowest_v && volts <= Supply::kHighest_v))
+        return "error: supply takes 4.5 to 5.5 V";
+    board_.world().supply().adjust(volts);
+    return "ok";
+}
+
 // What a person does with a board in the hands.
 std::string Server::answerHands(const std::string& verb, const std::string& rest) {
     constexpr double kRadians = M_PI / 180;
@@ -173,10 +188,12 @@ std::string Server::answerHands(const std::string& verb, const std::string& rest
         world.lift(value[0]);
     else if (verb == "blow" && count == 1)
         world.blow(value[0]);
+    else if (verb == "supply" && count == 1)
+        return answerSupply(value[0]);
     else
         return "error: expected 'advance MS [BYTES0 [BYTES1]]', 'state', 'sticks ...', "
                "'usb in|out', 'launch', 'servos', 'reset', 'fault ...', 'gps KIND BAUD', "
-               "'turn-to R P Y', 'turn P Q R', 'lift M' or 'blow MPS'";
+               "'flash FILE', 'turn-to R P Y', 'turn P Q R', 'lift M', 'blow MPS' or 'supply V'";
     return "ok";
 }
 

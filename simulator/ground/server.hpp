@@ -18,8 +18,10 @@
 //   fault PART:HOW SECONDS         fails from now on for so long (simulator/devices/faults.hpp);
 //                                  "fault none" ends all; answers "ok"
 //   gps KIND BAUD                  plugs another receiver in; answers "ok"
+//   flash FILE                     another image instead of the one in the flash, then a reset;
+//                                  answers "ok"
 // and with --bench, angles and rates in degrees:
-//   turn-to ROLL PITCH YAW | turn ROLL PITCH YAW | lift METRES | blow MPS
+//   turn-to ROLL PITCH YAW | turn ROLL PITCH YAW | lift METRES | blow MPS | supply VOLTS
 // Anything else is answered "error: ...".
 #pragma once
 #include <array>
@@ -72,6 +74,8 @@ private:
     std::string answerServos();
     std::string answerFault(const std::string& rest);
     std::string answerGps(const std::string& rest);
+    std::string answerFlash(const std::string& rest);
+    std::string answerSupply(double volts);
     std::string answerHands(const std::string& verb, const std::string& rest);
     void awaitInput(const std::array<uint64_t, kLines>& wanted);
     std::vector<TcpPort*> ports();

@@ -95,6 +95,11 @@ void WatchedBoard::reset() {
     board_.reset();
 }
 
+std::string WatchedBoard::flash(const std::string& firmware) {
+    watch_.provokedRestart(false);
+    return board_.flash(firmware);
+}
+
 const std::vector<invariants::Violation>& WatchedBoard::violations() {
     watch_.end(board_.figures());
     return watch_.violations();

@@ -27,6 +27,7 @@ public:
     size_t unsent(int usart) const override { return board_.unsent(usart); }
     void setUsb(bool plugged) override { board_.setUsb(plugged); }
     void reset() override;
+    std::string flash(const std::string& firmware) override;
     void expectRestart() override { watch_.provokedRestart(false); }
     std::vector<uint8_t> eeprom() const override { return board_.eeprom(); }
     void setEeprom(const std::vector<uint8_t>& image) override { board_.setEeprom(image); }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <stdexcept>
 #include <utility>
 
 #include "simulator/devices/ads7844.hpp"
@@ -184,6 +185,17 @@ void AvrBoard::restart() {
 void AvrBoard::showFaults() {
     chip_.twi().fail(world_.faultOf(Faulty::i2c));
     spi_line_.fail(world_.faultOf(Faulty::spi));
+}
+
+std::string AvrBoard::flash(const std::string& firmware) {
+    try {
+        image_ = readImage(firmware);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    chip_.program(image_);
+    reset();
+    return "";
 }
 
 // A jump to itself, in a word of flash that no program uses.

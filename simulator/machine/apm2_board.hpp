@@ -34,6 +34,7 @@ public:
     size_t unsent(int usart) const override { return feeds_.at(usart).unsent(); }
     void setUsb(bool plugged) override;
     void reset() override { chip_.reset(Reset::external); }
+    std::string flash(const std::string& firmware) override;
     unsigned restarts() const override { return restarts_; }
     // The program stays where it is for ever, as soon as it runs and has switched its watchdog on,
     // within 5 s; interrupts go on.

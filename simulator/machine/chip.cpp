@@ -209,6 +209,12 @@ void Chip::reset(Reset cause) {
                    cause == Reset::external ? avr_->reset_flags.extrf : avr_->reset_flags.borf);
 }
 
+void Chip::program(const Image& image) {
+    const size_t size = std::min<size_t>(image.flash.size(), kBootSection);
+    std::fill_n(avr_->flash, kBootSection, 0xFF);
+    std::copy_n(image.flash.begin(), size, avr_->flash);
+}
+
 void Chip::setBootSection(const Image& program) {
     std::copy(program.flash.begin() + kBootSection, program.flash.end(),
               avr_->flash + kBootSection);

@@ -42,6 +42,8 @@ public:
     void reset(Reset cause);
     // Time passes without an instruction, until a reset.
     void skip(uint64_t until) { avr_->cycle = until; }
+    // What a bootloader writes: below its own section the image, and nothing else. To be reset.
+    void program(const Image& image);
     // From now on every reset begins there, as the fuse BOOTRST has it. To be called at once.
     void setBootSection(const Image& program);
 

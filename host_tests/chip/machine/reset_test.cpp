@@ -46,6 +46,23 @@ TEST(Resets, pins_driven_from_outside_keep_their_level) {
     EXPECT_EQ(machine.chip.avr()->data[kPinA] & 2, 2);
 }
 
+TEST(Programming, leaves_another_program_and_the_boot_section_as_it_was) {
+    Machine machine("watchdog");
+    machine.boot("quick");
+    const uint8_t* const flash = machine.chip.avr()->flash;
+    const std::vector<uint8_t> loader(flash + simulator::kBootSection,
+                                      flash + simulator::kFlashSize);
+    const simulator::Image other = simulator::readImage(program("boot.elf"));
+    machine.chip.program(other);
+    machine.chip.reset(Reset::external);
+    machine.run_ms(100);
+
+    EXPECT_TRUE(std::equal(other.flash.begin(), other.flash.end(), flash));
+    EXPECT_EQ(flash[simulator::kBootSection - 1], 0xFF) << "what was behind it is erased";
+    EXPECT_TRUE(std::equal(loader.begin(), loader.end(), flash + simulator::kBootSection));
+    EXPECT_EQ(machine.report(1).number, 1) << "and it runs";
+}
+
 static std::vector<int> words(const Machine& machine, int number) {
     std::vector<int> all;
     for (const Report& report : machine.reports)

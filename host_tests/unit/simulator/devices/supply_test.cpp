@@ -55,6 +55,17 @@ TEST(Supply, falls_along_its_slope_and_rises_by_5_v_in_a_millisecond) {
     EXPECT_EQ(supply.volts(51'000), 5);
 }
 
+TEST(Supply, of_a_bench_is_what_it_is_set_to_and_falls_from_there) {
+    Supply supply = supplyWith({1, 10'000, 50'000, 20'000});
+    supply.adjust(5.4);
+    EXPECT_EQ(supply.volts(9'999), 5.4);
+    EXPECT_NEAR(supply.volts(20'000), 3.2, 1e-9);
+    EXPECT_FALSE(supply.below(3.2, 19'990));
+    EXPECT_TRUE(supply.below(3.2, 20'010));
+    EXPECT_NEAR(supply.volts(50'500), 3.5, 1e-9);
+    EXPECT_EQ(supply.volts(51'000), 5.4);
+}
+
 TEST(Supply, that_is_back_before_it_has_fallen_turns_where_it_is) {
     const Supply supply = supplyWith({0, 0, 8'000, 20'000});
     EXPECT_NEAR(supply.volts(7'999), 3, 0.001);

@@ -26,6 +26,9 @@ public:
     size_t unsent(int) const override { return 0; }
     void setUsb(bool plugged) override { usb = plugged; }
     void reset() override {}
+    std::string flash(const std::string& firmware) override {
+        return firmware == "right.elf" ? "" : "no image";
+    }
     std::vector<uint8_t> eeprom() const override { return {}; }
     void setEeprom(const std::vector<uint8_t>&) override {}
     simulator::World& world() override { return world_; }

@@ -77,14 +77,16 @@ TEST_F(LockStep, grants_time_and_says_how_much_was_sent) {
 TEST_F(LockStep, takes_the_orders_of_a_person_at_the_bench) {
     Client control(server.controlPort());
 
-    for (const char* good :
-         {"turn-to 10 -20 30", "turn 1 2 3", "lift 1.5", "blow 12", "reset", "gps nmea 9600",
-          "fault baro:lost 3", "fault supply:sag_1.5v 0.2", "fault none"}) {
+    for (const char* good : {"turn-to 10 -20 30", "turn 1 2 3", "lift 1.5", "blow 12", "reset",
+                             "gps nmea 9600", "fault baro:lost 3", "fault supply:sag_1.5v 0.2",
+                             "fault none", "supply 5.4", "flash right.elf"}) {
         EXPECT_EQ(control.ask(good), "ok") << good;
     }
+    EXPECT_EQ(board.world().supply_v(0), 5.4);
     EXPECT_EQ(control.ask("servos"), "[0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0]");
     for (const char* wrong : {"turn-to 1 2", "lift", "blow x", "gps none 9600", "gps nmea",
-                              "fault baro:lost", "fault baro:cut 3", "fault baro:lost -1"}) {
+                              "fault baro:lost", "fault baro:cut 3", "fault baro:lost -1",
+                              "supply 4", "supply 5.6", "flash", "flash wrong.elf"}) {
         EXPECT_EQ(control.ask(wrong).rfind("error: ", 0), 0u) << wrong;
     }
 }
