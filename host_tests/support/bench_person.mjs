@@ -26,8 +26,9 @@ export const starts = { '5.quick': fault('supply:cut 0.5'), '5.slow': fault('sup
 export const volts = {
   '7.at_4.6': order('fault supply:sag_4.6v 5', '4.6'),
   '7.at_5.0': async (rig) => { await rig.order('fault none'); await rig.vehicle.wait(1500); return '5.0'; },
-  '7.at_5.4': 'skip the simulator has 5 V at most',
+  '7.at_5.4': order('supply 5.4', '5.4'),
   '7.brown_out': async (rig) => {
+    await rig.order('supply 5');
     await rig.order('fault supply:sag_4v 0.3');
     await rig.vehicle.wait(200);
     return order('reset')(rig);
@@ -52,6 +53,26 @@ export const outputs = {
   ...from(kOutputs.flatMap((output) => [1000, 1500, 2000].map((us) => [`11.output_${output}.${us}`, scope(output)]))),
   ...from([1100, 1500, 1900].map((us) => [`11.motor.${us}`, scope(3)])),
   '11.longest.read': '2001', ...confirmations('11.motor') };
+// An oscilloscope that keeps the longest pulse of output 1 over the restarts.
+export const longest = {
+  '11.longest': (rig) => { rig.pulses = []; return ''; },
+  '11.longest.usb': async (rig) => {
+    for (let i = 0; i < 5; ++i) {
+      await rig.order('reset');
+      await rig.board.wait(3000);
+      for (const way of ['out', 'in']) {
+        await rig.order(`usb ${way}`);
+        await rig.board.wait(200);
+      }
+    }
+    return '';
+  },
+  '11.longest.read': (rig) => {
+    const read = Math.max(...rig.pulses).toFixed(0);
+    rig.seen = rig.pulses;
+    rig.pulses = undefined;
+    return read;
+  } };
 export const receiver = {
   ...from(kOutputs.map((number) => [`12.channel_${number}`, sticks(kSticks, String(kSticks[number - 1]))])),
   '12.off': order('sticks off'), '12.on': sticks(kOutputs.map(() => 1500)),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A bench session with a simulated board in lock step, and a person who does with it what is asked.
 // FLY names the program, FLY_BOARD is `native` or `elf`, MINUTES a file for the emulated minutes.
+// `images`: the files of an image for each board, with which its bootloader can be reached.
 import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -13,19 +14,27 @@ import { loadState } from '../../toolchain/bench_tool/state.mjs';
 import { Vehicle } from './vehicle.mjs';
 
 const kUsb = 1;
+const kFlashed_ms = 1000;  // far less than avrdude takes, and long enough for the last words to pass
 
 // A serial line of the vehicle as the port of a session.
 class LinePort {
   connected = true;
-  canReset = false;
-  constructor(vehicle, line) {
+  constructor(vehicle, line, canReset = false) {
     this.vehicle = vehicle;
     this.line = line;
+    this.canReset = canReset;
+    this.address = { path: 'the simulated USB port' };
   }
-  // Every byte goes to the session; the vehicle's own reader counts them only.
+  pause() { this.connected = false; }
+  // DTR rises.
+  async resume() {
+    assert.equal(await this.vehicle.order('reset'), 'ok');
+    this.connected = true;
+  }
+  // Every byte goes to the session while the port is open; the vehicle's own reader counts them only.
   onBytes(listener) {
     this.line.takeFrame = () => {
-      listener(this.line.waiting);
+      if (this.connected) listener(this.line.waiting);
       this.line.waiting = Buffer.alloc(0);
       return false;
     };
@@ -38,7 +47,7 @@ class LinePort {
 }
 
 export class Rig {
-  static async start({ options = [], board = 'apm2', folder = mkdtempSync(join(tmpdir(), 'bench-')) } = {}) {
+  static async start({ options = [], board = 'apm2', images, folder = mkdtempSync(join(tmpdir(), 'bench-')) } = {}) {
     const rig = new Rig();
     rig.folder = folder;
     rig.printed = [];
@@ -47,7 +56,8 @@ export class Rig {
     // A cut of the supply ends a frame anywhere: the lines that no session reads are not taken apart.
     for (const line of rig.vehicle.lines.filter((each) => each !== rig.vehicle.lines[kUsb])) new LinePort(rig.vehicle, line).onBytes(() => {});
     const clock = { now_ms: () => rig.vehicle.now_ms, sleep: (time_ms) => rig.sleep(time_ms) };
-    rig.board = new Board(new LinePort(rig.vehicle, rig.vehicle.lines[kUsb]), clock);
+    rig.board = new Board(new LinePort(rig.vehicle, rig.vehicle.lines[kUsb], images !== undefined), clock);
+    rig.images = images;
     rig.motor_us = 0;
     rig.kind = board;
     rig.clock = clock;
@@ -56,6 +66,7 @@ export class Rig {
   // The highest pulse of the motor's pin over all the time.
   async sleep(time_ms) {
     await this.vehicle.wait(time_ms);
+    if (this.pulses) this.pulses.push(JSON.parse(await this.order('servos'))[0]);
     if (this.watching) this.motor_us = Math.max(this.motor_us, JSON.parse(await this.order('servos'))[2]);
   }
   async order(text) {
@@ -77,6 +88,11 @@ export class Rig {
     this.session = new Session({ board: this.board, person, state, print: (line) => this.printed.push(line),
       now: () => new Date(Date.UTC(2026, 0, 2, 3, 4)),
       options: { folder: this.folder, port: 'simulator', board: this.kind, commit: 'abc', telemetry: 'line 0',
+        flash: async (_, image) => {
+          await this.order(`flash ${this.images[image]}`);
+          await this.vehicle.wait(kFlashed_ms);
+          return 0;
+        },
         openTelemetry: () => new LinePort(this.vehicle, this.vehicle.lines[0]) } });
     this.state = state;
     return this.session.run(steps);

@@ -19,21 +19,22 @@ h1 { font-size: 22px; margin: 0 0 2px; } p { margin: 0 0 6px; color: var(--soft)
 section { break-inside: avoid; margin-bottom: 10px; }
 h2 { display: flex; gap: 8px; font-size: 13px; margin: 0; padding: 2px 6px; background: var(--band); border-top: 1px solid var(--soft); }
 h2 span:nth-child(2) { flex: 1; }
+tr { break-inside: avoid; }
 table { border-collapse: collapse; width: 100%; table-layout: fixed; }
 td { text-align: left; vertical-align: top; padding: 2px 6px; border-bottom: 1px solid var(--line); overflow-wrap: break-word; }
 td.value { width: 36%; font-variant-numeric: tabular-nums; } td.limit { width: 19%; color: var(--soft); }
-td.mark { white-space: nowrap; width: 62px; text-align: right; }
+td.mark { white-space: nowrap; width: 84px; text-align: right; }
 .pass { color: var(--pass); } .fail { color: var(--fail); } .open, .none { color: var(--soft); }
 tr.is-fail td.value { color: var(--fail); font-weight: 600; }
 .remark { padding: 2px 6px; font-style: italic; }
 .sign { display: grid; grid-template-columns: 1fr 1fr 2fr; gap: 32px; margin-top: 44px; break-inside: avoid; }
 .sign div { border-top: 1px solid var(--ink); padding-top: 4px; color: var(--soft); }
 @page { size: A4; margin: 7mm; }
-@media print { body { margin: 0; padding: 0; max-width: none; font-size: 5.8pt; line-height: 1.08; } h1 { font-size: 13pt; }
-  section { break-inside: auto; } h2 { break-after: avoid; font-size: 6.4pt; padding: 0.5pt 3pt; } section { margin-bottom: 2pt; } .steps { column-gap: 10pt; } td { padding: 0.2pt 2pt; } td.limit { width: 22%; } td.value { width: 39%; }
-  td.mark { width: 30pt; } .verdict { font-size: 11pt; } .facts { margin: 5pt 0; } .sign { margin-top: 18pt; }
+@media print { body { margin: 0; padding: 0; max-width: none; font-size: 6.2pt; line-height: 1.15; } h1 { font-size: 13pt; }
+  section { break-inside: auto; } h2 { break-after: avoid; font-size: 6.8pt; padding: 0.5pt 3pt; } section { margin-bottom: 2pt; } .steps { column-gap: 10pt; } td { padding: 0.2pt 2pt; } td.limit { width: 22%; } td.value { width: 39%; }
+  td.mark { width: 36pt; } .verdict { font-size: 11pt; } .facts { margin: 5pt 0; } .sign { margin-top: 18pt; }
   * { -webkit-print-color-adjust: exact; print-color-adjust: exact; } }
-@media (max-width: 900px) { .steps { columns: 1; } .facts { grid-template-columns: auto 1fr; } }
+@media screen and (max-width: 900px) { .steps { columns: 1; } .facts { grid-template-columns: auto 1fr; } }
 `;
 
 function partRow({ title, value, limit, verdict }) {
@@ -69,7 +70,7 @@ export function formOf(state, board) {
   const words = { [kPass]: 'passed', [kFail]: 'failed', [kNotDone]: 'not complete' };
   return `<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
-<title>Bench form ${escaped(state.name)}</title><style>${style}</style></head><body>
+<title>Bench form ${escaped(state.name)}</title><style>${style}</style></head><body><main>
 <div class="verdict ${kClass[verdict]}">${words[verdict]}</div>
 <h1>Bench form of an autopilot board</h1>
 <dl class="facts">${facts(state, board)}</dl>
@@ -78,6 +79,6 @@ export function formOf(state, board) {
 ${kSteps.map((step) => stepSection(step, state.steps[step.number])).join('\n')}
 </div>
 <div class="sign"><div>date</div><div>name</div><div>signature</div></div>
-</body></html>
+</main></body></html>
 `;
 }

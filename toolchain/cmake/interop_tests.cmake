@@ -48,3 +48,13 @@ declare_test(bench.image COMMAND node --test ${tests}/interop/bench/image.test.m
              DATA ${bench_data} ${bench_sources} REUSE
              ENVIRONMENT FLY=$<TARGET_FILE:fly> FLY_BOARD=elf MINUTES=${minutes}/bench.image
              OTHER_IMAGE=${IMAGE_apm1})
+set(bench_form ${CMAKE_BINARY_DIR}/bench_form)
+declare_test(bench.session COMMAND node --test ${tests}/interop/bench/session.test.mjs
+             NEEDS fly ${IMAGE_apm2} ${IMAGE_apm1} LABELS simavr AFTER image_minutes SETUP bench_form TIMEOUT 1800
+             DATA ${bench_data} ${bench_sources}
+             ENVIRONMENT FLY=$<TARGET_FILE:fly> FLY_BOARD=elf MINUTES=${minutes}/bench.session FORM=${bench_form}
+             IMAGE_APM1=${IMAGE_apm1} IMAGE_APM2=${IMAGE_apm2})
+if(CHROMIUM)
+    declare_test(bench.form COMMAND node --test ${tests}/interop/bench/form.test.mjs AFTER bench_form LABELS simavr
+                 ENVIRONMENT CHROMIUM=${CHROMIUM} FORM=${bench_form})
+endif()

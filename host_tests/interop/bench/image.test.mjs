@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bench sessions with the image on the emulated chip: what restarts, what is loaded, what is wrong.
+// Bench sessions with the image on the emulated chip in which something is wrong; session.test.mjs
+// has the good board.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -7,13 +8,6 @@ import * as person from '../../support/bench_person.mjs';
 import { withRig } from '../../support/bench_rig.mjs';
 
 const good = { options: ['--calibrated'] };
-
-test('fuses, bootloader, load, voltmeter and restarts of a good board', withRig(good, async (rig) => {
-  await rig.run([2, 6, 7, 15], { ...person.fuses, ...person.volts, ...person.flight });
-  for (const number of [2, 6, 15]) rig.passes(number);
-  assert.deepEqual(rig.step(7).parts.filter(({ verdict }) => verdict !== 'pass').map(({ id }) => id), ['7.at_5.4']);
-  assert.match(rig.part('7.brown_out').value, /brown-out/);
-}));
 
 test('cold starts: as many as were made are counted', withRig(good, async (rig) => {
   let quick = 0;
@@ -31,17 +25,6 @@ test('a start without the inertial sensor fails cold starts', withRig(good, asyn
   }, '5.slow': 'skip' });
   assert.match(rig.part('5.quick').value, /start 1 of 20: without an inertial sample/);
   assert.equal(rig.step(5).verdict, 'fail');
-}));
-
-test('ten restarts by command and no long pulse', withRig(good, async (rig) => {
-  await rig.run([11], { '*': 'skip', '11.longest': '', '11.longest.usb': '', '11.longest.read': '2000' });
-  assert.equal(rig.part('11.longest').verdict, 'pass', rig.part('11.longest').value);
-}));
-
-test('logs outlast five cuts of the supply while they are written', withRig(good, async (rig) => {
-  await rig.run([14], { '14.gaps': 'skip', ...person.cuts });
-  assert.equal(rig.part('14.cuts').verdict, 'pass', rig.part('14.cuts').value);
-  assert.equal(await rig.board.parameter('LOG_BITMASK'), 16382);
 }));
 
 test('a bootloader that loops over a watchdog\'s reset fails step 2', withRig({ options: ['--bootloader', 'looping'], violates: true }, async (rig) => {
