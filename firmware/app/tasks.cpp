@@ -136,7 +136,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { slow,   runLights,              10,     9,      55 },
     { slow,   dataflashStep,          10,     9,      25 },
     { slow,   measureLoad,           100,    59,      75 },
-    { slow,   runDeclination,        100,    41,     190 },
+    { slow,   runDeclination,        100,    41,     275 },
     { slow,   runRestartSlowly,      100,    63,     400 },
 };
 // clang-format on

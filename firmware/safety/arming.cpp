@@ -12,6 +12,7 @@
 #include "firmware/notify/status_text.hpp"
 #include "firmware/safety/fence.hpp"
 #include "firmware/sensors/compass_learning.hpp"
+#include "firmware/sensors/compass_mounting.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/published.hpp"
@@ -177,6 +178,7 @@ constexpr Check kChecks[] ROM = {
     {kCompass,      fieldBad,          "PreArm: check mag field", nullptr},
     {kCompass,      offsetsBad,        "PreArm: compass offsets", nullptr},
     {kCompass,      compassUpsideDown, "PreArm: compass upside down", nullptr},
+    {kCompass,      compassTurned,     "PreArm: set COMPASS_ORIENT #", compassOrientation},
     {kGps,          gpsBad,            "PreArm: no GPS fix", nullptr},
     {kGps,          dilutionBad,       "PreArm: high GPS HDOP", nullptr},
     {kAirspeed,     airspeedBad,       "PreArm: airspeed sensor", nullptr},

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "board.hpp"
 #include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/fixed.hpp"
@@ -7,6 +6,7 @@
 #include "drivers/hmc5883l.hpp"
 #include "drivers/orientation.hpp"
 #include "firmware/sensors/compass_learning.hpp"
+#include "firmware/sensors/compass_mounting.hpp"
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
@@ -40,14 +40,6 @@ struct Reading {
 };
 core::FileState<Reading> reading{};
 
-core::Vector3 alongTheAirplane(const core::Vector3& measured) {
-    if (parameters.compass_external != 0)
-        return drivers::fromMounting(measured,
-                                     static_cast<uint8_t>(parameters.compass_orientation));
-    if (board::kCompassUpsideDown) return {measured.x, -measured.y, -measured.z};
-    return measured;
-}
-
 // The earth's field is 220 to 670 mG; the airplane's own comes on top, or takes off.
 bool plausible(const core::Vector3& field_mg) {
     constexpr int32_t kLeast_mg = 100, kMax_mg = 1000;
@@ -71,7 +63,7 @@ void runCompass() {
         published.healthy = compass.healthy() && !isFaulty(Sensor::compass);
         return;
     }
-    core::Vector3 field_mg = alongTheAirplane(compass.field_mg());
+    core::Vector3 field_mg = drivers::fromMounting(compass.field_mg(), compassMounting());
     reading.unlearnt_mg = field_mg;
     reading.unlearnt = true;
     const float* offset = parameters.compass_offset_mg;
@@ -88,9 +80,13 @@ void runCompassLearning() {
     storeLearntCompass();
 }
 
-// Into the parameter, where the heading is worked out from; what is stored there stays.
+// Into the parameter, where the heading is worked out from; what is stored there stays. In flight,
+// where it hardly changes, every second time the row looks how the compass is mounted.
 void runDeclination() {
+    constexpr uint16_t kEverySecond = 1024;
     if (vehicle.gps.fix != GpsFix::three_d) return;
+    if (vehicle.estimate.flying && (hal::now_ms() & kEverySecond) != 0)
+        return watchCompassMounting();
     published.points_down = geo::fieldPointsDown(vehicle.gps.position);
     if (parameters.compass_auto_declination == 0) return;
     parameters.compass_declination_rad =

@@ -166,6 +166,15 @@ native_test(flight.native_stall stall_flight ${CMAKE_SOURCE_DIR}/simulator/airpl
 flight_program(gps_flight)  # another receiver in the middle of the flight
 native_test(flight.native_gps_swapped gps_flight ${first_flight} ${native_minutes})
 
+# a compass that is turned against what is set
+flight_program(mounting_flight)
+foreach(yaw 90 180 270)
+    native_test(flight.native_compass_turned_${yaw} mounting_flight native ${first_flight} ${yaw}
+                ${flights}/native_compass_turned_${yaw} ${native_minutes})
+endforeach()
+image_test(flight.elf_compass_turned_90 apm2 mounting_flight ${IMAGE_apm2} ${first_flight} 90
+           ${flights}/elf_compass_turned_90 ${minutes})
+
 # gains found in the air, on an airplane whose own are near the defaults and on one far from them
 flight_program(autotune_flight ${tests}/scenarios/autotune_flight.cpp simulator/parameter_file.cpp
                toolchain/param_tool/settings.cpp toolchain/mission_tool/wrong_input.cpp)

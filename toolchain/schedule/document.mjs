@@ -71,7 +71,7 @@ const remarks = {
   runLights: 'lamps',
   dataflashStep: 'steps the DataFlash',
   measureLoad: 'load of the processor in the last second',
-  runDeclination: 'magnetic declination of the place',
+  runDeclination: 'magnetic declination of the place; in flight whether the compass is turned',
   runRestartSlowly: 'keeps the slow record for a restart in the air',
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/arming.hpp"
+#include "firmware/sensors/compass_mounting.hpp"
 
 #include <fstream>
 #include <functional>
@@ -279,6 +280,18 @@ INSTANTIATE_TEST_SUITE_P(
                   mutable_vehicle.imu.accel_mss =
                       core::Accelerations::from(0, core::kGravity_mss, 0);
                   mutable_vehicle.compass.field_mg = {0, 430, 200};
+              }},
+        Fault{4, "PreArm: set COMPASS_ORIENT #",
+              [] {  // flown to the north and back with the field on the right
+                  mutable_vehicle.gps.ground_speed_mps = 12;
+                  const core::Vector3 before_mg = vehicle.compass.field_mg;
+                  for (const float right_mg : {200.0f, -200.0f}) {
+                      mutable_vehicle.gps.course_cd = right_mg > 0 ? 0 : 18000;
+                      mutable_vehicle.compass.field_mg = {0, right_mg, 430};
+                      for (int look = 0; look < 7; ++look)
+                          firmware::sensors::watchCompassMounting();
+                  }
+                  mutable_vehicle.compass.field_mg = before_mg;
               }},
         Fault{8, "PreArm: no GPS fix",
               [] { mutable_vehicle.gps.fix = firmware::state::GpsFix::two_d; }},
