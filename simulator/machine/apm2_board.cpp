@@ -107,7 +107,7 @@ void AvrBoard::wireFlash() {
 void AvrBoard::wireConverter() {
     if (!wiring_.converter_usart) return;
     chip_.usart(*wiring_.converter_usart).on_exchange = [this](uint8_t mosi) {
-        return world_.converter().transfer(mosi);
+        return world_.converter().transfer(mosi, time_us());
     };
 }
 

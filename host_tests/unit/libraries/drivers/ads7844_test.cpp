@@ -273,9 +273,9 @@ struct Sensors {
     simulator::Ads7844 chip;
     simulator::AnalogImu shield{1, simulator::SensorErrors::none()};
     double pitot_v = 2.5;
-    Rig<number> rig{[this](uint8_t byte) { return chip.transfer(byte); }};
-    drivers::AnalogImu<Converter> imu;
     uint32_t now_ms = 0;
+    Rig<number> rig{[this](uint8_t byte) { return chip.transfer(byte, uint64_t{now_ms} * 1000); }};
+    drivers::AnalogImu<Converter> imu;
     drivers::ImuSums sums{};
 
     Sensors() {

@@ -72,6 +72,14 @@ TEST_F(Apm1Board, reads_the_sensors_of_the_first_board_and_not_those_of_the_seco
     EXPECT_EQ(board.world().imu().samples().made, 0u);
 }
 
+TEST_F(Apm1Board, reads_each_conversion_before_what_is_held_has_leaked_away) {
+    ASSERT_TRUE(board.runUntil(4'000'000)) << board.fault();
+
+    const uint64_t longest_us = board.world().converter().longestConversion_us();
+    EXPECT_GT(longest_us, 500u) << "the last of a set waits for the next one";
+    EXPECT_LT(longest_us, 1600u) << "SBAS100: 16 clocks of 10 kHz";
+}
+
 TEST_F(Apm1Board, switches_its_lights_by_a_high_level_and_holds_the_relay_off) {
     int lit = 0;
     for (uint64_t ms = 100; ms < 3000; ms += 10) {
