@@ -55,6 +55,8 @@ struct WorldOptions {
     bool compass_upside_down = false;  // on the first board's shield
     // outside the board: rolled, pitched and yawed by so many degrees, as COMPASS_ORIENT has it
     std::optional<std::array<double, 3>> external_compass_deg;
+    // Of the I2C lines, from low to high: the longest that 400 kHz allow (UM10204, table 10: t_r).
+    double i2c_rise_ns = 300;
     std::vector<Fault> faults;  // of sensors in flight
 };
 

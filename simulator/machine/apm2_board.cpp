@@ -64,6 +64,7 @@ AvrBoard::AvrBoard(const std::string& firmware, const WorldOptions& options,
     wireSensorBus();
     wireFlash();
     wireConverter();
+    chip_.twi().rise(options.i2c_rise_ns);
     wireTwoWire(world_.compass());
     if (wiring_.converter_select) wireTwoWire(world_.barometerOnI2c());
     wireSerial();

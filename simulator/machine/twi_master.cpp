@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/machine/twi_master.hpp"
 
+#include <cmath>
+
 #include "simulator/machine/registers.hpp"
 
 namespace simulator {
@@ -31,6 +33,10 @@ void TwiMaster::reset() {
 // Datasheet 24.5.2.
 uint64_t TwiMaster::bitCycles() const {
     return 16 + (2ull * avr_->data[kTwbr] << 2 * (avr_->data[kTwsr] & kPrescaler));
+}
+
+void TwiMaster::rise(double ns) {
+    rise_cycles_ = static_cast<uint64_t>(std::ceil(ns * 1e-9 * kClock_hz));
 }
 
 void TwiMaster::prescale(uint16_t address, uint8_t value) {
@@ -146,7 +152,7 @@ void TwiMaster::address(uint8_t value) {
 
 void TwiMaster::later(int bits, uint8_t status) {
     next_status_ = line_.hits() ? +kBusError : status;
-    waiting_ = static_cast<uint64_t>(bits) * bitCycles();
+    waiting_ = static_cast<uint64_t>(bits) * (bitCycles() + rise_cycles_);
     wait();
 }
 

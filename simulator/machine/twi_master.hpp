@@ -33,6 +33,9 @@ public:
     // As with SDA held low: a device that has lost count.
     void hang(bool hung) { fail(hung ? FaultKind::sda_low : FaultKind::none); }
     uint64_t bitCycles() const;
+    // Of SCL, which nobody drives high: its pull-up charges the wires, and the high half of a bit
+    // is counted from when the line is high (datasheet 24.4).
+    void rise(double ns);
 
 private:
     enum class Phase { idle, started, writing, reading, refused };
@@ -62,6 +65,7 @@ private:
     uint8_t next_status_ = 0;
     bool stopping_ = false;
     LineFault line_{1};
+    uint64_t rise_cycles_ = 0;
     uint64_t waiting_ = 0;  // cycles of what is under way, while the line is held
 };
 

@@ -50,6 +50,18 @@ TEST_F(TwiTest, the_bus_takes_its_time) {
     EXPECT_LE(took, (1 + 3 * 9) * kBit + 5 * 100) << "five interrupts";
 }
 
+TEST(TwoWires, that_rise_slowly_lengthen_every_bit) {
+    const auto took = [](double rise_ns) {
+        Machine machine("twi");
+        machine.chip.twi().rise(rise_ns);
+        machine.run_ms(50);
+        return machine.cyclesBetween(1, 2);
+    };
+    constexpr int64_t bits = 1 + 9, poll = 12;  // start and an address that nobody answers
+    EXPECT_NEAR(took(300) - took(0), bits * 5, poll) << "4.8 cycles";
+    EXPECT_NEAR(took(1000) - took(0), bits * 16, poll);
+}
+
 TEST_F(TwiTest, a_hung_bus_never_answers_and_the_interface_can_be_turned_off) {
     EXPECT_EQ(machine.report(6).low & 0x10, 0) << "the stop before has gone out";
     EXPECT_EQ(machine.report(7).low & 0x80, 0);
