@@ -293,14 +293,15 @@ bool fast() {
     return !position.reckoned() && measuredGroundSpeed_mps() > least_mps;
 }
 
-// An airplane that flies against the wind is slow over the ground, too. Unless it is known to be
-// slow through the air, it stands only near the height of the field and while it does not turn.
+// An airplane that flies against the wind is slow over the ground, too. It stands where two of
+// three say so: its speed through the air, the height of the field, the gyros. None of them alone:
+// a wind that was learnt in few turns may be half as strong as it is.
 bool stands() {
     const auto& estimate = vehicle.estimate;
     if (estimate.ground_speed_mps >= kStandingSpeed_mps || fabsf(estimate.climb_mps) >= 0.5f)
         return false;
     const bool low = fabsf(aboveField_m()) < kNearField_m;
-    return slowThroughTheAir() || (low && !turns());
+    return slowThroughTheAir() + low + !turns() >= 2;
 }
 
 int16_t centimetres(float metres) { return core::narrowed(core::rounded(metres * 100.0f)); }

@@ -353,6 +353,31 @@ TEST_F(Stopped, goes_on_flying_when_the_wind_is_airspeed_enough) {
     EXPECT_TRUE(vehicle.estimate.flying);
 }
 
+// Without the sensor the wind is learnt from few turns, in which it may have been half as strong.
+TEST_F(Stopped, goes_on_flying_high_above_the_field_when_the_wind_alone_says_that_it_is_slow) {
+    mutable_vehicle.baro.pressure_pa -= 960;
+    stop(10);
+    ASSERT_TRUE(firmware::estimator::slowThroughTheAir());
+    EXPECT_TRUE(vehicle.estimate.flying);
+}
+
+// A tube that clogs says so as well.
+TEST_F(Stopped, stands_on_a_hill_when_it_is_slow_by_wind_or_sensor_and_nothing_turns_it) {
+    for (const bool healthy : {false, true}) {
+        SetUp();
+        speed_mps_ = 0;
+        mutable_vehicle.baro.pressure_pa -= 960;
+        stop(10);
+        mutable_vehicle.airspeed.healthy = healthy;
+        mutable_vehicle.airspeed.speed_mps = 0;
+        frames(310);
+        EXPECT_TRUE(vehicle.estimate.flying) << healthy;
+        mutable_vehicle.imu.rate_rads.x = core::BodyRate(0.0f);
+        frames(310);
+        EXPECT_FALSE(vehicle.estimate.flying) << healthy;
+    }
+}
+
 TEST_F(Estimator, goes_on_flying_while_it_climbs_on_the_spot) {
     mutable_vehicle.armed = true;
     mutable_vehicle.baro.pressure_pa += 60;  // five metres below home
