@@ -193,7 +193,7 @@ void updateWind() {
     if (!vehicle.estimate.flying || newest_fix.since_s > 1.5f || pointsByCourse()) return;
     if (!airspeedFits() && vehicle.airspeed.healthy) return;
     const float airspeed_mps = vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f;
-    wind.update(vehicle.gps.velocity_mps, {attitude.noseNorth(), attitude.noseEast()}, airspeed_mps,
+    wind.update(position.velocity_mps(), {attitude.noseNorth(), attitude.noseEast()}, airspeed_mps,
                 newest_fix.since_s);
     published.wind_mps = wind.wind_mps();
 }

@@ -4,8 +4,9 @@
 namespace estimation {
 namespace {
 
-constexpr float kSlow_s = 15.0f;  // the mean wind, not its gusts
-constexpr float kTurn = 1.0f;     // change of the nose's direction that shows enough
+constexpr float kSlow_s = 15.0f;     // the mean wind, not its gusts
+constexpr float kTurn = 1.0f;        // change of the nose's direction that shows enough
+constexpr float kFirstShare = 0.6f;  // of what the first turn shows: it may be 5 m/s wrong
 constexpr float kMaxWind_mps = 50.0f;
 constexpr float kLeastAirspeed_mps = 4.0f;
 
@@ -29,7 +30,7 @@ void Wind::update(const core::Vector3& ground_mps, const Pointing& nose, float a
     float share = dt_s / kSlow_s;
     if (airspeed_mps < kLeastAirspeed_mps) {
         if (!fromTurn(ground_mps, nose, speed_mps)) return;
-        share = 0.3f;
+        share = known_ ? 0.3f : kFirstShare;  // at first it is all that is known
     }
     const float north_mps = ground_mps.x - speed_mps * nose.north;
     const float east_mps = ground_mps.y - speed_mps * nose.east;

@@ -468,6 +468,17 @@ TEST_F(Stopped, knows_the_wind_and_its_height_again_after_a_restart) {
     EXPECT_TRUE(vehicle.estimate.flying);
 }
 
+// The nose is where it is now, a fix a quarter of a second old.
+TEST_F(Estimator, finds_no_wind_in_the_age_of_the_fixes) {
+    mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
+    for (int i = 0; i < 700; ++i) {
+        mutable_vehicle.airspeed.speed_mps = speed_mps_;
+        frame(3);
+    }
+    ASSERT_TRUE(vehicle.estimate.flying);
+    EXPECT_NEAR(vehicle.estimate.wind_mps.x, 0, 0.2);
+}
+
 // The tube is still covered.
 TEST_F(Estimator, flies_by_the_ground_speed_beside_an_airspeed_sensor_that_reads_nothing) {
     const float least_mps = firmware::state::parameters.speed_min_mps;

@@ -45,6 +45,19 @@ TEST(Wind, is_estimated_in_turns_without_an_airspeed_sensor) {
     EXPECT_NEAR(wind.airspeed_mps(air.ground(2)), 13, 0.3);
 }
 
+// Until the next turn it flies by that; half of the wind would be half of the airspeed.
+TEST(Wind, is_known_for_the_most_part_after_the_first_turn_without_an_airspeed_sensor) {
+    Wind wind;
+    Air air;
+    for (const double yaw : {0.0, 1.5}) wind.update(air.ground(yaw), pointing(yaw), 0, 0.2f);
+    EXPECT_TRUE(wind.known());
+    EXPECT_NEAR(wind.wind_mps().x, 4 * 0.6, 0.1);
+    EXPECT_NEAR(wind.wind_mps().y, -3 * 0.6, 0.1);
+
+    wind.update(air.ground(0), pointing(0), 0, 0.2f);
+    EXPECT_NEAR(wind.wind_mps().x, 4 * (0.6 + 0.4 * 0.3), 0.1);
+}
+
 TEST(Wind, is_unknown_in_straight_flight_without_an_airspeed_sensor) {
     Wind wind;
     const Air air;
