@@ -56,6 +56,7 @@ class ArmedByACommand : public Invariant {
         restarts_ = now.restarts;
         if (now_s - resumes_s_ < kFindsItself_s && (sensorsFail(now) || evidenceFails(now)))
             resumes_s_ = now_s;
+        if (movesAsOneFlies(now)) moved_s_ = now_s;
         if (history.heartbeats() == heartbeats_) return;
         heartbeats_ = history.heartbeats();
         const Heard &before = history.heardBefore(), &after = history.heard();
@@ -67,15 +68,20 @@ class ArmedByACommand : public Invariant {
         report(after.time_s, text("armed, in mode %u", after.mode));
     }
 
-    // It starts within half a minute, and sees what moves as fast as one flies.
+    static bool movesAsOneFlies(const Snapshot& now) {
+        constexpr double kMoves_mps = 6;
+        return std::hypot(now.truth.velocity_north_mps, now.truth.velocity_east_mps) > kMoves_mps;
+    }
+    // It starts within half a minute, and sees what moves as fast as one flies: half a second
+    // later, and a heartbeat says so within another second.
     bool receiverSaysSo(const Snapshot& now) const {
-        constexpr double kStarts_s = 32, kMoves_mps = 6;
-        return now.time_s() - restarted_s_ < kStarts_s &&
-               std::hypot(now.truth.velocity_north_mps, now.truth.velocity_east_mps) > kMoves_mps;
+        constexpr double kStarts_s = 32, kHeard_s = 1.5;
+        return now.time_s() - restarted_s_ < kStarts_s && now.time_s() - moved_s_ < kHeard_s;
     }
 
     unsigned restarts_ = 0;
     double armed_s_ = kNever_s, resumes_s_ = kNever_s, restarted_s_ = kNever_s;
+    double moved_s_ = kNever_s;
     uint64_t heartbeats_ = 0;
 };
 

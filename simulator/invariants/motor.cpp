@@ -82,10 +82,20 @@ class MotorIdleOnTheGround : public Invariant {
         const bool still = truth.on_ground && !truth.crashed && speed_mps < kStill_mps;
         if (!still) moved_s_ = now_s;
         const bool turns = history.heard().armed && now.servo_us[kMotor] > most_us + kTurns_us;
-        if (!turns || asked(now_s, history)) lawful_s_ = now_s;
+        if (!turns || asked(now_s, history) || unseen(now)) lawful_s_ = now_s;
         if (now_s - moved_s_ < kStands_s || now_s - lawful_s_ < kPatience_s) return;
         report(now_s, text("it stands in mode %u, the motor's pulse is %.0f us, idle %.0f us",
                            history.heard().mode, now.servo_us[kMotor], most_us));
+    }
+
+    // By receiver or barometer it is seen to stand: for seconds after both have failed each of
+    // their readings is still doubted, and after that it takes 4 s.
+    bool unseen(const Snapshot& now) {
+        constexpr double kTrusted_s = 7, kSeen_s = 4;
+        if (now.faulty[static_cast<size_t>(Faulty::gps)] &&
+            now.faulty[static_cast<size_t>(Faulty::barometer)])
+            unseen_s_ = now.time_s();
+        return now.time_s() - unseen_s_ < kTrusted_s + kSeen_s;
     }
 
     static bool asked(double now_s, const History& history) {
@@ -107,7 +117,7 @@ class MotorIdleOnTheGround : public Invariant {
     }
 
     Idle idle_;
-    double moved_s_ = 0, lawful_s_ = 0;
+    double moved_s_ = 0, lawful_s_ = 0, unseen_s_ = kNever_s;
 };
 
 }  // namespace

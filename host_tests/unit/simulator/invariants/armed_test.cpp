@@ -69,6 +69,23 @@ TEST(ArmedByACommand, a_receiver_that_starts_late_may_arm_what_moves_as_fast_as_
     }
 }
 
+// The fix was as fast; by the heartbeat it has hit the ground.
+TEST(ArmedByACommand, what_has_just_moved_as_fast_as_one_flies_may_be_armed_and_nothing_later) {
+    for (const double stands_s : {1.0, 2.0}) {
+        Flown flown;
+        flown.inTheAir();
+        flown.run(10);
+        ++flown.now.restarts;
+        flown.armed = false;
+        flown.run(6);
+        flown.onTheGround();
+        flown.run(stands_s - 0.01);
+        flown.armed = true;
+        flown.run(1);
+        EXPECT_EQ(flown.violated().find("armed_by_itself") != std::string::npos, stands_s > 1.5);
+    }
+}
+
 TEST(ArmedByACommand, the_rudder_stick_may_arm) {
     Flown flown;
     flown.run(5);

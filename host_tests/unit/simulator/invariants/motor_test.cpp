@@ -96,4 +96,26 @@ TEST(MotorIdleOnTheGround, a_stick_counts_only_in_a_mode_that_obeys_it) {
     EXPECT_EQ(flown.violated(), "motor_idle_standing ");
 }
 
+TEST(MotorIdleOnTheGround, it_is_not_seen_to_stand_while_receiver_and_barometer_both_fail) {
+    for (const bool both : {true, false}) {
+        Flown flown = standsArmedIn(12);
+        flown.now.faulty[static_cast<size_t>(Faulty::gps)] = true;
+        flown.now.faulty[static_cast<size_t>(Faulty::barometer)] = both;
+        flown.run(20);
+        EXPECT_EQ(flown.violated().empty(), both);
+    }
+}
+
+TEST(MotorIdleOnTheGround, it_is_seen_to_stand_once_one_of_both_has_been_back_for_seconds) {
+    Flown flown = standsArmedIn(12);
+    flown.now.faulty[static_cast<size_t>(Faulty::gps)] = true;
+    flown.now.faulty[static_cast<size_t>(Faulty::barometer)] = true;
+    flown.run(20);
+    flown.now.faulty[static_cast<size_t>(Faulty::gps)] = false;
+    flown.run(13);
+    EXPECT_EQ(flown.violated(), "");
+    flown.run(1);
+    EXPECT_EQ(flown.violated(), "motor_idle_standing ");
+}
+
 }  // namespace simulator::invariants
