@@ -676,6 +676,26 @@ TEST_F(Estimator, knows_a_barometer_that_has_jumped_before_arming) {
     EXPECT_TRUE(barometerSteady()) << "the receiver may have been far off before";
 }
 
+// Each of its conditions alone turns the decision.
+TEST_F(Estimator,
+       finds_the_barometer_steady_by_its_readings_and_by_a_receiver_that_has_been_heard) {
+    for (const bool jumps : {false, true})
+        for (const bool heard : {false, true})
+            for (const bool differs : {false, true}) {
+                core::resetFileStates();
+                SetUp();
+                altitude_m_ = 0;
+                late_ = heard ? 7 : 99;
+                frames(600);
+                if (differs) altitude_m_ = 100;
+                if (!heard) mutable_vehicle.gps.altitude_cm = differs ? 10000 : 0;
+                if (jumps) mutable_vehicle.baro.pressure_pa -= 1200;
+                frames(20);
+                EXPECT_EQ(firmware::estimator::barometerSteady(), !jumps && !(heard && differs))
+                    << jumps << heard << differs;
+            }
+}
+
 TEST_F(Estimator, begins_at_the_barometers_reading_when_heights_are_zeroed) {
     frames(600);
     mutable_vehicle.baro.pressure_pa -= 1200;

@@ -8,6 +8,7 @@
 #include "core/maths.hpp"
 #include "firmware/modes/mode_requests.hpp"
 #include "firmware/safety/arming.hpp"
+#include "firmware/safety/failsafe.hpp"
 #include "firmware/safety/failsafe_causes.hpp"
 #include "firmware/safety/failsafe_table.hpp"
 #include "firmware/safety/restart_evidence.hpp"
@@ -373,6 +374,50 @@ TEST_F(Conditions, of_a_low_battery_turn_it_alone) {
                 return batteryLow();
             },
             all}});
+}
+
+void failsafes(int tenths) {
+    for (int i = 0; i < tenths; ++i) {
+        runFailsafe();
+        fakes::advance_ms(100);
+    }
+}
+
+// In a take-off and a landing of AUTO and TAKEOFF an empty battery waits; where a failsafe has
+// taken over already it does not.
+TEST_F(Conditions, of_a_flight_near_the_ground_turn_it_alone) {
+    const auto automatic = [](bool is) {
+        mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
+        mutable_vehicle.mode = is ? Mode::automatic : Mode::loiter;
+    };
+    const auto takes_off = [](bool is) {
+        if (is) mutable_vehicle.mode = Mode::takeoff;
+    };
+    const auto circles_for_the_radio = [](bool is) {
+        parameters.short_action = 1;
+        mutable_vehicle.demand.path = Path::leg;
+        mutable_vehicle.radio.lost = is;
+        failsafes(1);
+        EXPECT_EQ(vehicle.mode == Mode::circle, is);
+    };
+    const auto on_the_path = [](Path path) {
+        parameters.battery_monitor = 4;
+        parameters.battery_low_v = 10.5f;
+        mutable_vehicle.battery.voltage_mv = 10000;
+        mutable_vehicle.demand.path = path;
+    };
+    static const auto of = on_the_path;
+    check({{"battery acts",
+            {automatic, takes_off, circles_for_the_radio,
+             [](bool is) { of(is ? Path::takeoff : Path::leg); },
+             [](bool is) {
+                 if (is) of(Path::land);
+             }},
+            [] {
+                failsafes(105);
+                return vehicle.mode == Mode::rtl;
+            },
+            [](const Bits& is) { return !((is[0] || is[1]) && !is[2] && (is[3] || is[4])); }}});
 }
 
 TEST_F(Conditions, of_lost_links_turn_them_alone) {
