@@ -33,6 +33,8 @@ constexpr float kForceBias_s = 10.0f;       // an accelerometer's bias is learnt
 constexpr float kMaxForceBias_mss = 0.3f;   // 0.03 g
 constexpr float kMaxForceStep_mss = 0.01f;
 constexpr float kMaxTime_s = 1.1f;  // between two fixes that are compared
+// Of the angle to where the field should point: 0.15 in the weakest field, 0.8 in the strongest.
+constexpr float kResumedShare = 0.4f / (470.0f * 470.0f);
 constexpr float kCompassStep_s = 0.2f;
 constexpr uint8_t kMaxFrames = 50;     // that are counted: by then nothing is known any more
 constexpr float kInconsistent = 0.7f;  // cosine: a compass 45 degrees off is not followed
@@ -432,7 +434,7 @@ void Attitude::pointBy(float error) {
 
 void Attitude::useCourse(const core::Vector3& air_mps) {
     const float squared = core::square(air_mps.x) + core::square(air_mps.y);
-    if (phase_ != Phase::pointed || squared < kSlow_mps * kSlow_mps) return;
+    if (phase_ < Phase::pointed || squared < kSlow_mps * kSlow_mps) return;
     catchUp();
     const float north = noseNorth(), east = noseEast();
     const float across = north * air_mps.y - east * air_mps.x;
@@ -463,12 +465,19 @@ bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
     }
     const bool elsewhere = settling_ < kQuickEnds && along_mg * inverse < kInconsistent;
     if (elsewhere || !settings.use_compass) return !elsewhere;
-    if (along_mg > 0) {
+    // after a restart it is the attitude that is wrong, most of all the roll, and not the field
+    const bool resumed = phase_ == Phase::resumed && settling_ > kQuickEnds;
+    if (along_mg > 0 || resumed) {
         const core::Vector3 odd =
             field_.unexpected({along_mg, across_mg, core::dot(down, field_mg)}, kCompassStep_s);
         const float odd_north = odd.x * cos_d - odd.y * sin_d;
         const float odd_east = odd.y * cos_d + odd.x * sin_d;
-        field_.learn(north * odd_north + east * odd_east + down * odd.z, kCompassStep_s);
+        const core::Vector3 odd_mg = north * odd_north + east * odd_east + down * odd.z;
+        if (resumed) {
+            turnBy(core::cross(odd_mg, field_mg) * kResumedShare);
+            return true;
+        }
+        field_.learn(odd_mg, kCompassStep_s);
     }
     const float error = along_mg > 0 ? -across_mg * inverse : (across_mg < 0 ? 1.0f : -1.0f);
     pointBy(error);

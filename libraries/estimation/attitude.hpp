@@ -73,7 +73,7 @@ public:
     // it (0: standing), the turn's centripetal acceleration is known well enough to stay upright.
     void useAirspeed(float true_airspeed_mps);
 
-    bool aligned() const { return phase_ == Phase::pointed; }  // upright and pointed
+    bool aligned() const { return phase_ >= Phase::pointed; }  // upright and pointed
 
     // Yaw clockwise from true north, -pi..pi. Roll and pitch are new in every frame, the rest when
     // the matrix has been turned.
@@ -94,7 +94,7 @@ public:
     core::Vector3 gainedSinceFix_mps() const;
 
 private:
-    enum class Phase : uint8_t { falling, upright, pointed };
+    enum class Phase : uint8_t { falling, upright, pointed, resumed };
     struct Row {  // a unit vector in body axes, as a Fine's steps
         int32_t of[3];
     };

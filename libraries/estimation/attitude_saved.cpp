@@ -31,7 +31,7 @@ void Attitude::resume(const SavedAttitude& pose, const SavedBiases& learnt,
     learnRates({0, 0, 0});
     field_.resume(learnt.field);
     settling_ = kHalfSettled;
-    phase_ = Phase::pointed;
+    phase_ = Phase::resumed;
     // in parts, each small enough for its axis to stay where it is
     constexpr uint8_t kParts = 8;
     for (uint8_t part = 0; part < kParts; ++part) {

@@ -237,4 +237,65 @@ TEST(Attitude, finds_its_heading_without_a_compass) {
     EXPECT_LT(rms.yaw, 3);
 }
 
+// Level, pointing where a compass shows it, and then resumed as if it had rolled meanwhile.
+struct Resumed : testing::Test {
+    Attitude attitude;
+    core::Vector3 reading_mg = {150, 130, 430};
+
+    void stand(double seconds, bool compass) {
+        AttitudeSettings settings;
+        settings.use_compass = compass;
+        for (int frame = 1; frame <= seconds * 100; ++frame) {
+            attitude.propagate(motion({0, 0, 0}, {0, 0, -core::kGravity_mss}));
+            if (frame % 10 == 0) attitude.align();
+            if (frame % 2 == 0) attitude.rotateDcm();
+            if (frame % 4 == 0) attitude.accelerate();
+            if (frame % 10 == 0) attitude.orthonormalize();
+            if (frame % 20 == 0) attitude.useCompass(reading_mg, settings);
+        }
+    }
+    void resume(float rolled_rad) {
+        estimation::SavedAttitude pose;
+        estimation::SavedBiases learnt;
+        stand(2, true);
+        attitude.save(pose);
+        attitude.save(learnt);
+        attitude.resume(pose, learnt, {rolled_rad, 0, 0});
+        ASSERT_NEAR(roll_rad(), rolled_rad, 0.05);
+    }
+    double roll_rad() const { return attitude.angles().roll_rad.toFloat(); }
+};
+
+// The power was gone for a second, and who knows how it rolled meanwhile.
+TEST_F(Resumed, finds_the_roll_by_the_field_before_a_fix_comes) {
+    for (const float rolled_rad : {-0.9f, 0.9f}) {
+        attitude.start();
+        resume(rolled_rad);
+        stand(1, true);
+        EXPECT_NEAR(roll_rad(), 0, 0.25) << rolled_rad;  // a turn about the field is not seen
+        EXPECT_NEAR(attitude.angles().pitch_rad.toFloat(), 0, 0.3) << rolled_rad;
+    }
+}
+
+TEST_F(Resumed, learns_nothing_of_the_compass_meanwhile) {
+    resume(0.9f);
+    stand(1, true);
+    EXPECT_EQ(attitude.compassOffset_mg().x, 0);
+    EXPECT_EQ(attitude.compassOffset_mg().y, 0);
+}
+
+TEST_F(Resumed, keeps_its_roll_without_a_compass) {
+    resume(0.9f);
+    stand(1, false);
+    EXPECT_NEAR(roll_rad(), 0.9, 0.05);
+}
+
+// On the ground, and after an inertial sensor that was started anew, the field is not known yet.
+TEST_F(Resumed, an_attitude_found_anew_is_not_turned_by_the_field) {
+    stand(2, true);
+    reading_mg = {150, 430, 130};
+    stand(1, true);
+    EXPECT_NEAR(roll_rad(), 0, 0.02);
+}
+
 }  // namespace
