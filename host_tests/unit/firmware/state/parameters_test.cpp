@@ -62,6 +62,30 @@ TEST_F(Rigging, is_changed_while_disarmed_only) {
     EXPECT_NE(parameterSetAt(index, 4000), core::Status::denied);
 }
 
+// At both ends of their rows: in range, but no mode and no function of this firmware.
+TEST_F(Rigging, takes_no_mode_and_no_function_that_there_is_not) {
+    using namespace firmware::state;
+    while (storage::claim() == core::Status::busy) fakes::advance_ms(10);
+    while (parametersLoad() != core::Status::ok) fakes::advance_ms(10);
+    constexpr float kAvoid = 14, kNoFunction = 13;
+    const struct {
+        const char* name;
+        float value;
+    } kCases[] = {{"FLTMODE1", kAvoid},
+                  {"INITIAL_MODE", kAvoid},
+                  {"RC5_FUNCTION", kNoFunction},
+                  {"RC8_FUNCTION", kNoFunction}};
+    for (const auto& each : kCases) {
+        char name[16] = {};
+        strncpy(name, each.name, sizeof name);
+        uint16_t index = 0;
+        ParameterLimits limits;
+        ASSERT_TRUE(parameterFind(name, index) && parameterLimits(index, limits)) << each.name;
+        ASSERT_LE(each.value, limits.highest) << each.name;
+        EXPECT_EQ(parameterSetAt(index, each.value), core::Status::bad_argument) << each.name;
+    }
+}
+
 TEST_F(Rigging, is_not_changed_by_a_mission_either_while_armed) {
     using namespace firmware::state;
     const uint8_t trim = slot::ofChannel(2, slot::trim);
