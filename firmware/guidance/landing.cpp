@@ -33,8 +33,8 @@ constexpr float kMaxPower = 1.4f;   // of the cruise throttle
 constexpr float kPowered_m = 0.9f;  // less below
 constexpr float kPoweredBehind_m = 15, kPowerFades_m = 20;
 constexpr float kPerMissing_spm = 0.75f;
-constexpr float kLate_s = 0.2f;
-constexpr float kEarly_s = 0.02f;  // a sink that is to grow less does so late
+// The flare ends so much behind the point: airplanes touched down short by that, in the mean.
+constexpr float kLate_s = 0.15f, kLaterIntoWind_s = 0.75f;
 constexpr float kSofter = 0.5f;
 // Below LAND_PITCH_CD, the higher the more: a fast airplane would not come down.
 constexpr float kNoseDown_radpm = 0.1f, kMaxNoseDown_m = 2;
@@ -59,11 +59,13 @@ float approachSpeed_mps(float cruise_mps, float along_mps) {
 
 float share(float value) { return core::limit(value, 0.0f, 1.0f); }
 
-float heightAbovePoint_m() { return vehicle.estimate.height_m - vehicle.demand.height_m; }
-
-float aboveGround_m() {
-    return descent.landing.byField() ? estimator::aboveField_m() : heightAbovePoint_m();
+// Of the landing point; of the field where no ground was there.
+float ground_m() {
+    if (!descent.landing.byField()) return vehicle.demand.height_m;
+    return vehicle.estimate.height_m - estimator::aboveField_m();
 }
+
+float aboveGround_m() { return vehicle.estimate.height_m - ground_m(); }
 
 // 0 in calm air or with the wind from behind, 1 against more than 3 m/s.
 float intoWind(const navigation::Lateral& lateral) {
@@ -84,16 +86,16 @@ navigation::HeightDemand height(const navigation::Lateral& lateral, float along_
     const navigation::LandingSettings settings = {
         parameters.flare_height_m, parameters.flare_s,
         parameters.speed_height.land_sink_mps * (1 - kSofter * into_wind),
-        kLate_s * into_wind - kEarly_s};
+        kLate_s + kLaterIntoWind_s * into_wind};
     const navigation::Approach approach = {demand.from_height_m - demand.height_m,
                                            legLength_m(),
                                            lateral.along_m,
                                            along_mps,
-                                           heightAbovePoint_m(),
+                                           aboveGround_m(),
                                            -vehicle.estimate.climb_mps,
                                            estimator::aboveField_m()};
-    const auto above_point = descent.landing.run(settings, approach);
-    return {above_point.height_m + demand.height_m, above_point.climb_mps};
+    const auto above_ground = descent.landing.run(settings, approach);
+    return {above_ground.height_m + ground_m(), above_ground.climb_mps};
 }
 
 // Back to the middle of the runway.

@@ -60,15 +60,8 @@ HeightDemand Landing::run(LandingSettings settings, Approach approach) {
     if (flaring_ && no_ground && approach.above_field_m > kFieldIsLower_m) {
         by_field_ = true;
         flaring_ = false;
+        return {approach.height_m, -settings.touchdown_sink_mps};
     }
-    const float ground_m = by_field_ ? approach.height_m - approach.above_field_m : 0;
-    approach.height_m -= ground_m;
-    HeightDemand demand = aboveGround(settings, approach);
-    demand.height_m += ground_m;
-    return demand;
-}
-
-HeightDemand Landing::aboveGround(LandingSettings settings, Approach approach) {
     const bool past = approach.along_m >= approach.length_m;
     approach.length_m += settings.late_s * core::limit(approach.along_mps, 0.0f, 50.0f);
     const Slope slope = slopeOf(settings, approach);

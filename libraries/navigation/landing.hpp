@@ -32,13 +32,11 @@ public:
     void start() { *this = Landing(); }
     HeightDemand run(LandingSettings settings, Approach approach);
     bool flaring() const { return flaring_; }
-    // No ground was where the point should be, and the field lies lower: it flares again by the
-    // height above that.
+    // No ground was where the point should be, and the field lies lower: heights are to be given
+    // above that from now on, until start(), and it flares again.
     bool byField() const { return by_field_; }
 
 private:
-    HeightDemand aboveGround(LandingSettings settings, Approach approach);
-
     bool flaring_ = false;
     bool by_field_ = false;
 };
