@@ -29,7 +29,7 @@ foreach(folder firmware libraries)
         list(APPEND quick ${path})
     endforeach()
 endforeach()
-set_source_files_properties(${quick} PROPERTIES COMPILE_OPTIONS "-O2;-fgcse;-ftree-dominator-opts;--param;early-inlining-insns=14")
+set_source_files_properties(${quick} PROPERTIES COMPILE_OPTIONS "-O2;-fgcse;-ftree-dominator-opts;--param;early-inlining-insns=10")
 
 link_libraries(m)
 
