@@ -124,7 +124,7 @@ constexpr parameters::Row kRows[] = {
     P( 96, "SCALING_SPEED",     scaling_speed_mps,                15,       5,       50),
     P( 97, "TRIM_THROTTLE",     cruise_throttle_pct,              45,       0,      100),
     P( 98, "THR_MIN",           throttle_min_pct,                  0,       0,      100),
-    P( 99, "THR_MAX",           throttle_max_pct,                 75,      10,      100),
+    P( 99, "THR_MAX",           throttle_max_pct,                100,      10,      100),
     P(100, "THR_SLEWRATE",      throttle_slew_pct,               100,       0,      127),
     P(101, "RLL2SRV_TCONST",    roll.axis.time_constant_s,      0.4f,    0.2f,        2),
     P(slot::rll2srv_p, "RLL2SRV_P", roll.axis.p,               0.75f,       0,        4),
