@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "board.hpp"
 #include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/fixed.hpp"
@@ -40,6 +41,14 @@ struct Reading {
 };
 core::FileState<Reading> reading{};
 
+// Fifty times a second: a board's own mounting needs no table.
+core::Vector3 alongTheAirplane(const core::Vector3& measured) {
+    if (parameters.compass_external != 0)
+        return drivers::fromMounting(measured, compassMounting());
+    if (board::kCompassUpsideDown) return {measured.x, -measured.y, -measured.z};
+    return measured;
+}
+
 // The earth's field is 220 to 670 mG; the airplane's own comes on top, or takes off.
 bool plausible(const core::Vector3& field_mg) {
     constexpr int32_t kLeast_mg = 100, kMax_mg = 1000;
@@ -63,7 +72,7 @@ void runCompass() {
         published.healthy = compass.healthy() && !isFaulty(Sensor::compass);
         return;
     }
-    core::Vector3 field_mg = drivers::fromMounting(compass.field_mg(), compassMounting());
+    core::Vector3 field_mg = alongTheAirplane(compass.field_mg());
     reading.unlearnt_mg = field_mg;
     reading.unlearnt = true;
     const float* offset = parameters.compass_offset_mg;
