@@ -43,8 +43,7 @@ core::FileState<Reading> reading{};
 
 // Fifty times a second: a board's own mounting needs no table.
 core::Vector3 alongTheAirplane(const core::Vector3& measured) {
-    if (parameters.compass_external != 0)
-        return drivers::fromMounting(measured, compassMounting());
+    if (parameters.compass_external != 0) return drivers::fromMounting(measured, compassMounting());
     if (board::kCompassUpsideDown) return {measured.x, -measured.y, -measured.z};
     return measured;
 }
