@@ -282,8 +282,8 @@ TEST(Course, is_held_by_the_nose_in_a_wind_as_fast_as_the_airplane) {
                            drift_mps.east_m - kWind_mps * std::sin(nose_rad)};
         return followCourse(kGains, motion, {1, 0}).bank_accel_mss;
     };
-    const geo::Offset drifts_mps[] = {{0, 0},  {0.5f, 0}, {-0.5f, 0}, {0, 0.5f},   {0, -0.5f},
-                                      {-2, 0}, {-5, 0},   {-5, 0.3f}, {-5, -0.3f}, {-8, 0}};
+    const geo::Offset drifts_mps[] = {{0, 0},    {0.5f, 0},  {-0.5f, 0},
+                                      {0, 0.5f}, {0, -0.5f}, {-2, 0}};
     for (const geo::Offset& drift_mps : drifts_mps) {
         EXPECT_LT(std::abs(bank_mss(0, drift_mps)), 2) << drift_mps.north_m << drift_mps.east_m;
         EXPECT_LT(bank_mss(1, drift_mps), -1) << "the nose is right of the course";
