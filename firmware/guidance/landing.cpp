@@ -83,6 +83,7 @@ float demandedPower(const navigation::Lateral& lateral, float missing_mps) {
 navigation::HeightDemand height(const navigation::Lateral& lateral, float along_mps,
                                 float into_wind) {
     const auto& demand = vehicle.demand;
+    const float counted_from_m = ground_m();  // in this run: at its end it may be another
     const navigation::LandingSettings settings = {
         parameters.flare_height_m, parameters.flare_s,
         parameters.speed_height.land_sink_mps * (1 - kSofter * into_wind),
@@ -91,11 +92,11 @@ navigation::HeightDemand height(const navigation::Lateral& lateral, float along_
                                            legLength_m(),
                                            lateral.along_m,
                                            along_mps,
-                                           aboveGround_m(),
+                                           vehicle.estimate.height_m - counted_from_m,
                                            -vehicle.estimate.climb_mps,
                                            estimator::aboveField_m()};
     const auto above_ground = descent.landing.run(settings, approach);
-    return {above_ground.height_m + ground_m(), above_ground.climb_mps};
+    return {above_ground.height_m + counted_from_m, above_ground.climb_mps};
 }
 
 // Back to the middle of the runway.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/guidance/guidance.hpp"
 
+#include "firmware/estimator/estimator.hpp"
 #include "firmware/guidance/launch.hpp"
 #include "firmware_bench.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
@@ -562,6 +563,25 @@ TEST_F(Guidance, the_nose_may_be_lower_in_the_flare_than_at_the_ground) {
     };
     EXPECT_NEAR(pitch_rad(0), core::radiansFromCentidegrees(parameters.land_pitch_cd), 0.001);
     EXPECT_LT(pitch_rad(1), core::radians(-3));
+}
+
+TEST_F(Guidance, gives_up_a_flare_high_above_the_field_at_the_height_where_it_is) {
+    inTheAir();
+    firmware::estimator::shiftHeight(-50);  // home was set in the air
+    onFinal(1, 10);
+    guide(2);
+    ASSERT_TRUE(vehicle.progress.flaring);
+    mutable_vehicle.estimate.height_m = -3.5f;
+    place(310, 0);
+    firmware::guidance::runGuidance();
+    EXPECT_FALSE(vehicle.progress.flaring);
+    EXPECT_NEAR(vehicle.progress.height_error_m, 0, 0.5);
+    guide();
+    EXPECT_LT(vehicle.progress.height_error_m, -3) << "and comes down to the field";
+
+    mutable_vehicle.estimate.height_m = -49;
+    guide();
+    EXPECT_TRUE(vehicle.progress.flaring);
 }
 
 TEST_F(Guidance, does_not_flare_in_pilot_modes) {
