@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// With more throttle and a compass 180 degrees off the airplane does not reach its waypoints.
 // A mission with an outside compass that is turned about the vertical against COMPASS_ORIENT: it is
 // flown all the same, what has to be set is reported in the air, the next arming is refused with
 // it, and is not once it is set.
@@ -14,12 +13,15 @@ namespace {
 
 constexpr double kLimit_s = 900, kAnswers_s = 4;
 constexpr uint64_t kStep_us = 20'000;
+// Percent: with all of it and a compass 180 degrees off the airplane does not reach its waypoints.
+constexpr float kThrottle_pct = 75;
 
 class MountingFlight : FlightScenario {
 public:
     MountingFlight(Board& board, const Waypoints& items, int yaw_deg)
-        : FlightScenario(board, items, kLimit_s, kStep_us, [](const mavlink::Frame&, uint64_t) {},
-                         {{"COMPASS_EXTERNAL", 1}, {"COMPASS_ORIENT", 0}, {"THR_MAX", 75}}),
+        : FlightScenario(
+              board, items, kLimit_s, kStep_us, [](const mavlink::Frame&, uint64_t) {},
+              {{"COMPASS_EXTERNAL", 1}, {"COMPASS_ORIENT", 0}, {"THR_MAX", kThrottle_pct}}),
           orientation_(yaw_deg / 45) {}
 
     bool fly() {
