@@ -48,8 +48,8 @@ export const kBugs = [
     violates: ['armed_in_the_air', 'restart_in_the_air'],
     edits: [{
       file: kEstimator,
-      from: '    return slowThroughTheAir() || (low && !turns());',
-      to: '    return slowThroughTheAir() || low || !low;',
+      from: '    return slowThroughTheAir() + low + !turns() >= 2;',
+      to: '    return slowThroughTheAir() + low + !turns() >= 0;',
     }],
   },
   {
