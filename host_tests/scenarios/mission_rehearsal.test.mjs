@@ -179,7 +179,7 @@ test('what is not completed, not flown or refused is reported as such', () => {
   const open = write('2 0 3 16 0 0 0 0 47.4 8.5456 60 1\n');
   assert.equal(open.status, 1);
   assert.match(open.stdout, /calm air: not completed: /);
-  const refused = write('2 0 3 2500 0 0 0 0 47.4 8.5456 60 1\n');
+  const refused = write('2 0 3 601 0 0 0 0 47.4 8.5456 60 1\n');
   assert.equal(refused.status, 1);
   assert.match(refused.stderr, /m\.waypoints:4:7: expected a command of the APM 2\.0 set/);
   assert.equal(refused.stdout, '');
