@@ -24,6 +24,8 @@ struct {
 
 // No write begins while somebody is reading, or waits to: then for so many overflows of the clock.
 constexpr uint8_t kPatience = 4;  // 98..131 ms
+// Nor behind a byte that was written again, so that a worn cell does not keep readers waiting.
+constexpr uint8_t kRest = 1;  // up to 33 ms
 volatile uint8_t patience;
 volatile bool reading;
 uint16_t waiting_address;  // of the reader that is waited for
@@ -76,6 +78,7 @@ ISR(EE_READY_vect) {
         ++queue.tail;
         return;
     }
+    if (queue.writes != 0) patience = kRest;
     ++queue.writes;
     EEDR = value;
     EECR |= 1 << EEMPE;

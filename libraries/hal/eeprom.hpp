@@ -19,10 +19,11 @@ MUST_USE core::Status eepromRead(uint16_t address, void* to, uint8_t size);
 // Queues `size` bytes in address order; bytes that already hold their value are not written.
 // Writes reach the chip in the order in which they were queued. `busy`: too little room for all
 // of them, nothing was queued. At most kEepromQueue bytes a call.
-// A byte that does not read back is written again, as the supply may have been low: for as long as
-// that takes, 0.9 s, and a cell that is worn does no harm after it.
+// A byte that does not read back is written again, as the supply may have been low: at once, and
+// then every 33 ms, between which others are read. After all its writes, 0.8 s, a cell is taken to
+// be worn, and the next byte is written.
 constexpr uint8_t kEepromQueue = 32;
-constexpr uint8_t kEepromWrites = 250;
+constexpr uint8_t kEepromWrites = 25;
 MUST_USE core::Status eepromWrite(uint16_t address, const void* from, uint8_t size);
 
 bool eepromDrained();  // true when everything queued is in the chip

@@ -8,7 +8,8 @@
 namespace simulator {
 
 constexpr uint64_t kByte_us = 3400;  // ATmega2560 datasheet, table 8-2: 3.4 ms
-constexpr uint64_t kRest_us = 100'000;
+constexpr uint64_t kPatience_us = 100'000;
+constexpr uint64_t kRest_us = 29'400;  // of the driver, behind a byte that was written again
 
 EepromChip::EepromChip(const uint64_t& now_us, uint64_t seed)
     : now_us_(now_us), cells_(hal::kEepromSize, 0xFF), random_(seed, 16) {}
@@ -32,11 +33,11 @@ uint8_t EepromChip::seen(uint16_t address) const {
 core::Status EepromChip::read(uint16_t address, void* to, uint8_t size) {
     if (address + size > hal::kEepromSize) return core::Status::bad_argument;
     if (writing()) {
-        rest_until_us_ = now_us_ + kRest_us;
+        patience_until_us_ = now_us_ + kPatience_us;
         return core::Status::busy;
     }
     for (uint8_t i = 0; i < size; ++i) static_cast<uint8_t*>(to)[i] = seen(address + i);
-    rest_until_us_ = 0;
+    patience_until_us_ = 0;
     begin();
     return core::Status::ok;
 }
@@ -56,7 +57,7 @@ core::Status EepromChip::write(uint16_t address, const void* from, uint8_t size)
 }
 
 void EepromChip::begin() {
-    if (writing() || queue_.empty() || now_us_ < rest_until_us_) return;
+    if (writing() || queue_.empty() || now_us_ < beginsAt_us()) return;
     written_us_ = now_us_ + kByte_us;
     spoilt_ = endangered_;
 }
@@ -66,12 +67,12 @@ void EepromChip::restart() {
     queue_.clear();
     writes_ = 0;
     written_us_ = UINT64_MAX;
-    rest_until_us_ = 0;
+    patience_until_us_ = rest_until_us_ = 0;
 }
 
 uint64_t EepromChip::due_us() const {
     if (writing()) return written_us_;
-    return queue_.empty() ? UINT64_MAX : rest_until_us_;
+    return queue_.empty() ? UINT64_MAX : beginsAt_us();
 }
 
 void EepromChip::run() {
@@ -83,6 +84,8 @@ void EepromChip::run() {
         if (cells_[write.address] == write.value || ++writes_ == hal::kEepromWrites) {
             queue_.pop_front();
             writes_ = 0;
+        } else if (writes_ > 1) {
+            rest_until_us_ = now_us_ + kRest_us;
         }
     }
     begin();

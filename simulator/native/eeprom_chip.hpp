@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The EEPROM and the queue before it, with the answers libraries/hal/eeprom.hpp promises.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <vector>
@@ -37,6 +38,7 @@ private:
     };
     uint8_t seen(uint16_t address) const;  // as if the queue had been written
     void begin();
+    uint64_t beginsAt_us() const { return std::max(patience_until_us_, rest_until_us_); }
     bool writing() const { return written_us_ != UINT64_MAX; }
 
     const uint64_t& now_us_;
@@ -47,7 +49,8 @@ private:
     Random random_;
     WornCells worn_;
     bool endangered_ = false, spoilt_ = false;
-    uint64_t rest_until_us_ = 0;  // a reader was refused and comes back
+    uint64_t patience_until_us_ = 0;  // a reader was refused and comes back
+    uint64_t rest_until_us_ = 0;
 };
 
 }  // namespace simulator

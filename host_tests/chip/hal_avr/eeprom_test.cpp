@@ -30,8 +30,8 @@ TEST(HalEeprom, writes_what_was_queued_in_its_order) {
 TEST(HalEeprom, writes_again_what_a_low_supply_has_changed) {
     Bench bench("eeprom");
     bench.chip.eeprom().endanger(true);
-    bench.run_ms(20);
-    EXPECT_GT(bench.chip.eeprom().writes(), 2u);
+    bench.run_ms(150);
+    EXPECT_GT(bench.chip.eeprom().writes(), 4u);
     EXPECT_THAT(cells(bench, 101, 3), ElementsAre(0xFF, 0xFF, 0xFF)) << "no other before it";
     bench.chip.eeprom().endanger(false);
     bench.runTo(4);
@@ -45,7 +45,18 @@ TEST(HalEeprom, gives_up_on_a_worn_cell_and_goes_on) {
     bench.chip.eeprom().wear(worn);
     bench.runTo(4, 2000);
     EXPECT_THAT(cells(bench, 100, 4), ElementsAre(0x81, 9, 3, 4));
-    EXPECT_EQ(bench.chip.eeprom().writes(), 250 + 4u);
+    EXPECT_EQ(bench.chip.eeprom().writes(), 25 + 4u);
+}
+
+TEST(HalEeprom, serves_readers_between_the_writes_of_a_worn_cell) {
+    Bench bench("eeprom");
+    simulator::WornCells worn;
+    worn.stick(100, 0x80, true);
+    bench.chip.eeprom().wear(worn);
+    bench.run_ms(100);
+    const auto before = bench.chip.eeprom().writes();
+    bench.run_ms(330);
+    EXPECT_NEAR(bench.chip.eeprom().writes() - before, 10, 1) << "one in 33 ms, of 3.4 ms";
 }
 
 TEST(HalEeprom, shows_queued_bytes_as_if_written) {

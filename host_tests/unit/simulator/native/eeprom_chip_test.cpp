@@ -97,15 +97,31 @@ TEST_F(EepromChipTest, has_worn_cells) {
     worn.stick(7, 0x01, true);
     chip.wear(worn);
     ASSERT_EQ(write(7, {2, 4}), Status::ok);
-    for (int i = 0; i < hal::kEepromWrites; ++i) {
+    pass(3400);
+    for (int i = 1; i < hal::kEepromWrites; ++i) {
         EXPECT_EQ(chip.cells()[8], 0xFF);
         pass(3400);
+        pass(29'400);
     }
     pass(3400);
     EXPECT_EQ(chip.cells()[7], 3);
     EXPECT_EQ(chip.cells()[8], 4);
     EXPECT_EQ(chip.read(7, &byte, 1), Status::ok);
     EXPECT_EQ(byte, 3);
+}
+
+TEST_F(EepromChipTest, is_read_between_the_writes_of_a_worn_cell) {
+    simulator::WornCells worn;
+    worn.stick(7, 0x01, true);
+    chip.wear(worn);
+    ASSERT_EQ(write(7, {2}), Status::ok);
+    int served = 0;
+    for (int i = 0; i < 70; ++i) {
+        pass(10'000);
+        served += chip.read(100, &byte, 1) == Status::ok;
+    }
+    EXPECT_GT(served, 50);
+    EXPECT_FALSE(chip.drained());
 }
 
 TEST_F(EepromChipTest, a_restart_ends_the_byte_in_flight_and_loses_those_that_wait) {
