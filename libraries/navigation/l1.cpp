@@ -10,10 +10,12 @@ namespace {
 
 using geo::Offset;
 
-constexpr float kSlowest_mps = 3.0f;  // below, a course means nothing
-constexpr float kFlies_mps = 6.0f;    // through the air
-constexpr float kNose = 0.25f;        // of the airspeed for each m/s that is missing
-constexpr float kMaxCrab_cos = 0.5f;  // 60 degrees
+constexpr float kSlowest_mps = 3.0f;       // below, a course means nothing
+constexpr float kFlies_mps = 6.0f;         // through the air
+constexpr float kNose = 0.25f;             // of the airspeed for each m/s that is missing
+constexpr float kPerAirspeed = 1 / 12.5f;  // of airplanes that a wind can stop
+constexpr float kMaxBackwards = 0.5f;      // of the airspeed: more is a compass that points back
+constexpr float kMaxCrab_cos = 0.5f;       // 60 degrees
 constexpr float kCaptured_m = 5.0f;
 constexpr float kTrimReach_m = 3;     // farther from the path it is being captured, not trimmed
 constexpr float kTrimRate = 0.08f;    // m/s2 a second for a metre: learned in ten seconds
@@ -56,9 +58,12 @@ Ahead lookAhead(const Motion& motion) {
     ahead.moved_m = (motion.velocity_mps + ahead.velocity_mps) * (0.5f * motion.bank_lag_s);
     const float moves_mps = geo::length_m(ahead.velocity_mps);
     ahead.speed_mps = core::limit(moves_mps, kSlowest_mps, 200.0f);
-    // against a wind as fast as the airplane the nose stands in for the course
-    if (moves_mps < kSlowest_mps && motion.airspeed_mps > kFlies_mps)
-        ahead.velocity_mps = ahead.velocity_mps + air * ((kSlowest_mps - moves_mps) * kNose);
+    // against a wind as fast as the airplane, or faster, the nose stands in for the course
+    if (moves_mps < motion.airspeed_mps * kMaxBackwards && motion.airspeed_mps > kFlies_mps) {
+        const float backwards_mps = dot(air, ahead.velocity_mps) * -kPerAirspeed;
+        const float missing_mps = fmaxf(kSlowest_mps - moves_mps, backwards_mps);
+        if (missing_mps > 0) ahead.velocity_mps = ahead.velocity_mps + air * (missing_mps * kNose);
+    }
     const float together = dot(air + gained, ahead.velocity_mps);
     const float product = airspeed * ahead.speed_mps;
     ahead.per_crab = together > product * kMaxCrab_cos

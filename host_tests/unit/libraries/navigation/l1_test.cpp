@@ -282,12 +282,26 @@ TEST(Course, is_held_by_the_nose_in_a_wind_as_fast_as_the_airplane) {
                            drift_mps.east_m - kWind_mps * std::sin(nose_rad)};
         return followCourse(kGains, motion, {1, 0}).bank_accel_mss;
     };
-    const geo::Offset drifts_mps[] = {{0, 0},    {0.5f, 0},  {-0.5f, 0},
-                                      {0, 0.5f}, {0, -0.5f}, {-2, 0}};
+    const geo::Offset drifts_mps[] = {{0, 0},  {0.5f, 0}, {-0.5f, 0}, {0, 0.5f},   {0, -0.5f},
+                                      {-2, 0}, {-5, 0},   {-5, 0.3f}, {-5, -0.3f}, {-6, 0}};
     for (const geo::Offset& drift_mps : drifts_mps) {
         EXPECT_LT(std::abs(bank_mss(0, drift_mps)), 2) << drift_mps.north_m << drift_mps.east_m;
         EXPECT_LT(bank_mss(1, drift_mps), -1) << "the nose is right of the course";
         EXPECT_GT(bank_mss(-1, drift_mps), 1);
+    }
+}
+
+// A compass that is turned by 180 degrees has it fly backwards as fast as it flies.
+TEST(Course, is_held_by_the_course_where_a_turned_compass_has_it_fly_backwards) {
+    constexpr float kAirspeed_mps = 13;
+    for (const float course_rad : {0.1f, -0.1f, 0.5f, -0.5f}) {
+        Motion motion{};
+        motion.airspeed_mps = kAirspeed_mps;
+        motion.bank_lag_s = 0.6f;
+        motion.velocity_mps = {kAirspeed_mps * std::cos(course_rad),
+                               kAirspeed_mps * std::sin(course_rad)};
+        motion.wind_mps = {2 * motion.velocity_mps.north_m, 2 * motion.velocity_mps.east_m};
+        EXPECT_LT(followCourse(kGains, motion, {1, 0}).bank_accel_mss * course_rad, 0);
     }
 }
 
