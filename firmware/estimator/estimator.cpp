@@ -226,11 +226,14 @@ void useGpsHeight() {
     const auto& baro = vehicle.baro;
     const float height_m = height.height_m();
     const float gps_m = core::hundredths(vehicle.gps.altitude_cm);
+    if (!heights.started) {
+        if (!baro.healthy) startHeightByGps(gps_m);
+        return;
+    }
     // begun in the air there is no time to learn it slowly
-    if (heights.gps_above_m == 0 && heights.started) heights.gps_above_m = gps_m - height_m;
+    if (heights.gps_above_m == 0) heights.gps_above_m = gps_m - height_m;
     const float fix_m = gps_m - heights.gps_above_m;
     if (!baro.healthy) {
-        if (!heights.started) return startHeightByGps(gps_m);
         const bool comparable = !heights.by_gps;  // not yet while their zeros differ
         if (comparable && !near(vehicle.estimate.baro_height_m, height_m))
             reportInconsistency(Sensor::barometer);

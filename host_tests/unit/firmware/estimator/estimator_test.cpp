@@ -696,6 +696,16 @@ TEST_F(Estimator,
             }
 }
 
+// A receiver of one fix a second then took two and a half minutes to learn where its zero is.
+TEST_F(Estimator, finds_the_barometer_steady_after_a_fix_that_came_before_its_first_reading) {
+    altitude_m_ = 400;
+    mutable_vehicle.baro.ground_pressure_pa = 0;
+    frames(60);
+    mutable_vehicle.baro.ground_pressure_pa = 101325;
+    frames(100);
+    EXPECT_TRUE(firmware::estimator::barometerSteady());
+}
+
 TEST_F(Estimator, begins_at_the_barometers_reading_when_heights_are_zeroed) {
     frames(600);
     mutable_vehicle.baro.pressure_pa -= 1200;
