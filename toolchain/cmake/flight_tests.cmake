@@ -7,6 +7,7 @@ set(minutes ${flights}/minutes)
 set(native_minutes ${flights}/native_minutes)
 set(missions ${CMAKE_SOURCE_DIR}/simulator/missions)
 set(first_flight ${missions}/first_flight.waypoints)
+set(short_flight ${tests}/scenarios/short_flight.waypoints)  # five minutes of the image instead of seven
 file(GLOB flight_data CONFIGURE_DEPENDS ${missions}/* ${CMAKE_SOURCE_DIR}/simulator/airplanes/*)
 
 # flight_program(NAME [SOURCE...]): host_tests/scenarios/NAME.cpp, or these, with both vehicles
@@ -116,7 +117,7 @@ file(WRITE ${mixed}.param "${settings}VTAIL_OUTPUT,1\nMIXING_GAIN,1\nRC5_FUNCTIO
      "LAND_FLAP_PERCNT,50\n")
 set(mixed --airplane ${mixed}.json --param ${mixed}.param)
 flight_test(native_v_tail_and_flaperons native 3 2 30 --native --seed 1 ${mixed})
-flight_test(elf_v_tail_and_flaperons simavr 5 3 60 --seed 1 ${mixed} ${windy})
+flight_test(elf_v_tail_and_flaperons simavr 5 3 60 ${short_flight} --seed 1 ${mixed} ${windy})
 
 # no barometer from power-on, armed all the same: the GPS's heights; the chip comes late, or never
 file(READ ${CMAKE_SOURCE_DIR}/simulator/airplanes/foam_trainer.param settings)
@@ -172,7 +173,7 @@ foreach(yaw 90 180 270)
     native_test(flight.native_compass_turned_${yaw} mounting_flight native ${first_flight} ${yaw}
                 ${flights}/native_compass_turned_${yaw} ${native_minutes})
 endforeach()
-image_test(flight.elf_compass_turned_90 apm2 mounting_flight ${IMAGE_apm2} ${first_flight} 90
+image_test(flight.elf_compass_turned_90 apm2 mounting_flight ${IMAGE_apm2} ${short_flight} 90
            ${flights}/elf_compass_turned_90 ${minutes})
 
 # gains found in the air, on an airplane whose own are near the defaults and on one far from them
