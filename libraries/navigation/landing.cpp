@@ -23,6 +23,10 @@ constexpr float kNoGround_m = 3, kFieldIsLower_m = 10;
 // Past the point the flare begins higher, but not where it would end in a stall.
 constexpr float kHigherPast = 4;
 
+// The last of a shallow slope is flown steeper, from this height on: along the slope a gust takes a
+// hundred metres from the landing.
+constexpr float kShallowest = 0.06f, kSteepens_m = 6.0f;
+
 float larger(float a, float b) { return a > b ? a : b; }
 
 // The slope as if there were no flare.
@@ -33,7 +37,7 @@ struct Slope {
 
 Slope slopeOf(const LandingSettings& settings, const Approach& approach) {
     const float length_m = core::limit(approach.length_m, 1.0f, 1e6f);
-    const float steepness = core::limit(approach.from_height_m / length_m, 0.02f, 0.5f);
+    const float steepness = core::limit(approach.from_height_m / length_m, kShallowest, 0.5f);
     const float sink_mps = steepness * core::limit(approach.along_mps, 1.0f, 100.0f);
     return {steepness, sink_mps, larger(sink_mps * settings.flare_time_s, settings.flare_height_m)};
 }
@@ -78,7 +82,10 @@ HeightDemand Landing::run(LandingSettings settings, Approach approach) {
     if (aim_m < 1) return {0, -slope.sink_mps};
     HeightDemand demand =
         heightOnSlope(approach.from_height_m, 0, aim_m, approach.along_m, approach.along_mps);
-    if (past) demand.climb_mps = -slope.sink_mps;
+    const float steep_m = slope.steepness * (aim_m - approach.along_m);
+    const float late_m = core::limit(steep_m, 0.0f, kSteepens_m);
+    if (late_m >= demand.height_m)
+        demand = {late_m, steep_m < kSteepens_m ? -slope.sink_mps : 0.0f};
     demand.height_m = larger(demand.height_m, approach.height_m * (1 - kDive));
     return demand;
 }

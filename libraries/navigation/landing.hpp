@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The last leg: a straight glide slope, bent in the flare into a parabola whose sink falls evenly
-// to the one of the touchdown, which is at the landing point. The parabola is longer than the
+// to the one of the touchdown, which is at the landing point. Where the slope is less than 6 %, the
+// airplane stays 6 m high until 6 % take it to the point. The parabola is longer than the
 // stretch of slope it replaces, so the slope aims short of the point by the difference. The lower
 // it is, the less it sinks for the point's sake: the height may be wrong.
 #pragma once

@@ -49,14 +49,30 @@ TEST(Landing, does_not_flare_earlier_for_a_gust_that_pushes_it_down) {
 TEST(Landing, never_dives_below_a_slope_that_sinks_less_than_a_touchdown) {
     navigation::Landing landing;
     landing.start();
-    constexpr float kAlong_mps = 12, kSink_mps = kAlong_mps * 7 / 350;
+    constexpr float kAlong_mps = 9, kSink_mps = kAlong_mps * 0.06f;
     for (float height_m : {1.6f, 1.2f, 0.6f, 0.1f}) {
-        const float along_m = 350 * (1 - height_m / 7);
+        const float along_m = 350 - height_m / 0.06f;
         const auto demand = landing.run({1.5f, 1.5f, 0.65f, 0.0f},
-                                        {7, 350, along_m, kAlong_mps, height_m, kSink_mps});
+                                        {21, 350, along_m, kAlong_mps, height_m, kSink_mps});
         EXPECT_GE(demand.climb_mps, -kSink_mps * 1.2f) << height_m;
         EXPECT_LT(demand.climb_mps, 0) << height_m;
     }
+}
+
+// Along 2 % a gust of a second and a half takes a hundred metres from the landing.
+TEST(Landing, stays_six_metres_high_on_a_shallow_slope_until_a_steeper_one_takes_it_down) {
+    navigation::Landing landing;
+    landing.start();
+    const auto at = [&](float left_m, float height_m = 6) {
+        return landing.run({1.5f, 1.5f, 0.4f, 0.0f}, {20, 1000, 1000 - left_m, 12, height_m, 0.3f});
+    };
+    EXPECT_NEAR(at(500).height_m, 10, 0.5);
+    EXPECT_NEAR(at(500).climb_mps, -0.24, 0.02);
+    EXPECT_FLOAT_EQ(at(200).height_m, 6);
+    EXPECT_FLOAT_EQ(at(200).climb_mps, 0);
+    EXPECT_NEAR(at(80).climb_mps, -0.72, 0.01);
+    EXPECT_LT(at(80, 4).height_m, at(85, 4).height_m);
+    EXPECT_FALSE(landing.flaring());
 }
 
 TEST(Landing, past_the_point_flares_a_little_higher_but_not_where_it_would_stall) {
@@ -126,7 +142,7 @@ TEST(Landing, the_lower_it_is_the_less_it_sinks_though_the_point_is_near) {
 TEST(Landing, does_not_dive_at_the_point_however_high_it_is) {
     const struct {
         float from_m, sink_mps;
-    } kSlopes[] = {{15, 1.0f}, {30, 1.4f}, {60, 2.2f}};  // over 300 m, at 10 m/s
+    } kSlopes[] = {{15, 1.2f}, {30, 1.4f}, {60, 2.2f}};  // over 300 m, at 10 m/s
     for (const auto& slope : kSlopes) {
         auto landing = flaring();
         EXPECT_NEAR(landing.run(kLanding, {slope.from_m, 300, 303, 10, 9, 1}).climb_mps,
