@@ -252,6 +252,7 @@ int flyScript(const FlyOptions& options, const MissionFile& mission) {
     loadMemories(board, options);
     const int usart = telemetryUsart(options);
     ScriptedFlight flight(board, usart, mission, options.time_limit_s, settings);
+    if (!ours(options)) flight.flyAnother();
     PassiveGcs usb(board, kUsbUsart);
     FlyWatchers watchers(options, board, otherUsart(options), settings);
     board.listen([&](int from, uint8_t byte, uint64_t time_us) {

@@ -202,11 +202,20 @@ bool ScriptedFlight::arm(uint64_t now_us) {
     return false;
 }
 
+// By command and by message in turn: older autopilots know the message alone.
+void ScriptedFlight::orderAuto() {
+    if (tries_ % 2 == 1)
+        return command(MavCmd::do_set_mode, MavModeFlag::custom_mode_enabled, kModeAuto);
+    SetMode message{};
+    message.custom_mode = kModeAuto;
+    message.target_system = telemetry_.system;
+    message.base_mode = MavModeFlag::custom_mode_enabled;
+    link_.send(message);
+}
+
 bool ScriptedFlight::setAuto(uint64_t now_us) {
     if (telemetry_.mode() == kModeAuto) return true;
-    if (every(2, now_us)) {
-        command(MavCmd::do_set_mode, MavModeFlag::custom_mode_enabled, kModeAuto);
-    }
+    if (every(2, now_us)) orderAuto();
     return false;
 }
 
@@ -220,14 +229,15 @@ bool ScriptedFlight::release(uint64_t now_us) {
 
 bool ScriptedFlight::takeOff(uint64_t) { return airborne_s_.has_value(); }
 
-// Over when it stands disarmed and has had the time to report it.
+// Over when it stands disarmed and has had the time to report it. Some never disarm by themselves.
 bool ScriptedFlight::fly(uint64_t now_us) {
     const double now_s = static_cast<double>(now_us) * 1e-6;
     if (!standing_s_ || telemetry_.armed()) disarmed_s_.reset();
     if (!standing_s_) return false;
     if (telemetry_.armed()) {
-        if (now_s - *standing_s_ > kDisarmWithin_s) fail("it stands, but does not disarm");
-        return false;
+        const bool late = now_s - *standing_s_ > kDisarmWithin_s;
+        if (late && !another_) fail("it stands, but does not disarm");
+        return late && another_;
     }
     if (!disarmed_s_) disarmed_s_ = now_s;
     return now_s - *disarmed_s_ > kLastWords_s;

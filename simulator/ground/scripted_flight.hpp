@@ -35,6 +35,8 @@ public:
     void step(uint64_t now_us);  // every 20 ms or so
 
     void stop(const std::string& reason) { fail(reason); }  // it cannot go on
+    // Another firmware than ours: it need not disarm when it stands.
+    void flyAnother() { another_ = true; }
 
     bool over() const { return over_; }
     bool completed() const { return over_ && reason_.empty(); }
@@ -81,6 +83,7 @@ private:
     void heartbeat(uint64_t now_us);
     bool every(double seconds, uint64_t now_us);
     void command(uint16_t number, float param1, float param2);
+    void orderAuto();
     void askFor(const char* parameter);
 
     Board& board_;
@@ -96,7 +99,7 @@ private:
     int stage_ = 0;
     uint64_t stage_us_ = 0, sent_us_ = 0, beat_us_ = 0;
     int tries_ = 0;
-    bool over_ = false;
+    bool over_ = false, another_ = false;
     std::string reason_, last_answer_;
     std::optional<double> cruise_speed_mps_, airborne_s_, landed_s_, standing_s_, disarmed_s_;
     std::optional<double> touchdown_m_, touchdown_sink_mps_, loiter_radius_m_;
