@@ -82,7 +82,8 @@ class MotorIdleOnTheGround : public Invariant {
         const bool still = truth.on_ground && !truth.crashed && speed_mps < kStill_mps;
         if (!still) moved_s_ = now_s;
         const bool turns = history.heard().armed && now.servo_us[kMotor] > most_us + kTurns_us;
-        if (!turns || asked(now_s, history) || unseen(now)) lawful_s_ = now_s;
+        if (!turns || asked(now_s, history) || unseen(now) || climbs(now_s, history))
+            lawful_s_ = now_s;
         if (now_s - moved_s_ < kStands_s || now_s - lawful_s_ < kPatience_s) return;
         report(now_s, text("it stands in mode %u, the motor's pulse is %.0f us, idle %.0f us",
                            history.heard().mode, now.servo_us[kMotor], most_us));
@@ -96,6 +97,14 @@ class MotorIdleOnTheGround : public Invariant {
             now.faulty[static_cast<size_t>(Faulty::barometer)])
             unseen_s_ = now.time_s();
         return now.time_s() - unseen_s_ < kTrusted_s + kSeen_s;
+    }
+
+    // Where a wrong scale of the accelerometer was set, it seems to climb after a restart until the
+    // barometer has shown the error.
+    static bool climbs(double now_s, const History& history) {
+        constexpr double kShown_s = 8, kWrong = 0.05;
+        return std::abs(history.parameter("INS_ACCSCAL_Z", 1) - 1) > kWrong &&
+               history.within(Cause::restart, now_s - kShown_s, now_s);
     }
 
     static bool asked(double now_s, const History& history) {

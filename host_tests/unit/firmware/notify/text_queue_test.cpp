@@ -30,8 +30,7 @@ protected:
         return texts;
     }
     static void say(int count) {
-        for (int i = 0; i < count; ++i)
-            sendStatusText(Severity::info, STATUS_TEXT("text #"), i);
+        for (int i = 0; i < count; ++i) sendStatusText(Severity::info, STATUS_TEXT("text #"), i);
     }
 };
 

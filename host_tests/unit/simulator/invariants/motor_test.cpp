@@ -118,4 +118,16 @@ TEST(MotorIdleOnTheGround, it_is_seen_to_stand_once_one_of_both_has_been_back_fo
     EXPECT_EQ(flown.violated(), "motor_idle_standing ");
 }
 
+TEST(MotorIdleOnTheGround, after_a_restart_a_wrong_accelerometer_seems_to_climb_for_seconds) {
+    for (const float scale : {1.0f, 1.15f}) {
+        Flown flown = standsArmedIn(12);
+        flown.parameter("INS_ACCSCAL_Z", scale);
+        flown.restart();
+        flown.run(7);
+        EXPECT_EQ(flown.violated().find("motor_idle_standing") == std::string::npos, scale > 1);
+        flown.run(5);
+        EXPECT_NE(flown.violated().find("motor_idle_standing"), std::string::npos);
+    }
+}
+
 }  // namespace simulator::invariants
