@@ -26,6 +26,12 @@ public:
     uint8_t read(bool ack, uint64_t now_us);
     void stop(uint64_t) { pointer_next_ = false; }
 
+    // Its pin EOC, high but for the time of a conversion (chapter 3.3); and when it goes high.
+    bool conversionEnded(uint64_t now_us) const {
+        return !silent() && (converted_us_ == UINT64_MAX || now_us >= converted_us_);
+    }
+    uint64_t conversionEnds_us() const { return converted_us_; }
+
     // The air at its port from now on, and the chip's own temperature. World does that.
     void sense(double pressure_pa, double temperature_c);
 

@@ -119,7 +119,11 @@ void AvrBoard::wireTwoWire(Device& device) {
         world_.advanceTo(time_us());
         return device.start(read, time_us());
     };
-    on_bus.write = [this, &device](uint8_t byte) { return device.write(byte, time_us()); };
+    on_bus.write = [this, &device](uint8_t byte) {
+        const bool acknowledged = device.write(byte, time_us());
+        showConversionEnd();
+        return acknowledged;
+    };
     on_bus.read = [this, &device](bool ack) { return device.read(ack, time_us()); };
     on_bus.stop = [this, &device] { device.stop(time_us()); };
     chip_.twi().connect(Device::kAddress, on_bus);
@@ -318,6 +322,14 @@ void AvrBoard::showDataReady() {
     trace(kTraceDataReady, ready);
 }
 
+void AvrBoard::showConversionEnd() {
+    if (!wiring_.conversion_end) return;
+    const bool ended = world_.barometerOnI2c().conversionEnded(time_us());
+    if (std::exchange(conversion_ended_, ended) == ended) return;
+    chip_.drive(wiring_.conversion_end->port, wiring_.conversion_end->bit, ended);
+    if (!ended) planWake();
+}
+
 void AvrBoard::sent(int usart, uint8_t byte, uint64_t cycle) {
     const uint64_t at_us = cycle / kCyclesPer_us;
     if (usart == kGpsUsart) {
@@ -345,9 +357,17 @@ void AvrBoard::passTime(uint64_t now_us) {
     }
 }
 
+// When its pin changes; never where there is none.
+uint64_t AvrBoard::conversionEnds_us() {
+    return wiring_.conversion_end && !conversion_ended_
+               ? world_.barometerOnI2c().conversionEnds_us()
+               : UINT64_MAX;
+}
+
 uint64_t AvrBoard::nextEvent() {
-    const uint64_t event = std::min({world_.imu().nextSample_us(), world_.gps().nextByte_us(),
-                                     world_.gps().nextEvent_us(), time_us() + kLongestWait_us});
+    const uint64_t event =
+        std::min({world_.imu().nextSample_us(), world_.gps().nextByte_us(),
+                  world_.gps().nextEvent_us(), time_us() + kLongestWait_us, conversionEnds_us()});
     return std::max(event * kCyclesPer_us, chip_.cycle() + 1);
 }
 
@@ -362,6 +382,7 @@ uint64_t AvrBoard::wake(uint64_t) {
     world_.advanceTo(time_us());
     showFaults();
     showDataReady();
+    showConversionEnd();
     feedGps();
     radio_.plan();
     wake_cycle_ = nextEvent();

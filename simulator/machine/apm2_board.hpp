@@ -85,7 +85,9 @@ private:
     void passTime(uint64_t now_us);
     void showFaults();
     void showDataReady();
+    void showConversionEnd();
 
+    uint64_t conversionEnds_us();
     uint64_t nextEvent();
     void planWake();
     uint64_t wake(uint64_t due);
@@ -109,7 +111,7 @@ private:
     bool imu_chosen_ = false, barometer_chosen_ = false, barometer_deaf_ = false;
     bool flash_chosen_ = false, flash_in_reset_ = false;
     bool converter_chosen_ = false;
-    bool data_ready_ = false;
+    bool data_ready_ = false, conversion_ended_ = false;
     uint64_t contentions_ = 0;
     unsigned restarts_ = 0;
     bool program_runs_ = false;  // since the last reset

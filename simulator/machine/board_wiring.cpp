@@ -59,6 +59,7 @@ BoardWiring apm1() {
     w.analog.push_back({0, AnalogSensors::kVoltagePin, kPowerModule / kOwnDivider});
     w.converter_select = PinName{'C', 4};
     w.converter_usart = 2;
+    w.conversion_end = PinName{'C', 7};
     return w;
 }
 

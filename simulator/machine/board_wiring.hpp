@@ -42,6 +42,7 @@ struct BoardWiring {
     // or ADS7844 on a USART, BMP085 on I2C and the compass rolled over
     std::optional<PinName> converter_select;
     std::optional<int> converter_usart;
+    std::optional<PinName> conversion_end;  // of the BMP085
 };
 
 extern const BoardWiring kApm1Wiring, kApm2Wiring;

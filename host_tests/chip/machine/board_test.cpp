@@ -9,6 +9,7 @@
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/machine/apm2_board.hpp"
+#include "simulator/machine/board_wiring.hpp"
 
 using simulator::AvrBoard;
 using simulator::BoardFigures;
@@ -159,6 +160,18 @@ TEST(Board, a_firmware_without_marks_or_symbols_has_no_such_figures) {
     EXPECT_FALSE(figures.ram_static_bytes);
     EXPECT_FALSE(AvrBoard(program("stack.hex"), exactSensors()).figures().frames);
     EXPECT_TRUE(figures.flash_bytes);
+}
+
+// By which another firmware knows that the APM 1's barometer has measured.
+TEST(Board, the_end_of_a_conversion_is_on_PC7_of_an_apm_1) {
+    AvrBoard board(program("conversion_end.elf"), exactSensors(), simulator::kApm1Wiring);
+    uint64_t low_us = 0, us = 70'000;
+    for (; us < 200'000; us += 100) {
+        ASSERT_TRUE(board.runUntil(us));
+        if (us > 85'000 && !board.world().relayOn()) low_us += 100;
+    }
+    EXPECT_NEAR(static_cast<double>(low_us), 25'500, 300) << "data sheet, table 8";
+    EXPECT_TRUE(board.world().relayOn());
 }
 
 TEST(Board, the_trace_holds_servo_edges) {
