@@ -100,6 +100,7 @@ constexpr uint8_t kEndsFlying = 30;   // looks without: three seconds
 constexpr float kFlyingGroundSpeed_mps = 5.0f;
 constexpr float kStandingSpeed_mps = 2.0f;
 constexpr float kNearField_m = 10;
+constexpr core::Ratio kPower(0.3f);
 
 estimation::AttitudeSettings attitudeSettings() {
     estimation::AttitudeSettings settings;
@@ -287,11 +288,18 @@ float knownAirspeed_mps() {
     return vehicle.estimate.flying ? core::hundredths(parameters.cruise_speed_cms) : 0.0f;
 }
 
+// Where nobody measures a speed: a motor that turns and a height that no field has.
+bool climbsUnderPower() {
+    return position.reckoned() && vehicle.baro.healthy && !height.lastReadingFarOff() &&
+           vehicle.throttle_demand.raw > kPower.raw && aboveField_m() > kNearField_m;
+}
+
 // By the airspeed sensor, else by the fixes, which a tube that is still covered does not belie when
 // they are as fast as one flies. A speed from dead reckoning is no evidence.
 bool fast() {
     const bool measured = vehicle.airspeed.healthy;
     if (measured && vehicle.airspeed.speed_mps > flyingAirspeed_mps()) return true;
+    if (!measured && climbsUnderPower()) return true;
     const float least_mps = measured ? parameters.speed_min_mps : kFlyingGroundSpeed_mps;
     return !position.reckoned() && measuredGroundSpeed_mps() > least_mps;
 }

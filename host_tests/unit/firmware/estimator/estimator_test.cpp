@@ -696,6 +696,26 @@ TEST_F(Estimator,
             }
 }
 
+// Nothing measures its speed: a receiver that is wrong, and no airspeed sensor. After a restart it
+// would have been disarmed.
+TEST_F(Estimator, flies_at_a_height_that_it_has_climbed_to_under_power_when_no_speed_is_measured) {
+    for (const bool powered : {false, true}) {
+        core::resetFileStates();
+        SetUp();
+        late_ = 99;
+        mutable_vehicle.gps.healthy = false;
+        mutable_vehicle.armed = true;
+        mutable_vehicle.throttle_demand = core::Ratio(powered ? 1.0f : 0.0f);
+        frames(300);
+        EXPECT_FALSE(vehicle.estimate.flying) << "it stands";
+        for (int i = 0; i < 600; ++i) {
+            if (i % 10 == 0) mutable_vehicle.baro.pressure_pa -= 3;  // 2.5 m/s
+            frame(0);
+        }
+        EXPECT_EQ(vehicle.estimate.flying, powered);
+    }
+}
+
 // A receiver of one fix a second then took two and a half minutes to learn where its zero is.
 TEST_F(Estimator, finds_the_barometer_steady_after_a_fix_that_came_before_its_first_reading) {
     altitude_m_ = 400;
