@@ -241,6 +241,8 @@ SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
     const float turn = 1.0f / cos2 - 1.0f;
     SpeedHeightLimits turning = limits;
     turning.airspeed_min_mps *= 1.0f + kLoadFactorSpeed * core::limit(turn, 0.0f, 2.0f);
+    // one that has just been thrown is not too fast: its nose would be raised until it stalls
+    speed_demand_mps_ = fmaxf(speed_demand_mps_, limits.airspeed_min_mps);
     shapeSpeed(settings, turning, demand.airspeed_mps, step);
 
     const float speedPriority =

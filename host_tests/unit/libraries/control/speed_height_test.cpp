@@ -314,6 +314,25 @@ TEST(SpeedHeight, climbs_out_with_all_throttle_at_the_demanded_speed) {
     EXPECT_NEAR(loop.plane.height, height, 0.5);
 }
 
+// The controller starts in the hand, at no speed; a throw gives the lowest speed in half a second.
+// It seemed too fast, and the nose was raised to its limit.
+TEST(SpeedHeight, a_thrown_airplane_is_not_too_fast) {
+    control::SpeedHeight core;
+    auto bounds = limits();
+    bounds.pitch_min_rad = 0.1f;
+    bounds.throttle_max = 1;
+    control::SpeedHeightMeasured now{0, 0, 0, 0, 1, true};
+    core.start(now, 0.1f, 0);
+    float highest_rad = 0;
+    for (int i = 0; i < 40; ++i) {
+        now.acceleration_mss = i < 10 ? 20.0f : 1.0f;
+        now.airspeed_mps += now.acceleration_mss * 0.05f;
+        const auto out = core.run(settings(), bounds, {50, 0, 14}, now, Phase::climb_out, 0.05f);
+        if (i > 20) highest_rad = std::max(highest_rad, out.pitch_rad);
+    }
+    EXPECT_LT(highest_rad, 0.2f);
+}
+
 TEST(SpeedHeight, starts_with_the_pilots_throttle_and_pitch) {
     Loop loop;
     loop.core.start(loop.measured(), 0.12f, 0.6f);
