@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "navigation/landing.hpp"
 
+#include <math.h>
+
 namespace navigation {
 namespace {
 
@@ -27,8 +29,6 @@ constexpr float kHigherPast = 4;
 // hundred metres from the landing.
 constexpr float kShallowest = 0.06f, kSteepens_m = 6.0f;
 
-float larger(float a, float b) { return a > b ? a : b; }
-
 // The slope as if there were no flare.
 struct Slope {
     float steepness, sink_mps;
@@ -39,7 +39,7 @@ Slope slopeOf(const LandingSettings& settings, const Approach& approach) {
     const float length_m = core::limit(approach.length_m, 1.0f, 1e6f);
     const float steepness = core::limit(approach.from_height_m / length_m, kShallowest, 0.5f);
     const float sink_mps = steepness * core::limit(approach.along_mps, 1.0f, 100.0f);
-    return {steepness, sink_mps, larger(sink_mps * settings.flare_time_s, settings.flare_height_m)};
+    return {steepness, sink_mps, fmaxf(sink_mps * settings.flare_time_s, settings.flare_height_m)};
 }
 
 // The mean of the sink now and at the touchdown is what takes the height away by the point.
@@ -49,10 +49,10 @@ HeightDemand flare(const LandingSettings& settings, const Approach& approach, co
     const float below_m = core::limit(-approach.height_m, 0.0f, kMaxBelow_m);
     const float last_mps = settings.touchdown_sink_mps + kSinkBelow_hz * below_m;
     const float sink_mps = 2 * height_m * approach.along_mps / left_m - last_mps;
-    const float more_mps = larger(slope.sink_mps - last_mps, 0);
+    const float more_mps = fmaxf(slope.sink_mps - last_mps, 0);
     const float most_mps = last_mps + kSteepestFlare * more_mps * height_m / slope.flare_m;
     const float steeper_mps = core::limit(kSteepestSink * slope.sink_mps, last_mps, kSteepest_mps);
-    const float steepest_mps = larger(kSteepestOfSteep * slope.sink_mps, steeper_mps);
+    const float steepest_mps = fmaxf(kSteepestOfSteep * slope.sink_mps, steeper_mps);
     return {approach.height_m,
             -core::limit(core::limit(sink_mps, last_mps, most_mps), last_mps, steepest_mps)};
 }
@@ -78,7 +78,7 @@ HeightDemand Landing::run(LandingSettings settings, Approach approach) {
 
     const float evenness = 2 * slope.sink_mps / (slope.sink_mps + settings.touchdown_sink_mps);
     const float aim_m =
-        approach.length_m - slope.flare_m / slope.steepness * larger(evenness - 1, 0);
+        approach.length_m - slope.flare_m / slope.steepness * fmaxf(evenness - 1, 0);
     if (aim_m < 1) return {0, -slope.sink_mps};
     HeightDemand demand =
         heightOnSlope(approach.from_height_m, 0, aim_m, approach.along_m, approach.along_mps);
@@ -86,7 +86,7 @@ HeightDemand Landing::run(LandingSettings settings, Approach approach) {
     const float late_m = core::limit(steep_m, 0.0f, kSteepens_m);
     if (late_m >= demand.height_m)
         demand = {late_m, steep_m < kSteepens_m ? -slope.sink_mps : 0.0f};
-    demand.height_m = larger(demand.height_m, approach.height_m * (1 - kDive));
+    demand.height_m = fmaxf(demand.height_m, approach.height_m * (1 - kDive));
     return demand;
 }
 
