@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Decisions of two conditions and more about arming, failsafes and modes, each as a truth table:
-// for every combination of its conditions the decision is as wanted, and each condition alone turns
-// it at least once (as MC/DC asks for).
-#include <functional>
+// Decisions of two conditions and more about arming, failsafes and modes, each as a truth table.
 #include <vector>
 
 #include "core/maths.hpp"
@@ -16,6 +13,7 @@
 #include "firmware_bench.hpp"
 #include "hal/clock.hpp"
 #include "spelt.hpp"
+#include "truth_table.hpp"
 #include "wrong_board.hpp"
 
 namespace {
@@ -29,28 +27,14 @@ using firmware::state::parameters;
 using firmware::state::Path;
 using firmware::state::vehicle;
 
-using Bits = std::vector<bool>;
-using Set = void (*)(bool holds);
+using bench::all;
+using bench::any;
+using bench::Bits;
+using bench::Decision;
+using bench::Set;
 
-struct Decision {
-    const char* what;
-    std::vector<Set> conditions;
-    bool (*taken)();
-    bool (*wanted)(const Bits&);
-};
-
-bool all(const Bits& bits) {
-    for (const bool bit : bits)
-        if (!bit) return false;
-    return true;
-}
-bool any(const Bits& bits) {
-    for (const bool bit : bits)
-        if (bit) return true;
-    return false;
-}
-
-struct Conditions : bench::Bench {
+// All that arming asks for.
+struct Ready : bench::Bench {
     void SetUp() override {
         Bench::SetUp();
         auto& all = mutable_vehicle;
@@ -66,35 +50,8 @@ struct Conditions : bench::Bench {
         all.battery.voltage_mv = 12000;
         fakes::advance_ms(20000);
     }
-    static uint32_t bitOf(size_t condition) { return 1u << condition; }
-    std::vector<bool> table(const Decision& decision) {
-        std::vector<bool> outcomes;
-        for (uint32_t row = 0; row < 1u << decision.conditions.size(); ++row) {
-            TearDown();
-            SetUp();
-            Bits bits;
-            for (size_t i = 0; i < decision.conditions.size(); ++i) {
-                bits.push_back((row & bitOf(i)) != 0);
-                decision.conditions[i](bits[i]);
-            }
-            outcomes.push_back(decision.taken());
-            EXPECT_EQ(outcomes.back(), decision.wanted(bits)) << decision.what << ", row " << row;
-        }
-        return outcomes;
-    }
-    static bool turnsAlone(const std::vector<bool>& outcomes, size_t condition) {
-        for (uint32_t row = 0; row < outcomes.size(); ++row)
-            if (outcomes[row] != outcomes[row ^ bitOf(condition)]) return true;
-        return false;
-    }
-    void check(const std::vector<Decision>& decisions) {
-        for (const Decision& decision : decisions) {
-            const std::vector<bool> outcomes = table(decision);
-            for (size_t i = 0; i < decision.conditions.size(); ++i)
-                EXPECT_TRUE(turnsAlone(outcomes, i)) << decision.what << ", condition " << i;
-        }
-    }
 };
+struct Conditions : bench::TruthTable<Ready> {};
 
 // ---- arming
 
