@@ -1,50 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/fence.hpp"
-#include "firmware/sensors/radio.hpp"
 
-#include "firmware/mission/fence_line.hpp"
+#include "fence_bench.hpp"
 #include "firmware/modes/guided.hpp"
 #include "hal/eeprom.hpp"
-#include "host_tests/support/fakes/vehicle.hpp"
-#include "points_rig.hpp"
 
 namespace firmware {
 namespace {
 
-using mavlink::MavCmd;
-using mavlink::MavMissionType;
-
-class Fence : public Points {
-protected:
-    void SetUp() override {
-        Rig::SetUp();
-        fenceStart();
-        parameters.fence_action = 1;
-        parameters.rtl_height_cm = 7000;
-        parameters.stick_mixing = 1;
-    }
-    static Items square(const geo::Position& way_back = beside(100, 200)) {
-        Items items = {point(MavCmd::nav_fence_return_point, way_back)};
-        for (const auto& c : {beside(-kSide_e7, -kSide_e7), beside(-kSide_e7, kSide_e7),
-                              beside(kSide_e7, kSide_e7), beside(kSide_e7, -kSide_e7)})
-            items.push_back(point(MavCmd::nav_fence_polygon_vertex_inclusion, c, 4));
-        return items;
-    }
-    static void raise(const Items& items = square()) {
-        ASSERT_EQ(store(MavMissionType::fence, items), MissionResult::accepted);
-        tenths(8);
-        ASSERT_EQ(fenceLine(), Line::fit);
-        ASSERT_TRUE(fenceEnable(1));
-        tenths(2);
-        (void)statusTexts();
-    }
-    static void goTo(const geo::Position& place) {
-        mutable_vehicle.estimate.position = place;
-        tenths(6);
-    }
-    static void leave() { goTo(beside(kSide_e7 + 10, 0)); }
-    static void comeBack() { goTo(beside(0, 0)); }
-};
+class Fence : public FenceBench {};
 
 TEST_F(Fence, a_mission_switches_it) {
     raise();
@@ -324,11 +288,7 @@ TEST_F(Fence, stands_against_arming_when_it_is_on_or_its_switch_is_and_it_is_not
     ASSERT_TRUE(fenceEnable(0));
     EXPECT_FALSE(fenceBad());
     parameters.fence_channel = 7;
-    for (int i = 0; i < 8; ++i) {
-        if (i % 2 == 0) fakes::receiveRc({1500, 1500, 1100, 1500, 1500, 1500, 1900, 1500});
-        firmware::sensors::runRadio();
-    }
-    tenths(1);
+    moveSwitch(1900);
     EXPECT_TRUE(fenceBad()) << "its switch is";
 }
 
@@ -362,13 +322,6 @@ TEST_F(Fence, has_not_turned_back_before_its_return_point_is_read) {
 
 TEST_F(Fence, follows_its_channel_when_that_moves) {
     raise();
-    const auto moveSwitch = [](uint16_t pulse_us) {
-        for (int i = 0; i < 8; ++i) {  // a frame comes every other time
-            if (i % 2 == 0) fakes::receiveRc({1500, 1500, 1100, 1500, 1500, 1500, pulse_us, 1500});
-            firmware::sensors::runRadio();
-        }
-        tenths(1);
-    };
     parameters.fence_channel = 7;
     moveSwitch(1760);
     EXPECT_TRUE(fenceOn());
@@ -386,11 +339,7 @@ TEST_F(Fence, stays_on_when_the_receiver_is_lost_and_when_its_channel_is_taken_a
     raise();
     fenceEnable(0);
     parameters.fence_channel = 7;
-    for (int i = 0; i < 8; ++i) {
-        if (i % 2 == 0) fakes::receiveRc({1500, 1500, 1100, 1500, 1500, 1500, 1900, 1500});
-        firmware::sensors::runRadio();
-    }
-    tenths(1);
+    moveSwitch(1900);
     ASSERT_TRUE(fenceOn());
     mutable_vehicle.radio.lost = true;
     tenths(2);
