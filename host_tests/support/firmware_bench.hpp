@@ -49,7 +49,7 @@ protected:
             fakes::advance_ms(10);
         }
     }
-    std::vector<uint16_t> with(int channel, uint16_t pulse_us) {
+    static std::vector<uint16_t> with(int channel, uint16_t pulse_us) {
         std::vector<uint16_t> sticks = kCentred;
         sticks[channel - 1] = pulse_us;
         return sticks;
