@@ -130,6 +130,19 @@ TEST_F(Radio, keeps_the_switches_that_a_ground_station_with_the_sticks_does_not_
     EXPECT_EQ(firmware::sensors::modeSwitchPosition(), 6);
 }
 
+TEST_F(Radio, has_its_sticks_between_two_frames_while_a_ground_station_holds_a_switch) {
+    settle(with(1, 1900));
+    firmware::sensors::setRcOverride(
+        {UINT16_MAX, UINT16_MAX, UINT16_MAX, UINT16_MAX, UINT16_MAX, UINT16_MAX, UINT16_MAX, 1300});
+    const auto sticks = vehicle.radio;
+    firmware::sensors::runRadio();
+    EXPECT_EQ(vehicle.radio.roll_cd, 4500);
+    EXPECT_EQ(vehicle.radio.pitch_cd, sticks.pitch_cd);
+    EXPECT_EQ(vehicle.radio.yaw_cd, sticks.yaw_cd);
+    EXPECT_EQ(vehicle.radio.throttle_pct, sticks.throttle_pct);
+    EXPECT_EQ(vehicle.radio.pulse_us[7], 1300);
+}
+
 TEST_F(Radio, gives_way_to_a_ground_station_that_holds_a_switch) {
     settle(with(7, 1900));
     ASSERT_TRUE(firmware::sensors::switchIsUp(7));

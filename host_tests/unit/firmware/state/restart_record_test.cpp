@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstring>
 
 namespace {
@@ -22,6 +23,20 @@ FastRecord movingRecord(uint8_t number) {
 }
 
 }  // namespace
+
+// One of another layout must not be taken for one of this: the number changes with the records, and
+// here.
+TEST(Record, is_sealed_with_Fletchers_sums_that_begin_with_the_number_of_the_layout) {
+    const FastRecord record = movingRecord(9);
+    uint16_t sum = 0x5203, sum_of_sums = 0;
+    uint16_t words[offsetof(FastRecord, checksum) / 2];
+    std::memcpy(words, static_cast<const void*>(&record), sizeof words);
+    for (const uint16_t word : words) {
+        sum = static_cast<uint16_t>(sum + word);
+        sum_of_sums = static_cast<uint16_t>(sum_of_sums + sum);
+    }
+    EXPECT_EQ(record.checksum, uint32_t{sum_of_sums} << 16 | sum);
+}
 
 TEST(Record, random_memory_is_no_record) {
     for (int value = 0; value < 256; ++value) {
