@@ -136,7 +136,6 @@ TEST_F(RestartConditions, of_evidence_in_time_turn_it_alone) {
 }
 
 TEST_F(RestartConditions, of_the_text_that_it_stays_disarmed_turn_it_alone) {
-    static bool seen;
     static uint32_t until_ms;
     check({{"Not armed again",
             {[](bool unknown_time) {
@@ -144,7 +143,7 @@ TEST_F(RestartConditions, of_the_text_that_it_stays_disarmed_turn_it_alone) {
                  lookAtSwitch(1165);
                  (void)statusTexts();
              },
-             [](bool not_seen) { sees(seen = !not_seen); },
+             [](bool not_seen) { sees(!not_seen); },
              [](bool not_by_the_pilot) {
                  runUntil_ms(1000);
                  if (!not_by_the_pilot) armed(true);

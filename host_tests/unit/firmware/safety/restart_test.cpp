@@ -252,7 +252,7 @@ TEST_F(Restart, is_armed_and_in_a_mode_only_when_the_switch_has_been_seen) {
 }
 
 TEST_F(Restart, obeys_no_switch_that_has_not_been_seen_three_times_in_one_place) {
-    const auto look = [this](uint16_t pulse_us) {
+    const auto look = [](uint16_t pulse_us) {
         fakes::receiveRc(with(8, pulse_us));
         runRadio();
         fakes::advance_ms(10);

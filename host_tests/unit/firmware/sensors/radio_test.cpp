@@ -161,7 +161,7 @@ TEST_F(Radio, is_not_lost_while_the_throttle_is_at_the_failsafe_pulse) {
 // From frame to frame: a knob that is turned is followed, a switch that jumps waits for a second
 // one.
 TEST_F(Radio, takes_a_switch_as_lasting_that_moves_by_no_more_than_50_us) {
-    const auto frame = [this](uint16_t pulse_us) {
+    const auto frame = [](uint16_t pulse_us) {
         fakes::receiveRc(with(8, pulse_us));
         firmware::sensors::runRadio();
         fakes::advance_ms(10);
