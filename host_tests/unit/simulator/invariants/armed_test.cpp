@@ -157,6 +157,22 @@ TEST(FliesOnAfterARestart, surfaces_may_stand_in_a_pilot_mode_that_a_failsafe_en
     EXPECT_EQ(flown.violated(), "");
 }
 
+// The bootloader takes a second, and no heartbeat has said so before.
+TEST(FliesOnAfterARestart, surfaces_may_stand_where_a_pilot_mode_was_set_just_before) {
+    for (const bool set : {true, false}) {
+        Flown flown = flying();
+        if (set) flown.command(MavCmd::do_set_mode, 1, 0);
+        flown.run(0.5);
+        flown.watch.provokedRestart(true);
+        ++flown.now.restarts;
+        flown.run(1.1);
+        flown.now.begun_us = flown.now.time_us;
+        flown.run(0.6);
+        flyFor(flown, 4);
+        EXPECT_EQ(flown.violated(), set ? "" : "restart_in_the_air ");
+    }
+}
+
 TEST(FliesOnAfterARestart, it_is_armed_soon_after_its_sensors_bus_is_back) {
     for (const bool arms : {true, false}) {
         Flown flown = flying();
