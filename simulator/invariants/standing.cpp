@@ -25,15 +25,24 @@ class StandsStill : public Invariant {
         const double begun_s = static_cast<double>(now.begun_us) * 1e-6;
         const bool disturbed = now_s - history.last_s(Cause::fault) < kAfterFault_s;
         const bool moves = !truth.on_ground || truth.crashed || speed_mps > 0.2;
-        if (moves || disturbed || now_s - begun_s < kStart_s) unsettled_s_ = now_s;
+        const bool starts = now_s - begun_s < kStart_s;
+        if (moves || disturbed || starts) unsettled_s_ = now_s;
+        zeroWrongly(now, starts, history.heard().armed);
         if (now_s - unsettled_s_ < kStands_s) return;
         if (history.position_s() > unsettled_s_)
             position(truth, *history.position(), now_s, report);
         if (history.hud_s() > unsettled_s_) airspeed(truth, *history.hud(), now_s, report);
     }
 
-    static void position(const Truth& truth, const mavlink::GlobalPositionInt& reported,
-                         double now_s, const Report& report) {
+    // Heights are zeroed at the start and at arming, which is refused while the receiver says
+    // otherwise: until then those of a barometer that failed at the start are wrong.
+    void zeroWrongly(const Snapshot& now, bool starts, bool armed) {
+        if (starts && now.faulty[static_cast<size_t>(Faulty::barometer)]) zeroed_wrong_ = true;
+        if (armed) zeroed_wrong_ = false;
+    }
+
+    void position(const Truth& truth, const mavlink::GlobalPositionInt& reported, double now_s,
+                  const Report& report) const {
         if (reported.lat == 0 && reported.lon == 0) return;  // not known
         const double north_m = (reported.lat - truth.latitude_deg * 1e7) * kMetresPerE7;
         const double east_m = (reported.lon - truth.longitude_deg * 1e7) * kMetresPerE7 *
@@ -43,7 +52,8 @@ class StandsStill : public Invariant {
         const double height_m = reported.alt * 0.001 - truth.altitude_m;
         if (away_m > kAway_m) report(now_s, text("%.0f m from where it stands", away_m));
         if (speed_mps > kSpeed_mps) report(now_s, text("%.1f m/s over ground", speed_mps));
-        if (std::abs(height_m) > kHeight_m) report(now_s, text("%.0f m too high", height_m));
+        if (std::abs(height_m) > kHeight_m && !zeroed_wrong_)
+            report(now_s, text("%.0f m too high", height_m));
     }
     static void airspeed(const Truth& truth, const mavlink::VfrHud& reported, double now_s,
                          const Report& report) {
@@ -54,6 +64,7 @@ class StandsStill : public Invariant {
     }
 
     double unsettled_s_ = 0;
+    bool zeroed_wrong_ = false;
 };
 
 }  // namespace

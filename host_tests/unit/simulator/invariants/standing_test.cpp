@@ -49,6 +49,23 @@ TEST(StandsStill, in_wind_an_airspeed_is_allowed) {
     EXPECT_EQ(flown.violated(), "");
 }
 
+TEST(StandsStill, heights_that_were_zeroed_by_a_failed_barometer_are_excused_until_it_is_armed) {
+    for (const bool failed_at_start : {true, false}) {
+        Flown flown;
+        flown.reports_place = true;
+        flown.place = stands().place;
+        flown.now.faulty[static_cast<size_t>(Faulty::barometer)] = failed_at_start;
+        flown.run(10);
+        flown.now.faulty[static_cast<size_t>(Faulty::barometer)] = false;
+        flown.place.alt += 100'000;
+        flown.run(90);
+        EXPECT_EQ(flown.violated().empty(), failed_at_start);
+        flown.arm();
+        flown.run(20);
+        EXPECT_FALSE(flown.violated().empty());
+    }
+}
+
 TEST(StandsStill, the_first_seconds_and_a_failed_sensor_are_excused) {
     Flown early, faulty = stands();
     early.reports_place = true;
