@@ -125,6 +125,8 @@ bool acceptReading(Sensor sensor, int16_t reading, bool possible) {
     }
     if (change == 0) return true;
     health.still = 0;
+    // Only fixes can contradict an airspeed that is wrong by a steady amount.
+    if (sensor == Sensor::airspeed && isFaulty(sensor) && !fixesUsable()) return true;
     const uint8_t trust = core::romRead(limits.trust);
     health.suspicion = health.suspicion > trust ? health.suspicion - trust : 0;
     return true;

@@ -31,6 +31,7 @@ protected:
         mutable_vehicle.estimate.flying = true;
         tenths(50, 0);
         ASSERT_FALSE(isFaulty());
+        mutable_vehicle.gps.fix = firmware::state::GpsFix::none;
     }
     bool isFaulty() const { return firmware::sensors::isFaulty(GetParam().sensor); }
     int16_t scattered(int16_t by) {
@@ -147,12 +148,34 @@ TEST_P(Health, a_single_outlier_is_ignored_and_the_sensor_stays_healthy) {
 }
 
 TEST_P(Health, a_sensor_is_healthy_again_after_some_seconds_of_good_values) {
+    mutable_vehicle.gps.fix = firmware::state::GpsFix::three_d;
     silence(25);
     ASSERT_TRUE(isFaulty());
     tenths(10, 0);
     EXPECT_TRUE(isFaulty()) << "not at once";
     tenths(70, 0);
     EXPECT_FALSE(isFaulty());
+}
+
+// A tube whose zero has jumped was used again without fixes, and the airplane dived for its speed.
+TEST(HealthWithoutFixes, an_airspeed_that_was_wrong_is_not_used_again) {
+    using firmware::state::GpsFix;
+    mutable_vehicle.estimate.flying = true;
+    firmware::sensors::startHealth();
+    const auto readings = [](int count) {
+        for (int i = 0; i < count; ++i) {
+            acceptReading(Sensor::airspeed, static_cast<int16_t>(i % 7), true);
+            if (i % 5 == 0) firmware::sensors::watchHealth();
+        }
+    };
+    readings(10);
+    for (int i = 0; i < 6; ++i) firmware::sensors::reportInconsistency(Sensor::airspeed);
+    mutable_vehicle.gps.fix = GpsFix::none;
+    readings(1000);
+    EXPECT_TRUE(isFaulty(Sensor::airspeed));
+    mutable_vehicle.gps.fix = GpsFix::three_d;
+    readings(400);
+    EXPECT_FALSE(isFaulty(Sensor::airspeed));
 }
 
 TEST_P(Health, disagreement_with_the_other_sensors_is_enough) {
