@@ -220,6 +220,7 @@ void setup() {
 void loop() {
     if (frameDue()) {
         running.frame_began = hal::ticks();
+        hal::beginFrame();
         schedule.runFrame(hal::now_us());
         processor_figures.late_frames = schedule.lateFrames();
         processor_figures.longest_frame_us = schedule.longestFrame_us();

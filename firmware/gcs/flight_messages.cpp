@@ -75,7 +75,7 @@ core::FileState<WindSent> wind_sent{};
 }  // namespace
 
 bool fillIn(const Link&, mavlink::Attitude& to) {
-    to.time_boot_ms = hal::now_ms();
+    to.time_boot_ms = hal::frame_ms();
     to.roll = vehicle.attitude.roll_rad.toFloat();
     to.pitch = vehicle.attitude.pitch_rad.toFloat();
     to.yaw = vehicle.attitude.yaw_rad.toFloat();
@@ -91,7 +91,7 @@ bool fillIn(const Link&, mavlink::AttitudeQuaternion& to) {
         yaw(vehicle.attitude.yaw_rad);
     const float level_cosine = pitch.cosine * yaw.cosine, level_sine = pitch.sine * yaw.sine;
     const float across_cosine = pitch.cosine * yaw.sine, across_sine = pitch.sine * yaw.cosine;
-    to.time_boot_ms = hal::now_ms();
+    to.time_boot_ms = hal::frame_ms();
     to.q1 = roll.cosine * level_cosine + roll.sine * level_sine;
     to.q2 = roll.sine * level_cosine - roll.cosine * level_sine;
     to.q3 = roll.cosine * across_sine + roll.sine * across_cosine;
@@ -111,7 +111,7 @@ bool fillIn(const Link&, mavlink::Ahrs& to) {
 }
 
 bool fillIn(const Link&, mavlink::GlobalPositionInt& to) {
-    to.time_boot_ms = hal::now_ms();
+    to.time_boot_ms = hal::frame_ms();
     to.lat = vehicle.estimate.position.latitude_e7;
     to.lon = vehicle.estimate.position.longitude_e7;
     to.alt = altitude_mm();
@@ -127,7 +127,7 @@ bool fillIn(const Link&, mavlink::GlobalPositionInt& to) {
 bool fillIn(const Link&, mavlink::LocalPositionNed& to) {
     if (!vehicle.home.set || !vehicle.estimate.known) return false;
     const geo::Offset away = geo::offset(vehicle.home.position, vehicle.estimate.position);
-    to.time_boot_ms = hal::now_ms();
+    to.time_boot_ms = hal::frame_ms();
     to.x = away.north_m;
     to.y = away.east_m;
     to.z = -vehicle.estimate.height_m;
@@ -144,7 +144,7 @@ bool fillIn(const Link&, mavlink::PositionTargetGlobalInt& to) {
     const bool has_place =
         demand.path == Path::leg || demand.path == Path::circle || demand.path == Path::land;
     if (!guidesItself() || !has_place) return false;
-    to.time_boot_ms = hal::now_ms();
+    to.time_boot_ms = hal::frame_ms();
     to.lat_int = demand.to.latitude_e7;
     to.lon_int = demand.to.longitude_e7;
     to.alt = core::hundredths(vehicle.home.altitude_cm) + demand.height_m;

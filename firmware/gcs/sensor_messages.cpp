@@ -61,13 +61,13 @@ bool fillIn(const Link&, mavlink::RawImu& to) {
 }
 
 bool fillIn(const Link&, mavlink::ScaledImu& to) {
-    to.time_boot_ms = hal::now_ms();
+    to.time_boot_ms = hal::frame_ms();
     inertialAndField(&to.xacc);
     return true;
 }
 
 bool fillIn(const Link&, mavlink::ScaledPressure& to) {
-    to.time_boot_ms = hal::now_ms();
+    to.time_boot_ms = hal::frame_ms();
     to.press_abs = static_cast<float>(vehicle.baro.pressure_pa) * 0.01f;
     to.press_diff = airspeedPressure_pa() * 0.01f;
     to.temperature = vehicle.baro.temperature_cc;
@@ -89,14 +89,14 @@ bool fillIn(const Link&, mavlink::GpsRawInt& to) {
 }
 
 bool fillIn(const Link&, mavlink::RcChannelsRaw& to) {
-    to.time_boot_ms = hal::now_ms();
+    to.time_boot_ms = hal::frame_ms();
     memcpy(&to.chan1_raw, vehicle.radio.pulse_us, sizeof vehicle.radio.pulse_us);
     to.rssi = kUnknownRssi;
     return true;
 }
 
 bool fillIn(const Link&, mavlink::RcChannels& to) {
-    to.time_boot_ms = hal::now_ms();
+    to.time_boot_ms = hal::frame_ms();
     constexpr uint8_t kChannels = (offsetof(mavlink::RcChannels, chancount) - 4) / 2;
     memset(&to.chan1_raw, 0xFF, 2 * kChannels);  // UINT16_MAX: no such channel
     memcpy(&to.chan1_raw, vehicle.radio.pulse_us, sizeof vehicle.radio.pulse_us);

@@ -194,7 +194,7 @@ bool fillIn(const Link&, mavlink::Meminfo& to) {
 // UTC once there has been a fix, and by our own clock while the receiver is silent.
 bool fillIn(const Link&, mavlink::SystemTime& to) {
     const drivers::GpsFix& fix = sensors::gpsFix();
-    to.time_boot_ms = hal::now_ms();
+    to.time_boot_ms = hal::frame_ms();
     const uint32_t week_utc_s = weekBegan_utc_s(fix.week);
     if (week_utc_s == 0 || !vehicle.home.set) return true;
     const uint32_t since_ms = to.time_boot_ms - vehicle.gps.received_ms + fix.age_ms + fix.time_ms;

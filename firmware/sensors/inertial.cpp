@@ -286,7 +286,7 @@ void runInertialSettings() {
 }
 
 void runInertial() {
-    imu.step(hal::now_ms());
+    imu.step(hal::frame_ms());
     published.healthy = imu.healthy();
     drivers::ImuSums sums;
     if (!imu.take(sums)) {

@@ -7,6 +7,10 @@ namespace hal {
 
 uint32_t now_us();  // since reset; wraps after 71.6 minutes: compare differences only
 uint32_t now_ms();  // since reset; wraps after 49.7 days
+// now_ms() at the last beginFrame(), in a fifth of its 90 cycles: what a frame measures and reports
+// is of its beginning.
+void beginFrame();
+uint32_t frame_ms();
 
 // For what is timed often and takes less than 32 ms, after which it wraps.
 uint16_t ticks();

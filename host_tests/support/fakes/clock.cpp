@@ -28,6 +28,10 @@ uint32_t now_us() { return static_cast<uint32_t>(now); }
 uint16_t ticks() { return static_cast<uint16_t>(now * kTicksPerUs); }
 uint32_t now_ms() { return static_cast<uint32_t>(now / 1000); }
 
+// There are no frames.
+void beginFrame() {}
+uint32_t frame_ms() { return now_ms(); }
+
 void idle(bool (*work_waits)()) {
     if (!work_waits()) now += idle_step_us;
 }
