@@ -30,6 +30,7 @@ struct {
     uint32_t ms;
     uint16_t us_past_ms;  // 0..999
 } base;
+uint32_t frame_began_ms;
 
 // The timer and `base` belong together. A pending flag belongs to a count that is small again: the
 // interrupt for that overflow has still to run.
@@ -118,6 +119,9 @@ uint32_t now_ms() {
     if (overflowed) carry(ms, us_past_ms);
     return ms + thousands(us_past_ms + count / 2);
 }
+
+void beginFrame() { frame_began_ms = now_ms(); }
+uint32_t frame_ms() { return frame_began_ms; }
 
 // Where an interrupt has brought work in between, the instruction that sleeps does nothing, as
 // that interrupt has taken back its permission (data sheet 11.10.1).

@@ -15,6 +15,7 @@ using namespace simulator;
 namespace {
 
 constexpr uint64_t kStep_us = 20'000;
+constexpr double kAlone_s = 35;
 constexpr double kFrom_s = 20;  // in the air and past the take-off
 constexpr double kBankLimit_deg = 45;
 constexpr int kInvertedChannel = 7;
@@ -204,6 +205,9 @@ public:
         : FlightScenario(board, items, 900, kStep_us), seconds_a_mode_(seconds_a_mode) {}
 
     bool fly() {
+        // nobody connects for a while: home is refined, and what is missing for arming is reported
+        while (seconds() < kAlone_s && advance(false)) {
+        }
         while (advance() && sinceAirborne_s() <= kFrom_s) {
         }
         set("ACRO_LOCKING", 1);

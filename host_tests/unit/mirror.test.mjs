@@ -11,7 +11,7 @@ const unit = dirname(fileURLToPath(import.meta.url)), root = join(unit, '../..')
 const ofAFolder = new Set([
   'firmware/mission/beyond_commands', 'firmware/mission/damaged_memory', 'firmware/mission/every_bit', 'firmware/mission/every_command',
   'firmware/mission/lost_flash', 'firmware/mission/manual', 'firmware/mission/new_flight', 'firmware/mission/upgrade', 'firmware/mission/whole_board',
-  'firmware/safety/conditions', 'firmware/safety/manual', 'libraries/storage/damaged_lists', 'libraries/storage/damaged_parameters',
+  ...['conditions', 'fence_conditions', 'manual', 'restart_conditions'].map((name) => `firmware/safety/${name}`), 'firmware/sensors/radio_conditions', 'libraries/storage/damaged_lists', 'libraries/storage/damaged_parameters',
   'libraries/storage/flash_staging', 'libraries/storage/power_cut', 'simulator/airplane/parameter_files', 'simulator/campaign/program',
   'simulator/report/report', 'toolchain/cmake/configure', 'toolchain/flash_tool/flash',
   ...['errors', 'flight_limits', 'garbage', 'round_trip', 'show'].map((name) => `toolchain/mission_tool/${name}`),
