@@ -111,7 +111,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { medium, missionCatchUp,         10,     5,    1590 },
     { medium, runInverted,            10,     2,      15 },
     { medium, runStall,                5,     3,      53 },
-    { medium, runFence,               10,     1,    1030 },
+    { medium, runFence,               20,     1,    1030 },
     { medium, runFailsafe,            10,     6,     500 },
 
     { slow,   runLog,                  2,     0,    1010 },

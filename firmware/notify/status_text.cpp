@@ -112,7 +112,7 @@ uint8_t textsLost() { return queue.lost; }
 void setTextReader(uint8_t reader, bool listens) {
     readers.listening = static_cast<uint8_t>(listens ? readers.listening | bitOf(reader)
                                                      : readers.listening & ~bitOf(reader));
-    forgetTaken();  // what waited for it alone
+    if (!listens) forgetTaken();  // what waited for it alone
 }
 
 bool textWaits(uint8_t reader) {

@@ -12,7 +12,7 @@ namespace safety {
 using Breach = mavlink::FenceBreach;
 
 void fenceStart();
-void runFence();  // 10 Hz
+void runFence();  // 5 Hz
 
 bool fenceTurnsBack();  // FENCE_ACTION asks for it
 bool fenceTurnBack();   // what the failsafes do when it is broken; false: not yet

@@ -180,7 +180,7 @@ void runRadio() {
         return;
     }
     if (reception.bad != 0) return;  // may be the encoder's own: what was received before it counts
-    published.good_ms = hal::frame_ms();
+    published.good_ms = hal::now_ms();
     if (ground_flies) readSwitches();
     scale();
 }
