@@ -8,6 +8,7 @@ import { closeSync, mkdtempSync, openSync, readdirSync, readFileSync, rmSync, sy
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { named, readLog } from '../support/bin.mjs';
 import { embedded } from '../support/flight_document.mjs';
 
@@ -234,7 +235,7 @@ function fieldsIn(log) {
 
 test('the predefined graphs of viewers draw, but those of what this airplane has not', () => {
   const fields = fieldsIn(records);
-  const graphs = readFileSync(join(import.meta.dirname, 'viewer_graphs.txt'), 'utf8').trimEnd().split('\n')
+  const graphs = readFileSync(new URL('viewer_graphs.txt', import.meta.url), 'utf8').trimEnd().split('\n')
     .filter((line) => !line.startsWith('#')).map((line) => line.split(': '));
   const reasons = new Map();
   let drawn = 0;
@@ -257,7 +258,7 @@ test('the predefined graphs of viewers draw, but those of what this airplane has
 
 // As `toolchain/mission show` has it, and the board in MISSION_CURRENT.
 test('the log says which mission is flown', () => {
-  const mission = join(import.meta.dirname, '../../simulator/missions/first_flight.waypoints');
+  const mission = fileURLToPath(new URL('../../simulator/missions/first_flight.waypoints', import.meta.url));
   const shown = execFileSync(process.env.MISSION_TOOL, ['show', mission], { encoding: 'utf8' });
   const id = +/, id (\d+)/.exec(shown)[1];
   assert.deepEqual(named(records, 'LIST').map(({ Mission, Fence, Rally }) => [Mission, Fence, Rally]), [[id, 0, 0]]);

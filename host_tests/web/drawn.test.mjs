@@ -16,7 +16,7 @@ let folder, browser, file, campaign, said;
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), 'drawn-'));
-  said = spawnSync(CAMPAIGN, ['--drawn', '12', '--jobs', '2', '--out', folder], { encoding: 'utf8' }).stdout;
+  said = spawnSync(CAMPAIGN, ['--drawn', '77-88', '--jobs', '2', '--out', folder], { encoding: 'utf8' }).stdout;
   file = join(folder, 'campaign.html');
   campaign = embedded(file, 'campaign');
   mkdirSync(SHOTS, { recursive: true });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { join } from 'node:path';
 import { test } from 'node:test';
 import { withVehicle } from '../../support/vehicle.mjs';
 
@@ -90,7 +89,7 @@ test('describes itself', withVehicle({}, async (vehicle) => {
   const version = await vehicle.expect('AUTOPILOT_VERSION');
   assert.equal(Number(version.capabilities) & 8192, 8192);
   const { stdout } = spawnSync('git', ['log', '-1', '--abbrev=8', '--format=%h', '--', 'firmware', 'libraries', 'hal_avr'],
-    { cwd: join(import.meta.dirname, '../../..'), encoding: 'utf8' });
+    { cwd: new URL('../../..', import.meta.url), encoding: 'utf8' });
   const commit = (stdout ?? '').trim().slice(0, 8).padEnd(8, '\0');  // without a history there is none
   assert.equal(String.fromCharCode(...version.flightCustomVersion), commit);
   assert.ok(version.boardVersion === 1 || version.boardVersion === 2, `board ${version.boardVersion}`);
