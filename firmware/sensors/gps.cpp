@@ -74,7 +74,7 @@ const drivers::GpsFix& gpsFix() { return reception.receiver.fix(); }
 void startGps() { reception.receiver.start(static_cast<uint8_t>(parameters.gps_type)); }
 
 void runGps() {
-    const bool arrived = reception.receiver.step(hal::now_ms());
+    const bool arrived = reception.receiver.step(hal::frame_ms());
     if (reception.receiver.protocol() != reception.reported) reportWhatWasFound();
     published.healthy = reception.receiver.healthy();
     if (!published.healthy) published.fix = GpsFix::no_gps;

@@ -59,8 +59,6 @@ public:
     void watchdogFeed();
     [[noreturn]] void reboot();
     uint64_t sinceBegun_us() const { return now_us_ - begun_us_; }
-    void beginFrame() { frame_began_ms_ = static_cast<uint32_t>(sinceBegun_us() / 1000); }
-    uint32_t frameBegan_ms() const { return frame_began_ms_; }
     const hal::LastRun& lastRun() const { return last_run_; }
     bool usb() const { return usb_; }
     SerialLines& serial() { return serial_; }
@@ -85,7 +83,6 @@ private:
     FirmwareMemory memory_;
     World world_;
     uint64_t now_us_ = 0;
-    uint32_t frame_began_ms_ = 0;
     LineFault spi_line_;
     uint32_t spent_ns_ = 0;  // of bus time, less than a microsecond
     SerialLines serial_;
