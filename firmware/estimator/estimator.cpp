@@ -100,7 +100,7 @@ constexpr uint8_t kEndsFlying = 30;   // looks without: three seconds
 constexpr float kFlyingGroundSpeed_mps = 5.0f;
 constexpr float kStandingSpeed_mps = 2.0f;
 constexpr float kNearField_m = 10;
-constexpr core::Ratio kPower(0.3f);
+constexpr core::Ratio kClimbThrottle(0.3f);  // less holds no airplane at a height
 
 estimation::AttitudeSettings attitudeSettings() {
     estimation::AttitudeSettings settings;
@@ -291,7 +291,7 @@ float knownAirspeed_mps() {
 // Where nobody measures a speed: a motor that turns and a height that no field has.
 bool climbsUnderPower() {
     return position.reckoned() && vehicle.baro.healthy && !height.lastReadingFarOff() &&
-           vehicle.throttle_demand.raw > kPower.raw && aboveField_m() > kNearField_m;
+           vehicle.throttle_demand.raw > kClimbThrottle.raw && aboveField_m() > kNearField_m;
 }
 
 // By the airspeed sensor, else by the fixes, which a tube that is still covered does not belie when

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kAway_m = 20 + 4 * 0.6, kHeight_m = 15, kSpeed_mps = 3, kAirspeed_mps = 5;
 constexpr double kStart_s = 15;             // until gyros are zeroed and the position is found
+constexpr double kZeroed_s = 5;             // by then heights are
 constexpr double kStands_s = 10;            // after it has moved
 constexpr double kAfterFault_s = 60;        // a position that had drifted is put right slowly
 constexpr double kMetresPerE7 = 0.0111319;  // of latitude, of 1e-7 degrees
@@ -25,9 +26,8 @@ class StandsStill : public Invariant {
         const double begun_s = static_cast<double>(now.begun_us) * 1e-6;
         const bool disturbed = now_s - history.last_s(Cause::fault) < kAfterFault_s;
         const bool moves = !truth.on_ground || truth.crashed || speed_mps > 0.2;
-        const bool starts = now_s - begun_s < kStart_s;
-        if (moves || disturbed || starts) unsettled_s_ = now_s;
-        zeroWrongly(now, starts, history.heard().armed);
+        if (moves || disturbed || now_s - begun_s < kStart_s) unsettled_s_ = now_s;
+        zeroWrongly(now, now_s - begun_s < kZeroed_s, history.heard().armed);
         if (now_s - unsettled_s_ < kStands_s) return;
         if (history.position_s() > unsettled_s_)
             position(truth, *history.position(), now_s, report);
@@ -36,8 +36,8 @@ class StandsStill : public Invariant {
 
     // Heights are zeroed at the start and at arming, which is refused while the receiver says
     // otherwise: until then those of a barometer that failed at the start are wrong.
-    void zeroWrongly(const Snapshot& now, bool starts, bool armed) {
-        if (starts && now.faulty[static_cast<size_t>(Faulty::barometer)]) zeroed_wrong_ = true;
+    void zeroWrongly(const Snapshot& now, bool zeroes, bool armed) {
+        if (zeroes && now.faulty[static_cast<size_t>(Faulty::barometer)]) zeroed_wrong_ = true;
         if (armed) zeroed_wrong_ = false;
     }
 

@@ -60,15 +60,17 @@ protected:
         restartResume();
         mutable_vehicle.attitude.aligned = true;
     }
+    // One frame of the receiver, every 20 ms.
+    static void receiveSwitch(uint16_t pulse_us) {
+        fakes::receiveRc(with(8, pulse_us));
+        runRadio();
+        fakes::advance_ms(10);
+        runRadio();
+        runRestart();
+        fakes::advance_ms(10);
+    }
     static void lookAtSwitch(uint16_t pulse_us) {
-        for (int i = 0; i < 5; ++i) {
-            fakes::receiveRc(with(8, pulse_us));
-            runRadio();
-            fakes::advance_ms(10);
-            runRadio();
-            runRestart();
-            fakes::advance_ms(10);
-        }
+        for (int i = 0; i < 5; ++i) receiveSwitch(pulse_us);
     }
 };
 

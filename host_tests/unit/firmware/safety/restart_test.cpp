@@ -252,24 +252,16 @@ TEST_F(Restart, is_armed_and_in_a_mode_only_when_the_switch_has_been_seen) {
 }
 
 TEST_F(Restart, obeys_no_switch_that_has_not_been_seen_three_times_in_one_place) {
-    const auto look = [](uint16_t pulse_us) {
-        fakes::receiveRc(with(8, pulse_us));
-        runRadio();
-        fakes::advance_ms(10);
-        runRadio();
-        runRestart();
-        fakes::advance_ms(10);
-    };
     begin(ResetCause::watchdog);
     for (int i = 0; i < 9; ++i) {  // moved on after every second frame
-        look(i / 2 % 2 == 0 ? 1165 : 1425);
+        receiveSwitch(i / 2 % 2 == 0 ? 1165 : 1425);
         EXPECT_EQ(vehicle.mode, Mode::initialising) << i;
     }
     SetUp();
     begin(ResetCause::watchdog);
     for (int i = 0; i < 5; ++i) {  // a moved switch counts from the third frame on
         EXPECT_EQ(vehicle.mode, Mode::initialising) << i;
-        look(1165);
+        receiveSwitch(1165);
     }
     EXPECT_EQ(vehicle.mode, Mode::stabilize);
 }
