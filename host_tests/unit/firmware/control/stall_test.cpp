@@ -65,6 +65,19 @@ TEST_F(StallInFlight, lets_the_elevator_go) {
     EXPECT_NEAR(surfaces.elevator.toFloat(), -0.1f, 0.01);
 }
 
+// The body turns about its wings with the turn alone, while the nose stays where it is.
+TEST_F(StallInFlight, is_found_in_a_turn_to_either_side) {
+    for (const float side : {1.0f, -1.0f}) {
+        SetUp();
+        fall(45 * side, -35);
+        auto& rate_rads = mutable_vehicle.attitude.rate_rads;
+        rate_rads.y = core::BodyRate(0.5f);
+        rate_rads.z = core::BodyRate(0.5f * side);
+        EXPECT_EQ(after(0.6f), Phase::breaking) << side;
+        rate_rads = core::BodyRates::from(0, 0, 0);
+    }
+}
+
 TEST_F(StallInFlight, levels_the_wings_whatever_the_stick_demands_with_little_aileron) {
     settle(with(1, 1900));
     fall(30, -35);
