@@ -140,7 +140,7 @@ bool fixIsGood() {
     const auto& gps = vehicle.gps;
     const float sum_cms = (gps.velocity_mps.x + gps.velocity_mps.y) * 100;
     const int16_t reading =
-        static_cast<int16_t>(static_cast<int32_t>(sum_cms) + (gps.position.latitude_e7 & 3));
+        static_cast<int16_t>(core::toFixed(sum_cms, 0) + (gps.position.latitude_e7 & 3));
     return gps.fix == GpsFix::three_d && acceptReading(Sensor::gps, reading, true) &&
            !isFaulty(Sensor::gps);
 }
@@ -190,8 +190,11 @@ bool airspeedFits() {
     return !odd && !stuck && !divesSlowly();
 }
 
+// Without the inertial sensor the nose points where it did before.
 void updateWind() {
-    if (!vehicle.estimate.flying || newest_fix.since_s > 1.5f || pointsByCourse()) return;
+    if (!vehicle.estimate.flying || !vehicle.imu.healthy || newest_fix.since_s > 1.5f ||
+        pointsByCourse())
+        return;
     if (!airspeedFits() && vehicle.airspeed.healthy) return;
     const float airspeed_mps = vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f;
     wind.update(position.velocity_mps(), {attitude.noseNorth(), attitude.noseEast()}, airspeed_mps,
@@ -431,13 +434,17 @@ void publishSpeeds() {
     }
 }
 
+// The nose swings with each aileron, the course follows the lift: quickly by the accelerations, and
+// within two seconds by the nose. By the nose alone the bank that is to hold a leg would swing,
+// too.
 void reckonPosition() {
+    constexpr float kShare = 0.05f;
     if (!runs() || position.age_s() < 1.0f) return;
-    if (!vehicle.estimate.flying) return position.reckon(0, 0);
+    if (!vehicle.estimate.flying) return position.reckon(0, 0, 1);
     const float airspeed_mps = vehicle.estimate.airspeed_mps;
     const Vector3 wind_mps = wind.wind_mps();
     position.reckon(attitude.noseNorth() * airspeed_mps + wind_mps.x,
-                    attitude.noseEast() * airspeed_mps + wind_mps.y);
+                    attitude.noseEast() * airspeed_mps + wind_mps.y, kShare);
 }
 
 // A number that is none spreads with every step of its filter: that one begins again.
@@ -461,6 +468,8 @@ void updateFlying() {
     if (motion.flying_changes < (published.flying ? kEndsFlying : kBeginsFlying)) return;
     published.flying = !published.flying;
     motion.flying_changes = 0;
+    // On the ground it is heard again, whatever it is wrong by: its zero is what is corrected.
+    if (!published.flying && heights.started && !vehicle.baro.healthy) heights.by_gps = true;
 }
 
 void fuseFixAttitude() {

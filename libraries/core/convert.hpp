@@ -49,7 +49,8 @@ __attribute__((always_inline)) inline float limitedByBits(float value, float low
 inline int32_t rounded(float value) {
     const uint16_t size = sizeOf(value);
     if (size < sizeOfPower(-1)) return 0;
-    if (size >= sizeOfPower(23)) return static_cast<int32_t>(value);  // whole
+    if (size >= sizeOfPower(31)) return value < 0 ? INT32_MIN : INT32_MAX;  // no number, too
+    if (size >= sizeOfPower(23)) return static_cast<int32_t>(value);        // whole
     const int32_t halves = static_cast<int32_t>(scaled(value, 1));
     return (halves + (halves < 0 ? 0 : 1)) >> 1;
 }

@@ -11,7 +11,7 @@ constexpr float kMean_hzpm2 = 0.003f;  // ... and over less where they lie far o
 constexpr float kFar_m = 30.0f;        // a fix this far off is refused ...
 constexpr float kFarther_mps = 15.0f;  // ... and farther with the age of the last one used
 constexpr float kBelieved_s = 18.0f;   // after so long a fix is accepted wherever it is
-constexpr float kCarries_s = 1.0f;     // without a fix the accelerations are carried on
+constexpr float kCarries_s = 1.0f;     // without a fix the accelerations alone are carried on
 constexpr float kFold_m = 200.0f;      // the offset is folded into the anchor beyond this
 
 float squared(const geo::Offset& off) {
@@ -22,20 +22,17 @@ float squared(const geo::Offset& off) {
 
 void Position::propagate(const core::Vector3& acceleration_mss, float dt_s) {
     if (age_s_ < 1e6f) age_s_ += dt_s;
-    // Without fixes the accelerations' errors grow with the square of time: only the velocity is
-    // carried on.
-    const float share = age_s_ < kCarries_s ? dt_s : 0.0f;
-    const float north_mps = acceleration_mss.x * share, east_mps = acceleration_mss.y * share;
+    const float north_mps = acceleration_mss.x * dt_s, east_mps = acceleration_mss.y * dt_s;
     since_.north_m += (north_mps_ + 0.5f * north_mps) * dt_s;
     since_.east_m += (east_mps_ + 0.5f * east_mps) * dt_s;
     north_mps_ += north_mps;
     east_mps_ += east_mps;
 }
 
-void Position::reckon(float north_mps, float east_mps) {
+void Position::reckon(float north_mps, float east_mps, float share) {
     if (age_s_ < kCarries_s) return;
-    north_mps_ = north_mps;
-    east_mps_ = east_mps;
+    north_mps_ += (north_mps - north_mps_) * share;
+    east_mps_ += (east_mps - east_mps_) * share;
 }
 
 void Position::useGps(const geo::Position& position, const core::Vector3& velocity_mps,

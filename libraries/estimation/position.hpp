@@ -20,8 +20,8 @@ public:
 
     // Every frame. When the accelerations cannot be trusted, give zeros.
     void propagate(const core::Vector3& acceleration_mss, float dt_s);
-    // Without fixes, with the velocity that air and wind give.
-    void reckon(float north_mps, float east_mps);
+    // Without fixes, with the velocity that air and wind give: this share of the way to it, 0..1.
+    void reckon(float north_mps, float east_mps, float share);
     // Every fix, with what was gained since its time (Attitude::gainedSinceFix_mps).
     void useGps(const geo::Position& position, const core::Vector3& velocity_mps,
                 const core::Vector3& gained_mps, const PositionSettings& settings);

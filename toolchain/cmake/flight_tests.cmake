@@ -282,6 +282,8 @@ foreach(stall IN LISTS stalls)
 endforeach()
 
 # ---- the tools' images and logs, flown
+declare_test(flight.dead_reckoning COMMAND node --test ${tests}/scenarios/dead_reckoning.test.mjs NEEDS fly
+             LABELS native REUSE DATA ${flight_data} ENVIRONMENT FLY=$<TARGET_FILE:fly>)
 declare_test(mission_tool.rehearses COMMAND node --test ${tests}/scenarios/mission_rehearsal.test.mjs
              NEEDS fly mission_tool LABELS native REUSE DATA ${flight_data} ENVIRONMENT
              MISSION_TOOL=$<TARGET_FILE:mission_tool>)

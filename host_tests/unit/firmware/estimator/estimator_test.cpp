@@ -227,6 +227,28 @@ TEST_F(Estimator, does_without_a_barometer_as_long_as_it_shows_another_height) {
     EXPECT_NEAR(vehicle.estimate.height_m, before_m, 3);
 }
 
+// It was zeroed with an error that went away: on the ground it is heard again, and still differs.
+TEST_F(Estimator, keeps_its_height_when_a_wrong_barometer_is_heard_again_after_the_flight) {
+    mutable_vehicle.armed = true;
+    altitude_m_ = 500;
+    frames(400, 3);
+    watched(500);
+    ASSERT_TRUE(vehicle.estimate.flying);
+    const float before_m = vehicle.estimate.height_m;
+    mutable_vehicle.baro.pressure_pa -= 1200;
+    watched(1500);
+    ASSERT_FALSE(vehicle.baro.healthy);
+    mutable_vehicle.armed = false;
+    frames(310);
+    ASSERT_FALSE(vehicle.estimate.flying);
+    mutable_vehicle.baro.healthy = true;
+    frames(500);
+    EXPECT_NEAR(vehicle.estimate.height_m, before_m, 3);
+    mutable_vehicle.baro.pressure_pa += 120;
+    frames(500);
+    EXPECT_NEAR(vehicle.estimate.height_m, before_m - 10, 3) << "by the barometer";
+}
+
 TEST_F(Estimator, counts_heights_from_where_home_is_set_on_the_ground) {
     mutable_vehicle.baro.pressure_pa -= 60;  // the weather since the barometer was zeroed
     altitude_m_ = 432.1f;
@@ -469,6 +491,26 @@ TEST_F(Stopped, knows_the_wind_and_its_height_again_after_a_restart) {
 }
 
 // The nose is where it is now, a fix a quarter of a second old.
+// Attitude and heading stay as they were when the sensor failed; the airplane turns on.
+TEST_F(Estimator, learns_no_wind_while_the_inertial_sensor_fails) {
+    mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
+    mutable_vehicle.airspeed.speed_mps = 15;
+    mutable_vehicle.baro.pressure_pa -= 960;
+    frames(400, 3);
+    frames(300);
+    ASSERT_TRUE(vehicle.estimate.flying);
+    const core::Vector3 wind_mps = vehicle.estimate.wind_mps;
+    mutable_vehicle.imu.healthy = false;
+    frames(400, -3);
+    frames(600);
+    EXPECT_TRUE(vehicle.estimate.flying);
+    EXPECT_EQ(vehicle.estimate.wind_mps.x, wind_mps.x);
+    EXPECT_EQ(vehicle.estimate.wind_mps.y, wind_mps.y);
+    mutable_vehicle.imu.healthy = true;
+    frames(400, 3);
+    EXPECT_NE(vehicle.estimate.wind_mps.x, wind_mps.x) << "it goes on";
+}
+
 TEST_F(Estimator, finds_no_wind_in_the_age_of_the_fixes) {
     mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
     for (int i = 0; i < 700; ++i) {

@@ -166,14 +166,27 @@ TEST(Position, is_not_known_before_a_fix_nor_long_after_the_last) {
     EXPECT_FALSE(position.known());
 }
 
-TEST(Position, carries_on_with_the_velocity_when_fixes_stop) {
+TEST(Position, bounds_an_error_of_the_accelerations_when_fixes_stop) {
     Position position;
     position.useGps(kStart, {10, -5, 0}, {0, 0, 0}, PositionSettings());
-    for (int i = 0; i < 400; ++i) position.propagate({0.05f, 0, 0}, 0.01f);
+    for (int i = 0; i < 2000; ++i) {
+        position.propagate({0.2f, 0, 0}, 0.01f);
+        if (i % 10 == 9) position.reckon(10, -5, 0.05f);
+    }
+    EXPECT_NEAR(position.velocity_mps().x, 10.4, 0.05) << "two seconds' worth of it";
+    EXPECT_NEAR(position.velocity_mps().y, -5, 0.01);
+}
 
-    const geo::Offset off = geo::offset(kStart, position.position());
-    EXPECT_NEAR(off.north_m, 42.4, 0.5);
-    EXPECT_NEAR(off.east_m, -21.2, 0.3);
+// A nose that swings to and fro with the ailerons, as a course, would have the bank swing.
+TEST(Position, follows_the_nose_slowly_when_fixes_stop) {
+    Position position;
+    position.useGps(kStart, {15, 0, 0}, {0, 0, 0}, PositionSettings());
+    for (int i = 0; i < 1500; ++i) {
+        position.propagate({0, 0, 0}, 0.01f);
+        const float swing_mps = 3 * sinf(core::radians(360) * static_cast<float>(i) / 150);
+        if (i % 10 == 9) position.reckon(15, swing_mps, 0.05f);
+        ASSERT_LT(fabsf(position.velocity_mps().y), 0.5f) << i;
+    }
 }
 
 struct Jumping {
@@ -215,10 +228,10 @@ TEST(Position, a_jump_that_could_have_been_flown_since_the_last_fix_is_accepted)
 TEST(Position, reckons_with_the_velocity_it_is_given_once_fixes_are_missing) {
     Position position;
     position.useGps(kStart, {10, 0, 0}, {0, 0, 0}, PositionSettings());
-    position.reckon(0, 10);  // too early
+    position.reckon(0, 10, 1);  // too early
     EXPECT_EQ(position.velocity_mps().x, 10);
     for (int i = 0; i < 150; ++i) position.propagate({0, 0, 0}, 0.01f);
-    position.reckon(0, 10);
+    position.reckon(0, 10, 1);
     for (int i = 0; i < 1000; ++i) position.propagate({0, 0, 0}, 0.01f);
 
     const geo::Offset off = geo::offset(kStart, position.position());
