@@ -143,6 +143,21 @@ TEST(FliesOnAfterARestart, surfaces_that_stand_too_long_violate_it) {
     EXPECT_EQ(flown.violated(), "restart_in_the_air ");
 }
 
+TEST(FliesOnAfterARestart, surfaces_may_stand_while_a_sensor_starts_that_has_just_come_back) {
+    for (const double since_s : {0.3, 1.2}) {
+        Flown flown = flying();
+        flown.now.faulty[static_cast<size_t>(Faulty::spi)] = true;
+        flyFor(flown, 1);
+        flown.now.faulty[static_cast<size_t>(Faulty::spi)] = false;
+        flyFor(flown, since_s);
+        flown.watch.provokedRestart(true);
+        flown.restart();
+        flown.run(0.6);
+        flyFor(flown, 4);
+        EXPECT_EQ(flown.violated(), since_s < 1 ? "" : "restart_in_the_air ") << since_s;
+    }
+}
+
 TEST(FliesOnAfterARestart, surfaces_may_stand_in_a_pilot_mode_that_a_failsafe_ends) {
     constexpr uint32_t kTraining = 3, kRtl = 11;
     Flown flown = flying();
