@@ -46,10 +46,10 @@ void runBattery() {
     float volts = 0;
     float amps = 0;
     float band_gap = 0;
-    const bool whole = mean(hal::Analog::battery_voltage, volts) &
-                       mean(hal::Analog::battery_current, amps) &
-                       mean(hal::Analog::board_voltage, band_gap);
-    if (!whole) return;
+    const bool has_volts = mean(hal::Analog::battery_voltage, volts);
+    const bool has_amps = mean(hal::Analog::battery_current, amps);
+    const bool has_board = mean(hal::Analog::board_voltage, band_gap);
+    if (!has_volts || !has_amps || !has_board) return;
     published.board_mv = drivers::boardSupply_mv(static_cast<uint16_t>(band_gap + 0.5f));
     const uint32_t now_ms = hal::now_ms();
     const float dt_s = (now_ms - power_module.updated_ms) * 0.001f;

@@ -246,7 +246,10 @@ std::string fly(const Trial& trial, std::string* said, long* passes, int* most) 
 }
 
 Trial minimise(Trial trial) {
-    while (withoutSteps(trial) | withPlainSteps(trial) | withoutItems(trial)) {
+    for (bool smaller = true; smaller;) {
+        smaller = withoutSteps(trial);
+        smaller = withPlainSteps(trial) || smaller;
+        smaller = withoutItems(trial) || smaller;
     }
     return trial;
 }

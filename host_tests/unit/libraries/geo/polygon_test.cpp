@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -29,8 +30,9 @@ Position wrapped(double latitude_e7, double longitude_e7) {
 }
 
 // How often the polygon goes round the place, by angles in double: nothing in common with counting
-// crossings. Longitudes are taken from `centre` on, about which the polygon lies.
-int windings(const Polygon& polygon, const Position& place, double centre_e7) {
+// crossings. Longitudes are taken from `centre` on, about which the polygon lies. None for a place
+// on an edge, from which the edge's ends are seen half a turn apart, to either side.
+std::optional<int> windings(const Polygon& polygon, const Position& place, double centre_e7) {
     const auto east = [&](const Position& p) {
         return std::remainder(p.longitude_e7 - centre_e7, double(kTurn_e7));
     };
@@ -39,7 +41,9 @@ int windings(const Polygon& polygon, const Position& place, double centre_e7) {
         const Position &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
         const double ax = east(a) - east(place), ay = double(a.latitude_e7) - place.latitude_e7;
         const double bx = east(b) - east(place), by = double(b.latitude_e7) - place.latitude_e7;
-        sum += std::atan2(ax * by - bx * ay, ax * bx + ay * by);
+        const double sine = ax * by - bx * ay, cosine = ax * bx + ay * by;
+        if (sine == 0 && cosine <= 0) return std::nullopt;
+        sum += std::atan2(sine, cosine);
     }
     return static_cast<int>(std::lround(sum / (2 * M_PI)));
 }
@@ -69,10 +73,12 @@ TEST(Polygon, agrees_with_the_angles_seen_from_the_place) {
                 for (int m = 0; m < 20; ++m) {
                     const Position place = wrapped(centre.latitude_e7 + offset(random) * size_e7,
                                                    centre.longitude_e7 + offset(random) * size_e7);
-                    const int expected = windings(polygon, place, centre.longitude_e7);
-                    ASSERT_EQ(inside(polygon, place), expected % 2 != 0)
+                    const std::optional<int> expected =
+                        windings(polygon, place, centre.longitude_e7);
+                    if (!expected) continue;
+                    ASSERT_EQ(inside(polygon, place), *expected % 2 != 0)
                         << place.latitude_e7 << ' ' << place.longitude_e7;
-                    in += expected != 0;
+                    in += *expected != 0;
                     ++tried;
                 }
             }
