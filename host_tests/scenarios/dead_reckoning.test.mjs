@@ -10,7 +10,7 @@ import { after, test } from 'node:test';
 
 const kLost_s = 50, kBack_s = 75;
 const kMiddle_us = 1500, kFar_us = 150;  // of 400 to either side
-const kMost = 6;                         // two turns, each begun and ended, and a gust
+const kMaxSwings = 6;  // two turns, each begun and ended, and a gust
 
 const folder = mkdtempSync(join(tmpdir(), 'dead-reckoning-'));
 after(() => rmSync(folder, { recursive: true }));
@@ -38,5 +38,5 @@ for (const airplane of ['foam_trainer', 'trainer_6kg', 'flying_wing'])
       const at = (row, name) => Number(row[head.indexOf(name)]);
       const between = rows.filter((row) => at(row, 'time_s') > kLost_s && at(row, 'time_s') < kBack_s);
       const found = swings(between.map((row) => at(row, 'servo1_us')));
-      assert.ok(between.length > 200 && found <= kMost, `${found} times`);
+      assert.ok(between.length > 200 && found <= kMaxSwings, `${found} times`);
     });
