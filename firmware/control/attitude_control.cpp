@@ -263,6 +263,11 @@ SELDOM void loopFigures(bool roll, LoopFigures& to) {
         state.last_output.toFloat() * kFull_cd - to.integral_cd - to.feed_forward_cd;
 }
 
+core::BodyRate pitchRise_rads() {
+    return core::BodyRate::fromRaw(int32_t{vehicle.attitude.rate_rads.y.raw} -
+                                   loops.turn.pitch_rads.raw);
+}
+
 core::Angle pitchShort_rad() {
     return bounds.rolls ? core::Angle::fromRaw(0) : loops.pitch_error_rad;
 }

@@ -31,5 +31,9 @@ void loopFigures(bool roll, LoopFigures& to);
 // How far the nose is below what is demanded; 0 while the airplane rolls upright or upside down.
 core::Angle pitchShort_rad();
 
+// How fast the nose rises beyond what the turn, at this bank and airspeed, turns the body about its
+// wings.
+core::BodyRate pitchRise_rads();
+
 }  // namespace control
 }  // namespace firmware

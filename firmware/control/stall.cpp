@@ -46,19 +46,11 @@ bool possible() {
            vehicle.imu.healthy && !vehicle.inverted && holdsElevator() && !takes_off && !flares();
 }
 
-// Of the nose against the horizon: in a turn the body turns about its wings as well.
-core::BodyRate pitchAngleRate_rads() {
-    const auto& attitude = vehicle.attitude;
-    return core::BodyRate::fromRaw(core::times14(attitude.rate_rads.y.raw, attitude.cos_roll.raw) -
-                                   core::times14(attitude.rate_rads.z.raw, attitude.sin_roll.raw));
-}
-
 void lookForStall() {
     auto& recovery = stall_recovery;
     recovery.slow = vehicle.estimate.equivalent_airspeed_mps < parameters.speed_min_mps;
     const bool sinks = !vehicle.baro.healthy || vehicle.estimate.climb_mps < -kSinking_mps;
-    watch.stall.run(
-        {surfaces.elevator, pitchShort_rad(), pitchAngleRate_rads(), recovery.slow, sinks});
+    watch.stall.run({surfaces.elevator, pitchShort_rad(), pitchRise_rads(), recovery.slow, sinks});
     const Phase phase = watch.stall.phase();
     if (recovery.phase == Phase::flying && phase == Phase::breaking)
         sendStatusText(Severity::warning, STATUS_TEXT("Stall: nose down"));

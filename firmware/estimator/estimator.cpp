@@ -440,11 +440,11 @@ void publishSpeeds() {
 void reckonPosition() {
     constexpr float kShare = 0.05f;
     if (!runs() || position.age_s() < 1.0f) return;
-    if (!vehicle.estimate.flying) return position.reckon(0, 0, 1);
-    const float airspeed_mps = vehicle.estimate.airspeed_mps;
-    const Vector3 wind_mps = wind.wind_mps();
+    const bool flying = vehicle.estimate.flying;
+    const float airspeed_mps = flying ? vehicle.estimate.airspeed_mps : 0;
+    const Vector3 wind_mps = flying ? wind.wind_mps() : Vector3{0, 0, 0};
     position.reckon(attitude.noseNorth() * airspeed_mps + wind_mps.x,
-                    attitude.noseEast() * airspeed_mps + wind_mps.y, kShare);
+                    attitude.noseEast() * airspeed_mps + wind_mps.y, flying ? kShare : 1);
 }
 
 // A number that is none spreads with every step of its filter: that one begins again.

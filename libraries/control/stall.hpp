@@ -12,7 +12,7 @@ namespace control {
 struct StallSigns {
     core::Ratio elevator;      // as the pitch loop has it, up
     core::Angle short_rad;     // from the nose up to what is demanded
-    core::BodyRate rate_rads;  // of the pitch angle, nose up
+    core::BodyRate rate_rads;  // nose up, beyond the turn's
     bool slow;                 // below the lowest flying speed
     bool sinks;                // or nobody knows
 };

@@ -27,6 +27,7 @@ float limitShare(float value) __attribute__((const));
 namespace core {
 
 #ifdef __AVR__
+inline int32_t truncated(float value) { return static_cast<int32_t>(value); }
 inline int32_t rounded(float value) { return roundedFloat(value); }
 inline int16_t toFixed(float value, int8_t power) { return fixedFromFloat(value, power); }
 inline float fromFixed(int16_t raw, int8_t fraction) { return floatFromFixed(raw, fraction); }
@@ -46,11 +47,14 @@ __attribute__((always_inline)) inline float limitedByBits(float value, float low
     return limitFloat(value, lowest, highest);
 }
 #else
+// Of what is no number, or beyond 32 bits, any: on this computer a cast of it may do anything.
+inline int32_t truncated(float value) {
+    return sizeOf(value) < sizeOfPower(31) ? static_cast<int32_t>(value) : 0;
+}
 inline int32_t rounded(float value) {
     const uint16_t size = sizeOf(value);
     if (size < sizeOfPower(-1)) return 0;
-    if (size >= sizeOfPower(31)) return value < 0 ? INT32_MIN : INT32_MAX;  // no number, too
-    if (size >= sizeOfPower(23)) return static_cast<int32_t>(value);        // whole
+    if (size >= sizeOfPower(23)) return truncated(value);  // whole
     const int32_t halves = static_cast<int32_t>(scaled(value, 1));
     return (halves + (halves < 0 ? 0 : 1)) >> 1;
 }

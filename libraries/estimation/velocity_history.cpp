@@ -4,7 +4,7 @@
 namespace estimation {
 namespace {
 
-uint16_t wrapped(float mps) { return static_cast<uint16_t>(core::rounded(mps * 1000.0f)); }
+uint16_t wrapped(float mps) { return static_cast<uint16_t>(core::truncated(mps * 1000.0f)); }
 float difference(uint16_t later, uint16_t earlier) {
     return core::thousandths(static_cast<int16_t>(static_cast<uint16_t>(later - earlier)));
 }
