@@ -439,7 +439,7 @@ void publishSpeeds() {
 // too.
 void reckonPosition() {
     constexpr float kShare = 0.05f;
-    if (!runs() || position.age_s() < 1.0f) return;
+    if (!runs() || position.age_s() < estimation::Position::kCarries_s) return;
     const bool flying = vehicle.estimate.flying;
     const float airspeed_mps = flying ? vehicle.estimate.airspeed_mps : 0;
     const Vector3 wind_mps = flying ? wind.wind_mps() : Vector3{0, 0, 0};

@@ -11,7 +11,6 @@ constexpr float kMean_hzpm2 = 0.003f;  // ... and over less where they lie far o
 constexpr float kFar_m = 30.0f;        // a fix this far off is refused ...
 constexpr float kFarther_mps = 15.0f;  // ... and farther with the age of the last one used
 constexpr float kBelieved_s = 18.0f;   // after so long a fix is accepted wherever it is
-constexpr float kCarries_s = 1.0f;     // without a fix the accelerations alone are carried on
 constexpr float kFold_m = 200.0f;      // the offset is folded into the anchor beyond this
 
 float squared(const geo::Offset& off) {
@@ -30,7 +29,6 @@ void Position::propagate(const core::Vector3& acceleration_mss, float dt_s) {
 }
 
 void Position::reckon(float north_mps, float east_mps, float share) {
-    if (age_s_ < kCarries_s) return;
     north_mps_ += (north_mps - north_mps_) * share;
     east_mps_ += (east_mps - east_mps_) * share;
 }

@@ -17,10 +17,12 @@ class Position {
 public:
     static constexpr float kReckoned_s = 20.0f;  // after so long without a fix nobody knows
     static constexpr float kMissed_s = 2.0f;
+    static constexpr float kCarries_s = 1.0f;  // without a fix the accelerations alone will do
 
     // Every frame. When the accelerations cannot be trusted, give zeros.
     void propagate(const core::Vector3& acceleration_mss, float dt_s);
-    // Without fixes, with the velocity that air and wind give: this share of the way to it, 0..1.
+    // Without fixes for kCarries_s, with the velocity that air and wind give: this share of the way
+    // to it, 0..1.
     void reckon(float north_mps, float east_mps, float share);
     // Every fix, with what was gained since its time (Attitude::gainedSinceFix_mps).
     void useGps(const geo::Position& position, const core::Vector3& velocity_mps,
