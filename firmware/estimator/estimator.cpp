@@ -438,7 +438,7 @@ void publishSpeeds() {
 // within two seconds by the nose. By the nose alone the bank that is to hold a leg would swing,
 // too.
 void reckonPosition() {
-    constexpr float kShare = 0.05f;
+    constexpr float kPeriod_s = 0.1f, kDrawn_s = 2, kShare = kPeriod_s / kDrawn_s;
     if (!runs() || position.age_s() < estimation::Position::kCarries_s) return;
     const bool flying = vehicle.estimate.flying;
     const float airspeed_mps = flying ? vehicle.estimate.airspeed_mps : 0;

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs a libFuzzer program for a counted number of executions (FUZZ_RUNS, 100,000 by default; of one
-// whose executions are long a share of them) and prints the count. Fewer, or a crash, is a failure;
-// what the fuzzer found is kept.
+// Runs a libFuzzer program for a counted number of executions (FUZZ_RUNS, 100,000 by default) and
+// prints the count. Fewer, or a crash, is a failure; what the fuzzer found is kept.
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-const asked = Number(process.env.FUZZ_RUNS ?? 100_000);
+const wanted = Number(process.env.FUZZ_RUNS ?? 100_000);
 
-export function fuzz({ program, name, seeds, longest, environment, share = 1 }) {
-  if (!(Number.isInteger(asked) && asked > 0)) throw new Error(`FUZZ_RUNS: ${process.env.FUZZ_RUNS} is no number of executions`);
-  const wanted = Math.ceil(asked * share);
+export function fuzz({ program, name, seeds, longest, environment }) {
+  if (!(Number.isInteger(wanted) && wanted > 0)) throw new Error(`FUZZ_RUNS: ${process.env.FUZZ_RUNS} is no number of executions`);
   const folder = mkdtempSync(join(tmpdir(), 'fuzz-'));
   for (const [i, seed] of seeds.entries()) writeFileSync(join(folder, `seed_${i}`), seed);
   const run = spawnSync(program, [folder, `-runs=${wanted}`, '-seed=1', `-max_len=${longest}`,

@@ -48,6 +48,5 @@ const readers = {
     hex(`00 ${north14} ${north14}`), hex(`01 ${north14} ${north14} ${jump14}`),
     hex('80 0800 0102030405060708090a0b0c'), hex('80 0500 0102030405060708090a0b0c')] },
 };
-// An execution reads, writes and reads back: a millisecond.
-fuzz({ program, name: `mission_tool ${reader}`, share: 0.4, environment: { FUZZ_READER: reader },
+fuzz({ program, name: `mission_tool ${reader}`, environment: { FUZZ_READER: reader },
   ...readers[reader] });

@@ -89,12 +89,12 @@ class ArmedByACommand : public Invariant {
 class FliesOnAfterARestart : public Invariant {
     void frame(const Snapshot& now, const History& history, const Report& report) override {
         const double now_s = now.time_s();
-        if (now.restarts != restarts_ && waiting_s_ <= 0 && fliesOn()) begin(now_s, history);
+        if (now.restarts != restarts_) restarted(now_s, history);
         restarts_ = now.restarts;
         if (!inTheAir(now.truth) || now.truth.crashed || !history.heard().armed) low_s_ = now_s;
         faulty_ = sensorsFail(now);
         before_s_ = now_s;
-        if (faulty_) faulted_s_ = now_s;
+        if (waiting_s_ > 0 && faulty_) faulted_s_ = now_s;
         if (waiting_s_ > 0 && !mayBeSeen(now)) unseen_s_ = now_s;
         if (waiting_s_ > 0) look(now, history, report);
         pulses_ = now.servo_us;
@@ -116,14 +116,17 @@ class FliesOnAfterARestart : public Invariant {
         constexpr double kFlies_s = 5;
         return survivable_ && !faulty_ && before_s_ - low_s_ > kFlies_s;
     }
-    void begin(double now_s, const History& history) {
+    // Another one before the first has been looked at counts from its own beginning, in the mode
+    // from before both.
+    void restarted(double now_s, const History& history) {
+        if (waiting_s_ <= 0 && !fliesOn()) return;
+        if (waiting_s_ <= 0) mode_before_ = history.heard().mode;
         waiting_s_ = now_s;
-        mode_before_ = history.heard().mode;
         moved_after_s_ = -1;
     }
 
     void look(const Snapshot& now, const History& history, const Report& report) {
-        constexpr double kMovesWithin_s = 0.5, kHeartbeats_s = 3, kSensorStarts_s = 1;
+        constexpr double kMovesWithin_s = 0.5, kHeartbeats_s = 3;
         const double now_s = now.time_s(), begun_s = static_cast<double>(now.begun_us) * 1e-6;
         if (now.truth.crashed || now.truth.on_ground) return void(waiting_s_ = 0);
         if (begun_s < waiting_s_ - 0.02) return;  // the bootloader has the processor
@@ -142,8 +145,7 @@ class FliesOnAfterARestart : public Invariant {
         const bool other_mode = history.within(Cause::mode_switch, set_from_s, begun_s + 1.5) ||
                                 history.within(Cause::flight_mode, set_from_s, begun_s + 1.5);
         const bool still = moved_after_s_ < 0 || moved_after_s_ > kMovesWithin_s;
-        const bool sensor_starts = faulted_s_ > begun_s - kSensorStarts_s;
-        if (still && !sensor_starts && !other_mode && !pilotHasTheSurfaces(mode_before_) &&
+        if (still && faulted_s_ < begun_s && !other_mode && !pilotHasTheSurfaces(mode_before_) &&
             !pilotHasTheSurfaces(history.heard().mode))
             report(now_s, text("no surface moved within 0.5 s of a restart; after %.2f s",
                                moved_after_s_));

@@ -2,8 +2,7 @@
 // A surface that stays at its stop moves the airplane no more: in the air, armed, in a mode that
 // holds an attitude, with the sticks away from their ends. Not while, or ten seconds after, the
 // inertial sensor or the airspeed sensor fails: then the surfaces follow something else, or their
-// effect is not known. Not while too slow to fly, not in the half second after a restart, and not
-// after the reset button was pressed in the air: then the bootloader flies it for a second.
+// effect is not known. Not while too slow to fly, not in the half second after a restart.
 #include <algorithm>
 #include <cmath>
 
@@ -18,8 +17,7 @@ constexpr double kLongest_s = 2, kNear_us = 3, kSlow_mps = 9, kAfterFault_s = 10
 class SurfacesOffTheirStops : public Invariant {
     void frame(const Snapshot& now, const History& history, const Report& report) override {
         const double now_s = now.time_s();
-        if (now.truth.on_ground) button_ = false;
-        const bool lawful = button_ || excused(now, history);
+        const bool lawful = excused(now, history);
         for (const size_t surface : {0, 1, 3}) {
             if (lawful || !atStop(surface, now.servo_us[surface], history)) {
                 free_s_[surface] = now_s;
@@ -33,8 +31,6 @@ class SurfacesOffTheirStops : public Invariant {
             }
         }
     }
-
-    void provoked(const Provoked& what) override { button_ = button_ || !what.survivable; }
 
     static bool atStop(size_t surface, double pulse_us, const History& history) {
         const std::string channel = "RC" + std::to_string(surface + 1);
@@ -60,7 +56,6 @@ class SurfacesOffTheirStops : public Invariant {
     }
 
     std::array<double, 8> free_s_{};
-    bool button_ = false;
 };
 
 }  // namespace

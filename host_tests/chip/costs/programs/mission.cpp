@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole firmware, and what its mission engine takes: an upload of 170 commands item by item,
 // polls in which nothing ends, the advance from the first of them over 145 actions to the last,
-// a step that sets a parameter and begins a NAV. What is measured runs with interrupts off, as
-// which of them fall into a step of a millisecond is chance.
-#include <avr/interrupt.h>
-
+// a step that sets a parameter and begins a NAV.
+#include "firmware/mission/mission.hpp"
 #include "board.hpp"
 #include "firmware/app/tasks.hpp"
 #include "firmware/mission/engine.hpp"
-#include "firmware/mission/mission.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 #include "steps.hpp"
@@ -54,24 +51,16 @@ void upload(MissionItem (*item)(uint8_t, uint8_t), uint8_t count) {
 
 // The firmware's own tasks rest: nothing but the engine moves.
 void poll(uint8_t step, bool begins) {
-    cli();
     hal::trace(step);
     if (begins)
         missionRun();
     else
         missionCatchUp();
     hal::trace(hal::kTraceTaskEnd);
-    sei();
 }
 
-// From the NAV being flown to the next, at a place that is the same whenever it is measured.
+// From the NAV being flown to the next.
 void advance(uint8_t step) {
-    auto& estimate = mutable_vehicle.estimate;
-    estimate.position = {kLatitude_e7, kLongitude_e7};
-    estimate.height_m = 60;
-    estimate.velocity_mps = {12, 5, 0};
-    estimate.ground_speed_mps = 13;
-    estimate.airspeed_mps = estimate.equivalent_airspeed_mps = 13;
     mutable_vehicle.demand.new_path = false;
     mutable_vehicle.progress.distance_m = 0;
     poll(step, true);

@@ -207,14 +207,22 @@ TEST_F(DriftingBarometer, is_used_while_there_are_too_few_satellites_to_contradi
     EXPECT_FALSE(rejected(400));
 }
 
-TEST_F(Estimator, does_without_a_barometer_as_long_as_it_shows_another_height) {
-    mutable_vehicle.armed = true;
-    mutable_vehicle.baro.pressure_pa -= 720;  // 60 m up
-    altitude_m_ = 500;
-    frames(400, 3);
-    watched(500);
-    ASSERT_TRUE(vehicle.baro.healthy);
-    const float before_m = vehicle.estimate.height_m;
+// Flies 60 m up, and knows by the receiver what its barometer shows.
+struct WrongBarometer : Estimator {
+    void SetUp() override {
+        Estimator::SetUp();
+        mutable_vehicle.armed = true;
+        mutable_vehicle.baro.pressure_pa -= 720;
+        altitude_m_ = 500;
+        frames(400, 3);
+        watched(500);
+        ASSERT_TRUE(vehicle.estimate.flying && vehicle.baro.healthy);
+        before_m = vehicle.estimate.height_m;
+    }
+    float before_m = 0;
+};
+
+TEST_F(WrongBarometer, is_done_without_as_long_as_it_shows_another_height) {
     mutable_vehicle.baro.pressure_pa -= 600;
     for (int i = 0; i < 1500; ++i) {
         watched(1);
@@ -228,13 +236,7 @@ TEST_F(Estimator, does_without_a_barometer_as_long_as_it_shows_another_height) {
 }
 
 // It was zeroed with an error that went away: on the ground it is heard again, and still differs.
-TEST_F(Estimator, keeps_its_height_when_a_wrong_barometer_is_heard_again_after_the_flight) {
-    mutable_vehicle.armed = true;
-    altitude_m_ = 500;
-    frames(400, 3);
-    watched(500);
-    ASSERT_TRUE(vehicle.estimate.flying);
-    const float before_m = vehicle.estimate.height_m;
+TEST_F(WrongBarometer, moves_no_height_when_it_is_heard_again_after_the_flight) {
     mutable_vehicle.baro.pressure_pa -= 1200;
     watched(1500);
     ASSERT_FALSE(vehicle.baro.healthy);
@@ -490,7 +492,6 @@ TEST_F(Stopped, knows_the_wind_and_its_height_again_after_a_restart) {
     EXPECT_TRUE(vehicle.estimate.flying);
 }
 
-// The nose is where it is now, a fix a quarter of a second old.
 // Attitude and heading stay as they were when the sensor failed; the airplane turns on.
 TEST_F(Estimator, learns_no_wind_while_the_inertial_sensor_fails) {
     mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
@@ -511,6 +512,7 @@ TEST_F(Estimator, learns_no_wind_while_the_inertial_sensor_fails) {
     EXPECT_NE(vehicle.estimate.wind_mps.x, wind_mps.x) << "it goes on";
 }
 
+// The nose is where it is now, a fix a quarter of a second old.
 TEST_F(Estimator, finds_no_wind_in_the_age_of_the_fixes) {
     mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
     for (int i = 0; i < 700; ++i) {

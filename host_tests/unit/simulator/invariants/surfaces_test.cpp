@@ -54,25 +54,6 @@ TEST(SurfacesOffTheirStops, a_cause_outside_the_firmware_excuses_it) {
     }
 }
 
-TEST(SurfacesOffTheirStops, the_reset_button_excuses_it_until_the_landing) {
-    for (const bool survivable : {false, true}) {
-        Flown flown = atTheStop();
-        flown.watch.provokedRestart(survivable);
-        flown.restart();
-        flown.run(6);
-        EXPECT_EQ(flown.violated().find("surface") != std::string::npos, survivable);
-    }
-    Flown flown = atTheStop();
-    flown.watch.provokedRestart(false);
-    flown.restart();
-    flown.run(1);
-    flown.onTheGround();
-    flown.run(1);
-    flown.inTheAir();
-    flown.run(6);
-    EXPECT_NE(flown.violated().find("surface"), std::string::npos) << "the flight after";
-}
-
 TEST(SurfacesOffTheirStops, a_faulty_compass_is_no_excuse) {
     Flown flown = atTheStop();
     flown.now.faulty[3] = true;
