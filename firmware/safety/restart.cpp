@@ -221,13 +221,10 @@ float lostSoFar_s() {
 core::Vector3 turnedSince_rad(float since_s) {
     const auto& rate = flightToResume()->rate_rads;
     const HangDeltaAngle& turn = records.hang.turn;
-    // A roll dies out within some tenths of a second. A turn goes on, a little slower: dihedral
-    // lifts the lower wing, by 7 of 45 degrees in the second of a bootloader.
-    constexpr float kRollGoesOn_s = 0.4f, kTurnGoesOn = 0.93f;
-    const float turns_for_s = since_s * kTurnGoesOn;
+    // A roll dies out within some tenths of a second, a turn goes on.
+    constexpr float kRollGoesOn_s = 0.4f;
     const core::Vector3 goes_on_rad = {rate.x.toFloat() * fminf(since_s, kRollGoesOn_s),
-                                       rate.y.toFloat() * turns_for_s,
-                                       rate.z.toFloat() * turns_for_s};
+                                       rate.y.toFloat() * since_s, rate.z.toFloat() * since_s};
     if (!isValid(records.hang, *flightToResume()) || turn.periods < kFewPeriods) return goes_on_rad;
     const float seen_s = turn.periods * estimation::kSamplePeriod_s;
     return hangTurn_rad(turn) * (since_s / seen_s);
