@@ -6,7 +6,7 @@
 # than it saves. What is inlined before link time stays in all who use it, so little is; 14 instructions
 # are the compiler's own limit.
 set(AVR_OPTIMISATION -Os -flto -mrelax -mcall-prologues -mstrict-X -fira-algorithm=priority -fno-gcse
-    -fno-tree-pre -fno-tree-ch -fno-tree-dominator-opts -fno-tree-loop-ivcanon -fno-tree-loop-im
+    -fno-tree-pre -fno-signed-zeros -fno-tree-ch -fno-tree-dominator-opts -fno-tree-loop-ivcanon -fno-tree-loop-im
     -fno-move-loop-invariants --param early-inlining-insns=3 -g)
 add_compile_options(${AVR_OPTIMISATION})
 # toolchain/image/stack_bound.mjs sees by its relocation that a word is a function's address
@@ -16,7 +16,7 @@ add_link_options(${AVR_OPTIMISATION} -flto-partition=one -Wl,--emit-relocs)
 # for its flash, by measurement: docs/measurements.md.
 file(GLOB quick CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp
      ${CMAKE_SOURCE_DIR}/hal_avr/boards/*/*.cpp)
-set(quick_in_firmware actuators/flaps actuators/outputs app/dataflash app/main app/tasks
+set(quick_in_firmware actuators/flaps actuators/outputs guidance/bank app/dataflash app/main app/tasks
     control/attitude_control estimator/estimator gcs/link logger/log logger/sources safety/restart sensors/barometer
     sensors/compass sensors/gps sensors/inertial sensors/radio)
 set(quick_in_libraries control/axis drivers/hmc5883l drivers/ms5611_compensation geo/position
@@ -31,6 +31,15 @@ foreach(folder firmware libraries)
     endforeach()
 endforeach()
 set_source_files_properties(${quick} PROPERTIES COMPILE_OPTIONS "-O2;-fgcse;-ftree-dominator-opts;--param;early-inlining-insns=10")
+
+# What runs seldom is made small.
+file(GLOB small CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/firmware/gcs/*.cpp
+     ${CMAKE_SOURCE_DIR}/firmware/mission/*.cpp ${CMAKE_SOURCE_DIR}/firmware/modes/*.cpp
+     ${CMAKE_SOURCE_DIR}/firmware/notify/*.cpp ${CMAKE_SOURCE_DIR}/libraries/mission/*.cpp
+     ${CMAKE_SOURCE_DIR}/firmware/logger/*.cpp ${CMAKE_SOURCE_DIR}/firmware/safety/*.cpp
+     ${CMAKE_SOURCE_DIR}/libraries/logging/*.cpp ${CMAKE_SOURCE_DIR}/libraries/storage/*.cpp ${CMAKE_SOURCE_DIR}/libraries/parameters/*.cpp)
+list(REMOVE_ITEM small ${quick})
+set_source_files_properties(${small} PROPERTIES COMPILE_OPTIONS "-fno-inline-small-functions;-fno-guess-branch-probability")
 
 link_libraries(m)
 
