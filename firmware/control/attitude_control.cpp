@@ -272,14 +272,15 @@ core::Angle pitchShort_rad() {
     return bounds.rolls ? core::Angle::fromRaw(0) : loops.pitch_error_rad;
 }
 
-// Without a sensor the estimated airspeed serves: it is the cruise speed until the wind is known.
-// Below the lowest flying speed it is wrong, in a head wind that is not known, and the gains for it
-// would be too high.
+// Without a sensor the estimated airspeed serves, and in a head wind that is not known it is too
+// low. Gains for too low a speed make the surfaces swing, gains for too high a one only follow
+// slower: they are never higher than at the cruise speed.
 void runSpeedScaling() {
     const auto& attitude = vehicle.attitude;
     float airspeed_mps = vehicle.estimate.equivalent_airspeed_mps;
     const bool too_slow = airspeed_mps < parameters.speed_min_mps;
-    if (too_slow && !vehicle.airspeed.healthy) airspeed_mps = parameters.speed_min_mps;
+    if (!vehicle.airspeed.healthy)
+        airspeed_mps = fmaxf(airspeed_mps, core::hundredths(parameters.cruise_speed_cms));
     loops.air =
         ::control::airFlow(parameters.scaling_speed_mps, airspeed_mps, parameters.speed_min_mps);
     loops.air.too_slow = too_slow;

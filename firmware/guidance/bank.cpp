@@ -21,11 +21,16 @@ namespace {
 
 constexpr float kTurnShare = 0.7f;      // of the bank limit, for planned turns
 constexpr float kInvertedShare = 0.5f;  // of the bank limit, for a wing the wrong way up
+constexpr float kBankLoop_s = 0.1f;     // what servo and airframe add to RLL2SRV_TCONST
 constexpr float kSlowBank_mss = 0.4663f * core::kGravity_mss;  // 25 degrees below flying speed
+
+constexpr float kDrawn = kGuidancePeriod_s / 0.7f;  // see expectBank
 
 struct Banking {
     navigation::BankTrim trim;
-    float carried_mss;  // see carriedBank_mss
+    float carried_mss;     // see carriedBank_mss
+    float expected_mss;    // see expectBank
+    float follows, stays;  // of the demanded and of the expected bank, in one run
     float turn_accel_mss;
 };
 core::FileState<Banking> banking{};
@@ -46,10 +51,29 @@ float carriedBank_mss() {
     return accel_mss > kSlowBank_mss ? accel_mss : kSlowBank_mss;
 }
 
+float measuredBank_tan() {
+    const float side = vehicle.inverted ? -1 : 1;
+    const float cosine = core::limit(vehicle.attitude.cos_roll.toFloat() * side, 0.3f, 1.0f);
+    return core::limit(vehicle.attitude.sin_roll.toFloat() * side / cosine, -2.0f, 2.0f);
+}
+
+// The bank as the demands so far will have brought it about. The measured one, fed back beside the
+// loop that flies it, makes that loop as many times quicker as a turn is led: too quick for wings
+// that roll slowly. It draws the expected one within a second.
+void expectBank(float demanded_mss) {
+    banking.expected_mss = banking.expected_mss * banking.stays + demanded_mss * banking.follows +
+                           measuredBank_tan() * (kDrawn * core::kGravity_mss);
+}
+
 }  // namespace
+
+float bankLag_s() { return parameters.roll.axis.time_constant_s + kBankLoop_s; }
+
+float expectedBank_mss() { return banking.expected_mss - banking.trim.accel_mss(); }
 
 void beginBanking() {
     banking.trim.start();
+    banking.expected_mss = core::kGravity_mss * measuredBank_tan();
     weighBank();
 }
 
@@ -58,24 +82,22 @@ void weighBank() { banking.carried_mss = carriedBank_mss(); }
 void learnBankTrim(float left_of_path_m) { banking.trim.learn(left_of_path_m, kGuidancePeriod_s); }
 
 void planTurns() {
+    banking.follows = kGuidancePeriod_s / bankLag_s();
+    banking.stays = 1 - kDrawn - banking.follows;
     banking.turn_accel_mss = kTurnShare * core::kGravity_mss * tanf(limit_rad(BankLimit::flying));
 }
 
 float turnAccel_mss() { return banking.turn_accel_mss; }
-
-float presentBank_mss() {
-    const float side = vehicle.inverted ? -1 : 1;
-    const float cosine = core::limit(vehicle.attitude.cos_roll.toFloat() * side, 0.3f, 1.0f);
-    const float tangent =
-        core::limit(vehicle.attitude.sin_roll.toFloat() * side / cosine, -2.0f, 2.0f);
-    return core::kGravity_mss * tangent - banking.trim.accel_mss();
-}
 
 void demandBank(float bank_accel_mss, BankLimit limit) {
     const float most_rad = limit_rad(limit);
     const float accel_mss = core::limit(bank_accel_mss + banking.trim.accel_mss(),
                                         -banking.carried_mss, banking.carried_mss);
     demandRoll(core::Angle(core::limit(navigation::bankFor_rad(accel_mss), -most_rad, most_rad)));
+    const float most_mss = limit == BankLimit::level
+                               ? core::kGravity_mss * most_rad  // a small angle
+                               : banking.turn_accel_mss * (1 / kTurnShare);
+    expectBank(core::limit(accel_mss, -most_mss, most_mss));
 }
 
 }  // namespace guidance

@@ -15,9 +15,12 @@ void learnBankTrim(float left_of_path_m);  // 20 Hz, while a path is held
 
 void demandBank(float bank_accel_mss, BankLimit limit);
 
-float presentBank_mss();  // gravity times tan(bank), less the bank that turns nothing
-float turnAccel_mss();    // what planned turns are flown with
-void planTurns();         // after the bank limit may have changed
+// Gravity times tan(bank), less the bank that turns nothing: what the demands so far will have
+// brought about, drawn to what is measured.
+float expectedBank_mss();
+float bankLag_s();      // from demanded to flown bank
+float turnAccel_mss();  // what planned turns are flown with
+void planTurns();       // after the bank limit may have changed
 
 }  // namespace guidance
 }  // namespace firmware

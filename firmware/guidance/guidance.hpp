@@ -11,7 +11,7 @@ void runGuidance();       // 20 Hz: the path, the bank, and which height and spe
 void runSpeedHeight();    // 10 Hz: that height and speed with pitch and throttle
 void runTargetBearing();  // 5 Hz: vehicle.progress.target_bearing_cd
 void runNavBearing();     // 2.5 Hz: vehicle.progress.nav_bearing_cd
-void runLateralGains();   // 2.5 Hz: a gain tuned in flight takes effect within half a second
+void runLateralGains();   // 1 Hz: a gain tuned in flight takes effect within a second
 
 float demandedAirspeed_mps();  // of what is flown; only in a mode that guides itself
 

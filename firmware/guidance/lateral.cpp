@@ -16,8 +16,6 @@ using namespace state;
 
 namespace {
 
-constexpr float kBankLoop_s = 0.1f;  // what servo and airframe add to RLL2SRV_TCONST
-
 struct FlownPath {
     navigation::LateralGains gains;
     navigation::Leg leg;
@@ -63,8 +61,8 @@ navigation::Motion motion() {
     motion.velocity_mps = {estimate.velocity_mps.x, estimate.velocity_mps.y};
     motion.wind_mps = {estimate.wind_mps.x, estimate.wind_mps.y};
     motion.airspeed_mps = estimate.airspeed_mps;
-    motion.bank_accel_mss = presentBank_mss();
-    motion.bank_lag_s = parameters.roll.axis.time_constant_s + kBankLoop_s;
+    motion.bank_accel_mss = expectedBank_mss();
+    motion.bank_lag_s = bankLag_s();
     return motion;
 }
 

@@ -10,12 +10,12 @@ namespace {
 
 using geo::Offset;
 
-constexpr float kSlowest_mps = 3.0f;       // below, a course means nothing
-constexpr float kFlies_mps = 6.0f;         // through the air
-constexpr float kNose = 0.25f;             // of the airspeed for each m/s that is missing
-constexpr float kPerAirspeed = 1 / 12.5f;  // of airplanes that a wind can stop
-constexpr float kMaxBackwards = 0.5f;      // of the airspeed: more is a compass that points back
-constexpr float kMaxCrab_cos = 0.5f;       // 60 degrees
+constexpr float kSlowest_mps = 3.0f;      // below, a course means nothing
+constexpr float kFlies_mps = 6.0f;        // through the air
+constexpr float kMaxBackwards = 0.5f;     // of the airspeed: more is a compass that points back
+constexpr float kMaxCrab_sin = 0.866f;    // 60 degrees
+constexpr float kNegligibleCrab = 1.03f;  // of 14 degrees
+constexpr float kMaxPerCrab = 1.4f;       // of 45 degrees: more may be a wind that is not there
 constexpr float kCaptured_m = 5.0f;
 constexpr float kTrimReach_m = 3;     // farther from the path it is being captured, not trimmed
 constexpr float kTrimRate = 0.08f;    // m/s2 a second for a metre: learned in ten seconds
@@ -45,30 +45,32 @@ Offset rightOf(const Offset& a) { return {-a.east_m, a.north_m}; }
 struct Ahead {
     Offset moved_m;
     Offset velocity_mps;
-    float speed_mps;
+    Offset turned_mps;  // what is turned to the course: the velocity; blown, that through the air
+    float speed_mps, turned_length_mps;
     float per_crab;  // 1 / cos of the angle between the course over ground and through the air
+    bool blown;      // by a wind nearly as fast as the airplane, or faster
 };
 Ahead lookAhead(const Motion& motion) {
-    const Offset air = motion.velocity_mps - motion.wind_mps;
+    Offset air = motion.velocity_mps - motion.wind_mps;
     const float airspeed = core::limit(motion.airspeed_mps, kSlowest_mps, 200.0f);
     const float gained_mps = motion.bank_accel_mss * motion.bank_lag_s;
     const Offset gained = rightOf(air) * (gained_mps / airspeed);
     Ahead ahead;
     ahead.velocity_mps = motion.velocity_mps + gained;
     ahead.moved_m = (motion.velocity_mps + ahead.velocity_mps) * (0.5f * motion.bank_lag_s);
+    air = air + gained;
     const float moves_mps = geo::length_m(ahead.velocity_mps);
     ahead.speed_mps = core::limit(moves_mps, kSlowest_mps, 200.0f);
-    // against a wind as fast as the airplane, or faster, the nose stands in for the course
-    if (moves_mps < motion.airspeed_mps * kMaxBackwards && motion.airspeed_mps > kFlies_mps) {
-        const float backwards_mps = dot(air, ahead.velocity_mps) * -kPerAirspeed;
-        const float missing_mps = fmaxf(kSlowest_mps - moves_mps, backwards_mps);
-        if (missing_mps > 0) ahead.velocity_mps = ahead.velocity_mps + air * (missing_mps * kNose);
-    }
-    const float together = dot(air + gained, ahead.velocity_mps);
+    ahead.blown =
+        moves_mps < motion.airspeed_mps * kMaxBackwards && motion.airspeed_mps > kFlies_mps;
+    ahead.turned_mps = ahead.blown ? air : ahead.velocity_mps;
+    ahead.turned_length_mps = ahead.blown ? airspeed : ahead.speed_mps;
+    const float together = dot(air, ahead.velocity_mps);
     const float product = airspeed * ahead.speed_mps;
-    ahead.per_crab = together > product * kMaxCrab_cos
-                         ? core::limit(product / together, 1.0f, 1 / kMaxCrab_cos)
-                         : 1 / kMaxCrab_cos;
+    if (ahead.blown || together * kNegligibleCrab > product)
+        ahead.per_crab = 1;
+    else
+        ahead.per_crab = together * kMaxPerCrab > product ? product / together : kMaxPerCrab;
     return ahead;
 }
 
@@ -86,17 +88,25 @@ float closingSine(const LateralGains& gains, float away_m, float speed_mps) {
     return arc < straight ? arc : core::limit(straight, 0.0f, 1.0f);
 }
 
-// The acceleration that turns the velocity towards `course`; all of it beyond a right angle.
-float turnTowards(const LateralGains& gains, const Ahead& ahead, const Offset& course) {
-    float sine = cross(ahead.velocity_mps, course);
-    if (dot(ahead.velocity_mps, course) < 0) sine = sine < 0 ? -ahead.speed_mps : ahead.speed_mps;
-    return sine * gains.turning_hz;
-}
-
 float cosineOf(float sine) {
     const float squared = sine * sine;
     if (squared < 0.06f) return 1 - 0.5f * squared;  // within 5e-4
     return sqrtf(core::limit(1 - squared, 0.0f, 1.0f));
+}
+
+// The acceleration that turns the velocity towards `course`; all of it beyond a right angle. Blown
+// by the wind, the course over ground shows neither where the nose points nor what a bank changes:
+// there the nose is turned to where wind and airspeed together make the course, and no farther into
+// the wind than the steepest crab.
+float turnTowards(const LateralGains& gains, const Ahead& ahead, const Offset& course) {
+    float sine = cross(ahead.turned_mps, course);
+    if (ahead.blown) {
+        const float holds_mps = ahead.turned_length_mps * kMaxCrab_sin;
+        sine -= core::limit(sine - cross(ahead.velocity_mps, course), -holds_mps, holds_mps);
+    }
+    if (dot(ahead.turned_mps, course) < 0)
+        sine = sine < 0 ? -ahead.turned_length_mps : ahead.turned_length_mps;
+    return sine * gains.turning_hz;
 }
 
 float sizeOf(float value) { return value < 0 ? -value : value; }

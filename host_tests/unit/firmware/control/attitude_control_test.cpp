@@ -55,7 +55,7 @@ TEST_F(AttitudeControl, leaves_the_airplane_alone_in_manual) {
 
 // Against a wind that is not known yet the estimate is little more than the speed over the ground,
 // and gains for it are three times those that the airplane bears.
-TEST_F(AttitudeControl, takes_no_estimated_airspeed_below_the_lowest_for_its_gains) {
+TEST_F(AttitudeControl, takes_no_estimated_airspeed_below_the_cruise_speed_for_its_gains) {
     const auto aileronAt = [&](float airspeed_mps, bool measured) {
         SetUp();
         mutable_vehicle.airspeed.healthy = measured;
@@ -63,11 +63,14 @@ TEST_F(AttitudeControl, takes_no_estimated_airspeed_below_the_lowest_for_its_gai
         mutable_vehicle.attitude.rate_rads = core::BodyRates::from(0.3f, 0, 0);
         return surfacesIn(Mode::fbwa, bench::kCentred).aileron.toFloat();
     };
-    const float lowest_mps = parameters.speed_min_mps, at_lowest = aileronAt(lowest_mps, false);
-    EXPECT_LT(at_lowest, -0.01f);
-    EXPECT_NEAR(aileronAt(lowest_mps - 3, false), at_lowest, 0.001) << "but for an integrator";
-    EXPECT_LT(aileronAt(lowest_mps - 3, true), 1.2f * at_lowest) << "what is measured is so";
-    EXPECT_GT(aileronAt(lowest_mps + 3, false), 0.9f * at_lowest);
+    const float cruise_mps = core::hundredths(parameters.cruise_speed_cms);
+    const float at_cruise = aileronAt(cruise_mps, false);
+    EXPECT_LT(at_cruise, -0.01f);
+    for (const float slower_mps : {cruise_mps - 3, parameters.speed_min_mps - 3.0f}) {
+        EXPECT_NEAR(aileronAt(slower_mps, false), at_cruise, 0.001) << "but for an integrator";
+        EXPECT_LT(aileronAt(slower_mps, true), 1.15f * at_cruise) << "what is measured is so";
+    }
+    EXPECT_GT(aileronAt(cruise_mps + 3, false), 0.9f * at_cruise);
 }
 
 TEST_F(AttitudeControl, uses_a_gain_from_when_it_is_set) {

@@ -121,7 +121,7 @@ TEST_F(Inverted, bank_is_counted_from_upside_down) {
     attitude(-160, 0);  // 20 degrees to the right of it
     mutable_vehicle.inverted = true;
     firmware::guidance::beginBanking();
-    EXPECT_NEAR(firmware::guidance::presentBank_mss(), core::kGravity_mss * std::tan(radians(20)),
+    EXPECT_NEAR(firmware::guidance::expectedBank_mss(), core::kGravity_mss * std::tan(radians(20)),
                 0.1);
     firmware::guidance::demandBank(100, firmware::guidance::BankLimit::flying);
     EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), radians(22.5f), 0.01);

@@ -484,10 +484,40 @@ TEST_F(Guidance, circles_in_the_demanded_direction) {
         mutable_vehicle.demand.radius_m = 60;
         mutable_vehicle.demand.counter_clockwise = counter_clockwise;
         place(0, counter_clockwise ? 60 : -60);  // so that north is along the circle
-        guide();
+        guide(20);
         EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), vehicle.attitude.roll_rad.toFloat(), 0.05);
         firmware::modes::requestMode(Mode::manual, firmware::modes::ModeReason::ground);
     }
+}
+
+// Long wings bank 0.4 s after the demand, and then with a lag of 0.3 s.
+TEST_F(Guidance, a_leg_is_joined_without_swinging_by_wings_that_roll_slowly) {
+    constexpr float kStep_s = 0.05f, kLag_s = 0.3f;
+    parameters.lateral.period_s = 4;
+    inTheAir();
+    demand(Path::leg);
+    mutable_vehicle.demand.to = geo::moved(kHere, {2000, 0});
+    float north_m = 0, east_m = 30, course_rad = 0, bank_rad = 0;
+    float demanded_rad[8] = {};
+    int changes = 0, side = 0;
+    for (int i = 0; i < 600; ++i) {
+        move(13 * std::cos(course_rad), 13 * std::sin(course_rad));
+        place(north_m, east_m);
+        bank(bank_rad);
+        firmware::modes::runMode();
+        firmware::guidance::runGuidance();
+        std::copy(demanded_rad + 1, demanded_rad + 8, demanded_rad);
+        demanded_rad[7] = vehicle.roll_demand_rad.toFloat();
+        bank_rad += (demanded_rad[0] - bank_rad) * kStep_s / kLag_s;
+        course_rad += core::kGravity_mss * std::tan(bank_rad) / 13 * kStep_s;
+        north_m += 13 * std::cos(course_rad) * kStep_s;
+        east_m += 13 * std::sin(course_rad) * kStep_s;
+        const int now = bank_rad > core::radians(3) ? 1 : bank_rad < -core::radians(3) ? -1 : side;
+        changes += now != side;
+        side = now;
+    }
+    EXPECT_LE(changes, 3);
+    EXPECT_NEAR(east_m, 0, 1);
 }
 
 TEST_F(Guidance, the_sign_of_the_loiter_radius_is_its_direction) {

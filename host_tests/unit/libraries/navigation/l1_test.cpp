@@ -270,24 +270,48 @@ TEST(Course, is_held_across_the_wind) {
     EXPECT_NEAR(pilot.plane.velocity_e, 0, 0.3);
 }
 
-// Gusts turn the little that it moves over the ground to every side.
+// The wind is known, its gusts are not: they turn the little that it moves over the ground to every
+// side.
+float bankInWind_mss(float nose_rad, const geo::Offset& wind_mps, const geo::Offset& gust_mps) {
+    Motion motion{};
+    motion.airspeed_mps = 13;
+    motion.bank_lag_s = 0.6f;
+    motion.wind_mps = wind_mps;
+    motion.velocity_mps = {13 * std::cos(nose_rad) + wind_mps.north_m + gust_mps.north_m,
+                           13 * std::sin(nose_rad) + wind_mps.east_m + gust_mps.east_m};
+    return followCourse(kGains, motion, {1, 0}).bank_accel_mss;
+}
+
 TEST(Course, is_held_by_the_nose_in_a_wind_as_fast_as_the_airplane) {
-    constexpr float kWind_mps = 13;
-    const auto bank_mss = [&](float nose_rad, const geo::Offset& drift_mps) {
-        Motion motion{};
-        motion.airspeed_mps = kWind_mps;
-        motion.bank_lag_s = 0.6f;
-        motion.velocity_mps = drift_mps;
-        motion.wind_mps = {drift_mps.north_m - kWind_mps * std::cos(nose_rad),
-                           drift_mps.east_m - kWind_mps * std::sin(nose_rad)};
-        return followCourse(kGains, motion, {1, 0}).bank_accel_mss;
-    };
-    const geo::Offset drifts_mps[] = {{0, 0},  {0.5f, 0}, {-0.5f, 0}, {0, 0.5f},   {0, -0.5f},
-                                      {-2, 0}, {-5, 0},   {-5, 0.3f}, {-5, -0.3f}, {-6, 0}};
-    for (const geo::Offset& drift_mps : drifts_mps) {
-        EXPECT_LT(std::abs(bank_mss(0, drift_mps)), 2) << drift_mps.north_m << drift_mps.east_m;
-        EXPECT_LT(bank_mss(1, drift_mps), -1) << "the nose is right of the course";
-        EXPECT_GT(bank_mss(-1, drift_mps), 1);
+    const geo::Offset gusts_mps[] = {{0, 0}, {0.5f, 0}, {-0.5f, 0}, {0, 0.5f}, {0, -0.5f}};
+    for (const float wind_mps : {-11.0f, -13.0f, -15.0f, -18.0f}) {
+        for (const geo::Offset& gust_mps : gusts_mps) {
+            const auto bank_mss = [&](float nose_rad) {
+                return bankInWind_mss(nose_rad, {wind_mps, 0}, gust_mps);
+            };
+            EXPECT_LT(std::abs(bank_mss(0)), 2) << wind_mps << gust_mps.north_m << gust_mps.east_m;
+            for (const float right_rad : {0.3f, 1.0f, 2.0f, 3.0f}) {
+                EXPECT_LT(bank_mss(right_rad), -1) << "the nose is right of the course";
+                EXPECT_GT(bank_mss(-right_rad), 1);
+            }
+        }
+    }
+}
+
+// Driven sideways it turns the nose into the wind as far as that holds the course, and not about.
+TEST(Course, is_held_by_a_crab_in_a_wind_across_it) {
+    for (const float side : {1.0f, -1.0f}) {
+        const auto bank_mss = [&](float nose_rad, float wind_mps) {
+            return side * bankInWind_mss(side * nose_rad, {-5, -side * wind_mps}, {0, 0});
+        };
+        const float crab_rad = std::asin(10 / 13.0f);
+        EXPECT_NEAR(bank_mss(crab_rad, 10), 0, 0.1);
+        EXPECT_GT(bank_mss(crab_rad - 0.3f, 10), 1);
+        EXPECT_LT(bank_mss(crab_rad + 0.3f, 10), -1);
+        const float steepest_rad = std::asin(0.866f);
+        EXPECT_NEAR(bank_mss(steepest_rad, 14), 0, 0.1) << "no crab holds it";
+        EXPECT_GT(bank_mss(steepest_rad - 0.3f, 14), 1);
+        EXPECT_LT(bank_mss(steepest_rad + 0.3f, 14), -1);
     }
 }
 
