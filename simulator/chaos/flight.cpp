@@ -128,6 +128,7 @@ private:
     void excuse() {
         if (has(scenario_, {"param", "frame", "command"})) {
             board_.watch().excuse("surface_at_its_stop");
+            board_.watch().excuse("surface_swings");
             board_.watch().excuse("standing_report");
         }
     }

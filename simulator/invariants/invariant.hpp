@@ -48,6 +48,7 @@ std::unique_ptr<Invariant> motorIdleOnTheGround();
 std::unique_ptr<Invariant> armedByACommand();
 std::unique_ptr<Invariant> armedInTheAir();
 std::unique_ptr<Invariant> surfacesOffTheirStops();
+std::unique_ptr<Invariant> surfacesDoNotSwing();
 std::unique_ptr<Invariant> modeHasACause();
 std::unique_ptr<Invariant> missionDoesNotJump();
 std::unique_ptr<Invariant> fliesOnAfterARestart();

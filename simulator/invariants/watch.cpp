@@ -13,6 +13,7 @@ const std::vector<InvariantRow> kInvariants = {
     {"armed_by_itself", "Nothing arms but a command or the rudder stick.", armedByACommand},
     {"armed_in_the_air", "In the air nothing but a forced command disarms.", armedInTheAir},
     {"surface_at_its_stop", "No surface stays at its stop for two seconds.", surfacesOffTheirStops},
+    {"surface_swings", "No surface swings between its sides.", surfacesDoNotSwing},
     {"mode_without_cause", "The mode changes only for a cause that can be stated.", modeHasACause},
     {"mission_jump", "The mission goes on item by item, or as it is reported.", missionDoesNotJump},
     {"restart_in_the_air",

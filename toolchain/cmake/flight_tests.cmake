@@ -273,11 +273,12 @@ declare_test(campaign.replay_on_the_image COMMAND node --test ${tests}/scenarios
 # ---- whatever happens, the invariants hold
 declare_test(chaos COMMAND chaos --flights 100 --seed 1 --out ${flights}/chaos DATA ${flight_data}
              ${CMAKE_SOURCE_DIR}/firmware/state/parameters.csv LABELS native REUSE)
-# stalls that chaos found: by sensors that failed, and by a pilot's stick
-file(GLOB stalls CONFIGURE_DEPENDS ${tests}/scenarios/stalls/*.scenario)
-foreach(stall IN LISTS stalls)
-    get_filename_component(name ${stall} NAME_WE)
-    declare_test(chaos.${name} COMMAND chaos --replay ${stall} DATA ${flight_data} ${stall}
+# what chaos found: stalls by sensors that failed and by a pilot's stick, ailerons that swung
+file(GLOB found CONFIGURE_DEPENDS ${tests}/scenarios/stalls/*.scenario
+     ${tests}/scenarios/swings/*.scenario)
+foreach(scenario IN LISTS found)
+    get_filename_component(name ${scenario} NAME_WE)
+    declare_test(chaos.${name} COMMAND chaos --replay ${scenario} DATA ${flight_data} ${scenario}
                  LABELS native REUSE)
 endforeach()
 
