@@ -152,10 +152,9 @@ static_assert(scheduler::worstFrame_us(kTasks) <= kFrame_us * 8UL / 10,
 // By the budgets nothing ever waits. When a frame is lost, because something took far longer, all
 // is caught up with after so many.
 constexpr uint8_t kMediumCatchesUp = 1, kSlowCatchesUp = 2;  // frames
-static_assert(scheduler::waitAfterLostFrame(kTasks, medium, kFrame_us) <= kMediumCatchesUp,
-              "a medium row waits longer for one lost frame");
-static_assert(scheduler::waitAfterLostFrame(kTasks, slow, kFrame_us) <= kSlowCatchesUp,
-              "a slow row waits longer for one lost frame");
+constexpr scheduler::LongestWait kWait = scheduler::waitAfterLostFrame(kTasks, kFrame_us);
+static_assert(kWait.medium <= kMediumCatchesUp, "a medium row waits longer for one lost frame");
+static_assert(kWait.slow <= kSlowCatchesUp, "a slow row waits longer for one lost frame");
 
 // A tier that is only put off does not starve the watchdog.
 static_assert(scheduler::longestSilence(kTasks, fast) <= maxSilent(fast), "fast rows do not run");

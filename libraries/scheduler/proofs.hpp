@@ -52,8 +52,9 @@ constexpr uint32_t fastTier_us(const Task (&tasks)[N]) {
 // The budgets of the fullest frame.
 template <size_t N>
 constexpr uint32_t worstFrame_us(const Task (&tasks)[N]) {
+    const uint16_t frames = hyperPeriod(tasks);
     uint32_t worst = 0;
-    for (uint16_t frame = 0; frame < hyperPeriod(tasks); ++frame) {
+    for (uint16_t frame = 0; frame < frames; ++frame) {
         uint32_t load = 0;
         for (size_t i = 0; i < N; ++i)
             if (frame % tasks[i].period == tasks[i].phase) load += tasks[i].budget_us;
@@ -81,68 +82,86 @@ constexpr uint8_t longestSilence(const Task (&tasks)[N], Tier tier) {
     return static_cast<uint8_t>(shortest + patience(tier));
 }
 
-// Who waits after a frame in which only the fast tier has run, each row taking its budget.
+// Frames that a row of each tier waits at most.
+struct LongestWait {
+    uint8_t medium = 0, slow = 0;
+
+    constexpr void add(const LongestWait& other) {
+        if (other.medium > medium) medium = other.medium;
+        if (other.slow > slow) slow = other.slow;
+    }
+};
+
+// Who waits after a frame in which only the fast tier has run, each row taking its budget. Those
+// that wait stand in a queue, those that wait longest first: the compilers count their steps.
 template <size_t N>
 class LostFrame {
 public:
-    constexpr LostFrame(const Task (&tasks)[N], uint32_t frame_us)
-        : tasks_(tasks), frame_us_(frame_us) {}
+    // `room_us`: of a frame, for other tiers than the fast one.
+    constexpr LostFrame(const Task (&tasks)[N], uint32_t room_us)
+        : tasks_(tasks), room_us_(room_us) {}
 
-    // Frames that a row of the tier waits at most when frame `lost` is lost.
-    constexpr uint8_t longestWait(Tier tier, uint16_t lost) {
-        longest_ = 0;
+    // When frame `lost` is lost.
+    constexpr LongestWait longestWait(uint16_t lost) {
+        longest_ = {};
         collect(lost);
         for (uint16_t frame = lost + 1; waiting_ > 0 && frame < lost + kLongestPeriod; ++frame) {
             collect(frame);
-            left_us_ = frame_us_ - fastTier_us(tasks_);
-            serve(Tier::medium, tier);
-            serve(Tier::slow, tier);
+            left_us_ = room_us_;
+            serve(Tier::medium, frame, longest_.medium);
+            serve(Tier::slow, frame, longest_.slow);
         }
-        return waiting_ == 0 ? longest_ : kLongestPeriod;
+        if (waiting_ > 0) longest_.medium = longest_.slow = kLongestPeriod;
+        return longest_;
     }
 
 private:
-    // Those that wait are a frame later, those that are due now begin to wait.
+    // Those that are due now begin to wait, unless they do already.
     constexpr void collect(uint16_t frame) {
         for (size_t i = 0; i < N; ++i) {
-            if (wait_[i] != 0) {
-                ++wait_[i];
-            } else if (tasks_[i].tier != Tier::fast &&
-                       frame % tasks_[i].period == tasks_[i].phase) {
-                wait_[i] = 1;
-                ++waiting_;
-            }
-            if (wait_[i] > latest_) latest_ = wait_[i];
+            const Task& task = tasks_[i];
+            if (task.tier == Tier::fast || waits_[i] || frame % task.period != task.phase) continue;
+            waits_[i] = true;
+            row_[waiting_] = static_cast<uint8_t>(i);
+            since_[waiting_++] = frame;
         }
     }
 
-    constexpr void serve(Tier tier, Tier asked) {
-        for (uint8_t wait = latest_; wait > 0; --wait)
-            for (size_t i = 0; i < N; ++i) {
-                if (tasks_[i].tier != tier || wait_[i] != wait) continue;
-                if (tasks_[i].budget_us > left_us_) continue;
-                left_us_ -= tasks_[i].budget_us;
-                if (tier == asked && wait - 1 > longest_) longest_ = wait - 1;
-                wait_[i] = 0;
-                --waiting_;
+    constexpr void serve(Tier tier, uint16_t frame, uint8_t& longest) {
+        uint8_t kept = 0;
+        for (uint8_t i = 0; i < waiting_; ++i) {
+            const Task& task = tasks_[row_[i]];
+            const uint16_t wait = frame - since_[i];
+            if (task.tier == tier && task.budget_us <= left_us_) {
+                left_us_ -= task.budget_us;
+                waits_[row_[i]] = false;
+                if (wait > longest) longest = static_cast<uint8_t>(wait);
+                continue;
             }
+            row_[kept] = row_[i];
+            since_[kept++] = since_[i];
+        }
+        waiting_ = kept;
     }
 
     const Task (&tasks_)[N];
-    uint32_t frame_us_, left_us_ = 0;
-    uint8_t wait_[N] = {};  // 0: does not wait; 1: due now; 2: for one frame
-    uint8_t waiting_ = 0, latest_ = 0, longest_ = 0;
+    const uint32_t room_us_;
+    uint32_t left_us_ = 0;
+    bool waits_[N] = {};
+    uint8_t row_[N] = {};  // the queue: who waits, and since which frame
+    uint16_t since_[N] = {};
+    uint8_t waiting_ = 0;
+    LongestWait longest_{};
 };
 
 // Over all frames that may be lost.
 template <size_t N>
-constexpr uint8_t waitAfterLostFrame(const Task (&tasks)[N], Tier tier, uint32_t frame_us) {
-    uint8_t longest = 0;
-    for (uint16_t lost = 0; lost < hyperPeriod(tasks); ++lost) {
-        LostFrame<N> simulated(tasks, frame_us);
-        const uint8_t wait = simulated.longestWait(tier, lost);
-        if (wait > longest) longest = wait;
-    }
+constexpr LongestWait waitAfterLostFrame(const Task (&tasks)[N], uint32_t frame_us) {
+    const uint16_t frames = hyperPeriod(tasks);
+    const uint32_t room_us = frame_us - fastTier_us(tasks);
+    LongestWait longest;
+    for (uint16_t lost = 0; lost < frames; ++lost)
+        longest.add(LostFrame<N>(tasks, room_us).longestWait(lost));
     return longest;
 }
 

@@ -51,8 +51,8 @@ static_assert(scheduler::longestSilence(kTasks, Tier::medium) == 5 + 5, "");
 static_assert(scheduler::longestSilence(kTasks, Tier::slow) == 100 + 25, "");
 // frame 7 is lost: in frame 8 the fifth is due and no slow one fits beside it, 9 and 10 have one
 // each
-static_assert(scheduler::waitAfterLostFrame(kTasks, Tier::medium, kFrame_us) == 1, "");
-static_assert(scheduler::waitAfterLostFrame(kTasks, Tier::slow, kFrame_us) == 3, "");
+static_assert(scheduler::waitAfterLostFrame(kTasks, kFrame_us).medium == 1, "");
+static_assert(scheduler::waitAfterLostFrame(kTasks, kFrame_us).slow == 3, "");
 
 constexpr Task kPeriods[] = {{Tier::fast, run<fast>, 1, 0, 1},
                              {Tier::medium, run<medium>, 4, 0, 1},
@@ -251,8 +251,8 @@ TEST_F(Schedule, after_a_lost_frame_tasks_wait_as_long_as_is_proved) {
         slow_waits = std::max(slow_waits, longestWait(slow.frames, 100, 7, 299));
         slow_waits = std::max(slow_waits, longestWait(twin.frames, 100, 7, 299));
     }
-    EXPECT_EQ(medium_waits, scheduler::waitAfterLostFrame(kTasks, Tier::medium, kFrame_us));
-    EXPECT_EQ(slow_waits, scheduler::waitAfterLostFrame(kTasks, Tier::slow, kFrame_us));
+    EXPECT_EQ(medium_waits, scheduler::waitAfterLostFrame(kTasks, kFrame_us).medium);
+    EXPECT_EQ(slow_waits, scheduler::waitAfterLostFrame(kTasks, kFrame_us).slow);
 }
 
 TEST_F(Schedule, a_frame_past_its_period_is_counted) {
