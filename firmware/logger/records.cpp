@@ -124,23 +124,27 @@ static_assert(explainAll(), "a field has a unit or a multiplier that no record e
 constexpr uint8_t kLongest = 4 + 16 + 16 + 16 + 64 + 4;  // with the blanks between
 using Codes = core::Packing<kLongest>;
 
+using Index = core::PairIndex<core::count(kFormatPairs)>;
+
 constexpr size_t codesOfAll() {
+    const Index index(kFormatPairs);
     size_t codes = 0;
-    for (const Shape& shape : kShapes) codes += Codes(shape.text, kFormatPairs).size;
-    for (const char* unit : kUnitTexts) codes += Codes(unit, kFormatPairs).size;
+    for (const Shape& shape : kShapes) codes += Codes(shape.text, index).size;
+    for (const char* unit : kUnitTexts) codes += Codes(unit, index).size;
     return codes;
 }
 
 struct PackedTexts {
     constexpr PackedTexts() {
+        const Index index(kFormatPairs);
         size_t at = 0, text = 0;
-        for (const Shape& shape : kShapes) add(shape.text, text++, at);
-        for (const char* unit : kUnitTexts) add(unit, text++, at);
+        for (const Shape& shape : kShapes) add(shape.text, index, text++, at);
+        for (const char* unit : kUnitTexts) add(unit, index, text++, at);
         for (size_t i = 0; i < kFormats; ++i) length[i] = kShapes[i].size;
         for (size_t i = 0; i < core::count(kFormatPairs); ++i) pair[i] = kFormatPairs[i];
     }
-    constexpr void add(const char* text, size_t index, size_t& at) {
-        const Codes packed(text, kFormatPairs);
+    constexpr void add(const char* text, const Index& pairs, size_t index, size_t& at) {
+        const Codes packed(text, pairs);
         for (size_t i = 0; i < packed.size; ++i) codes[at++] = packed.codes[i];
         size[index] = static_cast<uint8_t>(packed.size);
     }

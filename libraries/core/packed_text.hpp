@@ -19,30 +19,64 @@ struct CodePair {
     uint8_t first, second;
 };
 
+// The pairs by their first code, so that a text is looked through for those alone that may stand in
+// it. Places count from one, zero is none.
+template <size_t kPairs>
+struct PairIndex {
+    constexpr explicit PairIndex(const CodePair (&pairs)[kPairs]) {
+        for (size_t place = kPairs; place > 0; --place) {
+            const CodePair pair = pairs[place - 1];
+            second[place] = pair.second;
+            next[place] = begin[pair.first];
+            begin[pair.first] = static_cast<uint8_t>(place);
+        }
+    }
+
+    uint8_t begin[256] = {};  // the first pair with this first code
+    uint8_t next[kPairs + 1] = {};
+    uint8_t second[kPairs + 1] = {};
+};
+
 // The codes of a text of N letters at most. Compile time only; a longer text does not compile.
 template <size_t N>
 struct Packing {
+    // The index as a copy: avr-gcc reads one faster than what a reference leads to.
     template <size_t kPairs>
-    constexpr Packing(const char* text, const CodePair (&pairs)[kPairs]) {
+    constexpr Packing(const char* text, PairIndex<kPairs> pairs) {
         for (; text[size] != 0; ++size) codes[size] = static_cast<uint8_t>(text[size]);
-        for (size_t i = 0; i < kPairs; ++i) join(pairs[i], static_cast<uint8_t>(kFirstPair + i));
+        while (joinFirst(pairs)) {
+        }
     }
+    template <size_t kPairs>
+    constexpr Packing(const char* text, const CodePair (&pairs)[kPairs])
+        : Packing(text, PairIndex<kPairs>(pairs)) {}
 
     uint8_t codes[N] = {};  // zeros behind
     size_t size = 0;
 
 private:
-    constexpr bool isAt(size_t i, const CodePair& pair) const {
-        return codes[i] == pair.first && codes[i + 1] == pair.second;
+    // A pair is made of earlier ones, so joining one brings only later ones into the text. The
+    // compilers count their steps (clang 1,048,576 for a table), and avr-gcc keeps what each took.
+    template <size_t kPairs>
+    constexpr bool joinFirst(const PairIndex<kPairs>& pairs) {
+        size_t place = kPairs + 1, at = 0;
+        for (size_t i = 0; i + 1 < size; ++i) {
+            size_t found = pairs.begin[codes[i]];
+            while (found != 0 && pairs.second[found] != codes[i + 1]) found = pairs.next[found];
+            if (found == 0 || found >= place) continue;
+            place = found;
+            at = i;
+        }
+        if (place > kPairs) return false;
+        join(at, static_cast<uint8_t>(kFirstPair + place - 1));
+        return true;
     }
 
-    // Most pairs are not in a text, and compilers count their steps: clang 1,048,576 for a table.
-    constexpr void join(const CodePair& pair, uint8_t code) {
-        size_t kept = 0;
-        while (kept + 1 < size && !isAt(kept, pair)) ++kept;
-        if (kept + 1 >= size) return;
+    // Joins all that are the same as the two codes at `kept`, the first of them.
+    constexpr void join(size_t kept, uint8_t code) {
+        const uint8_t first = codes[kept], second = codes[kept + 1];
         for (size_t i = kept; i < size; ++i) {
-            const bool is = i + 1 < size && isAt(i, pair);
+            const bool is = i + 1 < size && codes[i] == first && codes[i + 1] == second;
             codes[kept++] = is ? code : codes[i];
             if (is) ++i;
         }

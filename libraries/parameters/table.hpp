@@ -133,8 +133,9 @@ constexpr size_t distinctNumbers(const Row (&rows)[N]) {
 // The codes of all names with their ends together, to declare the Packed.
 template <size_t N, size_t kPairs>
 constexpr size_t nameCodes(const Row (&rows)[N], const core::CodePair (&pairs)[kPairs]) {
+    const core::PairIndex<kPairs> index(pairs);
     size_t codes = 0;
-    for (size_t i = 0; i < N; ++i) codes += core::packedSize(rows[i].name, pairs) + 1;
+    for (size_t i = 0; i < N; ++i) codes += core::Packing<kNameSize>(rows[i].name, index).size + 1;
     return codes;
 }
 
@@ -152,11 +153,12 @@ template <size_t kRows, size_t kNumbers, size_t kCodes, size_t kPairs>
 struct Packed {
     constexpr Packed(const Row (&from)[kRows], const core::CodePair (&pairs)[kPairs]) {
         const Numbers<kRows> all(from);
+        const core::PairIndex<kPairs> index(pairs);
         for (size_t i = 0; i < kNumbers; ++i) number[i] = all.values[i];
         for (size_t i = 0; i < kPairs; ++i) pair[i] = pairs[i];
         size_t at = 0;
         for (size_t i = 0; i < kRows; ++i) {
-            const core::Packing<kNameSize> packed(from[i].name, pairs);
+            const core::Packing<kNameSize> packed(from[i].name, index);
             row[i].name = static_cast<uint16_t>(at);
             for (size_t j = 0; j < packed.size; ++j) name[at++] = packed.codes[j];
             ++at;  // a zero
