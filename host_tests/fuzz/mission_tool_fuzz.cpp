@@ -12,6 +12,7 @@
 #include "firmware/mission/engine.hpp"
 #include "firmware/state/parameters.hpp"
 #include "simulator/ground/plan_file.hpp"
+#include "storage/mission_store.hpp"
 #include "toolchain/mission_tool/arduplane.hpp"
 #include "toolchain/mission_tool/board.hpp"
 #include "toolchain/mission_tool/expectations.hpp"
@@ -98,10 +99,24 @@ void readRecords15(const uint8_t* bytes, size_t size) {
                                                document.entries.size())) == packed(document));
 }
 
-// Records with a head and a CRC that are right: any bytes as a mission that was stored.
+// What a board that was blank has in its EEPROM when it has started.
+const Image& startedImage() {
+    static const Image image = [] {
+        boot(blankImage(), "fuzz");
+        return fakes::eepromCells();
+    }();
+    return image;
+}
+
+// Records with a head and a CRC that are right: any bytes as a mission that was stored. The store
+// alone does that, decode() starts the board.
 Image storedAs(uint8_t set, const uint8_t* bytes, size_t size) {
-    boot(blankImage(), "fuzz");
-    auto& store = firmware::mission::mission_store;
+    const Image& before = startedImage();
+    fakes::reset();
+    fakes::setEepromCells(before);
+    storage::MissionStore store;
+    for (storage::ListKind which; store.open(which) != core::Status::ok;) {
+    }
     const auto count = static_cast<uint8_t>(std::min<size_t>(size / mission::kRecordSize, 20));
     require(store.begin(count, set) == core::Status::ok);
     for (uint8_t i = 0; i < count; ++i, bytes += mission::kRecordSize)
