@@ -11,9 +11,13 @@ const wanted = Number(process.env.FUZZ_RUNS ?? 100_000);
 export function fuzz({ program, name, seeds, longest, environment }) {
   if (!(Number.isInteger(wanted) && wanted > 0)) throw new Error(`FUZZ_RUNS: ${process.env.FUZZ_RUNS} is no number of executions`);
   const folder = mkdtempSync(join(tmpdir(), 'fuzz-'));
-  for (const [i, seed] of seeds.entries()) writeFileSync(join(folder, `seed_${i}`), seed);
-  const run = spawnSync(program, [folder, `-runs=${wanted}`, '-seed=1', `-max_len=${longest}`,
-    '-print_final_stats=1', '-detect_leaks=0', `-artifact_prefix=${folder}/`, '-verbosity=0'],
+  const files = seeds.map((_, i) => join(folder, `seed_${i}`));
+  for (const [i, seed] of seeds.entries()) writeFileSync(files[i], seed);
+  // In no folder of a corpus, which costs a file for each input that is kept. A feature is rare while
+  // so many executions have had it: for each feature of an execution the rare ones are searched.
+  const run = spawnSync(program, [`-seed_inputs=${files.join()}`, `-runs=${wanted}`, '-seed=1',
+    `-max_len=${longest}`, '-entropic_feature_frequency_threshold=20', '-print_final_stats=1',
+    '-detect_leaks=0', `-artifact_prefix=${folder}/`, '-verbosity=0'],
     { encoding: 'utf8', maxBuffer: 1 << 26, env: { ...process.env, ...environment } });
   const count = +(/stat::number_of_executed_units: (\d+)/.exec(run.stderr)?.[1] ?? 0);
   console.log(`${name}: ${count.toLocaleString('en')} executions`);
