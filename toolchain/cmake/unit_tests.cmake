@@ -49,6 +49,8 @@ unit_test(support/fakes)
 
 # ---- against implementations that are not the project's own, or written a second time
 unit_test(oracle/mission mission)
+target_compile_definitions(oracle_mission_test PRIVATE
+    ORACLE_PASSES=$<IF:$<BOOL:${SANITIZE}>,1000000,3000000>)  # of the random missions
 unit_test(oracle/airplane simulator_world)
 find_library(GEOGRAPHICLIB NAMES GeographicLib Geographic REQUIRED)
 unit_test(oracle/geo geo ${GEOGRAPHICLIB})

@@ -10,11 +10,7 @@
 
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr long kPasses = 1000000;
-#else
-constexpr long kPasses = 3000000;
-#endif
+constexpr long kPasses = ORACLE_PASSES;
 
 long fromEnvironment(const char* name, long otherwise) {
     const char* text = std::getenv(name);
