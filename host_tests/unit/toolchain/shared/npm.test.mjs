@@ -16,7 +16,11 @@ after(() => rmSync(folder, { recursive: true }));
 // { status, said, asked } with a registry that answers so
 async function fetched(to, answer) {
   const asked = [];
-  const server = createServer((request, response) => { asked.push(request.url); answer(response); });
+  const server = createServer((request, response) => {
+    asked.push(request.url);
+    response.shouldKeepAlive = false;  // an open connection keeps the program some seconds
+    answer(response);
+  });
   await new Promise((resolve) => { server.listen(0, '127.0.0.1', resolve); });
   const child = spawn(process.execPath, [program, to], { env: { ...process.env, npm_config_registry: `http://127.0.0.1:${server.address().port}` } });
   let said = '';
