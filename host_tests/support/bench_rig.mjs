@@ -52,7 +52,7 @@ export class Rig {
     rig.folder = folder;
     rig.printed = [];
     rig.asked = [];
-    rig.vehicle = await Vehicle.start({ options: ['--bench', ...options] });
+    rig.vehicle = await Vehicle.start({ options: ['--bench', ...(board === 'apm2' ? [] : ['--board', board]), ...options] });
     // A cut of the supply ends a frame anywhere: the lines that no session reads are not taken apart.
     for (const line of rig.vehicle.lines.filter((each) => each !== rig.vehicle.lines[kUsb])) new LinePort(rig.vehicle, line).onBytes(() => {});
     const clock = { now_ms: () => rig.vehicle.now_ms, sleep: (time_ms) => rig.sleep(time_ms) };

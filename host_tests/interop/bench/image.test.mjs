@@ -39,3 +39,10 @@ test('the other board\'s image is recognised', withRig({ options: ['--firmware',
   for (const id of ['4.text', '4.arming', '4.outputs']) assert.equal(rig.part(id).verdict, 'pass', `${id}: ${rig.part(id).value}`);
   assert.equal(rig.step(4).verdict, 'fail', 'the right image was not put back');
 }));
+
+// ---- the APM 1 where it is not an APM 2
+
+test('an APM 1 has the load of the simulator', withRig({ ...good, board: 'apm1' }, async (rig) => {
+  await rig.run([6]);
+  rig.passes(6);
+}));
