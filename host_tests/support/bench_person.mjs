@@ -49,7 +49,7 @@ export const headings = {
 export const air = { '10.lift': (rig) => { rig.height_m = rig.height_m === 0 ? 1 : 0; return order(`lift ${rig.height_m}`)(rig); },
   '10.syringe': order('blow 28.57', '500') };
 export const outputs = {
-  ...from([1, 4, 6].map((output) => [`11.rate_${output}`, '50.0 Hz'])),
+  ...from([1, 4, 6, 8].map((output) => [`11.rate_${output}`, '50.0 Hz'])),
   ...from(kOutputs.flatMap((output) => [1000, 1500, 2000].map((us) => [`11.output_${output}.${us}`, scope(output)]))),
   ...from([1100, 1500, 1900].map((us) => [`11.motor.${us}`, scope(3)])),
   '11.longest.read': '2001', ...confirmations('11.motor') };

@@ -8,7 +8,7 @@ import { kSteps } from './steps/table.mjs';
 
 const kDocument = fileURLToPath(new URL('../../docs/bench.md', import.meta.url));
 const kColumns = 116;
-const sentence = (text) => `${text[0].toUpperCase()}${text.slice(1)}${/[.!]$/.test(text) ? '' : '.'}`;
+const sentence = (text) => `${text[0].toUpperCase()}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`;
 
 function folded(text) {
   const lines = [''];
@@ -20,11 +20,27 @@ function folded(text) {
   return lines.join('\n');
 }
 
-function section({ number, title, tools, failed, parts }) {
+const row = ({ title, limit }, where = '') => `| ${where}${title} | ${limit.text} | ${limit.why} |`;
+const kApm1 = 'on an APM 1';
+
+// A part's row, and one more where an APM 1 has another limit.
+function rows(part) {
+  if (part.only) return [row(part, `${kApm1}: `)];
+  return part.apm1?.limit ? [row(part), row({ ...part, ...part.apm1 }, `${kApm1}: `)] : [row(part)];
+}
+
+// What to do when a part fails, where it is not what its step has.
+function advice(part, failed) {
+  const when = (text, title, where) => (text && text !== failed ? ['', folded(sentence(`${where}when the ${title} fails: ${sentence(text)}`))] : []);
+  return [...when(part.failed, part.title, ''), ...when(part.apm1?.failed, part.apm1?.title ?? part.title, `${kApm1}, `)];
+}
+
+function section({ number, title, tools, failed, parts, apm1 = {} }) {
+  const otherwise = [apm1.note, apm1.failed && `When it fails: ${apm1.failed}`].filter(Boolean).join(' ');
   return [`### ${number}. ${title}`, '', folded(`Tools: ${sentence(tools)} When it fails: ${sentence(failed)}`), '',
     '| part | limit | why |', '| --- | --- | --- |',
-    ...parts.map((part) => `| ${part.title} | ${part.limit.text} | ${part.limit.why} |`),
-    ...parts.filter((part) => part.failed && part.failed !== failed).flatMap((part) => ['', folded(`When the ${part.title} fails: ${sentence(part.failed)}`)])].join('\n');
+    ...parts.flatMap(rows), ...(otherwise ? ['', folded(`APM 1: ${otherwise}`)] : []),
+    ...parts.flatMap((part) => advice(part, failed))].join('\n');
 }
 
 export const written = (document) =>

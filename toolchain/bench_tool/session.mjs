@@ -9,7 +9,7 @@ import { formOf } from './form.mjs';
 import { kFail, kNotDone, kNotFitted, kPass, verdictOfStep, verdictOn } from './limits.mjs';
 import { Safety } from './safety.mjs';
 import { saveState, writeWhole } from './state.mjs';
-import { kSteps } from './steps/table.mjs';
+import { kSteps, stepsOn } from './steps/table.mjs';
 
 const kFirst_ms = 5000, kVersion = 520;
 const kMarks = { [kPass]: 'pass    ', [kFail]: 'FAIL    ', [kNotDone]: 'not done', [kNotFitted]: 'not fitted' };
@@ -68,7 +68,7 @@ export class Session {
     this.save();
     await this.firstWords();
     try {
-      for (const step of kSteps) if (numbers.includes(step.number)) await this.step(step);
+      for (const step of stepsOn(this.options.board)) if (numbers.includes(step.number)) await this.step(step);
     } finally {
       await this.atEnd();
     }
@@ -85,7 +85,7 @@ export class Session {
   async step(step) {
     const { parts } = step;
     const result = { verdict: kNotDone, at: this.now().toISOString(), firmware: this.state.firmware, parts: [], remarks: [] };
-    this.print(`\nStep ${step.number}: ${step.title}\n  You need: ${step.tools}`);
+    this.print(`\nStep ${step.number}: ${step.title}\n  You need: ${step.tools}${step.note ? `\n  ${step.note}` : ''}`);
     this.state.steps[step.number] = result;
     try {
       for (const part of parts) await this.part(step, part, result);

@@ -42,7 +42,9 @@ test('the other board\'s image is recognised', withRig({ options: ['--firmware',
 
 // ---- the APM 1 where it is not an APM 2
 
-test('an APM 1 has the load of the simulator', withRig({ ...good, board: 'apm1' }, async (rig) => {
-  await rig.run([6]);
-  rig.passes(6);
+test('an APM 1 restarts without its loader, has the load of the simulator, and its barometer passes', withRig({ ...good, board: 'apm1' }, async (rig) => {
+  await rig.run([2, 6, 10], { ...person.fuses, ...person.air, '10.dips': 'skip' });
+  for (const number of [2, 6]) rig.passes(number);
+  for (const id of ['10.lift', '10.syringe', '10.healthy']) assert.equal(rig.part(id).verdict, 'pass', `${id}: ${rig.part(id).value}`);
+  assert.equal(rig.part('2.reboot').limit, 'at most 0.5 s');
 }));

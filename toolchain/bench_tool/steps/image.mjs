@@ -28,6 +28,9 @@ export const fuses = {
         const { silent_s, text } = await restart(b, () => b.board.mustAccept(kReboot, [1], 'restart'), 10_000);
         return { value: silent_s, note: text };
       },
+      apm1: { title: 'silent over a restart by command',
+        limit: within({ high: 0.5, unit: 's', digits: 2, why: '0.3 s of the firmware, which begins again at address 0; the loader has no part in it (docs/restart.md)' }),
+        failed: 'The loader came in between, or the board was reset: is this the image of an APM 1?' },
       failed: 'The loader does not leave a watchdog\'s reset at once: a restart in the air would last as long. Replace it (docs/flashing.md).' },
     { id: '2.button', title: 'silent over a reset by the button, without USB',
       limit: within({ high: 5, unit: 's', digits: 2, why: 'a brown-out in the air costs the same; 1.5 s with the loader of the APM 2; less 0.3 s it is BRD_LOADER_MS' }),
@@ -35,7 +38,8 @@ export const fuses = {
         const { silent_s, text } = await restart(b, () => b.person.action(b.id,
           'Connected through the telemetry socket and without USB, press Enter, then the reset button.'));
         return { value: silent_s, note: text };
-      } },
+      },
+      apm1: { limit: within({ high: 5, unit: 's', digits: 2, why: 'a brown-out in the air costs the same; 1.4 s with the usual loader; less 0.3 s it is BRD_LOADER_MS' }) } },
   ],
 };
 

@@ -46,6 +46,7 @@ const loses = (id, title, instruction) => ({
 export const receiver = {
   number: 12, title: 'Receiver', tools: 'a servo tester with a display, or the transmitter and a counter',
   failed: 'Wiring of that channel; the encoder\'s firmware (docs/boards.md).',
+  apm1: { note: 'Unplug the speed controller: above 1800 us of channel 8 input 3 goes straight to output 3, armed or not.' },
   parts: [
     ...[1, 2, 3, 4, 5, 6, 7, 8].map(channel),
     loses('12.off', 'transmitter off is noticed', 'switch the transmitter off'),
@@ -105,6 +106,7 @@ const kMinute_ms = 60_000, kUsbChanges = 4;
 export const links = {
   number: 13, title: 'GPS and telemetry', tools: 'the GPS, the telemetry radio pair on a second port of this computer',
   failed: 'docs/boards.md, "Telemetry": rate on both sides, the jumper under the board.',
+  apm1: { failed: 'docs/boards.md, "Telemetry": rate on both sides, TX to RX and RX to TX.' },
   parts: [
     found('13.gps_9600', 9600), found('13.gps_38400', 38_400),
     { id: '13.loss', title: 'frames lost by the radio in a minute',
@@ -120,6 +122,8 @@ export const links = {
       } },
     { id: '13.usb', title: 'telemetry while USB is plugged and pulled',
       limit: within({ high: 3, unit: 's', digits: 1, why: 'longest time without a heartbeat; the port changes its rate within 0.1 s' }),
+      apm1: { limit: within({ high: 3, unit: 's', digits: 1, why: 'longest time without a heartbeat; the radio has a port of its own' }),
+        failed: 'Nothing but the supply joins this port and USB: look at the 5 V while USB goes.' },
       measure: async (b) => withTelemetry(b, async (radio) => {
         let last_ms = radio.now_ms(), longest_ms = 0;
         const listener = ({ name, at_ms }) => {

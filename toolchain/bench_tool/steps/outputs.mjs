@@ -68,8 +68,8 @@ const commandOutput = (output) => ({
   },
 });
 
-const period = (output) => ({
-  id: `11.rate_${output}`, title: `output ${output}: rate`,
+const period = (output, only) => ({
+  id: `11.rate_${output}`, only, title: `output ${output}: rate`,
   limit: within({ low: 49.75, high: 50.25, unit: 'Hz', digits: 2, why: '0.5 %, the board\'s resonator' }),
   measure: ({ person, id }) => person.number(id, `The oscilloscope at output ${output}: read the rate of its pulses.`, { unit: 'Hz', low: 1, high: 1000 }),
 });
@@ -79,9 +79,9 @@ async function highest_us(board, output, time_ms) {
 }
 const disarmed = (id, title, instruction) => ({
   id, title, limit: within({ high: kSafe_us, unit: 'us', digits: 0, why: 'docs/preflight.md: never above 1,100 us while disarmed' }),
-  measure: async ({ board, person, id: question }) => {
-    await person.action(question, instruction);
-    return highest_us(board, kMotor, 5000);
+  measure: async (b) => {
+    await b.person.action(b.id, instruction);
+    return highest_us(b.board, kMotor, 5000);
   },
   failed: 'RC3_MIN and RC3_REV; take the power away before anything else.',
 });
@@ -124,9 +124,10 @@ const motor = {
 export const outputs = {
   number: 11, title: 'Servo outputs', tools: 'an oscilloscope; for the last part a speed controller with its motor fixed, PROPELLER OFF',
   failed: 'Compare with another output and another probe first.',
+  apm1: { note: 'Hold channel 8 below 1600 us all the time: above 1800 us the receiver has outputs 1 to 4, the motor\'s too, armed or not.' },
   parts: [
     disarmed('11.disarmed', 'motor\'s output while disarmed', 'The board lies still and disarmed, the transmitter\'s throttle up.'),
-    period(1), period(4), period(6),
+    period(1), period(4), period(6), period(8, 'apm1'),  // one of each timer
     ...[1, 2, 4].map(stickOutput), ...[5, 6, 7, 8].map(commandOutput),
     longest,
     disarmed('11.controller', 'motor\'s output with the speed controller plugged in', 'Plug the speed controller in, its motor without a propeller, ' +

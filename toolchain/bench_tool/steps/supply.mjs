@@ -25,7 +25,8 @@ export const supply = {
         'second supply: read it where nothing but this one feeds the board.', { unit: 'mA', low: 0, high: 3000 }) },
     rail('1.rail_5v', '5 V rail', 5, 'the 5 V of an input\'s connector'),
     { ...rail('1.rail_3v3', '3.3 V rail', 3.3, 'the 3.3 V of the I2C or GPS connector, of the regulator where there is none'),
-      failed: 'On early APM 2.5 this regulator dies of a GPS or radio plugged in under power: the board must not fly.' },
+      failed: 'On early APM 2.5 this regulator dies of a GPS or radio plugged in under power: the board must not fly.',
+      apm1: { failed: 'Gyros, accelerometers and pitot are measured against this rail: all of them are wrong with it.' } },
   ],
 };
 
