@@ -48,3 +48,12 @@ test('an APM 1 restarts without its loader, has the load of the simulator, and i
   for (const id of ['10.lift', '10.syringe', '10.healthy']) assert.equal(rig.part(id).verdict, 'pass', `${id}: ${rig.part(id).value}`);
   assert.equal(rig.part('2.reboot').limit, 'at most 0.5 s');
 }));
+
+for (const [switch_us, verdict] of [[1900, 'not done'], [1500, 'pass']])
+  test(`at ${switch_us} us of channel 8 the motor's output of a disarmed APM 1 is ${verdict}`, withRig({ ...good, board: 'apm1' }, async (rig) => {
+    await rig.order(`sticks 1500 1500 1100 1500 1500 1500 1500 ${switch_us}`);
+    await rig.vehicle.wait(3000);
+    await rig.run([11], { '*': 'skip', '11.disarmed': '', ...person.confirmations('11.motor') });
+    assert.equal(rig.part('11.disarmed').verdict, verdict, rig.part('11.disarmed').value);
+    assert.equal(rig.asked.some((id) => ['11.disarmed', '11.controller', '11.motor.confirm_motor'].includes(id)), verdict === 'pass');
+  }));

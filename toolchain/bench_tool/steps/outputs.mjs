@@ -3,7 +3,7 @@
 import { NotMeasured } from '../errors.mjs';
 import { median } from '../figures.mjs';
 import { within } from '../limits.mjs';
-import { field, restart } from './readings.mjs';
+import { field, firmwareHasOutputs, restart } from './readings.mjs';
 
 const kReboot = 246, kSetServo = 183, kSetMode = 176, kManual = 0;
 const kMotor = 3, kSafe_us = 1100, kSettle_ms = 700, kRestarts = 10;
@@ -38,6 +38,7 @@ async function widen({ safety }, output) {
 const stickOutput = (output) => ({
   id: `11.output_${output}`, title: `output ${output}: read against sent`, limit: within(kExact),
   measure: async (b) => {
+    await firmwareHasOutputs(b);
     await b.person.action(b.id, `The oscilloscope at output ${output}. This program holds the sticks meanwhile: switch the transmitter off.`);
     await widen(b, output);
     await b.safety.change('ARMING_RUDDER', 0);  // full right rudder and a closed throttle would arm
@@ -71,7 +72,10 @@ const commandOutput = (output) => ({
 const period = (output, only) => ({
   id: `11.rate_${output}`, only, title: `output ${output}: rate`,
   limit: within({ low: 49.75, high: 50.25, unit: 'Hz', digits: 2, why: '0.5 %, the board\'s resonator' }),
-  measure: ({ person, id }) => person.number(id, `The oscilloscope at output ${output}: read the rate of its pulses.`, { unit: 'Hz', low: 1, high: 1000 }),
+  measure: async (b) => {
+    await firmwareHasOutputs(b);
+    return b.person.number(b.id, `The oscilloscope at output ${output}: read the rate of its pulses.`, { unit: 'Hz', low: 1, high: 1000 });
+  },
 });
 
 async function highest_us(board, output, time_ms) {
@@ -80,6 +84,7 @@ async function highest_us(board, output, time_ms) {
 const disarmed = (id, title, instruction) => ({
   id, title, limit: within({ high: kSafe_us, unit: 'us', digits: 0, why: 'docs/preflight.md: never above 1,100 us while disarmed' }),
   measure: async (b) => {
+    await firmwareHasOutputs(b);
     await b.person.action(b.id, instruction);
     return highest_us(b.board, kMotor, 5000);
   },
@@ -90,6 +95,7 @@ const disarmed = (id, title, instruction) => ({
 const longest = {
   id: '11.longest', title: 'longest pulse over restarts', limit: within({ high: 2300, unit: 'us', digits: 0, why: 'a pulse cut short or merged is a servo at its stop' }),
   measure: async (b) => {
+    await firmwareHasOutputs(b);
     await b.person.action(b.id, 'The oscilloscope at output 1 keeps the longest pulse (infinite persistence, or a trigger on pulses ' +
       `above 2300 us). ${kRestarts} restarts by command follow.`);
     for (let i = 0; i < kRestarts; ++i) {
@@ -104,6 +110,7 @@ const longest = {
 const motor = {
   id: '11.motor', title: `output ${kMotor}, armed: read against sent`, limit: within(kExact),
   measure: async (b) => {
+    await firmwareHasOutputs(b);
     await b.safety.confirmed('11.motor');
     const low_us = await b.board.parameter('RC3_MIN'), high_us = await b.board.parameter('RC3_MAX');
     b.safety.hold([1500, 1500, low_us, 1500]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measurements that several steps make. Each is given { board, person, safety, options, print, id }.
-import { NotMeasured } from '../errors.mjs';
+import { NotDone, NotMeasured } from '../errors.mjs';
+import { median } from '../figures.mjs';
 import { idOf } from '../mavlink.mjs';
 
 const kGone_ms = 150, kRestart_ms = 70, kAskAgain_ms = 100, kFast_hz = 50;
@@ -77,6 +78,17 @@ export async function coldStart({ board }, begin, within_ms = 60_000) {
     throw new NotMeasured(`without ${Object.keys(missing).filter((key) => times[key] === undefined).map((key) => missing[key]).join(', ')}`);
   }
   return { beat_s: (times.beat_ms - times.began_ms) / 1000, sample_s: times.sample_s, ready_s: (times.ready_ms - times.began_ms) / 1000 };
+}
+
+// An APM 1's encoder connects inputs 1 to 4 with outputs 1 to 4 by itself: from 1800 us of channel 8
+// on, until it falls below 1600 us. The firmware sees nothing of it, so no report of the outputs would.
+const kSwitch = 8, kLetsGo_us = 1600, kNoPulse_us = 2300;
+export async function firmwareHasOutputs({ board, options }) {
+  if (options.board !== 'apm1') return;
+  const switch_us = median(field(await board.collect('RC_CHANNELS', 500, 20), `chan${kSwitch}Raw`));
+  if (switch_us > kLetsGo_us && switch_us < kNoPulse_us)
+    throw new NotDone(`channel ${kSwitch} is at ${switch_us} us: from 1800 us on the receiver, not the firmware, has outputs 1 to 4; ` +
+      `bring it below ${kLetsGo_us} us`);
 }
 
 export async function attitude({ board }, time_ms = 1000) {

@@ -4,7 +4,7 @@ import { NotMeasured } from '../errors.mjs';
 import { degrees, wrapped_deg } from '../figures.mjs';
 import { within } from '../limits.mjs';
 import { idOf } from '../mavlink.mjs';
-import { attitude, restart } from './readings.mjs';
+import { attitude, firmwareHasOutputs, restart } from './readings.mjs';
 
 const kFlying = 4;  // MAV_STATE_ACTIVE
 const kAhrs = 0x200000, kRequest = 512, kRightWithin_s = 1.5;  // MAV_SYS_STATUS_AHRS
@@ -61,6 +61,7 @@ async function firstAttitude(b, begin) {
 const inFlight = {
   id: '15.brown_out', title: 'attitude after a cut of 0.2 s in "flight", against that before', limit,
   measure: async (b) => {
+    await firmwareHasOutputs(b);
     await b.safety.confirmed('15.brown_out');
     b.safety.hold([1500, 1500, 1000, 1500]);
     await b.board.wait(700);
