@@ -48,13 +48,21 @@ declare_test(bench.image COMMAND node --test ${tests}/interop/bench/image.test.m
              DATA ${bench_data} ${bench_sources} REUSE
              ENVIRONMENT FLY=$<TARGET_FILE:fly> FLY_BOARD=elf MINUTES=${minutes}/bench.image
              OTHER_IMAGE=${IMAGE_apm1})
-set(bench_form ${CMAKE_BINARY_DIR}/bench_form)
-declare_test(bench.session COMMAND node --test ${tests}/interop/bench/session.test.mjs
-             NEEDS fly ${IMAGE_apm2} ${IMAGE_apm1} LABELS simavr AFTER image_minutes SETUP bench_form TIMEOUT 1800
-             DATA ${bench_data} ${bench_sources}
-             ENVIRONMENT FLY=$<TARGET_FILE:fly> FLY_BOARD=elf MINUTES=${minutes}/bench.session FORM=${bench_form}
-             IMAGE_APM1=${IMAGE_apm1} IMAGE_APM2=${IMAGE_apm2})
-if(CHROMIUM)
-    declare_test(bench.form COMMAND node --test ${tests}/interop/bench/form.test.mjs AFTER bench_form LABELS simavr
-                 ENVIRONMENT CHROMIUM=${CHROMIUM} FORM=${bench_form})
-endif()
+# bench_session(BOARD SUFFIX WORD...): a whole session and its form; WORD: more for declare_test()
+function(bench_session board suffix)
+    set(form bench_form${suffix})
+    set(environment FLY=$<TARGET_FILE:fly> FLY_BOARD=elf BOARD=${board} FORM=${CMAKE_BINARY_DIR}/${form}
+        IMAGE_APM1=${IMAGE_apm1} IMAGE_APM2=${IMAGE_apm2})
+    if(NOT LONG IN_LIST ARGN)  # their minutes are counted
+        list(APPEND environment MINUTES=${minutes}/bench.session)
+    endif()
+    declare_test(bench.session${suffix} COMMAND node --test ${tests}/interop/bench/session.test.mjs
+                 NEEDS fly ${IMAGE_apm2} ${IMAGE_apm1} LABELS simavr AFTER image_minutes SETUP ${form} TIMEOUT 1800
+                 DATA ${bench_data} ${bench_sources} ENVIRONMENT ${environment} ${ARGN})
+    if(CHROMIUM)
+        declare_test(bench.form${suffix} COMMAND node --test ${tests}/interop/bench/form.test.mjs AFTER ${form}
+                     LABELS simavr ENVIRONMENT CHROMIUM=${CHROMIUM} FORM=${CMAKE_BINARY_DIR}/${form} ${ARGN})
+    endif()
+endfunction()
+bench_session(apm2 "")
+bench_session(apm1 _apm1 LONG)

@@ -11,12 +11,13 @@ set(SANITIZE_TREE ${CMAKE_SOURCE_DIR}/build/sanitize)
 set(FUZZ_TREE ${CMAKE_SOURCE_DIR}/build/fuzz)
 
 # declare_test(NAME COMMAND WORD... [NEEDS TARGET_OR_FILE...] [LABELS LABEL...] [TIMEOUT SECONDS]
-#              [ENVIRONMENT A=B...] [SETUP FIXTURE] [AFTER FIXTURE...] [DATA FILE...] [REUSE])
+#              [ENVIRONMENT A=B...] [SETUP FIXTURE] [AFTER FIXTURE...] [DATA FILE...] [REUSE] [LONG])
 # NEEDS: targets of this tree, or files of a tree beside it, that must have been built; the tool
 # toolchain/test builds just these. REUSE: the result is a function of the command, NEEDS and DATA;
-# toolchain/test does not run it again while these are the same.
+# toolchain/test does not run it again while these are the same. LONG: only with toolchain/test
+# --long (ctest -C long).
 function(declare_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "REUSE" "TIMEOUT;SETUP"
+    cmake_parse_arguments(PARSE_ARGV 1 arg "REUSE;LONG" "TIMEOUT;SETUP"
                           "COMMAND;NEEDS;LABELS;ENVIRONMENT;AFTER;DATA")
     list(GET arg_COMMAND 0 program)
     if(program STREQUAL "node")
@@ -45,7 +46,11 @@ function(declare_test name)
     if(NOT arg_TIMEOUT)
         set(arg_TIMEOUT 600)
     endif()
-    add_test(NAME ${name} COMMAND ${arg_COMMAND})
+    set(when)
+    if(arg_LONG)
+        set(when CONFIGURATIONS long)
+    endif()
+    add_test(NAME ${name} COMMAND ${arg_COMMAND} ${when})
     set_tests_properties(${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}"
         REQUIRED_FILES "${files}" ENVIRONMENT "${arg_ENVIRONMENT}"
         FIXTURES_SETUP "${arg_SETUP}" FIXTURES_REQUIRED "${arg_AFTER}")

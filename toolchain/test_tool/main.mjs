@@ -18,7 +18,7 @@ Builds what the tests need, and runs them.
   quick     only unit tests, a dozen native flights, the images' budgets, layering, style and documents
   --again   also what has passed before and depends on nothing that has changed since
             (always so where CI is set)
-  --long    fuzzers: 1,000,000 executions each instead of 100,000
+  --long    fuzzers: 1,000,000 executions each instead of 100,000; also the bench's session with an APM 1
   CTEST OPTION, for example:
     -R NAME       only tests whose name matches, and what they need; builds only that
     -L LABEL      unit, native (flights), simavr (the images on emulated boards), sanitize, fuzz,
@@ -33,7 +33,7 @@ export function readOptions(words) {
     again: words.includes('--again') || Boolean(process.env.CI),
     long: words.includes('--long'),
     list: rest.includes('-N') || rest.includes('--show-only'),
-    ctest: [...(words.includes('quick') ? ['-L', '^quick$'] : []), ...rest],
+    ctest: [...(words.includes('quick') ? ['-L', '^quick$'] : []), ...(words.includes('--long') ? ['-C', 'long'] : []), ...rest],
   };
 }
 

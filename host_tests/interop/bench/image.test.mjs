@@ -40,7 +40,7 @@ test('the other board\'s image is recognised', withRig({ options: ['--firmware',
   assert.equal(rig.step(4).verdict, 'fail', 'the right image was not put back');
 }));
 
-// ---- the APM 1 where it is not an APM 2
+// ---- the APM 1 where it is not an APM 2; its whole session is bench.session_apm1
 
 test('an APM 1 restarts without its loader, has the load of the simulator, and its barometer passes', withRig({ ...good, board: 'apm1' }, async (rig) => {
   await rig.run([2, 6, 10], { ...person.fuses, ...person.air, '10.dips': 'skip' });

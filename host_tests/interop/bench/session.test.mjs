@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole protocol in one session: all 15 steps with the image on the emulated chip, from the
-// supply to the restart in "flight", and the form that is left to sign. IMAGE_APM1 and IMAGE_APM2
-// name the images, FORM the folder of the form, which form.test.mjs looks at in a browser.
+// supply to the restart in "flight", and the form that is left to sign. BOARD is apm1 or apm2,
+// IMAGE_APM1 and IMAGE_APM2 name the images, FORM the folder of the form, which form.test.mjs
+// looks at in a browser.
 import assert from 'node:assert/strict';
 import { mkdirSync, rmSync } from 'node:fs';
 import { test } from 'node:test';
@@ -10,12 +11,14 @@ import { stepsOn } from '../../../toolchain/bench_tool/steps/table.mjs';
 import * as person from '../../support/bench_person.mjs';
 import { order, turnTo, withRig } from '../../support/bench_rig.mjs';
 
+const kind = process.env.BOARD;
 const folder = process.env.FORM;
 rmSync(folder, { recursive: true, force: true });
 mkdirSync(folder, { recursive: true });
 
-const steps = stepsOn('apm2');
-const board = { options: ['--calibrated'], folder,
+const other = { apm1: 'APM 2', apm2: 'APM 1' }[kind];
+const steps = stepsOn(kind);
+const board = { board: kind, options: ['--calibrated'], folder,
   images: { apm1: process.env.IMAGE_APM1, apm2: process.env.IMAGE_APM2 } };
 
 const looksAtOutputs = async (rig) => String(JSON.parse(await rig.order('servos')).filter((us) => us > 0).length);
@@ -42,7 +45,7 @@ test('a good board passes all 15 steps in one session, and the form has each of 
     assert.equal(rig.step(step.number).parts.length, step.parts.length, `step ${step.number}`);
   assert.equal([...form.matchAll(/<tr class="is-pass">/g)].length, steps.reduce((sum, { parts }) => sum + parts.length, 0) - 1,
     'all parts but the PPM-sum, which this receiver has not');
-  assert.match(rig.part('4.text').value, /Wrong board: for an APM 1/);
+  assert.match(rig.part('4.text').value, new RegExp(`Wrong board: for an ${other}`));
   assert.match(rig.part('7.brown_out').value, /brown-out/);
   assert.match(rig.part('15.brown_out').value, /Started by a reset/, 'this loader hides the cause (docs/restart.md)');
 }));

@@ -30,6 +30,10 @@ test('quick is a label, and what ctest knows is handed on', () => {
   assert.deepEqual([quick, long, ctest], [true, false, ['-L', '^quick$', '-R', 'geo']]);
 });
 
+test('long has ctest take the tests of that configuration, too', () => {
+  assert.deepEqual(readOptions(['--long', '-R', 'bench']).ctest, ['-C', 'long', '-R', 'bench']);
+});
+
 test('the slowest tests stand before the summary, which stays last', () => {
   const slowest = new Slowest();
   const shown = [' 1/2 Test #9: a.b ......   Passed    0.52 sec', ' 2/2 Test #10: c ...***Failed   12.00 sec',
