@@ -299,4 +299,5 @@ declare_test(log_tool.flight_log_agrees_with_the_simulator COMMAND node --test $
 declare_test(flight.minutes_begin COMMAND ${CMAKE_COMMAND} -E rm -rf ${minutes} SETUP image_minutes
              LABELS simavr)
 add_test(NAME flight.minutes_of_the_image COMMAND flight minutes ${minutes})
-set_tests_properties(flight.minutes_of_the_image PROPERTIES FIXTURES_CLEANUP image_minutes LABELS simavr)
+set_tests_properties(flight.minutes_of_the_image PROPERTIES FIXTURES_CLEANUP image_minutes LABELS simavr
+                     REQUIRED_FILES $<TARGET_FILE:flight>)
