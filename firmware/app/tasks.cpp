@@ -126,7 +126,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { slow,   runPitchGains,          20,     9,     180 },
     { slow,   runControlLimits,       20,     2,      75 },
     { slow,   runInertialSettings,    20,     1,     115 },
-    { slow,   runLateralGains,       100,    35,     250 },
+    { slow,   runLateralGains,       100,    35,     280 },
     { slow,   runTargetBearing,       20,     5,     160 },
     { slow,   runNavBearing,          40,     0,      90 },
     { slow,   runCompassLearning,     10,     8,     290 },
