@@ -39,7 +39,8 @@ struct Learning {
 core::FileState<Learning> learning{};
 
 bool learnsInFlight() {
-    return parameters.compass_learn != 0 && vehicle.armed && vehicle.estimate.flying;
+    return parameters.compass_learn != 0 && vehicle.armed && vehicle.estimate.flying &&
+           vehicle.compass.healthy;
 }
 
 float field_mg() { return sqrtf(core::dot(vehicle.compass.field_mg, vehicle.compass.field_mg)); }

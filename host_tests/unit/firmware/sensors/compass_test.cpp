@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "firmware/sensors/compass_learning.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -45,6 +48,25 @@ TEST_F(Declination, stays_as_it_was_set_when_the_table_is_not_wanted) {
     parameters.compass_auto_declination = 0;
     firmware::sensors::runDeclination();
     EXPECT_EQ(parameters.compass_declination_rad, 0.25f);
+}
+
+// What two circles teach when the compass is off by 60 mG to the right.
+float learntInFlight_mg(bool healthy) {
+    parameters.compass_learn = 1;
+    for (float& offset_mg : parameters.compass_offset_mg) offset_mg = 0;
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
+    mutable_vehicle.compass.healthy = healthy;
+    for (int degree = 0; degree < 720; ++degree) {
+        const float heading_rad = core::radians(static_cast<float>(degree));
+        firmware::sensors::learnCompass(
+            {250 * std::cos(heading_rad), 60 - 250 * std::sin(heading_rad), 350});
+    }
+    return parameters.compass_offset_mg[1];
+}
+
+TEST(CompassLearning, takes_nothing_from_a_compass_that_is_known_to_fail) {
+    EXPECT_LT(learntInFlight_mg(true), -10);
+    EXPECT_EQ(learntInFlight_mg(false), 0);
 }
 
 }  // namespace
