@@ -10,12 +10,21 @@
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int kMaxChanged = 10;
+constexpr int kMaxChanged = 5;  // besides the gains that AUTOTUNE finds
+
+bool isSetting(const std::string& line) { return !line.empty() && line[0] != '#'; }
+bool isTuned(const std::string& line) {
+    const std::string name = line.substr(0, line.find(','));
+    for (const char* axis : {"RLL2SRV_", "PTCH2SRV_"})
+        for (const char* gain : {"TCONST", "P", "I", "D"})
+            if (name == std::string(axis) + gain) return true;
+    return false;
+}
 
 int settingsIn(const fs::path& path) {
     std::ifstream file(path);
     int settings = 0;
-    for (std::string line; std::getline(file, line);) settings += !line.empty() && line[0] != '#';
+    for (std::string line; std::getline(file, line);) settings += isSetting(line) && !isTuned(line);
     return settings;
 }
 
