@@ -42,7 +42,7 @@ void Eeprom::control(uint16_t address, uint8_t value) {
     now = static_cast<uint8_t>((value & ~(kRead | kWrite)) | (now & kWrite));
     if ((value & kRead) && !busy_) {
         avr_->data[kEedr] = io_->eeprom[(avr_->data[kEearl] | avr_->data[kEearh] << 8) & 0xFFF];
-        avr_->cycle += 4;
+        wait(avr_, 4);
     }
     if ((value & kWrite) && enabled && !busy_) beginWrite();
     if (avr_->cycle > enabled_until_) now &= static_cast<uint8_t>(~kMaster);
@@ -67,7 +67,7 @@ void Eeprom::beginWrite() {
     writes_++;
     done_ = avr_->cycle + kTime[mode];
     startTimerAt<&Eeprom::written>(avr_, done_, this);
-    avr_->cycle += 2;
+    wait(avr_, 2);
 }
 
 void Eeprom::endanger(bool endangered) {

@@ -21,8 +21,7 @@ void Interrupts::enter(int vector) {
     nesting_.push_back({vector, avr_->cycle, 0});
     const uint64_t cost = kEntry + (from_sleep_ ? kWakeUp : 0);
     from_sleep_ = false;
-    avr_->cycle += cost;
-    avr_->run_cycle_count = avr_->run_cycle_count > cost ? avr_->run_cycle_count - cost : 1;
+    wait(avr_, cost);
 }
 
 void Interrupts::leave() {

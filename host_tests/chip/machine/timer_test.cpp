@@ -37,7 +37,7 @@ protected:
     struct Pulse {
         uint64_t rise, width;
     };
-    PwmTest() {
+    explicit PwmTest(const char* program = "pwm") : machine(program) {
         machine.chip.onCompareOutput('1', 0, [this](bool high, uint64_t cycle) {
             if (high) {
                 pulses.push_back({cycle, 0});
@@ -53,7 +53,7 @@ protected:
     }
     static constexpr double kJitter = 0;  // cycles: the timer changes the pin itself
 
-    Machine machine{"pwm"};
+    Machine machine;
     std::vector<Pulse> pulses;
 };
 
@@ -68,6 +68,16 @@ TEST_F(PwmTest, a_new_width_counts_from_the_next_period_on_without_a_glitch) {
 TEST_F(PwmTest, the_period_is_top_plus_one_and_a_new_top_counts_at_once) {
     for (size_t i = 0; i < 11; i++) EXPECT_NEAR(period(i), 40000 * 8, kJitter) << "pulse " << i;
     for (size_t i = 12; i < 30; i++) EXPECT_NEAR(period(i), 20000 * 8, kJitter) << "pulse " << i;
+}
+
+class PwmAndEepromTest : public PwmTest {
+protected:
+    PwmAndEepromTest() : PwmTest("pwm_eeprom") {}
+};
+
+TEST_F(PwmAndEepromTest, a_processor_that_is_halted_makes_no_pulse_longer) {
+    ASSERT_GT(pulses.size(), 30U);
+    for (size_t i = 0; i < 30; i++) EXPECT_EQ(width(i), 2001 * 8) << "pulse " << i;
 }
 
 class OutputLatchTest : public testing::Test {
