@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { kSteps, stepsOn } from '../../../../toolchain/bench_tool/steps/table.mjs';
+import { kSteps, stepsOn } from '../../../../../toolchain/bench_tool/steps/table.mjs';
 
 const partsOn = (board) => stepsOn(board).flatMap(({ parts }) => parts);
 const partOn = (board, id) => partsOn(board).find((part) => part.id === id);
