@@ -95,17 +95,18 @@ bool launched() {
     return result == navigation::Launch::flies;
 }
 
-// Without a receiver that sees it stand. Near the height of home alone: an airplane that hovers in
-// a strong wind is slow as well.
-bool seemsToStand() {
-    return slow() && estimator::slowThroughTheAir() &&
-           !faraway(altitude_cm(), vehicle.home.altitude_cm);
+// Without a receiver that sees it stand.
+bool seemsToStand(int32_t field_cm) {
+    return slow() && estimator::slowThroughTheAir() && !faraway(altitude_cm(), field_cm);
 }
 
 // With the motor turning, elsewhere than in a take-off: it came down, or never left the ground.
+// Near the height of the field alone: an airplane that hovers in a strong wind is slow as well.
+// Home may have been set in the air.
 bool stands() {
+    const int32_t field_cm = altitude_cm() - core::rounded(estimator::aboveField_m() * 100.0f);
     const bool now = !vehicle.estimate.flying && vehicle.demand.path != Path::takeoff && !flies() &&
-                     (seenToStand(vehicle.home.altitude_cm) || seemsToStand());
+                     (seenToStand(field_cm) || seemsToStand(field_cm));
     on_the_ground.looks = now ? on_the_ground.looks + 1 : 0;
     return on_the_ground.looks >= kStands;
 }

@@ -158,6 +158,23 @@ TEST_F(Guidance, holds_the_motor_after_it_came_down_outside_a_landing_until_it_i
     EXPECT_FALSE(vehicle.progress.throttle_suppressed);
 }
 
+TEST_F(Guidance, holds_the_motor_after_it_came_down_though_home_was_set_in_the_air) {
+    inTheAir();
+    mutable_vehicle.estimate.flying = true;
+    mutable_vehicle.home.altitude_cm += 6000;  // where it flies, 60 m above the field
+    mutable_vehicle.gps.altitude_cm = mutable_vehicle.home.altitude_cm;
+    firmware::estimator::shiftHeight(-60);
+    mutable_vehicle.estimate.height_m = -60;
+    mutable_vehicle.gps.altitude_cm -= 6000;
+    standing();
+    guide(20);
+    mutable_vehicle.estimate.flying = false;
+    guide(12);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+    EXPECT_EQ(vehicle.throttle_demand.toFloat(), 0);
+    firmware::estimator::shiftHeight(60);
+}
+
 TEST_F(Guidance, holds_the_motor_when_the_take_off_was_left_on_the_ground) {
     onTheGround(Mode::loiter);
     demand(Path::takeoff);
