@@ -95,18 +95,19 @@ bool launched() {
     return result == navigation::Launch::flies;
 }
 
-// Without a receiver that sees it stand.
-bool seemsToStand(int32_t field_cm) {
-    return slow() && estimator::slowThroughTheAir() && !faraway(altitude_cm(), field_cm);
+// By a receiver that sees it stand, or without one. Near the height of the field alone: an airplane
+// that hovers in a strong wind is slow as well. Home may have been set in the air.
+bool standsOnTheField() {
+    const int32_t here_cm = altitude_cm();
+    const int32_t field_cm = here_cm - core::rounded(estimator::aboveField_m() * 100.0f);
+    return seenToStand(field_cm) ||
+           (slow() && estimator::slowThroughTheAir() && !faraway(here_cm, field_cm));
 }
 
 // With the motor turning, elsewhere than in a take-off: it came down, or never left the ground.
-// Near the height of the field alone: an airplane that hovers in a strong wind is slow as well.
-// Home may have been set in the air.
 bool stands() {
-    const int32_t field_cm = altitude_cm() - core::rounded(estimator::aboveField_m() * 100.0f);
     const bool now = !vehicle.estimate.flying && vehicle.demand.path != Path::takeoff && !flies() &&
-                     (seenToStand(field_cm) || seemsToStand(field_cm));
+                     standsOnTheField();
     on_the_ground.looks = now ? on_the_ground.looks + 1 : 0;
     return on_the_ground.looks >= kStands;
 }
