@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "simulator/machine/registers.hpp"
+#include "simulator/machine/wait.hpp"
 
 namespace simulator {
 

@@ -24,13 +24,6 @@ struct WriteChain {
     }
 };
 
-// The processor waits. The library counts what it runs until its next cycle timer: uncounted waits
-// would make that late.
-inline void wait(avr_t* avr, uint64_t cycles) {
-    avr->cycle += cycles;
-    avr->run_cycle_count = avr->run_cycle_count > cycles ? avr->run_cycle_count - cycles : 1;
-}
-
 template <auto method, class Owner>
 WriteChain hookWrite(avr_t* avr, uint16_t address, Owner* owner) {
     auto& slot = avr->io[AVR_DATA_TO_IO(address)].w;

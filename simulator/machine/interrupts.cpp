@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "simulator/machine/wait.hpp"
+
 namespace simulator {
 
 constexpr uint64_t kEntry = 5, kWakeUp = 5, kReti = 5;  // cycles, 22-bit program counter

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Servo pulses on OC1A as the autopilot makes them: mode 14, 20 ms, 0.5 us steps; the width is
-// changed in the middle of a pulse, then the rate.
-#include "report.hpp"
+// Servo pulses: the width is changed in the middle of a pulse, then the rate.
+#include "servo_pulses.hpp"
 
 int main() {
-    DDRB = _BV(5);
-    TCCR1A = _BV(COM1A1) | _BV(WGM11);
-    TCCR1B = _BV(WGM13) | _BV(WGM12);
-    ICR1 = 39999;
-    OCR1A = 2000;
-    TCCR1B |= _BV(CS11);
+    startServoPulses();
     for (uint8_t period = 1; period <= 40; period++) {
         TIFR1 = _BV(TOV1);
         while (!(TIFR1 & _BV(TOV1))) {
