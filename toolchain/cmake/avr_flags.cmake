@@ -16,8 +16,8 @@ add_link_options(${AVR_OPTIMISATION} -flto-partition=one -Wl,--emit-relocs)
 # for its flash, by measurement: docs/measurements.md.
 file(GLOB quick CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp
      ${CMAKE_SOURCE_DIR}/hal_avr/boards/*/*.cpp)
-set(quick_in_firmware actuators/flaps actuators/outputs guidance/bank app/dataflash app/main app/tasks
-    control/attitude_control estimator/estimator gcs/link logger/log logger/sources safety/restart sensors/barometer
+set(quick_in_firmware actuators/flaps actuators/outputs app/dataflash app/main app/tasks
+    control/attitude_control estimator/estimator gcs/link guidance/bank logger/log logger/sources safety/restart sensors/barometer
     sensors/compass sensors/gps sensors/inertial sensors/radio)
 set(quick_in_libraries control/axis drivers/hmc5883l drivers/ms5611_compensation geo/position
     navigation/l1)
@@ -32,12 +32,13 @@ foreach(folder firmware libraries)
 endforeach()
 set_source_files_properties(${quick} PROPERTIES COMPILE_OPTIONS "-O2;-fgcse;-ftree-dominator-opts;--param;early-inlining-insns=10")
 
-# What runs seldom is made small.
-file(GLOB small CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/firmware/gcs/*.cpp
-     ${CMAKE_SOURCE_DIR}/firmware/mission/*.cpp ${CMAKE_SOURCE_DIR}/firmware/modes/*.cpp
-     ${CMAKE_SOURCE_DIR}/firmware/notify/*.cpp ${CMAKE_SOURCE_DIR}/libraries/mission/*.cpp
-     ${CMAKE_SOURCE_DIR}/firmware/logger/*.cpp ${CMAKE_SOURCE_DIR}/firmware/safety/*.cpp
-     ${CMAKE_SOURCE_DIR}/libraries/logging/*.cpp ${CMAKE_SOURCE_DIR}/libraries/storage/*.cpp ${CMAKE_SOURCE_DIR}/libraries/parameters/*.cpp)
+# What runs seldom is made small: docs/measurements.md.
+set(small)
+foreach(folder firmware/gcs firmware/logger firmware/mission firmware/modes firmware/notify firmware/safety
+        libraries/logging libraries/mission libraries/parameters libraries/storage)
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
+    list(APPEND small ${sources})
+endforeach()
 list(REMOVE_ITEM small ${quick})
 set_source_files_properties(${small} PROPERTIES COMPILE_OPTIONS "-fno-inline-small-functions;-fno-guess-branch-probability")
 
