@@ -46,9 +46,27 @@ foreach(board IN LISTS boards)
         $<TARGET_OBJECTS:firmware_on_${board}> $<TARGET_OBJECTS:hal_objects_${board}>)
     target_link_libraries(firmware_parts_${board} INTERFACE ${all_libraries})
 
-    avr_program(firmware_${board} ${board} ${board} firmware ${CMAKE_SOURCE_DIR}/firmware/app/main.cpp)
-    target_link_libraries(firmware_${board} PRIVATE firmware_parts_${board})
+    # linked twice: the first image says which function calls which, and the linker's script made of it
+    # places them so that most calls are short
+    avr_objects(firmware_main_${board} ${CMAKE_SOURCE_DIR}/firmware/app/main.cpp)
+    target_include_directories(firmware_main_${board} PRIVATE ${CMAKE_SOURCE_DIR} ${headers})
+    target_link_libraries(firmware_main_${board} PRIVATE ${all_libraries})
     set(folder ${CMAKE_BINARY_DIR}/${board})
+    set(script ${folder}/placed.ld)
+    foreach(name firmware_unplaced firmware)
+        avr_program(${name}_${board} ${board} ${board} ${name} $<TARGET_OBJECTS:firmware_main_${board}>)
+        target_link_libraries(${name}_${board} PRIVATE firmware_parts_${board})
+    endforeach()
+    set_target_properties(firmware_unplaced_${board} PROPERTIES EXCLUDE_FROM_ALL ON)
+    target_link_options(firmware_unplaced_${board} PRIVATE -Wl,-Map=${folder}/firmware_unplaced.map)
+    add_custom_command(OUTPUT ${script}
+        COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/image/link_script.mjs
+                $<TARGET_FILE:firmware_unplaced_${board}> ${folder}/firmware_unplaced.map ${script}
+        DEPENDS firmware_unplaced_${board} ${image_checks} VERBATIM)
+    add_custom_target(firmware_script_${board} DEPENDS ${script})
+    add_dependencies(firmware_${board} firmware_script_${board})
+    target_link_options(firmware_${board} PRIVATE -T ${script})
+    set_property(TARGET firmware_${board} APPEND PROPERTY LINK_DEPENDS ${script})
     add_custom_command(TARGET firmware_${board} POST_BUILD
         COMMAND ${CMAKE_OBJCOPY} -O ihex -R .eeprom $<TARGET_FILE:firmware_${board}> ${folder}/firmware.hex
         COMMAND ${NODE} ${CMAKE_SOURCE_DIR}/toolchain/image/blank_eeprom.mjs ${folder}/firmware.eep
