@@ -23,7 +23,8 @@ struct {
 } queue;
 
 // No write begins while somebody is reading, or waits to: then for so many overflows of the clock.
-constexpr uint8_t kPatience = 4;  // 98..131 ms
+// Longer than the 100 ms of a task that comes ten times a second: it would be late every time.
+constexpr uint8_t kPatience = 5;  // 131..164 ms
 // Nor behind a byte that was written again, so that a worn cell does not keep readers waiting.
 constexpr uint8_t kRest = 1;  // up to 33 ms
 volatile uint8_t patience;

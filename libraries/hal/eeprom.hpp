@@ -12,8 +12,8 @@ constexpr uint16_t kEepromSize = 4096;
 
 // Reads `size` bytes; bytes still in the queue are seen as if written. `busy`: a byte is being
 // written; the queue then rests after it until this reader has come back and been served (or
-// 100 ms have passed), so asking again in the next frame always succeeds. bad_argument: past the
-// end.
+// 130 ms have passed), so asking again in a tenth of a second always succeeds. bad_argument: past
+// the end.
 MUST_USE core::Status eepromRead(uint16_t address, void* to, uint8_t size);
 
 // Queues `size` bytes in address order; bytes that already hold their value are not written.

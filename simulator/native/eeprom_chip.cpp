@@ -8,7 +8,7 @@
 namespace simulator {
 
 constexpr uint64_t kByte_us = 3400;  // ATmega2560 datasheet, table 8-2: 3.4 ms
-constexpr uint64_t kPatience_us = 100'000;
+constexpr uint64_t kPatience_us = 131'000;
 constexpr uint64_t kRest_us = 29'400;  // of the driver, behind a byte that was written again
 
 EepromChip::EepromChip(const uint64_t& now_us, uint64_t seed)
@@ -33,11 +33,15 @@ uint8_t EepromChip::seen(uint16_t address) const {
 core::Status EepromChip::read(uint16_t address, void* to, uint8_t size) {
     if (address + size > hal::kEepromSize) return core::Status::bad_argument;
     if (writing()) {
-        patience_until_us_ = now_us_ + kPatience_us;
+        if (patience_until_us_ <= now_us_) {
+            waiting_address_ = address;
+            patience_until_us_ = now_us_ + kPatience_us;
+        }
         return core::Status::busy;
     }
     for (uint8_t i = 0; i < size; ++i) static_cast<uint8_t*>(to)[i] = seen(address + i);
-    patience_until_us_ = 0;
+    // another reader does not end it: who reads two places at once would never get the second
+    if (address == waiting_address_) patience_until_us_ = 0;
     begin();
     return core::Status::ok;
 }

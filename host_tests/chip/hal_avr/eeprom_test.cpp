@@ -82,7 +82,7 @@ TEST(HalEeprom, rests_until_the_reader_that_was_busy_has_been_served) {
     EXPECT_EQ(cells(bench, 202, 1)[0], 0xFF);  // rested after the first, went on after 0x13
 }
 
-TEST(HalEeprom, goes_on_after_100_ms_when_the_reader_does_not_come_back) {
+TEST(HalEeprom, goes_on_after_131_ms_when_the_reader_does_not_come_back) {
     Bench bench("eeprom");
     bench.runTo(0x17);
 

@@ -13,7 +13,7 @@
 namespace {
 
 constexpr uint64_t kByte_us = 3400;
-constexpr uint64_t kReaderPatience_us = 100000;
+constexpr uint64_t kReaderPatience_us = 131000;
 
 struct Entry {
     uint16_t address;

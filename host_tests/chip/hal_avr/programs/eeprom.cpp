@@ -48,7 +48,7 @@ static void readerIsServedNextTime() {
     report(0x15, status(hal::eepromRead(300, bytes, 1)));  // never comes back
     wait_ms(90);
     report(0x16, hal::eepromDrained());
-    wait_ms(80);
+    wait_ms(130);
     report(0x17, hal::eepromDrained());
 }
 
