@@ -24,10 +24,38 @@ struct Usart {
 };
 
 core::Ring<128> links_rx[2];
+// The frames behind the ring's head are held: its interrupt sends up to the head only.
+struct LinkRing {
+    using Ring = core::Ring<128>;
+    Ring ring;
+    uint8_t written = 0;  // index behind the last byte
+
+    uint8_t held() const { return Ring::index(static_cast<uint8_t>(written - ring.head())); }
+    uint8_t room() const {
+        return static_cast<uint8_t>(Ring::kHeadAt - 1 -
+                                    Ring::index(static_cast<uint8_t>(written - ring.tail())));
+    }
+    void clear() {
+        ring.clear();
+        written = ring.head();
+    }
+    uint8_t* end() { return ring.begin() + written; }
+    void added(uint8_t count) { written = Ring::index(static_cast<uint8_t>(written + count)); }
+    void add(uint8_t byte) {
+        *end() = byte;
+        added(1);
+    }
+    bool put(const void* bytes, uint8_t size) {  // not while frames are held
+        const bool done = ring.put(bytes, size);
+        written = ring.head();
+        return done;
+    }
+    bool empty() const { return ring.empty(); }
+};
 // An address in one of these is a constant and the index below it: two instructions fewer for each
 // byte sent, 0.3 % of the processor, which the gaps in the RAM are worth.
-alignas(256) core::Ring<128> link0_tx;
-alignas(256) core::Ring<128> link1_tx;
+alignas(256) LinkRing link0_tx;
+alignas(256) LinkRing link1_tx;
 core::Ring<128> gps_rx;
 core::Ring<32> gps_tx;
 uint16_t lost_bytes[hal::kPorts];
@@ -39,7 +67,7 @@ static_assert(hal::kPorts == 3 && kGps == 1, "a link to either side of the GPS")
 template <uint8_t port>
 struct RingsOf {
     static core::Ring<128>& rx() { return links_rx[port / 2]; }
-    static core::Ring<128>& tx() { return port == 0 ? link0_tx : link1_tx; }
+    static core::Ring<128>& tx() { return port == 0 ? link0_tx.ring : link1_tx.ring; }
 };
 template <>
 struct RingsOf<kGps> {
@@ -47,9 +75,7 @@ struct RingsOf<kGps> {
     static core::Ring<32>& tx() { return gps_tx; }
 };
 
-inline core::Ring<128>& sentOn(hal::Port link) {
-    return link == hal::Port::link0 ? link0_tx : link1_tx;
-}
+inline LinkRing& sentOn(hal::Port link) { return link == hal::Port::link0 ? link0_tx : link1_tx; }
 
 template <class Act>
 inline auto atReceived(hal::Port port, Act act) {
@@ -253,14 +279,15 @@ bool serialWrite(Port port, const void* bytes, uint8_t size) {
     return true;
 }
 
-void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t crc, uint8_t extra) {
-    core::Ring<128>* ring = &sentOn(link);
+void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t crc, uint8_t extra,
+                    uint8_t signature) {
+    LinkRing* ring = &sentOn(link);
     __asm__("" : "+r"(ring));  // or it is worked out again wherever it is used
-    core::Ring<128>& tx = *ring;
+    LinkRing& tx = *ring;
     const uint8_t* from = head.bytes;
     uint8_t size = head.size;
     for (bool is_body = false;; is_body = true) {
-        for (uint8_t run = tx.runOf(size);; run = size) {
+        for (uint8_t run = LinkRing::Ring::runFrom(tx.written, size);; run = size) {
             copySummed(tx.end(), from, run, crc);
             tx.added(run);
             if (run == size) break;
@@ -273,6 +300,22 @@ void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t cr
     crc = core::crc16(crc, extra);
     tx.add(static_cast<uint8_t>(crc));
     tx.add(static_cast<uint8_t>(crc >> 8));
+    if (signature != 0) return tx.added(signature);
+    tx.ring.handOver(tx.written);
+    startSending(link, tx);
+}
+
+uint8_t linkHeldSize(Port link) { return sentOn(link).held(); }
+
+Runs linkHeld(Port link) {
+    LinkRing& tx = sentOn(link);
+    const uint8_t at = tx.ring.head();
+    return {tx.ring.begin() + at, tx.ring.runFrom(at, tx.held()), tx.ring.begin()};
+}
+
+void linkSendHeld(Port link, uint8_t size) {
+    LinkRing& tx = sentOn(link);
+    tx.ring.handOver(tx.ring.index(static_cast<uint8_t>(tx.ring.head() + size)));
     startSending(link, tx);
 }
 

@@ -33,17 +33,22 @@ bool sendPayload(Link& link, const void* payload, const mavlink::Layout& in_flas
     const mavlink::Layout layout = {core::romRead(in_flash.id), core::romRead(in_flash.length),
                                     core::romRead(in_flash.length_with_extensions),
                                     core::romRead(in_flash.crc_extra)};
-    // an id past 255 has no MAVLink 1 frame; who asks for such a message can read the other kind
-    const mavlink::Framing framing = layout.id > 255 ? mavlink::Framing::v2 : link.framing;
+    // an id past 255 and a signature have no MAVLink 1 frame; who asks for them can read the other
+    const uint8_t signature = link.signature;
+    const mavlink::Framing framing =
+        signature != 0 || layout.id > 255 ? mavlink::Framing::v2 : link.framing;
     const mavlink::Outgoing message = mavlink::outgoing(framing, payload, layout);
     const hal::Port port = portOf(link);
-    if (hal::serialRoom(port) < mavlink::frameSize(framing, message.length)) return false;
+    if (hal::serialRoom(port) < mavlink::frameSize(framing, message.length) + signature)
+        return false;
     const mavlink::Sender sender = {framing, link.sequence++,
-                                    static_cast<uint8_t>(parameters.system_id), kComponent};
+                                    static_cast<uint8_t>(parameters.system_id), kComponent,
+                                    signature != 0};
     uint8_t header[mavlink::kHeaderV2];
     const uint8_t header_size = mavlink::writeHeader(sender, message, header);
     hal::linkWriteFrame(port, {header, header_size}, {message.payload, message.length},
-                        mavlink::crcBefore(header[0]), message.crc_extra);
+                        mavlink::crcBefore(header[0]), message.crc_extra, signature);
+    if (signature != 0) link.wake_room = kAnyRoom;
     return true;
 }
 

@@ -21,17 +21,18 @@ struct IncomingTable {
     static uint8_t find(uint16_t id, mavlink::Accepted& to);
 };
 
+// Besides the payload, with a signature: there is room for one whether there is a key or not.
+constexpr uint8_t kAroundPayload = mavlink::kHeaderV2 + mavlink::kChecksum + mavlink::kSignature;
+
 // MISSION_ITEM_INT is, coming or going, the longest answer.
-constexpr uint8_t kLongestTalk =
-    mavlink::kHeaderV2 + sizeof(mavlink::MissionItemInt) + mavlink::kChecksum;
+constexpr uint8_t kLongestTalk = kAroundPayload + sizeof(mavlink::MissionItemInt);
 
 // SET_POSITION_TARGET_... is the longest message we take that has no answer.
 constexpr uint8_t kLongestQuestion =
     mavlink::kHeaderV2 + sizeof(mavlink::SetPositionTargetGlobalInt) + mavlink::kChecksum;
 
 // Whatever goes out by itself is only tried when the largest such frame would fit.
-constexpr uint8_t kLargestFrame =
-    mavlink::kHeaderV2 + mavlink::Wire<mavlink::AutopilotVersion>::length + mavlink::kChecksum;
+constexpr uint8_t kLargestFrame = kAroundPayload + mavlink::Wire<mavlink::AutopilotVersion>::length;
 
 struct Link {
     // what is used most first: an instruction reaches 63 bytes
@@ -42,7 +43,9 @@ struct Link {
     uint8_t held_ticks = 0;          // ... for so many turns of telemetrySend
     uint8_t torn_ticks = 0;          // turns of telemetrySend since a byte came for a frame begun
     uint8_t slowdown_pct = 0;        // of the streams, asked for by the radio
-    uint8_t wake_room = 0;           // free bytes in the port at which there is something to send
+    uint8_t signature = 0;           // bytes of it behind what is sent; signingTick's to change
+    uint8_t wake_room = 0;           // free bytes in the port at which there is something to send;
+                                     // kAnyRoom: a signature is to be worked on
     bool parameter_is_next = false;  // while a list is sent, streams and list take turns
     bool log_is_next = false;        // likewise a log and all else
     uint16_t next_parameter = 0;     // of the list being sent; kNoParameter: none
@@ -69,6 +72,7 @@ bool usbPlugged();  // what follows the cable: the rate of link0
 inline bool hasRoom(const Link& link, uint8_t frame_size) {
     return hal::serialRoom(portOf(link)) >= frame_size;
 }
+constexpr uint8_t kAnyRoom = 0;
 
 // What is sent as an answer or by an event, besides the rows of streams.cpp. send() finds a message
 // here when it is compiled; its caller then names it by one byte.

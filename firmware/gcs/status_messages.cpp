@@ -193,12 +193,10 @@ bool fillIn(const Link&, mavlink::Meminfo& to) {
 
 // UTC once there has been a fix, and by our own clock while the receiver is silent.
 bool fillIn(const Link&, mavlink::SystemTime& to) {
-    const drivers::GpsFix& fix = sensors::gpsFix();
     to.time_boot_ms = hal::frame_ms();
-    const uint32_t week_utc_s = weekBegan_utc_s(fix.week);
-    if (week_utc_s == 0 || !vehicle.home.set) return true;
-    const uint32_t since_ms = to.time_boot_ms - vehicle.gps.received_ms + fix.age_ms + fix.time_ms;
-    to.time_unix_usec = uint64_t{week_utc_s} * 1000000UL + uint64_t{since_ms} * 1000U;
+    const UtcTime utc = utcTime();
+    if (utc.week_s != 0)
+        to.time_unix_usec = uint64_t{utc.week_s} * 1000000UL + uint64_t{utc.since_ms} * 1000U;
     return true;
 }
 

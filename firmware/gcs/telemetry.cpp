@@ -2,6 +2,7 @@
 #include "firmware/gcs/telemetry.hpp"
 
 #include "core/file_state.hpp"
+#include "core/seldom.hpp"
 #include "firmware/gcs/commands.hpp"
 #include "firmware/gcs/housekeeping.hpp"
 #include "firmware/gcs/link.hpp"
@@ -9,6 +10,7 @@
 #include "firmware/gcs/mission_transfer.hpp"
 #include "firmware/gcs/parameter_transfer.hpp"
 #include "firmware/gcs/signing.hpp"
+#include "firmware/gcs/signing_outgoing.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/notify/text_queue.hpp"
 #include "firmware/sensors/sensors.hpp"
@@ -66,7 +68,8 @@ void followUsb() {
     openLink0();
 }
 
-// Handles the frame the parser holds; false: not done, it stays there.
+// Handles the frame the parser holds; false: not done, it stays there. Its signature is checked
+// without room for an answer: what fills the port may wait for the same hash.
 bool handleWhole(Link& link) {
     const mavlink::Frame frame = link.parser.frame();
     if (frame.framing == mavlink::Framing::v2) link.framing = mavlink::Framing::v2;
@@ -77,6 +80,7 @@ bool handleWhole(Link& link) {
         signingForget(link);
         link.passed = verdict == Verdict::obeyed;
     }
+    if (link.passed && !hasRoom(link, kLongestTalk)) return false;
     if (link.passed && !handleFrame(link, frame)) {
         if (link.held_ticks < kHoldTicks) return false;
         refuseFrame(link, frame);
@@ -111,14 +115,20 @@ __attribute__((noinline)) bool receive(Link& link) {
     return true;
 }
 
+// Of what is sent, or else of what was received: they share the place for a hash.
+SELDOM bool signOn(Link& link) {
+    return signOutgoing(link) || (link.whole && !link.passed && handleWhole(link));
+}
+
 bool hasSomething(const Link& link) {
     return link.streams.due != 0 || link.next_parameter != kNoParameter || gcs::textWaits(link);
 }
 
 // Free bytes in the port at which there is something to send by itself.
 uint8_t roomToSend(const Link& link) {
+    if (hal::linkHeldSize(portOf(link)) != 0) return kAnyRoom;
     if (hasSomething(link)) return kLargestFrame;
-    return logsWait(link) ? kLogFrame : kNoRoomWakes;
+    return logsWait(link) ? logFrame(link) : kNoRoomWakes;
 }
 
 // One message, of what goes out by itself. A log takes turns with all the rest. Not inlined, as
@@ -151,6 +161,7 @@ template <uint8_t number>
 inline bool pump() {
     Link& link = links[number];
     constexpr hal::Port kPort = number == 0 ? hal::Port::link0 : hal::Port::link1;
+    if (link.wake_room == kAnyRoom && signOn(link)) return true;
     const uint8_t room = hal::serialRoom(kPort);
     if (room < kLongestTalk && link.wake_room != kNoRoomWakes) return false;
     if (room >= kLongestTalk && (link.whole || hal::serialAvailable(kPort) > 0) && receive(link))
@@ -180,6 +191,7 @@ void sendBannerText() {
 
 void telemetrySend() {
     followUsb();
+    signingTick();
     for (Link& link : links) {
         if (link.whole && link.held_ticks < kHoldTicks) ++link.held_ticks;
         giveUpTornFrame(link);

@@ -11,7 +11,7 @@ import { connect } from 'node:net';
 import { dirname } from 'node:path';
 import { messages, nodeMavlink, registry, x25crc } from './node_mavlink.mjs';
 
-const { MavLinkProtocolV1, MavLinkProtocolV2 } = nodeMavlink;
+const { MavLinkPacketSignature, MavLinkProtocolV1, MavLinkProtocolV2 } = nodeMavlink;
 const stations = { 1: new MavLinkProtocolV1(255, 190), 2: new MavLinkProtocolV2(255, 190) };
 const kStep_ms = 20;
 const kTelemetry = 0;
@@ -54,14 +54,17 @@ class Line {
       `0x${this.waiting[0].toString(16)} is no beginning of a frame`);
     const protocol = stations[v1 ? 1 : 2];
     const size = this.waiting[1] + (v1 ? 8 : 12);
-    if (this.waiting.length < 2 || this.waiting.length < size) return false;
+    const isSigned = !v1 && (this.waiting[2] & MavLinkProtocolV2.IFLAG_SIGNED) !== 0;
+    const whole = size + (isSigned ? MavLinkPacketSignature.SIGNATURE_LENGTH : 0);
+    if (this.waiting.length < 3 || this.waiting.length < whole) return false;
     const frame = this.waiting.subarray(0, size);
-    this.waiting = this.waiting.subarray(size);
+    const signature = isSigned ? new MavLinkPacketSignature(this.waiting.subarray(0, whole)) : null;
+    this.waiting = this.waiting.subarray(whole);
     const header = protocol.header(frame);
     const type = registry[header.msgid];
     assert.ok(type, `message ${header.msgid} is unknown to the client`);
     assert.equal(protocol.crc(frame), x25crc(frame, 1, 2, type.MAGIC_NUMBER), type.MSG_NAME);
-    this.inbox.push({ name: type.MSG_NAME, version: v1 ? 1 : 2, at_ms: this.clock.now_ms, header,
+    this.inbox.push({ name: type.MSG_NAME, version: v1 ? 1 : 2, at_ms: this.clock.now_ms, header, signature,
       data: protocol.data(protocol.payload(frame), type) });
     return true;
   }

@@ -25,25 +25,24 @@ public:
     bool put(const void* bytes, uint8_t count) {
         if (room() < count) return false;
         const uint8_t* from = static_cast<const uint8_t*>(bytes);
-        const uint8_t run = runOf(count);
-        memcpy(end(), from, run);
+        const uint8_t run = runFrom(head_, count);
+        memcpy(bytes_ + head_, from, run);
         memcpy(bytes_, from + run, static_cast<uint8_t>(count - run));
-        added(count);
+        handOver(index(static_cast<uint8_t>(head_ + count)));
         return true;
     }
-    // The same by hand, where there is room: a run at the end, what is left of `count` at the
-    // beginning, and they are added.
-    uint8_t runOf(uint8_t count) const {
-        const uint8_t to_last = static_cast<uint8_t>(size - 1 - head_);
+    // The same by hand, where there is room: from the head on, and at begin() again after the end;
+    // then all of it is handed over.
+    uint8_t head() const { return head_; }
+    uint8_t tail() const { return seen(tail_); }
+    uint8_t* begin() { return bytes_; }
+    static uint8_t index(uint8_t at) { return at & kMask; }
+    // How many of `count` bytes from an index on lie side by side.
+    static uint8_t runFrom(uint8_t at, uint8_t count) {
+        const uint8_t to_last = static_cast<uint8_t>(size - 1 - at);
         return to_last < count ? static_cast<uint8_t>(to_last + 1) : count;
     }
-    uint8_t* end() { return bytes_ + head_; }
-    uint8_t* begin() { return bytes_; }
-    void added(uint8_t count) { hand(head_, (head_ + count) & kMask); }
-    void add(uint8_t byte) {
-        bytes_[head_] = byte;
-        added(1);
-    }
+    void handOver(uint8_t to) { hand(head_, to); }
 
     bool take(uint8_t& byte) {
         const uint8_t tail = tail_;

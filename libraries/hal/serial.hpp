@@ -26,7 +26,24 @@ struct Piece {
     const uint8_t* bytes;
     uint8_t size;
 };
-void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t crc, uint8_t extra);
+// With a `signature` so many bytes behind the frame are kept free for it, and the frame is held:
+// it takes room, but is not sent before linkSendHeld. What is held goes out in its order: while
+// there is some, no frame is queued without a signature.
+void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t crc, uint8_t extra,
+                    uint8_t signature);
+
+// Bytes that may lie in two runs, as at the end of a ring.
+struct Runs {
+    uint8_t* first;
+    uint8_t first_size;
+    uint8_t* second;
+    uint8_t& operator[](uint8_t at) const {
+        return at < first_size ? first[at] : second[static_cast<uint8_t>(at - first_size)];
+    }
+};
+uint8_t linkHeldSize(Port link);
+Runs linkHeld(Port link);                    // from the oldest frame on
+void linkSendHeld(Port link, uint8_t size);  // the oldest bytes, so many
 
 uint16_t serialLost(Port port);  // received bytes dropped since reset: overrun or buffer full
 

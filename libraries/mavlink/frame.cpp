@@ -14,7 +14,8 @@ uint8_t writeHeader(const Sender& sender, const Outgoing& message, uint8_t (&to)
         return kHeaderV1;
     }
     to[0] = kMagicV2;
-    to[2] = to[3] = 0;  // no flags
+    to[2] = sender.is_signed ? kSignedFlag : 0;
+    to[3] = 0;
     to[4] = sender.sequence;
     to[5] = sender.system;
     to[6] = sender.component;

@@ -17,6 +17,7 @@ constexpr uint8_t kMagicV1 = 0xFE;
 constexpr uint8_t kMagicV2 = 0xFD;
 constexpr uint8_t kHeaderV1 = 6;   // magic length sequence system component id
 constexpr uint8_t kHeaderV2 = 10;  // magic length incompat compat sequence system component id(3)
+constexpr uint8_t kLengthAt = 1;
 constexpr uint8_t kChecksum = 2;
 constexpr uint8_t kSignature = 13;
 constexpr uint8_t kSignedFlag = 0x01;  // the only incompat flag there is
@@ -27,6 +28,7 @@ struct Sender {
     uint8_t sequence;
     uint8_t system;
     uint8_t component;
+    bool is_signed = false;  // version 2 only: the flag, not the signature
 };
 
 // A message as it will be sent: how much of its payload, and what identifies it.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every contract of libraries/hal, answered by the native board that runs.
+#include <vector>
+
 #include "core/crc.hpp"
 #include "hal/analog.hpp"
 #include "hal/clock.hpp"
@@ -36,13 +38,27 @@ uint8_t serialRoom(Port port) { return board().serial().room(number(port)); }
 bool serialWrite(Port port, const void* bytes, uint8_t size) {
     return board().serial().write(number(port), static_cast<const uint8_t*>(bytes), size);
 }
-void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t crc, uint8_t extra) {
+void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t crc, uint8_t extra,
+                    uint8_t signature) {
     crc = core::crc16(crc, head.bytes, head.size);
     crc = core::crc16(core::crc16(crc, body.bytes, body.size), extra);
-    serialWrite(link, head.bytes, head.size);
-    serialWrite(link, body.bytes, body.size);
-    serialWrite(link, &crc, sizeof crc);  // least byte first
+    std::vector<uint8_t> frame(head.bytes, head.bytes + head.size);
+    frame.insert(frame.end(), body.bytes, body.bytes + body.size);
+    frame.push_back(static_cast<uint8_t>(crc));
+    frame.push_back(static_cast<uint8_t>(crc >> 8));
+    if (signature == 0)
+        serialWrite(link, frame.data(), static_cast<uint8_t>(frame.size()));
+    else
+        board().serial().hold(number(link), frame, signature);
 }
+uint8_t linkHeldSize(Port link) {
+    return static_cast<uint8_t>(board().serial().held(number(link)).size());
+}
+Runs linkHeld(Port link) {
+    std::vector<uint8_t>& held = board().serial().held(number(link));
+    return {held.data(), static_cast<uint8_t>(held.size()), nullptr};
+}
+void linkSendHeld(Port link, uint8_t size) { board().serial().sendHeld(number(link), size); }
 uint16_t serialLost(Port port) { return board().serial().lost(number(port)); }
 bool usbConnected() { return board().usb(); }
 

@@ -19,6 +19,7 @@ void SerialLines::open(int port, uint32_t baud) {
     line.baud = baud;
     line.received.clear();
     line.outgoing.clear();
+    line.held.clear();
     line.sent_ns = UINT64_MAX;
     line.arrives_ns = line.incoming.empty() ? UINT64_MAX : after_ns(now_us_ * 1000, line);
 }
@@ -40,7 +41,8 @@ bool SerialLines::read(int port, uint8_t& byte) {
 }
 
 uint8_t SerialLines::room(int port) const {
-    return static_cast<uint8_t>(kRings[port].tx - lines_[port].outgoing.size());
+    return static_cast<uint8_t>(kRings[port].tx - lines_[port].outgoing.size() -
+                                lines_[port].held.size());
 }
 
 bool SerialLines::write(int port, const uint8_t* bytes, uint8_t size) {
@@ -49,6 +51,19 @@ bool SerialLines::write(int port, const uint8_t* bytes, uint8_t size) {
     line.outgoing.insert(line.outgoing.end(), bytes, bytes + size);
     if (line.sent_ns == UINT64_MAX) line.sent_ns = after_ns(now_us_ * 1000, line);
     return true;
+}
+
+void SerialLines::hold(int port, const std::vector<uint8_t>& frame, uint8_t signature) {
+    std::vector<uint8_t>& held = lines_[port].held;
+    held.insert(held.end(), frame.begin(), frame.end());
+    held.resize(held.size() + signature);
+}
+
+void SerialLines::sendHeld(int port, uint8_t size) {
+    std::vector<uint8_t>& held = lines_[port].held;
+    const std::vector<uint8_t> sent(held.begin(), held.begin() + size);
+    held.erase(held.begin(), held.begin() + size);
+    write(port, sent.data(), size);
 }
 
 void SerialLines::send(int port, const uint8_t* bytes, size_t size) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <vector>
 
 #include "simulator/board.hpp"
 #include "simulator/line_noise.hpp"
@@ -28,6 +29,10 @@ public:
     bool read(int port, uint8_t& byte);
     uint8_t room(int port) const;
     bool write(int port, const uint8_t* bytes, uint8_t size);
+    // frames that wait for their signatures, each with so many bytes behind it
+    void hold(int port, const std::vector<uint8_t>& frame, uint8_t signature);
+    std::vector<uint8_t>& held(int port) { return lines_[port].held; }
+    void sendHeld(int port, uint8_t size);
     uint16_t lost(int port) const { return lines_[port].lost; }
 
     // ---- the other end of the cable
@@ -42,6 +47,7 @@ private:
     struct Line {
         uint32_t baud = 0;
         std::deque<uint8_t> received, outgoing, incoming;
+        std::vector<uint8_t> held;
         uint64_t sent_ns = UINT64_MAX, arrives_ns = UINT64_MAX;  // end of the byte on the wire
         uint16_t lost = 0;
     };

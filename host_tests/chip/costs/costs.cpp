@@ -50,8 +50,10 @@ const Line kLink[] = {
 const Line kSigning[] = {
     {"a block of SHA-256",            costs::kHashBlock,   Figure::each,    "sha256_block_cycles"},
     {"a quarter of a block, longest", costs::kHashQuarter, Figure::longest, "sha256_quarter_cycles"},
-    {"a signed COMMAND_LONG checked", costs::kCheckSlice, Figure::all, "signing_frame_cycles"},
+    {"a signed COMMAND_LONG checked", costs::kCheckSlice,  Figure::all,     "signing_frame_cycles"},
     {"a slice of that, longest",      costs::kCheckSlice,  Figure::longest, "signing_slice_cycles"},
+    {"a GLOBAL_POSITION_INT signed",  costs::kSignSlice,   Figure::all,     "signing_frame_cycles"},
+    {"a slice of that, longest",      costs::kSignSlice,   Figure::longest, "signing_slice_cycles"},
 };
 struct Pair {
     const char* what;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Signed frames by node-mavlink: a key over USB, then the radio obeys what is signed with it, once.
+// Signed frames by node-mavlink: a key over USB, then the radio obeys what is signed with it, once,
+// and all that the vehicle sends is signed with it.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { messages, nodeMavlink } from '../../support/node_mavlink.mjs';
@@ -80,4 +81,49 @@ test('a key of zeros ends it', withVehicle({}, async (vehicle) => {
   vehicle.forget();
   vehicle.send('PARAM_REQUEST_READ', read);
   await vehicle.expect('PARAM_VALUE');
+}));
+
+const isRight = ({ signature }, key = kKey) => signature?.matches(key) === true;
+
+test('all that is sent is signed with the key, on both links, and no time comes twice', withVehicle({}, async (vehicle) => {
+  await setKey(vehicle, kKey);
+  vehicle.line.version = 2;
+  vehicle.forget();
+  write(vehicle.line, signed('REQUEST_DATA_STREAM', { reqStreamId: 0, reqMessageRate: 4, startStop: 1 }, { time_ms: kBegins_ms + 1000 }));
+  vehicle.lines[1].send('REQUEST_DATA_STREAM', { targetSystem: 1, targetComponent: 1, reqStreamId: 0, reqMessageRate: 4, startStop: 1 });
+  await vehicle.wait(5000);
+  for (const { inbox } of vehicle.lines) {
+    assert.ok(inbox.length > 200, `${inbox.length} frames`);
+    assert.deepEqual(inbox.filter((frame) => !isRight(frame)).map(({ name }) => name), []);
+    assert.ok(!isRight(inbox[0], MavLinkPacketSignature.key('another')));
+    const times = inbox.map(({ signature }) => signature.timestamp);
+    assert.ok(times.every((time, i) => i === 0 || time > times[i - 1]), 'they rise');
+    const numbers = inbox.map(({ header }) => header.seq);
+    assert.ok(numbers.every((number, i) => i === 0 || number === (numbers[i - 1] + 1 & 255)), 'none is lost');
+  }
+}));
+
+test('a signed download of all parameters is whole', withVehicle({}, async (vehicle) => {
+  await setKey(vehicle, kKey);
+  vehicle.line.version = 2;
+  vehicle.forget();
+  write(vehicle.line, signed('PARAM_REQUEST_LIST', {}, { time_ms: kBegins_ms + 1000 }));
+  await vehicle.wait(15_000);
+  const heard = vehicle.line.inbox.filter(({ name }) => name === 'PARAM_VALUE');
+  assert.ok(heard.every((frame) => isRight(frame)));
+  assert.equal(new Set(heard.map(({ data }) => data.paramIndex)).size, heard[0].data.paramCount);
+}));
+
+test('a vehicle that has started again goes on with later times', withVehicle({}, async (vehicle) => {
+  await setKey(vehicle, kKey);
+  vehicle.line.version = 2;
+  await vehicle.wait(3000);
+  const { signature: { timestamp: before } } = await vehicle.next('HEARTBEAT');
+  const reboot = { command: 246, confirmation: 0, _param1: 1 };
+  write(vehicle.line, signed('COMMAND_LONG', reboot, { time_ms: kBegins_ms + 2000 }));
+  await vehicle.wait(4000);
+  vehicle.forget();
+  const heartbeat = await vehicle.next('HEARTBEAT', { within_ms: 3000 });
+  assert.ok(isRight(heartbeat), 'signed from the first one on');
+  assert.ok(heartbeat.signature.timestamp > before);
 }));

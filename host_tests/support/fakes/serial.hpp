@@ -18,6 +18,7 @@ struct Serial {
     std::vector<uint32_t> opened;  // every rate it was opened with
     uint8_t room = 255;            // for serialWrite; shrinks by what is written unless endless
     bool endless = true;
+    std::vector<uint8_t> held;  // frames that wait for their signatures, with room for these
     uint16_t lost = 0;
 
     void receive(const std::vector<uint8_t>& bytes) {

@@ -30,7 +30,7 @@ void receive(costs::Step step, Framing framing, const Message& message, uint8_t 
     costs::timed(step, [&whole] {
         for (uint8_t i = 0; i < size; ++i) whole = take(bytes[i]);
     });
-    if (!whole || size != expected) hal::trace(costs::kBroken);
+    if (!whole || size != expected) costs::broken();
     firmware::gcs::links[0].parser.next();
 }
 

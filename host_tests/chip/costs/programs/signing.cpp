@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SHA-256 of one block, with interrupts off: all of it, and what one slice takes. Then a frame
-// whose signature is checked, on the radio's link with a key stored.
+// whose signature is checked, on the radio's link with a key stored, and one that is signed.
 #include <avr/interrupt.h>
 
 #include "crypto/sha256.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/gcs/signing.hpp"
+#include "firmware/gcs/signing_outgoing.hpp"
 #include "hal/eeprom.hpp"
 #include "steps.hpp"
 #include "storage/eeprom_map.hpp"
@@ -13,6 +14,7 @@
 namespace {
 
 crypto::Sha256 sha;
+constexpr mavlink::Layout kPosition ROM = mavlink::layoutOf<mavlink::GlobalPositionInt>();
 
 void fill() {
     sha.byte(0) = 'a';
@@ -30,7 +32,7 @@ void storeKey() {
     while (!hal::eepromDrained()) {
     }
     cli();
-    if (!ok) hal::trace(costs::kBroken);
+    if (!ok) costs::broken();
     firmware::gcs::signingStart();
 }
 
@@ -47,7 +49,7 @@ void receive(firmware::gcs::Link& link) {
     for (const uint8_t byte : header) link.parser.put(byte);
     for (uint8_t i = 0; i < message.length; ++i) link.parser.put(message.payload[i]);
     link.parser.put(static_cast<uint8_t>(crc));
-    if (!link.parser.put(static_cast<uint8_t>(crc >> 8))) hal::trace(costs::kBroken);
+    if (!link.parser.put(static_cast<uint8_t>(crc >> 8))) costs::broken();
     for (uint8_t i = 0; i < mavlink::kSignature; ++i) link.parser.put(1);
 }
 
@@ -59,7 +61,19 @@ void checkOne() {
     while (verdict == firmware::gcs::Verdict::works)
         costs::timed(costs::kCheckSlice,
                      [&] { verdict = firmware::gcs::signingVerdict(link, frame); });
-    if (verdict != firmware::gcs::Verdict::refused) hal::trace(costs::kBroken);
+    if (verdict != firmware::gcs::Verdict::refused) costs::broken();
+    firmware::gcs::signingForget(link);
+}
+
+// From its request on; what sends it is in the costs of the link.
+void signOne() {
+    firmware::gcs::Link& link = firmware::gcs::links[1];
+    mavlink::GlobalPositionInt message = {};
+    message.hdg = 0x1234;  // the last bytes
+    if (!firmware::gcs::sendPayload(link, &message, kPosition)) costs::broken();
+    bool more = true;
+    while (more) costs::timed(costs::kSignSlice, [&] { more = firmware::gcs::signOutgoing(link); });
+    if (hal::linkHeldSize(hal::Port::link1) != 0) costs::broken();
 }
 
 }  // namespace
@@ -72,7 +86,7 @@ int main() {
         while (!sha.quarter()) {
         }
     });
-    if (sha.hash(0) != 0xba || sha.hash(31) != 0xad) hal::trace(costs::kBroken);
+    if (sha.hash(0) != 0xba || sha.hash(31) != 0xad) costs::broken();
     sha.begin();
     fill();
     for (uint8_t i = 0; i < crypto::kQuarters; ++i)
@@ -80,6 +94,7 @@ int main() {
     firmware::state::parameters.sign_policy = 1;
     storeKey();
     checkOne();
+    signOne();
     for (uint8_t i = 0; i < 8; ++i) costs::timed(costs::kNothing, [] {});
     for (;;) {
     }

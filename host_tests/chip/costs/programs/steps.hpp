@@ -35,10 +35,17 @@ enum Step : uint8_t {
     kHashBlock,      // 64 bytes of SHA-256
     kHashQuarter,    // what is done of it at once
     kCheckSlice,     // one slice of checking a signed COMMAND_LONG
+    kSignSlice,      // one slice of signing a GLOBAL_POSITION_INT
     kBroken = 0x7F,  // the program has not done what is to be timed
 };
 
 constexpr uint8_t kHeartbeatBytes = 17, kCommandBytes = 44, kItemBytes = 49;
+
+// Fails the measurement. A mark counts when it ends.
+inline void broken() {
+    hal::trace(kBroken);
+    hal::trace(hal::kTraceTaskEnd);
+}
 
 // Between two marks, with nothing of the caller's inlined into it.
 template <class Work>
