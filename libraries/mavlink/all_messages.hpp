@@ -80,12 +80,15 @@ constexpr Accepted kAllMessages[] ROM = {
     accepts<AutopilotVersionRequest>(),
     accepts<MagCalProgress>(),
     accepts<MagCalReport>(),
+    accepts<EkfStatusReport>(),
+    accepts<Vibration>(),
     accepts<HomePosition>(),
     accepts<MessageInterval>(),
     accepts<ExtendedSysState>(),
     accepts<Statustext>(),
     accepts<SetupSigning>(),
     accepts<ProtocolVersion>(),
+    accepts<AvailableModes>(),
     accepts<CurrentMode>(),
 };
 

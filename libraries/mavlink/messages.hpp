@@ -58,6 +58,40 @@ struct MavState {
     };
 };
 
+struct MavStandardMode {
+    enum : uint8_t {
+        non_standard = 0,
+        cruise = 3,
+        altitude_hold = 4,
+        safe_recovery = 5,
+        mission = 6,
+        takeoff = 8,
+    };
+};
+
+struct MavModeProperty {
+    enum : uint8_t {
+        not_user_selectable = 2,
+        auto_mode = 4,
+    };
+};
+
+struct EkfStatusFlags {
+    enum : uint16_t {
+        attitude = 1,
+        velocity_horiz = 2,
+        velocity_vert = 4,
+        pos_horiz_rel = 8,
+        pos_horiz_abs = 16,
+        pos_vert_abs = 32,
+        const_pos_mode = 128,
+        pred_pos_horiz_rel = 256,
+        pred_pos_horiz_abs = 512,
+        uninitialized = 1024,
+        gps_glitching = 32768,
+    };
+};
+
 struct MavLandedState {
     enum : uint8_t {
         undefined = 0,
@@ -332,6 +366,7 @@ struct MavCmd {
         request_autopilot_capabilities = 520,
         do_flighttermination = 185,
         do_autotune_enable = 212,
+        do_set_standard_mode = 262,
         do_send_banner = 42428,
         guided_change_speed = 43000,
         guided_change_altitude = 43001,
@@ -1335,6 +1370,33 @@ template <>
 struct Wire<MagCalReport> : Shape<192, 44, 54, 36> {};
 static_assert(sizeof(MagCalReport) == Wire<MagCalReport>::length_with_extensions, "MAG_CAL_REPORT");
 
+struct __attribute__((packed)) EkfStatusReport {
+    float velocity_variance;
+    float pos_horiz_variance;
+    float pos_vert_variance;
+    float compass_variance;
+    float terrain_alt_variance;
+    uint16_t flags;
+    // extensions: MAVLink 2 only
+    float airspeed_variance;
+};
+template <>
+struct Wire<EkfStatusReport> : Shape<193, 22, 26, 71> {};
+static_assert(sizeof(EkfStatusReport) == Wire<EkfStatusReport>::length_with_extensions, "EKF_STATUS_REPORT");
+
+struct __attribute__((packed)) Vibration {
+    uint64_t time_usec;
+    float vibration_x;
+    float vibration_y;
+    float vibration_z;
+    uint32_t clipping_0;
+    uint32_t clipping_1;
+    uint32_t clipping_2;
+};
+template <>
+struct Wire<Vibration> : Shape<241, 32, 32, 90> {};
+static_assert(sizeof(Vibration) == Wire<Vibration>::length_with_extensions, "VIBRATION");
+
 struct __attribute__((packed)) HomePosition {
     int32_t latitude;
     int32_t longitude;
@@ -1400,6 +1462,18 @@ struct __attribute__((packed)) ProtocolVersion {
 template <>
 struct Wire<ProtocolVersion> : Shape<300, 22, 22, 217> {};
 static_assert(sizeof(ProtocolVersion) == Wire<ProtocolVersion>::length_with_extensions, "PROTOCOL_VERSION");
+
+struct __attribute__((packed)) AvailableModes {
+    uint32_t custom_mode;
+    uint32_t properties;
+    uint8_t number_modes;
+    uint8_t mode_index;
+    uint8_t standard_mode;
+    char mode_name[35];
+};
+template <>
+struct Wire<AvailableModes> : Shape<435, 46, 46, 134> {};
+static_assert(sizeof(AvailableModes) == Wire<AvailableModes>::length_with_extensions, "AVAILABLE_MODES");
 
 struct __attribute__((packed)) CurrentMode {
     uint32_t custom_mode;
