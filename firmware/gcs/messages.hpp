@@ -29,6 +29,7 @@ bool fillIn(const Link& link, mavlink::GpsRawInt& to);
 bool fillIn(const Link& link, mavlink::RcChannelsRaw& to);
 bool fillIn(const Link& link, mavlink::RcChannels& to);
 bool fillIn(const Link& link, mavlink::ServoOutputRaw& to);
+bool fillIn(const Link& link, mavlink::Vibration& to);
 
 bool fillIn(const Link& link, mavlink::Attitude& to);
 bool fillIn(const Link& link, mavlink::AttitudeQuaternion& to);

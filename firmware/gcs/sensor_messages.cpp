@@ -30,6 +30,10 @@ SELDOM int16_t milli(core::BodyRate rate_rads) {
     return core::upper(core::product(rate_rads.raw, static_cast<int16_t>(kFactor)) * 2);
 }
 
+float vibration_mss(uint8_t axis) {
+    return core::hundredths(static_cast<int16_t>(vibration_cmss(axis)));
+}
+
 // The nine numbers that RAW_IMU and SCALED_IMU have one behind the other.
 constexpr uint8_t kNumbers = 9;
 static_assert(offsetof(mavlink::RawImu, zmag) - offsetof(mavlink::RawImu, xacc) == 16, "");
@@ -63,6 +67,16 @@ bool fillIn(const Link&, mavlink::RawImu& to) {
 bool fillIn(const Link&, mavlink::ScaledImu& to) {
     to.time_boot_ms = hal::frame_ms();
     inertialAndField(&to.xacc);
+    return true;
+}
+
+// The time is that of the log.
+bool fillIn(const Link&, mavlink::Vibration& to) {
+    to.time_usec = hal::now_ms() * uint64_t{1000};
+    to.vibration_x = vibration_mss(0);
+    to.vibration_y = vibration_mss(1);
+    to.vibration_z = vibration_mss(2);
+    to.clipping_0 = accelerometerClips();
     return true;
 }
 

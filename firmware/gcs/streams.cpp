@@ -32,9 +32,10 @@ enum class Stream : uint8_t {
     always,           // once a second, whatever was asked for
     on_request,       // when asked for, or by an event
     extended_slowly,  // once a second while there is extended_status
+    extra3_slowly,    // ... and extra3
 };
 constexpr uint8_t kRatedStreams = 7;
-constexpr uint8_t kStreams = 10;
+constexpr uint8_t kStreams = 11;
 constexpr uint8_t kAlwaysRate = 4;  // quarters of a hertz
 
 struct OutgoingRow {
@@ -102,6 +103,7 @@ constexpr OutgoingRow kOutgoing[] ROM = {
     row<mavlink::Wind>(Stream::extra3),
     row<mavlink::Hwstatus>(Stream::extra3),
     row<mavlink::SystemTime>(Stream::extra3),
+    row<mavlink::Vibration>(Stream::extra3_slowly),
     row<mavlink::HomePosition>(Stream::on_request),
     row<mavlink::AutopilotVersion>(Stream::on_request),
     row<mavlink::ProtocolVersion>(Stream::on_request),
@@ -120,6 +122,11 @@ struct Rates {
     uint8_t of[kStreams];  // by Stream
 };
 
+void slowDown(Rates& rates, Stream stream, Stream slowly) {
+    const bool sent = rates.of[static_cast<uint8_t>(stream)] != 0;
+    rates.of[static_cast<uint8_t>(slowly)] = sent ? kAlwaysRate : 0;
+}
+
 Rates ratesOf(const Link& link) {
     Rates rates;
     const int8_t* rates_hz = &parameters.streams[linkNumber(link)].raw_sensors;
@@ -129,8 +136,8 @@ Rates ratesOf(const Link& link) {
     }
     rates.of[static_cast<uint8_t>(Stream::always)] = kAlwaysRate;
     rates.of[static_cast<uint8_t>(Stream::on_request)] = 0;
-    rates.of[static_cast<uint8_t>(Stream::extended_slowly)] =
-        rates.of[static_cast<uint8_t>(Stream::extended_status)] != 0 ? kAlwaysRate : 0;
+    slowDown(rates, Stream::extended_status, Stream::extended_slowly);
+    slowDown(rates, Stream::extra3, Stream::extra3_slowly);
     return rates;
 }
 

@@ -21,7 +21,8 @@ const parameters = { raw_sensors: '`SRn_RAW_SENS`', extended_status: '`SRn_EXT_S
   rc_channels: '`SRn_RC_CHAN`', raw_controller: '`SRn_RAW_CTRL`', position: '`SRn_POSITION`',
   extra1: '`SRn_EXTRA1`', extra2: '`SRn_EXTRA2`', extra3: '`SRn_EXTRA3`',
   always: 'once a second, always', on_request: 'when asked for, or when it happens',
-  extended_slowly: 'once a second, unless `SRn_EXT_STAT` is 0' };
+  extended_slowly: 'once a second, unless `SRn_EXT_STAT` is 0',
+  extra3_slowly: 'once a second, unless `SRn_EXTRA3` is 0' };
 
 function sent() {
   const rows = [...read('firmware/gcs/streams.cpp')

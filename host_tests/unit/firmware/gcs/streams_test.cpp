@@ -107,8 +107,8 @@ TEST_F(Telemetry, all_streams_start_and_stop_together) {
     for (const uint16_t id :
          {1, 24, 27, 29, 30, 33, 35, 36, 42, 62, 65, 74, 125, 152, 163, 165, 168})
         EXPECT_EQ(countOf(id), 10u) << id;
-    for (const uint16_t id : {147, 245})  // BATTERY_STATUS, EXTENDED_SYS_STATE
-        EXPECT_EQ(countOf(id), 1u) << id;
+    // BATTERY_STATUS, VIBRATION, EXTENDED_SYS_STATE
+    for (const uint16_t id : {147, 241, 245}) EXPECT_EQ(countOf(id), 1u) << id;
 
     station.send(streamRequest(MavDataStream::all, 10, false));
     run_ms(100);
@@ -532,6 +532,42 @@ TEST_F(Telemetry, battery_status_carries_the_pack_and_says_what_is_not_known) {
     parameters.streams[0].extended_status = 10;
     parameters.battery_monitor = 0;
     EXPECT_FALSE(comes());
+}
+
+TEST_F(Telemetry, vibration_is_what_the_accelerometers_measure_beside_the_flight) {
+    doubles::vehicle.vibration_cmss[0] = 150;
+    doubles::vehicle.vibration_cmss[1] = 2;
+    doubles::vehicle.vibration_cmss[2] = 3000;
+    doubles::vehicle.clips = 255;
+    EXPECT_EQ(command(mavlink::MavCmd::request_message, 241), 0);
+    run_ms(100);
+    const auto vibration = station.all<mavlink::Vibration>().at(0);
+    EXPECT_NEAR(vibration.time_usec, hal::now_ms() * 1000ull, 120000);
+    EXPECT_FLOAT_EQ(vibration.vibration_x, 1.5f);
+    EXPECT_FLOAT_EQ(vibration.vibration_y, 0.02f);
+    EXPECT_FLOAT_EQ(vibration.vibration_z, 30);
+    EXPECT_EQ(vibration.clipping_0, 255u);
+    EXPECT_EQ(vibration.clipping_1, 0u);
+}
+
+// Whatever the stream's rate is; an interval of its own is kept.
+TEST_F(Telemetry, what_comes_slowly_comes_once_a_second_while_its_stream_does) {
+    constexpr uint16_t kVibration = 241;
+    const auto inFiveSeconds = [this] {
+        run_ms(1000);
+        station.forget();
+        run_ms(5000);
+        return station.all<mavlink::Vibration>().size();
+    };
+    auto& rate_hz = firmware::state::parameters.streams[0].extra3;
+    for (const int8_t each_hz : {1, 3, 50}) {
+        rate_hz = each_hz;
+        EXPECT_EQ(inFiveSeconds(), 5u) << int{each_hz};
+    }
+    rate_hz = 0;
+    EXPECT_EQ(inFiveSeconds(), 0u);
+    EXPECT_EQ(command(mavlink::MavCmd::set_message_interval, kVibration, 200000), 0);
+    EXPECT_EQ(inFiveSeconds(), 25u);
 }
 
 TEST_F(Telemetry, system_time_is_utc_once_there_was_a_fix_and_goes_on_without) {

@@ -240,8 +240,8 @@ namespace sensors {
 using namespace state;
 
 const drivers::GpsFix& gpsFix() { return doubles::vehicle.fix; }
-uint16_t vibration_cmss(uint8_t) { return 0; }
-uint8_t accelerometerClips() { return 0; }
+uint16_t vibration_cmss(uint8_t axis) { return doubles::vehicle.vibration_cmss[axis]; }
+uint8_t accelerometerClips() { return doubles::vehicle.clips; }
 core::Vector3 restForce_mss() { return doubles::vehicle.rest_force_mss; }
 bool wrongBoard() { return doubles::vehicle.wrong_board; }
 void calibrateGyros() {

@@ -70,6 +70,8 @@ struct Vehicle {
     core::Vector3 rest_force_mss = {0, 0, -core::kGravity_mss};
     bool wrong_board = false;
     drivers::GpsFix fix = {};
+    uint16_t vibration_cmss[3] = {};
+    uint8_t clips = 0;
     int gyro_calibrations = 0;
     int pressure_calibrations = 0;
 };
