@@ -177,14 +177,23 @@ bool staysWrongly(float expected_mps) {
     return fabsf(expected_mps - airspeed_change.expected_mps) > kChanged_mps;
 }
 
-// The sensor against ground speed and wind: false when they contradict each other. Too slow to fly,
-// on the ground, the wind comes from anywhere.
+// The sensor against ground speed and wind. Too slow to fly, on the ground, the wind comes from
+// anywhere: nothing is compared.
+struct AirspeedError {
+    float odd_mps, believed_mps;
+};
+AirspeedError airspeedError(float expected_mps) {
+    if (!wind.known() || expected_mps < parameters.speed_min_mps) return {0, 1};
+    return {fabsf(vehicle.airspeed.speed_mps * true_speed.ratio - expected_mps),
+            kInconsistentAirspeed_mps + expected_mps * kInconsistentAirspeed};
+}
+
+// False when they contradict each other.
 bool airspeedFits() {
     workOutAirspeed();
     const float expected_mps = wind.airspeed_mps(vehicle.gps.velocity_mps);
-    const float odd_mps = fabsf(vehicle.airspeed.speed_mps * true_speed.ratio - expected_mps);
-    const bool odd = wind.known() && expected_mps >= parameters.speed_min_mps &&
-                     odd_mps >= kInconsistentAirspeed_mps + expected_mps * kInconsistentAirspeed;
+    const AirspeedError error = airspeedError(expected_mps);
+    const bool odd = error.odd_mps >= error.believed_mps;
     const bool stuck = wind.known() && staysWrongly(expected_mps);
     if (odd || stuck) reportInconsistency(Sensor::airspeed);
     return !odd && !stuck && !divesSlowly();
@@ -339,6 +348,22 @@ void publishHeight() {
     to.height_m = (height.height_m() - heights.home_m) * scale;
     to.climb_mps = height.climb_mps() * scale;
     to.velocity_mps.z = -to.climb_mps;
+    to.height_known = heights.started && height.healthy();
+}
+
+// The receiver's, counted as the estimate is.
+float gpsHeight_m() { return core::hundredths(vehicle.gps.altitude_cm) - heights.gps_above_m; }
+
+float heightTestRatio() {
+    if (!vehicle.estimate.height_known) return 0;
+    const float reading_m = vehicle.baro.healthy ? vehicle.estimate.baro_height_m : gpsHeight_m();
+    return fabsf(reading_m - height.height_m()) * (1 / estimation::Height::kGlitch_m);
+}
+
+float airspeedTestRatio() {
+    if (parameters.airspeed_enable == 0 || position.reckoned()) return 0;
+    const AirspeedError error = airspeedError(wind.airspeed_mps(vehicle.gps.velocity_mps));
+    return error.odd_mps / error.believed_mps;
 }
 
 }  // namespace
@@ -531,6 +556,11 @@ void fuseAirspeed() {
 
 Vector3 gyroDrift_rads() { return attitude.bias_rads(); }
 
+TestRatios testRatios() {
+    return {position.fixTestRatio(), heightTestRatio(), attitude.compassTestRatio(),
+            airspeedTestRatio()};
+}
+
 float flyingAirspeed_mps() {
     constexpr float kShare = 0.75f, kMax_mps = 10;
     return fminf(kShare * parameters.speed_min_mps, kMax_mps);
@@ -546,9 +576,8 @@ bool slowThroughTheAir() {
 }
 
 bool barometerSteady() {
-    const float gps_m = core::hundredths(vehicle.gps.altitude_cm) - heights.gps_above_m;
     return !height.lastReadingFarOff() &&
-           (heights.gps_above_m == 0 || near(gps_m, height.height_m()));
+           (heights.gps_above_m == 0 || near(gpsHeight_m(), height.height_m()));
 }
 
 void zeroHeight() {

@@ -32,6 +32,16 @@ void fuseAirspeed();   // 5 Hz: holds the attitude while there are no fixes
 
 core::Vector3 gyroDrift_rads();  // learnt in flight, on top of the calibration
 
+// How far what was measured last is off the estimate, as a share of what is believed: from 1 on it
+// is refused. 0 where nothing is compared.
+struct TestRatios {
+    float position;  // of a fix
+    float height;    // of the barometer, or of the receiver in its place
+    float compass;
+    float airspeed;
+};
+TestRatios testRatios();
+
 // For flying on after a restart: what is known, and the same again `lost_s` later, when the
 // airplane has turned on.
 void saveEstimate(state::SlowRecord& to);

@@ -17,6 +17,7 @@ bool fillIn(const Link& link, mavlink::FenceStatus& to);
 bool fillIn(const Link& link, mavlink::ExtendedSysState& to);
 bool fillIn(const Link& link, mavlink::Hwstatus& to);
 bool fillIn(const Link& link, mavlink::Meminfo& to);
+bool fillIn(const Link& link, mavlink::EkfStatusReport& to);
 bool fillIn(const Link& link, mavlink::SystemTime& to);
 bool fillIn(const Link& link, mavlink::AutopilotVersion& to);
 bool fillIn(const Link& link, mavlink::ProtocolVersion& to);

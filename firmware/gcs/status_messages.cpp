@@ -4,6 +4,7 @@
 
 #include "board.hpp"
 #include "core/maths.hpp"
+#include "firmware/estimator/estimator.hpp"
 #include "firmware/gcs/gps_time.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/gcs/messages.hpp"
@@ -102,6 +103,23 @@ uint32_t ailingSensors() {
     return bits;
 }
 
+// As ArduPilot's filters set them: a place that is reckoned is a relative one, and one that nobody
+// knows counts as standing.
+uint16_t estimateFlags() {
+    using Flag = mavlink::EkfStatusFlags;
+    constexpr uint16_t kPlace =
+        Flag::pos_horiz_abs | Flag::pred_pos_horiz_abs | Flag::pred_pos_horiz_rel;
+    const auto& estimate = vehicle.estimate;
+    const bool aligned = vehicle.attitude.aligned;
+    uint16_t flags = aligned ? Flag::attitude : Flag::uninitialized;
+    if (estimate.height_known) flags |= Flag::velocity_vert | Flag::pos_vert_abs;
+    if (estimate.known) flags |= Flag::velocity_horiz | Flag::pos_horiz_rel;
+    if (estimate.known && !estimate.reckoned) flags |= kPlace;
+    if (aligned && !estimate.known) flags |= Flag::const_pos_mode;
+    if (estimate.fix_refused) flags |= Flag::gps_glitching;
+    return flags;
+}
+
 int8_t batteryLeft_pct() {
     if (parameters.battery_monitor == 0 || vehicle.battery.current_ca < 0 ||
         parameters.battery_capacity_mah <= 0)
@@ -158,6 +176,17 @@ bool fillIn(const Link&, mavlink::BatteryStatus& to) {
     to.temperature = INT16_MAX;
     to.battery_remaining = batteryLeft_pct();
     return parameters.battery_monitor != 0;
+}
+
+// A velocity is refused with its fix's place, not by itself; and nothing looks at the ground.
+bool fillIn(const Link&, mavlink::EkfStatusReport& to) {
+    const estimator::TestRatios ratios = estimator::testRatios();
+    to.flags = estimateFlags();
+    to.pos_horiz_variance = ratios.position;
+    to.pos_vert_variance = ratios.height;
+    to.compass_variance = ratios.compass;
+    to.airspeed_variance = ratios.airspeed;
+    return true;
 }
 
 bool fillIn(const Link&, mavlink::FenceStatus& to) {

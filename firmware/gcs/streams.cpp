@@ -61,6 +61,10 @@ template <>
 constexpr bool fillsExtensions<mavlink::MissionCurrent>() {
     return true;
 }
+template <>
+constexpr bool fillsExtensions<mavlink::EkfStatusReport>() {
+    return true;
+}
 template <class Message>
 constexpr mavlink::Layout layoutToFill() {
     using Wire = mavlink::Wire<Message>;
@@ -104,6 +108,7 @@ constexpr OutgoingRow kOutgoing[] ROM = {
     row<mavlink::Hwstatus>(Stream::extra3),
     row<mavlink::SystemTime>(Stream::extra3),
     row<mavlink::Vibration>(Stream::extra3_slowly),
+    row<mavlink::EkfStatusReport>(Stream::extra3_slowly),
     row<mavlink::HomePosition>(Stream::on_request),
     row<mavlink::AutopilotVersion>(Stream::on_request),
     row<mavlink::ProtocolVersion>(Stream::on_request),

@@ -139,6 +139,7 @@ struct EstimateState {
     bool known : 1;              // a fix has been seen and is not too old
     bool reckoned : 1;           // without fixes for a while: by air and wind
     bool fix_refused : 1;        // the last one lay too far off
+    bool height_known : 1;       // a barometer's or a receiver's was used within 2 s
     core::Vector3 velocity_mps;  // north, east, down
     float ground_speed_mps;
     uint16_t course_cd;

@@ -463,7 +463,8 @@ bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
         turnTo(-across_mg * inverse, along_mg * inverse);
         return true;
     }
-    const bool elsewhere = settling_ < kQuickEnds && along_mg * inverse < kInconsistent;
+    compass_cosine_ = along_mg * inverse;
+    const bool elsewhere = settling_ < kQuickEnds && compass_cosine_ < kInconsistent;
     if (elsewhere || !settings.use_compass) return !elsewhere;
     // after a restart it is the attitude that is wrong, most of all the roll, and not the field
     const bool resumed = phase_ == Phase::resumed && settling_ > kQuickEnds;
@@ -482,6 +483,11 @@ bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
     const float error = along_mg > 0 ? -across_mg * inverse : (across_mg < 0 ? 1.0f : -1.0f);
     pointBy(error);
     return true;
+}
+
+// The sine of half the angle over that of half the limit: of angles as these, one as the other.
+float Attitude::compassTestRatio() const {
+    return sqrtf(core::limit((1 - compass_cosine_) * (1 / (1 - kInconsistent)), 0.0f, 10.0f));
 }
 
 // sqrt(1 - sine^2) of an angle below 20 degrees is quicker by its series, and so is its inverse.

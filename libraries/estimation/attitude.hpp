@@ -60,6 +60,10 @@ public:
     // points far from where the airplane is known to point, and is not followed.
     bool useCompass(const core::Vector3& reading_mg, const AttitudeSettings& settings);
 
+    // How far the last reading's direction was off, as a share of what is followed. In the first
+    // seconds more than 1 is followed, too.
+    float compassTestRatio() const;
+
     // Once for every fix: north, east, down. Without a compass its course gives the first heading.
     // What it showed against the accelerometers is added to `seen`.
     void useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings,
@@ -155,6 +159,7 @@ private:
     VelocityHistory::Moment fix_ground_ = {};  // and the GPS's
     uint8_t since_fix_ = 0xFF;                 // periods, 1.28 s at most
     float settling_ = 1;                       // 1 at start, 0 when settled
+    float compass_cosine_ = 1;                 // of the angle by which the last reading was off
     Phase phase_ = Phase::falling;
     uint8_t forces_ = 0, periods_ = 0;
     uint8_t behind_ = 0;     // frames that the matrix has not been turned by

@@ -6,7 +6,6 @@
 namespace estimation {
 namespace {
 
-constexpr float kGlitch_m = 15.0f;     // a reading farther off than this is left out ...
 constexpr uint16_t kInsist_ms = 2000;  // ... unless they all are, this long
 constexpr float kMaxBias_mss = 2.0f;
 constexpr uint16_t kSinking_ms = 1000;  // without readings the climb rate dies away with this

@@ -12,6 +12,8 @@ struct HeightSettings {
 
 class Height {
 public:
+    static constexpr float kGlitch_m = 15.0f;  // a reading farther off than this is left out ...
+
     void start(float height_m);
     void resume(float height_m, float climb_mps) {
         start(height_m);

@@ -706,6 +706,73 @@ TEST_F(AirspeedStays, while_gps_and_wind_show_a_lower_speed) { EXPECT_TRUE(fault
 TEST_F(AirspeedStays, as_the_speed_does) { EXPECT_FALSE(faulty(0)); }
 TEST_F(AirspeedStays, within_a_metre_a_second) { EXPECT_FALSE(faulty(0.4f)); }
 
+TEST_F(Estimator, finds_everything_within_what_is_believed_while_it_fits) {
+    frames(600);
+    const auto ratios = firmware::estimator::testRatios();
+    EXPECT_NEAR(ratios.position, 0, 0.02);
+    EXPECT_NEAR(ratios.height, 0, 0.02);
+    EXPECT_NEAR(ratios.compass, 0, 0.02);
+    EXPECT_EQ(ratios.airspeed, 0) << "there is none";
+}
+
+TEST_F(Estimator, knows_a_height_for_two_seconds_after_the_last_reading) {
+    EXPECT_FALSE(vehicle.estimate.height_known);
+    frames(600);
+    EXPECT_TRUE(vehicle.estimate.height_known);
+    mutable_vehicle.baro.ground_pressure_pa = 0;  // no readings any more
+    frames(180);
+    EXPECT_TRUE(vehicle.estimate.height_known);
+    frames(40);
+    EXPECT_FALSE(vehicle.estimate.height_known);
+    EXPECT_EQ(firmware::estimator::testRatios().height, 0);
+}
+
+// 15 m are believed, by either of them.
+TEST_F(Estimator, tells_how_far_off_the_height_is_that_it_follows) {
+    for (const bool barometer : {true, false}) {
+        core::resetFileStates();
+        SetUp();
+        altitude_m_ = 580;
+        late_ = 7;
+        frames(600);
+        mutable_vehicle.baro.healthy = barometer;
+        if (barometer)
+            mutable_vehicle.baro.pressure_pa -= 360;
+        else
+            altitude_m_ += 30;
+        frames(barometer ? 10 : 20);  // a whole mean of it, or a fix
+        EXPECT_NEAR(firmware::estimator::testRatios().height, 2, 0.1) << barometer;
+        frames(400);
+        EXPECT_LT(firmware::estimator::testRatios().height, 0.2) << "they insisted";
+    }
+}
+
+TEST_F(Estimator, tells_how_far_off_a_fix_was) {
+    frames(600);
+    late_ = 99;
+    fix(0);
+    mutable_vehicle.gps.position = geo::moved(kStart, {0, 50});
+    mutable_vehicle.gps.velocity_mps = {0, 0, 0};
+    frames(20);
+    EXPECT_TRUE(vehicle.estimate.fix_refused);
+    EXPECT_GT(firmware::estimator::testRatios().position, 1.3);
+}
+
+// Of 36 m/s believed are 4 m/s and 30 %, 14.8 m/s.
+TEST_F(AirspeedStays, is_off_by_a_share_of_what_is_believed) {
+    firmware::state::parameters.airspeed_enable = 1;
+    faulty(0);
+    EXPECT_NEAR(firmware::estimator::testRatios().airspeed, 0, 0.05);
+    mutable_vehicle.airspeed.speed_mps = speed_mps_ - 7.4f;
+    EXPECT_NEAR(firmware::estimator::testRatios().airspeed, 7.4f / (4 + 0.3f * speed_mps_), 0.05);
+    firmware::state::parameters.airspeed_enable = 0;
+    EXPECT_EQ(firmware::estimator::testRatios().airspeed, 0);
+    firmware::state::parameters.airspeed_enable = 1;
+    late_ = 99;
+    frames(250);
+    EXPECT_EQ(firmware::estimator::testRatios().airspeed, 0) << "no fix to compare with";
+}
+
 TEST_F(Estimator, knows_a_barometer_that_has_jumped_before_arming) {
     using firmware::estimator::barometerSteady;
     frames(600);

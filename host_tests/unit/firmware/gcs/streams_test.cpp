@@ -107,8 +107,8 @@ TEST_F(Telemetry, all_streams_start_and_stop_together) {
     for (const uint16_t id :
          {1, 24, 27, 29, 30, 33, 35, 36, 42, 62, 65, 74, 125, 152, 163, 165, 168})
         EXPECT_EQ(countOf(id), 10u) << id;
-    // BATTERY_STATUS, VIBRATION, EXTENDED_SYS_STATE
-    for (const uint16_t id : {147, 241, 245}) EXPECT_EQ(countOf(id), 1u) << id;
+    // BATTERY_STATUS, EKF_STATUS_REPORT, VIBRATION, EXTENDED_SYS_STATE
+    for (const uint16_t id : {147, 193, 241, 245}) EXPECT_EQ(countOf(id), 1u) << id;
 
     station.send(streamRequest(MavDataStream::all, 10, false));
     run_ms(100);
@@ -548,6 +548,58 @@ TEST_F(Telemetry, vibration_is_what_the_accelerometers_measure_beside_the_flight
     EXPECT_FLOAT_EQ(vibration.vibration_z, 30);
     EXPECT_EQ(vibration.clipping_0, 255u);
     EXPECT_EQ(vibration.clipping_1, 0u);
+}
+
+TEST_F(Telemetry, ekf_status_report_says_what_is_known_of_attitude_place_and_height) {
+    using Flag = mavlink::EkfStatusFlags;
+    constexpr uint16_t kHeight = Flag::velocity_vert | Flag::pos_vert_abs;
+    constexpr uint16_t kReckoned = Flag::velocity_horiz | Flag::pos_horiz_rel;
+    constexpr uint16_t kPlace =
+        kReckoned | Flag::pos_horiz_abs | Flag::pred_pos_horiz_rel | Flag::pred_pos_horiz_abs;
+    const struct {
+        const char* what;
+        bool aligned, height, known, reckoned, refused;
+        uint16_t flags;
+    } cases[] = {
+        {"just started", false, false, false, true, false, Flag::uninitialized},
+        {"not aligned yet", false, true, false, true, false, Flag::uninitialized | kHeight},
+        {"no fix", true, true, false, true, false, Flag::attitude | kHeight | Flag::const_pos_mode},
+        {"fix", true, true, true, false, false, Flag::attitude | kHeight | kPlace},
+        {"one fix far off", true, true, true, false, true,
+         Flag::attitude | kHeight | kPlace | Flag::gps_glitching},
+        {"dead reckoning", true, true, true, true, false, Flag::attitude | kHeight | kReckoned},
+        {"no height", true, false, true, false, false, Flag::attitude | kPlace},
+        {"no inertial sensor in flight", false, true, true, false, false,
+         Flag::uninitialized | kHeight | kPlace},
+    };
+    auto& now = firmware::state::mutable_vehicle;
+    for (const auto& each : cases) {
+        now.attitude.aligned = each.aligned;
+        now.estimate.height_known = each.height;
+        now.estimate.known = each.known;
+        now.estimate.reckoned = each.reckoned;
+        now.estimate.fix_refused = each.refused;
+        station.forget();
+        EXPECT_EQ(command(mavlink::MavCmd::request_message, 193), 0);
+        run_ms(100);
+        EXPECT_EQ(station.all<mavlink::EkfStatusReport>().at(0).flags, each.flags) << each.what;
+    }
+}
+
+// The ratios themselves are the estimator's: its tests have the others.
+TEST_F(Telemetry, ekf_status_report_carries_the_estimators_test_ratios) {
+    auto& now = firmware::state::mutable_vehicle;
+    now.estimate.height_known = now.baro.healthy = true;
+    now.estimate.baro_height_m = 6;  // the estimate is 0; 15 m are believed
+    EXPECT_EQ(command(mavlink::MavCmd::request_message, 193), 0);
+    run_ms(100);
+    const auto report = station.all<mavlink::EkfStatusReport>().at(0);
+    EXPECT_FLOAT_EQ(report.pos_vert_variance, 0.4f);
+    EXPECT_EQ(report.velocity_variance, 0);
+    EXPECT_EQ(report.pos_horiz_variance, 0);
+    EXPECT_EQ(report.compass_variance, 0);
+    EXPECT_EQ(report.terrain_alt_variance, 0);
+    EXPECT_EQ(report.airspeed_variance, 0);
 }
 
 // Whatever the stream's rate is; an interval of its own is kept.

@@ -266,6 +266,39 @@ struct Resumed : testing::Test {
     double roll_rad() const { return attitude.angles().roll_rad.toFloat(); }
 };
 
+// A compass is followed up to 45 degrees off.
+struct Compared : Resumed {
+    float shown(float off_rad) {
+        const core::Vector3 field_mg = reading_mg;
+        const float sine = sinf(off_rad), cosine = cosf(off_rad);
+        reading_mg = {field_mg.x * cosine - field_mg.y * sine,
+                      field_mg.x * sine + field_mg.y * cosine, field_mg.z};
+        followed = attitude.useCompass(reading_mg, AttitudeSettings());
+        reading_mg = field_mg;
+        return attitude.compassTestRatio();
+    }
+    bool followed = false;
+    estimation::FixComparison seen = {};
+};
+
+TEST_F(Compared, the_compass_is_off_by_a_share_of_what_is_followed) {
+    EXPECT_EQ(attitude.compassTestRatio(), 0);
+    stand(3, true);
+    EXPECT_NEAR(attitude.compassTestRatio(), 0, 0.02);
+    for (int fix = 0; fix < 600; ++fix) {  // two minutes, in which it settles
+        stand(0.2, true);
+        attitude.useGps({0, 0, 0}, AttitudeSettings(), seen);
+    }
+    for (const float off_deg : {-22.8f, 22.8f}) {
+        EXPECT_NEAR(shown(core::radians(off_deg)), 0.5, 0.03);
+        EXPECT_TRUE(followed);
+        stand(60, true);  // the needle is back
+    }
+    EXPECT_GT(shown(core::radians(50)), 1);
+    EXPECT_FALSE(followed);
+    EXPECT_NEAR(shown(core::radians(180)), 2.58, 0.05);
+}
+
 // The power was gone for a second, and who knows how it rolled meanwhile.
 TEST_F(Resumed, finds_the_roll_by_the_field_before_a_fix_comes) {
     for (const float rolled_rad : {-0.9f, 0.9f}) {

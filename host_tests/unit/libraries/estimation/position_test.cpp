@@ -216,6 +216,24 @@ TEST(Position, a_jump_is_refused_until_it_has_lasted) {
     EXPECT_FALSE(gps.position.refuses());
 }
 
+// What is believed after a fifth of a second are 33 m, a quarter of what is off is taken over.
+TEST(Position, tells_how_far_the_last_fix_lay_off_of_what_is_believed) {
+    Jumping gps;
+    EXPECT_EQ(gps.position.fixTestRatio(), 0);
+    for (int i = 0; i < 5; ++i) gps.fix(kStart);
+    EXPECT_NEAR(gps.position.fixTestRatio(), 0, 0.01);
+    gps.fix(geo::moved(kStart, {16.5f, 0}));
+    EXPECT_NEAR(gps.position.fixTestRatio(), 0.5, 0.01);
+    EXPECT_FALSE(gps.position.refuses());
+    gps.fix(geo::moved(kStart, {0, 60}));
+    EXPECT_GT(gps.position.fixTestRatio(), 1.5);
+    EXPECT_TRUE(gps.position.refuses());
+    for (int i = 0; i < 300; ++i) gps.position.propagate({0, 0, 0}, 0.01f);
+    EXPECT_GT(gps.position.fixTestRatio(), 1.5) << "of the fix, not of now";
+    gps.fix(geo::moved(kStart, {0, 60}));  // 78 m are believed after 3.2 s
+    EXPECT_NEAR(gps.position.fixTestRatio(), 0.75, 0.1);
+}
+
 TEST(Position, a_jump_that_could_have_been_flown_since_the_last_fix_is_accepted) {
     Jumping gps;
     for (int i = 0; i < 5; ++i) gps.fix(kStart);
