@@ -180,7 +180,7 @@ bool staysWrongly(float expected_mps) {
 // The sensor against ground speed and wind. Too slow to fly, on the ground, the wind comes from
 // anywhere: nothing is compared.
 struct AirspeedError {
-    float odd_mps, believed_mps;
+    float odd_mps, limit_mps;
 };
 AirspeedError airspeedError(float expected_mps) {
     if (!wind.known() || expected_mps < parameters.speed_min_mps) return {0, 1};
@@ -193,7 +193,7 @@ bool airspeedFits() {
     workOutAirspeed();
     const float expected_mps = wind.airspeed_mps(vehicle.gps.velocity_mps);
     const AirspeedError error = airspeedError(expected_mps);
-    const bool odd = error.odd_mps >= error.believed_mps;
+    const bool odd = error.odd_mps >= error.limit_mps;
     const bool stuck = wind.known() && staysWrongly(expected_mps);
     if (odd || stuck) reportInconsistency(Sensor::airspeed);
     return !odd && !stuck && !divesSlowly();
@@ -363,7 +363,7 @@ float heightTestRatio() {
 float airspeedTestRatio() {
     if (parameters.airspeed_enable == 0 || position.reckoned()) return 0;
     const AirspeedError error = airspeedError(wind.airspeed_mps(vehicle.gps.velocity_mps));
-    return error.odd_mps / error.believed_mps;
+    return error.odd_mps / error.limit_mps;
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ void fuseAirspeed();   // 5 Hz: holds the attitude while there are no fixes
 
 core::Vector3 gyroDrift_rads();  // learnt in flight, on top of the calibration
 
-// How far what was measured last is off the estimate, as a share of what is believed: from 1 on it
-// is refused. 0 where nothing is compared.
+// How far what was measured last is off the estimate, as a share of the limit beyond which it is
+// refused. 0 where nothing is compared.
 struct TestRatios {
     float position;  // of a fix
     float height;    // of the barometer, or of the receiver in its place

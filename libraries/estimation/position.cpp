@@ -43,8 +43,8 @@ void Position::useGps(const geo::Position& position, const core::Vector3& veloci
         fix.east_m + (velocity_mps.y + gained_mps.y * 0.5f) * age_s - since_.east_m};
     const float far_m = kFar_m + kFarther_mps * age_s_;
     off_m2_ = squared(off);
-    believed_m2_ = far_m * far_m;
-    refuses_ = off_m2_ > believed_m2_;
+    limit_m2_ = far_m * far_m;
+    refuses_ = off_m2_ > limit_m2_;
     if (refuses_) return;
     const bool late = reckoned();
     const float share = late ? 1.0f : kPositionShare;

@@ -34,8 +34,8 @@ public:
     bool reckoned() const { return age_s_ > kMissed_s; }  // no fix was used for a while
     bool refuses() const { return refuses_; }             // the last fix lay too far off
     float age_s() const { return age_s_; }                // since the last fix was used
-    // How far the last fix lay off, as a share of what is believed; more than 1: it was refused.
-    float fixTestRatio() const { return sqrtf(off_m2_ / believed_m2_); }
+    // How far the last fix lay off, as a share of the limit; more than 1: it was refused.
+    float fixTestRatio() const { return sqrtf(off_m2_ / limit_m2_); }
 
 private:
     float wander_m(float& mean_m, float fix_m, float velocity_mps) const;
@@ -47,7 +47,7 @@ private:
     float north_e7_per_m_ = 0, east_e7_per_m_ = 0;
     float north_mps_ = 0, east_mps_ = 0;
     float age_s_ = 1e6f;
-    float off_m2_ = 0, believed_m2_ = 1;  // of the last fix
+    float off_m2_ = 0, limit_m2_ = 1;  // of the last fix
     bool refuses_ = false;
 };
 

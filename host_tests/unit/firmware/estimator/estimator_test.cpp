@@ -706,7 +706,7 @@ TEST_F(AirspeedStays, while_gps_and_wind_show_a_lower_speed) { EXPECT_TRUE(fault
 TEST_F(AirspeedStays, as_the_speed_does) { EXPECT_FALSE(faulty(0)); }
 TEST_F(AirspeedStays, within_a_metre_a_second) { EXPECT_FALSE(faulty(0.4f)); }
 
-TEST_F(Estimator, finds_everything_within_what_is_believed_while_it_fits) {
+TEST_F(Estimator, finds_everything_within_its_limit_while_it_fits) {
     frames(600);
     const auto ratios = firmware::estimator::testRatios();
     EXPECT_NEAR(ratios.position, 0, 0.02);
@@ -727,8 +727,8 @@ TEST_F(Estimator, knows_a_height_for_two_seconds_after_the_last_reading) {
     EXPECT_EQ(firmware::estimator::testRatios().height, 0);
 }
 
-// 15 m are believed, by either of them.
-TEST_F(Estimator, tells_how_far_off_the_height_is_that_it_follows) {
+// The limit is 15 m, for either of them.
+TEST_F(Estimator, knows_how_far_off_the_height_is_that_it_follows) {
     for (const bool barometer : {true, false}) {
         core::resetFileStates();
         SetUp();
@@ -747,7 +747,7 @@ TEST_F(Estimator, tells_how_far_off_the_height_is_that_it_follows) {
     }
 }
 
-TEST_F(Estimator, tells_how_far_off_a_fix_was) {
+TEST_F(Estimator, knows_how_far_off_a_fix_was) {
     frames(600);
     late_ = 99;
     fix(0);
@@ -758,8 +758,8 @@ TEST_F(Estimator, tells_how_far_off_a_fix_was) {
     EXPECT_GT(firmware::estimator::testRatios().position, 1.3);
 }
 
-// Of 36 m/s believed are 4 m/s and 30 %, 14.8 m/s.
-TEST_F(AirspeedStays, is_off_by_a_share_of_what_is_believed) {
+// Four metres a second and 30 % of what is expected.
+TEST_F(AirspeedStays, is_off_by_a_share_of_its_limit) {
     firmware::state::parameters.airspeed_enable = 1;
     faulty(0);
     EXPECT_NEAR(firmware::estimator::testRatios().airspeed, 0, 0.05);

@@ -590,7 +590,7 @@ TEST_F(Telemetry, ekf_status_report_says_what_is_known_of_attitude_place_and_hei
 TEST_F(Telemetry, ekf_status_report_carries_the_estimators_test_ratios) {
     auto& now = firmware::state::mutable_vehicle;
     now.estimate.height_known = now.baro.healthy = true;
-    now.estimate.baro_height_m = 6;  // the estimate is 0; 15 m are believed
+    now.estimate.baro_height_m = 6;  // the estimate is 0; 15 m is the limit
     EXPECT_EQ(command(mavlink::MavCmd::request_message, 193), 0);
     run_ms(100);
     const auto report = station.all<mavlink::EkfStatusReport>().at(0);

@@ -216,8 +216,8 @@ TEST(Position, a_jump_is_refused_until_it_has_lasted) {
     EXPECT_FALSE(gps.position.refuses());
 }
 
-// What is believed after a fifth of a second are 33 m, a quarter of what is off is taken over.
-TEST(Position, tells_how_far_the_last_fix_lay_off_of_what_is_believed) {
+// The limit is 33 m after a fifth of a second; a quarter of what is off is taken over.
+TEST(Position, knows_how_far_the_last_fix_lay_off_its_limit) {
     Jumping gps;
     EXPECT_EQ(gps.position.fixTestRatio(), 0);
     for (int i = 0; i < 5; ++i) gps.fix(kStart);
@@ -230,7 +230,7 @@ TEST(Position, tells_how_far_the_last_fix_lay_off_of_what_is_believed) {
     EXPECT_TRUE(gps.position.refuses());
     for (int i = 0; i < 300; ++i) gps.position.propagate({0, 0, 0}, 0.01f);
     EXPECT_GT(gps.position.fixTestRatio(), 1.5) << "of the fix, not of now";
-    gps.fix(geo::moved(kStart, {0, 60}));  // 78 m are believed after 3.2 s
+    gps.fix(geo::moved(kStart, {0, 60}));  // 78 m after 3.2 s
     EXPECT_NEAR(gps.position.fixTestRatio(), 0.75, 0.1);
 }
 
