@@ -7,6 +7,7 @@
 #include "estimation/atan2_table.hpp"
 #include "firmware/actuators/camera.hpp"
 #include "firmware/estimator/estimator.hpp"
+#include "firmware/gcs/gps_time.hpp"
 #include "firmware/gcs/messages.hpp"
 #include "firmware/gcs/mission_transfer.hpp"
 #include "firmware/gcs/mission_types.hpp"
@@ -228,7 +229,7 @@ bool fillIn(const Link&, mavlink::MissionItemReached& to) {
 // The time is that of the log.
 bool fillIn(const Link&, mavlink::CameraFeedback& to) {
     constexpr float kDegrees = 180 / core::kPi;
-    to.time_usec = hal::now_ms() * uint64_t{1000};
+    to.time_usec = micros(hal::now_ms());
     to.lat = vehicle.estimate.position.latitude_e7;
     to.lng = vehicle.estimate.position.longitude_e7;
     to.alt_msl = core::thousandths(altitude_mm());

@@ -19,5 +19,7 @@ inline uint32_t weekBegan_utc_s(uint16_t week) {
 }
 UtcTime utcTime();
 
+uint64_t micros(uint32_t time_ms);  // as messages have it
+
 }  // namespace gcs
 }  // namespace firmware

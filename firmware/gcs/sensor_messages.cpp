@@ -5,6 +5,7 @@
 
 #include "core/maths.hpp"
 #include "core/seldom.hpp"
+#include "firmware/gcs/gps_time.hpp"
 #include "firmware/gcs/messages.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -72,7 +73,7 @@ bool fillIn(const Link&, mavlink::ScaledImu& to) {
 
 // The time is that of the log.
 bool fillIn(const Link&, mavlink::Vibration& to) {
-    to.time_usec = hal::now_ms() * uint64_t{1000};
+    to.time_usec = micros(hal::now_ms());
     to.vibration_x = vibration_mss(0);
     to.vibration_y = vibration_mss(1);
     to.vibration_z = vibration_mss(2);
@@ -89,7 +90,7 @@ bool fillIn(const Link&, mavlink::ScaledPressure& to) {
 }
 
 bool fillIn(const Link&, mavlink::GpsRawInt& to) {
-    to.time_usec = uint64_t{1000} * vehicle.gps.received_ms;
+    to.time_usec = micros(vehicle.gps.received_ms);
     to.fix_type = static_cast<uint8_t>(vehicle.gps.fix);
     to.lat = vehicle.gps.position.latitude_e7;
     to.lon = vehicle.gps.position.longitude_e7;

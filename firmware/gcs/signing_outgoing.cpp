@@ -37,8 +37,9 @@ uint32_t upperOfGps() {
     constexpr uint32_t kBegan_utc_s = 1420070400;  // 2015
     const UtcTime utc = utcTime();
     if (utc.week_s == 0) return 0;
-    const uint64_t since_ms = uint64_t{utc.week_s - kBegan_utc_s} * 1000U + utc.since_ms;
-    return static_cast<uint32_t>(since_ms * kPerMs >> 16);
+    const uint32_t since_s = utc.week_s - kBegan_utc_s + utc.since_ms / 1000;
+    // 100,000 / 65,536 is 1 + 1077 / 2048, in 32 bits
+    return since_s + (since_s >> 11) * 1077 + ((since_s & 2047) * 1077 >> 11);
 }
 
 SELDOM bool advance() {

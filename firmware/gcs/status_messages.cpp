@@ -225,7 +225,7 @@ bool fillIn(const Link&, mavlink::SystemTime& to) {
     to.time_boot_ms = hal::frame_ms();
     const UtcTime utc = utcTime();
     if (utc.week_s != 0)
-        to.time_unix_usec = uint64_t{utc.week_s} * 1000000UL + uint64_t{utc.since_ms} * 1000U;
+        to.time_unix_usec = uint64_t{utc.week_s} * 1000000UL + micros(utc.since_ms);
     return true;
 }
 
