@@ -105,6 +105,13 @@ bool refuse(uint8_t index) {
     return true;
 }
 
+// These messages cannot say what else a fence may have.
+bool refuseFence(uint8_t index) {
+    if (!fenceHasZones()) return refuse(index);
+    sendStatusText(Severity::warning, STATUS_TEXT("Fence has zones that are no points"));
+    return true;
+}
+
 // The last point of a fence has no record: it must be the first corner.
 bool closes(const geo::Position& place, uint8_t index, bool& busy) {
     uint8_t record[storage::kLargestRecord];
@@ -120,7 +127,12 @@ bool fenceTakesTotal(uint8_t total) { return total == 0 || total >= kFewestFence
 Status resizePoints(ListKind kind, uint8_t total) {
     const bool fence = kind == ListKind::fence;
     if (!missionKnown() || (fence && fenceLine() == Line::unknown)) return Status::busy;
-    const uint8_t present = fence ? static_cast<uint8_t>(parameters.fence_total) : listCount(kind);
+    if (fence && fenceHasZones() && total > 0) {
+        refuseFence(0);
+        return Status::bad_argument;
+    }
+    const uint8_t present =
+        fence && !fenceHasZones() ? static_cast<uint8_t>(parameters.fence_total) : listCount(kind);
     // the list may have been stored, and looked at, since the last call
     const bool under_way = transfer.state == Upload::points && transfer.link == kNoLink;
     if (present == total && !under_way) return Status::ok;
@@ -145,7 +157,7 @@ bool onFencePoint(Link& link, const mavlink::Frame& frame) {
     const geo::Position place = {degreesE7(message.lat), degreesE7(message.lng)};
     if (fenceLine() == Line::unknown) return false;
     if (fenceOn() || message.count != total || message.idx >= total || !isPlace(place))
-        return refuse(message.idx);
+        return refuseFence(message.idx);
     if (message.idx + 1 == total) {
         bool busy;
         if (closes(place, message.idx, busy)) return true;
@@ -162,7 +174,7 @@ bool onFenceFetchPoint(Link& link, const mavlink::Frame& frame) {
     const uint8_t index = frame.read<mavlink::FenceFetchPoint>().idx;
     const uint8_t total = static_cast<uint8_t>(parameters.fence_total);
     if (fenceLine() == Line::unknown) return false;
-    if (index >= total) return refuse(index);
+    if (index >= total) return refuseFence(index);
     uint8_t record[storage::kLargestRecord] = {};
     const Status status = readPoint(ListKind::fence, index + 1 == total ? 1 : index, record);
     if (status == Status::busy) return false;

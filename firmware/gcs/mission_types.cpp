@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/gcs/mission_types.hpp"
 
+#include "core/file_state.hpp"
 #include "firmware/mission/fence_line.hpp"
 #include "firmware/mission/fence_rally_items.hpp"
 #include "mavlink/messages.hpp"
@@ -19,9 +20,30 @@ static_assert(static_cast<uint8_t>(ListKind::fence) == MavMissionType::fence &&
               "the kinds are MAVLink's types");
 ListKind kindOf(uint8_t mission_type) { return static_cast<ListKind>(mission_type); }
 
-MissionResult copyUpTo(uint8_t index) {
+core::FileState<FenceUpload> fence_upload{};
+
+MissionResult putPoint(ListKind kind, const MissionItem& item) {
+    FenceUpload upload = fence_upload;
+    uint8_t record[storage::kLargestRecord];
+    MissionResult result =
+        pointFromItem(kind, item, listStaged(), listStagedCount(), upload, record);
+    if (result == MissionResult::accepted) result = listPut(record);
+    if (result == MissionResult::accepted) fence_upload = upload;
+    return result;
+}
+
+// A fence's as if they were sent again, so that a new part fits to what stays.
+MissionResult copyPoint(ListKind kind) {
+    if (kind != ListKind::fence) return listCopy();
+    MissionItem item;
+    const core::Status status = readItem(static_cast<uint8_t>(kind), listStaged(), item);
+    if (status == core::Status::ok) return putPoint(kind, item);
+    return status == core::Status::busy ? MissionResult::busy : MissionResult::error;
+}
+
+MissionResult copyUpTo(ListKind kind, uint8_t index) {
     while (listStaged() < index) {
-        const MissionResult result = listCopy();
+        const MissionResult result = copyPoint(kind);
         if (result != MissionResult::accepted) return result;
     }
     return MissionResult::accepted;
@@ -67,6 +89,7 @@ core::Status readItem(uint8_t mission_type, uint16_t index, MissionItem& to) {
 
 MissionResult uploadBegin(uint8_t mission_type, uint16_t count) {
     if (mission_type == MavMissionType::mission) return missionBeginUpload(count);
+    fence_upload = {};
     return listBegin(kindOf(mission_type), count, kPointSet);
 }
 
@@ -79,19 +102,16 @@ MissionResult uploadBeginPartial(uint8_t mission_type, uint16_t first, uint16_t 
 
 MissionResult uploadPut(uint8_t mission_type, uint16_t index, const MissionItem& item) {
     if (mission_type == MavMissionType::mission) return missionUploadItem(index, item);
-    const MissionResult reached = copyUpTo(static_cast<uint8_t>(index));
-    if (reached != MissionResult::accepted) return reached;
-    uint8_t record[storage::kLargestRecord];
-    const MissionResult result =
-        pointFromItem(kindOf(mission_type), item, listStagedCount(), record);
-    return result == MissionResult::accepted ? listPut(record) : result;
+    const ListKind kind = kindOf(mission_type);
+    const MissionResult reached = copyUpTo(kind, static_cast<uint8_t>(index));
+    return reached == MissionResult::accepted ? putPoint(kind, item) : reached;
 }
 
 MissionResult uploadCommit(uint8_t mission_type) {
     if (mission_type == MavMissionType::mission) return missionCommit();
     const ListKind kind = kindOf(mission_type);
     if (listStaging(kind)) {
-        const MissionResult reached = copyUpTo(listStagedCount());
+        const MissionResult reached = copyUpTo(kind, listStagedCount());
         if (reached != MissionResult::accepted) return reached;
     }
     return listCommit();

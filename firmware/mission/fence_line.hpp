@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The line of the fence: its polygon as it is stored. Corners are read where they lie, a few each
-// call; there is no copy.
+// The line of the fence: its zones as they are stored. What is to be stayed in must hold the
+// airplane all at once, what is to be stayed out of never. Records are read where they lie, a few
+// each call; there is no copy.
 #pragma once
 #include <stdint.h>
 
@@ -14,7 +15,7 @@ enum class Line : uint8_t {
     unknown,   // not yet looked at since it was stored
     checking,  // is the way back inside?
     none,
-    unfit,  // blank or too few corners, or the way back lies outside
+    unfit,  // blank, no zone or too few corners, or the way back lies outside
     fit,
 };
 
@@ -28,7 +29,8 @@ bool fenceLineWaits();  // who writes much into the EEPROM in the background let
 Line fenceLine();
 // Where a place lies: to be asked until it is known; the place of the first call counts.
 Side fenceSide(const geo::Position& place);
-uint8_t fenceCorners();
+uint8_t fenceCorners();  // of the polygon that stands alone or beside one circle
+bool fenceHasZones();    // more than that polygon, or other ones
 bool fenceHasWayBack();
 MUST_USE core::Status fenceWayBack(geo::Position& to);
 

@@ -54,6 +54,8 @@ target_compile_definitions(oracle_mission_test PRIVATE
 unit_test(oracle/airplane simulator_world)
 find_library(GEOGRAPHICLIB NAMES GeographicLib Geographic REQUIRED)
 unit_test(oracle/geo geo ${GEOGRAPHICLIB})
+unit_test(oracle/fence firmware_on_fakes ${GEOGRAPHICLIB})
+target_sources(oracle_fence_test PRIVATE ${tests}/support/fresh_start.cpp)
 
 set(long oracle/mission/oracle.cpp oracle/mission/rig.cpp oracle/mission/trial.cpp oracle/mission/random_trial.cpp
     unit/libraries/estimation/attitude_test.cpp unit/libraries/estimation/position_test.cpp

@@ -103,6 +103,28 @@ TEST_F(OldPoints, a_fence_that_is_on_is_not_changed_point_by_point) {
     EXPECT_EQ(setParameter("FENCE_TOTAL", 0), 6);
 }
 
+TEST_F(OldPoints, a_fence_with_zones_is_cleared_but_neither_seen_nor_changed) {
+    const std::vector<std::string> why{"Fence has zones that are no points"};
+    upload(zones(), kFence);
+    EXPECT_EQ(parameters.fence_total, 0);
+    station.forget();
+    EXPECT_TRUE(fetchFence(0).empty());
+    EXPECT_EQ(station.texts(), why);
+    station.forget();
+    give(fencePoint(2, 6));
+    EXPECT_EQ(station.texts(), why);
+    for (const float total : {6.0f, 11.0f, 12.0f}) {
+        station.forget();
+        EXPECT_EQ(setParameter("FENCE_TOTAL", total), 0);
+        EXPECT_EQ(station.texts().at(0), why[0]) << total;
+    }
+    expectSame(download(kFence), zones());
+    EXPECT_EQ(setParameter("FENCE_TOTAL", 0), 0);
+    live_ms(500);
+    EXPECT_TRUE(download(kFence).empty());
+    sendFence(6);
+}
+
 TEST_F(OldPoints, a_point_is_refused_during_another_stations_upload) {
     upload(square(), kFence);
     second.send(count(3, kRally));

@@ -19,6 +19,29 @@ TEST_F(Points, a_fence_goes_up_and_comes_down_the_same) {
     EXPECT_TRUE(doubles::plan.items.empty());
 }
 
+// As QGroundControl orders them: polygons, circles, the return point.
+TEST_F(Points, zones_go_up_and_come_down_the_same) {
+    const Items items = zones();
+    EXPECT_EQ(upload(items, kFence), Results{MavMissionResult::accepted});
+    EXPECT_EQ(station.texts(), std::vector<std::string>{"Fence stored: 11 points"});
+    expectSame(download(kFence), items);
+    live_ms(500);
+    EXPECT_EQ(firmware::mission::fenceLine(), firmware::mission::Line::fit);
+}
+
+TEST_F(Points, a_zone_that_is_refused_is_named) {
+    upload(square(), kFence);
+    for (const size_t wrong : {size_t{2}, size_t{6}, size_t{8}, size_t{10}}) {
+        Items items = zones();
+        items[wrong].param1 = 0;
+        station.forget();
+        EXPECT_EQ(upload(items, kFence), Results{MavMissionResult::invalid_param1}) << wrong;
+        EXPECT_EQ(station.texts(), std::vector<std::string>{"Item " + std::to_string(wrong) +
+                                                            " refused: corners or radius"});
+    }
+    expectSame(download(kFence), square());
+}
+
 TEST_F(Points, rally_points_go_up_and_come_down_the_same) {
     EXPECT_EQ(upload(threeRallyPoints(), kRally), Results{MavMissionResult::accepted});
     EXPECT_EQ(station.texts(), std::vector<std::string>{"Rally stored: 3 points"});
@@ -58,9 +81,9 @@ struct Wrong {
 };
 TEST_F(Points, unsupported_points_are_refused_and_the_old_list_stays) {
     const Wrong cases[] = {
-        {"an exclusion", {MavMissionResult::unsupported}, [](auto& i) { i.command = 5002; }},
-        {"a circle", {MavMissionResult::unsupported}, [](auto& i) { i.command = 5003; }},
-        {"a second polygon", {MavMissionResult::unsupported}, [](auto& i) { i.param1 = 3; }},
+        {"of an exclusion", {MavMissionResult::invalid_param1}, [](auto& i) { i.command = 5002; }},
+        {"a circle", {MavMissionResult::invalid_param1}, [](auto& i) { i.command = 5003; }},
+        {"of another one", {MavMissionResult::invalid_param1}, [](auto& i) { i.param1 = 3; }},
         {"a waypoint", {MavMissionResult::unsupported}, [](auto& i) { i.command = 16; }},
         {"above terrain", {MavMissionResult::unsupported_frame}, [](auto& i) { i.frame = 10; }},
         {"no place", {MavMissionResult::invalid_param5_x}, [](auto& i) { i.x = 900000001; }},
@@ -100,6 +123,32 @@ TEST_F(Points, a_part_is_replaced) {
     give(items[1]);
     EXPECT_EQ(acks(station, kRally), Results{MavMissionResult::accepted});
     expectSame(download(kRally), items);
+}
+
+TEST_F(Points, a_part_of_a_fence_is_replaced_where_it_fits_to_the_rest) {
+    const auto replace = [&](uint16_t seq, mavlink::MissionItemInt item) {
+        auto part = toVehicle<mavlink::MissionWritePartialList>();
+        part.start_index = part.end_index = static_cast<int16_t>(seq);
+        part.mission_type = kFence;
+        station.forget();
+        give(part);
+        item.seq = seq;
+        give(item);
+        const Results results = acks(station, kFence);
+        live_ms(200);
+        return results;
+    };
+    Items items = zones();
+    upload(items, kFence);
+    for (const uint16_t moved : {uint16_t{0}, uint16_t{5}, uint16_t{8}, uint16_t{10}}) {
+        items[moved].x += 100;
+        EXPECT_EQ(replace(moved, items[moved]), Results{MavMissionResult::accepted}) << moved;
+        expectSame(download(kFence), items);
+    }
+    for (const uint16_t corner : {uint16_t{0}, uint16_t{5}, uint16_t{6}}) {
+        EXPECT_EQ(replace(corner, items[8]), Results{MavMissionResult::invalid_param1}) << corner;
+        expectSame(download(kFence), items);
+    }
 }
 
 TEST_F(Points, a_part_is_given) {

@@ -52,6 +52,25 @@ inline Items square() {
     }
     return items;
 }
+// A square, a triangle and a circle to stay out of, a circle to stay in, a return point.
+inline Items zones() {
+    Items items = square();
+    items.erase(items.begin());
+    const auto add = [&](uint16_t command, int32_t north_e7, int32_t east_e7, float param1) {
+        items.push_back(item(kFence, command, kNorth_e7 + north_e7, kEast_e7 + east_e7));
+        items.back().param1 = param1;
+    };
+    add(MavCmd::nav_fence_polygon_vertex_exclusion, 4000, 4000, 3);
+    add(MavCmd::nav_fence_polygon_vertex_exclusion, 4000, 5000, 3);
+    add(MavCmd::nav_fence_polygon_vertex_exclusion, 5000, 4000, 3);
+    add(MavCmd::nav_fence_circle_exclusion, -4000, 0, 12.5f);
+    items.back().frame = 0;
+    add(MavCmd::nav_fence_circle_inclusion, 0, 0, 1500);
+    add(MavCmd::nav_fence_return_point, 10, 20, 0);
+    // items 0 to 3 are the square's, 4 to 6 the triangle's
+    add(MavCmd::nav_fence_circle_exclusion, 0, -4000, 30.1f);
+    return items;
+}
 inline Items threeRallyPoints() {
     Items items;
     for (int i = 0; i < 3; ++i) {

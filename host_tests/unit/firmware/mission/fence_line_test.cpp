@@ -3,6 +3,7 @@
 #include "firmware/mission/fence_line.hpp"
 
 #include <cmath>
+#include <random>
 
 #include "firmware/mission/fence_rally_items.hpp"
 #include "hal/eeprom.hpp"
@@ -22,7 +23,7 @@ struct StoredPoint {
 };
 using StoredPoints = std::vector<StoredPoint>;
 
-// The largest fence is gone round in three calls of seven records.
+// The largest polygon is gone round in three calls of seven records.
 constexpr int kAtOnce = 7, kMaxPoints = 20, kNone = -1;
 constexpr double kRadius_e7 = 40000;
 int callsFor(int records) { return (records + kAtOnce - 1) / kAtOnce; }
@@ -68,6 +69,17 @@ protected:
         }
         accepted(listCommit);
     }
+    // As a ground station sends it.
+    static void send(const Items& items) {
+        ASSERT_EQ(whileBusy([] { return listClear(ListKind::fence, kPointSet); }),
+                  MissionResult::accepted);
+        ASSERT_EQ(store(mavlink::MavMissionType::fence, items), MissionResult::accepted);
+        (void)followUntilKnown();
+    }
+    static Line sentLine(const Items& items) {
+        send(items);
+        return fenceLine();
+    }
     static int followUntilKnown() {
         int calls = 0;
         do {
@@ -97,6 +109,38 @@ protected:
     }
 };
 class FenceLines : public bench::TruthTable<Fences> {};
+
+// ---- zones as items
+
+using Corners = std::vector<geo::Position>;
+MissionItem circle(bool inclusion, const geo::Position& centre, float radius_m) {
+    return point(inclusion ? mavlink::MavCmd::nav_fence_circle_inclusion
+                           : mavlink::MavCmd::nav_fence_circle_exclusion,
+                 centre, radius_m);
+}
+Items area(bool inclusion, const Corners& corners) {
+    Items items;
+    for (const auto& corner : corners)
+        items.push_back(point(inclusion ? mavlink::MavCmd::nav_fence_polygon_vertex_inclusion
+                                        : mavlink::MavCmd::nav_fence_polygon_vertex_exclusion,
+                              corner, static_cast<float>(corners.size())));
+    return items;
+}
+MissionItem wayBack(const geo::Position& place) {
+    return point(mavlink::MavCmd::nav_fence_return_point, place);
+}
+Corners square(int32_t half_e7, int32_t north_e7 = 0, int32_t east_e7 = 0) {
+    return {beside(north_e7 - half_e7, east_e7 - half_e7),
+            beside(north_e7 - half_e7, east_e7 + half_e7),
+            beside(north_e7 + half_e7, east_e7 + half_e7),
+            beside(north_e7 + half_e7, east_e7 - half_e7)};
+}
+Items operator+(Items a, const Items& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+// Northward, where 1e-7 degrees are 11.1 mm.
+geo::Position north_m(double metres) { return geo::moved(kHome, {static_cast<float>(metres), 0}); }
 
 // ---- which is fit
 
@@ -234,6 +278,195 @@ TEST_F(FenceLines, are_gone_round_anew_when_another_is_stored_meanwhile) {
     EXPECT_EQ(fenceSide(beside(90000, 0)), Side::unknown);
     ASSERT_EQ(lineOf(polygon(5, 0)), Line::fit);
     EXPECT_EQ(fenceSide(kHome), Side::inside);
+}
+
+// ---- zones
+
+TEST_F(FenceLines, of_a_circle_have_its_two_sides) {
+    for (const float radius_m : {20.0f, 249.9f, 250.0f, 251.0f, 3000.0f, 10000.0f}) {
+        SCOPED_TRACE(radius_m);
+        const double near = radius_m * 0.0005 + 0.05;
+        ASSERT_EQ(sentLine(Items{circle(true, kHome, radius_m)}), Line::fit);
+        EXPECT_EQ(sideOf(north_m(radius_m - near)), Side::inside);
+        EXPECT_EQ(sideOf(north_m(radius_m + near)), Side::outside);
+        ASSERT_EQ(sentLine(Items{circle(false, kHome, radius_m)}), Line::fit);
+        EXPECT_EQ(sideOf(north_m(radius_m - near)), Side::outside);
+        EXPECT_EQ(sideOf(north_m(radius_m + near)), Side::inside);
+    }
+}
+
+// Of inclusions all hold at once, of exclusions none.
+TEST_F(FenceLines, hold_a_place_that_is_in_each_zone_to_stay_in_and_in_none_to_stay_out_of) {
+    static geo::Position centres[2], exclusions[2];
+    static const geo::Position apart = beside(90000, 0);
+    check({{"inside",
+            {[](bool is) { centres[0] = is ? kHome : apart; },
+             [](bool is) { centres[1] = is ? kHome : apart; },
+             [](bool is) { exclusions[0] = is ? apart : kHome; },
+             [](bool is) { exclusions[1] = is ? apart : kHome; }},
+            [] {
+                const auto at = [](const geo::Position& centre) {
+                    return square(20000, centre.latitude_e7 - kHome.latitude_e7);
+                };
+                send(Items{circle(true, centres[0], 200)} + area(false, at(exclusions[1])) +
+                     area(true, at(centres[1])) + Items{circle(false, exclusions[0], 200)});
+                return sideOf(kHome) == Side::inside;
+            },
+            bench::all}});
+}
+
+TEST_F(FenceLines, are_fit_with_any_one_zone_and_no_other_point) {
+    const Items ring{circle(true, kHome, 100)}, hole{circle(false, beside(90000, 0), 100)};
+    for (const Items& zone :
+         {ring, hole, area(false, square(20000, 90000)), area(true, square(20000))}) {
+        EXPECT_EQ(sentLine(zone), Line::fit);
+        EXPECT_EQ(sentLine(zone + Items{wayBack(kHome)}), Line::fit);
+        EXPECT_EQ(sentLine(Items{wayBack(kHome)} + zone), Line::fit);
+    }
+    EXPECT_EQ(sentLine(Items{wayBack(kHome)}), Line::unfit);
+}
+
+TEST_F(FenceLines, are_not_fit_when_a_zone_forbids_the_return_point) {
+    const Items polygon = area(true, square(40000)), back{wayBack(beside(10000, 0))};
+    ASSERT_EQ(sentLine(polygon + back), Line::fit);
+    for (const Items& zone :
+         {Items{circle(false, beside(12000, 0), 50)}, area(false, square(3000, 12000)),
+          Items{circle(true, beside(-12000, 0), 50)}, area(true, square(3000, -12000))}) {
+        (void)statusTexts();
+        EXPECT_EQ(sentLine(polygon + zone + back), Line::unfit);
+        EXPECT_TRUE(hasStatusText("Fence: return point is outside"));
+    }
+}
+
+TEST_F(FenceLines, with_zones_have_no_FENCE_TOTAL) {
+    ASSERT_EQ(sentLine(area(true, square(40000)) + Items{wayBack(kHome)}), Line::fit);
+    EXPECT_EQ(parameters.fence_total, 6);
+    EXPECT_FALSE(fenceHasZones());
+    ASSERT_EQ(sentLine(area(true, square(40000)) + Items{circle(false, beside(90000, 0), 9)}),
+              Line::fit);
+    EXPECT_EQ(parameters.fence_total, 0);
+    EXPECT_TRUE(fenceHasZones());
+    ASSERT_EQ(sentLine(area(false, square(3000, 90000))), Line::fit);
+    EXPECT_TRUE(fenceHasZones());
+    ASSERT_EQ(sentLine(area(true, square(40000))), Line::fit);
+    EXPECT_FALSE(fenceHasZones());
+}
+
+// A zone that another follows costs as much as an edge, a circle as two of them.
+TEST_F(FenceLines, with_zones_take_more_calls) {
+    const auto calls = [](const Items& items) {
+        send(items);
+        int count = 1;
+        while (fenceSide(kHome) == Side::unknown && count < 20) ++count;
+        return count;
+    };
+    const Items ring{circle(true, kHome, 500)}, hole = area(false, square(3000, 90000));
+    Items rings;
+    for (int count = 1; count <= kMaxPoints; ++count) {
+        rings = rings + ring;
+        EXPECT_EQ(calls(rings), (count + 2) / 3) << count;
+    }
+    EXPECT_EQ(calls(hole), 1);
+    EXPECT_EQ(calls(ring + hole), 1) << "3 and 4";
+    EXPECT_EQ(calls(hole + ring), 1) << "5, and the circle is done once begun";
+    EXPECT_EQ(calls(hole + hole), 2) << "5 and 2, 2";
+    EXPECT_EQ(calls(hole + hole + hole), 2) << "5 and 2, 3 and 4";
+    EXPECT_EQ(calls(hole + hole + hole + hole + hole), 4);
+}
+
+// Outside of one is outside: what follows need not be looked at.
+TEST_F(FenceLines, are_left_as_soon_as_one_zone_says_so) {
+    Items rings(20, circle(true, kHome, 500));
+    send(rings);
+    EXPECT_EQ(fenceSide(north_m(510)), Side::outside);
+    EXPECT_EQ(fenceSide(kHome), Side::unknown);
+}
+
+// A place on the other side of the earth, or farther than any circle is wide, is in none.
+TEST_F(FenceLines, of_a_circle_end_with_it) {
+    ASSERT_EQ(sentLine(Items{circle(true, kHome, 10000)}), Line::fit);
+    for (const geo::Position& far :
+         {geo::Position{-470000000, -1720000000}, geo::Position{900000000, 0},
+          geo::Position{-900000000, 1800000000}, beside(1000000, 0), beside(-1000000, 0),
+          beside(0, 2000000), beside(0, -2000000)})
+        EXPECT_EQ(sideOf(far), Side::outside);
+}
+
+// ---- drawn fences, and a second way to tell inside from outside
+
+struct Zone {
+    bool inclusion;
+    Corners rim;
+    float radius_m;  // 0: a polygon
+};
+bool holds(const Zone& zone, const geo::Position& place) {
+    const auto east = [&](const geo::Position& at) {
+        return static_cast<double>(at.longitude_e7 - place.longitude_e7);
+    };
+    const auto north = [&](const geo::Position& at) {
+        return static_cast<double>(at.latitude_e7 - place.latitude_e7);
+    };
+    if (zone.radius_m > 0) return geo::distance_m(zone.rim[0], place) < zone.radius_m;
+    double turned = 0;  // the angle under which the whole rim is seen
+    for (size_t i = 0; i < zone.rim.size(); ++i) {
+        const auto &a = zone.rim[i], &b = zone.rim[(i + 1) % zone.rim.size()];
+        turned +=
+            std::remainder(std::atan2(east(b), north(b)) - std::atan2(east(a), north(a)), 2 * M_PI);
+    }
+    return std::abs(turned) > M_PI;
+}
+
+TEST_F(FenceLines, have_the_sides_of_zones_in_any_order) {
+    std::mt19937 random(3);
+    const auto up_to = [&](int most) { return static_cast<int>(random() % (most + 1u)); };
+    const auto somewhere = [&] { return beside(up_to(80000) - 40000, up_to(80000) - 40000); };
+    int inside = 0, outside = 0;
+    for (int fence = 0; fence < 300; ++fence) {
+        SCOPED_TRACE(fence);
+        std::vector<Zone> zones;
+        Items items;
+        while (items.size() < 16 && (zones.empty() || up_to(3) > 0)) {
+            Zone zone = {up_to(2) == 0, {somewhere()}, 0};
+            const int corners = 3 + up_to(2);
+            if (up_to(1) == 0) {
+                zone.radius_m = static_cast<float>((zone.inclusion ? 300 : 50) + up_to(200));
+                items.push_back(circle(zone.inclusion, zone.rim[0], zone.radius_m));
+            } else {
+                zone.rim.clear();
+                const double size_e7 = zone.inclusion ? 60000 : 15000;
+                const geo::Position centre = somewhere();
+                for (int i = 0; i < corners; ++i) {
+                    const double turn = (i + up_to(90) * 0.01) / corners * 2 * M_PI;
+                    zone.rim.push_back(
+                        {centre.latitude_e7 + static_cast<int32_t>(size_e7 * std::cos(turn)),
+                         centre.longitude_e7 + static_cast<int32_t>(size_e7 * std::sin(turn))});
+                }
+                items = items + area(zone.inclusion, zone.rim);
+            }
+            zones.push_back(zone);
+        }
+        const bool has_way_back = up_to(1) == 0 && items.size() < 20;
+        if (has_way_back)
+            items.insert(items.begin() + up_to(static_cast<int>(items.size())),
+                         wayBack(somewhere()));
+        send(items);
+        EXPECT_EQ(fenceHasWayBack(), has_way_back);
+        for (uint16_t i = 0; i < items.size(); ++i) {
+            MissionItem back;
+            ASSERT_EQ(gcs::readItem(mavlink::MavMissionType::fence, i, back), Status::ok);
+            EXPECT_EQ(back, items[i]) << i;
+        }
+        for (int i = 0; i < 40; ++i) {
+            const geo::Position at = somewhere();
+            bool is_inside = true;
+            for (const Zone& zone : zones)
+                is_inside = is_inside && holds(zone, at) == zone.inclusion;
+            EXPECT_EQ(sideOf(at), is_inside ? Side::inside : Side::outside);
+            ++(is_inside ? inside : outside);
+        }
+    }
+    EXPECT_GT(inside, 1000);
+    EXPECT_GT(outside, 1000);
 }
 
 // ---- while the EEPROM is being written

@@ -17,7 +17,6 @@ using bench::all;
 using bench::Bits;
 using mavlink::MavCmd;
 
-constexpr uint16_t kExclusion = 5002;
 constexpr uint8_t kUntouched = 0xEE;
 constexpr size_t kFenceSize = 10, kRallySize = 11;
 
@@ -45,12 +44,57 @@ MissionItem rally(float height_m, uint8_t frame = kRelativeFrame) {
     return item;
 }
 
+MissionItem zoneCornerItem(float param1) {
+    return point(MavCmd::nav_fence_polygon_vertex_exclusion, kHome, param1);
+}
+MissionItem circle(float radius_m, uint16_t command = MavCmd::nav_fence_circle_inclusion,
+                   uint8_t frame = kRelativeFrame) {
+    MissionItem item = point(command, kHome, radius_m);
+    item.frame = frame;
+    return item;
+}
+const MissionItem kWayBack = point(MavCmd::nav_fence_return_point, kHome);
+
+// The first of so many.
+MissionResult put(ListKind kind, const MissionItem& item, uint8_t count, Memory& memory) {
+    FenceUpload upload = {};
+    return pointFromItem(kind, item, 0, count, upload, memory.record());
+}
 MissionResult result(const MissionItem& item, uint8_t count) {
     Memory memory;
-    const ListKind kind =
-        item.command == MavCmd::nav_rally_point ? ListKind::rally : ListKind::fence;
-    return pointFromItem(kind, item, count, memory.record());
+    return put(item.command == MavCmd::nav_rally_point ? ListKind::rally : ListKind::fence, item,
+               count, memory);
 }
+// Up to the first that is refused.
+struct Sent {
+    std::vector<std::vector<uint8_t>> records;
+    MissionResult last = MissionResult::accepted;
+};
+Sent send(const Items& items) {
+    FenceUpload upload = {};
+    Sent sent;
+    for (size_t i = 0; i < items.size(); ++i) {
+        Memory memory;
+        sent.last = pointFromItem(ListKind::fence, items[i], static_cast<uint8_t>(i),
+                                  static_cast<uint8_t>(items.size()), upload, memory.record());
+        if (sent.last != MissionResult::accepted) return sent;
+        sent.records.push_back(memory.stored(kFenceSize));
+    }
+    return sent;
+}
+// Bytes 8 and 9 of each.
+std::vector<std::vector<int>> kinds(const Items& items) {
+    std::vector<std::vector<int>> rest;
+    for (const auto& record : send(items).records) rest.push_back({record[8], record[9]});
+    return rest;
+}
+Items of(std::initializer_list<std::pair<int, MissionItem>> parts) {
+    Items items;
+    for (const auto& part : parts)
+        items.insert(items.end(), static_cast<size_t>(part.first), part.second);
+    return items;
+}
+
 MissionItem again(ListKind kind, Memory& memory) {
     MissionItem item;
     itemFromPoint(kind, memory.record(), item);
@@ -87,7 +131,7 @@ TEST_F(PointItems, are_stored_as_the_document_lists_their_bytes) {
         Memory memory;
         const bool fence = row.rest.size() == 2;
         const ListKind kind = fence ? ListKind::fence : ListKind::rally;
-        ASSERT_EQ(pointFromItem(kind, row.item, 5, memory.record()), MissionResult::accepted);
+        ASSERT_EQ(put(kind, row.item, 5, memory), MissionResult::accepted);
         EXPECT_EQ(memory.stored(fence ? kFenceSize : kRallySize), with(row.rest)) << row.what;
     }
 }
@@ -113,15 +157,14 @@ TEST_F(PointItems, come_back_as_they_went_up) {
     way_back.frame = kGlobalFrame;
     for (const MissionItem& item : {corner(3), way_back}) {
         Memory memory;
-        ASSERT_EQ(pointFromItem(ListKind::fence, item, 3, memory.record()),
-                  MissionResult::accepted);
+        ASSERT_EQ(put(ListKind::fence, item, 3, memory), MissionResult::accepted);
         EXPECT_EQ(again(ListKind::fence, memory), item);
     }
     for (const uint8_t frame : {kGlobalFrame, kRelativeFrame})
         for (const float height_m : {0.0f, 0.01f, 0.02f, 0.99f, 1.0f, 123.45f, -0.01f, -5.0f, -5.5f,
                                      31999.5f, -31999.5f}) {
             Memory memory;
-            ASSERT_EQ(pointFromItem(ListKind::rally, rally(height_m, frame), 1, memory.record()),
+            ASSERT_EQ(put(ListKind::rally, rally(height_m, frame), 1, memory),
                       MissionResult::accepted);
             const MissionItem item = again(ListKind::rally, memory);
             EXPECT_EQ(item.command, +MavCmd::nav_rally_point);
@@ -138,7 +181,7 @@ TEST_F(PointItems, take_these_frames_and_no_other) {
         MissionItem item = rally(20, static_cast<uint8_t>(frame));
         Memory memory;
         const bool global = frame == 0 || frame == 5, relative = frame == 3 || frame == 6;
-        const MissionResult got = pointFromItem(ListKind::rally, item, 1, memory.record());
+        const MissionResult got = put(ListKind::rally, item, 1, memory);
         if (!global && !relative) {
             EXPECT_EQ(got, MissionResult::unsupported_frame) << frame;
             continue;
@@ -157,8 +200,7 @@ TEST_F(PointItems, are_refused_for_what_is_wrong_with_them) {
     MissionItem not_ours = rally(20);
     not_ours.command = MavCmd::nav_waypoint;
     Memory memory;
-    EXPECT_EQ(pointFromItem(ListKind::rally, not_ours, 1, memory.record()),
-              MissionResult::unsupported);
+    EXPECT_EQ(put(ListKind::rally, not_ours, 1, memory), MissionResult::unsupported);
     EXPECT_EQ(result(at(rally(20), 0, 0), 1), invalidParam(5));
     EXPECT_EQ(result(at(corner(4), 900000001, 0), 4), invalidParam(5));
     EXPECT_EQ(result(rally(32000), 1), invalidParam(7));
@@ -168,8 +210,123 @@ TEST_F(PointItems, are_refused_for_what_is_wrong_with_them) {
     EXPECT_EQ(result(corner(2), 3), invalidParam(1)) << "with a return point";
     EXPECT_EQ(result(corner(3), 3), MissionResult::accepted);
     (void)statusTexts();
-    EXPECT_EQ(result(corner(5), 4), MissionResult::unsupported);
-    EXPECT_TRUE(hasStatusText("Fence: one inclusion polygon, no more"));
+    EXPECT_EQ(result(corner(5), 4), invalidParam(1)) << "more corners than points";
+    EXPECT_TRUE(hasStatusText("Item 0 refused: corners or radius"));
+    EXPECT_EQ(result(not_ours, 4), MissionResult::unsupported);
+    EXPECT_TRUE(hasStatusText("Item 0 refused: no part of a fence"));
+    for (const int beyond : {4999, 5005})
+        EXPECT_EQ(result(point(static_cast<uint16_t>(beyond), kHome, 4), 4),
+                  MissionResult::unsupported);
+    for (const float corners : {2.99f, 3.5f, 20.5f, 21.0f, -4.0f, NAN, INFINITY})
+        EXPECT_EQ(result(corner(corners), 255), invalidParam(1)) << corners;
+    EXPECT_EQ(result(corner(20), 20), MissionResult::accepted);
+}
+
+// ---- zones
+
+// The same bytes as of boards that knew nothing else.
+TEST_F(PointItems, of_one_polygon_are_stored_as_ever) {
+    const std::vector<std::vector<int>> polygon = {{0, 3}, {0, 3}, {0, 3}};
+    EXPECT_EQ(kinds(of({{3, corner(3)}})), polygon);
+    const std::vector<std::vector<int>> way_back_last = {{0, 3}, {0, 3}, {0, 3}, {1, 3}};
+    EXPECT_EQ(kinds(of({{3, corner(3)}, {1, kWayBack}})), way_back_last);
+    const std::vector<std::vector<int>> way_back_amid = {{0, 3}, {1, 3}, {0, 3}, {0, 3}};
+    EXPECT_EQ(kinds(of({{1, corner(3)}, {1, kWayBack}, {2, corner(3)}})), way_back_amid);
+    const std::vector<std::vector<int>> way_back_first = {{1, 3}, {0, 3}, {0, 3}, {0, 3}};
+    EXPECT_EQ(kinds(of({{1, kWayBack}, {3, corner(3)}})), way_back_first);
+}
+
+// Each corner says which it is of how many; a circle says its radius.
+TEST_F(PointItems, of_zones_are_stored_as_the_document_lists_their_bytes) {
+    using Rows = std::vector<std::vector<int>>;
+    const int three = 3 + 3 * 4, out = 128;
+    EXPECT_EQ(kinds(of({{3, zoneCornerItem(3)}})),
+              (Rows{{32, three + out}, {33, three + out}, {34, three + out}}));
+    EXPECT_EQ(kinds(of({{3, corner(3)}, {3, corner(3)}})),
+              (Rows{{32, three}, {33, three}, {34, three}, {32, three}, {33, three}, {34, three}}));
+    EXPECT_EQ(kinds(of({{1, circle(10)}, {3, corner(3)}})),
+              (Rows{{65, 1 + 2 * 36}, {32, three}, {33, three}, {34, three}}))
+        << "a circle before the polygon";
+    EXPECT_EQ(kinds(of({{3, corner(3)}, {1, circle(10)}})),
+              (Rows{{0, 3}, {0, 3}, {0, 3}, {65, 1 + 2 * 36}}));
+    const uint16_t outside = MavCmd::nav_fence_circle_exclusion;
+    EXPECT_EQ(kinds({circle(0.1f, outside, kGlobalFrame)}), (Rows{{64, out + 2}}));
+    EXPECT_EQ(kinds({circle(250, outside, kGlobalFrame)}), (Rows{{64 + 39, out + 2 * 4}}));
+    EXPECT_EQ(kinds({circle(251)}), (Rows{{64 + 39, 1 + 2 * 5}}));
+    EXPECT_EQ(kinds({circle(10000)}), (Rows{{255, 1 + 2 * 26}}));
+}
+
+TEST_F(PointItems, of_a_circle_come_back_with_their_radius) {
+    const auto radiusBack = [](float radius_m, uint16_t command, uint8_t frame) {
+        Memory memory;
+        EXPECT_EQ(put(ListKind::fence, circle(radius_m, command, frame), 1, memory),
+                  MissionResult::accepted)
+            << radius_m;
+        const MissionItem item = again(ListKind::fence, memory);
+        EXPECT_EQ(item.command, command);
+        EXPECT_EQ(item.frame, frame);
+        EXPECT_EQ(item.x, kHome.latitude_e7);
+        EXPECT_EQ(item.y, kHome.longitude_e7);
+        EXPECT_EQ(item.z, 0);
+        return item.param1;
+    };
+    for (const uint16_t command :
+         {MavCmd::nav_fence_circle_inclusion, MavCmd::nav_fence_circle_exclusion})
+        for (const uint8_t frame : {kGlobalFrame, kRelativeFrame}) {
+            for (int tenths = 1; tenths <= 2500; ++tenths) {
+                const float radius_m = static_cast<float>(tenths) / 10;
+                ASSERT_EQ(radiusBack(radius_m, command, frame), radius_m);
+            }
+            for (int whole_m = 250; whole_m <= 10000; ++whole_m)
+                ASSERT_EQ(radiusBack(static_cast<float>(whole_m), command, frame), whole_m);
+        }
+    const auto in = [&](float radius_m) {
+        return radiusBack(radius_m, MavCmd::nav_fence_circle_inclusion, 0);
+    };
+    EXPECT_EQ(in(152.34759f), 152.3f) << "as it is drawn with a mouse";
+    EXPECT_EQ(in(152.35001f), 152.4f);
+    EXPECT_EQ(in(249.96f), 250);
+    EXPECT_EQ(in(250.4f), 250);
+    EXPECT_EQ(in(250.6f), 251);
+    EXPECT_EQ(in(9999.6f), 10000);
+    EXPECT_EQ(in(0.051f), 0.1f);
+}
+
+TEST_F(PointItems, of_a_circle_without_a_radius_or_with_too_large_a_one_are_refused) {
+    for (const float radius_m :
+         {0.0f, 0.049f, -0.1f, -100.0f, 10000.1f, 1e9f, 1e30f, NAN, INFINITY, -INFINITY})
+        EXPECT_EQ(result(circle(radius_m), 1), invalidParam(1)) << radius_m;
+    EXPECT_TRUE(hasStatusText("Item 0 refused: corners or radius"));
+}
+
+struct Broken {
+    const char* what;
+    size_t good;  // items before the one that is refused
+    Items items;
+};
+TEST_F(PointItems, of_a_polygon_follow_one_another_until_it_is_whole) {
+    const MissionItem out = zoneCornerItem(3);
+    for (const Broken& each : {
+             Broken{"other numbers of corners", 1, of({{1, corner(4)}, {3, corner(3)}})},
+             {"in and out mixed", 2, of({{2, corner(3)}, {1, out}, {5, kWayBack}})},
+             {"a circle between", 2, of({{2, out}, {1, circle(10)}, {1, out}})},
+             {"the list ends", 0, of({{2, out}})},
+             {"the list ends of the second", 3, of({{3, corner(3)}, {2, out}})},
+             {"no place for the third", 3, of({{2, corner(3)}, {2, kWayBack}})},
+             {"a fourth corner", 3, of({{4, corner(3)}})},
+         }) {
+        (void)statusTexts();
+        const Sent sent = send(each.items);
+        EXPECT_EQ(sent.last, invalidParam(1)) << each.what;
+        EXPECT_EQ(sent.records.size(), each.good) << each.what;
+        EXPECT_TRUE(
+            hasStatusText("Item " + std::to_string(each.good) + " refused: corners or radius"))
+            << each.what;
+    }
+    for (const Items& whole :
+         {of({{3, out}, {4, zoneCornerItem(4)}, {1, circle(10)}, {3, corner(3)}}),
+          of({{2, out}, {1, kWayBack}, {1, out}}), of({{20, corner(20)}}), of({{20, circle(1)}})})
+        EXPECT_EQ(send(whole).last, MissionResult::accepted);
 }
 
 // ---- conditions
@@ -177,24 +334,20 @@ TEST_F(PointItems, are_refused_for_what_is_wrong_with_them) {
 MissionItem item;
 uint8_t count;
 
-// Every corner belongs to the one polygon: param1 is the number of all points, or of all but a
-// return point.
+// There are points enough for its polygon.
 TEST_F(PointItems, of_a_corner_that_is_taken_turn_it_alone) {
     check({{"a corner",
             {[](bool is) {
                  item = corner(6);
-                 if (!is) item.command = kExclusion;
+                 if (!is) item.command = MavCmd::nav_waypoint;
              },
-             [](bool is) { count = is ? 6 : 9; },
-             [](bool is) {
-                 if (is) count = 7;
-             },
+             [](bool is) { count = is ? 6 : 5; },
              [](bool is) { item.frame = is ? kRelativeFrame : kMissionFrame; },
              [](bool is) {
                  if (!is) item.y = 1800000001;
              }},
             [] { return result(item, count) == MissionResult::accepted; },
-            [](const Bits& is) { return is[0] && (is[1] || is[2]) && is[3] && is[4]; }}});
+            all}});
 }
 
 geo::Position place;

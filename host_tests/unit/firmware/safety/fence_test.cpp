@@ -176,6 +176,59 @@ TEST_F(Fence, counts_255_breaches_and_no_more) {
     EXPECT_EQ(fenceReport().breaches, 255);
 }
 
+// Of circles 1e-7 degrees northward are 11 mm.
+TEST_F(Fence, an_airplane_that_flies_into_a_zone_is_flown_to_the_return_point) {
+    const Items triangle = {
+        point(MavCmd::nav_fence_polygon_vertex_exclusion, beside(10000, -9000), 3),
+        point(MavCmd::nav_fence_polygon_vertex_exclusion, beside(10000, 9000), 3),
+        point(MavCmd::nav_fence_polygon_vertex_exclusion, beside(19000, 0), 3)};
+    const Items circle = {point(MavCmd::nav_fence_circle_exclusion, beside(15000, 0), 55.5f)};
+    for (const Items& zone : {triangle, circle}) {
+        Items items = square();
+        items.insert(items.end(), zone.begin(), zone.end());
+        raise(items);
+        requestMode(Mode::fbwa, ModeReason::pilot);
+        goTo(beside(9900, 0));
+        EXPECT_EQ(vehicle.mode, Mode::fbwa) << "before it";
+        goTo(beside(10100, 0));
+        EXPECT_EQ(vehicle.mode, Mode::guided) << "in it";
+        EXPECT_EQ(vehicle.demand.to, beside(100, 200));
+        EXPECT_EQ(fenceReport().breach, +Breach::boundary);
+        EXPECT_TRUE(hasStatusText("Fence breach: outside"));
+        comeBack();
+        EXPECT_EQ(fenceReport().breach, +Breach::none);
+        ASSERT_TRUE(fenceEnable(0));
+        tenths(1);
+    }
+}
+
+TEST_F(Fence, an_airplane_that_leaves_a_circle_is_flown_to_the_return_point) {
+    raise({point(MavCmd::nav_fence_circle_inclusion, kHome, 200),
+           point(MavCmd::nav_fence_return_point, beside(100, 200))});
+    goTo(beside(17900, 0));
+    EXPECT_EQ(fenceReport().breach, +Breach::none);
+    goTo(beside(18100, 0));
+    EXPECT_EQ(vehicle.mode, Mode::guided);
+    EXPECT_EQ(vehicle.demand.to, beside(100, 200));
+}
+
+// Twenty circles take seven checks.
+TEST_F(Fence, the_largest_one_is_gone_round_in_less_than_two_seconds) {
+    Items circles(19, point(MavCmd::nav_fence_circle_inclusion, kHome, 300));
+    circles.push_back(point(MavCmd::nav_fence_circle_inclusion, kHome, 200));
+    ASSERT_EQ(store(MavMissionType::fence, circles), MissionResult::accepted);
+    tenths(20);
+    ASSERT_TRUE(fenceEnable(1));
+    mutable_vehicle.estimate.position = beside(18100, 0);
+    int checks = 0;  // of which there are five a second
+    while (fenceReport().breach == Breach::none && checks < 20) {
+        runFence();
+        ++checks;
+    }
+    EXPECT_LE(checks, 7);
+    EXPECT_GE(checks, 2);
+}
+
 TEST_F(Fence, without_a_return_point_sends_home) {
     Items corners = square();
     corners.erase(corners.begin());
