@@ -19,8 +19,8 @@ namespace {
 using core::Status;
 
 // Effort of a call, in edges: enough for most fences to be gone round at once; the largest polygon
-// takes three calls, and of circles three fit into one. A zone that another follows is one more.
-constexpr uint8_t kAtOnce = 7, kCircleEffort = 2;
+// takes three calls, and of circles three fit into one. To go on to another zone costs two more.
+constexpr uint8_t kAtOnce = 7, kCircleEffort = 1, kZoneEffort = 2;
 constexpr uint8_t kNoWayBack = 0x7F;
 // Beyond it no circle reaches, and geo::offset() would work out a scale that nobody else wants.
 constexpr int32_t kFarthest_e7 = 910000;
@@ -104,7 +104,7 @@ Status look(const uint8_t* zone, uint8_t& effort) {
 // Zone by zone, as far as one call goes.
 Side goOn() {
     if (!mayRead()) return Side::unknown;
-    for (uint8_t effort = 0; effort < kAtOnce; ++effort) {
+    for (uint8_t effort = 0; effort < kAtOnce; effort += kZoneEffort) {
         uint8_t zone[storage::kLargestRecord];
         if (readZone(lap.next, zone) != Status::ok || look(zone, effort) != Status::ok)
             return Side::unknown;

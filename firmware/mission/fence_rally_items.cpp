@@ -34,9 +34,9 @@ constexpr uint8_t kCornersAt = 2, kRadiusAt = 1;
 constexpr uint8_t kCornersMask = 0x1F, kRadiusMask = 0x3F, kRadiusBits = 6;
 
 // Steps of a radius: decimetres up to 250 m, metres beyond.
-constexpr float kFine_m = 250, kLargest_m = 10000;
+constexpr float kFine_m = 250;
 constexpr int16_t kFineSteps = 2500;
-static_assert(kLargest_m + kFineSteps - kFine_m < (0x100 - kCircle) << kRadiusBits,
+static_assert(kLargestRadius_m + kFineSteps - kFine_m < (0x100 - kCircle) << kRadiusBits,
               "the largest radius has no room in a record");
 
 void setFrame(uint8_t* record, uint8_t frame) {
@@ -79,7 +79,7 @@ MissionResult circleFromItem(float radius_m, uint8_t excluded, FenceUpload& uplo
                              uint8_t* record) {
     const int32_t steps =
         core::rounded(radius_m <= kFine_m ? radius_m * 10 : radius_m + (kFineSteps - kFine_m));
-    if (upload.left != 0 || steps <= 0 || !(radius_m <= kLargest_m))
+    if (upload.left != 0 || steps <= 0 || !(radius_m <= kLargestRadius_m))
         return MissionResult::invalid_param1;
     upload.shape = kExcludes;
     const uint16_t steps16 = static_cast<uint16_t>(steps);

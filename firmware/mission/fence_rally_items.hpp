@@ -11,6 +11,7 @@ namespace firmware {
 namespace mission {
 
 constexpr uint8_t kPointSet = 1;  // version of both records
+constexpr float kLargestRadius_m = 10000;
 
 // What a record of the fence is. All `corner`s are one inclusion polygon, as every fence was once;
 // a `zone_corner` says itself which it is of a polygon of how many.

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
+#include "firmware/mission/fence_rally_items.hpp"
 #include "storage/eeprom_map.hpp"
 
 namespace mission_tool {
@@ -36,6 +38,12 @@ bool isWithin(const Point& place, const std::vector<Point>& rim) {
     return within;
 }
 
+std::string meters(double value_m) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g m", value_m);
+    return text;
+}
+
 }  // namespace
 
 FenceCheck::FenceCheck(const Fence& fence, const simulator::LocalFrame& frame) {
@@ -55,21 +63,14 @@ double FenceCheck::Area::beyond_m(const Point& place) const {
     return isWithin(place, rim) ? -nearest_m : nearest_m;
 }
 
-// Of several areas to stay in one is enough.
+// As the firmware has it: in every area to stay in and in none to stay out of.
 double FenceCheck::outside_m(const Point& place) const {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    double inclusion_m = kInfinity, exclusion_m = -kInfinity;
-    bool bounded = false;
+    double worst_m = -std::numeric_limits<double>::infinity();
     for (const Area& area : areas_) {
         const double beyond_m = area.beyond_m(place);
-        if (area.inclusion) {
-            inclusion_m = std::min(inclusion_m, beyond_m);
-            bounded = true;
-        } else {
-            exclusion_m = std::max(exclusion_m, -beyond_m);
-        }
+        worst_m = std::max(worst_m, area.inclusion ? beyond_m : -beyond_m);
     }
-    return bounded ? std::max(inclusion_m, exclusion_m) : exclusion_m;
+    return worst_m;
 }
 
 double FenceCheck::outsideOnLeg_m(const Point& from, const Point& to) const {
@@ -99,18 +100,16 @@ double FenceCheck::outsideOnCircle_m(const Point& centre, double radius_m) const
 std::vector<FenceProblem> problemsOf(const Fence& fence, const simulator::LocalFrame& frame) {
     std::vector<FenceProblem> found;
     const auto refused = [&](const std::string& text) { found.push_back({true, text}); };
-    const auto count = [&](auto is) {
-        return std::count_if(fence.areas.begin(), fence.areas.end(), is);
-    };
-    if (const auto circles = count([](const FenceArea& area) { return area.isCircle(); }))
-        refused("the firmware refuses its " + std::to_string(circles) + " circle(s)");
-    if (const auto outside = count([](const FenceArea& area) { return !area.inclusion; }))
-        refused("the firmware refuses its " + std::to_string(outside) + " exclusion zone(s)");
-    if (fence.areas.size() > 1)
-        refused("the firmware takes one polygon, this has " + std::to_string(fence.areas.size()));
-    size_t corners = 0;
-    for (const FenceArea& area : fence.areas) corners += area.rim.size();
-    const size_t points = corners + (fence.way_back ? 1 : 0);
+    for (const FenceArea& area : fence.areas) {
+        const auto radius_dm = std::lround(area.radius_m * 10);
+        if (area.isCircle() && (radius_dm < 1 || area.radius_m > firmware::mission::kLargestRadius_m))
+            refused("the firmware takes circles of 0.1 to " +
+                    std::to_string(std::lround(firmware::mission::kLargestRadius_m)) +
+                    " m, one has a radius of " + meters(area.radius_m));
+        if (!area.isCircle() && area.rim.size() < 3)
+            refused("a polygon has " + std::to_string(area.rim.size()) + " corners, fewer than 3");
+    }
+    const size_t points = simulator::fenceItems(fence).size();
     if (points > storage::kFencePoints)
         refused("the firmware takes " + std::to_string(storage::kFencePoints) +
                 " points, return point included, this has " + std::to_string(points));

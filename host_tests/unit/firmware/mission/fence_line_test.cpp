@@ -352,7 +352,7 @@ TEST_F(FenceLines, with_zones_have_no_FENCE_TOTAL) {
     EXPECT_FALSE(fenceHasZones());
 }
 
-// A zone that another follows costs as much as an edge, a circle as two of them.
+// To go on to another zone costs as much as two edges, a circle as one.
 TEST_F(FenceLines, with_zones_take_more_calls) {
     const auto calls = [](const Items& items) {
         send(items);
@@ -368,10 +368,10 @@ TEST_F(FenceLines, with_zones_take_more_calls) {
     }
     EXPECT_EQ(calls(hole), 1);
     EXPECT_EQ(calls(ring + hole), 1) << "3 and 4";
-    EXPECT_EQ(calls(hole + ring), 1) << "5, and the circle is done once begun";
-    EXPECT_EQ(calls(hole + hole), 2) << "5 and 2, 2";
-    EXPECT_EQ(calls(hole + hole + hole), 2) << "5 and 2, 3 and 4";
-    EXPECT_EQ(calls(hole + hole + hole + hole + hole), 4);
+    EXPECT_EQ(calls(hole + ring), 1) << "6, and the circle is done once begun";
+    EXPECT_EQ(calls(hole + hole), 2) << "6 and 1, 3";
+    EXPECT_EQ(calls(hole + hole + hole), 3) << "6 and 1, 5 and 2, 2";
+    EXPECT_EQ(calls(hole + hole + hole + hole + hole), 4) << "6 and 1, 5 and 2, 4 and 3, 3 and 4";
 }
 
 // Outside of one is outside: what follows need not be looked at.

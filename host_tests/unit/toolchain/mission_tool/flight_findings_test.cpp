@@ -35,12 +35,21 @@ TEST(FlightFindings, a_circle_that_leaves_the_fence) {
 TEST(FlightFindings, what_the_firmware_refuses_of_a_fence) {
     Conditions conditions = within(-200, 800, -200, 900);
     conditions.fence.areas.push_back({false, {at(400, -100)}, 50});
+    conditions.fence.areas.push_back({false, {at(700, 0), at(700, 50), at(750, 0)}, 0});
+    conditions.fence.areas.push_back({true, {at(300, 300)}, 10000});
+    EXPECT_EQ(found(good(), conditions), "") << "all kinds of zones";
+    conditions.fence.areas[1].radius_m = 0.04;
+    conditions.fence.areas[2].rim.pop_back();
+    conditions.fence.areas[3].radius_m = 10000.5;
+    EXPECT_EQ(
+        found(good(), conditions),
+        "0: fence: the firmware takes circles of 0.1 to 10000 m, one has a radius of 0.04 m\n"
+        "0: fence: a polygon has 2 corners, fewer than 3\n"
+        "0: fence: the firmware takes circles of 0.1 to 10000 m, one has a radius of 10000.5 m\n");
+    conditions = within(-200, 800, -200, 900);
+    conditions.fence.areas.resize(17, {false, {at(400, -100)}, 50});
     EXPECT_EQ(found(good(), conditions),
-              "0: fence: the firmware refuses its 1 circle(s)\n"
-              "0: fence: the firmware refuses its 1 exclusion zone(s)\n"
-              "0: fence: the firmware takes one polygon, this has 2\n");
-    conditions.fence.areas[1].rim[0] = at(300, 30);
-    EXPECT_THAT(found(good(), conditions), HasSubstr("2: the leg leaves the fence by 20 m\n"));
+              "0: fence: the firmware takes 20 points, return point included, this has 21\n");
     conditions = within(-200, 800, -200, 900);
     conditions.fence.way_back = at(900, 0);
     EXPECT_EQ(found(good(), conditions),
@@ -50,6 +59,20 @@ TEST(FlightFindings, what_the_firmware_refuses_of_a_fence) {
               "0: warning: fence: it has no return point: broken, it means RTL\n");
     EXPECT_THAT(found(good(), within(100, 800, -200, 900)),
                 HasSubstr("0: home lies 100 m outside the fence\n"));
+}
+
+// In every zone to stay in, in none to stay out of.
+TEST(FlightFindings, a_leg_that_leaves_one_zone_or_enters_another) {
+    Conditions conditions = within(-200, 800, -200, 900);
+    conditions.fence.areas.push_back({false, {at(300, 30)}, 50});
+    EXPECT_THAT(found(good(), conditions), HasSubstr("2: the leg leaves the fence by 20 m\n"));
+    conditions = within(-200, 800, -200, 900);
+    conditions.fence.areas.push_back({false, {at(300, -50), at(300, 50), at(400, 0)}, 0});
+    EXPECT_THAT(found(good(), conditions), HasSubstr("2: the leg leaves the fence by "));
+    conditions = within(-200, 800, -200, 900);
+    conditions.fence.areas.push_back({true, {at(0, 0)}, 400});
+    EXPECT_THAT(found(good(), conditions), HasSubstr("2: the leg leaves the fence by "))
+        << "the larger zone does not make up for the smaller one";
 }
 
 TEST(FlightFindings, heights_against_the_limits_of_the_fence) {
