@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "simulator/live/command_names.hpp"
+#include "simulator/live/held_mission.hpp"
 #include "simulator/live/order.hpp"
 
 namespace simulator::live {
@@ -30,6 +31,20 @@ Json itemJson(const WaypointItem& item, double home_m) {
     return json;
 }
 
+// The first polygon to stay in is the fence, the others are beside it.
+void putZone(Json& plan, const FenceArea& area) {
+    Json rim = Json::array();
+    for (const Place& place : area.rim)
+        rim.push_back({{"lat_deg", place.latitude_deg}, {"lon_deg", place.longitude_deg}});
+    if (area.inclusion && !area.isCircle() && plan["fence"].empty()) {
+        plan["fence"] = rim;
+        return;
+    }
+    Json zone = {{"keeps", area.inclusion ? "in" : "out"}, {"rim", rim}};
+    if (area.isCircle()) zone["radius_m"] = area.radius_m;
+    plan["zones"].push_back(zone);
+}
+
 }  // namespace
 
 Json eventJson(const ChronicleEvent& event) {
@@ -54,9 +69,7 @@ Json planJson(const PlanDownload& plans, const Truth& start) {
                     {"altitude_m", start.altitude_m}};
     if (has_home) json["home"] = placeJson(mission[0], 0);
     for (const WaypointItem& item : mission) json["items"].push_back(itemJson(item, home_m));
-    for (const WaypointItem& corner : plans.items(1))
-        if (corner.command == mavlink::MavCmd::nav_fence_polygon_vertex_inclusion)
-            json["fence"].push_back(placeJson(corner));
+    for (const FenceArea& area : heldFence(plans.items(1)).areas) putZone(json, area);
     for (const WaypointItem& point : plans.items(2))
         json["rally"].push_back(placeJson(point, home_m));
     return json;

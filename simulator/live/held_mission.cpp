@@ -24,7 +24,9 @@ std::vector<Place> polygonAt(const Waypoints& items, size_t from) {
     return static_cast<double>(rim.size()) == corners ? rim : std::vector<Place>();
 }
 
-Fence fenceOf(const Waypoints& items) {
+}  // namespace
+
+Fence heldFence(const Waypoints& items) {
     Fence fence;
     for (size_t i = 0; i < items.size(); ++i) {
         const WaypointItem& item = items[i];
@@ -40,12 +42,10 @@ Fence fenceOf(const Waypoints& items) {
     return fence;
 }
 
-}  // namespace
-
 MissionFile heldMission(const Waypoints& mission, const Waypoints& fence, const Waypoints& rally) {
     MissionFile held;
     held.items = mission;
-    held.fence = fenceOf(fence);
+    held.fence = heldFence(fence);
     for (const WaypointItem& item : rally)
         if (item.command == kRallyPoint) held.rally.push_back({placeOf(item), item.altitude_m});
     return held;

@@ -9,5 +9,6 @@ namespace simulator::live {
 // Of the three lists of the mission protocol. Corners belong to one polygon for as long as their
 // first parameter, the number of its corners, says so; a polygon that is cut short is left out.
 MissionFile heldMission(const Waypoints& mission, const Waypoints& fence, const Waypoints& rally);
+Fence heldFence(const Waypoints& items);
 
 }  // namespace simulator::live

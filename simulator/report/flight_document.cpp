@@ -36,12 +36,20 @@ Json itemOf(const DocumentItem& item) {
     return json;
 }
 
+Json zoneOf(const DocumentZone& zone) {
+    Json json = {{"keeps", zone.keeps_in ? "in" : "out"}, {"rim", placesOf(zone.rim)}};
+    if (zone.radius_m) json["radius_m"] = *zone.radius_m;
+    return json;
+}
+
 Json planOf(const DocumentPlan& plan) {
     Json json = Json::object();
     if (plan.home) json["home"] = placeOf(*plan.home);
     json["items"] = Json::array();
     for (const DocumentItem& item : plan.items) json["items"].push_back(itemOf(item));
     json["fence"] = placesOf(plan.fence);
+    if (!plan.zones.empty()) json["zones"] = Json::array();
+    for (const DocumentZone& zone : plan.zones) json["zones"].push_back(zoneOf(zone));
     json["rally"] = placesOf(plan.rally);
     return json;
 }

@@ -22,10 +22,17 @@ struct DocumentItem {
     std::optional<double> radius_m;  // of a circle
 };
 
+struct DocumentZone {
+    bool keeps_in = true;            // else it is to be stayed out of
+    std::vector<DocumentPlace> rim;  // corners; of a circle its centre alone
+    std::optional<double> radius_m;  // of a circle
+};
+
 struct DocumentPlan {
     std::optional<DocumentPlace> home;
     std::vector<DocumentItem> items;
     std::vector<DocumentPlace> fence, rally;
+    std::vector<DocumentZone> zones;  // of the fence, but for the polygon in `fence`
 };
 
 struct DocumentSeries {

@@ -108,10 +108,16 @@ DocumentPlan planOf(const MissionFile& mission, std::optional<double> loiter_rad
         else
             plan.items.push_back(itemOf(item, home_m, loiter_radius_m));
     }
-    for (const FenceArea& area : mission.fence.areas)
-        if (area.inclusion && !area.isCircle())
-            for (const Place& corner : area.rim)
-                plan.fence.push_back({corner.latitude_deg, corner.longitude_deg, {}});
+    for (const FenceArea& area : mission.fence.areas) {
+        DocumentZone zone = {area.inclusion, {}, {}};
+        for (const Place& place : area.rim)
+            zone.rim.push_back({place.latitude_deg, place.longitude_deg, {}});
+        if (area.isCircle()) zone.radius_m = area.radius_m;
+        if (area.inclusion && !area.isCircle() && plan.fence.empty())
+            plan.fence = zone.rim;
+        else
+            plan.zones.push_back(zone);
+    }
     for (const RallyPlace& rally : mission.rally)
         plan.rally.push_back(
             {rally.place.latitude_deg, rally.place.longitude_deg, home_m + rally.height_m});

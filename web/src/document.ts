@@ -9,7 +9,11 @@ export interface PlanItem {
   index: number; name: string; text: string;
   lat_deg?: number; lon_deg?: number; altitude_m?: number; radius_m?: number;
 }
-export interface Plan { set?: string; home?: Place; items?: PlanItem[]; fence?: Place[]; rally?: Place[] }
+// Of the fence: corners, or with a radius the centre.
+export interface Zone { keeps: 'in' | 'out'; rim: Place[]; radius_m?: number }
+export interface Plan {
+  set?: string; home?: Place; items?: PlanItem[]; fence?: Place[]; zones?: Zone[]; rally?: Place[];
+}
 
 export type Kind = 'truth' | 'estimate' | 'demand' | 'measured';
 export interface SeriesEntry {

@@ -2,7 +2,7 @@
 // The map: planned legs, items by name, fence, rally points, the flown track, the airplane.
 import * as L from 'leaflet';
 import { byId, colour, make, onThemeChange } from '../dom';
-import type { PlanItem } from '../document';
+import type { PlanItem, Zone } from '../document';
 import { indexAt } from '../flight';
 import type { Flight, Series } from '../flight';
 import type { View } from '../view';
@@ -96,17 +96,22 @@ export class FlightMap {
 
   private drawPlan(): void {
     this.plan.clearLayers();
-    const { home, fence = [], rally = [] } = this.flight.document.plan ?? {};
+    const { home, fence = [], zones = [], rally = [] } = this.flight.document.plan ?? {};
     const items = this.items();
     const way: L.LatLngTuple[] = [...(home ? [home] : []), ...items].map(({ lat_deg, lon_deg }) => [lat_deg, lon_deg]);
     L.polyline(way, { color: colour('plan'), weight: 5, opacity: 0.4, interactive: false }).addTo(this.plan);
-    if (fence.length > 2)
-      L.polygon(fence.map((at): L.LatLngTuple => [at.lat_deg, at.lon_deg]),
-        { color: colour('fence'), weight: 2, dashArray: '7 5', fill: false, interactive: false }).addTo(this.plan);
+    if (fence.length > 2) this.drawZone({ keeps: 'in', rim: fence });
+    for (const zone of zones) this.drawZone(zone);
     for (const [i, at] of rally.entries()) this.mark([at.lat_deg, at.lon_deg], `R${i + 1}`, 'rally point', 'rally');
     const atHome = items.some(({ lat_deg, lon_deg }) => lat_deg === home?.lat_deg && lon_deg === home.lon_deg);
     if (home && !atHome) this.mark([home.lat_deg, home.lon_deg], 'H', 'home', 'ink');
     for (const item of items) this.drawItem(item);
+  }
+  // What is to be stayed out of is filled.
+  private drawZone({ keeps, rim, radius_m }: Zone): void {
+    const style = { color: colour('fence'), weight: 2, dashArray: '7 5', fill: keeps === 'out', fillOpacity: 0.18, interactive: false };
+    const places = rim.map((at): L.LatLngTuple => [at.lat_deg, at.lon_deg]);
+    (radius_m ? L.circle(places[0], { ...style, radius: radius_m }) : L.polygon(places, style)).addTo(this.plan);
   }
   private drawItem(item: Placed): void {
     const at: L.LatLngTuple = [item.lat_deg, item.lon_deg];

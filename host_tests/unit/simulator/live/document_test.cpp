@@ -57,7 +57,11 @@ TEST_F(Document, is_one_of_version_1_without_samples) {
 TEST_F(Document, draws_the_plans_that_the_board_holds) {
     board.lists[0] = {itemAt(0, 16, 47, 8, 488), itemAt(1, 22, 0, 0, 50),
                       itemAt(2, 16, 47.01, 8.01, 60)};
-    board.lists[1] = {itemAt(0, 5000, 47, 8, 0), itemAt(1, 5001, 47.1, 8.1, 0)};
+    board.lists[1] = {itemAt(0, 5000, 47, 8, 0),      itemAt(1, 5001, 47.1, 8.1, 0),
+                      itemAt(2, 5001, 47.1, 8.2, 0),  itemAt(3, 5001, 47.2, 8.1, 0),
+                      itemAt(4, 5004, 47.15, 8.3, 0), itemAt(5, 5001, 47.3, 8.3, 0),
+                      itemAt(6, 5001, 47.3, 8.4, 0),  itemAt(7, 5001, 47.4, 8.4, 0)};
+    for (auto& item : board.lists[1]) item.params[0] = item.command == 5004 ? 120.5 : 3;
     board.lists[2] = {itemAt(0, 5100, 47.2, 8.2, 70)};
     board.lists[2][0].frame = 3;
     read();
@@ -70,8 +74,15 @@ TEST_F(Document, draws_the_plans_that_the_board_holds) {
     EXPECT_NEAR(plan["items"][2]["lat_deg"].get<double>(), 47.01, 1e-6);
     EXPECT_EQ(plan["items"][2]["altitude_m"], 548);
     EXPECT_EQ(plan["items"][2]["text"], "60 m above home");
-    ASSERT_EQ(plan["fence"].size(), 1u);
+    ASSERT_EQ(plan["fence"].size(), 3u);
     EXPECT_NEAR(plan["fence"][0]["lon_deg"].get<double>(), 8.1, 1e-6);
+    ASSERT_EQ(plan["zones"].size(), 2u);
+    EXPECT_EQ(plan["zones"][0]["keeps"], "out");
+    EXPECT_EQ(plan["zones"][0]["radius_m"], 120.5);
+    EXPECT_NEAR(plan["zones"][0]["rim"][0]["lat_deg"].get<double>(), 47.15, 1e-6);
+    EXPECT_EQ(plan["zones"][1]["keeps"], "in");
+    EXPECT_EQ(plan["zones"][1]["rim"].size(), 3u);
+    EXPECT_FALSE(plan["zones"][1].contains("radius_m"));
     EXPECT_EQ(plan["rally"][0]["altitude_m"], 558);
 }
 

@@ -123,6 +123,22 @@ TEST(RecordedFlight, has_the_heights_of_its_plan_above_the_sea) {
     EXPECT_EQ(plan.items[1].text, "do change speed, parameters 0 13 -1 0");
 }
 
+TEST(RecordedFlight, has_the_first_polygon_to_stay_in_as_the_fence_and_the_rest_as_zones) {
+    MissionFile mission;
+    const std::vector<Place> triangle = {{47, 8}, {47, 9}, {48, 9}};
+    mission.fence.areas = {{false, triangle, 0}, {true, triangle, 0}, {true, {{47.1, 8.2}}, 80}};
+    const DocumentPlan plan = planOf(mission, {});
+
+    EXPECT_EQ(plan.fence.size(), 3u);
+    ASSERT_EQ(plan.zones.size(), 2u);
+    EXPECT_FALSE(plan.zones[0].keeps_in);
+    EXPECT_EQ(plan.zones[0].rim.size(), 3u);
+    EXPECT_FALSE(plan.zones[0].radius_m);
+    EXPECT_TRUE(plan.zones[1].keeps_in);
+    EXPECT_EQ(plan.zones[1].rim.at(0).longitude_deg, 8.2);
+    EXPECT_EQ(plan.zones[1].radius_m, 80.0);
+}
+
 TEST(RecordedFlight, has_places_on_the_meridian_of_greenwich_and_on_the_equator) {
     MissionFile mission;
     mission.items = parseWaypoints(
