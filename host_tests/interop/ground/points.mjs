@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 
 export const kFence = 1, kRally = 2;
-export const kReturnPoint = 5000, kCorner = 5001, kExclusion = 5002, kRallyPoint = 5100;
+export const kReturnPoint = 5000, kCorner = 5001, kExclusion = 5002, kCircleIn = 5003, kCircleOut = 5004, kRallyPoint = 5100;
 
 const file = new URL('../../../simulator/missions/first_flight.waypoints', import.meta.url);
 export const wholePlan = readFileSync(file, 'utf8').trim().split(/\r?\n/).slice(1).map((line) => {
@@ -31,6 +31,11 @@ export const fence = (half_m, wayBack = beside(0, 0)) => items(kFence, [
   { command: kReturnPoint, ...wayBack },
   ...[[-1, -1], [-1, 1], [1, 1], [1, -1]].map(([north, east]) =>
     ({ command: kCorner, param1: 4, ...beside(north * half_m, east * half_m) }))]);
+// A square to stay in, a triangle to stay out of, circles of both kinds: { command, param1, x, y }.
+export const zones = (...circles) => items(kFence, [
+  ...fence(1000).slice(1),
+  ...[[600, 600], [600, 700], [700, 600]].map((place) => ({ command: kExclusion, param1: 3, ...beside(...place) })),
+  ...circles, { command: kReturnPoint, ...beside(80, 60) }]);
 export const rally = (...places) => items(kRally, places.map(([north_m, east_m, z]) =>
   ({ command: kRallyPoint, ...beside(north_m, east_m), z })));
 

@@ -392,7 +392,7 @@ TEST_F(FenceLines, of_a_circle_end_with_it) {
         EXPECT_EQ(sideOf(far), Side::outside);
 }
 
-// ---- drawn fences, and a second way to tell inside from outside
+// ---- drawn fences, and another way to find out what holds a place
 
 struct Zone {
     bool inclusion;
