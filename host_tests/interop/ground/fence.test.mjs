@@ -74,6 +74,7 @@ test('turns the airplane back from a zone', withVehicle({}, async (vehicle) => {
   vehicle.send('MISSION_ITEM_INT', { command: 16, frame: 6, current: 2, ...centre, z: 60 });
   assert.equal((await vehicle.expect('MISSION_ACK')).type, 0);
   await said(vehicle, /Fence breach: outside/, 40_000);
+  vehicle.forget();
   const entered = await vehicle.expect('GLOBAL_POSITION_INT');
   const beyond_m = distance_m(centre, entered) - radius_m;
   assert.ok(beyond_m < 0 && beyond_m > -40, `turned back ${beyond_m} m from the edge`);

@@ -26,14 +26,14 @@ export const distance_m = (place, { lat, lon }) =>
 const items = (missionType, rows) => rows.map((row, seq) => ({ seq, frame: 3, current: 0,
   autocontinue: 1, param1: 0, param2: 0, param3: 0, param4: 0, z: 0, missionType, ...row }));
 
+const square = (half_m) => [[-1, -1], [-1, 1], [1, 1], [1, -1]].map(([north, east]) =>
+  ({ command: kCorner, param1: 4, ...beside(north * half_m, east * half_m) }));
 // A square about home and a return point.
 export const fence = (half_m, wayBack = beside(0, 0)) => items(kFence, [
-  { command: kReturnPoint, ...wayBack },
-  ...[[-1, -1], [-1, 1], [1, 1], [1, -1]].map(([north, east]) =>
-    ({ command: kCorner, param1: 4, ...beside(north * half_m, east * half_m) }))]);
+  { command: kReturnPoint, ...wayBack }, ...square(half_m)]);
 // A square to stay in, a triangle to stay out of, circles of both kinds: { command, param1, x, y }.
 export const zones = (...circles) => items(kFence, [
-  ...fence(1000).slice(1),
+  ...square(1000),
   ...[[600, 600], [600, 700], [700, 600]].map((place) => ({ command: kExclusion, param1: 3, ...beside(...place) })),
   ...circles, { command: kReturnPoint, ...beside(80, 60) }]);
 export const rally = (...places) => items(kRally, places.map(([north_m, east_m, z]) =>
