@@ -10,6 +10,7 @@ const kBackwards = -4096, kForwards = 4094;  // the reach of RCALL and RJMP from
 const kShortCallBytes = 2;
 const kPointerReach = 0x20000;
 const kFarCallCosts = 2, kTrampolineCosts = 4;  // bytes
+const kHopeless = 2;                            // times that: not even worked out for all sections
 const kHottest = 6, kColdest = 0.4;             // bytes: a move that costs so many is kept by 1 in e
 
 // xorshift32: Marsaglia, Xorshift RNGs, 2003
@@ -29,9 +30,15 @@ class Layout {
     this.size = Int32Array.from(sections, ({ size }) => size);
     this.at = Int32Array.from(sections, ({ address }) => address);
     this.begin = sections.find(({ isMoved }) => isMoved).address;
+    this.isPointedAt = Int8Array.from(sections, ({ isPointedAt }) => (isPointedAt ? 1 : 0));
     this.pointedAt = sections.flatMap(({ isMoved, isPointedAt }, i) => (isMoved && isPointedAt ? [i] : []));
     this.calls = Int32Array.from(calls.flatMap(({ from, fromAt, to, toAt }) =>
       [from, to, toAt - fromAt - kShortCallBytes - kBackwards]));
+    this.callsOf = sections.map(() => []);  // where a section's own begin in `calls`
+    calls.forEach(({ from, to }, i) => {
+      this.callsOf[from].push(3 * i);
+      this.callsOf[to].push(3 * i);
+    });
   }
 
   place(order) {
@@ -50,6 +57,20 @@ class Layout {
       if (away < 0 || away > kForwards - kBackwards) far++;
     }
     return far;
+  }
+
+  // What one section by itself costs more when it lies at an address, and all others where they are.
+  ownCost(section, address) {
+    const { at, calls } = this;
+    const before = at[section];
+    let more = 0;
+    for (const i of this.callsOf[section]) {
+      const away = at[calls[i + 1]] - at[calls[i]] + calls[i + 2];
+      const moved = away + (calls[i + 1] === section ? address - before : before - address);
+      more += (moved < 0 || moved > kForwards - kBackwards) - (away < 0 || away > kForwards - kBackwards);
+    }
+    const trampoline = this.isPointedAt[section] * ((address >= kPointerReach) - (before >= kPointerReach));
+    return kFarCallCosts * more + kTrampolineCosts * trampoline;
   }
 
   trampolines() {
@@ -98,11 +119,15 @@ export function placed(sections, calls, steps) {
   for (let step = 0; step < steps; step++) {
     const drawn = random(2) === 0 ? moveTogether(order, calls, random) : moveAnywhere(order, random);
     if (!drawn) continue;
+    const heat = kHottest * (kColdest / kHottest) ** (step / steps);
+    // most moves bring a section away from what it calls: that is seen at less cost than all of it
+    const { from, to, count } = drawn;
+    if (count === 1 && layout.ownCost(order[from], layout.at[order[to]]) > kHopeless * heat) continue;
     move(order, drawn);
     const more = layout.cost(order) - cost;
-    const heat = kHottest * (kColdest / kHottest) ** (step / steps);
     if (more > 0 && random(1e9) >= 1e9 * Math.exp(-more / heat)) {
-      move(order, { from: drawn.to, to: drawn.from, count: drawn.count });
+      move(order, { from: to, to: from, count });
+      layout.place(order);
       continue;
     }
     cost += more;
