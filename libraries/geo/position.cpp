@@ -25,8 +25,9 @@ struct Scale {
     float east_m;             // and along the parallel
     float east_slope_m;       // change of east_m per 1e-7 degree of latitude
     float convergence_per_m;  // tan(latitude) / (2 R): half the meridians' turn per metre east
+    bool known;
 };
-core::FileState<Scale> cached(Scale{INT32_MIN, 0, 0, 0, 0});
+core::FileState<Scale> cached{};
 
 Scale scaleAt(int32_t latitude_e7) {
     const float latitude_rad = static_cast<float>(latitude_e7) * kRadiansPerE7;
@@ -41,14 +42,14 @@ Scale scaleAt(int32_t latitude_e7) {
     scale.east_m = across_m * cosine * kRadiansPerE7;
     scale.east_slope_m = -along_m * sine * kRadiansPerE7 * kRadiansPerE7;  // d(N cos) = -M sin
     scale.convergence_per_m = 0.5f * sine / (cosine * across_m);
+    scale.known = true;
     return scale;
 }
 
 // The scale whose band holds this latitude, and its east_m there.
 const Scale& scaleFor(int32_t latitude_e7, float& east_m) {
-    int32_t away_e7 =
-        cached.latitude_e7 == INT32_MIN ? kBand_e7 + 1 : latitude_e7 - cached.latitude_e7;
-    if (away_e7 > kBand_e7 || away_e7 < -kBand_e7) {
+    int32_t away_e7 = latitude_e7 - cached.latitude_e7;
+    if (!cached.known || away_e7 > kBand_e7 || away_e7 < -kBand_e7) {
         cached = scaleAt(latitude_e7);
         away_e7 = 0;
     }
