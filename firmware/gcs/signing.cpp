@@ -34,6 +34,7 @@ constexpr uint8_t kStreams = 2;
 
 struct Signing {
     bool begun;            // what is stored has been read
+    bool signs;            // a link does
     const Link* checking;  // whose frame; nullptr: none
     uint8_t taken;         // bytes of its signature
     Signature signature;
@@ -162,10 +163,15 @@ void signingStart() {
 
 void signingTick() {
     if (!signing.begun) begin();
-    const bool signs = signsLinks();
-    // what goes out behind a frame that waits for its signature is signed, too
-    for (Link& link : links)
-        link.signature = signs || hal::linkHeldSize(portOf(link)) != 0 ? mavlink::kSignature : 0;
+    const bool wanted = signsLinks();
+    if (!wanted && !signing.signs) return;
+    signing.signs = wanted;
+    for (Link& link : links) {
+        // what goes out behind a frame that waits for its signature is signed, too
+        const bool signs = wanted || hal::linkHeldSize(portOf(link)) != 0;
+        link.signature = signs ? mavlink::kSignature : 0;
+        if (signs) signing.signs = true;
+    }
 }
 
 SELDOM Verdict signingVerdict(Link& link, const mavlink::Frame& frame) {
