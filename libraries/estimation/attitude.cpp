@@ -166,7 +166,7 @@ void Attitude::start() {
     mean_nose_[0] = angles_.cos_roll = angles_.cos_pitch = core::Ratio(1);
     inverse_cos_pitch_ = core::Gain(1);
     since_fix_ = 0xFF;
-    settling_ = compass_cosine_ = 1;
+    settling_ = 1;
 }
 
 void Attitude::align() {
@@ -470,8 +470,8 @@ bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
         turnTo(-across_mg * inverse, along_mg * inverse);
         return true;
     }
-    compass_cosine_ = along_mg * inverse;
-    const bool elsewhere = settling_ < kQuickEnds && compass_cosine_ < kInconsistent;
+    compass_off_ = 1 - along_mg * inverse;
+    const bool elsewhere = settling_ < kQuickEnds && compass_off_ > 1 - kInconsistent;
     if (elsewhere || !settings.use_compass) return !elsewhere;
     // after a restart it is the attitude that is wrong, most of all the roll, and not the field
     const bool resumed = phase_ == Phase::resumed && settling_ > kQuickEnds;
@@ -494,7 +494,7 @@ bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
 
 // The sine of half the angle over that of half the limit: of angles as these, one as the other.
 float Attitude::compassTestRatio() const {
-    return sqrtf(core::limit((1 - compass_cosine_) * (1 / (1 - kInconsistent)), 0.0f, 10.0f));
+    return sqrtf(core::limit(compass_off_ * (1 / (1 - kInconsistent)), 0.0f, 10.0f));
 }
 
 // sqrt(1 - sine^2) of an angle below 20 degrees is quicker by its series, and so is its inverse.

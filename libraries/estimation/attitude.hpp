@@ -141,10 +141,10 @@ private:
 
     // what is not zero at first is set by start(): flash would have to hold a copy of all this
     Row north_ = {}, down_ = {};
-    DeltaAngle bias_ = {};                             // of the gyros, in a sample period
-    core::BodyRates rate_bias_ = {};                   // the same
-    int32_t force_bias_x_ = 0, force_bias_y_ = 0;      // of the accelerometers, a ForceBias' steps
-    core::Ratio mean_nose_[2] = {};  // north and east of it lately
+    DeltaAngle bias_ = {};                         // of the gyros, in a sample period
+    core::BodyRates rate_bias_ = {};               // the same
+    int32_t force_bias_x_ = 0, force_bias_y_ = 0;  // of the accelerometers, a ForceBias' steps
+    core::Ratio mean_nose_[2] = {};                // north and east of it lately
     core::BodyRates rate_ = {};
     DeltaAngle turned_ = {};     // since the matrix was last turned
     int32_t force_sum_[3] = {};  // of forces_ frames that took periods_
@@ -158,9 +158,9 @@ private:
     VelocityHistory history_;
     VelocityHistory::Moment fix_ = {};         // the accelerometers' velocity at the last fix
     VelocityHistory::Moment fix_ground_ = {};  // and the GPS's
-    uint8_t since_fix_ = 0;                 // periods, 1.28 s at most
+    uint8_t since_fix_ = 0;                    // periods, 1.28 s at most
     float settling_ = 0;                       // 1 at start, 0 when settled
-    float compass_cosine_ = 0;                 // of the angle by which the last reading was off
+    float compass_off_ = 0;                    // 1 - cosine of the angle of the last reading
     Phase phase_ = Phase::falling;
     uint8_t forces_ = 0, periods_ = 0;
     uint8_t behind_ = 0;     // frames that the matrix has not been turned by

@@ -109,6 +109,7 @@ Figures overSeeds(const Errors& errors, const Sources& sources, int seeds) {
     for (int seed = 1; seed <= seeds; ++seed) {
         Flight flight(flight::wholeFlight(), errors, seed, 37.0 * seed);
         Attitude attitude;
+        attitude.start();
         const Figures f = fly(flight, sources, attitude);
         sum.roll += f.roll;
         sum.pitch += f.pitch;
@@ -136,6 +137,7 @@ TEST(Attitude, compares_a_fix_with_its_own_time_whichever_frame_it_comes_in) {
     for (int quarter = 0; quarter < 4; ++quarter) {
         Flight flight(circles, none, 1);
         Attitude attitude;
+        attitude.start();
         Sources sources;
         sources.fix_quarter = quarter;
         sources.scored_s = 50;
@@ -282,6 +284,7 @@ struct Compared : Resumed {
 };
 
 TEST_F(Compared, the_compass_is_off_by_a_share_of_what_is_followed) {
+    attitude.start();
     EXPECT_EQ(attitude.compassTestRatio(), 0);
     stand(3, true);
     EXPECT_NEAR(attitude.compassTestRatio(), 0, 0.02);
