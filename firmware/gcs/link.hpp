@@ -32,7 +32,9 @@ constexpr uint8_t kLongestQuestion =
     mavlink::kHeaderV2 + sizeof(mavlink::SetPositionTargetGlobalInt) + mavlink::kChecksum;
 
 // Whatever goes out by itself is only tried when the largest such frame would fit.
-constexpr uint8_t kLargestFrame = kAroundPayload + mavlink::Wire<mavlink::AutopilotVersion>::length;
+// Without its signature, unlike the two above: a line without a key is to be kept full.
+constexpr uint8_t kLargestFrame =
+    mavlink::kHeaderV2 + mavlink::Wire<mavlink::AutopilotVersion>::length + mavlink::kChecksum;
 
 struct Link {
     // what is used most first: an instruction reaches 63 bytes
@@ -73,6 +75,9 @@ inline bool hasRoom(const Link& link, uint8_t frame_size) {
     return hal::serialRoom(portOf(link)) >= frame_size;
 }
 constexpr uint8_t kAnyRoom = 0;
+inline uint8_t signedSize(const Link& link, uint8_t frame_size) {
+    return static_cast<uint8_t>(frame_size + link.signature);
+}
 
 // What is sent as an answer or by an event, besides the rows of streams.cpp. send() finds a message
 // here when it is compiled; its caller then names it by one byte.

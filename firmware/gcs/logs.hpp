@@ -19,7 +19,6 @@ bool onLogRequestEnd(Link& link, const mavlink::Frame& frame);
 
 // Room for one message of a log, without its signature: with it, it needs all of the port's buffer.
 constexpr uint8_t kLogFrame = mavlink::kHeaderV2 + sizeof(mavlink::LogData) + mavlink::kChecksum;
-uint8_t logFrame(const Link& link);  // with it, when there is one
 
 void logsStart();
 bool logsWait(const Link& link);  // something is to be sent on it

@@ -127,8 +127,8 @@ bool hasSomething(const Link& link) {
 // Free bytes in the port at which there is something to send by itself.
 uint8_t roomToSend(const Link& link) {
     if (hal::linkHeldSize(portOf(link)) != 0) return kAnyRoom;
-    if (hasSomething(link)) return kLargestFrame;
-    return logsWait(link) ? logFrame(link) : kNoRoomWakes;
+    if (hasSomething(link)) return signedSize(link, kLargestFrame);
+    return logsWait(link) ? signedSize(link, kLogFrame) : kNoRoomWakes;
 }
 
 // One message, of what goes out by itself. A log takes turns with all the rest. Not inlined, as
@@ -138,7 +138,7 @@ __attribute__((noinline)) bool sendOne(Link& link) {
         link.log_is_next = !link.log_is_next;
         if (link.log_is_next && !heartbeatDue(link) && logsSend(link)) return true;
     }
-    if (!hasRoom(link, kLargestFrame)) return false;
+    if (!hasRoom(link, signedSize(link, kLargestFrame))) return false;
     if (heartbeatDue(link)) return streamsSend(link);
     if (gcs::textWaits(link) && sendText(link)) return true;
     link.parameter_is_next = !link.parameter_is_next;
