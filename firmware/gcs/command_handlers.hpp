@@ -35,6 +35,7 @@ bool acknowledge(Link& link, const CommandRequest& request, uint8_t result);
 // ---- commands_flight.cpp
 uint8_t setModeOf(uint8_t base_mode, uint32_t custom_mode);
 uint8_t doSetMode(Link&, CommandRequest&);
+uint8_t doSetStandardMode(Link&, CommandRequest&);
 uint8_t loiterHere(Link&, CommandRequest&);
 uint8_t returnToLaunch(Link&, CommandRequest&);
 uint8_t startMission(Link&, CommandRequest&);

@@ -35,6 +35,7 @@ constexpr CommandRow kCommands[] ROM = {
     {MavCmd::nav_land,                       startLanding},
     {MavCmd::nav_takeoff,                    takeOffNow},
     {MavCmd::do_set_mode,                    doSetMode},
+    {MavCmd::do_set_standard_mode,           doSetStandardMode},
     {MavCmd::do_change_speed,                changeSpeedNow},
     {MavCmd::do_set_home,                    doSetHome},
     {MavCmd::do_flighttermination,           refuseHere},

@@ -4,6 +4,7 @@
 
 #include "core/maths.hpp"
 #include "core/rom.hpp"
+#include "firmware/gcs/available_modes.hpp"
 #include "firmware/gcs/command_handlers.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/mission/home.hpp"
@@ -82,6 +83,10 @@ uint8_t doSetMode(Link&, CommandRequest& request) {
     const uint16_t base_mode = number(request.item.param1);
     if (base_mode > 0xFF) return MavResult::denied;
     return setModeOf(static_cast<uint8_t>(base_mode), number(request.item.param2));
+}
+
+uint8_t doSetStandardMode(Link&, CommandRequest& request) {
+    return enterMode(customModeOf(number(request.item.param1)));
 }
 
 uint8_t returnToLaunch(Link&, CommandRequest&) { return enter(Mode::rtl); }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Commands that ask for messages.
+#include "firmware/gcs/available_modes.hpp"
 #include "firmware/gcs/command_handlers.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/gcs/telemetry.hpp"
@@ -19,6 +20,11 @@ uint8_t request(Link& link, uint16_t message_id) {
     return MavResult::accepted;
 }
 
+uint8_t availableModes(Link& link, const CommandRequest& request) {
+    const float index = request.item.param2;
+    return whenTrue(askForModes(link, isGiven(index) ? number(index) : 0), MavResult::denied);
+}
+
 }  // namespace
 
 uint8_t homePosition(Link& link, CommandRequest&) {
@@ -30,6 +36,7 @@ uint8_t requestMessage(Link& link, CommandRequest& request) {
     const uint16_t id = number(request.item.param1);
     if (outgoingRow(id) == kNoMessage) return MavResult::unsupported;
     if (id == mavlink::Wire<mavlink::HomePosition>::id) return homePosition(link, request);
+    if (id == mavlink::Wire<mavlink::AvailableModes>::id) return availableModes(link, request);
     return gcs::request(link, id);
 }
 

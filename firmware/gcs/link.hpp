@@ -36,6 +36,10 @@ constexpr uint8_t kLongestQuestion =
 constexpr uint8_t kLargestFrame =
     mavlink::kHeaderV2 + mavlink::Wire<mavlink::AutopilotVersion>::length + mavlink::kChecksum;
 
+struct AskedModes {
+    uint8_t next, last;  // indices of AVAILABLE_MODES; 0: none
+};
+
 struct Link {
     // what is used most first: an instruction reaches 63 bytes
     mavlink::Framing framing = mavlink::Framing::v1;
@@ -53,6 +57,7 @@ struct Link {
     uint16_t next_parameter = 0;     // of the list being sent; kNoParameter: none
     mavlink::Parser<IncomingTable, kLongestQuestion> parser;
     Streams streams;
+    AskedModes modes = {};
 };
 struct Links {
     Link of[state::kLinks];

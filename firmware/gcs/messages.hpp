@@ -21,6 +21,8 @@ bool fillIn(const Link& link, mavlink::EkfStatusReport& to);
 bool fillIn(const Link& link, mavlink::SystemTime& to);
 bool fillIn(const Link& link, mavlink::AutopilotVersion& to);
 bool fillIn(const Link& link, mavlink::ProtocolVersion& to);
+
+bool fillIn(const Link& link, mavlink::AvailableModes& to);
 bool fillIn(const Link& link, mavlink::CurrentMode& to);
 
 bool fillIn(const Link& link, mavlink::RawImu& to);

@@ -141,11 +141,6 @@ bool fillIn(const Link&, mavlink::Heartbeat& to) {
     return true;
 }
 
-bool fillIn(const Link&, mavlink::CurrentMode& to) {
-    to.custom_mode = to.intended_custom_mode = static_cast<uint8_t>(vehicle.mode);
-    return true;
-}
-
 bool fillIn(const Link& link, mavlink::SysStatus& to) {
     const uint32_t fitted = fittedSensors();
     to.onboard_control_sensors_present = fitted;

@@ -112,6 +112,7 @@ constexpr OutgoingRow kOutgoing[] ROM = {
     row<mavlink::HomePosition>(Stream::on_request),
     row<mavlink::AutopilotVersion>(Stream::on_request),
     row<mavlink::ProtocolVersion>(Stream::on_request),
+    row<mavlink::AvailableModes>(Stream::on_request),
     row<mavlink::CurrentMode>(Stream::on_request),
     row<mavlink::ScaledImu>(Stream::on_request),
     row<mavlink::AttitudeQuaternion>(Stream::on_request),

@@ -3,6 +3,7 @@
 
 #include "core/file_state.hpp"
 #include "core/seldom.hpp"
+#include "firmware/gcs/available_modes.hpp"
 #include "firmware/gcs/commands.hpp"
 #include "firmware/gcs/housekeeping.hpp"
 #include "firmware/gcs/link.hpp"
@@ -201,6 +202,7 @@ void telemetrySend() {
     turn.pumped = false;
     sendCameraFeedback();
     sendHomePosition();
+    sendAvailableModes();
     missionTransferTick();
     commandsTick();
 }

@@ -87,6 +87,7 @@ function understood() {
 
 const remarks = {
   do_set_mode: 'p1 = 1: p2 is the mode\'s number; or the older base modes',
+  do_set_standard_mode: 'p1 = MAV_STANDARD_MODE: 3 CRUISE, 4 FBWB, 5 RTL, 6 AUTO, 8 TAKEOFF; DENIED the others',
   do_change_speed: 'p1 = 0 airspeed, 1 ground speed (AUTO and GUIDED), p2 m/s within `ARSPD_FBW_MIN`..`_MAX`, p3 throttle; -1 leaves it',
   do_set_home: 'p1 = 1: here; else p5, p6, p7. In flight the airplane stays where it is',
   nav_land: 'as DO_LAND_START',
@@ -123,7 +124,7 @@ const remarks = {
   run_prearm_checks: 'FAILED and a text when one fails',
   get_message_interval: 'p1 = message',
   set_message_interval: 'p1 = message, p2 = µs, 0 as its stream, -1 never',
-  request_message: 'p1 = message, one of those above',
+  request_message: 'p1 = message, one of those above; of AVAILABLE_MODES p2 = the mode\'s index, 0: all of them',
 };
 
 function commands() {

@@ -18,6 +18,31 @@ test('changes mode by command and by SET_MODE', withVehicle({}, async (vehicle) 
   assert.notEqual(await vehicle.command(176, [1, 99]), 0);
 }));
 
+test('lists its modes, all or one, and is in the one it says', withVehicle({}, async (vehicle) => {
+  vehicle.line.version = 2;
+  await vehicle.wait(1000);
+  vehicle.forget();
+  assert.equal(await vehicle.command(512, [435, 0]), 0);
+  await vehicle.wait(1500);
+  const heard = vehicle.line.inbox.filter(({ name }) => name === 'AVAILABLE_MODES').map(({ data }) => data);
+  assert.deepEqual(heard.map(({ modeIndex }) => modeIndex), heard.map((_, i) => i + 1));
+  assert.equal(heard.length, heard[0].numberModes);
+  const auto = heard.find(({ customMode }) => customMode === modes.automatic);
+  assert.deepEqual([auto.modeName, auto.standardMode, auto.properties], ['AUTO', 6, 4]);
+
+  vehicle.forget();
+  const { modeIndex } = heard.find(({ modeName }) => modeName === 'CRUISE');
+  assert.equal(await vehicle.command(512, [435, modeIndex]), 0);
+  const cruise = await vehicle.expect('AVAILABLE_MODES');
+  assert.equal(cruise.modeIndex, modeIndex);
+  assert.equal(await vehicle.command(512, [435, heard.length + 1]), 2);
+
+  assert.equal(await vehicle.command(262, [cruise.standardMode]), 0);
+  assert.equal(await vehicle.command(512, [436]), 0);
+  const current = await vehicle.expect('CURRENT_MODE');
+  assert.deepEqual([current.customMode, current.standardMode], [cruise.customMode, cruise.standardMode]);
+}));
+
 test('AUTO without a mission is refused with the reason', withVehicle({}, async (vehicle) => {
   await vehicle.wait(2000);
   vehicle.forget();

@@ -47,6 +47,18 @@ test('each stream comes at the rate it was asked for', withVehicle({}, async (ve
   }
 }));
 
+// What changes slowly.
+test('comes slowly what is shown as numbers alone', withVehicle({}, async (vehicle) => {
+  vehicle.line.version = 2;
+  request(vehicle, 0, 0);
+  for (const rate of [2, 10, 0]) {
+    request(vehicle, 12, rate);
+    const counts = await counted(vehicle, 3000);
+    for (const name of ['VIBRATION', 'EKF_STATUS_REPORT'])
+      assert.equal(counts[name] ?? 0, rate > 0 ? 3 : 0, `${name} in 3 s`);
+  }
+}));
+
 for (const version of [1, 2])
   test(`all streams at 10 Hz are 10 Hz on a line of 57,600 baud, MAVLink ${version}`,
     withVehicle({}, async (vehicle) => {

@@ -63,6 +63,25 @@ TEST_F(Telemetry, set_mode_in_mavlink_1_with_a_component_like_base_mode_is_under
     EXPECT_EQ(firmware::state::vehicle.mode, Mode::automatic);
 }
 
+TEST_F(Telemetry, modes_are_set_by_what_they_are_on_every_vehicle) {
+    const struct {
+        float standard;
+        Mode mode;
+    } cases[] = {{3, Mode::cruise},
+                 {4, Mode::fbwb},
+                 {5, Mode::rtl},
+                 {6, Mode::automatic},
+                 {8, Mode::takeoff}};
+    for (const auto& each : cases) {
+        EXPECT_EQ(command(MavCmd::do_set_standard_mode, each.standard), MavResult::accepted);
+        EXPECT_EQ(firmware::state::vehicle.mode, each.mode) << each.standard;
+    }
+    // not standard, position hold, orbit, land; nothing
+    for (const float none : {0.0f, 1.0f, 2.0f, 7.0f, 9.0f, 255.0f, static_cast<float>(NAN)})
+        EXPECT_EQ(command(MavCmd::do_set_standard_mode, none), MavResult::denied) << none;
+    EXPECT_EQ(firmware::state::vehicle.mode, Mode::takeoff);
+}
+
 TEST_F(Telemetry, a_mode_that_does_not_exist_is_denied) {
     for (const float mode : {99.0f, 300.0f, -1.0f, static_cast<float>(NAN)})
         EXPECT_EQ(command(MavCmd::do_set_mode, 1, mode), MavResult::denied);
