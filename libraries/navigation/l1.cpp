@@ -64,7 +64,7 @@ Ahead lookAhead(const Motion& motion) {
     ahead.blown =
         moves_mps < motion.airspeed_mps * kMaxBackwards && motion.airspeed_mps > kFlies_mps;
     ahead.turned_mps = ahead.blown ? air : ahead.velocity_mps;
-    ahead.turned_length_mps = ahead.blown ? airspeed : ahead.speed_mps;
+    ahead.turned_length_mps = ahead.blown ? airspeed : moves_mps;
     const float together = dot(air, ahead.velocity_mps);
     const float product = airspeed * ahead.speed_mps;
     if (ahead.blown || together * kNegligibleCrab > product)

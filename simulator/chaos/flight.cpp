@@ -251,9 +251,13 @@ private:
     bool ask(const std::string& name);
     // Where one cell is worn its bit is mended. Several are more than a check of four bytes can
     // mend: then the board says so at the start, and does not arm.
+    // In the cells that say whose the memory is, too: then nothing is stored.
     bool saysMemoryIsWorn(double since_s) {
+        const auto said = [&](const char* text) {
+            return board_.watch().history().saidWithin(text, since_s, now_s());
+        };
         return scenario_.conditions.worn_cells > 1 &&
-               board_.watch().history().saidWithin("Memory fault: check all", since_s, now_s());
+               (said("Memory fault: check all") || said("EEPROM belongs to other firmware"));
     }
 
     const Scenario& scenario_;

@@ -315,6 +315,21 @@ TEST(Course, is_held_by_a_crab_in_a_wind_across_it) {
     }
 }
 
+// Without an airspeed sensor and with a wrong wind it does not know that it is blown: the course of
+// what hardly moves changes from frame to frame, and must not turn the bank over.
+TEST(Course, of_what_hardly_moves_asks_for_little_bank) {
+    for (int direction = 0; direction < 36; ++direction) {
+        const float course_rad = static_cast<float>(direction) * 0.1745f;
+        Motion motion{};
+        motion.airspeed_mps = 2.7f;
+        motion.velocity_mps = {0.3f * std::cos(course_rad), 0.3f * std::sin(course_rad)};
+        motion.wind_mps = {-2.4f, 0};
+        EXPECT_LT(std::abs(followCourse(kGains, motion, {1, 0}).bank_accel_mss),
+                  0.3f * 1.41f * kGains.turning_hz)  // with the largest crab
+            << direction;
+    }
+}
+
 // A compass that is turned by 180 degrees has it fly backwards as fast as it flies.
 TEST(Course, is_held_by_the_course_where_a_turned_compass_has_it_fly_backwards) {
     constexpr float kAirspeed_mps = 13;
