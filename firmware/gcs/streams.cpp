@@ -8,6 +8,7 @@
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/gcs/link.hpp"
+#include "firmware/gcs/logs.hpp"
 #include "firmware/gcs/messages.hpp"
 #include "firmware/state/vehicle.hpp"
 
@@ -180,10 +181,16 @@ void age(Streams& streams, uint8_t row, uint8_t by) {
     streams.due = static_cast<uint8_t>(streams.due + accumulate(streams.phase[row], by));
 }
 
-// The part of a turn the radio leaves to the streams; true when they have a whole turn together.
+// A download has the line nearly to itself, as ArduPilot has it.
+constexpr uint8_t kSlowdownByLog_pct = 75;
+
+// The part of a turn the radio and a log leave to the streams; true when they have a whole turn
+// together.
 bool tickIsDue(Link& link) {
     Streams& streams = link.streams;
-    streams.credit_pct = static_cast<uint8_t>(streams.credit_pct + 100 - link.slowdown_pct);
+    uint8_t slowdown_pct = link.slowdown_pct;
+    if (slowdown_pct < kSlowdownByLog_pct && logsWait(link)) slowdown_pct = kSlowdownByLog_pct;
+    streams.credit_pct = static_cast<uint8_t>(streams.credit_pct + 100 - slowdown_pct);
     if (streams.credit_pct < 100) return false;
     streams.credit_pct = static_cast<uint8_t>(streams.credit_pct - 100);
     return true;
