@@ -72,7 +72,19 @@ ParameterSettings parametersOf(const Scenario& scenario) {
         std::filesystem::exists(beside) ? readParameterFile(beside) : ParameterSettings{};
     settings.push_back({"FLTMODE2", 10});  // AUTO, where kAutoSwitch_us is
     if (scenario.conditions.tube == 0) settings.push_back({"ARSPD_USE", 0});
+    if (scenario.fence.given()) {
+        settings.push_back({"FENCE_ACTION", 1});
+        settings.push_back({"FENCE_AUTOENABLE", 1});
+        settings.push_back({"FENCE_MAXALT", 120});
+    }
     return settings;
+}
+
+MissionFile filesOf(const Scenario& scenario) {
+    MissionFile files;
+    files.items = scenario.mission;
+    files.fence = scenario.fence;
+    return files;
 }
 
 bool has(const Scenario& scenario, std::initializer_list<const char*> kinds) {
@@ -87,7 +99,7 @@ public:
         : scenario_(scenario),
           drill_(makeDrill(firmware, worldOf(scenario))),
           board_(drill_->board()),
-          script_(board_, kTelemetry, scenario.mission, 1e6, parametersOf(scenario)),
+          script_(board_, kTelemetry, filesOf(scenario), 1e6, parametersOf(scenario)),
           station_(board_, kTelemetry),
           reader_(board_, kTelemetry,
                   [this](const mavlink::Frame& frame, uint64_t) { answers(frame); }),

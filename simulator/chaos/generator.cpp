@@ -100,6 +100,52 @@ WaypointItem drawAction(Dice& dice, int items) {
     }
 }
 
+Place placeAt(const Home& home, double east_m, double north_m) {
+    const WaypointItem item = itemAt(home, 0, east_m, north_m, 0);
+    return {item.latitude_deg, item.longitude_deg};
+}
+
+// A circle, or a polygon whose corners lie around its middle one after the other.
+FenceArea drawZone(Dice& dice, const Home& home, double east_m, double north_m, double size_m) {
+    FenceArea area;
+    if (dice.chance(0.5)) {
+        area.radius_m = std::round(size_m);
+        area.rim.push_back(placeAt(home, east_m, north_m));
+        return area;
+    }
+    const int corners = dice.whole(3, 6);
+    const double first_rad = dice.between(0, 2 * M_PI);
+    for (int i = 0; i < corners; ++i) {
+        const double angle_rad = first_rad + 2 * M_PI * i / corners;
+        const double away_m = size_m * dice.between(0.8, 1.3);
+        area.rim.push_back(placeAt(home, east_m + away_m * std::sin(angle_rad),
+                                   north_m + away_m * std::cos(angle_rad)));
+    }
+    return area;
+}
+
+// Home is inside, and no zone to be stayed out of reaches it.
+Fence drawFence(Dice dice, const Home& home) {
+    Fence fence;
+    if (!dice.chance(0.25)) return fence;
+    const auto drawInclusion = [&] {
+        fence.areas.push_back(drawZone(dice, home, dice.between(-60, 60), dice.between(-60, 60),
+                                       dice.between(250, 700)));
+    };
+    for (int n = dice.whole(0, 2); n > 0; --n) drawInclusion();
+    for (int n = dice.whole(0, 3); n > 0 && fence.areas.size() < 3; --n) {
+        const double size_m = dice.between(20, 90), direction_rad = dice.between(0, 2 * M_PI);
+        const double away_m = dice.between(1.5 * size_m + 60, 400);
+        fence.areas.push_back(drawZone(dice, home, away_m * std::sin(direction_rad),
+                                       away_m * std::cos(direction_rad), size_m));
+        fence.areas.back().inclusion = false;
+    }
+    if (fence.areas.empty()) drawInclusion();
+    if (dice.chance(0.6))
+        fence.way_back = placeAt(home, dice.between(-30, 30), dice.between(-30, 30));
+    return fence;
+}
+
 Waypoints drawMission(Dice& dice, const Home& home) {
     Waypoints mission;
     mission.push_back(itemAt(home, MavCmd::nav_waypoint, 0, 0, home.altitude_m));
@@ -514,8 +560,10 @@ Scenario drawScenario(uint64_t seed, const std::vector<ParameterRow>& parameters
         s.wind_from_deg = dice.whole(0, 359);
         s.gusts = true;
     }
-    constexpr uint64_t kOther = 0x9E3779B97F4A7C15;
+    // by dice of their own: what a seed has drawn before stays
+    constexpr uint64_t kOther = 0x9E3779B97F4A7C15, kFences = 0xD1B54A32D192ED03;
     const Home home = drawWorld(Dice(seed ^ kOther), s);
+    s.fence = drawFence(Dice(seed ^ kFences), home);
     s.seconds = dice.whole(60, 180);
     if (dice.chance(0.25)) s.begins_s = dice.whole(10, 25);
     s.mission = drawMission(dice, home);

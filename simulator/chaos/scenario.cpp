@@ -36,6 +36,23 @@ std::string textOf(const WaypointItem& item) {
     return line + place;
 }
 
+std::string textOf(const Place& place) {
+    char text[60];
+    std::snprintf(text, sizeof text, " %.7f %.7f", place.latitude_deg, place.longitude_deg);
+    return text;
+}
+
+std::string textOf(const Fence& fence) {
+    std::string text;
+    for (const FenceArea& area : fence.areas) {
+        text += std::string("zone ") + (area.inclusion ? "in " : "out ") + number(area.radius_m);
+        for (const Place& corner : area.rim) text += textOf(corner);
+        text += "\n";
+    }
+    if (fence.way_back) text += "return" + textOf(*fence.way_back) + "\n";
+    return text;
+}
+
 [[noreturn]] void wrong(int line, const std::string& why) {
     throw ScenarioError("line " + std::to_string(line) + ": " + why);
 }
@@ -71,10 +88,30 @@ private:
         if (first == "begins") return get(words, s.begins_s);
         if (first == "seconds") return get(words, s.seconds);
         if (first == "item") return item(words);
+        if (first == "zone") return zone(words);
+        if (first == "return") return get(words, s.fence.way_back.emplace());
         if (first == "at") return event(words);
         for (const Condition& each : kConditions)
             if (first == each.name) return get(words, s.conditions.*each.value);
         wrong(number_, "unknown: " + first);
+    }
+    void get(std::istringstream& words, Place& place) {
+        get(words, place.latitude_deg);
+        get(words, place.longitude_deg);
+    }
+    // Its radius, or 0 and the corners of a polygon.
+    void zone(std::istringstream& words) {
+        FenceArea area;
+        std::string side;
+        get(words, side);
+        if (side != "in" && side != "out") wrong(number_, "a zone is in or out");
+        area.inclusion = side == "in";
+        get(words, area.radius_m);
+        do get(words, area.rim.emplace_back());
+        while (words >> std::ws && !words.eof());
+        const size_t size = area.rim.size();
+        if (area.isCircle() ? size != 1 : size < 3) wrong(number_, "no circle and no polygon");
+        scenario_.fence.areas.push_back(area);
     }
     void item(std::istringstream& words) {
         WaypointItem item;
@@ -139,6 +176,7 @@ std::string textOf(const Scenario& s) {
         if (s.conditions.*each.value != kUsual.*each.value)
             text += std::string(each.name) + " " + number(s.conditions.*each.value) + "\n";
     for (const WaypointItem& item : s.mission) text += textOf(item) + "\n";
+    text += textOf(s.fence);
     for (const Event& event : s.events) text += textOf(event) + "\n";
     return text;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "simulator/ground/waypoints.hpp"
+#include "simulator/ground/mission_file.hpp"
 
 namespace simulator::chaos {
 
@@ -53,6 +53,7 @@ struct Scenario {
     double seconds = 120;  // of emulated time
     Conditions conditions;
     Waypoints mission;          // item 0 is home
+    Fence fence;                // on by itself, and turns the airplane back
     std::vector<Event> events;  // in order of time
 };
 

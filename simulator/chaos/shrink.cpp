@@ -15,6 +15,7 @@ public:
         shortenTime();
         leaveOutEvents();
         leaveOutItems();
+        leaveOutZones();
         calm();
         makeUsual();
         leaveOutEvents();
@@ -61,6 +62,15 @@ private:
             candidate.mission.erase(candidate.mission.begin() + static_cast<long>(at));
             for (size_t i = 0; i < candidate.mission.size(); ++i)
                 candidate.mission[i].index = static_cast<int>(i);
+            better(candidate);
+        }
+    }
+
+    void leaveOutZones() {
+        for (size_t at = best_.fence.areas.size(); at-- > 0;) {
+            Scenario candidate = best_;
+            candidate.fence.areas.erase(candidate.fence.areas.begin() + static_cast<long>(at));
+            if (candidate.fence.areas.empty()) candidate.fence = {};
             better(candidate);
         }
     }

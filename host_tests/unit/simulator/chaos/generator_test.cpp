@@ -97,6 +97,35 @@ TEST(Generator, missions_begin_at_home_and_end_with_a_landing) {
 }
 
 // A CONDITION_CHANGE_ALT without a height is an order to fly into the ground.
+TEST(Generator, a_quarter_has_a_fence_with_home_inside_and_points_for_the_board) {
+    const auto parameters = readParameterRows(PARAMETERS);
+    int fences = 0, kinds[2][2] = {};
+    for (uint64_t seed = 1; seed <= 1000; ++seed) {
+        const Scenario scenario = drawScenario(seed, parameters);
+        if (!scenario.fence.given()) continue;
+        ++fences;
+        EXPECT_LE(fenceItems(scenario.fence).size(), 20u) << seed;
+        const WaypointItem& home = scenario.mission[0];
+        for (const FenceArea& area : scenario.fence.areas) {
+            ++kinds[area.inclusion][area.isCircle()];
+            double nearest_m = 1e9;
+            for (const Place& place : area.rim) {
+                const double north_m = (place.latitude_deg - home.latitude_deg) * 111'319;
+                const double east_m = (place.longitude_deg - home.longitude_deg) * 111'319 *
+                                      std::cos(home.latitude_deg * M_PI / 180);
+                nearest_m = std::min(nearest_m, std::hypot(north_m, east_m));
+            }
+            if (area.isCircle() && area.inclusion)
+                EXPECT_LT(nearest_m, area.radius_m - 100) << seed;
+            else
+                EXPECT_GT(nearest_m, area.radius_m + 40) << seed;
+        }
+    }
+    EXPECT_NEAR(fences, 250, 40);
+    for (const auto& side : kinds)
+        for (const int count : side) EXPECT_GT(count, 30);
+}
+
 TEST(Generator, missions_change_to_heights_to_fly_at) {
     const auto parameters = readParameterRows(PARAMETERS);
     int changes = 0;

@@ -9,6 +9,9 @@ constexpr char kSmall[] =
     "airplane flying_wing\nwind 3.5 120\ngusts 1\nseed 7\nbegins 12\nseconds 90\n"
     "item 16 0 0 0 0 0 47.3977000 8.5456000 488\n"
     "item 22 3 15 0 0 0 0.0000000 0.0000000 45.5\n"
+    "zone in 0 47.3950000 8.5400000 47.4000000 8.5400000 47.4000000 8.5500000\n"
+    "zone out 55.5 47.3980000 8.5470000\n"
+    "return 47.3978000 8.5457000\n"
     "at 30.50 fault gps:lost 12.5\n"
     "at 31.00 param usb RLL2SRV_P nan\n";
 
@@ -33,6 +36,12 @@ TEST(Scenario, reads_each_line_as_it_stands) {
     EXPECT_EQ(scenario.mission[1].command, 22);
     EXPECT_EQ(scenario.mission[1].index, 1);
     EXPECT_EQ(scenario.mission[1].altitude_m, 45.5);
+    ASSERT_EQ(scenario.fence.areas.size(), 2u);
+    EXPECT_EQ(scenario.fence.areas[0].rim.size(), 3u);
+    EXPECT_TRUE(scenario.fence.areas[0].inclusion);
+    EXPECT_EQ(scenario.fence.areas[1].radius_m, 55.5);
+    EXPECT_FALSE(scenario.fence.areas[1].inclusion);
+    EXPECT_EQ(scenario.fence.way_back.value().longitude_deg, 8.5457);
     ASSERT_EQ(scenario.events.size(), 2u);
     EXPECT_EQ(scenario.events[1].at_s, 31);
     EXPECT_EQ(scenario.events[1].words[3], "nan");
@@ -70,6 +79,10 @@ TEST(Scenario, reports_what_is_wrong_with_its_line) {
     EXPECT_EQ(errorOf(item + "at 3 hail\n"), "line 2: unknown event: hail");
     EXPECT_EQ(errorOf(item + "at 3 param usb X\n"), "line 2: too few words: param");
     EXPECT_EQ(errorOf(item + "at soon usb on\n"), "line 2: a value is missing");
+    EXPECT_EQ(errorOf(item + "zone on 30 47 8\n"), "line 2: a zone is in or out");
+    EXPECT_EQ(errorOf(item + "zone in 30 47 8 48 8\n"), "line 2: no circle and no polygon");
+    EXPECT_EQ(errorOf(item + "zone in 0 47 8 48 8\n"), "line 2: no circle and no polygon");
+    EXPECT_EQ(errorOf(item + "zone in 0 47 8 48\n"), "line 2: a value is missing");
     EXPECT_EQ(errorOf("rain 3\n"), "line 1: unknown: rain");
     EXPECT_EQ(errorOf("seed 3\n"), "line 1: there is no mission");
 }

@@ -52,6 +52,24 @@ TEST(Shrink, keeps_what_the_failure_needs) {
     EXPECT_LE(least.seconds, 1.1);
 }
 
+TEST(Shrink, leaves_out_the_zones_that_are_not_needed) {
+    Scenario scenario = withEvents(1);
+    for (const double radius_m : {100.0, 200.0, 300.0})
+        scenario.fence.areas.push_back({false, {{47, 8}}, radius_m});
+    scenario.fence.way_back = Place{47, 8};
+    const auto needs = [](double radius_m) {
+        return [radius_m](const Scenario& each) {
+            return radius_m == 0 ||
+                   std::any_of(each.fence.areas.begin(), each.fence.areas.end(),
+                               [=](const FenceArea& area) { return area.radius_m == radius_m; });
+        };
+    };
+    const Scenario one = shrink(scenario, needs(200), 10'000);
+    ASSERT_EQ(one.fence.areas.size(), 1u);
+    EXPECT_EQ(one.fence.areas[0].radius_m, 200);
+    EXPECT_FALSE(shrink(scenario, needs(0), 10'000).fence.given());
+}
+
 TEST(Shrink, ends_with_the_tries_in_a_scenario_that_still_fails) {
     unsigned tried = 0;
     const auto fails = [&tried](const Scenario& each) {
