@@ -233,6 +233,15 @@ void moveHeightToBarometer(float reading_m) {
     barometer_drift.pause();
 }
 
+// A barometer that insists on another height, of an armed airplane that stands: its zero has moved.
+void keepHeightStanding(float by_m) {
+    if (!vehicle.armed || vehicle.estimate.flying ||
+        fabsf(by_m) < 0.5f * estimation::Height::kGlitch_m)
+        return;
+    heights.home_m += by_m;
+    heights.gps_above_m -= by_m;
+}
+
 // The receiver's height stands in for the barometer's, whose zero it learns before; and says which
 // of barometer and estimate is wrong where they differ.
 void useGpsHeight() {
@@ -284,8 +293,10 @@ void useBarometer() {
     const uint16_t now_ms = static_cast<uint16_t>(hal::now_ms());
     if (heights.by_gps) moveHeightToBarometer(reading_m);
     if (heights.started) {
+        const float before_m = height.height_m();
         height.useBarometer(reading_m, static_cast<uint16_t>(now_ms - pressure.used_ms) * 0.001f,
                             estimation::HeightSettings());
+        keepHeightStanding(height.height_m() - before_m);
     } else {
         height.start(reading_m);
         heights.started = true;

@@ -787,6 +787,18 @@ TEST_F(Estimator, knows_a_barometer_that_has_jumped_before_arming) {
     EXPECT_TRUE(barometerSteady()) << "the receiver may have been far off before";
 }
 
+TEST_F(Estimator, keeps_its_height_where_it_stands_armed_and_the_barometer_jumps) {
+    frames(600);
+    mutable_vehicle.armed = true;
+    for (const int32_t by_pa : {-1200, 20000, -18800}) {
+        mutable_vehicle.baro.pressure_pa += by_pa;
+        for (int i = 0; i < 5; ++i) {
+            frames(100);
+            EXPECT_NEAR(vehicle.estimate.height_m, 0, 1) << by_pa << ", " << i;
+        }
+    }
+}
+
 // Each of its conditions alone turns the decision.
 TEST_F(Estimator,
        finds_the_barometer_steady_by_its_readings_and_by_a_receiver_that_has_been_heard) {
