@@ -41,7 +41,13 @@ test('QGroundControl connects: version, modes, metadata, parameters, mission, fe
     assert.equal(await vehicle.command(kRequestMessage, [kAutopilotVersion]), kAccepted);
     const { capabilities } = await vehicle.expect('AUTOPILOT_VERSION');
     assert.ok(BigInt(capabilities) & kFenceItems && BigInt(capabilities) & kRallyItems, 'it is asked for both');
-    for (const metadata of [kAvailableModes, kComponentMetadata, kComponentInformation])
+    for (let index = 1, count = 1; index <= count; ++index) {
+      assert.equal(await vehicle.command(kRequestMessage, [kAvailableModes, index]), kAccepted);
+      const { numberModes, modeIndex } = await vehicle.expect('AVAILABLE_MODES');
+      assert.equal(modeIndex, index);
+      count = numberModes;
+    }
+    for (const metadata of [kComponentMetadata, kComponentInformation])
       assert.equal(await vehicle.command(kRequestMessage, [metadata]), kUnsupported);
     await allParameters(vehicle);
     assertSame(await download(vehicle), plan);
