@@ -160,14 +160,7 @@ void Attitude::rotateRows() {
     behind_ = 0;
 }
 
-void Attitude::start() {
-    *this = Attitude();
-    north_.of[0] = down_.of[2] = kOne;
-    mean_nose_[0] = angles_.cos_roll = angles_.cos_pitch = core::Ratio(1);
-    inverse_cos_pitch_ = core::Gain(1);
-    since_fix_ = 0xFF;
-    settling_ = 1;
-}
+void Attitude::start() { *this = Attitude(); }
 
 void Attitude::align() {
     if (phase_ != Phase::falling || forces_ < kAlignFrames) return;

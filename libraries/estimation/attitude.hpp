@@ -139,18 +139,17 @@ private:
     void learnForces(const core::Vector3& missing_mss, float nose_east, float trust);
     static void learnForce(int32_t& bias, float missing_mss);
 
-    // what is not zero at first is set by start(): flash would have to hold a copy of all this
-    Row north_ = {}, down_ = {};
-    DeltaAngle bias_ = {};                         // of the gyros, in a sample period
-    core::BodyRates rate_bias_ = {};               // the same
-    int32_t force_bias_x_ = 0, force_bias_y_ = 0;  // of the accelerometers, a ForceBias' steps
-    core::Ratio mean_nose_[2] = {};                // north and east of it lately
+    Row north_ = {{kOne, 0, 0}}, down_ = {{0, 0, kOne}};
+    DeltaAngle bias_ = {};                             // of the gyros, in a sample period
+    core::BodyRates rate_bias_ = {};                   // the same
+    int32_t force_bias_x_ = 0, force_bias_y_ = 0;      // of the accelerometers, a ForceBias' steps
+    core::Ratio mean_nose_[2] = {core::Ratio(1), {}};  // north and east of it lately
     core::BodyRates rate_ = {};
     DeltaAngle turned_ = {};     // since the matrix was last turned
     int32_t force_sum_[3] = {};  // of forces_ frames that took periods_
     core::Vector3 acceleration_ = {0, 0, 0};
-    Angles angles_ = {};
-    core::Gain inverse_cos_pitch_ = {}, tan_pitch_ = {};
+    Angles angles_ = {{}, {}, {}, {}, core::Ratio(1), {}, core::Ratio(1)};
+    core::Gain inverse_cos_pitch_{1}, tan_pitch_ = {};
     core::Angle yaw_rad_ = {};     // when pointYaw looked
     DeltaAngle16 last_turn_ = {};  // of the last frame
     int16_t yaw_step_ = 0;         // in a frame, in a quarter of an Angle's step
@@ -158,8 +157,8 @@ private:
     VelocityHistory history_;
     VelocityHistory::Moment fix_ = {};         // the accelerometers' velocity at the last fix
     VelocityHistory::Moment fix_ground_ = {};  // and the GPS's
-    uint8_t since_fix_ = 0;                    // periods, 1.28 s at most
-    float settling_ = 0;                       // 1 at start, 0 when settled
+    uint8_t since_fix_ = 0xFF;                 // periods, 1.28 s at most
+    float settling_ = 1;                       // 1 at start, 0 when settled
     float compass_off_ = 0;                    // 1 - cosine of the angle of the last reading
     Phase phase_ = Phase::falling;
     uint8_t forces_ = 0, periods_ = 0;

@@ -41,7 +41,7 @@ TEST_F(Fakes, eeprom_rests_for_a_waiting_reader_but_not_for_ever) {
     fakes::advance_ms(50);
     EXPECT_EQ(fakes::eepromWrites(), 1u);
     EXPECT_EQ(fakes::eepromCell(1), 0xFF);
-    fakes::advance_ms(60);
+    fakes::advance_ms(95);
 
     EXPECT_EQ(fakes::eepromCell(1), 2);
     EXPECT_EQ(fakes::eepromCell(2), 3);
