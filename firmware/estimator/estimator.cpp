@@ -476,11 +476,11 @@ void publishSpeeds() {
 void reckonPosition() {
     constexpr float kPeriod_s = 0.1f, kDrawn_s = 2, kShare = kPeriod_s / kDrawn_s;
     if (!runs() || position.age_s() < estimation::Position::kCarries_s) return;
-    const bool flying = vehicle.estimate.flying;
-    const float airspeed_mps = flying ? vehicle.estimate.airspeed_mps : 0;
-    const Vector3 wind_mps = flying ? wind.wind_mps() : Vector3{0, 0, 0};
+    if (!vehicle.estimate.flying) return position.reckon(0, 0, 1);
+    const float airspeed_mps = vehicle.estimate.airspeed_mps;
+    const Vector3 wind_mps = wind.wind_mps();
     position.reckon(attitude.noseNorth() * airspeed_mps + wind_mps.x,
-                    attitude.noseEast() * airspeed_mps + wind_mps.y, flying ? kShare : 1);
+                    attitude.noseEast() * airspeed_mps + wind_mps.y, kShare);
 }
 
 // A number that is none spreads with every step of its filter: that one begins again.

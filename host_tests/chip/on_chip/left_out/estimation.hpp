@@ -11,6 +11,7 @@ LEFT_OUT(Attitude, corrects_compass_offsets_that_are_50_mG_wrong, "whole flights
 LEFT_OUT(Attitude, stays_upright_for_two_minutes_without_gps, "whole flights")
 LEFT_OUT(Attitude, stays_upright_with_neither_gps_nor_airspeed, "whole flights")
 LEFT_OUT(Attitude, finds_its_heading_without_a_compass, "whole flights")
+LEFT_OUT(Compared, the_compass_is_off_by_a_share_of_what_is_followed, "two minutes")
 LEFT_OUT(Height, holds_a_tenth_of_a_metre_and_of_a_metre_a_second_in_a_whole_flight, "whole flights")
 LEFT_OUT(Position, makes_up_for_the_age_of_the_fixes_through_steep_turns, "whole flights")
 LEFT_OUT(Position, is_nearer_than_the_fixes_through_steep_turns, "whole flights")
