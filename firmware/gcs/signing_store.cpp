@@ -133,8 +133,7 @@ SELDOM void readStored() {
 }
 
 constexpr uint8_t kPart = 8, kKeySteps = kKeySize / kPart;  // in small parts, as others write too
-constexpr uint8_t kTimeSteps = kReceivedPlaces + kSentPlaces;
-constexpr uint8_t kSteps = kKeySteps + kTimeSteps + 3;
+constexpr uint8_t kSteps = kKeySteps + kReceivedPlaces + 3;
 
 Status storeStep(uint8_t step, const mavlink::SetupSigning& setup) {
     const uint16_t mark = step == 0 || isZeroKey(setup.secret_key) ? 0 : kCheckedKey;
@@ -148,10 +147,8 @@ Status storeStep(uint8_t step, const mavlink::SetupSigning& setup) {
         return hal::eepromWrite(static_cast<uint16_t>(kKeyAt + at), setup.secret_key + at, kPart);
     uint32_t upper;
     memcpy(&upper, reinterpret_cast<const uint8_t*>(&setup.initial_timestamp) + 2, sizeof upper);
-    const uint8_t place = static_cast<uint8_t>(step - 1 - kKeySteps);
-    return place < kReceivedPlaces
-               ? writeTime(Times::received, place, upper)
-               : writeTime(Times::sent, static_cast<uint8_t>(place - kReceivedPlaces), upper);
+    // what is sent is later than that, and than what was sent with another key
+    return writeTime(Times::received, static_cast<uint8_t>(step - 1 - kKeySteps), upper);
 }
 
 }  // namespace

@@ -33,15 +33,11 @@ uint8_t EepromChip::seen(uint16_t address) const {
 core::Status EepromChip::read(uint16_t address, void* to, uint8_t size) {
     if (address + size > hal::kEepromSize) return core::Status::bad_argument;
     if (writing()) {
-        if (patience_until_us_ <= now_us_) {
-            waiting_address_ = address;
-            patience_until_us_ = now_us_ + kPatience_us;
-        }
+        patience_until_us_ = now_us_ + kPatience_us;
         return core::Status::busy;
     }
     for (uint8_t i = 0; i < size; ++i) static_cast<uint8_t*>(to)[i] = seen(address + i);
-    // another reader does not end it: who reads two places at once would never get the second
-    if (address == waiting_address_) patience_until_us_ = 0;
+    patience_until_us_ = 0;
     begin();
     return core::Status::ok;
 }

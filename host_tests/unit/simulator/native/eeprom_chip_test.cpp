@@ -62,16 +62,6 @@ TEST_F(EepromChipTest, serves_a_reader_that_comes_ten_times_a_second) {
     EXPECT_TRUE(chip.drained());
 }
 
-TEST_F(EepromChipTest, serves_a_reader_of_two_places_one_after_the_other) {
-    ASSERT_EQ(write(7, {1, 2, 3, 4, 5, 6, 7, 8}), Status::ok);
-    for (int i = 0; i < 3; ++i) {
-        const bool both =
-            chip.read(100, &byte, 1) == Status::ok && chip.read(200, &byte, 1) == Status::ok;
-        EXPECT_EQ(both, i == 2);
-        pass(10'000);
-    }
-}
-
 TEST_F(EepromChipTest, goes_on_when_the_reader_stays_away) {
     ASSERT_EQ(write(7, {1, 2}), Status::ok);
     EXPECT_EQ(chip.read(8, &byte, 1), Status::busy);
