@@ -64,7 +64,7 @@ void putTime(const hal::Runs& to, uint8_t at, uint8_t link) {
 
 void outgoingSigningStart() {
     clock.lower = 0;
-    clock.upper = storedTime(Times::sent);
+    clock.upper = storedTime(Times::sent) + 1;  // of that one frames may have been sent
     clock.read_ms = hal::now_ms();
     outgoingTimeAtLeast(storedTime(Times::received));
 }

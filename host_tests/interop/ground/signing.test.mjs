@@ -29,7 +29,7 @@ async function setKey(vehicle, key) {
   await vehicle.wait(200);
   usb.version = 2;
   usb.send('SETUP_SIGNING', { secretKey: [...key], initialTimestamp: since2015(kBegins_ms) });
-  await vehicle.wait(4000);
+  await vehicle.wait(1000);
 }
 
 const read = { paramId: 'SYSID_THISMAV', paramIndex: -1 };

@@ -127,6 +127,21 @@ TEST_F(OutgoingSigning, times_go_on_rising_over_restarts) {
     EXPECT_LT(last, kPublishedTime + 6 * 46 * kSecond + most_ahead);
 }
 
+// The last frame before it may have the very step of time that was stored.
+TEST_F(OutgoingSigning, times_rise_over_a_restart_at_any_moment) {
+    setKey(keyOf(), kPublishedTime);
+    firmware::state::parameters.streams[1].extra1 = 50;
+    uint64_t last = kPublishedTime;
+    for (uint32_t ran_ms = 29'000; ran_ms < 31'500; ran_ms += 60) {
+        for (const SentFrame& sent : sentIn_ms(ran_ms)) {
+            ASSERT_GT(sent.time(), last) << "after " << ran_ms;
+            last = sent.time();
+        }
+        restart();
+        firmware::state::parameters.streams[1].extra1 = 50;
+    }
+}
+
 TEST_F(OutgoingSigning, a_board_that_has_never_signed_begins_at_the_time_it_has_heard) {
     setKey(keyOf(), kPublishedTime);
     for (uint16_t i = 0; i < storage::kSentTime.size; ++i)
