@@ -2,7 +2,8 @@
 // Whether an outside compass that lies flat is turned about the vertical against what
 // COMPASS_ORIENT says: in straight flight it then points beside the course, by the same quarter of
 // a turn there and back. A wind that makes the nose point beside the course does so to opposite
-// sides.
+// sides, and so does a field of the airplane's own: the mean of as many looks there as back is free
+// of both.
 #pragma once
 #include <stdint.h>
 
