@@ -33,11 +33,14 @@ uint8_t EepromChip::seen(uint16_t address) const {
 core::Status EepromChip::read(uint16_t address, void* to, uint8_t size) {
     if (address + size > hal::kEepromSize) return core::Status::bad_argument;
     if (writing()) {
-        patience_until_us_ = now_us_ + kPatience_us;
+        if (now_us_ >= patience_until_us_) {
+            waiting_address_ = address;
+            patience_until_us_ = now_us_ + kPatience_us;
+        }
         return core::Status::busy;
     }
     for (uint8_t i = 0; i < size; ++i) static_cast<uint8_t*>(to)[i] = seen(address + i);
-    patience_until_us_ = 0;
+    if (address == waiting_address_) patience_until_us_ = 0;
     begin();
     return core::Status::ok;
 }

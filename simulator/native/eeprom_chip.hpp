@@ -50,6 +50,7 @@ private:
     WornCells worn_;
     bool endangered_ = false, spoilt_ = false;
     uint64_t patience_until_us_ = 0;  // a reader was refused and comes back
+    uint16_t waiting_address_ = 0;    // of that reader
     uint64_t rest_until_us_ = 0;
 };
 

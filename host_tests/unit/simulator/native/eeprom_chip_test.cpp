@@ -62,6 +62,32 @@ TEST_F(EepromChipTest, serves_a_reader_that_comes_ten_times_a_second) {
     EXPECT_TRUE(chip.drained());
 }
 
+// What is read elsewhere meanwhile must not end the rest that the first of them waits for.
+TEST_F(EepromChipTest, serves_a_reader_of_two_places) {
+    ASSERT_EQ(write(7, {1, 2, 3, 4, 5, 6, 7, 8}), Status::ok);
+    int served = 0;
+    for (int i = 0; i < 10; ++i) {
+        const bool first = chip.read(100, &byte, 1) == Status::ok;
+        const bool second = chip.read(200, &byte, 1) == Status::ok;
+        served += first && second;
+        for (int ms = 0; ms < 100; ++ms) pass(1000);
+    }
+    EXPECT_GE(served, 8);
+    EXPECT_TRUE(chip.drained());
+}
+
+TEST_F(EepromChipTest, rests_for_the_reader_it_refused_and_for_no_other) {
+    ASSERT_EQ(write(7, {1, 2}), Status::ok);
+    EXPECT_EQ(chip.read(100, &byte, 1), Status::busy);
+    pass(3400);
+    EXPECT_EQ(chip.read(200, &byte, 1), Status::ok);
+    pass(3400);
+    EXPECT_EQ(chip.cells()[8], 0xFF) << "that reader has not been back";
+    EXPECT_EQ(chip.read(100, &byte, 1), Status::ok);
+    pass(3400);
+    EXPECT_EQ(chip.cells()[8], 2);
+}
+
 TEST_F(EepromChipTest, goes_on_when_the_reader_stays_away) {
     ASSERT_EQ(write(7, {1, 2}), Status::ok);
     EXPECT_EQ(chip.read(8, &byte, 1), Status::busy);
