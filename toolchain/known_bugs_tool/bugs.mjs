@@ -25,7 +25,7 @@ export const kBugs = [
     what: 'a reckoned speed counts as flight: the motor starts on the ground when the GPS is back',
     violates: ['motor_idle_standing'],
     edits: [
-      { file: kEstimator, from: 'const bool flying = vehicle.estimate.flying;', to: 'const bool flying = true;' },
+      { file: kEstimator, from: '    if (!vehicle.estimate.flying) return position.reckon(0, 0, 1);\n', to: '' },
       { file: kEstimator, from: 'reckoned && !to.flying ? 0 : airspeed_mps;', to: 'airspeed_mps;' },
       {
         file: kEstimator,
