@@ -7,11 +7,12 @@
 // is often kept too. The random numbers are the same each time, so the same sections give the same
 // order.
 const kBackwards = -4096, kForwards = 4094;  // the reach of RCALL and RJMP from the next instruction
+const kReach = kForwards - kBackwards;       // from the farthest back; what is less wraps round to far more
 const kShortCallBytes = 2;
 const kPointerReach = 0x20000;
 const kFarCallCosts = 2, kTrampolineCosts = 4;  // bytes
 const kHopeless = 2;                            // times that: not even worked out for all sections
-const kHottest = 6, kColdest = 0.4;             // bytes: a move that costs so many is kept by 1 in e
+const kHottest = 4, kColdest = 0.4;             // bytes: a move that costs so many is kept by 1 in e
 
 // xorshift32: Marsaglia, Xorshift RNGs, 2003
 function randomNumbers() {
@@ -53,28 +54,37 @@ class Layout {
     const { at, calls } = this;
     let far = 0;
     for (let i = 0; i < calls.length; i += 3) {
-      const away = at[calls[i + 1]] - at[calls[i]] + calls[i + 2];
-      if (away < 0 || away > kForwards - kBackwards) far++;
+      if (at[calls[i + 1]] - at[calls[i]] + calls[i + 2] >>> 0 > kReach) far++;
     }
     return far;
   }
 
-  // What one section by itself costs more when it lies at an address, and all others where they are.
-  ownCost(section, address) {
+  // What sections that lie side by side cost more when the first lies at an address, and all others
+  // where they are.
+  ownCost(order, { from, count }, address) {
     const { at, calls } = this;
-    const before = at[section];
-    let more = 0;
-    for (const i of this.callsOf[section]) {
-      const away = at[calls[i + 1]] - at[calls[i]] + calls[i + 2];
-      const moved = away + (calls[i + 1] === section ? address - before : before - address);
-      more += (moved < 0 || moved > kForwards - kBackwards) - (away < 0 || away > kForwards - kBackwards);
+    const by = address - at[order[from]];
+    const first = at[order[from]], last = at[order[from + count - 1]];
+    let more = 0, trampolines = 0;
+    for (let k = from; k < from + count; k++) {
+      const section = order[k];
+      trampolines += this.isPointedAt[section] * ((at[section] + by >= kPointerReach) - (at[section] >= kPointerReach));
+      for (const i of this.callsOf[section]) {
+        const isFrom = calls[i] === section;
+        const other = at[isFrom ? calls[i + 1] : calls[i]];
+        if (other >= first && other <= last) continue;
+        const away = at[calls[i + 1]] - at[calls[i]] + calls[i + 2];
+        const moved = away + (isFrom ? -by : by);
+        more += (moved >>> 0 > kReach) - (away >>> 0 > kReach);
+      }
     }
-    const trampoline = this.isPointedAt[section] * ((address >= kPointerReach) - (before >= kPointerReach));
-    return kFarCallCosts * more + kTrampolineCosts * trampoline;
+    return kFarCallCosts * more + kTrampolineCosts * trampolines;
   }
 
   trampolines() {
-    return this.pointedAt.filter((i) => this.at[i] >= kPointerReach).length;
+    let needed = 0;
+    for (const i of this.pointedAt) if (this.at[i] >= kPointerReach) needed++;
+    return needed;
   }
 
   cost(order) {
@@ -122,7 +132,7 @@ export function placed(sections, calls, steps) {
     const heat = kHottest * (kColdest / kHottest) ** (step / steps);
     // most moves bring a section away from what it calls: that is seen at less cost than all of it
     const { from, to, count } = drawn;
-    if (count === 1 && layout.ownCost(order[from], layout.at[order[to]]) > kHopeless * heat) continue;
+    if (layout.ownCost(order, drawn, layout.at[order[to]]) > kHopeless * heat) continue;
     move(order, drawn);
     const more = layout.cost(order) - cost;
     if (more > 0 && random(1e9) >= 1e9 * Math.exp(-more / heat)) {
