@@ -55,6 +55,8 @@ void addLook(Axis& axis) {
     axis.east_mg += static_cast<int16_t>(ahead_mg * east + field_mg.y * north);
 }
 
+bool complete(const Axis& axis) { return axis.there + axis.back == 2 * kLooks; }
+
 // Quarter turns to the right by which the module is mounted beside what is set.
 uint8_t missingQuarters(const Axis& axis) {
     constexpr float kSum_mg = kLeast_mg * 2 * kLooks;
@@ -74,6 +76,12 @@ void report(uint8_t quarters) {
                    mounting.orientation);
 }
 
+void judge(Axis& axis) {
+    const uint8_t quarters = missingQuarters(axis);
+    axis = {};
+    if (quarters != 0) report(quarters);
+}
+
 }  // namespace
 
 uint8_t compassMounting() {
@@ -81,20 +89,19 @@ uint8_t compassMounting() {
     return static_cast<uint8_t>(parameters.compass_orientation);
 }
 
+// Not judged in the run that adds the last look: either takes its time.
 void watchCompassMounting() {
     if (mounting.found || !fastAndLevel()) return;
+    for (Axis& axis : mounting.axes)
+        if (complete(axis)) return judge(axis);
     constexpr uint16_t kQuarter_cd = 9000;
-    const uint8_t sector =
-        static_cast<uint8_t>((vehicle.gps.course_cd + kQuarter_cd / 2) / kQuarter_cd);
+    const uint16_t beside_cd = vehicle.gps.course_cd + kQuarter_cd / 2;
+    const uint8_t sector = static_cast<uint8_t>(beside_cd / kQuarter_cd);
     Axis& axis = mounting.axes[sector & 1];
     uint8_t& looks = (sector & 2) != 0 ? axis.back : axis.there;
     if (looks == kLooks) return;
     ++looks;
     addLook(axis);
-    if (axis.there + axis.back < 2 * kLooks) return;
-    const uint8_t quarters = missingQuarters(axis);
-    axis = {};
-    if (quarters != 0) report(quarters);
 }
 
 bool compassTurned() {
