@@ -265,6 +265,11 @@ void Attitude::accelerate() {
 
 core::Vector3 Attitude::east() const { return core::cross(real(down_), real(north_)); }
 
+float Attitude::noseEast() const {  // a component of east()
+    const core::Vector3 down = real(down_), north = real(north_);
+    return down.y * north.z - down.z * north.y;
+}
+
 core::Vector3 Attitude::bias_rads() const {
     constexpr float kPerPeriod = 1.0f / kSamplePeriod_s;
     return core::Vector3{real(bias_.of[0]), real(bias_.of[1]), real(bias_.of[2])} * kPerPeriod;

@@ -84,7 +84,7 @@ public:
     const Angles& angles() const { return angles_; }
     // Where the nose points, for the wind: the first column of the matrix.
     float noseNorth() const { return real(north_.of[0]); }
-    float noseEast() const { return east().x; }
+    float noseEast() const;
 
     const core::BodyRates& rate_rads() const { return rate_; }  // the last, the bias removed
     core::Vector3 bias_rads() const;                            // of the gyros
