@@ -10,6 +10,8 @@ constexpr float kMean_hz = 0.005f;     // fixes are averaged over 200 s ...
 constexpr float kMean_hzpm2 = 0.003f;  // ... and over less where they lie far off
 constexpr float kFar_m = 30.0f;        // a fix this far off is refused ...
 constexpr float kFarther_mps = 15.0f;  // ... and farther with the age of the last one used
+constexpr float kOdd_mps = 10.0f;      // ... and so is one whose velocity is as far off ...
+constexpr float kOdder_mss = 5.0f;     // ... as the accelerations alone may leave it
 constexpr float kBelieved_s = 18.0f;   // after so long a fix is accepted wherever it is
 constexpr float kFold_m = 200.0f;      // the offset is folded into the anchor beyond this
 
@@ -44,15 +46,18 @@ void Position::useGps(const geo::Position& position, const core::Vector3& veloci
     const float far_m = kFar_m + kFarther_mps * age_s_;
     off_m2_ = squared(off);
     limit_m2_ = far_m * far_m;
-    refuses_ = off_m2_ > limit_m2_;
+    const geo::Offset faster = {velocity_mps.x + gained_mps.x - north_mps_,
+                                velocity_mps.y + gained_mps.y - east_mps_};
+    const float odd_mps = kOdd_mps + kOdder_mss * age_s_;
+    refuses_ = off_m2_ > limit_m2_ || squared(faster) > odd_mps * odd_mps;
     if (refuses_) return;
     const bool late = reckoned();
     const float share = late ? 1.0f : kPositionShare;
     since_.north_m += (off.north_m - wander_m(mean_.north_m, fix.north_m, velocity_mps.x)) * share;
     since_.east_m += (off.east_m - wander_m(mean_.east_m, fix.east_m, velocity_mps.y)) * share;
     const float velocity_share = late ? 1.0f : kVelocityShare;
-    north_mps_ += (velocity_mps.x + gained_mps.x - north_mps_) * velocity_share;
-    east_mps_ += (velocity_mps.y + gained_mps.y - east_mps_) * velocity_share;
+    north_mps_ += faster.north_m * velocity_share;
+    east_mps_ += faster.east_m * velocity_share;
     age_s_ = 0;
     if (squared(since_) < kFold_m * kFold_m) return;
     const geo::Position here = this->position();

@@ -19,7 +19,7 @@ file(GLOB quick CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp
 set(quick_in_firmware actuators/flaps actuators/outputs app/dataflash app/main app/tasks
     gcs/link guidance/bank logger/log logger/sources safety/restart sensors/barometer
     sensors/compass sensors/gps sensors/inertial sensors/radio)
-set(quick_in_libraries control/axis drivers/hmc5883l drivers/ms5611_compensation estimation/position geo/position
+set(quick_in_libraries control/axis drivers/hmc5883l drivers/ms5611_compensation geo/position
     navigation/l1)
 foreach(folder firmware libraries)
     foreach(source IN LISTS quick_in_${folder})

@@ -243,6 +243,27 @@ TEST(Position, a_jump_that_could_have_been_flown_since_the_last_fix_is_accepted)
     EXPECT_LT(gps.from_m(drifted), 0.5);
 }
 
+// 10 m/s, and 5 more for each second without a fix.
+TEST(Position, refuses_a_fix_whose_velocity_nobody_can_have_reached) {
+    Position position;
+    const auto fix = [&](float north_mps, float after_s) {
+        for (int i = 0; i < std::lround(after_s * 100); ++i) position.propagate({0, 0, 0}, 0.01f);
+        position.useGps(position.position(), {north_mps, 0, 0}, {0, 0, 0}, PositionSettings());
+    };
+    position.useGps(kStart, {15, 0, 0}, {0, 0, 0}, PositionSettings());
+    fix(15, 0.2f);
+    fix(27, 0.2f);  // 11 m/s after a fifth of a second
+    EXPECT_TRUE(position.refuses());
+    EXPECT_NEAR(position.velocity_mps().x, 15, 0.1);
+    fix(3, 0.2f);  // 12 after two
+    EXPECT_TRUE(position.refuses());
+    fix(27, 0.2f);  // 13 after three
+    EXPECT_FALSE(position.refuses());
+    EXPECT_NEAR(position.velocity_mps().x, 15 + 0.4f * 12, 0.1);
+    fix(position.velocity_mps().x - 19, 2.0f);
+    EXPECT_FALSE(position.refuses());
+}
+
 TEST(Position, reckons_with_the_velocity_it_is_given_once_fixes_are_missing) {
     Position position;
     position.useGps(kStart, {10, 0, 0}, {0, 0, 0}, PositionSettings());
