@@ -94,6 +94,15 @@ size_t History::modeChannel() const {
     return channel >= 1 && channel <= 8 ? static_cast<size_t>(channel) - 1 : kDefault;
 }
 
+// Of a receiver whose travel is doubled, the low throttle stick is below what stands for its loss.
+bool History::throttleSaysLost(const Snapshot& now) const {
+    constexpr size_t kDefault = 2;
+    const long channel = std::lround(parameter("RCMAP_THROTTLE", 1 + kDefault));
+    const size_t at = channel >= 1 && channel <= 8 ? static_cast<size_t>(channel) - 1 : kDefault;
+    const double doubled_us = kStickMiddle_us + 2 * (now.stick_us[at] - kStickMiddle_us);
+    return now.wide && doubled_us < parameter("THR_FS_VALUE", 950);
+}
+
 void History::frame(const Snapshot& now) {
     const double now_s = now.time_s();
     bool fault = false;
@@ -107,7 +116,9 @@ void History::frame(const Snapshot& now) {
     const bool on = now.transmitting, was_on = before_.transmitting;
     const bool faulty = now.faulty[kRadio], was_faulty = before_.faulty[kRadio];
     // with a fault it may still be heard, as when its pulses have an edge too many
-    if (on && (!was_on || (was_faulty && !faulty))) mark(Cause::radio_back, now_s);
+    const bool heard = on && (!was_on || (was_faulty && !faulty));
+    if (heard || (throttleSaysLost(before_) && !throttleSaysLost(now)))
+        mark(Cause::radio_back, now_s);
     // what the encoder makes of no receiver: a low throttle on channel 3, where nobody looks for it
     const bool obeyed =
         parameter("THR_FAILSAFE", 1) < 0.5 || std::lround(parameter("RCMAP_THROTTLE", 3)) != 3;

@@ -74,6 +74,7 @@ private:
     };
     void mark(Cause cause, double now_s);
     size_t modeChannel() const;
+    bool throttleSaysLost(const Snapshot& now) const;
     void command(uint16_t number, float param1, float param2, double now_s);
     void heartbeat(const mavlink::Heartbeat& message, double now_s);
     void text(const mavlink::Statustext& message, double now_s);

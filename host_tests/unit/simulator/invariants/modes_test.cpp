@@ -64,6 +64,13 @@ TEST(ModeHasACause, each_stated_cause_is_allowed) {
              flown.now.transmitting = true;
          }},
         {"a receiver of another travel", [](Flown& flown) { flown.now.wide = true; }},
+        {"a receiver of another travel, lost by its throttle stick until that is raised",
+         [](Flown& flown) {
+             flown.now.wide = true;
+             flown.now.stick_us[2] = 1100;
+             flown.run(3);
+             flown.now.stick_us[2] = 1500;
+         }},
         {"a mission that cannot be flown, RTL in its place",
          [](Flown& flown) { flown.text("AUTO: mission has no NAV command"); }},
         {"the mission's end", [](Flown& flown) { flown.text("Mission complete"); }},
