@@ -64,6 +64,7 @@ core::FileState<Motion> motion{};
 struct Heights {
     bool started;
     bool by_gps;        // started by the receiver: the barometer has not been heard yet
+    bool heard;         // the barometer, since the start
     float home_m;       // of home above the barometer's zero, which drifts
     float gps_above_m;  // the receiver's heights over the estimate's; 0: no fix has been seen
     float home_above_field_m;  // home may be set in the air, the field is where it was zeroed
@@ -290,6 +291,7 @@ void useBarometer() {
     pressure.readings = 0;
     published.baro_height_m = reading_m;
     if (!baro.healthy) return;
+    heights.heard = true;
     const uint16_t now_ms = static_cast<uint16_t>(hal::now_ms());
     if (heights.by_gps) moveHeightToBarometer(reading_m);
     if (heights.started) {
@@ -505,7 +507,8 @@ void updateFlying() {
     published.flying = !published.flying;
     motion.flying_changes = 0;
     // On the ground it is heard again, whatever it is wrong by: its zero is what is corrected.
-    if (!published.flying && heights.started && !vehicle.baro.healthy) heights.by_gps = true;
+    // After a restart it is only not heard yet.
+    if (!published.flying && heights.heard && !vehicle.baro.healthy) heights.by_gps = true;
 }
 
 void fuseFixAttitude() {

@@ -251,6 +251,26 @@ TEST_F(WrongBarometer, moves_no_height_when_it_is_heard_again_after_the_flight) 
     EXPECT_NEAR(vehicle.estimate.height_m, before_m - 10, 3) << "by the barometer";
 }
 
+// It fell to the ground while the processor started: the record has the height from which it fell.
+TEST_F(WrongBarometer, is_right_after_a_restart_that_ends_on_the_ground) {
+    firmware::state::SlowRecord slow = {};
+    firmware::state::FastRecord fast = {};
+    firmware::estimator::saveEstimate(slow);
+    firmware::estimator::saveEstimate(fast);
+    core::resetFileStates();
+    Estimator::SetUp();
+    mutable_vehicle.armed = mutable_vehicle.baro.healthy = false;
+    firmware::estimator::resumeEstimate(slow, fast, {0, 0, 0}, 1.2f);
+    frames(310);
+    ASSERT_FALSE(vehicle.estimate.flying);
+    mutable_vehicle.baro.healthy = true;
+    frames(2000);
+    EXPECT_NEAR(vehicle.estimate.height_m, 0, 3);
+    firmware::state::SlowRecord then = {};
+    firmware::estimator::saveEstimate(then);
+    EXPECT_NEAR(then.home_height_m, slow.home_height_m, 3) << "where the field is";
+}
+
 TEST_F(Estimator, counts_heights_from_where_home_is_set_on_the_ground) {
     mutable_vehicle.baro.pressure_pa -= 60;  // the weather since the barometer was zeroed
     altitude_m_ = 432.1f;
