@@ -76,7 +76,7 @@ void report(uint8_t quarters) {
                    mounting.orientation);
 }
 
-void judge(Axis& axis) {
+void evaluate(Axis& axis) {
     const uint8_t quarters = missingQuarters(axis);
     axis = {};
     if (quarters != 0) report(quarters);
@@ -89,11 +89,11 @@ uint8_t compassMounting() {
     return static_cast<uint8_t>(parameters.compass_orientation);
 }
 
-// Not judged in the run that adds the last look: either takes its time.
+// Not evaluated in the run that adds the last look: either takes its time.
 void watchCompassMounting() {
     if (mounting.found || !fastAndLevel()) return;
     for (Axis& axis : mounting.axes)
-        if (complete(axis)) return judge(axis);
+        if (complete(axis)) return evaluate(axis);
     constexpr uint16_t kQuarter_cd = 9000;
     const uint16_t beside_cd = vehicle.gps.course_cd + kQuarter_cd / 2;
     const uint8_t sector = static_cast<uint8_t>(beside_cd / kQuarter_cd);

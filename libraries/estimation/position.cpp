@@ -6,14 +6,14 @@ namespace {
 
 constexpr float kPositionShare = 0.25f;  // of the difference, taken over with each fix
 constexpr float kVelocityShare = 0.4f;
-constexpr float kMean_hz = 0.005f;     // fixes are averaged over 200 s ...
-constexpr float kMean_hzpm2 = 0.003f;  // ... and over less where they lie far off
-constexpr float kFar_m = 30.0f;        // a fix this far off is refused ...
-constexpr float kFarther_mps = 15.0f;  // ... and farther with the age of the last one used
-constexpr float kOdd_mps = 10.0f;      // ... and so is one whose velocity is as far off ...
-constexpr float kOdder_mss = 5.0f;     // ... as the accelerations alone may leave it
-constexpr float kBelieved_s = 18.0f;   // after so long a fix is accepted wherever it is
-constexpr float kFold_m = 200.0f;      // the offset is folded into the anchor beyond this
+constexpr float kMean_hz = 0.005f;      // fixes are averaged over 200 s ...
+constexpr float kMean_hzpm2 = 0.003f;   // ... and over less where they lie far off
+constexpr float kFar_m = 30.0f;         // a fix this far off is refused ...
+constexpr float kFarther_mps = 15.0f;   // ... and farther with the age of the last one used
+constexpr float kFaster_mps = 10.0f;    // ... and so is one whose velocity is as far off ...
+constexpr float kFasterYet_mss = 5.0f;  // ... as the accelerations alone may leave it
+constexpr float kBelieved_s = 18.0f;    // after so long a fix is accepted wherever it is
+constexpr float kFold_m = 200.0f;       // the offset is folded into the anchor beyond this
 
 float squared(const geo::Offset& off) {
     return off.north_m * off.north_m + off.east_m * off.east_m;
@@ -48,8 +48,8 @@ void Position::useGps(const geo::Position& position, const core::Vector3& veloci
     limit_m2_ = far_m * far_m;
     const geo::Offset faster = {velocity_mps.x + gained_mps.x - north_mps_,
                                 velocity_mps.y + gained_mps.y - east_mps_};
-    const float odd_mps = kOdd_mps + kOdder_mss * age_s_;
-    refuses_ = off_m2_ > limit_m2_ || squared(faster) > odd_mps * odd_mps;
+    const float limit_mps = kFaster_mps + kFasterYet_mss * age_s_;
+    refuses_ = off_m2_ > limit_m2_ || squared(faster) > limit_mps * limit_mps;
     if (refuses_) return;
     const bool late = reckoned();
     const float share = late ? 1.0f : kPositionShare;
