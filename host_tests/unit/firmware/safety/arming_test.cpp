@@ -287,8 +287,9 @@ INSTANTIATE_TEST_SUITE_P(
                   const core::Vector3 before_mg = vehicle.compass.field_mg;
                   for (const float right_mg : {200.0f, -200.0f}) {
                       mutable_vehicle.gps.course_cd = right_mg > 0 ? 0 : 18000;
+                      mutable_vehicle.gps.velocity_mps = {right_mg > 0 ? 12.0f : -12.0f, 0, 0};
                       mutable_vehicle.compass.field_mg = {0, right_mg, 430};
-                      for (int look = 0; look < 7; ++look)
+                      for (int look = 0; look < 8; ++look)
                           firmware::sensors::watchCompassMounting();
                   }
                   mutable_vehicle.compass.field_mg = before_mg;

@@ -66,9 +66,10 @@ struct CompassMounting : testing::Test {
                                    own_mg;
         for (int i = 0; i < looks; ++i) watchCompassMounting();
     }
+    // The run after the last look evaluates them.
     void thereAndBack(float heading_deg) {
         fly(heading_deg, 0, 7);
-        fly(heading_deg + 180, 0, 7);
+        fly(heading_deg + 180, 0, 8);
     }
 
     uint8_t mounted = 0;
@@ -114,10 +115,10 @@ TEST_F(CompassMounting, needs_both_directions_and_more_than_a_few_looks) {
     mounted = 4;
     fly(10, 0, 100);
     EXPECT_FALSE(compassTurned()) << "a wind from behind that is stronger than the airplane";
-    fly(190, 0, 6);
+    fly(190, 0, 7);
     EXPECT_FALSE(compassTurned());
     fly(190, 0, 1);
-    EXPECT_TRUE(compassTurned());
+    EXPECT_TRUE(compassTurned()) << "by seven looks, in the run after them";
 }
 
 TEST_F(CompassMounting, a_strong_wind_across_the_way_does_not_turn) {
@@ -140,7 +141,7 @@ TEST_F(CompassMounting, is_found_beside_a_field_of_the_airplane_in_a_wind_across
                 mounted = static_cast<uint8_t>(2 * quarters);
                 const float course = static_cast<float>(heading);
                 fly(course + wind_deg, -wind_deg, 7);
-                fly(course + 180 - wind_deg, wind_deg, 7);
+                fly(course + 180 - wind_deg, wind_deg, 8);
                 ASSERT_EQ(compassTurned(), quarters != 0) << course << ' ' << wind_deg;
                 if (quarters != 0) {
                     ASSERT_EQ(compassOrientation(), mounted);
