@@ -17,7 +17,8 @@ function percentile(values, percent) {
 }
 
 const seeds = Array.from({ length: landings.seeds }, (_, i) => i + 1);
-let { flights, broken } = await flyEach({ airplanes, airs: [landings.air], seeds }, { fly, mission, out, airs, parameters: {} });
+const { flights, broken: incomplete } = await flyEach({ airplanes, airs: [landings.air], seeds }, { fly, mission, out, airs, parameters: {} });
+let broken = incomplete;
 const rows = landings.figures.flatMap(({ name, unit, key, held }) => Object.entries(held).map(([percent, most]) => {
   const value = (of) => percentile(of.map((flight) => flight[key]), Number(percent));
   const all = value(flights);

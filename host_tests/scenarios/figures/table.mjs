@@ -47,8 +47,9 @@ function rowOf(figure, airplane, air, flights) {
     verdict(worst, goal, most)].map(String);
 }
 
-let { flights, broken } = await flyEach({ airplanes, airs: Object.keys(limits.airs), seeds: limits.seeds },
+const { flights, broken: incomplete } = await flyEach({ airplanes, airs: Object.keys(limits.airs), seeds: limits.seeds },
   { fly, mission, out, airs: limits.airs, parameters: tuned });
+let broken = incomplete;
 for (const airplane of airplanes) {
   const rows = limits.figures.flatMap((figure) => Object.keys(limits.airs).map(
     (air) => rowOf(figure, airplane, air, flights)));
