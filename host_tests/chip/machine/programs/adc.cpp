@@ -31,6 +31,8 @@ int main() {
     ADMUX = _BV(REFS0) | 0x1E;
     ADCSRB = 0;
     convert();
+    report(5, ADC);
+    convert();
     report(3, ADC);
     select(12);
     ADCSRA |= _BV(ADIF);
