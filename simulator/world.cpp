@@ -17,6 +17,7 @@
 #include "simulator/devices/hmc5883l.hpp"
 #include "simulator/devices/mpu6000.hpp"
 #include "simulator/devices/ms5611.hpp"
+#include "simulator/devices/output_switch.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/devices/supply.hpp"
 #include "simulator/fdm/json_model.hpp"
@@ -128,7 +129,8 @@ struct World::Parts {
           analog_imu(options.seed, errors),
           i2c_barometer(options.seed, errors),
           dataflash(options.seed, dataflashFor(options)),
-          radio(options.seed) {
+          radio(options.seed),
+          has_output_switch(options.output_switch) {
         converter.volts = [this](int input) { return converterVolts(input); };
         supply.set(sagsOf(faults));
         addPowered();
@@ -168,6 +170,8 @@ struct World::Parts {
     Bmp085 i2c_barometer;
     At45db dataflash;
     PpmEncoder radio;
+    const bool has_output_switch;
+    OutputSwitch output_switch;
     struct Servo {
         double width_us = 0;
         uint64_t time_us = 0;
@@ -195,6 +199,7 @@ void World::Parts::addPowered() {
     part(least_v::kBmp085, i2c_barometer);
     part(least_v::kAt45db, dataflash);
     part(least_v::kEncoder, radio);
+    powered.add(least_v::kEncoder, [this](bool, uint64_t) { output_switch.reset(); });
     powered.add(least_v::kPowerOnReset, [this](bool, uint64_t) { radio.forgetBrownOut(); });
     powered.add(least_v::kReceiver, [this](bool on, uint64_t at_us) { powerReceiver(on, at_us); });
     powered.add(least_v::kGps, [this](bool on, uint64_t at_us) { powerGps(on, at_us); });
@@ -240,6 +245,11 @@ ServoPulses World::Parts::pulses() const {
     for (size_t i = 0; i < servos.size(); ++i) {
         out.width_us[i] = silent(servos[i]) ? 0 : servos[i].width_us;
         out.standing_us[i] = servos[i].standing_us;
+    }
+    if (!output_switch.toReceiver()) return out;
+    for (size_t i = 0; i < OutputSwitch::kOutputs; ++i) {
+        out.standing_us[i] = radio.sticks()[i];  // the last that the receiver gave
+        out.width_us[i] = radio.heard() ? out.standing_us[i] : 0;
     }
     return out;
 }
@@ -298,6 +308,8 @@ void World::advanceTo(uint64_t now_us) {
             p.startReceiver(next_us);
         } else if (next_us == step_us) {
             p.fail();
+            if (p.has_output_switch)
+                p.output_switch.run(p.radio.sent_us(OutputSwitch::kChannel), next_us);
             p.model->step(p.pulses());
             p.sense();
             if (const auto pulses = p.model->radio_us()) p.radio.sticks(*pulses, true);

@@ -53,6 +53,7 @@ struct WorldOptions {
     unsigned worn_cells = 0;           // bytes of the EEPROM with a bit that stays as it is
     bool hmc5843 = false;              // instead of its successor
     bool compass_upside_down = false;  // on the first board's shield
+    bool output_switch = false;        // the first board's: channel 8 gives outputs to the receiver
     // outside the board: rolled, pitched and yawed by so many degrees, as COMPASS_ORIENT has it
     std::optional<std::array<double, 3>> external_compass_deg;
     // Of the I2C lines, from low to high: the longest that 400 kHz allow (UM10204, table 10: t_r).

@@ -58,6 +58,9 @@ public:
                fault_ != FaultKind::held;
     }
 
+    // The width that is sent for a channel, 1 to 8.
+    uint16_t sent_us(int channel) const { return sent_[static_cast<size_t>(channel - 1)]; }
+
 private:
     using Channels = std::array<uint16_t, kChannels>;
 

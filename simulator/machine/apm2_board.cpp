@@ -23,9 +23,9 @@ constexpr int kGpsUsart = 1;
 // The airplane moves on at least this often, however quiet its sensors are.
 constexpr uint64_t kLongestWait_us = 5000;
 
-// The shield of the first board carries the compass face down.
+// The shield of the first board carries the compass face down, and its encoder the output switch.
 WorldOptions worldFor(WorldOptions options, const BoardWiring& wiring) {
-    options.compass_upside_down = wiring.converter_select.has_value();
+    options.compass_upside_down = options.output_switch = wiring.converter_select.has_value();
     return options;
 }
 

@@ -217,6 +217,31 @@ TEST(World, restarts_its_parts_when_the_supply_breaks_down) {
     EXPECT_NE(world.radio().nextEdge_us_x2(), UINT64_MAX);
 }
 
+// Whatever the firmware gives, also nothing for the motor.
+TEST(World, connects_receiver_and_motor_by_channel_8_on_the_first_board_alone) {
+    for (const bool first_board : {true, false}) {
+        WorldOptions options;
+        options.output_switch = first_board;
+        World world(options);
+        const auto fly = [&](uint16_t channel8_us, uint64_t from_us, uint64_t until_us) {
+            world.radio().sticks({1500, 1500, 1700, 1500, 1500, 1500, 1500, channel8_us}, true);
+            for (uint64_t t = from_us; t < until_us; t += 10'000) {
+                world.advanceTo(t);
+                while (world.radio().nextEdge_us_x2() <= 2 * t) world.radio().passEdge();
+                for (int output = 1; output <= 4; ++output) world.servoPulse(output, 1100, t);
+            }
+        };
+        fly(1300, 0, 1'000'000);
+        EXPECT_NEAR(world.truth().throttle, 0, 0.01);
+        fly(1850, 1'000'000, 2'000'000);
+        EXPECT_NEAR(world.truth().throttle, first_board ? 0.75 : 0, 0.01);
+        EXPECT_NEAR(world.truth().aileron, first_board ? 0 : -1, 0.01);
+        EXPECT_EQ(world.servoPulse_us(3), 1100) << "what the firmware gives";
+        fly(1300, 2'000'000, 3'000'000);
+        EXPECT_NEAR(world.truth().throttle, 0, 0.01);
+    }
+}
+
 TEST(World, sends_failsafe_values_after_a_brown_out_until_the_receiver_is_there) {
     World world({});
     world.radio().sticks({1500, 1500, 1800, 1500, 1500, 1500, 1500, 1165}, true);
