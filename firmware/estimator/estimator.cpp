@@ -331,11 +331,13 @@ bool fast() {
 
 // An airplane that flies against the wind is slow over the ground, too. It stands where two of
 // three say so: its speed through the air, the height of the field, the gyros. None of them alone:
-// a wind that was learnt in few turns may be half as strong as it is.
+// a wind that was learnt in few turns may be half as strong as it is. A speed that nothing has
+// measured is no evidence of flight.
 bool stands() {
     const auto& estimate = vehicle.estimate;
-    if (estimate.ground_speed_mps >= kStandingSpeed_mps || fabsf(estimate.climb_mps) >= 0.5f)
-        return false;
+    const bool measured = vehicle.airspeed.healthy || !estimate.reckoned;
+    if (measured && estimate.ground_speed_mps >= kStandingSpeed_mps) return false;
+    if (fabsf(estimate.climb_mps) >= 0.5f) return false;
     const bool low = fabsf(aboveField_m()) < kNearField_m;
     return slowThroughTheAir() + low + !turns() >= 2;
 }

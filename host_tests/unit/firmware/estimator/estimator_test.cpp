@@ -451,6 +451,26 @@ TEST_F(Estimator, stands_on_the_ground_with_the_wind_in_its_tube) {
     EXPECT_FALSE(vehicle.estimate.flying);
 }
 
+// It came down while neither fixes nor a tube measured its speed: the reckoned one goes on.
+TEST_F(Estimator, stands_on_the_field_where_nothing_measures_its_speed) {
+    for (const bool high : {false, true})
+        for (const bool turns : {false, true}) {
+            core::resetFileStates();
+            SetUp();
+            mutable_vehicle.armed = true;
+            mutable_vehicle.baro.pressure_pa -= high ? 360 : 0;  // 30 m
+            late_ = 7;
+            frames(400, 3);
+            frames(200);
+            ASSERT_TRUE(vehicle.estimate.flying);
+            late_ = 99;
+            mutable_vehicle.imu.rate_rads.x = core::BodyRate(turns ? 0.5f : 0.0f);
+            frames(700);
+            EXPECT_TRUE(vehicle.estimate.reckoned);
+            EXPECT_EQ(vehicle.estimate.flying, high || turns) << high << turns;
+        }
+}
+
 // Dead reckoning moves whether the airplane does or not: it is evidence of nothing.
 TEST_F(Estimator, neither_flies_nor_moves_by_dead_reckoning_on_the_ground) {
     mutable_vehicle.armed = true;
