@@ -295,6 +295,21 @@ TEST_F(FenceLines, of_a_circle_have_its_two_sides) {
     }
 }
 
+// Of the places that 1e-7 degrees tell apart, one whose distance is the radius to the last bit.
+TEST_F(FenceLines, of_a_circle_have_its_rim_outside) {
+    constexpr float kWide_m = 100;
+    ASSERT_EQ(sentLine(Items{circle(true, kHome, kWide_m)}), Line::fit);
+    int on_the_rim = 0;
+    for (int32_t north_e7 = 8000; north_e7 < 8900 && on_the_rim == 0; ++north_e7)
+        for (int32_t east_e7 = 0; east_e7 < 8000 && on_the_rim == 0; ++east_e7) {
+            const geo::Position place = beside(north_e7, east_e7);
+            if (geo::distance_m(kHome, place) != kWide_m) continue;
+            ++on_the_rim;
+            EXPECT_EQ(sideOf(place), Side::outside);
+        }
+    EXPECT_EQ(on_the_rim, 1);
+}
+
 // Of inclusions all hold at once, of exclusions none.
 TEST_F(FenceLines, hold_a_place_that_is_in_each_zone_to_stay_in_and_in_none_to_stay_out_of) {
     static geo::Position centres[2], exclusions[2];
@@ -369,6 +384,9 @@ TEST_F(FenceLines, with_zones_take_more_calls) {
     EXPECT_EQ(calls(hole), 1);
     EXPECT_EQ(calls(ring + hole), 1) << "3 and 4";
     EXPECT_EQ(calls(hole + ring), 1) << "6, and the circle is done once begun";
+    const Items five = area(false, {beside(90000, 0), beside(93000, 0), beside(95000, 2000),
+                                    beside(93000, 4000), beside(90000, 4000)});
+    EXPECT_EQ(calls(five + ring), 2) << "7 are enough";
     EXPECT_EQ(calls(hole + hole), 2) << "6 and 1, 3";
     EXPECT_EQ(calls(hole + hole + hole), 3) << "6 and 1, 5 and 2, 2";
     EXPECT_EQ(calls(hole + hole + hole + hole + hole), 4) << "6 and 1, 5 and 2, 4 and 3, 3 and 4";
