@@ -295,7 +295,7 @@ TEST_F(FenceLines, of_a_circle_have_its_two_sides) {
     }
 }
 
-// Of the places that 1e-7 degrees tell apart, one whose distance is the radius to the last bit.
+// Of the places that 1e-7 degrees part, one whose distance is the radius to the last bit.
 TEST_F(FenceLines, of_a_circle_have_its_rim_outside) {
     constexpr float kWide_m = 100;
     ASSERT_EQ(sentLine(Items{circle(true, kHome, kWide_m)}), Line::fit);
