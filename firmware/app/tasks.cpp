@@ -226,7 +226,7 @@ void loop() {
         if (running.supervisor.wellAfter(schedule.takeServed())) hal::watchdogFeed();
     } else if (gpsWaits()) {
         runGps();
-    } else if (!telemetryPump() && !logFind()) {
+    } else if (!telemetryPump() && !logFind() && !frameDue()) {  // a message takes a millisecond
         hal::idle(workWaits);
     }
 }

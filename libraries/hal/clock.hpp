@@ -18,7 +18,7 @@ constexpr uint8_t kTicksPerUs = 2;
 
 // Sleeps through interrupts until `work_waits` says that there is something to do. It is asked at
 // once and after each that may bring work (a byte of a link, a sample): nothing that comes between
-// the question and the sleep is slept over. It must be quick. Returns after 2 ms at the latest, so
+// the question and the sleep is slept over. It must be quick. Returns after 4 ms at the latest, so
 // that a silent sensor cannot stop the frames.
 void idle(bool (*work_waits)());
 
