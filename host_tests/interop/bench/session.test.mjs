@@ -47,5 +47,6 @@ test('a good board passes all 15 steps in one session, and the form has each of 
     'all parts but the PPM-sum, which this receiver has not');
   assert.match(rig.part('4.text').value, new RegExp(`Wrong board: for an ${other}`));
   assert.match(rig.part('7.brown_out').value, /brown-out/);
-  assert.match(rig.part('15.brown_out').value, /Started by a reset/, 'this loader hides the cause (docs/restart.md)');
+  // this loader hides the cause; the firmware's look at the supply, every 4 ms, seldom meets the 0.3 ms of its fall (docs/restart.md)
+  assert.match(rig.part('15.brown_out').value, /Started by a reset|Restarted after a brown-out/);
 }));
