@@ -207,6 +207,19 @@ TEST_F(DriftingBarometer, is_used_while_there_are_too_few_satellites_to_contradi
     EXPECT_FALSE(rejected(400));
 }
 
+// What a restart leaves; all else is forgotten.
+struct Records {
+    firmware::state::SlowRecord slow;
+    firmware::state::FastRecord fast;
+};
+Records recordsOfARestart() {
+    Records records = {};
+    firmware::estimator::saveEstimate(records.slow);
+    firmware::estimator::saveEstimate(records.fast);
+    core::resetFileStates();
+    return records;
+}
+
 // Flies 60 m up, and knows by the receiver what its barometer shows.
 struct WrongBarometer : Estimator {
     void SetUp() override {
@@ -253,11 +266,7 @@ TEST_F(WrongBarometer, moves_no_height_when_it_is_heard_again_after_the_flight) 
 
 // It fell to the ground while the processor started: the record has the height from which it fell.
 TEST_F(WrongBarometer, is_right_after_a_restart_that_ends_on_the_ground) {
-    firmware::state::SlowRecord slow = {};
-    firmware::state::FastRecord fast = {};
-    firmware::estimator::saveEstimate(slow);
-    firmware::estimator::saveEstimate(fast);
-    core::resetFileStates();
+    const auto [slow, fast] = recordsOfARestart();
     Estimator::SetUp();
     mutable_vehicle.armed = mutable_vehicle.baro.healthy = false;
     firmware::estimator::resumeEstimate(slow, fast, {0, 0, 0}, 1.2f);
@@ -518,11 +527,7 @@ TEST_F(Stopped, knows_the_wind_and_its_height_again_after_a_restart) {
     stop(24);
     const float height_m = vehicle.estimate.height_m, wind_mps = vehicle.estimate.wind_mps.x;
     ASSERT_LT(wind_mps, -10);
-    firmware::state::SlowRecord slow = {};
-    firmware::state::FastRecord fast = {};
-    firmware::estimator::saveEstimate(slow);
-    firmware::estimator::saveEstimate(fast);
-    core::resetFileStates();
+    const auto [slow, fast] = recordsOfARestart();
     Estimator::SetUp();
     firmware::estimator::resumeEstimate(slow, fast, {0, 0, 0}, 0.1f);
     mutable_vehicle.baro.pressure_pa -= 600;
@@ -592,11 +597,7 @@ TEST_F(Estimator, records_how_far_home_was_moved_above_the_field) {
 
 // A loss of power that resets the inertial sensor, too: after `frames` it gives samples again.
 bool holdsAttitudeThrough(int frames) {
-    firmware::state::SlowRecord slow = {};
-    firmware::state::FastRecord fast = {};
-    firmware::estimator::saveEstimate(slow);
-    firmware::estimator::saveEstimate(fast);
-    core::resetFileStates();
+    const auto [slow, fast] = recordsOfARestart();
     mutable_vehicle.imu.calibrated = true;
     firmware::estimator::resumeEstimate(slow, fast, {0, 0, 0}, 0.1f);
     mutable_vehicle.imu.periods = 0;
