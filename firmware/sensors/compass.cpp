@@ -4,7 +4,6 @@
 #include "core/file_state.hpp"
 #include "core/fixed.hpp"
 #include "core/maths.hpp"
-#include "core/seldom.hpp"
 #include "drivers/hmc5883l.hpp"
 #include "drivers/orientation.hpp"
 #include "firmware/sensors/compass_learning.hpp"
@@ -83,7 +82,7 @@ void runCompass() {
     published.healthy = compass.healthy() && !isFaulty(Sensor::compass);
 }
 
-SELDOM void runCompassLearning() {
+void runCompassLearning() {
     if (reading.unlearnt) learnCompass(reading.unlearnt_mg);
     reading.unlearnt = false;
     storeLearntCompass();
@@ -91,7 +90,7 @@ SELDOM void runCompassLearning() {
 
 // Into the parameter, where the heading is worked out from; what is stored there stays. In flight,
 // where it hardly changes, every second time the row looks how the compass is mounted.
-SELDOM void runDeclination() {
+void runDeclination() {
     constexpr uint16_t kEverySecond = 1024;
     if (vehicle.gps.fix != GpsFix::three_d) return;
     if (vehicle.estimate.flying && (hal::now_ms() & kEverySecond) != 0)

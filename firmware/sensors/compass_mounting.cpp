@@ -89,9 +89,10 @@ uint8_t compassMounting() {
     return static_cast<uint8_t>(parameters.compass_orientation);
 }
 
-// Not evaluated in the run that adds the last look: either takes its time.
+// Not evaluated in the run that adds the last look: either takes its time. Readings that are not
+// accepted would be too large for the sums.
 void watchCompassMounting() {
-    if (mounting.found || !fastAndLevel()) return;
+    if (mounting.found || !vehicle.compass.accepted || !fastAndLevel()) return;
     for (Axis& axis : mounting.axes)
         if (complete(axis)) return evaluate(axis);
     constexpr uint16_t kQuarter_cd = 9000;

@@ -284,6 +284,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{4, "PreArm: set COMPASS_ORIENT #",
               [] {  // flown to the north and back with the field on the right
                   mutable_vehicle.gps.ground_speed_mps = 12;
+                  mutable_vehicle.compass.accepted = true;
                   const core::Vector3 before_mg = vehicle.compass.field_mg;
                   for (const float right_mg : {200.0f, -200.0f}) {
                       mutable_vehicle.gps.course_cd = right_mg > 0 ? 0 : 18000;

@@ -52,6 +52,7 @@ struct CompassMounting : testing::Test {
         mutable_vehicle.gps.fix = firmware::state::GpsFix::three_d;
         mutable_vehicle.gps.ground_speed_mps = 12;
         mutable_vehicle.estimate.flying = true;
+        mutable_vehicle.compass.accepted = true;
     }
     void fly(float heading_deg, float drift_deg, int looks) {
         auto& vehicle = mutable_vehicle;
@@ -169,6 +170,15 @@ TEST_F(CompassMounting, is_not_looked_at_slowly_nor_in_a_turn) {
     mutable_vehicle.attitude.sin_roll = {};
     thereAndBack(0);
     EXPECT_TRUE(compassTurned());
+}
+
+// A sensor at its end reads 1,900 mG an axis: fourteen of them are more than the sums hold.
+TEST_F(CompassMounting, is_not_looked_at_by_readings_that_are_not_accepted) {
+    mounted = 4;
+    mutable_vehicle.compass.accepted = false;
+    thereAndBack(0);
+    thereAndBack(0);
+    EXPECT_FALSE(compassTurned());
 }
 
 TEST_F(CompassMounting, of_the_board_itself_asks_for_an_outside_one) {
