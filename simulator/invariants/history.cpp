@@ -81,6 +81,12 @@ constexpr MessageRow kMessages[] = {
 
 bool atEnd(uint16_t stick_us) { return std::abs(stick_us - kStickMiddle_us) > kStickEnd_us; }
 
+// The index of the channel that a parameter names.
+size_t channelAt(double number, size_t otherwise) {
+    const double whole = std::round(number);
+    return whole >= 1 && whole <= 8 ? static_cast<size_t>(whole) - 1 : otherwise;
+}
+
 std::string nameIn(const char (&id)[16]) { return {id, strnlen(id, sizeof id)}; }
 
 }  // namespace
@@ -90,15 +96,13 @@ size_t History::modeChannel() const {
     constexpr size_t kDefault = 7;
     const auto asked = asked_.find("FLTMODE_CH");
     if (asked == asked_.end()) return kDefault;
-    const float channel = std::round(asked->second.value);
-    return channel >= 1 && channel <= 8 ? static_cast<size_t>(channel) - 1 : kDefault;
+    return channelAt(asked->second.value, kDefault);
 }
 
 // Of a receiver whose travel is doubled, the low throttle stick is below what stands for its loss.
 bool History::throttleSaysLost(const Snapshot& now) const {
     constexpr size_t kDefault = 2;
-    const long channel = std::lround(parameter("RCMAP_THROTTLE", 1 + kDefault));
-    const size_t at = channel >= 1 && channel <= 8 ? static_cast<size_t>(channel) - 1 : kDefault;
+    const size_t at = channelAt(parameter("RCMAP_THROTTLE", 1 + kDefault), kDefault);
     const double doubled_us = kStickMiddle_us + 2 * (now.stick_us[at] - kStickMiddle_us);
     return now.wide && doubled_us < parameter("THR_FS_VALUE", 950);
 }

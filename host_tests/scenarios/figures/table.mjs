@@ -40,11 +40,9 @@ const heldByLandings = (figure, air) => found.length === 0 && air === limits.lan
 function rowOf(figure, airplane, air, flights) {
   const worst = worstOf(flights.filter((flight) => flight.airplane === airplane && flight.air === air), figure.key);
   const goal = goalOf(figure, air);
-  if (heldByLandings(figure, air))
-    return [`${figure.name}, ${figure.unit}`, air, goal, worst.toFixed(2), '-', figure.peer?.[air] ?? '-', 'see landings'].map(String);
   const most = mostOf(figure, airplane, air);
-  return [`${figure.name}, ${figure.unit}`, air, goal, worst.toFixed(2), most, figure.peer?.[air] ?? '-',
-    verdict(worst, goal, most)].map(String);
+  const held = heldByLandings(figure, air) ? ['-', 'see landings'] : [most, verdict(worst, goal, most)];
+  return [`${figure.name}, ${figure.unit}`, air, goal, worst.toFixed(2), held[0], figure.peer?.[air] ?? '-', held[1]].map(String);
 }
 
 const { flights, broken: incomplete } = await flyEach({ airplanes, airs: Object.keys(limits.airs), seeds: limits.seeds },
