@@ -157,6 +157,7 @@ private:
     VelocityHistory history_;
     VelocityHistory::Moment fix_ = {};         // the accelerometers' velocity at the last fix
     VelocityHistory::Moment fix_ground_ = {};  // and the GPS's
+    uint8_t pushed_fixes_ = 0;                 // that are still left out after a push
     uint8_t since_fix_ = 0xFF;                 // periods, 1.28 s at most
     float settling_ = 1;                       // 1 at start, 0 when settled
     float compass_off_ = 0;                    // 1 - cosine of the angle of the last reading

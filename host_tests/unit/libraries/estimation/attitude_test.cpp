@@ -334,4 +334,36 @@ TEST_F(Resumed, an_attitude_found_anew_is_not_turned_by_the_field) {
     EXPECT_NEAR(roll_rad(), 0, 0.02);
 }
 
+// In a hand, 15 degrees nose up, and from there pushed to 12 m/s within 0.4 s. Ten fixes a second.
+TEST(AttitudeThrown, keeps_its_pitch_where_fixes_are_older_than_assumed) {
+    constexpr float kPitch_rad = core::radians(15), kPush_mss = 30, kPush_s = 0.4f;
+    const float sine = sinf(kPitch_rad), cosine = cosf(kPitch_rad);
+    const core::Vector3 held_mss = {core::kGravity_mss * sine, 0, -core::kGravity_mss * cosine};
+    const core::Vector3 field_mg = {210 * cosine - 430 * sine, 0, 210 * sine + 430 * cosine};
+    for (const float age_s : {0.05f, 0.25f, 0.4f}) {
+        Attitude attitude;
+        estimation::FixComparison seen;
+        for (int frame = 1; frame <= 900; ++frame) {
+            const auto pushed_s = [](float time_s) {
+                return core::limit(time_s - 5, 0.0f, kPush_s);
+            };
+            const float time_s = static_cast<float>(frame) * 0.01f;
+            const bool pushed = time_s > 5 && time_s <= 5 + kPush_s;
+            const core::Vector3 push_mss = {pushed ? kPush_mss : 0, 0, 0};
+            attitude.propagate(motion({0, 0, 0}, held_mss + push_mss));
+            if (frame % 10 == 0) attitude.align();
+            if (frame % 2 == 0) attitude.rotateDcm();
+            if (frame % 4 == 0) attitude.accelerate();
+            if (frame % 10 == 0) attitude.orthonormalize();
+            if (frame % 20 == 0) attitude.useCompass(field_mg, AttitudeSettings());
+            const float fix_mps = kPush_mss * pushed_s(time_s - age_s);
+            if (frame % 10 == 3)
+                attitude.useGps({fix_mps * cosine, 0, -fix_mps * sine}, AttitudeSettings(), seen);
+            const float pitch_rad = attitude.angles().pitch_rad.toFloat();
+            if (time_s < 2) continue;
+            ASSERT_NEAR(pitch_rad, kPitch_rad, core::radians(1)) << age_s << " at " << time_s;
+        }
+    }
+}
+
 }  // namespace
