@@ -116,6 +116,15 @@ float cruiseThrottle(float most) {
     return cruise + share * (share > 0 ? most - cruise : cruise * kNudgedDown);
 }
 
+// A thrown airplane sinks until its motor is at full power: as ArduPlane's TKOFF_THR_SLEW -1.
+float throttleSlew(::control::Phase phase) {
+    constexpr float kAtOnce = 100;
+    const bool thrown =
+        phase == ::control::Phase::climb_out && parameters.takeoff_min_accel_mss > 0;
+    if (thrown || parameters.throttle_slew_pct <= 0) return kAtOnce;
+    return core::hundredths(parameters.throttle_slew_pct);
+}
+
 ::control::SpeedHeightLimits limits(const Plan& plan, float true_speed) {
     ::control::SpeedHeightLimits limits;
     limits.pitch_min_rad = plan.pitch_min_rad;
@@ -126,8 +135,7 @@ float cruiseThrottle(float most) {
     if (plan.phase == ::control::Phase::flare)
         limits.throttle_max =
             core::limit(flarePower() * limits.throttle_cruise, 0.0f, limits.throttle_max);
-    limits.throttle_slew =
-        parameters.throttle_slew_pct > 0 ? core::hundredths(parameters.throttle_slew_pct) : 100.0f;
+    limits.throttle_slew = throttleSlew(plan.phase);
     limits.airspeed_min_mps = parameters.speed_min_mps * true_speed;
     limits.airspeed_max_mps = parameters.speed_max_mps * true_speed;
     return limits;

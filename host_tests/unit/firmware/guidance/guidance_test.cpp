@@ -380,6 +380,20 @@ TEST_F(Guidance, takes_off_with_all_its_throttle_and_the_nose_up) {
     EXPECT_GE(vehicle.pitch_demand_rad.toFloat(), core::radians(14.9f));
 }
 
+// What rolls gathers speed first; what is thrown sinks until there is thrust.
+TEST_F(Guidance, has_all_its_throttle_at_once_where_it_is_thrown) {
+    for (const bool thrown : {false, true}) {
+        onTheGround(Mode::loiter);
+        parameters.takeoff_min_accel_mss = thrown ? 15 : 0;
+        demand(Path::takeoff);
+        mutable_vehicle.demand.height_m = 50;
+        mutable_vehicle.imu.accel_mss.x = core::Acceleration(20);
+        while (vehicle.progress.throttle_suppressed) guide();
+        guide();
+        EXPECT_EQ(vehicle.throttle_demand.toFloat() > 0.99f, thrown);
+    }
+}
+
 TEST_F(Guidance,
        takes_the_pitch_of_a_take_off_for_the_least_with_an_airspeed_sensor_else_as_it_is) {
     for (const bool sensor : {true, false}) {
@@ -647,10 +661,12 @@ TEST_F(Guidance, steers_along_the_runway_from_the_flare_on) {
     mutable_vehicle.attitude.yaw_rad = core::Angle(0.2f);
     guide(5);
     EXPECT_EQ(vehicle.rudder_demand.toFloat(), 0) << "in the air the wings do that";
+    EXPECT_FALSE(vehicle.progress.steering);
 
     mutable_vehicle.estimate.height_m = 0.5f;
     guide(2);
     EXPECT_LT(vehicle.rudder_demand.toFloat(), -0.05f) << "the nose points right of the runway";
+    EXPECT_TRUE(vehicle.progress.steering);
     mutable_vehicle.attitude.yaw_rad = core::Angle(-0.2f);
     guide();
     EXPECT_GT(vehicle.rudder_demand.toFloat(), 0.05f);
@@ -669,12 +685,14 @@ TEST_F(Guidance, keeps_the_nose_from_swinging_in_the_take_off_run) {
     demand(Path::takeoff);
     guide(20);
     EXPECT_EQ(vehicle.rudder_demand.toFloat(), 0);
-    mutable_vehicle.attitude.rate_rads.z = core::BodyRate(0.5f);
+    EXPECT_TRUE(vehicle.progress.steering);
+    mutable_vehicle.attitude.rate_rads.z = core::BodyRate(0.6f);
     guide();
     EXPECT_LT(vehicle.rudder_demand.toFloat(), -0.05f);
     mutable_vehicle.estimate.height_m = 5;
     guide();
     EXPECT_EQ(vehicle.rudder_demand.toFloat(), 0) << "airborne";
+    EXPECT_FALSE(vehicle.progress.steering);
 }
 
 TEST_F(Guidance, stops_steering_once_the_pilot_flies) {
@@ -686,6 +704,7 @@ TEST_F(Guidance, stops_steering_once_the_pilot_flies) {
     firmware::modes::requestMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     guide();
     EXPECT_EQ(vehicle.rudder_demand.toFloat(), 0);
+    EXPECT_FALSE(vehicle.progress.steering);
 }
 
 TEST_F(Guidance, gives_up_height_and_opens_the_throttle_below_the_lowest_speed) {
