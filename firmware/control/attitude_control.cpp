@@ -214,7 +214,7 @@ void stabilise() {
     }
     if (vehicle.sticks == Sticks::bounded) bindSticks();
     surfaces.rudder = yaw();
-    if (vehicle.progress.flaring) surfaces.rudder = Deflection::fromRaw(0);  // steering damps, too
+    if (vehicle.progress.steering) surfaces.rudder = Deflection::fromRaw(0);  // that damps, too
     add(surfaces.rudder, core::times14(surfaces.aileron.raw, bounds.rudder_mix.raw));
     add(surfaces.rudder, vehicle.rudder_demand.raw);
 }

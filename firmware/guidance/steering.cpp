@@ -3,6 +3,7 @@
 
 #include "core/maths.hpp"
 #include "firmware/control/attitude_demand.hpp"
+#include "firmware/guidance/path_state.hpp"
 #include "firmware/state/vehicle.hpp"
 
 namespace firmware {
@@ -14,10 +15,11 @@ using namespace control;
 namespace {
 
 constexpr float kPerRadian = 0.6f;
-constexpr float kPerRate_s = 0.15f;
+constexpr float kPerRate_s = 0.12f;
 constexpr float kMax = 0.35f;  // a wheel at full lock overturns the airplane
 
 void steer(float error_rad) {
+    progress.steering = true;
     const float wanted =
         error_rad * kPerRadian - vehicle.attitude.rate_rads.z.toFloat() * kPerRate_s;
     demandRudder(core::Ratio(core::limit(wanted, -kMax, kMax)));
@@ -25,7 +27,10 @@ void steer(float error_rad) {
 
 }  // namespace
 
-void steerNowhere() { demandRudder(core::Ratio::fromRaw(0)); }
+void steerNowhere() {
+    progress.steering = false;
+    demandRudder(core::Ratio::fromRaw(0));
+}
 
 // While the airplane gains speed the compass heading is not steady enough to be held.
 void steadyNose() { steer(0); }

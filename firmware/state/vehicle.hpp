@@ -231,6 +231,7 @@ struct PathProgress {
     bool passed : 1;    // the line through `to` across the leg is behind
     bool captured : 1;  // on the circle
     bool flaring : 1;
+    bool steering : 1;  // the rudder is the runway's, which damps the yaw too
     bool throttle_suppressed : 1;
 };
 

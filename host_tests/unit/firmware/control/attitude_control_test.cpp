@@ -163,12 +163,12 @@ TEST_F(AttitudeControl, mixes_aileron_into_the_rudder_when_it_stabilises) {
     ASSERT_LT(surfaces.rudder.toFloat(), -0.01f);
 }
 
-TEST_F(AttitudeControl, damps_a_swing_of_the_yaw_but_not_in_the_flare) {
+TEST_F(AttitudeControl, damps_a_swing_of_the_yaw_but_not_while_the_rudder_steers) {
     surfacesIn(Mode::fbwa, bench::kCentred);
     mutable_vehicle.attitude.rate_rads.z = core::BodyRate(1);
     for (int i = 0; i < 2; ++i) run();  // one of them for each pulse of the servos
     EXPECT_NEAR(surfaces.rudder.toFloat(), -parameters.yaw.damping, 0.01f);
-    mutable_vehicle.progress.flaring = true;
+    mutable_vehicle.progress.steering = true;
     run();
     EXPECT_EQ(surfaces.rudder.toFloat(), 0);
 }
