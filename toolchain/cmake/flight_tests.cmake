@@ -247,8 +247,8 @@ set(figures ${tests}/scenarios/figures)
 set(table node ${figures}/table.mjs ${figures}/limits.json $<TARGET_FILE:fly> ${missions}/box_600.waypoints)
 declare_test(figures.table COMMAND ${table} ${CMAKE_BINARY_DIR}/figures NEEDS fly DATA ${flight_data}
              LABELS native TIMEOUT 900 REUSE)
-declare_test(figures.landings COMMAND node ${figures}/landings.mjs ${figures}/limits.json $<TARGET_FILE:fly>
-             ${missions}/box_600.waypoints ${CMAKE_BINARY_DIR}/figures/landings NEEDS fly DATA ${flight_data}
+set(landings node ${figures}/landings.mjs ${figures}/limits.json $<TARGET_FILE:fly> ${missions}/box_600.waypoints)
+declare_test(figures.landings COMMAND ${landings} ${CMAKE_BINARY_DIR}/figures/landings NEEDS fly DATA ${flight_data}
              LABELS native TIMEOUT 900 REUSE)
 set(tuned)
 set(tuned_files)
@@ -261,6 +261,8 @@ foreach(airplane trainer_6kg flying_wing)
                  DATA ${flight_data} LABELS native SETUP tuned REUSE)
 endforeach()
 declare_test(figures.tuned COMMAND ${table} ${CMAKE_BINARY_DIR}/figures/tuned ${tuned} NEEDS fly
+             DATA ${flight_data} ${tuned_files} LABELS native TIMEOUT 900 AFTER tuned REUSE)
+declare_test(figures.tuned_landings COMMAND ${landings} ${CMAKE_BINARY_DIR}/figures/tuned_landings ${tuned} NEEDS fly
              DATA ${flight_data} ${tuned_files} LABELS native TIMEOUT 900 AFTER tuned REUSE)
 
 # ---- three airplanes, two missions, calm and wind: who crashes or gets lost fails

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How it lands in gusts: a dozen landings of each airplane, as a single one is also luck. The median
 // and the 95th percentile of all of them are held; those of each airplane are shown.
-//   landings.mjs LIMITS.json FLY MISSION OUT
+//   landings.mjs LIMITS.json FLY MISSION OUT [AIRPLANE=FOUND.param ...]
+// With parameters that AUTOTUNE has found, the airplanes named fly on those, within "held_tuned".
 import { readFileSync } from 'node:fs';
 
-import { flyEach, printTable } from './flights.mjs';
+import { flyEach, parametersFound, printTable } from './flights.mjs';
 
-const [limits_path, fly, mission, out] = process.argv.slice(2);
-const { airplanes, airs, landings } = JSON.parse(readFileSync(limits_path, 'utf8'));
+const [limits_path, fly, mission, out, ...found] = process.argv.slice(2);
+const limits = JSON.parse(readFileSync(limits_path, 'utf8'));
+const { airs, landings } = limits;
+const parameters = parametersFound(found);
+const airplanes = found.length > 0 ? Object.keys(parameters) : limits.airplanes;
+const limitsOf = (figure) => (found.length > 0 ? figure.held_tuned : figure.held);
 
 // By nearest rank: a value that was flown. NaN where a flight does not have the figure.
 function percentile(values, percent) {
@@ -17,9 +22,10 @@ function percentile(values, percent) {
 }
 
 const seeds = Array.from({ length: landings.seeds }, (_, i) => i + 1);
-const { flights, broken: incomplete } = await flyEach({ airplanes, airs: [landings.air], seeds }, { fly, mission, out, airs, parameters: {} });
+const { flights, broken: incomplete } = await flyEach({ airplanes, airs: [landings.air], seeds }, { fly, mission, out, airs, parameters });
 let broken = incomplete;
-const rows = landings.figures.flatMap(({ name, unit, key, held }) => Object.entries(held).map(([percent, most]) => {
+const rows = landings.figures.flatMap((figure) => Object.entries(limitsOf(figure)).map(([percent, most]) => {
+  const { name, unit, key } = figure;
   const value = (of) => percentile(of.map((flight) => flight[key]), Number(percent));
   const all = value(flights);
   const good = all <= most;

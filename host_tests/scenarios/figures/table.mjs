@@ -7,11 +7,11 @@
 // with some room, so that it can only get better. What landings.mjs holds over many flights is only shown.
 import { readFileSync } from 'node:fs';
 
-import { flyEach, printTable } from './flights.mjs';
+import { flyEach, parametersFound, printTable } from './flights.mjs';
 
 const [limits_path, fly, mission, out, ...found] = process.argv.slice(2);
 const limits = JSON.parse(readFileSync(limits_path, 'utf8'));
-const tuned = Object.fromEntries(found.map((each) => each.split('=')));
+const tuned = parametersFound(found);
 const airplanes = found.length > 0 ? Object.keys(tuned) : limits.airplanes;
 
 // NaN where a flight does not have the figure: it is within no limit.
@@ -33,8 +33,7 @@ function mostOf(figure, airplane, air) {
   return (found.length === 0 && figure.held?.[airplane]?.[air]) || goalOf(figure, air);
 }
 
-// Gains that AUTOTUNE found fly no dozen of landings.
-const heldByLandings = (figure, air) => found.length === 0 && air === limits.landings.air &&
+const heldByLandings = (figure, air) => air === limits.landings.air &&
   limits.landings.figures.some((each) => each.key === figure.key && each.instead_of_worst);
 
 function rowOf(figure, airplane, air, flights) {
