@@ -18,7 +18,7 @@ file(GLOB quick CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp
      ${CMAKE_SOURCE_DIR}/hal_avr/boards/*/*.cpp)
 set(quick_in_firmware actuators/flaps actuators/outputs app/dataflash app/main app/tasks
     gcs/link logger/log logger/sources safety/restart sensors/barometer
-    sensors/compass sensors/gps sensors/inertial sensors/radio)
+    sensors/compass sensors/inertial sensors/radio)
 set(quick_in_libraries control/axis drivers/hmc5883l drivers/ms5611_compensation geo/position
     navigation/l1)
 foreach(folder firmware libraries)
