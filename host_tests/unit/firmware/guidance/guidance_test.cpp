@@ -595,6 +595,28 @@ TEST_F(Guidance, flares_without_throttle_in_calm_air_and_with_level_wings) {
                 1e-4);
 }
 
+TEST_F(Guidance, approaches_faster_in_gusts_and_no_slower_in_a_lull) {
+    inTheAir();
+    onFinal(20, 200);
+    mutable_vehicle.estimate.wind_mps = {-5, 0, 0};
+    move(8, 0);
+    const auto planned_mps = [this](float gust_mps) {
+        auto& estimate = mutable_vehicle.estimate;
+        estimate.airspeed_mps = estimate.equivalent_airspeed_mps = 13 + gust_mps;
+        firmware::guidance::runGuidance();
+        return vehicle.progress.airspeed_error_mps + estimate.equivalent_airspeed_mps;
+    };
+    const float steady_mps =
+        parameters.speed_min_mps + 0.55f * (13 - parameters.speed_min_mps) + 0.6f * 5;
+    EXPECT_NEAR(planned_mps(0), steady_mps, 0.01);
+    EXPECT_NEAR(planned_mps(-3), steady_mps, 0.01) << "a lull";
+    for (const float gust_mps : {0.7f, 1.2f, 4.0f}) {
+        for (int i = 0; i < 600; ++i) planned_mps(i % 2 == 0 ? gust_mps : -gust_mps);
+        const float faster_mps = core::limit(3 * (gust_mps - 0.8f), 0.0f, 2.0f);
+        EXPECT_NEAR(planned_mps(gust_mps), steady_mps + faster_mps, 0.2) << gust_mps;
+    }
+}
+
 TEST_F(Guidance, what_the_ground_speed_is_short_of_keeps_power_in_the_flare) {
     const float calm_mps = parameters.speed_min_mps + 0.55f * (13 - parameters.speed_min_mps);
     const auto throttle = [&](float short_mps, float height_m, float left_m) {
