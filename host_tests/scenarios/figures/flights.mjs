@@ -33,10 +33,10 @@ async function flyAll(flights, how) {
   return results;
 }
 
-// Those of every airplane, air and seed; what did not complete is printed with its reason.
 // From words AIRPLANE=FILE.param of the command line: by airplane.
 export const parametersFound = (words) => Object.fromEntries(words.map((each) => each.split('=')));
 
+// Those of every airplane, air and seed; what did not complete is printed with its reason.
 export async function flyEach({ airplanes, airs, seeds }, how) {
   const flights = await flyAll(airplanes.flatMap((airplane) => airs.flatMap(
     (air) => seeds.map((seed) => ({ airplane, air, seed })))), how);
