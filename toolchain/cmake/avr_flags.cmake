@@ -17,7 +17,7 @@ add_link_options(${AVR_OPTIMISATION} -flto-partition=one -Wl,--emit-relocs)
 file(GLOB quick CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp
      ${CMAKE_SOURCE_DIR}/hal_avr/boards/*/*.cpp)
 set(quick_in_firmware actuators/flaps actuators/outputs app/dataflash app/main app/tasks
-    gcs/link logger/log logger/sources safety/restart sensors/barometer
+    gcs/link logger/log safety/restart sensors/barometer
     sensors/compass sensors/inertial sensors/radio)
 set(quick_in_libraries control/axis drivers/hmc5883l drivers/ms5611_compensation geo/position
     navigation/l1)
