@@ -23,13 +23,13 @@ using namespace state;
 namespace {
 
 constexpr float kApproachShare = 0.55f;  // of the way from the lowest speed to cruise
-constexpr float kPerSteadyWind = 0.6f;
+constexpr float kPerHeadwind = 0.6f, kMaxForHeadwind_mps = 3;
 // Gusts of 1 m/s RMS move the airspeed by 0.8 m/s in the mean, which the approach speed bears. In
 // gusts of 1.4 to 2 m/s one drawn landing in ten stalled a metre or two above the ground.
-constexpr float kBorneGusts_mps = 0.8f, kPerGust = 3;
+constexpr float kBorneGusts_mps = 0.8f, kPerGust = 3, kMaxForGusts_mps = 3;
 using Gusts = core::Fixed<11>;      // m/s
 constexpr uint8_t kGustsShift = 7;  // the mean is of 6.4 s: 128 runs at 20 Hz
-constexpr float kMaxFaster_mps = 5;
+constexpr float kAligned = 0.97f;   // cosine: in the turn onto the leg no gust is seen
 
 constexpr float kMiddle_radpm = 0.03f, kMaxToMiddle_rad = 0.1f;
 
@@ -60,17 +60,17 @@ float calmApproachSpeed_mps(float cruise_mps) {
     return parameters.speed_min_mps + kApproachShare * (cruise_mps - parameters.speed_min_mps);
 }
 
-float seeGusts_mps(float gust_mps) {
-    descent.gusts_mps.raw += (Gusts(fabsf(gust_mps)).raw - descent.gusts_mps.raw) >> kGustsShift;
-    return descent.gusts_mps.toFloat();
-}
-
 // Not of the headwind as it is: a lull would ask for less speed.
 float approachSpeed_mps(float cruise_mps, float along_mps, float steady_mps) {
-    const float gusts_mps = seeGusts_mps(vehicle.estimate.airspeed_mps - along_mps - steady_mps);
-    const float faster_mps =
-        kPerSteadyWind * steady_mps + kPerGust * fmaxf(gusts_mps - kBorneGusts_mps, 0);
-    return calmApproachSpeed_mps(cruise_mps) + core::limit(faster_mps, 0.0f, kMaxFaster_mps);
+    auto& gusts = descent.gusts_mps;
+    if (along_mps > kAligned * vehicle.estimate.ground_speed_mps) {
+        const Gusts now(fabsf(vehicle.estimate.airspeed_mps - along_mps - steady_mps));
+        gusts.raw += (now.raw - gusts.raw) >> kGustsShift;
+    }
+    const float for_gusts_mps = kPerGust * (gusts.toFloat() - kBorneGusts_mps);
+    return calmApproachSpeed_mps(cruise_mps) +
+           core::limit(kPerHeadwind * steady_mps, 0.0f, kMaxForHeadwind_mps) +
+           core::limit(for_gusts_mps, 0.0f, kMaxForGusts_mps);
 }
 
 float share(float value) { return core::limit(value, 0.0f, 1.0f); }
