@@ -12,7 +12,7 @@ constexpr float kFar_m = 30.0f;         // a fix this far off is refused ...
 constexpr float kFarther_mps = 15.0f;   // ... and farther with the age of the last one used
 constexpr float kFaster_mps = 10.0f;    // ... and so is one whose velocity is as far off ...
 constexpr float kFasterYet_mss = 5.0f;  // ... as the accelerations alone may leave it
-constexpr float kBelieved_s = 18.0f;    // after so long a fix is accepted wherever it is
+constexpr float kLost_s = 18.0f;        // after so long two fixes that agree are accepted anywhere
 constexpr float kFold_m = 200.0f;       // the offset is folded into the anchor beyond this
 
 float squared(const geo::Offset& off) {
@@ -22,7 +22,7 @@ float squared(const geo::Offset& off) {
 }  // namespace
 
 void Position::propagate(const core::Vector3& acceleration_mss, float dt_s) {
-    if (age_s_ < 1e6f) age_s_ += dt_s;
+    if (age_s_ < kNever_s) age_s_ += dt_s;
     const float north_mps = acceleration_mss.x * dt_s, east_mps = acceleration_mss.y * dt_s;
     since_.north_m += (north_mps_ + 0.5f * north_mps) * dt_s;
     since_.east_m += (east_mps_ + 0.5f * east_mps) * dt_s;
@@ -37,19 +37,21 @@ void Position::reckon(float north_mps, float east_mps, float share) {
 
 void Position::useGps(const geo::Position& position, const core::Vector3& velocity_mps,
                       const core::Vector3& gained_mps, const PositionSettings& settings) {
-    if (age_s_ > kBelieved_s) anchorAt(position, {0, 0});
+    if (age_s_ >= kNever_s) anchorAt(position, {0, 0});
+    const bool lost = age_s_ > kLost_s;
     const geo::Offset fix = geo::offset(anchor_, position);
     const float age_s = settings.gps_age_s;
     const geo::Offset off = {
         fix.north_m + (velocity_mps.x + gained_mps.x * 0.5f) * age_s - since_.north_m,
         fix.east_m + (velocity_mps.y + gained_mps.y * 0.5f) * age_s - since_.east_m};
-    const float far_m = kFar_m + kFarther_mps * age_s_;
+    const float far_m = kFar_m + (lost ? 0.0f : kFarther_mps * age_s_);
     off_m2_ = squared(off);
     limit_m2_ = far_m * far_m;
     const geo::Offset faster = {velocity_mps.x + gained_mps.x - north_mps_,
                                 velocity_mps.y + gained_mps.y - east_mps_};
     const float limit_mps = kFaster_mps + kFasterYet_mss * age_s_;
     refuses_ = off_m2_ > limit_m2_ || squared(faster) > limit_mps * limit_mps;
+    if (refuses_ && lost) anchorAt(position, {0, 0});  // the next one is compared with it
     if (refuses_) return;
     const bool late = reckoned();
     const float share = late ? 1.0f : kPositionShare;

@@ -24,7 +24,9 @@ public:
     // Without fixes for kCarries_s, with the velocity that air and wind give: this share of the way
     // to it, 0..1.
     void reckon(float north_mps, float east_mps, float share);
-    // Every fix, with what was gained since its time (Attitude::gainedSinceFix_mps).
+    // Every fix, with what was gained since its time (Attitude::gainedSinceFix_mps). One too far
+    // off to have been flown to is refused; after 18 s without one that is not, position() moves to
+    // each of them, and the next that lies where it leads is accepted.
     void useGps(const geo::Position& position, const core::Vector3& velocity_mps,
                 const core::Vector3& gained_mps, const PositionSettings& settings);
 
@@ -38,6 +40,7 @@ public:
     float fixTestRatio() const { return sqrtf(off_m2_ / limit_m2_); }
 
 private:
+    static constexpr float kNever_s = 1e6f;
     float wander_m(float& mean_m, float fix_m, float velocity_mps) const;
     void anchorAt(const geo::Position& anchor, const geo::Offset& since);
 
@@ -46,7 +49,7 @@ private:
     geo::Offset mean_ = {0, 0};   // from the anchor to the fixes' mean, half an interval ahead
     float north_e7_per_m_ = 0, east_e7_per_m_ = 0;
     float north_mps_ = 0, east_mps_ = 0;
-    float age_s_ = 1e6f;
+    float age_s_ = kNever_s;
     float off_m2_ = 0, limit_m2_ = 1;  // of the last fix
     bool refuses_ = false;
 };

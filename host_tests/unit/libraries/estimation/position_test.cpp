@@ -216,6 +216,38 @@ TEST(Position, a_jump_is_refused_until_it_has_lasted) {
     EXPECT_FALSE(gps.position.refuses());
 }
 
+// However long: nonsense from a receiver never agrees with itself.
+TEST(Position, refuses_fixes_that_do_not_lie_where_the_one_before_leads) {
+    Jumping gps;
+    for (int i = 0; i < 5; ++i) gps.fix(kStart);
+    for (int i = 0; i < 300; ++i) {
+        gps.fix(geo::moved(kStart, {i % 2 ? 500.0f : -500.0f, 40.0f * static_cast<float>(i)}));
+        ASSERT_TRUE(gps.position.refuses()) << i;
+    }
+    EXPECT_FALSE(gps.position.known());
+    gps.fix(kStart);
+    gps.fix(kStart);
+    EXPECT_FALSE(gps.position.refuses());
+    EXPECT_LT(gps.from_m(kStart), 0.5);
+}
+
+TEST(Position, finds_a_fast_airplane_again_by_two_fixes_after_a_minute) {
+    Position position;
+    const auto fix = [&](float north_m) {
+        position.useGps(geo::moved(kStart, {north_m, 0}), {40, 0, 0}, {0, 0, 0}, {0.2f});
+    };
+    fix(0);
+    for (int i = 0; i < 6000; ++i) position.propagate({0, 0, 0}, 0.01f);
+    position.reckon(15, 0, 1);
+    fix(2000);
+    EXPECT_TRUE(position.refuses());
+    for (int i = 0; i < 20; ++i) position.propagate({0, 0, 0}, 0.01f);
+    fix(2008);
+    EXPECT_FALSE(position.refuses());
+    EXPECT_NEAR(geo::offset(kStart, position.position()).north_m, 2016, 0.5);
+    EXPECT_NEAR(position.velocity_mps().x, 40, 0.1);
+}
+
 // The limit is 33 m after a fifth of a second; a quarter of what is off is taken over.
 TEST(Position, knows_how_far_the_last_fix_lay_off_its_limit) {
     Jumping gps;
