@@ -23,11 +23,13 @@ namespace {
 constexpr int32_t kUnlaunchedHeight_cm = 1000;  // farther from the ground's height it must fly
 constexpr float kFlyingSpeed_mps = 5, kStandingSpeed_mps = 2;
 constexpr uint8_t kStands = 20;  // looks, 1 s
+// Two sensors that both send nonsense agree for a moment. What has flown before flies at once.
+constexpr uint8_t kFlies = 8;
 
 core::FileState<navigation::Launch> launch{};
 
 struct OnTheGround {
-    uint8_t looks;  // in a row
+    uint8_t looks;  // in a row that show the other
     bool known, stands;
     int32_t altitude_cm;  // above sea level; home may be moved, and lie at another height
 };
@@ -106,10 +108,8 @@ bool standsOnTheField() {
 
 // With the motor turning, elsewhere than in a take-off: it came down, or never left the ground.
 bool stands() {
-    const bool now = !vehicle.estimate.flying && vehicle.demand.path != Path::takeoff && !flies() &&
-                     standsOnTheField();
-    on_the_ground.looks = now ? on_the_ground.looks + 1 : 0;
-    return on_the_ground.looks >= kStands;
+    return !vehicle.estimate.flying && vehicle.demand.path != Path::takeoff && !flies() &&
+           standsOnTheField();
 }
 
 }  // namespace
@@ -132,10 +132,17 @@ void noteGround() {
 }
 
 void waitForLaunch() {
-    if (!vehicle.armed || stands()) return suppressThrottle();
-    if (!vehicle.progress.throttle_suppressed) return;
-    if (vehicle.demand.path == Path::takeoff ? launched() || climbsAlready() : flies())
-        progress.throttle_suppressed = false;
+    if (!vehicle.armed) return suppressThrottle();
+    const bool waits = vehicle.progress.throttle_suppressed;
+    if (waits && vehicle.demand.path == Path::takeoff) {
+        progress.throttle_suppressed = !launched() && !climbsAlready();
+        return;
+    }
+    const uint8_t enough = !waits ? kStands : vehicle.estimate.flying ? 1 : kFlies;
+    on_the_ground.looks = (waits ? flies() : stands()) ? on_the_ground.looks + 1 : 0;
+    if (on_the_ground.looks < enough) return;
+    on_the_ground.looks = 0;
+    progress.throttle_suppressed = !waits;
 }
 
 }  // namespace guidance

@@ -123,10 +123,30 @@ TEST_F(Guidance, lets_the_motor_turn_once_it_is_thrown) {
     mutable_vehicle.demand.height_m = 50;
     guide(5);
     cruising();
-    guide(1);
+    guide(4);
     EXPECT_FALSE(vehicle.progress.throttle_suppressed);
     guide(30);
     EXPECT_GT(vehicle.throttle_demand.toFloat(), 0.3f);
+}
+
+// In the hand: a receiver and an airspeed sensor that both send nonsense.
+TEST_F(Guidance, takes_no_sensors_that_agree_for_a_moment_for_a_launch) {
+    onTheGround(Mode::loiter);
+    for (int times = 0; times < 5; ++times) {
+        cruising();
+        guide(3);
+        EXPECT_TRUE(vehicle.progress.throttle_suppressed) << times;
+        standing();
+        guide(1);
+    }
+}
+
+TEST_F(Guidance, takes_sensors_that_agree_for_a_moment_for_a_launch_when_it_has_flown) {
+    onTheGround(Mode::loiter);
+    mutable_vehicle.estimate.flying = true;
+    cruising();
+    guide(1);
+    EXPECT_FALSE(vehicle.progress.throttle_suppressed);
 }
 
 TEST_F(Guidance, does_not_take_a_fast_position_alone_for_a_launch) {
@@ -154,7 +174,7 @@ TEST_F(Guidance, holds_the_motor_after_it_came_down_outside_a_landing_until_it_i
     EXPECT_TRUE(vehicle.progress.throttle_suppressed);
     EXPECT_EQ(vehicle.throttle_demand.toFloat(), 0);
     cruising();
-    guide(1);
+    guide(4);
     EXPECT_FALSE(vehicle.progress.throttle_suppressed);
 }
 
@@ -214,7 +234,7 @@ TEST_F(Guidance, holds_the_motor_in_a_new_mode_where_it_landed_far_below_home) {
     guide(20);
     EXPECT_TRUE(vehicle.progress.throttle_suppressed);
     rise(-34);
-    guide(1);
+    guide(4);
     EXPECT_FALSE(vehicle.progress.throttle_suppressed) << "11 m above where it stood";
 }
 
@@ -303,7 +323,7 @@ TEST_F(Guidance, takes_two_sensors_that_agree_for_a_launch) {
         mutable_vehicle.airspeed.healthy = seen.tube;
         if (!seen.fix) mutable_vehicle.gps.fix = firmware::state::GpsFix::none;
         if (seen.turns) mutable_vehicle.imu.rate_rads.y = core::BodyRate(0.3f);
-        guide(2);
+        guide(4);
         EXPECT_EQ(vehicle.progress.throttle_suppressed, !seen.flies) << seen.what;
     }
 }
@@ -318,7 +338,7 @@ TEST_F(Guidance, takes_no_speed_for_a_launch_that_the_receiver_does_not_measure)
     guide(20);
     EXPECT_TRUE(vehicle.progress.throttle_suppressed);
     mutable_vehicle.gps.ground_speed_mps = 9;
-    guide(1);
+    guide(4);
     EXPECT_FALSE(vehicle.progress.throttle_suppressed);
 }
 
