@@ -25,6 +25,8 @@ constexpr uint8_t kParts = (Bmp085Compensation::kWords + kPartWords - 1) / kPart
 uint16_t word(const uint8_t* bytes) {
     return static_cast<uint16_t>(static_cast<uint16_t>(bytes[0]) << 8 | bytes[1]);
 }
+// The words have no check, and one that was read wrong would last: all are read twice.
+uint8_t partOf(uint8_t phase) { return phase < kParts ? phase : phase - kParts; }
 uint8_t partWords(uint8_t part) {
     const uint8_t left = static_cast<uint8_t>(Bmp085Compensation::kWords - part * kPartWords);
     return left < kPartWords ? left : kPartWords;
@@ -55,8 +57,9 @@ void Bmp085::begin(uint32_t now_us) {
     uint8_t out_size = 1;
     expected_bytes_ = 1;
     if (state_ == State::load) {
-        out[0] = static_cast<uint8_t>(kEeprom + phase_ * hal::kI2cBytes);
-        expected_bytes_ = static_cast<uint8_t>(2 * partWords(phase_));
+        const uint8_t part = partOf(phase_);
+        out[0] = static_cast<uint8_t>(kEeprom + part * hal::kI2cBytes);
+        expected_bytes_ = static_cast<uint8_t>(2 * partWords(part));
     } else if (state_ == State::convert) {
         out[0] = kControl;
         out[1] = phase_ == 0 ? kTemperature : kPressure + (kOversampling << 6);
@@ -95,10 +98,14 @@ bool Bmp085::finish(const uint8_t* bytes, uint32_t now_us) {
 }
 
 void Bmp085::takeWords(const uint8_t* bytes, uint32_t now_us) {
-    for (uint8_t i = 0; i < partWords(phase_); ++i) {
-        words_[phase_ * kPartWords + i] = word(bytes + 2 * i);
+    const uint8_t part = partOf(phase_);
+    for (uint8_t i = 0; i < partWords(part); ++i) {
+        uint16_t& to = words_[part * kPartWords + i];
+        const uint16_t from = word(bytes + 2 * i);
+        if (part != phase_ && from != to) return fail(now_us);
+        to = from;
     }
-    if (++phase_ < kParts) return;
+    if (++phase_ < 2 * kParts) return;
     phase_ = 0;
     if (!compensation_.load(words_)) return fail(now_us);
     good_us_ = now_us;

@@ -118,7 +118,9 @@ bool Ms5611<Bus, Select>::step(uint32_t now_us) {
 
 template <class Bus, class Select>
 void Ms5611<Bus, Select>::readPromWord(uint32_t now_us) {
+    // Twice: on a noisy bus one in sixteen wrong PROMs has the right CRC, and would last.
     prom_[phase_] = promWord(phase_);
+    if (promWord(phase_) != prom_[phase_]) return fail(now_us);
     if (++phase_ < Ms5611Compensation::kPromWords) return;
     if (!compensation_.load(prom_)) return fail(now_us);
     state_ = State::convert;

@@ -5,6 +5,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <random>
 
 #include "drivers/mpu6000.hpp"
 #include "drivers/ms5611.hpp"
@@ -31,6 +32,8 @@ struct Bench {
     uint64_t now_us = 0;
     bool imu_unplugged = false, barometer_unplugged = false;
     uint8_t floating = 0;  // what a bus without a chip reads
+    double noise = 0;      // share of the bytes read that have a wrong bit
+    std::mt19937 random{1};
     int locks = 0;
     bool pin = false, pending = false, in_interrupt = false;
     bool lose_next_edge = false;
@@ -77,6 +80,7 @@ struct Bus {
         if (chosen == 0 && !b.imu_unplugged) in = b.imu.transfer(out, b.now_us);
         if (chosen == 1 && !b.barometer_unplugged) in = b.barometer.transfer(out, b.now_us);
         b.advance_us(2);
+        if (std::uniform_real_distribution<>()(b.random) < b.noise) in ^= 1 << b.random() % 8;
         return in;
     }
     static inline uint8_t held = 0;

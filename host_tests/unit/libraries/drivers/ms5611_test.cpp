@@ -198,6 +198,21 @@ TEST_F(Ms5611, with_a_damaged_prom_never_turns_healthy) {
     EXPECT_GE(driver.restarts(), 3);
 }
 
+// One in sixteen wrong PROMs has the right CRC.
+TEST_F(Ms5611, never_computes_with_a_prom_that_was_read_wrong_on_a_noisy_bus) {
+    for (uint32_t seed = 0; seed < 200; ++seed) {
+        driver = model::Barometer();
+        driver.start();
+        bench.random.seed(seed);
+        bench.noise = 0.05;
+        fly(2000);
+        bench.noise = 0;
+        fly(1000);
+        ASSERT_TRUE(driver.healthy()) << seed;
+        ASSERT_NEAR(driver.pressure_pa(), 101325, 4) << seed;
+    }
+}
+
 TEST_F(Ms5611, keeps_the_sensors_interrupt_off_its_bus_for_less_than_30_us) {
     uint64_t longest_us = 0;
     for (int n = 0; n < 200; ++n) {
