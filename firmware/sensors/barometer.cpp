@@ -36,6 +36,7 @@ constexpr float kBoardWarmth_c = 10.0f;
 
 constexpr uint8_t kSettleReadings = 20;
 constexpr uint8_t kZeroReadings = 100;
+constexpr int32_t kFar_pa = 60;  // 5 m, from the reading before
 
 struct Zero {
     int32_t sum_pa;
@@ -43,7 +44,10 @@ struct Zero {
 };
 core::FileState<Zero> zero{};
 
-SELDOM void takeZero(int32_t pressure_pa) {
+// A zero with readings in it that a noisy bus has garbled would be wrong for the whole flight.
+SELDOM void takeZero(int32_t before_pa) {
+    const int32_t pressure_pa = published.pressure_pa, change_pa = pressure_pa - before_pa;
+    if (change_pa > kFar_pa || change_pa < -kFar_pa) return zeroBarometer();
     if (++zero.readings <= kSettleReadings) return;
     zero.sum_pa += pressure_pa;
     if (zero.readings < kSettleReadings + kZeroReadings) return;
@@ -70,11 +74,12 @@ void runBarometer() {
     const bool zeroed = published.ground_pressure_pa > 0;
     published.healthy = barometer.healthy() && zeroed && !isFaulty(Sensor::barometer);
     if (!arrived) return;
+    const int32_t before_pa = published.pressure_pa;
     published.pressure_pa = barometer.pressure_pa();
     published.temperature_cc = static_cast<int16_t>(barometer.temperature_cc());
     const bool accepted =
         acceptReading(Sensor::barometer, static_cast<int16_t>(barometer.pressure_pa()), true);
-    if (!zeroed) return takeZero(published.pressure_pa);
+    if (!zeroed) return takeZero(before_pa);
     if (accepted) ++published.readings;
 }
 

@@ -30,6 +30,7 @@ foreach(room IN LISTS rooms)
     target_sources(firmware_${name}_test PRIVATE ${tests}/support/fresh_start.cpp)
 endforeach()
 target_link_libraries(firmware_mission_test PRIVATE simulator_world)  # for its DataFlash
+target_link_libraries(firmware_sensors_test PRIVATE simulator_world)  # for its barometer
 target_compile_definitions(firmware_safety_test PRIVATE FAILSAFE_MANUAL="${CMAKE_SOURCE_DIR}/docs/failsafes.md")
 target_compile_definitions(firmware_modes_test PRIVATE FAILSAFE_MANUAL="${CMAKE_SOURCE_DIR}/docs/failsafes.md")
 
