@@ -185,7 +185,8 @@ export class Routine {
   }
 
   jump(at, to, registers, on) {
-    if (this.image.name(to) !== '__tablejump2__' || this.image.name(at) === '__tablejump2__') return on(to);
+    const through = this.image.name(to) === '__tablejump2__' && this.image.startOf(to) === to;
+    if (!through || this.image.name(at) === '__tablejump2__') return on(to);
     const table = pairOf(registers, 30);
     if (table.root !== 'abs' || isUnknown(table)) this.fail(at, 'jumps through a table that is not known');
     const targets = this.image.jumpTable(table.off, at);

@@ -185,6 +185,16 @@ test('a switch through a jump table is followed', () => {
   assert.equal(result.main.chain.at(-1).function, 'deep');
 });
 
+// The library's routines have parts without a name, which the linker may put there.
+test('a jump to what lies behind the jump through tables is no jump through one', () => {
+  const result = bound(`
+    extern "C" ASM __tablejump2__() { asm("eijmp\\n push r16\\n pop r16\\n ret"); }
+    extern "C" ASM library() { asm("jmp __tablejump2__ + 2"); }
+    __attribute__((naked)) int main() { asm("call library\\n rjmp .-2"); }`);
+
+  assert.equal(result.bytes, kMain + 3 + 1);
+});
+
 test('the deepest interrupt is added once, return address and all', () => {
   const result = bound(`
     ISR(INT0_vect, ISR_NAKED) { asm("push r2\\n pop r2\\n reti"); }
