@@ -11,9 +11,9 @@ namespace {
 // The beginnings of texts that state why; those of sensors that no mode depends on are not among
 // them.
 constexpr const char* kReasons[] = {
-    "Radio back",       "Ground station", "Inertial",     "Position", "GPS",       "Height",
-    "Barometer",        "Battery",        "Fence",        "RTL",      "Mode",      "Circling",
-    "Mission complete", "Landing broken", "No such mode", "Started",  "Restarted", "Going to rally",
+    "Ground station", "Inertial",     "Position", "GPS",       "Height",         "Barometer",
+    "Battery",        "Fence",        "RTL",      "Mode",      "Circling",       "Mission complete",
+    "Landing broken", "No such mode", "Started",  "Restarted", "Going to rally",
     "AUTO: mission",  // without a NAV command: RTL in its place, once it flies
 };
 
@@ -44,8 +44,10 @@ class ModeHasACause : public Invariant {
                                   Cause::restart, Cause::parameter})
             if (history.within(cause, from_s, to_s)) return true;
         // armed, a text says so
-        if (!history.heardBefore().armed && history.within(Cause::radio_back, from_s, to_s))
+        if (!history.heardBefore().armed &&
+            history.within(Cause::radio_back, from_s - kFramesSettle_s, to_s))
             return true;
+        if (history.saidWithin("Radio back", from_s - kFramesSettle_s, to_s)) return true;
         // a receiver that is lost changes no mode but by a failsafe, which names it
         if (history.saidWithin(text("Failsafe: mode %u", to_).c_str(), from_s, to_s)) return true;
         for (const char* reason : kReasons)
@@ -75,6 +77,8 @@ class ModeHasACause : public Invariant {
     }
 
     static constexpr double kBefore_s = 1, kAfter_s = 1, kAsksAgain_s = 6, kStoreBusy_s = 2;
+    // with another number of channels than before, no frame counts as whole for so long
+    static constexpr double kFramesSettle_s = 1;
     uint64_t heartbeats_ = 0;
     uint32_t from_ = 0, to_ = 0;
     double from_s_ = 0, to_s_ = 0;

@@ -172,6 +172,20 @@ TEST(ModeHasACause, what_was_refused_is_asked_for_again) {
     }
 }
 
+// A receiver whose frames have another number of channels now is read a second later.
+TEST(ModeHasACause, a_receiver_that_is_back_may_be_obeyed_after_a_second) {
+    for (const double after_s : {1.2, 2.2}) {
+        Flown flown = inAMode();
+        flown.now.transmitting = false;
+        flown.run(2.9);
+        flown.now.transmitting = true;
+        flown.run(after_s);
+        flown.mode = 11;
+        flown.run(5);
+        EXPECT_EQ(flown.violated(), after_s < 2 ? "" : "mode_without_cause ") << after_s;
+    }
+}
+
 TEST(ModeHasACause, a_cause_of_three_seconds_ago_is_none) {
     Flown flown = inAMode();
     flown.command(mavlink::MavCmd::nav_return_to_launch);
