@@ -128,7 +128,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { slow,   runInertialSettings,    20,     1,     115 },
     { slow,   runLateralGains,       100,    35,     280 },
     { slow,   runTargetBearing,       20,     5,     160 },
-    { slow,   runNavBearing,          40,     0,      90 },
+    { slow,   runNavBearing,          40,     0,      45 },
     { slow,   runCompassLearning,     10,     8,     290 },
     { slow,   tuneStep,               10,     7,     270 },
     { slow,   parametersRun,          10,     9,    1010 },

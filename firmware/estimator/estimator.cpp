@@ -458,8 +458,9 @@ void publishSpeeds() {
     to.ground_speed_mps = sqrtf(core::square(velocity.x) + core::square(velocity.y));
     if (to.ground_speed_mps > 0.01f) {
         const float inverse = 1.0f / to.ground_speed_mps;
-        to.course_cd = core::wrap360_cd(core::rounded(core::centidegrees(
-            estimation::tableAtan2_rad(velocity.y * inverse, velocity.x * inverse))));
+        const core::Angle course_rad = estimation::tableAtan2(core::Ratio(velocity.y * inverse),
+                                                              core::Ratio(velocity.x * inverse));
+        to.course_cd = core::wrap360_cd(course_rad);
     }
     workOutAirspeed();
     if (vehicle.airspeed.healthy) {

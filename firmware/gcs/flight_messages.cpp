@@ -29,10 +29,10 @@ namespace {
 
 int16_t centi(float value) { return static_cast<int16_t>(core::rounded(value * 100)); }
 
-// From 0, clockwise, where a whole turn is so many.
-uint16_t heading(uint16_t turn) {
+// From 0, clockwise.
+uint16_t heading_deg() {
     const uint16_t raw = static_cast<uint16_t>(vehicle.attitude.yaw_rad.raw);
-    return static_cast<uint16_t>(static_cast<uint32_t>(raw) * turn >> 16);
+    return static_cast<uint16_t>(uint32_t{raw} * 360 >> 16);
 }
 
 // MISSION_CURRENT.mission_mode
@@ -120,7 +120,7 @@ bool fillIn(const Link&, mavlink::GlobalPositionInt& to) {
     to.vx = centi(vehicle.estimate.velocity_mps.x);
     to.vy = centi(vehicle.estimate.velocity_mps.y);
     to.vz = centi(vehicle.estimate.velocity_mps.z);
-    to.hdg = heading(36000);
+    to.hdg = core::wrap360_cd(vehicle.attitude.yaw_rad);
     return true;
 }
 
@@ -165,7 +165,7 @@ bool fillIn(const Link&, mavlink::VfrHud& to) {
     to.groundspeed = vehicle.estimate.ground_speed_mps;
     to.alt = core::thousandths(altitude_mm());
     to.climb = vehicle.estimate.climb_mps;
-    to.heading = static_cast<int16_t>(heading(360));
+    to.heading = static_cast<int16_t>(heading_deg());
     to.throttle = static_cast<uint16_t>(
         core::rounded(core::limit(vehicle.throttle_demand.toFloat(), 0.0f, 1.0f) * 100));
     return true;

@@ -51,10 +51,16 @@ float carriedBank_mss() {
     return accel_mss > kSlowBank_mss ? accel_mss : kSlowBank_mss;
 }
 
+// As whole numbers of the same scale, 20 times a second.
 float measuredBank_tan() {
-    const float side = vehicle.inverted ? -1 : 1;
-    const float cosine = core::limit(vehicle.attitude.cos_roll.toFloat() * side, 0.3f, 1.0f);
-    return core::limit(vehicle.attitude.sin_roll.toFloat() * side / cosine, -2.0f, 2.0f);
+    constexpr int16_t kLeastCosine = core::Ratio(0.3f).raw;
+    int16_t sine = vehicle.attitude.sin_roll.raw, cosine = vehicle.attitude.cos_roll.raw;
+    if (vehicle.inverted) {
+        sine = -sine;
+        cosine = -cosine;
+    }
+    if (cosine < kLeastCosine) cosine = kLeastCosine;
+    return core::limit(static_cast<float>(sine) / cosine, -2.0f, 2.0f);
 }
 
 // The bank as the demands so far will have brought it about. The measured one, fed back beside the

@@ -23,9 +23,9 @@ struct FlownPath {
 };
 core::FileState<FlownPath> flown{};
 
-int32_t bearing_cd(const geo::Offset& direction) {
-    const float angle_rad = estimation::tableAtan2_rad(direction.east_m, direction.north_m);
-    return core::wrap360_cd(core::rounded(core::centidegrees(angle_rad)));
+uint16_t bearing_cd(const geo::Offset& direction) {
+    return core::wrap360_cd(
+        estimation::tableAtan2(core::Ratio(direction.east_m), core::Ratio(direction.north_m)));
 }
 
 }  // namespace

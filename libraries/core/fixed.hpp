@@ -93,6 +93,11 @@ private:
     constexpr Angle(int16_t steps, int) : raw(steps) {}
 };
 
+// 0..35999.
+constexpr uint16_t wrap360_cd(Angle angle) {
+    return static_cast<uint16_t>(uint32_t{static_cast<uint16_t>(angle.raw)} * 36000 >> 16);
+}
+
 // The way from one to the other, at most half a turn.
 constexpr Angle between(Angle from, Angle to) {
     return Angle::fromRaw(static_cast<int16_t>(
