@@ -47,7 +47,7 @@ core::FileState<Zero> zero{};
 // A zero with readings in it that a noisy bus has garbled would be wrong for the whole flight.
 SELDOM void takeZero(int32_t before_pa) {
     const int32_t pressure_pa = published.pressure_pa, change_pa = pressure_pa - before_pa;
-    if (change_pa > kFar_pa || change_pa < -kFar_pa) return zeroBarometer();
+    if (change_pa > kFar_pa || change_pa < -kFar_pa) zero = {};
     if (++zero.readings <= kSettleReadings) return;
     zero.sum_pa += pressure_pa;
     if (zero.readings < kSettleReadings + kZeroReadings) return;
