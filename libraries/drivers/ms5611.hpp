@@ -54,6 +54,7 @@ private:
         ++restarts_;
         healthy_ = false;
         state_ = State::reset;
+        phase_ = 0;
         since_us_ = now_us;
         pause_us_ = kRetry_us;
     }
@@ -68,8 +69,7 @@ private:
     // While the PROM is read nothing else is known yet, but it must not overwrite what was good.
     uint16_t prom_[Ms5611Compensation::kPromWords] = {};
     State state_ = State::reset;
-    uint8_t phase_ =
-        0;  // of the conversion under way: 0 temperature, then pressures; PROM word, of both times
+    uint8_t phase_ = 0;  // of the conversion under way: 0 temperature, then pressures; PROM word
     uint8_t bad_in_a_row_ = 0;
     bool healthy_ = false;
 };
@@ -104,7 +104,7 @@ bool Ms5611<Bus, Select>::step(uint32_t now_us) {
             if (now_us - since_us_ < pause_us_) return false;
             pause_us_ = 0;
             command(kReset);
-            phase_ = 0;
+            if (phase_ != Ms5611Compensation::kPromWords) phase_ = 0;
             since_us_ = now_us;
             state_ = State::prom;
             return false;
@@ -119,13 +119,14 @@ bool Ms5611<Bus, Select>::step(uint32_t now_us) {
 
 template <class Bus, class Select>
 void Ms5611<Bus, Select>::readPromWord(uint32_t now_us) {
-    // Twice: on a noisy bus one in sixteen wrong PROMs has the right CRC, and would last. The
-    // second time follows the first, so that no step holds the bus longer.
+    // Twice, each time behind a reset, which has the chip load it: on a noisy bus one in sixteen
+    // wrong PROMs has the right CRC, and would last.
     const uint8_t index = phase_ % Ms5611Compensation::kPromWords;
     const uint16_t word = promWord(index);
     if (phase_ != index && word != prom_[index]) return fail(now_us);
     prom_[index] = word;
-    if (++phase_ < 2 * Ms5611Compensation::kPromWords) return;
+    if (++phase_ == Ms5611Compensation::kPromWords) state_ = State::reset;
+    if (phase_ < 2 * Ms5611Compensation::kPromWords) return;
     if (!compensation_.load(prom_)) return fail(now_us);
     state_ = State::convert;
     good_us_ = now_us;
