@@ -123,6 +123,10 @@ void History::frame(const Snapshot& now) {
     const bool heard = on && (!was_on || (was_faulty && !faulty));
     if (heard || (throttleSaysLost(before_) && !throttleSaysLost(now)))
         mark(Cause::radio_back, now_s);
+    if (on && now.nine_channels != nine_heard_) {
+        mark(Cause::channel_count, now_s);
+        nine_heard_ = now.nine_channels;
+    }
     // what the encoder makes of no receiver: a low throttle on channel 3, where nobody looks for it
     const bool obeyed =
         parameter("THR_FAILSAFE", 1) < 0.5 || std::lround(parameter("RCMAP_THROTTLE", 3)) != 3;

@@ -29,11 +29,12 @@ enum class Cause {
     overrides,    // the ground station's sticks
     parameter,
     reboot,
-    mode_switch,  // one of the channels 5 to 8 moved, or that of FLTMODE_CH
-    stick,        // one of roll, pitch and yaw at its end
-    rudder,       // yaw at its end
-    throttle,     // the pilot's, open
-    radio_back,   // heard again, and so the mode switch
+    mode_switch,    // one of the channels 5 to 8 moved, or that of FLTMODE_CH
+    stick,          // one of roll, pitch and yaw at its end
+    rudder,         // yaw at its end
+    throttle,       // the pilot's, open
+    radio_back,     // heard again, and so the mode switch
+    channel_count,  // its frames have another number of channels than when it was heard last
     restart,
     fault,  // a sensor failed, fails, or has failed a moment ago
     count
@@ -83,6 +84,7 @@ private:
     std::array<std::vector<Span>, static_cast<size_t>(Cause::count)> causes_;  // the newest
     std::array<double, kFaulty> faulted_s_;
     Snapshot before_;
+    bool nine_heard_ = false;  // channels, when the receiver was heard last
     Heard heard_, heard_before_;
     uint64_t heartbeats_ = 0, item_changes_ = 0;
     int item_ = -1, item_before_ = -1;

@@ -11,9 +11,9 @@ namespace {
 // The beginnings of texts that state why; those of sensors that no mode depends on are not among
 // them.
 constexpr const char* kReasons[] = {
-    "Ground station", "Inertial",     "Position", "GPS",       "Height",         "Barometer",
-    "Battery",        "Fence",        "RTL",      "Mode",      "Circling",       "Mission complete",
-    "Landing broken", "No such mode", "Started",  "Restarted", "Going to rally",
+    "Radio back",       "Ground station", "Inertial",     "Position", "GPS",       "Height",
+    "Barometer",        "Battery",        "Fence",        "RTL",      "Mode",      "Circling",
+    "Mission complete", "Landing broken", "No such mode", "Started",  "Restarted", "Going to rally",
     "AUTO: mission",  // without a NAV command: RTL in its place, once it flies
 };
 
@@ -44,10 +44,9 @@ class ModeHasACause : public Invariant {
                                   Cause::restart, Cause::parameter})
             if (history.within(cause, from_s, to_s)) return true;
         // armed, a text says so
-        if (!history.heardBefore().armed &&
-            history.within(Cause::radio_back, from_s - kFramesSettle_s, to_s))
+        if (!history.heardBefore().armed && history.within(Cause::radio_back, from_s, to_s))
             return true;
-        if (history.saidWithin("Radio back", from_s - kFramesSettle_s, to_s)) return true;
+        if (behindOtherFrames(history, from_s - kFramesSettle_s, to_s)) return true;
         // a receiver that is lost changes no mode but by a failsafe, which names it
         if (history.saidWithin(text("Failsafe: mode %u", to_).c_str(), from_s, to_s)) return true;
         for (const char* reason : kReasons)
@@ -65,6 +64,15 @@ class ModeHasACause : public Invariant {
         return byMission(history, from_s, to_s);
     }
 
+    // The receiver's frames have another number of channels than before: for a second none of them
+    // counts as whole, and the mode switch is read from whole ones.
+    static bool behindOtherFrames(const History& history, double from_s, double to_s) {
+        if (!history.within(Cause::channel_count, from_s, to_s)) return false;
+        return history.within(Cause::mode_switch, from_s, to_s) ||
+               history.saidWithin("Radio back", from_s, to_s) ||
+               (!history.heardBefore().armed && history.within(Cause::radio_back, from_s, to_s));
+    }
+
     // RTL gives way to the mission's landing; a mission may contain a mode.
     bool byMission(const History& history, double from_s, double to_s) const {
         if (!history.saidWithin("Mission item", from_s, to_s)) return false;
@@ -77,7 +85,6 @@ class ModeHasACause : public Invariant {
     }
 
     static constexpr double kBefore_s = 1, kAfter_s = 1, kAsksAgain_s = 6, kStoreBusy_s = 2;
-    // with another number of channels than before, no frame counts as whole for so long
     static constexpr double kFramesSettle_s = 1;
     uint64_t heartbeats_ = 0;
     uint32_t from_ = 0, to_ = 0;

@@ -21,8 +21,9 @@ struct Snapshot {
     bool transmitting = false;           // and heard by the receiver
     std::array<bool, kFaulty> faulty{};  // sensors that fail now
     bool wide = false;  // the receiver's travel is another than usual: all switches move with it
-    unsigned restarts = 0;  // of the processor since power-on
-    uint64_t begun_us = 0;  // when the program's first instruction last ran
+    bool nine_channels = false;  // in the receiver's frames, instead of eight
+    unsigned restarts = 0;       // of the processor since power-on
+    uint64_t begun_us = 0;       // when the program's first instruction last ran
 
     double time_s() const { return static_cast<double>(time_us) * 1e-6; }
 };

@@ -42,6 +42,7 @@ void WatchedBoard::look() {
         if (now_s >= fault.from_s && now_s < fault.to_s)
             now.faulty[static_cast<size_t>(fault.sensor)] = true;
     now.wide = world.faultOf(Faulty::radio) == FaultKind::wide;
+    now.nine_channels = world.faultOf(Faulty::radio) == FaultKind::nine_channels;
     now.restarts = board_.restarts();
     now.begun_us = board_.begun_us();
     watch_.frame(now);
