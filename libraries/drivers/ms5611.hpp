@@ -14,6 +14,7 @@ public:
         Select::output();
         Select::high();
         state_ = State::reset;
+        phase_ = 0;
     }
     // Every frame of 10 ms. True: a new pressure is there.
     bool step(uint32_t now_us);
@@ -104,7 +105,6 @@ bool Ms5611<Bus, Select>::step(uint32_t now_us) {
             if (now_us - since_us_ < pause_us_) return false;
             pause_us_ = 0;
             command(kReset);
-            if (phase_ != Ms5611Compensation::kPromWords) phase_ = 0;
             since_us_ = now_us;
             state_ = State::prom;
             return false;
