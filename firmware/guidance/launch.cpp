@@ -135,6 +135,7 @@ void waitForLaunch() {
     if (!vehicle.armed) return suppressThrottle();
     const bool waits = vehicle.progress.throttle_suppressed;
     if (waits && vehicle.demand.path == Path::takeoff) {
+        on_the_ground.looks = 0;
         progress.throttle_suppressed = !launched() && !climbsAlready();
         return;
     }

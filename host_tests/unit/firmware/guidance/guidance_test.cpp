@@ -141,6 +141,19 @@ TEST_F(Guidance, takes_no_sensors_that_agree_for_a_moment_for_a_launch) {
     }
 }
 
+TEST_F(Guidance, begins_to_look_for_a_launch_anew_when_a_take_off_comes_between) {
+    onTheGround(Mode::loiter);
+    parameters.takeoff_min_accel_mss = 8;
+    cruising();
+    guide(3);
+    demand(Path::takeoff);
+    guide(1);
+    demand(Path::leg);
+    guide(1);
+    EXPECT_TRUE(vehicle.progress.throttle_suppressed);
+    parameters.takeoff_min_accel_mss = 0;
+}
+
 TEST_F(Guidance, takes_sensors_that_agree_for_a_moment_for_a_launch_when_it_has_flown) {
     onTheGround(Mode::loiter);
     mutable_vehicle.estimate.flying = true;
