@@ -19,8 +19,7 @@ file(GLOB quick CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp
 set(quick_in_firmware actuators/flaps actuators/outputs app/dataflash app/main app/tasks
     gcs/link logger/log safety/restart sensors/barometer
     sensors/compass sensors/inertial sensors/radio)
-set(quick_in_libraries control/axis drivers/hmc5883l drivers/ms5611_compensation geo/position
-    navigation/l1)
+set(quick_in_libraries control/axis drivers/hmc5883l drivers/ms5611_compensation geo/position)
 foreach(folder firmware libraries)
     foreach(source IN LISTS quick_in_${folder})
         set(path ${CMAKE_SOURCE_DIR}/${folder}/${source}.cpp)
