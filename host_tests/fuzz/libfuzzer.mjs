@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs a libFuzzer program for a counted number of executions (FUZZ_RUNS, 100,000 by default) and
+// Runs a libFuzzer program for a counted number of executions (FUZZ_RUNS, otherwise `runs`) and
 // prints the count. Fewer, or a crash, is a failure; what the fuzzer found is kept.
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-const wanted = Number(process.env.FUZZ_RUNS ?? 100_000);
-
-export function fuzz({ program, name, seeds, longest, environment }) {
+export function fuzz({ program, name, seeds, longest, environment, runs = 100_000 }) {
+  const wanted = Number(process.env.FUZZ_RUNS ?? runs);
   if (!(Number.isInteger(wanted) && wanted > 0)) throw new Error(`FUZZ_RUNS: ${process.env.FUZZ_RUNS} is no number of executions`);
   const folder = mkdtempSync(join(tmpdir(), 'fuzz-'));
   const files = seeds.map((_, i) => join(folder, `seed_${i}`));

@@ -18,7 +18,8 @@ Builds what the tests need, and runs them.
   quick     only unit tests, a dozen native flights, the images' budgets, layering, style and documents
   --again   also what has passed before and depends on nothing that has changed since
             (always so where CI is set)
-  --long    fuzzers: 1,000,000 executions each instead of 100,000; also the bench's session with an APM 1
+  --long    fuzzers: 1,000,000 executions each instead of 100,000 (files: 30,000); also the bench's
+            session with an APM 1
   CTEST OPTION, for example:
     -R NAME       only tests whose name matches, and what they need; builds only that
     -L LABEL      unit, native (flights), simavr (the images on emulated boards), sanitize, fuzz,
