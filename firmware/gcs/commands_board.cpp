@@ -37,7 +37,7 @@ core::FileState<Restart> restart{};
 
 // The sticks' present places become their centres.
 uint8_t trimRadio() {
-    if (vehicle.radio.lost || vehicle.radio.good_ms == 0) return MavResult::failed;
+    if (vehicle.radio.lost || !vehicle.radio.heard) return MavResult::failed;
     const int8_t channels[] = {parameters.map_roll, parameters.map_pitch, parameters.map_yaw};
     bool set = true;
     for (const int8_t channel : channels)

@@ -109,7 +109,7 @@ bool compassUpsideDown() {
 bool gpsBad() { return vehicle.gps.fix != GpsFix::three_d || !vehicle.estimate.known; }
 bool dilutionBad() { return vehicle.gps.hdop_c > 350; }
 
-bool radioBad() { return vehicle.radio.lost || vehicle.radio.good_ms == 0; }
+bool radioBad() { return vehicle.radio.lost || !vehicle.radio.heard; }
 bool throttleUp() { return !radioBad() && vehicle.radio.throttle_pct > 3; }
 bool uncalibrated(const Channel& range) {
     return range.min_us > 1300 || range.max_us < 1700 || range.trim_us < range.min_us ||

@@ -67,7 +67,7 @@ bool plausible(const core::Vector3& field_mg) {
 void startCompass() { compass.start(); }
 
 void runCompass() {
-    if (!core::based(compass).step(hal::now_ms())) {
+    if (!core::based(compass).step(hal::frame_ms())) {
         published.healthy = compass.healthy() && !isFaulty(Sensor::compass);
         return;
     }
@@ -93,7 +93,7 @@ void runCompassLearning() {
 void runDeclination() {
     constexpr uint16_t kEverySecond = 1024;
     if (vehicle.gps.fix != GpsFix::three_d) return;
-    if (vehicle.estimate.flying && (hal::now_ms() & kEverySecond) != 0)
+    if (vehicle.estimate.flying && (hal::frame_ms() & kEverySecond) != 0)
         return watchCompassMounting();
     published.points_down = geo::fieldPointsDown(vehicle.gps.position);
     if (parameters.compass_auto_declination == 0) return;

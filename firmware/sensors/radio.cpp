@@ -7,7 +7,6 @@
 #include "firmware/sensors/rc_override.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/published.hpp"
-#include "hal/clock.hpp"
 #include "hal/rc_input.hpp"
 
 namespace firmware {
@@ -166,7 +165,7 @@ void runRadio() {
     const bool gone = !fresh && !ground_flies;
     if (gone && hal::rcAge_us() < kFramesGone_us) {
         // between two frames: whether the last was whole is known with the first edge of the next
-        const bool obeyed = reception.bad == 0 && !published.lost && published.good_ms != 0;
+        const bool obeyed = reception.bad == 0 && !published.lost && published.heard;
         return obeyed ? readSwitches() : ignoreSwitches();
     }
 
@@ -180,13 +179,13 @@ void runRadio() {
         return;
     }
     if (reception.bad != 0) return;  // may be the encoder's own: what was received before it counts
-    published.good_ms = hal::now_ms();
+    published.heard = true;
     if (ground_flies) readSwitches();
     scale();
 }
 
 uint8_t modeSwitchPosition() {
-    if (published.lost || published.good_ms == 0) return 0;
+    if (published.lost || !published.heard) return 0;
     const uint16_t pulse_us = reception.switch_us[parameters.mode_channel - 1];
     if (pulse_us <= 900) return 0;
     for (uint8_t i = 0; i < core::count(kBands_us); ++i)

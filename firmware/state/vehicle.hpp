@@ -121,7 +121,7 @@ struct RadioState {
     int16_t roll_cd, pitch_cd, yaw_cd;  // -4500..4500
     int8_t throttle_pct;                // 0..100
     bool lost;                          // no frames, or throttle below THR_FS_VALUE
-    uint32_t good_ms;                   // when the sticks were last good
+    bool heard;                         // good sticks have come since the start
 };
 
 // ---- where and how it flies

@@ -571,7 +571,7 @@ TEST_F(Telemetry, a_calibration_that_never_ends_has_failed) {
 TEST_F(Telemetry, the_sticks_and_the_board_find_their_middle) {
     auto& mutable_vehicle = firmware::state::mutable_vehicle;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 1), MavResult::failed) << "no radio";
-    mutable_vehicle.radio.good_ms = 1;
+    mutable_vehicle.radio.heard = true;
     mutable_vehicle.radio.pulse_us[0] = 1512;
     mutable_vehicle.radio.pulse_us[1] = 1488;
     mutable_vehicle.radio.pulse_us[2] = 1100;

@@ -301,7 +301,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{8, "PreArm: high GPS HDOP", [] { mutable_vehicle.gps.hdop_c = 400; }},
         Fault{512, "PreArm: airspeed sensor", [] { mutable_vehicle.airspeed.healthy = false; }},
         Fault{64, "PreArm: no radio", [] { mutable_vehicle.radio.lost = true; }},
-        Fault{64, "PreArm: no radio", [] { mutable_vehicle.radio.good_ms = 0; }},
+        Fault{64, "PreArm: no radio", [] { mutable_vehicle.radio.heard = false; }},
         Fault{64, "PreArm: RC# not calibrated", [] { parameters.channel[1].min_us = 1400; }},
         Fault{64, "PreArm: RC# not calibrated", [] { parameters.channel[3].max_us = 1600; }},
         Fault{64, "PreArm: RC# not calibrated", [] { parameters.channel[0].trim_us = 1950; }},

@@ -68,7 +68,7 @@ bool refused(int16_t bits, const char* reason) {
 
 void compassUsed(bool is) { parameters.compass_use = is; }
 void radioLost(bool is) { mutable_vehicle.radio.lost = is; }
-void neverReceived(bool is) { mutable_vehicle.radio.good_ms = is ? 0 : hal::now_ms(); }
+void neverReceived(bool is) { mutable_vehicle.radio.heard = !is; }
 void flying(bool is) { mutable_vehicle.estimate.flying = is; }
 void known(bool is) { mutable_vehicle.estimate.known = is; }
 void homeSet(bool is) { mutable_vehicle.home.set = is; }

@@ -250,12 +250,12 @@ TEST_F(RadioConditions, of_frames_whose_switches_count_turn_it_alone) {
                 for (int i = 0; i < 2; ++i) {
                     fakes::receiveRc(hands.sticks);
                     runRadio();
-                    const uint32_t good_ms = vehicle.radio.good_ms;
+                    const bool heard = vehicle.radio.heard;
                     mutable_vehicle.radio.lost = lost;
-                    if (!obeyed_before) mutable_vehicle.radio.good_ms = 0;
+                    if (!obeyed_before) mutable_vehicle.radio.heard = false;
                     runRadio();
                     mutable_vehicle.radio.lost = false;
-                    mutable_vehicle.radio.good_ms = good_ms;
+                    mutable_vehicle.radio.heard = heard;
                 }
                 runRadio();
                 return switchHasMoved();
@@ -272,7 +272,7 @@ TEST_F(RadioConditions, of_where_a_switch_stands_turn_it_alone) {
                  hands.frames = 2;
                  receiveFrames();
              },
-             not_lost, [](bool is) { mutable_vehicle.radio.good_ms = is ? hal::now_ms() : 0; }},
+             not_lost, [](bool is) { mutable_vehicle.radio.heard = is; }},
             [] { return modeSwitchPosition() != 0; },
             all},
            {"a switch is up",
