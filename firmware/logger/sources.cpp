@@ -31,11 +31,12 @@ using namespace mission;
 
 namespace {
 
-// now_us is the lower half; the upper one follows from now_ms, which wraps after 49 days.
+// now_us is the lower half; the upper one follows from the frame's time, which is no later and wraps
+// after 49 days.
 void stamp(TimedRecord& record) {
-    const uint32_t now_ms = hal::now_ms();
-    const uint32_t low = (now_ms & 0xFFFF) * 1000;
-    const uint32_t high = (now_ms >> 16) * 1000 + (low >> 16);
+    const uint32_t frame_ms = hal::frame_ms();
+    const uint32_t low = (frame_ms & 0xFFFF) * 1000;
+    const uint32_t high = (frame_ms >> 16) * 1000 + (low >> 16);
     const uint32_t whole_ms_us = high << 16 | (low & 0xFFFF);
     record.time_us = hal::now_us();
     record.time_upper = (high >> 16) + (record.time_us < whole_ms_us);
