@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/guidance/guidance.hpp"
 
+#include <math.h>
+
 #include "core/file_state.hpp"
+#include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
@@ -13,6 +16,7 @@
 #include "firmware/guidance/plan.hpp"
 #include "firmware/guidance/steering.hpp"
 #include "firmware/state/mode_traits.hpp"
+#include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 
 namespace firmware {
@@ -29,6 +33,8 @@ struct LastRun {
 core::FileState<LastRun> last_run{};
 
 // In the order of Path.
+constexpr float kSlowest_mps = 3;  // below, nothing is known of the air's direction
+
 using Flight = Plan (*)();
 constexpr Flight kFlights[] ROM = {levelPlan, flyLeg, flyCircle, flyTakeoff, flyLanding};
 
@@ -51,6 +57,23 @@ void beginPath() {
     beginTakeoff();
 }
 
+// Into the wind as much faster through the air as the speed over ground is short of MIN_GNDSPD_CM,
+// up to ARSPD_FBW_MAX.
+void keepGroundSpeed(Plan& plan) {
+    const int16_t least_cms = parameters.min_ground_speed_cms;
+    const auto& estimate = vehicle.estimate;
+    if (least_cms == 0 || progress.flaring || estimate.airspeed_mps < kSlowest_mps) return;
+    const core::Vector3 air_mps = estimate.velocity_mps - estimate.wind_mps;
+    const float forward_mps =
+        (estimate.velocity_mps.x * air_mps.x + estimate.velocity_mps.y * air_mps.y) /
+        estimate.airspeed_mps;
+    const float short_mps = core::hundredths(least_cms) - forward_mps;
+    const float needed_mps =
+        estimate.equivalent_airspeed_mps * (1 + short_mps / estimate.airspeed_mps);
+    if (needed_mps > plan.airspeed_mps)
+        plan.airspeed_mps = fminf(needed_mps, parameters.speed_max_mps);
+}
+
 bool followsPath() {
     return last_run.guiding && guidesItself() && vehicle.demand.path != Path::none;
 }
@@ -71,6 +94,7 @@ void runGuidance() {
     if (vehicle.demand.new_path) beginPath();
     steerNowhere();
     last_run.plan = core::romRead(kFlights[static_cast<uint8_t>(vehicle.demand.path)])();
+    keepGroundSpeed(last_run.plan);
     waitForLaunch();
     progress.height_error_m = last_run.plan.height.height_m - vehicle.estimate.height_m;
     progress.airspeed_error_mps =

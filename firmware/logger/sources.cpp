@@ -31,8 +31,8 @@ using namespace mission;
 
 namespace {
 
-// now_us is the lower half; the upper one follows from the frame's time, which is no later and wraps
-// after 49 days.
+// now_us is the lower half; the upper one follows from the frame's time, which is no later and
+// wraps after 49 days.
 void stamp(TimedRecord& record) {
     const uint32_t frame_ms = hal::frame_ms();
     const uint32_t low = (frame_ms & 0xFFFF) * 1000;

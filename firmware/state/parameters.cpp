@@ -121,6 +121,7 @@ constexpr parameters::Row kRows[] = {
     P( 93, "TRIM_ARSPD_CM",     cruise_speed_cms,               1300,     500,     5000),
     P( 94, "ARSPD_FBW_MIN",     speed_min_mps,                     9,       5,      100),
     P( 95, "ARSPD_FBW_MAX",     speed_max_mps,                    22,       5,      100),
+    P(179, "MIN_GNDSPD_CM",     min_ground_speed_cms,              0,       0,     3000),
     P( 96, "SCALING_SPEED",     scaling_speed_mps,                15,       5,       50),
     P( 97, "TRIM_THROTTLE",     cruise_throttle_pct,              45,       0,      100),
     P( 98, "THR_MIN",           throttle_min_pct,                  0,       0,      100),
@@ -241,7 +242,7 @@ constexpr uint8_t kRetired[] = {
     13, 22,  // SR0_RAW_CTRL, SR1_RAW_CTRL
     18, 27,  // SR0_PARAMS, SR1_PARAMS
 };
-constexpr uint16_t kNextSlot = 179;  // the lowest free one, for the next parameter
+constexpr uint16_t kNextSlot = 180;  // the lowest free one, for the next parameter
 
 #undef P
 #undef CHANNEL

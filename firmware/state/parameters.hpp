@@ -66,6 +66,7 @@ struct Parameters {
     // speed and throttle
     int16_t cruise_speed_cms;             // TRIM_ARSPD_CM
     int8_t speed_min_mps, speed_max_mps;  // ARSPD_FBW_
+    int16_t min_ground_speed_cms;         // MIN_GNDSPD_CM
     float scaling_speed_mps;
     int8_t cruise_throttle_pct, throttle_min_pct, throttle_max_pct, throttle_slew_pct;
     // control loops

@@ -290,6 +290,8 @@ endforeach()
 # ---- the tools' images and logs, flown
 declare_test(flight.dead_reckoning COMMAND node --test ${tests}/scenarios/dead_reckoning.test.mjs NEEDS fly
              LABELS native REUSE DATA ${flight_data} ENVIRONMENT FLY=$<TARGET_FILE:fly>)
+declare_test(flight.least_ground_speed COMMAND node --test ${tests}/scenarios/ground_speed.test.mjs NEEDS fly
+             LABELS native REUSE DATA ${flight_data} ENVIRONMENT FLY=$<TARGET_FILE:fly>)
 declare_test(mission_tool.rehearses COMMAND node --test ${tests}/scenarios/mission_rehearsal.test.mjs
              NEEDS fly mission_tool LABELS native REUSE DATA ${flight_data} ENVIRONMENT
              MISSION_TOOL=$<TARGET_FILE:mission_tool>)

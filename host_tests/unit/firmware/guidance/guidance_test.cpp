@@ -853,6 +853,36 @@ TEST_F(Guidance, is_not_misled_by_a_low_ground_speed_without_an_airspeed_sensor)
     EXPECT_NEAR(vehicle.pitch_demand_rad.toFloat(), pitch_rad, 0.06);
 }
 
+TEST_F(Guidance, flies_faster_into_a_wind_that_leaves_less_than_the_least_ground_speed) {
+    inTheAir();
+    const auto demanded_mps = [&](int16_t least_cms, float wind_mps) {
+        parameters.min_ground_speed_cms = least_cms;
+        mutable_vehicle.estimate.wind_mps = {wind_mps, 0, 0};
+        move(13 + wind_mps, 0);
+        guide();
+        return firmware::guidance::demandedAirspeed_mps();
+    };
+    EXPECT_EQ(demanded_mps(0, -10), 13) << "none is set";
+    EXPECT_EQ(demanded_mps(500, -7), 13) << "fast enough";
+    EXPECT_EQ(demanded_mps(500, 10), 13) << "down the wind";
+    EXPECT_NEAR(demanded_mps(500, -10), 15, 0.01);
+    EXPECT_NEAR(demanded_mps(500, -15), 20, 0.01) << "blown backwards";
+    EXPECT_EQ(demanded_mps(500, -25), parameters.speed_max_mps);
+}
+
+// The speed over ground is the one ahead: a crab sideways brings it nowhere.
+TEST_F(Guidance, counts_the_ground_speed_along_the_nose_and_true) {
+    inTheAir();
+    parameters.min_ground_speed_cms = 500;
+    mutable_vehicle.estimate.wind_mps = {-13, 9, 0};
+    move(0, 9);
+    guide();
+    EXPECT_NEAR(firmware::guidance::demandedAirspeed_mps(), 18, 0.01);
+    mutable_vehicle.estimate.equivalent_airspeed_mps = 13 / 1.2f;  // 3,600 m above the sea
+    guide();
+    EXPECT_NEAR(firmware::guidance::demandedAirspeed_mps(), 18 / 1.2f, 0.01);
+}
+
 TEST_F(Guidance, a_stick_above_its_middle_asks_for_more_speed_if_nudging_is_on) {
     inTheAir();
     guide(50);
