@@ -50,20 +50,8 @@ struct Ahead {
     float per_crab;  // 1 / cos of the angle between the course over ground and through the air
     bool blown;      // by a wind nearly as fast as the airplane, or faster
 };
-
-// A wind that would have the airplane fly backwards was learned by a compass that points elsewhere:
-// by it a bank to the right would turn the course to the left.
-Offset throughAir(const Motion& motion) {
-    const Offset& ground = motion.velocity_mps;
-    const Offset air = ground - motion.wind_mps;
-    const bool backwards = dot(air, ground) < 0;
-    if (backwards && dot(ground, ground) > core::square(motion.airspeed_mps * kMaxBackwards))
-        return ground;
-    return air;
-}
-
 Ahead lookAhead(const Motion& motion) {
-    Offset air = throughAir(motion);
+    Offset air = motion.velocity_mps - motion.wind_mps;
     const float airspeed = core::limit(motion.airspeed_mps, kSlowest_mps, 200.0f);
     const float gained_mps = motion.bank_accel_mss * motion.bank_lag_s;
     const Offset gained = rightOf(air) * (gained_mps / airspeed);

@@ -344,22 +344,6 @@ TEST(Course, is_held_by_the_course_where_a_turned_compass_has_it_fly_backwards) 
     }
 }
 
-// By the wind that it learned the airplane flies slowly backwards, and fast over ground.
-TEST(Course, is_reached_by_a_bank_that_a_wrong_wind_does_not_turn_round) {
-    for (const float right : {1.0f, -1.0f}) {
-        Motion motion{};
-        motion.airspeed_mps = 13;
-        motion.bank_lag_s = 0.6f;
-        motion.velocity_mps = {13, 0};
-        motion.wind_mps = {14, 13};
-        const geo::Offset course{0.9f, 0.436f * right};
-        const float level_mss = followCourse(kGains, motion, course).bank_accel_mss;
-        motion.bank_accel_mss = 3 * right;
-        EXPECT_LT(followCourse(kGains, motion, course).bank_accel_mss * right, level_mss * right)
-            << "what is turned already";
-    }
-}
-
 TEST(Bank, is_the_arc_tangent_within_a_third_of_a_degree) {
     for (double accel = -40; accel <= 40; accel += 0.25)
         EXPECT_NEAR(navigation::bankFor_rad(static_cast<float>(accel)), std::atan(accel / 9.80665),
