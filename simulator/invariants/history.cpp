@@ -91,10 +91,11 @@ std::string nameIn(const char (&id)[16]) { return {id, strnlen(id, sizeof id)}; 
 
 }  // namespace
 
-// A stick may have been made the mode switch; whether it was taken may be heard on another link.
-size_t History::modeChannel() const {
+// A stick may have been made that switch; whether it was taken may be heard on another link. One
+// that has no channel is looked for at the mode switch's.
+size_t History::channelOf(const char* parameter) const {
     constexpr size_t kDefault = 7;
-    const auto asked = asked_.find("FLTMODE_CH");
+    const auto asked = asked_.find(parameter);
     if (asked == asked_.end()) return kDefault;
     return channelAt(asked->second.value, kDefault);
 }
@@ -113,7 +114,7 @@ void History::frame(const Snapshot& now) {
     const auto moves = [&](size_t channel) {
         return std::abs(now.stick_us[channel] - before_.stick_us[channel]) > kSwitchMoves_us;
     };
-    bool moved = moves(modeChannel());
+    bool moved = moves(channelOf("FLTMODE_CH")) || moves(channelOf("RST_SWITCH_CH"));
     for (size_t i = 4; i < now.stick_us.size(); ++i) moved = moved || moves(i);
     if (moved || now.wide != before_.wide) mark(Cause::mode_switch, now_s);
     constexpr auto kRadio = static_cast<size_t>(Faulty::radio);

@@ -29,7 +29,7 @@ enum class Cause {
     overrides,    // the ground station's sticks
     parameter,
     reboot,
-    mode_switch,    // one of the channels 5 to 8 moved, or that of FLTMODE_CH
+    mode_switch,    // one of the channels 5 to 8 moved, or that of FLTMODE_CH or RST_SWITCH_CH
     stick,          // one of roll, pitch and yaw at its end
     rudder,         // yaw at its end
     throttle,       // the pilot's, open
@@ -74,7 +74,7 @@ private:
         double from_s, to_s;
     };
     void mark(Cause cause, double now_s);
-    size_t modeChannel() const;
+    size_t channelOf(const char* parameter) const;
     bool throttleSaysLost(const Snapshot& now) const;
     void command(uint16_t number, float param1, float param2, double now_s);
     void heartbeat(const mavlink::Heartbeat& message, double now_s);

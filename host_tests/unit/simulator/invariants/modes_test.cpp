@@ -82,6 +82,15 @@ TEST(ModeHasACause, what_the_receiver_does_is_a_cause) {
              flown.run(3);
              flown.now.transmitting = true;
          }},
+        {"the switch that has the mode switch obeyed again",
+         [](Flown& flown) {
+             mavlink::ParamSet set{};
+             std::strncpy(set.param_id, "RST_SWITCH_CH", sizeof set.param_id);
+             set.param_value = 2.46f;
+             flown.sent(set);
+             flown.run(5);
+             flown.now.stick_us[1] = 1862;
+         }},
         {"a receiver of another travel", [](Flown& flown) { flown.now.wide = true; }},
         {"a receiver of another travel, lost by its throttle stick until that is raised",
          [](Flown& flown) {
