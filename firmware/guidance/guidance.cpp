@@ -32,9 +32,9 @@ struct LastRun {
 };
 core::FileState<LastRun> last_run{};
 
-// In the order of Path.
 constexpr float kSlowest_mps = 3;  // below, nothing is known of the air's direction
 
+// In the order of Path.
 using Flight = Plan (*)();
 constexpr Flight kFlights[] ROM = {levelPlan, flyLeg, flyCircle, flyTakeoff, flyLanding};
 
@@ -69,9 +69,9 @@ void keepGroundSpeed(Plan& plan) {
         estimate.airspeed_mps;
     const float short_mps = core::hundredths(least_cms) - forward_mps;
     const float needed_mps =
-        estimate.equivalent_airspeed_mps * (1 + short_mps / estimate.airspeed_mps);
-    if (needed_mps > plan.airspeed_mps)
-        plan.airspeed_mps = fminf(needed_mps, parameters.speed_max_mps);
+        fminf(estimate.equivalent_airspeed_mps * (1 + short_mps / estimate.airspeed_mps),
+              parameters.speed_max_mps);
+    if (needed_mps > plan.airspeed_mps) plan.airspeed_mps = needed_mps;
 }
 
 bool followsPath() {

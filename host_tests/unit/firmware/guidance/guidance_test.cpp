@@ -868,6 +868,8 @@ TEST_F(Guidance, flies_faster_into_a_wind_that_leaves_less_than_the_least_ground
     EXPECT_NEAR(demanded_mps(500, -10), 15, 0.01);
     EXPECT_NEAR(demanded_mps(500, -15), 20, 0.01) << "blown backwards";
     EXPECT_EQ(demanded_mps(500, -25), parameters.speed_max_mps);
+    mutable_vehicle.demand.airspeed_mps = parameters.speed_max_mps + 1.0f;
+    EXPECT_EQ(demanded_mps(500, -25), parameters.speed_max_mps + 1.0f) << "never slower for it";
 }
 
 // The speed over ground is the one ahead: a crab sideways brings it nowhere.
