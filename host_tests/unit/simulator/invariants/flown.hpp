@@ -62,6 +62,12 @@ public:
     void sent(const Message& message) {
         whole(message, [this](const mavlink::Frame& frame) { watch.sent(frame, now.time_s()); });
     }
+    void sets(const char* name, float value) {
+        mavlink::ParamSet message{};
+        std::strncpy(message.param_id, name, sizeof message.param_id);
+        message.param_value = value;
+        sent(message);
+    }
     void text(const char* words) {
         mavlink::Statustext message{};
         std::strncpy(message.text, words, sizeof message.text);

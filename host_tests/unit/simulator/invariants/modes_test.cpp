@@ -36,11 +36,8 @@ TEST(ModeHasACause, each_stated_cause_is_allowed) {
         {"the switch", [](Flown& flown) { flown.now.stick_us[7] = 1165; }},
         {"a stick that is the switch",
          [](Flown& flown) {
-             mavlink::ParamSet set{};
-             std::strncpy(set.param_id, "FLTMODE_CH", sizeof set.param_id);
-             set.param_value = 1;
-             flown.sent(set);
-             flown.run(0.1);
+             flown.sets("FLTMODE_CH", 1);
+             flown.run(5);
              flown.now.stick_us[0] = 1700;
          }},
         {"a command", [](Flown& flown) { flown.command(mavlink::MavCmd::nav_return_to_launch); }},
@@ -84,10 +81,7 @@ TEST(ModeHasACause, what_the_receiver_does_is_a_cause) {
          }},
         {"the switch that has the mode switch obeyed again",
          [](Flown& flown) {
-             mavlink::ParamSet set{};
-             std::strncpy(set.param_id, "RST_SWITCH_CH", sizeof set.param_id);
-             set.param_value = 2.46f;
-             flown.sent(set);
+             flown.sets("RST_SWITCH_CH", 2.46f);
              flown.run(5);
              flown.now.stick_us[1] = 1862;
          }},
