@@ -2,11 +2,12 @@
 // Without fixes the mission is flown on by nose, air and wind, and no loop swings by that: each
 // aileron turns the nose a little before it turns the course. FLY names the program.
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
+
+import { flown } from '../support/flown.mjs';
 
 const kLost_s = 50, kBack_s = 75;
 const kMiddle_us = 1500, kFar_us = 150;  // of 400 to either side
@@ -30,13 +31,9 @@ function swings(pulses_us) {
 for (const airplane of ['foam_trainer', 'trainer_6kg', 'flying_wing'])
   for (const wind of ['0,0', '5,320'])
     test(`the ailerons of the ${airplane} do not swing without fixes, wind ${wind}`, () => {
-      const out = join(folder, `${airplane}${wind}`);
-      const { status, stdout } = spawnSync(process.env.FLY, ['--native', '--airplane', airplane, '--wind', wind,
-        '--fault', `gps:lost@${kLost_s}-${kBack_s}`, '--out', out], { encoding: 'utf8' });
-      assert.equal(status, 0, stdout);
-      const [head, ...rows] = readFileSync(join(out, 'flight.csv'), 'utf8').trim().split('\n').map((row) => row.split(','));
-      const at = (row, name) => Number(row[head.indexOf(name)]);
-      const between = rows.filter((row) => at(row, 'time_s') > kLost_s && at(row, 'time_s') < kBack_s);
-      const found = swings(between.map((row) => at(row, 'servo1_us')));
+      const rows = flown(join(folder, `${airplane}${wind}`), ['--airplane', airplane, '--wind', wind,
+        '--fault', `gps:lost@${kLost_s}-${kBack_s}`]);
+      const between = rows.filter(({ time_s }) => time_s > kLost_s && time_s < kBack_s);
+      const found = swings(between.map(({ servo1_us }) => servo1_us));
       assert.ok(between.length > 200 && found <= kMaxSwings, `${found} times`);
     });
