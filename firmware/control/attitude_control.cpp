@@ -7,6 +7,7 @@
 #include "core/seldom.hpp"
 #include "firmware/control/autotune.hpp"
 #include "firmware/control/stall.hpp"
+#include "firmware/estimator/estimator.hpp"
 #include "firmware/state/mode_traits.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -274,16 +275,17 @@ core::Angle pitchShort_rad() {
 
 // Without a sensor the estimated airspeed serves, and in a head wind that is not known it is too
 // low. Gains for too low a speed make the surfaces swing, gains for too high a one only follow
-// slower: they are never higher than at the cruise speed.
+// slower: they are never higher than at the cruise speed. While the ground holds the airplane the
+// integrators rest, as ArduPlane's do: they would lift it off with its surfaces far out.
 void runSpeedScaling() {
     const auto& attitude = vehicle.attitude;
     float airspeed_mps = vehicle.estimate.equivalent_airspeed_mps;
-    const bool too_slow = airspeed_mps < parameters.speed_min_mps;
+    const bool rests = airspeed_mps < parameters.speed_min_mps || estimator::mayRoll();
     if (!vehicle.airspeed.healthy)
         airspeed_mps = fmaxf(airspeed_mps, core::hundredths(parameters.cruise_speed_cms));
     loops.air =
         ::control::airFlow(parameters.scaling_speed_mps, airspeed_mps, parameters.speed_min_mps);
-    loops.air.too_slow = too_slow;
+    loops.air.integrators_rest = rests;
     core::Ratio sine = attitude.sin_roll, cosine = attitude.cos_roll;
     if (bounds.inverted) {  // both turn the other way about the airplane's own axes
         sine = core::Ratio::fromRaw(-sine.raw);

@@ -329,6 +329,9 @@ bool fast() {
     return !position.reckoned() && measuredGroundSpeed_mps() > least_mps;
 }
 
+bool climbsOrSinks() { return fabsf(published.climb_mps) >= 0.5f; }
+bool nearField() { return fabsf(aboveField_m()) < kNearField_m; }
+
 // An airplane that flies against the wind is slow over the ground, too. It stands where two of
 // three say so: its speed through the air, the height of the field, the gyros. None of them alone:
 // a wind that was learnt in few turns may be half as strong as it is. A speed that nothing has
@@ -337,8 +340,8 @@ bool stands() {
     const auto& estimate = vehicle.estimate;
     const bool measured = vehicle.airspeed.healthy || !estimate.reckoned;
     if (measured && estimate.ground_speed_mps >= kStandingSpeed_mps) return false;
-    if (fabsf(estimate.climb_mps) >= 0.5f) return false;
-    const bool low = fabsf(aboveField_m()) < kNearField_m;
+    if (climbsOrSinks()) return false;
+    const bool low = nearField();
     return slowThroughTheAir() + low + !turns() >= 2;
 }
 
@@ -610,6 +613,7 @@ void zeroHeight() {
 }
 
 float aboveField_m() { return published.height_m + heights.home_above_field_m; }
+bool mayRoll() { return nearField() && !climbsOrSinks(); }
 
 void shiftHeight(float by_m) {
     heights.home_m -= by_m / barometer_drift.scale();

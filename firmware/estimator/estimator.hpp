@@ -62,6 +62,7 @@ bool slowThroughTheAir();  // slower than that, by the sensor or the known wind;
 bool barometerSteady();
 void zeroHeight();             // the airplane stands at height 0 now
 float aboveField_m();          // over where it was armed; home may be set in the air
+bool mayRoll();                // on its wheels: at that height it neither climbs nor sinks
 void shiftHeight(float by_m);  // added to every height from now on
 
 }  // namespace estimator

@@ -45,9 +45,11 @@ bool sensorsHadTheirTime() {
     return now_ms >= kLeast_ms && now_ms - blind.until_ms >= kReads_ms;
 }
 
-// The first fix of a receiver that has just been switched on may be far off.
+// The first fix of a receiver that has just been switched on may be far off. With an attitude the
+// estimator refuses fixes that contradict each other, and goes on by dead reckoning.
 bool receiverSeesItMove() {
-    return vehicle.gps.healthy && vehicle.gps.fixes > 1 &&
+    const bool contradicts_itself = vehicle.attitude.aligned && vehicle.estimate.reckoned;
+    return vehicle.gps.healthy && vehicle.gps.fixes > 1 && !contradicts_itself &&
            vehicle.gps.ground_speed_mps > estimator::flyingAirspeed_mps();
 }
 

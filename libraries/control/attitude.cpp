@@ -65,7 +65,7 @@ float againstSlip(const YawGains& gains, YawState& state, const AirFlow& air, fl
                   float lateral_mss, float dt_s) {
     if (gains.integral <= 0) {
         state.integrator = 0;
-    } else if (!air.too_slow) {
+    } else if (!air.integrators_rest) {
         const float step = (swing_rads - lateral_mss * kSlipPerAccel) * gains.integral;
         state.integrator = core::limit(state.integrator + step * dt_s, -gains.integrator_max,
                                        gains.integrator_max);

@@ -90,7 +90,7 @@ core::Ratio axisDeflection(const AxisGains& gains, AxisState& state, const AirFl
     felt_rads.raw = core::times14(error, scale);
     if (gains.integral.raw <= 0) {
         state.integrator = {};
-    } else if (!air.too_slow) {
+    } else if (!air.integrators_rest) {
         integrate(gains, state, air, felt_rads, periods);
     }
     const int32_t direct = core::product(gains.damping.raw, felt_rads.raw) +

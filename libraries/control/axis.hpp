@@ -12,7 +12,7 @@ namespace control {
 struct AirFlow {
     core::Ratio speed_scale;  // SCALING_SPEED over airspeed, within 0.5 .. 2
     float inverse_airspeed_spm;
-    bool too_slow;  // below the lowest flying speed integrators rest
+    bool integrators_rest;  // below the lowest flying speed
 };
 AirFlow airFlow(float scaling_speed_mps, float airspeed_mps, float lowest_flying_mps);
 

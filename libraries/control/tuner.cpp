@@ -55,7 +55,7 @@ AxisTuner::Finding AxisTuner::watch(const AxisGains& gains, const AxisState& sta
     const bool rests = size(rate) < kRest_rads.raw;
     if (frames_ == 0) {
         if (size(demand_rads.raw) < kBegins_rads.raw) return swing(rate, surface(state).raw);
-        if (!rests || air.too_slow) return Finding::nothing;
+        if (!rests || air.integrators_rest) return Finding::nothing;
         used_ = expected_ = 0;
         fastest_rads_.raw = 0;
         rest_.raw = static_cast<int16_t>(state.integrator.as<14>().raw);

@@ -90,6 +90,25 @@ TEST_F(AttitudeControl, uses_a_gain_from_when_it_is_set) {
     EXPECT_LT(surfaces.aileron.toFloat(), before - 0.02f);
 }
 
+// A slope and a gust hold it in a bank that its surfaces cannot change on the wheels.
+TEST_F(AttitudeControl, gathers_no_integral_while_the_ground_may_hold_it) {
+    const auto gathered_cd = [&](float height_m, float climb_mps) {
+        SetUp();
+        mutable_vehicle.estimate.height_m = height_m;
+        mutable_vehicle.estimate.climb_mps = climb_mps;
+        level(0.3f, -0.2f);
+        surfacesIn(Mode::fbwa, bench::kCentred);
+        for (int frame = 0; frame < 100; ++frame) run();
+        firmware::control::LoopFigures roll, pitch;
+        firmware::control::loopFigures(true, roll);
+        firmware::control::loopFigures(false, pitch);
+        return std::fabs(roll.integral_cd) + std::fabs(pitch.integral_cd);
+    };
+    for (const float height_m : {-9.0f, 0.0f, 9.0f}) EXPECT_EQ(gathered_cd(height_m, 0.4f), 0);
+    for (const float height_m : {-11.0f, 11.0f}) EXPECT_GT(gathered_cd(height_m, 0), 50);
+    for (const float climb_mps : {-0.6f, 0.6f}) EXPECT_GT(gathered_cd(0, climb_mps), 50);
+}
+
 TEST_F(AttitudeControl, turns_back_to_level_and_damps) {
     firmware::modes::requestMode(Mode::fbwa, firmware::modes::ModeReason::ground);
     level(0.3f, 0.2f);

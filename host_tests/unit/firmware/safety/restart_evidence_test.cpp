@@ -97,13 +97,19 @@ TEST_F(RestartEvidence, of_the_receiver_is_its_second_fix_as_fast_as_one_flies) 
     struct Row {
         uint8_t fixes;
         float speed_mps;
-        bool healthy, seen;
+        bool healthy, aligned, reckoned, seen;
     };
-    for (const Row& row : {Row{2, flying_mps + 0.1f, true, true},
-                           {1, flying_mps + 0.1f, true, false},
-                           {2, flying_mps, true, false},
-                           {2, flying_mps - 0.1f, true, false},
-                           {2, flying_mps + 0.1f, false, false}}) {
+    for (const Row& row : {Row{2, flying_mps + 0.1f, true, false, false, true},
+                           {1, flying_mps + 0.1f, true, false, false, false},
+                           {2, flying_mps, true, false, false, false},
+                           {2, flying_mps - 0.1f, true, false, false, false},
+                           {2, flying_mps + 0.1f, false, false, false, false},
+                           // without an attitude nothing uses the fixes, with one they are refused
+                           {2, flying_mps + 0.1f, true, false, true, true},
+                           {2, flying_mps + 0.1f, true, true, false, true},
+                           {2, flying_mps + 0.1f, true, true, true, false}}) {
+        mutable_vehicle.attitude.aligned = row.aligned;
+        mutable_vehicle.estimate.reckoned = row.reckoned;
         mutable_vehicle.gps.fixes = row.fixes;
         mutable_vehicle.gps.ground_speed_mps = row.speed_mps;
         mutable_vehicle.gps.healthy = row.healthy;

@@ -41,8 +41,8 @@ TEST(AirFlow, scales_by_the_scaling_speed_over_the_airspeed_within_half_and_twic
     EXPECT_FLOAT_EQ(at(60).speed_scale.toFloat(), 0.5f);
     EXPECT_NEAR(at(3).speed_scale.toFloat(), 2.0f, 1e-4);
     EXPECT_FLOAT_EQ(at(0).inverse_airspeed_spm, 1 / 3.0f);
-    EXPECT_TRUE(at(8.9f).too_slow);
-    EXPECT_FALSE(at(9).too_slow);
+    EXPECT_TRUE(at(8.9f).integrators_rest);
+    EXPECT_FALSE(at(9).integrators_rest);
 }
 
 TEST(Roll, p_degrees_of_surface_answer_a_degree_of_angle_at_the_scaling_speed) {
