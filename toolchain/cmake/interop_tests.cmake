@@ -53,7 +53,7 @@ function(bench_session board suffix)
     set(form bench_form${suffix})
     set(environment FLY=$<TARGET_FILE:fly> FLY_BOARD=elf BOARD=${board} FORM=${CMAKE_BINARY_DIR}/${form}
         IMAGE_APM1=${IMAGE_apm1} IMAGE_APM2=${IMAGE_apm2})
-    if(NOT LONG IN_LIST ARGN)  # their minutes are counted
+    if(NOT long IN_LIST ARGN)  # their minutes are counted
         list(APPEND environment MINUTES=${minutes}/bench.session)
     endif()
     declare_test(bench.session${suffix} COMMAND node --test ${tests}/interop/bench/session.test.mjs
@@ -65,4 +65,4 @@ function(bench_session board suffix)
     endif()
 endfunction()
 bench_session(apm2 "")
-bench_session(apm1 _apm1 LONG)
+bench_session(apm1 _apm1 ONLY long)

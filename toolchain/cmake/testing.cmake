@@ -11,14 +11,15 @@ set(SANITIZE_TREE ${CMAKE_SOURCE_DIR}/build/sanitize)
 set(FUZZ_TREE ${CMAKE_SOURCE_DIR}/build/fuzz)
 
 # declare_test(NAME COMMAND WORD... [NEEDS TARGET_OR_FILE...] [LABELS LABEL...] [TIMEOUT SECONDS]
-#              [ENVIRONMENT A=B...] [SETUP FIXTURE] [AFTER FIXTURE...] [DATA FILE...] [REUSE] [LONG])
+#              [ENVIRONMENT A=B...] [SETUP FIXTURE] [AFTER FIXTURE...] [DATA FILE...] [REUSE]
+#              [ONLY CONFIGURATION...])
 # NEEDS: targets of this tree, or files of a tree beside it, that must have been built; the tool
 # toolchain/test builds just these. REUSE: the result is a function of the command, NEEDS and DATA;
-# toolchain/test does not run it again while these are the same. LONG: only with toolchain/test
-# --long (ctest -C long).
+# toolchain/test does not run it again while these are the same. ONLY: with toolchain/test --long
+# (ctest -C long), or with toolchain/test quick (ctest -C quick), and not in a plain run.
 function(declare_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "REUSE;LONG" "TIMEOUT;SETUP"
-                          "COMMAND;NEEDS;LABELS;ENVIRONMENT;AFTER;DATA")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "REUSE" "TIMEOUT;SETUP"
+                          "COMMAND;NEEDS;LABELS;ENVIRONMENT;AFTER;DATA;ONLY")
     list(GET arg_COMMAND 0 program)
     if(program STREQUAL "node")
         if(NOT NODE)
@@ -47,8 +48,8 @@ function(declare_test name)
         set(arg_TIMEOUT 600)
     endif()
     set(when)
-    if(arg_LONG)
-        set(when CONFIGURATIONS long)
+    if(arg_ONLY)
+        set(when CONFIGURATIONS ${arg_ONLY})
     endif()
     add_test(NAME ${name} COMMAND ${arg_COMMAND} ${when})
     set_tests_properties(${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}"
@@ -83,10 +84,11 @@ function(gtest_program name path)
     target_link_libraries(${name} PRIVATE ${ARGN} fakes GTest::gmock GTest::gtest_main)
 endfunction()
 
-# Runs such a program; unless it needs the emulated chip, with the sanitizers as well.
-#   gtest_run(NAME [NEEDS FILE...] [LABELS LABEL...])
+# Runs such a program with the sanitizers, as sanitized.NAME. Without them, by the host's compiler, it
+# runs as one of the quick tests, and with --long; always with BOTH, and alone where LABELS are given.
+#   gtest_run(NAME [BOTH] [NEEDS FILE...] [LABELS LABEL...])
 function(gtest_run name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NEEDS;LABELS")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "BOTH" "" "NEEDS;LABELS")
     if(NOT TARGET ${name})
         return()
     endif()
@@ -94,17 +96,19 @@ function(gtest_run name)
         add_test(NAME ${name} COMMAND ${name})
         return()
     endif()
-    if(NOT arg_LABELS)
-        set(arg_LABELS unit quick)
-        declare_test(sanitized.${name} COMMAND ${SANITIZE_TREE}/${name} NEEDS ${SANITIZE_TREE}/${name}
-                     DATA ${unit_data} LABELS sanitize REUSE)
+    if(arg_LABELS)
+        declare_test(${name} COMMAND ${name} NEEDS ${arg_NEEDS} DATA ${unit_data} LABELS ${arg_LABELS} REUSE)
+        return()
     endif()
-    declare_test(${name} COMMAND ${name} NEEDS ${arg_NEEDS} DATA ${unit_data} LABELS ${arg_LABELS} REUSE)
+    declare_test(sanitized.${name} COMMAND ${SANITIZE_TREE}/${name} NEEDS ${SANITIZE_TREE}/${name}
+                 DATA ${unit_data} LABELS unit sanitize REUSE)
+    set(when ONLY quick long)
+    if(arg_BOTH)
+        set(when)
+    endif()
+    declare_test(${name} COMMAND ${name} DATA ${unit_data} LABELS unit quick REUSE ${when})
     # both write to the same temporary files
-    set_property(TEST ${name} PROPERTY RESOURCE_LOCK ${name})
-    if(TEST sanitized.${name})
-        set_property(TEST sanitized.${name} PROPERTY RESOURCE_LOCK ${name})
-    endif()
+    set_tests_properties(${name} sanitized.${name} PROPERTIES RESOURCE_LOCK ${name})
 endfunction()
 
 # optimised(FILE...): tests, or sources beside them, that run long enough to be worth it.

@@ -2,13 +2,19 @@
 # The unit tests: one GoogleTest program a library, room or folder of sources. The tests of
 # firmware/safety/fence.cpp are in host_tests/unit/firmware/safety/fence_test.cpp.
 
-# unit_test(PATH LIBRARY...): the tests in host_tests/PATH or the one in PATH_test.cpp. The program
-# is named after its path: core_test, fdm_test; of a room or an oracle firmware_gcs_test.
+# unit_test(PATH [BOTH] LIBRARY...): the tests in host_tests/PATH or the one in PATH_test.cpp. The
+# program is named after its path: core_test, fdm_test; of a room or an oracle firmware_gcs_test.
+# BOTH: see gtest_run.
 function(unit_test path)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "BOTH" "" "")
     string(REGEX REPLACE "^unit/((libraries|simulator|toolchain)/)?" "" name ${path})
     string(REPLACE "/" "_" name ${name})
-    gtest_program(${name}_test ${tests}/${path} ${ARGN})
-    gtest_run(${name}_test)
+    gtest_program(${name}_test ${tests}/${path} ${arg_UNPARSED_ARGUMENTS})
+    set(both)
+    if(arg_BOTH)
+        set(both BOTH)
+    endif()
+    gtest_run(${name}_test ${both})
 endfunction()
 
 foreach(library IN LISTS all_libraries)
@@ -49,9 +55,9 @@ target_compile_definitions(param_tool_test PRIVATE PARAMETERS_MANUAL="${CMAKE_SO
 unit_test(support/fakes)
 
 # ---- against implementations that are not the project's own, or written a second time
-unit_test(oracle/mission mission)
+unit_test(oracle/mission BOTH mission)  # the random missions
 target_compile_definitions(oracle_mission_test PRIVATE
-    ORACLE_PASSES=$<IF:$<BOOL:${SANITIZE}>,1000000,3000000>)  # of the random missions
+    ORACLE_PASSES=$<IF:$<BOOL:${SANITIZE}>,1000000,3000000>)
 unit_test(oracle/airplane simulator_world)
 find_library(GEOGRAPHICLIB NAMES GeographicLib Geographic REQUIRED)
 unit_test(oracle/geo geo ${GEOGRAPHICLIB})

@@ -145,7 +145,7 @@ function mirrorOf(tree, file) {
 
 // Built and run as they are: file to [{ name, seconds, limit_s }], in the order to try them.
 export async function prepared(runner, files) {
-  const list = JSON.parse(await runner.must('ctest', ['--test-dir', runner.host, '--show-only=json-v1']));
+  const list = JSON.parse(await runner.must('ctest', ['--test-dir', runner.host, '-C', 'long', '--show-only=json-v1']));
   const candidates = unitPrograms(list, runner.host), known = new Map(), ready = new Map();
   for (const file of files) {
     const names = await dependents(runner, candidates, file);

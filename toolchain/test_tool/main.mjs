@@ -15,16 +15,23 @@ export const usage = `usage: toolchain/test [quick] [--again] [--long] [CTEST OP
 
 Builds what the tests need, and runs them.
 
-  quick     only unit tests, a dozen native flights, the images' budgets, layering, style and documents
+  quick     only unit tests (by GCC; otherwise by clang with the sanitizers), a dozen native flights,
+            the images' budgets, layering, style and documents
   --again   also what has passed before and depends on nothing that has changed since
             (always so where CI is set)
-  --long    fuzzers: 1,000,000 executions each instead of 100,000 (files: 30,000); also the bench's
-            session with an APM 1
+  --long    fuzzers: 1,000,000 executions each instead of 100,000 (files: 30,000); the unit tests by
+            both compilers; the bench's session with an APM 1
   CTEST OPTION, for example:
     -R NAME       only tests whose name matches, and what they need; builds only that
     -L LABEL      unit, native (flights), simavr (the images on emulated boards), sanitize, fuzz,
                   interop (node-mavlink, avrdude), image (budgets), quick
     -N            only list them`;
+
+// Some tests run only among the quick ones, or with --long: declare_test's ONLY.
+function configuration(words) {
+  if (words.includes('--long')) return ['-C', 'long'];
+  return words.includes('quick') ? ['-C', 'quick'] : [];
+}
 
 export function readOptions(words) {
   const rest = words.filter((word) => !['quick', '--again', '--long'].includes(word));
@@ -34,7 +41,7 @@ export function readOptions(words) {
     again: words.includes('--again') || Boolean(process.env.CI),
     long: words.includes('--long'),
     list: rest.includes('-N') || rest.includes('--show-only'),
-    ctest: [...(words.includes('quick') ? ['-L', '^quick$'] : []), ...(words.includes('--long') ? ['-C', 'long'] : []), ...rest],
+    ctest: [...(words.includes('quick') ? ['-L', '^quick$'] : []), ...configuration(words), ...rest],
   };
 }
 

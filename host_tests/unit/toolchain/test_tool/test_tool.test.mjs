@@ -27,7 +27,7 @@ test('what the chosen tests need is built in its tree, once, and nothing else', 
 test('quick is a label, and what ctest knows is handed on', () => {
   const { quick, long, ctest } = readOptions(['quick', '-R', 'geo']);
 
-  assert.deepEqual([quick, long, ctest], [true, false, ['-L', '^quick$', '-R', 'geo']]);
+  assert.deepEqual([quick, long, ctest], [true, false, ['-L', '^quick$', '-C', 'quick', '-R', 'geo']]);
 });
 
 test('long has ctest take the tests of that configuration, too', () => {
