@@ -214,13 +214,17 @@ void updateWind() {
 
 bool near(float a_m, float b_m) { return fabsf(a_m - b_m) < kInconsistentHeight_m; }
 
+// Home was at the receiver's height. Before it is set the present height is what is known.
+float gpsAbove_m(float gps_m, float height_m) {
+    if (!vehicle.home.set) return gps_m - height_m;
+    return core::hundredths(vehicle.home.altitude_cm) - heights.home_m;
+}
+
 // There has been no barometer since the start: heights are the receiver's, above home, or above
 // where the first fix came while there is none.
 void startHeightByGps(float gps_m) {
-    const float above_home_m =
-        vehicle.home.set ? gps_m - core::hundredths(vehicle.home.altitude_cm) : 0;
-    height.start(heights.home_m + above_home_m);
-    heights.gps_above_m = gps_m - height.height_m();
+    heights.gps_above_m = gpsAbove_m(gps_m, heights.home_m);
+    height.start(gps_m - heights.gps_above_m);
     heights.started = heights.by_gps = true;
 }
 
@@ -253,8 +257,9 @@ void useGpsHeight() {
         if (!baro.healthy) startHeightByGps(gps_m);
         return;
     }
-    // begun in the air there is no time to learn it slowly
-    if (heights.gps_above_m == 0) heights.gps_above_m = gps_m - height_m;
+    // Begun in the air there is no time to learn it slowly, and the height that a restart goes on
+    // with may be long past.
+    if (heights.gps_above_m == 0) heights.gps_above_m = gpsAbove_m(gps_m, height_m);
     const float fix_m = gps_m - heights.gps_above_m;
     if (!baro.healthy) {
         const bool comparable = !heights.by_gps;  // not yet while their zeros differ
@@ -313,9 +318,10 @@ float knownAirspeed_mps() {
     return vehicle.estimate.flying ? core::hundredths(parameters.cruise_speed_cms) : 0.0f;
 }
 
-// Where nobody measures a speed: a motor that turns and a height that no field has.
+// Where nobody measures its airspeed, and a receiver may be lost or stuck: a motor that turns and a
+// height that no field has.
 bool climbsUnderPower() {
-    return position.reckoned() && vehicle.baro.healthy && !height.lastReadingFarOff() &&
+    return vehicle.baro.healthy && !height.lastReadingFarOff() &&
            vehicle.throttle_demand.raw > kClimbThrottle.raw && aboveField_m() > kNearField_m;
 }
 

@@ -860,24 +860,43 @@ TEST_F(Estimator,
             }
 }
 
-// Nothing measures its speed: a receiver that is wrong, and no airspeed sensor. After a restart it
-// would have been disarmed.
+// Nothing measures its speed: a receiver that is lost or whose fixes stay, and no airspeed sensor.
+// After a restart it would have been disarmed.
 TEST_F(Estimator, flies_at_a_height_that_it_has_climbed_to_under_power_when_no_speed_is_measured) {
-    for (const bool powered : {false, true}) {
-        core::resetFileStates();
-        SetUp();
-        late_ = 99;
-        mutable_vehicle.gps.healthy = false;
-        mutable_vehicle.armed = true;
-        mutable_vehicle.throttle_demand = core::Ratio(powered ? 1.0f : 0.0f);
-        frames(300);
-        EXPECT_FALSE(vehicle.estimate.flying) << "it stands";
-        for (int i = 0; i < 600; ++i) {
-            if (i % 10 == 0) mutable_vehicle.baro.pressure_pa -= 3;  // 2.5 m/s
-            frame(0);
+    for (const bool lost : {false, true})
+        for (const bool powered : {false, true}) {
+            core::resetFileStates();
+            SetUp();
+            if (lost) late_ = 99;
+            mutable_vehicle.gps.healthy = !lost;
+            mutable_vehicle.armed = true;
+            mutable_vehicle.throttle_demand = core::Ratio(powered ? 1.0f : 0.0f);
+            frames(300);
+            EXPECT_FALSE(vehicle.estimate.flying) << "it stands";
+            for (int i = 0; i < 600; ++i) {
+                if (i % 10 == 0) mutable_vehicle.baro.pressure_pa -= 3;  // 2.5 m/s
+                frame(0);
+            }
+            EXPECT_EQ(vehicle.estimate.flying, powered) << lost;
         }
-        EXPECT_EQ(vehicle.estimate.flying, powered);
-    }
+}
+
+// No sensor worked from the restart to the ground: the height of the record is long past when the
+// receiver's is compared with it.
+TEST_F(Estimator, takes_the_receivers_height_over_home_after_a_restart) {
+    frames(300);
+    auto [slow, fast] = recordsOfARestart();
+    Estimator::SetUp();
+    fast.height_m = 40;
+    altitude_m_ = 500;
+    mutable_vehicle.home.set = true;
+    mutable_vehicle.home.altitude_cm = 50000;
+    firmware::estimator::resumeEstimate(slow, fast, {0, 0, 0}, 0.1f);
+    mutable_vehicle.baro.healthy = false;
+    frames(10);
+    EXPECT_GT(vehicle.estimate.height_m, 30);
+    frames(1500);
+    EXPECT_NEAR(vehicle.estimate.height_m, 0, 2);
 }
 
 // A receiver of one fix a second then took two and a half minutes to learn where its zero is.
