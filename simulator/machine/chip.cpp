@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "simulator/machine/flag_registers.hpp"
+#include "simulator/machine/port_pins.hpp"
 
 namespace simulator {
 namespace {
@@ -91,6 +92,7 @@ void Chip::addParts() {
     add<FlagRegisters>();
     stack_ = add<StackWatch>();
     for (char n = 0; n < 6; n++) timers_[n] = add<Timer>(static_cast<char>('0' + n));
+    for (char name : {'B', 'E', 'H', 'L'}) add<PortPins>(name, timers_);  // with compares
     for (char n = 0; n < 4; n++) usarts_[n] = add<Usart>(static_cast<char>('0' + n));
     spi_ = add<SpiMaster>();
     twi_ = add<TwiMaster>();

@@ -35,13 +35,23 @@ WriteChain hookWrite(avr_t* avr, uint16_t address, Owner* owner) {
     return before;
 }
 
+struct ReadChain {
+    avr_io_read_t call = nullptr;
+    void* param = nullptr;
+    uint8_t operator()(avr_t* avr, uint16_t address) const {
+        return call ? call(avr, address, param) : avr->data[address];
+    }
+};
+
 template <auto method, class Owner>
-void hookRead(avr_t* avr, uint16_t address, Owner* owner) {
+ReadChain hookRead(avr_t* avr, uint16_t address, Owner* owner) {
     auto& slot = avr->io[AVR_DATA_TO_IO(address)].r;
+    const ReadChain before{slot.c, slot.param};
     slot.c = [](avr_t*, avr_io_addr_t at, void* param) -> uint8_t {
         return (static_cast<Owner*>(param)->*method)(at);
     };
     slot.param = owner;
+    return before;
 }
 
 template <auto method, class Owner>

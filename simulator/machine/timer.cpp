@@ -52,6 +52,17 @@ void Timer::onPin(int compare, std::function<void(bool, uint64_t)> changed) {
     outputs_.at(static_cast<size_t>(compare)).changed.push_back(std::move(changed));
 }
 
+uint8_t Timer::driven(const avr_ioport_t& port, uint8_t pins) const {
+    for (const Output& output : outputs_) {
+        const avr_timer_comp_t& compare = io_->comp[output.compare];
+        const auto bit = static_cast<uint8_t>(1 << compare.com_pin.bit);
+        const bool drives = compare.com_pin.reg == port.r_port && avr_->data[port.r_ddr] & bit &&
+                            avr_regbit_get(avr_, compare.com) != avr_timer_com_normal;
+        if (drives) pins = static_cast<uint8_t>(output.pin ? pins | bit : pins & ~bit);
+    }
+    return pins;
+}
+
 uint32_t Timer::prescaler() const {
     if (!avr_regbit_get_array(avr_, const_cast<avr_regbit_t*>(io_->cs), 3)) return 0;
     constexpr uint8_t kFromPin = AVR_TIMER_EXTCLK_FLAG_TN | AVR_TIMER_EXTCLK_FLAG_AS2;

@@ -5,6 +5,7 @@
 // output stays in its register while the port has the pin, until the next match, a forced one or a
 // reset (17.7.1, 17.7.3, 17.8).
 #pragma once
+#include <simavr/avr_ioport.h>
 #include <simavr/avr_timer.h>
 
 #include <array>
@@ -28,6 +29,8 @@ public:
     std::function<void(int compare)> on_compare;  // the program has written a compare value
     // An edge of a compare's pin, low while the port has it, and the cycle of it.
     void onPin(int compare, std::function<void(bool high, uint64_t cycle)> changed);
+    // What the pins of a port show, with those that a compare of this timer drives at its level.
+    uint8_t driven(const avr_ioport_t& port, uint8_t pins) const;
 
 private:
     struct Compare {

@@ -35,3 +35,12 @@ TEST_F(PinsTest, a_driven_input_keeps_its_level_while_its_port_is_written) {
     machine.run_ms(1);
     EXPECT_TRUE(sensed());
 }
+
+TEST(OutputPins, a_compare_that_has_the_pin_is_what_its_port_reads) {
+    constexpr int kPin = 1 << 5;
+    Machine machine("output_pins");
+    machine.run_ms(60);
+    EXPECT_TRUE(machine.report(1).low & kPin) << "in the pulse";
+    EXPECT_FALSE(machine.report(2).low & kPin) << "after it, though the port's bit is set";
+    EXPECT_TRUE(machine.report(3).low & kPin) << "the port has it again";
+}
