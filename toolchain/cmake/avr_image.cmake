@@ -46,6 +46,14 @@ foreach(board IN LISTS boards)
         $<TARGET_OBJECTS:firmware_on_${board}> $<TARGET_OBJECTS:hal_objects_${board}>)
     target_link_libraries(firmware_parts_${board} INTERFACE ${all_libraries})
 
+    # the board's self-test, a program of its own (toolchain/self_test)
+    file(GLOB self_test_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/self_test/*.cpp)
+    avr_program(self_test_${board} ${board} ${board} self_test ${self_test_sources})
+    target_link_libraries(self_test_${board} PRIVATE hal_${board} ${all_libraries})
+    add_custom_command(TARGET self_test_${board} POST_BUILD VERBATIM
+        COMMAND ${CMAKE_OBJCOPY} -O ihex -R .eeprom $<TARGET_FILE:self_test_${board}>
+                ${CMAKE_BINARY_DIR}/${board}/self_test.hex)
+
     # linked twice: the first image says which function calls which, and the linker's script made of it
     # places them so that most calls are short
     avr_objects(firmware_main_${board} ${CMAKE_SOURCE_DIR}/firmware/app/main.cpp)

@@ -48,6 +48,11 @@ declare_test(bench.image COMMAND node --test ${tests}/interop/bench/image.test.m
              DATA ${bench_data} ${bench_sources} REUSE
              ENVIRONMENT FLY=$<TARGET_FILE:fly> FLY_BOARD=elf MINUTES=${minutes}/bench.image
              OTHER_IMAGE=${IMAGE_apm1})
+file(GLOB self_test_tool CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/toolchain/self_test_tool/*.mjs)
+declare_test(bench.self_test COMMAND node --test ${tests}/interop/bench/self_test.test.mjs
+             NEEDS fly ${AVR_TREE}/apm1/self_test.elf ${AVR_TREE}/apm2/self_test.elf LABELS simavr
+             DATA ${bench_data} ${self_test_tool} REUSE ENVIRONMENT FLY=$<TARGET_FILE:fly>
+             SELF_TEST_apm1=${AVR_TREE}/apm1/self_test.elf SELF_TEST_apm2=${AVR_TREE}/apm2/self_test.elf)
 # bench_session(BOARD SUFFIX WORD...): a whole session and its form; WORD: more for declare_test()
 function(bench_session board suffix)
     set(form bench_form${suffix})

@@ -10,7 +10,7 @@ import { fileURLToPath } from 'node:url';
 const root = join(dirname(fileURLToPath(import.meta.url)), '../../../..');
 const kept = join(root, 'toolchain/help');
 const kCommands = { fly: 'fly', campaign: 'campaign', chaos: 'chaos', mission: 'mission_tool', param: 'param_tool', log: 'log_tool' };
-const kScripts = ['bench', 'flash', 'known_bugs', 'mutate', 'same', 'test'];  // of node, in toolchain/NAME_tool
+const kScripts = ['bench', 'flash', 'known_bugs', 'mutate', 'same', 'self_test', 'test'];  // of node, in toolchain/NAME_tool
 
 function ask([program, ...words]) {
   const { status, stdout, error } = spawnSync(program, [...words, '--help'], { encoding: 'utf8' });
