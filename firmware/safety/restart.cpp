@@ -150,12 +150,13 @@ void decideMode() {
 float fieldHeight_m() { return records.slow.home_height_m - records.slow.home_above_field_m; }
 
 // Once barometer and airspeed sensor have had their time only the receiver can say so, and another
-// restart does not find a flight to go on with.
+// restart does not find a flight to go on with. Of a receiver that was refused once nothing counts.
 void armOnEvidence() {
     const bool sensors_count = !sensorsHadTheirTime();
     const bool seen = receiverSeesItMove() || (sensors_count && measuredInTheAir(fieldHeight_m()));
     if (!sensors_count && !seen) forgetFlight();
-    restart.arms = !vehicle.armed && !seen && (sensors_count || !receiverHadItsTime());
+    restart.arms = !vehicle.armed && !seen && !vehicle.estimate.fix_refused &&
+                   (sensors_count || !receiverHadItsTime());
     if (vehicle.armed || restart.arms) return;
     if (seen) return armAfterRestart();
     sendStatusText(Severity::critical, STATUS_TEXT("Not armed again: not seen flying"));

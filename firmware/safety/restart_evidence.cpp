@@ -21,6 +21,8 @@ struct Blind {
 };
 core::FileState<Blind> blind{};
 
+constexpr uint8_t kEnoughFixes = 6;
+
 // 0: it has not been read since the start
 bool barometerRead() { return vehicle.baro.healthy && vehicle.estimate.baro_height_m != 0; }
 
@@ -45,17 +47,16 @@ bool sensorsHadTheirTime() {
     return now_ms >= kLeast_ms && now_ms - blind.until_ms >= kReads_ms;
 }
 
-// The first fix of a receiver that has just been switched on may be far off. With an attitude the
-// estimator refuses fixes that contradict each other, and goes on by dead reckoning.
+// The first fixes of a receiver that has just been switched on may be far off, and one may fit the
+// estimate by chance: it is to have accepted them, and all but the last have been looked at.
 bool receiverSeesItMove() {
-    const bool contradicts_itself = vehicle.attitude.aligned && vehicle.estimate.reckoned;
-    return vehicle.gps.healthy && vehicle.gps.fixes > 1 && !contradicts_itself &&
-           vehicle.gps.ground_speed_mps > estimator::flyingAirspeed_mps();
+    const auto& estimate = vehicle.estimate;
+    return vehicle.gps.healthy && vehicle.gps.fixes >= kEnoughFixes && !estimate.fix_refused &&
+           !estimate.reckoned && vehicle.gps.ground_speed_mps > estimator::flyingAirspeed_mps();
 }
 
 bool receiverHadItsTime() {
     constexpr uint16_t kStarts_ms = 30000;
-    constexpr uint8_t kEnoughFixes = 6;
     return hal::now_ms() >= kStarts_ms || vehicle.gps.fixes >= kEnoughFixes;
 }
 

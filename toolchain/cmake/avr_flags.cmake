@@ -18,7 +18,7 @@ file(GLOB quick CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/hal_avr/*.cpp
      ${CMAKE_SOURCE_DIR}/hal_avr/boards/*/*.cpp)
 set(quick_in_firmware actuators/flaps actuators/outputs app/dataflash app/main app/tasks
     gcs/link logger/log safety/restart sensors/barometer
-    sensors/compass sensors/inertial sensors/radio)
+    sensors/compass sensors/inertial)
 set(quick_in_libraries control/axis drivers/hmc5883l drivers/ms5611_compensation geo/position)
 foreach(folder firmware libraries)
     foreach(source IN LISTS quick_in_${folder})

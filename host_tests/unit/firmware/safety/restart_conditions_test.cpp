@@ -36,7 +36,7 @@ struct RestartConditions : bench::TruthTable<Restarted> {};
 void sees(bool barometer) { barometerReads(barometer ? 60 : 1); }
 void receiverSees(bool is) {
     mutable_vehicle.gps.healthy = true;
-    mutable_vehicle.gps.fixes = 2;
+    mutable_vehicle.gps.fixes = 6;
     mutable_vehicle.gps.ground_speed_mps = is ? 14 : 1;
 }
 void armed(bool is) { mutable_vehicle.armed = is; }

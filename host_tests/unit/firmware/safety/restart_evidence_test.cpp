@@ -92,27 +92,25 @@ TEST_F(RestartEvidence, counts_as_much_below_the_field_as_above) {
     EXPECT_TRUE(measuredInTheAir(0));
 }
 
-TEST_F(RestartEvidence, of_the_receiver_is_its_second_fix_as_fast_as_one_flies) {
+TEST_F(RestartEvidence, of_the_receiver_is_its_sixth_fix_as_fast_as_one_flies) {
     const float flying_mps = firmware::estimator::flyingAirspeed_mps();
     struct Row {
         uint8_t fixes;
         float speed_mps;
-        bool healthy, aligned, reckoned, seen;
+        bool healthy, refused, reckoned, seen;
     };
-    for (const Row& row : {Row{2, flying_mps + 0.1f, true, false, false, true},
-                           {1, flying_mps + 0.1f, true, false, false, false},
-                           {2, flying_mps, true, false, false, false},
-                           {2, flying_mps - 0.1f, true, false, false, false},
-                           {2, flying_mps + 0.1f, false, false, false, false},
-                           // without an attitude nothing uses the fixes, with one they are refused
-                           {2, flying_mps + 0.1f, true, false, true, true},
-                           {2, flying_mps + 0.1f, true, true, false, true},
-                           {2, flying_mps + 0.1f, true, true, true, false}}) {
-        mutable_vehicle.attitude.aligned = row.aligned;
-        mutable_vehicle.estimate.reckoned = row.reckoned;
+    for (const Row& row : {Row{6, flying_mps + 0.1f, true, false, false, true},
+                           {5, flying_mps + 0.1f, true, false, false, false},
+                           {6, flying_mps, true, false, false, false},
+                           {6, flying_mps - 0.1f, true, false, false, false},
+                           {6, flying_mps + 0.1f, false, false, false, false},
+                           {6, flying_mps + 0.1f, true, true, false, false},
+                           {6, flying_mps + 0.1f, true, false, true, false}}) {
         mutable_vehicle.gps.fixes = row.fixes;
         mutable_vehicle.gps.ground_speed_mps = row.speed_mps;
         mutable_vehicle.gps.healthy = row.healthy;
+        mutable_vehicle.estimate.fix_refused = row.refused;
+        mutable_vehicle.estimate.reckoned = row.reckoned;
         EXPECT_EQ(receiverSeesItMove(), row.seen) << int(row.fixes) << " " << row.speed_mps;
     }
 }

@@ -105,13 +105,32 @@ TEST_F(Restart, is_armed_after_a_loss_of_power_when_the_receiver_sees_it_move_in
         EXPECT_FALSE(vehicle.armed);
         mutable_vehicle.gps.healthy = true;
         mutable_vehicle.gps.ground_speed_mps = moves ? 14 : 1;
-        for (mutable_vehicle.gps.fixes = 2; vehicle.gps.fixes <= 6; ++mutable_vehicle.gps.fixes)
+        for (mutable_vehicle.gps.fixes = 3; vehicle.gps.fixes <= 6; ++mutable_vehicle.gps.fixes)
             runRestart();
         EXPECT_EQ(vehicle.armed, moves);
         mutable_vehicle.gps.ground_speed_mps = 14;
         runRestart();
         runRestart();
         EXPECT_EQ(vehicle.armed, moves) << "carried away later, it stays disarmed";
+    }
+}
+
+// What comes after a fix that was refused is chance.
+TEST_F(Restart, is_not_armed_by_a_receiver_whose_fix_was_refused) {
+    for (const bool refused : {true, false}) {
+        SetUp();
+        begin(ResetCause::unknown);
+        lookAtSwitch(1165);
+        barometerReads(1);
+        mutable_vehicle.gps.healthy = true;
+        mutable_vehicle.gps.ground_speed_mps = 14;
+        mutable_vehicle.gps.fixes = 2;
+        mutable_vehicle.estimate.fix_refused = refused;
+        runRestart();
+        mutable_vehicle.estimate.fix_refused = false;
+        mutable_vehicle.gps.fixes = 6;
+        runRestart();
+        EXPECT_EQ(vehicle.armed, !refused);
     }
 }
 
