@@ -49,7 +49,11 @@ bool faraway(int32_t altitude_cm, int32_t from_cm) {
     return height_cm > kUnlaunchedHeight_cm || height_cm < -kUnlaunchedHeight_cm;
 }
 
-bool located() { return vehicle.gps.fix >= GpsFix::two_d && !vehicle.estimate.reckoned; }
+// Where a fix is refused neither its place nor its speed is evidence of anything.
+bool located() {
+    const auto& estimate = vehicle.estimate;
+    return !estimate.reckoned && !estimate.fix_refused && vehicle.gps.fix >= GpsFix::two_d;
+}
 bool slow() { return vehicle.estimate.ground_speed_mps < kStandingSpeed_mps; }
 
 // Both heights: one that says otherwise may be wrong.

@@ -355,6 +355,20 @@ TEST_F(Guidance, takes_no_speed_for_a_launch_that_the_receiver_does_not_measure)
     EXPECT_FALSE(vehicle.progress.throttle_suppressed);
 }
 
+// A receiver with noise of 20 m/s and a tube that sends nonsense, both fast at once.
+TEST_F(Guidance, takes_no_speed_for_a_launch_of_a_receiver_whose_last_fix_was_refused) {
+    for (const bool refused : {true, false}) {
+        onTheGround(Mode::loiter);
+        mutable_vehicle.airspeed.healthy = true;
+        firmware::guidance::suppressThrottle();
+        move(12, 0);
+        mutable_vehicle.estimate.airspeed_mps = 12;
+        mutable_vehicle.estimate.fix_refused = refused;
+        guide(20);
+        EXPECT_EQ(vehicle.progress.throttle_suppressed, refused);
+    }
+}
+
 TEST_F(Guidance, leaves_the_motor_to_an_airplane_that_still_moves) {
     inTheAir();
     mutable_vehicle.estimate.height_m = 0;
