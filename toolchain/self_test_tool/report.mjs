@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The text that a board's self-test sends (hal_avr/self_test/), line by line, as figures by name.
 const kNumber = /^\d+(\.\d+)?$/, kName = /^[a-zA-Z]+$/;
+const kNames = ['supply', 'interrupted', 'inertial', 'barometer', 'compass', 'pulse', 'period', 'eeprom', 'dataflash', 'ram'];
 const kNamedByNumbers = { pulse: 3, period: 1 };  // "pulse 1 asked 900": so many words behind the first
 
 // What follows the name: words before numbers name them, "least 4987 most 5004"; a unit goes with the first.
@@ -21,7 +22,10 @@ function figuresOf(words) {
 export class Report {
   #rest = '';
   #waits_ms;  // since when, for the watchdog
-  constructor() { this.clear(); }
+  constructor() {
+    this.begins = 0;  // how often the board has begun
+    this.clear();
+  }
   clear() {
     this.figures = new Map();
     this.unknown = [];  // lines that are not understood
@@ -34,10 +38,11 @@ export class Report {
     this.#rest += bytes.toString('latin1');
     const lines = this.#rest.split(/\r?\n/);
     this.#rest = lines.pop();
-    for (const line of lines) if (line.trim() !== '') this.#line(line.trim(), now_ms);
+    for (const line of lines) if (line.trim() !== '') this.#line(line.trim().replace(/[^ -~]/g, '?'), now_ms);
   }
+  // What a reset has torn stands before "self test of" in the same line.
   #line(line, now_ms) {
-    const board = /^self test of (APM [12])$/.exec(line)?.[1];
+    const board = /self test of (APM [12])$/.exec(line)?.[1];
     const cause = /^started by (\w+)$/.exec(line)?.[1];
     if (board) this.#begin(board);
     else if (cause) this.#started(cause, now_ms);
@@ -47,6 +52,7 @@ export class Report {
     this.last = line;
   }
   #begin(board) {
+    ++this.begins;
     if (this.#waits_ms === undefined) this.clear();
     this.board = board;
   }
@@ -61,6 +67,7 @@ export class Report {
     this.#waits_ms = undefined;
   }
   #keep([first, ...words]) {
+    if (!kNames.includes(first)) return false;
     const behind = kNamedByNumbers[first] ?? 0;
     const figures = figuresOf(words.slice(behind));
     if (figures === undefined || Object.keys(figures).length === 0) return false;

@@ -69,4 +69,17 @@ test('a board that is reset in the middle begins anew', () => {
 test('a garbled line is kept, and is no figure', () => {
   const report = reportOf([...kBegin, 'compass asked 1~0 right 100', 'end of what', ...kLines.slice(5), ...kEnd]);
   assert.deepEqual(report.unknown, ['compass asked 1~0 right 100', 'end of what']);
+  const strange = ['c\x1b\x7fmpass asked 100 right 100', 'restart s 0', 'heading 90'];
+  assert.deepEqual(reportOf(strange).unknown, ['c??mpass asked 100 right 100', ...strange.slice(1)]);
+  assert.deepEqual([...reportOf(strange).figures], []);
+});
+
+test('a line that a reset tears ends where the report begins anew', () => {
+  const torn = ['noise', ...kLines.slice(0, 5).map((line) => line.replace('bad 0', 'bad 9')), `inertial sam${kBegin[0]}`];
+  const lines = [...kBegin, ...torn, ...good.slice(1)];
+  assert.deepEqual(reportOf(lines).unknown, []);
+  assert.deepEqual(not_passed(lines), []);
+  assert.equal(reportOf(lines).begins, 3);
+  assert.deepEqual(not_passed(good.map((line, i) => (i > kBegin.length && line === kBegin[0] ? `\0\xff${line}` : line))), [],
+    'noise of the watchdog\'s reset');
 });

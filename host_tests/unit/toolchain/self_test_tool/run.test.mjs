@@ -11,19 +11,20 @@ import { kBegin, kEnd, kLines } from './good_report.mjs';
 const good = [...kBegin, ...kLines, ...kEnd];
 
 // A board that says `lines`; `failing` is the program that cannot be written.
-function rig({ lines = good, failing, flashes = true, stop_ms = Infinity }) {
+function rig({ lines = good, failing = [], flashes = true, stop_ms = Infinity, again }) {
   const done = [], printed = [];
   const rest = [...lines];
   let now_ms = 0, listener;
   const clock = { now_ms: () => now_ms, stopped: () => now_ms > stop_ms,
     sleep: async (time_ms) => {
       now_ms += time_ms;
+      if (again && rest.length === 0) rest.push(...again);
       if (rest.length > 0) listener(Buffer.from(`${rest.shift()}\n`));
     } };
   const device = { flashes, command: 'toolchain/flash /dev/ttyACM0 --board apm2',
     flash: async (program) => {
       done.push(program);
-      if (program === failing) throw new Refusal('no bootloader answers', 1);
+      if (failing.includes(program)) throw new Refusal('no bootloader answers', 1);
     },
     open: async () => {
       done.push('open');
@@ -62,7 +63,10 @@ for (const [what, options, message] of [
   ['a board that says nothing', { lines: [] }, /nothing came at all/],
   ['a report that stops', { lines: good.slice(0, 5) }, /its last line was "inertial|its last line was "barometer|its last line was "interrupted/],
   ['Ctrl-C', { stop_ms: 300 }, /interrupted/],
-  ['a self-test that cannot be written', { failing: 'self_test' }, /no bootloader answers/],
+  ['a board that begins again and again', { lines: [], again: kBegin }, /no end within 180 s; the board began \d{3,} times: something resets it/],
+  ['a board that repeats a line', { lines: kBegin, again: kLines.slice(0, 1) }, /no end within 180 s; its last line was "supply/],
+  ['another program on the board', { lines: [], again: ['\xfe\x09', '~'] }, /no end within 180 s; what comes is no report/],
+  ['a self-test that cannot be written', { failing: ['self_test'] }, /no bootloader answers/],
 ]) test(`${what}: an error, and the firmware is written back`, async () => {
   const { done, run } = rig(options);
   await assert.rejects(run, (error) => error instanceof Refusal && error.status === 1 && message.test(error.message));
@@ -70,9 +74,16 @@ for (const [what, options, message] of [
 });
 
 test('firmware that cannot be written back is said loudly, with the command that writes it', async () => {
-  const { printed, run } = rig({ failing: 'firmware' });
-  await assert.rejects(run, /could not be written back/);
+  const { printed, run } = rig({ failing: ['firmware'] });
+  await assert.rejects(run, /^Error: the firmware could not be written back/);
   assert.match(printed.join('\n'), /DOES NOT HAVE ITS FIRMWARE: no bootloader answers\nWrite it with: toolchain\/flash/);
+  await assert.rejects(rig({ lines: [], failing: ['firmware'] }).run, /nothing came at all; and the firmware could not be written back/);
+});
+
+test('a report without its beginning is of no board', async () => {
+  const { printed, run } = rig({ lines: [...kLines, 'end'], flashes: false });
+  assert.equal((await run()).passed, false);
+  assert.match(printed.join('\n'), /^The beginning of the report is missing/);
 });
 
 test('the command line', () => {
