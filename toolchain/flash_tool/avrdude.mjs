@@ -50,9 +50,10 @@ export function explain(output, context) {
   return reason ? reason[1](output, context) : `avrdude failed; what it said stands above`;
 }
 
-// Runs it, passing on what it says; throws a Refusal when it did not end well.
-export async function run(words, context) {
-  const child = spawn(words[0], words.slice(1), { stdio: ['ignore', 'pipe', 'pipe'] });
+// Runs it, passing on what it says; throws a Refusal when it did not end well. `detached`: the terminal's Ctrl-C does
+// not reach it.
+export async function run(words, context, { detached = false } = {}) {
+  const child = spawn(words[0], words.slice(1), { stdio: ['ignore', 'pipe', 'pipe'], detached });
   let output = '', silent = false, timer;
   const heard = () => {
     clearTimeout(timer);
