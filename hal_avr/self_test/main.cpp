@@ -58,8 +58,9 @@ void testEverything() {
 int main() {
     board::start();
     openReport();
-    // what listens may have reset the board by opening the port, and is ready a little later
-    while (hal::now_ms() < 500) {
+    // what listens has reset the board by opening the port, or, at a simulator's, comes after it
+    constexpr uint16_t kListens_ms = 3000, kListensAgain_ms = 500;
+    while (hal::now_ms() < (wasBitten() ? kListensAgain_ms : kListens_ms)) {
     }
     begin();
     if (!wasBitten()) testEverything();  // does not return: the watchdog ends it
