@@ -155,8 +155,8 @@ void armOnEvidence() {
     const bool sensors_count = !sensorsHadTheirTime();
     const bool seen = receiverSeesItMove() || (sensors_count && measuredInTheAir(fieldHeight_m()));
     if (!sensors_count && !seen) forgetFlight();
-    restart.arms = !vehicle.armed && !seen && !vehicle.estimate.fix_refused &&
-                   (sensors_count || !receiverHadItsTime());
+    restart.arms =
+        !vehicle.armed && !seen && !receiverRefused() && (sensors_count || !receiverHadItsTime());
     if (vehicle.armed || restart.arms) return;
     if (seen) return armAfterRestart();
     sendStatusText(Severity::critical, STATUS_TEXT("Not armed again: not seen flying"));

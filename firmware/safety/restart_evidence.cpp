@@ -55,6 +55,9 @@ bool receiverSeesItMove() {
            !estimate.reckoned && vehicle.gps.ground_speed_mps > estimator::flyingAirspeed_mps();
 }
 
+// The place of the record may have been refused, too, and the first fix that is compared with it.
+bool receiverRefused() { return vehicle.gps.fixes > 2 && vehicle.estimate.fix_refused; }
+
 bool receiverHadItsTime() {
     constexpr uint16_t kStarts_ms = 30000;
     return hal::now_ms() >= kStarts_ms || vehicle.gps.fixes >= kEnoughFixes;

@@ -18,9 +18,10 @@ bool measuredInTheAir(float field_height_m);
 // sensor, for which it waits 30 s. Later a gust into the tube is no evidence.
 bool sensorsHadTheirTime();
 
-// As fast over the ground as one flies, in the receiver's second fix or later. It starts more
-// slowly than the board does: six fixes are its time, or 30 s.
+// As fast over the ground as one flies, in the receiver's sixth fix or later, while the estimator
+// accepts its fixes. It starts more slowly than the board does: six fixes are its time, or 30 s.
 bool receiverSeesItMove();
+bool receiverRefused();  // by the estimator, since its second fix: no evidence any more
 bool receiverHadItsTime();
 
 }  // namespace safety

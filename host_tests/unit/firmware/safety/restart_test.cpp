@@ -125,6 +125,9 @@ TEST_F(Restart, is_not_armed_by_a_receiver_whose_fix_was_refused) {
         mutable_vehicle.gps.healthy = true;
         mutable_vehicle.gps.ground_speed_mps = 14;
         mutable_vehicle.gps.fixes = 2;
+        mutable_vehicle.estimate.fix_refused = true;
+        runRestart();  // the record's place, or the fix that was compared with it
+        mutable_vehicle.gps.fixes = 3;
         mutable_vehicle.estimate.fix_refused = refused;
         runRestart();
         mutable_vehicle.estimate.fix_refused = false;
