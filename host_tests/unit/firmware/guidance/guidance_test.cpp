@@ -298,6 +298,11 @@ constexpr Seen kSeen[] = {
     {"wind in the tube, and a fix too high", 0, 12, 0, 50, true, true, true, true, false},
     {"carried fast", 9, 0, 0, 0, true, true, true, false, false},
     {"thrown", 9, 9, 0, 0, true, true, false, false, true},
+    {"as slow as a flight begins", 5, 5, 0, 0, true, true, false, false, true},
+    {"carried at a walk, wind and a broken barometer", 2, 12, 500, 0, true, true, false, false,
+     true},
+    {"10 m high, no more", 0, 12, 10, 10, true, true, false, false, false},
+    {"10 m deep, no more", 0, 12, -10, -10, true, true, false, false, false},
     {"the tube clogged", 9, 0, 30, 30, true, true, false, false, true},
     {"hovering high in the wind", 0, 12, 30, 30, true, true, false, false, true},
     {"hovering, the tube clogged", 0, 0, 30, 30, true, true, false, false, true},
@@ -338,6 +343,33 @@ TEST_F(Guidance, takes_two_sensors_that_agree_for_a_launch) {
         if (seen.turns) mutable_vehicle.imu.rate_rads.y = core::BodyRate(0.3f);
         guide(4);
         EXPECT_EQ(vehicle.progress.throttle_suppressed, !seen.flies) << seen.what;
+    }
+}
+
+TEST_F(Guidance, takes_a_fix_without_a_height_for_evidence_of_a_launch) {
+    onTheGround(Mode::loiter);
+    mutable_vehicle.gps.fix = firmware::state::GpsFix::two_d;
+    cruising();
+    guide(5);
+    EXPECT_FALSE(vehicle.progress.throttle_suppressed);
+}
+
+// Held with its nose up it feels its weight from behind; level, the same is a push.
+TEST_F(Guidance, takes_no_weight_for_a_push_of_the_launch) {
+    constexpr float kNoseUp_rad = core::radians(40);
+    for (const bool nose_up : {true, false}) {
+        onTheGround(Mode::loiter);
+        firmware::state::parameters.takeoff_min_accel_mss = 4;
+        firmware::state::parameters.takeoff_min_speed_mps = 0;
+        demand(Path::takeoff);
+        mutable_vehicle.progress.throttle_suppressed = true;
+        firmware::guidance::beginLaunch();
+        mutable_vehicle.attitude.pitch_rad = core::Angle(nose_up ? kNoseUp_rad : 0);
+        mutable_vehicle.attitude.sin_pitch = core::Ratio(nose_up ? std::sin(kNoseUp_rad) : 0);
+        const float weight_mss = core::kGravity_mss * std::sin(kNoseUp_rad);
+        mutable_vehicle.imu.accel_mss = core::Accelerations::from(weight_mss, 0, -7);
+        guide(5);
+        EXPECT_EQ(vehicle.progress.throttle_suppressed, nose_up);
     }
 }
 
