@@ -354,7 +354,7 @@ TEST_F(Guidance, takes_a_fix_without_a_height_for_evidence_of_a_launch) {
     EXPECT_FALSE(vehicle.progress.throttle_suppressed);
 }
 
-// Held with its nose up it feels its weight from behind; level, the same is a push.
+// Held with its nose up its weight acts from behind; level, the same is a push.
 TEST_F(Guidance, takes_no_weight_for_a_push_of_the_launch) {
     constexpr float kNoseUp_rad = core::radians(40);
     for (const bool nose_up : {true, false}) {
