@@ -37,6 +37,7 @@ enum : uint8_t {
     navl1_damping  = 133,
     compass_ofs_x  = 158,
     ins_accoffs_x  = 162,
+    ins_accscal_z  = 167,
     ahrs_trim_x    = 168,
     sign_policy    = 174,
     elevon_output  = 200,

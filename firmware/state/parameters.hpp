@@ -166,9 +166,9 @@ bool parameterLimits(uint16_t index, ParameterLimits& limits);
 
 // Sets, rounds to the field's type and stores. bad_argument: no such index, not finite, out of
 // range, without a meaning, or RCn_MIN, _TRIM and _MAX would not ascend (but RCn_TRIM of the
-// throttle, which may be RCn_MIN), nothing changed. denied: while armed not for what sticks and
-// servos mean (RCn_, RCMAP_, FLTMODE_CH, ELEVON_OUTPUT, VTAIL_OUTPUT), nothing changed. busy: the
-// store has no room yet, nothing changed: ask again later.
+// throttle, which may be RCn_MIN), nothing changed. denied: while armed not for what sticks, servos
+// and accelerometers mean (RCn_, RCMAP_, FLTMODE_CH, ELEVON_OUTPUT, VTAIL_OUTPUT, INS_ACC), nothing
+// changed. busy: the store has no room yet, nothing changed: ask again later.
 MUST_USE core::Status parameterSetAt(uint16_t index, float value);
 
 // The same by the eternal slot number, as stored missions name a parameter.
