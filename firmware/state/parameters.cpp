@@ -224,7 +224,7 @@ constexpr parameters::Row kRows[] = {
     P(164, "INS_ACCOFFS_Z",     accel_offset_mss[2],               0,    -3.5f,    3.5f),
     P(165, "INS_ACCSCAL_X",     accel_scale[0],                    1,    0.8f,     1.2f),
     P(166, "INS_ACCSCAL_Y",     accel_scale[1],                    1,    0.8f,     1.2f),
-    P(slot::ins_accscal_z, "INS_ACCSCAL_Z", accel_scale[2],                    1,    0.8f,     1.2f),
+    P(slot::ins_accscal_z, "INS_ACCSCAL_Z", accel_scale[2],        1,    0.8f,     1.2f),
     P(slot::ahrs_trim_x, "AHRS_TRIM_X", level_trim_rad[0],         0, -0.1745f,  0.1745f),
     P(169, "AHRS_TRIM_Y",       level_trim_rad[1],                 0, -0.1745f,  0.1745f),
     P(170, "BATT_MONITOR",      battery_monitor,                   4,       0,        4),

@@ -4,9 +4,10 @@
 // airplane. No output ever gets more than 1000 us, at which a speed controller keeps its motor
 // still.
 #include "board.hpp"
-#include "hal/clock.hpp"
+#include "core/rom.hpp"
 #include "hal/watchdog.hpp"
 #include "self_test/parts.hpp"
+#include "self_test/pause.hpp"
 #include "self_test/report.hpp"
 
 namespace {
@@ -14,30 +15,13 @@ namespace {
 using namespace self_test;
 
 // In the order of hal::ResetCause.
-const char* nameOf(hal::ResetCause cause) {
-    switch (cause) {
-        case hal::ResetCause::power_on:
-            return TEXT("power_on");
-        case hal::ResetCause::external:
-            return TEXT("external");
-        case hal::ResetCause::brown_out:
-            return TEXT("brown_out");
-        case hal::ResetCause::watchdog:
-            return TEXT("watchdog");
-        case hal::ResetCause::fault:
-            return TEXT("fault");
-        case hal::ResetCause::asked:
-            return TEXT("asked");
-        case hal::ResetCause::unknown:
-            break;
-    }
-    return TEXT("unknown");
-}
+constexpr char kCauses[][10] ROM = {"power_on", "external", "brown_out", "watchdog",
+                                    "unknown",  "fault",    "asked"};
 
 void begin() {
     line(TEXT("self test of APM "), board::kModel);
     text(TEXT("started by "));
-    text(nameOf(hal::resetCause()));
+    text(kCauses[static_cast<uint8_t>(hal::resetCause())]);
     endLine();
 }
 
@@ -60,8 +44,7 @@ int main() {
     openReport();
     // what listens has reset the board by opening the port, or, at a simulator's, comes after it
     constexpr uint16_t kListens_ms = 3000, kListensAgain_ms = 500;
-    while (hal::now_ms() < (wasBitten() ? kListensAgain_ms : kListens_ms)) {
-    }
+    pause_ms(wasBitten() ? kListensAgain_ms : kListens_ms);
     begin();
     if (!wasBitten()) testEverything();  // does not return: the watchdog ends it
     text(TEXT("end"));

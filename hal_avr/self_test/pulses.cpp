@@ -6,6 +6,7 @@
 #include "hal/interrupts.hpp"
 #include "hal/servo_output.hpp"
 #include "self_test/parts.hpp"
+#include "self_test/pause.hpp"
 #include "self_test/report.hpp"
 #include "self_test/span.hpp"
 #include "wiring.hpp"
@@ -36,12 +37,6 @@ Level pinOf(uint8_t output) {
                                  : of.timer == 4 ? &avr::PortH::in()
                                                  : &avr::PortL::in();
     return {in, static_cast<uint8_t>(1 << (first + of.compare))};
-}
-
-void pause_ms(uint8_t time_ms) {
-    const uint32_t begin_ms = hal::now_ms();
-    while (hal::now_ms() - begin_ms < time_ms) {
-    }
 }
 
 // `after` counts behind `from`, or up to 100 us before; false: not within about 300 us more.

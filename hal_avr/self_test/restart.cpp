@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hal/clock.hpp"
 #include "hal/trace.hpp"
 #include "hal/watchdog.hpp"
 #include "self_test/parts.hpp"
+#include "self_test/pause.hpp"
 #include "self_test/report.hpp"
 
 namespace self_test {
@@ -17,9 +17,7 @@ void testWatchdog() {
     constexpr uint8_t kSent_ms = 50;  // what waits in the port's buffer goes out before
     text(TEXT("watchdog waits"));
     endLine();
-    const uint32_t begin_ms = hal::now_ms();
-    while (hal::now_ms() - begin_ms < kSent_ms) {
-    }
+    pause_ms(kSent_ms);
     hal::trace(kHangs);
     hal::watchdogStart();
     for (;;) {
