@@ -135,11 +135,11 @@ class FliesOnAfterARestart : public Invariant {
                 std::abs(pulses_[surface] - now.servo_us[surface]) > 1)
                 moved_after_s_ = now_s - begun_s;
         if (now_s < std::max({begun_s, faulted_s_, unseen_s_}) + kHeartbeats_s) return;
-        // a mode between two heartbeats is not heard of, what may have set it is
+        // what was between two heartbeats is not heard of, what may have caused it is
         const double set_from_s = waiting_s_ - 1.5;
         waiting_s_ = 0;
         const bool heard = history.heard().time_s > begun_s + 1;
-        if (heard && !history.heard().armed && !history.within(Cause::forces, begun_s - 1, now_s))
+        if (heard && !history.heard().armed && !history.within(Cause::forces, set_from_s, now_s))
             report(now_s,
                    text("disarmed after a restart %.0f m above the ground", now.truth.height_m));
         const bool other_mode = history.within(Cause::mode_switch, set_from_s, begun_s + 1.5) ||

@@ -231,6 +231,23 @@ TEST(FliesOnAfterARestart, disarmed_after_a_restart_violates_it_unless_the_butto
     }
 }
 
+// The bootloader takes a second, and no heartbeat has said so before.
+TEST(FliesOnAfterARestart, it_stays_disarmed_where_that_was_forced_just_before) {
+    constexpr float kForce = 21196;
+    for (const bool forced : {true, false}) {
+        Flown flown = flying();
+        if (forced) flown.command(MavCmd::component_arm_disarm, 0, kForce);
+        flyFor(flown, 0.2);
+        flown.watch.provokedRestart(true);
+        ++flown.now.restarts;
+        flown.run(1.1);
+        flown.now.begun_us = flown.now.time_us;
+        flown.armed = false;
+        flyFor(flown, 4);
+        EXPECT_EQ(flown.violated(), forced ? "" : "restart_in_the_air ");
+    }
+}
+
 TEST(FliesOnAfterARestart, the_button_between_two_other_restarts_may_disarm) {
     for (const bool button_first : {true, false}) {
         Flown flown = flying();
