@@ -83,7 +83,6 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { medium, runBarometer,            1,     0,     160 },
     { medium, gatherPressure,          1,     0,       6 },
     { medium, runGps,                  1,     0,     530 },
-    { medium, runCompass,              2,     1,     250 },
     { medium, runAirspeed,             2,     1,      85 },
     { medium, alignAttitude,          10,     9,     610 },
     { medium, rotateDcm,              2,     0,     280 },
@@ -113,6 +112,8 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { medium, runStall,                5,     3,      53 },
     { medium, runFence,               20,     1,    1030 },
     { medium, runFailsafe,            10,     6,     500 },
+    // an APM 1's barometer has the bus of both early in the frame
+    { medium, runCompass,              2,     1,     250 },
 
     { slow,   runLog,                  2,     0,    1010 },
     { slow,   runModeSwitch,          10,     0,     215 },

@@ -49,6 +49,12 @@ test('an APM 1 restarts without its loader, has the load of the simulator, and i
   assert.equal(rig.part('2.reboot').limit, 'at most 0.5 s');
 }));
 
+test('an APM 1 has its compass back in time, though the barometer is on the same bus', withRig({ ...good, board: 'apm1' }, async (rig) => {
+  const skipped = Object.fromEntries(Object.keys(person.headings).map((id) => [id, 'skip']));
+  await rig.run([9], { ...skipped, '9.unplug': person.headings['9.unplug'] });
+  assert.equal(rig.part('9.unplug').verdict, 'pass', rig.part('9.unplug').value);
+}));
+
 for (const [switch_us, verdict] of [[1900, 'not done'], [1500, 'pass']])
   test(`at ${switch_us} us of channel 8 the motor's output of a disarmed APM 1 is ${verdict}`, withRig({ ...good, board: 'apm1' }, async (rig) => {
     await rig.order(`sticks 1500 1500 1100 1500 1500 1500 1500 ${switch_us}`);
