@@ -20,7 +20,7 @@ export const confirmations = (step) => ({
   [`${step}.confirm_propeller`]: 'the propeller is off', [`${step}.confirm_people`]: 'nobody is near the motor',
   [`${step}.confirm_motor`]: 'run the motor' });
 
-export const supply = { '1.current': '210', '1.rail_5v': '5,01 V', '1.rail_3v3': '3.3' };
+export const supply = { '1.current': '180', '1.rail_5v': '5,01 V', '1.rail_3v3': '3.3' };
 export const fuses = { '2.low': 'FF', '2.high': '0xd8', '2.extended': 'FD', '2.button': order('reset') };
 export const starts = { '5.quick': fault('supply:cut 0.5'), '5.slow': fault('supply:sag_0v_2000ms 2.5') };
 export const volts = {

@@ -11,6 +11,8 @@ import { Board } from '../../toolchain/bench_tool/board.mjs';
 import { Person } from '../../toolchain/bench_tool/person.mjs';
 import { Session } from '../../toolchain/bench_tool/session.mjs';
 import { loadState } from '../../toolchain/bench_tool/state.mjs';
+import { writeFigures } from '../../toolchain/self_test_tool/figures_file.mjs';
+import { selfTest } from '../../toolchain/self_test_tool/run.mjs';
 import { Vehicle } from './vehicle.mjs';
 
 const kUsb = 1;
@@ -88,14 +90,24 @@ export class Rig {
     this.session = new Session({ board: this.board, person, state, print: (line) => this.printed.push(line),
       now: () => new Date(Date.UTC(2026, 0, 2, 3, 4)),
       options: { folder: this.folder, port: 'simulator', board: this.kind, commit: 'abc', telemetry: 'line 0',
-        flash: async (_, image) => {
-          await this.order(`flash ${this.images[image]}`);
-          await this.vehicle.wait(kFlashed_ms);
-          return 0;
-        },
+        flash: async (_, image) => this.flash(image), selfTest: (_, kind, file) => this.selfTest(kind, file),
         openTelemetry: () => new LinePort(this.vehicle, this.vehicle.lines[0]) } });
     this.state = state;
     return this.session.run(steps);
+  }
+  async flash(image) {
+    await this.order(`flash ${this.images[image]}`);
+    await this.vehicle.wait(kFlashed_ms);
+    return 0;
+  }
+  // What toolchain/self_test does at a serial port, on the vehicle's line in lock step.
+  async selfTest(board, file) {
+    const line = this.vehicle.lines[kUsb], session = line.takeFrame;
+    const open = async () => Object.assign(new LinePort(this.vehicle, line, true), { close: () => { line.takeFrame = session; } });
+    const device = { flashes: true, open, flash: (program) => this.flash(program === 'firmware' ? board : program) };
+    const outcome = await selfTest({ board, device, clock: this.clock, print: (text) => this.printed.push(text) });
+    writeFigures(file, outcome);
+    return outcome.passed ? 0 : 1;
   }
   step(number) { return this.state.steps[number]; }
   part(id) { return this.step(id.split('.')[0]).parts.find((part) => part.id === id); }

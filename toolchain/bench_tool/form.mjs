@@ -30,9 +30,9 @@ tr.is-fail td.value { color: var(--fail); font-weight: 600; }
 .sign { display: grid; grid-template-columns: 1fr 1fr 2fr; gap: 32px; margin-top: 44px; break-inside: avoid; }
 .sign div { border-top: 1px solid var(--ink); padding-top: 4px; color: var(--soft); }
 @page { size: A4; margin: 7mm; }
-@media print { body { margin: 0; padding: 0; max-width: none; font-size: 6.2pt; line-height: 1.15; } h1 { font-size: 13pt; }
-  section { break-inside: auto; } h2 { break-after: avoid; font-size: 6.8pt; padding: 0.5pt 3pt; } section { margin-bottom: 2pt; } .steps { column-gap: 10pt; } td { padding: 0.2pt 2pt; } td.limit { width: 22%; } td.value { width: 39%; }
-  td.mark { width: 36pt; } .verdict { font-size: 11pt; } .facts { margin: 5pt 0; } .sign { margin-top: 18pt; }
+@media print { body { margin: 0; padding: 0; max-width: none; font-size: 5.9pt; line-height: 1.08; } h1 { font-size: 13pt; }
+  section { break-inside: auto; } h2 { break-after: avoid; font-size: 6.5pt; padding: 0.5pt 3pt; } section { margin-bottom: 2pt; } .steps { column-gap: 10pt; } td { padding: 0.2pt 2pt; } td.limit { width: 25%; } td.value { width: 38%; }
+  td.mark { width: 30pt; } .verdict { font-size: 11pt; } .facts { margin: 3pt 0; } .sign { margin-top: 16pt; }
   * { -webkit-print-color-adjust: exact; print-color-adjust: exact; } }
 @media screen and (max-width: 900px) { .steps { columns: 1; } .facts { grid-template-columns: auto 1fr; } }
 `;

@@ -3,11 +3,11 @@
 import { boards } from '../flash_tool/boards.mjs';
 import { Refusal } from '../flash_tool/refusal.mjs';
 
-export const kLastStep = 15;
+export const kLastStep = 16;
 
 export const usage = `usage: toolchain/bench PORT --board apm1|apm2 [OPTIONS]
 
-The bench protocol of a real board in 15 steps: asks for one action at a time, measures by MAVLink
+The bench protocol of a real board in 16 steps: asks for one action at a time, measures by MAVLink
 what can be measured, asks for readings of meters for the rest, compares with limits, and writes a
 form to sign. About an hour. Take the propeller off first. Nothing moves the motor's output but what
 three confirmations, each typed in full, have allowed. docs/bench.md has the protocol.
@@ -24,7 +24,7 @@ three confirmations, each typed in full, have allowed. docs/bench.md has the pro
 At any question: skip, none, fail REASON, remark TEXT, quit. Ctrl-C ends it as quit does: what was
 armed is disarmed, what was changed is restored, and the next run resumes.
 
-Exit status: 0 all 15 steps have passed, 1 not all, 2 it could not be tried.`;
+Exit status: 0 all 16 steps have passed, 1 not all, 2 it could not be tried.`;
 
 const kValues = { '--board': 'board', '--name': 'name', '--out': 'out', '--step': 'step', '--telemetry': 'telemetry',
   '--answers': 'answers' };

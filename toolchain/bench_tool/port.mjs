@@ -31,9 +31,14 @@ class Port {
     this.address = address;
     this.connected = false;
     this.closed = false;
-    this.listener = () => {};
+    this.early = [];  // came before anybody listened
+    this.listener = (bytes) => this.early.push(Buffer.from(bytes));
   }
-  onBytes(listener) { this.listener = listener; }
+  // What came since the port was opened, and what comes from now on.
+  onBytes(listener) {
+    this.listener = listener;
+    for (const bytes of this.early.splice(0)) listener(bytes);
+  }
   up() { this.connected = true; }
   down() {
     if (!this.connected) return;

@@ -84,11 +84,12 @@ export class Session {
 
   async step(step) {
     const { parts } = step;
+    const found = {};  // what a part leaves for the next ones
     const result = { verdict: kNotDone, at: this.now().toISOString(), firmware: this.state.firmware, parts: [], remarks: [] };
     this.print(`\nStep ${step.number}: ${step.title}\n  You need: ${step.tools}${step.note ? `\n  ${step.note}` : ''}`);
     this.state.steps[step.number] = result;
     try {
-      for (const part of parts) await this.part(step, part, result);
+      for (const part of parts) await this.part(step, part, result, found);
     } finally {
       result.verdict = verdictOfStep(result.parts, parts.length);
       result.remarks.push(...this.person.remarks.splice(0));
@@ -98,11 +99,11 @@ export class Session {
     }
   }
 
-  async part(step, part, result) {
+  async part(step, part, result, found) {
     const record = { id: part.id, title: part.title, limit: part.limit.text, value: '', verdict: kNotDone };
     result.parts.push(record);
     try {
-      Object.assign(record, verdictOn(part.limit, await part.measure({ ...this.context(), id: part.id })));
+      Object.assign(record, verdictOn(part.limit, await part.measure({ ...this.context(), id: part.id, found })));
     } catch (error) {
       Object.assign(record, this.without(error));
       if (this.safety.armed) await this.atEnd();

@@ -57,13 +57,13 @@ declare_test(bench.self_test COMMAND node --test ${tests}/interop/bench/self_tes
 function(bench_session board suffix)
     set(form bench_form${suffix})
     set(environment FLY=$<TARGET_FILE:fly> FLY_BOARD=elf BOARD=${board} FORM=${CMAKE_BINARY_DIR}/${form}
-        IMAGE_APM1=${IMAGE_apm1} IMAGE_APM2=${IMAGE_apm2})
+        IMAGE_APM1=${IMAGE_apm1} IMAGE_APM2=${IMAGE_apm2} SELF_TEST=${AVR_TREE}/${board}/self_test.elf)
     if(NOT long IN_LIST ARGN)  # their minutes are counted
         list(APPEND environment MINUTES=${minutes}/bench.session)
     endif()
     declare_test(bench.session${suffix} COMMAND node --test ${tests}/interop/bench/session.test.mjs
-                 NEEDS fly ${IMAGE_apm2} ${IMAGE_apm1} LABELS simavr AFTER image_minutes SETUP ${form} TIMEOUT 1800
-                 DATA ${bench_data} ${bench_sources} ENVIRONMENT ${environment} ${ARGN})
+                 NEEDS fly ${IMAGE_apm2} ${IMAGE_apm1} ${AVR_TREE}/${board}/self_test.elf LABELS simavr
+                 AFTER image_minutes SETUP ${form} TIMEOUT 1800 DATA ${bench_data} ${bench_sources} ${self_test_tool} ENVIRONMENT ${environment} ${ARGN})
     if(CHROMIUM)
         declare_test(bench.form${suffix} COMMAND node --test ${tests}/interop/bench/form.test.mjs AFTER ${form}
                      LABELS simavr ENVIRONMENT CHROMIUM=${CHROMIUM} FORM=${CMAKE_BINARY_DIR}/${form} ${ARGN})

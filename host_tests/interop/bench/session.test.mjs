@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole protocol in one session: all 15 steps with the image on the emulated chip, from the
+// The whole protocol in one session: all 16 steps with the image on the emulated chip, from the
 // supply to the restart in "flight", and the form that is left to sign. BOARD is apm1 or apm2,
-// IMAGE_APM1 and IMAGE_APM2 name the images, FORM the folder of the form, which form.test.mjs
+// IMAGE_APM1, IMAGE_APM2 and SELF_TEST name the images, FORM the folder of the form, which form.test.mjs
 // looks at in a browser.
 import assert from 'node:assert/strict';
 import { mkdirSync, rmSync } from 'node:fs';
@@ -19,7 +19,7 @@ mkdirSync(folder, { recursive: true });
 const other = { apm1: 'APM 2', apm2: 'APM 1' }[kind];
 const steps = stepsOn(kind);
 const board = { board: kind, options: ['--calibrated'], folder,
-  images: { apm1: process.env.IMAGE_APM1, apm2: process.env.IMAGE_APM2 } };
+  images: { apm1: process.env.IMAGE_APM1, apm2: process.env.IMAGE_APM2, self_test: process.env.SELF_TEST } };
 
 const looksAtOutputs = async (rig) => String(JSON.parse(await rig.order('servos')).filter((us) => us > 0).length);
 const putsItDown = async (rig) => {
@@ -30,7 +30,7 @@ const hands = { ...person.supply, ...person.fuses, '4.outputs': looksAtOutputs, 
   ...person.headings, ...person.air, '11.disarmed': putsItDown, ...person.outputs, ...person.longest, ...person.receiver, '12.ppm': 'none',
   ...person.links, ...person.cuts, ...person.flight };
 
-test('a good board passes all 15 steps in one session, and the form has each of their parts', withRig(board, async (rig) => {
+test('a good board passes all 16 steps in one session, and the form has each of their parts', withRig(board, async (rig) => {
   const all = await rig.run(steps.map(({ number }) => number), { ...hands, '6.load': order('supply 5') }, 'session');
   for (const { number } of steps) rig.passes(number);
   assert.equal(all, true);
@@ -40,7 +40,7 @@ test('a good board passes all 15 steps in one session, and the form has each of 
 
   const form = rig.form();
   assert.match(form, /<div class="verdict pass">passed<\/div>/);
-  assert.match(form, /15 of 15/);
+  assert.match(form, /16 of 16/);
   for (const step of steps)
     assert.equal(rig.step(step.number).parts.length, step.parts.length, `step ${step.number}`);
   assert.equal([...form.matchAll(/<tr class="is-pass">/g)].length, steps.reduce((sum, { parts }) => sum + parts.length, 0) - 1,

@@ -15,12 +15,19 @@ const rail = (id, title, volts, where) => ({
   measure: meter(`Measure ${where} against ground.`, kVolts),
 });
 
+// No measurement of such a board is published. Data sheets, supply currents typical and at most, mA: ATmega2560 at 16 MHz
+// and 5 V 20 and 28, of which Idle takes a third; ATmega328P 10 and 18; FT232RL 15; gyros IDG-500 and ISZ-500 12; the
+// other sensors 3; AT45DB161D 0.03 in standby, 15 when written; lamps up to 20 each, of which five may be on.
+const kApm1Parts = 'data sheets of its parts: 40 mA with the chip in Idle and one lamp, at most 100, and five lamps of 20; ' +
+  'a short takes more, a dead part less';
+
 export const supply = {
   number: 1, title: 'Supply', tools: 'a supply of 5.0 V with a current limit of 0.5 A, a multimeter',
   failed: 'Off at once. Too much current or a rail too low is a short or a broken regulator: look for a warm part.',
   parts: [
     { id: '1.current', title: 'current, nothing plugged in',
       limit: within({ low: 150, high: 300, unit: 'mA', digits: 0, why: 'chip, sensors and lamps; a short takes more, a dead part less' }),
+      apm1: { limit: within({ low: 40, high: 200, unit: 'mA', digits: 0, why: kApm1Parts }) },
       measure: meter('Unplug receiver, GPS, radio and servos. Set 5.0 V at the outputs\' rail and read the current. USB is a ' +
         'second supply: read it where nothing but this one feeds the board.', { unit: 'mA', low: 0, high: 3000 }) },
     rail('1.rail_5v', '5 V rail', 5, 'the 5 V of an input\'s connector'),

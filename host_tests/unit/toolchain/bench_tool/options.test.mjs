@@ -11,7 +11,7 @@ const read = (line) => readOptions(line.split(' '), '2026-01-02');
 test('steps and ranges', () => {
   assert.deepEqual(stepsOf('3'), [3]);
   assert.deepEqual(stepsOf('7,1,4-6,5'), [1, 4, 5, 6, 7]);
-  for (const text of ['', '0', '16', '3-', '5-4', 'a', '1,,2', '-3', '1.5']) assert.throws(() => stepsOf(text), /expected steps/, text);
+  for (const text of ['', '0', '17', '3-', '5-4', 'a', '1,,2', '-3', '1.5']) assert.throws(() => stepsOf(text), /expected steps/, text);
 });
 
 test('a line, and what is wrong with one', () => {
@@ -30,7 +30,7 @@ test('ports', () => {
   for (const text of ['ttyACM0', '/dev/a:1200', 'tcp:host', 'tcp:host:0', 'tcp:host:70000', 'udp:host:1', '/dev/a:b']) assert.throws(() => addressOf(text), /expected|1 to 65535|one of/, text);
 });
 
-test('the protocol: fifteen steps in order, each part with its name, limit, and what to do', () => {
+test('the protocol: sixteen steps in order, each part with its name, limit, and what to do', () => {
   assert.deepEqual(kSteps.map(({ number }) => number), Array.from({ length: kLastStep }, (_, i) => i + 1));
   const parts = kSteps.flatMap((step) => step.parts.map((part) => ({ step, part })));
   assert.equal(new Set(parts.map(({ part }) => part.id)).size, parts.length);
