@@ -47,8 +47,9 @@ struct Ahead {
     Offset velocity_mps;
     Offset turned_mps;  // what is turned to the course: the velocity; blown, that through the air
     float speed_mps, turned_length_mps;
-    float per_crab;  // 1 / cos of the angle between the course over ground and through the air
-    bool blown;      // by a wind nearly as fast as the airplane, or faster
+    float turns_mps;  // to the right, by the bank; 0 where the airplane is faster than the wind
+    float per_crab;   // 1 / cos of the angle between the course over ground and through the air
+    bool blown;       // by a wind nearly as fast as the airplane, or faster
 };
 Ahead lookAhead(const Motion& motion) {
     Offset air = motion.velocity_mps - motion.wind_mps;
@@ -56,6 +57,7 @@ Ahead lookAhead(const Motion& motion) {
     const float gained_mps = motion.bank_accel_mss * motion.bank_lag_s;
     const Offset gained = rightOf(air) * (gained_mps / airspeed);
     Ahead ahead;
+    ahead.turns_mps = geo::length_m(motion.wind_mps) > airspeed ? gained_mps : 0;
     ahead.velocity_mps = motion.velocity_mps + gained;
     ahead.moved_m = (motion.velocity_mps + ahead.velocity_mps) * (0.5f * motion.bank_lag_s);
     air = air + gained;
@@ -94,7 +96,9 @@ float cosineOf(float sine) {
     return sqrtf(core::limit(1 - squared, 0.0f, 1.0f));
 }
 
-// The acceleration that turns the velocity towards `course`; all of it beyond a right angle. Blown
+// The acceleration that turns the velocity towards `course`; all of it beyond a right angle, and in
+// a wind faster than the airplane to the side to which it turns already: there the velocity swings
+// to and fro behind the course while the nose turns, and the bank would follow it. Blown
 // by the wind, the course over ground shows neither where the nose points nor what a bank changes:
 // there the nose is turned to where wind and airspeed together make the course, and no farther into
 // the wind than the steepest crab.
@@ -104,8 +108,10 @@ float turnTowards(const LateralGains& gains, const Ahead& ahead, const Offset& c
         const float holds_mps = ahead.turned_length_mps * kMaxCrab_sin;
         sine -= core::limit(sine - cross(ahead.velocity_mps, course), -holds_mps, holds_mps);
     }
-    if (dot(ahead.turned_mps, course) < 0)
-        sine = sine < 0 ? -ahead.turned_length_mps : ahead.turned_length_mps;
+    if (dot(ahead.turned_mps, course) < 0) {
+        if (ahead.turns_mps != 0) sine = ahead.turns_mps;
+        sine = copysignf(ahead.turned_length_mps, sine);
+    }
     return sine * gains.turning_hz;
 }
 

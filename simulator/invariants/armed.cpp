@@ -123,13 +123,20 @@ class FliesOnAfterARestart : public Invariant {
         if (waiting_s_ <= 0) mode_before_ = history.heard().mode;
         waiting_s_ = now_s;
         moved_after_s_ = -1;
+        seen_early_ = false;
+    }
+    // In its first two seconds the barometer decides, later the receiver alone; one whose fixes do
+    // not fit counts for nothing (docs/restart.md). The board has to say so.
+    bool mayGiveUp(const History& history, double begun_s, double now_s) const {
+        return !seen_early_ && history.saidWithin("Not armed again", begun_s, now_s);
     }
 
     void look(const Snapshot& now, const History& history, const Report& report) {
-        constexpr double kMovesWithin_s = 0.5, kHeartbeats_s = 3;
+        constexpr double kMovesWithin_s = 0.5, kHeartbeats_s = 3, kBarometers_s = 2;
         const double now_s = now.time_s(), begun_s = static_cast<double>(now.begun_us) * 1e-6;
         if (now.truth.crashed || now.truth.on_ground) return void(waiting_s_ = 0);
         if (begun_s < waiting_s_ - 0.02) return;  // the bootloader has the processor
+        if (now_s < begun_s + kBarometers_s) seen_early_ = seen_early_ || mayBeSeen(now);
         for (const size_t surface : {0, 1, 3})
             if (moved_after_s_ < 0 && pulses_[surface] > 0 && now.servo_us[surface] > 0 &&
                 std::abs(pulses_[surface] - now.servo_us[surface]) > 1)
@@ -139,7 +146,8 @@ class FliesOnAfterARestart : public Invariant {
         const double set_from_s = waiting_s_ - 1.5;
         waiting_s_ = 0;
         const bool heard = history.heard().time_s > begun_s + 1;
-        if (heard && !history.heard().armed && !history.within(Cause::forces, set_from_s, now_s))
+        if (heard && !history.heard().armed && !history.within(Cause::forces, set_from_s, now_s) &&
+            !mayGiveUp(history, begun_s, now_s))
             report(now_s,
                    text("disarmed after a restart %.0f m above the ground", now.truth.height_m));
         const bool other_mode = history.within(Cause::mode_switch, set_from_s, begun_s + 1.5) ||
@@ -152,7 +160,7 @@ class FliesOnAfterARestart : public Invariant {
     }
 
     unsigned restarts_ = 0;
-    bool survivable_ = false, faulty_ = false;
+    bool survivable_ = false, faulty_ = false, seen_early_ = false;
     double low_s_ = 0, before_s_ = 0, waiting_s_ = 0, moved_after_s_ = -1;
     double faulted_s_ = kNever_s;  // the inertial sensor, last
     double unseen_s_ = kNever_s;   // when no barometer could see it in the air, last

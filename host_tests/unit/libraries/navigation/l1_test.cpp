@@ -315,6 +315,29 @@ TEST(Course, is_held_by_a_crab_in_a_wind_across_it) {
     }
 }
 
+// In a wind faster than the airplane no bank reaches the course. It keeps to one side, whichever.
+TEST(Course, of_which_a_wind_keeps_it_is_given_up_without_rolling_from_side_to_side) {
+    for (const double wind_mps : {14.0, 17.0, 20.0, 25.0, 30.0}) {
+        for (const double across_mps : {0.0, 5.0, -5.0, 10.0}) {
+            Pilot pilot({-wind_mps, across_mps, 0, 1});
+            const auto law = [&](const Motion& motion, const geo::Position&) {
+                return followCourse(kGains, motion, {1, 0});
+            };
+            int sides = 0;
+            float before_mss = 0;
+            pilot.fly(30, law, [&](const Lateral& lateral) {
+                constexpr float kBanked_mss = 3;
+                const float bank_mss = lateral.bank_accel_mss;
+                if (std::abs(bank_mss) < kBanked_mss) return true;
+                sides += bank_mss * before_mss < 0;
+                before_mss = bank_mss;
+                return true;
+            });
+            EXPECT_LE(sides, 4) << wind_mps << " " << across_mps;
+        }
+    }
+}
+
 // Without an airspeed sensor and with a wrong wind it does not know that it is blown: the course of
 // what hardly moves changes from frame to frame, and must not turn the bank over.
 TEST(Course, of_what_hardly_moves_asks_for_little_bank) {

@@ -248,6 +248,25 @@ TEST(FliesOnAfterARestart, it_stays_disarmed_where_that_was_forced_just_before) 
     }
 }
 
+// Near the ground only the receiver can see it, and its fixes may not fit.
+TEST(FliesOnAfterARestart, one_that_began_near_the_ground_may_say_that_it_is_not_armed_again) {
+    for (const double height_m : {5.0, 20.0}) {
+        for (const bool says : {true, false}) {
+            Flown flown = flying();
+            flown.watch.provokedRestart(true);
+            flown.restart();
+            flown.armed = false;
+            flown.now.truth.height_m = height_m;
+            flyFor(flown, 2.5);
+            if (says) flown.text("Not armed again: not seen flying");
+            flown.now.truth.height_m = 20;
+            flyFor(flown, 4);
+            const bool may = says && height_m < 10;
+            EXPECT_EQ(flown.violated(), may ? "" : "restart_in_the_air ") << height_m << says;
+        }
+    }
+}
+
 TEST(FliesOnAfterARestart, the_button_between_two_other_restarts_may_disarm) {
     for (const bool button_first : {true, false}) {
         Flown flown = flying();
