@@ -167,7 +167,7 @@ Status Journal::read(uint16_t slot, uint32_t& value) const {
 
 Status Journal::write(uint16_t slot, uint32_t value) {
     if (slot >= kParameterSlots) return Status::bad_argument;
-    if (!applyPending()) return Status::busy;
+    if (!applyPending() || unverified_) return Status::busy;
     uint32_t before = last_.value;
     Status status = slot == last_.slot ? Status::ok : read(slot, before);
     if (status != Status::ok) return status;

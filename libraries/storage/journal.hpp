@@ -29,7 +29,8 @@ public:
     // as it should. bad_argument: no such slot.
     MUST_USE core::Status read(uint16_t slot, uint32_t& value) const;
 
-    // Queues the four bytes of `value` for `slot`. busy: no room yet, nothing was changed.
+    // Queues the four bytes of `value` for `slot`. busy: the last value is still being written and
+    // read back, some 70 ms; nothing was changed.
     // bad_argument: no such slot.
     MUST_USE core::Status write(uint16_t slot, uint32_t value);
 

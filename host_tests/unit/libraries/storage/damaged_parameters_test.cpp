@@ -198,6 +198,34 @@ TEST_F(DamagedParameters, a_worn_cell_costs_no_value_and_is_reported) {
     printf("%d worn cells, %d of them reported, no value lost\n", worn, reported);
 }
 
+// Values that follow as soon as there is room: each is read back before the next, or the check
+// would go on from what is not there, and undo a good value at the next start.
+TEST_F(DamagedParameters, a_worn_cell_under_values_that_follow_at_once_costs_none) {
+    constexpr uint16_t kWorn = 61, kOther = 62;  // blank: a bit that is stuck is not seen
+    constexpr uint8_t kBit = 0x10;
+    fakes::wearEepromCell(storage::parameterAddress(kWorn), kBit, true);
+    fakes::setEepromSlow(true);
+    Journal journal;
+    const auto soon = [](auto call) {
+        while (call() == Status::busy) fakes::advance_ms(1);
+    };
+    soon([&] { return journal.recover(); });
+    for (const uint32_t value : {0u, uint32_t{kBit}}) {
+        soon([&] { return journal.write(kWorn, value); });
+        soon([&] { return journal.write(kOther, value + 1); });
+        while (!journal.applyPending()) fakes::advance_ms(1);
+        fakes::advance_ms(1000);
+    }
+    values[kWorn] = kBit;
+    values[kOther] = kBit + 1;
+    fakes::restartEeprom();
+    fakes::setEepromSlow(false);
+    Journal next;
+    ASSERT_EQ(next.recover(), Status::ok);
+    EXPECT_NE(next.found(), Found::damaged);
+    EXPECT_EQ(wrong(next, values), 0);
+}
+
 // As the power can be cut with every write of a value and again in what mends it.
 TEST_F(DamagedParameters, cuts_of_a_write_and_of_the_recovery_leave_the_old_or_the_new_value) {
     int cuts = 0;
