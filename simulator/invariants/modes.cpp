@@ -59,8 +59,11 @@ class ModeHasACause : public Invariant {
             (history.within(Cause::flight_mode, waits_s, to_s) ||
              history.within(Cause::overrides, waits_s, to_s)))
             return true;
+        // while the switch's channel is overridden its five seconds do not go on
+        const bool held = history.within(Cause::overrides, from_s - kAsksAgain_s, to_s);
+        const double refused_s = from_s - kAsksAgain_s - (held ? kOverridden_s : 0);
         for (const char* refused : {"Mode refused", "Circling needs", "RTL needs", "AUTO: mission"})
-            if (history.saidWithin(refused, from_s - kAsksAgain_s, to_s)) return true;
+            if (history.saidWithin(refused, refused_s, to_s)) return true;
         return byMission(history, from_s, to_s);
     }
 
@@ -85,6 +88,7 @@ class ModeHasACause : public Invariant {
     }
 
     static constexpr double kBefore_s = 1, kAfter_s = 1, kAsksAgain_s = 6, kStoreBusy_s = 2;
+    static constexpr double kOverridden_s = 3;
     static constexpr double kFramesSettle_s = 1;
     uint64_t heartbeats_ = 0;
     uint32_t from_ = 0, to_ = 0;

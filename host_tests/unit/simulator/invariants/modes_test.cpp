@@ -175,6 +175,19 @@ TEST(ModeHasACause, what_was_refused_is_asked_for_again) {
     }
 }
 
+TEST(ModeHasACause, what_was_refused_is_asked_for_again_later_where_the_switch_was_overridden) {
+    for (const bool overridden : {true, false}) {
+        Flown flown = inAMode();
+        flown.text("AUTO: mission is being read");
+        flown.run(2);
+        if (overridden) flown.sent(mavlink::RcChannelsOverride{});
+        flown.run(6);
+        flown.mode = 10;
+        flown.run(5);
+        EXPECT_EQ(flown.violated(), overridden ? "" : "mode_without_cause ");
+    }
+}
+
 // A receiver that is back: where its frames have another number of channels it is read a second
 // later.
 std::string violatedAfter(double back_s, bool nine_before, bool nine_now) {
