@@ -7,7 +7,7 @@
 # are the compiler's own limit.
 set(AVR_OPTIMISATION -Os -flto -mrelax -mcall-prologues -mstrict-X -fira-algorithm=priority -fno-gcse
     -fno-tree-pre -fno-signed-zeros -fno-tree-ch -fno-tree-dominator-opts -fno-tree-loop-ivcanon -fno-tree-loop-im
-    -fno-move-loop-invariants --param early-inlining-insns=3 -g)
+    -fno-move-loop-invariants --param early-inlining-insns=3 -fno-ipa-sra -fira-region=all -g)
 add_compile_options(${AVR_OPTIMISATION})
 # toolchain/image/stack_bound.mjs sees by its relocation that a word is a function's address
 add_link_options(${AVR_OPTIMISATION} -flto-partition=one -Wl,--emit-relocs)

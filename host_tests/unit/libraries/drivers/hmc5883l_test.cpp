@@ -40,16 +40,17 @@ struct Hmc5883l : ::testing::Test {
             return in;
         };
     }
+    // In steps of the firmware's task.
     void fly(uint32_t for_ms) {
-        for (uint32_t ms = 0; ms < for_ms; ms += 10) {
-            now_us += 10000;
+        for (uint32_t ms = 0; ms < for_ms; ms += 20) {
+            now_us += 20000;
             readings += driver.step(static_cast<uint32_t>(now_us / 1000));
         }
     }
 };
 
 TEST_F(Hmc5883l, tests_itself_and_reads_milligauss_in_the_airplanes_axes) {
-    fly(1000);
+    fly(2000);
 
     EXPECT_TRUE(driver.healthy());
     EXPECT_NEAR(driver.field_mg().x, 200, 2);
@@ -58,12 +59,12 @@ TEST_F(Hmc5883l, tests_itself_and_reads_milligauss_in_the_airplanes_axes) {
     for (uint8_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(driver.scale(axis), 1, 0.01);
 }
 
-TEST_F(Hmc5883l, reads_about_fifty_times_a_second) {
-    fly(1000);
+TEST_F(Hmc5883l, reads_some_seventeen_times_a_second) {
+    fly(2000);
     readings = 0;
     fly(10000);
 
-    EXPECT_GE(readings, 450);
+    EXPECT_GE(readings, 160);
 }
 
 TEST_F(Hmc5883l, asks_one_thing_at_a_time_on_a_slow_bus) {
@@ -74,13 +75,13 @@ TEST_F(Hmc5883l, asks_one_thing_at_a_time_on_a_slow_bus) {
 }
 
 TEST_F(Hmc5883l, counts_saturation_and_gives_no_field_then) {
-    fly(1000);
+    fly(2000);
     chip->sense({3000, 0, 0});
     readings = 0;
     fly(2000);
 
     EXPECT_LE(readings, 1);
-    EXPECT_GT(driver.saturated(), 50);
+    EXPECT_GT(driver.saturated(), 25);
     EXPECT_FALSE(driver.healthy());
     chip->sense({200, 0, 430});
     fly(100);
@@ -88,7 +89,7 @@ TEST_F(Hmc5883l, counts_saturation_and_gives_no_field_then) {
 }
 
 TEST_F(Hmc5883l, turns_unhealthy_when_silent_and_recovers) {
-    fly(1000);
+    fly(2000);
     fakes::i2c().device = nullptr;
     fly(700);
     EXPECT_FALSE(driver.healthy());
@@ -99,7 +100,7 @@ TEST_F(Hmc5883l, turns_unhealthy_when_silent_and_recovers) {
 }
 
 TEST_F(Hmc5883l, one_failed_transfer_is_not_silence) {
-    fly(1000);
+    fly(2000);
     fakes::i2c().status = core::Status::timeout;
     fly(40);
     fakes::i2c().status = core::Status::ok;
@@ -110,10 +111,10 @@ TEST_F(Hmc5883l, one_failed_transfer_is_not_silence) {
 }
 
 TEST_F(Hmc5883l, a_chip_that_lost_its_supply_for_a_moment_is_set_up_again) {
-    fly(1000);
+    fly(2000);
     chip = fresh();
     chip->sense({0, 300, 430});
-    fly(3500);
+    fly(4500);
 
     EXPECT_TRUE(driver.healthy());
     EXPECT_NEAR(driver.field_mg().y, 300, 3);
@@ -152,7 +153,7 @@ struct Scripted {
 
 TEST_F(Hmc5883l, takes_the_self_tests_scale_out_of_the_field) {
     fakes::i2c().device = Scripted{0.85};
-    fly(1000);
+    fly(2000);
 
     EXPECT_NEAR(driver.scale(0), 1 / 0.85, 0.01);
     EXPECT_NEAR(driver.field_mg().y, -200, 2);
