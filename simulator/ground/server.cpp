@@ -106,6 +106,7 @@ std::string Server::answer(const std::string& line) {
         return "ok";
     }
     if (verb == "servos" && rest.empty()) return answerServos();
+    if (verb == "load" && rest.empty()) return answerLoad();
     if (verb == "reset" && rest.empty()) {
         board_.reset();
         return "ok";
@@ -121,6 +122,11 @@ std::string Server::answerServos() {
     for (int output = 1; output <= 8; ++output)
         widths.push_back(board_.world().servoPulse_us(output));
     return widths.dump();
+}
+
+std::string Server::answerLoad() {
+    const auto load = board_.figures().cpu_load;
+    return load ? std::to_string(*load) : "error: the natively compiled board has none";
 }
 
 std::string Server::answerFault(const std::string& rest) {
@@ -192,7 +198,8 @@ std::string Server::answerHands(const std::string& verb, const std::string& rest
         return answerSupply(value[0]);
     else
         return "error: expected 'advance MS [BYTES0 [BYTES1]]', 'state', 'sticks ...', "
-               "'usb in|out', 'launch', 'servos', 'reset', 'fault ...', 'gps KIND BAUD', "
+               "'usb in|out', 'launch', 'servos', 'load', 'reset', 'fault ...', "
+               "'gps KIND BAUD', "
                "'flash FILE', 'turn-to R P Y', 'turn P Q R', 'lift M', 'blow MPS' or 'supply V'";
     return "ok";
 }

@@ -14,6 +14,8 @@
 //   launch                         throws an airplane that has no wheels; answers "ok"
 //   servos                         answers one line of JSON: the last pulse of each output in us, 0
 //                                  where there is none
+//   load                           answers the share of the processor's cycles since power-on in
+//                                  which it did not sleep, 0 to 1; not natively
 //   reset                          presses the reset button; answers "ok"
 //   fault PART:HOW SECONDS         fails from now on for so long (simulator/devices/faults.hpp);
 //                                  "fault none" ends all; answers "ok"
@@ -72,6 +74,7 @@ private:
     std::string answerAdvance(const std::string& rest);
     std::string answerSticks(const std::string& rest);
     std::string answerServos();
+    std::string answerLoad();
     std::string answerFault(const std::string& rest);
     std::string answerGps(const std::string& rest);
     std::string answerFlash(const std::string& rest);

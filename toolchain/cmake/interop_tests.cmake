@@ -13,7 +13,7 @@ function(vehicle_test name vehicle file)
         set(more LABELS simavr AFTER image_minutes)
     endif()
     declare_test(${name}.${vehicle} COMMAND node --test ${file} NEEDS fly ${arg_NEEDS} ${more}
-                 DATA ${flight_data} REUSE
+                 DATA ${flight_data} ${CMAKE_SOURCE_DIR}/toolchain/image/budgets.json REUSE
                  ENVIRONMENT FLY=$<TARGET_FILE:fly> FLY_BOARD=${vehicle}
                  MINUTES=${counted}/${name} ${arg_ENVIRONMENT})
 endfunction()

@@ -2,12 +2,14 @@
 // Signed frames by node-mavlink: a key over USB, then the radio obeys what is signed with it, once,
 // and all that the vehicle sends is signed with it.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { messages, nodeMavlink } from '../../support/node_mavlink.mjs';
 import { withVehicle } from '../../support/vehicle.mjs';
 
 const { MavLinkPacketSignature, MavLinkProtocolV2 } = nodeMavlink;
 const kKey = MavLinkPacketSignature.key('what only the two of us know');
+const kBudgets = new URL('../../../toolchain/image/budgets.json', import.meta.url);
 const kBegins_ms = Date.UTC(2026, 0, 1), kLink = 1;
 const signer = new MavLinkProtocolV2(255, 190, MavLinkProtocolV2.IFLAG_SIGNED);
 const since2015 = (time_ms) => BigInt(time_ms - MavLinkProtocolV2.SIGNATURE_START_TIME) * 100n;
@@ -113,6 +115,41 @@ test('a signed download of all parameters is whole', withVehicle({}, async (vehi
   assert.ok(heard.every((frame) => isRight(frame)));
   assert.equal(new Set(heard.map(({ data }) => data.paramIndex)).size, heard[0].data.paramCount);
 }));
+
+// Signatures are made and checked in what the frames leave: no frame is late by them, as in every flight, and no
+// message waits. { load_pct, frames }: of the processor's time, on both links together in a second.
+async function measured(vehicle, seconds, each) {
+  const load = async () => Number(await vehicle.order('load')) * vehicle.now_ms;
+  const [began_ms, before] = [vehicle.now_ms, await load()];
+  vehicle.forget();
+  for (let i = 0; i < 10 * seconds; ++i) {
+    each(i);
+    await vehicle.wait(100);
+  }
+  return { load_pct: 100 * (await load() - before) / (vehicle.now_ms - began_ms),
+    frames: vehicle.lines.reduce((sum, { inbox }) => sum + inbox.length, 0) / seconds };
+}
+
+test('with signatures both ways on both links as much comes as without, in the budget\'s share of the processor',
+  { skip: process.env.FLY_BOARD === 'elf' ? false : 'cycles are those of the image' }, withVehicle({}, async (vehicle) => {
+    const budget_pct = JSON.parse(readFileSync(kBudgets, 'utf8')).signing_both_links_percent;
+    assert.equal(await vehicle.order('usb in'), 'ok');
+    await vehicle.wait(6000);
+    for (const line of vehicle.lines) {
+      line.version = 2;
+      line.send('REQUEST_DATA_STREAM', { reqStreamId: 0, reqMessageRate: 4, startStop: 1 });
+    }
+    await vehicle.wait(5000);
+    const asks = { paramId: '', paramIndex: 3 };
+    const plain = await measured(vehicle, 10, () => vehicle.send('PARAM_REQUEST_READ', asks));
+    await setKey(vehicle, kKey);
+    const both = await measured(vehicle, 10, (i) =>
+      write(vehicle.line, signed('PARAM_REQUEST_READ', asks, { time_ms: kBegins_ms + 1000 + 100 * i })));
+    console.log(`processor without ${plain.load_pct.toFixed(1)} %, with ${both.load_pct.toFixed(1)} %; ${both.frames} frames a second`);
+    assert.ok(Math.abs(both.frames - plain.frames) <= 1, `${both.frames} frames a second, ${plain.frames} without`);
+    assert.ok(both.load_pct <= budget_pct, `${both.load_pct} % of the processor`);
+    assert.ok(both.load_pct > plain.load_pct + 10, 'the signatures are made');
+  }));
 
 test('a vehicle that has started again goes on with later times', withVehicle({}, async (vehicle) => {
   await setKey(vehicle, kKey);
