@@ -119,6 +119,9 @@ set(mixed --airplane ${mixed}.json --param ${mixed}.param)
 flight_test(native_v_tail_and_flaperons native 3 2 30 --native --seed 1 ${mixed})
 flight_test(elf_v_tail_and_flaperons simavr 5 3 60 ${short_flight} --seed 1 ${mixed} ${windy})
 
+# elevons, thrown
+flight_test(elf_elevons simavr 5 3 60 ${short_flight} --airplane flying_wing --seed 1 ${windy})
+
 # no barometer from power-on, armed all the same: the GPS's heights; the chip comes late, or never
 file(READ ${CMAKE_SOURCE_DIR}/simulator/airplanes/foam_trainer.param settings)
 file(WRITE ${flights}/unchecked.param "${settings}ARMING_CHECK,0\n")
