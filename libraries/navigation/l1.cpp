@@ -47,7 +47,7 @@ struct Ahead {
     Offset velocity_mps;
     Offset turned_mps;  // what is turned to the course: the velocity; blown, that through the air
     float speed_mps, turned_length_mps;
-    float turns_mps;  // to the right, by the bank; 0 where the airplane is faster than the wind
+    float turns_mps;  // to the right, by the present bank; more where the wind makes it fast
     float per_crab;   // 1 / cos of the angle between the course over ground and through the air
     bool blown;       // by a wind nearly as fast as the airplane, or faster
 };
@@ -57,7 +57,6 @@ Ahead lookAhead(const Motion& motion) {
     const float gained_mps = motion.bank_accel_mss * motion.bank_lag_s;
     const Offset gained = rightOf(air) * (gained_mps / airspeed);
     Ahead ahead;
-    ahead.turns_mps = geo::length_m(motion.wind_mps) > airspeed ? gained_mps : 0;
     ahead.velocity_mps = motion.velocity_mps + gained;
     ahead.moved_m = (motion.velocity_mps + ahead.velocity_mps) * (0.5f * motion.bank_lag_s);
     air = air + gained;
@@ -67,6 +66,7 @@ Ahead lookAhead(const Motion& motion) {
         moves_mps < motion.airspeed_mps * kMaxBackwards && motion.airspeed_mps > kFlies_mps;
     ahead.turned_mps = ahead.blown ? air : ahead.velocity_mps;
     ahead.turned_length_mps = ahead.blown ? airspeed : moves_mps;
+    ahead.turns_mps = gained_mps * core::square(ahead.speed_mps / airspeed);
     const float together = dot(air, ahead.velocity_mps);
     const float product = airspeed * ahead.speed_mps;
     if (ahead.blown || together * kNegligibleCrab > product)
@@ -96,12 +96,12 @@ float cosineOf(float sine) {
     return sqrtf(core::limit(1 - squared, 0.0f, 1.0f));
 }
 
-// The acceleration that turns the velocity towards `course`; all of it beyond a right angle, and in
-// a wind faster than the airplane to the side to which it turns already: there the velocity swings
-// to and fro behind the course while the nose turns, and the bank would follow it. Blown
-// by the wind, the course over ground shows neither where the nose points nor what a bank changes:
-// there the nose is turned to where wind and airspeed together make the course, and no farther into
-// the wind than the steepest crab.
+// The acceleration that turns the velocity towards `course`; all of it beyond a right angle. Nearly
+// opposite to it the bank decides the side: in a wind faster than the airplane no turn brings the
+// velocity round, it swings to and fro there while the nose turns, and would roll the airplane with
+// it. Blown by the wind, the course over ground shows neither where the nose points nor what a bank
+// changes: there the nose is turned to where wind and airspeed together make the course, and no
+// farther into the wind than the steepest crab.
 float turnTowards(const LateralGains& gains, const Ahead& ahead, const Offset& course) {
     float sine = cross(ahead.turned_mps, course);
     if (ahead.blown) {
@@ -109,8 +109,9 @@ float turnTowards(const LateralGains& gains, const Ahead& ahead, const Offset& c
         sine -= core::limit(sine - cross(ahead.velocity_mps, course), -holds_mps, holds_mps);
     }
     if (dot(ahead.turned_mps, course) < 0) {
-        if (ahead.turns_mps != 0) sine = ahead.turns_mps;
-        sine = copysignf(ahead.turned_length_mps, sine);
+        constexpr float kAllBesideOpposite = 3;  // from 20 degrees beside it on
+        const float most_mps = ahead.turned_length_mps;
+        sine = core::limit((sine + ahead.turns_mps) * kAllBesideOpposite, -most_mps, most_mps);
     }
     return sine * gains.turning_hz;
 }
