@@ -56,17 +56,19 @@ core::Ratio upright(uint8_t output, core::Ratio control) {
     return parameters.channel[output].reverse < 0 ? core::Ratio::fromRaw(-control.raw) : control;
 }
 
-uint16_t mixed_us(int8_t kind, float common, float differential, uint8_t output, bool left) {
+uint16_t mixed_us(int8_t kind, core::Ratio common, core::Ratio differential, uint8_t output,
+                  bool left) {
     const auto pair = ::control::mixPair(static_cast<::control::Pair>(kind), common, differential,
-                                         parameters.mixing_gain);
+                                         core::Ratio(parameters.mixing_gain));
     Channel servo = range(output);
     if (output < kFirstFree) servo.reverse = 1;
-    return surfacePulse_us(servo, core::Ratio(left ? pair.left : pair.right));
+    return surfacePulse_us(servo, left ? pair.left : pair.right);
 }
 
 uint16_t paired_us(int8_t kind, uint8_t output, uint8_t other, core::Ratio differential) {
-    return mixed_us(kind, upright(kElevator, surfaces.elevator).toFloat(),
-                    -upright(other, differential).toFloat(), output, output == kElevator);
+    const core::Ratio apart = core::Ratio::fromRaw(-upright(other, differential).raw);
+    return mixed_us(kind, upright(kElevator, surfaces.elevator), apart, output,
+                    output == kElevator);
 }
 
 uint16_t elevon_us(uint8_t output) {
@@ -116,8 +118,8 @@ constexpr Pulse kPulses[kFirstFree] ROM = {aileron_us, elevator_us, throttle_us,
 
 // Where both are too much for a surface, the flap gives way: it is the ailerons that keep upright.
 uint16_t flaperon_us(uint8_t output, bool left) {
-    return mixed_us(static_cast<int8_t>(::control::Pair::up_down), surfaces.aileron.toFloat(),
-                    flaps.out.toFloat(), output, left);
+    return mixed_us(static_cast<int8_t>(::control::Pair::up_down), surfaces.aileron, flaps.out,
+                    output, left);
 }
 
 uint16_t flap_us(uint8_t output) { return throttlePulse_us(range(output), flaps.lever); }

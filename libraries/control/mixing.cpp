@@ -20,14 +20,22 @@ constexpr Signs kPairs[kPairKinds] ROM = {
 };
 // clang-format on
 
+int16_t limited(int16_t value, int16_t most) { return core::limit<int16_t>(value, -most, most); }
+
+// Of a control that may be past its end, where the product would not fit.
+int16_t times(core::Ratio control, core::Ratio gain) {
+    return core::times14(limited(control.raw, kFullTravel), gain.raw);
+}
+
 }  // namespace
 
-PairDeflection mixPair(Pair kind, float common, float differential, float gain) {
+PairDeflection mixPair(Pair kind, core::Ratio common, core::Ratio differential, core::Ratio gain) {
     const Signs signs = core::romRead(kPairs[static_cast<uint8_t>(kind)]);
-    const float both = core::limit(common * gain, -1.0f, 1.0f);
-    const float room = 1.0f - (both < 0 ? -both : both);
-    const float apart = core::limit(differential * gain, -room, room);
-    return {signs.left * (both + apart), signs.right * (both - apart)};
+    const int16_t both = limited(times(common, gain), kFullTravel);
+    const int16_t room = kFullTravel - (both < 0 ? -both : both);
+    const int16_t apart = limited(times(differential, gain), room);
+    return {core::Ratio::fromRaw(signs.left * (both + apart)),
+            core::Ratio::fromRaw(signs.right * (both - apart))};
 }
 
 }  // namespace control

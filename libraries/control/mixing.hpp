@@ -38,10 +38,11 @@ enum class Pair : uint8_t { none, up_up, up_down, down_up, down_down };
 constexpr uint8_t kPairKinds = 5;
 
 struct PairDeflection {
-    float left, right;
+    core::Ratio left, right;  // -1..1
 };
-// `common` moves both alike (elevator), `differential` one up and one down (aileron, rudder);
-// `gain` is MIXING_GAIN. When the sum is more than a surface has, `common` gives way last.
-PairDeflection mixPair(Pair kind, float common, float differential, float gain);
+// `common` moves both alike (elevator), `differential` one up and one down (aileron, rudder), each
+// -1..1; `gain` is MIXING_GAIN, 0..2. When the sum is more than a surface has, `common` gives way
+// last.
+PairDeflection mixPair(Pair kind, core::Ratio common, core::Ratio differential, core::Ratio gain);
 
 }  // namespace control

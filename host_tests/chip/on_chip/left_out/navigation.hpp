@@ -9,5 +9,6 @@ LEFT_OUT(Leg, begun_behind_its_start_is_not_closed_more_steeply_than_straight_to
 LEFT_OUT(Circle, is_joined_from_outside_and_held_in_calm_air, "a long flight")
 LEFT_OUT(Circle, is_held_in_wind_and_gusts, "a long flight")
 LEFT_OUT(Circle, is_reached_from_its_centre, "a long flight")
+LEFT_OUT(Course, of_which_a_wind_keeps_it_is_given_up_without_rolling_from_side_to_side, "a long flight")
 LEFT_OUT(BankTrim, takes_away_what_a_false_level_leaves_beside_the_path, "a long flight")
 LEFT_OUT(Landing, touches_down_softly_near_the_point, "a long flight")
