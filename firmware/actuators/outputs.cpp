@@ -28,6 +28,7 @@ namespace actuators {
 using namespace state;
 using namespace sensors;
 using namespace control;
+using ::control::Side;
 using ::control::surfacePulse_us;
 using ::control::throttlePulse_us;
 
@@ -51,24 +52,23 @@ core::FileState<Outputs> outputs{};
 
 const Channel& range(uint8_t output) { return parameters.channel[output]; }
 
-// RCn_REV turns the control of a pair, with its stick; the kind of the pair turns the servos.
+// RCn_REV turns the control of a pair, with its stick; the kind of the pair turns the servos, so
+// that their own RCn_REV is taken out again.
 core::Ratio upright(uint8_t output, core::Ratio control) {
     return parameters.channel[output].reverse < 0 ? core::Ratio::fromRaw(-control.raw) : control;
 }
 
-uint16_t mixed_us(int8_t kind, core::Ratio common, core::Ratio differential, uint8_t output,
-                  bool left) {
-    const auto pair = ::control::mixPair(static_cast<::control::Pair>(kind), common, differential,
-                                         core::Ratio(parameters.mixing_gain));
-    Channel servo = range(output);
-    if (output < kFirstFree) servo.reverse = 1;
-    return surfacePulse_us(servo, left ? pair.left : pair.right);
+uint16_t mixed_us(int8_t kind, Side side, core::Ratio common, core::Ratio differential,
+                  uint8_t output) {
+    const core::Ratio servo = ::control::mixPair(static_cast<::control::Pair>(kind), side, common,
+                                                 differential, core::Ratio(parameters.mixing_gain));
+    return surfacePulse_us(range(output), output < kFirstFree ? upright(output, servo) : servo);
 }
 
 uint16_t paired_us(int8_t kind, uint8_t output, uint8_t other, core::Ratio differential) {
     const core::Ratio apart = core::Ratio::fromRaw(-upright(other, differential).raw);
-    return mixed_us(kind, upright(kElevator, surfaces.elevator), apart, output,
-                    output == kElevator);
+    return mixed_us(kind, output == kElevator ? Side::left : Side::right,
+                    upright(kElevator, surfaces.elevator), apart, output);
 }
 
 uint16_t elevon_us(uint8_t output) {
@@ -117,15 +117,15 @@ using Pulse = uint16_t (*)();
 constexpr Pulse kPulses[kFirstFree] ROM = {aileron_us, elevator_us, throttle_us, rudder_us};
 
 // Where both are too much for a surface, the flap gives way: it is the ailerons that keep upright.
-uint16_t flaperon_us(uint8_t output, bool left) {
-    return mixed_us(static_cast<int8_t>(::control::Pair::up_down), surfaces.aileron, flaps.out,
-                    output, left);
+uint16_t flaperon_us(uint8_t output, Side side) {
+    return mixed_us(static_cast<int8_t>(::control::Pair::up_down), side, surfaces.aileron,
+                    flaps.out, output);
 }
 
 uint16_t flap_us(uint8_t output) { return throttlePulse_us(range(output), flaps.lever); }
 uint16_t autoFlap_us(uint8_t output) { return throttlePulse_us(range(output), flaps.out); }
-uint16_t leftFlaperon_us(uint8_t output) { return flaperon_us(output, true); }
-uint16_t rightFlaperon_us(uint8_t output) { return flaperon_us(output, false); }
+uint16_t leftFlaperon_us(uint8_t output) { return flaperon_us(output, Side::left); }
+uint16_t rightFlaperon_us(uint8_t output) { return flaperon_us(output, Side::right); }
 uint16_t shutter_us(uint8_t) { return cameraPulse_us(); }
 
 uint16_t received_us(uint8_t output) {

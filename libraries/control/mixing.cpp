@@ -7,11 +7,8 @@
 namespace control {
 namespace {
 
-struct Signs {
-    int8_t left, right;
-};
 // clang-format off
-constexpr Signs kPairs[kPairKinds] ROM = {
+constexpr int8_t kSigns[kPairKinds][2] ROM = {  // left, right
     {  0,  0 },  // none
     {  1,  1 },  // up_up
     {  1, -1 },  // up_down
@@ -29,13 +26,15 @@ int16_t times(core::Ratio control, core::Ratio gain) {
 
 }  // namespace
 
-PairDeflection mixPair(Pair kind, core::Ratio common, core::Ratio differential, core::Ratio gain) {
-    const Signs signs = core::romRead(kPairs[static_cast<uint8_t>(kind)]);
+core::Ratio mixPair(Pair kind, Side side, core::Ratio common, core::Ratio differential,
+                    core::Ratio gain) {
     const int16_t both = limited(times(common, gain), kFullTravel);
     const int16_t room = kFullTravel - (both < 0 ? -both : both);
     const int16_t apart = limited(times(differential, gain), room);
-    return {core::Ratio::fromRaw(signs.left * (both + apart)),
-            core::Ratio::fromRaw(signs.right * (both - apart))};
+    const int16_t sum = side == Side::left ? both + apart : both - apart;
+    const int8_t sign =
+        core::romRead(kSigns[static_cast<uint8_t>(kind)][static_cast<uint8_t>(side)]);
+    return core::Ratio::fromRaw(sign * sum);
 }
 
 }  // namespace control

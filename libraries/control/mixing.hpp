@@ -37,12 +37,11 @@ uint16_t throttlePulse_us(const Range& range, core::Ratio throttle) {
 enum class Pair : uint8_t { none, up_up, up_down, down_up, down_down };
 constexpr uint8_t kPairKinds = 5;
 
-struct PairDeflection {
-    core::Ratio left, right;  // -1..1
-};
-// `common` moves both alike (elevator), `differential` one up and one down (aileron, rudder), each
-// -1..1; `gain` is MIXING_GAIN, 0..2. When the sum is more than a surface has, `common` gives way
-// last.
-PairDeflection mixPair(Pair kind, core::Ratio common, core::Ratio differential, core::Ratio gain);
+enum class Side : uint8_t { left, right };
+// The deflection of one of them, -1..1. `common` moves both alike (elevator), `differential` one up
+// and one down (aileron, rudder), each -1..1; `gain` is MIXING_GAIN, 0..2. When the sum is more
+// than a surface has, `common` gives way last.
+core::Ratio mixPair(Pair kind, Side side, core::Ratio common, core::Ratio differential,
+                    core::Ratio gain);
 
 }  // namespace control

@@ -8,6 +8,7 @@
 namespace {
 
 using control::Pair;
+using control::Side;
 using control::surfacePulse_us;
 using control::throttlePulse_us;
 using core::Ratio;
@@ -61,24 +62,28 @@ TEST(Pair, moves_both_for_the_common_control_and_apart_for_the_other) {
         {Pair::down_down, 0.4f, 0.4f, -0.4f, 0}, {Pair::none, 1, 1, 0, 0},
     };
     for (const auto& c : cases) {
-        const auto pair = mixPair(c.kind, Ratio(c.common), Ratio(c.apart), Ratio(0.5f));
-        EXPECT_NEAR(pair.left.toFloat(), c.left, kStep);
-        EXPECT_NEAR(pair.right.toFloat(), c.right, kStep);
+        const auto of = [&](Side side) {
+            return mixPair(c.kind, side, Ratio(c.common), Ratio(c.apart), Ratio(0.5f)).toFloat();
+        };
+        EXPECT_NEAR(of(Side::left), c.left, kStep);
+        EXPECT_NEAR(of(Side::right), c.right, kStep);
     }
 }
 
 TEST(Pair, pitch_comes_first_when_there_is_not_enough_surface_for_both) {
-    const auto pair = mixPair(Pair::up_up, Ratio(0.8f), Ratio(1), Ratio(1));
-    EXPECT_NEAR((pair.left.toFloat() + pair.right.toFloat()) / 2, 0.8f, kStep);
-    EXPECT_NEAR(pair.left.toFloat(), 1, kStep);
+    const auto of = [](Side side) {
+        return mixPair(Pair::up_up, side, Ratio(0.8f), Ratio(1), Ratio(1)).toFloat();
+    };
+    EXPECT_NEAR((of(Side::left) + of(Side::right)) / 2, 0.8f, kStep);
+    EXPECT_NEAR(of(Side::left), 1, kStep);
 }
 
 TEST(Pair, controls_past_their_ends_with_the_largest_gain_stay_at_the_ends) {
-    for (const float common : {-1.9f, 1.9f}) {
-        const auto pair = mixPair(Pair::up_up, Ratio(common), Ratio(-common), Ratio(1.2f));
-        EXPECT_EQ(pair.left.toFloat(), common < 0 ? -1 : 1);
-        EXPECT_EQ(pair.right.toFloat(), common < 0 ? -1 : 1);
-    }
+    for (const float common : {-1.9f, 1.9f})
+        for (const Side side : {Side::left, Side::right})
+            EXPECT_EQ(
+                mixPair(Pair::up_up, side, Ratio(common), Ratio(-common), Ratio(1.2f)).toFloat(),
+                common < 0 ? -1 : 1);
 }
 
 TEST(Slew, goes_no_faster_than_it_may_and_does_not_pass) {
