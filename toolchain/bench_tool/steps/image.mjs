@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps 2, 3 and 4: fuses, bootloader, flashing, and an image that is the other board's.
-import { spawnSync } from 'node:child_process';
-import { join } from 'node:path';
-
 import { NotDone } from '../errors.mjs';
 import { equals, holds, within } from '../limits.mjs';
 import { meter, restart } from './readings.mjs';
+import { runTool } from './tool.mjs';
 
 const kReboot = 246, kPrearm = 401;
 const kWrong = /^Wrong board: for an APM [12]/;
@@ -43,16 +41,9 @@ export const fuses = {
   ],
 };
 
-const program = ({ root }) => (path, image) => spawnSync(join(root, 'toolchain/flash'), [path, '--board', image], { stdio: ['ignore', 2, 2] }).status;
-
-// Runs toolchain/flash on the port, which is free meanwhile.
-async function flashed({ board, options, print }, image) {
-  if (!board.port.canReset) throw new NotDone('TCP reaches no bootloader');
-  const { path } = board.port.address;
-  board.port.pause();
-  print(`  toolchain/flash ${path} --board ${image}`);
-  const status = await (options.flash ?? program(options))(path, image);
-  await board.port.resume();
+async function flashed(b, image) {
+  const { flash: simulated } = b.options;
+  const status = await runTool(b, 'flash', ['--board', image], simulated && ((path) => simulated(path, image)));
   return { ok: status === 0, note: `toolchain/flash ended with status ${status}` };
 }
 const flashes = (id, title, which) => ({

@@ -1,29 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Step 16: toolchain/self_test, its parts as one row for each group of them.
-import { spawnSync } from 'node:child_process';
 import { readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 
+import { boards } from '../../flash_tool/boards.mjs';
 import { kParts, shown } from '../../self_test_tool/parts.mjs';
 import { NotDone, NotMeasured } from '../errors.mjs';
 import { holds, kPass } from '../limits.mjs';
+import { runTool } from './tool.mjs';
 
 const kPassed = 0, kFailed = 1;
 
-const fileOf = ({ options }) => join(options.folder, 'self_test.json');
-const program = ({ root }) => (path, board, file) =>
-  spawnSync(join(root, 'toolchain/self_test'), [path, '--board', board, '--yes', '--out', file], { stdio: ['ignore', 2, 2] }).status;
-
-// Runs toolchain/self_test on the port, which is free meanwhile. Gives its figures, which it writes at its end.
+// The figures that toolchain/self_test writes at its end.
 async function selfTested(b) {
-  const { board, options, print } = b;
-  if (!board.port.canReset) throw new NotDone('TCP reaches no bootloader; toolchain/self_test is for the simulator too');
-  const file = fileOf(b), { path } = board.port.address;
+  const { board, folder, selfTest: simulated } = b.options;
+  const file = join(folder, 'self_test.json');
   rmSync(file, { force: true });
-  board.port.pause();
-  print(`  toolchain/self_test ${path} --board ${options.board}`);
-  const status = await (options.selfTest ?? program(options))(path, options.board, file);
-  await board.port.resume();
+  const status = await runTool(b, 'self_test', ['--board', board, '--yes', '--out', file],
+    simulated && ((path) => simulated(path, board, file)));
   if (status !== kPassed && status !== kFailed) throw new NotMeasured(`toolchain/self_test ended with status ${status}`);
   return figuresOf(file);
 }
@@ -82,7 +76,7 @@ export const selfTest = {
         await b.person.action(b.id, 'The self-test is written through the bootloader, runs for half a minute, and the firmware is written back. ' +
           'Its outputs get pulses of up to 1000 us: nothing in them.');
         const { board, unknown, parts } = await selfTested(b);
-        const wanted = b.options.board === 'apm1' ? 'APM 1' : 'APM 2';
+        const wanted = boards[b.options.board].name;
         if (board !== wanted) return { ok: false, note: `the report of an ${board ?? 'unknown board'}` };
         b.found.selfTest = { parts };
         return { ok: unknown.length === 0, note: unknown.length === 0 ? `of an ${board}` : `not understood: ${unknown.join('; ')}` };
