@@ -17,10 +17,14 @@ Json orNull(const std::optional<T>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
-// Three decimals say all there is to say of metres and seconds.
-Json orNull(const std::optional<double>& value) {
-    return value && std::isfinite(*value) ? Json(std::round(*value * 1000) / 1000) : Json(nullptr);
+Json rounded(const std::optional<double>& value, double steps) {
+    return value && std::isfinite(*value) ? Json(std::round(*value * steps) / steps)
+                                          : Json(nullptr);
 }
+// Three decimals say all there is to say of metres and seconds.
+Json orNull(const std::optional<double>& value) { return rounded(value, 1e3); }
+// A budget is a whole per cent: what is past it by a thousandth has to show.
+Json loadOrNull(const std::optional<double>& value) { return rounded(value, 1e5); }
 
 Json list(const std::vector<Event>& events) {
     Json json = Json::array();
@@ -57,8 +61,8 @@ Json goalsOf(const Summary& summary) {
 }
 
 void addFigures(Json& json, const BoardFigures& figures, const std::vector<TaskName>& names) {
-    json["cpu_load"] = orNull(figures.cpu_load);
-    json["interrupt_load"] = orNull(figures.interrupt_load);
+    json["cpu_load"] = loadOrNull(figures.cpu_load);
+    json["interrupt_load"] = loadOrNull(figures.interrupt_load);
     json["frames"] = orNull(figures.frames);
     json["frame_mean_us"] = orNull(figures.frame_mean_us);
     json["frame_p99_us"] = orNull(figures.frame_p99_us);
