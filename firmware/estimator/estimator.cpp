@@ -12,6 +12,7 @@
 #include "estimation/height.hpp"
 #include "estimation/position.hpp"
 #include "estimation/wind.hpp"
+#include "firmware/sensors/compass_learning.hpp"
 #include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
@@ -390,6 +391,12 @@ float airspeedTestRatio() {
     return error.odd_mps / error.limit_mps;
 }
 
+// With what has gone over into the compass' offsets, which are as stored after a restart.
+void saveBiases(estimation::SavedBiases& to) {
+    attitude.save(to);
+    addOffsetsNotStored(to.field.own);
+}
+
 }  // namespace
 
 // Without an inertial sensor the attitude stands, and is found anew when it is back.
@@ -569,6 +576,7 @@ void fuseCompass() {
     motion.compass_seen = compass.readings;
     if (parameters.compass_use != 0 && !attitude.useCompass(compass.field_mg, attitudeSettings()))
         reportInconsistency(Sensor::compass);
+    if (compassLearnsInFlight()) takeCompassOffset(attitude.compassOffset_mg());
 }
 
 // A slow receiver is not silent between two of its fixes.
@@ -650,7 +658,7 @@ void resumeEstimate(const SlowRecord& slow, const FastRecord& fast, const Vector
 }
 
 void saveEstimate(SlowRecord& to) {
-    attitude.save(to.learnt);
+    saveBiases(to.learnt);
     to.home_height_m = heights.home_m;
     to.home_above_field_m = heights.home_above_field_m;
     to.height_scale = barometer_drift.scale();

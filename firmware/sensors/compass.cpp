@@ -64,7 +64,10 @@ bool plausible(const core::Vector3& field_mg) {
 
 }  // namespace
 
-void startCompass() { compass.start(); }
+void startCompass() {
+    compass.start();
+    keepCompassOffsets();
+}
 
 void runCompass() {
     if (!core::based(compass).step(hal::frame_ms())) {

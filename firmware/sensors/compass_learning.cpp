@@ -2,6 +2,7 @@
 #include "firmware/sensors/compass_learning.hpp"
 
 #include <math.h>
+#include <string.h>
 
 #include "core/file_state.hpp"
 #include "core/fixed.hpp"
@@ -25,7 +26,7 @@ constexpr uint8_t kCoarse = 60;
 constexpr float kMaxOffset_mg = 400;
 
 struct Turns {
-    float before_mg[3];    // offsets, to be brought back
+    float before_mg[3];    // offsets that are stored, to be brought back
     float miss_mg;         // by how much a pair disagrees with the offsets, the mean of late
     int16_t anchor_mg[3];  // what readings are compared with
     int16_t low_mg[3], high_mg[3];
@@ -37,11 +38,6 @@ struct Learning {
     uint8_t axes_to_save;
 };
 core::FileState<Learning> learning{};
-
-bool learnsInFlight() {
-    return parameters.compass_learn != 0 && vehicle.armed && vehicle.estimate.flying &&
-           vehicle.compass.healthy;
-}
 
 float field_mg() { return sqrtf(core::dot(vehicle.compass.field_mg, vehicle.compass.field_mg)); }
 
@@ -58,15 +54,17 @@ void widen(const int16_t (&reading_mg)[3]) {
     }
 }
 
+void setOffset(uint8_t axis, float offset_mg) {
+    parameters.compass_offset_mg[axis] = core::limit(offset_mg, -kMaxOffset_mg, kMaxOffset_mg);
+}
+
 // Along the difference of the two, by a part of the way.
 float approach(const float (&apart_mg)[3], float half_squares, float square, float gain) {
-    float* const offset_mg = parameters.compass_offset_mg;
+    const float* const offset_mg = parameters.compass_offset_mg;
     float short_by = half_squares;
     for (uint8_t i = 0; i < 3; ++i) short_by -= apart_mg[i] * offset_mg[i];
     const float step = short_by / square * gain;
-    for (uint8_t i = 0; i < 3; ++i)
-        offset_mg[i] =
-            core::limit(offset_mg[i] + apart_mg[i] * step, -kMaxOffset_mg, kMaxOffset_mg);
+    for (uint8_t i = 0; i < 3; ++i) setOffset(i, offset_mg[i] + apart_mg[i] * step);
     return fabsf(short_by) / sqrtf(square);
 }
 
@@ -78,18 +76,38 @@ void averageMiss(float miss_mg) {
 
 }  // namespace
 
+bool compassLearnsInFlight() {
+    return parameters.compass_learn != 0 && vehicle.armed && vehicle.estimate.flying &&
+           vehicle.compass.healthy;
+}
+
+void takeCompassOffset(core::Vector3& own_mg) {
+    for (uint8_t i = 0; i < 3; ++i) setOffset(i, parameters.compass_offset_mg[i] - (&own_mg.x)[i]);
+    own_mg = {0, 0, 0};
+}
+
+void addOffsetsNotStored(int16_t (&own_mg)[3]) {
+    for (uint8_t i = 0; i < 3; ++i)
+        own_mg[i] += static_cast<int16_t>(
+            core::rounded(learning.turns.before_mg[i] - parameters.compass_offset_mg[i]));
+}
+
+void keepCompassOffsets() {
+    memcpy(learning.turns.before_mg, parameters.compass_offset_mg, sizeof learning.turns.before_mg);
+}
+
 void compassTurnsStart() {
     learning.anchor_left = 0;
     learning.turns = Turns();
+    keepCompassOffsets();
     for (uint8_t i = 0; i < 3; ++i) {
-        learning.turns.before_mg[i] = parameters.compass_offset_mg[i];
         learning.turns.low_mg[i] = INT16_MAX;
         learning.turns.high_mg[i] = INT16_MIN;
     }
 }
 
 void compassTurnsUndo() {
-    for (uint8_t i = 0; i < 3; ++i) parameters.compass_offset_mg[i] = learning.turns.before_mg[i];
+    memcpy(parameters.compass_offset_mg, learning.turns.before_mg, sizeof learning.turns.before_mg);
 }
 
 // Of the pairs wanted, and of having pointed each axis nearly all the way up and down the field.
@@ -110,8 +128,9 @@ bool compassFits(uint8_t within_mg) { return learning.turns.miss_mg < within_mg 
 
 void learnCompass(const core::Vector3& reading_mg) {
     const bool turned = vehicle.calibrating == Calibrating::compass;
-    if (!turned && !learnsInFlight()) {
+    if (!turned && !compassLearnsInFlight()) {
         learning.anchor_left = 0;
+        if (!vehicle.armed) keepCompassOffsets();
         return;
     }
     int16_t now_mg[3];
@@ -140,11 +159,13 @@ void learnCompass(const core::Vector3& reading_mg) {
 
 void saveLearntCompass() {
     if (parameters.compass_learn == 0) return;
-    if (makesSense())
+    if (vehicle.compass.healthy && makesSense()) {
         learning.axes_to_save = 3;
-    else
-        sendStatusText(Severity::warning,
-                       STATUS_TEXT("Compass offsets learnt make no sense: not stored"));
+        return;
+    }
+    compassTurnsUndo();
+    sendStatusText(Severity::warning,
+                   STATUS_TEXT("Compass offsets learnt make no sense: not stored"));
 }
 
 // One at a time: all three at once took 1.4 ms of the frame in which it was disarmed.

@@ -11,6 +11,7 @@
 namespace firmware {
 namespace sensors {
 
+void keepCompassOffsets();  // at power-on: those that are stored
 void compassTurnsStart();
 void compassTurnsUndo();  // brings back the offsets from before
 uint8_t compassTurns_pct();
@@ -20,8 +21,17 @@ bool compassFits(uint8_t within_mg);  // the offsets found make sense
 // From the compass, without the offsets. Does something while it is turned about on
 // the ground for that, or in flight when COMPASS_LEARN is 1.
 void learnCompass(const core::Vector3& reading_mg);
-void saveLearntCompass();   // at disarming: offsets that make sense are stored by and by, ...
-void storeLearntCompass();  // ... an axis each call
+bool compassLearnsInFlight();
+// What the estimator has found in turns that the compass still reads of the airplane itself, in
+// mG along the body's axes, goes over into the offsets; 0 is left of it.
+void takeCompassOffset(core::Vector3& own_mg);
+// What of the offsets is not stored yet, and would be lost by a restart, is taken off them and
+// added to what the compass reads of the airplane itself, mG.
+void addOffsetsNotStored(int16_t (&own_mg)[3]);
+// At disarming: offsets that make sense are stored by and by; of a compass that is known to fail
+// those from before the flight are brought back.
+void saveLearntCompass();
+void storeLearntCompass();  // an axis each call
 
 }  // namespace sensors
 }  // namespace firmware

@@ -91,6 +91,8 @@ public:
 
     // What the compass reads of the airplane itself, learnt in turns; body axes.
     const core::Vector3& compassOffset_mg() const { return field_.own_mg(); }
+    // For one who takes it off the readings from now on, and sets it to 0 here.
+    core::Vector3& compassOffset_mg() { return field_.own_mg(); }
 
     // Acceleration over ground, as accelerate() found it, gravity removed: north, east, down.
     const core::Vector3& acceleration_mss() const { return acceleration_; }

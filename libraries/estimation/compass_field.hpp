@@ -12,6 +12,8 @@ class CompassField {
 public:
     core::Vector3 earths(const core::Vector3& reading_mg) const { return reading_mg - own_mg_; }
     const core::Vector3& own_mg() const { return own_mg_; }  // body axes
+    // For one who takes it, or a part of it, off the readings from now on.
+    core::Vector3& own_mg() { return own_mg_; }
 
     void start(float horizontal_mg, float down_mg);
 

@@ -6,6 +6,7 @@
 #include "core/internal_error.hpp"
 #include "estimation/atmosphere.hpp"
 #include "firmware/mission/home.hpp"
+#include "firmware/sensors/compass_learning.hpp"
 #include "firmware/sensors/health.hpp"
 #include "firmware_bench.hpp"
 #include "hal/clock.hpp"
@@ -46,7 +47,9 @@ protected:
             core::Accelerations::from(acceleration_mss + imu_lies_mss_, 0, -core::kGravity_mss);
         ++frame_;
         if (frame_ % 2 == 0) {
-            mutable_vehicle.compass.field_mg = {210, 0, 430};
+            const float* const offset_mg = firmware::state::parameters.compass_offset_mg;
+            mutable_vehicle.compass.field_mg =
+                compass_mg_ + core::Vector3{offset_mg[0], offset_mg[1], offset_mg[2]};
             mutable_vehicle.compass.accepted = true;
             ++mutable_vehicle.compass.readings;
         }
@@ -109,6 +112,7 @@ protected:
     float climb_mps_ = 0, altitude_m_ = 0;  // above the sea
     int frame_ = 0, late_ = 7;
     bool measures_climb_ = true;  // its receiver
+    core::Vector3 compass_mg_ = {210, 0, 430};
 };
 
 TEST_F(Estimator, does_not_lead_nor_lag_while_the_airplane_gains_speed) {
@@ -593,6 +597,52 @@ TEST_F(Estimator, records_how_far_home_was_moved_above_the_field) {
     firmware::estimator::zeroHeight();
     firmware::estimator::saveEstimate(slow);
     EXPECT_EQ(slow.home_above_field_m, 0);
+}
+
+// The compass reads 30 mG more downwards from now on: it counts as the airplane's own for the most.
+struct OwnField : Estimator {
+    void SetUp() override {
+        Estimator::SetUp();
+        firmware::state::parameters.compass_learn = 1;
+    }
+    void fly(bool flies) {
+        for (float& offset_mg : firmware::state::parameters.compass_offset_mg) offset_mg = 0;
+        firmware::sensors::keepCompassOffsets();
+        mutable_vehicle.armed = true;
+        frames(300);
+        frames(400, flies ? 3.0f : 0.0f);
+        compass_mg_.z = 460;
+        frames(1000);
+        firmware::estimator::saveEstimate(slow);
+    }
+    const float& learnt_mg = firmware::state::parameters.compass_offset_mg[2];
+    firmware::state::SlowRecord slow = {};
+};
+
+TEST_F(OwnField, goes_over_into_the_offsets_in_flight) {
+    fly(true);
+    ASSERT_TRUE(vehicle.estimate.flying);
+    EXPECT_LT(learnt_mg, -10);
+    EXPECT_GT(learnt_mg, -30);
+}
+
+TEST_F(OwnField, stays_out_of_the_offsets_on_the_ground) {
+    fly(false);
+    EXPECT_EQ(learnt_mg, 0);
+    EXPECT_GT(slow.learnt.field.own[2], 10);
+}
+
+TEST_F(OwnField, stays_out_of_the_offsets_where_they_are_not_to_be_learnt) {
+    firmware::state::parameters.compass_learn = 0;
+    fly(true);
+    EXPECT_EQ(learnt_mg, 0);
+    EXPECT_GT(slow.learnt.field.own[2], 10);
+}
+
+// After a restart the offsets are as they are stored.
+TEST_F(OwnField, is_recorded_for_a_restart_with_what_went_over) {
+    fly(true);
+    EXPECT_EQ(slow.learnt.field.own[2], core::rounded(-learnt_mg));
 }
 
 // A loss of power that resets the inertial sensor, too: after `frames` it gives samples again.

@@ -275,6 +275,45 @@ TEST_F(Compass, learns_in_flight_when_enabled) {
     expectFound();
 }
 
+TEST_F(Compass, that_failed_in_flight_has_its_offsets_from_before_again) {
+    ASSERT_EQ(storage::claim(), core::Status::ok);
+    parameters.compass_offset_mg[0] = 7;
+    firmware::sensors::keepCompassOffsets();
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
+    turnAbout(60);
+    ASSERT_NE(parameters.compass_offset_mg[0], 7);
+    mutable_vehicle.compass.healthy = false;
+    firmware::sensors::saveLearntCompass();
+    EXPECT_EQ(parameters.compass_offset_mg[0], 7);
+    run_ms(200);
+    EXPECT_TRUE(asked("not stored"));
+}
+
+TEST_F(Compass, whose_offsets_make_no_sense_has_those_from_before_again) {
+    firmware::sensors::keepCompassOffsets();
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
+    core::Vector3 own_mg = {0, 0, 500};
+    firmware::sensors::takeCompassOffset(own_mg);
+    EXPECT_EQ(parameters.compass_offset_mg[2], -400) << "as far as they go";
+    EXPECT_EQ(own_mg.z, 0);
+    firmware::sensors::saveLearntCompass();
+    EXPECT_EQ(parameters.compass_offset_mg[2], 0);
+    run_ms(200);
+    EXPECT_TRUE(asked("not stored"));
+}
+
+// Set on the ground after the start, before it flies.
+TEST_F(Compass, has_the_offsets_from_before_as_they_were_set_last) {
+    firmware::sensors::keepCompassOffsets();
+    parameters.compass_offset_mg[1] = 12;
+    firmware::sensors::learnCompass({210, 0, 430});
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
+    turnAbout(60);
+    mutable_vehicle.compass.healthy = false;
+    firmware::sensors::saveLearntCompass();
+    EXPECT_EQ(parameters.compass_offset_mg[1], 12);
+}
+
 TEST_F(Compass, keeps_what_it_has_learnt_after_disarming) {
     ASSERT_EQ(storage::claim(), core::Status::ok);
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
