@@ -19,7 +19,7 @@ control::SpeedHeightSettings settings() {
     s.climb_max_mps = 3.5f;
     s.sink_min_mps = 1.2f;
     s.sink_max_mps = 2.5f;
-    s.time_constant_s = 2;
+    s.time_constant_s = 1.7f;
     s.throttle_damping = 0.7f;
     s.integral_gain = 0.3f;
     s.vertical_accel_mss = 7;
