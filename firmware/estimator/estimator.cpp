@@ -416,7 +416,11 @@ void runAttitude() {
         to.aligned = !imuDead() && to.aligned;
         return;
     }
-    if (imuDead()) attitude.start();
+    if (imuDead()) {
+        attitude.start();
+        // learnt in flight from an attitude that was wrong before it was lost
+        if (vehicle.armed) compassTurnsUndo();
+    }
     motion.imu_gap = 0;
     motion.waits_for_imu = false;
     attitude.propagate({imu.turned, imu.rate_rads, imu.accel_mss, imu.periods});
@@ -576,7 +580,9 @@ void fuseCompass() {
     motion.compass_seen = compass.readings;
     if (parameters.compass_use != 0 && !attitude.useCompass(compass.field_mg, attitudeSettings()))
         reportInconsistency(Sensor::compass);
-    if (compassLearnsInFlight()) takeCompassOffset(attitude.compassOffset_mg());
+    // Without the inertial sensor the attitude stands: what seems to be the airplane's is not.
+    if (vehicle.imu.healthy && compassLearnsInFlight())
+        takeCompassOffset(attitude.compassOffset_mg());
 }
 
 // A slow receiver is not silent between two of its fixes.

@@ -639,6 +639,24 @@ TEST_F(OwnField, stays_out_of_the_offsets_where_they_are_not_to_be_learnt) {
     EXPECT_GT(slow.learnt.field.own[2], 10);
 }
 
+TEST_F(OwnField, stays_out_of_the_offsets_while_the_inertial_sensor_is_lost) {
+    mutable_vehicle.imu.healthy = false;
+    fly(true);
+    EXPECT_EQ(learnt_mg, 0);
+}
+
+// Before it was seen to be lost it turned the attitude, and the field with it.
+TEST_F(OwnField, is_forgotten_when_the_inertial_sensor_is_back) {
+    fly(true);
+    ASSERT_NE(learnt_mg, 0);
+    mutable_vehicle.imu.periods = 0;
+    for (int i = 0; i < 25; ++i) firmware::estimator::runAttitude();
+    EXPECT_NE(learnt_mg, 0);
+    mutable_vehicle.imu.periods = 2;
+    firmware::estimator::runAttitude();
+    EXPECT_EQ(learnt_mg, 0);
+}
+
 // After a restart the offsets are as they are stored.
 TEST_F(OwnField, is_recorded_for_a_restart_with_what_went_over) {
     fly(true);
