@@ -580,13 +580,18 @@ void fuseCompass() {
     motion.compass_seen = compass.readings;
     if (parameters.compass_use != 0 && !attitude.useCompass(compass.field_mg, attitudeSettings()))
         reportInconsistency(Sensor::compass);
-    // Without the inertial sensor the attitude stands: what seems to be the airplane's is not.
+}
+
+// Here, as the row of the compass has no time left. Without the inertial sensor the attitude
+// stands: what seems to be the airplane's own field is not.
+static void keepCompassOffset() {
     if (vehicle.imu.healthy && compassLearnsInFlight())
         takeCompassOffset(attitude.compassOffset_mg());
 }
 
 // A slow receiver is not silent between two of its fixes.
 void fuseAirspeed() {
+    keepCompassOffset();
     if (divesSlowly()) reportInconsistency(Sensor::airspeed);  // also when there are no fixes
     const float interval_s = core::limit(newest_fix.since_s, kLeastInterval_s, kMaxInterval_s);
     const uint16_t silent_ms = static_cast<uint16_t>(interval_s * (kSilentIntervals * 1000));
