@@ -391,10 +391,10 @@ float airspeedTestRatio() {
     return error.odd_mps / error.limit_mps;
 }
 
-// With what has gone over into the compass' offsets, which are as stored after a restart.
-void saveBiases(estimation::SavedBiases& to) {
-    attitude.save(to);
-    addOffsetsNotStored(to.field.own);
+// Without the inertial sensor the attitude stands: what seems to be the airplane's own is not.
+void moveOwnFieldToOffsets() {
+    if (vehicle.imu.healthy && compassLearnsInFlight())
+        takeCompassOffset(attitude.compassOffset_mg());
 }
 
 }  // namespace
@@ -419,7 +419,7 @@ void runAttitude() {
     if (imuDead()) {
         attitude.start();
         // learnt in flight from an attitude that was wrong before it was lost
-        if (vehicle.armed) compassTurnsUndo();
+        if (vehicle.armed) restoreStoredOffsets();
     }
     motion.imu_gap = 0;
     motion.waits_for_imu = false;
@@ -582,16 +582,9 @@ void fuseCompass() {
         reportInconsistency(Sensor::compass);
 }
 
-// Here, as the row of the compass has no time left. Without the inertial sensor the attitude
-// stands: what seems to be the airplane's own field is not.
-static void keepCompassOffset() {
-    if (vehicle.imu.healthy && compassLearnsInFlight())
-        takeCompassOffset(attitude.compassOffset_mg());
-}
-
 // A slow receiver is not silent between two of its fixes.
 void fuseAirspeed() {
-    keepCompassOffset();
+    moveOwnFieldToOffsets();                                   // fuseCompass has no time left
     if (divesSlowly()) reportInconsistency(Sensor::airspeed);  // also when there are no fixes
     const float interval_s = core::limit(newest_fix.since_s, kLeastInterval_s, kMaxInterval_s);
     const uint16_t silent_ms = static_cast<uint16_t>(interval_s * (kSilentIntervals * 1000));
@@ -669,7 +662,8 @@ void resumeEstimate(const SlowRecord& slow, const FastRecord& fast, const Vector
 }
 
 void saveEstimate(SlowRecord& to) {
-    saveBiases(to.learnt);
+    attitude.save(to.learnt);
+    addOffsetsNotStored(to.learnt.field.own);  // after a restart they are as stored
     to.home_height_m = heights.home_m;
     to.home_above_field_m = heights.home_above_field_m;
     to.height_scale = barometer_drift.scale();

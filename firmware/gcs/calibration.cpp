@@ -200,7 +200,7 @@ void finishCompass() {
 void compassTick() {
     if (now.phase != Phase::asks) {
         if (!report()) return;
-        if (now.phase == Phase::failed) compassTurnsUndo();
+        if (now.phase == Phase::failed) restoreStoredOffsets();
         published.calibrating = Calibrating::nothing;
         return;
     }
@@ -242,7 +242,7 @@ bool calibrationBegin(Calibrating what, const Asker& asker) {
 }
 
 void calibrationCancel() {
-    if (vehicle.calibrating == Calibrating::compass) compassTurnsUndo();
+    if (vehicle.calibrating == Calibrating::compass) restoreStoredOffsets();
     published.calibrating = Calibrating::nothing;
 }
 

@@ -66,7 +66,7 @@ bool plausible(const core::Vector3& field_mg) {
 
 void startCompass() {
     compass.start();
-    keepCompassOffsets();
+    noteStoredOffsets();
 }
 
 void runCompass() {

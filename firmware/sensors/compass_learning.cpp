@@ -26,7 +26,7 @@ constexpr uint8_t kCoarse = 60;
 constexpr float kMaxOffset_mg = 400;
 
 struct Turns {
-    float before_mg[3];    // offsets that are stored, to be brought back
+    float stored_mg[3];    // offsets as they are stored
     float miss_mg;         // by how much a pair disagrees with the offsets, the mean of late
     int16_t anchor_mg[3];  // what readings are compared with
     int16_t low_mg[3], high_mg[3];
@@ -74,6 +74,11 @@ void averageMiss(float miss_mg) {
     if (learning.turns.pairs < kPairs) ++learning.turns.pairs;
 }
 
+bool offsetsMoved() {
+    return memcmp(parameters.compass_offset_mg, learning.turns.stored_mg,
+                  sizeof learning.turns.stored_mg) != 0;
+}
+
 }  // namespace
 
 bool compassLearnsInFlight() {
@@ -89,25 +94,25 @@ void takeCompassOffset(core::Vector3& own_mg) {
 void addOffsetsNotStored(int16_t (&own_mg)[3]) {
     for (uint8_t i = 0; i < 3; ++i)
         own_mg[i] += static_cast<int16_t>(
-            core::rounded(learning.turns.before_mg[i] - parameters.compass_offset_mg[i]));
+            core::rounded(learning.turns.stored_mg[i] - parameters.compass_offset_mg[i]));
 }
 
-void keepCompassOffsets() {
-    memcpy(learning.turns.before_mg, parameters.compass_offset_mg, sizeof learning.turns.before_mg);
+void noteStoredOffsets() {
+    memcpy(learning.turns.stored_mg, parameters.compass_offset_mg, sizeof learning.turns.stored_mg);
 }
 
 void compassTurnsStart() {
     learning.anchor_left = 0;
     learning.turns = Turns();
-    keepCompassOffsets();
+    noteStoredOffsets();
     for (uint8_t i = 0; i < 3; ++i) {
         learning.turns.low_mg[i] = INT16_MAX;
         learning.turns.high_mg[i] = INT16_MIN;
     }
 }
 
-void compassTurnsUndo() {
-    memcpy(parameters.compass_offset_mg, learning.turns.before_mg, sizeof learning.turns.before_mg);
+void restoreStoredOffsets() {
+    memcpy(parameters.compass_offset_mg, learning.turns.stored_mg, sizeof learning.turns.stored_mg);
 }
 
 // Of the pairs wanted, and of having pointed each axis nearly all the way up and down the field.
@@ -130,7 +135,7 @@ void learnCompass(const core::Vector3& reading_mg) {
     const bool turned = vehicle.calibrating == Calibrating::compass;
     if (!turned && !compassLearnsInFlight()) {
         learning.anchor_left = 0;
-        if (!vehicle.armed) keepCompassOffsets();
+        if (!vehicle.armed) noteStoredOffsets();
         return;
     }
     int16_t now_mg[3];
@@ -158,12 +163,12 @@ void learnCompass(const core::Vector3& reading_mg) {
 }
 
 void saveLearntCompass() {
-    if (parameters.compass_learn == 0) return;
+    if (parameters.compass_learn == 0 || !offsetsMoved()) return;
     if (vehicle.compass.healthy && makesSense()) {
         learning.axes_to_save = 3;
         return;
     }
-    compassTurnsUndo();
+    restoreStoredOffsets();
     sendStatusText(Severity::warning,
                    STATUS_TEXT("Compass offsets learnt make no sense: not stored"));
 }

@@ -11,9 +11,11 @@
 namespace firmware {
 namespace sensors {
 
-void keepCompassOffsets();  // at power-on: those that are stored
+// The offsets in use are those that are stored: at power-on. While it is disarmed and not turned
+// about learnCompass() looks itself.
+void noteStoredOffsets();
+void restoreStoredOffsets();
 void compassTurnsStart();
-void compassTurnsUndo();  // brings back the offsets from before
 uint8_t compassTurns_pct();
 float compassMiss_mg();
 bool compassFits(uint8_t within_mg);  // the offsets found make sense

@@ -607,7 +607,7 @@ struct OwnField : Estimator {
     }
     void fly(bool flies) {
         for (float& offset_mg : firmware::state::parameters.compass_offset_mg) offset_mg = 0;
-        firmware::sensors::keepCompassOffsets();
+        firmware::sensors::noteStoredOffsets();
         mutable_vehicle.armed = true;
         frames(300);
         frames(400, flies ? 3.0f : 0.0f);
