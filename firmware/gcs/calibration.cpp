@@ -180,9 +180,9 @@ bool report() {
     message.cal_status = well ? mavlink::MagCalStatus::success : mavlink::MagCalStatus::failed;
     message.autosaved = well;
     message.fitness = compassMiss_mg();
-    message.ofs_x = parameters.compass_offset_mg[0];
-    message.ofs_y = parameters.compass_offset_mg[1];
-    message.ofs_z = parameters.compass_offset_mg[2];
+    message.ofs_x = parameters.compass.offset_mg[0];
+    message.ofs_y = parameters.compass.offset_mg[1];
+    message.ofs_z = parameters.compass.offset_mg[2];
     message.diag_x = message.diag_y = message.diag_z = 1;
     return send(link(), message);
 }
@@ -190,7 +190,7 @@ bool report() {
 void finishCompass() {
     const uint8_t within_mg = now.left_s > 0 ? 12 : 30;
     if (compassFits(within_mg) &&
-        parametersSetFrom(slot::compass_ofs_x, parameters.compass_offset_mg, 3)) {
+        parametersSetFrom(slot::compass_ofs_x, parameters.compass.offset_mg, 3)) {
         endWell();
     } else if (now.left_s == 0) {
         end(false, STATUS_TEXT("Calibration FAILED: magnet or iron near?"));

@@ -179,8 +179,9 @@ bool fillIn(const Link&, mavlink::Wind& to) {
         wind_sent.known_mps = wind_mps;
         wind_sent.speed_mps = sqrtf(core::square(wind_mps.x) + core::square(wind_mps.y));
         const float inverse = -1.0f / core::limit(wind_sent.speed_mps, 0.001f, 200.0f);
-        wind_sent.from_deg =
-            core::degrees(estimation::tableAtan2_rad(wind_mps.y * inverse, wind_mps.x * inverse));
+        wind_sent.from_deg = core::degrees(estimation::tableAtan2(core::Ratio(wind_mps.y * inverse),
+                                                                  core::Ratio(wind_mps.x * inverse))
+                                               .toFloat());
     }
     to.speed = wind_sent.speed_mps;
     to.direction = wind_sent.from_deg;

@@ -23,10 +23,10 @@ struct FlownPath {
 };
 core::FileState<FlownPath> flown{};
 
-uint16_t bearing_cd(const geo::Offset& direction) {
-    return core::wrap360_cd(
-        estimation::tableAtan2(core::Ratio(direction.east_m), core::Ratio(direction.north_m)));
+core::Angle bearing(const geo::Offset& direction) {
+    return estimation::tableAtan2(core::Ratio(direction.east_m), core::Ratio(direction.north_m));
 }
+uint16_t bearing_cd(const geo::Offset& direction) { return core::wrap360_cd(bearing(direction)); }
 
 }  // namespace
 
@@ -70,9 +70,7 @@ const navigation::LateralGains& lateralGains() { return flown.gains; }
 
 float legLength_m() { return flown.leg.length_m; }
 
-float legHeading_rad() {
-    return estimation::tableAtan2_rad(flown.leg.forward.east_m, flown.leg.forward.north_m);
-}
+float legHeading_rad() { return bearing(flown.leg.forward).toFloat(); }
 
 navigation::Lateral followDemandedLeg(const navigation::Motion& now, bool learning) {
     const geo::Offset from_start = geo::offset(vehicle.demand.from, vehicle.estimate.position);

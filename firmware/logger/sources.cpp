@@ -330,7 +330,7 @@ bool putCompass() {
     CompassRecord record;
     for (uint8_t i = 0; i < 3; ++i) {
         record.field_mg[i] = static_cast<int16_t>(*field_mg++);
-        record.offset_mg[i] = static_cast<int16_t>(parameters.compass_offset_mg[i]);
+        record.offset_mg[i] = static_cast<int16_t>(parameters.compass.offset_mg[i]);
     }
     return logFirst(RecordType::compass, record);
 }

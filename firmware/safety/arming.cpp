@@ -88,7 +88,7 @@ bool fieldBad() {
 // More than that has not come from the airplane itself.
 bool offsetsBad() {
     constexpr float kMax_mg = 500;
-    const float* const mg = parameters.compass_offset_mg;
+    const float* const mg = parameters.compass.offset_mg;
     const core::Vector3 offset = {mg[0], mg[1], mg[2]};
     return parameters.compass_use != 0 && core::dot(offset, offset) > kMax_mg * kMax_mg;
 }

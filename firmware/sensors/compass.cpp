@@ -36,8 +36,8 @@ constexpr CompassState& published = Publisher<CompassState>::state();
 core::FileState<drivers::Hmc5883l> compass{};
 
 struct Reading {
-    core::Vector3 unlearnt_mg;  // without the offsets
-    bool unlearnt;              // it is there
+    int16_t unlearnt_mg[3];  // without the offsets
+    bool unlearnt;           // it is there
 };
 core::FileState<Reading> reading{};
 
@@ -75,10 +75,14 @@ void runCompass() {
         return;
     }
     core::Vector3 field_mg = alongTheAirplane(compass.field_mg());
-    reading.unlearnt_mg = field_mg;
+    const float power = motorPower();
+    for (uint8_t i = 0; i < 3; ++i) {
+        float& axis_mg = (&field_mg.x)[i];
+        axis_mg += parameters.compass.motor_mg[i] * power;
+        reading.unlearnt_mg[i] = static_cast<int16_t>(core::rounded(axis_mg));
+        axis_mg += parameters.compass.offset_mg[i];
+    }
     reading.unlearnt = true;
-    const float* offset = parameters.compass_offset_mg;
-    field_mg = field_mg + core::Vector3{offset[0], offset[1], offset[2]};
     published.field_mg = field_mg;
     published.accepted = plausible(field_mg);
     ++published.readings;

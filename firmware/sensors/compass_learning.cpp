@@ -24,9 +24,13 @@ constexpr uint8_t kPairsOfAnchor = 50;
 constexpr uint8_t kPairs = 250;  // as many as are wanted
 constexpr uint8_t kCoarse = 60;
 constexpr float kMaxOffset_mg = 400;
+// Of the motor's part: before the offsets are known, at the beginning of the first flight, a
+// reading is off by far more than a motor adds.
+constexpr float kMaxStep_mg = 0.133f;
+constexpr float kMaxMotor_mg = 200;
 
 struct Turns {
-    float stored_mg[3];    // offsets as they are stored
+    CompassCorrection stored;
     float miss_mg;         // by how much a pair disagrees with the offsets, the mean of late
     int16_t anchor_mg[3];  // what readings are compared with
     int16_t low_mg[3], high_mg[3];
@@ -34,15 +38,16 @@ struct Turns {
 };
 struct Learning {
     Turns turns;
+    float mean_power;
     uint8_t anchor_left;  // pairs; 0: there is none
-    uint8_t axes_to_save;
+    uint8_t values_to_save;
 };
 core::FileState<Learning> learning{};
 
 float field_mg() { return sqrtf(core::dot(vehicle.compass.field_mg, vehicle.compass.field_mg)); }
 
 bool makesSense() {
-    for (const float offset_mg : parameters.compass_offset_mg)
+    for (const float offset_mg : parameters.compass.offset_mg)
         if (fabsf(offset_mg) >= kMaxOffset_mg) return false;
     return field_mg() > 185 && field_mg() < 875;
 }
@@ -55,12 +60,12 @@ void widen(const int16_t (&reading_mg)[3]) {
 }
 
 void setOffset(uint8_t axis, float offset_mg) {
-    parameters.compass_offset_mg[axis] = core::limit(offset_mg, -kMaxOffset_mg, kMaxOffset_mg);
+    parameters.compass.offset_mg[axis] = core::limit(offset_mg, -kMaxOffset_mg, kMaxOffset_mg);
 }
 
 // Along the difference of the two, by a part of the way.
 float approach(const float (&apart_mg)[3], float half_squares, float square, float gain) {
-    const float* const offset_mg = parameters.compass_offset_mg;
+    const float* const offset_mg = parameters.compass.offset_mg;
     float short_by = half_squares;
     for (uint8_t i = 0; i < 3; ++i) short_by -= apart_mg[i] * offset_mg[i];
     const float step = short_by / square * gain;
@@ -74,12 +79,25 @@ void averageMiss(float miss_mg) {
     if (learning.turns.pairs < kPairs) ++learning.turns.pairs;
 }
 
+// What a reading shows of the airplane itself, over how far the motor's power is above its mean, is
+// what full throttle would add; a little of it is taken over at a time (normalised least mean
+// squares, Widrow and Hoff 1960).
+float motorShare(float above_mean) {
+    constexpr float kShare = 1.5f, kNoise = 0.09f;
+    return kShare * above_mean / (kNoise + above_mean * above_mean);
+}
+
 bool offsetsMoved() {
-    return memcmp(parameters.compass_offset_mg, learning.turns.stored_mg,
-                  sizeof learning.turns.stored_mg) != 0;
+    return memcmp(&parameters.compass, &learning.turns.stored, sizeof learning.turns.stored) != 0;
 }
 
 }  // namespace
+
+float motorPower() {
+    if (!vehicle.armed) return 0;
+    const int16_t throttle = vehicle.throttle_demand.raw;
+    return core::Ratio::fromRaw(core::times14(throttle, throttle)).toFloat();
+}
 
 bool compassLearnsInFlight() {
     return parameters.compass_learn != 0 && vehicle.armed && vehicle.estimate.flying &&
@@ -87,19 +105,27 @@ bool compassLearnsInFlight() {
 }
 
 void takeCompassOffset(core::Vector3& own_mg) {
-    for (uint8_t i = 0; i < 3; ++i) setOffset(i, parameters.compass_offset_mg[i] - (&own_mg.x)[i]);
-    own_mg = {0, 0, 0};
+    constexpr float kMean = 0.01f;  // in 20 s
+    const float above_mean = motorPower() - learning.mean_power;
+    learning.mean_power += above_mean * kMean;
+    const float motor_share = motorShare(above_mean);
+    for (uint8_t i = 0; i < 3; ++i) {
+        float& own = (&own_mg.x)[i];
+        setOffset(i, parameters.compass.offset_mg[i] - own);
+        float& motor = parameters.compass.motor_mg[i];
+        motor = core::limit(motor - core::limit(own, -kMaxStep_mg, kMaxStep_mg) * motor_share,
+                            -kMaxMotor_mg, kMaxMotor_mg);
+        own = 0;
+    }
 }
 
 void addOffsetsNotStored(int16_t (&own_mg)[3]) {
     for (uint8_t i = 0; i < 3; ++i)
         own_mg[i] += static_cast<int16_t>(
-            core::rounded(learning.turns.stored_mg[i] - parameters.compass_offset_mg[i]));
+            core::rounded(learning.turns.stored.offset_mg[i] - parameters.compass.offset_mg[i]));
 }
 
-void noteStoredOffsets() {
-    memcpy(learning.turns.stored_mg, parameters.compass_offset_mg, sizeof learning.turns.stored_mg);
-}
+void noteStoredOffsets() { learning.turns.stored = parameters.compass; }
 
 void compassTurnsStart() {
     learning.anchor_left = 0;
@@ -111,9 +137,7 @@ void compassTurnsStart() {
     }
 }
 
-void restoreStoredOffsets() {
-    memcpy(parameters.compass_offset_mg, learning.turns.stored_mg, sizeof learning.turns.stored_mg);
-}
+void restoreStoredOffsets() { parameters.compass = learning.turns.stored; }
 
 // Of the pairs wanted, and of having pointed each axis nearly all the way up and down the field.
 uint8_t compassTurns_pct() {
@@ -131,18 +155,16 @@ float compassMiss_mg() { return learning.turns.miss_mg; }
 
 bool compassFits(uint8_t within_mg) { return learning.turns.miss_mg < within_mg && makesSense(); }
 
-void learnCompass(const core::Vector3& reading_mg) {
+void learnCompass(const int16_t (&now_mg)[3]) {
     const bool turned = vehicle.calibrating == Calibrating::compass;
     if (!turned && !compassLearnsInFlight()) {
         learning.anchor_left = 0;
         if (!vehicle.armed) noteStoredOffsets();
         return;
     }
-    int16_t now_mg[3];
     float apart_mg[3];
     int32_t square = 0, squares = 0;
     for (uint8_t i = 0; i < 3; ++i) {
-        now_mg[i] = static_cast<int16_t>(core::rounded((&reading_mg.x)[i]));
         const int16_t anchor = learning.turns.anchor_mg[i];
         const int16_t apart = now_mg[i] - anchor;
         square += core::product(apart, apart);
@@ -165,7 +187,7 @@ void learnCompass(const core::Vector3& reading_mg) {
 void saveLearntCompass() {
     if (parameters.compass_learn == 0 || !offsetsMoved()) return;
     if (vehicle.compass.healthy && makesSense()) {
-        learning.axes_to_save = 3;
+        learning.values_to_save = 6;
         return;
     }
     restoreStoredOffsets();
@@ -173,12 +195,15 @@ void saveLearntCompass() {
                    STATUS_TEXT("Compass offsets learnt make no sense: not stored"));
 }
 
-// One at a time: all three at once took 1.4 ms of the frame in which it was disarmed.
+// One at a time: all three offsets at once took 1.4 ms of the frame in which it was disarmed.
 void storeLearntCompass() {
-    if (learning.axes_to_save == 0) return;
-    const uint8_t axis = --learning.axes_to_save;
-    parameterSet(static_cast<uint8_t>(slot::compass_ofs_x + axis),
-                 parameters.compass_offset_mg[axis]);
+    if (learning.values_to_save == 0) return;
+    const uint8_t value = --learning.values_to_save;
+    const bool motor = value >= 3;
+    const uint8_t axis = motor ? value - 3 : value;
+    const uint8_t first = motor ? slot::compass_mot_x : slot::compass_ofs_x;
+    parameterSet(static_cast<uint8_t>(first + axis),
+                 motor ? parameters.compass.motor_mg[axis] : parameters.compass.offset_mg[axis]);
 }
 
 }  // namespace sensors

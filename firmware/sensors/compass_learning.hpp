@@ -20,9 +20,12 @@ uint8_t compassTurns_pct();
 float compassMiss_mg();
 bool compassFits(uint8_t within_mg);  // the offsets found make sense
 
-// From the compass, without the offsets. Does something while it is turned about on
-// the ground for that, or in flight when COMPASS_LEARN is 1.
-void learnCompass(const core::Vector3& reading_mg);
+// What the motor's field goes with, as its current does: about the square of the throttle, 0..1.
+float motorPower();
+
+// From the compass, the motor's field taken off, without the offsets. Does something while it is
+// turned about on the ground for that, or in flight when COMPASS_LEARN is 1.
+void learnCompass(const int16_t (&reading_mg)[3]);
 bool compassLearnsInFlight();
 // What the estimator has found in turns that the compass still reads of the airplane itself, in
 // mG along the body's axes, goes over into the offsets; 0 is left of it.

@@ -40,6 +40,7 @@ enum : uint8_t {
     ins_accscal_z  = 167,
     ahrs_trim_x    = 168,
     sign_policy    = 174,
+    compass_mot_x  = 180,
     elevon_output  = 200,
     vtail_output   = 201,
     rc5_function   = 216,  // then RC6_, RC7_ and RC8_FUNCTION

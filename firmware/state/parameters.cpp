@@ -211,9 +211,12 @@ constexpr parameters::Row kRows[] = {
     P(225, "GPS_TYPE",          gps_type,                          1,       0,        5),
     P(  8, "GPS_DELAY_MS",      gps_delay_ms,                      0,       0,      500),
     P(157, "COMPASS_USE",       compass_use,                       1,       0,        1),
-    P(slot::compass_ofs_x, "COMPASS_OFS_X", compass_offset_mg[0],  0,    -400,      400),
-    P(159, "COMPASS_OFS_Y",     compass_offset_mg[1],              0,    -400,      400),
-    P(160, "COMPASS_OFS_Z",     compass_offset_mg[2],              0,    -400,      400),
+    P(slot::compass_ofs_x, "COMPASS_OFS_X", compass.offset_mg[0],  0,    -400,      400),
+    P(159, "COMPASS_OFS_Y",     compass.offset_mg[1],              0,    -400,      400),
+    P(160, "COMPASS_OFS_Z",     compass.offset_mg[2],              0,    -400,      400),
+    P(slot::compass_mot_x, "COMPASS_MOT_X", compass.motor_mg[0],   0,    -200,      200),
+    P(181, "COMPASS_MOT_Y",     compass.motor_mg[1],               0,    -200,      200),
+    P(182, "COMPASS_MOT_Z",     compass.motor_mg[2],               0,    -200,      200),
     P(161, "COMPASS_DEC",       compass_declination_rad,           0, -3.142f,   3.142f),
     P(175, "COMPASS_AUTODEC",   compass_auto_declination,          1,       0,        1),
     P(186, "COMPASS_LEARN",     compass_learn,                     1,       0,        1),
@@ -242,7 +245,7 @@ constexpr uint8_t kRetired[] = {
     13, 22,  // SR0_RAW_CTRL, SR1_RAW_CTRL
     18, 27,  // SR0_PARAMS, SR1_PARAMS
 };
-constexpr uint16_t kNextSlot = 180;  // the lowest free one, for the next parameter
+constexpr uint16_t kNextSlot = 183;  // the lowest free one, for the next parameter
 
 #undef P
 #undef CHANNEL

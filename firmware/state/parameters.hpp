@@ -23,6 +23,12 @@ struct StreamRates {  // SRn_, hertz
 };
 constexpr uint8_t kLinks = 2;
 
+// Added to what the compass reads; body axes.
+struct CompassCorrection {
+    float offset_mg[3];
+    float motor_mg[3];  // at full throttle
+};
+
 struct Parameters {
     int8_t format_version;  // 0: forget every stored value at the next start
     // ground link
@@ -113,7 +119,7 @@ struct Parameters {
     int16_t gps_delay_ms;  // 0: by the receiver, and learnt in turns
     int8_t compass_use, compass_auto_declination, compass_learn;
     int8_t compass_external, compass_orientation;  // orientation: drivers/orientation.hpp
-    float compass_offset_mg[3];
+    CompassCorrection compass;
     float compass_declination_rad;  // the table's while compass_auto_declination is 1
     float accel_offset_mss[3], accel_scale[3];
     float level_trim_rad[2];  // AHRS_TRIM_X, _Y

@@ -48,11 +48,6 @@ uint16_t tableArcsine(uint16_t x) {  // 64 steps of 256
     return low + between;
 }
 
-float tableArcsine_rad(float x) {
-    return static_cast<float>(tableArcsine(static_cast<uint16_t>(x * core::Ratio::kSteps))) *
-           (1.0f / Arc::kSteps);
-}
-
 // An Angle's steps.
 uint16_t tableArcsine_turn(uint16_t x) {
     constexpr core::Fixed<16> kAngles(core::Angle::kSteps / Arc::kSteps);
@@ -61,13 +56,6 @@ uint16_t tableArcsine_turn(uint16_t x) {
 }
 
 }  // namespace
-
-float tableAtan2_rad(float sine, float cosine) {
-    const float rise = fabsf(sine), run = fabsf(cosine);
-    float angle = rise < run ? tableArcsine_rad(rise) : core::kPi / 2 - tableArcsine_rad(run);
-    if (cosine < 0) angle = core::kPi - angle;
-    return sine < 0 ? -angle : angle;
-}
 
 core::Angle tableAtan2(core::Ratio sine, core::Ratio cosine) {
     const uint16_t rise = static_cast<uint16_t>(sine.raw < 0 ? -sine.raw : sine.raw);

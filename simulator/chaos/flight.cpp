@@ -306,9 +306,9 @@ bool ChaosFlight::ask(const std::string& name) {
 
 void ChaosFlight::readBack() {
     // by these the board changes what was set itself: it learns, counts or calibrates
-    constexpr const char* kChanges[] = {"COMPASS_OFS", "COMPASS_DEC", "SYS_NUM",
-                                        "INS_",        "GND_",        "ARSPD_OFFSET",
-                                        "MIS_TOTAL",   "FENCE_TOTAL", "RALLY_TOTAL"};
+    constexpr const char* kChanges[] = {"COMPASS_OFS", "COMPASS_MOT", "COMPASS_DEC",  "SYS_NUM",
+                                        "INS_",        "GND_",        "ARSPD_OFFSET", "MIS_TOTAL",
+                                        "FENCE_TOTAL", "RALLY_TOTAL"};
     const auto set = board_.watch().history().parametersSet();
     if (set.empty() || has(scenario_, {"frame", "restart", "command"})) return;
     constexpr double kWritten_s = 4;

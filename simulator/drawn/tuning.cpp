@@ -13,9 +13,10 @@ namespace {
 constexpr uint64_t kStep_us = 20'000;
 constexpr double kLimit_s = 900, kClimbs_s = 25, kAnswer_s = 0.4;
 constexpr float kAutotune = 8;
-constexpr const char* kLearnt[] = {"RLL2SRV_TCONST",  "RLL2SRV_P",     "RLL2SRV_I",    "RLL2SRV_D",
-                                   "PTCH2SRV_TCONST", "PTCH2SRV_P",    "PTCH2SRV_I",   "PTCH2SRV_D",
-                                   "COMPASS_OFS_X",   "COMPASS_OFS_Y", "COMPASS_OFS_Z"};
+constexpr const char* kLearnt[] = {
+    "RLL2SRV_TCONST", "RLL2SRV_P",     "RLL2SRV_I",     "RLL2SRV_D",     "PTCH2SRV_TCONST",
+    "PTCH2SRV_P",     "PTCH2SRV_I",    "PTCH2SRV_D",    "COMPASS_OFS_X", "COMPASS_OFS_Y",
+    "COMPASS_OFS_Z",  "COMPASS_MOT_X", "COMPASS_MOT_Y", "COMPASS_MOT_Z"};
 
 template <class Message>
 Message to(uint8_t system, const std::string& parameter) {

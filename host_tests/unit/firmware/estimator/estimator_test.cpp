@@ -47,7 +47,7 @@ protected:
             core::Accelerations::from(acceleration_mss + imu_lies_mss_, 0, -core::kGravity_mss);
         ++frame_;
         if (frame_ % 2 == 0) {
-            const float* const offset_mg = firmware::state::parameters.compass_offset_mg;
+            const float* const offset_mg = firmware::state::parameters.compass.offset_mg;
             mutable_vehicle.compass.field_mg =
                 compass_mg_ + core::Vector3{offset_mg[0], offset_mg[1], offset_mg[2]};
             mutable_vehicle.compass.accepted = true;
@@ -606,7 +606,7 @@ struct OwnField : Estimator {
         firmware::state::parameters.compass_learn = 1;
     }
     void fly(bool flies) {
-        for (float& offset_mg : firmware::state::parameters.compass_offset_mg) offset_mg = 0;
+        for (float& offset_mg : firmware::state::parameters.compass.offset_mg) offset_mg = 0;
         firmware::sensors::noteStoredOffsets();
         mutable_vehicle.armed = true;
         frames(300);
@@ -615,7 +615,7 @@ struct OwnField : Estimator {
         frames(1000);
         firmware::estimator::saveEstimate(slow);
     }
-    const float& learnt_mg = firmware::state::parameters.compass_offset_mg[2];
+    const float& learnt_mg = firmware::state::parameters.compass.offset_mg[2];
     firmware::state::SlowRecord slow = {};
 };
 

@@ -207,9 +207,15 @@ struct Compass : Calibration {
     }
     void sense(const core::Vector3& field_mg) {
         const core::Vector3 read = field_mg - kIron_mg;
-        if (sensed_++ % 4 == 0) firmware::sensors::learnCompass(read);
-        const float* offset = parameters.compass_offset_mg;
+        if (sensed_++ % 4 == 0) learn(read);
+        const float* offset = parameters.compass.offset_mg;
         mutable_vehicle.compass.field_mg = read + core::Vector3{offset[0], offset[1], offset[2]};
+    }
+    static void learn(const core::Vector3& read_mg) {
+        const int16_t whole_mg[3] = {static_cast<int16_t>(std::lround(read_mg.x)),
+                                     static_cast<int16_t>(std::lround(read_mg.y)),
+                                     static_cast<int16_t>(std::lround(read_mg.z))};
+        firmware::sensors::learnCompass(whole_mg);
     }
     void expectRefused() {
         firmware::sensors::saveLearntCompass();
@@ -218,9 +224,9 @@ struct Compass : Calibration {
     }
     int sensed_ = 0;  // 50 a second, of which every fourth is learnt from
     void expectFound() {
-        EXPECT_NEAR(parameters.compass_offset_mg[0], kIron_mg.x, 5);
-        EXPECT_NEAR(parameters.compass_offset_mg[1], kIron_mg.y, 5);
-        EXPECT_NEAR(parameters.compass_offset_mg[2], kIron_mg.z, 5);
+        EXPECT_NEAR(parameters.compass.offset_mg[0], kIron_mg.x, 5);
+        EXPECT_NEAR(parameters.compass.offset_mg[1], kIron_mg.y, 5);
+        EXPECT_NEAR(parameters.compass.offset_mg[2], kIron_mg.z, 5);
     }
 };
 
@@ -250,7 +256,7 @@ TEST_F(Compass, not_turned_in_all_directions_keeps_its_offsets) {
     EXPECT_EQ(command(MavCmd::do_start_mag_cal), MavResult::accepted);
     turnAbout(48, 0.3f);
     EXPECT_TRUE(asked("Calibration FAILED"));
-    EXPECT_EQ(parameters.compass_offset_mg[0], 0);
+    EXPECT_EQ(parameters.compass.offset_mg[0], 0);
     const auto reports = station.all<mavlink::MagCalReport>();
     ASSERT_EQ(reports.size(), 1u);
     EXPECT_EQ(reports[0].cal_status, mavlink::MagCalStatus::failed);
@@ -259,9 +265,9 @@ TEST_F(Compass, not_turned_in_all_directions_keeps_its_offsets) {
 TEST_F(Compass, cancelled_keeps_its_offsets) {
     EXPECT_EQ(command(MavCmd::do_start_mag_cal), MavResult::accepted);
     turnAbout(1);
-    EXPECT_NE(parameters.compass_offset_mg[0], 0);
+    EXPECT_NE(parameters.compass.offset_mg[0], 0);
     EXPECT_EQ(command(MavCmd::do_cancel_mag_cal), MavResult::accepted);
-    EXPECT_EQ(parameters.compass_offset_mg[0], 0);
+    EXPECT_EQ(parameters.compass.offset_mg[0], 0);
 }
 
 TEST_F(Compass, a_missing_compass_is_not_calibrated) {
@@ -274,7 +280,7 @@ TEST_F(Compass, learns_in_flight_when_enabled) {
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
     parameters.compass_learn = 0;
     turnAbout(4);
-    EXPECT_EQ(parameters.compass_offset_mg[0], 0);
+    EXPECT_EQ(parameters.compass.offset_mg[0], 0);
     parameters.compass_learn = 1;
     turnAbout(60);
     expectFound();
@@ -282,14 +288,14 @@ TEST_F(Compass, learns_in_flight_when_enabled) {
 
 TEST_F(Compass, that_failed_in_flight_has_its_offsets_from_before_again) {
     ASSERT_EQ(storage::claim(), core::Status::ok);
-    parameters.compass_offset_mg[0] = 7;
+    parameters.compass.offset_mg[0] = 7;
     firmware::sensors::noteStoredOffsets();
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
     turnAbout(60);
-    ASSERT_NE(parameters.compass_offset_mg[0], 7);
+    ASSERT_NE(parameters.compass.offset_mg[0], 7);
     mutable_vehicle.compass.healthy = false;
     expectRefused();
-    EXPECT_EQ(parameters.compass_offset_mg[0], 7);
+    EXPECT_EQ(parameters.compass.offset_mg[0], 7);
 }
 
 // Of a board without a compass nothing is learnt, and nothing is refused.
@@ -308,38 +314,40 @@ TEST_F(Compass, whose_offsets_make_no_sense_has_those_from_before_again) {
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
     core::Vector3 own_mg = {0, 0, 500};
     firmware::sensors::takeCompassOffset(own_mg);
-    EXPECT_EQ(parameters.compass_offset_mg[2], -400) << "as far as they go";
+    EXPECT_EQ(parameters.compass.offset_mg[2], -400) << "as far as they go";
     EXPECT_EQ(own_mg.z, 0);
     expectRefused();
-    EXPECT_EQ(parameters.compass_offset_mg[2], 0);
+    EXPECT_EQ(parameters.compass.offset_mg[2], 0);
 }
 
 // Set on the ground after the start, before it flies.
 TEST_F(Compass, has_the_offsets_from_before_as_they_were_set_last) {
     firmware::sensors::noteStoredOffsets();
-    parameters.compass_offset_mg[1] = 12;
-    firmware::sensors::learnCompass({210, 0, 430});
+    parameters.compass.offset_mg[1] = 12;
+    learn({210, 0, 430});
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
     turnAbout(60);
     mutable_vehicle.compass.healthy = false;
     firmware::sensors::saveLearntCompass();
-    EXPECT_EQ(parameters.compass_offset_mg[1], 12);
+    EXPECT_EQ(parameters.compass.offset_mg[1], 12);
 }
 
 TEST_F(Compass, keeps_what_it_has_learnt_after_disarming) {
     ASSERT_EQ(storage::claim(), core::Status::ok);
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
     turnAbout(60);
+    for (int axis = 0; axis < 3; ++axis) parameters.compass.motor_mg[axis] = 10.0f + axis;
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = false;
     firmware::sensors::saveLearntCompass();
     for (int i = 0; i < 100; ++i) {
         firmware::sensors::storeLearntCompass();
         firmware::state::parametersRun();
     }
-    for (float& offset_mg : parameters.compass_offset_mg) offset_mg = 0;
+    parameters.compass = {};
     fakes::restartEeprom();
     while (firmware::state::parametersLoad() == core::Status::busy) fakes::advance_ms(10);
     expectFound();
+    for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(parameters.compass.motor_mg[axis], 10.0f + axis);
 }
 
 }  // namespace

@@ -598,9 +598,9 @@ TEST_F(Telemetry, the_sticks_and_the_board_find_their_middle) {
 
 TEST_F(Telemetry, the_compass_is_given_its_offsets) {
     EXPECT_EQ(command(MavCmd::preflight_set_sensor_offsets, 2, 10, -20, 30), MavResult::accepted);
-    EXPECT_EQ(firmware::state::parameters.compass_offset_mg[0], 10);
-    EXPECT_EQ(firmware::state::parameters.compass_offset_mg[1], -20);
-    EXPECT_EQ(firmware::state::parameters.compass_offset_mg[2], 30);
+    EXPECT_EQ(firmware::state::parameters.compass.offset_mg[0], 10);
+    EXPECT_EQ(firmware::state::parameters.compass.offset_mg[1], -20);
+    EXPECT_EQ(firmware::state::parameters.compass.offset_mg[2], 30);
 }
 
 }  // namespace

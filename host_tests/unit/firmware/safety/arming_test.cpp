@@ -258,8 +258,8 @@ INSTANTIATE_TEST_SUITE_P(
                   mutable_vehicle.compass.field_mg = {0, 900, 0};
               }},
         Fault{4, "PreArm: compass offsets",
-              [] { parameters.compass_offset_mg[0] = parameters.compass_offset_mg[1] = 380; }},
-        Fault{4, "PreArm: compass offsets", [] { parameters.compass_offset_mg[2] = 510; }},
+              [] { parameters.compass.offset_mg[0] = parameters.compass.offset_mg[1] = 380; }},
+        Fault{4, "PreArm: compass offsets", [] { parameters.compass.offset_mg[2] = 510; }},
         Fault{4, "PreArm: compass upside down",
               [] {
                   mutable_vehicle.compass.field_mg = {200, 0, -430};
@@ -386,7 +386,7 @@ TEST_F(Arming, accepts_sensors_at_the_bounds_of_what_is_plausible) {
         EXPECT_TRUE(firmware::safety::prearmFailure().isNone()) << field_mg;
     }
     makeReady();
-    parameters.compass_offset_mg[1] = 500;
+    parameters.compass.offset_mg[1] = 500;
     EXPECT_TRUE(firmware::safety::prearmFailure().isNone());
     rawForce(0, 0, -2510);  // 1 g
     mutable_vehicle.compass.field_mg = {200, 0, -80};

@@ -100,7 +100,7 @@ TEST_F(Conditions, of_each_check_of_the_sensors_turn_it_alone) {
          [] { return refused(4, "PreArm: check mag field"); },
          [](const Bits& is) { return is[0] && (is[1] || is[2]); }},
         {"compass offsets",
-         {compassUsed, [](bool is) { parameters.compass_offset_mg[1] = is ? 510 : 490; }},
+         {compassUsed, [](bool is) { parameters.compass.offset_mg[1] = is ? 510 : 490; }},
          [] { return refused(4, "PreArm: compass offsets"); },
          all},
         {"compass upside down",

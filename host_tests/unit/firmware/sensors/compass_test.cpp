@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 
 #include "firmware/sensors/compass_learning.hpp"
 #include "firmware/sensors/sensors.hpp"
@@ -53,20 +54,86 @@ TEST_F(Declination, stays_as_it_was_set_when_the_table_is_not_wanted) {
 // What two circles teach when the compass is off by 60 mG to the right.
 float learntInFlight_mg(bool healthy) {
     parameters.compass_learn = 1;
-    for (float& offset_mg : parameters.compass_offset_mg) offset_mg = 0;
+    for (float& offset_mg : parameters.compass.offset_mg) offset_mg = 0;
     mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
     mutable_vehicle.compass.healthy = healthy;
     for (int degree = 0; degree < 720; ++degree) {
         const float heading_rad = core::radians(static_cast<float>(degree));
-        firmware::sensors::learnCompass(
-            {250 * std::cos(heading_rad), 60 - 250 * std::sin(heading_rad), 350});
+        const int16_t reading_mg[3] = {
+            static_cast<int16_t>(std::lround(250 * std::cos(heading_rad))),
+            static_cast<int16_t>(std::lround(60 - 250 * std::sin(heading_rad))), 350};
+        firmware::sensors::learnCompass(reading_mg);
     }
-    return parameters.compass_offset_mg[1];
+    return parameters.compass.offset_mg[1];
 }
 
 TEST(CompassLearning, takes_nothing_from_a_compass_that_is_known_to_fail) {
     EXPECT_LT(learntInFlight_mg(true), -10);
     EXPECT_EQ(learntInFlight_mg(false), 0);
+}
+
+// The estimator's share of what it finds a reading to show of the airplane, five times a second.
+struct MotorsField : testing::Test {
+    static constexpr float kOffset_mg[3] = {15, -8, 20}, kMotor_mg[3] = {25, -40, 10};
+    MotorsField() {
+        parameters.compass = {};
+        mutable_vehicle.armed = true;
+    }
+    ~MotorsField() override {
+        mutable_vehicle.throttle_demand = core::Ratio(0);
+        parameters.compass = {};
+    }
+    // Ten seconds with each throttle, again and again.
+    void fly(std::initializer_list<float> throttles, int times, float offset_share = 1) {
+        for (int i = 0; i < times; ++i)
+            for (const float throttle : throttles) hold(throttle, offset_share);
+    }
+    void hold(float throttle, float offset_share) {
+        constexpr float kShare = 0.2f / 15;
+        mutable_vehicle.throttle_demand = core::Ratio(throttle);
+        for (int reading = 0; reading < 50; ++reading) {
+            float own[3];
+            for (int i = 0; i < 3; ++i)
+                own[i] = kShare *
+                         (kOffset_mg[i] * offset_share + parameters.compass.offset_mg[i] +
+                          (kMotor_mg[i] + parameters.compass.motor_mg[i]) * throttle * throttle);
+            core::Vector3 own_mg = {own[0], own[1], own[2]};
+            firmware::sensors::takeCompassOffset(own_mg);
+        }
+    }
+};
+constexpr float MotorsField::kOffset_mg[3], MotorsField::kMotor_mg[3];
+
+TEST_F(MotorsField, is_separated_from_the_offsets_by_the_throttle) {
+    fly({0.9f, 0.4f, 0.6f, 0.2f}, 30);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(parameters.compass.motor_mg[i], -kMotor_mg[i], 2);
+        EXPECT_NEAR(parameters.compass.offset_mg[i], -kOffset_mg[i], 1);
+    }
+}
+
+TEST_F(MotorsField, counts_as_an_offset_while_the_throttle_stays) {
+    fly({0.5f}, 60);
+    const auto before = parameters.compass;
+    fly({0.5f}, 60);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(parameters.compass.motor_mg[i], before.motor_mg[i], 0.1);
+        EXPECT_NEAR(parameters.compass.offset_mg[i] + parameters.compass.motor_mg[i] * 0.25f,
+                    -kOffset_mg[i] - kMotor_mg[i] * 0.25f, 1);
+    }
+}
+
+// 20 times the offset: as a reading is off before the first turns, or beside a magnet.
+TEST_F(MotorsField, is_not_learnt_at_once_from_a_reading_that_is_far_off) {
+    fly({0.9f}, 1, 20);
+    for (int i = 0; i < 3; ++i) EXPECT_LT(std::fabs(parameters.compass.motor_mg[i]), 20);
+}
+
+TEST_F(MotorsField, goes_with_the_square_of_the_throttle_of_a_motor_that_may_turn) {
+    mutable_vehicle.throttle_demand = core::Ratio(0.5f);
+    EXPECT_NEAR(firmware::sensors::motorPower(), 0.25f, 1e-3);
+    mutable_vehicle.armed = false;
+    EXPECT_EQ(firmware::sensors::motorPower(), 0);
 }
 
 }  // namespace
