@@ -52,14 +52,13 @@ core::Vector3 alongTheAirplane(const core::Vector3& measured) {
 bool plausible(const core::Vector3& field_mg) {
     constexpr int32_t kLeast_mg = 100, kMax_mg = 1000;
     int32_t squared = 0;
-    int16_t sum_mg = 0;
     for (const float* axis = &field_mg.x; axis <= &field_mg.z; ++axis) {
         const int16_t whole_mg = core::toFixed(*axis, 0);
         squared += core::product(whole_mg, whole_mg);
-        sum_mg = static_cast<int16_t>(sum_mg + whole_mg);
     }
     const bool possible = squared > kLeast_mg * kLeast_mg && squared < kMax_mg * kMax_mg;
-    return acceptReading(Sensor::compass, sum_mg, possible);
+    // as it was read: what the throttle adds and takes off would hide that it is stuck
+    return acceptReading(Sensor::compass, compass.sum_mg(), possible);
 }
 
 }  // namespace

@@ -203,6 +203,8 @@ bool Hmc5883l::takeField(const uint8_t* bytes, uint32_t now_ms) {
     }
     // All zeros is a chip that does not measure: the earth's field is nowhere below 200 mG.
     if (read.axis[0] == 0 && read.axis[1] == 0 && read.axis[2] == 0) return false;
+    const int16_t sum = static_cast<int16_t>(read.axis[0] + read.axis[1] + read.axis[2]);
+    sum_mg_ = static_cast<int16_t>(sum - (sum >> (old_ ? 2 : 4)));  // 0.77 and 0.92 mG a count
     float chip[3];
     for (uint8_t i = 0; i < 3; ++i) chip[i] = read.axis[i] * scale_[i];
     // The chip lies on the board with its x to the left and its y to the rear, z up; the old one

@@ -16,6 +16,8 @@ public:
     bool step(uint32_t now_ms);
 
     core::Vector3 field_mg() const { return field_mg_; }  // milligauss, body axes
+    // Of all axes, within 3 %, by the chip's counts alone: it stays while the chip repeats itself.
+    int16_t sum_mg() const { return sum_mg_; }
     bool healthy() const { return healthy_; }
     uint16_t saturated() const { return saturated_; }  // samples in which an axis overflowed
     uint16_t restarts() const { return restarts_; }
@@ -43,6 +45,7 @@ private:
     float measured_[3] = {};  // its sums
     uint32_t since_ms_ = 0;
     uint32_t good_ms_ = 0;
+    int16_t sum_mg_ = 0;
     uint16_t wait_ms_ = 0;
     uint16_t saturated_ = 0;
     uint16_t restarts_ = 0;

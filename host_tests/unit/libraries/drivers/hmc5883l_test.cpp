@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include <memory>
 
 #include "fakes/fakes.hpp"
@@ -56,6 +58,7 @@ TEST_F(Hmc5883l, tests_itself_and_reads_milligauss_in_the_airplanes_axes) {
     EXPECT_NEAR(driver.field_mg().x, 200, 2);
     EXPECT_NEAR(driver.field_mg().y, -50, 2);
     EXPECT_NEAR(driver.field_mg().z, 430, 2);
+    EXPECT_NEAR(std::abs(driver.sum_mg()), 200 - 50 + 430, 18);
     for (uint8_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(driver.scale(axis), 1, 0.01);
 }
 
@@ -206,6 +209,7 @@ TEST_F(Hmc5843, is_identified_and_reads_milligauss_in_body_axes) {
     EXPECT_NEAR(driver.field_mg().x, 200, 2);
     EXPECT_NEAR(driver.field_mg().y, -50, 2);
     EXPECT_NEAR(driver.field_mg().z, 430, 2);
+    EXPECT_NEAR(std::abs(driver.sum_mg()), 200 + 50 + 430, 20);  // its second axis the other way
     for (uint8_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(driver.scale(axis), 1, 0.01);
 }
 
