@@ -28,7 +28,8 @@ float motorPower();
 void learnCompass(const int16_t (&reading_mg)[3]);
 bool compassLearnsInFlight();
 // What the estimator has found in turns that the compass still reads of the airplane itself, in
-// mG along the body's axes, goes over into the offsets; 0 is left of it.
+// mG along the body's axes, goes over into the offsets; 0 is left of it. What of it comes and goes
+// with motorPower() is learnt as COMPASS_MOT. Five times a second.
 void takeCompassOffset(core::Vector3& own_mg);
 // What of the offsets is not stored yet, and would be lost by a restart, is taken off them and
 // added to what the compass reads of the airplane itself, mG.
@@ -36,7 +37,7 @@ void addOffsetsNotStored(int16_t (&own_mg)[3]);
 // At disarming: offsets that make sense are stored by and by; of a compass that is known to fail
 // those from before the flight are brought back.
 void saveLearntCompass();
-void storeLearntCompass();  // an axis each call
+void storeLearntCompass();  // one of the six values each call
 
 }  // namespace sensors
 }  // namespace firmware
