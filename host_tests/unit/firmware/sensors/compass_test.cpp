@@ -3,12 +3,17 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <vector>
 
 #include "firmware/sensors/compass_learning.hpp"
+#include "firmware/sensors/devices.hpp"
+#include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
+#include "host_tests/support/fakes/fakes.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
+#include "simulator/devices/hmc5883l.hpp"
 
 namespace {
 
@@ -134,6 +139,46 @@ TEST_F(MotorsField, goes_with_the_square_of_the_throttle_of_a_motor_that_may_tur
     EXPECT_NEAR(firmware::sensors::motorPower(), 0.25f, 1e-3);
     mutable_vehicle.armed = false;
     EXPECT_EQ(firmware::sensors::motorPower(), 0);
+}
+
+// A chip that repeats itself, in an airplane that turns, while the throttle moves.
+TEST(StuckCompass, is_found_while_what_is_added_for_the_motor_changes) {
+    fakes::reset();
+    simulator::Hmc5883l chip(1, simulator::SensorErrors::none());
+    chip.sense({200, -50, 430});
+    uint64_t now_us = 0;
+    fakes::i2c().device = [&](const fakes::I2cTransfer& transfer) {
+        std::vector<uint8_t> in;
+        chip.start(false, now_us);
+        for (const uint8_t byte : transfer.out) chip.write(byte, now_us);
+        if (transfer.in_size > 0) chip.start(true, now_us);
+        for (int i = 0; i < transfer.in_size; ++i)
+            in.push_back(chip.read(i + 1 < transfer.in_size, now_us));
+        chip.stop(now_us);
+        return in;
+    };
+    parameters.compass = {{0, 0, 0}, {60, -50, 40}};
+    mutable_vehicle.imu.rate_rads.z = core::BodyRate(0.3f);
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
+    firmware::sensors::startHealth();
+    firmware::sensors::startCompass();
+    bool worked = false;
+    for (int step = 0; step < 500; ++step) {
+        now_us += 20000;
+        fakes::advance_ms(20);
+        mutable_vehicle.throttle_demand =
+            core::Ratio(0.3f + 0.002f * static_cast<float>(step % 200));
+        firmware::sensors::runCompass();
+        if (step % 5 == 0) firmware::sensors::watchHealth();
+        worked = worked || firmware::state::vehicle.compass.healthy;
+    }
+    EXPECT_TRUE(worked);
+    EXPECT_TRUE(firmware::sensors::isFaulty(firmware::sensors::Sensor::compass));
+    firmware::sensors::startHealth();
+    mutable_vehicle.imu.rate_rads = {};
+    mutable_vehicle.throttle_demand = core::Ratio(0);
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = false;
+    parameters.compass = {};
 }
 
 }  // namespace
