@@ -2,13 +2,11 @@
 #include "firmware/state/parameter_host.hpp"
 
 #include "firmware/actuators/outputs.hpp"
-#include "firmware/gcs/legacy_points.hpp"
 
 namespace firmware {
 namespace state {
 
-const ParameterHost parameter_host = {actuators::isOutputFunction, gcs::fenceTakesTotal,
-                                      gcs::resizePoints};
+const ParameterHost parameter_host = {actuators::isOutputFunction};
 
 }  // namespace state
 }  // namespace firmware

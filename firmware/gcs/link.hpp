@@ -100,8 +100,6 @@ constexpr mavlink::Layout kAnswers[] ROM = {
     mavlink::layoutOf<mavlink::Timesync>(),
     mavlink::layoutOf<mavlink::LogEntry>(),
     mavlink::layoutOf<mavlink::LogData>(),
-    mavlink::layoutOf<mavlink::FencePoint>(),
-    mavlink::layoutOf<mavlink::RallyPoint>(),
     mavlink::layoutOf<mavlink::MagCalProgress>(),
     mavlink::layoutOf<mavlink::MagCalReport>(),
     mavlink::layoutOf<mavlink::MessageInterval>(),

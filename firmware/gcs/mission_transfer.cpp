@@ -26,8 +26,6 @@ namespace {
 // MAVProxy is ready to answer.
 constexpr uint8_t kAskAgainTurns = 15;
 constexpr uint8_t kTries = 30;
-// A point whose frame is given up is not carried on by anyone.
-constexpr uint8_t kPointTurns = kTickRate_hz + kTickRate_hz / 2;
 
 // The one in floats stands as the one in whole numbers.
 bool sendRequest(Link& link) {
@@ -109,10 +107,6 @@ void turnItems() {
     if (ask()) ++transfer.tries;
 }
 
-void turnPoints() {
-    if (++transfer.turns >= kPointTurns) forgetTransfer();
-}
-
 }  // namespace
 
 bool isOwner(const Link& link, const mavlink::Frame& frame) {
@@ -177,9 +171,6 @@ void missionTransferTick() {
             break;
         case Upload::commit:
             turnCommit();
-            break;
-        case Upload::points:
-            turnPoints();
             break;
         case Upload::none:
             break;

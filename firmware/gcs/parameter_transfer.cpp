@@ -45,6 +45,13 @@ bool onParamRequestRead(Link& link, const mavlink::Frame& frame) {
     return parameterSend(link, index);
 }
 
+static void reportRefused(core::Status why) {
+    auto text = STATUS_TEXT("Parameter value refused: out of range");
+    if (why == core::Status::denied) text = STATUS_TEXT("Parameter refused: armed");
+    if (why == core::Status::unsupported) text = STATUS_TEXT("Parameter is read-only");
+    sendStatusText(Severity::warning, text);
+}
+
 // Whatever comes of it, the answer is the value that is now in force.
 bool onParamSet(Link& link, const mavlink::Frame& frame) {
     const auto wanted = frame.read<mavlink::ParamSet>();
@@ -57,11 +64,7 @@ bool onParamSet(Link& link, const mavlink::Frame& frame) {
     const bool changes = parameterChanges(index, wanted.param_value);
     const core::Status status = parameterSetAt(index, wanted.param_value);
     if (status == core::Status::busy) return false;
-    if (status != core::Status::ok)
-        sendStatusText(Severity::warning,
-                       status == core::Status::denied
-                           ? STATUS_TEXT("Parameter refused: armed")
-                           : STATUS_TEXT("Parameter value refused: out of range"));
+    if (status != core::Status::ok) reportRefused(status);
     if (changes && status == core::Status::ok) parameterWritten();
     for (Link& other : links)  // who has no room now asks again some day
         if (&other != &link) parameterSend(other, index);

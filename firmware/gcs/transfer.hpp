@@ -18,10 +18,7 @@ enum class Upload : uint8_t {
     none,
     items,   // they come one by one
     commit,  // all are here and being stored
-    points,  // a point of its own, or a new length of the list, is being stored
 };
-
-constexpr uint8_t kNoLink = 0xFF;  // owned by a parameter that is being set
 
 struct Transfer {
     Upload state;

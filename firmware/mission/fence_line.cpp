@@ -125,8 +125,7 @@ void restart() {
 }
 
 void conclude() {
-    const bool plain = points() != 0 && !fence_line.zones;
-    parameters.fence_total = static_cast<int8_t>(plain ? fenceCorners() + 2 : 0);
+    parameters.fence_total = static_cast<int8_t>(points());
     fence_line.line = Line::unfit;
     if (lap.inside && (fence_line.zones || fenceCorners() >= 3))
         fence_line.line = fenceHasWayBack() ? Line::checking : Line::fit;

@@ -193,7 +193,7 @@ constexpr parameters::Row kRows[] = {
     P(214, "CAM_SERVO_ON",      camera_on_us,                   1300,    1000,     2000),
     P(215, "CAM_SERVO_OFF",     camera_off_us,                  1100,    1000,     2000),
     P(230, "FENCE_ACTION",      fence_action,                      0,       0,        3),
-    P(kFenceTotal, "FENCE_TOTAL", fence_total,                     0,       0,       21),
+    P(kFenceTotal, "FENCE_TOTAL", fence_total,                     0,       0,       20),
     P(232, "FENCE_CHANNEL",     fence_channel,                     0,       0,        8),
     P(233, "FENCE_MINALT",      fence_min_m,                       0,       0,    32767),
     P(234, "FENCE_MAXALT",      fence_max_m,                       0,       0,    32767),
@@ -321,18 +321,10 @@ void reportFound() {
         sendStatusText(Severity::critical, STATUS_TEXT("Memory fault: check all parameters"));
 }
 
+// What is counted of a list that is stored is not set.
 bool isListLength(uint8_t row) {
-    const uint8_t slot = table.slot(row);
-    return slot == kFenceTotal || slot == kRallyTotal;
-}
-
-core::Status setListLength(uint8_t row, float value) {
-    const uint8_t total = static_cast<uint8_t>(core::rounded(value));
-    const storage::ListKind kind =
-        table.slot(row) == kFenceTotal ? storage::ListKind::fence : storage::ListKind::rally;
-    const core::Status status = parameter_host.resizePoints(kind, total);
-    if (status == core::Status::ok) table.assign(row, value);
-    return status;
+    const uint8_t number = table.slot(row);
+    return number == kFenceTotal || number == kRallyTotal;
 }
 
 void assignInitials() {
@@ -377,8 +369,6 @@ bool takes(uint8_t row, float value) {
     // rounded where it is needed: a mission may set a dozen in one step
     const auto whole = [value] { return core::rounded(value); };
     if (number >= kFirstMode && number <= kLastMode) return isMode(static_cast<uint8_t>(whole()));
-    if (number == kFenceTotal)
-        return parameter_host.acceptsFenceTotal(static_cast<uint8_t>(whole()));
     if (number >= slot::rc5_function && number <= slot::rc8_function)
         return parameter_host.isOutputFunction(static_cast<int8_t>(whole()));
     return !isReverse(number) || whole() != 0;
@@ -454,7 +444,7 @@ core::Status parameterSetAt(uint16_t index, float value) {
     if (!takes(row, value)) return core::Status::bad_argument;
     const core::Status status = maySet(table.slot(row), value);
     if (status != core::Status::ok) return status;
-    if (isListLength(row)) return setListLength(row, value);
+    if (isListLength(row)) return core::Status::unsupported;
     if (background.store == Store::foreign) {
         sendStatusText(Severity::warning, STATUS_TEXT("Not stored: another firmware's EEPROM"));
     } else {
@@ -485,8 +475,8 @@ bool parameterGet(uint8_t slot, float& value) {
 // One search, as a mission sets a dozen in a row. Whoever uploads a mission may not grant himself
 // what only USB may.
 static bool findTaker(uint8_t slot, float value, uint8_t& row) {
-    return slot != slot::serial_force && slot != slot::sign_policy && slot != kFenceTotal &&
-           slot != kRallyTotal && table.findSlot(slot, row) && takes(row, value);
+    return slot != slot::serial_force && slot != slot::sign_policy && table.findSlot(slot, row) &&
+           !isListLength(row) && takes(row, value);
 }
 
 bool parameterSlotTakes(uint8_t slot, float value) {

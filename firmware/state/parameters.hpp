@@ -135,7 +135,7 @@ struct Parameters {
     int8_t fence_action, fence_channel, fence_auto_enable;
     int16_t fence_min_m, fence_max_m, fence_return_m;  // above home
     float rally_limit_km;
-    int8_t fence_total, rally_total;  // what is stored, in the terms of FENCE_POINT, RALLY_POINT
+    int8_t fence_total, rally_total;  // points that are stored
 };
 extern core::FileState<Parameters> parameters;
 struct ParameterChanges {

@@ -201,23 +201,32 @@ private:
         return mode() == wanted;
     }
 
-    // A square of 4 km, the way back to its middle.
+    // A square of 4 km, the way back to its middle. The vehicle asks for one after the other.
     void sendFence() {
-        constexpr float kNorth_deg = 0.018f, kEast_deg = 0.027f;
-        constexpr int kCorners[][2] = {{0, 0}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1}, {1, 1}};
-        constexpr size_t kPoints = std::size(kCorners);
-        set("FENCE_TOTAL", kPoints);
-        for (size_t i = 0; i < kPoints; ++i) {
-            mavlink::FencePoint point{};
-            point.target_system = flight_.telemetry().system;
-            point.target_component = 1;
-            point.idx = static_cast<uint8_t>(i);
-            point.count = kPoints;
-            point.lat = static_cast<float>(items_[0].latitude_deg) + kNorth_deg * kCorners[i][0];
-            point.lng = static_cast<float>(items_[0].longitude_deg) + kEast_deg * kCorners[i][1];
-            usb_.send(point);
-            wait(kAnswered_s);
+        constexpr double kNorth_deg = 0.018, kEast_deg = 0.027;
+        constexpr int kPoints[][2] = {{0, 0}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1}};
+        mavlink::MissionCount count{};
+        count.count = std::size(kPoints);
+        sendOfFence(count);
+        for (size_t i = 0; i < std::size(kPoints); ++i) {
+            mavlink::MissionItemInt item{};
+            item.seq = static_cast<uint16_t>(i);
+            item.command = i == 0 ? mavlink::MavCmd::nav_fence_return_point
+                                  : mavlink::MavCmd::nav_fence_polygon_vertex_inclusion;
+            item.param1 = std::size(kPoints) - 1;
+            item.x = degreesE7(items_[0].latitude_deg + kNorth_deg * kPoints[i][0]);
+            item.y = degreesE7(items_[0].longitude_deg + kEast_deg * kPoints[i][1]);
+            sendOfFence(item);
         }
+    }
+    static int32_t degreesE7(double degrees) { return static_cast<int32_t>(degrees * 1e7); }
+    template <class Message>
+    void sendOfFence(Message& message) {
+        message.target_system = flight_.telemetry().system;
+        message.target_component = 1;
+        message.mission_type = mavlink::MavMissionType::fence;
+        usb_.send(message);
+        wait(kAnswered_s);
     }
 
     void enableFence(bool on) {

@@ -64,16 +64,16 @@ const answers = {
   MISSION_ACK: 'none; it ends a download',
   MISSION_CLEAR_ALL: '`MISSION_ACK`',
   MISSION_SET_CURRENT: '`MISSION_CURRENT` when it is set, a text when not',
-  FENCE_POINT: 'none when it is stored, a text when it is refused',
-  FENCE_FETCH_POINT: '`FENCE_POINT`, or a text when there is no such point',
-  RALLY_POINT: 'none when it is stored, a text when it is refused',
-  RALLY_FETCH_POINT: '`RALLY_POINT`, or a text when there is no such point',
+  FENCE_POINT: 'a text: points come as mission items',
+  FENCE_FETCH_POINT: 'a text: points come as mission items',
+  RALLY_POINT: 'a text: points come as mission items',
+  RALLY_FETCH_POINT: 'a text: points come as mission items',
   LOG_REQUEST_LIST: '`LOG_ENTRY` of each',
   LOG_REQUEST_DATA: '`LOG_DATA`; a text while armed',
   LOG_ERASE: 'a text when it begins and when it has ended, or why it does not',
   LOG_REQUEST_END: 'none',
 };
-const late = { refuseMission: '`MISSION_ACK`: ERROR', refuseParamSet: 'a text', refusePoint: 'a text', refuseSetupSigning: 'a text' };
+const late = { refuseMission: '`MISSION_ACK`: ERROR', refuseParamSet: 'a text', refuseSetupSigning: 'a text' };
 
 function understood() {
   const rows = [...read('firmware/gcs/incoming.cpp').matchAll(/to(?:All|Us)<mavlink::(\w+)>\((?:on|refuse)\w+(?:, (\w+))?\)/g)]

@@ -6,7 +6,7 @@ import { spawn } from 'node:child_process';
 import { copyFileSync, mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-import { fencePoint } from './mavlink.mjs';
+import { fenceCount, fenceItem } from './mavlink.mjs';
 import { Board, FlightFailed } from './lock_step.mjs';
 
 const kTimeout_ms = 120_000;
@@ -85,13 +85,15 @@ async function everyMode(board) {
   }
 }
 
-// A square of 4 km around its point of return, which is home.
+// A square of 4 km around its point of return, which is home. The vehicle asks for one after the other.
 async function sendFence(board) {
-  const corners = [[0, 0], [1, 1], [1, -1], [-1, -1], [-1, 1], [1, 1]];
-  await board.set('FENCE_TOTAL', corners.length);
-  for (const [index, [north, east]] of corners.entries()) {
-    board.send(fencePoint(index, corners.length, kHome.latitude_deg + 0.018 * north,
-      kHome.longitude_deg + 0.027 * east));
+  const kReturnPoint = 5000, kCorner = 5001;  // MAV_CMD_NAV_FENCE_
+  const points = [[0, 0], [1, 1], [1, -1], [-1, -1], [-1, 1]];
+  board.send(fenceCount(points.length));
+  await board.wait(0.5);
+  for (const [index, [north, east]] of points.entries()) {
+    board.send(fenceItem(index, index === 0 ? kReturnPoint : kCorner, points.length - 1,
+      kHome.latitude_deg + 0.018 * north, kHome.longitude_deg + 0.027 * east));
     await board.wait(0.5);
   }
 }

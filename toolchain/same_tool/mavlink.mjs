@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // As much of MAVLink as directing a flight needs, without npm packages: frames of version 1 are
-// written, frames of versions 1 and 2 are cut out of a stream. Layouts, ids and the CRC's extra
+// written, or of version 2 where a message needs its extensions; both are cut out of a stream. Layouts, ids and the CRC's extra
 // bytes are those of MAVLink's common.xml and ardupilotmega.xml.
 const kMagic1 = 0xfe, kMagic2 = 0xfd;
 const kSystem = 255, kComponent = 190;  // a ground station's
@@ -16,16 +16,21 @@ function crcOf(bytes) {
   return crc & 0xffff;
 }
 
-// A frame of version 1.
-export function frame({ id, extra, payload }, sequence) {
-  const head = [payload.length, sequence & 255, kSystem, kComponent, id];
+export function frame({ id, extra, payload, extended }, sequence) {
+  const from = [sequence & 255, kSystem, kComponent];
+  const head = extended ? [payload.length, 0, 0, ...from, id, 0, 0] : [payload.length, ...from, id];
   const crc = crcOf([...head, ...payload, extra]);
-  return Buffer.from([kMagic1, ...head, ...payload, crc & 255, crc >> 8]);
+  return Buffer.from([extended ? kMagic2 : kMagic1, ...head, ...payload, crc & 255, crc >> 8]);
 }
 
 const float = (value) => {
   const bytes = Buffer.alloc(4);
   bytes.writeFloatLE(value);
+  return [...bytes];
+};
+const degreesE7 = (degrees) => {
+  const bytes = Buffer.alloc(4);
+  bytes.writeInt32LE(Math.round(degrees * 1e7));
   return [...bytes];
 };
 const to = [1, 1];  // the vehicle's system and component
@@ -38,8 +43,12 @@ export const paramSet = (name, value) => ({ id: 23, extra: 168,
   payload: [...float(value), ...to, ...Buffer.from(name.padEnd(16, '\0')), 9] });
 export const requestAllStreams = (rate_hz) => ({ id: 66, extra: 148,
   payload: [rate_hz & 255, rate_hz >> 8, ...to, 0, 1] });
-export const fencePoint = (index, count, latitude_deg, longitude_deg) => ({ id: 160, extra: 78,
-  payload: [...float(latitude_deg), ...float(longitude_deg), ...to, index, count] });
+const kFenceType = 1;  // MAV_MISSION_TYPE, an extension of these two
+export const fenceCount = (count) => ({ id: 44, extra: 221, extended: true,
+  payload: [count & 255, count >> 8, ...to, kFenceType] });
+export const fenceItem = (index, command, corners, latitude_deg, longitude_deg) => ({ id: 73, extra: 38, extended: true,
+  payload: [...float(corners), ...float(0), ...float(0), ...float(0), ...degreesE7(latitude_deg), ...degreesE7(longitude_deg),
+    ...float(0), index & 255, index >> 8, command & 255, command >> 8, ...to, 0, 0, 1, kFenceType] });
 
 // The whole frames at the beginning of `bytes`, and how many bytes they take. What is no frame ends
 // the list.

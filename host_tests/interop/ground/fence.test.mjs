@@ -43,24 +43,15 @@ test('what it does not fly is refused, with the reason', withVehicle({}, async (
   assertSame(await download(vehicle, kFence), square);
 }));
 
-test('goes up point by point, each read back, as before there was another way',
-  withVehicle({}, async (vehicle) => {
-    const corners = square.slice(1);
-    const points = [square[0], ...corners, corners[0]];
-    await vehicle.wait(1000);
-    assert.equal(await setParameter(vehicle, 'FENCE_ACTION', 0), 0);
-    assert.equal(await setParameter(vehicle, 'FENCE_TOTAL', points.length), points.length);
-    for (const [idx, { x, y }] of points.entries()) {
-      vehicle.send('FENCE_POINT', { idx, count: points.length, lat: x * 1e-7, lng: y * 1e-7 });
-      vehicle.send('FENCE_FETCH_POINT', { idx });
-      const back = await vehicle.expect('FENCE_POINT', { within_ms: 3000 });
-      assert.equal(back.idx, idx);
-      assert.ok(Math.abs(back.lat - x * 1e-7) < 1e-5 && Math.abs(back.lng - y * 1e-7) < 1e-5, `point ${idx}`);
-    }
-    vehicle.line.version = 2;
-    const items = await download(vehicle, kFence);
-    assert.deepEqual(items.map(({ command }) => command), square.map(({ command }) => command));
-  }));
+test('does not go up by the messages of before the mission protocol: a text says so', withVehicle({}, async (vehicle) => {
+  for (const [name, fields] of [['FENCE_POINT', { idx: 0, count: 6, lat: 47, lng: 8 }], ['FENCE_FETCH_POINT', { idx: 0 }],
+    ['RALLY_POINT', { idx: 0, count: 1 }], ['RALLY_FETCH_POINT', { idx: 0 }]]) {
+    vehicle.send(name, fields);
+    await said(vehicle, /Fence and rally: only as mission items/);
+  }
+  assert.equal(await setParameter(vehicle, 'FENCE_TOTAL', 6), 0);
+  await said(vehicle, /Parameter is read-only/);
+}));
 
 test('turns the airplane back from a zone', withVehicle({}, async (vehicle) => {
   vehicle.line.version = 2;

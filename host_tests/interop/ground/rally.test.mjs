@@ -20,18 +20,6 @@ test('go up and come down the same', withVehicle({}, async (vehicle) => {
   assert.equal((await download(vehicle, kRally)).length, 0);
 }));
 
-test('go up one by one, as before there was another way', withVehicle({}, async (vehicle) => {
-  await vehicle.wait(1000);
-  assert.equal(await setParameter(vehicle, 'RALLY_TOTAL', 2), 2);
-  for (const idx of [0, 1]) {
-    const { x, y } = points[idx];
-    vehicle.send('RALLY_POINT', { idx, count: 2, lat: x, lng: y, alt: 60 + idx, breakAlt: 0, landDir: 0, flags: 0 });
-    vehicle.send('RALLY_FETCH_POINT', { idx });
-    const back = await vehicle.expect('RALLY_POINT', { within_ms: 3000 });
-    assert.deepEqual([back.idx, back.lat, back.lng, back.alt, back.count], [idx, x, y, 60 + idx, 2]);
-  }
-}));
-
 test('RTL flies to the nearest', withVehicle({}, async (vehicle) => {
   vehicle.line.version = 2;
   assert.equal(await upload(vehicle, points, kRally), 0);

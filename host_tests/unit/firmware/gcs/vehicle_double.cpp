@@ -5,7 +5,6 @@
 
 #include "firmware/actuators/camera.hpp"
 #include "firmware/actuators/outputs.hpp"
-#include "firmware/gcs/legacy_points.hpp"
 #include "firmware/mission/home.hpp"
 #include "firmware/modes/guided.hpp"
 #include "firmware/modes/takeoff.hpp"
@@ -252,8 +251,7 @@ void calibratePressures() { ++doubles::vehicle.pressure_calibrations; }
 }  // namespace sensors
 
 namespace state {
-const ParameterHost parameter_host = {actuators::isOutputFunction, gcs::fenceTakesTotal,
-                                      gcs::resizePoints};
+const ParameterHost parameter_host = {actuators::isOutputFunction};
 }
 
 }  // namespace firmware

@@ -179,15 +179,14 @@ TEST_F(FenceLines, are_none_without_a_point_and_unfit_with_too_few) {
     EXPECT_EQ(lineOf({}), Line::none) << "it was cleared";
 }
 
-// As the older messages count them: with the return point, and the first corner again.
 TEST_F(FenceLines, are_counted_in_FENCE_TOTAL) {
     const auto total = [](const StoredPoints& points) {
         (void)lineOf(points);
         return static_cast<int>(parameters.fence_total);
     };
-    EXPECT_EQ(total(polygon(4, 0)), 6);
-    EXPECT_EQ(total(polygon(4, kNone)), 6);
-    EXPECT_EQ(total(polygon(20, kNone)), 22);
+    EXPECT_EQ(total(polygon(4, 0)), 5);
+    EXPECT_EQ(total(polygon(4, kNone)), 4);
+    EXPECT_EQ(total(polygon(20, kNone)), 20);
     EXPECT_EQ(total({}), 0);
 }
 
@@ -353,13 +352,13 @@ TEST_F(FenceLines, are_not_fit_when_a_zone_forbids_the_return_point) {
     }
 }
 
-TEST_F(FenceLines, with_zones_have_no_FENCE_TOTAL) {
+TEST_F(FenceLines, with_zones_are_counted_by_all_their_points) {
     ASSERT_EQ(sentLine(area(true, square(40000)) + Items{wayBack(kHome)}), Line::fit);
-    EXPECT_EQ(parameters.fence_total, 6);
+    EXPECT_EQ(parameters.fence_total, 5);
     EXPECT_FALSE(fenceHasZones());
     ASSERT_EQ(sentLine(area(true, square(40000)) + Items{circle(false, beside(90000, 0), 9)}),
               Line::fit);
-    EXPECT_EQ(parameters.fence_total, 0);
+    EXPECT_EQ(parameters.fence_total, 5);
     EXPECT_TRUE(fenceHasZones());
     ASSERT_EQ(sentLine(area(false, square(3000, 90000))), Line::fit);
     EXPECT_TRUE(fenceHasZones());
