@@ -31,6 +31,7 @@ bool fillIn(const Link& link, mavlink::ScaledPressure& to);
 bool fillIn(const Link& link, mavlink::GpsRawInt& to);
 bool fillIn(const Link& link, mavlink::RcChannelsRaw& to);
 bool fillIn(const Link& link, mavlink::RcChannels& to);
+bool fillIn(const Link& link, mavlink::RcChannelsScaled& to);
 bool fillIn(const Link& link, mavlink::ServoOutputRaw& to);
 bool fillIn(const Link& link, mavlink::Vibration& to);
 

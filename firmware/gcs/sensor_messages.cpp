@@ -8,6 +8,7 @@
 #include "firmware/gcs/gps_time.hpp"
 #include "firmware/gcs/messages.hpp"
 #include "firmware/sensors/sensors.hpp"
+#include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "hal/clock.hpp"
 
@@ -116,6 +117,24 @@ bool fillIn(const Link&, mavlink::RcChannels& to) {
     memset(&to.chan1_raw, 0xFF, 2 * kChannels);  // UINT16_MAX: no such channel
     memcpy(&to.chan1_raw, vehicle.radio.pulse_us, sizeof vehicle.radio.pulse_us);
     to.chancount = hal::kRcChannels;
+    to.rssi = kUnknownRssi;
+    return true;
+}
+
+// As it came in, without RCn_REV and RCn_DZ. A channel that was never received has no value.
+static int16_t scaled(uint8_t channel) {
+    const uint16_t pulse_us = vehicle.radio.pulse_us[channel];
+    if (pulse_us == 0) return INT16_MAX;
+    const Channel& ends = parameters.channel[channel];
+    const int16_t off_us = static_cast<int16_t>(pulse_us) - ends.trim_us;
+    const int16_t span_us = off_us < 0 ? ends.trim_us - ends.min_us : ends.max_us - ends.trim_us;
+    if (span_us <= 0) return 0;
+    return static_cast<int16_t>(core::limit<int16_t>(off_us, -span_us, span_us) * 10000L / span_us);
+}
+
+bool fillIn(const Link&, mavlink::RcChannelsScaled& to) {
+    to.time_boot_ms = hal::frame_ms();
+    for (uint8_t i = 0; i < hal::kRcChannels; ++i) (&to.chan1_scaled)[i] = scaled(i);
     to.rssi = kUnknownRssi;
     return true;
 }

@@ -117,6 +117,7 @@ constexpr OutgoingRow kOutgoing[] ROM = {
     row<mavlink::CurrentMode>(Stream::on_request),
     row<mavlink::ScaledImu>(Stream::on_request),
     row<mavlink::AttitudeQuaternion>(Stream::on_request),
+    row<mavlink::RcChannelsScaled>(Stream::on_request),
     row<mavlink::LocalPositionNed>(Stream::on_request),
     row<mavlink::PositionTargetGlobalInt>(Stream::on_request),
 };

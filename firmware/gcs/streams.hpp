@@ -11,7 +11,7 @@ namespace gcs {
 
 struct Link;
 
-constexpr uint8_t kOutgoingRows = 35;
+constexpr uint8_t kOutgoingRows = 36;
 constexpr uint8_t kTickRate_hz = 50;  // of telemetrySend for each link
 
 struct Streams {

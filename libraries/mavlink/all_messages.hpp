@@ -27,6 +27,7 @@ constexpr Accepted kAllMessages[] ROM = {
     accepts<AttitudeQuaternion>(),
     accepts<LocalPositionNed>(),
     accepts<GlobalPositionInt>(),
+    accepts<RcChannelsScaled>(),
     accepts<RcChannelsRaw>(),
     accepts<ServoOutputRaw>(),
     accepts<MissionRequestPartialList>(),

@@ -612,6 +612,23 @@ template <>
 struct Wire<GlobalPositionInt> : Shape<33, 28, 28, 104> {};
 static_assert(sizeof(GlobalPositionInt) == Wire<GlobalPositionInt>::length_with_extensions, "GLOBAL_POSITION_INT");
 
+struct __attribute__((packed)) RcChannelsScaled {
+    uint32_t time_boot_ms;
+    int16_t chan1_scaled;
+    int16_t chan2_scaled;
+    int16_t chan3_scaled;
+    int16_t chan4_scaled;
+    int16_t chan5_scaled;
+    int16_t chan6_scaled;
+    int16_t chan7_scaled;
+    int16_t chan8_scaled;
+    uint8_t port;
+    uint8_t rssi;
+};
+template <>
+struct Wire<RcChannelsScaled> : Shape<34, 22, 22, 237> {};
+static_assert(sizeof(RcChannelsScaled) == Wire<RcChannelsScaled>::length_with_extensions, "RC_CHANNELS_SCALED");
+
 struct __attribute__((packed)) RcChannelsRaw {
     uint32_t time_boot_ms;
     uint16_t chan1_raw;

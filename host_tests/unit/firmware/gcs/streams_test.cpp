@@ -280,6 +280,26 @@ TEST_F(Telemetry, messages_carry_the_vehicle_in_the_units_of_the_protocol) {
     EXPECT_EQ(channels.chan18_raw, 65535);
 }
 
+// -10000 to 10000 from end to end of RCn_, whatever is reversed.
+TEST_F(Telemetry, channels_are_scaled_by_their_ends_and_their_trim) {
+    constexpr uint16_t kRcChannelsScaled = 34;
+    auto& pulses = firmware::state::mutable_vehicle.radio.pulse_us;
+    firmware::state::parameters.channel[0] = {1000, 1400, 1900, -1, 30};
+    struct {
+        uint16_t pulse_us;
+        int16_t scaled;
+    } const kExpected[] = {{1000, -10000}, {1400, 0},    {1900, 10000},
+                           {1200, -5000},  {1650, 5000}, {900, -10000},
+                           {2100, 10000},  {1401, 20},   {0, INT16_MAX}};
+    for (const auto& [pulse_us, scaled] : kExpected) {
+        pulses[0] = pulse_us;
+        station.forget();
+        EXPECT_EQ(command(mavlink::MavCmd::request_message, kRcChannelsScaled), 0);
+        run_ms(100);
+        EXPECT_EQ(station.all<mavlink::RcChannelsScaled>().at(0).chan1_scaled, scaled) << pulse_us;
+    }
+}
+
 // The matrix that turns a vector from the body to north, east and down, by quaternion and by
 // angles.
 TEST_F(Telemetry, the_quaternion_is_the_attitude) {
