@@ -208,6 +208,12 @@ void outputRelease(uint8_t output) {
 
 void outputReleaseAll() { outputs.held = 0; }
 
+void holdSurfacesAtEnds() {
+    surfaces.aileron = surfaces.elevator = surfaces.rudder = core::Ratio(1.0f);
+    for (uint8_t i = 0; i < kFirstFree; ++i)  // the motor's is not taken over
+        (void)outputOverride(i + 1, core::romRead(kPulses[i])());
+}
+
 void outputPassStick(uint8_t output, uint16_t pulse_us) {
     published.servo_us[output] = pulse_us;
     hal::servoWrite(output, pulse_us * 2);

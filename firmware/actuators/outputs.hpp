@@ -19,7 +19,8 @@ void runOutputs();    // 100 Hz, after runAttitudeControl
 // released; 0 us: no pulse. False: not an output that can be given away, nothing changed.
 bool outputOverride(uint8_t output, uint16_t pulse_us);
 void outputRelease(uint8_t output);
-void outputReleaseAll();  // at a change of mode
+void outputReleaseAll();    // at a change of mode
+void holdSurfacesAtEnds();  // nose up, to the right: a spiral, until a change of mode
 
 // From the interrupt that flies while the program hangs; `output` from 0. The program knows of it
 // when it runs again.

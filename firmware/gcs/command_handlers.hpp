@@ -50,6 +50,7 @@ uint8_t takeOffNow(Link&, CommandRequest&);
 uint8_t refuseHere(Link&, CommandRequest&);  // what a pilot expects of others; says so
 uint8_t actNow(Link&, CommandRequest&);      // what a mission does at once
 uint8_t enableFence(Link&, CommandRequest&);
+uint8_t terminate(Link&, CommandRequest&);
 uint8_t startLanding(Link&, CommandRequest&);
 uint8_t goAround(Link&, CommandRequest&);
 uint8_t armOrDisarm(Link&, CommandRequest&);

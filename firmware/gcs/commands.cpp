@@ -38,7 +38,7 @@ constexpr CommandRow kCommands[] ROM = {
     {MavCmd::do_set_standard_mode,           doSetStandardMode},
     {MavCmd::do_change_speed,                changeSpeedNow},
     {MavCmd::do_set_home,                    doSetHome},
-    {MavCmd::do_flighttermination,           refuseHere},
+    {MavCmd::do_flighttermination,           terminate},
     {MavCmd::do_set_relay,                   actNow},
     {MavCmd::do_repeat_relay,                actNow},
     {MavCmd::do_set_servo,                   actNow},

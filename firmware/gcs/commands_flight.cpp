@@ -15,6 +15,7 @@
 #include "firmware/notify/status_text.hpp"
 #include "firmware/safety/arming.hpp"
 #include "firmware/safety/fence.hpp"
+#include "firmware/safety/termination.hpp"
 #include "firmware/state/vehicle.hpp"
 
 namespace firmware {
@@ -179,6 +180,11 @@ uint8_t refuseHere(Link&, CommandRequest& request) {
 
 uint8_t enableFence(Link&, CommandRequest& request) {
     return whenTrue(fenceEnable(number(request.item.param1)), MavResult::denied);
+}
+
+// Param 1 is 1; 0, which takes it back, comes too late.
+uint8_t terminate(Link&, CommandRequest& request) {
+    return whenTrue(number(request.item.param1) == 1 && terminateFlight(), MavResult::denied);
 }
 
 uint8_t startLanding(Link&, CommandRequest&) {

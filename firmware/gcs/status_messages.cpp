@@ -45,6 +45,7 @@ uint8_t baseMode() {
 }
 
 uint8_t systemState() {
+    if (vehicle.terminated) return MavState::flight_termination;
     if (vehicle.failsafe_short || vehicle.failsafe_long) return MavState::critical;
     if (vehicle.mode == Mode::initialising || !vehicle.imu.calibrated) return MavState::calibrating;
     return vehicle.estimate.flying ? MavState::active : MavState::standby;

@@ -85,6 +85,7 @@ void startModes() {
 }
 
 bool requestMode(Mode mode, ModeReason reason) {
+    if (vehicle.terminated) return false;
     if (present.row != kNoRow && mode == vehicle.mode) return true;
     uint8_t wanted = find(mode);
     if (wanted == kNoRow) {

@@ -56,6 +56,7 @@ enum CheckBit : uint16_t {
 };
 
 bool boardBad() { return wrongBoard(); }
+bool terminated() { return vehicle.terminated; }
 uint8_t boardModel() { return board::kModel; }
 uint8_t internalError() { return static_cast<uint8_t>(core::internalErrors().last); }
 bool hadInternalError() { return internalError() != 0; }
@@ -167,6 +168,7 @@ struct Check {
 // clang-format off
 constexpr Check kChecks[] ROM = {
     {kAlways,       boardBad,          "Wrong board: for an APM #", boardModel},
+    {kAlways,       terminated,        "PreArm: flight terminated", nullptr},
     {kAlways,       hadInternalError,  "PreArm: internal error #", internalError},
     {kAlways,       calibrationRuns,   "PreArm: calibrating", nullptr},
     {kInertial,     inertialBad,       "PreArm: gyros not healthy", nullptr},
@@ -314,10 +316,11 @@ bool reportPrearmFailure(Severity severity) {
     return check != nullptr;
 }
 
-// Nothing makes up for a board whose pins are others.
+// Nothing makes up for a board whose pins are others, or for a flight that was ended for good.
 bool arm(ArmReason, bool force) {
     if (vehicle.armed) return true;
-    if ((!force || wrongBoard()) && reportPrearmFailure(Severity::error)) return false;
+    if ((!force || wrongBoard() || vehicle.terminated) && reportPrearmFailure(Severity::error))
+        return false;
     armNow();
     return true;
 }
@@ -334,6 +337,11 @@ bool disarm(ArmReason reason, bool force) {
     saveLearntCompass();
     sendStatusText(Severity::notice, STATUS_TEXT("Throttle disarmed"));
     return true;
+}
+
+void disarmForGood() {
+    published.terminated = true;
+    (void)disarm(ArmReason::ground, true);
 }
 
 void runArming() {

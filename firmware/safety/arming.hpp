@@ -18,6 +18,8 @@ bool arm(ArmReason reason, bool force);
 void armAfterRestart();
 // False in flight unless forced.
 bool disarm(ArmReason reason, bool force);
+// In flight too, and nothing arms until the board is restarted.
+void disarmForGood();
 
 // The first check that fails, as a flash text; nullptr when none does.
 notify::StatusText prearmFailure();

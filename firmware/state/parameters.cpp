@@ -178,6 +178,7 @@ constexpr parameters::Row kRows[] = {
     P(143, "LAND_FLARE_ALT",    flare_height_m,                 1.5f,       0,       30),
     P(144, "LAND_FLARE_SEC",    flare_s,                        1.5f,       0,       10),
     P(145, "LAND_DISARMDELAY",  land_disarm_delay_s,              10,       0,      127),
+    P(183, "AFS_TERM_ACTION",   termination_action,                0,       0,       42),
     P(146, "FS_SHORT_ACTN",     short_action,                      0,       0,        2),
     P(147, "FS_LONG_ACTN",      long_action,                       0,       0,        2),
     P(148, "FS_LONG_TIMEOUT",   long_timeout_s,                    5,       1,      300),
@@ -245,7 +246,7 @@ constexpr uint8_t kRetired[] = {
     13, 22,  // SR0_RAW_CTRL, SR1_RAW_CTRL
     18, 27,  // SR0_PARAMS, SR1_PARAMS
 };
-constexpr uint16_t kNextSlot = 183;  // the lowest free one, for the next parameter
+constexpr uint16_t kNextSlot = 184;  // the lowest free one, for the next parameter
 
 #undef P
 #undef CHANNEL

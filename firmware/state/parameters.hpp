@@ -98,6 +98,7 @@ struct Parameters {
     int16_t land_pitch_cd;
     float flare_height_m, flare_s;
     int8_t land_disarm_delay_s;
+    int8_t termination_action;  // 42: MAV_CMD_DO_FLIGHTTERMINATION is carried out
     // failsafes and arming
     int8_t short_action, long_action;
     float long_timeout_s;

@@ -170,7 +170,8 @@ struct ModeState {
 
 struct ArmingState {
     bool armed;
-    bool prearm_ok;  // all checks passed when last gone through
+    bool prearm_ok;   // all checks passed when last gone through
+    bool terminated;  // until the board is restarted
 };
 
 struct RestartState {

@@ -234,6 +234,9 @@ void History::command(uint16_t number, float param1, float param2, double now_s)
     const bool magic = std::abs(param2 - kForceDisarm) < 1 || std::abs(param2 - kForceArm) < 1;
     if (number == MavCmd::component_arm_disarm && param1 < 0.5f && magic)
         mark(Cause::forces, now_s);
+    constexpr double kTerminates = 42;
+    if (number == MavCmd::do_flighttermination && parameter("AFS_TERM_ACTION", 0) == kTerminates)
+        mark(Cause::forces, now_s);
 }
 
 void History::sent(const Frame& frame, double now_s) {

@@ -92,7 +92,7 @@ const remarks = {
   do_set_home: 'p1 = 1: here; else p5, p6, p7. In flight the airplane stays where it is',
   nav_land: 'as DO_LAND_START',
   nav_takeoff: 'enters TAKEOFF: p7 m above home, or in the frame of COMMAND_INT (0: `TKOFF_ALT`), p1 the nose\'s least pitch in ° (0: `TKOFF_LVL_PITCH`)',
-  do_flighttermination: 'refused with a text',
+  do_flighttermination: 'p1 = 1 with `AFS_TERM_ACTION` 42: motor off, surfaces at their ends, until a restart; else DENIED with a text',
   do_autotune_enable: 'p1 = 1: AUTOTUNE, 0: from it to FBWA',
   do_send_banner: 'a text: what this is',
   guided_change_speed: 'GUIDED: p1 = 0 airspeed, 1 ground speed, p2 m/s; p3, the acceleration, is not used',

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { armWhenReady } from './points.mjs';
+import { armWhenReady, distance_m, flies, said, setParameter, takeOff } from './points.mjs';
 import { withVehicle } from '../../support/vehicle.mjs';
 
 const modes = { manual: 0, stabilize: 2, fbwa: 5, automatic: 10, rtl: 11, loiter: 12 };
@@ -72,7 +72,7 @@ test('arms when ready, says so in the heartbeat, and disarms', withVehicle({}, a
 }));
 
 test('what it cannot do is answered', withVehicle({}, async (vehicle) => {
-  const cases = [[22, [15], 1], [21, [], 1], [185, [1], 3], [207, [1], 2], [208, [2], 3], [191, [30], 1], [189, [], 1], [206, [-1], 2],
+  const cases = [[22, [15], 1], [21, [], 1], [185, [1], 2], [207, [1], 2], [208, [2], 3], [191, [30], 1], [189, [], 1], [206, [-1], 2],
     [31_000, [], 3], [300, [3, 5], 2], [183, [3, 1500], 2], [183, [6, 3000], 2], [181, [1, 1], 2],
     [178, [0, 90, -1], 2], [179, [0], 2], [192, [-1, 0, 0, 0, 47.4, 8.5, 500], 1], [241, [], 3],
     [246, [2], 2], [400, [7], 2], [511, [30, -7], 2], [512, [9999], 3]];
@@ -133,4 +133,23 @@ test('the ground station can take the place of the receiver', withVehicle({}, as
   vehicle.send('MANUAL_CONTROL', { target: 1, x: 1000, y: -500, z: released, r: released });
   await vehicle.expect('RC_CHANNELS_RAW',
     { where: ({ chan1Raw, chan2Raw }) => chan1Raw === 1300 && chan2Raw === 1100 });
+}));
+
+test('a flight is terminated where its owner has allowed it, and comes down there', withVehicle({}, async (vehicle) => {
+  const kTerminate = 185, kDenied = 2, kFlightTermination = 8;
+  await takeOff(vehicle);
+  assert.equal(await vehicle.command(kTerminate, [1]), kDenied);
+  await said(vehicle, /Terminate refused: AFS_TERM_ACTION/);
+  assert.equal(await setParameter(vehicle, 'AFS_TERM_ACTION', 42), 42);
+  const there = await flies(vehicle, 40, ({ relativeAlt }) => relativeAlt > 30_000);
+  assert.equal(await vehicle.command(kTerminate, [1]), 0);
+  await said(vehicle, /Flight terminated/);
+  vehicle.forget();
+  const heart = await vehicle.expect('HEARTBEAT', { within_ms: 1500 });
+  assert.deepEqual([heart.systemStatus, heart.baseMode & 128], [kFlightTermination, 0]);
+  assert.notEqual(await vehicle.command(176, [1, modes.rtl]), 0, 'no mode takes over');
+  assert.equal(await vehicle.command(400, [1]), 4);
+  await said(vehicle, /PreArm: flight terminated/);
+  const down = await flies(vehicle, 30, ({ relativeAlt }) => relativeAlt < 1000);
+  assert.ok(distance_m({ x: there.lat, y: there.lon }, down) < 200, 'it flew on');
 }));

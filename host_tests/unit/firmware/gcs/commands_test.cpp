@@ -477,10 +477,22 @@ TEST_F(Telemetry, a_take_off_is_above_home_but_in_a_frame_that_was_given) {
 }
 
 TEST_F(Telemetry, what_others_can_and_this_cannot_is_refused_with_a_text) {
-    EXPECT_EQ(command(MavCmd::do_flighttermination, 1), MavResult::unsupported);
-    EXPECT_EQ(station.texts(), std::vector<std::string>{"Command 185 is not supported"});
     EXPECT_EQ(command(MavCmd::guided_change_heading, 0, 90), MavResult::unsupported);
     EXPECT_EQ(station.texts(), std::vector<std::string>{"Command 43002 is not supported"});
+}
+
+TEST_F(Telemetry, a_flight_is_terminated_where_the_owner_allows_it) {
+    firmware::state::parameters.termination_action = 0;
+    EXPECT_EQ(command(MavCmd::do_flighttermination, 1), MavResult::denied);
+    firmware::state::parameters.termination_action = 42;
+    for (const float param1 : {0.0f, 2.0f, NAN}) {
+        EXPECT_EQ(command(MavCmd::do_flighttermination, param1), MavResult::denied) << param1;
+        EXPECT_FALSE(firmware::state::vehicle.terminated);
+    }
+    EXPECT_EQ(command(MavCmd::do_flighttermination, 1), MavResult::accepted);
+    run_ms(1100);
+    EXPECT_EQ(station.all<mavlink::Heartbeat>().back().system_status,
+              +mavlink::MavState::flight_termination);
 }
 
 TEST_F(Telemetry, autotune_begins_and_ends_by_command) {

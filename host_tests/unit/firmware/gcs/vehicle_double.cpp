@@ -11,6 +11,7 @@
 #include "firmware/notify/status_text.hpp"
 #include "firmware/sensors/sensors.hpp"
 #include "firmware/state/parameter_host.hpp"
+#include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 
@@ -217,6 +218,10 @@ bool disarm(ArmReason, bool force) {
     doubles::vehicle.force = force;
     mutable_vehicle.armed = false;
     return true;
+}
+bool terminateFlight() {
+    mutable_vehicle.terminated = parameters.termination_action == 42;
+    return vehicle.terminated;
 }
 bool reportPrearmFailure(Severity severity) {
     if (!doubles::vehicle.can_arm) sendStatusText(severity, STATUS_TEXT("PreArm: no GPS fix"));
