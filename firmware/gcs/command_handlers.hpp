@@ -45,10 +45,10 @@ uint8_t changeAltitude(Link&, CommandRequest&);
 uint8_t changeSpeedNow(Link&, CommandRequest&);
 uint8_t guidedSpeed(Link&, CommandRequest&);
 uint8_t guidedAltitude(Link&, CommandRequest&);
+uint8_t guidedHeading(Link&, CommandRequest&);
 uint8_t enableAutotune(Link&, CommandRequest&);
 uint8_t takeOffNow(Link&, CommandRequest&);
-uint8_t refuseHere(Link&, CommandRequest&);  // what a pilot expects of others; says so
-uint8_t actNow(Link&, CommandRequest&);      // what a mission does at once
+uint8_t actNow(Link&, CommandRequest&);  // what a mission does at once
 uint8_t enableFence(Link&, CommandRequest&);
 uint8_t terminate(Link&, CommandRequest&);
 uint8_t startLanding(Link&, CommandRequest&);

@@ -73,7 +73,7 @@ constexpr CommandRow kCommands[] ROM = {
     {MavCmd::do_send_banner,                 sendBanner},
     {MavCmd::guided_change_speed,            guidedSpeed},
     {MavCmd::guided_change_altitude,         guidedAltitude},
-    {MavCmd::guided_change_heading,          refuseHere},
+    {MavCmd::guided_change_heading,          guidedHeading},
 };
 // clang-format on
 

@@ -161,6 +161,15 @@ uint8_t guidedAltitude(Link&, CommandRequest& request) {
     return answer(guideToHeight(request.item));
 }
 
+// Of the course over the ground alone; the acceleration is ours to choose.
+uint8_t guidedHeading(Link&, CommandRequest& request) {
+    constexpr uint16_t kCourseOverGround = 0;  // HEADING_TYPE
+    const float course_deg = request.item.param2;
+    if (number(request.item.param1) != kCourseOverGround || !(course_deg >= 0 && course_deg <= 360))
+        return MavResult::denied;
+    return whenTrue(guideAlong(core::radians(course_deg)), MavResult::temporarily_rejected);
+}
+
 uint8_t enableAutotune(Link&, CommandRequest& request) {
     if (number(request.item.param1) == 1) return enter(Mode::autotune);
     if (vehicle.mode == Mode::autotune) return enter(Mode::fbwa);
@@ -171,11 +180,6 @@ uint8_t enableAutotune(Link&, CommandRequest& request) {
 uint8_t takeOffNow(Link&, CommandRequest& request) {
     if (!request.has_frame) request.item.frame = MavFrame::global_relative_alt;
     return answer(takeOff(request.item));
-}
-
-uint8_t refuseHere(Link&, CommandRequest& request) {
-    sendStatusText(Severity::warning, STATUS_TEXT("Command # is not supported"), request.command);
-    return MavResult::unsupported;
 }
 
 uint8_t enableFence(Link&, CommandRequest& request) {

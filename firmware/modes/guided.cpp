@@ -87,6 +87,19 @@ MissionResult guideTo(MissionItem& item) {
     return result;
 }
 
+// To a place so far away that it is not reached by mistake.
+bool guideAlong(float course_rad) {
+    constexpr float kFar_m = 30000;
+    if (vehicle.mode != Mode::guided || !vehicle.estimate.known) return false;
+    PathDemand demand = vehicle.demand;
+    demand.path = Path::leg;
+    demand.from = vehicle.estimate.position;
+    demand.to = geo::moved(demand.from, {kFar_m * cosf(course_rad), kFar_m * sinf(course_rad)});
+    demand.sloped = false;
+    demandPath(demand);
+    return true;
+}
+
 MissionResult aboveHome(MissionItem& item) {
     item.x = item.y = 0;
     return understand(item);

@@ -10,6 +10,9 @@ namespace modes {
 // also gives the direction), counter-clockwise when param4 is 1. Both leave everything as it is
 // when they do not answer `accepted`; `error`: not now. They use the item up.
 mission::MissionResult guideTo(mission::MissionItem& target);
+// In GUIDED: straight on along this course over the ground, 0 to 2 pi, at the height and speed that
+// are flown, until another target is given. False: not in GUIDED, or without a position.
+bool guideAlong(float course_rad);
 // The height alone, in every mode that holds one by itself but AUTO.
 mission::MissionResult guideToHeight(mission::MissionItem& target);
 

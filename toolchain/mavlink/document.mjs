@@ -97,7 +97,7 @@ const remarks = {
   do_send_banner: 'a text: what this is',
   guided_change_speed: 'GUIDED: p1 = 0 airspeed, 1 ground speed, p2 m/s; p3, the acceleration, is not used',
   guided_change_altitude: 'GUIDED: p7 m, by COMMAND_INT in its frame; p3, the rate, is not used',
-  guided_change_heading: 'refused with a text',
+  guided_change_heading: 'GUIDED: p1 = 0 (course over ground; others are DENIED), p2 degrees: straight on along it until another target; p3, the acceleration, is not used',
   do_set_relay: 'p1 = 0, p2 = 0 or 1',
   do_repeat_relay: 'p1 = 0, p2 times, p3 seconds each',
   do_set_servo: 'p1 = output 5..8, p2 µs',

@@ -8,7 +8,8 @@ import { withVehicle } from '../../support/vehicle.mjs';
 
 const kGuided = 15, kAuto = 10;
 const kGlobalInt = 5, kRelativeInt = 6, kTerrainInt = 11;
-const kReposition = 192, kChangeAltitude = 186, kChangeSpeed = 178, kSetHome = 179;
+const kReposition = 192, kChangeAltitude = 186, kChangeSpeed = 178, kSetHome = 179,
+  kChangeHeading = 43_002;
 const kRadius_m = 60;
 
 async function commandInt(vehicle, command, frame, { x, y }, z, params = []) {
@@ -80,6 +81,17 @@ test('fly guided', withVehicle({}, async (vehicle) => {
   assert.equal((await vehicle.expect('MISSION_ACK')).type, 0);
   const lower = await flies(vehicle, 25, ({ relativeAlt }) => relativeAlt < 48_000);
   assert.ok(distance_m(second, lower) < 65, 'left its place');
+
+  // straight on along a course, at that height
+  for (const course_deg of [90, 300]) {
+    assert.equal(await vehicle.command(kChangeHeading, [0, course_deg, 0]), 0);
+    await vehicle.wait(12_000);
+    const { vx, vy, relativeAlt } = await flies(vehicle, 1, () => true);
+    const off_deg = Math.atan2(vy, vx) * 180 / Math.PI - course_deg;
+    assert.ok(Math.abs(off_deg - 360 * Math.round(off_deg / 360)) < 3, `${off_deg} degrees off ${course_deg}`);
+    assert.ok(Math.abs(relativeAlt / 1000 - 45) < 3, `${relativeAlt} mm high`);
+  }
+  assert.equal(await vehicle.command(kChangeHeading, [1, 90, 0]), 2, 'not of the nose');
 
   // on the ground alone
   assert.equal(await vehicle.command(241, [1]), 2);

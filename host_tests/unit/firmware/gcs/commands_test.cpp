@@ -476,9 +476,17 @@ TEST_F(Telemetry, a_take_off_is_above_home_but_in_a_frame_that_was_given) {
     EXPECT_EQ(command(MavCmd::nav_takeoff), MavResult::temporarily_rejected);
 }
 
-TEST_F(Telemetry, what_others_can_and_this_cannot_is_refused_with_a_text) {
-    EXPECT_EQ(command(MavCmd::guided_change_heading, 0, 90), MavResult::unsupported);
-    EXPECT_EQ(station.texts(), std::vector<std::string>{"Command 43002 is not supported"});
+TEST_F(Telemetry, guided_is_sent_along_a_course_over_the_ground) {
+    for (const float course_deg : {0.0f, 90.0f, 359.5f, 360.0f}) {
+        EXPECT_EQ(command(MavCmd::guided_change_heading, 0, course_deg), MavResult::accepted);
+        EXPECT_NEAR(doubles::vehicle.courses_rad.back(), core::radians(course_deg), 1e-5);
+    }
+    for (const float wrong : {-1.0f, 361.0f, NAN})
+        EXPECT_EQ(command(MavCmd::guided_change_heading, 0, wrong), MavResult::denied) << wrong;
+    EXPECT_EQ(command(MavCmd::guided_change_heading, 1, 90), MavResult::denied) << "a heading";
+    EXPECT_EQ(doubles::vehicle.courses_rad.size(), 4u);
+    doubles::plan.answer = firmware::mission::MissionResult::error;
+    EXPECT_EQ(command(MavCmd::guided_change_heading, 0, 90), MavResult::temporarily_rejected);
 }
 
 TEST_F(Telemetry, a_flight_is_terminated_where_the_owner_allows_it) {

@@ -130,6 +130,10 @@ MissionResult guideToHeight(MissionItem& item) {
     doubles::vehicle.heights.push_back(item);
     return plan.answer;
 }
+bool guideAlong(float course_rad) {
+    doubles::vehicle.courses_rad.push_back(course_rad);
+    return plan.answer == MissionResult::accepted;
+}
 MissionResult takeOff(MissionItem& item) {
     doubles::vehicle.takeoffs.push_back(item);
     return plan.answer;

@@ -75,6 +75,27 @@ TEST_F(Guided, flies_to_the_place_and_height_that_are_given) {
     EXPECT_FLOAT_EQ(vehicle.demand.height_m, 120);
 }
 
+TEST_F(Guided, flies_along_a_course_at_the_height_and_speed_that_are_flown) {
+    EXPECT_FALSE(firmware::modes::guideAlong(0)) << "in another mode";
+    ASSERT_EQ(orderTo(to(kThere, 100)), MissionResult::accepted);
+    const float airspeed_mps = vehicle.demand.airspeed_mps;
+    for (const float course_deg : {0.0f, 45.0f, 135.0f, 270.0f}) {
+        EXPECT_TRUE(firmware::modes::guideAlong(core::radians(course_deg)));
+        const auto& demand = vehicle.demand;
+        EXPECT_EQ(demand.path, Path::leg);
+        EXPECT_EQ(demand.from, vehicle.estimate.position);
+        EXPECT_NEAR(geo::bearing_cd(demand.from, demand.to) * 0.01, course_deg, 0.2);
+        EXPECT_GT(geo::distance_m(demand.from, demand.to), 20000);
+        EXPECT_FLOAT_EQ(demand.height_m, 100);
+        EXPECT_FALSE(demand.sloped);
+        EXPECT_FLOAT_EQ(demand.airspeed_mps, airspeed_mps);
+    }
+    ASSERT_EQ(orderTo(to(kThere, 90)), MissionResult::accepted);
+    EXPECT_EQ(vehicle.demand.path, Path::circle);
+    mutable_vehicle.estimate.known = false;
+    EXPECT_FALSE(firmware::modes::guideAlong(0)) << "without a position";
+}
+
 TEST_F(Guided, keeps_its_target_when_the_mode_is_set_again) {
     ASSERT_EQ(orderTo(to(kThere, 100)), MissionResult::accepted);
     ASSERT_TRUE(firmware::modes::requestMode(Mode::guided, firmware::modes::ModeReason::ground));
