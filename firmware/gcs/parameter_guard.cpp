@@ -24,15 +24,10 @@ struct Writes {
 };
 core::FileState<Writes> writes{};
 
-bool isForUsbAlone(uint16_t index) {
-    const uint8_t number = parameterSlot(index);
-    return number == slot::serial_force || number == slot::sign_policy;
-}
-
 }  // namespace
 
 bool parameterMayBeSet(const Link& link, uint16_t index) {
-    if (isForUsbAlone(index) && !isUsb(link)) {
+    if (slot::isForUsbAlone(parameterSlot(index)) && !isUsb(link)) {
         sendStatusText(Severity::warning, STATUS_TEXT("Parameter refused: only over USB"));
         return false;
     }

@@ -41,6 +41,7 @@ enum : uint8_t {
     ahrs_trim_x    = 168,
     sign_policy    = 174,
     compass_mot_x  = 180,
+    afs_term_action = 183,
     elevon_output  = 200,
     vtail_output   = 201,
     rc5_function   = 216,  // then RC6_, RC7_ and RC8_FUNCTION
@@ -52,6 +53,11 @@ enum ChannelPart : uint8_t { min, trim, max, reverse, dead_zone, kChannelParts }
 
 constexpr uint8_t ofChannel(uint8_t channel, ChannelPart part) {  // 1 to 8
     return static_cast<uint8_t>(rc1_min + (channel - 1) * kChannelParts + part);
+}
+
+// What a stranger on the radio could do the most harm with; nor does a mission set it.
+constexpr bool isForUsbAlone(uint8_t number) {
+    return number == serial_force || number == sign_policy || number == afs_term_action;
 }
 
 }  // namespace slot

@@ -178,7 +178,7 @@ constexpr parameters::Row kRows[] = {
     P(143, "LAND_FLARE_ALT",    flare_height_m,                 1.5f,       0,       30),
     P(144, "LAND_FLARE_SEC",    flare_s,                        1.5f,       0,       10),
     P(145, "LAND_DISARMDELAY",  land_disarm_delay_s,              10,       0,      127),
-    P(183, "AFS_TERM_ACTION",   termination_action,                0,       0,       42),
+    P(slot::afs_term_action, "AFS_TERM_ACTION", termination_action, 0,      0,       42),
     P(146, "FS_SHORT_ACTN",     short_action,                      0,       0,        2),
     P(147, "FS_LONG_ACTN",      long_action,                       0,       0,        2),
     P(148, "FS_LONG_TIMEOUT",   long_timeout_s,                    5,       1,      300),
@@ -476,8 +476,8 @@ bool parameterGet(uint8_t slot, float& value) {
 // One search, as a mission sets a dozen in a row. Whoever uploads a mission may not grant himself
 // what only USB may.
 static bool findTaker(uint8_t slot, float value, uint8_t& row) {
-    return slot != slot::serial_force && slot != slot::sign_policy && table.findSlot(slot, row) &&
-           !isListLength(row) && takes(row, value);
+    return !slot::isForUsbAlone(slot) && table.findSlot(slot, row) && !isListLength(row) &&
+           takes(row, value);
 }
 
 bool parameterSlotTakes(uint8_t slot, float value) {

@@ -140,7 +140,11 @@ test('a flight is terminated where its owner has allowed it, and comes down ther
   await takeOff(vehicle);
   assert.equal(await vehicle.command(kTerminate, [1]), kDenied);
   await said(vehicle, /Terminate refused: AFS_TERM_ACTION/);
+  assert.equal(await setParameter(vehicle, 'AFS_TERM_ACTION', 42), 0, 'no stranger grants himself that');
+  const [telemetry, usb] = vehicle.lines;
+  vehicle.line = usb;
   assert.equal(await setParameter(vehicle, 'AFS_TERM_ACTION', 42), 42);
+  vehicle.line = telemetry;
   const there = await flies(vehicle, 40, ({ relativeAlt }) => relativeAlt > 30_000);
   assert.equal(await vehicle.command(kTerminate, [1]), 0);
   await said(vehicle, /Flight terminated/);

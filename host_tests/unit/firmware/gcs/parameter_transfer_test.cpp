@@ -200,11 +200,20 @@ TEST_F(Telemetry, writes_of_the_same_value_are_no_writes) {
 }
 
 TEST_F(Telemetry, what_a_stranger_may_not_do_he_cannot_grant_himself) {
-    EXPECT_EQ(ask<mavlink::ParamValue>(setting("SERIAL_FORCE", 1)).at(0).param_value, 0);
-    EXPECT_EQ(station.texts().at(0), "Parameter refused: only over USB");
-    fakes::setUsb(true);
-    run_ms(20);
-    EXPECT_EQ(ask<mavlink::ParamValue>(setting("SERIAL_FORCE", 1)).at(0).param_value, 1);
+    struct {
+        const char* name;
+        float before, wanted;
+    } const kForUsb[] = {{"SERIAL_FORCE", 0, 1}, {"SIGN_POLICY", 1, 2}, {"AFS_TERM_ACTION", 0, 42}};
+    for (const auto& [name, before, wanted] : kForUsb) {
+        fakes::setUsb(false);
+        run_ms(20);
+        station.forget();
+        EXPECT_EQ(ask<mavlink::ParamValue>(setting(name, wanted)).at(0).param_value, before);
+        EXPECT_EQ(station.texts().at(0), "Parameter refused: only over USB") << name;
+        fakes::setUsb(true);
+        run_ms(20);
+        EXPECT_EQ(ask<mavlink::ParamValue>(setting(name, wanted)).at(0).param_value, wanted);
+    }
 }
 
 // What the vehicle's first start does to a blank EEPROM.

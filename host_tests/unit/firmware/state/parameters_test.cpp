@@ -152,9 +152,14 @@ TEST_F(Rigging, leaves_every_stick_both_its_ways) {
 
 TEST_F(Rigging, is_not_all_that_a_mission_may_not_set) {
     using namespace firmware::state;
-    EXPECT_FALSE(parameterSlotTakes(slot::serial_force, 1));
-    EXPECT_FALSE(parameterSet(slot::serial_force, 1));
-    EXPECT_EQ(parameters.force_everywhere, 0);
+    for (const uint8_t number : {slot::serial_force, slot::sign_policy, slot::afs_term_action}) {
+        float before = -1, after = -1;
+        EXPECT_TRUE(parameterGet(number, before));
+        EXPECT_FALSE(parameterSlotTakes(number, 1 - before)) << int(number);
+        EXPECT_FALSE(parameterSet(number, 1 - before)) << int(number);
+        EXPECT_TRUE(parameterGet(number, after));
+        EXPECT_EQ(after, before) << int(number);
+    }
 }
 
 }  // namespace
