@@ -247,8 +247,23 @@ void runAttitudeControl() {
     surfaces.throttle = stall_recovery.full_power ? bounds.full_throttle : vehicle.throttle_demand;
 }
 
-SELDOM void loopFigures(bool roll, LoopFigures& to) {
-    constexpr float kPerRadian = core::centidegrees(1.0f), kFull_cd = 4500;
+namespace {
+
+constexpr float kPerRadian = core::centidegrees(1.0f), kFull_cd = 4500;
+
+void yawFigures(LoopFigures& to) {
+    to.demand_cdps = loops.turn.yaw_rads.toFloat() * kPerRadian;
+    to.rate_cdps = vehicle.attitude.rate_rads.z.toFloat() * kPerRadian;
+    to.proportional_cd = to.feed_forward_cd = 0;
+    to.integral_cd = loops.yaw_state.integrator * kFull_cd;
+    to.derivative_cd = loops.yaw_rudder.toFloat() * kFull_cd - to.integral_cd;
+}
+
+}  // namespace
+
+SELDOM void loopFigures(Loop loop, LoopFigures& to) {
+    if (loop == Loop::yaw) return yawFigures(to);
+    const bool roll = loop == Loop::roll;
     const ::control::AxisGains& gains = roll ? loops.roll_gains : loops.pitch_gains;
     const ::control::AxisState& state = roll ? loops.roll_state : loops.pitch_state;
     const auto& rate_rads = vehicle.attitude.rate_rads;
@@ -262,6 +277,7 @@ SELDOM void loopFigures(bool roll, LoopFigures& to) {
     to.integral_cd = state.integrator.toFloat() * kFull_cd;
     to.proportional_cd =
         state.last_output.toFloat() * kFull_cd - to.integral_cd - to.feed_forward_cd;
+    to.derivative_cd = 0;  // there is no such term
 }
 
 core::BodyRate pitchRise_rads() {

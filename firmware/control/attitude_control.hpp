@@ -20,13 +20,15 @@ void runRollGains();     // 5 Hz, as the next two: of the parameters, when one h
 void runPitchGains();
 void runControlLimits();  // of bank and pitch, the mix of the rudder
 
-// Of the loop of roll or pitch, for the log: the rate that is demanded now and the present one, and
-// what the last deflection is the sum of. 45 degrees are all of a surface.
+// Of a loop, for the log: the rate that is demanded now and the present one, and what the last
+// deflection is the sum of. 45 degrees are all of a surface. Yaw demands the rate of a coordinated
+// turn and damps, without the rudder's share of the aileron and of the stick.
+enum class Loop : uint8_t { roll, pitch, yaw };
 struct LoopFigures {
     float demand_cdps, rate_cdps;
-    float proportional_cd, integral_cd, feed_forward_cd;
+    float proportional_cd, integral_cd, feed_forward_cd, derivative_cd;
 };
-void loopFigures(bool roll, LoopFigures& to);
+void loopFigures(Loop loop, LoopFigures& to);
 
 // How far the nose is below what is demanded; 0 while the airplane rolls upright or upside down.
 core::Angle pitchShort_rad();

@@ -105,7 +105,7 @@ constexpr SlowSource kSlowSources[] ROM = {
 };
 // clang-format on
 bool putSlow();
-bool putLoops();  // roll and pitch in turn
+bool putLoops();  // roll, pitch and yaw in turn
 
 // clang-format off
 constexpr Source kSources[] ROM = {
@@ -221,7 +221,7 @@ bool putSlow() {
     return (static_cast<uint16_t>(parameters.log_bitmask) & source.kinds) == 0 || source.put();
 }
 
-bool putLoops() { return putLoop(logged.run / 10 % 2 != 0); }
+bool putLoops() { return putLoop(static_cast<control::Loop>(logged.run / 10 % 3)); }
 
 bool putDue() {
     if (logged.due == 0) return false;

@@ -54,6 +54,7 @@ constexpr Shape kShapes[kFormats] = {
     row<LoopRecord>(RecordType::pitch_loop, "PIDP Qcccccc skkdddd FBBBBBB TimeUS,Tar,Act,P,I,FF,D"),
     row<AirspeedRecord>(RecordType::airspeed, "ARSP QBCB s#n- F-B- TimeUS,I,Airspeed,H"),
     row<VibrationRecord>(RecordType::vibration, "VIBE QBCCCH s#ooo- F-BBB- TimeUS,IMU,VibeX,VibeY,VibeZ,Clip"),
+    row<LoopRecord>(RecordType::yaw_loop, "PIDY Qcccccc skkdddd FBBBBBB TimeUS,Tar,Act,P,I,FF,D"),
 };
 
 // ArduPilot's letters; behind each what it stands for.

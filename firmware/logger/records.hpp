@@ -90,8 +90,7 @@ RECORD(SpeedHeight) {
     float flown[sizeof(::control::SpeedHeightFlown) / sizeof(float)];
 };
 RECORD(Loop) {
-    int16_t figures[5];  // of control::LoopFigures
-    int16_t derivative_cd;
+    int16_t figures[6];  // of control::LoopFigures
 };
 INSTANCE_RECORD(Airspeed) {
     uint16_t speed_cmps;
@@ -168,6 +167,7 @@ enum class RecordType : uint8_t {
     pitch_loop,
     airspeed,
     vibration,
+    yaw_loop,
     end,
 };
 

@@ -260,15 +260,16 @@ bool putSpeedHeight() {
     return log(RecordType::speed_height, record);
 }
 
-bool putLoop(bool roll) {
+bool putLoop(control::Loop loop) {
+    static constexpr RecordType kTypes[] ROM = {RecordType::roll_loop, RecordType::pitch_loop,
+                                                RecordType::yaw_loop};
     control::LoopFigures figures;
-    control::loopFigures(roll, figures);
+    control::loopFigures(loop, figures);
     const float* figure = &figures.demand_cdps;
     LoopRecord record;
     for (uint8_t i = 0; i < core::count(record.figures); ++i)
         record.figures[i] = core::toFixed(*figure++, 0);
-    record.derivative_cd = 0;  // there is no such term
-    return log(roll ? RecordType::roll_loop : RecordType::pitch_loop, record);
+    return log(core::romRead(kTypes[static_cast<uint8_t>(loop)]), record);
 }
 
 bool putAirspeed() {

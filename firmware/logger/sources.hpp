@@ -4,6 +4,8 @@
 #pragma once
 #include <stdint.h>
 
+#include "firmware/control/attitude_control.hpp"
+
 namespace firmware {
 namespace logger {
 
@@ -38,7 +40,7 @@ bool putServoOut();
 bool putPerformance();
 bool putAttitude2();
 bool putSpeedHeight();
-bool putLoop(bool roll);  // or of pitch
+bool putLoop(control::Loop loop);
 bool putAirspeed();
 bool putVibration();
 

@@ -174,6 +174,17 @@ test('the rate of a loop is what the gyro measures, a moment before or after', (
   assert.ok(errors.length > 150 && rms(errors) < 0.7 * turning, `${errors.length} with ${rms(errors)} deg/s`);
 });
 
+test('the yaw loop damps: its rudder turns against what the turn does not ask for', () => {
+  const yaw = named(records, 'PIDY').filter(flying), gyro = pairs('PIDY', 'IMU', 45_000);
+  assert.ok(yaw.length > 100, `${yaw.length} PIDY`);
+  const errors = gyro.map(([pid, imu]) => pid.Act - imu.GyrZ * 180 / Math.PI);
+  assert.ok(rms(errors) < 0.7 * rms(gyro.map(([pid]) => pid.Act)), `${rms(errors)} deg/s`);
+  const swings = yaw.filter(({ Act, Tar }) => Math.abs(Act - Tar) > 1);
+  const against = swings.filter(({ Act, Tar, D }) => (Act - Tar) * D < 0);
+  console.log(`PIDY: ${against.length} of ${swings.length} swings are damped`);
+  assert.ok(swings.length > 20 && against.length > 0.7 * swings.length);
+});
+
 test('TECS has the height that is flown and speeds that are held', () => {
   const both = pairs('TECS', 'POS', 110_000);
   assert.ok(both.length > 400, `${both.length} TECS`);
@@ -213,7 +224,6 @@ const kAbsent = [
   [/^GPA(\[0\])?\./, "the receiver's own accuracy"],
   [/^RAD\./, "the telemetry radio's figures"],
   [/^PID.\.(Dmod|SRate)$/, 'a limiter of oscillations'],
-  [/^PIDY\./, 'the terms of the yaw loop'],
   [/^PIDS\./, 'a loop of its own for steering on the ground'],
   [/^AETR\./, 'demands before the mixer'],
   [/^IMU\[\d\]\.T$/, 'the temperature of the inertial sensor'],

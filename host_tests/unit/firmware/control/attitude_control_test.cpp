@@ -6,6 +6,7 @@
 
 namespace {
 
+using firmware::control::Loop;
 using firmware::control::surfaces;
 using firmware::state::Mode;
 using firmware::state::mutable_vehicle;
@@ -100,13 +101,32 @@ TEST_F(AttitudeControl, gathers_no_integral_while_the_ground_may_hold_it) {
         surfacesIn(Mode::fbwa, bench::kCentred);
         for (int frame = 0; frame < 100; ++frame) run();
         firmware::control::LoopFigures roll, pitch;
-        firmware::control::loopFigures(true, roll);
-        firmware::control::loopFigures(false, pitch);
+        firmware::control::loopFigures(Loop::roll, roll);
+        firmware::control::loopFigures(Loop::pitch, pitch);
         return std::fabs(roll.integral_cd) + std::fabs(pitch.integral_cd);
     };
     for (const float height_m : {-9.0f, 0.0f, 9.0f}) EXPECT_EQ(gathered_cd(height_m, 0.4f), 0);
     for (const float height_m : {-11.0f, 11.0f}) EXPECT_GT(gathered_cd(height_m, 0), 50);
     for (const float climb_mps : {-0.6f, 0.6f}) EXPECT_GT(gathered_cd(0, climb_mps), 50);
+}
+
+TEST_F(AttitudeControl, the_terms_of_the_yaw_loop_are_the_rudder_and_damp_what_no_turn_asks_for) {
+    parameters.rudder_mix = 0;
+    firmware::modes::requestMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    level(0.5f, 0);
+    mutable_vehicle.attitude.rate_rads = core::BodyRates::from(0, 0, 0.9f);
+    surfacesIn(Mode::fbwa, bench::kCentred);
+    mutable_vehicle.imu.periods = 4;  // it is worked out once in so many
+    run();
+    const float rudder = surfaces.rudder.toFloat();
+    firmware::control::LoopFigures yaw;
+    firmware::control::loopFigures(Loop::yaw, yaw);
+    EXPECT_NEAR(yaw.rate_cdps, core::centidegrees(0.9f), 5);
+    EXPECT_GT(yaw.demand_cdps, 500) << "the rate of a turn with this bank";
+    EXPECT_LT(yaw.demand_cdps, yaw.rate_cdps);
+    EXPECT_LT(yaw.derivative_cd, -50);
+    EXPECT_NEAR(yaw.proportional_cd + yaw.integral_cd + yaw.feed_forward_cd + yaw.derivative_cd,
+                rudder * 4500, 5);
 }
 
 TEST_F(AttitudeControl, turns_back_to_level_and_damps) {
