@@ -69,14 +69,6 @@ float pathAcceleration_mss() {
             pathAcceleration_mss(), cosRoll(),          vehicle.airspeed.healthy};
 }
 
-// Airspeeds are demanded as equivalent airspeeds, which lift depends on; energy is made of true
-// ones.
-float trueFromEquivalent() {
-    const auto& estimate = vehicle.estimate;
-    if (estimate.equivalent_airspeed_mps < kFlyingSpeed_mps) return 1;
-    return core::limit(estimate.airspeed_mps / estimate.equivalent_airspeed_mps, 0.8f, 2.0f);
-}
-
 // The highest angle of attack is kept away from the stall near the ground; without an airspeed
 // sensor there is no speed to climb at, and the pitch is the take-off's own.
 float pitchMax_rad(const Plan& plan) {
@@ -157,6 +149,12 @@ core::Angle blindPitch_rad() {
 }
 
 }  // namespace
+
+float trueFromEquivalent() {
+    const auto& estimate = vehicle.estimate;
+    if (estimate.equivalent_airspeed_mps < kFlyingSpeed_mps) return 1;
+    return core::limit(estimate.airspeed_mps / estimate.equivalent_airspeed_mps, 0.8f, 2.0f);
+}
 
 void beginHeight() {
     core::based(height_control.speed_height)

@@ -12,6 +12,9 @@ void flyHeight(const Plan& plan);       // 10 Hz
 void waitWithHeight(const Plan& plan);  // 10 Hz, instead: the motor stands
 void shiftHeightFlown(float by_m);      // all heights are measured from elsewhere
 const ::control::SpeedHeightFlown& heightFlown();
+// Airspeeds are demanded as equivalent airspeeds, which lift depends on; energy is made of true
+// ones, and so is the speed over the ground. 0.8 to 2.
+float trueFromEquivalent();
 
 }  // namespace guidance
 }  // namespace firmware

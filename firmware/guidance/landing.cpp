@@ -9,6 +9,7 @@
 #include "firmware/estimator/estimator.hpp"
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
+#include "firmware/guidance/height.hpp"
 #include "firmware/guidance/lateral.hpp"
 #include "firmware/guidance/path_state.hpp"
 #include "firmware/guidance/steering.hpp"
@@ -42,7 +43,7 @@ constexpr float kPowered_m = 0.9f;  // less below
 constexpr float kPoweredBehind_m = 15, kPowerFades_m = 20;
 constexpr float kPerMissing_spm = 0.75f;
 // The flare ends so much behind the point: airplanes touched down short by that, in the mean.
-constexpr float kLate_s = 0.15f, kLaterIntoWind_s = 0.75f;
+constexpr float kLate_s = 0.05f, kLaterIntoWind_s = 0.75f;
 constexpr float kSofter = 0.5f;
 // Below LAND_PITCH_CD, the higher the more: a fast airplane would not come down.
 constexpr float kNoseDown_radpm = 0.1f, kMaxNoseDown_m = 2;
@@ -131,7 +132,7 @@ Plan flyLanding() {
     const float headwind_mps = steadyHeadwind_mps(lateral);
     const float into_wind = share(headwind_mps * kPerHeadwind_spm);
     to_fly.height = height(lateral, speed_mps, into_wind);
-    const float calm_mps = calmApproachSpeed_mps(to_fly.airspeed_mps);
+    const float calm_mps = calmApproachSpeed_mps(to_fly.airspeed_mps) * trueFromEquivalent();
     to_fly.airspeed_mps = approachSpeed_mps(to_fly.airspeed_mps, speed_mps, headwind_mps);
     to_fly.phase = ::control::Phase::approach;
     if (descent.landing.flaring()) {

@@ -18,6 +18,8 @@ constexpr float kSpeedDemandShare = 0.5f;  // of all energy, for a change of spe
 constexpr float kLowestSpeed_mps = 3.0f;   // nothing divides by less
 constexpr float kUnderspeed = 0.9f;        // of ARSPD_FBW_MIN
 constexpr float kRecovered = 1.05f;
+// Near the ground a lull of a gust costs height that is not there: the throttle opens earlier.
+constexpr float kEarlierInApproach = 1.06f;
 constexpr float kLoadFactorSpeed = 0.19f;  // stall speed grows by 19 % at 45 degrees of bank
 constexpr float kFlareIntegral_hz = 1.0f;  // of the sink's error over the speed
 // From no lift to the stall wings turn by some 0.25 rad, whatever the airplane: at the lowest
@@ -103,12 +105,13 @@ void SpeedHeight::watchUnderspeed(const SpeedHeightLimits& limits, Phase phase,
         underspeed_ = false;
 }
 
-// 0 at the lowest speed and above, 1 at underspeed: the share in which height is given up for
-// speed and the throttle opened.
+// 0 at the lowest speed and above, 1 at underspeed: the share in which height is given up for speed
+// and the throttle opened.
 float SpeedHeight::underspeedFraction(const SpeedHeightLimits& limits, bool airspeed_known,
                                       Phase phase) const {
     if (!airspeed_known || phase == Phase::flare) return 0;
-    const float short_mps = limits.airspeed_min_mps - speed_mps_;
+    const float earlier = phase == Phase::approach ? kEarlierInApproach : 1.0f;
+    const float short_mps = limits.airspeed_min_mps * earlier - speed_mps_;
     if (short_mps <= 0) return 0;
     return core::limit(short_mps / (limits.airspeed_min_mps * (1 - kUnderspeed)), 0.0f, 1.0f);
 }

@@ -20,6 +20,10 @@ constexpr float kMaxLeadSink = 1.5f;
 // Of its height an airplane above the slope dives no more than this: what an updraft has given
 // would be taken away with a sink that no flare ends in time.
 constexpr float kDive = 0.15f;
+// A flare that a gust has begun too far from the point sinks less, down to this share of the sink
+// at touch-down, if that suffices to come down at the point. Not near the ground, which may be
+// higher than it seems.
+constexpr float kLeastSink = 0.4f, kLessSinkAbove_m = 0.4f;
 // A flare this far below the point, so far above the field, is none: the airplane would stall.
 constexpr float kNoGround_m = 3, kFieldIsLower_m = 10;
 // Past the point the flare begins higher, but not where it would end in a stall.
@@ -48,7 +52,10 @@ HeightDemand flare(const LandingSettings& settings, const Approach& approach, co
     const float height_m = core::limit(approach.height_m, 0.0f, 100.0f);
     const float below_m = core::limit(-approach.height_m, 0.0f, kMaxBelow_m);
     const float last_mps = settings.touchdown_sink_mps + kSinkBelow_hz * below_m;
-    const float sink_mps = 2 * height_m * approach.along_mps / left_m - last_mps;
+    const float even_mps = height_m * approach.along_mps / left_m;
+    const float sink_mps = 2 * even_mps - last_mps;
+    if (sink_mps < last_mps && height_m > kLessSinkAbove_m)
+        return {approach.height_m, -core::limit(even_mps, kLeastSink * last_mps, last_mps)};
     const float more_mps = fmaxf(slope.sink_mps - last_mps, 0);
     const float most_mps = last_mps + kSteepestFlare * more_mps * height_m / slope.flare_m;
     const float steeper_mps = core::limit(kSteepestSink * slope.sink_mps, last_mps, kSteepest_mps);

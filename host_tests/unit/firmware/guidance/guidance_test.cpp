@@ -728,6 +728,11 @@ TEST_F(Guidance, what_the_ground_speed_is_short_of_keeps_power_in_the_flare) {
     EXPECT_EQ(throttle(3, 0, 12), 0);
     EXPECT_EQ(throttle(3, 1.2f, -16), 0) << "it stands on the ground, and the height is wrong";
     EXPECT_EQ(throttle(-2, 1.2f, 12), 0) << "fast enough";
+    ASSERT_EQ(throttle(0, 1.2f, 12), 0);
+    auto& estimate = mutable_vehicle.estimate;
+    estimate.airspeed_mps = 1.15f * estimate.equivalent_airspeed_mps;  // 2,800 m above the sea
+    guide(15);
+    EXPECT_GT(vehicle.throttle_demand.toFloat(), 0.5f * cruise) << "in thin air it flies faster";
 }
 
 TEST_F(Guidance, the_nose_may_be_lower_in_the_flare_than_at_the_ground) {

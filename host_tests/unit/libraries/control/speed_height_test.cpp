@@ -220,6 +220,22 @@ TEST(SpeedHeight, underspeed_gives_full_throttle_until_the_speed_is_back) {
     EXPECT_NEAR(loop.plane.airspeed, 12, 0.7);
 }
 
+TEST(SpeedHeight, opens_the_throttle_earlier_near_the_ground) {
+    const auto throttle = [](Phase phase, double airspeed_mps) {
+        Loop loop;
+        loop.sensed = false;
+        loop.phase = phase;
+        loop.demand.airspeed_mps = static_cast<float>(airspeed_mps);
+        loop.plane.velocity_n = airspeed_mps;
+        loop.plane.step(0.005);
+        loop.core.start(loop.measured(), 0.1f, 0.3f);
+        loop.fly(0.5);
+        return loop.plane.throttle;
+    };
+    EXPECT_GT(throttle(Phase::approach, 9.1), throttle(Phase::cruise, 9.1) + 0.03);
+    EXPECT_NEAR(throttle(Phase::approach, 10.5), throttle(Phase::cruise, 10.5), 0.03);
+}
+
 TEST(SpeedHeight, flies_without_an_airspeed_sensor) {
     Loop loop;
     loop.airspeed_known = false;

@@ -139,6 +139,18 @@ TEST(Landing, the_lower_it_is_the_less_it_sinks_though_the_point_is_near) {
     EXPECT_FLOAT_EQ(landing.run(kLanding, {30, 300, 280, 10, 0.01f, 1}).climb_mps, -0.4f);
 }
 
+// A gust that sinks it begins the flare too early.
+TEST(Landing, far_from_the_point_it_sinks_no_more_than_brings_it_there) {
+    const auto sink_mps = [](float left_m, float height_m) {
+        auto landing = flaring();
+        return -landing.run(kLanding, {30, 300, 300 - left_m, 10, height_m, 0.4f}).climb_mps;
+    };
+    EXPECT_GT(sink_mps(20, 1.4f), 0.4f);
+    EXPECT_NEAR(sink_mps(60, 1.8f), 0.3f, 0.03f);
+    EXPECT_FLOAT_EQ(sink_mps(150, 1.8f), 0.16f) << "it does not fly on for ever";
+    EXPECT_FLOAT_EQ(sink_mps(60, 0.3f), 0.4f) << "the ground may be here";
+}
+
 TEST(Landing, does_not_dive_at_the_point_however_high_it_is) {
     const struct {
         float from_m, sink_mps;
