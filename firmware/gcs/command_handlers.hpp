@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the command table's rows point at: one function a command, each answers a MAV_RESULT.
-// Grouped in commands_flight, _messages and _board.cpp.
+// Grouped in commands_flight, _aux, _messages and _board.cpp.
 #pragma once
 #include "firmware/mission/mission.hpp"
 #include "mavlink/messages.hpp"
@@ -56,6 +56,9 @@ uint8_t goAround(Link&, CommandRequest&);
 uint8_t armOrDisarm(Link&, CommandRequest&);
 uint8_t runPrearmChecks(Link&, CommandRequest&);
 uint8_t doSetHome(Link&, CommandRequest&);
+
+// ---- commands_aux.cpp
+uint8_t doAuxFunction(Link&, CommandRequest&);
 
 // ---- commands_messages.cpp
 uint8_t homePosition(Link&, CommandRequest&);

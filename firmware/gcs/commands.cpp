@@ -52,6 +52,7 @@ constexpr CommandRow kCommands[] ROM = {
     {MavCmd::do_inverted_flight,             actNow},
     {MavCmd::do_autotune_enable,             enableAutotune},
     {MavCmd::do_fence_enable,                enableFence},
+    {MavCmd::do_aux_function,                doAuxFunction},
     {MavCmd::do_set_mission_current,         setCurrentItem},
     {MavCmd::preflight_calibration,          calibrate},
     {MavCmd::preflight_set_sensor_offsets,   setSensorOffsets},

@@ -46,11 +46,13 @@ void askAgain() {
 
 }  // namespace
 
+void resetModeSwitch() { mode_switch.asked = 0; }
+
 void runModeSwitch() {
     const bool restarts = switchIsUp(parameters.reset_mission_channel);
     if (restarts && !mode_switch.restarts) missionRestart();
     mode_switch.restarts = restarts;
-    if (switchIsUp(parameters.reset_switch_channel)) mode_switch.asked = 0;
+    if (switchIsUp(parameters.reset_switch_channel)) resetModeSwitch();
     const uint8_t position = modeSwitchPosition();
     if (position == mode_switch.position) mode_switch.settled = position;
     mode_switch.position = position;

@@ -368,6 +368,7 @@ struct MavCmd {
         request_protocol_version = 519,
         request_autopilot_capabilities = 520,
         do_flighttermination = 185,
+        do_aux_function = 218,
         do_autotune_enable = 212,
         do_set_standard_mode = 262,
         do_send_banner = 42428,

@@ -93,6 +93,7 @@ const remarks = {
   nav_land: 'as DO_LAND_START',
   nav_takeoff: 'enters TAKEOFF: p7 m above home, or in the frame of COMMAND_INT (0: `TKOFF_ALT`), p1 the nose\'s least pitch in ° (0: `TKOFF_LVL_PITCH`)',
   do_flighttermination: 'p1 = 1 with `AFS_TERM_ACTION` 42: motor off, surfaces at their ends, until a restart; else DENIED with a text',
+  do_aux_function: 'p1 = RCn_OPTION of ArduPlane, p2 = 0 low, 1 middle, 2 high. Modes (high enters, low goes back to the mode switch): 4 RTL, 16 AUTO, 51 MANUAL, 52 ACRO, 55 GUIDED, 56 LOITER, 68 STABILIZE, 72 CIRCLE, 77 TAKEOFF, 92 FBWA, 150 CRUISE. Low or high: 11 fence, 28 relay, 43 inverted, 153 arm; high: 9 takes a picture. UNSUPPORTED the others',
   do_autotune_enable: 'p1 = 1: AUTOTUNE, 0: from it to FBWA',
   do_send_banner: 'a text: what this is',
   guided_change_speed: 'GUIDED: p1 = 0 airspeed, 1 ground speed, p2 m/s; p3, the acceleration, is not used',

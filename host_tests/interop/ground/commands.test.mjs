@@ -43,6 +43,19 @@ test('lists its modes, all or one, and is in the one it says', withVehicle({}, a
   assert.deepEqual([current.customMode, current.standardMode], [cruise.customMode, cruise.standardMode]);
 }));
 
+// The buttons of Mission Planner's page "Aux Function".
+test('does what a switch of the transmitter would', withVehicle({}, async (vehicle) => {
+  const kAux = 218, kLow = 0, kHigh = 2, kFbwaFunction = 92, kRelayFunction = 28;
+  await vehicle.wait(1500);
+  const before = (await vehicle.expect('HEARTBEAT')).customMode;
+  assert.equal(await vehicle.command(kAux, [kFbwaFunction, kHigh]), 0);
+  await vehicle.expect('HEARTBEAT', inMode(modes.fbwa));
+  assert.equal(await vehicle.command(kAux, [kFbwaFunction, kLow]), 0);
+  await vehicle.expect('HEARTBEAT', inMode(before));
+  assert.equal(await vehicle.command(kAux, [kRelayFunction, kHigh]), 0);
+  assert.equal(await vehicle.command(kAux, [201, kHigh]), 3);
+}));
+
 test('AUTO without a mission is refused with the reason', withVehicle({}, async (vehicle) => {
   await vehicle.wait(2000);
   vehicle.forget();

@@ -476,6 +476,64 @@ TEST_F(Telemetry, a_take_off_is_above_home_but_in_a_frame_that_was_given) {
     EXPECT_EQ(command(MavCmd::nav_takeoff), MavResult::temporarily_rejected);
 }
 
+TEST_F(Telemetry, an_auxiliary_function_enters_a_mode_and_gives_it_back_to_the_switch) {
+    constexpr float kLow = 0, kMiddle = 1, kHigh = 2;
+    struct {
+        float function;
+        Mode mode;
+    } const kAll[] = {{4, Mode::rtl},        {16, Mode::automatic}, {51, Mode::manual},
+                      {52, Mode::acro},      {55, Mode::guided},    {56, Mode::loiter},
+                      {68, Mode::stabilize}, {72, Mode::circle},    {77, Mode::takeoff},
+                      {92, Mode::fbwa},      {150, Mode::cruise}};
+    int resets = 0;
+    for (const auto& [function, mode] : kAll) {
+        firmware::state::mutable_vehicle.mode = Mode::training;
+        for (const float position : {kLow, kMiddle})
+            EXPECT_EQ(command(MavCmd::do_aux_function, function, position), MavResult::accepted);
+        EXPECT_EQ(firmware::state::vehicle.mode, Mode::training) << function;
+        EXPECT_EQ(doubles::vehicle.switch_resets, resets) << "it flew another mode";
+        EXPECT_EQ(command(MavCmd::do_aux_function, function, kHigh), MavResult::accepted);
+        EXPECT_EQ(firmware::state::vehicle.mode, mode) << function;
+        EXPECT_EQ(command(MavCmd::do_aux_function, function, kLow), MavResult::accepted);
+        EXPECT_EQ(doubles::vehicle.switch_resets, ++resets);
+    }
+    doubles::vehicle.mode_can_be_entered = false;
+    EXPECT_EQ(command(MavCmd::do_aux_function, 4, kHigh), MavResult::temporarily_rejected);
+    for (const float position : {-1.0f, 3.0f, NAN})
+        EXPECT_EQ(command(MavCmd::do_aux_function, 4, position), MavResult::denied) << position;
+    for (const float function : {0.0f, 2.0f, 300.0f, NAN})
+        EXPECT_EQ(command(MavCmd::do_aux_function, function, kHigh), MavResult::unsupported);
+}
+
+TEST_F(Telemetry, an_auxiliary_function_does_what_its_command_does) {
+    struct {
+        float function, position;
+        uint16_t command;
+        float param1, param2;
+    } const kAll[] = {{9, 2, MavCmd::do_digicam_control, 1, 0},
+                      {28, 2, MavCmd::do_set_relay, 0, 1},
+                      {28, 0, MavCmd::do_set_relay, 0, 0},
+                      {43, 2, MavCmd::do_inverted_flight, 1, 0},
+                      {43, 0, MavCmd::do_inverted_flight, 0, 0}};
+    for (const auto& each : kAll) {
+        EXPECT_EQ(command(MavCmd::do_aux_function, each.function, each.position),
+                  MavResult::accepted);
+        const auto& act = doubles::plan.acts.back();
+        EXPECT_EQ(act.command, each.command) << each.function;
+        EXPECT_EQ(act.param1, each.param1) << each.function;
+        EXPECT_EQ(act.param2, each.param2) << each.function;
+    }
+    EXPECT_EQ(command(MavCmd::do_aux_function, 9, 0), MavResult::accepted);
+    EXPECT_EQ(command(MavCmd::do_aux_function, 28, 1), MavResult::accepted);
+    EXPECT_EQ(doubles::plan.acts.size(), std::size(kAll)) << "nothing to be done there";
+
+    EXPECT_EQ(command(MavCmd::do_aux_function, 153, 2), MavResult::accepted);
+    EXPECT_TRUE(firmware::state::vehicle.armed);
+    EXPECT_FALSE(doubles::vehicle.force);
+    EXPECT_EQ(command(MavCmd::do_aux_function, 153, 0), MavResult::accepted);
+    EXPECT_FALSE(firmware::state::vehicle.armed);
+}
+
 TEST_F(Telemetry, guided_is_sent_along_a_course_over_the_ground) {
     for (const float course_deg : {0.0f, 90.0f, 359.5f, 360.0f}) {
         EXPECT_EQ(command(MavCmd::guided_change_heading, 0, course_deg), MavResult::accepted);

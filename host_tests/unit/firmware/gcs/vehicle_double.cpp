@@ -7,6 +7,7 @@
 #include "firmware/actuators/outputs.hpp"
 #include "firmware/mission/home.hpp"
 #include "firmware/modes/guided.hpp"
+#include "firmware/modes/mode_switch.hpp"
 #include "firmware/modes/takeoff.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/sensors/sensors.hpp"
@@ -130,6 +131,7 @@ MissionResult guideToHeight(MissionItem& item) {
     doubles::vehicle.heights.push_back(item);
     return plan.answer;
 }
+void resetModeSwitch() { ++doubles::vehicle.switch_resets; }
 bool guideAlong(float course_rad) {
     doubles::vehicle.courses_rad.push_back(course_rad);
     return plan.answer == MissionResult::accepted;

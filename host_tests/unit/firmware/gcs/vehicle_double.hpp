@@ -66,6 +66,7 @@ struct Vehicle {
     std::optional<geo::Position> home;
     int32_t home_altitude_cm = 0;
     std::vector<firmware::mission::MissionItem> targets, heights;  // of GUIDED
+    int switch_resets = 0;
     std::vector<float> courses_rad;
     std::vector<firmware::mission::MissionItem> takeoffs;
     core::Vector3 rest_force_mss = {0, 0, -core::kGravity_mss};

@@ -85,6 +85,17 @@ TEST_F(ModeSwitch, is_obeyed_when_it_is_seen_twice_in_a_position) {
     EXPECT_EQ(vehicle.mode, Mode::fbwa);
 }
 
+TEST_F(ModeSwitch, takes_back_what_the_ground_has_set_when_it_is_reset) {
+    settle(with(8, 1425));
+    ASSERT_EQ(vehicle.mode, Mode::fbwa);
+    firmware::modes::requestMode(Mode::stabilize, firmware::modes::ModeReason::ground);
+    firmware::modes::runModeSwitch();
+    EXPECT_EQ(vehicle.mode, Mode::stabilize);
+    firmware::modes::resetModeSwitch();
+    firmware::modes::runModeSwitch();
+    EXPECT_EQ(vehicle.mode, Mode::fbwa);
+}
+
 using SwitchAtRestart = bench::Bench;
 
 TEST_F(SwitchAtRestart, is_left_to_the_restart_and_obeyed_behind_it) {
