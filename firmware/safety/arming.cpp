@@ -297,23 +297,15 @@ void runLanded() {
     if (delay_s != 0 && arming.landed > delay_s * 10) disarm(ArmReason::landed, false);
 }
 
-const Check* firstFailing() {
-    for (const Check& check : kChecks)
-        if (fails(check)) return &check;
-    return nullptr;
-}
-
 }  // namespace
 
-notify::StatusText prearmFailure() {
-    const Check* const check = firstFailing();
-    return check != nullptr ? check->reason : StatusText();
-}
-
 bool reportPrearmFailure(Severity severity) {
-    const Check* const check = firstFailing();
-    if (check != nullptr) report(severity, *check);
-    return check != nullptr;
+    for (const Check& check : kChecks) {
+        if (!fails(check)) continue;
+        report(severity, check);
+        return true;
+    }
+    return false;
 }
 
 // Nothing makes up for a board whose pins are others, or for a flight that was ended for good.

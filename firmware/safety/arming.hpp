@@ -21,10 +21,8 @@ bool disarm(ArmReason reason, bool force);
 // In flight too, and nothing arms until the board is restarted.
 void disarmForGood();
 
-// The first check that fails, as a flash text; nullptr when none does.
-notify::StatusText prearmFailure();
-bool reportPrearmFailure(
-    notify::Severity severity);  // the same as a text to the pilot; false: none fails
+// The first check that fails, as a text to the pilot; false: none does.
+bool reportPrearmFailure(notify::Severity severity);
 
 // 10 Hz: arming and disarming by rudder, reports why arming would fail, has home refined, disarms
 // after landing

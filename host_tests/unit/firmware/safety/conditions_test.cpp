@@ -12,7 +12,7 @@
 #include "firmware/sensors/health.hpp"
 #include "firmware_bench.hpp"
 #include "hal/clock.hpp"
-#include "spelt.hpp"
+#include "prearm.hpp"
 #include "truth_table.hpp"
 #include "wrong_board.hpp"
 
@@ -55,15 +55,10 @@ struct Conditions : bench::TruthTable<Ready> {};
 
 // ---- arming
 
-std::string failure() {
-    const firmware::notify::StatusText why = prearmFailure();
-    return why.isNone() ? "" : spelt(why);
-}
-
 // Whether a check of these bits of ARMING_CHECK fails, and with this reason.
 bool refused(int16_t bits, const char* reason) {
     parameters.arming_check = bits;
-    return failure() == reason;
+    return bench::prearmFailure() == reason;
 }
 
 void compassUsed(bool is) { parameters.compass_use = is; }
@@ -134,7 +129,7 @@ TEST_F(Conditions, of_each_check_of_the_receiver_turn_it_alone) {
           [](bool is) {
               if (is) parameters.channel[0].trim_us = parameters.channel[0].max_us + 1;
           }},
-         [] { return refused(64, "PreArm: RC# not calibrated"); },
+         [] { return refused(64, "PreArm: RC1 not calibrated"); },
          any},
     });
 }
@@ -171,7 +166,7 @@ TEST_F(Conditions, of_each_check_of_airspeed_supply_and_log_turn_it_alone) {
           [](bool is) { parameters.arming_check |= is ? 1 : 0; }},
          [] {
              mutable_vehicle.gps.hdop_c = 351;
-             return failure() == "PreArm: high GPS HDOP";
+             return bench::prearmFailure() == "PreArm: high GPS HDOP";
          },
          any},
     });
