@@ -330,7 +330,7 @@ void runControlLimits() {
     bounds.pitch_min = angle(parameters.pitch_min_cd);
     bounds.pitch_max = angle(parameters.pitch_max_cd);
     bounds.trim_pitch = angle(parameters.trim_pitch_cd);
-    bounds.rudder_mix = Deflection(parameters.rudder_mix);
+    bounds.rudder_mix = Deflection(parameters.rudder_only != 0 ? 1 : parameters.rudder_mix);
     // 1.6 g at the trainer's cruise speed, 1.4 g at its lowest one, where the wing bears 1.44 g
     constexpr float kPullOut_rads = core::radians(25);
     bounds.pull_out = core::Angle(kPullOut_rads * parameters.pitch.axis.time_constant_s).raw;

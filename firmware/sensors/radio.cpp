@@ -136,7 +136,8 @@ void ignoreSwitches() {
 }
 
 void scale() {
-    published.roll_cd = stick_cd(parameters.map_roll - 1);
+    const int8_t rolls = parameters.rudder_only != 0 ? parameters.map_yaw : parameters.map_roll;
+    published.roll_cd = stick_cd(rolls - 1);
     published.pitch_cd = stick_cd(parameters.map_pitch - 1);
     published.yaw_cd = stick_cd(parameters.map_yaw - 1);
     const uint8_t throttle = parameters.map_throttle - 1;

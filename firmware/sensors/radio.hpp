@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pilot's sticks and switches: receiver pulses, or the ground station's in their place, scaled
-// by RCn_MIN/TRIM/MAX/REV/DZ.
+// by RCn_MIN/TRIM/MAX/REV/DZ. With RUDDER_ONLY the yaw stick is
+// that of roll, too.
 #pragma once
 #include <stdint.h>
 

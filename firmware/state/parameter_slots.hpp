@@ -42,6 +42,7 @@ enum : uint8_t {
     sign_policy    = 174,
     compass_mot_x  = 180,
     afs_term_action = 183,
+    rudder_only    = 184,
     elevon_output  = 200,
     vtail_output   = 201,
     rc5_function   = 216,  // then RC6_, RC7_ and RC8_FUNCTION

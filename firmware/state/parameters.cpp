@@ -98,6 +98,7 @@ constexpr parameters::Row kRows[] = {
     P( 84, "STICK_MIXING",      stick_mixing,                      1,       0,        2),
     P( 85, "THROTTLE_NUDGE",    throttle_nudge,                    1,       0,        1),
     P(slot::kff_rddrmix, "KFF_RDDRMIX", rudder_mix,             0.5f,       0,        1),
+    P(slot::rudder_only, "RUDDER_ONLY", rudder_only,               0,       0,        1),
     P(slot::elevon_output, "ELEVON_OUTPUT",     elevon_output,                     0,       0,        4),
     P(slot::vtail_output, "VTAIL_OUTPUT",      vtail_output,                      0,       0,        4),
     P(202, "MIXING_GAIN",       mixing_gain,                    0.5f,    0.5f,     1.2f),
@@ -246,7 +247,7 @@ constexpr uint8_t kRetired[] = {
     13, 22,  // SR0_RAW_CTRL, SR1_RAW_CTRL
     18, 27,  // SR0_PARAMS, SR1_PARAMS
 };
-constexpr uint16_t kNextSlot = 184;  // the lowest free one, for the next parameter
+constexpr uint16_t kNextSlot = 187;  // the lowest free one, for the next parameter
 
 #undef P
 #undef CHANNEL
@@ -398,6 +399,7 @@ bool isRigging(uint8_t number) {
         {slot::rcmap_roll, slot::fltmode_ch},
         {slot::elevon_output, slot::vtail_output},
         {slot::rc5_function, slot::rc8_function},
+        {slot::rudder_only, slot::rudder_only},
         {slot::ins_accoffs_x, slot::ins_accscal_z},
     };
     for (const Range& range : kRigging)

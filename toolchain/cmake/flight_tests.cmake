@@ -123,6 +123,19 @@ set(mixed --airplane ${mixed}.json --param ${mixed}.param)
 flight_test(native_v_tail_and_flaperons native 3 2 30 --native --seed 1 ${mixed})
 flight_test(elf_v_tail_and_flaperons simavr 5 3 60 ${short_flight} --seed 1 ${mixed} ${windy})
 
+# rudder and elevator: the wing's dihedral rolls it
+string(JSON airplane SET "${airplane}" v_tail false)
+string(JSON airplane SET "${airplane}" flaperons false)
+string(JSON airplane SET "${airplane}" roll aileron 0)
+string(JSON airplane SET "${airplane}" yaw aileron 0)
+string(JSON airplane SET "${airplane}" roll beta -0.16)
+set(rudder_only ${flights}/rudder_only)
+file(WRITE ${rudder_only}.json "${airplane}")
+file(WRITE ${rudder_only}.param "${settings}RUDDER_ONLY,1\n")
+set(rudder_only --airplane ${rudder_only}.json --param ${rudder_only}.param)
+flight_test(native_rudder_only native 3 2 30 --native --seed 1 ${rudder_only})
+flight_test(elf_rudder_only simavr 5 3 60 ${short_flight} --seed 1 ${rudder_only} ${windy})
+
 # elevons, thrown
 flight_test(elf_elevons simavr 5 3 60 ${short_flight} --airplane flying_wing --seed 1 ${windy})
 

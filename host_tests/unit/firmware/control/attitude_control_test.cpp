@@ -218,6 +218,16 @@ TEST_F(AttitudeControl, adds_the_demanded_rudder_but_not_in_manual) {
     EXPECT_EQ(surfacesIn(Mode::manual, bench::kCentred).rudder.toFloat(), 0);
 }
 
+TEST_F(AttitudeControl, rolls_by_the_rudder_where_there_are_no_ailerons) {
+    parameters.rudder_mix = 0.3f;
+    parameters.rudder_only = 1;
+    firmware::modes::requestMode(Mode::fbwa, firmware::modes::ModeReason::ground);
+    level(0.4f, 0);
+    surfacesIn(Mode::fbwa, bench::kCentred);
+    ASSERT_LT(surfaces.aileron.toFloat(), -0.05f);
+    EXPECT_NEAR(surfaces.rudder.toFloat(), surfaces.aileron.toFloat(), 0.02f);
+}
+
 TEST_F(AttitudeControl, lets_the_pilot_bend_an_automatic_mode_if_stick_mixing_is_on) {
     fly(Mode::loiter);
     const float unmoved = surfacesIn(Mode::loiter, bench::kCentred).aileron.toFloat();

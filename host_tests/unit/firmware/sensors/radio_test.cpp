@@ -39,6 +39,19 @@ TEST_F(Radio, scales_each_side_of_the_trim_to_its_own_end) {
     EXPECT_EQ(vehicle.radio.roll_cd, 2250);
 }
 
+TEST_F(Radio, rolls_by_the_yaw_stick_where_there_are_no_ailerons) {
+    mutable_vehicle.mode = Mode::fbwa;
+    parameters.rudder_only = 1;
+    settle(with(4, 1900));
+    EXPECT_EQ(vehicle.radio.roll_cd, 4500);
+    EXPECT_EQ(vehicle.radio.yaw_cd, 4500);
+    settle(with(1, 1900));
+    EXPECT_EQ(vehicle.radio.roll_cd, 0);
+    parameters.rudder_only = 0;
+    settle(with(1, 1900));
+    EXPECT_EQ(vehicle.radio.roll_cd, 4500);
+}
+
 TEST_F(Radio, turns_a_reversed_channel_round) {
     parameters.channel[1].reverse = -1;
     settle(with(2, 1900));

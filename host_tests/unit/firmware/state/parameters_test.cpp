@@ -39,7 +39,8 @@ TEST_F(Rigging, is_changed_while_disarmed_only) {
     } kCases[] = {{"RC2_MAX", 1600},    {"RC2_MIN", 1400},    {"RC1_REV", -1},
                   {"RC8_DZ", 10},       {"RCMAP_PITCH", 4},   {"FLTMODE_CH", 5},
                   {"ELEVON_OUTPUT", 1}, {"VTAIL_OUTPUT", 2},  {"RC5_FUNCTION", 3},
-                  {"RC8_FUNCTION", 2},  {"INS_ACCOFFS_X", 1}, {"INS_ACCSCAL_Z", 1.1f}};
+                  {"RC8_FUNCTION", 2},  {"INS_ACCOFFS_X", 1}, {"INS_ACCSCAL_Z", 1.1f},
+                  {"RUDDER_ONLY", 1}};
     for (const auto& each : kCases) {
         char name[16] = {};
         strncpy(name, each.name, sizeof name);
