@@ -52,7 +52,7 @@ struct Parameters {
     int16_t throttle_failsafe_us;
     int8_t stick_mixing, throttle_nudge;
     float rudder_mix;
-    int8_t rudder_only;  // it has no ailerons
+    int8_t rudder_only;                  // it has no ailerons
     int8_t elevon_output, vtail_output;  // ::control::Pair
     float mixing_gain;
     // limits
