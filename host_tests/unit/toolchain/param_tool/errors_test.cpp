@@ -101,7 +101,7 @@ TEST_F(ParamTool, reports_every_error_line_by_line) {
 }
 
 TEST_F(ParamTool, skips_parameters_of_other_vehicles_with_the_option) {
-    const std::string arduplane = file("a.param", "RUDDER_ONLY,0\nWP_RADIUS,42\n");
+    const std::string arduplane = file("a.param", "Q_ENABLE,0\nWP_RADIUS,42\n");
     EXPECT_EQ(param({"compile", arduplane, "-o", path("a.bin")}), 1);
     EXPECT_FALSE(std::filesystem::exists(path("a.bin")));
     EXPECT_EQ(param({"compile", arduplane, "--skip-unknown", "-o", path("a.bin")}), 0);
