@@ -235,7 +235,8 @@ void History::command(uint16_t number, float param1, float param2, double now_s)
     if (number == MavCmd::component_arm_disarm && param1 < 0.5f && magic)
         mark(Cause::forces, now_s);
     constexpr double kTerminates = 42;
-    if (number == MavCmd::do_flighttermination && parameter("AFS_TERM_ACTION", 0) == kTerminates)
+    if (number == MavCmd::do_flighttermination && param1 == 1 &&
+        parameter("AFS_TERM_ACTION", 0) == kTerminates)
         mark(Cause::forces, now_s);
 }
 
