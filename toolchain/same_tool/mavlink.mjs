@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // As much of MAVLink as directing a flight needs, without npm packages: frames of version 1 are
-// written, or of version 2 where a message needs its extensions; both are cut out of a stream. Layouts, ids and the CRC's extra
-// bytes are those of MAVLink's common.xml and ardupilotmega.xml.
+// written, or of version 2 where a message needs its extensions; both are cut out of a stream.
+// Layouts, ids and the CRC's extra bytes are those of MAVLink's common.xml and ardupilotmega.xml.
 const kMagic1 = 0xfe, kMagic2 = 0xfd;
 const kSystem = 255, kComponent = 190;  // a ground station's
 const kHeartbeat = 0, kStatusText = 253;
