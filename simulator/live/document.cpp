@@ -2,6 +2,7 @@
 #include "simulator/live/document.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "simulator/live/command_names.hpp"
 #include "simulator/live/held_mission.hpp"

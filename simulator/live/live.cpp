@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/ground/tcp_port.hpp"

@@ -2,6 +2,7 @@
 #include "simulator/live/samples.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "simulator/devices/ppm_encoder.hpp"

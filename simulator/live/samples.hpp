@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The series of a live flight: what they are called, and their values of a moment.
 #pragma once
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "simulator/board.hpp"
 #include "simulator/ground/telemetry.hpp"

@@ -19,6 +19,8 @@ find_package(Threads REQUIRED)
 set(HOST_HEADERS <algorithm> <array> <cmath> <cstdint> <cstring> <filesystem> <fstream> <functional>
     <iostream> <map> <memory> <optional> <random> <sstream> <stdexcept> <string> <vector>)
 precompiled(host_headers ${PROJECT_WARNINGS} HEADERS ${HOST_HEADERS})
+precompiled(text_headers ${PROJECT_WARNINGS} ${TEXT_OPTIMISATION} HEADERS <nlohmann/json.hpp> ${HOST_HEADERS})
+use_precompiled_text(text_headers)
 
 include(simulator)
 

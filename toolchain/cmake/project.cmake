@@ -67,14 +67,35 @@ function(precompiled name)
 endfunction()
 
 # Header-only libraries for text (CLI11, JSON) take most of the time in which their users compile,
-# and next to none when these run: their users are not optimised, which halves it.
-file(GLOB_RECURSE text_users CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/*.cpp
+# and next to none when these run: their users are not optimised, which halves it. Those of JSON also
+# have it precompiled, on the host (use_precompiled_text).
+set(TEXT_OPTIMISATION -O0)
+file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/simulator/*.cpp
      ${CMAKE_SOURCE_DIR}/toolchain/*.cpp ${CMAKE_SOURCE_DIR}/host_tests/*.cpp)
-list(FILTER text_users EXCLUDE REGEX "_test\\.cpp$")  # these share precompiled headers
-foreach(source IN LISTS text_users)
-    file(STRINGS ${source} found LIMIT_COUNT 1
-         REGEX "^#include (<CLI/CLI.hpp>|<nlohmann/json.hpp>|\"(toolchain/mission_tool/command_line|simulator/ground/json_places).hpp\")")
+list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")  # these share precompiled headers
+set(json_users)
+foreach(source IN LISTS sources)
+    file(STRINGS ${source} found LIMIT_COUNT 1 REGEX
+         "^#include (<CLI/CLI.hpp>|<nlohmann/json.hpp>|\"(toolchain/mission_tool/command_line|simulator/ground/json_places).hpp\")")
     if(found)
-        set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
+        set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS ${TEXT_OPTIMISATION} SKIP_PRECOMPILE_HEADERS ON)
+    endif()
+    if(found MATCHES "json")
+        list(APPEND json_users ${source})
     endif()
 endforeach()
+
+# use_precompiled_text(NAME): the users of JSON take the headers of precompiled(NAME), although their
+# targets have others: for single sources there is only the compiler's own option.
+function(use_precompiled_text name)
+    set(header ${CMAKE_BINARY_DIR}/CMakeFiles/${name}.dir/cmake_pch.hxx)
+    if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+        set(made ${header}.pch)
+        set(option -Xclang -include-pch -Xclang ${made})
+    else()
+        set(made ${header}.gch)
+        set(option -Winvalid-pch -include ${header})
+    endif()
+    set_source_files_properties(${json_users} PROPERTIES OBJECT_DEPENDS ${made}
+        COMPILE_OPTIONS "${TEXT_OPTIMISATION};${option}")
+endfunction()
