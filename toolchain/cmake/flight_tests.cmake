@@ -180,8 +180,8 @@ foreach(fault imu:stuck baro:lost)  # other sensors, other drivers
 endforeach()
 
 # stalled by the pilot, every airplane
-flight_program(stall_flight ${tests}/scenarios/stall_flight.cpp simulator/parameter_file.cpp
-               toolchain/param_tool/settings.cpp toolchain/mission_tool/wrong_input.cpp)
+flight_program(stall_flight)
+target_link_libraries(stall_flight PRIVATE parameter_files)
 native_test(flight.native_stall stall_flight ${CMAKE_SOURCE_DIR}/simulator/airplanes)
 
 flight_program(gps_flight)  # another receiver in the middle of the flight
@@ -197,8 +197,8 @@ image_test(flight.elf_compass_turned_90 apm2 mounting_flight ${IMAGE_apm2} ${sho
            ${flights}/elf_compass_turned_90 ${minutes})
 
 # gains found in the air, on an airplane whose own are near the defaults and on one far from them
-flight_program(autotune_flight ${tests}/scenarios/autotune_flight.cpp simulator/parameter_file.cpp
-               toolchain/param_tool/settings.cpp toolchain/mission_tool/wrong_input.cpp)
+flight_program(autotune_flight)
+target_link_libraries(autotune_flight PRIVATE parameter_files)
 function(autotune_test airplane roll_p pitch_p)
     foreach(times 0.4 1 2.5)
         native_test(flight.native_autotune_${airplane}_${times} autotune_flight ${airplane}

@@ -61,8 +61,7 @@ function(project_tool name folder)
 endfunction()
 
 # missions and parameters as files and EEPROM images, by the firmware's own tables and stores
-project_tool(mission_tool toolchain/mission_tool firmware_on_fakes simulator_ground fakes)
-target_sources(mission_tool_parts PRIVATE simulator/parameter_file.cpp toolchain/param_tool/settings.cpp)
+project_tool(mission_tool toolchain/mission_tool parameter_files firmware_on_fakes simulator_ground fakes)
 target_compile_definitions(mission_tool_parts PRIVATE MISSION_FLY="${CMAKE_BINARY_DIR}/fly"
                            MISSION_OUT="${CMAKE_SOURCE_DIR}/build/rehearsal")
 project_tool(param_tool toolchain/param_tool mission_tool_parts)
@@ -106,9 +105,7 @@ if(NOT SANITIZE)
         CHAOS_MAGNETIC_MODEL="${CMAKE_SOURCE_DIR}/toolchain/declination/WMM2025.COF")
     project_program(chaos ${chaos}/main.cpp ${chaos}/options.cpp ${chaos}/station.cpp
                     ${chaos}/drill.cpp ${chaos}/flight.cpp ${chaos}/flight_process.cpp
-                    simulator/parameter_file.cpp toolchain/param_tool/settings.cpp
-                    toolchain/mission_tool/wrong_input.cpp
-                    LIBRARIES chaos_parts firmware_native simulator_native simulator_invariants simulator_ground
+                    LIBRARIES chaos_parts parameter_files firmware_native simulator_native simulator_invariants simulator_ground
                     simulator_machine simulator_world CLI11::CLI11)
     target_compile_definitions(chaos PRIVATE CHAOS_OUT="${CMAKE_SOURCE_DIR}/build/chaos"
                                CHAOS_IMAGE="${IMAGE_apm2}"

@@ -72,6 +72,13 @@ simulator_library(live mavlink simulator_ground)
 simulator_library(native simulator_world core hal)
 target_include_directories(simulator_native BEFORE PRIVATE ${CMAKE_SOURCE_DIR}/simulator/native)
 
+# ---- parameter files, for whatever flies with one
+add_library(parameter_files STATIC simulator/parameter_file.cpp toolchain/param_tool/settings.cpp
+            toolchain/mission_tool/wrong_input.cpp)
+target_compile_options(parameter_files PRIVATE ${PROJECT_WARNINGS})
+target_precompile_headers(parameter_files REUSE_FROM host_headers)
+target_link_libraries(parameter_files PUBLIC simulator_ground)
+
 if(SANITIZE)
     return()  # nothing below runs on the host alone
 endif()
@@ -106,9 +113,8 @@ target_compile_definitions(simulator_machine PUBLIC SIMULATOR_BOOT="${boot_secti
 # ---- the program that flies
 set(simulator_sources simulator/built_image.cpp simulator/fly.cpp simulator/fly_live.cpp simulator/fly_options.cpp
     simulator/fly_report.cpp simulator/fly_served.cpp simulator/flight_folder.cpp
-    simulator/flight_provenance.cpp simulator/parameter_file.cpp
-    toolchain/param_tool/settings.cpp toolchain/mission_tool/wrong_input.cpp)
-project_program(fly ${simulator_sources} LIBRARIES firmware_native simulator_native
+    simulator/flight_provenance.cpp)
+project_program(fly ${simulator_sources} LIBRARIES parameter_files firmware_native simulator_native
     simulator_live simulator_report simulator_ground simulator_machine simulator_world
     CLI11::CLI11)
 target_compile_definitions(fly PRIVATE FLY_IMAGE="${IMAGE_apm2}" FLY_IMAGE_1="${IMAGE_apm1}"
