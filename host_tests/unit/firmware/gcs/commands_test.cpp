@@ -647,7 +647,7 @@ TEST_F(Telemetry, a_calibration_that_never_ends_has_failed) {
 }
 
 TEST_F(Telemetry, the_sticks_and_the_board_find_their_middle) {
-    auto& mutable_vehicle = firmware::state::mutable_vehicle;
+    using firmware::state::mutable_vehicle;
     EXPECT_EQ(command(MavCmd::preflight_calibration, 0, 0, 0, 1), MavResult::failed) << "no radio";
     mutable_vehicle.radio.heard = true;
     mutable_vehicle.radio.pulse_us[0] = 1512;
