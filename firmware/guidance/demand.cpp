@@ -8,12 +8,12 @@ namespace guidance {
 
 using namespace state;
 
-void demandPath(const PathDemand& demand) {
-    path_demand = demand;
+PathDemand& beginPath() {
     path_demand.new_path = true;
+    return path_demand;
 }
 
-void changeDemand(const PathDemand& demand) { path_demand = demand; }
+PathDemand& changePath() { return path_demand; }
 
 }  // namespace guidance
 }  // namespace firmware

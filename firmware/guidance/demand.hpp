@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where modes and NAV commands put in what guidance has to fly. Each takes a copy of
-// vehicle.demand, changes it and hands it in.
+// Where modes and NAV commands put in what guidance has to fly: they change it in place.
 #pragma once
 #include "firmware/state/vehicle.hpp"
 
 namespace firmware {
 namespace guidance {
 
-// Another path: guidance begins it in its next run, what it reports until then is of the old one.
-void demandPath(const state::PathDemand& demand);
-// The same path, at another height, speed or place: guidance goes on with it.
-void changeDemand(const state::PathDemand& demand);
+// To become another path: guidance begins it in its next run, what it reports until then is of the
+// old one. What is not set stays as it was.
+state::PathDemand& beginPath();
+// To be the same path at another height, speed or place: guidance goes on with it.
+state::PathDemand& changePath();
 
 }  // namespace guidance
 }  // namespace firmware

@@ -76,12 +76,11 @@ bool missionLand() {
 bool missionGoAround(float height_m) {
     constexpr float kClear_m = 30;  // above the landing point: the least to turn at
     if (!landing() || !vehicle.estimate.flying) return false;
-    PathDemand demand = vehicle.demand;
+    PathDemand& demand = beginPath();
     const float least_m = demand.height_m + kClear_m;
     demand.path = Path::leg;  // the whole line is flown, also beyond its end
     demand.height_m = height_m > least_m ? height_m : least_m;
     demand.sloped = false;
-    demandPath(demand);
     return true;
 }
 

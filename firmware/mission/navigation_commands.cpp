@@ -64,7 +64,7 @@ bool worthASlope(const PathDemand& demand) {
 }
 
 void demand(Path path, const Place& to, LegStart start) {
-    PathDemand demand = vehicle.demand;
+    PathDemand& demand = beginPath();
     const Place from = start.from_here || !nav.have_last ? airplane() : nav.last;
     nav.no_place = path == Path::takeoff;
     demand.path = path;
@@ -76,22 +76,15 @@ void demand(Path path, const Place& to, LegStart start) {
     demand.radius_m = loiterRadius_m();
     demand.counter_clockwise = false;
     demand.climb_rate_mps = 0;
-    demandPath(demand);
     if (!start.resumed) forgetClimb();
     demandSpeed();
     if (start.resumed) goOnClimbing();
 }
 
-void changeHeightAtOnce() {
-    PathDemand demand = vehicle.demand;
-    demand.sloped = false;
-    changeDemand(demand);
-}
+void changeHeightAtOnce() { changePath().sloped = false; }
 
 void turnCounterClockwise(bool counter_clockwise) {
-    PathDemand demand = vehicle.demand;
-    demand.counter_clockwise = counter_clockwise;
-    changeDemand(demand);
+    changePath().counter_clockwise = counter_clockwise;
 }
 
 void demandLeg(const Place& to, float radius_m, LegStart start) {
@@ -251,9 +244,7 @@ Progress landDone(const Record&) {
 void startTakeoff(const Record& record, LegStart start) {
     start.from_here = true;
     demand(Path::takeoff, {vehicle.estimate.position, heightOf_m(record)}, start);
-    PathDemand takeoff = vehicle.demand;
-    takeoff.takeoff_pitch_rad = core::radians(record.p1);
-    changeDemand(takeoff);
+    changePath().takeoff_pitch_rad = core::radians(record.p1);
 }
 
 Progress takeoffDone(const Record& record) {

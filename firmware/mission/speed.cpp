@@ -50,22 +50,20 @@ void setCruiseThrottle(int8_t throttle_pct) {
 }
 
 void demandSpeed() {
-    PathDemand demand = vehicle.demand;
+    PathDemand& demand = changePath();
     // a ground speed goes on from the air speed it had come to
     if (speed.ground_cms == 0 || demand.airspeed_mps <= 0) demand.airspeed_mps = cruise_mps();
     demand.throttle_pct =
         speed.throttle_pct >= 0 ? speed.throttle_pct : parameters.cruise_throttle_pct;
-    changeDemand(demand);
 }
 
 void stepSpeed() {
     if (speed.ground_cms == 0) return;
     const float error_mps = core::hundredths(speed.ground_cms) - vehicle.estimate.ground_speed_mps;
-    PathDemand demand = vehicle.demand;
+    PathDemand& demand = changePath();
     demand.airspeed_mps = core::limit(
         demand.airspeed_mps + error_mps * (kGroundSpeedGain * kStep_s),
         static_cast<float>(parameters.speed_min_mps), static_cast<float>(parameters.speed_max_mps));
-    changeDemand(demand);
 }
 
 }  // namespace mission

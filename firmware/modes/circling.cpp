@@ -14,8 +14,8 @@ using namespace guidance;
 
 namespace {
 
-PathDemand level(float height_m) {
-    PathDemand demand = vehicle.demand;
+PathDemand& level(float height_m) {
+    PathDemand& demand = beginPath();
     demand.path = Path::none;
     demand.height_m = height_m;
     demand.sloped = false;
@@ -27,11 +27,11 @@ PathDemand level(float height_m) {
 
 }  // namespace
 
-void demandLevel(float height_m) { demandPath(level(height_m)); }
+void demandLevel(float height_m) { level(height_m); }
 
 // Down to a lower place goes a slope, which ends where the circle begins; up it goes at once.
 void demandCircle(const geo::Position& centre, float height_m) {
-    PathDemand demand = level(height_m);
+    PathDemand& demand = level(height_m);
     const int16_t radius_m = parameters.loiter_radius_m;
     demand.path = Path::circle;
     demand.from = vehicle.estimate.position;
@@ -40,7 +40,6 @@ void demandCircle(const geo::Position& centre, float height_m) {
     demand.sloped = demand.from_height_m - height_m > parameters.glide_slope_min_m;
     demand.radius_m = radius_m < 0 ? -radius_m : radius_m;
     demand.counter_clockwise = radius_m < 0;
-    demandPath(demand);
 }
 
 }  // namespace modes

@@ -29,13 +29,12 @@ core::FileState<RollStick> roll_stick{};
 bool turning() { return vehicle.radio.roll_cd != 0 || vehicle.radio.yaw_cd != 0; }
 
 void lock() {
-    PathDemand demand = vehicle.demand;
+    PathDemand& demand = beginPath();
     const auto& now = vehicle.estimate;
     const float share = kAhead_m / now.ground_speed_mps;
     demand.path = Path::leg;
     demand.from = now.position;
     demand.to = geo::moved(now.position, {now.velocity_mps.x * share, now.velocity_mps.y * share});
-    demandPath(demand);
 }
 
 void shift(geo::Position& place, int32_t up_e7, int32_t eastward_e7) {
@@ -45,19 +44,16 @@ void shift(geo::Position& place, int32_t up_e7, int32_t eastward_e7) {
 
 // Both ends by the same whole steps: the line stays what it is.
 void moveOn() {
-    PathDemand demand = vehicle.demand;
+    PathDemand& demand = beginPath();
     const int32_t up_e7 = (demand.to.latitude_e7 - demand.from.latitude_e7) / 2;
     const int32_t eastward_e7 =
         geo::eastward_e7(demand.from.longitude_e7, demand.to.longitude_e7) / 2;
     shift(demand.from, up_e7, eastward_e7);
     shift(demand.to, up_e7, eastward_e7);
-    demandPath(demand);
 }
 
 void unlock() {
-    PathDemand demand = vehicle.demand;
-    demand.path = Path::none;
-    changeDemand(demand);
+    changePath().path = Path::none;
     roll_stick.centred = 0;
 }
 

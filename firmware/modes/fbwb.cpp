@@ -54,7 +54,7 @@ void demandFbwb() {
     const int16_t pulled_cd = parameters.fbwb_elevator_reverse != 0 ? -stick_cd : stick_cd;
     const float lowest_m =
         parameters.fbwb_lowest_cm > 0 ? core::hundredths(parameters.fbwb_lowest_cm) : -kFar_m;
-    PathDemand demand = vehicle.demand;
+    PathDemand& demand = changePath();
     if (pulled_cd == 0)
         hold(demand, lowest_m);
     else
@@ -63,7 +63,6 @@ void demandFbwb() {
         demand.airspeed_mps =
             parameters.speed_min_mps +
             (parameters.speed_max_mps - parameters.speed_min_mps) * stickThrottle().toFloat();
-    changeDemand(demand);
 }
 
 }  // namespace modes

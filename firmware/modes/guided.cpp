@@ -80,10 +80,9 @@ MissionResult guideTo(MissionItem& item) {
     demandCircle({item.x, item.y}, item.z);
     demandSpeed();
     if (radius_m == 0) return result;
-    PathDemand demand = vehicle.demand;
+    PathDemand& demand = changePath();
     demand.radius_m = radius_m;
     demand.counter_clockwise = item.param4 == 1;
-    changeDemand(demand);
     return result;
 }
 
@@ -91,12 +90,11 @@ MissionResult guideTo(MissionItem& item) {
 bool guideAlong(float course_rad) {
     constexpr float kFar_m = 30000;
     if (vehicle.mode != Mode::guided || !vehicle.estimate.known) return false;
-    PathDemand demand = vehicle.demand;
+    PathDemand& demand = beginPath();
     demand.path = Path::leg;
     demand.from = vehicle.estimate.position;
     demand.to = geo::moved(demand.from, {kFar_m * cosf(course_rad), kFar_m * sinf(course_rad)});
     demand.sloped = false;
-    demandPath(demand);
     return true;
 }
 
@@ -110,11 +108,10 @@ MissionResult guideToHeight(MissionItem& item) {
     if (result != MissionResult::accepted) return result;
     if (!guidesItself() || stickSetsSpeed() || vehicle.mode == Mode::automatic)
         return MissionResult::error;
-    PathDemand demand = vehicle.demand;
+    PathDemand& demand = changePath();
     demand.height_m = item.z;
     demand.sloped = false;
     demand.climb_rate_mps = 0;
-    changeDemand(demand);
     return result;
 }
 

@@ -31,17 +31,17 @@ struct Departure {
 };
 core::FileState<Departure> departure{};
 
-void begin(PathDemand demand) {
+PathDemand& begin() {
+    PathDemand& demand = beginPath();
     if (!vehicle.estimate.flying) demand.path = Path::takeoff;
-    demandPath(demand);
+    return demand;
 }
 
 void climbTo(float height_m, float pitch_deg) {
-    PathDemand demand = vehicle.demand;
+    PathDemand& demand = begin();
     const float now_m = vehicle.estimate.height_m;
     demand.height_m = height_m > now_m ? height_m : now_m;
     demand.takeoff_pitch_rad = core::radians(pitch_deg);
-    begin(demand);
 }
 
 bool isHigh() {
@@ -67,7 +67,7 @@ void demandTakeoff() {
         departure.waits = true;
     } else if (departure.waits) {
         departure.waits = false;
-        begin(vehicle.demand);
+        begin();
     } else if (vehicle.demand.path == Path::takeoff && isHigh()) {
         demandCircle(vehicle.estimate.position, vehicle.demand.height_m);
     }
