@@ -261,10 +261,18 @@ bool streamsSend(Link& link) {
     Streams& streams = link.streams;
     if (streams.due == 0) return false;
     if (heartbeatDue(link)) return sendRow(link, kHeartbeatRow);
+    uint8_t row = streams.last_row;
+    const uint8_t* phase = &streams.phase[row];
     do {
-        if (++streams.last_row >= kOutgoingRows) streams.last_row = 0;
-    } while (streams.phase[streams.last_row] < kDue);
-    return sendRow(link, streams.last_row);
+        ++row;
+        ++phase;
+        if (row == kOutgoingRows) {
+            row = 0;
+            phase = streams.phase;
+        }
+    } while (*phase < kDue);
+    streams.last_row = row;
+    return sendRow(link, row);
 }
 
 uint8_t outgoingRow(uint16_t message_id) {
