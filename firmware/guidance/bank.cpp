@@ -28,9 +28,9 @@ constexpr float kDrawn = kGuidancePeriod_s / 0.7f;  // see expectBank
 
 struct Banking {
     navigation::BankTrim trim;
-    float carried_mss;     // see carriedBank_mss
-    float expected_mss;    // see expectBank
-    float follows, stays;  // of the demanded and of the expected bank, in one run
+    float carried_mss;   // see carriedBank_mss
+    float expected_mss;  // see expectBank
+    float follows;       // of the demanded bank, in one run
     float turn_accel_mss;
 };
 core::FileState<Banking> banking{};
@@ -67,8 +67,9 @@ float measuredBank_tan() {
 // loop that flies it, makes that loop as many times quicker as a turn is led: too quick for wings
 // that roll slowly. It draws the expected one within a second.
 void expectBank(float demanded_mss) {
-    banking.expected_mss = banking.expected_mss * banking.stays + demanded_mss * banking.follows +
-                           measuredBank_tan() * (kDrawn * core::kGravity_mss);
+    const float expected_mss = banking.expected_mss;
+    banking.expected_mss += (demanded_mss - expected_mss) * banking.follows +
+                            (measuredBank_tan() * core::kGravity_mss - expected_mss) * kDrawn;
 }
 
 }  // namespace
@@ -89,7 +90,6 @@ void learnBankTrim(float left_of_path_m) { banking.trim.learn(left_of_path_m, kG
 
 void planTurns() {
     banking.follows = kGuidancePeriod_s / bankLag_s();
-    banking.stays = 1 - kDrawn - banking.follows;
     banking.turn_accel_mss = kTurnShare * core::kGravity_mss * tanf(limit_rad(BankLimit::flying));
 }
 
