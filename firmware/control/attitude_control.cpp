@@ -314,8 +314,13 @@ void runSpeedScaling() {
                       core::BodyRate::fromRaw(-loops.turn.yaw_rads.raw)};
 }
 
+static void limitRollRate() {
+    loops.roll_gains.most_up_rads = loops.roll_gains.most_down_rads =
+        ::control::fastestRate_rads(loops.roll_gains, loops.air, parameters.roll.rate_max_dps);
+}
+
 void runRollGains() {
-    if (!loops.roll_watch.changed()) return;
+    if (!loops.roll_watch.changed()) return limitRollRate();
     loops.roll_gains = ::control::rollGains(parameters.roll);
     loops.yaw_gains = ::control::yawGains(parameters.yaw);
 }

@@ -73,6 +73,15 @@ AxisGains pitchGains(const PitchSettings& settings) {
     return gains;
 }
 
+core::BodyRate fastestRate_rads(const AxisGains& gains, const AirFlow& air, int16_t rate_max_dps) {
+    constexpr float kMaxShare = 0.95f;      // of the surface
+    constexpr float kSlowest_rads = 0.35f;  // fast enough for AUTOTUNE to measure
+    const float fastest_rads = limit_rads(rate_max_dps).toFloat();
+    const float surface_s = gains.feed_forward.toFloat() * air.speed_scale.toFloat();
+    if (surface_s * fastest_rads <= kMaxShare) return core::BodyRate(fastest_rads);
+    return core::BodyRate(core::limit(kMaxShare / surface_s, kSlowest_rads, fastest_rads));
+}
+
 core::BodyRate demandedRate_rads(const AxisGains& gains, core::Angle error_rad) {
     const int16_t rate = core::upper(2 * core::product(error_rad.raw, gains.rate_per_error.raw));
     return core::BodyRate::fromRaw(

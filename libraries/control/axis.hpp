@@ -37,6 +37,10 @@ struct AxisState {
 // The rate that takes an error away, within the limits.
 core::BodyRate demandedRate_rads(const AxisGains& gains, core::Angle error_rad);
 
+// The fastest rate that is demanded: RMAX, or what most of the surface turns the airplane with.
+// Farther out it would stay at its stop all the way from bank to bank, where it damps nothing.
+core::BodyRate fastestRate_rads(const AxisGains& gains, const AirFlow& air, int16_t rate_max_dps);
+
 // `periods` of 5 ms. Limited to -1..1.
 core::Ratio axisDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,
                            core::BodyRate demand_rads, core::BodyRate rate_rads, uint8_t periods);

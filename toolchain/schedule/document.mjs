@@ -37,7 +37,7 @@ const remarks = {
   runBarometer: 'steps the barometer',
   runGps: 'received bytes to fixes; also between frames',
   runSpeedScaling: 'effect of the surfaces at this airspeed, rates of a coordinated turn',
-  runRollGains: 'gains of the roll loop, when a parameter has changed',
+  runRollGains: 'gains of the roll loop, when a parameter has changed; else its fastest rate',
   runPitchGains: 'gains of the pitch loop, when a parameter has changed',
   runControlLimits: 'limits of bank and pitch, the mix of the rudder, when a parameter has changed',
   runInertialSettings: 'scales, offsets and trim of the accelerometers, when a parameter has changed',

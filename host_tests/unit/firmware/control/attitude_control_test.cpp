@@ -212,6 +212,20 @@ TEST_F(AttitudeControl, damps_a_swing_of_the_yaw_but_not_while_the_rudder_steers
     EXPECT_EQ(surfaces.rudder.toFloat(), 0);
 }
 
+TEST_F(AttitudeControl, has_not_its_ailerons_at_their_stop_from_bank_to_bank) {
+    parameters.roll = {{0.4f, 3.2f, 0, 0.12f, 3000}, 0};
+    ++firmware::state::parameter_changes.count;
+    for (const float airspeed_mps : {10.0f, 16.0f}) {
+        mutable_vehicle.estimate.equivalent_airspeed_mps = airspeed_mps;
+        level(-0.7f);
+        prepareControl();  // after a change the limit is next
+        // about as fast as all of the surface turns it
+        mutable_vehicle.attitude.rate_rads.x = core::BodyRate(0.7f * airspeed_mps / 15);
+        EXPECT_NEAR(surfacesIn(Mode::fbwa, bench::kCentred).aileron.toFloat(), 0.94f, 0.05f)
+            << airspeed_mps;
+    }
+}
+
 TEST_F(AttitudeControl, adds_the_demanded_rudder_but_not_in_manual) {
     mutable_vehicle.rudder_demand = core::Ratio(0.2f);
     EXPECT_NEAR(surfacesIn(Mode::fbwa, bench::kCentred).rudder.toFloat(), 0.2f, 0.01);

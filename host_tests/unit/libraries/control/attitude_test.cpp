@@ -76,6 +76,32 @@ TEST(Roll, the_demanded_rate_is_limited_when_a_limit_is_set) {
     EXPECT_NEAR(deflect(settings, limited, at(15), -60 * kDegree, 0), -with, 1e-3);
 }
 
+// All the way from bank to bank the ailerons would stand at their stop.
+TEST(Roll, is_not_asked_for_a_rate_beyond_what_most_of_the_surface_gives) {
+    auto settings = roll();
+    settings.axis = {0.4f, 3, 0, 0.12f, 3000};  // of wings that turn by 50 degrees a second
+    const auto most = [&](float airspeed_mps) {
+        AxisState state;
+        auto gains = rollGains(settings);
+        gains.most_up_rads = gains.most_down_rads =
+            control::fastestRate_rads(gains, at(airspeed_mps), settings.rate_max_dps);
+        const auto held_rads = demandedRate_rads(gains, core::Angle(90 * kDegree));
+        EXPECT_EQ(demandedRate_rads(gains, core::Angle(-90 * kDegree)).raw, -held_rads.raw);
+        return rollDeflection(gains, state, at(airspeed_mps), core::Angle(90 * kDegree), held_rads,
+                              kPeriods)
+            .toFloat();
+    };
+    for (const float airspeed_mps : {10.0f, 15.0f, 25.0f})
+        EXPECT_NEAR(most(airspeed_mps), 0.95f, 0.01f) << airspeed_mps;
+}
+
+TEST(Roll, keeps_the_limit_that_is_set_where_the_surface_gives_more) {
+    const auto gains = rollGains(roll());
+    EXPECT_NEAR(control::fastestRate_rads(gains, at(15), 60).toFloat(), 60 * kDegree, 0.01f);
+    EXPECT_GT(control::fastestRate_rads(gains, at(15), 0).toFloat(), 90 * kDegree);
+    EXPECT_GT(control::fastestRate_rads(gains, AirFlow(), 60).toFloat(), 0) << "before it is known";
+}
+
 TEST(Roll, the_integrator_takes_a_lasting_error_away_and_stays_within_its_limit) {
     AxisState state;
     auto settings = roll();
