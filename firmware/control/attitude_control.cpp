@@ -193,6 +193,12 @@ void bindSticks() {
     return {core::BodyRate::fromRaw(0), loops.turn.yaw_rads};
 }
 
+// Not on the ground: where a gust lifts a wing, a wheel that turned with the ailerons would steer
+// towards that wing, and overturn the airplane. Without ailerons nothing else holds it level.
+bool mixesRudder() {
+    return !vehicle.progress.steering || !loops.air.integrators_rest || parameters.rudder_only != 0;
+}
+
 void stabilise() {
     const auto& rate_rads = vehicle.attitude.rate_rads;
     const uint8_t periods = vehicle.imu.periods;
@@ -216,7 +222,8 @@ void stabilise() {
     if (vehicle.sticks == Sticks::bounded) bindSticks();
     surfaces.rudder = yaw();
     if (vehicle.progress.steering) surfaces.rudder = Deflection::fromRaw(0);  // that damps, too
-    add(surfaces.rudder, core::times14(surfaces.aileron.raw, bounds.rudder_mix.raw));
+    if (mixesRudder())
+        add(surfaces.rudder, core::times14(surfaces.aileron.raw, bounds.rudder_mix.raw));
     add(surfaces.rudder, vehicle.rudder_demand.raw);
 }
 

@@ -212,6 +212,21 @@ TEST_F(AttitudeControl, damps_a_swing_of_the_yaw_but_not_while_the_rudder_steers
     EXPECT_EQ(surfaces.rudder.toFloat(), 0);
 }
 
+// The wheel would turn towards the wing that a gust has lifted.
+TEST_F(AttitudeControl, mixes_no_aileron_into_the_rudder_that_steers_on_the_ground) {
+    level(0.3f);
+    mutable_vehicle.progress.steering = true;
+    mutable_vehicle.estimate.climb_mps = -0.8f;
+    EXPECT_LT(surfacesIn(Mode::fbwa, bench::kCentred).rudder.toFloat(), -0.01f) << "flares";
+    mutable_vehicle.estimate.climb_mps = 0;
+    EXPECT_EQ(surfacesIn(Mode::fbwa, bench::kCentred).rudder.toFloat(), 0);
+    mutable_vehicle.estimate.equivalent_airspeed_mps = 5;
+    EXPECT_EQ(surfacesIn(Mode::fbwa, bench::kCentred).rudder.toFloat(), 0);
+    parameters.rudder_only = 1;  // there is nothing else to hold its wings level with
+    ++firmware::state::parameter_changes.count;
+    EXPECT_LT(surfacesIn(Mode::fbwa, bench::kCentred).rudder.toFloat(), -0.01f);
+}
+
 TEST_F(AttitudeControl, has_not_its_ailerons_at_their_stop_from_bank_to_bank) {
     parameters.roll = {{0.4f, 3.2f, 0, 0.12f, 3000}, 0};
     ++firmware::state::parameter_changes.count;
