@@ -166,7 +166,9 @@ void shiftHeightFlown(float by_m) { height_control.speed_height.shift(by_m); }
 const ::control::SpeedHeightFlown& heightFlown() { return height_control.speed_height.flown(); }
 
 void waitWithHeight(const Plan& plan) {
-    core::based(height_control.speed_height).start(measured(), 0, 0);
+    // from the nose of the throw: from level it would have to be raised while the airplane sinks
+    core::based(height_control.speed_height)
+        .start(measured(), vehicle.attitude.pitch_rad.toFloat(), 0);
     demandPitch(core::Angle(plan.phase == ::control::Phase::climb_out ? plan.pitch_min_rad : 0.0f));
     demandThrottle(core::Ratio(
         parameters.suppressed_manual != 0 ? core::hundredths(vehicle.radio.throttle_pct) : 0.0f));

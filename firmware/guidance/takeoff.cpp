@@ -42,7 +42,8 @@ Plan flyTakeoff() {
     if (course.locked())
         accel_mss = navigation::followCourse(lateralGains(), now, course.course()).bank_accel_mss;
     demandBank(accel_mss, BankLimit::level);
-    if (vehicle.estimate.height_m < kRunway_m) steadyNose();
+    const bool thrown = parameters.takeoff_min_accel_mss > 0;
+    if (!thrown && vehicle.estimate.height_m < kRunway_m) steadyNose();
     Plan to_fly = levelPlan();
     to_fly.phase = ::control::Phase::climb_out;
     to_fly.pitch_min_rad = pitch_rad();

@@ -816,6 +816,32 @@ TEST_F(Guidance, keeps_the_nose_from_swinging_in_the_take_off_run) {
     EXPECT_FALSE(vehicle.progress.steering);
 }
 
+// It has no wheel on the ground, and needs its rudder to fly.
+TEST_F(Guidance, does_not_steer_what_is_thrown) {
+    onTheGround(Mode::loiter);
+    parameters.takeoff_min_accel_mss = 15;
+    demand(Path::takeoff);
+    mutable_vehicle.attitude.rate_rads.z = core::BodyRate(0.6f);
+    guide(2);
+    EXPECT_FALSE(vehicle.progress.steering);
+    EXPECT_EQ(vehicle.rudder_demand.toFloat(), 0);
+}
+
+// The nose would go down first, and come up again while the airplane sinks.
+TEST_F(Guidance, goes_on_from_the_nose_of_the_throw) {
+    onTheGround(Mode::loiter);
+    parameters.takeoff_min_accel_mss = 15;
+    mutable_vehicle.attitude.pitch_rad = core::Angle(core::radians(15));
+    demand(Path::takeoff);
+    mutable_vehicle.demand.height_m = 50;
+    guide(5);
+    ASSERT_TRUE(vehicle.progress.throttle_suppressed);
+    cruising();
+    mutable_vehicle.imu.accel_mss.x = core::Acceleration(20);
+    while (vehicle.progress.throttle_suppressed) guide();
+    EXPECT_GT(vehicle.pitch_demand_rad.toFloat(), core::radians(10));
+}
+
 TEST_F(Guidance, stops_steering_once_the_pilot_flies) {
     inTheAir();
     onFinal(0.5f, 10);
