@@ -9,7 +9,7 @@ namespace {
 constexpr core::BodyRate kBegins_rads(0.4f), kRest_rads(0.117f), kFastEnough_rads(0.303f),
     kSwing_rads(0.254f);
 constexpr uint16_t kLongest = 400;  // frames
-constexpr uint8_t kSwingLasts = 60, kMaxSwings = 6;
+constexpr uint8_t kSwingLasts = 60, kMaxSwings = 6, kMaxTurnSwings = 3;
 constexpr core::Ratio kFar(0.4f);
 
 constexpr int32_t kFull = AxisState::Output::kOne;
@@ -48,21 +48,39 @@ AxisTuner::Finding AxisTuner::swing(int16_t rate, int16_t surface) {
     return Finding::shakes;
 }
 
+// Back and forth, each time nearly half as fast as the fastest: a turn under way ends so where the
+// gains are too high, and neither its surface nor its rate says how strong the surface is.
+bool AxisTuner::swingsOn(int16_t rate) {
+    const int16_t fast = static_cast<int16_t>((fastest_rads_.raw >> 3) * 3);
+    if (size(rate) < core::limit<int16_t>(fast, kFastEnough_rads.raw, INT16_MAX)) return false;
+    const int8_t side = rate > 0 ? 1 : -1;
+    if (side == side_) return false;
+    side_ = side;
+    return ++swings_ > kMaxTurnSwings;
+}
+
 AxisTuner::Finding AxisTuner::watch(const AxisGains& gains, const AxisState& state,
                                     const AirFlow& air, core::BodyRate demand_rads,
                                     core::BodyRate rate_rads) {
     const int16_t rate = rate_rads.raw;
     const bool rests = size(rate) < kRest_rads.raw;
     if (frames_ == 0) {
-        if (size(demand_rads.raw) < kBegins_rads.raw) return swing(rate, surface(state).raw);
+        const int16_t begins = core::limit<int16_t>(kBegins_rads.raw, 0, gains.most_up_rads.raw);
+        if (size(demand_rads.raw) < begins) return swing(rate, surface(state).raw);
         if (!rests || air.integrators_rest) return Finding::nothing;
         used_ = expected_ = 0;
         fastest_rads_.raw = 0;
+        swings_ = 0;
+        side_ = 0;
         rest_.raw = static_cast<int16_t>(state.integrator.as<14>().raw);
     }
     used_ += int32_t{surface(state).raw} - rest_.raw;
     expected_ += expected(gains, air, rate);
     fastest_rads_.raw = core::limit<int16_t>(size(rate), fastest_rads_.raw, INT16_MAX);
+    if (swingsOn(rate)) {
+        frames_ = 0;
+        return Finding::shakes;
+    }
     const bool over = rests && fastest_rads_.raw >= kFastEnough_rads.raw;
     if (!over && ++frames_ < kLongest) return Finding::nothing;
     frames_ = 0;

@@ -32,6 +32,7 @@ public:
 
 private:
     Finding swing(int16_t rate, int16_t surface);
+    bool swingsOn(int16_t rate);
 
     int32_t used_ = 0, expected_ = 0;  // of the surface, summed up
     core::Ratio rest_ = {};            // the surface before the turn
