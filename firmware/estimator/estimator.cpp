@@ -475,7 +475,7 @@ void publishSpeeds() {
     if (!runs()) return;
     auto& to = published;
     const Vector3& velocity = to.velocity_mps;
-    to.ground_speed_mps = sqrtf(core::square(velocity.x) + core::square(velocity.y));
+    to.ground_speed_mps = sqrtf(core::squaredLength(velocity.x, velocity.y));
     if (to.ground_speed_mps > 0.01f) {
         const float inverse = 1.0f / to.ground_speed_mps;
         const core::Angle course_rad = estimation::tableAtan2(core::Ratio(velocity.y * inverse),

@@ -177,7 +177,7 @@ bool fillIn(const Link&, mavlink::Wind& to) {
     const core::Vector3& wind_mps = vehicle.estimate.wind_mps;
     if (wind_sent.known_mps.x != wind_mps.x || wind_sent.known_mps.y != wind_mps.y) {
         wind_sent.known_mps = wind_mps;
-        wind_sent.speed_mps = sqrtf(core::square(wind_mps.x) + core::square(wind_mps.y));
+        wind_sent.speed_mps = sqrtf(core::squaredLength(wind_mps.x, wind_mps.y));
         const float inverse = -1.0f / core::limit(wind_sent.speed_mps, 0.001f, 200.0f);
         wind_sent.from_deg = core::degrees(estimation::tableAtan2(core::Ratio(wind_mps.y * inverse),
                                                                   core::Ratio(wind_mps.x * inverse))

@@ -80,7 +80,7 @@ int16_t inRevolutions(int32_t fine) {
 
 // What fixes may show of a wrong tilt at once.
 core::Vector3 asTilt_mss(const core::Vector3& missing) {
-    const float squared = core::square(missing.x) + core::square(missing.y);
+    const float squared = core::squaredLength(missing.x, missing.y);
     if (squared <= kMaxMissing_mss * kMaxMissing_mss) return missing;
     if (squared > kNoTilt_mss * kNoTilt_mss) return {0, 0, 0};
     return missing * (kMaxMissing_mss / sqrtf(squared));
@@ -304,7 +304,7 @@ void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& fe
     const float quick = this->quick();
     settling_ = core::limit(settling_ - time_s * (1.0f / kSettle_s), 0.0f, 1.0f);
     const core::Vector3& a = felt_mss;
-    const float horizontal = a.x * a.x + a.y * a.y;
+    const float horizontal = core::squaredLength(a.x, a.y);
     // Split into towards the centre (along a) and along the path.
     core::Vector3 used = missing_mss;
     float yaw = 0, turning_share = 0;
@@ -404,13 +404,12 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
 
 // The first heading where there is no compass: the course, when there is one.
 void Attitude::pointAlong(const core::Vector3& velocity_mps) {
-    const float fast = velocity_mps.x * velocity_mps.x + velocity_mps.y * velocity_mps.y;
+    const float fast = core::squaredLength(velocity_mps.x, velocity_mps.y);
     if (fast <= 25.0f) return;
     const float inverse = 1.0f / sqrtf(fast);
     const float east = velocity_mps.y * inverse, north = velocity_mps.x * inverse;
     float nose_north = noseNorth(), nose_east = noseEast();
-    const float inverse_nose =
-        1.0f / sqrtf(nose_north * nose_north + nose_east * nose_east + 1e-6f);
+    const float inverse_nose = 1.0f / sqrtf(core::squaredLength(nose_north, nose_east) + 1e-6f);
     nose_north *= inverse_nose;
     nose_east *= inverse_nose;
     turnTo(east * nose_north - north * nose_east, north * nose_north + east * nose_east);
@@ -446,7 +445,7 @@ void Attitude::pointBy(float error) {
 }
 
 void Attitude::useCourse(const core::Vector3& air_mps) {
-    const float squared = core::square(air_mps.x) + core::square(air_mps.y);
+    const float squared = core::squaredLength(air_mps.x, air_mps.y);
     if (phase_ < Phase::pointed || squared < kSlow_mps * kSlow_mps) return;
     catchUp();
     const float north = noseNorth(), east = noseEast();
@@ -462,7 +461,7 @@ bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
     const core::Vector3 north = real(north_), down = real(down_);
     const core::Vector3 east = core::cross(down, north);
     const float m_north = core::dot(north, field_mg), m_east = core::dot(east, field_mg);
-    const float length = sqrtf(m_north * m_north + m_east * m_east);
+    const float length = sqrtf(core::squaredLength(m_north, m_east));
     if (length < 30.0f) return true;  // near a magnetic pole, or no field at all: no direction
     // Declination is small enough on every inhabited place for its cosine's second order.
     const float d = settings.declination_rad;

@@ -15,9 +15,7 @@ constexpr float kFasterYet_mss = 5.0f;  // ... as the accelerations alone may le
 constexpr float kLost_s = 18.0f;        // after so long two fixes that agree are accepted anywhere
 constexpr float kFold_m = 200.0f;       // the offset is folded into the anchor beyond this
 
-float squared(const geo::Offset& off) {
-    return off.north_m * off.north_m + off.east_m * off.east_m;
-}
+float squared(const geo::Offset& off) { return core::squaredLength(off.north_m, off.east_m); }
 
 }  // namespace
 

@@ -47,7 +47,7 @@ void Wind::update(const core::Vector3& ground_mps, const Pointing& nose, float a
 // True when the nose has turned far enough since the last time to show the airspeed.
 bool Wind::fromTurn(const core::Vector3& ground_mps, const Pointing& nose, float& airspeed_mps) {
     const float north = nose.north - old_nose_.north, east = nose.east - old_nose_.east;
-    const float squared = north * north + east * east;
+    const float squared = core::squaredLength(north, east);
     if (seeded_ && squared < kTurn * kTurn) return false;
     bool found = false;
     if (seeded_) {
@@ -65,7 +65,7 @@ bool Wind::fromTurn(const core::Vector3& ground_mps, const Pointing& nose, float
 
 float Wind::airspeed_mps(const core::Vector3& ground_mps) const {
     const float north = ground_mps.x - north_mps_, east = ground_mps.y - east_mps_;
-    return sqrtf(north * north + east * east + ground_mps.z * ground_mps.z);
+    return sqrtf(core::squaredLength(north, east) + ground_mps.z * ground_mps.z);
 }
 
 }  // namespace estimation

@@ -69,7 +69,7 @@ int32_t wrappedSum_e7(int32_t longitude_e7, int32_t by_e7) {
 }
 
 float squaredLength(const Offset& offset) {
-    return offset.north_m * offset.north_m + offset.east_m * offset.east_m;
+    return core::squaredLength(offset.north_m, offset.east_m);
 }
 
 }  // namespace
