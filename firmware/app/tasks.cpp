@@ -13,6 +13,7 @@
 #include "firmware/control/inverted.hpp"
 #include "firmware/control/stall.hpp"
 #include "firmware/estimator/estimator.hpp"
+#include "firmware/gcs/aux_switches.hpp"
 #include "firmware/gcs/telemetry.hpp"
 #include "firmware/guidance/guidance.hpp"
 #include "firmware/logger/log.hpp"
@@ -117,6 +118,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
 
     { slow,   runLog,                  2,     0,    1010 },
     { slow,   runModeSwitch,          10,     0,     215 },
+    { slow,   runAuxSwitches,         10,     1,      35 },
     { slow,   runEvents,              10,     5,      35 },
     { slow,   reportVariables,        10,     7,     340 },
     { slow,   runCamera,              10,     9,     240 },
@@ -194,8 +196,8 @@ bool workWaits() {
 
 }  // namespace
 
-// Inlined into main(), the variables of all that it calls would lie below every task on the stack: 77
-// bytes.
+// Inlined into main(), the variables of all that it calls would lie below every task on the stack:
+// 77 bytes.
 __attribute__((noinline)) void setup() {
     restartBegin();
     board::start();

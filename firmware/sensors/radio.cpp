@@ -194,6 +194,14 @@ uint8_t modeSwitchPosition() {
     return 0;
 }
 
+SwitchPosition switchPosition(uint8_t channel) {
+    constexpr uint16_t kLow_us = 1200, kHigh_us = 1800;  // ArduPilot's
+    const uint16_t pulse_us = reception.switch_us[channel - 1];
+    if (published.lost || pulse_us == 0) return SwitchPosition::unknown;
+    if (pulse_us <= kLow_us) return SwitchPosition::low;
+    return pulse_us >= kHigh_us ? SwitchPosition::high : SwitchPosition::middle;
+}
+
 bool switchIsUp(int8_t channel) {
     return channel != 0 && !published.lost && reception.switch_us[channel - 1] > kSwitchUp_us;
 }

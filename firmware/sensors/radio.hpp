@@ -16,6 +16,10 @@ void runRadio();  // 100 Hz, first of all: a stick must not wait
 uint8_t modeSwitchPosition();
 // A switch on a channel, 1 to 8, is above 1750 us. Not on channel 0, nor with the radio lost.
 bool switchIsUp(int8_t channel);
+// Of a switch with three positions on a channel, 1 to 8. Unknown: never received, or the radio is
+// lost.
+enum class SwitchPosition : uint8_t { unknown, low, middle, high };
+SwitchPosition switchPosition(uint8_t channel);
 
 }  // namespace sensors
 }  // namespace firmware

@@ -38,6 +38,7 @@ struct Parameters {
     // radio and servos
     Channel channel[8];
     int8_t output_function[4];  // RC5_FUNCTION to RC8_FUNCTION: a k...Function of outputs.hpp
+    int16_t switch_option[4];   // RC5_OPTION to RC8_OPTION: a function of gcs/commands_aux.cpp
     int8_t flap_channel;        // FLAP_IN_CHANNEL
     int8_t flap_slew_pct;
     struct {

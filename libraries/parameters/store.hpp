@@ -10,7 +10,7 @@
 
 namespace parameters {
 
-constexpr uint8_t kMaxRows = 232;  // a bit of RAM each; raise it by 8 when a table grows past it
+constexpr uint8_t kMaxRows = 240;  // a bit of RAM each; raise it by 8 when a table grows past it
 static_assert(kMaxRows % 8 == 0, "the bits fill whole bytes");
 
 // At boot: redoes what a cut interrupted, then gives every field its stored value, or the row's

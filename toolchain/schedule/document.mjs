@@ -58,6 +58,7 @@ const remarks = {
   runFence: 'whether the fence is crossed, and what follows',
   missionRun: 'one pass of the mission engine in AUTO; uploads and checks in the background',
   runModeSwitch: 'the mode switch and the other switches of the transmitter',
+  runAuxSwitches: 'switches with a function of their own, `RC5_OPTION` to `RC8_OPTION`',
   runEvents: 'the output that a mission repeats',
   reportVariables: 'parameters that a mission sends and that could not be sent at once',
   runCamera: 'ends the pulse of the shutter, begins the next one by distance',

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "firmware/gcs/aux_switches.hpp"
 #include "firmware/mission/speed.hpp"
+#include "firmware/sensors/radio.hpp"
 #include "ground.hpp"
+#include "host_tests/support/fakes/io.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 
 using firmware::state::Mode;
@@ -531,6 +534,99 @@ TEST_F(Telemetry, an_auxiliary_function_does_what_its_command_does) {
     EXPECT_TRUE(firmware::state::vehicle.armed);
     EXPECT_FALSE(doubles::vehicle.force);
     EXPECT_EQ(command(MavCmd::do_aux_function, 153, 0), MavResult::accepted);
+    EXPECT_FALSE(firmware::state::vehicle.armed);
+}
+
+// ---- the same by switches of the transmitter
+
+struct AuxSwitches : Telemetry {
+    static constexpr int kLost = 0, kLow = 1, kMiddle = 2, kHigh = 3;
+    std::vector<uint16_t> pulses_us = std::vector<uint16_t>(8, 1100);
+
+    void SetUp() override {
+        Telemetry::SetUp();
+        mutable_vehicle.mode = Mode::training;
+        firmware::gcs::runAuxSwitches();  // nothing was received yet
+    }
+    void receive() {
+        for (int i = 0; i < 3; ++i) {
+            fakes::receiveRc(pulses_us);
+            for (int run = 0; run < 2; ++run) {  // switches are read between two frames
+                firmware::sensors::runRadio();
+                fakes::advance_ms(10);
+            }
+        }
+        firmware::gcs::runAuxSwitches();
+    }
+    void move(int channel, int position) {
+        constexpr uint16_t kPulses_us[] = {0, 1200, 1500, 1800};
+        mutable_vehicle.radio.lost = position == kLost;
+        if (position == kLost) return firmware::gcs::runAuxSwitches();
+        pulses_us[channel - 1] = kPulses_us[position];
+        receive();
+    }
+};
+
+TEST_F(AuxSwitches, enter_a_mode_for_the_pilot_and_give_it_back_to_the_mode_switch) {
+    parameters.switch_option[1] = 4;
+    receive();
+    move(6, kMiddle);
+    EXPECT_TRUE(doubles::vehicle.modes.empty());
+    move(6, kHigh);
+    ASSERT_EQ(doubles::vehicle.modes.size(), 1u);
+    EXPECT_EQ(doubles::vehicle.modes[0], std::pair(Mode::rtl, firmware::state::ModeReason::pilot));
+    for (int i = 0; i < 3; ++i) firmware::gcs::runAuxSwitches();
+    EXPECT_EQ(doubles::vehicle.modes.size(), 1u) << "once for each move";
+    move(6, kLow);
+    EXPECT_EQ(doubles::vehicle.switch_resets, 1);
+}
+
+TEST_F(AuxSwitches, have_a_function_each) {
+    const uint16_t kCommands[] = {MavCmd::do_inverted_flight, MavCmd::do_digicam_control};
+    parameters.switch_option[0] = 43, parameters.switch_option[3] = 9;
+    receive();
+    size_t done = 0;
+    for (const int channel : {5, 8}) {
+        move(channel, kHigh);
+        ASSERT_EQ(doubles::plan.acts.size(), done + 1);
+        EXPECT_EQ(doubles::plan.acts.back().command, kCommands[done++]);
+    }
+    for (const int channel : {1, 4, 6, 7}) move(channel, kHigh);
+    EXPECT_EQ(doubles::plan.acts.size(), 2u);
+}
+
+TEST_F(AuxSwitches, do_nothing_where_they_stand_when_they_are_first_received) {
+    parameters.switch_option[0] = 4;
+    move(5, kHigh);
+    EXPECT_TRUE(doubles::vehicle.modes.empty());
+    move(5, kLow);
+    move(5, kHigh);
+    EXPECT_EQ(doubles::vehicle.modes.size(), 1u);
+}
+
+TEST_F(AuxSwitches, do_nothing_when_the_radio_comes_back_with_them_where_they_were) {
+    parameters.switch_option[1] = 4;
+    for (const int position : {kLow, kLost, kLow, kLost, kLow}) move(6, position);
+    EXPECT_EQ(doubles::vehicle.switch_resets, 0);
+    move(6, kLost);
+    move(6, kHigh);
+    EXPECT_EQ(doubles::vehicle.modes.size(), 1u) << "moved meanwhile";
+}
+
+TEST_F(AuxSwitches, do_nothing_when_they_are_given_a_function) {
+    move(6, kHigh);
+    parameters.switch_option[1] = 4;
+    for (int i = 0; i < 3; ++i) firmware::gcs::runAuxSwitches();
+    EXPECT_TRUE(doubles::vehicle.modes.empty());
+}
+
+TEST_F(AuxSwitches, arm_without_force_and_disarm) {
+    parameters.switch_option[1] = 153;
+    receive();
+    move(6, kHigh);
+    EXPECT_TRUE(firmware::state::vehicle.armed);
+    EXPECT_FALSE(doubles::vehicle.force);
+    move(6, kLow);
     EXPECT_FALSE(firmware::state::vehicle.armed);
 }
 

@@ -143,6 +143,21 @@ TEST_F(Radio, keeps_the_switches_that_a_ground_station_with_the_sticks_does_not_
     EXPECT_EQ(firmware::sensors::modeSwitchPosition(), 6);
 }
 
+TEST_F(Radio, has_three_positions_of_a_switch_while_it_is_received) {
+    using firmware::sensors::SwitchPosition;
+    const auto position = [] { return firmware::sensors::switchPosition(7); };
+    const std::pair<uint16_t, SwitchPosition> kEnds[] = {{1200, SwitchPosition::low},
+                                                         {1201, SwitchPosition::middle},
+                                                         {1799, SwitchPosition::middle},
+                                                         {1800, SwitchPosition::high}};
+    for (const auto& [pulse_us, expected] : kEnds) {
+        settle(with(7, pulse_us));
+        EXPECT_EQ(position(), expected) << pulse_us;
+    }
+    loseRadio(1100);
+    EXPECT_EQ(position(), SwitchPosition::unknown);
+}
+
 TEST_F(Radio, has_its_sticks_between_two_frames_while_a_ground_station_holds_a_switch) {
     settle(with(1, 1900));
     firmware::sensors::setRcOverride(
