@@ -19,6 +19,7 @@ constexpr double kAlone_s = 35;
 constexpr double kFrom_s = 20;  // in the air and past the take-off
 constexpr double kBankLimit_deg = 45;
 constexpr int kInvertedChannel = 7;
+constexpr float kCircleOption = 72;
 constexpr uint16_t kUp_us = 1815, kMiddle_us = 1500, kDown_us = 1165;
 
 struct Moment {
@@ -180,7 +181,8 @@ struct Leg {
     Sticks (*pilot)(double t_s, const Truth& truth);
     bool (*passes)(const Flown& flown);
     const char* what;
-    bool inverted = false;  // by the pilot's switch
+    bool inverted = false;   // by the pilot's switch
+    bool by_option = false;  // entered by the switch that RC6_OPTION gives CIRCLE to
 };
 constexpr Leg kLegs[] = {
     {"MANUAL", 0, holdLevel, controlled, "flew as the pilot did"},
@@ -192,7 +194,7 @@ constexpr Leg kLegs[] = {
     {"FBWB", 6, climbAWhile, heldAndClimbed, "held height and speed, climbed as demanded"},
     {"CRUISE", 7, hands_off, heldTrackAndHeight, "held track and height"},
     {"CRUISE", 7, hands_off, flewInverted, "flew upside down, and rolled back", true},
-    {"CIRCLE", 1, hands_off, circledGently, "circled at a third of the bank"},
+    {"CIRCLE", 1, hands_off, circledGently, "circled at a third of the bank", false, true},
     {"LOITER", 12, hands_off, stayedNear, "stayed near"},
     {"GUIDED", 15, hands_off, stayedNear, "stayed near"},
     {"RTL", 11, hands_off, cameNearer, "came nearer"},
@@ -212,10 +214,12 @@ public:
         }
         set("ACRO_LOCKING", 1);
         set("INVERTEDFLT_CH", kInvertedChannel);
+        set("RC6_OPTION", kCircleOption);
         bool passed = true;
         bool upper = false;
         prepare(kLegs[0], upper);
         for (const Leg& leg : kLegs) {
+            if (leg.by_option) upper = !upper;  // the mode switch stays where it is
             const Flown flown = flyLeg(leg, upper);
             passed = check(leg, flown) && passed;
             upper = !upper;
@@ -246,12 +250,14 @@ private:
                 leg.inverted && t_s > kInvertedFrom_s && t_s < seconds_a_mode_ - kInvertedUntil_s;
             board_.world().radio().sticks(
                 {us(sticks.roll), us(sticks.pitch), us(sticks.throttle), kMiddle_us, kMiddle_us,
-                 kMiddle_us, inverted ? kUp_us : kMiddle_us, upper ? kUp_us : kDown_us},
+                 leg.by_option ? kUp_us : kDown_us, inverted ? kUp_us : kMiddle_us,
+                 upper ? kUp_us : kDown_us},
                 true);
             if (step_ % 5 != 0) continue;
             flown.push_back({t_s, truth.roll_rad / kDegree, truth.north_m, truth.east_m,
                              truth.height_m, truth.equivalent_airspeed_mps});
-            if (next != nullptr && flown.size() % 20 == 0) prepare(*next, !upper);
+            if (next != nullptr && !next->by_option && flown.size() % 20 == 0)
+                prepare(*next, !upper);
         }
         return flown;
     }
