@@ -100,7 +100,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { medium, fuseFixWind,             5,     1,     570 },
     { medium, fuseFixHeight,           5,     0,     460 },
     { medium, learnGpsDelay,           5,     4,     520 },
-    { medium, fuseCompass,            20,    11,    1210 },
+    { medium, fuseCompass,            20,    11,    1240 },
     { medium, fuseAirspeed,           20,    19,    1300 },
     { medium, telemetrySend,           2,     0,    1100 },
     { medium, runGuidance,             5,     2,    2050 },

@@ -391,6 +391,23 @@ float airspeedTestRatio() {
     return error.odd_mps / error.limit_mps;
 }
 
+// More than a wind explains: to fly 60 degrees across its nose, at such a speed over the ground, an
+// airplane needs a wind of 87 % of its airspeed. (ArduPlane gives the compass up from 45 degrees
+// on.) Once it is given up, not before the heading by the course has come near: halfway the compass
+// seems to be right again.
+bool liesAcrossCourse() {
+    constexpr float kFast_mps = 8;
+    constexpr core::Angle kFar_rad(core::radians(60.0f)), kNear_rad(core::radians(20.0f));
+    if (!vehicle.estimate.flying || vehicle.gps.ground_speed_mps < kFast_mps ||
+        isFaulty(Sensor::gps))
+        return false;
+    const core::Angle course_rad(
+        core::radiansFromCentidegrees(core::wrap180_cd(vehicle.gps.course_cd)));
+    const int16_t apart = static_cast<int16_t>(course_rad.raw - vehicle.attitude.yaw_rad.raw);
+    const int16_t limit = isFaulty(Sensor::compass) ? kNear_rad.raw : kFar_rad.raw;
+    return apart > limit || apart < -limit;
+}
+
 // Without the inertial sensor the attitude stands: what seems to be the airplane's own is not.
 void moveOwnFieldToOffsets() {
     if (vehicle.imu.healthy && compassLearnsInFlight())
@@ -578,7 +595,9 @@ void fuseCompass() {
     const auto& compass = vehicle.compass;
     if (!compass.accepted || compass.readings == motion.compass_seen || !runs()) return;
     motion.compass_seen = compass.readings;
-    if (parameters.compass_use != 0 && !attitude.useCompass(compass.field_mg, attitudeSettings()))
+    if (parameters.compass_use == 0) return;
+    const bool across = liesAcrossCourse();
+    if (!attitude.useCompass(compass.field_mg, attitudeSettings()) || across)
         reportInconsistency(Sensor::compass);
 }
 

@@ -16,6 +16,8 @@ namespace {
 
 using firmware::state::mutable_vehicle;
 
+using firmware::sensors::isFaulty;
+using firmware::sensors::Sensor;
 using firmware::state::vehicle;
 
 constexpr geo::Position kStart = {470000000, 80000000};
@@ -597,6 +599,50 @@ TEST_F(Estimator, records_how_far_home_was_moved_above_the_field) {
     firmware::estimator::zeroHeight();
     firmware::estimator::saveEstimate(slow);
     EXPECT_EQ(slow.home_above_field_m, 0);
+}
+
+// Turned on its mounting or pulled aside by a magnet: it shows this heading while the airplane
+// flies north.
+struct WrongHeading : Estimator {
+    void fly(float heading_deg, float ground_mps) {
+        const float heading_rad = core::radians(heading_deg);
+        compass_mg_ = {210 * std::cos(heading_rad), -210 * std::sin(heading_rad), 430};
+        frames(1000);
+        ASSERT_NEAR(vehicle.attitude.yaw_rad.toFloat(), heading_rad, 0.02);
+        mutable_vehicle.armed = true;
+        frames(200, ground_mps / 2);
+        frames(150);
+        ASSERT_TRUE(vehicle.estimate.flying);
+        for (int i = 0; i < 1500; ++i) {
+            frame(0);
+            firmware::sensors::acceptReading(Sensor::compass, static_cast<int16_t>(frame_ % 7),
+                                             true);
+            if (frame_ % 10 == 0) firmware::sensors::watchHealth();
+            mutable_vehicle.compass.healthy = !isFaulty(Sensor::compass);
+        }
+    }
+    float yaw_deg() const { return core::degrees(vehicle.attitude.yaw_rad.toFloat()); }
+};
+
+TEST_F(WrongHeading, is_given_up_for_the_course_when_it_lies_across_it) {
+    for (const float heading_deg : {90.0f, -70.0f}) {
+        SetUp();
+        fly(heading_deg, 14);
+        EXPECT_TRUE(isFaulty(Sensor::compass)) << heading_deg;
+        EXPECT_LT(std::fabs(yaw_deg()), 15);
+    }
+}
+
+TEST_F(WrongHeading, may_be_right_in_a_wind_from_the_side) {
+    fly(50, 14);
+    EXPECT_FALSE(isFaulty(Sensor::compass));
+}
+
+TEST_F(WrongHeading, may_be_right_where_a_wind_leaves_little_speed_over_the_ground) {
+    mutable_vehicle.airspeed.healthy = true;
+    mutable_vehicle.airspeed.speed_mps = 14;
+    fly(90, 7);
+    EXPECT_FALSE(isFaulty(Sensor::compass));
 }
 
 // The compass reads 30 mG more downwards from now on: it counts as the airplane's own for the most.
