@@ -59,6 +59,7 @@ struct Motion {
     uint8_t gathered;        // sample periods since motion was last carried on
     uint8_t flying_changes;  // looks in a row at which `flying` is wrong
     uint8_t compass_seen;    // of the compass' counter
+    bool across_course;      // see liesAcrossCourse
 };
 core::FileState<Motion> motion{};
 
@@ -393,8 +394,8 @@ float airspeedTestRatio() {
 
 // More than a wind explains: to fly 60 degrees across its nose, at such a speed over the ground, an
 // airplane needs a wind of 87 % of its airspeed. (ArduPlane gives the compass up from 45 degrees
-// on.) Once it is given up, not before the heading by the course has come near: halfway the compass
-// seems to be right again.
+// on.) Once it does, until the heading by the course has come near: halfway the compass seems right
+// again.
 bool liesAcrossCourse() {
     constexpr float kFast_mps = 8;
     constexpr core::Angle kFar_rad(core::radians(60.0f)), kNear_rad(core::radians(20.0f));
@@ -404,8 +405,9 @@ bool liesAcrossCourse() {
     const core::Angle course_rad(
         core::radiansFromCentidegrees(core::wrap180_cd(vehicle.gps.course_cd)));
     const int16_t apart = static_cast<int16_t>(course_rad.raw - vehicle.attitude.yaw_rad.raw);
-    const int16_t limit = isFaulty(Sensor::compass) ? kNear_rad.raw : kFar_rad.raw;
-    return apart > limit || apart < -limit;
+    const int16_t limit = motion.across_course ? kNear_rad.raw : kFar_rad.raw;
+    motion.across_course = apart > limit || apart < -limit;
+    return motion.across_course;
 }
 
 // Without the inertial sensor the attitude stands: what seems to be the airplane's own is not.
