@@ -392,13 +392,13 @@ float airspeedTestRatio() {
     return error.odd_mps / error.limit_mps;
 }
 
-// More than a wind explains: to fly 60 degrees across its nose, at such a speed over the ground, an
-// airplane needs a wind of 87 % of its airspeed. (ArduPlane gives the compass up from 45 degrees
+// More than a wind explains: to fly 75 degrees across its nose, at such a speed over the ground, an
+// airplane needs a wind of 97 % of its airspeed. (ArduPlane gives the compass up from 45 degrees
 // on.) Once it does, until the heading by the course has come near: halfway the compass seems right
 // again.
 bool liesAcrossCourse() {
     constexpr float kFast_mps = 8;
-    constexpr core::Angle kFar_rad(core::radians(60.0f)), kNear_rad(core::radians(20.0f));
+    constexpr core::Angle kFar_rad(core::radians(75.0f)), kNear_rad(core::radians(20.0f));
     if (!vehicle.estimate.flying || vehicle.gps.ground_speed_mps < kFast_mps ||
         isFaulty(Sensor::gps))
         return false;

@@ -625,7 +625,7 @@ struct WrongHeading : Estimator {
 };
 
 TEST_F(WrongHeading, is_given_up_for_the_course_when_it_lies_across_it) {
-    for (const float heading_deg : {90.0f, -70.0f}) {
+    for (const float heading_deg : {90.0f, -85.0f}) {
         SetUp();
         fly(heading_deg, 14);
         EXPECT_TRUE(isFaulty(Sensor::compass)) << heading_deg;
