@@ -399,6 +399,8 @@ float airspeedTestRatio() {
 bool liesAcrossCourse() {
     constexpr float kFast_mps = 8;
     constexpr core::Angle kFar_rad(core::radians(75.0f)), kNear_rad(core::radians(20.0f));
+    if (!vehicle.estimate.flying)
+        motion.across_course = false;  // it may be set right on the ground
     if (!vehicle.estimate.flying || vehicle.gps.ground_speed_mps < kFast_mps ||
         isFaulty(Sensor::gps))
         return false;

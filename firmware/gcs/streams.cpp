@@ -261,7 +261,7 @@ bool streamsSend(Link& link) {
     Streams& streams = link.streams;
     if (streams.due == 0) return false;
     if (heartbeatDue(link)) return sendRow(link, kHeartbeatRow);
-    uint8_t row = streams.last_row;
+    uint8_t row = streams.last_row;  // stored at each step it would take 0.1 % of the processor
     const uint8_t* phase = &streams.phase[row];
     do {
         ++row;
