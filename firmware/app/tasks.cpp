@@ -101,7 +101,7 @@ extern constexpr scheduler::Task kTasks[] ROM = {
     { medium, fuseFixHeight,           5,     0,     460 },
     { medium, learnGpsDelay,           5,     4,     520 },
     { medium, fuseCompass,            20,    11,    1240 },
-    { medium, fuseAirspeed,           20,    19,    1300 },
+    { medium, fuseAirspeed,           20,    19,    1290 },
     { medium, telemetrySend,           2,     0,    1100 },
     { medium, runGuidance,             5,     2,    2050 },
     { medium, runSpeedHeight,         10,     4,    1750 },

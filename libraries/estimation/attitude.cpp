@@ -304,7 +304,7 @@ void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& fe
     const float quick = this->quick();
     settling_ = core::limit(settling_ - time_s * (1.0f / kSettle_s), 0.0f, 1.0f);
     const core::Vector3& a = felt_mss;
-    const float horizontal = core::squaredLength(a.x, a.y);
+    const float horizontal = a.x * a.x + a.y * a.y;
     // Split into towards the centre (along a) and along the path.
     core::Vector3 used = missing_mss;
     float yaw = 0, turning_share = 0;

@@ -65,7 +65,7 @@ bool Wind::fromTurn(const core::Vector3& ground_mps, const Pointing& nose, float
 
 float Wind::airspeed_mps(const core::Vector3& ground_mps) const {
     const float north = ground_mps.x - north_mps_, east = ground_mps.y - east_mps_;
-    return sqrtf(core::squaredLength(north, east) + ground_mps.z * ground_mps.z);
+    return sqrtf(north * north + east * east + ground_mps.z * ground_mps.z);
 }
 
 }  // namespace estimation
