@@ -3,6 +3,7 @@
 
 #include "board.hpp"
 #include "core/file_state.hpp"
+#include "core/seldom.hpp"
 #include "firmware/actuators/camera.hpp"
 #include "firmware/actuators/flaps.hpp"
 #include "firmware/actuators/lights.hpp"
@@ -198,7 +199,7 @@ bool workWaits() {
 
 // Inlined into main(), the variables of all that it calls would lie below every task on the stack:
 // 77 bytes.
-__attribute__((noinline)) void setup() {
+SELDOM void setup() {
     restartBegin();
     board::start();
     findBoard();

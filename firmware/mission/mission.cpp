@@ -3,6 +3,7 @@
 #include "firmware/mission/mission.hpp"
 
 #include "core/file_state.hpp"
+#include "core/seldom.hpp"
 #include "firmware/actuators/camera.hpp"
 #include "firmware/control/inverted.hpp"
 #include "firmware/mission/command_table.hpp"
@@ -319,7 +320,7 @@ void noticeArming() {
 
 }  // namespace
 
-void missionBoot() {
+SELDOM void missionBoot() {
     mission_store = storage::MissionStore();
     mission_summary = {};
     listsStart();

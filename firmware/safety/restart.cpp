@@ -3,10 +3,12 @@
 
 #include <math.h>
 
+#include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/internal_error.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
+#include "core/seldom.hpp"
 #include "firmware/estimator/estimator.hpp"
 #include "firmware/mission/home.hpp"
 #include "firmware/modes/modes.hpp"
@@ -109,7 +111,7 @@ void forgetFlight() {
 }
 
 void saveSlowRecord() {
-    SlowRecord& slow = records.slow;
+    SlowRecord& slow = core::based(records.slow);
     slow.home = vehicle.home.position;
     slow.home_altitude_cm = vehicle.home.altitude_cm;
     slow.ground_pressure_pa = vehicle.baro.ground_pressure_pa;
@@ -133,7 +135,7 @@ bool modeToFlyOnIn(Mode& mode) {
     return hal::now_ms() >= kSwitchComesWithin_ms;
 }
 
-void decideMode() {
+SELDOM void decideMode() {
     const bool blind = !vehicle.attitude.aligned && hal::now_ms() < kSensorsComeWithin_ms;
     Mode mode;
     const bool known = modeToFlyOnIn(mode);  // looks at the switch while blind, too
@@ -151,7 +153,7 @@ float fieldHeight_m() { return records.slow.home_height_m - records.slow.home_ab
 
 // Once barometer and airspeed sensor have had their time only the receiver can say so, and another
 // restart does not find a flight to go on with. Of a receiver that was refused once nothing counts.
-void armOnEvidence() {
+SELDOM void armOnEvidence() {
     const bool sensors_count = !sensorsHadTheirTime();
     const bool seen = receiverSeesItMove() || (sensors_count && measuredInTheAir(fieldHeight_m()));
     if (!sensors_count && !seen) forgetFlight();
@@ -163,7 +165,7 @@ void armOnEvidence() {
 }
 
 // Half a second after the start: in the air the log is open by then.
-void reportCause() {
+SELDOM void reportCause() {
     const hal::LastRun& run = hal::lastRun();
     const Severity severity = flyingOn()         ? Severity::critical
                               : memorySurvived() ? Severity::warning
@@ -233,17 +235,18 @@ core::Vector3 turnedSince_rad(float since_s) {
 
 }  // namespace
 
-void restartResume() {
+SELDOM void restartResume() {
     restart = {};
     published.resuming = restart.records_written = flyingOn();
     if (!flyingOn()) return takeSavedHome();
     const FastRecord& last = *flightToResume();
-    resumeInertial(records.slow.gyro_zero_rad);
+    const SlowRecord& slow = core::based(records.slow);
+    resumeInertial(slow.gyro_zero_rad);
     const float lost_for_s = lostSoFar_s();
-    resumeEstimate(records.slow, last, turnedSince_rad(lost_for_s), lost_for_s);
-    resumeBarometer(records.slow.ground_pressure_pa, records.slow.ground_temperature_c);
-    resumeAirspeed(records.slow.airspeed_offset_v);
-    if (last.home_set) resumeHome(records.slow.home, records.slow.home_altitude_cm);
+    resumeEstimate(slow, last, turnedSince_rad(lost_for_s), lost_for_s);
+    resumeBarometer(slow.ground_pressure_pa, slow.ground_temperature_c);
+    resumeAirspeed(slow.airspeed_offset_v);
+    if (last.home_set) resumeHome(slow.home, slow.home_altitude_cm);
     restart.home_saved = true;
 }
 

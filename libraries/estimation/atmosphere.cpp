@@ -2,6 +2,7 @@
 #include "estimation/atmosphere.hpp"
 
 #include "core/maths.hpp"
+#include "core/seldom.hpp"
 
 namespace estimation {
 namespace {
@@ -26,7 +27,7 @@ float pressureHeight_m(float pressure_pa, float ground_pa, float ground_temperat
     return warm_m * (1.0f - logarithm * (kHalfLapse_kpm * kGasConstant / core::kGravity_mss));
 }
 
-float trueSpeedRatio(float pressure_pa, float temperature_c) {
+SELDOM float trueSpeedRatio(float pressure_pa, float temperature_c) {
     const float pressure = core::limit(pressure_pa, 10000.0f, 120000.0f);
     return sqrtf(kSeaDensity_kgm3 * kGasConstant * (temperature_c + kZeroCelsius_k) / pressure);
 }
