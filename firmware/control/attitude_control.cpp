@@ -303,11 +303,10 @@ core::Angle pitchShort_rad() {
 void runSpeedScaling() {
     const auto& attitude = vehicle.attitude;
     float airspeed_mps = vehicle.estimate.equivalent_airspeed_mps;
-    const bool rests = airspeed_mps < parameters.speed_min_mps || estimator::mayRoll();
+    const bool rests = airspeed_mps < speedMin_mps() || estimator::mayRoll();
     if (!vehicle.airspeed.healthy)
         airspeed_mps = fmaxf(airspeed_mps, core::hundredths(parameters.cruise_speed_cms));
-    loops.air =
-        ::control::airFlow(parameters.scaling_speed_mps, airspeed_mps, parameters.speed_min_mps);
+    loops.air = ::control::airFlow(parameters.scaling_speed_mps, airspeed_mps, speedMin_mps());
     loops.air.integrators_rest = rests;
     core::Ratio sine = attitude.sin_roll, cosine = attitude.cos_roll;
     if (bounds.inverted) {  // both turn the other way about the airplane's own axes

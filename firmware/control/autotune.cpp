@@ -64,7 +64,7 @@ void setLevel() {
     const uint8_t axis = due.level / 2;
     const ::control::AxisSettings& now = settingsOf(axis);
     const float time_constant_s =
-        core::romRead(kTimeConstants[parameters.autotune_level - 1]) * 0.01f;
+        core::hundredths(int16_t{core::romRead(kTimeConstants[parameters.autotune_level - 1])});
     if (due.level % 2 == 0 && fabsf(now.time_constant_s - time_constant_s) < 0.001f)
         return (void)(due.level += 2);  // it is what it shall be: nothing is rounded and stored
     const bool last = due.level++ % 2 != 0;

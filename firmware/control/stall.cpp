@@ -48,7 +48,7 @@ bool possible() {
 
 void lookForStall() {
     auto& recovery = stall_recovery;
-    recovery.slow = vehicle.estimate.equivalent_airspeed_mps < parameters.speed_min_mps;
+    recovery.slow = vehicle.estimate.equivalent_airspeed_mps < speedMin_mps();
     const bool sinks = !vehicle.baro.healthy || vehicle.estimate.climb_mps < -kSinking_mps;
     watch.stall.run({surfaces.elevator, pitchShort_rad(), pitchRise_rads(), recovery.slow, sinks});
     const Phase phase = watch.stall.phase();

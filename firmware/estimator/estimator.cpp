@@ -163,7 +163,7 @@ bool divesSlowly() {
     return vehicle.airspeed.healthy && vehicle.estimate.flying &&
            vehicle.attitude.sin_pitch.raw < kDown.raw &&
            vehicle.throttle_demand.raw >= parameters.throttle_max_pct * kFullPerPercent &&
-           vehicle.estimate.equivalent_airspeed_mps < parameters.speed_min_mps;
+           vehicle.estimate.equivalent_airspeed_mps < speedMin_mps();
 }
 
 // A reading that stays while the speed by GPS and wind changes is stuck. A calm flight alone is no
@@ -186,7 +186,7 @@ struct AirspeedError {
     float odd_mps, limit_mps;
 };
 AirspeedError airspeedError(float expected_mps) {
-    if (!wind.known() || expected_mps < parameters.speed_min_mps) return {0, 1};
+    if (!wind.known() || expected_mps < speedMin_mps()) return {0, 1};
     return {fabsf(vehicle.airspeed.speed_mps * true_speed.ratio - expected_mps),
             kInconsistentAirspeed_mps + expected_mps * kInconsistentAirspeed};
 }
@@ -333,7 +333,7 @@ bool fast() {
     const bool measured = vehicle.airspeed.healthy;
     if (measured && vehicle.airspeed.speed_mps > flyingAirspeed_mps()) return true;
     if (!measured && climbsUnderPower()) return true;
-    const float least_mps = measured ? parameters.speed_min_mps : kFlyingGroundSpeed_mps;
+    const float least_mps = measured ? speedMin_mps() : kFlyingGroundSpeed_mps;
     return !position.reckoned() && measuredGroundSpeed_mps() > least_mps;
 }
 
@@ -473,7 +473,7 @@ void propagateMotion() {
     if (!runs()) return;
     attitude.accelerate();
     const Vector3 acceleration_mss = imuDead() ? Vector3{0, 0, 0} : attitude.acceleration_mss();
-    const float dt_s = motion.gathered * estimation::kSamplePeriod_s;
+    const float dt_s = core::real(motion.gathered) * estimation::kSamplePeriod_s;
     position.propagate(acceleration_mss, dt_s);
     height.propagate(-acceleration_mss.z, dt_s);
     motion.gathered = 0;
@@ -624,7 +624,7 @@ TestRatios testRatios() {
 
 float flyingAirspeed_mps() {
     constexpr float kShare = 0.75f, kMax_mps = 10;
-    return fminf(kShare * parameters.speed_min_mps, kMax_mps);
+    return fminf(kShare * speedMin_mps(), kMax_mps);
 }
 
 float measuredGroundSpeed_mps() {

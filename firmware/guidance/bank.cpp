@@ -44,7 +44,7 @@ float limit_rad(BankLimit limit) {
 // The bank whose load the wings still carry at this speed: lift grows with its square.
 float carriedBank_mss() {
     if (!vehicle.airspeed.healthy || parameters.stall_prevention == 0) return 1e3f;
-    const float ratio = vehicle.estimate.equivalent_airspeed_mps / parameters.speed_min_mps;
+    const float ratio = vehicle.estimate.equivalent_airspeed_mps / speedMin_mps();
     const float load = core::square(ratio);
     const float tangent2 = load * load - 1;
     const float accel_mss = tangent2 > 0 ? core::kGravity_mss * sqrtf(tangent2) : 0;

@@ -68,9 +68,8 @@ void keepGroundSpeed(Plan& plan) {
         (estimate.velocity_mps.x * air_mps.x + estimate.velocity_mps.y * air_mps.y) /
         estimate.airspeed_mps;
     const float short_mps = core::hundredths(least_cms) - forward_mps;
-    const float needed_mps =
-        fminf(estimate.equivalent_airspeed_mps * (1 + short_mps / estimate.airspeed_mps),
-              parameters.speed_max_mps);
+    const float needed_mps = fminf(
+        estimate.equivalent_airspeed_mps * (1 + short_mps / estimate.airspeed_mps), speedMax_mps());
     if (needed_mps > plan.airspeed_mps) plan.airspeed_mps = needed_mps;
 }
 

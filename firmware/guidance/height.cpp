@@ -36,7 +36,7 @@ core::FileState<HeightControl> height_control{};
 // Until the wind is known the estimate is the ground speed, which in a headwind is no airspeed: no
 // airplane in the air flies slower than its lowest.
 float airspeed_mps() {
-    const float least_mps = vehicle.airspeed.healthy ? 3.0f : parameters.speed_min_mps;
+    const float least_mps = vehicle.airspeed.healthy ? 3.0f : speedMin_mps();
     return core::limit(vehicle.estimate.airspeed_mps, least_mps, 100.0f);
 }
 
@@ -92,12 +92,12 @@ int8_t throttleMax_pct(::control::Phase phase) {
 float nudge() {
     const int8_t above_pct = vehicle.radio.throttle_pct - 50;
     const bool counts = stickSetsSpeed() || (parameters.throttle_nudge != 0 && above_pct > 0);
-    return counts && !vehicle.radio.lost ? above_pct * 0.02f : 0;
+    return counts && !vehicle.radio.lost ? core::real(above_pct) * 0.02f : 0;
 }
 
 float nudged_mps(float airspeed_mps) {
     if (stickSetsSpeed()) return airspeed_mps;
-    return airspeed_mps + (parameters.speed_max_mps - airspeed_mps) * nudge();
+    return airspeed_mps + (speedMax_mps() - airspeed_mps) * nudge();
 }
 
 // Without a sensor the stick moves the throttle itself.
@@ -128,8 +128,8 @@ float throttleSlew(::control::Phase phase) {
         limits.throttle_max =
             core::limit(flarePower() * limits.throttle_cruise, 0.0f, limits.throttle_max);
     limits.throttle_slew = throttleSlew(plan.phase);
-    limits.airspeed_min_mps = parameters.speed_min_mps * true_speed;
-    limits.airspeed_max_mps = parameters.speed_max_mps * true_speed;
+    limits.airspeed_min_mps = speedMin_mps() * true_speed;
+    limits.airspeed_max_mps = speedMax_mps() * true_speed;
     return limits;
 }
 

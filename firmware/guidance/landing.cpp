@@ -58,7 +58,7 @@ core::FileState<Descent> descent{};
 // Between the lowest speed and cruise: slow enough to land, fast enough to flare. Most of the
 // headwind is added, for near the ground it is gone.
 float calmApproachSpeed_mps(float cruise_mps) {
-    return parameters.speed_min_mps + kApproachShare * (cruise_mps - parameters.speed_min_mps);
+    return speedMin_mps() + kApproachShare * (cruise_mps - speedMin_mps());
 }
 
 // Not of the headwind as it is: a lull would ask for less speed.

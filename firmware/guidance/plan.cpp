@@ -41,7 +41,7 @@ void followSlope(Plan& plan, float length_m, float along_m, float along_mps) {
                                             along_m, along_mps);
     const int8_t most_m = parameters.glide_slope_threshold_m;
     const bool up = along_m > 0 && along_m < length_m && demand.from_height_m < demand.height_m;
-    if (up && most_m > 0 && vehicle.estimate.height_m - plan.height.height_m > most_m)
+    if (up && most_m > 0 && vehicle.estimate.height_m - plan.height.height_m > core::real(most_m))
         beginSlopeHere(length_m, along_m);
 }
 

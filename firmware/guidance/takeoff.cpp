@@ -24,9 +24,9 @@ float pitch_rad() {
     const bool measured = vehicle.airspeed.healthy;
     const float speed_mps =
         measured ? vehicle.estimate.equivalent_airspeed_mps : vehicle.estimate.ground_speed_mps;
-    const navigation::TakeoffPitch pitch = {
-        vehicle.demand.takeoff_pitch_rad, parameters.takeoff_rotate_mps,
-        static_cast<float>(parameters.speed_min_mps), vehicle.demand.airspeed_mps};
+    const navigation::TakeoffPitch pitch = {vehicle.demand.takeoff_pitch_rad,
+                                            parameters.takeoff_rotate_mps, speedMin_mps(),
+                                            vehicle.demand.airspeed_mps};
     return navigation::takeoffPitch_rad(pitch, speed_mps, measured);
 }
 

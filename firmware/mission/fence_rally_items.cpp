@@ -127,7 +127,7 @@ MissionResult rallyFromItem(const MissionItem& item, uint8_t frame, uint8_t* rec
 
 float storedHeight_m(const uint8_t* record) {
     const int16_t whole_m = static_cast<int16_t>(storage::get16(record + kMetres));
-    return whole_m + core::hundredths(record[kRest] & ~kAboveHome & 0xFF);
+    return core::real(whole_m) + core::hundredths(record[kRest] & ~kAboveHome & 0xFF);
 }
 
 }  // namespace
@@ -230,7 +230,7 @@ void itemFromPoint(ListKind kind, const uint8_t* record, MissionItem& item) {
             break;
         case FencePoint::corner:
             item.command = MavCmd::nav_fence_polygon_vertex_inclusion;
-            item.param1 = fenceCorners();
+            item.param1 = core::real(fenceCorners());
             break;
     }
     if (excludes(record)) ++item.command;  // each exclusion is the next number

@@ -23,10 +23,12 @@ MissionResult encodeTime(const float* parameter, Record& record, EncodeWarnings&
     if (!(seconds >= 0 && seconds <= 2550)) return wrong(1);
     record.p1 = static_cast<uint8_t>(core::rounded(seconds / 10));
     if (record.p1 == 0 && seconds > 0) record.p1 = 1;
-    flagRounding(seconds, record.p1 * 10.0f, warnings);
+    flagRounding(seconds, core::real(record.p1) * 10.0f, warnings);
     return kFine;
 }
-void decodeTime(const Record& record, float* parameter) { parameter[1] = record.p1 * 10.0f; }
+void decodeTime(const Record& record, float* parameter) {
+    parameter[1] = core::real(record.p1) * 10.0f;
+}
 
 MissionResult encodeClimb(const float* parameter, Record& record, EncodeWarnings& warnings) {
     const float rate_mps = orZero(parameter[1]);

@@ -237,7 +237,7 @@ void decodeItem(Set set, uint8_t index, const Record& record, MissionItem& item)
         const uint8_t radius = radiusIn(form.parts);
         if (radius != 0 && (record.options & ::mission::kCounterClockwise) != 0)
             parameter[radius] = -1;
-        if ((form.parts & kNumberInAltitude) != 0) item.z = record.p1;
+        if ((form.parts & kNumberInAltitude) != 0) item.z = core::real(record.p1);
         if (form.decode != nullptr) form.decode(record, parameter);
     }
     item.param1 = parameter[1];

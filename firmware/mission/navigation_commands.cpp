@@ -59,7 +59,7 @@ bool counterClockwise(const Record& record) {
 bool worthASlope(const PathDemand& demand) {
     constexpr float kLow_m = 20;
     const float up_m = demand.height_m - demand.from_height_m;
-    return fabsf(up_m) >= parameters.glide_slope_min_m &&
+    return fabsf(up_m) >= core::real(parameters.glide_slope_min_m) &&
            (up_m < 0 || vehicle.estimate.height_m > kLow_m);
 }
 
@@ -73,7 +73,7 @@ void demand(Path path, const Place& to, LegStart start) {
     demand.to = to.position;
     demand.height_m = to.height_m;
     demand.sloped = path == Path::land || (path != Path::takeoff && worthASlope(demand));
-    demand.radius_m = loiterRadius_m();
+    demand.radius_m = core::real(loiterRadius_m());
     demand.counter_clockwise = false;
     demand.climb_rate_mps = 0;
     if (!start.resumed) forgetClimb();
@@ -146,8 +146,8 @@ void holdPlace() {
 }
 
 void startWaypoint(const Record& record, LegStart start) {
-    const float radius_m = record.p1 != 0 ? record.p1 : parameters.waypoint_radius_m;
-    demandLeg({placeOf(record), heightOf_m(record)}, radius_m, start);
+    const int16_t radius_m = record.p1 != 0 ? record.p1 : parameters.waypoint_radius_m;
+    demandLeg({placeOf(record), heightOf_m(record)}, core::real(radius_m), start);
 }
 
 Progress waypointDone(const Record&) {
@@ -171,7 +171,7 @@ Progress done(const Record&) { return Progress::done; }
 Progress turnsDone(const Record& record) {
     if (!onCircle()) return Progress::running;
     nav.loitered = nav.loitered_before + vehicle.progress.turned_rad;
-    return done(nav.loitered >= record.p1 * (2 * core::kPi));
+    return done(nav.loitered >= core::real(record.p1) * (2 * core::kPi));
 }
 
 Progress timeDone(const Record& record) {
@@ -181,7 +181,7 @@ Progress timeDone(const Record& record) {
     const bool counts = nav.circle_captured;
     if (!onCircle()) return Progress::running;
     if (counts) nav.loitered += passed_ms * 0.001f;
-    return done(nav.loitered >= record.p1 * 10.0f);
+    return done(nav.loitered >= core::real(record.p1) * 10.0f);
 }
 
 void startReturn(const Record& record, LegStart start) {
@@ -191,7 +191,7 @@ void startReturn(const Record& record, LegStart start) {
         home.height_m = heightOf_m(record);
     else if (parameters.rtl_height_cm >= 0)
         home.height_m = core::hundredths(parameters.rtl_height_cm);
-    demandLeg(home, parameters.waypoint_radius_m, start);
+    demandLeg(home, core::real(parameters.waypoint_radius_m), start);
     nav.height_given = record.p2 != 0;
     rallyBegin();
 }
@@ -201,7 +201,7 @@ namespace {
 // A climb that has begun goes on.
 void returnTo(const geo::Position& place, float height_m) {
     if (nav.height_given) height_m = vehicle.demand.height_m;
-    demandLeg({place, height_m}, parameters.waypoint_radius_m, {true, true});
+    demandLeg({place, height_m}, core::real(parameters.waypoint_radius_m), {true, true});
 }
 
 }  // namespace
@@ -244,7 +244,7 @@ Progress landDone(const Record&) {
 void startTakeoff(const Record& record, LegStart start) {
     start.from_here = true;
     demand(Path::takeoff, {vehicle.estimate.position, heightOf_m(record)}, start);
-    changePath().takeoff_pitch_rad = core::radians(record.p1);
+    changePath().takeoff_pitch_rad = core::radians(core::real(record.p1));
 }
 
 Progress takeoffDone(const Record& record) {

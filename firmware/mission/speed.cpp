@@ -61,9 +61,9 @@ void stepSpeed() {
     if (speed.ground_cms == 0) return;
     const float error_mps = core::hundredths(speed.ground_cms) - vehicle.estimate.ground_speed_mps;
     PathDemand& demand = changePath();
-    demand.airspeed_mps = core::limit(
-        demand.airspeed_mps + error_mps * (kGroundSpeedGain * kStep_s),
-        static_cast<float>(parameters.speed_min_mps), static_cast<float>(parameters.speed_max_mps));
+    demand.airspeed_mps =
+        core::limit(demand.airspeed_mps + error_mps * (kGroundSpeedGain * kStep_s), speedMin_mps(),
+                    speedMax_mps());
 }
 
 }  // namespace mission

@@ -37,8 +37,8 @@ void demandCircle(const geo::Position& centre, float height_m) {
     demand.from = vehicle.estimate.position;
     demand.to = centre;
     demand.from_height_m = vehicle.estimate.height_m;
-    demand.sloped = demand.from_height_m - height_m > parameters.glide_slope_min_m;
-    demand.radius_m = radius_m < 0 ? -radius_m : radius_m;
+    demand.sloped = demand.from_height_m - height_m > core::real(parameters.glide_slope_min_m);
+    demand.radius_m = core::real(radius_m < 0 ? -radius_m : radius_m);
     demand.counter_clockwise = radius_m < 0;
 }
 

@@ -23,8 +23,8 @@ void runFbwa() {
     const int8_t cruise_pct = core::limit<int8_t>(parameters.cruise_throttle_pct, 1, 100);
     const int8_t closed_pct = cruise_pct - vehicle.radio.throttle_pct;
     if (closed_pct > 0) {
-        const core::Angle down_rad(core::radians(parameters.pitch_down_deg) * closed_pct /
-                                   cruise_pct);
+        const core::Angle down_rad(core::radians(parameters.pitch_down_deg) *
+                                   core::real(closed_pct) / core::real(cruise_pct));
         demandPitch(core::between(down_rad, vehicle.pitch_demand_rad));
     }
     if (vehicle.failsafe_glides) {

@@ -58,11 +58,11 @@ void demandFbwb() {
     if (pulled_cd == 0)
         hold(demand, lowest_m);
     else
-        climb(demand, pulled_cd * (1 / kFullStick_cd) * parameters.fbwb_climb_mps, lowest_m);
+        climb(demand, core::real(pulled_cd) * (1 / kFullStick_cd) * parameters.fbwb_climb_mps,
+              lowest_m);
     if (!vehicle.radio.lost)
         demand.airspeed_mps =
-            parameters.speed_min_mps +
-            (parameters.speed_max_mps - parameters.speed_min_mps) * stickThrottle().toFloat();
+            speedMin_mps() + (speedMax_mps() - speedMin_mps()) * stickThrottle().toFloat();
 }
 
 }  // namespace modes

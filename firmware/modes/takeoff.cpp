@@ -54,7 +54,8 @@ bool isHigh() {
 EntryResult startTakeoff() {
     const EntryResult entry = startLoiter();
     if (entry == EntryResult::entered)
-        climbTo(parameters.takeoff_height_m, parameters.takeoff_level_pitch_deg);
+        climbTo(core::real(parameters.takeoff_height_m),
+                core::real(parameters.takeoff_level_pitch_deg));
     departure.waits = !vehicle.armed;
     return entry;
 }
@@ -75,7 +76,7 @@ void demandTakeoff() {
 
 MissionResult takeOff(MissionItem& item) {
     constexpr float kSteepest_deg = 60;
-    float pitch_deg = parameters.takeoff_level_pitch_deg;
+    float pitch_deg = core::real(parameters.takeoff_level_pitch_deg);
     if (item.param1 > 0) pitch_deg = item.param1;
     if (pitch_deg > kSteepest_deg) return MissionResult::invalid_param1;
     const bool given = !isnan(item.z) && item.z != 0;
@@ -83,7 +84,7 @@ MissionResult takeOff(MissionItem& item) {
     const MissionResult result = given ? aboveHome(item) : MissionResult::accepted;
     if (result != MissionResult::accepted) return result;
     if (!requestMode(Mode::takeoff, ModeReason::ground)) return MissionResult::error;
-    climbTo(given ? item.z : parameters.takeoff_height_m, pitch_deg);
+    climbTo(given ? item.z : core::real(parameters.takeoff_height_m), pitch_deg);
     return result;
 }
 

@@ -37,8 +37,8 @@ bool packIsLow() {
     const auto& battery = vehicle.battery;
     if (parameters.battery_monitor == 0 || hal::usbConnected()) return false;
     const bool empty =
-        parameters.battery_low_mah > 0 &&
-        parameters.battery_capacity_mah - battery.consumed_mah < parameters.battery_low_mah;
+        parameters.battery_low_mah > 0 && parameters.battery_capacity_mah - battery.consumed_mah <
+                                              core::real(parameters.battery_low_mah);
     return empty || battery.voltage_mv < parameters.battery_low_v * 1000.0f;
 }
 

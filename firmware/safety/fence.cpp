@@ -73,9 +73,10 @@ bool limitsHeight() { return parameters.fence_max_m > parameters.fence_min_m; }
 uint8_t heightBreach() {
     if (!limitsHeight()) return Breach::none;
     const float height_m = vehicle.estimate.height_m;
-    if (height_m > parameters.fence_max_m) return Breach::maxalt;
-    if (height_m > parameters.fence_min_m) fence.above_floor = true;
-    const bool below = height_m < parameters.fence_min_m;
+    if (height_m > core::real(parameters.fence_max_m)) return Breach::maxalt;
+    const float floor_m = core::real(parameters.fence_min_m);
+    if (height_m > floor_m) fence.above_floor = true;
+    const bool below = height_m < floor_m;
     return below && fence.floor && fence.above_floor ? Breach::minalt : Breach::none;
 }
 
@@ -87,8 +88,8 @@ uint8_t presentBreach() {
 }
 
 float returnHeight_m() {
-    if (parameters.fence_return_m > 0) return parameters.fence_return_m;
-    if (limitsHeight()) return (parameters.fence_min_m + parameters.fence_max_m) * 0.5f;
+    if (parameters.fence_return_m > 0) return core::real(parameters.fence_return_m);
+    if (limitsHeight()) return core::real(parameters.fence_min_m + parameters.fence_max_m) * 0.5f;
     if (parameters.rtl_height_cm < 0) return vehicle.estimate.height_m;
     return core::hundredths(parameters.rtl_height_cm);
 }

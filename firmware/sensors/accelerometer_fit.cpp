@@ -64,14 +64,13 @@ void SideForces::put(uint8_t side, const core::Vector3& force_mss) {
 
 core::Vector3 SideForces::at(uint8_t side) const {
     const int16_t* const axes = of[side];
-    return core::Vector3{static_cast<float>(axes[0]), static_cast<float>(axes[1]),
-                         static_cast<float>(axes[2])} *
+    return core::Vector3{core::real(axes[0]), core::real(axes[1]), core::real(axes[2])} *
            (1 / kSteps);
 }
 
 bool liesOn(uint8_t side, const core::Vector3& force_mss) {
     const Side up = core::romRead(kUp[side]);
-    const float along = (&force_mss.x)[up.axis] * up.sign;
+    const float along = (&force_mss.x)[up.axis] * core::real(up.sign);
     return along > 0 && along * along > 0.82f * core::dot(force_mss, force_mss);
 }
 

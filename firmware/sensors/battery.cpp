@@ -36,7 +36,7 @@ constexpr int8_t kVoltageAndCurrent = 4;  // BATT_MONITOR
 bool mean(hal::Analog input, float& reading) {
     const hal::AnalogSum sum = hal::analogTake(input);
     if (sum.count == 0) return false;
-    reading = static_cast<float>(sum.sum) / sum.count;
+    reading = static_cast<float>(sum.sum) / core::real(sum.count);
     return true;
 }
 

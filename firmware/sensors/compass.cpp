@@ -104,7 +104,7 @@ void runDeclination() {
     published.points_down = geo::fieldPointsDown(vehicle.gps.position);
     if (parameters.compass_auto_declination == 0) return;
     parameters.compass_declination_rad =
-        core::radiansFromCentidegrees(geo::declination_cd(vehicle.gps.position));
+        core::fromCentidegrees(geo::declination_cd(vehicle.gps.position));
 }
 
 }  // namespace sensors

@@ -142,11 +142,11 @@ void restoreStoredOffsets() { parameters.compass = learning.turns.stored; }
 
 // Of the pairs wanted, and of having pointed each axis nearly all the way up and down the field.
 uint8_t compassTurns_pct() {
-    float least = static_cast<float>(learning.turns.pairs) / kPairs;
+    float least = core::real(learning.turns.pairs) / kPairs;
     const float wanted_mg = 1.2f * field_mg();
     for (uint8_t i = 0; i < 3; ++i) {
         const float way_mg =
-            static_cast<float>(learning.turns.high_mg[i]) - learning.turns.low_mg[i];
+            core::real(learning.turns.high_mg[i]) - core::real(learning.turns.low_mg[i]);
         if (way_mg < least * wanted_mg) least = core::limit(way_mg / wanted_mg, 0.0f, 1.0f);
     }
     return static_cast<uint8_t>(least * 100);
@@ -154,7 +154,9 @@ uint8_t compassTurns_pct() {
 
 float compassMiss_mg() { return learning.turns.miss_mg; }
 
-bool compassFits(uint8_t within_mg) { return learning.turns.miss_mg < within_mg && makesSense(); }
+bool compassFits(uint8_t within_mg) {
+    return learning.turns.miss_mg < core::real(within_mg) && makesSense();
+}
 
 void learnCompass(const int16_t (&now_mg)[3]) {
     const bool turned = vehicle.calibrating == Calibrating::compass;
@@ -170,7 +172,7 @@ void learnCompass(const int16_t (&now_mg)[3]) {
         const int16_t apart = now_mg[i] - anchor;
         square += core::product(apart, apart);
         squares += core::product(anchor, anchor) - core::product(now_mg[i], now_mg[i]);
-        apart_mg[i] = apart;
+        apart_mg[i] = core::real(apart);
     }
     if (turned) widen(now_mg);
     if (learning.anchor_left != 0) {

@@ -60,7 +60,7 @@ bool complete(const Axis& axis) { return axis.there + axis.back == 2 * kLooks; }
 // Quarter turns to the right by which the module is mounted beside what is set.
 uint8_t missingQuarters(const Axis& axis) {
     constexpr float kSum_mg = kLeast_mg * 2 * kLooks;
-    const float north_mg = axis.north_mg, east_mg = axis.east_mg;
+    const float north_mg = core::real(axis.north_mg), east_mg = core::real(axis.east_mg);
     if (core::squaredLength(north_mg, east_mg) < kSum_mg * kSum_mg) return 0;
     const core::Angle turned(parameters.compass_declination_rad - atan2f(east_mg, north_mg));
     return static_cast<uint8_t>(static_cast<uint16_t>(turned.raw + 0x2000) >> 14);

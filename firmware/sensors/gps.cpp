@@ -59,8 +59,9 @@ void take(const drivers::GpsFix& fix) {
     published.position = {fix.latitude_e7, fix.longitude_e7};
     published.altitude_cm = fix.altitude_cm;
     // what the receiver does not report of climbing and sinking the barometer does
-    published.velocity_mps = {fix.north_cms * kMetre, fix.east_cms * kMetre,
-                              fix.has_down ? fix.down_cms * kMetre : -vehicle.estimate.climb_mps};
+    published.velocity_mps = {
+        core::hundredths(fix.north_cms), core::hundredths(fix.east_cms),
+        fix.has_down ? core::hundredths(fix.down_cms) : -vehicle.estimate.climb_mps};
     published.measures_climb = fix.has_down;
     published.ground_speed_mps = fix.speed_cms * kMetre;
     published.course_cd = fix.course_cd;

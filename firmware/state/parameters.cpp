@@ -420,6 +420,9 @@ core::Status maySet(uint8_t number, float value) {
 
 }  // namespace
 
+float speedMin_mps() { return core::real(parameters.speed_min_mps); }
+float speedMax_mps() { return core::real(parameters.speed_max_mps); }
+
 uint16_t parameterCount() { return table.count(); }
 
 bool parameterAt(uint16_t index, char (&name)[16], float& value, uint8_t& mav_type) {

@@ -141,6 +141,11 @@ struct Parameters {
     int8_t fence_total, rally_total;  // points that are stored
 };
 extern core::FileState<Parameters> parameters;
+
+// As floats, in the many places that compare or calculate with them; ARSPD_FBW_MIN and _MAX.
+float speedMin_mps();
+float speedMax_mps();
+
 struct ParameterChanges {
     uint8_t count;  // of what was set since the start, wraps
 };

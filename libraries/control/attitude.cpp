@@ -38,7 +38,7 @@ core::Ratio pitchDeflection(const AxisGains& gains, AxisState& state, const AirF
 
 YawGains yawGains(const YawSettings& settings) {
     return {core::Gain(settings.damping), core::Gain(settings.coordination), settings.slip,
-            settings.integral, settings.integrator_max_cd * (1.0f / 4500)};
+            settings.integral, core::real(settings.integrator_max_cd) * (1.0f / 4500)};
 }
 
 namespace {

@@ -169,11 +169,11 @@ void Hmc5883l::checkSelfTest(const uint8_t* bytes, uint32_t now_ms) {
     if (read.axis[0] < 0)
         for (int16_t& axis : read.axis) axis = static_cast<int16_t>(-axis);
     for (uint8_t i = 0; good && i < 3; ++i) {
-        const float expected = expectedOf(i);
-        good = read.axis[i] * kMaxScale >= expected && read.axis[i] * kLeastScale <= expected;
+        const float expected = expectedOf(i), count = core::real(read.axis[i]);
+        good = count * kMaxScale >= expected && count * kLeastScale <= expected;
     }
     if (good) {
-        for (uint8_t i = 0; i < 3; ++i) measured_[i] += read.axis[i];
+        for (uint8_t i = 0; i < 3; ++i) measured_[i] += core::real(read.axis[i]);
         ++good_tries_;
     }
     if (good_tries_ == kGoodTries) {
@@ -206,7 +206,7 @@ bool Hmc5883l::takeField(const uint8_t* bytes, uint32_t now_ms) {
     const int16_t sum = static_cast<int16_t>(read.axis[0] + read.axis[1] + read.axis[2]);
     sum_mg_ = static_cast<int16_t>(sum - (sum >> (old_ ? 2 : 4)));  // 0.77 and 0.92 mG a count
     float chip[3];
-    for (uint8_t i = 0; i < 3; ++i) chip[i] = read.axis[i] * scale_[i];
+    for (uint8_t i = 0; i < 3; ++i) chip[i] = core::real(read.axis[i]) * scale_[i];
     // The chip lies on the board with its x to the left and its y to the rear, z up; the old one
     // with its x to the rear and its y to the right.
     field_mg_ = {-chip[1], -chip[0], -chip[2]};

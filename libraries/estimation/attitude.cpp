@@ -363,8 +363,8 @@ void Attitude::learnForces(const core::Vector3& missing_mss, float nose_east, fl
     const auto slight = [](int16_t by) { return by > -kStraight && by < kStraight; };
     if (slight(by_north) && slight(by_east)) return;
     constexpr float kShare = kNose * kSamplePeriod_s / kForceBias_s;
-    const float share = trust * (kShare * since_fix_);
-    const float north = by_north * share, east = by_east * share;
+    const float share = trust * (kShare * core::real(since_fix_));
+    const float north = core::real(by_north) * share, east = core::real(by_east) * share;
     learnForce(force_bias_x_, north * missing_mss.x + east * missing_mss.y);
     learnForce(force_bias_y_, north * missing_mss.y - east * missing_mss.x);
 }
@@ -380,9 +380,9 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
     catchUp();
     // what has been measured since is not in the history yet
     const VelocityHistory::Moment then =
-        history_.ago(settings.gps_age_s - periods_ * kSamplePeriod_s);
+        history_.ago(settings.gps_age_s - core::real(periods_) * kSamplePeriod_s);
     const VelocityHistory::Moment ground = VelocityHistory::moment(velocity_mps.x, velocity_mps.y);
-    const float time_s = since_fix_ * kSamplePeriod_s;
+    const float time_s = core::real(since_fix_) * kSamplePeriod_s;
     const bool comparable = time_s < kMaxTime_s && time_s > 0.05f && pushed_fixes_ == 0;
     if (phase_ != Phase::falling && comparable) {
         const core::Vector3 flown = VelocityHistory::difference_mps(ground, fix_ground_);

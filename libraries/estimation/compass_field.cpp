@@ -38,9 +38,8 @@ void CompassField::save(Known& known) const {
 }
 
 void CompassField::resume(const Known& known) {
-    own_mg_ = {static_cast<float>(known.own[0]), static_cast<float>(known.own[1]),
-               static_cast<float>(known.own[2])};
-    start(known.horizontal, known.down);
+    own_mg_ = {core::real(known.own[0]), core::real(known.own[1]), core::real(known.own[2])};
+    start(core::real(known.horizontal), core::real(known.down));
 }
 
 }  // namespace estimation

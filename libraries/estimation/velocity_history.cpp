@@ -39,11 +39,12 @@ void VelocityHistory::add(FineAcceleration north, FineAcceleration east, uint8_t
 }
 
 VelocityHistory::Moment VelocityHistory::ago(float age_s) const {
-    const float back_s = age_s - since_entry_ * kSamplePeriod_s;  // before the newest entry
+    const float back_s =
+        age_s - core::real(since_entry_) * kSamplePeriod_s;  // before the newest entry
     if (back_s <= 0) return now();
     float steps = core::limit(back_s * (1.0f / kStep_s), 0.0f, kEntries - 1.001f);
     const uint8_t whole = static_cast<uint8_t>(steps);
-    const float share = steps - whole;
+    const float share = steps - core::real(whole);
     const uint8_t later = newest_ >= whole ? newest_ - whole : newest_ + kEntries - whole;
     const uint8_t earlier = later > 0 ? later - 1 : kEntries - 1;
     return {between(entries_[later].north, entries_[earlier].north, share),

@@ -37,7 +37,7 @@ Launch::Result Launch::run(const LaunchSettings& settings, const LaunchState& no
     } else {
         waited_s_ += now.dt_s;
     }
-    const float delay_s = settings.delay_ds * 0.1f;
+    const float delay_s = core::real(settings.delay_ds) * 0.1f;
     if (waited_s_ < delay_s) return waits;
     if (now.ground_speed_mps >= settings.min_speed_mps) return flies;
     if (!push_asked || waited_s_ <= delay_s + kThrowTimeout_s) return waits;

@@ -52,16 +52,16 @@ float Table::value(uint8_t index) const {
     const uint8_t* field = this->field(index);
     switch (type(index)) {
         case Type::int8:
-            return static_cast<float>(static_cast<int8_t>(*field));
+            return core::real(static_cast<int8_t>(*field));
         case Type::int16: {
             int16_t value;
             memcpy(&value, field, sizeof value);
-            return static_cast<float>(value);
+            return core::real(value);
         }
         case Type::int32: {
             int32_t value;
             memcpy(&value, field, sizeof value);
-            return static_cast<float>(value);
+            return core::real(value);
         }
         case Type::real32:
             break;
