@@ -60,7 +60,7 @@ float measuredBank_tan() {
         cosine = -cosine;
     }
     if (cosine < kLeastCosine) cosine = kLeastCosine;
-    return core::limit(static_cast<float>(sine) / cosine, -2.0f, 2.0f);
+    return core::limit(core::real(sine) / core::real(cosine), -2.0f, 2.0f);
 }
 
 // The bank as the demands so far will have brought it about. The measured one, fed back beside the

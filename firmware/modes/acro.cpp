@@ -31,7 +31,8 @@ core::FileState<HeldAttitude> held{};
 // The angle whose loop makes this rate: error over time constant is what it demands.
 core::Angle forRate(int16_t stick_cd, int16_t full_dps, float time_constant_s) {
     if (stick_cd == 0) return core::Angle::fromRaw(0);
-    const float rate_rads = stick_cd * (core::radians(1) / kFullStick_cd) * full_dps;
+    const float rate_rads =
+        core::real(stick_cd) * (core::radians(1) / kFullStick_cd) * core::real(full_dps);
     return core::Angle(core::limit(rate_rads * time_constant_s, -kMax_rad, kMax_rad));
 }
 

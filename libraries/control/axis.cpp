@@ -18,7 +18,7 @@ constexpr int32_t kMaxDirect = 4 * Direct::kOne;
 constexpr int32_t kFull = AxisState::Output::kOne;
 
 core::BodyRate limit_rads(int16_t dps) {
-    return core::BodyRate(dps > 0 ? core::radians(dps) : kMaxRate_rads.toFloat());
+    return core::BodyRate(dps > 0 ? core::radians(core::real(dps)) : kMaxRate_rads.toFloat());
 }
 
 AxisGains axisGains(const AxisSettings& settings) {
@@ -33,8 +33,8 @@ AxisGains axisGains(const AxisSettings& settings) {
     gains.feed_forward = core::Gain(feed_forward > 0 ? feed_forward * kFullPerRadian : 0.0f);
     gains.damping = core::Gain(settings.d * kFullPerRadian);
     gains.integral = decltype(gains.integral)(integral * (kFullPerRadian * kTwoPeriods_s));
-    gains.integrator_max =
-        core::Ratio(core::limit(settings.integrator_max_cd * kFullPerCentidegree, 0.0f, 1.0f));
+    gains.integrator_max = core::Ratio(
+        core::limit(core::real(settings.integrator_max_cd) * kFullPerCentidegree, 0.0f, 1.0f));
     return gains;
 }
 

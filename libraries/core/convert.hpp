@@ -39,11 +39,29 @@ inline float thousandths(int16_t value) { return thousandthsOfInt16(value); }
 inline float thousandths(int32_t value) { return thousandthsOfInt32(value); }
 inline float hundredths(int16_t value) { return hundredthsOfInt16(value); }
 inline float hundredths(int32_t value) { return hundredthsOfInt32(value); }
+// Where one bound follows from the other it need not be brought: the third argument takes registers
+// that the caller has to save.
+// They take and return bits, of which the compiler makes no copies.
+__attribute__((noinline)) inline int32_t limitedFromZero(int32_t bits, int32_t highest) {
+    if (bits < 0) return 0;
+    if (highest < bits) return highest;
+    return bits;
+}
+__attribute__((noinline)) inline uint32_t limitedInSize(uint32_t bits, uint32_t largest) {
+    constexpr uint32_t kSign = UINT32_C(1) << 31;
+    if ((bits & kSign) != 0) largest |= kSign;
+    if (largest < bits) return largest;
+    return bits;
+}
 __attribute__((always_inline)) inline float limitedByBits(float value, float lowest,
                                                           float highest) {
-    if (__builtin_constant_p(lowest) && __builtin_constant_p(highest) && bitsOf(lowest) == 0 &&
-        highest == 1)
-        return limitShare(value);
+    const bool from_zero = __builtin_constant_p(lowest) && bitsOf(lowest) == 0;
+    if (from_zero && __builtin_constant_p(highest) && highest == 1) return limitShare(value);
+    if (from_zero)
+        return fromBits(static_cast<uint32_t>(limitedFromZero(
+            static_cast<int32_t>(bitsOf(value)), static_cast<int32_t>(bitsOf(highest)))));
+    if (__builtin_constant_p(lowest) && __builtin_constant_p(highest) && lowest == -highest)
+        return fromBits(limitedInSize(bitsOf(value), bitsOf(highest)));
     return limitFloat(value, lowest, highest);
 }
 #else

@@ -11,6 +11,11 @@ inline uint32_t bitsOf(float value) {
     memcpy(&bits, &value, sizeof bits);
     return bits;
 }
+inline float fromBits(uint32_t bits) {
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
 
 // Of the size without its sign, the upper half of the bits: grows with it.
 inline uint16_t sizeOf(float value) { return static_cast<uint16_t>(bitsOf(value) >> 16) & 0x7FFF; }

@@ -10,7 +10,7 @@ float difference(uint16_t later, uint16_t earlier) {
 }
 uint16_t between(uint16_t from, uint16_t to, float share) {
     const int16_t rise = static_cast<int16_t>(static_cast<uint16_t>(to - from));
-    return static_cast<uint16_t>(from + static_cast<int16_t>(rise * share));
+    return static_cast<uint16_t>(from + static_cast<int16_t>(core::real(rise) * share));
 }
 // In mm/s: m/s2 times the milliseconds.
 uint32_t gain(FineAcceleration acceleration_mss, uint8_t periods) {
