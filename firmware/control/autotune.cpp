@@ -111,7 +111,7 @@ void tune(TunedAxis which, const ::control::AxisGains& gains, const ::control::A
     due.axis = which;
     due.gain = kP;
     sendStatusText(Severity::info, kAxes[which].found,
-                   static_cast<uint16_t>(core::rounded(due.by * 100)));
+                   static_cast<uint16_t>(core::inHundredths(due.by)));
 }
 
 }  // namespace control

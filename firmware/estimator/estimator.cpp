@@ -281,7 +281,7 @@ void useGpsHeight() {
     if (!vehicle.gps.measures_climb) return;  // from its own climb nothing is learnt
     // its climb is taken for the time half an interval before and after it
     const float interval_s = newest_fix.since_s;
-    const float ago_s = gpsAge_s(hal::now_ms()) - kPressureAge_s - 0.5f * interval_s;
+    const float ago_s = gpsAge_s(hal::now_ms()) - kPressureAge_s - core::half(interval_s);
     const float end_m = height_m - height.climb_mps() * ago_s;
     heights.home_m += barometer_drift.useGps(
         end_m, {height.climb_mps(), -vehicle.gps.velocity_mps.z}, interval_s);
@@ -353,7 +353,7 @@ bool stands() {
     return slowThroughTheAir() + low + !turns() >= 2;
 }
 
-int16_t centimetres(float metres) { return core::narrowed(core::rounded(metres * 100.0f)); }
+int16_t centimetres(float metres) { return core::narrowed(core::inHundredths(metres)); }
 float metres(int16_t centimetres) { return core::hundredths(centimetres); }
 
 void publishAngles() {
@@ -498,7 +498,7 @@ void publishSpeeds() {
     const Vector3& velocity = to.velocity_mps;
     to.ground_speed_mps = sqrtf(core::squaredLength(velocity.x, velocity.y));
     if (to.ground_speed_mps > 0.01f) {
-        const float inverse = 1.0f / to.ground_speed_mps;
+        const float inverse = core::inverse(to.ground_speed_mps);
         const core::Angle course_rad = estimation::tableAtan2(core::Ratio(velocity.y * inverse),
                                                               core::Ratio(velocity.x * inverse));
         to.course_cd = core::wrap360_cd(course_rad);

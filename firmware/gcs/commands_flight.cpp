@@ -120,7 +120,7 @@ uint8_t reposition(Link&, CommandRequest& request) {
     request.item.command = mavlink::MavCmd::nav_waypoint;
     const MissionResult result = guideTo(request.item);
     if (result == MissionResult::accepted && speed_mps > 0)
-        setGroundSpeed(core::rounded(speed_mps * 100));
+        setGroundSpeed(core::inHundredths(speed_mps));
     return answer(result);
 }
 

@@ -27,7 +27,7 @@ using namespace mission;
 
 namespace {
 
-int16_t centi(float value) { return static_cast<int16_t>(core::rounded(value * 100)); }
+int16_t centi(float value) { return static_cast<int16_t>(core::inHundredths(value)); }
 
 // From 0, clockwise.
 uint16_t heading_deg() {
@@ -60,7 +60,7 @@ int16_t degreesOf(int32_t angle_cd) {
 
 struct HalfTurn {
     explicit HalfTurn(core::Angle angle) {
-        const float half_rad = angle.toFloat() * 0.5f;
+        const float half_rad = core::half(angle.toFloat());
         sine = sinf(half_rad);
         cosine = cosf(half_rad);
     }
@@ -167,7 +167,7 @@ bool fillIn(const Link&, mavlink::VfrHud& to) {
     to.climb = vehicle.estimate.climb_mps;
     to.heading = static_cast<int16_t>(heading_deg());
     to.throttle = static_cast<uint16_t>(
-        core::rounded(core::limit(vehicle.throttle_demand.toFloat(), 0.0f, 1.0f) * 100));
+        core::inHundredths(core::limit(vehicle.throttle_demand.toFloat(), 0.0f, 1.0f)));
     return true;
 }
 

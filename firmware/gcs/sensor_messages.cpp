@@ -98,7 +98,7 @@ bool fillIn(const Link&, mavlink::GpsRawInt& to) {
     to.alt = vehicle.gps.altitude_cm * 10;
     to.eph = vehicle.gps.hdop_c;
     to.epv = UINT16_MAX;
-    to.vel = static_cast<uint16_t>(core::rounded(vehicle.gps.ground_speed_mps * 100));
+    to.vel = static_cast<uint16_t>(core::inHundredths(vehicle.gps.ground_speed_mps));
     to.cog = static_cast<uint16_t>(vehicle.gps.course_cd);
     to.satellites_visible = vehicle.gps.satellites;
     return true;

@@ -38,7 +38,7 @@ void beginLateral() {
 void reportTargetBearing() {
     const float distance_m = vehicle.progress.distance_m;
     if (distance_m < 1) return;  // over it every bearing is as true
-    const float share = 1 / distance_m;
+    const float share = core::inverse(distance_m);
     const float ahead_m = vehicle.demand.path == Path::circle ? 0 : flown.leg.length_m;
     progress.target_bearing_cd =
         bearing_cd({(flown.leg.forward.north_m * ahead_m - flown.place.north_m) * share,

@@ -36,7 +36,7 @@ struct OnTheGround {
 core::FileState<OnTheGround> on_the_ground{};
 
 int32_t altitude_cm() {
-    return vehicle.home.altitude_cm + core::rounded(vehicle.estimate.height_m * 100.0f);
+    return vehicle.home.altitude_cm + core::inHundredths(vehicle.estimate.height_m);
 }
 
 // Of where it stood armed.
@@ -105,7 +105,7 @@ bool launched() {
 // that hovers in a strong wind is slow as well. Home may have been set in the air.
 bool standsOnTheField() {
     const int32_t here_cm = altitude_cm();
-    const int32_t field_cm = here_cm - core::rounded(estimator::aboveField_m() * 100.0f);
+    const int32_t field_cm = here_cm - core::inHundredths(estimator::aboveField_m());
     return seenToStand(field_cm) ||
            (slow() && estimator::slowThroughTheAir() && !faraway(here_cm, field_cm));
 }

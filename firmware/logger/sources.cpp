@@ -62,8 +62,8 @@ uint8_t percent(core::Ratio of_all) {
     return static_cast<uint8_t>(
         core::times14(core::limit<int16_t>(of_all.raw, 0, core::Ratio::kOne), 100));
 }
-SELDOM int16_t hundredths(float value) { return core::narrowed(core::rounded(value * 100)); }
-SELDOM int32_t height_cm() { return core::rounded(vehicle.estimate.height_m * 100); }
+SELDOM int16_t hundredths(float value) { return core::narrowed(core::inHundredths(value)); }
+SELDOM int32_t height_cm() { return core::inHundredths(vehicle.estimate.height_m); }
 
 }  // namespace
 

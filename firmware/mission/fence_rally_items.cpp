@@ -172,7 +172,7 @@ float circleRadius_m(const uint8_t* record) {
 }
 
 void setRallyHeight(uint8_t* record, float height_m, bool above_home) {
-    const int32_t height_cm = core::rounded(height_m * 100);
+    const int32_t height_cm = core::inHundredths(height_m);
     const int32_t whole_m = (height_cm + 3200000) / 100 - 32000;  // rounded down
     storage::put16(record + kMetres, static_cast<uint16_t>(whole_m));
     record[kRest] =

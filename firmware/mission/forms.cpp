@@ -33,7 +33,7 @@ void decodeTime(const Record& record, float* parameter) {
 MissionResult encodeClimb(const float* parameter, Record& record, EncodeWarnings& warnings) {
     const float rate_mps = orZero(parameter[1]);
     if (!(rate_mps > 0 && rate_mps < 1000)) return wrong(1);
-    const int32_t rate_cms = core::rounded(rate_mps * 100);
+    const int32_t rate_cms = core::inHundredths(rate_mps);
     record.p1 = rate_cms > 255 ? 255 : static_cast<uint8_t>(rate_cms);
     record.p3 = rate_cms > 255 ? rate_cms : 0;
     flagRounding(rate_mps, hundredthsOf(rate_cms), warnings);
@@ -47,7 +47,7 @@ void decodeClimb(const Record& record, float* parameter) {
 SELDOM void putExactly(float value, int32_t& whole, int32_t& hundredths, EncodeWarnings& warnings) {
     whole = core::rounded(value);
     if (static_cast<float>(whole) == value) return;
-    hundredths = core::rounded(value * 100);
+    hundredths = core::inHundredths(value);
     flagRounding(value, hundredthsOf(hundredths), warnings);
 }
 

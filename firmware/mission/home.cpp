@@ -55,7 +55,7 @@ bool setHomeHere() {
     if (vehicle.gps.fix != GpsFix::three_d || !vehicle.estimate.known) return false;
     if (vehicle.estimate.flying && vehicle.home.set) {
         // the barometer's height is steadier than the receiver's
-        const int32_t above_cm = core::rounded(vehicle.estimate.height_m * 100.0f);
+        const int32_t above_cm = core::inHundredths(vehicle.estimate.height_m);
         setHome(vehicle.estimate.position, vehicle.home.altitude_cm + above_cm);
         return true;
     }

@@ -62,7 +62,7 @@ MissionResult encodeAltitude(const MissionItem& item, Record& record) {
     if (!(fabsf(item.z) <= 83886.0f)) return wrong(7);
     // in two steps: a float has no room for a hundredth beyond 1,300 m otherwise
     const int32_t metres = static_cast<int32_t>(item.z);
-    record.p2 = metres * 100 + core::rounded((item.z - static_cast<float>(metres)) * 100);
+    record.p2 = metres * 100 + core::inHundredths(item.z - static_cast<float>(metres));
     return kFine;
 }
 

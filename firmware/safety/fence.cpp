@@ -89,7 +89,8 @@ uint8_t presentBreach() {
 
 float returnHeight_m() {
     if (parameters.fence_return_m > 0) return core::real(parameters.fence_return_m);
-    if (limitsHeight()) return core::real(parameters.fence_min_m + parameters.fence_max_m) * 0.5f;
+    if (limitsHeight())
+        return core::half(core::real(parameters.fence_min_m + parameters.fence_max_m));
     if (parameters.rtl_height_cm < 0) return vehicle.estimate.height_m;
     return core::hundredths(parameters.rtl_height_cm);
 }

@@ -42,7 +42,7 @@ bool solve(Equations& m) {
         exchange(m[column], m[largestBelow(m, column)]);
         const float pivot = m[column][column];
         if (!(fabsf(pivot) > kLeastPivot)) return false;
-        const float part = 1 / pivot;
+        const float part = core::inverse(pivot);
         for (uint8_t i = column; i <= kUnknowns; ++i) m[column][i] *= part;
         for (uint8_t row = 0; row < kUnknowns; ++row) {
             if (row == column) continue;

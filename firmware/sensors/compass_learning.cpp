@@ -178,7 +178,7 @@ void learnCompass(const int16_t (&now_mg)[3]) {
     if (learning.anchor_left != 0) {
         if (square < kApart_mg * kApart_mg) return;
         const float gain = !turned ? 0.03f : learning.turns.pairs < kCoarse ? 0.4f : 0.12f;
-        const float miss_mg = approach(apart_mg, 0.5f * static_cast<float>(squares),
+        const float miss_mg = approach(apart_mg, core::half(static_cast<float>(squares)),
                                        static_cast<float>(square), gain);
         if (turned) averageMiss(miss_mg);
         if (--learning.anchor_left != 0) return;

@@ -47,7 +47,7 @@ bool fastAndLevel() {
 // The wings are level: of the tilt there is the pitch alone.
 void addLook(Axis& axis) {
     const core::Vector3& field_mg = vehicle.compass.field_mg;
-    const float per_mps = 1 / vehicle.gps.ground_speed_mps;
+    const float per_mps = core::inverse(vehicle.gps.ground_speed_mps);
     const float north = vehicle.gps.velocity_mps.x * per_mps;
     const float east = vehicle.gps.velocity_mps.y * per_mps;
     const float ahead_mg = field_mg.x + field_mg.z * vehicle.attitude.sin_pitch.toFloat();

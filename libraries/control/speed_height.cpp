@@ -226,7 +226,8 @@ SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
     else
         speed_mps_ = core::limit(now.airspeed_mps, kLowestSpeed_mps, 100.0f);
     watchUnderspeed(limits, phase, now.airspeed_known);
-    const Step step = {dt_s, 1.0f / dt_s, 1.0f / speed_mps_, 1.0f / settings.time_constant_s};
+    const Step step = {dt_s, core::inverse(dt_s), core::inverse(speed_mps_),
+                       core::inverse(settings.time_constant_s)};
 
     const bool height_given_up = phase == Phase::climb_out || underspeed_;
     if (height_given_up) {

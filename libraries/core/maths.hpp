@@ -36,6 +36,11 @@ constexpr T square(T value) {
 // Not inlined: it stands in a dozen places, and takes 40 bytes in each.
 __attribute__((noinline)) inline float squaredLength(float a, float b) { return a * a + b * b; }
 
+// Nor are these: a constant beside a float takes 12 bytes in each of 20 places.
+__attribute__((noinline)) inline float inverse(float value) { return 1 / value; }
+__attribute__((noinline)) inline float half(float value) { return value * 0.5f; }
+__attribute__((noinline)) inline int32_t inHundredths(float value) { return rounded(value * 100); }
+
 // -180..180 degrees
 constexpr int32_t wrap180_cd(int32_t angle_cd) {
     while (angle_cd > 18000) angle_cd -= 36000;

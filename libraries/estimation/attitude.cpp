@@ -57,7 +57,7 @@ using ForceBias = core::Fixed32<25>;          // m/s2
 constexpr int16_t kPushed = HalfForce(15).raw;
 constexpr uint8_t kPushedFixes = 5;  // and later: at 10 Hz, fixes from before the push come so long
 
-core::Vector3 unit(const core::Vector3& v) { return v * (1.0f / sqrtf(core::dot(v, v))); }
+core::Vector3 unit(const core::Vector3& v) { return v * core::inverse(sqrtf(core::dot(v, v))); }
 
 int32_t steps(float value, float most, float a_unit) {
     return static_cast<int32_t>(core::limit(value, -most, most) * a_unit);
@@ -387,7 +387,7 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
     if (phase_ != Phase::falling && comparable) {
         const core::Vector3 flown = VelocityHistory::difference_mps(ground, fix_ground_);
         const core::Vector3 measured = VelocityHistory::difference_mps(then, fix_);
-        const float inverse = 1.0f / time_s;
+        const float inverse = core::inverse(time_s);
         const core::Vector3 missing_mss = (flown - measured) * inverse;
         const core::Vector3 mean_mss = measured * inverse;
         seen.add(missing_mss, mean_mss, inverse);
@@ -406,10 +406,11 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
 void Attitude::pointAlong(const core::Vector3& velocity_mps) {
     const float fast = core::squaredLength(velocity_mps.x, velocity_mps.y);
     if (fast <= 25.0f) return;
-    const float inverse = 1.0f / sqrtf(fast);
+    const float inverse = core::inverse(sqrtf(fast));
     const float east = velocity_mps.y * inverse, north = velocity_mps.x * inverse;
     float nose_north = noseNorth(), nose_east = noseEast();
-    const float inverse_nose = 1.0f / sqrtf(core::squaredLength(nose_north, nose_east) + 1e-6f);
+    const float inverse_nose =
+        core::inverse(sqrtf(core::squaredLength(nose_north, nose_east) + 1e-6f));
     nose_north *= inverse_nose;
     nose_east *= inverse_nose;
     turnTo(east * nose_north - north * nose_east, north * nose_north + east * nose_east);
@@ -465,10 +466,10 @@ bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
     if (length < 30.0f) return true;  // near a magnetic pole, or no field at all: no direction
     // Declination is small enough on every inhabited place for its cosine's second order.
     const float d = settings.declination_rad;
-    const float sin_d = d * (1.0f - d * d * (1.0f / 6.0f)), cos_d = 1.0f - 0.5f * d * d;
+    const float sin_d = d * (1.0f - d * d * (1.0f / 6.0f)), cos_d = 1.0f - core::half(d) * d;
     const float along_mg = m_north * cos_d + m_east * sin_d;
     const float across_mg = m_east * cos_d - m_north * sin_d;
-    const float inverse = 1.0f / length;
+    const float inverse = core::inverse(length);
     if (phase_ == Phase::upright) {
         if (!settings.use_compass) return true;
         field_.start(length, core::dot(down, field_mg));
@@ -519,7 +520,7 @@ void Attitude::workOutAngles() {
         const float sine = a.sin_pitch.toFloat();
         const float cosine = sqrtf(core::limit(1.0f - sine * sine, 1e-6f, 1.0f));
         a.cos_pitch = Part(cosine);
-        inverse_cos_pitch_ = core::Gain(1.0f / cosine);
+        inverse_cos_pitch_ = core::Gain(core::inverse(cosine));
     }
     a.sin_roll = levelled(core::upper(down_.of[1]));
     a.cos_roll = levelled(core::upper(down_.of[2]));

@@ -44,7 +44,7 @@ void FixComparison::add(const core::Vector3& missing_mss, const core::Vector3& m
 }
 
 FixComparison::Level FixComparison::change_msss() const {
-    const float inverse = 0.5f * inverse_time_;
+    const float inverse = core::half(inverse_time_);
     return {(mean_mss_[2].north - mean_mss_[0].north) * inverse,
             (mean_mss_[2].east - mean_mss_[0].east) * inverse};
 }

@@ -52,7 +52,7 @@ bool GyroBiasInit::usePart() {
         return false;
     }
     rocked_ = rocked_ || !near(rate, mean_, kRate_rads, kRate_rads);
-    const float share = 1.0f / core::real(++parts_);
+    const float share = core::inverse(core::real(++parts_));
     mean_ = mean_ + (rate - mean_) * share;
     if (done()) return useMean();
     force_ = force_ + (force - force_) * share;

@@ -30,7 +30,7 @@ void Height::propagate(float up_mss, float dt_s) {
         return;
     }
     const float gain_mps = (up_mss + bias_mss_) * dt_s;
-    height_m_ += (climb_mps_ + 0.5f * gain_mps) * dt_s;
+    height_m_ += (climb_mps_ + core::half(gain_mps)) * dt_s;
     climb_mps_ += gain_mps;
 }
 

@@ -22,8 +22,8 @@ float squared(const geo::Offset& off) { return core::squaredLength(off.north_m, 
 void Position::propagate(const core::Vector3& acceleration_mss, float dt_s) {
     if (age_s_ < kNever_s) age_s_ += dt_s;
     const float north_mps = acceleration_mss.x * dt_s, east_mps = acceleration_mss.y * dt_s;
-    since_.north_m += (north_mps_ + 0.5f * north_mps) * dt_s;
-    since_.east_m += (east_mps_ + 0.5f * east_mps) * dt_s;
+    since_.north_m += (north_mps_ + core::half(north_mps)) * dt_s;
+    since_.east_m += (east_mps_ + core::half(east_mps)) * dt_s;
     north_mps_ += north_mps;
     east_mps_ += east_mps;
 }
@@ -40,8 +40,8 @@ void Position::useGps(const geo::Position& position, const core::Vector3& veloci
     const geo::Offset fix = geo::offset(anchor_, position);
     const float age_s = settings.gps_age_s;
     const geo::Offset off = {
-        fix.north_m + (velocity_mps.x + gained_mps.x * 0.5f) * age_s - since_.north_m,
-        fix.east_m + (velocity_mps.y + gained_mps.y * 0.5f) * age_s - since_.east_m};
+        fix.north_m + (velocity_mps.x + core::half(gained_mps.x)) * age_s - since_.north_m,
+        fix.east_m + (velocity_mps.y + core::half(gained_mps.y)) * age_s - since_.east_m};
     const float far_m = kFar_m + (lost ? 0.0f : kFarther_mps * age_s_);
     off_m2_ = squared(off);
     limit_m2_ = far_m * far_m;
@@ -74,7 +74,7 @@ float Position::wander_m(float& mean_m, float fix_m, float velocity_mps) const {
     const bool late = reckoned();
     const float step_m = velocity_mps * (late ? kUsual_s : age_s_);
     mean_m += step_m;
-    const float off_m = fix_m + 0.5f * step_m - mean_m;
+    const float off_m = fix_m + core::half(step_m) - mean_m;
     const float rate_hz = kMean_hz + kMean_hzpm2 * off_m * off_m;
     const float share = late ? 1.0f : core::limit(rate_hz * age_s_, 0.0f, 1.0f);
     mean_m += off_m * share;

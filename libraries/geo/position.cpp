@@ -41,7 +41,7 @@ Scale scaleAt(int32_t latitude_e7) {
     scale.north_m = along_m * kRadiansPerE7;
     scale.east_m = across_m * cosine * kRadiansPerE7;
     scale.east_slope_m = -along_m * sine * kRadiansPerE7 * kRadiansPerE7;  // d(N cos) = -M sin
-    scale.convergence_per_m = 0.5f * sine / (cosine * across_m);
+    scale.convergence_per_m = core::half(sine) / (cosine * across_m);
     scale.known = true;
     return scale;
 }
@@ -104,7 +104,7 @@ Position moved(const Position& from, const Offset& by) {
     float east_m_per_e7;
     // Where the middle is is known well enough without the meridians' turn.
     const Scale& start = scaleFor(from.latitude_e7, east_m_per_e7);
-    const int32_t half_up_e7 = core::rounded(0.5f * by.north_m / start.north_m);
+    const int32_t half_up_e7 = core::rounded(core::half(by.north_m) / start.north_m);
     const Scale& scale = scaleFor(from.latitude_e7 + half_up_e7, east_m_per_e7);
     const float turn = by.east_m * scale.convergence_per_m;
     const float north_m = by.north_m - by.east_m * turn;
@@ -135,7 +135,7 @@ Track track(const Position& leg_start, const Position& leg_end, const Position& 
     const Offset way = offset(leg_start, place);
     const float length = length_m(leg);
     if (length < 0.01f) return {0, length_m(way)};
-    const float share = 1.0f / length;
+    const float share = core::inverse(length);
     return {(way.north_m * leg.north_m + way.east_m * leg.east_m) * share,
             (way.east_m * leg.north_m - way.north_m * leg.east_m) * share};
 }

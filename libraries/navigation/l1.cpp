@@ -37,7 +37,7 @@ float cross(const Offset& a, const Offset& b) {
 // North where there is none.
 Offset directionOf(const Offset& a) {
     const float length_m = geo::length_m(a);
-    return length_m > 0.1f ? a * (1 / length_m) : Offset{1, 0};
+    return length_m > 0.1f ? a * core::inverse(length_m) : Offset{1, 0};
 }
 Offset rightOf(const Offset& a) { return {-a.east_m, a.north_m}; }
 
@@ -58,7 +58,7 @@ Ahead lookAhead(const Motion& motion) {
     const Offset gained = rightOf(air) * (gained_mps / airspeed);
     Ahead ahead;
     ahead.velocity_mps = motion.velocity_mps + gained;
-    ahead.moved_m = (motion.velocity_mps + ahead.velocity_mps) * (0.5f * motion.bank_lag_s);
+    ahead.moved_m = (motion.velocity_mps + ahead.velocity_mps) * core::half(motion.bank_lag_s);
     air = air + gained;
     const float moves_mps = geo::length_m(ahead.velocity_mps);
     ahead.speed_mps = core::limit(moves_mps, kSlowest_mps, 200.0f);
@@ -80,9 +80,9 @@ Ahead lookAhead(const Motion& motion) {
 // would ask for too sharp a turn, the course of the arc that ends on it.
 float closingSine(const LateralGains& gains, float away_m, float speed_mps) {
     const float straight_mps = away_m * gains.closing_hz;
-    if (away_m <= gains.linear_m && straight_mps < 0.5f * speed_mps)
+    if (away_m <= gains.linear_m && straight_mps < core::half(speed_mps))
         return straight_mps / speed_mps;
-    const float begins_m = 0.5f * core::limit(gains.linear_m, 0.0f, away_m);
+    const float begins_m = core::half(core::limit(gains.linear_m, 0.0f, away_m));
     const float share = (away_m - begins_m) * gains.turn_accel_mss / core::square(speed_mps);
     if (share >= 1) return 1;
     const float arc = sqrtf(share * (2 - share));
@@ -92,7 +92,7 @@ float closingSine(const LateralGains& gains, float away_m, float speed_mps) {
 
 float cosineOf(float sine) {
     const float squared = sine * sine;
-    if (squared < 0.06f) return 1 - 0.5f * squared;  // within 5e-4
+    if (squared < 0.06f) return 1 - core::half(squared);  // within 5e-4
     return sqrtf(core::limit(1 - squared, 0.0f, 1.0f));
 }
 
@@ -131,7 +131,7 @@ LateralGains lateralGains(const LateralSettings& settings, float turn_accel_mss)
 Leg legAlong(const Offset& start_to_end) {
     const float length_m = geo::length_m(start_to_end);
     if (length_m < kShortestLeg_m) return {{0, 0}, length_m};
-    return {start_to_end * (1 / length_m), length_m};
+    return {start_to_end * core::inverse(length_m), length_m};
 }
 
 Lateral followLeg(const LateralGains& gains, const Motion& motion, const Leg& leg,
@@ -170,8 +170,8 @@ Lateral followCircle(const LateralGains& gains, const Motion& motion, const Circ
     const Offset there = from_centre + ahead.moved_m;
     const float distance_m = geo::length_m(there);
     // in the very centre every way out is as good as the present one
-    const Offset out_unit =
-        distance_m > 1 ? there * (1 / distance_m) : ahead.velocity_mps * (1 / ahead.speed_mps);
+    const Offset out_unit = distance_m > 1 ? there * core::inverse(distance_m)
+                                           : ahead.velocity_mps * core::inverse(ahead.speed_mps);
     const float turn = circle.counter_clockwise ? -1.0f : 1.0f;
     const Offset along_unit = rightOf(out_unit) * turn;
 
@@ -193,7 +193,7 @@ Lateral followCircle(const LateralGains& gains, const Motion& motion, const Circ
     float accel_mss = turnTowards(gains, ahead, out.course);
     const float along_mps = dot(ahead.velocity_mps, along_unit);
     if (!on_tangent && along_mps > 0) {
-        const float bend_m = core::limit(distance_m, radius_m * 0.5f, 1e6f);
+        const float bend_m = core::limit(distance_m, core::half(radius_m), 1e6f);
         accel_mss += turn * core::square(along_mps) / bend_m;
     }
     out.bank_accel_mss = accel_mss * ahead.per_crab;
@@ -213,7 +213,7 @@ float bankFor_rad(float bank_accel_mss) {
     const float x = bank_accel_mss * (1.0f / core::kGravity_mss);
     const float size = x < 0 ? -x : x;
     const bool steep = size > 1;
-    const float t = steep ? 1.0f / size : size;
+    const float t = steep ? core::inverse(size) : size;
     // minimax of atan on 0..1: Rajan et al., IEEE Signal Processing Magazine 23(3), 2006
     const float low = t * (core::kPi / 4 + 0.273f * (1 - t));
     const float angle = steep ? core::kPi / 2 - low : low;

@@ -51,7 +51,7 @@ void TakeoffCourse::run(const geo::Offset& velocity_mps, float ground_speed_mps,
     waiting_.fast_s = ground_speed_mps > kCourseSpeed_mps ? waiting_.fast_s + dt_s : 0;
     if (waiting_.fast_s < kCourseTime_s) return;
     const float turned_rad = core::wrapPi(yaw_rad - waiting_.yaw_rad);
-    const float share = 1 / ground_speed_mps;
+    const float share = core::inverse(ground_speed_mps);
     const float north = velocity_mps.north_m * share, east = velocity_mps.east_m * share;
     const float c = cosf(turned_rad), s = sinf(turned_rad);
     course_ = {north * c + east * s, east * c - north * s};
