@@ -107,7 +107,8 @@ struct Attitude::Row16 {
 };
 
 float Attitude::real(int32_t component) {
-    return static_cast<float>(component) * (1.0f / DeltaAngle::kSteps);
+    static_assert(DeltaAngle::kSteps == 1L << 30, "or another conversion");
+    return core::fromFixed30(component);
 }
 core::Vector3 Attitude::real(const Row& row) {
     return {real(row.of[0]), real(row.of[1]), real(row.of[2])};
