@@ -67,7 +67,8 @@ struct Links {
 };
 extern core::FileState<Links> links;
 
-inline uint8_t linkNumber(const Link& link) { return static_cast<uint8_t>(&link - links.of); }
+inline uint8_t linkNumber(const Link& link) { return &link == links.of ? 0 : 1; }
+static_assert(state::kLinks == 2, "more need more numbers");
 inline hal::Port portOf(const Link& link) {
     return &link == links.of ? hal::Port::link0 : hal::Port::link1;
 }
