@@ -3,6 +3,7 @@
 #pragma once
 #include <math.h>
 
+#include "core/seldom.hpp"
 #include "firmware/mission/item.hpp"
 
 namespace firmware {
@@ -37,7 +38,7 @@ struct FormRow {
 
 constexpr uint8_t use(uint8_t parameter) { return static_cast<uint8_t>(1u << parameter); }
 
-inline float orZero(float value) { return isnan(value) ? 0 : value; }
+SELDOM inline float orZero(float value) { return isnan(value) ? 0 : value; }
 
 inline void flagRounding(float value, float stored, EncodeWarnings& warnings) {
     if (value != stored) warnings.rounded = true;

@@ -14,7 +14,7 @@ MissionResult missionAct(const MissionItem& item) {
     if (result != MissionResult::accepted) return result;
     const uint8_t row = kCommandTable.find(::mission::Set::apm2, record.id);
     if (kCommandTable.kind(row) != ::mission::Class::action) return MissionResult::unsupported;
-    core::romRead(kCommandTable.rows[row].act)(record);
+    kCommandTable.act(row)(record);
     return result;
 }
 

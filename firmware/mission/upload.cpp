@@ -112,7 +112,7 @@ void takeIn(const uint8_t* bytes, ::mission::ItemPosition at) {
         row == ::mission::kNoRow ? ::mission::Class::action : kCommandTable.kind(row);
     ::mission::Jump jump = {};
     if (kind == ::mission::Class::jump)
-        jump = core::romRead(kCommandTable.rows[row].target)(::mission::unpack(stagedSet(), bytes));
+        jump = kCommandTable.target(row)(::mission::unpack(stagedSet(), bytes));
     upload.passes.add(at.index, kind, jump);
 }
 

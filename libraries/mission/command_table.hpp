@@ -126,16 +126,20 @@ struct Table {
         }
         return kNoRow;
     }
-    Class kind(uint8_t row) const { return core::romRead(rows[row].kind); }
-    uint8_t traits(uint8_t row) const { return core::romRead(rows[row].traits); }
-    uint8_t form(uint8_t row) const { return core::romRead(rows[row].form); }
-    Act act(uint8_t row) const { return core::romRead(rows[row].act); }
-    Check check(uint8_t row) const { return core::romRead(rows[row].check); }
+    // Not inlined: the product that it takes stands in a dozen places.
+    __attribute__((noinline)) const Row& at(uint8_t row) const { return rows[row]; }
+    Class kind(uint8_t row) const { return core::romRead(at(row).kind); }
+    uint8_t traits(uint8_t row) const { return core::romRead(at(row).traits); }
+    uint8_t form(uint8_t row) const { return core::romRead(at(row).form); }
+    Begin begin(uint8_t row) const { return core::romRead(at(row).begin); }
+    Act act(uint8_t row) const { return core::romRead(at(row).act); }
+    Check check(uint8_t row) const { return core::romRead(at(row).check); }
+    Target target(uint8_t row) const { return core::romRead(at(row).target); }
     uint8_t id(Set set, uint8_t row) const {
         return core::romRead(set == Set::apm1 ? rows[row].apm1_id : rows[row].apm2_id);
     }
     uint8_t valid(uint8_t row, const Record& record, ItemPosition position) const {
-        return core::romRead(rows[row].valid)(record, position);
+        return core::romRead(at(row).valid)(record, position);
     }
 };
 

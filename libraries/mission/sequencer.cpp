@@ -94,7 +94,7 @@ void Sequencer::resume() {
         reportEvent(Event::hold, memory_.nav);
     } else if (has(kStarted)) {
         reportEvent(Event::resumed, memory_.nav);
-        core::romRead(table_.rows[memory_.nav_row].begin)(memory_.nav_record, {true, true});
+        table_.begin(memory_.nav_row)(memory_.nav_record, {true, true});
     }
     if (memory_.condition != 0) wait();
 }

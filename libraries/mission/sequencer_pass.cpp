@@ -106,7 +106,7 @@ bool Sequencer::seek() {
 // Where no NAV follows, the first jump with count left leads on to one, if there is one.
 void Sequencer::noticeJump(uint8_t index, const Item& item) {
     if (set() == Set::apm1 || memory_.loop != 0) return;
-    const Jump jump = core::romRead(table_.rows[item.row].target)(item.record);
+    const Jump jump = table_.target(item.row)(item.record);
     if (!countDown(index, jump.times, 0)) return;
     memory_.loop = index;
     memory_.loop_to = jump.target;
@@ -201,7 +201,7 @@ void Sequencer::startNav() {
     if (has(kStarted) || has(kTrailing)) return;
     mark(kStarted);
     clear(kLanded);
-    core::romRead(table_.rows[memory_.nav_row].begin)(memory_.nav_record, {false, has(kFromHere)});
+    table_.begin(memory_.nav_row)(memory_.nav_record, {false, has(kFromHere)});
     reportEvent(Event::started, memory_.nav);
 }
 
@@ -216,7 +216,7 @@ void Sequencer::startCondition(const Item& item) {
 
 void Sequencer::wait() {
     reportEvent(Event::waits, memory_.condition);
-    core::romRead(table_.rows[memory_.condition_row].act)(memory_.condition_record);
+    table_.act(memory_.condition_row)(memory_.condition_record);
 }
 
 // The step counts as taken before the handler runs: a handler may change the mode and so stop
@@ -226,7 +226,7 @@ void Sequencer::act(const Item& item) {
     ++memory_.steps;
     if (item.row == kNoRow) return reportEvent(Event::skipped, index);
     reportEvent(Event::runs, index);
-    core::romRead(table_.rows[item.row].act)(item.record);
+    table_.act(item.row)(item.record);
 }
 
 void Sequencer::takeJump(const Item& item) {
@@ -243,7 +243,7 @@ void Sequencer::takeJump(const Item& item) {
         return;
     }
     ++memory_.steps;
-    const Jump jump = core::romRead(table_.rows[item.row].target)(item.record);
+    const Jump jump = table_.target(item.row)(item.record);
     const bool taken = set() == Set::apm1 ? jumpApm1(index, jump) : jumpApm2(index, jump);
     if (!taken) ++memory_.next;
 }
