@@ -32,7 +32,7 @@ SELDOM int16_t milli(core::BodyRate rate_rads) {
     return core::upper(core::product(rate_rads.raw, static_cast<int16_t>(kFactor)) * 2);
 }
 
-float vibration_mss(uint8_t axis) {
+SELDOM float vibration_mss(uint8_t axis) {
     return core::hundredths(static_cast<int16_t>(vibration_cmss(axis)));
 }
 
