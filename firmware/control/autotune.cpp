@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "control/tuner.hpp"
+#include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
@@ -99,7 +100,7 @@ void tuneStep() {
 void tune(TunedAxis which, const ::control::AxisGains& gains, const ::control::AxisState& state,
           const ::control::AirFlow& air, core::Angle error_rad, core::BodyRate rate_rads) {
     constexpr core::Ratio kLevel_cos(0.94f);
-    AxisTuner& tuner = tuning.tuners[which];
+    AxisTuner& tuner = core::based(tuning.tuners[which]);
     // in a bank the nose turns without the pilot's asking for it
     if (which == kTunedPitch && vehicle.attitude.cos_roll.raw < kLevel_cos.raw) return tuner.drop();
     const auto found =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/sensors/health.hpp"
 
+#include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
@@ -56,7 +57,7 @@ struct Watch {
 core::FileState<Watch> watch{};
 
 uint8_t bit(Sensor sensor) { return static_cast<uint8_t>(1 << static_cast<uint8_t>(sensor)); }
-Health& of(Sensor sensor) { return watch.sensors[static_cast<uint8_t>(sensor)]; }
+Health& of(Sensor sensor) { return core::based(watch.sensors[static_cast<uint8_t>(sensor)]); }
 const Limits& limitsOf(Sensor sensor) { return kLimits[static_cast<uint8_t>(sensor)]; }
 
 void add(Health& health, uint16_t suspicion) {
