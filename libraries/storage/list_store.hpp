@@ -87,7 +87,8 @@ private:
     };
 
     const Extent& of(ListKind kind) const { return present_[static_cast<uint8_t>(kind)]; }
-    Extent& present() { return present_[static_cast<uint8_t>(kind_)]; }
+    // Not inlined: the product for its address stands in a dozen places.
+    __attribute__((noinline)) Extent& present() { return present_[static_cast<uint8_t>(kind_)]; }
     bool inFlash() const { return other_.place != Place::eeprom; }
 
     core::Status find();
