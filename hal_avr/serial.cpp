@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The USARTs of the ports, alike but for their numbers and the size of their rings. 127 bytes are
-// 11 ms of line at 115,200 baud, more than a frame. The GPS is read out in every frame; an NMEA
-// receiver at 115,200 baud fills 63 bytes in 5.5 ms, and loses sentences then. Its driver leaves
-// what follows a whole fix for the next frame. What is sent to it looks for room first.
+// The USARTs of the ports, alike but for their numbers and the size of their rings. 254 bytes to
+// send are 22 ms of line at 115,200 baud: a download fills the next message into them while the
+// last one goes out. 127 received are 11 ms, more than a frame. The GPS is read out in every frame;
+// an NMEA receiver at 115,200 baud fills 63 bytes in 5.5 ms, and loses sentences then. Its driver
+// leaves what follows a whole fix for the next frame. What is sent to it looks for room first.
 #include "hal/serial.hpp"
 
 #include <avr/interrupt.h>
@@ -24,38 +25,31 @@ struct Usart {
 };
 
 core::Ring<128> links_rx[2];
-// The frames behind the ring's head are held: its interrupt sends up to the head only.
-struct LinkRing {
-    using Ring = core::Ring<128>;
-    Ring ring;
+// What the links send. An index into 256 bytes comes round by itself, and as they are aligned an
+// address is a constant and the index below it: three instructions fewer for each byte sent. So
+// aligned the bytes of both lie side by side, without their indices, or there would be gaps.
+alignas(256) uint8_t links_tx_bytes[2][256];
+
+// The frames behind the head are held: its interrupt sends up to the head only.
+class LinkRing : public core::RingIndices<256> {
+public:
     uint8_t written = 0;  // index behind the last byte
 
-    uint8_t held() const { return Ring::index(static_cast<uint8_t>(written - ring.head())); }
-    uint8_t room() const {
-        return static_cast<uint8_t>(Ring::kHeadAt - 1 -
-                                    Ring::index(static_cast<uint8_t>(written - ring.tail())));
-    }
+    uint8_t held() const { return static_cast<uint8_t>(written - head()); }
+    // One less than there is: 255 free bytes are what a link waits for that has nothing to send.
+    uint8_t room() const { return static_cast<uint8_t>(hal::kLinkRoom - (written - tail())); }
     void clear() {
-        ring.clear();
-        written = ring.head();
+        RingIndices::clear();
+        written = head();
     }
-    uint8_t* end() { return ring.begin() + written; }
-    void added(uint8_t count) { written = Ring::index(static_cast<uint8_t>(written + count)); }
-    void add(uint8_t byte) {
-        *end() = byte;
-        added(1);
-    }
-    bool put(const void* bytes, uint8_t size) {  // not while frames are held
-        const bool done = ring.put(bytes, size);
-        written = ring.head();
+    void added(uint8_t count) { written = static_cast<uint8_t>(written + count); }
+    bool put(uint8_t* ring, const void* bytes, uint8_t size) {  // not while frames are held
+        const bool done = putInto(ring, bytes, size);
+        written = head();
         return done;
     }
-    bool empty() const { return ring.empty(); }
 };
-// An address in one of these is a constant and the index below it: two instructions fewer for each
-// byte sent, 0.3 % of the processor, which the gaps in the RAM are worth.
-alignas(256) LinkRing link0_tx;
-alignas(256) LinkRing link1_tx;
+LinkRing links_tx[2];
 core::Ring<128> gps_rx;
 core::Ring<32> gps_tx;
 uint16_t lost_bytes[hal::kPorts];
@@ -65,17 +59,15 @@ static_assert(hal::kPorts == 3 && kGps == 1, "a link to either side of the GPS")
 
 // Of a port known to the compiler.
 template <uint8_t port>
-struct RingsOf {
-    static core::Ring<128>& rx() { return links_rx[port / 2]; }
-    static core::Ring<128>& tx() { return port == 0 ? link0_tx.ring : link1_tx.ring; }
-};
+inline core::Ring<128>& receivedOn() {
+    return links_rx[port / 2];
+}
 template <>
-struct RingsOf<kGps> {
-    static core::Ring<128>& rx() { return gps_rx; }
-    static core::Ring<32>& tx() { return gps_tx; }
-};
+inline core::Ring<128>& receivedOn<kGps>() {
+    return gps_rx;
+}
 
-inline LinkRing& sentOn(hal::Port link) { return link == hal::Port::link0 ? link0_tx : link1_tx; }
+inline uint8_t linkOf(hal::Port port) { return port == hal::Port::link0 ? 0 : 1; }
 
 template <class Act>
 inline auto atReceived(hal::Port port, Act act) {
@@ -83,7 +75,7 @@ inline auto atReceived(hal::Port port, Act act) {
 }
 template <class Act>
 inline auto atSent(hal::Port port, Act act) {
-    return port == hal::Port::gps ? act(gps_tx) : act(sentOn(port));
+    return port == hal::Port::gps ? act(gps_tx) : act(links_tx[linkOf(port)]);
 }
 
 constexpr uint8_t kReceiving = (1 << RXCIE0) | (1 << RXEN0) | (1 << TXEN0);
@@ -101,7 +93,7 @@ inline void received() {
     const bool overrun = usart(port).status & (1 << DOR0);  // to be read before the data
     const uint8_t byte = usart(port).data;
     if (__builtin_expect(overrun, false)) ++lost_bytes[port];  // out of the way: a cycle a byte
-    if (!RingsOf<port>::rx().put(byte)) ++lost_bytes[port];
+    if (!receivedOn<port>().put(byte)) ++lost_bytes[port];
     if (port != kGps) avr::wake();
 }
 
@@ -112,9 +104,8 @@ inline void received() {
 // It does not ask whether there is a byte: see startSending.
 template <uint8_t port>
 inline __attribute__((always_inline)) void send() {
-    using Ring = core::Ring<128>;
-    const uint8_t* const ring = reinterpret_cast<const uint8_t*>(&RingsOf<port>::tx());
-    static_assert(sizeof(Ring) == Ring::kTailAt + 1, "bytes, indices");
+    constexpr uint8_t kLink = port / 2;
+    const uint8_t* const indices = reinterpret_cast<const uint8_t*>(&links_tx[kLink]);
     __asm__ volatile(
         "push r30                        \n"
         "in   r30, __SREG__              \n"
@@ -125,7 +116,6 @@ inline __attribute__((always_inline)) void send() {
         "ld   r31, Z                     \n"
         "sts  %[data], r31               \n"
         "inc  r30                        \n"
-        "andi r30, %[mask]               \n"
         "sts  %[tail], r30               \n"
         "lds  r31, %[head]               \n"
         "cp   r31, r30                   \n"
@@ -141,10 +131,9 @@ inline __attribute__((always_inline)) void send() {
         "sts  %[control], r30            \n"
         "rjmp 0b                         \n"
         :
-        : [bytes] "i"(ring), [head] "i"(ring + Ring::kHeadAt), [tail] "i"(ring + Ring::kTailAt),
-          [data] "i"(&usart(port).data), [control] "i"(&usart(port).control),
-          [mask] "M"(static_cast<int>(Ring::kHeadAt - 1)),
-          [receiving] "M"(static_cast<int>(kReceiving)));
+        : [bytes] "i"(links_tx_bytes[kLink]), [head] "i"(indices + LinkRing::kHeadAt),
+          [tail] "i"(indices + LinkRing::kTailAt), [data] "i"(&usart(port).data),
+          [control] "i"(&usart(port).control), [receiving] "M"(static_cast<int>(kReceiving)));
 }
 
 // Three products make the shifts of core::crc16 for a byte in the time of one. Three bytes at once,
@@ -274,21 +263,25 @@ uint8_t serialRoom(Port port) {
 }
 
 bool serialWrite(Port port, const void* bytes, uint8_t size) {
-    if (!atSent(port, [=](auto& tx) { return tx.put(bytes, size); })) return false;
-    atSent(port, [=](auto& tx) { startSending(port, tx); });
-    return true;
+    const uint8_t link = linkOf(port);
+    const bool done = port == Port::gps ? gps_tx.put(bytes, size)
+                                        : links_tx[link].put(links_tx_bytes[link], bytes, size);
+    if (done) atSent(port, [=](auto& tx) { startSending(port, tx); });
+    return done;
 }
 
 void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t crc, uint8_t extra,
                     uint8_t signature) {
-    LinkRing* ring = &sentOn(link);
-    __asm__("" : "+r"(ring));  // or it is worked out again wherever it is used
+    const uint8_t number = linkOf(link);
+    LinkRing* ring = &links_tx[number];
+    uint8_t* bytes = links_tx_bytes[number];
+    __asm__("" : "+r"(ring), "+r"(bytes));  // or they are worked out again wherever they are used
     LinkRing& tx = *ring;
     const uint8_t* from = head.bytes;
     uint8_t size = head.size;
     for (bool is_body = false;; is_body = true) {
-        for (uint8_t run = LinkRing::Ring::runFrom(tx.written, size);; run = size) {
-            copySummed(tx.end(), from, run, crc);
+        for (uint8_t run = LinkRing::runFrom(tx.written, size);; run = size) {
+            copySummed(bytes + tx.written, from, run, crc);
             tx.added(run);
             if (run == size) break;
             size = static_cast<uint8_t>(size - run);
@@ -298,24 +291,27 @@ void linkWriteFrame(Port link, const Piece& head, const Piece& body, uint16_t cr
         size = body.size;
     }
     crc = core::crc16(crc, extra);
-    tx.add(static_cast<uint8_t>(crc));
-    tx.add(static_cast<uint8_t>(crc >> 8));
+    bytes[tx.written] = static_cast<uint8_t>(crc);
+    tx.added(1);
+    bytes[tx.written] = static_cast<uint8_t>(crc >> 8);
+    tx.added(1);
     if (signature != 0) return tx.added(signature);
-    tx.ring.handOver(tx.written);
+    tx.handOver(tx.written);
     startSending(link, tx);
 }
 
-uint8_t linkHeldSize(Port link) { return sentOn(link).held(); }
+uint8_t linkHeldSize(Port link) { return links_tx[linkOf(link)].held(); }
 
 Runs linkHeld(Port link) {
-    LinkRing& tx = sentOn(link);
-    const uint8_t at = tx.ring.head();
-    return {tx.ring.begin() + at, tx.ring.runFrom(at, tx.held()), tx.ring.begin()};
+    const uint8_t number = linkOf(link);
+    const LinkRing& tx = links_tx[number];
+    uint8_t* const bytes = links_tx_bytes[number];
+    return {bytes + tx.head(), tx.runFrom(tx.head(), tx.held()), bytes};
 }
 
 void linkSendHeld(Port link, uint8_t size) {
-    LinkRing& tx = sentOn(link);
-    tx.ring.handOver(tx.ring.index(static_cast<uint8_t>(tx.ring.head() + size)));
+    LinkRing& tx = links_tx[linkOf(link)];
+    tx.handOver(static_cast<uint8_t>(tx.head() + size));
     startSending(link, tx);
 }
 

@@ -17,7 +17,7 @@ bool onLogRequestData(Link& link, const mavlink::Frame& frame);
 bool onLogErase(Link& link, const mavlink::Frame& frame);
 bool onLogRequestEnd(Link& link, const mavlink::Frame& frame);
 
-// Room for one message of a log, without its signature: with it, it needs all of the port's buffer.
+// Room for one message of a log, without its signature.
 constexpr uint8_t kLogFrame = mavlink::kHeaderV2 + sizeof(mavlink::LogData) + mavlink::kChecksum;
 
 void logsStart();

@@ -15,6 +15,7 @@ void serialOpen(Port port, uint32_t baud);
 uint8_t serialAvailable(Port port);         // bytes received and not yet read
 bool serialRead(Port port, uint8_t& byte);  // false: none there
 uint8_t serialRoom(Port port);              // bytes that serialWrite would take now
+constexpr uint8_t kLinkRoom = 254;          // of a link that has nothing to send
 
 // Queues all `size` bytes and returns true, or queues none and returns false.
 bool serialWrite(Port port, const void* bytes, uint8_t size);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "hal/serial.hpp"
 #include "simulator/devices/gps_receiver.hpp"
 #include "simulator/world.hpp"
 
@@ -12,7 +13,8 @@ namespace simulator {
 struct Rings {
     size_t rx, tx;
 };
-constexpr Rings kRings[SerialLines::kPorts] = {{127, 127}, {63, 31}, {127, 127}};
+constexpr Rings kRings[SerialLines::kPorts] = {
+    {127, hal::kLinkRoom}, {127, 31}, {127, hal::kLinkRoom}};
 
 void SerialLines::open(int port, uint32_t baud) {
     Line& line = lines_[port];

@@ -90,7 +90,8 @@ TEST_F(Modes, come_all_on_a_slow_line_that_streams_fill) {
     station.line().endless = false;
     ask(0);
     for (int i = 0; i < 6000; ++i) {  // 9600 baud
-        station.line().room = static_cast<uint8_t>(std::min(station.line().room + 9.6, 127.0));
+        station.line().room =
+            static_cast<uint8_t>(std::min<double>(station.line().room + 9.6, hal::kLinkRoom));
         run_ms(10);
     }
     const auto modes = station.all<mavlink::AvailableModes>();

@@ -108,7 +108,8 @@ private:
 class Telemetry : public testing::Test {
 protected:
     void SetUp() override {
-        station.line().room = second.line().room = 127;  // as the real ports, and never less
+        station.line().room = second.line().room =
+            hal::kLinkRoom;  // as the real ports, and never less
         firmware::state::mutable_vehicle.prearm_ok = true;
         firmware::state::processor_figures = {250, 3, 4321};
         firmware::state::mutable_vehicle.mode = firmware::state::Mode::manual;

@@ -165,7 +165,7 @@ TEST_F(Telemetry, leaves_requests_in_the_port_until_there_is_room_for_the_answer
     EXPECT_TRUE(station.all<mavlink::Ping>().empty());
     EXPECT_FALSE(station.line().in.empty());
 
-    station.line().room = 127;
+    station.line().room = hal::kLinkRoom;
     run_ms(20);
     EXPECT_EQ(station.all<mavlink::Ping>().size(), 1u);
 }
@@ -225,7 +225,7 @@ TEST_F(Telemetry, a_log_s_end_waits_for_room) {
     station.line().room = 60;  // enough for most answers, not for this
     EXPECT_TRUE(ask<mavlink::LogData>(message, 200).empty());
 
-    station.line().room = 127;
+    station.line().room = hal::kLinkRoom;
     run_ms(20);
     EXPECT_EQ(station.all<mavlink::LogData>().size(), 1u);
 }

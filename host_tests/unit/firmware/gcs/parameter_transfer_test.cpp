@@ -54,12 +54,13 @@ TEST_F(Telemetry, the_parameter_list_is_complete_and_in_order) {
 
 TEST_F(Telemetry, the_parameter_list_takes_what_the_line_has_to_give) {
     station.line().endless = false;
-    station.line().room = 127;
+    station.line().room = hal::kLinkRoom;
     station.send(list());
     uint32_t time_ms = 0;
     size_t received = 0;
     while (received < firmware::state::parameterCount() && time_ms < 10000) {
-        station.line().room = static_cast<uint8_t>(std::min(station.line().room + 57, 127));
+        station.line().room =
+            static_cast<uint8_t>(std::min<int>(station.line().room + 57, hal::kLinkRoom));
         run_ms(10);  // 57,600 baud
         time_ms += 10;
         received += station.all<mavlink::ParamValue>().size();
@@ -71,11 +72,12 @@ TEST_F(Telemetry, the_parameter_list_takes_what_the_line_has_to_give) {
 TEST_F(Telemetry, streams_and_the_parameter_list_share_the_line) {
     firmware::state::parameters.streams[0] = {10, 10, 10, 10, 10, 10, 10};
     station.line().endless = false;
-    station.line().room = 127;
+    station.line().room = hal::kLinkRoom;
     station.send(list());
     size_t received = 0, attitudes = 0;
     for (uint32_t ms = 0; ms < listWire_ms() * 19 / 10; ms += 10) {
-        station.line().room = static_cast<uint8_t>(std::min(station.line().room + 57, 127));
+        station.line().room =
+            static_cast<uint8_t>(std::min<int>(station.line().room + 57, hal::kLinkRoom));
         run_ms(10);
         received += station.all<mavlink::ParamValue>().size();
         attitudes += station.all<mavlink::Attitude>().size();
@@ -322,12 +324,12 @@ TEST_F(Telemetry, two_links_fetch_the_list_at_once_and_each_gets_all_of_it) {
 
 TEST_F(Telemetry, a_list_asked_for_again_begins_again) {
     station.line().endless = false;
-    station.line().room = 127;
+    station.line().room = hal::kLinkRoom;
     station.send(list());
     run_ms(100);
     ASSERT_FALSE(station.all<mavlink::ParamValue>().empty());
     station.line().endless = true;
-    station.line().room = 127;
+    station.line().room = hal::kLinkRoom;
     const auto values = ask<mavlink::ParamValue>(list(), 3000);
 
     ASSERT_GE(values.size(), firmware::state::parameterCount());
@@ -338,12 +340,13 @@ TEST_F(Telemetry, a_list_asked_for_again_begins_again) {
 
 TEST_F(Telemetry, a_setting_during_a_list_is_answered_and_the_list_goes_on) {
     station.line().endless = false;
-    station.line().room = 127;
+    station.line().room = hal::kLinkRoom;
     station.send(list());
     size_t answered = 0, listed = 0;
     for (uint32_t ms = 0; ms < 3000; ms += 10) {
         if (ms == 200) station.send(setting("BATT_CAPACITY", 2200));
-        station.line().room = static_cast<uint8_t>(std::min(station.line().room + 57, 127));
+        station.line().room =
+            static_cast<uint8_t>(std::min<int>(station.line().room + 57, hal::kLinkRoom));
         run_ms(10);
         for (const auto& value : station.all<mavlink::ParamValue>()) {
             if (value.param_index == listed) {

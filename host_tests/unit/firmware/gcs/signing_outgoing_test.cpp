@@ -10,7 +10,8 @@
 namespace ground {
 namespace {
 
-static_assert(firmware::gcs::kLogFrame + mavlink::kSignature <= 127, "more than a port's buffer");
+static_assert(firmware::gcs::kLogFrame + mavlink::kSignature <= hal::kLinkRoom,
+              "more than a port's buffer");
 
 struct SentFrame {
     Bytes frame, signature;  // the latter empty: none
@@ -209,7 +210,8 @@ TEST_F(OutgoingSigning, nothing_is_lost_on_a_slow_line) {
     std::set<uint16_t> indices;
     for (int i = 0; i < 6000; ++i) {
         run_ms(10);
-        second.line().room = static_cast<uint8_t>(std::min(127, second.line().room + 60));
+        second.line().room =
+            static_cast<uint8_t>(std::min<int>(hal::kLinkRoom, second.line().room + 60));
         for (const SentFrame& sent : sentOn(second)) {
             EXPECT_TRUE(sent.isRight());
             if (sent.frame[7] != 22) continue;  // PARAM_VALUE
@@ -242,7 +244,8 @@ TEST_F(OutgoingSigning, every_order_is_answered_beside_all_streams_at_50_hz) {
         second.line().receive(signedPing(kPublishedTime + static_cast<uint64_t>(i) * kSecond));
         for (int step = 0; step < 20; ++step) {
             run_ms(10);
-            second.line().room = static_cast<uint8_t>(std::min(127, second.line().room + 57));
+            second.line().room =
+                static_cast<uint8_t>(std::min<int>(hal::kLinkRoom, second.line().room + 57));
         }
         heard += second.all<mavlink::Ping>().size();
     }

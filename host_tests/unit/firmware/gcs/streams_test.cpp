@@ -187,7 +187,8 @@ TEST_F(Telemetry, sends_only_whole_frames_and_heartbeats_on_a_slow_line) {
            sizeof firmware::state::parameters.streams[0]);
     station.line().endless = false;
     for (int i = 0; i < 1000; ++i) {  // 960 bytes a second: 9600 baud, a fifth of what is asked
-        station.line().room = static_cast<uint8_t>(std::min(station.line().room + 9.6, 127.0));
+        station.line().room =
+            static_cast<uint8_t>(std::min<double>(station.line().room + 9.6, hal::kLinkRoom));
         run_ms(10);
     }
 

@@ -169,7 +169,7 @@ TEST_F(Failsafe, circles_when_there_is_no_home_to_return_to) {
 struct GroundStation : Failsafe {
     void SetUp() override {
         Failsafe::SetUp();
-        fakes::serial(hal::Port::link0).room = 127;
+        fakes::serial(hal::Port::link0).room = hal::kLinkRoom;
         firmware::gcs::telemetryStart();
         parameters.ground_failsafe = 1;
     }
