@@ -4,6 +4,7 @@
 
 #include "core/rom.hpp"
 #include "firmware/gcs/commands.hpp"
+#include "firmware/gcs/ftp.hpp"
 #include "firmware/gcs/housekeeping.hpp"
 #include "firmware/gcs/legacy_points.hpp"
 #include "firmware/gcs/link.hpp"
@@ -35,10 +36,22 @@ struct Incoming {
 // For messages that are never refused, or whose sender is asked again anyway.
 bool ignoreTimeout(Link&, const mavlink::Frame&) { return true; }
 
+// Of its payload, that which must find room.
+template <class Message>
+constexpr uint8_t longestPayload() {
+    return sizeof(Message);
+}
+// The zeros behind the path are not sent, and the paths that we know are short.
+template <>
+constexpr uint8_t longestPayload<mavlink::FileTransferProtocol>() {
+    return sizeof(FtpRequest);
+}
+
 template <class Message>
 constexpr Incoming row(uint8_t target, Handler handle, Handler refuse) {
-    static_assert(mavlink::kHeaderV2 + sizeof(Message) + mavlink::kChecksum <= kLongestQuestion,
-                  "longer than the parser's buffer");
+    static_assert(
+        mavlink::kHeaderV2 + longestPayload<Message>() + mavlink::kChecksum <= kLongestQuestion,
+        "longer than the parser's buffer");
     return {mavlink::accepts<Message>(), target, handle, refuse};
 }
 
@@ -102,6 +115,7 @@ constexpr Incoming kIncoming[] ROM = {
     toUs<mavlink::FenceFetchPoint>(refuseLegacyPoint),
     toUs<mavlink::RallyPoint>(refuseLegacyPoint),
     toUs<mavlink::RallyFetchPoint>(refuseLegacyPoint),
+    toUs<mavlink::FileTransferProtocol>(onFileTransfer),
     toUs<mavlink::LogRequestList>(onLogRequestList),
     toUs<mavlink::LogRequestData>(onLogRequestData),
     toUs<mavlink::LogErase>(onLogErase),

@@ -53,7 +53,7 @@ struct Link {
     uint8_t wake_room = 0;           // free bytes in the port at which there is something to send;
                                      // kAnyRoom: a signature is to be worked on
     bool parameter_is_next = false;  // while a list is sent, streams and list take turns
-    bool log_is_next = false;        // likewise a log and all else
+    bool download_is_next = false;   // likewise a log or a file and all else
     uint16_t next_parameter = 0;     // of the list being sent; kNoParameter: none
     mavlink::Parser<IncomingTable, kLongestQuestion> parser;
     Streams streams;

@@ -239,7 +239,7 @@ bool fillIn(const Link&, mavlink::AutopilotVersion& to) {
     to.capabilities = Can::mission_float | Can::mission_int | Can::param_float |
                       Can::set_position_target_global_int | Can::compass_calibration |
                       Can::mission_fence | Can::mission_rally | Can::param_encode_c_cast |
-                      Can::command_int | Can::mavlink2;
+                      Can::command_int | Can::mavlink2 | Can::ftp;
     to.flight_sw_version = kVersion;
     const Commit commit = core::romRead(kCommit);
     memcpy(to.flight_custom_version, commit.digits, sizeof to.flight_custom_version);

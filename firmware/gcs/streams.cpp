@@ -7,8 +7,8 @@
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
+#include "firmware/gcs/ftp.hpp"
 #include "firmware/gcs/link.hpp"
-#include "firmware/gcs/logs.hpp"
 #include "firmware/gcs/messages.hpp"
 #include "firmware/state/vehicle.hpp"
 
@@ -183,14 +183,15 @@ void age(Streams& streams, uint8_t row, uint8_t by) {
 }
 
 // A download has the line nearly to itself, as ArduPilot has it.
-constexpr uint8_t kSlowdownByLog_pct = 75;
+constexpr uint8_t kSlowdownByDownload_pct = 75;
 
-// The part of a turn the radio and a log leave to the streams; true when they have a whole turn
-// together.
+// The part of a turn the radio and a download leave to the streams; true when they have a whole
+// turn together.
 bool tickIsDue(Link& link) {
     Streams& streams = link.streams;
     uint8_t slowdown_pct = link.slowdown_pct;
-    if (slowdown_pct < kSlowdownByLog_pct && logsWait(link)) slowdown_pct = kSlowdownByLog_pct;
+    if (slowdown_pct < kSlowdownByDownload_pct && downloadWaits(link))
+        slowdown_pct = kSlowdownByDownload_pct;
     streams.credit_pct = static_cast<uint8_t>(streams.credit_pct + 100 - slowdown_pct);
     if (streams.credit_pct < 100) return false;
     streams.credit_pct = static_cast<uint8_t>(streams.credit_pct - 100);

@@ -5,6 +5,7 @@
 #include "core/seldom.hpp"
 #include "firmware/gcs/available_modes.hpp"
 #include "firmware/gcs/commands.hpp"
+#include "firmware/gcs/ftp.hpp"
 #include "firmware/gcs/housekeeping.hpp"
 #include "firmware/gcs/link.hpp"
 #include "firmware/gcs/logs.hpp"
@@ -129,15 +130,16 @@ bool hasSomething(const Link& link) {
 uint8_t roomToSend(const Link& link) {
     if (hal::linkHeldSize(portOf(link)) != 0) return kAnyRoom;
     if (hasSomething(link)) return signedSize(link, kLargestFrame);
-    return logsWait(link) ? signedSize(link, kLogFrame) : kNoRoomWakes;
+    return downloadWaits(link) ? signedSize(link, kLogFrame) : kNoRoomWakes;
 }
 
-// One message, of what goes out by itself. A log takes turns with all the rest. Not inlined, as
-// receive() is not.
+// One message, of what goes out by itself. A download takes turns with all the rest. Not inlined,
+// as receive() is not.
 __attribute__((noinline)) bool sendOne(Link& link) {
-    if (logsWait(link)) {
-        link.log_is_next = !link.log_is_next;
-        if (link.log_is_next && !heartbeatDue(link) && logsSend(link)) return true;
+    if (downloadWaits(link)) {
+        link.download_is_next = !link.download_is_next;
+        if (link.download_is_next && !heartbeatDue(link) && (ftpSend(link) || logsSend(link)))
+            return true;
     }
     if (!hasRoom(link, signedSize(link, kLargestFrame))) return false;
     if (heartbeatDue(link)) return streamsSend(link);

@@ -9,6 +9,7 @@
 #include "firmware/notify/status_text.hpp"
 #include "firmware/state/mode_traits.hpp"
 #include "firmware/state/name_pairs.hpp"
+#include "firmware/state/parameter_file.hpp"
 #include "firmware/state/parameter_host.hpp"
 #include "firmware/state/parameter_slots.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -464,6 +465,16 @@ core::Status parameterSetAt(uint16_t index, float value) {
     }
     assign(row, value);
     return core::Status::ok;
+}
+
+uint16_t parameterFileSize() {
+    constexpr uint16_t kSize = parameters::fileSize(kRows);
+    return kSize;
+}
+
+core::Status parameterFileRead(parameters::FileCursor& cursor, uint16_t offset, uint8_t* to,
+                               uint8_t& size) {
+    return parameters::readFile(table, cursor, offset, to, size);
 }
 
 uint8_t parameterSlot(uint16_t index) { return table.slot(static_cast<uint8_t>(index)); }

@@ -57,6 +57,7 @@ constexpr Accepted kAllMessages[] ROM = {
     accepts<SetPositionTargetGlobalInt>(),
     accepts<PositionTargetGlobalInt>(),
     accepts<RadioStatus>(),
+    accepts<FileTransferProtocol>(),
     accepts<Timesync>(),
     accepts<LogRequestList>(),
     accepts<LogEntry>(),

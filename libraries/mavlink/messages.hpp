@@ -246,9 +246,49 @@ struct MavProtocolCapability {
         set_position_target_global_int = 256UL,
         compass_calibration = 4096UL,
         mavlink2 = 8192UL,
+        ftp = 32UL,
         mission_fence = 16384UL,
         mission_rally = 32768UL,
         param_encode_c_cast = 131072UL,
+    };
+};
+
+struct MavFtpOpcode {
+    enum : uint8_t {
+        none = 0,
+        terminatesession = 1,
+        resetsession = 2,
+        listdirectory = 3,
+        openfilero = 4,
+        readfile = 5,
+        createfile = 6,
+        writefile = 7,
+        removefile = 8,
+        createdirectory = 9,
+        removedirectory = 10,
+        openfilewo = 11,
+        truncatefile = 12,
+        rename = 13,
+        calcfilecrc = 14,
+        burstreadfile = 15,
+        ack = 128,
+        nak = 129,
+    };
+};
+
+struct MavFtpErr {
+    enum : uint8_t {
+        none = 0,
+        fail = 1,
+        failerrno = 2,
+        invaliddatasize = 3,
+        invalidsession = 4,
+        nosessionsavailable = 5,
+        eof = 6,
+        unknowncommand = 7,
+        fileexists = 8,
+        fileprotected = 9,
+        filenotfound = 10,
     };
 };
 
@@ -1092,6 +1132,16 @@ struct __attribute__((packed)) RadioStatus {
 template <>
 struct Wire<RadioStatus> : Shape<109, 9, 9, 185> {};
 static_assert(sizeof(RadioStatus) == Wire<RadioStatus>::length_with_extensions, "RADIO_STATUS");
+
+struct __attribute__((packed)) FileTransferProtocol {
+    uint8_t target_network;
+    uint8_t target_system;
+    uint8_t target_component;
+    uint8_t payload[251];
+};
+template <>
+struct Wire<FileTransferProtocol> : Shape<110, 254, 254, 84> {};
+static_assert(sizeof(FileTransferProtocol) == Wire<FileTransferProtocol>::length_with_extensions, "FILE_TRANSFER_PROTOCOL");
 
 struct __attribute__((packed)) Timesync {
     int64_t tc1;

@@ -71,6 +71,12 @@ float Table::value(uint8_t index) const {
     return value;
 }
 
+uint8_t Table::copyValue(uint8_t index, uint8_t* to) const {
+    const uint8_t width = widthOf(type(index));
+    memcpy(to, field(index), width);
+    return width;
+}
+
 bool Table::findName(const char (&name)[kNameSize], uint8_t& index) const {
     const uint8_t rows = count();
     const PackedRow* at = &row(0);
@@ -110,8 +116,7 @@ float Table::assign(uint8_t index, float value) const {
     } else {
         // little-endian on both sides: the low bytes are the narrower number
         const int32_t whole = core::rounded(value);
-        const uint8_t width = type == Type::int8 ? 1 : (type == Type::int16 ? 2 : 4);
-        memcpy(field, &whole, width);
+        memcpy(field, &whole, widthOf(type));
     }
     return this->value(index);
 }

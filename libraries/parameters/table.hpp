@@ -31,6 +31,10 @@ struct TypeOf<float> {
     static constexpr Type value = Type::real32;
 };
 
+constexpr uint8_t widthOf(Type type) {
+    return type == Type::int8 ? 1 : type == Type::int16 ? 2 : 4;
+}
+
 // an element of an array is seen by decltype as a reference
 template <class T>
 struct TypeOf<T&> : TypeOf<T> {};
@@ -197,6 +201,8 @@ public:
     Type type(uint8_t index) const;
     void name(uint8_t index, char (&to)[kNameSize]) const;  // padded with zeros
     float value(uint8_t index) const;
+    // The bytes of the field, as many as its type is wide. Returns their number.
+    uint8_t copyValue(uint8_t index, uint8_t* to) const;
 
     bool findName(const char (&name)[kNameSize], uint8_t& index) const;
     bool findSlot(uint8_t slot, uint8_t& index) const;

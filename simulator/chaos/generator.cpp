@@ -221,6 +221,7 @@ private:
     void anyFrame();
     void anyNoise();
     void readLogs();
+    void readParameterFile();
 
     Dice& dice_;
     const Home& home_;
@@ -448,6 +449,18 @@ void Drawer::readLogs() {
     add(at_s + 1, {"frame", on, "119", "00000000ffffffff01000101"});
 }
 
+// FILE_TRANSFER_PROTOCOL: @PARAM/param.pck opened, then BurstReadFile from somewhere.
+void Drawer::readParameterFile() {
+    const std::string on = link();
+    const double at_s = when();
+    add(at_s, {"frame", on, "110",
+               "0001010000000410000000000000004050415241"
+               "4d2f706172616d2e70636b"});
+    const std::string offset[] = {"0000", "0004", "200a"};
+    add(at_s + 0.5,
+        {"frame", on, "110", "0001010100000f50000000" + offset[dice_.below(3)] + "0000"});
+}
+
 // An honest one that is confused, or one that wants harm.
 void Drawer::station(bool hostile) {
     struct Row {
@@ -461,7 +474,7 @@ void Drawer::station(bool hostile) {
         {&Drawer::cutUpload, 2, 2},      {&Drawer::overrideSticks, 0, 2},
         {&Drawer::setCurrent, 2, 2},     {&Drawer::clearMission, 1, 1},
         {&Drawer::anyFrame, 0, 8},       {&Drawer::anyNoise, 2, 3},
-        {&Drawer::readLogs, 1, 1},
+        {&Drawer::readLogs, 1, 1},       {&Drawer::readParameterFile, 1, 1},
     };
     unsigned sum = 0;
     for (const Row& row : kRows) sum += hostile ? row.hostile_weight : row.weight;

@@ -68,6 +68,7 @@ const answers = {
   FENCE_FETCH_POINT: 'a text: points come as mission items',
   RALLY_POINT: 'a text: points come as mission items',
   RALLY_FETCH_POINT: 'a text: points come as mission items',
+  FILE_TRANSFER_PROTOCOL: '`FILE_TRANSFER_PROTOCOL` with what was asked for, or the reason why not',
   LOG_REQUEST_LIST: '`LOG_ENTRY` of each',
   LOG_REQUEST_DATA: '`LOG_DATA`; a text while armed',
   LOG_ERASE: 'a text when it begins and when it has ended, or why it does not',

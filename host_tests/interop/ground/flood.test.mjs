@@ -78,6 +78,16 @@ test('half a megabyte of noise makes no frame late and nothing happens', withVeh
   assert.ok(written >= 500_000, `${written}`);
 }));
 
+// OpenFileRO, ReadFile and BurstReadFile
+function fileRequest() {
+  const payload = Buffer.alloc(251);
+  payload[3] = [4, 5, 15][random(3)];
+  payload[4] = payload[3] === 4 ? 16 : 80;
+  payload.writeUInt32LE(payload[3] === 4 ? 0 : random(3000), 8);
+  payload.write('@PARAM/param.pck', 12, 'latin1');
+  return [...payload];
+}
+
 const questions = [
   ['PARAM_REQUEST_READ', () => ({ paramIndex: random(150), paramId: '' })],
   ['PARAM_REQUEST_LIST', () => ({})],
@@ -88,6 +98,7 @@ const questions = [
   ['COMMAND_LONG', () => ({ command: [410, 512, 510, 520, 31_000][random(5)], _param1: random(300) })],
   ['REQUEST_DATA_STREAM', () => ({ reqStreamId: 0, reqMessageRate: 50, startStop: 1 })],
   ['LOG_REQUEST_DATA', () => ({ id: random(10), ofs: 0, count: 90 })],
+  ['FILE_TRANSFER_PROTOCOL', () => ({ targetNetwork: 0, payload: fileRequest() })],
   ['RC_CHANNELS_OVERRIDE', () => ({ chan1Raw: 1400 + random(200) })],
   ['MANUAL_CONTROL', () => ({ target: 1, y: random(2000) - 1000, x: 32_767, z: 32_767, r: 32_767 })],
   ['PING', () => ({ timeUsec: 1n, seq: 1, targetSystem: 0, targetComponent: 0 })],

@@ -255,7 +255,7 @@ TEST_F(Telemetry, describes_itself_in_every_way_it_can_be_asked) {
     EXPECT_EQ(versions[0].capabilities,
               Can::mission_float | Can::mission_int | Can::mission_fence | Can::mission_rally |
                   Can::param_float | Can::param_encode_c_cast | Can::command_int | Can::mavlink2 |
-                  Can::set_position_target_global_int | Can::compass_calibration);
+                  Can::ftp | Can::set_position_target_global_int | Can::compass_calibration);
     EXPECT_EQ(versions[0].vendor_id, 0x1E);
     EXPECT_EQ(versions[0].product_id, 0x9801);
     EXPECT_NE(versions[0].board_version, 0u);
