@@ -64,7 +64,7 @@ float pathAcceleration_mss() {
 }
 
 ::control::SpeedHeightMeasured measured() {
-    const auto& estimate = vehicle.estimate;
+    const auto& estimate = core::based(vehicle.estimate);
     return {estimate.height_m,      estimate.climb_mps, airspeed_mps(),
             pathAcceleration_mss(), cosRoll(),          vehicle.airspeed.healthy};
 }
@@ -151,7 +151,7 @@ core::Angle blindPitch_rad() {
 }  // namespace
 
 float trueFromEquivalent() {
-    const auto& estimate = vehicle.estimate;
+    const auto& estimate = core::based(vehicle.estimate);
     if (estimate.equivalent_airspeed_mps < kFlyingSpeed_mps) return 1;
     return core::limit(estimate.airspeed_mps / estimate.equivalent_airspeed_mps, 0.8f, 2.0f);
 }

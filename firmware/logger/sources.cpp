@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/based.hpp"
 #include "core/maths.hpp"
 #include "core/seldom.hpp"
 #include "drivers/ublox.hpp"
@@ -198,7 +199,7 @@ bool putAttitude() {
 }
 
 bool putGps() {
-    const auto& gps = vehicle.gps;
+    const auto& gps = core::based(vehicle.gps);
     GpsRecord record;
     record.status = static_cast<uint8_t>(gps.fix);
     record.time_ms = gpsFix().time_ms;
@@ -304,7 +305,7 @@ bool putControl() {
 }
 
 bool putNavigation() {
-    const auto& progress = vehicle.progress;
+    const auto& progress = core::based(vehicle.progress);
     NavigationTuningRecord record;
     record.distance_m = static_cast<uint16_t>(core::limit(progress.distance_m, 0.0f, 65535.0f));
     record.target_bearing_cd = progress.target_bearing_cd;
