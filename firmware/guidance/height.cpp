@@ -180,9 +180,10 @@ void flyHeight(const Plan& plan) {
     const ::control::SpeedHeightDemand demand = {
         blind ? vehicle.estimate.height_m : plan.height.height_m, plan.height.climb_mps,
         nudged_mps(plan.airspeed_mps) * true_speed};
-    const auto out = core::based(height_control.speed_height)
-                         .run(parameters.speed_height, limits(plan, true_speed), demand, measured(),
-                              blind ? ::control::Phase::approach : plan.phase, kPeriod_s);
+    const auto out =
+        core::based(height_control.speed_height)
+            .run(core::based(parameters.speed_height), limits(plan, true_speed), demand, measured(),
+                 blind ? ::control::Phase::approach : plan.phase, kPeriod_s);
     learnLevel();
     demandPitch(blind ? blindPitch_rad() : core::Angle(out.pitch_rad));
     demandThrottle(core::Ratio(out.throttle));
