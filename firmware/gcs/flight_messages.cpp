@@ -5,6 +5,7 @@
 #include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
+#include "core/seldom.hpp"
 #include "estimation/atan2_table.hpp"
 #include "firmware/actuators/camera.hpp"
 #include "firmware/estimator/estimator.hpp"
@@ -53,7 +54,7 @@ int32_t altitude_mm() {  // above sea level
     return vehicle.home.altitude_cm * 10 + core::rounded(vehicle.estimate.height_m * 1000);
 }
 
-int16_t degreesOf(int32_t angle_cd) {
+SELDOM int16_t degreesOf(int32_t angle_cd) {
     constexpr int16_t kPerCent = 20972;  // 2^21 / 100
     const int16_t wrapped = static_cast<int16_t>(core::wrap180_cd(angle_cd));
     return static_cast<int16_t>((core::upper(core::product(wrapped, kPerCent)) + 16) >> 5);

@@ -59,7 +59,7 @@ uint16_t heading_cd() {
     return static_cast<uint16_t>(
         core::wrap360_cd(core::rounded(core::centidegrees(vehicle.attitude.yaw_rad.toFloat()))));
 }
-uint8_t percent(core::Ratio of_all) {
+SELDOM uint8_t percent(core::Ratio of_all) {
     return static_cast<uint8_t>(
         core::times14(core::limit<int16_t>(of_all.raw, 0, core::Ratio::kOne), 100));
 }
