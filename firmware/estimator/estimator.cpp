@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/estimator/estimator.hpp"
 
+#include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/internal_error.hpp"
 #include "core/maths.hpp"
@@ -369,7 +370,7 @@ void publishAngles() {
 }
 
 void publishHeight() {
-    auto& to = published;
+    auto& to = core::based(published);
     const float scale = barometer_drift.scale();
     to.height_m = (height.height_m() - heights.home_m) * scale;
     to.climb_mps = height.climb_mps() * scale;
@@ -422,7 +423,7 @@ void moveOwnFieldToOffsets() {
 
 // Without an inertial sensor the attitude stands, and is found anew when it is back.
 void runAttitude() {
-    const auto& imu = vehicle.imu;
+    const auto& imu = core::based(vehicle.imu);
     if (!imu.calibrated || (imu.periods == 0 && !motion.started)) return;
     if (!motion.started) {
         attitude.start();
@@ -477,7 +478,7 @@ void propagateMotion() {
     position.propagate(acceleration_mss, dt_s);
     height.propagate(-acceleration_mss.z, dt_s);
     motion.gathered = 0;
-    auto& to = published;
+    auto& to = core::based(published);
     to.known = position.known();
     to.position = position.position();
     to.reckoned = position.reckoned();
@@ -494,7 +495,7 @@ void fusePressure() {
 
 void publishSpeeds() {
     if (!runs()) return;
-    auto& to = published;
+    auto& to = core::based(published);
     const Vector3& velocity = to.velocity_mps;
     to.ground_speed_mps = sqrtf(core::squaredLength(velocity.x, velocity.y));
     if (to.ground_speed_mps > 0.01f) {
@@ -696,7 +697,7 @@ void saveEstimate(SlowRecord& to) {
 }
 
 void saveEstimate(FastRecord& to) {
-    const auto& estimate = vehicle.estimate;
+    const auto& estimate = core::based(vehicle.estimate);
     attitude.save(to.pose);
     to.rate_rads = attitude.rate_rads();
     to.position = estimate.position;

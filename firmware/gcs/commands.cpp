@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "core/rom.hpp"
+#include "core/seldom.hpp"
 #include "firmware/gcs/command_handlers.hpp"
 #include "firmware/gcs/degrees.hpp"
 #include "firmware/gcs/link.hpp"
@@ -86,7 +87,7 @@ uint8_t carryOut(Link& link, CommandRequest& request) {
 }
 
 // What lies off the globe must not be taken for a place left out.
-int32_t placeOf(float degrees) {
+SELDOM int32_t placeOf(float degrees) {
     const int32_t angle_e7 = degreesE7(degrees);
     return angle_e7 == kNoPlace && !isnan(degrees) ? INT32_MIN : angle_e7;
 }

@@ -2,6 +2,7 @@
 // Commands that fly: modes, GUIDED, the mission, home, arming.
 #include <math.h>
 
+#include "core/based.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
 #include "firmware/gcs/available_modes.hpp"
@@ -221,7 +222,7 @@ uint8_t runPrearmChecks(Link&, CommandRequest&) {
 
 // MAVLink leaves roll, pitch and yaw of the ground there to whoever has use for them.
 uint8_t doSetHome(Link&, CommandRequest& request) {
-    MissionItem& item = request.item;
+    MissionItem& item = core::based(request.item);
     if (number(item.param1) == 1) return whenTrue(setHomeHere(), MavResult::temporarily_rejected);
     // 0, 0 is what a client sends that has no place to give
     if (item.x == 0 && item.y == 0) return MavResult::denied;

@@ -2,8 +2,10 @@
 // Where the airplane is, how it lies in the air and where it is going.
 #include <math.h>
 
+#include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
+#include "core/seldom.hpp"
 #include "estimation/atan2_table.hpp"
 #include "firmware/actuators/camera.hpp"
 #include "firmware/estimator/estimator.hpp"
@@ -52,7 +54,7 @@ int32_t altitude_mm() {  // above sea level
     return vehicle.home.altitude_cm * 10 + core::rounded(vehicle.estimate.height_m * 1000);
 }
 
-int16_t degreesOf(int32_t angle_cd) {
+SELDOM int16_t degreesOf(int32_t angle_cd) {
     constexpr int16_t kPerCent = 20972;  // 2^21 / 100
     const int16_t wrapped = static_cast<int16_t>(core::wrap180_cd(angle_cd));
     return static_cast<int16_t>((core::upper(core::product(wrapped, kPerCent)) + 16) >> 5);
@@ -112,29 +114,31 @@ bool fillIn(const Link&, mavlink::Ahrs& to) {
 }
 
 bool fillIn(const Link&, mavlink::GlobalPositionInt& to) {
+    const auto& estimate = core::based(vehicle.estimate);
     to.time_boot_ms = hal::frame_ms();
-    to.lat = vehicle.estimate.position.latitude_e7;
-    to.lon = vehicle.estimate.position.longitude_e7;
+    to.lat = estimate.position.latitude_e7;
+    to.lon = estimate.position.longitude_e7;
     to.alt = altitude_mm();
-    to.relative_alt = core::rounded(vehicle.estimate.height_m * 1000);
-    to.vx = centi(vehicle.estimate.velocity_mps.x);
-    to.vy = centi(vehicle.estimate.velocity_mps.y);
-    to.vz = centi(vehicle.estimate.velocity_mps.z);
+    to.relative_alt = core::rounded(estimate.height_m * 1000);
+    to.vx = centi(estimate.velocity_mps.x);
+    to.vy = centi(estimate.velocity_mps.y);
+    to.vz = centi(estimate.velocity_mps.z);
     to.hdg = core::wrap360_cd(vehicle.attitude.yaw_rad);
     return true;
 }
 
 // From home, which is where height 0 is too.
 bool fillIn(const Link&, mavlink::LocalPositionNed& to) {
-    if (!vehicle.home.set || !vehicle.estimate.known) return false;
-    const geo::Offset away = geo::offset(vehicle.home.position, vehicle.estimate.position);
+    const auto& estimate = core::based(vehicle.estimate);
+    if (!vehicle.home.set || !estimate.known) return false;
+    const geo::Offset away = geo::offset(vehicle.home.position, estimate.position);
     to.time_boot_ms = hal::frame_ms();
     to.x = away.north_m;
     to.y = away.east_m;
-    to.z = -vehicle.estimate.height_m;
-    to.vx = vehicle.estimate.velocity_mps.x;
-    to.vy = vehicle.estimate.velocity_mps.y;
-    to.vz = vehicle.estimate.velocity_mps.z;
+    to.z = -estimate.height_m;
+    to.vx = estimate.velocity_mps.x;
+    to.vy = estimate.velocity_mps.y;
+    to.vz = estimate.velocity_mps.z;
     return true;
 }
 
@@ -190,14 +194,15 @@ bool fillIn(const Link&, mavlink::Wind& to) {
 }
 
 bool fillIn(const Link&, mavlink::NavControllerOutput& to) {
+    const auto& progress = core::based(vehicle.progress);
     to.nav_roll = core::degrees(vehicle.roll_demand_rad.toFloat());
     to.nav_pitch = core::degrees(vehicle.pitch_demand_rad.toFloat());
-    to.nav_bearing = degreesOf(vehicle.progress.nav_bearing_cd);
-    to.target_bearing = degreesOf(vehicle.progress.target_bearing_cd);
-    to.wp_dist = static_cast<uint16_t>(core::limit(vehicle.progress.distance_m, 0.0f, 65535.0f));
-    to.alt_error = vehicle.progress.height_error_m;
-    to.aspd_error = vehicle.progress.airspeed_error_mps;
-    to.xtrack_error = vehicle.progress.crosstrack_m;
+    to.nav_bearing = degreesOf(progress.nav_bearing_cd);
+    to.target_bearing = degreesOf(progress.target_bearing_cd);
+    to.wp_dist = static_cast<uint16_t>(core::limit(progress.distance_m, 0.0f, 65535.0f));
+    to.alt_error = progress.height_error_m;
+    to.aspd_error = progress.airspeed_error_mps;
+    to.xtrack_error = progress.crosstrack_m;
     return true;
 }
 

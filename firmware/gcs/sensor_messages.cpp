@@ -3,6 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "core/based.hpp"
 #include "core/maths.hpp"
 #include "core/seldom.hpp"
 #include "firmware/gcs/gps_time.hpp"
@@ -91,16 +92,17 @@ bool fillIn(const Link&, mavlink::ScaledPressure& to) {
 }
 
 bool fillIn(const Link&, mavlink::GpsRawInt& to) {
-    to.time_usec = micros(vehicle.gps.received_ms);
-    to.fix_type = static_cast<uint8_t>(vehicle.gps.fix);
-    to.lat = vehicle.gps.position.latitude_e7;
-    to.lon = vehicle.gps.position.longitude_e7;
-    to.alt = vehicle.gps.altitude_cm * 10;
-    to.eph = vehicle.gps.hdop_c;
+    const auto& gps = core::based(vehicle.gps);
+    to.time_usec = micros(gps.received_ms);
+    to.fix_type = static_cast<uint8_t>(gps.fix);
+    to.lat = gps.position.latitude_e7;
+    to.lon = gps.position.longitude_e7;
+    to.alt = gps.altitude_cm * 10;
+    to.eph = gps.hdop_c;
     to.epv = UINT16_MAX;
-    to.vel = static_cast<uint16_t>(core::inHundredths(vehicle.gps.ground_speed_mps));
-    to.cog = static_cast<uint16_t>(vehicle.gps.course_cd);
-    to.satellites_visible = vehicle.gps.satellites;
+    to.vel = static_cast<uint16_t>(core::inHundredths(gps.ground_speed_mps));
+    to.cog = static_cast<uint16_t>(gps.course_cd);
+    to.satellites_visible = gps.satellites;
     return true;
 }
 

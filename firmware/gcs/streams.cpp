@@ -4,6 +4,7 @@
 #include <string.h>
 #include "firmware/actuators/camera.hpp"
 
+#include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
@@ -159,7 +160,7 @@ bool ratesHaveChanged(const Link& link) {
 }
 
 void workOutRates(Link& link) {
-    Streams& streams = link.streams;
+    Streams& streams = core::based(link.streams);
     const Rates rates = ratesOf(link);
     for (uint8_t row = 0; row < kOutgoingRows; ++row)
         if ((ownBits(streams, row) & ownBit(row)) == 0)
@@ -259,7 +260,7 @@ void streamsTick(Link& link) {
 bool heartbeatDue(const Link& link) { return link.streams.phase[kHeartbeatRow] >= kDue; }
 
 bool streamsSend(Link& link) {
-    Streams& streams = link.streams;
+    Streams& streams = core::based(link.streams);
     if (streams.due == 0) return false;
     if (heartbeatDue(link)) return sendRow(link, kHeartbeatRow);
     uint8_t row = streams.last_row;  // stored at each step it would take 0.1 % of the processor

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
@@ -61,7 +62,7 @@ void beginPath() {
 // up to ARSPD_FBW_MAX.
 void keepGroundSpeed(Plan& plan) {
     const int16_t least_cms = parameters.min_ground_speed_cms;
-    const auto& estimate = vehicle.estimate;
+    const auto& estimate = core::based(vehicle.estimate);
     if (least_cms == 0 || progress.flaring || estimate.airspeed_mps < kSlowest_mps) return;
     const core::Vector3 air_mps = estimate.velocity_mps - estimate.wind_mps;
     const float forward_mps =

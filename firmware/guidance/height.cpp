@@ -64,7 +64,7 @@ float pathAcceleration_mss() {
 }
 
 ::control::SpeedHeightMeasured measured() {
-    const auto& estimate = vehicle.estimate;
+    const auto& estimate = core::based(vehicle.estimate);
     return {estimate.height_m,      estimate.climb_mps, airspeed_mps(),
             pathAcceleration_mss(), cosRoll(),          vehicle.airspeed.healthy};
 }
@@ -151,7 +151,7 @@ core::Angle blindPitch_rad() {
 }  // namespace
 
 float trueFromEquivalent() {
-    const auto& estimate = vehicle.estimate;
+    const auto& estimate = core::based(vehicle.estimate);
     if (estimate.equivalent_airspeed_mps < kFlyingSpeed_mps) return 1;
     return core::limit(estimate.airspeed_mps / estimate.equivalent_airspeed_mps, 0.8f, 2.0f);
 }
@@ -180,9 +180,10 @@ void flyHeight(const Plan& plan) {
     const ::control::SpeedHeightDemand demand = {
         blind ? vehicle.estimate.height_m : plan.height.height_m, plan.height.climb_mps,
         nudged_mps(plan.airspeed_mps) * true_speed};
-    const auto out = core::based(height_control.speed_height)
-                         .run(parameters.speed_height, limits(plan, true_speed), demand, measured(),
-                              blind ? ::control::Phase::approach : plan.phase, kPeriod_s);
+    const auto out =
+        core::based(height_control.speed_height)
+            .run(core::based(parameters.speed_height), limits(plan, true_speed), demand, measured(),
+                 blind ? ::control::Phase::approach : plan.phase, kPeriod_s);
     learnLevel();
     demandPitch(blind ? blindPitch_rad() : core::Angle(out.pitch_rad));
     demandThrottle(core::Ratio(out.throttle));

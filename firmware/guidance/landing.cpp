@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/fixed.hpp"
 #include "core/maths.hpp"
@@ -97,7 +98,7 @@ float demandedPower(const navigation::Lateral& lateral, float missing_mps) {
 
 navigation::HeightDemand height(const navigation::Lateral& lateral, float along_mps,
                                 float into_wind) {
-    const auto& demand = vehicle.demand;
+    const auto& demand = core::based(vehicle.demand);
     const float counted_from_m = ground_m();  // in this run: at its end it may be another
     const navigation::LandingSettings settings = {
         parameters.flare_height_m, parameters.flare_s,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/guidance/lateral.hpp"
 
+#include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "estimation/atan2_table.hpp"
@@ -56,7 +57,7 @@ void planLateral() {
 }
 
 navigation::Motion motion() {
-    const auto& estimate = vehicle.estimate;
+    const auto& estimate = core::based(vehicle.estimate);
     navigation::Motion motion;
     motion.velocity_mps = {estimate.velocity_mps.x, estimate.velocity_mps.y};
     motion.wind_mps = {estimate.wind_mps.x, estimate.wind_mps.y};

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/based.hpp"
 #include "core/maths.hpp"
 #include "core/seldom.hpp"
 #include "drivers/ublox.hpp"
@@ -58,7 +59,7 @@ uint16_t heading_cd() {
     return static_cast<uint16_t>(
         core::wrap360_cd(core::rounded(core::centidegrees(vehicle.attitude.yaw_rad.toFloat()))));
 }
-uint8_t percent(core::Ratio of_all) {
+SELDOM uint8_t percent(core::Ratio of_all) {
     return static_cast<uint8_t>(
         core::times14(core::limit<int16_t>(of_all.raw, 0, core::Ratio::kOne), 100));
 }
@@ -198,7 +199,7 @@ bool putAttitude() {
 }
 
 bool putGps() {
-    const auto& gps = vehicle.gps;
+    const auto& gps = core::based(vehicle.gps);
     GpsRecord record;
     record.status = static_cast<uint8_t>(gps.fix);
     record.time_ms = gpsFix().time_ms;
@@ -304,7 +305,7 @@ bool putControl() {
 }
 
 bool putNavigation() {
-    const auto& progress = vehicle.progress;
+    const auto& progress = core::based(vehicle.progress);
     NavigationTuningRecord record;
     record.distance_m = static_cast<uint16_t>(core::limit(progress.distance_m, 0.0f, 65535.0f));
     record.target_bearing_cd = progress.target_bearing_cd;

@@ -2,6 +2,7 @@
 // CONDITIONs: what the commands behind them wait for.
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
+#include "core/seldom.hpp"
 #include "firmware/guidance/demand.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -28,7 +29,7 @@ struct Climb {
 };
 core::FileState<Climb> climb{};
 
-Progress delayed(uint32_t delay_s) {
+SELDOM Progress delayed(uint32_t delay_s) {
     return (hal::now_ms() - delay.since_ms) / 1000 >= delay_s ? Progress::done : Progress::running;
 }
 

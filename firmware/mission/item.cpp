@@ -5,6 +5,7 @@
 
 #include "core/maths.hpp"
 #include "core/rom.hpp"
+#include "core/seldom.hpp"
 #include "firmware/mission/command_table.hpp"
 #include "firmware/mission/forms.hpp"
 #include "firmware/state/parameters.hpp"
@@ -30,7 +31,7 @@ enum Frame : uint8_t {
 };
 
 // Out of what an int32 holds becomes the end of it, which no field takes.
-int32_t whole(float value) {
+SELDOM int32_t whole(float value) {
     if (!(fabsf(value) < 2147483520.0f)) return value < 0 ? INT32_MIN : INT32_MAX;
     return core::rounded(value);
 }

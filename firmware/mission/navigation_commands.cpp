@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // NAV: what the airplane flies to. A start writes vehicle.demand, a check reads vehicle.progress.
+#include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "firmware/guidance/demand.hpp"
@@ -257,7 +258,7 @@ namespace {
 // As long as a place far ahead can be true.
 geo::Position straightAhead() {
     constexpr float kAhead_m = 5000, kSlowest_mps = 3;  // a slower course is noise
-    const auto& now = vehicle.estimate;
+    const auto& now = core::based(vehicle.estimate);
     if (now.ground_speed_mps >= kSlowest_mps) {
         const float share = kAhead_m / now.ground_speed_mps;
         return geo::moved(now.position, {now.velocity_mps.x * share, now.velocity_mps.y * share});

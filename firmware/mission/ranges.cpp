@@ -3,6 +3,7 @@
 // run time any answer but 0 means that the record is skipped.
 #include <math.h>
 
+#include "core/seldom.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/mission.hpp"
 #include "firmware/state/mode_traits.hpp"
@@ -32,7 +33,7 @@ uint8_t pulse(int32_t value, uint8_t parameter) {
     return within(value, kShortestPulse_us, kLongestPulse_us) ? kFine : wrong(parameter);
 }
 
-uint8_t airSpeed(int32_t speed_cms, uint8_t parameter) {
+SELDOM uint8_t airSpeed(int32_t speed_cms, uint8_t parameter) {
     return within(speed_cms, parameters.speed_min_mps * 100L, parameters.speed_max_mps * 100L)
                ? kFine
                : wrong(parameter);

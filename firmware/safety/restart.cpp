@@ -185,7 +185,7 @@ void reportInternalErrors() {
 }
 
 bool homeIsSaved() {
-    const auto& home = vehicle.home;
+    const auto& home = core::based(vehicle.home);
     return restart.home_saved && records.slow.home.latitude_e7 == home.position.latitude_e7 &&
            records.slow.home.longitude_e7 == home.position.longitude_e7 &&
            records.slow.home_altitude_cm == home.altitude_cm;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/gps.hpp"
 
+#include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "firmware/notify/status_text.hpp"
 #include "firmware/sensors/devices.hpp"
@@ -49,23 +50,24 @@ void reportWhatWasFound() {
 }
 
 void take(const drivers::GpsFix& fix) {
+    auto& state = core::based(published);
     constexpr float kMetre = 0.01f;
-    published.fix = static_cast<GpsFix>(fix.type);
-    published.satellites = fix.satellites;
-    published.hdop_c = fix.hdop_c;
-    published.received_ms = hal::now_ms();
-    published.age_ms = fix.age_ms;
+    state.fix = static_cast<GpsFix>(fix.type);
+    state.satellites = fix.satellites;
+    state.hdop_c = fix.hdop_c;
+    state.received_ms = hal::now_ms();
+    state.age_ms = fix.age_ms;
     if (fix.type == drivers::GpsFixType::none) return;
-    published.position = {fix.latitude_e7, fix.longitude_e7};
-    published.altitude_cm = fix.altitude_cm;
+    state.position = {fix.latitude_e7, fix.longitude_e7};
+    state.altitude_cm = fix.altitude_cm;
     // what the receiver does not report of climbing and sinking the barometer does
-    published.velocity_mps = {
+    state.velocity_mps = {
         core::hundredths(fix.north_cms), core::hundredths(fix.east_cms),
         fix.has_down ? core::hundredths(fix.down_cms) : -vehicle.estimate.climb_mps};
-    published.measures_climb = fix.has_down;
-    published.ground_speed_mps = fix.speed_cms * kMetre;
-    published.course_cd = fix.course_cd;
-    ++published.fixes;
+    state.measures_climb = fix.has_down;
+    state.ground_speed_mps = fix.speed_cms * kMetre;
+    state.course_cd = fix.course_cd;
+    ++state.fixes;
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ struct Inertial {
 };
 core::FileState<Inertial> inertial{};
 
-Trim trim(float rad) {
+SELDOM Trim trim(float rad) {
     constexpr float kMax_rad = 0.2f;
     return Trim::fromRaw(
         static_cast<int16_t>(core::limit(rad, -kMax_rad, kMax_rad) * Trim::kSteps));

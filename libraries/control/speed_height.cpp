@@ -57,9 +57,11 @@ void SpeedHeight::start(const SpeedHeightMeasured& now, float pitch_rad, float t
 }
 
 // Airspeed and its rate from the noisy sensor and the accelerometer; the loop between them also
-// learns what the accelerometer is off by.
-void SpeedHeight::filterSpeed(const SpeedHeightSettings& settings, const SpeedHeightMeasured& now,
-                              float dt_s) {
+// learns what the accelerometer is off by. Not inlined: its variables would lie in a stack frame
+// beyond what an instruction reaches.
+__attribute__((noinline)) void SpeedHeight::filterSpeed(const SpeedHeightSettings& settings,
+                                                        const SpeedHeightMeasured& now,
+                                                        float dt_s) {
     const float omega = settings.speed_omega_rads;
     const float error_mps = now.airspeed_mps - speed_mps_;
     speed_bias_mss_ += error_mps * core::square(omega) * 0.1f * dt_s;

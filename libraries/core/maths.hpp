@@ -41,20 +41,21 @@ __attribute__((noinline)) inline float inverse(float value) { return 1 / value; 
 __attribute__((noinline)) inline float half(float value) { return value * 0.5f; }
 __attribute__((noinline)) inline int32_t inHundredths(float value) { return rounded(value * 100); }
 
+// Not inlined either, as their loops are long.
 // -180..180 degrees
-constexpr int32_t wrap180_cd(int32_t angle_cd) {
+__attribute__((noinline)) constexpr int32_t wrap180_cd(int32_t angle_cd) {
     while (angle_cd > 18000) angle_cd -= 36000;
     while (angle_cd <= -18000) angle_cd += 36000;
     return angle_cd;
 }
 // 0..360 degrees
-constexpr int32_t wrap360_cd(int32_t angle_cd) {
+__attribute__((noinline)) constexpr int32_t wrap360_cd(int32_t angle_cd) {
     while (angle_cd >= 36000) angle_cd -= 36000;
     while (angle_cd < 0) angle_cd += 36000;
     return angle_cd;
 }
 // -pi..pi; for sums of a few such angles
-inline float wrapPi(float angle_rad) {
+__attribute__((noinline)) inline float wrapPi(float angle_rad) {
     while (angle_rad > kPi) angle_rad -= 2 * kPi;
     while (angle_rad < -kPi) angle_rad += 2 * kPi;
     return angle_rad;

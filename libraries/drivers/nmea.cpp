@@ -2,6 +2,7 @@
 #include "drivers/nmea.hpp"
 
 #include "core/rom.hpp"
+#include "core/seldom.hpp"
 
 namespace drivers {
 namespace {
@@ -99,7 +100,7 @@ bool take(const uint8_t* at, uint8_t layout, Values& values) {
 }
 
 // From (d)ddmm.mmmmm to 1e-7 degrees.
-int32_t angle_e7(int32_t degrees_minutes, int32_t letter, uint8_t negative, bool& odd) {
+SELDOM int32_t angle_e7(int32_t degrees_minutes, int32_t letter, uint8_t negative, bool& odd) {
     constexpr int32_t kDegree = 10000000;
     const int32_t minutes_e5 = degrees_minutes % kDegree;
     if (degrees_minutes < 0 || minutes_e5 > 6000000) odd = true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimation/compass_field.hpp"
+#include "core/seldom.hpp"
 
 namespace estimation {
 namespace {
@@ -7,6 +8,10 @@ namespace {
 constexpr float kOwn_s = 15.0f;
 constexpr float kEarth_s = 40.0f;
 constexpr float kMaxOwn_mg = 300.0f;
+
+SELDOM void addLimited(float& own_mg, float step_mg) {
+    own_mg = core::limit(own_mg + step_mg, -kMaxOwn_mg, kMaxOwn_mg);
+}
 
 }  // namespace
 
@@ -25,9 +30,9 @@ core::Vector3 CompassField::unexpected(const core::Vector3& field_mg, float dt_s
 
 void CompassField::learn(const core::Vector3& odd_mg, float dt_s) {
     const float share = dt_s * (1.0f / kOwn_s);
-    own_mg_.x = core::limit(own_mg_.x + odd_mg.x * share, -kMaxOwn_mg, kMaxOwn_mg);
-    own_mg_.y = core::limit(own_mg_.y + odd_mg.y * share, -kMaxOwn_mg, kMaxOwn_mg);
-    own_mg_.z = core::limit(own_mg_.z + odd_mg.z * share, -kMaxOwn_mg, kMaxOwn_mg);
+    addLimited(own_mg_.x, odd_mg.x * share);
+    addLimited(own_mg_.y, odd_mg.y * share);
+    addLimited(own_mg_.z, odd_mg.z * share);
 }
 
 void CompassField::save(Known& known) const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimation/gyro_bias_init.hpp"
+#include "core/seldom.hpp"
 
 namespace estimation {
 namespace {
@@ -12,6 +13,10 @@ constexpr float kForce_mss = 0.5f;
 constexpr float kSwayed_rads = 0.08f, kRocked_rads = 0.2f, kTurned_rads = 0.03f;
 constexpr float kAgreed_rads = 0.005f;  // 0.3 deg/s
 constexpr float kMaxZero_rads = 0.35f;  // 20 deg/s, MPU-6000 data sheet: zero-rate output
+
+SELDOM void approach(core::Vector3& mean, const core::Vector3& value, float share) {
+    mean = mean + (value - mean) * share;
+}
 
 bool near(const core::Vector3& a, const core::Vector3& b, float limit, float limit_z) {
     return fabsf(a.x - b.x) < limit && fabsf(a.y - b.y) < limit && fabsf(a.z - b.z) < limit_z;
@@ -53,9 +58,9 @@ bool GyroBiasInit::usePart() {
     }
     rocked_ = rocked_ || !near(rate, mean_, kRate_rads, kRate_rads);
     const float share = core::inverse(core::real(++parts_));
-    mean_ = mean_ + (rate - mean_) * share;
+    approach(mean_, rate, share);
     if (done()) return useMean();
-    force_ = force_ + (force - force_) * share;
+    approach(force_, force, share);
     return parts_ == (rocked_ ? kRocked : kSecond) && useFirst();
 }
 

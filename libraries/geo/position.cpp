@@ -29,7 +29,8 @@ struct Scale {
 };
 core::FileState<Scale> cached{};
 
-Scale scaleAt(int32_t latitude_e7) {
+// Not inlined: it is needed once in 20 km.
+__attribute__((noinline)) Scale scaleAt(int32_t latitude_e7) {
     const float latitude_rad = static_cast<float>(latitude_e7) * kRadiansPerE7;
     const float sine = sinf(latitude_rad);
     const float cosine = core::limit<float>(cosf(latitude_rad), 1e-3f, 1.0f);

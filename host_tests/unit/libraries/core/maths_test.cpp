@@ -17,13 +17,28 @@ TEST(Limit, keeps_what_lies_between_and_stops_at_the_ends) {
     EXPECT_EQ(core::limit(-5, -3, 3), -3);
 }
 
-TEST(Limit, of_a_share_is_what_it_is_of_any_two) {
-    const volatile float zero = 0, one = 1;  // not known to the compiler
-    for (const float value : {0.0f, -0.0f, 1.0f, 0.5f, -0.5f, 0.99999994f, 1.0000001f, 1e-40f,
-                              -1e-40f, 2.0f, 1e30f, -1e30f, float(INFINITY), -float(INFINITY),
-                              float(copysignf(NAN, 1)), float(copysignf(NAN, -1))})
-        EXPECT_EQ(core::bitsOf(core::limit(value, 0.0f, 1.0f)),
-                  core::bitsOf(core::limit(value, float(zero), float(one))));
+constexpr float kEdges[] = {
+    0.0f,        -0.0f,  1.0f,    0.5f, -0.5f, -1.0f, 0.99999994f, 1.0000001f, -0.99999994f,
+    -1.0000001f, 1e-40f, -1e-40f, 2.0f, -2.0f, 1e30f, -1e30f,      INFINITY,   -INFINITY};
+
+// The compiler calls another function where it knows that a bound is 0 or follows from the other.
+void expectTheSame(float value) {
+    const volatile float zero = 0, one = 1, minus_one = -1;  // not known to the compiler
+    const volatile float highest = 0.75f;
+    EXPECT_EQ(core::bitsOf(core::limit(value, 0.0f, 1.0f)),
+              core::bitsOf(core::limit(value, float(zero), float(one))));
+    EXPECT_EQ(core::bitsOf(core::limit(value, 0.0f, float(highest))),
+              core::bitsOf(core::limit(value, float(zero), float(highest))));
+    EXPECT_EQ(core::bitsOf(core::limit(value, 0.0f, float(minus_one))),
+              core::bitsOf(core::limit(value, float(zero), float(minus_one))));
+    EXPECT_EQ(core::bitsOf(core::limit(value, -1.0f, 1.0f)),
+              core::bitsOf(core::limit(value, float(minus_one), float(one))));
+}
+
+TEST(Limit, by_known_bounds_is_what_it_is_by_any_two) {
+    for (const float value : kEdges) expectTheSame(value);
+    expectTheSame(copysignf(NAN, 1));
+    expectTheSame(copysignf(NAN, -1));
 }
 
 TEST(Limit, takes_no_number_for_infinity_with_its_sign) {
@@ -31,6 +46,13 @@ TEST(Limit, takes_no_number_for_infinity_with_its_sign) {
     EXPECT_EQ(core::limit(-float(INFINITY), -1.0f, 2.0f), -1.0f);
     EXPECT_EQ(core::limit(float(copysignf(NAN, 1)), -1.0f, 2.0f), 2.0f);
     EXPECT_EQ(core::limit(float(copysignf(NAN, -1)), -1.0f, 2.0f), -1.0f);
+}
+
+TEST(Maths, inverse_half_and_hundredths) {
+    EXPECT_EQ(core::inverse(4), 0.25f);
+    EXPECT_EQ(core::half(-3), -1.5f);
+    EXPECT_EQ(core::inHundredths(1.236f), 124);
+    EXPECT_EQ(core::inHundredths(-1.236f), -124);
 }
 
 }  // namespace
