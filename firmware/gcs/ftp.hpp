@@ -33,15 +33,20 @@ struct __attribute__((packed)) FtpRequest {
     uint8_t data[38];
 };
 
-// Not longer than a message of a log, so that whatever is downloaded waits for the same room.
-constexpr uint8_t kFtpData = sizeof(mavlink::LogData) - sizeof(FtpHeader);
+// What Mission Planner asks for; MAVProxy asks for 80, QGroundControl for the 239 there can be.
+constexpr uint8_t kFtpData = 110;
+constexpr uint8_t kFtpFrame =
+    mavlink::kHeaderV2 + sizeof(FtpHeader) + kFtpData + mavlink::kChecksum;
 
 bool onFileTransfer(Link& link, const mavlink::Frame& frame);
 
 bool ftpWaits(const Link& link);  // a file is being sent on it
 bool ftpSend(Link& link);         // one step towards it; false: it has to wait
 
-inline bool downloadWaits(const Link& link) { return ftpWaits(link) || logsWait(link); }
+// The size of a frame of what is downloaded on it, without its signature; 0: nothing is.
+inline uint8_t downloadFrame(const Link& link) {
+    return ftpWaits(link) ? kFtpFrame : logsWait(link) ? kLogFrame : 0;
+}
 
 }  // namespace gcs
 }  // namespace firmware

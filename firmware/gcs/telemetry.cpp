@@ -130,13 +130,14 @@ bool hasSomething(const Link& link) {
 uint8_t roomToSend(const Link& link) {
     if (hal::linkHeldSize(portOf(link)) != 0) return kAnyRoom;
     if (hasSomething(link)) return signedSize(link, kLargestFrame);
-    return downloadWaits(link) ? signedSize(link, kLogFrame) : kNoRoomWakes;
+    const uint8_t frame = downloadFrame(link);
+    return frame != 0 ? signedSize(link, frame) : kNoRoomWakes;
 }
 
 // One message, of what goes out by itself. A download takes turns with all the rest. Not inlined,
 // as receive() is not.
 __attribute__((noinline)) bool sendOne(Link& link) {
-    if (downloadWaits(link)) {
+    if (downloadFrame(link) != 0) {
         link.download_is_next = !link.download_is_next;
         if (link.download_is_next && !heartbeatDue(link) && (ftpSend(link) || logsSend(link)))
             return true;

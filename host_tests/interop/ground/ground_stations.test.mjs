@@ -5,6 +5,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { assertSame, download, fence, kFence, kRally, rally, upload, wholePlan as plan } from './points.mjs';
+import { decode, Ftp, kFile } from '../../support/ftp_client.mjs';
 import { withVehicle } from '../../support/vehicle.mjs';
 
 const kAccepted = 0, kUnsupported = 3;
@@ -21,6 +22,12 @@ async function loaded(vehicle) {
   assert.equal(await upload(vehicle, square, kFence), 0);
   assert.equal(await upload(vehicle, places, kRally), 0);
   vehicle.forget();
+}
+
+// Who sees the capability asks for the file, and for the list when that fails.
+async function parameterFile(vehicle, size) {
+  const parameters = decode(await new Ftp(vehicle).download(kFile, size));
+  assert.ok(parameters.some(({ name, value }) => name === 'SYSID_MYGCS' && value === 255));
 }
 
 async function allParameters(vehicle) {
@@ -41,6 +48,7 @@ test('QGroundControl connects: version, modes, metadata, parameters, mission, fe
     assert.equal(await vehicle.command(kRequestMessage, [kAutopilotVersion]), kAccepted);
     const { capabilities } = await vehicle.expect('AUTOPILOT_VERSION');
     assert.ok(BigInt(capabilities) & kFenceItems && BigInt(capabilities) & kRallyItems, 'it is asked for both');
+    assert.ok(BigInt(capabilities) & kFtp, 'it is asked for the file of parameters');
     for (let index = 1, count = 1; index <= count; ++index) {
       assert.equal(await vehicle.command(kRequestMessage, [kAvailableModes, index]), kAccepted);
       const { numberModes, modeIndex } = await vehicle.expect('AVAILABLE_MODES');
@@ -49,6 +57,7 @@ test('QGroundControl connects: version, modes, metadata, parameters, mission, fe
     }
     for (const metadata of [kComponentMetadata, kComponentInformation])
       assert.equal(await vehicle.command(kRequestMessage, [metadata]), kUnsupported);
+    await parameterFile(vehicle, 239);
     await allParameters(vehicle);
     assertSame(await download(vehicle), plan);
     assertSame(await download(vehicle, kFence), square);
@@ -74,10 +83,11 @@ test('Mission Planner connects: version, banner, parameters, streams, home, miss
   await vehicle.expect('HEARTBEAT', { within_ms: 1500 });
   assert.equal(await vehicle.command(kCapabilities, [1]), kAccepted);
   const { capabilities } = await vehicle.expect('AUTOPILOT_VERSION');
-  assert.equal(BigInt(capabilities) & kFtp, 0n, 'parameters are asked for one by one');
+  assert.ok(BigInt(capabilities) & kFtp, 'it is asked for the file of parameters');
   vehicle.forget();
   assert.equal(await vehicle.command(kBanner), kAccepted);
   await vehicle.expect('STATUSTEXT');
+  await parameterFile(vehicle, 110);
   await allParameters(vehicle);
   vehicle.forget();
   // status, position, attitude, sensors, inputs, as its settings have them
