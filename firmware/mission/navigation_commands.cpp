@@ -74,7 +74,7 @@ void demand(Path path, const Place& to, LegStart start) {
     demand.to = to.position;
     demand.height_m = to.height_m;
     demand.sloped = path == Path::land || (path != Path::takeoff && worthASlope(demand));
-    demand.radius_m = core::real(loiterRadius_m());
+    demand.radius_m = static_cast<float>(loiterRadius_m());
     demand.counter_clockwise = false;
     demand.climb_rate_mps = 0;
     if (!start.resumed) forgetClimb();

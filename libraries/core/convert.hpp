@@ -26,12 +26,22 @@ float limitShare(float value) __attribute__((const));
 
 namespace core {
 
+template <class Whole>
+constexpr bool fitsInt16() {
+    return sizeof(Whole) == 1 || (sizeof(Whole) == 2 && static_cast<Whole>(-1) < 0);
+}
+
 #ifdef __AVR__
 inline int32_t truncated(float value) { return static_cast<int32_t>(value); }
 inline int32_t rounded(float value) { return roundedFloat(value); }
 inline int16_t toFixed(float value, int8_t power) { return fixedFromFloat(value, power); }
 inline float fromFixed(int16_t raw, int8_t fraction) { return floatFromFixed(raw, fraction); }
-inline float real(int16_t value) { return floatFromInt16(value); }
+// What does not fit into 16 bits would be cut without a word.
+template <class Whole>
+inline float real(Whole value) {
+    static_assert(fitsInt16<Whole>(), "cast it");
+    return floatFromInt16(value);
+}
 inline float fromAngle(int16_t raw) { return floatFromAngle(raw); }
 inline float fromCentidegrees(int16_t value) { return floatFromCentidegrees(value); }
 inline float fromFixed30(int32_t raw) { return floatFromFixed30(raw); }
@@ -87,7 +97,10 @@ inline int16_t toFixed(float value, int8_t power) {
 inline float fromFixed(int16_t raw, int8_t fraction) {
     return scaled(static_cast<float>(raw), static_cast<int8_t>(-fraction));
 }
-inline float real(int16_t value) { return static_cast<float>(value); }
+template <class Whole>
+inline float real(Whole value) {  // on the chip of 16 bits at most: here an int is of 32
+    return static_cast<float>(value);
+}
 // Of a turn's 65536 parts, in radians.
 inline float fromAngle(int16_t raw) {
     return static_cast<float>(raw) * (1.0f / (32768.0f / 3.14159265f));

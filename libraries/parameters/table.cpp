@@ -61,7 +61,7 @@ float Table::value(uint8_t index) const {
         case Type::int32: {
             int32_t value;
             memcpy(&value, field, sizeof value);
-            return core::real(value);
+            return static_cast<float>(value);
         }
         case Type::real32:
             break;

@@ -75,6 +75,14 @@ struct ParameterStore : testing::Test {
     }
 };
 
+TEST(Table, a_value_of_each_width_is_the_field_s) {
+    fields = {-100, 30000, 1000000, 0.75f};
+    EXPECT_EQ(table.value(0), -100);
+    EXPECT_EQ(table.value(1), 30000);
+    EXPECT_EQ(table.value(2), 1000000);
+    EXPECT_EQ(table.value(3), 0.75f);
+}
+
 TEST_F(ParameterStore, gives_a_blank_eeprom_the_initial_values) {
     EXPECT_EQ(fields.small, 1);
     EXPECT_EQ(fields.middle, 300);
