@@ -139,7 +139,7 @@ TEST(ParameterFile, goes_no_further_than_some_entries_in_one_call) {
         const uint8_t before = cursor.number;
         const Status status = parameters::readFile(table, cursor, last, &byte, size);
         ++calls;
-        EXPECT_LE(cursor.number - before, 16);
+        EXPECT_LE(cursor.number - before, 8);
         if (status == Status::ok) break;
         ASSERT_EQ(status, Status::busy);
         ASSERT_LT(calls, 10);
