@@ -37,7 +37,8 @@ constexpr float kMiddle_radpm = 0.03f, kMaxToMiddle_rad = 0.1f;
 
 // What the wind loses near the ground comes off the airspeed within a second. The flare keeps power
 // for what the speed over the ground is below the approach's in calm air: the airspeed that is left
-// once the wind is gone. None is left at the ground, or, wherever that is, so far behind the point.
+// once the wind is gone. So it does for what a lull takes below the lowest speed, which would end
+// in a stall. None is left at the ground, or, wherever that is, so far behind the point.
 constexpr float kPerHeadwind_spm = 0.3f;
 constexpr float kMaxPower = 1.4f;   // of the cruise throttle
 constexpr float kPowered_m = 0.9f;  // less below
@@ -140,8 +141,10 @@ Plan flyLanding() {
         to_fly.phase = ::control::Phase::flare;
         to_fly.pitch_min_rad = core::fromCentidegrees(parameters.land_pitch_cd) -
                                kNoseDown_radpm * core::limit(aboveGround_m(), 0.0f, kMaxNoseDown_m);
-        descent.power =
-            core::Ratio(demandedPower(lateral, calm_mps - vehicle.estimate.ground_speed_mps));
+        const float lost_mps = calm_mps - vehicle.estimate.ground_speed_mps;
+        const float slow_mps =
+            parameters.speed_min_mps * trueFromEquivalent() - vehicle.estimate.airspeed_mps;
+        descent.power = core::Ratio(demandedPower(lateral, fmaxf(lost_mps, slow_mps)));
         steerTowards(legHeading_rad() - runwayError_rad(lateral.crosstrack_m));
     }
     progress.flaring = descent.landing.flaring();

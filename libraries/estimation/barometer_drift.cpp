@@ -7,8 +7,9 @@ namespace estimation {
 namespace {
 
 // Near the optimum (Kalman's filter, settled) for a drift of 0.35 m within 300 s and velocities
-// that err by 0.05 m/s five times a second.
-constexpr float kShare = 0.4f;
+// that err by 0.05 m/s five times a second, where it is 0.4: what velocities err by adds up to the
+// more, the seldomer they come.
+constexpr float kHalfShare_s = 0.133f;
 constexpr float kForgotten_s = 400.0f;
 constexpr float kMissed_s = 1.5f;   // between two fixes nobody knows how far it climbed
 constexpr float kMaxStep_m = 0.3f;  // between two fixes; a larger one is no drift
@@ -50,7 +51,8 @@ float BarometerDrift::useGps(float height_m, const Climb& climb, float dt_s) {
     }
     if (dt_s > kMissed_s || fabsf(apart_m) > kMaxStep_m + kMaxShare * fabsf(climbed_m)) return 0;
     const float forgotten = dt_s * (1.0f / kForgotten_s);
-    const float step_m = learn(apart_m, nearly_climbed_m) - drift_m_ * forgotten;
+    const float share = kHalfShare_s / (kHalfShare_s + dt_s);
+    const float step_m = learn(apart_m, nearly_climbed_m, share) - drift_m_ * forgotten;
     covariance_ -= covariance_ * forgotten;
     variance_less_ = core::limit(variance_less_ - kChanges_hz * dt_s, 0.0f, kUnknown);
     if (fabsf(drift_m_ + step_m) > kMax_m) return 0;
@@ -59,10 +61,10 @@ float BarometerDrift::useGps(float height_m, const Climb& climb, float dt_s) {
 }
 
 // What of it is drift; the rest is the scale, or noise.
-float BarometerDrift::learn(float apart_m, float climbed_m) {
+float BarometerDrift::learn(float apart_m, float climbed_m, float share) {
     const float variance = kUnknown - variance_less_;
     const float of_scale = -climbed_m * variance;
-    const float of_drift = kShare - climbed_m * covariance_;
+    const float of_drift = share - climbed_m * covariance_;
     const float of_fix = 1 + climbed_m * climbed_m * variance;
     const float by_scale = of_scale / of_fix;
     variance_less_ += by_scale * of_scale;

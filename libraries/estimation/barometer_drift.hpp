@@ -29,7 +29,7 @@ public:
     float useGps(float height_m, const Climb& climb, float dt_s);
 
 private:
-    float learn(float apart_m, float climbed_m);
+    float learn(float apart_m, float climbed_m, float share);
     static bool agree(float climb_mps, float other_mps);
     static constexpr uint8_t kPause = 10;
 

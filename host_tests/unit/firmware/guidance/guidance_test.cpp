@@ -735,6 +735,25 @@ TEST_F(Guidance, what_the_ground_speed_is_short_of_keeps_power_in_the_flare) {
     EXPECT_GT(vehicle.throttle_demand.toFloat(), 0.5f * cruise) << "in thin air it flies faster";
 }
 
+TEST_F(Guidance, what_a_lull_takes_below_the_lowest_speed_opens_the_throttle_in_the_flare) {
+    inTheAir();
+    onFinal(1.2f, 12);
+    const auto throttle = [this](float below_mps) {
+        auto& estimate = mutable_vehicle.estimate;
+        estimate.airspeed_mps = estimate.equivalent_airspeed_mps =
+            parameters.speed_min_mps - below_mps;
+        guide(15);
+        EXPECT_TRUE(vehicle.progress.flaring);
+        return vehicle.throttle_demand.toFloat();
+    };
+    const float cruise = parameters.cruise_throttle_pct * 0.01f;
+    EXPECT_EQ(throttle(0), 0);
+    EXPECT_NEAR(throttle(0.4f), 0.3f * 1.4f * cruise, 0.01);
+    EXPECT_NEAR(throttle(2), 1.4f * cruise, 0.01);
+    mutable_vehicle.estimate.height_m = 0;
+    EXPECT_EQ(throttle(2), 0) << "on the ground it is to become slower";
+}
+
 TEST_F(Guidance, the_nose_may_be_lower_in_the_flare_than_at_the_ground) {
     const auto pitch_rad = [this](float height_m) {
         inTheAir();

@@ -149,8 +149,8 @@ TEST(BarometerDrift, a_known_zero_does_not_drift) {
     EXPECT_NEAR(zero.height_m, 0, 0.01);
 }
 
-// With the errors of the flights' sensors.
-TEST(BarometerDrift, leaves_a_sixth_less_error_than_the_barometer_alone) {
+// Of the barometer's own error over ten minutes, with velocities that err by so much.
+double leftOfError(double velocity_mps, float interval_s) {
     double own = 0, left = 0;
     for (unsigned seed = 1; seed <= 30; ++seed) {
         std::mt19937 random(seed);
@@ -159,15 +159,26 @@ TEST(BarometerDrift, leaves_a_sixth_less_error_than_the_barometer_alone) {
         wander.start(random);
         const double start_m = wander.value;
         Zero zero(0);
-        for (int fix = 0; fix < 3000; ++fix) {
-            const double off_m = wander.step(kFix_s, random) - start_m;
-            zero.fix(off_m, 0, 0.05 * normal(random));
+        for (int fix = 0; fix * interval_s < 600; ++fix) {
+            const double off_m = wander.step(interval_s, random) - start_m;
+            zero.fix(off_m, 0, velocity_mps * normal(random), interval_s);
             own += off_m * off_m;
             left += std::pow(off_m - zero.height_m, 2);
         }
     }
+    return std::sqrt(left / own);
+}
 
-    EXPECT_LT(std::sqrt(left / own), 0.85);
+// With the errors of the flights' sensors.
+TEST(BarometerDrift, leaves_a_sixth_less_error_than_the_barometer_alone) {
+    EXPECT_LT(leftOfError(0.05, 0.2f), 0.85);
+    EXPECT_LT(leftOfError(0.05, 0.1f), 0.85);
+    EXPECT_LT(leftOfError(0.05, 1), 0.95);
+}
+
+// One fix a second does not show what gusts did in between, as if its velocity erred by that.
+TEST(BarometerDrift, hardly_adds_to_the_error_in_gusts_with_a_fix_a_second) {
+    EXPECT_LT(leftOfError(0.12, 1), 1.1);
 }
 
 }  // namespace
