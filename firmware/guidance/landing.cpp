@@ -143,7 +143,7 @@ Plan flyLanding() {
                                kNoseDown_radpm * core::limit(aboveGround_m(), 0.0f, kMaxNoseDown_m);
         const float lost_mps = calm_mps - vehicle.estimate.ground_speed_mps;
         const float slow_mps =
-            parameters.speed_min_mps * trueFromEquivalent() - vehicle.estimate.airspeed_mps;
+            speedMin_mps() * trueFromEquivalent() - vehicle.estimate.airspeed_mps;
         descent.power = core::Ratio(demandedPower(lateral, fmaxf(lost_mps, slow_mps)));
         steerTowards(legHeading_rad() - runwayError_rad(lateral.crosstrack_m));
     }
