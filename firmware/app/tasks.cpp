@@ -72,78 +72,83 @@ constexpr Tier slow = Tier::slow;      // mode switch, log and the rest: the fir
 // The budgets are what the flights of the tests have measured and a little more; the tests hold
 // each task's longest time between half its budget and all of it.
 // clang-format off
-extern constexpr scheduler::Task kTasks[] ROM = {
-    // tier    run                    every  in     budget
-    //                                frames frame  us
-    { fast,   runInertial,             1,     0,    1050 },
-    { fast,   runRadio,                1,     0,     200 },
-    { fast,   runAttitude,             1,     0,     300 },
-    { fast,   runMode,                 1,     0,     105 },
-    { fast,   runAttitudeControl,      1,     0,     340 },
-    { fast,   runOutputs,              1,     0,     150 },
-
-    { medium, runBarometer,            1,     0,     160 },
-    { medium, gatherPressure,          1,     0,       6 },
-    { medium, runGps,                  1,     0,     530 },
-    { medium, runAirspeed,             2,     1,      85 },
-    { medium, alignAttitude,          10,     9,     610 },
-    { medium, rotateDcm,              2,     0,     280 },
-    { medium, orthonormalizeMatrix,   10,     7,     330 },
-    { medium, pointYaw,               10,     0,     105 },
-    { medium, propagateMotion,         4,     1,     590 },
-    { medium, fusePressure,            5,     3,     420 },
-    { medium, publishSpeeds,           5,     1,     290 },
-    { medium, reckonPosition,         10,     7,     250 },
-    { medium, checkEstimate,          10,     8,       8 },
-    { medium, updateFlying,           10,     6,      50 },
-    { medium, fuseFixAttitude,         5,     0,    1540 },
-    { medium, fuseFixPosition,         5,     1,    1220 },
-    { medium, fuseFixWind,             5,     1,     570 },
-    { medium, fuseFixHeight,           5,     0,     460 },
-    { medium, learnGpsDelay,           5,     4,     520 },
-    { medium, fuseCompass,            20,    11,    1240 },
-    { medium, fuseAirspeed,           20,    19,    1290 },
-    { medium, telemetrySend,           2,     0,    1100 },
-    { medium, runGuidance,             5,     2,    2050 },
-    { medium, runSpeedHeight,         10,     4,    1750 },
-    { medium, runSpeedScaling,         5,     4,     160 },
-    { medium, runRestart,              2,     1,      95 },
-    { medium, missionRun,             10,     3,    2670 },
-    { medium, missionCatchUp,         10,     5,    1590 },
-    { medium, runInverted,            10,     2,      15 },
-    { medium, runStall,                5,     3,      53 },
-    { medium, runFence,               20,     1,    1030 },
-    { medium, runFailsafe,            10,     6,     500 },
-    // an APM 1's barometer has the bus of both early in the frame
-    { medium, runCompass,              2,     1,     250 },
-
-    { slow,   runLog,                  2,     0,    1010 },
-    { slow,   runModeSwitch,          10,     0,     215 },
-    { slow,   runAuxSwitches,         10,     1,     150 },
-    { slow,   runEvents,              10,     5,      35 },
-    { slow,   reportVariables,        10,     7,     340 },
-    { slow,   runCamera,              10,     9,     240 },
-    { slow,   runFlaps,               10,     8,      40 },
-    { slow,   runArming,              10,     9,     425 },
-    { slow,   runBattery,             40,     9,     340 },
-    { slow,   runRollGains,           20,     0,     170 },
-    { slow,   runPitchGains,          20,     9,     180 },
-    { slow,   runControlLimits,       20,     2,      75 },
-    { slow,   runInertialSettings,    20,     1,     115 },
-    { slow,   runLateralGains,       100,    35,     280 },
-    { slow,   runTargetBearing,       20,     5,     160 },
-    { slow,   runNavBearing,          40,     0,      45 },
-    { slow,   runCompassLearning,     10,     8,     290 },
-    { slow,   tuneStep,               10,     7,     270 },
-    { slow,   parametersRun,          10,     9,    1030 },
-    { slow,   rallyFollow,           100,     3,       3 },
-    { slow,   runLights,              10,     9,      55 },
-    { slow,   dataflashStep,          10,     9,      25 },
-    { slow,   measureLoad,           100,    59,      75 },
-    { slow,   runDeclination,        100,    41,     275 },
-    { slow,   runRestartSlowly,      100,    63,     400 },
-};
+#define TASKS(TASK)                                                           \
+    /* tier    run                    every  in     budget */                 \
+    /*                                frames frame  us */                     \
+    TASK(fast,   runInertial,             1,     0,    1050)                  \
+    TASK(fast,   runRadio,                1,     0,     200)                  \
+    TASK(fast,   runAttitude,             1,     0,     300)                  \
+    TASK(fast,   runMode,                 1,     0,     105)                  \
+    TASK(fast,   runAttitudeControl,      1,     0,     340)                  \
+    TASK(fast,   runOutputs,              1,     0,     150)                  \
+                                                                              \
+    TASK(medium, runBarometer,            1,     0,     160)                  \
+    TASK(medium, gatherPressure,          1,     0,       6)                  \
+    TASK(medium, runGps,                  1,     0,     530)                  \
+    TASK(medium, runAirspeed,             2,     1,      85)                  \
+    TASK(medium, alignAttitude,          10,     9,     610)                  \
+    TASK(medium, rotateDcm,              2,     0,     280)                   \
+    TASK(medium, orthonormalizeMatrix,   10,     7,     330)                  \
+    TASK(medium, pointYaw,               10,     0,     105)                  \
+    TASK(medium, propagateMotion,         4,     1,     590)                  \
+    TASK(medium, fusePressure,            5,     3,     420)                  \
+    TASK(medium, publishSpeeds,           5,     1,     290)                  \
+    TASK(medium, reckonPosition,         10,     7,     250)                  \
+    TASK(medium, checkEstimate,          10,     8,       8)                  \
+    TASK(medium, updateFlying,           10,     6,      50)                  \
+    TASK(medium, fuseFixAttitude,         5,     0,    1540)                  \
+    TASK(medium, fuseFixPosition,         5,     1,    1220)                  \
+    TASK(medium, fuseFixWind,             5,     1,     570)                  \
+    TASK(medium, fuseFixHeight,           5,     0,     460)                  \
+    TASK(medium, learnGpsDelay,           5,     4,     520)                  \
+    TASK(medium, fuseCompass,            20,    11,    1240)                  \
+    TASK(medium, fuseAirspeed,           20,    19,    1290)                  \
+    TASK(medium, telemetrySend,           2,     0,    1100)                  \
+    TASK(medium, runGuidance,             5,     2,    2050)                  \
+    TASK(medium, runSpeedHeight,         10,     4,    1750)                  \
+    TASK(medium, runSpeedScaling,         5,     4,     160)                  \
+    TASK(medium, runRestart,              2,     1,      95)                  \
+    TASK(medium, missionRun,             10,     3,    2670)                  \
+    TASK(medium, missionCatchUp,         10,     5,    1590)                  \
+    TASK(medium, runInverted,            10,     2,      15)                  \
+    TASK(medium, runStall,                5,     3,      53)                  \
+    TASK(medium, runFence,               20,     1,    1030)                  \
+    TASK(medium, runFailsafe,            10,     6,     500)                  \
+    /* an APM 1's barometer has the bus of both early in the frame */         \
+    TASK(medium, runCompass,              2,     1,     250)                  \
+                                                                              \
+    TASK(slow,   runLog,                  2,     0,    1010)                  \
+    TASK(slow,   runModeSwitch,          10,     0,     215)                  \
+    TASK(slow,   runAuxSwitches,         10,     1,     150)                  \
+    TASK(slow,   runEvents,              10,     5,      35)                  \
+    TASK(slow,   reportVariables,        10,     7,     340)                  \
+    TASK(slow,   runCamera,              10,     9,     240)                  \
+    TASK(slow,   runFlaps,               10,     8,      40)                  \
+    TASK(slow,   runArming,              10,     9,     425)                  \
+    TASK(slow,   runBattery,             40,     9,     340)                  \
+    TASK(slow,   runRollGains,           20,     0,     170)                  \
+    TASK(slow,   runPitchGains,          20,     9,     180)                  \
+    TASK(slow,   runControlLimits,       20,     2,      75)                  \
+    TASK(slow,   runInertialSettings,    20,     1,     115)                  \
+    TASK(slow,   runLateralGains,       100,    35,     280)                  \
+    TASK(slow,   runTargetBearing,       20,     5,     160)                  \
+    TASK(slow,   runNavBearing,          40,     0,      45)                  \
+    TASK(slow,   runCompassLearning,     10,     8,     290)                  \
+    TASK(slow,   tuneStep,               10,     7,     270)                  \
+    TASK(slow,   parametersRun,          10,     9,    1030)                  \
+    TASK(slow,   rallyFollow,           100,     3,       3)                  \
+    TASK(slow,   runLights,              10,     9,      55)                  \
+    TASK(slow,   dataflashStep,          10,     9,      25)                  \
+    TASK(slow,   measureLoad,           100,    59,      75)                  \
+    TASK(slow,   runDeclination,        100,    41,     275)                  \
+    TASK(slow,   runRestartSlowly,      100,    63,     400)
 // clang-format on
+#define ROW(tier, run, every, in, budget_us) {tier, run, every, in, budget_us},
+extern constexpr scheduler::Task kTasks[] ROM = {TASKS(ROW)};
+#define NAME(tier, run, every, in, budget_us) #run,
+constexpr char kTaskNames[][24] = {TASKS(NAME)};
+constexpr core::PackedList<core::listCodes(kTaskNames, notify::kTextPairs)> kPackedNames
+    ROM(kTaskNames, notify::kTextPairs);
 
 namespace {
 
@@ -239,6 +244,11 @@ void loop() {
 
 uint8_t taskCount() { return core::count(kTasks); }
 uint16_t taskLongest_us(uint8_t task) { return schedule.longest_us(task); }
+
+gcs::TaskFigures taskFigures(uint8_t task) {
+    return {notify::StatusText(core::textOfList(kPackedNames.codes, task)), taskLongest_us(task),
+            core::romRead(kTasks[task].budget_us)};
+}
 
 }  // namespace app
 }  // namespace firmware

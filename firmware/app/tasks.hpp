@@ -3,6 +3,8 @@
 #pragma once
 #include <stdint.h>
 
+#include "firmware/gcs/host.hpp"
+
 namespace firmware {
 namespace app {
 
@@ -11,6 +13,7 @@ void loop();   // one frame if it is due, else received bytes, else rest
 
 uint8_t taskCount();
 uint16_t taskLongest_us(uint8_t task);
+gcs::TaskFigures taskFigures(uint8_t task);
 
 }  // namespace app
 }  // namespace firmware

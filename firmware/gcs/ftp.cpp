@@ -6,6 +6,7 @@
 #include "core/file_state.hpp"
 #include "core/rom.hpp"
 #include "firmware/gcs/link.hpp"
+#include "firmware/gcs/system_files.hpp"
 #include "firmware/gcs/transfer.hpp"
 #include "firmware/state/parameter_file.hpp"
 
@@ -29,11 +30,12 @@ struct Session {
     uint8_t number;  // the client's choice
     uint8_t link;
     Peer peer;
+    uint8_t file;  // of kPaths
     Sending sending;
-    uint16_t sequence;  // of the next message
-    uint16_t offset;    // of its data
-    uint8_t chunk;      // bytes at most
-    parameters::FileCursor cursor;
+    uint16_t sequence;              // of the next message
+    uint16_t offset;                // of its data
+    uint8_t chunk;                  // bytes at most
+    parameters::FileCursor cursor;  // of the parameters
 };
 core::FileState<Session> session{};
 
@@ -65,18 +67,43 @@ Answer answerTo(const FtpHeader& asked, Peer peer) {
     return answer;
 }
 
-bool isParameterFile(const uint8_t* path, uint8_t size) {
-    static constexpr char kPath[] ROM = "@PARAM/param.pck";
-    constexpr uint8_t kLength = sizeof kPath - 1;
-    if (size < kLength) return false;
-    for (uint8_t i = 0; i < kLength; ++i)
-        if (static_cast<char>(path[i]) != core::romRead(kPath[i])) return false;
-    return size == kLength || path[kLength] == 0 || path[kLength] == '?';
+// The last ones are those of SystemFile, in its order.
+constexpr char kPaths[][17] ROM = {"@PARAM/param.pck", "@SYS/tasks.txt", "@SYS/memory.txt",
+                                   "@SYS/errors.txt"};
+constexpr uint8_t kParameters = 0, kFirstSystemFile = 1;
+
+bool isPath(const char (&in_flash)[17], const uint8_t* path, uint8_t size) {
+    uint8_t i = 0;
+    for (; i < size && path[i] != 0 && path[i] != '?'; ++i)
+        if (core::romRead(in_flash[i]) != static_cast<char>(path[i])) return false;
+    return core::romRead(in_flash[i]) == 0;
+}
+
+// core::count(kPaths): there is none.
+uint8_t findFile(const uint8_t* path, uint8_t size) {
+    uint8_t file = 0;
+    while (file < core::count(kPaths) && !isPath(kPaths[file], path, size)) ++file;
+    return file;
+}
+
+SystemFile systemFile(uint8_t file) { return static_cast<SystemFile>(file - kFirstSystemFile); }
+
+uint16_t fileSize() {
+    return session.file == kParameters ? state::parameterFileSize()
+                                       : systemFileSize(systemFile(session.file));
+}
+
+// busy: call again.
+core::Status readFile(uint8_t* to, uint8_t& size) {
+    if (session.file == kParameters)
+        return state::parameterFileRead(session.cursor, session.offset, to, size);
+    size = systemFileRead(systemFile(session.file), session.offset, to, size);
+    return core::Status::ok;
 }
 
 bool open(Link& link, const FtpRequest& asked, Peer peer, Answer& answer) {
-    if (!isParameterFile(asked.data, asked.header.size))
-        return nak(link, answer, MavFtpErr::filenotfound);
+    const uint8_t file = findFile(asked.data, asked.header.size);
+    if (file == core::count(kPaths)) return nak(link, answer, MavFtpErr::filenotfound);
     if (session.sending != Sending::nothing && session.link != linkNumber(link))
         return nak(link, answer, MavFtpErr::nosessionsavailable);
     session = {};
@@ -84,7 +111,8 @@ bool open(Link& link, const FtpRequest& asked, Peer peer, Answer& answer) {
     session.number = asked.header.session;
     session.link = linkNumber(link);
     session.peer = peer;
-    const uint32_t size = state::parameterFileSize();
+    session.file = file;
+    const uint32_t size = fileSize();
     memcpy(answer.data, &size, sizeof size);
     return ack(link, answer, sizeof size);
 }
@@ -92,7 +120,7 @@ bool open(Link& link, const FtpRequest& asked, Peer peer, Answer& answer) {
 bool beginToSend(Link& link, const FtpHeader& asked, Answer& answer) {
     if (!session.open || session.number != asked.session || session.link != linkNumber(link))
         return nak(link, answer, MavFtpErr::invalidsession);
-    if (asked.offset >= state::parameterFileSize()) return nak(link, answer, MavFtpErr::eof);
+    if (asked.offset >= fileSize()) return nak(link, answer, MavFtpErr::eof);
     session.sequence = answer.header.sequence;
     session.offset = static_cast<uint16_t>(asked.offset);
     session.chunk = asked.size == 0 || asked.size > kFtpData ? kFtpData : asked.size;
@@ -137,8 +165,7 @@ __attribute__((noinline)) bool ftpSend(Link& link) {
     asked.opcode = burst ? Opcode::burstreadfile : Opcode::readfile;
     Answer answer = answerTo(asked, session.peer);
     uint8_t size = session.chunk;
-    if (state::parameterFileRead(session.cursor, session.offset, answer.data, size) !=
-        core::Status::ok)
+    if (readFile(answer.data, size) != core::Status::ok)
         return true;  // it is nearer by some entries
     if (!burst || size == 0) session.sending = Sending::nothing;
     ++session.sequence;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MAVLink FTP, read-only: all parameters as the file @PARAM/param.pck, which a ground station gets
-// several times faster than by PARAM_REQUEST_LIST. One session at a time. The file is read by
+// in less than half of the time of PARAM_REQUEST_LIST, and the figures of system_files.hpp as
+// @SYS/tasks.txt, memory.txt and errors.txt. One session at a time. A file is read by
 // ReadFile or BurstReadFile, kFtpData bytes a message or fewer if asked for (0: kFtpData); what
 // follows a '?' in its path is ignored. https://mavlink.io/en/services/ftp.html
 #pragma once

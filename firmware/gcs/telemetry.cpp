@@ -134,20 +134,25 @@ uint8_t roomToSend(const Link& link) {
     return frame != 0 ? signedSize(link, frame) : kNoRoomWakes;
 }
 
-// One message, of what goes out by itself. A download takes turns with all the rest. Not inlined,
-// as receive() is not.
-__attribute__((noinline)) bool sendOne(Link& link) {
-    if (downloadFrame(link) != 0) {
-        link.download_is_next = !link.download_is_next;
-        if (link.download_is_next && !heartbeatDue(link) && (ftpSend(link) || logsSend(link)))
-            return true;
-    }
+bool downloadSend(Link& link) {
+    return downloadFrame(link) != 0 && !heartbeatDue(link) && (ftpSend(link) || logsSend(link));
+}
+
+bool sendOther(Link& link) {
     if (!hasRoom(link, signedSize(link, kLargestFrame))) return false;
     if (heartbeatDue(link)) return streamsSend(link);
     if (gcs::textWaits(link) && sendText(link)) return true;
     link.parameter_is_next = !link.parameter_is_next;
     if (link.parameter_is_next) return parameterListSend(link) || streamsSend(link);
     return streamsSend(link) || parameterListSend(link);
+}
+
+// One message, of what goes out by itself. A download takes turns with all the rest. Not inlined,
+// as receive() is not.
+__attribute__((noinline)) bool sendOne(Link& link) {
+    link.download_is_next = !link.download_is_next;
+    if (link.download_is_next) return downloadSend(link) || sendOther(link);
+    return sendOther(link) || downloadSend(link);
 }
 
 // Only interrupts run between telemetryPump's false and this.

@@ -103,6 +103,10 @@ export class Ftp {
   }
 }
 
+// A file of lines of a name, a value and a task's budget.
+export const figures = (file) => Object.fromEntries(file.toString('latin1').trimEnd().split('\n').map((line) =>
+  [line.slice(0, 18).trimEnd(), line.slice(18).trim().split(/ +/).map(Number)]));
+
 // As pymavlink's param_ftp and QGroundControl's ParameterManager read it.
 export function decode(file) {
   const [magic, count, total] = [0, 2, 4].map((at) => file.readUInt16LE(at));

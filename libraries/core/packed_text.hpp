@@ -105,6 +105,39 @@ constexpr size_t packedSize(const char (&text)[N], const CodePair (&pairs)[kPair
     return Packing<N>(text, pairs).size;
 }
 
+// The codes of all texts of a list with their ends together, to declare the PackedList.
+template <size_t N, size_t kSize, size_t kPairs>
+constexpr size_t listCodes(const char (&texts)[N][kSize], const CodePair (&pairs)[kPairs]) {
+    const PairIndex<kPairs> index(pairs);
+    size_t codes = 0;
+    for (size_t i = 0; i < N; ++i) codes += Packing<kSize>(texts[i], index).size + 1;
+    return codes;
+}
+
+// For ROM: texts one behind the other, each with its end.
+template <size_t kCodes>
+struct PackedList {
+    template <size_t N, size_t kSize, size_t kPairs>
+    constexpr PackedList(const char (&texts)[N][kSize], const CodePair (&pairs)[kPairs]) {
+        const PairIndex<kPairs> index(pairs);
+        size_t at = 0;
+        for (size_t i = 0; i < N; ++i) {
+            const Packing<kSize> packed(texts[i], index);
+            for (size_t j = 0; j < packed.size; ++j) codes[at++] = packed.codes[j];
+            ++at;  // a zero
+        }
+    }
+    uint8_t codes[kCodes] = {};
+};
+
+// Where a text of such a list begins.
+inline const uint8_t* textOfList(const uint8_t* codes, uint8_t number) {
+    for (; number > 0; --number)
+        while (romRead(*codes++) != 0) {
+        }
+    return codes;
+}
+
 // How many codes wait at most while a text is unpacked.
 template <size_t kPairs>
 constexpr uint8_t pairsDeep(const CodePair (&pairs)[kPairs]) {

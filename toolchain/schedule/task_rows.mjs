@@ -5,11 +5,11 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 
 export function taskRows(source) {
-  const table = /constexpr scheduler::Task kTasks\[\][^=]*=\s*\{([\s\S]*?)\n\};/.exec(source)?.[1];
-  if (table === undefined) throw new Error('there is no table kTasks');
-  const bare = table.replace(/\/\/.*$/gm, '');
-  const rows = [...bare.matchAll(/\{\s*(fast|medium|slow)\s*,\s*(\w+)\s*,\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*\}/g)];
-  const opened = bare.split('{').length - 1;
+  const table = /#define TASKS\(TASK\)((?:.*\\\n)*.*\n)/.exec(source)?.[1];
+  if (table === undefined) throw new Error('there is no table TASKS');
+  const bare = table.replace(/\/\*.*?\*\//g, '');
+  const rows = [...bare.matchAll(/TASK\(\s*(fast|medium|slow)\s*,\s*(\w+)\s*,\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*\)/g)];
+  const opened = bare.split('(').length - 1;
   if (rows.length === 0 || rows.length !== opened)
     throw new Error(`of ${opened} rows only ${rows.length} could be read`);
   return rows.map(([, tier, name, period, phase, budget], number) => (

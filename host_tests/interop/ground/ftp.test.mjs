@@ -2,7 +2,7 @@
 // MAVLink FTP as ground stations use it to get all parameters at once.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { decode, Ftp, kAck, kBurst, kEof, kFile, kInvalidSession, kList, kMaxData, kNoSessions, kNotFound, kOpen, kRead, kReset,
+import { decode, figures, Ftp, kAck, kBurst, kEof, kFile, kInvalidSession, kList, kMaxData, kNoSessions, kNotFound, kOpen, kRead, kReset,
   kTerminate, kUnknownCommand, kWrite } from '../../support/ftp_client.mjs';
 import { withVehicle } from '../../support/vehicle.mjs';
 
@@ -63,7 +63,7 @@ test('what was lost is read again, in any order', withVehicle({}, async (vehicle
 test('what there is not is refused with the reason', withVehicle({}, async (vehicle) => {
   const ftp = new Ftp(vehicle);
   await ftp.refused(kInvalidSession, kRead, { offset: 0, size: 80 });
-  for (const path of ['@PARAM/param.pc', '@PARAM/param.pckx', '@SYS/tasks.txt', '/APM/LOGS/1.BIN', ''])
+  for (const path of ['@PARAM/param.pc', '@PARAM/param.pckx', '@SYS/threads.txt', '/APM/LOGS/1.BIN', ''])
     await ftp.refused(kNotFound, kOpen, { data: path });
   await ftp.open();
   await ftp.refused(kInvalidSession, kRead, { session: 3, size: 80 });
@@ -71,6 +71,25 @@ test('what there is not is refused with the reason', withVehicle({}, async (vehi
   await ftp.refused(kUnknownCommand, kList, { data: '/' });
   await ftp.ask(kTerminate);
   await ftp.refused(kInvalidSession, kBurst, { size: 80 });
+}));
+
+test('the figures of the firmware are read as text', withVehicle({}, async (vehicle) => {
+  await vehicle.wait(5000);
+  const ftp = new Ftp(vehicle);
+  const tasks = figures(await ftp.download('@SYS/tasks.txt'));
+  assert.ok(Object.keys(tasks).length > 50);
+  for (const [name, [longest_us, budget_us]] of Object.entries(tasks))  // with the interrupts, a budget is without
+    assert.ok(budget_us > 0 && longest_us <= budget_us + 300, `${name}: ${longest_us} of ${budget_us} us`);
+  if (process.env.FLY_BOARD === 'elf') {
+    assert.ok(tasks.runInertial[0] > 300 && tasks.runGuidance[0] > 10, `${tasks.runInertial}, ${tasks.runGuidance}`);
+    const [free] = figures(await ftp.download('@SYS/memory.txt', 239))['free below stack'];
+    assert.ok(free > 2000 && free < 4000, `${free} bytes`);
+  }
+  ftp.line.socket.write('neither');
+  ftp.line.written += 7;
+  const errors = figures(await ftp.download('@SYS/errors.txt', 239));
+  assert.deepEqual(Object.keys(errors).slice(0, 3), ['late frames', 'log records lost', 'texts lost']);
+  for (const [name, [count]] of Object.entries(errors)) assert.equal(count, 0, name);
 }));
 
 test('one ground station at a time, each on its own link', withVehicle({}, async (vehicle) => {

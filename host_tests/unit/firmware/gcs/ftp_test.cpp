@@ -156,8 +156,36 @@ TEST_F(Ftp, the_file_of_the_first_link_is_not_the_second_s) {
     EXPECT_FALSE(heard(station).empty()) << "it goes on";
 }
 
-TEST_F(Ftp, only_the_parameters_are_a_file) {
-    for (const char* path : {"@PARAM/param.pc", "@PARAM/param.pckx", "/etc/passwd", "@"})
+TEST_F(Ftp, the_figures_are_lines_of_a_name_a_value_and_a_task_s_budget) {
+    const auto read_all = [this](const char* path) {
+        std::string text;
+        const auto opened = answers(request(Opcode::openfilero, 0, 0, path));
+        EXPECT_EQ(opened.at(0).header.opcode, Opcode::ack);
+        const uint32_t size = opened[0].data[0] | opened[0].data[1] << 8;
+        for (const auto& part : answers(request(Opcode::burstreadfile, 0, 0), 1000))
+            if (part.header.opcode == Opcode::ack) text.append(part.data.begin(), part.data.end());
+        EXPECT_EQ(text.size(), size);
+        return text;
+    };
+    const std::string tasks = read_all("@SYS/tasks.txt");
+    EXPECT_EQ(tasks,
+              "runInertial           823  1050\n"
+              "orthonormalizeMatr  65535   330\n");
+    firmware::state::processor_figures.late_frames = 65535;
+    fakes::serial(hal::Port::gps).lost = 102;
+    const std::string errors = read_all("@SYS/errors.txt");
+    EXPECT_EQ(errors.substr(0, 64),
+              "late frames         65535      \n"
+              "log records lost        0      \n");
+    EXPECT_EQ(errors.substr(errors.size() - 32), "GPS bytes lost        102      \n");
+    EXPECT_EQ(read_all("@SYS/memory.txt").substr(0, 18), "free below stack  ");
+    open();
+    EXPECT_EQ(errorOf(request(Opcode::readfile, 10000, 80)), Error::eof);
+}
+
+TEST_F(Ftp, there_is_no_other_file) {
+    for (const char* path : {"@PARAM/param.pc", "@PARAM/param.pckx", "/etc/passwd", "@", "?",
+                             "@SYS/tasks.txt1", "@SYS/", "@SYS/tasks"})
         EXPECT_EQ(errorOf(request(Opcode::openfilero, 0, 0, path)), Error::filenotfound) << path;
     for (const char* path : {"@PARAM/param.pck?withdefaults=1", "@PARAM/param.pck?"})
         EXPECT_EQ(errorOf(request(Opcode::openfilero, 0, 0, path)), Error::none) << path;

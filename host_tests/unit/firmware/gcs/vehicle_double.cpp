@@ -5,6 +5,7 @@
 
 #include "firmware/actuators/camera.hpp"
 #include "firmware/actuators/outputs.hpp"
+#include "firmware/gcs/host.hpp"
 #include "firmware/mission/home.hpp"
 #include "firmware/modes/guided.hpp"
 #include "firmware/modes/mode_switch.hpp"
@@ -265,4 +266,13 @@ namespace state {
 const ParameterHost parameter_host = {actuators::isOutputFunction};
 }
 
+namespace gcs {
+
+const Host host = {[]() -> uint8_t { return 2; },
+                   [](uint8_t task) -> TaskFigures {
+                       if (task == 0) return {STATUS_TEXT("runInertial"), 823, 1050};
+                       return {STATUS_TEXT("orthonormalizeMatrix"), 65535, 330};
+                   }};
+
+}  // namespace gcs
 }  // namespace firmware
