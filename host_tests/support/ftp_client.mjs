@@ -76,7 +76,7 @@ export class Ftp {
     assert.equal((await this.ask(kReset)).opcode, kAck);
     const file = Buffer.alloc(await this.open(path));
     const missing = [];
-    let asked = this.send(kBurst, { size });
+    const asked = this.send(kBurst, { size });
     let at = 0;
     for (let n = 0;; ++n) {
       const part = await this.answer();
