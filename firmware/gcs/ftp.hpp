@@ -44,10 +44,7 @@ bool onFileTransfer(Link& link, const mavlink::Frame& frame);
 bool ftpWaits(const Link& link);  // a file is being sent on it
 bool ftpSend(Link& link);         // one step towards it; false: it has to wait
 
-// The size of a frame of what is downloaded on it, without its signature; 0: nothing is.
-inline uint8_t downloadFrame(const Link& link) {
-    return ftpWaits(link) ? kFtpFrame : logsWait(link) ? kLogFrame : 0;
-}
+inline bool downloadWaits(const Link& link) { return ftpWaits(link) || logsWait(link); }
 
 }  // namespace gcs
 }  // namespace firmware

@@ -191,7 +191,7 @@ constexpr uint8_t kSlowdownByDownload_pct = 75;
 bool tickIsDue(Link& link) {
     Streams& streams = link.streams;
     uint8_t slowdown_pct = link.slowdown_pct;
-    if (slowdown_pct < kSlowdownByDownload_pct && downloadFrame(link) != 0)
+    if (slowdown_pct < kSlowdownByDownload_pct && downloadWaits(link))
         slowdown_pct = kSlowdownByDownload_pct;
     streams.credit_pct = static_cast<uint8_t>(streams.credit_pct + 100 - slowdown_pct);
     if (streams.credit_pct < 100) return false;

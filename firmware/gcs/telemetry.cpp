@@ -126,17 +126,21 @@ bool hasSomething(const Link& link) {
     return link.streams.due != 0 || link.next_parameter != kNoParameter || gcs::textWaits(link);
 }
 
+// Looked up some thousand times a second: flat, with what it calls inside, but not inlined itself,
+// it takes 0.2 % of the processor less.
+__attribute__((noinline, flatten)) uint8_t roomToDownload(const Link& link) {
+    if (ftpWaits(link)) return signedSize(link, kFtpFrame);
+    return logsWait(link) ? signedSize(link, kLogFrame) : kNoRoomWakes;
+}
+
 // Free bytes in the port at which there is something to send by itself.
 uint8_t roomToSend(const Link& link) {
     if (hal::linkHeldSize(portOf(link)) != 0) return kAnyRoom;
     if (hasSomething(link)) return signedSize(link, kLargestFrame);
-    const uint8_t frame = downloadFrame(link);
-    return frame != 0 ? signedSize(link, frame) : kNoRoomWakes;
+    return roomToDownload(link);
 }
 
-bool downloadSend(Link& link) {
-    return downloadFrame(link) != 0 && !heartbeatDue(link) && (ftpSend(link) || logsSend(link));
-}
+bool downloadSend(Link& link) { return !heartbeatDue(link) && (ftpSend(link) || logsSend(link)); }
 
 bool sendOther(Link& link) {
     if (!hasRoom(link, signedSize(link, kLargestFrame))) return false;
@@ -150,9 +154,12 @@ bool sendOther(Link& link) {
 // One message, of what goes out by itself. A download takes turns with all the rest. Not inlined,
 // as receive() is not.
 __attribute__((noinline)) bool sendOne(Link& link) {
-    link.download_is_next = !link.download_is_next;
-    if (link.download_is_next) return downloadSend(link) || sendOther(link);
-    return sendOther(link) || downloadSend(link);
+    const bool downloads = roomToDownload(link) != kNoRoomWakes;
+    if (downloads) {
+        link.download_is_next = !link.download_is_next;
+        if (link.download_is_next && downloadSend(link)) return true;
+    }
+    return sendOther(link) || (downloads && downloadSend(link));
 }
 
 // Only interrupts run between telemetryPump's false and this.

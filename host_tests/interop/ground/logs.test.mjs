@@ -98,7 +98,7 @@ test('a log is downloaded at the speed of the line beside heartbeats, whole and 
 
 test('the telemetry line is used as well beside a stream', withVehicle({ line: kUsb }, async (vehicle) => {
   await vehicle.wait(4000);
-  await makeLog(vehicle, 4000);
+  await makeLog(vehicle, 3500);
   vehicle.line = vehicle.lines[kTelemetry];
   const [entry] = await list(vehicle);
   vehicle.send('REQUEST_DATA_STREAM', { reqStreamId: 10, reqMessageRate: 4, startStop: 1 });

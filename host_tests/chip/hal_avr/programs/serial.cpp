@@ -31,10 +31,10 @@ static void echoFor(uint16_t time_ms) {
 }
 
 static void writesAllOrNothing() {
-    uint8_t bytes[100] = {};
+    uint8_t bytes[200] = {};
     report(4, hal::serialRoom(Port::link1));
-    report(5, hal::serialWrite(Port::link1, bytes, 100));
-    report(6, hal::serialWrite(Port::link1, bytes, 40));
+    report(5, hal::serialWrite(Port::link1, bytes, 200));
+    report(6, hal::serialWrite(Port::link1, bytes, 60));
     report(7, hal::serialRoom(Port::link1));
 }
 
