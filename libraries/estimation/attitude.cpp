@@ -321,8 +321,8 @@ void Attitude::correct(const core::Vector3& missing_mss, const core::Vector3& fe
         quick * core::limit(time_s * (1.0f / kTilt_s), 0.0f, 0.1f) * (1.0f / kGravity);
     const core::Vector3 north = real(north_), down = real(down_);
     const core::Vector3 east = core::cross(down, north);
-    const core::Vector3 by =
-        north * (used.y * gain) - east * (used.x * gain) + down * core::limit(yaw, -0.05f, 0.05f);
+    core::Vector3 by = north * (used.y * gain) - east * (used.x * gain);
+    if (by_fix) by = by + down * core::limit(yaw, -0.05f, 0.05f);
     const float startup_gain = 1.0f + kStartupGain * settling_;
     learnRates({by.x * startup_gain, by.y * startup_gain, by.z});
     if (by_fix) learnForces(used, east.x, (1.0f - turning_share) * (1.0f - settling_));

@@ -79,7 +79,8 @@ const report = (what, vehicle, began_ms, { up, down }) =>
   console.log(`${what} in ${((vehicle.now_ms - began_ms) / 1000).toFixed(1)} s; up ${JSON.stringify(up.counts)}, ` +
     `down ${JSON.stringify(down.counts)}`);
 
-for (const [number, rate] of rates.entries()) {
+// The emulated minutes of the chip are counted: it has the slower line.
+for (const [number, rate] of (process.env.FLY_BOARD === 'elf' ? rates.slice(0, 1) : rates).entries()) {
   test(`all parameters come over a bad link at ${rate} baud`, withVehicle({}, async (vehicle) => {
     const line = vehicle.lines[number], clean = vehicle.lines[1 - number];
     await vehicle.wait(1000);
