@@ -157,6 +157,10 @@ bool ftpWaits(const Link& link) {
 // Inlined, its message burdens every look whether a file waits, as that of logsSend() would.
 __attribute__((noinline)) bool ftpSend(Link& link) {
     if (!ftpWaits(link) || !hasRoom(link, signedSize(link, kFtpFrame))) return false;
+    if (link.framing != mavlink::Framing::v2) {  // opened anew, for somebody else
+        session = {};
+        return false;
+    }
     FtpHeader asked = {};
     asked.sequence = static_cast<uint16_t>(session.sequence - 1);
     asked.session = session.number;

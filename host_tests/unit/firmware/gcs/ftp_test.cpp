@@ -206,4 +206,22 @@ TEST_F(Ftp, nothing_is_read_from_a_session_that_is_closed) {
     EXPECT_EQ(errorOf(request(Opcode::burstreadfile, 0, 80)), Error::invalidsession);
 }
 
+TEST_F(Ftp, a_link_that_is_opened_anew_is_not_sent_the_rest) {
+    open();
+    station.line().endless = false;
+    station.line().room = 100;  // its burst cannot go on
+    station.send(request(Opcode::burstreadfile, 0, 80));
+    run_ms(20);
+    fakes::setUsb(true);
+    run_ms(40);
+    station.line().endless = true;
+    station.line().room = hal::kLinkRoom;
+    run_ms(100);
+    EXPECT_TRUE(heard(station).empty());
+    EXPECT_EQ(station.broken(), 0);
+    second.send(request(Opcode::openfilero, 0, 0, "@PARAM/param.pck"));
+    run_ms(20);
+    EXPECT_EQ(heard(second).at(0).header.opcode, Opcode::ack);
+}
+
 }  // namespace
