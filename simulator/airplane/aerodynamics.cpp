@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
+#include "simulator/constants.hpp"
+
 namespace simulator {
 namespace {
 
-constexpr double kRadians = M_PI / 180;
 constexpr double kTiny = 1e-9;
 constexpr double kStill_mps = 0.1;  // below, the angles of the flow mean nothing
 

@@ -2,11 +2,11 @@
 #include "simulator/airplane/airplane.hpp"
 
 #include "simulator/airplane/earth.hpp"
+#include "simulator/constants.hpp"
 
 namespace simulator {
 namespace {
 
-constexpr double kRadians = M_PI / 180;
 constexpr int kSpinUpSteps = 800;
 constexpr double kPulling = 0.5;
 constexpr int kThrowAfterSteps = 400;

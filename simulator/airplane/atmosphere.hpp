@@ -2,10 +2,9 @@
 // The standard atmosphere up to 11 km (ISO 2533).
 #pragma once
 
-namespace simulator {
+#include "simulator/constants.hpp"
 
-constexpr double kGravity_mss = 9.80665;
-constexpr double kSeaLevelDensity_kgm3 = 1.225;
+namespace simulator {
 
 struct Atmosphere {
     double pressure_pa, temperature_k, density_kgm3;

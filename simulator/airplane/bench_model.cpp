@@ -4,12 +4,12 @@
 #include <algorithm>
 
 #include "simulator/airplane/airplane.hpp"
+#include "simulator/constants.hpp"
 
 namespace simulator {
 namespace {
 
 constexpr double kHandRate_rads = 1.5;
-constexpr double kRadians = M_PI / 180;
 constexpr double kPack_v = 12.4;
 
 }  // namespace

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/airplane/earth.hpp"
 
+#include "simulator/constants.hpp"
+
 namespace simulator {
 namespace {
 
-constexpr double kRadians = M_PI / 180;
 constexpr double kEquator_m = 6'378'137.0, kFlattening = 1 / 298.257223563;
 constexpr double kEccentricity2 = kFlattening * (2 - kFlattening);
 

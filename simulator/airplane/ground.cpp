@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "simulator/airplane/atmosphere.hpp"
+#include "simulator/constants.hpp"
 
 namespace simulator {
 namespace {
 
-constexpr double kRadians = M_PI / 180;
 constexpr double kFirm_m = 0.005;  // the damper grips gradually over this depth
 
 }  // namespace

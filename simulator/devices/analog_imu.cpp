@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "simulator/constants.hpp"
 #include "simulator/world.hpp"
 
 namespace simulator {
@@ -15,7 +16,6 @@ constexpr double kRateZero_v = 1658 * kStep_v, kForceZero_v = 2041 * kStep_v;
 constexpr double kRollPerDps_v = kStep_v / 0.40, kOtherPerDps_v = kStep_v / 0.41;
 constexpr double kPerG_v = 424 * kStep_v;
 constexpr double kTemperature_v = 1.25;
-constexpr double kGravity_mss = 9.80665, kDegrees = 180 / M_PI;
 
 }  // namespace
 

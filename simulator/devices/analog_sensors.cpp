@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulator/constants.hpp"
 #include "simulator/world.hpp"
 
 namespace simulator {
 namespace {
 
 constexpr double kZero_v = 2.5, kVoltsPerPascal = 1e-3;  // MPXV7002DP at 5 V
-constexpr double kSeaLevelDensity_kgm3 = 1.225;
 constexpr double kDivider = 10.1, kAmperesPerVolt = 17.0;
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulator/constants.hpp"
 #include "simulator/world.hpp"
 
 namespace simulator {
@@ -30,8 +31,6 @@ constexpr uint8_t kReset = 0x80, kSleep = 0x40;                              // 
 constexpr uint8_t kActiveLow = 0x80, kLatch = 0x20, kClearByAnyRead = 0x10;  // of kInterruptPin
 constexpr uint8_t kDataReady = 0x01;
 
-constexpr double kGravity_mss = 9.80665;
-constexpr double kRadians = M_PI / 180;
 constexpr double kTemperature_c = 35;
 
 // PS-MPU-6000A section 6: registers answer 11 ms after power-on as a rule and after 100 ms at the

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "simulator/constants.hpp"
 #include "simulator/devices/gps_kinds.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 #include "simulator/devices/supply.hpp"
@@ -180,7 +181,6 @@ std::string Server::answerSupply(double volts) {
 
 // What a person does with a board in the hands.
 std::string Server::answerHands(const std::string& verb, const std::string& rest) {
-    constexpr double kRadians = M_PI / 180;
     std::istringstream words(rest);
     double value[3];
     int count = 0;

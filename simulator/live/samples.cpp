@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "simulator/constants.hpp"
 #include "simulator/devices/ppm_encoder.hpp"
 
 namespace simulator::live {
 namespace {
 
-constexpr double kDegrees = 180 / M_PI, kGravity_mss = 9.80665;
 constexpr double kMilliG_mss = 1e-3 * kGravity_mss;  // RAW_IMU, as ArduPilot sends it
 
 struct Moment {

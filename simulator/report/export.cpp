@@ -4,12 +4,11 @@
 #include <cstdio>
 #include <functional>
 
+#include "simulator/constants.hpp"
 #include "simulator/report/recorder.hpp"
 
 namespace simulator {
 namespace {
-
-constexpr double kDegrees = 180 / M_PI;
 
 struct Column {
     const char* name;

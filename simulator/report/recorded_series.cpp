@@ -4,12 +4,13 @@
 #include <cmath>
 #include <string>
 
+#include "simulator/constants.hpp"
+
 namespace simulator {
 namespace {
 
 using Value = std::optional<double>;
 
-constexpr double kDegrees = 180 / M_PI, kGravity_mss = 9.80665;
 constexpr double kFrame_us = 10'000;
 constexpr bool kFast = false, kSlow = true;
 

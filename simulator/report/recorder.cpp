@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulator/constants.hpp"
+
 namespace simulator {
 
-constexpr double kDegrees = 180 / M_PI;
 constexpr uint64_t kSetUp_us = 1'000'000;  // from when the program begins
 
 void Recorder::watchFrame(Board& board, const Telemetry& telemetry) {

@@ -3,10 +3,11 @@
 
 #include <cmath>
 
+#include "simulator/constants.hpp"
+
 namespace simulator {
 namespace {
 
-constexpr double kGravity_mss = 9.80665, kDegrees = 180 / M_PI;
 constexpr uint16_t kUnknown = 0xFFFF;
 
 Reported::Value known(uint16_t value, double scale) {
