@@ -6,6 +6,7 @@
 #include "core/file_state.hpp"
 #include "core/seldom.hpp"
 #include "firmware/control/autotune.hpp"
+#include "firmware/control/oscillation.hpp"
 #include "firmware/control/stall.hpp"
 #include "firmware/estimator/estimator.hpp"
 #include "firmware/state/mode_traits.hpp"
@@ -199,6 +200,17 @@ bool mixesRudder() {
     return !vehicle.progress.steering || !loops.air.integrators_rest || parameters.rudder_only != 0;
 }
 
+void watchOscillation() {
+    const bool flown_by_gains = vehicle.sticks != Sticks::direct && !loops.air.integrators_rest &&
+                                stall_recovery.phase == StallPhase::flying;
+    if (!flown_by_gains || vehicle.mode == Mode::autotune) return;
+    const auto& rate_rads = vehicle.attitude.rate_rads;
+    if (oscillates(kTunedRoll, rate_rads.x, surfaces.aileron, vehicle.radio.roll_cd))
+        ::control::weaken(loops.roll_gains);
+    if (oscillates(kTunedPitch, rate_rads.y, surfaces.elevator, vehicle.radio.pitch_cd))
+        ::control::weaken(loops.pitch_gains);
+}
+
 void stabilise() {
     const auto& rate_rads = vehicle.attitude.rate_rads;
     const uint8_t periods = vehicle.imu.periods;
@@ -215,9 +227,10 @@ void stabilise() {
                                                    turnToFly(), pitch_error, rate_rads.y, periods);
     if (stall == StallPhase::breaking) letNoseFall();
     if (vehicle.mode == Mode::autotune) {
-        tune(kTunedRoll, loops.roll_gains, loops.roll_state, loops.air, roll_error, rate_rads.x);
-        tune(kTunedPitch, loops.pitch_gains, loops.pitch_state, loops.air, pitch_error,
-             rate_rads.y);
+        tune(kTunedRoll, loops.roll_gains, loops.roll_state, loops.air, roll_error, rate_rads.x,
+             swingOf(kTunedRoll));
+        tune(kTunedPitch, loops.pitch_gains, loops.pitch_state, loops.air, pitch_error, rate_rads.y,
+             swingOf(kTunedPitch));
     }
     if (vehicle.sticks == Sticks::bounded) bindSticks();
     surfaces.rudder = yaw();
@@ -318,6 +331,7 @@ void runSpeedScaling() {
     if (bounds.inverted)
         loops.turn = {core::BodyRate::fromRaw(-loops.turn.pitch_rads.raw),
                       core::BodyRate::fromRaw(-loops.turn.yaw_rads.raw)};
+    watchOscillation();
 }
 
 static void limitRollRate() {
@@ -326,13 +340,18 @@ static void limitRollRate() {
 }
 
 void runRollGains() {
+    if (weaknessEnds(kTunedRoll)) loops.roll_watch = ParameterWatch();
     if (!loops.roll_watch.changed()) return limitRollRate();
     loops.roll_gains = ::control::rollGains(parameters.roll);
+    weakenAsBefore(kTunedRoll, loops.roll_gains);
     loops.yaw_gains = ::control::yawGains(parameters.yaw);
 }
 
 void runPitchGains() {
-    if (loops.pitch_watch.changed()) loops.pitch_gains = ::control::pitchGains(parameters.pitch);
+    if (weaknessEnds(kTunedPitch)) loops.pitch_watch = ParameterWatch();
+    if (!loops.pitch_watch.changed()) return;
+    loops.pitch_gains = ::control::pitchGains(parameters.pitch);
+    weakenAsBefore(kTunedPitch, loops.pitch_gains);
 }
 
 void runControlLimits() {

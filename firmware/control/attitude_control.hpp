@@ -15,7 +15,8 @@ extern core::FileState<Surfaces> surfaces;
 
 void runAttitudeControl();  // 100 Hz, after the mode and before runOutputs
 // What it works with, and what costs too much for 100 Hz:
-void runSpeedScaling();  // 20 Hz: the effect of the surfaces at this airspeed, the rates of a turn
+void runSpeedScaling();  // 20 Hz: the effect of the surfaces at this airspeed, the rates of a turn;
+                         // whether an axis oscillates
 void runRollGains();     // 5 Hz, as the next two: of the parameters; the fastest rate
 void runPitchGains();
 void runControlLimits();  // of bank and pitch, the mix of the rudder

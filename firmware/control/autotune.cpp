@@ -81,6 +81,15 @@ void setGain() {
     due.gain = set(due.axis, due.gain, gain * due.by) ? due.gain + 1 : kGains;
 }
 
+void change(uint8_t axis, float by) {
+    const float p = fmaxf(settingsOf(axis).p, kLeastP);
+    due.by = core::limit(p * by, kLeastP, kMaxP) / p;
+    due.axis = axis;
+    due.gain = kP;
+    sendStatusText(Severity::info, kAxes[axis].found,
+                   static_cast<uint16_t>(core::inHundredths(due.by)));
+}
+
 }  // namespace
 
 void startTuning() {
@@ -98,21 +107,22 @@ void tuneStep() {
 }
 
 void tune(TunedAxis which, const ::control::AxisGains& gains, const ::control::AxisState& state,
-          const ::control::AirFlow& air, core::Angle error_rad, core::BodyRate rate_rads) {
+          const ::control::AirFlow& air, core::Angle error_rad, core::BodyRate rate_rads,
+          ::control::Swing& swing) {
     constexpr core::Ratio kLevel_cos(0.94f);
     AxisTuner& tuner = core::based(tuning.tuners[which]);
     // in a bank the nose turns without the pilot's asking for it
     if (which == kTunedPitch && vehicle.attitude.cos_roll.raw < kLevel_cos.raw) return tuner.drop();
-    const auto found =
-        tuner.watch(gains, state, air, ::control::demandedRate_rads(gains, error_rad), rate_rads);
+    const auto found = tuner.watch(
+        gains, state, air, ::control::demandedRate_rads(gains, error_rad), rate_rads, swing);
     if (found == AxisTuner::Finding::nothing || due.gain < kGains) return;
-    due.by = found == AxisTuner::Finding::shakes ? AxisTuner::kLeast : tuner.factor();
-    const float p = fmaxf(settingsOf(which).p, kLeastP);
-    due.by = core::limit(p * due.by, kLeastP, kMaxP) / p;
-    due.axis = which;
-    due.gain = kP;
-    sendStatusText(Severity::info, kAxes[which].found,
-                   static_cast<uint16_t>(core::inHundredths(due.by)));
+    change(which, found == AxisTuner::Finding::shakes ? AxisTuner::kLeast : tuner.factor());
+}
+
+bool tuneTo(TunedAxis which, uint8_t left_pct) {
+    if (due.level < kLeveled || due.gain < kGains) return false;
+    change(which, core::hundredths(int16_t{left_pct}));
+    return true;
 }
 
 }  // namespace control

@@ -73,6 +73,13 @@ AxisGains pitchGains(const PitchSettings& settings) {
     return gains;
 }
 
+void weaken(AxisGains& gains) {
+    constexpr core::Ratio kLeft(kWeakened);
+    gains.feed_forward.raw = core::times14(gains.feed_forward.raw, kLeft.raw);
+    gains.damping.raw = core::times14(gains.damping.raw, kLeft.raw);
+    gains.integral.raw = core::times14(gains.integral.raw, kLeft.raw);
+}
+
 core::BodyRate fastestRate_rads(const AxisGains& gains, const AirFlow& air, int16_t rate_max_dps) {
     constexpr float kMaxShare = 0.95f;      // of the surface
     constexpr float kSlowest_rads = 0.35f;  // fast enough for AUTOTUNE to measure

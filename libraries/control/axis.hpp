@@ -27,6 +27,9 @@ struct AxisGains {
 };
 AxisGains rollGains(const RollSettings& settings);
 AxisGains pitchGains(const PitchSettings& settings);
+// Leaves kWeakened of them, for an axis that oscillates.
+constexpr float kWeakened = 0.6f;
+void weaken(AxisGains& gains);
 
 struct AxisState {
     using Output = core::Fixed32<20>;

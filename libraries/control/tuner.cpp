@@ -6,11 +6,10 @@
 namespace control {
 namespace {
 
-constexpr core::BodyRate kBegins_rads(0.4f), kRest_rads(0.117f), kFastEnough_rads(0.303f),
-    kSwing_rads(0.254f);
+constexpr core::BodyRate kBegins_rads(0.4f), kRest_rads(0.117f), kFastEnough_rads(0.303f);
 constexpr uint16_t kLongest = 400;  // frames
-constexpr uint8_t kSwingLasts = 60, kMaxSwings = 6, kMaxTurnSwings = 3;
-constexpr core::Ratio kFar(0.4f);
+constexpr uint8_t kMaxTurnSwings = 3;
+constexpr Swing::Limits kSwings = {6, 60};
 
 constexpr int32_t kFull = AxisState::Output::kOne;
 
@@ -29,25 +28,6 @@ int16_t expected(const AxisGains& gains, const AirFlow& air, int16_t rate) {
 
 }  // namespace
 
-// A swing is a rate that comes back with the other sign soon, and moves the surface far: gusts
-// swing a small airplane as fast, but the surface of gains that are right hardly moves then.
-AxisTuner::Finding AxisTuner::swing(int16_t rate, int16_t surface) {
-    if (since_ < kSwingLasts) ++since_;
-    if (surface < low_) low_ = surface;
-    if (surface > high_) high_ = surface;
-    if (since_ == kSwingLasts) swings_ = 0;
-    const int8_t side = rate > kSwing_rads.raw ? 1 : (rate < -kSwing_rads.raw ? -1 : 0);
-    if (side == 0 || side == side_) return Finding::nothing;
-    side_ = side;
-    since_ = 0;
-    const bool far = int32_t{high_} - low_ > kFar.raw;
-    low_ = high_ = surface;
-    if (!far) return Finding::nothing;
-    if (++swings_ < kMaxSwings) return Finding::nothing;
-    swings_ = 0;
-    return Finding::shakes;
-}
-
 // Back and forth, each time nearly half as fast as the fastest: a turn under way ends so where the
 // gains are too high, and neither its surface nor its rate says how strong the surface is.
 bool AxisTuner::swingsOn(int16_t rate) {
@@ -61,15 +41,18 @@ bool AxisTuner::swingsOn(int16_t rate) {
 
 AxisTuner::Finding AxisTuner::watch(const AxisGains& gains, const AxisState& state,
                                     const AirFlow& air, core::BodyRate demand_rads,
-                                    core::BodyRate rate_rads) {
+                                    core::BodyRate rate_rads, Swing& swing) {
     const int16_t rate = rate_rads.raw;
     const bool rests = size(rate) < kRest_rads.raw;
     if (frames_ == 0) {
         const int16_t begins = core::limit<int16_t>(kBegins_rads.raw, 0, gains.most_up_rads.raw);
-        if (size(demand_rads.raw) < begins) return swing(rate, surface(state).raw);
+        if (size(demand_rads.raw) < begins)
+            return swing.watch(rate_rads, surface(state), kSwings) ? Finding::shakes
+                                                                   : Finding::nothing;
         if (!rests || air.integrators_rest) return Finding::nothing;
         used_ = expected_ = 0;
         fastest_rads_.raw = 0;
+        swing = Swing();
         swings_ = 0;
         side_ = 0;
         rest_.raw = static_cast<int16_t>(state.integrator.as<14>().raw);

@@ -6,6 +6,7 @@
 // be multiplied by that ratio.
 #pragma once
 #include "control/axis.hpp"
+#include "control/swing.hpp"
 
 namespace control {
 
@@ -14,15 +15,15 @@ public:
     enum class Finding : uint8_t {
         nothing,
         measured,  // factor() holds
-        shakes,    // the airplane swings about where it is to be: the gains are too high; what
-                   // the surface hardly moves at is gusts
+        shakes,    // the airplane swings about where it is to be: the gains are too high
     };
 
     constexpr AxisTuner() {}
 
-    // Every frame, after axisDeflection with the same arguments.
+    // Every frame, after axisDeflection with the same arguments. The swing is watched between
+    // turns.
     Finding watch(const AxisGains& gains, const AxisState& state, const AirFlow& air,
-                  core::BodyRate demand_rads, core::BodyRate rate_rads);
+                  core::BodyRate demand_rads, core::BodyRate rate_rads, Swing& swing);
     // What lasted so far counts no more.
     void drop() { frames_ = 0; }
 
@@ -31,16 +32,14 @@ public:
     static constexpr float kLeast = 0.8f, kMax = 1.25f;
 
 private:
-    Finding swing(int16_t rate, int16_t surface);
     bool swingsOn(int16_t rate);
 
     int32_t used_ = 0, expected_ = 0;  // of the surface, summed up
     core::Ratio rest_ = {};            // the surface before the turn
     core::BodyRate fastest_rads_ = {};
     uint16_t frames_ = 0;  // of the turn under way; 0: none
-    int8_t side_ = 0;      // which way it swung last
-    uint8_t swings_ = 0, since_ = 0;
-    int16_t low_ = 0, high_ = 0;  // of the surface since the last swing
+    int8_t side_ = 0;      // which way it turned last in the turn under way
+    uint8_t swings_ = 0;   // in that
 };
 
 }  // namespace control

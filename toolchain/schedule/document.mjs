@@ -36,7 +36,7 @@ const remarks = {
   runOutputs: 'surfaces to servo pulses, written to the timers; resets the hang timer',
   runBarometer: 'steps the barometer',
   runGps: 'received bytes to fixes; also between frames',
-  runSpeedScaling: 'effect of the surfaces at this airspeed, rates of a coordinated turn',
+  runSpeedScaling: 'effect of the surfaces at this airspeed, rates of a coordinated turn, axes that oscillate',
   runRollGains: 'gains of the roll loop, when a parameter has changed; else its fastest rate',
   runPitchGains: 'gains of the pitch loop, when a parameter has changed',
   runControlLimits: 'limits of bank and pitch, the mix of the rudder, when a parameter has changed',

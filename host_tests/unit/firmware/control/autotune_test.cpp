@@ -15,6 +15,8 @@ using firmware::state::parameters;
 
 class Autotune : public bench::Bench {
 protected:
+    control::Swing swing;
+
     void enter(int8_t level) {
         parameters.autotune_level = level;
         fly(Mode::autotune);
@@ -33,7 +35,8 @@ protected:
             state.last_output.raw =
                 static_cast<int32_t>(times * gains.feed_forward.toFloat() * rate_rads * (1 << 20));
             const core::Angle error(i < 60 ? 0.6f : 0.0f);
-            firmware::control::tune(which, gains, state, air, error, core::BodyRate(rate_rads));
+            firmware::control::tune(which, gains, state, air, error, core::BodyRate(rate_rads),
+                                    swing);
         }
         for (int i = 0; i < 10; ++i) firmware::control::tuneStep();
     }

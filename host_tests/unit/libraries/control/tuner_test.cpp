@@ -38,6 +38,7 @@ struct Tuning {
     control::RollSettings settings{{0.4f, 0.75f, 0.04f, 0.03f, 3000}, 0};
     control::AxisState state;
     AxisTuner tuner;
+    control::Swing swing;
     int measured = 0, shaken = 0;
 
     void scale(float by) {
@@ -54,8 +55,8 @@ struct Tuning {
             const core::Angle error(angle - axis.angle);
             const core::BodyRate rate(axis.rate);
             axis.step(control::rollDeflection(gains, state, air, error, rate, 2).toFloat());
-            switch (
-                tuner.watch(gains, state, air, control::demandedRate_rads(gains, error), rate)) {
+            switch (tuner.watch(gains, state, air, control::demandedRate_rads(gains, error), rate,
+                                swing)) {
                 case Finding::measured:
                     ++measured;
                     scale(tuner.factor());
