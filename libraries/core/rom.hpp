@@ -19,6 +19,7 @@
 
 namespace core {
 
+#ifdef __AVR__
 template <class T, size_t size = sizeof(T)>
 struct RomReader {
     static T read(const T& in_flash) {
@@ -27,8 +28,6 @@ struct RomReader {
         return copy;
     }
 };
-
-#ifdef __AVR__
 template <class T>
 struct RomReader<T, 1> {
     static T read(const T& in_flash) { return static_cast<T>(pgm_read_byte(&in_flash)); }
@@ -50,6 +49,11 @@ struct RomReader<uint32_t, 4> {
 template <class F>
 struct RomReader<F*, 2> {
     static F* read(F* const& in_flash) { return reinterpret_cast<F*>(pgm_read_word(&in_flash)); }
+};
+#else
+template <class T>
+struct RomReader {
+    static T read(const T& in_flash) { return in_flash; }
 };
 #endif
 

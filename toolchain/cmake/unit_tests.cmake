@@ -66,7 +66,8 @@ target_sources(oracle_fence_test PRIVATE ${tests}/support/fresh_start.cpp)
 
 set(long oracle/mission/oracle.cpp oracle/mission/rig.cpp oracle/mission/trial.cpp oracle/mission/random_trial.cpp
     unit/libraries/estimation/attitude_test.cpp unit/libraries/estimation/position_test.cpp
-    unit/firmware/mission/manual_test.cpp unit/firmware/mission/command_table_test.cpp)
+    unit/firmware/mission/manual_test.cpp unit/firmware/mission/command_table_test.cpp
+    unit/simulator/devices/ublox_gps_test.cpp)
 list(TRANSFORM long PREPEND ${tests}/)
 optimised(${long})
 
