@@ -284,8 +284,7 @@ void useGpsHeight() {
     const float interval_s = newest_fix.since_s;
     const float ago_s = gpsAge_s(hal::now_ms()) - kPressureAge_s - core::half(interval_s);
     const float end_m = height_m - height.climb_mps() * ago_s;
-    heights.home_m += barometer_drift.useGps(
-        end_m, {height.climb_mps(), -vehicle.gps.velocity_mps.z}, interval_s);
+    heights.home_m += barometer_drift.useGps(end_m, -vehicle.gps.velocity_mps.z, interval_s);
 }
 
 // The mean of what has come since the last time.

@@ -20,24 +20,22 @@ public:
     float scale() const;
     void resumeScale(float scale);  // what is outside its range is brought back into it
 
-    struct Climb {
-        float barometer_mps;  // the estimate's
-        float receiver_mps;
-    };
-    // Every fix: the barometer's height half an interval after the fix was taken, as its climb is
-    // taken for the time around it. By how much the barometer's zero rises.
-    float useGps(float height_m, const Climb& climb, float dt_s);
+    // Every fix, with the climb that the receiver measures: the barometer's height half an interval
+    // after the fix was taken, as its climb is taken for the time around it. By how much the
+    // barometer's zero rises.
+    float useGps(float height_m, float climb_mps, float dt_s);
 
 private:
-    float learn(float apart_m, float climbed_m, float share);
-    static bool agree(float climb_mps, float other_mps);
+    float learn(float apart_m, float rise_m, float dt_s, bool climbs);
     static constexpr uint8_t kPause = 10;
 
-    float last_m_ = 0, last_mps_ = 0, drift_m_ = 0;
+    float last_m_ = 0, drift_m_ = 0;
+    float risen_m_ = 0;     // the barometer's height, since the zero
+    float apart_m_ = 0;     // from the velocities' sum since then, as far as nothing explains it
     float scale_more_ = 0;  // than 1, as the filter has it; 0 takes no flash
-    // Of the scale, by the variance of what a fix shows: less than that of the start, which is
-    // no zero; and the covariance with the drift.
-    float variance_less_ = 0, covariance_ = 0;
+    // By the variance of a height: of the scale less than that of the start, which is no zero; of
+    // drift and velocities' sum; and the covariance of both.
+    float variance_less_ = 0, drift_variance_ = 0, covariance_ = 0;
     uint8_t paused_ = 0;
 };
 
