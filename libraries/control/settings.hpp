@@ -35,19 +35,20 @@ struct YawSettings {            // YAW2SRV
     int16_t integrator_max_cd;  // _IMAX
 };
 
-struct SpeedHeightSettings {   // TECS
-    float climb_max_mps;       // _CLMB_MAX    best climb at full throttle and cruise speed
-    float sink_min_mps;        // _SINK_MIN    sink without throttle at cruise speed
-    float sink_max_mps;        // _SINK_MAX    fastest descent ever asked for
-    float time_constant_s;     // _TIME_CONST
-    float throttle_damping;    // _THR_DAMP
-    float integral_gain;       // _INTEG_GAIN
-    float vertical_accel_mss;  // _VERT_ACC
-    float speed_omega_rads;    // _SPD_OMEGA
-    float roll_to_throttle;    // _RLL2THR     m2/s3 for a unit of 1/cos2(bank) - 1
-    float speed_weight;        // _SPDWEIGHT   0 height only .. 2 speed only
-    float pitch_damping;       // _PTCH_DAMP
-    float land_sink_mps;       // _LAND_SINK
+struct SpeedHeightSettings {     // TECS
+    float climb_max_mps;         // _CLMB_MAX    best climb at full throttle and cruise speed
+    float sink_min_mps;          // _SINK_MIN    sink without throttle at cruise speed
+    float sink_max_mps;          // _SINK_MAX    fastest descent ever asked for
+    float time_constant_s;       // _TIME_CONST
+    float land_time_constant_s;  // _LAND_TCONST
+    float throttle_damping;      // _THR_DAMP
+    float integral_gain;         // _INTEG_GAIN
+    float vertical_accel_mss;    // _VERT_ACC
+    float speed_omega_rads;      // _SPD_OMEGA
+    float roll_to_throttle;      // _RLL2THR     m2/s3 for a unit of 1/cos2(bank) - 1
+    float speed_weight;          // _SPDWEIGHT   0 height only .. 2 speed only
+    float pitch_damping;         // _PTCH_DAMP
+    float land_sink_mps;         // _LAND_SINK
 };
 
 }  // namespace control

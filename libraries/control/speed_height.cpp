@@ -228,8 +228,10 @@ SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
     else
         speed_mps_ = core::limit(now.airspeed_mps, kLowestSpeed_mps, 100.0f);
     watchUnderspeed(limits, phase, now.airspeed_known);
+    const bool lands = phase == Phase::approach || phase == Phase::flare;
+    const float time_constant_s = lands ? settings.land_time_constant_s : settings.time_constant_s;
     const Step step = {dt_s, core::inverse(dt_s), core::inverse(speed_mps_),
-                       core::inverse(settings.time_constant_s)};
+                       core::inverse(time_constant_s)};
 
     const bool height_given_up = phase == Phase::climb_out || underspeed_;
     if (height_given_up) {

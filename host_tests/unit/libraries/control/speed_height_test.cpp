@@ -20,6 +20,7 @@ control::SpeedHeightSettings settings() {
     s.sink_min_mps = 1.2f;
     s.sink_max_mps = 2.5f;
     s.time_constant_s = 1.7f;
+    s.land_time_constant_s = 1.7f;
     s.throttle_damping = 0.7f;
     s.integral_gain = 0.3f;
     s.vertical_accel_mss = 7;
@@ -234,6 +235,30 @@ TEST(SpeedHeight, opens_the_throttle_earlier_near_the_ground) {
     };
     EXPECT_GT(throttle(Phase::approach, 9.1), throttle(Phase::cruise, 9.1) + 0.03);
     EXPECT_NEAR(throttle(Phase::approach, 10.5), throttle(Phase::cruise, 10.5), 0.03);
+}
+
+// Two metres low: by how much the nose has been raised after a second.
+double raisedByTwoMetres_rad(Phase phase, float time_constant_s, float land_time_constant_s) {
+    Loop loop;
+    loop.tuning.time_constant_s = time_constant_s;
+    loop.tuning.land_time_constant_s = land_time_constant_s;
+    loop.sensed = false;
+    loop.phase = phase;
+    loop.fly(20);
+    const double before_rad = loop.plane.pitch_demand;
+    loop.plane.height -= 2;
+    loop.fly(1);
+    return loop.plane.pitch_demand - before_rad;
+}
+
+TEST(SpeedHeight, takes_errors_back_in_a_time_of_its_own_while_landing) {
+    const double cruise_rad = raisedByTwoMetres_rad(Phase::cruise, 1.3f, 1.7f);
+    EXPECT_GT(cruise_rad, raisedByTwoMetres_rad(Phase::cruise, 1.7f, 1.7f) * 1.1);
+    EXPECT_EQ(cruise_rad, raisedByTwoMetres_rad(Phase::cruise, 1.3f, 3));
+
+    const double approach_rad = raisedByTwoMetres_rad(Phase::approach, 1.3f, 1.7f);
+    EXPECT_EQ(approach_rad, raisedByTwoMetres_rad(Phase::approach, 3, 1.7f));
+    EXPECT_GT(raisedByTwoMetres_rad(Phase::approach, 1.3f, 1.3f), approach_rad * 1.1);
 }
 
 TEST(SpeedHeight, flies_without_an_airspeed_sensor) {

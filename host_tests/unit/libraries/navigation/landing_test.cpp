@@ -187,7 +187,7 @@ TEST(Landing, touches_down_softly_near_the_point) {
         flight_model::Airplane plane({-headwind, 0, 0, 1});
         plane.height = 30;
         plane.velocity_n = 12 - headwind;
-        control::SpeedHeightSettings settings{3.5f, 1.2f, 2.5f, 2,    0.7f, 0.3f,
+        control::SpeedHeightSettings settings{3.5f, 1.2f, 2.5f, 2,    2,    0.7f, 0.3f,
                                               7,    2,    10,   0.5f, 0.5f, 0.4f};
         const control::SpeedHeightLimits limits{-0.3f, 0.3f, 0, 0.75f, 0.4f, 1, 9, 22};
         control::SpeedHeight core;
