@@ -156,7 +156,7 @@ constexpr parameters::Row kRows[] = {
     P(121, "TECS_SINK_MIN",     speed_height.sink_min_mps,      1.3f,    0.1f,       10),
     P(122, "TECS_SINK_MAX",     speed_height.sink_max_mps,         3,    0.1f,       20),
     P(123, "TECS_TIME_CONST",   speed_height.time_constant_s,   1.6f,       1,       10),
-    P(197, "TECS_LAND_TCONST",  speed_height.land_time_constant_s, 1.7f,    1,       10),
+    P(197, "TECS_LAND_TCONST",  speed_height.land_time_constant_s, 1.8f,    1,       10),
     P(slot::tecs_thr_damp, "TECS_THR_DAMP", speed_height.throttle_damping, 0.7f,       0,        2),
     P(slot::tecs_integ_gain, "TECS_INTEG_GAIN", speed_height.integral_gain, 0.3f,       0,     0.5f),
     P(126, "TECS_VERT_ACC",     speed_height.vertical_accel_mss,   7,       1,       10),

@@ -32,7 +32,7 @@ constexpr float kVelocity_hz2 = 0.05f * 0.05f / kHeight_m2, kGusts_hz4 = 0.1f * 
 // Slower than this it flies level, and what is apart is drift.
 constexpr float kClimb_mps = 0.5f;
 // Farther apart than three times what is expected it is a velocity that is wrong for long.
-constexpr float kOdd_m2 = 9 * kHeight_m2;
+constexpr float kWrong_m2 = 9 * kHeight_m2;
 // In a climb of 100 m a barometer drifts by as much. Nothing is gained by using it.
 constexpr float kMayBeDrift = 0.004f, kSteep = 2;
 
@@ -80,7 +80,7 @@ float BarometerDrift::learn(float apart_m, float rise_m, float dt_s, bool climbs
     const float of_drift = drift - risen_m * covariance_;
     const float of_scale = covariance_ - risen_m * (kUnknown - variance_less_);
     const float expected = of_drift - risen_m * of_scale + 1;
-    if (all_m * all_m > kOdd_m2 * expected) return 0;
+    if (all_m * all_m > kWrong_m2 * expected) return 0;
     const float inverse = core::inverse(expected);
     const float by_drift = of_drift * inverse;
     const float by_scale = climbs ? of_scale * inverse : 0;

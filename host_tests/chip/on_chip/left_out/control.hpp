@@ -9,5 +9,6 @@ LEFT_OUT(SpeedHeight, a_change_of_speed_hardly_moves_the_height, "a long flight"
 LEFT_OUT(SpeedHeight, a_steep_turn_costs_little_height_and_speed, "a long flight")
 LEFT_OUT(SpeedHeight, demands_outside_the_speed_limits_are_not_flown, "a long flight")
 LEFT_OUT(SpeedHeight, near_the_stall_it_gives_up_height_for_speed, "a long flight")
+LEFT_OUT(SpeedHeight, takes_errors_back_in_a_time_of_its_own_while_landing, "a long flight")
 LEFT_OUT(SpeedHeight, flies_without_an_airspeed_sensor, "a long flight")
 LEFT_OUT(SpeedHeight, climbs_out_with_all_throttle_at_the_demanded_speed, "a long flight")
