@@ -679,6 +679,7 @@ void resumeEstimate(const SlowRecord& slow, const FastRecord& fast, const Vector
     published.wind_mps = wind.wind_mps();
     published.flying = true;
     if (!fast.place_known) return;
+    setDeclination(fast.position);  // the compass is used before a fix comes
     estimation::PositionSettings settings;
     settings.gps_age_s = lost_s;
     position.useGps(fast.position, {fast.north_mps, fast.east_mps, 0}, {0, 0, 0}, settings);

@@ -102,9 +102,12 @@ void runDeclination() {
     if (vehicle.estimate.flying && (hal::frame_ms() & kEverySecond) != 0)
         return watchCompassMounting();
     published.points_down = geo::fieldPointsDown(vehicle.gps.position);
+    setDeclination(vehicle.gps.position);
+}
+
+void setDeclination(const geo::Position& place) {
     if (parameters.compass_auto_declination == 0) return;
-    parameters.compass_declination_rad =
-        core::fromCentidegrees(geo::declination_cd(vehicle.gps.position));
+    parameters.compass_declination_rad = core::fromCentidegrees(geo::declination_cd(place));
 }
 
 }  // namespace sensors

@@ -8,6 +8,7 @@
 #include "drivers/gps_fix.hpp"
 #include "estimation/motion.hpp"
 #include "firmware/state/restart_record.hpp"
+#include "geo/position.hpp"
 
 namespace firmware {
 namespace sensors {
@@ -37,6 +38,8 @@ void runBarometer();         // every frame
 void runCompass();
 void runCompassLearning();  // 10 Hz, behind runCompass: a pair takes a quarter of a millisecond
 void runDeclination();      // 1 Hz
+// The table's for that place into COMPASS_DEC, while COMPASS_AUTODEC is 1.
+void setDeclination(const geo::Position& place);
 void runGps();
 bool gpsWaits();  // so much that runGps should not be kept waiting for the next frame
 void runAirspeed();

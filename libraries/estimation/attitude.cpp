@@ -14,7 +14,7 @@ constexpr uint8_t kAlignFrames = 25;
 // host_tests/unit/libraries/estimation/flight.hpp.
 // The gyros are good for a minute, so the references may be averaged for long.
 constexpr float kTilt_s = 5.0f;
-constexpr float kCompass_s = 8.0f;
+constexpr float kCompass_s = 20.0f, kCourse_s = 8.0f;
 constexpr float kBiasShare = 1.0f / 100.0f;  // bias taken over, per second of tilt corrected
 constexpr float kQuick = 8.0f;               // so much faster at first, for a sixth of the time
 // The zero of gyros that gusts rocked is 0.1 to 0.2 deg/s wrong at first, and has to be learnt
@@ -39,6 +39,7 @@ constexpr float kCompassStep_s = 0.2f;
 constexpr uint8_t kMaxFrames = 50;     // that are counted: by then nothing is known any more
 constexpr float kInconsistent = 0.7f;  // cosine: a compass 45 degrees off is not followed
 constexpr float kSlow_mps = 5.0f;      // a slower course is noise
+constexpr float kDeclinationStep_rad = core::radians(1);
 
 // Between two fixes: a tilt that is 45 degrees wrong. A receiver whose velocity is wrong by 20 m/s
 // shows 100 m/s2, more than any tilt can. Less than that, and an airplane whose gyros drift by
@@ -56,6 +57,10 @@ using ForceBias = core::Fixed32<25>;          // m/s2
 // age is 0.15 s wrong misses 4.5 m/s, and between two fixes that would be a tilt of 45 degrees.
 constexpr int16_t kPushed = HalfForce(15).raw;
 constexpr uint8_t kPushedFixes = 5;  // and later: at 10 Hz, fixes from before the push come so long
+
+// Declination is small enough on every inhabited place for its cosine's second order.
+float shortSine(float rad) { return rad * (1.0f - rad * rad * (1.0f / 6.0f)); }
+float shortCosine(float rad) { return 1.0f - core::half(rad) * rad; }
 
 core::Vector3 unit(const core::Vector3& v) { return v * core::inverse(sqrtf(core::dot(v, v))); }
 
@@ -439,8 +444,8 @@ float Attitude::quick() const {
 }
 
 // By a share of the sine of the angle that is missing.
-void Attitude::pointBy(float error) {
-    const float by = error * core::limit(quick() * (kCompassStep_s / kCompass_s), 0.0f, 0.5f);
+void Attitude::pointBy(float error, float share) {
+    const float by = error * core::limit(quick() * share, 0.0f, 0.5f);
     const core::Vector3 turn_rad = real(down_) * by;
     learnRates(turn_rad);
     turnBy(turn_rad);
@@ -453,21 +458,35 @@ void Attitude::useCourse(const core::Vector3& air_mps) {
     const float north = noseNorth(), east = noseEast();
     const float across = north * air_mps.y - east * air_mps.x;
     const bool ahead = north * air_mps.x + east * air_mps.y > 0;
-    pointBy(ahead ? across / sqrtf(squared) : across < 0 ? -1.0f : 1.0f);
+    pointBy(ahead        ? across / sqrtf(squared)
+            : across < 0 ? -1.0f
+                         : 1.0f,
+            kCompassStep_s / kCourse_s);
+}
+
+// A heading by the compass turns along with what is known of the declination: nothing before the
+// first fix. Pulled there slowly, the compass would be taken for off by it. One that has been
+// resumed is true already.
+bool Attitude::turnByDeclination(const AttitudeSettings& settings) {
+    const float by_rad = settings.declination_rad - declination_rad_;
+    declination_rad_ = settings.declination_rad;
+    const bool small = fabsf(by_rad) < kDeclinationStep_rad;
+    if (small || phase_ != Phase::pointed || !settings.use_compass) return false;
+    turnTo(shortSine(by_rad), shortCosine(by_rad));
+    return true;
 }
 
 bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSettings& settings) {
     if (phase_ == Phase::falling) return true;
     catchUp();
+    if (turnByDeclination(settings)) return true;
     const core::Vector3 field_mg = field_.earths(reading_mg);
     const core::Vector3 north = real(north_), down = real(down_);
     const core::Vector3 east = core::cross(down, north);
     const float m_north = core::dot(north, field_mg), m_east = core::dot(east, field_mg);
     const float length = sqrtf(core::squaredLength(m_north, m_east));
     if (length < 30.0f) return true;  // near a magnetic pole, or no field at all: no direction
-    // Declination is small enough on every inhabited place for its cosine's second order.
-    const float d = settings.declination_rad;
-    const float sin_d = d * (1.0f - d * d * (1.0f / 6.0f)), cos_d = 1.0f - core::half(d) * d;
+    const float d = settings.declination_rad, sin_d = shortSine(d), cos_d = shortCosine(d);
     const float along_mg = m_north * cos_d + m_east * sin_d;
     const float across_mg = m_east * cos_d - m_north * sin_d;
     const float inverse = core::inverse(length);
@@ -495,7 +514,7 @@ bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
         field_.learn(odd_mg, kCompassStep_s);
     }
     const float error = along_mg > 0 ? -across_mg * inverse : (across_mg < 0 ? 1.0f : -1.0f);
-    pointBy(error);
+    pointBy(error, kCompassStep_s / kCompass_s);
     return true;
 }
 

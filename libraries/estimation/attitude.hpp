@@ -122,7 +122,8 @@ private:
     core::Vector3 east() const;
     void turnTo(float sine, float cosine);
     void turnBy(const core::Vector3& by_rad);
-    void pointBy(float error);
+    void pointBy(float error, float share);
+    bool turnByDeclination(const AttitudeSettings& settings);
     static void turnBy(int32_t& turned, float by_rad);
     void rotateRows();
     void catchUp() {
@@ -162,6 +163,7 @@ private:
     uint8_t pushed_fixes_ = 0;                 // that are still left out after a push
     uint8_t since_fix_ = 0xFF;                 // periods, 1.28 s at most
     float settling_ = 1;                       // 1 at start, 0 when settled
+    float declination_rad_ = 0;                // that the heading has been turned by
     float compass_off_ = 0;                    // 1 - cosine of the angle of the last reading
     Phase phase_ = Phase::falling;
     uint8_t forces_ = 0, periods_ = 0;

@@ -5,8 +5,8 @@
 namespace estimation {
 namespace {
 
-constexpr float kOwn_s = 15.0f;
-constexpr float kEarth_s = 40.0f;
+constexpr float kOwn_s = 30.0f;
+constexpr float kEarth_s = 25.0f;
 constexpr float kMaxOwn_mg = 300.0f;
 
 SELDOM void addLimited(float& own_mg, float step_mg) {

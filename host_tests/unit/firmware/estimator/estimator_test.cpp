@@ -286,6 +286,17 @@ TEST_F(WrongBarometer, is_right_after_a_restart_that_ends_on_the_ground) {
     EXPECT_NEAR(then.home_height_m, slow.home_height_m, 3) << "where the field is";
 }
 
+// The compass is used before the receiver has a fix.
+TEST_F(Estimator, knows_the_declination_of_its_place_after_a_restart) {
+    firmware::state::parameters.compass_auto_declination = 1;
+    firmware::state::SlowRecord slow = {};
+    firmware::state::FastRecord fast = {};
+    fast.place_known = true;
+    fast.position = {400150000, -1052700000};  // Boulder, 7.6 degrees east in 2027
+    firmware::estimator::resumeEstimate(slow, fast, {0, 0, 0}, 0.1f);
+    EXPECT_NEAR(core::degrees(firmware::state::parameters.compass_declination_rad), 7.6f, 0.5f);
+}
+
 TEST_F(Estimator, counts_heights_from_where_home_is_set_on_the_ground) {
     mutable_vehicle.baro.pressure_pa -= 60;  // the weather since the barometer was zeroed
     altitude_m_ = 432.1f;
@@ -659,7 +670,8 @@ TEST_F(WrongHeading, may_be_right_where_a_wind_leaves_little_speed_over_the_grou
     EXPECT_FALSE(isFaulty(Sensor::compass));
 }
 
-// The compass reads 30 mG more downwards from now on: it counts as the airplane's own for the most.
+// The compass reads 30 mG more downwards from now on: flying straight, nearly half of it counts as
+// the airplane's own.
 struct OwnField : Estimator {
     void SetUp() override {
         Estimator::SetUp();
@@ -672,7 +684,7 @@ struct OwnField : Estimator {
         frames(300);
         frames(400, flies ? 3.0f : 0.0f);
         compass_mg_.z = 460;
-        frames(1000);
+        frames(2500);
         firmware::estimator::saveEstimate(slow);
     }
     const float& learnt_mg = firmware::state::parameters.compass.offset_mg[2];

@@ -244,8 +244,11 @@ struct Resumed : testing::Test {
     Attitude attitude;
     core::Vector3 reading_mg = {150, 130, 430};
 
+    float declination_rad = 0;
+
     void stand(double seconds, bool compass) {
         AttitudeSettings settings;
+        settings.declination_rad = declination_rad;
         settings.use_compass = compass;
         for (int frame = 1; frame <= seconds * 100; ++frame) {
             attitude.propagate(motion({0, 0, 0}, {0, 0, -core::kGravity_mss}));
@@ -300,6 +303,40 @@ TEST_F(Compared, the_compass_is_off_by_a_share_of_what_is_followed) {
     EXPECT_GT(shown(core::radians(50)), 1);
     EXPECT_FALSE(followed);
     EXPECT_NEAR(shown(core::radians(180)), 2.58, 0.05);
+}
+
+struct Declined : Resumed {
+    void standAt(float to_rad, double seconds) {
+        declination_rad = to_rad;
+        stand(seconds, true);
+    }
+    double yaw_rad() const { return std::atan2(attitude.noseEast(), attitude.noseNorth()); }
+    double own_mg() const { return core::dot(attitude.compassOffset_mg(), {1, 1, 1}); }
+};
+
+// Half a minute after power-on the first fix comes, and with it the table's declination.
+TEST_F(Declined, the_heading_turns_by_a_declination_that_becomes_known) {
+    for (const float known_rad : {-0.4f, 0.4f, 0.6f}) {
+        attitude.start();
+        standAt(0, 30);
+        const double before_rad = yaw_rad(), own_before_mg = own_mg();
+        standAt(known_rad, 0.6);
+        EXPECT_NEAR(yaw_rad(), before_rad + known_rad, 0.05) << known_rad;
+        standAt(known_rad, 30);
+        EXPECT_NEAR(yaw_rad(), before_rad + known_rad, 0.005) << known_rad;
+        EXPECT_NEAR(own_mg(), own_before_mg, 2) << "the compass is not off by it";
+    }
+}
+
+// The heading of a record is the true one.
+TEST_F(Declined, one_that_was_resumed_keeps_its_heading) {
+    attitude.start();
+    standAt(0.4f, 2);
+    const double before_rad = yaw_rad();
+    resume(0);
+    stand(0.2, false);
+    standAt(0.4f, 1);
+    EXPECT_NEAR(yaw_rad(), before_rad, 0.02);
 }
 
 // The power was gone for a second, and who knows how it rolled meanwhile.
