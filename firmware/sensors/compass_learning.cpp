@@ -24,10 +24,10 @@ constexpr uint8_t kPairsOfAnchor = 50;
 constexpr uint8_t kPairs = 250;  // as many as are wanted
 constexpr uint8_t kCoarse = 60;
 constexpr float kMaxOffset_mg = 400;
-// Of what the estimator hands over at a time, which is a 75th of what a reading is off by: so much
+// Of what the estimator hands over at a time, which is a 150th of what a reading is off by: so much
 // counts for the motor's part. Before the offsets are known, at the beginning of the first flight,
 // a reading is off by far more than a motor adds.
-constexpr float kMaxStep_mg = 10.0f / 75;
+constexpr float kMaxStep_mg = 20.0f / 150;
 constexpr float kMaxMotor_mg = 200;
 
 struct Turns {
@@ -84,7 +84,7 @@ void averageMiss(float miss_mg) {
 // what full throttle would add; a little of it is taken over at a time (normalised least mean
 // squares, Widrow and Hoff 1960).
 float motorShare(float above_mean) {
-    constexpr float kShare = 0.02f * 75, kNoise = 0.09f;
+    constexpr float kShare = 0.01f * 150, kNoise = 0.09f;
     return kShare * above_mean / (kNoise + above_mean * above_mean);
 }
 
