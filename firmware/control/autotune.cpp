@@ -39,7 +39,8 @@ core::FileState<Tuners> tuning{};
 constexpr uint8_t kTimeConstants[] ROM = {80, 70, 60, 52, 45, 40, 35, 30, 25, 20};
 
 // Of a small airplane that full aileron rolls at 10 rad/s, and where the parameters end. With less,
-// gusts turn it more than its surfaces do, and what they do is measured. A gain that is there stays.
+// gusts turn it more than its surfaces do, and what they do is measured. A gain that is there
+// stays.
 constexpr float kLeastP = 0.2f, kMaxP = 4.0f;
 
 constexpr uint8_t kLeveled = 2 * core::count(kAxes);

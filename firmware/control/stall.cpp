@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/control/stall.hpp"
 
+#include <math.h>
+
 #include "core/file_state.hpp"
 #include "firmware/control/attitude_control.hpp"
 #include "firmware/estimator/estimator.hpp"
@@ -23,6 +25,9 @@ using Phase = ::control::Stall::Phase;
 
 constexpr float kLowest_m = 10;       // below, a pilot flares, and what is lost is lost
 constexpr float kSinking_mps = 1.5f;  // a stalled wing does; one on the runway does not
+// Of the airspeed, from the path up to the nose: 25 degrees. No wing flies so, but a wind that
+// sinks by 4 m/s would show half of it at 12 m/s.
+constexpr float kFalling = 0.42f, kFalling_mps = 3;
 
 struct Watch {
     ::control::Stall stall;
@@ -46,11 +51,20 @@ bool possible() {
            vehicle.imu.healthy && !vehicle.inverted && holdsElevator() && !takes_off && !flares();
 }
 
-void lookForStall() {
+// By an airspeed sensor that reads too little, no sooner than at the lowest speed.
+bool falls() {
+    const float climb_mps = vehicle.estimate.climb_mps;
+    if (climb_mps > -kFalling_mps) return false;
+    const float fast_mps = fmaxf(vehicle.estimate.airspeed_mps, speedMin_mps());
+    return fast_mps * (vehicle.attitude.sin_pitch.toFloat() - kFalling) > climb_mps;
+}
+
+void lookForStall(bool falls) {
     auto& recovery = stall_recovery;
-    recovery.slow = vehicle.estimate.equivalent_airspeed_mps < speedMin_mps();
+    recovery.slow = falls || vehicle.estimate.equivalent_airspeed_mps < speedMin_mps();
     const bool sinks = !vehicle.baro.healthy || vehicle.estimate.climb_mps < -kSinking_mps;
-    watch.stall.run({surfaces.elevator, pitchShort_rad(), pitchRise_rads(), recovery.slow, sinks});
+    watch.stall.run(
+        {surfaces.elevator, pitchShort_rad(), pitchRise_rads(), recovery.slow, sinks, falls});
     const Phase phase = watch.stall.phase();
     if (recovery.phase == Phase::flying && phase == Phase::breaking)
         sendStatusText(Severity::warning, STATUS_TEXT("Stall: nose down"));
@@ -63,9 +77,10 @@ void lookForStall() {
 }  // namespace
 
 void runStall() {
-    if (stall_recovery.phase == Phase::flying && ::control::Stall::calm(surfaces.elevator))
-        return watch.stall.runCalm();
-    if (possible()) return lookForStall();
+    const bool falling = falls();
+    const bool calm = !falling && ::control::Stall::calm(surfaces.elevator);
+    if (stall_recovery.phase == Phase::flying && calm) return watch.stall.runCalm();
+    if (possible()) return lookForStall(falling);
     watch.stall.stop();
     stall_recovery = StallRecovery();
 }

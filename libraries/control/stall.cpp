@@ -39,7 +39,8 @@ void Stall::breakIt(const StallSigns& signs) {
 }
 
 void Stall::watch(const StallSigns& signs) {
-    if (isFarUp(signs) && signs.sinks && noseStays(signs))
+    const bool held_up = signs.falls && signs.elevator.raw > kHolds.raw;
+    if (held_up || (isFarUp(signs) && signs.sinks && noseStays(signs)))
         ++seen_;
     else
         runCalm();

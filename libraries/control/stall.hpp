@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Notices a stall by the nose and leads out of it, without a sensor for the angle of attack. A wing
 // that flies turns within a few tenths of a second with the elevator; a stalled one stays down
-// however far it is pulled, and is held in the stall by that.
+// however far it is pulled, and is held in the stall by that. Where the nose stays up for all that,
+// the airplane falls, and the air meets the wing from far below.
 #pragma once
 #include <stdint.h>
 
@@ -15,6 +16,7 @@ struct StallSigns {
     core::BodyRate rate_rads;  // nose up, beyond the turn's
     bool slow;                 // below the lowest flying speed
     bool sinks;                // or nobody knows
+    bool falls;                // with its nose far above its path
 };
 
 class Stall {
@@ -35,6 +37,7 @@ public:
 
 private:
     static constexpr core::Ratio kLeastUp{0.35f};  // when it is slow
+    static constexpr core::Ratio kHolds{0.15f};    // when it falls
 
     void begin(Phase phase);
     void breakIt(const StallSigns& signs);

@@ -39,6 +39,7 @@ protected:
         attitude.pitch_rad = core::Angle(pitch_rad);
         attitude.sin_roll = core::Ratio(std::sin(roll_rad));
         attitude.cos_roll = core::Ratio(std::cos(roll_rad));
+        attitude.sin_pitch = core::Ratio(std::sin(pitch_rad));
         attitude.cos_pitch = core::Ratio(std::cos(pitch_rad));
     }
     // With the rows as often as the schedule has them.
@@ -63,6 +64,49 @@ TEST_F(StallInFlight, lets_the_elevator_go) {
     EXPECT_GT(surfaces.elevator.toFloat(), kUp);
     ASSERT_EQ(after(0.4f), Phase::breaking);
     EXPECT_NEAR(surfaces.elevator.toFloat(), -0.1f, 0.01);
+}
+
+// As fast as it cruises, its nose 12 degrees up where the height is demanded, it falls with 33
+// degrees of angle of attack: by full throttle and a quarter of the elevator, down to the ground.
+struct NoseUp : StallInFlight {
+    void SetUp() override {
+        StallInFlight::SetUp();
+        guide(Path::leg);
+        fall(0, 12);
+        mutable_vehicle.pitch_demand_rad = core::Angle(radians(20));
+        auto& estimate = mutable_vehicle.estimate;
+        estimate.airspeed_mps = estimate.equivalent_airspeed_mps = 13;
+        estimate.climb_mps = -4.5f;
+    }
+};
+
+TEST_F(NoseUp, is_a_stall_where_the_airplane_falls) {
+    ASSERT_GT(parameters.speed_min_mps, 8);
+    after(0.2f);
+    EXPECT_GT(surfaces.elevator.toFloat(), 0.15f);
+    EXPECT_LT(surfaces.elevator.toFloat(), 0.35f) << "less than where the nose does not follow";
+    EXPECT_EQ(after(0.6f), Phase::breaking);
+    EXPECT_NEAR(surfaces.throttle.toFloat(), parameters.throttle_max_pct * 0.01f, 0.01);
+}
+
+TEST_F(NoseUp, keeps_low_until_it_falls_no_longer) {
+    ASSERT_EQ(after(2.2f), Phase::pulling_out);
+    fall(0, -4);
+    mutable_vehicle.estimate.climb_mps = -7;
+    after(0.1f);
+    EXPECT_LE(surfaces.elevator.toFloat(), 0.0f);
+}
+
+TEST_F(NoseUp, is_none_in_air_that_sinks) {
+    mutable_vehicle.estimate.climb_mps = -2.5f;
+    EXPECT_EQ(after(2), Phase::flying);
+}
+
+TEST_F(NoseUp, is_none_where_an_airspeed_sensor_that_reads_little_shows_one) {
+    fall(0, -10);
+    mutable_vehicle.pitch_demand_rad = core::Angle(radians(-5));
+    mutable_vehicle.estimate.airspeed_mps = 3;
+    EXPECT_EQ(after(2), Phase::flying);
 }
 
 // The body turns about its wings with the turn alone, while the nose stays where it is.
@@ -98,6 +142,7 @@ TEST_F(StallInFlight, pulls_out_gently) {
 TEST_F(StallInFlight, flies_on_when_the_nose_is_back) {
     ASSERT_EQ(after(0.8f), Phase::pulling_out);
     fall(0, 0);
+    mutable_vehicle.estimate.climb_mps = -1;
     EXPECT_EQ(after(0.1f), Phase::flying);
 }
 

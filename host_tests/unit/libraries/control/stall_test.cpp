@@ -13,8 +13,18 @@ using Phase = Stall::Phase;
 
 StallSigns signs(float elevator, float short_deg, float rate_dps, bool slow = false,
                  bool sinks = true) {
-    return {core::Ratio(elevator), core::Angle(core::radians(short_deg)),
-            core::BodyRate(core::radians(rate_dps)), slow, sinks};
+    return {core::Ratio(elevator),
+            core::Angle(core::radians(short_deg)),
+            core::BodyRate(core::radians(rate_dps)),
+            slow,
+            sinks,
+            false};
+}
+// The nose up where it is demanded, by a quarter of the elevator, and the airplane falls.
+StallSigns falling(float elevator, bool falls = true) {
+    StallSigns made = signs(elevator, 2, 0);
+    made.falls = made.slow = falls;
+    return made;
 }
 // As foam trainers fall: full up, the nose 30 degrees short and hardly turning.
 const StallSigns kStalled = signs(1, 30, -5);
@@ -49,6 +59,17 @@ TEST_F(StallTest, is_noticed_although_gusts_lift_the_nose_for_a_moment) {
         after(0.05f, signs(1, 28, 40));
     }
     EXPECT_EQ(stall.phase(), Phase::breaking);
+}
+
+TEST_F(StallTest, is_noticed_where_the_airplane_falls_with_its_nose_held_up) {
+    EXPECT_EQ(after(0.3f, falling(0.25f)), Phase::flying);
+    EXPECT_EQ(after(0.05f, falling(0.25f)), Phase::breaking);
+    EXPECT_EQ(after(1.4f, falling(-0.1f)), Phase::breaking) << "until it flies";
+    EXPECT_EQ(after(0.1f, falling(-0.1f)), Phase::pulling_out);
+}
+
+TEST_F(StallTest, is_none_where_it_falls_without_elevator) {
+    EXPECT_EQ(after(2, falling(0.1f)), Phase::flying);
 }
 
 TEST_F(StallTest, is_none_while_the_nose_follows) {
