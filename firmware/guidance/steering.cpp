@@ -16,13 +16,17 @@ namespace {
 
 constexpr float kPerRadian = 0.6f;
 constexpr float kPerRate_s = 0.12f;
+// A wheel turns the airplane the quicker, the faster it rolls: small ones with slow servos swung
+// from side to side, and over.
+constexpr float kFast_mps = 5, kWhenFast = 0.3f;
 constexpr float kMax = 0.35f;  // a wheel at full lock overturns the airplane
 
 void steer(float error_rad) {
     progress.steering = true;
     const float wanted =
         error_rad * kPerRadian - vehicle.attitude.rate_rads.z.toFloat() * kPerRate_s;
-    demandRudder(core::Ratio(core::limit(wanted, -kMax, kMax)));
+    const float fast = vehicle.estimate.ground_speed_mps > kFast_mps ? kWhenFast : 1;
+    demandRudder(core::Ratio(core::limit(wanted * fast, -kMax, kMax)));
 }
 
 }  // namespace
