@@ -111,7 +111,7 @@ constexpr Tier slow = Tier::slow;      // mode switch, log and the rest: the fir
     TASK(medium, missionRun,             10,     3,    2670)                  \
     TASK(medium, missionCatchUp,         10,     5,    1590)                  \
     TASK(medium, runInverted,            10,     2,      15)                  \
-    TASK(medium, runStall,                5,     3,      53)                  \
+    TASK(medium, runStall,                5,     3,      80)                  \
     TASK(medium, runFence,               20,     1,    1030)                  \
     TASK(medium, runFailsafe,            10,     6,     500)                  \
     /* an APM 1's barometer has the bus of both early in the frame */         \

@@ -563,6 +563,9 @@ void fuseFixAttitude() {
     newest_fix.since_s = (now_ms - newest_fix.ms) * 0.001f;
     newest_fix.ms = now_ms;
     estimation::AttitudeSettings settings = attitudeSettings();
+    // one that is thrown has no wheels
+    settings.rolls =
+        vehicle.armed && !vehicle.estimate.flying && parameters.takeoff_min_accel_mss == 0;
     settings.gps_age_s = gpsAge_s(now_ms);
     attitude.useGps(vehicle.gps.velocity_mps, settings, fix_comparison);
     fix_for = {true, true, true, parameters.gps_delay_ms == 0};

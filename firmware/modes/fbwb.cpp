@@ -20,9 +20,9 @@ using namespace control;
 namespace {
 
 constexpr float kFullStick_cd = 4500;
-constexpr float kFar_m = 10000;   // farther than a stick is held
-constexpr float kAhead_m = 10;    // no farther does the demand run before what can be flown
-constexpr float kLevelOff_s = 1;  // of the present climb, within which it ends
+constexpr float kFar_m = 10000;      // farther than a stick is held
+constexpr float kAhead_m = 10;       // no farther does the demand run before what can be flown
+constexpr float kLevelOff_s = 0.8f;  // of the present climb, within which it ends
 
 // The climb is flown as a change of height at a rate, which guidance knows: from_height_m moves.
 void climb(PathDemand& demand, float rate_mps, float lowest_m) {

@@ -13,19 +13,13 @@ namespace {
 
 constexpr double kLimit_s = 900, kAnswers_s = 4;
 constexpr uint64_t kStep_us = 20'000;
-// Percent: with all of it and a compass 180 degrees off the airplane does not reach its waypoints.
-constexpr float kThrottle_pct = 75;
 
 class MountingFlight : FlightScenario {
 public:
     MountingFlight(WatchedBoard& board, const Waypoints& items, int yaw_deg)
-        : FlightScenario(
-              board, items, kLimit_s, kStep_us, [](const mavlink::Frame&, uint64_t) {},
-              {{"COMPASS_EXTERNAL", 1}, {"COMPASS_ORIENT", 0}, {"THR_MAX", kThrottle_pct}}),
-          orientation_(yaw_deg / 45) {
-        // By a compass that points backwards neither heading nor wind is right until it is found.
-        if (yaw_deg == 180) board.watch().excuse("surface_swings");
-    }
+        : FlightScenario(board, items, kLimit_s, kStep_us, [](const mavlink::Frame&, uint64_t) {},
+                         {{"COMPASS_EXTERNAL", 1}, {"COMPASS_ORIENT", 0}}),
+          orientation_(yaw_deg / 45) {}
 
     bool fly() {
         while (advance()) {

@@ -405,21 +405,18 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
     fix_ = then;
     fix_ground_ = ground;
     since_fix_ = 0;
-    if (phase_ == Phase::upright && !settings.use_compass) pointAlong(velocity_mps);
+    if (settings.rolls || (phase_ == Phase::upright && !settings.use_compass))
+        pointAlong(velocity_mps);
 }
 
 // The first heading where there is no compass: the course, when there is one.
 void Attitude::pointAlong(const core::Vector3& velocity_mps) {
-    const float fast = core::squaredLength(velocity_mps.x, velocity_mps.y);
-    if (fast <= 25.0f) return;
-    const float inverse = core::inverse(sqrtf(fast));
-    const float east = velocity_mps.y * inverse, north = velocity_mps.x * inverse;
-    float nose_north = noseNorth(), nose_east = noseEast();
-    const float inverse_nose =
-        core::inverse(sqrtf(core::squaredLength(nose_north, nose_east) + 1e-6f));
-    nose_north *= inverse_nose;
-    nose_east *= inverse_nose;
-    turnTo(east * nose_north - north * nose_east, north * nose_north + east * nose_east);
+    if (core::squaredLength(velocity_mps.x, velocity_mps.y) <= kSlow_mps * kSlow_mps) return;
+    const float nose_north = noseNorth(), nose_east = noseEast();
+    const float sine = velocity_mps.y * nose_north - velocity_mps.x * nose_east;
+    const float cosine = velocity_mps.x * nose_north + velocity_mps.y * nose_east;
+    const float inverse = core::inverse(sqrtf(core::squaredLength(sine, cosine) + 1e-6f));
+    turnTo(sine * inverse, cosine * inverse);
 }
 
 core::Vector3 Attitude::gainedSinceFix_mps() const {

@@ -22,6 +22,7 @@ struct AttitudeSettings {
     float gps_age_s = 0.243f;
     float declination_rad = 0;  // east positive
     bool use_compass = true;    // false: it is looked at, but not followed
+    bool rolls = false;         // on its wheels: it points where it goes
 };
 
 struct Angles {
@@ -64,7 +65,8 @@ public:
     // seconds more than 1 is followed, too.
     float compassTestRatio() const;
 
-    // Once for every fix: north, east, down. Without a compass its course gives the first heading.
+    // Once for every fix: north, east, down. Without a compass its course gives the first heading,
+    // on the runway with one, too.
     // What it showed against the accelerometers is added to `seen`.
     void useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings,
                 FixComparison& seen);

@@ -643,6 +643,26 @@ TEST_F(WrongHeading, is_given_up_for_the_course_when_it_lies_across_it) {
     }
 }
 
+// Half a turn off, as outside compasses are mounted.
+TEST_F(WrongHeading, is_set_right_by_the_course_on_the_runway) {
+    for (const int8_t thrown_mss : {0, 10}) {
+        SetUp();
+        firmware::state::parameters.takeoff_min_accel_mss = thrown_mss;
+        compass_mg_ = {-210, 0, 430};
+        mutable_vehicle.airspeed.healthy = true;
+        mutable_vehicle.airspeed.speed_mps = 3;
+        frames(1000);
+        ASSERT_GT(std::fabs(yaw_deg()), 170);
+        mutable_vehicle.armed = true;
+        frames(250, 2.5f);
+        ASSERT_FALSE(vehicle.estimate.flying);
+        if (thrown_mss == 0)
+            EXPECT_LT(std::fabs(yaw_deg()), 10);
+        else
+            EXPECT_GT(std::fabs(yaw_deg()), 170) << "no wheels hold it along its course";
+    }
+}
+
 TEST_F(WrongHeading, is_forgotten_on_the_ground) {
     fly(90, 14, 100);
     frames(200, -7);
@@ -659,6 +679,7 @@ TEST_F(WrongHeading, is_forgotten_on_the_ground) {
 }
 
 TEST_F(WrongHeading, may_be_right_in_a_wind_from_the_side) {
+    firmware::state::parameters.takeoff_min_accel_mss = 10;  // on wheels it would point ahead
     fly(50, 14);
     EXPECT_FALSE(isFaulty(Sensor::compass));
 }

@@ -30,7 +30,7 @@ TEST_F(Fbwb, climbs_at_the_rate_of_the_stick_and_stays_where_it_is_let_go) {
     guide(1);
     mutable_vehicle.estimate.climb_mps = 0;
     guide(10);
-    EXPECT_NEAR(planned_m(), 83.5, 0.01) << "with a second to end the climb in";
+    EXPECT_NEAR(planned_m(), 83.3, 0.01) << "with 0.8 s to end the climb in";
 }
 
 TEST_F(Fbwb, climbs_with_the_stick_pushed_if_the_pilot_wants_that) {
