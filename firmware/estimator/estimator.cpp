@@ -205,9 +205,13 @@ bool airspeedFits() {
 
 // Without the inertial sensor the nose points where it did before.
 void updateWind() {
-    if (!vehicle.estimate.flying || !vehicle.imu.healthy || newest_fix.since_s > 1.5f ||
-        pointsByCourse())
+    if (!vehicle.imu.healthy || newest_fix.since_s > 1.5f) return;
+    if (!vehicle.estimate.flying) {
+        const bool wheels = parameters.takeoff_min_accel_mss == 0;  // what is thrown has none
+        if (wheels && vehicle.armed) attitude.useRolling(vehicle.gps.velocity_mps);
         return;
+    }
+    if (pointsByCourse()) return;
     if (!airspeedFits() && vehicle.airspeed.healthy) return;
     const float airspeed_mps = vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f;
     wind.update(position.velocity_mps(), {attitude.noseNorth(), attitude.noseEast()}, airspeed_mps,
@@ -563,9 +567,6 @@ void fuseFixAttitude() {
     newest_fix.since_s = (now_ms - newest_fix.ms) * 0.001f;
     newest_fix.ms = now_ms;
     estimation::AttitudeSettings settings = attitudeSettings();
-    // one that is thrown has no wheels
-    settings.rolls =
-        vehicle.armed && !vehicle.estimate.flying && parameters.takeoff_min_accel_mss == 0;
     settings.gps_age_s = gpsAge_s(now_ms);
     attitude.useGps(vehicle.gps.velocity_mps, settings, fix_comparison);
     fix_for = {true, true, true, parameters.gps_delay_ms == 0};

@@ -405,11 +405,15 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
     fix_ = then;
     fix_ground_ = ground;
     since_fix_ = 0;
-    if (settings.rolls || (phase_ == Phase::upright && !settings.use_compass))
-        pointAlong(velocity_mps);
+    if (phase_ == Phase::upright && !settings.use_compass) pointAlong(velocity_mps);
 }
 
-// The first heading where there is no compass: the course, when there is one.
+void Attitude::useRolling(const core::Vector3& velocity_mps) {
+    catchUp();
+    pointAlong(velocity_mps);
+}
+
+// By the course, when there is one.
 void Attitude::pointAlong(const core::Vector3& velocity_mps) {
     if (core::squaredLength(velocity_mps.x, velocity_mps.y) <= kSlow_mps * kSlow_mps) return;
     const float nose_north = noseNorth(), nose_east = noseEast();
@@ -466,6 +470,7 @@ void Attitude::useCourse(const core::Vector3& air_mps) {
 // resumed is true already.
 bool Attitude::turnByDeclination(const AttitudeSettings& settings) {
     const float by_rad = settings.declination_rad - declination_rad_;
+    if (by_rad == 0) return false;
     declination_rad_ = settings.declination_rad;
     const bool small = fabsf(by_rad) < kDeclinationStep_rad;
     if (small || phase_ != Phase::pointed || !settings.use_compass) return false;

@@ -22,7 +22,6 @@ struct AttitudeSettings {
     float gps_age_s = 0.243f;
     float declination_rad = 0;  // east positive
     bool use_compass = true;    // false: it is looked at, but not followed
-    bool rolls = false;         // on its wheels: it points where it goes
 };
 
 struct Angles {
@@ -65,11 +64,13 @@ public:
     // seconds more than 1 is followed, too.
     float compassTestRatio() const;
 
-    // Once for every fix: north, east, down. Without a compass its course gives the first heading,
-    // on the runway with one, too.
+    // Once for every fix: north, east, down. Without a compass its course gives the first heading.
     // What it showed against the accelerometers is added to `seen`.
     void useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings,
                 FixComparison& seen);
+
+    // With every fix while it rolls on its wheels: it points where it goes.
+    void useRolling(const core::Vector3& velocity_mps);
 
     // While the compass is lost, with every fix: the velocity through the air, which is along the
     // nose.
