@@ -101,7 +101,7 @@ constexpr Tier slow = Tier::slow;      // mode switch, log and the rest: the fir
     TASK(medium, fuseFixWind,             5,     1,     570)                  \
     TASK(medium, fuseFixHeight,           5,     0,     570)                  \
     TASK(medium, learnGpsDelay,           5,     4,     520)                  \
-    TASK(medium, fuseCompass,            20,    11,    1240)                  \
+    TASK(medium, fuseCompass,            20,    11,    1260)                  \
     TASK(medium, fuseAirspeed,           20,    19,    1290)                  \
     TASK(medium, telemetrySend,           2,     0,    1100)                  \
     TASK(medium, runGuidance,             5,     2,    2050)                  \

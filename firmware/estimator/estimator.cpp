@@ -208,7 +208,7 @@ void updateWind() {
     if (!vehicle.imu.healthy || newest_fix.since_s > 1.5f) return;
     if (!vehicle.estimate.flying) {
         const bool wheels = parameters.takeoff_min_accel_mss == 0;  // what is thrown has none
-        if (wheels && vehicle.armed) attitude.useRolling(vehicle.gps.velocity_mps);
+        if (wheels && vehicle.armed) attitude.pointAlong(vehicle.gps.velocity_mps);
         return;
     }
     if (pointsByCourse()) return;

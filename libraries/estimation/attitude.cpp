@@ -2,6 +2,7 @@
 #include "estimation/attitude.hpp"
 
 #include "core/internal_error.hpp"
+#include "core/seldom.hpp"
 #include "estimation/atan2_table.hpp"
 
 namespace estimation {
@@ -58,9 +59,10 @@ using ForceBias = core::Fixed32<25>;          // m/s2
 constexpr int16_t kPushed = HalfForce(15).raw;
 constexpr uint8_t kPushedFixes = 5;  // and later: at 10 Hz, fixes from before the push come so long
 
-// Declination is small enough on every inhabited place for its cosine's second order.
-float shortSine(float rad) { return rad * (1.0f - rad * rad * (1.0f / 6.0f)); }
-float shortCosine(float rad) { return 1.0f - core::half(rad) * rad; }
+// Out of line for the flash. Declination is small enough on every inhabited place for its cosine's
+// second order.
+SELDOM float shortSine(float rad) { return rad * (1.0f - rad * rad * (1.0f / 6.0f)); }
+SELDOM float shortCosine(float rad) { return 1.0f - core::half(rad) * rad; }
 
 core::Vector3 unit(const core::Vector3& v) { return v * core::inverse(sqrtf(core::dot(v, v))); }
 
@@ -408,12 +410,6 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
     if (phase_ == Phase::upright && !settings.use_compass) pointAlong(velocity_mps);
 }
 
-void Attitude::useRolling(const core::Vector3& velocity_mps) {
-    catchUp();
-    pointAlong(velocity_mps);
-}
-
-// By the course, when there is one.
 void Attitude::pointAlong(const core::Vector3& velocity_mps) {
     if (core::squaredLength(velocity_mps.x, velocity_mps.y) <= kSlow_mps * kSlow_mps) return;
     const float nose_north = noseNorth(), nose_east = noseEast();
@@ -470,10 +466,8 @@ void Attitude::useCourse(const core::Vector3& air_mps) {
 // resumed is true already.
 bool Attitude::turnByDeclination(const AttitudeSettings& settings) {
     const float by_rad = settings.declination_rad - declination_rad_;
-    if (by_rad == 0) return false;
     declination_rad_ = settings.declination_rad;
-    const bool small = fabsf(by_rad) < kDeclinationStep_rad;
-    if (small || phase_ != Phase::pointed || !settings.use_compass) return false;
+    if (fabsf(by_rad) < kDeclinationStep_rad || phase_ != Phase::pointed) return false;
     turnTo(shortSine(by_rad), shortCosine(by_rad));
     return true;
 }

@@ -69,8 +69,8 @@ public:
     void useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings,
                 FixComparison& seen);
 
-    // With every fix while it rolls on its wheels: it points where it goes.
-    void useRolling(const core::Vector3& velocity_mps);
+    // With every fix while it rolls on its wheels: it points where it goes, from 5 m/s on.
+    void pointAlong(const core::Vector3& velocity_mps);
 
     // While the compass is lost, with every fix: the velocity through the air, which is along the
     // nose.
@@ -135,7 +135,6 @@ private:
     void workOutAngles();
     void carryAnglesOn(const DeltaAngle16& turned);
     core::Ratio levelled(int16_t component) const;
-    void pointAlong(const core::Vector3& velocity_mps);
     void forgetForces();
     float quick() const;
     void correct(const core::Vector3& missing_mss, const core::Vector3& felt_mss, float time_s,
