@@ -40,6 +40,7 @@ constexpr float kCompassStep_s = 0.2f;
 constexpr uint8_t kMaxFrames = 50;     // that are counted: by then nothing is known any more
 constexpr float kInconsistent = 0.7f;  // cosine: a compass 45 degrees off is not followed
 constexpr float kSlow_mps = 5.0f;      // a slower course is noise
+constexpr float kRolls_mps = 4.0f;     // a course within a degree: velocities err by 0.05 m/s
 constexpr float kDeclinationStep_rad = core::radians(1);
 
 // Between two fixes: a tilt that is 45 degrees wrong. A receiver whose velocity is wrong by 20 m/s
@@ -411,7 +412,7 @@ void Attitude::useGps(const core::Vector3& velocity_mps, const AttitudeSettings&
 }
 
 void Attitude::pointAlong(const core::Vector3& velocity_mps) {
-    if (core::squaredLength(velocity_mps.x, velocity_mps.y) <= kSlow_mps * kSlow_mps) return;
+    if (core::squaredLength(velocity_mps.x, velocity_mps.y) <= kRolls_mps * kRolls_mps) return;
     const float nose_north = noseNorth(), nose_east = noseEast();
     const float sine = velocity_mps.y * nose_north - velocity_mps.x * nose_east;
     const float cosine = velocity_mps.x * nose_north + velocity_mps.y * nose_east;

@@ -69,7 +69,7 @@ public:
     void useGps(const core::Vector3& velocity_mps, const AttitudeSettings& settings,
                 FixComparison& seen);
 
-    // With every fix while it rolls on its wheels: it points where it goes, from 5 m/s on.
+    // With every fix while it rolls on its wheels: it points where it goes, from 4 m/s on.
     void pointAlong(const core::Vector3& velocity_mps);
 
     // While the compass is lost, with every fix: the velocity through the air, which is along the
