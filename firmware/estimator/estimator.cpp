@@ -207,8 +207,9 @@ bool airspeedFits() {
 void updateWind() {
     if (!vehicle.imu.healthy || newest_fix.since_s > 1.5f) return;
     if (!vehicle.estimate.flying) {
-        const bool wheels = parameters.takeoff_min_accel_mss == 0;  // what is thrown has none
-        if (wheels && vehicle.armed) attitude.pointAlong(vehicle.gps.velocity_mps);
+        // without power it stands, whatever the receiver shows; what is thrown has no wheels
+        if (!vehicle.armed || vehicle.throttle_demand.raw < kClimbThrottle.raw) return;
+        if (parameters.takeoff_min_accel_mss == 0) attitude.pointAlong(vehicle.gps.velocity_mps);
         return;
     }
     if (pointsByCourse()) return;

@@ -25,8 +25,8 @@ public:
     void resume(const Known& known);
 
     // What of the field, own part taken off, along magnetic north, magnetic east and down was not
-    // expected. The earth's part follows it slowly, the airplane's own, by learn(), quickly: flying
-    // straight nothing is unexpected for long, and a turn distinguishes the two.
+    // expected. The earth's part follows it, and the airplane's own, by learn(), about as quickly:
+    // flying straight nothing is unexpected for long, and a turn distinguishes the two.
     core::Vector3 unexpected(const core::Vector3& field_mg, float dt_s);
     void learn(const core::Vector3& unexpected_body_mg, float dt_s);
 

@@ -645,21 +645,29 @@ TEST_F(WrongHeading, is_given_up_for_the_course_when_it_lies_across_it) {
 
 // Half a turn off, as outside compasses are mounted.
 TEST_F(WrongHeading, is_set_right_by_the_course_on_the_runway) {
-    for (const int8_t thrown_mss : {0, 10}) {
+    struct Case {
+        const char* name;
+        int8_t thrown_mss;
+        float throttle;
+        bool set_right;
+    };
+    for (const Case& each : {Case{"takes off", 0, 1, true},
+                             {"is thrown: no wheels", 10, 1, false},
+                             {"stands, the receiver is wrong", 0, 0, false}}) {
         SetUp();
-        firmware::state::parameters.takeoff_min_accel_mss = thrown_mss;
+        firmware::state::parameters.takeoff_min_accel_mss = each.thrown_mss;
         compass_mg_ = {-210, 0, 430};
         mutable_vehicle.airspeed.healthy = true;
         mutable_vehicle.airspeed.speed_mps = 3;
         frames(1000);
         ASSERT_GT(std::fabs(yaw_deg()), 170);
         mutable_vehicle.armed = true;
+        mutable_vehicle.throttle_demand = core::Ratio(each.throttle);
         frames(250, 2.5f);
         ASSERT_FALSE(vehicle.estimate.flying);
-        if (thrown_mss == 0)
-            EXPECT_LT(std::fabs(yaw_deg()), 10);
-        else
-            EXPECT_GT(std::fabs(yaw_deg()), 170) << "no wheels hold it along its course";
+        EXPECT_EQ(std::fabs(yaw_deg()) < 10, each.set_right) << each.name << ": " << yaw_deg();
+        mutable_vehicle.throttle_demand = core::Ratio(0.0f);
+        frames(250, -2.5f);
     }
 }
 
