@@ -22,8 +22,8 @@ enum class Upload : uint8_t {
 
 struct Transfer {
     Upload state;
-    uint8_t type : 2;        // MAV_MISSION_TYPE
-    bool whole_degrees : 1;  // asks with MISSION_REQUEST, for MISSION_ITEM
+    uint8_t type;        // MAV_MISSION_TYPE
+    bool whole_degrees;  // asks with MISSION_REQUEST, for MISSION_ITEM
     uint8_t link;
     Peer peer;
     uint8_t next, last;

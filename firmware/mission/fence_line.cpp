@@ -27,16 +27,16 @@ constexpr int32_t kFarthest_e7 = 910000;
 
 struct FenceLine {
     Line line;
-    uint8_t generation;    // of the list that `line` is said of
-    uint8_t way_back : 7;  // which record
-    bool zones : 1;        // FencePoint::zone_corner or circle
+    uint8_t generation;  // of the list that `line` is said of
+    uint8_t way_back;    // which record
+    bool zones;          // FencePoint::zone_corner or circle
 };
 core::FileState<FenceLine> fence_line{};
 struct Lap {
     geo::Position place;
-    uint8_t next : 6;  // point, and the edge that begins there
-    bool waits : 1;    // for the EEPROM to be at rest
-    bool inside : 1;   // the present zone, as far as has been looked
+    uint8_t next;  // point, and the edge that begins there
+    bool waits;    // for the EEPROM to be at rest
+    bool inside;   // the present zone, as far as has been looked
 };
 core::FileState<Lap> lap{};
 
@@ -78,7 +78,7 @@ Status goRound(const uint8_t* corner, uint8_t& effort) {
         if (status != Status::ok) break;
         if (geo::crossesEdge(origin, from, to, lap.place)) lap.inside = !lap.inside;
         from = to;
-        lap.next = next & 0x3F;
+        lap.next = next;
         ++effort;
         if (next == end) return Status::ok;
     }

@@ -39,14 +39,14 @@ enum Action : int8_t { kNothing, kGuided, kReport, kGuidedThrottle };  // FENCE_
 struct FenceWatch {
     uint32_t breach_ms;
     uint8_t breaches, breach;
-    Mode mode_before;       // of the one that took over
-    bool on : 1;            // as ordered, whatever the action
-    bool floor : 1;         // FENCE_MINALT counts ...
-    bool above_floor : 1;   // ... once the airplane has been above it
-    bool line_crossed : 1;  // when last gone round
-    bool took_over : 1;
-    bool switch_high : 1;
-    bool taking_off : 1;
+    Mode mode_before;   // of the one that took over
+    bool on;            // as ordered, whatever the action
+    bool floor;         // FENCE_MINALT counts ...
+    bool above_floor;   // ... once the airplane has been above it
+    bool line_crossed;  // when last gone round
+    bool took_over;
+    bool switch_high;
+    bool taking_off;
 };
 core::FileState<FenceWatch> fence{};
 

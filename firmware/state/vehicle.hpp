@@ -135,11 +135,11 @@ struct AttitudeState {
 
 struct EstimateState {
     geo::Position position;  // between fixes carried on with the velocity
-    bool flying : 1;
-    bool known : 1;              // a fix has been seen and is not too old
-    bool reckoned : 1;           // without fixes for a while: by air and wind
-    bool fix_refused : 1;        // the last one lay too far off
-    bool height_known : 1;       // a barometer's or a receiver's was used within 2 s
+    bool flying;
+    bool known;                  // a fix has been seen and is not too old
+    bool reckoned;               // without fixes for a while: by air and wind
+    bool fix_refused;            // the last one lay too far off
+    bool height_known;           // a barometer's or a receiver's was used within 2 s
     core::Vector3 velocity_mps;  // north, east, down
     float ground_speed_mps;
     uint16_t course_cd;
@@ -155,9 +155,9 @@ struct EstimateState {
 struct HomeState {
     geo::Position position;
     int32_t altitude_cm;  // above sea level
-    bool set : 1;
-    bool ordered : 1;  // or of the flight before a restart: arming alone changes it by itself
-    uint8_t changes;   // so far; wraps
+    bool set;
+    bool ordered;     // or of the flight before a restart: arming alone changes it by itself
+    uint8_t changes;  // so far; wraps
 };
 
 // ---- what is in force
@@ -228,12 +228,12 @@ struct PathProgress {
     float crosstrack_m;
     float height_error_m;
     float airspeed_error_mps;
-    float turned_rad;   // along the circle since capture, always growing
-    bool passed : 1;    // the line through `to` across the leg is behind
-    bool captured : 1;  // on the circle
-    bool flaring : 1;
-    bool steering : 1;  // the rudder is the runway's, which damps the yaw too
-    bool throttle_suppressed : 1;
+    float turned_rad;  // along the circle since capture, always growing
+    bool passed;       // the line through `to` across the leg is behind
+    bool captured;     // on the circle
+    bool flaring;
+    bool steering;  // the rudder is the runway's, which damps the yaw too
+    bool throttle_suppressed;
 };
 
 // Of attitude control, which modes and guidance ask for it: firmware/control/attitude_demand.hpp.
