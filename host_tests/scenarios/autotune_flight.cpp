@@ -60,10 +60,10 @@ public:
              {"PTCH2SRV_P", 1 * by},
              {"PTCH2SRV_I", 0.3f * by},
              {"PTCH2SRV_D", 0.05f * by}});
-        const double from_s = seconds(), cruise_mps = double{parameterNow("TRIM_ARSPD_CM")} * 0.01;
+        const double from_s = seconds();
+        TuningPilot pilot(double{parameterNow("TRIM_ARSPD_CM")} * 0.01);
         for (double t_s = 0; t_s < kTuneAll_s && advance(); t_s = seconds() - from_s)
-            board_.world().radio().sticks(tuningSticks(t_s, board_.world().truth(), cruise_mps),
-                                          true);
+            board_.world().radio().sticks(pilot.sticks(t_s, board_.world().truth()), true);
         if (flight_.over()) throw std::runtime_error("the flight ended: " + flight_.reason());
         const Gains found = {firmware::state::parameters.roll.axis.p,
                              firmware::state::parameters.pitch.axis.p};

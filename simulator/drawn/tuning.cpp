@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "simulator/devices/ppm_encoder.hpp"
-#include "simulator/ground/tuning_pilot.hpp"
 
 namespace simulator::drawn {
 namespace {
@@ -14,9 +13,9 @@ constexpr uint64_t kStep_us = 20'000;
 constexpr double kLimit_s = 900, kClimbs_s = 25, kAnswer_s = 0.4;
 constexpr float kAutotune = 8;
 constexpr const char* kLearnt[] = {
-    "RLL2SRV_TCONST", "RLL2SRV_P",     "RLL2SRV_I",     "RLL2SRV_D",     "PTCH2SRV_TCONST",
-    "PTCH2SRV_P",     "PTCH2SRV_I",    "PTCH2SRV_D",    "COMPASS_OFS_X", "COMPASS_OFS_Y",
-    "COMPASS_OFS_Z",  "COMPASS_MOT_X", "COMPASS_MOT_Y", "COMPASS_MOT_Z"};
+    "RLL2SRV_TCONST", "RLL2SRV_P",   "RLL2SRV_I",     "RLL2SRV_D",     "PTCH2SRV_TCONST",
+    "PTCH2SRV_P",     "PTCH2SRV_I",  "PTCH2SRV_D",    "COMPASS_OFS_X", "COMPASS_OFS_Y",
+    "COMPASS_OFS_Z",  "ARSPD_RATIO", "COMPASS_MOT_X", "COMPASS_MOT_Y", "COMPASS_MOT_Z"};
 
 template <class Message>
 Message to(uint8_t system, const std::string& parameter) {
@@ -39,7 +38,7 @@ double cruiseOf(const ParameterSettings& settings) {
 
 Tuning::Tuning(WatchedBoard& board, const Waypoints& items, const ParameterSettings& settings)
     : board_(board),
-      cruise_mps_(cruiseOf(settings)),
+      pilot_(cruiseOf(settings)),
       flight_(board, kTelemetry, items, kLimit_s, settings),
       usb_(board, kUsb, [this](const mavlink::Frame& frame, uint64_t) {
           if (const auto value = as<mavlink::ParamValue>(frame))
@@ -86,8 +85,7 @@ std::string Tuning::fly() {
         chooseAutotune();
         advanceFor(kAnswer_s, watch);
         advanceFor(kTuneAll_s, [this](double since_s) {
-            board_.world().radio().sticks(
-                tuningSticks(since_s, board_.world().truth(), cruise_mps_), true);
+            board_.world().radio().sticks(pilot_.sticks(since_s, board_.world().truth()), true);
         });
     }
     if (flight_.over()) return flight_.completed() ? "it landed" : flight_.reason();

@@ -6,6 +6,7 @@
 
 #include "simulator/ground/link.hpp"
 #include "simulator/ground/scripted_flight.hpp"
+#include "simulator/ground/tuning_pilot.hpp"
 #include "simulator/invariants/watched_board.hpp"
 
 namespace simulator::drawn {
@@ -29,7 +30,7 @@ private:
     void chooseAutotune();
 
     WatchedBoard& board_;
-    const double cruise_mps_;
+    TuningPilot pilot_;
     ScriptedFlight flight_;
     Link usb_;
     ParameterSettings answers_;
