@@ -54,7 +54,7 @@ SELDOM bool weakenOnce(TunedAxis axis) {
 ::control::Swing& swingOf(TunedAxis axis) { return oscillations.swings[axis]; }
 
 bool oscillates(TunedAxis axis, core::BodyRate rate_rads, core::Ratio surface, int16_t stick_cd) {
-    constexpr ::control::Swing::Limits kSwings = {4, 12};  // to and fro twice; in runs of 50 ms
+    constexpr ::control::Swing::Limits kSwings = {4, 18, 12};  // to and fro twice; in runs of 50 ms
     if (stirred(stick_cd) || !swingOf(axis).watch(rate_rads, surface, kSwings)) return false;
     return weakenOnce(axis);
 }

@@ -5,7 +5,7 @@ namespace control {
 namespace {
 
 constexpr core::BodyRate kSwing_rads(0.254f);
-constexpr core::Ratio kFar(0.4f);
+constexpr core::Ratio kFar(0.4f), kFarSlowly(0.8f);
 
 }  // namespace
 
@@ -17,9 +17,10 @@ bool Swing::watch(core::BodyRate rate_rads, core::Ratio surface, Limits limits) 
     const int8_t side =
         rate_rads.raw > kSwing_rads.raw ? 1 : (rate_rads.raw < -kSwing_rads.raw ? -1 : 0);
     if (side == 0 || side == side_) return false;
+    const bool slow = since_ > limits.quick_runs;
+    const bool far = int32_t{high_} - low_ > (slow ? kFarSlowly.raw : kFar.raw);
     side_ = side;
     since_ = 0;
-    const bool far = int32_t{high_} - low_ > kFar.raw;
     low_ = high_ = surface.raw;
     if (!far || ++swings_ < limits.most) return false;
     swings_ = 0;

@@ -11,9 +11,10 @@ class Swing {
 public:
     constexpr Swing() {}
 
-    // What counts: `most` swings, each begun within so many runs of the one before it.
+    // What counts: `most` swings, each begun within so many runs of the one before it, and after
+    // more than `quick_runs` only with a surface that moves twice as far: gusts are slow, too.
     struct Limits {
-        uint8_t most, runs;
+        uint8_t most, runs, quick_runs;
     };
 
     // Run regularly, with the surface's deflection within -1..1. True when it has swung `most`

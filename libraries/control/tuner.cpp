@@ -9,7 +9,7 @@ namespace {
 constexpr core::BodyRate kBegins_rads(0.4f), kRest_rads(0.117f), kFastEnough_rads(0.303f);
 constexpr uint16_t kLongest = 400;  // frames
 constexpr uint8_t kMaxTurnSwings = 3;
-constexpr Swing::Limits kSwings = {6, 60};
+constexpr Swing::Limits kSwings = {6, 90, 60};
 
 constexpr int32_t kFull = AxisState::Output::kOne;
 
