@@ -29,6 +29,9 @@ constexpr float kChanges_hz = 4e-8f / kHeight_m2;
 // between two fixes, which is the more, the longer that takes: 0.1 m/s in a second.
 constexpr float kDrifts_hz = 8e-4f / kHeight_m2;
 constexpr float kVelocity_hz2 = 0.05f * 0.05f / kHeight_m2, kGusts_hz4 = 0.1f * 0.1f / kHeight_m2;
+// Nobody saw when between two fixes the climb became another: at take-off from one to the next.
+// What is even over an interval has a variance of its square / 12.
+constexpr float kSteeper = 1 / (12 * kHeight_m2);
 // Slower than this it flies level, and what is apart is drift.
 constexpr float kClimb_mps = 0.5f;
 // Farther apart than three times what is expected it is a velocity that is wrong for long.
@@ -53,6 +56,8 @@ float BarometerDrift::useGps(float height_m, float climb_mps, float dt_s) {
     const float rise_m = height_m - last_m_;
     last_m_ = height_m;
     const float climbed_m = climb_mps * dt_s;
+    const float steeper_m = climbed_m - last_climb_mps_ * dt_s;
+    last_climb_mps_ = climb_mps;
     const float apart_m = rise_m - climbed_m / (1 + scale_more_);
     if (paused_ > 0) {
         --paused_;
@@ -62,7 +67,8 @@ float BarometerDrift::useGps(float height_m, float climb_mps, float dt_s) {
     const float forgotten = dt_s * (1.0f / kForgotten_s);
     const float share = kHalfShare_s / (kHalfShare_s + dt_s);
     const bool climbs = fabsf(climb_mps) > kClimb_mps;
-    const float step_m = share * learn(apart_m, rise_m, dt_s, climbs) - drift_m_ * forgotten;
+    const float step_m =
+        share * learn(apart_m, rise_m, steeper_m, dt_s, climbs) - drift_m_ * forgotten;
     variance_less_ = core::limit(variance_less_ - kChanges_hz * dt_s, 0.0f, kUnknown);
     if (fabsf(drift_m_ + step_m) > kMax_m) return 0;
     drift_m_ += step_m;
@@ -72,11 +78,12 @@ float BarometerDrift::useGps(float height_m, float climb_mps, float dt_s) {
 // What of all that both are apart since the zero is not the scale's: drift, and the sum of what the
 // velocities err by. Heights are compared, not the climbs between two fixes: what the barometer's
 // noise or a wrong age of fixes adds to one is taken back by the next.
-float BarometerDrift::learn(float apart_m, float rise_m, float dt_s, bool climbs) {
+float BarometerDrift::learn(float apart_m, float rise_m, float steeper_m, float dt_s, bool climbs) {
     const float risen_m = risen_m_ + rise_m, all_m = apart_m_ + apart_m;
     const float squared_s2 = dt_s * dt_s;
     const float drift = drift_variance_ + kDrifts_hz * dt_s +
-                        (kVelocity_hz2 + kGusts_hz4 * squared_s2) * squared_s2;
+                        (kVelocity_hz2 + kGusts_hz4 * squared_s2) * squared_s2 +
+                        steeper_m * steeper_m * kSteeper;
     const float of_drift = drift - risen_m * covariance_;
     const float of_scale = covariance_ - risen_m * (kUnknown - variance_less_);
     const float expected = of_drift - risen_m * of_scale + 1;

@@ -26,10 +26,10 @@ public:
     float useGps(float height_m, float climb_mps, float dt_s);
 
 private:
-    float learn(float apart_m, float rise_m, float dt_s, bool climbs);
+    float learn(float apart_m, float rise_m, float steeper_m, float dt_s, bool climbs);
     static constexpr uint8_t kPause = 10;
 
-    float last_m_ = 0, drift_m_ = 0;
+    float last_m_ = 0, last_climb_mps_ = 0, drift_m_ = 0;
     float risen_m_ = 0;     // the barometer's height, since the zero
     float apart_m_ = 0;     // from the velocities' sum since then, as far as nothing explains it
     float scale_more_ = 0;  // than 1, as the filter has it; 0 takes no flash

@@ -190,6 +190,25 @@ double leftOfError(double velocity_mps, float interval_s) {
     return std::sqrt(left / own);
 }
 
+// Take-offs with a fix a second: the climb begins between two of them, and their sum is wrong by up
+// to half of its first second. How wrong the scale is that it is taken for, RMS.
+TEST(BarometerDrift, takes_little_of_a_climb_that_begins_between_two_fixes_for_scale) {
+    double squares = 0;
+    constexpr int kPhases = 20;
+    for (int phase = 0; phase < kPhases; ++phase) {
+        const double begins_s = 5 + (phase + 0.5) / kPhases, ends_s = begins_s + 20;
+        const auto height_m = [&](double t) {
+            return 4 * (std::max(t - begins_s, 0.0) - std::max(t - ends_s, 0.0));
+        };
+        Zero zero(0);
+        // the barometer is read half an interval after the fix
+        for (int t = 1; t < 40; ++t)
+            zero.fix(height_m(t + 0.5), t > begins_s && t < ends_s ? 4 : 0, 1);
+        squares += std::pow(zero.drift.scale() - 1, 2) / kPhases;
+    }
+    EXPECT_LT(std::sqrt(squares), 0.003);
+}
+
 // With the errors of the flights' sensors.
 TEST(BarometerDrift, leaves_a_sixth_less_error_than_the_barometer_alone) {
     EXPECT_LT(leftOfError(0.05, 0.2f), 0.85);
