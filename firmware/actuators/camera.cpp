@@ -83,7 +83,7 @@ void runCamera() {
     const bool busy = shutter.open_ticks != 0;
     letGo();
     if (!vehicle.armed) shutter.every_m = 0;
-    if (busy || shutter.every_m == 0 || !vehicle.estimate.known || !farEnough()) return;
+    if (busy || core::isZero(shutter.every_m) || !vehicle.estimate.known || !farEnough()) return;
     shutter.last = vehicle.estimate.position;
     open();
 }

@@ -209,7 +209,8 @@ void updateWind() {
     if (!vehicle.estimate.flying) {
         // without power it stands, whatever the receiver shows; what is thrown has no wheels
         if (!vehicle.armed || vehicle.throttle_demand.raw < kClimbThrottle.raw) return;
-        if (parameters.takeoff_min_accel_mss == 0) attitude.pointAlong(vehicle.gps.velocity_mps);
+        if (core::isZero(parameters.takeoff_min_accel_mss))
+            attitude.pointAlong(vehicle.gps.velocity_mps);
         return;
     }
     if (pointsByCourse()) return;
@@ -267,7 +268,7 @@ void useGpsHeight() {
     }
     // Begun in the air there is no time to learn it slowly, and the height that a restart goes on
     // with may be long past.
-    if (heights.gps_above_m == 0) heights.gps_above_m = gpsAbove_m(gps_m, height_m);
+    if (core::isZero(heights.gps_above_m)) heights.gps_above_m = gpsAbove_m(gps_m, height_m);
     const float fix_m = gps_m - heights.gps_above_m;
     if (!baro.healthy) {
         const bool comparable = !heights.by_gps;  // not yet while their zeros differ
@@ -643,7 +644,7 @@ bool slowThroughTheAir() {
 
 bool barometerSteady() {
     return !height.lastReadingFarOff() &&
-           (heights.gps_above_m == 0 || near(gpsHeight_m(), height.height_m()));
+           (core::isZero(heights.gps_above_m) || near(gpsHeight_m(), height.height_m()));
 }
 
 void zeroHeight() {

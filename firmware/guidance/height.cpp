@@ -97,7 +97,7 @@ float nudge() {
 
 float nudged_mps(float airspeed_mps) {
     if (stickSetsSpeed()) return airspeed_mps;
-    return airspeed_mps + (speedMax_mps() - airspeed_mps) * nudge();
+    return core::lerp(airspeed_mps, speedMax_mps(), nudge());
 }
 
 // Without a sensor the stick moves the throttle itself.
@@ -105,14 +105,14 @@ float cruiseThrottle(float most) {
     const float cruise = core::hundredths(vehicle.demand.throttle_pct);
     if (vehicle.airspeed.healthy) return cruise;
     const float share = nudge();
-    return cruise + share * (share > 0 ? most - cruise : cruise * kNudgedDown);
+    return cruise + share * (core::isPositive(share) ? most - cruise : cruise * kNudgedDown);
 }
 
 // A thrown airplane sinks until its motor is at full power: as ArduPlane's TKOFF_THR_SLEW -1.
 float throttleSlew(::control::Phase phase) {
     constexpr float kAtOnce = 100;
     const bool thrown =
-        phase == ::control::Phase::climb_out && parameters.takeoff_min_accel_mss > 0;
+        phase == ::control::Phase::climb_out && core::isPositive(parameters.takeoff_min_accel_mss);
     if (thrown || parameters.throttle_slew_pct <= 0) return kAtOnce;
     return core::hundredths(parameters.throttle_slew_pct);
 }

@@ -17,7 +17,7 @@ namespace {
 // from_height_m is what moves, as long as there is a rate.
 navigation::HeightDemand changingHeight() {
     auto& demand = path_demand;
-    if (demand.climb_rate_mps <= 0) return {demand.height_m, 0};
+    if (!core::isPositive(demand.climb_rate_mps)) return {demand.height_m, 0};
     const float before_m = demand.from_height_m;
     demand.from_height_m =
         ::control::slewed(before_m, demand.height_m, demand.climb_rate_mps * kGuidancePeriod_s);
@@ -28,7 +28,7 @@ navigation::HeightDemand changingHeight() {
 void beginSlopeHere(float length_m, float along_m) {
     auto& demand = path_demand;
     const float most_m = demand.height_m - vehicle.estimate.height_m;
-    const float left_m = most_m > 0 ? most_m : 0;
+    const float left_m = core::isPositive(most_m) ? most_m : 0;
     demand.from_height_m = demand.height_m - left_m * length_m / (length_m - along_m);
 }
 
@@ -40,7 +40,8 @@ void followSlope(Plan& plan, float length_m, float along_m, float along_mps) {
     plan.height = navigation::heightOnSlope(demand.from_height_m, demand.height_m, length_m,
                                             along_m, along_mps);
     const int8_t most_m = parameters.glide_slope_threshold_m;
-    const bool up = along_m > 0 && along_m < length_m && demand.from_height_m < demand.height_m;
+    const bool up =
+        core::isPositive(along_m) && along_m < length_m && demand.from_height_m < demand.height_m;
     if (up && most_m > 0 && vehicle.estimate.height_m - plan.height.height_m > core::real(most_m))
         beginSlopeHere(length_m, along_m);
 }

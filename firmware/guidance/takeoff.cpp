@@ -42,7 +42,7 @@ Plan flyTakeoff() {
     if (course.locked())
         accel_mss = navigation::followCourse(lateralGains(), now, course.course()).bank_accel_mss;
     demandBank(accel_mss, BankLimit::level);
-    const bool thrown = parameters.takeoff_min_accel_mss > 0;
+    const bool thrown = core::isPositive(parameters.takeoff_min_accel_mss);
     if (!thrown && vehicle.estimate.height_m < kRunway_m) steadyNose();
     Plan to_fly = levelPlan();
     to_fly.phase = ::control::Phase::climb_out;

@@ -58,14 +58,14 @@ Progress changeAltitudeDone(const Record&) {
 // Not in a landing: the demanded height is the ground's there.
 void goOnClimbing() {
     PathDemand& demand = changePath();
-    if (climb.rate_mps == 0 || demand.path == Path::land) return;
+    if (core::isZero(climb.rate_mps) || demand.path == Path::land) return;
     demand.from_height_m = demand.height_m = vehicle.estimate.height_m;
     demand.sloped = false;
     demand.climb_rate_mps = climb.rate_mps;
 }
 
 void stepClimb() {
-    if (vehicle.demand.climb_rate_mps == 0) return;
+    if (core::isZero(vehicle.demand.climb_rate_mps)) return;
     PathDemand& demand = changePath();
     const float step_m = demand.climb_rate_mps * 0.1f;
     demand.height_m += core::limit(climb.goal_m - demand.height_m, -step_m, step_m);

@@ -20,9 +20,9 @@ SELDOM float hundredthsOf(int32_t count) { return static_cast<float>(count) / 10
 // One unit of the stored byte is 10 s.
 MissionResult encodeTime(const float* parameter, Record& record, EncodeWarnings& warnings) {
     const float seconds = orZero(parameter[1]);
-    if (!(seconds >= 0 && seconds <= 2550)) return wrong(1);
+    if (!(!core::isNegative(seconds) && seconds <= 2550)) return wrong(1);
     record.p1 = static_cast<uint8_t>(core::rounded(seconds / 10));
-    if (record.p1 == 0 && seconds > 0) record.p1 = 1;
+    if (record.p1 == 0 && core::isPositive(seconds)) record.p1 = 1;
     flagRounding(seconds, core::real(record.p1) * 10.0f, warnings);
     return kFine;
 }
@@ -32,7 +32,7 @@ void decodeTime(const Record& record, float* parameter) {
 
 MissionResult encodeClimb(const float* parameter, Record& record, EncodeWarnings& warnings) {
     const float rate_mps = orZero(parameter[1]);
-    if (!(rate_mps > 0 && rate_mps < 1000)) return wrong(1);
+    if (!(core::isPositive(rate_mps) && rate_mps < 1000)) return wrong(1);
     const int32_t rate_cms = core::inHundredths(rate_mps);
     record.p1 = rate_cms > 255 ? 255 : static_cast<uint8_t>(rate_cms);
     record.p3 = rate_cms > 255 ? rate_cms : 0;
@@ -54,7 +54,7 @@ SELDOM void putExactly(float value, int32_t& whole, int32_t& hundredths, EncodeW
 MissionResult encodeSpeed(const float* parameter, Record& record, EncodeWarnings& warnings) {
     const float speed_mps = isnan(parameter[2]) ? -1 : parameter[2];
     const float throttle_pct = isnan(parameter[3]) ? -1 : parameter[3];
-    if (!(speed_mps == -1 || (speed_mps > 0 && speed_mps < 1000))) return wrong(2);
+    if (!(speed_mps == -1 || (core::isPositive(speed_mps) && speed_mps < 1000))) return wrong(2);
     if (!(throttle_pct >= -1 && throttle_pct <= 100)) return wrong(3);
     putExactly(speed_mps, record.p2, record.p4, warnings);
     record.p3 = core::rounded(throttle_pct);
@@ -83,10 +83,10 @@ void decodeParameter(const Record& record, float* parameter) {
 MissionResult encodeDistance(const float* parameter, Record& record, EncodeWarnings& warnings) {
     constexpr float kFarthest_m = 10000;
     const float distance_m = orZero(parameter[1]);
-    if (!(distance_m >= 0 && distance_m <= kFarthest_m)) return wrong(1);
+    if (!(!core::isNegative(distance_m) && distance_m <= kFarthest_m)) return wrong(1);
     putExactly(distance_m, record.p2, record.p3, warnings);
     const bool none = record.p2 == 0 && record.p3 == 0;
-    return none && distance_m != 0 ? wrong(1) : kFine;
+    return none && !core::isZero(distance_m) ? wrong(1) : kFine;
 }
 void decodeDistance(const Record& record, float* parameter) {
     parameter[1] = record.p3 != 0 ? hundredthsOf(record.p3) : static_cast<float>(record.p2);

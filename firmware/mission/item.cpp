@@ -32,7 +32,7 @@ enum Frame : uint8_t {
 
 // Out of what an int32 holds becomes the end of it, which no field takes.
 SELDOM int32_t whole(float value) {
-    if (!(fabsf(value) < 2147483520.0f)) return value < 0 ? INT32_MIN : INT32_MAX;
+    if (!(fabsf(value) < 2147483520.0f)) return core::isNegative(value) ? INT32_MIN : INT32_MAX;
     return core::rounded(value);
 }
 
@@ -91,7 +91,7 @@ MissionResult encodeDirection(const float* parameter, uint8_t radius, Record& re
                               EncodeWarnings& warnings) {
     const float radius_m = orZero(parameter[radius]);
     if (!isfinite(radius_m)) return wrong(radius);
-    if (radius_m < 0) record.options |= ::mission::kCounterClockwise;
+    if (core::isNegative(radius_m)) record.options |= ::mission::kCounterClockwise;
     if (fabsf(radius_m) > 1) warnings.dropped = true;
     return kFine;
 }
@@ -121,7 +121,7 @@ MissionResult encodeApm2(const MissionItem& item, const float* parameter, const 
         if (result != kFine) return result;
     }
     for (uint8_t i = 1; i <= 4; ++i)
-        if ((used & use(i)) == 0 && orZero(parameter[i]) != 0) warnings.dropped = true;
+        if ((used & use(i)) == 0 && !core::isZero(orZero(parameter[i]))) warnings.dropped = true;
     const bool alone = form.parts == kAltitude || form.parts == kNumberInAltitude;
     if (alone && (item.x != 0 || item.y != 0)) warnings.dropped = true;
     return kFine;

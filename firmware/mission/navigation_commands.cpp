@@ -61,7 +61,7 @@ bool worthASlope(const PathDemand& demand) {
     constexpr float kLow_m = 20;
     const float up_m = demand.height_m - demand.from_height_m;
     return fabsf(up_m) >= core::real(parameters.glide_slope_min_m) &&
-           (up_m < 0 || vehicle.estimate.height_m > kLow_m);
+           (core::isNegative(up_m) || vehicle.estimate.height_m > kLow_m);
 }
 
 void demand(Path path, const Place& to, LegStart start) {

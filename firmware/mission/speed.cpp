@@ -52,7 +52,8 @@ void setCruiseThrottle(int8_t throttle_pct) {
 void demandSpeed() {
     PathDemand& demand = changePath();
     // a ground speed goes on from the air speed it had come to
-    if (speed.ground_cms == 0 || demand.airspeed_mps <= 0) demand.airspeed_mps = cruise_mps();
+    if (speed.ground_cms == 0 || !core::isPositive(demand.airspeed_mps))
+        demand.airspeed_mps = cruise_mps();
     demand.throttle_pct =
         speed.throttle_pct >= 0 ? speed.throttle_pct : parameters.cruise_throttle_pct;
 }

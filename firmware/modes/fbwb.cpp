@@ -27,15 +27,17 @@ constexpr float kLevelOff_s = 0.8f;  // of the present climb, within which it en
 // The climb is flown as a change of height at a rate, which guidance knows: from_height_m moves.
 void climb(PathDemand& demand, float rate_mps, float lowest_m) {
     const float height_m = vehicle.estimate.height_m;
-    const float from_m = demand.climb_rate_mps > 0 ? demand.from_height_m : demand.height_m;
+    const float from_m =
+        core::isPositive(demand.climb_rate_mps) ? demand.from_height_m : demand.height_m;
     demand.from_height_m = core::limit(from_m, height_m - kAhead_m, height_m + kAhead_m);
-    demand.height_m = rate_mps > 0 ? kFar_m : lowest_m;
+    demand.height_m = core::isPositive(rate_mps) ? kFar_m : lowest_m;
     demand.climb_rate_mps = fabsf(rate_mps);
 }
 
 void hold(PathDemand& demand, float lowest_m) {
     const auto& now = vehicle.estimate;
-    if (demand.climb_rate_mps > 0) demand.height_m = now.height_m + now.climb_mps * kLevelOff_s;
+    if (core::isPositive(demand.climb_rate_mps))
+        demand.height_m = now.height_m + now.climb_mps * kLevelOff_s;
     demand.climb_rate_mps = 0;
     if (demand.height_m < lowest_m) demand.height_m = lowest_m;
 }
@@ -61,8 +63,7 @@ void demandFbwb() {
         climb(demand, core::real(pulled_cd) * (1 / kFullStick_cd) * parameters.fbwb_climb_mps,
               lowest_m);
     if (!vehicle.radio.lost)
-        demand.airspeed_mps =
-            speedMin_mps() + (speedMax_mps() - speedMin_mps()) * stickThrottle().toFloat();
+        demand.airspeed_mps = core::lerp(speedMin_mps(), speedMax_mps(), stickThrottle().toFloat());
 }
 
 }  // namespace modes

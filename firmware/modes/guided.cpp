@@ -73,13 +73,13 @@ void runGuided() {
 
 MissionResult guideTo(MissionItem& item) {
     const float radius_m = isnan(item.param3) ? 0 : item.param3;
-    if (!(radius_m >= 0 && radius_m <= INT16_MAX)) return kRadiusWrong;
+    if (!(!core::isNegative(radius_m) && radius_m <= INT16_MAX)) return kRadiusWrong;
     const MissionResult result = understand(item);
     if (result != MissionResult::accepted) return result;
     if (!requestMode(Mode::guided, ModeReason::ground)) return MissionResult::error;
     demandCircle({item.x, item.y}, item.z);
     demandSpeed();
-    if (radius_m == 0) return result;
+    if (core::isZero(radius_m)) return result;
     PathDemand& demand = changePath();
     demand.radius_m = radius_m;
     demand.counter_clockwise = item.param4 == 1;

@@ -71,7 +71,7 @@ void resumeBarometer(float ground_pressure_pa, float ground_temperature_c) {
 
 void runBarometer() {
     const bool arrived = barometer.step(hal::now_us());
-    const bool zeroed = published.ground_pressure_pa > 0;
+    const bool zeroed = core::isPositive(published.ground_pressure_pa);
     published.healthy = barometer.healthy() && zeroed && !isFaulty(Sensor::barometer);
     if (!arrived) return;
     const int32_t before_pa = published.pressure_pa;

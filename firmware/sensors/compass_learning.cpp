@@ -76,7 +76,7 @@ float approach(const float (&apart_mg)[3], float half_squares, float square, flo
 
 void averageMiss(float miss_mg) {
     if (learning.turns.pairs == 0) learning.turns.miss_mg = miss_mg;
-    learning.turns.miss_mg += (miss_mg - learning.turns.miss_mg) * 0.05f;
+    learning.turns.miss_mg = core::lerp(learning.turns.miss_mg, miss_mg, 0.05f);
     if (learning.turns.pairs < kPairs) ++learning.turns.pairs;
 }
 

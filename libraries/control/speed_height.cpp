@@ -34,10 +34,10 @@ constexpr float kSmallestPitch_rad = 0.05f;  // nothing divides by less
 // Speed at which a distance may be closed: linear near the end, along a braking parabola before.
 float closingSpeed(float distance_m) {
     constexpr float kLinear_m = kHeightAccel_mss / (kApproach_hz * kApproach_hz);
-    const float size_m = distance_m < 0 ? -distance_m : distance_m;
+    const float size_m = fabsf(distance_m);
     if (size_m <= kLinear_m) return distance_m * kApproach_hz;
     const float speed_mps = sqrtf(2 * kHeightAccel_mss * (size_m - kLinear_m / 2));
-    return distance_m < 0 ? -speed_mps : speed_mps;
+    return core::isNegative(distance_m) ? -speed_mps : speed_mps;
 }
 
 }  // namespace
@@ -69,7 +69,8 @@ __attribute__((noinline)) void SpeedHeight::filterSpeed(const SpeedHeightSetting
     const float rate_mss = now.acceleration_mss + speed_bias_mss_;
     speed_mps_ += (rate_mss + error_mps * omega) * dt_s;
     speed_mps_ = core::limit(speed_mps_, kLowestSpeed_mps, 100.0f);
-    speed_rate_mss_ += (rate_mss - speed_rate_mss_) * core::limit(2 * omega * dt_s, 0.0f, 1.0f);
+    speed_rate_mss_ =
+        core::lerp(speed_rate_mss_, rate_mss, core::limit(2 * omega * dt_s, 0.0f, 1.0f));
 }
 
 void SpeedHeight::shapeHeight(const SpeedHeightSettings& settings, const SpeedHeightDemand& demand,
@@ -114,7 +115,7 @@ float SpeedHeight::underspeedFraction(const SpeedHeightLimits& limits, bool airs
     if (!airspeed_known || phase == Phase::flare) return 0;
     const float earlier = phase == Phase::approach ? kEarlierInApproach : 1.0f;
     const float short_mps = limits.airspeed_min_mps * earlier - speed_mps_;
-    if (short_mps <= 0) return 0;
+    if (!core::isPositive(short_mps)) return 0;
     return core::limit(short_mps / (limits.airspeed_min_mps * (1 - kUnderspeed)), 0.0f, 1.0f);
 }
 
@@ -204,15 +205,15 @@ float SpeedHeight::pitch(const SpeedHeightSettings& settings, const SpeedHeightL
     float demand_rad = pitch_integral_rad_ + balance_m * per_m +
                        balance_mps * inverse_speed * settings.pitch_damping;
     if (flaring_) demand_rad += lift_rad;
-    if (height_weight > 0)
+    if (core::isPositive(height_weight))
         demand_rad += (climb_mps_ + climb_rate_mss_ * kPitchLead_s) * inverse_speed;
     const float limited_rad = core::limit(demand_rad, limits.pitch_min_rad, limits.pitch_max_rad);
     // in the flare the sink alone counts: the height is wrong by more than what is left of it
     const float rate_rads = flaring_ ? errors.potential_mps * inverse_speed * kFlareIntegral_hz
                                      : balance_m * per_m * settings.integral_gain;
     const float step_rad = rate_rads * step.dt_s;
-    const bool winds_up =
-        (demand_rad > limited_rad && step_rad > 0) || (demand_rad < limited_rad && step_rad < 0);
+    const bool winds_up = (demand_rad > limited_rad && core::isPositive(step_rad)) ||
+                          (demand_rad < limited_rad && core::isNegative(step_rad));
     if (!winds_up) pitch_integral_rad_ = core::limit(pitch_integral_rad_ + step_rad, -0.35f, 0.35f);
 
     const float fastest_rads =
@@ -262,11 +263,11 @@ SpeedHeightOutput SpeedHeight::run(const SpeedHeightSettings& settings,
     if (!now.airspeed_known || phase == Phase::flare)
         speed_weight = 0;
     else if (speed_weight < most_weight)
-        speed_weight += (most_weight - speed_weight) * speedPriority;
+        speed_weight = core::lerp(speed_weight, most_weight, speedPriority);
 
     const Errors errors = this->errors(now);
     float wanted = throttle(settings, limits, now, errors, turn, step);
-    wanted += (limits.throttle_max - wanted) * speedPriority;
+    wanted = core::lerp(wanted, limits.throttle_max, speedPriority);
     wanted = core::limit(wanted, limits.throttle_min, limits.throttle_max);
     if (phase == Phase::flare) wanted = limits.throttle_max;
     throttle_ = slewed(throttle_, wanted, limits.throttle_slew * dt_s);

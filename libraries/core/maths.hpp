@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "core/convert.hpp"
+#include "core/float_bits.hpp"
 
 namespace core {
 
@@ -39,6 +40,11 @@ __attribute__((noinline)) inline float squaredLength(float a, float b) { return 
 // Nor are these: a constant beside a float takes 12 bytes in each of 20 places.
 __attribute__((noinline)) inline float inverse(float value) { return 1 / value; }
 __attribute__((noinline)) inline float half(float value) { return value * 0.5f; }
+// Between two values: `from` at a share of 0, `to` at 1; a low-pass filter, where `from` is its
+// output.
+__attribute__((noinline)) inline float lerp(float from, float to, float share) {
+    return from + (to - from) * share;
+}
 __attribute__((noinline)) inline int32_t inHundredths(float value) { return rounded(value * 100); }
 
 // Not inlined either, as their loops are long.

@@ -12,8 +12,8 @@ void Battery::update(float voltage_reading, float current_reading, uint16_t boar
     const float amps =
         settings.amps_per_volt * (current_reading * volts_per_count - settings.amps_offset_v);
     const float share = started_ ? 0.2f : 1.0f;
-    voltage_v_ += (volts - voltage_v_) * share;
-    current_a_ += (amps - current_a_) * share;
+    voltage_v_ = core::lerp(voltage_v_, volts, share);
+    current_a_ = core::lerp(current_a_, amps, share);
     started_ = true;
     if (dt_s < 2.0f) consumed_mah_ += amps * dt_s * (1000.0f / 3600.0f);
 }

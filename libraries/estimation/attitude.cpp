@@ -455,7 +455,7 @@ void Attitude::useCourse(const core::Vector3& air_mps) {
     catchUp();
     const float north = noseNorth(), east = noseEast();
     const float across = north * air_mps.y - east * air_mps.x;
-    const bool ahead = north * air_mps.x + east * air_mps.y > 0;
+    const bool ahead = core::isPositive(north * air_mps.x + east * air_mps.y);
     pointBy(ahead        ? across / sqrtf(squared)
             : across < 0 ? -1.0f
                          : 1.0f,
@@ -498,7 +498,7 @@ bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
     if (elsewhere || !settings.use_compass) return !elsewhere;
     // after a restart it is the attitude that is wrong, most of all the roll, and not the field
     const bool resumed = phase_ == Phase::resumed && settling_ > kQuickEnds;
-    if (along_mg > 0 || resumed) {
+    if (core::isPositive(along_mg) || resumed) {
         const core::Vector3 odd =
             field_.unexpected({along_mg, across_mg, core::dot(down, field_mg)}, kCompassStep_s);
         const float odd_north = odd.x * cos_d - odd.y * sin_d;
@@ -510,7 +510,8 @@ bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
         }
         field_.learn(odd_mg, kCompassStep_s);
     }
-    const float error = along_mg > 0 ? -across_mg * inverse : (across_mg < 0 ? 1.0f : -1.0f);
+    const float error = core::isPositive(along_mg) ? -across_mg * inverse
+                                                   : (core::isNegative(across_mg) ? 1.0f : -1.0f);
     pointBy(error, kCompassStep_s / kCompass_s);
     return true;
 }

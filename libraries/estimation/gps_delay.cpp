@@ -25,7 +25,7 @@ constexpr float square(float a) { return a * a; }
 float product(const Level& a, const Level& b) { return a.north * b.north + a.east * b.east; }
 
 float withoutNoise(float fitted_s) {
-    const float size_s = fitted_s < 0 ? -fitted_s : fitted_s;
+    const float size_s = fabsf(fitted_s);
     const float share = core::limit((size_s - kNoise_s) * (1 / kNoise_s), 0.0f, 1.0f);
     return fitted_s * share;
 }

@@ -29,8 +29,8 @@ void Position::propagate(const core::Vector3& acceleration_mss, float dt_s) {
 }
 
 void Position::reckon(float north_mps, float east_mps, float share) {
-    north_mps_ += (north_mps - north_mps_) * share;
-    east_mps_ += (east_mps - east_mps_) * share;
+    north_mps_ = core::lerp(north_mps_, north_mps, share);
+    east_mps_ = core::lerp(east_mps_, east_mps, share);
 }
 
 void Position::useGps(const geo::Position& position, const core::Vector3& velocity_mps,

@@ -41,7 +41,7 @@ void VelocityHistory::add(FineAcceleration north, FineAcceleration east, uint8_t
 VelocityHistory::Moment VelocityHistory::ago(float age_s) const {
     const float back_s =
         age_s - core::real(since_entry_) * kSamplePeriod_s;  // before the newest entry
-    if (back_s <= 0) return now();
+    if (!core::isPositive(back_s)) return now();
     float steps = core::limit(back_s * (1.0f / kStep_s), 0.0f, kEntries - 1.001f);
     const uint8_t whole = static_cast<uint8_t>(steps);
     const float share = steps - core::real(whole);

@@ -37,10 +37,8 @@ void Wind::update(const core::Vector3& ground_mps, const Pointing& nose, float a
     // Quick at first, so that the wind is known soon after takeoff.
     heard_s_ = heard_s_ < kSlow_s ? heard_s_ + dt_s : kSlow_s;
     if (airspeed_mps >= kLeastAirspeed_mps) share = dt_s / heard_s_;
-    north_mps_ =
-        core::limit(north_mps_ + (north_mps - north_mps_) * share, -kMaxWind_mps, kMaxWind_mps);
-    east_mps_ =
-        core::limit(east_mps_ + (east_mps - east_mps_) * share, -kMaxWind_mps, kMaxWind_mps);
+    north_mps_ = core::limit(core::lerp(north_mps_, north_mps, share), -kMaxWind_mps, kMaxWind_mps);
+    east_mps_ = core::limit(core::lerp(east_mps_, east_mps, share), -kMaxWind_mps, kMaxWind_mps);
     known_ = known_ || airspeed_mps < kLeastAirspeed_mps || heard_s_ > 2.0f;
 }
 

@@ -123,7 +123,7 @@ float length_m(const Offset& offset) { return sqrtf(squaredLength(offset)); }
 float distance_m(const Position& from, const Position& to) { return length_m(offset(from, to)); }
 
 float bearing_rad(const Offset& offset) {
-    if (offset.north_m == 0 && offset.east_m == 0) return 0;
+    if (core::isZero(offset.north_m) && core::isZero(offset.east_m)) return 0;
     return atan2f(offset.east_m, offset.north_m);
 }
 
@@ -144,7 +144,7 @@ Track track(const Position& leg_start, const Position& leg_end, const Position& 
 bool passed(const Position& leg_start, const Position& leg_end, const Position& place) {
     const Offset leg = offset(leg_end, leg_start);  // seen from the end, back along the leg
     const Offset way = offset(leg_end, place);
-    return way.north_m * leg.north_m + way.east_m * leg.east_m <= 0;
+    return !core::isPositive(way.north_m * leg.north_m + way.east_m * leg.east_m);
 }
 
 }  // namespace geo

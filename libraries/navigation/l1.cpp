@@ -108,7 +108,7 @@ float turnTowards(const LateralGains& gains, const Ahead& ahead, const Offset& c
         const float holds_mps = ahead.turned_length_mps * kMaxCrab_sin;
         sine -= core::limit(sine - cross(ahead.velocity_mps, course), -holds_mps, holds_mps);
     }
-    if (dot(ahead.turned_mps, course) < 0) {
+    if (core::isNegative(dot(ahead.turned_mps, course))) {
         constexpr float kAllBesideOpposite = 3;  // from 20 degrees beside it on
         const float most_mps = ahead.turned_length_mps;
         sine = core::limit((sine + ahead.turns_mps) * kAllBesideOpposite, -most_mps, most_mps);
@@ -153,11 +153,11 @@ Lateral followLeg(const LateralGains& gains, const Motion& motion, const Leg& le
     const float off_m = cross(leg.forward, there);
     const float away_m = sizeOf(off_m);
     float sine = closingSine(gains, away_m, ahead.speed_mps);
-    if (dot(leg.forward, there) < 0) {
+    if (core::isNegative(dot(leg.forward, there))) {
         const float to_start = away_m / core::limit(geo::length_m(there), 1.0f, 1e6f);
         if (to_start < sine) sine = to_start;
     }
-    const float rightwards = off_m > 0 ? -sine : sine;
+    const float rightwards = core::isPositive(off_m) ? -sine : sine;
     out.course = leg.forward * cosineOf(sine) + rightOf(leg.forward) * rightwards;
     out.bank_accel_mss = turnTowards(gains, ahead, out.course) * ahead.per_crab;
     return out;
@@ -182,17 +182,17 @@ Lateral followCircle(const LateralGains& gains, const Motion& motion, const Circ
     const float off_m = distance_m - radius_m;
     float sine = closingSine(gains, sizeOf(off_m), ahead.speed_mps);
     bool on_tangent = false;
-    if (off_m > 0) {
+    if (core::isPositive(off_m)) {
         const float tangent = cosineOf(radius_m / distance_m);
         on_tangent = tangent < sine;
         if (on_tangent) sine = tangent;
     }
-    const float outward = off_m > 0 ? -sine : sine;
+    const float outward = core::isPositive(off_m) ? -sine : sine;
     out.course = along_unit * cosineOf(sine) + out_unit * outward;
 
     float accel_mss = turnTowards(gains, ahead, out.course);
     const float along_mps = dot(ahead.velocity_mps, along_unit);
-    if (!on_tangent && along_mps > 0) {
+    if (!on_tangent && core::isPositive(along_mps)) {
         const float bend_m = core::limit(distance_m, core::half(radius_m), 1e6f);
         accel_mss += turn * core::square(along_mps) / bend_m;
     }

@@ -24,8 +24,9 @@ bool upright(const LaunchState& now) {
 }  // namespace
 
 Launch::Result Launch::run(const LaunchSettings& settings, const LaunchState& now) {
-    const bool push_asked = settings.min_accel_mss > 0;
-    const bool pushed = waited_s_ >= 0 || (push_asked && now.accel_mss >= settings.min_accel_mss);
+    const bool push_asked = core::isPositive(settings.min_accel_mss);
+    const bool pushed =
+        !core::isNegative(waited_s_) || (push_asked && now.accel_mss >= settings.min_accel_mss);
     if (!upright(now)) {
         const bool new_push = pushed && waited_s_ != kTilted_s;  // a push is reported once
         waited_s_ = pushed ? kTilted_s : kUnpushed_s;
@@ -61,12 +62,12 @@ void TakeoffCourse::run(const geo::Offset& velocity_mps, float ground_speed_mps,
 float takeoffPitch_rad(const TakeoffPitch& settings, float speed_mps, bool airspeed_known) {
     const float most_rad = settings.takeoff_rad;
     const float low_rad = most_rad < kLowPitch_rad ? most_rad : kLowPitch_rad;
-    if (settings.rotate_mps > 0 && speed_mps < settings.rotate_mps) return low_rad;
+    if (core::isPositive(settings.rotate_mps) && speed_mps < settings.rotate_mps) return low_rad;
     const float full_mps = airspeed_known ? settings.flying_mps : settings.cruise_mps;
     if (speed_mps >= full_mps) return most_rad;
     if (!airspeed_known) return core::limit(most_rad * speed_mps / full_mps, low_rad, most_rad);
     const float share = (speed_mps / full_mps - kSlowShare) * (1 / (1 - kSlowShare));
-    return low_rad + (most_rad - low_rad) * core::limit(share, 0.0f, 1.0f);
+    return core::lerp(low_rad, most_rad, core::limit(share, 0.0f, 1.0f));
 }
 
 }  // namespace navigation

@@ -55,4 +55,24 @@ TEST(Maths, inverse_half_and_hundredths) {
     EXPECT_EQ(core::inHundredths(-1.236f), -124);
 }
 
+TEST(Sign, is_that_of_every_number_and_of_neither_nought) {
+    for (const float value : {1e-38f, 1e-6f, 1.0f, 3e38f}) {
+        EXPECT_TRUE(core::isPositive(value)) << value;
+        EXPECT_FALSE(core::isPositive(-value)) << value;
+        EXPECT_TRUE(core::isNegative(-value)) << value;
+        EXPECT_FALSE(core::isNegative(value)) << value;
+        EXPECT_FALSE(core::isZero(value) || core::isZero(-value)) << value;
+    }
+    for (const float nought : {0.0f, -0.0f}) {
+        EXPECT_TRUE(core::isZero(nought));
+        EXPECT_FALSE(core::isPositive(nought) || core::isNegative(nought));
+    }
+}
+
+TEST(Lerp, goes_from_one_value_to_the_other) {
+    EXPECT_FLOAT_EQ(core::lerp(2, 6, 0), 2);
+    EXPECT_FLOAT_EQ(core::lerp(2, 6, 0.25f), 3);
+    EXPECT_FLOAT_EQ(core::lerp(2, 6, 1), 6);
+}
+
 }  // namespace
