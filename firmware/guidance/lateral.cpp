@@ -82,6 +82,11 @@ navigation::Lateral followDemandedLeg(const navigation::Motion& now, bool learni
     return lateral;
 }
 
+float turnLead_m(const geo::Position& next) {
+    return navigation::turnLead_m(flown.gains, motion(), flown.leg,
+                                  navigation::legAlong(geo::offset(vehicle.demand.to, next)));
+}
+
 // Close to the leg the demanded course is the leg's.
 float along_mps(const navigation::Lateral& lateral, const navigation::Motion& now) {
     const float along_mps = lateral.course.north_m * now.velocity_mps.north_m +

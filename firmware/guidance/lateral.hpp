@@ -15,6 +15,8 @@ const navigation::LateralGains& lateralGains();
 
 // Flies demand.from to demand.to but for the bank; `learning`: the bank's trim, too.
 navigation::Lateral followDemandedLeg(const navigation::Motion& now, bool learning);
+// How far before the end of the demanded leg the turn to the leg to `next` begins.
+float turnLead_m(const geo::Position& next);
 float along_mps(const navigation::Lateral& lateral, const navigation::Motion& now);
 float legLength_m();
 float legHeading_rad();

@@ -4,6 +4,7 @@
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "firmware/guidance/demand.hpp"
+#include "firmware/guidance/lateral.hpp"
 #include "firmware/mission/engine.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "firmware/mission/host.hpp"
@@ -31,6 +32,8 @@ struct NavCommand {
     bool no_place;  // what is flown ends where the airplane is
     float acceptance_m;
     bool leg_counts;  // it is longer than the acceptance radius
+    float turn_lead_m;
+    bool turn_planned;  // turn_lead_m is of this leg
     // Of a loiter: radians or seconds since capture. `before`: until the last resume.
     float loitered_before, loitered;
     uint16_t loiter_ms;
@@ -91,6 +94,7 @@ void turnCounterClockwise(bool counter_clockwise) {
 void demandLeg(const Place& to, float radius_m, LegStart start) {
     demand(Path::leg, to, start);
     nav.acceptance_m = radius_m;
+    nav.turn_planned = false;
     nav.leg_counts = geo::distance_m(vehicle.demand.from, to.position) > radius_m;
     if (!nav.leg_counts) changeHeightAtOnce();
 }
@@ -151,10 +155,32 @@ void startWaypoint(const Record& record, LegStart start) {
     demandLeg({placeOf(record), heightOf_m(record)}, core::real(radius_m), start);
 }
 
-Progress waypointDone(const Record&) {
+namespace {
+
+Progress legDone(float before_m) {
     if (progressIsOld()) return Progress::running;
     const auto& progress = vehicle.progress;
-    return done(progress.distance_m <= nav.acceptance_m || (nav.leg_counts && progress.passed));
+    return done(progress.distance_m <= before_m || (nav.leg_counts && progress.passed));
+}
+
+// Planned once, where no turn begins yet: 22 m/s with a bank of 45 degrees need 78 m for a corner.
+void planTurn() {
+    constexpr float kNear_m = 250;
+    if (nav.turn_planned || progressIsOld() || vehicle.progress.distance_m > kNear_m) return;
+    geo::Position next;
+    const core::Status status = nextPlace(next);
+    if (status == core::Status::busy) return;
+    nav.turn_planned = true;
+    nav.turn_lead_m = status == core::Status::ok ? turnLead_m(next) : 0;
+}
+
+}  // namespace
+
+// An item's own radius is as it says; without one the turn to the next may begin before WP_RADIUS.
+Progress waypointDone(const Record& record) {
+    if (record.p1 != 0) return legDone(nav.acceptance_m);
+    planTurn();
+    return legDone(nav.turn_planned ? fmaxf(nav.acceptance_m, nav.turn_lead_m) : nav.acceptance_m);
 }
 
 void startCircle(const Record& record, LegStart start) {
@@ -207,9 +233,9 @@ void returnTo(const geo::Position& place, float height_m) {
 
 }  // namespace
 
-Progress returnDone(const Record& record) {
+Progress returnDone(const Record&) {
     rallyLook(returnTo);
-    return waypointDone(record);
+    return legDone(nav.acceptance_m);
 }
 
 void startLand(const Record& record, LegStart start) {

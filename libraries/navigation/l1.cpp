@@ -163,6 +163,18 @@ Lateral followLeg(const LateralGains& gains, const Motion& motion, const Leg& le
     return out;
 }
 
+float turnLead_m(const LateralGains& gains, const Motion& motion, const Leg& leg, const Leg& next) {
+    constexpr float kSharpest = -0.5f;
+    const float cosine = core::limit(dot(leg.forward, next.forward), kSharpest, 1.0f);
+    const float before_mps = motion.airspeed_mps + dot(motion.wind_mps, leg.forward);
+    const float after_mps = motion.airspeed_mps + dot(motion.wind_mps, next.forward);
+    const float radius_m =
+        core::half(core::squaredLength(before_mps, after_mps)) / gains.turn_accel_mss;
+    const float lead_m =
+        radius_m * sqrtf((1 - cosine) / (1 + cosine)) + before_mps * motion.bank_lag_s;
+    return core::limit(lead_m, 0.0f, core::half(fminf(leg.length_m, next.length_m)));
+}
+
 Lateral followCircle(const LateralGains& gains, const Motion& motion, const Circle& circle,
                      const Offset& from_centre) {
     const Ahead ahead = lookAhead(motion);

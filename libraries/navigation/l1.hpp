@@ -47,6 +47,12 @@ Leg legAlong(const geo::Offset& start_to_end);
 Lateral followLeg(const LateralGains& gains, const Motion& motion, const Leg& leg,
                   const geo::Offset& from_start);
 
+// How far before the end of a leg the turn to the next one begins, in metres: an arc between both
+// with the turns' acceleration at the mean of the speeds over ground before and after it, and what
+// is flown while the bank builds up. A turn by more than 120 degrees is led as one by 120; none by
+// more than half of the shorter leg.
+float turnLead_m(const LateralGains& gains, const Motion& motion, const Leg& leg, const Leg& next);
+
 struct Circle {
     float radius_m;
     bool counter_clockwise;

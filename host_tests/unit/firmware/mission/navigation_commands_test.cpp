@@ -3,6 +3,7 @@
 #include "mission_flight.hpp"
 
 #include "core/maths.hpp"
+#include "firmware/guidance/lateral.hpp"
 #include "firmware/mission/handlers.hpp"
 #include "host_tests/support/fakes/vehicle.hpp"
 
@@ -74,6 +75,23 @@ TEST_F(MissionFlight, a_waypoint_finishes_within_its_radius_or_past_its_line) {
     mutable_vehicle.progress.passed = true;
     pass();
     EXPECT_EQ(missionCurrent(), 3);
+}
+
+// By 22 m/s: 78 m for a right angle with a bank of 45 degrees, of which nine tenths are planned.
+TEST_F(MissionFlight, a_waypoint_without_a_radius_finishes_where_the_turn_to_the_next_begins) {
+    MissionItem corner = waypoint(1000);
+    corner.y += 100000;
+    mutable_vehicle.estimate.airspeed_mps = 22;
+    mutable_vehicle.estimate.velocity_mps = {22, 0, 0};
+    fly({waypoint(1000), corner, waypoint(1500)});
+    guidance::beginLateral();
+    guidance::planLateral();
+    mutable_vehicle.progress.distance_m = 110;
+    pass();
+    EXPECT_EQ(missionCurrent(), 1);
+    mutable_vehicle.progress.distance_m = 60;
+    pass();
+    EXPECT_EQ(missionCurrent(), 2);
 }
 
 TEST_F(MissionFlight, a_leg_shorter_than_the_radius_uses_the_radius_only) {

@@ -25,7 +25,7 @@ struct Sample {
 constexpr ::mission::Set kSet1 = ::mission::Set::apm1, kSet2 = ::mission::Set::apm2;
 constexpr int32_t kNorth = 470900000, kEast = 80264000;
 constexpr char kAltitude_[] = "altitude, cm", kLatitude_[] = "latitude", kLongitude_[] = "longitude";
-constexpr char kRadius_[] = "acceptance radius, m; 0: `WP_RADIUS`";
+constexpr char kRadius_[] = "acceptance radius, m; 0: `WP_RADIUS` or, where that is more, what the turn to the next NAV needs";
 constexpr char kPassed[] = "finishes within the radius, or past the line through it across the leg";
 constexpr char kEndless[] = "never finishes";
 constexpr char kTicks[] = "finishes after that many circles from capture; 0: on capture";

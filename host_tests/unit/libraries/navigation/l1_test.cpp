@@ -84,6 +84,62 @@ TEST(Leg, is_held_in_wind_and_gusts) {
     }
 }
 
+// How far it flies past the second of two legs of 1 km where the first is left as turnLead_m()
+// says.
+double pastCorner_m(const Wind& wind, double turn_rad) {
+    Pilot pilot(wind);
+    const Place corner{1000, 0};
+    const Place end{1000 + 1000 * std::cos(turn_rad), 1000 * std::sin(turn_rad)};
+    const geo::Position begin = at(0, 0), middle = at(corner.north, corner.east);
+    const navigation::Leg before = navigation::legAlong(geo::offset(begin, middle));
+    const navigation::Leg after =
+        navigation::legAlong(geo::offset(middle, at(end.north, end.east)));
+    double lead_m = 0;
+    const auto first = [&](const Motion& motion, const geo::Position& place) {
+        lead_m = turnLead_m(kGains, motion, before, after);
+        return alongLeg(motion, place, begin, middle);
+    };
+    pilot.fly(300, first, [&](const Lateral& lateral) { return lateral.distance_m > lead_m; });
+    double past_m = 0;
+    const auto second = [&](const Motion& motion, const geo::Position& place) {
+        return alongLeg(motion, place, middle, at(end.north, end.east));
+    };
+    pilot.fly(20, second, [&](const Lateral&) {
+        const double cross = onLeg(corner, end, pilot).cross;
+        past_m = std::max(past_m, turn_rad > 0 ? -cross : cross);
+        return true;
+    });
+    return past_m;
+}
+
+TEST(Turn, is_led_so_that_the_next_leg_is_not_overshot) {
+    for (const double turn_rad : {0.6, M_PI / 2, -M_PI / 2, 2.0})
+        for (const double to_rad : {0.0, M_PI / 2, M_PI, -M_PI / 2}) {
+            const Wind wind{6 * std::cos(to_rad), 6 * std::sin(to_rad), 0, 1};
+            EXPECT_LT(pastCorner_m(wind, turn_rad), 4) << turn_rad << ", wind to " << to_rad;
+        }
+}
+
+TEST(Turn, is_led_by_the_arc_and_what_the_bank_takes) {
+    const Motion fast{{22, 0}, {0, 0}, 22, 0, 0.5f};
+    const navigation::Leg north{{1, 0}, 1000}, east{{0, 1}, 1000}, south{{-1, 0}, 1000};
+    EXPECT_NEAR(turnLead_m(kGains, fast, north, east), 22 * 22 / 6.9 + 11, 0.1);
+    EXPECT_NEAR(turnLead_m(kGains, fast, north, north), 11, 0.1) << "straight on";
+    EXPECT_NEAR(turnLead_m(kGains, fast, north, south), 22 * 22 / 6.9 * std::sqrt(3.0) + 11, 0.1)
+        << "as by 120 degrees";
+    // into a wind from the side, then before it: (22^2 + 28^2) / 2
+    const Motion blown{{22, 0}, {0, 6}, 22, 0, 0.5f};
+    EXPECT_NEAR(turnLead_m(kGains, blown, north, east), 634 / 6.9 + 11, 0.1);
+}
+
+TEST(Turn, is_led_by_no_more_than_half_of_the_shorter_leg) {
+    const Motion fast{{22, 0}, {0, 0}, 22, 0, 0.5f};
+    const navigation::Leg north{{1, 0}, 500}, east{{0, 1}, 60};
+    EXPECT_FLOAT_EQ(turnLead_m(kGains, fast, north, east), 30);
+    EXPECT_FLOAT_EQ(turnLead_m(kGains, fast, east, north), 30);
+    EXPECT_FLOAT_EQ(turnLead_m(kGains, fast, north, {{0, 0}, 0}), 0) << "nowhere";
+}
+
 TEST(Leg, is_captured_from_far_with_hardly_any_overshoot) {
     for (double east : {-400.0, 400.0}) {
         Pilot pilot;
