@@ -205,6 +205,7 @@ bool airspeedFits() {
 
 // Without the inertial sensor the nose points where it did before.
 void updateWind() {
+    constexpr float kLevel_mps = 1;  // in a climb the wind changes with the height
     if (!vehicle.imu.healthy || newest_fix.since_s > 1.5f) return;
     if (!vehicle.estimate.flying) {
         // without power it stands, whatever the receiver shows; what is thrown has no wheels
@@ -216,8 +217,12 @@ void updateWind() {
     if (pointsByCourse()) return;
     if (!airspeedFits() && vehicle.airspeed.healthy) return;
     const float airspeed_mps = vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f;
-    wind.update(position.velocity_mps(), {attitude.noseNorth(), attitude.noseEast()}, airspeed_mps,
-                newest_fix.since_s);
+    const Vector3 ground_mps = position.velocity_mps();
+    const estimation::Pointing nose = {attitude.noseNorth(), attitude.noseEast()};
+    if (vehicle.airspeed.healthy && fabsf(published.climb_mps) < kLevel_mps)
+        learnAirspeedRatio(wind.airspeedMissing_mps(ground_mps, nose, airspeed_mps) / airspeed_mps,
+                           newest_fix.since_s);
+    wind.update(ground_mps, nose, airspeed_mps, newest_fix.since_s);
     published.wind_mps = wind.wind_mps();
 }
 

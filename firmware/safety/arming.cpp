@@ -327,6 +327,7 @@ bool disarm(ArmReason reason, bool force) {
     }
     published.armed = false;
     saveLearntCompass();
+    saveAirspeedRatio();
     sendStatusText(Severity::notice, STATUS_TEXT("Throttle disarmed"));
     return true;
 }

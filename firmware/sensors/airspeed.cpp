@@ -2,9 +2,11 @@
 #include "drivers/airspeed.hpp"
 
 #include "core/file_state.hpp"
+#include "core/maths.hpp"
 #include "firmware/sensors/devices.hpp"
 #include "firmware/sensors/health.hpp"
 #include "firmware/sensors/sensors.hpp"
+#include "firmware/state/parameter_slots.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/published.hpp"
 #include "hal/analog.hpp"
@@ -32,10 +34,27 @@ core::FileState<drivers::Airspeed> pitot{};
 struct Update {
     uint32_t us;
     bool waits;  // since the speed was last worked out
+    bool ratio_learnt;
 };
 core::FileState<Update> update{};
 
 }  // namespace
+
+// Over 100 s, of which every turn shows some: ten minutes of a mission leave a tenth of the error.
+// Bounded, so that a tube that is half blocked for a while does no harm: 10 % of speed.
+void learnAirspeedRatio(float missing, float dt_s) {
+    constexpr float kLearns_s = 100, kLeast = 1.6f, kMost = 2.4f;
+    float& ratio = parameters.airspeed_ratio;
+    if (parameters.airspeed_autocal == 0 || ratio < kLeast || ratio > kMost) return;
+    ratio = core::limit(ratio + ratio * missing * dt_s * (2 / kLearns_s), kLeast, kMost);
+    update.ratio_learnt = true;
+}
+
+void saveAirspeedRatio() {
+    if (!update.ratio_learnt) return;
+    update.ratio_learnt = false;
+    parameterSet(slot::arspd_ratio, parameters.airspeed_ratio);
+}
 
 void zeroAirspeed() { pitot.startCalibration(); }
 void resumeAirspeed(float offset_v) { pitot.resume(offset_v); }

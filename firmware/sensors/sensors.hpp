@@ -46,6 +46,10 @@ void runAirspeed();
 // Brings vehicle.airspeed.speed_mps up to the pressure taken last: before each use, since the
 // square root would take 0.1 % of the processor at the sensor's own 50 Hz.
 void workOutAirspeed();
+// ARSPD_RATIO, while ARSPD_AUTOCAL is 1 and it lies within 20 % of a usual sensor's. `missing`: the
+// share of the speed that the sensor shows too little, for `dt_s`. Stored when disarmed.
+void learnAirspeedRatio(float missing, float dt_s);
+void saveAirspeedRatio();
 float airspeedPressure_pa();  // low-passed, zero removed
 void runBattery();
 

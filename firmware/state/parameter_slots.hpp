@@ -35,6 +35,7 @@ enum : uint8_t {
     tecs_spdweight = 129,
     tecs_ptch_damp = 130,
     navl1_damping  = 133,
+    arspd_ratio    = 156,
     compass_ofs_x  = 158,
     ins_accoffs_x  = 162,
     ins_accscal_z  = 167,

@@ -215,7 +215,8 @@ constexpr parameters::Row kRows[] = {
     P(153, "ALT_ABS",           altitude_absolute,                 0,       0,        1),
     P(154, "ARSPD_ENABLE",      airspeed_enable,                   1,       0,        1),
     P(155, "ARSPD_USE",         airspeed_use,                      1,       0,        1),
-    P(156, "ARSPD_RATIO",       airspeed_ratio,              1.9936f,       1,        4),
+    P(187, "ARSPD_AUTOCAL",     airspeed_autocal,                  1,       0,        1),
+    P(slot::arspd_ratio, "ARSPD_RATIO", airspeed_ratio,          1.9936f,       1,        4),
     P(225, "GPS_TYPE",          gps_type,                          1,       0,        5),
     P(  8, "GPS_DELAY_MS",      gps_delay_ms,                      0,       0,      500),
     P(157, "COMPASS_USE",       compass_use,                       1,       0,        1),
@@ -253,7 +254,7 @@ constexpr uint8_t kRetired[] = {
     13, 22,  // SR0_RAW_CTRL, SR1_RAW_CTRL
     18, 27,  // SR0_PARAMS, SR1_PARAMS
 };
-constexpr uint16_t kNextSlot = 187;  // the lowest free one, for the next parameter
+constexpr uint16_t kNextSlot = 188;  // the lowest free one, for the next parameter
 
 #undef P
 #undef CHANNEL

@@ -116,7 +116,7 @@ struct Parameters {
     // log
     int32_t log_bitmask;
     // sensors
-    int8_t airspeed_enable, airspeed_use;
+    int8_t airspeed_enable, airspeed_use, airspeed_autocal;
     float airspeed_ratio;
     int8_t gps_type;
     int16_t gps_delay_ms;  // 0: by the receiver, and learnt in turns

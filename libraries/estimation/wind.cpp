@@ -61,6 +61,13 @@ bool Wind::fromTurn(const core::Vector3& ground_mps, const Pointing& nose, float
     return found;
 }
 
+float Wind::airspeedMissing_mps(const core::Vector3& ground_mps, const Pointing& nose,
+                                float airspeed_mps) const {
+    if (heard_s_ < kSlow_s) return 0;
+    return (ground_mps.x - north_mps_) * nose.north + (ground_mps.y - east_mps_) * nose.east -
+           airspeed_mps;
+}
+
 float Wind::airspeed_mps(const core::Vector3& ground_mps) const {
     const float north = ground_mps.x - north_mps_, east = ground_mps.y - east_mps_;
     return sqrtf(north * north + east * east + ground_mps.z * ground_mps.z);

@@ -24,6 +24,12 @@ public:
     core::Vector3 wind_mps() const { return {north_mps_, east_mps_, 0}; }  // where it blows to
     bool known() const { return known_; }
 
+    // By how much an airspeed is lower than ground velocity and wind show along the nose. A wind
+    // that was learnt with a wrong airspeed is wrong along the nose of then, so this shows after a
+    // turn. 0 until the wind has been learnt for 15 s.
+    float airspeedMissing_mps(const core::Vector3& ground_mps, const Pointing& nose,
+                              float airspeed_mps) const;
+
     // True airspeed from ground velocity and the wind known so far.
     float airspeed_mps(const core::Vector3& ground_mps) const;
 

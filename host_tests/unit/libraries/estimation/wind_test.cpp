@@ -45,6 +45,21 @@ TEST(Wind, is_estimated_in_turns_without_an_airspeed_sensor) {
     EXPECT_NEAR(wind.airspeed_mps(air.ground(2)), 13, 0.3);
 }
 
+// A sensor that shows a tenth too little: the wind takes that up along the nose, until it turns.
+TEST(Wind, shows_after_a_turn_what_an_airspeed_lacks) {
+    Wind wind;
+    Air air;
+    constexpr float kShown_mps = 13 * 0.9f;
+    EXPECT_EQ(wind.airspeedMissing_mps(air.ground(1), pointing(1), kShown_mps), 0) << "not known";
+    for (int i = 0; i < 500; ++i) wind.update(air.ground(1), pointing(1), kShown_mps, 0.2f);
+    EXPECT_NEAR(wind.airspeedMissing_mps(air.ground(1), pointing(1), kShown_mps), 0, 0.05);
+    const double turned = 1 + M_PI / 2;
+    EXPECT_NEAR(wind.airspeedMissing_mps(air.ground(turned), pointing(turned), kShown_mps), 1.3,
+                0.05);
+    EXPECT_NEAR(wind.airspeedMissing_mps(air.ground(1 + M_PI), pointing(1 + M_PI), kShown_mps), 2.6,
+                0.05);
+}
+
 // Until the next turn it flies by that; half of the wind would be half of the airspeed.
 TEST(Wind, is_known_for_the_most_part_after_the_first_turn_without_an_airspeed_sensor) {
     Wind wind;
