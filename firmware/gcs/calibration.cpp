@@ -215,7 +215,7 @@ void compassTick() {
 
 // ---- rest, level
 void restTick() {
-    const bool still = vehicle.imu.calibrated && vehicle.baro.ground_pressure_pa > 0;
+    const bool still = vehicle.imu.calibrated && core::isPositive(vehicle.baro.ground_pressure_pa);
     if (!secondHasPassed() && !still && now.left_s > 0) return;
     uint8_t result = now.left_s > 0 ? MavResult::in_progress : MavResult::failed;
     if (still) result = MavResult::accepted;

@@ -47,7 +47,7 @@ float carriedBank_mss() {
     const float ratio = vehicle.estimate.equivalent_airspeed_mps / speedMin_mps();
     const float load = core::square(ratio);
     const float tangent2 = load * load - 1;
-    const float accel_mss = tangent2 > 0 ? core::kGravity_mss * sqrtf(tangent2) : 0;
+    const float accel_mss = core::isPositive(tangent2) ? core::kGravity_mss * sqrtf(tangent2) : 0;
     return accel_mss > kSlowBank_mss ? accel_mss : kSlowBank_mss;
 }
 

@@ -71,7 +71,7 @@ core::Vector3 SideForces::at(uint8_t side) const {
 bool liesOn(uint8_t side, const core::Vector3& force_mss) {
     const Side up = core::romRead(kUp[side]);
     const float along = (&force_mss.x)[up.axis] * core::real(up.sign);
-    return along > 0 && along * along > 0.82f * core::dot(force_mss, force_mss);
+    return core::isPositive(along) && along * along > 0.82f * core::dot(force_mss, force_mss);
 }
 
 // A side reads a; s (a - o) is as long as g. With p = s^2 / c, q = -2 o p and c = g^2 - sum s^2 o^2

@@ -30,7 +30,8 @@ AxisGains axisGains(const AxisSettings& settings) {
     constexpr float kFactor = core::BodyRate::kSteps / core::Angle::kSteps * Factor::kSteps;
     gains.rate_per_error.raw = static_cast<int16_t>(kFactor / time_constant_s);
     gains.turn_compensation = core::Gain::fromRaw(0);
-    gains.feed_forward = core::Gain(feed_forward > 0 ? feed_forward * kFullPerRadian : 0.0f);
+    gains.feed_forward =
+        core::Gain(core::isPositive(feed_forward) ? feed_forward * kFullPerRadian : 0.0f);
     gains.damping = core::Gain(settings.d * kFullPerRadian);
     gains.integral = decltype(gains.integral)(integral * (kFullPerRadian * kTwoPeriods_s));
     gains.integrator_max = core::Ratio(

@@ -26,9 +26,9 @@ void Wind::resume(float north_mps, float east_mps) {
 // headings: in a steady wind the ground velocity changes as the air velocity does.
 void Wind::update(const core::Vector3& ground_mps, const Pointing& nose, float airspeed_mps,
                   float dt_s) {
-    float speed_mps = airspeed_mps;
-    float share = dt_s / kSlow_s;
-    if (airspeed_mps < kLeastAirspeed_mps) {
+    const bool measured = airspeed_mps >= kLeastAirspeed_mps;
+    float speed_mps = airspeed_mps, share = 0;
+    if (!measured) {
         if (!fromTurn(ground_mps, nose, speed_mps)) return;
         share = known_ ? 0.3f : kFirstShare;  // at first it is all that is known
     }
@@ -36,10 +36,10 @@ void Wind::update(const core::Vector3& ground_mps, const Pointing& nose, float a
     const float east_mps = ground_mps.y - speed_mps * nose.east;
     // Quick at first, so that the wind is known soon after takeoff.
     heard_s_ = heard_s_ < kSlow_s ? heard_s_ + dt_s : kSlow_s;
-    if (airspeed_mps >= kLeastAirspeed_mps) share = dt_s / heard_s_;
+    if (measured) share = dt_s / heard_s_;
     north_mps_ = core::limit(core::lerp(north_mps_, north_mps, share), -kMaxWind_mps, kMaxWind_mps);
     east_mps_ = core::limit(core::lerp(east_mps_, east_mps, share), -kMaxWind_mps, kMaxWind_mps);
-    known_ = known_ || airspeed_mps < kLeastAirspeed_mps || heard_s_ > 2.0f;
+    known_ = known_ || !measured || heard_s_ > 2.0f;
 }
 
 // True when the nose has turned far enough since the last time to show the airspeed.

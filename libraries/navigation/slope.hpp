@@ -14,7 +14,7 @@ struct HeightDemand {
 // both. `along_mps` is the speed along the leg.
 inline HeightDemand heightOnSlope(float from_m, float to_m, float length_m, float along_m,
                                   float along_mps) {
-    if (along_m <= 0) return {from_m, 0};
+    if (!core::isPositive(along_m)) return {from_m, 0};
     if (along_m >= length_m || length_m < 1) return {to_m, 0};
     const float slope = (to_m - from_m) / length_m;
     return {from_m + slope * along_m, slope * along_mps};
