@@ -84,7 +84,8 @@ core::FileState<Pressure> pressure{};
 
 // Apart from the zeros, which need no copy in flash.
 struct TrueSpeed {
-    float ratio = 1.0f;  // to the equivalent one
+    float ratio = 1.0f;     // to the equivalent one
+    float on_field = 1.0f;  // by the sensor's temperature, which a warm board makes too high
 };
 core::FileState<TrueSpeed> true_speed{};
 
@@ -296,6 +297,8 @@ void useGpsHeight() {
     const float ago_s = gpsAge_s(hal::now_ms()) - kPressureAge_s - core::half(interval_s);
     const float end_m = height_m - height.climb_mps() * ago_s;
     heights.home_m += barometer_drift.useGps(end_m, -vehicle.gps.velocity_mps.z, interval_s);
+    // heights go with the air's temperature, speeds with its square root
+    true_speed.ratio = true_speed.on_field * core::half(1 + barometer_drift.scale());
 }
 
 // The mean of what has come since the last time.
@@ -658,8 +661,8 @@ void zeroHeight() {
     published.height_m = 0;
     if (vehicle.baro.healthy) {
         if (height.lastReadingFarOff()) height.resume(vehicle.estimate.baro_height_m, 0);
-        true_speed.ratio = estimation::trueSpeedRatio(static_cast<float>(vehicle.baro.pressure_pa),
-                                                      vehicle.baro.ground_temperature_c);
+        true_speed.ratio = true_speed.on_field = estimation::trueSpeedRatio(
+            static_cast<float>(vehicle.baro.pressure_pa), vehicle.baro.ground_temperature_c);
     }
     heights.home_m = height.height_m();
 }
@@ -684,7 +687,7 @@ void resumeEstimate(const SlowRecord& slow, const FastRecord& fast, const Vector
     height.resume(heights.home_m + fast.height_m / barometer_drift.scale(), fast.climb_mps);
     heights.started = motion.started = true;
     pressure.used_ms = static_cast<uint16_t>(hal::now_ms());
-    true_speed.ratio =
+    true_speed.ratio = true_speed.on_field =
         estimation::trueSpeedRatio(slow.ground_pressure_pa, slow.ground_temperature_c);
     if (fast.wind_known) wind.resume(metres(slow.wind_cms[0]), metres(slow.wind_cms[1]));
     published.wind_mps = wind.wind_mps();
