@@ -40,13 +40,13 @@ core::FileState<Update> update{};
 
 }  // namespace
 
-// Over 100 s, of which every turn shows some: ten minutes of a mission leave a tenth of the error.
+// Over 100 s: a turn of 90 degrees shows the error for 15 s, a circle for as long as it lasts.
 // Bounded, so that a tube that is half blocked for a while does no harm: 10 % of speed.
 void learnAirspeedRatio(float missing, float dt_s) {
-    constexpr float kLearns_s = 100, kLeast = 1.6f, kMost = 2.4f;
+    constexpr float kLearns_s = 100, kMin = 1.6f, kMax = 2.4f;
     float& ratio = parameters.airspeed_ratio;
-    if (parameters.airspeed_autocal == 0 || ratio < kLeast || ratio > kMost) return;
-    ratio = core::limit(ratio + ratio * missing * dt_s * (2 / kLearns_s), kLeast, kMost);
+    if (parameters.airspeed_autocal == 0 || ratio < kMin || ratio > kMax) return;
+    ratio = core::limit(ratio + ratio * missing * dt_s * (2 / kLearns_s), kMin, kMax);
     update.ratio_learnt = true;
 }
 
