@@ -177,8 +177,9 @@ void planTurn() {
 }  // namespace
 
 // An item's own radius is as it says; without one the turn to the next may begin before WP_RADIUS.
+// Not while a CONDITION runs: what is behind it would be dropped.
 Progress waypointDone(const Record& record) {
-    if (record.p1 != 0) return legDone(nav.acceptance_m);
+    if (record.p1 != 0 || mission_engine.conditionRuns()) return legDone(nav.acceptance_m);
     planTurn();
     return legDone(nav.turn_planned ? fmaxf(nav.acceptance_m, nav.turn_lead_m) : nav.acceptance_m);
 }

@@ -94,6 +94,26 @@ TEST_F(MissionFlight, a_waypoint_without_a_radius_finishes_where_the_turn_to_the
     EXPECT_EQ(missionCurrent(), 2);
 }
 
+TEST_F(MissionFlight, a_turn_does_not_begin_while_a_condition_runs) {
+    constexpr uint16_t kDistance = 114, kSetRelay = 181;
+    relaySet(false);
+    MissionItem corner = waypoint(1000);
+    corner.y += 100000;
+    mutable_vehicle.estimate.airspeed_mps = 22;
+    mutable_vehicle.estimate.velocity_mps = {22, 0, 0};
+    fly({waypoint(1000), command(kDistance, 40), command(kSetRelay, 0, 1), corner, waypoint(1500)});
+    reach();
+    guidance::beginLateral();
+    guidance::planLateral();
+    mutable_vehicle.progress.distance_m = 60;
+    pass();
+    EXPECT_EQ(missionCurrent(), 4);
+    mutable_vehicle.progress.distance_m = 39;
+    pass(2);
+    EXPECT_TRUE(relayGet());
+    EXPECT_EQ(missionCurrent(), 5);
+}
+
 TEST_F(MissionFlight, a_leg_shorter_than_the_radius_uses_the_radius_only) {
     fly({waypoint(500), waypoint(510), waypoint(900)});
     reach();
