@@ -99,7 +99,7 @@ constexpr Tier slow = Tier::slow;      // mode switch, log and the rest: the fir
     TASK(medium, fuseFixAttitude,         5,     0,    1540)                  \
     TASK(medium, fuseFixPosition,         5,     1,    1220)                  \
     TASK(medium, fuseFixWind,             5,     1,     620)                  \
-    TASK(medium, fuseFixHeight,           5,     0,     570)                  \
+    TASK(medium, fuseFixHeight,           5,     0,     600)                  \
     TASK(medium, learnGpsDelay,           5,     4,     520)                  \
     TASK(medium, fuseCompass,            20,    11,    1260)                  \
     TASK(medium, fuseAirspeed,           20,    19,    1290)                  \

@@ -31,9 +31,8 @@ struct NavCommand {
     bool have_last;
     bool no_place;  // what is flown ends where the airplane is
     float acceptance_m;
-    bool leg_counts;  // it is longer than the acceptance radius
-    float turn_lead_m;
-    bool turn_planned;  // turn_lead_m is of this leg
+    bool leg_counts;    // it is longer than the acceptance radius
+    bool turn_planned;  // acceptance_m is no less than the next turn needs, or the item's own
     // Of a loiter: radians or seconds since capture. `before`: until the last resume.
     float loitered_before, loitered;
     uint16_t loiter_ms;
@@ -153,35 +152,35 @@ void holdPlace() {
 void startWaypoint(const Record& record, LegStart start) {
     const int16_t radius_m = record.p1 != 0 ? record.p1 : parameters.waypoint_radius_m;
     demandLeg({placeOf(record), heightOf_m(record)}, core::real(radius_m), start);
+    nav.turn_planned = record.p1 != 0;  // an item's own radius is as it says
 }
 
 namespace {
 
-Progress legDone(float before_m) {
+Progress legDone() {
     if (progressIsOld()) return Progress::running;
     const auto& progress = vehicle.progress;
-    return done(progress.distance_m <= before_m || (nav.leg_counts && progress.passed));
+    return done(progress.distance_m <= nav.acceptance_m || (nav.leg_counts && progress.passed));
 }
 
-// Planned once, where no turn begins yet: 22 m/s with a bank of 45 degrees need 78 m for a corner.
+// Planned once, where no turn begins yet: 22 m/s with a bank of 45 degrees need 80 m for a corner.
+// Not while a CONDITION runs: what is behind it would be dropped.
 void planTurn() {
     constexpr float kNear_m = 250;
-    if (nav.turn_planned || progressIsOld() || vehicle.progress.distance_m > kNear_m) return;
+    if (progressIsOld() || mission_engine.conditionRuns()) return;
+    if (vehicle.progress.distance_m > kNear_m) return;
     geo::Position next;
     const core::Status status = nextPlace(next);
     if (status == core::Status::busy) return;
     nav.turn_planned = true;
-    nav.turn_lead_m = status == core::Status::ok ? turnLead_m(next) : 0;
+    if (status == core::Status::ok) nav.acceptance_m = fmaxf(nav.acceptance_m, turnLead_m(next));
 }
 
 }  // namespace
 
-// An item's own radius is as it says; without one the turn to the next may begin before WP_RADIUS.
-// Not while a CONDITION runs: what is behind it would be dropped.
-Progress waypointDone(const Record& record) {
-    if (record.p1 != 0 || mission_engine.conditionRuns()) return legDone(nav.acceptance_m);
-    planTurn();
-    return legDone(nav.turn_planned ? fmaxf(nav.acceptance_m, nav.turn_lead_m) : nav.acceptance_m);
+Progress waypointDone(const Record&) {
+    if (!nav.turn_planned) planTurn();
+    return legDone();
 }
 
 void startCircle(const Record& record, LegStart start) {
@@ -236,7 +235,7 @@ void returnTo(const geo::Position& place, float height_m) {
 
 Progress returnDone(const Record&) {
     rallyLook(returnTo);
-    return legDone(nav.acceptance_m);
+    return legDone();
 }
 
 void startLand(const Record& record, LegStart start) {
