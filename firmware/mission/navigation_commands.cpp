@@ -3,6 +3,7 @@
 #include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
+#include "core/seldom.hpp"
 #include "firmware/guidance/demand.hpp"
 #include "firmware/guidance/lateral.hpp"
 #include "firmware/mission/engine.hpp"
@@ -165,10 +166,8 @@ Progress legDone() {
 
 // Planned once, where no turn begins yet: 22 m/s with a bank of 45 degrees need 80 m for a corner.
 // Not while a CONDITION runs: what is behind it would be dropped.
-void planTurn() {
-    constexpr float kNear_m = 250;
-    if (progressIsOld() || mission_engine.conditionRuns()) return;
-    if (vehicle.progress.distance_m > kNear_m) return;
+SELDOM void planTurn() {
+    if (mission_engine.conditionRuns()) return;
     geo::Position next;
     const core::Status status = nextPlace(next);
     if (status == core::Status::busy) return;
@@ -179,7 +178,9 @@ void planTurn() {
 }  // namespace
 
 Progress waypointDone(const Record&) {
-    if (!nav.turn_planned) planTurn();
+    constexpr uint16_t kNear_m = core::sizeOfPower(8);  // 256, by the upper bits
+    if (progressIsOld()) return Progress::running;
+    if (!nav.turn_planned && core::sizeOf(vehicle.progress.distance_m) < kNear_m) planTurn();
     return legDone();
 }
 
