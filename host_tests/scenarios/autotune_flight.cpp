@@ -61,7 +61,9 @@ public:
              {"PTCH2SRV_I", 0.3f * by},
              {"PTCH2SRV_D", 0.05f * by}});
         const double from_s = seconds();
-        TuningPilot pilot(double{parameterNow("TRIM_ARSPD_CM")} * 0.01);
+        // straight on: every turn is one that he flies for AUTOTUNE
+        constexpr double kFar_m = 1e6;
+        TuningPilot pilot(double{parameterNow("TRIM_ARSPD_CM")} * 0.01, kFar_m);
         for (double t_s = 0; t_s < kTuneAll_s && advance(); t_s = seconds() - from_s)
             board_.world().radio().sticks(pilot.sticks(t_s, board_.world().truth()), true);
         if (flight_.over()) throw std::runtime_error("the flight ended: " + flight_.reason());

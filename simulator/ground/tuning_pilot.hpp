@@ -19,7 +19,9 @@ constexpr uint16_t kFirstMode_us = 1165;                // the mode switch on FL
 // steeply nor pulls, but gives it power first.
 class TuningPilot {
 public:
-    explicit TuningPilot(double cruise_mps) : cruise_mps_(cruise_mps) {}
+    // A wing of 1.4 m is seen at a quarter of a degree from 300 m, half as large as the moon.
+    explicit TuningPilot(double cruise_mps, double sight_m = 300)
+        : cruise_mps_(cruise_mps), sight_m_(sight_m) {}
 
     // Channels 1 to 8, in us, `since_s` after AUTOTUNE was chosen.
     std::array<uint16_t, 8> sticks(double since_s, const Truth& truth) {
@@ -58,10 +60,9 @@ private:
         return {homeward_rad(truth) > 0 ? bank : -bank, keepsHeight(truth)};
     }
 
-    // A wing of 1.4 m is seen at a quarter of a degree from 300 m, half as large as the moon.
     bool turnsBack(const Truth& truth) {
-        constexpr double kSight_m = 300, kHomeward_rad = 0.3;
-        const bool far = std::hypot(truth.north_m, truth.east_m) > kSight_m;
+        constexpr double kHomeward_rad = 0.3;
+        const bool far = std::hypot(truth.north_m, truth.east_m) > sight_m_;
         const double off_rad = std::abs(homeward_rad(truth));
         turns_back_ = turns_back_ ? off_rad > kHomeward_rad : far && off_rad > M_PI / 2;
         return turns_back_;
@@ -73,7 +74,7 @@ private:
         return std::remainder(home_rad - course_rad, 2 * M_PI);
     }
 
-    double cruise_mps_;
+    double cruise_mps_, sight_m_;
     bool turns_back_ = false;
 };
 
