@@ -40,11 +40,11 @@ core::FileState<Update> update{};
 
 }  // namespace
 
-// Over 400 s, as gusts are taken for an error, too: over 100 s those of 1 m/s made an airspeed that
+// Over 350 s, as gusts are taken for an error, too: over 100 s those of 1 m/s made an airspeed that
 // was right 0.3 m/s wrong. A turn of 90 degrees shows an error for 15 s, a circle while it lasts.
 // Bounded, so that a tube that is half blocked for a while does no harm: 10 % of speed.
 void learnAirspeedRatio(float missing, float dt_s) {
-    constexpr float kLearns_s = 400, kMin = 1.6f, kMax = 2.4f;
+    constexpr float kLearns_s = 350, kMin = 1.6f, kMax = 2.4f;
     float& ratio = parameters.airspeed_ratio;
     if (parameters.airspeed_autocal == 0 || ratio < kMin || ratio > kMax) return;
     ratio = core::limit(ratio + ratio * missing * dt_s * (2 / kLearns_s), kMin, kMax);

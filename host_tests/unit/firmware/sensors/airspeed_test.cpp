@@ -29,9 +29,9 @@ protected:
     }
 };
 
-TEST_F(AirspeedRatio, grows_by_twice_the_share_of_the_speed_that_is_missing_within_400_s) {
+TEST_F(AirspeedRatio, grows_by_twice_the_share_of_the_speed_that_is_missing_within_350_s) {
     for (int i = 0; i < 5; ++i) learnAirspeedRatio(0.05f, 0.2f);
-    EXPECT_NEAR(parameters.airspeed_ratio, 1.9936f * (1 + 2 * 0.05f * 1 / 400), 1e-4f);
+    EXPECT_NEAR(parameters.airspeed_ratio, 1.9936f * (1 + 2 * 0.05f * 1 / 350), 1e-4f);
 }
 
 TEST_F(AirspeedRatio, stays_within_a_fifth_of_a_usual_sensors) {
@@ -58,7 +58,7 @@ TEST_F(AirspeedRatio, is_stored_once_it_was_learnt) {
     load();
     EXPECT_FLOAT_EQ(parameters.airspeed_ratio, 1.9936f);
 
-    for (int i = 0; i < 400; ++i) learnAirspeedRatio(0.05f, 1);
+    for (int i = 0; i < 350; ++i) learnAirspeedRatio(0.05f, 1);
     const float learnt = parameters.airspeed_ratio;
     EXPECT_GT(learnt, 2.1f);
     saveAirspeedRatio();
