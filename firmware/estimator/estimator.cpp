@@ -220,7 +220,8 @@ void updateWind() {
     const float airspeed_mps = vehicle.airspeed.healthy ? vehicle.estimate.airspeed_mps : 0.0f;
     const Vector3 ground_mps = position.velocity_mps();
     const estimation::Pointing nose = {attitude.noseNorth(), attitude.noseEast()};
-    if (vehicle.airspeed.healthy && fabsf(published.climb_mps) < kLevel_mps)
+    // what a speed near 0 lacks is a multiple of it; it is 0 where nothing measures it
+    if (airspeed_mps >= flyingAirspeed_mps() && fabsf(published.climb_mps) < kLevel_mps)
         learnAirspeedRatio(wind.airspeedMissing_mps(ground_mps, nose, airspeed_mps) / airspeed_mps,
                            newest_fix.since_s);
     wind.update(ground_mps, nose, airspeed_mps, newest_fix.since_s);

@@ -166,8 +166,7 @@ uint8_t guidedAltitude(Link&, CommandRequest& request) {
 uint8_t guidedHeading(Link&, CommandRequest& request) {
     constexpr uint16_t kCourseOverGround = 0;  // HEADING_TYPE
     const float course_deg = request.item.param2;
-    if (number(request.item.param1) != kCourseOverGround ||
-        !(!core::isNegative(course_deg) && course_deg <= 360))
+    if (number(request.item.param1) != kCourseOverGround || !(course_deg >= 0 && course_deg <= 360))
         return MavResult::denied;
     return whenTrue(guideAlong(core::radians(course_deg)), MavResult::temporarily_rejected);
 }

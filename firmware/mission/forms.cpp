@@ -20,7 +20,7 @@ SELDOM float hundredthsOf(int32_t count) { return static_cast<float>(count) / 10
 // One unit of the stored byte is 10 s.
 MissionResult encodeTime(const float* parameter, Record& record, EncodeWarnings& warnings) {
     const float seconds = orZero(parameter[1]);
-    if (!(!core::isNegative(seconds) && seconds <= 2550)) return wrong(1);
+    if (!(seconds >= 0 && seconds <= 2550)) return wrong(1);
     record.p1 = static_cast<uint8_t>(core::rounded(seconds / 10));
     if (record.p1 == 0 && core::isPositive(seconds)) record.p1 = 1;
     flagRounding(seconds, core::real(record.p1) * 10.0f, warnings);
@@ -83,7 +83,7 @@ void decodeParameter(const Record& record, float* parameter) {
 MissionResult encodeDistance(const float* parameter, Record& record, EncodeWarnings& warnings) {
     constexpr float kFarthest_m = 10000;
     const float distance_m = orZero(parameter[1]);
-    if (!(!core::isNegative(distance_m) && distance_m <= kFarthest_m)) return wrong(1);
+    if (!(distance_m >= 0 && distance_m <= kFarthest_m)) return wrong(1);
     putExactly(distance_m, record.p2, record.p3, warnings);
     const bool none = record.p2 == 0 && record.p3 == 0;
     return none && !core::isZero(distance_m) ? wrong(1) : kFine;

@@ -73,7 +73,7 @@ void runGuided() {
 
 MissionResult guideTo(MissionItem& item) {
     const float radius_m = isnan(item.param3) ? 0 : item.param3;
-    if (!(!core::isNegative(radius_m) && radius_m <= INT16_MAX)) return kRadiusWrong;
+    if (!(radius_m >= 0 && radius_m <= INT16_MAX)) return kRadiusWrong;
     const MissionResult result = understand(item);
     if (result != MissionResult::accepted) return result;
     if (!requestMode(Mode::guided, ModeReason::ground)) return MissionResult::error;

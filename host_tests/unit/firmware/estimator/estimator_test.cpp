@@ -599,6 +599,23 @@ TEST_F(Estimator, flies_by_the_ground_speed_beside_an_airspeed_sensor_that_reads
     }
 }
 
+// Slower than it flies nothing contradicts a sensor, and what a speed near 0 lacks is a multiple of
+// it.
+TEST_F(Estimator, learns_no_ratio_of_a_sensor_that_reads_next_to_nothing) {
+    using firmware::state::parameters;
+    parameters.airspeed_ratio = 2;
+    parameters.airspeed_autocal = 1;
+    mutable_vehicle.armed = mutable_vehicle.airspeed.healthy = true;
+    for (int i = 0; i < 2500; ++i) {
+        frame(i < 400 ? 3.25f : i < 2250 ? 0 : -2);
+        mutable_vehicle.airspeed.speed_mps = speed_mps_;
+    }
+    mutable_vehicle.airspeed.speed_mps = 0.2f;
+    frames(200);
+    EXPECT_TRUE(vehicle.estimate.flying);
+    EXPECT_NEAR(parameters.airspeed_ratio, 2, 0.02);
+}
+
 TEST_F(Estimator, records_how_far_home_was_moved_above_the_field) {
     frames(20);
     firmware::state::SlowRecord slow = {};

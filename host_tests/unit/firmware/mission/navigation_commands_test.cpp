@@ -77,15 +77,24 @@ TEST_F(MissionFlight, a_waypoint_finishes_within_its_radius_or_past_its_line) {
     EXPECT_EQ(missionCurrent(), 3);
 }
 
-// By 22 m/s: 78 m for a right angle with a bank of 45 degrees, of which nine tenths are planned.
-TEST_F(MissionFlight, a_waypoint_without_a_radius_finishes_where_the_turn_to_the_next_begins) {
-    MissionItem corner = waypoint(1000);
-    corner.y += 100000;
+// 500 m to the side of waypoint(1000): a turn by about a right angle.
+MissionItem aside() {
+    MissionItem item = waypoint(1000);
+    item.y += 66000;
+    return item;
+}
+
+// At 22 m/s, as guidance begins a leg.
+void guideFast() {
     mutable_vehicle.estimate.airspeed_mps = 22;
     mutable_vehicle.estimate.velocity_mps = {22, 0, 0};
-    fly({waypoint(1000), corner, waypoint(1500)});
     guidance::beginLateral();
     guidance::planLateral();
+}
+
+TEST_F(MissionFlight, a_waypoint_without_a_radius_finishes_where_the_turn_to_the_next_begins) {
+    fly({waypoint(1000), aside(), waypoint(1500)});
+    guideFast();
     mutable_vehicle.progress.distance_m = 110;
     pass();
     EXPECT_EQ(missionCurrent(), 1);
@@ -97,14 +106,10 @@ TEST_F(MissionFlight, a_waypoint_without_a_radius_finishes_where_the_turn_to_the
 TEST_F(MissionFlight, a_turn_does_not_begin_while_a_condition_runs) {
     constexpr uint16_t kDistance = 114, kSetRelay = 181;
     relaySet(false);
-    MissionItem corner = waypoint(1000);
-    corner.y += 100000;
-    mutable_vehicle.estimate.airspeed_mps = 22;
-    mutable_vehicle.estimate.velocity_mps = {22, 0, 0};
-    fly({waypoint(1000), command(kDistance, 40), command(kSetRelay, 0, 1), corner, waypoint(1500)});
+    fly({waypoint(1000), command(kDistance, 40), command(kSetRelay, 0, 1), aside(),
+         waypoint(1500)});
     reach();
-    guidance::beginLateral();
-    guidance::planLateral();
+    guideFast();
     mutable_vehicle.progress.distance_m = 60;
     pass();
     EXPECT_EQ(missionCurrent(), 4);
