@@ -41,7 +41,6 @@ constexpr uint8_t kMaxFrames = 50;     // that are counted: by then nothing is k
 constexpr float kInconsistent = 0.7f;  // cosine: a compass 45 degrees off is not followed
 constexpr float kSlow_mps = 5.0f;      // a slower course is noise
 constexpr float kRolls_mps = 4.0f;     // a course within a degree: velocities err by 0.05 m/s
-constexpr float kDeclinationStep_rad = core::radians(1);
 
 // Between two fixes: a tilt that is 45 degrees wrong. A receiver whose velocity is wrong by 20 m/s
 // shows 100 m/s2, more than any tilt can. Less than that, and an airplane whose gyros drift by
@@ -59,11 +58,6 @@ using ForceBias = core::Fixed32<25>;          // m/s2
 // age is 0.15 s wrong misses 4.5 m/s, and between two fixes that would be a tilt of 45 degrees.
 constexpr int16_t kPushed = HalfForce(15).raw;
 constexpr uint8_t kPushedFixes = 5;  // and later: at 10 Hz, fixes from before the push come so long
-
-// Out of line for the flash. Declination is small enough on every inhabited place for its cosine's
-// second order.
-SELDOM float shortSine(float rad) { return rad * (1.0f - rad * rad * (1.0f / 6.0f)); }
-SELDOM float shortCosine(float rad) { return 1.0f - core::half(rad) * rad; }
 
 core::Vector3 unit(const core::Vector3& v) { return v * core::inverse(sqrtf(core::dot(v, v))); }
 
@@ -465,25 +459,27 @@ void Attitude::useCourse(const core::Vector3& air_mps) {
 // A heading by the compass turns along with what is known of the declination: nothing before the
 // first fix. Pulled there slowly, the compass would be taken for off by it. One that has been
 // resumed is true already.
-bool Attitude::turnByDeclination(const AttitudeSettings& settings) {
-    const float by_rad = settings.declination_rad - declination_rad_;
-    declination_rad_ = settings.declination_rad;
-    if (fabsf(by_rad) < kDeclinationStep_rad || phase_ != Phase::pointed) return false;
-    turnTo(shortSine(by_rad), shortCosine(by_rad));
+bool Attitude::turnByDeclination(float declination_rad) {
+    const float by_rad = declination_rad - declination_rad_;
+    if (core::isZero(by_rad)) return false;
+    declination_rad_ = declination_rad;
+    cos_declination_ = cosf(declination_rad);
+    sin_declination_ = sinf(declination_rad);
+    if (phase_ == Phase::pointed) turnTo(sinf(by_rad), cosf(by_rad));
     return true;
 }
 
 bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSettings& settings) {
     if (phase_ == Phase::falling) return true;
     catchUp();
-    if (turnByDeclination(settings)) return true;
+    if (turnByDeclination(settings.declination_rad)) return true;  // that was the time there is
     const core::Vector3 field_mg = field_.earths(reading_mg);
     const core::Vector3 north = real(north_), down = real(down_);
     const core::Vector3 east = core::cross(down, north);
     const float m_north = core::dot(north, field_mg), m_east = core::dot(east, field_mg);
     const float length = sqrtf(core::squaredLength(m_north, m_east));
     if (length < 30.0f) return true;  // near a magnetic pole, or no field at all: no direction
-    const float d = settings.declination_rad, sin_d = shortSine(d), cos_d = shortCosine(d);
+    const float sin_d = sin_declination_, cos_d = cos_declination_;
     const float along_mg = m_north * cos_d + m_east * sin_d;
     const float across_mg = m_east * cos_d - m_north * sin_d;
     const float inverse = core::inverse(length);

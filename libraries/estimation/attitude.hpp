@@ -126,7 +126,7 @@ private:
     void turnTo(float sine, float cosine);
     void turnBy(const core::Vector3& by_rad);
     void pointBy(float error, float share);
-    bool turnByDeclination(const AttitudeSettings& settings);
+    bool turnByDeclination(float declination_rad);
     static void turnBy(int32_t& turned, float by_rad);
     void rotateRows();
     void catchUp() {
@@ -166,7 +166,8 @@ private:
     uint8_t since_fix_ = 0xFF;                 // periods, 1.28 s at most
     float settling_ = 1;                       // 1 at start, 0 when settled
     float declination_rad_ = 0;                // that the heading has been turned by
-    float compass_off_ = 0;                    // 1 - cosine of the angle of the last reading
+    float cos_declination_ = 1, sin_declination_ = 0;
+    float compass_off_ = 0;  // 1 - cosine of the angle of the last reading
     Phase phase_ = Phase::falling;
     uint8_t forces_ = 0, periods_ = 0;
     uint8_t behind_ = 0;     // frames that the matrix has not been turned by
