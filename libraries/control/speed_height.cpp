@@ -139,7 +139,7 @@ SpeedHeight::Errors SpeedHeight::errors(const SpeedHeightMeasured& now) const {
 // path. The throttle opens with the pitch, all of it at the highest, and hardly closes below level.
 float SpeedHeight::throttleForPitch(const SpeedHeightLimits& limits) const {
     const float cruise = limits.throttle_cruise;
-    if (pitch_rad_ > 0) {
+    if (core::isPositive(pitch_rad_)) {
         const float most_rad = core::limit(limits.pitch_max_rad, kSmallestPitch_rad, 1.6f);
         return cruise +
                (limits.throttle_max - cruise) * core::limit(pitch_rad_ / most_rad, 0.0f, 1.0f);
@@ -166,7 +166,7 @@ float SpeedHeight::throttle(const SpeedHeightSettings& settings, const SpeedHeig
         speed_demand_mps_ * speed_demand_rate_mss_ * (1.0f / core::kGravity_mss);
     const float feed_forward =
         limits.throttle_cruise +
-        (demand_mps > 0
+        (core::isPositive(demand_mps)
              ? demand_mps / settings.climb_max_mps * (limits.throttle_max - limits.throttle_cruise)
              : demand_mps / settings.sink_min_mps * limits.throttle_cruise);
     const float per_mps = limits.throttle_max / (settings.climb_max_mps + settings.sink_min_mps);
@@ -177,8 +177,8 @@ float SpeedHeight::throttle(const SpeedHeightSettings& settings, const SpeedHeig
         feed_forward + energy_m * per_m + energy_mps * per_mps * settings.throttle_damping;
     const float gain = energy_m * per_m * settings.integral_gain * step.dt_s;
     const float wanted = direct + throttle_integral_;
-    const bool winds_up =
-        (wanted > limits.throttle_max && gain > 0) || (wanted < limits.throttle_min && gain < 0);
+    const float beyond = wanted - core::limit(wanted, limits.throttle_min, limits.throttle_max);
+    const bool winds_up = core::isPositive(beyond * gain);
     if (!winds_up)
         throttle_integral_ =
             core::limit(throttle_integral_ + gain, -limits.throttle_max, limits.throttle_max);
@@ -212,8 +212,7 @@ float SpeedHeight::pitch(const SpeedHeightSettings& settings, const SpeedHeightL
     const float rate_rads = flaring_ ? errors.potential_mps * inverse_speed * kFlareIntegral_hz
                                      : balance_m * per_m * settings.integral_gain;
     const float step_rad = rate_rads * step.dt_s;
-    const bool winds_up = (demand_rad > limited_rad && core::isPositive(step_rad)) ||
-                          (demand_rad < limited_rad && core::isNegative(step_rad));
+    const bool winds_up = core::isPositive((demand_rad - limited_rad) * step_rad);
     if (!winds_up) pitch_integral_rad_ = core::limit(pitch_integral_rad_ + step_rad, -0.35f, 0.35f);
 
     const float fastest_rads =

@@ -116,7 +116,7 @@ float turnTowards(const LateralGains& gains, const Ahead& ahead, const Offset& c
     return sine * gains.turning_hz;
 }
 
-float sizeOf(float value) { return value < 0 ? -value : value; }
+float sizeOf(float value) { return fabsf(value); }
 
 }  // namespace
 
@@ -223,13 +223,13 @@ Lateral followCourse(const LateralGains& gains, const Motion& motion, const Offs
 
 float bankFor_rad(float bank_accel_mss) {
     const float x = bank_accel_mss * (1.0f / core::kGravity_mss);
-    const float size = x < 0 ? -x : x;
+    const float size = fabsf(x);
     const bool steep = size > 1;
     const float t = steep ? core::inverse(size) : size;
     // minimax of atan on 0..1: Rajan et al., IEEE Signal Processing Magazine 23(3), 2006
     const float low = t * (core::kPi / 4 + 0.273f * (1 - t));
     const float angle = steep ? core::kPi / 2 - low : low;
-    return x < 0 ? -angle : angle;
+    return copysignf(angle, x);
 }
 
 void BankTrim::learn(float left_of_path_m, float dt_s) {

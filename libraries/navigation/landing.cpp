@@ -61,7 +61,7 @@ HeightDemand flare(const LandingSettings& settings, const Approach& approach, co
     const float steeper_mps = core::limit(kSteepestSink * slope.sink_mps, last_mps, kSteepest_mps);
     const float steepest_mps = fmaxf(kSteepestOfSteep * slope.sink_mps, steeper_mps);
     return {approach.height_m,
-            -core::limit(core::limit(sink_mps, last_mps, most_mps), last_mps, steepest_mps)};
+            -core::limit<float>(fminf(sink_mps, most_mps), last_mps, steepest_mps)};
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ Launch::Result Launch::run(const LaunchSettings& settings, const LaunchState& no
         waited_s_ = pushed ? kTilted_s : kUnpushed_s;
         return new_push ? tilted : waits;
     }
-    if (waited_s_ < 0) {
+    if (core::isNegative(waited_s_)) {
         if (push_asked && !pushed) return waits;
         waited_s_ = 0;
     } else {
