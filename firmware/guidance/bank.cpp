@@ -94,6 +94,7 @@ void planTurns() {
 }
 
 float turnAccel_mss() { return banking.turn_accel_mss; }
+float mostBank_mss() { return banking.turn_accel_mss * (1 / kTurnShare); }
 
 void demandBank(float bank_accel_mss, BankLimit limit) {
     const float most_rad = limit_rad(limit);
@@ -102,7 +103,7 @@ void demandBank(float bank_accel_mss, BankLimit limit) {
     demandRoll(core::Angle(core::limit(navigation::bankFor_rad(accel_mss), -most_rad, most_rad)));
     const float most_mss = limit == BankLimit::level
                                ? core::kGravity_mss * most_rad  // a small angle
-                               : banking.turn_accel_mss * (1 / kTurnShare);
+                               : mostBank_mss();
     expectBank(core::limit(accel_mss, -most_mss, most_mss));
 }
 

@@ -20,6 +20,7 @@ void demandBank(float bank_accel_mss, BankLimit limit);
 float expectedBank_mss();
 float bankLag_s();      // from demanded to flown bank
 float turnAccel_mss();  // what planned turns are flown with
+float mostBank_mss();   // gravity times tan(bank limit)
 void planTurns();       // after the bank limit may have changed
 
 }  // namespace guidance

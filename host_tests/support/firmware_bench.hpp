@@ -2,6 +2,7 @@
 // The flight program on the doubles, brought into a known state before each test.
 #pragma once
 #include <gtest/gtest.h>
+#include <string.h>
 
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "firmware/gcs/telemetry.hpp"
 #include "firmware/modes/mode_switch.hpp"
 #include "firmware/modes/modes.hpp"
+#include "firmware/notify/text_queue.hpp"
 #include "firmware/safety/failsafe.hpp"
 #include "firmware/sensors/radio.hpp"
 #include "firmware/sensors/rc_override.hpp"
@@ -21,6 +23,21 @@
 namespace bench {
 
 inline const std::vector<uint16_t> kCentred = {1500, 1500, 1100, 1500, 1500, 1500, 1500, 1815};
+
+// What has been sent since, as "severity text".
+inline std::vector<std::string> statusTexts() {
+    std::vector<std::string> texts;
+    using namespace firmware::notify;
+    char text[kTextSize];
+    Severity severity;
+    while (readText(0, severity, text)) {
+        texts.push_back(std::to_string(static_cast<int>(severity)) + ' ' +
+                        std::string(text, strnlen(text, sizeof text)));
+        for (uint8_t reader : {0, 1, 2})
+            if (textWaits(reader)) textTaken(reader);
+    }
+    return texts;
+}
 
 class Bench : public testing::Test {
 protected:

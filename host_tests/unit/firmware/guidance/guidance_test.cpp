@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/guidance/guidance.hpp"
 
+#include <algorithm>
+
 #include "firmware/estimator/estimator.hpp"
 #include "firmware/guidance/launch.hpp"
 #include "firmware_bench.hpp"
@@ -596,6 +598,26 @@ TEST_F(Guidance, circles_in_the_demanded_direction) {
         place(0, counter_clockwise ? 60 : -60);  // so that north is along the circle
         guide(20);
         EXPECT_NEAR(vehicle.roll_demand_rad.toFloat(), vehicle.attitude.roll_rad.toFloat(), 0.05);
+        firmware::modes::requestMode(Mode::manual, firmware::modes::ModeReason::ground);
+    }
+}
+
+// 45 degrees take 17 m/s and 10 m/s of wind from behind around a circle of 74.3 m.
+TEST_F(Guidance, widens_a_circle_that_is_too_tight_for_the_bank_limit_and_reports_it_once) {
+    const std::string text = "4 Circle widened";
+    for (const float wind_mps : {0.0f, 7.0f, 10.0f}) {
+        inTheAir();
+        demand(Path::circle);
+        mutable_vehicle.demand.to = kHere;
+        mutable_vehicle.demand.radius_m = 60;
+        mutable_vehicle.demand.airspeed_mps = 17;
+        mutable_vehicle.estimate.wind_mps = {0, wind_mps, 0};
+        place(0, -80);
+        bench::statusTexts();
+        guide(20);
+        const auto texts = bench::statusTexts();
+        EXPECT_NEAR(vehicle.progress.crosstrack_m, wind_mps < 10 ? 20 : 5.7, 0.1) << wind_mps;
+        EXPECT_EQ(std::count(texts.begin(), texts.end(), text), wind_mps < 10 ? 0 : 1);
         firmware::modes::requestMode(Mode::manual, firmware::modes::ModeReason::ground);
     }
 }

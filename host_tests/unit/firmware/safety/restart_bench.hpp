@@ -74,19 +74,6 @@ protected:
     }
 };
 
-inline std::vector<std::string> statusTexts() {
-    std::vector<std::string> texts;
-    char text[kTextSize];
-    Severity severity;
-    while (readText(0, severity, text)) {
-        texts.push_back(std::to_string(static_cast<int>(severity)) + ' ' +
-                        std::string(text, strnlen(text, sizeof text)));
-        for (uint8_t reader : {0, 1, 2})
-            if (textWaits(reader)) textTaken(reader);
-    }
-    return texts;
-}
-
 inline void barometerReads(float above_zero_m) {
     mutable_vehicle.baro.healthy = true;
     mutable_vehicle.estimate.baro_height_m = above_zero_m;
