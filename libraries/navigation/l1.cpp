@@ -175,8 +175,9 @@ float turnLead_m(const LateralGains& gains, const Motion& motion, const Leg& leg
     return core::limit(lead_m, 0.0f, core::half(fminf(leg.length_m, next.length_m)));
 }
 
-Lateral followCircle(const LateralGains& gains, const Motion& motion, const Circle& circle,
-                     const Offset& from_centre) {
+// Not inlined: its variables would lie in a stack frame beyond what an instruction reaches.
+__attribute__((noinline)) Lateral followCircle(const LateralGains& gains, const Motion& motion,
+                                               const Circle& circle, const Offset& from_centre) {
     const Ahead ahead = lookAhead(motion);
     const float radius_m = core::limit(circle.radius_m, kSmallestRadius_m, 1e5f);
     const Offset there = from_centre + ahead.moved_m;
