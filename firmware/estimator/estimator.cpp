@@ -123,8 +123,9 @@ core::FileState<FixUses> fix_for{};
 
 struct NewestFix {
     uint32_t ms;
-    float since_s;  // from the fix before
-    uint8_t seen;   // of the receiver's counter
+    float since_s;                 // from the fix before
+    uint16_t latitude, longitude;  // their lower bits
+    uint8_t seen;                  // of the receiver's counter
 };
 core::FileState<NewestFix> newest_fix{};
 
@@ -144,10 +145,16 @@ float gpsAge_s(uint32_t now_ms) {
 bool fixIsGood() {
     const auto& gps = vehicle.gps;
     const float sum_cms = (gps.velocity_mps.x + gps.velocity_mps.y) * 100;
-    const int16_t reading =
-        static_cast<int16_t>(core::toFixed(sum_cms, 0) + (gps.position.latitude_e7 & 3));
-    return gps.fix == GpsFix::three_d && acceptReading(Sensor::gps, reading, true) &&
-           !isFaulty(Sensor::gps);
+    if (gps.fix != GpsFix::three_d || !acceptReading(Sensor::gps, core::toFixed(sum_cms, 0), true))
+        return false;
+    // a quiet receiver repeats its velocity in calm air, and one that is stuck its place as well
+    const auto latitude = static_cast<uint16_t>(gps.position.latitude_e7);
+    const auto longitude = static_cast<uint16_t>(gps.position.longitude_e7);
+    if (latitude != newest_fix.latitude || longitude != newest_fix.longitude)
+        reportChange(Sensor::gps);
+    newest_fix.latitude = latitude;
+    newest_fix.longitude = longitude;
+    return !isFaulty(Sensor::gps);
 }
 
 // Without its compass the airplane points where it flies to through the air, as the wind was.
