@@ -158,10 +158,20 @@ void startWaypoint(const Record& record, LegStart start) {
 
 namespace {
 
+// A leg too short to count was passed beside the waypoint: along its line it would fly away.
+SELDOM void flyFromHere() {
+    beginPath().from = vehicle.estimate.position;
+    nav.leg_counts = true;
+}
+
 Progress legDone() {
     if (progressIsOld()) return Progress::running;
     const auto& progress = vehicle.progress;
-    return done(progress.distance_m <= nav.acceptance_m || (nav.leg_counts && progress.passed));
+    if (progress.distance_m <= nav.acceptance_m) return Progress::done;
+    if (!progress.passed) return Progress::running;
+    if (nav.leg_counts) return Progress::done;
+    flyFromHere();
+    return Progress::running;
 }
 
 // Planned once, where no turn begins yet: 22 m/s with a bank of 45 degrees need 80 m for a corner.

@@ -131,6 +131,24 @@ TEST_F(MissionFlight, a_leg_shorter_than_the_radius_uses_the_radius_only) {
     EXPECT_EQ(missionCurrent(), 3);
 }
 
+// In a turn the airplane may leave such a leg to the side: along its line it would fly away.
+TEST_F(MissionFlight, a_leg_shorter_than_the_radius_that_was_passed_beside_it_begins_anew) {
+    fly({waypoint(500), waypoint(510), waypoint(900)});
+    reach();
+    mutable_vehicle.estimate.position = geo::moved(vehicle.demand.to, {50, 0});
+    mutable_vehicle.progress.passed = true;
+    mutable_vehicle.progress.distance_m = 50;
+    pass();
+    EXPECT_EQ(missionCurrent(), 2);
+    EXPECT_EQ(vehicle.demand.from, vehicle.estimate.position);
+    mutable_vehicle.progress.passed = false;
+    pass();
+    EXPECT_EQ(missionCurrent(), 2);
+    mutable_vehicle.progress.passed = true;
+    pass();
+    EXPECT_EQ(missionCurrent(), 3) << "the new one is long enough to count";
+}
+
 TEST_F(MissionFlight, altitudes_are_above_home_or_above_the_sea_as_the_options_say) {
     MissionItem absolute = waypoint(500, 470);
     absolute.frame = kGlobalFrame;
