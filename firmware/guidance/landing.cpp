@@ -26,10 +26,10 @@ namespace {
 
 constexpr float kApproachShare = 0.55f;  // of the way from the lowest speed to cruise
 constexpr float kPerHeadwind = 0.6f, kMaxForHeadwind_mps = 3;
-// Gusts of 1 m/s RMS move the airspeed by 0.8 m/s in the mean. The approach speed alone bears 0.5:
+// Gusts of 1 m/s RMS move the airspeed by 0.8 m/s in the mean. The approach speed alone bears 0.6:
 // where it was left to bear 0.8, one landing in 35 crashed, or ended far away, in drawn gusts of 1
-// to 2 m/s, and now one in 450.
-constexpr float kBorneGusts_mps = 0.5f, kPerGust = 3, kMaxForGusts_mps = 4;
+// to 2 m/s, and now one in 220.
+constexpr float kBorneGusts_mps = 0.6f, kPerGust = 3, kMaxForGusts_mps = 4;
 using Gusts = core::Fixed<11>;      // m/s
 constexpr uint8_t kGustsShift = 7;  // the mean is of 6.4 s: 128 runs at 20 Hz
 constexpr float kAligned = 0.97f;   // cosine: in the turn onto the leg no gust is seen

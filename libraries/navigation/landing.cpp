@@ -13,6 +13,9 @@ constexpr float kSteepestSink = 2.0f, kSteepest_mps = 1.4f, kSteepestOfSteep = 1
 // Below where the ground should be the height is wrong, and the airplane is to come down.
 constexpr float kSinkBelow_hz = 0.4f;
 constexpr float kMaxBelow_m = 0.7f;
+// And behind the point, where it would float on while its speed is lost.
+constexpr float kSinkBehind_hz = 0.02f;
+constexpr float kMaxBehind_m = 20;
 constexpr float kFlareLead_s = 1.0f;  // until the path answers the pitch
 // Of the slope's. What a gust adds is the approach's to end: a flare would go on with it from
 // there, without power, a hundred metres short of the point on a shallow slope.
@@ -73,7 +76,9 @@ HeightDemand Landing::run(LandingSettings settings, Approach approach) {
         flaring_ = false;
         return {approach.height_m, -settings.touchdown_sink_mps};
     }
-    const bool past = approach.along_m >= approach.length_m;
+    const float behind_m = approach.along_m - approach.length_m;
+    const bool past = !core::isNegative(behind_m);
+    settings.touchdown_sink_mps += kSinkBehind_hz * core::limit(behind_m, 0.0f, kMaxBehind_m);
     approach.length_m += settings.late_s * core::limit(approach.along_mps, 0.0f, 50.0f);
     const Slope slope = slopeOf(settings, approach);
     // on a slope that sinks less the flare would dive below it

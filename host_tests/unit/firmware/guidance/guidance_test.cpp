@@ -713,7 +713,7 @@ TEST_F(Guidance, approaches_faster_in_gusts_and_no_slower_in_a_lull) {
     EXPECT_NEAR(planned_mps(-3), steady_mps, 0.01) << "a lull";
     for (const float gust_mps : {0.7f, 1.2f, 4.0f}) {
         for (int i = 0; i < 600; ++i) planned_mps(i % 2 == 0 ? gust_mps : -gust_mps);
-        const float faster_mps = core::limit(3 * (gust_mps - 0.5f), 0.0f, 4.0f);
+        const float faster_mps = core::limit(3 * (gust_mps - 0.6f), 0.0f, 4.0f);
         EXPECT_NEAR(planned_mps(gust_mps), steady_mps + faster_mps, 0.2) << gust_mps;
     }
     mutable_vehicle.estimate.wind_mps = {2, 0, 0};

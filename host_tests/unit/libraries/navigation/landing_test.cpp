@@ -87,6 +87,19 @@ TEST(Landing, past_the_point_flares_a_little_higher_but_not_where_it_would_stall
     EXPECT_TRUE(landing.flaring());
 }
 
+// It would float on, with less and less speed.
+TEST(Landing, sinks_the_faster_the_farther_behind_the_point_it_is_still_in_the_air) {
+    const auto sink_mps = [](float behind_m) {
+        navigation::Landing landing;
+        landing.start();
+        landing.run(kLanding, {30, 300, 290, 11, 0.8f, 1});
+        return -landing.run(kLanding, {30, 300, 300 + behind_m, 11, 0.01f, 0.2f}).climb_mps;
+    };
+    EXPECT_NEAR(sink_mps(0), kLanding.touchdown_sink_mps, 0.01);
+    EXPECT_NEAR(sink_mps(10), kLanding.touchdown_sink_mps + 0.2, 0.01);
+    EXPECT_NEAR(sink_mps(50), kLanding.touchdown_sink_mps + 0.4, 0.03);
+}
+
 TEST(Landing, flares_again_by_the_height_above_the_field_where_no_ground_was) {
     navigation::Landing landing;
     landing.start();
