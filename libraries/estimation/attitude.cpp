@@ -472,7 +472,7 @@ bool Attitude::turnByDeclination(float declination_rad) {
 bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSettings& settings) {
     if (phase_ == Phase::falling) return true;
     catchUp();
-    if (turnByDeclination(settings.declination_rad)) return true;  // that was the time there is
+    if (turnByDeclination(settings.declination_rad)) return true;  // this run has no time for more
     const core::Vector3 field_mg = field_.earths(reading_mg);
     const core::Vector3 north = real(north_), down = real(down_);
     const core::Vector3 east = core::cross(down, north);
