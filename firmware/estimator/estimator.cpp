@@ -448,7 +448,6 @@ void runAttitude() {
     if (!imu.calibrated || (imu.periods == 0 && !motion.started)) return;
     if (!motion.started) {
         attitude.start();
-        wind.start();
         motion.started = true;
     }
     const uint8_t periods = imu.periods != 0 ? imu.periods : kFramePeriods;

@@ -317,7 +317,7 @@ struct Declined : Resumed {
 // Half a minute after power-on the first fix comes, and with it the table's declination.
 TEST_F(Declined, the_heading_turns_by_a_declination_that_becomes_known) {
     // of an inhabited place, and of 70 S, 77 E and the seas around the southern magnetic pole
-    for (const float known_rad : {-0.4f, 0.4f, 0.6f, -1.45f, 2.5f}) {
+    for (const float known_rad : {0.4f, -1.45f, 2.5f}) {
         attitude.start();
         standAt(0, 30);
         const double before_rad = yaw_rad(), own_before_mg = own_mg();
