@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <math.h>
-
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/seldom.hpp"

@@ -116,8 +116,6 @@ float turnTowards(const LateralGains& gains, const Ahead& ahead, const Offset& c
     return sine * gains.turning_hz;
 }
 
-float sizeOf(float value) { return fabsf(value); }
-
 }  // namespace
 
 LateralGains lateralGains(const LateralSettings& settings, float turn_accel_mss) {
@@ -151,7 +149,7 @@ Lateral followLeg(const LateralGains& gains, const Motion& motion, const Leg& le
     const Ahead ahead = lookAhead(motion);
     const Offset there = from_start + ahead.moved_m;
     const float off_m = cross(leg.forward, there);
-    const float away_m = sizeOf(off_m);
+    const float away_m = fabsf(off_m);
     float sine = closingSine(gains, away_m, ahead.speed_mps);
     if (core::isNegative(dot(leg.forward, there))) {
         const float to_start = away_m / core::limit(geo::length_m(there), 1.0f, 1e6f);
@@ -193,7 +191,7 @@ __attribute__((noinline)) Lateral followCircle(const LateralGains& gains, const 
     out.crosstrack_m = out.distance_m - radius_m;
     out.along_m = 0;
     const float off_m = distance_m - radius_m;
-    float sine = closingSine(gains, sizeOf(off_m), ahead.speed_mps);
+    float sine = closingSine(gains, fabsf(off_m), ahead.speed_mps);
     bool on_tangent = false;
     if (core::isPositive(off_m)) {
         const float tangent = cosineOf(radius_m / distance_m);
