@@ -76,14 +76,25 @@ Ahead lookAhead(const Motion& motion) {
     return ahead;
 }
 
+// Of a turn, from its speeds over ground before and after it.
+float turnRadius_m(const LateralGains& gains, float before_mps, float after_mps) {
+    return core::half(core::squaredLength(before_mps, after_mps)) / gains.turn_accel_mss;
+}
+
+// Without a cross wind.
+float along_mps(const Motion& motion, const Offset& forward) {
+    return motion.airspeed_mps + dot(motion.wind_mps, forward);
+}
+
 // Sine of the angle at which the path is closed from `away_m`: linear near it, and where that
-// would ask for too sharp a turn, the course of the arc that ends on it.
-float closingSine(const LateralGains& gains, float away_m, float speed_mps) {
+// would ask for too sharp a turn, the course of the arc that ends on it. A turn before the wind
+// doubles the ground speed: an arc of the speed now is too small.
+float closingSine(const LateralGains& gains, float away_m, float speed_mps, float after_mps) {
     const float straight_mps = away_m * gains.closing_hz;
     if (away_m <= gains.linear_m && straight_mps < core::half(speed_mps))
         return straight_mps / speed_mps;
     const float begins_m = core::half(core::limit(gains.linear_m, 0.0f, away_m));
-    const float share = (away_m - begins_m) * gains.turn_accel_mss / core::square(speed_mps);
+    const float share = (away_m - begins_m) / turnRadius_m(gains, speed_mps, after_mps);
     if (share >= 1) return 1;
     const float arc = sqrtf(share * (2 - share));
     const float straight = straight_mps / speed_mps;
@@ -150,7 +161,7 @@ Lateral followLeg(const LateralGains& gains, const Motion& motion, const Leg& le
     const Offset there = from_start + ahead.moved_m;
     const float off_m = cross(leg.forward, there);
     const float away_m = fabsf(off_m);
-    float sine = closingSine(gains, away_m, ahead.speed_mps);
+    float sine = closingSine(gains, away_m, ahead.speed_mps, along_mps(motion, leg.forward));
     if (core::isNegative(dot(leg.forward, there))) {
         const float to_start = away_m / core::limit(geo::length_m(there), 1.0f, 1e6f);
         if (to_start < sine) sine = to_start;
@@ -164,10 +175,8 @@ Lateral followLeg(const LateralGains& gains, const Motion& motion, const Leg& le
 float turnLead_m(const LateralGains& gains, const Motion& motion, const Leg& leg, const Leg& next) {
     constexpr float kSharpest = -0.5f;
     const float cosine = core::limit(dot(leg.forward, next.forward), kSharpest, 1.0f);
-    const float before_mps = motion.airspeed_mps + dot(motion.wind_mps, leg.forward);
-    const float after_mps = motion.airspeed_mps + dot(motion.wind_mps, next.forward);
-    const float radius_m =
-        core::half(core::squaredLength(before_mps, after_mps)) / gains.turn_accel_mss;
+    const float before_mps = along_mps(motion, leg.forward);
+    const float radius_m = turnRadius_m(gains, before_mps, along_mps(motion, next.forward));
     const float lead_m =
         radius_m * sqrtf((1 - cosine) / (1 + cosine)) + before_mps * motion.bank_lag_s;
     return core::limit(lead_m, 0.0f, core::half(fminf(leg.length_m, next.length_m)));
@@ -191,7 +200,7 @@ __attribute__((noinline)) Lateral followCircle(const LateralGains& gains, const 
     out.crosstrack_m = out.distance_m - radius_m;
     out.along_m = 0;
     const float off_m = distance_m - radius_m;
-    float sine = closingSine(gains, fabsf(off_m), ahead.speed_mps);
+    float sine = closingSine(gains, fabsf(off_m), ahead.speed_mps, along_mps(motion, along_unit));
     bool on_tangent = false;
     if (core::isPositive(off_m)) {
         const float tangent = cosineOf(radius_m / distance_m);

@@ -3,8 +3,8 @@
 // keeps it there. Near the path it is the law of S. Park, J. Deyst and J. P. How (AIAA 2004-4900):
 // the period and the damping of the crosstrack error are those of the L1 distance. Three things
 // are added: farther out the demanded course is the one from which a turn of the given
-// acceleration ends on the path; the bank's own lag is looked ahead over; and the wind turns the
-// demand over ground into one across the air.
+// acceleration ends on the path, at the mean of the speeds over ground now and there; the bank's
+// own lag is looked ahead over; and the wind turns the demand over ground into one across the air.
 #pragma once
 #include "geo/position.hpp"
 #include "navigation/settings.hpp"

@@ -120,6 +120,17 @@ TEST(Turn, is_led_so_that_the_next_leg_is_not_overshot) {
         }
 }
 
+// In this turn from a cross wind to a tail wind the nose turns by up to 140 degrees, and the ground
+// speed doubles.
+TEST(Turn, with_a_strong_wind_from_behind_afterwards_is_not_overshot) {
+    for (const double turn_rad : {M_PI / 2, -M_PI / 2})
+        for (const double beside_rad : {-0.3, 0.0, 0.3}) {
+            const double to_rad = turn_rad + beside_rad;
+            const Wind wind{10 * std::cos(to_rad), 10 * std::sin(to_rad), 0, 1};
+            EXPECT_LT(pastCorner_m(wind, turn_rad), 8) << turn_rad << ", wind to " << to_rad;
+        }
+}
+
 TEST(Turn, is_led_by_the_arc_and_what_the_bank_takes) {
     const Motion fast{{22, 0}, {0, 0}, 22, 0, 0.5f};
     const navigation::Leg north{{1, 0}, 1000}, east{{0, 1}, 1000}, south{{-1, 0}, 1000};
