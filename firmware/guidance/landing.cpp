@@ -28,11 +28,14 @@ constexpr float kApproachShare = 0.55f;  // of the way from the lowest speed to 
 constexpr float kPerHeadwind = 0.6f, kMaxForHeadwind_mps = 3;
 // Gusts of 1 m/s RMS move the airspeed by 0.8 m/s in the mean. The approach speed alone bears 0.6:
 // where it was left to bear 0.8, one landing in 35 crashed, or ended far away, in drawn gusts of 1
-// to 2 m/s, and now one in 220.
+// to 2 m/s, and now none of 448.
 constexpr float kBorneGusts_mps = 0.6f, kPerGust = 3, kMaxForGusts_mps = 4;
 using Gusts = core::Fixed<11>;      // m/s
 constexpr uint8_t kGustsShift = 7;  // the mean is of 6.4 s: 128 runs at 20 Hz
 constexpr float kAligned = 0.97f;   // cosine: in the turn onto the leg no gust is seen
+// Lower than this a gust changes the approach speed no more: an airplane sped up just above the
+// ground does not come down, and touched down 115 m behind the point.
+constexpr float kGustsAbove_m = 4;
 
 constexpr float kMiddle_radpm = 0.03f, kMaxToMiddle_rad = 0.1f;
 
@@ -58,6 +61,14 @@ struct Descent {
 };
 core::FileState<Descent> descent{};
 
+// Of the landing point; of the field where no ground was there.
+float ground_m() {
+    if (!descent.landing.byField()) return vehicle.demand.height_m;
+    return vehicle.estimate.height_m - estimator::aboveField_m();
+}
+
+float aboveGround_m() { return vehicle.estimate.height_m - ground_m(); }
+
 // Between the lowest speed and cruise: slow enough to land, fast enough to flare. Most of the
 // headwind is added, for near the ground it is gone.
 float calmApproachSpeed_mps(float cruise_mps) {
@@ -67,7 +78,8 @@ float calmApproachSpeed_mps(float cruise_mps) {
 // Not of the headwind as it is: a lull would ask for less speed.
 float approachSpeed_mps(float cruise_mps, float along_mps, float steady_mps) {
     auto& gusts = descent.gusts_mps;
-    if (along_mps > kAligned * vehicle.estimate.ground_speed_mps) {
+    const bool aligned = along_mps > kAligned * vehicle.estimate.ground_speed_mps;
+    if (aligned && aboveGround_m() > kGustsAbove_m) {
         const Gusts now(fabsf(vehicle.estimate.airspeed_mps - along_mps - steady_mps));
         gusts.raw += (now.raw - gusts.raw) >> kGustsShift;
     }
@@ -78,14 +90,6 @@ float approachSpeed_mps(float cruise_mps, float along_mps, float steady_mps) {
 }
 
 float share(float value) { return core::limit(value, 0.0f, 1.0f); }
-
-// Of the landing point; of the field where no ground was there.
-float ground_m() {
-    if (!descent.landing.byField()) return vehicle.demand.height_m;
-    return vehicle.estimate.height_m - estimator::aboveField_m();
-}
-
-float aboveGround_m() { return vehicle.estimate.height_m - ground_m(); }
 
 float steadyHeadwind_mps(const navigation::Lateral& lateral) {
     const auto& wind = vehicle.estimate.wind_mps;

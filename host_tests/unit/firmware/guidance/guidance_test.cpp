@@ -722,6 +722,18 @@ TEST_F(Guidance, approaches_faster_in_gusts_and_no_slower_in_a_lull) {
         << "gusts count as much with the wind from behind";
 }
 
+TEST_F(Guidance, is_not_sped_up_by_a_gust_just_above_the_ground) {
+    inTheAir();
+    onFinal(3.9f, 60);
+    guide();
+    EXPECT_FALSE(vehicle.progress.flaring);
+    const float before_mps = vehicle.progress.airspeed_error_mps;
+    move(18, 0);  // a wind from behind, of which the estimate does not know yet
+    guide(40);
+    EXPECT_FALSE(vehicle.progress.flaring);
+    EXPECT_NEAR(vehicle.progress.airspeed_error_mps, before_mps, 0.2);
+}
+
 TEST_F(Guidance, takes_no_turn_onto_the_last_leg_for_gusts) {
     inTheAir();
     onFinal(20, 200);
