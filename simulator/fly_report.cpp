@@ -57,6 +57,7 @@ void takeErrors(Summary& s, const Metrics& m, const AttitudeErrors& attitude) {
     s.altitude_sloped_rms_m = m.sloped.rms();
     s.altitude_max_m = m.altitude.max();
     s.airspeed_rms_mps = m.airspeed.rms();
+    s.airspeed_min_mps = m.slowest_mps;
     s.loiter_radius_rms_m = m.radius.rms();
     s.roll_error_rms_deg = attitude.roll_deg.rms();
     s.pitch_error_rms_deg = attitude.pitch_deg.rms();

@@ -40,6 +40,10 @@ Planned Metrics::sample(double time_s, const Truth& truth, const Point& place, i
     if (item != flown) begin(time_s, place, item);
     Planned planned;
     if (!nav_ || !nav_->place || truth.on_ground) return planned;
+    if (truth.height_m >= kFlare_m) {
+        const double now_mps = truth.equivalent_airspeed_mps;
+        slowest_mps = std::min(slowest_mps.value_or(now_mps), now_mps);
+    }
     const bool circle = mavlink::MavCmd::nav_loiter_unlim <= nav_->command &&
                         nav_->command <= MavCmd::nav_loiter_time;
     const bool loose = circle || nav_->from_circle;

@@ -7,6 +7,8 @@
 //              waypoints and on circles, counted as above; not in the approach to a LAND; of it
 //              level on circles and legs whose ends are within 1 m of one height, and sloped
 //  airspeed    equivalent airspeed against the demanded cruise speed, where altitude counts
+//  slowest     equivalent airspeed on legs and circles from their first moment on, at 5 m or more
+//              above the ground
 //  radius      distance from a circle's centre against its radius, from 5 s after the airplane
 //              has come to a tenth of a radius from it
 #pragma once
@@ -48,6 +50,7 @@ public:
     Planned sample(double time_s, const Truth& truth, const Point& place, int item);
 
     Spread crosstrack, settled, altitude, level, sloped, airspeed, radius;
+    std::optional<double> slowest_mps;  // empty where none of it was flown
 
 private:
     void begin(double time_s, const Point& place, int item);

@@ -44,6 +44,7 @@ void addErrors(Json& json, const Summary& summary) {
     json["altitude_sloped_rms_m"] = orNull(summary.altitude_sloped_rms_m);
     json["altitude_max_m"] = orNull(summary.altitude_max_m);
     json["airspeed_rms_mps"] = orNull(summary.airspeed_rms_mps);
+    json["airspeed_min_mps"] = orNull(summary.airspeed_min_mps);
     json["loiter_radius_rms_m"] = orNull(summary.loiter_radius_rms_m);
     json["roll_error_rms_deg"] = orNull(summary.roll_error_rms_deg);
     json["pitch_error_rms_deg"] = orNull(summary.pitch_error_rms_deg);

@@ -40,7 +40,7 @@ struct Summary {
     std::optional<double> crosstrack_rms_m, crosstrack_max_m, crosstrack_settled_rms_m;
     std::optional<double> altitude_rms_m, altitude_max_m, altitude_level_rms_m,
         altitude_sloped_rms_m;
-    std::optional<double> airspeed_rms_mps, loiter_radius_rms_m;
+    std::optional<double> airspeed_rms_mps, airspeed_min_mps, loiter_radius_rms_m;
     std::optional<double> roll_error_rms_deg, pitch_error_rms_deg, yaw_error_rms_deg;
     std::optional<std::vector<int>> items_reached;
     std::vector<int> items_planned;

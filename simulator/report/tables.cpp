@@ -69,6 +69,7 @@ std::vector<Deviation> deviationsOf(const Summary& s) {
         {"of it on slopes",                 s.altitude_sloped_rms_m, "m", goal("altitude_sloped_rms_m")},
         {"Altitude, largest",               s.altitude_max_m,        "m", {}},
         {"Airspeed, RMS",                   s.airspeed_rms_mps,      "m/s", goal("airspeed_rms_mps")},
+        {"Airspeed, lowest",                s.airspeed_min_mps,      "m/s", {}},
         {"Radius of circles, RMS",          s.loiter_radius_rms_m,   "m", goal("loiter_radius_rms_m")},
         {"Estimate of roll, RMS",           s.roll_error_rms_deg,    "°", goal("roll_error_rms_deg")},
         {"Estimate of pitch, RMS",          s.pitch_error_rms_deg,   "°", goal("pitch_error_rms_deg")},

@@ -267,6 +267,9 @@ set(figures ${tests}/scenarios/figures)
 set(table node ${figures}/table.mjs ${figures}/limits.json $<TARGET_FILE:fly> ${missions}/box_600.waypoints)
 declare_test(figures.table COMMAND ${table} ${CMAKE_BINARY_DIR}/figures NEEDS fly DATA ${flight_data}
              LABELS native TIMEOUT 900 REUSE)
+declare_test(figures.windy COMMAND node ${figures}/table.mjs ${figures}/windy.json $<TARGET_FILE:fly>
+             ${missions}/box_600.waypoints ${CMAKE_BINARY_DIR}/figures/windy NEEDS fly DATA ${flight_data}
+             LABELS native TIMEOUT 900 REUSE)
 set(landings node ${figures}/landings.mjs ${figures}/limits.json $<TARGET_FILE:fly> ${missions}/box_600.waypoints)
 declare_test(figures.landings COMMAND ${landings} ${CMAKE_BINARY_DIR}/figures/landings NEEDS fly DATA ${flight_data}
              LABELS native TIMEOUT 900 REUSE)

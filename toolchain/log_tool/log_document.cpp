@@ -226,6 +226,7 @@ std::vector<simulator::Deviation> deviationsIn(const LogFile& log,
     summary.altitude_rms_m = playback.metrics.altitude.rms();
     summary.altitude_max_m = playback.metrics.altitude.max();
     summary.airspeed_rms_mps = playback.metrics.airspeed.rms();
+    summary.airspeed_min_mps = playback.metrics.slowest_mps;
     const double flight_s = flownIn(log).flight_s;
     if (std::isfinite(flight_s)) summary.flight_time_s = flight_s;
     return deviationsOf(summary);

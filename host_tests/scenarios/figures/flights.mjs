@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flies natively on the sensor errors of LIMITS.json's airs, as many at a time as there are cores.
+// Flies natively in the airs of LIMITS.json, as many at a time as there are cores.
 import { spawn } from 'node:child_process';
-import { mkdirSync, readFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { join } from 'node:path';
+
+// An air is words of fly's command line, or an object: a --world FILE.
+function wordsOf(air, folder) {
+  if (Array.isArray(air)) return air;
+  const world = join(folder, 'world.json');
+  writeFileSync(world, JSON.stringify(air));
+  return ['--world', world];
+}
 
 // What a flight's summary says, with the flight's own { airplane, air, seed }. A flight that does not
 // complete has a summary, too; a program that ends otherwise is an error.
@@ -11,7 +19,7 @@ function flown(flight, { fly, mission, out, airs, parameters }) {
   const folder = join(out, `${flight.airplane}_${flight.air}_${flight.seed}`);
   mkdirSync(folder, { recursive: true });
   const file = parameters[flight.airplane];
-  const words = ['--native', '--airplane', flight.airplane, '--seed', flight.seed, ...airs[flight.air],
+  const words = ['--native', '--airplane', flight.airplane, '--seed', flight.seed, ...wordsOf(airs[flight.air], folder),
     ...(file ? ['--param', file] : []), '--out', folder, mission].map(String);
   return new Promise((resolve, reject) => {
     const run = spawn(fly, words, { stdio: ['ignore', 'ignore', 'inherit'] });

@@ -3,8 +3,9 @@
 // gusts, three seeds each, and holds the worst of the three of every figure.
 //   table.mjs LIMITS.json FLY MISSION OUT [AIRPLANE=FOUND.param ...]
 // With parameters that AUTOTUNE has found, the airplanes named fly on those, and the goals are LIMITS.json's "tuned_times" of the others.
-// On the sensor errors of --calibrated. A figure is held at its goal, or, where LIMITS.json says "held", there: what is reached today
-// with some room, so that it can only get better. What landings.mjs holds over many flights is only shown.
+// An air is words of the command line or a --world. A figure may be no more than its goal, or, where LIMITS.json says "least", no
+// less. It is held at its goal, or, where LIMITS.json says "held", there: what is reached today with some room, so that it can only
+// get better. What landings.mjs holds over many flights is only shown.
 import { readFileSync } from 'node:fs';
 
 import { flyEach, parametersFound, printTable } from './flights.mjs';
@@ -15,32 +16,36 @@ const tuned = parametersFound(found);
 const airplanes = found.length > 0 ? Object.keys(tuned) : limits.airplanes;
 
 // NaN where a flight does not have the figure: it is within no limit.
-const worstOf = (flights, key) => flights.reduce(
-  (worst, flight) => Math.max(worst, typeof flight[key] === 'number' ? flight[key] : NaN), -Infinity);
-
-function verdict(worst, goal, most) {
-  if (!(worst <= most)) return 'NOT HELD';
-  if (worst > goal) return 'goal not met';
-  return most > goal ? 'met, but not by enough to hold it there' : 'met';
+function worstOf(flights, { key, least }) {
+  const values = flights.map((flight) => (typeof flight[key] === 'number' ? flight[key] : NaN));
+  return least ? Math.min(...values) : Math.max(...values);
 }
 
-function goalOf(figure, air) {
-  const goal = figure.goal[air];
+const within = (figure, value, limit) => (figure.least ? value >= limit : value <= limit);
+
+function verdict(figure, worst, goal, limit) {
+  if (!within(figure, worst, limit)) return 'NOT HELD';
+  if (!within(figure, worst, goal)) return 'goal not met';
+  return within(figure, limit, goal) ? 'met' : 'met, but not by enough to hold it there';
+}
+
+function goalOf(figure, airplane, air) {
+  const goal = (figure.goal[airplane] ?? figure.goal)[air];
   return found.length > 0 ? Number((goal * limits.tuned_times).toFixed(3)) : goal;
 }
 
-function mostOf(figure, airplane, air) {
-  return (found.length === 0 && figure.held?.[airplane]?.[air]) || goalOf(figure, air);
+function limitOf(figure, airplane, air) {
+  return (found.length === 0 && figure.held?.[airplane]?.[air]) || goalOf(figure, airplane, air);
 }
 
-const heldByLandings = (figure, air) => air === limits.landings.air &&
+const heldByLandings = (figure, air) => air === limits.landings?.air &&
   limits.landings.figures.some((each) => each.key === figure.key && each.instead_of_worst);
 
 function rowOf(figure, airplane, air, flights) {
-  const worst = worstOf(flights.filter((flight) => flight.airplane === airplane && flight.air === air), figure.key);
-  const goal = goalOf(figure, air);
-  const most = mostOf(figure, airplane, air);
-  const held = heldByLandings(figure, air) ? ['-', 'see landings'] : [most, verdict(worst, goal, most)];
+  const worst = worstOf(flights.filter((flight) => flight.airplane === airplane && flight.air === air), figure);
+  const goal = goalOf(figure, airplane, air);
+  const limit = limitOf(figure, airplane, air);
+  const held = heldByLandings(figure, air) ? ['-', 'see landings'] : [limit, verdict(figure, worst, goal, limit)];
   return [`${figure.name}, ${figure.unit}`, air, goal, worst.toFixed(2), held[0], figure.peer?.[air] ?? '-', held[1]].map(String);
 }
 

@@ -103,6 +103,19 @@ TEST(Metrics, count_height_and_speed_in_cruise_only) {
     EXPECT_NEAR(*metrics.airspeed.rms(), 1, 1e-6);
 }
 
+TEST(Metrics, find_the_slowest_moment_of_a_flight_but_not_of_its_flare) {
+    Metrics metrics(kPlan, 12);
+    EXPECT_FALSE(metrics.slowest_mps);
+    metrics.sample(0, at(60, 8), {0, 0}, 0);  // by hand
+    EXPECT_FALSE(metrics.slowest_mps);
+    metrics.sample(1, at(60, 11), {1100, 0}, 2);
+    metrics.sample(2, at(60, 9.5), {1110, 0}, 2);  // in the turn, where nothing else counts
+    metrics.sample(10, at(60, 12), {1200, 0}, 2);
+    metrics.sample(30, at(4.9, 8), {5000, 0}, 5);
+
+    EXPECT_EQ(metrics.slowest_mps, 9.5);
+}
+
 TEST(Metrics, do_not_count_speed_errors_without_a_demand) {
     Metrics metrics(kPlan, std::nullopt);
     metrics.sample(0, at(60), {1100, 0}, 2);
