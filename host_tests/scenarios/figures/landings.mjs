@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How it lands in gusts: a dozen landings of each airplane, as a single one is also luck. The median
+// How it lands in gusts: many landings of each airplane, as a dozen are also luck. The median
 // and the 95th percentile of all of them are held; those of each airplane are shown.
 //   landings.mjs LIMITS.json FLY MISSION OUT [AIRPLANE=FOUND.param ...]
 // With parameters that AUTOTUNE has found, the airplanes named fly on those, within "held_tuned".
@@ -21,7 +21,7 @@ function percentile(values, percent) {
   return sorted[Math.ceil(sorted.length * percent / 100) - 1];
 }
 
-const seeds = Array.from({ length: landings.seeds }, (_, i) => i + 1);
+const seeds = Array.from({ length: found.length > 0 ? landings.seeds_tuned : landings.seeds }, (_, i) => i + 1);
 const { flights, broken: incomplete } = await flyEach({ airplanes, airs: [landings.air], seeds }, { fly, mission, out, airs, parameters });
 let broken = incomplete;
 const rows = landings.figures.flatMap((figure) => Object.entries(limitsOf(figure)).map(([percent, most]) => {
