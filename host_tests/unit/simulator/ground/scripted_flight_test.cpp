@@ -177,3 +177,16 @@ TEST_F(OfAnother, but_ours_has_to_disarm) {
     EXPECT_TRUE(run(90, [this] { return flight->over(); }));
     EXPECT_EQ(flight->reason(), "it stands, but does not disarm");
 }
+
+TEST_F(OfAnother, is_complete_though_a_gust_lifts_it_where_it_stands_disarmed) {
+    begin(true);
+    ASSERT_TRUE(inAuto());
+    run(3, [] { return false; });
+    flyAndLand();
+    run(5, [] { return false; });
+    board->armed = false;
+    run(1.5, [] { return false; });
+    board->world().lift(1);
+    EXPECT_TRUE(run(10, [this] { return flight->over(); }));
+    EXPECT_TRUE(flight->completed()) << flight->reason();
+}
