@@ -127,7 +127,7 @@ constexpr parameters::Row kRows[] = {
     P( 93, "TRIM_ARSPD_CM",     cruise_speed_cms,               1300,     500,     5000),
     P( 94, "ARSPD_FBW_MIN",     speed_min_mps,                     9,       5,      100),
     P( 95, "ARSPD_FBW_MAX",     speed_max_mps,                    22,       5,      100),
-    P(179, "MIN_GNDSPD_CM",     min_ground_speed_cms,              0,       0,     3000),
+    P(179, "MIN_GNDSPD_CM",     min_ground_speed_cms,            300,       0,     3000),
     P( 96, "SCALING_SPEED",     scaling_speed_mps,                15,       5,       50),
     P( 97, "TRIM_THROTTLE",     cruise_throttle_pct,              45,       0,      100),
     P( 98, "THR_MIN",           throttle_min_pct,                  0,       0,      100),

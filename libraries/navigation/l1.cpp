@@ -87,7 +87,7 @@ float along_mps(const Motion& motion, const Offset& forward) {
 }
 
 // Sine of the angle at which the path is closed from `away_m`: linear near it, and where that
-// would ask for too sharp a turn, the course of the arc that ends on it. A turn before the wind
+// would ask for too sharp a turn, the course of the arc that ends on it. A turn to a tail wind
 // doubles the ground speed: an arc of the speed now is too small.
 float closingSine(const LateralGains& gains, float away_m, float speed_mps, float after_mps) {
     const float straight_mps = away_m * gains.closing_hz;
