@@ -76,7 +76,7 @@ float calmApproachSpeed_mps(float cruise_mps) {
 }
 
 // Not of the headwind as it is: a lull would ask for less speed.
-float approachSpeed_mps(float cruise_mps, float along_mps, float steady_mps) {
+float approachSpeed_mps(float calm_mps, float along_mps, float steady_mps) {
     auto& gusts = descent.gusts_mps;
     const bool aligned = along_mps > kAligned * vehicle.estimate.ground_speed_mps;
     if (aligned && aboveGround_m() > kGustsAbove_m) {
@@ -84,8 +84,7 @@ float approachSpeed_mps(float cruise_mps, float along_mps, float steady_mps) {
         gusts.raw += (now.raw - gusts.raw) >> kGustsShift;
     }
     const float for_gusts_mps = kPerGust * (gusts.toFloat() - kBorneGusts_mps);
-    return calmApproachSpeed_mps(cruise_mps) +
-           core::limit(kPerHeadwind * steady_mps, 0.0f, kMaxForHeadwind_mps) +
+    return calm_mps + core::limit(kPerHeadwind * steady_mps, 0.0f, kMaxForHeadwind_mps) +
            core::limit(for_gusts_mps, 0.0f, kMaxForGusts_mps);
 }
 
@@ -139,14 +138,14 @@ Plan flyLanding() {
     const float headwind_mps = steadyHeadwind_mps(lateral);
     const float into_wind = share(headwind_mps * kPerHeadwind_spm);
     to_fly.height = height(lateral, speed_mps, into_wind);
-    const float calm_mps = calmApproachSpeed_mps(to_fly.airspeed_mps) * trueFromEquivalent();
-    to_fly.airspeed_mps = approachSpeed_mps(to_fly.airspeed_mps, speed_mps, headwind_mps);
+    const float calm_mps = calmApproachSpeed_mps(to_fly.airspeed_mps);
+    to_fly.airspeed_mps = approachSpeed_mps(calm_mps, speed_mps, headwind_mps);
     to_fly.phase = ::control::Phase::approach;
     if (descent.landing.flaring()) {
         to_fly.phase = ::control::Phase::flare;
         to_fly.pitch_min_rad = core::fromCentidegrees(parameters.land_pitch_cd) -
                                kNoseDown_radpm * core::limit(aboveGround_m(), 0.0f, kMaxNoseDown_m);
-        const float lost_mps = calm_mps - vehicle.estimate.ground_speed_mps;
+        const float lost_mps = calm_mps * trueFromEquivalent() - vehicle.estimate.ground_speed_mps;
         const float slow_mps =
             speedMin_mps() * trueFromEquivalent() - vehicle.estimate.airspeed_mps;
         descent.power = core::Ratio(demandedPower(lateral, fmaxf(lost_mps, slow_mps)));

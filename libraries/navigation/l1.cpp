@@ -21,6 +21,7 @@ constexpr float kTrimReach_m = 3;     // farther from the path it is being captu
 constexpr float kTrimRate = 0.08f;    // m/s2 a second for a metre: learned in ten seconds
 constexpr float kMaxTrim_mss = 0.6f;  // 3.5 degrees
 constexpr float kSmallestRadius_m = 5.0f;
+constexpr float kLagMoves_m = 50.0f;    // at most, at 50 m/s and a lag of a second
 constexpr float kShortestLeg_m = 1.0f;  // shorter ones have no direction: straight to the end
 
 Offset operator+(const Offset& a, const Offset& b) {
@@ -76,9 +77,9 @@ Ahead lookAhead(const Motion& motion) {
     return ahead;
 }
 
-// Of a turn, from its speeds over ground before and after it.
-float turnRadius_m(const LateralGains& gains, float before_mps, float after_mps) {
-    return core::half(core::squaredLength(before_mps, after_mps)) / gains.turn_accel_mss;
+// Of the speeds over ground before and after a turn; by its acceleration that is its radius.
+float meanSquare(float before_mps, float after_mps) {
+    return core::half(core::squaredLength(before_mps, after_mps));
 }
 
 // Without a cross wind.
@@ -89,12 +90,15 @@ float along_mps(const Motion& motion, const Offset& forward) {
 // Sine of the angle at which the path is closed from `away_m`: linear near it, and where that
 // would ask for too sharp a turn, the course of the arc that ends on it. A turn to a tail wind
 // doubles the ground speed: an arc of the speed now is too small.
-float closingSine(const LateralGains& gains, float away_m, float speed_mps, float after_mps) {
+float closingSine(const LateralGains& gains, const Motion& motion, const Offset& forward,
+                  float away_m, float speed_mps) {
     const float straight_mps = away_m * gains.closing_hz;
     if (away_m <= gains.linear_m && straight_mps < core::half(speed_mps))
         return straight_mps / speed_mps;
     const float begins_m = core::half(core::limit(gains.linear_m, 0.0f, away_m));
-    const float share = (away_m - begins_m) / turnRadius_m(gains, speed_mps, after_mps);
+    const float after_mps = along_mps(motion, forward);
+    const float share =
+        (away_m - begins_m) * gains.turn_accel_mss / meanSquare(speed_mps, after_mps);
     if (share >= 1) return 1;
     const float arc = sqrtf(share * (2 - share));
     const float straight = straight_mps / speed_mps;
@@ -161,8 +165,9 @@ Lateral followLeg(const LateralGains& gains, const Motion& motion, const Leg& le
     const Offset there = from_start + ahead.moved_m;
     const float off_m = cross(leg.forward, there);
     const float away_m = fabsf(off_m);
-    float sine = closingSine(gains, away_m, ahead.speed_mps, along_mps(motion, leg.forward));
-    if (core::isNegative(dot(leg.forward, there))) {
+    float sine = closingSine(gains, motion, leg.forward, away_m, ahead.speed_mps);
+    // farther on than the bank's lag moves it, it is not behind the start
+    if (out.along_m < kLagMoves_m && core::isNegative(dot(leg.forward, there))) {
         const float to_start = away_m / core::limit(geo::length_m(there), 1.0f, 1e6f);
         if (to_start < sine) sine = to_start;
     }
@@ -176,7 +181,8 @@ float turnLead_m(const LateralGains& gains, const Motion& motion, const Leg& leg
     constexpr float kSharpest = -0.5f;
     const float cosine = core::limit(dot(leg.forward, next.forward), kSharpest, 1.0f);
     const float before_mps = along_mps(motion, leg.forward);
-    const float radius_m = turnRadius_m(gains, before_mps, along_mps(motion, next.forward));
+    const float radius_m =
+        meanSquare(before_mps, along_mps(motion, next.forward)) / gains.turn_accel_mss;
     const float lead_m =
         radius_m * sqrtf((1 - cosine) / (1 + cosine)) + before_mps * motion.bank_lag_s;
     return core::limit(lead_m, 0.0f, core::half(fminf(leg.length_m, next.length_m)));
@@ -200,7 +206,7 @@ __attribute__((noinline)) Lateral followCircle(const LateralGains& gains, const 
     out.crosstrack_m = out.distance_m - radius_m;
     out.along_m = 0;
     const float off_m = distance_m - radius_m;
-    float sine = closingSine(gains, fabsf(off_m), ahead.speed_mps, along_mps(motion, along_unit));
+    float sine = closingSine(gains, motion, along_unit, fabsf(off_m), ahead.speed_mps);
     bool on_tangent = false;
     if (core::isPositive(off_m)) {
         const float tangent = cosineOf(radius_m / distance_m);
