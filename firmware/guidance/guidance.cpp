@@ -65,12 +65,12 @@ void keepGroundSpeed(Plan& plan) {
     constexpr uint16_t kBreeze_mps = core::sizeOfPower(2) + 0x40;  // 6, by the upper bits
     const int16_t least_cms = parameters.min_ground_speed_cms;
     const auto& estimate = core::based(vehicle.estimate);
-    if (least_cms == 0 || progress.flaring) return;
+    if (least_cms == 0) return;
     // not worked out where the wind does not reach the speed that carries an airplane
     if (least_cms <= kLeast_cms && core::sizeOf(estimate.wind_mps.x) < kBreeze_mps &&
         core::sizeOf(estimate.wind_mps.y) < kBreeze_mps)
         return;
-    if (estimate.airspeed_mps < kSlowest_mps) return;
+    if (progress.flaring || estimate.airspeed_mps < kSlowest_mps) return;
     const core::Vector3 air_mps = estimate.velocity_mps - estimate.wind_mps;
     const float forward_mps =
         (estimate.velocity_mps.x * air_mps.x + estimate.velocity_mps.y * air_mps.y) /
