@@ -41,7 +41,7 @@ function estimated(words) {
   return { time_s: 60 * Number(minutes) + Number(seconds), used_mah: Number(used_mah) };
 }
 
-// The estimate flies every corner to its point, which costs more against a wind.
+// The estimate leaves out what turns against a wind save.
 function assertNear(found, expected, what, most) {
   const ratio = found / expected;
   assert.ok(ratio > 0.98 && ratio < most, `${what}: ${found} estimated, ${expected} flown`);
@@ -55,7 +55,7 @@ for (const airplane of ['foam_trainer', 'trainer_6kg', 'flying_wing'])
       assert.equal(status, 0, stdout);
       assert.match(stdout, /\ncalm air: mission completed\n/);
       assert.match(stdout, /\n5\.0 m\/s from 300, gusts of 1 m\/s: mission completed\n/);
-      for (const [name, wind, most] of [['calm', '0', 1.09], ['wind', '5,300', 1.17]]) {
+      for (const [name, wind, most] of [['calm', '0', 1.08], ['wind', '5,300', 1.17]]) {
         assert.ok(stdout.includes(`${out}/${name}/report.html`) && existsSync(join(out, name, 'report.html')));
         const found = estimated([...words, '--wind', wind]), expected = flown(join(out, name));
         assertNear(found.time_s, expected.time_s, `${name}, seconds`, most);
@@ -154,7 +154,7 @@ for (const onto of [false, true])
     const { events } = JSON.parse(readFileSync(join(out, 'calm/summary.json'), 'utf8'));
     assert.ok(!events.some(({ text }) => text === 'mission uploaded'));
     if (onto) return;
-    for (const [name, wind, most] of [['calm', '0', 1.09], ['wind', '5,300', 1.17]]) {
+    for (const [name, wind, most] of [['calm', '0', 1.08], ['wind', '5,300', 1.17]]) {
       const found = estimated([file, '--wind', wind]), expected = flown(join(out, name));
       assertNear(found.time_s, expected.time_s, `${name}, seconds`, most);
       assertNear(found.used_mah, expected.used_mah, `${name}, mAh`, most);

@@ -7,6 +7,7 @@
 #include "firmware/state/parameters.hpp"
 #include "simulator/airplane/atmosphere.hpp"
 #include "toolchain/mission_tool/legs.hpp"
+#include "toolchain/mission_tool/turns.hpp"
 
 namespace mission_tool {
 namespace {
@@ -236,7 +237,35 @@ private:
             power_.battery_a(indicated_mps, up_m / time_s, load) * time_s * kMahPerAs;
     }
 
-    void add(const Stretch& stretch) {
+    // What the arc between two legs is shorter than the way to the corner and on: half of it on
+    // each. It begins no more than half of the shorter leg before the corner. A sharp turn swings
+    // out, and is not counted as shorter than one by a right angle.
+    void cutCorner(Stretch& before, Stretch& after) {
+        constexpr double kSharpest_rad = M_PI / 2;
+        const double turn_rad = std::min(turnBetween_rad(before, after), kSharpest_rad);
+        if (turn_rad <= 0 || before.ground_mps <= 0 || after.ground_mps <= 0) return;
+        const double speed_mps = std::sqrt(
+            (before.ground_mps * before.ground_mps + after.ground_mps * after.ground_mps) / 2);
+        const double tangent = std::tan(turn_rad / 2);
+        const double radius_m =
+            std::min(turnRadius_m(after.airspeed_mps, speed_mps),
+                     std::min(before.length_m, after.length_m) / 2 / tangent);
+        const double saved_m = radius_m * (2 * tangent - turn_rad);
+        for (Stretch* leg : {&before, &after}) {
+            const double time_s = leg->time_s, saved_s = saved_m / 2 / leg->ground_mps;
+            leg->time_s -= saved_s;
+            leg->used_mah *= 1 - saved_s / time_s;
+        }
+    }
+
+    void add(Stretch stretch) {
+        if (!total_.stretches.empty()) {
+            Stretch& before = total_.stretches.back();
+            const double time_s = before.time_s, used_mah = before.used_mah;
+            cutCorner(before, stretch);
+            total_.time_s += before.time_s - time_s;
+            total_.used_mah += before.used_mah - used_mah;
+        }
         at_ = stretch.to;
         height_m_ = stretch.height_m;
         if (stretch.placed || recordOf(stretch.nav).id == kReturn) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a mission takes: way, time, heights and energy of every NAV in the order of the flight, by
-// the airplane's parameters and the simulator's model of it. An estimate: turns, gusts and the
-// take-off run are left out.
+// the airplane's parameters and the simulator's model of it. An estimate: corners are cut as they
+// are flown, but what a bank costs, gusts and the take-off run are left out.
 #pragma once
 #include <optional>
 #include <vector>

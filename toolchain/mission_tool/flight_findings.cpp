@@ -11,6 +11,7 @@
 #include "toolchain/mission_tool/columns.hpp"
 #include "toolchain/mission_tool/fence_check.hpp"
 #include "toolchain/mission_tool/legs.hpp"
+#include "toolchain/mission_tool/turns.hpp"
 
 namespace mission_tool {
 namespace {
@@ -209,16 +210,8 @@ private:
         return s.airspeed_mps + conditions_.wind.speed_mps;
     }
 
-    // Of the parameters, and of what the wings carry at this speed.
-    double bankLimit_deg(const Stretch& s) const {
-        const double limit_deg = parameters.roll_limit_cd * 0.01;
-        const double ratio = parameters.speed_min_mps / s.airspeed_mps;
-        if (parameters.stall_prevention == 0 || ratio >= 1) return limit_deg;
-        return std::min(limit_deg, std::max(25.0, std::acos(ratio * ratio) / kDegree));
-    }
-
     void bankOfCircle(const Stretch& s) {
-        const double speed_mps = fastest_mps(s), limit_deg = bankLimit_deg(s);
+        const double speed_mps = fastest_mps(s), limit_deg = bankLimit_deg(s.airspeed_mps);
         const double bank_deg =
             std::atan2(speed_mps * speed_mps, s.circle_m * kGravity_mss) / kDegree;
         if (bank_deg > limit_deg)
@@ -228,39 +221,29 @@ private:
                         s.circle_m, bank_deg, speed_mps, limit_deg));
     }
 
-    // Turns are planned with seven tenths of the bank (firmware/guidance/bank.cpp).
     void turns(size_t number) {
-        constexpr double kTurnShare = 0.7;
         const Stretch& s = flight_.stretches[number];
         if (s.circle_m > 0 || !s.placed) return;
-        const double speed_mps = fastest_mps(s), limit_deg = bankLimit_deg(s);
-        const double tangent = kTurnShare * std::tan(std::min(limit_deg, 80.0) * kDegree);
-        const double radius_m = speed_mps * speed_mps / (kGravity_mss * tangent);
+        const double speed_mps = fastest_mps(s);
         const double needed_m =
-            radius_m *
+            turnRadius_m(s.airspeed_mps, speed_mps) *
             (leadOf(number) + (number + 1 < flight_.stretches.size() ? leadOf(number + 1) : 0));
         const double length_m = simulator::distance_m(s.from, s.to);
+        const double planned_deg = std::atan(turnTangent(s.airspeed_mps)) / kDegree;
         if (length_m > 1 && length_m < needed_m)
             warn(s.nav,
                  format("the leg of %.0f m is shorter than the %.0f m that the turns at its "
                         "ends take at %.1f m/s, planned with %.0f of %.0f degrees of bank",
-                        length_m, needed_m, speed_mps, std::atan(tangent) / kDegree, limit_deg));
+                        length_m, needed_m, speed_mps, planned_deg, bankLimit_deg(s.airspeed_mps)));
     }
 
     // Of the turn into this stretch: how far before the corner it begins, in radii.
     double leadOf(size_t number) const {
         constexpr double kSharpest = 150 * kDegree;
         if (number == 0) return 0;
-        const Stretch &before = flight_.stretches[number - 1], &after = flight_.stretches[number];
-        const bool corner = before.placed && before.circle_m == 0 && after.circle_m == 0 &&
-                            simulator::distance_m(before.from, before.to) > 1 &&
-                            simulator::distance_m(after.from, after.to) > 1;
-        if (!corner) return 0;
-        const double turn = std::abs(std::remainder(course(after) - course(before), 2 * M_PI));
-        return std::tan(std::min(turn, kSharpest) / 2);
-    }
-    static double course(const Stretch& s) {
-        return std::atan2(s.to.east_m - s.from.east_m, s.to.north_m - s.from.north_m);
+        const double turn_rad =
+            turnBetween_rad(flight_.stretches[number - 1], flight_.stretches[number]);
+        return std::tan(std::min(turn_rad, kSharpest) / 2);
     }
 
     void heightOfReturn() {
