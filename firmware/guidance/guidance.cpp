@@ -66,7 +66,8 @@ void keepGroundSpeed(Plan& plan) {
     const int16_t least_cms = parameters.min_ground_speed_cms;
     const auto& estimate = core::based(vehicle.estimate);
     if (least_cms == 0) return;
-    // not worked out where the wind does not reach the speed that carries an airplane
+    // 130 us of 20 runs a second, which no frame has to spare: not in a breeze, which leaves what
+    // carries an airplane forward speed enough
     if (least_cms <= kLeast_cms && core::sizeOf(estimate.wind_mps.x) < kBreeze_mps &&
         core::sizeOf(estimate.wind_mps.y) < kBreeze_mps)
         return;

@@ -1017,6 +1017,22 @@ TEST_F(Guidance, flies_faster_into_a_wind_that_leaves_less_than_the_least_ground
     EXPECT_EQ(demanded_mps(500, -25), parameters.speed_max_mps + 1.0f) << "never slower for it";
 }
 
+// For no more than that it is not worked out in a breeze, which leaves it forward speed enough.
+TEST_F(Guidance, keeps_3_mps_over_ground_if_nothing_else_is_set) {
+    inTheAir();
+    const auto demanded_mps = [&](float north_mps, float east_mps) {
+        mutable_vehicle.estimate.wind_mps = {north_mps, east_mps, 0};
+        move(13 + north_mps, east_mps);
+        guide();
+        return firmware::guidance::demandedAirspeed_mps();
+    };
+    EXPECT_EQ(demanded_mps(-5.9f, 5.9f), 13);
+    EXPECT_EQ(demanded_mps(-8, 0), 13) << "5 m/s are left";
+    EXPECT_NEAR(demanded_mps(-16, 0), 19, 0.01);
+    EXPECT_NEAR(demanded_mps(-16, 5), 19, 0.01);
+    EXPECT_EQ(demanded_mps(-25, 0), parameters.speed_max_mps);
+}
+
 // The speed over ground is the one ahead: a crab sideways brings it nowhere.
 TEST_F(Guidance, counts_the_ground_speed_along_the_nose_and_true) {
     inTheAir();
