@@ -35,7 +35,7 @@ if(FUZZ)
 
     # the readers of the mission tool, without its command line and the airplane
     file(GLOB tool_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/toolchain/mission_tool/*.cpp)
-    list(FILTER tool_sources EXCLUDE REGEX "/(main|program|airplane|power|page|drawing|rehearse|estimate|fence_check|flight_[ft][a-z]*)\\.cpp$")
+    list(FILTER tool_sources EXCLUDE REGEX "/(main|program|airplane|power|page|drawing|rehearse|estimate|turns|fence_check|flight_[ft][a-z]*)\\.cpp$")
     set(ground ${CMAKE_SOURCE_DIR}/simulator/ground)
     fuzzer(mission_tool ${CMAKE_SOURCE_DIR}/host_tests/fuzz/mission_tool_fuzz.cpp ${tool_sources}
            ${ground}/waypoints.cpp ${ground}/mission_file.cpp ${ground}/points_file.cpp ${ground}/plan_file.cpp
