@@ -14,6 +14,7 @@ using namespace mavlink;
 
 constexpr double kNever = 1e9;
 constexpr double kStanding_mps = 0.5;
+constexpr double kAtRest_s = 2;  // standing: it has rolled out
 constexpr double kDisarmWithin_s = 60;  // LAND_DISARMDELAY is 20 s
 constexpr double kLastWords_s = 3;
 constexpr double kSilence_s = 10;
@@ -229,20 +230,20 @@ bool ScriptedFlight::release(uint64_t now_us) {
 
 bool ScriptedFlight::takeOff(uint64_t) { return airborne_s_.has_value(); }
 
-// Over when it stood disarmed and has had the time to report it, whatever a gust does to it since.
-// Some never disarm by themselves.
+// Over when it has come to rest and is disarmed, and has had the time to report it, whatever a gust
+// does to it since. Some never disarm by themselves.
 bool ScriptedFlight::fly(uint64_t now_us) {
     const double now_s = static_cast<double>(now_us) * 1e-6;
     if (telemetry_.armed()) disarmed_s_.reset();
     if (disarmed_s_) return now_s - *disarmed_s_ > kLastWords_s;
-    if (!standing_s_) return false;
-    if (telemetry_.armed()) {
-        const bool late = now_s - *standing_s_ > kDisarmWithin_s;
-        if (late && !another_) fail("it stands, but does not disarm");
-        return late && another_;
+    if (standing_s_ && now_s - *standing_s_ > kAtRest_s) came_to_rest_ = true;
+    if (!telemetry_.armed()) {
+        if (came_to_rest_) disarmed_s_ = now_s;
+        return false;
     }
-    disarmed_s_ = now_s;
-    return false;
+    const bool late = standing_s_ && now_s - *standing_s_ > kDisarmWithin_s;
+    if (late && !another_) fail("it stands, but does not disarm");
+    return late && another_;
 }
 
 void ScriptedFlight::watch(uint64_t now_us) {
@@ -254,6 +255,7 @@ void ScriptedFlight::watch(uint64_t now_us) {
         if (!airborne_s_) telemetry_.note(now_us, "airborne");
         if (!airborne_s_) airborne_s_ = now_s;
         landed_s_.reset();
+        came_to_rest_ = false;
     } else if (airborne_s_ && !landed_s_ && truth.on_ground) {
         landed_s_ = now_s;
         touchdown_m_ = fromLanding_m();

@@ -102,6 +102,7 @@ private:
     bool over_ = false, another_ = false;
     std::string reason_, last_answer_;
     std::optional<double> cruise_speed_mps_, airborne_s_, landed_s_, standing_s_, disarmed_s_;
+    bool came_to_rest_ = false;  // since it touched down
     std::optional<double> touchdown_m_, touchdown_sink_mps_, loiter_radius_m_;
     double sink_mps_ = 0;  // when it was last off the ground
     std::array<double, 8> servo_us_{};

@@ -190,3 +190,15 @@ TEST_F(OfAnother, is_complete_though_a_gust_lifts_it_where_it_stands_disarmed) {
     EXPECT_TRUE(run(10, [this] { return flight->over(); }));
     EXPECT_TRUE(flight->completed()) << flight->reason();
 }
+
+TEST_F(OfAnother, is_complete_though_a_gust_lifts_it_before_it_disarms) {
+    begin(true);
+    ASSERT_TRUE(inAuto());
+    run(3, [] { return false; });
+    flyAndLand();
+    run(5, [] { return false; });
+    board->world().lift(1);
+    board->armed = false;
+    EXPECT_TRUE(run(10, [this] { return flight->over(); }));
+    EXPECT_TRUE(flight->completed()) << flight->reason();
+}
