@@ -7,6 +7,7 @@
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
+#include "core/seldom.hpp"
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
 #include "firmware/guidance/height.hpp"
@@ -16,6 +17,7 @@
 #include "firmware/guidance/path_state.hpp"
 #include "firmware/guidance/plan.hpp"
 #include "firmware/guidance/steering.hpp"
+#include "firmware/notify/status_text.hpp"
 #include "firmware/state/mode_traits.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -23,6 +25,7 @@
 namespace firmware {
 namespace guidance {
 
+using namespace notify;
 using namespace state;
 
 namespace {
@@ -30,6 +33,7 @@ namespace {
 struct LastRun {
     Plan plan;     // of the last runGuidance
     bool guiding;  // in the run before as well
+    bool headwind_reported;
 };
 core::FileState<LastRun> last_run{};
 
@@ -44,6 +48,7 @@ void takeOver() {
     beginBanking();
     beginLateral();
     suppressThrottle();
+    last_run.headwind_reported = false;
 }
 
 void beginPath() {
@@ -56,6 +61,13 @@ void beginPath() {
     if (vehicle.demand.path != Path::takeoff) return;
     beginLaunch();
     beginTakeoff();
+}
+
+// The fastest airplane does not get ahead as it should: the pilot may want to land, or to fly lower.
+SELDOM void reportHeadwind() {
+    if (!last_run.headwind_reported)
+        sendStatusText(Severity::warning, STATUS_TEXT("Headwind too strong"));
+    last_run.headwind_reported = true;
 }
 
 // Into the wind as much faster through the air as the speed over ground is short of MIN_GNDSPD_CM,
@@ -77,9 +89,12 @@ void keepGroundSpeed(Plan& plan) {
         (estimate.velocity_mps.x * air_mps.x + estimate.velocity_mps.y * air_mps.y) /
         estimate.airspeed_mps;
     const float short_mps = core::hundredths(least_cms) - forward_mps;
-    const float needed_mps = fminf(
-        estimate.equivalent_airspeed_mps * (1 + short_mps / estimate.airspeed_mps), speedMax_mps());
-    if (needed_mps > plan.airspeed_mps) plan.airspeed_mps = needed_mps;
+    float needed_mps = estimate.equivalent_airspeed_mps * (1 + short_mps / estimate.airspeed_mps);
+    if (needed_mps > speedMax_mps()) {
+        needed_mps = speedMax_mps();
+        reportHeadwind();
+    }
+    plan.airspeed_mps = fmaxf(plan.airspeed_mps, needed_mps);
 }
 
 bool followsPath() {

@@ -1033,6 +1033,20 @@ TEST_F(Guidance, keeps_3_mps_over_ground_if_nothing_else_is_set) {
     EXPECT_EQ(demanded_mps(-25, 0), parameters.speed_max_mps);
 }
 
+TEST_F(Guidance, reports_once_a_headwind_in_which_the_highest_airspeed_does_not_get_it_ahead) {
+    const std::string text = "4 Headwind too strong";
+    for (const float wind_mps : {-18.9f, -19.1f}) {  // of ARSPD_FBW_MAX, 22 m/s, 3 are to be left
+        inTheAir();
+        mutable_vehicle.estimate.wind_mps = {wind_mps, 0, 0};
+        move(13 + wind_mps, 0);
+        bench::statusTexts();
+        guide(20);
+        const auto texts = bench::statusTexts();
+        EXPECT_EQ(std::count(texts.begin(), texts.end(), text), wind_mps > -19 ? 0 : 1) << wind_mps;
+        firmware::modes::requestMode(Mode::manual, firmware::modes::ModeReason::ground);
+    }
+}
+
 // The speed over ground is the one ahead: a crab sideways brings it nowhere.
 TEST_F(Guidance, counts_the_ground_speed_along_the_nose_and_true) {
     inTheAir();
