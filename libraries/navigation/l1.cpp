@@ -48,9 +48,10 @@ struct Ahead {
     Offset velocity_mps;
     Offset turned_mps;  // what is turned to the course: the velocity; blown, that through the air
     float speed_mps, turned_length_mps;
-    float turns_mps;  // to the right, by the present bank; more where the wind makes it fast
-    float per_crab;   // 1 / cos of the angle between the course over ground and through the air
-    bool blown;       // by a wind nearly as fast as the airplane, or faster
+    float airspeed_mps;
+    float gained_mps;  // through the air, to the right, by the present bank
+    float per_crab;    // 1 / cos of the angle between the course over ground and through the air
+    bool blown;        // by a wind nearly as fast as the airplane, or faster
 };
 Ahead lookAhead(const Motion& motion) {
     Offset air = motion.velocity_mps - motion.wind_mps;
@@ -67,7 +68,8 @@ Ahead lookAhead(const Motion& motion) {
         moves_mps < motion.airspeed_mps * kMaxBackwards && motion.airspeed_mps > kFlies_mps;
     ahead.turned_mps = ahead.blown ? air : ahead.velocity_mps;
     ahead.turned_length_mps = ahead.blown ? airspeed : moves_mps;
-    ahead.turns_mps = gained_mps * core::square(ahead.speed_mps / airspeed);
+    ahead.airspeed_mps = airspeed;
+    ahead.gained_mps = gained_mps;
     const float together = dot(air, ahead.velocity_mps);
     const float product = airspeed * ahead.speed_mps;
     if (ahead.blown || together * kNegligibleCrab > product)
@@ -126,7 +128,10 @@ float turnTowards(const LateralGains& gains, const Ahead& ahead, const Offset& c
     if (core::isNegative(dot(ahead.turned_mps, course))) {
         constexpr float kAllBesideOpposite = 3;  // from 20 degrees beside it on
         const float most_mps = ahead.turned_length_mps;
-        sine = core::limit((sine + ahead.turns_mps) * kAllBesideOpposite, -most_mps, most_mps);
+        // by the present bank; more where the wind makes it fast
+        const float turns_mps =
+            ahead.gained_mps * core::square(ahead.speed_mps / ahead.airspeed_mps);
+        sine = core::limit((sine + turns_mps) * kAllBesideOpposite, -most_mps, most_mps);
     }
     return sine * gains.turning_hz;
 }

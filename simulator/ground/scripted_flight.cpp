@@ -14,7 +14,7 @@ using namespace mavlink;
 
 constexpr double kNever = 1e9;
 constexpr double kStanding_mps = 0.5;
-constexpr double kAtRest_s = 2;  // standing: it has rolled out
+constexpr double kAtRest_s = 2;         // standing: it has rolled out
 constexpr double kDisarmWithin_s = 60;  // LAND_DISARMDELAY is 20 s
 constexpr double kLastWords_s = 3;
 constexpr double kSilence_s = 10;

@@ -12,7 +12,7 @@ const kShortCallBytes = 2;
 const kPointerReach = 0x20000;
 const kFarCallCosts = 2, kTrampolineCosts = 4;  // bytes
 const kHopeless = 2;                            // times that: not even worked out for all sections
-const kHottest = 4, kColdest = 0.4;             // bytes: a move that costs so many is kept by 1 in e
+const kHottest = 4, kColdest = 0.2;             // bytes: a move that costs so many is kept by 1 in e
 
 // xorshift32: Marsaglia, Xorshift RNGs, 2003
 function randomNumbers() {
