@@ -63,8 +63,8 @@ void beginPath() {
     beginTakeoff();
 }
 
-// The fastest airplane does not get ahead as it should: the pilot may want to land, or to fly
-// lower.
+// At ARSPD_FBW_MAX it is still slower over ground than MIN_GNDSPD_CM, or blown backwards: the pilot
+// may want to land, or to fly lower.
 SELDOM void reportHeadwind() {
     if (!last_run.headwind_reported)
         sendStatusText(Severity::warning, STATUS_TEXT("Headwind too strong"));
