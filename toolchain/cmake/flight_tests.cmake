@@ -267,9 +267,11 @@ set(figures ${tests}/scenarios/figures)
 set(table node ${figures}/table.mjs ${figures}/limits.json $<TARGET_FILE:fly> ${missions}/box_600.waypoints)
 declare_test(figures.table COMMAND ${table} ${CMAKE_BINARY_DIR}/figures NEEDS fly DATA ${flight_data}
              LABELS native TIMEOUT 900 REUSE)
-declare_test(figures.windy COMMAND node ${figures}/table.mjs ${figures}/windy.json $<TARGET_FILE:fly>
-             ${missions}/box_600.waypoints ${CMAKE_BINARY_DIR}/figures/windy NEEDS fly DATA ${flight_data}
-             LABELS native TIMEOUT 900 REUSE)
+foreach(name windy no_airspeed)
+    declare_test(figures.${name} COMMAND node ${figures}/table.mjs ${figures}/${name}.json $<TARGET_FILE:fly>
+                 ${missions}/box_600.waypoints ${CMAKE_BINARY_DIR}/figures/${name} NEEDS fly DATA ${flight_data}
+                 LABELS native TIMEOUT 900 REUSE)
+endforeach()
 set(landings node ${figures}/landings.mjs ${figures}/limits.json $<TARGET_FILE:fly> ${missions}/box_600.waypoints)
 declare_test(figures.landings COMMAND ${landings} ${CMAKE_BINARY_DIR}/figures/landings NEEDS fly DATA ${flight_data}
              LABELS native TIMEOUT 900 REUSE)

@@ -4,6 +4,9 @@ import { spawn } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const kAirplanes = fileURLToPath(new URL('../../../simulator/airplanes', import.meta.url));
 
 // An air is words of fly's command line, or an object: a --world FILE.
 function wordsOf(air, folder) {
@@ -13,12 +16,20 @@ function wordsOf(air, folder) {
   return ['--world', world];
 }
 
+// The airplane's own .param file with more lines behind it.
+function withSettings(airplane, settings, folder) {
+  const own = readFileSync(join(kAirplanes, `${airplane}.param`), 'utf8');
+  const file = join(folder, 'settings.param');
+  writeFileSync(file, [own, ...settings, ''].join('\n'));
+  return file;
+}
+
 // What a flight's summary says, with the flight's own { airplane, air, seed }. A flight that does not
 // complete has a summary, too; a program that ends otherwise is an error.
-function flown(flight, { fly, mission, out, airs, parameters }) {
+function flown(flight, { fly, mission, out, airs, parameters, settings }) {
   const folder = join(out, `${flight.airplane}_${flight.air}_${flight.seed}`);
   mkdirSync(folder, { recursive: true });
-  const file = parameters[flight.airplane];
+  const file = settings ? withSettings(flight.airplane, settings, folder) : parameters[flight.airplane];
   const words = ['--native', '--airplane', flight.airplane, '--seed', flight.seed, ...wordsOf(airs[flight.air], folder),
     ...(file ? ['--param', file] : []), '--out', folder, mission].map(String);
   return new Promise((resolve, reject) => {

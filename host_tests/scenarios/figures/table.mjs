@@ -3,7 +3,7 @@
 // gusts, three seeds each, and holds the worst of the three of every figure.
 //   table.mjs LIMITS.json FLY MISSION OUT [AIRPLANE=FOUND.param ...]
 // With parameters that AUTOTUNE has found, the airplanes named fly on those, and the goals are LIMITS.json's "tuned_times" of the others.
-// An air is words of the command line or a --world. A figure may be no more than its goal, or, where LIMITS.json says "least", no
+// "settings" are set beside the airplane's own parameters. An air is words of the command line or a --world. A figure may be no more than its goal, or, where LIMITS.json says "least", no
 // less. It is held at its goal, or, where LIMITS.json says "held", there: what is reached today with some room, so that it can only
 // get better. What landings.mjs holds over many flights is only shown.
 import { readFileSync } from 'node:fs';
@@ -50,7 +50,7 @@ function rowOf(figure, airplane, air, flights) {
 }
 
 const { flights, broken: incomplete } = await flyEach({ airplanes, airs: Object.keys(limits.airs), seeds: limits.seeds },
-  { fly, mission, out, airs: limits.airs, parameters: tuned });
+  { fly, mission, out, airs: limits.airs, parameters: tuned, settings: limits.settings });
 let broken = incomplete;
 for (const airplane of airplanes) {
   const rows = limits.figures.flatMap((figure) => Object.keys(limits.airs).map(
