@@ -37,10 +37,6 @@ constexpr float kMaxTime_s = 1.1f;  // between two fixes that are compared
 // Of the angle to where the field should point: 0.15 in the weakest field, 0.8 in the strongest.
 constexpr float kResumedShare = 0.4f / (470.0f * 470.0f);
 constexpr float kCompassStep_s = 0.2f;
-// Towards the poles what is not known of the airplane's own field turns a compass farther: where
-// the level part of the earth's is weaker than this the gyros are followed for longer.
-constexpr uint16_t kWeak_mg = core::sizeOfPower(7);  // 128, by the upper bits
-constexpr float kWeakCompass_s = 60.0f;
 constexpr uint8_t kMaxFrames = 50;     // that are counted: by then nothing is known any more
 constexpr float kInconsistent = 0.7f;  // cosine: a compass 45 degrees off is not followed
 constexpr float kSlow_mps = 5.0f;      // a slower course is noise
@@ -512,9 +508,7 @@ bool Attitude::useCompass(const core::Vector3& reading_mg, const AttitudeSetting
     }
     const float error = core::isPositive(along_mg) ? -across_mg * inverse
                                                    : (core::isNegative(across_mg) ? 1.0f : -1.0f);
-    constexpr float kShare = kCompassStep_s / kCompass_s,
-                    kWeakShare = kCompassStep_s / kWeakCompass_s;
-    pointBy(error, core::sizeOf(length) < kWeak_mg ? kWeakShare : kShare);
+    pointBy(error, kCompassStep_s / kCompass_s);
     return true;
 }
 

@@ -331,28 +331,6 @@ TEST_F(Declined, the_heading_turns_by_a_declination_that_becomes_known) {
     }
 }
 
-// The needle turns by 10 degrees, as by a motor's current. Of that the heading takes a part, and
-// the airplane's own field the rest, which is learnt in 30 s.
-TEST_F(Declined, a_compass_is_followed_for_a_third_where_the_earths_level_field_is_weak) {
-    const core::Vector3 strong_mg = reading_mg;
-    for (const float share : {1.0f, 0.5f}) {  // of 198 mG, level
-        attitude.start();
-        reading_mg = strong_mg * share;
-        estimation::FixComparison seen = {};
-        for (int fix = 0; fix < 320; ++fix) {  // a minute, in which it settles
-            stand(0.2, true);
-            attitude.useGps({0, 0, 0}, AttitudeSettings(), seen);
-        }
-        const double before_rad = yaw_rad();
-        const float sine = sinf(core::radians(10)), cosine = cosf(core::radians(10));
-        reading_mg = {reading_mg.x * cosine - reading_mg.y * sine,
-                      reading_mg.x * sine + reading_mg.y * cosine, reading_mg.z};
-        stand(10, true);
-        const double by_deg = std::abs(yaw_rad() - before_rad) * 180 / M_PI;
-        EXPECT_NEAR(by_deg, share < 1 ? 1.3 : 3.4, 0.3);
-    }
-}
-
 // The heading of a record is the true one.
 TEST_F(Declined, one_that_was_resumed_keeps_its_heading) {
     attitude.start();
