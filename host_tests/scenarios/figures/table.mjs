@@ -3,9 +3,10 @@
 // gusts, three seeds each, and holds the worst of the three of every figure.
 //   table.mjs LIMITS.json FLY MISSION OUT [AIRPLANE=FOUND.param ...]
 // With parameters that AUTOTUNE has found, the airplanes named fly on those, and the goals are LIMITS.json's "tuned_times" of the others.
-// "settings" are set beside the airplane's own parameters. An air is words of the command line or a --world. A figure may be no more than its goal, or, where LIMITS.json says "least", no
-// less. It is held at its goal, or, where LIMITS.json says "held", there: what is reached today with some room, so that it can only
-// get better. What landings.mjs holds over many flights is only shown.
+// An air is words of the command line or a --world; LIMITS.json's "settings" are set beside the airplane's own parameters.
+// A figure may be no more than its goal, or, where LIMITS.json says "least", no less. It is held at its goal, or, where LIMITS.json
+// says "held", there: what is reached today with some room, so that it can only get better. What landings.mjs holds over many
+// flights is only shown.
 import { readFileSync } from 'node:fs';
 
 import { flyEach, parametersFound, printTable } from './flights.mjs';

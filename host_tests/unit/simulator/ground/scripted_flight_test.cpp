@@ -137,6 +137,13 @@ protected:
         for (const uint16_t item : {1, 2}) board->flies(item);
         board->world().lift(0);
     }
+    void flyAndStand() {
+        begin(true);
+        ASSERT_TRUE(inAuto());
+        run(3, [] { return false; });
+        flyAndLand();
+        run(5, [] { return false; });
+    }
 
     const Waypoints kItems = parseWaypoints(
         "QGC WPL 110\n"
@@ -179,11 +186,7 @@ TEST_F(OfAnother, but_ours_has_to_disarm) {
 }
 
 TEST_F(OfAnother, is_complete_though_a_gust_lifts_it_where_it_stands_disarmed) {
-    begin(true);
-    ASSERT_TRUE(inAuto());
-    run(3, [] { return false; });
-    flyAndLand();
-    run(5, [] { return false; });
+    ASSERT_NO_FATAL_FAILURE(flyAndStand());
     board->armed = false;
     run(1.5, [] { return false; });
     board->world().lift(1);
@@ -192,11 +195,7 @@ TEST_F(OfAnother, is_complete_though_a_gust_lifts_it_where_it_stands_disarmed) {
 }
 
 TEST_F(OfAnother, is_complete_though_a_gust_lifts_it_before_it_disarms) {
-    begin(true);
-    ASSERT_TRUE(inAuto());
-    run(3, [] { return false; });
-    flyAndLand();
-    run(5, [] { return false; });
+    ASSERT_NO_FATAL_FAILURE(flyAndStand());
     board->world().lift(1);
     board->armed = false;
     EXPECT_TRUE(run(10, [this] { return flight->over(); }));
