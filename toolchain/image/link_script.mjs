@@ -11,7 +11,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { readElf } from './elf.mjs';
 import { placed } from './placement.mjs';
 
-const kSteps = 2_100_000;
+const kSteps = 4_500_000;
 const kCall = 18, kShortCall = 3;                        // R_AVR_CALL, R_AVR_13_PCREL
 const kPointers = new Set([5, 24, 25]);                  // R_AVR_16_PM, R_AVR_LO8_LDI_GS, R_AVR_HI8_LDI_GS
 const kRest = '    *(.text)\n';

@@ -11,7 +11,7 @@ const kReach = kForwards - kBackwards;       // from the farthest back; what is 
 const kShortCallBytes = 2;
 const kPointerReach = 0x20000;
 const kFarCallCosts = 2, kTrampolineCosts = 4;  // bytes
-const kHopeless = 2;                            // times that: not even worked out for all sections
+const kHopeless = 2;                            // times that: not even worked out for what makes way
 const kHottest = 4, kColdest = 0.2;             // bytes: a move that costs so many is kept by 1 in e
 
 // xorshift32: Marsaglia, Xorshift RNGs, 2003
@@ -25,28 +25,35 @@ function randomNumbers() {
   };
 }
 
-// Works out what an order costs. Flat arrays: it is asked some hundred thousand times.
+// Where the sections lie, and what that costs. Flat arrays: it is asked some hundred thousand times.
 class Layout {
   constructor(sections, calls) {
     this.size = Int32Array.from(sections, ({ size }) => size);
     this.at = Int32Array.from(sections, ({ address }) => address);
-    this.begin = sections.find(({ isMoved }) => isMoved).address;
+    this.by = new Int32Array(sections.length);  // how far a move that is tried brings each
     this.isPointedAt = Int8Array.from(sections, ({ isPointedAt }) => (isPointedAt ? 1 : 0));
-    this.pointedAt = sections.flatMap(({ isMoved, isPointedAt }, i) => (isMoved && isPointedAt ? [i] : []));
     this.calls = Int32Array.from(calls.flatMap(({ from, fromAt, to, toAt }) =>
       [from, to, toAt - fromAt - kShortCallBytes - kBackwards]));
-    this.callsOf = sections.map(() => []);  // where a section's own begin in `calls`
-    calls.forEach(({ from, to }, i) => {
-      this.callsOf[from].push(3 * i);
-      this.callsOf[to].push(3 * i);
-    });
+    // Each call as both its ends see it: { the other section, what is to be added to the way there so
+    // that 0 to kReach are within reach }. Those of a section lie from endsOf[section] to the next.
+    const ends = sections.map(() => []);
+    for (let i = 0; i < this.calls.length; i += 3) {
+      const [from, to, reach] = this.calls.subarray(i, i + 3);
+      ends[from].push(to, reach);
+      ends[to].push(from, kReach - reach);
+    }
+    this.ends = Int32Array.from(ends.flat());
+    this.endsOf = new Int32Array(sections.length + 1);
+    ends.forEach((list, i) => { this.endsOf[i + 1] = this.endsOf[i] + list.length; });
+    this.order = Int32Array.from(sections.flatMap(({ isMoved }, i) => (isMoved ? [i] : [])));
+    this.place(this.order, sections.find(({ isMoved }) => isMoved).address);
   }
 
-  place(order) {
-    let next = this.begin;
-    for (let i = 0; i < order.length; i++) {
-      this.at[order[i]] = next;
-      next += this.size[order[i]];
+  place(order, begin) {
+    let next = begin;
+    for (const section of order) {
+      this.at[section] = next;
+      next += this.size[section];
     }
   }
 
@@ -59,37 +66,58 @@ class Layout {
     return far;
   }
 
-  // What sections that lie side by side cost more when the first lies at an address, and all others
-  // where they are.
-  ownCost(order, { from, count }, address) {
-    const { at, calls } = this;
-    const by = address - at[order[from]];
-    const first = at[order[from]], last = at[order[from + count - 1]];
-    let more = 0, trampolines = 0;
-    for (let k = from; k < from + count; k++) {
-      const section = order[k];
-      trampolines += this.isPointedAt[section] * ((at[section] + by >= kPointerReach) - (at[section] >= kPointerReach));
-      for (const i of this.callsOf[section]) {
-        const isFrom = calls[i] === section;
-        const other = at[isFrom ? calls[i + 1] : calls[i]];
-        if (other >= first && other <= last) continue;
-        const away = at[calls[i + 1]] - at[calls[i]] + calls[i + 2];
-        const moved = away + (isFrom ? -by : by);
-        more += (moved >>> 0 > kReach) - (away >>> 0 > kReach);
-      }
-    }
-    return kFarCallCosts * more + kTrampolineCosts * trampolines;
-  }
-
   trampolines() {
-    let needed = 0;
-    for (const i of this.pointedAt) if (this.at[i] >= kPointerReach) needed++;
-    return needed;
+    return this.order.filter((section) => this.isPointedAt[section] && this.at[section] >= kPointerReach).length;
   }
 
-  cost(order) {
-    this.place(order);
-    return kFarCallCosts * this.farCalls() + kTrampolineCosts * this.trampolines();
+  // What the order costs more when the sections [first, last) of it are moved by `by`.
+  costMore(first, last) {
+    const { order, at, by, ends } = this;
+    let twiceFar = 0, trampolines = 0;  // a call between two that are moved is seen from both ends
+    for (let k = first; k < last; k++) {
+      const section = order[k], own = at[section], ownBy = by[section];
+      for (let i = this.endsOf[section]; i < this.endsOf[section + 1]; i += 2) {
+        const other = ends[i], more = by[other] - ownBy;
+        if (more === 0) continue;
+        const away = at[other] - own + ends[i + 1];
+        const far = (away + more >>> 0 > kReach) - (away >>> 0 > kReach);
+        twiceFar += by[other] === 0 ? 2 * far : far;
+      }
+      if (this.isPointedAt[section]) trampolines += (own + ownBy >= kPointerReach) - (own >= kPointerReach);
+    }
+    return kFarCallCosts * twiceFar / 2 + kTrampolineCosts * trampolines;
+  }
+
+  // of the sections [first, last) of the order
+  bytes(first, last) {
+    const end = this.order[last - 1];
+    return last > first ? this.at[end] + this.size[end] - this.at[this.order[first]] : 0;
+  }
+
+  shift(first, last, by) {
+    for (let k = first; k < last; k++) this.by[this.order[k]] = by;
+  }
+
+  // Makes a move, unless isKept() refuses what it costs more. Returns what the order then costs more.
+  // Most moves bring a section away from what it calls: that is seen without what makes way for it.
+  tryMove({ from, to, count }, hopeless, isKept) {
+    const end = from + count;
+    const [first, last] = to < from ? [to, from] : [end, to + count];  // what makes way
+    const away = this.bytes(first, last);
+    this.shift(from, end, to < from ? -away : away);
+    let more = this.costMore(from, end);
+    const isHopeless = more > hopeless, low = Math.min(from, to), high = Math.max(from, to) + count;
+    let isMade = false;
+    if (!isHopeless) {
+      const way = this.bytes(from, end);
+      this.shift(first, last, to < from ? way : -way);
+      more = this.costMore(low, high);
+      isMade = isKept(more);
+    }
+    if (isMade) for (let k = low; k < high; k++) this.at[this.order[k]] += this.by[this.order[k]];
+    this.shift(isHopeless ? from : low, isHopeless ? end : high, 0);
+    if (isMade) move(this.order, { from, to, count });
+    return isMade ? more : 0;
   }
 }
 
@@ -112,7 +140,7 @@ function moveTogether(order, calls, random) {
 
 // One section or some that lie side by side, to anywhere.
 function moveAnywhere(order, random) {
-  const count = 1 + random([1, 1, 8, 60][random(4)]);
+  const count = 1 + random([1, 4, 16, 60][random(4)]);
   if (count >= order.length) return null;
   return { from: random(order.length - count + 1), to: random(order.length - count + 1), count };
 }
@@ -122,30 +150,20 @@ function moveAnywhere(order, random) {
 // calls: { from, fromAt, to, toAt }: indices of sections, and bytes from their beginnings.
 // Returns the indices of what is moved in its new order, and what is left to pay for.
 export function placed(sections, calls, steps) {
-  const order = Int32Array.from(sections.flatMap(({ isMoved }, i) => (isMoved ? [i] : [])));
   const layout = new Layout(sections, calls);
   const random = randomNumbers();
-  let cost = layout.cost(order), best = cost, bestOrder = order.slice();
+  const begin = sections.find(({ isMoved }) => isMoved).address;
+  let cost = 0, best = 0, bestOrder = layout.order.slice();
   for (let step = 0; step < steps; step++) {
-    const drawn = random(2) === 0 ? moveTogether(order, calls, random) : moveAnywhere(order, random);
+    const drawn = random(4) !== 0 ? moveTogether(layout.order, calls, random) : moveAnywhere(layout.order, random);
     if (!drawn) continue;
     const heat = kHottest * (kColdest / kHottest) ** (step / steps);
-    // most moves bring a section away from what it calls: that is seen at less cost than all of it
-    const { from, to, count } = drawn;
-    if (layout.ownCost(order, drawn, layout.at[order[to]]) > kHopeless * heat) continue;
-    move(order, drawn);
-    const more = layout.cost(order) - cost;
-    if (more > 0 && random(1e9) >= 1e9 * Math.exp(-more / heat)) {
-      move(order, { from: to, to: from, count });
-      layout.place(order);
-      continue;
-    }
-    cost += more;
+    cost += layout.tryMove(drawn, kHopeless * heat, (more) => more <= 0 || random(1e9) < 1e9 * Math.exp(-more / heat));
     if (cost < best) {
       best = cost;
-      bestOrder = order.slice();
+      bestOrder = layout.order.slice();
     }
   }
-  layout.place(bestOrder);
+  layout.place(bestOrder, begin);
   return { order: [...bestOrder], farCalls: layout.farCalls(), trampolines: layout.trampolines() };
 }
