@@ -145,7 +145,7 @@ bool fillIn(const Link&, mavlink::LocalPositionNed& to) {
 // Where a mode that guides itself flies to.
 bool fillIn(const Link&, mavlink::PositionTargetGlobalInt& to) {
     constexpr uint16_t kPositionAlone = 0xFFF8;  // of type_mask: what is to be ignored
-    const auto& demand = vehicle.demand;
+    const auto& demand = core::based(vehicle.demand);
     const bool has_place =
         demand.path == Path::leg || demand.path == Path::circle || demand.path == Path::land;
     if (!guidesItself() || !has_place) return false;

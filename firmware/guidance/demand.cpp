@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/guidance/demand.hpp"
+#include "core/based.hpp"
 
 #include "firmware/guidance/path_state.hpp"
 
@@ -8,12 +9,13 @@ namespace guidance {
 
 using namespace state;
 
+// Who asks sets many of its fields.
 PathDemand& beginPath() {
     path_demand.new_path = true;
-    return path_demand;
+    return core::based(path_demand);
 }
 
-PathDemand& changePath() { return path_demand; }
+PathDemand& changePath() { return core::based(path_demand); }
 
 }  // namespace guidance
 }  // namespace firmware

@@ -2,6 +2,7 @@
 #include "firmware/guidance/plan.hpp"
 
 #include "control/slew.hpp"
+#include "core/based.hpp"
 #include "core/maths.hpp"
 #include "firmware/guidance/path_state.hpp"
 #include "firmware/state/parameters.hpp"
@@ -35,7 +36,7 @@ void beginSlopeHere(float length_m, float along_m) {
 }  // namespace
 
 void followSlope(Plan& plan, float length_m, float along_m, float along_mps) {
-    const auto& demand = vehicle.demand;
+    const auto& demand = core::based(vehicle.demand);
     if (!demand.sloped) return;
     plan.height = navigation::heightOnSlope(demand.from_height_m, demand.height_m, length_m,
                                             along_m, along_mps);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // FBWB: the roll stick demands bank, the pitch stick a climb, the throttle stick an airspeed
 // between the lowest and the highest. With the pitch stick centred the height is held.
+#include "core/based.hpp"
 #include "core/maths.hpp"
 #include "firmware/control/attitude_demand.hpp"
 #include "firmware/guidance/demand.hpp"
@@ -35,7 +36,7 @@ void climb(PathDemand& demand, float rate_mps, float lowest_m) {
 }
 
 void hold(PathDemand& demand, float lowest_m) {
-    const auto& now = vehicle.estimate;
+    const auto& now = core::based(vehicle.estimate);
     if (core::isPositive(demand.climb_rate_mps))
         demand.height_m = now.height_m + now.climb_mps * kLevelOff_s;
     demand.climb_rate_mps = 0;

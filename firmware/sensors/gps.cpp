@@ -82,7 +82,7 @@ void runGps() {
     published.healthy = reception.receiver.healthy();
     if (!published.healthy) published.fix = GpsFix::no_gps;
     if (published.healthy && published.fix == GpsFix::no_gps) published.fix = GpsFix::none;
-    if (arrived) take(reception.receiver.fix());
+    if (arrived) take(core::based(reception.receiver).fix());
 }
 
 bool gpsWaits() {

@@ -3,6 +3,7 @@
 #pragma once
 #include <stdint.h>
 
+#include "core/based.hpp"
 #include "drivers/ms5611_compensation.hpp"
 
 namespace drivers {
@@ -112,7 +113,7 @@ bool Ms5611<Bus, Select>::step(uint32_t now_us) {
             if (now_us - since_us_ >= kReset_us) readPromWord(now_us);
             return false;
         case State::convert:
-            return convert(now_us);
+            return core::based(*this).convert(now_us);
     }
     return false;
 }

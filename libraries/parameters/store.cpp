@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "storage/journal.hpp"
 
@@ -49,7 +50,7 @@ Status loadRow(const Table& table, uint8_t index) {
 
 Status load(const Table& table) {
     if (!progress.recovered) {
-        const Status status = journal.recover();
+        const Status status = core::based<storage::Journal>(journal).recover();
         if (status != Status::ok) return status;
         progress.recovered = true;
     }
@@ -63,7 +64,7 @@ Status load(const Table& table) {
 }
 
 Status save(const Table& table, uint8_t index, float value) {
-    return journal.write(table.slot(index), bitsOf(value));
+    return core::based<storage::Journal>(journal).write(table.slot(index), bitsOf(value));
 }
 
 Found found() { return journal.found(); }
