@@ -53,6 +53,15 @@ struct Ahead {
     float per_crab;    // 1 / cos of the angle between the course over ground and through the air
     bool blown;        // by a wind nearly as fast as the airplane, or faster
 };
+// By the wind: wherever it points, it moves downwind. Not inlined: that would take 2 bytes of
+// stack.
+__attribute__((noinline)) bool isOutrun(const Motion& motion) {
+    constexpr uint16_t kBreeze_mps = core::sizeOfPower(2) + 0x40;  // 6, by the upper bits
+    const Offset& wind = motion.wind_mps;
+    if (core::sizeOf(wind.north_m) < kBreeze_mps && core::sizeOf(wind.east_m) < kBreeze_mps)
+        return false;
+    return core::squaredLength(wind.north_m, wind.east_m) > core::square(motion.airspeed_mps);
+}
 Ahead lookAhead(const Motion& motion) {
     Offset air = motion.velocity_mps - motion.wind_mps;
     const float airspeed = core::limit(motion.airspeed_mps, kSlowest_mps, 200.0f);
@@ -64,8 +73,8 @@ Ahead lookAhead(const Motion& motion) {
     air = air + gained;
     const float moves_mps = geo::length_m(ahead.velocity_mps);
     ahead.speed_mps = core::limit(moves_mps, kSlowest_mps, 200.0f);
-    ahead.blown =
-        moves_mps < motion.airspeed_mps * kMaxBackwards && motion.airspeed_mps > kFlies_mps;
+    const bool slow = moves_mps < motion.airspeed_mps * kMaxBackwards;
+    ahead.blown = (slow || isOutrun(motion)) && motion.airspeed_mps > kFlies_mps;
     ahead.turned_mps = ahead.blown ? air : ahead.velocity_mps;
     ahead.turned_length_mps = ahead.blown ? airspeed : moves_mps;
     ahead.airspeed_mps = airspeed;

@@ -405,6 +405,25 @@ TEST(Course, of_which_a_wind_keeps_it_is_given_up_without_rolling_from_side_to_s
     }
 }
 
+// It points where it cannot go: it is then carried away by the difference of the two, and not by
+// the wind, as it is when it circles.
+TEST(Course, of_which_a_faster_wind_keeps_it_is_held_by_the_nose) {
+    for (const double wind_mps : {18.0, 22.0, 28.0}) {
+        for (const double across_mps : {0.0, 4.0, -4.0}) {
+            Pilot pilot({-wind_mps, across_mps, 0, 1});
+            const auto law = [&](const Motion& motion, const geo::Position&) {
+                return followCourse(kGains, motion, {1, 0});
+            };
+            const auto on = [](const Lateral&) { return true; };
+            pilot.fly(20, law, on);
+            const double from_m = pilot.plane.north;
+            pilot.fly(30, law, on);
+            EXPECT_GT(pilot.plane.north - from_m, (pilot.plane.airspeed - wind_mps - 2) * 30)
+                << wind_mps << " " << across_mps;
+        }
+    }
+}
+
 // Without an airspeed sensor and with a wrong wind it does not know that it is blown: the course of
 // what hardly moves changes from frame to frame, and must not turn the bank over.
 TEST(Course, of_what_hardly_moves_asks_for_little_bank) {
