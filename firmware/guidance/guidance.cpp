@@ -7,7 +7,6 @@
 #include "core/file_state.hpp"
 #include "core/maths.hpp"
 #include "core/rom.hpp"
-#include "core/seldom.hpp"
 #include "firmware/guidance/bank.hpp"
 #include "firmware/guidance/flights.hpp"
 #include "firmware/guidance/height.hpp"
@@ -17,7 +16,6 @@
 #include "firmware/guidance/path_state.hpp"
 #include "firmware/guidance/plan.hpp"
 #include "firmware/guidance/steering.hpp"
-#include "firmware/notify/status_text.hpp"
 #include "firmware/state/mode_traits.hpp"
 #include "firmware/state/parameters.hpp"
 #include "firmware/state/vehicle.hpp"
@@ -25,7 +23,6 @@
 namespace firmware {
 namespace guidance {
 
-using namespace notify;
 using namespace state;
 
 namespace {
@@ -33,7 +30,6 @@ namespace {
 struct LastRun {
     Plan plan;     // of the last runGuidance
     bool guiding;  // in the run before as well
-    bool headwind_reported;
 };
 core::FileState<LastRun> last_run{};
 
@@ -48,7 +44,6 @@ void takeOver() {
     beginBanking();
     beginLateral();
     suppressThrottle();
-    last_run.headwind_reported = false;
 }
 
 void beginPath() {
@@ -63,14 +58,6 @@ void beginPath() {
     beginTakeoff();
 }
 
-// At ARSPD_FBW_MAX it is still slower over ground than MIN_GNDSPD_CM, or blown backwards: the pilot
-// may want to land, or to fly lower.
-SELDOM void reportHeadwind() {
-    if (!last_run.headwind_reported)
-        sendStatusText(Severity::warning, STATUS_TEXT("Headwind too strong"));
-    last_run.headwind_reported = true;
-}
-
 // Into the wind as much faster through the air as the speed over ground is short of MIN_GNDSPD_CM,
 // up to ARSPD_FBW_MAX.
 void keepGroundSpeed(Plan& plan) {
@@ -78,6 +65,7 @@ void keepGroundSpeed(Plan& plan) {
     constexpr uint16_t kBreeze_mps = core::sizeOfPower(2) + 0x40;  // 6, by the upper bits
     const int16_t least_cms = parameters.min_ground_speed_cms;
     const auto& estimate = core::based(vehicle.estimate);
+    progress.blown_back = false;
     if (least_cms == 0) return;
     // 130 us of 20 runs a second, which no frame has to spare: not in a breeze, which leaves what
     // carries an airplane forward speed enough
@@ -89,13 +77,11 @@ void keepGroundSpeed(Plan& plan) {
     const float forward_mps =
         (estimate.velocity_mps.x * air_mps.x + estimate.velocity_mps.y * air_mps.y) /
         estimate.airspeed_mps;
+    progress.blown_back = core::isNegative(forward_mps);
     const float short_mps = core::hundredths(least_cms) - forward_mps;
-    float needed_mps = estimate.equivalent_airspeed_mps * (1 + short_mps / estimate.airspeed_mps);
-    if (needed_mps > speedMax_mps()) {
-        needed_mps = speedMax_mps();
-        reportHeadwind();
-    }
-    plan.airspeed_mps = fmaxf(plan.airspeed_mps, needed_mps);
+    const float needed_mps =
+        estimate.equivalent_airspeed_mps * (1 + short_mps / estimate.airspeed_mps);
+    plan.airspeed_mps = fmaxf(plan.airspeed_mps, fminf(needed_mps, speedMax_mps()));
 }
 
 bool followsPath() {
@@ -109,7 +95,7 @@ void runGuidance() {
     if (!guidesItself()) {
         last_run.guiding = false;
         steerNowhere();
-        progress.throttle_suppressed = progress.flaring = false;
+        progress.throttle_suppressed = progress.flaring = progress.blown_back = false;
         return;
     }
     if (!last_run.guiding) takeOver();

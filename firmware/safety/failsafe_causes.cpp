@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "firmware/safety/failsafe_causes.hpp"
 
+#include "core/based.hpp"
 #include "core/file_state.hpp"
 #include "firmware/safety/failsafe.hpp"
 #include "firmware/safety/fence.hpp"
@@ -19,9 +20,10 @@ namespace {
 
 constexpr uint8_t kRestarted = 3;      // 0.1 s: within this the inertial sensor starts anew
 constexpr uint8_t kBatterySags = 100;  // 0.1 s
+constexpr uint8_t kBlownBack = 100;    // 0.1 s: ARSPD_FBW_MAX is reached, and a gust is over
 
 struct Lasts {  // for so long, 0.1 s
-    uint8_t inertial_lost, battery_low;
+    uint8_t inertial_lost, battery_low, blown_back;
     uint16_t radio_lost;
 };
 core::FileState<Lasts> lasts{};
@@ -45,15 +47,18 @@ bool packIsLow() {
 }  // namespace
 
 void watchCauses() {
+    Lasts& last = core::based<Lasts>(lasts);
     const bool lost = vehicle.armed && !vehicle.imu.healthy;
-    count(lasts.inertial_lost, lost, kRestarted);
+    count(last.inertial_lost, lost, kRestarted);
     // a pack recovers when the motor stops: what was low stays low
-    const bool low = vehicle.armed && (lasts.battery_low == kBatterySags || packIsLow());
-    count(lasts.battery_low, low, kBatterySags);
+    const bool low = vehicle.armed && (last.battery_low == kBatterySags || packIsLow());
+    count(last.battery_low, low, kBatterySags);
+    const bool blown_back = vehicle.estimate.flying && vehicle.progress.blown_back;
+    count(last.blown_back, blown_back, kBlownBack);
     if (!vehicle.armed || !vehicle.radio.lost)
-        lasts.radio_lost = 0;
-    else if (lasts.radio_lost != 0xFFFF)
-        ++lasts.radio_lost;
+        last.radio_lost = 0;
+    else if (last.radio_lost != 0xFFFF)
+        ++last.radio_lost;
 }
 
 // Back, the attitude is found anew first.
@@ -64,6 +69,7 @@ bool inertialLost() {
 }
 bool fenceBroken() { return fenceReport().breach != Breach::none; }
 bool batteryLow() { return lasts.battery_low >= kBatterySags; }
+bool blownBack() { return lasts.blown_back >= kBlownBack; }
 bool radioLost() { return vehicle.radio.lost; }
 bool radioLostLong() {
     return lasts.radio_lost > 0 &&

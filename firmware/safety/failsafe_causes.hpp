@@ -11,6 +11,7 @@ void watchCauses();  // 10 Hz, before any is asked
 bool inertialLost();
 bool fenceBroken();
 bool batteryLow();
+bool blownBack();
 bool radioLostLong();
 bool groundLostLong();
 bool radioLost();

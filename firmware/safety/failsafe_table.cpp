@@ -30,9 +30,9 @@ bool shortGlides() { return parameters.short_action == kGlides; }
 bool shortCircles() { return parameters.short_action == 1; }
 
 constexpr uint16_t kInertial = bitOf(Cause::inertial), kFence = bitOf(Cause::fence),
-                   kBattery = bitOf(Cause::battery), kRadio = bitOf(Cause::radio_long),
-                   kGround = bitOf(Cause::ground_long), kShort = bitOf(Cause::radio_short),
-                   kNowhere = bitOf(Cause::no_position);
+                   kBattery = bitOf(Cause::battery), kBlownBack = bitOf(Cause::blown_back),
+                   kRadio = bitOf(Cause::radio_long), kGround = bitOf(Cause::ground_long),
+                   kShort = bitOf(Cause::radio_short), kNowhere = bitOf(Cause::no_position);
 
 }  // namespace
 
@@ -42,6 +42,7 @@ const Transition kTransitions[kTransitionCount] ROM = {
     {kInertial,        kWhatever,                       always,            Action::sticks,    After::back},
     {kFence,           kWhatever,                       fenceActs,         Action::turn_back, After::stay},
     {kBattery,         by_pilot | by_itself | circling, homeKnown,         Action::go_home,   After::stay},
+    {kBlownBack,       by_itself,                       homeKnown,         Action::go_home,   After::stay},
     {kRadio | kGround, by_pilot | by_itself | circling, longGlides,        Action::glide,     After::stay},
     {kRadio | kGround, by_pilot | circling,             homeKnown,         Action::go_home,   After::stay},
     {kRadio | kGround, by_itself,                       homeIfLongReturns, Action::go_home,   After::stay},
@@ -55,12 +56,13 @@ const Transition kTransitions[kTransitionCount] ROM = {
 };
 
 // ERR's subsystems as ArduCopter counts them: 3 compass, 5 radio, 6 battery, 7 failsafe GPS, 8 ground
-// station, 9 fence, 11 GPS (2: glitch), 18 barometer, 26 sensors.
+// station, 9 fence, 11 GPS (2: glitch), 18 barometer, 22 navigation, 26 sensors.
 constexpr CauseRow kCauseTable[kCauses] ROM = {
     // holds          severity            ERR    begins                           ends
     {inertialLost,   Severity::emergency, 26, 1, "Inertial sensor lost",          "Inertial back"},
     {fenceBroken,    Severity::critical,   9, 1, "",                              ""},
     {batteryLow,     Severity::critical,   6, 1, "Battery low",                   ""},
+    {blownBack,      Severity::critical,  22, 1, "Headwind too strong",           ""},
     {radioLostLong,  Severity::critical,   5, 2, "Radio lost: long failsafe",     ""},
     {groundLostLong, Severity::critical,   8, 1, "Ground station lost: failsafe", "Ground station back"},
     {radioLost,      Severity::warning,    5, 1, "Radio lost: short failsafe",    "Radio back"},

@@ -46,7 +46,7 @@ struct CauseRow {
     notify::TextField<10> ends;
 };
 
-constexpr uint8_t kTransitionCount = 13;
+constexpr uint8_t kTransitionCount = 14;
 extern const Transition kTransitions[kTransitionCount];
 extern const CauseRow kCauseTable[kCauses];
 

@@ -12,6 +12,7 @@ enum class Cause : uint8_t {
     inertial,
     fence,
     battery,
+    blown_back,
     radio_long,
     ground_long,
     radio_short,
@@ -23,7 +24,7 @@ enum class Cause : uint8_t {
     airspeed,
     compass,
 };
-constexpr uint8_t kCauses = 13;
+constexpr uint8_t kCauses = 14;
 constexpr uint16_t bitOf(Cause cause) {
     return static_cast<uint16_t>(1U << static_cast<uint8_t>(cause));
 }

@@ -234,6 +234,7 @@ struct PathProgress {
     bool flaring;
     bool steering;  // the rudder is the runway's, which damps the yaw too
     bool throttle_suppressed;
+    bool blown_back;  // over ground, by a headwind
 };
 
 // Of attitude control, which modes and guidance ask for it: firmware/control/attitude_demand.hpp.

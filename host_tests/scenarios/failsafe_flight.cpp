@@ -29,7 +29,15 @@ constexpr double kReturns_s = 15;  // a receiver that was off has to find its fi
 constexpr uint32_t kCircle = 1, kFbwa = 5, kAuto = 10, kRtl = 11, kLoiter = 12, kGuided = 15;
 
 // What falls silent or is crossed.
-enum Trouble : unsigned { kNone = 0, kRadio = 1, kGps = 2, kGround = 4, kFence = 8, kPack = 16 };
+enum Trouble : unsigned {
+    kNone = 0,
+    kRadio = 1,
+    kGps = 2,
+    kGround = 4,
+    kFence = 8,
+    kPack = 16,
+    kWind = 32
+};
 
 using Settings = std::map<std::string, float>;
 struct Row {
@@ -53,19 +61,20 @@ const Settings kGroundReturns = {{"FS_GCS_ENABL", 1}, {"FS_LONG_ACTN", 1}};
 constexpr char kShort[] = "Radio lost: short failsafe", kLong[] = "Radio lost: long failsafe";
 const Row kRows[] = {
     //   what happens                flown    before trouble  settings             modes            within, afterwards
-    {11, "radio, by the pilot",      kFbwa,   kNone, kRadio,  kShortOnly,          kShort, {kCircle},        3, kFbwa},
-    {12, "radio, by itself",         kLoiter, kNone, kRadio,  kCircles,            kShort, {kCircle},        3, kLoiter},
-    {10, "radio, by itself",         kAuto,   kNone, kRadio,  kGlides,             kShort, {kFbwa},          3, kAuto},
-    {5,  "long, by the pilot",       kFbwa,   kNone, kRadio,  {},                  kLong,  {kCircle, kRtl},  6, kRtl},
-    {6,  "ground station",           kLoiter, kNone, kGround, kGroundReturns,
+    {12, "radio, by the pilot",      kFbwa,   kNone, kRadio,  kShortOnly,          kShort, {kCircle},        3, kFbwa},
+    {13, "radio, by itself",         kLoiter, kNone, kRadio,  kCircles,            kShort, {kCircle},        3, kLoiter},
+    {11, "radio, by itself",         kAuto,   kNone, kRadio,  kGlides,             kShort, {kFbwa},          3, kAuto},
+    {6,  "long, by the pilot",       kFbwa,   kNone, kRadio,  {},                  kLong,  {kCircle, kRtl},  6, kRtl},
+    {7,  "ground station",           kLoiter, kNone, kGround, kGroundReturns,
          "Ground station lost: failsafe",                                                  {kRtl},           5, kRtl},
-    {7,  "long, by itself",          kAuto,   kNone, kRadio,  {{"FS_SHORT_ACTN", 1}}, kLong, {kCircle, kRtl}, 6, kRtl},
-    {4,  "long, by itself, glide",   kAuto,   kNone, kRadio,  {{"FS_LONG_ACTN", 2}},  kLong, {kFbwa},        6, kFbwa},
+    {8,  "long, by itself",          kAuto,   kNone, kRadio,  {{"FS_SHORT_ACTN", 1}}, kLong, {kCircle, kRtl}, 6, kRtl},
+    {5,  "long, by itself, glide",   kAuto,   kNone, kRadio,  {{"FS_LONG_ACTN", 2}},  kLong, {kFbwa},        6, kFbwa},
     {2,  "fence",                    kLoiter, kNone, kFence,  {{"FENCE_ACTION", 1}},
          "Fence breach: too high",                                                         {kGuided},        4, kGuided},
-    {13, "position",                 kAuto,   kNone, kGps,    {},  "Position lost",        {kCircle},       26, kAuto},
-    {8,  "long, by the pilot, nowhere", kFbwa, kGps, kRadio,  {},                  kLong,  {kCircle},        6, kFbwa},
-    {9,  "long, by itself, nowhere", kAuto,   kGps,  kRadio,  {{"FS_LONG_ACTN", 1}},  kLong, {kCircle},      6, kAuto},
+    {14, "position",                 kAuto,   kNone, kGps,    {},  "Position lost",        {kCircle},       26, kAuto},
+    {9,  "long, by the pilot, nowhere", kFbwa, kGps, kRadio,  {},                  kLong,  {kCircle},        6, kFbwa},
+    {10, "long, by itself, nowhere", kAuto,   kGps,  kRadio,  {{"FS_LONG_ACTN", 1}},  kLong, {kCircle},      6, kAuto},
+    {4,  "headwind",                 kLoiter, kNone, kWind,   {},  "Headwind too strong",  {kRtl},          90, kRtl},
     // the last one: a pack that was low stays low
     {3,  "battery",                  kAuto,   kNone, kPack,   {},  "Battery low",          {kRtl},          15, kRtl},
 };
@@ -109,6 +118,7 @@ private:
 
     bool goOn() {
         advance((troubles_ & kGround) == 0);
+        blow();
         const Truth& truth = board_.world().truth();
         if (!begun_) return !flight_.over();  // the take-off
         lowest_m_ = std::min(lowest_m_, truth.height_m);
@@ -188,6 +198,14 @@ private:
         troubles_ = troubles;
     }
 
+    // It freshens until it is faster than ARSPD_FBW_MAX, and drops again, by 1 m/s each second.
+    void blow() {
+        constexpr double kStorm_mps = 28, kStep_mps = 1e-6 * kStep_us;
+        const double wanted_mps = (troubles_ & kWind) != 0 ? kStorm_mps : 0;
+        wind_mps_ += std::clamp(wanted_mps - wind_mps_, -kStep_mps, kStep_mps);
+        board_.world().setWind(wind_mps_, 0);
+    }
+
     bool choose(uint32_t wanted) {
         for (int tries = 0; tries < 3; ++tries) {
             mavlink::SetMode message{};
@@ -260,6 +278,7 @@ private:
     }
 
     unsigned troubles_ = kNone;
+    double wind_mps_ = 0;
     bool begun_ = false, passed_ = false;
     size_t said_ = 0;              // texts before this row, then before its trouble
     std::vector<uint32_t> modes_;  // since then

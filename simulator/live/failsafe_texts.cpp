@@ -9,6 +9,7 @@ const std::vector<FailsafeText>& failsafeTexts() {
     static const std::vector<FailsafeText> kTexts = {
         {"Inertial sensor lost", {"Inertial back"}},
         {"Battery low", {}},
+        {"Headwind too strong", {}},
         {"Radio lost: long failsafe", {"Radio back"}},
         {"Ground station lost: failsafe", {"Ground station back"}},
         {"Radio lost: short failsafe", {"Radio back"}},

@@ -1033,18 +1033,25 @@ TEST_F(Guidance, keeps_3_mps_over_ground_if_nothing_else_is_set) {
     EXPECT_EQ(demanded_mps(-25, 0), parameters.speed_max_mps);
 }
 
-TEST_F(Guidance, reports_once_a_headwind_in_which_the_highest_airspeed_does_not_get_it_ahead) {
-    const std::string text = "4 Headwind too strong";
-    for (const float wind_mps : {-18.9f, -19.1f}) {  // of ARSPD_FBW_MAX, 22 m/s, 3 are to be left
-        inTheAir();
+TEST_F(Guidance, is_blown_back_where_the_wind_is_faster_than_it) {
+    const auto blown_back = [&](float wind_mps, int16_t least_cms) {
+        parameters.min_ground_speed_cms = least_cms;
         mutable_vehicle.estimate.wind_mps = {wind_mps, 0, 0};
         move(13 + wind_mps, 0);
-        bench::statusTexts();
-        guide(20);
-        const auto texts = bench::statusTexts();
-        EXPECT_EQ(std::count(texts.begin(), texts.end(), text), wind_mps > -19 ? 0 : 1) << wind_mps;
-        firmware::modes::requestMode(Mode::manual, firmware::modes::ModeReason::ground);
-    }
+        guide();
+        return vehicle.progress.blown_back;
+    };
+    inTheAir();
+    EXPECT_FALSE(blown_back(-12.9f, 300)) << "it flies 13 m/s";
+    EXPECT_TRUE(blown_back(-13.1f, 300));
+    EXPECT_FALSE(blown_back(-5, 300)) << "a breeze";
+    EXPECT_TRUE(blown_back(-13.1f, 500));
+    EXPECT_FALSE(blown_back(-12.9f, 500));
+    EXPECT_FALSE(blown_back(-30, 0)) << "nobody asks";
+    EXPECT_TRUE(blown_back(-30, 300));
+    firmware::modes::requestMode(Mode::manual, firmware::modes::ModeReason::ground);
+    guide();
+    EXPECT_FALSE(vehicle.progress.blown_back) << "the pilot flies";
 }
 
 // The speed over ground is the one ahead: a crab sideways brings it nowhere.

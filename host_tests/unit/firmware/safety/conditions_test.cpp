@@ -277,11 +277,11 @@ TEST_F(Conditions, of_the_guards_of_the_failsafes_turn_them_alone) {
         {"home known", {homeSet, known}, [] { return guardOf(2); }, all},
         {"home if FS_LONG_ACTN returns",
          {long_returns, homeSet, known},
-         [] { return guardOf(5); },
+         [] { return guardOf(6); },
          all},
         {"home if FS_SHORT_ACTN acts",
          {short_acts, homeSet, known},
-         [] { return guardOf(6); },
+         [] { return guardOf(7); },
          all},
     });
 }

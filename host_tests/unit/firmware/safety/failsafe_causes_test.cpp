@@ -88,6 +88,23 @@ TEST_F(FailsafeCauses, a_pack_is_low_by_its_voltage_or_by_what_is_left_in_it) {
     }
 }
 
+TEST_F(FailsafeCauses, a_headwind_is_too_strong_when_it_blows_the_airplane_back_for_ten_seconds) {
+    mutable_vehicle.armed = mutable_vehicle.estimate.flying = true;
+    mutable_vehicle.progress.blown_back = true;
+    watch(99);
+    EXPECT_FALSE(blownBack());
+    mutable_vehicle.progress.blown_back = false;
+    watch(1);
+    mutable_vehicle.progress.blown_back = true;
+    watch(99);
+    EXPECT_FALSE(blownBack()) << "a gust ended";
+    watch(1);
+    EXPECT_TRUE(blownBack());
+    mutable_vehicle.estimate.flying = false;
+    watch(1);
+    EXPECT_FALSE(blownBack()) << "on the ground it only stands in the wind";
+}
+
 TEST_F(FailsafeCauses, a_sensor_that_is_not_used_is_not_missed) {
     mutable_vehicle.airspeed.healthy = mutable_vehicle.compass.healthy = false;
     struct Use {

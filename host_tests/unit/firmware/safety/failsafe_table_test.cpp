@@ -39,6 +39,8 @@ int wanted(uint16_t causes, uint8_t flown, const Setting& set) {
     if (flown == firmware::safety::near_ground) return kNothing;
     if (flown != firmware::safety::returning) {
         if (has(causes, Cause::battery) && way_home) return int(Action::go_home);
+        if (has(causes, Cause::blown_back) && flown == firmware::safety::by_itself && way_home)
+            return int(Action::go_home);
         const bool by_radio = has(causes, Cause::radio_long);
         if (by_radio || has(causes, Cause::ground_long)) {
             const bool mission = flown == firmware::safety::by_itself;
@@ -176,6 +178,7 @@ const Trigger kTriggers[] = {
     {"barometer", Cause::barometer, [](bool on) { mutable_vehicle.baro.healthy = !on; }, 1},
     {"airspeed", Cause::airspeed, [](bool on) { mutable_vehicle.airspeed.healthy = !on; }, 1},
     {"compass", Cause::compass, [](bool on) { mutable_vehicle.compass.healthy = !on; }, 1},
+    {"headwind", Cause::blown_back, [](bool on) { mutable_vehicle.progress.blown_back = on; }, 101},
 };
 
 Mode modeOf(int action, Mode flown) {

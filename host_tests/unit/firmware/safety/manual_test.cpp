@@ -13,9 +13,9 @@ namespace {
 using firmware::safety::Cause;
 
 const char* const kNames[firmware::safety::kCauses] = {
-    "inertial sensor", "fence",  "battery", "radio for long", "ground station", "radio",
-    "position",        "height", "GPS",     "GPS jump",       "barometer",      "airspeed",
-    "compass"};
+    "inertial sensor", "fence",     "battery",  "headwind", "radio for long",
+    "ground station",  "radio",     "position", "height",   "GPS",
+    "GPS jump",        "barometer", "airspeed", "compass"};
 const char* const kSeverities[] = {"emergency", "alert",  "critical", "error",
                                    "warning",   "notice", "info",     "debug"};
 const char* const kActions[] = {"MANUAL", "turn back", "RTL", "glide", "CIRCLE"};
