@@ -123,11 +123,11 @@ float cosineOf(float sine) {
 }
 
 // The acceleration that turns the velocity towards `course`; all of it beyond a right angle. Nearly
-// opposite to it the bank decides the side: in a wind faster than the airplane no turn brings the
-// velocity round, it swings to and fro there while the nose turns, and would roll the airplane with
-// it. Blown by the wind, the course over ground shows neither where the nose points nor what a bank
-// changes: there the nose is turned to where wind and airspeed together make the course, and no
-// farther into the wind than the steepest crab.
+// opposite to it the bank decides the side: in a wind about as fast as the airplane the velocity
+// swings to and fro there while the nose turns, and would roll the airplane with it. Blown by the
+// wind, the course over ground shows neither where the nose points nor what a bank changes: there
+// the nose is turned to where wind and airspeed together make the course, and no farther into the
+// wind than the steepest crab.
 float turnTowards(const LateralGains& gains, const Ahead& ahead, const Offset& course) {
     float sine = cross(ahead.turned_mps, course);
     if (ahead.blown) {

@@ -382,8 +382,8 @@ TEST(Course, is_held_by_a_crab_in_a_wind_across_it) {
     }
 }
 
-// In a wind faster than the airplane no bank reaches the course. It keeps to one side, whichever.
-TEST(Course, of_which_a_wind_keeps_it_is_given_up_without_rolling_from_side_to_side) {
+// In a wind faster than the airplane no bank reaches the course.
+TEST(Course, of_which_a_faster_wind_keeps_it_does_not_roll_it_from_side_to_side) {
     for (const double wind_mps : {14.0, 17.0, 20.0, 25.0, 30.0}) {
         for (const double across_mps : {0.0, 5.0, -5.0, 10.0}) {
             Pilot pilot({-wind_mps, across_mps, 0, 1});
