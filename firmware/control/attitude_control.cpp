@@ -326,7 +326,8 @@ void runSpeedScaling() {
         sine = core::Ratio::fromRaw(-sine.raw);
         cosine = core::Ratio::fromRaw(-cosine.raw);
     }
-    loops.turn = ::control::turnRates(loops.air, sine, cosine, attitude.cos_pitch);
+    loops.turn = ::control::turnRates(loops.air, sine.toFloat(), cosine.toFloat(),
+                                      attitude.cos_pitch.toFloat());
     if (bounds.inverted)
         loops.turn = {core::BodyRate::fromRaw(-loops.turn.pitch_rads.raw),
                       core::BodyRate::fromRaw(-loops.turn.yaw_rads.raw)};

@@ -18,15 +18,13 @@ core::Ratio rollDeflection(const AxisGains& gains, AxisState& state, const AirFl
                           periods);
 }
 
-TurnRates turnRates(const AirFlow& air, core::Ratio sin_roll, core::Ratio cos_roll,
-                    core::Ratio cos_pitch) {
+TurnRates turnRates(const AirFlow& air, float sin_roll, float cos_roll, float cos_pitch) {
     // g / V * tan(bank) about the vertical, sin(bank) of it about the wing
-    const auto level_sin = core::Ratio::fromRaw(core::times14(cos_pitch.raw, sin_roll.raw));
-    const float yaw_rads = core::kGravity_mss * air.inverse_airspeed_spm * level_sin.toFloat();
+    const float yaw_rads = core::kGravity_mss * air.inverse_airspeed_spm * cos_pitch * sin_roll;
     // inverted the nose must not be pulled through
-    if (cos_roll.raw <= 0) return {core::BodyRate::fromRaw(0), core::BodyRate(yaw_rads)};
-    const float steep_cos = core::limit(cos_roll.toFloat(), kSteepest_cos, 1.0f);
-    return {core::BodyRate(yaw_rads * sin_roll.toFloat() / steep_cos), core::BodyRate(yaw_rads)};
+    if (cos_roll <= 0) return {core::BodyRate::fromRaw(0), core::BodyRate(yaw_rads)};
+    const float steep_cos = core::limit(cos_roll, kSteepest_cos, 1.0f);
+    return {core::BodyRate(yaw_rads * sin_roll / steep_cos), core::BodyRate(yaw_rads)};
 }
 
 core::Ratio pitchDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,

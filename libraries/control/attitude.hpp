@@ -16,8 +16,7 @@ core::Ratio rollDeflection(const AxisGains& gains, AxisState& state, const AirFl
 struct TurnRates {
     core::BodyRate pitch_rads, yaw_rads;
 };
-TurnRates turnRates(const AirFlow& air, core::Ratio sin_roll, core::Ratio cos_roll,
-                    core::Ratio cos_pitch);
+TurnRates turnRates(const AirFlow& air, float sin_roll, float cos_roll, float cos_pitch);
 
 // Nose up is positive.
 core::Ratio pitchDeflection(const AxisGains& gains, AxisState& state, const AirFlow& air,

@@ -19,11 +19,6 @@ float integrator(const AxisState& state) { return state.integrator.toFloat(); }
 
 AirFlow at(float airspeed_mps) { return control::airFlow(15, airspeed_mps, 9); }
 
-control::TurnRates banked(float airspeed_mps, float sine, float cosine) {
-    return control::turnRates(at(airspeed_mps), core::Ratio(sine), core::Ratio(cosine),
-                              core::Ratio(1.0f));
-}
-
 float deflect(const control::RollSettings& settings, AxisState& state, const AirFlow& air,
               float error_rad, float rate_rads) {
     return rollDeflection(rollGains(settings), state, air, core::Angle(error_rad),
@@ -155,7 +150,7 @@ TEST(Pitch, a_turn_adds_the_rate_that_holds_the_nose_on_the_horizon) {
     auto settings = pitch();
     settings.axis.i = 0;
     const float bank = 45 * kDegree;
-    const auto turn = banked(15, std::sin(bank), std::cos(bank));
+    const auto turn = turnRates(at(15), std::sin(bank), std::cos(bank), 1);
     EXPECT_NEAR(turn.pitch_rads.toFloat(), 9.80665f / 15 * std::tan(bank) * std::sin(bank), 1e-3);
     AxisState state;
 
@@ -163,9 +158,9 @@ TEST(Pitch, a_turn_adds_the_rate_that_holds_the_nose_on_the_horizon) {
     const float feed_forward = 0.4f * 0.5f - 0.02f;
     EXPECT_NEAR(deflect(settings, state, at(15), turn, 0, turn.pitch_rads.toFloat()),
                 feed_forward * turn.pitch_rads.toFloat() * 4 / 3.14159265f, 1e-4);
-    EXPECT_FLOAT_EQ(banked(15, -std::sin(bank), std::cos(bank)).pitch_rads.toFloat(),
+    EXPECT_FLOAT_EQ(turnRates(at(15), -std::sin(bank), std::cos(bank), 1).pitch_rads.toFloat(),
                     turn.pitch_rads.toFloat());
-    EXPECT_FLOAT_EQ(banked(15, 0.1f, -0.9f).pitch_rads.toFloat(), 0) << "inverted";
+    EXPECT_FLOAT_EQ(turnRates(at(15), 0.1f, -0.9f, 1).pitch_rads.toFloat(), 0) << "inverted";
 }
 
 float yawFor(const control::YawSettings& settings, control::YawState& state,
@@ -179,7 +174,7 @@ float yawFor(const control::YawSettings& settings, control::YawState& state,
 TEST(Yaw, a_coordinated_turn_needs_no_rudder_and_a_swing_is_damped) {
     const control::YawSettings settings{0, 0, 0.3f, 1, 1500};
     const float bank = 30 * kDegree;
-    const auto turn = banked(12, std::sin(bank), std::cos(bank));
+    const auto turn = turnRates(at(12), std::sin(bank), std::cos(bank), 1);
     const float turn_rads = 9.80665f / 12 * std::sin(bank);
     control::YawState state;
 
