@@ -319,8 +319,7 @@ void runSpeedScaling() {
     const bool rests = airspeed_mps < speedMin_mps() || estimator::mayRoll();
     if (!vehicle.airspeed.healthy)
         airspeed_mps = fmaxf(airspeed_mps, core::hundredths(parameters.cruise_speed_cms));
-    loops.air = ::control::airFlow(parameters.scaling_speed_mps, airspeed_mps, speedMin_mps());
-    loops.air.integrators_rest = rests;
+    loops.air = ::control::airFlow(parameters.scaling_speed_mps, airspeed_mps, rests);
     core::Ratio sine = attitude.sin_roll, cosine = attitude.cos_roll;
     if (bounds.inverted) {  // both turn the other way about the airplane's own axes
         sine = core::Ratio::fromRaw(-sine.raw);

@@ -54,10 +54,10 @@ void integrate(const AxisGains& gains, AxisState& state, const AirFlow& air,
 
 }  // namespace
 
-AirFlow airFlow(float scaling_speed_mps, float airspeed_mps, float lowest_flying_mps) {
+AirFlow airFlow(float scaling_speed_mps, float airspeed_mps, bool integrators_rest) {
     const float inverse = core::inverse(core::limit(airspeed_mps, kSlowest_mps, 200.0f));
     return {core::Ratio(core::limit(scaling_speed_mps * inverse, 0.5f, 2.0f)), inverse,
-            airspeed_mps < lowest_flying_mps};
+            integrators_rest};
 }
 
 AxisGains rollGains(const RollSettings& settings) {

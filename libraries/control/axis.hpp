@@ -14,7 +14,7 @@ struct AirFlow {
     float inverse_airspeed_spm;
     bool integrators_rest;  // below the lowest flying speed
 };
-AirFlow airFlow(float scaling_speed_mps, float airspeed_mps, float lowest_flying_mps);
+AirFlow airFlow(float scaling_speed_mps, float airspeed_mps, bool integrators_rest);
 
 // Of full deflection and radians, at the scaling speed.
 struct AxisGains {

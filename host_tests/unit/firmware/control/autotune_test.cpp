@@ -28,7 +28,7 @@ protected:
         const auto gains = which == firmware::control::kTunedRoll
                                ? control::rollGains(parameters.roll)
                                : control::pitchGains(parameters.pitch);
-        const auto air = control::airFlow(15, 15, 9);
+        const auto air = control::airFlow(15, 15, false);
         for (int i = 0; i <= 60; ++i) {
             const float rate_rads = 1.2f * std::sin(3.14159265f * static_cast<float>(i) / 60);
             control::AxisState state;

@@ -17,7 +17,7 @@ constexpr float kSteps = 2e-4f;  // what the fixed point of gains and rates lose
 
 float integrator(const AxisState& state) { return state.integrator.toFloat(); }
 
-AirFlow at(float airspeed_mps) { return control::airFlow(15, airspeed_mps, 9); }
+AirFlow at(float airspeed_mps) { return control::airFlow(15, airspeed_mps, airspeed_mps < 9); }
 
 float deflect(const control::RollSettings& settings, AxisState& state, const AirFlow& air,
               float error_rad, float rate_rads) {

@@ -49,7 +49,7 @@ struct Tuning {
     float feedForward() const { return control::rollGains(settings).feed_forward.toFloat(); }
     template <class AnyAxis>
     void hold(AnyAxis& axis, float angle, float seconds) {
-        const auto air = control::airFlow(15, axis.speed_mps, 9);
+        const auto air = control::airFlow(15, axis.speed_mps, axis.speed_mps < 9);
         for (int i = 0; i < seconds * 100; ++i) {
             const auto gains = control::rollGains(settings);
             const core::Angle error(angle - axis.angle);
