@@ -11,9 +11,10 @@ namespace {
 // The beginnings of texts that state why; those of sensors that no mode depends on are not among
 // them.
 constexpr const char* kReasons[] = {
-    "Radio back",       "Ground station", "Inertial",     "Position", "GPS",       "Height",
-    "Barometer",        "Battery",        "Fence",        "RTL",      "Mode",      "Circling",
-    "Mission complete", "Landing broken", "No such mode", "Started",  "Restarted", "Going to rally",
+    "Radio back",    "Ground station", "Inertial",  "Position",         "GPS",
+    "Height",        "Barometer",      "Battery",   "Headwind",         "Fence",
+    "RTL",           "Mode",           "Circling",  "Mission complete", "Landing broken",
+    "No such mode",  "Started",        "Restarted", "Going to rally",
     "AUTO: mission",  // without a NAV command: RTL in its place, once it flies
 };
 
