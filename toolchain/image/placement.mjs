@@ -25,7 +25,7 @@ function randomNumbers() {
   };
 }
 
-// Where the sections lie, and what that costs. Flat arrays: it is asked some hundred thousand times.
+// Where the sections lie, and what that costs. Flat arrays: it is asked some million times.
 class Layout {
   constructor(sections, calls) {
     this.size = Int32Array.from(sections, ({ size }) => size);
@@ -45,12 +45,13 @@ class Layout {
     this.ends = Int32Array.from(ends.flat());
     this.endsOf = new Int32Array(sections.length + 1);
     ends.forEach((list, i) => { this.endsOf[i + 1] = this.endsOf[i] + list.length; });
-    this.order = Int32Array.from(sections.flatMap(({ isMoved }, i) => (isMoved ? [i] : [])));
-    this.place(this.order, sections.find(({ isMoved }) => isMoved).address);
+    this.begin = sections.find(({ isMoved }) => isMoved).address;
+    this.place(Int32Array.from(sections.flatMap(({ isMoved }, i) => (isMoved ? [i] : []))));
   }
 
-  place(order, begin) {
-    let next = begin;
+  place(order) {
+    this.order = order;
+    let next = this.begin;
     for (const section of order) {
       this.at[section] = next;
       next += this.size[section];
@@ -148,11 +149,11 @@ function moveAnywhere(order, random) {
 // sections: { address, size, isMoved, isPointedAt }, by their present addresses; the first that is
 // moved begins where those that are moved will lie.
 // calls: { from, fromAt, to, toAt }: indices of sections, and bytes from their beginnings.
-// Returns the indices of what is moved in its new order, and what is left to pay for.
+// Returns the indices of what is moved in its new order, what is left to pay for, and the bytes that
+// the moves have saved by what each changed.
 export function placed(sections, calls, steps) {
   const layout = new Layout(sections, calls);
   const random = randomNumbers();
-  const begin = sections.find(({ isMoved }) => isMoved).address;
   let cost = 0, best = 0, bestOrder = layout.order.slice();
   for (let step = 0; step < steps; step++) {
     const drawn = random(4) !== 0 ? moveTogether(layout.order, calls, random) : moveAnywhere(layout.order, random);
@@ -164,6 +165,6 @@ export function placed(sections, calls, steps) {
       bestOrder = layout.order.slice();
     }
   }
-  layout.place(bestOrder, begin);
-  return { order: [...bestOrder], farCalls: layout.farCalls(), trampolines: layout.trampolines() };
+  layout.place(bestOrder);
+  return { order: [...bestOrder], farCalls: layout.farCalls(), trampolines: layout.trampolines(), saved: -best };
 }

@@ -50,6 +50,17 @@ test('the same sections give the same order', () => {
   assert.deepEqual(placed(row(0, sizes), calls, kSteps), placed(row(0, sizes), calls, kSteps));
 });
 
+test('what the moves have saved one by one is what the order saves as a whole', () => {
+  const pointed = (i) => ({ isPointedAt: i % 3 === 0 });
+  const sections = row(0x1c000, inOrder(60).map((i) => 100 + 73 * i), pointed);
+  const calls = inOrder(240).map((i) => call(i % 60, (i * 17 + 7) % 60, i % 90)).filter(({ from, to }) => from !== to);
+  const [before, after] = [0, kSteps].map((steps) => placed(sections, calls, steps));
+  const cost = ({ farCalls, trampolines }) => 2 * farCalls + 4 * trampolines;
+
+  assert.ok(after.saved > 0);
+  assert.equal(after.saved, cost(before) - cost(after));
+});
+
 test('what is not moved stays, and callers come near it', () => {
   const vectors = { address: 0, size: 200, isMoved: false, isPointedAt: false };
   const { order, farCalls } = placed([vectors, ...row(200, [5000, 5000, 80])], [call(0, 3)], kSteps);
