@@ -24,6 +24,9 @@ constexpr uint8_t kPairsOfAnchor = 50;
 constexpr uint8_t kPairs = 250;  // as many as are wanted
 constexpr uint8_t kCoarse = 60;
 constexpr float kMaxOffset_mg = 400;
+// Of what two readings show in flight, where a motor and gusts add what is not known: offsets that
+// were right were moved by 40 mG in one steep turn, with what the first flight needs to find them.
+constexpr float kGainOfFirstFlight = 0.03f, kGainInFlight = 0.01f;
 // Of what the estimator hands over at a time, which is a 150th of what a reading is off by: so much
 // counts for the motor's part. Before the offsets are known, at the beginning of the first flight,
 // a reading is off by far more than a motor adds.
@@ -86,6 +89,11 @@ void averageMiss(float miss_mg) {
 float motorShare(float above_mean) {
     constexpr float kShare = 0.01f * 150, kNoise = 0.09f;
     return kShare * above_mean / (kNoise + above_mean * above_mean);
+}
+
+// With no offset stored nobody has found them before.
+float gainInFlight() {
+    return core::isZero(learning.turns.stored.offset_mg[0]) ? kGainOfFirstFlight : kGainInFlight;
 }
 
 bool offsetsMoved() {
@@ -177,7 +185,7 @@ void learnCompass(const int16_t (&now_mg)[3]) {
     if (turned) widen(now_mg);
     if (learning.anchor_left != 0) {
         if (square < kApart_mg * kApart_mg) return;
-        const float gain = !turned ? 0.03f : learning.turns.pairs < kCoarse ? 0.4f : 0.12f;
+        const float gain = !turned ? gainInFlight() : learning.turns.pairs < kCoarse ? 0.4f : 0.12f;
         const float miss_mg = approach(apart_mg, core::half(static_cast<float>(squares)),
                                        static_cast<float>(square), gain);
         if (turned) averageMiss(miss_mg);
