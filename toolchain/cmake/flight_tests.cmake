@@ -8,6 +8,7 @@ set(native_minutes ${flights}/native_minutes)
 set(missions ${CMAKE_SOURCE_DIR}/simulator/missions)
 set(first_flight ${missions}/first_flight.waypoints)
 set(short_flight ${tests}/scenarios/short_flight.waypoints)  # five minutes of the image instead of seven
+set(there_and_back ${tests}/scenarios/there_and_back.waypoints)  # three
 file(GLOB flight_data CONFIGURE_DEPENDS ${missions}/* ${CMAKE_SOURCE_DIR}/simulator/airplanes/*)
 
 # flight_program(NAME [SOURCE...]): host_tests/scenarios/NAME.cpp, or these, with both vehicles
@@ -193,7 +194,7 @@ foreach(yaw 90 180 270)
     native_test(flight.native_compass_turned_${yaw} mounting_flight native ${first_flight} ${yaw}
                 ${flights}/native_compass_turned_${yaw} ${native_minutes})
 endforeach()
-image_test(flight.elf_compass_turned_90 apm2 mounting_flight ${IMAGE_apm2} ${short_flight} 90
+image_test(flight.elf_compass_turned_90 apm2 mounting_flight ${IMAGE_apm2} ${there_and_back} 90
            ${flights}/elf_compass_turned_90 ${minutes})
 
 # gains found in the air, on an airplane whose own are near the defaults and on one far from them
