@@ -24,8 +24,9 @@ constexpr uint8_t kPairsOfAnchor = 50;
 constexpr uint8_t kPairs = 250;  // as many as are wanted
 constexpr uint8_t kCoarse = 60;
 constexpr float kMaxOffset_mg = 400;
-// Of what two readings show in flight, where a motor and gusts add what is not known: offsets that
-// were right were moved by 40 mG in one steep turn, with what the first flight needs to find them.
+// The share of what two readings differ by that is taken over in flight. The first flight has to
+// find the offsets; later it would move right ones by what a motor and gusts add: 40 mG in one
+// steep turn.
 constexpr float kGainOfFirstFlight = 0.03f, kGainInFlight = 0.01f;
 // Of what the estimator hands over at a time, which is a 150th of what a reading is off by: so much
 // counts for the motor's part. Before the offsets are known, at the beginning of the first flight,
